@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: MIT
+ * What the subcommands share: messages, output files, numbers from the command line, the models by name. */
+#ifndef GLINT_HOST_H
+#define GLINT_HOST_H
+
+#include <argp.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "glint.h"
+
+enum { EXIT_GOOD = 0, EXIT_FAILED = 1, EXIT_USAGE = 2 };
+
+/* ---- messages (message.c) ---- */
+
+/* Prints "glint: " and one line (what failed, on what, what to do), removes unfinished output, exits 1. */
+_Noreturn void fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
+/* One line on standard error, beginning "glint: ". */
+void warn(const char *format, ...) __attribute__((format(printf, 1, 2)));
+/* A line that overwrites itself, only where standard error is a terminal; NULL ends and clears it. */
+void progress(const char *format, ...) __attribute__((format(printf, 1, 2)));
+void progress_end(void);
+bool color_wanted(FILE *stream); /* a terminal, and NO_COLOR is unset or empty */
+
+/* ---- output files (output.c) ---- */
+
+/* A regular file is written beside its name and renamed when it is whole; "-" is standard output; pipes and devices are
+ * written in place. Failure of any step ends the program through fail(), leaving no partial file. One or several at once. */
+struct output {
+    FILE *stream;
+    char *path;      /* as named by the user */
+    char *temporary; /* NULL where written in place */
+};
+struct output *output_open(const char *path);
+void output_close(struct output *output); /* checks, syncs the name, frees */
+void output_discard_all(void);            /* unfinished files go; called by fail(), at exit and by signals */
+
+/* ---- numbers (numbers.c) ---- */
+
+/* Strict: the whole text must be one number within the limits, else argp_error names the option and what is allowed
+ * (exit 2). `option` as the user writes it: "-n", "--light". */
+long parse_integer(const struct argp_state *state, const char *option, const char *text, long low, long high);
+double parse_real(const struct argp_state *state, const char *option, const char *text, double low, double high);
+/* "X,Y,Z": exactly `count` numbers. */
+void parse_reals(const struct argp_state *state, const char *option, const char *text, double *values, int count,
+                 double low, double high);
+/* "A", "A,B,C", "A:B" (step 1), "A:B:STEP" or a mix of them by commas; `values` is malloc'd, the count returned. */
+size_t parse_list(const struct argp_state *state, const char *option, const char *text, double low, double high,
+                  double **values);
+
+/* ---- models (models.c) ---- */
+
+/* The double-precision formulas, as the paper prints them; `angle` = acos(c) is used where the formula uses it. */
+double model_double(enum glint_model model, double n, double c);
+extern const char *const model_names[]; /* "msh" ... "cayley", by enum glint_model */
+enum { MODEL_COUNT = 6 };
+enum glint_model parse_model(const struct argp_state *state, const char *option, const char *text);
+
+/* ---- subcommands ---- */
+
+int command_render(int argc, char **argv);
+int command_eval(int argc, char **argv);
+int command_cutoff(int argc, char **argv);
+int command_table(int argc, char **argv);
+int command_search(int argc, char **argv);
+int command_paper(int argc, char **argv);
+
+/* argp_parse for a subcommand: exit status 2 for usage errors, --version, options after arguments allowed. */
+void parse_command(const struct argp *argp, int argc, char **argv, void *input);
+
+#endif

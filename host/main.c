@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT
+ * The `glint` command: picks the subcommand. */
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "host.h"
+
+static const struct command {
+    const char *name;
+    int (*run)(int argc, char **argv);
+    const char *summary;
+} commands[] = {
+    {"render", command_render, "Shade a normal map, a height map or a built-in scene into a picture"},
+    {"eval", command_eval, "Print values of a highlight function"},
+    {"cutoff", command_cutoff, "Print where a highlight falls below 2^-q"},
+    {"table", command_table, "Write a material's table as C source or raw"},
+    {"search", command_search, "Search for highlight functions as the paper does"},
+    {"paper", command_paper, "Reproduce the paper: table, figures, claims, report"},
+};
+enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
+
+const char *argp_program_version = "glint " GLINT_VERSION_STRING;
+
+static error_t parse_option(int key, char *argument, struct argp_state *state)
+{
+    (void)argument;
+    if (key == ARGP_KEY_NO_ARGS)
+        argp_error(state, "no command; one of render, eval, cutoff, table, search, paper is wanted");
+    if (key == ARGP_KEY_ARG) {
+        state->next--; /* leave the command's own words to it */
+        *(int *)state->input = state->next;
+        state->next = state->argc;
+        return 0;
+    }
+    return ARGP_ERR_UNKNOWN;
+}
+
+static char *describe(int key, const char *text, void *input)
+{
+    (void)input;
+    if (key != ARGP_KEY_HELP_POST_DOC)
+        return (char *)text;
+    char *out = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&out, &size);
+    if (!stream)
+        return (char *)text;
+    fputs("Commands:\n", stream);
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        fprintf(stream, "  %-8s %s\n", commands[i].name, commands[i].summary);
+    fputs("\n`glint COMMAND --help` tells more.\n"
+          "Exit status: 0 good, 1 failed, 2 wrong usage.\n"
+          "\nExamples:\n"
+          "  glint render --scene watchface -o dial.png --model msh -n 60\n"
+          "  glint eval --model msh -n 60 0.99\n"
+          "  glint paper -o report",
+          stream);
+    fclose(stream);
+    return out;
+}
+
+static void on_signal(int number)
+{
+    output_discard_all();
+    signal(number, SIG_DFL);
+    raise(number);
+}
+
+void parse_command(const struct argp *argp, int argc, char **argv, void *input)
+{
+    argp_parse(argp, argc, argv, 0, NULL, input);
+}
+
+int main(int argc, char **argv)
+{
+    argp_err_exit_status = EXIT_USAGE;
+    signal(SIGINT, on_signal);
+    signal(SIGTERM, on_signal);
+    signal(SIGHUP, on_signal);
+    signal(SIGPIPE, SIG_IGN); /* a closed pipe is reported by the write that fails */
+    atexit(output_discard_all);
+
+    static const struct argp argp = {
+        NULL, parse_option, "COMMAND [OPTION...]",
+        "glint: specular highlights with integers only.\vCommands", NULL, describe, NULL};
+    int first = 0;
+    argp_parse(&argp, argc, argv, ARGP_IN_ORDER, NULL, &first);
+    for (int i = 0; i < COMMAND_COUNT; i++) {
+        if (strcmp(argv[first], commands[i].name) != 0)
+            continue;
+        static char name[32];
+        snprintf(name, sizeof name, "glint %s", commands[i].name);
+        argv[first] = name; /* so that help and errors name the subcommand */
+        return commands[i].run(argc - first, argv + first);
+    }
+    fprintf(stderr, "glint: no command '%s'; `glint --help` lists them\n", argv[first]);
+    return EXIT_USAGE;
+}

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: MIT
+ * Output that is whole or not there: a regular file is written beside its name, then renamed. */
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "host.h"
+
+enum { OPEN_MAX_FILES = 8 };
+static char *unfinished[OPEN_MAX_FILES]; /* names to remove if the program ends early; read by the signal handler */
+
+static void remember(char *name)
+{
+    for (int i = 0; i < OPEN_MAX_FILES; i++) {
+        if (!unfinished[i]) {
+            unfinished[i] = name;
+            return;
+        }
+    }
+    fail("%s: more than %d output files at once", name, OPEN_MAX_FILES);
+}
+
+static void forget(const char *name)
+{
+    for (int i = 0; i < OPEN_MAX_FILES; i++)
+        if (unfinished[i] == name)
+            unfinished[i] = NULL;
+}
+
+void output_discard_all(void)
+{
+    for (int i = 0; i < OPEN_MAX_FILES; i++) {
+        if (unfinished[i])
+            unlink(unfinished[i]);
+        unfinished[i] = NULL;
+    }
+}
+
+/* A file that exists keeps its mode; a new one gets what the umask allows. */
+static mode_t wanted_mode(bool exists, const struct stat *status)
+{
+    if (exists)
+        return status->st_mode & 07777;
+    const mode_t mask = umask(0);
+    umask(mask);
+    return 0666 & ~mask;
+}
+
+struct output *output_open(const char *path)
+{
+    struct output *output = calloc(1, sizeof *output);
+    if (!output || !(output->path = strdup(path)))
+        fail("out of memory");
+    if (strcmp(path, "-") == 0) {
+        output->stream = stdout;
+        return output;
+    }
+    struct stat status;
+    const bool exists = stat(path, &status) == 0;
+    if (exists && S_ISDIR(status.st_mode))
+        fail("%s: is a directory; name a file", path);
+    if (exists && !S_ISREG(status.st_mode)) {
+        output->stream = fopen(path, "wb");
+        if (!output->stream)
+            fail("%s: %s", path, strerror(errno));
+        return output;
+    }
+    if (exists && access(path, W_OK) != 0)
+        fail("%s: %s", path, strerror(errno));
+    char *target = exists ? realpath(path, NULL) : strdup(path); /* a symbolic link stays one */
+    if (!target)
+        fail("%s: %s", path, strerror(errno));
+    free(output->path);
+    output->path = target;
+    if (asprintf(&output->temporary, "%s.XXXXXX", target) < 0)
+        fail("out of memory");
+    const int descriptor = mkstemp(output->temporary);
+    if (descriptor < 0)
+        fail("%s: cannot write there: %s", path, strerror(errno));
+    remember(output->temporary);
+    if (fchmod(descriptor, wanted_mode(exists, &status)) != 0 || !(output->stream = fdopen(descriptor, "wb")))
+        fail("%s: %s", path, strerror(errno));
+    return output;
+}
+
+void output_close(struct output *output)
+{
+    const char *name = strcmp(output->path, "-") == 0 ? "standard output" : output->path;
+    errno = 0;
+    const bool bad = fflush(output->stream) != 0 || ferror(output->stream);
+    const int reason = errno;
+    if (output->stream != stdout && fclose(output->stream) != 0 && !bad)
+        fail("%s: %s; nothing was written", name, strerror(errno));
+    if (bad)
+        fail("%s: could not be written: %s", name, reason ? strerror(reason) : "write error");
+    if (output->temporary) {
+        if (rename(output->temporary, output->path) != 0)
+            fail("%s: %s", name, strerror(errno));
+        forget(output->temporary);
+    }
+    free(output->temporary);
+    free(output->path);
+    free(output);
+}

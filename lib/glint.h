@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * glint: specular shading with integers only. This header is the manual.
+ *
+ * ONE ANSWER. Every value is the correctly rounded value of the real function at the argument given: nearest, ties up,
+ * in Q16.16, the same on every machine and compiler. (From t, powers and Gauss promise 0.501 ulp instead.)
+ *
+ * Units        Q16.16: 1.0 = 65536.   Q2.30: 1.0 = 2^30.   Q1.15 in an int16_t: 1.0 = 32768, held as 32767.
+ * Arguments    c: the cosine, N.H (V.R for Phong), Q16.16.   t = 1 - c, Q2.30: prefer it; one step of c is already
+ *              6 levels of 255 at n = 1000, one step of t is nothing.
+ *              n: shininess, 1..1000.   q: the cutoff 2^-q below which a highlight counts as 0, 0..16.
+ * Clamping     n and q are clamped. c < 0 or t > 1 (back-facing) gives 0, c > 1 counts as 1. An unknown model gives 0.
+ * Re-entrancy  No global state, no heap, no writable data: everything may be called from interrupts and threads,
+ *              on different structs or on the same one where it is const.
+ * Stack        At most 500 bytes on Cortex-M, 600 on RV32 and AVR, for any call (`make test-targets` checks it).
+ * Sources      Equation numbers are those of Zavalniuk et al. 2022, DOI 10.31649/1999-9941-2022-55-3-4-12.
+ */
+#ifndef GLINT_H
+#define GLINT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define GLINT_VERSION_MAJOR 0
+#define GLINT_VERSION_MINOR 1
+#define GLINT_VERSION_PATCH 0
+#define GLINT_VERSION_STRING "0.1.0"
+
+#define GLINT_N_MAX 1000u
+#define GLINT_Q_MAX 16u
+#define GLINT_C_ONE INT32_C(65536)       /* 1.0 in Q16.16 */
+#define GLINT_T_ONE UINT32_C(1073741824) /* 1.0 in Q2.30 */
+
+/* What can go wrong in a call that takes memory or geometry: 0 is good, negative an error. */
+enum glint_err {
+    GLINT_OK = 0,
+    GLINT_ERR_ARG = -1,    /* a pointer, size or stride that cannot be */
+    GLINT_ERR_FORMAT = -2, /* no such pixel format or colour space */
+    GLINT_ERR_VECTOR = -3  /* a direction of length 0, a light straight behind, or a span out of range */
+};
+
+/* ---- The lobe: how bright the highlight is ------------------------------------------------------------------- */
+
+/* The function of the cosine c and the shininess n. Stored as uint8_t in structs. */
+enum glint_model {
+    GLINT_MSH,     /* (5)  2c / (1.25 (n - nc + 1.25c)^2): the modified Schlick function; peak 1.024 */
+    GLINT_SCHLICK, /* (2)  c / (n - nc + c) */
+    GLINT_BLINN,   /* (1)  c^n, c = N.H */
+    GLINT_PHONG,   /* (1)  c^n, c = V.R: the same power, other geometry */
+    GLINT_GAUSS,   /* (1)  exp(-n x^2 / 2), x = acos c */
+    GLINT_CAYLEY   /* ours, not of the paper: c^n for n <= 4, else (max(0, 4(1+c) - n(1-c)) / (4(1+c) + n(1-c)))^4 */
+};
+
+/* F in Q16.16, 0..67109. From c correctly rounded; from t correctly rounded for MSH, Schlick and Cayley, within
+ * 0.501 ulp for the others. Monotone: F never rises with t. Both agree where t is a multiple of 2^-16. */
+uint32_t glint_eval(enum glint_model model, uint32_t n, int32_t c_q16);
+uint32_t glint_eval_t(enum glint_model model, uint32_t n, uint32_t t_q30);
+
+/* The cutoff: the smallest c in 0..65536, the largest t in 0..2^30, whose true F is at least 2^-q. (The paper's closed
+ * forms (10) (12) (14) are not used: (12) is singular at n = 1.25 and wrong in single precision.) */
+uint32_t glint_cutoff(enum glint_model model, uint32_t n, unsigned q);
+uint32_t glint_cutoff_t(enum glint_model model, uint32_t n, unsigned q);
+
+/* The same, one model a file, so that a program links only what it calls. */
+uint32_t glint_msh(uint32_t n, int32_t c_q16);
+uint32_t glint_msh_t(uint32_t n, uint32_t t_q30);
+uint32_t glint_msh_cutoff(uint32_t n, unsigned q);
+uint32_t glint_msh_cutoff_t(uint32_t n, unsigned q);
+uint32_t glint_schlick(uint32_t n, int32_t c_q16);
+uint32_t glint_schlick_t(uint32_t n, uint32_t t_q30);
+uint32_t glint_schlick_cutoff(uint32_t n, unsigned q);
+uint32_t glint_schlick_cutoff_t(uint32_t n, unsigned q);
+uint32_t glint_blinn(uint32_t n, int32_t c_q16);
+uint32_t glint_blinn_t(uint32_t n, uint32_t t_q30);
+uint32_t glint_blinn_cutoff(uint32_t n, unsigned q);
+uint32_t glint_blinn_cutoff_t(uint32_t n, unsigned q);
+uint32_t glint_gauss(uint32_t n, int32_t c_q16);
+uint32_t glint_gauss_t(uint32_t n, uint32_t t_q30);
+uint32_t glint_gauss_cutoff(uint32_t n, unsigned q);
+uint32_t glint_gauss_cutoff_t(uint32_t n, unsigned q);
+uint32_t glint_cayley(uint32_t n, int32_t c_q16);
+uint32_t glint_cayley_t(uint32_t n, uint32_t t_q30);
+uint32_t glint_cayley_cutoff(uint32_t n, unsigned q);
+uint32_t glint_cayley_cutoff_t(uint32_t n, unsigned q);
+
+/* A lobe prepared for a loop: everything beyond the cutoff is exactly 0 and costs one compare. Yours to place. */
+struct glint_lobe {
+    uint8_t model;      /* enum glint_model */
+    uint8_t q;          /* 0..16 */
+    uint16_t n;         /* 1..1000 */
+    uint32_t c_min_q16; /* glint_cutoff(model, n, q) */
+    uint32_t t_max_q30; /* glint_cutoff_t(model, n, q) */
+};
+void glint_lobe_init(struct glint_lobe *lobe, enum glint_model model, uint32_t n, unsigned q);
+uint32_t glint_lobe_eval(const struct glint_lobe *lobe, int32_t c_q16);   /* Q16.16; 0 where c < c_min */
+uint32_t glint_lobe_eval_t(const struct glint_lobe *lobe, uint32_t t_q30); /* Q16.16; 0 where t > t_max */
+
+/* ---- Geometry: directions and what a pixel knows ------------------------------------------------------------- */
+
+/* A direction in Q1.15: x to the right, y up, z towards the viewer. An array of these is a normal map: 6 bytes a pixel. */
+struct glint_vec {
+    int16_t x, y, z;
+};
+
+/* Scales v (any units, any length but 0) to length 1: nearest, 1.0 held as 32767. GLINT_ERR_VECTOR where v is 0. */
+enum glint_err glint_vec_normalize(struct glint_vec *out, const int32_t v[3]);
+
+/* A directional light seen by a distant viewer. */
+struct glint_light {
+    struct glint_vec l; /* towards the light */
+    struct glint_vec v; /* towards the viewer */
+    struct glint_vec h; /* the half vector (L + V) / |L + V| */
+};
+/* From directions of any length. GLINT_ERR_VECTOR where one is 0, or the light is straight behind (L = -V). */
+enum glint_err glint_light_init(struct glint_light *light, const int32_t to_light[3], const int32_t to_viewer[3]);
+
+/* ---- The pixel: the integer sequence that every exact path follows ------------------------------------------- *
+ *
+ * Normal N, light L, V, H in Q1.15; albedo a_k and gloss g 0..255; material A_k, D_k, S_k Q16.16, 0..65536.
+ *
+ *  1. t        Blinn geometry: d = N - H, t_q30 = (dx^2 + dy^2 + dz^2) >> 1                             [34 bits summed]
+ *              Phong: p = N.L, w = ((L + V) 2^30 - 2 p N + 2^20) >> 21 (Q24), t_q30 = (wx^2 + wy^2 + wz^2) >> 19 [58]
+ *              A t over 2^31 counts as 2^31.
+ *  2. nl       nl_q30 = N.L;  nl_q16 = clamp((nl_q30 + 2^13) >> 14, 0, 65536)
+ *  3. F        glint_lobe_eval_t(lobe, t_q30); 0 where nl_q16 = 0; at most 65536 where clamp_peak
+ *  4. albedo   gamma: a_k * 257; linear: the sRGB decoding of a_k, nearest; either way 65535 = 1.0.  gloss: g * 257
+ *  5. value    x_k = min(a_k (A_k 2^16 + D_k nl_q16) + S_k g F, 65535 * 2^32), 65535 * 2^32 = 1.0       [50 bits]
+ *  6. grey     x = (54 x_red + 183 x_green + 19 x_blue) >> 8, for GREY8 and MONO                        [56 bits]
+ *  7. linear   x = 2^32 * the sRGB encoding of ((x + 2^31) >> 32), by interpolation in a table of 289   [48 bits]
+ *  8. level    ((x * max + 65535 * 2^27 * (2b + 1)) >> 32) / 65535, max = 255, 63, 31 or 1              [56 bits]
+ *              undithered: the added term is 65535 * 2^31, one half. Dithered: b = the 4x4 ordered (Bayer) matrix
+ *              at the screen's x mod 4, y mod 4.
+ *
+ * In gamma space step 8 is the one rounding, after the sum. Q1.15 vectors are the input as given: what rounding them
+ * costs is the picture's affair, see the README.
+ */
+
+/* The coefficients, Q16.16, 0..65536 each (more counts as 65536), times the light's colour: red, green, blue. */
+struct glint_material {
+    uint32_t ambient_q16[3];
+    uint32_t diffuse_q16[3];
+    uint32_t specular_q16[3];
+    uint8_t albedo[3]; /* where there is no albedo map; 255 = 1.0 */
+};
+
+/* Pixel formats. Stored as uint8_t. */
+enum glint_format {
+    GLINT_RGB565,         /* 2 bytes, red in the top 5 bits, low byte first */
+    GLINT_RGB565_SWAPPED, /* the same, high byte first: the order on the wire to most panels */
+    GLINT_RGB888,         /* 3 bytes: red, green, blue */
+    GLINT_GREY8,          /* 1 byte */
+    GLINT_MONO            /* 1 bit, most significant first; each line starts on a byte */
+};
+
+/* Where the sum is formed. Stored as uint8_t. */
+enum glint_space {
+    GLINT_GAMMA, /* on encoded values, as the paper and small displays do */
+    GLINT_LINEAR /* albedo decoded from sRGB, the sum encoded to sRGB */
+};
+
+/* All that does not change within a rectangle. Config, set by you: fill it, then shade with it. */
+struct glint_shader {
+    struct glint_lobe lobe; /* glint_lobe_init; the model GLINT_PHONG also chooses Phong's geometry */
+    struct glint_light light;
+    struct glint_material material;
+    uint8_t format; /* enum glint_format */
+    uint8_t space;  /* enum glint_space */
+    bool dither;
+    bool clamp_peak; /* F at most 1.0; else MSH reaches 1.024 */
+};
+
+/* Where the pixels go. The stride is in bytes and may be negative (bottom-up) or odd. */
+struct glint_surface {
+    void *pixels;     /* the rectangle's first pixel; any alignment */
+    ptrdiff_t stride; /* from a line to the next */
+    uint16_t x, y;    /* where on the screen the rectangle starts: the phase of the dither */
+};
+
+/* A rectangle in pixels; w = 0 where empty. */
+struct glint_box {
+    uint16_t x, y, w, h;
+};
+
+/* ---- A rectangle of normals ---------------------------------------------------------------------------------- */
+
+/* What each pixel knows. Maps that are NULL count as all 255 (albedo: the material's). Strides in bytes. Maps may be the
+ * output itself where sizes match (albedo in RGB888, a byte map in GREY8). */
+struct glint_source {
+    const struct glint_vec *normals; /* of about unit length; aligned to 2, stride even */
+    ptrdiff_t normals_stride;
+    const uint8_t *albedo; /* RGB888 */
+    ptrdiff_t albedo_stride;
+    const uint8_t *gloss; /* scales the highlight */
+    ptrdiff_t gloss_stride;
+    const uint8_t *mask; /* 0: the pixel is left as it is */
+    ptrdiff_t mask_stride;
+};
+
+/* Shades w x h pixels by the sequence above; w or h = 0 does nothing. In GLINT_MONO the bits past w in a line's last
+ * byte are kept. *highlight (NULL: not wanted) becomes the smallest box, relative to the rectangle, that holds every
+ * drawn pixel with F > 0 and gloss > 0: beyond it the picture does not depend on the highlight.
+ * GLINT_ERR_ARG: NULL, odd normals or their stride. GLINT_ERR_FORMAT: format or space unknown. Then nothing is written. */
+enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct glint_source *source, uint16_t w,
+                                uint16_t h, const struct glint_surface *surface, struct glint_box *highlight);
+
+/* ---- A span: normals interpolated linearly, and no normal memory ---------------------------------------------- */
+
+#define GLINT_SPAN_MAX 4096u
+
+/* |N - H|^2 / 2 is exactly quadratic along a span: pixel k has t by two additions, nl by one, all Q2.30:
+ *   t, nl are used (a t < 0 counts as 0), then t += dt, dt += ddt, nl += dnl, modulo 2^32.
+ * Steps 2 to 8 above follow, with the material's albedo and gloss 255. */
+struct glint_span {
+    int32_t t_q30, dt_q30, ddt_q30;
+    int32_t nl_q30, dnl_q30;
+    uint16_t w;
+};
+
+/* From the normals of the first and last pixel, for Blinn geometry. The ends are exact to w 2^-31, the middle to
+ * (w^2 / 16 + w) 2^-30. Normals more than 20 degrees apart want subdividing: between them N is not renormalised.
+ * GLINT_ERR_ARG: w > GLINT_SPAN_MAX. GLINT_ERR_VECTOR: t or nl would leave -2..2 (normals far from unit length). */
+enum glint_err glint_span_init(struct glint_span *span, const struct glint_light *light, const struct glint_vec *first,
+                               const struct glint_vec *last, uint16_t w);
+
+/* Shades the span's w pixels as one line. Errors and highlight as glint_shade_rect; Phong's power is taken of t as is. */
+enum glint_err glint_shade_span(const struct glint_shader *shader, const struct glint_span *span,
+                                const struct glint_surface *surface, struct glint_box *highlight);
+
+/* ---- sRGB, integers only ------------------------------------------------------------------------------------- */
+
+uint16_t glint_srgb_decode(uint8_t encoded);  /* 65535 = 1.0; nearest */
+uint16_t glint_srgb_encode(uint16_t linear);  /* 65535 = 1.0, both; monotone, within 10 units (.04 of a level of 255) */
+
+#ifdef __cplusplus
+}
+#endif
+#endif
