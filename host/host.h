@@ -65,7 +65,7 @@ int command_table(int argc, char **argv);
 int command_search(int argc, char **argv);
 int command_paper(int argc, char **argv);
 
-/* argp_parse for a subcommand: exit status 2 for usage errors, --version, options after arguments allowed. */
+/* argp_parse for a subcommand (command.c): exit status 2 for usage errors, --version, options after arguments allowed. */
 void parse_command(const struct argp *argp, int argc, char **argv, void *input);
 
 #endif

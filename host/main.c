@@ -68,11 +68,6 @@ static void on_signal(int number)
     raise(number);
 }
 
-void parse_command(const struct argp *argp, int argc, char **argv, void *input)
-{
-    argp_parse(argp, argc, argv, 0, NULL, input);
-}
-
 int main(int argc, char **argv)
 {
     argp_err_exit_status = EXIT_USAGE;
