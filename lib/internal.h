@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT
+ * What the files of this folder share; not for users. Right shifts of negative numbers are arithmetic, as in every
+ * compiler that glint is built with (C99 leaves it to them; the tests would show another). */
+#ifndef GLINT_INTERNAL_H
+#define GLINT_INTERNAL_H
+
+#include "glint.h"
+
+static inline uint32_t glint_clamp_n(uint32_t n)
+{
+    return n < 1 ? 1 : n > GLINT_N_MAX ? GLINT_N_MAX : n;
+}
+
+static inline unsigned glint_clamp_q(unsigned q)
+{
+    return q > GLINT_Q_MAX ? GLINT_Q_MAX : q;
+}
+
+/* t of a cosine, exactly: Q16 has fewer bits. For c > 1 it is 0, for c < 0 more than 1. */
+static inline uint32_t glint_t_of_c(int32_t c_q16)
+{
+    return c_q16 < 0 ? UINT32_MAX : c_q16 > GLINT_C_ONE ? 0 : (uint32_t)(GLINT_C_ONE - c_q16) << 14;
+}
+
+/* ---- power.c: x^n in Q0.64, x < 1 ---- */
+
+uint64_t glint_power(uint64_t x, uint32_t n); /* in (x^n - n 2^-64, x^n]; monotone in x; exact floor for n <= 4 if x has 30 bits */
+static inline uint32_t glint_power_round(uint64_t power)
+{
+    return (uint32_t)(((power >> 47) + 1) >> 1); /* Q0.64 -> Q16.16, nearest, ties up */
+}
+
+/* ---- wide.c: integers of 192 bits, for decisions that must be exact ---- */
+
+struct glint_wide {
+    uint32_t limb[6]; /* least significant first */
+};
+void glint_wide_set(struct glint_wide *a, uint64_t value);
+void glint_wide_mul(struct glint_wide *a, uint64_t factor); /* modulo 2^192 */
+bool glint_wide_ge(const struct glint_wide *a, const struct glint_wide *b);
+
+/* ---- largest_t.c: the largest t in 0..2^30 for which reaches() holds; it holds at 0 and stops holding once ---- */
+
+uint32_t glint_largest_t(bool (*reaches)(uint32_t n, uint32_t t_q30, unsigned q), uint32_t n, unsigned q);
+/* The smallest c whose t = 1 - c is no larger: F falls as t grows. */
+static inline uint32_t glint_c_of_cutoff_t(uint32_t t_q30)
+{
+    return (uint32_t)GLINT_C_ONE - (t_q30 >> 14);
+}
+
+#endif
