@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
-# glint. `make help` lists what there is. Your own flags: CFLAGS, LDFLAGS, CC; another variant: BUILD=build/NAME.
+# glint. `make help` lists what there is. Your own flags: CC, CFLAGS, LDFLAGS, added to the project's; another variant:
+# BUILD=build/NAME; clang without libomp: OPENMP= (the search then uses one core).
 BUILD ?= build/host
 CFLAGS ?= -O2 -g
+OPENMP ?= -fopenmp
 PREFIX ?= /usr/local
 DESTDIR ?=
 TIERS = unit exact targets
@@ -10,44 +12,95 @@ VERSION := $(shell sed -n 's/.*GLINT_VERSION_STRING "\(.*\)"/\1/p' lib/glint.h)
 WARNINGS = -Wall -Wextra -Wconversion -Wundef -Wshadow -Wstrict-prototypes -Wmissing-prototypes
 LIB_CFLAGS = -std=c99 -ffreestanding $(WARNINGS) -MMD -MP $(CFLAGS)
 HOST_LIBS = libpng jansson
-HOST_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ihost -fopenmp $(shell pkg-config --cflags $(HOST_LIBS)) $(CFLAGS)
-HOST_LDLIBS = $(shell pkg-config --libs $(HOST_LIBS)) -lm
+# Recursive (=), so that they are asked for after set-up; silent, because before it there may be no answer.
+HOST_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ihost $(OPENMP) \
+	$(shell pkg-config --cflags $(HOST_LIBS) 2>/dev/null) $(CFLAGS)
+HOST_LDFLAGS = $(CFLAGS) $(OPENMP) $(LDFLAGS)
+HOST_LDLIBS = $(shell pkg-config --libs $(HOST_LIBS) 2>/dev/null) -lm
 
 LIB_OBJECTS = $(patsubst lib/%.c,$(BUILD)/lib/%.o,$(wildcard lib/*.c))
 HOST_OBJECTS = $(patsubst host/%.c,$(BUILD)/host/%.o,$(wildcard host/*.c))
+# Sub-makes use all cores unless the caller's make decides.
+PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
+SUBMAKE = $(MAKE) --no-print-directory $(PARALLEL)
 
 all: $(BUILD)/libglint.a $(BUILD)/glint ## the library and the glint command, in build/host (after make setup)
 
-$(BUILD)/libglint.a: $(LIB_OBJECTS)
-	rm -f $@ && $(AR) rcs $@ $^
+# The folders are prerequisites so that a removed source leaves the archive and the command, too.
+$(BUILD)/libglint.a: $(LIB_OBJECTS) lib
+	rm -f $@ && $(AR) rcs $@ $(LIB_OBJECTS)
 
-$(BUILD)/lib/%.o: lib/%.c
+$(BUILD)/lib/%.o: lib/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(CC) $(LIB_CFLAGS) -c $< -o $@
 
-$(BUILD)/glint: $(HOST_OBJECTS) $(BUILD)/libglint.a
-	$(CC) $(CFLAGS) -fopenmp $(LDFLAGS) $^ -o $@ $(HOST_LDLIBS)
+$(BUILD)/glint: $(HOST_OBJECTS) $(BUILD)/libglint.a host
+	$(CC) $(HOST_LDFLAGS) $(HOST_OBJECTS) $(BUILD)/libglint.a -o $@ $(HOST_LDLIBS)
 
-$(BUILD)/host/%.o: host/%.c
+$(BUILD)/host/%.o: host/%.c $(BUILD)/flags | $(BUILD)/packages
 	@mkdir -p $(@D)
-	@for p in $(HOST_LIBS); do pkg-config --exists $$p || { echo "make: no $$p; run 'make setup' first" >&2; exit 1; }; done
 	$(CC) $(HOST_CFLAGS) -c $< -o $@
+
+# Changes when the compiler or its flags do, and then everything in this folder is built again.
+FLAGS = $(CC) $(LIB_CFLAGS) $(HOST_CFLAGS) $(LDFLAGS)
+$(BUILD)/flags: always
+	@mkdir -p $(@D)
+	@printf '%s\n' '$(subst ','\'',$(FLAGS))' | cmp -s - $@ || printf '%s\n' '$(subst ','\'',$(FLAGS))' >$@
+
+$(BUILD)/packages:
+	@mkdir -p $(@D)
+	@pkg-config --exists $(HOST_LIBS) && echo '#include <qoi.h>' | $(CC) -E - >/dev/null 2>&1 || \
+		{ echo "make: $(HOST_LIBS) and qoi.h are not all there: run 'make setup' first" >&2; exit 1; }
+	@touch $@
 
 include $(wildcard tests/*/tier.mk)
 
-setup: setup-build ## install what building and the demo need (Debian packages, by apt-get)
-setup-build:
-	@.ci/need "building the glint command" gcc libc6-dev make pkg-config libpng-dev libjansson-dev libqoi-dev
+setup: ## install what building and the demo need (Debian packages, by apt-get)
+	@.ci/need "building, and the demo" $(BUILD_PACKAGES) chafa
+BUILD_PACKAGES = gcc libc6-dev make pkg-config libpng-dev libjansson-dev libqoi-dev
 
-test: ## set up what is missing and run every tier
-	@set -e; for tier in $(TIERS); do $(MAKE) --no-print-directory test-$$tier; done
+setup-build:
+	@.ci/need "building the glint command" $(BUILD_PACKAGES)
+
+demo: ## set up, build, and relight a height map and a built-in scene in the terminal
+	@$(SUBMAKE) setup
+	@$(SUBMAKE) run-demo
+
+run-demo: all
+	@echo "demo: there is no recipe yet"
+
+check: ## in under a minute, with what is installed: warnings, format, and each tier's quick part
+	@$(SUBMAKE) BUILD=build/check CFLAGS="$(CFLAGS) -Werror" all
+	@+tests/sum "$(SUBMAKE) BUILD=build/check" check-format $(CHECKS)
+# A tier with a quick part that needs no set-up offers a goal check-TIER.
+CHECKS = $(shell sed -n 's/^\(check-[a-z]*\):.*/\1/p' $(wildcard tests/*/tier.mk))
+
+FORMATTED = $(wildcard lib/*.[ch] host/*.[ch] tests/*/*.[ch])
+check-format:
+	@tests/tally "tests/format $(FORMATTED)"
+
+test: ## set up what is missing and run every tier; the last line is the sum
+	@+tests/sum "$(SUBMAKE)" $(TIERS:%=test-%)
 
 help: ## this list
 	@sed -n 's/^\([a-z][a-z-]*\):.*## \(.*\)/\1@\2/p' $(MAKEFILE_LIST) | awk -F@ '{printf "  make %-14s %s\n", $$1, $$2}'
-	@echo "  make test-TIER      one tier: $(TIERS)"
+
+install: all ## library, header, command and libglint.pc, to DESTDIR/PREFIX (/usr/local)
+	install -d $(INSTALL)/lib/pkgconfig $(INSTALL)/include $(INSTALL)/bin
+	install -m 644 $(BUILD)/libglint.a $(INSTALL)/lib/
+	install -m 644 lib/glint.h $(INSTALL)/include/
+	install -m 755 $(BUILD)/glint $(INSTALL)/bin/
+	printf '%s\n' 'prefix=$(PREFIX)' 'Name: libglint' 'Description: Specular shading with integers only' \
+		'Version: $(VERSION)' 'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -lglint' \
+		>$(INSTALL)/lib/pkgconfig/libglint.pc
+INSTALL = $(DESTDIR)$(PREFIX)
+
+uninstall: ## remove what make install put there
+	rm -f $(INSTALL)/lib/libglint.a $(INSTALL)/lib/pkgconfig/libglint.pc $(INSTALL)/include/glint.h $(INSTALL)/bin/glint
 
 clean: ## remove what was built
 	rm -rf build
 
-.PHONY: all setup setup-build test check demo bench help clean install
--include $(shell find build -name '*.d' 2>/dev/null)
+always:
+.PHONY: all always setup setup-build test check check-format demo run-demo help clean install uninstall
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
