@@ -9,7 +9,7 @@ DESTDIR ?=
 TIERS = unit exact targets
 
 VERSION := $(shell sed -n 's/.*GLINT_VERSION_STRING "\(.*\)"/\1/p' lib/glint.h)
-WARNINGS = -Wall -Wextra -Wconversion -Wundef -Wshadow -Wstrict-prototypes -Wmissing-prototypes
+WARNINGS = -Wall -Wextra -Wconversion -Wundef -Wshadow -Wstrict-prototypes -Wmissing-prototypes $(WERROR)
 LIB_CFLAGS = -std=c99 -ffreestanding $(WARNINGS) -MMD -MP $(CFLAGS)
 HOST_LIBS = libpng jansson
 # Recursive (=), so that they are asked for after set-up; silent, because before it there may be no answer.
@@ -20,7 +20,7 @@ HOST_LDLIBS = $(shell pkg-config --libs $(HOST_LIBS) 2>/dev/null) -lm
 
 LIB_OBJECTS = $(patsubst lib/%.c,$(BUILD)/lib/%.o,$(wildcard lib/*.c))
 HOST_OBJECTS = $(patsubst host/%.c,$(BUILD)/host/%.o,$(wildcard host/*.c))
-# Sub-makes use all cores unless the caller's make decides.
+# Sub-makes use all cores unless the caller's make decides. (Their recipes begin with +: make does not see $(MAKE) in it.)
 PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
 SUBMAKE = $(MAKE) --no-print-directory $(PARALLEL)
 
@@ -63,15 +63,15 @@ setup-build:
 	@.ci/need "building the glint command" $(BUILD_PACKAGES)
 
 demo: ## set up, build, and relight a height map and a built-in scene in the terminal
-	@$(SUBMAKE) setup
-	@$(SUBMAKE) run-demo
+	@+$(SUBMAKE) setup
+	@+$(SUBMAKE) run-demo
 
 run-demo: all
 	@echo "demo: there is no recipe yet"
 
 check: ## in under a minute, with what is installed: warnings, format, and each tier's quick part
-	@$(SUBMAKE) BUILD=build/check CFLAGS="$(CFLAGS) -Werror" all
-	@+tests/sum "$(SUBMAKE) BUILD=build/check" check-format $(CHECKS)
+	@+$(CHECK_MAKE) all && tests/sum "$(CHECK_MAKE)" check-format $(CHECKS)
+CHECK_MAKE = $(SUBMAKE) BUILD=build/check WERROR=-Werror
 # A tier with a quick part that needs no set-up offers a goal check-TIER.
 CHECKS = $(shell sed -n 's/^\(check-[a-z]*\):.*/\1/p' $(wildcard tests/*/tier.mk))
 

@@ -25,7 +25,8 @@ bool color_wanted(FILE *stream); /* a terminal, and NO_COLOR is unset or empty *
 /* ---- output files (output.c) ---- */
 
 /* A regular file is written beside its name and renamed when it is whole; "-" is standard output; pipes and devices are
- * written in place. Failure of any step ends the program through fail(), leaving no partial file. One or several at once. */
+ * written in place. Failure of any step ends the program through fail(), leaving no partial file. One or several at
+ * once. */
 struct output {
     FILE *stream;
     char *path;      /* as named by the user */
@@ -65,7 +66,8 @@ int command_table(int argc, char **argv);
 int command_search(int argc, char **argv);
 int command_paper(int argc, char **argv);
 
-/* argp_parse for a subcommand (command.c): exit status 2 for usage errors, --version, options after arguments allowed. */
+/* argp_parse for a subcommand (command.c): exit status 2 for usage errors, --version, options after arguments allowed.
+ */
 void parse_command(const struct argp *argp, int argc, char **argv, void *input);
 
 #endif

@@ -78,8 +78,8 @@ int main(int argc, char **argv)
     atexit(output_discard_all);
 
     static const struct argp argp = {
-        NULL, parse_option, "COMMAND [OPTION...]",
-        "glint: specular highlights with integers only.\vCommands", NULL, describe, NULL};
+        NULL,     parse_option, "COMMAND [OPTION...]", "glint: specular highlights with integers only.\vCommands", NULL,
+        describe, NULL};
     int first = 0;
     argp_parse(&argp, argc, argv, ARGP_IN_ORDER, NULL, &first);
     for (int i = 0; i < COMMAND_COUNT; i++) {

@@ -23,7 +23,7 @@ run-unit: unit-programs
 	@GLINT="$$(realpath $(BUILD)/glint)" GLINT_SOURCE="$(CURDIR)" tests/tally $(UNIT_TESTS)
 
 check-unit:
-	@if pkg-config --exists cmocka; then $(SUBMAKE) run-unit; \
+	@+if pkg-config --exists cmocka; then $(SUBMAKE) run-unit; \
 	else tests/tally "echo ok 1 - tier unit # SKIP cmocka is not installed: make setup-unit"; fi
 
 .PHONY: setup-unit test-unit unit-programs run-unit check-unit
