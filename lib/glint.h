@@ -107,7 +107,7 @@ struct glint_vec {
     int16_t x, y, z;
 };
 
-/* Scales v (any units, any length but 0) to length 1: nearest, 1.0 held as 32767. GLINT_ERR_VECTOR where v is 0. */
+/* Scales v (any units, any length but 0) to length 1: within .501 of a unit, 1.0 held as 32767. GLINT_ERR_VECTOR where v is 0. */
 enum glint_err glint_vec_normalize(struct glint_vec *out, const int32_t v[3]);
 
 /* A directional light seen by a distant viewer. */
@@ -212,18 +212,18 @@ enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct 
 
 #define GLINT_SPAN_MAX 4096u
 
-/* |N - H|^2 / 2 is exactly quadratic along a span: pixel k has t by two additions, nl by one, all Q2.30:
- *   t, nl are used (a t < 0 counts as 0), then t += dt, dt += ddt, nl += dnl, modulo 2^32.
+/* |N - H|^2 / 2 is exactly quadratic along a span: each pixel has t by two additions and nl by one, all Q2.30 modulo 2^32:
+ *   t and nl are used (t >= 0xf8000000 stands for a little below 0, and counts as 0), then t += dt, dt += ddt, nl += dnl.
  * Steps 2 to 8 above follow, with the material's albedo and gloss 255. */
 struct glint_span {
-    int32_t t_q30, dt_q30, ddt_q30;
+    uint32_t t_q30, dt_q30, ddt_q30;
     int32_t nl_q30, dnl_q30;
     uint16_t w;
 };
 
 /* From the normals of the first and last pixel, for Blinn geometry. The ends are exact to w 2^-31, the middle to
  * (w^2 / 16 + w) 2^-30. Normals more than 20 degrees apart want subdividing: between them N is not renormalised.
- * GLINT_ERR_ARG: w > GLINT_SPAN_MAX. GLINT_ERR_VECTOR: t or nl would leave -2..2 (normals far from unit length). */
+ * GLINT_ERR_ARG: w > GLINT_SPAN_MAX. GLINT_ERR_VECTOR: t > 3.75 or |nl| > 2 (normals far from unit length). */
 enum glint_err glint_span_init(struct glint_span *span, const struct glint_light *light, const struct glint_vec *first,
                                const struct glint_vec *last, uint16_t w);
 

@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: MIT */
+#include "pixel.h"
+
+#define ONE ((uint64_t)65535 << 32) /* a value of 1.0 */
+
+static const uint8_t bayer[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+
+enum glint_err glint_pixel_check(const struct glint_shader *shader)
+{
+    return shader->format <= GLINT_MONO && shader->space <= GLINT_LINEAR ? GLINT_OK : GLINT_ERR_FORMAT;
+}
+
+static uint64_t coefficient(uint32_t q16)
+{
+    return q16 > 65536 ? 65536 : q16;
+}
+
+/* Steps 4 and 5. shine = g F < 2^33. */
+static uint64_t value(const struct glint_shader *shader, int k, uint8_t albedo, uint32_t nl_q16, uint64_t shine)
+{
+    const struct glint_material *m = &shader->material;
+    const uint64_t a = shader->space == GLINT_LINEAR ? glint_srgb_decode(albedo) : albedo * 257u;
+    const uint64_t lit = (coefficient(m->ambient_q16[k]) << 16) + coefficient(m->diffuse_q16[k]) * nl_q16;
+    const uint64_t x = a * lit + coefficient(m->specular_q16[k]) * shine;
+    return x < ONE ? x : ONE;
+}
+
+/* Steps 7 and 8. weight / 32 is the threshold: 2b + 1, or 16. */
+static uint32_t level(const struct glint_shader *shader, uint64_t x, uint32_t max, uint32_t weight)
+{
+    if (shader->space == GLINT_LINEAR)
+        x = (uint64_t)glint_srgb_encode((uint16_t)((x + ((uint64_t)1 << 31)) >> 32)) << 32;
+    return (uint32_t)((x * max + ((uint64_t)65535 << 27) * weight) >> 32) / 65535;
+}
+
+bool glint_pixel(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
+                 uint32_t t_q30, int64_t nl_q30, const uint8_t albedo[3], uint8_t gloss)
+{
+    const int64_t nl = (nl_q30 + (1 << 13)) >> 14;
+    const uint32_t nl_q16 = nl < 0 ? 0 : nl > 65536 ? 65536 : (uint32_t)nl;
+    uint32_t f = nl_q16 ? glint_lobe_eval_t(&shader->lobe, t_q30) : 0;
+    if (shader->clamp_peak && f > 65536)
+        f = 65536;
+    const uint64_t shine = (uint64_t)(gloss * 257u) * f;
+    uint64_t v[3];
+    for (int k = 0; k < 3; k++)
+        v[k] = value(shader, k, albedo[k], nl_q16, shine);
+
+    const uint32_t weight = shader->dither ? 2u * bayer[(surface->y + y) & 3][(surface->x + x) & 3] + 1 : 16;
+    uint8_t *line = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;
+    switch ((enum glint_format)shader->format) {
+    case GLINT_RGB565:
+    case GLINT_RGB565_SWAPPED: {
+        const uint32_t rgb = level(shader, v[0], 31, weight) << 11 | level(shader, v[1], 63, weight) << 5 |
+                             level(shader, v[2], 31, weight);
+        const bool swapped = shader->format == GLINT_RGB565_SWAPPED;
+        line += 2 * (ptrdiff_t)x;
+        line[swapped] = (uint8_t)rgb;
+        line[!swapped] = (uint8_t)(rgb >> 8);
+        break;
+    }
+    case GLINT_RGB888:
+        line += 3 * (ptrdiff_t)x;
+        for (int k = 0; k < 3; k++)
+            line[k] = (uint8_t)level(shader, v[k], 255, weight);
+        break;
+    case GLINT_GREY8:
+    case GLINT_MONO: {
+        const uint64_t grey = (54 * v[0] + 183 * v[1] + 19 * v[2]) >> 8; /* Rec. 709 */
+        if (shader->format == GLINT_GREY8) {
+            line[x] = (uint8_t)level(shader, grey, 255, weight);
+        } else {
+            const uint8_t bit = (uint8_t)(0x80 >> (x & 7));
+            line[x >> 3] = (uint8_t)(level(shader, grey, 1, weight) ? line[x >> 3] | bit : line[x >> 3] & ~bit);
+        }
+        break;
+    }
+    }
+    return f > 0 && gloss > 0;
+}

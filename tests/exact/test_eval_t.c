@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: MIT
+ * From t the domain (2^30 x 1000 a model) is too large to enumerate. What carries the claim:
+ *   - the argument in the comments of lib/: error bounds, and an exact decision wherever they do not settle the rounding;
+ *   - here more than 10^9 values against the oracle: every n at random t (uniform and logarithmic), dense runs at the
+ *     ends and at the cutoffs, and both sides of 10^6 places where the result steps, found by bisection;
+ *   - test_eval.c: all 65,537,000 arguments that are also cosines. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "oracle.h"
+
+enum { N = 1000 };
+#define ONE_T ((uint32_t)1 << 30)
+
+static uint64_t mix(uint64_t x) /* splitmix64 */
+{
+    x += UINT64_C(0x9e3779b97f4a7c15);
+    x = (x ^ (x >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    x = (x ^ (x >> 27)) * UINT64_C(0x94d049bb133111eb);
+    return x ^ (x >> 31);
+}
+
+/* 1 <= t < 2^30: even seeds uniform, odd ones uniform in the logarithm, where large n live. */
+static uint32_t random_t(uint64_t seed)
+{
+    const uint64_t r = mix(seed);
+    const uint32_t t = (uint32_t)(r >> 34) >> (seed & 1 ? (r & 31) * 28 / 31 : 0);
+    return t ? t : 1;
+}
+
+typedef bool rounds_to(uint32_t n, uint32_t u, uint32_t f);
+
+static bool wrong_at(enum glint_model model, rounds_to *oracle, uint32_t n, uint32_t t)
+{
+    return !oracle(n, ONE_T - t, glint_eval_t(model, n, t));
+}
+
+/* Values at `per_n` random t for each n. */
+static long count_random(enum glint_model model, rounds_to *oracle, uint32_t per_n)
+{
+    long wrong = 0;
+#pragma omp parallel for schedule(dynamic) reduction(+ : wrong)
+    for (uint32_t n = 1; n <= N; n++)
+        for (uint32_t i = 0; i < per_n; i++)
+            wrong += wrong_at(model, oracle, n, random_t(((uint64_t)model << 56) + ((uint64_t)n << 40) + i));
+    return wrong;
+}
+
+/* Every t of `length` at 0, at the cutoffs q = 8 and 16, and at 1; a value that rises with t is wrong too. */
+static long count_dense(enum glint_model model, rounds_to *oracle, uint32_t length)
+{
+    long wrong = 0;
+#pragma omp parallel for schedule(dynamic) reduction(+ : wrong)
+    for (uint32_t n = 1; n <= N; n++) {
+        const uint32_t middle[4] = {0, glint_cutoff_t(model, n, 8), glint_cutoff_t(model, n, 16), ONE_T};
+        for (int i = 0; i < 4; i++) {
+            uint32_t from = middle[i] > length / 2 ? middle[i] - length / 2 : 0;
+            from = from > ONE_T - length ? ONE_T - length : from;
+            uint32_t before = glint_eval_t(model, n, from);
+            for (uint32_t t = from; t < from + length; t++) {
+                const uint32_t f = glint_eval_t(model, n, t);
+                wrong += f > before || (oracle && !oracle(n, ONE_T - t, f));
+                before = f;
+            }
+        }
+    }
+    return wrong;
+}
+
+/* Where the result falls from f or more to less: the last t with F >= f, and the one after. */
+static long count_steps(enum glint_model model, rounds_to *oracle, uint32_t per_n)
+{
+    long wrong = 0;
+#pragma omp parallel for schedule(dynamic) reduction(+ : wrong)
+    for (uint32_t n = 1; n <= N; n++) {
+        for (uint32_t i = 0; i < per_n; i++) {
+            const uint32_t f = 1 + (uint32_t)(mix(((uint64_t)n << 32) + i) % 65536);
+            uint32_t t = 0; /* F(0) >= f */
+            for (uint32_t bit = ONE_T / 2; bit; bit >>= 1)
+                if (glint_eval_t(model, n, t + bit) >= f)
+                    t += bit;
+            wrong += wrong_at(model, oracle, n, t) + wrong_at(model, oracle, n, t + 1);
+        }
+    }
+    return wrong;
+}
+
+static void check_rational(const char *name, enum glint_model model, rounds_to *oracle, uint32_t per_n)
+{
+    enum { DENSE = 4096, STEPS = 350 };
+    const long random = count_random(model, oracle, per_n), dense = count_dense(model, oracle, DENSE);
+    const long steps = count_steps(model, oracle, STEPS);
+    printf("# %s from t: %ld wrong of %ld random, %ld of %d in dense runs, %ld of %d where it steps\n", name, random,
+           (long)per_n * N, dense, 4 * DENSE * N, steps, 2 * STEPS * N);
+    assert_int_equal(random + dense + steps, 0);
+}
+
+static void check_power(const char *name, enum glint_model model, void (*start)(struct oracle_chain *, uint32_t),
+                        uint32_t count)
+{
+    enum { DENSE = 512 };
+    long far = 0, not_nearest = 0;
+#pragma omp parallel for schedule(dynamic, 64) reduction(+ : far, not_nearest)
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t t = random_t(((uint64_t)model << 56) + i);
+        struct oracle_chain chain;
+        for (start(&chain, ONE_T - t);; oracle_chain_next(&chain)) {
+            const uint32_t f = glint_eval_t(model, chain.n, t);
+            far += !oracle_chain_is_near(&chain, f);
+            not_nearest += !oracle_chain_rounds_to(&chain, f);
+            if (chain.n == N)
+                break;
+        }
+        mpfr_free_cache();
+    }
+    const long rising = count_dense(model, NULL, DENSE);
+    printf("# %s from t: %ld farther than .501 ulp, %ld not the nearest, of %ld random; %ld rise of %d in dense runs\n", name,
+           far, not_nearest, (long)count * N, rising, 4 * DENSE * N);
+    assert_int_equal(far + rising, 0);
+}
+
+static void msh_is_correctly_rounded_from_t(void **state)
+{
+    (void)state;
+    check_rational("msh", GLINT_MSH, oracle_msh_rounds_to, 300000);
+}
+
+static void schlick_is_correctly_rounded_from_t(void **state)
+{
+    (void)state;
+    check_rational("schlick", GLINT_SCHLICK, oracle_schlick_rounds_to, 200000);
+}
+
+static void cayley_is_correctly_rounded_from_t(void **state)
+{
+    (void)state;
+    check_rational("cayley", GLINT_CAYLEY, oracle_cayley_rounds_to, 250000);
+}
+
+static void blinn_is_within_half_an_ulp_and_a_thousandth_from_t(void **state)
+{
+    (void)state;
+    check_power("blinn", GLINT_BLINN, oracle_chain_blinn, 150000);
+}
+
+static void gauss_is_within_half_an_ulp_and_a_thousandth_from_t(void **state)
+{
+    (void)state;
+    check_power("gauss", GLINT_GAUSS, oracle_chain_gauss, 100000);
+}
+
+/* Back-facing, the ends, n out of range, a model that is none. */
+static void arguments_out_of_range_are_clamped_or_give_zero(void **state)
+{
+    (void)state;
+    for (int m = GLINT_MSH; m <= GLINT_CAYLEY; m++) {
+        const enum glint_model model = (enum glint_model)m;
+        assert_int_equal(glint_eval_t(model, 60, ONE_T + 1), 0);
+        assert_int_equal(glint_eval_t(model, 60, UINT32_MAX), 0);
+        assert_int_equal(glint_eval(model, 60, -1), 0);
+        assert_int_equal(glint_eval(model, 60, INT32_MIN), 0);
+        assert_int_equal(glint_eval(model, 60, INT32_MAX), glint_eval(model, 60, 65536));
+        assert_int_equal(glint_eval(model, 60, 65536), model == GLINT_MSH ? 67109 : 65536);
+        assert_int_equal(glint_eval(model, 0, 40000), glint_eval(model, 1, 40000));
+        assert_int_equal(glint_eval(model, UINT32_MAX, 65000), glint_eval(model, 1000, 65000));
+        assert_int_equal(glint_eval_t(model, 0, 12345678), glint_eval_t(model, 1, 12345678));
+        assert_int_equal(glint_eval_t(model, 1001, 1234567), glint_eval_t(model, 1000, 1234567));
+        assert_int_equal(glint_cutoff(model, 60, 17), glint_cutoff(model, 60, 16));
+        assert_int_equal(glint_cutoff_t(model, 60, UINT32_MAX), glint_cutoff_t(model, 60, 16));
+        assert_int_equal(glint_cutoff(model, 5000, 8), glint_cutoff(model, 1000, 8));
+        assert_int_equal(glint_cutoff_t(model, 0, 8), glint_cutoff_t(model, 1, 8));
+    }
+    const enum glint_model none = (enum glint_model)6;
+    struct glint_lobe lobe;
+    glint_lobe_init(&lobe, none, 60, 8);
+    assert_int_equal(glint_eval(none, 60, 65536) + glint_eval_t(none, 60, 0), 0);
+    assert_int_equal(glint_cutoff(none, 60, 8) + glint_cutoff_t(none, 60, 8), 0);
+    assert_int_equal(glint_lobe_eval(&lobe, 65536) + glint_lobe_eval_t(&lobe, 0), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(arguments_out_of_range_are_clamped_or_give_zero),
+        cmocka_unit_test(msh_is_correctly_rounded_from_t),
+        cmocka_unit_test(schlick_is_correctly_rounded_from_t),
+        cmocka_unit_test(cayley_is_correctly_rounded_from_t),
+        cmocka_unit_test(blinn_is_within_half_an_ulp_and_a_thousandth_from_t),
+        cmocka_unit_test(gauss_is_within_half_an_ulp_and_a_thousandth_from_t),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
