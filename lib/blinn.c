@@ -23,7 +23,7 @@ uint32_t glint_blinn(uint32_t n, int32_t c_q16)
     return glint_blinn_t(n, glint_t_of_c(c_q16));
 }
 
-/* Powers of two, where F = 2^-q can hold exactly, are computed exactly; elsewhere the margin is tested for every n, q. */
+/* Powers of two, where F = 2^-q can hold exactly, are exact; elsewhere the margin is tested for every n and q. */
 static bool reaches(uint32_t n, uint32_t t, unsigned q)
 {
     return power_of(n, t) >> (64 - q) != 0;

@@ -3,6 +3,7 @@
 #include "internal.h"
 
 /* g as a polynomial in t = 1 - c, Q1.62, off by < 2^-63 on 0..1; printed by tests/exact/gauss_coefficients.py. */
+/* clang-format off */
 static const int64_t coefficient[] = {
     INT64_C(4611686018427387904),
     INT64_C(-4611686018427387904),
@@ -26,6 +27,7 @@ static const int64_t coefficient[] = {
     INT64_C(1297533102584),
     INT64_C(-164032749236),
 };
+/* clang-format on */
 enum { DEGREE = sizeof coefficient / sizeof *coefficient - 1 };
 
 /* g^n in Q0.64, 0 < t <= 1. Each Horner step truncates by < 2^-61 and is then multiplied by t <= 1: g is good to 2^-57,

@@ -97,17 +97,17 @@ struct glint_lobe {
     uint32_t t_max_q30; /* glint_cutoff_t(model, n, q) */
 };
 void glint_lobe_init(struct glint_lobe *lobe, enum glint_model model, uint32_t n, unsigned q);
-uint32_t glint_lobe_eval(const struct glint_lobe *lobe, int32_t c_q16);   /* Q16.16; 0 where c < c_min */
+uint32_t glint_lobe_eval(const struct glint_lobe *lobe, int32_t c_q16);    /* Q16.16; 0 where c < c_min */
 uint32_t glint_lobe_eval_t(const struct glint_lobe *lobe, uint32_t t_q30); /* Q16.16; 0 where t > t_max */
 
 /* ---- Geometry: directions and what a pixel knows ------------------------------------------------------------- */
 
-/* A direction in Q1.15: x to the right, y up, z towards the viewer. An array of these is a normal map: 6 bytes a pixel. */
+/* A direction in Q1.15: x to the right, y up, z to the viewer. An array of these is a normal map: 6 bytes a pixel. */
 struct glint_vec {
     int16_t x, y, z;
 };
 
-/* Scales v (any units, any length but 0) to length 1: within .501 of a unit, 1.0 held as 32767. GLINT_ERR_VECTOR where v is 0. */
+/* Scales v (any units) to length 1, within .501 of 2^-15; 1.0 is held as 32767. GLINT_ERR_VECTOR where v is 0. */
 enum glint_err glint_vec_normalize(struct glint_vec *out, const int32_t v[3]);
 
 /* A directional light seen by a distant viewer. */
@@ -188,8 +188,8 @@ struct glint_box {
 
 /* ---- A rectangle of normals ---------------------------------------------------------------------------------- */
 
-/* What each pixel knows. Maps that are NULL count as all 255 (albedo: the material's). Strides in bytes. Maps may be the
- * output itself where sizes match (albedo in RGB888, a byte map in GREY8). */
+/* What each pixel knows. Maps that are NULL count as all 255 (albedo: the material's). Strides in bytes. A map may be
+ * the output itself where sizes match (albedo in RGB888, a byte map in GREY8). */
 struct glint_source {
     const struct glint_vec *normals; /* of about unit length; aligned to 2, stride even */
     ptrdiff_t normals_stride;
@@ -204,7 +204,7 @@ struct glint_source {
 /* Shades w x h pixels by the sequence above; w or h = 0 does nothing. In GLINT_MONO the bits past w in a line's last
  * byte are kept. *highlight (NULL: not wanted) becomes the smallest box, relative to the rectangle, that holds every
  * drawn pixel with F > 0 and gloss > 0: beyond it the picture does not depend on the highlight.
- * GLINT_ERR_ARG: NULL, odd normals or their stride. GLINT_ERR_FORMAT: format or space unknown. Then nothing is written. */
+ * GLINT_ERR_ARG: NULL, odd normals or their stride. GLINT_ERR_FORMAT: no such format or space. Nothing is written then. */
 enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct glint_source *source, uint16_t w,
                                 uint16_t h, const struct glint_surface *surface, struct glint_box *highlight);
 
@@ -212,8 +212,8 @@ enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct 
 
 #define GLINT_SPAN_MAX 4096u
 
-/* |N - H|^2 / 2 is exactly quadratic along a span: each pixel has t by two additions and nl by one, all Q2.30 modulo 2^32:
- *   t and nl are used (t >= 0xf8000000 stands for a little below 0, and counts as 0), then t += dt, dt += ddt, nl += dnl.
+/* |N - H|^2 / 2 is exactly quadratic along a span: t takes two additions a pixel and nl one, Q2.30 modulo 2^32:
+ *   t and nl are used (t >= 0xf8000000 is a little below 0 and counts as 0), then t += dt, dt += ddt, nl += dnl.
  * Steps 2 to 8 above follow, with the material's albedo and gloss 255. */
 struct glint_span {
     uint32_t t_q30, dt_q30, ddt_q30;
@@ -227,14 +227,14 @@ struct glint_span {
 enum glint_err glint_span_init(struct glint_span *span, const struct glint_light *light, const struct glint_vec *first,
                                const struct glint_vec *last, uint16_t w);
 
-/* Shades the span's w pixels as one line. Errors and highlight as glint_shade_rect; Phong's power is taken of t as is. */
+/* Shades the span's w pixels as one line. Errors and highlight as glint_shade_rect; Phong's power takes t as it is. */
 enum glint_err glint_shade_span(const struct glint_shader *shader, const struct glint_span *span,
                                 const struct glint_surface *surface, struct glint_box *highlight);
 
 /* ---- sRGB, integers only ------------------------------------------------------------------------------------- */
 
-uint16_t glint_srgb_decode(uint8_t encoded);  /* 65535 = 1.0; nearest */
-uint16_t glint_srgb_encode(uint16_t linear);  /* 65535 = 1.0, both; monotone, within 10 units (.04 of a level of 255) */
+uint16_t glint_srgb_decode(uint8_t encoded); /* 65535 = 1.0; nearest */
+uint16_t glint_srgb_encode(uint16_t linear); /* 65535 = 1.0, both; monotone, within 10 units (.04 of a level of 255) */
 
 #ifdef __cplusplus
 }

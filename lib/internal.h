@@ -24,7 +24,9 @@ static inline uint32_t glint_t_of_c(int32_t c_q16)
 
 /* ---- power.c: x^n in Q0.64, x < 1 ---- */
 
-uint64_t glint_power(uint64_t x, uint32_t n); /* in (x^n - n 2^-64, x^n]; monotone in x; exact floor for n <= 4 if x has 30 bits */
+/* In (x^n - n 2^-64, x^n]; monotone in x; the exact floor for n <= 4 where x has 30 bits. */
+uint64_t glint_power(uint64_t x, uint32_t n);
+
 static inline uint32_t glint_power_round(uint64_t power)
 {
     return (uint32_t)(((power >> 47) + 1) >> 1); /* Q0.64 -> Q16.16, nearest, ties up */

@@ -21,7 +21,7 @@ static inline uint64_t glint_distance_squared(const struct glint_vec *a, const s
 /* Can this shader draw? GLINT_OK or GLINT_ERR_FORMAT. */
 enum glint_err glint_pixel_check(const struct glint_shader *shader);
 
-/* Steps 2 to 8: shades and stores pixel x of the surface's line y. True where the highlight shows: F > 0 and gloss > 0. */
+/* Steps 2 to 8: shades and stores pixel x of the surface's line y. True where F > 0 and gloss > 0. */
 bool glint_pixel(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
                  uint32_t t_q30, int64_t nl_q30, const uint8_t albedo[3], uint8_t gloss);
 

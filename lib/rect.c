@@ -56,8 +56,8 @@ static void bounds_add(struct bounds *b, uint16_t x, uint16_t y)
 enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct glint_source *source, uint16_t w,
                                 uint16_t h, const struct glint_surface *surface, struct glint_box *highlight)
 {
-    if (!shader || !source || !surface || !source->normals || !surface->pixels ||
-        (uintptr_t)source->normals & 1 || odd(source->normals_stride))
+    if (!shader || !source || !surface || !source->normals || !surface->pixels || (uintptr_t)source->normals & 1 ||
+        odd(source->normals_stride))
         return GLINT_ERR_ARG;
     const enum glint_err err = glint_pixel_check(shader);
     if (err)
@@ -66,8 +66,8 @@ enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct 
     const bool phong = shader->lobe.model == GLINT_PHONG;
     struct bounds bounds = {0, 0, 0, 0, false};
     for (uint16_t y = 0; y < h; y++) {
-        const struct glint_vec *normal =
-            (const struct glint_vec *)(const void *)((const uint8_t *)source->normals + source->normals_stride * (ptrdiff_t)y);
+        const uint8_t *normals = line_of((const uint8_t *)source->normals, source->normals_stride, y);
+        const struct glint_vec *normal = (const struct glint_vec *)(const void *)normals;
         const uint8_t *albedo = line_of(source->albedo, source->albedo_stride, y);
         const uint8_t *gloss = line_of(source->gloss, source->gloss_stride, y);
         const uint8_t *mask = line_of(source->mask, source->mask_stride, y);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The exact span. With N(k) = N0 + k s, |N(k) - H|^2 / 2 = t0 + k (D0.s) + k^2 |s|^2 / 2, D0 = N0 - H: exactly quadratic. */
+ * The exact span. With N(k) = N0 + k s and D0 = N0 - H, t(k) = |N(k) - H|^2 / 2 = t0 + k (D0.s) + k^2 |s|^2 / 2. */
 #include "pixel.h"
 
 /* A t this large stands for one a little below 0, where rounding has led: 0 is meant. */
@@ -15,10 +15,12 @@ enum glint_err glint_span_init(struct glint_span *span, const struct glint_light
 {
     if (!span || !light || !first || !last || w > GLINT_SPAN_MAX)
         return GLINT_ERR_ARG;
-    const int64_t t0 = (int64_t)(glint_distance_squared(first, &light->h) >> 1), t1 = (int64_t)(glint_distance_squared(last, &light->h) >> 1);
+    const int64_t t0 = (int64_t)(glint_distance_squared(first, &light->h) >> 1);
+    const int64_t t1 = (int64_t)(glint_distance_squared(last, &light->h) >> 1);
     const int64_t nl0 = glint_dot(first, &light->l), nl1 = glint_dot(last, &light->l), limit = INT32_MAX - (1 << 13);
     /* t is convex, nl linear: the ends bound them, but for the rounding of the steps, < w^2 / 16 + w <= 2^21 */
-    if (t0 > INT64_C(0xf0000000) || t1 > INT64_C(0xf0000000) || nl0 > limit || nl0 < -limit || nl1 > limit || nl1 < -limit)
+    if (t0 > INT64_C(0xf0000000) || t1 > INT64_C(0xf0000000) || nl0 > limit || nl0 < -limit || nl1 > limit ||
+        nl1 < -limit)
         return GLINT_ERR_VECTOR;
     const int64_t m = w > 1 ? w - 1 : 1;
     const int64_t ddt = divide((int64_t)glint_distance_squared(last, first), m * m);

@@ -2,6 +2,7 @@
  * The sRGB transfer function, IEC 61966-2-1. The tables are printed by tests/exact/srgb_tables.py. */
 #include "internal.h"
 
+/* clang-format off */
 static const uint16_t decoded[256] = {
     0, 20, 40, 60, 80, 99, 119, 139, 159, 179, 199, 219, 241, 264, 288, 313,
     340, 367, 396, 427, 458, 491, 526, 562, 599, 637, 677, 718, 761, 805, 851, 898,
@@ -41,6 +42,7 @@ static const uint16_t encoded[289] = {
     57725, 58254, 58777, 59294, 59805, 60310, 60810, 61305, 61794, 62278, 62757, 63231, 63701, 64166, 64627, 65083,
     65535,
 };
+/* clang-format on */
 
 uint16_t glint_srgb_decode(uint8_t e)
 {

@@ -118,8 +118,8 @@ static void check_power(const char *name, enum glint_model model, void (*start)(
         mpfr_free_cache();
     }
     const long rising = count_dense(model, NULL, DENSE);
-    printf("# %s from t: %ld farther than .501 ulp, %ld not the nearest, of %ld random; %ld rise of %d in dense runs\n", name,
-           far, not_nearest, (long)count * N, rising, 4 * DENSE * N);
+    printf("# %s from t: %ld farther than .501 ulp, %ld not the nearest, of %ld random; %ld rise of %d in dense runs\n",
+           name, far, not_nearest, (long)count * N, rising, 4 * DENSE * N);
     assert_int_equal(far + rising, 0);
 }
 
