@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * Cayley, an extension that is not of the paper: c^n for n <= 4, else r^4 with r = (4(1+c) - n(1-c)) / (4(1+c) + n(1-c)),
- * 0 where r < 0. It follows c^n from c = (1-x)/(1+x), n steps of which are nearly 4 steps of n x / 4. */
+ * Cayley, an extension, not of the paper: c^n for n <= 4, else r^4, r = (4(1+c) - n(1-c)) / (4(1+c) + n(1-c)), 0 where
+ * r < 0. It comes from c = (1 - x) / (1 + x): n such factors are nearly 4 of (1 - nx/4) / (1 + nx/4). */
 #include "internal.h"
 
 /* With T = 2^30 t: r = p / s, p = 2^33 - (n + 4) T, s = 2^33 + (n - 4) T. Where p > 0, s < 2 * 2^33. */

@@ -221,8 +221,8 @@ struct glint_span {
     uint16_t w;
 };
 
-/* From the normals of the first and last pixel, for Blinn geometry. The ends are exact to w 2^-31, the middle to
- * (w^2 / 16 + w) 2^-30. Normals more than 20 degrees apart want subdividing: between them N is not renormalised.
+/* From the normals of the first and last pixel, for Blinn geometry. The ends are exact to (w + 2) 2^-31, the middle to
+ * (w^2 / 16 + w + 1) 2^-30. Normals more than 20 degrees apart want subdividing: between them N is not renormalised.
  * GLINT_ERR_ARG: w > GLINT_SPAN_MAX. GLINT_ERR_VECTOR: t > 3.75 or |nl| > 2 (normals far from unit length). */
 enum glint_err glint_span_init(struct glint_span *span, const struct glint_light *light, const struct glint_vec *first,
                                const struct glint_vec *last, uint16_t w);
@@ -234,7 +234,7 @@ enum glint_err glint_shade_span(const struct glint_shader *shader, const struct 
 /* ---- sRGB, integers only ------------------------------------------------------------------------------------- */
 
 uint16_t glint_srgb_decode(uint8_t encoded); /* 65535 = 1.0; nearest */
-uint16_t glint_srgb_encode(uint16_t linear); /* 65535 = 1.0, both; monotone, within 10 units (.04 of a level of 255) */
+uint16_t glint_srgb_encode(uint16_t linear); /* 65535 = 1.0, both; monotone, within 3 units (.01 of a level of 255) */
 
 #ifdef __cplusplus
 }

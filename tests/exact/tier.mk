@@ -10,6 +10,6 @@ $(BUILD)/tests/exact/%: tests/exact/%.c tests/exact/oracle.c tests/exact/oracle.
 	$(CC) -std=c11 -D_GNU_SOURCE -Wall -Wextra -Wconversion -Wshadow -Ilib -fopenmp $(CFLAGS) $(LDFLAGS) $(filter %.c %.a,$^) -o $@ -lcmocka -lmpfr -lgmp
 
 test-exact: setup-exact $(EXACT) ## the library over its whole domain: 0 wrong
-	@tests/tally $(EXACT) tests/exact/test_gauss_coefficients
+	@tests/tally $(EXACT) tests/exact/test_tables
 
 .PHONY: setup-exact test-exact

@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: MIT
+ * The exact rectangle and span: the value of every pixel. */
+#include "shading.h"
+
+static void gamma_pixels_are_the_correctly_rounded_sum_in_every_format(void **state)
+{
+    (void)state;
+    static struct scene s;
+    for (int i = 0; i < 1500; i++) {
+        scene_init(&s, formats[i % FORMATS], GLINT_GAMMA);
+        s.source.mask = NULL;
+        assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+        for (unsigned p = 0; p < W * H; p++) {
+            unsigned wanted[3], found[3];
+            double real[3];
+            expected_levels(&s.shader, s.normals[p], &s.albedo[3 * p], s.gloss[p], p % W + s.surface.x,
+                            p / W + s.surface.y, wanted, real);
+            stored_levels(formats[i % FORMATS], s.out + LINE * (1 + p / W), p % W, found);
+            for (int k = 0; k < 3; k++)
+                assert_int_equal(found[k], wanted[k]);
+        }
+    }
+}
+
+static void linear_pixels_are_within_a_twentieth_of_a_level_of_the_real_sum(void **state)
+{
+    (void)state;
+    static struct scene s;
+    double worst = 0;
+    for (int i = 0; i < 1500; i++) {
+        scene_init(&s, formats[i % FORMATS], GLINT_LINEAR);
+        s.source.mask = NULL;
+        assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+        for (unsigned p = 0; p < W * H; p++) {
+            unsigned wanted[3], found[3];
+            double real[3];
+            expected_levels(&s.shader, s.normals[p], &s.albedo[3 * p], s.gloss[p], p % W + s.surface.x,
+                            p / W + s.surface.y, wanted, real);
+            stored_levels(formats[i % FORMATS], s.out + LINE * (1 + p / W), p % W, found);
+            for (int k = 0; k < 3; k++) /* found <= real < found + 1, up to the error of the tables */
+                worst = fmax(worst, fmax(found[k] - real[k], real[k] - found[k] - 1));
+        }
+    }
+    printf("# at most %.4f of a level beyond the rounding\n", worst);
+    assert_true(worst <= 0.05);
+}
+
+static void masked_pixels_keep_what_was_there(void **state)
+{
+    (void)state;
+    static struct scene s, all;
+    for (int i = 0; i < 200; i++) {
+        const enum glint_format format = formats[i % FORMATS];
+        scene_init(&s, format, GLINT_GAMMA);
+        all = s;
+        s.surface.pixels = s.out + LINE;
+        all.surface.pixels = all.out + LINE;
+        all.source =
+            (struct glint_source){all.normals, W * sizeof *all.normals, all.albedo, 3 * W, all.gloss, W, NULL, 0};
+        assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+        assert_int_equal(glint_shade_rect(&all.shader, &all.source, W, H, &all.surface, NULL), GLINT_OK);
+        static uint8_t untouched[LINE];
+        memset(untouched, GUARD, sizeof untouched);
+        for (unsigned p = 0; p < W * H; p++) {
+            unsigned found[3], wanted[3];
+            stored_levels(format, s.out + LINE * (1 + p / W), p % W, found);
+            stored_levels(format, s.mask[p] ? all.out + LINE * (1 + p / W) : untouched, p % W, wanted);
+            assert_memory_equal(found, wanted, sizeof found);
+        }
+    }
+}
+
+static void a_span_is_the_rectangle_sequence_at_its_own_t(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 500; i++) {
+        const enum glint_format format = formats[i % FORMATS];
+        struct glint_shader shader = random_shader(format, (enum glint_space)below(2));
+        if (shader.lobe.model == GLINT_PHONG)
+            shader.lobe.model = GLINT_BLINN;
+        /* Along a constant normal the span has the rectangle's t and nl in every pixel. */
+        const struct glint_vec n = random_normal(&shader.light);
+        struct glint_vec normals[W];
+        for (int x = 0; x < W; x++)
+            normals[x] = n;
+        uint8_t rect[LINE], span_out[LINE];
+        memset(rect, GUARD, sizeof rect);
+        memset(span_out, GUARD, sizeof span_out);
+        const struct glint_surface to_rect = {rect + 1, LINE, 2, 3}, to_span = {span_out + 1, LINE, 2, 3};
+        const struct glint_source source = {.normals = normals};
+        struct glint_span span;
+        struct glint_box a, b;
+        assert_int_equal(glint_span_init(&span, &shader.light, &n, &n, W), GLINT_OK);
+        assert_int_equal(glint_shade_rect(&shader, &source, W, 1, &to_rect, &a), GLINT_OK);
+        assert_int_equal(glint_shade_span(&shader, &span, &to_span, &b), GLINT_OK);
+        assert_memory_equal(rect, span_out, sizeof rect);
+        assert_memory_equal(&a, &b, sizeof a);
+    }
+}
+
+static void a_span_whose_t_dips_below_zero_shows_the_peak_there(void **state)
+{
+    (void)state;
+    struct glint_shader shader = random_shader(GLINT_GREY8, GLINT_GAMMA);
+    glint_lobe_init(&shader.lobe, GLINT_BLINN, 60, 8);
+    shader.dither = false;
+    for (int k = 0; k < 3; k++) {
+        shader.material.ambient_q16[k] = shader.material.diffuse_q16[k] = 0;
+        shader.material.specular_q16[k] = 65536;
+    }
+    const struct glint_span span = {1u << 24, 0u - (1u << 25), 0, 1 << 30, 0, 3}; /* t = 2^24, -2^24, -3 * 2^24 */
+    uint8_t out[3];
+    const struct glint_surface surface = {out, 3, 0, 0};
+    struct glint_box box;
+    assert_int_equal(glint_shade_span(&shader, &span, &surface, &box), GLINT_OK);
+    assert_in_range(out[0], 90, 110); /* exp(-60 / 64) */
+    assert_int_equal(out[1], 255);
+    assert_int_equal(out[2], 255);
+    assert_true(box.x == 0 && box.w == 3 && box.h == 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(gamma_pixels_are_the_correctly_rounded_sum_in_every_format),
+        cmocka_unit_test(linear_pixels_are_within_a_twentieth_of_a_level_of_the_real_sum),
+        cmocka_unit_test(masked_pixels_keep_what_was_there),
+        cmocka_unit_test(a_span_is_the_rectangle_sequence_at_its_own_t),
+        cmocka_unit_test(a_span_whose_t_dips_below_zero_shows_the_peak_there),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: MIT
+ * The exact rectangle and span: what they may touch, what they report, what they refuse. */
+#include "shading.h"
+
+static void nothing_outside_the_rectangle_is_written(void **state)
+{
+    (void)state;
+    static const uint16_t widths[] = {0, 1, 2, 3, 319};
+    for (int i = 0; i < 400; i++) {
+        const enum glint_format format = formats[i % FORMATS];
+        const uint16_t w = widths[i / FORMATS % 5], h = (uint16_t)below(4);
+        const struct glint_shader shader = random_shader(format, (enum glint_space)(i & 1));
+        const unsigned need = bytes_of(format, w);
+        const ptrdiff_t stride = (ptrdiff_t)need + (ptrdiff_t)below(6);
+        const size_t size = (size_t)stride * h + 64;
+        struct glint_vec *normals = malloc(((size_t)w * h + 1) * sizeof *normals); /* exact, for the sanitizer */
+        uint8_t *out = malloc(size);
+        assert_true(normals && out);
+        for (int p = 0; p < w * h; p++)
+            normals[p] = random_normal(&shader.light);
+        memset(out, GUARD, size);
+        const bool upside_down = below(2) && h > 0;
+        const unsigned start = 1 + below(8); /* any alignment */
+        uint8_t *first = out + start + (upside_down ? stride * (h - 1) : 0);
+        const struct glint_surface surface = {first, upside_down ? -stride : stride, 3, 1};
+        const struct glint_source source = {.normals = normals, .normals_stride = w * (ptrdiff_t)sizeof *normals};
+        assert_int_equal(glint_shade_rect(&shader, &source, w, h, &surface, NULL), GLINT_OK);
+        for (size_t b = 0; b < size; b++) {
+            const ptrdiff_t at = (ptrdiff_t)b - (ptrdiff_t)start;
+            const bool inside = at >= 0 && at < stride * h && at % stride < (ptrdiff_t)need;
+            if (!inside)
+                assert_int_equal(out[b], GUARD);
+            else if (format == GLINT_MONO && w % 8 && at % stride == w / 8)
+                assert_int_equal(out[b] & (0xff >> w % 8), GUARD & (0xff >> w % 8));
+        }
+        free(normals);
+        free(out);
+    }
+}
+
+static void the_highlight_box_is_the_smallest_that_holds_the_highlight(void **state)
+{
+    (void)state;
+    static struct scene s;
+    int empty = 0;
+    for (int i = 0; i < 400; i++) {
+        scene_init(&s, GLINT_RGB888, GLINT_GAMMA);
+        if (i & 1) /* sparse */
+            for (int p = 0; p < W * H; p++)
+                s.gloss[p] = below(60) ? 0 : 255;
+        struct glint_box box;
+        assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, &box), GLINT_OK);
+        unsigned left = W, right = 0, top = H, bottom = 0;
+        for (unsigned p = 0; p < W * H; p++) {
+            uint32_t nl;
+            if (!s.mask[p] || !s.gloss[p] || !lobe_at(&s.shader, s.normals[p], &nl))
+                continue;
+            left = p % W < left ? p % W : left;
+            right = p % W + 1 > right ? p % W + 1 : right;
+            top = p / W < top ? p / W : top;
+            bottom = p / W + 1;
+        }
+        if (right == 0) {
+            empty++;
+            assert_true(box.x == 0 && box.y == 0 && box.w == 0 && box.h == 0);
+        } else {
+            assert_true(box.x == left && box.y == top && box.w == right - left && box.h == bottom - top);
+        }
+    }
+    assert_true(empty > 0);
+}
+
+static void albedo_may_be_the_output_and_gloss_the_grey_output(void **state)
+{
+    (void)state;
+    static struct scene s;
+    static uint8_t apart[3 * W * H];
+    for (int i = 0; i < 100; i++) {
+        const bool grey = i & 1;
+        scene_init(&s, grey ? GLINT_GREY8 : GLINT_RGB888, GLINT_GAMMA);
+        s.surface = (struct glint_surface){apart, grey ? W : 3 * W, 0, 0};
+        s.source.mask = NULL;
+        assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+        s.surface.pixels = grey ? s.gloss : s.albedo;
+        assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+        assert_memory_equal(s.surface.pixels, apart, grey ? W * H : 3 * W * H);
+    }
+}
+
+static void wrong_arguments_are_refused_and_nothing_is_written(void **state)
+{
+    (void)state;
+    static struct scene s, bad;
+    scene_init(&s, GLINT_RGB888, GLINT_GAMMA);
+    const uint8_t untouched[3] = {GUARD, GUARD, GUARD};
+    struct glint_span span = {0, 0, 0, 0, 0, 1};
+    assert_int_equal(glint_shade_rect(NULL, &s.source, W, H, &s.surface, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_rect(&s.shader, NULL, W, H, &s.surface, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, NULL, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_span(NULL, &span, &s.surface, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_span(&s.shader, NULL, &s.surface, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_span(&s.shader, &span, NULL, NULL), GLINT_ERR_ARG);
+    bad = s;
+    bad.source.normals = NULL;
+    assert_int_equal(glint_shade_rect(&s.shader, &bad.source, W, H, &s.surface, NULL), GLINT_ERR_ARG);
+    bad = s;
+    bad.source.normals_stride = 7;
+    assert_int_equal(glint_shade_rect(&s.shader, &bad.source, W, H, &s.surface, NULL), GLINT_ERR_ARG);
+    bad.source.normals_stride = 6;
+    bad.source.normals = (const struct glint_vec *)((uintptr_t)s.normals + 1);
+    assert_int_equal(glint_shade_rect(&s.shader, &bad.source, W, H, &s.surface, NULL), GLINT_ERR_ARG);
+    bad = s;
+    bad.surface.pixels = NULL;
+    assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &bad.surface, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_span(&s.shader, &span, &bad.surface, NULL), GLINT_ERR_ARG);
+    bad = s;
+    bad.shader.format = GLINT_MONO + 1;
+    assert_int_equal(glint_shade_rect(&bad.shader, &s.source, W, H, &s.surface, NULL), GLINT_ERR_FORMAT);
+    assert_int_equal(glint_shade_span(&bad.shader, &span, &s.surface, NULL), GLINT_ERR_FORMAT);
+    bad = s;
+    bad.shader.space = GLINT_LINEAR + 1;
+    assert_int_equal(glint_shade_rect(&bad.shader, &s.source, W, H, &s.surface, NULL), GLINT_ERR_FORMAT);
+    assert_memory_equal(s.surface.pixels, untouched, 3);
+    struct glint_box box = {9, 9, 9, 9};
+    assert_int_equal(glint_shade_rect(&s.shader, &s.source, 0, H, &s.surface, &box), GLINT_OK);
+    assert_int_equal(box.w, 0);
+    assert_memory_equal(s.surface.pixels, untouched, 3);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nothing_outside_the_rectangle_is_written),
+        cmocka_unit_test(the_highlight_box_is_the_smallest_that_holds_the_highlight),
+        cmocka_unit_test(albedo_may_be_the_output_and_gloss_the_grey_output),
+        cmocka_unit_test(wrong_arguments_are_refused_and_nothing_is_written),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
