@@ -17,7 +17,9 @@ enum { EXIT_GOOD = 0, EXIT_FAILED = 1, EXIT_USAGE = 2 };
 _Noreturn void fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* One line on standard error, beginning "glint: ". */
 void warn(const char *format, ...) __attribute__((format(printf, 1, 2)));
-/* A line that overwrites itself, only where standard error is a terminal; NULL ends and clears it. */
+/* Control characters, which a quoted name may hold, become '?'; in place. */
+char *one_line(char *text);
+/* A line that overwrites itself, only where standard error is a terminal. */
 void progress(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void progress_end(void);
 bool color_wanted(FILE *stream); /* a terminal, and NO_COLOR is unset or empty */
@@ -33,13 +35,14 @@ struct output {
     char *temporary; /* NULL where written in place */
 };
 struct output *output_open(const char *path);
-void output_close(struct output *output); /* checks, syncs the name, frees */
+void output_close(struct output *output); /* checks, gives the file its name, frees */
 void output_discard_all(void);            /* unfinished files go; called by fail(), at exit and by signals */
 
 /* ---- numbers (numbers.c) ---- */
 
 /* Strict: the whole text must be one number within the limits, else argp_error names the option and what is allowed
- * (exit 2). `option` as the user writes it: "-n", "--light". */
+ * (exit 2). `option` as the user writes it: "-n", "--light". Where `state` is NULL the text is data, not usage:
+ * `option` names where it stands, and fail() ends the program (exit 1). */
 long parse_integer(const struct argp_state *state, const char *option, const char *text, long low, long high);
 double parse_real(const struct argp_state *state, const char *option, const char *text, double low, double high);
 /* "X,Y,Z": exactly `count` numbers. */
@@ -48,6 +51,27 @@ void parse_reals(const struct argp_state *state, const char *option, const char 
 /* "A", "A,B,C", "A:B" (step 1), "A:B:STEP" or a mix of them by commas; `values` is malloc'd, the count returned. */
 size_t parse_list(const struct argp_state *state, const char *option, const char *text, double low, double high,
                   double **values);
+size_t parse_integer_list(const struct argp_state *state, const char *option, const char *text, long low, long high,
+                          long **values);
+
+/* ---- rows of results (rows.c) ---- */
+
+enum rows_format { ROWS_TEXT, ROWS_CSV, ROWS_JSON };
+struct column {
+    const char *name;
+    int width, decimals; /* of the text form; a width below 0 aligns to the left */
+};
+struct cell {
+    enum { CELL_NONE, CELL_TEXT, CELL_INTEGER, CELL_REAL } kind;
+    union {
+        const char *text;
+        long long integer;
+        double real;
+    };
+};
+struct rows *rows_begin(FILE *stream, enum rows_format format, const struct column *columns, size_t count);
+void rows_add(struct rows *rows, const struct cell *cells);
+void rows_end(struct rows *rows);
 
 /* ---- models (models.c) ---- */
 
@@ -56,6 +80,8 @@ double model_double(enum glint_model model, double n, double c);
 extern const char *const model_names[]; /* "msh" ... "cayley", by enum glint_model */
 enum { MODEL_COUNT = 6 };
 enum glint_model parse_model(const struct argp_state *state, const char *option, const char *text);
+void parse_models(const struct argp_state *state, const char *option, const char *text,
+                  bool given[MODEL_COUNT]); /* one, or all */
 
 /* ---- subcommands ---- */
 

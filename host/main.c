@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * The `glint` command: picks the subcommand. */
+#include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,7 +29,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
 {
     (void)argument;
     if (key == ARGP_KEY_NO_ARGS)
-        argp_error(state, "no command; one of render, eval, cutoff, table, search, paper is wanted");
+        argp_error(state, "no command; `glint --help` lists them");
     if (key == ARGP_KEY_ARG) {
         state->next--; /* leave the command's own words to it */
         *(int *)state->input = state->next;
@@ -68,13 +70,35 @@ static void on_signal(int number)
     raise(number);
 }
 
+/* A file opened later must not get the number of a standard stream that the caller closed: its place is taken by one
+ * that fails as the closed one would. */
+static void occupy_standard_streams(void)
+{
+    for (int number = 0; number <= STDERR_FILENO; number++)
+        if (fcntl(number, F_GETFD) < 0 && open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY) != number)
+            _exit(EXIT_FAILED);
+}
+
+/* Help is written by argp, which does not look whether it could be. */
+static void check_standard_output(int status, void *unused)
+{
+    (void)unused;
+    if (status != EXIT_GOOD || (fflush(stdout) == 0 && !ferror(stdout)))
+        return;
+    warn("standard output: could not be written: %s", strerror(errno));
+    _exit(EXIT_FAILED);
+}
+
 int main(int argc, char **argv)
 {
+    occupy_standard_streams();
     argp_err_exit_status = EXIT_USAGE;
-    signal(SIGINT, on_signal);
-    signal(SIGTERM, on_signal);
-    signal(SIGHUP, on_signal);
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
+        if (signal(signals[i], SIG_IGN) != SIG_IGN) /* nohup's wish stays */
+            signal(signals[i], on_signal);
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is reported by the write that fails */
+    on_exit(check_standard_output, NULL);
     atexit(output_discard_all);
 
     static const struct argp argp = {
@@ -90,6 +114,6 @@ int main(int argc, char **argv)
         argv[first] = name; /* so that help and errors name the subcommand */
         return commands[i].run(argc - first, argv + first);
     }
-    fprintf(stderr, "glint: no command '%s'; `glint --help` lists them\n", argv[first]);
+    warn("no command '%s'; `glint --help` lists them", argv[first]);
     return EXIT_USAGE;
 }

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include <ctype.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -7,12 +8,22 @@
 
 static bool progress_shown;
 
+char *one_line(char *text)
+{
+    for (char *at = text; *at; at++)
+        if (iscntrl((unsigned char)*at))
+            *at = '?';
+    return text;
+}
+
 static void line(const char *format, va_list arguments)
 {
+    char *text;
     progress_end();
-    fputs("glint: ", stderr);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
+    if (vasprintf(&text, format, arguments) < 0)
+        return;
+    fprintf(stderr, "glint: %s\n", one_line(text));
+    free(text);
 }
 
 void fail(const char *format, ...)

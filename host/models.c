@@ -41,3 +41,12 @@ enum glint_model parse_model(const struct argp_state *state, const char *option,
     argp_error(state, "%s: no model '%s'; one of msh, schlick, blinn, phong, gauss, cayley", option, text);
     return GLINT_MSH;
 }
+
+void parse_models(const struct argp_state *state, const char *option, const char *text, bool given[MODEL_COUNT])
+{
+    const bool all = strcmp(text, "all") == 0;
+    for (int i = 0; i < MODEL_COUNT; i++)
+        given[i] = all;
+    if (!all)
+        given[parse_model(state, option, text)] = true;
+}

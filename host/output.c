@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Output that is whole or not there: a regular file is written beside its name, then renamed. */
 #include <errno.h>
-#include <fcntl.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -49,6 +49,40 @@ static mode_t wanted_mode(bool exists, const struct stat *status)
     return 0666 & ~mask;
 }
 
+/* Where the name leads: a symbolic link stays one, also one whose file is not there yet. */
+static char *resolve(const char *path)
+{
+    char *target = realpath(path, NULL);
+    if (target || errno != ENOENT)
+        return target;
+    char link[PATH_MAX];
+    const ssize_t length = readlink(path, link, sizeof link - 1);
+    if (length < 0)
+        return strdup(path);
+    link[length] = '\0';
+    const char *slash = *link == '/' ? NULL : strrchr(path, '/');
+    const int folder = slash ? (int)(slash - path) + 1 : 0;
+    char *next;
+    if (asprintf(&next, "%.*s%s", folder, path, link) < 0)
+        return NULL;
+    target = resolve(next); /* ends: a loop of links is ELOOP to realpath */
+    free(next);
+    return target;
+}
+
+/* A new file in the folder of `path`, under a name of its own until it is whole. */
+static int open_beside(const char *path, char **name)
+{
+    const char *slash = strrchr(path, '/');
+    if (asprintf(name, "%.*s.glint-XXXXXX", slash ? (int)(slash - path) + 1 : 0, path) < 0)
+        fail("out of memory");
+    const int descriptor = mkstemp(*name);
+    if (descriptor < 0)
+        fail("%s: cannot write there: %s", path, strerror(errno));
+    remember(*name);
+    return descriptor;
+}
+
 struct output *output_open(const char *path)
 {
     struct output *output = calloc(1, sizeof *output);
@@ -60,27 +94,22 @@ struct output *output_open(const char *path)
     }
     struct stat status;
     const bool exists = stat(path, &status) == 0;
-    if (exists && S_ISDIR(status.st_mode))
-        fail("%s: is a directory; name a file", path);
+    if (!*path || (exists && S_ISDIR(status.st_mode)))
+        fail("'%s': is %s; name a file", path, *path ? "a directory" : "no name");
     if (exists && !S_ISREG(status.st_mode)) {
         output->stream = fopen(path, "wb");
         if (!output->stream)
             fail("%s: %s", path, strerror(errno));
         return output;
     }
-    if (exists && access(path, W_OK) != 0)
-        fail("%s: %s", path, strerror(errno));
-    char *target = exists ? realpath(path, NULL) : strdup(path); /* a symbolic link stays one */
-    if (!target)
+    char *target = resolve(path);
+    if (!target || (exists && access(path, W_OK) != 0))
         fail("%s: %s", path, strerror(errno));
     free(output->path);
     output->path = target;
-    if (asprintf(&output->temporary, "%s.XXXXXX", target) < 0)
-        fail("out of memory");
-    const int descriptor = mkstemp(output->temporary);
-    if (descriptor < 0)
-        fail("%s: cannot write there: %s", path, strerror(errno));
-    remember(output->temporary);
+    const int descriptor = open_beside(target, &output->temporary);
+    if (exists && fchown(descriptor, status.st_uid, status.st_gid) != 0)
+        errno = 0; /* it becomes ours: only root can give files away */
     if (fchmod(descriptor, wanted_mode(exists, &status)) != 0 || !(output->stream = fdopen(descriptor, "wb")))
         fail("%s: %s", path, strerror(errno));
     return output;

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT
+ * Runs the glint command through the shell, in a scratch folder of the test program's own. */
+#ifndef GLINT_RUN_H
+#define GLINT_RUN_H
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "unit.h"
+
+struct run {
+    int status; /* the exit status; 128 + signal */
+    char out[65536], err[8192];
+};
+
+/* Group set-up and tear-down: the scratch folder becomes the current one. */
+static inline int scratch_make(void **state)
+{
+    char name[] = "/tmp/glint-test.XXXXXX";
+    if (!getenv("GLINT") || !mkdtemp(name) || chdir(name) != 0)
+        return -1;
+    *state = strdup(name);
+    return *state ? 0 : -1;
+}
+
+static inline int scratch_remove(void **state)
+{
+    char command[64];
+    snprintf(command, sizeof command, "rm -rf '%s'", (char *)*state);
+    free(*state);
+    return chdir("/") == 0 ? system(command) : -1;
+}
+
+static inline void read_text(const char *path, char *text, size_t size)
+{
+    FILE *file = fopen(path, "r");
+    const size_t length = file ? fread(text, 1, size - 1, file) : 0;
+    text[length] = '\0';
+    if (file)
+        fclose(file);
+}
+
+/* `command` is the shell's, with $GLINT for the command under test: "$GLINT eval 1 >/dev/full". */
+static inline struct run *run(const char *command)
+{
+    static struct run result;
+    char *whole;
+    assert_true(asprintf(&whole, "{ %s\n} >.out 2>.err", command) > 0);
+    const int status = system(whole);
+    free(whole);
+    result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    read_text(".out", result.out, sizeof result.out);
+    read_text(".err", result.err, sizeof result.err);
+    return &result;
+}
+
+static inline void assert_contains(const char *text, const char *part)
+{
+    if (!strstr(text, part))
+        fail_msg("'%s' is not in '%s'", part, text);
+}
+
+/* Exit 1 and one line on standard error that holds `part`. */
+static inline void assert_fails(const char *command, const char *part)
+{
+    const struct run *result = run(command);
+    assert_contains(result->err, part);
+    assert_int_equal(result->status, 1);
+    const char *newline = strchr(result->err, '\n');
+    assert_true(newline && newline[1] == '\0');
+}
+
+/* Exit 2, the message first holds `part`, and argp's line that tells of --help follows. */
+static inline void assert_refused(const char *command, const char *part)
+{
+    const struct run *result = run(command);
+    assert_contains(result->err, part);
+    assert_int_equal(result->status, 2);
+    assert_string_equal(result->out, "");
+}
+
+#endif

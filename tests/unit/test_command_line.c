@@ -1,0 +1,224 @@
+/* SPDX-License-Identifier: MIT
+ * What all of the glint command has in common: statuses, messages, help, numbers, output files. */
+#include <sys/stat.h>
+
+#include "run.h"
+
+#define EVAL "$GLINT eval -n 60 0.99"
+
+/* ---- help and usage ---- */
+
+static void help_of_every_command_has_an_example_and_exits_0(void **state)
+{
+    (void)state;
+    static const char *const commands[] = {"", "render", "eval", "cutoff", "table", "search", "paper"};
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
+        char command[64];
+        snprintf(command, sizeof command, "$GLINT %s --help", commands[i]);
+        const struct run *result = run(command);
+        assert_int_equal(result->status, 0);
+        assert_contains(result->out, "xample");
+        assert_contains(result->out, "glint");
+        assert_string_equal(result->err, "");
+    }
+}
+
+static void version_is_the_librarys(void **state)
+{
+    (void)state;
+    assert_string_equal(run("$GLINT --version")->out, "glint 0.1.0\n");
+    assert_string_equal(run("$GLINT eval --version")->out, "glint 0.1.0\n");
+}
+
+static void no_command_is_wrong_usage(void **state)
+{
+    (void)state;
+    assert_refused("$GLINT", "no command");
+}
+
+static void an_unknown_command_is_named(void **state)
+{
+    (void)state;
+    assert_refused("$GLINT rendre", "'rendre'");
+    assert_refused("$GLINT ''", "''");
+}
+
+static void an_unknown_option_is_named(void **state)
+{
+    (void)state;
+    assert_refused("$GLINT --colour", "--colour");
+    assert_refused("$GLINT eval --colour 1", "--colour");
+    assert_refused("$GLINT eval -n", "'n'");
+}
+
+static void an_unknown_model_is_named_with_those_there_are(void **state)
+{
+    (void)state;
+    assert_refused("$GLINT eval --model Blin 1", "--model: no model 'Blin'; one of msh, schlick");
+}
+
+/* ---- numbers ---- */
+
+static void malformed_numbers_are_refused_by_name(void **state)
+{
+    (void)state;
+    static const char *const numbers[] = {
+        "",    "1e",   "0x", "0x10", "nan", "inf",   "1,,2", " 5",  "5 ",
+        "1.5", "five", "1:", "1:2:", "--5", "0:5:0", "5:1",  "1e9", "99999999999999999999"};
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+        char command[96], wanted[64];
+        snprintf(command, sizeof command, "$GLINT eval -n '%s' 1", numbers[i]);
+        snprintf(wanted, sizeof wanted, "-n: '%s'", numbers[i]);
+        assert_refused(command, wanted);
+        snprintf(command, sizeof command, "$GLINT table -q '%s'", numbers[i]);
+        snprintf(wanted, sizeof wanted, "-q: '%s'", numbers[i]);
+        assert_refused(command, wanted);
+    }
+    assert_refused("$GLINT table -q 1,2", "-q: '1,2' is not a whole number from 0 to 16");
+    assert_refused("$GLINT eval -n 0 1", "from 1 to 1000");
+    assert_refused("$GLINT eval -n 1001 1", "from 1 to 1000");
+}
+
+static void a_message_is_one_line_whatever_it_quotes(void **state)
+{
+    (void)state;
+    assert_fails("$GLINT eval 1 -o \"$(printf 'no\\nsuch\\033[31m/file')\"", "no?such?[31m/file");
+    assert_refused("$GLINT eval -n \"$(printf '1\\n2')\" 1", "-n: '1?2'");
+}
+
+/* ---- standard output ---- */
+
+static void a_full_disk_is_a_failure(void **state)
+{
+    (void)state;
+    assert_fails(EVAL " >/dev/full", "standard output: could not be written: No space left on device");
+    assert_fails(EVAL " -o /dev/full", "/dev/full");
+    assert_fails("$GLINT cutoff >/dev/full", "standard output");
+    assert_fails("$GLINT table >/dev/full", "standard output");
+    assert_fails("$GLINT --help >/dev/full", "standard output");
+}
+
+static void a_closed_standard_output_is_a_failure(void **state)
+{
+    (void)state;
+    assert_fails(EVAL " >&-", "standard output");
+}
+
+static void a_closed_pipe_is_a_failure(void **state)
+{
+    (void)state;
+    assert_fails("{ $GLINT eval --raw 0:65536; echo $? >code; } | head -n 1; exit $(cat code)", "Broken pipe");
+}
+
+static void a_closed_standard_output_does_not_spoil_a_file(void **state)
+{
+    (void)state;
+    assert_int_equal(run(EVAL " -o closed.txt >&-")->status, 0);
+    assert_int_equal(run(EVAL " -o open.txt && cmp open.txt closed.txt")->status, 0);
+}
+
+static void no_escape_codes_go_where_no_terminal_is(void **state)
+{
+    (void)state;
+    static const char *const commands[] = {EVAL, "NO_COLOR=1 " EVAL, "TERM=xterm-256color $GLINT eval --help"};
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
+        const struct run *result = run(commands[i]);
+        assert_int_equal(result->status, 0);
+        assert_null(strchr(result->out, '\033'));
+        assert_null(strchr(result->err, '\033'));
+    }
+}
+
+/* ---- output files ---- */
+
+static void a_file_is_kept_where_its_successor_fails(void **state)
+{
+    (void)state;
+    assert_int_equal(run("echo old >kept; (ulimit -f 1; trap '' XFSZ; $GLINT eval --raw 0:65536 -o kept)")->status, 1);
+    assert_string_equal(run("cat kept")->out, "old\n");
+    assert_string_equal(run("ls -A | grep -c '^.glint'")->out, "0\n");
+}
+
+static void an_interrupted_run_leaves_nothing(void **state)
+{
+    (void)state;
+    /* It waits for standard input with its output open. */
+    const struct run *result = run("mkfifo input; $GLINT eval - -o late <input & exec 3>input; echo 1 >&3;"
+                                   "for i in 1 2 3 4 5 6 7 8 9; do ls -A | grep -q '^.glint' && break; sleep 0.1; done;"
+                                   "ls -A | grep -q '^.glint' || echo not begun; kill $!; wait $!");
+    assert_string_equal(result->out, "");
+    assert_int_equal(result->status, 128 + 15);
+    assert_string_equal(run("ls -A | grep -c -e '^.glint' -e '^late'")->out, "0\n");
+}
+
+static void a_replaced_file_keeps_its_mode(void **state)
+{
+    (void)state;
+    assert_string_equal(run("echo old >mode; chmod 640 mode; " EVAL " -o mode && stat -c %a mode")->out, "640\n");
+}
+
+static void a_new_file_has_the_mode_of_the_umask(void **state)
+{
+    (void)state;
+    assert_string_equal(run("umask 027; " EVAL " -o new && stat -c %a new")->out, "640\n");
+}
+
+static void a_symbolic_link_stays_one(void **state)
+{
+    (void)state;
+    assert_int_equal(run("echo old >target; ln -s target link; " EVAL " -o link && test -L link")->status, 0);
+    assert_int_equal(run(EVAL " | cmp - target")->status, 0);
+    assert_int_equal(run("mkdir -p sub; ln -s sub/new dangling; " EVAL " -o dangling && test -L dangling")->status, 0);
+    assert_int_equal(run(EVAL " | cmp - sub/new")->status, 0);
+}
+
+static void pipes_and_devices_are_written_in_place(void **state)
+{
+    (void)state;
+    assert_int_equal(run(EVAL " -o /dev/null && test -c /dev/null")->status, 0);
+    assert_int_equal(run("mkfifo pipe; cat pipe >piped & " EVAL " -o pipe && wait && " EVAL " | cmp - piped")->status,
+                     0);
+}
+
+static void a_name_of_the_longest_length_can_be_written(void **state)
+{
+    (void)state;
+    assert_int_equal(run("name=$(printf %0255d 0); " EVAL " -o $name && test -s $name && rm $name")->status, 0);
+}
+
+static void an_output_that_cannot_be_is_named(void **state)
+{
+    (void)state;
+    assert_fails(EVAL " -o missing/file", "missing/file");
+    assert_fails(EVAL " -o .", "'.': is a directory");
+    assert_fails("touch plain; " EVAL " -o plain/file", "plain/file");
+    assert_fails(EVAL " -o ''", "'': is no name");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(help_of_every_command_has_an_example_and_exits_0),
+        cmocka_unit_test(version_is_the_librarys),
+        cmocka_unit_test(no_command_is_wrong_usage),
+        cmocka_unit_test(an_unknown_command_is_named),
+        cmocka_unit_test(an_unknown_option_is_named),
+        cmocka_unit_test(an_unknown_model_is_named_with_those_there_are),
+        cmocka_unit_test(malformed_numbers_are_refused_by_name),
+        cmocka_unit_test(a_message_is_one_line_whatever_it_quotes),
+        cmocka_unit_test(a_full_disk_is_a_failure),
+        cmocka_unit_test(a_closed_standard_output_is_a_failure),
+        cmocka_unit_test(a_closed_pipe_is_a_failure),
+        cmocka_unit_test(a_closed_standard_output_does_not_spoil_a_file),
+        cmocka_unit_test(no_escape_codes_go_where_no_terminal_is),
+        cmocka_unit_test(a_file_is_kept_where_its_successor_fails),
+        cmocka_unit_test(an_interrupted_run_leaves_nothing),
+        cmocka_unit_test(a_replaced_file_keeps_its_mode),
+        cmocka_unit_test(a_new_file_has_the_mode_of_the_umask),
+        cmocka_unit_test(a_symbolic_link_stays_one),
+        cmocka_unit_test(pipes_and_devices_are_written_in_place),
+        cmocka_unit_test(a_name_of_the_longest_length_can_be_written),
+        cmocka_unit_test(an_output_that_cannot_be_is_named),
+    };
+    return cmocka_run_group_tests_name("command line", tests, scratch_make, scratch_remove);
+}
