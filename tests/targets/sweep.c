@@ -47,32 +47,24 @@ static void random_vector(int32_t v[3], int32_t limit)
 static const uint16_t shininess[] = {60, 0, 1, 2, 1000, 3, 4, 5, 17, 7, 10, 35, 200, 100, 255, 513, 704, 999, 5000};
 enum { SHININESS_COUNT = sizeof shininess / sizeof *shininess, MODEL_COUNT = GLINT_CAYLEY + 1 };
 
-static const struct {
-    uint32_t (*of_c)(uint32_t n, int32_t c_q16);
-    uint32_t (*of_t)(uint32_t n, uint32_t t_q30);
-    uint32_t (*cutoff)(uint32_t n, unsigned q);
-    uint32_t (*cutoff_t)(uint32_t n, unsigned q);
-} functions[] = {
-    {glint_msh, glint_msh_t, glint_msh_cutoff, glint_msh_cutoff_t},
-    {glint_schlick, glint_schlick_t, glint_schlick_cutoff, glint_schlick_cutoff_t},
-    {glint_blinn, glint_blinn_t, glint_blinn_cutoff, glint_blinn_cutoff_t},
-    {glint_gauss, glint_gauss_t, glint_gauss_cutoff, glint_gauss_cutoff_t},
-    {glint_cayley, glint_cayley_t, glint_cayley_cutoff, glint_cayley_cutoff_t},
-};
-enum { FUNCTION_COUNT = sizeof functions / sizeof *functions };
+/* No table of pointers: the stack check follows calls by name. */
+#define ADD_LOBE(model)                                                                                                \
+    for (int32_t c = -1000; c <= GLINT_C_ONE + 1000; c += size->c_step)                                                \
+        add(glint_##model(n, c));                                                                                      \
+    for (uint16_t k = 0; k < size->t_count; k++) /* ever nearer to the peak, where lobes are */                        \
+        add(glint_##model##_t(n, random_bits() >> (1 + k % 16)));                                                      \
+    for (unsigned q = 0; q <= GLINT_Q_MAX + 1; q += size->q_step) {                                                    \
+        add(glint_##model##_cutoff(n, q));                                                                             \
+        add(glint_##model##_cutoff_t(n, q));                                                                           \
+    }
 
 static void add_lobes(const struct sweep_size *size, uint16_t n)
 {
-    for (uint8_t i = 0; i < FUNCTION_COUNT; i++) {
-        for (int32_t c = -1000; c <= GLINT_C_ONE + 1000; c += size->c_step)
-            add(functions[i].of_c(n, c));
-        for (uint16_t k = 0; k < size->t_count; k++) /* ever nearer to the peak, where lobes are */
-            add(functions[i].of_t(n, random_bits() >> (1 + k % 16)));
-        for (unsigned q = 0; q <= GLINT_Q_MAX + 1; q += size->q_step) {
-            add(functions[i].cutoff(n, q));
-            add(functions[i].cutoff_t(n, q));
-        }
-    }
+    ADD_LOBE(msh)
+    ADD_LOBE(schlick)
+    ADD_LOBE(blinn)
+    ADD_LOBE(gauss)
+    ADD_LOBE(cayley)
 }
 
 static void add_dispatch(const struct sweep_size *size, uint16_t n)
@@ -133,7 +125,7 @@ static void random_shader(struct glint_shader *shader, unsigned model)
     int32_t to_light[3];
     random_vector(to_light, 100);
     const uint32_t n = 1 + random_bits() % 100;
-    glint_lobe_init(&shader->lobe, (enum glint_model)model, n, random_bits() % 17);
+    glint_lobe_init(&shader->lobe, (enum glint_model)model, n, (unsigned)(random_bits() % 17));
     if (glint_light_init(&shader->light, to_light, to_viewer) != GLINT_OK)
         add(1);
     for (uint8_t k = 0; k < 3; k++) {
@@ -230,7 +222,7 @@ uint64_t sweep(const struct sweep_size *size)
 
 void sweep_print(uint64_t value, void (*put)(char))
 {
-    for (int8_t shift = 60; shift >= 0; shift -= 4)
-        put("0123456789abcdef"[value >> shift & 15]);
+    for (uint8_t digit = 0; digit < 16; digit++)
+        put("0123456789abcdef"[value >> (60 - 4 * digit) & 15]);
     put('\n');
 }

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT
+ * RV32 on QEMU's machine virt: output by its UART, exit by its test device. */
+#include "machine.h"
+
+extern uint8_t stack_floor[]; /* from the linker script */
+void run(void);
+
+void machine_put(char c)
+{
+    *(volatile uint8_t *)0x10000000 = (uint8_t)c;
+}
+
+__attribute__((used)) void run(void)
+{
+    machine_run(stack_floor);
+    *(volatile uint32_t *)0x100000 = 0x5555;
+    for (;;)
+        ;
+}
+
+__asm__(".section .vectors, \"ax\"\n"
+        ".global start\n"
+        "start: la sp, stack_top\n"
+        "       j run\n");

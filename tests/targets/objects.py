@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: MIT
+"""What an object file needs and holds, and how deep its calls go."""
+import os
+import re
+
+# All that the library may ask of its surroundings: the compiler's helpers for integers. No helper for floating point, no
+# function of libm is among them.
+ALLOWED = re.compile(r"""
+    glint_\w+
+  | mem(cpy|set|move|cmp)
+  | __aeabi_(u?idiv(mod)?|u?ldivmod|lmul|llsl|llsr|lasr|l?u?lcmp|mem(cpy|set|move|clr)[48]?|[ui]div0|ldiv0)
+  | __gnu_thumb1_case_\w+                               # a switch, on Cortex-M0
+  | __(u?div|u?mod|u?divmod|mul|ashl|ashr|lshr|u?cmp|clz|ctz|bswap|neg)([qhsd]i)[234]?
+  | __(u?mulh?isi3|(u|us)?mulhisi3|mulshisi3|muluhisi3|mulohisi3|umulsidi3|mulsidi3|u?divmod(qi|hi|psi|si)4)
+  | __(add|sub|cmp)di[23](_s8)? | __negdi2 | __rotl\w+ | __rotr\w+
+  | __prologue_saves__ | __epilogue_restores__ | __riscv_(save|restore)_\d+
+  | __tablejump2?_?_ | __do_copy_data                   # AVR: a switch; constants in RAM, copied at the start
+""", re.VERBOSE)
+HELPER_STACK = 80  # bytes that one of these may use; what the emulated machines measure is checked against it
+
+
+def complaints(target, objects):
+    """Why these objects are not integers only, without writable data."""
+    found = []
+    for path in objects:
+        name = os.path.basename(path)
+        for line in target.tool("nm", "-u", path).split("\n"):
+            symbol = line.split()[-1] if line.split() else ""
+            if symbol and not ALLOWED.fullmatch(symbol):
+                found.append(f"{name} needs {symbol}")
+        for line in target.tool("nm", path).split("\n"):
+            fields = line.split()
+            if len(fields) == 3 and fields[1] in "CcDdBbGgSs":
+                found.append(f"{name} holds writable data: {fields[2]}")
+        for section, size in re.findall(r"^(\.(?:data|bss|sdata|sbss|tdata|tbss)\S*)\s+(\d+)", target.tool("size", "-A", path), re.M):
+            if int(size):
+                found.append(f"{name} has {size} bytes of {section}")
+        if target.prefix.startswith("arm"):
+            for mnemonic in set(re.findall(r"\t(v[a-z0-9.]+)\t", target.tool("objdump", "-d", path))):
+                found.append(f"{name} uses the floating-point unit: {mnemonic}")
+    return found
+
+
+def text_bytes(target, objects):
+    """Code and constants."""
+    lines = target.tool("size", "-B", *objects).split("\n")[1:]
+    return sum(int(line.split()[0]) for line in lines if line)
+
+
+# What a call through a pointer looks like, and what a call does that is not a jump.
+INDIRECT = re.compile(r"\t(blx?\t[a-z]|bx\t(?!lr)[a-z]|e?icall|e?ijmp|jalr\t|jr\t(?!ra))")
+FUNCTION = re.compile(r"^[0-9a-f]+ <((?!\.L)[^>]+)>:$")
+RELOCATION = re.compile(r"^\s+[0-9a-f]+: (R_\S+)\s+([^\s+-]+)(\S*)")
+CALL_MNEMONIC = re.compile(r"\t(bl|blx|r?call|jal|auipc)\t")
+CALLS = re.compile(r"R_ARM_THM_(CALL|JUMP\d+|XPC22)|R_ARM_CALL|R_RISCV_(CALL|CALL_PLT|JAL|RVC_JUMP)|R_AVR_(CALL|13_PCREL)")
+
+
+class Calls:
+    """The call graph of some objects, read from their relocations (compiled with -ffunction-sections, every call has one),
+    with the frames that gcc states (-fstack-usage). A call through a pointer may reach any function whose address is taken."""
+
+    def __init__(self, target, objects):
+        self.target, self.frames, self.edges, self.indirect = target, {}, {}, set()
+        self.taken, self.trouble, self.memory = set(), set(), {}
+        for path in objects:
+            self._read_frames(path)
+            self._read_code(path)
+        self.known = {}
+        for file, function in self.edges:
+            self.known.setdefault(function, (file, function))
+
+    def _read_frames(self, path):
+        with open(path[:-2] + ".su") as lines:
+            for line in lines:
+                place, size, kind = line.rstrip("\n").split("\t")
+                function = (path, place.split(":")[-1])
+                self.frames[function] = max(self.frames.get(function, 0), int(size))
+                if kind not in ("static", "dynamic,bounded"):
+                    self.trouble.add(f"{function[1]}: its frame is {kind}")
+
+    def _read_code(self, path):
+        function, code = None, []
+        for line in self.target.tool("objdump", "-dr", path).split("\n") + ["0 <end>:"]:
+            match = FUNCTION.match(line)
+            if not match:
+                code.append(line)
+                continue
+            if function:
+                self._read_function((path, function), code)
+            function, code = match[1], []
+        self._read_addresses(path)
+
+    def _read_addresses(self, path):
+        """Functions whose address is taken, in code or in constants: any mention that is not a call nor a branch inside a
+        function, which would have an offset."""
+        section = ""
+        for line in self.target.tool("objdump", "-r", path).split("\n"):
+            fields = line.split()
+            if line.startswith("RELOCATION"):
+                section = fields[-1]
+            elif len(fields) == 3 and fields[1].startswith("R_") and not section.startswith(("[.ARM", "[.eh", "[.debug")):
+                inside = re.search(r"[+-]0x", fields[2]) or fields[2].startswith(self.target.label_prefix)
+                if not CALLS.fullmatch(fields[1]) and not inside:
+                    self.taken.add((path, fields[2].replace(".text.", "")))
+
+    def _read_function(self, function, code):
+        edges = self.edges.setdefault(function, set())
+        instruction, direct = "", False
+        for line in code + ["\t\t"]:
+            match = RELOCATION.match(line)
+            if not match:  # the next instruction; RISC-V's calls are two: auipc, which has the name, and jalr
+                if INDIRECT.search(instruction) and not direct:
+                    self.indirect.add(function)
+                direct = direct and "\tauipc\t" in instruction
+                instruction = line
+            elif CALLS.fullmatch(match[1]):
+                direct = True
+                name = match[2].replace(".text.", "")
+                inside = match[3] not in ("", "+0x0") or not CALL_MNEMONIC.search(instruction)
+                if not name.startswith(".L") and (name != function[1] or not inside):
+                    edges.add(name)
+
+    def _find(self, path, name):
+        return (path, name) if (path, name) in self.edges else self.known.get(name)
+
+    def depth(self, function, above=()):
+        """Bytes, and the names of the deepest chain."""
+        if function in above:
+            self.trouble.add(f"{function[1]}: calls itself")
+            return 0, []
+        if function not in self.memory:
+            below = {(name, self._find(function[0], name)) for name in self.edges[function]}
+            if function in self.indirect:
+                below |= {(name, self._find(path, name)) for path, name in self.taken if self._find(path, name)}
+            chains = [self.depth(at, (*above, function)) if at else (HELPER_STACK, [name]) for name, at in below]
+            deepest = max(chains, default=(0, []))
+            frame = self.frames.get((function[0], function[1].split(".")[0]), 0)
+            self.memory[function] = frame + self.target.return_address + deepest[0], [function[1], *deepest[1]]
+        return self.memory[function]
+
+    def deepest(self, name=None):
+        """Over all functions, or of one by name."""
+        functions = [function for function in self.edges if name in (None, function[1])]
+        return max(self.depth(function) for function in functions)

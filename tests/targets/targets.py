@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: MIT
+"""The cross compilers, and TAP lines."""
+import glob
+import os
+import re
+import shutil
+import subprocess
+from dataclasses import dataclass
+
+SOURCE = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
+WARNINGS = "-Wall -Wextra -Wconversion -Wundef -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Werror".split()
+
+
+@dataclass
+class Target:
+    name: str
+    prefix: str  # of the tools: arm-none-eabi-
+    flags: str
+    stack_limit: int
+    return_address: int = 0  # bytes that a call pushes by itself, which gcc does not count
+
+    @property
+    def label_prefix(self):
+        """Of relocations that name a place inside a function, not its address."""
+        return ".text." if self.prefix.startswith("arm") else ".L"
+
+    def tool(self, name, *arguments, cwd=None, check=True):
+        """What the tool prints."""
+        done = subprocess.run([self.prefix + name, *arguments], cwd=cwd, capture_output=True, text=True)
+        if check and done.returncode:
+            raise RuntimeError(f"{self.prefix}{name}: {done.stderr}")
+        return done.stdout
+
+    def compile(self, sources, flags, folder):
+        """Objects and .su files of the sources in a fresh folder; the objects' names."""
+        shutil.rmtree(folder, ignore_errors=True)
+        os.makedirs(folder)
+        sources = [os.path.join(SOURCE, source) for source in sources]
+        self.tool("gcc", "-std=c99", "-ffreestanding", "-ffunction-sections", "-fstack-usage", *self.flags.split(),
+                  *flags.split(), *WARNINGS, "-I" + os.path.join(SOURCE, "lib"), "-c", *sources, cwd=folder)
+        return [os.path.join(folder, os.path.basename(source)[:-2] + ".o") for source in sources]
+
+
+def stated_stack():
+    """Bytes as the header promises: of Cortex-M0+, of the other Cortex-M, of the rest."""
+    with open(os.path.join(SOURCE, "lib", "glint.h")) as header:
+        statement = re.search(r"At most (\d+) bytes on Cortex-M0\+, (\d+) on other Cortex-M, (\d+) on RV32 and AVR", header.read())
+    return [int(number) for number in statement.groups()]
+
+
+STACK_M0, STACK_M, STACK_OTHER = stated_stack()
+TARGETS = [
+    Target("cortex-m0plus", "arm-none-eabi-", "-mcpu=cortex-m0plus -mthumb", STACK_M0),
+    Target("cortex-m3", "arm-none-eabi-", "-mcpu=cortex-m3 -mthumb", STACK_M),
+    Target("cortex-m4f", "arm-none-eabi-", "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16", STACK_M),
+    Target("rv32imc", "riscv64-unknown-elf-", "-march=rv32imc -mabi=ilp32", STACK_OTHER),
+    Target("atmega328p", "avr-", "-mmcu=atmega328p", STACK_OTHER, 2),
+    Target("atmega2560", "avr-", "-mmcu=atmega2560", STACK_OTHER, 3),
+]
+
+
+def library_sources():
+    return [os.path.relpath(path, SOURCE) for path in sorted(glob.glob(os.path.join(SOURCE, "lib", "*.c")))]
+
+
+class Tap:
+    def __init__(self):
+        self.count = self.failed = 0
+
+    def result(self, good, name, details=()):
+        self.count += 1
+        self.failed += not good
+        print(f"{'' if good else 'not '}ok {self.count} - {name}")
+        for detail in details if not good else ():
+            print(f"# {detail}")
+
+    def end(self):
+        print(f"1..{self.count}", flush=True)
+        return 1 if self.failed else 0
