@@ -192,7 +192,7 @@ struct glint_box {
 /* What each pixel knows. Maps that are NULL count as all 255 (albedo: the material's). Strides in bytes. A map may be
  * the output itself where sizes match (albedo in RGB888, a byte map in GREY8). */
 struct glint_source {
-    const struct glint_vec *normals; /* of about unit length; aligned to 2, stride even */
+    const struct glint_vec *normals; /* of about unit length; aligned as int16_t, so is the stride */
     ptrdiff_t normals_stride;
     const uint8_t *albedo; /* RGB888 */
     ptrdiff_t albedo_stride;
@@ -205,7 +205,7 @@ struct glint_source {
 /* Shades w x h pixels by the sequence above; w or h = 0 does nothing. In GLINT_MONO the bits past w in a line's last
  * byte are kept. *highlight (NULL: not wanted) becomes the smallest box, relative to the rectangle, that holds every
  * drawn pixel with F > 0 and gloss > 0: beyond it the picture does not depend on the highlight.
- * GLINT_ERR_ARG: NULL, odd normals or their stride. GLINT_ERR_FORMAT: no such format or space. Nothing is written then. */
+ * GLINT_ERR_ARG: NULL, misaligned normals, stride. GLINT_ERR_FORMAT: no such format or space. Then nothing is written. */
 enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct glint_source *source, uint16_t w,
                                 uint16_t h, const struct glint_surface *surface, struct glint_box *highlight);
 

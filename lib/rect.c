@@ -25,9 +25,15 @@ static uint32_t phong_t(const struct glint_vec *n, const struct glint_light *lig
     return sum >> 50 ? (uint32_t)1 << 31 : (uint32_t)(sum >> 19);
 }
 
-static bool odd(ptrdiff_t stride)
+/* What int16_t wants: 2, but 1 on 8-bit machines, whose compilers place normals anywhere. */
+struct aligned {
+    char before;
+    int16_t component;
+};
+
+static bool misaligned(uintptr_t address_or_stride)
 {
-    return stride & 1;
+    return address_or_stride % offsetof(struct aligned, component) != 0;
 }
 
 static const uint8_t *line_of(const uint8_t *map, ptrdiff_t stride, uint16_t y)
@@ -56,8 +62,8 @@ static void bounds_add(struct bounds *b, uint16_t x, uint16_t y)
 enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct glint_source *source, uint16_t w,
                                 uint16_t h, const struct glint_surface *surface, struct glint_box *highlight)
 {
-    if (!shader || !source || !surface || !source->normals || !surface->pixels || (uintptr_t)source->normals & 1 ||
-        odd(source->normals_stride))
+    if (!shader || !source || !surface || !source->normals || !surface->pixels ||
+        misaligned((uintptr_t)source->normals) || misaligned((uintptr_t)source->normals_stride))
         return GLINT_ERR_ARG;
     const enum glint_err err = glint_pixel_check(shader);
     if (err)
