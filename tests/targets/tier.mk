@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: MIT
+# Tier targets: the library by cross compilers (integers only, no writable data, bounded stack), and run by emulators.
+setup-targets:
+	@.ci/need "tier targets (cross compilers, emulators)" gcc libc6-dev make python3-minimal gcc-arm-none-eabi \
+		gcc-riscv64-unknown-elf gcc-avr avr-libc simavr qemu-system-arm qemu-system-misc
+
+test-targets: ## cross-compiled: no floating point, no writable data, stack; emulated: the host's results
+	@+tests/tier targets "$(SUBMAKE)"
+
+run-targets:
+	@PYTHONDONTWRITEBYTECODE=1 tests/tally "tests/targets/test_objects $(BUILD)/targets" \
+		"tests/targets/test_sweep $(BUILD)/targets $(CC)"
+
+.PHONY: setup-targets test-targets run-targets
