@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: MIT
+ * A scene through the library into levels, and those into a picture. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "host.h"
+#include "shade.h"
+
+const char *const path_names[] = {"exact", NULL};
+
+unsigned format_channels(enum glint_format format)
+{
+    return format == GLINT_GREY8 || format == GLINT_MONO ? 1 : 3;
+}
+
+unsigned format_max(enum glint_format format, unsigned channel)
+{
+    if (format == GLINT_RGB565 || format == GLINT_RGB565_SWAPPED)
+        return channel == 1 ? 63 : 31;
+    return format == GLINT_MONO ? 1 : 255;
+}
+
+/* A direction in whole numbers: the longest part becomes 2^30. */
+static void to_integers(const double direction[3], int32_t out[3])
+{
+    const double longest = fmax(fabs(direction[0]), fmax(fabs(direction[1]), fabs(direction[2])));
+    for (unsigned k = 0; k < 3; k++)
+        out[k] = longest > 0 ? (int32_t)lround(direction[k] / longest * (1 << 30)) : 0;
+}
+
+enum glint_err shading_light(const struct shading *shading, struct glint_light *light)
+{
+    int32_t to_light[3], to_viewer[3];
+    to_integers(shading->light, to_light);
+    to_integers(shading->view, to_viewer);
+    return glint_light_init(light, to_light, to_viewer);
+}
+
+static uint32_t to_q16(double value)
+{
+    return (uint32_t)lround(value * 65536);
+}
+
+static struct glint_shader shader_of(const struct shading *shading)
+{
+    struct glint_shader shader = {.format = (uint8_t)shading->format,
+                                  .space = (uint8_t)shading->space,
+                                  .dither = shading->dither,
+                                  .clamp_peak = shading->clamp_peak};
+    glint_lobe_init(&shader.lobe, shading->model, shading->n, shading->q);
+    if (shading_light(shading, &shader.light) != GLINT_OK)
+        fail("light and viewer give no half vector");
+    for (unsigned k = 0; k < 3; k++) {
+        shader.material.ambient_q16[k] = to_q16(shading->ambient[k]);
+        shader.material.diffuse_q16[k] = to_q16(shading->diffuse[k]);
+        shader.material.specular_q16[k] = to_q16(shading->specular[k]);
+        shader.material.albedo[k] = shading->color[k];
+    }
+    return shader;
+}
+
+static size_t line_bytes(enum glint_format format, size_t width)
+{
+    switch (format) {
+    case GLINT_RGB565:
+    case GLINT_RGB565_SWAPPED:
+        return 2 * width;
+    case GLINT_RGB888:
+        return 3 * width;
+    case GLINT_GREY8:
+        return width;
+    case GLINT_MONO:
+        return (width + 7) / 8;
+    }
+    return 0;
+}
+
+/* One pixel of a line as the library wrote it. */
+static void unpack(const uint8_t *line, enum glint_format format, size_t x, uint8_t *values)
+{
+    unsigned word;
+    switch (format) {
+    case GLINT_RGB565:
+    case GLINT_RGB565_SWAPPED:
+        word = line[2 * x + (format == GLINT_RGB565)];
+        word = word << 8 | line[2 * x + (format == GLINT_RGB565_SWAPPED)];
+        values[0] = (uint8_t)(word >> 11);
+        values[1] = (uint8_t)(word >> 5 & 63);
+        values[2] = (uint8_t)(word & 31);
+        break;
+    case GLINT_RGB888:
+        for (unsigned k = 0; k < 3; k++)
+            values[k] = line[3 * x + k];
+        break;
+    case GLINT_GREY8:
+        values[0] = line[x];
+        break;
+    case GLINT_MONO:
+        values[0] = line[x / 8] >> (7 - x % 8) & 1;
+        break;
+    }
+}
+
+struct levels *shade_scene(const struct scene *scene, const struct shading *shading)
+{
+    const struct glint_shader shader = shader_of(shading);
+    const size_t width = scene->width, bytes = line_bytes(shading->format, width);
+    struct glint_vec *normals = scene_normals_q15(scene);
+    uint8_t *pixels = allocate(scene->height, bytes); /* black where a mask leaves it */
+    const struct glint_source source = {.normals = normals,
+                                        .normals_stride = (ptrdiff_t)(width * sizeof *normals),
+                                        .albedo = scene->albedo,
+                                        .albedo_stride = (ptrdiff_t)(3 * width),
+                                        .gloss = scene->gloss,
+                                        .gloss_stride = (ptrdiff_t)width,
+                                        .mask = scene->mask,
+                                        .mask_stride = (ptrdiff_t)width};
+    const struct glint_surface surface = {pixels, (ptrdiff_t)bytes, 0, 0};
+    const enum glint_err error =
+        glint_shade_rect(&shader, &source, (uint16_t)width, (uint16_t)scene->height, &surface, NULL);
+    if (error != GLINT_OK)
+        fail("the library refused the rectangle (error %d)", error);
+    free(normals);
+
+    struct levels *levels = allocate(1, sizeof *levels);
+    *levels = (struct levels){scene->width, scene->height, format_channels(shading->format), {0}, NULL};
+    for (unsigned k = 0; k < levels->channels; k++)
+        levels->max[k] = format_max(shading->format, k);
+    levels->values = allocate(width * scene->height, levels->channels);
+    for (size_t i = 0; i < width * scene->height; i++)
+        unpack(&pixels[i / width * bytes], shading->format, i % width, &levels->values[i * levels->channels]);
+    free(pixels);
+    return levels;
+}
+
+void levels_free(struct levels *levels)
+{
+    if (!levels)
+        return;
+    free(levels->values);
+    free(levels);
+}
+
+struct picture *levels_picture(const struct levels *levels)
+{
+    const size_t samples = (size_t)levels->width * levels->height * levels->channels;
+    struct picture *picture = allocate(1, sizeof *picture);
+    *picture = (struct picture){levels->width, levels->height, levels->channels, levels->max[0] == 1, NULL};
+    picture->samples = allocate(samples, 1);
+    for (size_t i = 0; i < samples; i++) {
+        const unsigned max = levels->max[i % levels->channels];
+        picture->samples[i] = (uint8_t)((255 * levels->values[i] + max / 2) / max);
+    }
+    return picture;
+}
+
+void picture_free(struct picture *picture)
+{
+    if (!picture)
+        return;
+    free(picture->samples);
+    free(picture);
+}

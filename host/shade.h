@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT
+ * How a scene is lit and shaded, the picture the library makes of it, and the double-precision picture it should be. */
+#ifndef GLINT_SHADE_H
+#define GLINT_SHADE_H
+
+#include "glint.h"
+#include "image.h"
+#include "scene.h"
+
+/* As the user gave it: in doubles, so that the reference has nothing of the library's rounding. */
+struct shading {
+    enum glint_model model;
+    unsigned n, q;
+    double light[3], view[3]; /* towards them, any length */
+    double ambient[3], diffuse[3], specular[3];
+    uint8_t color[3]; /* where the scene has no albedo */
+    enum glint_format format;
+    enum glint_space space;
+    bool dither, clamp_peak;
+};
+
+/* A picture in its format's own levels: 0..31, 0..63, 0..255 or 0..1. */
+struct levels {
+    uint32_t width, height;
+    unsigned channels; /* 3, or 1 for grey and mono */
+    unsigned max[3];
+    uint8_t *values;
+};
+void levels_free(struct levels *levels);
+/* The level as it is shown: nearest of 255. */
+struct picture *levels_picture(const struct levels *levels);
+void picture_free(struct picture *picture);
+
+unsigned format_channels(enum glint_format format);
+unsigned format_max(enum glint_format format, unsigned channel);
+
+/* ---- by the library (shade.c) ---- */
+
+/* Ways through the library, by the names --path takes; ends with NULL. */
+extern const char *const path_names[];
+/* The light as the library takes it; GLINT_ERR_VECTOR where a direction is 0 or they oppose each other. */
+enum glint_err shading_light(const struct shading *shading, struct glint_light *light);
+struct levels *shade_scene(const struct scene *scene, const struct shading *shading);
+
+/* ---- in doubles (reference.c) ---- */
+
+/* Line y of the scene by the formula of glint.h's steps 1 to 7, for any model, each channel 0..1 before the rounding.
+ * A highlight whose true value is under 2^-q counts as 0, as does one on a side that the light does not reach. */
+void reference_line(const struct scene *scene, const struct shading *shading, enum glint_model model, uint32_t y,
+                    double *values);
+/* The one rounding: step 8. */
+unsigned reference_level(double value, unsigned max, bool dither, uint32_t x, uint32_t y);
+
+#endif
