@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: MIT
+ * glint render: options, and the way from files to a picture. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "compare.h"
+#include "host.h"
+#include "render_options.h"
+
+static struct image *read_map(const char *path)
+{
+    return path ? image_read(path) : NULL;
+}
+
+/* A map that goes with the scene, pixel for pixel. */
+static void check_same_size(const struct image *map, const struct scene *scene, const char *what)
+{
+    if (map->width != scene->width || map->height != scene->height)
+        fail("%s: is %ux%u pixels, but %s is %ux%u; both must have the same size", map->name, map->width, map->height,
+             what, scene->width, scene->height);
+}
+
+static struct scene *scene_of_heights(const struct render_options *options)
+{
+    struct image *map = image_read(options->heights);
+    if (!image_is_grey(map))
+        warn("%s: is in colour; its brightness is taken as the height", map->name);
+    const bool repeats = options->width > map->width || options->height > map->height;
+    struct scene *scene = scene_from_heights(map, options->scale, options->wraps || repeats);
+    image_free(map);
+    return scene;
+}
+
+static struct scene *scene_of_normals(const struct render_options *options, const struct image *mask)
+{
+    struct image *map = image_read(options->normals);
+    uint8_t *drawn = NULL;
+    if (mask && mask->width == map->width && mask->height == map->height)
+        drawn = image_grey8(mask);
+    struct scene *scene = scene_from_normals(map, options->flip_y, drawn);
+    free(drawn);
+    image_free(map);
+    return scene;
+}
+
+static void replace(uint8_t **map, uint8_t *by)
+{
+    free(*map);
+    *map = by;
+}
+
+static struct scene *scene_of(const struct render_options *options)
+{
+    struct image *mask = read_map(options->mask);
+    struct scene *scene;
+    const char *what;
+    if (options->heights) {
+        scene = scene_of_heights(options);
+        what = "the height map";
+    } else if (options->normals) {
+        scene = scene_of_normals(options, mask);
+        what = "the normal map";
+    } else {
+        scene = scene_draw(options->scene, options->width, options->height);
+        what = "the scene (see --size)";
+    }
+    struct image *albedo = read_map(options->albedo), *gloss = read_map(options->gloss);
+    if (albedo) {
+        check_same_size(albedo, scene, what);
+        replace(&scene->albedo, image_rgb8(albedo));
+    } else if (options->has_color) {
+        replace(&scene->albedo, NULL);
+    }
+    if (gloss) {
+        check_same_size(gloss, scene, what);
+        replace(&scene->gloss, image_grey8(gloss));
+    }
+    if (mask) {
+        check_same_size(mask, scene, what);
+        replace(&scene->mask, image_grey8(mask));
+    }
+    image_free(albedo);
+    image_free(gloss);
+    image_free(mask);
+    if (options->width && (options->width != scene->width || options->height != scene->height))
+        scene_repeat(scene, options->width, options->height);
+    return scene;
+}
+
+/* What the user did not say, from what suits the scene. */
+static struct shading shading_of(const struct render_options *options, const struct scene *scene)
+{
+    struct shading shading = options->shading;
+    if (!shading.n)
+        shading.n = scene->finish.n;
+    for (unsigned k = 0; k < 3; k++) {
+        if (isnan(shading.ambient[k]))
+            shading.ambient[k] = scene->finish.ambient[k];
+        if (isnan(shading.diffuse[k]))
+            shading.diffuse[k] = scene->finish.diffuse[k];
+        if (isnan(shading.specular[k]))
+            shading.specular[k] = scene->finish.specular[k];
+    }
+    return shading;
+}
+
+static void report(const struct render_options *options, const struct scene *scene, const struct shading *shading,
+                   const struct levels *levels)
+{
+    /* A picture on standard output leaves only standard error for words. */
+    FILE *stream = options->output && strcmp(options->output, "-") == 0 ? stderr : stdout;
+    struct comparison comparison;
+    compare(scene, shading, levels, &comparison);
+    if (options->json)
+        comparison_print_json(&comparison, levels, stream);
+    else
+        comparison_print(&comparison, levels, stream);
+    if (options->error_map) {
+        const bool blinn = options->against_blinn;
+        const unsigned times = error_map_amplification(blinn ? &comparison.blinn_unrounded : &comparison.unrounded);
+        struct picture *map = error_map(scene, shading, levels, blinn ? GLINT_BLINN : shading->model, times);
+        picture_write(map, options->error_map, options->error_map_kind);
+        picture_free(map);
+        if (!options->json)
+            fprintf(stream, "%s: errors against %s in double, times %u\n", options->error_map,
+                    model_names[blinn ? GLINT_BLINN : shading->model], times);
+    }
+    if (fflush(stream) != 0 || ferror(stream))
+        fail("standard %s: the comparison could not be written", stream == stdout ? "output" : "error");
+}
+
+int command_render(int argc, char **argv)
+{
+    struct render_options options;
+    render_options_parse(&options, argc, argv);
+    struct scene *scene = scene_of(&options);
+    const struct shading shading = shading_of(&options, scene);
+    struct levels *levels = shade_scene(scene, &shading);
+    if (options.output) {
+        struct picture *picture = levels_picture(levels);
+        picture_write(picture, options.output, options.kind);
+        picture_free(picture);
+    }
+    if (options.compare)
+        report(&options, scene, &shading, levels);
+    levels_free(levels);
+    scene_free(scene);
+    return EXIT_GOOD;
+}

@@ -1,0 +1,384 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "host.h"
+#include "render_options.h"
+
+enum key {
+    KEY_HEIGHT = 256,
+    KEY_NORMALS,
+    KEY_SCENE,
+    KEY_SCALE,
+    KEY_WRAP,
+    KEY_FLIP_Y,
+    KEY_ALBEDO,
+    KEY_COLOR,
+    KEY_GLOSS,
+    KEY_MASK,
+    KEY_SIZE,
+    KEY_MODEL,
+    KEY_LIGHT,
+    KEY_VIEW,
+    KEY_AMBIENT,
+    KEY_DIFFUSE,
+    KEY_SPECULAR,
+    KEY_CLAMP_PEAK,
+    KEY_FORMAT,
+    KEY_SPACE,
+    KEY_DITHER,
+    KEY_PATH,
+    KEY_IMAGE,
+    KEY_COMPARE,
+    KEY_JSON,
+    KEY_ERROR_MAP,
+    KEY_AGAINST
+};
+enum { Q_UNSET = 255, SCENE_SIDE = 320 };
+
+static const struct argp_option argp_options[] = {
+    {NULL, 0, NULL, 0, "What is shaded (one of three):", 1},
+    {"height", KEY_HEIGHT, "FILE", 0, "A height map, white near, black far; colour counts by its brightness", 1},
+    {"normals", KEY_NORMALS, "FILE", 0,
+     "A normal map with 8 or 16 bits a sample: red right, green up, blue towards the viewer. Vectors are renormalised; "
+     "where blue is 0 throughout, or with grey and alpha as x and y, z is reconstructed",
+     1},
+    {"scene", KEY_SCENE, "NAME", 0, "A built-in scene: sphere, watchface or coin", 1},
+
+    {NULL, 0, NULL, 0, "The maps, PNG files of one size (- is standard input):", 2},
+    {"albedo", KEY_ALBEDO, "FILE", 0, "The surface's colour; alpha is ignored", 2},
+    {"color", KEY_COLOR, "R,G,B", 0, "One colour instead, 0..255 each (default 200,200,200, or the scene's own)", 2},
+    {"gloss", KEY_GLOSS, "FILE", 0, "What scales the highlight: white full, black none", 2},
+    {"mask", KEY_MASK, "FILE", 0, "What is drawn: black pixels stay black and are not compared", 2},
+    {"scale", KEY_SCALE, "S", 0,
+     "How many pixels white lies above black in a height map; negative turns hills into "
+     "hollows (default 8)",
+     2},
+    {"wrap", KEY_WRAP, NULL, 0,
+     "The height map is seamless: slopes at its edges are taken around them (the default "
+     "where --size repeats it)",
+     2},
+    {"flip-y", KEY_FLIP_Y, NULL, 0, "Green points down in the normal map (DirectX's custom)", 2},
+    {"size", KEY_SIZE, "WxH", 0,
+     "Draw a scene at this size (default 320x320); cut a map to it or repeat the map to "
+     "fill it, never scale it (default: the map's own size)",
+     2},
+
+    {NULL, 0, NULL, 0, "The light and the material:", 3},
+    {"model", KEY_MODEL, "NAME", 0, "The highlight: msh (default), schlick, blinn, phong, gauss or cayley", 3},
+    {NULL, 'n', "N", 0, "Shininess, 1..1000 (default 60; watchface 40, coin 30)", 3},
+    {NULL, 'q', "Q", 0,
+     "A highlight under 2^-Q counts as 0; 0..16 (default 12 for --space linear, else 6 for rgb565 "
+     "and mono undithered, else 8)",
+     3},
+    {"light", KEY_LIGHT, "X,Y,Z", 0, "Towards the light, any length: x right, y up, z to you (default -1,1,1)", 3},
+    {"view", KEY_VIEW, "X,Y,Z", 0, "Towards the viewer (default 0,0,1)", 3},
+    {"ambient", KEY_AMBIENT, "A", 0, "Coefficients 0..1, one number or R,G,B (default .15; watchface .2)", 3},
+    {"diffuse", KEY_DIFFUSE, "D", 0, "(default .85; watchface .8, coin .75)", 3},
+    {"specular", KEY_SPECULAR, "S", 0, "(default .5; sphere .8, watchface .7, coin .75,.68,.5)", 3},
+    {"clamp-peak", KEY_CLAMP_PEAK, NULL, 0, "Hold the highlight to 1 (msh reaches 1.024)", 3},
+
+    {NULL, 0, NULL, 0, "The picture:", 4},
+    {NULL, 'o', "FILE", 0, "Where it goes; - is standard output. May be left out where --compare is asked for", 4},
+    {"image", KEY_IMAGE, "KIND", 0, "png, ppm or qoi (default: by FILE's ending, png where it has none)", 4},
+    {"format", KEY_FORMAT, "NAME", 0,
+     "The display's pixels: rgb888 (default), rgb565, grey8 or mono; the file shows "
+     "them in 8 bits",
+     4},
+    {"space", KEY_SPACE, "NAME", 0,
+     "Where light is summed: gamma (default: as encoded) or linear (sRGB decoded and "
+     "encoded)",
+     4},
+    {"dither", KEY_DITHER, NULL, 0, "4x4 ordered dither", 4},
+    {"path", KEY_PATH, "NAME", 0, "The way through the library: exact (default)", 4},
+
+    {NULL, 0, NULL, 0, "How right it is:", 5},
+    {"compare", KEY_COMPARE, NULL, 0,
+     "Print the errors against the same model and against Blinn in double precision, "
+     "each rounded to the format and not; on standard error with -o -",
+     5},
+    {"json", KEY_JSON, NULL, 0, "The same as JSON", 5},
+    {"error-map", KEY_ERROR_MAP, "FILE", 0,
+     "Also write the absolute error against the unrounded reference as a "
+     "picture, amplified by a power of two, which is printed",
+     5},
+    {"against", KEY_AGAINST, "NAME", 0, "The error map's reference: same (default: the same model) or blinn", 5},
+    {NULL, 0, NULL, 0, NULL, 0}};
+
+static const char doc[] =
+    "Shades a height map, a normal map or a built-in scene with the integer library and writes the picture."
+    "\v"
+    "Examples:\n"
+    "  glint render --height wall.png --albedo wall-color.png -o out.png\n"
+    "  glint render --normals brick.png --flip-y -n 120 --light 1,1,0.5 -o out.png\n"
+    "  glint render --scene watchface --size 240x240 --format rgb565 --dither -o watch.png\n"
+    "  glint render --scene coin -o - | chafa\n"
+    "  glint render --scene sphere --model schlick --compare --error-map error.png --against blinn\n";
+
+/* The place of `text` in a list that ends with NULL; else a usage error that shows the list. */
+static unsigned parse_name(const struct argp_state *state, const char *option, const char *text,
+                           const char *const *names)
+{
+    char all[128] = "";
+    unsigned i = 0;
+    for (; names[i]; i++) {
+        if (strcmp(text, names[i]) == 0)
+            return i;
+        snprintf(all + strlen(all), sizeof all - strlen(all), "%s%s", i ? ", " : "", names[i]);
+    }
+    argp_error(state, i > 1 ? "%s: no '%s'; one of %s is wanted" : "%s: no '%s'; there is only %s", option, text, all);
+    return 0;
+}
+
+static enum glint_format parse_format(const struct argp_state *state, const char *text)
+{
+    static const char *const names[] = {"rgb565", "rgb888", "grey8", "mono", NULL};
+    static const enum glint_format formats[] = {GLINT_RGB565, GLINT_RGB888, GLINT_GREY8, GLINT_MONO};
+    return formats[parse_name(state, "--format", text, names)];
+}
+
+static void parse_size(const struct argp_state *state, const char *text, struct render_options *options)
+{
+    unsigned width, height;
+    int end = 0;
+    if (strspn(text, "0123456789x") == strlen(text) && sscanf(text, "%5ux%5u%n", &width, &height, &end) == 2 &&
+        !text[end] && width >= 1 && width <= SIDE_MAX && height >= 1 && height <= SIDE_MAX &&
+        width * height <= PIXELS_MAX) {
+        options->width = width;
+        options->height = height;
+        return;
+    }
+    argp_error(state, "--size: '%s' is not WxH, two numbers from 1 to %d with at most %d pixels in all", text, SIDE_MAX,
+               PIXELS_MAX);
+}
+
+static void parse_coefficients(const struct argp_state *state, const char *option, const char *text, double out[3])
+{
+    const bool one = !strchr(text, ',');
+    parse_reals(state, option, text, out, one ? 1 : 3, 0, 1);
+    if (one)
+        out[1] = out[2] = out[0];
+}
+
+static void parse_color(const struct argp_state *state, const char *text, struct render_options *options)
+{
+    double values[3];
+    parse_reals(state, "--color", text, values, 3, 0, 255);
+    for (unsigned k = 0; k < 3; k++)
+        options->shading.color[k] = (uint8_t)lround(values[k]);
+    options->has_color = true;
+}
+
+static void parse_direction(const struct argp_state *state, const char *option, const char *text, double out[3])
+{
+    parse_reals(state, option, text, out, 3, -1e6, 1e6);
+    if (out[0] == 0 && out[1] == 0 && out[2] == 0)
+        argp_error(state, "%s: '%s' has no direction; one of the three must not be 0", option, text);
+}
+
+static enum image_kind kind_of_file(const struct argp_state *state, const char *option, const char *path)
+{
+    const enum image_kind kind = image_kind_by_ending(path);
+    if (kind == IMAGE_KINDS)
+        argp_error(state, "%s: '%s' does not end in .png, .ppm or .qoi; name it so, or give --image", option, path);
+    return kind;
+}
+
+static void check_inputs(const struct argp_state *state, struct render_options *o)
+{
+    const int sources = !!o->heights + !!o->normals + !!o->scene;
+    if (sources != 1)
+        argp_error(state, sources ? "only one of --height, --normals and --scene may be given"
+                                  : "what is to be shaded? give --height FILE, --normals FILE or --scene NAME");
+    if (o->albedo && o->has_color)
+        argp_error(state, "--albedo and --color exclude each other; give one");
+    const char *const files[] = {o->heights, o->normals, o->albedo, o->gloss, o->mask};
+    int standard = 0;
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        standard += files[i] && strcmp(files[i], "-") == 0;
+    if (standard > 1)
+        argp_error(state, "only one map can come from standard input");
+    if (!o->heights && (o->wraps || !isnan(o->scale)))
+        argp_error(state, "%s is for --height only", o->wraps ? "--wrap" : "--scale");
+    if (!o->normals && o->flip_y)
+        argp_error(state, "--flip-y is for --normals only");
+    if (isnan(o->scale))
+        o->scale = 8;
+    if (o->scene && !o->width)
+        o->width = o->height = SCENE_SIDE;
+}
+
+static void check_light(const struct argp_state *state, const struct shading *shading)
+{
+    struct glint_light light;
+    if (shading_light(shading, &light) != GLINT_OK)
+        argp_error(state, "--light: must not lie straight opposite to --view: there is no half vector");
+}
+
+static void check_outputs(const struct argp_state *state, struct render_options *o)
+{
+    if (!o->output && !o->compare)
+        argp_error(state, "where is the picture to go? give -o FILE, or --compare");
+    if (o->output && strcmp(o->output, "-") == 0 && isatty(STDOUT_FILENO))
+        argp_error(state, "-o -: standard output is a terminal; pipe or redirect it, or name a file");
+    if (o->error_map && strcmp(o->error_map, "-") == 0)
+        argp_error(state, "--error-map: must be a file; standard output is taken by the report");
+    if (o->against_blinn && !o->error_map)
+        argp_error(state, "--against is for --error-map only");
+    if (o->output && o->kind == IMAGE_KINDS)
+        o->kind = kind_of_file(state, "-o", o->output);
+    if (o->error_map)
+        o->error_map_kind = kind_of_file(state, "--error-map", o->error_map);
+}
+
+static unsigned default_q(const struct shading *shading)
+{
+    if (shading->space == GLINT_LINEAR)
+        return 12;
+    const bool coarse = shading->format == GLINT_RGB565 || shading->format == GLINT_MONO;
+    return coarse && !shading->dither ? 6 : 8;
+}
+
+static error_t parse_shading(int key, char *text, const struct argp_state *state, struct shading *shading)
+{
+    static const char *const spaces[] = {"gamma", "linear", NULL};
+    switch (key) {
+    case 'n':
+        shading->n = (unsigned)parse_integer(state, "-n", text, 1, GLINT_N_MAX);
+        return 0;
+    case 'q':
+        shading->q = (unsigned)parse_integer(state, "-q", text, 0, GLINT_Q_MAX);
+        return 0;
+    case KEY_MODEL:
+        shading->model = parse_model(state, "--model", text);
+        return 0;
+    case KEY_LIGHT:
+        parse_direction(state, "--light", text, shading->light);
+        return 0;
+    case KEY_VIEW:
+        parse_direction(state, "--view", text, shading->view);
+        return 0;
+    case KEY_AMBIENT:
+        parse_coefficients(state, "--ambient", text, shading->ambient);
+        return 0;
+    case KEY_DIFFUSE:
+        parse_coefficients(state, "--diffuse", text, shading->diffuse);
+        return 0;
+    case KEY_SPECULAR:
+        parse_coefficients(state, "--specular", text, shading->specular);
+        return 0;
+    case KEY_CLAMP_PEAK:
+        shading->clamp_peak = true;
+        return 0;
+    case KEY_FORMAT:
+        shading->format = parse_format(state, text);
+        return 0;
+    case KEY_SPACE:
+        shading->space = parse_name(state, "--space", text, spaces) ? GLINT_LINEAR : GLINT_GAMMA;
+        return 0;
+    case KEY_DITHER:
+        shading->dither = true;
+        return 0;
+    case KEY_PATH:
+        parse_name(state, "--path", text, path_names);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static error_t parse_option(int key, char *text, struct argp_state *state)
+{
+    static const char *const references[] = {"same", "blinn", NULL};
+    struct render_options *o = state->input;
+    switch (key) {
+    case KEY_HEIGHT:
+        o->heights = text;
+        return 0;
+    case KEY_NORMALS:
+        o->normals = text;
+        return 0;
+    case KEY_SCENE:
+        o->scene = scene_names[parse_name(state, "--scene", text, scene_names)];
+        return 0;
+    case KEY_SCALE:
+        o->scale = parse_real(state, "--scale", text, -10000, 10000);
+        return 0;
+    case KEY_WRAP:
+        o->wraps = true;
+        return 0;
+    case KEY_FLIP_Y:
+        o->flip_y = true;
+        return 0;
+    case KEY_ALBEDO:
+        o->albedo = text;
+        return 0;
+    case KEY_COLOR:
+        parse_color(state, text, o);
+        return 0;
+    case KEY_GLOSS:
+        o->gloss = text;
+        return 0;
+    case KEY_MASK:
+        o->mask = text;
+        return 0;
+    case KEY_SIZE:
+        parse_size(state, text, o);
+        return 0;
+    case 'o':
+        o->output = text;
+        return 0;
+    case KEY_IMAGE:
+        if ((o->kind = image_kind_by_name(text)) == IMAGE_KINDS)
+            argp_error(state, "--image: no '%s'; one of png, ppm, qoi is wanted", text);
+        return 0;
+    case KEY_JSON:
+        o->json = true;
+        o->compare = true;
+        return 0;
+    case KEY_COMPARE:
+        o->compare = true;
+        return 0;
+    case KEY_ERROR_MAP:
+        o->error_map = text;
+        o->compare = true;
+        return 0;
+    case KEY_AGAINST:
+        o->against_blinn = parse_name(state, "--against", text, references);
+        return 0;
+    case ARGP_KEY_ARG:
+        argp_error(state, "'%s' is not an option; files are named by --height, --normals, --albedo and -o", text);
+        return 0;
+    case ARGP_KEY_END:
+        check_inputs(state, o);
+        check_light(state, &o->shading);
+        check_outputs(state, o);
+        if (o->shading.q == Q_UNSET)
+            o->shading.q = default_q(&o->shading);
+        return 0;
+    default:
+        return parse_shading(key, text, state, &o->shading);
+    }
+}
+
+void render_options_parse(struct render_options *options, int argc, char **argv)
+{
+    static const struct argp argp = {argp_options, parse_option, NULL, doc, NULL, NULL, NULL};
+    *options = (struct render_options){
+        .scale = NAN,
+        .kind = IMAGE_KINDS,
+        .shading = {.model = GLINT_MSH,
+                    .q = Q_UNSET,
+                    .light = {-1, 1, 1},
+                    .view = {0, 0, 1},
+                    .ambient = {NAN, NAN, NAN},
+                    .diffuse = {NAN, NAN, NAN},
+                    .specular = {NAN, NAN, NAN},
+                    .color = {200, 200, 200},
+                    .format = GLINT_RGB888,
+                    .space = GLINT_GAMMA},
+    };
+    parse_command(&argp, argc, argv, options);
+}
