@@ -7,7 +7,7 @@
 #include "host.h"
 #include "scene.h"
 
-static const struct finish plain_finish = {60, {.15, .15, .15}, {.85, .85, .85}, {.5, .5, .5}};
+static const struct finish plain_finish = {60, {.2, .2, .2}, {.9, .9, .9}, {.5, .5, .5}};
 
 struct scene *scene_new(uint32_t width, uint32_t height)
 {

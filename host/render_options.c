@@ -54,13 +54,13 @@ static const struct argp_option argp_options[] = {
     {"mask", KEY_MASK, "FILE", 0, "What is drawn: black pixels stay black and are not compared", 2},
     {"scale", KEY_SCALE, "S", 0,
      "How many pixels white lies above black in a height map; negative turns hills into "
-     "hollows (default 8)",
+     "hollows; default 8",
      2},
     {"wrap", KEY_WRAP, NULL, 0,
      "The height map is seamless: slopes at its edges are taken around them (the default "
      "where --size repeats it)",
      2},
-    {"flip-y", KEY_FLIP_Y, NULL, 0, "Green points down in the normal map (DirectX's custom)", 2},
+    {"flip-y", KEY_FLIP_Y, NULL, 0, "Green points down in the normal map (as DirectX has it)", 2},
     {"size", KEY_SIZE, "WxH", 0,
      "Draw a scene at this size (default 320x320); cut a map to it or repeat the map to "
      "fill it, never scale it (default: the map's own size)",
@@ -75,9 +75,12 @@ static const struct argp_option argp_options[] = {
      3},
     {"light", KEY_LIGHT, "X,Y,Z", 0, "Towards the light, any length: x right, y up, z to you (default -1,1,1)", 3},
     {"view", KEY_VIEW, "X,Y,Z", 0, "Towards the viewer (default 0,0,1)", 3},
-    {"ambient", KEY_AMBIENT, "A", 0, "Coefficients 0..1, one number or R,G,B (default .15; watchface .2)", 3},
-    {"diffuse", KEY_DIFFUSE, "D", 0, "(default .85; watchface .8, coin .75)", 3},
-    {"specular", KEY_SPECULAR, "S", 0, "(default .5; sphere .8, watchface .7, coin .75,.68,.5)", 3},
+    {"ambient", KEY_AMBIENT, "A", 0, "Light from all around, 0..1: one number or R,G,B (default .2; sphere, coin .15)",
+     3},
+    {"diffuse", KEY_DIFFUSE, "D", 0,
+     "What the surface scatters, likewise (default .9; sphere .85, watchface .8, coin .75)", 3},
+    {"specular", KEY_SPECULAR, "S", 0,
+     "How strong the highlight is, likewise (default .5; sphere .8, watchface .7, coin .75,.68,.5)", 3},
     {"clamp-peak", KEY_CLAMP_PEAK, NULL, 0, "Hold the highlight to 1 (msh reaches 1.024)", 3},
 
     {NULL, 0, NULL, 0, "The picture:", 4},
@@ -113,9 +116,9 @@ static const char doc[] =
     "Examples:\n"
     "  glint render --height wall.png --albedo wall-color.png -o out.png\n"
     "  glint render --normals brick.png --flip-y -n 120 --light 1,1,0.5 -o out.png\n"
-    "  glint render --scene watchface --size 240x240 --format rgb565 --dither -o watch.png\n"
-    "  glint render --scene coin -o - | chafa\n"
-    "  glint render --scene sphere --model schlick --compare --error-map error.png --against blinn\n";
+    "  glint render --scene coin --size 240x240 --format rgb565 --dither -o c.png\n"
+    "  glint render --scene watchface -o - | chafa\n"
+    "  glint render --scene sphere -n 300 --error-map e.png --against blinn\n";
 
 /* The place of `text` in a list that ends with NULL; else a usage error that shows the list. */
 static unsigned parse_name(const struct argp_state *state, const char *option, const char *text,
@@ -225,6 +228,8 @@ static void check_outputs(const struct argp_state *state, struct render_options 
         argp_error(state, "-o -: standard output is a terminal; pipe or redirect it, or name a file");
     if (o->error_map && strcmp(o->error_map, "-") == 0)
         argp_error(state, "--error-map: must be a file; standard output is taken by the report");
+    if (o->error_map && o->output && strcmp(o->error_map, o->output) == 0)
+        argp_error(state, "--error-map: is the same file as -o; give another");
     if (o->against_blinn && !o->error_map)
         argp_error(state, "--against is for --error-map only");
     if (o->output && o->kind == IMAGE_KINDS)
