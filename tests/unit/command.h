@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: MIT
+ * Running the built command from a test, in an empty directory of its own. */
+#ifndef GLINT_COMMAND_H
+#define GLINT_COMMAND_H
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "unit.h"
+
+/* What the last command said, standard output and standard error together. */
+static char said[1 << 16];
+
+/* Runs "glint ARGUMENTS" by the shell; its exit status. */
+static inline int glint(const char *arguments)
+{
+    char line[4096];
+    const char *program = getenv("GLINT");
+    snprintf(line, sizeof line, "'%s' %s 2>&1", program ? program : "build/host/glint", arguments);
+    FILE *pipe = popen(line, "r");
+    assert_non_null(pipe);
+    const size_t len = fread(said, 1, sizeof said - 1, pipe);
+    said[len] = 0;
+    const int status = pclose(pipe);
+    assert_true(WIFEXITED(status));
+    return WEXITSTATUS(status);
+}
+
+static inline bool says(const char *text)
+{
+    return strstr(said, text) != NULL;
+}
+
+/* One line that begins as every message does and holds `text`. */
+static inline void assert_one_line_about(const char *text)
+{
+    if (strncmp(said, "glint", 5) != 0 || strchr(said, '\n') != said + strlen(said) - 1 || !says(text))
+        fail_msg("expected one line about '%s', got:\n%s", text, said);
+}
+
+/* As argp ends: a line that says what is wrong, a line that points to --help, exit status 2. */
+static inline void assert_usage_error(const char *arguments, const char *text)
+{
+    const int status = glint(arguments);
+    if (status != 2 || !says(text) || !says("--help"))
+        fail_msg("expected a usage error about '%s' for: %s\ngot status %d and:\n%s", text, arguments, status, said);
+}
+
+static inline bool exists(const char *path)
+{
+    return access(path, F_OK) == 0;
+}
+
+/* Files in the current directory, "." and ".." not counted. */
+static inline int files_here(void)
+{
+    FILE *pipe = popen("ls -A | wc -l", "r");
+    assert_non_null(pipe);
+    int count = -1;
+    assert_int_equal(fscanf(pipe, "%d", &count), 1);
+    pclose(pipe);
+    return count;
+}
+
+/* Group fixtures; the test runs with GLINT absolute (tier.mk), so the directory may change. */
+static char own_directory[] = "/tmp/glint-test-XXXXXX";
+
+static inline int enter_own_directory(void **state)
+{
+    (void)state;
+    return mkdtemp(own_directory) && chdir(own_directory) == 0 ? 0 : -1;
+}
+
+static inline int leave_own_directory(void **state)
+{
+    (void)state;
+    char line[64];
+    snprintf(line, sizeof line, "rm -rf '%s'", own_directory);
+    return chdir("/") == 0 && system(line) == 0 ? 0 : -1;
+}
+
+#endif
