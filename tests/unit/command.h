@@ -16,12 +16,20 @@
 /* What the last command said, standard output and standard error together. */
 static char said[1 << 16];
 
+/* GLINT and GLINT_SOURCE are set by tier.mk, absolute. */
+static inline const char *from_environment(const char *name)
+{
+    const char *value = getenv(name);
+    if (!value)
+        fail_msg("%s is not set: run the tests by make", name);
+    return value;
+}
+
 /* Runs "glint ARGUMENTS" by the shell; its exit status. */
 static inline int glint(const char *arguments)
 {
     char line[4096];
-    const char *program = getenv("GLINT");
-    snprintf(line, sizeof line, "'%s' %s 2>&1", program ? program : "build/host/glint", arguments);
+    snprintf(line, sizeof line, "'%s' %s 2>&1", from_environment("GLINT"), arguments);
     FILE *pipe = popen(line, "r");
     assert_non_null(pipe);
     const size_t len = fread(said, 1, sizeof said - 1, pipe);
@@ -67,7 +75,7 @@ static inline int files_here(void)
     return count;
 }
 
-/* Group fixtures; the test runs with GLINT absolute (tier.mk), so the directory may change. */
+/* Group fixtures. */
 static char own_directory[] = "/tmp/glint-test-XXXXXX";
 
 static inline int enter_own_directory(void **state)
