@@ -31,8 +31,9 @@ enum image_kind image_kind_by_name(const char *name)
 enum image_kind image_kind_by_ending(const char *path)
 {
     const char *slash = strrchr(path, '/');
-    const char *dot = strrchr(slash ? slash : path, '.');
-    return dot ? image_kind_by_name(dot + 1) : IMAGE_PNG;
+    const char *name = slash ? slash + 1 : path;
+    const char *dot = strrchr(name, '.');
+    return dot && dot != name && dot[1] ? image_kind_by_name(dot + 1) : IMAGE_PNG; /* ".hidden" and ".." have none */
 }
 
 static const char *name_of(const struct output *output)

@@ -59,15 +59,62 @@ static inline void assert_usage_error(const char *arguments, const char *text)
         fail_msg("expected a usage error about '%s' for: %s\ngot status %d and:\n%s", text, arguments, status, said);
 }
 
+static inline void assert_quiet_success(const char *arguments)
+{
+    const int status = glint(arguments);
+    if (status != 0 || said[0])
+        fail_msg("glint %s: status %d, said:\n%s", arguments, status, said);
+}
+
+static inline void assert_failure(const char *arguments, const char *about)
+{
+    const int status = glint(arguments);
+    if (status != 1)
+        fail_msg("glint %s: status %d, said:\n%s", arguments, status, said);
+    assert_one_line_about(about);
+}
+
+static inline size_t read_file(const char *path, uint8_t *bytes, size_t room)
+{
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    const size_t len = fread(bytes, 1, room, file);
+    fclose(file);
+    return len;
+}
+
+/* Into `said`, as if glint() had run the command. */
+static inline void read_words(const char *path)
+{
+    const size_t len = read_file(path, (uint8_t *)said, sizeof said - 1);
+    said[len] = 0;
+}
+
+static inline bool same_file(const char *a, const char *b)
+{
+    static uint8_t in_a[1 << 20], in_b[1 << 20];
+    const size_t len = read_file(a, in_a, sizeof in_a);
+    assert_true(len > 0 && len < sizeof in_a);
+    return read_file(b, in_b, sizeof in_b) == len && memcmp(in_a, in_b, len) == 0;
+}
+
+static inline void assert_same_file(const char *a, const char *b)
+{
+    if (!same_file(a, b))
+        fail_msg("%s and %s differ", a, b);
+}
+
 static inline bool exists(const char *path)
 {
     return access(path, F_OK) == 0;
 }
 
-/* Files in the current directory, "." and ".." not counted. */
-static inline int files_here(void)
+/* Files in a directory, hidden ones counted. */
+static inline int files_in(const char *directory)
 {
-    FILE *pipe = popen("ls -A | wc -l", "r");
+    char line[200];
+    snprintf(line, sizeof line, "ls -A '%s' | wc -l", directory);
+    FILE *pipe = popen(line, "r");
     assert_non_null(pipe);
     int count = -1;
     assert_int_equal(fscanf(pipe, "%d", &count), 1);

@@ -353,6 +353,8 @@ static void the_kind_follows_the_ending(void **state)
     assert_int_equal(image_kind_by_ending("a.b.qoi"), IMAGE_QOI);
     assert_int_equal(image_kind_by_ending("dir.jpg/a"), IMAGE_PNG);
     assert_int_equal(image_kind_by_ending("-"), IMAGE_PNG);
+    assert_int_equal(image_kind_by_ending("dir/.hidden"), IMAGE_PNG);
+    assert_int_equal(image_kind_by_ending(".."), IMAGE_PNG);
     assert_int_equal(image_kind_by_ending("a.jpg"), IMAGE_KINDS);
 }
 

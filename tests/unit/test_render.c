@@ -1,0 +1,227 @@
+/* SPDX-License-Identifier: MIT
+ * What `glint render` writes, and its defaults. */
+#include <pty.h>
+#include <string.h>
+
+#include "render_maps.h"
+
+#include "image.h"
+
+static void a_map_becomes_a_picture_of_its_size_and_nothing_is_said(void **state)
+{
+    (void)state;
+    assert_quiet_success("render --height heights.png --albedo colors.png -o out/a.png");
+    struct image *image = image_read("out/a.png");
+    assert_int_equal(image->width, 12);
+    assert_int_equal(image->height, 8);
+    assert_int_equal(image->channels, 3);
+    image_free(image);
+}
+
+static void every_kind_of_file_holds_the_same_picture(void **state)
+{
+    (void)state;
+    static const char *const formats[] = {"rgb888", "rgb565", "grey8"};
+    for (int f = 0; f < 3; f++) {
+        char line[200];
+        snprintf(line, sizeof line, "render --scene coin --size 31x20 --format %s -o out/f.png", formats[f]);
+        assert_quiet_success(line);
+        snprintf(line, sizeof line, "render --scene coin --size 31x20 --format %s -o out/f.ppm", formats[f]);
+        assert_quiet_success(line);
+        struct image *png = image_read("out/f.png");
+        uint8_t ppm[4096];
+        const size_t samples = 31 * 20 * png->channels;
+        const size_t len = read_file("out/f.ppm", ppm, sizeof ppm);
+        assert_int_equal(ppm[1], png->channels == 1 ? '5' : '6');
+        assert_true(len > samples);
+        for (size_t i = 0; i < samples; i++)
+            assert_int_equal(png->samples[i], 257 * ppm[len - samples + i]);
+        image_free(png);
+    }
+}
+
+static void mono_is_written_as_bits(void **state)
+{
+    (void)state;
+    assert_quiet_success("render --scene sphere --size 40x40 --format mono --dither -o out/m.png");
+    struct image *image = image_read("out/m.png");
+    assert_int_equal(image->bits, 1);
+    unsigned white = 0;
+    for (int i = 0; i < 40 * 40; i++)
+        white += image->samples[i] == 65535;
+    assert_true(white > 100 && white < 1000);
+    image_free(image);
+}
+
+static void the_ending_or_the_option_decides_the_kind(void **state)
+{
+    (void)state;
+    uint8_t head[16];
+    assert_quiet_success("render --scene sphere --size 8x8 -o out/k.QOI");
+    read_file("out/k.QOI", head, sizeof head);
+    assert_memory_equal(head, "qoif", 4);
+    assert_quiet_success("render --scene sphere --size 8x8 --image ppm -o out/k.dat");
+    read_file("out/k.dat", head, sizeof head);
+    assert_memory_equal(head, "P6\n8 8\n", 7);
+    assert_quiet_success("render --scene sphere --size 8x8 -o out/k");
+    read_file("out/k", head, sizeof head);
+    assert_memory_equal(head, "\x89PNG", 4);
+    assert_usage_error("render --scene sphere -o out/k.jpg", "k.jpg");
+    assert_usage_error("render --scene sphere --image bmp -o out/k.bmp", "png, ppm, qoi");
+}
+
+static void a_dash_is_standard_input_and_output(void **state)
+{
+    (void)state;
+    assert_quiet_success("render --height heights.png -o out/named.png");
+    assert_quiet_success("render --height - -o - <heights.png >out/piped.png");
+    assert_same_file("out/named.png", "out/piped.png");
+    assert_failure("render --height - -o out/x.png </dev/null", "standard input");
+    assert_usage_error("render --height - --albedo - -o out/x.png <heights.png", "standard input");
+}
+
+static void a_terminal_is_spared_the_picture(void **state)
+{
+    (void)state;
+    int terminal;
+    const pid_t child = forkpty(&terminal, NULL, NULL, NULL);
+    assert_true(child >= 0);
+    if (child == 0) {
+        const char *program = getenv("GLINT");
+        execl(program, program, "render", "--scene", "sphere", "-o", "-", (char *)NULL);
+        _exit(99);
+    }
+    char text[4096] = "";
+    size_t len = 0;
+    for (ssize_t got; len < sizeof text - 1 && (got = read(terminal, text + len, sizeof text - 1 - len)) > 0;)
+        len += (size_t)got;
+    int status;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    close(terminal);
+    assert_true(WIFEXITED(status));
+    assert_int_equal(WEXITSTATUS(status), 2);
+    assert_non_null(strstr(text, "terminal"));
+    assert_null(strstr(text, "PNG"));
+}
+
+static void a_map_is_cut_or_repeated_to_the_size(void **state)
+{
+    (void)state;
+    assert_quiet_success("render --height heights.png --wrap --albedo colors.png -o out/whole.png");
+    assert_quiet_success("render --height heights.png --albedo colors.png --size 30x5 -o out/sized.png");
+    struct image *whole = image_read("out/whole.png"), *sized = image_read("out/sized.png");
+    assert_int_equal(sized->width, 30);
+    assert_int_equal(sized->height, 5);
+    for (unsigned y = 0; y < 5; y++)
+        for (unsigned x = 0; x < 30; x++)
+            assert_memory_equal(&sized->samples[3 * (y * 30 + x)], &whole->samples[3 * (y * 12 + x % 12)], 6);
+    image_free(whole);
+    image_free(sized);
+}
+
+static void narrow_and_one_bit_maps_are_drawn(void **state)
+{
+    (void)state;
+    assert_quiet_success("render --height line.png -o out/line.png");
+    assert_quiet_success("render --height bits.png --albedo bits.png -o out/bits.png");
+    struct image *image = image_read("out/line.png");
+    assert_int_equal(image->width, 1);
+    assert_int_equal(image->height, 8);
+    image_free(image);
+}
+
+static void a_coloured_height_map_is_drawn_with_a_warning(void **state)
+{
+    (void)state;
+    assert_int_equal(glint("render --height colors.png -o out/c.png"), 0);
+    assert_one_line_about("colors.png");
+    assert_true(exists("out/c.png"));
+}
+
+static void q_follows_the_format_and_the_space(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *options;
+        int q;
+    } defaults[] = {{"", 8},
+                    {"--format rgb565", 6},
+                    {"--format rgb565 --dither", 8},
+                    {"--format grey8", 8},
+                    {"--format mono", 6},
+                    {"--space linear", 12},
+                    {"--format rgb565 --space linear", 12}};
+    for (size_t i = 0; i < sizeof defaults / sizeof *defaults; i++) {
+        char line[200];
+        for (int change = 0; change < 2; change++) {
+            snprintf(line, sizeof line, "render --scene sphere --size 64x64 --specular 1 %s -o out/q0.ppm",
+                     defaults[i].options);
+            assert_quiet_success(line);
+            snprintf(line, sizeof line, "render --scene sphere --size 64x64 --specular 1 %s -q %d -o out/q1.ppm",
+                     defaults[i].options, change ? 2 : defaults[i].q);
+            assert_quiet_success(line);
+            if (change == 0)
+                assert_same_file("out/q0.ppm", "out/q1.ppm");
+            else if (strcmp(defaults[i].options, "--format mono") != 0) /* too coarse to show it */
+                assert_false(same_file("out/q0.ppm", "out/q1.ppm"));
+        }
+    }
+}
+
+static void each_option_of_light_and_material_changes_the_picture(void **state)
+{
+    (void)state;
+    static const char *const options[] = {"--model schlick", "--model blinn", "--model phong",    "--model gauss",
+                                          "--model cayley",  "-n 10",         "--light 1,1,1",    "--view 1,0,1",
+                                          "--ambient 0",     "--diffuse .1",  "--specular 1,0,0", "--color 1,2,3",
+                                          "--dither",        "--space linear"};
+    assert_quiet_success("render --scene sphere --size 64x64 -o out/base.ppm");
+    for (size_t i = 0; i < sizeof options / sizeof *options; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "render --scene sphere --size 64x64 %s -o out/other.ppm", options[i]);
+        assert_quiet_success(line);
+        if (same_file("out/base.ppm", "out/other.ppm"))
+            fail_msg("%s changed nothing", options[i]);
+    }
+    assert_quiet_success("render --scene sphere --size 64x64 --path exact --model msh -n 60 -q 8 --space gamma "
+                         "--format rgb888 --light -1,1,1 --view 0,0,1 -o out/other.ppm");
+    assert_same_file("out/base.ppm", "out/other.ppm");
+}
+
+static void help_explains_every_option_and_fits_a_terminal(void **state)
+{
+    (void)state;
+    assert_int_equal(glint("render --help"), 0);
+    static const char *const options[] = {
+        "--height",  "--normals", "--scene",    "--albedo",     "--color",     "--gloss",   "--mask",   "--scale",
+        "--wrap",    "--flip-y",  "--size",     "--model",      "-n N",        "-q Q",      "--light",  "--view",
+        "--ambient", "--diffuse", "--specular", "--clamp-peak", "-o FILE",     "--image",   "--format", "--space",
+        "--dither",  "--path",    "--compare",  "--json",       "--error-map", "--against", "Examples:"};
+    for (size_t i = 0; i < sizeof options / sizeof *options; i++)
+        if (!says(options[i]))
+            fail_msg("--help does not mention %s", options[i]);
+    for (const char *line = said; *line;) {
+        const size_t length = strcspn(line, "\n");
+        assert_true(length < 80);
+        line += length + (line[length] == '\n');
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_map_becomes_a_picture_of_its_size_and_nothing_is_said),
+        cmocka_unit_test(every_kind_of_file_holds_the_same_picture),
+        cmocka_unit_test(mono_is_written_as_bits),
+        cmocka_unit_test(the_ending_or_the_option_decides_the_kind),
+        cmocka_unit_test(a_dash_is_standard_input_and_output),
+        cmocka_unit_test(a_terminal_is_spared_the_picture),
+        cmocka_unit_test(a_map_is_cut_or_repeated_to_the_size),
+        cmocka_unit_test(narrow_and_one_bit_maps_are_drawn),
+        cmocka_unit_test(a_coloured_height_map_is_drawn_with_a_warning),
+        cmocka_unit_test(q_follows_the_format_and_the_space),
+        cmocka_unit_test(each_option_of_light_and_material_changes_the_picture),
+        cmocka_unit_test(help_explains_every_option_and_fits_a_terminal),
+    };
+    return cmocka_run_group_tests_name("render", tests, make_maps, leave_own_directory);
+}

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: MIT
+ * What `glint render` says to wrong usage and where it cannot read or write, and how it ends. */
+#include "render_maps.h"
+
+static void a_map_of_another_size_is_named_with_both_sizes(void **state)
+{
+    (void)state;
+    static const char *const maps[] = {"--albedo", "--gloss", "--mask"};
+    for (int i = 0; i < 3; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "render --height heights.png %s small.png -o out/none.png", maps[i]);
+        assert_failure(line, "small.png: is 4x4");
+        assert_true(says("12x8"));
+    }
+    assert_failure("render --scene sphere --albedo small.png -o out/none.png", "320x320");
+    assert_false(exists("out/none.png"));
+}
+
+static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *options, *about;
+    } wrong[] = {
+        {"", "--scene NAME"},
+        {"--scene sphere", "-o FILE"},
+        {"--scene sphere --height heights.png -o out/u.png", "only one of"},
+        {"--scene sphere -n 0 -o out/u.png", "-n: '0' is not a whole number from 1 to 1000"},
+        {"--scene sphere -n 1001 -o out/u.png", "1 to 1000"},
+        {"--scene sphere -n 6.5 -o out/u.png", "1 to 1000"},
+        {"--scene sphere -n '' -o out/u.png", "1 to 1000"},
+        {"--scene sphere -q 17 -o out/u.png", "0 to 16"},
+        {"--scene sphere -q -1 -o out/u.png", "0 to 16"},
+        {"--scene sphere --model oren -o out/u.png", "msh, schlick, blinn"},
+        {"--scene sphere --format rgb -o out/u.png", "rgb565, rgb888, grey8, mono"},
+        {"--scene sphere --space srgb -o out/u.png", "gamma, linear"},
+        {"--scene sphere --path fast -o out/u.png", "exact"},
+        {"--scene sphere --light 1,2 -o out/u.png", "--light"},
+        {"--scene sphere --light 1,2,nan -o out/u.png", "--light"},
+        {"--scene sphere --light 0,0,0 -o out/u.png", "no direction"},
+        {"--scene sphere --view 0,0,0 -o out/u.png", "--view"},
+        {"--scene sphere --light 0,0,-1 -o out/u.png", "opposite"},
+        {"--scene sphere --ambient 2 -o out/u.png", "--ambient"},
+        {"--scene sphere --diffuse 1,1 -o out/u.png", "--diffuse"},
+        {"--scene sphere --specular red -o out/u.png", "--specular"},
+        {"--scene sphere --color 256,0,0 -o out/u.png", "0 to 255"},
+        {"--scene sphere --size 0x10 -o out/u.png", "WxH"},
+        {"--scene sphere --size 10 -o out/u.png", "WxH"},
+        {"--scene sphere --size 10x10x10 -o out/u.png", "WxH"},
+        {"--scene sphere --size -10x10 -o out/u.png", "WxH"},
+        {"--scene sphere --size 99999x10 -o out/u.png", "16384"},
+        {"--scene sphere --size 16384x16384 -o out/u.png", "pixels in all"},
+        {"--scene sphere --scale 3 -o out/u.png", "--scale is for --height"},
+        {"--scene sphere --wrap -o out/u.png", "--wrap is for --height"},
+        {"--height heights.png --flip-y -o out/u.png", "--flip-y is for --normals"},
+        {"--height heights.png --scale high -o out/u.png", "--scale"},
+        {"--height heights.png --albedo colors.png --color 1,1,1 -o out/u.png", "--color"},
+        {"--scene sphere --error-map - -o out/u.png", "--error-map"},
+        {"--scene sphere --error-map out/u.png -o out/u.png", "same file"},
+        {"--scene sphere --against blinn -o out/u.png", "--error-map"},
+        {"heights.png -o out/u.png", "heights.png"},
+        {"--scene sphere --shiny -o out/u.png", "--shiny"},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "render %s", wrong[i].options);
+        assert_usage_error(line, wrong[i].about);
+        assert_false(exists("out/u.png"));
+    }
+}
+
+static void a_full_disk_gives_one_line_whatever_the_kind(void **state)
+{
+    (void)state;
+    static const char *const kinds[] = {"png", "ppm", "qoi"};
+    for (int i = 0; i < 3; i++) {
+        char line[512];
+        for (int side = 8; side <= 256; side *= 32) { /* less than a stream's buffer, and more */
+            snprintf(line, sizeof line, "render --scene sphere --size %dx%d --image %s -o /dev/full", side, side,
+                     kinds[i]);
+            assert_failure(line, "/dev/full: could not be written: No space left");
+        }
+        snprintf(line, sizeof line, "'%s' render --scene sphere --image %s -o - 2>words >/dev/full",
+                 from_environment("GLINT"), kinds[i]);
+        assert_int_equal(WEXITSTATUS(system(line)), 1);
+        read_words("words");
+        assert_one_line_about("standard output: could not be written: No space left");
+    }
+}
+
+static void what_cannot_be_written_leaves_nothing_behind(void **state)
+{
+    (void)state;
+    const int before = files_in("out");
+    assert_failure("render --scene sphere -o out/missing/x.png", "out/missing/x.png");
+    assert_failure("render --scene sphere -o out", "directory");
+    assert_failure("render --scene sphere -o out/..", "directory");
+    assert_int_equal(files_in("out"), before);
+}
+
+static void a_failure_keeps_the_picture_that_was_there(void **state)
+{
+    (void)state;
+    assert_quiet_success("render --scene sphere --size 16x16 -o out/kept.png");
+    assert_quiet_success("render --scene sphere --size 16x16 -o out/copy.png");
+    assert_failure("render --height missing.png -o out/kept.png", "missing.png");
+    assert_same_file("out/kept.png", "out/copy.png");
+    const int before = files_in("out");
+    /* A limit on file size ends the write half-way, as a full disk does. */
+    char line[512];
+    snprintf(line, sizeof line, "trap '' XFSZ; ulimit -f 1; '%s' render --scene coin -o out/kept.png 2>words",
+             from_environment("GLINT"));
+    assert_int_equal(WEXITSTATUS(system(line)), 1);
+    read_words("words");
+    assert_one_line_about("kept.png");
+    assert_int_equal(files_in("out"), before);
+    assert_same_file("out/kept.png", "out/copy.png");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_map_of_another_size_is_named_with_both_sizes),
+        cmocka_unit_test(wrong_usage_is_said_with_what_is_allowed_and_ends_with_2),
+        cmocka_unit_test(a_full_disk_gives_one_line_whatever_the_kind),
+        cmocka_unit_test(what_cannot_be_written_leaves_nothing_behind),
+        cmocka_unit_test(a_failure_keeps_the_picture_that_was_there),
+    };
+    return cmocka_run_group_tests_name("render errors", tests, make_maps, leave_own_directory);
+}
