@@ -38,8 +38,7 @@ enum glint_model parse_model(const struct argp_state *state, const char *option,
     for (int i = 0; i < MODEL_COUNT; i++)
         if (strcmp(text, model_names[i]) == 0)
             return (enum glint_model)i;
-    argp_error(state, "%s: no model '%s'; one of msh, schlick, blinn, phong, gauss, cayley", option, text);
-    return GLINT_MSH;
+    refuse(state, "%s: no model '%s'; one of msh, schlick, blinn, phong, gauss, cayley", option, text);
 }
 
 void parse_models(const struct argp_state *state, const char *option, const char *text, bool given[MODEL_COUNT])

@@ -11,8 +11,7 @@
 
 enum { LIST_MAX = 1000000 };
 
-__attribute__((format(printf, 2, 3))) static _Noreturn void refuse(const struct argp_state *state, const char *format,
-                                                                   ...)
+void refuse(const struct argp_state *state, const char *format, ...)
 {
     char *message;
     va_list arguments;
