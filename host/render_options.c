@@ -131,8 +131,7 @@ static unsigned parse_name(const struct argp_state *state, const char *option, c
             return i;
         snprintf(all + strlen(all), sizeof all - strlen(all), "%s%s", i ? ", " : "", names[i]);
     }
-    argp_error(state, i > 1 ? "%s: no '%s'; one of %s is wanted" : "%s: no '%s'; there is only %s", option, text, all);
-    return 0;
+    refuse(state, "%s: no '%s'; %s %s", option, text, i > 1 ? "one of these is wanted:" : "there is only", all);
 }
 
 static enum glint_format parse_format(const struct argp_state *state, const char *text)
@@ -153,8 +152,8 @@ static void parse_size(const struct argp_state *state, const char *text, struct 
         options->height = height;
         return;
     }
-    argp_error(state, "--size: '%s' is not WxH, two numbers from 1 to %d with at most %d pixels in all", text, SIDE_MAX,
-               PIXELS_MAX);
+    refuse(state, "--size: '%s' is not WxH, two numbers from 1 to %d with at most %d pixels in all", text, SIDE_MAX,
+           PIXELS_MAX);
 }
 
 static void parse_coefficients(const struct argp_state *state, const char *option, const char *text, double out[3])
@@ -178,14 +177,14 @@ static void parse_direction(const struct argp_state *state, const char *option, 
 {
     parse_reals(state, option, text, out, 3, -1e6, 1e6);
     if (out[0] == 0 && out[1] == 0 && out[2] == 0)
-        argp_error(state, "%s: '%s' has no direction; one of the three must not be 0", option, text);
+        refuse(state, "%s: '%s' has no direction; one of the three must not be 0", option, text);
 }
 
 static enum image_kind kind_of_file(const struct argp_state *state, const char *option, const char *path)
 {
     const enum image_kind kind = image_kind_by_ending(path);
     if (kind == IMAGE_KINDS)
-        argp_error(state, "%s: '%s' does not end in .png, .ppm or .qoi; name it so, or give --image", option, path);
+        refuse(state, "%s: '%s' does not end in .png, .ppm or .qoi; name it so, or give --image", option, path);
     return kind;
 }
 
@@ -193,20 +192,20 @@ static void check_inputs(const struct argp_state *state, struct render_options *
 {
     const int sources = !!o->heights + !!o->normals + !!o->scene;
     if (sources != 1)
-        argp_error(state, sources ? "only one of --height, --normals and --scene may be given"
-                                  : "what is to be shaded? give --height FILE, --normals FILE or --scene NAME");
+        refuse(state, sources ? "only one of --height, --normals and --scene may be given"
+                              : "what is to be shaded? give --height FILE, --normals FILE or --scene NAME");
     if (o->albedo && o->has_color)
-        argp_error(state, "--albedo and --color exclude each other; give one");
+        refuse(state, "--albedo and --color exclude each other; give one");
     const char *const files[] = {o->heights, o->normals, o->albedo, o->gloss, o->mask};
     int standard = 0;
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
         standard += files[i] && strcmp(files[i], "-") == 0;
     if (standard > 1)
-        argp_error(state, "only one map can come from standard input");
+        refuse(state, "only one map can come from standard input");
     if (!o->heights && (o->wraps || !isnan(o->scale)))
-        argp_error(state, "%s is for --height only", o->wraps ? "--wrap" : "--scale");
+        refuse(state, "%s is for --height only", o->wraps ? "--wrap" : "--scale");
     if (!o->normals && o->flip_y)
-        argp_error(state, "--flip-y is for --normals only");
+        refuse(state, "--flip-y is for --normals only");
     if (isnan(o->scale))
         o->scale = 8;
     if (o->scene && !o->width)
@@ -217,21 +216,21 @@ static void check_light(const struct argp_state *state, const struct shading *sh
 {
     struct glint_light light;
     if (shading_light(shading, &light) != GLINT_OK)
-        argp_error(state, "--light: must not lie straight opposite to --view: there is no half vector");
+        refuse(state, "--light: must not lie straight opposite to --view: there is no half vector");
 }
 
 static void check_outputs(const struct argp_state *state, struct render_options *o)
 {
     if (!o->output && !o->compare)
-        argp_error(state, "where is the picture to go? give -o FILE, or --compare");
+        refuse(state, "where is the picture to go? give -o FILE, or --compare");
     if (o->output && strcmp(o->output, "-") == 0 && isatty(STDOUT_FILENO))
-        argp_error(state, "-o -: standard output is a terminal; pipe or redirect it, or name a file");
+        refuse(state, "-o -: standard output is a terminal; pipe or redirect it, or name a file");
     if (o->error_map && strcmp(o->error_map, "-") == 0)
-        argp_error(state, "--error-map: must be a file; standard output is taken by the report");
+        refuse(state, "--error-map: must be a file; standard output is taken by the report");
     if (o->error_map && o->output && strcmp(o->error_map, o->output) == 0)
-        argp_error(state, "--error-map: is the same file as -o; give another");
+        refuse(state, "--error-map: is the same file as -o; give another");
     if (o->against_blinn && !o->error_map)
-        argp_error(state, "--against is for --error-map only");
+        refuse(state, "--against is for --error-map only");
     if (o->output && o->kind == IMAGE_KINDS)
         o->kind = kind_of_file(state, "-o", o->output);
     if (o->error_map)
@@ -337,7 +336,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case KEY_IMAGE:
         if ((o->kind = image_kind_by_name(text)) == IMAGE_KINDS)
-            argp_error(state, "--image: no '%s'; one of png, ppm, qoi is wanted", text);
+            refuse(state, "--image: no '%s'; one of png, ppm, qoi is wanted", text);
         return 0;
     case KEY_JSON:
         o->json = true;
@@ -354,8 +353,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->against_blinn = parse_name(state, "--against", text, references);
         return 0;
     case ARGP_KEY_ARG:
-        argp_error(state, "'%s' is not an option; files are named by --height, --normals, --albedo and -o", text);
-        return 0;
+        refuse(state, "'%s' is not an option; files are named by --height, --normals, --albedo and -o", text);
     case ARGP_KEY_END:
         check_inputs(state, o);
         check_light(state, &o->shading);

@@ -2,22 +2,21 @@
  * The golden pictures of tests/golden, drawn again and compared pixel for pixel. */
 #include <stdio.h>
 
-#include "command.h"
+#include "run.h"
 
 #include "image.h"
 
 static int draw_all(void **state)
 {
     char line[1024];
-    snprintf(line, sizeof line, "'%s/tests/golden/draw' '%s' .", from_environment("GLINT_SOURCE"),
-             from_environment("GLINT"));
-    return enter_own_directory(state) == 0 && system(line) == 0 ? 0 : -1;
+    snprintf(line, sizeof line, "'%s/tests/golden/draw' \"$GLINT\" .", getenv("GLINT_SOURCE"));
+    return scratch_make(state) == 0 && system(line) == 0 ? 0 : -1;
 }
 
 static void assert_golden(const char *name)
 {
     char path[1024];
-    snprintf(path, sizeof path, "%s/tests/golden/%s", from_environment("GLINT_SOURCE"), name);
+    snprintf(path, sizeof path, "%s/tests/golden/%s", getenv("GLINT_SOURCE"), name);
     struct image *golden = image_read(path), *drawn = image_read(name);
     assert_int_equal(drawn->width, golden->width);
     assert_int_equal(drawn->height, golden->height);
@@ -63,5 +62,5 @@ int main(void)
         cmocka_unit_test(the_watchface_is_as_it_was),
         cmocka_unit_test(the_coin_is_as_it_was),
     };
-    return cmocka_run_group_tests_name("golden", tests, draw_all, leave_own_directory);
+    return cmocka_run_group_tests_name("golden", tests, draw_all, scratch_remove);
 }

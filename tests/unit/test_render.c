@@ -3,14 +3,14 @@
 #include <pty.h>
 #include <string.h>
 
-#include "render_maps.h"
+#include "files.h"
 
 #include "image.h"
 
 static void a_map_becomes_a_picture_of_its_size_and_nothing_is_said(void **state)
 {
     (void)state;
-    assert_quiet_success("render --height heights.png --albedo colors.png -o out/a.png");
+    assert_quiet("$GLINT render --height heights.png --albedo colors.png -o out/a.png");
     struct image *image = image_read("out/a.png");
     assert_int_equal(image->width, 12);
     assert_int_equal(image->height, 8);
@@ -24,10 +24,10 @@ static void every_kind_of_file_holds_the_same_picture(void **state)
     static const char *const formats[] = {"rgb888", "rgb565", "grey8"};
     for (int f = 0; f < 3; f++) {
         char line[200];
-        snprintf(line, sizeof line, "render --scene coin --size 31x20 --format %s -o out/f.png", formats[f]);
-        assert_quiet_success(line);
-        snprintf(line, sizeof line, "render --scene coin --size 31x20 --format %s -o out/f.ppm", formats[f]);
-        assert_quiet_success(line);
+        snprintf(line, sizeof line, "$GLINT render --scene coin --size 31x20 --format %s -o out/f.png", formats[f]);
+        assert_quiet(line);
+        snprintf(line, sizeof line, "$GLINT render --scene coin --size 31x20 --format %s -o out/f.ppm", formats[f]);
+        assert_quiet(line);
         struct image *png = image_read("out/f.png");
         uint8_t ppm[4096];
         const size_t samples = 31 * 20 * png->channels;
@@ -43,7 +43,7 @@ static void every_kind_of_file_holds_the_same_picture(void **state)
 static void mono_is_written_as_bits(void **state)
 {
     (void)state;
-    assert_quiet_success("render --scene sphere --size 40x40 --format mono --dither -o out/m.png");
+    assert_quiet("$GLINT render --scene sphere --size 40x40 --format mono --dither -o out/m.png");
     struct image *image = image_read("out/m.png");
     assert_int_equal(image->bits, 1);
     unsigned white = 0;
@@ -57,27 +57,27 @@ static void the_ending_or_the_option_decides_the_kind(void **state)
 {
     (void)state;
     uint8_t head[16];
-    assert_quiet_success("render --scene sphere --size 8x8 -o out/k.QOI");
+    assert_quiet("$GLINT render --scene sphere --size 8x8 -o out/k.QOI");
     read_file("out/k.QOI", head, sizeof head);
     assert_memory_equal(head, "qoif", 4);
-    assert_quiet_success("render --scene sphere --size 8x8 --image ppm -o out/k.dat");
+    assert_quiet("$GLINT render --scene sphere --size 8x8 --image ppm -o out/k.dat");
     read_file("out/k.dat", head, sizeof head);
     assert_memory_equal(head, "P6\n8 8\n", 7);
-    assert_quiet_success("render --scene sphere --size 8x8 -o out/k");
+    assert_quiet("$GLINT render --scene sphere --size 8x8 -o out/k");
     read_file("out/k", head, sizeof head);
     assert_memory_equal(head, "\x89PNG", 4);
-    assert_usage_error("render --scene sphere -o out/k.jpg", "k.jpg");
-    assert_usage_error("render --scene sphere --image bmp -o out/k.bmp", "png, ppm, qoi");
+    assert_refused("$GLINT render --scene sphere -o out/k.jpg", "k.jpg");
+    assert_refused("$GLINT render --scene sphere --image bmp -o out/k.bmp", "png, ppm, qoi");
 }
 
 static void a_dash_is_standard_input_and_output(void **state)
 {
     (void)state;
-    assert_quiet_success("render --height heights.png -o out/named.png");
-    assert_quiet_success("render --height - -o - <heights.png >out/piped.png");
+    assert_quiet("$GLINT render --height heights.png -o out/named.png");
+    assert_quiet("$GLINT render --height - -o - <heights.png >out/piped.png");
     assert_same_file("out/named.png", "out/piped.png");
-    assert_failure("render --height - -o out/x.png </dev/null", "standard input");
-    assert_usage_error("render --height - --albedo - -o out/x.png <heights.png", "standard input");
+    assert_fails("$GLINT render --height - -o out/x.png </dev/null", "standard input");
+    assert_refused("$GLINT render --height - --albedo - -o out/x.png <heights.png", "standard input");
 }
 
 static void a_terminal_is_spared_the_picture(void **state)
@@ -107,8 +107,8 @@ static void a_terminal_is_spared_the_picture(void **state)
 static void a_map_is_cut_or_repeated_to_the_size(void **state)
 {
     (void)state;
-    assert_quiet_success("render --height heights.png --wrap --albedo colors.png -o out/whole.png");
-    assert_quiet_success("render --height heights.png --albedo colors.png --size 30x5 -o out/sized.png");
+    assert_quiet("$GLINT render --height heights.png --wrap --albedo colors.png -o out/whole.png");
+    assert_quiet("$GLINT render --height heights.png --albedo colors.png --size 30x5 -o out/sized.png");
     struct image *whole = image_read("out/whole.png"), *sized = image_read("out/sized.png");
     assert_int_equal(sized->width, 30);
     assert_int_equal(sized->height, 5);
@@ -122,8 +122,8 @@ static void a_map_is_cut_or_repeated_to_the_size(void **state)
 static void narrow_and_one_bit_maps_are_drawn(void **state)
 {
     (void)state;
-    assert_quiet_success("render --height line.png -o out/line.png");
-    assert_quiet_success("render --height bits.png --albedo bits.png -o out/bits.png");
+    assert_quiet("$GLINT render --height line.png -o out/line.png");
+    assert_quiet("$GLINT render --height bits.png --albedo bits.png -o out/bits.png");
     struct image *image = image_read("out/line.png");
     assert_int_equal(image->width, 1);
     assert_int_equal(image->height, 8);
@@ -133,8 +133,9 @@ static void narrow_and_one_bit_maps_are_drawn(void **state)
 static void a_coloured_height_map_is_drawn_with_a_warning(void **state)
 {
     (void)state;
-    assert_int_equal(glint("render --height colors.png -o out/c.png"), 0);
-    assert_one_line_about("colors.png");
+    const struct run *result = run("$GLINT render --height colors.png -o out/c.png");
+    assert_int_equal(result->status, 0);
+    assert_contains(result->err, "colors.png: is in colour");
     assert_true(exists("out/c.png"));
 }
 
@@ -154,12 +155,12 @@ static void q_follows_the_format_and_the_space(void **state)
     for (size_t i = 0; i < sizeof defaults / sizeof *defaults; i++) {
         char line[200];
         for (int change = 0; change < 2; change++) {
-            snprintf(line, sizeof line, "render --scene sphere --size 64x64 --specular 1 %s -o out/q0.ppm",
+            snprintf(line, sizeof line, "$GLINT render --scene sphere --size 64x64 --specular 1 %s -o out/q0.ppm",
                      defaults[i].options);
-            assert_quiet_success(line);
-            snprintf(line, sizeof line, "render --scene sphere --size 64x64 --specular 1 %s -q %d -o out/q1.ppm",
+            assert_quiet(line);
+            snprintf(line, sizeof line, "$GLINT render --scene sphere --size 64x64 --specular 1 %s -q %d -o out/q1.ppm",
                      defaults[i].options, change ? 2 : defaults[i].q);
-            assert_quiet_success(line);
+            assert_quiet(line);
             if (change == 0)
                 assert_same_file("out/q0.ppm", "out/q1.ppm");
             else if (strcmp(defaults[i].options, "--format mono") != 0) /* too coarse to show it */
@@ -175,32 +176,32 @@ static void each_option_of_light_and_material_changes_the_picture(void **state)
                                           "--model cayley",  "-n 10",         "--light 1,1,1",    "--view 1,0,1",
                                           "--ambient 0",     "--diffuse .1",  "--specular 1,0,0", "--color 1,2,3",
                                           "--dither",        "--space linear"};
-    assert_quiet_success("render --scene sphere --size 64x64 -o out/base.ppm");
+    assert_quiet("$GLINT render --scene sphere --size 64x64 -o out/base.ppm");
     for (size_t i = 0; i < sizeof options / sizeof *options; i++) {
         char line[200];
-        snprintf(line, sizeof line, "render --scene sphere --size 64x64 %s -o out/other.ppm", options[i]);
-        assert_quiet_success(line);
+        snprintf(line, sizeof line, "$GLINT render --scene sphere --size 64x64 %s -o out/other.ppm", options[i]);
+        assert_quiet(line);
         if (same_file("out/base.ppm", "out/other.ppm"))
             fail_msg("%s changed nothing", options[i]);
     }
-    assert_quiet_success("render --scene sphere --size 64x64 --path exact --model msh -n 60 -q 8 --space gamma "
-                         "--format rgb888 --light -1,1,1 --view 0,0,1 -o out/other.ppm");
+    assert_quiet("$GLINT render --scene sphere --size 64x64 --path exact --model msh -n 60 -q 8 --space gamma "
+                 "--format rgb888 --light -1,1,1 --view 0,0,1 -o out/other.ppm");
     assert_same_file("out/base.ppm", "out/other.ppm");
 }
 
 static void help_explains_every_option_and_fits_a_terminal(void **state)
 {
     (void)state;
-    assert_int_equal(glint("render --help"), 0);
+    const struct run *result = run("$GLINT render --help");
+    assert_int_equal(result->status, 0);
     static const char *const options[] = {
         "--height",  "--normals", "--scene",    "--albedo",     "--color",     "--gloss",   "--mask",   "--scale",
         "--wrap",    "--flip-y",  "--size",     "--model",      "-n N",        "-q Q",      "--light",  "--view",
         "--ambient", "--diffuse", "--specular", "--clamp-peak", "-o FILE",     "--image",   "--format", "--space",
         "--dither",  "--path",    "--compare",  "--json",       "--error-map", "--against", "Examples:"};
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
-        if (!says(options[i]))
-            fail_msg("--help does not mention %s", options[i]);
-    for (const char *line = said; *line;) {
+        assert_contains(result->out, options[i]);
+    for (const char *line = result->out; *line;) {
         const size_t length = strcspn(line, "\n");
         assert_true(length < 80);
         line += length + (line[length] == '\n');
@@ -223,5 +224,5 @@ int main(void)
         cmocka_unit_test(each_option_of_light_and_material_changes_the_picture),
         cmocka_unit_test(help_explains_every_option_and_fits_a_terminal),
     };
-    return cmocka_run_group_tests_name("render", tests, make_maps, leave_own_directory);
+    return cmocka_run_group_tests_name("render", tests, make_maps, scratch_remove);
 }

@@ -3,7 +3,7 @@
 #include <jansson.h>
 #include <string.h>
 
-#include "render_maps.h"
+#include "files.h"
 
 #include "image.h"
 
@@ -17,8 +17,9 @@ static double number_at(const json_t *root, const char *against, const char *how
 static void the_comparison_as_json_has_every_figure(void **state)
 {
     (void)state;
-    assert_int_equal(glint("render --scene sphere --size 100x80 --json"), 0);
-    json_t *root = json_loads(said, 0, NULL);
+    const struct run *result = run("$GLINT render --scene sphere --size 100x80 --json");
+    assert_int_equal(result->status, 0);
+    json_t *root = json_loads(result->out, 0, NULL);
     assert_non_null(root);
     assert_int_equal(json_integer_value(json_object_get(root, "width")), 100);
     assert_int_equal(json_integer_value(json_object_get(root, "height")), 80);
@@ -38,35 +39,35 @@ static void the_comparison_as_json_has_every_figure(void **state)
 static void the_comparison_as_text_names_both_references(void **state)
 {
     (void)state;
-    assert_int_equal(glint("render --scene sphere --size 64x64 --model cayley --compare"), 0);
-    assert_true(says("cayley in double") && says("blinn in double") && says("PSNR"));
-    assert_int_equal(glint("render --scene sphere --size 64x64 --model blinn --compare"), 0);
-    assert_true(says("blinn in double") && !says("msh"));
-    assert_int_equal(glint("render --scene sphere --size 64x64 --model phong --compare"), 0);
-    assert_true(says("V.R"));
+    const struct run *result = run("$GLINT render --scene sphere --size 64x64 --model cayley --compare");
+    assert_int_equal(result->status, 0);
+    assert_contains(result->out, "cayley in double");
+    assert_contains(result->out, "blinn in double");
+    assert_contains(result->out, "PSNR");
+    result = run("$GLINT render --scene sphere --size 64x64 --model blinn --compare");
+    assert_contains(result->out, "blinn in double");
+    assert_null(strstr(result->out, "msh"));
+    assert_contains(run("$GLINT render --scene sphere --size 64x64 --model phong --compare")->out, "V.R");
 }
 
 static void a_picture_on_standard_output_is_not_mixed_with_words(void **state)
 {
     (void)state;
-    assert_quiet_success("render --scene sphere --size 64x64 -o out/alone.png");
-    char line[512];
-    snprintf(line, sizeof line, "'%s' render --scene sphere --size 64x64 --compare -o - 2>words >out/with.png",
-             from_environment("GLINT"));
-    assert_int_equal(system(line), 0);
+    assert_quiet("$GLINT render --scene sphere --size 64x64 -o out/alone.png");
+    const struct run *result =
+        run("$GLINT render --scene sphere --size 64x64 --compare -o - | cat >out/with.png; exit $?");
     assert_same_file("out/alone.png", "out/with.png");
-    read_words("words");
-    assert_true(says("msh in double"));
+    assert_contains(result->err, "msh in double");
 }
 
 static void the_error_map_is_a_picture_whose_factor_is_said(void **state)
 {
     (void)state;
-    assert_int_equal(glint("render --scene sphere --size 64x48 --error-map out/e.png --against blinn"), 0);
-    const char *line = strstr(said, "out/e.png");
-    assert_non_null(line);
+    const struct run *result = run("$GLINT render --scene sphere --size 64x48 --error-map out/e.png --against blinn");
+    assert_int_equal(result->status, 0);
+    assert_contains(result->out, "out/e.png: errors against blinn in double, times ");
     unsigned times = 0;
-    assert_int_equal(sscanf(strstr(line, "times"), "times %u", &times), 1);
+    assert_int_equal(sscanf(strstr(result->out, "times "), "times %u", &times), 1);
     assert_true(times >= 8 && (times & (times - 1)) == 0); /* Blinn is within 22 levels */
     struct image *map = image_read("out/e.png");
     assert_int_equal(map->width, 64);
@@ -79,8 +80,7 @@ static void a_mask_that_leaves_nothing_is_said(void **state)
     (void)state;
     const uint16_t none[12 * 8] = {0};
     make_png("none.png", &(struct made_png){.width = 12, .height = 8, .bits = 8, .samples = none});
-    assert_int_equal(glint("render --height heights.png --mask none.png --compare"), 0);
-    assert_true(says("nothing is drawn"));
+    assert_contains(run("$GLINT render --height heights.png --mask none.png --compare")->out, "nothing is drawn");
 }
 
 int main(void)
@@ -92,5 +92,5 @@ int main(void)
         cmocka_unit_test(the_error_map_is_a_picture_whose_factor_is_said),
         cmocka_unit_test(a_mask_that_leaves_nothing_is_said),
     };
-    return cmocka_run_group_tests_name("render compare", tests, make_maps, leave_own_directory);
+    return cmocka_run_group_tests_name("$GLINT render compare", tests, make_maps, scratch_remove);
 }
