@@ -110,13 +110,17 @@ static void report(const struct render_options *options, const struct scene *sce
                    const struct levels *levels)
 {
     /* A picture on standard output leaves only standard error for words. */
-    FILE *stream = options->output && strcmp(options->output, "-") == 0 ? stderr : stdout;
+    const bool to_stdout = options->output && strcmp(options->output, "-") == 0;
+    FILE *stream = to_stdout ? stderr : stdout;
     struct comparison comparison;
     compare(scene, shading, levels, &comparison);
-    if (options->json)
-        comparison_print_json(&comparison, levels, stream);
-    else
-        comparison_print(&comparison, levels, stream);
+    if (options->json) {
+        comparison_print_json(&comparison, shading, levels, stream);
+    } else {
+        if (options->output && !to_stdout)
+            fprintf(stream, "%s: ", options->output);
+        comparison_print(&comparison, shading, levels, stream);
+    }
     if (options->error_map) {
         const bool blinn = options->against_blinn;
         const unsigned times = error_map_amplification(blinn ? &comparison.blinn_unrounded : &comparison.unrounded);

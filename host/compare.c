@@ -40,7 +40,7 @@ static double rounded(double value, unsigned max, const struct shading *shading,
 void compare(const struct scene *scene, const struct shading *shading, const struct levels *levels,
              struct comparison *out)
 {
-    *out = (struct comparison){.model = shading->model};
+    *out = (struct comparison){0};
     const unsigned channels = levels->channels;
     double *same = allocate((size_t)levels->width * channels, sizeof *same);
     double *blinn = allocate((size_t)levels->width * channels, sizeof *blinn);
@@ -124,12 +124,16 @@ static void print_share(FILE *stream, const struct difference *d)
                 (unsigned long long)d->samples, 100. * (double)d->differing / (double)d->samples);
 }
 
-void comparison_print(const struct comparison *c, const struct levels *levels, FILE *stream)
+void comparison_print(const struct comparison *c, const struct shading *shading, const struct levels *levels,
+                      FILE *stream)
 {
     const unsigned channels = levels->channels;
     char same[32], same_rounded[32];
-    snprintf(same, sizeof same, "%s in double", model_names[c->model]);
-    snprintf(same_rounded, sizeof same_rounded, "%s in double, rounded", model_names[c->model]);
+    snprintf(same, sizeof same, "%s in double", model_names[shading->model]);
+    snprintf(same_rounded, sizeof same_rounded, "%s in double, rounded", model_names[shading->model]);
+    fprintf(stream, "%ux%u %s%s, %s, %s, n = %u, q = %u\n", levels->width, levels->height,
+            format_names[shading->format], shading->dither ? " dithered" : "", space_names[shading->space],
+            model_names[shading->model], shading->n, shading->q);
     if (c->rounding.samples == 0) {
         fputs("nothing is drawn: the mask leaves every pixel out\n", stream);
         return;
@@ -139,12 +143,12 @@ void comparison_print(const struct comparison *c, const struct levels *levels, F
     print_share(stream, &c->rounded);
     print_row(stream, same, &c->unrounded, channels);
     print_row(stream, "  of that, the rounding alone", &c->rounding, channels);
-    if (c->model == GLINT_BLINN)
+    if (shading->model == GLINT_BLINN)
         return;
     print_row(stream, "blinn in double, rounded", &c->blinn_rounded, channels);
     print_share(stream, &c->blinn_rounded);
     print_row(stream, "blinn in double", &c->blinn_unrounded, channels);
-    if (c->model == GLINT_PHONG)
+    if (shading->model == GLINT_PHONG)
         fputs("phong's power is taken of V.R, blinn's of N.H: with the same n phong's highlight is the smaller\n",
               stream);
 }
@@ -158,15 +162,18 @@ static json_t *difference_json(const struct difference *d, unsigned channels)
                      (json_int_t)d->samples, "differing", (json_int_t)d->differing);
 }
 
-void comparison_print_json(const struct comparison *c, const struct levels *levels, FILE *stream)
+void comparison_print_json(const struct comparison *c, const struct shading *shading, const struct levels *levels,
+                           FILE *stream)
 {
     const unsigned channels = levels->channels;
     json_t *root = json_pack(
-        "{s:i, s:i, s:s, s:i, s:{s:o, s:o, s:o}, s:{s:o, s:o}}", "width", (int)levels->width, "height",
-        (int)levels->height, "model", model_names[c->model], "levels_of", 255, "same_model", "rounded",
-        difference_json(&c->rounded, channels), "unrounded", difference_json(&c->unrounded, channels), "rounding_alone",
-        difference_json(&c->rounding, channels), "blinn", "rounded", difference_json(&c->blinn_rounded, channels),
-        "unrounded", difference_json(&c->blinn_unrounded, channels));
+        "{s:i, s:i, s:s, s:b, s:s, s:s, s:i, s:i, s:i, s:{s:o, s:o, s:o}, s:{s:o, s:o}}", "width", (int)levels->width,
+        "height", (int)levels->height, "format", format_names[shading->format], "dither", (int)shading->dither, "space",
+        space_names[shading->space], "model", model_names[shading->model], "n", (int)shading->n, "q", (int)shading->q,
+        "levels_of", 255, "same_model", "rounded", difference_json(&c->rounded, channels), "unrounded",
+        difference_json(&c->unrounded, channels), "rounding_alone", difference_json(&c->rounding, channels), "blinn",
+        "rounded", difference_json(&c->blinn_rounded, channels), "unrounded",
+        difference_json(&c->blinn_unrounded, channels));
     if (!root || json_dumpf(root, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) != 0)
         fail("the comparison could not be written as JSON");
     fputc('\n', stream);

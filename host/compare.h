@@ -20,7 +20,6 @@ double difference_mean(const struct difference *difference);
 /* The picture against references in doubles, rounded to the picture's format (an ideal renderer's picture) and not (the
  * true values: even the ideal picture misses them by what `rounding` says). */
 struct comparison {
-    enum glint_model model;
     struct difference rounded, unrounded;             /* against the same model */
     struct difference blinn_rounded, blinn_unrounded; /* against Blinn with the same n and q */
     struct difference rounding;                       /* the same model's reference, rounded, against its true values */
@@ -28,8 +27,11 @@ struct comparison {
 
 void compare(const struct scene *scene, const struct shading *shading, const struct levels *levels,
              struct comparison *comparison);
-void comparison_print(const struct comparison *comparison, const struct levels *levels, FILE *stream);
-void comparison_print_json(const struct comparison *comparison, const struct levels *levels, FILE *stream);
+/* `shading` and `levels` as they were compared. */
+void comparison_print(const struct comparison *comparison, const struct shading *shading, const struct levels *levels,
+                      FILE *stream);
+void comparison_print_json(const struct comparison *comparison, const struct shading *shading,
+                           const struct levels *levels, FILE *stream);
 
 /* The absolute difference from the unrounded reference of `model`, times `amplification`; RGB or grey. */
 struct picture *error_map(const struct scene *scene, const struct shading *shading, const struct levels *levels,

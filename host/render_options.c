@@ -87,7 +87,7 @@ static const struct argp_option argp_options[] = {
     {NULL, 'o', "FILE", 0, "Where it goes; - is standard output. May be left out where --compare is asked for", 4},
     {"image", KEY_IMAGE, "KIND", 0, "png, ppm or qoi (default: by FILE's ending, png where it has none)", 4},
     {"format", KEY_FORMAT, "NAME", 0,
-     "The display's pixels: rgb888 (default), rgb565, grey8 or mono; the file shows "
+     "The display's pixels: rgb888 (default), rgb565, rgb565-swapped, grey8 or mono; the file shows "
      "them in 8 bits",
      4},
     {"space", KEY_SPACE, "NAME", 0,
@@ -132,13 +132,6 @@ static unsigned parse_name(const struct argp_state *state, const char *option, c
         snprintf(all + strlen(all), sizeof all - strlen(all), "%s%s", i ? ", " : "", names[i]);
     }
     refuse(state, "%s: no '%s'; %s %s", option, text, i > 1 ? "one of these is wanted:" : "there is only", all);
-}
-
-static enum glint_format parse_format(const struct argp_state *state, const char *text)
-{
-    static const char *const names[] = {"rgb565", "rgb888", "grey8", "mono", NULL};
-    static const enum glint_format formats[] = {GLINT_RGB565, GLINT_RGB888, GLINT_GREY8, GLINT_MONO};
-    return formats[parse_name(state, "--format", text, names)];
 }
 
 static void parse_size(const struct argp_state *state, const char *text, struct render_options *options)
@@ -241,13 +234,12 @@ static unsigned default_q(const struct shading *shading)
 {
     if (shading->space == GLINT_LINEAR)
         return 12;
-    const bool coarse = shading->format == GLINT_RGB565 || shading->format == GLINT_MONO;
+    const bool coarse = format_max(shading->format, 0) < 255;
     return coarse && !shading->dither ? 6 : 8;
 }
 
 static error_t parse_shading(int key, char *text, const struct argp_state *state, struct shading *shading)
 {
-    static const char *const spaces[] = {"gamma", "linear", NULL};
     switch (key) {
     case 'n':
         shading->n = (unsigned)parse_integer(state, "-n", text, 1, GLINT_N_MAX);
@@ -277,10 +269,10 @@ static error_t parse_shading(int key, char *text, const struct argp_state *state
         shading->clamp_peak = true;
         return 0;
     case KEY_FORMAT:
-        shading->format = parse_format(state, text);
+        shading->format = (enum glint_format)parse_name(state, "--format", text, format_names);
         return 0;
     case KEY_SPACE:
-        shading->space = parse_name(state, "--space", text, spaces) ? GLINT_LINEAR : GLINT_GAMMA;
+        shading->space = (enum glint_space)parse_name(state, "--space", text, space_names);
         return 0;
     case KEY_DITHER:
         shading->dither = true;

@@ -8,6 +8,9 @@
 
 const char *const path_names[] = {"exact", NULL};
 
+const char *const format_names[] = {"rgb565", "rgb565-swapped", "rgb888", "grey8", "mono", NULL};
+const char *const space_names[] = {"gamma", "linear", NULL};
+
 unsigned format_channels(enum glint_format format)
 {
     return format == GLINT_GREY8 || format == GLINT_MONO ? 1 : 3;

@@ -31,6 +31,8 @@ void levels_free(struct levels *levels);
 struct picture *levels_picture(const struct levels *levels);
 void picture_free(struct picture *picture);
 
+extern const char *const format_names[]; /* "rgb565" ..., by enum glint_format; ends with NULL */
+extern const char *const space_names[];  /* "gamma", "linear", by enum glint_space; ends with NULL */
 unsigned format_channels(enum glint_format format);
 unsigned format_max(enum glint_format format, unsigned channel);
 

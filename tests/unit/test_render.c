@@ -21,8 +21,8 @@ static void a_map_becomes_a_picture_of_its_size_and_nothing_is_said(void **state
 static void every_kind_of_file_holds_the_same_picture(void **state)
 {
     (void)state;
-    static const char *const formats[] = {"rgb888", "rgb565", "grey8"};
-    for (int f = 0; f < 3; f++) {
+    static const char *const formats[] = {"rgb888", "rgb565", "rgb565-swapped", "grey8"};
+    for (int f = 0; f < 4; f++) {
         char line[200];
         snprintf(line, sizeof line, "$GLINT render --scene coin --size 31x20 --format %s -o out/f.png", formats[f]);
         assert_quiet(line);

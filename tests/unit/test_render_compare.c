@@ -24,6 +24,10 @@ static void the_comparison_as_json_has_every_figure(void **state)
     assert_int_equal(json_integer_value(json_object_get(root, "width")), 100);
     assert_int_equal(json_integer_value(json_object_get(root, "height")), 80);
     assert_string_equal(json_string_value(json_object_get(root, "model")), "msh");
+    assert_string_equal(json_string_value(json_object_get(root, "format")), "rgb888");
+    assert_string_equal(json_string_value(json_object_get(root, "space")), "gamma");
+    assert_int_equal(json_integer_value(json_object_get(root, "n")), 60);
+    assert_int_equal(json_integer_value(json_object_get(root, "q")), 8);
     assert_true(number_at(root, "same_model", "rounded", "largest") <= 1);
     assert_true(number_at(root, "same_model", "rounded", "differing") < .02 * 24000);
     assert_true(number_at(root, "same_model", "unrounded", "psnr_db") > 55);

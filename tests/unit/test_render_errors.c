@@ -32,7 +32,7 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         {"--scene sphere -q 17 -o out/u.png", "0 to 16"},
         {"--scene sphere -q -1 -o out/u.png", "0 to 16"},
         {"--scene sphere --model oren -o out/u.png", "msh, schlick, blinn"},
-        {"--scene sphere --format rgb -o out/u.png", "rgb565, rgb888, grey8, mono"},
+        {"--scene sphere --format rgb -o out/u.png", "rgb565, rgb565-swapped, rgb888, grey8, mono"},
         {"--scene sphere --space srgb -o out/u.png", "gamma, linear"},
         {"--scene sphere --path fast -o out/u.png", "exact"},
         {"--scene sphere --light 1,2 -o out/u.png", "--light"},
