@@ -67,7 +67,10 @@ demo: ## set up, build, and relight a height map and a built-in scene in the ter
 	@+$(SUBMAKE) run-demo
 
 run-demo: all
-	@echo "demo: there is no recipe yet"
+	@mkdir -p build/demo
+	@tests/golden/draw $(BUILD)/glint build/demo --compare
+	@chafa --size 80x30 build/demo/rockwall.png build/demo/watchface.png
+	@echo "demo: rockwall.png, watchface.png, coin.png and sphere.png are in build/demo"
 
 check: ## in under a minute, with what is installed: warnings, format, and each tier's quick part
 	@+$(CHECK_MAKE) all && tests/sum "$(CHECK_MAKE)" check-format $(CHECKS)
