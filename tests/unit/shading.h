@@ -158,9 +158,8 @@ static inline void stored_levels(enum glint_format format, const uint8_t *line, 
     case GLINT_GREY8:
         levels[0] = levels[1] = levels[2] = line[x];
         return;
-    case GLINT_MONO:
+    default: /* GLINT_MONO */
         levels[0] = levels[1] = levels[2] = line[x / 8] >> (7 - x % 8) & 1;
-        return;
     }
 }
 

@@ -120,7 +120,7 @@ static void a_closed_standard_output_does_not_spoil_a_file(void **state)
 static void no_escape_codes_go_where_no_terminal_is(void **state)
 {
     (void)state;
-    static const char *const commands[] = {EVAL, "NO_COLOR=1 " EVAL, "TERM=xterm-256color $GLINT eval --help"};
+    static const char *const commands[] = {EVAL, ("NO_COLOR=1 " EVAL), "TERM=xterm-256color $GLINT eval --help"};
     for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
         const struct run *result = run(commands[i]);
         assert_int_equal(result->status, 0);
