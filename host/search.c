@@ -140,21 +140,40 @@ static struct candidate coefficients_at(const struct search_options *options, co
     return candidate;
 }
 
+/* A step through 0..total-1 that visits each once, far from the one before: a good limit comes early, and what is done
+ * is a fair sample of what is left, for the clock. */
+static uint64_t scattered_step(uint64_t total)
+{
+    uint64_t step = (uint64_t)((double)total * 0.6180339887) | 1;
+    for (;; step += 2) {
+        uint64_t a = total, b = step;
+        while (b) {
+            const uint64_t rest = a % b;
+            a = b;
+            b = rest;
+        }
+        if (a == 1)
+            return step;
+    }
+}
+
 /* Compares the functions 0..total-1, each by one thread in a fixed order: the result does not depend on the threads. */
 static void compare(const struct search_options *options, const struct grid *grid, candidate_at at, const void *set,
                     uint64_t total, struct clock *clock, double done_before, struct best *best)
 {
+    const uint64_t step = scattered_step(total);
     uint64_t done = 0;
 #pragma omp parallel for schedule(dynamic, 16)
     for (uint64_t i = 0; i < total; i++) {
-        const struct candidate candidate = at(options, set, i);
+        const uint64_t index = (uint64_t)((unsigned __int128)i * step % total);
+        const struct candidate candidate = at(options, set, index);
         double limit;
 #pragma omp atomic read
         limit = best->limit;
         const double sum = candidate_sum(grid, &candidate, options->exhaustive ? INFINITY : limit);
         if (sum < INFINITY) {
 #pragma omp critical(best)
-            best_add(best, (struct entry){sum, i});
+            best_add(best, (struct entry){sum, index});
         }
         uint64_t now;
 #pragma omp atomic capture
