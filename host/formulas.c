@@ -36,11 +36,11 @@ double schlick_cutoff_angle(double n, double q)
     return acos(n / (exp2(q) + n - 1));
 }
 
-double msh_cutoff_angle(double n, double q)
+double msh_cutoff_cosine(double n, double q)
 {
     const double root = sqrt(8 + 20 * exp2(-q) * n * n - 25 * exp2(-q) * n);
     const double numerator = 4 * (16 * exp2(q) + 20 * n * n - 25 * n - 4 * exp2(q + 0.5) * root);
-    return acos(numerator / (5 * (16 * n * n - 40 * n + 25)));
+    return numerator / (5 * (16 * n * n - 40 * n + 25));
 }
 
 float msh_cutoff_cosine_single(float n, float q)

@@ -16,8 +16,8 @@ double epicentre_angle_exact(double n);                    /* where F_B = 0.3 */
 double absolute_error(double f, double reference);         /* (7) */
 double msh_derivative(double n, double x);                 /* (8), dF_MSH / dx */
 double schlick_cutoff_angle(double n, double q);           /* (10) */
-double msh_cutoff_angle(double n, double q);               /* (12) as printed: 0 / 0 at n = 1.25 */
-float msh_cutoff_cosine_single(float n, float q);          /* the same, as single precision gives its cosine */
+double msh_cutoff_cosine(double n, double q);              /* (12) as printed, before the acos: 0 / 0 at n = 1.25 */
+float msh_cutoff_cosine_single(float n, float q);          /* the same, as single precision gives it */
 double msh_cutoff_angle_stable(double n, double q);        /* (12) rearranged: no singularity for n >= 1, q >= 0 */
 double blinn_cutoff_angle(double n, double q);             /* (14) */
 double relative_error_percent(double f, double reference); /* (17) */
