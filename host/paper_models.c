@@ -211,5 +211,11 @@ void paper_models(struct paper *paper)
                      "Lyon: R. F. Lyon, Apple Technical Report 43, 1993. Operations: for one c, constants "
                      "of n prepared.",
                      nearer, ENTRIES - 1));
+    const double printed_angle = 20 * PI / 180; /* between H and L where the light is 40 degrees from the viewer */
+    paper_choice(
+        paper, "models", "Gauss's angle x, printed as between H and L", json_sprintf("between N and H, as for Blinn's"),
+        json_sprintf("as printed the highlight does not depend on the normal: with the light 40 degrees from the "
+                     "viewer F = %.4f everywhere at n = 60",
+                     model_double(GLINT_GAUSS, 60, cos(printed_angle))));
     operations_claim(paper);
 }
