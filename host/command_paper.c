@@ -52,7 +52,7 @@ static const char documentation[] =
     "CSV "
     "twice: from the double formulas and from the Q16 library. One line a claim is printed.\n"
     "gnuplot (Debian: gnuplot-nox) draws the plots; without it nothing is written unless --no-plots is given.\n"
-    "Takes about ten seconds on two cores.\n"
+    "Takes about five seconds on two cores.\n"
     "\nExamples:\n"
     "  glint paper -o report\n"
     "  glint paper -o report --only fig3,fig4\n"
@@ -171,6 +171,7 @@ int command_paper(int argc, char **argv)
 
     struct paper paper = {
         .directory = settings.directory,
+        .complete = (~settings.wanted & ((1u << PART_COUNT) - 1)) == 0,
         .terminal = settings.plots ? plot_terminal() : NULL,
         .claims = json_array(),
         .choices = json_array(),

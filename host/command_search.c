@@ -54,7 +54,7 @@ static const char documentation[] =
     "standard error says so. Ctrl-C ends the search, and no file is written.\n"
     "\nExamples:\n"
     "  glint search                                   the paper's Table 1\n"
-    "  glint search --stage 1 --best 10               the ten best exponent sets before stage 2\n"
+    "  glint search --stage 1 --best 10               ten sets before stage 2\n"
     "  glint search --exponents -3:3:0.5 --json       half steps\n"
     "  glint search --coefficients 0.25:3:0.25 --best 20 -o wide.txt";
 

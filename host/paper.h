@@ -15,6 +15,7 @@
 
 struct paper {
     const char *directory;
+    bool complete;        /* all parts are wanted */
     const char *terminal; /* "pngcairo" or "svg"; NULL: no plots */
     json_t *claims;       /* [{part, where, claim, computed, verdict}] */
     json_t *choices;      /* [{part, silent, chosen, other}] */

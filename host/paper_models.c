@@ -146,7 +146,7 @@ static void operations_claim(struct paper *paper)
 
 static void write_row(FILE *stream, const struct entry *entry, const struct measured *m)
 {
-    fprintf(stream, "%s,\"%s\",%.9f,%.9f,%.9f,%.6f,%.6f,%d,%.6f,%.6f,%d,%d,%d,%s,", entry->name, entry->formula,
+    fprintf(stream, "\"%s\",\"%s\",%.9f,%.9f,%.9f,%.6f,%.6f,%d,%.6f,%.6f,%d,%d,%d,%s,", entry->name, entry->formula,
             m->mean, m->largest, m->largest_from_2, m->epicentre, m->spot, m->spot_n, m->spot_60, m->peak,
             entry->operations.multiply, entry->operations.add, entry->operations.divide,
             *entry->operations.more ? "yes" : "no");

@@ -154,12 +154,16 @@ static void put_report(FILE *stream, const struct paper *paper)
         "are the paper's equations; x is the angle, c = cos x, n the shininess, 2^-q the cutoff; F_B = c^n is Blinn's "
         "function, F_SH Schlick's, F_MSH the modified Schlick function.</p>\n"
         "<p><b>%zu claims: %d confirmed, %d confirmed with limits, %d not confirmed.</b> The verdicts follow from the "
-        "numbers beside them.</p>\n",
+        "numbers beside them.%s</p>\n",
         style, GLINT_VERSION_STRING, json_array_size(paper->claims), count_of(paper, CONFIRMED),
-        count_of(paper, WITH_LIMITS), count_of(paper, NOT_CONFIRMED));
-    put_claims(stream, paper);
-    put_choices(stream, paper);
-    fputs("<h2>Tables</h2>\n", stream);
+        count_of(paper, WITH_LIMITS), count_of(paper, NOT_CONFIRMED),
+        paper->complete ? "" : " Only some parts were asked for: this report is not whole.");
+    if (json_array_size(paper->claims))
+        put_claims(stream, paper);
+    if (json_array_size(paper->choices))
+        put_choices(stream, paper);
+    if (json_object_size(paper->tables))
+        fputs("<h2>Tables</h2>\n", stream);
     const char *part;
     json_t *table;
     json_object_foreach(paper->tables, part, table) put_table(stream, table);
