@@ -20,6 +20,7 @@ enum { BEST_MAX = 1000, ANGLES_MAX = 90001, VALUES_MAX = 1000, POINTS_MAX = 2000
 
 struct settings {
     struct search_options search;
+    double *exponents, *coefficients, *shininess; /* lists from the command line; NULL where the paper's are used */
     const char *output;
     bool first_only, json;
 };
@@ -58,14 +59,15 @@ static const char documentation[] =
     "  glint search --exponents -3:3:0.5 --json       half steps\n"
     "  glint search --coefficients 0.25:3:0.25 --best 20 -o wide.txt";
 
+/* `owned` keeps the values; those of an earlier use of the option go. */
 static struct search_list list_of(const struct argp_state *state, const char *option, const char *text, double low,
-                                  double high, size_t most)
+                                  double high, size_t most, double **owned)
 {
-    double *values;
-    const size_t count = parse_list(state, option, text, low, high, &values);
+    free(*owned);
+    const size_t count = parse_list(state, option, text, low, high, owned);
     if (count > most)
         argp_error(state, "%s: '%s' names %zu values; at most %zu are allowed", option, text, count, most);
-    return (struct search_list){values, count};
+    return (struct search_list){*owned, count};
 }
 
 static void check_size(const struct argp_state *state, const struct search_options *search)
@@ -81,16 +83,17 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
     struct search_options *search = &settings->search;
     switch (key) {
     case OPTION_EXPONENTS:
-        search->exponents = list_of(state, "--exponents", argument, -16, 16, VALUES_MAX);
+        search->exponents = list_of(state, "--exponents", argument, -16, 16, VALUES_MAX, &settings->exponents);
         return 0;
     case OPTION_COEFFICIENTS:
-        search->coefficients = list_of(state, "--coefficients", argument, 0.001, 1000, VALUES_MAX);
+        search->coefficients =
+            list_of(state, "--coefficients", argument, 0.001, 1000, VALUES_MAX, &settings->coefficients);
         return 0;
     case OPTION_ANGLES:
         search->angles = (size_t)parse_integer(state, "--angles", argument, 2, ANGLES_MAX);
         return 0;
     case OPTION_SHININESS:
-        search->shininess = list_of(state, "--shininess", argument, 0.01, 100000, POINTS_MAX);
+        search->shininess = list_of(state, "--shininess", argument, 0.01, 100000, POINTS_MAX, &settings->shininess);
         return 0;
     case OPTION_BEST:
         search->best = (size_t)parse_integer(state, "--best", argument, 1, BEST_MAX);
@@ -171,5 +174,8 @@ int command_search(int argc, char **argv)
             print_row(output->stream, settings.first_only ? &result.first[i] : &result.rows[i]);
     output_close(output);
     search_free(&result);
+    free(settings.exponents);
+    free(settings.coefficients);
+    free(settings.shininess);
     return EXIT_GOOD;
 }

@@ -80,8 +80,10 @@ char *plot_run(const char *directory, const char *script, size_t *size)
     char *const arguments[] = {"gnuplot", "-d", (char *)script, NULL};
     int status;
     char *picture = run(directory, arguments, size, &status);
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || *size == 0)
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || *size == 0) {
+        free(picture);
         fail("gnuplot: no picture from %s/%s; run `gnuplot %s` there to see why, or pass --no-plots", directory, script,
              script);
+    }
     return picture;
 }

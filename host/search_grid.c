@@ -52,20 +52,30 @@ struct row {
 
 enum { NO_HALF_STEP = 99 };
 
-/* b2 = half_steps / 2 is known when compiled, so that the loop has no pow() and is vectorised. */
-static inline __attribute__((always_inline)) double sum_row(const struct row *row, int half_steps)
+#define INLINE static inline __attribute__((always_inline))
+
+/* b2 = half_steps / 2 is known when compiled: no pow(), and whole powers are vectorised (sqrt, which may set errno, is
+ * not). */
+INLINE double error_at(const struct row *row, size_t j, int half_steps)
 {
-    const int size = abs(half_steps);
+    const double d = row->p * row->shininess_power[j] + row->q;
+    double power = half_steps % 2 ? sqrt(d) : 1;
+    for (int i = 0; i < abs(half_steps) / 2; i++)
+        power *= d;
+    return fabs((half_steps < 0 ? row->a * power : row->a / power) - row->reference[j]);
+}
+
+INLINE double sum_row(const struct row *row, int half_steps)
+{
     double sum = 0;
-#pragma omp simd reduction(+ : sum)
-    for (size_t j = 0; j < row->count; j++) {
-        const double d = row->p * row->shininess_power[j] + row->q;
-        double power = size & 1 ? sqrt(d) : 1;
-        for (int i = 0; i < size / 2; i++)
-            power *= d;
-        const double f = half_steps < 0 ? row->a * power : row->a / power;
-        sum += fabs(f - row->reference[j]);
+    if (half_steps % 2) {
+        for (size_t j = 0; j < row->count; j++)
+            sum += error_at(row, j, half_steps);
+        return sum;
     }
+#pragma omp simd reduction(+ : sum)
+    for (size_t j = 0; j < row->count; j++)
+        sum += error_at(row, j, half_steps);
     return sum;
 }
 
