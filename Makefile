@@ -55,8 +55,8 @@ $(BUILD)/packages:
 
 include $(wildcard tests/*/tier.mk)
 
-setup: ## install what building and the demo need (Debian packages, by apt-get)
-	@.ci/need "building, and the demo" $(BUILD_PACKAGES) chafa
+setup: ## install what building, the demo and glint paper need (Debian packages, by apt-get)
+	@.ci/need "building, the demo and glint paper" $(BUILD_PACKAGES) chafa gnuplot-nox
 BUILD_PACKAGES = gcc libc6-dev make pkg-config libpng-dev libjansson-dev libqoi-dev
 
 setup-build:
