@@ -83,7 +83,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         request->path = argument;
         return 0;
     case ARGP_KEY_ARG:
-        argp_error(state, "%s: no values are wanted; options are -n LIST and -q LIST", argument);
+        refuse(state, "%s: no values are wanted; options are -n LIST and -q LIST", argument);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

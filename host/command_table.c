@@ -227,7 +227,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
     case KEY_BITS:
         request->table.bits = (unsigned)parse_integer(state, "--bits", argument, 8, 32);
         if (request->table.bits & (request->table.bits - 1))
-            argp_error(state, "--bits: %s is not 8, 16 or 32", argument);
+            refuse(state, "--bits: %s is not 8, 16 or 32", argument);
         return 0;
     case KEY_CLAMP:
         request->table.clamp_peak = true;
@@ -242,7 +242,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         request->path = argument;
         return 0;
     case ARGP_KEY_ARG:
-        argp_error(state, "%s: options only; the file's name goes after -o", argument);
+        refuse(state, "%s: options only; the file's name goes after -o", argument);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
