@@ -7,6 +7,8 @@ OPENMP ?= -fopenmp
 PREFIX ?= /usr/local
 DESTDIR ?=
 TIERS = unit exact targets
+# A TMPDIR that cannot be written would stop compilers and tests.
+export TMPDIR := $(shell test -d "$$TMPDIR" && test -w "$$TMPDIR" && echo "$$TMPDIR" || echo /tmp)
 
 VERSION := $(shell sed -n 's/.*GLINT_VERSION_STRING "\(.*\)"/\1/p' lib/glint.h)
 WARNINGS = -Wall -Wextra -Wconversion -Wundef -Wshadow -Wstrict-prototypes -Wmissing-prototypes $(WERROR)
