@@ -7,8 +7,6 @@
 
 #include "host.h"
 
-#define assert_near(a, b, margin) assert_true(fabs((a) - (b)) <= (margin)) /* cmocka's compares floats */
-
 /* Lines of CSV after the header, with all fields numbers but the first. */
 static int read_rows(const char *text, double rows[][8], int limit)
 {
