@@ -50,7 +50,7 @@ static const char doc[] =
     "\n"
     "Examples:\n"
     "  glint table --model msh -n 60 -o msh_n60_q8.h\n"
-    "  glint table --model gauss -n 200 -q 6 --of c --entries 64 --bits 8 --name shine -o shine.h\n"
+    "  glint table --model gauss -n 200 --of c --entries 64 --bits 8 -o shine.h\n"
     "  glint table --model blinn -n 20 --bits 32 --raw -o blinn.bin";
 
 /* ---- the table ---- */
