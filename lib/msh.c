@@ -1,18 +1,98 @@
 /* SPDX-License-Identifier: MIT
- * Modified Schlick, eq. (5): F = 2c / (1.25 (n - nc + 1.25c)^2). */
+ * Modified Schlick, eq. (5): F = 2c / (1.25 (n - nc + 1.25c)^2).
+ *
+ * With C = 2^16 c and E = 2^16 (4n(1 - c) + 5c), 2^18 <= E < 2^28:  F 2^16 = 2^39 C / (5 E^2). Small cores divide slowly or
+ * not at all, so F comes from an approximate reciprocal, and where that does not settle the rounding, from an exact
+ * comparison of products. There are no ties for integer n. */
 #include "internal.h"
 
-/* With C = 2^16 c and E = 4n(2^16 - C) + 5C < 2^28:  F 2^16 = C 2^39 / (5 E^2), rounded to nearest by adding half the
- * divisor: C 2^40 + 5 E^2 < 2^60. There are no ties for integer n. */
+/* 2^35 / m for 2^27 <= m < 2^28, by m's upper bits: chosen so that |y m / 2^35 - 1| < 0.00904. */
+/* clang-format off */
+static const uint8_t reciprocal[64] = {
+    254, 250, 246, 243, 239, 236, 232, 229, 226, 223, 220, 217, 214, 211, 209, 206,
+    204, 201, 199, 196, 194, 192, 189, 187, 185, 183, 181, 179, 177, 175, 173, 172,
+    170, 168, 166, 165, 163, 161, 160, 158, 157, 155, 154, 152, 151, 150, 148, 147,
+    146, 144, 143, 142, 141, 139, 138, 137, 136, 135, 134, 133, 132, 131, 130, 128,
+};
+/* clang-format on */
+
+/* 2^69 C / (5 m^2) for C = u / 2^8 <= 2^16, below 0.4 * 2^32 and within 2400: with y m = 2^35 (1 + r),
+ * 1 / m^2 = y^2 2^-70 (1 + p), p = -2r + 3r^2 - 4r^3 + .. */
+static inline uint32_t quotient(uint32_t u_q24, uint32_t m)
+{
+    const uint32_t y = reciprocal[(m >> 21) - 64];
+    const int32_t r = (int32_t)(m * y) >> 14;                  /* Q21, |r| < 18960: 2^35 is 0 modulo 2^32. Low by < 1 */
+    const int32_t p = (r * (3 * r - (r * r >> 19)) >> 22) - r; /* Q20, |p| < 19300, within 1.1: r and >> err apart */
+    const uint32_t b = (u_q24 * y >> 8) * y;                   /* y^2 C < 254^2 2^16 < 2^32. Low by < 254 */
+    /* b (1 + p), within 1.1 * 2^12 from p, 19300 / 2^4 from b >> 16, 254 from b, and 1 */
+    const uint32_t x = b + (uint32_t)((int32_t)(b >> 16) * p >> 4);
+    uint32_t q = (x >> 2) + (x >> 3); /* 2/5 = 3/8 (1 + 1/16) (1 + 1/256) (1 + 1/65536), nearly. Low by < 5 */
+    q += q >> 4;
+    q += q >> 8;
+    return q + (q >> 16);
+}
+
+/* E = 2^-s m, 2^27 <= m < 2^28: then F 2^16 = 2^(2s - 32) quotient. */
+struct scaled {
+    uint32_t m;
+    unsigned shift; /* 32 - 2s, 14 .. 30 */
+};
+
+static inline struct scaled scale(uint32_t e) /* 2^18 <= e < 2^27 */
+{
+    struct scaled a = {e << 1, 30};
+    if (a.m >> 20 == 0) {
+        a.m <<= 8;
+        a.shift -= 16;
+    }
+    if (a.m >> 24 == 0) {
+        a.m <<= 4;
+        a.shift -= 8;
+    }
+    if (a.m >> 26 == 0) {
+        a.m <<= 2;
+        a.shift -= 4;
+    }
+    if (a.m >> 27 == 0) {
+        a.m <<= 1;
+        a.shift -= 2;
+    }
+    return a;
+}
+
+/* F 2^16 is one of these, rounded: the same number but for one pixel of a highlight in 50. From t, u is cut by < 1 and m by
+ * < 1, which adds 252 * 2/5 and takes 26. */
+struct range {
+    uint32_t low, high; /* high <= low + 1 */
+};
+enum { SLACK = 2560 };
+
+static inline struct range candidates(uint32_t u_q24, struct scaled a)
+{
+    const uint32_t q = quotient(u_q24, a.m) + ((uint32_t)1 << (a.shift - 1));
+    const struct range f = {(q - SLACK) >> a.shift, (q + SLACK) >> a.shift};
+    return f;
+}
+
+/* E <= 4000 * 2^16. */
+static inline uint32_t denominator(uint32_t n, uint32_t c)
+{
+    return (4 * n - 5) * ((uint32_t)GLINT_C_ONE - c) + 5 * (uint32_t)GLINT_C_ONE;
+}
+
 uint32_t glint_msh(uint32_t n, int32_t c_q16)
 {
     if (c_q16 <= 0)
         return 0;
-    n = glint_clamp_n(n);
     const uint32_t c = c_q16 < GLINT_C_ONE ? (uint32_t)c_q16 : (uint32_t)GLINT_C_ONE;
-    const uint32_t e = 4 * n * ((uint32_t)GLINT_C_ONE - c) + 5 * c;
-    const uint64_t d = 5 * (uint64_t)e * e;
-    return (uint32_t)((((uint64_t)c << 40) + d) / (2 * d));
+    const uint32_t e = denominator(glint_clamp_n(n), c);
+    if (e >> 27)
+        return 0; /* F 2^16 < 0.4 */
+    const struct range f = candidates(c << 8, scale(e));
+    if (f.low == f.high)
+        return f.low;
+    const uint64_t d = 5 * ((uint64_t)e * e);
+    return (2 * f.high - 1) * d > (uint64_t)c << 40 ? f.low : f.high; /* < 2^58 */
 }
 
 /* F >= 2^-q  <=>  C 2^(23+q) >= 5 E^2 < 2^59. F rises with C, so the smallest such C is found by bisection; it exists,
@@ -24,57 +104,57 @@ uint32_t glint_msh_cutoff(uint32_t n, unsigned q)
     uint32_t below = 0;
     for (uint32_t bit = 32768; bit; bit >>= 1) {
         const uint32_t c = below + bit;
-        const uint32_t e = 4 * n * ((uint32_t)GLINT_C_ONE - c) + 5 * c;
-        if ((uint64_t)c << (23 + q) < 5 * (uint64_t)e * e)
+        const uint64_t e = denominator(n, c);
+        if ((uint64_t)(c << q) << 23 < 5 * (e * e))
             below = c;
     }
     return below + 1;
 }
 
-/* With U = 2^30 (1 - t) and e = 4n 2^30 t + 5U, 2^32 <= e < 2^42:  F = U 2^37 / (5 e^2). */
-static uint64_t denominator(uint32_t n, uint32_t t)
+/* With U = 2^30 (1 - t), 2^14 E = (4n - 5) T + 5 2^30 has 14 bits more; n = 1 makes the factor -1. */
+struct denominator {
+    uint32_t e;        /* floor(E), 2^18 <= e <= 4000 2^16 */
+    uint32_t fraction; /* Q14 */
+};
+
+static inline struct denominator denominator_of_t(uint32_t n, uint32_t t)
 {
-    return (uint64_t)(4 * n) * t + 5 * (uint64_t)(GLINT_T_ONE - t);
+    const int32_t k = 4 * (int32_t)n - 5;
+    const int32_t low = k * (int32_t)(t & 0x3fff); /* < 2^26 */
+    const struct denominator d = {(uint32_t)(k * (int32_t)(t >> 14) + 5 * GLINT_C_ONE + (low >> 14)),
+                                  (uint32_t)low & 0x3fff};
+    return d;
 }
 
-/* F >= m 2^-k, exactly, for m < 2^18 and k <= 17: both sides < 2^105. */
-static bool at_least(uint32_t n, uint32_t t, uint32_t m, unsigned k)
+/* F >= m 2^-17, exactly, for 0 < m < 2^18:  U 2^54 >= 5m (2^14 E)^2, in digits of base 2^21. */
+static bool at_least(uint32_t u, struct denominator d, uint32_t m)
 {
-    const uint64_t e = denominator(n, t);
-    struct glint_wide left, right;
-    glint_wide_set(&left, GLINT_T_ONE - t);
-    glint_wide_mul(&left, (uint64_t)1 << (37 + k));
-    glint_wide_set(&right, 5 * e);
-    glint_wide_mul(&right, e);
-    glint_wide_mul(&right, m);
-    return glint_wide_ge(&left, &right);
+    const uint64_t e = (uint64_t)d.e << 14 | d.fraction; /* < 2^42 */
+    const uint64_t high = e >> 21, low = e & 0x1fffff, five_m = 5 * m;
+    const uint64_t digit0 = five_m * (low * low);                         /* < 2^63 */
+    const uint64_t digit1 = 2 * (five_m * (high * low)) + (digit0 >> 21); /* < 2^64 */
+    const uint64_t digit2 = five_m * (high * high) + (digit1 >> 21);
+    const uint64_t left = (uint64_t)u << 12;
+    return left > digit2 || (left == digit2 && !(digit1 & 0x1fffff) && !(digit0 & 0x1fffff));
 }
 
-static bool reaches(uint32_t n, uint32_t t, unsigned q)
-{
-    return at_least(n, t, 1, q);
-}
-
-/* One division of 64 bits gives F within 2^-12 ulp; where that does not settle the rounding (one t in 2000), the exact
- * comparison does. */
 uint32_t glint_msh_t(uint32_t n, uint32_t t)
 {
     if (t >= GLINT_T_ONE)
         return 0;
-    n = glint_clamp_n(n);
-    const uint64_t e = denominator(n, t);
-    unsigned shift = 1;
-    while (e >> shift >> 32)
-        shift++;
-    const uint64_t m = e >> shift;    /* 2^31 <= m < 2^32, low by < 2^-31 of itself */
-    const uint64_t d = (m * m) >> 32; /* 2^30 <= d < 2^32, low by < 2^-29 of itself, with both truncations */
-    const unsigned bits = 12 + 2 * shift;
-    /* F 2^16 in Q.bits: high by < 2^-29 * 67109 < 2^-12 from d, low by < 2^-bits <= 2^-14 from the division */
-    const uint64_t y = ((uint64_t)(GLINT_T_ONE - t) << 33) / (5 * d);
-    const uint64_t half = (uint64_t)1 << (bits - 1), slack = (uint64_t)1 << (bits - 12);
-    const uint32_t low = (uint32_t)((y + half - slack) >> bits);
-    const uint32_t high = (uint32_t)((y + half + slack) >> bits);
-    return low == high || !at_least(n, t, 2 * high - 1, 17) ? low : high;
+    const uint32_t u = GLINT_T_ONE - t;
+    const struct denominator d = denominator_of_t(glint_clamp_n(n), t);
+    if (d.e >> 27)
+        return 0; /* F 2^16 < 0.4 */
+    struct scaled a = scale(d.e);
+    a.m |= d.fraction >> (a.shift / 2 - 2); /* 14 - s */
+    const struct range f = candidates(u >> 6, a);
+    return f.low == f.high || !at_least(u, d, 2 * f.high - 1) ? f.low : f.high;
+}
+
+static bool reaches(uint32_t n, uint32_t t, unsigned q)
+{
+    return at_least(GLINT_T_ONE - t, denominator_of_t(n, t), (uint32_t)1 << (17 - q));
 }
 
 uint32_t glint_msh_cutoff_t(uint32_t n, unsigned q)
