@@ -6,7 +6,8 @@
  * comparison of products. There are no ties for integer n. */
 #include "internal.h"
 
-/* 2^35 / m for 2^27 <= m < 2^28, by m's upper bits: chosen so that |y m / 2^35 - 1| < 0.00904. */
+/* y, nearly 2^35 / m, for 2^27 <= m < 2^28 by m's upper bits: |y m / 2^35 - 1| < 0.00904. Printed by
+ * tests/exact/msh_reciprocals.py. */
 /* clang-format off */
 static const uint8_t reciprocal[64] = {
     254, 250, 246, 243, 239, 236, 232, 229, 226, 223, 220, 217, 214, 211, 209, 206,
@@ -16,23 +17,24 @@ static const uint8_t reciprocal[64] = {
 };
 /* clang-format on */
 
-/* 2^69 C / (5 m^2) for C = u / 2^8 <= 2^16, below 0.4 * 2^32 and within 2400: with y m = 2^35 (1 + r),
- * 1 / m^2 = y^2 2^-70 (1 + p), p = -2r + 3r^2 - 4r^3 + .. */
+/* 2^71 C / (5 m^2) for C = u / 2^8 <= 2^16, within 2400; less than 0.4 * 2^32. With y m = 2^35 (1 + r),
+ * 1 / m^2 = y^2 2^-70 (1 + p), p = -2r + 3r^2 - 4r^3 + .. Products of 32 bits only, and all that fits is kept. */
 static inline uint32_t quotient(uint32_t u_q24, uint32_t m)
 {
     const uint32_t y = reciprocal[(m >> 21) - 64];
     const int32_t r = (int32_t)(m * y) >> 14;                  /* Q21, |r| < 18960: 2^35 is 0 modulo 2^32. Low by < 1 */
     const int32_t p = (r * (3 * r - (r * r >> 19)) >> 22) - r; /* Q20, |p| < 19300, within 1.1: r and >> err apart */
     const uint32_t b = (u_q24 * y >> 8) * y;                   /* y^2 C < 254^2 2^16 < 2^32. Low by < 254 */
-    /* b (1 + p), within 1.1 * 2^12 from p, 19300 / 2^4 from b >> 16, 254 from b, and 1 */
+    /* 2^70 C / m^2, off by 1.1 * 2^12 of p + 19300 / 2^4 of b >> 16 + 254 of b + 1 < 5970; less than 2^32: m is near
+     * 1.25 * 2^27 where C is near 2^16, elsewhere the whole steps of C missing leave 2^16 each */
     const uint32_t x = b + (uint32_t)((int32_t)(b >> 16) * p >> 4);
-    uint32_t q = (x >> 2) + (x >> 3); /* 2/5 = 3/8 (1 + 1/16) (1 + 1/256) (1 + 1/65536), nearly. Low by < 5 */
+    uint32_t q = (x >> 2) + (x >> 3); /* 2/5 x = 3/8 x (1 + 1/16) (1 + 1/256) (1 + 1/65536). Low by < 6 */
     q += q >> 4;
     q += q >> 8;
     return q + (q >> 16);
 }
 
-/* E = 2^-s m, 2^27 <= m < 2^28: then F 2^16 = 2^(2s - 32) quotient. */
+/* E = 2^-s m, 2^27 <= m < 2^28: then F 2^16 = 2^(2s - 32) times the quotient. */
 struct scaled {
     uint32_t m;
     unsigned shift; /* 32 - 2s, 14 .. 30 */
@@ -49,23 +51,24 @@ static inline struct scaled scale(uint32_t e) /* 2^18 <= e < 2^27 */
         a.m <<= 4;
         a.shift -= 8;
     }
-    if (a.m >> 26 == 0) {
+    unsigned top = (unsigned)(a.m >> 24); /* a byte: cores without a barrel shifter have it for nothing */
+    if (top < 4) {
         a.m <<= 2;
+        top <<= 2;
         a.shift -= 4;
     }
-    if (a.m >> 27 == 0) {
+    if (top < 8) {
         a.m <<= 1;
         a.shift -= 2;
     }
     return a;
 }
 
-/* F 2^16 is one of these, rounded: the same number but for one pixel of a highlight in 50. From t, u is cut by < 1 and m by
- * < 1, which adds 252 * 2/5 and takes 26. */
+/* F 2^16, rounded, is low or high. They differ for one pixel in 30 of a highlight of n = 60 (q = 8), one in 11 at n = 10. */
 struct range {
     uint32_t low, high; /* high <= low + 1 */
 };
-enum { SLACK = 2560 };
+enum { SLACK = 2560 }; /* 2400, and from t, where u and m are cut by < 1 each, 254 * 254 / 2^8 * 2/5 < 101 or 26 */
 
 static inline struct range candidates(uint32_t u_q24, struct scaled a)
 {
@@ -74,7 +77,7 @@ static inline struct range candidates(uint32_t u_q24, struct scaled a)
     return f;
 }
 
-/* E <= 4000 * 2^16. */
+/* E, <= 4000 * 2^16. (For n = 1 the factor is -1, modulo 2^32.) */
 static inline uint32_t denominator(uint32_t n, uint32_t c)
 {
     return (4 * n - 5) * ((uint32_t)GLINT_C_ONE - c) + 5 * (uint32_t)GLINT_C_ONE;
