@@ -5,6 +5,11 @@ import { boot } from './m0plus.mjs'
 import { highlight } from './scene.mjs'
 import { real } from './real.mjs'
 
+process.on('uncaughtException', ({ message }) => {
+  console.error(`bench: ${message}`)
+  process.exit(1)
+})
+
 const folder = process.argv[2]
 const Q = 8
 const SHININESS = [60, 10, 200, 1000]
