@@ -7,7 +7,7 @@ $(BUILD)/tests/exact/%.o: tests/exact/%.c $(BUILD)/flags
 	$(CC) -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib $(OPENMP) $(CFLAGS) -c $< -o $@
 
 $(EXACT_TESTS): %: %.o $(BUILD)/tests/exact/oracle.o $(BUILD)/libglint.a
-	$(CC) $(HOST_LDFLAGS) $^ -o $@ -lcmocka -lmpfr -lgmp
+	$(CC) $(HOST_LDFLAGS) $^ -o $@ -lcmocka -lmpfr -lgmp -lm
 
 setup-exact:
 	@.ci/need "tier exact" gcc libc6-dev make libcmocka-dev libgmp-dev libmpfr-dev python3
