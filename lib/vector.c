@@ -66,12 +66,16 @@ enum glint_err glint_vec_normalize(struct glint_vec *out, const int32_t v[3])
 
 enum glint_err glint_light_init(struct glint_light *light, const int32_t to_light[3], const int32_t to_viewer[3])
 {
-    int32_t l[3], v[3], sum[3], h[3];
+    int32_t l[3], v[3], half[3], h[3];
     if (!unit_q30(l, to_light) || !unit_q30(v, to_viewer))
         return GLINT_ERR_VECTOR;
-    for (int i = 0; i < 3; i++)
-        sum[i] = (int32_t)(((int64_t)l[i] + v[i]) >> 1);
-    if (!unit_q30(h, sum))
+    bool behind = true;
+    for (int i = 0; i < 3; i++) {
+        const int64_t sum = (int64_t)l[i] + v[i];
+        behind = behind && sum <= 8 && sum >= -8; /* what the rounding of l and v leaves of 0, and more */
+        half[i] = (int32_t)(sum >> 1);
+    }
+    if (behind || !unit_q30(h, half))
         return GLINT_ERR_VECTOR;
     light->l = vec_of_q30(l);
     light->v = vec_of_q30(v);

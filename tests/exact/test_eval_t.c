@@ -180,6 +180,8 @@ static void arguments_out_of_range_are_clamped_or_give_zero(void **state)
     assert_int_equal(glint_eval(none, 60, 65536) + glint_eval_t(none, 60, 0), 0);
     assert_int_equal(glint_cutoff(none, 60, 8) + glint_cutoff_t(none, 60, 8), 0);
     assert_int_equal(glint_lobe_eval(&lobe, 65536) + glint_lobe_eval_t(&lobe, 0), 0);
+    glint_lobe_init(&lobe, (enum glint_model)256, 60, 8); /* whose low byte is MSH's */
+    assert_int_equal(glint_lobe_eval(&lobe, 65536) + glint_lobe_eval_t(&lobe, 0), 0);
 }
 
 int main(void)

@@ -42,9 +42,10 @@ def complaints(target, objects):
 
 
 def text_bytes(target, objects):
-    """Code and constants."""
+    """Code and constants, and the constants alone."""
     lines = target.tool("size", "-B", *objects).split("\n")[1:]
-    return sum(int(line.split()[0]) for line in lines if line)
+    constants = re.findall(r"^\.rodata\S*\s+(\d+)", target.tool("size", "-A", *objects), re.M)
+    return sum(int(line.split()[0]) for line in lines if line), sum(map(int, constants))
 
 
 # What a call through a pointer looks like, and what a call does that is not a jump.

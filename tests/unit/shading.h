@@ -24,6 +24,11 @@ static inline uint32_t below(uint32_t limit)
 
 static inline struct glint_vec random_normal(const struct glint_light *light)
 {
+    if (below(8) == 0) { /* garbage is legal, and may be up to 1.7 long */
+        const struct glint_vec any = {(int16_t)(below(65536) - 32768), (int16_t)(below(65536) - 32768),
+                                      (int16_t)(below(65536) - 32768)};
+        return any;
+    }
     int32_t v[3] = {(int32_t)below(2001) - 1000, (int32_t)below(2001) - 1000, (int32_t)below(1000)};
     if (below(2)) { /* in the highlight */
         v[0] = light->h.x + (int32_t)below(8001) - 4000;

@@ -106,6 +106,23 @@ static void a_light_without_direction_or_straight_behind_is_refused(void **state
     assert_int_equal(glint_light_init(&light, slant, front), GLINT_OK);
 }
 
+/* Lengths that are no powers of two: the two units then differ in their last bits. */
+static void a_light_straight_behind_is_refused_whatever_the_lengths(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 100000; i++) {
+        const int32_t k = random_between(1, 1000);
+        const int32_t l[3] = {random_between(-999, 999), random_between(-999, 999), random_between(-999, 999)};
+        const int32_t v[3] = {-k * l[0], -k * l[1], -k * l[2]};
+        struct glint_light light;
+        assert_int_equal(glint_light_init(&light, l, v), GLINT_ERR_VECTOR);
+    }
+    const int32_t nearly[3] = {1, 0, -1000000}, front[3] = {0, 0, 1};
+    struct glint_light light;
+    assert_int_equal(glint_light_init(&light, nearly, front), GLINT_OK);
+    assert_true(light.h.x > 32700);
+}
+
 static struct glint_vec random_direction(void)
 {
     const int32_t v[3] = {random_between(-100, 100), random_between(-100, 100), random_between(20, 100)};
@@ -171,6 +188,26 @@ static void a_span_out_of_range_is_refused(void **state)
     assert_int_equal(glint_span_init(&span, &light, &up, &up, 0), GLINT_OK);
 }
 
+static void a_span_is_refused_from_its_stated_limits_on(void **state)
+{
+    (void)state;
+    struct glint_light light = {{0, 0, 32767}, {0, 0, 32767}, {32767, 30652, 0}};
+    struct glint_span span;
+    const struct glint_vec up = {0, 0, 32767}, under = {-32768, -30652, 0}, over = {-32768, -30653, 0}; /* t = 3.75 */
+    assert_int_equal(glint_span_init(&span, &light, &up, &under, 9), GLINT_OK);
+    assert_int_equal(glint_span_init(&span, &light, &under, &up, 9), GLINT_OK);
+    assert_int_equal(glint_span_init(&span, &light, &up, &over, 9), GLINT_ERR_VECTOR);
+    assert_int_equal(glint_span_init(&span, &light, &over, &up, 9), GLINT_ERR_VECTOR);
+    light = (struct glint_light){{32767, 32767, 1000}, up, up};
+    for (int16_t sign = -1; sign <= 1; sign += 2) {
+        const struct glint_vec in = {(int16_t)(sign * 32767), (int16_t)(sign * 32767), (int16_t)(sign * 122)};
+        const struct glint_vec out = {(int16_t)(sign * 32767), (int16_t)(sign * 32767), (int16_t)(sign * 123)};
+        assert_int_equal(glint_span_init(&span, &light, &in, &in, 9), GLINT_OK); /* |nl| = 2^31 - 9070 */
+        assert_int_equal(glint_span_init(&span, &light, &in, &out, 9), GLINT_ERR_VECTOR);
+        assert_int_equal(glint_span_init(&span, &light, &out, &in, 9), GLINT_ERR_VECTOR);
+    }
+}
+
 static double decode(double e)
 {
     return e <= 0.04045 ? e / 12.92 : pow((e + 0.055) / 1.055, 2.4);
@@ -219,8 +256,10 @@ int main(void)
         cmocka_unit_test(the_axes_and_the_longest_vectors_normalize_exactly),
         cmocka_unit_test(the_half_vector_lies_halfway_to_half_a_unit),
         cmocka_unit_test(a_light_without_direction_or_straight_behind_is_refused),
+        cmocka_unit_test(a_light_straight_behind_is_refused_whatever_the_lengths),
         cmocka_unit_test(a_span_follows_its_quadratic_within_the_stated_error),
         cmocka_unit_test(a_span_out_of_range_is_refused),
+        cmocka_unit_test(a_span_is_refused_from_its_stated_limits_on),
         cmocka_unit_test(srgb_decoding_is_correctly_rounded),
         cmocka_unit_test(srgb_encoding_is_monotone_and_within_its_stated_error),
         cmocka_unit_test(every_srgb_byte_survives_decoding_and_encoding),
