@@ -15,7 +15,7 @@ $(UNIT_TESTS): %: %.o $(UNIT_COMMON)
 	$(CC) $(HOST_LDFLAGS) $< $(UNIT_COMMON) -o $@ -lcmocka $(HOST_LDLIBS)
 
 setup-unit: setup-build
-	@.ci/need "tier unit" libcmocka-dev g++ clang libomp-dev gnuplot-nox
+	@.ci/need "tier unit" libcmocka-dev g++ clang libomp-dev gnuplot-nox cmake
 
 test-unit: ## the library and the command: pictures, numbers, messages; sanitizers; compilers agree
 	@+tests/tier unit "$(SUBMAKE)"
