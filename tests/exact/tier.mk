@@ -1,13 +1,21 @@
 # SPDX-License-Identifier: MIT
-# Tier exact: the whole domain against an independent oracle (128-bit integers, GMP, MPFR).
+# Tier exact: the whole domain against an independent oracle (128-bit integers, GMP, MPFR); the host's batch loops against
+# the library. Of the host only batch.c is linked, so that its packages are not needed.
 EXACT_TESTS = $(patsubst tests/exact/test_%.c,$(BUILD)/tests/exact/test_%,$(wildcard tests/exact/test_*.c))
 
 $(BUILD)/tests/exact/%.o: tests/exact/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(CC) -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib $(OPENMP) $(CFLAGS) -c $< -o $@
+	$(CC) $(EXACT_CFLAGS) -c $< -o $@
 
+$(BUILD)/tests/exact/host/%.o: host/%.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(CC) $(EXACT_CFLAGS) -c $< -o $@
+
+EXACT_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ihost $(OPENMP) $(CFLAGS)
+
+$(BUILD)/tests/exact/test_batch: $(BUILD)/tests/exact/host/batch.o
 $(EXACT_TESTS): %: %.o $(BUILD)/tests/exact/oracle.o $(BUILD)/libglint.a
-	$(CC) $(HOST_LDFLAGS) $^ -o $@ -lcmocka -lmpfr -lgmp -lm
+	$(CC) $(HOST_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) -o $@ -lcmocka -lmpfr -lgmp -lm
 
 setup-exact:
 	@.ci/need "tier exact" gcc libc6-dev make libcmocka-dev libgmp-dev libmpfr-dev python3
@@ -18,12 +26,12 @@ test-exact: ## the library over its whole domain: 0 wrong
 run-exact: $(EXACT_TESTS)
 	@tests/tally $(EXACT_TESTS) tests/exact/test_tables
 
-# The quick part: every argument from c, every cutoff.
+# The quick part: every argument from c, every cutoff, every batch loop.
 check-exact:
 	@+if echo '#include <mpfr.h>' | $(CC) -E - >/dev/null 2>&1 && pkg-config --exists cmocka; then $(SUBMAKE) run-check-exact; \
 	else tests/tally "echo ok 1 - tier exact # SKIP cmocka, gmp or mpfr is not installed: make setup-exact"; fi
 
-run-check-exact: $(BUILD)/tests/exact/test_eval $(BUILD)/tests/exact/test_cutoff
+run-check-exact: $(addprefix $(BUILD)/tests/exact/test_,eval cutoff batch)
 	@tests/tally $^ tests/exact/test_tables
 
 .PHONY: setup-exact test-exact run-exact check-exact run-check-exact

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT
+ * Exhaustive: the host's batch loops against the library: every c_q16, every n, every loop that runs here. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "batch.h"
+
+enum { CODES = GLINT_C_ONE + 1, ALL = CODES * (int)GLINT_N_MAX }; /* an odd number: rounds and a remainder */
+
+static long count_wrong(batch_loop *loop, uint32_t (*exact)(uint32_t n, int32_t c_q16))
+{
+    static int32_t c_q16[CODES];
+    for (int32_t c = 0; c < CODES; c++)
+        c_q16[c] = c;
+    long wrong = 0;
+#pragma omp parallel for schedule(dynamic) reduction(+ : wrong)
+    for (uint32_t n = 1; n <= GLINT_N_MAX; n++) {
+        uint32_t f_q16[CODES];
+        loop(n, c_q16, f_q16, CODES);
+        for (int32_t c = 0; c < CODES; c++)
+            wrong += f_q16[c] != exact(n, c);
+    }
+    return wrong;
+}
+
+static void every_loop_gives_the_librarys_value_for_every_cosine_and_shininess(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < batch_loops_count; i++) {
+        const struct batch_loops *loops = &batch_loops[i];
+        if (!loops->runs()) {
+            printf("# %s: not on this processor\n", loops->name);
+            continue;
+        }
+        const long msh = count_wrong(loops->msh, glint_msh), schlick = count_wrong(loops->schlick, glint_schlick);
+        printf("# %s: msh %ld, schlick %ld wrong of %d\n", loops->name, msh, schlick, ALL);
+        assert_int_equal(msh, 0);
+        assert_int_equal(schlick, 0);
+    }
+}
+
+/* The comparison can fail. */
+static void another_models_values_count_as_wrong(void **state)
+{
+    (void)state;
+    assert_true(count_wrong(batch_loops[batch_loops_count - 1].msh, glint_schlick) > ALL / 2);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_loop_gives_the_librarys_value_for_every_cosine_and_shininess),
+        cmocka_unit_test(another_models_values_count_as_wrong),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
