@@ -121,6 +121,7 @@ AVX2 static void msh_avx2(uint32_t n, const int32_t *c_q16, uint32_t *f_q16, siz
         store_f(f_q16 + i, low);
         store_f(f_q16 + i + 8, high);
     }
+    _mm256_zeroupper(); /* GCC forgets it before a tail call, and SSE instructions would be slow ever after */
     msh_portable(n, c_q16 + i, f_q16 + i, count - i);
 }
 
@@ -143,6 +144,7 @@ AVX2 static void schlick_avx2(uint32_t n, const int32_t *c_q16, uint32_t *f_q16,
     size_t i = 0;
     for (; i + 8 <= count; i += 8)
         store_f(f_q16 + i, schlick_8(k, d_at_0, load_c(c_q16 + i)));
+    _mm256_zeroupper();
     schlick_portable(n, c_q16 + i, f_q16 + i, count - i);
 }
 #endif
