@@ -56,7 +56,7 @@ static bool runs_everywhere(void)
     return true;
 }
 
-/* ---- AVX2: 16 elements a round, so that latencies overlap ---- */
+/* ---- AVX2: latencies overlap in rounds of 16 elements ---- */
 
 #if defined __x86_64__ && defined __GNUC__
 #include <immintrin.h>
@@ -97,19 +97,27 @@ AVX2 static inline __m256i lower_halves(__m256d low, __m256d high)
     return _mm256_castps_si256(_mm256_shuffle_ps(_mm256_castpd_ps(low), _mm256_castpd_ps(high), 0x88));
 }
 
-AVX2 static inline __m256d msh_rounded(__m256d u, __m256d a, __m256d b)
+AVX2 static inline struct doubles msh_e(const struct msh *m, __m256i c)
 {
-    return _mm256_fmadd_pd(_mm256_fmsub_pd(a, u, b), u, _mm256_set1_pd(0x1p52));
+    return to_double(_mm256_sub_epi32(_mm256_set1_epi32(m->e_at_0), _mm256_mullo_epi32(_mm256_set1_epi32(m->k), c)));
 }
 
 /* One division for two elements: 1 / E1 = E2 / (E1 E2). */
-AVX2 static inline __m256i msh_8(const struct msh *m, __m256i c)
+AVX2 static inline __m256d msh_quotient(struct doubles e)
 {
-    const __m256i e = _mm256_sub_epi32(_mm256_set1_epi32(m->e_at_0), _mm256_mullo_epi32(_mm256_set1_epi32(m->k), c));
-    const struct doubles d = to_double(e);
-    const __m256d w = _mm256_div_pd(_mm256_set1_pd(1), _mm256_mul_pd(d.low, d.high));
-    const __m256d a = _mm256_set1_pd(m->a), b = _mm256_set1_pd(m->b);
-    return lower_halves(msh_rounded(_mm256_mul_pd(w, d.high), a, b), msh_rounded(_mm256_mul_pd(w, d.low), a, b));
+    return _mm256_div_pd(_mm256_set1_pd(1), _mm256_mul_pd(e.low, e.high));
+}
+
+AVX2 static inline __m256d msh_rounded(const struct msh *m, __m256d u)
+{
+    const __m256d factor = _mm256_fmsub_pd(_mm256_set1_pd(m->a), u, _mm256_set1_pd(m->b));
+    return _mm256_fmadd_pd(factor, u, _mm256_set1_pd(0x1p52));
+}
+
+AVX2 static inline __m256i msh_f(const struct msh *m, struct doubles e, __m256d quotient)
+{
+    return lower_halves(msh_rounded(m, _mm256_mul_pd(quotient, e.high)),
+                        msh_rounded(m, _mm256_mul_pd(quotient, e.low)));
 }
 
 AVX2 static void msh_avx2(uint32_t n, const int32_t *c_q16, uint32_t *f_q16, size_t count)
@@ -117,9 +125,11 @@ AVX2 static void msh_avx2(uint32_t n, const int32_t *c_q16, uint32_t *f_q16, siz
     const struct msh m = msh_of(n);
     size_t i = 0;
     for (; i + 16 <= count; i += 16) {
-        const __m256i low = msh_8(&m, load_c(c_q16 + i)), high = msh_8(&m, load_c(c_q16 + i + 8));
-        store_f(f_q16 + i, low);
-        store_f(f_q16 + i + 8, high);
+        const struct doubles e0 = msh_e(&m, load_c(c_q16 + i)), e1 = msh_e(&m, load_c(c_q16 + i + 8));
+        const __m256d quotient0 = msh_quotient(e0), quotient1 = msh_quotient(e1);
+        const __m256i f0 = msh_f(&m, e0, quotient0), f1 = msh_f(&m, e1, quotient1);
+        store_f(f_q16 + i, f0);
+        store_f(f_q16 + i + 8, f1);
     }
     _mm256_zeroupper(); /* GCC forgets it before a tail call, and SSE instructions would be slow ever after */
     msh_portable(n, c_q16 + i, f_q16 + i, count - i);
