@@ -78,28 +78,24 @@ AVX2 static inline void store_f(uint32_t *f_q16, __m256i f)
     _mm256_storeu_si256((__m256i *)(void *)f_q16, f);
 }
 
-/* Conversions by bits, which are faster: after the upper half of 2^52 an integer is the lower half of 2^52 + it, and
- * adding 2^52 rounds to nearest into the lower half. The order of the elements, 0 1 4 5 and 2 3 6 7, cancels out. */
+/* Conversions by bits, which are faster: after the upper half of 2^37, 2^15 C is the lower half of 2^37 + C; and adding
+ * 2^52 rounds to nearest into the lower half. The order of the elements, 0 1 4 5 and 2 3 6 7, cancels out. */
 struct doubles {
     __m256d low, high;
 };
 
-AVX2 static inline struct doubles to_double(__m256i x)
+/* E = (e_at_0 + 2^37 k) - k (2^37 + C), of integers below 2^49. */
+AVX2 static inline struct doubles msh_e(const struct msh *m, __m256i c)
 {
-    const __m256d bias = _mm256_set1_pd(0x1p52);
-    const __m256i upper = _mm256_set1_epi32(0x43300000);
-    return (struct doubles){_mm256_sub_pd(_mm256_castsi256_pd(_mm256_unpacklo_epi32(x, upper)), bias),
-                            _mm256_sub_pd(_mm256_castsi256_pd(_mm256_unpackhi_epi32(x, upper)), bias)};
+    const __m256i upper = _mm256_set1_epi32((1023 + 37) << 20), lower = _mm256_slli_epi32(c, 15);
+    const __m256d k = _mm256_set1_pd(m->k), sum = _mm256_set1_pd(m->e_at_0 + 0x1p37 * m->k);
+    return (struct doubles){_mm256_fnmadd_pd(k, _mm256_castsi256_pd(_mm256_unpacklo_epi32(lower, upper)), sum),
+                            _mm256_fnmadd_pd(k, _mm256_castsi256_pd(_mm256_unpackhi_epi32(lower, upper)), sum)};
 }
 
 AVX2 static inline __m256i lower_halves(__m256d low, __m256d high)
 {
     return _mm256_castps_si256(_mm256_shuffle_ps(_mm256_castpd_ps(low), _mm256_castpd_ps(high), 0x88));
-}
-
-AVX2 static inline struct doubles msh_e(const struct msh *m, __m256i c)
-{
-    return to_double(_mm256_sub_epi32(_mm256_set1_epi32(m->e_at_0), _mm256_mullo_epi32(_mm256_set1_epi32(m->k), c)));
 }
 
 /* One division for two elements: 1 / E1 = E2 / (E1 E2). */
