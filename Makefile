@@ -55,7 +55,7 @@ $(BUILD)/packages:
 		{ echo "make: $(HOST_LIBS) and qoi.h are not all there: run 'make setup' first" >&2; exit 1; }
 	@touch $@
 
-include $(wildcard tests/*/tier.mk) tests/bench/bench.mk
+include $(wildcard tests/*/tier.mk) tests/bench/bench.mk tests/bench/host/host.mk
 
 setup: ## install what building, the demo and glint paper need (Debian packages, by apt-get)
 	@.ci/need "building, the demo and glint paper" $(BUILD_PACKAGES) chafa gnuplot-nox

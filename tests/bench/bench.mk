@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# make bench: what a highlight costs on a Cortex-M0+ in cycles, and on Cortex-M in bytes, beside what people use today.
+# make bench: what a highlight costs on a Cortex-M0+ in cycles, and on Cortex-M in bytes, beside what people use today;
+# then the host's part, host/host.mk.
 # Measurements, no test: nothing here can fail for being slow.
 BENCH = build/bench
 BENCH_LEVELS = O2 Os
@@ -9,7 +10,7 @@ BENCH_NPM = $(BENCH)/npm
 BENCH_CC = arm-none-eabi-gcc -std=c99 -mthumb -ffunction-sections -fdata-sections -Ilib
 
 setup-bench:
-	@.ci/need "make bench" gcc-arm-none-eabi libnewlib-arm-none-eabi
+	@.ci/need "make bench" gcc-arm-none-eabi libnewlib-arm-none-eabi $(BENCH_HOST_PACKAGES)
 	@command -v npm >/dev/null || .ci/need "make bench: the emulator rp2040js" nodejs npm
 	@+$(SUBMAKE) -s $(BENCH_NPM)/done
 
@@ -20,9 +21,10 @@ $(BENCH_NPM)/done: tests/bench/package.json tests/bench/package-lock.json
 		{ tail -5 $(BENCH)/npm.log >&2; echo "make bench: npm could not install rp2040js" >&2; exit 1; }
 	@touch $@
 
-bench: ## set up what is missing, measure cycles and code size, print a table and write build/bench/*.json
+bench: ## set up what is missing, measure cycles, code size and the host, print a table and write build/bench/*.json
 	@+$(SUBMAKE) setup-bench
 	@+$(SUBMAKE) run-bench
+	@+$(SUBMAKE) run-bench-host
 
 run-bench: $(BENCH_ELFS) $(BENCH)/sizes.txt
 	@node tests/bench/bench.mjs $(BENCH)

@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: MIT
+ * host: Mpixel/s of each method over 16K elements, which stay in cache, and 16M, which do not; one thread, methods in
+ * turn, several runs. Lines with tabs: method, what it is, largest error in 2^-16, elements, Mpixel/s of each run. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "batch.h"
+#include "methods.h"
+
+enum { N = 60, RUNS = 7, IN_CACHE = 1 << 14, IN_MEMORY = 1 << 24, COSINES = GLINT_C_ONE / 2 + 1 };
+
+static method copy, batch_msh, batch_schlick, batch_blinn, scalar_msh, scalar_schlick;
+
+static void copy(uint32_t n, const void *restrict in, void *restrict out, size_t count)
+{
+    (void)n;
+    memcpy(out, in, count * sizeof(uint32_t));
+}
+
+static void batch_msh(uint32_t n, const void *restrict in, void *restrict out, size_t count)
+{
+    batch_eval(GLINT_MSH, n, in, out, count);
+}
+
+static void batch_schlick(uint32_t n, const void *restrict in, void *restrict out, size_t count)
+{
+    batch_eval(GLINT_SCHLICK, n, in, out, count);
+}
+
+static void batch_blinn(uint32_t n, const void *restrict in, void *restrict out, size_t count)
+{
+    batch_eval(GLINT_BLINN, n, in, out, count);
+}
+
+static void each(enum glint_model model, uint32_t n, const int32_t *c_q16, uint32_t *f_q16, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        f_q16[i] = glint_eval(model, n, c_q16[i]);
+}
+
+static void scalar_msh(uint32_t n, const void *restrict in, void *restrict out, size_t count)
+{
+    each(GLINT_MSH, n, in, out, count);
+}
+
+static void scalar_schlick(uint32_t n, const void *restrict in, void *restrict out, size_t count)
+{
+    each(GLINT_SCHLICK, n, in, out, count);
+}
+
+static double real_msh(double c)
+{
+    return 2 * c / (1.25 * pow(N - N * c + 1.25 * c, 2));
+}
+
+static double real_schlick(double c)
+{
+    return c / (N - N * c + c);
+}
+
+static double real_blinn(double c)
+{
+    return pow(c, N);
+}
+
+static const struct row {
+    const char *name, *what;
+    method *run;
+    double (*real)(double c); /* NULL: none */
+    enum { Q16, FLOAT } type;
+    enum { BOTH, CACHE } where; /* CACHE: too slow for memory to matter */
+} rows[] = {
+    {"copy", "memcpy: the limit of memory", copy, NULL, Q16, BOTH},
+    {"batch_msh", "exact", batch_msh, real_msh, Q16, BOTH},
+    {"float_msh", "float, vectorised", float_msh, real_msh, FLOAT, BOTH},
+    {"batch_schlick", "exact", batch_schlick, real_schlick, Q16, BOTH},
+    {"float_schlick", "float, vectorised", float_schlick, real_schlick, FLOAT, BOTH},
+    {"batch_blinn", "exact; by a table from 65537 elements on", batch_blinn, real_blinn, Q16, BOTH},
+    {"float_blinn", "float, vectorised: libmvec's powf", float_blinn, real_blinn, FLOAT, BOTH},
+    {"glint_eval_msh", "exact, one by one", scalar_msh, real_msh, Q16, CACHE},
+    {"glint_eval_schlick", "exact, one by one", scalar_schlick, real_schlick, Q16, CACHE},
+    {"fixmath_msh", "libfixmath", fixmath_msh, real_msh, Q16, CACHE},
+    {"fixmath_schlick", "libfixmath", fixmath_schlick, real_schlick, Q16, CACHE},
+    {"fixmath_blinn", "libfixmath", fixmath_blinn, real_blinn, Q16, CACHE},
+};
+enum { ROWS = sizeof rows / sizeof *rows };
+
+static int32_t *c_q16;
+static float *c_float;
+static void *out;
+
+static void *allocate(void)
+{
+    void *memory = aligned_alloc(4096, IN_MEMORY * sizeof(uint32_t));
+    if (!memory) {
+        fputs("make bench: no memory for the host's part (192 MB)\n", stderr);
+        exit(1);
+    }
+    return memory;
+}
+
+/* Cosines from 1/2 to 1, all of them, scattered: powers of smaller ones are too small for powf's fast path. The output
+ * is touched, so that its pages are there. */
+static void prepare(void)
+{
+    c_q16 = allocate();
+    c_float = allocate();
+    out = memset(allocate(), 1, IN_MEMORY * sizeof(uint32_t));
+    for (uint32_t i = 0; i < IN_MEMORY; i++) {
+        c_q16[i] = (int32_t)(GLINT_C_ONE - i * UINT64_C(2654435761) % COSINES);
+        c_float[i] = (float)c_q16[i] / GLINT_C_ONE;
+    }
+}
+
+static void run(const struct row *row, size_t count)
+{
+    row->run(N, row->type == FLOAT ? (const void *)c_float : c_q16, out, count);
+}
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Repeated until at least 20 ms have passed. */
+static double measure(const struct row *row, size_t count)
+{
+    run(row, count < IN_CACHE ? count : IN_CACHE);
+    double elements = 0, seconds = 0;
+    for (const double start = now(); seconds < 0.02; seconds = now() - start) {
+        run(row, count);
+        elements += (double)count;
+    }
+    return elements / seconds / 1e6;
+}
+
+static double worst_error(const struct row *row)
+{
+    double worst = 0;
+    if (!row->real)
+        return 0;
+    run(row, COSINES);
+    for (uint32_t i = 0; i < COSINES; i++) {
+        const double found = row->type == FLOAT ? 65536.0 * (double)((float *)out)[i] : (double)((int32_t *)out)[i];
+        worst = fmax(worst, fabs(found - 65536 * row->real(c_q16[i] / 65536.0)));
+    }
+    return worst;
+}
+
+int main(void)
+{
+    static double speeds[2][ROWS][RUNS];
+    static const size_t counts[2] = {IN_CACHE, IN_MEMORY};
+    prepare();
+    for (int k = 0; k < RUNS; k++)
+        for (int where = 0; where < 2; where++)
+            for (int i = 0; i < ROWS; i++)
+                if (where == 0 || rows[i].where == BOTH)
+                    speeds[where][i][k] = measure(&rows[i], counts[where]);
+    for (int i = 0; i < ROWS; i++)
+        for (int where = 0; where < (rows[i].where == BOTH ? 2 : 1); where++) {
+            printf("%s\t%s\t%.3f\t%zu", rows[i].name, rows[i].what, worst_error(&rows[i]), counts[where]);
+            for (int k = 0; k < RUNS; k++)
+                printf("\t%.4g", speeds[where][i][k]);
+            putchar('\n');
+        }
+    return 0;
+}
