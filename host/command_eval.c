@@ -136,7 +136,7 @@ static void add_standard_input(struct rows *rows, const struct request *request)
 static void check_values(const struct argp_state *state, const struct request *request)
 {
     if (request->value_count == 0)
-        argp_error(state, "no value; give a cosine such as 0.99, a range A:B:STEP, or - for standard input");
+        refuse(state, "no value; give a cosine such as 0.99, a range A:B:STEP, or - for standard input");
     for (size_t i = 0; i < request->value_count; i++) {
         double *values;
         if (strcmp(request->values[i], "-") == 0)

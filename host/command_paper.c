@@ -69,11 +69,10 @@ static unsigned parse_parts(const struct argp_state *state, const char *text)
         while (i < PART_COUNT && strcmp(name, parts[i].name) != 0)
             i++;
         if (i == PART_COUNT)
-            argp_error(
-                state,
-                "--only: no part '%s'; of table1, wider, models, fig3, fig4, fig5, fig6, fig7a, fig7b, fig9, with "
-                "commas between",
-                name);
+            refuse(state,
+                   "--only: no part '%s'; of table1, wider, models, fig3, fig4, fig5, fig6, fig7a, fig7b, fig9, with "
+                   "commas between",
+                   name);
         wanted |= 1u << i;
     }
     free(copy);
@@ -97,11 +96,11 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         settings->json = true;
         return 0;
     case ARGP_KEY_ARG:
-        argp_error(state, "'%s' is one word too many; the folder is named by -o", argument);
+        refuse(state, "'%s' is one word too many; the folder is named by -o", argument);
         return 0;
     case ARGP_KEY_END:
         if (!settings->directory || !*settings->directory)
-            argp_error(state, "-o DIR is wanted: the folder for the report");
+            refuse(state, "-o DIR is wanted: the folder for the report");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

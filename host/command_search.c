@@ -66,7 +66,7 @@ static struct search_list list_of(const struct argp_state *state, const char *op
     free(*owned);
     const size_t count = parse_list(state, option, text, low, high, owned);
     if (count > most)
-        argp_error(state, "%s: '%s' names %zu values; at most %zu are allowed", option, text, count, most);
+        refuse(state, "%s: '%s' names %zu values; at most %zu are allowed", option, text, count, most);
     return (struct search_list){*owned, count};
 }
 
@@ -74,7 +74,7 @@ static void check_size(const struct argp_state *state, const struct search_optio
 {
     const double points = (double)search->angles * (double)search->shininess.count;
     if (points > POINTS_MAX)
-        argp_error(state, "--angles, --shininess: %.0f grid points; at most %d are allowed", points, POINTS_MAX);
+        refuse(state, "--angles, --shininess: %.0f grid points; at most %d are allowed", points, POINTS_MAX);
 }
 
 static error_t parse_option(int key, char *argument, struct argp_state *state)
@@ -108,7 +108,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         settings->output = argument;
         return 0;
     case ARGP_KEY_ARG:
-        argp_error(state, "'%s' is one word too many; glint search takes options only", argument);
+        refuse(state, "'%s' is one word too many; glint search takes options only", argument);
         return 0;
     case ARGP_KEY_END:
         check_size(state, search);

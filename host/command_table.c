@@ -199,7 +199,7 @@ static const char *parse_name(const struct argp_state *state, const char *text)
     for (const char *at = text; *at; at++)
         good = good && (isalnum((unsigned char)*at) || *at == '_');
     if (!good || strlen(text) > 63)
-        argp_error(state, "--name: not a name in C: letters, digits and _, at most 63, no digit first");
+        refuse(state, "--name: not a name in C: letters, digits and _, at most 63, no digit first");
     return text;
 }
 
@@ -218,7 +218,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         return 0;
     case KEY_OF:
         if (strcmp(argument, "c") != 0 && strcmp(argument, "t") != 0)
-            argp_error(state, "--of: not c or t");
+            refuse(state, "--of: not c or t");
         request->table.of_t = *argument == 't';
         return 0;
     case KEY_ENTRIES:

@@ -40,10 +40,10 @@ void output_discard_all(void);            /* unfinished files go; called by fail
 
 /* ---- numbers (numbers.c) ---- */
 
-/* argp_error (exit 2) with the user's text on one line; where `state` is NULL, fail() (exit 1). */
+/* One line on standard error that ends with where help is, exit 2; where `state` is NULL, fail() (exit 1). */
 _Noreturn void refuse(const struct argp_state *state, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Strict: the whole text must be one number within the limits, else argp_error names the option and what is allowed
+/* Strict: the whole text must be one number within the limits, else refuse() names the option and what is allowed
  * (exit 2). `option` as the user writes it: "-n", "--light". Where `state` is NULL the text is data, not usage:
  * `option` names where it stands, and fail() ends the program (exit 1). */
 long parse_integer(const struct argp_state *state, const char *option, const char *text, long low, long high);

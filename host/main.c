@@ -29,7 +29,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
 {
     (void)argument;
     if (key == ARGP_KEY_NO_ARGS)
-        argp_error(state, "no command; `glint --help` lists them");
+        refuse(state, "no command is given");
     if (key == ARGP_KEY_ARG) {
         state->next--; /* leave the command's own words to it */
         *(int *)state->input = state->next;

@@ -21,7 +21,7 @@ void refuse(const struct argp_state *state, const char *format, ...)
     va_end(arguments);
     if (!state)
         fail("%s", message);
-    argp_error(state, "%s", one_line(message));
+    argp_failure(state, EXIT_USAGE, 0, "%s; see `%s --help`", one_line(message), state->name);
     exit(EXIT_USAGE);
 }
 

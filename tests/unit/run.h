@@ -63,23 +63,39 @@ static inline void assert_contains(const char *text, const char *part)
         fail_msg("'%s' is not in '%s'", part, text);
 }
 
+static inline const struct run *assert_ends(const char *command, int status, const char *part)
+{
+    const struct run *result = run(command);
+    assert_contains(result->err, part);
+    assert_int_equal(result->status, status);
+    return result;
+}
+
+static inline void assert_one_line(const char *text)
+{
+    const char *newline = strchr(text, '\n');
+    if (!newline || newline[1] != '\0')
+        fail_msg("not one line: '%s'", text);
+}
+
 /* Exit 1 and one line on standard error that holds `part`. */
 static inline void assert_fails(const char *command, const char *part)
 {
-    const struct run *result = run(command);
-    assert_contains(result->err, part);
-    assert_int_equal(result->status, 1);
-    const char *newline = strchr(result->err, '\n');
-    assert_true(newline && newline[1] == '\0');
+    assert_one_line(assert_ends(command, 1, part)->err);
 }
 
-/* Exit 2, the message first holds `part`, and argp's line that tells of --help follows. */
+/* Exit 2, nothing on standard output, and one line on standard error that holds `part`. */
 static inline void assert_refused(const char *command, const char *part)
 {
-    const struct run *result = run(command);
-    assert_contains(result->err, part);
-    assert_int_equal(result->status, 2);
+    const struct run *result = assert_ends(command, 2, part);
+    assert_one_line(result->err);
     assert_string_equal(result->out, "");
+}
+
+/* The same by argp itself, which adds a line that tells of --help. */
+static inline void assert_unknown(const char *command, const char *part)
+{
+    assert_string_equal(assert_ends(command, 2, part)->out, "");
 }
 
 #endif

@@ -33,7 +33,8 @@ static void version_is_the_librarys(void **state)
 static void no_command_is_wrong_usage(void **state)
 {
     (void)state;
-    assert_refused("$GLINT", "no command");
+    assert_refused("$GLINT", "glint: no command is given; see `glint --help`");
+    assert_refused("$GLINT eval", "see `glint eval --help`");
 }
 
 static void an_unknown_command_is_named(void **state)
@@ -46,9 +47,9 @@ static void an_unknown_command_is_named(void **state)
 static void an_unknown_option_is_named(void **state)
 {
     (void)state;
-    assert_refused("$GLINT --colour", "--colour");
-    assert_refused("$GLINT eval --colour 1", "--colour");
-    assert_refused("$GLINT eval -n", "'n'");
+    assert_unknown("$GLINT --colour", "--colour");
+    assert_unknown("$GLINT eval --colour 1", "--colour");
+    assert_unknown("$GLINT eval -n", "'n'");
 }
 
 static void an_unknown_model_is_named_with_those_there_are(void **state)

@@ -60,7 +60,6 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         {"--scene sphere --against blinn -o out/u.png", "--error-map"},
         {"'height\ns.png' -o out/u.png", "'height?s.png'"}, /* one line, whatever is quoted */
         {"--scene 'sph\nere' -o out/u.png", "'sph?ere'"},
-        {"--scene sphere --shiny -o out/u.png", "--shiny"},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         char line[200];
@@ -68,6 +67,8 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         assert_refused(line, wrong[i].about);
         assert_false(exists("out/u.png"));
     }
+    assert_unknown("$GLINT render --scene sphere --shiny -o out/u.png", "--shiny");
+    assert_false(exists("out/u.png"));
 }
 
 static void a_full_disk_gives_one_line_whatever_the_kind(void **state)
