@@ -2,14 +2,37 @@
 #include <ctype.h>
 #include <stdarg.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "host.h"
 
 static bool progress_shown;
 
+/* A message is longer only where it quotes much: it keeps its beginning and what follows the quoted text. */
+enum { MESSAGE_MAX = 240, HEAD_BYTES = 60, TAIL_BYTES = 170 };
+
+static bool inside_character(char byte) /* of UTF-8 */
+{
+    return ((unsigned char)byte & 0xC0) == 0x80;
+}
+
+static void shorten(char *text)
+{
+    const size_t len = strlen(text);
+    if (len <= MESSAGE_MAX)
+        return;
+    char *head = text + HEAD_BYTES, *tail = text + len - TAIL_BYTES;
+    while (head > text && inside_character(*head))
+        head--;
+    while (inside_character(*tail))
+        tail++;
+    memmove(stpcpy(head, "..."), tail, strlen(tail) + 1);
+}
+
 char *one_line(char *text)
 {
+    shorten(text);
     for (char *at = text; *at; at++)
         if (iscntrl((unsigned char)*at))
             *at = '?';

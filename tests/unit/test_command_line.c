@@ -87,6 +87,25 @@ static void a_message_is_one_line_whatever_it_quotes(void **state)
     assert_refused("$GLINT eval -n \"$(printf '1\\n2')\" 1", "-n: '1?2'");
 }
 
+static void a_long_text_is_quoted_in_part(void **state)
+{
+    (void)state;
+    assert_refused("$GLINT eval -n $(printf %0100000d 7)x 1", "' is not a list from 1 to 1000: A, A:B or A:B:STEP");
+    assert_true(strlen(run("$GLINT eval -n $(printf %0100000d 7)x 1")->err) < 300);
+    assert_contains(run("$GLINT eval -n $(printf %0100000d 7)x 1")->err, "-n: '0000");
+    assert_fails("$GLINT eval 1 -o $(printf %0100000d 7)", "000...000");
+    assert_true(strlen(run("$GLINT eval 1 -o $(printf %0100000d 7)")->err) < 300);
+    assert_refused("$GLINT $(printf %0100000d 7)", "no command '000");
+    assert_true(strlen(run("$GLINT $(printf %0100000d 7)")->err) < 300);
+    /* Characters of two bytes: none is cut in two. */
+    assert_fails("printf '\\303\\244%.0s' $(seq 500) | $GLINT eval -", "standard input, line 1: '\303\244");
+    const char *dots = strstr(run("printf '\\303\\244%.0s' $(seq 500) | $GLINT eval -")->err, "...");
+    assert_non_null(dots);
+    assert_int_equal((unsigned char)dots[-1], 0244);
+    assert_int_equal((unsigned char)dots[3], 0303);
+    assert_null(strstr(run("$GLINT eval -n $(printf %050d 7)x 1")->err, "..."));
+}
+
 /* ---- standard output ---- */
 
 static void a_full_disk_is_a_failure(void **state)
@@ -207,6 +226,7 @@ int main(void)
         cmocka_unit_test(an_unknown_model_is_named_with_those_there_are),
         cmocka_unit_test(malformed_numbers_are_refused_by_name),
         cmocka_unit_test(a_message_is_one_line_whatever_it_quotes),
+        cmocka_unit_test(a_long_text_is_quoted_in_part),
         cmocka_unit_test(a_full_disk_is_a_failure),
         cmocka_unit_test(a_closed_standard_output_is_a_failure),
         cmocka_unit_test(a_closed_pipe_is_a_failure),
