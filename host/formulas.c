@@ -3,13 +3,6 @@
 
 #include "formulas.h"
 
-double family_value(const struct family *family, double n, double c)
-{
-    const double *a = family->a, *b = family->b;
-    const double d = a[2] * pow(n, b[2]) - a[3] * pow(n * c, b[3]) + a[4] * pow(c, b[4]);
-    return a[0] * pow(c, b[0]) / (a[1] * pow(d, b[1]));
-}
-
 double epicentre_angle(double n)
 {
     return acos(exp(-1.2 / n));

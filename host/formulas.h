@@ -9,7 +9,6 @@
 struct family {
     double b[5], a[5];
 };
-double family_value(const struct family *family, double n, double c);
 
 double epicentre_angle(double n);                          /* (6), F_B = e^-1.2 = 0.3012 there */
 double epicentre_angle_exact(double n);                    /* where F_B = 0.3 */

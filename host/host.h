@@ -22,7 +22,6 @@ char *one_line(char *text);
 /* A line that overwrites itself, only where standard error is a terminal. */
 void progress(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void progress_end(void);
-bool color_wanted(FILE *stream); /* a terminal, and NO_COLOR is unset or empty */
 
 /* ---- output files (output.c) ---- */
 

@@ -42,7 +42,6 @@ struct picture {
 };
 
 enum image_kind { IMAGE_PNG, IMAGE_PPM, IMAGE_QOI, IMAGE_KINDS };
-extern const char *const image_kind_names[]; /* "png", "ppm", "qoi" */
 
 /* By name ("png") or by a file name's ending, whatever its case; a name without an ending counts as PNG.
  * IMAGE_KINDS: neither. */

@@ -18,7 +18,7 @@
 #include <qoi.h>
 #pragma GCC diagnostic pop
 
-const char *const image_kind_names[] = {"png", "ppm", "qoi"};
+static const char *const image_kind_names[] = {"png", "ppm", "qoi"};
 
 enum image_kind image_kind_by_name(const char *name)
 {

@@ -86,9 +86,3 @@ void progress_end(void)
         fputs("\r\033[K", stderr);
     progress_shown = false;
 }
-
-bool color_wanted(FILE *stream)
-{
-    const char *no_color = getenv("NO_COLOR");
-    return isatty(fileno(stream)) && !(no_color && *no_color);
-}

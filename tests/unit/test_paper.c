@@ -4,6 +4,7 @@
 #include <math.h>
 #include <sys/stat.h>
 
+#include "family.h"
 #include "run.h"
 
 #include "paper.h"
