@@ -37,7 +37,7 @@ static const struct argp_option options[] = {
     {"entries", KEY_ENTRIES, "COUNT", 0, "Entries, 2 to 65536; default 256", 0},
     {"bits", KEY_BITS, "BITS", 0, "Bits an entry: 8 (1.0 is 255), 16 (1.0 is 32768; default) or 32 (1.0 is 65536)", 0},
     {"clamp-peak", KEY_CLAMP, NULL, 0, "Entries at most 1.0; always so with 8 bits. Else msh reaches 1.024", 0},
-    {"name", KEY_NAME, "NAME", 0, "The array's name in C; default after the material, such as msh_n60_q8", 1},
+    {"name", KEY_NAME, "NAME", 0, "The array's name in C and C++; default after the material, such as msh_n60_q8", 1},
     {"raw", KEY_RAW, NULL, 0, "Write the entries alone, low byte first", 1},
     {"output", 'o', "FILE", 0, "Write to FILE; default -, standard output", 1},
     {0}};
@@ -153,24 +153,25 @@ static void write_entries(FILE *out, const struct table *table, const char *name
     fputs("\n};\n", out);
 }
 
+/* Names of the parameter and the variables end in _, which the table's name does not. */
 static void write_look_ups(FILE *out, const struct table *table, const char *name)
 {
     const unsigned bits = fraction_bits(table);
     const uint32_t last = table->count - 1;
-    fprintf(out, "\n/* The nearest entry. */\nstatic inline uint%u_t %s_nearest(uint32_t x)\n{\n", table->bits, name);
+    fprintf(out, "\n/* The nearest entry. */\nstatic inline uint%u_t %s_nearest(uint32_t x_)\n{\n", table->bits, name);
     if (table->shift)
-        fprintf(out, "    const uint32_t i = (x >> %u) + (x >> %u & 1);\n", table->shift, table->shift - 1);
+        fprintf(out, "    const uint32_t i_ = (x_ >> %u) + (x_ >> %u & 1);\n", table->shift, table->shift - 1);
     else
-        fputs("    const uint32_t i = x;\n", out);
-    fprintf(out, "    return (uint%u_t)(i <= %" PRIu32 "u ? %s[i] : 0);\n}\n", table->bits, last, name);
+        fputs("    const uint32_t i_ = x_;\n", out);
+    fprintf(out, "    return (uint%u_t)(i_ <= %" PRIu32 "u ? %s[i_] : 0);\n}\n", table->bits, last, name);
 
-    fprintf(out, "\n/* Between two entries. */\nstatic inline uint%u_t %s_linear(uint32_t x)\n{\n", table->bits, name);
-    fprintf(out, "    const uint32_t i = x >> %u;\n    if (i >= %" PRIu32 "u)\n        return 0;\n", table->shift,
+    fprintf(out, "\n/* Between two entries. */\nstatic inline uint%u_t %s_linear(uint32_t x_)\n{\n", table->bits, name);
+    fprintf(out, "    const uint32_t i_ = x_ >> %u;\n    if (i_ >= %" PRIu32 "u)\n        return 0;\n", table->shift,
             last);
-    fprintf(out, "    const uint32_t a = %s[i], b = %s[i + 1];\n", name, name);
-    fprintf(out, "    const uint32_t fraction = x >> %u & %" PRIu32 "u;\n", table->shift - bits,
+    fprintf(out, "    const uint32_t a_ = %s[i_], b_ = %s[i_ + 1];\n", name, name);
+    fprintf(out, "    const uint32_t fraction_ = x_ >> %u & %" PRIu32 "u;\n", table->shift - bits,
             (UINT32_C(1) << bits) - 1);
-    fprintf(out, "    return (uint%u_t)(a - (((a - b) * fraction + %" PRIu32 "u) >> %u));\n}\n", table->bits,
+    fprintf(out, "    return (uint%u_t)(a_ - (((a_ - b_) * fraction_ + %" PRIu32 "u) >> %u));\n}\n", table->bits,
             UINT32_C(1) << bits >> 1, bits);
 }
 
@@ -195,11 +196,12 @@ static void write_raw(FILE *out, const struct table *table)
 
 static const char *parse_name(const struct argp_state *state, const char *text)
 {
-    bool good = isalpha((unsigned char)*text) || *text == '_';
-    for (const char *at = text; *at; at++)
-        good = good && (isalnum((unsigned char)*at) || *at == '_');
-    if (!good || strlen(text) > 63)
-        refuse(state, "--name: not a name in C: letters, digits and _, at most 63, no digit first");
+    if (strlen(text) > 63 || !is_c_name(text))
+        refuse(state,
+               "--name: '%s' is no name for C and C++: a letter, then letters, digits and single _ between, at most 63",
+               text);
+    if (is_taken_c_name(text))
+        refuse(state, "--name: '%s' has a meaning of its own in C or C++; take another", text);
     return text;
 }
 

@@ -75,6 +75,13 @@ struct rows *rows_begin(FILE *stream, enum rows_format format, const struct colu
 void rows_add(struct rows *rows, const struct cell *cells);
 void rows_end(struct rows *rows);
 
+/* ---- names for written C source (c_names.c) ---- */
+
+/* Letters, digits and single _ between, a letter first: what C and C++ leave to programs. */
+bool is_c_name(const char *text);
+/* A keyword, or a name of <stdint.h>; `text` is_c_name. */
+bool is_taken_c_name(const char *text);
+
 /* ---- models (models.c) ---- */
 
 /* The double-precision formulas, as the paper prints them; `angle` = acos(c) is used where the formula uses it. */
