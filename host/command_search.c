@@ -144,12 +144,13 @@ static json_t *json_rows(const struct search_row *rows, size_t count)
 static void print_json(FILE *stream, const struct settings *settings, const struct search_result *result)
 {
     const struct search_options *search = &settings->search;
-    json_t *root = json_pack("{s:I,s:I,s:f,s:o}", "angles", (json_int_t)search->angles, "shininess",
-                             (json_int_t)search->shininess.count, "stage1_functions", search_first_size(search),
-                             "stage1", json_rows(result->first, result->first_count));
+    json_t *root =
+        json_pack("{s:I,s:I,s:I,s:o}", "angles", (json_int_t)search->angles, "shininess",
+                  (json_int_t)search->shininess.count, "stage1_functions", (json_int_t)search_first_size(search),
+                  "stage1", json_rows(result->first, result->first_count));
     if (!settings->first_only)
-        json_object_update_new(root, json_pack("{s:f,s:o}", "stage2_functions", search_second_size(search), "rows",
-                                               json_rows(result->rows, result->count)));
+        json_object_update_new(root, json_pack("{s:I,s:o}", "stage2_functions", (json_int_t)search_second_size(search),
+                                               "rows", json_rows(result->rows, result->count)));
     json_dumpf(root, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(12));
     fputc('\n', stream);
     json_decref(root);

@@ -38,6 +38,12 @@ void paper_number(struct paper *paper, const char *name, double value)
         fail("paper: the number %s is %g", name, value);
 }
 
+void paper_count(struct paper *paper, const char *name, long value)
+{
+    if (json_object_set_new(paper->numbers, name, json_integer(value)) != 0)
+        fail("out of memory");
+}
+
 json_t *paper_table_new(struct paper *paper, const char *part, const char *title, const char *const *head)
 {
     json_t *columns = json_array();

@@ -52,6 +52,7 @@ void paper_claim(struct paper *paper, const char *part, const char *where, const
                  json_t *computed);
 void paper_choice(struct paper *paper, const char *part, const char *silent, json_t *chosen, json_t *other);
 void paper_number(struct paper *paper, const char *name, double value);
+void paper_count(struct paper *paper, const char *name, long value);
 json_t *paper_table_new(struct paper *paper, const char *part, const char *title, const char *const *head);
 void paper_table_row(json_t *table, int count, ...); /* `count` json_t * of text */
 

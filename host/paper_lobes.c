@@ -180,9 +180,9 @@ void paper_figure4(struct paper *paper)
                               msh_exact.value, schlick_exact.value, epicentre_error(double_at, GLINT_MSH, 1, one),
                               epicentre_error(double_at, GLINT_SCHLICK, 1, one)));
     paper_number(paper, "epicentre_msh_percent", msh.value);
-    paper_number(paper, "epicentre_msh_n", msh.n);
+    paper_count(paper, "epicentre_msh_n", msh.n);
     paper_number(paper, "epicentre_schlick_percent", schlick.value);
-    paper_number(paper, "epicentre_schlick_n", schlick.n);
+    paper_count(paper, "epicentre_schlick_n", schlick.n);
     paper_number(paper, "epicentre_exact_msh_percent", msh_exact.value);
     paper_number(paper, "epicentre_exact_schlick_percent", schlick_exact.value);
     paper_figure(paper, "fig4", "Figure 4: error at the epicentre", 900, 800, figure4_script,

@@ -140,8 +140,8 @@ static void operations_claim(struct paper *paper)
         paper, "models", "how operations are counted, and how Blinn's power is computed",
         json_sprintf("one each for +, x, /; constants of the material prepared; c^n by squaring, n whole"),
         json_sprintf("a library pow() or a table of c^n: then no count of operations decides, but time and memory"));
-    paper_number(paper, "operations_msh", prepared);
-    paper_number(paper, "operations_fewer_than_squaring_of_1000", fewer_squaring);
+    paper_count(paper, "operations_msh", prepared);
+    paper_count(paper, "operations_fewer_than_squaring_of_1000", fewer_squaring);
 }
 
 static void write_row(FILE *stream, const struct entry *entry, const struct measured *m)

@@ -165,7 +165,7 @@ void paper_figure9(struct paper *paper)
         json_sprintf("with MSH's or each function's own the loop runs to where F_B is nearly 0, and ratios reach "
                      "%.0e; all readings are in the table of figure 9",
                      others));
-    paper_number(paper, "fig9_q", nearest);
+    paper_count(paper, "fig9_q", nearest);
     paper_number(paper, "fig9_ratio_least", best->least);
     paper_number(paper, "fig9_ratio_most", best->most);
     paper_number(paper, "fig9_least_of_all_q", least[0]);

@@ -77,7 +77,7 @@ static void shorter_claim(struct paper *paper)
                      msh_cutoff_angle_stable(60, 0) * 180 / PI));
     paper_number(paper, "spot_ratio_msh_q8_n704", msh);
     paper_number(paper, "spot_ratio_schlick_q8_n704", schlick);
-    paper_number(paper, "shorter_from_n", first_good);
+    paper_count(paper, "shorter_from_n", first_good);
 }
 
 static void inequality_choice(struct paper *paper)
@@ -114,8 +114,8 @@ static void closed_form_choice(struct paper *paper)
                      "2^-16 it misses the exact cutoff at %d of %d pairs (n, q) in double and %d in single "
                      "precision",
                      acos(msh_cutoff_cosine(1.25, 8)), printed, stable, wrong_double, pairs, wrong_single));
-    paper_number(paper, "equation_12_wrong_in_single_precision", wrong_single);
-    paper_number(paper, "equation_12_wrong_in_double_precision", wrong_double);
+    paper_count(paper, "equation_12_wrong_in_single_precision", wrong_single);
+    paper_count(paper, "equation_12_wrong_in_double_precision", wrong_double);
 }
 
 void paper_figure7a(struct paper *paper)

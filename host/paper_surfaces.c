@@ -161,7 +161,7 @@ void paper_figure6(struct paper *paper)
                 json_sprintf("negative at %ld of %ld points, n = 1..1000, x in steps of 0.1 degrees (0 at x = 0); the "
                              "library's values rise nowhere in fig6.csv: %ld rises",
                              negative, tested, slopes.rising_q16));
-    paper_number(paper, "derivative_points_not_negative", (double)(tested - negative));
+    paper_count(paper, "derivative_points_not_negative", tested - negative);
     paper_figure(
         paper, "fig6", "Figure 6: the derivative over n and x", 1100, 500, figure6_script,
         json_sprintf("The steepest slope in the grid is %.2f per radian. Slopes from the Q16 library differ from "

@@ -122,8 +122,8 @@ static void choice_of_grid(struct paper *paper)
                      "coefficients; best for MSH's exponents are then %s, deviating by %.6f, printed ones by %.6f",
                      sets, rows, json_string_value(best), msh ? msh->deviation : NAN,
                      search_deviation(&options, &printed[MSH_ROW].family)));
-    paper_number(paper, "finer_grid_same_sets_of_5", sets);
-    paper_number(paper, "finer_grid_same_rows_of_5", rows);
+    paper_count(paper, "finer_grid_same_sets_of_5", sets);
+    paper_count(paper, "finer_grid_same_rows_of_5", rows);
     json_decref(best);
     search_free(&result);
 }

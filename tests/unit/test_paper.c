@@ -41,9 +41,9 @@ static double number(const char *name)
 {
     const json_t *value = json_object_get(summary, "numbers");
     value = json_object_get(value, name);
-    if (!json_is_real(value))
+    if (!json_is_number(value))
         fail_msg("no number %s", name);
-    return json_real_value(value);
+    return json_number_value(value);
 }
 
 /* ---- formulas ---- */
@@ -160,6 +160,30 @@ static void the_papers_numbers_come_out(void **state)
         print_message("%s\n", wanted[i].name);
         assert_near(number(wanted[i].name), wanted[i].value, wanted[i].tolerance);
     }
+}
+
+static void a_count_is_a_whole_number_in_json(void **state)
+{
+    (void)state;
+    static const char *const counts[] = {
+        "epicentre_msh_n",
+        "epicentre_schlick_n",
+        "operations_msh",
+        "operations_fewer_than_squaring_of_1000",
+        "fig9_q",
+        "shorter_from_n",
+        "equation_12_wrong_in_single_precision",
+        "equation_12_wrong_in_double_precision",
+        "derivative_points_not_negative",
+        "finer_grid_same_sets_of_5",
+        "finer_grid_same_rows_of_5",
+    };
+    const json_t *numbers = json_object_get(summary, "numbers");
+    for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
+        print_message("%s\n", counts[i]);
+        assert_true(json_is_integer(json_object_get(numbers, counts[i])));
+    }
+    assert_true(json_is_real(json_object_get(numbers, "deviation_msh")));
 }
 
 static const struct {
@@ -358,6 +382,7 @@ int main(void)
         cmocka_unit_test(blinn_at_the_epicentre_is_three_tenths),
         cmocka_unit_test(a_verdict_follows_from_what_holds),
         cmocka_unit_test(the_papers_numbers_come_out),
+        cmocka_unit_test(a_count_is_a_whole_number_in_json),
         cmocka_unit_test(every_claim_has_its_verdict),
         cmocka_unit_test(the_report_holds_every_claim_choice_and_part),
         cmocka_unit_test(each_csv_has_its_rows_of_equal_length),
