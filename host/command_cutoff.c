@@ -74,10 +74,10 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         request->q_count = parse_integer_list(state, "-q", argument, 0, GLINT_Q_MAX, &request->q);
         return 0;
     case KEY_CSV:
-        request->format = ROWS_CSV;
+        parse_rows_format(state, &request->format, ROWS_CSV);
         return 0;
     case KEY_JSON:
-        request->format = ROWS_JSON;
+        parse_rows_format(state, &request->format, ROWS_JSON);
         return 0;
     case 'o':
         request->path = argument;

@@ -167,10 +167,10 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         request->raw = true;
         return 0;
     case KEY_CSV:
-        request->format = ROWS_CSV;
+        parse_rows_format(state, &request->format, ROWS_CSV);
         return 0;
     case KEY_JSON:
-        request->format = ROWS_JSON;
+        parse_rows_format(state, &request->format, ROWS_JSON);
         return 0;
     case 'o':
         request->path = argument;

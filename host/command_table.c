@@ -227,9 +227,9 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         request->table.count = (uint32_t)parse_integer(state, "--entries", argument, 2, 65536);
         return 0;
     case KEY_BITS:
-        request->table.bits = (unsigned)parse_integer(state, "--bits", argument, 8, 32);
-        if (request->table.bits & (request->table.bits - 1))
-            refuse(state, "--bits: %s is not 8, 16 or 32", argument);
+        if (strcmp(argument, "8") != 0 && strcmp(argument, "16") != 0 && strcmp(argument, "32") != 0)
+            refuse(state, "--bits: '%s' is not 8, 16 or 32", argument);
+        request->table.bits = (unsigned)atoi(argument);
         return 0;
     case KEY_CLAMP:
         request->table.clamp_peak = true;
@@ -245,6 +245,10 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         return 0;
     case ARGP_KEY_ARG:
         refuse(state, "%s: options only; the file's name goes after -o", argument);
+        return 0;
+    case ARGP_KEY_END:
+        if (request->raw && request->name)
+            refuse(state, "--name is for C source; leave it out with --raw");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

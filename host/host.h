@@ -71,6 +71,9 @@ struct cell {
         double real;
     };
 };
+/* For --csv and --json, of which only one may be given. */
+void parse_rows_format(const struct argp_state *state, enum rows_format *format, enum rows_format wanted);
+/* The names of the columns come with the first row, or at the end. */
 struct rows *rows_begin(FILE *stream, enum rows_format format, const struct column *columns, size_t count);
 void rows_add(struct rows *rows, const struct cell *cells);
 void rows_end(struct rows *rows);

@@ -13,24 +13,35 @@ struct rows {
     enum rows_format format;
 };
 
+void parse_rows_format(const struct argp_state *state, enum rows_format *format, enum rows_format wanted)
+{
+    if (*format != ROWS_TEXT && *format != wanted)
+        refuse(state, "--csv and --json exclude each other; give one");
+    *format = wanted;
+}
+
 struct rows *rows_begin(FILE *stream, enum rows_format format, const struct column *columns, size_t count)
 {
     struct rows *rows = malloc(sizeof *rows);
     if (!rows)
         fail("out of memory");
     *rows = (struct rows){stream, columns, count, 0, format};
-    if (format == ROWS_JSON) {
-        fputc('[', stream);
-        return rows;
-    }
-    for (size_t i = 0; i < count; i++) {
-        if (format == ROWS_CSV)
-            fprintf(stream, "%s%s", i ? "," : "", columns[i].name);
-        else
-            fprintf(stream, "%s%*s", i ? "  " : "", columns[i].width, columns[i].name);
-    }
-    fputc('\n', stream);
     return rows;
+}
+
+static void print_head(const struct rows *rows)
+{
+    if (rows->format == ROWS_JSON) {
+        fputc('[', rows->stream);
+        return;
+    }
+    for (size_t i = 0; i < rows->count; i++) {
+        if (rows->format == ROWS_CSV)
+            fprintf(rows->stream, "%s%s", i ? "," : "", rows->columns[i].name);
+        else
+            fprintf(rows->stream, "%s%*s", i ? "  " : "", rows->columns[i].width, rows->columns[i].name);
+    }
+    fputc('\n', rows->stream);
 }
 
 static void print_text(FILE *stream, const struct column *column, const struct cell *cell)
@@ -96,6 +107,8 @@ static void print_json(struct rows *rows, const struct cell *cells)
 
 void rows_add(struct rows *rows, const struct cell *cells)
 {
+    if (!rows->printed)
+        print_head(rows);
     if (rows->format == ROWS_JSON) {
         print_json(rows, cells);
         rows->printed++;
@@ -115,6 +128,8 @@ void rows_add(struct rows *rows, const struct cell *cells)
 
 void rows_end(struct rows *rows)
 {
+    if (!rows->printed)
+        print_head(rows);
     if (rows->format == ROWS_JSON)
         fputs(rows->printed ? "\n]\n" : "]\n", rows->stream);
     free(rows);

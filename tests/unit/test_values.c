@@ -115,6 +115,28 @@ static void json_holds_the_same_as_csv(void **state)
     json_decref(array);
 }
 
+static void two_forms_at_once_are_refused(void **state)
+{
+    (void)state;
+    assert_refused("$GLINT eval --csv --json 1", "--csv and --json exclude each other");
+    assert_refused("$GLINT eval --json 1 --csv", "--csv and --json exclude each other");
+    assert_refused("$GLINT cutoff --csv --json", "--csv and --json exclude each other");
+    assert_int_equal(run("$GLINT cutoff --csv --csv")->status, 0);
+}
+
+static void an_error_in_the_first_line_of_standard_input_comes_before_any_output(void **state)
+{
+    (void)state;
+    assert_fails("echo five | $GLINT eval -", "standard input, line 1: 'five'");
+    assert_string_equal(run("echo five | $GLINT eval -")->out, "");
+    assert_string_equal(run("echo five | $GLINT eval - --csv")->out, "");
+    assert_string_equal(run("echo five | $GLINT eval - --json")->out, "");
+    const struct run *none = run("$GLINT eval - --csv </dev/null");
+    assert_int_equal(none->status, 0);
+    assert_string_equal(none->out, "model,n,c,c_q16,F_q16,F,formula,error_ulp\n");
+    assert_string_equal(run("$GLINT eval - --json </dev/null")->out, "[]\n");
+}
+
 /* ---- tables ---- */
 
 #define COMPILE "${CC:-cc} -std=c99 -Wall -Wextra -Wconversion -Wshadow -Wundef -pedantic -Werror -x c "
@@ -268,7 +290,15 @@ static void a_table_that_cannot_be_is_refused(void **state)
 {
     (void)state;
     assert_refused("$GLINT table --entries 1", "--entries: '1' is not a whole number from 2 to 65536");
-    assert_refused("$GLINT table --bits 24", "--bits: 24 is not 8, 16 or 32");
+    static const char *const bits[] = {"7", "9", "24", "64", "0x8", "", "8.0"};
+    for (size_t i = 0; i < sizeof bits / sizeof *bits; i++) {
+        char command[64], part[64];
+        snprintf(command, sizeof command, "$GLINT table --bits '%s'", bits[i]);
+        snprintf(part, sizeof part, "--bits: '%s' is not 8, 16 or 32", bits[i]);
+        assert_refused(command, part);
+    }
+    assert_refused("$GLINT table --raw --name shine", "--name is for C source");
+    assert_refused("$GLINT table --name shine --raw", "--name is for C source");
     assert_refused("$GLINT table --of x", "--of: not c or t");
     assert_refused("$GLINT table shine.h", "shine.h: options only");
     assert_refused("$GLINT table --model all", "--model: no model 'all'");
@@ -284,6 +314,8 @@ int main(void)
         cmocka_unit_test(the_cutoff_angle_is_the_papers),
         cmocka_unit_test(standard_input_is_read_and_its_errors_name_the_line),
         cmocka_unit_test(json_holds_the_same_as_csv),
+        cmocka_unit_test(two_forms_at_once_are_refused),
+        cmocka_unit_test(an_error_in_the_first_line_of_standard_input_comes_before_any_output),
         cmocka_unit_test(a_table_is_strict_c99_without_a_warning),
         cmocka_unit_test(any_name_that_is_taken_compiles),
         cmocka_unit_test(a_name_that_cannot_be_one_in_c_or_cxx_is_refused),
