@@ -93,11 +93,13 @@ int main(int argc, char **argv)
 {
     occupy_standard_streams();
     argp_err_exit_status = EXIT_USAGE;
-    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM, SIGUSR1, SIGUSR2};
     for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
         if (signal(signals[i], SIG_IGN) != SIG_IGN) /* nohup's wish stays */
             signal(signals[i], on_signal);
-    signal(SIGPIPE, SIG_IGN); /* a closed pipe is reported by the write that fails */
+    /* A closed pipe and a limit on the size of files are reported by the write that fails. */
+    signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);
     on_exit(check_standard_output, NULL);
     atexit(output_discard_all);
 

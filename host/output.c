@@ -2,6 +2,7 @@
  * Output that is whole or not there: a regular file is written beside its name, then renamed. */
 #include <errno.h>
 #include <limits.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -76,10 +77,15 @@ static int open_beside(const char *path, char **name)
     const char *slash = strrchr(path, '/');
     if (asprintf(name, "%.*s.glint-XXXXXX", slash ? (int)(slash - path) + 1 : 0, path) < 0)
         fail("out of memory");
+    /* A signal in between would leave a file that nobody knows of. */
+    sigset_t all, before;
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, &before);
     const int descriptor = mkstemp(*name);
     if (descriptor < 0)
         fail("%s: cannot write there: %s", path, strerror(errno));
     remember(*name);
+    sigprocmask(SIG_SETMASK, &before, NULL);
     return descriptor;
 }
 
