@@ -4,6 +4,7 @@
 #define GLINT_HOST_H
 
 #include <argp.h>
+#include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
 
@@ -36,6 +37,10 @@ struct output {
 struct output *output_open(const char *path);
 void output_close(struct output *output); /* checks, gives the file its name, frees */
 void output_discard_all(void);            /* unfinished files go; called by fail(), at exit and by signals */
+
+/* Signals wait until they are released: in this thread, and for good in those that it starts meanwhile. */
+void signals_hold(sigset_t *before);
+void signals_release(const sigset_t *before);
 
 /* ---- numbers (numbers.c) ---- */
 

@@ -71,6 +71,18 @@ static char *resolve(const char *path)
     return target;
 }
 
+void signals_hold(sigset_t *before)
+{
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, before);
+}
+
+void signals_release(const sigset_t *before)
+{
+    pthread_sigmask(SIG_SETMASK, before, NULL);
+}
+
 /* A new file in the folder of `path`, under a name of its own until it is whole. */
 static int open_beside(const char *path, char **name)
 {
@@ -78,14 +90,13 @@ static int open_beside(const char *path, char **name)
     if (asprintf(name, "%.*s.glint-XXXXXX", slash ? (int)(slash - path) + 1 : 0, path) < 0)
         fail("out of memory");
     /* A signal in between would leave a file that nobody knows of. */
-    sigset_t all, before;
-    sigfillset(&all);
-    sigprocmask(SIG_BLOCK, &all, &before);
+    sigset_t before;
+    signals_hold(&before);
     const int descriptor = mkstemp(*name);
     if (descriptor < 0)
         fail("%s: cannot write there: %s", path, strerror(errno));
     remember(*name);
-    sigprocmask(SIG_SETMASK, &before, NULL);
+    signals_release(&before);
     return descriptor;
 }
 

@@ -163,24 +163,31 @@ static void compare(const struct search_options *options, const struct grid *gri
 {
     const uint64_t step = scattered_step(total);
     uint64_t done = 0;
-#pragma omp parallel for schedule(dynamic, 16)
-    for (uint64_t i = 0; i < total; i++) {
-        const uint64_t index = (uint64_t)((unsigned __int128)i * step % total);
-        const struct candidate candidate = at(options, set, index);
-        double limit;
+    sigset_t before;
+    signals_hold(&before); /* the first thread alone takes them, and so can hold them */
+#pragma omp parallel
+    {
+#pragma omp master
+        signals_release(&before);
+#pragma omp for schedule(dynamic, 16)
+        for (uint64_t i = 0; i < total; i++) {
+            const uint64_t index = (uint64_t)((unsigned __int128)i * step % total);
+            const struct candidate candidate = at(options, set, index);
+            double limit;
 #pragma omp atomic read
-        limit = best->limit;
-        const double sum = candidate_sum(grid, &candidate, options->exhaustive ? INFINITY : limit);
-        if (sum < INFINITY) {
+            limit = best->limit;
+            const double sum = candidate_sum(grid, &candidate, options->exhaustive ? INFINITY : limit);
+            if (sum < INFINITY) {
 #pragma omp critical(best)
-            best_add(best, (struct entry){sum, index});
-        }
-        uint64_t now;
+                best_add(best, (struct entry){sum, index});
+            }
+            uint64_t now;
 #pragma omp atomic capture
-        now = ++done;
-        if (now % 64 == 0) {
+            now = ++done;
+            if (now % 64 == 0) {
 #pragma omp critical(clock)
-            clock_tick(clock, done_before + (double)now);
+                clock_tick(clock, done_before + (double)now);
+            }
         }
     }
 }
