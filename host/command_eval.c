@@ -173,7 +173,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         parse_rows_format(state, &request->format, ROWS_JSON);
         return 0;
     case 'o':
-        request->path = argument;
+        request->path = parse_output(state, "-o", argument);
         return 0;
     case ARGP_KEY_ARGS:
         request->values = state->argv + state->next;

@@ -105,7 +105,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         settings->json = true;
         return 0;
     case 'o':
-        settings->output = argument;
+        settings->output = parse_output(state, "-o", argument);
         return 0;
     case ARGP_KEY_ARG:
         refuse(state, "'%s' is one word too many; glint search takes options only", argument);

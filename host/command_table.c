@@ -241,7 +241,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         request->raw = true;
         return 0;
     case 'o':
-        request->path = argument;
+        request->path = parse_output(state, "-o", argument);
         return 0;
     case ARGP_KEY_ARG:
         refuse(state, "%s: options only; the file's name goes after -o", argument);

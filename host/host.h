@@ -34,6 +34,8 @@ struct output {
     char *path;      /* as named by the user */
     char *temporary; /* NULL where written in place */
 };
+/* A name from the command line, refused where it is empty. */
+const char *parse_output(const struct argp_state *state, const char *option, const char *text);
 struct output *output_open(const char *path);
 void output_close(struct output *output); /* checks, gives the file its name, frees */
 void output_discard_all(void);            /* unfinished files go; called by fail(), at exit and by signals */

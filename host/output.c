@@ -100,6 +100,13 @@ static int open_beside(const char *path, char **name)
     return descriptor;
 }
 
+const char *parse_output(const struct argp_state *state, const char *option, const char *text)
+{
+    if (!*text)
+        refuse(state, "%s: '' is no name; name a file", option);
+    return text;
+}
+
 struct output *output_open(const char *path)
 {
     struct output *output = calloc(1, sizeof *output);
@@ -111,8 +118,8 @@ struct output *output_open(const char *path)
     }
     struct stat status;
     const bool exists = stat(path, &status) == 0;
-    if (!*path || (exists && S_ISDIR(status.st_mode)))
-        fail("'%s': is %s; name a file", path, *path ? "a directory" : "no name");
+    if (exists && S_ISDIR(status.st_mode))
+        fail("'%s': is a directory; name a file", path);
     if (exists && !S_ISREG(status.st_mode)) {
         output->stream = fopen(path, "wb");
         if (!output->stream)

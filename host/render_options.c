@@ -324,7 +324,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         parse_size(state, text, o);
         return 0;
     case 'o':
-        o->output = text;
+        o->output = parse_output(state, "-o", text);
         return 0;
     case KEY_IMAGE:
         if ((o->kind = image_kind_by_name(text)) == IMAGE_KINDS)
@@ -338,7 +338,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->compare = true;
         return 0;
     case KEY_ERROR_MAP:
-        o->error_map = text;
+        o->error_map = parse_output(state, "--error-map", text);
         o->compare = true;
         return 0;
     case KEY_AGAINST:

@@ -212,7 +212,13 @@ static void an_output_that_cannot_be_is_named(void **state)
     assert_fails(EVAL " -o missing/file", "missing/file");
     assert_fails(EVAL " -o .", "'.': is a directory");
     assert_fails("touch plain; " EVAL " -o plain/file", "plain/file");
-    assert_fails(EVAL " -o ''", "'': is no name");
+    static const char *const commands[] = {
+        EVAL " -o ''",         "$GLINT cutoff -o ''", "$GLINT table -o ''",
+        "$GLINT search -o ''", "$GLINT paper -o ''",  "$GLINT render --scene sphere -o ''",
+    };
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
+        assert_refused(commands[i], "-o");
+    assert_refused("$GLINT render --scene sphere --error-map ''", "--error-map: '' is no name");
 }
 
 int main(void)
