@@ -107,7 +107,7 @@ static struct shading shading_of(const struct render_options *options, const str
 }
 
 static void report(const struct render_options *options, const struct scene *scene, const struct shading *shading,
-                   const struct levels *levels)
+                   const struct levels *levels, struct output *error_map_output)
 {
     /* A picture on standard output leaves only standard error for words. */
     const bool to_stdout = options->output && strcmp(options->output, "-") == 0;
@@ -121,11 +121,11 @@ static void report(const struct render_options *options, const struct scene *sce
             fprintf(stream, "%s: ", options->output);
         comparison_print(&comparison, shading, levels, stream);
     }
-    if (options->error_map) {
+    if (error_map_output) {
         const bool blinn = options->against_blinn;
         const unsigned times = error_map_amplification(blinn ? &comparison.blinn_unrounded : &comparison.unrounded);
         struct picture *map = error_map(scene, shading, levels, blinn ? GLINT_BLINN : shading->model, times);
-        picture_write(map, options->error_map, options->error_map_kind);
+        picture_write(map, error_map_output, options->error_map_kind);
         picture_free(map);
         if (!options->json)
             fprintf(stream, "%s: errors against %s in double, times %u\n", options->error_map,
@@ -142,13 +142,20 @@ int command_render(int argc, char **argv)
     struct scene *scene = scene_of(&options);
     const struct shading shading = shading_of(&options, scene);
     struct levels *levels = shade_scene(scene, &shading);
-    if (options.output) {
+    /* Both are there in full before one gets its name. */
+    struct output *output = options.output ? output_open(options.output) : NULL;
+    struct output *error_map_output = options.error_map ? output_open(options.error_map) : NULL;
+    if (output) {
         struct picture *picture = levels_picture(levels);
-        picture_write(picture, options.output, options.kind);
+        picture_write(picture, output, options.kind);
         picture_free(picture);
     }
     if (options.compare)
-        report(&options, scene, &shading, levels);
+        report(&options, scene, &shading, levels, error_map_output);
+    if (output)
+        output_close(output);
+    if (error_map_output)
+        output_close(error_map_output);
     levels_free(levels);
     scene_free(scene);
     return EXIT_GOOD;

@@ -48,8 +48,10 @@ enum image_kind { IMAGE_PNG, IMAGE_PPM, IMAGE_QOI, IMAGE_KINDS };
 enum image_kind image_kind_by_name(const char *name);
 enum image_kind image_kind_by_ending(const char *path);
 
-/* Through output_open and output_close. PPM stands for P6, P5 (grey) or P4 (mono); QOI has only RGB. */
-void picture_write(const struct picture *picture, const char *path, enum image_kind kind);
+struct output; /* host.h */
+/* As far as the file itself: only its name remains for output_close to give. PPM stands for P6, P5 (grey) or P4 (mono);
+ * QOI has only RGB. */
+void picture_write(const struct picture *picture, struct output *output, enum image_kind kind);
 
 /* malloc that ends the program where there is no memory; count * size must not overflow (PIXELS_MAX sees to that). */
 void *allocate(size_t count, size_t size);

@@ -36,15 +36,15 @@ enum image_kind image_kind_by_ending(const char *path)
     return dot && dot != name && dot[1] ? image_kind_by_name(dot + 1) : IMAGE_PNG; /* ".hidden" and ".." have none */
 }
 
-static const char *name_of(const struct output *output)
+static _Noreturn void fail_write(const struct output *output, const char *why)
 {
-    return output->stream == stdout ? "standard output" : output->path;
+    fail("%s: could not be written: %s", output->stream == stdout ? "standard output" : output->path, why);
 }
 
 static void put(struct output *output, const void *bytes, size_t len_bytes)
 {
     if (fwrite(bytes, 1, len_bytes, output->stream) != len_bytes)
-        fail("%s: could not be written: %s", name_of(output), strerror(errno));
+        fail_write(output, strerror(errno));
 }
 
 static size_t samples_of(const struct picture *picture)
@@ -66,8 +66,7 @@ static void png_flush_later(png_structp png)
 
 static void png_on_error(png_structp png, png_const_charp message)
 {
-    const struct output *output = png_get_error_ptr(png);
-    fail("%s: could not be written: %s", name_of(output), message);
+    fail_write(png_get_error_ptr(png), message);
 }
 
 static void png_on_warning(png_structp png, png_const_charp message)
@@ -146,10 +145,10 @@ static void write_qoi(const struct picture *picture, struct output *output)
     free(rgb);
 }
 
-void picture_write(const struct picture *picture, const char *path, enum image_kind kind)
+void picture_write(const struct picture *picture, struct output *output, enum image_kind kind)
 {
     static void (*const writers[])(const struct picture *, struct output *) = {write_png, write_ppm, write_qoi};
-    struct output *output = output_open(path);
     writers[kind](picture, output);
-    output_close(output);
+    if (fflush(output->stream) != 0)
+        fail_write(output, strerror(errno));
 }

@@ -6,6 +6,7 @@
 
 #include "files.h"
 
+#include "host.h"
 #include "image.h"
 
 /* ---- reading ---- */
@@ -255,10 +256,17 @@ static const uint8_t mono_samples[2 * MONO_WIDTH] = {255, 0, 0, 255, 0, 0, 0, 25
 static const struct picture mono_picture = {MONO_WIDTH, 2, 1, true, (uint8_t *)mono_samples};
 static const struct picture grey_picture = {MONO_WIDTH, 2, 1, false, (uint8_t *)mono_samples};
 
+static void write_picture(const struct picture *picture, const char *path, enum image_kind kind)
+{
+    struct output *output = output_open(path);
+    picture_write(picture, output, kind);
+    output_close(output);
+}
+
 static void a_written_png_reads_back(void **state)
 {
     (void)state;
-    picture_write(&color_picture, "color.png", IMAGE_PNG);
+    write_picture(&color_picture, "color.png", IMAGE_PNG);
     struct image *image = image_read("color.png");
     assert_int_equal(image->width, 3);
     assert_int_equal(image->height, 2);
@@ -271,8 +279,8 @@ static void a_written_png_reads_back(void **state)
 static void mono_is_a_one_bit_png_and_grey_an_eight_bit_one(void **state)
 {
     (void)state;
-    picture_write(&mono_picture, "mono.png", IMAGE_PNG);
-    picture_write(&grey_picture, "grey.png", IMAGE_PNG);
+    write_picture(&mono_picture, "mono.png", IMAGE_PNG);
+    write_picture(&grey_picture, "grey.png", IMAGE_PNG);
     struct image *mono = image_read("mono.png"), *grey = image_read("grey.png");
     assert_int_equal(mono->bits, 1);
     assert_int_equal(grey->bits, 8);
@@ -297,12 +305,12 @@ static void a_ppm_holds_the_samples_after_its_head(void **state)
 {
     (void)state;
     uint8_t bytes[128];
-    picture_write(&color_picture, "color.ppm", IMAGE_PPM);
+    write_picture(&color_picture, "color.ppm", IMAGE_PPM);
     size_t len = read_bytes("color.ppm", bytes, sizeof bytes);
     assert_int_equal(len, 11 + sizeof color_samples);
     assert_memory_equal(bytes, "P6\n3 2\n255\n", 11);
     assert_memory_equal(bytes + 11, color_samples, sizeof color_samples);
-    picture_write(&grey_picture, "grey.ppm", IMAGE_PPM);
+    write_picture(&grey_picture, "grey.ppm", IMAGE_PPM);
     len = read_bytes("grey.ppm", bytes, sizeof bytes);
     assert_int_equal(len, 12 + sizeof mono_samples);
     assert_memory_equal(bytes, "P5\n11 2\n255\n", 12);
@@ -313,7 +321,7 @@ static void a_pbm_has_a_bit_for_black(void **state)
 {
     (void)state;
     uint8_t bytes[64];
-    picture_write(&mono_picture, "mono.ppm", IMAGE_PPM);
+    write_picture(&mono_picture, "mono.ppm", IMAGE_PPM);
     assert_int_equal(read_bytes("mono.ppm", bytes, sizeof bytes), 8 + 4);
     assert_memory_equal(bytes, "P4\n11 2\n", 8);
     for (int i = 0; i < 2 * MONO_WIDTH; i++) {
@@ -327,7 +335,7 @@ static void a_qoi_decodes_to_the_samples_and_grey_to_equal_ones(void **state)
     (void)state;
     uint8_t bytes[512];
     qoi_desc desc;
-    picture_write(&color_picture, "color.qoi", IMAGE_QOI);
+    write_picture(&color_picture, "color.qoi", IMAGE_QOI);
     uint8_t *rgb = qoi_decode(bytes, (int)read_bytes("color.qoi", bytes, sizeof bytes), &desc, 3);
     assert_non_null(rgb);
     assert_int_equal(desc.width, 3);
@@ -335,7 +343,7 @@ static void a_qoi_decodes_to_the_samples_and_grey_to_equal_ones(void **state)
     assert_int_equal(desc.channels, 3);
     assert_memory_equal(rgb, color_samples, sizeof color_samples);
     free(rgb);
-    picture_write(&grey_picture, "grey.qoi", IMAGE_QOI);
+    write_picture(&grey_picture, "grey.qoi", IMAGE_QOI);
     rgb = qoi_decode(bytes, (int)read_bytes("grey.qoi", bytes, sizeof bytes), &desc, 3);
     assert_non_null(rgb);
     for (size_t i = 0; i < 3 * sizeof mono_samples; i++)
