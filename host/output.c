@@ -71,6 +71,42 @@ static char *resolve(const char *path)
     return target;
 }
 
+static bool same_status(const struct stat *a, const struct stat *b)
+{
+    return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
+}
+
+/* The folder of `path`, which ends with a name in it. */
+static bool folder_status(const char *path, const char *slash, struct stat *status)
+{
+    char *folder = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
+    const bool good = folder && stat(folder, status) == 0;
+    free(folder);
+    return good;
+}
+
+/* Names of files that are not there: the same name in one folder. */
+static bool same_place(const char *a, const char *b)
+{
+    const char *slash_a = strrchr(a, '/'), *slash_b = strrchr(b, '/');
+    struct stat of_a, of_b;
+    return strcmp(slash_a ? slash_a + 1 : a, slash_b ? slash_b + 1 : b) == 0 && folder_status(a, slash_a, &of_a) &&
+           folder_status(b, slash_b, &of_b) && same_status(&of_a, &of_b);
+}
+
+bool output_same(const char *a, const char *b)
+{
+    struct stat of_a, of_b;
+    const bool a_exists = stat(a, &of_a) == 0, b_exists = stat(b, &of_b) == 0;
+    if (a_exists || b_exists)
+        return a_exists && b_exists && same_status(&of_a, &of_b);
+    char *target_a = resolve(a), *target_b = resolve(b);
+    const bool same = target_a && target_b && same_place(target_a, target_b);
+    free(target_a);
+    free(target_b);
+    return same;
+}
+
 void signals_hold(sigset_t *before)
 {
     sigset_t all;

@@ -219,8 +219,8 @@ static void check_outputs(const struct argp_state *state, struct render_options 
     if (o->output && strcmp(o->output, "-") == 0 && isatty(STDOUT_FILENO))
         refuse(state, "-o -: standard output is a terminal; pipe or redirect it, or name a file");
     if (o->error_map && strcmp(o->error_map, "-") == 0)
-        refuse(state, "--error-map: must be a file; standard output is taken by the report");
-    if (o->error_map && o->output && strcmp(o->error_map, o->output) == 0)
+        refuse(state, "--error-map: must be a file: only the picture of -o can go to standard output");
+    if (o->error_map && o->output && output_same(o->error_map, o->output))
         refuse(state, "--error-map: is the same file as -o; give another");
     if (o->against_blinn && !o->error_map)
         refuse(state, "--against is for --error-map only");

@@ -55,7 +55,7 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         {"--height heights.png --flip-y -o out/u.png", "--flip-y is for --normals"},
         {"--height heights.png --scale high -o out/u.png", "--scale"},
         {"--height heights.png --albedo colors.png --color 1,1,1 -o out/u.png", "--color"},
-        {"--scene sphere --error-map - -o out/u.png", "--error-map"},
+        {"--scene sphere --error-map - -o out/u.png", "--error-map: must be a file: only the picture of -o"},
         {"--scene sphere --error-map out/u.png -o out/u.png", "same file"},
         {"--scene sphere --against blinn -o out/u.png", "--error-map"},
         {"'height\ns.png' -o out/u.png", "'height?s.png'"}, /* one line, whatever is quoted */
@@ -106,9 +106,62 @@ static void a_failure_keeps_the_picture_that_was_there(void **state)
     assert_same_file("out/kept.png", "out/copy.png");
     const int before = files_in("out");
     /* A limit on file size ends the write half-way, as a full disk does. */
-    assert_fails("(trap '' XFSZ; ulimit -f 1; exec $GLINT render --scene coin -o out/kept.png)", "kept.png");
+    assert_fails("(ulimit -f 1; exec $GLINT render --scene coin -o out/kept.png)", "kept.png");
     assert_int_equal(files_in("out"), before);
     assert_same_file("out/kept.png", "out/copy.png");
+}
+
+static void two_pictures_are_both_written_or_neither(void **state)
+{
+    (void)state;
+    const int before = files_in("out");
+    assert_fails("$GLINT render --scene sphere -o out/pair.png --error-map out/missing/e.png", "out/missing/e.png");
+    assert_fails("$GLINT render --scene sphere -o out/missing/o.png --error-map out/pair.png", "out/missing/o.png");
+    assert_fails("$GLINT render --scene sphere -o out/pair.png --error-map out", "'out': is a directory");
+    assert_fails(
+        "(ulimit -f 64; exec $GLINT render --scene sphere --format mono -o out/pair.png --error-map out/e.ppm)",
+        "out/e.ppm: could not be written");
+    assert_fails("$GLINT render --scene sphere -o out/pair.png --compare >/dev/full", "standard output");
+    assert_int_equal(files_in("out"), before);
+    assert_int_equal(run("$GLINT render --scene sphere -o out/pair.png --error-map out/e.png")->status, 0);
+    assert_int_equal(files_in("out"), before + 2);
+    assert_int_equal(run("rm out/pair.png out/e.png")->status, 0);
+}
+
+static void one_file_for_both_pictures_is_refused_whatever_its_names(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *first, *second;
+    } names[] = {
+        {"out/new.png", "out/new.png"},
+        {"out/new.png", "./out/new.png"},
+        {"out/../out/new.png", "out//new.png"},
+        {"out/dangling.png", "out/new.png"},
+        {"out/new.png", "link/new.png"},
+        {"out/there.png", "./out/there.png"},
+        {"out/symbolic.png", "out/there.png"},
+        {"out/hard.png", "out/there.png"},
+        {"new.png", "./new.png"},
+        {"out/dangling.png", "link/new.png"},
+    };
+    assert_int_equal(run("echo old >out/there.png; ln -s there.png out/symbolic.png; ln -s new.png out/dangling.png;"
+                         "ln out/there.png out/hard.png; ln -s out link")
+                         ->status,
+                     0);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "$GLINT render --scene sphere -o %s --error-map %s", names[i].first,
+                 names[i].second);
+        assert_refused(line, "--error-map: is the same file as -o");
+        snprintf(line, sizeof line, "$GLINT render --scene sphere -o %s --error-map %s", names[i].second,
+                 names[i].first);
+        assert_refused(line, "--error-map: is the same file as -o");
+    }
+    assert_string_equal(run("cat out/there.png")->out, "old\n");
+    assert_int_equal(run("$GLINT render --scene sphere -o out/x.png --error-map ./x.png && rm out/x.png x.png")->status,
+                     0);
+    assert_int_equal(run("rm out/*.png link")->status, 0);
 }
 
 int main(void)
@@ -118,6 +171,8 @@ int main(void)
         cmocka_unit_test(wrong_usage_is_said_with_what_is_allowed_and_ends_with_2),
         cmocka_unit_test(a_full_disk_gives_one_line_whatever_the_kind),
         cmocka_unit_test(what_cannot_be_written_leaves_nothing_behind),
+        cmocka_unit_test(two_pictures_are_both_written_or_neither),
+        cmocka_unit_test(one_file_for_both_pictures_is_refused_whatever_its_names),
         cmocka_unit_test(a_failure_keeps_the_picture_that_was_there),
     };
     return cmocka_run_group_tests_name("$GLINT render errors", tests, make_maps, scratch_remove);
