@@ -91,17 +91,18 @@ help: ## this list
 	@sed -n 's/^\([a-z][a-z-]*\):.*## \(.*\)/\1@\2/p' $(MAKEFILE_LIST) | awk -F@ '{printf "  make %-14s %s\n", $$1, $$2}'
 
 install: all ## library, header, command and libglint.pc, to DESTDIR/PREFIX (/usr/local)
-	install -d $(INSTALL)/lib/pkgconfig $(INSTALL)/include $(INSTALL)/bin
-	install -m 644 $(BUILD)/libglint.a $(INSTALL)/lib/
-	install -m 644 lib/glint.h $(INSTALL)/include/
-	install -m 755 $(BUILD)/glint $(INSTALL)/bin/
+	install -d "$(INSTALL)/lib/pkgconfig" "$(INSTALL)/include" "$(INSTALL)/bin"
+	install -m 644 $(BUILD)/libglint.a "$(INSTALL)/lib/"
+	install -m 644 lib/glint.h "$(INSTALL)/include/"
+	install -m 755 $(BUILD)/glint "$(INSTALL)/bin/"
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: libglint' 'Description: Specular shading with integers only' \
-		'Version: $(VERSION)' 'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -lglint' \
-		>$(INSTALL)/lib/pkgconfig/libglint.pc
+		'Version: $(VERSION)' 'Cflags: -I"$${prefix}/include"' 'Libs: -L"$${prefix}/lib" -lglint' \
+		>"$(INSTALL)/lib/pkgconfig/libglint.pc"
 INSTALL = $(DESTDIR)$(PREFIX)
 
 uninstall: ## remove what make install put there
-	rm -f $(INSTALL)/lib/libglint.a $(INSTALL)/lib/pkgconfig/libglint.pc $(INSTALL)/include/glint.h $(INSTALL)/bin/glint
+	rm -f "$(INSTALL)/lib/libglint.a" "$(INSTALL)/lib/pkgconfig/libglint.pc" "$(INSTALL)/include/glint.h" \
+		"$(INSTALL)/bin/glint"
 
 clean: ## remove what was built
 	rm -rf build
