@@ -38,8 +38,8 @@ struct output {
 const char *parse_output(const struct argp_state *state, const char *option, const char *text);
 struct output *output_open(const char *path);
 bool output_same(const char *a, const char *b); /* whether two names lead to one file, there or not yet */
-void output_close(struct output *output); /* checks, gives the file its name, frees */
-void output_discard_all(void);            /* unfinished files go; called by fail(), at exit and by signals */
+void output_close(struct output *output);       /* checks, gives the file its name, frees */
+void output_discard_all(void);                  /* unfinished files go; called by fail(), at exit and by signals */
 
 /* Signals wait until they are released: in this thread, and for good in those that it starts meanwhile. */
 void signals_hold(sigset_t *before);
