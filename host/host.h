@@ -95,7 +95,7 @@ bool is_taken_c_name(const char *text);
 
 /* ---- models (models.c) ---- */
 
-/* The double-precision formulas, as the paper prints them; `angle` = acos(c) is used where the formula uses it. */
+/* The double-precision formulas, as the paper prints them; c in 0..1. */
 double model_double(enum glint_model model, double n, double c);
 extern const char *const model_names[]; /* "msh" ... "cayley", by enum glint_model */
 enum { MODEL_COUNT = 6 };
@@ -112,8 +112,7 @@ int command_table(int argc, char **argv);
 int command_search(int argc, char **argv);
 int command_paper(int argc, char **argv);
 
-/* argp_parse for a subcommand (command.c): exit status 2 for usage errors, --version, options after arguments allowed.
- */
+/* argp_parse for a subcommand (command.c); usage errors exit with 2, options may follow arguments. */
 void parse_command(const struct argp *argp, int argc, char **argv, void *input);
 
 #endif

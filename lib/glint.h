@@ -64,7 +64,7 @@ uint32_t glint_eval(enum glint_model model, uint32_t n, int32_t c_q16);
 uint32_t glint_eval_t(enum glint_model model, uint32_t n, uint32_t t_q30);
 
 /* The cutoff: the smallest c in 0..65536, the largest t in 0..2^30, whose true F is at least 2^-q. (The paper's closed
- * forms (10) (12) (14) are not used: (12) is singular at n = 1.25 and wrong in single precision.) */
+ * forms (12) and (14) are not used: (12) is singular at n = 1.25 and wrong in single precision.) */
 uint32_t glint_cutoff(enum glint_model model, uint32_t n, unsigned q);
 uint32_t glint_cutoff_t(enum glint_model model, uint32_t n, unsigned q);
 

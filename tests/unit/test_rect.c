@@ -2,45 +2,55 @@
  * The exact rectangle and span: the value of every pixel. */
 #include "shading.h"
 
-static void gamma_pixels_are_the_correctly_rounded_sum_in_every_format(void **state)
+/* Shades random scenes and shows each pixel to `check`: the levels found, those wanted, and the real values. */
+static void for_every_pixel(enum glint_space space,
+                            void (*check)(const unsigned found[3], const unsigned wanted[3], const double real[3]))
 {
-    (void)state;
     static struct scene s;
     for (int i = 0; i < 1500; i++) {
-        scene_init(&s, formats[i % FORMATS], GLINT_GAMMA);
+        const enum glint_format format = formats[i % FORMATS];
+        scene_init(&s, format, space);
         s.source.mask = NULL;
         assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, NULL), GLINT_OK);
         for (unsigned p = 0; p < W * H; p++) {
+            const unsigned x = p % W, y = p / W;
             unsigned wanted[3], found[3];
             double real[3];
-            expected_levels(&s.shader, s.normals[p], &s.albedo[3 * p], s.gloss[p], p % W + s.surface.x,
-                            p / W + s.surface.y, wanted, real);
-            stored_levels(formats[i % FORMATS], s.out + LINE * (1 + p / W), p % W, found);
-            for (int k = 0; k < 3; k++)
-                assert_int_equal(found[k], wanted[k]);
+            expected_levels(&s.shader, s.normals[p], &s.albedo[3 * p], s.gloss[p], x + s.surface.x, y + s.surface.y,
+                            wanted, real);
+            stored_levels(format, s.out + LINE * (1 + y), x, found);
+            check(found, wanted, real);
         }
     }
+}
+
+static void levels_are_equal(const unsigned found[3], const unsigned wanted[3], const double real[3])
+{
+    (void)real;
+    for (int k = 0; k < 3; k++)
+        assert_int_equal(found[k], wanted[k]);
+}
+
+static void gamma_pixels_are_the_correctly_rounded_sum_in_every_format(void **state)
+{
+    (void)state;
+    for_every_pixel(GLINT_GAMMA, levels_are_equal);
+}
+
+static double worst;
+
+static void worst_is_noted(const unsigned found[3], const unsigned wanted[3], const double real[3])
+{
+    (void)wanted;
+    for (int k = 0; k < 3; k++) /* found <= real < found + 1, up to the error of the tables */
+        worst = fmax(worst, fmax(found[k] - real[k], real[k] - found[k] - 1));
 }
 
 static void linear_pixels_are_within_a_twentieth_of_a_level_of_the_real_sum(void **state)
 {
     (void)state;
-    static struct scene s;
-    double worst = 0;
-    for (int i = 0; i < 1500; i++) {
-        scene_init(&s, formats[i % FORMATS], GLINT_LINEAR);
-        s.source.mask = NULL;
-        assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, NULL), GLINT_OK);
-        for (unsigned p = 0; p < W * H; p++) {
-            unsigned wanted[3], found[3];
-            double real[3];
-            expected_levels(&s.shader, s.normals[p], &s.albedo[3 * p], s.gloss[p], p % W + s.surface.x,
-                            p / W + s.surface.y, wanted, real);
-            stored_levels(formats[i % FORMATS], s.out + LINE * (1 + p / W), p % W, found);
-            for (int k = 0; k < 3; k++) /* found <= real < found + 1, up to the error of the tables */
-                worst = fmax(worst, fmax(found[k] - real[k], real[k] - found[k] - 1));
-        }
-    }
+    worst = 0;
+    for_every_pixel(GLINT_LINEAR, worst_is_noted);
     printf("# at most %.4f of a level beyond the rounding\n", worst);
     assert_true(worst <= 0.05);
 }
