@@ -233,6 +233,88 @@ enum glint_err glint_span_init(struct glint_span *span, const struct glint_light
 enum glint_err glint_shade_span(const struct glint_shader *shader, const struct glint_span *span,
                                 const struct glint_surface *surface, struct glint_box *highlight);
 
+/* ---- Table loops: what the exact paths draw, at a fraction of their cycles -------------------------------------- *
+ *
+ * Tables are filled from exact values on the device; only their arguments are quantised. Filled once a material; a light
+ * that moves needs only glint_tables_light. Uniform material, gloss 255, one directional light, Blinn geometry.
+ *
+ * COLOUR  for RGB565 in either order, undithered, gamma or linear. 20,480 bytes: 4096 columns (bytes) and 128 x 64 colours.
+ *     fill:   s = the least shift with (t_max >> s) + (2^16 >> s) < 4080.
+ *             column[i] = (63 F(t) + F(0) / 2) / F(0), t = max(0, t_max - (i << s) - (1 << s >> 1))
+ *             colour[row][j] = steps 4 to 8 for nl = min(2^16, 1024 row + 512), F = (j F(0) + 31) / 63
+ *     pixel:  nl_q30 < 0: steps 4 to 8 for nl = 0, F = 0. Else row = nl_q30 >> 24, j = t > t_max ? 0 :
+ *             column[(t_max - t) >> s].
+ *     INT8:   with w the word, x = (int8) w, v = (int16) w, z = w >> 16: d = x X + v Y + z Z (Q29), row = d >> 23,
+ *             e = d + (z << 14) - cut; j = e < 0 ? 0 : column[((e >> a) r mod 2^32) >> 20]   (struct glint_tables_light)
+ * SMALL   for every format, dithered or not, gamma only. 904 bytes; with its structs below 1 KB.
+ *     fill:   f = the least shift with t_max >> f < 3072 (192 entries, 4 bits): 192 fine columns for t >> f < 192, then
+ *             192 coarse ones of t >> (f + 4); each at its interval's middle (at most t_max), (63 F + F(0) / 2) / F(0)
+ *             diffuse[0] for nl = 0, diffuse[1 + k] for nl = 1024 k + 512; specular[j] for F = (j F(0) + 31) / 63
+ *             each a word of three fields with a guard bit above each: RGB565 5.4, 5.4, 6.4 bits; else 8.1 bits each
+ *     pixel:  diffuse[nl_q30 <= 0 ? 0 : 1 + min(63, nl_q30 >> 24)] + specular[j] (where nl_q30 > 0 and t <= t_max) + the dither's
+ *             weight; a field whose guard is set is full.
+ */
+
+/* How a normal is held. Stored as uint8_t. */
+enum glint_normals {
+    GLINT_NORMALS_INT16, /* struct glint_vec, 6 bytes */
+    GLINT_NORMALS_INT10, /* uint32_t: x in the top 10 bits (Q9), y in 10 (Q9), z in the low 12 (Q11); no surface where 0 */
+    GLINT_NORMALS_INT8 /* uint32_t: 256 y + x in the low half (x, y Q7: -127..127), z in the high one (Q15), such that the
+                            length is 1. z = 0: no surface here nor in the pixels right of it, as many as the low half says */
+};
+/* A normal of any format but INT16, packed: to the nearest x and y, and the z that makes its length 1. Z of length 0: 0. */
+uint32_t glint_normals_pack(enum glint_normals format, const struct glint_vec *normal);
+/* And as the loops read it. 0, 0, 0 where there is no surface. */
+struct glint_vec glint_normals_unpack(enum glint_normals format, uint32_t word);
+
+enum glint_tables_kind { GLINT_TABLES_COLOUR, GLINT_TABLES_SMALL };
+#define GLINT_TABLES_COLOUR_BYTES 20480u
+#define GLINT_TABLES_SMALL_BYTES 904u
+size_t glint_tables_bytes(enum glint_tables_kind kind); /* the same; 0 for no such kind */
+
+/* State, ours; the memory stays yours and must outlive it. Const once filled: shared by threads and interrupts. */
+struct glint_tables {
+    uint8_t *columns;
+    union {
+        uint16_t *colours;
+        uint32_t *sums;
+    } colour;
+    uint32_t t_max_q30;
+    uint16_t dark; /* COLOUR: the pixel where nl < 0, in memory order */
+    uint8_t kind, format, shift;
+    bool dither;
+};
+/* Fills. shader->light is not looked at. GLINT_ERR_ARG: NULL, too few bytes, memory not aligned to 4, Phong (its geometry
+ * is not |N - H|^2). GLINT_ERR_FORMAT: a format, space or dither that this kind does not do. Nothing is written then. */
+enum glint_err glint_tables_fill(struct glint_tables *tables, enum glint_tables_kind kind,
+                                 const struct glint_shader *shader, void *memory, size_t bytes);
+
+/* A light, prepared: some hundred cycles, no table touched. */
+struct glint_tables_light {
+    struct glint_vec l, h;
+    int32_t x, y, z, cut; /* for INT8, whose loop wants the viewer at (0, 0, 1) */
+    uint32_t r;
+    uint8_t a;
+    bool frontal; /* is the viewer there? */
+};
+enum glint_err glint_tables_light(struct glint_tables_light *light, const struct glint_tables *tables,
+                                  const struct glint_light *from);
+
+/* Shades w x h normals; pixels without a surface are left as they are. Normals are aligned (INT16 to 2 bytes, else to 4) and
+ * of about unit length: others give some colour. GLINT_ERR_ARG: NULL, misaligned. GLINT_ERR_FORMAT: no such normals.
+ * GLINT_ERR_VECTOR: INT8 with COLOUR tables, and a viewer not at (0, 0, 1). Nothing is written then. */
+enum glint_err glint_tables_rect(const struct glint_tables *tables, const struct glint_tables_light *light,
+                                 enum glint_normals format, const void *normals, ptrdiff_t stride, uint16_t w,
+                                 uint16_t h, const struct glint_surface *surface);
+/* Shades a span as one line. GLINT_ERR_ARG: NULL. */
+enum glint_err glint_tables_span(const struct glint_tables *tables, const struct glint_span *span,
+                                 const struct glint_surface *surface);
+
+/* A palette of normals, shaded once a frame by any path as w = its size, h = 1, into 2-byte pixels; then one load a pixel.
+ * offsets: 2 x index, to be even and inside (they are not checked). GLINT_ERR_ARG: NULL, misaligned pixels or strides. */
+enum glint_err glint_palette_rect(const uint16_t *colours, const uint16_t *offsets, ptrdiff_t stride, uint16_t w,
+                                  uint16_t h, const struct glint_surface *surface);
+
 /* ---- sRGB, integers only ------------------------------------------------------------------------------------- */
 
 uint16_t glint_srgb_decode(uint8_t encoded); /* 65535 = 1.0; nearest */

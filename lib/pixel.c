@@ -5,6 +5,11 @@
 
 static const uint8_t bayer[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
 
+uint32_t glint_pixel_bayer(uint32_t x, uint32_t y)
+{
+    return bayer[y & 3][x & 3];
+}
+
 enum glint_err glint_pixel_check(const struct glint_shader *shader)
 {
     return shader->format <= GLINT_MONO && shader->space <= GLINT_LINEAR ? GLINT_OK : GLINT_ERR_FORMAT;
@@ -15,8 +20,7 @@ static uint64_t coefficient(uint32_t q16)
     return q16 > 65536 ? 65536 : q16;
 }
 
-/* Steps 4 and 5. shine = g F < 2^33. */
-static uint64_t value(const struct glint_shader *shader, int k, uint8_t albedo, uint32_t nl_q16, uint64_t shine)
+uint64_t glint_pixel_value(const struct glint_shader *shader, int k, uint8_t albedo, uint32_t nl_q16, uint64_t shine)
 {
     const struct glint_material *m = &shader->material;
     const uint64_t a = shader->space == GLINT_LINEAR ? glint_srgb_decode(albedo) : albedo * 257u;
@@ -33,20 +37,28 @@ static uint32_t level(const struct glint_shader *shader, uint64_t x, uint32_t ma
     return (uint32_t)((x * max + ((uint64_t)65535 << 27) * weight) >> 32) / 65535;
 }
 
-bool glint_pixel(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
-                 uint32_t t_q30, int64_t nl_q30, const uint8_t albedo[3], uint8_t gloss)
+uint32_t glint_pixel_nl(int64_t nl_q30)
 {
     const int64_t nl = (nl_q30 + (1 << 13)) >> 14;
-    const uint32_t nl_q16 = nl < 0 ? 0 : nl > 65536 ? 65536 : (uint32_t)nl;
-    uint32_t f = nl_q16 ? glint_lobe_eval_t(&shader->lobe, t_q30) : 0;
-    if (shader->clamp_peak && f > 65536)
-        f = 65536;
+    return nl < 0 ? 0 : nl > 65536 ? 65536 : (uint32_t)nl;
+}
+
+uint32_t glint_pixel_lobe(const struct glint_shader *shader, uint32_t t_q30)
+{
+    const uint32_t f = glint_lobe_eval_t(&shader->lobe, t_q30);
+    return shader->clamp_peak && f > 65536 ? 65536 : f;
+}
+
+void glint_pixel_store(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
+                       uint32_t nl_q16, uint32_t f, const uint8_t albedo[3], uint8_t gloss)
+{
     const uint64_t shine = (uint64_t)(gloss * 257u) * f;
     uint64_t v[3];
     for (int k = 0; k < 3; k++)
-        v[k] = value(shader, k, albedo[k], nl_q16, shine);
+        v[k] = glint_pixel_value(shader, k, albedo[k], nl_q16, shine);
 
-    const uint32_t weight = shader->dither ? 2u * bayer[(surface->y + y) & 3][(surface->x + x) & 3] + 1 : 16;
+    const uint32_t weight =
+        shader->dither ? 2 * glint_pixel_bayer(surface->x + (uint32_t)x, surface->y + (uint32_t)y) + 1 : 16;
     uint8_t *line = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;
     switch ((enum glint_format)shader->format) {
     case GLINT_RGB565:
@@ -76,5 +88,13 @@ bool glint_pixel(const struct glint_shader *shader, const struct glint_surface *
         break;
     }
     }
+}
+
+bool glint_pixel(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
+                 uint32_t t_q30, int64_t nl_q30, const uint8_t albedo[3], uint8_t gloss)
+{
+    const uint32_t nl_q16 = glint_pixel_nl(nl_q30);
+    const uint32_t f = nl_q16 ? glint_pixel_lobe(shader, t_q30) : 0;
+    glint_pixel_store(shader, surface, x, y, nl_q16, f, albedo, gloss);
     return f > 0 && gloss > 0;
 }

@@ -18,11 +18,24 @@ static inline uint64_t glint_distance_squared(const struct glint_vec *a, const s
     return (uint64_t)(x * x + y * y + z * z);
 }
 
+/* A span's t this large stands for one a little below 0, where rounding has led: 0 is meant. */
+#define GLINT_NEGATIVE_T UINT32_C(0xf8000000)
+
 /* Can this shader draw? GLINT_OK or GLINT_ERR_FORMAT. */
 enum glint_err glint_pixel_check(const struct glint_shader *shader);
 
 /* Steps 2 to 8: shades and stores pixel x of the surface's line y. True where F > 0 and gloss > 0. */
 bool glint_pixel(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
                  uint32_t t_q30, int64_t nl_q30, const uint8_t albedo[3], uint8_t gloss);
+
+/* Its parts, from which tables are filled. Steps 2, 3, 4 and 5 (shine = g F < 2^33), and 4 to 8. */
+uint32_t glint_pixel_nl(int64_t nl_q30);
+uint32_t glint_pixel_lobe(const struct glint_shader *shader, uint32_t t_q30);
+uint64_t glint_pixel_value(const struct glint_shader *shader, int k, uint8_t albedo, uint32_t nl_q16, uint64_t shine);
+void glint_pixel_store(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
+                       uint32_t nl_q16, uint32_t f, const uint8_t albedo[3], uint8_t gloss);
+
+/* The ordered dither's weight b, 0..15, at a place on the screen. */
+uint32_t glint_pixel_bayer(uint32_t x, uint32_t y);
 
 #endif

@@ -2,9 +2,6 @@
  * The exact span. With N(k) = N0 + k s and D0 = N0 - H, t(k) = |N(k) - H|^2 / 2 = t0 + k (D0.s) + k^2 |s|^2 / 2. */
 #include "pixel.h"
 
-/* A t this large stands for one a little below 0, where rounding has led: 0 is meant. */
-#define NEGATIVE_T UINT32_C(0xf8000000)
-
 static int64_t divide(int64_t a, int64_t b) /* to nearest; b > 0 */
 {
     return (a < 0 ? a - b / 2 : a + b / 2) / b;
@@ -45,7 +42,8 @@ enum glint_err glint_shade_span(const struct glint_shader *shader, const struct 
     uint32_t nl = (uint32_t)span->nl_q30;
     struct glint_box box = {0, 0, 0, 0};
     for (uint16_t x = 0; x < span->w; x++) {
-        if (glint_pixel(shader, surface, x, 0, t >= NEGATIVE_T ? 0 : t, (int32_t)nl, shader->material.albedo, 255)) {
+        if (glint_pixel(shader, surface, x, 0, t >= GLINT_NEGATIVE_T ? 0 : t, (int32_t)nl, shader->material.albedo,
+                        255)) {
             if (box.w == 0)
                 box.x = x;
             box.w = (uint16_t)(x - box.x + 1);

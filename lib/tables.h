@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT
+ * What the files of the table loops share; not for users. */
+#ifndef GLINT_TABLES_H
+#define GLINT_TABLES_H
+
+#include "internal.h"
+#include "pixel.h"
+
+enum { GLINT_SEGMENT = 192, GLINT_DIFFUSE = 65 }; /* SMALL: columns in each half; words for the diffuse part */
+
+/* Where a channel lies in a sum's word, and what 1.0 is there; the guard bit is the one above its top bit. */
+struct glint_field {
+    uint8_t at, guard;
+    uint16_t one;
+};
+static inline struct glint_field glint_field(uint8_t format, int k)
+{
+    static const struct glint_field of_565[3] = {{10, 19, 31 * 16}, {20, 30, 63 * 16}, {0, 9, 31 * 16}};
+    static const struct glint_field others[3] = {{0, 9, 255 * 2}, {10, 19, 255 * 2}, {20, 29, 255 * 2}};
+    return format <= GLINT_RGB565_SWAPPED ? of_565[k] : others[k];
+}
+
+/* t and nl of a normal, modulo 2^32: right for unit normals, harmless for others. */
+static inline uint32_t glint_fast_t(const struct glint_vec *n, const struct glint_vec *h)
+{
+    const uint32_t x = (uint32_t)(n->x - h->x), y = (uint32_t)(n->y - h->y), z = (uint32_t)(n->z - h->z);
+    return (x * x + y * y + z * z) >> 1;
+}
+static inline int32_t glint_fast_nl(const struct glint_vec *n, const struct glint_vec *l)
+{
+    return (int32_t)((uint32_t)(n->x * (int32_t)l->x) + (uint32_t)(n->y * (int32_t)l->y) +
+                     (uint32_t)(n->z * (int32_t)l->z));
+}
+
+/* A line, COLOUR tables: aligned 2-byte pixels. */
+void glint_colour_vec(const struct glint_tables *tables, const struct glint_tables_light *light,
+                      const struct glint_vec *normals, uint16_t w, uint16_t *out);
+void glint_colour_int10(const struct glint_tables *tables, const struct glint_tables_light *light,
+                        const uint32_t *words, uint16_t w, uint16_t *out);
+void glint_colour_int8(const struct glint_tables *tables, const struct glint_tables_light *light, const uint32_t *words,
+                       uint16_t w, uint16_t *out);
+void glint_colour_span(const struct glint_tables *tables, const struct glint_span *span, uint16_t w, uint16_t *out);
+
+/* A pixel, SMALL tables, any format and alignment. */
+void glint_small_pixel(const struct glint_tables *tables, const struct glint_surface *surface, uint16_t x, uint16_t y,
+                       uint32_t t_q30, int32_t nl_q30);
+
+#endif
