@@ -95,7 +95,13 @@ static const struct argp_option argp_options[] = {
      "encoded)",
      4},
     {"dither", KEY_DITHER, NULL, 0, "4x4 ordered dither", 4},
-    {"path", KEY_PATH, "NAME", 0, "The way through the library: exact (default)", 4},
+    {"path", KEY_PATH, "NAME", 0,
+     "The way through the library: exact (default) or span; or by tables, of 20 KB (rgb565 only) from normals of 16, "
+     "10 or "
+     "8 bits or from spans: colour-int16, colour-int10, colour-int8, colour-span; or of 1 KB: small-int16, "
+     "small-int10, "
+     "small-int8, small-span",
+     4},
 
     {NULL, 0, NULL, 0, "How right it is:", 5},
     {"compare", KEY_COMPARE, NULL, 0,
@@ -124,7 +130,7 @@ static const char doc[] =
 static unsigned parse_name(const struct argp_state *state, const char *option, const char *text,
                            const char *const *names)
 {
-    char all[128] = "";
+    char all[256] = "";
     unsigned i = 0;
     for (; names[i]; i++) {
         if (strcmp(text, names[i]) == 0)
@@ -278,7 +284,7 @@ static error_t parse_shading(int key, char *text, const struct argp_state *state
         shading->dither = true;
         return 0;
     case KEY_PATH:
-        parse_name(state, "--path", text, path_names);
+        shading->path = parse_name(state, "--path", text, path_names);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -350,6 +356,8 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         check_inputs(state, o);
         check_light(state, &o->shading);
         check_outputs(state, o);
+        if (path_refusal(&o->shading))
+            refuse(state, "--path %s: %s", path_names[o->shading.path], path_refusal(&o->shading));
         if (o->shading.q == Q_UNSET)
             o->shading.q = default_q(&o->shading);
         return 0;

@@ -6,8 +6,6 @@
 #include "host.h"
 #include "shade.h"
 
-const char *const path_names[] = {"exact", NULL};
-
 const char *const format_names[] = {"rgb565", "rgb565-swapped", "rgb888", "grey8", "mono", NULL};
 const char *const space_names[] = {"gamma", "linear", NULL};
 
@@ -104,12 +102,10 @@ static void unpack(const uint8_t *line, enum glint_format format, size_t x, uint
     }
 }
 
-struct levels *shade_scene(const struct scene *scene, const struct shading *shading)
+static void draw_exact(const struct scene *scene, const struct glint_shader *shader, const struct glint_vec *normals,
+                       const struct glint_surface *surface)
 {
-    const struct glint_shader shader = shader_of(shading);
-    const size_t width = scene->width, bytes = line_bytes(shading->format, width);
-    struct glint_vec *normals = scene_normals_q15(scene);
-    uint8_t *pixels = allocate(scene->height, bytes); /* black where a mask leaves it */
+    const size_t width = scene->width;
     const struct glint_source source = {.normals = normals,
                                         .normals_stride = (ptrdiff_t)(width * sizeof *normals),
                                         .albedo = scene->albedo,
@@ -118,11 +114,22 @@ struct levels *shade_scene(const struct scene *scene, const struct shading *shad
                                         .gloss_stride = (ptrdiff_t)width,
                                         .mask = scene->mask,
                                         .mask_stride = (ptrdiff_t)width};
-    const struct glint_surface surface = {pixels, (ptrdiff_t)bytes, 0, 0};
     const enum glint_err error =
-        glint_shade_rect(&shader, &source, (uint16_t)width, (uint16_t)scene->height, &surface, NULL);
+        glint_shade_rect(shader, &source, (uint16_t)width, (uint16_t)scene->height, surface, NULL);
     if (error != GLINT_OK)
         fail("the library refused the rectangle (error %d)", error);
+}
+
+struct levels *shade_scene(const struct scene *scene, const struct shading *shading)
+{
+    const struct glint_shader shader = shader_of(shading);
+    const size_t width = scene->width, bytes = line_bytes(shading->format, width);
+    struct glint_vec *normals = scene_normals_q15(scene);
+    uint8_t *pixels = allocate(scene->height, bytes); /* black where a mask leaves it */
+    const struct glint_surface surface = {pixels, (ptrdiff_t)bytes, 0, 0};
+    draw_exact(scene, &shader, normals, &surface);
+    if (shading->path)
+        path_draw(scene, shading, &shader, normals, &surface);
     free(normals);
 
     struct levels *levels = allocate(1, sizeof *levels);

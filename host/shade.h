@@ -17,6 +17,7 @@ struct shading {
     enum glint_format format;
     enum glint_space space;
     bool dither, clamp_peak;
+    unsigned path; /* index in path_names */
 };
 
 /* A picture in its format's own levels: 0..31, 0..63, 0..255 or 0..1. */
@@ -38,11 +39,18 @@ unsigned format_max(enum glint_format format, unsigned channel);
 
 /* ---- by the library (shade.c) ---- */
 
-/* Ways through the library, by the names --path takes; ends with NULL. */
-extern const char *const path_names[];
 /* The light as the library takes it; GLINT_ERR_VECTOR where a direction is 0 or they oppose each other. */
 enum glint_err shading_light(const struct shading *shading, struct glint_light *light);
 struct levels *shade_scene(const struct scene *scene, const struct shading *shading);
+
+/* ---- ways through the library (paths.c) ---- */
+
+extern const char *const path_names[]; /* by the names --path takes, [0] the exact rectangle; ends with NULL */
+/* Why the path cannot draw so, as the end of "--path NAME ...", or NULL where it can. */
+const char *path_refusal(const struct shading *shading);
+/* By any path but [0], over what the exact one has drawn, which keeps what this path cannot draw; says so. */
+void path_draw(const struct scene *scene, const struct shading *shading, const struct glint_shader *shader,
+               const struct glint_vec *normals, const struct glint_surface *surface);
 
 /* ---- in doubles (reference.c) ---- */
 

@@ -83,7 +83,7 @@ struct glint_vec glint_normals_unpack(enum glint_normals format, uint32_t word)
         n.z = (int16_t)(((int32_t)(word << 20) >> 20) * 16);
     } else if (format == GLINT_NORMALS_INT8 && word >> 16) {
         n.x = (int16_t)((int8_t)word * 256);
-        n.y = (int16_t)((int16_t)word - (int8_t)word);
+        n.y = (int16_t)((int32_t)(int16_t)word - (int8_t)word);
         n.z = (int16_t)(word >> 16);
     }
     return n;
@@ -140,9 +140,9 @@ enum glint_err glint_tables_rect(const struct glint_tables *tables, const struct
                                  uint16_t h, const struct glint_surface *surface)
 {
     const size_t size = format == GLINT_NORMALS_INT16 ? sizeof(struct glint_vec) : 4;
-    const size_t align = format == GLINT_NORMALS_INT16 ? 2 : 4;
-    if (!tables || !light || !normals || !surface || !surface->pixels || (uintptr_t)normals % align ||
-        (uintptr_t)stride % align)
+    if (!tables || !light || !normals || !surface || !surface->pixels ||
+        (size == 4 ? GLINT_MISALIGNED(normals, uint32_t) || GLINT_MISALIGNED(stride, uint32_t)
+                   : GLINT_MISALIGNED(normals, int16_t) || GLINT_MISALIGNED(stride, int16_t)))
         return GLINT_ERR_ARG;
     if ((unsigned)format > GLINT_NORMALS_INT8)
         return GLINT_ERR_FORMAT;
@@ -197,8 +197,9 @@ enum glint_err glint_tables_span(const struct glint_tables *tables, const struct
 enum glint_err glint_palette_rect(const uint16_t *colours, const uint16_t *offsets, ptrdiff_t stride, uint16_t w,
                                   uint16_t h, const struct glint_surface *surface)
 {
-    if (!colours || !offsets || !surface || !surface->pixels || (uintptr_t)colours % 2 || (uintptr_t)offsets % 2 ||
-        stride % 2 || (uintptr_t)surface->pixels % 2 || surface->stride % 2)
+    if (!colours || !offsets || !surface || !surface->pixels || GLINT_MISALIGNED(colours, uint16_t) ||
+        GLINT_MISALIGNED(offsets, uint16_t) || GLINT_MISALIGNED(stride, uint16_t) ||
+        GLINT_MISALIGNED(surface->pixels, uint16_t) || GLINT_MISALIGNED(surface->stride, uint16_t))
         return GLINT_ERR_ARG;
     for (uint16_t y = 0; y < h; y++) {
         const uint16_t *in = (const uint16_t *)(const void *)((const uint8_t *)offsets + stride * (ptrdiff_t)y);

@@ -2,7 +2,8 @@
  * Tables from exact values, and lights for the loops that read them (glint.h). */
 #include "tables.h"
 
-enum { COLUMNS = 4096, SPARE = 16, GAP = 1 << 16, SEGMENT = GLINT_SEGMENT };
+enum { COLUMNS = 4096, SPARE = 16, SEGMENT = GLINT_SEGMENT };
+#define GAP ((uint32_t)1 << 16) /* how far below 0 t may come, Q2.30, by rounding */
 
 size_t glint_tables_bytes(enum glint_tables_kind kind)
 {
@@ -37,7 +38,7 @@ static void fill_colour(struct glint_tables *tables, const struct peak *peak)
     struct glint_shader shader = *peak->shader;
     const uint32_t t_max = tables->t_max_q30;
     unsigned s = 0;
-    while ((t_max >> s) + ((uint32_t)GAP >> s) >= COLUMNS - SPARE)
+    while ((t_max >> s) + (GAP >> s) >= COLUMNS - SPARE)
         s++;
     tables->shift = (uint8_t)s;
     for (uint32_t i = 0; i < COLUMNS; i++) {
@@ -88,7 +89,7 @@ enum glint_err glint_tables_fill(struct glint_tables *tables, enum glint_tables_
                                  const struct glint_shader *shader, void *memory, size_t bytes)
 {
     const size_t needed = glint_tables_bytes(kind);
-    if (!tables || !shader || !memory || needed == 0 || bytes < needed || (uintptr_t)memory % 4 != 0 ||
+    if (!tables || !shader || !memory || needed == 0 || bytes < needed || GLINT_MISALIGNED(memory, uint32_t) ||
         shader->lobe.model == GLINT_PHONG)
         return GLINT_ERR_ARG;
     const bool is_565 = shader->format <= GLINT_RGB565_SWAPPED;

@@ -20,10 +20,21 @@ static inline struct glint_field glint_field(uint8_t format, int k)
     return format <= GLINT_RGB565_SWAPPED ? of_565[k] : others[k];
 }
 
+/* What a type wants: on 8-bit machines, whose compilers place everything anywhere, 1. */
+#define GLINT_MISALIGNED(address_or_stride, type)                                                                      \
+    ((uintptr_t)(address_or_stride) % offsetof(                                                                        \
+                                          struct {                                                                     \
+                                              char before;                                                             \
+                                              type at;                                                                 \
+                                          },                                                                           \
+                                          at) !=                                                                       \
+     0)
+
 /* t and nl of a normal, modulo 2^32: right for unit normals, harmless for others. */
 static inline uint32_t glint_fast_t(const struct glint_vec *n, const struct glint_vec *h)
 {
-    const uint32_t x = (uint32_t)(n->x - h->x), y = (uint32_t)(n->y - h->y), z = (uint32_t)(n->z - h->z);
+    const uint32_t x = (uint32_t)((int32_t)n->x - h->x), y = (uint32_t)((int32_t)n->y - h->y),
+                   z = (uint32_t)((int32_t)n->z - h->z);
     return (x * x + y * y + z * z) >> 1;
 }
 static inline int32_t glint_fast_nl(const struct glint_vec *n, const struct glint_vec *l)

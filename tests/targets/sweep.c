@@ -196,6 +196,50 @@ static void add_scene(unsigned model, unsigned format, unsigned space, unsigned 
     add_bytes(out, LINE * H);
 }
 
+enum {
+    KINDS_FROM = SWEEP_COLOUR ? GLINT_TABLES_COLOUR : GLINT_TABLES_SMALL,
+    TABLES_BYTES = SWEEP_COLOUR ? GLINT_TABLES_COLOUR_BYTES : GLINT_TABLES_SMALL_BYTES
+};
+
+static void add_tables(unsigned kind, unsigned model, unsigned format, unsigned flags)
+{
+    static uint32_t memory[TABLES_BYTES / 4], words[W * H];
+    static struct glint_vec normals[W * H];
+    static uint8_t out[LINE * H];
+    struct glint_shader shader;
+    random_shader(&shader, model);
+    shader.format = (uint8_t)format;
+    shader.space = kind == GLINT_TABLES_COLOUR ? flags >> 1 & 1 : 0;
+    shader.dither = kind == GLINT_TABLES_SMALL && (flags & 1);
+    shader.clamp_peak = flags & 1;
+    struct glint_tables tables;
+    struct glint_tables_light light;
+    const enum glint_err err = glint_tables_fill(&tables, (enum glint_tables_kind)kind, &shader, memory, sizeof memory);
+    add((uint32_t)err);
+    if (err)
+        return;
+    add((uint32_t)glint_tables_light(&light, &tables, &shader.light));
+    for (uint8_t i = 0; i < W * H; i++)
+        random_normal(&normals[i], &shader.light);
+    for (unsigned held = GLINT_NORMALS_INT16; held <= GLINT_NORMALS_INT8; held++) {
+        for (uint8_t i = 0; i < W * H; i++)
+            words[i] = i % 7 == 6 ? random_bits() : glint_normals_pack((enum glint_normals)held, &normals[i]);
+        for (uint8_t i = 0; i < LINE * H; i++)
+            out[i] = i;
+        const struct glint_surface surface = {out + (held & 1), LINE, 1, 2};
+        const bool packed = held != GLINT_NORMALS_INT16;
+        add((uint32_t)glint_tables_rect(
+            &tables, &light, (enum glint_normals)held, packed ? (const void *)words : (const void *)normals,
+            (ptrdiff_t)(W * (packed ? sizeof *words : sizeof *normals)), W - 1, H, &surface));
+        add_bytes(out, LINE * H);
+    }
+    struct glint_span span = {0, 0, 0, 0, 0, 0};
+    add((uint32_t)glint_span_init(&span, &shader.light, &normals[0], &normals[1], W));
+    const struct glint_surface line = {out, LINE, 0, 0};
+    add((uint32_t)glint_tables_span(&tables, &span, &line));
+    add_bytes(out, LINE);
+}
+
 static void add_scenes(const struct sweep_size *size)
 {
     unsigned flags = 0;
@@ -204,6 +248,16 @@ static void add_scenes(const struct sweep_size *size)
             for (unsigned space = GLINT_GAMMA; space <= GLINT_LINEAR; space++)
                 for (uint8_t scene = 0; scene < size->scenes; scene++)
                     add_scene(model, format, space, flags++);
+}
+
+static void add_all_tables(const struct sweep_size *size)
+{
+    unsigned flags = 0;
+    for (unsigned kind = KINDS_FROM; kind <= GLINT_TABLES_SMALL; kind++)
+        for (unsigned model = 0; model < MODEL_COUNT; model++)
+            for (unsigned format = GLINT_RGB565; format <= (kind ? GLINT_MONO : GLINT_RGB565_SWAPPED); format++)
+                for (uint8_t scene = 0; scene < size->scenes; scene++)
+                    add_tables(kind, model, format, flags++);
 }
 
 uint64_t sweep(const struct sweep_size *size)
@@ -217,6 +271,7 @@ uint64_t sweep(const struct sweep_size *size)
     add_vectors(size);
     add_srgb(size);
     add_scenes(size);
+    add_all_tables(size);
     return hash;
 }
 

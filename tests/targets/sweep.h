@@ -5,6 +5,11 @@
 
 #include <stdint.h>
 
+/* 0: without the COLOUR tables, for machines whose RAM is less than their 20 KB. */
+#ifndef SWEEP_COLOUR
+#define SWEEP_COLOUR 1
+#endif
+
 struct sweep_size {
     uint16_t n_stride; /* of the list of shininess values */
     uint16_t c_step;   /* Q16.16 */

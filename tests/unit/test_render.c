@@ -6,6 +6,7 @@
 #include "files.h"
 
 #include "image.h"
+#include "shade.h"
 
 static void a_map_becomes_a_picture_of_its_size_and_nothing_is_said(void **state)
 {
@@ -208,6 +209,41 @@ static void help_explains_every_option_and_fits_a_terminal(void **state)
     }
 }
 
+static void each_path_draws_the_sphere_within_its_error(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"span",        "colour-int16", "colour-int10", "colour-int8", "colour-span",
+                                        "small-int16", "small-int10",  "small-int8",   "small-span"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        struct shading shading = {.model = GLINT_MSH,
+                                  .n = 60,
+                                  .q = 8,
+                                  .light = {-1, 1, 1},
+                                  .view = {0, 0, 1},
+                                  .ambient = {.15, .15, .15},
+                                  .diffuse = {.85, .85, .85},
+                                  .specular = {.8, .8, .8},
+                                  .format = GLINT_RGB565};
+        struct scene *scene = scene_draw("sphere", 96, 96);
+        struct levels *exact = shade_scene(scene, &shading);
+        while (strcmp(path_names[shading.path], names[i]) != 0)
+            shading.path++;
+        assert_null(path_refusal(&shading));
+        struct levels *levels = shade_scene(scene, &shading);
+        unsigned differ = 0;
+        for (size_t p = 0; p < 3 * 96 * 96; p++) {
+            const int difference = exact->values[p] - levels->values[p];
+            /* in steps of 31 or 63; a curve cut into spans of 16 pixels of so small a ball differs by itself */
+            assert_in_range(abs(difference), 0, strstr(names[i], "span") ? 4 : 2);
+            differ += difference != 0;
+        }
+        assert_in_range(differ, 1, 96 * 96); /* it is another path, and a near one */
+        levels_free(exact);
+        levels_free(levels);
+        scene_free(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -223,6 +259,7 @@ int main(void)
         cmocka_unit_test(q_follows_the_format_and_the_space),
         cmocka_unit_test(each_option_of_light_and_material_changes_the_picture),
         cmocka_unit_test(help_explains_every_option_and_fits_a_terminal),
+        cmocka_unit_test(each_path_draws_the_sphere_within_its_error),
     };
     return cmocka_run_group_tests_name("render", tests, make_maps, scratch_remove);
 }
