@@ -194,6 +194,14 @@ enum glint_err glint_tables_span(const struct glint_tables *tables, const struct
     return GLINT_OK;
 }
 
+#if !GLINT_CORTEX_M0PLUS_ASM
+void glint_palette_line(const uint16_t *colours, const uint16_t *offsets, uint16_t w, uint16_t *out)
+{
+    for (const uint16_t *end = offsets + w; offsets != end; offsets++, out++)
+        *out = *(const uint16_t *)(const void *)((const uint8_t *)colours + *offsets);
+}
+#endif
+
 enum glint_err glint_palette_rect(const uint16_t *colours, const uint16_t *offsets, ptrdiff_t stride, uint16_t w,
                                   uint16_t h, const struct glint_surface *surface)
 {
@@ -204,8 +212,7 @@ enum glint_err glint_palette_rect(const uint16_t *colours, const uint16_t *offse
     for (uint16_t y = 0; y < h; y++) {
         const uint16_t *in = (const uint16_t *)(const void *)((const uint8_t *)offsets + stride * (ptrdiff_t)y);
         uint16_t *out = (uint16_t *)(void *)((uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y);
-        for (const uint16_t *end = in + w; in != end; in++, out++)
-            *out = *(const uint16_t *)(const void *)((const uint8_t *)colours + *in);
+        glint_palette_line(colours, in, w, out);
     }
     return GLINT_OK;
 }

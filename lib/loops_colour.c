@@ -50,6 +50,7 @@ void glint_colour_int10(const struct glint_tables *tables, const struct glint_ta
     }
 }
 
+#if !GLINT_CORTEX_M0PLUS_ASM
 void glint_colour_int8(const struct glint_tables *tables, const struct glint_tables_light *light, const uint32_t *words,
                        uint16_t w, uint16_t *out)
 {
@@ -81,6 +82,7 @@ void glint_colour_int8(const struct glint_tables *tables, const struct glint_tab
         *out = *(const uint16_t *)(const void *)(colours + at);
     }
 }
+#endif
 
 void glint_colour_span(const struct glint_tables *tables, const struct glint_span *span, uint16_t w, uint16_t *out)
 {

@@ -6,6 +6,11 @@
 #include "internal.h"
 #include "pixel.h"
 
+/* 1: cortex_m0plus.S, assembled with the same definition, instead of the C of the inner loops it has. */
+#ifndef GLINT_CORTEX_M0PLUS_ASM
+#define GLINT_CORTEX_M0PLUS_ASM 0
+#endif
+
 enum { GLINT_SEGMENT = 192, GLINT_DIFFUSE = 65 }; /* SMALL: columns in each half; words for the diffuse part */
 
 /* Where a channel lies in a sum's word, and what 1.0 is there; the guard bit is the one above its top bit. */
@@ -51,6 +56,9 @@ void glint_colour_int10(const struct glint_tables *tables, const struct glint_ta
 void glint_colour_int8(const struct glint_tables *tables, const struct glint_tables_light *light, const uint32_t *words,
                        uint16_t w, uint16_t *out);
 void glint_colour_span(const struct glint_tables *tables, const struct glint_span *span, uint16_t w, uint16_t *out);
+
+/* A line of a palette. */
+void glint_palette_line(const uint16_t *colours, const uint16_t *offsets, uint16_t w, uint16_t *out);
 
 /* A pixel, SMALL tables, any format and alignment. */
 void glint_small_pixel(const struct glint_tables *tables, const struct glint_surface *surface, uint16_t x, uint16_t y,

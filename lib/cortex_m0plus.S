@@ -1,0 +1,286 @@
+/* SPDX-License-Identifier: MIT
+ * The loops over COLOUR tables and palettes for ARMv6-M, by hand: what the C in loops_colour.c and loops.c does, bit for
+ * bit. Empty unless GLINT_CORTEX_M0PLUS_ASM is 1, for the C and for this file. At most 48 bytes of stack.
+ *
+ * Neighbours are alike: each kind of pixel has a row of four, and where the next pixel is of the other kind, it is in the
+ * other kind's row, at the same place, that the code goes on. So no pixel pays for a loop and few for a branch. */
+#if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
+    .syntax unified
+    .cpu cortex-m0plus
+    .thumb
+
+/* Offsets in struct glint_tables and struct glint_tables_light; loops_colour.c compares them with the compiler's. */
+#define COLUMNS 0
+#define COLOURS 4
+#define T_MAX 8
+#define DARK 12
+#define LIGHT_X 12
+#define LIGHT_Y 16
+#define LIGHT_Z 20
+#define LIGHT_CUT 24
+#define LIGHT_R 28
+#define LIGHT_A 32
+
+#define SAVED 36 /* bytes */
+
+.macro function name
+    .section .text.\name, "ax", %progbits
+    .global \name
+    .type \name, %function
+    .balign 4
+    .thumb_func
+\name:
+.endm
+
+.macro enter bytes
+    push {r4-r7, lr}
+    mov r4, r8
+    mov r5, r9
+    mov r6, r10
+    mov r7, r11
+    push {r4-r7}
+    sub sp, #\bytes
+.endm
+
+.macro leave bytes
+    add sp, #\bytes
+    pop {r4-r7}
+    mov r8, r4
+    mov r9, r5
+    mov r10, r6
+    mov r11, r7
+    pop {r4-r7, pc}
+.endm
+
+/* ---- glint_colour_int8(tables, light, words, w, out): words in r0, out in r1 ---- */
+
+#define x r2
+#define v r3
+#define z r4
+#define lx r5
+#define ly r6
+#define lz r7
+#define minus_cut r8
+#define columns r9
+#define colours r10
+#define last r11 /* the last place of out where a row of four may begin */
+#define factor r12
+#define exponent lr
+
+/* The next word: d in x, e in v and in the flags. */
+.macro int8_dot dark, gap
+    ldmia r0!, {v}
+    asrs z, v, #16
+    beq \gap
+    sxtb x, v
+    muls x, lx
+    sxth v, v
+    muls v, ly
+    adds x, x, v
+    lsls v, z, #14
+    muls z, lz
+    adds x, x, z
+    bmi \dark
+    add v, minus_cut
+    adds v, v, x
+.endm
+
+.macro int8_outside at
+    lsrs x, x, #23
+    lsls x, x, #7
+    add x, colours
+    ldrh x, [x]
+    strh x, [r1, #2 * \at]
+.endm
+
+.macro int8_inside at
+    mov z, exponent
+    lsrs v, z
+    mov z, factor
+    muls v, z
+    lsrs v, v, #20
+    add v, columns
+    ldrb v, [v]
+    lsls v, v, #1
+    lsrs x, x, #23
+    lsls x, x, #7
+    adds x, x, v
+    add x, colours
+    ldrh x, [x]
+    strh x, [r1, #2 * \at]
+.endm
+
+.macro int8_dark at
+    ldr x, [sp]
+    strh x, [r1, #2 * \at]
+.endm
+
+.macro int8_skip at /* out to the gap, in some row at its place */
+    adds r1, #2 * \at
+    b int8_gap
+.endm
+
+    function glint_colour_int8
+    enter 8
+    ldrh r4, [r0, #DARK]
+    str r4, [sp]
+    ldr r4, [sp, #SAVED + 8]
+    lsls r3, r3, #1
+    adds r3, r3, r4
+    str r3, [sp, #4] /* the end of out */
+    subs r3, #8
+    mov last, r3
+    ldr r3, [r0, #COLUMNS]
+    mov columns, r3
+    ldr r3, [r0, #COLOURS]
+    mov colours, r3
+    mov r0, r2
+    ldr r5, [r1, #LIGHT_CUT]
+    rsbs r5, r5, #0
+    mov minus_cut, r5
+    ldr r5, [r1, #LIGHT_R]
+    mov factor, r5
+    adds r1, #LIGHT_X
+    ldrb r5, [r1, #LIGHT_A - LIGHT_X]
+    mov exponent, r5
+    ldmia r1!, {lx, ly, lz}
+    mov r1, r4
+    b int8_rest
+
+int8_gap: /* v is the word, r0 past it */
+    cmp v, #0
+    bne 1f
+    movs v, #1
+1:  lsls v, v, #1
+    ldr x, [sp, #4]
+    subs x, x, r1
+    cmp v, x
+    bhs int8_done
+    adds r1, r1, v
+    lsls v, v, #1
+    subs v, #4
+    adds r0, r0, v
+int8_rest: /* how many are left? */
+    cmp r1, last
+    bls 2f
+    ldr x, [sp, #4]
+    cmp r1, x
+    bhs int8_done
+    int8_dot int8_last_dark, int8_gap
+    bpl 1f
+    int8_outside 0
+    adds r1, #2
+    b int8_rest
+1:  int8_inside 0
+    adds r1, #2
+    b int8_rest
+int8_last_dark:
+    int8_dark 0
+    adds r1, #2
+    b int8_rest
+2:  b int8_out_0
+int8_done:
+    leave 8
+
+.irp at, 0, 1, 2, 3
+int8_out_gap_\at:
+    int8_skip \at
+.endr
+int8_out_dark_0:
+    int8_dark 0
+    b int8_out_1
+int8_out_dark_1:
+    int8_dark 1
+    b int8_out_2
+int8_out_dark_2:
+    int8_dark 2
+    b int8_out_3
+int8_out_dark_3:
+    int8_dark 3
+    b int8_out_4
+.irp at, 0, 1, 2, 3
+int8_out_\at:
+    int8_dot int8_out_dark_\at, int8_out_gap_\at
+    bpl int8_is_in_\at
+int8_is_out_\at:
+    int8_outside \at
+.endr
+int8_out_4:
+    adds r1, #8
+    cmp r1, last
+    bls int8_out_0
+    b int8_rest
+
+.irp at, 0, 1, 2, 3
+int8_in_\at:
+    int8_dot int8_in_dark_\at, int8_in_gap_\at
+    bmi int8_is_out_\at
+int8_is_in_\at:
+    int8_inside \at
+.endr
+int8_in_4:
+    adds r1, #8
+    cmp r1, last
+    bls int8_in_0
+    b int8_rest
+.irp at, 0, 1, 2, 3
+int8_in_gap_\at:
+    int8_skip \at
+.endr
+int8_in_dark_0:
+    int8_dark 0
+    b int8_in_1
+int8_in_dark_1:
+    int8_dark 1
+    b int8_in_2
+int8_in_dark_2:
+    int8_dark 2
+    b int8_in_3
+int8_in_dark_3:
+    int8_dark 3
+    b int8_in_4
+
+#undef x
+#undef v
+#undef z
+#undef lx
+#undef ly
+#undef lz
+#undef minus_cut
+#undef columns
+#undef colours
+#undef last
+#undef factor
+#undef exponent
+
+/* ---- glint_palette_line(colours, offsets, w, out): a load for the offset, one for the colour ---- */
+
+.macro palette at
+    ldrh r4, [r1, #2 * \at]
+    ldrh r4, [r0, r4]
+    strh r4, [r3, #2 * \at]
+.endm
+
+    function glint_palette_line
+    push {r4, lr}
+    lsls r2, r2, #1
+    adds r2, r2, r3 /* the end of out */
+    subs r2, #32
+    b 2f
+1:
+.irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
+    palette \at
+.endr
+    adds r1, #32
+    adds r3, #32
+2:  cmp r3, r2
+    bls 1b
+    adds r2, #32
+    b 4f
+3:  palette 0
+    adds r1, #2
+    adds r3, #2
+4:  cmp r3, r2
+    blo 3b
+    pop {r4, pc}
+#endif
