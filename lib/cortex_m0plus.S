@@ -67,8 +67,8 @@
 #define factor r12
 #define exponent lr
 
-/* The next word: d in x, e in v and in the flags. */
-.macro int8_dot dark, gap
+/* The next word: d in x and in the flags, 2^14 z in v. */
+.macro int8_dot gap
     ldmia r0!, {v}
     asrs z, v, #16
     beq \gap
@@ -80,7 +80,9 @@
     lsls v, z, #14
     muls z, lz
     adds x, x, z
-    bmi \dark
+.endm
+
+.macro int8_edge /* e in v and in the flags */
     add v, minus_cut
     adds v, v, x
 .endm
@@ -101,12 +103,10 @@
     lsrs v, v, #20
     add v, columns
     ldrb v, [v]
-    lsls v, v, #1
     lsrs x, x, #23
     lsls x, x, #7
-    adds x, x, v
     add x, colours
-    ldrh x, [x]
+    ldrh x, [x, v]
     strh x, [r1, #2 * \at]
 .endm
 
@@ -115,9 +115,19 @@
     strh x, [r1, #2 * \at]
 .endm
 
-.macro int8_skip at /* out to the gap, in some row at its place */
+.macro int8_next row /* four pixels are done */
+    adds r1, #8
+    cmp r1, last
+    bls int8_\row\()_0
+    b int8_rest
+.endm
+
+.macro int8_skip row /* out to the gap */
+.irp at, 0, 1, 2, 3
+int8_\row\()_gap_\at:
     adds r1, #2 * \at
     b int8_gap
+.endr
 .endm
 
     function glint_colour_int8
@@ -162,11 +172,13 @@ int8_gap: /* v is the word, r0 past it */
     adds r0, r0, v
 int8_rest: /* how many are left? */
     cmp r1, last
-    bls 2f
+    bls int8_out_0
     ldr x, [sp, #4]
     cmp r1, x
     bhs int8_done
-    int8_dot int8_last_dark, int8_gap
+    int8_dot int8_gap
+    bmi 2f
+    int8_edge
     bpl 1f
     int8_outside 0
     adds r1, #2
@@ -174,71 +186,50 @@ int8_rest: /* how many are left? */
 1:  int8_inside 0
     adds r1, #2
     b int8_rest
-int8_last_dark:
-    int8_dark 0
+2:  int8_dark 0
     adds r1, #2
     b int8_rest
-2:  b int8_out_0
 int8_done:
     leave 8
 
+    int8_skip dark
 .irp at, 0, 1, 2, 3
-int8_out_gap_\at:
-    int8_skip \at
+int8_dark_\at:
+    int8_dot int8_dark_gap_\at
+    bpl int8_is_lit_\at
+int8_is_dark_\at:
+    int8_dark \at
 .endr
-int8_out_dark_0:
-    int8_dark 0
-    b int8_out_1
-int8_out_dark_1:
-    int8_dark 1
-    b int8_out_2
-int8_out_dark_2:
-    int8_dark 2
-    b int8_out_3
-int8_out_dark_3:
-    int8_dark 3
-    b int8_out_4
+    int8_next dark
+
+    int8_skip out
 .irp at, 0, 1, 2, 3
 int8_out_\at:
-    int8_dot int8_out_dark_\at, int8_out_gap_\at
+    int8_dot int8_out_gap_\at
+    bmi int8_is_dark_\at
+int8_is_lit_\at:
+    int8_edge
     bpl int8_is_in_\at
 int8_is_out_\at:
     int8_outside \at
 .endr
-int8_out_4:
-    adds r1, #8
-    cmp r1, last
-    bls int8_out_0
-    b int8_rest
+    int8_next out
 
 .irp at, 0, 1, 2, 3
 int8_in_\at:
-    int8_dot int8_in_dark_\at, int8_in_gap_\at
+    int8_dot int8_in_gap_\at
+    bmi int8_in_dark_\at
+    int8_edge
     bmi int8_is_out_\at
 int8_is_in_\at:
     int8_inside \at
 .endr
-int8_in_4:
-    adds r1, #8
-    cmp r1, last
-    bls int8_in_0
-    b int8_rest
+    int8_next in
+    int8_skip in
 .irp at, 0, 1, 2, 3
-int8_in_gap_\at:
-    int8_skip \at
+int8_in_dark_\at:
+    b int8_is_dark_\at
 .endr
-int8_in_dark_0:
-    int8_dark 0
-    b int8_in_1
-int8_in_dark_1:
-    int8_dark 1
-    b int8_in_2
-int8_in_dark_2:
-    int8_dark 2
-    b int8_in_3
-int8_in_dark_3:
-    int8_dark 3
-    b int8_in_4
 
 #undef x
 #undef v

@@ -5,7 +5,7 @@
 /* Table and limits in registers. */
 struct look {
     const uint8_t *columns;
-    const uint16_t *colours;
+    const uint8_t *colours;
     uint32_t t_max;
     unsigned shift;
     uint16_t dark;
@@ -13,7 +13,8 @@ struct look {
 
 static inline struct look look_up(const struct glint_tables *tables)
 {
-    const struct look look = {tables->columns, tables->colour.colours, tables->t_max_q30, tables->shift, tables->dark};
+    const struct look look = {tables->columns, (const uint8_t *)tables->colour.colours, tables->t_max_q30,
+                              tables->shift, tables->dark};
     return look;
 }
 
@@ -21,10 +22,10 @@ static inline uint16_t colour(const struct look *look, uint32_t t, int32_t nl)
 {
     if (nl < 0)
         return look->dark;
-    uint32_t at = (uint32_t)nl >> 24 << 6;
+    uint32_t at = (uint32_t)nl >> 24 << 7; /* bytes, as in the columns */
     if (t <= look->t_max)
         at += look->columns[(look->t_max - t) >> look->shift];
-    return look->colours[at];
+    return *(const uint16_t *)(const void *)(look->colours + at);
 }
 
 void glint_colour_vec(const struct glint_tables *tables, const struct glint_tables_light *light,
@@ -78,7 +79,7 @@ void glint_colour_int8(const struct glint_tables *tables, const struct glint_tab
         uint32_t at = (uint32_t)d >> 23 << 7; /* bytes */
         const uint32_t e = (uint32_t)d + ((uint32_t)z << 14) - cut;
         if ((int32_t)e >= 0)
-            at += 2u * columns[((e >> a) * r) >> 20];
+            at += columns[((e >> a) * r) >> 20];
         *out = *(const uint16_t *)(const void *)(colours + at);
     }
 }

@@ -43,7 +43,7 @@ static void fill_colour(struct glint_tables *tables, const struct peak *peak)
     tables->shift = (uint8_t)s;
     for (uint32_t i = 0; i < COLUMNS; i++) {
         const uint64_t back = ((uint64_t)i << s) + ((uint32_t)1 << s >> 1);
-        tables->columns[i] = column_at(peak, back < t_max ? t_max - (uint32_t)back : 0);
+        tables->columns[i] = (uint8_t)(2 * column_at(peak, back < t_max ? t_max - (uint32_t)back : 0)); /* bytes */
     }
     const struct glint_surface colours = {tables->colour.colours, 128, 0, 0}, dark = {&tables->dark, 2, 0, 0};
     for (uint16_t row = 0; row < 128; row++)
