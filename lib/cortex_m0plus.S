@@ -244,6 +244,222 @@ int8_in_dark_\at:
 #undef factor
 #undef exponent
 
+/* ---- glint_run_outside(colours, nl, dnl, out, end): all pixels lit, none in the lobe ---- */
+
+.macro outside at
+    lsrs r5, r1, #24
+    lsls r5, r5, #7
+    ldrh r5, [r0, r5]
+    strh r5, [r3, #2 * \at]
+    adds r1, r1, r2
+.endm
+
+    function glint_run_outside
+    push {r4, r5, lr}
+    ldr r4, [sp, #12]
+    subs r4, #16
+    b 2f
+1:
+.irp at, 0, 1, 2, 3, 4, 5, 6, 7
+    outside \at
+.endr
+    adds r3, #16
+2:  cmp r3, r4
+    bls 1b
+    adds r4, #16
+    b 4f
+3:  outside 0
+    adds r3, #2
+4:  cmp r3, r4
+    blo 3b
+    pop {r4, r5, pc}
+
+/* ---- glint_run_inside(run, out, end), glint_run_mixed(run, out, end) ---- */
+
+#define back r0
+#define dback r1
+#define colours r2
+#define nl r3
+#define out r4
+#define shift r5
+#define j r6
+#define at r7
+#define ddback r8
+#define dnl r9
+#define columns r10
+#define last r11
+#define limit r12
+#define t_max lr
+
+.macro run_enter /* end at sp, dark at sp + 4 */
+    enter 8
+    str r2, [sp]
+    subs r2, #8
+    mov last, r2
+    mov out, r1
+    ldr at, [r0, #8]
+    mov ddback, at
+    ldr at, [r0, #16]
+    mov dnl, at
+    ldr at, [r0, #20]
+    mov columns, at
+    ldr colours, [r0, #24]
+    ldr shift, [r0, #28]
+    ldr at, [r0, #32]
+    mov t_max, at
+    ldr at, [r0, #36]
+    mov limit, at
+    ldrh at, [r0, #40]
+    str at, [sp, #4]
+    ldr nl, [r0, #12]
+    ldr dback, [r0, #4]
+    ldr back, [r0]
+.endm
+
+.macro run_step
+    add nl, dnl
+    adds back, back, dback
+    add dback, ddback
+.endm
+
+.macro inside i
+    movs j, back
+    lsrs j, shift
+    add j, columns
+    ldrb j, [j]
+    lsrs at, nl, #24
+    lsls at, at, #7
+    adds at, at, j
+    ldrh at, [colours, at]
+    strh at, [out, #2 * \i]
+    run_step
+.endm
+
+    function glint_run_inside
+    run_enter
+    b 2f
+1:
+.irp i, 0, 1, 2, 3
+    inside \i
+.endr
+    adds out, #8
+2:  cmp out, last
+    bls 1b
+    b 4f
+3:  inside 0
+    adds out, #2
+4:  ldr at, [sp]
+    cmp out, at
+    blo 3b
+    leave 8
+
+.macro mixed_dark row /* dark in j, so that at keeps nothing */
+.irp i, 0, 1, 2, 3
+mixed_\row\()_dark_\i:
+    ldr j, [sp, #4]
+    strh j, [out, #2 * \i]
+    b mixed_\row\()_step_\i
+.endr
+.endm
+
+.macro mixed_next row
+    adds out, #8
+    cmp out, last
+    bls mixed_\row\()_0
+    b mixed_rest
+.endm
+
+    function glint_run_mixed
+    run_enter
+mixed_rest:
+    cmp out, last
+    bls mixed_past_0
+    ldr at, [sp]
+    cmp out, at
+    bhs 5f
+    asrs at, nl, #24
+    bmi 3f
+    movs j, #0
+    cmp back, limit
+    bhi 2f
+    movs j, back
+    cmp back, t_max
+    bls 1f
+    mov j, t_max
+1:  lsrs j, shift
+    add j, columns
+    ldrb j, [j]
+2:  lsls at, at, #7
+    adds at, at, j
+    ldrh at, [colours, at]
+    b 4f
+3:  ldr at, [sp, #4]
+4:  strh at, [out]
+    adds out, #2
+    run_step
+    b mixed_rest
+5:  leave 8
+
+    mixed_dark past
+.irp i, 0, 1, 2, 3
+mixed_past_\i:
+    asrs at, nl, #24
+    bmi mixed_past_dark_\i
+    cmp back, limit
+    bls mixed_is_in_\i
+mixed_is_past_\i:
+    lsls at, at, #7
+    ldrh at, [colours, at]
+    strh at, [out, #2 * \i]
+mixed_past_step_\i:
+    run_step
+.endr
+    mixed_next past
+
+.irp i, 0, 1, 2, 3
+mixed_in_\i:
+    asrs at, nl, #24
+    bmi mixed_in_dark_\i
+mixed_is_in_\i:
+    movs j, back
+    cmp back, t_max
+    bhi mixed_over_\i
+mixed_column_\i:
+    lsrs j, shift
+    add j, columns
+    ldrb j, [j]
+    lsls at, at, #7
+    adds at, at, j
+    ldrh at, [colours, at]
+    strh at, [out, #2 * \i]
+mixed_in_step_\i:
+    run_step
+.endr
+    mixed_next in
+    mixed_dark in
+.irp i, 0, 1, 2, 3
+mixed_over_\i: /* t is over t_max, or a little below 0 */
+    mov j, t_max
+    cmp back, limit
+    bls mixed_column_\i
+    b mixed_is_past_\i
+.endr
+
+#undef back
+#undef dback
+#undef colours
+#undef nl
+#undef out
+#undef shift
+#undef j
+#undef at
+#undef ddback
+#undef dnl
+#undef columns
+#undef last
+#undef limit
+#undef t_max
+
 /* ---- glint_palette_line(colours, offsets, w, out): a load for the offset, one for the colour ---- */
 
 .macro palette at

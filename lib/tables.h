@@ -57,6 +57,17 @@ void glint_colour_int8(const struct glint_tables *tables, const struct glint_tab
                        uint16_t w, uint16_t *out);
 void glint_colour_span(const struct glint_tables *tables, const struct glint_span *span, uint16_t w, uint16_t *out);
 
+/* Pixels of a span; back = t_max - t, so that a column is back >> shift. Where GLINT_CORTEX_M0PLUS_ASM, in its order. */
+struct glint_run {
+    uint32_t back, dback, ddback, nl, dnl;
+    const uint8_t *columns, *colours;
+    uint32_t shift, t_max, limit; /* back <= limit: t is up to t_max, or a little below 0 */
+    uint16_t dark;
+};
+void glint_run_outside(const uint8_t *colours, uint32_t nl, uint32_t dnl, uint16_t *out, const uint16_t *end);
+void glint_run_inside(const struct glint_run *run, uint16_t *out, const uint16_t *end);
+void glint_run_mixed(const struct glint_run *run, uint16_t *out, const uint16_t *end);
+
 /* A line of a palette. */
 void glint_palette_line(const uint16_t *colours, const uint16_t *offsets, uint16_t w, uint16_t *out);
 
