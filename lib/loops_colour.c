@@ -145,69 +145,66 @@ void glint_run_mixed(const struct glint_run *run, uint16_t *out, const uint16_t 
 /* Of up to RUN pixels it is cheap to know that all are alike: t is convex and nl linear. Modulo 2^32 they are that only
  * where no sum wraps: with steps below 2^25 and ddt below 2^21, 31 steps change nl and t by less than 2^31. */
 enum { RUN = 32 };
-enum run_kind { MIXED, OUTSIDE, INSIDE, UNLIT };
+#define BIG ((uint32_t)1 << 25)
 
-static inline enum run_kind run_kind(const struct glint_run *run, uint32_t m, uint32_t nl_last, uint32_t back_last)
+static inline void unlit(uint16_t dark, uint16_t *out, const uint16_t *end)
 {
-    const uint32_t big = (uint32_t)1 << 25, t_max = run->t_max, dt = 0 - run->dback, ddt = 0 - run->ddback;
-    if (run->dnl + big > 2 * big || dt + big > 2 * big || ddt >> 21)
-        return MIXED;
-    if ((int32_t)(run->nl & nl_last) < 0)
-        return UNLIT;
-    const int32_t first = (int32_t)(t_max - run->back), last = (int32_t)(t_max - back_last);
-    if ((int32_t)(run->nl | nl_last) < 0 || (first | last) < 0)
-        return MIXED;
-    const int32_t step = (int32_t)dt, last_step = step + (int32_t)((m - 1) * ddt);
-    int32_t low = first < last ? first : last;
-    if (step < 0 && last_step > 0) { /* the lowest t lies between: above the tangents of the ends, to their middle */
-        const int32_t half = (int32_t)(m + 1) >> 1, a = first + half * step, b = last - half * last_step;
-        low = a < b ? a : b;
-    }
-    if (low > (int32_t)t_max)
-        return OUTSIDE;
-    return low >= 0 && first <= (int32_t)t_max && last <= (int32_t)t_max ? INSIDE : MIXED;
+    while (out != end)
+        *out++ = dark;
+}
+
+/* The lowest t of a run, or less: where it lies between the ends, above their tangents up to the middle. */
+static inline int32_t lowest(int32_t first, int32_t last, int32_t step, int32_t last_step, int32_t m)
+{
+    if (step >= 0)
+        return first;
+    if (last_step <= 0)
+        return last;
+    const int32_t half = (m + 1) >> 1, a = first + half * step, b = last - half * last_step;
+    return a < b ? a : b;
 }
 
 void glint_colour_span(const struct glint_tables *tables, const struct glint_span *span, uint16_t w, uint16_t *out)
 {
-    const uint32_t t_max = tables->t_max_q30;
-    struct glint_run run = {t_max - span->t_q30,
-                            0 - span->dt_q30,
-                            0 - span->ddt_q30,
-                            (uint32_t)span->nl_q30,
-                            (uint32_t)span->dnl_q30,
-                            tables->columns,
-                            (const uint8_t *)tables->colour.colours,
-                            tables->shift,
-                            t_max,
-                            t_max - GLINT_NEGATIVE_T,
-                            tables->dark};
+    const int32_t t_max = (int32_t)tables->t_max_q30;
+    const uint8_t *const colours = (const uint8_t *)tables->colour.colours;
+    uint32_t t = span->t_q30, dt = span->dt_q30, nl = (uint32_t)span->nl_q30;
+    const uint32_t ddt = span->ddt_q30, dnl = (uint32_t)span->dnl_q30;
     for (uint32_t left = w; left;) {
         const uint32_t count = left < RUN ? left : RUN, m = count - 1;
-        const uint32_t nl_last = run.nl + m * run.dnl;
-        const uint32_t back_last = run.back + m * run.dback + (m * (m - 1) >> 1) * run.ddback;
+        const uint32_t last_nl = nl + m * dnl, last_dt = dt + m * ddt, last_t = t + m * dt + (m * (m - 1) >> 1) * ddt;
         uint16_t *const end = out + count;
-        switch (run_kind(&run, m, nl_last, back_last)) {
-        case OUTSIDE:
-            glint_run_outside(run.colours, run.nl, run.dnl, out, end);
-            break;
-        case INSIDE:
-            glint_run_inside(&run, out, end);
-            break;
-        case UNLIT:
-            for (uint16_t *at = out; at != end; at++)
-                *at = run.dark;
-            break;
-        default:
-            glint_run_mixed(&run, out, end);
+        bool mixed = (dnl + BIG) >> 26 || (dt + BIG) >> 26 || ddt >> 21 || (int32_t)(nl ^ last_nl) < 0;
+        if (!mixed && (int32_t)nl < 0) {
+            unlit(tables->dark, out, end);
+        } else {
+            int32_t low = -1;
+            if (!mixed && (int32_t)(t | last_t) >= 0)
+                low = lowest((int32_t)t, (int32_t)last_t, (int32_t)dt, (int32_t)last_dt, (int32_t)m);
+            if (low > t_max) {
+                glint_run_outside(colours, nl, dnl, out, end);
+            } else {
+                const struct glint_run run = {(uint32_t)t_max - t,
+                                              0 - dt,
+                                              0 - ddt,
+                                              nl,
+                                              dnl,
+                                              tables->columns,
+                                              colours,
+                                              tables->shift,
+                                              (uint32_t)t_max,
+                                              (uint32_t)t_max - GLINT_NEGATIVE_T,
+                                              tables->dark};
+                if (low >= 0 && (int32_t)t <= t_max && (int32_t)last_t <= t_max)
+                    glint_run_inside(&run, out, end);
+                else
+                    glint_run_mixed(&run, out, end);
+            }
         }
         left -= count;
-        if (!left)
-            return;
         out = end;
-        run.nl = nl_last + run.dnl;
-        run.dback += m * run.ddback;
-        run.back = back_last + run.dback;
-        run.dback += run.ddback;
+        nl = last_nl + dnl;
+        t = last_t + last_dt;
+        dt = last_dt + ddt;
     }
 }
