@@ -108,7 +108,7 @@ void glint_run_outside(const uint8_t *colours, uint32_t nl, uint32_t dnl, uint16
 void glint_run_inside(const struct glint_run *run, uint16_t *out, const uint16_t *end)
 {
     const uint8_t *const columns = run->columns, *const colours = run->colours;
-    const unsigned shift = run->shift;
+    const uint32_t shift = run->shift;
     uint32_t back = run->back, dback = run->dback, nl = run->nl;
     const uint32_t ddback = run->ddback, dnl = run->dnl;
     for (; out != end; out++) {
@@ -122,7 +122,7 @@ void glint_run_inside(const struct glint_run *run, uint16_t *out, const uint16_t
 void glint_run_mixed(const struct glint_run *run, uint16_t *out, const uint16_t *end)
 {
     const uint8_t *const columns = run->columns, *const colours = run->colours;
-    const unsigned shift = run->shift;
+    const uint32_t shift = run->shift;
     uint32_t back = run->back, dback = run->dback, nl = run->nl;
     const uint32_t ddback = run->ddback, dnl = run->dnl, t_max = run->t_max, limit = run->limit;
     const uint16_t dark = run->dark;
