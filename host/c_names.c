@@ -46,3 +46,14 @@ bool is_taken_c_name(const char *text)
             return true;
     return ends(text, "_t"); /* POSIX keeps these for types, <stdint.h> has many */
 }
+
+const char *parse_c_name(const struct argp_state *state, const char *text)
+{
+    if (strlen(text) > 63 || !is_c_name(text))
+        refuse(state,
+               "--name: '%s' is no name for C and C++: a letter, then letters, digits and single _ between, at most 63",
+               text);
+    if (is_taken_c_name(text))
+        refuse(state, "--name: '%s' has a meaning of its own in C or C++; take another", text);
+    return text;
+}

@@ -3,89 +3,18 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "compare.h"
 #include "host.h"
 #include "render_options.h"
 
-static struct image *read_map(const char *path)
+static struct scene *scene_of_render_options(const struct render_options *options)
 {
-    return path ? image_read(path) : NULL;
-}
-
-/* A map that goes with the scene, pixel for pixel. */
-static void check_same_size(const struct image *map, const struct scene *scene, const char *what)
-{
-    if (map->width != scene->width || map->height != scene->height)
-        fail("%s: is %ux%u pixels, but %s is %ux%u; both must have the same size", map->name, map->width, map->height,
-             what, scene->width, scene->height);
-}
-
-static struct scene *scene_of_heights(const struct render_options *options)
-{
-    struct image *map = image_read(options->heights);
-    if (!image_is_grey(map))
-        warn("%s: is in colour; its brightness is taken as the height", map->name);
-    const bool repeats = options->width > map->width || options->height > map->height;
-    struct scene *scene = scene_from_heights(map, options->scale, options->wraps || repeats);
-    image_free(map);
-    return scene;
-}
-
-static struct scene *scene_of_normals(const struct render_options *options, const struct image *mask)
-{
-    struct image *map = image_read(options->normals);
-    uint8_t *drawn = NULL;
-    if (mask && mask->width == map->width && mask->height == map->height)
-        drawn = image_grey8(mask);
-    struct scene *scene = scene_from_normals(map, options->flip_y, drawn);
-    free(drawn);
-    image_free(map);
-    return scene;
-}
-
-static void replace(uint8_t **map, uint8_t *by)
-{
-    free(*map);
-    *map = by;
-}
-
-static struct scene *scene_of(const struct render_options *options)
-{
-    struct image *mask = read_map(options->mask);
-    struct scene *scene;
-    const char *what;
-    if (options->heights) {
-        scene = scene_of_heights(options);
-        what = "the height map";
-    } else if (options->normals) {
-        scene = scene_of_normals(options, mask);
-        what = "the normal map";
-    } else {
-        scene = scene_draw(options->scene, options->width, options->height);
-        what = "the scene (see --size)";
+    struct scene *scene = scene_of_options(&options->scene);
+    if (options->has_color) {
+        free(scene->albedo);
+        scene->albedo = NULL;
     }
-    struct image *albedo = read_map(options->albedo), *gloss = read_map(options->gloss);
-    if (albedo) {
-        check_same_size(albedo, scene, what);
-        replace(&scene->albedo, image_rgb8(albedo));
-    } else if (options->has_color) {
-        replace(&scene->albedo, NULL);
-    }
-    if (gloss) {
-        check_same_size(gloss, scene, what);
-        replace(&scene->gloss, image_grey8(gloss));
-    }
-    if (mask) {
-        check_same_size(mask, scene, what);
-        replace(&scene->mask, image_grey8(mask));
-    }
-    image_free(albedo);
-    image_free(gloss);
-    image_free(mask);
-    if (options->width && (options->width != scene->width || options->height != scene->height))
-        scene_repeat(scene, options->width, options->height);
     return scene;
 }
 
@@ -139,7 +68,7 @@ int command_render(int argc, char **argv)
 {
     struct render_options options;
     render_options_parse(&options, argc, argv);
-    struct scene *scene = scene_of(&options);
+    struct scene *scene = scene_of_render_options(&options);
     const struct shading shading = shading_of(&options, scene);
     struct levels *levels = shade_scene(scene, &shading);
     /* Both are there in full before one gets its name. */

@@ -194,17 +194,6 @@ static void write_raw(FILE *out, const struct table *table)
 
 /* ---- the command ---- */
 
-static const char *parse_name(const struct argp_state *state, const char *text)
-{
-    if (strlen(text) > 63 || !is_c_name(text))
-        refuse(state,
-               "--name: '%s' is no name for C and C++: a letter, then letters, digits and single _ between, at most 63",
-               text);
-    if (is_taken_c_name(text))
-        refuse(state, "--name: '%s' has a meaning of its own in C or C++; take another", text);
-    return text;
-}
-
 static error_t parse_option(int key, char *argument, struct argp_state *state)
 {
     struct request *request = state->input;
@@ -235,7 +224,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         request->table.clamp_peak = true;
         return 0;
     case KEY_NAME:
-        request->name = parse_name(state, argument);
+        request->name = parse_c_name(state, argument);
         return 0;
     case KEY_RAW:
         request->raw = true;

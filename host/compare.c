@@ -17,7 +17,7 @@ double difference_mean(const struct difference *d)
     return d->samples ? d->sum / (double)d->samples : 0;
 }
 
-static void add(struct difference *d, double a, double b, uint32_t x, uint32_t y, unsigned channel)
+void difference_add(struct difference *d, double a, double b, uint32_t x, uint32_t y, unsigned channel)
 {
     const double off = 255 * fabs(a - b);
     d->samples++;
@@ -55,11 +55,11 @@ void compare(const struct scene *scene, const struct shading *shading, const str
                 continue;
             const double value = (double)line[i] / max;
             const double ideal = rounded(same[i], max, shading, x, y);
-            add(&out->rounded, value, ideal, x, y, k);
-            add(&out->unrounded, value, same[i], x, y, k);
-            add(&out->rounding, ideal, same[i], x, y, k);
-            add(&out->blinn_rounded, value, rounded(blinn[i], max, shading, x, y), x, y, k);
-            add(&out->blinn_unrounded, value, blinn[i], x, y, k);
+            difference_add(&out->rounded, value, ideal, x, y, k);
+            difference_add(&out->unrounded, value, same[i], x, y, k);
+            difference_add(&out->rounding, ideal, same[i], x, y, k);
+            difference_add(&out->blinn_rounded, value, rounded(blinn[i], max, shading, x, y), x, y, k);
+            difference_add(&out->blinn_unrounded, value, blinn[i], x, y, k);
         }
     }
     free(same);

@@ -14,6 +14,8 @@ struct difference {
     uint32_t x, y; /* of the largest */
     unsigned channel;
 };
+/* A sample, 0..1 in both. */
+void difference_add(struct difference *d, double a, double b, uint32_t x, uint32_t y, unsigned channel);
 double difference_psnr_db(const struct difference *difference); /* infinite where nothing differs */
 double difference_mean(const struct difference *difference);
 

@@ -64,6 +64,9 @@ size_t parse_list(const struct argp_state *state, const char *option, const char
 size_t parse_integer_list(const struct argp_state *state, const char *option, const char *text, long low, long high,
                           long **values);
 
+/* The place of `text` in a list that ends with NULL; else a usage error that shows the list. */
+unsigned parse_choice(const struct argp_state *state, const char *option, const char *text, const char *const *names);
+
 /* ---- rows of results (rows.c) ---- */
 
 enum rows_format { ROWS_TEXT, ROWS_CSV, ROWS_JSON };
@@ -92,6 +95,9 @@ void rows_end(struct rows *rows);
 bool is_c_name(const char *text);
 /* A keyword, or a name of <stdint.h>; `text` is_c_name. */
 bool is_taken_c_name(const char *text);
+
+/* For --name: a name that C and C++ leave to programs and that has no meaning yet, of at most 63 letters. */
+const char *parse_c_name(const struct argp_state *state, const char *text);
 
 /* ---- models (models.c) ---- */
 

@@ -79,6 +79,18 @@ void parse_reals(const struct argp_state *state, const char *option, const char 
                high);
 }
 
+unsigned parse_choice(const struct argp_state *state, const char *option, const char *text, const char *const *names)
+{
+    char all[256] = "";
+    unsigned i = 0;
+    for (; names[i]; i++) {
+        if (strcmp(text, names[i]) == 0)
+            return i;
+        snprintf(all + strlen(all), sizeof all - strlen(all), "%s%s", i ? ", " : "", names[i]);
+    }
+    refuse(state, "%s: no '%s'; %s %s", option, text, i > 1 ? "one of these is wanted:" : "there is only", all);
+}
+
 /* ---- lists ---- */
 
 struct range {

@@ -8,17 +8,9 @@
 #include "render_options.h"
 
 enum key {
-    KEY_HEIGHT = 256,
-    KEY_NORMALS,
-    KEY_SCENE,
-    KEY_SCALE,
-    KEY_WRAP,
-    KEY_FLIP_Y,
-    KEY_ALBEDO,
+    KEY_ALBEDO = 256,
     KEY_COLOR,
     KEY_GLOSS,
-    KEY_MASK,
-    KEY_SIZE,
     KEY_MODEL,
     KEY_LIGHT,
     KEY_VIEW,
@@ -36,35 +28,13 @@ enum key {
     KEY_ERROR_MAP,
     KEY_AGAINST
 };
-enum { Q_UNSET = 255, SCENE_SIDE = 320 };
+enum { Q_UNSET = 255 };
 
+/* Beside those of scene_options.c. */
 static const struct argp_option argp_options[] = {
-    {NULL, 0, NULL, 0, "What is shaded (one of three):", 1},
-    {"height", KEY_HEIGHT, "FILE", 0, "A height map, white near, black far; colour counts by its brightness", 1},
-    {"normals", KEY_NORMALS, "FILE", 0,
-     "A normal map with 8 or 16 bits a sample: red right, green up, blue towards the viewer. Vectors are renormalised; "
-     "where blue is 0 throughout, or with grey and alpha as x and y, z is reconstructed",
-     1},
-    {"scene", KEY_SCENE, "NAME", 0, "A built-in scene: sphere, watchface or coin", 1},
-
-    {NULL, 0, NULL, 0, "The maps, PNG files of one size (- is standard input):", 2},
     {"albedo", KEY_ALBEDO, "FILE", 0, "The surface's colour; alpha is ignored", 2},
     {"color", KEY_COLOR, "R,G,B", 0, "One colour instead, 0..255 each (default 200,200,200, or the scene's own)", 2},
     {"gloss", KEY_GLOSS, "FILE", 0, "What scales the highlight: white full, black none", 2},
-    {"mask", KEY_MASK, "FILE", 0, "What is drawn: black pixels stay black and are not compared", 2},
-    {"scale", KEY_SCALE, "S", 0,
-     "How many pixels white lies above black in a height map; negative turns hills into "
-     "hollows; default 8",
-     2},
-    {"wrap", KEY_WRAP, NULL, 0,
-     "The height map is seamless: slopes at its edges are taken around them (the default "
-     "where --size repeats it)",
-     2},
-    {"flip-y", KEY_FLIP_Y, NULL, 0, "Green points down in the normal map (as DirectX has it)", 2},
-    {"size", KEY_SIZE, "WxH", 0,
-     "Draw a scene at this size (default 320x320); cut a map to it or repeat the map to "
-     "fill it, never scale it (default: the map's own size)",
-     2},
 
     {NULL, 0, NULL, 0, "The light and the material:", 3},
     {"model", KEY_MODEL, "NAME", 0, "The highlight: msh (default), schlick, blinn, phong, gauss or cayley", 3},
@@ -126,35 +96,6 @@ static const char doc[] =
     "  glint render --scene watchface -o - | chafa\n"
     "  glint render --scene sphere -n 300 --error-map e.png --against blinn\n";
 
-/* The place of `text` in a list that ends with NULL; else a usage error that shows the list. */
-static unsigned parse_name(const struct argp_state *state, const char *option, const char *text,
-                           const char *const *names)
-{
-    char all[256] = "";
-    unsigned i = 0;
-    for (; names[i]; i++) {
-        if (strcmp(text, names[i]) == 0)
-            return i;
-        snprintf(all + strlen(all), sizeof all - strlen(all), "%s%s", i ? ", " : "", names[i]);
-    }
-    refuse(state, "%s: no '%s'; %s %s", option, text, i > 1 ? "one of these is wanted:" : "there is only", all);
-}
-
-static void parse_size(const struct argp_state *state, const char *text, struct render_options *options)
-{
-    unsigned width, height;
-    int end = 0;
-    if (strspn(text, "0123456789x") == strlen(text) && sscanf(text, "%5ux%5u%n", &width, &height, &end) == 2 &&
-        !text[end] && width >= 1 && width <= SIDE_MAX && height >= 1 && height <= SIDE_MAX &&
-        width * height <= PIXELS_MAX) {
-        options->width = width;
-        options->height = height;
-        return;
-    }
-    refuse(state, "--size: '%s' is not WxH, two numbers from 1 to %d with at most %d pixels in all", text, SIDE_MAX,
-           PIXELS_MAX);
-}
-
 static void parse_coefficients(const struct argp_state *state, const char *option, const char *text, double out[3])
 {
     const bool one = !strchr(text, ',');
@@ -185,30 +126,6 @@ static enum image_kind kind_of_file(const struct argp_state *state, const char *
     if (kind == IMAGE_KINDS)
         refuse(state, "%s: '%s' does not end in .png, .ppm or .qoi; name it so, or give --image", option, path);
     return kind;
-}
-
-static void check_inputs(const struct argp_state *state, struct render_options *o)
-{
-    const int sources = !!o->heights + !!o->normals + !!o->scene;
-    if (sources != 1)
-        refuse(state, sources ? "only one of --height, --normals and --scene may be given"
-                              : "what is to be shaded? give --height FILE, --normals FILE or --scene NAME");
-    if (o->albedo && o->has_color)
-        refuse(state, "--albedo and --color exclude each other; give one");
-    const char *const files[] = {o->heights, o->normals, o->albedo, o->gloss, o->mask};
-    int standard = 0;
-    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
-        standard += files[i] && strcmp(files[i], "-") == 0;
-    if (standard > 1)
-        refuse(state, "only one map can come from standard input");
-    if (!o->heights && (o->wraps || !isnan(o->scale)))
-        refuse(state, "%s is for --height only", o->wraps ? "--wrap" : "--scale");
-    if (!o->normals && o->flip_y)
-        refuse(state, "--flip-y is for --normals only");
-    if (isnan(o->scale))
-        o->scale = 8;
-    if (o->scene && !o->width)
-        o->width = o->height = SCENE_SIDE;
 }
 
 static void check_light(const struct argp_state *state, const struct shading *shading)
@@ -275,16 +192,16 @@ static error_t parse_shading(int key, char *text, const struct argp_state *state
         shading->clamp_peak = true;
         return 0;
     case KEY_FORMAT:
-        shading->format = (enum glint_format)parse_name(state, "--format", text, format_names);
+        shading->format = (enum glint_format)parse_choice(state, "--format", text, format_names);
         return 0;
     case KEY_SPACE:
-        shading->space = (enum glint_space)parse_name(state, "--space", text, space_names);
+        shading->space = (enum glint_space)parse_choice(state, "--space", text, space_names);
         return 0;
     case KEY_DITHER:
         shading->dither = true;
         return 0;
     case KEY_PATH:
-        shading->path = parse_name(state, "--path", text, path_names);
+        shading->path = parse_choice(state, "--path", text, path_names);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -296,38 +213,17 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     static const char *const references[] = {"same", "blinn", NULL};
     struct render_options *o = state->input;
     switch (key) {
-    case KEY_HEIGHT:
-        o->heights = text;
-        return 0;
-    case KEY_NORMALS:
-        o->normals = text;
-        return 0;
-    case KEY_SCENE:
-        o->scene = scene_names[parse_name(state, "--scene", text, scene_names)];
-        return 0;
-    case KEY_SCALE:
-        o->scale = parse_real(state, "--scale", text, -10000, 10000);
-        return 0;
-    case KEY_WRAP:
-        o->wraps = true;
-        return 0;
-    case KEY_FLIP_Y:
-        o->flip_y = true;
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &o->scene;
         return 0;
     case KEY_ALBEDO:
-        o->albedo = text;
+        o->scene.albedo = text;
         return 0;
     case KEY_COLOR:
         parse_color(state, text, o);
         return 0;
     case KEY_GLOSS:
-        o->gloss = text;
-        return 0;
-    case KEY_MASK:
-        o->mask = text;
-        return 0;
-    case KEY_SIZE:
-        parse_size(state, text, o);
+        o->scene.gloss = text;
         return 0;
     case 'o':
         o->output = parse_output(state, "-o", text);
@@ -348,12 +244,13 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->compare = true;
         return 0;
     case KEY_AGAINST:
-        o->against_blinn = parse_name(state, "--against", text, references);
+        o->against_blinn = parse_choice(state, "--against", text, references);
         return 0;
     case ARGP_KEY_ARG:
         refuse(state, "'%s' is not an option; files are named by --height, --normals, --albedo and -o", text);
     case ARGP_KEY_END:
-        check_inputs(state, o);
+        if (o->scene.albedo && o->has_color)
+            refuse(state, "--albedo and --color exclude each other; give one");
         check_light(state, &o->shading);
         check_outputs(state, o);
         if (path_refusal(&o->shading))
@@ -368,9 +265,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
 
 void render_options_parse(struct render_options *options, int argc, char **argv)
 {
-    static const struct argp argp = {argp_options, parse_option, NULL, doc, NULL, NULL, NULL};
+    static const struct argp_child children[] = {{&scene_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
+    static const struct argp argp = {argp_options, parse_option, NULL, doc, children, NULL, NULL};
     *options = (struct render_options){
-        .scale = NAN,
         .kind = IMAGE_KINDS,
         .shading = {.model = GLINT_MSH,
                     .q = Q_UNSET,

@@ -3,16 +3,12 @@
 #ifndef GLINT_RENDER_OPTIONS_H
 #define GLINT_RENDER_OPTIONS_H
 
+#include "scene_options.h"
 #include "shade.h"
 
 struct render_options {
-    /* one of three */
-    const char *heights, *normals, *scene;
-    double scale;
-    bool wraps, flip_y;
-    const char *albedo, *gloss, *mask;
-    bool has_color;
-    uint32_t width, height; /* 0: the map's own */
+    struct scene_options scene;
+    bool has_color; /* instead of an albedo */
     /* n = 0 and NAN coefficients: what suits the scene */
     struct shading shading;
     const char *output; /* NULL: only compare */
