@@ -115,6 +115,7 @@ int command_render(int argc, char **argv);
 int command_eval(int argc, char **argv);
 int command_cutoff(int argc, char **argv);
 int command_table(int argc, char **argv);
+int command_bake(int argc, char **argv);
 int command_search(int argc, char **argv);
 int command_paper(int argc, char **argv);
 

@@ -18,6 +18,7 @@ static const struct command {
     {"eval", command_eval, "Print values of a highlight function"},
     {"cutoff", command_cutoff, "Print where a highlight falls below 2^-q"},
     {"table", command_table, "Write a material's table as C source or raw"},
+    {"bake", command_bake, "Turn normals into what the table loops read, and tell the quality"},
     {"search", command_search, "Search for highlight functions as the paper does"},
     {"paper", command_paper, "Reproduce the paper: table, figures, claims, report"},
 };
