@@ -11,7 +11,7 @@
 static void help_of_every_command_has_an_example_and_exits_0(void **state)
 {
     (void)state;
-    static const char *const commands[] = {"", "render", "eval", "cutoff", "table", "search", "paper"};
+    static const char *const commands[] = {"", "render", "eval", "cutoff", "table", "bake", "search", "paper"};
     for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
         char command[64];
         snprintf(command, sizeof command, "$GLINT %s --help", commands[i]);
