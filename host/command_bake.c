@@ -103,9 +103,14 @@ static enum bake_kind kind_by_ending(const struct argp_state *state, const char 
     refuse(state, "-o: '%s' does not end in .c, .h, .bin or .uf2; name it so, or give --as", path);
 }
 
+static bool is_stdout(const char *path)
+{
+    return path && strcmp(path, "-") == 0;
+}
+
 static void check(const struct argp_state *state, struct request *request)
 {
-    const bool to_stdout = request->path && strcmp(request->path, "-") == 0;
+    const bool to_stdout = is_stdout(request->path);
     if (!request->path && (request->kind != BAKE_KINDS || request->name || request->address))
         refuse(state, "where is it to go? give -o FILE");
     if (!request->path)
@@ -204,7 +209,7 @@ static void print_json(const struct baked *baked, const struct quality *rows, FI
 
 static void report(const struct request *request, const struct scene *scene, const struct baked *baked)
 {
-    const bool to_stdout = request->path && strcmp(request->path, "-") == 0;
+    const bool to_stdout = is_stdout(request->path);
     FILE *stream = to_stdout ? stderr : stdout;
     struct quality rows[QUALITY_ROWS];
     bake_quality(scene, baked, rows);
@@ -246,8 +251,12 @@ int command_bake(int argc, char **argv)
     struct output *output = request.path ? output_open(request.path) : NULL;
     if (output)
         write_baked(&request, baked, output->stream);
+    if (output && is_stdout(request.path)) {
+        output_close(output); /* an error there is the last word */
+        output = NULL;
+    }
     report(&request, scene, baked);
-    if (output)
+    if (output) /* a file gets its name when all is said */
         output_close(output);
     baked_free(baked);
     scene_free(scene);
