@@ -1,44 +1,15 @@
 /* SPDX-License-Identifier: MIT
- * A palette of normals that keeps the largest error small: farthest points first (no choice's largest distance is more
- * than twice the best), then rounds that move each entry to the middle of what it stands for. No chance in it: the same
- * normals give the same palette. */
+ * A palette of normals that keeps the largest error small, and then the mean: farthest points first (the largest distance
+ * is at most twice the best there is), fewer balls in their place where that can be, then rounds that move each entry to
+ * the middle of what it stands for, and at last towards the mean. No chance in it: the same normals, the same palette. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "bake.h"
+#include "bake_palette.h"
 #include "host.h"
 
-enum { SIDE_LIMIT = 128, ROUNDS = 12, BALL_STEPS = 40 };
-
-struct point {
-    double at[3]; /* in units of 2^-15 */
-    double weight;
-};
-
-/* A set of points, in order of the cells that they lie in, over x and y. */
-struct grid {
-    int side;
-    double cell;     /* its width */
-    uint32_t *first; /* side^2 + 1 */
-};
-
-struct choice {
-    struct point *points; /* the different normals, by cell */
-    size_t count;
-    struct grid of_points;
-    double least_weight;
-    struct point *centers;
-    uint32_t entries;
-    uint32_t *nearest; /* of each point, the center */
-    double *off;       /* and the weighted distance to it */
-};
-
-static double distance(const double a[3], const double b[3])
-{
-    const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-    return sqrt(x * x + y * y + z * z);
-}
+enum { SIDE_LIMIT = 128, ROUNDS = 4, BALL_STEPS = 60 };
 
 /* ---- how much an error matters ---- */
 
@@ -68,26 +39,21 @@ static void fill_weights(double weights[181])
 
 /* ---- the grid ---- */
 
-static int cell_at(const struct grid *grid, double x)
+static uint32_t cell_of(const struct palette_grid *grid, const double at[3])
 {
-    return (int)fmax(0, fmin(grid->side - 1, floor((x + 32768) / grid->cell)));
+    return (uint32_t)(palette_cell(grid, at[1]) * grid->side + palette_cell(grid, at[0]));
 }
 
-static uint32_t cell_of(const struct grid *grid, const double at[3])
-{
-    return (uint32_t)(cell_at(grid, at[1]) * grid->side + cell_at(grid, at[0]));
-}
-
-static struct grid grid_new(uint32_t entries)
+static struct palette_grid grid_new(uint32_t entries)
 {
     const int side = (int)fmin(SIDE_LIMIT, ceil(2 * sqrt(entries)));
-    struct grid grid = {side, 65536. / side, NULL};
+    struct palette_grid grid = {side, 65536. / side, NULL};
     grid.first = allocate((size_t)side * (size_t)side + 1, sizeof *grid.first);
     return grid;
 }
 
 /* The centers by cells: their numbers into `order`. */
-static void sort_centers(const struct choice *c, struct grid *grid, uint32_t *order)
+static void sort_centers(const struct palette_choice *c, struct palette_grid *grid, uint32_t *order)
 {
     const size_t cells = (size_t)grid->side * (size_t)grid->side;
     memset(grid->first, 0, (cells + 1) * sizeof *grid->first);
@@ -102,10 +68,10 @@ static void sort_centers(const struct choice *c, struct grid *grid, uint32_t *or
 }
 
 /* The cells in rings around the point's own, until none farther can hold a nearer one. */
-static uint32_t nearest_center(const struct choice *c, const struct grid *grid, const uint32_t *order,
+static uint32_t nearest_center(const struct palette_choice *c, const struct palette_grid *grid, const uint32_t *order,
                                const double at[3], double *off)
 {
-    const int x0 = cell_at(grid, at[0]), y0 = cell_at(grid, at[1]);
+    const int x0 = palette_cell(grid, at[0]), y0 = palette_cell(grid, at[1]);
     uint32_t best = 0;
     *off = INFINITY;
     for (int ring = 0; ring<grid->side && * off>(ring - 1) * grid->cell; ring++)
@@ -118,7 +84,7 @@ static uint32_t nearest_center(const struct choice *c, const struct grid *grid, 
                     continue;
                 const uint32_t cell = (uint32_t)(y * grid->side + x);
                 for (uint32_t i = grid->first[cell]; i < grid->first[cell + 1]; i++) {
-                    const double d = distance(at, c->centers[order[i]].at);
+                    const double d = palette_distance(at, c->centers[order[i]].at);
                     if (d < *off || (d == *off && order[i] < best)) {
                         *off = d;
                         best = order[i];
@@ -136,12 +102,12 @@ struct farthest {
     uint32_t point;
 };
 
-static void update_cell(const struct choice *c, uint32_t cell, const struct point *center, uint32_t number,
-                        struct farthest *farthest)
+static void update_cell(const struct palette_choice *c, uint32_t cell, const struct palette_point *center,
+                        uint32_t number, struct farthest *farthest)
 {
     *farthest = (struct farthest){-1, 0};
     for (uint32_t i = c->of_points.first[cell]; i < c->of_points.first[cell + 1]; i++) {
-        const double off = c->points[i].weight * distance(c->points[i].at, center->at);
+        const double off = c->points[i].weight * palette_distance(c->points[i].at, center->at);
         if (off < c->off[i]) {
             c->off[i] = off;
             c->nearest[i] = number;
@@ -151,9 +117,9 @@ static void update_cell(const struct choice *c, uint32_t cell, const struct poin
     }
 }
 
-static void choose_farthest(struct choice *c)
+static double choose_farthest(struct palette_choice *c, uint32_t given)
 {
-    const struct grid *grid = &c->of_points;
+    const struct palette_grid *grid = &c->of_points;
     const uint32_t cells = (uint32_t)(grid->side * grid->side);
     struct farthest *of_cells = allocate(cells, sizeof *of_cells);
     struct farthest next = {INFINITY, 0};
@@ -163,11 +129,12 @@ static void choose_farthest(struct choice *c)
             next.point = (uint32_t)i;
     }
     for (uint32_t number = 0; number < c->entries; number++) {
-        const struct point *center = &c->centers[number];
-        c->centers[number] = c->points[next.point];
-        const double reach = next.off / c->least_weight;
-        const int x0 = cell_at(grid, center->at[0] - reach), x1 = cell_at(grid, center->at[0] + reach);
-        const int y0 = cell_at(grid, center->at[1] - reach), y1 = cell_at(grid, center->at[1] + reach);
+        const struct palette_point *center = &c->centers[number];
+        const double reach = (number < given ? INFINITY : next.off) / c->least_weight;
+        if (number >= given)
+            c->centers[number] = c->points[next.point];
+        const int x0 = palette_cell(grid, center->at[0] - reach), x1 = palette_cell(grid, center->at[0] + reach);
+        const int y0 = palette_cell(grid, center->at[1] - reach), y1 = palette_cell(grid, center->at[1] + reach);
         for (int y = y0; y <= y1; y++)
             for (int x = x0; x <= x1; x++) {
                 const uint32_t cell = (uint32_t)(y * grid->side + x);
@@ -179,30 +146,69 @@ static void choose_farthest(struct choice *c)
                 next = of_cells[cell];
     }
     free(of_cells);
+    return next.off;
 }
 
 /* ---- rounds ---- */
 
-/* Towards the middle of the smallest ball around the points, by ever smaller steps to the farthest one. */
-static void move_to_middle(const struct choice *c, const uint32_t *members, uint32_t count, double at[3])
+/* The largest weighted distance of some points from a place, and whose it is. */
+static double farthest_member(const struct palette_choice *c, const uint32_t *members, uint32_t count,
+                              const double at[3], uint32_t *point)
 {
-    for (int step = 1; step <= BALL_STEPS; step++) {
-        double farthest = -1;
-        uint32_t point = 0;
-        for (uint32_t i = 0; i < count; i++) {
-            const double off = c->points[members[i]].weight * distance(c->points[members[i]].at, at);
-            if (off > farthest) {
-                farthest = off;
-                point = members[i];
-            }
+    double farthest = -1;
+    for (uint32_t i = 0; i < count; i++) {
+        const struct palette_point *member = &c->points[members[i]];
+        const double off = member->weight * palette_distance(member->at, at);
+        if (off > farthest) {
+            farthest = off;
+            *point = members[i];
         }
+    }
+    return farthest;
+}
+
+/* Towards the middle of the smallest ball around the points, by ever smaller steps to the farthest one; where that was
+ * nearer than before, so that no round makes the largest distance larger. */
+static void move_to_middle(const struct palette_choice *c, const uint32_t *members, uint32_t count, double at[3])
+{
+    uint32_t point = 0;
+    double middle[3] = {at[0], at[1], at[2]}, least = farthest_member(c, members, count, at, &point);
+    for (int step = 1; step <= BALL_STEPS && count; step++) {
         for (int k = 0; k < 3; k++)
-            at[k] += (c->points[point].at[k] - at[k]) / (step + 1);
+            middle[k] += (c->points[point].at[k] - middle[k]) / (step + 1);
+        const double off = farthest_member(c, members, count, middle, &point);
+        if (off < least) {
+            least = off;
+            memcpy(at, middle, sizeof middle);
+        }
+    }
+}
+
+/* To the mean over the pixels, or as far towards it as leaves none of the points farther than `limit`. */
+static void move_to_mean(const struct palette_choice *c, const uint32_t *members, uint32_t count, double limit,
+                         double at[3])
+{
+    double mean[3] = {0, 0, 0}, pixels = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        const struct palette_point *member = &c->points[members[i]];
+        for (int k = 0; k < 3; k++)
+            mean[k] += member->pixels * member->at[k];
+        pixels += member->pixels;
+    }
+    for (double part = 1; count && part > .1; part /= 2) {
+        double place[3];
+        uint32_t point;
+        for (int k = 0; k < 3; k++)
+            place[k] = at[k] + part * (mean[k] / pixels - at[k]);
+        if (farthest_member(c, members, count, place, &point) <= limit) {
+            memcpy(at, place, sizeof place);
+            return;
+        }
     }
 }
 
 /* Each point to its nearest center; returns the largest weighted distance. */
-static double assign(struct choice *c, struct grid *grid, uint32_t *order)
+static double assign(struct palette_choice *c, struct palette_grid *grid, uint32_t *order)
 {
     sort_centers(c, grid, order);
 #pragma omp parallel for schedule(static)
@@ -217,7 +223,8 @@ static double assign(struct choice *c, struct grid *grid, uint32_t *order)
     return largest;
 }
 
-static void move_centers(struct choice *c, uint32_t *first, uint32_t *members)
+/* To the middles; or to the means, where there is a limit. */
+static void move_centers(struct palette_choice *c, uint32_t *first, uint32_t *members, double limit)
 {
     memset(first, 0, (c->entries + 1) * sizeof *first);
     for (size_t i = 0; i < c->count; i++)
@@ -229,28 +236,29 @@ static void move_centers(struct choice *c, uint32_t *first, uint32_t *members)
     memmove(first + 1, first, c->entries * sizeof *first);
     first[0] = 0;
 #pragma omp parallel for schedule(dynamic, 64)
-    for (uint32_t i = 0; i < c->entries; i++)
-        move_to_middle(c, members + first[i], first[i + 1] - first[i], c->centers[i].at);
+    for (uint32_t i = 0; i < c->entries; i++) {
+        const uint32_t *own = members + first[i], count = first[i + 1] - first[i];
+        if (limit > 0)
+            move_to_mean(c, own, count, limit, c->centers[i].at);
+        else
+            move_to_middle(c, own, count, c->centers[i].at);
+    }
 }
 
-static void refine(struct choice *c)
+static void refine(struct palette_choice *c)
 {
-    struct grid grid = grid_new(c->entries);
+    struct palette_grid grid = grid_new(c->entries);
     uint32_t *order = allocate(c->entries, sizeof *order), *first = allocate(c->entries + 1, sizeof *first);
     uint32_t *members = allocate(c->count, sizeof *members);
-    struct point *best = allocate(c->entries, sizeof *best);
-    double least = INFINITY;
+    double largest = assign(c, &grid, order);
     for (int round = 0; round < ROUNDS; round++) {
-        const double largest = assign(c, &grid, order);
-        if (largest < least) {
-            least = largest;
-            memcpy(best, c->centers, c->entries * sizeof *best);
-        }
-        move_centers(c, first, members);
+        move_centers(c, first, members, 0);
+        largest = assign(c, &grid, order);
     }
-    memcpy(c->centers, best, c->entries * sizeof *best);
-    assign(c, &grid, order);
-    free(best);
+    for (int round = 0; round < ROUNDS; round++) {
+        move_centers(c, first, members, largest);
+        assign(c, &grid, order);
+    }
     free(members);
     free(first);
     free(order);
@@ -271,9 +279,9 @@ static int by_key(const void *a, const void *b)
 }
 
 /* The different normals in order of their cells; which[i] becomes the point of given[i]. */
-static void find_points(struct choice *c, const struct glint_vec *given, size_t count, uint32_t *which)
+static void find_points(struct palette_choice *c, const struct glint_vec *given, size_t count, uint32_t *which)
 {
-    struct grid *grid = &c->of_points;
+    struct palette_grid *grid = &c->of_points;
     double weights[181];
     fill_weights(weights);
     c->least_weight = weights[180];
@@ -290,9 +298,10 @@ static void find_points(struct choice *c, const struct glint_vec *given, size_t 
         if (i == 0 || keys[i].cell_and_normal != keys[i - 1].cell_and_normal) {
             const struct glint_vec *v = &given[keys[i].place];
             const double tilt = acos(fmax(-1, fmin(1, v->z / 32768.))) * 180 / M_PI;
-            c->points[c->count++] = (struct point){{v->x, v->y, v->z}, weights[lround(tilt)]};
+            c->points[c->count++] = (struct palette_point){{v->x, v->y, v->z}, weights[lround(tilt)], 0};
             grid->first[(keys[i].cell_and_normal >> 48) + 1]++;
         }
+        c->points[c->count - 1].pixels++;
         which[keys[i].place] = (uint32_t)(c->count - 1);
     }
     for (int i = 0; i < grid->side * grid->side; i++)
@@ -314,16 +323,20 @@ uint32_t palette_choose(const struct glint_vec *given, size_t count, uint32_t en
 {
     if (count == 0)
         return 0;
-    struct choice c = {.points = allocate(count, sizeof *c.points), .of_points = grid_new(entries)};
+    struct palette_choice c = {.points = allocate(count, sizeof *c.points), .of_points = grid_new(entries)};
     uint32_t *which = allocate(count, sizeof *which);
     find_points(&c, given, count, which);
     c.entries = c.count < entries ? (uint32_t)c.count : entries;
     c.centers = allocate(c.entries, sizeof *c.centers);
     c.nearest = allocate(c.count, sizeof *c.nearest);
     c.off = allocate(c.count, sizeof *c.off);
-    choose_farthest(&c);
-    if (c.entries < c.count)
+    const double radius = choose_farthest(&c, 0);
+    if (c.entries < c.count) {
+        const uint32_t balls = palette_cover(&c, radius);
+        if (balls)
+            choose_farthest(&c, balls); /* for the entries that are left */
         refine(&c);
+    }
     for (uint32_t i = 0; i < c.entries; i++)
         palette[i] = c.entries < c.count ? to_vec(c.centers[i].at)
                                          : (struct glint_vec){(int16_t)c.centers[i].at[0], (int16_t)c.centers[i].at[1],
