@@ -41,6 +41,13 @@ void glint_wide_set(struct glint_wide *a, uint64_t value);
 void glint_wide_mul(struct glint_wide *a, uint64_t factor); /* modulo 2^192 */
 bool glint_wide_ge(const struct glint_wide *a, const struct glint_wide *b);
 
+/* ---- vector.c ---- */
+
+/* v / |v| in Q2.30, good to 2^-28; false where v = 0. */
+bool glint_unit_q30(int32_t out[3], const int32_t v[3]);
+/* From unit vectors in Q2.30; false where the light is straight behind. */
+bool glint_light_between(struct glint_light *light, const int32_t l_q30[3], const int32_t v_q30[3]);
+
 /* ---- largest_t.c: the largest t in 0..2^30 for which reaches() holds; it holds at 0 and stops holding once ---- */
 
 uint32_t glint_largest_t(bool (*reaches)(uint32_t n, uint32_t t_q30, unsigned q), uint32_t n, unsigned q);

@@ -15,6 +15,34 @@ enum glint_err glint_pixel_check(const struct glint_shader *shader)
     return shader->format <= GLINT_MONO && shader->space <= GLINT_LINEAR ? GLINT_OK : GLINT_ERR_FORMAT;
 }
 
+/* Step 1, Blinn: t = |N - H|^2 / 2. Unlike 1 - N.H it loses nothing near the peak. */
+static uint32_t blinn_t(const struct glint_vec *n, const struct glint_vec *h)
+{
+    const uint64_t sum = glint_distance_squared(n, h);
+    return sum >> 32 ? (uint32_t)1 << 31 : (uint32_t)(sum >> 1);
+}
+
+/* One component of L + V - 2(N.L)N = V - R in Q24. |p| <= 3 * 2^30, so |2pN| < 2^48. */
+static int64_t off_mirror(int16_t l, int16_t v, int64_t p, int16_t n)
+{
+    return (((int64_t)l + v) * ((int64_t)1 << 30) - 2 * p * n + INT64_C(1048576)) >> 21;
+}
+
+/* Step 1, Phong: t = |V - R|^2 / 2, R = 2(N.L)N - L. */
+static uint32_t phong_t(const struct glint_vec *n, const struct glint_light *light)
+{
+    const int64_t p = glint_dot(n, &light->l);
+    const int64_t x = off_mirror(light->l.x, light->v.x, p, n->x), y = off_mirror(light->l.y, light->v.y, p, n->y);
+    const int64_t z = off_mirror(light->l.z, light->v.z, p, n->z);
+    const uint64_t sum = (uint64_t)(x * x) + (uint64_t)(y * y) + (uint64_t)(z * z); /* < 2^58 */
+    return sum >> 50 ? (uint32_t)1 << 31 : (uint32_t)(sum >> 19);
+}
+
+uint32_t glint_pixel_t(const struct glint_lobe *lobe, const struct glint_light *light, const struct glint_vec *normal)
+{
+    return lobe->model == GLINT_PHONG ? phong_t(normal, light) : blinn_t(normal, &light->h);
+}
+
 static uint64_t coefficient(uint32_t q16)
 {
     return q16 > 65536 ? 65536 : q16;
@@ -49,14 +77,9 @@ uint32_t glint_pixel_lobe(const struct glint_shader *shader, uint32_t t_q30)
     return shader->clamp_peak && f > 65536 ? 65536 : f;
 }
 
-void glint_pixel_store(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
-                       uint32_t nl_q16, uint32_t f, const uint8_t albedo[3], uint8_t gloss)
+void glint_pixel_put(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
+                     const uint64_t v[3])
 {
-    const uint64_t shine = (uint64_t)(gloss * 257u) * f;
-    uint64_t v[3];
-    for (int k = 0; k < 3; k++)
-        v[k] = glint_pixel_value(shader, k, albedo[k], nl_q16, shine);
-
     const uint32_t weight =
         shader->dither ? 2 * glint_pixel_bayer(surface->x + (uint32_t)x, surface->y + (uint32_t)y) + 1 : 16;
     uint8_t *line = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;
@@ -88,6 +111,16 @@ void glint_pixel_store(const struct glint_shader *shader, const struct glint_sur
         break;
     }
     }
+}
+
+void glint_pixel_store(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
+                       uint32_t nl_q16, uint32_t f, const uint8_t albedo[3], uint8_t gloss)
+{
+    const uint64_t shine = (uint64_t)(gloss * 257u) * f;
+    uint64_t v[3];
+    for (int k = 0; k < 3; k++)
+        v[k] = glint_pixel_value(shader, k, albedo[k], nl_q16, shine);
+    glint_pixel_put(shader, surface, x, y, v);
 }
 
 bool glint_pixel(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The pixel's sequence (glint.h), as far as rectangles and spans share it; not for users. */
+ * The pixel's sequence (glint.h), as far as the paths share it; not for users. */
 #ifndef GLINT_PIXEL_H
 #define GLINT_PIXEL_H
 
@@ -24,14 +24,20 @@ static inline uint64_t glint_distance_squared(const struct glint_vec *a, const s
 /* Can this shader draw? GLINT_OK or GLINT_ERR_FORMAT. */
 enum glint_err glint_pixel_check(const struct glint_shader *shader);
 
+/* Step 1, in the geometry of the lobe's model. */
+uint32_t glint_pixel_t(const struct glint_lobe *lobe, const struct glint_light *light, const struct glint_vec *normal);
+
 /* Steps 2 to 8: shades and stores pixel x of the surface's line y. True where F > 0 and gloss > 0. */
 bool glint_pixel(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
                  uint32_t t_q30, int64_t nl_q30, const uint8_t albedo[3], uint8_t gloss);
 
-/* Its parts, from which tables are filled. Steps 2, 3, 4 and 5 (shine = g F < 2^33), and 4 to 8. */
+/* Its parts, from which tables are filled and lights summed. Steps 2, 3, 4 and 5 (nl < 2^23, shine = g F < 2^39: what
+ * several lights may sum to), 6 to 8, and 4 to 8. */
 uint32_t glint_pixel_nl(int64_t nl_q30);
 uint32_t glint_pixel_lobe(const struct glint_shader *shader, uint32_t t_q30);
 uint64_t glint_pixel_value(const struct glint_shader *shader, int k, uint8_t albedo, uint32_t nl_q16, uint64_t shine);
+void glint_pixel_put(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
+                     const uint64_t v[3]);
 void glint_pixel_store(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
                        uint32_t nl_q16, uint32_t f, const uint8_t albedo[3], uint8_t gloss);
 

@@ -14,8 +14,7 @@ static uint32_t square_root(uint64_t x) /* floor, digit by digit; x < 2^62 */
     return (uint32_t)root;
 }
 
-/* v / |v| in Q2.30, good to 2^-28; false where v = 0. */
-static bool unit_q30(int32_t out[3], const int32_t v[3])
+bool glint_unit_q30(int32_t out[3], const int32_t v[3])
 {
     uint32_t size[3], largest = 0;
     for (int i = 0; i < 3; i++) {
@@ -58,27 +57,33 @@ static struct glint_vec vec_of_q30(const int32_t v[3])
 enum glint_err glint_vec_normalize(struct glint_vec *out, const int32_t v[3])
 {
     int32_t unit[3];
-    if (!unit_q30(unit, v))
+    if (!glint_unit_q30(unit, v))
         return GLINT_ERR_VECTOR;
     *out = vec_of_q30(unit);
     return GLINT_OK;
 }
 
-enum glint_err glint_light_init(struct glint_light *light, const int32_t to_light[3], const int32_t to_viewer[3])
+bool glint_light_between(struct glint_light *light, const int32_t l_q30[3], const int32_t v_q30[3])
 {
-    int32_t l[3], v[3], half[3], h[3];
-    if (!unit_q30(l, to_light) || !unit_q30(v, to_viewer))
-        return GLINT_ERR_VECTOR;
+    int32_t half[3], h[3];
     bool behind = true;
     for (int i = 0; i < 3; i++) {
-        const int64_t sum = (int64_t)l[i] + v[i];
+        const int64_t sum = (int64_t)l_q30[i] + v_q30[i];
         behind = behind && sum <= 8 && sum >= -8; /* what the rounding of l and v leaves of 0, and more */
         half[i] = (int32_t)(sum >> 1);
     }
-    if (behind || !unit_q30(h, half))
-        return GLINT_ERR_VECTOR;
-    light->l = vec_of_q30(l);
-    light->v = vec_of_q30(v);
+    if (behind || !glint_unit_q30(h, half))
+        return false;
+    light->l = vec_of_q30(l_q30);
+    light->v = vec_of_q30(v_q30);
     light->h = vec_of_q30(h);
-    return GLINT_OK;
+    return true;
+}
+
+enum glint_err glint_light_init(struct glint_light *light, const int32_t to_light[3], const int32_t to_viewer[3])
+{
+    int32_t l[3], v[3];
+    return glint_unit_q30(l, to_light) && glint_unit_q30(v, to_viewer) && glint_light_between(light, l, v)
+               ? GLINT_OK
+               : GLINT_ERR_VECTOR;
 }
