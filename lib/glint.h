@@ -210,6 +210,61 @@ struct glint_source {
 enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct glint_source *source, uint16_t w,
                                 uint16_t h, const struct glint_surface *surface, struct glint_box *highlight);
 
+/* ---- Several lights ------------------------------------------------------------------------------------------- *
+ *
+ * Up to four, each directional, a point or a spot. Correct, not fast: a point or spot costs two normalisations a pixel.
+ * Places are on the screen, in 1/16 pixel: x right, y down (as lines go), z to the viewer from the surface, which is at
+ * z = 0; pixel x, y of a rectangle lies at 16 (surface.x + x) + 8, 16 (surface.y + y) + 8, so that parts of a picture
+ * join. Directions stay as above, y up. Of a lamp, e: from the pixel to it (y up); r: its range; s_inner, s_outer: its
+ * cosines; C_k: its colour, at most 16.0.
+ *
+ *  1a. l, v    directional: L, V, H are the lamp's. Else l = e / |e|, v = the shader's V / |V| in Q2.30, h likewise of
+ *              (l + v) >> 1; L, V, H are l, v, h rounded to Q1.15. Where l or h is not to be had, att = 0
+ *  1b. att     directional: 65536.  Point: 0 where |e| >= r; u = (65536 |e|^2 + r^2 / 2) / r^2;
+ *              att = ((65536 - u)^2 + 2^15) >> 16, that is (1 - (|e| / r)^2)^2
+ *              Spot: c = (-l.axis + 2^29) >> 30; p = 65536 at c >= s_inner, else 0 at c <= s_outer, else
+ *              (c - s_outer) 65536 / (s_inner - s_outer); att = (att (p^2 (196608 - 2p) >> 32) + 2^15) >> 16
+ *  1 to 3.     for each lamp where att > 0: nl_i and F_i as above
+ *  3a. sums    lit_k = sum_i ((C_ik att_i nl_i + 2^31) >> 32);  shine_k = sum_i ((C_ik att_i F_i + 2^31) >> 32)
+ *  4 to 8.     as above, with lit_k for nl_q16 and shine_k for F                                         [56 bits]
+ *
+ * Divisions round down. The order of the lamps does not matter; one white directional lamp gives the pixels of
+ * glint_shade_rect. With clamp_peak each F is held to 1, not their sum.
+ */
+
+#define GLINT_LAMPS_MAX 4u
+#define GLINT_LAMP_COLOR_MAX ((uint32_t)1 << 20) /* 16.0 */
+#define GLINT_LAMP_FAR ((int32_t)1 << 23)        /* how far a place may be from 0, and the longest range; 1/16 pixel */
+
+/* Stored as uint8_t. */
+enum glint_lamp_kind { GLINT_DIRECTIONAL, GLINT_POINT, GLINT_SPOT };
+
+/* Filled by one of the functions below, white; then the colour is yours to set. */
+struct glint_lamp {
+    uint8_t kind;             /* enum glint_lamp_kind */
+    uint32_t color_q16[3];    /* scales diffuse and specular: red, green, blue; more than 16.0 counts as 16.0 */
+    struct glint_light light; /* directional */
+    int32_t position[3];      /* point and spot */
+    uint32_t range;           /* where the light has fallen to 0, 1..GLINT_LAMP_FAR; half of it is at .54 range */
+    int32_t axis_q30[3];      /* spot: where it looks, length 1, y up */
+    int32_t cos_inner_q30;    /* spot: within this angle to the axis full, ... */
+    int32_t cos_outer_q30;    /* ... from this one on 0; a smooth step between, an edge where equal */
+};
+
+/* GLINT_ERR_ARG: NULL, a place or range out of bounds, cosines beyond +-2^30, the outer one above the inner.
+ * GLINT_ERR_VECTOR: as glint_light_init; a spot whose target is its position. *lamp is not written then. */
+enum glint_err glint_lamp_directional(struct glint_lamp *lamp, const int32_t to_light[3], const int32_t to_viewer[3]);
+enum glint_err glint_lamp_point(struct glint_lamp *lamp, const int32_t position[3], uint32_t range);
+enum glint_err glint_lamp_spot(struct glint_lamp *lamp, const int32_t position[3], const int32_t target[3],
+                               uint32_t range, int32_t cos_inner_q30, int32_t cos_outer_q30);
+
+/* As glint_shade_rect, lit by count lamps, 0..4, in place of shader->light, of which only v is used: the distant viewer
+ * of points and spots. *highlight holds every drawn pixel with a shine_k > 0 and gloss > 0. Errors also:
+ * GLINT_ERR_ARG: count > 4, NULL, an unknown kind, a lamp out of bounds. GLINT_ERR_VECTOR: a point or spot, and v is 0. */
+enum glint_err glint_shade_lights(const struct glint_shader *shader, const struct glint_lamp *lamps, unsigned count,
+                                  const struct glint_source *source, uint16_t w, uint16_t h,
+                                  const struct glint_surface *surface, struct glint_box *highlight);
+
 /* ---- A span: normals interpolated linearly, and no normal memory ---------------------------------------------- */
 
 #define GLINT_SPAN_MAX 4096u
