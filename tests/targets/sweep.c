@@ -154,6 +154,32 @@ static void add_box(const struct glint_box *box)
     add(box->w | (uint32_t)box->h << 16);
 }
 
+/* A lamp of any kind near the rectangle; some calls are refused. */
+static void random_lamp(struct glint_lamp *lamp)
+{
+    static const int32_t to_viewer[3] = {0, 0, 1};
+    int32_t a[3], b[3];
+    random_vector(a, 400);
+    random_vector(b, 200);
+    const int32_t inner = random_within(INT32_C(0x40000000)), outer = random_within(INT32_C(0x40000000));
+    const uint32_t range = random_bits() % 2000;
+    a[2] = a[2] < 0 ? -a[2] : a[2];
+    switch (random_bits() % 4) {
+    case GLINT_DIRECTIONAL:
+        add((uint32_t)glint_lamp_directional(lamp, a, to_viewer));
+        break;
+    case GLINT_POINT:
+        add((uint32_t)glint_lamp_point(lamp, a, range));
+        break;
+    default:
+        add((uint32_t)glint_lamp_spot(lamp, a, b, range, inner, outer));
+    }
+    for (uint8_t k = 0; k < 3; k++) {
+        lamp->color_q16[k] = random_bits() % 140000;
+        add((uint32_t)lamp->axis_q30[k]);
+    }
+}
+
 static void add_scene(unsigned model, unsigned format, unsigned space, unsigned flags)
 {
     static struct glint_vec normals[W * H];
@@ -183,6 +209,18 @@ static void add_scene(unsigned model, unsigned format, unsigned space, unsigned 
     struct glint_box box = {0, 0, 0, 0};
     add((uint32_t)glint_shade_rect(&shader, &source, W, H, &surface, &box));
     add_box(&box);
+    add_bytes(out, LINE * H);
+
+    struct glint_lamp lamps[GLINT_LAMPS_MAX];
+    const unsigned lamp_count = flags % (GLINT_LAMPS_MAX + 1);
+    for (unsigned i = 0; i < lamp_count; i++) {
+        static const int32_t above[3] = {100, 20, 150};
+        (void)glint_lamp_point(&lamps[i], above, 1000); /* where random_lamp is refused */
+        random_lamp(&lamps[i]);
+    }
+    add((uint32_t)glint_shade_lights(&shader, lamps, lamp_count, &source, W, H, &surface, &box));
+    add_box(&box);
+    add_bytes(out, LINE * H);
 
     struct glint_span span = {0, 0, 0, 0, 0, 0};
     add((uint32_t)glint_span_init(&span, &shader.light, &normals[0], &normals[1], W));
