@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: MIT
+ * Several lights: what they may touch, what they report, what they refuse. */
+#include "lamps.h"
+
+static void parts_of_a_picture_join(void **state)
+{
+    (void)state;
+    static struct scene a, b;
+    for (int i = 0; i < 200; i++) {
+        scene_init(&a, formats[i % 4], (enum glint_space)below(2)); /* not mono, whose lines start on bytes */
+        b = a;
+        struct glint_lamp lamps[GLINT_LAMPS_MAX];
+        random_lamps(lamps);
+        assert_int_equal(glint_shade_lights(&a.shader, lamps, 4, &a.source, W, H, &a.surface, NULL), GLINT_OK);
+        const unsigned left = below(W), top = below(H), pixel = bytes_of(formats[i % 4], 1);
+        for (int part = 0; part < 4; part++) {
+            const unsigned x = part & 1 ? left : 0, y = part & 2 ? top : 0, at = y * W + x;
+            const uint16_t w = (uint16_t)(part & 1 ? W - left : left), h = (uint16_t)(part & 2 ? H - top : top);
+            const struct glint_surface surface = {b.out + LINE * (1 + y) + x * pixel, LINE, (uint16_t)(a.surface.x + x),
+                                                  (uint16_t)(a.surface.y + y)};
+            const struct glint_source source = {
+                a.normals + at, W * sizeof *a.normals, a.albedo + 3 * at, 3 * W, a.gloss + at, W, a.mask + at, W};
+            assert_int_equal(glint_shade_lights(&a.shader, lamps, 4, &source, w, h, &surface, NULL), GLINT_OK);
+        }
+        assert_memory_equal(a.out, b.out, sizeof a.out);
+    }
+}
+
+static void the_highlight_box_is_what_single_pixels_report(void **state)
+{
+    (void)state;
+    static struct scene s;
+    int empty = 0;
+    for (int i = 0; i < 200; i++) {
+        scene_init(&s, GLINT_RGB888, GLINT_GAMMA);
+        struct glint_lamp lamps[GLINT_LAMPS_MAX];
+        random_lamps(lamps);
+        const unsigned count = i % 8 == 0 ? 4 : 1;
+        for (int p = 0; p < W * H; p++)
+            s.gloss[p] = below(40) ? 0 : 255;
+        if (i % 3 == 0)
+            memset(lamps[0].color_q16, 0, sizeof lamps[0].color_q16);
+        struct glint_box box, one;
+        assert_int_equal(glint_shade_lights(&s.shader, lamps, count, &s.source, W, H, &s.surface, &box), GLINT_OK);
+        unsigned left = W, right = 0, top = H, bottom = 0;
+        for (unsigned p = 0; p < W * H; p++) {
+            const unsigned x = p % W, y = p / W;
+            const struct glint_source source = {s.normals + p, 6, NULL, 0, s.gloss + p, 0, s.mask + p, 0};
+            const struct glint_surface surface = {s.out, LINE, (uint16_t)(s.surface.x + x),
+                                                  (uint16_t)(s.surface.y + y)};
+            assert_int_equal(glint_shade_lights(&s.shader, lamps, count, &source, 1, 1, &surface, &one), GLINT_OK);
+            if (!one.w)
+                continue;
+            left = x < left ? x : left;
+            right = x + 1 > right ? x + 1 : right;
+            top = y < top ? y : top;
+            bottom = y + 1;
+        }
+        empty += right == 0;
+        if (right == 0)
+            left = top = 0;
+        assert_true(box.x == left && box.y == top && box.w == right - left && box.h == bottom - top);
+    }
+    assert_in_range(empty, 10, 190);
+}
+
+static void nothing_outside_the_rectangle_is_written(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 400; i++) {
+        const enum glint_format format = formats[i % FORMATS];
+        const uint16_t w = (uint16_t)(i / FORMATS % 4), h = (uint16_t)below(4);
+        const struct glint_shader shader = random_shader(format, (enum glint_space)(i & 1));
+        const unsigned need = bytes_of(format, w);
+        const ptrdiff_t stride = (ptrdiff_t)need + (ptrdiff_t)below(6);
+        const size_t size = (size_t)stride * h + 64;
+        struct glint_vec *normals = malloc(((size_t)w * h + 1) * sizeof *normals); /* exact, for the sanitizer */
+        uint8_t *out = malloc(size);
+        assert_true(normals && out);
+        for (int p = 0; p < w * h; p++)
+            normals[p] = random_normal(&shader.light);
+        memset(out, GUARD, size);
+        const bool upside_down = below(2) && h > 0;
+        const unsigned start = 1 + below(8); /* any alignment */
+        uint8_t *first = out + start + (upside_down ? stride * (h - 1) : 0);
+        const struct glint_surface surface = {first, upside_down ? -stride : stride, 65535, 65535};
+        const struct glint_source source = {.normals = normals, .normals_stride = w * (ptrdiff_t)sizeof *normals};
+        struct glint_lamp lamps[GLINT_LAMPS_MAX];
+        random_lamps(lamps);
+        assert_int_equal(glint_shade_lights(&shader, lamps, 4, &source, w, h, &surface, NULL), GLINT_OK);
+        for (size_t b = 0; b < size; b++) {
+            const ptrdiff_t at = (ptrdiff_t)b - (ptrdiff_t)start;
+            const bool inside = at >= 0 && at < stride * h && at % stride < (ptrdiff_t)need;
+            if (!inside)
+                assert_int_equal(out[b], GUARD);
+            else if (format == GLINT_MONO && w % 8 && at % stride == w / 8)
+                assert_int_equal(out[b] & (0xff >> w % 8), GUARD & (0xff >> w % 8));
+        }
+        free(normals);
+        free(out);
+    }
+}
+
+static void lamps_at_the_limits_are_shaded_without_overflow(void **state)
+{
+    (void)state;
+    static struct scene s;
+    scene_init(&s, GLINT_RGB888, GLINT_GAMMA);
+    s.surface.x = s.surface.y = 65535;
+    for (int i = 0; i < 64; i++) {
+        int32_t position[3];
+        struct glint_lamp lamps[2];
+        for (int k = 0; k < 3; k++)
+            position[k] = i >> k & 1 ? GLINT_LAMP_FAR : -GLINT_LAMP_FAR;
+        const int32_t target[3] = {-position[0], -position[1], -position[2]};
+        const uint32_t range = i & 8 ? (uint32_t)GLINT_LAMP_FAR : 1;
+        assert_int_equal(glint_lamp_point(&lamps[0], position, range), GLINT_OK);
+        assert_int_equal(glint_lamp_spot(&lamps[1], position, target, range, i & 16 ? ONE_Q30 : -ONE_Q30, -ONE_Q30),
+                         GLINT_OK);
+        assert_int_equal(glint_shade_lights(&s.shader, lamps, 2, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+    }
+}
+
+static void a_lamp_that_cannot_be_is_refused_and_not_written(void **state)
+{
+    (void)state;
+    struct glint_lamp lamp, before;
+    memset(&lamp, GUARD, sizeof lamp);
+    before = lamp;
+    const int32_t zero[3] = {0, 0, 0}, up[3] = {0, 0, 1}, down[3] = {0, 0, -1};
+    const int32_t far[3] = {0, -GLINT_LAMP_FAR - 1, 0}, min[3] = {INT32_MIN, INT32_MAX, INT32_MIN};
+    assert_int_equal(glint_lamp_directional(NULL, up, up), GLINT_ERR_ARG);
+    assert_int_equal(glint_lamp_directional(&lamp, NULL, up), GLINT_ERR_ARG);
+    assert_int_equal(glint_lamp_directional(&lamp, up, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_lamp_directional(&lamp, zero, up), GLINT_ERR_VECTOR);
+    assert_int_equal(glint_lamp_directional(&lamp, down, up), GLINT_ERR_VECTOR);
+    assert_int_equal(glint_lamp_point(NULL, up, 1), GLINT_ERR_ARG);
+    assert_int_equal(glint_lamp_point(&lamp, NULL, 1), GLINT_ERR_ARG);
+    assert_int_equal(glint_lamp_point(&lamp, up, 0), GLINT_ERR_ARG);
+    assert_int_equal(glint_lamp_point(&lamp, up, GLINT_LAMP_FAR + 1), GLINT_ERR_ARG);
+    assert_int_equal(glint_lamp_point(&lamp, far, 1), GLINT_ERR_ARG);
+    assert_int_equal(glint_lamp_point(&lamp, min, 1), GLINT_ERR_ARG);
+    assert_int_equal(glint_lamp_spot(NULL, up, zero, 1, 2, 1), GLINT_ERR_ARG);
+    assert_int_equal(glint_lamp_spot(&lamp, NULL, zero, 1, 2, 1), GLINT_ERR_ARG);
+    assert_int_equal(glint_lamp_spot(&lamp, up, NULL, 1, 2, 1), GLINT_ERR_ARG);
+    assert_int_equal(glint_lamp_spot(&lamp, up, up, 1, 2, 1), GLINT_ERR_VECTOR);
+    assert_int_equal(glint_lamp_spot(&lamp, up, far, 1, 2, 1), GLINT_ERR_ARG);
+    assert_int_equal(glint_lamp_spot(&lamp, up, zero, 0, 2, 1), GLINT_ERR_ARG);
+    assert_int_equal(glint_lamp_spot(&lamp, up, zero, 1, 1, 2), GLINT_ERR_ARG);
+    assert_int_equal(glint_lamp_spot(&lamp, up, zero, 1, ONE_Q30 + 1, 2), GLINT_ERR_ARG);
+    assert_int_equal(glint_lamp_spot(&lamp, up, zero, 1, 2, -ONE_Q30 - 1), GLINT_ERR_ARG);
+    assert_memory_equal(&lamp, &before, sizeof lamp);
+}
+
+/* Shades with this lamp as the last of four; nothing may be written. */
+static enum glint_err refusal(struct scene *s, const struct glint_lamp *lamp)
+{
+    static uint8_t before[sizeof s->out];
+    struct glint_lamp lamps[GLINT_LAMPS_MAX];
+    random_lamps(lamps);
+    lamps[GLINT_LAMPS_MAX - 1] = *lamp;
+    struct glint_box box = {9, 9, 9, 9};
+    memcpy(before, s->out, sizeof before);
+    const enum glint_err err = glint_shade_lights(&s->shader, lamps, 4, &s->source, W, H, &s->surface, &box);
+    assert_memory_equal(s->out, before, sizeof before);
+    assert_true(box.x == 9 && box.h == 9);
+    return err;
+}
+
+static void wrong_lamps_are_refused_and_nothing_is_written(void **state)
+{
+    (void)state;
+    static struct scene s, bad;
+    scene_init(&s, GLINT_RGB888, GLINT_GAMMA);
+    const int32_t up[3] = {0, 0, 100}, aside[3] = {1, 2, 0};
+    struct glint_lamp good, lamp;
+    assert_int_equal(glint_lamp_spot(&good, up, aside, 1000, ONE_Q30, 0), GLINT_OK);
+    lamp = good;
+    lamp.kind = GLINT_SPOT + 1;
+    assert_int_equal(refusal(&s, &lamp), GLINT_ERR_ARG);
+    lamp = good;
+    lamp.range = 0;
+    assert_int_equal(refusal(&s, &lamp), GLINT_ERR_ARG);
+    lamp = good;
+    lamp.position[2] = INT32_MIN;
+    assert_int_equal(refusal(&s, &lamp), GLINT_ERR_ARG);
+    lamp = good;
+    lamp.cos_outer_q30 = ONE_Q30 + 1;
+    assert_int_equal(refusal(&s, &lamp), GLINT_ERR_ARG);
+    lamp = good;
+    lamp.cos_inner_q30 = -1;
+    assert_int_equal(refusal(&s, &lamp), GLINT_ERR_ARG);
+    bad = s;
+    bad.shader.light.v = (struct glint_vec){0, 0, 0};
+    assert_int_equal(refusal(&bad, &good), GLINT_ERR_VECTOR);
+    bad = s;
+    bad.shader.format = GLINT_MONO + 1;
+    assert_int_equal(refusal(&bad, &good), GLINT_ERR_FORMAT);
+    bad = s;
+    bad.source.normals_stride = 7;
+    assert_int_equal(refusal(&bad, &good), GLINT_ERR_ARG);
+    const struct glint_lamp five[] = {good, good, good, good, good};
+    assert_int_equal(glint_shade_lights(&s.shader, five, 5, &s.source, W, H, &s.surface, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_lights(&s.shader, NULL, 1, &s.source, W, H, &s.surface, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_lights(NULL, five, 1, &s.source, W, H, &s.surface, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_lights(&s.shader, five, 1, NULL, W, H, &s.surface, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_lights(&s.shader, five, 1, &s.source, W, H, NULL, NULL), GLINT_ERR_ARG);
+    for (unsigned i = 0; i < sizeof s.out; i++)
+        assert_int_equal(s.out[i], GUARD);
+}
+
+static void a_viewer_is_wanted_only_where_a_lamp_has_a_place(void **state)
+{
+    (void)state;
+    static struct scene s;
+    scene_init(&s, GLINT_RGB888, GLINT_GAMMA);
+    const int32_t up[3] = {0, 0, 100};
+    struct glint_lamp lamp;
+    assert_int_equal(glint_lamp_directional(&lamp, up, up), GLINT_OK);
+    s.shader.light.v = (struct glint_vec){0, 0, 0};
+    assert_int_equal(glint_shade_lights(&s.shader, &lamp, 1, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(parts_of_a_picture_join),
+        cmocka_unit_test(the_highlight_box_is_what_single_pixels_report),
+        cmocka_unit_test(nothing_outside_the_rectangle_is_written),
+        cmocka_unit_test(lamps_at_the_limits_are_shaded_without_overflow),
+        cmocka_unit_test(a_lamp_that_cannot_be_is_refused_and_not_written),
+        cmocka_unit_test(wrong_lamps_are_refused_and_nothing_is_written),
+        cmocka_unit_test(a_viewer_is_wanted_only_where_a_lamp_has_a_place),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
