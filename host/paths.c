@@ -26,9 +26,11 @@ enum { SPAN_PIXELS = 16 }; /* a curve is cut into spans of at most so many */
 const char *path_refusal(const struct shading *shading)
 {
     const struct path *path = &paths[shading->path];
-    struct glint_light light;
+    struct glint_lamp lamp;
     if (path->by == EXACT && path->unit == RECT)
         return NULL;
+    if (!shading_is_plain(shading))
+        return "takes one --light without a colour; others need --path exact";
     if (shading->model == GLINT_PHONG)
         return "takes any model but phong";
     if (path->by == COLOUR && (shading->format > GLINT_RGB565_SWAPPED || shading->dither))
@@ -37,8 +39,8 @@ const char *path_refusal(const struct shading *shading)
         return "takes any format but mono, whose spans would have to start on a byte";
     if (path->by == SMALL && shading->space != GLINT_GAMMA)
         return "needs --space gamma";
-    if (path->by == COLOUR && path->normals == GLINT_NORMALS_INT8 && shading_light(shading, &light) == GLINT_OK &&
-        (light.v.x || light.v.y))
+    if (path->by == COLOUR && path->normals == GLINT_NORMALS_INT8 && shading_lamp(shading, 0, &lamp) == GLINT_OK &&
+        (lamp.light.v.x || lamp.light.v.y))
         return "needs --view 0,0,1";
     return NULL;
 }

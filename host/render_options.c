@@ -13,6 +13,8 @@ enum key {
     KEY_GLOSS,
     KEY_MODEL,
     KEY_LIGHT,
+    KEY_POINT,
+    KEY_SPOT,
     KEY_VIEW,
     KEY_AMBIENT,
     KEY_DIFFUSE,
@@ -43,7 +45,18 @@ static const struct argp_option argp_options[] = {
      "A highlight under 2^-Q counts as 0; 0..16 (default 12 for --space linear, else 6 for rgb565 "
      "and mono undithered, else 8)",
      3},
-    {"light", KEY_LIGHT, "X,Y,Z", 0, "Towards the light, any length: x right, y up, z to you (default -1,1,1)", 3},
+    {"light", KEY_LIGHT, "X,Y,Z[,R,G,B]", 0,
+     "Towards the light, any length: x right, y up, z to you (default -1,1,1, where no light is given), and its "
+     "colour, "
+     "0..16 each (default 1,1,1). Up to four lights of these three kinds may be given",
+     3},
+    {"point", KEY_POINT, "X,Y,Z,RANGE[,R,G,B]", 0,
+     "A light at a place, in pixels to a sixteenth: x right, y down, from the upper left corner, z to you. Its light "
+     "falls "
+     "to 0 at RANGE pixels",
+     3},
+    {"spot", KEY_SPOT, "X,Y,Z,TX,TY,RANGE,INNER,OUTER[,R,G,B]", 0,
+     "The same, aimed at TX,TY on the surface: full within INNER degrees of its axis, 0 from OUTER on", 3},
     {"view", KEY_VIEW, "X,Y,Z", 0, "Towards the viewer (default 0,0,1)", 3},
     {"ambient", KEY_AMBIENT, "A", 0, "Light from all around, 0..1: one number or R,G,B (default .2; sphere, coin .15)",
      3},
@@ -94,6 +107,7 @@ static const char doc[] =
     "  glint render --normals brick.png --flip-y -n 120 --light 1,1,0.5 -o out.png\n"
     "  glint render --scene coin --size 240x240 --format rgb565 --dither -o c.png\n"
     "  glint render --scene watchface -o - | chafa\n"
+    "  glint render --scene coin --light=-1,1,2,.5,.5,.5 --point 240,80,60,300,1,.7,.3 -o lamps.png\n"
     "  glint render --scene sphere -n 300 --error-map e.png --against blinn\n";
 
 static void parse_coefficients(const struct argp_state *state, const char *option, const char *text, double out[3])
@@ -113,11 +127,10 @@ static void parse_color(const struct argp_state *state, const char *text, struct
     options->has_color = true;
 }
 
-static void parse_direction(const struct argp_state *state, const char *option, const char *text, double out[3])
+static void parse_view(const struct argp_state *state, const char *text, double view[3])
 {
-    parse_reals(state, option, text, out, 3, -1e6, 1e6);
-    if (out[0] == 0 && out[1] == 0 && out[2] == 0)
-        refuse(state, "%s: '%s' has no direction; one of the three must not be 0", option, text);
+    parse_reals(state, "--view", text, view, 3, -1e6, 1e6);
+    check_direction(state, "--view", text, view);
 }
 
 static enum image_kind kind_of_file(const struct argp_state *state, const char *option, const char *path)
@@ -126,13 +139,6 @@ static enum image_kind kind_of_file(const struct argp_state *state, const char *
     if (kind == IMAGE_KINDS)
         refuse(state, "%s: '%s' does not end in .png, .ppm or .qoi; name it so, or give --image", option, path);
     return kind;
-}
-
-static void check_light(const struct argp_state *state, const struct shading *shading)
-{
-    struct glint_light light;
-    if (shading_light(shading, &light) != GLINT_OK)
-        refuse(state, "--light: must not lie straight opposite to --view: there is no half vector");
 }
 
 static void check_outputs(const struct argp_state *state, struct render_options *o)
@@ -174,10 +180,16 @@ static error_t parse_shading(int key, char *text, const struct argp_state *state
         shading->model = parse_model(state, "--model", text);
         return 0;
     case KEY_LIGHT:
-        parse_direction(state, "--light", text, shading->light);
+        parse_light(state, text, shading);
+        return 0;
+    case KEY_POINT:
+        parse_point(state, text, shading);
+        return 0;
+    case KEY_SPOT:
+        parse_spot(state, text, shading);
         return 0;
     case KEY_VIEW:
-        parse_direction(state, "--view", text, shading->view);
+        parse_view(state, text, shading->view);
         return 0;
     case KEY_AMBIENT:
         parse_coefficients(state, "--ambient", text, shading->ambient);
@@ -251,7 +263,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     case ARGP_KEY_END:
         if (o->scene.albedo && o->has_color)
             refuse(state, "--albedo and --color exclude each other; give one");
-        check_light(state, &o->shading);
+        check_lamps(state, &o->shading);
         check_outputs(state, o);
         if (path_refusal(&o->shading))
             refuse(state, "--path %s: %s", path_names[o->shading.path], path_refusal(&o->shading));
@@ -271,7 +283,6 @@ void render_options_parse(struct render_options *options, int argc, char **argv)
         .kind = IMAGE_KINDS,
         .shading = {.model = GLINT_MSH,
                     .q = Q_UNSET,
-                    .light = {-1, 1, 1},
                     .view = {0, 0, 1},
                     .ambient = {NAN, NAN, NAN},
                     .diffuse = {NAN, NAN, NAN},

@@ -3,6 +3,8 @@
 #ifndef GLINT_RENDER_OPTIONS_H
 #define GLINT_RENDER_OPTIONS_H
 
+#include <argp.h>
+
 #include "scene_options.h"
 #include "shade.h"
 
@@ -20,5 +22,14 @@ struct render_options {
 
 /* Ends the program with one line and exit status 2 where they are wrong. */
 void render_options_parse(struct render_options *options, int argc, char **argv);
+
+/* ---- the lights (light_options.c); all refuse what is wrong ---- */
+
+void check_direction(const struct argp_state *state, const char *option, const char *text, const double direction[3]);
+void parse_light(const struct argp_state *state, const char *text, struct shading *shading);
+void parse_point(const struct argp_state *state, const char *text, struct shading *shading);
+void parse_spot(const struct argp_state *state, const char *text, struct shading *shading);
+/* When all options are there: the default light, where none is given; what depends on --view. */
+void check_lamps(const struct argp_state *state, struct shading *shading);
 
 #endif

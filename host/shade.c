@@ -29,28 +29,71 @@ static void to_integers(const double direction[3], int32_t out[3])
         out[k] = longest > 0 ? (int32_t)lround(direction[k] / longest * (1 << 30)) : 0;
 }
 
-enum glint_err shading_light(const struct shading *shading, struct glint_light *light)
-{
-    int32_t to_light[3], to_viewer[3];
-    to_integers(shading->light, to_light);
-    to_integers(shading->view, to_viewer);
-    return glint_light_init(light, to_light, to_viewer);
-}
-
 static uint32_t to_q16(double value)
 {
     return (uint32_t)lround(value * 65536);
 }
 
-static struct glint_shader shader_of(const struct shading *shading)
+static int32_t to_sixteenths(double pixels)
+{
+    return (int32_t)lround(16 * pixels);
+}
+
+static int32_t cosine_q30(double degrees)
+{
+    return (int32_t)lround(cos(degrees * M_PI / 180) * (double)GLINT_T_ONE);
+}
+
+enum glint_err shading_lamp(const struct shading *shading, unsigned i, struct glint_lamp *out)
+{
+    const struct lamp *lamp = &shading->lamps[i];
+    int32_t to_light[3], to_viewer[3], position[3];
+    for (unsigned k = 0; k < 3; k++)
+        position[k] = to_sixteenths(lamp->position[k]);
+    const int32_t target[3] = {to_sixteenths(lamp->target[0]), to_sixteenths(lamp->target[1]), 0};
+    const uint32_t range = (uint32_t)to_sixteenths(lamp->range);
+    enum glint_err error = GLINT_ERR_ARG;
+    switch (lamp->kind) {
+    case GLINT_DIRECTIONAL:
+        to_integers(lamp->direction, to_light);
+        to_integers(shading->view, to_viewer);
+        error = glint_lamp_directional(out, to_light, to_viewer);
+        break;
+    case GLINT_POINT:
+        error = glint_lamp_point(out, position, range);
+        break;
+    case GLINT_SPOT:
+        error = glint_lamp_spot(out, position, target, range, cosine_q30(lamp->cone[0]), cosine_q30(lamp->cone[1]));
+        break;
+    }
+    for (unsigned k = 0; k < 3; k++)
+        out->color_q16[k] = to_q16(lamp->color[k]);
+    return error;
+}
+
+bool shading_is_plain(const struct shading *shading)
+{
+    const struct lamp *lamp = &shading->lamps[0];
+    return shading->lamp_count == 1 && lamp->kind == GLINT_DIRECTIONAL && lamp->color[0] == 1 && lamp->color[1] == 1 &&
+           lamp->color[2] == 1;
+}
+
+static struct glint_shader shader_of(const struct shading *shading, struct glint_lamp lamps[GLINT_LAMPS_MAX])
 {
     struct glint_shader shader = {.format = (uint8_t)shading->format,
                                   .space = (uint8_t)shading->space,
                                   .dither = shading->dither,
                                   .clamp_peak = shading->clamp_peak};
     glint_lobe_init(&shader.lobe, shading->model, shading->n, shading->q);
-    if (shading_light(shading, &shader.light) != GLINT_OK)
-        fail("light and viewer give no half vector");
+    for (unsigned i = 0; i < shading->lamp_count; i++)
+        if (shading_lamp(shading, i, &lamps[i]) != GLINT_OK)
+            fail("the library refused light %u", i + 1);
+    int32_t to_viewer[3];
+    to_integers(shading->view, to_viewer);
+    if (shading_is_plain(shading))
+        shader.light = lamps[0].light;
+    else if (glint_vec_normalize(&shader.light.v, to_viewer) != GLINT_OK)
+        fail("the viewer has no direction");
     for (unsigned k = 0; k < 3; k++) {
         shader.material.ambient_q16[k] = to_q16(shading->ambient[k]);
         shader.material.diffuse_q16[k] = to_q16(shading->diffuse[k]);
@@ -102,7 +145,8 @@ static void unpack(const uint8_t *line, enum glint_format format, size_t x, uint
     }
 }
 
-static void draw_exact(const struct scene *scene, const struct glint_shader *shader, const struct glint_vec *normals,
+static void draw_exact(const struct scene *scene, const struct shading *shading, const struct glint_shader *shader,
+                       const struct glint_lamp *lamps, const struct glint_vec *normals,
                        const struct glint_surface *surface)
 {
     const size_t width = scene->width;
@@ -114,20 +158,23 @@ static void draw_exact(const struct scene *scene, const struct glint_shader *sha
                                         .gloss_stride = (ptrdiff_t)width,
                                         .mask = scene->mask,
                                         .mask_stride = (ptrdiff_t)width};
-    const enum glint_err error =
-        glint_shade_rect(shader, &source, (uint16_t)width, (uint16_t)scene->height, surface, NULL);
+    const uint16_t w = (uint16_t)width, h = (uint16_t)scene->height;
+    const enum glint_err error = shading_is_plain(shading) ? glint_shade_rect(shader, &source, w, h, surface, NULL)
+                                                           : glint_shade_lights(shader, lamps, shading->lamp_count,
+                                                                                &source, w, h, surface, NULL);
     if (error != GLINT_OK)
         fail("the library refused the rectangle (error %d)", error);
 }
 
 struct levels *shade_scene(const struct scene *scene, const struct shading *shading)
 {
-    const struct glint_shader shader = shader_of(shading);
+    struct glint_lamp lamps[GLINT_LAMPS_MAX];
+    const struct glint_shader shader = shader_of(shading, lamps);
     const size_t width = scene->width, bytes = line_bytes(shading->format, width);
     struct glint_vec *normals = scene_normals_q15(scene);
     uint8_t *pixels = allocate(scene->height, bytes); /* black where a mask leaves it */
     const struct glint_surface surface = {pixels, (ptrdiff_t)bytes, 0, 0};
-    draw_exact(scene, &shader, normals, &surface);
+    draw_exact(scene, shading, &shader, lamps, normals, &surface);
     if (shading->path)
         path_draw(scene, shading, &shader, normals, &surface);
     free(normals);

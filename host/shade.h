@@ -7,11 +7,24 @@
 #include "image.h"
 #include "scene.h"
 
+/* A light of the scene. */
+struct lamp {
+    enum glint_lamp_kind kind;
+    double direction[3]; /* directional: towards it, any length, y up */
+    double position[3]; /* point and spot, in pixels: x right, y down, from the picture's upper left corner; z to you */
+    double target[2];   /* spot: the pixel on the surface it is aimed at */
+    double range;       /* point and spot: in pixels */
+    double cone[2];     /* spot: degrees from its axis, full within the first, nothing beyond the second */
+    double color[3];    /* 1 is white */
+};
+
 /* As the user gave it: in doubles, so that the reference has nothing of the library's rounding. */
 struct shading {
     enum glint_model model;
     unsigned n, q;
-    double light[3], view[3]; /* towards them, any length */
+    struct lamp lamps[GLINT_LAMPS_MAX];
+    unsigned lamp_count;
+    double view[3]; /* towards the viewer, any length */
     double ambient[3], diffuse[3], specular[3];
     uint8_t color[3]; /* where the scene has no albedo */
     enum glint_format format;
@@ -39,8 +52,10 @@ unsigned format_max(enum glint_format format, unsigned channel);
 
 /* ---- by the library (shade.c) ---- */
 
-/* The light as the library takes it; GLINT_ERR_VECTOR where a direction is 0 or they oppose each other. */
-enum glint_err shading_light(const struct shading *shading, struct glint_light *light);
+/* A lamp as the library takes it, or what the library has against it. */
+enum glint_err shading_lamp(const struct shading *shading, unsigned i, struct glint_lamp *lamp);
+/* Is it lit by one white directional light, which every path can draw? */
+bool shading_is_plain(const struct shading *shading);
 struct levels *shade_scene(const struct scene *scene, const struct shading *shading);
 
 /* ---- ways through the library (paths.c) ---- */

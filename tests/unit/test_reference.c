@@ -13,7 +13,8 @@ enum { SIDE = 96 };
 static const struct shading plain = {.model = GLINT_MSH,
                                      .n = 60,
                                      .q = 8,
-                                     .light = {-1, 1, 1},
+                                     .lamps = {{.direction = {-1, 1, 1}, .color = {1, 1, 1}}},
+                                     .lamp_count = 1,
                                      .view = {0, 0, 1},
                                      .ambient = {.15, .15, .15},
                                      .diffuse = {.85, .85, .85},
@@ -37,7 +38,7 @@ static void a_mirror_facing_light_and_viewer_has_the_peak(void **state)
     (void)state;
     struct scene *scene = scene_new(1, 1);
     struct shading shading = plain;
-    memcpy(shading.light, (const double[3]){0, 0, 5}, sizeof shading.light);
+    memcpy(shading.lamps[0].direction, (const double[3]){0, 0, 5}, sizeof shading.lamps[0].direction);
     double value[3];
     for (unsigned k = 0; k < 3; k++)
         shading.specular[k] = .25;
@@ -56,7 +57,7 @@ static void a_light_from_behind_leaves_the_ambient_part(void **state)
     (void)state;
     struct scene *scene = scene_new(1, 1);
     struct shading shading = plain;
-    memcpy(shading.light, (const double[3]){1, 0, -.01}, sizeof shading.light);
+    memcpy(shading.lamps[0].direction, (const double[3]){1, 0, -.01}, sizeof shading.lamps[0].direction);
     shading.n = 1;
     double value[3];
     reference_line(scene, &shading, GLINT_MSH, 0, value);
@@ -70,7 +71,8 @@ static void under_the_cutoff_there_is_no_highlight(void **state)
     struct scene *scene = scene_new(1, 1);
     struct shading shading = plain;
     shading.diffuse[2] = shading.ambient[2] = 0;
-    memcpy(shading.light, (const double[3]){.6, 0, .8}, sizeof shading.light); /* N.H = sqrt(.9) */
+    memcpy(shading.lamps[0].direction, (const double[3]){.6, 0, .8},
+           sizeof shading.lamps[0].direction); /* N.H = sqrt(.9) */
     const double c = sqrt(.9), f = model_double(GLINT_BLINN, 60, c);
     assert_true(f > ldexp(1, -5) && f < ldexp(1, -4));
     double value[3];
@@ -90,7 +92,8 @@ static void phong_takes_the_mirrored_light(void **state)
     struct shading shading = plain;
     shading.n = 3;
     shading.diffuse[2] = shading.ambient[2] = 0;
-    memcpy(shading.light, (const double[3]){.6, 0, .8}, sizeof shading.light); /* R = (-.6, 0, .8), V.R = .8 */
+    memcpy(shading.lamps[0].direction, (const double[3]){.6, 0, .8},
+           sizeof shading.lamps[0].direction); /* R = (-.6, 0, .8), V.R = .8 */
     double value[3];
     reference_line(scene, &shading, GLINT_PHONG, 0, value);
     assert_true(fabs(value[2] - .8 * .8 * .8 * .8) < 1e-12);
@@ -189,6 +192,58 @@ static void gloss_dims_the_highlight_alike(void **state)
     const struct comparison c = comparison_of(scene, &plain);
     assert_true(c.rounded.largest < 1.001);
     assert_true((double)c.rounded.differing < .02 * (double)c.rounded.samples);
+    scene_free(scene);
+}
+
+static const struct lamp lamps[] = {
+    {.kind = GLINT_POINT, .position = {30, 20, 40}, .range = 150, .color = {1.5, .7, .3}},
+    {.kind = GLINT_SPOT,
+     .position = {90, 90, 60},
+     .target = {48, 40},
+     .range = 200,
+     .cone = {10, 25},
+     .color = {1, 1, 1}},
+    {.direction = {1, -1, .5}, .color = {.2, .3, .5}},
+    {.kind = GLINT_SPOT,
+     .position = {48, 48, 100},
+     .target = {60, 60},
+     .range = 150,
+     .cone = {0, 40},
+     .color = {0, 2, 0}}};
+
+static void four_lights_of_every_kind_are_as_near(void **state)
+{
+    (void)state;
+    struct scene *scene = scene_draw("sphere", SIDE, SIDE);
+    for (int i = 0; i < MODEL_COUNT * 4; i++) {
+        struct shading shading = plain;
+        shading.model = (enum glint_model)(i % MODEL_COUNT);
+        shading.lamp_count = 1 + (unsigned)i / MODEL_COUNT;
+        for (unsigned k = 0; k < shading.lamp_count; k++)
+            shading.lamps[k] = lamps[k];
+        shading.q = 16;
+        assert_false(shading_is_plain(&shading));
+        const struct comparison c = comparison_of(scene, &shading);
+        if (c.unrounded.largest > .6 || c.rounding.largest > .5000001)
+            fail_msg("%s, %u lights: largest %g", model_names[shading.model], shading.lamp_count, c.unrounded.largest);
+    }
+    scene_free(scene);
+}
+
+static void white_light_divided_among_lamps_is_the_same_light(void **state)
+{
+    (void)state;
+    struct scene *scene = scene_draw("sphere", SIDE, SIDE);
+    struct shading shading = plain;
+    assert_true(shading_is_plain(&shading));
+    double one[3 * SIDE], parts[3 * SIDE];
+    reference_line(scene, &shading, GLINT_MSH, SIDE / 3, one);
+    shading.lamp_count = 4;
+    for (unsigned k = 0; k < 4; k++)
+        shading.lamps[k] = (struct lamp){.direction = {-1, 1, 1}, .color = {.25, .25, .25}};
+    reference_line(scene, &shading, GLINT_MSH, SIDE / 3, parts);
+    for (int i = 0; i < 3 * SIDE; i++)
+        assert_near(parts[i], one[i], 1e-12);
     scene_free(scene);
 }
 
@@ -291,6 +346,8 @@ int main(void)
         cmocka_unit_test(dither_thresholds_cover_a_step_evenly),
         cmocka_unit_test(every_model_format_and_space_is_within_a_level_of_the_reference),
         cmocka_unit_test(without_a_cutoff_little_but_the_rounding_is_left),
+        cmocka_unit_test(four_lights_of_every_kind_are_as_near),
+        cmocka_unit_test(white_light_divided_among_lamps_is_the_same_light),
         cmocka_unit_test(gloss_dims_the_highlight_alike),
         cmocka_unit_test(a_wrong_sample_is_found_with_its_place),
         cmocka_unit_test(equal_pictures_have_infinite_psnr_and_known_errors_their_formula),

@@ -196,10 +196,11 @@ static void help_explains_every_option_and_fits_a_terminal(void **state)
     const struct run *result = run("$GLINT render --help");
     assert_int_equal(result->status, 0);
     static const char *const options[] = {
-        "--height",  "--normals", "--scene",    "--albedo",     "--color",     "--gloss",   "--mask",   "--scale",
-        "--wrap",    "--flip-y",  "--size",     "--model",      "-n N",        "-q Q",      "--light",  "--view",
-        "--ambient", "--diffuse", "--specular", "--clamp-peak", "-o FILE",     "--image",   "--format", "--space",
-        "--dither",  "--path",    "--compare",  "--json",       "--error-map", "--against", "Examples:"};
+        "--height",     "--normals", "--scene",     "--albedo",  "--color",   "--gloss",   "--mask",
+        "--scale",      "--wrap",    "--flip-y",    "--size",    "--model",   "-n N",      "-q Q",
+        "--light",      "--view",    "--point",     "--spot",    "--ambient", "--diffuse", "--specular",
+        "--clamp-peak", "-o FILE",   "--image",     "--format",  "--space",   "--dither",  "--path",
+        "--compare",    "--json",    "--error-map", "--against", "Examples:"};
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
         assert_contains(result->out, options[i]);
     for (const char *line = result->out; *line;) {
@@ -218,7 +219,8 @@ static void each_path_draws_the_sphere_within_its_error(void **state)
         struct shading shading = {.model = GLINT_MSH,
                                   .n = 60,
                                   .q = 8,
-                                  .light = {-1, 1, 1},
+                                  .lamps = {{.direction = {-1, 1, 1}, .color = {1, 1, 1}}},
+                                  .lamp_count = 1,
                                   .view = {0, 0, 1},
                                   .ambient = {.15, .15, .15},
                                   .diffuse = {.85, .85, .85},
