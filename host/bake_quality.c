@@ -14,9 +14,9 @@ static void direct(struct shading *shading, int light)
 {
     const double slope = light == 0 ? 0 : light <= 4 ? .7 : 1.7;
     const double turn = .3 + light * M_PI / 2 + (light > 4 ? M_PI / 4 : 0);
-    shading->light[0] = slope * cos(turn);
-    shading->light[1] = slope * sin(turn);
-    shading->light[2] = 1;
+    shading->lamps[0].direction[0] = slope * cos(turn);
+    shading->lamps[0].direction[1] = slope * sin(turn);
+    shading->lamps[0].direction[2] = 1;
 }
 
 static void add_light(const struct scene *exact, const struct scene *lossy, unsigned n, int light,
@@ -26,6 +26,8 @@ static void add_light(const struct scene *exact, const struct scene *lossy, unsi
                               .n = n,
                               .q = 8,
                               .view = {0, 0, 1},
+                              .lamps = {{.kind = GLINT_DIRECTIONAL, .color = {1, 1, 1}}},
+                              .lamp_count = 1,
                               .specular = {1, 1, 1},
                               .color = {255, 255, 255},
                               .format = GLINT_GREY8,
