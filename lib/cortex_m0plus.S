@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * The loops over COLOUR tables and palettes for ARMv6-M, by hand: what the C in loops_colour.c and loops.c does, bit for
- * bit. Empty unless GLINT_CORTEX_M0PLUS_ASM is 1, for the C and for this file. At most 48 bytes of stack.
+ * bit. Empty unless GLINT_CORTEX_M0PLUS_ASM is 1, for the C and for this file. At most 44 bytes of stack.
  *
  * Neighbours are alike: each kind of pixel has a row of four, and where the next pixel is of the other kind, it is in the
  * other kind's row, at the same place, that the code goes on. So no pixel pays for a loop and few for a branch. */
@@ -12,7 +12,6 @@
 /* Offsets in struct glint_tables and struct glint_tables_light; loops_colour.c compares them with the compiler's. */
 #define COLUMNS 0
 #define COLOURS 4
-#define T_MAX 8
 #define DARK 12
 #define LIGHT_X 12
 #define LIGHT_Y 16
@@ -118,15 +117,15 @@
 .macro int8_next row /* four pixels are done */
     adds r1, #8
     cmp r1, last
-    bls int8_\row\()_0
-    b int8_rest
+    bls .Lint8_\row\()_0
+    b .Lint8_rest
 .endm
 
 .macro int8_skip row /* out to the gap */
 .irp at, 0, 1, 2, 3
-int8_\row\()_gap_\at:
+.Lint8_\row\()_gap_\at:
     adds r1, #2 * \at
-    b int8_gap
+    b .Lint8_gap
 .endr
 .endm
 
@@ -155,9 +154,9 @@ int8_\row\()_gap_\at:
     mov exponent, r5
     ldmia r1!, {lx, ly, lz}
     mov r1, r4
-    b int8_rest
+    b .Lint8_rest
 
-int8_gap: /* v is the word, r0 past it */
+.Lint8_gap: /* v is the word, r0 past it */
     cmp v, #0
     bne 1f
     movs v, #1
@@ -165,70 +164,70 @@ int8_gap: /* v is the word, r0 past it */
     ldr x, [sp, #4]
     subs x, x, r1
     cmp v, x
-    bhs int8_done
+    bhs .Lint8_done
     adds r1, r1, v
     lsls v, v, #1
     subs v, #4
     adds r0, r0, v
-int8_rest: /* how many are left? */
+.Lint8_rest: /* how many are left? */
     cmp r1, last
-    bls int8_out_0
+    bls .Lint8_out_0
     ldr x, [sp, #4]
     cmp r1, x
-    bhs int8_done
-    int8_dot int8_gap
+    bhs .Lint8_done
+    int8_dot .Lint8_gap
     bmi 2f
     int8_edge
     bpl 1f
     int8_outside 0
     adds r1, #2
-    b int8_rest
+    b .Lint8_rest
 1:  int8_inside 0
     adds r1, #2
-    b int8_rest
+    b .Lint8_rest
 2:  int8_dark 0
     adds r1, #2
-    b int8_rest
-int8_done:
+    b .Lint8_rest
+.Lint8_done:
     leave 8
 
     int8_skip dark
 .irp at, 0, 1, 2, 3
-int8_dark_\at:
-    int8_dot int8_dark_gap_\at
-    bpl int8_is_lit_\at
-int8_is_dark_\at:
+.Lint8_dark_\at:
+    int8_dot .Lint8_dark_gap_\at
+    bpl .Lint8_is_lit_\at
+.Lint8_is_dark_\at:
     int8_dark \at
 .endr
     int8_next dark
 
     int8_skip out
 .irp at, 0, 1, 2, 3
-int8_out_\at:
-    int8_dot int8_out_gap_\at
-    bmi int8_is_dark_\at
-int8_is_lit_\at:
+.Lint8_out_\at:
+    int8_dot .Lint8_out_gap_\at
+    bmi .Lint8_is_dark_\at
+.Lint8_is_lit_\at:
     int8_edge
-    bpl int8_is_in_\at
-int8_is_out_\at:
+    bpl .Lint8_is_in_\at
+.Lint8_is_out_\at:
     int8_outside \at
 .endr
     int8_next out
 
 .irp at, 0, 1, 2, 3
-int8_in_\at:
-    int8_dot int8_in_gap_\at
-    bmi int8_in_dark_\at
+.Lint8_in_\at:
+    int8_dot .Lint8_in_gap_\at
+    bmi .Lint8_in_dark_\at
     int8_edge
-    bmi int8_is_out_\at
-int8_is_in_\at:
+    bmi .Lint8_is_out_\at
+.Lint8_is_in_\at:
     int8_inside \at
 .endr
     int8_next in
     int8_skip in
 .irp at, 0, 1, 2, 3
-int8_in_dark_\at:
-    b int8_is_dark_\at
+.Lint8_in_dark_\at:
+    b .Lint8_is_dark_\at
 .endr
 
 #undef x
@@ -355,25 +354,25 @@ int8_in_dark_\at:
 
 .macro mixed_dark row /* dark in j, so that at keeps nothing */
 .irp i, 0, 1, 2, 3
-mixed_\row\()_dark_\i:
+.Lmixed_\row\()_dark_\i:
     ldr j, [sp, #4]
     strh j, [out, #2 * \i]
-    b mixed_\row\()_step_\i
+    b .Lmixed_\row\()_step_\i
 .endr
 .endm
 
 .macro mixed_next row
     adds out, #8
     cmp out, last
-    bls mixed_\row\()_0
-    b mixed_rest
+    bls .Lmixed_\row\()_0
+    b .Lmixed_rest
 .endm
 
     function glint_run_mixed
     run_enter
-mixed_rest:
+.Lmixed_rest:
     cmp out, last
-    bls mixed_past_0
+    bls .Lmixed_past_0
     ldr at, [sp]
     cmp out, at
     bhs 5f
@@ -397,34 +396,34 @@ mixed_rest:
 4:  strh at, [out]
     adds out, #2
     run_step
-    b mixed_rest
+    b .Lmixed_rest
 5:  leave 8
 
     mixed_dark past
 .irp i, 0, 1, 2, 3
-mixed_past_\i:
+.Lmixed_past_\i:
     asrs at, nl, #24
-    bmi mixed_past_dark_\i
+    bmi .Lmixed_past_dark_\i
     cmp back, limit
-    bls mixed_is_in_\i
-mixed_is_past_\i:
+    bls .Lmixed_is_in_\i
+.Lmixed_is_past_\i:
     lsls at, at, #7
     ldrh at, [colours, at]
     strh at, [out, #2 * \i]
-mixed_past_step_\i:
+.Lmixed_past_step_\i:
     run_step
 .endr
     mixed_next past
 
 .irp i, 0, 1, 2, 3
-mixed_in_\i:
+.Lmixed_in_\i:
     asrs at, nl, #24
-    bmi mixed_in_dark_\i
-mixed_is_in_\i:
+    bmi .Lmixed_in_dark_\i
+.Lmixed_is_in_\i:
     movs j, back
     cmp back, t_max
-    bhi mixed_over_\i
-mixed_column_\i:
+    bhi .Lmixed_over_\i
+.Lmixed_column_\i:
     lsrs j, shift
     add j, columns
     ldrb j, [j]
@@ -432,17 +431,17 @@ mixed_column_\i:
     adds at, at, j
     ldrh at, [colours, at]
     strh at, [out, #2 * \i]
-mixed_in_step_\i:
+.Lmixed_in_step_\i:
     run_step
 .endr
     mixed_next in
     mixed_dark in
 .irp i, 0, 1, 2, 3
-mixed_over_\i: /* t is over t_max, or a little below 0 */
+.Lmixed_over_\i: /* t is over t_max, or a little below 0 */
     mov j, t_max
     cmp back, limit
-    bls mixed_column_\i
-    b mixed_is_past_\i
+    bls .Lmixed_column_\i
+    b .Lmixed_is_past_\i
 .endr
 
 #undef back

@@ -78,9 +78,7 @@ struct glint_vec glint_normals_unpack(enum glint_normals format, uint32_t word)
 {
     struct glint_vec n = {0, 0, 0};
     if (format == GLINT_NORMALS_INT10) {
-        n.x = (int16_t)(((int32_t)word >> 22) * 64);
-        n.y = (int16_t)(((int32_t)(word << 10) >> 22) * 64);
-        n.z = (int16_t)(((int32_t)(word << 20) >> 20) * 16);
+        n = glint_unpack_int10(word);
     } else if (format == GLINT_NORMALS_INT8 && word >> 16) {
         n.x = (int16_t)((int8_t)word * 256);
         n.y = (int16_t)((int32_t)(int16_t)word - (int8_t)word);

@@ -2,6 +2,20 @@
  * The loops over COLOUR tables, a line each. RAM: 20,480 bytes of tables, what a light takes, no buffers. */
 #include "tables.h"
 
+#if GLINT_CORTEX_M0PLUS_ASM /* what cortex_m0plus.S takes for granted; an array of -1 where it is not so */
+#define AT(type, field, offset) (offsetof(struct type, field) == (offset))
+typedef char glint_layout[AT(glint_tables, columns, 0) && AT(glint_tables, colour, 4) && AT(glint_tables, dark, 12) &&
+                                  AT(glint_tables_light, x, 12) && AT(glint_tables_light, y, 16) &&
+                                  AT(glint_tables_light, z, 20) && AT(glint_tables_light, cut, 24) &&
+                                  AT(glint_tables_light, r, 28) && AT(glint_tables_light, a, 32) &&
+                                  AT(glint_run, back, 0) && AT(glint_run, dback, 4) && AT(glint_run, ddback, 8) &&
+                                  AT(glint_run, nl, 12) && AT(glint_run, dnl, 16) && AT(glint_run, columns, 20) &&
+                                  AT(glint_run, colours, 24) && AT(glint_run, shift, 28) && AT(glint_run, t_max, 32) &&
+                                  AT(glint_run, limit, 36) && AT(glint_run, dark, 40)
+                              ? 1
+                              : -1];
+#endif
+
 /* Table and limits in registers. */
 struct look {
     const uint8_t *columns;
@@ -51,7 +65,7 @@ void glint_colour_int10(const struct glint_tables *tables, const struct glint_ta
     for (const uint32_t *end = words + w; words != end; words++, out++) {
         if (!*words)
             continue;
-        const struct glint_vec n = glint_normals_unpack(GLINT_NORMALS_INT10, *words);
+        const struct glint_vec n = glint_unpack_int10(*words);
         *out = colour(&look, glint_fast_t(&n, &h), glint_fast_nl(&n, &l));
     }
 }

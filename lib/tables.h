@@ -35,6 +35,13 @@ static inline struct glint_field glint_field(uint8_t format, int k)
                                           at) !=                                                                       \
      0)
 
+static inline struct glint_vec glint_unpack_int10(uint32_t word)
+{
+    const struct glint_vec n = {(int16_t)(((int32_t)word >> 22) * 64), (int16_t)(((int32_t)(word << 10) >> 22) * 64),
+                                (int16_t)(((int32_t)(word << 20) >> 20) * 16)};
+    return n;
+}
+
 /* t and nl of a normal, modulo 2^32: right for unit normals, harmless for others. */
 static inline uint32_t glint_fast_t(const struct glint_vec *n, const struct glint_vec *h)
 {

@@ -56,6 +56,17 @@ CALL_MNEMONIC = re.compile(r"\t(bl|blx|r?call|jal|auipc)\t")
 CALLS = re.compile(r"R_ARM_THM_(CALL|JUMP\d+|XPC22)|R_ARM_CALL|R_RISCV_(CALL|CALL_PLT|JAL|RVC_JUMP)|R_AVR_(CALL|13_PCREL)")
 
 
+def assembly_stack(line):
+    """Bytes that an instruction of Thumb assembly takes: registers pushed, one by one or as a range, or room made."""
+    pushed = re.search(r"\tpush\t\{(.*)\}", line)
+    room = re.search(r"\tsub\tsp, #(\d+)", line)
+    count = 0
+    for part in pushed[1].split(", ") if pushed else ():
+        ends = [int(end[1:]) for end in part.split("-") if end[1:].isdigit()]
+        count += ends[-1] - ends[0] + 1 if ends else 1
+    return 4 * count + (int(room[1]) if room else 0)
+
+
 class Calls:
     """The call graph of some objects, read from their relocations (compiled with -ffunction-sections, every call has one),
     with the frames that gcc states (-fstack-usage). A call through a pointer may reach any function whose address is taken."""
@@ -71,6 +82,8 @@ class Calls:
             self.known.setdefault(function, (file, function))
 
     def _read_frames(self, path):
+        if not os.path.exists(path[:-2] + ".su"):  # assembly: _read_function counts what its instructions take
+            return
         with open(path[:-2] + ".su") as lines:
             for line in lines:
                 place, size, kind = line.rstrip("\n").split("\t")
@@ -106,6 +119,8 @@ class Calls:
 
     def _read_function(self, function, code):
         edges = self.edges.setdefault(function, set())
+        if not os.path.exists(function[0][:-2] + ".su"):
+            self.frames[function] = sum(map(assembly_stack, code))
         instruction, direct = "", False
         for line in code + ["\t\t"]:
             match = RELOCATION.match(line)

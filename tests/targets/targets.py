@@ -18,6 +18,7 @@ class Target:
     flags: str
     stack_limit: int
     return_address: int = 0  # bytes that a call pushes by itself, which gcc does not count
+    assembly: tuple = ()  # of the library, beside its C
 
     @property
     def label_prefix(self):
@@ -50,6 +51,8 @@ def stated_stack():
 
 STACK_M0, STACK_M, STACK_OTHER = stated_stack()
 TARGETS = [
+    Target("cortex-m0plus-asm", "arm-none-eabi-", "-mcpu=cortex-m0plus -mthumb -DGLINT_CORTEX_M0PLUS_ASM=1", STACK_M0,
+           assembly=("lib/cortex_m0plus.S",)),
     Target("cortex-m0plus", "arm-none-eabi-", "-mcpu=cortex-m0plus -mthumb", STACK_M0),
     Target("cortex-m3", "arm-none-eabi-", "-mcpu=cortex-m3 -mthumb", STACK_M),
     Target("cortex-m4f", "arm-none-eabi-", "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16", STACK_M),
@@ -59,8 +62,9 @@ TARGETS = [
 ]
 
 
-def library_sources():
-    return [os.path.relpath(path, SOURCE) for path in sorted(glob.glob(os.path.join(SOURCE, "lib", "*.c")))]
+def library_sources(target=None):
+    sources = [os.path.relpath(path, SOURCE) for path in sorted(glob.glob(os.path.join(SOURCE, "lib", "*.c")))]
+    return sources + list(target.assembly if target else ())
 
 
 class Tap:
