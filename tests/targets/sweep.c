@@ -239,6 +239,33 @@ enum {
     TABLES_BYTES = SWEEP_COLOUR ? GLINT_TABLES_COLOUR_BYTES : GLINT_TABLES_SMALL_BYTES
 };
 
+#if SWEEP_COLOUR
+/* Wider than a run of the loops, in and about the lobe, through 0, and with steps of any size; and a palette. */
+static void add_wide(const struct glint_tables *tables)
+{
+    enum { WIDE = 75 };
+    static uint16_t pixels[WIDE], offsets[WIDE];
+    const struct glint_surface line = {pixels, sizeof pixels, 0, 0};
+    for (uint8_t i = 0; i < 24; i++) {
+        struct glint_span span = {0, 0, 0, 0, 0, WIDE};
+        const uint8_t fine = i % 8u;
+        span.t_q30 = (random_bits() >> 1) % (tables->t_max_q30 / (1u + fine % 3u) + 100000);
+        span.dt_q30 = (uint32_t)random_within((int32_t)(tables->t_max_q30 >> fine) / 8);
+        span.ddt_q30 = random_bits() >> (10 + 2 * fine);
+        span.nl_q30 = random_within(INT32_C(1) << 30);
+        span.dnl_q30 = random_within(INT32_C(1) << (10 + 2 * fine));
+        if (i % 3)
+            span.nl_q30 &= INT32_MAX;
+        add((uint32_t)glint_tables_span(tables, &span, &line));
+        add_bytes((const uint8_t *)pixels, sizeof pixels);
+    }
+    for (uint8_t i = 0; i < WIDE; i++)
+        offsets[i] = (uint16_t)(random_bits() & 0x3ffe);
+    add((uint32_t)glint_palette_rect(tables->colour.colours, offsets, 0, WIDE, 1, &line));
+    add_bytes((const uint8_t *)pixels, sizeof pixels);
+}
+#endif
+
 static void add_tables(unsigned kind, unsigned model, unsigned format, unsigned flags)
 {
     static uint32_t memory[TABLES_BYTES / 4], words[W * H];
@@ -276,6 +303,10 @@ static void add_tables(unsigned kind, unsigned model, unsigned format, unsigned 
     const struct glint_surface line = {out, LINE, 0, 0};
     add((uint32_t)glint_tables_span(&tables, &span, &line));
     add_bytes(out, LINE);
+#if SWEEP_COLOUR
+    if (kind == GLINT_TABLES_COLOUR)
+        add_wide(&tables);
+#endif
 }
 
 static void add_scenes(const struct sweep_size *size)
