@@ -293,6 +293,9 @@ enum glint_err glint_shade_span(const struct glint_shader *shader, const struct 
  * Tables are filled from exact values on the device; only their arguments are quantised. Filled once a material; a light
  * that moves needs only glint_tables_light. Uniform material, gloss 255, one directional light, Blinn geometry.
  *
+ * Compile with -DGLINT_CORTEX_M0PLUS_ASM=1, and lib/cortex_m0plus.S too, and 8-bit lines, spans and palettes run in Thumb
+ * assembly, with the same pixels.
+ *
  * COLOUR  for RGB565 in either order, undithered, gamma or linear. 20,480 bytes: 4096 columns (bytes) and 128 x 64 colours.
  *     fill:   s = the least shift with (t_max >> s) + (2^16 >> s) < 4080.
  *             column[i] = (63 F(t) + F(0) / 2) / F(0), t = max(0, t_max - (i << s) - (1 << s >> 1))
