@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The cross compilers, and TAP lines."""
+"""The cross compilers, the emulated machines, and TAP lines."""
 import glob
 import os
 import re
@@ -59,6 +59,21 @@ TARGETS = [
     Target("rv32imc", "riscv64-unknown-elf-", "-march=rv32imc -mabi=ilp32", STACK_OTHER),
     Target("atmega328p", "avr-", "-mmcu=atmega328p", STACK_OTHER, 2),
     Target("atmega2560", "avr-", "-mmcu=atmega2560", STACK_OTHER, 3),
+]
+
+FLASH_LD = ["-nostdlib", "-T", os.path.join(SOURCE, "tests/targets/machine/flash.ld")]
+ARM_LINK = FLASH_LD + ["-Wl,--defsym=FLASH=0,--defsym=RAM=0x20000000"]
+RISCV_LINK = FLASH_LD + ["-Wl,--defsym=FLASH=0x80000000,--defsym=RAM=0x80100000"]
+QEMU_ARM = "qemu-system-arm -display none -semihosting-config enable=on,target=native -M"
+# target, machine, its RAM in KB, files of machine/ that start it, link, emulator
+MACHINES = [
+    ("cortex-m0plus", "BBC micro:bit", 16, "memory.c arm.c", ARM_LINK, f"{QEMU_ARM} microbit -kernel"),
+    ("cortex-m0plus", "MPS2 AN385", 128, "memory.c arm.c", ARM_LINK, f"{QEMU_ARM} mps2-an385 -kernel"),
+    ("cortex-m0plus-asm", "MPS2 AN385", 128, "memory.c arm.c", ARM_LINK, f"{QEMU_ARM} mps2-an385 -kernel"),
+    ("cortex-m3", "MPS2 AN385", 128, "memory.c arm.c", ARM_LINK, f"{QEMU_ARM} mps2-an385 -kernel"),
+    ("cortex-m4f", "MPS2 AN386", 128, "memory.c arm.c", ARM_LINK, f"{QEMU_ARM} mps2-an386 -kernel"),
+    ("rv32imc", "virt", 128, "memory.c riscv.c", RISCV_LINK, "qemu-system-riscv32 -M virt -bios none -nographic -kernel"),
+    ("atmega2560", "simavr", 8, "avr.c", [], "simavr -m atmega2560 -f 16000000"),
 ]
 
 
