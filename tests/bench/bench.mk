@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: MIT
-# make bench: what a highlight costs on a Cortex-M0+ in cycles, and on Cortex-M in bytes, beside what people use today;
-# then the host's part, host/host.mk.
+# make bench: what a highlight and a pixel cost, beside what people use today: cycles on a Cortex-M0+ and an AVR, instructions
+# on other cores, bytes; then the host's part, host/host.mk.
 # Measurements, no test: nothing here can fail for being slow.
 BENCH = build/bench
-BENCH_LEVELS = O2 Os
-BENCH_SOURCES = $(wildcard lib/*.c tests/bench/*.c tests/bench/*.S)
-BENCH_ELFS = $(BENCH_LEVELS:%=$(BENCH)/m0plus-%.elf)
+BENCH_SCENE = $(BENCH)/scene
 BENCH_NPM = $(BENCH)/npm
-BENCH_CC = arm-none-eabi-gcc -std=c99 -mthumb -ffunction-sections -fdata-sections -Ilib
+BENCH_ELFS = $(BENCH)/m0plus-O2.elf $(BENCH)/m0plus-Os.elf
+# libfixmath's source, where it could be had.
+BENCH_FIXMATH = $(wildcard $(addprefix $(BENCH)/fixmath/libfixmath/,fix16.c fix16_exp.c))
+BENCH_FLAGS = -Ilib $(if $(BENCH_FIXMATH),-DBENCH_FIXMATH=1 -DFIXMATH_NO_CACHE -I$(BENCH)/fixmath,-DBENCH_FIXMATH=0)
+BENCH_SOURCES = $(wildcard lib/*.c lib/*.S) $(BENCH_FIXMATH) \
+	$(filter-out $(if $(BENCH_FIXMATH),,%/fixmath.c),$(wildcard tests/bench/*.c))
 
-setup-bench:
-	@.ci/need "make bench" gcc-arm-none-eabi libnewlib-arm-none-eabi $(BENCH_HOST_PACKAGES)
+setup-bench: setup-targets
+	@.ci/need "make bench" libnewlib-arm-none-eabi picolibc-riscv64-unknown-elf $(BENCH_HOST_PACKAGES)
 	@command -v npm >/dev/null || .ci/need "make bench: the emulator rp2040js" nodejs npm
 	@+$(SUBMAKE) -s $(BENCH_NPM)/done
+	@tests/bench/fixmath-source $(BENCH)/fixmath
 
 # What package-lock.json says, checked by its hashes.
 $(BENCH_NPM)/done: tests/bench/package.json tests/bench/package-lock.json
@@ -21,19 +25,34 @@ $(BENCH_NPM)/done: tests/bench/package.json tests/bench/package-lock.json
 		{ tail -5 $(BENCH)/npm.log >&2; echo "make bench: npm could not install rp2040js" >&2; exit 1; }
 	@touch $@
 
-bench: ## set up what is missing, measure cycles, code size and the host, print a table and write build/bench/*.json
+bench: ## set up what is missing, measure cycles, instructions, code size and the host; tables, and build/bench/*.json
 	@+$(SUBMAKE) setup-bench
 	@+$(SUBMAKE) run-bench
 	@+$(SUBMAKE) run-bench-host
 
-run-bench: $(BENCH_ELFS) $(BENCH)/sizes.txt
+run-bench: bench-programs
 	@node tests/bench/bench.mjs $(BENCH)
 
-$(BENCH)/m0plus-%.elf: $(BENCH_SOURCES) $(wildcard lib/*.h) tests/bench/m0plus.ld tests/bench/bench.mk
+bench-programs: $(BENCH_ELFS) $(BENCH_SCENE)/scene.json $(BENCH)/sizes.txt $(BENCH)/counts.txt
+
+BENCH_INPUTS = $(BENCH_SOURCES) $(wildcard lib/*.h tests/bench/*.h tests/targets/machine/*) tests/targets/targets.py \
+	tests/bench/m0plus.ld tests/bench/bench.mk
+
+$(BENCH)/m0plus-%.elf: $(BENCH_INPUTS) tests/bench/calibrate.S
 	@mkdir -p $(@D)
-	@$(BENCH_CC) -mcpu=cortex-m0plus -$* -nostartfiles -T tests/bench/m0plus.ld $(BENCH_SOURCES) -lm -o $@
+	@arm-none-eabi-gcc -std=c99 -mcpu=cortex-m0plus -mthumb -$* -ffunction-sections -fdata-sections $(BENCH_FLAGS) \
+		-nostartfiles -T tests/bench/m0plus.ld $(BENCH_SOURCES) tests/bench/calibrate.S -lm -o $@
 
-$(BENCH)/sizes.txt: $(BENCH_ELFS) tests/bench/sizes
-	@tests/bench/sizes "$(BENCH_CC)" $(BENCH)/sizes >$@.tmp && mv $@.tmp $@
+$(BENCH)/sizes.txt: tests/bench/sizes $(BENCH_INPUTS)
+$(BENCH)/counts.txt: tests/bench/count $(BENCH_INPUTS) $(wildcard tests/bench/machine/*) $(BENCH_SCENE)/scene.json
+$(BENCH)/sizes.txt $(BENCH)/counts.txt:
+	@PYTHONDONTWRITEBYTECODE=1 $< $(BENCH) >$@.tmp && mv $@.tmp $@
 
-.PHONY: setup-bench bench run-bench
+$(BENCH_SCENE)/scene.json: $(BENCH_SCENE)/scene
+	@$< write $(@D)
+
+$(BENCH_SCENE)/scene: tests/bench/scene/scene.c tests/bench/scene.c tests/bench/scene.h $(BUILD)/libglint.a
+	@mkdir -p $(@D)
+	@$(CC) -std=c11 -D_GNU_SOURCE $(WARNINGS) -Ilib $(CFLAGS) $(filter %.c %.a,$^) -lm -o $@
+
+.PHONY: setup-bench bench run-bench bench-programs

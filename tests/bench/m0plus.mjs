@@ -3,7 +3,9 @@
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { resolve } from 'node:path'
+import { KNOWN } from './calibrate.mjs'
 
+const RAM = 0x20000000
 const RETURN = 0x20041000 // a call is over when it comes here
 const STACK = 0x20040000
 
@@ -34,51 +36,91 @@ function forgets(opcode) {
   return opcode >> 8 === 0xb5 || opcode >> 8 === 0xbd
 }
 
+// What would be a fault on the chip is an error here: rp2040js goes on after it.
+function strict({ chip, core }) {
+  const fail = (_, message) => { throw new Error(`the emulated program is at 0x${core.PC.toString(16)}: ${message}`) }
+  chip.logger = { debug() {}, info() {}, warn: fail, error: fail }
+  const aligned = (method, mask) => {
+    const plain = core[method]
+    core[method] = (address, value) => {
+      if (address & mask) fail('', `0x${address.toString(16)} is not aligned for ${method}`)
+      return plain.call(core, address, value)
+    }
+  }
+  aligned('readUint16', 1)
+  aligned('writeUint16', 1)
+  aligned('writeUint32', 3)
+  // Instructions come this way, so it had better be fast.
+  const halves = new Uint16Array(chip.sram.buffer, chip.sram.byteOffset, chip.sram.length / 2)
+  const slow = core.readUint16
+  core.readUint16 = (address) => {
+    const at = address - RAM
+    return at & 1 || at < 0 || at >= 2 * halves.length ? slow(address) : halves[at >> 1]
+  }
+  return halves
+}
+
 export function boot(packages, elf) {
   const { RP2040 } = createRequire(resolve(packages, 'x'))('rp2040js')
   const chip = new RP2040()
   const { core } = chip
   const { symbols, images } = parseElf(elf)
-  for (const [address, image] of images) chip.sram.set(image, address - 0x20000000)
+  for (const [address, image] of images) chip.sram.set(image, address - RAM)
+  const forgetful = strict({ chip, core }).map(forgets) // by address; code does not change
 
   const address = (name) => {
     if (!symbols.has(name)) throw new Error(`${elf} has no symbol ${name}`)
     return symbols.get(name)
   }
-  // Runs a function. The cycles are those of its body: an empty function's, the 2 of its return, are taken off.
-  const call = (name, ...args) => {
+  const memory = Buffer.from(chip.sram.buffer, chip.sram.byteOffset, chip.sram.length)
+  const word = (at) => memory.readUInt32LE(at - RAM)
+  const half = (at) => memory.readInt16LE(at - RAM)
+  const byte = (at) => memory[at - RAM]
+  const text = (at) => at ? memory.toString('latin1', at - RAM, memory.indexOf(0, at - RAM)) : ''
+  const bytes = (at, length) => memory.subarray(at - RAM, at - RAM + length)
+
+  // Runs a function, by its name or address. The cycles are those of its body: an empty function's, the 2 of its return, are
+  // taken off.
+  const call = (name, args = []) => {
     args.forEach((value, i) => { core.registers[i] = value })
     core.SP = STACK
     core.LR = RETURN | 1
-    core.PC = address(name) & ~1
+    core.PC = (typeof name === 'string' ? address(name) : name) & ~1
     const before = core.cycles
     let missed = 0
     while (core.PC !== RETURN) {
-      if (forgets(chip.readUint16(core.PC))) missed++
+      missed += forgetful[(core.PC - RAM) >> 1]
       core.executeInstruction()
-      if (core.cycles - before > 1e8) throw new Error(`${name} does not return`)
+      if (core.cycles - before > 1e9) throw new Error(`${name} does not return`)
     }
     return { value: core.registers[0], cycles: core.cycles - before + missed - 2 }
   }
-  calibrate(call)
-  return { call, address }
-}
 
-// The counts of calibrate.S by the manual. What they do not agree with is not worth measuring.
-const KNOWN = {
-  calibrate_empty: 0,
-  calibrate_muls: 10,
-  calibrate_alu: 12,
-  calibrate_memory: 17,
-  calibrate_loop: 1 + 100 + 99 * 2 + 1,
-  calibrate_call: 3 + 3 + 2 + 5 - 2, // it returns by its pop, not by a bx lr
-  calibrate_stack: 4 + 4,
-  calibrate_jump: 2 + 1 + 1 + 2
+  // The 32-bit words of code and constants that a call needs: what flash would have to deliver, were they there.
+  const [constants, end] = [RAM, address('constants_end')]
+  const words = new Set()
+  const call_traced = (name, args) => {
+    const plain = { readUint32: core.readUint32, readUint16: core.readUint16, readUint8: core.readUint8 }
+    for (const [method, read] of Object.entries(plain)) {
+      core[method] = (at) => {
+        if (at >= constants && at < end) words.add(at >>> 2)
+        return read.call(core, at) // instructions come this way, too
+      }
+    }
+    try { return call(name, args) } finally { Object.assign(core, plain) }
+  }
+  const touched = (run) => {
+    words.clear()
+    run(call_traced)
+    return words.size
+  }
+  calibrate(call)
+  return { call, touched, address, word, half, byte, text, bytes }
 }
 
 function calibrate(call) {
   for (const [name, expected] of Object.entries(KNOWN)) {
-    const { cycles } = call(name, 3, 5)
+    const { cycles } = call(name, [3, 5])
     if (cycles !== expected) throw new Error(`the emulator counts ${cycles} cycles for ${name}, the manual ${expected}`)
   }
 }

@@ -1,17 +1,9 @@
-/* SPDX-License-Identifier: MIT
- * What people use today, to be measured beside the library: the formulas in float, as a shader would have them, and a
- * table of powers. Arguments and results are as those methods hold them: float, 1.0 = 1.0f. */
+/* SPDX-License-Identifier: MIT */
+#include "peers.h"
+
 #include <math.h>
-#include <stdint.h>
 
 #include "glint.h"
-
-float peer_blinn_powf(float n, float c);
-float peer_schlick_float(float n, float c);
-float peer_msh_float(float n, float c);
-void peer_table_fill(uint32_t n);
-uint32_t peer_table(uint32_t n, uint32_t c_q16);
-struct glint_lobe bench_lobe;
 
 float peer_blinn_powf(float n, float c)
 {

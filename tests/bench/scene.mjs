@@ -1,29 +1,36 @@
 // SPDX-License-Identifier: MIT
-// A sphere of 60 % of 320x240 pixels, lit from (1, 1, 1), seen from far in front: its Q1.15 normals, as a shader has them.
-const W = 320, H = 240, RADIUS = 120.9
-const SAMPLES = 2000
+// What scene/scene.c has written, and the exact pictures that it draws.
+import { execFileSync } from 'node:child_process'
+import { readFileSync } from 'node:fs'
 
-const q15 = (v) => {
-  const length = Math.hypot(...v)
-  return v.map((x) => Math.min(32767, Math.round(x / length * 32768)))
-}
-const LIGHT = [1, 1, 1].map((x) => x / Math.sqrt(3))
-const HALF = q15([LIGHT[0], LIGHT[1], LIGHT[2] + 1])
+// As glint.h numbers them.
+export const MODELS = ['msh', 'schlick', 'blinn', 'phong', 'gauss', 'cayley']
+export const FORMATS = ['rgb565', 'rgb565 swapped', 'rgb888', 'grey8', 'mono']
+export const LINE_BYTES = [2, 2, 3, 1, 1 / 8]
 
-// c and t as glint.h forms them, of pixels where c >= cMin: evenly chosen ones where there are very many.
-export function highlight(cMin) {
-  const pixels = []
-  for (let j = 0; j < H; j++) {
-    for (let i = 0; i < W; i++) {
-      const x = (i + .5 - W / 2) / RADIUS, y = (H / 2 - j - .5) / RADIUS, z2 = 1 - x * x - y * y
-      if (z2 <= 0) continue
-      const normal = q15([x, y, Math.sqrt(z2)])
-      const dot = normal.reduce((sum, v, k) => sum + v * HALF[k], 0)
-      const c = Math.min(65536, Math.round(dot / 16384))
-      const t = Math.floor(normal.reduce((sum, v, k) => sum + (v - HALF[k]) ** 2, 0) / 2)
-      if (c >= cMin) pixels.push({ c, t })
-    }
+export function readScene(folder) {
+  const { width, height, q, covered, n } = JSON.parse(readFileSync(`${folder}/scene.json`, 'utf8'))
+  const normals = readFileSync(`${folder}/normals.bin`), albedo = readFileSync(`${folder}/albedo.bin`)
+  const samples = new Map(n.map((k) => [k, []]))
+  for (const line of readFileSync(`${folder}/samples.txt`, 'utf8').trim().split('\n')) {
+    const [k, c, t] = line.split(' ').map(Number)
+    samples.get(k).push({ c, t })
   }
-  const step = Math.max(1, pixels.length / SAMPLES)
-  return Array.from({ length: Math.floor(pixels.length / step) }, (_, k) => pixels[Math.floor(k * step)])
+  const covers = (x, y) => normals.readInt32LE(6 * (y * width + x)) !== 0 || normals.readInt16LE(6 * (y * width + x) + 4) !== 0
+  const pictures = new Map()
+  const exact = (...choice) => { // model, n, format, albedo, dither
+    const key = choice.join(' ')
+    if (!pictures.has(key)) pictures.set(key, execFileSync(`${folder}/scene`, ['exact', ...choice.map(String)]))
+    return pictures.get(key)
+  }
+  return { width, height, q, covered, n, normals, albedo, samples, covers, exact }
+}
+
+// A pixel's levels of 255: three, or one.
+export function levels(format, line, x) {
+  if (format === 2) return [line[3 * x], line[3 * x + 1], line[3 * x + 2]]
+  if (format === 3) return [line[x]]
+  if (format === 4) return [line[x >> 3] & 128 >> (x & 7) ? 255 : 0]
+  const v = format === 0 ? line.readUInt16LE(2 * x) : line.readUInt16BE(2 * x)
+  return [(v >> 11) * 255 / 31, (v >> 5 & 63) * 255 / 63, (v & 31) * 255 / 31]
 }

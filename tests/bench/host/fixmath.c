@@ -1,32 +1,17 @@
 /* SPDX-License-Identifier: MIT
- * The formulas as one writes them with libfixmath, Q16.16. */
-#include <libfixmath/fix16.h>
-
+ * libfixmath over an array. */
+#include "../fixmath.c"
 #include "methods.h"
 
-void fixmath_msh(uint32_t n, const void *restrict in, void *restrict out, size_t count)
-{
-    const fix16_t *c = in, one = fix16_from_int(1);
-    fix16_t *f = out;
-    for (size_t i = 0; i < count; i++) {
-        const fix16_t d = (fix16_t)n * (one - c[i]) + c[i] + (c[i] >> 2);
-        const fix16_t ratio = fix16_div(c[i], d);
-        f[i] = fix16_div(fix16_mul(ratio, F16(1.6)), d);
+#define METHOD(name, peer)                                                                                             \
+    void name(uint32_t n, const void *restrict in, void *restrict out, size_t count)                                   \
+    {                                                                                                                  \
+        const uint32_t *c = in;                                                                                        \
+        uint32_t *f = out;                                                                                             \
+        for (size_t i = 0; i < count; i++)                                                                             \
+            f[i] = peer(n, c[i]);                                                                                      \
     }
-}
 
-void fixmath_schlick(uint32_t n, const void *restrict in, void *restrict out, size_t count)
-{
-    const fix16_t *c = in, one = fix16_from_int(1);
-    fix16_t *f = out;
-    for (size_t i = 0; i < count; i++)
-        f[i] = fix16_div(c[i], (fix16_t)n * (one - c[i]) + c[i]);
-}
-
-void fixmath_blinn(uint32_t n, const void *restrict in, void *restrict out, size_t count)
-{
-    const fix16_t *c = in;
-    fix16_t *f = out;
-    for (size_t i = 0; i < count; i++)
-        f[i] = c[i] > 0 ? fix16_exp((fix16_t)n * fix16_log(c[i])) : 0;
-}
+METHOD(fixmath_msh, peer_msh_fixmath)
+METHOD(fixmath_schlick, peer_schlick_fixmath)
+METHOD(fixmath_blinn, peer_blinn_fixmath)

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// What the machines of machine/ have counted (counts.txt, by count), and the sizes (sizes.txt, by sizes).
+import { readFileSync } from 'node:fs'
+import { line } from './print.mjs'
+
+const TARGETS = { 'cortex-m3': 'M3', 'cortex-m4f': 'M4F', rv32imc: 'RV32', atmega2560: 'AVR' }
+const unitOf = (target) => target === 'atmega2560' ? 'cycles' : 'instructions'
+const emulatorOf = (target) => target === 'atmega2560' ? 'simavr' : 'QEMU -icount shift=0'
+
+export function readCounts(file) {
+  const figures = []
+  for (const record of readFileSync(file, 'utf8').trim().split('\n')) {
+    const [target, kind, name, ...fields] = record.split(';')
+    const [n, ...numbers] = fields.map(Number)
+    const common = { target, flags: '-O2', n, q: 8, unit: unitOf(target), label: 'emulated', emulator: emulatorOf(target) }
+    if (kind === 'evaluation') {
+      const [samples, count] = numbers
+      figures.push({ function: name, ...common, samples, mean: count / samples })
+    } else if (kind === 'loop') {
+      const [fill, frame, shade, pixels, covered] = numbers
+      figures.push({ loop: name, ...common, per_frame_pixel: shade / pixels, per_covered_pixel: shade / covered,
+        fill_per_material: fill, per_frame: frame })
+    }
+  }
+  return figures
+}
+
+export function printCounts(figures) {
+  const find = (wanted) => figures.find((x) => Object.entries(wanted).every(([key, value]) => x[key] === value))
+  const heads = Object.entries(TARGETS).flatMap(([target, name]) => target === 'cortex-m3' || target === 'atmega2560'
+    ? [[target, 10, `${name} 10`], [target, 60, `${name} 60`], [target, 1000, `${name} 1000`]] : [[target, 60, `${name} 60`]])
+  const table = (key, figure) => {
+    line('', heads.map(([, , head]) => head), '', 10)
+    for (const name of new Set(figures.map((x) => x[key]).filter((x) => x))) {
+      line(name, heads.map(([target, n]) => {
+        const found = find({ [key]: name, target, n })
+        return found ? figure(found).toFixed(figure(found) < 100 ? 1 : 0) : '-'
+      }), '', 10)
+    }
+  }
+  console.log('\nOther cores, -O2, by n. M3, M4F, RV32: instructions, not cycles [emulated: QEMU -icount]: a division, a load or a taken')
+  console.log('branch counts as 1 (on M3 and M4F a 32-bit division takes 2-12 cycles, a float one 14, a load 2, a taken branch 2-4).')
+  console.log('M4F has float in hardware. AVR: cycles of an ATmega2560 [emulated: simavr]. One evaluation, without its call and return:')
+  table('function', (x) => x.mean)
+  console.log('\nA pixel of the sphere:')
+  table('loop', (x) => x.per_covered_pixel)
+}
+
+export function readSizes(file) {
+  return readFileSync(file, 'utf8').trim().split('\n').map((record) => {
+    const [target, flags, bytes, name] = record.split(' ')
+    return { function: name, target, flags, unit: 'bytes', label: 'linked', bytes: Number(bytes) }
+  })
+}
+
+export function printSizes(sizes) {
+  console.log('\nBytes of code and constants, linked alone with all it needs of the library, libgcc and libc [linked]')
+  const columns = [...new Set(sizes.map((x) => `${x.target} ${x.flags}`))].map((x) => x.split(' '))
+  const short = { 'cortex-m0plus': 'M0+', ...TARGETS }
+  line('', columns.map(([target, flags]) => short[target] + flags), '', 8, 64)
+  for (const name of new Set(sizes.map((x) => x.function))) {
+    line(name, columns.map(([target, flags]) =>
+      sizes.find((x) => x.function === name && x.target === target && x.flags === flags).bytes), '', 8, 64)
+  }
+}

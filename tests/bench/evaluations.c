@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+#include "evaluations.h"
+
+#include "peers.h"
+#include "scene.h"
+
+struct glint_lobe evaluation_lobe;
+
+void evaluation_begin(uint32_t n)
+{
+    glint_lobe_init(&evaluation_lobe, GLINT_MSH, n, SCENE_Q);
+    peer_table_fill(n);
+}
+
+/* glint_* take c as int32_t: of the same size, in the same register. */
+#define FROM_C(function, model, what)                                                                                  \
+    {                                                                                                                  \
+#function, what, (uint32_t(*)(uint32_t, uint32_t))function, 0, 0, TAKES_C, model                               \
+    }
+#define FROM_T(function, model, what)                                                                                  \
+    {                                                                                                                  \
+#function, what, function, 0, 0, TAKES_T, model                                                                \
+    }
+#define FLOAT(function, model, what)                                                                                   \
+    {                                                                                                                  \
+#function, what, 0, 0, function, TAKES_FLOAT, model                                                            \
+    }
+
+const struct evaluation evaluations[] = {
+    FROM_C(glint_msh, GLINT_MSH, "exact"),
+    FROM_T(glint_msh_t, GLINT_MSH, "exact"),
+    FROM_C(glint_schlick, GLINT_SCHLICK, "exact"),
+    FROM_T(glint_schlick_t, GLINT_SCHLICK, "exact"),
+    FROM_C(glint_cayley, GLINT_CAYLEY, "exact"),
+    FROM_T(glint_cayley_t, GLINT_CAYLEY, "exact"),
+    FROM_C(glint_blinn, GLINT_BLINN, "exact"),
+    FROM_T(glint_blinn_t, GLINT_BLINN, "within .501 ulp"),
+    FROM_C(glint_gauss, GLINT_GAUSS, "exact"),
+    FROM_T(glint_gauss_t, GLINT_GAUSS, "within .501 ulp"),
+    {"glint_lobe_eval_t", "MSH, with its cutoff", 0, glint_lobe_eval_t, 0, TAKES_LOBE, GLINT_MSH},
+    FLOAT(peer_msh_float, GLINT_MSH, "float"),
+    FLOAT(peer_schlick_float, GLINT_SCHLICK, "float"),
+    FLOAT(peer_blinn_powf, GLINT_BLINN, "float, the C library's powf"),
+    FROM_C(peer_table, GLINT_BLINN, "256 powers, the nearest below"),
+#if BENCH_FIXMATH
+    FROM_C(peer_msh_fixmath, GLINT_MSH, "libfixmath"),
+    FROM_C(peer_schlick_fixmath, GLINT_SCHLICK, "libfixmath"),
+    FROM_C(peer_blinn_fixmath, GLINT_BLINN, "libfixmath"),
+#endif
+    {0, 0, 0, 0, 0, 0, 0},
+};

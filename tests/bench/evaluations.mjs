@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Single evaluations on the emulated Cortex-M0+: cycles over the pixels of a highlight, and the largest error.
+import { MODELS } from './scene.mjs'
+import { FLASH_WORD } from './flash.mjs'
+import { real } from './real.mjs'
+import { line } from './print.mjs'
+
+const TAKES = ['c', 't', 'lobe', 'float'] // enum evaluation_takes
+const CYCLES = 3e6 // emulated at most, about, for a row and n: fewer samples for what is slow
+
+const floatBits = (x) => new Uint32Array(Float32Array.of(x).buffer)[0]
+const floatOf = (bits) => new Float32Array(Uint32Array.of(bits).buffer)[0]
+
+// The program's evaluations[] (evaluations.h).
+function rows(machine) {
+  const list = []
+  for (let at = machine.address('evaluations'); machine.word(at); at += 24) {
+    const [name, what] = [0, 4].map((i) => machine.text(machine.word(at + i)))
+    const run = [8, 12, 16].map((i) => machine.word(at + i)).find((x) => x)
+    list.push({ name, what, run, takes: TAKES[machine.byte(at + 20)], model: MODELS[machine.byte(at + 21)] })
+  }
+  return list
+}
+
+function measure(machine, { run, takes, model }, n, samples) {
+  const first = takes === 'float' ? floatBits(n) : takes === 'lobe' ? machine.address('evaluation_lobe') : n
+  const second = ({ c, t }) => takes === 'float' ? floatBits(c / 65536) : takes === 'c' ? c : t
+  const few = machine.call(run, [first, second(samples[0])]).cycles * samples.length / CYCLES
+  const step = Math.max(1, Math.ceil(few))
+  const cycles = []
+  let worst = 0
+  for (const sample of samples.filter((_, i) => i % step === 0)) {
+    const result = machine.call(run, [first, second(sample)])
+    cycles.push(result.cycles)
+    const value = takes === 'float' ? 65536 * floatOf(result.value) : result.value | 0
+    const t = takes === 'c' || takes === 'float' ? 1 - sample.c / 65536 : sample.t / 2 ** 30
+    worst = Math.max(worst, Math.abs(value - 65536 * real[model](n, t)))
+  }
+  const mean = cycles.reduce((sum, x) => sum + x, 0) / cycles.length
+  const middle = samples[samples.length >> 1]
+  const words = machine.touched((call) => call(run, [first, second(middle)]))
+  return { mean, min: Math.min(...cycles), max: Math.max(...cycles), samples: cycles.length, worst_ulp: worst, words }
+}
+
+export function evaluations(machines, scene) {
+  const figures = []
+  for (const [flags, machine] of Object.entries(machines))
+    for (const n of scene.n.filter((n) => flags === '-O2' || n === 60)) {
+      machine.call('evaluation_begin', [n])
+      for (const row of rows(machine)) {
+        const { words, ...figure } = measure(machine, row, n, scene.samples.get(n))
+        const common = { function: row.name, what: row.what, target: 'cortex-m0plus', flags, n, q: scene.q, unit: 'cycles' }
+        figures.push({ ...common, label: 'emulated', ...figure })
+        figures.push({ ...common, label: 'predicted', words, mean: figure.mean + FLASH_WORD * words })
+      }
+    }
+  return figures
+}
+
+export function printEvaluations(figures, scene) {
+  const find = (wanted) => figures.find((x) => Object.entries(wanted).every(([key, value]) => x[key] === value))
+  console.log(`Cycles of one evaluation on Cortex-M0+ [emulated: rp2040js], without its call and return; code and data in`)
+  console.log(`SRAM; -O2 but where said. Over the pixels of the sphere inside MSH's lobe, q = ${scene.q}. Worst: the largest error at`)
+  console.log(`n = 60, 2^-16. Cold [predicted]: n = 60, the code and constants in flash and none of them in the cache.`)
+  line('n', ['60', 'min', 'max', '5', '10', '200', '1000', '60 -Os', 'worst', 'cold'])
+  for (const { function: name, what } of figures.filter((x) => x.n === 60 && x.flags === '-O2' && x.label === 'emulated')) {
+    const at = (n, flags = '-O2', label = 'emulated') => find({ function: name, n, flags, label })
+    const { mean, min, max, worst_ulp } = at(60)
+    const cells = [mean, min, max, at(5).mean, at(10).mean, at(200).mean, at(1000).mean, at(60, '-Os').mean]
+    line(name, [...cells.map((x) => x.toFixed(0)), worst_ulp.toFixed(worst_ulp < 100 ? 3 : 0),
+      at(60, '-O2', 'predicted').mean.toFixed(0)], what)
+  }
+}

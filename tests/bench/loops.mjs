@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// Loops over pixels on the emulated Cortex-M0+: line by line over the scene, their cycles and their pictures.
+import { FORMATS, LINE_BYTES, MODELS, levels } from './scene.mjs'
+import { FLASH_WORD } from './flash.mjs'
+import { line } from './print.mjs'
+
+const RGB888 = 2
+
+// The program's bench_loops[] (loops.h).
+function rows(machine) {
+  const list = []
+  for (let at = machine.address('bench_loops'); machine.word(at); at += 36) {
+    const [name, what] = [0, 4].map((i) => machine.text(machine.word(at + i)))
+    const [fill, frame, pack, prepare, shade] = [8, 12, 16, 20, 24].map((i) => machine.word(at + i))
+    const [model, format, dither, albedo, mapBytes, step] = [28, 29, 30, 31, 32, 33].map((i) => machine.byte(at + i))
+    list.push({ at, name, what, fill, frame, pack, prepare, shade, model, format, dither, albedo, mapBytes, step: step || 1 })
+  }
+  return list
+}
+
+// How far a picture is from another: over its channels, in levels of 255.
+function difference() {
+  let count = 0, sum = 0, squares = 0, largest = 0
+  const add = (a, b) => a.forEach((x, k) => {
+    const d = Math.abs(x - b[k])
+    count++
+    sum += d
+    squares += d * d
+    largest = Math.max(largest, d)
+  })
+  const result = () => ({ largest, mean: sum / count, psnr: squares ? 10 * Math.log10(255 ** 2 * count / squares) : null })
+  return { add, result }
+}
+
+function measure(machine, scene, row, n) {
+  const { width, height } = scene
+  const at = machine.address('bench_line')
+  const normals = machine.bytes(at, 6 * width), out = machine.bytes(at + 6 * width, 3 * width)
+  const albedo = machine.bytes(machine.address('bench_albedo'), 3 * width)
+  const cycles = (step) => step ? machine.call(step).cycles : 0
+  const exact = scene.exact(row.model, n, row.format, row.albedo, row.dither)
+  const exact888 = scene.exact(row.model, n, RGB888, row.albedo, 0)
+  const same = difference(), deep = difference()
+  const stride = width * LINE_BYTES[row.format]
+
+  machine.call('bench_begin', [row.at, n])
+  const fill = cycles(row.fill)
+  let frame = cycles(row.frame), shade = 0, pixels = 0, covered = 0
+  const load = (y) => {
+    scene.normals.copy(normals, 0, 6 * y * width)
+    scene.albedo.copy(albedo, 0, 3 * y * width)
+    machine.call('bench_line_begin', [y])
+    cycles(row.pack)
+  }
+  for (let y = row.step >> 1; y < height; y += row.step) {
+    load(y)
+    frame += row.step * cycles(row.prepare)
+    shade += cycles(row.shade)
+    for (let x = 0; x < width; x++) {
+      pixels++
+      if (!scene.covers(x, y)) continue
+      covered++
+      const found = levels(row.format, out, x)
+      same.add(found, levels(row.format, exact.subarray(y * stride), x))
+      if (found.length === 3) deep.add(found, levels(RGB888, exact888.subarray(3 * y * width), x))
+    }
+  }
+  const words = machine.touched((call) => {
+    for (const y of [height / 3 | 0, height / 2]) { // through the highlight, and where it is not
+      load(y)
+      call(row.shade)
+    }
+  })
+  if (machine.half(machine.address('bench_error'))) throw new Error(`${row.name}, n = ${n}: a call returned an error`)
+  return { fill, frame, shade, pixels, covered, words, quality: same.result(), rgb888_psnr: deep.result().psnr }
+}
+
+function figuresOf(row, flags, n, scene, { fill, frame, shade, pixels, covered, words, quality, rgb888_psnr }) {
+  const common = { loop: row.name, what: row.what, target: 'cortex-m0plus', flags, n, q: scene.q, model: MODELS[row.model],
+    format: FORMATS[row.format], albedo: !!row.albedo, dither: !!row.dither, unit: 'cycles' }
+  const map = FLASH_WORD * row.mapBytes / 4
+  const frame_pixels = scene.width * scene.height
+  const cold = shade / covered + FLASH_WORD * words / scene.covered
+  return [
+    { ...common, label: 'emulated', per_frame_pixel: shade / pixels, per_covered_pixel: shade / covered,
+      fill_per_material: fill, per_frame: frame, lines: pixels / scene.width, quality, rgb888_psnr },
+    { ...common, label: 'predicted', words, map_bytes: row.mapBytes, per_covered_pixel_code_in_flash: cold,
+      per_frame_pixel_code_in_flash: shade / pixels + FLASH_WORD * words / frame_pixels,
+      per_covered_pixel_code_and_map_in_flash: cold + map }
+  ]
+}
+
+// -O2 for every n; -Os for n = 60.
+export function loops(machines, scene) {
+  return Object.entries(machines).flatMap(([flags, machine]) => rows(machine).flatMap((row) =>
+    scene.n.filter((n) => flags === '-O2' || n === 60).flatMap((n) =>
+      figuresOf(row, flags, n, scene, measure(machine, scene, row, n)))))
+}
+
+export function printLoops(figures, scene) {
+  const find = (wanted) => figures.find((x) => Object.entries(wanted).every(([key, value]) => x[key] === value))
+  const part = (100 * scene.covered / scene.width / scene.height).toFixed(1)
+  console.log(`\nCycles a pixel on Cortex-M0+ [emulated: rp2040js], code, maps and output in SRAM, -O2 but where said: a sphere on ${part} %`)
+  console.log(`of ${scene.width}x${scene.height}, light (1, 1, 1), q = ${scene.q}, RGB565 but where said. /frame: by all pixels of the frame, else by those of the`)
+  console.log('sphere. fill: thousands of cycles once a material; frame: thousands once a frame. Flash [predicted]: code in flash; and')
+  console.log('the map, too. Difference from the exact picture of the same model and format at n = 60, in levels of 255: largest, mean,')
+  console.log('PSNR; 888: PSNR from the exact picture in RGB888 (rounding to RGB565 alone: see the exact loops).')
+  const out = (name, cells, what) => line(name, cells, what, 7, 18)
+  out('n', ['5', '10', '60', '200', '1000', '60-Os', '/frame', 'fill', 'frame', 'flash', '+map', 'max', 'mean', 'PSNR', '888'])
+  const k = (x) => x ? (x / 1000).toFixed(x < 99500 ? 1 : 0) : '-'
+  const px = (x) => x.toFixed(x < 100 ? 1 : 0)
+  const db = (x) => x === null ? 'same' : x.toFixed(1)
+  for (const { loop, what } of figures.filter((x) => x.n === 60 && x.flags === '-O2' && x.label === 'emulated')) {
+    const at = (n, flags = '-O2', label = 'emulated') => find({ loop, n, flags, label })
+    const { per_frame_pixel, fill_per_material, per_frame, quality, rgb888_psnr } = at(60)
+    const flash = at(60, '-O2', 'predicted')
+    out(loop, [...[5, 10, 60, 200, 1000].map((n) => px(at(n).per_covered_pixel)), px(at(60, '-Os').per_covered_pixel),
+      px(per_frame_pixel), k(fill_per_material), k(per_frame), px(flash.per_covered_pixel_code_in_flash),
+      flash.map_bytes ? px(flash.per_covered_pixel_code_and_map_in_flash) : '-', quality.largest.toFixed(1),
+      quality.mean.toFixed(2), db(quality.psnr), db(rgb888_psnr)], what)
+  }
+  console.log('\nDifference from the exact picture, in levels of 255: largest, mean, PSNR in dB [emulated]')
+  line('n', scene.n, '', 20, 18)
+  for (const loop of new Set(figures.map((x) => x.loop))) {
+    line(loop, scene.n.map((n) => {
+      const { largest, mean, psnr } = find({ loop, n, flags: '-O2', label: 'emulated' }).quality
+      return `${largest.toFixed(1)} ${mean.toFixed(2)} ${db(psnr)}`
+    }), '', 20, 18)
+  }
+}
