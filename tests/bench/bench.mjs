@@ -16,10 +16,12 @@ process.on('uncaughtException', (error) => {
 
 const folder = process.argv[2]
 const scene = readScene(`${folder}/scene`)
-const machines = Object.fromEntries(['O2', 'Os'].map((level) => [`-${level}`, boot(`${folder}/npm`, `${folder}/m0plus-${level}.elf`)]))
+const machines = Object.fromEntries(Object.entries({ '-O2': 'O2', '-Os': 'Os', '-O2 asm': 'asm' }).map(([flags, name]) =>
+  [flags, boot(`${folder}/npm`, `${folder}/m0plus-${name}.elf`)]))
 const write = (name, data) => writeFileSync(`${folder}/${name}.json`, JSON.stringify(data, null, 1) + '\n')
 
-const cycles = evaluations(machines, scene)
+const { '-O2': o2, '-Os': os } = machines
+const cycles = evaluations({ '-O2': o2, '-Os': os }, scene)
 write('cycles', cycles)
 printEvaluations(cycles, scene)
 const pixels = loops(machines, scene)

@@ -5,7 +5,11 @@
 BENCH = build/bench
 BENCH_SCENE = $(BENCH)/scene
 BENCH_NPM = $(BENCH)/npm
-BENCH_ELFS = $(BENCH)/m0plus-O2.elf $(BENCH)/m0plus-Os.elf
+# The variants for Cortex-M0+; asm: with the library's assembly.
+BENCH_FLAGS_O2 = -O2
+BENCH_FLAGS_Os = -Os
+BENCH_FLAGS_asm = -O2 -DGLINT_CORTEX_M0PLUS_ASM=1
+BENCH_ELFS = $(patsubst %,$(BENCH)/m0plus-%.elf,O2 Os asm)
 # libfixmath's source, where it could be had.
 BENCH_FIXMATH = $(wildcard $(addprefix $(BENCH)/fixmath/libfixmath/,fix16.c fix16_exp.c))
 BENCH_FLAGS = -Ilib $(if $(BENCH_FIXMATH),-DBENCH_FIXMATH=1 -DFIXMATH_NO_CACHE -I$(BENCH)/fixmath,-DBENCH_FIXMATH=0)
@@ -40,7 +44,7 @@ BENCH_INPUTS = $(BENCH_SOURCES) $(wildcard lib/*.h tests/bench/*.h tests/targets
 
 $(BENCH)/m0plus-%.elf: $(BENCH_INPUTS) tests/bench/calibrate.S
 	@mkdir -p $(@D)
-	@arm-none-eabi-gcc -std=c99 -mcpu=cortex-m0plus -mthumb -$* -ffunction-sections -fdata-sections $(BENCH_FLAGS) \
+	@arm-none-eabi-gcc -std=c99 -mcpu=cortex-m0plus -mthumb $(BENCH_FLAGS_$*) -ffunction-sections -fdata-sections $(BENCH_FLAGS) \
 		-nostartfiles -T tests/bench/m0plus.ld $(BENCH_SOURCES) tests/bench/calibrate.S -lm -o $@
 
 $(BENCH)/sizes.txt: tests/bench/sizes $(BENCH_INPUTS)

@@ -5,7 +5,8 @@
 
 #include "peers.h"
 
-struct bench_line bench_line;
+/* Aligned as the library wants it of 8-bit machines, too, whose compilers do not care. */
+__attribute__((aligned(4))) struct bench_line bench_line;
 struct glint_shader bench_shader;
 __attribute__((aligned(4))) uint32_t bench_memory[BENCH_MEMORY / 4];
 int16_t bench_error;

@@ -90,11 +90,20 @@ function figuresOf(row, flags, n, scene, { fill, frame, shade, pixels, covered, 
   ]
 }
 
-// -O2 for every n; -Os for n = 60.
+// -O2 for every n; -Os for n = 60; with assembly ("-O2 asm") what that makes another.
 export function loops(machines, scene) {
-  return Object.entries(machines).flatMap(([flags, machine]) => rows(machine).flatMap((row) =>
-    scene.n.filter((n) => flags === '-O2' || n === 60).flatMap((n) =>
-      figuresOf(row, flags, n, scene, measure(machine, scene, row, n)))))
+  const figures = []
+  const of = (flags, row, n) => figures.find((x) => x.loop === row.name && x.flags === flags && x.n === n)
+  for (const [flags, machine] of Object.entries(machines))
+    for (const row of rows(machine))
+      for (const n of flags === '-Os' ? [60] : [60, ...scene.n.filter((x) => x !== 60)]) {
+        const asm = flags === '-O2 asm'
+        if (asm && n !== 60 && !of(flags, row, 60)) continue
+        const measured = measure(machine, scene, row, n)
+        if (asm && n === 60 && measured.shade / measured.pixels === of('-O2', row, 60).per_frame_pixel) continue
+        figures.push(...figuresOf(row, flags, n, scene, measured))
+      }
+  return figures
 }
 
 export function printLoops(figures, scene) {
@@ -110,14 +119,14 @@ export function printLoops(figures, scene) {
   const k = (x) => x ? (x / 1000).toFixed(x < 99500 ? 1 : 0) : '-'
   const px = (x) => x.toFixed(x < 100 ? 1 : 0)
   const db = (x) => x === null ? 'same' : x.toFixed(1)
-  for (const { loop, what } of figures.filter((x) => x.n === 60 && x.flags === '-O2' && x.label === 'emulated')) {
-    const at = (n, flags = '-O2', label = 'emulated') => find({ loop, n, flags, label })
+  for (const { loop, what, flags } of figures.filter((x) => x.n === 60 && x.flags !== '-Os' && x.label === 'emulated')) {
+    const at = (n, level = flags, label = 'emulated') => find({ loop, n, flags: level, label })
     const { per_frame_pixel, fill_per_material, per_frame, quality, rgb888_psnr } = at(60)
-    const flash = at(60, '-O2', 'predicted')
-    out(loop, [...[5, 10, 60, 200, 1000].map((n) => px(at(n).per_covered_pixel)), px(at(60, '-Os').per_covered_pixel),
-      px(per_frame_pixel), k(fill_per_material), k(per_frame), px(flash.per_covered_pixel_code_in_flash),
-      flash.map_bytes ? px(flash.per_covered_pixel_code_and_map_in_flash) : '-', quality.largest.toFixed(1),
-      quality.mean.toFixed(2), db(quality.psnr), db(rgb888_psnr)], what)
+    const flash = at(60, flags, 'predicted'), asm = flags === '-O2 asm'
+    out(asm ? `${loop}, asm` : loop, [...[5, 10, 60, 200, 1000].map((n) => px(at(n).per_covered_pixel)),
+      asm ? '-' : px(at(60, '-Os').per_covered_pixel), px(per_frame_pixel), k(fill_per_material), k(per_frame),
+      px(flash.per_covered_pixel_code_in_flash), flash.map_bytes ? px(flash.per_covered_pixel_code_and_map_in_flash) : '-',
+      quality.largest.toFixed(1), quality.mean.toFixed(2), db(quality.psnr), db(rgb888_psnr)], what)
   }
   console.log('\nDifference from the exact picture, in levels of 255: largest, mean, PSNR in dB [emulated]')
   line('n', scene.n, '', 20, 18)
