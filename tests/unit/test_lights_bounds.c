@@ -121,37 +121,6 @@ static void lamps_at_the_limits_are_shaded_without_overflow(void **state)
     }
 }
 
-static void a_lamp_that_cannot_be_is_refused_and_not_written(void **state)
-{
-    (void)state;
-    struct glint_lamp lamp, before;
-    memset(&lamp, GUARD, sizeof lamp);
-    before = lamp;
-    const int32_t zero[3] = {0, 0, 0}, up[3] = {0, 0, 1}, down[3] = {0, 0, -1};
-    const int32_t far[3] = {0, -GLINT_LAMP_FAR - 1, 0}, min[3] = {INT32_MIN, INT32_MAX, INT32_MIN};
-    assert_int_equal(glint_lamp_directional(NULL, up, up), GLINT_ERR_ARG);
-    assert_int_equal(glint_lamp_directional(&lamp, NULL, up), GLINT_ERR_ARG);
-    assert_int_equal(glint_lamp_directional(&lamp, up, NULL), GLINT_ERR_ARG);
-    assert_int_equal(glint_lamp_directional(&lamp, zero, up), GLINT_ERR_VECTOR);
-    assert_int_equal(glint_lamp_directional(&lamp, down, up), GLINT_ERR_VECTOR);
-    assert_int_equal(glint_lamp_point(NULL, up, 1), GLINT_ERR_ARG);
-    assert_int_equal(glint_lamp_point(&lamp, NULL, 1), GLINT_ERR_ARG);
-    assert_int_equal(glint_lamp_point(&lamp, up, 0), GLINT_ERR_ARG);
-    assert_int_equal(glint_lamp_point(&lamp, up, GLINT_LAMP_FAR + 1), GLINT_ERR_ARG);
-    assert_int_equal(glint_lamp_point(&lamp, far, 1), GLINT_ERR_ARG);
-    assert_int_equal(glint_lamp_point(&lamp, min, 1), GLINT_ERR_ARG);
-    assert_int_equal(glint_lamp_spot(NULL, up, zero, 1, 2, 1), GLINT_ERR_ARG);
-    assert_int_equal(glint_lamp_spot(&lamp, NULL, zero, 1, 2, 1), GLINT_ERR_ARG);
-    assert_int_equal(glint_lamp_spot(&lamp, up, NULL, 1, 2, 1), GLINT_ERR_ARG);
-    assert_int_equal(glint_lamp_spot(&lamp, up, up, 1, 2, 1), GLINT_ERR_VECTOR);
-    assert_int_equal(glint_lamp_spot(&lamp, up, far, 1, 2, 1), GLINT_ERR_ARG);
-    assert_int_equal(glint_lamp_spot(&lamp, up, zero, 0, 2, 1), GLINT_ERR_ARG);
-    assert_int_equal(glint_lamp_spot(&lamp, up, zero, 1, 1, 2), GLINT_ERR_ARG);
-    assert_int_equal(glint_lamp_spot(&lamp, up, zero, 1, ONE_Q30 + 1, 2), GLINT_ERR_ARG);
-    assert_int_equal(glint_lamp_spot(&lamp, up, zero, 1, 2, -ONE_Q30 - 1), GLINT_ERR_ARG);
-    assert_memory_equal(&lamp, &before, sizeof lamp);
-}
-
 /* Shades with this lamp as the last of four; nothing may be written. */
 static enum glint_err refusal(struct scene *s, const struct glint_lamp *lamp)
 {
@@ -228,7 +197,6 @@ int main(void)
         cmocka_unit_test(the_highlight_box_is_what_single_pixels_report),
         cmocka_unit_test(nothing_outside_the_rectangle_is_written),
         cmocka_unit_test(lamps_at_the_limits_are_shaded_without_overflow),
-        cmocka_unit_test(a_lamp_that_cannot_be_is_refused_and_not_written),
         cmocka_unit_test(wrong_lamps_are_refused_and_nothing_is_written),
         cmocka_unit_test(a_viewer_is_wanted_only_where_a_lamp_has_a_place),
     };
