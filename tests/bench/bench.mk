@@ -4,6 +4,7 @@
 # Measurements, no test: nothing here can fail for being slow.
 BENCH = build/bench
 BENCH_SCENE = $(BENCH)/scene
+BENCH_SCENE_OBJECTS = $(filter-out $(BUILD)/host/main.o,$(HOST_OBJECTS)) $(BUILD)/libglint.a
 BENCH_NPM = $(BENCH)/npm
 # The variants for Cortex-M0+; asm: with the library's assembly.
 BENCH_FLAGS_O2 = -O2
@@ -16,7 +17,7 @@ BENCH_FLAGS = -Ilib $(if $(BENCH_FIXMATH),-DBENCH_FIXMATH=1 -DFIXMATH_NO_CACHE -
 BENCH_SOURCES = $(wildcard lib/*.c lib/*.S) $(BENCH_FIXMATH) \
 	$(filter-out $(if $(BENCH_FIXMATH),,%/fixmath.c),$(wildcard tests/bench/*.c))
 
-setup-bench: setup-targets
+setup-bench: setup-build setup-targets
 	@.ci/need "make bench" libnewlib-arm-none-eabi picolibc-riscv64-unknown-elf $(BENCH_HOST_PACKAGES)
 	@command -v npm >/dev/null || .ci/need "make bench: the emulator rp2040js" nodejs npm
 	@+$(SUBMAKE) -s $(BENCH_NPM)/done
@@ -55,8 +56,8 @@ $(BENCH)/sizes.txt $(BENCH)/counts.txt:
 $(BENCH_SCENE)/scene.json: $(BENCH_SCENE)/scene
 	@$< write $(@D)
 
-$(BENCH_SCENE)/scene: tests/bench/scene/scene.c tests/bench/scene.c tests/bench/scene.h $(BUILD)/libglint.a
+$(BENCH_SCENE)/scene: tests/bench/scene/scene.c tests/bench/sphere.c tests/bench/sphere.h $(BENCH_SCENE_OBJECTS)
 	@mkdir -p $(@D)
-	@$(CC) -std=c11 -D_GNU_SOURCE $(WARNINGS) -Ilib $(CFLAGS) $(filter %.c %.a,$^) -lm -o $@
+	@$(CC) $(filter-out -MMD -MP,$(HOST_CFLAGS)) $(filter %.c %.o %.a,$^) -o $@ $(HOST_LDFLAGS) $(HOST_LDLIBS)
 
 .PHONY: setup-bench bench run-bench bench-programs

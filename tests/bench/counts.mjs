@@ -7,12 +7,12 @@ const TARGETS = { 'cortex-m3': 'M3', 'cortex-m4f': 'M4F', rv32imc: 'RV32', atmeg
 const unitOf = (target) => target === 'atmega2560' ? 'cycles' : 'instructions'
 const emulatorOf = (target) => target === 'atmega2560' ? 'simavr' : 'QEMU -icount shift=0'
 
-export function readCounts(file) {
+export function readCounts(file, q) {
   const figures = []
   for (const record of readFileSync(file, 'utf8').trim().split('\n')) {
     const [target, kind, name, ...fields] = record.split(';')
     const [n, ...numbers] = fields.map(Number)
-    const common = { target, flags: '-O2', n, q: 8, unit: unitOf(target), label: 'emulated', emulator: emulatorOf(target) }
+    const common = { target, flags: '-O2', n, q, unit: unitOf(target), label: 'emulated', emulator: emulatorOf(target) }
     if (kind === 'evaluation') {
       const [samples, count] = numbers
       figures.push({ function: name, ...common, samples, mean: count / samples })
@@ -40,7 +40,8 @@ export function printCounts(figures) {
   }
   console.log('\nOther cores, -O2, by n. M3, M4F, RV32: instructions, not cycles [emulated: QEMU -icount]: a division, a load or a taken')
   console.log('branch counts as 1 (on M3 and M4F a 32-bit division takes 2-12 cycles, a float one 14, a load 2, a taken branch 2-4).')
-  console.log('M4F has float in hardware. AVR: cycles of an ATmega2560 [emulated: simavr]. One evaluation, without its call and return:')
+  console.log('M4F has float in hardware. AVR: cycles of an ATmega2560 [emulated: simavr]. Every clock is checked by a loop counted by')
+  console.log('hand. One evaluation, without its call and return:')
   table('function', (x) => x.mean)
   console.log('\nA pixel of the sphere:')
   table('loop', (x) => x.per_covered_pixel)

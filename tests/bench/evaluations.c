@@ -2,13 +2,13 @@
 #include "evaluations.h"
 
 #include "peers.h"
-#include "scene.h"
+#include "sphere.h"
 
 struct glint_lobe evaluation_lobe;
 
 void evaluation_begin(uint32_t n)
 {
-    glint_lobe_init(&evaluation_lobe, GLINT_MSH, n, SCENE_Q);
+    glint_lobe_init(&evaluation_lobe, GLINT_MSH, n, SPHERE_Q);
     peer_table_fill(n);
 }
 

@@ -4,19 +4,24 @@
 #define GLINT_BENCH_LOOPS_H
 
 #include "glint.h"
-#include "scene.h"
+#include "sphere.h"
 
-/* The line at hand: the harness fills the maps, reads the output. (loops.mjs knows where normals, out and albedo lie.) */
+/* The line at hand: the harness fills the maps, reads the output. (loops.mjs knows where normals and out lie.) */
 struct bench_line {
-    struct glint_vec normals[SCENE_W]; /* 0 beside the sphere */
-    uint16_t out[3 * SCENE_W / 2];     /* pixels in the loop's format */
-    uint8_t mask[SCENE_W];             /* 255 on the sphere, else 0 */
+    struct glint_vec normals[SPHERE_W]; /* 0 beside the sphere */
+    uint16_t out[3 * SPHERE_W / 2];     /* pixels in the loop's format */
+    uint8_t mask[SPHERE_W];             /* 255 on the sphere, else 0 */
     uint16_t y;
     uint16_t from, to; /* the sphere covers from .. to - 1 */
 };
 extern struct bench_line bench_line;
+
+/* The line's normals as the loop's map has them, from `glint bake`. Not on AVR, which has no room. */
+enum bench_map { MAP_INT16 /* bench_line.normals */, MAP_INT10, MAP_INT8, MAP_PALETTE, MAP_COUNT };
 #ifndef __AVR__
-extern uint8_t bench_albedo[SCENE_W][3];
+extern uint32_t bench_map[SPHERE_W];
+extern struct glint_vec bench_palette[SPHERE_PALETTE];
+extern uint8_t bench_albedo[SPHERE_W][3];
 #endif
 
 /* Its light, material, lobe and format: set before fill. */
@@ -38,20 +43,21 @@ struct bench_loop {
     const char *name, *what;
     void (*fill)(void);    /* once a material: the tables.                  Shown by itself, cycles */
     void (*frame)(void);   /* once a frame or a light: what does not depend on the pixels.   "          */
-    void (*pack)(void);    /* a line's normals to the loop's own form, as baked on the host. Not counted */
+    void (*pack)(void);    /* a line's normals to a form of the loop's own. Not counted */
     void (*prepare)(void); /* once a frame and line: what is sent besides, as a span's ends. As frame     */
     void (*shade)(void);   /* the line's pixels.                            Cycles a pixel */
     uint8_t model;         /* enum glint_model: the exact picture to compare with */
     uint8_t format;        /* enum glint_format */
     bool dither, albedo;
-    uint8_t map_bytes; /* of the packed map a pixel: what is read where the map lies in flash */
+    uint8_t map;       /* enum bench_map */
+    uint8_t map_bytes; /* a pixel of what the loop reads: charged where it lies in flash */
     uint8_t step;      /* emulate one line in so many, for slow loops; 0 counts as 1 */
 };
 extern const struct bench_loop bench_loops[]; /* loops.c; the last one's name is NULL */
 
 /* Sets bench_shader for a loop. */
 void bench_begin(const struct bench_loop *loop, uint32_t n);
-/* Finds from .. to and the mask of the normals. */
+/* Finds the rest of bench_line, and the albedo, from the normals. */
 void bench_line_begin(uint16_t y);
 
 /* peer_loops.c: whole pixels as people write them. */

@@ -12,8 +12,8 @@ function rows(machine) {
   for (let at = machine.address('bench_loops'); machine.word(at); at += 36) {
     const [name, what] = [0, 4].map((i) => machine.text(machine.word(at + i)))
     const [fill, frame, pack, prepare, shade] = [8, 12, 16, 20, 24].map((i) => machine.word(at + i))
-    const [model, format, dither, albedo, mapBytes, step] = [28, 29, 30, 31, 32, 33].map((i) => machine.byte(at + i))
-    list.push({ at, name, what, fill, frame, pack, prepare, shade, model, format, dither, albedo, mapBytes, step: step || 1 })
+    const [model, format, dither, albedo, map, mapBytes, step] = [28, 29, 30, 31, 32, 33, 34].map((i) => machine.byte(at + i))
+    list.push({ at, name, what, fill, frame, pack, prepare, shade, model, format, dither, albedo, map, mapBytes, step: step || 1 })
   }
   return list
 }
@@ -36,7 +36,7 @@ function measure(machine, scene, row, n) {
   const { width, height } = scene
   const at = machine.address('bench_line')
   const normals = machine.bytes(at, 6 * width), out = machine.bytes(at + 6 * width, 3 * width)
-  const albedo = machine.bytes(machine.address('bench_albedo'), 3 * width)
+  const map = scene.maps[row.map], mapLine = map.length / height
   const cycles = (step) => step ? machine.call(step).cycles : 0
   const exact = scene.exact(row.model, n, row.format, row.albedo, row.dither)
   const exact888 = scene.exact(row.model, n, RGB888, row.albedo, 0)
@@ -44,11 +44,12 @@ function measure(machine, scene, row, n) {
   const stride = width * LINE_BYTES[row.format]
 
   machine.call('bench_begin', [row.at, n])
+  scene.palette.copy(machine.bytes(machine.address('bench_palette'), scene.palette.length))
   const fill = cycles(row.fill)
   let frame = cycles(row.frame), shade = 0, pixels = 0, covered = 0
   const load = (y) => {
-    scene.normals.copy(normals, 0, 6 * y * width)
-    scene.albedo.copy(albedo, 0, 3 * y * width)
+    scene.maps[0].copy(normals, 0, 6 * y * width)
+    map.copy(machine.bytes(machine.address('bench_map'), 4 * width), 0, y * mapLine, (y + 1) * mapLine)
     machine.call('bench_line_begin', [y])
     cycles(row.pack)
   }
@@ -68,6 +69,7 @@ function measure(machine, scene, row, n) {
   const words = machine.touched((call) => {
     for (const y of [height / 3 | 0, height / 2]) { // through the highlight, and where it is not
       load(y)
+      cycles(row.prepare)
       call(row.shade)
     }
   })

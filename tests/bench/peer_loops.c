@@ -50,7 +50,7 @@ static inline int32_t dot_q15(const struct glint_vec *a, const struct glint_vec 
         const struct colour c[3] = {colour_of(0), colour_of(1), colour_of(2)};                                         \
         const struct glint_vec l = bench_shader.light.l, h = bench_shader.light.h;                                     \
         uint16_t *out = bench_line.out;                                                                                \
-        for (int x = 0; x < SCENE_W; x++) {                                                                            \
+        for (int x = 0; x < SPHERE_W; x++) {                                                                           \
             if (!bench_line.mask[x])                                                                                   \
                 continue;                                                                                              \
             const struct glint_vec *normal = &bench_line.normals[x];                                                   \
@@ -105,7 +105,7 @@ static int8_t to_int8(int16_t x)
 
 void peer_int8_pack(void)
 {
-    for (int x = 0; x < SCENE_W; x++) {
+    for (int x = 0; x < SPHERE_W; x++) {
         const struct glint_vec *n = &bench_line.normals[x];
         packed()[x][0] = to_int8(n->x);
         packed()[x][1] = to_int8(n->y);
@@ -126,7 +126,7 @@ void peer_int8_table_power(void)
     const int8_t l[3] = {to_int8(light->l.x), to_int8(light->l.y), to_int8(light->l.z)};
     const int8_t h[3] = {to_int8(light->h.x), to_int8(light->h.y), to_int8(light->h.z)};
     uint16_t *out = bench_line.out;
-    for (int x = 0; x < SCENE_W; x++) {
+    for (int x = 0; x < SPHERE_W; x++) {
         if (!bench_line.mask[x])
             continue;
         const int8_t *normal = packed()[x];
@@ -163,7 +163,7 @@ static inline void float_loop(float (*highlight)(float n, float c))
     }
     const float n = bench_shader.lobe.n;
     uint16_t *out = bench_line.out;
-    for (int x = 0; x < SCENE_W; x++) {
+    for (int x = 0; x < SPHERE_W; x++) {
         if (!bench_line.mask[x])
             continue;
         float normal[3];

@@ -6,11 +6,13 @@ import { readFileSync } from 'node:fs'
 // As glint.h numbers them.
 export const MODELS = ['msh', 'schlick', 'blinn', 'phong', 'gauss', 'cayley']
 export const FORMATS = ['rgb565', 'rgb565 swapped', 'rgb888', 'grey8', 'mono']
+const MAPS = ['int16', 'int10', 'int8', 'palette-offsets'] // enum bench_map
 export const LINE_BYTES = [2, 2, 3, 1, 1 / 8]
 
 export function readScene(folder) {
   const { width, height, q, covered, n } = JSON.parse(readFileSync(`${folder}/scene.json`, 'utf8'))
-  const normals = readFileSync(`${folder}/normals.bin`), albedo = readFileSync(`${folder}/albedo.bin`)
+  const maps = MAPS.map((name) => readFileSync(`${folder}/${name}.bin`))
+  const palette = readFileSync(`${folder}/palette.bin`), normals = maps[0]
   const samples = new Map(n.map((k) => [k, []]))
   for (const line of readFileSync(`${folder}/samples.txt`, 'utf8').trim().split('\n')) {
     const [k, c, t] = line.split(' ').map(Number)
@@ -23,7 +25,7 @@ export function readScene(folder) {
     if (!pictures.has(key)) pictures.set(key, execFileSync(`${folder}/scene`, ['exact', ...choice.map(String)]))
     return pictures.get(key)
   }
-  return { width, height, q, covered, n, normals, albedo, samples, covers, exact }
+  return { width, height, q, covered, n, maps, palette, samples, covers, exact }
 }
 
 // A pixel's levels of 255: three, or one.

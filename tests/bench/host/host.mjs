@@ -13,7 +13,7 @@ const figures = readFileSync(`${folder}/host.txt`, 'utf8').trim().split('\n').ma
   const speeds = runs.map(Number)
   return {
     method, what, n: N, worst_ulp: Number(worst), elements: Number(elements),
-    unit: 'Mpixel/s', label: 'host', cpu, compiler,
+    unit: 'Mpixel/s', label: 'hardware', cpu, compiler,
     median: median(speeds), min: Math.min(...speeds), max: Math.max(...speeds), runs: speeds
   }
 })
@@ -25,7 +25,7 @@ const number = (x) => x < 10 ? x.toFixed(2) : x.toFixed(0)
 const speed = (x) => x ? `${number(x.median)} (${number(x.min)}..${number(x.max)})` : '-'
 const ratio = (a, b) => (find(a, MEMORY).median / find(b, MEMORY).median).toFixed(2)
 
-console.log(`\nMpixel/s on this host [host: ${cpu}; ${compiler}], one thread, n = ${N}, float`)
+console.log(`\nMpixel/s on this host [hardware: ${cpu}; ${compiler}], one thread, n = ${N}, float`)
 console.log(`for the same instructions as the batch: median (least..most) of ${figures[0].runs.length} runs in turn.`)
 console.log('Worst: the largest error, 2^-16, for cosines from 1/2 on.')
 const line = (name, cache, memory, of_copy, worst, what) => console.log(

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Cortex-M under QEMU, where with -icount shift=0 an instruction takes 1 ns of the machine's time: the SysTick of a 25 MHz
  * clock falls by 1 in 40 instructions. */
-#include <string.h>
-
 #include "clock.h"
 
 #define SYST_CSR (*(volatile uint32_t *)0xe000e010)
@@ -30,11 +28,4 @@ uint32_t clock_now(void)
     ticks += (last - now) & (WRAP - 1);
     last = now;
     return ticks * INSTRUCTIONS_A_TICK;
-}
-
-extern const struct glint_vec scene_lines[SCENE_LINES][SCENE_W];
-
-void scene_line(unsigned k, struct glint_vec to[SCENE_W])
-{
-    memcpy(to, scene_lines[k], sizeof scene_lines[k]);
 }

@@ -36,9 +36,10 @@ uint32_t clock_now(void)
     return ((uint32_t)high << 16 | low) - (uint32_t)high * INTERRUPT;
 }
 
-extern const struct glint_vec scene_lines[SCENE_LINES][SCENE_W];
+extern const struct glint_vec lines_int16[SPHERE_LINES][SPHERE_W];
 
-void scene_line(unsigned k, struct glint_vec to[SCENE_W])
+void sphere_line(enum bench_map map, unsigned k)
 {
-    memcpy_P(to, scene_lines[k], sizeof scene_lines[k]);
+    (void)map;
+    memcpy_P(bench_line.normals, lines_int16[k], sizeof lines_int16[k]);
 }

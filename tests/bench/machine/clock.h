@@ -3,13 +3,14 @@
 #ifndef GLINT_BENCH_CLOCK_H
 #define GLINT_BENCH_CLOCK_H
 
-#include "scene.h"
+#include "loops.h"
 
 void clock_begin(void);
 uint32_t clock_now(void); /* modulo 2^32 */
 
-/* The k-th of the scene's SCENE_LINES lines (lines.S). */
-void scene_line(unsigned k, struct glint_vec to[SCENE_W]);
+/* The k-th of the sphere's SPHERE_LINES lines (lines.S) goes to bench_line.normals, of another map to bench_map; of
+ * MAP_PALETTE bench_palette is set, too. */
+void sphere_line(enum bench_map map, unsigned k);
 
 /* Print by machine_put. A record's fields end with ';' but for the last, whose end is that of the line. */
 void print_text(const char *text);

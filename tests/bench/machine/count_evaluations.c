@@ -30,7 +30,7 @@ static const struct evaluation empty = {
 /* The same code for the functions and for the empty ones. */
 static __attribute__((noinline)) uint32_t run(const struct evaluation *e, enum evaluation_takes takes, unsigned n_index)
 {
-    const uint32_t n = scene_n[n_index];
+    const uint32_t n = sphere_n[n_index];
     float c[SAMPLES];
     for (unsigned i = 0; i < SAMPLES; i++)
         c[i] = (float)samples[n_index][i][0] / 65536;
@@ -58,15 +58,15 @@ void machine_run(volatile uint8_t *floor)
     (void)floor;
     clock_begin();
     print_calibration();
-    for (unsigned k = 0; k < SCENE_N_COUNT; k++) {
-        evaluation_begin(scene_n[k]);
+    for (unsigned k = 0; k < SPHERE_N_COUNT; k++) {
+        evaluation_begin(sphere_n[k]);
         for (const struct evaluation *e = evaluations; e->name; e++) {
             const enum evaluation_takes takes = (enum evaluation_takes)e->takes;
             const uint32_t around = run(&empty, takes, k);
             const uint32_t counted = run(e, takes, k) - around;
             print_text("evaluation");
             print_text(e->name);
-            print_number(scene_n[k]);
+            print_number(sphere_n[k]);
             print_number(REPEAT * SAMPLES);
             print_number(counted);
             print_end();

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * Counts loops over pixels, on the scene's lines.bin. Records: loop; name; n; fill; frame; shade; pixels; covered pixels. */
+ * Counts loops over pixels, on some of the sphere's lines. Records: loop; name; n; fill; frame; shade; pixels; covered pixels. */
 #include "clock.h"
-#include "loops.h"
 
 #include "../../targets/machine/machine.h"
 
@@ -26,13 +25,14 @@ static void measure(const struct bench_loop *loop, uint32_t n)
 {
     bench_begin(loop, n);
     const uint32_t fill = count(loop->fill);
+    sphere_line((enum bench_map)loop->map, 0); /* a frame may begin with its palette */
     uint32_t frame = count(loop->frame), shade = 0, covered = 0;
-    for (unsigned k = 0; k < SCENE_LINES; k++) {
-        scene_line(k, bench_line.normals);
-        bench_line_begin((uint16_t)(SCENE_STEP * k + SCENE_STEP / 2));
+    for (unsigned k = 0; k < SPHERE_LINES; k++) {
+        sphere_line((enum bench_map)loop->map, k);
+        bench_line_begin((uint16_t)(SPHERE_STEP * k + SPHERE_STEP / 2));
         if (loop->pack)
             loop->pack();
-        frame += SCENE_STEP * count(loop->prepare);
+        frame += SPHERE_STEP * count(loop->prepare);
         shade += count(loop->shade);
         covered += (uint32_t)(bench_line.to - bench_line.from);
     }
@@ -48,7 +48,7 @@ static void measure(const struct bench_loop *loop, uint32_t n)
     print_number(fill);
     print_number(frame);
     print_number(shade);
-    print_number((uint32_t)SCENE_LINES * SCENE_W);
+    print_number((uint32_t)SPHERE_LINES * SPHERE_W);
     print_number(covered);
     print_end();
 }
@@ -59,6 +59,6 @@ void machine_run(volatile uint8_t *floor)
     clock_begin();
     print_calibration();
     for (const struct bench_loop *loop = bench_loops; loop->name; loop++)
-        for (unsigned k = 0; k < SCENE_N_COUNT; k++)
-            measure(loop, scene_n[k]);
+        for (unsigned k = 0; k < SPHERE_N_COUNT; k++)
+            measure(loop, sphere_n[k]);
 }

@@ -5,10 +5,21 @@
 #else
     .section .rodata, "a"
 #endif
-    .balign 2
-    .global scene_lines
-scene_lines:
-    .incbin "lines.bin"
+.macro stored name file
+    .balign 4
+    .global \name
+\name:
+    .incbin "\file"
+.endm
+    stored lines_int16 lines-int16.bin
+#ifndef __AVR__
+    stored lines_int10 lines-int10.bin
+    stored lines_int8 lines-int8.bin
+    stored lines_palette_offsets lines-palette-offsets.bin
+    stored stored_palette palette.bin
+    .global stored_palette_end
+stored_palette_end:
+#endif
 
 #if defined __AVR__
     .section .text.calibration_loop, "ax"
