@@ -13,15 +13,26 @@ export TMPDIR := $(shell test -d "$$TMPDIR" && test -w "$$TMPDIR" && echo "$$TMP
 VERSION := $(shell sed -n 's/.*GLINT_VERSION_STRING "\(.*\)"/\1/p' lib/glint.h)
 WARNINGS = -Wall -Wextra -Wconversion -Wundef -Wshadow -Wstrict-prototypes -Wmissing-prototypes $(WERROR)
 LIB_CFLAGS = -std=c99 -ffreestanding $(WARNINGS) -MMD -MP $(CFLAGS)
-HOST_LIBS = libpng jansson
+HOST_LIBS = libpng jansson liblz4
+# Sinks of glint stream are left out where their library is not there; glint --version tells.
+has = $(shell pkg-config --exists $(1) 2>/dev/null && echo 1)
+WITH_USB := $(call has,libusb-1.0)
+WITH_GPIO := $(if $(call has,libgpiod inih),$(if $(call has,'libgpiod >= 2'),2,1))
+WITH_TERMINAL := $(call has,chafa)
+SINK_LIBS = $(if $(WITH_USB),libusb-1.0) $(if $(WITH_GPIO),libgpiod inih) $(if $(WITH_TERMINAL),chafa)
+SINK_FLAGS = -DGLINT_WITH_USB=$(if $(WITH_USB),1,0) -DGLINT_WITH_GPIO=$(if $(WITH_GPIO),$(WITH_GPIO),0) \
+	-DGLINT_WITH_TERMINAL=$(if $(WITH_TERMINAL),1,0)
+LEFT_OUT = $(if $(WITH_USB),,host/sink_usb%) $(if $(WITH_GPIO),,host/sink_gpio% host/sink_spi%) \
+	$(if $(WITH_TERMINAL),,host/sink_terminal%)
 # Recursive (=), so that they are asked for after set-up; silent, because before it there may be no answer.
-HOST_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ihost $(OPENMP) \
-	$(shell pkg-config --cflags $(HOST_LIBS) 2>/dev/null) $(CFLAGS)
+HOST_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ifirmware/core -Ihost $(OPENMP) \
+	$(SINK_FLAGS) $(shell pkg-config --cflags $(HOST_LIBS) $(SINK_LIBS) 2>/dev/null) $(CFLAGS)
 HOST_LDFLAGS = $(CFLAGS) $(OPENMP) $(LDFLAGS)
-HOST_LDLIBS = $(shell pkg-config --libs $(HOST_LIBS) 2>/dev/null) -lm
+HOST_LDLIBS = $(shell pkg-config --libs $(HOST_LIBS) $(SINK_LIBS) 2>/dev/null) -lm
 
 LIB_OBJECTS = $(patsubst lib/%.c,$(BUILD)/lib/%.o,$(wildcard lib/*.c))
-HOST_OBJECTS = $(patsubst host/%.c,$(BUILD)/host/%.o,$(wildcard host/*.c))
+CORE_OBJECTS = $(patsubst firmware/core/%.c,$(BUILD)/firmware/core/%.o,$(wildcard firmware/core/*.c))
+HOST_OBJECTS = $(patsubst host/%.c,$(BUILD)/host/%.o,$(filter-out $(LEFT_OUT),$(wildcard host/*.c))) $(CORE_OBJECTS)
 # Sub-makes use all cores unless the caller's make decides. (Their recipes begin with +: make does not see $(MAKE) in it.)
 PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
 SUBMAKE = $(MAKE) --no-print-directory $(PARALLEL)
@@ -36,7 +47,11 @@ $(BUILD)/lib/%.o: lib/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(CC) $(LIB_CFLAGS) -c $< -o $@
 
-$(BUILD)/glint: $(HOST_OBJECTS) $(BUILD)/libglint.a host
+$(BUILD)/firmware/core/%.o: firmware/core/%.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(CC) -Ilib $(LIB_CFLAGS) -c $< -o $@
+
+$(BUILD)/glint: $(HOST_OBJECTS) $(BUILD)/libglint.a host firmware/core
 	$(CC) $(HOST_LDFLAGS) $(HOST_OBJECTS) $(BUILD)/libglint.a -o $@ $(HOST_LDLIBS)
 
 $(BUILD)/host/%.o: host/%.c $(BUILD)/flags | $(BUILD)/packages
@@ -59,7 +74,8 @@ include $(wildcard tests/*/tier.mk) tests/bench/bench.mk tests/bench/host/host.m
 
 setup: ## install what building, the demo and glint paper need (Debian packages, by apt-get)
 	@.ci/need "building, the demo and glint paper" $(BUILD_PACKAGES) chafa gnuplot-nox
-BUILD_PACKAGES = gcc libc6-dev make pkg-config libpng-dev libjansson-dev libqoi-dev
+BUILD_PACKAGES = gcc libc6-dev make pkg-config libpng-dev libjansson-dev libqoi-dev liblz4-dev libusb-1.0-0-dev \
+	libgpiod-dev libinih-dev libchafa-dev libglib2.0-dev
 
 setup-build:
 	@.ci/need "building the glint command" $(BUILD_PACKAGES)
@@ -80,7 +96,7 @@ CHECK_MAKE = $(SUBMAKE) BUILD=build/check WERROR=-Werror
 # A tier with a quick part that needs no set-up offers a goal check-TIER.
 CHECKS = $(shell sed -n 's/^\(check-[a-z]*\):.*/\1/p' $(wildcard tests/*/tier.mk))
 
-FORMATTED = $(wildcard lib/*.[ch] host/*.[ch] tests/*/*.[ch] tests/*/*/*.[ch])
+FORMATTED = $(wildcard lib/*.[ch] firmware/*/*.[ch] firmware/*/*/*.[ch] host/*.[ch] tests/*/*.[ch] tests/*/*/*.[ch])
 check-format:
 	@tests/tally "tests/format $(FORMATTED)"
 

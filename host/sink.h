@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT
+ * Where streamed frames go: one file a sink (sink_NAME.c), behind this interface. A sink knows its device; what changed,
+ * how it is cut into pieces and when to send belongs to the stream (stream.c, plan.c). */
+#ifndef GLINT_SINK_H
+#define GLINT_SINK_H
+
+#include <argp.h>
+#include <jansson.h>
+
+#include "glint.h"
+
+/* A whole frame as the library wrote it, lines packed. */
+struct frame {
+    uint16_t width, height;
+    enum glint_format format;
+    size_t line_bytes;
+    const uint8_t *pixels;
+};
+
+/* A rectangle in the sink's own form, ready to send. */
+struct piece {
+    struct glint_box box;
+    bool lz4;             /* data is one raw LZ4 block */
+    size_t bytes, length; /* of data; of the same uncompressed */
+    const uint8_t *data;
+};
+
+/* What a user asked for; 0 or negative where it is left to the sink. */
+struct sink_wish {
+    uint16_t width, height;
+    int format;                             /* enum glint_format, or -1 */
+    uint16_t default_width, default_height; /* the scene's own, for sinks that take any size */
+};
+
+/* What sending takes, for choosing the cheapest form. */
+struct sink_cost {
+    double rectangle_s; /* before the first byte of each piece */
+    double bytes_per_s;
+};
+
+enum sink_result {
+    SINK_SENT,
+    SINK_INTERRUPTED, /* a signal came; see stream_stopped() */
+    SINK_GONE         /* the device went away; sink_kind.open may find it again */
+};
+
+struct sink_kind;
+/* Filled by open; each sink embeds it as its first member. */
+struct sink {
+    const struct sink_kind *kind;
+    uint16_t width, height;
+    enum glint_format format; /* that frames must have */
+    uint16_t align_x;         /* boxes start at, and end at, a multiple of it (or at the edge); 1: anywhere */
+    bool whole_frames;        /* files: each frame is sent as one piece, changed or not */
+    bool lz4;                 /* does it take compressed pieces? */
+    size_t max_bytes;         /* of a piece uncompressed; at least a line; SIZE_MAX: no limit */
+    struct sink_cost cost;
+    const char *name; /* of the device, for messages: "usb 1-3.1", "gpiochip0" */
+};
+
+struct sink_kind {
+    const char *name;    /* as --to takes it */
+    const char *summary; /* one line for the help */
+    const struct argp
+        *options; /* its own options, a child of the stream's argp; parsed into the sink's file. Or NULL */
+    /* Ends the program through fail() with one line where it cannot. Returns NULL only where interrupted. */
+    struct sink *(*open)(const struct sink_wish *wish);
+    /* Bytes of a box in the sink's own form, and the box's pixels in it. NULL: rows as the library wrote them, packed. */
+    size_t (*box_bytes)(const struct sink *sink, const struct glint_box *box);
+    void (*pack)(const struct sink *sink, const struct frame *frame, const struct glint_box *box, uint8_t *out);
+    /* The pieces of one frame, in order; their data stays until the next send or close. Returns when they are sent or safely
+     * under way. */
+    enum sink_result (*send)(struct sink *sink, const struct frame *frame, const struct piece *pieces, size_t count);
+    /* Waits for what is under way, leaves the device in a defined state, frees. Also called when interrupted or failing:
+     * must not fail() itself, only warn(). */
+    void (*close)(struct sink *sink);
+    /* The devices there are, as a JSON array of objects, and the same as text (glint list). NULL: nothing to list. */
+    json_t *(*list)(void);
+    void (*list_print)(const json_t *devices, FILE *stream);
+    /* The library behind it and its version, malloc'd, for --version. NULL: none. */
+    char *(*library)(void);
+};
+
+extern const struct sink_kind sink_panel, sink_png, sink_ppm, sink_raw, sink_terminal, sink_usb, sink_gpio, sink_spi;
+/* Those compiled in, the default first; ends with NULL (sinks.c). */
+extern const struct sink_kind *const sink_kinds[];
+
+/* Has a signal asked the stream to end? For loops that wait. (stream.c) */
+bool stream_stopped(void);
+
+#endif
