@@ -112,6 +112,8 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         return 0;
     case ARGP_KEY_END:
         check_size(state, search);
+        if (settings->first_only && settings->coefficients)
+            refuse(state, "--coefficients: stage 1 has all coefficients 1; leave it out, or ask for --stage 2");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

@@ -216,6 +216,7 @@ static void options_that_cannot_be_are_refused_by_name(void **state)
     assert_refused("$GLINT search --shininess 0", "--shininess");
     assert_refused("$GLINT search --best 0", "--best");
     assert_refused("$GLINT search --stage 3", "--stage");
+    assert_refused("$GLINT search --stage 1 --coefficients 1:3", "--coefficients");
     assert_refused("$GLINT search --angles 90001", "at most 20000000");
     assert_refused("$GLINT search --exponents -3:3:0.001", "at most 1000");
     assert_refused("$GLINT search 5", "'5'");
