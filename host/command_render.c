@@ -1,39 +1,10 @@
 /* SPDX-License-Identifier: MIT
  * glint render: options, and the way from files to a picture. */
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "compare.h"
 #include "host.h"
 #include "render_options.h"
-
-static struct scene *scene_of_render_options(const struct render_options *options)
-{
-    struct scene *scene = scene_of_options(&options->scene);
-    if (options->has_color) {
-        free(scene->albedo);
-        scene->albedo = NULL;
-    }
-    return scene;
-}
-
-/* What the user did not say, from what suits the scene. */
-static struct shading shading_of(const struct render_options *options, const struct scene *scene)
-{
-    struct shading shading = options->shading;
-    if (!shading.n)
-        shading.n = scene->finish.n;
-    for (unsigned k = 0; k < 3; k++) {
-        if (isnan(shading.ambient[k]))
-            shading.ambient[k] = scene->finish.ambient[k];
-        if (isnan(shading.diffuse[k]))
-            shading.diffuse[k] = scene->finish.diffuse[k];
-        if (isnan(shading.specular[k]))
-            shading.specular[k] = scene->finish.specular[k];
-    }
-    return shading;
-}
 
 static void report(const struct render_options *options, const struct scene *scene, const struct shading *shading,
                    const struct levels *levels, struct output *error_map_output)
@@ -68,8 +39,10 @@ int command_render(int argc, char **argv)
 {
     struct render_options options;
     render_options_parse(&options, argc, argv);
-    struct scene *scene = scene_of_render_options(&options);
-    const struct shading shading = shading_of(&options, scene);
+    struct scene_maps *maps = scene_maps_read(&options.look.scene);
+    struct scene *scene = scene_of_shading_options(&options.look, maps, 0, 0);
+    scene_maps_free(maps);
+    const struct shading shading = shading_of_options(&options.look, options.look.shading.format, scene);
     struct levels *levels = shade_scene(scene, &shading);
     /* Both are there in full before one gets its name. */
     struct output *output = options.output ? output_open(options.output) : NULL;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
- * --light, --point and --spot of `glint render`. */
+ * --light, --point and --spot of the commands that draw. */
 #include <math.h>
 #include <string.h>
 
 #include "host.h"
-#include "render_options.h"
+#include "shading_options.h"
 
 static const double farthest = GLINT_LAMP_FAR / 16., widest = 1e6; /* pixels; the parts of a direction */
 enum { BRIGHTEST = GLINT_LAMP_COLOR_MAX / 65536 };

@@ -21,6 +21,18 @@ static const struct path {
              {SMALL, RECT, GLINT_NORMALS_INT16},  {SMALL, RECT, GLINT_NORMALS_INT10},
              {SMALL, RECT, GLINT_NORMALS_INT8},   {SMALL, SPAN, GLINT_NORMALS_INT16}};
 
+/* A path made ready for a scene: what does not change when the light moves. */
+struct way {
+    const struct path *path;
+    struct scene scene;         /* its mask holds what this path draws */
+    struct glint_shader shader; /* but for the light */
+    const struct glint_vec *normals;
+    bool whole;   /* draws all that is to be drawn */
+    void *packed; /* normals in the path's format; 0: not drawn */
+    struct glint_tables tables;
+    uint32_t memory[GLINT_TABLES_COLOUR_BYTES / 4];
+};
+
 enum { SPAN_PIXELS = 16 }; /* a curve is cut into spans of at most so many */
 
 const char *path_refusal(const struct shading *shading)
@@ -51,10 +63,10 @@ static bool drawn(const struct scene *scene, size_t i)
 }
 
 /* A line as spans between normals that lie at most SPAN_PIXELS apart. */
-static void draw_spans(const struct scene *scene, const struct glint_shader *shader, const struct glint_tables *tables,
-                       const struct glint_vec *normals, uint32_t y, const struct glint_surface *line,
-                       ptrdiff_t pixel_bytes)
+static enum glint_err draw_spans(const struct way *way, const struct glint_shader *shader, uint32_t y,
+                                 const struct glint_surface *line, ptrdiff_t pixel_bytes)
 {
+    const struct scene *scene = &way->scene;
     const size_t start = (size_t)y * scene->width;
     for (uint32_t x = 0, end; x < scene->width; x = end) {
         end = x + 1;
@@ -66,36 +78,34 @@ static void draw_spans(const struct scene *scene, const struct glint_shader *sha
         struct glint_surface at = *line;
         at.pixels = (uint8_t *)line->pixels + pixel_bytes * (ptrdiff_t)x;
         at.x = (uint16_t)(at.x + x);
-        enum glint_err error =
-            glint_span_init(&span, &shader->light, &normals[start + x], &normals[start + end - 1], (uint16_t)(end - x));
+        enum glint_err error = glint_span_init(&span, &shader->light, &way->normals[start + x],
+                                               &way->normals[start + end - 1], (uint16_t)(end - x));
         if (error == GLINT_OK)
-            error = tables ? glint_tables_span(tables, &span, &at) : glint_shade_span(shader, &span, &at, NULL);
+            error = way->path->by == EXACT ? glint_shade_span(shader, &span, &at, NULL)
+                                           : glint_tables_span(&way->tables, &span, &at);
         if (error != GLINT_OK)
-            fail("the library refused a span (error %d)", error);
+            return error;
     }
+    return GLINT_OK;
 }
 
-static void draw_packed(const struct scene *scene, const struct glint_tables *tables,
-                        const struct glint_tables_light *light, enum glint_normals format,
-                        const struct glint_vec *normals, const struct glint_surface *surface)
+static size_t normal_bytes(const struct path *path)
 {
-    const size_t pixels = (size_t)scene->width * scene->height;
-    const bool words = format != GLINT_NORMALS_INT16;
-    const size_t size = words ? sizeof(uint32_t) : sizeof(struct glint_vec);
-    void *held = allocate(pixels, size); /* 0: no surface */
+    return path->normals == GLINT_NORMALS_INT16 ? sizeof(struct glint_vec) : sizeof(uint32_t);
+}
+
+static void pack(struct way *way)
+{
+    const size_t pixels = (size_t)way->scene.width * way->scene.height;
+    way->packed = allocate(pixels, normal_bytes(way->path)); /* 0: no surface */
     for (size_t i = 0; i < pixels; i++) {
-        if (!drawn(scene, i))
+        if (!drawn(&way->scene, i))
             continue;
-        if (words)
-            ((uint32_t *)held)[i] = glint_normals_pack(format, &normals[i]);
+        if (way->path->normals == GLINT_NORMALS_INT16)
+            ((struct glint_vec *)way->packed)[i] = way->normals[i];
         else
-            ((struct glint_vec *)held)[i] = normals[i];
+            ((uint32_t *)way->packed)[i] = glint_normals_pack(way->path->normals, &way->normals[i]);
     }
-    const enum glint_err error = glint_tables_rect(tables, light, format, held, (ptrdiff_t)(size * scene->width),
-                                                   (uint16_t)scene->width, (uint16_t)scene->height, surface);
-    if (error != GLINT_OK)
-        fail("the library refused the rectangle (error %d)", error);
-    free(held);
 }
 
 /* Tables hold one colour and full gloss: the first there is. Everything else stays with the exact path, and masks here
@@ -118,40 +128,69 @@ static size_t choose(const struct scene *scene, struct glint_shader *shader, uin
     return count;
 }
 
-void path_draw(const struct scene *scene, const struct shading *shading, const struct glint_shader *shader,
-               const struct glint_vec *normals, const struct glint_surface *surface)
+struct way *way_new(const struct scene *scene, const struct shading *shading, const struct glint_shader *shader,
+                    const struct glint_vec *normals)
 {
-    static uint32_t memory[GLINT_TABLES_COLOUR_BYTES / 4];
-    static const ptrdiff_t sizes[] = {2, 2, 3, 1, 0}; /* of a pixel, by format; mono's spans start anywhere */
-    const struct path *path = &paths[shading->path];
-    struct glint_tables tables;
-    struct glint_tables_light light;
+    struct way *way = allocate(1, sizeof *way);
+    way->path = &paths[shading->path];
+    way->scene = *scene;
+    way->shader = *shader;
+    way->normals = normals;
     const size_t pixels = (size_t)scene->width * scene->height;
-    struct glint_shader plain = *shader;
-    struct scene part = *scene; /* as the tables see it */
-    part.mask = allocate(pixels, 1);
-    const size_t chosen = choose(scene, &plain, part.mask);
-    if (chosen < pixels)
+    way->scene.mask = allocate(pixels, 1);
+    const size_t chosen = choose(scene, &way->shader, way->scene.mask);
+    size_t wanted = 0;
+    for (size_t i = 0; i < pixels; i++)
+        wanted += drawn(scene, i);
+    way->whole = chosen == wanted;
+    if (!way->whole)
         warn("--path %s: draws one colour at full gloss, %zu of %zu pixels; the exact path drew the rest",
-             path_names[shading->path], chosen, pixels);
-    shader = &plain;
-    scene = &part;
-    if (path->by != EXACT) {
-        const enum glint_tables_kind kind = path->by == COLOUR ? GLINT_TABLES_COLOUR : GLINT_TABLES_SMALL;
-        if (glint_tables_fill(&tables, kind, shader, memory, sizeof memory) != GLINT_OK ||
-            glint_tables_light(&light, &tables, &shader->light) != GLINT_OK)
-            fail("--path %s: the library refused the tables", path_names[shading->path]);
-    }
-    if (path->unit == RECT) {
-        draw_packed(scene, &tables, &light, path->normals, normals, surface);
-        free(part.mask);
+             path_names[shading->path], chosen, wanted);
+    const enum glint_tables_kind kind = way->path->by == COLOUR ? GLINT_TABLES_COLOUR : GLINT_TABLES_SMALL;
+    if (way->path->by != EXACT &&
+        glint_tables_fill(&way->tables, kind, &way->shader, way->memory, sizeof way->memory) != GLINT_OK)
+        fail("--path %s: the library refused the tables", path_names[shading->path]);
+    if (way->path->unit == RECT)
+        pack(way);
+    return way;
+}
+
+void way_free(struct way *way)
+{
+    if (!way)
         return;
+    free(way->scene.mask);
+    free(way->packed);
+    free(way);
+}
+
+bool way_is_whole(const struct way *way)
+{
+    return way->whole;
+}
+
+enum glint_err way_draw(const struct way *way, const struct glint_light *light, uint32_t y, uint32_t lines,
+                        const struct glint_surface *surface)
+{
+    static const ptrdiff_t sizes[] = {2, 2, 3, 1, 0}; /* of a pixel, by format; mono's spans start anywhere */
+    struct glint_tables_light tables_light;
+    enum glint_err error = GLINT_OK;
+    if (way->path->by != EXACT)
+        error = glint_tables_light(&tables_light, &way->tables, light);
+    if (way->path->unit == RECT) {
+        const size_t stride = normal_bytes(way->path) * way->scene.width;
+        return error ? error
+                     : glint_tables_rect(&way->tables, &tables_light, way->path->normals,
+                                         (const uint8_t *)way->packed + y * stride, (ptrdiff_t)stride,
+                                         (uint16_t)way->scene.width, (uint16_t)lines, surface);
     }
-    for (uint32_t y = 0; y < scene->height; y++) {
-        struct glint_surface line = *surface;
-        line.pixels = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;
-        line.y = (uint16_t)(surface->y + y);
-        draw_spans(scene, shader, path->by == EXACT ? NULL : &tables, normals, y, &line, sizes[shading->format]);
+    struct glint_shader shader = way->shader;
+    shader.light = *light;
+    struct glint_surface line = *surface;
+    for (uint32_t i = 0; i < lines && error == GLINT_OK; i++) {
+        error = draw_spans(way, &shader, y + i, &line, sizes[shader.format]);
+        line.pixels = (uint8_t *)line.pixels + line.stride;
+        line.y++;
     }
-    free(part.mask);
+    return error;
 }

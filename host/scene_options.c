@@ -71,8 +71,6 @@ static void check(const struct argp_state *state, struct scene_options *o)
         refuse(state, "--flip-y is for --normals only");
     if (isnan(o->scale))
         o->scale = 8;
-    if (o->scene && !o->width)
-        o->width = o->height = SCENE_SIDE;
 }
 
 static error_t parse_option(int key, char *text, struct argp_state *state)
@@ -131,26 +129,55 @@ static void check_same_size(const struct image *map, const struct scene *scene, 
              what, scene->width, scene->height);
 }
 
-static struct scene *scene_of_heights(const struct scene_options *options)
+/* The picture that holds the surface, and those that go with it; NULL where there is none. */
+struct scene_maps {
+    struct scene_options options;
+    struct image *surface, *albedo, *gloss, *mask;
+};
+
+struct scene_maps *scene_maps_read(const struct scene_options *options)
 {
-    struct image *map = image_read(options->heights);
-    if (!image_is_grey(map))
-        warn("%s: is in colour; its brightness is taken as the height", map->name);
-    const bool repeats = options->width > map->width || options->height > map->height;
-    struct scene *scene = scene_from_heights(map, options->scale, options->wraps || repeats);
-    image_free(map);
-    return scene;
+    struct scene_maps *maps = allocate(1, sizeof *maps);
+    *maps = (struct scene_maps){*options, read_map(options->heights ? options->heights : options->normals),
+                                read_map(options->albedo), read_map(options->gloss), read_map(options->mask)};
+    return maps;
 }
 
-static struct scene *scene_of_normals(const struct scene_options *options, const struct image *mask)
+void scene_maps_free(struct scene_maps *maps)
 {
-    struct image *map = image_read(options->normals);
+    image_free(maps->surface);
+    image_free(maps->albedo);
+    image_free(maps->gloss);
+    image_free(maps->mask);
+    free(maps);
+}
+
+void scene_maps_size(const struct scene_maps *maps, uint32_t *width, uint32_t *height)
+{
+    *width = *height = 0;
+    if (maps->surface) {
+        *width = maps->surface->width;
+        *height = maps->surface->height;
+    }
+}
+
+static struct scene *scene_of_heights(const struct scene_maps *maps, uint32_t width, uint32_t height)
+{
+    const struct image *map = maps->surface;
+    if (!image_is_grey(map))
+        warn("%s: is in colour; its brightness is taken as the height", map->name);
+    const bool repeats = width > map->width || height > map->height;
+    return scene_from_heights(map, maps->options.scale, maps->options.wraps || repeats);
+}
+
+static struct scene *scene_of_normals(const struct scene_maps *maps)
+{
+    const struct image *map = maps->surface, *mask = maps->mask;
     uint8_t *drawn = NULL;
     if (mask && mask->width == map->width && mask->height == map->height)
         drawn = image_grey8(mask);
-    struct scene *scene = scene_from_normals(map, options->flip_y, drawn);
+    struct scene *scene = scene_from_normals(map, maps->options.flip_y, drawn);
     free(drawn);
-    image_free(map);
     return scene;
 }
 
@@ -160,38 +187,46 @@ static void replace(uint8_t **map, uint8_t *by)
     *map = by;
 }
 
-struct scene *scene_of_options(const struct scene_options *options)
+struct scene *scene_of_maps(const struct scene_maps *maps, uint32_t width, uint32_t height)
 {
-    struct image *mask = read_map(options->mask);
+    const struct scene_options *options = &maps->options;
+    if (!width) {
+        width = options->width;
+        height = options->height;
+    }
     struct scene *scene;
     const char *what;
     if (options->heights) {
-        scene = scene_of_heights(options);
+        scene = scene_of_heights(maps, width, height);
         what = "the height map";
     } else if (options->normals) {
-        scene = scene_of_normals(options, mask);
+        scene = scene_of_normals(maps);
         what = "the normal map";
     } else {
-        scene = scene_draw(options->scene, options->width, options->height);
+        scene = scene_draw(options->scene, width ? width : SCENE_SIDE, width ? height : SCENE_SIDE);
         what = "the scene (see --size)";
     }
-    struct image *albedo = read_map(options->albedo), *gloss = read_map(options->gloss);
-    if (albedo) {
-        check_same_size(albedo, scene, what);
-        replace(&scene->albedo, image_rgb8(albedo));
+    if (maps->albedo) {
+        check_same_size(maps->albedo, scene, what);
+        replace(&scene->albedo, image_rgb8(maps->albedo));
     }
-    if (gloss) {
-        check_same_size(gloss, scene, what);
-        replace(&scene->gloss, image_grey8(gloss));
+    if (maps->gloss) {
+        check_same_size(maps->gloss, scene, what);
+        replace(&scene->gloss, image_grey8(maps->gloss));
     }
-    if (mask) {
-        check_same_size(mask, scene, what);
-        replace(&scene->mask, image_grey8(mask));
+    if (maps->mask) {
+        check_same_size(maps->mask, scene, what);
+        replace(&scene->mask, image_grey8(maps->mask));
     }
-    image_free(albedo);
-    image_free(gloss);
-    image_free(mask);
-    if (options->width && (options->width != scene->width || options->height != scene->height))
-        scene_repeat(scene, options->width, options->height);
+    if (width && (width != scene->width || height != scene->height))
+        scene_repeat(scene, width, height);
+    return scene;
+}
+
+struct scene *scene_of_options(const struct scene_options *options)
+{
+    struct scene_maps *maps = scene_maps_read(options);
+    struct scene *scene = scene_of_maps(maps, 0, 0);
+    scene_maps_free(maps);
     return scene;
 }

@@ -103,7 +103,7 @@ static struct glint_shader shader_of(const struct shading *shading, struct glint
     return shader;
 }
 
-static size_t line_bytes(enum glint_format format, size_t width)
+size_t format_line_bytes(enum glint_format format, size_t width)
 {
     switch (format) {
     case GLINT_RGB565:
@@ -145,47 +145,109 @@ static void unpack(const uint8_t *line, enum glint_format format, size_t x, uint
     }
 }
 
-static void draw_exact(const struct scene *scene, const struct shading *shading, const struct glint_shader *shader,
-                       const struct glint_lamp *lamps, const struct glint_vec *normals,
-                       const struct glint_surface *surface)
+/* ---- drawing again and again ---- */
+
+struct canvas {
+    const struct scene *scene;
+    struct glint_vec *normals;
+    struct way *way; /* NULL: the exact rectangle */
+};
+
+struct canvas *canvas_new(const struct scene *scene, const struct shading *shading)
 {
-    const size_t width = scene->width;
-    const struct glint_source source = {.normals = normals,
-                                        .normals_stride = (ptrdiff_t)(width * sizeof *normals),
-                                        .albedo = scene->albedo,
+    struct glint_lamp lamps[GLINT_LAMPS_MAX];
+    struct canvas *canvas = allocate(1, sizeof *canvas);
+    canvas->scene = scene;
+    canvas->normals = scene_normals_q15(scene);
+    if (shading->path) {
+        const struct glint_shader shader = shader_of(shading, lamps);
+        canvas->way = way_new(scene, shading, &shader, canvas->normals);
+    }
+    return canvas;
+}
+
+void canvas_free(struct canvas *canvas)
+{
+    if (!canvas)
+        return;
+    way_free(canvas->way);
+    free(canvas->normals);
+    free(canvas);
+}
+
+/* Some lines, for a thread. */
+static enum glint_err draw_lines(const struct canvas *canvas, const struct shading *shading,
+                                 const struct glint_shader *shader, const struct glint_lamp *lamps, uint32_t y,
+                                 uint32_t lines, uint8_t *pixels)
+{
+    const struct scene *scene = canvas->scene;
+    const size_t width = scene->width, first = y * width, bytes = format_line_bytes(shading->format, width);
+    const struct glint_source source = {.normals = &canvas->normals[first],
+                                        .normals_stride = (ptrdiff_t)(width * sizeof *canvas->normals),
+                                        .albedo = scene->albedo ? &scene->albedo[3 * first] : NULL,
                                         .albedo_stride = (ptrdiff_t)(3 * width),
-                                        .gloss = scene->gloss,
+                                        .gloss = scene->gloss ? &scene->gloss[first] : NULL,
                                         .gloss_stride = (ptrdiff_t)width,
-                                        .mask = scene->mask,
+                                        .mask = scene->mask ? &scene->mask[first] : NULL,
                                         .mask_stride = (ptrdiff_t)width};
-    const uint16_t w = (uint16_t)width, h = (uint16_t)scene->height;
-    const enum glint_err error = shading_is_plain(shading) ? glint_shade_rect(shader, &source, w, h, surface, NULL)
-                                                           : glint_shade_lights(shader, lamps, shading->lamp_count,
-                                                                                &source, w, h, surface, NULL);
-    if (error != GLINT_OK)
-        fail("the library refused the rectangle (error %d)", error);
+    const struct glint_surface surface = {&pixels[y * bytes], (ptrdiff_t)bytes, 0, (uint16_t)y};
+    const uint16_t w = (uint16_t)width, h = (uint16_t)lines;
+    enum glint_err error = GLINT_OK;
+    if (canvas->way && way_is_whole(canvas->way))
+        ; /* nothing would be left of it */
+    else if (shading_is_plain(shading))
+        error = glint_shade_rect(shader, &source, w, h, &surface, NULL);
+    else
+        error = glint_shade_lights(shader, lamps, shading->lamp_count, &source, w, h, &surface, NULL);
+    if (error == GLINT_OK && canvas->way)
+        error = way_draw(canvas->way, &shader->light, y, lines, &surface);
+    return error;
+}
+
+void canvas_draw(const struct canvas *canvas, const struct shading *shading, uint8_t *pixels)
+{
+    enum { BAND = 8 }; /* lines */
+    struct glint_lamp lamps[GLINT_LAMPS_MAX];
+    const struct glint_shader shader = shader_of(shading, lamps);
+    const uint32_t height = canvas->scene->height;
+    enum glint_err worst = GLINT_OK;
+    sigset_t before;
+    signals_hold(&before); /* the first thread alone takes them, so that they end its waiting */
+#pragma omp parallel for schedule(dynamic) reduction(min : worst)
+    for (uint32_t y = 0; y < height; y += BAND) {
+        const enum glint_err error =
+            draw_lines(canvas, shading, &shader, lamps, y, height - y < BAND ? height - y : BAND, pixels);
+        if (error < worst)
+            worst = error;
+    }
+    signals_release(&before);
+    if (worst != GLINT_OK)
+        fail("the library refused the rectangle (error %d)", worst);
+}
+
+/* ---- pictures ---- */
+
+struct levels *levels_of_pixels(uint32_t width, uint32_t height, enum glint_format format, const uint8_t *pixels)
+{
+    const size_t bytes = format_line_bytes(format, width);
+    struct levels *levels = allocate(1, sizeof *levels);
+    *levels = (struct levels){width, height, format_channels(format), {0}, NULL};
+    for (unsigned k = 0; k < levels->channels; k++)
+        levels->max[k] = format_max(format, k);
+    levels->values = allocate((size_t)width * height, levels->channels);
+    for (size_t i = 0; i < (size_t)width * height; i++)
+        unpack(&pixels[i / width * bytes], format, i % width, &levels->values[i * levels->channels]);
+    return levels;
 }
 
 struct levels *shade_scene(const struct scene *scene, const struct shading *shading)
 {
-    struct glint_lamp lamps[GLINT_LAMPS_MAX];
-    const struct glint_shader shader = shader_of(shading, lamps);
-    const size_t width = scene->width, bytes = line_bytes(shading->format, width);
-    struct glint_vec *normals = scene_normals_q15(scene);
-    uint8_t *pixels = allocate(scene->height, bytes); /* black where a mask leaves it */
-    const struct glint_surface surface = {pixels, (ptrdiff_t)bytes, 0, 0};
-    draw_exact(scene, shading, &shader, lamps, normals, &surface);
-    if (shading->path)
-        path_draw(scene, shading, &shader, normals, &surface);
-    free(normals);
-
-    struct levels *levels = allocate(1, sizeof *levels);
-    *levels = (struct levels){scene->width, scene->height, format_channels(shading->format), {0}, NULL};
-    for (unsigned k = 0; k < levels->channels; k++)
-        levels->max[k] = format_max(shading->format, k);
-    levels->values = allocate(width * scene->height, levels->channels);
-    for (size_t i = 0; i < width * scene->height; i++)
-        unpack(&pixels[i / width * bytes], shading->format, i % width, &levels->values[i * levels->channels]);
+    struct canvas *canvas = canvas_new(scene, shading);
+    uint8_t *pixels =
+        allocate(scene->height, format_line_bytes(shading->format, scene->width)); /* black where a mask leaves it */
+    canvas_draw(canvas, shading, pixels);
+    canvas_free(canvas);
+    struct levels *levels = levels_of_pixels(scene->width, scene->height, shading->format, pixels);
     free(pixels);
     return levels;
 }

@@ -58,14 +58,32 @@ enum glint_err shading_lamp(const struct shading *shading, unsigned i, struct gl
 bool shading_is_plain(const struct shading *shading);
 struct levels *shade_scene(const struct scene *scene, const struct shading *shading);
 
+/* A scene made ready for a material and a format, to be drawn again and again as the light moves. */
+struct canvas;
+struct canvas *canvas_new(const struct scene *scene, const struct shading *shading); /* the scene must outlive it */
+void canvas_free(struct canvas *canvas);
+/* With other lamps than it was made with, perhaps, of the same kinds. On all cores. Lines are packed; what the scene's
+ * mask leaves out is left as it is. */
+void canvas_draw(const struct canvas *canvas, const struct shading *shading, uint8_t *pixels);
+size_t format_line_bytes(enum glint_format format, size_t width);
+/* Pixels as the library wrote them, lines packed. */
+struct levels *levels_of_pixels(uint32_t width, uint32_t height, enum glint_format format, const uint8_t *pixels);
+
 /* ---- ways through the library (paths.c) ---- */
 
 extern const char *const path_names[]; /* by the names --path takes, [0] the exact rectangle; ends with NULL */
 /* Why the path cannot draw so, as the end of "--path NAME ...", or NULL where it can. */
 const char *path_refusal(const struct shading *shading);
-/* By any path but [0], over what the exact one has drawn, which keeps what this path cannot draw; says so. */
-void path_draw(const struct scene *scene, const struct shading *shading, const struct glint_shader *shader,
-               const struct glint_vec *normals, const struct glint_surface *surface);
+/* Any path but [0], over what the exact one has drawn, which keeps what this path cannot draw; says so. Scene and
+ * normals must outlive it. */
+struct way;
+struct way *way_new(const struct scene *scene, const struct shading *shading, const struct glint_shader *shader,
+                    const struct glint_vec *normals);
+void way_free(struct way *way);
+bool way_is_whole(const struct way *way); /* or does it need the exact path below it? */
+/* Some lines from y on; the surface starts at the first of them. */
+enum glint_err way_draw(const struct way *way, const struct glint_light *light, uint32_t y, uint32_t lines,
+                        const struct glint_surface *surface);
 
 /* ---- in doubles (reference.c) ---- */
 
