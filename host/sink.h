@@ -30,6 +30,7 @@ struct sink_wish {
     uint16_t width, height;
     int format;                             /* enum glint_format, or -1 */
     uint16_t default_width, default_height; /* the scene's own, for sinks that take any size */
+    const char *output;                     /* -o, for SINK_FILES: NULL, or a name for frame_name() */
 };
 
 /* What sending takes, for choosing the cheapest form. */
@@ -58,9 +59,19 @@ struct sink {
     const char *name; /* of the device, for messages: "usb 1-3.1", "gpiochip0" */
 };
 
+enum sink_nature {
+    SINK_DEVICE, /* somebody looks at it: paced by --fps, until stopped */
+    SINK_PIPE,   /* as fast as it takes them; one turn of the light, unless --frames says more */
+    SINK_FILES   /* likewise, and named by -o */
+};
+
 struct sink_kind {
     const char *name;    /* as --to takes it */
     const char *summary; /* one line for the help */
+    enum sink_nature nature;
+    const char
+        *usual_output; /* SINK_FILES: -o where none is given, and then a name without a number is one picture, the
+                               * last. NULL: -o must be given, with a place for the frame's number */
     const struct argp
         *options; /* its own options, a child of the stream's argp; parsed into the sink's file. Or NULL */
     /* Ends the program through fail() with one line where it cannot. Returns NULL only where interrupted. */
@@ -87,5 +98,13 @@ extern const struct sink_kind *const sink_kinds[];
 
 /* Has a signal asked the stream to end? For loops that wait. (stream.c) */
 bool stream_stopped(void);
+
+/* ---- for sinks that write pictures (frames.c) ---- */
+
+/* The name of frame `index`, malloc'd: `pattern` with the number where it has its %d or %04d. */
+char *frame_name(const char *pattern, unsigned long index);
+/* Is there a place for a number in it? Refuses a pattern that has two, or a % of another kind. */
+bool frame_pattern(const struct argp_state *state, const char *option, const char *pattern);
+struct picture *frame_picture(const struct frame *frame); /* image.h */
 
 #endif
