@@ -19,6 +19,7 @@ static const struct command {
     {"cutoff", command_cutoff, "Print where a highlight falls below 2^-q"},
     {"table", command_table, "Write a material's table as C source or raw"},
     {"bake", command_bake, "Turn normals into what the table loops read, and tell the quality"},
+    {"stream", command_stream, "Shade frame after frame and send what changed to a display, files or a pipe"},
     {"search", command_search, "Search for highlight functions as the paper does"},
     {"paper", command_paper, "Reproduce the paper: table, figures, claims, report"},
 };

@@ -196,6 +196,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     case ARGP_KEY_END:
         if (o->scene.albedo && o->has_color)
             refuse(state, "--albedo and --color exclude each other; give one");
+        o->has_light = o->shading.lamp_count > 0;
         check_lamps(state, &o->shading);
         return 0;
     default:

@@ -11,6 +11,7 @@
 struct shading_options {
     struct scene_options scene;
     bool has_color;         /* instead of an albedo */
+    bool has_light;         /* of any kind; else the usual one */
     bool has_format;        /* else RGB888, or what a device wants */
     struct shading shading; /* with gaps, which shading_of_options fills */
 };

@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: MIT
+ * What the frames of a stream took, and what they would take over USB. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "host.h"
+#include "image.h"
+#include "stream.h"
+
+/* USB at full speed, as seen in the field: bytes a second, and what announcing a rectangle takes. */
+static const double usb_rates[] = {600e3, 1000e3};
+static const double usb_rectangle_s = .4e-3;
+enum { USB_RATES = sizeof usb_rates / sizeof *usb_rates };
+
+struct stream_stats {
+    const char *sink, *device;
+    unsigned pixels;
+    double began, last, shown;
+    unsigned long frames, unchanged;
+    size_t first_bytes; /* of the first frame, which is whole and counts in nothing below unless it is the only one */
+    struct sums {
+        unsigned long frames;
+        double whole_bytes, bytes, worst_bytes, rectangles, worst_rectangles, changed, seconds[USB_RATES],
+            worst_seconds[USB_RATES];
+    } first, rest;
+};
+
+struct stream_stats *stats_new(const struct sink *sink)
+{
+    struct stream_stats *stats = allocate(1, sizeof *stats);
+    stats->sink = sink->kind->name;
+    stats->device = sink->name;
+    stats->pixels = (unsigned)sink->width * sink->height;
+    stats->began = seconds_now();
+    return stats;
+}
+
+void stats_free(struct stream_stats *stats)
+{
+    free(stats);
+}
+
+static void add(struct sums *sums, const struct plan_result *result)
+{
+    sums->frames++;
+    sums->whole_bytes += (double)result->whole_bytes;
+    sums->bytes += (double)result->bytes;
+    sums->worst_bytes = fmax(sums->worst_bytes, (double)result->bytes);
+    sums->rectangles += (double)result->count;
+    sums->worst_rectangles = fmax(sums->worst_rectangles, (double)result->count);
+    sums->changed += (double)result->changed;
+    for (unsigned i = 0; i < USB_RATES; i++) {
+        const double seconds = (double)result->count * usb_rectangle_s + (double)result->bytes / usb_rates[i];
+        sums->seconds[i] += seconds;
+        sums->worst_seconds[i] = fmax(sums->worst_seconds[i], seconds);
+    }
+}
+
+void stats_add(struct stream_stats *stats, const struct plan_result *result)
+{
+    if (!stats->frames++)
+        stats->first_bytes = result->bytes;
+    stats->unchanged += !result->count;
+    add(stats->frames == 1 ? &stats->first : &stats->rest, result);
+    stats->last = seconds_now();
+}
+
+/* From the first frame to the last; 0 where there is one. */
+static double frames_a_second(const struct stream_stats *stats)
+{
+    const double time = stats->last - stats->began;
+    return stats->frames && time > 0 ? (double)stats->frames / time : 0;
+}
+
+static const struct sums *sums_of(const struct stream_stats *stats)
+{
+    return stats->rest.frames ? &stats->rest : &stats->first;
+}
+
+static double mean(double sum, const struct sums *sums)
+{
+    return sums->frames ? sum / (double)sums->frames : 0;
+}
+
+/* Frames a second from seconds a frame; nothing to send is no limit. */
+static double rate(double seconds)
+{
+    return seconds > 0 ? 1 / seconds : INFINITY;
+}
+
+void stats_show(const struct stream_stats *stats)
+{
+    struct stream_stats *shown = (struct stream_stats *)stats;
+    if (stats->last - stats->shown < .2)
+        return;
+    shown->shown = stats->last;
+    const struct sums *sums = sums_of(stats);
+    progress("%s: frame %lu, %.1f a second, %.0f of %.0f bytes each in %.1f rectangles", stats->device, stats->frames,
+             frames_a_second(stats), mean(sums->bytes, sums), mean(sums->whole_bytes, sums),
+             mean(sums->rectangles, sums));
+}
+
+static json_t *to_json(const struct stream_stats *stats)
+{
+    const struct sums *s = sums_of(stats);
+    json_t *predicted = json_array();
+    for (unsigned i = 0; i < USB_RATES; i++) {
+        const double seconds = mean(s->seconds[i], s);
+        json_array_append_new(
+            predicted, json_pack("{s:f, s:f, s:o, s:o}", "bytes_per_s", usb_rates[i], "rectangle_s", usb_rectangle_s,
+                                 "fps_mean", seconds > 0 ? json_real(rate(seconds)) : json_null(), "fps_worst",
+                                 s->worst_seconds[i] > 0 ? json_real(rate(s->worst_seconds[i])) : json_null()));
+    }
+    return json_pack("{s:s, s:s, s:I, s:I, s:f, s:f, s:I, s:{s:f, s:f, s:f}, s:{s:f, s:f}, s:f, s:o}", "sink",
+                     stats->sink, "device", stats->device, "frames", (json_int_t)stats->frames, "frames_unchanged",
+                     (json_int_t)stats->unchanged, "seconds", stats->last - stats->began, "fps", frames_a_second(stats),
+                     "first_frame_bytes", (json_int_t)stats->first_bytes, "frame_bytes", "before_mean",
+                     mean(s->whole_bytes, s), "mean", mean(s->bytes, s), "worst", s->worst_bytes, "rectangles", "mean",
+                     mean(s->rectangles, s), "worst", s->worst_rectangles, "changed_share",
+                     mean(s->changed, s) / stats->pixels, "predicted", predicted);
+}
+
+static void print_text(const struct stream_stats *stats, FILE *stream)
+{
+    const struct sums *s = sums_of(stats);
+    fprintf(stream, "%lu frames to %s in %.2f s, %.1f a second; %lu unchanged, nothing sent\n", stats->frames,
+            stats->device, stats->last - stats->began, frames_a_second(stats), stats->unchanged);
+    fprintf(stream, "the first frame: %zu bytes; then, a frame:\n", stats->first_bytes);
+    fprintf(stream, "  bytes       mean %.0f, worst %.0f, of %.0f\n", mean(s->bytes, s), s->worst_bytes,
+            mean(s->whole_bytes, s));
+    fprintf(stream, "  rectangles  mean %.1f, worst %.0f\n", mean(s->rectangles, s), s->worst_rectangles);
+    fprintf(stream, "  pixels      %.1f %% changed\n", 100 * mean(s->changed, s) / stats->pixels);
+    for (unsigned i = 0; i < USB_RATES; i++)
+        fprintf(stream, "  predicted   %.1f frames/s, worst %.1f, over USB at %.0f KB/s and %.1f ms a rectangle\n",
+                rate(mean(s->seconds[i], s)), rate(s->worst_seconds[i]), usb_rates[i] / 1000, 1000 * usb_rectangle_s);
+}
+
+void stats_print(const struct stream_stats *stats, bool json, FILE *stream)
+{
+    if (json) {
+        json_t *object = to_json(stats);
+        json_dumpf(object, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
+        fputc('\n', stream);
+        json_decref(object);
+    } else {
+        print_text(stats, stream);
+    }
+    if (fflush(stream) != 0 || ferror(stream))
+        fail("standard %s: the figures could not be written", stream == stdout ? "output" : "error");
+}
