@@ -77,7 +77,7 @@ static void check_output(const struct argp_state *state, struct stream_options *
     const bool files = o->kind->nature == SINK_FILES;
     if (o->output && !files)
         refuse(state, "-o: --to %s writes no files; leave it out", o->kind->name);
-    if (o->kind->nature == SINK_PIPE && isatty(STDOUT_FILENO))
+    if (o->kind == &sink_raw && isatty(STDOUT_FILENO))
         refuse(state, "--to %s: standard output is a terminal; pipe or redirect it", o->kind->name);
     if (!o->output)
         o->output = o->kind->usual_output;

@@ -118,7 +118,7 @@ static size_t compress(struct plan *plan, const uint8_t *from, size_t length, ui
     if (length > LZ4_MAX_INPUT_SIZE)
         return 0;
     const int bytes = LZ4_compress_HC_extStateHC(plan->lz4_state, (const char *)from, (char *)to, (int)length,
-                                                 (int)room, LZ4HC_CLEVEL_MAX);
+                                                 (int)room, LZ4HC_CLEVEL_DEFAULT);
     return bytes > 0 ? (size_t)bytes : 0;
 }
 

@@ -92,7 +92,13 @@ struct sink_kind {
     char *(*library)(void);
 };
 
-extern const struct sink_kind sink_panel, sink_png, sink_ppm, sink_raw, sink_terminal, sink_usb, sink_gpio, sink_spi;
+/* USB at full speed, as seen in the field, for predictions: bytes a second, and seconds to announce a rectangle.
+ * (stream_stats.c) */
+enum { USB_RATES = 2 };
+extern const double usb_rates[USB_RATES], usb_rectangle_s;
+
+extern const struct sink_kind sink_none, sink_panel, sink_png, sink_ppm, sink_raw, sink_terminal, sink_usb, sink_gpio,
+    sink_spi;
 /* Those compiled in, the default first; ends with NULL (sinks.c). */
 extern const struct sink_kind *const sink_kinds[];
 

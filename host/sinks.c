@@ -3,8 +3,5 @@
 #include "sink.h"
 
 const struct sink_kind *const sink_kinds[] = {
-    &sink_png,
-    &sink_ppm,
-    &sink_raw,
-    NULL,
+    &sink_png, &sink_ppm, &sink_raw, &sink_none, NULL,
 };

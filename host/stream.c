@@ -207,7 +207,7 @@ int stream_run(const struct stream_options *options)
     if (start(&stream)) {
         run(&stream);
         close_sink();
-        const bool data = options->kind->nature == SINK_PIPE;
+        const bool data = options->kind == &sink_raw;
         if (options->stats || options->json)
             stats_print(stream.stats, options->json, data ? stderr : stdout);
     }

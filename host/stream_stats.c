@@ -7,10 +7,7 @@
 #include "image.h"
 #include "stream.h"
 
-/* USB at full speed, as seen in the field: bytes a second, and what announcing a rectangle takes. */
-static const double usb_rates[] = {600e3, 1000e3};
-static const double usb_rectangle_s = .4e-3;
-enum { USB_RATES = sizeof usb_rates / sizeof *usb_rates };
+const double usb_rates[USB_RATES] = {600e3, 1000e3}, usb_rectangle_s = .4e-3;
 
 struct stream_stats {
     const char *sink, *device;
