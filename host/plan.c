@@ -29,7 +29,8 @@ struct plan {
     struct draft drafts[DRAFTS];
     unsigned sending, best;
     struct boxes boxes;
-    uint8_t *packed; /* a piece before compression */
+    struct density *density; /* NULL: no LZ4 */
+    uint8_t *packed;         /* a piece before compression */
     size_t packed_size;
     void *lz4_state;
 };
@@ -45,6 +46,8 @@ struct plan *plan_new(const struct sink *sink)
     plan->changes.width = sink->width;
     plan->changes.height = sink->height;
     plan->changes.marks = allocate((size_t)sink->width * sink->height, 1);
+    if (sink->lz4)
+        plan->density = density_new(sink->width, sink->height);
     plan->lz4_state = allocate((size_t)LZ4_sizeofStateHC(), 1);
     plan->best = 1;
     return plan;
@@ -60,6 +63,7 @@ void plan_free(struct plan *plan)
     }
     free(plan->changes.marks);
     free(plan->boxes.list);
+    density_free(plan->density);
     free(plan->packed);
     free(plan->lz4_state);
     free(plan);
@@ -98,6 +102,14 @@ static double price_bytes(const void *context, const struct glint_box *box)
     const struct plan *plan = context;
     const struct glint_box aligned = align(plan, box);
     return (double)box_bytes(plan->sink, &aligned);
+}
+
+/* The same compressed, as far as the whole frame tells. */
+static double price_lz4(const void *context, const struct glint_box *box)
+{
+    const struct plan *plan = context;
+    const struct glint_box aligned = align(plan, box);
+    return fmin(density_bytes(plan->density, &aligned), (double)box_bytes(plan->sink, &aligned));
 }
 
 /* ---- drafts ---- */
@@ -228,23 +240,48 @@ static void find_changes(struct changes *changes, const uint8_t *last, const str
             (struct glint_box){(uint16_t)left, (uint16_t)top, (uint16_t)(right - left), (uint16_t)(bottom - top)};
 }
 
-static bool is_whole(const struct glint_box *box, const struct glint_box *whole)
+/* The data of each piece, now that they stay where they are. */
+static void settle(struct draft *draft)
 {
-    return box->w == whole->w && box->h == whole->h;
+    size_t at = 0;
+    for (size_t i = 0; i < draft->count; i++) {
+        draft->pieces[i].data = &draft->data[at];
+        at += draft->pieces[i].bytes;
+    }
 }
 
+/* Boxes that by their price may beat the best so far. */
+static void try_boxes(struct plan *plan, const struct frame *now, double bytes)
+{
+    const struct sink_cost *cost = &plan->sink->cost;
+    if (plan->boxes.count > 1 && bytes / cost->bytes_per_s < plan->drafts[plan->best].seconds)
+        try(plan, now, plan->boxes.list, plan->boxes.count);
+    plan->boxes.count = 0;
+}
+
+/* One box around all changes, perhaps the whole frame; then the tiles; then the spans, whose price is what they are
+ * without compression. */
 static void choose(struct plan *plan, const struct frame *now, const struct glint_box *whole)
 {
     const struct sink_cost *cost = &plan->sink->cost;
+    const struct changes *changes = &plan->changes;
+    const size_t pixels = (size_t)whole->w * whole->h;
+    struct box_price price = {cost->rectangle_s * cost->bytes_per_s, price_bytes, plan};
     plan->drafts[plan->best].seconds = INFINITY;
-    try(plan, now, whole, 1);
-    if (!is_whole(&plan->changes.bounds, whole))
-        try(plan, now, &plan->changes.bounds, 1);
-    const struct box_price price = {cost->rectangle_s * cost->bytes_per_s, price_bytes, plan};
-    plan->boxes.count = 0;
-    boxes_of_spans(&plan->changes, &price, &plan->boxes);
-    if (plan->boxes.count > 1)
-        try(plan, now, plan->boxes.list, plan->boxes.count);
+    try(plan, now, &changes->bounds, 1);
+    if (changes->count == pixels || cost->bytes_per_s <= 0)
+        return;
+    if (plan->density) {
+        const struct draft *draft = &plan->drafts[plan->best];
+        settle(&plan->drafts[plan->best]);
+        density_measure(plan->density, draft->pieces, draft->count);
+        price.bytes = price_lz4;
+    }
+    try_boxes(plan, now, boxes_of_tiles(changes, &price, plan->align_x, &plan->boxes));
+    price.bytes = price_bytes;
+    if ((double)changes->count / (double)pixels * (double)box_bytes(plan->sink, whole) <
+        plan->drafts[plan->best].seconds * cost->bytes_per_s)
+        try_boxes(plan, now, boxes_of_spans(changes, &price, &plan->boxes));
 }
 
 struct plan_result plan_frame(struct plan *plan, const uint8_t *last, const struct frame *now)
@@ -265,11 +302,7 @@ struct plan_result plan_frame(struct plan *plan, const uint8_t *last, const stru
         return result;
     }
     struct draft *draft = &plan->drafts[plan->best];
-    size_t at = 0;
-    for (size_t i = 0; i < draft->count; i++) {
-        draft->pieces[i].data = &draft->data[at];
-        at += draft->pieces[i].bytes;
-    }
+    settle(draft);
     result.pieces = draft->pieces;
     result.count = draft->count;
     result.bytes = draft->bytes;

@@ -16,7 +16,7 @@ void boxes_add(struct boxes *boxes, struct glint_box box)
     boxes->list[boxes->count++] = box;
 }
 
-static struct glint_box join(const struct glint_box *a, const struct glint_box *b)
+struct glint_box box_join(const struct glint_box *a, const struct glint_box *b)
 {
     const int right = a->x + a->w > b->x + b->w ? a->x + a->w : b->x + b->w;
     const int bottom = a->y + a->h > b->y + b->h ? a->y + a->h : b->y + b->h;
@@ -27,7 +27,7 @@ static struct glint_box join(const struct glint_box *a, const struct glint_box *
 /* What joining two boxes saves; negative where it costs. */
 static double saving(const struct box_price *price, const struct glint_box *a, const struct glint_box *b)
 {
-    const struct glint_box both = join(a, b);
+    const struct glint_box both = box_join(a, b);
     return price->rectangle_bytes + price->bytes(price->context, a) + price->bytes(price->context, b) -
            price->bytes(price->context, &both);
 }
@@ -48,7 +48,7 @@ static void add_spans(const struct changes *changes, const struct box_price *pri
         const struct glint_box span = {(uint16_t)x, y, (uint16_t)(end - x), 1};
         struct glint_box *before = spans->count ? &spans->list[spans->count - 1] : NULL;
         if (before && saving(price, before, &span) >= 0)
-            *before = join(before, &span);
+            *before = box_join(before, &span);
         else
             boxes_add(spans, span);
         x = end;
@@ -56,7 +56,7 @@ static void add_spans(const struct changes *changes, const struct box_price *pri
 }
 
 /* Each span goes to the box that it makes least dearer, among those that reach down to near its line. */
-void boxes_of_spans(const struct changes *changes, const struct box_price *price, struct boxes *boxes)
+double boxes_of_spans(const struct changes *changes, const struct box_price *price, struct boxes *boxes)
 {
     enum { NEAR = 8 }; /* lines */
     struct boxes spans = {0};
@@ -74,7 +74,7 @@ void boxes_of_spans(const struct changes *changes, const struct box_price *price
                 }
             }
             if (best < boxes->count)
-                boxes->list[best] = join(&boxes->list[best], &spans.list[i]);
+                boxes->list[best] = box_join(&boxes->list[best], &spans.list[i]);
             else
                 boxes_add(boxes, spans.list[i]);
         }
@@ -82,4 +82,8 @@ void boxes_of_spans(const struct changes *changes, const struct box_price *price
             open++;
     }
     free(spans.list);
+    double bytes = 0;
+    for (size_t i = 0; i < boxes->count; i++)
+        bytes += price->rectangle_bytes + price->bytes(price->context, &boxes->list[i]);
+    return bytes;
 }
