@@ -60,6 +60,8 @@ enum {
     GUD_CONNECTION_UNKNOWN = 2,
     GUD_STATUS_CHANGED = 1 << 7
 };
+/* Of a connector: u16 property, u64 value each. */
+enum { GUD_BRIGHTNESS = 12 /* of the backlight, 0..100 */ };
 #define GUD_MAGIC ((uint32_t)0x1d50614d)
 #define GUD_MODE_PREFERRED ((uint32_t)1 << 10)
 

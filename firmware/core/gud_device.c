@@ -1,0 +1,414 @@
+/* SPDX-License-Identifier: MIT */
+#include "gud_device.h"
+#include "gud_pixels.h"
+
+enum { NO_MODE_FORMAT = 0, BRIGHTNESS_MOST = 100 };
+
+static uint32_t output_line_bytes(const struct gud_device_config *c)
+{
+    return (c->output == GLINT_RGB888 ? 3u : 2u) * c->width;
+}
+
+static uint32_t widest_line(const struct gud_device_config *c)
+{
+    size_t widest = 0;
+    for (unsigned i = 0; i < c->format_count; i++) {
+        const size_t bytes = gud_line_bytes((enum gud_format)c->formats[i], c->width);
+        if (bytes == 0)
+            return 0;
+        widest = bytes > widest ? bytes : widest;
+    }
+    return (uint32_t)widest;
+}
+
+static bool window_suffices(const struct gud_device_config *c)
+{
+    return !c->window || c->window_bytes >= c->max_buffer || c->window_bytes >= LZ4_BLOCK_REACH;
+}
+
+bool gud_device_init(struct gud_device *d, const struct gud_device_config *c)
+{
+    *d = (struct gud_device){.config = c, .brightness = BRIGHTNESS_MOST};
+    d->lz4.window = c->window;
+    d->lz4.window_bytes = c->window_bytes;
+    if (c->width == 0 || c->height == 0 || c->format_count == 0 || c->format_count > GUD_FORMATS_MAX)
+        return false;
+    if (c->output != GLINT_RGB565 && c->output != GLINT_RGB565_SWAPPED && c->output != GLINT_RGB888)
+        return false;
+    const uint32_t widest = widest_line(c);
+    return widest && c->max_buffer >= widest && c->max_buffer <= INT32_MAX && window_suffices(c) &&
+           c->lines_bytes >= widest + 2 * (size_t)output_line_bytes(c);
+}
+
+/* ---- what the host asks ---- */
+
+static int descriptor(const struct gud_device_config *c, uint8_t *reply)
+{
+    const struct gud_descriptor descriptor = {.flags = c->status_after_set ? GUD_FLAG_STATUS : 0,
+                                              .compression = c->window ? GUD_COMPRESSION_LZ4 : 0,
+                                              .max_buffer = c->max_buffer,
+                                              .min_width = c->width,
+                                              .max_width = c->width,
+                                              .min_height = c->height,
+                                              .max_height = c->height};
+    gud_descriptor_pack(reply, &descriptor);
+    return GUD_DESCRIPTOR_BYTES;
+}
+
+static int mode(const struct gud_device_config *c, uint8_t *reply)
+{
+    /* No blanking: nothing scans these out. */
+    const struct gud_mode mode = {
+        .clock_khz = (uint32_t)c->width * c->height / 100 * c->refresh_hz / 10 + 1,
+        .hdisplay = c->width,
+        .hsync_start = c->width,
+        .hsync_end = c->width,
+        .htotal = c->width,
+        .vdisplay = c->height,
+        .vsync_start = c->height,
+        .vsync_end = c->height,
+        .vtotal = c->height,
+        .flags = GUD_MODE_PREFERRED,
+    };
+    gud_mode_pack(reply, &mode);
+    return GUD_MODE_BYTES;
+}
+
+static int zeros(uint8_t *reply, int count)
+{
+    for (int i = 0; i < count; i++)
+        reply[i] = 0;
+    return count;
+}
+
+static int brightness_property(const struct gud_device *d, uint8_t *reply)
+{
+    if (!d->config->dimmable)
+        return 0;
+    zeros(reply, GUD_PROPERTY_BYTES);
+    reply[0] = GUD_BRIGHTNESS;
+    reply[2] = d->brightness;
+    return GUD_PROPERTY_BYTES;
+}
+
+static int formats(const struct gud_device_config *c, uint8_t *reply)
+{
+    for (unsigned i = 0; i < c->format_count; i++)
+        reply[i] = c->formats[i];
+    return c->format_count;
+}
+
+/* The whole reply's length; GUD_STALL where there is no such request. */
+static int get(const struct gud_device *d, uint8_t request, uint8_t *reply)
+{
+    switch (request) {
+    case GUD_GET_STATUS:
+        reply[0] = d->status;
+        return 1;
+    case GUD_GET_DESCRIPTOR:
+        return descriptor(d->config, reply);
+    case GUD_GET_FORMATS:
+        return formats(d->config, reply);
+    case GUD_GET_PROPERTIES:
+    case GUD_GET_CONNECTOR_EDID:
+        return 0;
+    case GUD_GET_CONNECTORS:
+        return zeros(reply, GUD_CONNECTOR_BYTES); /* one, a panel, without flags */
+    case GUD_GET_CONNECTOR_PROPERTIES:
+        return brightness_property(d, reply);
+    case GUD_GET_CONNECTOR_STATUS:
+        reply[0] = GUD_CONNECTED;
+        return 1;
+    case GUD_GET_CONNECTOR_MODES:
+        return mode(d->config, reply);
+    default:
+        return GUD_STALL;
+    }
+}
+
+static bool is_of_connector(uint8_t request)
+{
+    return request > GUD_GET_CONNECTORS && request <= GUD_GET_CONNECTOR_EDID;
+}
+
+/* GUD_STALL where there is no such request. */
+static int data_bytes(const struct gud_device *d, const struct gud_setup *setup)
+{
+    switch (setup->request) {
+    case GUD_SET_CONNECTOR_FORCE_DETECT:
+    case GUD_SET_STATE_COMMIT:
+        return 0;
+    case GUD_SET_BUFFER:
+        return GUD_RECTANGLE_BYTES;
+    case GUD_SET_STATE_CHECK:
+        return d->config->dimmable && setup->length > GUD_STATE_BYTES ? GUD_DATA_BYTES : GUD_STATE_BYTES;
+    case GUD_SET_CONTROLLER_ENABLE:
+    case GUD_SET_DISPLAY_ENABLE:
+        return 1;
+    default:
+        return GUD_STALL;
+    }
+}
+
+static void close_rectangle(struct gud_device *d)
+{
+    const bool whole = d->lines_left == 0;
+    d->bulk_left = 0;
+    if (!d->open)
+        return;
+    d->open = false;
+    d->config->ops->end(d->config->context, whole);
+}
+
+static int refuse(struct gud_device *d, enum gud_status status)
+{
+    d->status = (uint8_t)status;
+    return GUD_STALL;
+}
+
+int gud_device_setup(struct gud_device *d, const struct gud_setup *setup, uint8_t reply[GUD_REPLY_BYTES])
+{
+    if (setup->index != d->config->interface)
+        return GUD_STALL; /* not to this display: its status stays */
+    const bool in = setup->type == GUD_TYPE_IN;
+    if (!in && setup->type != GUD_TYPE_OUT)
+        return refuse(d, GUD_UNSUPPORTED);
+    if (!in && setup->request == GUD_SET_BUFFER)
+        close_rectangle(d); /* whatever follows is not for the last one */
+    const int length = in ? get(d, setup->request, reply) : data_bytes(d, setup);
+    if (length == GUD_STALL)
+        return refuse(d, GUD_UNSUPPORTED);
+    if (in ? setup->length == 0 : setup->length != length)
+        return refuse(d, GUD_PROTOCOL);
+    if (is_of_connector(setup->request) && setup->value != 0)
+        return refuse(d, GUD_PARAMETER);
+    if (setup->request != GUD_GET_STATUS)
+        d->status = GUD_OK;
+    return length < setup->length ? length : setup->length;
+}
+
+/* ---- what the host sets ---- */
+
+static void update_display(struct gud_device *d)
+{
+    const struct gud_device_config *c = d->config;
+    const bool shown = d->controller && d->display && !d->suspended;
+    const uint8_t brightness = d->committed.format ? d->committed.brightness : d->brightness;
+    if (shown == d->shown && brightness == d->brightness)
+        return;
+    const bool tell = shown || d->shown;
+    d->shown = shown;
+    d->brightness = brightness;
+    if (tell && c->ops->display)
+        c->ops->display(c->context, shown, brightness);
+}
+
+static bool is_offered(const struct gud_device_config *c, uint8_t format)
+{
+    for (unsigned i = 0; i < c->format_count; i++)
+        if (c->formats[i] == format)
+            return true;
+    return false;
+}
+
+static enum gud_status check_state(struct gud_device *d, const uint8_t *data, unsigned bytes)
+{
+    const struct gud_device_config *c = d->config;
+    struct gud_mode mode;
+    gud_mode_unpack(&mode, data);
+    struct gud_device_state state = {data[GUD_MODE_BYTES], d->brightness};
+    const uint8_t connector = data[GUD_MODE_BYTES + 1];
+    d->checked.format = NO_MODE_FORMAT;
+    if (mode.hdisplay != c->width || mode.vdisplay != c->height || connector != 0 || !is_offered(c, state.format))
+        return GUD_PARAMETER;
+    if (bytes > GUD_STATE_BYTES) {
+        const uint8_t *property = data + GUD_STATE_BYTES;
+        for (unsigned i = 3; i < GUD_PROPERTY_BYTES; i++)
+            if (property[i])
+                return GUD_PARAMETER;
+        if (property[0] != GUD_BRIGHTNESS || property[1] || property[2] > BRIGHTNESS_MOST)
+            return GUD_PARAMETER;
+        state.brightness = property[2];
+    }
+    d->checked = state;
+    return GUD_OK;
+}
+
+static enum gud_status commit(struct gud_device *d)
+{
+    if (!d->controller || !d->checked.format)
+        return GUD_PROTOCOL;
+    close_rectangle(d);
+    d->committed = d->checked;
+    update_display(d);
+    return GUD_OK;
+}
+
+static enum gud_status enable(struct gud_device *d, bool *what, uint8_t value)
+{
+    if (value > 1)
+        return GUD_PARAMETER;
+    if (what == &d->display && value && !d->controller)
+        return GUD_PROTOCOL;
+    *what = value;
+    if (!d->controller) {
+        close_rectangle(d);
+        d->display = false;
+    }
+    update_display(d);
+    return GUD_OK;
+}
+
+static bool lies_inside(const struct gud_device_config *c, const struct gud_rectangle *r)
+{
+    return r->width && r->height && r->x < c->width && r->y < c->height && r->width <= c->width - r->x &&
+           r->height <= c->height - r->y;
+}
+
+/* Of a rectangle that lies inside. */
+static bool bytes_are_right(const struct gud_device *d, const struct gud_rectangle *r)
+{
+    const struct gud_device_config *c = d->config;
+    const enum gud_format format = (enum gud_format)d->committed.format;
+    const unsigned in_a_byte = format == GUD_R1 ? 8 : format == GUD_XRGB1111 ? 2 : 1;
+    if (r->x % in_a_byte || r->length > c->max_buffer ||
+        r->length != (uint64_t)gud_line_bytes(format, r->width) * r->height)
+        return false;
+    if (r->compression == 0)
+        return r->compressed_length == 0;
+    /* An LZ4 block of nothing but literals is this long. */
+    return r->compression == GUD_COMPRESSION_LZ4 && c->window && r->compressed_length &&
+           r->compressed_length <= r->length + r->length / 255 + 16;
+}
+
+static enum gud_status open_rectangle(struct gud_device *d, const uint8_t *data)
+{
+    const struct gud_device_config *c = d->config;
+    struct gud_rectangle r;
+    gud_rectangle_unpack(&r, data);
+    if (!d->controller || !d->committed.format)
+        return GUD_PROTOCOL;
+    if (!lies_inside(c, &r) || !bytes_are_right(d, &r))
+        return GUD_PARAMETER;
+    if (c->ops->busy && c->ops->busy(c->context))
+        return GUD_BUSY;
+    d->compressed = r.compression != 0;
+    d->bulk_left = d->compressed ? r.compressed_length : r.length;
+    d->columns = (uint16_t)r.width;
+    d->lines_left = (uint16_t)r.height;
+    d->line_bytes = r.length / r.height;
+    d->line_filled = 0;
+    d->open = true;
+    if (d->compressed)
+        lz4_block_begin(&d->lz4, r.length);
+    c->ops->window(c->context, (uint16_t)r.x, (uint16_t)r.y, d->columns, d->lines_left);
+    return GUD_OK;
+}
+
+bool gud_device_set(struct gud_device *d, const struct gud_setup *setup, const uint8_t *data)
+{
+    enum gud_status status = GUD_OK; /* the connector's detection has nothing to do */
+    switch (setup->request) {
+    case GUD_SET_BUFFER:
+        status = open_rectangle(d, data);
+        break;
+    case GUD_SET_STATE_CHECK:
+        status = check_state(d, data, setup->length);
+        break;
+    case GUD_SET_STATE_COMMIT:
+        status = commit(d);
+        break;
+    case GUD_SET_CONTROLLER_ENABLE:
+        status = enable(d, &d->controller, data[0]);
+        break;
+    case GUD_SET_DISPLAY_ENABLE:
+        status = enable(d, &d->display, data[0]);
+        break;
+    }
+    d->status = (uint8_t)status;
+    return status == GUD_OK;
+}
+
+/* ---- bulk ---- */
+
+static void draw_line(struct gud_device *d, const uint8_t *in)
+{
+    const struct gud_device_config *c = d->config;
+    const uint32_t bytes = output_line_bytes(c);
+    uint8_t *out = c->lines + (d->half ? bytes : 0);
+    d->half = !d->half;
+    gud_pixels_convert(out, (enum glint_format)c->output, in, (enum gud_format)d->committed.format, d->columns);
+    d->lines_left--;
+    c->ops->line(c->context, out, bytes / c->width * d->columns);
+}
+
+/* Uncompressed bytes; never more than the rectangle has: bulk_left and the decoder see to it. */
+static void take(struct gud_device *d, const uint8_t *bytes, size_t count)
+{
+    uint8_t *const gathered = d->config->lines + 2 * (size_t)output_line_bytes(d->config);
+    while (count) {
+        if (d->line_filled == 0 && count >= d->line_bytes) {
+            draw_line(d, bytes);
+            bytes += d->line_bytes;
+            count -= d->line_bytes;
+            continue;
+        }
+        for (; count && d->line_filled < d->line_bytes; count--)
+            gathered[d->line_filled++] = *bytes++;
+        if (d->line_filled == d->line_bytes) {
+            d->line_filled = 0;
+            draw_line(d, gathered);
+        }
+    }
+}
+
+uint32_t gud_device_expects(const struct gud_device *d)
+{
+    return d->bulk_left;
+}
+
+void gud_device_bulk(struct gud_device *d, const uint8_t *bytes, size_t count)
+{
+    if (count > d->bulk_left) {
+        count = d->bulk_left;
+        d->status = GUD_PROTOCOL;
+    }
+    if (count == 0)
+        return;
+    d->bulk_left -= (uint32_t)count;
+    if (d->compressed) {
+        const uint8_t *run, *const end = bytes + count;
+        for (size_t length; (length = lz4_block_next(&d->lz4, &bytes, end, &run)) != 0;)
+            take(d, run, length);
+    } else {
+        take(d, bytes, count);
+    }
+    if (d->bulk_left)
+        return;
+    if (d->compressed && !lz4_block_complete(&d->lz4))
+        d->status = GUD_ERROR;
+    close_rectangle(d);
+}
+
+/* ---- the bus ---- */
+
+void gud_device_reset(struct gud_device *d)
+{
+    close_rectangle(d);
+    d->status = GUD_OK;
+    d->controller = d->display = d->suspended = false;
+    update_display(d);
+    d->checked.format = d->committed.format = NO_MODE_FORMAT;
+}
+
+void gud_device_suspend(struct gud_device *d)
+{
+    d->suspended = true;
+    update_display(d);
+}
+
+void gud_device_resume(struct gud_device *d)
+{
+    d->suspended = false;
+    update_display(d);
+}
