@@ -70,7 +70,10 @@ $(BUILD)/packages:
 		{ echo "make: $(HOST_LIBS) and qoi.h are not all there: run 'make setup' first" >&2; exit 1; }
 	@touch $@
 
-include $(wildcard tests/*/tier.mk) tests/bench/bench.mk tests/bench/host/host.mk
+PORTS = $(patsubst firmware/ports/%/port.mk,%,$(wildcard firmware/ports/*/port.mk))
+firmware: $(if $(PORT),firmware-$(PORT),$(PORTS:%=firmware-%)) ## firmware into build/firmware; PORT=NAME: one port, of firmware/ports
+
+include $(wildcard firmware/ports/*/port.mk) $(wildcard tests/*/tier.mk) tests/bench/bench.mk tests/bench/host/host.mk
 
 setup: ## install what building, the demo and glint paper need (Debian packages, by apt-get)
 	@.ci/need "building, the demo and glint paper" $(BUILD_PACKAGES) chafa gnuplot-nox
@@ -124,5 +127,5 @@ clean: ## remove what was built
 	rm -rf build
 
 always:
-.PHONY: all always setup setup-build test check check-format demo run-demo help clean install uninstall
+.PHONY: all always firmware setup setup-build test check check-format demo run-demo help clean install uninstall
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

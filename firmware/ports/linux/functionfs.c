@@ -1,0 +1,328 @@
+/* SPDX-License-Identifier: MIT
+ * FunctionFS: control requests in this thread, bulk in another, because a read of the endpoint blocks. */
+#include <endian.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/usb/functionfs.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include "gadget.h"
+
+enum {
+    CHUNK_BYTES = 32768, /* of a read; a multiple of every packet size */
+    GRACE_MS = 50,       /* for bulk bytes that are under way when the next request is already there */
+    REPLUG_MS = 1000,    /* how often a controller that went away is looked for */
+    INTERRUPT = SIGUSR2  /* ends a read whose bytes never came */
+};
+
+static const struct usb_function *function;
+static bool verbose;
+static int control, bulk_out;
+
+static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+static pthread_cond_t wanted = PTHREAD_COND_INITIALIZER;   /* the bulk thread waits for work */
+static pthread_cond_t progress = PTHREAD_COND_INITIALIZER; /* the control thread waits for the bulk thread */
+static pthread_t bulk_thread;
+static bool configured, ending, reading;
+static unsigned long reads; /* finished */
+
+/* ---- descriptors ---- */
+
+#define INTERFACE                                                                                                      \
+    {                                                                                                                  \
+        .bLength = sizeof(struct usb_interface_descriptor), .bDescriptorType = USB_DT_INTERFACE, .bNumEndpoints = 1,   \
+        .bInterfaceClass = GUD_INTERFACE_CLASS, .iInterface = 1                                                        \
+    }
+#define BULK_OUT(bytes)                                                                                                \
+    {                                                                                                                  \
+        .bLength = sizeof(struct usb_endpoint_descriptor_no_audio), .bDescriptorType = USB_DT_ENDPOINT,                \
+        .bEndpointAddress = 1 | USB_DIR_OUT, .bmAttributes = USB_ENDPOINT_XFER_BULK, .wMaxPacketSize = htole16(bytes)  \
+    }
+
+struct speed {
+    struct usb_interface_descriptor interface;
+    struct usb_endpoint_descriptor_no_audio out;
+} __attribute__((packed));
+
+static void write_descriptors(void)
+{
+    const struct {
+        struct usb_functionfs_descs_head_v2 head;
+        __le32 full_count, high_count, super_count;
+        struct speed full, high, super;
+        struct usb_ss_ep_comp_descriptor companion;
+    } __attribute__((packed)) descriptors = {
+        .head = {.magic = htole32(FUNCTIONFS_DESCRIPTORS_MAGIC_V2),
+                 .length = htole32(sizeof descriptors),
+                 .flags = htole32(FUNCTIONFS_HAS_FS_DESC | FUNCTIONFS_HAS_HS_DESC | FUNCTIONFS_HAS_SS_DESC)},
+        .full_count = htole32(2),
+        .high_count = htole32(2),
+        .super_count = htole32(3),
+        .full = {INTERFACE, BULK_OUT(64)},
+        .high = {INTERFACE, BULK_OUT(512)},
+        .super = {INTERFACE, BULK_OUT(1024)},
+        .companion = {.bLength = sizeof(struct usb_ss_ep_comp_descriptor), .bDescriptorType = USB_DT_SS_ENDPOINT_COMP}};
+    const struct {
+        struct usb_functionfs_strings_head head;
+        __le16 language;
+        char text[sizeof "display"];
+    } __attribute__((packed)) strings = {.head = {.magic = htole32(FUNCTIONFS_STRINGS_MAGIC),
+                                                  .length = htole32(sizeof strings),
+                                                  .str_count = htole32(1),
+                                                  .lang_count = htole32(1)},
+                                         .language = htole16(0x409),
+                                         .text = "display"};
+    if (write(control, &descriptors, sizeof descriptors) != (ssize_t)sizeof descriptors ||
+        write(control, &strings, sizeof strings) != (ssize_t)sizeof strings)
+        fail("FunctionFS refuses the descriptors: %s", strerror(errno));
+}
+
+/* ---- bulk ---- */
+
+/* Reads end with a short packet or when full: whole packets, so that too long a packet has room, and never more than the
+ * rectangle needs, because no short packet follows one that ends with a full packet. */
+static size_t read_bytes(uint32_t expected)
+{
+    struct usb_endpoint_descriptor endpoint;
+    size_t packet = 64;
+    if (ioctl(bulk_out, FUNCTIONFS_ENDPOINT_DESC, &endpoint) == 0 && le16toh(endpoint.wMaxPacketSize))
+        packet = le16toh(endpoint.wMaxPacketSize);
+    const size_t bytes = (expected + packet - 1) / packet * packet;
+    return bytes < CHUNK_BYTES ? bytes : CHUNK_BYTES;
+}
+
+static void *bulk_loop(void *nothing)
+{
+    static uint8_t chunk[CHUNK_BYTES];
+    pthread_mutex_lock(&lock);
+    while (!ending) {
+        const uint32_t expected = configured ? function->expects(function->context) : 0;
+        if (expected == 0) {
+            pthread_cond_wait(&wanted, &lock);
+            continue;
+        }
+        reading = true;
+        pthread_mutex_unlock(&lock);
+        const ssize_t count = read(bulk_out, chunk, read_bytes(expected));
+        const int error = errno;
+        pthread_mutex_lock(&lock);
+        reading = false;
+        reads++;
+        if (count > 0)
+            function->bulk(function->context, chunk, (size_t)count);
+        else if (count < 0 && error != EINTR)
+            configured = false; /* until the next FUNCTIONFS_ENABLE */
+        pthread_cond_broadcast(&progress);
+    }
+    pthread_mutex_unlock(&lock);
+    return nothing;
+}
+
+static void wait_progress(long ms)
+{
+    struct timespec until;
+    clock_gettime(CLOCK_REALTIME, &until);
+    until.tv_nsec += ms * 1000000;
+    if (until.tv_nsec >= 1000000000) {
+        until.tv_nsec -= 1000000000;
+        until.tv_sec++;
+    }
+    pthread_cond_timedwait(&progress, &lock, &until);
+}
+
+/* A host may ask for the next rectangle as soon as the last byte of this one is with the controller: what is under way
+ * arrives first. */
+static void let_bulk_arrive(void)
+{
+    for (unsigned long before = reads - 1; configured && before != reads && function->expects(function->context);) {
+        before = reads;
+        wait_progress(GRACE_MS);
+    }
+}
+
+/* The lock is held, and is again when this returns. The signal may come before the read has begun, so it comes again. */
+static void stop_reading(void)
+{
+    while (reading) {
+        pthread_kill(bulk_thread, INTERRUPT);
+        wait_progress(1);
+    }
+}
+
+void functionfs_halt(void)
+{
+    if (write(bulk_out, "", 1) >= 0 || errno != EBADMSG) /* the wrong way round is how FunctionFS is told */
+        warn("the endpoint cannot be stalled: %s", strerror(errno));
+}
+
+/* ---- control ---- */
+
+/* I/O in the other direction than the request's is how FunctionFS is told to stall. */
+static void stall(bool in)
+{
+    char none;
+    const ssize_t result = in ? read(control, &none, 0) : write(control, &none, 0);
+    if (result < 0 && errno != EL2HLT && errno != EIDRM)
+        warn("a request cannot be refused: %s", strerror(errno));
+}
+
+static void answer(const struct usb_ctrlrequest *request)
+{
+    const struct gud_setup setup = {.type = request->bRequestType,
+                                    .request = request->bRequest,
+                                    .value = le16toh(request->wValue),
+                                    .index = le16toh(request->wIndex),
+                                    .length = le16toh(request->wLength)};
+    const bool in = setup.type & USB_DIR_IN;
+    uint8_t reply[GUD_REPLY_BYTES], data[GUD_DATA_BYTES];
+    pthread_mutex_lock(&lock);
+    if (!in && setup.request == GUD_SET_BUFFER) {
+        let_bulk_arrive();
+        stop_reading();
+    }
+    const int length = function->setup(function->context, &setup, reply);
+    pthread_mutex_unlock(&lock);
+    if (verbose)
+        fprintf(stderr, "request %02x %02x value %u index %u length %u: %d\n", setup.type, setup.request, setup.value,
+                setup.index, setup.length, length);
+    if (length < 0) {
+        stall(in);
+        return;
+    }
+    if (in) {
+        if (write(control, reply, (size_t)length) < 0 && errno != EIDRM && errno != ESHUTDOWN)
+            warn("request %02x cannot be answered: %s", setup.request, strerror(errno));
+        return;
+    }
+    if (read(control, data, (size_t)length) != length)
+        return; /* the host went on to another request, or away */
+    pthread_mutex_lock(&lock);
+    const bool good = function->set(function->context, &setup, data);
+    pthread_cond_signal(&wanted);
+    pthread_mutex_unlock(&lock);
+    if (verbose && !good)
+        fprintf(stderr, "request %02x: its values are refused\n", setup.request);
+}
+
+static void take_event(const struct usb_functionfs_event *event)
+{
+    static const char *const names[] = {"bound", "unbound", "enabled", "disabled", "", "suspended", "resumed"};
+    if (event->type == FUNCTIONFS_SETUP) {
+        answer(&event->u.setup);
+        return;
+    }
+    if (verbose && event->type <= FUNCTIONFS_RESUME)
+        fprintf(stderr, "%s\n", names[event->type]);
+    pthread_mutex_lock(&lock);
+    switch (event->type) {
+    case FUNCTIONFS_ENABLE:
+    case FUNCTIONFS_DISABLE:
+    case FUNCTIONFS_UNBIND:
+        configured = false;
+        stop_reading();
+        function->event(function->context, USB_RESET);
+        configured = event->type == FUNCTIONFS_ENABLE;
+        pthread_cond_signal(&wanted);
+        break;
+    case FUNCTIONFS_SUSPEND:
+        function->event(function->context, USB_SUSPEND);
+        break;
+    case FUNCTIONFS_RESUME:
+        function->event(function->context, USB_RESUME);
+        break;
+    }
+    pthread_mutex_unlock(&lock);
+}
+
+static void take_events(void)
+{
+    struct usb_functionfs_event events[4];
+    const ssize_t bytes = read(control, events, sizeof events);
+    if (bytes < 0 && errno != EIDRM && errno != EINTR && errno != EAGAIN)
+        fail("FunctionFS: %s", strerror(errno));
+    for (ssize_t i = 0; i < bytes / (ssize_t)sizeof *events; i++)
+        take_event(&events[i]);
+}
+
+/* ---- the whole ---- */
+
+static void ignore(int number)
+{
+    (void)number;
+}
+
+static int hold_signals(void)
+{
+    sigset_t set;
+    sigemptyset(&set);
+    sigaddset(&set, SIGINT);
+    sigaddset(&set, SIGTERM);
+    sigaddset(&set, SIGHUP);
+    sigaddset(&set, SIGUSR1);
+    pthread_sigmask(SIG_BLOCK, &set, NULL);
+    const struct sigaction interrupt = {.sa_handler = ignore}; /* without SA_RESTART */
+    sigaction(INTERRUPT, &interrupt, NULL);
+    return signalfd(-1, &set, SFD_CLOEXEC);
+}
+
+static int open_endpoint(const char *folder, const char *name, int flags)
+{
+    char path[300];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    const int file = open(path, flags | O_CLOEXEC);
+    if (file < 0)
+        fail("%s: %s", path, strerror(errno));
+    return file;
+}
+
+static void serve(int signals, void (*dump)(void *context))
+{
+    struct pollfd files[] = {{.fd = control, .events = POLLIN}, {.fd = signals, .events = POLLIN}};
+    for (;;) {
+        if (poll(files, 2, REPLUG_MS) == 0 && !configfs_is_plugged())
+            configfs_plug();
+        if (files[0].revents & (POLLIN | POLLHUP | POLLERR))
+            take_events();
+        if (files[1].revents & POLLIN) {
+            struct signalfd_siginfo signal;
+            if (read(signals, &signal, sizeof signal) == (ssize_t)sizeof signal && signal.ssi_signo != SIGUSR1)
+                return;
+            pthread_mutex_lock(&lock);
+            let_bulk_arrive();
+            dump(function->context);
+            pthread_mutex_unlock(&lock);
+        }
+    }
+}
+
+void functionfs_run(const char *folder, const struct usb_function *run, bool tell, void (*dump)(void *context))
+{
+    function = run;
+    verbose = tell;
+    const int signals = hold_signals();
+    control = open_endpoint(folder, "ep0", O_RDWR);
+    write_descriptors();
+    bulk_out = open_endpoint(folder, "ep1", O_RDWR);
+    if (pthread_create(&bulk_thread, NULL, bulk_loop, NULL) != 0)
+        fail("no thread for the bulk endpoint: %s", strerror(errno));
+    if (!configfs_plug())
+        fail("%s: does not take the gadget: %s", configfs_udc(), strerror(errno));
+    printf("glint-gadget: on the bus, %s\n", configfs_udc());
+    fflush(stdout);
+    serve(signals, dump);
+    pthread_mutex_lock(&lock);
+    ending = true;
+    stop_reading();
+    pthread_cond_signal(&wanted);
+    pthread_mutex_unlock(&lock);
+    pthread_join(bulk_thread, NULL);
+    configfs_unplug();
+    close(bulk_out);
+    close(control);
+}

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: MIT
+# A Linux board with a USB device controller: glint-gadget. CC may be a cross compiler.
+linux_PACKAGES = gcc libc6-dev libpng-dev pkg-config
+linux_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ifirmware/core -Ifirmware/ports/linux -pthread $(CFLAGS)
+linux_CORE = gud_device gud_pixels gud_protocol lz4_block
+linux_OBJECTS = $(patsubst firmware/ports/linux/%.c,$(linux)/%.o,$(wildcard firmware/ports/linux/*.c)) \
+	$(linux_CORE:%=$(linux)/core/%.o)
+linux = build/firmware/linux
+
+firmware-linux: $(linux)/glint-gadget
+
+$(linux)/glint-gadget: $(linux_OBJECTS)
+	$(CC) $(linux_CFLAGS) $(LDFLAGS) $^ -o $@ -lpng
+
+$(linux)/core/%.o: firmware/core/%.c
+	@mkdir -p $(@D)
+	$(CC) -Ilib $(LIB_CFLAGS) -c $< -o $@
+
+$(linux)/%.o: firmware/ports/linux/%.c
+	@mkdir -p $(@D)
+	$(CC) $(linux_CFLAGS) -c $< -o $@
+
+-include $(wildcard $(linux)/*.d $(linux)/core/*.d)
