@@ -26,7 +26,7 @@ static struct rgb fetch(const uint8_t *in, enum gud_format from, uint32_t x)
     case GUD_R8:
         return grey(in[x]);
     case GUD_XRGB1111: {
-        const unsigned v = in[x / 2] >> (x % 2 ? 0 : 4);
+        const unsigned v = (unsigned)in[x / 2] >> (x % 2 ? 0 : 4);
         return (struct rgb){(uint8_t)((v >> 2 & 1) * 255), (uint8_t)((v >> 1 & 1) * 255), (uint8_t)((v & 1) * 255)};
     }
     case GUD_RGB332:
