@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: MIT */
+/* The lab: what a program does to simulated GPIO lines, recorded by the kernel, and decoded.
+ *
+ * These run inside the guest, in cmocka tests: what cannot be done fails the test. A test makes a chip, starts a capture,
+ * runs the program under test, stops the capture, and has the bytes on the bus and the picture on the screen:
+ *
+ *     struct chip chip;
+ *     struct capture capture;
+ *     struct screen screen;
+ *     chip_create(&chip, "panel", NAMES, COUNT); // chips_remove is the test's teardown
+ *     capture_start(&capture, &chip, 16);
+ *     assert_int_equal(run("glint stream ..."), 0);
+ *     capture_stop(&capture);
+ *     size_t count = decode_spi(&capture, SPI, bytes, ROOM);
+ *     screen_show(&screen, bytes, count);
+ */
+#ifndef LAB_H
+#define LAB_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <sys/types.h>
+
+enum { LAB_LINES_MAX = 32 };
+
+struct chip {
+    char name[32]; /* gpiochipN */
+    char path[64]; /* /dev/gpiochipN */
+    char label[32];
+    const char *const *lines;
+    unsigned count;
+    unsigned base; /* the kernel's number of its first line */
+};
+
+/* A simulated chip of this label, with lines of these names. */
+void chip_create(struct chip *chip, const char *label, const char *const lines[], unsigned count);
+/* Also while a program uses it. */
+void chip_remove(const struct chip *chip);
+/* All that were created; as the teardown of every test it leaves nothing to the next one. */
+int chips_remove(void **state);
+/* The simulated chip of this label, of the device tree. */
+void chip_find(struct chip *chip, const char *label, const char *const lines[], unsigned count);
+/* The line of this name. */
+unsigned chip_line(const struct chip *chip, const char *name);
+
+struct capture {
+    const struct chip *chip;
+    uint8_t *sets; /* in order: the line; bit 7: its value */
+    size_t count;
+    size_t lost; /* that the kernel could not keep */
+};
+
+enum { CAPTURE_HIGH = 0x80, CAPTURE_LINE = 0x7f };
+
+/* Records every value that is set, in a buffer of this size: about 32 bytes for a line that is set. */
+void capture_start(struct capture *capture, const struct chip *chip, unsigned buffer_mib);
+/* Ends it and fails when anything was lost. */
+void capture_stop(struct capture *capture);
+/* Ends it and tells what was lost. */
+void capture_stop_lossy(struct capture *capture);
+void capture_free(struct capture *capture);
+
+/* The lines before the first value that is set: what they are set to first, so that this is not an edge. */
+void capture_levels(const struct capture *capture, bool high[LAB_LINES_MAX]);
+
+/* As a Value Change Dump, one microsecond a change, for sigrok. clock, or NULL, is pulsed once more at the end: decoders that
+ * tell a byte when the next one comes want it. */
+void capture_write_vcd(const struct capture *capture, const char *path, const char *clock);
+
+/* A byte on the bus; bit 8: D/C was high, so it is data. */
+typedef uint16_t bus_byte;
+enum { BUS_DATA = 0x100 };
+
+/* SPI mode 0, most significant bit first, of the lines SCK MOSI CS DC. Fails where chip select ends within a byte or D/C
+ * changes in one. Returns the number of bytes: at most room. */
+size_t decode_spi(const struct capture *capture, bus_byte *bytes, size_t room);
+/* 8080: the lines D0..D7 at the rising edge of WR while CS is low. */
+size_t decode_i80(const struct capture *capture, bus_byte *bytes, size_t room);
+
+/* A MIPI-DCS display as its commands leave it. The picture is as addressed: MADCTL is noted only. */
+struct screen {
+    unsigned width, height;
+    uint16_t *pixels; /* RGB565; set by the test to what it was before */
+    unsigned column_first, column_last, row_first, row_last;
+    bool awake, on;
+    uint8_t madctl, colmod;
+    unsigned writes; /* RAMWR */
+    size_t written;  /* pixels */
+};
+
+void screen_init(struct screen *screen, unsigned width, unsigned height);
+/* Fails for a window that leaves the screen, and for more pixels than the window has. */
+void screen_show(struct screen *screen, const bus_byte *bytes, size_t count);
+void screen_free(struct screen *screen);
+
+/* Runs a shell command; its exit status. */
+int run(const char *format, ...) __attribute__((format(printf, 1, 2)));
+/* Runs a shell command, which has to succeed; what it writes to standard output, to be freed, ends with a NUL. */
+char *run_for_output(size_t *size, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* A program that goes on while the test does something else; it ends with the test at the latest. What it writes to both
+ * outputs is in a file. */
+struct process {
+    pid_t pid;
+    char output[64];
+};
+void process_start(struct process *process, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Fails when it has not written this in ten seconds. */
+void process_wait_for(const struct process *process, const char *text);
+/* Sends a signal, 0: none, and waits; its exit status as run() has it. Fails when it goes on for more than ten seconds. */
+int process_end(struct process *process, int signal);
+
+/* Waits for a file, for ten seconds at most. */
+void wait_for_file(const char *path);
+
+/* Wires the gadget on usbip-vudc.0 to a port of the virtual host controller, as over a network. */
+void usbip_attach(void);
+
+#endif

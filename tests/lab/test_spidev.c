@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: MIT */
+/* spidev to the kernel's own bit-banging SPI controller, whose lines are simulated: guest --spi. */
+#include "unit.h"
+
+#include "known.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/spi/spidev.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+enum { TRANSFER_MAX = 4096 }; /* of spidev's buffer */
+
+static void write_spidev(const uint8_t *bytes, size_t count)
+{
+    const int fd = open("/dev/spidev0.0", O_RDWR);
+    if (fd < 0)
+        fail_msg("/dev/spidev0.0: %s", strerror(errno));
+    assert_int_equal(ioctl(fd, SPI_IOC_WR_MODE, &(uint8_t){SPI_MODE_0}), 0);
+    for (size_t i = 0; i < count; i += TRANSFER_MAX) {
+        const size_t part = count - i < TRANSFER_MAX ? count - i : TRANSFER_MAX;
+        assert_int_equal(write(fd, bytes + i, part), part);
+    }
+    close(fd);
+}
+
+static void what_spidev_is_given_is_on_the_lines(void **state)
+{
+    (void)state;
+    struct chip chip;
+    struct capture capture;
+    size_t count;
+    bus_byte *wanted = known_bytes(64, 48, &count), *found = calloc(count, sizeof *found);
+    uint8_t *bytes = malloc(count);
+    for (size_t i = 0; i < count; i++)
+        bytes[i] = (uint8_t)wanted[i];
+    chip_find(&chip, "lab-spi", SPI_NAMES, SPI_LINES);
+    capture_start(&capture, &chip, 16);
+    write_spidev(bytes, count);
+    capture_stop(&capture);
+    assert_int_equal(decode_spi(&capture, found, count), count);
+    for (size_t i = 0; i < count; i++)
+        assert_int_equal(found[i], bytes[i]);
+    capture_free(&capture);
+    free(bytes);
+    free(found);
+    free(wanted);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_spidev_is_given_is_on_the_lines),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: MIT
+# Tier lab: programs under a Linux kernel of our own, which is an ordinary process on the host's files: simulated GPIO lines
+# and USB. tests/lab/guest runs a command in it; every tests/lab/test_*.c is a cmocka program that runs there, linked with
+# LAB_COMMON; every other tests/lab/test_* is a script that speaks TAP and runs outside.
+LAB_TESTS = $(patsubst tests/lab/test_%.c,$(BUILD)/tests/lab/test_%,$(wildcard tests/lab/test_*.c))
+LAB_SCRIPTS = $(filter-out %.c,$(wildcard tests/lab/test_*))
+LAB_COMMON = $(patsubst %,$(BUILD)/tests/lab/%.o,chip capture bus screen run process usbip known)
+
+$(BUILD)/tests/lab/%.o: tests/lab/%.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(CC) $(LAB_CFLAGS) -c $< -o $@
+
+LAB_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Itests/unit -Itests/lab $(CFLAGS)
+
+$(LAB_TESTS): %: %.o $(LAB_COMMON)
+	$(CC) $(HOST_LDFLAGS) $< $(LAB_COMMON) -o $@ -lcmocka -ltraceevent
+
+# By libgpiod as installed, and by its version 2.
+$(BUILD)/tests/lab/bitbang1: $(patsubst %,$(BUILD)/tests/lab/%.o,bitbang known lines1)
+	$(CC) $(HOST_LDFLAGS) $^ -o $@ -lgpiod
+
+$(BUILD)/tests/lab/bitbang2: $(patsubst %,$(BUILD)/tests/lab/%.o,bitbang known lines2)
+	$(CC) $(HOST_LDFLAGS) $^ -o $@ $$($(LIBGPIOD2) pkg-config --libs libgpiod)
+
+$(BUILD)/tests/lab/lines2.o: tests/lab/lines2.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(CC) $(LAB_CFLAGS) $$($(LIBGPIOD2) pkg-config --cflags libgpiod) -c $< -o $@
+
+LIBGPIOD2 = PKG_CONFIG_PATH="$$(tests/lab/libgpiod2)"
+
+setup-lab: setup-build
+	@.ci/need "tier lab (a Linux kernel to build, its GPIO and USB, sigrok's decoders)" linux-source-6.1 bc bison flex \
+		xz-utils libcmocka-dev libgpiod-dev libtraceevent-dev libusb-1.0-0-dev sigrok-cli
+
+test-lab: ## under a Linux kernel as a process: GPIO lines captured and decoded, also by sigrok; USB
+	@+tests/tier lab "$(SUBMAKE)"
+
+# The guest's first program, and its hardware.
+$(BUILD)/tests/lab/init: tests/lab/init.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(CC) -std=c11 -D_GNU_SOURCE $(WARNINGS) -O2 -static $< -o $@
+
+$(BUILD)/tests/lab/spi.dtb: tests/lab/spi.dts
+	@mkdir -p $(@D)
+	kernel=$$(tests/lab/kernel) && "$$kernel/dtc" -q -O dtb -o $@ $<
+
+lab-programs: $(LAB_TESTS) $(addprefix $(BUILD)/tests/lab/,init spi.dtb bitbang1 bitbang2)
+
+run-lab: lab-programs
+	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) && export LAB_KERNEL LAB_BUILD && tests/tally $(LAB_SCRIPTS) \
+		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang1 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
+		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang2 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
+		"tests/lab/guest --spi $(BUILD)/tests/lab/test_spidev"
+
+.PHONY: setup-lab test-lab run-lab lab-programs
