@@ -5,12 +5,10 @@ struct rgb {
     uint8_t r, g, b;
 };
 
-static uint8_t widened(unsigned value, unsigned bits)
+/* To the nearest of 0..255; `most` is 2^bits - 1. */
+static uint8_t widened(unsigned value, unsigned most)
 {
-    unsigned wide = 0;
-    for (int shift = 8 - (int)bits; shift > -(int)bits; shift -= (int)bits)
-        wide |= shift >= 0 ? value << shift : value >> -shift;
-    return (uint8_t)wide;
+    return (uint8_t)((255 * value + most / 2) / most);
 }
 
 static struct rgb grey(unsigned value)
@@ -27,14 +25,13 @@ static struct rgb fetch(const uint8_t *in, enum gud_format from, uint32_t x)
         return grey(in[x]);
     case GUD_XRGB1111: {
         const unsigned v = (unsigned)in[x / 2] >> (x % 2 ? 0 : 4);
-        return (struct rgb){(uint8_t)((v >> 2 & 1) * 255), (uint8_t)((v >> 1 & 1) * 255), (uint8_t)((v & 1) * 255)};
+        return (struct rgb){widened(v >> 2 & 1, 1), widened(v >> 1 & 1, 1), widened(v & 1, 1)};
     }
     case GUD_RGB332:
-        return (struct rgb){widened(in[x] >> 5, 3), widened(in[x] >> 2 & 7, 3), widened(in[x] & 3, 2)};
+        return (struct rgb){widened(in[x] >> 5u, 7), widened(in[x] >> 2u & 7, 7), widened(in[x] & 3u, 3)};
     case GUD_RGB565: {
         const unsigned v = in[2 * x] | (unsigned)in[2 * x + 1] << 8;
-        return (struct rgb){(uint8_t)(v >> 11 << 3 | v >> 13), (uint8_t)((v >> 5 & 63) << 2 | (v >> 9 & 3)),
-                            (uint8_t)((v & 31) << 3 | (v >> 2 & 7))};
+        return (struct rgb){widened(v >> 11, 31), widened(v >> 5 & 63, 63), widened(v & 31, 31)};
     }
     case GUD_RGB888:
         return (struct rgb){in[3 * x + 2], in[3 * x + 1], in[3 * x]};

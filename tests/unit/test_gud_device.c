@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * The portable GUD device: every request, wrong ones, the order of things, bulk in any pieces, the bus. */
 #include <lz4.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
@@ -545,14 +546,11 @@ static void any_pieces_raw_or_compressed_draw_the_same(void **state)
     }
 }
 
-/* ---- pixels, by another formula than the device's: the bits of a value, repeated ---- */
+/* ---- pixels, by another formula than the device's: in double precision ---- */
 
 static unsigned level(unsigned value, unsigned bits)
 {
-    static const struct {
-        unsigned factor, shift;
-    } repeated[] = {[2] = {0x55, 0}, [3] = {0x49, 1}, [5] = {0x21, 2}, [6] = {0x41, 4}};
-    return value * repeated[bits].factor >> repeated[bits].shift;
+    return (unsigned)lround(value * 255. / ((1 << bits) - 1));
 }
 
 static void rgb_of(unsigned rgb[3], enum gud_format format, const uint8_t *line_bytes, unsigned x)
