@@ -16,7 +16,7 @@
 enum { NAME_ROOM = 512 };
 
 static char gadget[NAME_ROOM / 2], mounted[NAME_ROOM / 2], controller[256], instance[64];
-static bool created;
+static bool created, plugged; /* plugged: as wanted */
 
 static void path_of(char path[NAME_ROOM], const char *entry)
 {
@@ -170,13 +170,19 @@ static void mount_function(const struct options *options)
         fail("%s: cannot be mounted: %s", mounted, strerror(errno));
 }
 
+static bool is_bound(void)
+{
+    char text[NAME_ROOM];
+    return get("UDC", text, sizeof text);
+}
+
 const char *configfs_create(const struct options *options)
 {
     mount_configfs();
     snprintf(gadget, sizeof gadget, GADGETS "/%s", options->name);
     snprintf(instance, sizeof instance, "ffs.%s", options->name);
     snprintf(mounted, sizeof mounted, "/dev/ffs-%s", options->name);
-    if (configfs_is_plugged())
+    if (is_bound())
         fail("%s: in use by another program; end it, or give another --name", gadget);
     find_controller(options->udc);
     take_down(); /* of one that was killed */
@@ -199,18 +205,19 @@ void configfs_remove(void)
 
 bool configfs_plug(void)
 {
+    plugged = true;
     return put("UDC", controller);
 }
 
 bool configfs_unplug(void)
 {
+    plugged = false;
     return put("UDC", "\n");
 }
 
-bool configfs_is_plugged(void)
+bool configfs_is_lost(void)
 {
-    char text[NAME_ROOM];
-    return get("UDC", text, sizeof text);
+    return plugged && !is_bound();
 }
 
 const char *configfs_udc(void)

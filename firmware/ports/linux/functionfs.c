@@ -285,7 +285,7 @@ static void serve(int signals, void (*dump)(void *context))
 {
     struct pollfd files[] = {{.fd = control, .events = POLLIN}, {.fd = signals, .events = POLLIN}};
     for (;;) {
-        if (poll(files, 2, REPLUG_MS) == 0 && !configfs_is_plugged())
+        if (poll(files, 2, REPLUG_MS) == 0 && configfs_is_lost())
             configfs_plug();
         if (files[0].revents & (POLLIN | POLLHUP | POLLERR))
             take_events();

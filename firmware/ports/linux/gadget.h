@@ -58,7 +58,7 @@ void configfs_remove(void);
 /* On the bus and off; false where the controller is not there. */
 bool configfs_plug(void);
 bool configfs_unplug(void);
-bool configfs_is_plugged(void);
+bool configfs_is_lost(void); /* plugged by this program, unbound by another or with its controller */
 const char *configfs_udc(void);
 
 /* ---- FunctionFS (functionfs.c) ---- */

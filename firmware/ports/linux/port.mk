@@ -21,3 +21,11 @@ $(linux)/%.o: firmware/ports/linux/%.c
 	$(CC) $(linux_CFLAGS) -c $< -o $@
 
 -include $(wildcard $(linux)/*.d $(linux)/core/*.d)
+
+# For the lab's tests of hosts: the same, with faults.
+$(linux)/faulty-gadget: $(linux)/faulty_gadget.o $(filter-out %/main.o,$(linux_OBJECTS))
+	$(CC) $(linux_CFLAGS) $(LDFLAGS) $^ -o $@ -lpng
+
+$(linux)/faulty_gadget.o: tests/lab/faulty_gadget.c
+	@mkdir -p $(@D)
+	$(CC) $(linux_CFLAGS) -c $< -o $@
