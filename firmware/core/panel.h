@@ -9,7 +9,35 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum panel_controller { PANEL_ST7789, PANEL_ILI9341 };
+/* Stored as uint8_t. Both have 240 columns and 320 rows of memory, of which a smaller glass shows a part. */
+enum panel_controller { PANEL_ST7789, PANEL_ILI9341, PANEL_CONTROLLERS };
+enum { PANEL_COLUMNS = 240, PANEL_ROWS = 320 };
+
+/* The commands of the MIPI Display Command Set that both know. */
+enum panel_command {
+    PANEL_NOP = 0x00,
+    PANEL_SOFTWARE_RESET = 0x01,
+    PANEL_SLEEP_IN = 0x10,
+    PANEL_SLEEP_OUT = 0x11,
+    PANEL_INVERSION_OFF = 0x20,
+    PANEL_INVERSION_ON = 0x21,
+    PANEL_DISPLAY_OFF = 0x28,
+    PANEL_DISPLAY_ON = 0x29,
+    PANEL_COLUMN_ADDRESS = 0x2a, /* CASET: first and last, 16 bits each, high byte first */
+    PANEL_ROW_ADDRESS = 0x2b,    /* RASET */
+    PANEL_MEMORY_WRITE = 0x2c,   /* RAMWR: from the window's first pixel */
+    PANEL_MADCTL = 0x36,
+    PANEL_PIXEL_FORMAT = 0x3a,   /* COLMOD */
+    PANEL_MEMORY_CONTINUE = 0x3c /* RAMWRC: from where the last write stopped */
+};
+enum {
+    PANEL_MADCTL_MY = 0x80, /* rows from the last */
+    PANEL_MADCTL_MX = 0x40, /* columns from the last */
+    PANEL_MADCTL_MV = 0x20, /* columns and rows exchanged, before MX and MY */
+    PANEL_MADCTL_BGR = 0x08,
+    PANEL_FORMAT_565 = 0x55,
+    PANEL_FORMAT_666 = 0x66 /* after a reset: a byte a channel */
+};
 
 /* What panel.c needs of a board. Functions return false where the bus failed; then the panel call does, too. */
 struct panel_bus {
@@ -25,21 +53,27 @@ struct panel_bus {
 struct panel {
     const struct panel_bus *bus;
     uint8_t controller;          /* enum panel_controller */
-    uint8_t rotation;            /* quarter turns clockwise, 0..3 */
-    uint16_t width, height;      /* as seen, after the rotation */
-    uint16_t x_offset, y_offset; /* where the glass starts in the controller's memory, after the rotation */
-    bool bgr, inverted;          /* how the glass is wired: see panel_defaults */
+    uint8_t rotation;            /* quarter turns of the picture on the glass, clockwise, 0..3 */
+    uint16_t width, height;      /* of the picture, after the rotation */
+    uint16_t x_offset, y_offset; /* where the glass starts in the controller's memory, before the rotation */
+    bool bgr, inverted;          /* how the glass is wired; IPS glass wants inversion */
 };
 
-/* What is usual for a controller: 240x320, its wiring; ST7789 of 240x240 and 135x240 also get their offsets. Returns
- * false where the controller has no such glass. */
+/* Sets all but the bus to what is usual for a glass of this size: ST7789 as 240x320, 240x280, 240x240, 172x320, 170x320 or
+ * 135x240 with its offset, ILI9341 as 240x320. False where no such glass is known (the offset is 0, 0 then). */
 bool panel_defaults(struct panel *panel, enum panel_controller controller, uint8_t rotation, uint16_t width,
                     uint16_t height);
-/* Reset, initialisation, RGB565, display on with a black picture, then the backlight. */
+/* Does the glass lie within the controller's memory, and do the other fields make sense? */
+bool panel_fits(const struct panel *panel);
+
+/* Reset and initialisation, a quarter of a second: awake, RGB565, still dark, since the memory holds noise. */
 bool panel_start(const struct panel *panel);
-/* A window and the command that takes its pixels: width x height RGB565, high byte first, follow by bus->data. */
+/* Display and backlight: on after the first picture. */
+bool panel_show(const struct panel *panel, bool on);
+/* A window and the command that takes its pixels: width x height RGB565, high byte first, follow by bus->data, in as many
+ * calls as you like. False also where the window is empty or not within the picture; nothing is sent then. */
 bool panel_window(const struct panel *panel, uint16_t x, uint16_t y, uint16_t width, uint16_t height);
-/* Ends what may be half-sent, black, backlight off, display off, asleep. */
+/* Dark and asleep, also after pixels that were half sent. panel_start begins anew. */
 bool panel_stop(const struct panel *panel);
 
 #endif

@@ -1,0 +1,191 @@
+/* SPDX-License-Identifier: MIT */
+#include "panel.h"
+
+/* Times from the data sheets of both controllers. */
+enum {
+    RESET_PULSE_MS = 1,   /* at least 10 us */
+    AFTER_RESET_MS = 120, /* 5 where it was asleep before, 120 where it was awake: who knows */
+    AFTER_AWAKE_MS = 120, /* until the supplies stand and the display may be switched on */
+    AFTER_ASLEEP_MS = 5   /* before any other command, or before the power goes */
+};
+
+/* ---- glass ---- */
+
+struct glass {
+    uint8_t controller;
+    uint16_t width, height;
+    uint8_t x_offset, y_offset;
+};
+
+/* The offsets are the modules' wiring, as drivers that are in wide use have them. */
+static const struct glass glasses[] = {
+    {PANEL_ST7789, 240, 320, 0, 0},  {PANEL_ST7789, 240, 280, 0, 20}, {PANEL_ST7789, 240, 240, 0, 0},
+    {PANEL_ST7789, 172, 320, 34, 0}, {PANEL_ST7789, 170, 320, 35, 0}, {PANEL_ST7789, 135, 240, 52, 40},
+    {PANEL_ILI9341, 240, 320, 0, 0},
+};
+
+static uint16_t glass_width(const struct panel *panel)
+{
+    return panel->rotation % 2 ? panel->height : panel->width;
+}
+
+static uint16_t glass_height(const struct panel *panel)
+{
+    return panel->rotation % 2 ? panel->width : panel->height;
+}
+
+bool panel_defaults(struct panel *panel, enum panel_controller controller, uint8_t rotation, uint16_t width,
+                    uint16_t height)
+{
+    panel->controller = (uint8_t)controller;
+    panel->rotation = rotation;
+    panel->width = width;
+    panel->height = height;
+    panel->x_offset = 0;
+    panel->y_offset = 0;
+    panel->bgr = controller == PANEL_ILI9341;     /* its modules are wired blue first */
+    panel->inverted = controller == PANEL_ST7789; /* it comes with IPS glass, the other with TN */
+    for (size_t i = 0; i < sizeof glasses / sizeof *glasses; i++) {
+        const struct glass *glass = &glasses[i];
+        if (glass->controller == controller && glass->width == glass_width(panel) &&
+            glass->height == glass_height(panel)) {
+            panel->x_offset = glass->x_offset;
+            panel->y_offset = glass->y_offset;
+            return panel_fits(panel);
+        }
+    }
+    return false;
+}
+
+bool panel_fits(const struct panel *panel)
+{
+    return panel->controller < PANEL_CONTROLLERS && panel->rotation < 4 && panel->width && panel->height &&
+           (uint32_t)panel->x_offset + glass_width(panel) <= PANEL_COLUMNS &&
+           (uint32_t)panel->y_offset + glass_height(panel) <= PANEL_ROWS;
+}
+
+/* ---- start, show, stop ---- */
+
+static bool send(const struct panel *panel, uint8_t command, const uint8_t *data, size_t count)
+{
+    const struct panel_bus *bus = panel->bus;
+    return bus->command(bus->context, command) && (count == 0 || bus->data(bus->context, data, count));
+}
+
+static bool send_byte(const struct panel *panel, uint8_t command, uint8_t byte)
+{
+    return send(panel, command, &byte, 1);
+}
+
+static void wait_ms(const struct panel *panel, unsigned ms)
+{
+    panel->bus->wait_ms(panel->bus->context, ms);
+}
+
+/* Each: the command, the number of its bytes, the bytes. Ends with 0. The maker's application notes for 2.2 to 2.8 inch
+ * glass, which other drivers send, too; the reset values leave the picture pale. (The ST7789 needs none of this: voltages
+ * and gamma are burnt into it for its glass.) */
+static const uint8_t ili9341_values[] = {
+    0xcf, 3,    0x00, 0xc1, 0x30,             /* power control B: equalising on */
+    0xed, 4,    0x64, 0x03, 0x12, 0x81,       /* power-on sequence: soft start */
+    0xe8, 3,    0x85, 0x00, 0x78,             /* driver timing A */
+    0xea, 2,    0x00, 0x00,                   /* driver timing B */
+    0xcb, 5,    0x39, 0x2c, 0x00, 0x34, 0x02, /* power control A: core 1.6 V, step-up 5.6 V */
+    0xf7, 1,    0x20,                         /* pump: twice VCI */
+    0xc0, 1,    0x23,                         /* power control 1: greys from 4.6 V */
+    0xc1, 1,    0x10,                         /* power control 2: gates at 7 and -4 times VCI */
+    0xc5, 2,    0x3e, 0x28,                   /* common electrode: 4.25 V and -1.5 V ... */
+    0xc7, 1,    0x86,                         /* ... shifted by -58 steps: least flicker */
+    0xb1, 2,    0x00, 0x1b,                   /* 70 frames a second */
+    0xb6, 3,    0x08, 0x82, 0x27,             /* normally white glass, 320 lines */
+    0xf2, 1,    0x00,                         /* gamma: the curve below, not three of them */
+    0xe0, 15,   0x0f, 0x31, 0x2b, 0x0c, 0x0e, 0x08, 0x4e, 0xf1, 0x37, 0x07, 0x10, 0x03, 0x0e, 0x09, 0x00, 0xe1,
+    15,   0x00, 0x0e, 0x14, 0x03, 0x11, 0x07, 0x31, 0xc1, 0x48, 0x08, 0x0f, 0x0c, 0x31, 0x36, 0x0f, 0};
+
+static bool send_values(const struct panel *panel, const uint8_t *at)
+{
+    for (; *at; at += 2 + at[1])
+        if (!send(panel, at[0], at + 2, at[1]))
+            return false;
+    return true;
+}
+
+/* The corner where the picture begins, and the way it runs. */
+static uint8_t madctl(const struct panel *panel)
+{
+    static const uint8_t turns[4] = {0, PANEL_MADCTL_MV | PANEL_MADCTL_MX, PANEL_MADCTL_MX | PANEL_MADCTL_MY,
+                                     PANEL_MADCTL_MV | PANEL_MADCTL_MY};
+    const unsigned mirror = panel->controller == PANEL_ILI9341 ? PANEL_MADCTL_MX : 0; /* its column 0 is at the right */
+    return (uint8_t)((turns[panel->rotation] ^ mirror) | (panel->bgr ? PANEL_MADCTL_BGR : 0));
+}
+
+static bool reset(const struct panel *panel)
+{
+    const struct panel_bus *bus = panel->bus;
+    if (!bus->reset)
+        return send(panel, PANEL_SOFTWARE_RESET, NULL, 0);
+    if (!bus->reset(bus->context, true))
+        return false;
+    wait_ms(panel, RESET_PULSE_MS);
+    return bus->reset(bus->context, false);
+}
+
+static bool backlight(const struct panel *panel, bool on)
+{
+    const struct panel_bus *bus = panel->bus;
+    return !bus->backlight || bus->backlight(bus->context, on);
+}
+
+bool panel_start(const struct panel *panel)
+{
+    if (!panel_fits(panel) || !backlight(panel, false) || !reset(panel))
+        return false;
+    wait_ms(panel, AFTER_RESET_MS);
+    if (panel->controller == PANEL_ILI9341 && !send_values(panel, ili9341_values))
+        return false;
+    if (!send_byte(panel, PANEL_PIXEL_FORMAT, PANEL_FORMAT_565) || !send_byte(panel, PANEL_MADCTL, madctl(panel)) ||
+        !send(panel, panel->inverted ? PANEL_INVERSION_ON : PANEL_INVERSION_OFF, NULL, 0) ||
+        !send(panel, PANEL_SLEEP_OUT, NULL, 0))
+        return false;
+    wait_ms(panel, AFTER_AWAKE_MS);
+    return true;
+}
+
+bool panel_show(const struct panel *panel, bool on)
+{
+    /* The light never shines on a display that is off: that is white on some glass. */
+    if (!on && !backlight(panel, false))
+        return false;
+    return send(panel, on ? PANEL_DISPLAY_ON : PANEL_DISPLAY_OFF, NULL, 0) && (!on || backlight(panel, true));
+}
+
+bool panel_stop(const struct panel *panel)
+{
+    if (!panel_show(panel, false) || !send(panel, PANEL_SLEEP_IN, NULL, 0)) /* any command ends a write */
+        return false;
+    wait_ms(panel, AFTER_ASLEEP_MS);
+    return true;
+}
+
+/* ---- windows ---- */
+
+static bool send_range(const struct panel *panel, uint8_t command, unsigned first, unsigned count)
+{
+    const unsigned last = first + count - 1;
+    const uint8_t bytes[] = {(uint8_t)(first >> 8), (uint8_t)first, (uint8_t)(last >> 8), (uint8_t)last};
+    return send(panel, command, bytes, sizeof bytes);
+}
+
+bool panel_window(const struct panel *panel, uint16_t x, uint16_t y, uint16_t width, uint16_t height)
+{
+    if (width == 0 || height == 0 || x >= panel->width || y >= panel->height || width > panel->width - x ||
+        height > panel->height - y)
+        return false;
+    /* What the memory holds beside the glass, on the side from which the turned picture counts. */
+    const unsigned left = panel->x_offset, top = panel->y_offset;
+    const unsigned right = PANEL_COLUMNS - left - glass_width(panel), bottom = PANEL_ROWS - top - glass_height(panel);
+    const unsigned before_x[4] = {left, top, right, bottom}, before_y[4] = {top, right, bottom, left};
+    return send_range(panel, PANEL_COLUMN_ADDRESS, before_x[panel->rotation] + x, width) &&
+           send_range(panel, PANEL_ROW_ADDRESS, before_y[panel->rotation] + y, height) &&
+           send(panel, PANEL_MEMORY_WRITE, NULL, 0);
+}
