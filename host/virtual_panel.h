@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT
+ * A panel that is not there: it takes a panel's bytes as its controller does, and shows what the glass would. Written
+ * from the controllers' data sheets, not from panel.c, whose work it judges. Any bytes in any order are welcome. */
+#ifndef GLINT_VIRTUAL_PANEL_H
+#define GLINT_VIRTUAL_PANEL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "panel.h"
+
+/* How the glass is wired. Config, set by you. */
+struct virtual_glass {
+    uint16_t width, height; /* as it hangs, unturned */
+    uint16_t x, y;          /* where its top left pixel lies in the memory (mirrored: counted from the last column) */
+    bool mirrored;          /* column 0 of the memory is at the right */
+    bool bgr, inverted;
+};
+
+struct virtual_panel {
+    struct virtual_glass glass;
+    /* State, ours. */
+    uint16_t memory[PANEL_ROWS][PANEL_COLUMNS]; /* RGB565 */
+    uint16_t columns[2], rows[2];               /* the window: first, last */
+    uint16_t column, row;                       /* of the next pixel */
+    uint8_t command;                            /* that the data belong to */
+    uint8_t bytes[4];                           /* of a parameter or pixel that is not whole yet */
+    uint8_t held;                               /* how many */
+    uint8_t madctl, format;
+    bool awake, on, inverted, lit;
+};
+
+/* As after power-on: asleep, off, and noise in the memory. The backlight is lit until told otherwise. The glass must fit
+ * the memory. */
+void virtual_panel_init(struct virtual_panel *panel, const struct virtual_glass *glass);
+void virtual_panel_reset(struct virtual_panel *panel); /* the line, and the command: the memory stays as it is */
+void virtual_panel_command(struct virtual_panel *panel, uint8_t command);
+void virtual_panel_data(struct virtual_panel *panel, const uint8_t *bytes, size_t count);
+
+/* What is to be seen by one who turns the panel back by `rotation` quarter turns, so that a picture turned by as many stands
+ * upright: RGB, width x height, exchanged where the rotation is odd. Black where asleep, off or unlit. */
+void virtual_panel_look(const struct virtual_panel *panel, unsigned rotation, uint8_t *rgb);
+
+/* The glass that a panel's own configuration tells of, and a bus to it. The bus keeps pointing to the panel. */
+struct virtual_glass virtual_glass_of(const struct panel *panel);
+struct panel_bus virtual_panel_bus(struct virtual_panel *panel);
+
+#endif
