@@ -109,11 +109,12 @@ test: ## set up what is missing and run every tier; the last line is the sum
 help: ## this list
 	@sed -n 's/^\([a-z][a-z-]*\):.*## \(.*\)/\1@\2/p' $(MAKEFILE_LIST) | awk -F@ '{printf "  make %-14s %s\n", $$1, $$2}'
 
-install: all ## library, header, command and libglint.pc, to DESTDIR/PREFIX (/usr/local)
-	install -d "$(INSTALL)/lib/pkgconfig" "$(INSTALL)/include" "$(INSTALL)/bin"
+install: all ## library, header, command, libglint.pc and the udev rule, to DESTDIR/PREFIX (/usr/local)
+	install -d "$(INSTALL)/lib/pkgconfig" "$(INSTALL)/lib/udev/rules.d" "$(INSTALL)/include" "$(INSTALL)/bin"
 	install -m 644 $(BUILD)/libglint.a "$(INSTALL)/lib/"
 	install -m 644 lib/glint.h "$(INSTALL)/include/"
 	install -m 755 $(BUILD)/glint "$(INSTALL)/bin/"
+	install -m 644 host/udev/70-glint.rules "$(INSTALL)/lib/udev/rules.d/"
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: libglint' 'Description: Specular shading with integers only' \
 		'Version: $(VERSION)' 'Cflags: -I"$${prefix}/include"' 'Libs: -L"$${prefix}/lib" -lglint' \
 		>"$(INSTALL)/lib/pkgconfig/libglint.pc"
@@ -121,7 +122,7 @@ INSTALL = $(DESTDIR)$(PREFIX)
 
 uninstall: ## remove what make install put there
 	rm -f "$(INSTALL)/lib/libglint.a" "$(INSTALL)/lib/pkgconfig/libglint.pc" "$(INSTALL)/include/glint.h" \
-		"$(INSTALL)/bin/glint"
+		"$(INSTALL)/bin/glint" "$(INSTALL)/lib/udev/rules.d/70-glint.rules"
 
 clean: ## remove what was built
 	rm -rf build
