@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT
- * Frames as files: their names, and their pixels as pictures. */
+ * Frames as files: their names, their pixels as pictures; and bytes to standard output. */
 #include <ctype.h>
+#include <errno.h>
+#include <poll.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "host.h"
 #include "shade.h"
@@ -64,4 +67,21 @@ struct picture *frame_picture(const struct frame *frame)
     struct picture *picture = levels_picture(levels);
     levels_free(levels);
     return picture;
+}
+
+enum sink_result standard_output_write(const void *bytes, size_t count)
+{
+    const uint8_t *from = bytes;
+    for (size_t done = 0; done < count;) {
+        if (stream_stopped())
+            return SINK_INTERRUPTED;
+        const ssize_t written = write(STDOUT_FILENO, from + done, count - done);
+        if (written >= 0)
+            done += (size_t)written;
+        else if (errno == EAGAIN)
+            poll(&(struct pollfd){.fd = STDOUT_FILENO, .events = POLLOUT}, 1, -1);
+        else if (errno != EINTR)
+            fail("standard output: could not be written: %s", strerror(errno));
+    }
+    return SINK_SENT;
 }

@@ -41,6 +41,8 @@ struct picture {
     uint8_t *samples;
 };
 
+uint8_t *picture_rgb(const struct picture *picture); /* grey tripled; malloc'd */
+
 enum image_kind { IMAGE_PNG, IMAGE_PPM, IMAGE_QOI, IMAGE_KINDS };
 
 /* By name ("png") or by a file name's ending, whatever its case; a name without an ending counts as PNG.

@@ -126,18 +126,22 @@ static void write_ppm(const struct picture *picture, struct output *output)
 
 /* ---- QOI ---- */
 
-static void write_qoi(const struct picture *picture, struct output *output)
+uint8_t *picture_rgb(const struct picture *picture)
 {
     const size_t pixels = (size_t)picture->width * picture->height;
-    uint8_t *rgb = NULL;
-    if (picture->channels == 1) {
-        rgb = allocate(pixels, 3);
-        for (size_t i = 0; i < pixels; i++)
-            memset(&rgb[3 * i], picture->samples[i], 3);
-    }
+    uint8_t *rgb = allocate(pixels, 3);
+    for (size_t i = 0; i < pixels; i++)
+        for (unsigned k = 0; k < 3; k++)
+            rgb[3 * i + k] = picture->samples[picture->channels == 3 ? 3 * i + k : i];
+    return rgb;
+}
+
+static void write_qoi(const struct picture *picture, struct output *output)
+{
+    uint8_t *rgb = picture_rgb(picture);
     const qoi_desc description = {picture->width, picture->height, 3, QOI_SRGB};
     int len_bytes;
-    void *bytes = qoi_encode(rgb ? rgb : picture->samples, &description, &len_bytes);
+    void *bytes = qoi_encode(rgb, &description, &len_bytes);
     if (!bytes)
         fail("out of memory");
     put(output, bytes, (size_t)len_bytes);

@@ -2,12 +2,15 @@
  * The `glint` command: picks the subcommand. */
 #include <errno.h>
 #include <fcntl.h>
+#include <lz4.h>
+#include <png.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "host.h"
+#include "sink.h"
 
 static const struct command {
     const char *name;
@@ -20,12 +23,29 @@ static const struct command {
     {"table", command_table, "Write a material's table as C source or raw"},
     {"bake", command_bake, "Turn normals into what the table loops read, and tell the quality"},
     {"stream", command_stream, "Shade frame after frame and send what changed to a display, files or a pipe"},
+    {"list", command_list, "List the displays, chips and ports that frames can be sent to"},
     {"search", command_search, "Search for highlight functions as the paper does"},
     {"paper", command_paper, "Reproduce the paper: table, figures, claims, report"},
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 
-const char *argp_program_version = "glint " GLINT_VERSION_STRING;
+/* The version, and what this build can send frames to, with the libraries behind it. */
+static void print_version(FILE *stream, struct argp_state *state)
+{
+    (void)state;
+    fprintf(stream, "glint %s\nlibpng %s, liblz4 %s, jansson %s\nsinks:", GLINT_VERSION_STRING,
+            png_get_libpng_ver(NULL), LZ4_versionString(), JANSSON_VERSION);
+    for (unsigned i = 0; sink_kinds[i]; i++) {
+        char *library = sink_kinds[i]->library ? sink_kinds[i]->library() : NULL;
+        fprintf(stream, "%s %s", i ? "," : "", sink_kinds[i]->name);
+        if (library)
+            fprintf(stream, " (%s)", library);
+        free(library);
+    }
+    fputc('\n', stream);
+}
+
+void (*argp_program_version_hook)(FILE *, struct argp_state *) = print_version;
 
 static error_t parse_option(int key, char *argument, struct argp_state *state)
 {

@@ -69,6 +69,7 @@ struct sink_kind {
     const char *name;    /* as --to takes it */
     const char *summary; /* one line for the help */
     enum sink_nature nature;
+    bool takes_standard_output; /* so that words go to standard error */
     const char
         *usual_output; /* SINK_FILES: -o where none is given, and then a name without a number is one picture, the
                                * last. NULL: -o must be given, with a place for the frame's number */
@@ -105,12 +106,14 @@ extern const struct sink_kind *const sink_kinds[];
 /* Has a signal asked the stream to end? For loops that wait. (stream.c) */
 bool stream_stopped(void);
 
-/* ---- for sinks that write pictures (frames.c) ---- */
+/* ---- for sinks that write (frames.c) ---- */
 
 /* The name of frame `index`, malloc'd: `pattern` with the number where it has its %d or %04d. */
 char *frame_name(const char *pattern, unsigned long index);
 /* Is there a place for a number in it? Refuses a pattern that has two, or a % of another kind. */
 bool frame_pattern(const struct argp_state *state, const char *option, const char *pattern);
 struct picture *frame_picture(const struct frame *frame); /* image.h */
+/* All of it, or until a signal came; else fail(). */
+enum sink_result standard_output_write(const void *bytes, size_t count);
 
 #endif

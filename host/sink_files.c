@@ -62,7 +62,7 @@ static void close_files(struct sink *sink)
 
 const struct sink_kind sink_png = {
     .name = "png",
-    .summary = "PNG files, one a frame, named by -o frame-%04d.png",
+    .summary = "PNG files, one a frame: -o frame-%04d.png",
     .nature = SINK_FILES,
     .open = open_png,
     .send = send_file,

@@ -37,7 +37,7 @@ static void close_none(struct sink *sink)
 
 const struct sink_kind sink_none = {
     .name = "none",
-    .summary = "nowhere: for --stats of what a USB display with LZ4 would be sent (default: rgb565)",
+    .summary = "nowhere: --stats tells what a USB display would be sent",
     .nature = SINK_PIPE,
     .open = open_none,
     .send = send_none,

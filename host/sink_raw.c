@@ -1,12 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Sink raw: whole frames as they are in memory, to standard output. */
-#include <errno.h>
-#include <poll.h>
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
-#include "host.h"
 #include "image.h"
 #include "sink.h"
 
@@ -28,19 +23,8 @@ static enum sink_result send_raw(struct sink *sink, const struct frame *frame, c
 {
     (void)pieces;
     (void)count;
-    const size_t bytes = frame->line_bytes * frame->height;
-    for (size_t done = 0; done < bytes;) {
-        if (stream_stopped())
-            return SINK_INTERRUPTED;
-        const ssize_t written = write(STDOUT_FILENO, frame->pixels + done, bytes - done);
-        if (written >= 0)
-            done += (size_t)written;
-        else if (errno == EAGAIN)
-            poll(&(struct pollfd){.fd = STDOUT_FILENO, .events = POLLOUT}, 1, -1);
-        else if (errno != EINTR)
-            fail("%s: could not be written: %s", sink->name, strerror(errno));
-    }
-    return SINK_SENT;
+    (void)sink;
+    return standard_output_write(frame->pixels, frame->line_bytes * frame->height);
 }
 
 static void close_raw(struct sink *sink)
@@ -50,8 +34,9 @@ static void close_raw(struct sink *sink)
 
 const struct sink_kind sink_raw = {
     .name = "raw",
-    .summary = "pixels to standard output, frame after frame, lines packed (default: rgb565)",
+    .summary = "pixels to standard output, frame after frame, lines packed",
     .nature = SINK_PIPE,
+    .takes_standard_output = true,
     .open = open_raw,
     .send = send_raw,
     .close = close_raw,

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "host.h"
 #include "stream.h"
@@ -187,13 +188,14 @@ static void run(struct stream *stream)
 {
     const struct stream_options *options = stream->options;
     const bool paced = options->fps > 0 && options->kind->nature == SINK_DEVICE;
+    const bool shown = options->stats && !(options->kind->takes_standard_output && isatty(STDOUT_FILENO));
     const double began = seconds_now();
     for (unsigned long i = 0; !options->frames || i < options->frames; i++) {
         if (paced)
             wait_until(began + (double)i / options->fps);
         if (!send_frame(stream, i))
             break;
-        if (options->stats)
+        if (shown)
             stats_show(stream->stats);
     }
     progress_end();
@@ -207,9 +209,8 @@ int stream_run(const struct stream_options *options)
     if (start(&stream)) {
         run(&stream);
         close_sink();
-        const bool data = options->kind == &sink_raw;
         if (options->stats || options->json)
-            stats_print(stream.stats, options->json, data ? stderr : stdout);
+            stats_print(stream.stats, options->json, options->kind->takes_standard_output ? stderr : stdout);
     }
     end(&stream);
     return stop_signal ? 128 + stop_signal : EXIT_GOOD;
