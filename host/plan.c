@@ -269,6 +269,9 @@ static void choose(struct plan *plan, const struct frame *now, const struct glin
     struct box_price price = {cost->rectangle_s * cost->bytes_per_s, price_bytes, plan};
     plan->drafts[plan->best].seconds = INFINITY;
     try(plan, now, &changes->bounds, 1);
+    const size_t around = (size_t)changes->bounds.w * changes->bounds.h;
+    if (plan->density && around < pixels && around > pixels / 2) /* LZ4 may find more in more */
+        try(plan, now, whole, 1);
     if (changes->count == pixels || cost->bytes_per_s <= 0)
         return;
     if (plan->density) {
