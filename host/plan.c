@@ -259,6 +259,8 @@ static void try_boxes(struct plan *plan, const struct frame *now, double bytes)
     plan->boxes.count = 0;
 }
 
+enum { SHORT_BYTES = 2048 };
+
 /* One box around all changes, perhaps the whole frame; then the tiles; then the spans, whose price is what they are
  * without compression. */
 static void choose(struct plan *plan, const struct frame *now, const struct glint_box *whole)
@@ -269,8 +271,7 @@ static void choose(struct plan *plan, const struct frame *now, const struct glin
     struct box_price price = {cost->rectangle_s * cost->bytes_per_s, price_bytes, plan};
     plan->drafts[plan->best].seconds = INFINITY;
     try(plan, now, &changes->bounds, 1);
-    const size_t around = (size_t)changes->bounds.w * changes->bounds.h;
-    if (plan->density && around < pixels && around > pixels / 2) /* LZ4 may find more in more */
+    if (plan->density && plan->drafts[plan->best].bytes < SHORT_BYTES) /* LZ4 may find more in more */
         try(plan, now, whole, 1);
     if (changes->count == pixels || cost->bytes_per_s <= 0)
         return;

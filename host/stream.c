@@ -162,7 +162,12 @@ static bool find_again(struct stream *stream)
 static bool send_frame(struct stream *stream, unsigned long index)
 {
     const double fps = stream->options->fps > 0 ? stream->options->fps : usual_fps;
-    if (!light_path_next(stream->path, (double)index / fps, &stream->shading) || stream_stopped())
+    if (!light_path_next(stream->path, (double)index / fps, &stream->shading)) {
+        if (!index && !stream_stopped())
+            fail("%s: holds no direction; lines of three numbers are wanted", stream->options->lights);
+        return false;
+    }
+    if (stream_stopped())
         return false;
     uint8_t *pixels = stream->pixels[index % 2];
     canvas_draw(stream->canvas, &stream->shading, pixels);

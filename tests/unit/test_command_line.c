@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include "run.h"
+#include "sink.h"
 
 #define EVAL "$GLINT eval -n 60 0.99"
 
@@ -11,7 +12,8 @@
 static void help_of_every_command_has_an_example_and_exits_0(void **state)
 {
     (void)state;
-    static const char *const commands[] = {"", "render", "eval", "cutoff", "table", "bake", "search", "paper"};
+    static const char *const commands[] = {"",     "render", "eval", "cutoff", "table",
+                                           "bake", "stream", "list", "search", "paper"};
     for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
         char command[64];
         snprintf(command, sizeof command, "$GLINT %s --help", commands[i]);
@@ -26,8 +28,17 @@ static void help_of_every_command_has_an_example_and_exits_0(void **state)
 static void version_is_the_librarys(void **state)
 {
     (void)state;
-    assert_string_equal(run("$GLINT --version")->out, "glint 0.1.0\n");
-    assert_string_equal(run("$GLINT eval --version")->out, "glint 0.1.0\n");
+    assert_memory_equal(run("$GLINT --version")->out, "glint 0.1.0\n", 12);
+    assert_memory_equal(run("$GLINT eval --version")->out, "glint 0.1.0\n", 12);
+}
+
+static void version_tells_the_libraries_and_the_sinks(void **state)
+{
+    (void)state;
+    const struct run *result = run("$GLINT --version");
+    assert_contains(result->out, "liblz4 1.");
+    for (unsigned i = 0; sink_kinds[i]; i++)
+        assert_contains(strstr(result->out, "\nsinks:"), sink_kinds[i]->name);
 }
 
 static void no_command_is_wrong_usage(void **state)
@@ -226,6 +237,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(help_of_every_command_has_an_example_and_exits_0),
         cmocka_unit_test(version_is_the_librarys),
+        cmocka_unit_test(version_tells_the_libraries_and_the_sinks),
         cmocka_unit_test(no_command_is_wrong_usage),
         cmocka_unit_test(an_unknown_command_is_named),
         cmocka_unit_test(an_unknown_option_is_named),

@@ -1,0 +1,340 @@
+/* SPDX-License-Identifier: MIT
+ * `glint stream` and `glint list`: the frames are those of `glint render`, and how the stream ends. */
+#include <fcntl.h>
+#include <jansson.h>
+#include <signal.h>
+
+#include "files.h"
+
+#define SPHERE "$GLINT stream sphere --size 60x40 "
+
+/* ---- the frames ---- */
+
+static void the_first_frame_is_what_render_draws(void **state)
+{
+    (void)state;
+    static const char *const looks[] = {
+        "--light=-1,2,3",
+        "--light 0,0,1 -n 200",
+        "--light=-1,2,3 --format rgb565 --dither",
+        "--light 1,1,1,.5,1,2 --point 20,20,30,50",
+        "--point 20,20,30,50",
+        "--light=-1,2,3 --format rgb565 --path colour-int8 2>/dev/null",
+        "--light=-1,2,3 --path small-int16 --dither 2>/dev/null",
+        "--light=-1,2,3 --path span 2>/dev/null",
+        "--light 1,1,1 --format mono --dither --space linear --model gauss",
+        "--light 1,1,1 --format grey8 --view 1,0,2",
+    };
+    for (size_t i = 0; i < sizeof looks / sizeof *looks; i++) {
+        char line[300];
+        snprintf(line, sizeof line, SPHERE "--frames 1 -o s.png %s", looks[i]);
+        assert_quiet(line);
+        snprintf(line, sizeof line, "$GLINT render --scene sphere --size 60x40 -o r.png %s", looks[i]);
+        assert_quiet(line);
+        assert_same_file("s.png", "r.png");
+        unlink("s.png");
+    }
+}
+
+static void each_line_of_lights_is_a_frame(void **state)
+{
+    (void)state;
+    assert_quiet("printf '1 1 1\\n\\n  # a remark\\n-1,2, 3\\r\\n  0,0 .5' >lights.txt");
+    assert_quiet("$GLINT stream --height heights.png --albedo colors.png --to ppm -o l%d.ppm --lights lights.txt");
+    assert_quiet("$GLINT render --height heights.png --albedo colors.png -o a.ppm --light=-1,2,3");
+    assert_same_file("a.ppm", "l1.ppm");
+    assert_quiet("$GLINT render --height heights.png --albedo colors.png -o a.ppm --light 0,0,.5");
+    assert_same_file("a.ppm", "l2.ppm");
+    assert_true(exists("l0.ppm") && !exists("l3.ppm"));
+    assert_quiet("$GLINT stream --height heights.png --albedo colors.png --to ppm -o m%d.ppm --lights - <lights.txt");
+    assert_same_file("l2.ppm", "m2.ppm");
+}
+
+static void files_get_one_turn_of_the_light_unless_frames_says_more(void **state)
+{
+    (void)state;
+    assert_quiet(SPHERE "--fps 10 --period .8 -o out/f-%03d.png");
+    assert_int_equal(files_in("out"), 8);
+    assert_true(exists("out/f-000.png") && exists("out/f-007.png"));
+    assert_quiet("rm out/*");
+    assert_quiet(SPHERE "--fps 10 --period .8 -o out/%d%%.png --frames 9");
+    assert_int_equal(files_in("out"), 9);
+    assert_same_file("out/0%.png", "out/8%.png"); /* once around */
+    assert_false(same_file("out/0%.png", "out/4%.png"));
+    assert_quiet("rm out/*");
+}
+
+static void the_orbit_keeps_its_angle(void **state)
+{
+    (void)state;
+    assert_quiet(SPHERE "--light 1,0,0 --orbit 30 --fps 4 --period 1 -o o%d.png");
+    assert_quiet("$GLINT render --scene sphere --size 60x40 -o a.png --light 0.5,0,0.8660254037844386");
+    assert_same_file("a.png", "o0.png");
+    assert_quiet("$GLINT render --scene sphere --size 60x40 -o a.png --light 0,0.5,0.8660254037844386");
+    assert_same_file("a.png", "o1.png");
+    assert_quiet(SPHERE "--orbit 0 --frames 2 -o o%d.png"); /* straight from the viewer */
+    assert_same_file("o0.png", "o1.png");
+}
+
+static void raw_frames_are_packed_lines_of_the_format(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *options;
+        long bytes;
+    } formats[] = {
+        {"", 2 * 60 * 40}, {"--format rgb888", 3 * 60 * 40}, {"--format grey8", 60 * 40}, {"--format mono", 8 * 40}};
+    for (size_t i = 0; i < 4; i++) {
+        char line[200];
+        struct stat status;
+        snprintf(line, sizeof line, SPHERE "--to raw --frames 3 %s >raw", formats[i].options);
+        assert_quiet(line);
+        assert_int_equal(stat("raw", &status), 0);
+        assert_int_equal(status.st_size, 3 * formats[i].bytes);
+    }
+    assert_quiet(SPHERE "--to raw --frames 1 --format rgb565 >a");
+    assert_quiet(SPHERE "--to raw --frames 1 --format rgb565-swapped | dd conv=swab status=none >b");
+    assert_same_file("a", "b");
+    assert_quiet("$GLINT stream coin --to raw --frames 1 | test $(wc -c) = 153600"); /* 320x240 by itself */
+}
+
+static void a_map_is_streamed_at_its_own_size_or_repeated(void **state)
+{
+    (void)state;
+    assert_quiet("$GLINT stream --height heights.png --light=-1,1,1 --frames 1 -o s.png");
+    assert_quiet("$GLINT render --height heights.png -o r.png");
+    assert_same_file("s.png", "r.png");
+    assert_quiet("$GLINT stream --height - --size 30x20 --light=-1,1,1 --frames 1 -o s.png <heights.png");
+    assert_quiet("$GLINT render --height heights.png --size 30x20 -o r.png");
+    assert_same_file("s.png", "r.png");
+}
+
+/* ---- the figures ---- */
+
+static json_t *figures(const char *command)
+{
+    const struct run *result = run(command);
+    assert_int_equal(result->status, 0);
+    json_t *figures = json_loads(result->out, 0, NULL);
+    assert_non_null(figures);
+    return figures;
+}
+
+static double figure(const json_t *figures, const char *group, const char *name)
+{
+    const json_t *value = json_object_get(group ? json_object_get(figures, group) : figures, name);
+    assert_true(json_is_number(value));
+    return json_number_value(value);
+}
+
+static void figures_tell_what_was_sent(void **state)
+{
+    (void)state;
+    json_t *moving = figures(SPHERE "--to none --json --frames 20 -q 6");
+    assert_int_equal((int)figure(moving, NULL, "frames"), 20);
+    assert_int_equal((int)figure(moving, NULL, "frames_unchanged"), 0);
+    assert_int_equal((int)figure(moving, "frame_bytes", "before_mean"), 2 * 60 * 40);
+    assert_true(figure(moving, "frame_bytes", "mean") < 1200);
+    assert_true(figure(moving, "frame_bytes", "mean") <= figure(moving, "frame_bytes", "worst"));
+    assert_true(figure(moving, NULL, "changed_share") > 0 && figure(moving, NULL, "changed_share") < .5);
+    const json_t *slow = json_array_get(json_object_get(moving, "predicted"), 0);
+    const double wanted =
+        1 / (.4e-3 * figure(moving, "rectangles", "mean") + figure(moving, "frame_bytes", "mean") / 600e3);
+    const double fps = figure(slow, NULL, "fps_mean");
+    assert_true(fps > .999 * wanted && fps < 1.001 * wanted);
+    json_decref(moving);
+    json_t *still = figures(SPHERE "--to none --json --frames 20 --period 0");
+    assert_int_equal((int)figure(still, NULL, "frames_unchanged"), 19);
+    assert_int_equal((int)figure(still, "frame_bytes", "worst"), 0);
+    json_decref(still);
+    assert_contains(run(SPHERE "--to none --stats --frames 2")->out, "600 KB/s");
+    const struct run *beside = run(SPHERE "--to raw --json --frames 1 >frames");
+    json_t *on_error = json_loads(beside->err, 0, NULL);
+    assert_non_null(on_error);
+    json_decref(on_error);
+}
+
+/* ---- wrong usage ---- */
+
+static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *options, *about;
+    } wrong[] = {
+        {"--to png -o out/x%d.png", "which surface?"},
+        {"sphere coin --to png -o out/x%d.png", "'coin' is a second scene"},
+        {"--scene sphere coin --to png -o out/x%d.png", "'coin' is a second scene"},
+        {"wall.png --to png -o out/x%d.png", "'wall.png' is no built-in scene (sphere, "},
+        {"sphere --to tv -o out/x%d.png", "--to: no 'tv'; one of these is wanted:"},
+        {"sphere --to png", "give -o frame-%04d.png"},
+        {"sphere --to ppm", "give -o frame-%04d.ppm"},
+        {"sphere --to png -o ''", "name a file"},
+        {"sphere --to png -o -", "--to raw"},
+        {"sphere --to png -o out/x.png", "--frames 1"},
+        {"sphere --to png -o out/x%d-%d.png", "2 places"},
+        {"sphere --to png -o out/x%s.png", "neither %d nor %04d"},
+        {"sphere --to png -o out/x%n.png", "neither %d nor %04d"},
+        {"sphere --to png -o out/x%12d.png", "neither %d nor %04d"},
+        {"sphere --to png -o out/x%*d.png", "neither %d nor %04d"},
+        {"sphere --to png -o out/x%", "neither %d nor %04d"},
+        {"sphere --to raw -o out/x%d.png", "writes no files"},
+        {"sphere --to png -o out/x%d.png --fps -1", "--fps: '-1' is not a number from 0 to 1000"},
+        {"sphere --to png -o out/x%d.png --frames 0", "--frames: '0' is not a whole number from 1"},
+        {"sphere --to png -o out/x%d.png --orbit 180", "from 0 to 179"},
+        {"sphere --to png -o out/x%d.png --period -4", "--period"},
+        {"sphere --to png -o out/x%d.png --lights l --orbit 3", "leave out --orbit"},
+        {"sphere --to png -o out/x%d.png --lights l --period 3", "leave out --period"},
+        {"sphere --to png -o out/x%d.png --lights l --point 1,1,1,9", "moves a --light"},
+        {"sphere --to png -o out/x%d.png --orbit 9 --point 1,1,1,9", "--orbit is for a --light"},
+        {"--height - --to png -o out/x%d.png --lights -", "only one of --lights and the maps"},
+        {"sphere --to png -o out/x%d.png --path colour-int8 --format rgb888", "needs --format rgb565"},
+        {"sphere --to png -o out/x%d.png --light 0,0,-1", "opposite"},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "$GLINT stream %s", wrong[i].options);
+        assert_refused(line, wrong[i].about);
+    }
+    assert_refused("$GLINT list usb", "'usb' is not an option");
+    assert_int_equal(files_in("out"), 0);
+}
+
+static void a_wrong_line_of_lights_is_named_by_its_number(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *lines, *about;
+    } wrong[] = {
+        {"1 1 1\\n\\n1 1\\n", "lights.txt, line 3: '1 1' is not a direction"},
+        {"1 1 1 1\\n", "line 1"},
+        {"1,,1,1\\n", "line 1"},
+        {"1-1-1\\n", "line 1"},
+        {"one 1 1\\n", "'one 1 1'"},
+        {"1 1 inf\\n", "line 1"},
+        {"0 0 0\\n", "line 1: '0 0 0' has no direction"},
+        {"1 1 1\\n0 0 -2\\n", "line 2: '0 0 -2' lies straight opposite"},
+        {"1 1 1\\0001\\n", "line 1"},
+        {"# nothing\\n", "lights.txt: holds no direction"},
+        {"", "lights.txt: holds no direction"},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "printf '%s' >lights.txt; " SPHERE "--to raw --lights lights.txt >frames",
+                 wrong[i].lines);
+        assert_fails(line, wrong[i].about);
+    }
+    assert_fails(SPHERE "--to raw --lights none.txt >frames", "none.txt: cannot be read: No such file");
+    assert_fails(SPHERE "--to raw --lights . >frames", ".: cannot be read: Is a directory");
+}
+
+/* ---- how it ends ---- */
+
+static void where_it_cannot_write_there_is_one_line(void **state)
+{
+    (void)state;
+    assert_fails(SPHERE "--to raw >/dev/full", "standard output: could not be written: No space left");
+    assert_fails(SPHERE "--to raw >&-", "standard output: could not be written");
+    assert_fails(SPHERE "--to raw 2>err.txt | head -c 1 >/dev/null; wait; cat err.txt >&2; exit 1", "Broken pipe");
+    assert_fails(SPHERE "-o none/%d.png", "none/0.png: cannot write there");
+    assert_fails("mkdir -p out/1.png; " SPHERE "-o out/%d.png", "'out/1.png': is a directory");
+    assert_true(exists("out/0.png"));
+    assert_int_equal(files_in("out"), 2); /* nothing half-written */
+    assert_fails("rm -r out/*; " SPHERE "--frames 1 -o /dev/full", "/dev/full: could not be written: No space left");
+    assert_fails(SPHERE "--to none --json >/dev/full", "the figures could not be written");
+    assert_fails("$GLINT list >/dev/full", "standard output: could not be written");
+    assert_int_equal(files_in("out"), 0);
+}
+
+/* Starts a stream without end, waits for its second frame, sends the signal; the exit status. */
+static int interrupted(int number)
+{
+    const pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        signal(number, SIG_DFL); /* the caller may have it ignored */
+        execl(getenv("GLINT"), "glint", "stream", "sphere", "--size", "60x40", "--frames", "1000000000", "-o",
+              "out/%d.png", (char *)NULL);
+        _exit(127);
+    }
+    for (int i = 0; i < 1000 && !exists("out/1.png"); i++)
+        usleep(10000);
+    kill(child, number);
+    int status;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFEXITED(status));
+    return WEXITSTATUS(status);
+}
+
+static void signals_end_it_after_a_whole_frame(void **state)
+{
+    (void)state;
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    for (size_t i = 0; i < 3; i++) {
+        assert_int_equal(interrupted(signals[i]), 128 + signals[i]);
+        assert_true(exists("out/1.png"));
+        assert_int_equal(run("ls -A out | grep -v '^[0-9]*.png$'")->status, 1); /* nothing else there */
+        assert_quiet("rm out/*");
+    }
+}
+
+static void the_list_is_json_on_demand(void **state)
+{
+    (void)state;
+    const struct run *result = run("$GLINT list --json");
+    assert_int_equal(result->status, 0);
+    json_t *list = json_loads(result->out, 0, NULL);
+    assert_true(json_is_object(list));
+    const char *kind;
+    json_t *devices;
+    json_object_foreach(list, kind, devices) assert_true(json_is_array(devices));
+    json_decref(list);
+    assert_true(strlen(run("$GLINT list")->out) > 0); /* words where nothing is there, too */
+}
+
+#if GLINT_WITH_TERMINAL
+#define IN_TERMINAL(command) "TERM=xterm-256color script -qec \"stty rows 24 cols 60; " command "\" typed >/dev/null"
+
+static void the_terminal_shows_it_and_gets_its_cursor_back(void **state)
+{
+    (void)state;
+    static char typed[1 << 20];
+    assert_fails(SPHERE "--to terminal", "standard output is no terminal");
+    if (run("command -v script")->status != 0)
+        skip();
+    assert_int_equal(run(IN_TERMINAL("$GLINT stream coin --to terminal --frames 2 --fps 0"))->status, 0);
+    read_text("typed", typed, sizeof typed);
+    assert_contains(typed, "\033[?25l");
+    assert_contains(typed, "\033[38;"); /* colours */
+    assert_contains(strstr(typed, "\033[?25l"), "\033[?25h");
+    assert_int_equal(run("export NO_COLOR=1; " IN_TERMINAL("$GLINT stream coin --to terminal --frames 1"))->status, 0);
+    read_text("typed", typed, sizeof typed);
+    assert_null(strstr(typed, "\033[38;"));
+    assert_contains(typed, "\033[?25h");
+    assert_int_equal(run(IN_TERMINAL("timeout -s INT 1 $GLINT stream coin --to terminal; test \\$? = 124"))->status, 0);
+    read_text("typed", typed, sizeof typed);
+    assert_contains(typed, "\033[?25h");
+}
+#endif
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_first_frame_is_what_render_draws),
+        cmocka_unit_test(each_line_of_lights_is_a_frame),
+        cmocka_unit_test(files_get_one_turn_of_the_light_unless_frames_says_more),
+        cmocka_unit_test(the_orbit_keeps_its_angle),
+        cmocka_unit_test(raw_frames_are_packed_lines_of_the_format),
+        cmocka_unit_test(a_map_is_streamed_at_its_own_size_or_repeated),
+        cmocka_unit_test(figures_tell_what_was_sent),
+        cmocka_unit_test(wrong_usage_is_said_with_what_is_allowed_and_ends_with_2),
+        cmocka_unit_test(a_wrong_line_of_lights_is_named_by_its_number),
+        cmocka_unit_test(where_it_cannot_write_there_is_one_line),
+        cmocka_unit_test(signals_end_it_after_a_whole_frame),
+        cmocka_unit_test(the_list_is_json_on_demand),
+#if GLINT_WITH_TERMINAL
+        cmocka_unit_test(the_terminal_shows_it_and_gets_its_cursor_back),
+#endif
+    };
+    return cmocka_run_group_tests(tests, make_maps, scratch_remove);
+}
