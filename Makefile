@@ -22,8 +22,8 @@ WITH_TERMINAL := $(call has,chafa)
 SINK_LIBS = $(if $(WITH_USB),libusb-1.0) $(if $(WITH_GPIO),libgpiod inih) $(if $(WITH_TERMINAL),chafa)
 SINK_FLAGS = -DGLINT_WITH_USB=$(if $(WITH_USB),1,0) -DGLINT_WITH_GPIO=$(if $(WITH_GPIO),$(WITH_GPIO),0) \
 	-DGLINT_WITH_TERMINAL=$(if $(WITH_TERMINAL),1,0)
-LEFT_OUT = $(if $(WITH_USB),,host/sink_usb%) $(if $(WITH_GPIO),,host/sink_gpio% host/sink_spi%) \
-	$(if $(WITH_TERMINAL),,host/sink_terminal%)
+LEFT_OUT = $(if $(WITH_USB),,host/sink_usb%) $(if $(WITH_TERMINAL),,host/sink_terminal%) \
+	$(if $(WITH_GPIO),host/gpio_chip_v$(if $(filter 1,$(WITH_GPIO)),2,1).c,host/sink_gpio% host/sink_spi% host/gpio_%)
 # Recursive (=), so that they are asked for after set-up; silent, because before it there may be no answer.
 HOST_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ifirmware/core -Ihost $(OPENMP) \
 	$(SINK_FLAGS) $(shell pkg-config --cflags $(HOST_LIBS) $(SINK_LIBS) 2>/dev/null) $(CFLAGS)
