@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT
+ * The options that describe the wires to a panel: from the command line, from a file, checked. */
+#ifndef GLINT_GPIO_OPTIONS_H
+#define GLINT_GPIO_OPTIONS_H
+
+#include <argp.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+enum gpio_bus_kind {
+    GPIO_BUS_SPI,   /* 4-wire, by lines */
+    GPIO_BUS_8080,  /* 8 data lines and a strobe, by lines */
+    GPIO_BUS_SPIDEV /* the kernel's SPI device; lines only for what it has not */
+};
+
+/* What lines are for. D/C comes before the strobes: where a chip sets lines one after the other, it does so in this order. */
+enum gpio_role {
+    ROLE_D0,
+    ROLE_D7 = ROLE_D0 + 7,
+    ROLE_DC,
+    ROLE_MOSI,
+    ROLE_CS,
+    ROLE_RD,
+    ROLE_RESET,
+    ROLE_BACKLIGHT,
+    ROLE_SCK,
+    ROLE_WR,
+    ROLES
+};
+
+struct gpio_options {
+    enum gpio_bus_kind kind;
+    const char *chip; /* NULL: any */
+    struct {
+        const char *origin, *text; /* text NULL: no such line */
+    } lines[ROLES];
+    const char *spidev;
+    uint32_t spi_hz;
+};
+
+/* A child of sink_gpio's and sink_spi's argp: once. */
+extern const struct argp gpio_options_argp;
+extern const char *const gpio_role_names[ROLES];
+
+/* Reads the file, where one was given, and checks that the bus has the lines it needs and no others: ends the program through
+ * fail() where not. `spidev`: the kind that --bus cannot choose. */
+const struct gpio_options *gpio_options_ready(bool spidev);
+
+#endif
