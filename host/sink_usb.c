@@ -14,13 +14,13 @@ static struct usb_options options;
 enum key { KEY_VID_PID = 0x600, KEY_SERIAL, KEY_USB_PATH, KEY_DETACH, KEY_WAIT };
 
 static const struct argp_option argp_options[] = {
-    {NULL, 0, NULL, 0, "USB displays (--to usb); the only one there is, unless named by one of:", 0},
-    {"usb-path", KEY_USB_PATH, "PATH", 0, "Where it is plugged in, as glint list shows it: 1-3.1", 0},
-    {"serial", KEY_SERIAL, "TEXT", 0, "Its serial number", 0},
-    {"vid-pid", KEY_VID_PID, "VVVV:PPPP", 0, "Its vendor and product IDs, hexadecimal", 0},
+    {NULL, 0, NULL, 0, "USB displays (--to usb); the only one there is, unless named by one of:", 8},
+    {"usb-path", KEY_USB_PATH, "PATH", 0, "Where it is plugged in, as glint list shows it: 1-3.1", 8},
+    {"serial", KEY_SERIAL, "TEXT", 0, "Its serial number", 8},
+    {"vid-pid", KEY_VID_PID, "VVVV:PPPP", 0, "Its vendor and product IDs, hexadecimal", 8},
     {"detach", KEY_DETACH, NULL, 0,
-     "Take a display that the kernel's driver has: this takes the monitor away from the desktop until glint ends", 0},
-    {"wait", KEY_WAIT, NULL, 0, "Wait until it is plugged in, and when it is unplugged until it is back", 0},
+     "Take a display that the kernel's driver has: this takes the monitor away from the desktop until glint ends", 8},
+    {"wait", KEY_WAIT, NULL, 0, "Wait until it is plugged in, and when it is unplugged until it is back", 8},
     {NULL, 0, NULL, 0, NULL, 0}};
 
 static uint32_t parse_id(const struct argp_state *state, const char *text)
@@ -289,17 +289,16 @@ static int restart(struct usb_sink *usb, const struct frame *frame, struct gud_p
 
 static enum sink_result usb_send(struct sink *sink, const struct frame *frame, const struct piece *pieces, size_t count)
 {
-    enum { TRIES = 4, PAUSE_MS = 300 /* a device that is gone is known to be after such a time */ };
+    enum { TRIES = 3, PAUSE_MS = 300 /* a device that is gone is known to be after such a time */ };
     struct usb_sink *usb = of(sink);
     struct gud_problem problem = {0};
     int fault = send_pieces(usb, pieces, count, !usb->full_update, &problem);
     for (unsigned i = 0; fault && fault != GUD_LINK_GONE && fault != GUD_LINK_STOPPED; i++) {
         if (i == TRIES)
             fail("%s: %s, also after %d new starts; plug it in again", usb->name, problem.text, TRIES);
-        if (i > 0)
-            pause_ms(PAUSE_MS);
         if (i == 0)
             warn("%s: %s; starting it anew", usb->name, problem.text);
+        pause_ms(PAUSE_MS);
         fault = stream_stopped() ? GUD_LINK_STOPPED : restart(usb, frame, &problem);
     }
     if (fault == GUD_LINK_STOPPED)
@@ -332,6 +331,7 @@ static char *usb_library(void)
 
 const struct sink_kind sink_usb = {
     .name = "usb",
+    .nature = SINK_DEVICE,
     .summary = "a USB display that speaks GUD, by libusb",
     .options = &usb_argp,
     .open = usb_open,

@@ -138,6 +138,11 @@ static bool is_foreign(const struct usb_device *device, const struct usb_options
            !(device->state == USB_KERNEL && !strcmp(device->driver, "gud"));
 }
 
+static int by_path(const void *a, const void *b)
+{
+    return strverscmp(((const struct usb_device *)a)->path, ((const struct usb_device *)b)->path);
+}
+
 void usb_find(libusb_context *libusb, const struct usb_options *options, struct usb_found *found)
 {
     found->count = 0;
@@ -163,6 +168,7 @@ void usb_find(libusb_context *libusb, const struct usb_options *options, struct 
         if (!is_foreign(device, options))
             found->count++;
     }
+    qsort(found->devices, found->count, sizeof found->devices[0], by_path);
 }
 
 void usb_found_free(struct usb_found *found)
