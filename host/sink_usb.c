@@ -279,10 +279,8 @@ static int send_whole(struct usb_sink *usb, const struct frame *frame, struct gu
 static int restart(struct usb_sink *usb, const struct frame *frame, struct gud_problem *problem)
 {
     usb->port.fault = 0;
-    const int error = libusb_clear_halt(usb->port.handle, usb->port.bulk_out);
-    if (error && usb_fault(error) == GUD_LINK_GONE)
-        return problem->fault = GUD_LINK_GONE;
-    if (!gud_start(&usb->link, &usb->display, &usb->choice, problem))
+    if (!usb_port_claim_again(&usb->port, options.detach ? &usb->detached : NULL, problem) ||
+        !gud_start(&usb->link, &usb->display, &usb->choice, problem))
         return problem->fault;
     return send_whole(usb, frame, problem);
 }

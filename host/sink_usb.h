@@ -93,6 +93,8 @@ enum usb_opened { USB_OPENED, USB_OPEN_KERNEL, USB_OPEN_IN_USE, USB_OPEN_DENIED,
 /* Opens and claims one interface; `detached`, where not NULL, lets a kernel driver be detached and says if it was. */
 enum usb_opened usb_port_open(struct usb_port *port, libusb_device *device, uint8_t interface, bool *detached,
                               struct gud_problem *problem);
+/* And the endpoint's halt cleared. */
+bool usb_port_claim_again(struct usb_port *port, bool *detached, struct gud_problem *problem);
 void usb_port_close(struct usb_port *port, bool detached);
 /* For struct gud_link; the context is a struct usb_port. */
 int usb_control(void *context, bool in, uint8_t request, uint16_t value, uint8_t *data, uint16_t bytes);

@@ -219,29 +219,47 @@ static enum usb_opened open_error(int error, struct gud_problem *problem)
                                         : USB_OPEN_FAILED;
 }
 
+/* Claims; a kernel driver is detached where `detached` is not NULL. */
+static enum usb_opened claim(struct usb_port *port, bool *detached, struct gud_problem *problem)
+{
+    if (libusb_kernel_driver_active(port->handle, port->interface) == 1) {
+        if (!detached)
+            return USB_OPEN_KERNEL;
+        const int error = libusb_detach_kernel_driver(port->handle, port->interface);
+        if (error)
+            return open_error(error, problem);
+        *detached = true;
+    }
+    const int error = libusb_claim_interface(port->handle, port->interface);
+    return error ? open_error(error, problem) : USB_OPENED;
+}
+
 enum usb_opened usb_port_open(struct usb_port *port, libusb_device *device, uint8_t interface, bool *detached,
                               struct gud_problem *problem)
 {
     port->interface = interface;
-    int error = libusb_open(device, &port->handle);
+    const int error = libusb_open(device, &port->handle);
     if (error) {
         port->handle = NULL;
         return open_error(error, problem);
     }
-    const bool kernel = libusb_kernel_driver_active(port->handle, interface) == 1;
-    if (kernel && detached) {
-        error = libusb_detach_kernel_driver(port->handle, interface);
-        *detached = !error;
-    }
-    if (!error && (!kernel || detached))
-        error = libusb_claim_interface(port->handle, interface);
-    if (!error && (!kernel || detached))
-        return USB_OPENED;
-    if (error && detached && *detached)
-        libusb_attach_kernel_driver(port->handle, interface);
-    libusb_close(port->handle);
-    port->handle = NULL;
-    return error ? open_error(error, problem) : USB_OPEN_KERNEL;
+    const enum usb_opened opened = claim(port, detached, problem);
+    if (opened != USB_OPENED)
+        usb_port_close(port, detached && *detached);
+    return opened;
+}
+
+/* A reset by whom it may be takes the interface away. */
+bool usb_port_claim_again(struct usb_port *port, bool *detached, struct gud_problem *problem)
+{
+    libusb_release_interface(port->handle, port->interface);
+    const enum usb_opened opened = claim(port, detached, problem);
+    if (opened == USB_OPEN_KERNEL)
+        gud_problem_is(problem, GUD_LINK_ERROR, "the kernel's driver has taken it after a reset");
+    if (opened != USB_OPENED)
+        return false;
+    const int error = libusb_clear_halt(port->handle, port->bulk_out);
+    return error != LIBUSB_ERROR_NO_DEVICE || gud_problem_is(problem, GUD_LINK_GONE, "gone");
 }
 
 void usb_port_close(struct usb_port *port, bool detached)

@@ -372,6 +372,8 @@ static void setup(struct process *p, const struct usb_ctrlrequest *request)
     }
     if (in)
         answer(p, request->bRequest, length);
+    else if (request->bRequest == GUD_SET_BUFFER && !p->display->seen->controller) /* it was reset */
+        stall(p, in, GUD_PARAMETER);
     else if (length > sizeof data || read(p->ep0, data, length) != length)
         p->display->seen->protocol_errors++;
     else
