@@ -172,22 +172,31 @@ static void a_request_without_answer_ends_after_its_time(void **state)
 
 /* ---- data that fails ---- */
 
-/* The last frame is on the display, bit by bit. */
-static void assert_recovered(const char *options, const char *words)
+/* The last of so many frames is on the display, bit by bit. */
+static void assert_last_frame(unsigned frames)
 {
-    char command[400];
-    snprintf(command, sizeof command, "timeout 60 " STREAM OURS "--frames 4 --fps 10 %s", options);
-    const struct run *result = assert_ends(command, 0, words);
-    if (*words)
-        assert_one_line(result->err);
-    assert_ends("$GLINT stream watchface --to raw --size 120x80 --frames 4 --fps 10 | tail -c 19200 >frame.raw", 0, "");
-    static uint8_t frame[19200];
+    static uint8_t frame[120 * 80 * 2];
+    char command[200];
+    snprintf(command, sizeof command,
+             "$GLINT stream watchface --to raw --size 120x80 --frames %u --fps 10 | tail -c %zu >frame.raw", frames,
+             sizeof frame);
+    assert_ends(command, 0, "");
     FILE *file = fopen("frame.raw", "r");
     assert_non_null(file);
     assert_int_equal(fread(frame, 1, sizeof frame, file), sizeof frame);
     fclose(file);
     assert_soon(!display.seen->display);
     assert_memory_equal(display.seen->picture, frame, sizeof frame);
+}
+
+static void assert_recovers(const char *options, const char *words)
+{
+    char command[200];
+    snprintf(command, sizeof command, "timeout 60 " STREAM OURS "--frames 4 --fps 10 %s", options);
+    const struct run *result = assert_ends(command, 0, words);
+    if (*words)
+        assert_one_line(result->err);
+    assert_last_frame(4);
 }
 
 static void trouble(enum usb_trouble what, bool lasts)
@@ -206,7 +215,7 @@ static void a_halted_endpoint_is_cleared_and_the_picture_sent_again(void **state
 {
     (void)state;
     trouble(BULK_STALL, false);
-    assert_recovered("", "the picture's data: it refuses (STALL); starting it anew");
+    assert_recovers("", "the picture's data: it refuses (STALL); starting it anew");
 }
 
 static void an_endpoint_that_halts_again_and_again_ends_the_stream(void **state)
@@ -222,7 +231,7 @@ static void a_display_that_takes_no_data_is_started_anew(void **state)
 {
     (void)state;
     trouble(BULK_NAK, false);
-    assert_recovered("", "the picture's data: it does not answer; starting it anew");
+    assert_recovers("", "the picture's data: it does not answer; starting it anew");
 }
 
 static void a_display_that_never_takes_data_again_ends_the_stream(void **state)
@@ -246,7 +255,7 @@ static void a_display_that_comes_back_is_waited_for_and_shows_the_whole_picture(
     trouble(UNPLUG, false);
     config.trouble_ms = 1000;
     usb_display_be(&display, &config);
-    assert_recovered("--wait", "");
+    assert_recovers("--wait", "");
     assert_true(display.seen->starts > 0);
 }
 
@@ -266,13 +275,15 @@ static void a_display_reset_by_another_program_shows_the_whole_picture_again(voi
     assert_int_equal(ioctl(file, USBDEVFS_RESET, NULL), 0);
     close(file);
     assert_soon(display.seen->starts > 0 && display.seen->display);
-    assert_soon(access("stream.status", F_OK) == 0);
-    usleep(100000);
+    do {
+        usleep(100000);
+        read_text("stream.status", text, sizeof text);
+    } while (!*text);
+    assert_string_equal(text, "0\n");
     read_text("stream.err", text, sizeof text);
     assert_one_line(text);
     assert_contains(text, "starting it anew");
-    read_text("stream.status", text, sizeof text);
-    assert_string_equal(text, "0\n");
+    assert_last_frame(30);
 }
 
 /* ---- who else has it ---- */
