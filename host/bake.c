@@ -18,15 +18,17 @@ static enum glint_normals packing(enum bake_format format)
     return format == BAKE_INT8 ? GLINT_NORMALS_INT8 : GLINT_NORMALS_INT10;
 }
 
-/* In INT8 a pixel without surface says how many there are from it to the right, so that a loop steps over them. */
+/* A pixel without surface says how many there are from it to the right, so that a loop steps over them: above INT10's z,
+ * below INT8's. */
 static void add_runs(struct baked *baked)
 {
+    const unsigned shift = baked->format == BAKE_INT10 ? 12 : 0;
     for (uint32_t y = 0; y < baked->height; y++) {
         uint32_t *line = &baked->words[(size_t)y * baked->width];
         uint32_t run = 0;
         for (uint32_t x = baked->width; x-- > 0;) {
             run = line[x] ? 0 : run + 1; /* at most SIDE_MAX */
-            line[x] |= run;
+            line[x] |= run << shift;
         }
     }
 }
@@ -36,8 +38,7 @@ static void bake_words(struct baked *baked, const struct glint_vec *normals, siz
     baked->words = allocate(pixels, sizeof *baked->words);
     for (size_t i = 0; i < pixels; i++)
         baked->words[i] = glint_normals_pack(packing(baked->format), &normals[i]);
-    if (baked->format == BAKE_INT8)
-        add_runs(baked);
+    add_runs(baked);
 }
 
 static bool is_surface(struct glint_vec v)

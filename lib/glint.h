@@ -293,17 +293,20 @@ enum glint_err glint_shade_span(const struct glint_shader *shader, const struct 
  * Tables are filled from exact values on the device; only their arguments are quantised. Filled once a material; a light
  * that moves needs only glint_tables_light. Uniform material, gloss 255, one directional light, Blinn geometry.
  *
- * Compile with -DGLINT_CORTEX_M0PLUS_ASM=1, and lib/cortex_m0plus.S too, and 8-bit lines, spans and palettes run in Thumb
- * assembly, with the same pixels.
+ * Compile with -DGLINT_CORTEX_M0PLUS_ASM=1, and lib/cortex_m0plus_*.S too, and 8- and 10-bit lines, spans and palettes run
+ * in Thumb assembly, with the same pixels.
  *
  * COLOUR  for RGB565 in either order, undithered, gamma or linear. 20,480 bytes: 4096 columns (bytes) and 128 x 64 colours.
- *     fill:   s = the least shift with (t_max >> s) + (2^16 >> s) < 4080.
+ *     fill:   s = the least shift with (t_max >> s) + (2^16 >> s) < 4080. In memory a column is twice this, an offset in bytes:
  *             column[i] = (63 F(t) + F(0) / 2) / F(0), t = max(0, t_max - (i << s) - (1 << s >> 1))
  *             colour[row][j] = steps 4 to 8 for nl = min(2^16, 1024 row + 512), F = (j F(0) + 31) / 63
  *     pixel:  nl_q30 < 0: steps 4 to 8 for nl = 0, F = 0. Else row = nl_q30 >> 24, j = t > t_max ? 0 :
  *             column[(t_max - t) >> s].
  *     INT8:   with w the word, x = (int8) w, v = (int16) w, z = w >> 16: d = x X + v Y + z Z (Q29), row = d >> 23,
  *             e = d + (z << 14) - cut; j = e < 0 ? 0 : column[((e >> a) r mod 2^32) >> 20]   (struct glint_tables_light)
+ *     INT10:  for a viewer at (0, 0, 1), x, y, z as in the word: u = (32 x - h'x)^2 + (32 y - h'y)^2 + (8 z - h'z)^2 (t in
+ *             Q29), h' = (h + 1) >> 1; d = peak - (peak >> 15) (u >> 14) - (z << 18) (Q29); d < 0 is dark, row = d >> 23,
+ *             j = u > t_max >> 1 ? 0 : column[((t_max >> 1) - u) >> (s - 1)]. For other viewers as INT16.
  * SMALL   for every format, dithered or not, gamma only. 904 bytes; with its structs below 1 KB.
  *     fill:   f = the least shift with t_max >> f < 3072 (192 entries, 4 bits): 192 fine columns for t >> f < 192, then
  *             192 coarse ones of t >> (f + 4); each at its interval's middle (at most t_max), (63 F + F(0) / 2) / F(0)
@@ -316,9 +319,10 @@ enum glint_err glint_shade_span(const struct glint_shader *shader, const struct 
 /* How a normal is held. Stored as uint8_t. */
 enum glint_normals {
     GLINT_NORMALS_INT16, /* struct glint_vec, 6 bytes */
-    GLINT_NORMALS_INT10, /* uint32_t: x in the top 10 bits (Q9), y in 10 (Q9), z in the low 12 (Q11); no surface where 0 */
+    GLINT_NORMALS_INT10, /* uint32_t: x in the top 10 bits (Q9), y in 10 (Q9), z in the low 12 (Q11). z = 0: no surface */
     GLINT_NORMALS_INT8 /* uint32_t: 256 y + x in the low half (x, y Q7: -127..127), z in the high one (Q15), such that the
-                            length is 1. z = 0: no surface here nor in the pixels right of it, as many as the low half says */
+                            length is 1. z = 0: no surface */
+    /* Where z = 0, the other bits may hold how many pixels, this one among them, are to be stepped over; 0 counts as 1. */
 };
 /* A normal of any format but INT16, packed: to the nearest x and y, and the z that makes its length 1. Z of length 0: 0. */
 uint32_t glint_normals_pack(enum glint_normals format, const struct glint_vec *normal);
@@ -350,7 +354,7 @@ enum glint_err glint_tables_fill(struct glint_tables *tables, enum glint_tables_
 /* A light, prepared: some hundred cycles, no table touched. */
 struct glint_tables_light {
     struct glint_vec l, h;
-    int32_t x, y, z, cut; /* for INT8, whose loop wants the viewer at (0, 0, 1) */
+    int32_t x, y, z, cut, peak; /* for INT8 and INT10 with the viewer at (0, 0, 1) */
     uint32_t r;
     uint8_t a;
     bool frontal; /* is the viewer there? */

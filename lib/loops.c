@@ -2,82 +2,10 @@
  * Rectangles, spans and palettes by table loops: what can be refused is refused here, then line by line. */
 #include "tables.h"
 
-/* Where a line cannot be stored as aligned 2-byte pixels, it passes through this many. */
-enum { PIECE = 32 };
-
-static uint32_t clamp_sum(uint32_t sum, uint8_t format) /* a field whose guard is set is full */
-{
-    for (int k = 0; k < 3; k++) {
-        const struct glint_field field = glint_field(format, k);
-        if (sum >> field.guard & 1)
-            sum |= ((uint32_t)1 << field.guard) - ((uint32_t)1 << field.at);
-    }
-    return sum;
-}
-
-static uint32_t sum_field(uint32_t sum, uint8_t format, int k)
-{
-    const struct glint_field field = glint_field(format, k);
-    return sum >> field.at & (((uint32_t)1 << (field.guard - field.at)) - 1);
-}
-
-/* The threshold, in each field: b of 16 parts, and half a part of rounding is in the table already. */
-static uint32_t weights(const struct glint_tables *tables, uint32_t b)
-{
-    uint32_t word = 0;
-    for (int k = 0; k < 3; k++)
-        word |= (tables->format <= GLINT_RGB565_SWAPPED ? b : b >> 3) << glint_field(tables->format, k).at;
-    return word;
-}
-
-void glint_small_pixel(const struct glint_tables *tables, const struct glint_surface *surface, uint16_t x, uint16_t y,
-                       uint32_t t_q30, int32_t nl_q30)
-{
-    const uint32_t *diffuse = tables->colour.sums, *specular = diffuse + GLINT_DIFFUSE;
-    const uint32_t row = nl_q30 <= 0 ? 0 : (uint32_t)nl_q30 >> 24 < 63 ? 1 + ((uint32_t)nl_q30 >> 24) : 64;
-    uint32_t column = 0;
-    if (nl_q30 > 0 && t_q30 <= tables->t_max_q30) {
-        const uint32_t fine = t_q30 >> tables->shift;
-        column = tables->columns[fine < GLINT_SEGMENT ? fine : GLINT_SEGMENT + (fine >> 4)];
-    }
-    const uint32_t b = tables->dither ? glint_pixel_bayer(surface->x + (uint32_t)x, surface->y + (uint32_t)y) : 8;
-    const uint32_t raw = diffuse[row] + specular[column];
-    uint8_t *line = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;
-    const uint8_t format = tables->format;
-    if (format <= GLINT_RGB565_SWAPPED) {
-        const uint32_t sum = clamp_sum(raw + weights(tables, b), format);
-        const uint32_t rgb = (sum_field(sum, format, 0) >> 4) << 11 | (sum_field(sum, format, 1) >> 4) << 5 |
-                             sum_field(sum, format, 2) >> 4;
-        const bool swapped = format == GLINT_RGB565_SWAPPED;
-        line[2 * (ptrdiff_t)x + swapped] = (uint8_t)rgb;
-        line[2 * (ptrdiff_t)x + !swapped] = (uint8_t)(rgb >> 8);
-    } else if (format == GLINT_RGB888) {
-        const uint32_t sum = clamp_sum(raw + weights(tables, b), format);
-        for (int k = 0; k < 3; k++)
-            line[3 * (ptrdiff_t)x + k] = (uint8_t)(sum_field(sum, format, k) >> 1);
-    } else {
-        uint32_t grey = 0; /* 255 * 2 * 256 = 1.0 */
-        static const uint8_t luma[3] = {54, 183, 19};
-        const uint32_t sum = clamp_sum(raw, format);
-        for (int k = 0; k < 3; k++) {
-            const uint32_t level = sum_field(sum, format, k);
-            grey += luma[k] * (level < 510 ? level : 510);
-        }
-        if (format == GLINT_GREY8) {
-            const uint32_t shade = (grey + 32 * b + (tables->dither ? 16 : 0)) >> 9;
-            line[x] = (uint8_t)(shade < 255 ? shade : 255);
-        } else {
-            const uint8_t bit = (uint8_t)(0x80 >> (x & 7));
-            const bool on = 2 * grey + 16320 * b + (tables->dither ? 8160 : 0) >= 261120;
-            line[x >> 3] = (uint8_t)(on ? line[x >> 3] | bit : line[x >> 3] & ~bit);
-        }
-    }
-}
-
 struct glint_vec glint_normals_unpack(enum glint_normals format, uint32_t word)
 {
     struct glint_vec n = {0, 0, 0};
-    if (format == GLINT_NORMALS_INT10) {
+    if (format == GLINT_NORMALS_INT10 && word << 20) {
         n = glint_unpack_int10(word);
     } else if (format == GLINT_NORMALS_INT8 && word >> 16) {
         n.x = (int16_t)((int8_t)word * 256);
@@ -87,108 +15,60 @@ struct glint_vec glint_normals_unpack(enum glint_normals format, uint32_t word)
     return n;
 }
 
-/* A line of normals through SMALL tables. */
-static void small_line(const struct glint_tables *tables, const struct glint_tables_light *light,
-                       enum glint_normals format, const void *normals, uint16_t w, uint16_t y,
-                       const struct glint_surface *surface)
-{
-    for (uint16_t x = 0; x < w; x++) {
-        struct glint_vec n;
-        if (format == GLINT_NORMALS_INT16) {
-            n = ((const struct glint_vec *)normals)[x];
-        } else {
-            const uint32_t word = ((const uint32_t *)normals)[x];
-            n = glint_normals_unpack(format, word);
-        }
-        if (n.x | n.y | n.z)
-            glint_small_pixel(tables, surface, x, y, glint_fast_t(&n, &light->h), glint_fast_nl(&n, &light->l));
-    }
-}
-
-static void colour_line(const struct glint_tables *tables, const struct glint_tables_light *light,
+static inline void line(const struct glint_tables *tables, const struct glint_tables_light *light,
                         enum glint_normals format, const void *normals, uint16_t w, uint16_t *out)
 {
-    switch (format) {
-    case GLINT_NORMALS_INT16:
-        glint_colour_vec(tables, light, normals, w, out);
-        break;
-    case GLINT_NORMALS_INT10:
-        glint_colour_int10(tables, light, normals, w, out);
-        break;
-    case GLINT_NORMALS_INT8:
+    if (format == GLINT_NORMALS_INT8)
         glint_colour_int8(tables, light, normals, w, out);
-        break;
-    }
+    else if (format == GLINT_NORMALS_INT16)
+        glint_colour_vec(tables, light, normals, w, out);
+    else if (light->frontal)
+        glint_colour_int10(tables, light, normals, w, out);
+    else
+        glint_colour_int10_aside(tables, light, normals, w, out);
 }
 
-static void get_pixels(uint16_t *to, const uint8_t *from, uint16_t w)
+void glint_colour_line(const struct glint_tables *tables, const struct glint_tables_light *light,
+                       enum glint_normals format, const void *normals, uint16_t w, uint16_t *out)
 {
-    for (uint16_t i = 0; i < 2 * w; i++)
-        ((uint8_t *)to)[i] = from[i];
-}
-
-static void put_pixels(uint8_t *to, const uint16_t *from, uint16_t w)
-{
-    for (uint16_t i = 0; i < 2 * w; i++)
-        to[i] = ((const uint8_t *)from)[i];
+    line(tables, light, format, normals, w, out);
 }
 
 enum glint_err glint_tables_rect(const struct glint_tables *tables, const struct glint_tables_light *light,
                                  enum glint_normals format, const void *normals, ptrdiff_t stride, uint16_t w,
                                  uint16_t h, const struct glint_surface *surface)
 {
-    const size_t size = format == GLINT_NORMALS_INT16 ? sizeof(struct glint_vec) : 4;
     if (!tables || !light || !normals || !surface || !surface->pixels ||
-        (size == 4 ? GLINT_MISALIGNED(normals, uint32_t) || GLINT_MISALIGNED(stride, uint32_t)
-                   : GLINT_MISALIGNED(normals, int16_t) || GLINT_MISALIGNED(stride, int16_t)))
+        (format == GLINT_NORMALS_INT16 ? GLINT_MISALIGNED(normals, int16_t) || GLINT_MISALIGNED(stride, int16_t)
+                                       : GLINT_MISALIGNED(normals, uint32_t) || GLINT_MISALIGNED(stride, uint32_t)))
         return GLINT_ERR_ARG;
     if ((unsigned)format > GLINT_NORMALS_INT8)
         return GLINT_ERR_FORMAT;
-    const bool small = tables->kind == GLINT_TABLES_SMALL;
-    if (!small && format == GLINT_NORMALS_INT8 && !light->frontal)
-        return GLINT_ERR_VECTOR;
-    for (uint16_t y = 0; y < h; y++) {
-        const uint8_t *in = (const uint8_t *)normals + stride * (ptrdiff_t)y;
-        uint8_t *out = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;
-        if (small) {
-            small_line(tables, light, format, in, w, y, surface);
-        } else if ((uintptr_t)out % 2 == 0) {
-            colour_line(tables, light, format, in, w, (uint16_t *)(void *)out);
-        } else {
-            uint16_t piece[PIECE];
-            for (uint32_t x = 0; x < w; x += PIECE) {
-                const uint16_t count = (uint16_t)(w - x < PIECE ? w - x : PIECE);
-                get_pixels(piece, out + 2 * x, count);
-                colour_line(tables, light, format, in + size * x, count, piece);
-                put_pixels(out + 2 * x, piece, count);
-            }
-        }
+    if (tables->kind == GLINT_TABLES_SMALL) {
+        glint_small_rect(tables, light, format, normals, stride, w, h, surface);
+        return GLINT_OK;
     }
+    if (format == GLINT_NORMALS_INT8 && !light->frontal)
+        return GLINT_ERR_VECTOR;
+    const uint8_t *in = normals;
+    uint8_t *out = surface->pixels;
+    for (; h; h--, in += stride, out += surface->stride)
+        if ((uintptr_t)out % 2 == 0)
+            line(tables, light, format, in, w, (uint16_t *)(void *)out);
+        else
+            glint_colour_odd(tables, light, format, in, w, out);
     return GLINT_OK;
 }
 
-enum glint_err glint_tables_span(const struct glint_tables *tables, const struct glint_span *span,
-                                 const struct glint_surface *surface)
+enum glint_err glint_span_any(const struct glint_tables *tables, const struct glint_span *span,
+                              const struct glint_surface *surface)
 {
     if (!tables || !span || !surface || !surface->pixels)
         return GLINT_ERR_ARG;
-    if (tables->kind == GLINT_TABLES_COLOUR && (uintptr_t)surface->pixels % 2 == 0) {
+    if (tables->kind == GLINT_TABLES_SMALL)
+        glint_small_span(tables, span, surface);
+    else
         glint_colour_span(tables, span, span->w, surface->pixels);
-        return GLINT_OK;
-    }
-    struct glint_span at = *span;
-    for (uint16_t x = 0; x < span->w; x++) {
-        if (tables->kind == GLINT_TABLES_SMALL) {
-            glint_small_pixel(tables, surface, x, 0, at.t_q30 >= GLINT_NEGATIVE_T ? 0 : at.t_q30, at.nl_q30);
-        } else {
-            uint16_t pixel;
-            glint_colour_span(tables, &at, 1, &pixel);
-            put_pixels((uint8_t *)surface->pixels + 2 * (ptrdiff_t)x, &pixel, 1);
-        }
-        at.t_q30 += at.dt_q30;
-        at.dt_q30 += at.ddt_q30;
-        at.nl_q30 = (int32_t)((uint32_t)at.nl_q30 + (uint32_t)at.dnl_q30);
-    }
     return GLINT_OK;
 }
 

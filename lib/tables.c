@@ -140,6 +140,7 @@ enum glint_err glint_tables_light(struct glint_tables_light *light, const struct
     const int64_t x = from->l.x, y = 2 * light->y, z = 2 * light->z + 32768;
     const uint32_t peak = root((uint64_t)(x * x + y * y + z * z) << 28);                /* Q29, <= 2^30 + 2^16 */
     const uint32_t reach = (uint32_t)(((uint64_t)tables->t_max_q30 * peak) >> 30) >> 1; /* of e */
+    light->peak = (int32_t)peak;
     light->cut = (int32_t)(peak - (uint32_t)(((uint64_t)tables->t_max_q30 * peak) >> 30));
     unsigned a = 0;
     while (reach >> a >= 32768)

@@ -6,7 +6,7 @@
 #include "internal.h"
 #include "pixel.h"
 
-/* 1: cortex_m0plus.S, assembled with the same definition, instead of the C of the inner loops it has. */
+/* 1: cortex_m0plus_*.S, assembled with the same definition, instead of the C of the loops that they have. */
 #ifndef GLINT_CORTEX_M0PLUS_ASM
 #define GLINT_CORTEX_M0PLUS_ASM 0
 #endif
@@ -60,26 +60,39 @@ void glint_colour_vec(const struct glint_tables *tables, const struct glint_tabl
                       const struct glint_vec *normals, uint16_t w, uint16_t *out);
 void glint_colour_int10(const struct glint_tables *tables, const struct glint_tables_light *light,
                         const uint32_t *words, uint16_t w, uint16_t *out);
+void glint_colour_int10_aside(const struct glint_tables *tables, const struct glint_tables_light *light,
+                              const uint32_t *words, uint16_t w, uint16_t *out);
 void glint_colour_int8(const struct glint_tables *tables, const struct glint_tables_light *light, const uint32_t *words,
                        uint16_t w, uint16_t *out);
-void glint_colour_span(const struct glint_tables *tables, const struct glint_span *span, uint16_t w, uint16_t *out);
 
-/* Pixels of a span; back = t_max - t, so that a column is back >> shift. Where GLINT_CORTEX_M0PLUS_ASM, in its order. */
-struct glint_run {
-    uint32_t back, dback, ddback, nl, dnl;
-    const uint8_t *columns, *colours;
-    uint32_t shift, t_max, limit; /* back <= limit: t is up to t_max, or a little below 0 */
-    uint16_t dark;
-};
-void glint_run_outside(const uint8_t *colours, uint32_t nl, uint32_t dnl, uint16_t *out, const uint16_t *end);
-void glint_run_inside(const struct glint_run *run, uint16_t *out, const uint16_t *end);
-void glint_run_mixed(const struct glint_run *run, uint16_t *out, const uint16_t *end);
+/* The first w pixels of a span, 1..GLINT_RUN, COLOUR tables; and for C the loops that they take. */
+enum { GLINT_RUN = 32 };
+void glint_colour_run(const struct glint_tables *tables, const struct glint_span *at, uint16_t w, uint16_t *out);
+void glint_run_dark(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out, const uint16_t *end);
+void glint_run_outside(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out,
+                       const uint16_t *end);
+void glint_run_inside(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out,
+                      const uint16_t *end);
+void glint_run_mixed(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out,
+                     const uint16_t *end);
+
+/* Any span; where an address or a width is not what a fast loop wants, in pieces. */
+void glint_colour_span(const struct glint_tables *tables, const struct glint_span *span, uint16_t w, uint8_t *out);
+void glint_colour_line(const struct glint_tables *tables, const struct glint_tables_light *light,
+                       enum glint_normals format, const void *normals, uint16_t w, uint16_t *out);
+void glint_colour_odd(const struct glint_tables *tables, const struct glint_tables_light *light,
+                      enum glint_normals format, const void *normals, uint16_t w, uint8_t *out);
+void glint_small_span(const struct glint_tables *tables, const struct glint_span *span,
+                      const struct glint_surface *surface);
+void glint_small_rect(const struct glint_tables *tables, const struct glint_tables_light *light,
+                      enum glint_normals format, const void *normals, ptrdiff_t stride, uint16_t w, uint16_t h,
+                      const struct glint_surface *surface);
+
+/* glint_tables_span, of which the assembly does the common case. */
+enum glint_err glint_span_any(const struct glint_tables *tables, const struct glint_span *span,
+                              const struct glint_surface *surface);
 
 /* A line of a palette. */
 void glint_palette_line(const uint16_t *colours, const uint16_t *offsets, uint16_t w, uint16_t *out);
-
-/* A pixel, SMALL tables, any format and alignment. */
-void glint_small_pixel(const struct glint_tables *tables, const struct glint_surface *surface, uint16_t x, uint16_t y,
-                       uint32_t t_q30, int32_t nl_q30);
 
 #endif

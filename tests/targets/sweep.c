@@ -240,29 +240,72 @@ enum {
 };
 
 #if SWEEP_COLOUR
-/* Wider than a run of the loops, in and about the lobe, through 0, and with steps of any size; and a palette. */
-static void add_wide(const struct glint_tables *tables)
+enum { WIDE = 319 };
+static uint16_t wide_out[WIDE + 1];
+
+static void add_wide_out(uint32_t err)
 {
-    enum { WIDE = 75 };
-    static uint16_t pixels[WIDE], offsets[WIDE];
-    const struct glint_surface line = {pixels, sizeof pixels, 0, 0};
-    for (uint8_t i = 0; i < 24; i++) {
-        struct glint_span span = {0, 0, 0, 0, 0, WIDE};
-        const uint8_t fine = i % 8u;
-        span.t_q30 = (random_bits() >> 1) % (tables->t_max_q30 / (1u + fine % 3u) + 100000);
-        span.dt_q30 = (uint32_t)random_within((int32_t)(tables->t_max_q30 >> fine) / 8);
-        span.ddt_q30 = random_bits() >> (10 + 2 * fine);
-        span.nl_q30 = random_within(INT32_C(1) << 30);
-        span.dnl_q30 = random_within(INT32_C(1) << (10 + 2 * fine));
-        if (i % 3)
-            span.nl_q30 &= INT32_MAX;
-        add((uint32_t)glint_tables_span(tables, &span, &line));
-        add_bytes((const uint8_t *)pixels, sizeof pixels);
+    add(err);
+    add_bytes((const uint8_t *)wide_out, sizeof wide_out);
+}
+
+/* In and about the lobe; t at t_max or 0 to the unit, or nl at 0, at pixel k; steps about the largest that the loops take
+ * for small; any at all. */
+static void tricky_span(struct glint_span *span, uint32_t t_max, uint8_t kind)
+{
+    const uint32_t k = random_bits() % (span->w + 1u), fine = 1 + random_bits() % 16;
+    const bool steep = kind == 1, any = kind == 0;
+    span->dt_q30 = (uint32_t)random_within((int32_t)(UINT32_C(1) << 25 >> fine));
+    span->ddt_q30 = random_bits() % (UINT32_C(1) << 20 >> fine);
+    span->dnl_q30 = random_within((int32_t)(UINT32_C(1) << 25 >> fine));
+    span->nl_q30 = (int32_t)(random_bits() >> 2);
+    span->t_q30 = random_bits() % (t_max + 100000);
+    if (steep || any) {
+        span->dt_q30 = any ? random_bits() : (uint32_t)random_within(1) - (UINT32_C(1) << 25);
+        span->ddt_q30 = any ? random_bits() : (uint32_t)random_within(1) + (UINT32_C(1) << 20);
+        span->dnl_q30 = any ? (int32_t)random_bits() : random_within(1) + (INT32_C(1) << 25);
     }
-    for (uint8_t i = 0; i < WIDE; i++)
+    if (kind >= 5) { /* the lowest t at pixel k */
+        span->dt_q30 = 0 - k * span->ddt_q30;
+        span->dnl_q30 >>= 6;
+    }
+    const uint32_t to_k = k * span->dt_q30 + k * (k - 1) / 2 * span->ddt_q30, one = (uint32_t)random_within(1);
+    if (kind == 2 || kind == 5)
+        span->t_q30 = t_max + one - to_k;
+    else if (kind == 3)
+        span->nl_q30 = (int32_t)(one - k * (uint32_t)span->dnl_q30);
+    else if (kind >= 6)
+        span->t_q30 = (kind == 6 ? 3 * one : UINT32_C(0xf8000000) + one) - to_k;
+}
+
+/* Spans, packed normals and a palette, wider than what a loop takes at once, at every width where it might turn. */
+static void add_wide(const struct glint_tables *tables, const struct glint_tables_light *light,
+                     const struct glint_light *from)
+{
+    static const uint16_t widths[] = {0, 1, 2, 3, 4, 5, 15, 16, 17, 31, 32, 33, 64, 65, 96, WIDE};
+    static uint32_t words[WIDE];
+    static uint16_t offsets[WIDE];
+    const struct glint_surface line = {wide_out, sizeof wide_out, 0, 0};
+    for (uint8_t i = 0; i < 128; i++) {
+        struct glint_span span = {0, 0, 0, 0, 0, widths[i / 8u]};
+        tricky_span(&span, tables->t_max_q30, i % 8u);
+        add_wide_out((uint32_t)glint_tables_span(tables, &span, &line));
+    }
+    for (uint8_t i = 0; i < 32; i++) {
+        const enum glint_normals held = i & 1 ? GLINT_NORMALS_INT8 : GLINT_NORMALS_INT10;
+        for (uint16_t x = 0; x < WIDE; x++) {
+            struct glint_vec normal;
+            random_normal(&normal, from);
+            words[x] = x % 11u == 10 ? random_bits() : glint_normals_pack(held, &normal);
+            if (x % 17u == 16) /* without surface */
+                words[x] = random_bits() % 9 << (i & 1 ? 0 : 12);
+        }
+        add_wide_out((uint32_t)glint_tables_rect(tables, light, held, words, 0, widths[i / 2u], 1, &line));
+    }
+    for (uint16_t i = 0; i < WIDE; i++)
         offsets[i] = (uint16_t)(random_bits() & 0x3ffe);
-    add((uint32_t)glint_palette_rect(tables->colour.colours, offsets, 0, WIDE, 1, &line));
-    add_bytes((const uint8_t *)pixels, sizeof pixels);
+    for (uint8_t i = 0; i < 16; i++)
+        add_wide_out((uint32_t)glint_palette_rect(tables->colour.colours, offsets, 0, widths[i], 1, &line));
 }
 #endif
 
@@ -305,7 +348,7 @@ static void add_tables(unsigned kind, unsigned model, unsigned format, unsigned 
     add_bytes(out, LINE);
 #if SWEEP_COLOUR
     if (kind == GLINT_TABLES_COLOUR)
-        add_wide(&tables);
+        add_wide(&tables, &light, &shader.light);
 #endif
 }
 
