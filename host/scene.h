@@ -57,6 +57,7 @@ struct relief {
 typedef struct relief relief_function(double x, double y, double pixel);
 
 struct relief relief_watchface(double x, double y, double pixel);
+struct relief relief_dial(double x, double y, double pixel); /* the same without numerals and minutes */
 struct relief relief_coin(double x, double y, double pixel);
 
 /* ---- drawing with signed distances (shapes.c) ---- */

@@ -17,7 +17,8 @@ static const struct argp_option argp_options[] = {
      "A normal map with 8 or 16 bits a sample: red right, green up, blue towards the viewer. Vectors are renormalised; "
      "where blue is 0 throughout, or with grey and alpha as x and y, z is reconstructed",
      1},
-    {"scene", KEY_SCENE, "NAME", 0, "A built-in scene: sphere, watchface or coin", 1},
+    {"scene", KEY_SCENE, "NAME", 0, "A built-in scene: sphere, watchface, coin or dial (the watch without numerals)",
+     1},
 
     {NULL, 0, NULL, 0, "The maps, PNG files of one size (- is standard input):", 2},
     {"mask", KEY_MASK, "FILE", 0, "What is drawn: black pixels hold no surface, stay black and are not compared", 2},

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * A watch: a domed dial with embossed numerals, minute marks, hands and a polished bezel. */
+ * A watch: a domed dial with embossed numerals, minute marks, hands and a polished bezel; or a plain one, with hour marks
+ * only. */
 #include <math.h>
 
 #include "scene.h"
@@ -34,7 +35,7 @@ static void raise(struct relief *point, struct relief metal, double distance, do
         point->height = metal.height; /* the profile is smooth by itself */
 }
 
-static void add_dial(struct relief *point, double x, double y, double pixel)
+static void add_dial(struct relief *point, double x, double y, double pixel, bool plain)
 {
     const double r = hypot(x, y);
     struct relief dial = enamel;
@@ -48,8 +49,9 @@ static void add_dial(struct relief *point, double x, double y, double pixel)
     const double off = angle - minute * (M_PI / 30);
     const bool hour = (long)minute % 5 == 0;
     const double along = r * cos(off), across = r * sin(off);
-    raise(point, brass, distance_to_segment(across, along, 0, .715, 0, .745), hour ? .014 : .007, .010, pixel);
-    for (unsigned i = 1; i <= 12; i++) {
+    if (hour || !plain)
+        raise(point, brass, distance_to_segment(across, along, 0, .715, 0, .745), hour ? .014 : .007, .010, pixel);
+    for (unsigned i = 1; i <= 12 && !plain; i++) {
         const double at = i * (M_PI / 6);
         const double dx = x - .575 * sin(at), dy = y - .575 * cos(at);
         if (hypot(dx, dy) < .16)
@@ -86,13 +88,13 @@ static void add_bezel(struct relief *point, double r, double pixel)
     relief_cover(point, &ring, coverage(r - case_radius, pixel));
 }
 
-struct relief relief_watchface(double x, double y, double pixel)
+static struct relief watch(double x, double y, double pixel, bool plain)
 {
     const double r = hypot(x, y);
     struct relief point = wall;
     if (r > case_radius + pixel)
         return point;
-    add_dial(&point, x, y, pixel);
+    add_dial(&point, x, y, pixel, plain);
     if (r > dial_radius - 2 * pixel)
         add_bezel(&point, r, pixel);
     if (r < .7) { /* 10:09, as watches are shown */
@@ -101,4 +103,14 @@ struct relief relief_watchface(double x, double y, double pixel)
         raise(&point, brass, r, .045, .03, pixel);
     }
     return point;
+}
+
+struct relief relief_watchface(double x, double y, double pixel)
+{
+    return watch(x, y, pixel, false);
+}
+
+struct relief relief_dial(double x, double y, double pixel)
+{
+    return watch(x, y, pixel, true);
 }

@@ -100,7 +100,7 @@ static void draw_sphere(struct scene *scene)
 
 /* ---- by name ---- */
 
-const char *const scene_names[] = {"sphere", "watchface", "coin", NULL};
+const char *const scene_names[] = {"sphere", "watchface", "coin", "dial", NULL};
 
 static const struct {
     relief_function *at; /* NULL: the sphere */
@@ -109,6 +109,7 @@ static const struct {
     {NULL, {60, {.15, .15, .15}, {.85, .85, .85}, {.8, .8, .8}}},
     {relief_watchface, {40, {.2, .2, .2}, {.8, .8, .8}, {.7, .7, .7}}},
     {relief_coin, {30, {.15, .15, .15}, {.75, .75, .75}, {.75, .68, .5}}},
+    {relief_dial, {60, {.2, .2, .2}, {.8, .8, .8}, {.7, .7, .7}}},
 };
 
 struct scene *scene_draw(const char *name, uint32_t width, uint32_t height)

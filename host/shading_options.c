@@ -68,9 +68,9 @@ static const struct argp_option argp_options[] = {
     {"ambient", KEY_AMBIENT, "A", 0, "Light from all around, 0..1: one number or R,G,B (default .2; sphere, coin .15)",
      3},
     {"diffuse", KEY_DIFFUSE, "D", 0,
-     "What the surface scatters, likewise (default .9; sphere .85, watchface .8, coin .75)", 3},
+     "What the surface scatters, likewise (default .9; sphere .85, watchface and dial .8, coin .75)", 3},
     {"specular", KEY_SPECULAR, "S", 0,
-     "How strong the highlight is, likewise (default .5; sphere .8, watchface .7, coin .75,.68,.5)", 3},
+     "How strong the highlight is, likewise (default .5; sphere .8, watchface and dial .7, coin .75,.68,.5)", 3},
     {"clamp-peak", KEY_CLAMP_PEAK, NULL, 0, "Hold the highlight to 1 (msh reaches 1.024)", 3},
 
     {NULL, 0, NULL, 0, "The picture:", 4},

@@ -34,6 +34,7 @@ bench: ## set up what is missing, measure cycles, instructions, code size and th
 	@+$(SUBMAKE) setup-bench
 	@+$(SUBMAKE) run-bench
 	@+$(SUBMAKE) run-bench-host
+	@+$(SUBMAKE) run-bench-stream
 
 run-bench: bench-programs
 	@node tests/bench/bench.mjs $(BENCH)
