@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT
  * The loop of glint stream: light, shade, plan, send; and how it ends. */
-#include <errno.h>
 #include <math.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -68,11 +67,13 @@ double seconds_now(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+/* In short sleeps: a signal just before one would not end it. */
 static void wait_until(double seconds)
 {
-    const struct timespec end = {(time_t)seconds, (long)(1e9 * (seconds - floor(seconds)))};
-    while (!stream_stopped() && clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &end, NULL) == EINTR)
-        ;
+    for (double now = seconds_now(); now < seconds && !stream_stopped(); now = seconds_now()) {
+        const double sleep = fmin(seconds - now, .2);
+        nanosleep(&(struct timespec){0, (long)(1e9 * sleep)}, NULL);
+    }
 }
 
 /* ---- the stream ---- */

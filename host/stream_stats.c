@@ -2,6 +2,7 @@
  * What the frames of a stream took, and what they would take over USB. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "host.h"
 #include "image.h"
@@ -10,7 +11,8 @@
 const double usb_rates[USB_RATES] = {600e3, 1000e3}, usb_rectangle_s = .4e-3;
 
 struct stream_stats {
-    const char *sink, *device;
+    const char *sink;
+    char *device;
     unsigned pixels;
     double began, last, shown;
     unsigned long frames, unchanged;
@@ -26,7 +28,9 @@ struct stream_stats *stats_new(const struct sink *sink)
 {
     struct stream_stats *stats = allocate(1, sizeof *stats);
     stats->sink = sink->kind->name;
-    stats->device = sink->name;
+    stats->device = strdup(sink->name);
+    if (!stats->device)
+        fail("out of memory");
     stats->pixels = (unsigned)sink->width * sink->height;
     stats->began = seconds_now();
     return stats;
@@ -34,6 +38,8 @@ struct stream_stats *stats_new(const struct sink *sink)
 
 void stats_free(struct stream_stats *stats)
 {
+    if (stats)
+        free(stats->device);
     free(stats);
 }
 

@@ -278,6 +278,41 @@ static void signals_end_it_after_a_whole_frame(void **state)
     }
 }
 
+/* A stream that cannot go on: nobody reads its frames, or nobody writes its lights. */
+static int interrupted_while_it_waits(const char *option, const char *value, bool reads)
+{
+    int frames[2], lights[2];
+    assert_true(pipe(frames) == 0 && pipe(lights) == 0);
+    const pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        signal(SIGINT, SIG_DFL);
+        dup2(lights[0], STDIN_FILENO);
+        dup2(frames[1], STDOUT_FILENO);
+        execl(getenv("GLINT"), "glint", "stream", "sphere", "--to", "raw", option, value, (char *)NULL);
+        _exit(127);
+    }
+    char byte;
+    if (reads)
+        assert_int_equal(write(lights[1], "1 1 1\n", 6), 6);
+    assert_int_equal(read(frames[0], &byte, 1), 1); /* it has begun */
+    kill(child, SIGINT);
+    int status;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    for (int i = 0; i < 2; i++) {
+        close(frames[i]);
+        close(lights[i]);
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static void a_stream_that_waits_ends_by_a_signal(void **state)
+{
+    (void)state;
+    assert_int_equal(interrupted_while_it_waits("--period", "1000", false), 130);
+    assert_int_equal(interrupted_while_it_waits("--lights", "-", true), 130);
+}
+
 static void the_list_is_json_on_demand(void **state)
 {
     (void)state;
@@ -311,7 +346,12 @@ static void the_terminal_shows_it_and_gets_its_cursor_back(void **state)
     read_text("typed", typed, sizeof typed);
     assert_null(strstr(typed, "\033[38;"));
     assert_contains(typed, "\033[?25h");
-    assert_int_equal(run(IN_TERMINAL("timeout -s INT 1 $GLINT stream coin --to terminal; test \\$? = 124"))->status, 0);
+    assert_quiet("printf '1 1 1\\n1\\n' >lights.txt"); /* fails when it has begun */
+    assert_int_equal(run(IN_TERMINAL("$GLINT stream coin --to terminal --lights lights.txt"))->status, 1);
+    read_text("typed", typed, sizeof typed);
+    assert_contains(strstr(typed, "\033[?25l"), "\033[?25h");
+    assert_contains(typed, "line 2");
+    assert_int_equal(run(IN_TERMINAL("timeout -s INT 1 $GLINT stream coin --to terminal --fps 4; test \\$? = 124"))->status, 0);
     read_text("typed", typed, sizeof typed);
     assert_contains(typed, "\033[?25h");
 }
@@ -331,6 +371,7 @@ int main(void)
         cmocka_unit_test(a_wrong_line_of_lights_is_named_by_its_number),
         cmocka_unit_test(where_it_cannot_write_there_is_one_line),
         cmocka_unit_test(signals_end_it_after_a_whole_frame),
+        cmocka_unit_test(a_stream_that_waits_ends_by_a_signal),
         cmocka_unit_test(the_list_is_json_on_demand),
 #if GLINT_WITH_TERMINAL
         cmocka_unit_test(the_terminal_shows_it_and_gets_its_cursor_back),
