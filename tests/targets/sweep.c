@@ -249,22 +249,17 @@ static void add_wide_out(uint32_t err)
     add_bytes((const uint8_t *)wide_out, sizeof wide_out);
 }
 
-/* In and about the lobe; t at t_max or 0 to the unit, or nl at 0, at pixel k; steps about the largest that the loops take
- * for small; any at all. */
+/* In and about the lobe; t at t_max or 0 to the unit, or nl at 0, at pixel k; steps larger than the loops take for small;
+ * any at all. */
 static void tricky_span(struct glint_span *span, uint32_t t_max, uint8_t kind)
 {
     const uint32_t k = random_bits() % (span->w + 1u), fine = 1 + random_bits() % 16;
-    const bool steep = kind == 1, any = kind == 0;
-    span->dt_q30 = (uint32_t)random_within((int32_t)(UINT32_C(1) << 25 >> fine));
-    span->ddt_q30 = random_bits() % (UINT32_C(1) << 20 >> fine);
-    span->dnl_q30 = random_within((int32_t)(UINT32_C(1) << 25 >> fine));
+    const uint32_t step = UINT32_C(1) << (kind == 1 ? 25 + fine % 5 : 25 - fine), ddt = kind == 1 ? step : step / 32;
+    span->dt_q30 = kind ? (uint32_t)random_within((int32_t)step) : random_bits();
+    span->ddt_q30 = kind ? random_bits() % (ddt + 1) : random_bits();
+    span->dnl_q30 = kind ? random_within((int32_t)step) : (int32_t)random_bits();
     span->nl_q30 = (int32_t)(random_bits() >> 2);
-    span->t_q30 = random_bits() % (t_max + 100000);
-    if (steep || any) {
-        span->dt_q30 = any ? random_bits() : (uint32_t)random_within(1) - (UINT32_C(1) << 25);
-        span->ddt_q30 = any ? random_bits() : (uint32_t)random_within(1) + (UINT32_C(1) << 20);
-        span->dnl_q30 = any ? (int32_t)random_bits() : random_within(1) + (INT32_C(1) << 25);
-    }
+    span->t_q30 = kind == 1 ? random_bits() >> 1 : random_bits() % (t_max + 100000);
     if (kind >= 5) { /* the lowest t at pixel k */
         span->dt_q30 = 0 - k * span->ddt_q30;
         span->dnl_q30 >>= 6;
@@ -300,7 +295,14 @@ static void add_wide(const struct glint_tables *tables, const struct glint_table
             if (x % 17u == 16) /* without surface */
                 words[x] = random_bits() % 9 << (i & 1 ? 0 : 12);
         }
-        add_wide_out((uint32_t)glint_tables_rect(tables, light, held, words, 0, widths[i / 2u], 1, &line));
+        struct glint_tables at = *tables; /* t_max at a pixel's t, to the unit */
+        const struct glint_vec n = glint_normals_unpack(GLINT_NORMALS_INT10, words[i & 6]);
+        const int32_t x = (n.x >> 1) - ((light->h.x + 1) >> 1), y = (n.y >> 1) - ((light->h.y + 1) >> 1),
+                      z = (n.z >> 1) - ((light->h.z + 1) >> 1);
+        const uint32_t t = 2 * ((uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z));
+        if ((i & 1) == 0 && t < at.t_max_q30)
+            at.t_max_q30 = t;
+        add_wide_out((uint32_t)glint_tables_rect(&at, light, held, words, 0, widths[i / 2u], 1, &line));
     }
     for (uint16_t i = 0; i < WIDE; i++)
         offsets[i] = (uint16_t)(random_bits() & 0x3ffe);

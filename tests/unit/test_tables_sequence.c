@@ -70,7 +70,8 @@ static struct glint_span tricky_span(const struct glint_tables *tables, unsigned
         return (struct glint_span){any_bits(), any_bits(), any_bits(), (int32_t)any_bits(), (int32_t)any_bits(), w};
     case 1:
         s.dt_q30 = (uint32_t)(below(2) ? -(1 << 25) : 1 << 25) + (uint32_t)within(1);
-        s.ddt_q30 = (1u << 20) + (uint32_t)within(1);
+        s.ddt_q30 = below(2) ? (1u << 20) + (uint32_t)within(1) : below(1u << 25);
+        s.t_q30 = below(1u << 31);
         s.dnl_q30 = (below(2) ? -(1 << 25) : 1 << 25) + within(1);
         break;
     case 2:
@@ -132,12 +133,17 @@ static uint16_t int8_pixel(const struct glint_tables *tables, const struct glint
     return colour_of(tables, (uint32_t)(d >> 23), (uint32_t)(e >> light->a) * light->r >> 20);
 }
 
-static uint16_t int10_pixel(const struct glint_tables *tables, const struct glint_tables_light *light, uint32_t word)
+static int64_t int10_u(const struct glint_tables_light *light, uint32_t word)
 {
     const int64_t x = 32 * (int64_t)((int32_t)word >> 22) - ((light->h.x + 1) >> 1);
     const int64_t y = 32 * (int64_t)((int32_t)(word << 10) >> 22) - ((light->h.y + 1) >> 1);
-    const int64_t z = (int32_t)(word << 20) >> 20, zh = 8 * z - ((light->h.z + 1) >> 1);
-    const int64_t u = x * x + y * y + zh * zh, t = tables->t_max_q30 >> 1;
+    const int64_t z = 8 * (int64_t)((int32_t)(word << 20) >> 20) - ((light->h.z + 1) >> 1);
+    return x * x + y * y + z * z;
+}
+
+static uint16_t int10_pixel(const struct glint_tables *tables, const struct glint_tables_light *light, uint32_t word)
+{
+    const int64_t u = int10_u(light, word), t = tables->t_max_q30 >> 1, z = (int32_t)(word << 20) >> 20;
     const int64_t d = light->peak - (light->peak >> 15) * (u >> 14) - z * (1 << 18);
     if (d < 0)
         return tables->dark;
@@ -173,6 +179,9 @@ static void packed_normals_have_the_pixels_of_their_sequence_at_every_width(void
         memset(pixels, GUARD, sizeof pixels);
         const uint16_t left = pixels[0], w = widths[below(WIDTHS)];
         const struct glint_surface surface = {pixels, 0, 0, 0};
+        const uint32_t t_max = tables.t_max_q30, u = (uint32_t)int10_u(&light, words[0]);
+        if (!is_8 && w && 2 * u < t_max) /* a pixel at t_max, to the unit */
+            tables.t_max_q30 = 2 * u - (i & 2);
         assert_int_equal(glint_tables_rect(&tables, &light, format, words, 0, w, 1, &surface), GLINT_OK);
         for (uint32_t x = 0, none = 0; x < w; x++) {
             if (none == 0 && (is_8 ? words[x] >> 16 : words[x] << 20) == 0)
@@ -185,6 +194,7 @@ static void packed_normals_have_the_pixels_of_their_sequence_at_every_width(void
             none -= none > 0;
         }
         assert_int_equal(pixels[w], left);
+        tables.t_max_q30 = t_max;
     }
 }
 
