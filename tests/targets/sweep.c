@@ -254,11 +254,12 @@ static void add_wide_out(uint32_t err)
 static void tricky_span(struct glint_span *span, uint32_t t_max, uint8_t kind)
 {
     const uint32_t k = random_bits() % (span->w + 1u), fine = 1 + random_bits() % 16;
-    const uint32_t step = UINT32_C(1) << (kind == 1 ? 25 + fine % 5 : 25 - fine), ddt = kind == 1 ? step : step / 32;
+    const uint32_t step = UINT32_C(1) << (kind == 1 ? 23 + fine % 6 : 25 - fine);
+    const uint32_t ddt = UINT32_C(1) << (kind == 1 ? 14 + 3 * fine % 12 : 20 - fine);
     span->dt_q30 = kind ? (uint32_t)random_within((int32_t)step) : random_bits();
-    span->ddt_q30 = kind ? random_bits() % (ddt + 1) : random_bits();
+    span->ddt_q30 = kind ? random_bits() % ddt : random_bits();
     span->dnl_q30 = kind ? random_within((int32_t)step) : (int32_t)random_bits();
-    span->nl_q30 = (int32_t)(random_bits() >> 2);
+    span->nl_q30 = (int32_t)(random_bits() >> (kind == 1 ? 0 : 2));
     span->t_q30 = kind == 1 ? random_bits() >> 1 : random_bits() % (t_max + 100000);
     if (kind >= 5) { /* the lowest t at pixel k */
         span->dt_q30 = 0 - k * span->ddt_q30;
@@ -281,8 +282,8 @@ static void add_wide(const struct glint_tables *tables, const struct glint_table
     static uint32_t words[WIDE];
     static uint16_t offsets[WIDE];
     const struct glint_surface line = {wide_out, sizeof wide_out, 0, 0};
-    for (uint8_t i = 0; i < 128; i++) {
-        struct glint_span span = {0, 0, 0, 0, 0, widths[i / 8u]};
+    for (uint16_t i = 0; i < 512; i++) {
+        struct glint_span span = {0, 0, 0, 0, 0, widths[i / 32u]};
         tricky_span(&span, tables->t_max_q30, i % 8u);
         add_wide_out((uint32_t)glint_tables_span(tables, &span, &line));
     }

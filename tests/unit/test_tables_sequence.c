@@ -69,10 +69,11 @@ static struct glint_span tricky_span(const struct glint_tables *tables, unsigned
     case 0:
         return (struct glint_span){any_bits(), any_bits(), any_bits(), (int32_t)any_bits(), (int32_t)any_bits(), w};
     case 1:
-        s.dt_q30 = (uint32_t)(below(2) ? -(1 << 25) : 1 << 25) + (uint32_t)within(1);
-        s.ddt_q30 = below(2) ? (1u << 20) + (uint32_t)within(1) : below(1u << 25);
+        s.dt_q30 = (uint32_t)within(1 << (24 + fine % 6));
+        s.ddt_q30 = below(1u << (10 + fine));
+        s.dnl_q30 = within(1 << (24 + fine % 6));
         s.t_q30 = below(1u << 31);
-        s.dnl_q30 = (below(2) ? -(1 << 25) : 1 << 25) + within(1);
+        s.nl_q30 = (int32_t)any_bits();
         break;
     case 2:
     case 5:
