@@ -120,13 +120,11 @@ void chip_remove(const struct chip *chip)
             made[i] = (struct chip){0};
 }
 
-int chips_remove(void **state)
+void chips_remove(void)
 {
-    (void)state;
     for (size_t i = 0; i < CHIPS_MAX; i++)
         if (made[i].count)
             chip_remove(&made[i]);
-    return 0;
 }
 
 unsigned chip_line(const struct chip *chip, const char *name)

@@ -7,7 +7,7 @@
  *     struct chip chip;
  *     struct capture capture;
  *     struct screen screen;
- *     chip_create(&chip, "panel", NAMES, COUNT); // chips_remove is the test's teardown
+ *     chip_create(&chip, "panel", NAMES, COUNT); // lab_clean is the test's teardown
  *     capture_start(&capture, &chip, 16);
  *     assert_int_equal(run("glint stream ..."), 0);
  *     capture_stop(&capture);
@@ -37,8 +37,7 @@ struct chip {
 void chip_create(struct chip *chip, const char *label, const char *const lines[], unsigned count);
 /* Also while a program uses it. */
 void chip_remove(const struct chip *chip);
-/* All that were created; as the teardown of every test it leaves nothing to the next one. */
-int chips_remove(void **state);
+void chips_remove(void);
 /* The simulated chip of this label, of the device tree. */
 void chip_find(struct chip *chip, const char *label, const char *const lines[], unsigned count);
 /* The line of this name. */
@@ -110,6 +109,10 @@ void process_start(struct process *process, const char *format, ...) __attribute
 void process_wait_for(const struct process *process, const char *text);
 /* Sends a signal, 0: none, and waits; its exit status as run() has it. Fails when it goes on for more than ten seconds. */
 int process_end(struct process *process, int signal);
+void processes_end(void);
+
+/* A test's teardown: no chip that was created and no program that was started is left to the next test. */
+int lab_clean(void **state);
 
 /* Waits for a file, for ten seconds at most. */
 void wait_for_file(const char *path);

@@ -14,7 +14,19 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { TENTHS = 100 };
+enum { TENTHS = 100, PROCESSES_MAX = 8 };
+static pid_t running[PROCESSES_MAX];
+
+/* Puts one process in the place of another; 0: none. */
+static void replace(pid_t old, pid_t new)
+{
+    for (size_t i = 0; i < PROCESSES_MAX; i++)
+        if (running[i] == old) {
+            running[i] = new;
+            return;
+        }
+    fail_msg("more than %d programs at a time", PROCESSES_MAX);
+}
 
 static void sleep_a_tenth(void)
 {
@@ -41,6 +53,7 @@ void process_start(struct process *process, const char *format, ...)
         execl("/bin/sh", "sh", "-c", exec_command, (char *)NULL);
         _exit(127);
     }
+    replace(0, process->pid);
     close(output);
     free(command);
     free(exec_command);
@@ -67,11 +80,34 @@ int process_end(struct process *process, int signal)
         kill(process->pid, signal);
     int status = 0;
     for (int i = 0; i < TENTHS; i++, sleep_a_tenth())
-        if (waitpid(process->pid, &status, WNOHANG) == process->pid)
+        if (waitpid(process->pid, &status, WNOHANG) == process->pid) {
+            replace(process->pid, 0);
             return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    kill(process->pid, SIGKILL);
+        }
     fail_msg("the program goes on ten seconds after signal %d", signal);
     return -1;
+}
+
+/* Asked at first, as a gadget that is killed stays on its bus. */
+void processes_end(void)
+{
+    for (size_t i = 0; i < PROCESSES_MAX; i++) {
+        if (!running[i])
+            continue;
+        kill(running[i], SIGTERM);
+        for (int wait = 0; waitpid(running[i], NULL, WNOHANG) == 0; wait++, sleep_a_tenth())
+            if (wait == TENTHS)
+                kill(running[i], SIGKILL);
+        running[i] = 0;
+    }
+}
+
+int lab_clean(void **state)
+{
+    (void)state;
+    processes_end();
+    chips_remove();
+    return 0;
 }
 
 void wait_for_file(const char *path)

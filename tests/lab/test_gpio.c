@@ -183,14 +183,14 @@ static void a_chip_that_was_removed_is_gone_and_can_be_made_again(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_teardown(bit_banged_spi_is_captured_and_decoded_byte_by_byte, chips_remove),
-        cmocka_unit_test_teardown(a_bit_banged_8080_bus_is_captured_and_decoded_byte_by_byte, chips_remove),
-        cmocka_unit_test_teardown(a_frame_of_320x240_on_the_8080_bus_is_captured_without_a_loss, chips_remove),
-        cmocka_unit_test_teardown(sigrok_decodes_the_same_bytes_from_spi, chips_remove),
-        cmocka_unit_test_teardown(sigrok_reads_the_commands_of_a_display_from_spi, chips_remove),
-        cmocka_unit_test_teardown(sigrok_decodes_the_same_bytes_from_the_8080_bus, chips_remove),
-        cmocka_unit_test_teardown(a_capture_that_lost_something_is_noticed, chips_remove),
-        cmocka_unit_test_teardown(a_chip_that_was_removed_is_gone_and_can_be_made_again, chips_remove),
+        cmocka_unit_test_teardown(bit_banged_spi_is_captured_and_decoded_byte_by_byte, lab_clean),
+        cmocka_unit_test_teardown(a_bit_banged_8080_bus_is_captured_and_decoded_byte_by_byte, lab_clean),
+        cmocka_unit_test_teardown(a_frame_of_320x240_on_the_8080_bus_is_captured_without_a_loss, lab_clean),
+        cmocka_unit_test_teardown(sigrok_decodes_the_same_bytes_from_spi, lab_clean),
+        cmocka_unit_test_teardown(sigrok_reads_the_commands_of_a_display_from_spi, lab_clean),
+        cmocka_unit_test_teardown(sigrok_decodes_the_same_bytes_from_the_8080_bus, lab_clean),
+        cmocka_unit_test_teardown(a_capture_that_lost_something_is_noticed, lab_clean),
+        cmocka_unit_test_teardown(a_chip_that_was_removed_is_gone_and_can_be_made_again, lab_clean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -53,7 +53,7 @@ static void what_spidev_is_given_is_on_the_lines(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_spidev_is_given_is_on_the_lines),
+        cmocka_unit_test_teardown(what_spidev_is_given_is_on_the_lines, lab_clean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

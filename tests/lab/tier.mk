@@ -44,12 +44,13 @@ $(BUILD)/tests/lab/spi.dtb: tests/lab/spi.dts
 	@mkdir -p $(@D)
 	kernel=$$(tests/lab/kernel) && "$$kernel/dtc" -q -O dtb -o $@ $<
 
-lab-programs: $(LAB_TESTS) $(addprefix $(BUILD)/tests/lab/,init spi.dtb bitbang1 bitbang2)
+lab-programs: $(LAB_TESTS) $(addprefix $(BUILD)/tests/lab/,init spi.dtb bitbang1 bitbang2) firmware-linux
 
 run-lab: lab-programs
 	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) && export LAB_KERNEL LAB_BUILD && tests/tally $(LAB_SCRIPTS) \
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang1 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang2 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
-		"tests/lab/guest --spi $(BUILD)/tests/lab/test_spidev"
+		"tests/lab/guest --spi $(BUILD)/tests/lab/test_spidev" \
+		"env GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest $(BUILD)/tests/lab/test_gud_kernel"
 
 .PHONY: setup-lab test-lab run-lab lab-programs
