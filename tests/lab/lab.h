@@ -1,18 +1,29 @@
 /* SPDX-License-Identifier: MIT */
-/* The lab: what a program does to simulated GPIO lines, recorded by the kernel, and decoded.
+/* The lab: what tests use inside the guest; what cannot be done fails the test. lab_clean is the teardown of every test.
  *
- * These run inside the guest, in cmocka tests: what cannot be done fails the test. A test makes a chip, starts a capture,
- * runs the program under test, stops the capture, and has the bytes on the bus and the picture on the screen:
+ * GPIO: a test makes a chip, starts a capture, runs the program under test, stops the capture, and has the bytes on the bus
+ * and the picture on the screen:
  *
  *     struct chip chip;
  *     struct capture capture;
  *     struct screen screen;
- *     chip_create(&chip, "panel", NAMES, COUNT); // lab_clean is the test's teardown
+ *     chip_create(&chip, "panel", NAMES, COUNT);
  *     capture_start(&capture, &chip, 16);
  *     assert_int_equal(run("glint stream ..."), 0);
  *     capture_stop(&capture);
  *     size_t count = decode_spi(&capture, SPI, bytes, ROOM);
  *     screen_show(&screen, bytes, count);
+ *
+ * USB: a gadget is a program that goes on beside the test. On the controllers dummy_udc.0 and dummy_udc.1 the guest's own
+ * host sees it at once; on usbip-vudc.0 after usbip_attach. The kernel's driver for USB displays takes what looks like one
+ * and makes /dev/fb0 of it; a program that uses libusb has to detach it.
+ *
+ *     struct process gadget;
+ *     process_start(&gadget, "$GADGET --size 320x240 -o /run/tmp/picture.png");
+ *     process_wait_for(&gadget, "on the bus");
+ *     wait_for_file("/dev/fb0");
+ *     assert_int_equal(run("$GLINT stream watchface --to usb --detach --frames 5"), 0);
+ *     assert_int_equal(process_end(&gadget, SIGTERM), 0);
  */
 #ifndef LAB_H
 #define LAB_H
