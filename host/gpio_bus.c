@@ -95,7 +95,6 @@ static bool on_command(void *context, uint8_t command)
     struct gpio_bus *bus = context;
     /* A rising chip select ends what came before: a panel that missed a clock edge counts its bits anew. */
     if (bus->options->kind == GPIO_BUS_SPI && bus->bits[ROLE_CS]) {
-        change(bus, ROLE_SCK, false);
         change(bus, ROLE_CS, true);
         if (!set(bus))
             return false;

@@ -153,7 +153,7 @@ static void check_turn(const struct panel *panel)
     const char *name = controller_names[panel->controller];
     const bool lying = panel->rotation % 2;
     fail("--size: an %s glass of %ux%u shows %ux%u at --rotation %u; give that --size, or --rotation %s", name,
-         lying ? panel->height : panel->width, lying ? panel->width : panel->height, panel->height, panel->width,
+         lying ? panel->width : panel->height, lying ? panel->height : panel->width, panel->height, panel->width,
          90u * panel->rotation, lying ? "0 or 180" : "90 or 270");
 }
 
