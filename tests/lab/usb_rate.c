@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: MIT
+ * Bytes a second of the usb sink, beside a bare loop of libusb calls that wait, to the same display. A figure, no test: how
+ * fast is the simulated controller's affair, so only the quotient says something. */
+#include "unit.h"
+
+#include <libusb.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "sink.h"
+#include "usb_display.h"
+
+#include "gud_protocol.h"
+
+static double now(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+static uint8_t pixels[USB_PICTURE_MAX];
+
+static double sink_rate(uint16_t width, uint16_t height, unsigned frames)
+{
+    char *argv[] = {(char *)"rate", (char *)"--vid-pid", (char *)"1209:0001", NULL};
+    argp_parse(sink_usb.options, 3, argv, 0, NULL, NULL);
+    struct sink *sink = sink_usb.open(&(struct sink_wish){.format = GLINT_RGB565});
+    const struct frame frame = {width, height, GLINT_RGB565, 2 * (size_t)width, pixels};
+    const size_t bytes = 2 * (size_t)width * height;
+    const struct piece piece = {{0, 0, width, height}, false, bytes, bytes, pixels};
+    sink->kind->send(sink, &frame, &piece, 1);
+    const double start = now();
+    for (unsigned i = 0; i < frames; i++)
+        assert_int_equal(sink->kind->send(sink, &frame, &piece, 1), SINK_SENT);
+    const double end = now(); /* the last is still under way, as the one before was at the start */
+    sink->kind->close(sink);
+    return frames * (double)bytes / (end - start);
+}
+
+/* And of its bulk calls alone. */
+static double bare_rate(uint16_t width, uint16_t height, unsigned frames, double *bulk)
+{
+    libusb_context *context;
+    assert_int_equal(libusb_init(&context), 0);
+    libusb_device_handle *handle = libusb_open_device_with_vid_pid(context, 0x1209, 1);
+    assert_non_null(handle);
+    assert_int_equal(libusb_claim_interface(handle, 0), 0);
+    uint8_t set[GUD_RECTANGLE_BYTES], on = 1;
+    const size_t bytes = 2 * (size_t)width * height;
+    gud_rectangle_pack(set, &(struct gud_rectangle){0, 0, width, height, (uint32_t)bytes, 0, 0});
+    libusb_control_transfer(handle, 0x41, GUD_SET_CONTROLLER_ENABLE, 0, 0, &on, 1, 5000);
+    double within = 0;
+    const double start = now();
+    for (unsigned i = 0; i < frames; i++) {
+        int moved;
+        assert_int_equal(libusb_control_transfer(handle, 0x41, GUD_SET_BUFFER, 0, 0, set, sizeof set, 5000),
+                         sizeof set);
+        const double before = now();
+        assert_int_equal(libusb_bulk_transfer(handle, 1, pixels, (int)bytes, &moved, 3000), 0);
+        within += now() - before;
+    }
+    const double end = now();
+    libusb_release_interface(handle, 0);
+    libusb_close(handle);
+    libusb_exit(context);
+    *bulk = frames * (double)bytes / within;
+    return frames * (double)bytes / (end - start);
+}
+
+static void measure(uint16_t width, uint16_t height, bool full_speed, unsigned frames)
+{
+    static struct usb_display display;
+    struct usb_display_config config;
+    usb_display_defaults(&config, width, height);
+    config.full_speed = full_speed;
+    usb_display_be(&display, &config);
+    double sink = 0, bare = 0, bulk = 0;
+    for (unsigned i = 0; i < 3; i++) { /* the best of each: the machine does other things, too */
+        double b;
+        const double s = sink_rate(width, height, frames), r = bare_rate(width, height, frames, &b);
+        sink = s > sink ? s : sink;
+        bare = r > bare ? r : bare;
+        bulk = b > bulk ? b : bulk;
+    }
+    printf("%ux%u, %s speed: sink %.0f KB/s; waiting calls %.0f KB/s (%.0f %%), their bulk alone %.0f KB/s (%.0f %%)\n",
+           width, height, full_speed ? "full" : "high", sink / 1e3, bare / 1e3, 100 * sink / bare, bulk / 1e3,
+           100 * sink / bulk);
+    usb_display_unplug(&display);
+}
+
+static void rates(void **state)
+{
+    (void)state;
+    measure(320, 240, true, 10);
+    measure(320, 240, false, 60);
+    measure(1920, 1080, false, 10);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(rates)};
+    return cmocka_run_group_tests_name("usb rate", tests, NULL, usb_displays_unplug);
+}
