@@ -1,0 +1,484 @@
+/* SPDX-License-Identifier: MIT
+ * glint-gadget under the kernel's own GUD driver: what is drawn through its DRM device arrives bit for bit, in every format,
+ * raw and compressed, whole and in odd rectangles; and it survives what happens to USB devices. In the environment: GADGET
+ * and FAULTY, the programs. */
+#include "unit.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <drm.h>
+#include <drm_fourcc.h>
+#include <fcntl.h>
+#include <linux/usbdevice_fs.h>
+#include <math.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { WIDTH = 61, HEIGHT = 47, PATIENCE_MS = 10000, STEP_MS = 20 };
+#define PICTURE "/run/picture"
+#define LOG "/run/gadget.log"
+
+static void wait_ms(unsigned ms)
+{
+    usleep(1000 * ms);
+}
+
+/* ---- the gadget ---- */
+
+static pid_t gadget;
+
+static void gadget_start(const char *variable, const char *options)
+{
+    char command[500];
+    unlink(PICTURE);
+    snprintf(command, sizeof command, "exec %s --size %dx%d -v -o " PICTURE " %s >" LOG " 2>&1", getenv(variable),
+             WIDTH, HEIGHT, options);
+    gadget = fork();
+    if (gadget == 0) {
+        execl("/bin/sh", "sh", "-c", command, (char *)NULL);
+        _exit(127);
+    }
+    assert_true(gadget > 0);
+}
+
+static int gadget_end(int signal_number)
+{
+    int status;
+    kill(gadget, signal_number);
+    assert_int_equal(waitpid(gadget, &status, 0), gadget);
+    gadget = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+static const char *log_text(void)
+{
+    static char text[1 << 20];
+    FILE *file = fopen(LOG, "r");
+    assert_non_null(file);
+    text[fread(text, 1, sizeof text - 1, file)] = 0;
+    fclose(file);
+    return text;
+}
+
+/* From its last line, when it has ended. */
+static void gadget_figures(unsigned long *rectangles, unsigned long long *bytes)
+{
+    unsigned long faults;
+    const char *text = strstr(log_text(), " rectangles,");
+    assert_non_null(text);
+    while (text > log_text() && text[-1] != '\n')
+        text--;
+    assert_int_equal(sscanf(text, "%lu rectangles, %lu with faults, %llu bytes", rectangles, &faults, bytes), 3);
+    assert_int_equal(faults, 0);
+}
+
+static int stop(void **state)
+{
+    (void)state;
+    if (gadget)
+        gadget_end(SIGKILL);
+    return 0;
+}
+
+/* ---- the kernel's DRM device ---- */
+
+static struct card {
+    int file;
+    uint32_t crtc, connector, frame, pitch, fourcc;
+    struct drm_mode_modeinfo mode;
+    uint8_t *pixels;
+    size_t bytes;
+} card = {.file = -1};
+
+static void must(unsigned long request, void *argument, const char *what)
+{
+    if (ioctl(card.file, request, argument) != 0)
+        fail_msg("%s: %s", what, strerror(errno));
+}
+
+static bool find_card(void)
+{
+    struct dirent **entries;
+    const int count = scandir("/dev/dri", &entries, NULL, alphasort);
+    for (int i = 0; i < count; i++) {
+        char path[300];
+        snprintf(path, sizeof path, "/dev/dri/%s", entries[i]->d_name);
+        if (card.file < 0 && strncmp(entries[i]->d_name, "card", 4) == 0)
+            card.file = open(path, O_RDWR | O_CLOEXEC);
+        free(entries[i]);
+    }
+    if (count > 0)
+        free(entries);
+    return card.file >= 0;
+}
+
+static void card_open(void)
+{
+    card.file = -1;
+    for (unsigned ms = 0; !find_card(); ms += STEP_MS) {
+        if (ms > PATIENCE_MS)
+            fail_msg("the kernel makes no display of it: %s", log_text());
+        wait_ms(STEP_MS);
+    }
+    struct drm_mode_card_res resources = {.count_crtcs = 1, .count_connectors = 1};
+    resources.crtc_id_ptr = (uintptr_t)&card.crtc;
+    resources.connector_id_ptr = (uintptr_t)&card.connector;
+    must(DRM_IOCTL_MODE_GETRESOURCES, &resources, "resources");
+    assert_true(resources.count_crtcs == 1 && resources.count_connectors == 1);
+    struct drm_mode_get_connector probe = {.connector_id = card.connector};
+    must(DRM_IOCTL_MODE_GETCONNECTOR, &probe, "connector");
+    assert_int_equal(probe.count_modes, 1);
+    struct drm_mode_get_connector get = {.connector_id = card.connector, .count_modes = 1};
+    get.modes_ptr = (uintptr_t)&card.mode;
+    must(DRM_IOCTL_MODE_GETCONNECTOR, &get, "mode");
+    assert_true(card.mode.hdisplay == WIDTH && card.mode.vdisplay == HEIGHT);
+}
+
+static void card_close(void)
+{
+    munmap(card.pixels, card.bytes);
+    close(card.file);
+    card.file = -1;
+}
+
+static unsigned pixel_bytes(uint32_t fourcc)
+{
+    return fourcc == DRM_FORMAT_RGB565 ? 2 : fourcc == DRM_FORMAT_RGB888 ? 3 : 4;
+}
+
+/* A frame buffer of this format on the display. */
+static void card_show(uint32_t fourcc)
+{
+    struct drm_mode_create_dumb create = {.width = WIDTH, .height = HEIGHT, .bpp = 8 * pixel_bytes(fourcc)};
+    must(DRM_IOCTL_MODE_CREATE_DUMB, &create, "buffer");
+    struct drm_mode_fb_cmd2 add = {.width = WIDTH, .height = HEIGHT, .pixel_format = fourcc};
+    add.handles[0] = create.handle;
+    add.pitches[0] = create.pitch;
+    must(DRM_IOCTL_MODE_ADDFB2, &add, "frame buffer");
+    struct drm_mode_map_dumb map = {.handle = create.handle};
+    must(DRM_IOCTL_MODE_MAP_DUMB, &map, "map");
+    card.pixels = mmap(NULL, create.size, PROT_READ | PROT_WRITE, MAP_SHARED, card.file, (off_t)map.offset);
+    assert_true(card.pixels != MAP_FAILED);
+    card.bytes = create.size;
+    card.pitch = create.pitch;
+    card.frame = add.fb_id;
+    card.fourcc = fourcc;
+    struct drm_mode_crtc set = {.crtc_id = card.crtc, .fb_id = add.fb_id, .count_connectors = 1, .mode_valid = 1};
+    set.mode = card.mode;
+    set.set_connectors_ptr = (uintptr_t)&card.connector;
+    must(DRM_IOCTL_MODE_SETCRTC, &set, "mode");
+}
+
+static void card_dirty(unsigned x, unsigned y, unsigned width, unsigned height)
+{
+    struct drm_clip_rect clip = {(unsigned short)x, (unsigned short)y, (unsigned short)(x + width),
+                                 (unsigned short)(y + height)};
+    struct drm_mode_fb_dirty_cmd dirty = {.fb_id = card.frame, .num_clips = 1, .clips_ptr = (uintptr_t)&clip};
+    must(DRM_IOCTL_MODE_DIRTYFB, &dirty, "dirty");
+}
+
+/* ---- pictures ---- */
+
+static uint8_t source[HEIGHT][WIDTH][3], wanted[HEIGHT][WIDTH][3];
+
+enum content { SMOOTH, NOISE };
+static void draw(enum content content, unsigned turn, unsigned x0, unsigned y0, unsigned width, unsigned height)
+{
+    for (unsigned y = y0; y < y0 + height; y++)
+        for (unsigned x = x0; x < x0 + width; x++)
+            for (unsigned c = 0; c < 3; c++) {
+                const unsigned smooth = x / 8 * 37 + 11 * turn + 50 * c, noise = (unsigned)rand() >> 7;
+                source[y][x][c] = (uint8_t)(content == SMOOTH ? smooth : noise);
+                const uint8_t v = source[y][x][c];
+                uint8_t *at = card.pixels + y * card.pitch + x * pixel_bytes(card.fourcc);
+                if (card.fourcc != DRM_FORMAT_RGB565) {
+                    at[2 - c] = v;
+                    continue;
+                }
+                const unsigned word = at[0] | (unsigned)at[1] << 8, shift = (const unsigned[]){11, 5, 0}[c];
+                const unsigned most = c == 1 ? 63 : 31, level = v * (most + 1) / 256;
+                const unsigned next = (word & ~(most << shift)) | level << shift;
+                at[0] = (uint8_t)next;
+                at[1] = (uint8_t)(next >> 8);
+            }
+}
+
+/* What becomes of a colour on a device that shows it in so many levels; the kernel cuts. */
+static uint8_t shown(uint8_t value, unsigned most)
+{
+    return (uint8_t)lround(value * (most + 1) / 256 * 255. / most);
+}
+
+static void want(const char *format)
+{
+    for (unsigned y = 0; y < HEIGHT; y++)
+        for (unsigned x = 0; x < WIDTH; x++) {
+            const uint8_t *s = source[y][x];
+            const unsigned grey = (3u * s[0] + 6u * s[1] + s[2]) / 10;
+            for (unsigned c = 0; c < 3; c++)
+                if (strcmp(format, "rgb565") == 0)
+                    wanted[y][x][c] = shown(s[c], c == 1 ? 63 : 31);
+                else if (strcmp(format, "rgb332") == 0)
+                    wanted[y][x][c] = shown(s[c], c == 2 ? 3 : 7);
+                else if (strcmp(format, "xrgb1111") == 0)
+                    wanted[y][x][c] = shown(s[c], 1);
+                else if (strcmp(format, "r8") == 0)
+                    wanted[y][x][c] = (uint8_t)grey;
+                else if (strcmp(format, "r1") == 0)
+                    wanted[y][x][c] = shown((uint8_t)grey, 1);
+                else
+                    wanted[y][x][c] = s[c];
+        }
+}
+
+static unsigned wrong_pixels(void)
+{
+    static uint8_t found[HEIGHT][WIDTH][3];
+    FILE *file = fopen(PICTURE, "r");
+    const bool whole = file && fread(found, sizeof found, 1, file) == 1 && getc(file) == EOF;
+    if (file)
+        fclose(file);
+    unsigned wrong = whole ? 0 : WIDTH * HEIGHT;
+    for (unsigned i = 0; whole && i < WIDTH * HEIGHT; i++)
+        wrong += memcmp(&found[0][0][3 * i], &wanted[0][0][3 * i], 3) != 0;
+    return wrong;
+}
+
+/* The kernel flushes when it likes. */
+static void arrives(const char *format, const char *what)
+{
+    want(format);
+    unsigned wrong = 1;
+    for (unsigned ms = 0; wrong && ms < PATIENCE_MS; ms += STEP_MS) {
+        kill(gadget, SIGUSR1);
+        wait_ms(STEP_MS);
+        wrong = wrong_pixels();
+    }
+    if (wrong)
+        fail_msg("%s, %s: %u of %u pixels are wrong\n%s", format, what, wrong, WIDTH * HEIGHT, log_text());
+}
+
+/* ---- formats ---- */
+
+static void draws_all(const char *format, uint32_t fourcc)
+{
+    static const unsigned boxes[][4] = {{0, 0, 1, 1},  {60, 46, 1, 1}, {7, 3, 13, 5},
+                                        {8, 0, 9, 47}, {1, 20, 59, 1}, {3, 1, 57, 45}};
+    card_open();
+    card_show(fourcc);
+    draw(SMOOTH, 0, 0, 0, WIDTH, HEIGHT);
+    card_dirty(0, 0, WIDTH, HEIGHT);
+    arrives(format, "a smooth frame");
+    for (unsigned i = 0; i < sizeof boxes / sizeof *boxes; i++) {
+        char what[60];
+        const unsigned *b = boxes[i];
+        draw(i % 2 ? SMOOTH : NOISE, i, b[0], b[1], b[2], b[3]);
+        card_dirty(b[0], b[1], b[2], b[3]);
+        snprintf(what, sizeof what, "a rectangle at %u,%u of %ux%u", b[0], b[1], b[2], b[3]);
+        arrives(format, what);
+    }
+    draw(NOISE, 0, 0, 0, WIDTH, HEIGHT);
+    card_dirty(0, 0, WIDTH, HEIGHT);
+    arrives(format, "a frame of noise");
+    card_close();
+}
+
+static void with(const char *format, uint32_t fourcc, const char *options, unsigned long *rectangles,
+                 unsigned long long *bytes)
+{
+    char all[200];
+    snprintf(all, sizeof all, "--formats %s %s", format, options);
+    gadget_start("GADGET", all);
+    draws_all(format, fourcc);
+    assert_int_equal(gadget_end(SIGTERM), 0);
+    gadget_figures(rectangles, bytes);
+}
+
+/* Raw, compressed (fewer bytes), split (more rectangles), at full speed: 64 bytes a packet. */
+static void format_arrives(const char *format, uint32_t fourcc)
+{
+    unsigned long rectangles, split, few;
+    unsigned long long raw, compressed, bytes;
+    with(format, fourcc, "--no-lz4", &rectangles, &raw);
+    with(format, fourcc, "", &few, &compressed);
+    assert_true(compressed < raw);
+    with(format, fourcc, "--max-buffer 300 --speed full", &split, &bytes);
+    assert_true(split > rectangles + 10 || strcmp(format, "r1") == 0);
+}
+
+static void rgb565_arrives(void **state)
+{
+    (void)state;
+    format_arrives("rgb565", DRM_FORMAT_RGB565);
+}
+
+static void xrgb8888_arrives_on_an_rgb565_display(void **state)
+{
+    (void)state;
+    format_arrives("rgb565", DRM_FORMAT_XRGB8888);
+}
+
+static void rgb888_arrives(void **state)
+{
+    (void)state;
+    format_arrives("rgb888", DRM_FORMAT_RGB888);
+}
+
+static void xrgb8888_arrives(void **state)
+{
+    (void)state;
+    format_arrives("xrgb8888", DRM_FORMAT_XRGB8888);
+}
+
+static void grey_arrives(void **state)
+{
+    (void)state;
+    format_arrives("r8", DRM_FORMAT_XRGB8888);
+}
+
+static void black_and_white_arrives(void **state)
+{
+    (void)state;
+    format_arrives("r1", DRM_FORMAT_XRGB8888);
+}
+
+static void eight_colours_arrive(void **state)
+{
+    (void)state;
+    format_arrives("xrgb1111", DRM_FORMAT_XRGB8888);
+}
+
+static void rgb332_arrives(void **state)
+{
+    (void)state;
+    format_arrives("rgb332", DRM_FORMAT_XRGB8888);
+}
+
+/* ---- what happens to USB devices ---- */
+
+static void is_a_display_again(void)
+{
+    draws_all("rgb565", DRM_FORMAT_RGB565);
+}
+
+static void unbind(const char *gadget_name)
+{
+    char command[200];
+    snprintf(command, sizeof command, "echo >/sys/kernel/config/usb_gadget/%s/UDC", gadget_name);
+    assert_int_equal(system(command), 0);
+}
+
+static void unbound_by_someone_it_binds_again(void **state)
+{
+    (void)state;
+    gadget_start("GADGET", "--formats rgb565");
+    is_a_display_again();
+    unbind("glint");
+    is_a_display_again();
+    assert_int_equal(gadget_end(SIGINT), 0);
+}
+
+static void after_a_reset_by_the_host_it_is_a_display_again(void **state)
+{
+    (void)state;
+    gadget_start("GADGET", "--formats rgb565");
+    is_a_display_again();
+    for (unsigned turn = 0; turn < 3; turn++) {
+        const int device = open("/sys/bus/usb/devices/1-1/devnum", O_RDONLY);
+        char text[16] = "", path[64];
+        assert_true(device >= 0 && read(device, text, sizeof text - 1) > 0);
+        close(device);
+        snprintf(path, sizeof path, "/dev/bus/usb/001/%03d", atoi(text));
+        const int usb = open(path, O_WRONLY);
+        assert_true(usb >= 0);
+        assert_int_equal(ioctl(usb, USBDEVFS_RESET, 0), 0);
+        close(usb);
+        is_a_display_again();
+    }
+    assert_int_equal(gadget_end(SIGINT), 0);
+}
+
+static void killed_and_started_again_it_cleans_up(void **state)
+{
+    (void)state;
+    gadget_start("GADGET", "--formats rgb565");
+    is_a_display_again();
+    assert_int_equal(gadget_end(SIGKILL), 128 + SIGKILL);
+    gadget_start("GADGET", "--formats rgb565");
+    is_a_display_again();
+    assert_int_equal(gadget_end(SIGTERM), 0);
+    assert_int_equal(access("/sys/kernel/config/usb_gadget/glint", F_OK), -1);
+    assert_int_equal(access("/dev/ffs-glint", F_OK), -1);
+}
+
+static void unplugged_in_the_middle_of_a_rectangle_and_back_it_is_a_display_again(void **state)
+{
+    (void)state;
+    gadget_start("FAULTY", "--formats rgb565 --fault unplug --after 1500 --back 300");
+    card_open();
+    card_show(DRM_FORMAT_RGB565);
+    draw(NOISE, 0, 0, 0, WIDTH, HEIGHT);
+    struct drm_clip_rect clip = {0, 0, WIDTH, HEIGHT};
+    struct drm_mode_fb_dirty_cmd dirty = {.fb_id = card.frame, .num_clips = 1, .clips_ptr = (uintptr_t)&clip};
+    (void)ioctl(card.file, DRM_IOCTL_MODE_DIRTYFB, &dirty); /* it may be gone already */
+    for (unsigned ms = 0; !strstr(log_text(), "unbound"); ms += STEP_MS) {
+        assert_true(ms < PATIENCE_MS);
+        wait_ms(STEP_MS);
+    }
+    card_close();
+    wait_ms(100);
+    is_a_display_again();
+    assert_int_equal(gadget_end(SIGTERM), 0);
+}
+
+static void a_second_one_is_refused_in_one_line(void **state)
+{
+    (void)state;
+    gadget_start("GADGET", "--formats rgb565");
+    card_open();
+    close(card.file);
+    static const struct {
+        const char *options, *message;
+    } tries[] = {
+        {"", "glint: in use by another program; end it, or give another --name"},
+        {"--name other --udc dummy_udc.0", "dummy_udc.0: in use by another gadget; free it, or name another by --udc"},
+        {"--name other --udc no", "--udc: there is no USB device controller 'no' in /sys/class/udc"}};
+    for (unsigned i = 0; i < sizeof tries / sizeof *tries; i++) {
+        char command[300], text[300] = "";
+        snprintf(command, sizeof command, "timeout 5 %s %s 2>&1", getenv("GADGET"), tries[i].options);
+        FILE *pipe = popen(command, "r");
+        text[fread(text, 1, sizeof text - 1, pipe)] = 0;
+        assert_int_equal(WEXITSTATUS(pclose(pipe)), 1);
+        if (!strstr(text, tries[i].message) || strchr(text, '\n') != text + strlen(text) - 1)
+            fail_msg("%s", text);
+    }
+    is_a_display_again();
+    assert_int_equal(gadget_end(SIGTERM), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_teardown(rgb565_arrives, stop),
+        cmocka_unit_test_teardown(xrgb8888_arrives_on_an_rgb565_display, stop),
+        cmocka_unit_test_teardown(rgb888_arrives, stop),
+        cmocka_unit_test_teardown(xrgb8888_arrives, stop),
+        cmocka_unit_test_teardown(grey_arrives, stop),
+        cmocka_unit_test_teardown(black_and_white_arrives, stop),
+        cmocka_unit_test_teardown(eight_colours_arrive, stop),
+        cmocka_unit_test_teardown(rgb332_arrives, stop),
+        cmocka_unit_test_teardown(unbound_by_someone_it_binds_again, stop),
+        cmocka_unit_test_teardown(after_a_reset_by_the_host_it_is_a_display_again, stop),
+        cmocka_unit_test_teardown(killed_and_started_again_it_cleans_up, stop),
+        cmocka_unit_test_teardown(unplugged_in_the_middle_of_a_rectangle_and_back_it_is_a_display_again, stop),
+        cmocka_unit_test_teardown(a_second_one_is_refused_in_one_line, stop),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
