@@ -68,10 +68,9 @@ void glint_run_mixed(const struct glint_tables *tables, const struct glint_span 
     const uint32_t t_max = tables->t_max_q30, limit = t_max - GLINT_NEGATIVE_T;
     uint32_t back = t_max - at->t_q30, dt = at->dt_q30, nl = (uint32_t)at->nl_q30;
     const uint32_t ddt = at->ddt_q30, dnl = (uint32_t)at->dnl_q30;
-    const uint16_t unlit = tables->dark;
     for (; out != end; out++) {
         if ((int32_t)nl < 0) {
-            *out = unlit;
+            *out = tables->dark;
         } else {
             uint32_t at_byte = row(nl);
             if (back <= limit)

@@ -8,31 +8,34 @@
  * change nl by less than 2^30, and t by -2^30 .. 3 * 2^29. */
 #define BIG ((uint32_t)1 << 25)
 
+static inline bool is_big(uint32_t step)
+{
+    return (step + BIG) >> 26 != 0;
+}
+
 static inline void run(const struct glint_tables *tables, const struct glint_span *at, uint32_t w, uint16_t *out)
 {
-    const uint32_t m = w - 1u, nl = (uint32_t)at->nl_q30, dnl = (uint32_t)at->dnl_q30, last_nl = nl + m * dnl;
-    const uint32_t dt = at->dt_q30;
-    if (!(((dnl + BIG) | (dt + BIG)) >> 26 | at->ddt_q30 >> 20)) {
-        if ((int32_t)(nl | last_nl | at->t_q30) >= 0) {
-            const uint32_t fall = m * dt;
-            const int32_t t_max = (int32_t)tables->t_max_q30, back = t_max - (int32_t)at->t_q30;
-            /* t is not below the tangent at the start */
-            const int32_t highest = (int32_t)dt < 0 ? back - (int32_t)fall : back;
-            if (back < 0) {
-                if (highest < 0) {
-                    glint_run_outside(tables, at, out, out + w);
-                    return;
-                }
-            } else if (highest <= t_max && back - (int32_t)(fall + (m * (m - 1) >> 1) * at->ddt_q30) >= 0) {
-                glint_run_inside(tables, at, out, out + w);
-                return;
-            }
-        } else if ((int32_t)(nl & last_nl) < 0) {
+    const uint32_t m = w - 1u;
+    const uint32_t last_nl = (uint32_t)at->nl_q30 + m * (uint32_t)at->dnl_q30;
+    if (is_big((uint32_t)at->dnl_q30) || is_big(at->dt_q30) || at->ddt_q30 >> 20) {
+        glint_run_mixed(tables, at, out, out + w);
+    } else if ((int32_t)((uint32_t)at->nl_q30 | last_nl | at->t_q30) < 0) {
+        if ((at->nl_q30 & (int32_t)last_nl) < 0)
             glint_run_dark(tables, at, out, out + w);
-            return;
-        }
+        else
+            glint_run_mixed(tables, at, out, out + w);
+    } else {
+        const int32_t t_max = (int32_t)tables->t_max_q30, back = t_max - (int32_t)at->t_q30;
+        const int32_t fall = (int32_t)(m * at->dt_q30);
+        /* t is not below the tangent at the start */
+        const int32_t highest = fall < 0 ? back - fall : back;
+        if (highest < 0)
+            glint_run_outside(tables, at, out, out + w);
+        else if (back >= 0 && highest <= t_max && back - fall - (int32_t)((m * (m - 1) >> 1) * at->ddt_q30) >= 0)
+            glint_run_inside(tables, at, out, out + w);
+        else
+            glint_run_mixed(tables, at, out, out + w);
     }
-    glint_run_mixed(tables, at, out, out + w);
 }
 
 void glint_colour_run(const struct glint_tables *tables, const struct glint_span *at, uint16_t w, uint16_t *out)
