@@ -41,7 +41,7 @@ run-bench: bench-programs
 
 bench-programs: $(BENCH_ELFS) $(BENCH_SCENE)/scene.json $(BENCH)/sizes.txt $(BENCH)/counts.txt
 
-BENCH_INPUTS = $(BENCH_SOURCES) $(wildcard lib/*.h tests/bench/*.h tests/targets/machine/*) tests/targets/targets.py \
+BENCH_INPUTS = $(BENCH_SOURCES) $(wildcard lib/*.h lib/*.inc tests/bench/*.h tests/targets/machine/*) tests/targets/targets.py \
 	tests/bench/m0plus.ld tests/bench/bench.mk
 
 $(BENCH)/m0plus-%.elf: $(BENCH_INPUTS) tests/bench/calibrate.S
