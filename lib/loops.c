@@ -68,7 +68,7 @@ enum glint_err glint_span_any(const struct glint_tables *tables, const struct gl
     if (tables->kind == GLINT_TABLES_SMALL)
         glint_small_span(tables, span, surface);
     else
-        glint_colour_span(tables, span, span->w, surface->pixels);
+        glint_colour_span(tables, span, surface->pixels);
     return GLINT_OK;
 }
 

@@ -29,24 +29,39 @@ void glint_colour_odd(const struct glint_tables *tables, const struct glint_tabl
     }
 }
 
-void glint_colour_span(const struct glint_tables *tables, const struct glint_span *span, uint16_t w, uint8_t *out)
+static inline void advance(struct glint_span *at)
+{
+    const uint32_t n = PIECE;
+    at->t_q30 += n * at->dt_q30 + n * (n - 1) / 2 * at->ddt_q30;
+    at->dt_q30 += n * at->ddt_q30;
+    at->nl_q30 = (int32_t)((uint32_t)at->nl_q30 + n * (uint32_t)at->dnl_q30);
+}
+
+static void odd_span(const struct glint_tables *tables, struct glint_span *at, uint32_t w, uint8_t *out)
+{
+    for (uint32_t left = w; left;) {
+        uint16_t piece[PIECE];
+        const uint16_t count = (uint16_t)(left < PIECE ? left : PIECE);
+        glint_colour_run(tables, at, count, piece);
+        put_pixels(out, piece, count);
+        out += 2 * PIECE;
+        left -= count;
+        advance(at);
+    }
+}
+
+void glint_colour_span(const struct glint_tables *tables, const struct glint_span *span, uint8_t *out)
 {
     struct glint_span at = *span;
-    const uint32_t n = PIECE, dnl = (uint32_t)at.dnl_q30;
-    const bool aligned = (uintptr_t)out % 2 == 0;
-    for (uint32_t left = w; left;) {
-        const uint16_t count = (uint16_t)(left < n ? left : n);
-        if (aligned) {
-            glint_colour_run(tables, &at, count, (uint16_t *)(void *)out);
-        } else {
-            uint16_t piece[PIECE];
-            glint_colour_run(tables, &at, count, piece);
-            put_pixels(out, piece, count);
-        }
-        out += 2 * n;
-        left -= count;
-        at.t_q30 += n * at.dt_q30 + n * (n - 1) / 2 * at.ddt_q30;
-        at.dt_q30 += n * at.ddt_q30;
-        at.nl_q30 = (int32_t)((uint32_t)at.nl_q30 + n * dnl);
+    if ((uintptr_t)out % 2) {
+        odd_span(tables, &at, at.w, out);
+        return;
     }
+    uint32_t left = at.w;
+    for (; left > PIECE; left -= PIECE, out += 2 * PIECE) {
+        glint_colour_run(tables, &at, PIECE, (uint16_t *)(void *)out);
+        advance(&at);
+    }
+    if (left)
+        glint_colour_run(tables, &at, (uint16_t)left, (uint16_t *)(void *)out);
 }

@@ -77,7 +77,7 @@ void glint_run_mixed(const struct glint_tables *tables, const struct glint_span 
                      const uint16_t *end);
 
 /* Any span; where an address or a width is not what a fast loop wants, in pieces. */
-void glint_colour_span(const struct glint_tables *tables, const struct glint_span *span, uint16_t w, uint8_t *out);
+void glint_colour_span(const struct glint_tables *tables, const struct glint_span *span, uint8_t *out);
 void glint_colour_line(const struct glint_tables *tables, const struct glint_tables_light *light,
                        enum glint_normals format, const void *normals, uint16_t w, uint16_t *out);
 void glint_colour_odd(const struct glint_tables *tables, const struct glint_tables_light *light,
