@@ -80,7 +80,7 @@ struct sink_kind {
     /* Bytes of a box in the sink's own form, and the box's pixels in it. NULL: rows as the library wrote them, packed. */
     size_t (*box_bytes)(const struct sink *sink, const struct glint_box *box);
     void (*pack)(const struct sink *sink, const struct frame *frame, const struct glint_box *box, uint8_t *out);
-    /* The pieces of one frame, in order; their data stays until the next send or close. Returns when they are sent or safely
+    /* The pieces of one frame, in order (none: only to SINK_FILES, which may want a file all the same); their data stays until the next send or close. Returns when they are sent or safely
      * under way. */
     enum sink_result (*send)(struct sink *sink, const struct frame *frame, const struct piece *pieces, size_t count);
     /* Waits for what is under way, leaves the device in a defined state, frees. Also called when interrupted or failing:

@@ -178,8 +178,8 @@ static bool send_frame(struct stream *stream, unsigned long index)
                                     format_line_bytes(sink->format, sink->width), pixels};
         const uint8_t *last = stream->known ? stream->pixels[(index + 1) % 2] : NULL;
         const struct plan_result result = plan_frame(stream->plan, last, &frame);
-        const enum sink_result sent =
-            result.count ? sink->kind->send(sink, &frame, result.pieces, result.count) : SINK_SENT;
+        const bool wanted = result.count || sink->kind->nature == SINK_FILES;
+        const enum sink_result sent = wanted ? sink->kind->send(sink, &frame, result.pieces, result.count) : SINK_SENT;
         if (sent == SINK_SENT) {
             stream->known = true;
             stats_add(stream->stats, &result);

@@ -10,7 +10,14 @@
 
 const double usb_rates[USB_RATES] = {600e3, 1000e3}, usb_rectangle_s = .4e-3;
 
+enum { LINKS_MAX = USB_RATES + 1 };
+
 struct stream_stats {
+    struct link { /* for predictions: USB's, and the sink's own where it has one */
+        const char *name;
+        struct sink_cost cost;
+    } links[LINKS_MAX];
+    unsigned link_count;
     const char *sink;
     char *device;
     unsigned pixels;
@@ -19,8 +26,8 @@ struct stream_stats {
     size_t first_bytes; /* of the first frame, which is whole and counts in nothing below unless it is the only one */
     struct sums {
         unsigned long frames;
-        double whole_bytes, bytes, worst_bytes, rectangles, worst_rectangles, changed, seconds[USB_RATES],
-            worst_seconds[USB_RATES];
+        double whole_bytes, bytes, worst_bytes, rectangles, worst_rectangles, changed, seconds[LINKS_MAX],
+            worst_seconds[LINKS_MAX];
     } first, rest;
 };
 
@@ -31,6 +38,10 @@ struct stream_stats *stats_new(const struct sink *sink)
     stats->device = strdup(sink->name);
     if (!stats->device)
         fail("out of memory");
+    for (unsigned i = 0; i < USB_RATES; i++)
+        stats->links[stats->link_count++] = (struct link){"USB", {usb_rectangle_s, usb_rates[i]}};
+    if (sink->cost.bytes_per_s > 0)
+        stats->links[stats->link_count++] = (struct link){"this link", sink->cost};
     stats->pixels = (unsigned)sink->width * sink->height;
     stats->began = seconds_now();
     return stats;
@@ -43,7 +54,7 @@ void stats_free(struct stream_stats *stats)
     free(stats);
 }
 
-static void add(struct sums *sums, const struct plan_result *result)
+static void add(const struct stream_stats *stats, struct sums *sums, const struct plan_result *result)
 {
     sums->frames++;
     sums->whole_bytes += (double)result->whole_bytes;
@@ -52,8 +63,9 @@ static void add(struct sums *sums, const struct plan_result *result)
     sums->rectangles += (double)result->count;
     sums->worst_rectangles = fmax(sums->worst_rectangles, (double)result->count);
     sums->changed += (double)result->changed;
-    for (unsigned i = 0; i < USB_RATES; i++) {
-        const double seconds = (double)result->count * usb_rectangle_s + (double)result->bytes / usb_rates[i];
+    for (unsigned i = 0; i < stats->link_count; i++) {
+        const struct sink_cost *cost = &stats->links[i].cost;
+        const double seconds = (double)result->count * cost->rectangle_s + (double)result->bytes / cost->bytes_per_s;
         sums->seconds[i] += seconds;
         sums->worst_seconds[i] = fmax(sums->worst_seconds[i], seconds);
     }
@@ -64,7 +76,7 @@ void stats_add(struct stream_stats *stats, const struct plan_result *result)
     if (!stats->frames++)
         stats->first_bytes = result->bytes;
     stats->unchanged += !result->count;
-    add(stats->frames == 1 ? &stats->first : &stats->rest, result);
+    add(stats, stats->frames == 1 ? &stats->first : &stats->rest, result);
     stats->last = seconds_now();
 }
 
@@ -107,12 +119,13 @@ static json_t *to_json(const struct stream_stats *stats)
 {
     const struct sums *s = sums_of(stats);
     json_t *predicted = json_array();
-    for (unsigned i = 0; i < USB_RATES; i++) {
-        const double seconds = mean(s->seconds[i], s);
-        json_array_append_new(
-            predicted, json_pack("{s:f, s:f, s:o, s:o}", "bytes_per_s", usb_rates[i], "rectangle_s", usb_rectangle_s,
-                                 "fps_mean", seconds > 0 ? json_real(rate(seconds)) : json_null(), "fps_worst",
-                                 s->worst_seconds[i] > 0 ? json_real(rate(s->worst_seconds[i])) : json_null()));
+    for (unsigned i = 0; i < stats->link_count; i++) {
+        const double seconds = mean(s->seconds[i], s), worst = s->worst_seconds[i];
+        const struct link *link = &stats->links[i];
+        json_array_append_new(predicted, json_pack("{s:s, s:f, s:f, s:o, s:o}", "link", link->name, "bytes_per_s",
+                                                   link->cost.bytes_per_s, "rectangle_s", link->cost.rectangle_s,
+                                                   "fps_mean", seconds > 0 ? json_real(rate(seconds)) : json_null(),
+                                                   "fps_worst", worst > 0 ? json_real(rate(worst)) : json_null()));
     }
     return json_pack("{s:s, s:s, s:I, s:I, s:f, s:f, s:I, s:{s:f, s:f, s:f}, s:{s:f, s:f}, s:f, s:o}", "sink",
                      stats->sink, "device", stats->device, "frames", (json_int_t)stats->frames, "frames_unchanged",
@@ -133,9 +146,12 @@ static void print_text(const struct stream_stats *stats, FILE *stream)
             mean(s->whole_bytes, s));
     fprintf(stream, "  rectangles  mean %.1f, worst %.0f\n", mean(s->rectangles, s), s->worst_rectangles);
     fprintf(stream, "  pixels      %.1f %% changed\n", 100 * mean(s->changed, s) / stats->pixels);
-    for (unsigned i = 0; i < USB_RATES; i++)
-        fprintf(stream, "  predicted   %.1f frames/s, worst %.1f, over USB at %.0f KB/s and %.1f ms a rectangle\n",
-                rate(mean(s->seconds[i], s)), rate(s->worst_seconds[i]), usb_rates[i] / 1000, 1000 * usb_rectangle_s);
+    for (unsigned i = 0; i < stats->link_count; i++) {
+        const struct link *link = &stats->links[i];
+        fprintf(stream, "  predicted   %.1f frames/s, worst %.1f, over %s at %.0f KB/s and %g ms a rectangle\n",
+                rate(mean(s->seconds[i], s)), rate(s->worst_seconds[i]), link->name, link->cost.bytes_per_s / 1000,
+                1000 * link->cost.rectangle_s);
+    }
 }
 
 void stats_print(const struct stream_stats *stats, bool json, FILE *stream)

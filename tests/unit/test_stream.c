@@ -6,7 +6,7 @@
 
 #include "files.h"
 
-#define SPHERE "$GLINT stream sphere --size 60x40 "
+#define SPHERE "$GLINT stream sphere --size 60x40 --to png "
 
 /* ---- the frames ---- */
 
@@ -101,12 +101,24 @@ static void raw_frames_are_packed_lines_of_the_format(void **state)
 static void a_map_is_streamed_at_its_own_size_or_repeated(void **state)
 {
     (void)state;
-    assert_quiet("$GLINT stream --height heights.png --light=-1,1,1 --frames 1 -o s.png");
+    assert_quiet("$GLINT stream --height heights.png --light=-1,1,1 --frames 1 --to png -o s.png");
     assert_quiet("$GLINT render --height heights.png -o r.png");
     assert_same_file("s.png", "r.png");
-    assert_quiet("$GLINT stream --height - --size 30x20 --light=-1,1,1 --frames 1 -o s.png <heights.png");
+    assert_quiet("$GLINT stream --height - --size 30x20 --light=-1,1,1 --frames 1 --to png -o s.png <heights.png");
     assert_quiet("$GLINT render --height heights.png --size 30x20 -o r.png");
     assert_same_file("s.png", "r.png");
+}
+
+/* A sink that is sent only changes, and whose files are of every frame all the same. */
+static void the_virtual_panel_shows_the_frames_that_png_files_hold(void **state)
+{
+    (void)state;
+    assert_quiet("$GLINT stream coin --size 240x240 --format rgb565-swapped --frames 3 --fps 5 --to png -o w%d.png");
+    assert_quiet("$GLINT stream coin --size 240x240 --frames 3 --fps 5 --to panel -o p%d.png");
+    assert_same_file("w0.png", "p0.png");
+    assert_same_file("w2.png", "p2.png");
+    assert_quiet("$GLINT stream coin --size 240x240 --frames 3 --period 0 --to panel -o q%d.png");
+    assert_same_file("q0.png", "q2.png");
 }
 
 /* ---- the figures ---- */
@@ -253,8 +265,8 @@ static int interrupted(int number)
     assert_true(child >= 0);
     if (child == 0) {
         signal(number, SIG_DFL); /* the caller may have it ignored */
-        execl(getenv("GLINT"), "glint", "stream", "sphere", "--size", "60x40", "--frames", "1000000000", "-o",
-              "out/%d.png", (char *)NULL);
+        execl(getenv("GLINT"), "glint", "stream", "sphere", "--size", "60x40", "--frames", "1000000000", "--to", "png",
+              "-o", "out/%d.png", (char *)NULL);
         _exit(127);
     }
     for (int i = 0; i < 1000 && !exists("out/1.png"); i++)
@@ -351,7 +363,8 @@ static void the_terminal_shows_it_and_gets_its_cursor_back(void **state)
     read_text("typed", typed, sizeof typed);
     assert_contains(strstr(typed, "\033[?25l"), "\033[?25h");
     assert_contains(typed, "line 2");
-    assert_int_equal(run(IN_TERMINAL("timeout -s INT 1 $GLINT stream coin --to terminal --fps 4; test \\$? = 124"))->status, 0);
+    assert_int_equal(
+        run(IN_TERMINAL("timeout -s INT 1 $GLINT stream coin --to terminal --fps 4; test \\$? = 124"))->status, 0);
     read_text("typed", typed, sizeof typed);
     assert_contains(typed, "\033[?25h");
 }
@@ -366,6 +379,7 @@ int main(void)
         cmocka_unit_test(the_orbit_keeps_its_angle),
         cmocka_unit_test(raw_frames_are_packed_lines_of_the_format),
         cmocka_unit_test(a_map_is_streamed_at_its_own_size_or_repeated),
+        cmocka_unit_test(the_virtual_panel_shows_the_frames_that_png_files_hold),
         cmocka_unit_test(figures_tell_what_was_sent),
         cmocka_unit_test(wrong_usage_is_said_with_what_is_allowed_and_ends_with_2),
         cmocka_unit_test(a_wrong_line_of_lights_is_named_by_its_number),
