@@ -114,7 +114,7 @@ static void check(const struct argp_state *state, struct stream_options *o)
     if (isnan(o->period))
         o->period = usual_period;
     if (!o->frames && !o->lights && o->kind->nature != SINK_DEVICE) {
-        const double fps = o->fps > 0 ? o->fps : 30;
+        const double fps = o->fps > 0 ? o->fps : USUAL_FPS;
         o->frames = o->period > 0 ? (unsigned long)fmax(1, round(fps * o->period)) : 1;
     }
     check_output(state, o);
@@ -195,7 +195,7 @@ int command_stream(int argc, char **argv)
         if (sink_kinds[i]->options)
             children[count++] = (struct argp_child){sink_kinds[i]->options, 0, NULL, 0};
     const struct argp argp = {argp_options, parse_option, "[SCENE]", doc, children, describe, NULL};
-    struct stream_options options = {.kind = sink_kinds[0], .fps = 30, .orbit = NAN, .period = NAN};
+    struct stream_options options = {.kind = sink_kinds[0], .fps = USUAL_FPS, .orbit = NAN, .period = NAN};
     parse_command(&argp, argc, argv, &options);
     return stream_run(&options);
 }

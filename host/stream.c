@@ -11,7 +11,6 @@
 #include "stream.h"
 
 enum { USUAL_WIDTH = 320, USUAL_HEIGHT = 240 }; /* of built-in scenes */
-static const double usual_fps = 30;
 
 /* ---- signals ---- */
 
@@ -162,7 +161,7 @@ static bool find_again(struct stream *stream)
 /* Frame `index`; false where it is the end. */
 static bool send_frame(struct stream *stream, unsigned long index)
 {
-    const double fps = stream->options->fps > 0 ? stream->options->fps : usual_fps;
+    const double fps = stream->options->fps > 0 ? stream->options->fps : USUAL_FPS;
     if (!light_path_next(stream->path, (double)index / fps, &stream->shading)) {
         if (!index && !stream_stopped())
             fail("%s: holds no direction; lines of three numbers are wanted", stream->options->lights);

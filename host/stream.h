@@ -7,6 +7,8 @@
 #include "shading_options.h"
 #include "sink.h"
 
+enum { USUAL_FPS = 30 }; /* and what --fps 0 counts the light's way by */
+
 struct stream_options {
     struct shading_options look;
     const struct sink_kind *kind;

@@ -148,8 +148,12 @@ static void print_text(const struct stream_stats *stats, FILE *stream)
     fprintf(stream, "  pixels      %.1f %% changed\n", 100 * mean(s->changed, s) / stats->pixels);
     for (unsigned i = 0; i < stats->link_count; i++) {
         const struct link *link = &stats->links[i];
-        fprintf(stream, "  predicted   %.1f frames/s, worst %.1f, over %s at %.0f KB/s and %g ms a rectangle\n",
-                rate(mean(s->seconds[i], s)), rate(s->worst_seconds[i]), link->name, link->cost.bytes_per_s / 1000,
+        fprintf(stream, "  predicted   ");
+        if (s->bytes > 0)
+            fprintf(stream, "%.1f frames/s, worst %.1f,", rate(mean(s->seconds[i], s)), rate(s->worst_seconds[i]));
+        else
+            fprintf(stream, "any number of frames/s");
+        fprintf(stream, " over %s at %.0f KB/s and %g ms a rectangle\n", link->name, link->cost.bytes_per_s / 1000,
                 1000 * link->cost.rectangle_s);
     }
 }

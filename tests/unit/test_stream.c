@@ -160,6 +160,12 @@ static void figures_tell_what_was_sent(void **state)
     assert_int_equal((int)figure(still, "frame_bytes", "worst"), 0);
     json_decref(still);
     assert_contains(run(SPHERE "--to none --stats --frames 2")->out, "600 KB/s");
+    assert_contains(run(SPHERE "--to none --stats --frames 2 --period 0")->out, "any number of frames/s over USB");
+    json_t *link = figures(SPHERE "--to none --json --frames 9 --link-raw --link-rate 50 --link-rectangle 0");
+    const json_t *own = json_array_get(json_object_get(link, "predicted"), 2);
+    const double product = figure(own, NULL, "fps_mean") * figure(link, "frame_bytes", "mean");
+    assert_true(product > 49950 && product < 50050);
+    json_decref(link);
     const struct run *beside = run(SPHERE "--to raw --json --frames 1 >frames");
     json_t *on_error = json_loads(beside->err, 0, NULL);
     assert_non_null(on_error);
@@ -202,6 +208,8 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         {"--height - --to png -o out/x%d.png --lights -", "only one of --lights and the maps"},
         {"sphere --to png -o out/x%d.png --path colour-int8 --format rgb888", "needs --format rgb565"},
         {"sphere --to png -o out/x%d.png --light 0,0,-1", "opposite"},
+        {"sphere --to none --link-rate 0", "--link-rate: '0' is not a number from 0.001"},
+        {"sphere --to none --link-rectangle -1", "--link-rectangle: '-1' is not a number from 0"},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         char line[200];
