@@ -38,15 +38,18 @@ static const struct argp_option argp_options[] = {
 
 static const char doc[] =
     "Shades a scene frame after frame as its light moves, and sends what changed to a display, to files or to a pipe."
-    "\vSinks";
+    "\v"; /* and then what describe() writes */
 
-static const char examples[] = "Ctrl-C ends the stream: the display is left in a defined state, and the exit status is "
-                               "130.\n\n"
-                               "Examples:\n"
-                               "  glint stream watchface --to png -o frame-%03d.png --frames 30\n"
-                               "  glint stream sphere --to raw --size 320x240 | ffplay -f rawvideo -pixel_format "
-                               "rgb565le -video_size 320x240 -\n"
-                               "  glint stream --height wall.png --to ppm -o wall-%d.ppm --lights directions.txt\n";
+static const char examples[] =
+    "Ctrl-C ends the stream: the display is left in a defined state, and the exit status is 130.\n\n"
+    "Examples:\n"
+    "  glint stream watchface --frames 1\n"
+    "  glint stream dial --to usb --stats\n"
+    "  glint stream coin --to terminal --point 240,80,60,300,1,.7,.3\n"
+    "  glint stream --height wall.png --to ppm -o wall-%d.ppm --lights light.txt\n"
+    "  glint stream sphere --to raw --format rgb888 | ffplay -f rawvideo \\\n"
+    "      -pixel_format rgb24 -video_size 320x240 -\n"
+    "  glint stream dial --to none --json --link-rate 600\n";
 
 static void parse_scene(const struct argp_state *state, const char *text, struct stream_options *o)
 {

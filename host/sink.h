@@ -56,7 +56,8 @@ struct sink {
     bool lz4;                 /* does it take compressed pieces? */
     size_t max_bytes;         /* of a piece uncompressed; at least a line; SIZE_MAX: no limit */
     struct sink_cost cost;
-    const char *name; /* of the device, for messages: "usb 1-3.1", "gpiochip0" */
+    const char *name;       /* of the device, for messages: "usb 1-3.1", "gpiochip0" */
+    const char *last_words; /* for standard output where a second signal ends the program at once; or NULL */
 };
 
 enum sink_nature {

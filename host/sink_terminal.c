@@ -94,7 +94,8 @@ static struct sink *open_terminal(const struct sink_wish *wish)
                                    .align_x = 1,
                                    .whole_frames = true,
                                    .max_bytes = SIZE_MAX,
-                                   .name = "the terminal"};
+                                   .name = "the terminal",
+                                   .last_words = show_end};
     char **environment = g_get_environ();
     terminal->info = chafa_term_db_detect(chafa_term_db_get_default(), environment);
     g_strfreev(environment);

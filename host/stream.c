@@ -12,6 +12,18 @@
 
 enum { USUAL_WIDTH = 320, USUAL_HEIGHT = 240 }; /* of built-in scenes */
 
+/* ---- the sink ---- */
+
+static struct sink *open_sink; /* to be closed however the program ends */
+
+static void close_sink(void)
+{
+    struct sink *sink = open_sink;
+    open_sink = NULL;
+    if (sink)
+        sink->kind->close(sink);
+}
+
 /* ---- signals ---- */
 
 static volatile sig_atomic_t stop_signal;
@@ -25,6 +37,9 @@ bool stream_stopped(void)
 static void on_stop(int number)
 {
     if (stop_signal) {
+        const char *words = open_sink ? open_sink->last_words : NULL;
+        if (words && write(STDOUT_FILENO, words, strlen(words)) < 0)
+            words = NULL; /* there is nothing more to do */
         output_discard_all();
         signal(number, SIG_DFL);
         raise(number);
@@ -43,18 +58,6 @@ static void catch_signals(void)
         now = (struct sigaction){.sa_handler = on_stop}; /* without SA_RESTART: waiting ends */
         sigaction(signals[i], &now, NULL);
     }
-}
-
-/* ---- the sink ---- */
-
-static struct sink *open_sink; /* to be closed however the program ends */
-
-static void close_sink(void)
-{
-    struct sink *sink = open_sink;
-    open_sink = NULL;
-    if (sink)
-        sink->kind->close(sink);
 }
 
 /* ---- time ---- */

@@ -139,7 +139,7 @@ static json_t *to_json(const struct stream_stats *stats)
 static void print_text(const struct stream_stats *stats, FILE *stream)
 {
     const struct sums *s = sums_of(stats);
-    fprintf(stream, "%lu frames to %s in %.2f s, %.1f a second; %lu unchanged, nothing sent\n", stats->frames,
+    fprintf(stream, "%lu frames to %s in %.2f s, %.1f a second; %lu unchanged and not sent\n", stats->frames,
             stats->device, stats->last - stats->began, frames_a_second(stats), stats->unchanged);
     fprintf(stream, "the first frame: %zu bytes; then, a frame:\n", stats->first_bytes);
     fprintf(stream, "  bytes       mean %.0f, worst %.0f, of %.0f\n", mean(s->bytes, s), s->worst_bytes,
