@@ -74,7 +74,7 @@ void usb_list_print(const json_t *devices, FILE *stream);
 /* ---- an open display (sink_usb_bulk.c) ---- */
 
 /* Bytes on bulk OUT are cut to chunks, several of them in flight, so that the bus never waits for this program. */
-enum { USB_FLIGHT = 16 };
+enum { USB_FLIGHT = 3 };
 
 struct usb_port {
     libusb_context *libusb;

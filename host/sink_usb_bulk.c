@@ -8,8 +8,8 @@
 
 /* As in the kernel's driver; the bulk time counts from the last chunk that arrived. */
 enum { CONTROL_MS = 5000, BULK_MS = 3000, STOP_MS = 500, TICK_MS = 50, SETUP_BYTES = LIBUSB_CONTROL_SETUP_SIZE };
-/* Small enough for progress to be seen at 12 Mbit/s, large enough to cost nothing at 480. */
-enum { CHUNK_FULL_SPEED = 16 << 10, CHUNK_FASTER = 64 << 10 };
+/* Small enough for progress to be seen within BULK_MS, large enough to cost no time: each is a system call or two. */
+enum { CHUNK_FULL_SPEED = 128 << 10, CHUNK_FASTER = 4 << 20 };
 
 enum gud_link_fault usb_fault(int libusb_error)
 {
@@ -117,6 +117,8 @@ static void submit(struct usb_port *port, struct libusb_transfer *transfer)
     transfer->buffer = (unsigned char *)port->next; /* libusb takes what it only reads as not const */
     transfer->length = (int)bytes;
     const int error = libusb_submit_transfer(transfer);
+    if (error == LIBUSB_ERROR_NO_MEM && port->in_flight)
+        return; /* the kernel's 16 MB for all of USB are taken: again when the one before has arrived */
     if (error) {
         port->fault = usb_fault(error);
         return;

@@ -48,16 +48,25 @@ static void describe(libusb_context *libusb, struct usb_device *device, json_t *
     usb_port_close(&port, false);
 }
 
+/* JSON is UTF-8; a device may say what is not. */
+static json_t *text_json(char *text)
+{
+    json_t *json = json_string(text);
+    for (char *at = text; !json && *at; at++)
+        if (*at & 0x80)
+            *at = '?';
+    return json ? json : json_string(text);
+}
+
 static json_t *device_json(libusb_context *libusb, struct usb_device *device)
 {
     static const char *const states[] = {
         "free", "taken by the kernel", "in use by another program", "permission denied", "no good", "vanished"};
-    char id[16], serial[sizeof device->serial], product[sizeof device->product];
+    char id[16];
     snprintf(id, sizeof id, "%04x:%04x", device->id >> 16, device->id & 0xffff);
-    snprintf(serial, sizeof serial, "%s", device->serial);
-    snprintf(product, sizeof product, "%s", device->product);
-    json_t *object = json_pack("{s:s, s:s, s:s*, s:s*, s:s}", "path", device->path, "id", id, "serial", serial,
-                               "product", product, "state", states[device->state]);
+    json_t *object =
+        json_pack("{s:s, s:s, s:o, s:o, s:s}", "path", device->path, "id", id, "serial", text_json(device->serial),
+                  "product", text_json(device->product), "state", states[device->state]);
     if (device->state == USB_KERNEL)
         json_object_set_new(object, "driver", json_string(device->driver));
     else if (device->state == USB_DISPLAY)

@@ -2,7 +2,7 @@
 # Tier lab: programs under a Linux kernel of our own, which is an ordinary process on the host's files: simulated GPIO lines
 # and USB. tests/lab/guest runs a command in it; every tests/lab/test_*.c is a cmocka program that runs there, linked with
 # LAB_COMMON; every other tests/lab/test_* is a script that speaks TAP and runs outside.
-LAB_TESTS = $(patsubst tests/lab/test_%.c,$(BUILD)/tests/lab/test_%,$(wildcard tests/lab/test_*.c))
+LAB_TESTS = $(patsubst tests/lab/test_%.c,$(BUILD)/tests/lab/test_%,$(filter-out tests/lab/test_usb_%,$(wildcard tests/lab/test_*.c)))
 LAB_SCRIPTS = $(filter-out %.c,$(wildcard tests/lab/test_*))
 LAB_COMMON = $(patsubst %,$(BUILD)/tests/lab/%.o,chip capture bus screen run process usbip known)
 
@@ -14,6 +14,21 @@ LAB_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Itests/unit -Itests/la
 
 $(LAB_TESTS): %: %.o $(LAB_COMMON)
 	$(CC) $(HOST_LDFLAGS) $< $(LAB_COMMON) -o $@ -lcmocka -ltraceevent
+
+# The usb sink: some call it, some run the command; against a display of their own and against the firmware's.
+USB_TESTS = $(patsubst tests/lab/%.c,$(BUILD)/tests/lab/%,$(wildcard tests/lab/test_usb_*.c tests/lab/usb_rate.c))
+USB_COMMON = $(BUILD)/tests/lab/usb_display.o $(filter-out $(BUILD)/host/main.o,$(HOST_OBJECTS)) $(BUILD)/libglint.a
+$(USB_TESTS:%=%.o) $(BUILD)/tests/lab/usb_display.o: LAB_CFLAGS += -Ilib -Ihost -Ifirmware/core \
+	$(shell pkg-config --cflags $(HOST_LIBS) $(SINK_LIBS) 2>/dev/null)
+$(USB_TESTS): %: %.o $(USB_COMMON)
+	$(CC) $(HOST_LDFLAGS) $< $(USB_COMMON) -o $@ -lcmocka $(HOST_LDLIBS)
+
+lab-programs: $(USB_TESTS) $(BUILD)/glint firmware-linux
+USB_GUEST = env GLINT=$(CURDIR)/$(BUILD)/glint GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest
+LAB_SCRIPTS += $(patsubst %,"$(USB_GUEST) %",$(filter $(BUILD)/tests/lab/test_%,$(USB_TESTS)))
+
+usb-rate: lab-programs ## the usb sink's rate beside a bare loop of libusb calls, to the same simulated display
+	@LAB_BUILD=$(CURDIR)/$(BUILD) $(USB_GUEST) $(BUILD)/tests/lab/usb_rate
 
 # By libgpiod as installed, and by its version 2.
 $(BUILD)/tests/lab/bitbang1: $(patsubst %,$(BUILD)/tests/lab/%.o,bitbang known lines1)
@@ -53,4 +68,4 @@ run-lab: lab-programs
 		"tests/lab/guest --spi $(BUILD)/tests/lab/test_spidev" \
 		"env GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest $(BUILD)/tests/lab/test_gud_kernel"
 
-.PHONY: setup-lab test-lab run-lab lab-programs
+.PHONY: usb-rate setup-lab test-lab run-lab lab-programs

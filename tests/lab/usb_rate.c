@@ -48,6 +48,10 @@ static double bare_rate(uint16_t width, uint16_t height, unsigned frames, double
     libusb_device_handle *handle = libusb_open_device_with_vid_pid(context, 0x1209, 1);
     assert_non_null(handle);
     assert_int_equal(libusb_claim_interface(handle, 0), 0);
+    struct libusb_config_descriptor *configuration;
+    assert_int_equal(libusb_get_active_config_descriptor(libusb_get_device(handle), &configuration), 0);
+    const uint8_t endpoint = configuration->interface[0].altsetting[0].endpoint[0].bEndpointAddress;
+    libusb_free_config_descriptor(configuration);
     uint8_t set[GUD_RECTANGLE_BYTES], on = 1;
     const size_t bytes = 2 * (size_t)width * height;
     gud_rectangle_pack(set, &(struct gud_rectangle){0, 0, width, height, (uint32_t)bytes, 0, 0});
@@ -59,7 +63,7 @@ static double bare_rate(uint16_t width, uint16_t height, unsigned frames, double
         assert_int_equal(libusb_control_transfer(handle, 0x41, GUD_SET_BUFFER, 0, 0, set, sizeof set, 5000),
                          sizeof set);
         const double before = now();
-        assert_int_equal(libusb_bulk_transfer(handle, 1, pixels, (int)bytes, &moved, 3000), 0);
+        assert_int_equal(libusb_bulk_transfer(handle, endpoint, pixels, (int)bytes, &moved, 3000), 0);
         within += now() - before;
     }
     const double end = now();
@@ -78,7 +82,7 @@ static void measure(uint16_t width, uint16_t height, bool full_speed, unsigned f
     config.full_speed = full_speed;
     usb_display_be(&display, &config);
     double sink = 0, bare = 0, bulk = 0;
-    for (unsigned i = 0; i < 3; i++) { /* the best of each: the machine does other things, too */
+    for (unsigned i = 0; i < 9; i++) { /* the best of each: the machine does other things, too */
         double b;
         const double s = sink_rate(width, height, frames), r = bare_rate(width, height, frames, &b);
         sink = s > sink ? s : sink;
@@ -94,9 +98,9 @@ static void measure(uint16_t width, uint16_t height, bool full_speed, unsigned f
 static void rates(void **state)
 {
     (void)state;
-    measure(320, 240, true, 10);
-    measure(320, 240, false, 60);
-    measure(1920, 1080, false, 10);
+    measure(320, 240, true, 6);
+    measure(320, 240, false, 20);
+    measure(1920, 1080, false, 5);
 }
 
 int main(void)
