@@ -7,6 +7,7 @@
 #include "bake.h"
 #include "host.h"
 #include "image.h"
+#include "uf2.h"
 
 /* ---- C source ---- */
 
@@ -88,27 +89,9 @@ void bake_write_raw(const struct baked *baked, FILE *out)
     free(bytes);
 }
 
-/* ---- UF2 ---- */
-
-/* Microsoft's UF2: blocks of 512 bytes with a header of eight words, the data in 476 bytes, and a last word. */
-enum { UF2_BLOCK = 512, UF2_PAYLOAD = 256, UF2_HEADER = 32, UF2_FAMILY_PRESENT = 0x2000 };
-static const uint32_t uf2_start[2] = {0x0a324655, 0x9e5d5157}, uf2_end = 0x0ab16f30, uf2_rp2040 = 0xe48bff56;
-
 void bake_write_uf2(const struct baked *baked, uint32_t address, FILE *out)
 {
-    const size_t len = baked_bytes(baked);
-    const uint32_t count = (uint32_t)((len + UF2_PAYLOAD - 1) / UF2_PAYLOAD);
     uint8_t *bytes = to_bytes(baked);
-    for (uint32_t i = 0; i < count; i++) {
-        const uint32_t from = i * UF2_PAYLOAD;
-        const uint32_t header[UF2_HEADER / 4] = {
-            uf2_start[0], uf2_start[1], UF2_FAMILY_PRESENT, address + from, UF2_PAYLOAD, i, count, uf2_rp2040};
-        uint8_t block[UF2_BLOCK] = {0};
-        for (unsigned k = 0; k < UF2_HEADER / 4; k++)
-            put(block + 4 * k, header[k], 4);
-        memcpy(block + UF2_HEADER, bytes + from, len - from < UF2_PAYLOAD ? len - from : UF2_PAYLOAD);
-        put(block + UF2_BLOCK - 4, uf2_end, 4);
-        fwrite(block, 1, sizeof block, out);
-    }
+    uf2_write(bytes, baked_bytes(baked), address, out);
     free(bytes);
 }
