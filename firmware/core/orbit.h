@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A light that circles about the viewer's axis: the same integers on the device and on the host. */
+#ifndef ORBIT_H
+#define ORBIT_H
+
+#include <stdint.h>
+
+enum { ORBIT_FRAMES = 240 }; /* a turn, where nothing else is asked for: 4 s at 60 frames a second */
+
+/* Towards the light, 30 degrees from the viewer, frame/frames of a turn after straight right, counter-clockwise; length
+ * 2^15 within 5. frames: 1..65535. */
+void orbit_light(int32_t to_light[3], uint32_t frame, uint32_t frames);
+
+#endif

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: MIT
+ * Two buffers for normals and two for pixels, by turns. */
+#include "relight.h"
+
+static const uint32_t *map_line(const struct relight *relight, uint16_t y)
+{
+    return relight->map + (size_t)y * relight->panel->width;
+}
+
+static bool is_surface(uint32_t word)
+{
+    return word >> 16 != 0;
+}
+
+static struct relight_extent find_extent(const uint32_t *words, uint16_t w)
+{
+    struct relight_extent extent = {0, w};
+    while (extent.first < w && !is_surface(words[extent.first])) {
+        const uint32_t gap = words[extent.first], left = (uint32_t)(w - extent.first);
+        extent.first = (uint16_t)(extent.first + (gap && gap < left ? gap : gap ? left : 1));
+    }
+    while (extent.count > extent.first && !is_surface(words[extent.count - 1]))
+        extent.count--;
+    extent.count = (uint16_t)(extent.count - extent.first);
+    return extent;
+}
+
+enum glint_err relight_material(struct relight *relight, const struct glint_shader *shader)
+{
+    return glint_tables_fill(&relight->tables, GLINT_TABLES_COLOUR, shader, relight->tables_memory,
+                             GLINT_TABLES_COLOUR_BYTES);
+}
+
+enum glint_err relight_start(struct relight *relight, const struct glint_shader *shader)
+{
+    relight->in_frame = relight->is_shaded = relight->is_sending = false;
+    relight->buffer = 0;
+    for (uint16_t y = 0; y < relight->panel->height; y++)
+        relight->extents[y] = find_extent(map_line(relight, y), relight->panel->width);
+    return relight_material(relight, shader);
+}
+
+static void fetch(const struct relight *relight, uint16_t y, unsigned buffer)
+{
+    const struct hal *hal = relight->hal;
+    const struct relight_extent extent = relight->extents[y];
+    if (relight->normals[0] && extent.count)
+        hal->fetch(hal->context, relight->normals[buffer], map_line(relight, y) + extent.first, extent.count);
+}
+
+static bool is_fetched(const struct relight *relight)
+{
+    return !relight->normals[0] || relight->hal->fetched(relight->hal->context);
+}
+
+enum glint_err relight_frame(struct relight *relight, const int32_t to_light[3])
+{
+    static const int32_t to_viewer[3] = {0, 0, 1};
+    enum glint_err error = glint_light_init(&relight->source, to_light, to_viewer);
+    if (error == GLINT_OK)
+        error = glint_tables_light(&relight->light, &relight->tables, &relight->source);
+    if (error != GLINT_OK)
+        return error;
+    relight->line = 0;
+    relight->is_shaded = false;
+    relight->in_frame = true;
+    fetch(relight, 0, relight->buffer);
+    return GLINT_OK;
+}
+
+static void shade(const struct relight *relight)
+{
+    const uint16_t y = relight->line;
+    uint16_t *const pixels = relight->pixels[relight->buffer];
+    const uint16_t w = relight->panel->width;
+    const struct relight_extent extent = relight->extents[y];
+    if (extent.count < w) /* gaps within it cannot be known, so all of it */
+        for (uint16_t x = 0; x < w; x++)
+            pixels[x] = relight->background;
+    const uint32_t *normals =
+        relight->normals[0] ? relight->normals[relight->buffer] : map_line(relight, y) + extent.first;
+    const struct glint_surface surface = {pixels + extent.first, 2 * (ptrdiff_t)w, 0, 0};
+    glint_tables_rect(&relight->tables, &relight->light, GLINT_NORMALS_INT8, normals, 4 * (ptrdiff_t)w, extent.count, 1,
+                      &surface);
+}
+
+static void sent(void *argument)
+{
+    ((struct relight *)argument)->is_sending = false;
+}
+
+enum relight_step relight_step(struct relight *relight)
+{
+    const struct panel *panel = relight->panel;
+    const struct hal *hal = relight->hal;
+    if (!relight->in_frame)
+        return relight->is_sending ? RELIGHT_BUSY : RELIGHT_DONE;
+    if (!relight->is_shaded) {
+        if (!is_fetched(relight))
+            return RELIGHT_BUSY;
+        if (relight->line + 1 < panel->height)
+            fetch(relight, (uint16_t)(relight->line + 1), !relight->buffer);
+        shade(relight); /* what its buffer held was sent before the line that is under way */
+        relight->is_shaded = true;
+    }
+    if (relight->is_sending)
+        return RELIGHT_BUSY;
+    if (relight->line == 0 && !panel_window(panel, 0, 0, panel->width, panel->height))
+        return RELIGHT_BUS_FAILED;
+    relight->is_sending = true;
+    hal->flush(hal->context, relight->pixels[relight->buffer], panel->width, sent, relight);
+    relight->is_shaded = false;
+    relight->buffer = !relight->buffer;
+    if (++relight->line == panel->height)
+        relight->in_frame = false;
+    return RELIGHT_BUSY;
+}
