@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: MIT
+ * SPI by DMA, flash read ahead by the XIP streamer and DMA, pins, UART, watchdog. */
+#include "board.h"
+
+#include <hardware/clocks.h>
+#include <hardware/dma.h>
+#include <hardware/gpio.h>
+#include <hardware/irq.h>
+#include <hardware/spi.h>
+#include <hardware/structs/xip_ctrl.h>
+#include <hardware/timer.h>
+#include <hardware/uart.h>
+#include <hardware/watchdog.h>
+
+static struct {
+    unsigned send, fetch; /* DMA channels */
+    unsigned bits;        /* of the SPI's frames */
+    void (*volatile done)(void *);
+    void *argument;
+} board;
+
+/* ---- the panel's bus ---- */
+
+/* ST7789 modules without CS want the clock to idle high (mode 3); ILI9341 takes that, too. And with CPHA = 1 frames
+ * follow each other without a gap. Only while nothing is sent may the frame's size or D/C change. */
+static void wait_for_spi(unsigned bits, bool data)
+{
+    while (board.done || spi_is_busy(spi1))
+        tight_loop_contents();
+    if (bits != board.bits)
+        spi_set_format(spi1, bits, SPI_CPOL_1, SPI_CPHA_1, SPI_MSB_FIRST);
+    board.bits = bits;
+    gpio_put(PIN_DC, data);
+}
+
+static bool command(void *context, uint8_t byte)
+{
+    (void)context;
+    wait_for_spi(8, false);
+    spi_write_blocking(spi1, &byte, 1);
+    return true;
+}
+
+static bool data(void *context, const uint8_t *bytes, size_t count)
+{
+    (void)context;
+    wait_for_spi(8, true);
+    spi_write_blocking(spi1, bytes, count);
+    return true;
+}
+
+static bool reset(void *context, bool active)
+{
+    (void)context;
+    gpio_put(PIN_RESET, !active);
+    return true;
+}
+
+static bool backlight(void *context, bool on)
+{
+    (void)context;
+    gpio_put(PIN_BACKLIGHT, on);
+    return true;
+}
+
+static void wait_ms(void *context, unsigned ms)
+{
+    (void)context;
+    for (; ms; ms--) {
+        board_alive();
+        busy_wait_us(1000);
+    }
+}
+
+/* ---- pixels out, words in ---- */
+
+static void is_sent(void)
+{
+    dma_channel_acknowledge_irq0(board.send);
+    void (*const done)(void *) = board.done;
+    board.done = NULL;
+    done(board.argument);
+}
+
+static void flush(void *context, const uint16_t *pixels, size_t count, void (*done)(void *), void *argument)
+{
+    (void)context;
+    if (board.bits != 16)
+        wait_for_spi(16, true);
+    board.argument = argument;
+    board.done = done;
+    dma_channel_transfer_from_buffer_now(board.send, pixels, count);
+}
+
+/* The streamer reads flash in the background, behind what the processor wants of it, and DMA empties its FIFO: a DMA from
+ * flash itself would hold up the other one at each word. */
+static void fetch(void *context, uint32_t *to, const uint32_t *from, size_t words)
+{
+    (void)context;
+    xip_ctrl_hw->stream_addr = (uint32_t)from;
+    dma_channel_transfer_to_buffer_now(board.fetch, to, words);
+    xip_ctrl_hw->stream_ctr = words;
+}
+
+static bool fetched(void *context)
+{
+    (void)context;
+    return !dma_channel_is_busy(board.fetch);
+}
+
+const struct hal board_hal = {{command, data, reset, backlight, wait_ms, NULL}, flush, fetch, fetched, NULL};
+
+/* ---- start, messages ---- */
+
+static void start_dma(void)
+{
+    board.send = (unsigned)dma_claim_unused_channel(true);
+    dma_channel_config config = dma_channel_get_default_config(board.send);
+    channel_config_set_transfer_data_size(&config, DMA_SIZE_16);
+    channel_config_set_dreq(&config, spi_get_dreq(spi1, true));
+    dma_channel_configure(board.send, &config, &spi_get_hw(spi1)->dr, NULL, 0, false);
+    dma_channel_set_irq0_enabled(board.send, true);
+    irq_set_exclusive_handler(DMA_IRQ_0, is_sent);
+    irq_set_enabled(DMA_IRQ_0, true);
+
+    board.fetch = (unsigned)dma_claim_unused_channel(true);
+    config = dma_channel_get_default_config(board.fetch);
+    channel_config_set_read_increment(&config, false);
+    channel_config_set_write_increment(&config, true);
+    channel_config_set_dreq(&config, DREQ_XIP_STREAM);
+    dma_channel_configure(board.fetch, &config, NULL, (const void *)XIP_AUX_BASE, 0, false);
+}
+
+static void start_output(unsigned pin, bool value)
+{
+    gpio_init(pin);
+    gpio_put(pin, value);
+    gpio_set_dir(pin, GPIO_OUT);
+}
+
+bool board_start(void)
+{
+    const bool restarted = watchdog_caused_reboot();
+    watchdog_enable(WATCHDOG_MS, true);
+    uart_init(uart0, UART_BAUD);
+    gpio_set_function(PIN_UART_TX, GPIO_FUNC_UART);
+    start_output(PIN_BACKLIGHT, false);
+    start_output(PIN_RESET, true);
+    start_output(PIN_DC, true);
+    start_output(PIN_CS, false); /* the panel is alone on its bus */
+    spi_init(spi1, SPI_HZ);
+    gpio_set_function(PIN_CLOCK, GPIO_FUNC_SPI);
+    gpio_set_function(PIN_DATA, GPIO_FUNC_SPI);
+    start_dma();
+    return restarted;
+}
+
+void board_say(const char *text)
+{
+    for (; *text; text++)
+        uart_putc_raw(uart0, *text);
+}
+
+void board_alive(void)
+{
+    watchdog_update();
+}

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT
+ * A Raspberry Pi Pico with a panel on SPI1: the pins of Waveshare's Pico-LCD boards. */
+#ifndef BOARD_H
+#define BOARD_H
+
+#include "hal.h"
+
+enum { PIN_UART_TX = 0, PIN_DC = 8, PIN_CS = 9, PIN_CLOCK = 10, PIN_DATA = 11, PIN_RESET = 12, PIN_BACKLIGHT = 13 };
+enum { UART_BAUD = 115200, SPI_HZ = 62500000, WATCHDOG_MS = 1000 };
+
+/* Clocks run already. Returns whether the watchdog had to restart the board. */
+bool board_start(void);
+extern const struct hal board_hal;
+void board_say(const char *text); /* over the UART; waits where its FIFO is full */
+void board_alive(void);           /* to be called at least every WATCHDOG_MS */
+
+#endif
