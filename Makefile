@@ -6,7 +6,7 @@ CFLAGS ?= -O2 -g
 OPENMP ?= -fopenmp
 PREFIX ?= /usr/local
 DESTDIR ?=
-TIERS = unit exact targets lab
+TIERS = unit exact targets lab pico
 # A TMPDIR that cannot be written would stop compilers and tests.
 export TMPDIR := $(shell test -d "$$TMPDIR" && test -w "$$TMPDIR" && echo "$$TMPDIR" || echo /tmp)
 

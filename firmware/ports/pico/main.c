@@ -30,7 +30,8 @@ static void fail(const char *what)
 
 static void start_panel(void)
 {
-    if (!panel_defaults(&panel, PANEL_CONTROLLER, 0, PANEL_WIDTH, PANEL_HEIGHT))
+    enum { ROTATION = PANEL_WIDTH > PANEL_HEIGHT }; /* glass is upright */
+    if (!panel_defaults(&panel, PANEL_CONTROLLER, ROTATION, PANEL_WIDTH, PANEL_HEIGHT))
         fail("no such panel");
     if (!panel_start(&panel))
         fail("the panel's bus");
@@ -72,7 +73,7 @@ int main(void)
         enum relight_step step;
         while ((step = relight_step(&relight)) == RELIGHT_BUSY && relight.in_frame)
             ;
-        if (step == RELIGHT_BUS_FAILED)
+        if (step == RELIGHT_BUS_FAILED || (frame == 0 && !panel_show(&panel, true)))
             fail("the panel's bus");
         board_alive();
     }

@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT
+ * What the emulated board's panel shows, and what it ought to show; RGB, to standard output.
+ *   judge look CONTROLLER WIDTH HEIGHT    standard input: a transcript of the panel's pins (pico.mjs)
+ *   judge demo WIDTH HEIGHT FRAME         the stand-alone demo, by the library on this machine */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bake.h"
+#include "demo.h"
+#include "host.h"
+#include "image.h"
+#include "orbit.h"
+#include "virtual_panel.h"
+
+static struct virtual_panel seen;
+
+static void show_panel(const char *controller, unsigned width, unsigned height)
+{
+    struct panel panel = {0};
+    const unsigned rotation = width > height;
+    if (!panel_defaults(&panel, strcmp(controller, "ili9341") == 0 ? PANEL_ILI9341 : PANEL_ST7789, (uint8_t)rotation,
+                        (uint16_t)width, (uint16_t)height))
+        fail("judge: no such panel: %s %ux%u", controller, width, height);
+    const struct virtual_glass glass = virtual_glass_of(&panel);
+    virtual_panel_init(&seen, &glass);
+    for (int kind, byte; (kind = getchar()) != EOF && (byte = getchar()) != EOF;) {
+        const uint8_t value = (uint8_t)byte;
+        switch (kind) {
+        case 'C':
+            virtual_panel_command(&seen, value);
+            break;
+        case 'D':
+            virtual_panel_data(&seen, &value, 1);
+            break;
+        case 'R':
+            if (!value)
+                virtual_panel_reset(&seen);
+            break;
+        case 'B':
+            seen.lit = value;
+        }
+    }
+    uint8_t *rgb = allocate((size_t)width * height, 3);
+    virtual_panel_look(&seen, rotation, rgb);
+    fwrite(rgb, 3, (size_t)width * height, stdout);
+    free(rgb);
+}
+
+static uint8_t shown(unsigned level, unsigned max)
+{
+    return (uint8_t)((level * 255 + max / 2) / max);
+}
+
+static void draw_demo(unsigned width, unsigned height, unsigned frame)
+{
+    static uint32_t memory[GLINT_TABLES_COLOUR_BYTES / 4];
+    static const int32_t to_viewer[3] = {0, 0, 1};
+    struct scene *scene = scene_draw("coin", width, height);
+    struct baked *baked = bake(scene, BAKE_INT8, 0);
+    uint16_t *pixels = allocate((size_t)width * height, sizeof *pixels);
+    const struct glint_surface surface = {pixels, 2 * (ptrdiff_t)width, 0, 0};
+    struct glint_shader shader;
+    struct glint_tables tables;
+    struct glint_tables_light light;
+    int32_t to_light[3];
+    demo_shader(&shader);
+    orbit_light(to_light, frame, ORBIT_FRAMES);
+    if (glint_light_init(&shader.light, to_light, to_viewer) != GLINT_OK ||
+        glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &shader, memory, sizeof memory) != GLINT_OK ||
+        glint_tables_light(&light, &tables, &shader.light) != GLINT_OK ||
+        glint_tables_rect(&tables, &light, GLINT_NORMALS_INT8, baked->words, 4 * (ptrdiff_t)width, (uint16_t)width,
+                          (uint16_t)height, &surface) != GLINT_OK)
+        fail("judge: the library refused the demo");
+    for (size_t i = 0; i < (size_t)width * height; i++) {
+        const uint8_t rgb[3] = {shown(pixels[i] >> 11, 31), shown(pixels[i] >> 5 & 63, 63), shown(pixels[i] & 31, 31)};
+        fwrite(rgb, 1, sizeof rgb, stdout);
+    }
+    free(pixels);
+    baked_free(baked);
+    scene_free(scene);
+}
+
+static unsigned number(const char *text)
+{
+    return (unsigned)parse_integer(NULL, "judge", text, 0, 65535);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc == 5 && strcmp(argv[1], "look") == 0)
+        show_panel(argv[2], number(argv[3]), number(argv[4]));
+    else if (argc == 5 && strcmp(argv[1], "demo") == 0)
+        draw_demo(number(argv[2]), number(argv[3]), number(argv[4]));
+    else
+        fail("judge: look CONTROLLER WIDTH HEIGHT, or demo WIDTH HEIGHT FRAME");
+    return fflush(stdout) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

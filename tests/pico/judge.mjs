@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The program judge: what a panel shows after a transcript of its pins, and what the demo ought to show.
+import { execFileSync } from 'node:child_process'
+import { check } from './tap.mjs'
+
+export class Judge {
+  constructor(program, panel) {
+    const [, controller, width, height] = /^(\w+)-(\d+)x(\d+)$/.exec(panel)
+    Object.assign(this, { program, controller, width: +width, height: +height })
+  }
+  call(args, input) {
+    return execFileSync(this.program, args.map(String), { input, maxBuffer: 1 << 26 })
+  }
+  look(transcript) { return this.call(['look', this.controller, this.width, this.height], transcript) }
+  demo(frame) { return this.call(['demo', this.width, this.height, frame], '') }
+  // The first difference told.
+  same(found, expected, what) {
+    check(found.length === expected.length, `${what}: ${found.length} bytes, expected ${expected.length}`)
+    let count = 0, first = -1
+    for (let i = 0; i < found.length; i += 3) {
+      if (found.compare(expected, i, i + 3, i, i + 3) === 0) continue
+      if (count++ === 0) first = i / 3
+    }
+    check(count === 0, `${what}: ${count} pixels differ, the first at ${first % this.width}, ${Math.floor(first / this.width)}`)
+  }
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// A Raspberry Pi Pico (rp2040js) that runs an unmodified UF2 image, with a panel on its pins. What the emulator leaves out and
+// matters here is added: the time that SPI frames take, and the XIP streamer with the time of flash.
+import { readFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { resolve } from 'node:path'
+
+const FLASH = 0x10000000
+const STACK = 0x20042000
+const CYCLE_NS = 8 // 125 MHz
+export const PINS = { dc: 8, cs: 9, clock: 10, data: 11, reset: 12, backlight: 13 }
+const FUNCTION_SPI = 1
+
+// The blocks of a UF2 file for the RP2040, placed.
+export function loadUf2(flash, file) {
+  const image = readFileSync(file)
+  const count = image.length / 512
+  for (let i = 0; i < count; i++) {
+    const word = (at) => image.readUInt32LE(512 * i + at)
+    const good = word(0) === 0x0a324655 && word(4) === 0x9e5d5157 && word(508) === 0x0ab16f30 && word(28) === 0xe48bff56 &&
+      word(16) === 256 && word(20) === i && word(24) === count
+    if (!good) throw new Error(`${file}: block ${i} of ${count} is not one that an RP2040's boot loader takes`)
+    flash.set(image.subarray(512 * i + 32, 512 * i + 288), word(12) - FLASH)
+  }
+}
+
+// The addresses of an ELF file's functions and variables, by name.
+export function symbolsOf(file) {
+  const bytes = readFileSync(file)
+  const section = (i) => {
+    const at = bytes.readUInt32LE(32) + i * bytes.readUInt16LE(46)
+    const word = (k) => bytes.readUInt32LE(at + 4 * k)
+    return { type: word(1), offset: word(4), size: word(5), link: word(6) }
+  }
+  const symbols = new Map()
+  for (let i = 0; i < bytes.readUInt16LE(48); i++) {
+    const { type, offset, size, link } = section(i)
+    if (type !== 2) continue // SHT_SYMTAB
+    for (let at = offset; at < offset + size; at += 16) {
+      const start = section(link).offset + bytes.readUInt32LE(at)
+      symbols.set(bytes.toString('latin1', start, bytes.indexOf(0, start)), bytes.readUInt32LE(at + 4))
+    }
+  }
+  return symbols
+}
+
+// The XIP controller's streamer: words of flash, in the background, into a FIFO of two that a DMA request empties.
+class Streamer {
+  static DREQ = 37
+  constructor(chip, word_ns) {
+    Object.assign(this, { chip, word_ns, address: 0, left: 0, fifo: [] })
+    this.alarm = chip.clock.createAlarm(() => this.arrive())
+    chip.peripherals[0x14000] = { readUint32: (at) => this.read(at), writeUint32Atomic: (at, value) => this.write(at, value) }
+    chip.peripherals[0x50400] = { readUint32: () => this.pop(), writeUint32Atomic() { throw new Error('a write to XIP_AUX') } }
+  }
+  read(at) {
+    if (at === 0x14) return this.address
+    if (at === 0x18) return this.left
+    if (at === 0x1c) return this.pop()
+    throw new Error(`a read of the XIP controller's register ${at}`)
+  }
+  write(at, value) {
+    if (at === 0x14 && value % 4 === 0 && !this.left) { this.address = value } else
+    if (at === 0x18 && !this.left && !this.fifo.length) { this.left = value; this.alarm.schedule(this.word_ns) } else
+    throw new Error(`a write of ${value} to the XIP controller's register ${at}, ${this.left} words being streamed`)
+  }
+  arrive() {
+    if (this.fifo.length < 2) {
+      this.fifo.push(this.chip.readUint32(this.address))
+      this.address += 4
+      this.left--
+      this.chip.dma.setDREQ(Streamer.DREQ)
+    }
+    if (this.left) this.alarm.schedule(this.word_ns)
+  }
+  pop() {
+    if (!this.fifo.length) throw new Error('the streamer is read while it is empty')
+    const word = this.fifo.shift()
+    if (!this.fifo.length) this.chip.dma.clearDREQ(Streamer.DREQ)
+    return word
+  }
+}
+
+// What a panel would see on its pins, as `judge` reads it: pairs of a letter and a byte. C command, D data, R reset and B
+// backlight levels.
+class Wires {
+  constructor(chip) {
+    this.chip = chip
+    this.bytes = Buffer.alloc(1 << 20)
+    this.length = 0
+    this.faults = [] // what a panel could misread
+    this.pixels = 0 // bytes since the last RAMWR
+    this.wire_ns = 0 // time that the bus was in use
+    this.held = false // a bus that hangs
+    const spi = chip.spi[1]
+    const alarm = chip.clock.createAlarm(() => this.sent(spi))
+    spi.onTransmit = (value) => {
+      this.frame = { value, bits: spi.dataBits, dc: this.level('dc') }
+      const ns = spi.dataBits * 1e9 / spi.clockFrequency
+      this.wire_ns += ns
+      if (!this.held) alarm.schedule(ns)
+    }
+    chip.gpio[PINS.reset].addListener(() => this.put('R', this.level('reset')))
+    chip.gpio[PINS.backlight].addListener(() => this.put('B', this.level('backlight')))
+  }
+  level(name) { return this.chip.gpio[PINS[name]].value === 1 ? 1 : 0 }
+  put(kind, byte) {
+    if (this.length + 2 > this.bytes.length) this.bytes = Buffer.concat([this.bytes, Buffer.alloc(this.bytes.length)])
+    this.bytes[this.length++] = kind.charCodeAt(0)
+    this.bytes[this.length++] = byte
+  }
+  sent(spi) {
+    const { value, bits, dc } = this.frame
+    const { gpio } = this.chip
+    const fault = (what) => this.faults.push(`${what}, frame 0x${value.toString(16)} of ${bits} bits`)
+    if (dc !== this.level('dc')) fault('D/C changes while a frame is sent')
+    if (bits !== 8 && bits !== 16) fault('not whole bytes')
+    if (bits === 16 && !dc) fault('a command of 16 bits')
+    if (gpio[PINS.clock].functionSelect !== FUNCTION_SPI || gpio[PINS.data].functionSelect !== FUNCTION_SPI) fault('the pins are not the SPI\'s')
+    if (this.level('cs') !== 0) fault('CS is high')
+    if (bits === 16) this.put('D', value >> 8)
+    this.put(dc ? 'D' : 'C', value & 255)
+    if (!dc) this.command = value
+    this.pixels = dc && this.command === 0x2c ? this.pixels + bits / 8 : 0
+    spi.completeTransmit(0)
+  }
+  transcript() { return this.bytes.subarray(0, this.length) }
+}
+
+// The chip would start again; here the run ends.
+export class WatchdogBite extends Error {}
+
+export class Pico {
+  // flash_word: cycles of a 32-bit word from flash (125 MHz, a quad read at half of it).
+  constructor(packages, { flash_word = 40 } = {}) {
+    const { RP2040 } = createRequire(resolve(packages, 'x'))('rp2040js')
+    this.chip = new RP2040()
+    this.chip.logger = { debug() {}, info() {}, warn() {}, error: (_, message) => { throw new Error(message) } }
+    this.uart = ''
+    this.chip.uart[0].onByte = (byte) => { this.uart += String.fromCharCode(byte) }
+    this.watchdog = this.chip.peripherals[0x40058]
+    this.watchdog.onWatchdogTrigger = () => { throw new WatchdogBite() }
+    this.streamer = new Streamer(this.chip, flash_word * CYCLE_NS)
+    this.wires = new Wires(this.chip)
+    this.probes = new Map() // by address: what to call when the processor is there
+  }
+  load(uf2) {
+    loadUf2(this.chip.flash, uf2)
+    const { core } = this.chip
+    core.SP = STACK
+    core.PC = FLASH // the second stage, as the boot ROM leaves it
+    core.LR = 0
+    return this
+  }
+  get cycles() { return this.chip.clock.nanos / CYCLE_NS }
+  // Runs until done() or the time is over; whether it was done().
+  run(done, ms = 2000) {
+    const { core, clock } = this.chip
+    const end = clock.nanos + ms * 1e6
+    while (clock.nanos < end) {
+      if (done()) return true
+      for (let i = 0; i < 32; i++) {
+        if (core.waiting) { clock.tick(Math.max(clock.nanosToNextAlarm, CYCLE_NS)); continue }
+        if (this.probes.size) this.probes.get(core.PC)?.()
+        clock.tick(core.executeInstruction() * CYCLE_NS)
+      }
+    }
+    return done()
+  }
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// TAP from functions whose names are sentences.
+export async function run(tests, at_the_end = () => {}) {
+  console.log(`1..${tests.length}`)
+  let failed = 0
+  for (const [i, [name, test]] of tests.entries()) {
+    try {
+      await test()
+      console.log(`ok ${i + 1} - ${name}`)
+    } catch (error) {
+      failed++
+      console.log(`not ok ${i + 1} - ${name}\n# ${String(error.stack ?? error).split('\n').slice(0, 4).join('\n# ')}`)
+    }
+  }
+  at_the_end()
+  process.exit(failed ? 1 : 0)
+}
+
+export function check(good, message) {
+  if (!good) throw new Error(message)
+}
+
+export function equal(found, expected, what) {
+  check(Object.is(found, expected), `${what}: ${found}, expected ${expected}`)
+}
