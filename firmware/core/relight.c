@@ -61,6 +61,8 @@ enum glint_err relight_frame(struct relight *relight, const int32_t to_light[3])
         error = glint_tables_light(&relight->light, &relight->tables, &relight->source);
     if (error != GLINT_OK)
         return error;
+    while (!is_fetched(relight)) /* where a frame was given up */
+        ;
     relight->line = 0;
     relight->is_shaded = false;
     relight->in_frame = true;

@@ -87,6 +87,8 @@ static void flush(void *context, const uint16_t *pixels, size_t count, void (*do
     (void)context;
     if (board.bits != 16)
         wait_for_spi(16, true);
+    while (board.done)
+        tight_loop_contents();
     board.argument = argument;
     board.done = done;
     dma_channel_transfer_from_buffer_now(board.send, pixels, count);

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+#include "gud_panel.h"
+
+static void wait_until_sent(const struct gud_panel *gud)
+{
+    while (gud->is_sending)
+        ;
+}
+
+static void window(void *context, uint16_t x, uint16_t y, uint16_t width, uint16_t height)
+{
+    struct gud_panel *gud = context;
+    wait_until_sent(gud);
+    if (!panel_window(gud->panel, x, y, width, height))
+        gud->has_failed = true;
+}
+
+static void sent(void *argument)
+{
+    ((struct gud_panel *)argument)->is_sending = false;
+}
+
+static void line(void *context, const uint8_t *pixels, size_t bytes)
+{
+    struct gud_panel *gud = context;
+    wait_until_sent(gud);
+    gud->is_sending = true;
+    gud->hal->flush(gud->hal->context, (const uint16_t *)(const void *)pixels, bytes / 2, sent, gud);
+}
+
+static void end(void *context, bool whole)
+{
+    (void)context; /* the next window ends what was cut short */
+    (void)whole;
+}
+
+static void display(void *context, bool on, uint8_t brightness)
+{
+    struct gud_panel *gud = context;
+    (void)brightness;
+    wait_until_sent(gud);
+    if (!panel_show(gud->panel, on))
+        gud->has_failed = true;
+}
+
+static bool busy(void *context)
+{
+    return !((const struct gud_panel *)context)->device->controller;
+}
+
+const struct gud_device_ops gud_panel_ops = {window, line, end, display, busy};

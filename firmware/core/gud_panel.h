@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A GUD display on a panel: each line goes out while the next one arrives. */
+#ifndef GUD_PANEL_H
+#define GUD_PANEL_H
+
+#include "gud_device.h"
+#include "hal.h"
+
+struct gud_panel {
+    /* Config, set by you. */
+    const struct hal *hal;
+    const struct panel *panel;
+    const struct gud_device *device; /* draws once a host has enabled its controller; else the panel may be another's */
+    /* State. */
+    bool has_failed; /* the panel's bus */
+    volatile bool is_sending;
+};
+
+/* For gud_device_config, whose output is then GLINT_RGB565, lines aligned to 2, and whose context is a struct gud_panel. */
+extern const struct gud_device_ops gud_panel_ops;
+
+#endif
