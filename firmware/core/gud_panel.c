@@ -43,9 +43,4 @@ static void display(void *context, bool on, uint8_t brightness)
         gud->has_failed = true;
 }
 
-static bool busy(void *context)
-{
-    return !((const struct gud_panel *)context)->device->controller;
-}
-
-const struct gud_device_ops gud_panel_ops = {window, line, end, display, busy};
+const struct gud_device_ops gud_panel_ops = {window, line, end, display, NULL};

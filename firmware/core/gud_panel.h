@@ -11,7 +11,6 @@ struct gud_panel {
     /* Config, set by you. */
     const struct hal *hal;
     const struct panel *panel;
-    const struct gud_device *device; /* draws once a host has enabled its controller; else the panel may be another's */
     /* State. */
     bool has_failed; /* the panel's bus */
     volatile bool is_sending;

@@ -28,7 +28,7 @@ static struct relight relight = {.hal = &board_hal,
                                  .normals = {memory.normals[0], memory.normals[1]},
                                  .extents = memory.extents};
 static struct gud_device gud;
-static struct gud_panel gud_panel = {.hal = &board_hal, .panel = &panel, .device = &gud};
+static struct gud_panel gud_panel = {.hal = &board_hal, .panel = &panel};
 static const uint8_t gud_formats[] = {GUD_RGB565, GUD_R1};
 static const struct gud_device_config gud_config = {.width = PANEL_WIDTH,
                                                     .height = PANEL_HEIGHT,
