@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * What the emulated board's panel shows, and what it ought to show; RGB, to standard output.
  *   judge look CONTROLLER WIDTH HEIGHT    standard input: a transcript of the panel's pins (pico.mjs)
- *   judge demo WIDTH HEIGHT FRAME         the stand-alone demo, by the library on this machine */
+ *   judge demo WIDTH HEIGHT FRAME         the stand-alone demo, by the library on this machine
+ *   judge lz4                             standard input as one LZ4 block (no picture) */
+#include <lz4hc.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -81,6 +83,13 @@ static void draw_demo(unsigned width, unsigned height, unsigned frame)
     scene_free(scene);
 }
 
+static void compress(void)
+{
+    static char in[1 << 20], out[LZ4_COMPRESSBOUND(sizeof in)];
+    const int length = (int)fread(in, 1, sizeof in, stdin);
+    fwrite(out, 1, (size_t)LZ4_compress_HC(in, out, length, sizeof out, LZ4HC_CLEVEL_MAX), stdout);
+}
+
 static unsigned number(const char *text)
 {
     return (unsigned)parse_integer(NULL, "judge", text, 0, 65535);
@@ -92,7 +101,9 @@ int main(int argc, char **argv)
         show_panel(argv[2], number(argv[3]), number(argv[4]));
     else if (argc == 5 && strcmp(argv[1], "demo") == 0)
         draw_demo(number(argv[2]), number(argv[3]), number(argv[4]));
+    else if (argc == 2 && strcmp(argv[1], "lz4") == 0)
+        compress();
     else
-        fail("judge: look CONTROLLER WIDTH HEIGHT, or demo WIDTH HEIGHT FRAME");
+        fail("judge: look CONTROLLER WIDTH HEIGHT, demo WIDTH HEIGHT FRAME, or lz4");
     return fflush(stdout) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

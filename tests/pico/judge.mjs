@@ -13,6 +13,7 @@ export class Judge {
   }
   look(transcript) { return this.call(['look', this.controller, this.width, this.height], transcript) }
   demo(frame) { return this.call(['demo', this.width, this.height, frame], '') }
+  lz4(bytes) { return this.call(['lz4'], bytes) }
   // The first difference told.
   same(found, expected, what) {
     check(found.length === expected.length, `${what}: ${found.length} bytes, expected ${expected.length}`)

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// test_usb.mjs PACKAGES FOLDER PANEL JUDGE: the image as a GUD display on an emulated USB.
+import { FORMAT, Gud, picture565, shown565, STATUS } from './gud.mjs'
+import { Judge } from './judge.mjs'
+import { Pico } from './pico.mjs'
+import { check, equal, run } from './tap.mjs'
+import { UsbHost } from './usb_host.mjs'
+
+const [packages, folder, panel, program] = process.argv.slice(2)
+const judge = new Judge(program, panel)
+const { width, height } = judge
+const pico = new Pico(packages).load(`${folder}/glint.uf2`)
+const host = new UsbHost(pico)
+const gud = new Gud(host)
+const settle = () => pico.run(() => false, 1)
+const look = () => { settle(); return judge.look(pico.wires.transcript()) }
+const whole = { x: 0, y: 0, width, height }
+let screen // what ought to be seen
+
+// A rectangle's pixels into what ought to be seen.
+function paint({ x, y, width: w, height: h }, rgb) {
+  for (let line = 0; line < h; line++) rgb.copy(screen, 3 * ((y + line) * width + x), 3 * line * w, 3 * (line + 1) * w)
+}
+function draws(rectangle, bytes, block, what) {
+  check(gud.draw(rectangle, bytes, block), `${what} is refused with status ${gud.status()}`)
+  paint(rectangle, shown565(bytes))
+  judge.same(look(), screen, what)
+}
+function refused(done, status, what) {
+  check(!done, `${what} is not refused`)
+  equal(gud.status(), status, `the status after ${what}`)
+}
+
+let frame_ms
+run([
+  ['it enumerates as what the kernel\'s GUD driver looks for, with a name and a serial number', () => {
+    check(pico.run(() => pico.uart.includes('relighting'), 3000), pico.uart)
+    const { device, configuration, texts } = host.enumerate()
+    equal(device.readUInt32LE(8), 0x614d1d50, 'vendor and product')
+    equal(configuration[14], 0xff, 'the interface\'s class')
+    equal(configuration[13], 1, 'its endpoints')
+    equal(configuration[20], 1, 'the endpoint, OUT')
+    equal(configuration[21], 2, 'its type, bulk')
+    check(texts[0] === 'glint' && texts[1].includes(`${width}x${height}`) && texts[2].length === 16, texts.join(', '))
+  }],
+  ['the demo goes on until a host enables the controller', () => {
+    check(pico.run(() => pico.wires.level('backlight') === 1, 100), 'the backlight stays off')
+    check(look().some((level) => level > 0), 'the panel is dark')
+    check(!pico.uart.includes('computer'), pico.uart)
+  }],
+  ['it tells its size, formats, connector and mode', () => {
+    const descriptor = gud.get(0x01, 30)
+    equal(descriptor.readUInt32LE(0), 0x1d50614d, 'magic')
+    equal(descriptor.readUInt32LE(10), 2 * width * height, 'max_buffer')
+    equal(descriptor.readUInt32LE(14), width, 'width')
+    equal(descriptor.readUInt32LE(26), height, 'height')
+    equal(gud.get(0x40, 32).toString('hex'), '4001', 'formats')
+    equal(gud.get(0x50, 32).length, 5, 'bytes of connectors')
+    equal(gud.get(0x54, 1)[0], 1, 'connector status')
+    equal(gud.get(0x55, 24).readUInt16LE(4), width, 'hdisplay')
+  }],
+  ['enabling the controller stops the demo, and the panel is dark until the display is enabled', () => {
+    check(gud.set(0x63, Buffer.of(1)), 'SET_CONTROLLER_ENABLE')
+    settle()
+    check(pico.uart.endsWith('a computer draws\r\n'), pico.uart)
+    check(look().every((level) => level === 0), 'the panel shows something')
+    check(gud.state(FORMAT.rgb565), 'the state')
+    check(gud.set(0x64, Buffer.of(1)), 'SET_DISPLAY_ENABLE')
+    check(look().some((level) => level > 0), 'the panel stays dark')
+    screen = look()
+  }],
+  ['a raw frame arrives bit for bit', () => {
+    const from = pico.cycles
+    draws(whole, picture565(width, height, 1), undefined, 'the frame')
+    frame_ms = (pico.cycles - from) / 125e3 - 1
+  }],
+  ['an LZ4 frame arrives bit for bit', () => {
+    const bytes = picture565(width, height, 2), block = judge.lz4(bytes)
+    check(block.length < bytes.length * .8, `${block.length} bytes are hardly compressed`)
+    draws(whole, bytes, block, 'the frame')
+  }],
+  ['rectangles at odd places arrive, raw and LZ4, and nothing beside them changes', () => {
+    for (const [i, [x, y, w, h]] of [[1, 3, 1, 1], [width - 7, 5, 7, 33], [13, height - 1, 101, 1], [0, 17, 33, 5]].entries()) {
+      const rectangle = { x, y, width: w, height: h }, bytes = picture565(w, h, 10 + i)
+      draws(rectangle, bytes, undefined, `raw ${w}x${h}`)
+      const others = picture565(w, h, 20 + i)
+      draws(rectangle, others, judge.lz4(others), `LZ4 ${w}x${h}`)
+    }
+  }],
+  ['R1 arrives, most significant bit first', () => {
+    check(gud.state(FORMAT.r1), 'the state')
+    const rectangle = { x: 8, y: 2, width: 19, height: 4 }
+    const bits = Buffer.from('a5f060123440ffff20800020', 'hex')
+    check(gud.draw(rectangle, bits), `refused with status ${gud.status()}`)
+    const rgb = Buffer.alloc(3 * 19 * 4)
+    for (let i = 0; i < 19 * 4; i++) {
+      const x = i % 19, line = 3 * Math.floor(i / 19)
+      if (bits[line + (x >> 3)] >> (7 - x % 8) & 1) rgb.fill(255, 3 * i, 3 * i + 3)
+    }
+    paint(rectangle, rgb)
+    judge.same(look(), screen, 'the bits')
+    check(gud.state(FORMAT.rgb565), 'the state, back')
+  }],
+  ['wrong requests get a STALL and the right status, and nothing is drawn', () => {
+    const { unsupported, protocol, parameter } = STATUS
+    refused(gud.get(0x7f, 1) !== null, unsupported, 'an unknown question')
+    refused(gud.set(0x7f), unsupported, 'an unknown order')
+    refused(gud.set(0x60, Buffer.alloc(24)), protocol, 'a short rectangle')
+    refused(gud.set(0x60, Buffer.alloc(64)), protocol, 'a long rectangle')
+    refused(gud.set(0x60, Buffer.alloc(3000)), protocol, 'a rectangle of 3000 bytes')
+    refused(gud.buffer({ ...whole, x: 1, length: 2 * width * height }), parameter, 'a rectangle that sticks out')
+    refused(gud.buffer({ x: 0, y: 0, width: 0, height: 1, length: 0 }), parameter, 'an empty rectangle')
+    refused(gud.buffer({ x: 0xffffffff, y: 0, width: 2, height: 1, length: 4 }), parameter, 'a place that wraps')
+    refused(gud.buffer({ x: 0, y: 0, width: 2, height: 1, length: 3 }), parameter, 'a length that is not the rectangle\'s')
+    refused(gud.buffer({ x: 0, y: 0, width: 2, height: 1, length: 4, compressed: 100 }), parameter, 'a block longer than can be')
+    refused(gud.state(0x50), parameter, 'a format that is not offered')
+    refused(gud.set(0x63, Buffer.of(7)), parameter, 'a controller enabled by 7')
+    refused(gud.get(0x54, 1, 1) !== null, parameter, 'a second connector')
+    equal(host.control(0xc1, 0x01, 0, 5, 30), null, 'a request to another interface')
+    judge.same(look(), screen, 'the panel')
+    check(gud.state(FORMAT.rgb565), 'the state, again')
+  }],
+  ['bytes that no rectangle expects are dropped, and a rectangle that was cut short does not spoil the next', () => {
+    host.bulk(1, Buffer.alloc(1000, 0xee))
+    judge.same(look(), screen, 'the panel after bytes without a rectangle')
+    const cut = { x: 4, y: 4, width: 50, height: 50 }, bytes = picture565(50, 50, 30)
+    check(gud.buffer({ ...cut, length: bytes.length }), 'the rectangle')
+    host.bulk(1, bytes.subarray(0, 20 * 100 + 30))
+    paint({ ...cut, height: 20 }, shown565(bytes.subarray(0, 20 * 100)))
+    judge.same(look(), screen, 'the lines that arrived')
+    draws({ x: 30, y: 40, width: 9, height: 9 }, picture565(9, 9, 31), undefined, 'the next rectangle')
+  }],
+  ['a wrong LZ4 block is told by the status and stays within its rectangle', () => {
+    const rectangle = { x: 60, y: 60, width: 20, height: 20 }
+    check(gud.buffer({ ...rectangle, length: 800, compressed: 40 }), 'the rectangle')
+    host.bulk(1, Buffer.alloc(40, 0x0f)) // a match from before the beginning
+    check(gud.status() !== STATUS.ok, 'the status is good')
+    judge.same(look(), screen, 'the panel')
+    draws(rectangle, picture565(20, 20, 40), undefined, 'the same rectangle, right')
+  }],
+  ['suspended it is dark, and the picture is back when the host resumes', () => {
+    const { usb } = host
+    usb.sieStatus |= 1 << 4 // suspended: the emulator leaves it to us
+    usb.sieStatusUpdated()
+    pico.run(() => false, 0.001)
+    usb.sieStatus &= ~(1 << 4)
+    usb.sieStatusUpdated()
+    check(look().every((level) => level === 0), 'the panel shows something')
+    usb.sieStatus |= 1 << 11
+    usb.sieStatusUpdated()
+    judge.same(look(), screen, 'the panel')
+  }],
+  ['a bus reset amid a rectangle gives the panel back to the demo', () => {
+    check(gud.buffer({ ...whole, length: 2 * width * height }), 'the rectangle')
+    host.bulk(1, Buffer.alloc(7777, 0x55))
+    pico.wires.pixels = 0
+    host.reset()
+    check(pico.run(() => pico.wires.pixels === 2 * width * height, 200), `no whole frame: ${pico.uart}`)
+    check(pico.uart.endsWith('relighting\r\n'), pico.uart)
+  }],
+  ['after that it enumerates and draws again', () => {
+    host.enumerate()
+    check(gud.begin(FORMAT.rgb565), `refused with status ${gud.status()}`)
+    screen = look()
+    draws(whole, picture565(width, height, 50), undefined, 'the frame')
+  }],
+  ['whatever happened, D/C never changed while a byte was sent', () => {
+    equal(pico.wires.faults.length, 0, `faults, the first: ${pico.wires.faults[0]}`)
+  }],
+], () => console.log(`# ${panel}: a raw frame by USB in ${frame_ms?.toFixed(1)} ms, ${(1000 / frame_ms).toFixed(1)} a second ` +
+  '(emulated, at 19 packets a millisecond)'))
