@@ -353,8 +353,13 @@ static void take(struct gud_device *d, const uint8_t *bytes, size_t count)
             count -= d->line_bytes;
             continue;
         }
-        for (; count && d->line_filled < d->line_bytes; count--)
-            gathered[d->line_filled++] = *bytes++;
+        const uint32_t room = d->line_bytes - d->line_filled, some = count < room ? (uint32_t)count : room;
+        uint8_t *const to = gathered + d->line_filled; /* locals only, so that compilers may make it a memcpy */
+        for (uint32_t i = 0; i < some; i++)
+            to[i] = bytes[i];
+        bytes += some;
+        count -= some;
+        d->line_filled += some;
         if (d->line_filled == d->line_bytes) {
             d->line_filled = 0;
             draw_line(d, gathered);
