@@ -18,6 +18,8 @@ void usb_start(struct gud_device *gud)
 
 void usb_poll(void)
 {
+    if (!tud_task_event_ready()) /* a cheaper question than tud_task's own */
+        return;
     tud_task();
     if (usb.is_mounted && !tud_mounted()) /* a bus reset is told in no other way */
         tud_umount_cb();
@@ -82,7 +84,7 @@ bool tud_vendor_control_xfer_cb(uint8_t port, uint8_t stage, const tusb_control_
     return true;
 }
 
-void tud_vendor_rx_cb(uint8_t interface, const uint8_t *bytes, uint16_t count)
+void usb_take(enum usb_interface interface, const uint8_t *bytes, size_t count)
 {
     (void)interface;
     gud_device_bulk(usb.gud, bytes, count);
