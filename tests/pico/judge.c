@@ -2,7 +2,10 @@
  * What the emulated board's panel shows, and what it ought to show; RGB, to standard output.
  *   judge look CONTROLLER WIDTH HEIGHT    standard input: a transcript of the panel's pins (pico.mjs)
  *   judge demo WIDTH HEIGHT FRAME         the stand-alone demo, by the library on this machine
- *   judge lz4                             standard input as one LZ4 block (no picture) */
+ *   judge lz4                             standard input as one LZ4 block (no picture)
+ *   judge map WIDTH HEIGHT                the demo's map, as it goes over the wire to a device that shades
+ *   judge material                        the demo's material, likewise
+ *   judge light FRAME                     and its light, one message */
 #include <lz4hc.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,6 +15,7 @@
 #include "demo.h"
 #include "host.h"
 #include "image.h"
+#include "light_protocol.h"
 #include "orbit.h"
 #include "virtual_panel.h"
 
@@ -90,6 +94,38 @@ static void compress(void)
     fwrite(out, 1, (size_t)LZ4_compress_HC(in, out, length, sizeof out, LZ4HC_CLEVEL_MAX), stdout);
 }
 
+static void pack_map(unsigned width, unsigned height)
+{
+    struct scene *scene = scene_draw("coin", width, height);
+    struct baked *baked = bake(scene, BAKE_INT8, 0);
+    bake_write_raw(baked, stdout);
+    baked_free(baked);
+    scene_free(scene);
+}
+
+static void pack_material(void)
+{
+    struct glint_shader shader;
+    uint8_t bytes[LIGHT_MATERIAL_BYTES];
+    demo_shader(&shader);
+    const struct light_material material = {.model = shader.lobe.model,
+                                            .q = shader.lobe.q,
+                                            .n = shader.lobe.n,
+                                            .space = shader.space,
+                                            .material = shader.material};
+    light_material_pack(bytes, &material);
+    fwrite(bytes, 1, sizeof bytes, stdout);
+}
+
+static void pack_light(unsigned frame)
+{
+    int32_t to_light[3];
+    uint8_t bytes[LIGHT_MESSAGE_BYTES];
+    orbit_light(to_light, frame, ORBIT_FRAMES);
+    light_message_pack(bytes, frame, to_light);
+    fwrite(bytes, 1, sizeof bytes, stdout);
+}
+
 static unsigned number(const char *text)
 {
     return (unsigned)parse_integer(NULL, "judge", text, 0, 65535);
@@ -103,7 +139,13 @@ int main(int argc, char **argv)
         draw_demo(number(argv[2]), number(argv[3]), number(argv[4]));
     else if (argc == 2 && strcmp(argv[1], "lz4") == 0)
         compress();
+    else if (argc == 4 && strcmp(argv[1], "map") == 0)
+        pack_map(number(argv[2]), number(argv[3]));
+    else if (argc == 2 && strcmp(argv[1], "material") == 0)
+        pack_material();
+    else if (argc == 3 && strcmp(argv[1], "light") == 0)
+        pack_light(number(argv[2]));
     else
-        fail("judge: look CONTROLLER WIDTH HEIGHT, demo WIDTH HEIGHT FRAME, or lz4");
+        fail("judge: no such call; the source tells which there are");
     return fflush(stdout) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

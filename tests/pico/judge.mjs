@@ -14,6 +14,9 @@ export class Judge {
   look(transcript) { return this.call(['look', this.controller, this.width, this.height], transcript) }
   demo(frame) { return this.call(['demo', this.width, this.height, frame], '') }
   lz4(bytes) { return this.call(['lz4'], bytes) }
+  map() { return this.call(['map', this.width, this.height], '') }
+  material() { return this.call(['material'], '') }
+  light(frame) { return this.call(['light', frame], '') }
   // The first difference told.
   same(found, expected, what) {
     check(found.length === expected.length, `${what}: ${found.length} bytes, expected ${expected.length}`)

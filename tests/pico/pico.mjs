@@ -90,6 +90,7 @@ class Wires {
     this.length = 0
     this.faults = [] // what a panel could misread
     this.pixels = 0 // bytes since the last RAMWR
+    this.windows = 0 // how many RAMWR there were
     this.wire_ns = 0 // time that the bus was in use
     this.held = false // a bus that hangs
     const spi = chip.spi[1]
@@ -121,6 +122,7 @@ class Wires {
     if (bits === 16) this.put('D', value >> 8)
     this.put(dc ? 'D' : 'C', value & 255)
     if (!dc) this.command = value
+    if (!dc && value === 0x2c) this.windows++
     this.pixels = dc && this.command === 0x2c ? this.pixels + bits / 8 : 0
     spi.completeTransmit(0)
   }

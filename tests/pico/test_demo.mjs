@@ -81,7 +81,7 @@ run([
   const frame_cycles = frames.length === FRAMES ? frames[FRAMES - 1] - frames[FRAMES - 2] : 0
   const figures = {
     panel, cycles_a_pixel_in_the_loop: loop.cycles / loop.calls / width, frame_cycles, frame_ms: frame_cycles / 125e3,
-    frames_a_second: 125e6 / frame_cycles, spi_ms_a_frame: pixels * 16 / 62.5e3,
+    frames_a_second: 125e6 / frame_cycles, spi_ms_a_frame: pixels * 16e3 / pico.chip.spi[1].clockFrequency,
   }
   writeFileSync(`${folder}/figures.json`, JSON.stringify(figures, null, 2) + '\n')
   console.log(`# ${panel}: ${figures.cycles_a_pixel_in_the_loop.toFixed(1)} cycles a pixel in the loop; a frame every ` +

@@ -12,8 +12,9 @@ test-pico: ## the Pico's firmware emulated: boot, panel, the demo's frames, USB;
 
 run-pico: $(BUILD)/tests/pico/judge
 	@+for panel in $(PICO_PANELS_TESTED); do $(SUBMAKE) -s firmware-pico PANEL=$$panel || exit 1; done
-	@tests/tally $(foreach panel,$(PICO_PANELS_TESTED),$(foreach test,demo usb,"node tests/pico/test_$(test).mjs \
-		$(BENCH_NPM) build/firmware/pico-$(panel) $(panel) $(BUILD)/tests/pico/judge"))
+	@tests/tally $(foreach panel,$(PICO_PANELS_TESTED),$(call PICO_TEST,demo) $(call PICO_TEST,usb)) \
+		$(foreach panel,st7789-240x240,$(call PICO_TEST,light))
+PICO_TEST = "node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel) $(panel) $(BUILD)/tests/pico/judge"
 
 $(BUILD)/tests/pico/judge: tests/pico/judge.c $(filter-out $(BUILD)/host/main.o,$(HOST_OBJECTS)) $(BUILD)/libglint.a
 	@mkdir -p $(@D)

@@ -8,13 +8,32 @@
 #include "relight.h"
 #include "usb.h"
 
+#include <pico.h>
+
+/* Where a host's map fills RAM the lines are in the bank that the second core's stack would have. */
+#if OFFERS_LIGHT
+#define LINES_BANK __scratch_x("lines")
+#else
+#define LINES_BANK
+#endif
 static struct {
-    uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4];
     uint32_t normals[2][PANEL_WIDTH];
     uint16_t pixels[2][PANEL_WIDTH];
     struct relight_extent extents[PANEL_HEIGHT];
-    uint32_t gud_lines[(GUD_DEVICE_LINE_BYTES(PANEL_WIDTH, 2, 2) + 3) / 4];
-    uint8_t lz4_window[LZ4_BLOCK_REACH];
+} lines LINES_BANK;
+static struct {
+    uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4];
+    union { /* no two of these hosts have the panel at once */
+        struct {
+            uint32_t lines[(GUD_DEVICE_LINE_BYTES(PANEL_WIDTH, 2, 2) + 3) / 4];
+            uint8_t lz4_window[LZ4_BLOCK_REACH];
+        } gud;
+#if OFFERS_LIGHT
+        uint32_t map[PANEL_WIDTH * PANEL_HEIGHT];
+#else
+        uint32_t map[1]; /* its interface is not there to fill it */
+#endif
+    } host;
 } memory;
 
 /* ---- what there is ---- */
@@ -22,28 +41,42 @@ static struct {
 static struct panel panel = {.bus = &board_hal.bus};
 static struct relight relight = {.hal = &board_hal,
                                  .panel = &panel,
-                                 .map = demo_map,
                                  .tables_memory = memory.tables,
-                                 .pixels = {memory.pixels[0], memory.pixels[1]},
-                                 .normals = {memory.normals[0], memory.normals[1]},
-                                 .extents = memory.extents};
+                                 .pixels = {lines.pixels[0], lines.pixels[1]},
+                                 .extents = lines.extents};
 static struct gud_device gud;
 static struct gud_panel gud_panel = {.hal = &board_hal, .panel = &panel};
+static struct light_device light = {
+    .width = PANEL_WIDTH, .height = PANEL_HEIGHT, .interface = USB_LIGHT, .map = memory.host.map, .gud = &gud};
+static struct gud_device_ops gud_ops;
 static const uint8_t gud_formats[] = {GUD_RGB565, GUD_R1};
 static const struct gud_device_config gud_config = {.width = PANEL_WIDTH,
                                                     .height = PANEL_HEIGHT,
                                                     .refresh_hz = 60,
-                                                    .interface = USB_GUD_INTERFACE,
+                                                    .interface = USB_GUD,
                                                     .output = GLINT_RGB565,
                                                     .formats = gud_formats,
                                                     .format_count = sizeof gud_formats,
                                                     .max_buffer = PANEL_WIDTH * PANEL_HEIGHT * 2,
-                                                    .lines = (uint8_t *)memory.gud_lines,
-                                                    .lines_bytes = sizeof memory.gud_lines,
-                                                    .window = memory.lz4_window,
-                                                    .window_bytes = sizeof memory.lz4_window,
-                                                    .ops = &gud_panel_ops,
+                                                    .lines = (uint8_t *)memory.host.gud.lines,
+                                                    .lines_bytes = sizeof memory.host.gud.lines,
+                                                    .window = memory.host.gud.lz4_window,
+                                                    .window_bytes = sizeof memory.host.gud.lz4_window,
+                                                    .ops = &gud_ops,
                                                     .context = &gud_panel};
+
+/* While a host sends lights the panel is no other host's, and nor is the memory. */
+static bool gud_is_busy(void *context)
+{
+    (void)context;
+    return light.enabled;
+}
+
+static void gud_display(void *context, bool on, uint8_t brightness)
+{
+    if (!light.enabled)
+        gud_panel_ops.display(context, on, brightness);
+}
 
 /* The watchdog then starts all over again. */
 static void fail(const char *what)
@@ -58,63 +91,103 @@ static void fail(const char *what)
 static void start(void)
 {
     enum { ROTATION = PANEL_WIDTH > PANEL_HEIGHT }; /* glass is upright */
-    struct glint_shader shader;
     if (!panel_defaults(&panel, PANEL_CONTROLLER, ROTATION, PANEL_WIDTH, PANEL_HEIGHT))
         fail("no such panel");
+    gud_ops = gud_panel_ops;
+    gud_ops.busy = gud_is_busy;
+    gud_ops.display = gud_display;
     if (!gud_device_init(&gud, &gud_config))
         fail("the GUD display");
-    usb_start(&gud);
+    usb_start(&gud, &light);
     if (!panel_start(&panel))
         fail("the panel's bus");
-    demo_shader(&shader);
-    board_alive();
-    if (relight_start(&relight, &shader) != GLINT_OK)
-        fail("the tables");
+}
+
+static void show(bool on)
+{
+    if (!panel_show(&panel, on))
+        fail("the panel's bus");
 }
 
 /* ---- who draws ---- */
 
-enum owner { NOBODY, DEMO, HOST };
+/* The later, the stronger: a program that sends lights has been started on purpose. */
+enum owner { NOBODY, DEMO, GUD_HOST, LIGHT_HOST };
 
 static enum owner wanted(void)
 {
+    if (light.enabled)
+        return LIGHT_HOST;
     if (gud.controller)
-        return HOST;
+        return GUD_HOST;
     return usb_is_suspended() ? NOBODY : DEMO;
 }
 
-/* The panel changes hands. A host may have opened a rectangle already, which a command would end: then only the light. */
+static void begin_relighting(const uint32_t *map, bool is_in_flash, const struct glint_shader *shader,
+                             uint16_t background)
+{
+    relight.map = map;
+    relight.background = background;
+    for (unsigned i = 0; i < 2; i++)
+        relight.normals[i] = is_in_flash ? lines.normals[i] : NULL;
+    if (relight_start(&relight, shader) != GLINT_OK)
+        fail("the tables");
+}
+
+/* The panel changes hands, and is dark until the next one has a picture. */
 static void hand_over(enum owner from, enum owner to)
 {
-    static const char *const names[] = {"dark", "relighting", "a computer draws"};
-    const bool good = to == HOST ? gud.shown || board_hal.bus.backlight(board_hal.bus.context, false)
-                                 : from == NOBODY || panel_show(&panel, false);
-    if (!good)
-        fail("the panel's bus");
+    static const char *const names[] = {"dark", "relighting", "a computer draws", "a computer sends lights"};
+    relight.in_frame = false;
+    if (to != GUD_HOST)
+        show(false);
+    else if (from == LIGHT_HOST)
+        show(gud.shown);
+    else if (!gud.shown) /* no command, which would end a rectangle that may be open already */
+        board_hal.bus.backlight(board_hal.bus.context, false);
+    if (to == DEMO) {
+        struct glint_shader shader;
+        demo_shader(&shader);
+        begin_relighting(demo_map, true, &shader, 0);
+    }
     board_say(names[to]);
     board_say("\r\n");
 }
 
-/* A line at most; the display goes on with the first whole frame. */
-static void relight_a_line(uint32_t *frame, bool *is_shown)
+/* Where the light is in the next frame; false: there is none yet. */
+static bool next_light(enum owner owner, int32_t to_light[3])
 {
+    static uint32_t frame;
+    if (owner == DEMO) {
+        orbit_light(to_light, frame++, ORBIT_FRAMES);
+        return true;
+    }
+    if (light.is_new && light.has_material && light.has_map) {
+        struct glint_shader shader;
+        light_device_shader(&light, &shader);
+        begin_relighting(light.map, false, &shader, light.material.background);
+        light.is_new = false;
+    }
+    return light_device_next(&light, to_light);
+}
+
+/* A line at most; the display goes on with the first whole frame. */
+static void draw(enum owner owner, bool *is_shown)
+{
+    if (owner == LIGHT_HOST && !light.has_map)
+        relight.in_frame = false; /* it is being replaced */
     const bool was_in_frame = relight.in_frame;
-    const enum relight_step step = relight_step(&relight);
-    if (step == RELIGHT_BUS_FAILED)
+    if (relight_step(&relight) == RELIGHT_BUS_FAILED)
         fail("the panel's bus");
-    if (was_in_frame && !relight.in_frame)
-        ++*frame;
     if (relight.in_frame)
         return;
     if (was_in_frame && !*is_shown) {
-        if (!panel_show(&panel, true))
-            fail("the panel's bus");
+        show(true);
         *is_shown = true;
     }
     int32_t to_light[3];
-    orbit_light(to_light, *frame, ORBIT_FRAMES);
-    if (relight_frame(&relight, to_light) != GLINT_OK)
-        fail("the light");
+    if (next_light(owner, to_light))
+        relight_frame(&relight, to_light); /* a light that cannot be leaves the last picture */
 }
 
 int main(void)
@@ -125,20 +198,19 @@ int main(void)
         board_say("restarted by the watchdog\r\n");
     start();
     enum owner owner = NOBODY;
-    uint32_t frame = 0;
     bool is_shown = false;
     for (;;) {
         board_alive();
         usb_poll();
         if (gud_panel.has_failed)
             fail("the panel's bus");
-        if (wanted() != owner) {
-            hand_over(owner, wanted());
-            owner = wanted();
-            relight.in_frame = false;
+        const enum owner next = wanted();
+        if (next != owner) {
+            hand_over(owner, next);
             is_shown = false;
         }
-        if (owner == DEMO)
-            relight_a_line(&frame, &is_shown);
+        owner = next;
+        if (owner == DEMO || owner == LIGHT_HOST)
+            draw(owner, &is_shown);
     }
 }

@@ -16,7 +16,7 @@ firmware-pico: $(PICO)/map/demo_map.h $(BUILD)/bin2uf2
 	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DPICO_BOARD=pico -DPICO_NO_PICOTOOL=1 \
 		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_PANEL=$(PANEL) \
 		-DGLINT_MAP="$(CURDIR)/$(PICO)/map" >$(PICO)/log 2>&1 && \
-	cmake --build $(PICO)/cmake $(PARALLEL) >>$(PICO)/log 2>&1 || { grep -E 'rror|glint:' $(PICO)/log >&2; \
+	MAKEFLAGS= cmake --build $(PICO)/cmake $(PARALLEL) >>$(PICO)/log 2>&1 || { grep -E 'rror|glint:' $(PICO)/log >&2; \
 		echo "make: the Pico's firmware was not built; the whole log is $(PICO)/log" >&2; exit 1; }
 	@grep -A 3 'warning:' $(PICO)/log || true
 	@cp $(PICO)/cmake/glint.elf $(PICO)/ && $(BUILD)/bin2uf2 $(PICO)/cmake/glint.bin $(PICO)/glint.uf2

@@ -1,23 +1,26 @@
 /* SPDX-License-Identifier: MIT
- * TinyUSB's callbacks, on to the portable GUD device. */
+ * TinyUSB's callbacks, on to the portable devices. */
 #include "usb.h"
 
 #include <tusb.h>
 
 static struct {
     struct gud_device *gud;
+    struct light_device *light;
     bool is_mounted, is_suspended;
-    uint8_t reply[GUD_REPLY_BYTES], data[GUD_DATA_BYTES]; /* they outlive the callback */
+    uint8_t reply[GUD_REPLY_BYTES], data[64]; /* they outlive the callback */
 } usb;
 
-void usb_start(struct gud_device *gud)
+void usb_start(struct gud_device *gud, struct light_device *light)
 {
     usb.gud = gud;
+    usb.light = light;
     tusb_init();
 }
 
 void usb_poll(void)
 {
+    usb_class_poll();
     if (!tud_task_event_ready()) /* a cheaper question than tud_task's own */
         return;
     tud_task();
@@ -32,18 +35,22 @@ bool usb_is_suspended(void)
 
 /* ---- the bus ---- */
 
-void tud_mount_cb(void)
+static void begin_anew(bool is_mounted)
 {
-    usb.is_mounted = true;
+    usb.is_mounted = is_mounted;
     usb.is_suspended = false;
     gud_device_reset(usb.gud);
+    light_device_reset(usb.light);
+}
+
+void tud_mount_cb(void)
+{
+    begin_anew(true);
 }
 
 void tud_umount_cb(void)
 {
-    usb.is_mounted = false;
-    usb.is_suspended = false;
-    gud_device_reset(usb.gud);
+    begin_anew(false);
 }
 
 void tud_suspend_cb(bool remote_wakeup)
@@ -59,18 +66,31 @@ void tud_resume_cb(void)
     gud_device_resume(usb.gud);
 }
 
-/* ---- requests and pixels ---- */
+/* ---- requests ---- */
+
+/* The high byte of wIndex is not the interface's, but no request has it. */
+static bool is_for_light(const struct gud_setup *setup)
+{
+    return USB_INTERFACES > USB_LIGHT && setup->index == USB_LIGHT;
+}
+
+static bool set(const struct gud_setup *setup)
+{
+    return is_for_light(setup) ? light_device_set(usb.light, setup, usb.data)
+                               : gud_device_set(usb.gud, setup, usb.data);
+}
 
 static bool begin(uint8_t port, const tusb_control_request_t *request, const struct gud_setup *setup)
 {
-    const int length = gud_device_setup(usb.gud, setup, usb.reply);
-    if (length == GUD_STALL)
+    const int length = is_for_light(setup) ? light_device_setup(usb.light, setup, usb.reply)
+                                           : gud_device_setup(usb.gud, setup, usb.reply);
+    if (length == GUD_STALL || length > (int)sizeof usb.data)
         return false;
     if (request->bmRequestType_bit.direction == TUSB_DIR_IN)
         return tud_control_xfer(port, request, usb.reply, (uint16_t)length);
     if (length > 0)
         return tud_control_xfer(port, request, usb.data, (uint16_t)length);
-    return gud_device_set(usb.gud, setup, usb.data) && tud_control_status(port, request);
+    return set(setup) && tud_control_status(port, request);
 }
 
 bool tud_vendor_control_xfer_cb(uint8_t port, uint8_t stage, const tusb_control_request_t *request)
@@ -80,12 +100,21 @@ bool tud_vendor_control_xfer_cb(uint8_t port, uint8_t stage, const tusb_control_
     if (stage == CONTROL_STAGE_SETUP)
         return begin(port, request, &setup);
     if (stage == CONTROL_STAGE_DATA && request->bmRequestType_bit.direction == TUSB_DIR_OUT)
-        return gud_device_set(usb.gud, &setup, usb.data);
+        return set(&setup);
     return true;
+}
+
+/* ---- bulk ---- */
+
+bool usb_has_room(enum usb_interface interface, size_t count)
+{
+    return interface == USB_GUD || light_device_has_room(usb.light, count);
 }
 
 void usb_take(enum usb_interface interface, const uint8_t *bytes, size_t count)
 {
-    (void)interface;
-    gud_device_bulk(usb.gud, bytes, count);
+    if (interface == USB_GUD)
+        gud_device_bulk(usb.gud, bytes, count);
+    else
+        light_device_bulk(usb.light, bytes, count);
 }

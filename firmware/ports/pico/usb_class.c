@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT
  * A class driver for TinyUSB: vendor interfaces with one bulk OUT endpoint each. Its packets go to two buffers by turns, so
- * that the next one arrives while the last one is handled; TinyUSB's own vendor class waits. */
+ * that the next one arrives while the last one is handled, for which TinyUSB's own vendor class waits. Where there is no room
+ * for it the host does the waiting. */
 #include <device/usbd_pvt.h>
 #include <tusb.h>
 
 #include "usb.h"
 
-enum { PACKET = 64 };
-
 static struct bulk {
     uint8_t endpoint; /* 0: not open */
     uint8_t turn;
-    uint32_t packets[2][PACKET / 4]; /* TinyUSB copies words where it can */
+    bool is_armed;
+    uint32_t packets[2][USB_PACKET / 4]; /* TinyUSB copies words where it can */
 } bulk[USB_INTERFACES];
 
 static void reset(uint8_t port)
@@ -26,9 +26,18 @@ static void init(void)
     reset(0);
 }
 
-static bool arm(uint8_t port, struct bulk *b)
+/* Where there is room for the next packet and for those that are still to be taken. */
+static void arm(uint8_t port, enum usb_interface i, size_t pending)
 {
-    return usbd_edpt_xfer(port, b->endpoint, (uint8_t *)b->packets[b->turn], PACKET);
+    struct bulk *b = &bulk[i];
+    if (b->endpoint && !b->is_armed && usb_has_room(i, pending + USB_PACKET))
+        b->is_armed = usbd_edpt_xfer(port, b->endpoint, (uint8_t *)b->packets[b->turn], USB_PACKET);
+}
+
+void usb_class_poll(void)
+{
+    for (unsigned i = 0; i < USB_INTERFACES; i++)
+        arm(0, (enum usb_interface)i, 0);
 }
 
 /* TinyUSB gives each interface of the configuration; returned are the bytes of its descriptors. */
@@ -41,7 +50,9 @@ static uint16_t open(uint8_t port, const tusb_desc_interface_t *interface, uint1
     struct bulk *b = &bulk[interface->bInterfaceNumber];
     b->endpoint = endpoint->bEndpointAddress;
     b->turn = 0;
-    return arm(port, b) ? len : 0;
+    b->is_armed = false;
+    arm(port, (enum usb_interface)interface->bInterfaceNumber, 0);
+    return len;
 }
 
 static bool request(uint8_t port, uint8_t stage, const tusb_control_request_t *what)
@@ -60,10 +71,11 @@ static bool transferred(uint8_t port, uint8_t endpoint, xfer_result_t result, ui
             continue;
         const uint8_t *packet = (const uint8_t *)b->packets[b->turn];
         b->turn = !b->turn;
-        const bool armed = arm(port, b);
+        b->is_armed = false;
+        arm(port, (enum usb_interface)i, bytes);
         if (result == XFER_RESULT_SUCCESS)
             usb_take((enum usb_interface)i, packet, bytes);
-        return armed;
+        return true;
     }
     return false;
 }

@@ -9,7 +9,7 @@
 enum { STRING_LANGUAGE, STRING_MANUFACTURER, STRING_PRODUCT, STRING_SERIAL, STRINGS };
 enum {
     ENDPOINT_GUD = 0x01,
-    BULK_BYTES = 64,
+    ENDPOINT_LIGHT = 0x02,
     MILLIAMPERES = 250,
     RELEASE = GLINT_VERSION_MAJOR << 8 | GLINT_VERSION_MINOR << 4
 };
@@ -26,13 +26,18 @@ static const tusb_desc_device_t device = {.bLength = sizeof device,
                                           .iSerialNumber = STRING_SERIAL,
                                           .bNumConfigurations = 1};
 
+/* Number, alternate, endpoints, class, subclass, protocol, string; and an endpoint, bulk OUT. */
 #define INTERFACE_BYTES (9 + 7)
-#define CONFIG_BYTES (TUD_CONFIG_DESC_LEN + INTERFACE_BYTES)
+#define INTERFACE(number, endpoint)                                                                                    \
+    9, TUSB_DESC_INTERFACE, number, 0, 1, GUD_INTERFACE_CLASS, 0, 0, 0, 7, TUSB_DESC_ENDPOINT, endpoint,               \
+        TUSB_XFER_BULK, U16_TO_U8S_LE(USB_PACKET), 0
+#define CONFIG_BYTES (TUD_CONFIG_DESC_LEN + USB_INTERFACES * INTERFACE_BYTES)
 static const uint8_t configuration[] = {TUD_CONFIG_DESCRIPTOR(1, USB_INTERFACES, 0, CONFIG_BYTES, 0, MILLIAMPERES),
-                                        /* interface: number, alternate, endpoints, class, subclass, protocol, string */
-                                        9, TUSB_DESC_INTERFACE, USB_GUD_INTERFACE, 0, 1, GUD_INTERFACE_CLASS, 0, 0, 0,
-                                        7, TUSB_DESC_ENDPOINT, ENDPOINT_GUD, TUSB_XFER_BULK, U16_TO_U8S_LE(BULK_BYTES),
-                                        0};
+                                        INTERFACE(USB_GUD, ENDPOINT_GUD),
+#if OFFERS_LIGHT
+                                        INTERFACE(USB_LIGHT, ENDPOINT_LIGHT)
+#endif
+};
 
 const uint8_t *tud_descriptor_device_cb(void)
 {

@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: MIT */
+#include "light_device.h"
+
+static uint32_t map_bytes(const struct light_device *d)
+{
+    return 4 * (uint32_t)d->width * d->height;
+}
+
+/* ---- requests ---- */
+
+static int refuse(struct light_device *d, enum gud_status status)
+{
+    d->status = (uint8_t)status;
+    return GUD_STALL;
+}
+
+static int length_of(uint8_t request, bool in)
+{
+    switch (request) {
+    case LIGHT_GET_STATUS:
+        return in ? 1 : GUD_STALL;
+    case LIGHT_GET_DESCRIPTOR:
+        return in ? LIGHT_DESCRIPTOR_BYTES : GUD_STALL;
+    case LIGHT_SET_ENABLE:
+        return in ? GUD_STALL : 1;
+    case LIGHT_SET_MATERIAL:
+        return in ? GUD_STALL : LIGHT_MATERIAL_BYTES;
+    case LIGHT_SET_MAP:
+        return in ? GUD_STALL : 0;
+    default:
+        return GUD_STALL;
+    }
+}
+
+int light_device_setup(struct light_device *d, const struct gud_setup *setup, uint8_t reply[GUD_REPLY_BYTES])
+{
+    const bool in = setup->type == GUD_TYPE_IN;
+    const int length = in || setup->type == GUD_TYPE_OUT ? length_of(setup->request, in) : GUD_STALL;
+    if (length == GUD_STALL || setup->index != d->interface)
+        return refuse(d, GUD_UNSUPPORTED);
+    if (in ? setup->length == 0 : setup->length != length)
+        return refuse(d, GUD_PROTOCOL);
+    if (setup->value != 0)
+        return refuse(d, GUD_PARAMETER);
+    if (setup->request == LIGHT_GET_STATUS) {
+        reply[0] = d->status;
+    } else if (in) {
+        const struct light_descriptor descriptor = {d->width, d->height};
+        light_descriptor_pack(reply, &descriptor);
+    }
+    return length < setup->length ? length : setup->length;
+}
+
+static enum gud_status enable(struct light_device *d, uint8_t value)
+{
+    if (value > 1)
+        return GUD_PARAMETER;
+    if (value && !d->enabled && d->gud->open)
+        return GUD_BUSY;
+    light_device_reset(d);
+    d->enabled = value;
+    return GUD_OK;
+}
+
+static enum gud_status set_material(struct light_device *d, const uint8_t *data)
+{
+    struct light_material material;
+    light_material_unpack(&material, data);
+    if (!d->enabled)
+        return GUD_PROTOCOL;
+    if (material.model > GLINT_CAYLEY || material.model == GLINT_PHONG || material.space > GLINT_LINEAR ||
+        material.flags & ~LIGHT_CLAMP_PEAK)
+        return GUD_PARAMETER;
+    d->material = material;
+    d->has_material = d->is_new = true;
+    return GUD_OK;
+}
+
+static enum gud_status begin_map(struct light_device *d)
+{
+    if (!d->enabled)
+        return GUD_PROTOCOL;
+    d->in_map = true;
+    d->has_map = false;
+    d->map_bytes = d->message_bytes = d->count = 0;
+    return GUD_OK;
+}
+
+bool light_device_set(struct light_device *d, const struct gud_setup *setup, const uint8_t *data)
+{
+    enum gud_status status = GUD_UNSUPPORTED;
+    if (setup->request == LIGHT_SET_ENABLE)
+        status = enable(d, data[0]);
+    else if (setup->request == LIGHT_SET_MATERIAL)
+        status = set_material(d, data);
+    else if (setup->request == LIGHT_SET_MAP)
+        status = begin_map(d);
+    d->status = (uint8_t)status;
+    return status == GUD_OK;
+}
+
+void light_device_reset(struct light_device *d)
+{
+    d->enabled = d->has_material = d->has_map = d->in_map = d->is_new = false;
+    d->map_bytes = d->message_bytes = d->count = 0;
+    d->status = GUD_OK;
+}
+
+/* ---- bulk ---- */
+
+/* The loops want normals of about unit length: a longer one would have them read beside the tables. */
+static bool is_normal(uint32_t word)
+{
+    const int32_t x = (int8_t)word, y = ((int32_t)(int16_t)word - x) / 256, z = (int32_t)word >> 16;
+    const uint32_t square = (uint32_t)(x * x + y * y) * 65536 + (uint32_t)(z * z); /* < 2^32 */
+    return z == 0 || square <= ((uint32_t)1 << 30) + ((uint32_t)1 << 25);
+}
+
+static void end_map(struct light_device *d)
+{
+    d->in_map = false;
+    for (uint32_t i = 0; i < (uint32_t)d->width * d->height; i++)
+        if (!is_normal(d->map[i])) {
+            d->status = GUD_PARAMETER;
+            return;
+        }
+    d->has_map = d->is_new = true;
+}
+
+static void enqueue(struct light_device *d)
+{
+    int32_t *to_light = d->queue[(d->first + d->count) % LIGHT_QUEUE];
+    d->message_bytes = 0;
+    if (!d->has_map || d->count == LIGHT_QUEUE) {
+        d->status = GUD_PROTOCOL;
+        return;
+    }
+    light_message_unpack(to_light, d->message);
+    d->count++;
+}
+
+bool light_device_has_room(const struct light_device *d, size_t count)
+{
+    return d->in_map || (d->count + (d->message_bytes + count) / LIGHT_MESSAGE_BYTES) <= LIGHT_QUEUE;
+}
+
+void light_device_bulk(struct light_device *d, const uint8_t *bytes, size_t count)
+{
+    for (; count && d->in_map; count--) {
+        ((uint8_t *)d->map)[d->map_bytes++] = *bytes++; /* ports are little-endian, as the wire is */
+        if (d->map_bytes == map_bytes(d))
+            end_map(d);
+    }
+    for (; count; count--) {
+        d->message[d->message_bytes++] = *bytes++;
+        if (d->message_bytes == LIGHT_MESSAGE_BYTES)
+            enqueue(d);
+    }
+}
+
+/* ---- for the board ---- */
+
+void light_device_shader(const struct light_device *d, struct glint_shader *shader)
+{
+    const struct glint_shader wanted = {.material = d->material.material,
+                                        .format = GLINT_RGB565,
+                                        .space = d->material.space,
+                                        .clamp_peak = d->material.flags & LIGHT_CLAMP_PEAK};
+    *shader = wanted;
+    glint_lobe_init(&shader->lobe, (enum glint_model)d->material.model, d->material.n, d->material.q);
+}
+
+bool light_device_next(struct light_device *d, int32_t to_light[3])
+{
+    if (!d->count || !d->has_material || !d->has_map)
+        return false;
+    for (unsigned k = 0; k < 3; k++)
+        to_light[k] = d->queue[d->first][k];
+    d->first = (uint8_t)((d->first + 1) % LIGHT_QUEUE);
+    d->count--;
+    return true;
+}

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The device's side of light_protocol.h, portable. The USB stack hands it requests and bulk bytes, as to gud_device.h; the
+ * board takes material, map and lights from it. No heap, no I/O; whatever a host sends, it writes to no memory but the map's. */
+#ifndef LIGHT_DEVICE_H
+#define LIGHT_DEVICE_H
+
+#include "gud_device.h"
+#include "light_protocol.h"
+
+enum { LIGHT_QUEUE = 8 }; /* lights that wait for their frames */
+
+struct light_device {
+    /* Config, set by you. */
+    uint16_t width, height;
+    uint8_t interface;
+    uint32_t *map; /* width x height words */
+    const struct gud_device
+        *gud; /* whose memory the map may share: no rectangle of it is open while the map is the host's */
+
+    /* State: read it. */
+    bool enabled;      /* the host wants the panel */
+    bool has_material; /* and the material below */
+    bool has_map;      /* all of it, and it is one */
+    bool is_new;       /* material or map are others than when you last set this to false */
+    struct light_material material;
+
+    /* State, ours. */
+    uint8_t status;
+    bool in_map;        /* bulk bytes belong to the map */
+    uint32_t map_bytes; /* that are there */
+    uint8_t message[LIGHT_MESSAGE_BYTES], message_bytes;
+    uint8_t first, count; /* of the queue */
+    int32_t queue[LIGHT_QUEUE][3];
+};
+
+/* As gud_device_setup and gud_device_set. */
+int light_device_setup(struct light_device *device, const struct gud_setup *setup, uint8_t reply[GUD_REPLY_BYTES]);
+bool light_device_set(struct light_device *device, const struct gud_setup *setup, const uint8_t *data);
+/* Takes bulk bytes; before, ask whether there is room for as many: else let them wait on the bus. */
+bool light_device_has_room(const struct light_device *device, size_t count);
+void light_device_bulk(struct light_device *device, const uint8_t *bytes, size_t count);
+/* Bus reset, disconnect. */
+void light_device_reset(struct light_device *device);
+
+/* The shader that the material asks for; its light is not set. */
+void light_device_shader(const struct light_device *device, struct glint_shader *shader);
+/* The next frame's light; false: none waits, or material or map are missing. */
+bool light_device_next(struct light_device *device, int32_t to_light[3]);
+
+#endif

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: MIT */
+#include "light_protocol.h"
+
+static uint8_t *put(uint8_t *at, uint32_t value, unsigned bytes)
+{
+    for (unsigned i = 0; i < bytes; i++)
+        *at++ = (uint8_t)(value >> 8 * i);
+    return at;
+}
+
+static uint32_t get(const uint8_t **at, unsigned bytes)
+{
+    uint32_t value = 0;
+    for (unsigned i = 0; i < bytes; i++)
+        value |= (uint32_t) * (*at)++ << 8 * i;
+    return value;
+}
+
+void light_descriptor_pack(uint8_t out[LIGHT_DESCRIPTOR_BYTES], const struct light_descriptor *descriptor)
+{
+    out = put(out, LIGHT_MAGIC, 4);
+    out = put(out, LIGHT_VERSION, 1);
+    out = put(out, 0, 3);
+    out = put(out, descriptor->width, 2);
+    put(out, descriptor->height, 2);
+}
+
+bool light_descriptor_unpack(struct light_descriptor *descriptor, const uint8_t in[LIGHT_DESCRIPTOR_BYTES])
+{
+    const uint32_t magic = get(&in, 4), version = get(&in, 1);
+    get(&in, 3);
+    descriptor->width = (uint16_t)get(&in, 2);
+    descriptor->height = (uint16_t)get(&in, 2);
+    return magic == LIGHT_MAGIC && version == LIGHT_VERSION;
+}
+
+void light_material_pack(uint8_t out[LIGHT_MATERIAL_BYTES], const struct light_material *material)
+{
+    const struct glint_material *m = &material->material;
+    out = put(out, material->model, 1);
+    out = put(out, material->q, 1);
+    out = put(out, material->n, 2);
+    out = put(out, material->space, 1);
+    out = put(out, material->flags, 1);
+    out = put(out, material->background, 2);
+    for (unsigned k = 0; k < 3; k++)
+        out = put(out, m->albedo[k], 1);
+    out = put(out, 0, 1);
+    for (unsigned k = 0; k < 3; k++)
+        out = put(out, m->ambient_q16[k], 4);
+    for (unsigned k = 0; k < 3; k++)
+        out = put(out, m->diffuse_q16[k], 4);
+    for (unsigned k = 0; k < 3; k++)
+        out = put(out, m->specular_q16[k], 4);
+}
+
+void light_material_unpack(struct light_material *material, const uint8_t in[LIGHT_MATERIAL_BYTES])
+{
+    struct glint_material *m = &material->material;
+    material->model = (uint8_t)get(&in, 1);
+    material->q = (uint8_t)get(&in, 1);
+    material->n = (uint16_t)get(&in, 2);
+    material->space = (uint8_t)get(&in, 1);
+    material->flags = (uint8_t)get(&in, 1);
+    material->background = (uint16_t)get(&in, 2);
+    for (unsigned k = 0; k < 3; k++)
+        m->albedo[k] = (uint8_t)get(&in, 1);
+    get(&in, 1);
+    for (unsigned k = 0; k < 3; k++)
+        m->ambient_q16[k] = get(&in, 4);
+    for (unsigned k = 0; k < 3; k++)
+        m->diffuse_q16[k] = get(&in, 4);
+    for (unsigned k = 0; k < 3; k++)
+        m->specular_q16[k] = get(&in, 4);
+}
+
+void light_message_pack(uint8_t out[LIGHT_MESSAGE_BYTES], uint32_t tag, const int32_t to_light[3])
+{
+    out = put(out, tag, 4);
+    for (unsigned k = 0; k < 3; k++)
+        out = put(out, (uint32_t)to_light[k], 4);
+}
+
+void light_message_unpack(int32_t to_light[3], const uint8_t in[LIGHT_MESSAGE_BYTES])
+{
+    get(&in, 4);
+    for (unsigned k = 0; k < 3; k++)
+        to_light[k] = (int32_t)get(&in, 4);
+}

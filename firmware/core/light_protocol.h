@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Streams light, not pixels: a vendor interface beside the GUD display's, for devices that shade by themselves. A host sends
+ * a normal map and a material once, then 16 bytes a frame. Little-endian, packed.
+ *
+ *   LIGHT_ENABLE 1     the panel is the host's; what GUD hosts draw meanwhile is refused as busy
+ *   LIGHT_MATERIAL     the device fills its tables (a tenth of a second on an RP2040)
+ *   LIGHT_MAP          then the map's words on bulk OUT: width x height normals, GLINT_NORMALS_INT8, lines from the top
+ *   bulk OUT           light messages. Those that the device has no room for wait on the bus: it sets the pace
+ *   LIGHT_ENABLE 0     or a bus reset: the panel goes back
+ *
+ * The interface has class ff and one bulk OUT endpoint, and answers to GUD's descriptor request with a STALL, so that no GUD
+ * driver takes it for a display. */
+#ifndef LIGHT_PROTOCOL_H
+#define LIGHT_PROTOCOL_H
+
+#include "glint.h"
+
+/* Control requests: bmRequestType c1 (in) or 41 (out), wValue 0, wIndex = the interface. No number is one of GUD's but the
+ * first, which means the same. */
+enum light_request {
+    LIGHT_GET_STATUS = 0x00,     /* 1 byte, enum gud_status, of the last request or bulk data */
+    LIGHT_GET_DESCRIPTOR = 0xa0, /* struct light_descriptor */
+    LIGHT_SET_ENABLE = 0xa1,     /* 1 byte: 0 or 1 */
+    LIGHT_SET_MATERIAL = 0xa2,   /* struct light_material */
+    LIGHT_SET_MAP = 0xa3         /* empty */
+};
+#define LIGHT_MAGIC ((uint32_t)0x746e6c67) /* "glnt" */
+enum {
+    LIGHT_VERSION = 1,
+    LIGHT_DESCRIPTOR_BYTES = 12,
+    LIGHT_MATERIAL_BYTES = 48,
+    LIGHT_MESSAGE_BYTES = 16, /* u32 of the host's own, then towards the light: 3 x i32 of any length */
+    LIGHT_CLAMP_PEAK = 1      /* in the material's flags */
+};
+
+struct light_descriptor {
+    uint16_t width, height;
+};
+
+/* What of a shader goes over the wire: the pixels are RGB565, undithered. */
+struct light_material {
+    uint8_t model, q, space, flags;
+    uint16_t n, background; /* the pixel where the map has no surface */
+    struct glint_material material;
+};
+
+void light_descriptor_pack(uint8_t out[LIGHT_DESCRIPTOR_BYTES], const struct light_descriptor *descriptor);
+/* False where magic or version are others. */
+bool light_descriptor_unpack(struct light_descriptor *descriptor, const uint8_t in[LIGHT_DESCRIPTOR_BYTES]);
+void light_material_pack(uint8_t out[LIGHT_MATERIAL_BYTES], const struct light_material *material);
+void light_material_unpack(struct light_material *material, const uint8_t in[LIGHT_MATERIAL_BYTES]);
+void light_message_pack(uint8_t out[LIGHT_MESSAGE_BYTES], uint32_t tag, const int32_t to_light[3]);
+void light_message_unpack(int32_t to_light[3], const uint8_t in[LIGHT_MESSAGE_BYTES]);
+
+#endif
