@@ -10,7 +10,7 @@ struct hal {
     struct panel_bus bus; /* commands and their data: they return when the bytes are on their way, in order */
     /* Pixels into the window that panel_window opened, RGB565 in the machine's order. Returns at once; done(argument) is
      * called, from an interrupt perhaps, when the pixels may be overwritten and the next flush may come. One at a
-     * time: another one waits. */
+     * time: another one waits; done() itself may start it. */
     void (*flush)(void *context, const uint16_t *pixels, size_t count, void (*done)(void *), void *argument);
     /* Words from flash into RAM ahead of their use. Returns at once; fetched() is true when they are there. One at a time.
      * NULL: flash is as fast as RAM, and maps are read where they are. */

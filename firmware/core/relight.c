@@ -33,7 +33,7 @@ enum glint_err relight_material(struct relight *relight, const struct glint_shad
 
 enum glint_err relight_start(struct relight *relight, const struct glint_shader *shader)
 {
-    relight->in_frame = relight->is_shaded = relight->is_sending = false;
+    relight->in_frame = relight->is_sending = relight->is_waiting = false;
     relight->buffer = 0;
     for (uint16_t y = 0; y < relight->panel->height; y++)
         relight->extents[y] = find_extent(map_line(relight, y), relight->panel->width);
@@ -64,7 +64,6 @@ enum glint_err relight_frame(struct relight *relight, const int32_t to_light[3])
     while (!is_fetched(relight)) /* where a frame was given up */
         ;
     relight->line = 0;
-    relight->is_shaded = false;
     relight->in_frame = true;
     fetch(relight, 0, relight->buffer);
     return GLINT_OK;
@@ -86,32 +85,43 @@ static void shade(const struct relight *relight)
                       &surface);
 }
 
+static void sent(void *argument);
+
+static void send(struct relight *relight, const uint16_t *pixels)
+{
+    relight->is_sending = true;
+    relight->hal->flush(relight->hal->context, pixels, relight->panel->width, sent, relight);
+}
+
+/* From an interrupt: the line that waits follows without a gap on the bus. */
 static void sent(void *argument)
 {
-    ((struct relight *)argument)->is_sending = false;
+    struct relight *relight = argument;
+    relight->is_sending = false;
+    if (!relight->is_waiting)
+        return;
+    relight->is_waiting = false;
+    send(relight, relight->waiting);
 }
 
 enum relight_step relight_step(struct relight *relight)
 {
     const struct panel *panel = relight->panel;
-    const struct hal *hal = relight->hal;
     if (!relight->in_frame)
         return relight->is_sending ? RELIGHT_BUSY : RELIGHT_DONE;
-    if (!relight->is_shaded) {
-        if (!is_fetched(relight))
-            return RELIGHT_BUSY;
-        if (relight->line + 1 < panel->height)
-            fetch(relight, (uint16_t)(relight->line + 1), !relight->buffer);
-        shade(relight); /* what its buffer held was sent before the line that is under way */
-        relight->is_shaded = true;
-    }
-    if (relight->is_sending)
+    if (relight->is_waiting || !is_fetched(relight)) /* waiting: the other buffer is on its way */
         return RELIGHT_BUSY;
-    if (relight->line == 0 && !panel_window(panel, 0, 0, panel->width, panel->height))
+    if (relight->line + 1 < panel->height)
+        fetch(relight, (uint16_t)(relight->line + 1), !relight->buffer);
+    shade(relight);
+    if (relight->line == 0 && !panel_window(panel, 0, 0, panel->width, panel->height)) /* after what is on its way */
         return RELIGHT_BUS_FAILED;
-    relight->is_sending = true;
-    hal->flush(hal->context, relight->pixels[relight->buffer], panel->width, sent, relight);
-    relight->is_shaded = false;
+    relight->waiting = relight->pixels[relight->buffer];
+    relight->is_waiting = true; /* from here on an interrupt may send it */
+    if (!relight->is_sending) {
+        relight->is_waiting = false;
+        send(relight, relight->waiting);
+    }
     relight->buffer = !relight->buffer;
     if (++relight->line == panel->height)
         relight->in_frame = false;

@@ -28,11 +28,11 @@ struct relight {
     struct glint_tables tables;
     struct glint_tables_light light;
     struct glint_light source;
-    uint16_t line;  /* that is to be shaded or sent */
-    uint8_t buffer; /* 0 or 1: that line's; they take turns */
-    bool in_frame;  /* between relight_frame and the frame's last line */
-    bool is_shaded; /* `line` waits for the bus */
-    volatile bool is_sending;
+    uint16_t line;                        /* that is to be shaded or sent */
+    uint8_t buffer;                       /* 0 or 1: that line's; they take turns */
+    bool in_frame;                        /* between relight_frame and the frame's last line */
+    volatile bool is_sending, is_waiting; /* a line is on its way; another is shaded, to follow at once */
+    const uint16_t *waiting;
 };
 
 /* Fills the tables (12.6 million cycles on a Cortex-M0+) and finds the extents. Errors as glint_tables_fill. */

@@ -58,7 +58,7 @@ run([
     equal(light.status(), STATUS.ok, 'the status')
     wires.pixels = 0
     host.bulk(2, judge.light(7))
-    check(pico.run(() => frame_done() && wires.level('backlight') === 1, 400), `no frame: ${pico.uart}`)
+    check(pico.run(frame_done, 400) && pico.run(() => wires.level('backlight') === 1, 5), `no frame: ${pico.uart}`)
     judge.same(look(), judge.demo(7), 'the picture')
   }],
   ['lights that follow make a frame each, in order; what there is no room for waits on the bus', () => {

@@ -99,6 +99,7 @@ static void flush(void *context, const uint16_t *pixels, size_t count, void (*do
 static void fetch(void *context, uint32_t *to, const uint32_t *from, size_t words)
 {
     (void)context;
+    dma_channel_wait_for_finish_blocking(board.fetch);
     xip_ctrl_hw->stream_addr = (uint32_t)from;
     dma_channel_transfer_to_buffer_now(board.fetch, to, words);
     xip_ctrl_hw->stream_ctr = words;

@@ -134,6 +134,20 @@ static void begin_relighting(const uint32_t *map, bool is_in_flash, const struct
         fail("the tables");
 }
 
+static void begin_demo(void)
+{
+    struct glint_shader shader;
+    demo_shader(&shader);
+#if OFFERS_LIGHT /* a map fits into RAM, from where it is faster */
+    board_hal.fetch(board_hal.context, memory.host.map, demo_map, PANEL_WIDTH * PANEL_HEIGHT);
+    while (!board_hal.fetched(board_hal.context))
+        ;
+    begin_relighting(memory.host.map, false, &shader, 0);
+#else
+    begin_relighting(demo_map, true, &shader, 0);
+#endif
+}
+
 /* The panel changes hands, and is dark until the next one has a picture. */
 static void hand_over(enum owner from, enum owner to)
 {
@@ -145,11 +159,8 @@ static void hand_over(enum owner from, enum owner to)
         show(gud.shown);
     else if (!gud.shown) /* no command, which would end a rectangle that may be open already */
         board_hal.bus.backlight(board_hal.bus.context, false);
-    if (to == DEMO) {
-        struct glint_shader shader;
-        demo_shader(&shader);
-        begin_relighting(demo_map, true, &shader, 0);
-    }
+    if (to == DEMO)
+        begin_demo();
     board_say(names[to]);
     board_say("\r\n");
 }
