@@ -12,17 +12,19 @@ static bool is_surface(uint32_t word)
     return word >> 16 != 0;
 }
 
-static struct relight_extent find_extent(const uint32_t *words, uint16_t w)
+static struct relight_extent find_extent(const uint32_t *words, uint16_t w, bool *has_gaps)
 {
-    struct relight_extent extent = {0, w};
-    while (extent.first < w && !is_surface(words[extent.first])) {
-        const uint32_t gap = words[extent.first], left = (uint32_t)(w - extent.first);
-        extent.first = (uint16_t)(extent.first + (gap && gap < left ? gap : gap ? left : 1));
+    uint16_t first = w, end = 0;
+    for (uint16_t x = 0; x < w; x++) {
+        if (!is_surface(words[x])) {
+            *has_gaps = true;
+            continue;
+        }
+        first = first < x ? first : x;
+        end = (uint16_t)(x + 1);
     }
-    while (extent.count > extent.first && !is_surface(words[extent.count - 1]))
-        extent.count--;
-    extent.count = (uint16_t)(extent.count - extent.first);
-    return extent;
+    const struct relight_extent none = {0, 0}, extent = {first, (uint16_t)(end - first)};
+    return end ? extent : none;
 }
 
 enum glint_err relight_material(struct relight *relight, const struct glint_shader *shader)
@@ -33,10 +35,13 @@ enum glint_err relight_material(struct relight *relight, const struct glint_shad
 
 enum glint_err relight_start(struct relight *relight, const struct glint_shader *shader)
 {
-    relight->in_frame = relight->is_sending = relight->is_waiting = false;
+    while (relight->is_sending) /* the last lines of what was there before */
+        ;
+    relight->in_frame = false;
+    relight->has_gaps = false;
     relight->buffer = 0;
     for (uint16_t y = 0; y < relight->panel->height; y++)
-        relight->extents[y] = find_extent(map_line(relight, y), relight->panel->width);
+        relight->extents[y] = find_extent(map_line(relight, y), relight->panel->width, &relight->has_gaps);
     return relight_material(relight, shader);
 }
 
@@ -75,7 +80,7 @@ static void shade(const struct relight *relight)
     uint16_t *const pixels = relight->pixels[relight->buffer];
     const uint16_t w = relight->panel->width;
     const struct relight_extent extent = relight->extents[y];
-    if (extent.count < w) /* gaps within it cannot be known, so all of it */
+    if (relight->has_gaps)
         for (uint16_t x = 0; x < w; x++)
             pixels[x] = relight->background;
     const uint32_t *normals =

@@ -24,10 +24,11 @@ struct relight {
     uint32_t *normals[2];           /* a line each; NULL: the map is in RAM */
     struct relight_extent *extents; /* one a line of the panel */
 
-    /* State, ours. */
+    /* State, ours; zeros at first. */
     struct glint_tables tables;
     struct glint_tables_light light;
     struct glint_light source;
+    bool has_gaps;                        /* pixels without a surface */
     uint16_t line;                        /* that is to be shaded or sent */
     uint8_t buffer;                       /* 0 or 1: that line's; they take turns */
     bool in_frame;                        /* between relight_frame and the frame's last line */

@@ -1,0 +1,301 @@
+/* SPDX-License-Identifier: MIT
+ * The display loop, against the library's rectangle: whatever the order in which bus and flash are ready. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "demo.h"
+#include "orbit.h"
+#include "relight.h"
+#include "unit.h"
+
+enum { WIDTH = 37, HEIGHT = 11, BACKGROUND = 0x1234 };
+
+/* ---- a board whose transfers end when the test lets them ---- */
+
+static struct {
+    uint16_t screen[WIDTH * HEIGHT];
+    size_t at; /* pixels since the window */
+    const uint16_t *pixels;
+    size_t count;
+    void (*done)(void *);
+    void *argument;
+    uint32_t *to;
+    const uint32_t *from;
+    size_t words;
+    unsigned windows;
+    bool broken;
+} board;
+
+static bool on_command(void *context, uint8_t command)
+{
+    (void)context;
+    if (command == PANEL_MEMORY_WRITE) {
+        assert_null(board.done); /* else pixels would go to the new window */
+        board.at = 0;
+        board.windows++;
+    }
+    return !board.broken;
+}
+
+static bool on_data(void *context, const uint8_t *bytes, size_t count)
+{
+    (void)context;
+    (void)bytes;
+    (void)count;
+    return true;
+}
+
+static void end_flush(void)
+{
+    void (*const done)(void *) = board.done;
+    if (!done)
+        return;
+    assert_true(board.at + board.count <= WIDTH * HEIGHT);
+    memcpy(board.screen + board.at, board.pixels, board.count * sizeof *board.pixels); /* as late as can be */
+    board.at += board.count;
+    board.done = NULL;
+    done(board.argument);
+}
+
+static void on_wait(void *context, unsigned ms)
+{
+    (void)context;
+    (void)ms;
+}
+
+static void on_flush(void *context, const uint16_t *pixels, size_t count, void (*done)(void *), void *argument)
+{
+    (void)context;
+    assert_null(board.done);
+    board.pixels = pixels;
+    board.count = count;
+    board.argument = argument;
+    board.done = done;
+}
+
+static void end_fetch(void)
+{
+    if (board.to)
+        memcpy(board.to, board.from, board.words * sizeof *board.to);
+    board.to = NULL;
+}
+
+static void on_fetch(void *context, uint32_t *to, const uint32_t *from, size_t words)
+{
+    (void)context;
+    assert_null(board.to);
+    memset(to, 0x55, words * sizeof *to); /* what was there is gone from now on */
+    board.to = to;
+    board.from = from;
+    board.words = words;
+}
+
+static bool on_fetched(void *context)
+{
+    (void)context;
+    return !board.to;
+}
+
+/* The window's command waits for what is on its way, as on a real bus. */
+static bool on_command_waiting(void *context, uint8_t command)
+{
+    while (board.done)
+        end_flush();
+    return on_command(context, command);
+}
+
+static const struct hal hal = {
+    {on_command_waiting, on_data, NULL, NULL, on_wait, NULL}, on_flush, on_fetch, on_fetched, NULL};
+
+/* ---- a map and a loop over it ---- */
+
+static uint32_t map[WIDTH * HEIGHT];
+static const struct panel panel = {.bus = &hal.bus, .controller = PANEL_ST7789, .width = WIDTH, .height = HEIGHT};
+static uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4], normals[2][WIDTH];
+static uint16_t pixels[2][WIDTH];
+static struct relight_extent extents[HEIGHT];
+static struct relight relight;
+
+static void put_normal(unsigned x, unsigned y)
+{
+    const int32_t v[3] = {(int32_t)x * 3 - 50, 30 - (int32_t)y * 5, 60};
+    struct glint_vec normal;
+    assert_int_equal(glint_vec_normalize(&normal, v), GLINT_OK);
+    map[y * WIDTH + x] = glint_normals_pack(GLINT_NORMALS_INT8, &normal);
+}
+
+static bool has_surface(unsigned x, unsigned y) /* whole lines, none, the middle, one pixel, a hole, the sides */
+{
+    const unsigned kind = y % 6;
+    return kind == 0 || (kind == 2 && x > 5 && x < 30) || (kind == 3 && x == 17) || (kind == 4 && (x < 9 || x > 15)) ||
+           (kind == 5 && (x == 0 || x == WIDTH - 1));
+}
+
+static void make_map(void)
+{
+    for (unsigned y = 0; y < HEIGHT; y++) {
+        uint32_t gap = 0;
+        for (unsigned x = WIDTH; x-- > 0;) {
+            gap = has_surface(x, y) ? 0 : gap + 1;
+            if (gap)
+                map[y * WIDTH + x] = gap; /* how many there are from here on */
+            else
+                put_normal(x, y);
+        }
+    }
+}
+
+static void start(bool from_flash)
+{
+    struct glint_shader shader;
+    memset(&board, 0, sizeof board);
+    make_map();
+    demo_shader(&shader);
+    relight = (struct relight){.hal = &hal,
+                               .panel = &panel,
+                               .map = map,
+                               .background = BACKGROUND,
+                               .tables_memory = tables,
+                               .pixels = {pixels[0], pixels[1]},
+                               .extents = extents};
+    for (unsigned i = 0; i < 2 && from_flash; i++)
+        relight.normals[i] = normals[i];
+    assert_int_equal(relight_start(&relight, &shader), GLINT_OK);
+}
+
+static void check_screen(const int32_t to_light[3])
+{
+    static const int32_t to_viewer[3] = {0, 0, 1};
+    uint16_t wanted[WIDTH * HEIGHT];
+    struct glint_light source;
+    struct glint_tables_light light;
+    for (unsigned i = 0; i < WIDTH * HEIGHT; i++)
+        wanted[i] = BACKGROUND;
+    assert_int_equal(glint_light_init(&source, to_light, to_viewer), GLINT_OK);
+    assert_int_equal(glint_tables_light(&light, &relight.tables, &source), GLINT_OK);
+    assert_int_equal(glint_tables_rect(&relight.tables, &light, GLINT_NORMALS_INT8, map, 4 * WIDTH, WIDTH, HEIGHT,
+                                       &(struct glint_surface){wanted, 2 * WIDTH, 0, 0}),
+                     GLINT_OK);
+    assert_memory_equal(board.screen, wanted, sizeof wanted);
+}
+
+/* Frames back to back, transfers ended in an order that the seed decides. */
+static void run_frames(unsigned seed)
+{
+    srand(seed);
+    for (uint32_t frame = 0; frame < 5; frame++) {
+        int32_t to_light[3];
+        orbit_light(to_light, frame * 50 + seed, ORBIT_FRAMES);
+        end_fetch();
+        assert_int_equal(relight_frame(&relight, to_light), GLINT_OK);
+        unsigned steps = 0;
+        while (relight.in_frame) {
+            relight_step(&relight);
+            if (rand() % 3 == 0)
+                end_flush();
+            if (rand() % 3 == 0)
+                end_fetch();
+            assert_true(++steps < 10000);
+        }
+        while (relight_step(&relight) == RELIGHT_BUSY)
+            end_flush();
+        check_screen(to_light);
+    }
+}
+
+/* ---- tests ---- */
+
+static void frames_are_the_librarys_whatever_ends_first(void **state)
+{
+    (void)state;
+    for (unsigned seed = 1; seed < 40; seed++) {
+        start(true);
+        run_frames(seed);
+    }
+}
+
+static void a_map_in_ram_is_read_where_it_is(void **state)
+{
+    (void)state;
+    for (unsigned seed = 1; seed < 20; seed++) {
+        start(false);
+        run_frames(seed);
+        assert_null(board.to);
+    }
+}
+
+static void a_line_is_not_overwritten_while_it_is_sent(void **state)
+{
+    (void)state;
+    start(false);
+    int32_t to_light[3];
+    orbit_light(to_light, 0, ORBIT_FRAMES);
+    assert_int_equal(relight_frame(&relight, to_light), GLINT_OK);
+    uint16_t before[WIDTH];
+    relight_step(&relight); /* line 0 goes out */
+    memcpy(before, board.pixels, sizeof before);
+    for (unsigned i = 0; i < 10; i++) /* line 1 is shaded, and then it waits */
+        assert_int_equal(relight_step(&relight), RELIGHT_BUSY);
+    assert_memory_equal(before, board.pixels, sizeof before);
+    assert_int_equal(board.windows, 1);
+}
+
+static void a_light_that_cannot_be_is_refused_and_no_frame_begins(void **state)
+{
+    (void)state;
+    static const int32_t none[3] = {0, 0, 0}, behind[3] = {0, 0, -1};
+    start(true);
+    assert_int_equal(relight_frame(&relight, none), GLINT_ERR_VECTOR);
+    assert_int_equal(relight_frame(&relight, behind), GLINT_ERR_VECTOR);
+    assert_int_equal(relight_step(&relight), RELIGHT_DONE);
+    assert_int_equal(board.windows, 0);
+}
+
+static void a_bus_that_fails_is_told(void **state)
+{
+    (void)state;
+    int32_t to_light[3];
+    start(false);
+    board.broken = true;
+    orbit_light(to_light, 0, ORBIT_FRAMES);
+    assert_int_equal(relight_frame(&relight, to_light), GLINT_OK);
+    assert_int_equal(relight_step(&relight), RELIGHT_BUS_FAILED);
+}
+
+static void the_orbit_is_a_circle_of_thirty_degrees(void **state)
+{
+    (void)state;
+    for (uint32_t frame = 0; frame < 1000; frame++) {
+        int32_t l[3];
+        orbit_light(l, frame, 1000);
+        const double angle = 2 * 3.14159265358979323846 * frame / 1000;
+        const double radius = sqrt((double)l[0] * l[0] + (double)l[1] * l[1]);
+        assert_near(radius, 16384, 8);
+        assert_near(atan2(l[1], l[0]), remainder(angle, 2 * 3.14159265358979323846), 3e-4);
+        assert_int_equal(l[2], 28378);
+    }
+}
+
+static void the_orbit_comes_back_after_its_frames(void **state)
+{
+    (void)state;
+    int32_t first[3], again[3];
+    orbit_light(first, 7, ORBIT_FRAMES);
+    orbit_light(again, 7 + ORBIT_FRAMES, ORBIT_FRAMES);
+    assert_memory_equal(first, again, sizeof first);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(frames_are_the_librarys_whatever_ends_first),
+        cmocka_unit_test(a_map_in_ram_is_read_where_it_is),
+        cmocka_unit_test(a_line_is_not_overwritten_while_it_is_sent),
+        cmocka_unit_test(a_light_that_cannot_be_is_refused_and_no_frame_begins),
+        cmocka_unit_test(a_bus_that_fails_is_told),
+        cmocka_unit_test(the_orbit_is_a_circle_of_thirty_degrees),
+        cmocka_unit_test(the_orbit_comes_back_after_its_frames),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
