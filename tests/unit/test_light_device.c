@@ -1,0 +1,293 @@
+/* SPDX-License-Identifier: MIT
+ * The device's side of light_protocol.h, by itself: what it takes, what it refuses, and that it keeps within its map. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "light_device.h"
+#include "unit.h"
+
+enum { WIDTH = 6, HEIGHT = 5, PIXELS = WIDTH * HEIGHT, INTERFACE = 1 };
+
+static uint32_t *map; /* by itself on the heap, so that the sanitizers see its ends */
+static struct gud_device gud;
+static struct light_device device;
+static uint8_t reply[GUD_REPLY_BYTES];
+static const struct light_material material = {
+    .model = GLINT_MSH,
+    .q = 6,
+    .n = 60,
+    .flags = LIGHT_CLAMP_PEAK,
+    .space = GLINT_LINEAR,
+    .background = 0xabcd,
+    .material = {{1, 2, 3}, {40000, 50000, 60000}, {65536, 7, 8}, {9, 10, 11}}};
+
+static int begin(void **state)
+{
+    (void)state;
+    map = calloc(PIXELS, sizeof *map);
+    gud = (struct gud_device){0};
+    device = (struct light_device){.width = WIDTH, .height = HEIGHT, .interface = INTERFACE, .map = map, .gud = &gud};
+    return !map;
+}
+
+static int end(void **state)
+{
+    (void)state;
+    free(map);
+    return 0;
+}
+
+static struct gud_setup request(uint8_t type, uint8_t number, size_t length)
+{
+    return (struct gud_setup){type, number, 0, INTERFACE, (uint16_t)length};
+}
+
+static bool set(uint8_t number, const void *data, size_t length)
+{
+    const struct gud_setup setup = request(GUD_TYPE_OUT, number, length);
+    const int wanted = light_device_setup(&device, &setup, reply);
+    return wanted != GUD_STALL && wanted == (int)length && light_device_set(&device, &setup, data);
+}
+
+static uint8_t status(void)
+{
+    const struct gud_setup setup = request(GUD_TYPE_IN, LIGHT_GET_STATUS, 1);
+    assert_int_equal(light_device_setup(&device, &setup, reply), 1);
+    return reply[0];
+}
+
+static bool enable(uint8_t value)
+{
+    return set(LIGHT_SET_ENABLE, &value, 1);
+}
+
+static bool set_material(const struct light_material *what)
+{
+    uint8_t bytes[LIGHT_MATERIAL_BYTES];
+    light_material_pack(bytes, what);
+    return set(LIGHT_SET_MATERIAL, bytes, sizeof bytes);
+}
+
+static void send_map(size_t piece)
+{
+    uint8_t bytes[4 * PIXELS];
+    const struct glint_vec normal = {0, 8192, 31727};
+    const uint32_t word = glint_normals_pack(GLINT_NORMALS_INT8, &normal);
+    for (unsigned i = 0; i < sizeof bytes; i++)
+        bytes[i] = (uint8_t)(word >> 8 * (i % 4));
+    assert_true(set(LIGHT_SET_MAP, NULL, 0));
+    for (size_t at = 0; at < sizeof bytes; at += piece)
+        light_device_bulk(&device, bytes + at, piece < sizeof bytes - at ? piece : sizeof bytes - at);
+}
+
+static void send_light(int32_t x)
+{
+    uint8_t bytes[LIGHT_MESSAGE_BYTES];
+    const int32_t to_light[3] = {x, -2, 3};
+    light_message_pack(bytes, 99, to_light);
+    light_device_bulk(&device, bytes, sizeof bytes);
+}
+
+/* ---- tests ---- */
+
+static void what_is_packed_comes_back(void **state)
+{
+    (void)state;
+    uint8_t bytes[LIGHT_MATERIAL_BYTES];
+    struct light_material again;
+    memset(&again, 0, sizeof again);
+    light_material_pack(bytes, &material);
+    light_material_unpack(&again, bytes);
+    assert_int_equal(again.model, material.model);
+    assert_int_equal(again.background, material.background);
+    assert_memory_equal(&again.material, &material.material, sizeof again.material);
+    struct light_descriptor descriptor = {240, 320};
+    light_descriptor_pack(bytes, &descriptor);
+    descriptor = (struct light_descriptor){0, 0};
+    assert_true(light_descriptor_unpack(&descriptor, bytes));
+    assert_int_equal(descriptor.width, 240);
+    assert_int_equal(descriptor.height, 320);
+    bytes[4]++;
+    assert_false(light_descriptor_unpack(&descriptor, bytes));
+}
+
+static void material_and_map_in_pieces_of_any_size_make_it_ready(void **state)
+{
+    for (size_t piece = 1; piece < 4 * PIXELS + 9; piece++) {
+        int32_t to_light[3];
+        assert_true(enable(1));
+        assert_true(set_material(&material));
+        send_map(piece);
+        assert_true(device.has_map && device.is_new);
+        send_light(-7);
+        assert_true(light_device_next(&device, to_light));
+        assert_int_equal(to_light[0], -7);
+        assert_int_equal(to_light[1], -2);
+        assert_false(light_device_next(&device, to_light));
+        end(state);
+        begin(state);
+    }
+}
+
+static void the_shader_is_what_the_material_says(void **state)
+{
+    (void)state;
+    struct glint_shader shader;
+    assert_true(enable(1) && set_material(&material));
+    light_device_shader(&device, &shader);
+    assert_int_equal(shader.lobe.n, 60);
+    assert_int_equal(shader.lobe.q, 6);
+    assert_int_equal(shader.format, GLINT_RGB565);
+    assert_int_equal(shader.space, GLINT_LINEAR);
+    assert_true(shader.clamp_peak);
+    assert_memory_equal(&shader.material, &material.material, sizeof shader.material);
+}
+
+static void no_request_is_taken_that_is_not_wholly_right(void **state)
+{
+    (void)state;
+    uint8_t bytes[64] = {1};
+    assert_true(enable(1));
+    assert_false(set(LIGHT_SET_ENABLE, bytes, 2));
+    assert_int_equal(status(), GUD_PROTOCOL);
+    assert_false(set(LIGHT_SET_MATERIAL, bytes, LIGHT_MATERIAL_BYTES - 1));
+    assert_int_equal(status(), GUD_PROTOCOL);
+    assert_false(set(0x7f, bytes, 0));
+    assert_int_equal(status(), GUD_UNSUPPORTED);
+    struct gud_setup setup = request(GUD_TYPE_IN, GUD_GET_DESCRIPTOR, GUD_DESCRIPTOR_BYTES);
+    assert_int_equal(light_device_setup(&device, &setup, reply), GUD_STALL);
+    setup = request(GUD_TYPE_IN, LIGHT_SET_MAP, 1);
+    assert_int_equal(light_device_setup(&device, &setup, reply), GUD_STALL);
+    setup = request(0xa1, LIGHT_GET_STATUS, 1); /* of class, not vendor */
+    assert_int_equal(light_device_setup(&device, &setup, reply), GUD_STALL);
+    setup = request(GUD_TYPE_OUT, LIGHT_SET_MAP, 0);
+    setup.value = 1;
+    assert_int_equal(light_device_setup(&device, &setup, reply), GUD_STALL);
+    setup.value = 0;
+    setup.index = 0;
+    assert_int_equal(light_device_setup(&device, &setup, reply), GUD_STALL);
+    struct light_material wrong = material;
+    wrong.model = GLINT_PHONG;
+    assert_false(set_material(&wrong));
+    assert_int_equal(status(), GUD_PARAMETER);
+    wrong = material;
+    wrong.space = 2;
+    assert_false(set_material(&wrong));
+    wrong = material;
+    wrong.flags = 2;
+    assert_false(set_material(&wrong));
+}
+
+static void it_is_not_enabled_amid_a_rectangle_of_gud(void **state)
+{
+    (void)state;
+    gud.open = true;
+    assert_false(enable(1));
+    assert_int_equal(status(), GUD_BUSY);
+    gud.open = false;
+    assert_true(enable(1));
+    gud.open = true; /* cannot be, and enabling again is no harm */
+    assert_true(enable(1));
+}
+
+static void a_normal_far_from_unit_length_spoils_the_map(void **state)
+{
+    (void)state;
+    static const uint32_t wrong[] = {0x7fff7f7f, 0x80000001, 0x7fff4000, 0x80018181};
+    for (unsigned i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        uint8_t bytes[4 * PIXELS] = {0}; /* no surface */
+        for (unsigned k = 0; k < 4; k++)
+            bytes[4 * (PIXELS - 1) + k] = (uint8_t)(wrong[i] >> 8 * k);
+        assert_true(enable(1));
+        assert_true(set(LIGHT_SET_MAP, NULL, 0));
+        light_device_bulk(&device, bytes, sizeof bytes);
+        assert_int_equal(device.has_map, wrong[i] == 0x80000001); /* length 1 to 2^-15: looks away, which is allowed */
+    }
+}
+
+static void every_normal_that_the_library_packs_is_taken(void **state)
+{
+    (void)state;
+    srand(1);
+    for (unsigned round = 0; round < 2000; round++) {
+        const int32_t v[3] = {rand() % 2001 - 1000, rand() % 2001 - 1000, rand() % 1001 - (round % 3 ? 0 : 500)};
+        struct glint_vec normal;
+        if (glint_vec_normalize(&normal, v) != GLINT_OK)
+            continue;
+        const uint32_t word = glint_normals_pack(GLINT_NORMALS_INT8, &normal);
+        assert_true(enable(1) && set(LIGHT_SET_MAP, NULL, 0));
+        for (unsigned i = 0; i < 4 * PIXELS; i++)
+            light_device_bulk(&device, &(uint8_t){(uint8_t)(word >> 8 * (i % 4))}, 1);
+        assert_true(device.has_map);
+    }
+}
+
+static void lights_queue_up_and_what_has_no_room_is_to_wait(void **state)
+{
+    (void)state;
+    int32_t to_light[3];
+    assert_true(enable(1) && set_material(&material));
+    send_map(64);
+    for (int32_t i = 0; i < LIGHT_QUEUE; i++) {
+        assert_true(light_device_has_room(&device, LIGHT_MESSAGE_BYTES));
+        send_light(i);
+    }
+    assert_false(light_device_has_room(&device, LIGHT_MESSAGE_BYTES));
+    assert_true(light_device_has_room(&device, LIGHT_MESSAGE_BYTES - 1));
+    send_light(99); /* a stack that does not wait loses it */
+    assert_int_equal(status(), GUD_PROTOCOL);
+    for (int32_t i = 0; i < LIGHT_QUEUE; i++) {
+        assert_true(light_device_next(&device, to_light));
+        assert_int_equal(to_light[0], i);
+    }
+    assert_false(light_device_next(&device, to_light));
+}
+
+static void a_reset_forgets_everything(void **state)
+{
+    (void)state;
+    int32_t to_light[3];
+    assert_true(enable(1) && set_material(&material));
+    send_map(64);
+    send_light(1);
+    light_device_reset(&device);
+    assert_false(device.enabled || device.has_map || device.has_material || device.is_new);
+    assert_false(light_device_next(&device, to_light));
+}
+
+static void whatever_comes_only_the_map_is_written_to(void **state)
+{
+    (void)state;
+    srand(2);
+    for (unsigned round = 0; round < 20000; round++) {
+        uint8_t bytes[200];
+        int32_t to_light[3];
+        for (unsigned i = 0; i < sizeof bytes; i++)
+            bytes[i] = (uint8_t)rand();
+        const struct gud_setup setup = {rand() % 2 ? GUD_TYPE_IN : GUD_TYPE_OUT, (uint8_t)(0x9f + rand() % 6),
+                                        rand() % 9 == 0, INTERFACE, (uint16_t)(rand() % 3 ? 1 : rand() % 70)};
+        bytes[0] = bytes[0] % 3;
+        if (light_device_setup(&device, &setup, reply) != GUD_STALL && setup.type == GUD_TYPE_OUT)
+            light_device_set(&device, &setup, bytes);
+        light_device_bulk(&device, bytes, (size_t)rand() % sizeof bytes);
+        assert_true(device.count <= LIGHT_QUEUE && device.message_bytes < LIGHT_MESSAGE_BYTES);
+        light_device_next(&device, to_light);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(what_is_packed_comes_back, begin, end),
+        cmocka_unit_test_setup_teardown(material_and_map_in_pieces_of_any_size_make_it_ready, begin, end),
+        cmocka_unit_test_setup_teardown(the_shader_is_what_the_material_says, begin, end),
+        cmocka_unit_test_setup_teardown(no_request_is_taken_that_is_not_wholly_right, begin, end),
+        cmocka_unit_test_setup_teardown(it_is_not_enabled_amid_a_rectangle_of_gud, begin, end),
+        cmocka_unit_test_setup_teardown(a_normal_far_from_unit_length_spoils_the_map, begin, end),
+        cmocka_unit_test_setup_teardown(every_normal_that_the_library_packs_is_taken, begin, end),
+        cmocka_unit_test_setup_teardown(lights_queue_up_and_what_has_no_room_is_to_wait, begin, end),
+        cmocka_unit_test_setup_teardown(a_reset_forgets_everything, begin, end),
+        cmocka_unit_test_setup_teardown(whatever_comes_only_the_map_is_written_to, begin, end),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
