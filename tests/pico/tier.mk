@@ -1,23 +1,31 @@
 # SPDX-License-Identifier: MIT
 # Tier pico: the unmodified firmware image in an emulated RP2040 (rp2040js, the version that package-lock.json of tests/bench
-# pins); its panel's pins are judged by the host's virtual panel.
+# pins); its panel's pins are judged by the host's virtual panel. At the end a real kernel, that of tier lab, is the host.
 PICO_PANELS_TESTED = st7789-240x240 ili9341-320x240
+PICO_TOOLS = judge attach
 
-setup-pico: setup-build setup-firmware-pico
+setup-pico: setup-build setup-firmware-pico setup-lab
 	@command -v npm >/dev/null || .ci/need "tier pico: the emulator rp2040js" nodejs npm
 	@+$(SUBMAKE) -s $(BENCH_NPM)/done
 
-test-pico: ## the Pico's firmware emulated: boot, panel, the demo's frames, USB; cycles
+test-pico: ## the Pico's firmware emulated: boot, panel, the demo's frames, USB, a real kernel's drivers; cycles
 	@+tests/tier pico "$(SUBMAKE)"
 
-run-pico: $(BUILD)/tests/pico/judge
+# LAB_*: as in tier lab.
+run-pico: $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $(addprefix $(BUILD)/tests/lab/,init spi.dtb) $(BUILD)/glint
 	@+for panel in $(PICO_PANELS_TESTED); do $(SUBMAKE) -s firmware-pico PANEL=$$panel || exit 1; done
-	@tests/tally $(foreach panel,$(PICO_PANELS_TESTED),$(call PICO_TEST,demo) $(call PICO_TEST,usb)) \
-		$(foreach panel,st7789-240x240,$(call PICO_TEST,light))
-PICO_TEST = "node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel) $(panel) $(BUILD)/tests/pico/judge"
+	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) && export LAB_KERNEL LAB_BUILD && tests/tally \
+		$(foreach panel,$(PICO_PANELS_TESTED),"$(call PICO_TEST,demo)" "$(call PICO_TEST,usb)") \
+		$(foreach panel,st7789-240x240,"$(call PICO_TEST,light)" \
+		"tests/lab/guest --memory 1G $(BUILD)/tests/pico/attach $(call PICO_TEST,end_to_end) $(BUILD)/glint")
+PICO_TEST = node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel) $(panel) $(BUILD)/tests/pico/judge
 
 $(BUILD)/tests/pico/judge: tests/pico/judge.c $(filter-out $(BUILD)/host/main.o,$(HOST_OBJECTS)) $(BUILD)/libglint.a
 	@mkdir -p $(@D)
 	@$(CC) $(filter-out -MMD -MP,$(HOST_CFLAGS)) $^ -o $@ $(HOST_LDFLAGS) $(HOST_LDLIBS)
+
+$(BUILD)/tests/pico/attach: tests/pico/attach.c
+	@mkdir -p $(@D)
+	@$(CC) -std=c11 -D_GNU_SOURCE $(WARNINGS) $(CFLAGS) $< -o $@
 
 .PHONY: setup-pico test-pico run-pico

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// test_end_to_end.mjs PACKAGES FOLDER PANEL JUDGE GLINT, run by attach under the lab's kernel: that kernel's own GUD driver, and
+// glint stream by libusb, draw on the emulated board.
+import { spawn } from 'node:child_process'
+import { existsSync, openSync, readFileSync, writeSync } from 'node:fs'
+import { picture565, shown565 } from './gud.mjs'
+import { Judge } from './judge.mjs'
+import { Pico } from './pico.mjs'
+import { check, equal, run } from './tap.mjs'
+import { UsbHost } from './usb_host.mjs'
+import { UsbIp } from './usbip.mjs'
+
+const [packages, folder, panel, program, glint] = process.argv.slice(2)
+const judge = new Judge(program, panel)
+const { width, height } = judge
+const pico = new Pico(packages).load(`${folder}/glint.uf2`)
+const host = new UsbHost(pico)
+check(pico.run(() => pico.uart.includes('relighting'), 3000), pico.uart)
+check(pico.run(() => host.pulled_up, 100), 'the device does not pull up')
+host.reset()
+
+const look = () => { pico.run(() => false, 1); return judge.look(pico.wires.transcript()) }
+const seen = [] // a picture after each transfer of pixels, while they are collected
+let collects = false
+const bridge = new UsbIp(host, 3, () => { if (collects) seen.push(look()) })
+const breathe = () => new Promise((resolve) => setImmediate(resolve))
+
+// Emulates and serves the kernel until done(), at most so many seconds.
+async function serve(done, seconds, what) {
+  const end = Date.now() + 1000 * seconds
+  for (;;) {
+    if (await done()) return
+    check(Date.now() < end, `${what}: not in ${seconds} s; the board says ${JSON.stringify(pico.uart)}`)
+    await breathe()
+    if (!bridge.step()) pico.run(() => false, 0.5)
+  }
+}
+async function command(words, seconds) {
+  const child = spawn(words[0], words.slice(1), { stdio: ['ignore', 'pipe', 'pipe'] })
+  let text = '', status
+  child.stdout.on('data', (bytes) => { text += bytes })
+  child.stderr.on('data', (bytes) => { text += bytes })
+  child.on('close', (code) => { status = code })
+  try { await serve(() => status !== undefined, seconds, words.join(' ')) } finally { if (status === undefined) child.kill() }
+  equal(status, 0, `the exit status of ${words.join(' ')}, which says ${JSON.stringify(text)}`)
+  return text
+}
+
+await run([
+  ['the kernel\'s driver for USB displays takes the board for one, and its other interface for none', async () => {
+    await serve(() => existsSync('/dev/fb0'), 60, '/dev/fb0')
+    await serve(() => pico.uart.endsWith('a computer draws\r\n'), 30, 'the hand-over')
+    check(!existsSync('/dev/fb1'), 'there is a second frame buffer')
+    equal(readFileSync('/sys/class/graphics/fb0/virtual_size', 'utf8').trim(), `${width},${height}`, 'its size')
+  }],
+  ['what is written to its frame buffer is on the panel, bit for bit', async () => {
+    equal(+readFileSync('/sys/class/graphics/fb0/bits_per_pixel', 'utf8'), 16, 'bits a pixel')
+    const pixels = picture565(width, height, 77)
+    writeSync(openSync('/dev/fb0', 'w'), pixels)
+    const wanted = shown565(pixels)
+    await serve(() => !bridge.queue.length && look().equals(wanted), 60, 'the picture')
+  }],
+  ['glint list finds it by its name', async () => {
+    const text = await command([glint, 'list', '--json'], 30)
+    check(text.includes(`${width}`) && /glint|ST7789/.test(text), text)
+  }],
+  ['glint stream, by libusb, draws every frame as glint draws it into files', async () => {
+    const FRAMES = 3
+    const scene = ['stream', 'coin', `--size=${width}x${height}`, '--format=rgb565', '--fps=0', `--frames=${FRAMES}`]
+    const files = `${process.env.TMPDIR ?? '/tmp'}/end-%d.ppm`
+    await command([glint, ...scene, '--to=ppm', '-o', files], 60)
+    collects = true
+    await command([glint, ...scene, '--to=usb', '--detach'], 120)
+    collects = false
+    let at = 0
+    for (let i = 0; i < FRAMES; i++) {
+      const file = readFileSync(files.replace('%d', i)), wanted = file.subarray(file.length - 3 * width * height)
+      while (at < seen.length && !seen[at].equals(wanted)) at++
+      check(at < seen.length, `frame ${i} is not among the ${seen.length} pictures on the panel`)
+    }
+  }],
+  ['the kernel\'s driver has the display back afterwards', async () => {
+    await serve(() => existsSync('/dev/fb0'), 30, '/dev/fb0')
+    const pixels = picture565(width, height, 78), wanted = shown565(pixels)
+    writeSync(openSync('/dev/fb0', 'w'), pixels)
+    await serve(() => !bridge.queue.length && look().equals(wanted), 60, 'the picture')
+  }],
+])
