@@ -138,7 +138,7 @@ static void choose_size(const struct sink_wish *wish, bool any_size, uint16_t *w
     } else if (setting_of(KEY_SIZE)->given) {
         *width = (uint16_t)setting_of(KEY_SIZE)->values[0];
         *height = (uint16_t)setting_of(KEY_SIZE)->values[1];
-    } else if (any_size && usual_panel(&whole, wish->default_width, wish->default_height)) {
+    } else if (any_size && (usual_panel(&whole, wish->default_width, wish->default_height) || panel_fits(&whole))) {
         *width = wish->default_width;
         *height = wish->default_height;
     }
@@ -164,17 +164,18 @@ void panel_of_options(struct panel *panel, const struct sink_wish *wish, bool an
     const bool known = usual_panel(panel, width, height);
     const char *name = controller_names[panel->controller];
     const struct setting *offset = setting_of(KEY_OFFSET);
-    if (!known)
+    if (!known && !any_size)
         check_turn(panel);
     if (offset->given) {
         panel->x_offset = (uint16_t)offset->values[0];
         panel->y_offset = (uint16_t)offset->values[1];
     }
     if (!panel_fits(panel))
-        fail("--size: %ux%u%s is more than the %dx%d pixels of an %s; choose a smaller --size%s", width, height,
+        fail("--size: %ux%u%s is more than the %dx%d pixels of an %s; choose a smaller --size%s%s", width, height,
              offset->given ? " at --offset" : "", panel->rotation % 2 ? PANEL_ROWS : PANEL_COLUMNS,
-             panel->rotation % 2 ? PANEL_COLUMNS : PANEL_ROWS, name, offset->given ? " or --offset" : "");
-    if (!known && !offset->given)
+             panel->rotation % 2 ? PANEL_COLUMNS : PANEL_ROWS, name, offset->given ? " or --offset" : "",
+             any_size ? ", or --to png" : "");
+    if (!known && !offset->given && !any_size)
         fail("--size: no %s glass of %ux%u is known; say where it begins in the controller's memory: --offset 0,0, or "
              "as its "
              "maker says",

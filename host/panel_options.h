@@ -14,9 +14,9 @@ extern const struct argp panel_options_argp;
  * wrong value ends the program through fail(), named by `origin`. The command line goes before the file. */
 bool panel_options_set(const char *origin, const char *name, const char *text);
 
-/* All but the bus: as the options say, else as is usual for the controller and the size. Where nobody asked for a size, the
- * scene's own is taken if `any_size`, as far as there is such glass; else the whole of the controller's. Ends the program
- * through fail() where that cannot be. */
+/* All but the bus: as the options say, else as is usual for the controller and the size. Where nobody asked for a size, it is
+ * the whole of the controller's. `any_size`: also glass that nobody sells, and the scene's own size where there is room. Ends
+ * the program through fail() where that cannot be. */
 void panel_of_options(struct panel *panel, const struct sink_wish *wish, bool any_size);
 
 #endif

@@ -69,18 +69,27 @@ static void values_that_cannot_be_are_refused_with_those_that_can(void **state)
 static void glass_that_is_not_is_told_with_what_to_do(void **state)
 {
     (void)state;
-    assert_fails(
-        "$GLINT stream coin --to panel --frames 1 --size 240x320 --rotation 90",
-        "--size: an st7789 glass of 240x320 shows 320x240 at --rotation 90; give that --size, or --rotation 0 or 180");
-    assert_fails("$GLINT stream coin --to panel --frames 1 --size 300x300",
-                 "--size: 300x300 is more than the 320x240 pixels");
-    assert_fails("$GLINT stream coin --to panel --frames 1 --size 128x128",
-                 "no st7789 glass of 128x128 is known; say where");
-    assert_fails("$GLINT stream coin --to panel --frames 1 --size 128x128 --offset 200,0",
-                 "choose a smaller --size or --offset");
-    assert_fails("$GLINT stream coin --to panel --frames 1 --panel ili9341 --size 240x240",
-                 "no ili9341 glass of 240x240");
-    assert_int_equal(files_in("out"), 0);
+#define TO_GPIO "$GLINT stream coin --to gpio --lines sck=gpiochip999:0,mosi=gpiochip999:1,dc=gpiochip999:2 "
+    assert_fails(TO_GPIO "--size 240x320 --rotation 90",
+                 "--size: an st7789 glass of 240x320 shows 320x240 at --rotation 90; "
+                 "give that --size, or --rotation 0 or 180");
+    assert_fails(TO_GPIO "--size 320x240 --rotation 0",
+                 "--size: an st7789 glass of 240x320 shows 240x320 at --rotation 0; "
+                 "give that --size, or --rotation 90 or 270");
+    assert_fails(TO_GPIO "--size 300x300",
+                 "--size: 300x300 is more than the 320x240 pixels of an st7789; choose a smaller");
+    assert_fails(TO_GPIO "--size 128x128", "no st7789 glass of 128x128 is known; say where");
+    assert_fails(TO_GPIO "--size 128x128 --offset 200,0", "choose a smaller --size or --offset");
+    assert_fails(TO_GPIO "--panel ili9341 --size 240x240", "no ili9341 glass of 240x240");
+}
+
+static void the_virtual_panel_has_any_size_that_has_room(void **state)
+{
+    (void)state;
+    assert_quiet("$GLINT stream coin --to panel --frames 1 --size 60x40 -o p.png");
+    assert_quiet("$GLINT stream --height heights.png --to panel --frames 1 -o p.png");
+    assert_fails("$GLINT stream coin --to panel --frames 1 --size 300x300 -o p.png",
+                 "--size: 300x300 is more than the 320x240 pixels of an st7789; choose a smaller --size, or --to png");
 }
 
 static void a_file_s_wrong_line_is_told_with_its_number(void **state)
@@ -179,6 +188,7 @@ int main(void)
         cmocka_unit_test(lines_are_role_and_name),
         cmocka_unit_test(values_that_cannot_be_are_refused_with_those_that_can),
         cmocka_unit_test(glass_that_is_not_is_told_with_what_to_do),
+        cmocka_unit_test(the_virtual_panel_has_any_size_that_has_room),
         cmocka_unit_test(a_file_s_wrong_line_is_told_with_its_number),
         cmocka_unit_test(a_file_that_cannot_be_read_is_named),
         cmocka_unit_test(a_file_says_all_and_the_command_line_goes_before_it),
