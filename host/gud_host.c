@@ -161,7 +161,8 @@ static bool choose_connector(struct gud_link *link, struct gud_display *display,
     int unknown = -1;
     for (uint8_t i = 0; i < display->connector_count; i++) {
         uint8_t status = 0;
-        if (detect && !set(link, GUD_SET_CONNECTOR_FORCE_DETECT, i, NULL, 0, problem))
+        if (detect && !set(link, GUD_SET_CONNECTOR_FORCE_DETECT, i, NULL, 0, problem) &&
+            problem->fault != GUD_LINK_STALL) /* the kernel's driver asks for it only by hand: some do not know it */
             return false;
         const int count = get(link, GUD_GET_CONNECTOR_STATUS, i, &status, 1, problem);
         if (count < 0)

@@ -156,6 +156,15 @@ static enum usb_attempt connect_display(struct usb_sink *usb, const struct usb_d
 
 /* ---- the sink's functions ---- */
 
+/* When it was unplugged it is this one that is waited for. */
+static void remember(const struct usb_device *device)
+{
+    static char serial[sizeof device->serial];
+    options.id = device->id;
+    if (!options.serial && *device->serial)
+        options.serial = strcpy(serial, device->serial);
+}
+
 static struct usb_sink *new_sink(void)
 {
     struct usb_sink *usb = calloc(1, sizeof *usb);
@@ -183,6 +192,8 @@ static enum usb_attempt try_open(const struct sink_wish *wish, struct usb_sink *
     const struct usb_device *device = usb_choose(&found, &options, line, size, &attempt);
     if (device)
         attempt = connect_display(usb, device, wish, line, size);
+    if (attempt == USB_TRY_OPENED)
+        remember(device);
     usb_found_free(&found);
     usb->detached = was_detached |= usb->detached;
     if (attempt == USB_TRY_OPENED)
@@ -305,7 +316,7 @@ static enum sink_result usb_send(struct sink *sink, const struct frame *frame, c
     if (usb->gone && !options.wait)
         fail("%s: unplugged; start again when it is back, or use --wait", usb->name);
     if (usb->gone)
-        progress("%s: unplugged; waiting for its return", usb->name);
+        warn("%s: unplugged; waiting for its return", usb->name);
     return usb->gone ? SINK_GONE : SINK_SENT;
 }
 

@@ -81,6 +81,7 @@ struct usb_port {
     libusb_device_handle *handle;
     uint8_t interface, bulk_out;
     bool stoppable; /* waiting ends when stream_stopped() */
+    bool brief;     /* requests have little time: it may not be a display at all */
     /* of the bulk under way */
     struct libusb_transfer *transfers[USB_FLIGHT];
     const uint8_t *next;

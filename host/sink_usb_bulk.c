@@ -7,7 +7,14 @@
 #include "sink_usb.h"
 
 /* As in the kernel's driver; the bulk time counts from the last chunk that arrived. */
-enum { CONTROL_MS = 5000, BULK_MS = 3000, STOP_MS = 500, TICK_MS = 50, SETUP_BYTES = LIBUSB_CONTROL_SETUP_SIZE };
+enum {
+    CONTROL_MS = 5000,
+    BRIEF_MS = 500,
+    BULK_MS = 3000,
+    STOP_MS = 500,
+    TICK_MS = 50,
+    SETUP_BYTES = LIBUSB_CONTROL_SETUP_SIZE
+};
 /* Small enough for progress to be seen within BULK_MS, large enough to cost no time: each is a system call or two. */
 enum { CHUNK_FULL_SPEED = 128 << 10, CHUNK_FASTER = 4 << 20 };
 
@@ -68,7 +75,7 @@ static void control_done(struct libusb_transfer *transfer)
 static int control_wait(struct usb_port *port, struct libusb_transfer *transfer, const bool *done)
 {
     int cut = 0;
-    const int64_t end = now_ms() + CONTROL_MS;
+    const int64_t end = now_ms() + (port->brief ? BRIEF_MS : CONTROL_MS);
     while (!*done) {
         tick(port);
         if (cut || *done)

@@ -100,7 +100,7 @@ static bool is_wanted(const struct usb_device *device, const struct usb_options 
 /* Asks one interface for its descriptor. */
 static enum usb_state ask(libusb_context *libusb, struct usb_device *device, uint8_t interface)
 {
-    struct usb_port port = {.libusb = libusb, .stoppable = true};
+    struct usb_port port = {.libusb = libusb, .stoppable = true, .brief = !device->known};
     struct gud_link link = {.context = &port, .control = usb_control};
     struct gud_descriptor descriptor;
     switch (usb_port_open(&port, device->device, interface, NULL, &device->problem)) {

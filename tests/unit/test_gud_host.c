@@ -249,8 +249,12 @@ static void a_status_that_is_asked_for_counts_as_a_refusal(void **state)
     liar_init(&liar);
     liar.descriptor[5] = GUD_FLAG_STATUS;
     liar.status = GUD_BUSY;
-    assert_false(read_liar(&liar, &display, &problem));
-    assert_string_equal(problem.text, "looking for a panel: it refuses (status 1: busy)");
+    struct gud_link link = {.context = &liar, .control = lie};
+    assert_true(gud_display_read(&link, &display, true, &problem));
+    struct gud_choice choice;
+    assert_true(gud_choose(&display, &(struct sink_wish){.format = -1}, &choice, &problem));
+    assert_false(gud_start(&link, &display, &choice, &problem));
+    assert_string_equal(problem.text, "the mode and format: it refuses (status 1: busy)");
 }
 
 static void what_is_longer_than_can_be_is_cut(void **state)
