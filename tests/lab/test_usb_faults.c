@@ -3,6 +3,7 @@
 #include "run.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <linux/usbdevice_fs.h>
 #include <sys/ioctl.h>
 
@@ -14,6 +15,28 @@
 
 static struct usb_display_config config;
 static struct usb_display display;
+
+/* A stream that goes on while the test does; what it says on standard error goes to stream.err. */
+static pid_t start(const char *command)
+{
+    const pid_t process = fork();
+    assert_true(process >= 0);
+    if (process == 0) {
+        if (!freopen("stream.err", "w", stderr))
+            _exit(126);
+        execl("/bin/sh", "sh", "-c", command, NULL);
+        _exit(127);
+    }
+    return process;
+}
+
+static void assert_exits(pid_t process, int status)
+{
+    int result;
+    assert_int_equal(waitpid(process, &result, 0), process);
+    assert_true(WIFEXITED(result));
+    assert_int_equal(WEXITSTATUS(result), status);
+}
 
 static void honest(void)
 {
@@ -264,22 +287,16 @@ static void a_display_reset_by_another_program_shows_the_whole_picture_again(voi
     (void)state;
     honest();
     usb_display_be(&display, &config);
-    assert_ends("{ timeout 60 " STREAM OURS "--frames 30 --fps 10 2>stream.err; echo $? >stream.status; } & sleep 1\n"
-                "ls /dev/bus/usb/001/* | tail -1 >node",
-                0, "");
-    char text[1000];
-    read_text("node", text, sizeof text);
-    text[strcspn(text, "\n")] = '\0';
-    const int file = open(text, O_RDWR);
+    const pid_t stream = start("exec " STREAM OURS "--frames 30 --fps 10");
+    assert_soon(display.seen->rectangles > 1);
+    const char *node = run("ls /dev/bus/usb/001/* | tail -1 | tr -d '\\n'")->out;
+    const int file = open(node, O_RDWR);
     assert_true(file >= 0);
     assert_int_equal(ioctl(file, USBDEVFS_RESET, NULL), 0);
     close(file);
     assert_soon(display.seen->starts > 0 && display.seen->display);
-    do {
-        usleep(100000);
-        read_text("stream.status", text, sizeof text);
-    } while (!*text);
-    assert_string_equal(text, "0\n");
+    assert_exits(stream, 0);
+    char text[1000];
     read_text("stream.err", text, sizeof text);
     assert_one_line(text);
     assert_contains(text, "starting it anew");
@@ -293,9 +310,11 @@ static void another_programs_display_is_left_to_it(void **state)
     (void)state;
     honest();
     usb_display_be(&display, &config);
-    assert_ends(STREAM OURS "--frames 30 --fps 10 2>/dev/null & sleep 1; " STREAM OURS
-                            "--frames 1; status=$?; wait; exit $status",
-                1, "(1209:0001): another program uses it; end that first");
+    const pid_t stream = start("exec " STREAM OURS);
+    assert_soon(display.seen->rectangles > 1);
+    assert_fails(STREAM OURS "--frames 1", "(1209:0001): another program uses it; end that first");
+    kill(stream, SIGTERM);
+    assert_exits(stream, 143);
 }
 
 static void a_display_without_permission_is_told_apart_from_none(void **state)
@@ -316,10 +335,14 @@ static void the_kernels_display_is_taken_only_by_detach_and_given_back(void **st
     config.product = 0x614d;
     usb_display_be(&display, &config);
     assert_soon(access("/sys/bus/usb/drivers/gud/1-1:1.0", F_OK) == 0);
+    assert_contains(run("$GLINT list")->out, "1d50:614d  taken by the kernel (driver gud)  Lab display  serial lab");
     assert_fails(STREAM "--frames 1", "(1d50:614d): the kernel's driver gud has it; --detach takes the monitor away");
     assert_ends(STREAM "--frames 2 --detach", 0, "");
     assert_soon(access("/sys/bus/usb/drivers/gud/1-1:1.0", F_OK) == 0);
-    assert_ends("timeout --preserve-status -s INT 2 " STREAM "--detach", 130, "");
+    const pid_t stream = start("exec " STREAM "--detach");
+    assert_soon(access("/sys/bus/usb/drivers/gud/1-1:1.0", F_OK) != 0 && display.seen->rectangles > 1);
+    kill(stream, SIGINT);
+    assert_exits(stream, 130);
     assert_soon(access("/sys/bus/usb/drivers/gud/1-1:1.0", F_OK) == 0);
     assert_fails(STREAM "--detach --size 3x3", "it has no mode 3x3");
     assert_soon(access("/sys/bus/usb/drivers/gud/1-1:1.0", F_OK) == 0);
@@ -355,7 +378,11 @@ static void of_two_displays_one_is_to_be_named(void **state)
 static void an_interrupt_ends_waiting(void **state)
 {
     (void)state;
-    assert_ends("timeout --preserve-status -s INT 1 " STREAM "--wait", 130, "");
+    usb_displays_unplug(NULL);
+    const pid_t stream = start("exec " STREAM "--wait --serial none");
+    usleep(500000);
+    kill(stream, SIGINT);
+    assert_exits(stream, 130);
 }
 
 static void an_interrupt_switches_the_display_off(void **state)
@@ -363,23 +390,33 @@ static void an_interrupt_switches_the_display_off(void **state)
     (void)state;
     honest();
     usb_display_be(&display, &config);
-    assert_ends("timeout --preserve-status -s INT 1 " STREAM OURS, 130, "");
+    const pid_t stream = start("exec " STREAM OURS);
+    assert_soon(display.seen->rectangles > 1);
+    kill(stream, SIGINT);
+    assert_exits(stream, 130);
     assert_soon(!display.seen->display && !display.seen->controller);
-    assert_true(display.seen->rectangles > 1);
 }
 
 static void an_interrupt_ends_requests_and_data_that_are_not_taken(void **state)
 {
     (void)state;
     trouble(BULK_NAK, true);
-    assert_ends("timeout --preserve-status -s INT -k 2 1 " STREAM OURS, 130, "");
+    pid_t stream = start("exec " STREAM OURS);
+    assert_soon(display.seen->rectangles == 1);
+    usleep(300000);
+    kill(stream, SIGINT);
+    assert_exits(stream, 130);
     assert_soon(!display.seen->display);
     honest();
     config.trouble = CONTROL_SILENT;
     config.trouble_ms = 2000;
     config.trouble_request = GUD_GET_CONNECTOR_MODES;
     usb_display_be(&display, &config);
-    assert_ends("timeout --preserve-status -s INT -k 2 1 " STREAM OURS, 130, "");
+    stream = start("exec " STREAM OURS);
+    assert_soon(display.seen->request_count > 0 &&
+                display.seen->requests[display.seen->request_count - 1] == GUD_GET_CONNECTOR_MODES);
+    kill(stream, SIGINT);
+    assert_exits(stream, 130);
 }
 
 static int clean(void **state)

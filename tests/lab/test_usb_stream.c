@@ -293,7 +293,21 @@ static void status_is_read_where_the_display_asks_for_it(void **state)
     check_command(&config, "", 4);
 }
 
-/* Whole frames, which come without announcement, take no rectangle from the display's point of view. */
+static void whole_frames_come_unannounced_where_the_display_asks_for_it(void **state)
+{
+    (void)state;
+    struct usb_display_config config;
+    usb_display_defaults(&config, 64, 32);
+    struct gud_descriptor descriptor;
+    gud_descriptor_unpack(&descriptor, config.descriptor);
+    descriptor.flags = GUD_FLAG_FULL_UPDATE;
+    gud_descriptor_pack(config.descriptor, &descriptor);
+    check_command(&config, "", 4);
+    assert_int_equal(display.seen->compressed, 0);
+    for (size_t i = 0; i < display.seen->request_count; i++)
+        assert_int_not_equal(display.seen->requests[i], GUD_SET_BUFFER);
+}
+
 static void size_and_format_choose_among_what_is_offered(void **state)
 {
     (void)state;
@@ -340,6 +354,7 @@ int main(void)
         cmocka_unit_test(a_stream_shows_its_last_frame),
         cmocka_unit_test(a_small_max_buffer_splits_rectangles),
         cmocka_unit_test(status_is_read_where_the_display_asks_for_it),
+        cmocka_unit_test(whole_frames_come_unannounced_where_the_display_asks_for_it),
         cmocka_unit_test(size_and_format_choose_among_what_is_offered),
     };
     return cmocka_run_group_tests_name("usb stream", tests, scratch_make, clean);

@@ -240,13 +240,24 @@ static bool make_trouble(struct process *p, unsigned generation)
     }
 }
 
+/* Whole frames come without announcement where that was asked for. */
+static bool announced(struct process *p)
+{
+    if (!(p->config->descriptor[5] & GUD_FLAG_FULL_UPDATE) || !p->display->seen->display)
+        return false;
+    const uint16_t width = p->display->seen->width, height = p->display->seen->height;
+    const size_t bytes = gud_line_bytes((enum gud_format)p->display->seen->format, width) * height;
+    p->rectangle = (struct gud_rectangle){0, 0, width, height, (uint32_t)bytes, 0, 0};
+    return true;
+}
+
 static void *read_bulk(void *argument)
 {
     struct process *p = argument;
     p->data = malloc(USB_PICTURE_MAX);
     for (;;) {
         pthread_mutex_lock(&p->mutex);
-        while (!p->rectangle.width)
+        while (!p->rectangle.width && !announced(p))
             pthread_cond_wait(&p->cond, &p->mutex);
         const struct gud_rectangle r = p->rectangle;
         const unsigned generation = p->generation;
@@ -294,16 +305,33 @@ static void set_state(struct process *p, const uint8_t *data)
     p->display->seen->format = data[GUD_MODE_BYTES];
 }
 
-static void set_buffer(struct process *p, const uint8_t *data)
+/* With the mutex held: what no longer comes is not waited for. */
+static void stop_reading(struct process *p)
 {
-    pthread_mutex_lock(&p->mutex);
     p->generation++;
-    while (p->reading) { /* what no longer comes */
+    while (p->reading) {
         pthread_mutex_unlock(&p->mutex);
         pthread_kill(p->reader, SIGUSR1);
         usleep(1000);
         pthread_mutex_lock(&p->mutex);
     }
+}
+
+static void set_display(struct process *p, bool on)
+{
+    pthread_mutex_lock(&p->mutex);
+    p->display->seen->display = on;
+    if (on)
+        pthread_cond_signal(&p->cond);
+    else
+        stop_reading(p);
+    pthread_mutex_unlock(&p->mutex);
+}
+
+static void set_buffer(struct process *p, const uint8_t *data)
+{
+    pthread_mutex_lock(&p->mutex);
+    stop_reading(p);
     gud_rectangle_unpack(&p->rectangle, data);
     pthread_cond_signal(&p->cond);
     pthread_mutex_unlock(&p->mutex);
@@ -319,7 +347,7 @@ static void take(struct process *p, uint8_t request, const uint8_t *data, uint16
     else if (request == GUD_SET_CONTROLLER_ENABLE && bytes == 1)
         p->display->seen->controller = data[0];
     else if (request == GUD_SET_DISPLAY_ENABLE && bytes == 1)
-        p->display->seen->display = data[0];
+        set_display(p, data[0]);
     else if (request != GUD_SET_STATE_COMMIT && request != GUD_SET_CONNECTOR_FORCE_DETECT)
         p->display->seen->protocol_errors++;
 }
