@@ -23,11 +23,12 @@ $(USB_TESTS:%=%.o) $(BUILD)/tests/lab/usb_display.o: LAB_CFLAGS += -Ilib -Ihost 
 $(USB_TESTS): %: %.o $(USB_COMMON)
 	$(CC) $(HOST_LDFLAGS) $< $(USB_COMMON) -o $@ -lcmocka $(HOST_LDLIBS)
 
-lab-programs: $(USB_TESTS) $(BUILD)/glint firmware-linux
+usb-programs: $(USB_TESTS) $(BUILD)/glint firmware-linux $(addprefix $(BUILD)/tests/lab/,init spi.dtb)
+lab-programs: usb-programs
 USB_GUEST = env GLINT=$(CURDIR)/$(BUILD)/glint GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest
 LAB_SCRIPTS += $(patsubst %,"$(USB_GUEST) %",$(filter $(BUILD)/tests/lab/test_%,$(USB_TESTS)))
 
-usb-rate: lab-programs ## the usb sink's rate beside a bare loop of libusb calls, to the same simulated display
+usb-rate: usb-programs ## the usb sink's rate beside a bare loop of libusb calls, to the same simulated display
 	@LAB_BUILD=$(CURDIR)/$(BUILD) $(USB_GUEST) $(BUILD)/tests/lab/usb_rate
 
 # By libgpiod as installed, and by its version 2.
@@ -68,4 +69,4 @@ run-lab: lab-programs
 		"tests/lab/guest --spi $(BUILD)/tests/lab/test_spidev" \
 		"env GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest $(BUILD)/tests/lab/test_gud_kernel"
 
-.PHONY: usb-rate setup-lab test-lab run-lab lab-programs
+.PHONY: usb-programs usb-rate setup-lab test-lab run-lab lab-programs
