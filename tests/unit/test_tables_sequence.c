@@ -126,7 +126,7 @@ static void a_span_has_the_pixels_of_its_sequence_whatever_its_steps_and_width(v
 static uint16_t int8_pixel(const struct glint_tables *tables, const struct glint_tables_light *light, uint32_t word)
 {
     const int64_t x = (int8_t)word, v = (int16_t)word, z = (int16_t)(word >> 16);
-    const int64_t d = x * light->x + v * light->y + z * light->z, e = d + (z << 14) - light->cut;
+    const int64_t d = x * light->x + v * light->y + z * light->z, e = d + z * (1 << 14) - light->cut;
     if (d < 0)
         return tables->dark;
     if (e < 0)
