@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <stdbool.h>
 #include <linux/usbdevice_fs.h>
 #include <sys/ioctl.h>
 
@@ -28,6 +29,16 @@ static pid_t start(const char *command)
         _exit(127);
     }
     return process;
+}
+
+/* Before that a signal would end it as any program. */
+static bool catches(pid_t process, int number)
+{
+    char path[64], text[4096];
+    snprintf(path, sizeof path, "/proc/%d/status", (int)process);
+    read_text(path, text, sizeof text);
+    const char *line = strstr(text, "SigCgt:");
+    return line && strtoull(line + strlen("SigCgt:"), NULL, 16) >> (number - 1) & 1;
 }
 
 static void assert_exits(pid_t process, int status)
@@ -380,7 +391,7 @@ static void an_interrupt_ends_waiting(void **state)
     (void)state;
     usb_displays_unplug(NULL);
     const pid_t stream = start("exec " STREAM "--wait --serial none");
-    usleep(500000);
+    assert_soon(catches(stream, SIGINT));
     kill(stream, SIGINT);
     assert_exits(stream, 130);
 }

@@ -372,7 +372,8 @@ static void answer(struct process *p, uint8_t request, uint16_t length)
         if (answers[i].request != request)
             continue;
         if (write(p->ep0, answers[i].data ? answers[i].data : (const uint8_t *)"",
-                  answers[i].bytes < length ? answers[i].bytes : length) < 0)
+                  answers[i].bytes < length ? answers[i].bytes : length) < 0 &&
+            c->trouble != CONTROL_SILENT) /* then the host no longer waits */
             perror("usb_display: answer");
         return;
     }
