@@ -78,6 +78,9 @@ void capture_levels(const struct capture *capture, bool high[LAB_LINES_MAX]);
  * tell a byte when the next one comes want it. */
 void capture_write_vcd(const struct capture *capture, const char *path, const char *clock);
 
+/* What sigrok-cli writes about it with these arguments; to be freed. clock as above. */
+char *sigrok(const struct capture *capture, const char *clock, size_t *size, const char *arguments);
+
 /* A byte on the bus; bit 8: D/C was high, so it is data. */
 typedef uint16_t bus_byte;
 enum { BUS_DATA = 0x100 };
@@ -88,12 +91,17 @@ size_t decode_spi(const struct capture *capture, bus_byte *bytes, size_t room);
 /* 8080: the lines D0..D7 at the rising edge of WR while CS is low. */
 size_t decode_i80(const struct capture *capture, bus_byte *bytes, size_t room);
 
+/* sigrok's decoders find these bytes, in lines of the same names. */
+void sigrok_agrees_on_spi(const struct capture *capture, const bus_byte *bytes, size_t count);
+void sigrok_agrees_on_i80(const struct capture *capture, const bus_byte *bytes, size_t count);
+
 /* A MIPI-DCS display as its commands leave it. The picture is as addressed: MADCTL is noted only. */
 struct screen {
     unsigned width, height;
     uint16_t *pixels; /* RGB565; set by the test to what it was before */
     unsigned column_first, column_last, row_first, row_last;
     bool awake, on;
+    bool shown; /* was on with what it shows now */
     uint8_t madctl, colmod;
     unsigned writes; /* RAMWR */
     size_t written;  /* pixels */
@@ -103,6 +111,8 @@ void screen_init(struct screen *screen, unsigned width, unsigned height);
 /* Fails for a window that leaves the screen, and for more pixels than the window has. */
 void screen_show(struct screen *screen, const bus_byte *bytes, size_t count);
 void screen_free(struct screen *screen);
+/* The bytes up to the command after which so many pixels are written. */
+size_t frame_bytes(const bus_byte *bytes, size_t count, size_t pixels);
 
 /* Runs a shell command; its exit status. */
 int run(const char *format, ...) __attribute__((format(printf, 1, 2)));

@@ -50,6 +50,7 @@ static void write_pixels(struct screen *screen, const bus_byte *data, size_t cou
         const size_t x = screen->column_first + i % width, y = screen->row_first + i / width;
         screen->pixels[y * screen->width + x] = (uint16_t)((data[2 * i] & 0xffu) << 8 | (data[2 * i + 1] & 0xffu));
     }
+    screen->shown = screen->on;
     screen->writes++;
     screen->written += count / 2;
 }
@@ -63,6 +64,7 @@ static void obey(struct screen *screen, unsigned command, const bus_byte *data, 
     case DISPLAY_OFF:
     case DISPLAY_ON:
         screen->on = command == DISPLAY_ON;
+        screen->shown |= screen->on;
         break;
     case COLUMNS:
         set_window(data, count, screen->width, &screen->column_first, &screen->column_last);
@@ -86,15 +88,33 @@ static void obey(struct screen *screen, unsigned command, const bus_byte *data, 
     }
 }
 
+/* Behind the data of the command that stands at start. */
+static size_t command_end(const bus_byte *bytes, size_t count, size_t start)
+{
+    size_t end = start + 1;
+    while (end < count && (bytes[end] & BUS_DATA))
+        end++;
+    return end;
+}
+
 void screen_show(struct screen *screen, const bus_byte *bytes, size_t count)
 {
-    for (size_t i = 0; i < count;) {
+    for (size_t i = 0, end; i < count; i = end) {
         if (bytes[i] & BUS_DATA)
             fail_msg("byte %zu is data without a command", i);
-        size_t end = i + 1;
-        while (end < count && (bytes[end] & BUS_DATA))
-            end++;
+        end = command_end(bytes, count, i);
         obey(screen, bytes[i], bytes + i + 1, end - i - 1);
-        i = end;
     }
+}
+
+size_t frame_bytes(const bus_byte *bytes, size_t count, size_t pixels)
+{
+    size_t written = 0;
+    for (size_t i = 0, end; i < count; i = end) {
+        end = command_end(bytes, count, i);
+        if (bytes[i] == WRITE && (written += (end - i - 1) / 2) >= pixels)
+            return end;
+    }
+    fail_msg("%zu pixels of %zu are written", written, pixels);
+    return 0;
 }

@@ -88,28 +88,12 @@ static void a_frame_of_320x240_on_the_8080_bus_is_captured_without_a_loss(void *
     our_decoder_finds_what_was_sent(&I80, LARGE_WIDTH, LARGE_HEIGHT);
 }
 
-/* What sigrok writes about it. The decoder parallel gives away a reference of Python's True (libsigrokdecode 0.5.3), so
- * that Python aborts when all is written. */
-static char *sigrok(const struct sent *sent, const char *clock, size_t *size, const char *arguments)
-{
-    char path[256];
-    snprintf(path, sizeof path, "%s/capture.vcd", getenv("TMPDIR"));
-    capture_write_vcd(&sent->capture, path, clock);
-    return run_for_output(size, "sigrok-cli -I vcd -i %s %s 2>$TMPDIR/errors || grep bool_dealloc $TMPDIR/errors >&2",
-                          path, arguments);
-}
-
 static void sigrok_decodes_the_same_bytes_from_spi(void **state)
 {
     (void)state;
     struct sent sent;
     send_known(&sent, &SPI, WIDTH, HEIGHT);
-    size_t size;
-    char *found = sigrok(&sent, NULL, &size, "-P spi:clk=SCK:mosi=MOSI:cs=CS -B spi=mosi");
-    assert_int_equal(size, sent.count);
-    for (size_t i = 0; i < size; i++)
-        assert_int_equal((uint8_t)found[i], sent.wanted[i] & 0xff);
-    free(found);
+    sigrok_agrees_on_spi(&sent.capture, sent.wanted, sent.count);
     forget(&sent);
 }
 
@@ -119,7 +103,7 @@ static void sigrok_reads_the_commands_of_a_display_from_spi(void **state)
     struct sent sent;
     send_known(&sent, &SPI, WIDTH, HEIGHT);
     size_t size;
-    char *found = sigrok(&sent, NULL, &size, "-P st7735:clk=SCK:mosi=MOSI:cs=CS:dc=DC -A st7735=description");
+    char *found = sigrok(&sent.capture, NULL, &size, "-P st7735:clk=SCK:mosi=MOSI:cs=CS:dc=DC -A st7735=description");
     static const char *const WANTED[] = {"SLPOUT", "MADCTL", "COLMOD", "CASET", "RASET", "DISPON", "RAMWR"};
     const char *at = found;
     for (size_t i = 0; i < sizeof WANTED / sizeof *WANTED; i++) {
@@ -137,20 +121,7 @@ static void sigrok_decodes_the_same_bytes_from_the_8080_bus(void **state)
     (void)state;
     struct sent sent;
     send_known(&sent, &I80, WIDTH, HEIGHT);
-    size_t size;
-    char *found = sigrok(&sent, "WR", &size,
-                         "-P parallel:clk=WR:clock_edge=rising:d0=D0:d1=D1:d2=D2:d3=D3:d4=D4:d5=D5:d6=D6:d7=D7"
-                         " -A parallel=items");
-    char *at = found;
-    for (size_t i = 0; i < sent.count; i++) {
-        unsigned byte;
-        int length = 0;
-        if (sscanf(at, "parallel-1: %2x%n", &byte, &length) != 1 || byte != (sent.wanted[i] & 0xff))
-            fail_msg("byte %zu is not %02x but %.20s", i, sent.wanted[i] & 0xff, at);
-        at += length + 1;
-    }
-    assert_string_equal(at, "");
-    free(found);
+    sigrok_agrees_on_i80(&sent.capture, sent.wanted, sent.count);
     forget(&sent);
 }
 

@@ -4,7 +4,7 @@
 # LAB_COMMON; every other tests/lab/test_* is a script that speaks TAP and runs outside.
 LAB_TESTS = $(patsubst tests/lab/test_%.c,$(BUILD)/tests/lab/test_%,$(filter-out tests/lab/test_usb_%,$(wildcard tests/lab/test_*.c)))
 LAB_SCRIPTS = $(filter-out %.c,$(wildcard tests/lab/test_*))
-LAB_COMMON = $(patsubst %,$(BUILD)/tests/lab/%.o,chip capture bus screen run process usbip known)
+LAB_COMMON = $(patsubst %,$(BUILD)/tests/lab/%.o,chip capture bus screen sigrok run process usbip known)
 
 $(BUILD)/tests/lab/%.o: tests/lab/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -62,6 +62,14 @@ $(BUILD)/tests/lab/spi.dtb: tests/lab/spi.dts
 
 lab-programs: $(LAB_TESTS) $(addprefix $(BUILD)/tests/lab/,init spi.dtb bitbang1 bitbang2) firmware-linux
 
+# The command with libgpiod 2.
+glint-gpiod2:
+	@+$(LIBGPIOD2) $(SUBMAKE) BUILD=build/gpiod2 all
+
+run-lab: $(BUILD)/glint glint-gpiod2
+LAB_SCRIPTS += $(foreach build,$(BUILD) build/gpiod2,"env GLINT=$(CURDIR)/$(build)/glint tests/lab/guest --memory 768 \
+	$(BUILD)/tests/lab/test_gpio_stream")
+
 run-lab: lab-programs
 	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) && export LAB_KERNEL LAB_BUILD && tests/tally $(LAB_SCRIPTS) \
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang1 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
@@ -69,4 +77,4 @@ run-lab: lab-programs
 		"tests/lab/guest --spi $(BUILD)/tests/lab/test_spidev" \
 		"env GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest $(BUILD)/tests/lab/test_gud_kernel"
 
-.PHONY: usb-programs usb-rate setup-lab test-lab run-lab lab-programs
+.PHONY: usb-programs usb-rate glint-gpiod2 setup-lab test-lab run-lab lab-programs
