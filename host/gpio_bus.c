@@ -93,8 +93,12 @@ static bool write_spidev(struct gpio_bus *bus, const uint8_t *bytes, size_t coun
 static bool on_command(void *context, uint8_t command)
 {
     struct gpio_bus *bus = context;
-    /* A rising chip select ends what came before: a panel that missed a clock edge counts its bits anew. */
+    /* A rising chip select ends what came before: a panel that missed a clock edge counts its bits anew. In mode 0 the clock
+     * falls before that. */
     if (bus->options->kind == GPIO_BUS_SPI && bus->bits[ROLE_CS]) {
+        change(bus, ROLE_SCK, false);
+        if (!set(bus))
+            return false;
         change(bus, ROLE_CS, true);
         if (!set(bus))
             return false;

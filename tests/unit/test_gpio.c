@@ -369,7 +369,7 @@ static void an_8080_byte_takes_two_calls_and_an_spi_bit_two(void **state)
         send_two_pieces(sink);
         const unsigned long bytes = bytes_seen - bytes_before;
         assert_int_equal(bytes, 2 * 11 + WIDTH * HEIGHT * 2 + 2);
-        const unsigned long selections = kind == GPIO_BUS_SPI ? 2 * 2 * 3 : 0; /* a command begins with chip select */
+        const unsigned long selections = kind == GPIO_BUS_SPI ? 3 * 2 * 3 : 0; /* a command begins with chip select */
         assert_int_equal(calls - calls_before, bytes * a_byte[kind] + selections);
         close_and_check(sink);
     }
