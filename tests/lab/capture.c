@@ -133,9 +133,19 @@ void capture_levels(const struct capture *capture, bool high[LAB_LINES_MAX])
         high[capture->sets[i] & CAPTURE_LINE] = capture->sets[i] & CAPTURE_HIGH;
 }
 
-void capture_write_vcd(const struct capture *capture, const char *path, const char *clock)
+/* A change, if it is one. */
+static void write_change(FILE *file, unsigned line, bool value, bool *high, size_t *time)
+{
+    if (value == high[line])
+        return;
+    high[line] = value;
+    fprintf(file, "#%zu\n%d%c\n", ++*time, value, '!' + (int)line);
+}
+
+void capture_write_vcd(const struct capture *capture, const char *path, const char *clock_name)
 {
     const struct chip *chip = capture->chip;
+    const unsigned clock = chip_line(chip, clock_name), dc = chip_line(chip, "DC");
     FILE *file = fopen(path, "w");
     if (!file)
         fail_msg("%s: %s", path, strerror(errno));
@@ -148,18 +158,19 @@ void capture_write_vcd(const struct capture *capture, const char *path, const ch
     for (unsigned i = 0; i < chip->count; i++)
         fprintf(file, "%d%c\n", high[i], '!' + (int)i);
     size_t time = 0;
+    bool data = high[dc];
     for (size_t i = 0; i < capture->count; i++) {
         const unsigned line = capture->sets[i] & CAPTURE_LINE;
         const bool value = capture->sets[i] & CAPTURE_HIGH;
-        if (value != high[line])
-            fprintf(file, "#%zu\n%d%c\n", ++time, value, '!' + (int)line);
-        high[line] = value;
+        if (line == dc)
+            data = value;
+        else
+            write_change(file, line, value, high, &time);
+        if (line == clock)
+            write_change(file, dc, data, high, &time);
     }
-    if (clock) {
-        const int line = '!' + (int)chip_line(chip, clock);
-        fprintf(file, "#%zu\n0%c\n#%zu\n1%c\n", time + 1, line, time + 2, line);
-        time += 2;
-    }
+    write_change(file, clock, false, high, &time);
+    write_change(file, clock, true, high, &time);
     fprintf(file, "#%zu\n", time + 1);
     assert_int_equal(fclose(file), 0);
 }

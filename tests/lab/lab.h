@@ -74,11 +74,12 @@ void capture_free(struct capture *capture);
 /* The lines before the first value that is set: what they are set to first, so that this is not an edge. */
 void capture_levels(const struct capture *capture, bool high[LAB_LINES_MAX]);
 
-/* As a Value Change Dump, one microsecond a change, for sigrok. clock, or NULL, is pulsed once more at the end: decoders that
- * tell a byte when the next one comes want it. */
+/* As a Value Change Dump, one microsecond a change, for sigrok, whose decoders want two things. parallel tells a byte when the
+ * next one comes: the clock is pulsed once more at the end. st7735 looks at D/C when the clock has fallen after a byte, where it
+ * may be the next one's already: DC goes behind the clock. */
 void capture_write_vcd(const struct capture *capture, const char *path, const char *clock);
 
-/* What sigrok-cli writes about it with these arguments; to be freed. clock as above. */
+/* What sigrok-cli writes about it with these arguments; to be freed. */
 char *sigrok(const struct capture *capture, const char *clock, size_t *size, const char *arguments);
 
 /* A byte on the bus; bit 8: D/C was high, so it is data. */

@@ -20,7 +20,7 @@ char *sigrok(const struct capture *capture, const char *clock, size_t *size, con
 void sigrok_agrees_on_spi(const struct capture *capture, const bus_byte *bytes, size_t count)
 {
     size_t size;
-    char *found = sigrok(capture, NULL, &size, "-P spi:clk=SCK:mosi=MOSI:cs=CS -B spi=mosi");
+    char *found = sigrok(capture, "SCK", &size, "-P spi:clk=SCK:mosi=MOSI:cs=CS -B spi=mosi");
     assert_int_equal(size, count);
     for (size_t i = 0; i < count; i++)
         if ((uint8_t)found[i] != (bytes[i] & 0xff))

@@ -103,7 +103,7 @@ static void sigrok_reads_the_commands_of_a_display_from_spi(void **state)
     struct sent sent;
     send_known(&sent, &SPI, WIDTH, HEIGHT);
     size_t size;
-    char *found = sigrok(&sent.capture, NULL, &size, "-P st7735:clk=SCK:mosi=MOSI:cs=CS:dc=DC -A st7735=description");
+    char *found = sigrok(&sent.capture, "SCK", &size, "-P st7735:clk=SCK:mosi=MOSI:cs=CS:dc=DC -A st7735=description");
     static const char *const WANTED[] = {"SLPOUT", "MADCTL", "COLMOD", "CASET", "RASET", "DISPON", "RAMWR"};
     const char *at = found;
     for (size_t i = 0; i < sizeof WANTED / sizeof *WANTED; i++) {

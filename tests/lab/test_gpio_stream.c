@@ -125,11 +125,32 @@ static void an_ili9341_on_the_8080_bus_shows_what_was_rendered(void **state)
     the_panel_shows_two_frames(&I80, "--panel ili9341", 320, 240);
 }
 
+static void sigrok_reads_the_panels_commands_in_order(void **state)
+{
+    (void)state;
+    struct stream stream;
+    stream_frames(&stream, &SPI, "--panel st7789", 40, 30, 1);
+    size_t size;
+    char *found =
+        sigrok(&stream.capture, "SCK", &size, "-P st7735:clk=SCK:mosi=MOSI:cs=CS:dc=DC -A st7735=description");
+    static const char *const WANTED[] = {"SLPOUT", "CASET", "RASET", "RAMWR", "DISPON", "DISPOFF"};
+    const char *at = found;
+    for (size_t i = 0; i < sizeof WANTED / sizeof *WANTED; i++) {
+        const char *next = strstr(at, WANTED[i]);
+        if (!next)
+            fail_msg("no %s in its place in\n%s", WANTED[i], found);
+        at = next;
+    }
+    free(found);
+    forget(&stream);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_teardown(an_st7789_on_bit_banged_spi_shows_what_was_rendered, lab_clean),
         cmocka_unit_test_teardown(an_ili9341_on_the_8080_bus_shows_what_was_rendered, lab_clean),
+        cmocka_unit_test_teardown(sigrok_reads_the_panels_commands_in_order, lab_clean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
