@@ -66,12 +66,13 @@ lab-programs: $(LAB_TESTS) $(addprefix $(BUILD)/tests/lab/,init spi.dtb bitbang1
 glint-gpiod2:
 	@+$(LIBGPIOD2) $(SUBMAKE) BUILD=build/gpiod2 all
 
+# These take longest: they go first, as several guests run at a time.
 run-lab: $(BUILD)/glint glint-gpiod2
-LAB_SCRIPTS += $(foreach build,$(BUILD) build/gpiod2,"env GLINT=$(CURDIR)/$(build)/glint tests/lab/guest --memory 768 \
+LAB_FIRST = $(foreach build,$(BUILD) build/gpiod2,"env GLINT=$(CURDIR)/$(build)/glint tests/lab/guest --memory 768 \
 	$(BUILD)/tests/lab/test_gpio_stream")
 
 run-lab: lab-programs
-	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) && export LAB_KERNEL LAB_BUILD && tests/tally $(LAB_SCRIPTS) \
+	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) && export LAB_KERNEL LAB_BUILD && TALLY_JOBS=$$(nproc) tests/tally $(LAB_FIRST) $(LAB_SCRIPTS) \
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang1 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang2 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
 		"tests/lab/guest --spi $(BUILD)/tests/lab/test_spidev" \
