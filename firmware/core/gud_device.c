@@ -265,19 +265,21 @@ static bool lies_inside(const struct gud_device_config *c, const struct gud_rect
            r->height <= c->height - r->y;
 }
 
-/* Of a rectangle that lies inside. */
+/* Of a rectangle that lies inside. One larger than max_buffer is taken where memory allows: Linux (6.1) aligns the left side
+ * of R1 and XRGB1111 after it has counted the bytes. */
 static bool bytes_are_right(const struct gud_device *d, const struct gud_rectangle *r)
 {
     const struct gud_device_config *c = d->config;
     const enum gud_format format = (enum gud_format)d->committed.format;
     const unsigned in_a_byte = format == GUD_R1 ? 8 : format == GUD_XRGB1111 ? 2 : 1;
-    if (r->x % in_a_byte || r->length > c->max_buffer ||
+    if (r->x % in_a_byte || r->length > INT32_MAX ||
         r->length != (uint64_t)gud_line_bytes(format, r->width) * r->height)
         return false;
     if (r->compression == 0)
         return r->compressed_length == 0;
-    /* An LZ4 block of nothing but literals is this long. */
-    return r->compression == GUD_COMPRESSION_LZ4 && c->window && r->compressed_length &&
+    /* An LZ4 block of nothing but literals is as long as the last line tells. */
+    return r->compression == GUD_COMPRESSION_LZ4 && c->window &&
+           (c->window_bytes >= LZ4_BLOCK_REACH || c->window_bytes >= r->length) && r->compressed_length &&
            r->compressed_length <= r->length + r->length / 255 + 16;
 }
 

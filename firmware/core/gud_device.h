@@ -42,7 +42,7 @@ struct gud_device_config {
     uint8_t format_count;   /* 1..GUD_FORMATS_MAX */
     bool status_after_set;  /* for USB stacks that cannot refuse a request once its data is there */
     bool dimmable;          /* offers brightness */
-    uint32_t max_buffer;    /* bytes of a rectangle before compression; at least a line */
+    uint32_t max_buffer;    /* told to hosts: bytes of a rectangle before compression; at least a line */
     uint8_t *lines;         /* GUD_DEVICE_LINE_BYTES */
     size_t lines_bytes;
     uint8_t *window; /* for LZ4, of at least max_buffer bytes or LZ4_BLOCK_REACH; NULL: no LZ4 */

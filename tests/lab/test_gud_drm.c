@@ -4,13 +4,14 @@
  * and FAULTY, the programs. */
 #include "unit.h"
 
+#include "lab.h"
+
 #include <dirent.h>
 #include <errno.h>
 #include <drm.h>
 #include <drm_fourcc.h>
 #include <fcntl.h>
 #include <linux/usbdevice_fs.h>
-#include <math.h>
 #include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -18,7 +19,6 @@
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 enum { WIDTH = 61, HEIGHT = 47, PATIENCE_MS = 10000, STEP_MS = 20 };
@@ -32,59 +32,29 @@ static void wait_ms(unsigned ms)
 
 /* ---- the gadget ---- */
 
-static pid_t gadget;
+static struct process gadget;
 
 static void gadget_start(const char *variable, const char *options)
 {
-    char command[500];
     unlink(PICTURE);
-    snprintf(command, sizeof command, "exec %s --size %dx%d -v -o " PICTURE " %s >" LOG " 2>&1", getenv(variable),
-             WIDTH, HEIGHT, options);
-    gadget = fork();
-    if (gadget == 0) {
-        execl("/bin/sh", "sh", "-c", command, (char *)NULL);
-        _exit(127);
-    }
-    assert_true(gadget > 0);
+    process_start(&gadget, "$%s --size %dx%d -v -o " PICTURE " %s", variable, WIDTH, HEIGHT, options);
 }
 
-static int gadget_end(int signal_number)
+static char *log_text(void)
 {
-    int status;
-    kill(gadget, signal_number);
-    assert_int_equal(waitpid(gadget, &status, 0), gadget);
-    gadget = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
-static const char *log_text(void)
-{
-    static char text[1 << 20];
-    FILE *file = fopen(LOG, "r");
-    assert_non_null(file);
-    text[fread(text, 1, sizeof text - 1, file)] = 0;
-    fclose(file);
-    return text;
+    size_t size;
+    return run_for_output(&size, "tail -12 %s", gadget.output);
 }
 
 /* From its last line, when it has ended. */
 static void gadget_figures(unsigned long *rectangles, unsigned long long *bytes)
 {
+    size_t size;
     unsigned long faults;
-    const char *text = strstr(log_text(), " rectangles,");
-    assert_non_null(text);
-    while (text > log_text() && text[-1] != '\n')
-        text--;
-    assert_int_equal(sscanf(text, "%lu rectangles, %lu with faults, %llu bytes", rectangles, &faults, bytes), 3);
+    char *line = run_for_output(&size, "grep ' rectangles, ' %s", gadget.output);
+    assert_int_equal(sscanf(line, "%lu rectangles, %lu with faults, %llu bytes", rectangles, &faults, bytes), 3);
     assert_int_equal(faults, 0);
-}
-
-static int stop(void **state)
-{
-    (void)state;
-    if (gadget)
-        gadget_end(SIGKILL);
-    return 0;
+    free(line);
 }
 
 /* ---- the kernel's DRM device ---- */
@@ -213,7 +183,7 @@ static void draw(enum content content, unsigned turn, unsigned x0, unsigned y0, 
 /* What becomes of a colour on a device that shows it in so many levels; the kernel cuts. */
 static uint8_t shown(uint8_t value, unsigned most)
 {
-    return (uint8_t)lround(value * (most + 1) / 256 * 255. / most);
+    return (uint8_t)((value * (most + 1) / 256 * 255 + most / 2) / most);
 }
 
 static void want(const char *format)
@@ -257,7 +227,7 @@ static void arrives(const char *format, const char *what)
     want(format);
     unsigned wrong = 1;
     for (unsigned ms = 0; wrong && ms < PATIENCE_MS; ms += STEP_MS) {
-        kill(gadget, SIGUSR1);
+        kill(gadget.pid, SIGUSR1);
         wait_ms(STEP_MS);
         wrong = wrong_pixels();
     }
@@ -297,7 +267,7 @@ static void with(const char *format, uint32_t fourcc, const char *options, unsig
     snprintf(all, sizeof all, "--formats %s %s", format, options);
     gadget_start("GADGET", all);
     draws_all(format, fourcc);
-    assert_int_equal(gadget_end(SIGTERM), 0);
+    assert_int_equal(process_end(&gadget, SIGTERM), 0);
     gadget_figures(rectangles, bytes);
 }
 
@@ -370,9 +340,7 @@ static void is_a_display_again(void)
 
 static void unbind(const char *gadget_name)
 {
-    char command[200];
-    snprintf(command, sizeof command, "echo >/sys/kernel/config/usb_gadget/%s/UDC", gadget_name);
-    assert_int_equal(system(command), 0);
+    assert_int_equal(run("echo >/sys/kernel/config/usb_gadget/%s/UDC", gadget_name), 0);
 }
 
 static void unbound_by_someone_it_binds_again(void **state)
@@ -382,7 +350,7 @@ static void unbound_by_someone_it_binds_again(void **state)
     is_a_display_again();
     unbind("glint");
     is_a_display_again();
-    assert_int_equal(gadget_end(SIGINT), 0);
+    assert_int_equal(process_end(&gadget, SIGINT), 0);
 }
 
 static void after_a_reset_by_the_host_it_is_a_display_again(void **state)
@@ -402,7 +370,7 @@ static void after_a_reset_by_the_host_it_is_a_display_again(void **state)
         close(usb);
         is_a_display_again();
     }
-    assert_int_equal(gadget_end(SIGINT), 0);
+    assert_int_equal(process_end(&gadget, SIGINT), 0);
 }
 
 static void killed_and_started_again_it_cleans_up(void **state)
@@ -410,10 +378,10 @@ static void killed_and_started_again_it_cleans_up(void **state)
     (void)state;
     gadget_start("GADGET", "--formats rgb565");
     is_a_display_again();
-    assert_int_equal(gadget_end(SIGKILL), 128 + SIGKILL);
+    assert_int_equal(process_end(&gadget, SIGKILL), 128 + SIGKILL);
     gadget_start("GADGET", "--formats rgb565");
     is_a_display_again();
-    assert_int_equal(gadget_end(SIGTERM), 0);
+    assert_int_equal(process_end(&gadget, SIGTERM), 0);
     assert_int_equal(access("/sys/kernel/config/usb_gadget/glint", F_OK), -1);
     assert_int_equal(access("/dev/ffs-glint", F_OK), -1);
 }
@@ -428,14 +396,11 @@ static void unplugged_in_the_middle_of_a_rectangle_and_back_it_is_a_display_agai
     struct drm_clip_rect clip = {0, 0, WIDTH, HEIGHT};
     struct drm_mode_fb_dirty_cmd dirty = {.fb_id = card.frame, .num_clips = 1, .clips_ptr = (uintptr_t)&clip};
     (void)ioctl(card.file, DRM_IOCTL_MODE_DIRTYFB, &dirty); /* it may be gone already */
-    for (unsigned ms = 0; !strstr(log_text(), "unbound"); ms += STEP_MS) {
-        assert_true(ms < PATIENCE_MS);
-        wait_ms(STEP_MS);
-    }
+    process_wait_for(&gadget, "unbound");
     card_close();
     wait_ms(100);
     is_a_display_again();
-    assert_int_equal(gadget_end(SIGTERM), 0);
+    assert_int_equal(process_end(&gadget, SIGTERM), 0);
 }
 
 static void a_second_one_is_refused_in_one_line(void **state)
@@ -460,25 +425,25 @@ static void a_second_one_is_refused_in_one_line(void **state)
             fail_msg("%s", text);
     }
     is_a_display_again();
-    assert_int_equal(gadget_end(SIGTERM), 0);
+    assert_int_equal(process_end(&gadget, SIGTERM), 0);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_teardown(rgb565_arrives, stop),
-        cmocka_unit_test_teardown(xrgb8888_arrives_on_an_rgb565_display, stop),
-        cmocka_unit_test_teardown(rgb888_arrives, stop),
-        cmocka_unit_test_teardown(xrgb8888_arrives, stop),
-        cmocka_unit_test_teardown(grey_arrives, stop),
-        cmocka_unit_test_teardown(black_and_white_arrives, stop),
-        cmocka_unit_test_teardown(eight_colours_arrive, stop),
-        cmocka_unit_test_teardown(rgb332_arrives, stop),
-        cmocka_unit_test_teardown(unbound_by_someone_it_binds_again, stop),
-        cmocka_unit_test_teardown(after_a_reset_by_the_host_it_is_a_display_again, stop),
-        cmocka_unit_test_teardown(killed_and_started_again_it_cleans_up, stop),
-        cmocka_unit_test_teardown(unplugged_in_the_middle_of_a_rectangle_and_back_it_is_a_display_again, stop),
-        cmocka_unit_test_teardown(a_second_one_is_refused_in_one_line, stop),
+        cmocka_unit_test_teardown(rgb565_arrives, lab_clean),
+        cmocka_unit_test_teardown(xrgb8888_arrives_on_an_rgb565_display, lab_clean),
+        cmocka_unit_test_teardown(rgb888_arrives, lab_clean),
+        cmocka_unit_test_teardown(xrgb8888_arrives, lab_clean),
+        cmocka_unit_test_teardown(grey_arrives, lab_clean),
+        cmocka_unit_test_teardown(black_and_white_arrives, lab_clean),
+        cmocka_unit_test_teardown(eight_colours_arrive, lab_clean),
+        cmocka_unit_test_teardown(rgb332_arrives, lab_clean),
+        cmocka_unit_test_teardown(unbound_by_someone_it_binds_again, lab_clean),
+        cmocka_unit_test_teardown(after_a_reset_by_the_host_it_is_a_display_again, lab_clean),
+        cmocka_unit_test_teardown(killed_and_started_again_it_cleans_up, lab_clean),
+        cmocka_unit_test_teardown(unplugged_in_the_middle_of_a_rectangle_and_back_it_is_a_display_again, lab_clean),
+        cmocka_unit_test_teardown(a_second_one_is_refused_in_one_line, lab_clean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

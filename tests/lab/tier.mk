@@ -31,6 +31,8 @@ LAB_SCRIPTS += $(patsubst %,"$(USB_GUEST) %",$(filter $(BUILD)/tests/lab/test_%,
 usb-rate: usb-programs ## the usb sink's rate beside a bare loop of libusb calls, to the same simulated display
 	@LAB_BUILD=$(CURDIR)/$(BUILD) $(USB_GUEST) $(BUILD)/tests/lab/usb_rate
 
+$(BUILD)/tests/lab/test_gud_drm.o: LAB_CFLAGS += $$(pkg-config --cflags libdrm)
+
 # By libgpiod as installed, and by its version 2.
 $(BUILD)/tests/lab/bitbang1: $(patsubst %,$(BUILD)/tests/lab/%.o,bitbang known lines1)
 	$(CC) $(HOST_LDFLAGS) $^ -o $@ -lgpiod
@@ -46,7 +48,7 @@ LIBGPIOD2 = PKG_CONFIG_PATH="$$(tests/lab/libgpiod2)"
 
 setup-lab: setup-build
 	@.ci/need "tier lab (a Linux kernel to build, its GPIO and USB, sigrok's decoders)" linux-source-6.1 bc bison flex \
-		xz-utils libcmocka-dev libgpiod-dev libtraceevent-dev libusb-1.0-0-dev sigrok-cli
+		xz-utils libcmocka-dev libgpiod-dev libtraceevent-dev libusb-1.0-0-dev libdrm-dev sigrok-cli
 
 test-lab: ## under a Linux kernel as a process: GPIO lines captured and decoded, also by sigrok; USB
 	@+tests/tier lab "$(SUBMAKE)"
@@ -60,7 +62,7 @@ $(BUILD)/tests/lab/spi.dtb: tests/lab/spi.dts
 	@mkdir -p $(@D)
 	kernel=$$(tests/lab/kernel) && "$$kernel/dtc" -q -O dtb -o $@ $<
 
-lab-programs: $(LAB_TESTS) $(addprefix $(BUILD)/tests/lab/,init spi.dtb bitbang1 bitbang2) firmware-linux
+lab-programs: $(LAB_TESTS) $(addprefix $(BUILD)/tests/lab/,init spi.dtb bitbang1 bitbang2) firmware-linux $(linux)/faulty-gadget
 
 # The command with libgpiod 2.
 glint-gpiod2:
@@ -76,6 +78,8 @@ run-lab: lab-programs
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang1 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang2 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
 		"tests/lab/guest --spi $(BUILD)/tests/lab/test_spidev" \
-		"env GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest $(BUILD)/tests/lab/test_gud_kernel"
+		"env GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest $(BUILD)/tests/lab/test_gud_kernel" \
+		"env GADGET=$(CURDIR)/$(linux)/glint-gadget FAULTY=$(CURDIR)/$(linux)/faulty-gadget \
+			tests/lab/guest $(BUILD)/tests/lab/test_gud_drm"
 
 .PHONY: usb-programs usb-rate glint-gpiod2 setup-lab test-lab run-lab lab-programs

@@ -491,13 +491,14 @@ static void rectangles_that_do_not_fit_are_parameter_errors(void **state)
     assert_int_equal(ask(&(struct gud_rectangle){3, 0, 2, 1, 1, 0, 0}), GUD_PARAMETER);
 }
 
-static void a_rectangle_larger_than_the_buffer_is_refused(void **state)
+static void a_block_that_the_window_cannot_hold_is_refused(void **state)
 {
     (void)state;
-    board.config.max_buffer = 4 * WIDTH;
+    board.config.max_buffer = board.config.window_bytes = board.device.lz4.window_bytes = 4 * WIDTH;
     go(GUD_XRGB8888);
-    assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, 1, 4 * WIDTH, 0, 0}), GUD_OK);
-    assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, 2, 8 * WIDTH, 0, 0}), GUD_PARAMETER);
+    assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, 1, 4 * WIDTH, 1, 50}), GUD_OK);
+    assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, 2, 8 * WIDTH, 1, 50}), GUD_PARAMETER);
+    assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, 2, 8 * WIDTH, 0, 0}), GUD_OK); /* needs none */
 }
 
 static void compression_that_is_not_offered_is_refused(void **state)
@@ -708,7 +709,7 @@ int main(void)
         DEVICE_TEST(the_display_is_told_what_changes),
         DEVICE_TEST(a_bus_reset_forgets_what_the_host_had_set),
         DEVICE_TEST(rectangles_that_do_not_fit_are_parameter_errors),
-        DEVICE_TEST(a_rectangle_larger_than_the_buffer_is_refused),
+        DEVICE_TEST(a_block_that_the_window_cannot_hold_is_refused),
         DEVICE_TEST(compression_that_is_not_offered_is_refused),
         DEVICE_TEST(a_board_that_is_busy_says_so),
         DEVICE_TEST(any_pieces_raw_or_compressed_draw_the_same),

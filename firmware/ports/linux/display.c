@@ -43,6 +43,7 @@ static uint8_t *memory(size_t bytes)
 
 void display_open(struct display *display, const struct options *options)
 {
+    display->verbose = options->verbose;
     picture_open(&display->picture, options);
     struct gud_device_config *c = &display->config;
     *c = (struct gud_device_config){.width = options->width,
@@ -73,7 +74,16 @@ static int setup(void *context, const struct gud_setup *setup, uint8_t *reply)
 
 static bool set(void *context, const struct gud_setup *setup, const uint8_t *data)
 {
-    return gud_device_set(&((struct display *)context)->device, setup, data);
+    struct display *display = context;
+    const bool good = gud_device_set(&display->device, setup, data);
+    if (display->verbose && setup->request == GUD_SET_BUFFER) {
+        struct gud_rectangle r;
+        gud_rectangle_unpack(&r, data);
+        fprintf(stderr, "rectangle %u,%u %ux%u, %s%u bytes: %s\n", r.x, r.y, r.width, r.height,
+                r.compression ? "LZ4 " : "raw ", r.compression ? r.compressed_length : r.length,
+                good ? "good" : "refused");
+    }
+    return good;
 }
 
 static uint32_t expects(void *context)

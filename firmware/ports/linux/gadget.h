@@ -84,6 +84,7 @@ struct display {
     struct gud_device device;
     struct gud_device_config config;
     struct picture picture;
+    bool verbose;
     unsigned long rectangles, faults; /* drawn whole; cut short */
     unsigned long long bytes;         /* of bulk */
 };
