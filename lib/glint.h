@@ -293,8 +293,8 @@ enum glint_err glint_shade_span(const struct glint_shader *shader, const struct 
  * Tables are filled from exact values on the device; only their arguments are quantised. Filled once a material; a light
  * that moves needs only glint_tables_light. Uniform material, gloss 255, one directional light, Blinn geometry.
  *
- * Compile with -DGLINT_CORTEX_M0PLUS_ASM=1, and lib/cortex_m0plus_*.S too, and 8- and 10-bit lines, spans and palettes run
- * in Thumb assembly, with the same pixels.
+ * Compile with -DGLINT_CORTEX_M0PLUS_ASM=1, and lib/cortex_m0plus_*.S too, and 8- and 10-bit lines (10-bit ones not over
+ * an albedo map), spans without one and palettes run in Thumb assembly, with the same pixels.
  *
  * COLOUR  for RGB565 in either order, undithered, gamma or linear. 20,480 bytes: 4096 columns (bytes) and 128 x 64 colours.
  *     fill:   s = the least shift with (t_max >> s) + (2^16 >> s) < 4080. In memory a column is twice this, an offset in bytes:
@@ -314,6 +314,20 @@ enum glint_err glint_shade_span(const struct glint_shader *shader, const struct 
  *             each a word of three fields with a guard bit above each: RGB565 5.4, 5.4, 6.4 bits; else 8.1 bits each
  *     pixel:  diffuse[nl_q30 <= 0 ? 0 : 1 + min(63, nl_q30 >> 24)] + specular[j] (where nl_q30 > 0 and t <= t_max) + the dither's
  *             weight; a field whose guard is set is full.
+ * ALBEDO  for RGB565 in either order, undithered, gamma, from an albedo map in RGB565; ambient and diffuse grey, together
+ *         at most 1 (a coloured light goes into the map), any specular colour. 8,584 bytes.
+ *     fill:   shine(F) = a word of the nearest levels of S_k F: blue 5 bits, from bit 11 red 5, from 21 green 6
+ *             u = the largest t <= t_max where shine(F(t)) is not 0; s = the least shift with (u >> s) + (2^16 >> s) < 2032
+ *             shine[i] = shine(F(max(0, u - (i << s) - (1 << s >> 1)))), i < 2048
+ *             light[row] = the nearest of 32 (A + D nl), nl = min(1, (row + 1/2) / 128)
+ *     pixel:  p = nl_q30 < 0 ? the nearest of 32 A : light[nl_q30 >> 23], M = 0x07e0f81f
+ *             x = (((albedo | albedo << 16) & M) p + 0x02008010) >> 5 & M
+ *             where nl_q30 >= 0 and t <= u: x += shine[(u - t) >> s], a field that overflows is full
+ *             the pixel is (x | x >> 16) mod 2^16
+ *     INT8:   d = x X + v Y + z Z (Q25, the other sign), dark where d >= 0, else light[-1 - (d >> 18)];
+ *             e = (z << 10) - cut - d; where e >= 0: shine[(e r mod 2^32) >> 21]
+ *     From the exact path with the map as RGB888 and the normals as stored: at most 2 steps of each channel, mostly
+ *             none: less than .5 in the mean. (Not so where |N.L| < 2^-10: F ends there, and a last bit decides.)
  */
 
 /* How a normal is held. Stored as uint8_t. */
@@ -329,9 +343,10 @@ uint32_t glint_normals_pack(enum glint_normals format, const struct glint_vec *n
 /* And as the loops read it. 0, 0, 0 where there is no surface. */
 struct glint_vec glint_normals_unpack(enum glint_normals format, uint32_t word);
 
-enum glint_tables_kind { GLINT_TABLES_COLOUR, GLINT_TABLES_SMALL };
+enum glint_tables_kind { GLINT_TABLES_COLOUR, GLINT_TABLES_SMALL, GLINT_TABLES_ALBEDO };
 #define GLINT_TABLES_COLOUR_BYTES 20480u
 #define GLINT_TABLES_SMALL_BYTES 904u
+#define GLINT_TABLES_ALBEDO_BYTES 8584u
 size_t glint_tables_bytes(enum glint_tables_kind kind); /* the same; 0 for no such kind */
 
 /* State, ours; the memory stays yours and must outlive it. Const once filled: shared by threads and interrupts. */
@@ -342,35 +357,45 @@ struct glint_tables {
         uint32_t *sums;
     } colour;
     uint32_t t_max_q30;
-    uint16_t dark; /* COLOUR: the pixel where nl < 0, in memory order */
+    uint16_t dark; /* where nl < 0: the pixel, in memory order (COLOUR); p (ALBEDO) */
     uint8_t kind, format, shift;
     bool dither;
 };
 /* Fills. shader->light is not looked at. GLINT_ERR_ARG: NULL, too few bytes, memory not aligned to 4, Phong (its geometry
- * is not |N - H|^2). GLINT_ERR_FORMAT: a format, space or dither that this kind does not do. Nothing is written then. */
+ * is not |N - H|^2), ALBEDO and a material that it does not do. GLINT_ERR_FORMAT: a format, space or dither that this kind
+ * does not do. Nothing is written then. */
 enum glint_err glint_tables_fill(struct glint_tables *tables, enum glint_tables_kind kind,
                                  const struct glint_shader *shader, void *memory, size_t bytes);
 
-/* A light, prepared: some hundred cycles, no table touched. */
+/* A light, prepared for these tables: a few thousand cycles, no table touched. */
 struct glint_tables_light {
     struct glint_vec l, h;
     int32_t x, y, z, cut, peak; /* for INT8 and INT10 with the viewer at (0, 0, 1) */
     uint32_t r;
-    uint8_t a;
-    bool frontal; /* is the viewer there? */
+    uint8_t a, kind; /* kind: of the tables */
+    bool frontal;    /* is the viewer there? */
 };
 enum glint_err glint_tables_light(struct glint_tables_light *light, const struct glint_tables *tables,
                                   const struct glint_light *from);
 
 /* Shades w x h normals; pixels without a surface are left as they are. Normals are aligned (INT16 to 2 bytes, else to 4) and
- * of about unit length: others give some colour. GLINT_ERR_ARG: NULL, misaligned. GLINT_ERR_FORMAT: no such normals.
- * GLINT_ERR_VECTOR: INT8 with COLOUR tables, and a viewer not at (0, 0, 1). Nothing is written then. */
+ * of about unit length: others give some colour. GLINT_ERR_ARG: NULL, misaligned, ALBEDO tables. GLINT_ERR_FORMAT: no such
+ * normals. GLINT_ERR_VECTOR: INT8 with COLOUR tables, and a viewer not at (0, 0, 1). Nothing is written then. */
 enum glint_err glint_tables_rect(const struct glint_tables *tables, const struct glint_tables_light *light,
                                  enum glint_normals format, const void *normals, ptrdiff_t stride, uint16_t w,
                                  uint16_t h, const struct glint_surface *surface);
-/* Shades a span as one line. GLINT_ERR_ARG: NULL. */
+/* Shades a span as one line. GLINT_ERR_ARG: NULL, ALBEDO tables. */
 enum glint_err glint_tables_span(const struct glint_tables *tables, const struct glint_span *span,
                                  const struct glint_surface *surface);
+
+/* The same with ALBEDO tables and a map of RGB565 values in the machine's order, whatever the output's; it and its stride are
+ * aligned to 2. It may be the output itself. Errors as above; GLINT_ERR_ARG for other tables. */
+enum glint_err glint_tables_albedo_rect(const struct glint_tables *tables, const struct glint_tables_light *light,
+                                        enum glint_normals format, const void *normals, ptrdiff_t stride,
+                                        const uint16_t *albedo, ptrdiff_t albedo_stride, uint16_t w, uint16_t h,
+                                        const struct glint_surface *surface);
+enum glint_err glint_tables_albedo_span(const struct glint_tables *tables, const struct glint_span *span,
+                                        const uint16_t *albedo, const struct glint_surface *surface);
 
 /* A palette of normals, shaded once a frame by any path as w = its size, h = 1, into 2-byte pixels; then one load a pixel.
  * offsets: 2 x index, to be even and inside (they are not checked). GLINT_ERR_ARG: NULL, misaligned pixels or strides. */

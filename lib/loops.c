@@ -38,18 +38,15 @@ enum glint_err glint_tables_rect(const struct glint_tables *tables, const struct
                                  enum glint_normals format, const void *normals, ptrdiff_t stride, uint16_t w,
                                  uint16_t h, const struct glint_surface *surface)
 {
-    if (!tables || !light || !normals || !surface || !surface->pixels ||
-        (format == GLINT_NORMALS_INT16 ? GLINT_MISALIGNED(normals, int16_t) || GLINT_MISALIGNED(stride, int16_t)
-                                       : GLINT_MISALIGNED(normals, uint32_t) || GLINT_MISALIGNED(stride, uint32_t)))
+    const enum glint_err err = glint_tables_check(tables, light, format, normals, stride, surface);
+    if (err)
+        return err;
+    if (tables->kind == GLINT_TABLES_ALBEDO)
         return GLINT_ERR_ARG;
-    if ((unsigned)format > GLINT_NORMALS_INT8)
-        return GLINT_ERR_FORMAT;
     if (tables->kind == GLINT_TABLES_SMALL) {
         glint_small_rect(tables, light, format, normals, stride, w, h, surface);
         return GLINT_OK;
     }
-    if (format == GLINT_NORMALS_INT8 && !light->frontal)
-        return GLINT_ERR_VECTOR;
     const uint8_t *in = normals;
     uint8_t *out = surface->pixels;
     for (; h; h--, in += stride, out += surface->stride)
@@ -63,7 +60,7 @@ enum glint_err glint_tables_rect(const struct glint_tables *tables, const struct
 enum glint_err glint_span_any(const struct glint_tables *tables, const struct glint_span *span,
                               const struct glint_surface *surface)
 {
-    if (!tables || !span || !surface || !surface->pixels)
+    if (!tables || !span || !surface || !surface->pixels || tables->kind == GLINT_TABLES_ALBEDO)
         return GLINT_ERR_ARG;
     if (tables->kind == GLINT_TABLES_SMALL)
         glint_small_span(tables, span, surface);

@@ -4,13 +4,13 @@
 
 enum { PIECE = GLINT_RUN };
 
-static void get_pixels(uint16_t *to, const uint8_t *from, uint16_t w)
+void glint_get_pixels(uint16_t *to, const uint8_t *from, uint16_t w)
 {
     for (uint16_t i = 0; i < 2 * w; i++)
         ((uint8_t *)to)[i] = from[i];
 }
 
-static void put_pixels(uint8_t *to, const uint16_t *from, uint16_t w)
+void glint_put_pixels(uint8_t *to, const uint16_t *from, uint16_t w)
 {
     for (uint16_t i = 0; i < 2 * w; i++)
         to[i] = ((const uint8_t *)from)[i];
@@ -19,13 +19,13 @@ static void put_pixels(uint8_t *to, const uint16_t *from, uint16_t w)
 void glint_colour_odd(const struct glint_tables *tables, const struct glint_tables_light *light,
                       enum glint_normals format, const void *normals, uint16_t w, uint8_t *out)
 {
-    const size_t size = format == GLINT_NORMALS_INT16 ? sizeof(struct glint_vec) : 4;
+    const size_t size = glint_normals_size(format);
     uint16_t piece[PIECE];
     for (uint32_t x = 0; x < w; x += PIECE) {
         const uint16_t count = (uint16_t)(w - x < PIECE ? w - x : PIECE);
-        get_pixels(piece, out + 2 * x, count);
+        glint_get_pixels(piece, out + 2 * x, count);
         glint_colour_line(tables, light, format, (const uint8_t *)normals + size * x, count, piece);
-        put_pixels(out + 2 * x, piece, count);
+        glint_put_pixels(out + 2 * x, piece, count);
     }
 }
 
@@ -43,7 +43,7 @@ static void odd_span(const struct glint_tables *tables, struct glint_span *at, u
         uint16_t piece[PIECE];
         const uint16_t count = (uint16_t)(left < PIECE ? left : PIECE);
         glint_colour_run(tables, at, count, piece);
-        put_pixels(out, piece, count);
+        glint_put_pixels(out, piece, count);
         out += 2 * PIECE;
         left -= count;
         advance(at);

@@ -7,9 +7,18 @@ enum { COLUMNS = 4096, SPARE = 16, SEGMENT = GLINT_SEGMENT };
 
 size_t glint_tables_bytes(enum glint_tables_kind kind)
 {
-    return kind == GLINT_TABLES_COLOUR  ? GLINT_TABLES_COLOUR_BYTES
-           : kind == GLINT_TABLES_SMALL ? GLINT_TABLES_SMALL_BYTES
-                                        : 0;
+    return kind == GLINT_TABLES_COLOUR   ? GLINT_TABLES_COLOUR_BYTES
+           : kind == GLINT_TABLES_SMALL  ? GLINT_TABLES_SMALL_BYTES
+           : kind == GLINT_TABLES_ALBEDO ? GLINT_TABLES_ALBEDO_BYTES
+                                         : 0;
+}
+
+unsigned glint_columns_shift(uint32_t t_max_q30, uint32_t columns)
+{
+    unsigned s = 0;
+    while ((t_max_q30 >> s) + (GAP >> s) >= columns - SPARE)
+        s++;
+    return s;
 }
 
 /* F, and the column nearest to it. F(0) is 1.0 at least for n and q of the domain, so never 0. */
@@ -37,14 +46,9 @@ static void fill_colour(struct glint_tables *tables, const struct peak *peak)
 {
     struct glint_shader shader = *peak->shader;
     const uint32_t t_max = tables->t_max_q30;
-    unsigned s = 0;
-    while ((t_max >> s) + (GAP >> s) >= COLUMNS - SPARE)
-        s++;
-    tables->shift = (uint8_t)s;
-    for (uint32_t i = 0; i < COLUMNS; i++) {
-        const uint64_t back = ((uint64_t)i << s) + ((uint32_t)1 << s >> 1);
-        tables->columns[i] = (uint8_t)(2 * column_at(peak, back < t_max ? t_max - (uint32_t)back : 0)); /* bytes */
-    }
+    tables->shift = (uint8_t)glint_columns_shift(t_max, COLUMNS);
+    for (uint32_t i = 0; i < COLUMNS; i++)
+        tables->columns[i] = (uint8_t)(2 * column_at(peak, glint_column_t(t_max, tables->shift, i))); /* bytes */
     const struct glint_surface colours = {tables->colour.colours, 128, 0, 0}, dark = {&tables->dark, 2, 0, 0};
     for (uint16_t row = 0; row < 128; row++)
         for (uint16_t j = 0; j < 64; j++)
@@ -60,8 +64,7 @@ static uint32_t sum_word(const struct glint_shader *shader, uint32_t nl_q16, uin
         const uint8_t albedo = lit ? shader->material.albedo[k] : 0;
         const uint64_t x = glint_pixel_value(shader, k, albedo, nl_q16, (uint64_t)65535 * f);
         const struct glint_field field = glint_field(shader->format, k);
-        const uint32_t level = (uint32_t)((x * field.one + ((uint64_t)65535 << 31)) >> 32) / 65535;
-        word |= level << field.at;
+        word |= glint_field_level(field, x) << field.at;
     }
     return word;
 }
@@ -90,10 +93,11 @@ enum glint_err glint_tables_fill(struct glint_tables *tables, enum glint_tables_
 {
     const size_t needed = glint_tables_bytes(kind);
     if (!tables || !shader || !memory || needed == 0 || bytes < needed || GLINT_MISALIGNED(memory, uint32_t) ||
-        shader->lobe.model == GLINT_PHONG)
+        shader->lobe.model == GLINT_PHONG || (kind == GLINT_TABLES_ALBEDO && !glint_albedo_can(&shader->material)))
         return GLINT_ERR_ARG;
-    const bool is_565 = shader->format <= GLINT_RGB565_SWAPPED;
-    if (glint_pixel_check(shader) || (kind == GLINT_TABLES_COLOUR ? !is_565 || shader->dither : shader->space))
+    const bool is_plain_565 = shader->format <= GLINT_RGB565_SWAPPED && !shader->dither;
+    if (glint_pixel_check(shader) || (kind != GLINT_TABLES_SMALL && !is_plain_565) ||
+        (kind != GLINT_TABLES_COLOUR && shader->space))
         return GLINT_ERR_FORMAT;
     const struct peak peak = {shader, glint_pixel_lobe(shader, 0)};
     if (peak.f0 == 0) /* no such model */
@@ -107,6 +111,8 @@ enum glint_err glint_tables_fill(struct glint_tables *tables, enum glint_tables_
         tables->colour.colours = memory;
         tables->columns = (uint8_t *)memory + 128 * 64 * 2;
         fill_colour(tables, &peak);
+    } else if (kind == GLINT_TABLES_ALBEDO) {
+        glint_albedo_fill(tables, shader, memory);
     } else {
         tables->colour.sums = memory;
         tables->columns = (uint8_t *)memory + 4 * (GLINT_DIFFUSE + 64);
@@ -115,7 +121,7 @@ enum glint_err glint_tables_fill(struct glint_tables *tables, enum glint_tables_
     return GLINT_OK;
 }
 
-static uint32_t root(uint64_t square) /* rounded down */
+uint32_t glint_root(uint64_t square)
 {
     uint32_t result = 0;
     for (uint32_t bit = (uint32_t)1 << 31; bit; bit >>= 1)
@@ -133,12 +139,17 @@ enum glint_err glint_tables_light(struct glint_tables_light *light, const struct
         return GLINT_ERR_ARG;
     light->l = from->l;
     light->h = from->h;
+    light->kind = tables->kind;
     light->frontal = from->v.x == 0 && from->v.y == 0 && from->v.z == 32767;
+    if (tables->kind == GLINT_TABLES_ALBEDO) {
+        glint_albedo_light(light, tables);
+        return GLINT_OK;
+    }
     light->y = (from->l.y + 1) >> 1; /* Q14, as z */
     light->z = (from->l.z + 1) >> 1;
     light->x = 128 * (int32_t)from->l.x - light->y; /* Q22; v holds x, too */
     const int64_t x = from->l.x, y = 2 * light->y, z = 2 * light->z + 32768;
-    const uint32_t peak = root((uint64_t)(x * x + y * y + z * z) << 28);                /* Q29, <= 2^30 + 2^16 */
+    const uint32_t peak = glint_root((uint64_t)(x * x + y * y + z * z) << 28);          /* Q29, <= 2^30 + 2^16 */
     const uint32_t reach = (uint32_t)(((uint64_t)tables->t_max_q30 * peak) >> 30) >> 1; /* of e */
     light->peak = (int32_t)peak;
     light->cut = (int32_t)(peak - (uint32_t)(((uint64_t)tables->t_max_q30 * peak) >> 30));

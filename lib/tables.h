@@ -25,6 +25,20 @@ static inline struct glint_field glint_field(uint8_t format, int k)
     return format <= GLINT_RGB565_SWAPPED ? of_565[k] : others[k];
 }
 
+/* A value (65535 * 2^32 = 1.0) as a field's level, nearest. */
+static inline uint32_t glint_field_level(struct glint_field field, uint64_t value)
+{
+    return (uint32_t)((value * field.one + ((uint64_t)65535 << 31)) >> 32) / 65535;
+}
+
+/* Columns over t = 0..t_max, the one of t_max first: a power of two of t each, some to spare at the peak. */
+unsigned glint_columns_shift(uint32_t t_max_q30, uint32_t columns);
+static inline uint32_t glint_column_t(uint32_t t_max_q30, unsigned shift, uint32_t i) /* its middle */
+{
+    const uint64_t back = ((uint64_t)i << shift) + ((uint32_t)1 << shift >> 1);
+    return back < t_max_q30 ? t_max_q30 - (uint32_t)back : 0;
+}
+
 /* What a type wants: on 8-bit machines, whose compilers place everything anywhere, 1. */
 #define GLINT_MISALIGNED(address_or_stride, type)                                                                      \
     ((uintptr_t)(address_or_stride) % offsetof(                                                                        \
@@ -54,6 +68,30 @@ static inline int32_t glint_fast_nl(const struct glint_vec *n, const struct glin
     return (int32_t)((uint32_t)(n->x * (int32_t)l->x) + (uint32_t)(n->y * (int32_t)l->y) +
                      (uint32_t)(n->z * (int32_t)l->z));
 }
+
+/* Bytes a normal; what every rectangle refuses. */
+static inline size_t glint_normals_size(enum glint_normals format)
+{
+    return format == GLINT_NORMALS_INT16 ? sizeof(struct glint_vec) : 4;
+}
+static inline enum glint_err glint_tables_check(const struct glint_tables *tables,
+                                                const struct glint_tables_light *light, enum glint_normals format,
+                                                const void *normals, ptrdiff_t stride,
+                                                const struct glint_surface *surface)
+{
+    if (!tables || !light || !normals || !surface || !surface->pixels ||
+        (glint_normals_size(format) == 4 ? GLINT_MISALIGNED(normals, uint32_t) || GLINT_MISALIGNED(stride, uint32_t)
+                                         : GLINT_MISALIGNED(normals, int16_t) || GLINT_MISALIGNED(stride, int16_t)))
+        return GLINT_ERR_ARG;
+    if ((unsigned)format > GLINT_NORMALS_INT8)
+        return GLINT_ERR_FORMAT;
+    return tables->kind != GLINT_TABLES_SMALL && format == GLINT_NORMALS_INT8 && !light->frontal ? GLINT_ERR_VECTOR
+                                                                                                 : GLINT_OK;
+}
+
+/* Pixels from and to odd addresses. */
+void glint_get_pixels(uint16_t *to, const uint8_t *from, uint16_t w);
+void glint_put_pixels(uint8_t *to, const uint16_t *from, uint16_t w);
 
 /* A line, COLOUR tables: aligned 2-byte pixels. */
 void glint_colour_vec(const struct glint_tables *tables, const struct glint_tables_light *light,
@@ -91,6 +129,18 @@ void glint_small_rect(const struct glint_tables *tables, const struct glint_tabl
 /* glint_tables_span, of which the assembly does the common case. */
 enum glint_err glint_span_any(const struct glint_tables *tables, const struct glint_span *span,
                               const struct glint_surface *surface);
+
+uint32_t glint_root(uint64_t square); /* rounded down */
+
+/* ALBEDO tables: may they be filled for this material? Their fill, and what is theirs of a light whose l and h are set. */
+bool glint_albedo_can(const struct glint_material *material);
+void glint_albedo_fill(struct glint_tables *tables, const struct glint_shader *shader, uint32_t *memory);
+void glint_albedo_light(struct glint_tables_light *light, const struct glint_tables *tables);
+/* A line: aligned 2-byte pixels, as 16-bit numbers, or those with their bytes swapped. */
+void glint_albedo_int8(const struct glint_tables *tables, const struct glint_tables_light *light, const uint32_t *words,
+                       const uint16_t *albedo, uint16_t w, uint16_t *out);
+void glint_albedo_int8_swapped(const struct glint_tables *tables, const struct glint_tables_light *light,
+                               const uint32_t *words, const uint16_t *albedo, uint16_t w, uint16_t *out);
 
 /* A line of a palette. */
 void glint_palette_line(const uint16_t *colours, const uint16_t *offsets, uint16_t w, uint16_t *out);

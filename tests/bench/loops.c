@@ -14,6 +14,7 @@ int16_t bench_error;
 uint32_t bench_map[SPHERE_W];
 struct glint_vec bench_palette[SPHERE_PALETTE];
 uint8_t bench_albedo[SPHERE_W][3];
+uint16_t bench_albedo_565[SPHERE_W];
 #endif
 
 static void check(enum glint_err err)
@@ -26,6 +27,8 @@ void bench_begin(const struct bench_loop *loop, uint32_t n)
 {
     bench_error = 0;
     sphere_shader(&bench_shader, (enum glint_model)loop->model, n, (enum glint_format)loop->format, loop->dither);
+    if (loop->albedo)
+        sphere_grey(&bench_shader);
 }
 
 void bench_line_begin(uint16_t y)
@@ -41,7 +44,8 @@ void bench_line_begin(uint16_t y)
             line->to = (uint16_t)(x + 1);
         }
 #ifndef __AVR__
-        sphere_albedo(bench_albedo[x], x, y);
+        bench_albedo_565[x] = sphere_albedo(x, y);
+        sphere_expand(bench_albedo[x], bench_albedo_565[x]);
 #endif
     }
 }
@@ -153,6 +157,37 @@ static void tables_span(void)
     }
 }
 
+static void albedo_fill(void)
+{
+    check(glint_tables_fill(&tables, GLINT_TABLES_ALBEDO, &bench_shader, bench_memory, GLINT_TABLES_ALBEDO_BYTES));
+}
+
+static void albedo_rect(enum glint_normals format, const void *normals)
+{
+    const struct glint_surface surface = {bench_line.out, 0, 0, bench_line.y};
+    check(glint_tables_albedo_rect(&tables, &tables_light, format, normals, 0, bench_albedo_565, 0, SPHERE_W, 1,
+                                   &surface));
+}
+
+static void albedo_int8(void)
+{
+    albedo_rect(GLINT_NORMALS_INT8, bench_map);
+}
+
+static void albedo_int16(void)
+{
+    albedo_rect(GLINT_NORMALS_INT16, bench_line.normals);
+}
+
+static void albedo_span(void)
+{
+    const struct glint_span *span = BESIDE_TABLES;
+    for (uint16_t x = bench_line.from; x < bench_line.to; x = (uint16_t)(x + span->w), span++) {
+        const struct glint_surface surface = {bench_line.out + x, 0, x, bench_line.y};
+        check(glint_tables_albedo_span(&tables, span, bench_albedo_565 + x, &surface));
+    }
+}
+
 static void palette_frame(void)
 {
     const struct glint_surface colours = {BESIDE_TABLES, 0, 0, 0};
@@ -181,12 +216,18 @@ const struct bench_loop bench_loops[] = {
     {"exact span", "glint_shade_span, spans of 16", .prepare = exact_span_prepare, .shade = exact_span, .step = 4},
     {"small int16", "under 1 KB of RAM, int16 normals", small_fill, tables_frame, .shade = tables_int16, INT16},
 #ifndef __AVR__
-    {"exact albedo", "exact rect, and albedo in RGB888", .shade = exact_albedo, INT16, .albedo = true, .step = 4},
+    {"exact albedo", "exact rect, albedo in RGB888, white light", .shade = exact_albedo, INT16, .albedo = true, .step = 4},
     {"colour span 16", "glint_tables_span, spans of 16", colour_fill, .prepare = tables_span_16_prepare, .shade = tables_span},
     {"colour span 64", "the same, spans of 64", colour_fill, .prepare = tables_span_64_prepare, .shade = tables_span},
     {"colour int8", "glint_tables_rect, int8 normals", colour_fill, tables_frame, .shade = tables_int8, INT8},
     {"colour int10", "the same, 10-10-10 normals", colour_fill, tables_frame, .shade = tables_int10, INT10},
     {"colour int16", "the same, int16 normals", colour_fill, tables_frame, .shade = tables_int16, INT16},
+    {"albedo int8", "glint_tables_albedo_rect, int8 normals, RGB565 albedo",
+     albedo_fill, tables_frame, .shade = albedo_int8, .albedo = true, .map = MAP_INT8, .map_bytes = 6},
+    {"albedo int16", "the same, int16 normals",
+     albedo_fill, tables_frame, .shade = albedo_int16, .albedo = true, .map_bytes = 8},
+    {"albedo span 16", "glint_tables_albedo_span, spans of 16",
+     albedo_fill, .prepare = tables_span_16_prepare, .shade = albedo_span, .albedo = true, .map_bytes = 2},
     {"palette", "glint_palette_rect, 4096 entries by colour int16", colour_fill, palette_frame, .shade = palette, PALETTE},
 #endif
     {"integer power", "int16 normals, Q15, powers by squaring",

@@ -22,6 +22,7 @@ enum bench_map { MAP_INT16 /* bench_line.normals */, MAP_INT10, MAP_INT8, MAP_PA
 extern uint32_t bench_map[SPHERE_W];
 extern struct glint_vec bench_palette[SPHERE_PALETTE];
 extern uint8_t bench_albedo[SPHERE_W][3];
+extern uint16_t bench_albedo_565[SPHERE_W];
 #endif
 
 /* Its light, material, lobe and format: set before fill. */

@@ -24,9 +24,20 @@ static uint8_t wave(unsigned at) /* a triangle of period 512 */
     return (uint8_t)(at < 256 ? at : 511 - at);
 }
 
-void sphere_albedo(uint8_t rgb[3], uint16_t x, uint16_t y)
+void sphere_grey(struct glint_shader *shader)
 {
-    rgb[0] = wave(9u * x);
-    rgb[1] = wave(11u * y);
-    rgb[2] = wave(5u * x + 7u * y);
+    for (int k = 0; k < 3; k++)
+        shader->material.diffuse_q16[k] = shader->material.diffuse_q16[0];
+}
+
+uint16_t sphere_albedo(uint16_t x, uint16_t y)
+{
+    return (uint16_t)(wave(9u * x) >> 3 << 11 | wave(11u * y) >> 2 << 5 | wave(5u * x + 7u * y) >> 3);
+}
+
+void sphere_expand(uint8_t rgb[3], uint16_t rgb565)
+{
+    rgb[0] = (uint8_t)(((rgb565 >> 11) * 510u + 31) / 62);
+    rgb[1] = (uint8_t)(((rgb565 >> 5 & 63) * 510u + 63) / 126);
+    rgb[2] = (uint8_t)(((rgb565 & 31) * 510u + 31) / 62);
 }

@@ -20,7 +20,9 @@ extern const uint16_t sphere_n[SPHERE_N_COUNT];
 void sphere_shader(struct glint_shader *shader, enum glint_model model, uint32_t n, enum glint_format format,
                    bool dither);
 
-/* A smooth pattern over it: red, green, blue. */
-void sphere_albedo(uint8_t rgb[3], uint16_t x, uint16_t y);
+/* A map over it: a smooth pattern in RGB565, and that in RGB888. With it goes white light: the diffuse part grey. */
+uint16_t sphere_albedo(uint16_t x, uint16_t y);
+void sphere_expand(uint8_t rgb[3], uint16_t rgb565);
+void sphere_grey(struct glint_shader *shader);
 
 #endif

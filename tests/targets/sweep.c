@@ -312,6 +312,58 @@ static void add_wide(const struct glint_tables *tables, const struct glint_table
 }
 #endif
 
+#if SWEEP_COLOUR
+/* Every kind of normals over a map, in rows longer than the loops unroll, and a span; where the map is the output, too. */
+static void add_albedo(unsigned model, unsigned flags)
+{
+    enum { WIDE = 75 };
+    static uint32_t memory[GLINT_TABLES_ALBEDO_BYTES / 4], words[WIDE];
+    static struct glint_vec normals[WIDE];
+    static uint16_t map[WIDE], pixels[WIDE + 1];
+    struct glint_shader shader;
+    random_shader(&shader, model);
+    shader.format = flags & 1;
+    shader.space = GLINT_GAMMA;
+    shader.dither = false;
+    shader.clamp_peak = flags >> 1 & 1;
+    for (uint8_t k = 0; k < 3; k++) {
+        shader.material.ambient_q16[k] = shader.material.ambient_q16[0];
+        shader.material.diffuse_q16[k] = 45000;
+    }
+    struct glint_tables tables;
+    struct glint_tables_light light;
+    const enum glint_err err = glint_tables_fill(&tables, GLINT_TABLES_ALBEDO, &shader, memory, sizeof memory);
+    add((uint32_t)err);
+    if (err)
+        return;
+    add((uint32_t)glint_tables_light(&light, &tables, &shader.light));
+    for (unsigned held = GLINT_NORMALS_INT16; held <= GLINT_NORMALS_INT8; held++) {
+        struct glint_vec near = {0, 0, 0};
+        for (uint8_t i = 0; i < WIDE; i++) {
+            if (random_bits() % 4 == 0) /* runs of the like: in the lobe, out of it, dark */
+                random_normal(&near, &shader.light);
+            normals[i] = near;
+            if (random_bits() % 8 == 0)
+                normals[i].z = (int16_t)-near.z;
+            words[i] = random_bits() % 16 ? glint_normals_pack((enum glint_normals)held, &near) : random_bits() % 5;
+            map[i] = (uint16_t)random_bits();
+            pixels[i] = i;
+        }
+        const bool packed = held != GLINT_NORMALS_INT16, in_place = flags & 4;
+        const struct glint_surface line = {in_place ? (uint8_t *)map : (uint8_t *)pixels + (held & flags & 1), 0, 0, 0};
+        add((uint32_t)glint_tables_albedo_rect(&tables, &light, (enum glint_normals)held,
+                                               packed ? (const void *)words : (const void *)normals, 0, map, 0,
+                                               (uint16_t)(WIDE - flags % 8), 1, &line));
+        add_bytes(in_place ? (const uint8_t *)map : (const uint8_t *)pixels, sizeof map);
+    }
+    struct glint_span span = {0, 0, 0, 0, 0, 0};
+    add((uint32_t)glint_span_init(&span, &shader.light, &normals[0], &normals[1], WIDE));
+    const struct glint_surface line = {pixels, 0, 0, 0};
+    add((uint32_t)glint_tables_albedo_span(&tables, &span, map, &line));
+    add_bytes((const uint8_t *)pixels, sizeof map);
+}
+#endif
+
 static void add_tables(unsigned kind, unsigned model, unsigned format, unsigned flags)
 {
     static uint32_t memory[TABLES_BYTES / 4], words[W * H];
@@ -373,6 +425,11 @@ static void add_all_tables(const struct sweep_size *size)
             for (unsigned format = GLINT_RGB565; format <= (kind ? GLINT_MONO : GLINT_RGB565_SWAPPED); format++)
                 for (uint8_t scene = 0; scene < size->scenes; scene++)
                     add_tables(kind, model, format, flags++);
+#if SWEEP_COLOUR
+    for (unsigned model = 0; model < MODEL_COUNT; model++)
+        for (uint8_t scene = 0; scene < 2 * size->scenes; scene++)
+            add_albedo(model, flags++);
+#endif
 }
 
 uint64_t sweep(const struct sweep_size *size)

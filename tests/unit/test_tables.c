@@ -299,7 +299,7 @@ static void what_the_tables_cannot_do_is_refused_and_nothing_is_written(void **s
     assert_int_equal(glint_tables_fill(&tables, colour, &shader, guard, sizeof guard - 1), GLINT_ERR_ARG);
     assert_int_equal(glint_tables_fill(&tables, small, &shader, guard, GLINT_TABLES_SMALL_BYTES - 1), GLINT_ERR_ARG);
     assert_int_equal(glint_tables_fill(&tables, colour, &shader, (char *)guard + 2, sizeof guard), GLINT_ERR_ARG);
-    assert_int_equal(glint_tables_fill(&tables, (enum glint_tables_kind)2, &shader, guard, sizeof guard),
+    assert_int_equal(glint_tables_fill(&tables, (enum glint_tables_kind)3, &shader, guard, sizeof guard),
                      GLINT_ERR_ARG);
     assert_int_equal(glint_tables_fill(&tables, colour, NULL, guard, sizeof guard), GLINT_ERR_ARG);
     shader.lobe.model = GLINT_PHONG;

@@ -150,11 +150,13 @@ static int write_exact(char **words)
 {
     static uint8_t picture[SPHERE_H][SPHERE_W][3], albedo[SPHERE_H][SPHERE_W][3];
     for (int i = 0; i < SPHERE_W * SPHERE_H; i++)
-        sphere_albedo(albedo[0][i], (uint16_t)(i % SPHERE_W), (uint16_t)(i / SPHERE_W));
+        sphere_expand(albedo[0][i], sphere_albedo((uint16_t)(i % SPHERE_W), (uint16_t)(i / SPHERE_W)));
     const enum glint_format format = (enum glint_format)atoi(words[2]);
     const size_t line[] = {SPHERE_W * 2, SPHERE_W * 2, SPHERE_W * 3, SPHERE_W, SPHERE_W / 8};
     struct glint_shader shader;
     sphere_shader(&shader, (enum glint_model)atoi(words[0]), (uint32_t)atoi(words[1]), format, atoi(words[4]));
+    if (atoi(words[3]))
+        sphere_grey(&shader);
     const struct glint_source source = {.normals = normals,
                                         .normals_stride = SPHERE_W * sizeof *normals,
                                         .albedo = atoi(words[3]) ? albedo[0][0] : NULL,
