@@ -352,6 +352,23 @@ static void a_span_is_within_two_steps_of_the_exact_span_and_of_the_rectangle_by
     }
 }
 
+static void a_span_whose_t_has_come_a_little_below_0_is_at_its_peak(void **state)
+{
+    (void)state;
+    const struct glint_shader shader = grey_shader(60, GLINT_RGB565);
+    struct glint_tables tables;
+    struct glint_tables_light light;
+    prepare(&tables, &light, &shader);
+    uint16_t at[2];
+    static const uint16_t albedo = 0x4208;
+    for (int k = 0; k < 2; k++) {
+        const struct glint_span span = {k ? 0 - UINT32_C(1000) : 0, 0, 0, 1 << 28, 0, 1};
+        const struct glint_surface surface = {&at[k], 0, 0, 0};
+        assert_int_equal(glint_tables_albedo_span(&tables, &span, &albedo, &surface), GLINT_OK);
+    }
+    assert_int_equal(at[0], at[1]);
+}
+
 /* For the sanitizers: any words, any light, any normals, any span. */
 static void garbage_in_normals_and_spans_reads_nothing_outside_the_tables(void **state)
 {
@@ -491,6 +508,7 @@ int main(void)
         cmocka_unit_test(the_rectangle_and_nothing_else_is_written_at_any_alignment),
         cmocka_unit_test(swapped_pixels_are_the_others_with_their_bytes_swapped_and_may_replace_their_map),
         cmocka_unit_test(a_span_is_within_two_steps_of_the_exact_span_and_of_the_rectangle_by_one),
+        cmocka_unit_test(a_span_whose_t_has_come_a_little_below_0_is_at_its_peak),
         cmocka_unit_test(garbage_in_normals_and_spans_reads_nothing_outside_the_tables),
         cmocka_unit_test(a_run_without_surface_ends_with_the_line_whatever_it_says),
         cmocka_unit_test(what_the_tables_cannot_do_is_refused_and_nothing_is_written),
