@@ -17,17 +17,19 @@ BENCH_FLAGS = -Ilib $(if $(BENCH_FIXMATH),-DBENCH_FIXMATH=1 -DFIXMATH_NO_CACHE -
 BENCH_SOURCES = $(wildcard lib/*.c lib/*.S) $(BENCH_FIXMATH) \
 	$(filter-out $(if $(BENCH_FIXMATH),,%/fixmath.c),$(wildcard tests/bench/*.c))
 
-setup-bench: setup-build setup-targets
+setup-bench: setup-build setup-targets setup-rp2040js
 	@.ci/need "make bench" libnewlib-arm-none-eabi picolibc-riscv64-unknown-elf $(BENCH_HOST_PACKAGES)
-	@command -v npm >/dev/null || .ci/need "make bench: the emulator rp2040js" nodejs npm
-	@+$(SUBMAKE) -s $(BENCH_NPM)/done
 	@tests/bench/fixmath-source $(BENCH)/fixmath
+
+setup-rp2040js:
+	@command -v npm >/dev/null || .ci/need "the emulator rp2040js" nodejs npm
+	@+$(SUBMAKE) -s $(BENCH_NPM)/done
 
 # What package-lock.json says, checked by its hashes.
 $(BENCH_NPM)/done: tests/bench/package.json tests/bench/package-lock.json
 	@rm -rf $(@D) && mkdir -p $(@D) && cp $^ $(@D)
 	@npm ci --prefix $(@D) --ignore-scripts --no-audit --no-fund --loglevel=error >$(BENCH)/npm.log 2>&1 || \
-		{ tail -5 $(BENCH)/npm.log >&2; echo "make bench: npm could not install rp2040js" >&2; exit 1; }
+		{ tail -5 $(BENCH)/npm.log >&2; echo "make: npm could not install rp2040js" >&2; exit 1; }
 	@touch $@
 
 bench: ## set up what is missing, measure cycles, instructions, code size and the host; tables, and build/bench/*.json
@@ -61,4 +63,4 @@ $(BENCH_SCENE)/scene: tests/bench/scene/scene.c tests/bench/sphere.c tests/bench
 	@mkdir -p $(@D)
 	@$(CC) $(filter-out -MMD -MP,$(HOST_CFLAGS)) $(filter %.c %.o %.a,$^) -o $@ $(HOST_LDFLAGS) $(HOST_LDLIBS)
 
-.PHONY: setup-bench bench run-bench bench-programs
+.PHONY: setup-bench setup-rp2040js bench run-bench bench-programs

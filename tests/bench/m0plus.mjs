@@ -5,8 +5,8 @@ import { createRequire } from 'node:module'
 import { resolve } from 'node:path'
 import { KNOWN } from './calibrate.mjs'
 
-const RAM = 0x20000000
-const RETURN = 0x20041000 // a call is over when it comes here
+export const RAM = 0x20000000
+export const RETURN = 0x20041000 // a call is over when it comes here
 const STACK = 0x20040000
 
 // The parts of a 32-bit little-endian ELF file: what to load where, and the global symbols.
@@ -60,19 +60,32 @@ function strict({ chip, core }) {
   return halves
 }
 
-export function boot(packages, elf) {
+// The machine with the program loaded: its core, its SRAM as a buffer and as instructions, and the program's symbols.
+export function load(packages, elf) {
   const { RP2040 } = createRequire(resolve(packages, 'x'))('rp2040js')
   const chip = new RP2040()
   const { core } = chip
   const { symbols, images } = parseElf(elf)
   for (const [address, image] of images) chip.sram.set(image, address - RAM)
-  const forgetful = strict({ chip, core }).map(forgets) // by address; code does not change
-
+  const halves = strict({ chip, core })
   const address = (name) => {
     if (!symbols.has(name)) throw new Error(`${elf} has no symbol ${name}`)
     return symbols.get(name)
   }
   const memory = Buffer.from(chip.sram.buffer, chip.sram.byteOffset, chip.sram.length)
+  // Where a function begins: it has its arguments, and returns to RETURN.
+  const enter = (name, args) => {
+    args.forEach((value, i) => { core.registers[i] = value })
+    core.SP = STACK
+    core.LR = RETURN | 1
+    core.PC = (typeof name === 'string' ? address(name) : name) & ~1
+  }
+  return { core, memory, halves, symbols, address, enter }
+}
+
+export function boot(packages, elf) {
+  const { core, memory, halves, address, enter } = load(packages, elf)
+  const forgetful = halves.map(forgets) // by address; code does not change
   const word = (at) => memory.readUInt32LE(at - RAM)
   const half = (at) => memory.readInt16LE(at - RAM)
   const byte = (at) => memory[at - RAM]
@@ -82,10 +95,7 @@ export function boot(packages, elf) {
   // Runs a function, by its name or address. The cycles are those of its body: an empty function's, the 2 of its return, are
   // taken off.
   const call = (name, args = []) => {
-    args.forEach((value, i) => { core.registers[i] = value })
-    core.SP = STACK
-    core.LR = RETURN | 1
-    core.PC = (typeof name === 'string' ? address(name) : name) & ~1
+    enter(name, args)
     const before = core.cycles
     let missed = 0
     while (core.PC !== RETURN) {

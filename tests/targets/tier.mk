@@ -3,6 +3,7 @@
 setup-targets:
 	@.ci/need "tier targets (cross compilers, emulators)" gcc libc6-dev make python3-minimal gcc-arm-none-eabi \
 		gcc-riscv64-unknown-elf gcc-avr avr-libc simavr qemu-system-arm qemu-system-misc
+	@+$(SUBMAKE) -s setup-rp2040js || echo "setup: without rp2040js its machines are skipped" >&2
 
 test-targets: ## cross-compiled: no floating point, no writable data, stack; emulated: the host's results
 	@+tests/tier targets "$(SUBMAKE)"
