@@ -213,8 +213,9 @@ static void help_explains_every_option_and_fits_a_terminal(void **state)
 static void each_path_draws_the_sphere_within_its_error(void **state)
 {
     (void)state;
-    static const char *const names[] = {"span",        "colour-int16", "colour-int10", "colour-int8", "colour-span",
-                                        "small-int16", "small-int10",  "small-int8",   "small-span"};
+    static const char *const names[] = {"span",         "colour-int16", "colour-int10", "colour-int8", "colour-span",
+                                        "small-int16",  "small-int10",  "small-int8",   "small-span",  "albedo-int16",
+                                        "albedo-int10", "albedo-int8",  "albedo-span",  "palette"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         struct shading shading = {.model = GLINT_MSH,
                                   .n = 60,
@@ -239,11 +240,21 @@ static void each_path_draws_the_sphere_within_its_error(void **state)
             assert_in_range(abs(difference), 0, strstr(names[i], "span") ? 4 : 2);
             differ += difference != 0;
         }
-        assert_in_range(differ, 1, 96 * 96); /* it is another path, and a near one */
+        assert_in_range(differ, 1, 96 * 96 * 3 / 2); /* it is another path, and a near one */
         levels_free(exact);
         levels_free(levels);
         scene_free(scene);
     }
+}
+
+static void an_albedo_path_says_which_light_it_wants(void **state)
+{
+    (void)state;
+    const struct run *result =
+        run("$GLINT render --scene sphere --path albedo-int8 --format rgb565 --diffuse .9,.8,.7 -o out/albedo.png");
+    assert_int_equal(result->status, 1);
+    assert_contains(result->err, "--path albedo-int8: needs a grey --ambient and --diffuse of at most 1 together");
+    assert_int_equal(strcspn(result->err, "\n") + 1, strlen(result->err));
 }
 
 int main(void)
@@ -262,6 +273,7 @@ int main(void)
         cmocka_unit_test(each_option_of_light_and_material_changes_the_picture),
         cmocka_unit_test(help_explains_every_option_and_fits_a_terminal),
         cmocka_unit_test(each_path_draws_the_sphere_within_its_error),
+        cmocka_unit_test(an_albedo_path_says_which_light_it_wants),
     };
     return cmocka_run_group_tests_name("render", tests, make_maps, scratch_remove);
 }
