@@ -12,9 +12,8 @@ enum { SHINE = 2048, LEVELS = 392 /* three times 128, and some: whatever normals
 /* Where the channels lie, and what 1.0 is there. */
 static const struct glint_field fields[3] = {{11, 16, 31}, {21, 27, 63}, {0, 5, 31}};
 
-static uint32_t shine_word(const struct glint_shader *shader, uint32_t t_q30)
+static uint32_t shine_word(const struct glint_shader *shader, uint64_t f)
 {
-    const uint64_t f = glint_pixel_lobe(shader, t_q30);
     uint32_t word = 0;
     for (int k = 0; k < 3; k++)
         word |= glint_field_level(fields[k], glint_pixel_value(shader, k, 0, 0, 65535 * f)) << fields[k].at;
@@ -26,7 +25,7 @@ static uint32_t last_shine(const struct glint_shader *shader)
 {
     uint32_t t = 0;
     for (uint32_t bit = (uint32_t)1 << 30; bit; bit >>= 1)
-        if ((t | bit) <= shader->lobe.t_max_q30 && shine_word(shader, t | bit))
+        if ((t | bit) <= shader->lobe.t_max_q30 && shine_word(shader, glint_pixel_lobe(shader, t | bit)))
             t |= bit;
     return t;
 }
@@ -40,7 +39,7 @@ void glint_albedo_fill(struct glint_tables *tables, const struct glint_shader *s
     tables->colour.sums = memory + LEVELS / 4;
     tables->columns = (uint8_t *)tables->colour.sums; /* levels lie before it, the darkest last: one pointer for both */
     for (uint32_t i = 0; i < SHINE; i++)
-        tables->colour.sums[i] = shine_word(shader, glint_column_t(t_max, tables->shift, i));
+        tables->colour.sums[i] = shine_word(shader, glint_pixel_lobe(shader, glint_column_t(t_max, tables->shift, i)));
     for (int32_t row = 0; row < LEVELS; row++) {
         const uint32_t nl = row < 128 ? 512 * (uint32_t)row + 256 : 65536;
         tables->columns[-1 - row] = (uint8_t)((ambient * 32u + ((diffuse * nl) >> 11) + 32768) >> 16);

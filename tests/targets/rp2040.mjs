@@ -5,25 +5,39 @@ import { load, RAM, RETURN } from '../bench/m0plus.mjs'
 
 const [packages, elf] = process.argv.slice(2)
 const { core, memory, symbols, address, enter } = load(packages, elf)
-const names = new Array(memory.length / 2) // by where the library's functions begin
-for (const [name, at] of symbols) if (name.startsWith('glint_')) names[(at - RAM) >> 1] = name
+const names = new Map() // of the library's functions, by where they begin
+for (const [name, at] of symbols) if (name.startsWith('glint_')) names.set(at & ~1, name)
+const begins = new Uint8Array(memory.length / 2)
+for (const at of names.keys()) begins[(at - RAM) >> 1] = 1
 
-const kept = () => [...core.registers.slice(4, 12), core.SP]
+const kept = () => [...core.registers.subarray(4, 12), core.SP]
 const calls = [] // under way: name, where it returns, and what is to be as it was then
-enter('start', [])
-while (core.PC !== RETURN) {
-  const last = calls[calls.length - 1]
-  if (last && core.PC === last.back && core.SP >= last.kept[8]) {
-    if (kept().some((value, i) => value !== last.kept[i])) {
-      console.error(`${last.name} returns with other registers than it was given`)
-      process.exit(1)
-    }
-    calls.pop()
-    continue // a function that ends by calling another returns for it, too
+let back = 0 // where the last of them returns
+
+function leave() {
+  const { name, before } = calls.pop()
+  const now = kept()
+  if (now[8] < before[8]) return calls.push({ name, back, before }) // a call further in has the same place to return to
+  if (now.some((value, i) => value !== before[i])) {
+    console.error(`${name} returns with other registers than it was given`)
+    process.exit(1)
   }
-  const name = names[(core.PC - RAM) >> 1]
-  if (name) calls.push({ name, back: core.LR & ~1, kept: kept() })
-  core.executeInstruction()
+  back = calls.length ? calls[calls.length - 1].back : 0
 }
+
+function run() {
+  while (core.PC !== RETURN) {
+    let at = calls.length
+    while (core.PC === back && at--) leave() // a function that ends by calling another returns for it, too
+    if (begins[(core.PC - RAM) >> 1]) {
+      back = core.LR & ~1
+      calls.push({ name: names.get(core.PC), back, before: kept() })
+    }
+    core.executeInstruction()
+  }
+}
+
+enter('start', [])
+run()
 const text = address('machine_text') - RAM
 process.stdout.write(memory.toString('latin1', text, memory.indexOf(0, text)))
