@@ -9,7 +9,6 @@
 #include "stream.h"
 
 enum key { KEY_TO = 384, KEY_FPS, KEY_FRAMES, KEY_ORBIT, KEY_PERIOD, KEY_LIGHTS, KEY_STATS, KEY_JSON };
-enum { SINKS_MAX = 16 };
 static const double usual_period = 4;
 
 static const struct argp_option argp_options[] = {
@@ -39,17 +38,6 @@ static const struct argp_option argp_options[] = {
 static const char doc[] =
     "Shades a scene frame after frame as its light moves, and sends what changed to a display, to files or to a pipe."
     "\v"; /* and then what describe() writes */
-
-static const char examples[] =
-    "Ctrl-C ends the stream: the display is left in a defined state, and the exit status is 130.\n\n"
-    "Examples:\n"
-    "  glint stream watchface --frames 1\n"
-    "  glint stream dial --to usb --stats\n"
-    "  glint stream coin --to terminal --point 240,80,60,300,1,.7,.3\n"
-    "  glint stream --height wall.png --to ppm -o wall-%d.ppm --lights light.txt\n"
-    "  glint stream sphere --to raw --format rgb888 | ffplay -f rawvideo \\\n"
-    "      -pixel_format rgb24 -video_size 320x240 -\n"
-    "  glint stream dial --to none --json --link-rate 600\n";
 
 static void parse_scene(const struct argp_state *state, const char *text, struct stream_options *o)
 {
@@ -121,6 +109,7 @@ static void check(const struct argp_state *state, struct stream_options *o)
         o->frames = o->period > 0 ? (unsigned long)fmax(1, round(fps * o->period)) : 1;
     }
     check_output(state, o);
+    sink_options_check(state, o->kind);
     if (o->look.has_format)
         shading_options_check(state, shading);
 }
@@ -131,6 +120,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     switch (key) {
     case ARGP_KEY_INIT:
         state->child_inputs[0] = &o->look;
+        sink_options_inputs(&state->child_inputs[1]);
         return 0;
     case KEY_TO:
         parse_sink(state, text, o);
@@ -151,7 +141,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->period = parse_real(state, "--period", text, 0, 1e6);
         return 0;
     case KEY_LIGHTS:
-        o->lights = text;
+        o->lights = parse_output(state, "--lights", text);
         return 0;
     case KEY_STATS:
         o->stats = true;
@@ -170,7 +160,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     }
 }
 
-/* The sinks, with one line each, before the examples. */
+/* The sinks, with one line each, what they have to say, and their examples. */
 static char *describe(int key, const char *text, void *input)
 {
     (void)input;
@@ -185,18 +175,23 @@ static char *describe(int key, const char *text, void *input)
           stream);
     for (unsigned i = 0; sink_kinds[i]; i++)
         fprintf(stream, "  %-9s %s%s\n", sink_kinds[i]->name, sink_kinds[i]->summary, i ? "" : " (the default)");
-    fprintf(stream, "\n%s", examples);
+    for (unsigned i = 0; sink_kinds[i]; i++)
+        if (sink_kinds[i]->help)
+            fprintf(stream, "\n%s", sink_kinds[i]->help);
+    fputs(
+        "\nCtrl-C ends the stream: the display is left in a defined state, and the exit status is 130.\n\nExamples:\n",
+        stream);
+    for (unsigned i = 0; sink_kinds[i]; i++)
+        if (sink_kinds[i]->examples)
+            fputs(sink_kinds[i]->examples, stream);
     fclose(stream);
     return out;
 }
 
 int command_stream(int argc, char **argv)
 {
-    static struct argp_child children[SINKS_MAX + 2] = {{&shading_options_argp, 0, NULL, 0}};
-    unsigned count = 1;
-    for (unsigned i = 0; sink_kinds[i] && i < SINKS_MAX; i++)
-        if (sink_kinds[i]->options)
-            children[count++] = (struct argp_child){sink_kinds[i]->options, 0, NULL, 0};
+    static struct argp_child children[SINK_OPTIONS_MAX + 2] = {{&shading_options_argp, 0, NULL, 0}};
+    sink_options_children(children + 1);
     const struct argp argp = {argp_options, parse_option, "[SCENE]", doc, children, describe, NULL};
     struct stream_options options = {.kind = sink_kinds[0], .fps = USUAL_FPS, .orbit = NAN, .period = NAN};
     parse_command(&argp, argc, argv, &options);

@@ -12,47 +12,29 @@
 enum key { KEY_BUS = 256, KEY_CHIP, KEY_SPIDEV, KEY_SPI_HZ, KEY_LINES, KEY_BUS_CONFIG };
 enum { TEXTS = KEY_LINES - KEY_BUS };
 
+#define GROUP 50
 static const struct argp_option options[] = {
-    {NULL, 0, NULL, 0, "The wires to the panel (--to gpio, spi):", 50},
+    {NULL, 0, NULL, 0, "The wires to the panel (--to gpio, spi):", GROUP},
     {"lines", KEY_LINES, "ROLE=LINE,...", 0,
      "Which GPIO line does what; may be given again. LINE is a NAME, CHIP:OFFSET or CHIP:NAME (`glint list` shows "
-     "them); a ! "
-     "before it: active low. --bus spi: sck, mosi, dc, and if wired cs, reset, backlight. --bus 8080: d0 ... d7, wr, "
-     "dc, "
-     "and if wired cs, rd, reset, backlight. --to spi: dc, and if wired reset, backlight",
-     50},
-    {"bus", KEY_BUS, "KIND", 0, "--to gpio: spi (default: 4-wire, mode 0) or 8080 (8 bits)", 50},
-    {"chip", KEY_CHIP, "CHIP", 0, "Where lines are that name no chip; then a LINE may be an OFFSET", 50},
-    {"spidev", KEY_SPIDEV, "DEVICE", 0, "--to spi: the kernel's SPI device (default /dev/spidev0.0)", 50},
-    {"spi-hz", KEY_SPI_HZ, "N", 0,
-     "--to spi: bits a second (default 16000000; an ST7789 is good for 62500000 on short wires, an ILI9341 for "
-     "10000000 "
-     "by its data sheet and often 40000000)",
-     50},
+     "them); a ! before it: active low. --bus spi: sck, mosi, dc, and if wired cs, reset, backlight. --bus 8080: "
+     "d0 ... d7, wr, dc, and if wired cs, rd, reset, backlight. --to spi: dc, and if wired reset, backlight",
+     GROUP},
+    {"chip", KEY_CHIP, "CHIP", 0, "Where lines are that name no chip; then a LINE may be an OFFSET", GROUP},
     {"bus-config", KEY_BUS_CONFIG, "FILE", 0,
-     "All of this and the panel from a file; what the command line says goes before it", 50},
+     "All of this and the panel from a file; what the command line says goes before it", GROUP},
     {0}};
 
-static const char extra_doc[] =
-    "\vA bus's file has the long options' names, without dashes, and size; then the lines, each with its own:\n"
-    "\n"
-    "  # a 240x240 module on a Raspberry Pi\n"
-    "  bus = spi\n"
-    "  panel = st7789\n"
-    "  size = 240x240\n"
-    "  rotation = 90\n"
-    "  [lines]\n"
-    "  sck = GPIO11\n"
-    "  mosi = GPIO10\n"
-    "  dc = GPIO25\n"
-    "  reset = GPIO27\n"
-    "  backlight = GPIO18\n"
-    "\n"
-    "Examples:\n"
-    "  glint stream watchface --to gpio --bus-config pins.ini\n"
-    "  glint stream coin --to gpio --bus 8080 --panel ili9341 --size 320x240 --chip gpiochip0 "
-    "--lines d0=0,d1=1,d2=2,d3=3,d4=4,d5=5,d6=6,d7=7,wr=8,dc=9,cs=10,reset=11\n"
-    "  glint stream coin --to spi --spidev /dev/spidev0.0 --spi-hz 40000000 --lines dc=GPIO25,reset=GPIO27";
+static const struct argp_option line_options[] = {
+    {"bus", KEY_BUS, "KIND", 0, "--to gpio: spi (default: 4-wire, mode 0) or 8080 (8 bits)", GROUP}, {0}};
+
+static const struct argp_option spidev_options[] = {
+    {"spidev", KEY_SPIDEV, "DEVICE", 0, "--to spi: the kernel's SPI device (default /dev/spidev0.0)", GROUP},
+    {"spi-hz", KEY_SPI_HZ, "N", 0,
+     "--to spi: bits a second (default 16000000; an ST7789 is good for 62500000 on short wires, an ILI9341 for "
+     "10000000 by its data sheet and often 40000000)",
+     GROUP},
+    {0}};
 
 static const char *const bus_names[] = {"spi", "8080", NULL};
 
@@ -173,7 +155,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     return 0;
 }
 
-const struct argp gpio_options_argp = {options, parse_option, NULL, extra_doc, NULL, NULL, NULL};
+const struct argp gpio_options_argp = {options, parse_option, NULL, NULL, NULL, NULL, NULL};
+const struct argp gpio_line_options_argp = {line_options, parse_option, NULL, NULL, NULL, NULL, NULL};
+const struct argp gpio_spidev_options_argp = {spidev_options, parse_option, NULL, NULL, NULL, NULL, NULL};
 
 /* ---- the file ---- */
 

@@ -38,8 +38,8 @@ struct gpio_options {
     uint32_t spi_hz;
 };
 
-/* A child of sink_gpio's and sink_spi's argp: once. */
-extern const struct argp gpio_options_argp;
+/* What both sinks take, what only sink gpio does, and what only sink spi does. */
+extern const struct argp gpio_options_argp, gpio_line_options_argp, gpio_spidev_options_argp;
 extern const char *const gpio_role_names[ROLES];
 
 /* Reads the file, where one was given, and checks that the bus has the lines it needs and no others: ends the program through

@@ -3,6 +3,7 @@
 
 #include "host.h"
 #include "panel_options.h"
+#include "shade.h"
 
 enum key { KEY_PANEL = 256, KEY_ROTATION, KEY_SIZE, KEY_OFFSET, KEY_BGR, KEY_INVERT, KEY_END };
 
@@ -160,6 +161,8 @@ static void check_turn(const struct panel *panel)
 void panel_of_options(struct panel *panel, const struct sink_wish *wish, bool any_size)
 {
     uint16_t width, height;
+    if (wish->format >= 0 && wish->format != GLINT_RGB565 && wish->format != GLINT_RGB565_SWAPPED)
+        fail("--format: the panel's pixels are rgb565, not %s; leave it out", format_names[wish->format]);
     choose_size(wish, any_size, &width, &height);
     const bool known = usual_panel(panel, width, height);
     const char *name = controller_names[panel->controller];

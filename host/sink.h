@@ -71,18 +71,19 @@ struct sink_kind {
     const char *summary; /* one line for the help */
     enum sink_nature nature;
     bool takes_standard_output; /* so that words go to standard error */
-    const char
-        *usual_output; /* SINK_FILES: -o where none is given, and then a name without a number is one picture, the
-                               * last. NULL: -o must be given, with a place for the frame's number */
-    const struct argp
-        *options; /* its own options, a child of the stream's argp; parsed into the sink's file. Or NULL */
+    /* SINK_FILES: -o where none is given, and then a name without a number is one picture, the last. NULL: -o must be given,
+     * with a place for the frame's number. */
+    const char *usual_output;
+    /* Its own options, parsed into the sink's files, or NULL; ends with NULL. Sinks may share some. (sink_options.c) */
+    const struct argp *const *options;
+    const char *help, *examples; /* for the end of the help, whole lines; or NULL */
     /* Ends the program through fail() with one line where it cannot. Returns NULL only where interrupted. */
     struct sink *(*open)(const struct sink_wish *wish);
     /* Bytes of a box in the sink's own form, and the box's pixels in it. NULL: rows as the library wrote them, packed. */
     size_t (*box_bytes)(const struct sink *sink, const struct glint_box *box);
     void (*pack)(const struct sink *sink, const struct frame *frame, const struct glint_box *box, uint8_t *out);
-    /* The pieces of one frame, in order (none: only to SINK_FILES, which may want a file all the same); their data stays until the next send or close. Returns when they are sent or safely
-     * under way. */
+    /* The pieces of one frame, in order (none: only to SINK_FILES, which may want a file all the same); their data stays
+     * until the next send or close. Returns when they are sent or safely under way. */
     enum sink_result (*send)(struct sink *sink, const struct frame *frame, const struct piece *pieces, size_t count);
     /* Waits for what is under way, leaves the device in a defined state, frees. Also called when interrupted or failing:
      * must not fail() itself, only warn(). */
@@ -99,10 +100,16 @@ struct sink_kind {
 enum { USB_RATES = 2 };
 extern const double usb_rates[USB_RATES], usb_rectangle_s;
 
-extern const struct sink_kind sink_none, sink_panel, sink_png, sink_ppm, sink_raw, sink_terminal, sink_usb, sink_gpio,
-    sink_spi;
-/* Those compiled in, the default first; ends with NULL (sinks.c). */
+/* Those compiled in are named in sinks.def, and nowhere else. */
+#define SINK(name) extern const struct sink_kind sink_##name;
+#include "sinks.def"
+#undef SINK
+enum { SINKS_MAX = 16 };
+/* The default first; ends with NULL (sinks.c). */
 extern const struct sink_kind *const sink_kinds[];
+
+/* A text of a device's or a user's as JSON, which is UTF-8: where it is not, '?' stands for its bytes. (sinks.c) */
+json_t *json_text(const char *text);
 
 /* Has a signal asked the stream to end? For loops that wait. (stream.c) */
 bool stream_stopped(void);

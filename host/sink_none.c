@@ -72,11 +72,14 @@ static void close_none(struct sink *sink)
     free(sink);
 }
 
+static const struct argp *const options[] = {&argp, NULL};
+
 const struct sink_kind sink_none = {
     .name = "none",
     .summary = "nowhere: --stats tells what a USB display would be sent",
     .nature = SINK_PIPE,
-    .options = &argp,
+    .options = options,
+    .examples = "  glint stream dial --to none --json --link-rate 600\n",
     .open = open_none,
     .send = send_none,
     .close = close_none,

@@ -82,12 +82,16 @@ static void close_panel(struct sink *sink)
     free(sink);
 }
 
+static const struct argp *const options[] = {&panel_options_argp, NULL};
+
 const struct sink_kind sink_panel = {
     .name = "panel",
-    .summary = "a virtual panel on its bus's bytes; what it shows goes to PNG files",
+    .summary = "a virtual panel: what it shows goes to PNG files",
     .nature = SINK_FILES,
     .usual_output = "panel.png",
-    .options = &panel_options_argp,
+    .options = options,
+    .examples = "  glint stream watchface --frames 1\n"
+                "  glint stream coin --panel ili9341 --size 240x320 -o coin-%02d.png\n",
     .open = open_panel,
     .send = send_frame,
     .close = close_panel,

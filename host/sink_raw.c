@@ -37,6 +37,8 @@ const struct sink_kind sink_raw = {
     .summary = "pixels to standard output, frame after frame, lines packed",
     .nature = SINK_PIPE,
     .takes_standard_output = true,
+    .examples = "  glint stream sphere --to raw --format rgb888 | ffplay -f rawvideo \\\n"
+                "      -pixel_format rgb24 -video_size 320x240 -\n",
     .open = open_raw,
     .send = send_raw,
     .close = close_raw,

@@ -163,9 +163,10 @@ static char *library(void)
 
 const struct sink_kind sink_terminal = {
     .name = "terminal",
-    .summary = "this terminal, in pixels (kitty, sixel) or symbols; NO_COLOR is heeded",
+    .summary = "this terminal, in pixels (kitty, sixel) or symbols; heeds NO_COLOR",
     .nature = SINK_DEVICE,
     .takes_standard_output = true,
+    .examples = "  glint stream coin --to terminal --point 240,80,60,300,1,.7,.3\n",
     .open = open_terminal,
     .send = send_terminal,
     .close = close_terminal,

@@ -338,11 +338,15 @@ static char *usb_library(void)
     return asprintf(&text, "libusb %u.%u.%u", version->major, version->minor, version->micro) < 0 ? NULL : text;
 }
 
+static const struct argp *const usb_argps[] = {&usb_argp, NULL};
+
 const struct sink_kind sink_usb = {
     .name = "usb",
     .nature = SINK_DEVICE,
     .summary = "a USB display that speaks GUD, by libusb",
-    .options = &usb_argp,
+    .options = usb_argps,
+    .examples = "  glint stream dial --to usb --stats\n"
+                "  glint stream coin --to usb --usb-path 1-3.1 --wait\n",
     .open = usb_open,
     .box_bytes = usb_box_bytes,
     .pack = usb_pack,

@@ -34,7 +34,7 @@ static void describe(libusb_context *libusb, struct usb_device *device, json_t *
     struct gud_link link = {.context = &port, .control = usb_control};
     struct gud_display display;
     if (usb_port_open(&port, device->device, device->interface, NULL, &device->problem) != USB_OPENED) {
-        json_object_set_new(object, "problem", json_string(device->problem.text));
+        json_object_set_new(object, "problem", json_text(device->problem.text));
         return;
     }
     if (gud_display_read(&link, &display, false, &device->problem)) {
@@ -43,19 +43,9 @@ static void describe(libusb_context *libusb, struct usb_device *device, json_t *
         json_object_set_new(object, "lz4", json_boolean(display.descriptor.compression & GUD_COMPRESSION_LZ4));
         json_object_set_new(object, "max_buffer", json_integer(display.descriptor.max_buffer));
     } else {
-        json_object_set_new(object, "problem", json_string(device->problem.text));
+        json_object_set_new(object, "problem", json_text(device->problem.text));
     }
     usb_port_close(&port, false);
-}
-
-/* JSON is UTF-8; a device may say what is not. */
-static json_t *text_json(char *text)
-{
-    json_t *json = json_string(text);
-    for (char *at = text; !json && *at; at++)
-        if (*at & 0x80)
-            *at = '?';
-    return json ? json : json_string(text);
 }
 
 static json_t *device_json(libusb_context *libusb, struct usb_device *device)
@@ -65,14 +55,14 @@ static json_t *device_json(libusb_context *libusb, struct usb_device *device)
     char id[16];
     snprintf(id, sizeof id, "%04x:%04x", device->id >> 16, device->id & 0xffff);
     json_t *object =
-        json_pack("{s:s, s:s, s:o, s:o, s:s}", "path", device->path, "id", id, "serial", text_json(device->serial),
-                  "product", text_json(device->product), "state", states[device->state]);
+        json_pack("{s:s, s:s, s:o, s:o, s:s}", "path", device->path, "id", id, "serial", json_text(device->serial),
+                  "product", json_text(device->product), "state", states[device->state]);
     if (device->state == USB_KERNEL)
-        json_object_set_new(object, "driver", json_string(device->driver));
+        json_object_set_new(object, "driver", json_text(device->driver));
     else if (device->state == USB_DISPLAY)
         describe(libusb, device, object);
     else if (device->state == USB_NOT_DISPLAY)
-        json_object_set_new(object, "problem", json_string(device->problem.text));
+        json_object_set_new(object, "problem", json_text(device->problem.text));
     return object;
 }
 

@@ -1,24 +1,31 @@
 /* SPDX-License-Identifier: MIT
- * The sinks compiled in. */
+ * The sinks compiled in, and what they share. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "host.h"
 #include "sink.h"
 
-/* clang-format off */
 const struct sink_kind *const sink_kinds[] = {
-    &sink_panel,
-    &sink_png,
-    &sink_ppm,
-    &sink_raw,
-#if GLINT_WITH_TERMINAL
-    &sink_terminal,
-#endif
-#if GLINT_WITH_USB
-    &sink_usb,
-#endif
-#if GLINT_WITH_GPIO
-    &sink_gpio,
-    &sink_spi,
-#endif
-    &sink_none,
+#define SINK(name) &sink_##name,
+#include "sinks.def"
+#undef SINK
     NULL,
 };
-/* clang-format on */
+_Static_assert(sizeof sink_kinds / sizeof *sink_kinds <= SINKS_MAX + 1, "SINKS_MAX");
+
+json_t *json_text(const char *text)
+{
+    json_t *json = json_string(text);
+    if (json)
+        return json;
+    char *copy = strdup(text);
+    if (!copy)
+        fail("out of memory");
+    for (char *at = copy; *at; at++)
+        if (*at & 0x80)
+            *at = '?';
+    json = json_string(copy);
+    free(copy);
+    return json;
+}

@@ -27,9 +27,11 @@ int stream_run(const struct stream_options *options);
 /* ---- the light (stream_light.c) ---- */
 
 struct light_path;
+/* Opens the file of lights, where one is named. */
+struct light_path *light_path_new(const struct stream_options *options);
 /* The path of the shading's first directional light, else of its first point or spot about the picture's middle. */
-struct light_path *light_path_new(const struct stream_options *options, const struct shading *shading, uint32_t width,
-                                  uint32_t height);
+void light_path_start(struct light_path *path, const struct stream_options *options, const struct shading *shading,
+                      uint32_t width, uint32_t height);
 /* Moves the light to where it is `seconds` after the start, or to the next line's; false where there is none. */
 bool light_path_next(struct light_path *path, double seconds, struct shading *shading);
 void light_path_free(struct light_path *path);
@@ -45,5 +47,14 @@ void stats_print(const struct stream_stats *stats, bool json, FILE *stream);
 void stats_free(struct stream_stats *stats);
 
 double seconds_now(void); /* of a clock that only runs forward */
+
+/* ---- the options of sinks (sink_options.c) ---- */
+
+enum { SINK_OPTIONS_MAX = 2 * SINKS_MAX };
+/* Those of all sinks compiled in, as children of the stream's argp. */
+void sink_options_children(struct argp_child children[SINK_OPTIONS_MAX]);
+void sink_options_inputs(void **inputs); /* for argp's child_inputs, in the same order */
+/* Refuses what was given for another sink. */
+void sink_options_check(const struct argp_state *state, const struct sink_kind *kind);
 
 #endif
