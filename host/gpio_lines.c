@@ -9,6 +9,7 @@
 #include "gpio_lines.h"
 #include "host.h"
 #include "image.h"
+#include "sink.h"
 
 /* The lines of one chip that are set together. */
 struct group {
@@ -148,8 +149,7 @@ const char *gpio_lines_chip(const struct gpio_lines *lines, unsigned i)
 
 static json_t *text_or_null(const char *text)
 {
-    json_t *json = *text ? json_string(text) : NULL;
-    return json ? json : json_null(); /* also where it is not UTF-8 */
+    return *text ? json_text(text) : json_null();
 }
 
 static json_t *list_chip(struct gpio_chip *chip)

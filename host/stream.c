@@ -114,6 +114,7 @@ static bool start(struct stream *stream)
 {
     const struct stream_options *options = stream->options;
     struct scene_maps *maps = scene_maps_read(&options->look.scene);
+    stream->path = light_path_new(options); /* files are opened before anything is done to a device */
     choose_size(stream, maps);
     open_sink = options->kind->open(&stream->wish);
     if (!open_sink)
@@ -124,7 +125,7 @@ static bool start(struct stream *stream)
     stream->shading = shading_of_options(&options->look, sink->format, stream->scene);
     shading_options_check(NULL, &stream->shading);
     stream->canvas = canvas_new(stream->scene, &stream->shading);
-    stream->path = light_path_new(options, &stream->shading, sink->width, sink->height);
+    light_path_start(stream->path, options, &stream->shading, sink->width, sink->height);
     stream->plan = plan_new(sink);
     stream->stats = stats_new(sink);
     for (unsigned i = 0; i < 2; i++)
@@ -165,12 +166,7 @@ static bool find_again(struct stream *stream)
 static bool send_frame(struct stream *stream, unsigned long index)
 {
     const double fps = stream->options->fps > 0 ? stream->options->fps : USUAL_FPS;
-    if (!light_path_next(stream->path, (double)index / fps, &stream->shading)) {
-        if (!index && !stream_stopped())
-            fail("%s: holds no direction; lines of three numbers are wanted", stream->options->lights);
-        return false;
-    }
-    if (stream_stopped())
+    if (!light_path_next(stream->path, (double)index / fps, &stream->shading) || stream_stopped())
         return false;
     uint8_t *pixels = stream->pixels[index % 2];
     canvas_draw(stream->canvas, &stream->shading, pixels);

@@ -20,7 +20,8 @@ struct light_path {
     const char *name;
     char *line;
     size_t room;
-    unsigned long number;
+    unsigned long number; /* of the line */
+    bool any;             /* a direction was read */
 };
 
 static double dot(const double a[3], const double b[3])
@@ -78,25 +79,31 @@ static void open_lines(struct light_path *path, const char *name)
         fail("%s: cannot be read: %s", name, strerror(errno));
 }
 
-struct light_path *light_path_new(const struct stream_options *options, const struct shading *shading, uint32_t width,
-                                  uint32_t height)
+struct light_path *light_path_new(const struct stream_options *options)
 {
     struct light_path *path = allocate(1, sizeof *path);
     path->period = options->period;
+    if (options->lights)
+        open_lines(path, options->lights);
+    return path;
+}
+
+void light_path_start(struct light_path *path, const struct stream_options *options, const struct shading *shading,
+                      uint32_t width, uint32_t height)
+{
     while (path->lamp < shading->lamp_count && shading->lamps[path->lamp].kind != GLINT_DIRECTIONAL)
         path->lamp++;
     const bool directional = path->lamp < shading->lamp_count;
     if (!directional)
         path->lamp = 0;
     const struct lamp *lamp = &shading->lamps[path->lamp];
-    if (options->lights)
-        open_lines(path, options->lights);
-    else if (directional)
+    if (path->file)
+        return;
+    if (directional)
         set_orbit(path, shading, lamp,
                   isnan(options->orbit) && !options->look.has_light ? usual_orbit : options->orbit);
     else
         set_circle(path, lamp, width, height);
-    return path;
 }
 
 /* ---- lines ---- */
@@ -128,6 +135,8 @@ static bool next_line(struct light_path *path, struct shading *shading)
         if (length < 0) {
             if (ferror(path->file) && errno != EINTR)
                 fail("%s: cannot be read: %s", path->name, strerror(errno));
+            if (!path->any && !stream_stopped())
+                fail("%s: holds no direction; lines of three numbers are wanted", path->name);
             return false;
         }
         path->number++;
@@ -145,6 +154,7 @@ static bool next_line(struct light_path *path, struct shading *shading)
             fail("%s, line %lu: '%s' %s", path->name, path->number, text,
                  dot(lamp->direction, lamp->direction) > 0 ? "lies straight opposite to --view: there is no half vector"
                                                            : "has no direction; one of the three must not be 0");
+        path->any = true;
         return true;
     }
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * What the frames of a stream took, and what they would take over USB. */
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -80,7 +81,7 @@ void stats_add(struct stream_stats *stats, const struct plan_result *result)
     stats->last = seconds_now();
 }
 
-/* From the first frame to the last; 0 where there is one. */
+/* From the start to the last frame that was sent. */
 static double frames_a_second(const struct stream_stats *stats)
 {
     const double time = stats->last - stats->began;
@@ -127,12 +128,12 @@ static json_t *to_json(const struct stream_stats *stats)
                                                    "fps_mean", seconds > 0 ? json_real(rate(seconds)) : json_null(),
                                                    "fps_worst", worst > 0 ? json_real(rate(worst)) : json_null()));
     }
-    return json_pack("{s:s, s:s, s:I, s:I, s:f, s:f, s:I, s:{s:f, s:f, s:f}, s:{s:f, s:f}, s:f, s:o}", "sink",
-                     stats->sink, "device", stats->device, "frames", (json_int_t)stats->frames, "frames_unchanged",
-                     (json_int_t)stats->unchanged, "seconds", stats->last - stats->began, "fps", frames_a_second(stats),
-                     "first_frame_bytes", (json_int_t)stats->first_bytes, "frame_bytes", "before_mean",
-                     mean(s->whole_bytes, s), "mean", mean(s->bytes, s), "worst", s->worst_bytes, "rectangles", "mean",
-                     mean(s->rectangles, s), "worst", s->worst_rectangles, "changed_share",
+    return json_pack("{s:s, s:o, s:I, s:I, s:f, s:f, s:I, s:{s:f, s:f, s:f}, s:{s:f, s:f}, s:f, s:o}", "sink",
+                     stats->sink, "device", json_text(stats->device), "frames", (json_int_t)stats->frames,
+                     "frames_unchanged", (json_int_t)stats->unchanged, "seconds", stats->last - stats->began, "fps",
+                     frames_a_second(stats), "first_frame_bytes", (json_int_t)stats->first_bytes, "frame_bytes",
+                     "before_mean", mean(s->whole_bytes, s), "mean", mean(s->bytes, s), "worst", s->worst_bytes,
+                     "rectangles", "mean", mean(s->rectangles, s), "worst", s->worst_rectangles, "changed_share",
                      mean(s->changed, s) / stats->pixels, "predicted", predicted);
 }
 
@@ -160,6 +161,7 @@ static void print_text(const struct stream_stats *stats, FILE *stream)
 
 void stats_print(const struct stream_stats *stats, bool json, FILE *stream)
 {
+    errno = 0;
     if (json) {
         json_t *object = to_json(stats);
         json_dumpf(object, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
@@ -169,5 +171,6 @@ void stats_print(const struct stream_stats *stats, bool json, FILE *stream)
         print_text(stats, stream);
     }
     if (fflush(stream) != 0 || ferror(stream))
-        fail("standard %s: the figures could not be written", stream == stdout ? "output" : "error");
+        fail("standard %s: the figures could not be written: %s", stream == stdout ? "output" : "error",
+             strerror(errno));
 }

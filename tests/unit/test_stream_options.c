@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: MIT
+ * What `glint stream` refuses, in which words, and its help. */
+#include "files.h"
+
+#define SPHERE "$GLINT stream sphere --size 60x40 --to png "
+
+static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *options, *about;
+    } wrong[] = {
+        {"--to png -o out/x%d.png", "which surface?"},
+        {"sphere coin --to png -o out/x%d.png", "'coin' is a second scene"},
+        {"--scene sphere coin --to png -o out/x%d.png", "'coin' is a second scene"},
+        {"wall.png --to png -o out/x%d.png", "'wall.png' is no built-in scene (sphere, "},
+        {"sphere --to tv -o out/x%d.png", "--to: no 'tv'; one of these is wanted:"},
+        {"sphere --to png", "give -o frame-%04d.png"},
+        {"sphere --to ppm", "give -o frame-%04d.ppm"},
+        {"sphere --to png -o ''", "name a file"},
+        {"sphere --to png -o -", "--to raw"},
+        {"sphere --to png -o out/x.png", "--frames 1"},
+        {"sphere --to png -o out/x%d-%d.png", "2 places"},
+        {"sphere --to png -o out/x%s.png", "neither %d nor %04d"},
+        {"sphere --to png -o out/x%n.png", "neither %d nor %04d"},
+        {"sphere --to png -o out/x%12d.png", "neither %d nor %04d"},
+        {"sphere --to png -o out/x%*d.png", "neither %d nor %04d"},
+        {"sphere --to png -o out/x%", "neither %d nor %04d"},
+        {"sphere --to raw -o out/x%d.png", "writes no files"},
+        {"sphere --to png -o out/x%d.png --fps -1", "--fps: '-1' is not a number from 0 to 1000"},
+        {"sphere --to png -o out/x%d.png --frames 0", "--frames: '0' is not a whole number from 1"},
+        {"sphere --to png -o out/x%d.png --orbit 180", "from 0 to 179"},
+        {"sphere --to png -o out/x%d.png --period -4", "--period"},
+        {"sphere --to png -o out/x%d.png --lights l --orbit 3", "leave out --orbit"},
+        {"sphere --to png -o out/x%d.png --lights l --period 3", "leave out --period"},
+        {"sphere --to png -o out/x%d.png --lights l --point 1,1,1,9", "moves a --light"},
+        {"sphere --to png -o out/x%d.png --orbit 9 --point 1,1,1,9", "--orbit is for a --light"},
+        {"--height - --to png -o out/x%d.png --lights -", "only one of --lights and the maps"},
+        {"sphere --to png -o out/x%d.png --path colour-int8 --format rgb888", "needs --format rgb565"},
+        {"sphere --to png -o out/x%d.png --light 0,0,-1", "opposite"},
+        {"sphere --to none --link-rate 0", "--link-rate: '0' is not a number from 0.001"},
+        {"sphere --to none --link-rectangle -1", "--link-rectangle: '-1' is not a number from 0"},
+        {"sphere --to none --lights ''", "--lights: '' is no name"},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "$GLINT stream %s", wrong[i].options);
+        assert_refused(line, wrong[i].about);
+    }
+    assert_refused("$GLINT list usb", "'usb' is not an option");
+    assert_int_equal(files_in("out"), 0);
+}
+
+static void a_wrong_line_of_lights_is_named_by_its_number(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *lines, *about;
+    } wrong[] = {
+        {"1 1 1\\n\\n1 1\\n", "lights.txt, line 3: '1 1' is not a direction"},
+        {"1 1 1 1\\n", "line 1"},
+        {"1,,1,1\\n", "line 1"},
+        {"1-1-1\\n", "line 1"},
+        {"one 1 1\\n", "'one 1 1'"},
+        {"1 1 inf\\n", "line 1"},
+        {"0 0 0\\n", "line 1: '0 0 0' has no direction"},
+        {"1 1 1\\n0 0 -2\\n", "line 2: '0 0 -2' lies straight opposite"},
+        {"1 1 1\\0001\\n", "line 1"},
+        {"# nothing\\n", "lights.txt: holds no direction"},
+        {"", "lights.txt: holds no direction"},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "printf '%s' >lights.txt; " SPHERE "--to raw --lights lights.txt >frames",
+                 wrong[i].lines);
+        assert_fails(line, wrong[i].about);
+    }
+    assert_fails(SPHERE "--to raw --lights - </dev/null", "standard input: holds no direction");
+    assert_fails(SPHERE "--to raw --lights none.txt >frames", "none.txt: cannot be read: No such file");
+    assert_fails(SPHERE "--to raw --lights . >frames", ".: cannot be read: Is a directory");
+}
+
+static void options_of_another_sink_are_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *options, *about;
+    } wrong[] = {
+        {"--to raw --link-rate 500", "--link-rate: is for --to none; --to raw has no use for it"},
+        {"--to png -o out/%d.png --panel ili9341", "--panel: is for --to panel"},
+#if GLINT_WITH_USB
+        {"--usb-path 1-3", "--usb-path: is for --to usb; --to panel has no use for it: leave it out"},
+        {"--to none --detach --wait", "--detach: is for --to usb"},
+        {"--to usb --link-raw", "--link-raw: is for --to none; --to usb"},
+#endif
+#if GLINT_WITH_GPIO
+        {"--to png -o out/%d.png --bgr", "--bgr: is for --to panel, gpio, spi; --to png"},
+        {"--bus-config pins.ini", "--bus-config: is for --to gpio, spi; --to panel"},
+        {"--to spi --lines dc=A --bus 8080", "--bus: is for --to gpio; --to spi"},
+        {"--to gpio --bus 8080 --spidev /dev/null", "--spidev: is for --to spi; --to gpio"},
+        {"--to gpio --spi-hz 4000000", "--spi-hz: is for --to spi; --to gpio"},
+#endif
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "$GLINT stream sphere --frames 1 %s", wrong[i].options);
+        assert_refused(line, wrong[i].about);
+    }
+    assert_quiet("$GLINT stream sphere --frames 1 --panel ili9341 --bgr=no --to panel -o out/p.png && rm out/p.png");
+    assert_int_equal(files_in("out"), 0);
+}
+
+static void panels_take_no_format_but_their_own(void **state)
+{
+    (void)state;
+    assert_fails("$GLINT stream sphere --frames 1 --format mono -o out/p.png",
+                 "--format: the panel's pixels are rgb565, not mono");
+    assert_int_equal(files_in("out"), 0);
+    assert_quiet("$GLINT stream sphere --frames 1 --format rgb565 -o out/p.png && rm out/p.png");
+}
+
+static void the_help_has_one_block_of_examples_that_fit_a_line(void **state)
+{
+    (void)state;
+    const struct run *result = run("$GLINT stream --help");
+    const char *examples = strstr(result->out, "\nExamples:\n");
+    assert_non_null(examples);
+    assert_null(strstr(examples + 1, "\nExamples:\n"));
+    char *lines = strdup(examples + 1);
+    unsigned count = 0;
+    for (char *line = strtok(lines, "\n"); (line = strtok(NULL, "\n")); count++)
+        if (strncmp(line, "  ", 2) != 0) /* what was wrapped begins at the left */
+            fail_msg("not an example, or more than a line: '%s'", line);
+    assert_true(count > 4);
+    free(lines);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(wrong_usage_is_said_with_what_is_allowed_and_ends_with_2),
+        cmocka_unit_test(a_wrong_line_of_lights_is_named_by_its_number),
+        cmocka_unit_test(options_of_another_sink_are_refused),
+        cmocka_unit_test(panels_take_no_format_but_their_own),
+        cmocka_unit_test(the_help_has_one_block_of_examples_that_fit_a_line),
+    };
+    return cmocka_run_group_tests(tests, make_maps, scratch_remove);
+}
