@@ -269,9 +269,9 @@ static int send_whole(struct usb_sink *usb, const struct frame *frame, struct gu
     if (!data)
         fail("%s: out of memory", usb->name);
     int fault = 0;
-    for (uint16_t y = 0; y < frame->height && !fault; y = (uint16_t)(y + lines)) {
+    for (unsigned y = 0; y < frame->height && !fault; y += lines) { /* y + lines may be more than 16 bits hold */
         const uint16_t left = (uint16_t)(frame->height - y);
-        const struct glint_box box = {0, y, frame->width, left < lines ? left : lines};
+        const struct glint_box box = {0, (uint16_t)y, frame->width, left < lines ? left : lines};
         const size_t bytes = gud_box_bytes(usb->choice.format, &box);
         gud_box_pack(usb->choice.format, frame, &box, data);
         fault = send_pieces(usb, &(struct piece){box, false, bytes, bytes, data}, 1, true, problem);
