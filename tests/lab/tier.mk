@@ -82,4 +82,6 @@ run-lab: lab-programs
 		"env GADGET=$(CURDIR)/$(linux)/glint-gadget FAULTY=$(CURDIR)/$(linux)/faulty-gadget \
 			tests/lab/guest $(BUILD)/tests/lab/test_gud_drm"
 
+include tests/lab/fuzz.mk
+
 .PHONY: usb-programs usb-rate glint-gpiod2 setup-lab test-lab run-lab lab-programs
