@@ -8,8 +8,9 @@
 #include "host.h"
 #include "stream.h"
 
-enum key { KEY_TO = 384, KEY_FPS, KEY_FRAMES, KEY_ORBIT, KEY_PERIOD, KEY_LIGHTS, KEY_STATS, KEY_JSON };
+enum key { KEY_TO = 384, KEY_FPS, KEY_FRAMES, KEY_ORBIT, KEY_PERIOD, KEY_LIGHTS, KEY_STATS, KEY_JSON, KEY_SHADE };
 static const double usual_period = 4;
+static const char *const shade_names[] = {"host", "device", NULL};
 
 static const struct argp_option argp_options[] = {
     {NULL, 0, NULL, 0, "The light that moves:", 5},
@@ -30,6 +31,11 @@ static const struct argp_option argp_options[] = {
      "Frames of a second of the light's way (default 30); devices are paced by it. 0: as fast as they take them", 6},
     {"frames", KEY_FRAMES, "N", 0,
      "End after so many (default: devices go on until Ctrl-C; files and pipes end after one turn of the light)", 6},
+    {"shade", KEY_SHADE, "WHERE", 0,
+     "Who shades: host (default), or device: one that can gets the normals and the material once, then 16 bytes a "
+     "frame "
+     "(--to usb). It draws as --path colour-int8 does, in one colour, under one white --light",
+     6},
     {"stats", KEY_STATS, NULL, 0,
      "Print at the end what was sent, and what it would take over USB; on a terminal also while it runs", 6},
     {"json", KEY_JSON, NULL, 0, "The same as JSON; on standard error where frames go to standard output", 6},
@@ -110,6 +116,8 @@ static void check(const struct argp_state *state, struct stream_options *o)
     }
     check_output(state, o);
     sink_options_check(state, o->kind);
+    if (o->shade_device && !o->kind->open_shader)
+        refuse(state, "--shade device: --to %s has none that shades; give --to usb", o->kind->name);
     if (o->look.has_format)
         shading_options_check(state, shading);
 }
@@ -142,6 +150,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case KEY_LIGHTS:
         o->lights = parse_output(state, "--lights", text);
+        return 0;
+    case KEY_SHADE:
+        o->shade_device = parse_choice(state, "--shade", text, shade_names) == 1;
         return 0;
     case KEY_STATS:
         o->stats = true;

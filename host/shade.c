@@ -21,8 +21,7 @@ unsigned format_max(enum glint_format format, unsigned channel)
     return format == GLINT_MONO ? 1 : 255;
 }
 
-/* A direction in whole numbers: the longest part becomes 2^30. */
-static void to_integers(const double direction[3], int32_t out[3])
+void direction_integers(const double direction[3], int32_t out[3])
 {
     const double longest = fmax(fabs(direction[0]), fmax(fabs(direction[1]), fabs(direction[2])));
     for (unsigned k = 0; k < 3; k++)
@@ -55,8 +54,8 @@ enum glint_err shading_lamp(const struct shading *shading, unsigned i, struct gl
     enum glint_err error = GLINT_ERR_ARG;
     switch (lamp->kind) {
     case GLINT_DIRECTIONAL:
-        to_integers(lamp->direction, to_light);
-        to_integers(shading->view, to_viewer);
+        direction_integers(lamp->direction, to_light);
+        direction_integers(shading->view, to_viewer);
         error = glint_lamp_directional(out, to_light, to_viewer);
         break;
     case GLINT_POINT:
@@ -89,7 +88,7 @@ static struct glint_shader shader_of(const struct shading *shading, struct glint
         if (shading_lamp(shading, i, &lamps[i]) != GLINT_OK)
             fail("the library refused light %u", i + 1);
     int32_t to_viewer[3];
-    to_integers(shading->view, to_viewer);
+    direction_integers(shading->view, to_viewer);
     if (shading_is_plain(shading))
         shader.light = lamps[0].light;
     else if (glint_vec_normalize(&shader.light.v, to_viewer) != GLINT_OK)
@@ -101,6 +100,12 @@ static struct glint_shader shader_of(const struct shading *shading, struct glint
         shader.material.albedo[k] = shading->color[k];
     }
     return shader;
+}
+
+struct glint_shader shading_shader(const struct shading *shading)
+{
+    struct glint_lamp lamps[GLINT_LAMPS_MAX];
+    return shader_of(shading, lamps);
 }
 
 size_t format_line_bytes(enum glint_format format, size_t width)

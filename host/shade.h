@@ -54,6 +54,10 @@ unsigned format_max(enum glint_format format, unsigned channel);
 
 /* A lamp as the library takes it, or what the library has against it. */
 enum glint_err shading_lamp(const struct shading *shading, unsigned i, struct glint_lamp *lamp);
+/* A direction in whole numbers, as the library is given it: the longest part becomes 2^30. */
+void direction_integers(const double direction[3], int32_t out[3]);
+/* As the library takes it, lit by the first light where shading_is_plain. */
+struct glint_shader shading_shader(const struct shading *shading);
 /* Is it lit by one white directional light, which every path can draw? */
 bool shading_is_plain(const struct shading *shading);
 struct levels *shade_scene(const struct scene *scene, const struct shading *shading);

@@ -85,6 +85,11 @@ struct sink_kind {
     /* The pieces of one frame, in order (none: only to SINK_FILES, which may want a file all the same); their data stays
      * until the next send or close. Returns when they are sent or safely under way. */
     enum sink_result (*send)(struct sink *sink, const struct frame *frame, const struct piece *pieces, size_t count);
+    /* --shade device: a device that shades by itself is opened by open_shader, gets the scene once (normals as
+     * GLINT_NORMALS_INT8, the shader's light does not matter), then a light a frame. NULL: no device of this kind does. */
+    struct sink *(*open_shader)(const struct sink_wish *wish);
+    enum sink_result (*send_scene)(struct sink *sink, const struct glint_shader *shader, const uint32_t *normals);
+    enum sink_result (*send_light)(struct sink *sink, const int32_t to_light[3], size_t *bytes);
     /* Waits for what is under way, leaves the device in a defined state, frees. Also called when interrupted or failing:
      * must not fail() itself, only warn(). */
     void (*close)(struct sink *sink);

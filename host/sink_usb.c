@@ -9,7 +9,7 @@
 
 /* ---- options ---- */
 
-static struct usb_options options;
+struct usb_options usb_options;
 
 enum key { KEY_VID_PID = 0x600, KEY_SERIAL, KEY_USB_PATH, KEY_DETACH, KEY_WAIT };
 
@@ -46,21 +46,21 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
 {
     switch (key) {
     case KEY_VID_PID:
-        options.id = parse_id(state, text);
+        usb_options.id = parse_id(state, text);
         return 0;
     case KEY_SERIAL:
         if (!*text)
             refuse(state, "--serial: the serial number is empty; see glint list");
-        options.serial = text;
+        usb_options.serial = text;
         return 0;
     case KEY_USB_PATH:
-        options.path = parse_path(state, text);
+        usb_options.path = parse_path(state, text);
         return 0;
     case KEY_DETACH:
-        options.detach = true;
+        usb_options.detach = true;
         return 0;
     case KEY_WAIT:
-        options.wait = true;
+        usb_options.wait = true;
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -142,8 +142,8 @@ static enum usb_attempt connect_display(struct usb_sink *usb, const struct usb_d
 {
     struct gud_problem problem = {GUD_LINK_ERROR, "the kernel's driver has taken it"};
     const char *name = usb_name(device, usb->name, sizeof usb->name);
-    const enum usb_opened opened =
-        usb_port_open(&usb->port, device->device, device->interface, options.detach ? &usb->detached : NULL, &problem);
+    const enum usb_opened opened = usb_port_open(&usb->port, device->device, device->interface,
+                                                 usb_options.detach ? &usb->detached : NULL, &problem);
     if (opened == USB_OPENED) {
         usb->port.bulk_out = device->bulk_out;
         if (configure(usb, wish, &problem))
@@ -160,9 +160,9 @@ static enum usb_attempt connect_display(struct usb_sink *usb, const struct usb_d
 static void remember(const struct usb_device *device)
 {
     static char serial[sizeof device->serial];
-    options.id = device->id;
-    if (!options.serial && *device->serial)
-        options.serial = strcpy(serial, device->serial);
+    usb_options.id = device->id;
+    if (!usb_options.serial && *device->serial)
+        usb_options.serial = strcpy(serial, device->serial);
 }
 
 static struct usb_sink *new_sink(void)
@@ -188,8 +188,8 @@ static enum usb_attempt try_open(const struct sink_wish *wish, struct usb_sink *
     static bool was_detached; /* the driver is given back also after a display came again without it */
     struct usb_sink *usb = new_sink();
     enum usb_attempt attempt;
-    usb_find(usb->port.libusb, &options, &found);
-    const struct usb_device *device = usb_choose(&found, &options, line, size, &attempt);
+    usb_find(usb->port.libusb, &usb_options, &found);
+    const struct usb_device *device = usb_choose(&found, &usb_options, line, size, &attempt);
     if (device)
         attempt = connect_display(usb, device, wish, line, size);
     if (attempt == USB_TRY_OPENED)
@@ -214,7 +214,7 @@ static struct sink *usb_open(const struct sink_wish *wish)
         if (stream_stopped())
             return NULL;
         const bool may_pass = attempt == USB_TRY_AGAIN || (attempt == USB_TRY_DENIED && ++denied < DENIED_TRIES);
-        if (!options.wait || !may_pass)
+        if (!usb_options.wait || !may_pass)
             fail("%s", line);
         progress("waiting for a USB display; Ctrl-C ends it");
         pause_ms(WAIT_MS);
@@ -290,7 +290,7 @@ static int send_whole(struct usb_sink *usb, const struct frame *frame, struct gu
 static int restart(struct usb_sink *usb, const struct frame *frame, struct gud_problem *problem)
 {
     usb->port.fault = 0;
-    if (!usb_port_claim_again(&usb->port, options.detach ? &usb->detached : NULL, problem) ||
+    if (!usb_port_claim_again(&usb->port, usb_options.detach ? &usb->detached : NULL, problem) ||
         !gud_start(&usb->link, &usb->display, &usb->choice, problem))
         return problem->fault;
     return send_whole(usb, frame, problem);
@@ -313,7 +313,7 @@ static enum sink_result usb_send(struct sink *sink, const struct frame *frame, c
     if (fault == GUD_LINK_STOPPED)
         return SINK_INTERRUPTED;
     usb->gone = fault == GUD_LINK_GONE;
-    if (usb->gone && !options.wait)
+    if (usb->gone && !usb_options.wait)
         fail("%s: unplugged; start again when it is back, or use --wait", usb->name);
     if (usb->gone)
         warn("%s: unplugged; waiting for its return", usb->name);
@@ -346,11 +346,15 @@ const struct sink_kind sink_usb = {
     .summary = "a USB display that speaks GUD, by libusb",
     .options = usb_argps,
     .examples = "  glint stream dial --to usb --stats\n"
+                "  glint stream --height wall.png --size 240x240 --to usb --shade device --fps 60\n"
                 "  glint stream coin --to usb --usb-path 1-3.1 --wait\n",
     .open = usb_open,
     .box_bytes = usb_box_bytes,
     .pack = usb_pack,
     .send = usb_send,
+    .open_shader = usb_open_shader,
+    .send_scene = usb_send_scene,
+    .send_light = usb_send_light,
     .close = usb_close,
     .list = usb_list,
     .list_print = usb_list_print,

@@ -15,6 +15,14 @@ struct usb_options {
     bool detach, wait;
 };
 
+extern struct usb_options usb_options; /* (sink_usb.c) */
+
+/* ---- devices that shade (sink_usb_light.c) ---- */
+
+struct sink *usb_open_shader(const struct sink_wish *wish);
+enum sink_result usb_send_scene(struct sink *sink, const struct glint_shader *shader, const uint32_t *normals);
+enum sink_result usb_send_light(struct sink *sink, const int32_t to_light[3], size_t *bytes);
+
 /* ---- finding (sink_usb_find.c) ---- */
 
 enum usb_state {

@@ -109,6 +109,12 @@ static void choose_size(struct stream *stream, const struct scene_maps *maps)
                            .output = stream->options->output};
 }
 
+static struct sink *open_wished(const struct stream *stream)
+{
+    const struct sink_kind *kind = stream->options->kind;
+    return (stream->options->shade_device ? kind->open_shader : kind->open)(&stream->wish);
+}
+
 /* False where interrupted. */
 static bool start(struct stream *stream)
 {
@@ -116,7 +122,7 @@ static bool start(struct stream *stream)
     struct scene_maps *maps = scene_maps_read(&options->look.scene);
     stream->path = light_path_new(options); /* files are opened before anything is done to a device */
     choose_size(stream, maps);
-    open_sink = options->kind->open(&stream->wish);
+    open_sink = open_wished(stream);
     if (!open_sink)
         return false;
     const struct sink *sink = open_sink;
@@ -151,7 +157,7 @@ static bool find_again(struct stream *stream)
     const struct sink old = *open_sink;
     close_sink();
     stream->known = false;
-    open_sink = stream->options->kind->open(&stream->wish);
+    open_sink = open_wished(stream);
     if (!open_sink)
         return false;
     if (open_sink->width != old.width || open_sink->height != old.height || open_sink->format != old.format)
@@ -162,12 +168,33 @@ static bool find_again(struct stream *stream)
     return true;
 }
 
+/* To a device that shades: the scene where it does not have it, and the light. */
+static bool send_light(struct stream *stream)
+{
+    struct plan_result result;
+    for (;;) {
+        enum sink_result sent =
+            stream->known ? SINK_SENT : device_send_scene(open_sink, stream->scene, &stream->shading);
+        if (sent == SINK_SENT)
+            sent = device_send_light(open_sink, &stream->shading, &result);
+        if (sent == SINK_SENT) {
+            stream->known = true;
+            stats_add(stream->stats, &result);
+            return true;
+        }
+        if (sent == SINK_INTERRUPTED || !find_again(stream))
+            return false;
+    }
+}
+
 /* Frame `index`; false where it is the end. */
 static bool send_frame(struct stream *stream, unsigned long index)
 {
     const double fps = stream->options->fps > 0 ? stream->options->fps : USUAL_FPS;
     if (!light_path_next(stream->path, (double)index / fps, &stream->shading) || stream_stopped())
         return false;
+    if (stream->options->shade_device)
+        return send_light(stream);
     uint8_t *pixels = stream->pixels[index % 2];
     canvas_draw(stream->canvas, &stream->shading, pixels);
     for (;;) {

@@ -19,10 +19,18 @@ struct stream_options {
     double period;        /* seconds; 0: the light stands still */
     const char *lights;   /* file, "-", or NULL */
     bool stats, json;
+    bool shade_device; /* the device shades, and gets lights */
 };
 
 /* Returns the exit status. */
 int stream_run(const struct stream_options *options);
+
+/* ---- devices that shade (stream_shade.c) ---- */
+
+/* Why a device cannot shade so: the end of "--shade device: ...", or NULL where it can. Sets the one colour there is. */
+const char *device_refusal(const struct scene *scene, const struct shading *shading, struct glint_shader *shader);
+enum sink_result device_send_scene(struct sink *sink, const struct scene *scene, const struct shading *shading);
+enum sink_result device_send_light(struct sink *sink, const struct shading *shading, struct plan_result *result);
 
 /* ---- the light (stream_light.c) ---- */
 

@@ -43,7 +43,7 @@ int light_device_setup(struct light_device *d, const struct gud_setup *setup, ui
     if (setup->value != 0)
         return refuse(d, GUD_PARAMETER);
     if (setup->request == LIGHT_GET_STATUS) {
-        reply[0] = d->status;
+        reply[0] = d->status == GUD_OK && (d->count || d->is_drawing) ? GUD_BUSY : d->status;
     } else if (in) {
         const struct light_descriptor descriptor = {d->width, d->height};
         light_descriptor_pack(reply, &descriptor);

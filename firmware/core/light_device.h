@@ -22,6 +22,7 @@ struct light_device {
     bool enabled;      /* the host wants the panel */
     bool has_material; /* and the material below */
     bool has_map;      /* all of it, and it is one */
+    bool is_drawing;   /* yours to set: the last light's frame is not whole on the panel */
     bool is_new;       /* material or map are others than when you last set this to false */
     struct light_material material;
 

@@ -19,7 +19,8 @@
 /* Control requests: bmRequestType c1 (in) or 41 (out), wValue 0, wIndex = the interface. No number is one of GUD's but the
  * first, which means the same. */
 enum light_request {
-    LIGHT_GET_STATUS = 0x00,     /* 1 byte, enum gud_status, of the last request or bulk data */
+    LIGHT_GET_STATUS =
+        0x00, /* 1 byte, enum gud_status: of the last request or bulk data; GUD_BUSY while a light waits or is drawn */
     LIGHT_GET_DESCRIPTOR = 0xa0, /* struct light_descriptor */
     LIGHT_SET_ENABLE = 0xa1,     /* 1 byte: 0 or 1 */
     LIGHT_SET_MATERIAL = 0xa2,   /* struct light_material */

@@ -23,6 +23,18 @@ const look = () => { pico.run(() => false, 1); return judge.look(pico.wires.tran
 const seen = [] // a picture after each transfer of pixels, while they are collected
 let collects = false
 const bridge = new UsbIp(host, 3, () => { if (collects) seen.push(look()) })
+// The picture at the end of every whole frame, while they are collected.
+const frames = []
+let collects_frames = false, was_whole = false
+const plain_sent = pico.wires.sent.bind(pico.wires)
+pico.wires.sent = (spi) => {
+  plain_sent(spi)
+  const is_whole = pico.wires.pixels === 2 * width * height
+  if (is_whole && !was_whole && collects_frames && /lights\r\n$/.test(pico.uart)) frames.push(judge.look(lit(pico.wires.transcript())))
+  was_whole = is_whole
+}
+// The first frame of an owner is complete before the display is switched on.
+const lit = (transcript) => Buffer.concat([transcript, Buffer.from('C\x29B\x01', 'latin1')])
 const breathe = () => new Promise((resolve) => setImmediate(resolve))
 
 // Emulates and serves the kernel until done(), at most so many seconds.
@@ -78,6 +90,22 @@ await run([
       while (at < seen.length && !seen[at].equals(wanted)) at++
       check(at < seen.length, `frame ${i} is not among the ${seen.length} pictures on the panel`)
     }
+  }],
+  ['glint stream --shade device sends 16 bytes a frame while the kernel keeps the display, and the panel shows what glint draws', async () => {
+    const FRAMES = 12
+    const scene = ['stream', '--height=tests/data/rockwall-height.png', `--size=${width}x${height}`, '--fps=0', `--frames=${FRAMES}`]
+    const files = `${process.env.TMPDIR ?? '/tmp'}/shade-%d.ppm`
+    await command([glint, ...scene, '--format=rgb565', '--path=colour-int8', '--to=ppm', '-o', files], 60)
+    frames.length = 0
+    collects_frames = true
+    const text = await command([glint, ...scene, '--to=usb', '--shade=device', '--json'], 120)
+    collects_frames = false
+    const wanted = Array.from({ length: FRAMES }, (_, i) => readFileSync(files.replace('%d', i)))
+    equal(frames.length, FRAMES, `frames on the panel; glint says ${text}`)
+    wanted.forEach((file, i) => judge.same(frames[i], file.subarray(file.length - 3 * width * height), `frame ${i}`))
+    const figures = JSON.parse(text.slice(text.indexOf('{')))
+    equal(figures.frame_bytes.mean, 16, 'bytes a frame')
+    check(existsSync('/dev/fb0'), 'the kernel\'s driver has lost the display')
   }],
   ['the kernel\'s driver has the display back afterwards', async () => {
     await serve(() => existsSync('/dev/fb0'), 30, '/dev/fb0')

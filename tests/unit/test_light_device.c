@@ -243,6 +243,22 @@ static void lights_queue_up_and_what_has_no_room_is_to_wait(void **state)
     assert_false(light_device_next(&device, to_light));
 }
 
+static void the_status_is_busy_until_the_last_frame_is_drawn(void **state)
+{
+    (void)state;
+    int32_t to_light[3];
+    assert_true(enable(1) && set_material(&material));
+    send_map(64);
+    assert_int_equal(status(), GUD_OK);
+    send_light(1);
+    assert_int_equal(status(), GUD_BUSY);
+    assert_true(light_device_next(&device, to_light));
+    device.is_drawing = true;
+    assert_int_equal(status(), GUD_BUSY);
+    device.is_drawing = false;
+    assert_int_equal(status(), GUD_OK);
+}
+
 static void a_reset_forgets_everything(void **state)
 {
     (void)state;
@@ -286,6 +302,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(a_normal_far_from_unit_length_spoils_the_map, begin, end),
         cmocka_unit_test_setup_teardown(every_normal_that_the_library_packs_is_taken, begin, end),
         cmocka_unit_test_setup_teardown(lights_queue_up_and_what_has_no_room_is_to_wait, begin, end),
+        cmocka_unit_test_setup_teardown(the_status_is_busy_until_the_last_frame_is_drawn, begin, end),
         cmocka_unit_test_setup_teardown(a_reset_forgets_everything, begin, end),
         cmocka_unit_test_setup_teardown(whatever_comes_only_the_map_is_written_to, begin, end),
     };

@@ -190,6 +190,7 @@ static void draw(enum owner owner, bool *is_shown)
     const bool was_in_frame = relight.in_frame;
     if (relight_step(&relight) == RELIGHT_BUS_FAILED)
         fail("the panel's bus");
+    light.is_drawing = owner == LIGHT_HOST && (relight.in_frame || relight.is_sending);
     if (relight.in_frame)
         return;
     if (was_in_frame && !*is_shown) {
@@ -197,8 +198,10 @@ static void draw(enum owner owner, bool *is_shown)
         *is_shown = true;
     }
     int32_t to_light[3];
-    if (next_light(owner, to_light))
+    if (next_light(owner, to_light)) {
         relight_frame(&relight, to_light); /* a light that cannot be leaves the last picture */
+        light.is_drawing = owner == LIGHT_HOST;
+    }
 }
 
 int main(void)
