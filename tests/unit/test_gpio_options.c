@@ -56,7 +56,8 @@ static void values_that_cannot_be_are_refused_with_those_that_can(void **state)
                    "--panel: no 'st7735'; one of these is wanted: st7789, ili9341");
     assert_refused("$GLINT stream coin --rotation 1", "--rotation: no '1'; one of these is wanted: 0, 90, 180, 270");
     assert_refused("$GLINT stream coin --bgr=maybe", "--bgr: no 'maybe'; one of these is wanted: no, yes");
-    assert_refused("$GLINT stream coin --to spi --spi-hz 16M", "--spi-hz: '16M' is not a whole number from 1000 to 200000000");
+    assert_refused("$GLINT stream coin --to spi --spi-hz 16M",
+                   "--spi-hz: '16M' is not a whole number from 1000 to 200000000");
     static const char *const offsets[] = {"1", "1,", "1,2,3", "-1,2", "' 1,2'", "1x2", "321,0", "99999999999,0", "''"};
     for (size_t i = 0; i < sizeof offsets / sizeof *offsets; i++) {
         char command[100];
