@@ -11,6 +11,7 @@
 #include <drm.h>
 #include <drm_fourcc.h>
 #include <fcntl.h>
+#include <linux/fb.h>
 #include <linux/usbdevice_fs.h>
 #include <signal.h>
 #include <stdbool.h>
@@ -403,6 +404,39 @@ static void unplugged_in_the_middle_of_a_rectangle_and_back_it_is_a_display_agai
     assert_int_equal(process_end(&gadget, SIGTERM), 0);
 }
 
+/* The framebuffer is another gadget's, as the kernel has it: the picture goes through both. */
+static void on_a_framebuffer_it_shows_the_picture(void **state)
+{
+    (void)state;
+    struct process front;
+    gadget_start("GADGET", "--formats rgb565 --udc dummy_udc.0");
+    wait_for_file("/dev/fb0");
+    process_start(&front, "$GADGET --name front --size %dx%d --formats rgb565 --udc dummy_udc.1 --framebuffer /dev/fb0",
+                  WIDTH, HEIGHT);
+    wait_for_file("/dev/fb1");
+    const int file = open("/dev/fb1", O_RDWR);
+    struct fb_fix_screeninfo memory;
+    assert_true(file >= 0);
+    assert_int_equal(ioctl(file, FBIOGET_FSCREENINFO, &memory), 0);
+    const size_t bytes = (size_t)HEIGHT * memory.line_length;
+    uint8_t *pixels = calloc(1, bytes);
+    for (unsigned y = 0; y < HEIGHT; y++)
+        for (unsigned x = 0; x < WIDTH; x++) {
+            const unsigned word = (unsigned)rand() & 0xffff;
+            pixels[y * memory.line_length + 2 * x] = (uint8_t)word;
+            pixels[y * memory.line_length + 2 * x + 1] = (uint8_t)(word >> 8);
+            source[y][x][0] = (uint8_t)(word >> 11 << 3);
+            source[y][x][1] = (uint8_t)((word >> 5 & 63) << 2);
+            source[y][x][2] = (uint8_t)((word & 31) << 3);
+        }
+    assert_int_equal(pwrite(file, pixels, bytes, 0), bytes); /* in one: see picture.c */
+    free(pixels);
+    close(file);
+    arrives("rgb565", "a picture through two displays");
+    assert_int_equal(process_end(&front, SIGTERM), 0);
+    assert_int_equal(process_end(&gadget, SIGTERM), 0);
+}
+
 static void a_second_one_is_refused_in_one_line(void **state)
 {
     (void)state;
@@ -443,6 +477,7 @@ int main(void)
         cmocka_unit_test_teardown(after_a_reset_by_the_host_it_is_a_display_again, lab_clean),
         cmocka_unit_test_teardown(killed_and_started_again_it_cleans_up, lab_clean),
         cmocka_unit_test_teardown(unplugged_in_the_middle_of_a_rectangle_and_back_it_is_a_display_again, lab_clean),
+        cmocka_unit_test_teardown(on_a_framebuffer_it_shows_the_picture, lab_clean),
         cmocka_unit_test_teardown(a_second_one_is_refused_in_one_line, lab_clean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

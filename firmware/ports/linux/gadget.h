@@ -37,9 +37,8 @@ struct picture {
     const char *output;
     bool each;
     unsigned files;
-    int framebuffer, framebuffer_bits; /* -1: none */
-    uint32_t framebuffer_line;
-    size_t framebuffer_start;
+    uint8_t *framebuffer; /* its first pixel that is seen; or NULL */
+    uint32_t framebuffer_bits, framebuffer_line;
     struct glint_box box; /* the rectangle being drawn, and its next line */
     uint16_t next;
     bool shown;
