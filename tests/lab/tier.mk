@@ -74,7 +74,8 @@ LAB_FIRST = $(foreach build,$(BUILD) build/gpiod2,"env GLINT=$(CURDIR)/$(build)/
 	$(BUILD)/tests/lab/test_gpio_stream")
 
 run-lab: lab-programs
-	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) && export LAB_KERNEL LAB_BUILD && TALLY_JOBS=$$(nproc) tests/tally $(LAB_FIRST) $(LAB_SCRIPTS) \
+	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) TALLY_JOBS=$$(nproc) && \
+		export LAB_KERNEL LAB_BUILD TALLY_JOBS && tests/tally $(LAB_FIRST) $(LAB_SCRIPTS) \
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang1 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang2 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
 		"tests/lab/guest --spi $(BUILD)/tests/lab/test_spidev" \
