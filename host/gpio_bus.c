@@ -90,20 +90,23 @@ static bool write_spidev(struct gpio_bus *bus, const uint8_t *bytes, size_t coun
 
 /* ---- for panel.c ---- */
 
+/* Between bytes, where there is a chip select: it ends what came before. */
+static bool deselect(struct gpio_bus *bus)
+{
+    change(bus, ROLE_SCK, false);
+    if (!set(bus))
+        return false;
+    change(bus, ROLE_CS, true);
+    return set(bus);
+}
+
 static bool on_command(void *context, uint8_t command)
 {
     struct gpio_bus *bus = context;
-    /* A rising chip select ends what came before: a panel that missed a clock edge counts its bits anew. In mode 0 the clock
-     * falls before that. */
-    if (bus->options->kind == GPIO_BUS_SPI && bus->bits[ROLE_CS]) {
-        change(bus, ROLE_SCK, false);
-        if (!set(bus))
-            return false;
-        change(bus, ROLE_CS, true);
-        if (!set(bus))
-            return false;
-        change(bus, ROLE_CS, false);
-    }
+    /* A panel that missed a clock edge counts its bits anew. */
+    if (bus->options->kind == GPIO_BUS_SPI && bus->bits[ROLE_CS] && !deselect(bus))
+        return false;
+    change(bus, ROLE_CS, false);
     change(bus, ROLE_DC, false);
     return bus->write(bus, &command, 1);
 }
@@ -191,6 +194,7 @@ const char *gpio_bus_name(const struct gpio_bus *bus)
 
 void gpio_bus_close(struct gpio_bus *bus)
 {
+    deselect(bus);
     gpio_lines_close(bus->lines);
     if (bus->spidev >= 0)
         close(bus->spidev);

@@ -40,8 +40,8 @@ static const char *const bus_names[] = {"spi", "8080", NULL};
 
 /* ---- roles ---- */
 
-const char *const gpio_role_names[ROLES] = {"d0", "d1",   "d2", "d3", "d4",    "d5",        "d6",  "d7",
-                                            "dc", "mosi", "cs", "rd", "reset", "backlight", "sck", "wr"};
+const char *const gpio_role_names[ROLES] = {"d0",  "d1",   "d2", "d3", "d4", "d5",    "d6",        "d7",
+                                            "sck", "mosi", "dc", "cs", "rd", "reset", "backlight", "wr"};
 
 /* As modules have them printed beside their pins. */
 static const struct {

@@ -13,17 +13,18 @@ enum gpio_bus_kind {
     GPIO_BUS_SPIDEV /* the kernel's SPI device; lines only for what it has not */
 };
 
-/* What lines are for. D/C comes before the strobes: where a chip sets lines one after the other, it does so in this order. */
+/* What lines are for. Some chips set lines one after the other, in this order: the clock falls before what it clocks changes,
+ * and D/C stands before WR falls. */
 enum gpio_role {
     ROLE_D0,
     ROLE_D7 = ROLE_D0 + 7,
-    ROLE_DC,
+    ROLE_SCK,
     ROLE_MOSI,
+    ROLE_DC,
     ROLE_CS,
     ROLE_RD,
     ROLE_RESET,
     ROLE_BACKLIGHT,
-    ROLE_SCK,
     ROLE_WR,
     ROLES
 };

@@ -50,10 +50,42 @@ static void what_spidev_is_given_is_on_the_lines(void **state)
     free(wanted);
 }
 
+/* The environment variable GLINT is the command. */
+static void a_panel_on_spidev_gets_the_frame_that_was_drawn(void **state)
+{
+    (void)state;
+    enum { WIDTH = 64, HEIGHT = 48, ROOM = 1 << 16 };
+    struct chip chip;
+    struct capture capture;
+    struct screen screen;
+    bus_byte *found = calloc(ROOM, sizeof *found);
+    chip_find(&chip, "lab-spi", SPI_NAMES, SPI_LINES);
+    capture_start(&capture, &chip, 60);
+    assert_int_equal(
+        run("$GLINT stream coin --frames 1 --size %dx%d --offset 0,0 --to spi --lines dc=DC,reset=RST", WIDTH, HEIGHT),
+        0);
+    capture_stop(&capture);
+    const size_t count = decode_spi(&capture, found, ROOM);
+    screen_init(&screen, WIDTH, HEIGHT);
+    screen_show(&screen, found, count);
+    assert_true(screen.awake && !screen.on);
+    size_t size;
+    char *frame = run_for_output(&size, "$GLINT stream coin --frames 1 --size %dx%d --to raw --format rgb565-swapped",
+                                 WIDTH, HEIGHT);
+    assert_int_equal(size, WIDTH * HEIGHT * 2);
+    for (size_t i = 0; i < WIDTH * HEIGHT; i++)
+        assert_int_equal(screen.pixels[i], (uint8_t)frame[2 * i] << 8 | (uint8_t)frame[2 * i + 1]);
+    free(frame);
+    free(found);
+    screen_free(&screen);
+    capture_free(&capture);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_teardown(what_spidev_is_given_is_on_the_lines, lab_clean),
+        cmocka_unit_test_teardown(a_panel_on_spidev_gets_the_frame_that_was_drawn, lab_clean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

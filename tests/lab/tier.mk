@@ -78,11 +78,22 @@ run-lab: lab-programs
 		export LAB_KERNEL LAB_BUILD TALLY_JOBS && tests/tally $(LAB_FIRST) $(LAB_SCRIPTS) \
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang1 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang2 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
-		"tests/lab/guest --spi $(BUILD)/tests/lab/test_spidev" \
+		$(foreach build,$(BUILD) build/gpiod2,"env GLINT=$(CURDIR)/$(build)/glint tests/lab/guest $(BUILD)/tests/lab/test_gpio_faults") \
+		"env GLINT=$(CURDIR)/$(BUILD)/glint tests/lab/guest --spi $(BUILD)/tests/lab/test_spidev" \
 		"env GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest $(BUILD)/tests/lab/test_gud_kernel" \
 		"env GADGET=$(CURDIR)/$(linux)/glint-gadget FAULTY=$(CURDIR)/$(linux)/faulty-gadget \
 			tests/lab/guest $(BUILD)/tests/lab/test_gud_drm"
 
+# Calls that set lines, by either version.
+$(BUILD)/tests/lab/gpio_rate.o: LAB_CFLAGS += -Ihost -Ifirmware/core $(SINK_FLAGS)
+$(BUILD)/tests/lab/gpio_rate: %: %.o $(LAB_COMMON) $(filter-out $(BUILD)/host/main.o,$(HOST_OBJECTS)) $(BUILD)/libglint.a
+	$(CC) $(HOST_LDFLAGS) $^ -o $@ -lcmocka -ltraceevent $(HOST_LDLIBS)
+
+gpio-rate: $(BUILD)/tests/lab/gpio_rate $(addprefix $(BUILD)/tests/lab/,init spi.dtb) ## ns of a call that sets lines, beside a bare loop of its ioctl
+	@+$(LIBGPIOD2) $(SUBMAKE) BUILD=build/gpiod2 build/gpiod2/tests/lab/gpio_rate
+	@export LAB_BUILD=$(CURDIR)/$(BUILD); for build in $(BUILD) build/gpiod2; do \
+		tests/lab/guest $$build/tests/lab/gpio_rate | grep '^libgpiod' || exit 1; done
+
 include tests/lab/fuzz.mk
 
-.PHONY: usb-programs usb-rate glint-gpiod2 setup-lab test-lab run-lab lab-programs
+.PHONY: gpio-rate usb-programs usb-rate glint-gpiod2 setup-lab test-lab run-lab lab-programs

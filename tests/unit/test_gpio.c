@@ -248,7 +248,7 @@ static struct gpio_options wires(enum gpio_bus_kind kind)
         [ROLE_DC] = "DC",     [ROLE_MOSI] = "MOSI",       [ROLE_CS] = "CS",     [ROLE_RD] = "RD",
         [ROLE_RESET] = "RST", [ROLE_BACKLIGHT] = "LIGHT", [ROLE_SCK] = "SCK",   [ROLE_WR] = "WR"};
     for (unsigned i = 0; i < ROLES; i++) {
-        const bool parallel = i < ROLE_DC || i == ROLE_RD || i == ROLE_WR, serial = i == ROLE_MOSI || i == ROLE_SCK;
+        const bool parallel = i <= ROLE_D7 || i == ROLE_RD || i == ROLE_WR, serial = i == ROLE_MOSI || i == ROLE_SCK;
         if (kind == GPIO_BUS_SPI ? !parallel : !serial) {
             options.lines[i].origin = "--lines";
             options.lines[i].text = names[i];
@@ -446,10 +446,11 @@ static void a_number_without_a_chip_and_a_name_that_is_there_twice_are_told(void
     (void)state;
     struct gpio_options options = wires(GPIO_BUS_SPI);
     options.chip = NULL;
+    options.lines[ROLE_SCK].text = "0:11";
     options.lines[ROLE_CS].text = "13";
     assert_told(&options, "--lines: cs=13: no GPIO line is called so; where 13 is an offset, say of which chip: "
                           "gpiochip0:13, or --chip");
-    options.lines[ROLE_CS].text = "CS";
+    options.lines[ROLE_SCK].text = "SCK";
     assert_told(&options, "--lines: sck=SCK: 2 lines are called so; say which: gpiochip0:11, gpiochip10:0");
 }
 
@@ -458,14 +459,14 @@ static void a_chip_that_is_not_there_is_told_with_those_that_are(void **state)
     (void)state;
     struct gpio_options options = wires(GPIO_BUS_SPI);
     options.chip = "gpiochip1";
-    assert_told(&options, "--lines: dc=DC: there is no GPIO chip 'gpiochip1'; there is gpiochip0 (main), gpiochip10 "
+    assert_told(&options, "--lines: sck=SCK: there is no GPIO chip 'gpiochip1'; there is gpiochip0 (main), gpiochip10 "
                           "(aside)");
     options.chip = NULL;
-    options.lines[ROLE_DC].text = "gpiochip2:4";
-    assert_told(&options, "--lines: dc=gpiochip2:4: there is no GPIO chip 'gpiochip2'; there is gpiochip0 (main), "
+    options.lines[ROLE_SCK].text = "gpiochip2:4";
+    assert_told(&options, "--lines: sck=gpiochip2:4: there is no GPIO chip 'gpiochip2'; there is gpiochip0 (main), "
                           "gpiochip10 (aside)");
     no_chips = true;
-    assert_told(&options, "--lines: dc=gpiochip2:4: there is no GPIO chip: no /dev/gpiochip0 on this machine; `glint "
+    assert_told(&options, "--lines: sck=gpiochip2:4: there is no GPIO chip: no /dev/gpiochip0 on this machine; `glint "
                           "list` shows what there is");
 }
 
@@ -485,7 +486,7 @@ static void a_chip_that_may_not_be_opened_is_told(void **state)
     chips[0].refused = EACCES;
     options.chip = "gpiochip0";
     assert_told(&options,
-                "--lines: dc=DC: /dev/gpiochip0: permission denied; give it to a group of yours by a udev rule "
+                "--lines: sck=SCK: /dev/gpiochip0: permission denied; give it to a group of yours by a udev rule "
                 "(`SUBSYSTEM==\"gpio\", GROUP=\"gpio\", MODE=\"0660\"`) or run as root");
     chips[0].refused = 0;
 }

@@ -21,7 +21,7 @@ static void assert_config_fails(const char *text, const char *part)
 static void wires_that_are_missing_are_named(void **state)
 {
     (void)state;
-    assert_fails("$GLINT stream coin --to gpio", "--bus spi wants a line for dc, mosi, sck");
+    assert_fails("$GLINT stream coin --to gpio", "--bus spi wants a line for sck, mosi, dc");
     assert_fails("$GLINT stream coin --to gpio --bus 8080 --lines d0=A,d1=B,d2=C,d3=D,d4=E,d5=F,d6=G,d7=H,dc=I",
                  "--bus 8080 wants a line for wr; give it by --lines wr=NAME or in a file by --bus-config");
     assert_fails("$GLINT stream coin --to spi", "--to spi wants a line for dc");
@@ -126,7 +126,7 @@ static void a_file_says_all_and_the_command_line_goes_before_it(void **state)
     write_config("bus = 8080 ; a comment\nsize = 100x100\n  rotation = 180\n[lines]\n  dc = GPIO25\n  wr = GPIO7\n");
     assert_fails("$GLINT stream coin --to gpio --bus-config pins.ini", "--bus 8080 wants a line for d0, d1");
     assert_fails("$GLINT stream coin --to gpio --bus-config pins.ini --bus spi",
-                 "--bus spi wants a line for mosi, sck");
+                 "--bus spi wants a line for sck, mosi");
     assert_fails("$GLINT stream coin --to gpio --bus-config pins.ini --bus spi --lines sck=A,mosi=B",
                  "pins.ini:6: --bus spi has no line wr");
     write_config("size = 100x100\n[lines]\ndc = A\nsck = B\nmosi = C\n");
