@@ -296,13 +296,24 @@ static int restart(struct usb_sink *usb, const struct frame *frame, struct gud_p
     return send_whole(usb, frame, problem);
 }
 
+/* What is under way in a reset ends as if the device were gone, too. */
+static bool is_gone(struct usb_sink *usb)
+{
+    enum { MOMENT_MS = 100 };
+    uint8_t status;
+    pause_ms(MOMENT_MS);
+    return usb_control(&usb->port, true, GUD_GET_STATUS, 0, &status, 1) == GUD_LINK_GONE;
+}
+
 static enum sink_result usb_send(struct sink *sink, const struct frame *frame, const struct piece *pieces, size_t count)
 {
     enum { TRIES = 3, PAUSE_MS = 300 /* a device that is gone is known to be after such a time */ };
     struct usb_sink *usb = of(sink);
     struct gud_problem problem = {0};
     int fault = send_pieces(usb, pieces, count, !usb->full_update, &problem);
-    for (unsigned i = 0; fault && fault != GUD_LINK_GONE && fault != GUD_LINK_STOPPED; i++) {
+    for (unsigned i = 0; fault && fault != GUD_LINK_STOPPED; i++) {
+        if (fault == GUD_LINK_GONE && is_gone(usb))
+            break;
         if (i == TRIES)
             fail("%s: %s, also after %d new starts; plug it in again", usb->name, problem.text, TRIES);
         if (i == 0)

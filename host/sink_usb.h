@@ -40,7 +40,7 @@ struct usb_device {
     libusb_device *device;
     uint32_t id;
     char path[32], serial[128], product[128], driver[32];
-    bool known; /* a GUD display by its ID */
+    bool expected; /* to be a GUD display: by its ID, or because it was named */
     unsigned interface_count;
     struct {
         uint8_t number, bulk_out;

@@ -100,7 +100,7 @@ static bool is_wanted(const struct usb_device *device, const struct usb_options 
 /* Asks one interface for its descriptor. */
 static enum usb_state ask(libusb_context *libusb, struct usb_device *device, uint8_t interface)
 {
-    struct usb_port port = {.libusb = libusb, .stoppable = true, .brief = !device->known};
+    struct usb_port port = {.libusb = libusb, .stoppable = true, .brief = !device->expected};
     struct gud_link link = {.context = &port, .control = usb_control};
     struct gud_descriptor descriptor;
     switch (usb_port_open(&port, device->device, interface, NULL, &device->problem)) {
@@ -132,9 +132,9 @@ static void probe(libusb_context *libusb, struct usb_device *device)
 }
 
 /* Devices of other makers are left alone unless they answer as displays. */
-static bool is_foreign(const struct usb_device *device, const struct usb_options *options)
+static bool is_foreign(const struct usb_device *device)
 {
-    return !device->known && !options->id && !options->path && !options->serial && device->state != USB_DISPLAY &&
+    return !device->expected && device->state != USB_DISPLAY &&
            !(device->state == USB_KERNEL && !strcmp(device->driver, "gud"));
 }
 
@@ -158,14 +158,14 @@ void usb_find(libusb_context *libusb, const struct usb_options *options, struct 
         if (!read_path(device) || libusb_get_device_descriptor(device->device, &descriptor))
             continue;
         device->id = (uint32_t)descriptor.idVendor << 16 | descriptor.idProduct;
-        device->known = is_known(device->id);
+        device->expected = is_known(device->id) || options->id || options->path || options->serial;
         read_attribute(device, "serial", device->serial, sizeof device->serial);
         read_attribute(device, "product", device->product, sizeof device->product);
         read_interfaces(device);
         if (!is_wanted(device, options))
             continue;
         probe(libusb, device);
-        if (!is_foreign(device, options))
+        if (!is_foreign(device))
             found->count++;
     }
     qsort(found->devices, found->count, sizeof found->devices[0], by_path);
