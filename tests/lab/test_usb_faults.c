@@ -17,13 +17,13 @@
 static struct usb_display_config config;
 static struct usb_display display;
 
-/* A stream that goes on while the test does; what it says on standard error goes to stream.err. */
-static pid_t start(const char *command)
+/* A stream that goes on while the test does; what it says on standard error goes to a file or a terminal. */
+static pid_t start_to(const char *path, const char *command)
 {
     const pid_t process = fork();
     assert_true(process >= 0);
     if (process == 0) {
-        if (!freopen("stream.err", "w", stderr))
+        if (!freopen(path, "w", stderr))
             _exit(126);
         execl("/bin/sh", "sh", "-c", command, NULL);
         _exit(127);
@@ -31,14 +31,9 @@ static pid_t start(const char *command)
     return process;
 }
 
-/* Before that a signal would end it as any program. */
-static bool catches(pid_t process, int number)
+static pid_t start(const char *command)
 {
-    char path[64], text[4096];
-    snprintf(path, sizeof path, "/proc/%d/status", (int)process);
-    read_text(path, text, sizeof text);
-    const char *line = strstr(text, "SigCgt:");
-    return line && strtoull(line + strlen("SigCgt:"), NULL, 16) >> (number - 1) & 1;
+    return start_to("stream.err", command);
 }
 
 static void assert_exits(pid_t process, int status)
@@ -390,10 +385,18 @@ static void an_interrupt_ends_waiting(void **state)
 {
     (void)state;
     usb_displays_unplug(NULL);
-    const pid_t stream = start("exec " STREAM "--wait --serial none");
-    assert_soon(catches(stream, SIGINT));
+    const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    assert_true(terminal >= 0 && grantpt(terminal) == 0 && unlockpt(terminal) == 0);
+    const pid_t stream = start_to(ptsname(terminal), "exec " STREAM "--wait --serial none");
+    char text[1000] = "";
+    for (size_t length = 0; !strstr(text, "waiting for a USB display; Ctrl-C ends it");) {
+        const ssize_t count = read(terminal, text + length, sizeof text - 1 - length);
+        assert_true(count > 0);
+        length += (size_t)count;
+    }
     kill(stream, SIGINT);
     assert_exits(stream, 130);
+    close(terminal);
 }
 
 static void an_interrupt_switches_the_display_off(void **state)

@@ -96,7 +96,7 @@ static void set_options(const char *words)
     snprintf(copy, sizeof copy, "%s", words);
     for (char *word = strtok(copy, " "); word; word = strtok(NULL, " "))
         argv[argc++] = word;
-    assert_int_equal(argp_parse(sink_usb.options, argc, argv, 0, NULL, NULL), 0);
+    assert_int_equal(argp_parse(sink_usb.options[0], argc, argv, 0, NULL, NULL), 0);
 }
 
 enum { ROOM = 4 << 20 };

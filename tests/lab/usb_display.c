@@ -397,7 +397,9 @@ static void setup(struct process *p, const struct usb_ctrlrequest *request)
             stall(p, in, c->trouble_status);
             return;
         }
+        p->display->seen->silent = true;
         usleep(c->trouble_ms * 1000);
+        p->display->seen->silent = false;
     }
     if (in)
         answer(p, request->bRequest, length);
@@ -475,6 +477,7 @@ void usb_display_be(struct usb_display *display, const struct usb_display_config
     if (display->process == 0) {
         plug_new(display, config);
     } else {
+        assert_soon(!display->seen->silent);
         display->seen->config = *config;
         display->seen->changes++;
         display->seen->request_count = display->seen->bulk_bytes = display->seen->rectangles = 0;

@@ -42,7 +42,7 @@ struct usb_display {
         struct usb_display_config config;
         volatile unsigned changes;
         /* What it saw. */
-        volatile bool ready, controller, display;
+        volatile bool ready, controller, display, silent;
         volatile uint8_t format; /* of the last state */
         volatile uint16_t width, height;
         volatile size_t request_count, bulk_bytes, rectangles, compressed, protocol_errors;

@@ -26,7 +26,7 @@ static uint8_t pixels[USB_PICTURE_MAX];
 static double sink_rate(uint16_t width, uint16_t height, unsigned frames)
 {
     char *argv[] = {(char *)"rate", (char *)"--vid-pid", (char *)"1209:0001", NULL};
-    argp_parse(sink_usb.options, 3, argv, 0, NULL, NULL);
+    argp_parse(sink_usb.options[0], 3, argv, 0, NULL, NULL);
     struct sink *sink = sink_usb.open(&(struct sink_wish){.format = GLINT_RGB565});
     const struct frame frame = {width, height, GLINT_RGB565, 2 * (size_t)width, pixels};
     const size_t bytes = 2 * (size_t)width * height;
