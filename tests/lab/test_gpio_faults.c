@@ -64,7 +64,7 @@ static void lines_that_are_in_use_or_not_there_are_named(void **state)
     chip_create(&chip, "panel", SPI, SPI_COUNT);
     process_start(&process, "$GLINT stream coin --size 135x240 %s", OPTIONS);
     wait_for_lines();
-    snprintf(words, sizeof words, "dc=DC: line %s:3 DC is in use by 'glint'", chip.name);
+    snprintf(words, sizeof words, "sck=SCK: line %s:0 SCK is in use by 'glint'", chip.name);
     assert_refused(OPTIONS, words);
     assert_ended(&process, SIGINT, 130, "");
 
@@ -74,9 +74,9 @@ static void lines_that_are_in_use_or_not_there_are_named(void **state)
     assert_refused("--to gpio --lines sck=SCK,mosi=MOSI,dc=panel:6", words);
     assert_refused("--to gpio --chip gpiochip77 --lines sck=0,mosi=1,dc=2",
                    "there is no GPIO chip 'gpiochip77'; there is ");
-    assert_refused("--to gpio --chip panel --lines sck=0,mosi=1,dc=1", "dc and mosi are the same line");
+    assert_refused("--to gpio --chip panel --lines sck=0,mosi=1,dc=1", "mosi and dc are the same line");
     chip_create(&other, "other", SPI, SPI_COUNT);
-    assert_refused(OPTIONS, "dc=DC: 2 lines are called so; say which: ");
+    assert_refused(OPTIONS, "sck=SCK: 2 lines are called so; say which: ");
     chip_remove(&other);
     chip_remove(&chip);
 }
