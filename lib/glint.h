@@ -380,7 +380,7 @@ enum glint_err glint_tables_light(struct glint_tables_light *light, const struct
 
 /* Shades w x h normals; pixels without a surface are left as they are. Normals are aligned (INT16 to 2 bytes, else to 4) and
  * of about unit length: others give some colour. GLINT_ERR_ARG: NULL, misaligned, ALBEDO tables. GLINT_ERR_FORMAT: no such
- * normals. GLINT_ERR_VECTOR: INT8 with COLOUR tables, and a viewer not at (0, 0, 1). Nothing is written then. */
+ * normals. GLINT_ERR_VECTOR: INT8 and a viewer not at (0, 0, 1), but with SMALL tables. Nothing is written then. */
 enum glint_err glint_tables_rect(const struct glint_tables *tables, const struct glint_tables_light *light,
                                  enum glint_normals format, const void *normals, ptrdiff_t stride, uint16_t w,
                                  uint16_t h, const struct glint_surface *surface);
