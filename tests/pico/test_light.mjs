@@ -135,6 +135,45 @@ run([
     check(pico.run(() => pico.uart.endsWith('relighting\r\n'), 300), pico.uart)
     check(pico.run(frame_done, 100) && pico.run(() => wires.level('backlight') === 1, 5), 'no frame')
   }],
+  ['the tables of the slowest model are filled long before the watchdog minds', () => {
+    const slow = Buffer.from(material)
+    slow.writeUInt8(4, 0) // gauss
+    slow.writeUInt8(16, 1)
+    slow.writeUInt16LE(1000, 2)
+    slow.writeUInt8(1, 4) // linear
+    host.enumerate()
+    check(light.set(ENABLE, Buffer.of(1)) && light.set(MATERIAL, slow) && light.set(MAP), `refused with status ${light.status()}`)
+    host.bulk(2, map, 2000)
+    const from = pico.cycles
+    host.bulk(2, judge.light(0))
+    wires.pixels = 0
+    check(pico.run(frame_done, 1000), 'no frame')
+    const ms = (pico.cycles - from) / 125e3
+    check(ms < 400, `it takes ${ms.toFixed(0)} ms, of the watchdog's 1000`)
+  }],
+  ['a bus reset at any moment leaves a board that enumerates and draws', () => {
+    const begin = () => check(light.set(ENABLE, Buffer.of(1)) && light.set(MATERIAL, material) && light.set(MAP), 'no light')
+    const pixels = picture565(width, height, 60), block = judge.lz4(pixels)
+    const moments = [
+      () => light.set(ENABLE, Buffer.of(1)),
+      () => { begin(); host.bulk(2, map.subarray(0, 1000)) },
+      () => { begin(); host.bulk(2, map.subarray(0, map.length - 1)) },
+      () => { begin(); host.bulk(2, map, 2000) },
+      () => { begin(); host.bulk(2, map, 2000); host.bulk(2, lights(0, 4)); pico.run(() => false, 120) }, // amid a frame
+      () => { begin(); host.bulk(2, map, 2000); host.bulk(2, lights(0, 1).subarray(0, 7)) },
+      () => { gud.begin(FORMAT.rgb565); gud.buffer({ x: 0, y: 0, width, height, length: FULL, compressed: block.length }); host.bulk(1, block.subarray(0, 5000)) },
+    ]
+    for (const [i, moment] of moments.entries()) {
+      host.reset()
+      host.enumerate()
+      moment()
+      host.reset()
+      host.enumerate()
+      check(gud.begin(FORMAT.rgb565) && gud.draw({ x: 0, y: 0, width, height }, pixels, block), `moment ${i}: refused with status ${gud.status()}`)
+      pico.run(() => false, 1)
+      judge.same(look(), shown565(pixels), `moment ${i}`)
+    }
+  }],
   ['whatever happened, D/C never changed while a byte was sent', () => {
     equal(wires.faults.length, 0, `faults, the first: ${wires.faults[0]}`)
   }],
