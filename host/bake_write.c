@@ -92,6 +92,6 @@ void bake_write_raw(const struct baked *baked, FILE *out)
 void bake_write_uf2(const struct baked *baked, uint32_t address, FILE *out)
 {
     uint8_t *bytes = to_bytes(baked);
-    uf2_write(bytes, baked_bytes(baked), address, out);
+    uf2_write(bytes, baked_bytes(baked), address, UF2_RP2040, out);
     free(bytes);
 }

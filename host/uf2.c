@@ -5,7 +5,7 @@
 #include <string.h>
 
 enum { BLOCK = 512, PAYLOAD = 256, HEADER = 32, FAMILY_PRESENT = 0x2000 };
-static const uint32_t start[2] = {0x0a324655, 0x9e5d5157}, end = 0x0ab16f30, rp2040 = 0xe48bff56;
+static const uint32_t start[2] = {0x0a324655, 0x9e5d5157}, end = 0x0ab16f30, families[] = {0xe48bff56, 0xe48bff59};
 
 static void put(uint8_t *at, uint32_t word) /* low byte first */
 {
@@ -13,13 +13,13 @@ static void put(uint8_t *at, uint32_t word) /* low byte first */
         at[i] = (uint8_t)(word >> 8 * i);
 }
 
-void uf2_write(const uint8_t *bytes, size_t len, uint32_t address, FILE *out)
+void uf2_write(const uint8_t *bytes, size_t len, uint32_t address, enum uf2_family family, FILE *out)
 {
     const uint32_t count = (uint32_t)((len + PAYLOAD - 1) / PAYLOAD);
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t from = i * PAYLOAD;
         const uint32_t header[HEADER / 4] = {start[0], start[1], FAMILY_PRESENT, address + from,
-                                             PAYLOAD,  i,        count,          rp2040};
+                                             PAYLOAD,  i,        count,          families[family]};
         uint8_t block[BLOCK] = {0};
         for (unsigned k = 0; k < HEADER / 4; k++)
             put(block + 4 * k, header[k]);

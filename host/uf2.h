@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Microsoft's UF2, which an RP2040's boot loader takes. */
+ * Microsoft's UF2, which the boot loaders of RP2040 and RP2350 take. */
 #ifndef GLINT_UF2_H
 #define GLINT_UF2_H
 
@@ -7,7 +7,9 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* Bytes for the RP2040's flash from an address on, which is a multiple of 256. Errors stay with the stream. */
-void uf2_write(const uint8_t *bytes, size_t len, uint32_t address, FILE *out);
+enum uf2_family { UF2_RP2040, UF2_RP2350 }; /* the latter's Arm cores */
+
+/* Bytes for the flash from an address on, which is a multiple of 256. Errors stay with the stream. */
+void uf2_write(const uint8_t *bytes, size_t len, uint32_t address, enum uf2_family family, FILE *out);
 
 #endif

@@ -14,6 +14,7 @@ test-pico: ## the Pico's firmware emulated: boot, panel, the demo's frames, USB,
 # LAB_*: as in tier lab.
 run-pico: $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $(addprefix $(BUILD)/tests/lab/,init spi.dtb) $(BUILD)/glint
 	@+for panel in $(PICO_PANELS_TESTED); do $(SUBMAKE) -s firmware-pico PANEL=$$panel || exit 1; done
+	@+$(SUBMAKE) -s firmware-pico BOARD=pico2 # builds; nothing emulates it
 	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) && export LAB_KERNEL LAB_BUILD && tests/tally \
 		$(foreach panel,$(PICO_PANELS_TESTED),"$(call PICO_TEST,demo)" "$(call PICO_TEST,usb)") \
 		$(foreach panel,st7789-240x240,"$(call PICO_TEST,light)" \
