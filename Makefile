@@ -73,6 +73,7 @@ $(BUILD)/packages:
 PORTS = $(patsubst firmware/ports/%/port.mk,%,$(wildcard firmware/ports/*/port.mk))
 firmware: $(if $(PORT),firmware-$(PORT),$(PORTS:%=firmware-%)) ## firmware into build/firmware; PORT=NAME: one port, of firmware/ports
 
+include firmware/conformance/conformance.mk firmware/ports/bare/bare.mk
 include $(wildcard firmware/ports/*/port.mk) $(wildcard tests/*/tier.mk) tests/bench/bench.mk tests/bench/host/host.mk tests/bench/stream/stream.mk
 
 setup: ## install what building, the demo and glint paper need (Debian packages, by apt-get)

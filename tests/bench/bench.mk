@@ -43,7 +43,9 @@ run-bench: bench-programs
 
 bench-programs: $(BENCH_ELFS) $(BENCH_SCENE)/scene.json $(BENCH)/sizes.txt $(BENCH)/counts.txt
 
-BENCH_INPUTS = $(BENCH_SOURCES) $(wildcard lib/*.h lib/*.inc tests/bench/*.h tests/targets/machine/*) tests/targets/targets.py \
+# Whose start-up and linker script the counted programs have.
+BENCH_IMAGES = cortex-m-mps2-an385 cortex-m-mps2-an386 rv32-virt avr-atmega2560
+BENCH_INPUTS = $(BENCH_SOURCES) $(wildcard lib/*.h lib/*.inc tests/bench/*.h firmware/ports/*/start.c firmware/ports/bare/*) tests/targets/targets.py \
 	tests/bench/m0plus.ld tests/bench/bench.mk
 
 $(BENCH)/m0plus-%.elf: $(BENCH_INPUTS) tests/bench/calibrate.S
@@ -52,7 +54,8 @@ $(BENCH)/m0plus-%.elf: $(BENCH_INPUTS) tests/bench/calibrate.S
 		-nostartfiles -T tests/bench/m0plus.ld $(BENCH_SOURCES) tests/bench/calibrate.S -lm -o $@
 
 $(BENCH)/sizes.txt: tests/bench/sizes $(BENCH_INPUTS)
-$(BENCH)/counts.txt: tests/bench/count $(BENCH_INPUTS) $(wildcard tests/bench/machine/*) $(BENCH_SCENE)/scene.json
+$(BENCH)/counts.txt: tests/bench/count $(BENCH_INPUTS) $(wildcard tests/bench/machine/*) $(BENCH_SCENE)/scene.json \
+	$(BENCH_IMAGES:%=build/firmware/%/conformance.elf)
 $(BENCH)/sizes.txt $(BENCH)/counts.txt:
 	@PYTHONDONTWRITEBYTECODE=1 $< $(BENCH) >$@.tmp && mv $@.tmp $@
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// rp2040 PACKAGES ELF: runs a program of machine/rp2040.c in SRAM on an emulated RP2040 and prints what it has put. It stops
+// rp2040 PACKAGES ELF: runs a program in SRAM on an emulated RP2040, with semihosting. It stops
 // where one of the library's functions does not give back the registers it must keep: assembly may forget one.
-import { load, RAM, RETURN } from '../bench/m0plus.mjs'
+import { load, RAM } from '../bench/m0plus.mjs'
 
 const [packages, elf] = process.argv.slice(2)
-const { core, memory, symbols, address, enter } = load(packages, elf)
+const { core, memory, symbols, enter } = load(packages, elf)
 const names = new Map() // of the library's functions, by where they begin
 for (const [name, at] of symbols) if (name.startsWith('glint_')) names.set(at & ~1, name)
 const begins = new Uint8Array(memory.length / 2)
@@ -26,7 +26,7 @@ function leave() {
 }
 
 function run() {
-  while (core.PC !== RETURN) {
+  for (;;) {
     let at = calls.length
     while (core.PC === back && at--) leave() // a function that ends by calling another returns for it, too
     if (begins[(core.PC - RAM) >> 1]) {
@@ -37,7 +37,15 @@ function run() {
   }
 }
 
+let text = ''
+core.rp2040.onBreak = () => {
+  const [operation, argument] = core.registers
+  if (operation === 3) { // SYS_WRITEC
+    text += String.fromCharCode(memory[argument - RAM])
+  } else { // SYS_EXIT; ADP_Stopped_ApplicationExit
+    process.stdout.write(text)
+    process.exit(argument === 0x20026 ? 0 : 1)
+  }
+}
 enter('start', [])
 run()
-const text = address('machine_text') - RAM
-process.stdout.write(memory.toString('latin1', text, memory.indexOf(0, text)))

@@ -57,29 +57,51 @@ TARGETS = [
     Target("cortex-m0plus", "arm-none-eabi-", "-mcpu=cortex-m0plus -mthumb", STACK_M0),
     Target("cortex-m3", "arm-none-eabi-", "-mcpu=cortex-m3 -mthumb", STACK_M),
     Target("cortex-m4f", "arm-none-eabi-", "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16", STACK_M),
+    Target("cortex-m33", "arm-none-eabi-", "-mcpu=cortex-m33 -mthumb", STACK_M),
     Target("rv32imc", "riscv64-unknown-elf-", "-march=rv32imc -mabi=ilp32", STACK_OTHER),
     Target("atmega328p", "avr-", "-mmcu=atmega328p", STACK_OTHER, 2),
     Target("atmega2560", "avr-", "-mmcu=atmega2560", STACK_OTHER, 3),
 ]
 
-FLASH_LD = ["-nostdlib", "-T", os.path.join(SOURCE, "tests/targets/machine/flash.ld")]
-ARM_LINK = FLASH_LD + ["-Wl,--defsym=FLASH=0,--defsym=RAM=0x20000000"]
-RISCV_LINK = FLASH_LD + ["-Wl,--defsym=FLASH=0x80000000,--defsym=RAM=0x80100000"]
-RP2040_LINK = FLASH_LD + ["-Wl,--defsym=FLASH=0x20000000,--defsym=RAM=0x20010000"]  # the program, too, is in SRAM
 QEMU_ARM = "qemu-system-arm -display none -semihosting-config enable=on,target=native -M"
 NPM = os.path.join(SOURCE, "build/bench/npm")  # where make installs rp2040js
 RP2040JS = f"node {SOURCE}/tests/targets/rp2040.mjs {NPM}"
-# target, machine, its RAM in KB, files of machine/ that start it, link, emulator
+
+
+@dataclass(frozen=True)
+class Machine:
+    """A board of a port, as `make firmware` builds for it, and what emulates it."""
+    target: str
+    port: str
+    board: str
+    checks: int  # of the conformance image that fit
+    emulator: str
+
+    @property
+    def folder(self):
+        """Its image, objects, and the linker's words."""
+        return os.path.join(SOURCE, "build/firmware", f"{self.port}-{self.board}")
+
+    @property
+    def start(self):
+        """Sources that start a program."""
+        folders = [self.port] if self.port == "avr" else [self.port, "bare"]
+        return [path for name in folders for path in glob.glob(os.path.join(SOURCE, "firmware/ports", name, "*.c"))]
+
+    def link(self, objects, program, *words):
+        target = next(target for target in TARGETS if target.name == self.target)
+        target.tool("gcc", f"@{self.folder}/link", *words, *objects, "-lgcc", "-o", program)
+
+
 MACHINES = [
-    ("cortex-m0plus", "BBC micro:bit", 16, "memory.c arm.c", ARM_LINK, f"{QEMU_ARM} microbit -kernel"),
-    ("cortex-m0plus", "MPS2 AN385", 128, "memory.c arm.c", ARM_LINK, f"{QEMU_ARM} mps2-an385 -kernel"),
-    ("cortex-m0plus-asm", "MPS2 AN385", 128, "memory.c arm.c", ARM_LINK, f"{QEMU_ARM} mps2-an385 -kernel"),
-    ("cortex-m0plus", "rp2040js", 128, "memory.c rp2040.c", RP2040_LINK, RP2040JS),
-    ("cortex-m0plus-asm", "rp2040js", 128, "memory.c rp2040.c", RP2040_LINK, RP2040JS),
-    ("cortex-m3", "MPS2 AN385", 128, "memory.c arm.c", ARM_LINK, f"{QEMU_ARM} mps2-an385 -kernel"),
-    ("cortex-m4f", "MPS2 AN386", 128, "memory.c arm.c", ARM_LINK, f"{QEMU_ARM} mps2-an386 -kernel"),
-    ("rv32imc", "virt", 128, "memory.c riscv.c", RISCV_LINK, "qemu-system-riscv32 -M virt -bios none -nographic -kernel"),
-    ("atmega2560", "simavr", 8, "avr.c", [], "simavr -m atmega2560 -f 16000000"),
+    Machine("cortex-m0plus", "cortex-m", "microbit", 24, f"{QEMU_ARM} microbit -kernel"),
+    Machine("cortex-m0plus", "cortex-m", "rp2040", 17, RP2040JS),
+    Machine("cortex-m0plus-asm", "cortex-m", "rp2040-asm", 17, RP2040JS),
+    Machine("cortex-m3", "cortex-m", "mps2-an385", 26, f"{QEMU_ARM} mps2-an385 -kernel"),
+    Machine("cortex-m4f", "cortex-m", "mps2-an386", 26, f"{QEMU_ARM} mps2-an386 -kernel"),
+    Machine("cortex-m33", "cortex-m", "mps2-an505", 26, f"{QEMU_ARM} mps2-an505 -kernel"),
+    Machine("rv32imc", "rv32", "virt", 26, "qemu-system-riscv32 -M virt -bios none -nographic -kernel"),
+    Machine("atmega2560", "avr", "atmega2560", 15, "simavr -m atmega2560 -f 16000000"),
 ]
 
 

@@ -8,8 +8,8 @@ setup-targets:
 test-targets: ## cross-compiled: no floating point, no writable data, stack; emulated: the host's results
 	@+tests/tier targets "$(SUBMAKE)"
 
-run-targets:
+run-targets: firmware-cortex-m firmware-rv32 firmware-avr
 	@PYTHONDONTWRITEBYTECODE=1 tests/tally "tests/targets/test_objects $(BUILD)/targets" \
-		"tests/targets/test_sweep $(BUILD)/targets $(CC)"
+		"tests/targets/test_conformance $(BUILD)/targets $(CONFORMANCE_EXPECTED)"
 
 .PHONY: setup-targets test-targets run-targets

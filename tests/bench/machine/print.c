@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "clock.h"
 
-#include "../../targets/machine/machine.h"
+#include "machine.h"
 
 void print_text(const char *text)
 {

@@ -1,39 +1,49 @@
 /* SPDX-License-Identifier: MIT
- * The sweep's table loops. */
-#include "sweep_parts.h"
+ * Tables and their loops. */
+#include "conformance_parts.h"
 
-enum {
-    KINDS_FROM = SWEEP_COLOUR ? GLINT_TABLES_COLOUR : GLINT_TABLES_SMALL,
-    TABLES_BYTES = SWEEP_COLOUR ? GLINT_TABLES_COLOUR_BYTES : GLINT_TABLES_SMALL_BYTES
-};
+enum { TABLES_BYTES = CONFORMANCE_COLOUR ? GLINT_TABLES_COLOUR_BYTES : GLINT_TABLES_SMALL_BYTES };
+static uint32_t memory[TABLES_BYTES / 4];
 
-#if SWEEP_COLOUR
+/* Into the hash, too: err and, of what was filled, every byte. Whether there are tables. */
+static bool fill(struct glint_tables *tables, enum glint_tables_kind kind, const struct glint_shader *shader)
+{
+    for (uint16_t i = 0; i < TABLES_BYTES / 4; i++)
+        memory[i] = 0;
+    const enum glint_err err = glint_tables_fill(tables, kind, shader, memory, sizeof memory);
+    conform_add((uint32_t)err);
+    if (!err)
+        conform_add_bytes((const uint8_t *)memory, (uint16_t)glint_tables_bytes(kind));
+    return !err;
+}
+
+#if CONFORMANCE_COLOUR
 enum { WIDE = 319 };
 static uint16_t wide_out[WIDE + 1];
 
 static void add_wide_out(uint32_t err)
 {
-    sweep_add(err);
-    sweep_add_bytes((const uint8_t *)wide_out, sizeof wide_out);
+    conform_add(err);
+    conform_add_bytes((const uint8_t *)wide_out, sizeof wide_out);
 }
 
 /* In and about the lobe; t at t_max or 0 to the unit, or nl at 0, at pixel k; steps larger than the loops take for small;
  * any at all. */
 static void tricky_span(struct glint_span *span, uint32_t t_max, uint8_t kind)
 {
-    const uint32_t k = sweep_random_bits() % (span->w + 1u), fine = 1 + sweep_random_bits() % 16;
+    const uint32_t k = conform_random_bits() % (span->w + 1u), fine = 1 + conform_random_bits() % 16;
     const uint32_t step = UINT32_C(1) << (kind == 1 ? 23 + fine % 6 : 25 - fine);
     const uint32_t ddt = UINT32_C(1) << (kind == 1 ? 14 + 3 * fine % 12 : 20 - fine);
-    span->dt_q30 = kind ? (uint32_t)sweep_random_within((int32_t)step) : sweep_random_bits();
-    span->ddt_q30 = kind ? sweep_random_bits() % ddt : sweep_random_bits();
-    span->dnl_q30 = kind ? sweep_random_within((int32_t)step) : (int32_t)sweep_random_bits();
-    span->nl_q30 = (int32_t)(sweep_random_bits() >> (kind == 1 ? 0 : 2));
-    span->t_q30 = kind == 1 ? sweep_random_bits() >> 1 : sweep_random_bits() % (t_max + 100000);
+    span->dt_q30 = kind ? (uint32_t)conform_random_within((int32_t)step) : conform_random_bits();
+    span->ddt_q30 = kind ? conform_random_bits() % ddt : conform_random_bits();
+    span->dnl_q30 = kind ? conform_random_within((int32_t)step) : (int32_t)conform_random_bits();
+    span->nl_q30 = (int32_t)(conform_random_bits() >> (kind == 1 ? 0 : 2));
+    span->t_q30 = kind == 1 ? conform_random_bits() >> 1 : conform_random_bits() % (t_max + 100000);
     if (kind >= 5) { /* the lowest t at pixel k */
         span->dt_q30 = 0 - k * span->ddt_q30;
         span->dnl_q30 >>= 6;
     }
-    const uint32_t to_k = k * span->dt_q30 + k * (k - 1) / 2 * span->ddt_q30, one = (uint32_t)sweep_random_within(1);
+    const uint32_t to_k = k * span->dt_q30 + k * (k - 1) / 2 * span->ddt_q30, one = (uint32_t)conform_random_within(1);
     if (kind == 2 || kind == 5)
         span->t_q30 = t_max + one - to_k;
     else if (kind == 3)
@@ -59,10 +69,10 @@ static void add_wide(const struct glint_tables *tables, const struct glint_table
         const enum glint_normals held = i & 1 ? GLINT_NORMALS_INT8 : GLINT_NORMALS_INT10;
         for (uint16_t x = 0; x < WIDE; x++) {
             struct glint_vec normal;
-            sweep_random_normal(&normal, from);
-            words[x] = x % 11u == 10 ? sweep_random_bits() : glint_normals_pack(held, &normal);
+            conform_random_normal(&normal, from);
+            words[x] = x % 11u == 10 ? conform_random_bits() : glint_normals_pack(held, &normal);
             if (x % 17u == 16) /* without surface */
-                words[x] = sweep_random_bits() % 9 << (i & 1 ? 0 : 12);
+                words[x] = conform_random_bits() % 9 << (i & 1 ? 0 : 12);
         }
         struct glint_tables at = *tables; /* t_max at a pixel's t, to the unit */
         const struct glint_vec n = glint_normals_unpack(GLINT_NORMALS_INT10, words[i & 6]);
@@ -74,22 +84,20 @@ static void add_wide(const struct glint_tables *tables, const struct glint_table
         add_wide_out((uint32_t)glint_tables_rect(&at, light, held, words, 0, widths[i / 2u], 1, &line));
     }
     for (uint16_t i = 0; i < WIDE; i++)
-        offsets[i] = (uint16_t)(sweep_random_bits() & 0x3ffe);
+        offsets[i] = (uint16_t)(conform_random_bits() & 0x3ffe);
     for (uint8_t i = 0; i < 16; i++)
         add_wide_out((uint32_t)glint_palette_rect(tables->colour.colours, offsets, 0, widths[i], 1, &line));
 }
-#endif
 
-#if SWEEP_COLOUR
 /* Every kind of normals over a map, in rows longer than the loops unroll, and a span; where the map is the output, too. */
 static void add_albedo(unsigned model, unsigned flags)
 {
     enum { LONG = 75 };
-    static uint32_t memory[GLINT_TABLES_ALBEDO_BYTES / 4], words[LONG];
+    static uint32_t words[LONG];
     static struct glint_vec normals[LONG];
     static uint16_t map[LONG], pixels[LONG + 1];
     struct glint_shader shader;
-    sweep_random_shader(&shader, model);
+    conform_random_shader(&shader, model);
     shader.format = flags & 1;
     shader.space = GLINT_GAMMA;
     shader.dither = false;
@@ -100,93 +108,105 @@ static void add_albedo(unsigned model, unsigned flags)
     }
     struct glint_tables tables;
     struct glint_tables_light light;
-    const enum glint_err err = glint_tables_fill(&tables, GLINT_TABLES_ALBEDO, &shader, memory, sizeof memory);
-    sweep_add((uint32_t)err);
-    if (err)
+    if (!fill(&tables, GLINT_TABLES_ALBEDO, &shader))
         return;
-    sweep_add((uint32_t)glint_tables_light(&light, &tables, &shader.light));
+    conform_add((uint32_t)glint_tables_light(&light, &tables, &shader.light));
     for (unsigned held = GLINT_NORMALS_INT16; held <= GLINT_NORMALS_INT8; held++) {
         struct glint_vec near = {0, 0, 0};
         for (uint8_t i = 0; i < LONG; i++) {
-            if (sweep_random_bits() % 4 == 0) /* runs of the like: in the lobe, out of it, dark */
-                sweep_random_normal(&near, &shader.light);
+            if (conform_random_bits() % 4 == 0) /* runs of the like: in the lobe, out of it, dark */
+                conform_random_normal(&near, &shader.light);
             normals[i] = near;
-            if (sweep_random_bits() % 8 == 0)
+            if (conform_random_bits() % 8 == 0)
                 normals[i].z = (int16_t)-near.z;
-            words[i] = sweep_random_bits() % 16 ? glint_normals_pack((enum glint_normals)held, &near)
-                                                : sweep_random_bits() % 5;
-            map[i] = (uint16_t)sweep_random_bits();
+            words[i] = conform_random_bits() % 16 ? glint_normals_pack((enum glint_normals)held, &near)
+                                                  : conform_random_bits() % 5;
+            map[i] = (uint16_t)conform_random_bits();
             pixels[i] = i;
         }
         const bool packed = held != GLINT_NORMALS_INT16, in_place = flags & 4;
         const struct glint_surface line = {in_place ? (uint8_t *)map : (uint8_t *)pixels + (held & flags & 1), 0, 0, 0};
-        sweep_add((uint32_t)glint_tables_albedo_rect(&tables, &light, (enum glint_normals)held,
-                                                     packed ? (const void *)words : (const void *)normals, 0, map, 0,
-                                                     (uint16_t)(LONG - flags % 8), 1, &line));
-        sweep_add_bytes(in_place ? (const uint8_t *)map : (const uint8_t *)pixels, sizeof map);
+        conform_add((uint32_t)glint_tables_albedo_rect(&tables, &light, (enum glint_normals)held,
+                                                       packed ? (const void *)words : (const void *)normals, 0, map, 0,
+                                                       (uint16_t)(LONG - flags % 8), 1, &line));
+        conform_add_bytes(in_place ? (const uint8_t *)map : (const uint8_t *)pixels, sizeof map);
     }
     struct glint_span span = {0, 0, 0, 0, 0, 0};
-    sweep_add((uint32_t)glint_span_init(&span, &shader.light, &normals[0], &normals[1], LONG));
+    conform_add((uint32_t)glint_span_init(&span, &shader.light, &normals[0], &normals[1], LONG));
     const struct glint_surface line = {pixels, 0, 0, 0};
-    sweep_add((uint32_t)glint_tables_albedo_span(&tables, &span, map, &line));
-    sweep_add_bytes((const uint8_t *)pixels, sizeof map);
+    conform_add((uint32_t)glint_tables_albedo_span(&tables, &span, map, &line));
+    conform_add_bytes((const uint8_t *)pixels, sizeof map);
 }
 #endif
 
 static void add_tables(unsigned kind, unsigned model, unsigned format, unsigned flags)
 {
-    static uint32_t memory[TABLES_BYTES / 4], words[W * H];
+    static uint32_t words[W * H];
     static struct glint_vec normals[W * H];
     static uint8_t out[LINE * H];
     struct glint_shader shader;
-    sweep_random_shader(&shader, model);
+    conform_random_shader(&shader, model);
     shader.format = (uint8_t)format;
     shader.space = kind == GLINT_TABLES_COLOUR ? flags >> 1 & 1 : 0;
     shader.dither = kind == GLINT_TABLES_SMALL && (flags & 1);
     shader.clamp_peak = flags & 1;
     struct glint_tables tables;
     struct glint_tables_light light;
-    const enum glint_err err = glint_tables_fill(&tables, (enum glint_tables_kind)kind, &shader, memory, sizeof memory);
-    sweep_add((uint32_t)err);
-    if (err)
+    if (!fill(&tables, (enum glint_tables_kind)kind, &shader))
         return;
-    sweep_add((uint32_t)glint_tables_light(&light, &tables, &shader.light));
+    conform_add((uint32_t)glint_tables_light(&light, &tables, &shader.light));
     for (uint8_t i = 0; i < W * H; i++)
-        sweep_random_normal(&normals[i], &shader.light);
+        conform_random_normal(&normals[i], &shader.light);
     for (unsigned held = GLINT_NORMALS_INT16; held <= GLINT_NORMALS_INT8; held++) {
         for (uint8_t i = 0; i < W * H; i++)
-            words[i] = i % 7 == 6 ? sweep_random_bits() : glint_normals_pack((enum glint_normals)held, &normals[i]);
+            words[i] = i % 7 == 6 ? conform_random_bits() : glint_normals_pack((enum glint_normals)held, &normals[i]);
         for (uint8_t i = 0; i < LINE * H; i++)
             out[i] = i;
         const struct glint_surface surface = {out + (held & 1), LINE, 1, 2};
         const bool packed = held != GLINT_NORMALS_INT16;
-        sweep_add((uint32_t)glint_tables_rect(
+        conform_add((uint32_t)glint_tables_rect(
             &tables, &light, (enum glint_normals)held, packed ? (const void *)words : (const void *)normals,
             (ptrdiff_t)(W * (packed ? sizeof *words : sizeof *normals)), W - 1, H, &surface));
-        sweep_add_bytes(out, LINE * H);
+        conform_add_bytes(out, LINE * H);
     }
     struct glint_span span = {0, 0, 0, 0, 0, 0};
-    sweep_add((uint32_t)glint_span_init(&span, &shader.light, &normals[0], &normals[1], W));
+    conform_add((uint32_t)glint_span_init(&span, &shader.light, &normals[0], &normals[1], W));
     const struct glint_surface line = {out, LINE, 0, 0};
-    sweep_add((uint32_t)glint_tables_span(&tables, &span, &line));
-    sweep_add_bytes(out, LINE);
-#if SWEEP_COLOUR
+    conform_add((uint32_t)glint_tables_span(&tables, &span, &line));
+    conform_add_bytes(out, LINE);
+#if CONFORMANCE_COLOUR
     if (kind == GLINT_TABLES_COLOUR)
         add_wide(&tables, &light, &shader.light);
 #endif
 }
 
-void sweep_add_tables(const struct sweep_size *size)
+static void add_kind(unsigned kind, unsigned last_format, const struct conformance_size *size)
 {
     unsigned flags = 0;
-    for (unsigned kind = KINDS_FROM; kind <= GLINT_TABLES_SMALL; kind++)
-        for (unsigned model = 0; model < MODEL_COUNT; model++)
-            for (unsigned format = GLINT_RGB565; format <= (kind ? GLINT_MONO : GLINT_RGB565_SWAPPED); format++)
-                for (uint8_t scene = 0; scene < size->scenes; scene++)
-                    add_tables(kind, model, format, flags++);
-#if SWEEP_COLOUR
+    for (unsigned model = 0; model < MODEL_COUNT; model++)
+        for (unsigned format = GLINT_RGB565; format <= last_format; format++)
+            for (uint8_t scene = 0; scene < size->scenes; scene++)
+                add_tables(kind, model, format, flags++);
+}
+
+void conform_small(const struct conformance_size *size)
+{
+    add_kind(GLINT_TABLES_SMALL, GLINT_MONO, size);
+}
+
+void conform_colours(const struct conformance_size *size)
+{
+    add_kind(GLINT_TABLES_COLOUR, GLINT_RGB565_SWAPPED, size);
+}
+
+void conform_albedo(const struct conformance_size *size)
+{
+#if CONFORMANCE_COLOUR
+    unsigned flags = 0;
     for (unsigned model = 0; model < MODEL_COUNT; model++)
         for (uint8_t scene = 0; scene < 2 * size->scenes; scene++)
             add_albedo(model, flags++);
+#else
+    (void)size;
 #endif
 }

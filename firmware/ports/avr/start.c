@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * ATmega2560 under simavr: output by USART 0; asleep with interrupts off, it ends. */
+ * ATmega2560: output by USART 0. Under simavr: asleep with interrupts off, it ends. */
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <avr/sleep.h>
@@ -18,8 +18,10 @@ void machine_put(char c)
 
 int main(void)
 {
+    UBRR0 = 16; /* 115200 baud at 16 MHz */
+    UCSR0A = 1 << U2X0;
     UCSR0B = 1 << TXEN0;
-    machine_run(__heap_start);
+    (void)machine_run(__heap_start);
     while (!(UCSR0A & (1 << UDRE0)))
         ;
     cli();

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT
- * What compilers ask for by themselves, where there is no C library. */
+ * Where there is no C library: static data as C wants it, and what compilers ask for by themselves. */
+#include "bare.h"
+
 #include <stddef.h>
 
 void *memset(void *to, int value, size_t count);
@@ -18,4 +20,13 @@ __attribute__((optimize("no-tree-loop-distribute-patterns"))) void *memcpy(void 
     for (unsigned char *at = to; count--; at++, source++)
         *at = *source;
     return to;
+}
+
+/* From the linker script. */
+extern unsigned char data_load[], data_start[], data_end[], bss_start[], bss_end[];
+
+void bare_begin(void)
+{
+    memcpy(data_start, data_load, (size_t)(data_end - data_start));
+    memset(bss_start, 0, (size_t)(bss_end - bss_start));
 }

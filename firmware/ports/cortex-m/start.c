@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT
- * Cortex-M under QEMU: output and exit by semihosting. Only integers are used, so the floating-point unit of a Cortex-M4F
+ * Cortex-M: output and exit by semihosting, of QEMU or of a debug probe. Only integers are used, so the floating-point unit of a Cortex-M4F
  * stays off: an instruction of it would fault. */
-#include "machine.h"
+#include "bare.h"
 
-extern uint8_t stack_floor[], stack_top[]; /* from the linker script */
 void start(void);
 
 static void semihosting(int32_t operation, const void *argument)
@@ -18,12 +17,17 @@ void machine_put(char c)
     semihosting(3, &c); /* SYS_WRITEC */
 }
 
-void start(void)
+static void end(bool well) /* SYS_EXIT: ADP_Stopped_ApplicationExit, ADP_Stopped_RunTimeErrorUnknown */
 {
-    machine_run(stack_floor);
-    semihosting(0x18, (const void *)0x20026); /* SYS_EXIT, ADP_Stopped_ApplicationExit */
+    semihosting(0x18, (const void *)(well ? 0x20026 : 0x20023));
     for (;;)
         ;
+}
+
+void start(void)
+{
+    bare_begin();
+    end(machine_run(stack_floor));
 }
 
 static void fault(void)
@@ -31,9 +35,7 @@ static void fault(void)
     static const char text[] = "fault\n";
     for (const char *at = text; *at; at++)
         machine_put(*at);
-    semihosting(0x18, (const void *)0x20023); /* ADP_Stopped_RunTimeErrorUnknown */
-    for (;;)
-        ;
+    end(false);
 }
 
 /* Initial stack pointer, reset, NMI, HardFault: others lead to HardFault while they are off. */

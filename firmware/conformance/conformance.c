@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: MIT */
+#include "conformance_parts.h"
+#include "machine.h"
+
+const struct conformance_size conformance_large = {1, 7, 3000, 1, 40, 50000};
+const struct conformance_size conformance_small = {4, 8191, 6, 4, 1, 20};
+
+static const char *const names[CONFORMANCE_CHECKS] = {
+    "MSH: values, limits, cutoffs",
+    "Schlick: values, limits, cutoffs",
+    "Blinn: values, limits, cutoffs",
+    "Gauss: values, limits, cutoffs",
+    "Cayley: values, limits, cutoffs",
+    "models by number, prepared lobes",
+    "vectors and lights",
+    "sRGB",
+    "rectangles and spans in RGB565",
+    "rectangles and spans in RGB565, bytes swapped",
+    "rectangles and spans in RGB888",
+    "rectangles and spans in grey",
+    "rectangles and spans in mono",
+    "no such format",
+    "SMALL tables, their loops",
+    "COLOUR tables, their loops, palettes",
+    "ALBEDO tables, their loops",
+    "MSH and Schlick, every c, n = 1",
+    "MSH and Schlick, every c, n = 2",
+    "MSH and Schlick, every c, n = 3",
+    "MSH and Schlick, every c, n = 5",
+    "MSH and Schlick, every c, n = 10",
+    "MSH and Schlick, every c, n = 60",
+    "MSH and Schlick, every c, n = 100",
+    "MSH and Schlick, every c, n = 317",
+    "MSH and Schlick, every c, n = 1000",
+};
+
+const char *conformance_name(unsigned check)
+{
+    return names[check];
+}
+
+bool conformance_fits(unsigned check)
+{
+    if (check == CONFORMANCE_COLOURS || check == CONFORMANCE_ALBEDO)
+        return CONFORMANCE_COLOUR;
+    return check < CONFORMANCE_EVERY_C_1 || CONFORMANCE_EVERY_C;
+}
+
+/* ---- hash and chance ---- */
+
+static uint64_t hash;
+static uint32_t state;
+
+static void mix(uint32_t value) /* FNV-1a */
+{
+    hash ^= value;
+    hash *= UINT64_C(0x100000001b3);
+}
+
+void conform_add_bytes(const uint8_t *bytes, uint16_t count)
+{
+    while (count--)
+        mix(*bytes++);
+}
+
+void conform_add(uint32_t value)
+{
+    mix(value);
+}
+
+uint32_t conform_random_bits(void)
+{
+    state = state * UINT32_C(1664525) + UINT32_C(1013904223);
+    return state ^ state >> 16;
+}
+
+int32_t conform_random_within(int32_t limit)
+{
+    return (int32_t)(conform_random_bits() % (2 * (uint32_t)limit + 1)) - limit;
+}
+
+void conform_random_vector(int32_t v[3], int32_t limit)
+{
+    for (uint8_t i = 0; i < 3; i++)
+        v[i] = conform_random_within(limit);
+}
+
+/* No table of pointers: the stack's bound follows calls by name. */
+uint64_t conformance_hash(unsigned check, const struct conformance_size *size)
+{
+    hash = UINT64_C(0xcbf29ce484222325);
+    state = 1;
+    if (check <= CONFORMANCE_CAYLEY)
+        conform_model(check, size);
+    else if (check == CONFORMANCE_LOBES)
+        conform_lobes(size);
+    else if (check == CONFORMANCE_VECTORS)
+        conform_vectors(size);
+    else if (check == CONFORMANCE_SRGB)
+        conform_srgb(size);
+    else if (check <= CONFORMANCE_NO_FORMAT)
+        conform_scenes(check - CONFORMANCE_RGB565 + GLINT_RGB565, size);
+    else if (check == CONFORMANCE_SMALL)
+        conform_small(size);
+    else if (check == CONFORMANCE_COLOURS)
+        conform_colours(size);
+    else if (check == CONFORMANCE_ALBEDO)
+        conform_albedo(size);
+    else
+        conform_every_c(check);
+    return hash;
+}
+
+/* ---- the report ---- */
+
+void conformance_say(const char *text)
+{
+    while (*text)
+        machine_put(*text++);
+}
+
+void conformance_say_number(uint32_t number)
+{
+    char digits[10];
+    uint8_t count = 0;
+    do
+        digits[count++] = (char)('0' + number % 10);
+    while (number /= 10);
+    while (count)
+        machine_put(digits[--count]);
+}
+
+static void say_hash(uint64_t value)
+{
+    for (uint8_t digit = 0; digit < 16; digit++) {
+        const unsigned nibble = value >> (60 - 4 * digit) & 15;
+        machine_put((char)(nibble < 10 ? '0' + nibble : 'a' + nibble - 10));
+    }
+}
+
+struct conformance_sum conformance_run(const uint64_t expected[CONFORMANCE_CHECKS])
+{
+    struct conformance_sum sum = {0, 0, 0};
+    for (unsigned check = 0; check < CONFORMANCE_CHECKS; check++) {
+        const bool fits = conformance_fits(check);
+        const uint64_t found = fits ? conformance_hash(check, &conformance_small) : 0;
+        const bool good = !fits || found == expected[check];
+        sum.skipped += !fits;
+        sum.passed += fits && good;
+        sum.failed += !good;
+        conformance_say(good ? "ok " : "not ok ");
+        conformance_say_number(check + 1);
+        conformance_say(" - ");
+        conformance_say(names[check]);
+        if (!fits)
+            conformance_say(" # SKIP too large for this machine");
+        else {
+            conformance_say(": ");
+            say_hash(found);
+        }
+        if (!good) {
+            conformance_say(", the host has ");
+            say_hash(expected[check]);
+        }
+        conformance_say("\n");
+    }
+    return sum;
+}

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Does the library give the host's results here? Every public function over a spread of arguments, a hash a check: equal
+ * hashes mean equal results. An image prints a line a check and `N passed, N failed`, by itself on any board: what the
+ * host finds, by the same code, is compiled in (conformance_expected.h, which expected.c writes while the image is built). */
+#ifndef CONFORMANCE_H
+#define CONFORMANCE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* 0: without the COLOUR and ALBEDO tables, for machines whose RAM is less than their 20 KB. */
+#ifndef CONFORMANCE_COLOUR
+#define CONFORMANCE_COLOUR 1
+#endif
+/* 0: without MSH and Schlick at every c, for machines that would take minutes. */
+#ifndef CONFORMANCE_EVERY_C
+#define CONFORMANCE_EVERY_C 1
+#endif
+
+enum conformance_check {
+    CONFORMANCE_MSH, /* values from c and from t: a grid, every limit, every cutoff and its neighbours */
+    CONFORMANCE_SCHLICK,
+    CONFORMANCE_BLINN,
+    CONFORMANCE_GAUSS,
+    CONFORMANCE_CAYLEY,
+    CONFORMANCE_LOBES, /* models by number, prepared lobes on both sides of their cutoff */
+    CONFORMANCE_VECTORS,
+    CONFORMANCE_SRGB,
+    CONFORMANCE_RGB565, /* rectangles, rectangles under several lights, spans */
+    CONFORMANCE_RGB565_SWAPPED,
+    CONFORMANCE_RGB888,
+    CONFORMANCE_GREY8,
+    CONFORMANCE_MONO,
+    CONFORMANCE_NO_FORMAT, /* one more than there are */
+    CONFORMANCE_SMALL,     /* tables as filled, and all their loops */
+    CONFORMANCE_COLOURS,
+    CONFORMANCE_ALBEDO,
+    CONFORMANCE_EVERY_C_1, /* MSH and Schlick at every c: n = 1, 2, 3, 5, 10, 60, 100, 317, 1000 */
+    CONFORMANCE_CHECKS = CONFORMANCE_EVERY_C_1 + 9
+};
+
+struct conformance_size {
+    uint16_t n_stride; /* of the list of shininess values */
+    uint16_t c_step;   /* Q16.16 */
+    uint16_t t_count;  /* random arguments a model and shininess */
+    uint8_t q_step;
+    uint8_t scenes; /* random rectangles and spans a format, space, dither and model */
+    uint16_t random_vectors;
+};
+extern const struct conformance_size conformance_large; /* for a desktop: some millions of values */
+extern const struct conformance_size conformance_small; /* for a microcontroller: some thousands */
+
+const char *conformance_name(unsigned check);
+bool conformance_fits(unsigned check); /* false: left out here, see above */
+uint64_t conformance_hash(unsigned check, const struct conformance_size *size);
+
+/* The small size. Prints a line a check by machine_put; `expected`: the host's hashes. */
+struct conformance_sum {
+    unsigned passed, failed, skipped;
+};
+struct conformance_sum conformance_run(const uint64_t expected[CONFORMANCE_CHECKS]);
+
+/* For whoever adds a line to the report. */
+void conformance_say(const char *text);
+void conformance_say_number(uint32_t number);
+
+#endif

@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: MIT
+# AVR: make firmware PORT=avr
+avr_TOOLS = avr-
+avr_BOARDS = atmega2560
+avr_FLAGS_atmega2560 = -mmcu=atmega2560 -DCONFORMANCE_COLOUR=0 -DCONFORMANCE_EVERY_C=0
+avr_LINK_atmega2560 = $(CURDIR)/firmware/ports/avr/budget.ld
+$(eval $(call bare_port,avr))
+
+setup-firmware-avr: setup-build
+	@.ci/need "firmware for AVR" gcc-avr avr-libc
+
+.PHONY: setup-firmware-avr

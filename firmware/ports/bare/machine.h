@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT
+ * A machine without an operating system: what a port's start.c and a program give each other. */
+#ifndef MACHINE_H
+#define MACHINE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* The port: a character to where it is seen. */
+void machine_put(char c);
+
+/* The program, called by the port once. `floor`: the first address above static data, from where the stack may use all.
+ * Whether all went well: the emulator's exit status where it has one. */
+bool machine_run(volatile uint8_t *floor);
+
+#endif
