@@ -357,7 +357,7 @@ const struct sink_kind sink_usb = {
     .summary = "a USB display that speaks GUD, by libusb",
     .options = usb_argps,
     .examples = "  glint stream dial --to usb --stats\n"
-                "  glint stream --height wall.png --size 240x240 --to usb --shade device --fps 60\n"
+                "  glint stream --height wall.png --size 240x240 --to usb --shade device\n"
                 "  glint stream coin --to usb --usb-path 1-3.1 --wait\n",
     .open = usb_open,
     .box_bytes = usb_box_bytes,
