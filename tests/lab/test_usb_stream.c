@@ -261,7 +261,7 @@ static void a_stream_shows_its_last_frame(void **state)
     usb_display_defaults(&config, 240, 135);
     check_command(&config, "", 4);
     usb_display_unplug(&display);
-    config.full_speed = true;
+    config.ids.full_speed = true;
     check_command(&config, "", 4);
     usb_display_unplug(&display);
 }

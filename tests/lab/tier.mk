@@ -17,8 +17,9 @@ $(LAB_TESTS): %: %.o $(LAB_COMMON)
 
 # The usb sink: some call it, some run the command; against a display of their own and against the firmware's.
 USB_TESTS = $(patsubst tests/lab/%.c,$(BUILD)/tests/lab/%,$(wildcard tests/lab/test_usb_*.c tests/lab/usb_rate.c))
-USB_COMMON = $(BUILD)/tests/lab/usb_display.o $(filter-out $(BUILD)/host/main.o,$(HOST_OBJECTS)) $(BUILD)/libglint.a
-$(USB_TESTS:%=%.o) $(BUILD)/tests/lab/usb_display.o: LAB_CFLAGS += -Ilib -Ihost -Ifirmware/core $(SINK_FLAGS) \
+USB_DISPLAY = $(patsubst %,$(BUILD)/tests/lab/%.o,usb_display usb_function)
+USB_COMMON = $(USB_DISPLAY) $(filter-out $(BUILD)/host/main.o,$(HOST_OBJECTS)) $(BUILD)/libglint.a
+$(USB_TESTS:%=%.o) $(USB_DISPLAY): LAB_CFLAGS += -Ilib -Ihost -Ifirmware/core $(SINK_FLAGS) \
 	$(shell pkg-config --cflags $(HOST_LIBS) $(SINK_LIBS) 2>/dev/null)
 $(USB_TESTS): %: %.o $(USB_COMMON)
 	$(CC) $(HOST_LDFLAGS) $< $(USB_COMMON) -o $@ -lcmocka $(HOST_LDLIBS)

@@ -3,7 +3,6 @@
 
 #include <endian.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <linux/usb/functionfs.h>
 #include <lz4.h>
 #include <poll.h>
@@ -13,21 +12,18 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
-#include <sys/mount.h>
 #include <sys/prctl.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "gud_protocol.h"
 #include "usb_display.h"
-
-#define GADGETS "/sys/kernel/config/usb_gadget"
+#include "usb_function.h"
 
 void usb_display_defaults(struct usb_display_config *c, uint16_t width, uint16_t height)
 {
     static const uint8_t formats[] = {GUD_RGB565, GUD_RGB888, GUD_XRGB8888, GUD_R8, GUD_R1};
-    *c = (struct usb_display_config){.vendor = 0x1209, .product = 1, .serial = "lab", .status = GUD_CONNECTED};
+    *c = (struct usb_display_config){.ids = {.vendor = 0x1209, .product = 1, .serial = "lab"}, .status = GUD_CONNECTED};
     gud_descriptor_pack(c->descriptor, &(struct gud_descriptor){.compression = GUD_COMPRESSION_LZ4,
                                                                 .min_width = width,
                                                                 .max_width = width,
@@ -51,27 +47,10 @@ void usb_display_defaults(struct usb_display_config *c, uint16_t width, uint16_t
     c->modes_bytes = GUD_MODE_BYTES;
 }
 
-/* ---- the gadget's files ---- */
-
-/* In the display's process: what cannot be done ends it, and the test waits in vain for ready. */
-static void put(const char *folder, const char *file, const char *format, ...) __attribute__((format(printf, 3, 4)));
-static void put(const char *folder, const char *file, const char *format, ...)
-{
-    char path[256];
-    snprintf(path, sizeof path, "%s/%s", folder, file);
-    FILE *stream = fopen(path, "w");
-    va_list arguments;
-    va_start(arguments, format);
-    if (!stream || vfprintf(stream, format, arguments) < 0 || fclose(stream) != 0)
-        fprintf(stderr, "usb_display: %s: %s\n", path, strerror(errno));
-    va_end(arguments);
-}
-
 struct process {
     const struct usb_display_config *config;
     struct usb_display *display;
-    char folder[64], mount[64];
-    int ep0, bulk;
+    struct usb_function function;
     pthread_t reader;
     pthread_mutex_t mutex;
     pthread_cond_t cond;
@@ -81,104 +60,6 @@ struct process {
     uint8_t status, *data;
     unsigned troubled; /* the change of config whose trouble is over */
 };
-
-static void make_folder(const char *folder, const char *name)
-{
-    char path[256];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    if (mkdir(path, 0755) != 0 && errno != EEXIST)
-        fprintf(stderr, "usb_display: %s: %s\n", path, strerror(errno));
-}
-
-static void plug(const struct process *p, bool in)
-{
-    if (in)
-        put(p->folder, "UDC", "dummy_udc.%u", p->config->controller);
-    else
-        put(p->folder, "UDC", "\n");
-}
-
-static void write_descriptors(const struct process *p)
-{
-    struct {
-        struct usb_functionfs_descs_head_v2 head;
-        __le32 full_count, high_count;
-        struct {
-            struct usb_interface_descriptor interface;
-            struct usb_endpoint_descriptor_no_audio bulk;
-        } __attribute__((packed)) full, high;
-    } __attribute__((packed)) all = {.head = {.magic = htole32(FUNCTIONFS_DESCRIPTORS_MAGIC_V2),
-                                              .flags = htole32(FUNCTIONFS_HAS_FS_DESC | FUNCTIONFS_HAS_HS_DESC),
-                                              .length = htole32(sizeof all)},
-                                     .full_count = htole32(2),
-                                     .high_count = htole32(2),
-                                     .full = {.interface = {.bLength = sizeof all.full.interface,
-                                                            .bDescriptorType = USB_DT_INTERFACE,
-                                                            .bNumEndpoints = 1,
-                                                            .bInterfaceClass = USB_CLASS_VENDOR_SPEC},
-                                              .bulk = {.bLength = sizeof all.full.bulk,
-                                                       .bDescriptorType = USB_DT_ENDPOINT,
-                                                       .bEndpointAddress = 1 | USB_DIR_OUT,
-                                                       .bmAttributes = USB_ENDPOINT_XFER_BULK,
-                                                       .wMaxPacketSize = htole16(64)}}};
-    all.high = all.full;
-    all.high.bulk.wMaxPacketSize = htole16(512);
-    const struct usb_functionfs_strings_head strings = {.magic = htole32(FUNCTIONFS_STRINGS_MAGIC),
-                                                        .length = htole32(sizeof strings)};
-    if (write(p->ep0, &all, sizeof all) < 0 || write(p->ep0, &strings, sizeof strings) < 0)
-        perror("usb_display: descriptors");
-}
-
-static void build(struct process *p)
-{
-    const char *name = p->display->name;
-    char path[256];
-    snprintf(p->folder, sizeof p->folder, GADGETS "/%s", name);
-    snprintf(p->mount, sizeof p->mount, "/run/%s", name);
-    make_folder(GADGETS, name);
-    make_folder("/run", name);
-    put(p->folder, "idVendor", "%#x", p->config->vendor);
-    put(p->folder, "idProduct", "%#x", p->config->product);
-    if (p->config->full_speed)
-        put(p->folder, "max_speed", "full-speed");
-    make_folder(p->folder, "strings/0x409");
-    if (p->config->serial)
-        put(p->folder, "strings/0x409/serialnumber", "%s", p->config->serial);
-    put(p->folder, "strings/0x409/product", "Lab display");
-    make_folder(p->folder, "configs/c.1");
-    snprintf(path, sizeof path, "functions/ffs.%s", name);
-    make_folder(p->folder, path);
-    char function[400], link[256];
-    snprintf(function, sizeof function, "%s/%s", p->folder, path);
-    snprintf(link, sizeof link, "%s/configs/c.1/f", p->folder);
-    if (symlink(function, link) != 0 || mount(name, p->mount, "functionfs", 0, NULL) != 0)
-        perror("usb_display: function");
-    snprintf(path, sizeof path, "%s/ep0", p->mount);
-    p->ep0 = open(path, O_RDWR);
-    write_descriptors(p);
-    snprintf(path, sizeof path, "%s/ep1", p->mount);
-    p->bulk = open(path, O_RDWR);
-    if (p->ep0 < 0 || p->bulk < 0)
-        perror(path);
-}
-
-static void remove_gadget(const char *name)
-{
-    char path[256];
-    static const char *const folders[] = {"configs/c.1", NULL, "strings/0x409", ""};
-    snprintf(path, sizeof path, GADGETS "/%s", name);
-    snprintf(path, sizeof path, GADGETS "/%s/configs/c.1/f", name);
-    unlink(path);
-    snprintf(path, sizeof path, "/run/%s", name);
-    umount2(path, MNT_DETACH);
-    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
-        if (folders[i])
-            snprintf(path, sizeof path, GADGETS "/%s/%s", name, folders[i]);
-        else
-            snprintf(path, sizeof path, GADGETS "/%s/functions/ffs.%s", name, name);
-        rmdir(path);
-    }
-}
 
 /* ---- bulk data ---- */
 
@@ -224,15 +105,15 @@ static bool make_trouble(struct process *p, unsigned generation)
             usleep(10000);
         return true;
     case BULK_STALL: /* what is wrong way round halts the endpoint */
-        if (write(p->bulk, p->data, 1) >= 0 || errno != EBADMSG)
+        if (write(p->function.bulk, p->data, 1) >= 0 || errno != EBADMSG)
             perror("usb_display: halt");
         return true;
     case UNPLUG:
-        plug(p, false);
+        usb_function_unplug(&p->function);
         p->generation++;
         if (p->config->trouble_ms) {
             usleep(p->config->trouble_ms * 1000);
-            plug(p, true);
+            usb_function_plug(&p->function, p->config->controller);
         }
         return true;
     default:
@@ -273,7 +154,7 @@ static void *read_bulk(void *argument)
                 lost = make_trouble(p, generation);
                 continue;
             }
-            const ssize_t count = read(p->bulk, p->data + got, left < 16384 ? left : 16384);
+            const ssize_t count = read(p->function.bulk, p->data + got, left < 16384 ? left : 16384);
             if (count < 0)
                 break;
             got += (size_t)count;
@@ -292,7 +173,7 @@ static void stall(struct process *p, bool in, uint8_t status)
 {
     p->status = status;
     /* What is wrong way round is a stall. */
-    if ((in ? read(p->ep0, NULL, 0) : write(p->ep0, NULL, 0)) >= 0 || errno != EL2HLT)
+    if ((in ? read(p->function.ep0, NULL, 0) : write(p->function.ep0, NULL, 0)) >= 0 || errno != EL2HLT)
         perror("usb_display: stall");
 }
 
@@ -371,7 +252,7 @@ static void answer(struct process *p, uint8_t request, uint16_t length)
     for (size_t i = 0; i < sizeof answers / sizeof *answers; i++) {
         if (answers[i].request != request)
             continue;
-        if (write(p->ep0, answers[i].data ? answers[i].data : (const uint8_t *)"",
+        if (write(p->function.ep0, answers[i].data ? answers[i].data : (const uint8_t *)"",
                   answers[i].bytes < length ? answers[i].bytes : length) < 0 &&
             c->trouble != CONTROL_SILENT) /* then the host no longer waits */
             perror("usb_display: answer");
@@ -405,7 +286,7 @@ static void setup(struct process *p, const struct usb_ctrlrequest *request)
         answer(p, request->bRequest, length);
     else if (request->bRequest == GUD_SET_BUFFER && !p->display->seen->controller) /* it was reset */
         stall(p, in, GUD_PARAMETER);
-    else if (length > sizeof data || read(p->ep0, data, length) != length)
+    else if (length > sizeof data || read(p->function.ep0, data, length) != length)
         p->display->seen->protocol_errors++;
     else
         take(p, request->bRequest, data, length);
@@ -418,13 +299,13 @@ static void on_wake(int number)
 
 static _Noreturn void serve(struct process *p)
 {
-    build(p);
+    usb_function_build(&p->function, p->display->name, &p->config->ids);
     sigaction(SIGUSR1, &(struct sigaction){.sa_handler = on_wake}, NULL);
     pthread_create(&p->reader, NULL, read_bulk, p);
-    plug(p, true);
+    usb_function_plug(&p->function, p->config->controller);
     for (;;) {
         struct usb_functionfs_event event;
-        if (read(p->ep0, &event, sizeof event) != sizeof event) {
+        if (read(p->function.ep0, &event, sizeof event) != sizeof event) {
             if (errno == EINTR || errno == EL2HLT || errno == EIDRM)
                 continue;
             perror("usb_display: ep0");
@@ -495,7 +376,7 @@ void usb_display_unplug(struct usb_display *display)
             displays[i] = NULL;
     kill(display->process, SIGKILL);
     waitpid(display->process, NULL, 0);
-    remove_gadget(display->name);
+    usb_function_remove(display->name);
     munmap(display->seen, sizeof *display->seen);
     display->process = 0;
 }

@@ -9,6 +9,8 @@
 #include <stdint.h>
 #include <sys/types.h>
 
+#include "usb_function.h"
+
 enum usb_trouble {
     NO_TROUBLE,
     BULK_NAK,      /* after trouble_at bytes it takes no more */
@@ -20,9 +22,7 @@ enum usb_trouble {
 
 /* Config: what it sends, byte by byte. usb_display_defaults fills it: an honest display. */
 struct usb_display_config {
-    uint16_t vendor, product;
-    const char *serial;
-    bool full_speed;
+    struct usb_function_ids ids;
     unsigned controller; /* dummy_udc.N */
     uint8_t descriptor[64], formats[64], connectors[64], status, modes[4096];
     uint16_t descriptor_bytes, formats_bytes, connectors_bytes, status_bytes, modes_bytes;
@@ -53,7 +53,7 @@ struct usb_display {
 };
 
 void usb_display_defaults(struct usb_display_config *config, uint16_t width, uint16_t height);
-/* Plugs it in, or changes what it says and does while it is: but not its IDs, serial, speed and controller. What it saw
+/* Plugs it in, or changes what it says and does while it is: but not its IDs and controller. What it saw
  * is forgotten. */
 void usb_display_be(struct usb_display *display, const struct usb_display_config *config);
 void usb_display_unplug(struct usb_display *display);
@@ -62,9 +62,13 @@ int usb_displays_unplug(void **state);
 /* What comes about in the display's own time. */
 #define assert_soon(condition)                                                                                         \
     do {                                                                                                               \
-        for (unsigned tries_ = 0; tries_ < 500 && !(condition); tries_++)                                              \
+        bool soon_ = (condition);                                                                                      \
+        for (unsigned tries_ = 0; tries_ < 500 && !soon_; tries_++) {                                                  \
             usleep(10000);                                                                                             \
-        assert_true(condition);                                                                                        \
+            soon_ = (condition);                                                                                       \
+        }                                                                                                              \
+        if (!soon_)                                                                                                    \
+            fail_msg("not soon: %s", #condition);                                                                      \
     } while (0)
 
 #endif

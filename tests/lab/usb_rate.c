@@ -79,7 +79,7 @@ static void measure(uint16_t width, uint16_t height, bool full_speed, unsigned f
     static struct usb_display display;
     struct usb_display_config config;
     usb_display_defaults(&config, width, height);
-    config.full_speed = full_speed;
+    config.ids.full_speed = full_speed;
     usb_display_be(&display, &config);
     double sink = 0, bare = 0, bulk = 0;
     for (unsigned i = 0; i < 9; i++) { /* the best of each: the machine does other things, too */

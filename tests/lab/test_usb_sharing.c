@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: MIT
+ * Who else has a display, which of several it is, and signals. */
+#include "usb_run.h"
+
+#include <fcntl.h>
+#include <signal.h>
+
+/* ---- who else has it ---- */
+
+static void another_programs_display_is_left_to_it(void **state)
+{
+    (void)state;
+    honest();
+    usb_display_be(&display, &config);
+    const pid_t stream = start("exec " STREAM OURS);
+    assert_soon(display.seen->rectangles > 1);
+    assert_fails(STREAM OURS "--frames 1", "(1209:0001): another program uses it; end that first");
+    kill(stream, SIGTERM);
+    assert_exits(stream, 143);
+}
+
+static void a_display_without_permission_is_told_apart_from_none(void **state)
+{
+    (void)state;
+    honest();
+    usb_display_be(&display, &config);
+    assert_ends("chmod 755 .; setpriv --reuid 65534 --clear-groups " STREAM OURS "--frames 1", 1,
+                "permission denied; install glint's udev rule");
+}
+
+static void the_kernels_display_is_taken_only_by_detach_and_given_back(void **state)
+{
+    (void)state;
+    usb_displays_unplug(NULL);
+    honest();
+    config.ids.vendor = 0x1d50;
+    config.ids.product = 0x614d;
+    usb_display_be(&display, &config);
+    assert_soon(access("/sys/bus/usb/drivers/gud/1-1:1.0", F_OK) == 0);
+    assert_contains(run("$GLINT list")->out, "1d50:614d  taken by the kernel (driver gud)  Lab display  serial lab");
+    assert_fails(STREAM "--frames 1", "(1d50:614d): the kernel's driver gud has it; --detach takes the monitor away");
+    assert_ends(STREAM "--frames 2 --detach", 0, "");
+    assert_soon(access("/sys/bus/usb/drivers/gud/1-1:1.0", F_OK) == 0);
+    const pid_t stream = start("exec " STREAM "--detach");
+    assert_soon(access("/sys/bus/usb/drivers/gud/1-1:1.0", F_OK) != 0 && display.seen->rectangles > 1);
+    kill(stream, SIGINT);
+    assert_exits(stream, 130);
+    assert_soon(access("/sys/bus/usb/drivers/gud/1-1:1.0", F_OK) == 0);
+    assert_fails(STREAM "--detach --size 3x3", "it has no mode 3x3");
+    assert_soon(access("/sys/bus/usb/drivers/gud/1-1:1.0", F_OK) == 0);
+    usb_display_unplug(&display);
+}
+
+static void of_two_displays_one_is_to_be_named(void **state)
+{
+    (void)state;
+    usb_displays_unplug(NULL);
+    static struct usb_display_config second;
+    static struct usb_display other;
+    honest();
+    config.ids.serial = "left";
+    second = config;
+    second.ids.serial = "right";
+    second.controller = 1;
+    usb_display_be(&display, &config);
+    usb_display_be(&other, &second);
+    assert_fails(STREAM "--frames 1",
+                 "1-1 (1209:0001 serial left), 2-1 (1209:0001 serial right); choose one by --usb-path");
+    assert_ends(STREAM "--frames 1 --serial right", 0, "");
+    assert_soon(other.seen->rectangles == 1);
+    assert_int_equal(display.seen->rectangles, 0);
+    assert_ends(STREAM "--frames 1 --usb-path 1-1", 0, "");
+    assert_soon(display.seen->rectangles == 1);
+    usb_display_unplug(&other);
+    usb_display_unplug(&display);
+}
+
+/* ---- signals ---- */
+
+static void an_interrupt_ends_waiting(void **state)
+{
+    (void)state;
+    usb_displays_unplug(NULL);
+    const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    assert_true(terminal >= 0 && grantpt(terminal) == 0 && unlockpt(terminal) == 0);
+    const pid_t stream = start_to(ptsname(terminal), "exec " STREAM "--wait --serial none");
+    char text[1000] = "";
+    for (size_t length = 0; !strstr(text, "waiting for a USB display; Ctrl-C ends it");) {
+        const ssize_t count = read(terminal, text + length, sizeof text - 1 - length);
+        assert_true(count > 0);
+        length += (size_t)count;
+    }
+    kill(stream, SIGINT);
+    assert_exits(stream, 130);
+    close(terminal);
+}
+
+static void an_interrupt_switches_the_display_off(void **state)
+{
+    (void)state;
+    honest();
+    usb_display_be(&display, &config);
+    const pid_t stream = start("exec " STREAM OURS);
+    assert_soon(display.seen->rectangles > 1);
+    kill(stream, SIGINT);
+    assert_exits(stream, 130);
+    assert_soon(!display.seen->display && !display.seen->controller);
+}
+
+static void an_interrupt_ends_requests_and_data_that_are_not_taken(void **state)
+{
+    (void)state;
+    trouble(BULK_NAK, true);
+    pid_t stream = start("exec " STREAM OURS);
+    assert_soon(display.seen->rectangles == 1);
+    usleep(300000);
+    kill(stream, SIGINT);
+    assert_exits(stream, 130);
+    assert_soon(!display.seen->display);
+    honest();
+    config.trouble = CONTROL_SILENT;
+    config.trouble_ms = 2000;
+    config.trouble_request = GUD_GET_CONNECTOR_MODES;
+    usb_display_be(&display, &config);
+    stream = start("exec " STREAM OURS);
+    assert_soon(display.seen->request_count > 0 &&
+                display.seen->requests[display.seen->request_count - 1] == GUD_GET_CONNECTOR_MODES);
+    kill(stream, SIGINT);
+    assert_exits(stream, 130);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(another_programs_display_is_left_to_it),
+        cmocka_unit_test(a_display_without_permission_is_told_apart_from_none),
+        cmocka_unit_test(the_kernels_display_is_taken_only_by_detach_and_given_back),
+        cmocka_unit_test(of_two_displays_one_is_to_be_named),
+        cmocka_unit_test(an_interrupt_ends_waiting),
+        cmocka_unit_test(an_interrupt_switches_the_display_off),
+        cmocka_unit_test(an_interrupt_ends_requests_and_data_that_are_not_taken),
+    };
+    return cmocka_run_group_tests_name("usb sharing", tests, scratch_make, clean);
+}
