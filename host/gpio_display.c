@@ -43,7 +43,6 @@ struct sink *gpio_display_open(const struct sink_kind *kind, const struct gpio_o
                                const struct sink_wish *wish)
 {
     struct display *display = allocate(1, sizeof *display);
-    memset(display, 0, sizeof *display);
     panel_of_options(&display->panel, wish, false);
     display->bus = gpio_bus_open(options);
     display->panel_bus = gpio_bus_panel(display->bus);

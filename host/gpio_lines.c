@@ -114,7 +114,6 @@ static _Noreturn void fail_request(const struct group *group, const struct gpio_
 struct gpio_lines *gpio_lines_open(const char *chip, const struct gpio_line_wish *wishes, unsigned count)
 {
     struct gpio_lines *lines = allocate(1, sizeof *lines);
-    memset(lines, 0, sizeof *lines);
     for (unsigned i = 0; i < count; i++)
         add(lines, chip, wishes, i);
     lines->levels ^= lines->inverted;

@@ -26,7 +26,6 @@ static const struct sink_cost usual_cost = {.rectangle_s = 11 / 7.8e6, .bytes_pe
 static struct sink *open_panel(const struct sink_wish *wish)
 {
     struct display *display = allocate(1, sizeof *display);
-    memset(display, 0, sizeof *display);
     panel_of_options(&display->panel, wish, true);
     const struct virtual_glass glass = virtual_glass_of(&display->panel);
     virtual_panel_init(&display->glass, &glass);
