@@ -141,24 +141,6 @@ static void say(const struct argp_state *state, struct said *said, const char *o
     said->texts[key - KEY_BUS] = copied(text);
 }
 
-static error_t parse_option(int key, char *text, struct argp_state *state)
-{
-    static const char *const names[] = {"--bus", "--chip", "--spidev", "--spi-hz"};
-    if (key >= KEY_BUS && key < KEY_LINES)
-        say(state, &by_user, names[key - KEY_BUS], (enum key)key, text);
-    else if (key == KEY_LINES)
-        say_lines(state, text);
-    else if (key == KEY_BUS_CONFIG)
-        config_path = parse_output(state, "--bus-config", text);
-    else
-        return ARGP_ERR_UNKNOWN;
-    return 0;
-}
-
-const struct argp gpio_options_argp = {options, parse_option, NULL, NULL, NULL, NULL, NULL};
-const struct argp gpio_line_options_argp = {line_options, parse_option, NULL, NULL, NULL, NULL, NULL};
-const struct argp gpio_spidev_options_argp = {spidev_options, parse_option, NULL, NULL, NULL, NULL, NULL};
-
 /* ---- the file ---- */
 
 struct reader {
@@ -173,20 +155,23 @@ static void set_origin(struct reader *reader)
     snprintf(reader->origin, sizeof reader->origin, "%.100s:%u", config_path, reader->line);
 }
 
-/* As fgets, but a line that begins with blanks is not taken for the rest of the one before. */
+/* As fgets, but what is no text is told, and a line that begins with blanks is not taken for the rest of the one before. */
 static char *read_line(char *text, int room, void *context)
 {
     struct reader *reader = context;
-    if (!fgets(text, room, reader->stream))
-        return NULL;
+    int length = 0, byte = 0;
     reader->line++;
     set_origin(reader);
-    const size_t length = strlen(text);
-    if (length + 1 == (size_t)room && text[length - 1] != '\n' && !feof(reader->stream))
-        fail("%s: the line is longer than %d characters", reader->origin, room - 2);
-    const size_t blanks = strspn(text, " \t");
-    memmove(text, text + blanks, length - blanks + 1);
-    return text;
+    while (byte != '\n' && (byte = getc(reader->stream)) != EOF) {
+        if (byte == '\0')
+            fail("%s: holds a zero byte; a text file is wanted", reader->origin);
+        if (length + 1 == room)
+            fail("%s: the line is longer than %d characters", reader->origin, room - 2);
+        if (length || (byte != ' ' && byte != '\t'))
+            text[length++] = (char)byte;
+    }
+    text[length] = '\0';
+    return length ? text : NULL;
 }
 
 static const char *const setting_names[] = {"bus",  "chip",     "spidev", "spi-hz", "panel",
@@ -224,6 +209,10 @@ static int take(void *context, const char *section, const char *name, const char
 
 static void read_config(void)
 {
+    static bool done;
+    if (done) /* the options are three argps */
+        return;
+    done = true;
     struct reader reader = {.stream = fopen(config_path, "r")};
     struct stat status;
     if (!reader.stream)
@@ -237,6 +226,28 @@ static void read_config(void)
     if (bad > 0)
         fail("%s:%d: neither NAME = VALUE nor [lines] nor a # comment", config_path, bad);
 }
+
+/* ---- the command line ---- */
+
+static error_t parse_option(int key, char *text, struct argp_state *state)
+{
+    static const char *const names[] = {"--bus", "--chip", "--spidev", "--spi-hz"};
+    if (key >= KEY_BUS && key < KEY_LINES)
+        say(state, &by_user, names[key - KEY_BUS], (enum key)key, text);
+    else if (key == KEY_LINES)
+        say_lines(state, text);
+    else if (key == KEY_BUS_CONFIG)
+        config_path = parse_output(state, "--bus-config", text);
+    else if (key == ARGP_KEY_SUCCESS && config_path) /* here, where a signal still ends the program at once */
+        read_config();
+    else
+        return ARGP_ERR_UNKNOWN;
+    return 0;
+}
+
+const struct argp gpio_options_argp = {options, parse_option, NULL, NULL, NULL, NULL, NULL};
+const struct argp gpio_line_options_argp = {line_options, parse_option, NULL, NULL, NULL, NULL, NULL};
+const struct argp gpio_spidev_options_argp = {spidev_options, parse_option, NULL, NULL, NULL, NULL, NULL};
 
 /* ---- both together ---- */
 
@@ -267,10 +278,6 @@ static void check_lines(const struct gpio_options *o)
 const struct gpio_options *gpio_options_ready(bool spidev)
 {
     static struct gpio_options ready;
-    static bool config_read;
-    if (config_path && !config_read)
-        read_config();
-    config_read = true;
     const bool parallel = strcmp(text_of(KEY_BUS, "spi"), "8080") == 0;
     ready.kind = spidev ? GPIO_BUS_SPIDEV : parallel ? GPIO_BUS_8080 : GPIO_BUS_SPI;
     ready.chip = text_of(KEY_CHIP, NULL);

@@ -43,7 +43,7 @@ struct gpio_options {
 extern const struct argp gpio_options_argp, gpio_line_options_argp, gpio_spidev_options_argp;
 extern const char *const gpio_role_names[ROLES];
 
-/* Reads the file, where one was given, and checks that the bus has the lines it needs and no others: ends the program through
+/* Checks that the bus has the lines it needs and no others: ends the program through
  * fail() where not. `spidev`: the kind that --bus cannot choose. */
 const struct gpio_options *gpio_options_ready(bool spidev);
 

@@ -122,6 +122,7 @@ static bool start(struct stream *stream)
     struct scene_maps *maps = scene_maps_read(&options->look.scene);
     stream->path = light_path_new(options); /* files are opened before anything is done to a device */
     choose_size(stream, maps);
+    catch_signals(); /* until here one ends the program at once */
     open_sink = open_wished(stream);
     if (!open_sink)
         return false;
@@ -235,7 +236,6 @@ static void run(struct stream *stream)
 int stream_run(const struct stream_options *options)
 {
     struct stream stream = {.options = options};
-    catch_signals();
     atexit(close_sink); /* after fail(), too */
     if (start(&stream)) {
         run(&stream);

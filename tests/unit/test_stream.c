@@ -254,6 +254,26 @@ static int interrupted_while_it_waits(const char *option, const char *value, boo
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+static void a_signal_ends_it_while_a_file_is_waited_for(void **state)
+{
+    (void)state;
+    assert_quiet("mkfifo never");
+    static const char *const waits[] = {
+        "sphere --to none --lights never",
+        "--height never",
+#if GLINT_WITH_GPIO
+        "sphere --to gpio --bus-config never"
+#endif
+    };
+    for (size_t i = 0; i < sizeof waits / sizeof *waits; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "timeout -k 5 -s INT --preserve-status 1 $GLINT stream %s", waits[i]);
+        const struct run *result = run(line);
+        assert_int_equal(result->status, 130);
+        assert_string_equal(result->err, "");
+    }
+}
+
 static void a_stream_that_waits_ends_by_a_signal(void **state)
 {
     (void)state;
@@ -319,6 +339,7 @@ int main(void)
         cmocka_unit_test(figures_tell_what_was_sent),
         cmocka_unit_test(where_it_cannot_write_there_is_one_line),
         cmocka_unit_test(signals_end_it_after_a_whole_frame),
+        cmocka_unit_test(a_signal_ends_it_while_a_file_is_waited_for),
         cmocka_unit_test(a_stream_that_waits_ends_by_a_signal),
         cmocka_unit_test(the_list_is_json_on_demand),
 #if GLINT_WITH_TERMINAL
