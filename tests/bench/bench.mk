@@ -45,8 +45,7 @@ bench-programs: $(BENCH_ELFS) $(BENCH_SCENE)/scene.json $(BENCH)/sizes.txt $(BEN
 
 # Whose start-up and linker script the counted programs have.
 BENCH_IMAGES = cortex-m-mps2-an385 cortex-m-mps2-an386 rv32-virt avr-atmega2560
-BENCH_INPUTS = $(BENCH_SOURCES) $(wildcard lib/*.h lib/*.inc tests/bench/*.h firmware/ports/*/start.c firmware/ports/bare/*) tests/targets/targets.py \
-	tests/bench/m0plus.ld tests/bench/bench.mk
+BENCH_INPUTS = $(BENCH_SOURCES) $(wildcard lib/*.h lib/*.inc tests/bench/*.h) tests/targets/targets.py tests/bench/m0plus.ld tests/bench/bench.mk
 
 $(BENCH)/m0plus-%.elf: $(BENCH_INPUTS) tests/bench/calibrate.S
 	@mkdir -p $(@D)

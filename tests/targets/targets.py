@@ -89,8 +89,9 @@ class Machine:
         return [path for name in folders for path in glob.glob(os.path.join(SOURCE, "firmware/ports", name, "*.c"))]
 
     def link(self, objects, program, *words):
+        """Words first: a budget must be set before a script asks whether it is."""
         target = next(target for target in TARGETS if target.name == self.target)
-        target.tool("gcc", f"@{self.folder}/link", *words, *objects, "-lgcc", "-o", program)
+        target.tool("gcc", *words, f"@{self.folder}/link", *objects, "-lgcc", "-o", program)
 
 
 MACHINES = [
