@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
-# The Raspberry Pi Pico with a panel: make firmware PORT=pico [PANEL=st7789-240x240] [BOARD=pico2, never run]
+# The Raspberry Pi Pico with a panel: make firmware PORT=pico [PANEL=st7789-240x240] [IMAGE=conformance] [BOARD=pico2, never run]
 PANEL ?= st7789-240x240
 PICO_BOARD = $(or $(BOARD),pico)
+# glint, or conformance: that checks the board and measures its frame rate.
+IMAGE ?= glint
 PICO_PANELS = st7789-240x240 st7789-240x320 st7789-135x240 ili9341-240x320 ili9341-320x240
 PICO = build/firmware/$(PICO_BOARD)-$(PANEL)
 PICO_SIZE = $(lastword $(subst -, ,$(PANEL)))
@@ -12,16 +14,16 @@ setup-firmware-pico: setup-build
 	@firmware/ports/pico/fetch-sdk >/dev/null
 
 # CMake knows what depends on what within.
-firmware-pico: $(PICO)/map/demo_map.h $(BUILD)/bin2uf2
+firmware-pico: $(PICO)/map/demo_map.h $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
 	@sdk=$$(firmware/ports/pico/fetch-sdk) && \
 	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DPICO_BOARD=$(PICO_BOARD) -DPICO_NO_PICOTOOL=1 \
 		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_PANEL=$(PANEL) \
-		-DGLINT_MAP="$(CURDIR)/$(PICO)/map" >$(PICO)/log 2>&1 && \
-	MAKEFLAGS= cmake --build $(PICO)/cmake $(PARALLEL) >>$(PICO)/log 2>&1 || { grep -E 'rror|glint:' $(PICO)/log >&2; \
+		-DGLINT_MAP="$(CURDIR)/$(PICO)/map" -DGLINT_EXPECTED="$(abspath $(CONFORMANCE))" >$(PICO)/log 2>&1 && \
+	MAKEFLAGS= cmake --build $(PICO)/cmake --target $(IMAGE) $(PARALLEL) >>$(PICO)/log 2>&1 || { grep -E 'rror|glint:' $(PICO)/log >&2; \
 		echo "make: the Pico's firmware was not built; the whole log is $(PICO)/log" >&2; exit 1; }
 	@grep -A 3 'warning:' $(PICO)/log || true
-	@cp $(PICO)/cmake/glint.elf $(PICO)/ && $(BUILD)/bin2uf2 $(PICO_BOARD) $(PICO)/cmake/glint.bin $(PICO)/glint.uf2
-	@arm-none-eabi-size $(PICO)/glint.elf | awk 'NR == 2 { printf "$(PICO)/glint.uf2: %d bytes of flash, %d of RAM\n", $$1 + $$2, $$2 + $$3 }'
+	@cp $(PICO)/cmake/$(IMAGE).elf $(PICO)/ && $(BUILD)/bin2uf2 $(PICO_BOARD) $(PICO)/cmake/$(IMAGE).bin $(PICO)/$(IMAGE).uf2
+	@arm-none-eabi-size $(PICO)/$(IMAGE).elf | awk 'NR == 2 { printf "$(PICO)/$(IMAGE).uf2: %d bytes of flash, %d of RAM\n", $$1 + $$2, $$2 + $$3 }'
 
 $(BUILD)/bin2uf2: firmware/ports/pico/tools/bin2uf2.c $(BUILD)/host/uf2.o
 	@$(CC) $(filter-out -MMD -MP,$(HOST_CFLAGS)) $^ -o $@
