@@ -14,9 +14,11 @@ test-pico: ## the Pico's firmware emulated: boot, panel, the demo's frames, USB,
 # LAB_*: as in tier lab.
 run-pico: $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $(addprefix $(BUILD)/tests/lab/,init spi.dtb) $(BUILD)/glint
 	@+for panel in $(PICO_PANELS_TESTED); do $(SUBMAKE) -s firmware-pico PANEL=$$panel || exit 1; done
+	@+$(SUBMAKE) -s firmware-pico IMAGE=conformance
 	@+$(SUBMAKE) -s firmware-pico BOARD=pico2 # builds; nothing emulates it
 	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) && export LAB_KERNEL LAB_BUILD && tests/tally \
 		$(foreach panel,$(PICO_PANELS_TESTED),"$(call PICO_TEST,demo)" "$(call PICO_TEST,usb)") \
+		"node tests/pico/test_conformance.mjs $(BENCH_NPM) build/firmware/pico-st7789-240x240 $(CONFORMANCE_EXPECTED)" \
 		$(foreach panel,st7789-240x240,"$(call PICO_TEST,light)" \
 		"tests/lab/guest --memory 1G $(BUILD)/tests/pico/attach $(call PICO_TEST,end_to_end) $(BUILD)/glint")
 PICO_TEST = node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel) $(panel) $(BUILD)/tests/pico/judge
@@ -29,4 +31,7 @@ $(BUILD)/tests/pico/attach: tests/pico/attach.c
 	@mkdir -p $(@D)
 	@$(CC) -std=c11 -D_GNU_SOURCE $(WARNINGS) $(CFLAGS) $< -o $@
 
-.PHONY: setup-pico test-pico run-pico
+hwtest: ## check a Raspberry Pi Pico that is plugged in (BOOTSEL held) and its frame rate; a report to send in
+	@+tests/hwtest "$(SUBMAKE)"
+
+.PHONY: setup-pico test-pico run-pico hwtest
