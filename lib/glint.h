@@ -297,16 +297,17 @@ enum glint_err glint_shade_span(const struct glint_shader *shader, const struct 
  * an albedo map), spans without one and palettes run in Thumb assembly, with the same pixels.
  *
  * COLOUR  for RGB565 in either order, undithered, gamma or linear. 20,480 bytes: 4096 columns (bytes) and 128 x 64 colours.
- *     fill:   s = the least shift with (t_max >> s) + (2^16 >> s) < 4080. In memory a column is twice this, an offset in bytes:
- *             column[i] = (63 F(t) + F(0) / 2) / F(0), t = max(0, t_max - (i << s) - (1 << s >> 1))
+ *     fill:   u = the largest t <= t_max where 63 F(t) + F(0) / 2 >= F(0); s = the least shift with (u >> s) + (2^16 >> s) < 4080
+ *             column[i] = (63 F(t) + F(0) / 2) / F(0), t = max(0, u - (i << s) - (1 << s >> 1)); in memory twice this, an
+ *             offset in bytes
  *             colour[row][j] = steps 4 to 8 for nl = min(2^16, 1024 row + 512), F = (j F(0) + 31) / 63
- *     pixel:  nl_q30 < 0: steps 4 to 8 for nl = 0, F = 0. Else row = nl_q30 >> 24, j = t > t_max ? 0 :
- *             column[(t_max - t) >> s].
+ *     pixel:  nl_q30 < 0: steps 4 to 8 for nl = 0, F = 0. Else row = nl_q30 >> 24, j = t > u ? 0 :
+ *             column[(u - t) >> s].
  *     INT8:   with w the word, x = (int8) w, v = (int16) w, z = w >> 16: d = x X + v Y + z Z (Q29), row = d >> 23,
  *             e = d + (z << 14) - cut; j = e < 0 ? 0 : column[((e >> a) r mod 2^32) >> 20]   (struct glint_tables_light)
- *     INT10:  for a viewer at (0, 0, 1), x, y, z as in the word: u = (32 x - h'x)^2 + (32 y - h'y)^2 + (8 z - h'z)^2 (t in
- *             Q29), h' = (h + 1) >> 1; d = peak - (peak >> 15) (u >> 14) - (z << 18) (Q29); d < 0 is dark, row = d >> 23,
- *             j = u > t_max >> 1 ? 0 : column[((t_max >> 1) - u) >> (s - 1)]. For other viewers as INT16.
+ *     INT10:  for a viewer at (0, 0, 1), x, y, z as in the word: v = (32 x - h'x)^2 + (32 y - h'y)^2 + (8 z - h'z)^2 (t in
+ *             Q29), h' = (h + 1) >> 1; d = peak - (peak >> 15) (v >> 14) - (z << 18) (Q29); d < 0 is dark, row = d >> 23,
+ *             j = v > u >> 1 ? 0 : column[((u >> 1) - v) >> (s - 1)]. For other viewers as INT16.
  * SMALL   for every format, dithered or not, gamma only. 904 bytes; with its structs below 1 KB.
  *     fill:   f = the least shift with t_max >> f < 3072 (192 entries, 4 bits): 192 fine columns for t >> f < 192, then
  *             192 coarse ones of t >> (f + 4); each at its interval's middle (at most t_max), (63 F + F(0) / 2) / F(0)

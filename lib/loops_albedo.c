@@ -20,20 +20,15 @@ static uint32_t shine_word(const struct glint_shader *shader, uint64_t f)
     return word;
 }
 
-/* The largest t, up to the cutoff, that still shows: F falls as t grows, so the word does not come back. */
-static uint32_t last_shine(const struct glint_shader *shader)
+static bool shines(const struct glint_shader *shader, uint32_t f)
 {
-    uint32_t t = 0;
-    for (uint32_t bit = (uint32_t)1 << 30; bit; bit >>= 1)
-        if ((t | bit) <= shader->lobe.t_max_q30 && shine_word(shader, glint_pixel_lobe(shader, t | bit)))
-            t |= bit;
-    return t;
+    return shine_word(shader, f) != 0;
 }
 
 void glint_albedo_fill(struct glint_tables *tables, const struct glint_shader *shader, uint32_t *memory)
 {
     const uint32_t ambient = shader->material.ambient_q16[0], diffuse = shader->material.diffuse_q16[0];
-    const uint32_t t_max = last_shine(shader);
+    const uint32_t t_max = glint_last_t(shader, shines);
     tables->t_max_q30 = t_max;
     tables->shift = (uint8_t)glint_columns_shift(t_max, SHINE);
     tables->colour.sums = memory + LEVELS / 4;

@@ -27,9 +27,20 @@ struct peak {
     uint32_t f0;
 };
 
+static uint8_t column_of(const struct peak *peak, uint32_t f)
+{
+    return (uint8_t)((63 * f + peak->f0 / 2) / peak->f0);
+}
+
 static uint8_t column_at(const struct peak *peak, uint32_t t_q30)
 {
-    return (uint8_t)((63 * glint_pixel_lobe(peak->shader, t_q30) + peak->f0 / 2) / peak->f0);
+    return column_of(peak, glint_pixel_lobe(peak->shader, t_q30));
+}
+
+static bool has_column(const struct glint_shader *shader, uint32_t f)
+{
+    const struct peak peak = {shader, glint_pixel_lobe(shader, 0)};
+    return column_of(&peak, f) != 0;
 }
 
 static uint32_t f_of(const struct peak *peak, uint32_t column)
@@ -45,7 +56,8 @@ static uint32_t nl_of(uint32_t row)
 static void fill_colour(struct glint_tables *tables, const struct peak *peak)
 {
     struct glint_shader shader = *peak->shader;
-    const uint32_t t_max = tables->t_max_q30;
+    const uint32_t t_max = glint_last_t(&shader, has_column);
+    tables->t_max_q30 = t_max;
     tables->shift = (uint8_t)glint_columns_shift(t_max, COLUMNS);
     for (uint32_t i = 0; i < COLUMNS; i++)
         tables->columns[i] = (uint8_t)(2 * column_at(peak, glint_column_t(t_max, tables->shift, i))); /* bytes */

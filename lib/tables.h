@@ -39,6 +39,17 @@ static inline uint32_t glint_column_t(uint32_t t_max_q30, unsigned shift, uint32
     return back < t_max_q30 ? t_max_q30 - (uint32_t)back : 0;
 }
 
+/* The largest t, up to the cutoff, whose F shows: F falls as t grows, so what shows no more does not come back. */
+static inline uint32_t glint_last_t(const struct glint_shader *shader,
+                                    bool (*shows)(const struct glint_shader *shader, uint32_t f))
+{
+    uint32_t t = 0;
+    for (uint32_t bit = (uint32_t)1 << 30; bit; bit >>= 1)
+        if ((t | bit) <= shader->lobe.t_max_q30 && shows(shader, glint_pixel_lobe(shader, t | bit)))
+            t |= bit;
+    return t;
+}
+
 /* What a type wants: on 8-bit machines, whose compilers place everything anywhere, 1. */
 #define GLINT_MISALIGNED(address_or_stride, type)                                                                      \
     ((uintptr_t)(address_or_stride) % offsetof(                                                                        \
