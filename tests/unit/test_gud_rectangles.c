@@ -80,7 +80,7 @@ static void any_pieces_raw_or_compressed_draw_the_same(void **state)
         box.w = (uint16_t)(1 + random_below(WIDTH - box.x));
         box.h = (uint16_t)(1 + random_below(HEIGHT - box.y));
         fill_random(bytes, sizeof bytes);
-        go(format);
+        go((uint8_t)format);
         for (unsigned how = 0; how < 4; how++) {
             memset(board.panel, FRESH, sizeof board.panel);
             draw(box, format, bytes, how & 1, how & 2);
@@ -131,7 +131,7 @@ static void every_format_becomes_what_the_panel_takes(void **state)
             for (unsigned i = 0; i < sizeof bytes; i++)
                 bytes[i] = (uint8_t)random_below(256);
             board.config.output = outputs[o];
-            go(format);
+            go((uint8_t)format);
             draw((struct glint_box){0, 0, WIDTH, 1}, format, bytes, false, false);
             for (unsigned x = 0; x < WIDTH; x++) {
                 unsigned rgb[3] = {0};
