@@ -100,7 +100,7 @@ CHECK_MAKE = $(SUBMAKE) BUILD=build/check WERROR=-Werror
 # A tier with a quick part that needs no set-up offers a goal check-TIER.
 CHECKS = $(shell sed -n 's/^\(check-[a-z]*\):.*/\1/p' $(wildcard tests/*/tier.mk))
 
-FORMATTED = $(wildcard lib/*.[ch] firmware/*/*.[ch] firmware/*/*/*.[ch] host/*.[ch] tests/*/*.[ch] tests/*/*/*.[ch])
+FORMATTED = $(wildcard lib/*.[ch] firmware/*/*.[ch] firmware/*/*/*.[ch] firmware/*/*/*/*.[ch] host/*.[ch] tests/*/*.[ch] tests/*/*/*.[ch])
 check-format:
 	@tests/tally "tests/format $(FORMATTED)"
 
