@@ -77,9 +77,9 @@ int main(void)
     extern uint8_t __StackBottom[]; /* the SDK's */
     (void)board_start();
     watchdog_disable(); /* a check takes longer */
-    stdio_usb_init();
     conformance_say("# glint " GLINT_VERSION_STRING ", conformance, Raspberry Pi Pico, " PANEL_NAME "\n");
     measure_frames();
+    stdio_usb_init(); /* not before: its interrupts would be in the frame rate */
     (void)machine_run(__StackBottom);
     for (;;) {
         if (stdio_usb_connected())
