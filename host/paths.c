@@ -253,7 +253,7 @@ enum glint_err way_draw(const struct way *way, const struct glint_light *light, 
         return draw_palette(way, &shader, y, lines, surface);
     enum glint_err error = GLINT_OK;
     if (way->path->by != EXACT)
-        error = glint_tables_light(&tables_light, &way->tables, light);
+        error = glint_tables_light_init(&tables_light, &way->tables, light);
     if (way->path->unit == RECT)
         return error ? error : draw_packed(way, &tables_light, y, lines, surface);
     struct glint_surface line = *surface;

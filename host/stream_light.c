@@ -70,21 +70,21 @@ static void set_circle(struct light_path *path, const struct lamp *lamp, uint32_
     memcpy(path->along, (double[3]){y, -x, 0}, sizeof path->along); /* lines go down: the same sense as above */
 }
 
-static void open_lines(struct light_path *path, const char *name)
+static FILE *open_lines(const char *name)
 {
-    const bool standard = strcmp(name, "-") == 0;
-    path->name = standard ? "standard input" : name;
-    path->file = standard ? stdin : fopen(name, "r");
-    if (!path->file)
+    FILE *file = strcmp(name, "-") == 0 ? stdin : fopen(name, "r");
+    if (!file)
         fail("%s: cannot be read: %s", name, strerror(errno));
+    return file;
 }
 
 struct light_path *light_path_new(const struct stream_options *options)
 {
+    FILE *file = options->lights ? open_lines(options->lights) : NULL;
     struct light_path *path = allocate(1, sizeof *path);
     path->period = options->period;
-    if (options->lights)
-        open_lines(path, options->lights);
+    path->file = file;
+    path->name = file == stdin ? "standard input" : options->lights;
     return path;
 }
 

@@ -291,7 +291,7 @@ enum glint_err glint_shade_span(const struct glint_shader *shader, const struct 
 /* ---- Table loops: what the exact paths draw, at a fraction of their cycles -------------------------------------- *
  *
  * Tables are filled from exact values on the device; only their arguments are quantised. Filled once a material; a light
- * that moves needs only glint_tables_light. Uniform material, gloss 255, one directional light, Blinn geometry.
+ * that moves needs only glint_tables_light_init. Uniform material, gloss 255, one directional light, Blinn geometry.
  *
  * Compile with -DGLINT_CORTEX_M0PLUS_ASM=1, and lib/cortex_m0plus_*.S too, and 8- and 10-bit lines (10-bit ones not over
  * an albedo map), spans without one and palettes run in Thumb assembly, with the same pixels.
@@ -376,8 +376,8 @@ struct glint_tables_light {
     uint8_t a, kind; /* kind: of the tables */
     bool frontal;    /* is the viewer there? */
 };
-enum glint_err glint_tables_light(struct glint_tables_light *light, const struct glint_tables *tables,
-                                  const struct glint_light *from);
+enum glint_err glint_tables_light_init(struct glint_tables_light *light, const struct glint_tables *tables,
+                                       const struct glint_light *from);
 
 /* Shades w x h normals; pixels without a surface are left as they are. Normals are aligned (INT16 to 2 bytes, else to 4) and
  * of about unit length: others give some colour. GLINT_ERR_ARG: NULL, misaligned, ALBEDO tables. GLINT_ERR_FORMAT: no such

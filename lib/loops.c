@@ -19,13 +19,13 @@ static inline void line(const struct glint_tables *tables, const struct glint_ta
                         enum glint_normals format, const void *normals, uint16_t w, uint16_t *out)
 {
     if (format == GLINT_NORMALS_INT8)
-        glint_colour_int8(tables, light, normals, w, out);
+        glint_colour_int8(tables, light, (const uint32_t *)normals, w, out);
     else if (format == GLINT_NORMALS_INT16)
-        glint_colour_vec(tables, light, normals, w, out);
+        glint_colour_vec(tables, light, (const struct glint_vec *)normals, w, out);
     else if (light->frontal)
-        glint_colour_int10(tables, light, normals, w, out);
+        glint_colour_int10(tables, light, (const uint32_t *)normals, w, out);
     else
-        glint_colour_int10_aside(tables, light, normals, w, out);
+        glint_colour_int10_aside(tables, light, (const uint32_t *)normals, w, out);
 }
 
 void glint_colour_line(const struct glint_tables *tables, const struct glint_tables_light *light,
@@ -47,8 +47,8 @@ enum glint_err glint_tables_rect(const struct glint_tables *tables, const struct
         glint_small_rect(tables, light, format, normals, stride, w, h, surface);
         return GLINT_OK;
     }
-    const uint8_t *in = normals;
-    uint8_t *out = surface->pixels;
+    const uint8_t *in = (const uint8_t *)normals;
+    uint8_t *out = (uint8_t *)surface->pixels;
     for (; h; h--, in += stride, out += surface->stride)
         if ((uintptr_t)out % 2 == 0)
             line(tables, light, format, in, w, (uint16_t *)(void *)out);
@@ -65,7 +65,7 @@ enum glint_err glint_span_any(const struct glint_tables *tables, const struct gl
     if (tables->kind == GLINT_TABLES_SMALL)
         glint_small_span(tables, span, surface);
     else
-        glint_colour_span(tables, span, surface->pixels);
+        glint_colour_span(tables, span, (uint8_t *)surface->pixels);
     return GLINT_OK;
 }
 
@@ -80,9 +80,9 @@ void glint_palette_line(const uint16_t *colours, const uint16_t *offsets, uint16
 enum glint_err glint_palette_rect(const uint16_t *colours, const uint16_t *offsets, ptrdiff_t stride, uint16_t w,
                                   uint16_t h, const struct glint_surface *surface)
 {
-    if (!colours || !offsets || !surface || !surface->pixels || GLINT_MISALIGNED(colours, uint16_t) ||
-        GLINT_MISALIGNED(offsets, uint16_t) || GLINT_MISALIGNED(stride, uint16_t) ||
-        GLINT_MISALIGNED(surface->pixels, uint16_t) || GLINT_MISALIGNED(surface->stride, uint16_t))
+    if (!colours || !offsets || !surface || !surface->pixels || GLINT_MISALIGNED(colours, 16) ||
+        GLINT_MISALIGNED(offsets, 16) || GLINT_MISALIGNED(stride, 16) || GLINT_MISALIGNED(surface->pixels, 16) ||
+        GLINT_MISALIGNED(surface->stride, 16))
         return GLINT_ERR_ARG;
     for (uint16_t y = 0; y < h; y++) {
         const uint16_t *in = (const uint16_t *)(const void *)((const uint8_t *)offsets + stride * (ptrdiff_t)y);

@@ -170,9 +170,9 @@ static inline void line(const struct glint_tables *tables, const struct glint_ta
     if (format != GLINT_NORMALS_INT8)
         wide_line(tables, light, format, normals, albedo, w, out);
     else if (is_swapped(tables))
-        glint_albedo_int8_swapped(tables, light, normals, albedo, w, out);
+        glint_albedo_int8_swapped(tables, light, (const uint32_t *)normals, albedo, w, out);
     else
-        glint_albedo_int8(tables, light, normals, albedo, w, out);
+        glint_albedo_int8(tables, light, (const uint32_t *)normals, albedo, w, out);
 }
 
 /* Where it cannot be stored as aligned 2-byte pixels. */
@@ -182,7 +182,7 @@ static __attribute__((noinline)) void odd_line(const struct glint_tables *tables
 {
     uint16_t piece[GLINT_RUN];
     for (uint32_t x = 0; x < w; x += GLINT_RUN) {
-        const uint16_t count = (uint16_t)(w - x < GLINT_RUN ? w - x : GLINT_RUN);
+        const uint16_t count = glint_piece(w - x);
         glint_get_pixels(piece, out + 2 * x, count);
         line(tables, light, format, normals + glint_normals_size(format) * x, albedo + x, count, piece);
         glint_put_pixels(out + 2 * x, piece, count);
@@ -198,13 +198,13 @@ enum glint_err glint_tables_albedo_rect(const struct glint_tables *tables, const
     if (err)
         return err;
     if (tables->kind != GLINT_TABLES_ALBEDO || light->kind != GLINT_TABLES_ALBEDO || !albedo ||
-        GLINT_MISALIGNED(albedo, uint16_t) || GLINT_MISALIGNED(albedo_stride, uint16_t))
+        GLINT_MISALIGNED(albedo, 16) || GLINT_MISALIGNED(albedo_stride, 16))
         return GLINT_ERR_ARG;
-    const uint8_t *in = normals, *map = (const uint8_t *)albedo;
-    uint8_t *out = surface->pixels;
+    const uint8_t *in = (const uint8_t *)normals, *map = (const uint8_t *)albedo;
+    uint8_t *out = (uint8_t *)surface->pixels;
     for (; h; h--) {
         const uint16_t *colours = (const uint16_t *)(const void *)map;
-        if (GLINT_MISALIGNED(out, uint16_t))
+        if (GLINT_MISALIGNED(out, 16))
             odd_line(tables, light, format, in, colours, w, out);
         else
             line(tables, light, format, in, colours, w, (uint16_t *)(void *)out);
@@ -219,11 +219,11 @@ enum glint_err glint_tables_albedo_span(const struct glint_tables *tables, const
                                         const uint16_t *albedo, const struct glint_surface *surface)
 {
     if (!tables || !span || !albedo || !surface || !surface->pixels || tables->kind != GLINT_TABLES_ALBEDO ||
-        GLINT_MISALIGNED(albedo, uint16_t))
+        GLINT_MISALIGNED(albedo, 16))
         return GLINT_ERR_ARG;
     const bool swapped = is_swapped(tables);
     uint32_t t = span->t_q30, dt = span->dt_q30, nl = (uint32_t)span->nl_q30;
-    uint8_t *out = surface->pixels;
+    uint8_t *out = (uint8_t *)surface->pixels;
     for (uint16_t x = 0; x < span->w; x++, out += 2) {
         const uint16_t value = pixel(tables, t >= GLINT_NEGATIVE_T ? 0 : t, (int32_t)nl, albedo[x], swapped);
         glint_put_pixels(out, &value, 1);

@@ -22,7 +22,7 @@ void glint_colour_odd(const struct glint_tables *tables, const struct glint_tabl
     const size_t size = glint_normals_size(format);
     uint16_t piece[PIECE];
     for (uint32_t x = 0; x < w; x += PIECE) {
-        const uint16_t count = (uint16_t)(w - x < PIECE ? w - x : PIECE);
+        const uint16_t count = glint_piece(w - x);
         glint_get_pixels(piece, out + 2 * x, count);
         glint_colour_line(tables, light, format, (const uint8_t *)normals + size * x, count, piece);
         glint_put_pixels(out + 2 * x, piece, count);
@@ -41,7 +41,7 @@ static void odd_span(const struct glint_tables *tables, struct glint_span *at, u
 {
     for (uint32_t left = w; left;) {
         uint16_t piece[PIECE];
-        const uint16_t count = (uint16_t)(left < PIECE ? left : PIECE);
+        const uint16_t count = glint_piece(left);
         glint_colour_run(tables, at, count, piece);
         glint_put_pixels(out, piece, count);
         out += 2 * PIECE;

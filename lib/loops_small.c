@@ -5,7 +5,7 @@
 static uint32_t clamp_sum(uint32_t sum, uint8_t format) /* a field whose guard is set is full */
 {
     for (int k = 0; k < 3; k++) {
-        const struct glint_field field = glint_field(format, k);
+        const struct glint_field field = glint_field_of(format, k);
         if (sum >> field.guard & 1)
             sum |= ((uint32_t)1 << field.guard) - ((uint32_t)1 << field.at);
     }
@@ -14,7 +14,7 @@ static uint32_t clamp_sum(uint32_t sum, uint8_t format) /* a field whose guard i
 
 static uint32_t sum_field(uint32_t sum, uint8_t format, int k)
 {
-    const struct glint_field field = glint_field(format, k);
+    const struct glint_field field = glint_field_of(format, k);
     return sum >> field.at & (((uint32_t)1 << (field.guard - field.at)) - 1);
 }
 
@@ -23,7 +23,7 @@ static uint32_t weights(const struct glint_tables *tables, uint32_t b)
 {
     uint32_t word = 0;
     for (int k = 0; k < 3; k++)
-        word |= (tables->format <= GLINT_RGB565_SWAPPED ? b : b >> 3) << glint_field(tables->format, k).at;
+        word |= (tables->format <= GLINT_RGB565_SWAPPED ? b : b >> 3) << glint_field_of(tables->format, k).at;
     return word;
 }
 

@@ -75,7 +75,7 @@ static uint32_t sum_word(const struct glint_shader *shader, uint32_t nl_q16, uin
     for (int k = 0; k < 3; k++) {
         const uint8_t albedo = lit ? shader->material.albedo[k] : 0;
         const uint64_t x = glint_pixel_value(shader, k, albedo, nl_q16, (uint64_t)65535 * f);
-        const struct glint_field field = glint_field(shader->format, k);
+        const struct glint_field field = glint_field_of(shader->format, k);
         word |= glint_field_level(field, x) << field.at;
     }
     return word;
@@ -104,7 +104,7 @@ enum glint_err glint_tables_fill(struct glint_tables *tables, enum glint_tables_
                                  const struct glint_shader *shader, void *memory, size_t bytes)
 {
     const size_t needed = glint_tables_bytes(kind);
-    if (!tables || !shader || !memory || needed == 0 || bytes < needed || GLINT_MISALIGNED(memory, uint32_t) ||
+    if (!tables || !shader || !memory || needed == 0 || bytes < needed || GLINT_MISALIGNED(memory, 32) ||
         shader->lobe.model == GLINT_PHONG || (kind == GLINT_TABLES_ALBEDO && !glint_albedo_can(&shader->material)))
         return GLINT_ERR_ARG;
     const bool is_plain_565 = shader->format <= GLINT_RGB565_SWAPPED && !shader->dither;
@@ -120,13 +120,13 @@ enum glint_err glint_tables_fill(struct glint_tables *tables, enum glint_tables_
     tables->t_max_q30 = shader->lobe.t_max_q30;
     tables->dark = 0;
     if (kind == GLINT_TABLES_COLOUR) { /* the 16-bit table first, for its alignment */
-        tables->colour.colours = memory;
+        tables->colour.colours = (uint16_t *)memory;
         tables->columns = (uint8_t *)memory + 128 * 64 * 2;
         fill_colour(tables, &peak);
     } else if (kind == GLINT_TABLES_ALBEDO) {
-        glint_albedo_fill(tables, shader, memory);
+        glint_albedo_fill(tables, shader, (uint32_t *)memory);
     } else {
-        tables->colour.sums = memory;
+        tables->colour.sums = (uint32_t *)memory;
         tables->columns = (uint8_t *)memory + 4 * (GLINT_DIFFUSE + 64);
         fill_small(tables, &peak);
     }
@@ -144,8 +144,8 @@ uint32_t glint_root(uint64_t square)
 
 /* N.H |L + V| = N.L + N.z for a viewer at (0, 0, 1): one dot serves both. With m = |L + V| = peak / 2^29, 1 - N.H =
  * (peak - d - z) / m, so a column's number is (d + z - cut) 2 / m >> s = ((e >> a) r) >> 20. */
-enum glint_err glint_tables_light(struct glint_tables_light *light, const struct glint_tables *tables,
-                                  const struct glint_light *from)
+enum glint_err glint_tables_light_init(struct glint_tables_light *light, const struct glint_tables *tables,
+                                       const struct glint_light *from)
 {
     if (!light || !tables || !from)
         return GLINT_ERR_ARG;

@@ -18,7 +18,7 @@ struct glint_field {
     uint8_t at, guard;
     uint16_t one;
 };
-static inline struct glint_field glint_field(uint8_t format, int k)
+static inline struct glint_field glint_field_of(uint8_t format, int k)
 {
     static const struct glint_field of_565[3] = {{10, 19, 31 * 16}, {20, 30, 63 * 16}, {0, 9, 31 * 16}};
     static const struct glint_field others[3] = {{0, 9, 255 * 2}, {10, 19, 255 * 2}, {20, 29, 255 * 2}};
@@ -51,14 +51,16 @@ static inline uint32_t glint_last_t(const struct glint_shader *shader,
 }
 
 /* What a type wants: on 8-bit machines, whose compilers place everything anywhere, 1. */
-#define GLINT_MISALIGNED(address_or_stride, type)                                                                      \
-    ((uintptr_t)(address_or_stride) % offsetof(                                                                        \
-                                          struct {                                                                     \
-                                              char before;                                                             \
-                                              type at;                                                                 \
-                                          },                                                                           \
-                                          at) !=                                                                       \
-     0)
+struct glint_align_16 {
+    char before;
+    uint16_t at;
+};
+struct glint_align_32 {
+    char before;
+    uint32_t at;
+};
+#define GLINT_MISALIGNED(address_or_stride, bits)                                                                      \
+    ((uintptr_t)(address_or_stride) % offsetof(struct glint_align_##bits, at) != 0)
 
 static inline struct glint_vec glint_unpack_int10(uint32_t word)
 {
@@ -91,8 +93,8 @@ static inline enum glint_err glint_tables_check(const struct glint_tables *table
                                                 const struct glint_surface *surface)
 {
     if (!tables || !light || !normals || !surface || !surface->pixels ||
-        (glint_normals_size(format) == 4 ? GLINT_MISALIGNED(normals, uint32_t) || GLINT_MISALIGNED(stride, uint32_t)
-                                         : GLINT_MISALIGNED(normals, int16_t) || GLINT_MISALIGNED(stride, int16_t)))
+        (glint_normals_size(format) == 4 ? GLINT_MISALIGNED(normals, 32) || GLINT_MISALIGNED(stride, 32)
+                                         : GLINT_MISALIGNED(normals, 16) || GLINT_MISALIGNED(stride, 16)))
         return GLINT_ERR_ARG;
     if ((unsigned)format > GLINT_NORMALS_INT8)
         return GLINT_ERR_FORMAT;
@@ -116,6 +118,12 @@ void glint_colour_int8(const struct glint_tables *tables, const struct glint_tab
 
 /* The first w pixels of a span, 1..GLINT_RUN, COLOUR tables; and for C the loops that they take. */
 enum { GLINT_RUN = 32 };
+static inline uint16_t glint_piece(uint32_t left) /* how many of so many pixels are one run */
+{
+    const uint16_t run = GLINT_RUN;
+    return left < run ? (uint16_t)left : run;
+}
+
 void glint_colour_run(const struct glint_tables *tables, const struct glint_span *at, uint16_t w, uint16_t *out);
 void glint_run_dark(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out, const uint16_t *end);
 void glint_run_outside(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out,

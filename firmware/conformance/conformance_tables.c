@@ -110,7 +110,7 @@ static void add_albedo(unsigned model, unsigned flags)
     struct glint_tables_light light;
     if (!fill(&tables, GLINT_TABLES_ALBEDO, &shader))
         return;
-    conform_add((uint32_t)glint_tables_light(&light, &tables, &shader.light));
+    conform_add((uint32_t)glint_tables_light_init(&light, &tables, &shader.light));
     for (unsigned held = GLINT_NORMALS_INT16; held <= GLINT_NORMALS_INT8; held++) {
         struct glint_vec near = {0, 0, 0};
         for (uint8_t i = 0; i < LONG; i++) {
@@ -154,7 +154,7 @@ static void add_tables(unsigned kind, unsigned model, unsigned format, unsigned 
     struct glint_tables_light light;
     if (!fill(&tables, (enum glint_tables_kind)kind, &shader))
         return;
-    conform_add((uint32_t)glint_tables_light(&light, &tables, &shader.light));
+    conform_add((uint32_t)glint_tables_light_init(&light, &tables, &shader.light));
     for (uint8_t i = 0; i < W * H; i++)
         conform_random_normal(&normals[i], &shader.light);
     for (unsigned held = GLINT_NORMALS_INT16; held <= GLINT_NORMALS_INT8; held++) {

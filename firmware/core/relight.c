@@ -63,7 +63,7 @@ enum glint_err relight_frame(struct relight *relight, const int32_t to_light[3])
     static const int32_t to_viewer[3] = {0, 0, 1};
     enum glint_err error = glint_light_init(&relight->source, to_light, to_viewer);
     if (error == GLINT_OK)
-        error = glint_tables_light(&relight->light, &relight->tables, &relight->source);
+        error = glint_tables_light_init(&relight->light, &relight->tables, &relight->source);
     if (error != GLINT_OK)
         return error;
     while (!is_fetched(relight)) /* where a frame was given up */

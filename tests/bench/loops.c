@@ -100,7 +100,7 @@ static void small_fill(void)
 
 static void tables_frame(void)
 {
-    check(glint_tables_light(&tables_light, &tables, &bench_shader.light));
+    check(glint_tables_light_init(&tables_light, &tables, &bench_shader.light));
 }
 
 static void tables_rect(enum glint_normals format, const void *normals)

@@ -74,7 +74,7 @@ static void draw_demo(unsigned width, unsigned height, unsigned frame)
     orbit_light(to_light, frame, ORBIT_FRAMES);
     if (glint_light_init(&shader.light, to_light, to_viewer) != GLINT_OK ||
         glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &shader, memory, sizeof memory) != GLINT_OK ||
-        glint_tables_light(&light, &tables, &shader.light) != GLINT_OK ||
+        glint_tables_light_init(&light, &tables, &shader.light) != GLINT_OK ||
         glint_tables_rect(&tables, &light, GLINT_NORMALS_INT8, baked->words, 4 * (ptrdiff_t)width, (uint16_t)width,
                           (uint16_t)height, &surface) != GLINT_OK)
         fail("judge: the library refused the demo");

@@ -173,7 +173,7 @@ static void check_screen(const int32_t to_light[3])
     for (unsigned i = 0; i < WIDTH * HEIGHT; i++)
         wanted[i] = BACKGROUND;
     assert_int_equal(glint_light_init(&source, to_light, to_viewer), GLINT_OK);
-    assert_int_equal(glint_tables_light(&light, &relight.tables, &source), GLINT_OK);
+    assert_int_equal(glint_tables_light_init(&light, &relight.tables, &source), GLINT_OK);
     assert_int_equal(glint_tables_rect(&relight.tables, &light, GLINT_NORMALS_INT8, map, 4 * WIDTH, WIDTH, HEIGHT,
                                        &(struct glint_surface){wanted, 2 * WIDTH, 0, 0}),
                      GLINT_OK);

@@ -81,7 +81,7 @@ static void differences(enum glint_tables_kind kind, enum glint_normals format, 
     struct glint_tables tables;
     struct glint_tables_light light;
     assert_int_equal(glint_tables_fill(&tables, kind, &shader, memory, glint_tables_bytes(kind)), GLINT_OK);
-    assert_int_equal(glint_tables_light(&light, &tables, &shader.light), GLINT_OK);
+    assert_int_equal(glint_tables_light_init(&light, &tables, &shader.light), GLINT_OK);
     const struct glint_source source = {.normals = ball, .normals_stride = SIDE * (ptrdiff_t)sizeof *ball};
     const struct glint_surface to_exact = {exact, 2 * SIDE, 0, 0}, to_fast = {fast, 2 * SIDE, 0, 0};
     assert_int_equal(glint_shade_rect(&shader, &source, SIDE, SIDE, &to_exact, NULL), GLINT_OK);
@@ -157,7 +157,7 @@ static void tables_write_their_rectangle_and_nothing_else_at_any_alignment(void 
         struct glint_tables tables;
         struct glint_tables_light light;
         assert_int_equal(glint_tables_fill(&tables, kind, &shader, memory, sizeof memory), GLINT_OK);
-        assert_int_equal(glint_tables_light(&light, &tables, &shader.light), GLINT_OK);
+        assert_int_equal(glint_tables_light_init(&light, &tables, &shader.light), GLINT_OK);
         const enum glint_normals held = (enum glint_normals)below(3);
         ptrdiff_t normals_stride;
         const char *normals = normals_in(held, &normals_stride);
@@ -203,7 +203,7 @@ static void garbage_in_normals_and_spans_reads_nothing_outside_the_tables(void *
         struct glint_tables_light light;
         assert_int_equal(glint_tables_fill(&tables, kind, &shader, kind ? small : tight, glint_tables_bytes(kind)),
                          GLINT_OK);
-        assert_int_equal(glint_tables_light(&light, &tables, &shader.light), GLINT_OK);
+        assert_int_equal(glint_tables_light_init(&light, &tables, &shader.light), GLINT_OK);
         uint32_t words[300];
         for (int k = 0; k < 300; k++)
             words[k] = below(UINT32_MAX);
@@ -272,7 +272,7 @@ static void a_run_without_surface_ends_with_the_line_whatever_it_says(void **sta
     struct glint_tables tables;
     struct glint_tables_light light;
     assert_int_equal(glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &shader, memory, sizeof memory), GLINT_OK);
-    assert_int_equal(glint_tables_light(&light, &tables, &shader.light), GLINT_OK);
+    assert_int_equal(glint_tables_light_init(&light, &tables, &shader.light), GLINT_OK);
     static const struct glint_vec up = {0, 0, 32767};
     uint32_t words[8];
     for (int i = 0; i < 8; i++)
@@ -322,7 +322,7 @@ static void what_the_tables_cannot_do_is_refused_and_nothing_is_written(void **s
     struct glint_tables_light light;
     assert_int_equal(glint_light_init(&shader.light, to_light, aside), GLINT_OK);
     assert_int_equal(glint_tables_fill(&tables, colour, &shader, memory, sizeof memory), GLINT_OK);
-    assert_int_equal(glint_tables_light(&light, &tables, &shader.light), GLINT_OK);
+    assert_int_equal(glint_tables_light_init(&light, &tables, &shader.light), GLINT_OK);
     uint16_t out[4] = {7, 7, 7, 7};
     const struct glint_surface surface = {out, 8, 0, 0};
     const uint32_t words[4] = {1u << 30, 1u << 30, 1u << 30, 1u << 30};

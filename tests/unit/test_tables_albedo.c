@@ -28,7 +28,7 @@ static struct glint_shader grey_shader(uint32_t n, enum glint_format format)
 static void prepare(struct glint_tables *tables, struct glint_tables_light *light, const struct glint_shader *shader)
 {
     assert_int_equal(glint_tables_fill(tables, GLINT_TABLES_ALBEDO, shader, memory, sizeof memory), GLINT_OK);
-    assert_int_equal(glint_tables_light(light, tables, &shader->light), GLINT_OK);
+    assert_int_equal(glint_tables_light_init(light, tables, &shader->light), GLINT_OK);
 }
 
 static int channel(uint16_t pixel, int k)
@@ -387,7 +387,7 @@ static void garbage_in_normals_and_spans_reads_nothing_outside_the_tables(void *
         struct glint_tables_light light;
         assert_int_equal(glint_tables_fill(&tables, GLINT_TABLES_ALBEDO, &shader, tight, GLINT_TABLES_ALBEDO_BYTES),
                          GLINT_OK);
-        assert_int_equal(glint_tables_light(&light, &tables, &shader.light), GLINT_OK);
+        assert_int_equal(glint_tables_light_init(&light, &tables, &shader.light), GLINT_OK);
         uint32_t words[300];
         uint16_t albedo[150], out[150];
         for (int k = 0; k < 300; k++)
@@ -470,7 +470,7 @@ static void what_the_tables_cannot_do_is_refused_and_nothing_is_written(void **s
     struct glint_tables_light light, colour_light;
     prepare(&tables, &light, &shader);
     assert_int_equal(glint_tables_fill(&colour, GLINT_TABLES_COLOUR, &shader, colour_memory, sizeof colour_memory), 0);
-    assert_int_equal(glint_tables_light(&colour_light, &colour, &shader.light), GLINT_OK);
+    assert_int_equal(glint_tables_light_init(&colour_light, &colour, &shader.light), GLINT_OK);
     uint16_t out[4] = {7, 7, 7, 7};
     const struct glint_surface surface = {out, 8, 0, 0};
     const uint32_t words[4] = {1u << 30, 1u << 30, 1u << 30, 1u << 30};
@@ -493,7 +493,7 @@ static void what_the_tables_cannot_do_is_refused_and_nothing_is_written(void **s
     assert_int_equal(glint_tables_albedo_span(&tables, &span, NULL, &surface), GLINT_ERR_ARG);
     static const int32_t to_light[3] = {0, 1, 1}, aside[3] = {1, 0, 4};
     assert_int_equal(glint_light_init(&shader.light, to_light, aside), GLINT_OK);
-    assert_int_equal(glint_tables_light(&light, &tables, &shader.light), GLINT_OK);
+    assert_int_equal(glint_tables_light_init(&light, &tables, &shader.light), GLINT_OK);
     assert_int_equal(RECT(&tables, &light, int8, words, map, 0), GLINT_ERR_VECTOR);
     for (int i = 0; i < 4; i++)
         assert_int_equal(out[i], 7);

@@ -14,7 +14,7 @@ static struct glint_shader prepare(struct glint_tables *tables, struct glint_tab
     if (shader.lobe.model == GLINT_PHONG)
         shader.lobe.model = GLINT_MSH;
     assert_int_equal(glint_tables_fill(tables, GLINT_TABLES_COLOUR, &shader, memory, sizeof memory), GLINT_OK);
-    assert_int_equal(glint_tables_light(light, tables, &shader.light), GLINT_OK);
+    assert_int_equal(glint_tables_light_init(light, tables, &shader.light), GLINT_OK);
     return shader;
 }
 
@@ -208,7 +208,7 @@ static void for_a_viewer_aside_10_bit_normals_are_shaded_as_16_bit_ones(void **s
         struct glint_tables_light light;
         struct glint_shader shader = prepare(&tables, &light);
         assert_int_equal(glint_light_init(&shader.light, to_light, aside), GLINT_OK);
-        assert_int_equal(glint_tables_light(&light, &tables, &shader.light), GLINT_OK);
+        assert_int_equal(glint_tables_light_init(&light, &tables, &shader.light), GLINT_OK);
         uint32_t words[WIDE];
         struct glint_vec normals[WIDE];
         uint16_t of_10[WIDE], of_16[WIDE];
