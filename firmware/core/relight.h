@@ -36,7 +36,7 @@ struct relight {
     const uint16_t *waiting;
 };
 
-/* Fills the tables (12.6 million cycles on a Cortex-M0+) and finds the extents. Errors as glint_tables_fill. */
+/* Fills the tables (12.7 million cycles on a Cortex-M0+) and finds the extents. Errors as glint_tables_fill. */
 enum glint_err relight_start(struct relight *relight, const struct glint_shader *shader);
 /* Another material for the frames to come; between frames. */
 enum glint_err relight_material(struct relight *relight, const struct glint_shader *shader);
