@@ -357,8 +357,8 @@ struct glint_tables {
         uint16_t *colours;
         uint32_t *sums;
     } colour;
-    uint32_t t_max_q30;
-    uint16_t dark; /* where nl < 0: the pixel, in memory order (COLOUR); p (ALBEDO) */
+    uint32_t t_max_q30; /* u above (COLOUR, ALBEDO); the lobe's (SMALL) */
+    uint16_t dark;      /* where nl < 0: the pixel, in memory order (COLOUR); p (ALBEDO) */
     uint8_t kind, format, shift;
     bool dither;
 };

@@ -41,6 +41,10 @@ void glint_wide_set(struct glint_wide *a, uint64_t value);
 void glint_wide_mul(struct glint_wide *a, uint64_t factor); /* modulo 2^192 */
 bool glint_wide_ge(const struct glint_wide *a, const struct glint_wide *b);
 
+/* ---- root.c: the square root of x < 2^62, rounded down ---- */
+
+uint32_t glint_root(uint64_t x);
+
 /* ---- vector.c ---- */
 
 /* v / |v| in Q2.30, good to 2^-28; false where v = 0. */

@@ -54,7 +54,7 @@ static void small_pixel(const struct glint_tables *tables, const struct glint_su
             line[3 * (ptrdiff_t)x + k] = (uint8_t)(sum_field(sum, format, k) >> 1);
     } else {
         uint32_t grey = 0; /* 255 * 2 * 256 = 1.0 */
-        static const uint8_t luma[3] = {54, 183, 19};
+        static const uint8_t luma[3] = {GLINT_LUMA_RED, GLINT_LUMA_GREEN, GLINT_LUMA_BLUE};
         const uint32_t sum = clamp_sum(raw, format);
         for (int k = 0; k < 3; k++) {
             const uint32_t level = sum_field(sum, format, k);

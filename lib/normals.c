@@ -4,11 +4,8 @@
 
 static uint32_t root(uint32_t square) /* to nearest */
 {
-    uint32_t result = 0;
-    for (uint32_t bit = (uint32_t)1 << 15; bit; bit >>= 1)
-        if ((result | bit) * (result | bit) <= square)
-            result |= bit;
-    return result + (square - result * result > result);
+    const uint32_t floor = glint_root(square);
+    return floor + (square - floor * floor > floor);
 }
 
 static int32_t nearest(int32_t value, unsigned bits, int32_t limit)

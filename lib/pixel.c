@@ -101,7 +101,7 @@ void glint_pixel_put(const struct glint_shader *shader, const struct glint_surfa
         break;
     case GLINT_GREY8:
     case GLINT_MONO: {
-        const uint64_t grey = (54 * v[0] + 183 * v[1] + 19 * v[2]) >> 8; /* Rec. 709 */
+        const uint64_t grey = (GLINT_LUMA_RED * v[0] + GLINT_LUMA_GREEN * v[1] + GLINT_LUMA_BLUE * v[2]) >> 8;
         if (shader->format == GLINT_GREY8) {
             line[x] = (uint8_t)level(shader, grey, 255, weight);
         } else {

@@ -18,6 +18,9 @@ static inline uint64_t glint_distance_squared(const struct glint_vec *a, const s
     return (uint64_t)(x * x + y * y + z * z);
 }
 
+/* Step 6, of 256: Rec. 709. */
+enum { GLINT_LUMA_RED = 54, GLINT_LUMA_GREEN = 183, GLINT_LUMA_BLUE = 19 };
+
 /* A span's t this large stands for one a little below 0, where rounding has led: 0 is meant. */
 #define GLINT_NEGATIVE_T UINT32_C(0xf8000000)
 

@@ -133,15 +133,6 @@ enum glint_err glint_tables_fill(struct glint_tables *tables, enum glint_tables_
     return GLINT_OK;
 }
 
-uint32_t glint_root(uint64_t square)
-{
-    uint32_t result = 0;
-    for (uint32_t bit = (uint32_t)1 << 31; bit; bit >>= 1)
-        if ((uint64_t)(result | bit) * (result | bit) <= square)
-            result |= bit;
-    return result;
-}
-
 /* N.H |L + V| = N.L + N.z for a viewer at (0, 0, 1): one dot serves both. With m = |L + V| = peak / 2^29, 1 - N.H =
  * (peak - d - z) / m, so a column's number is (d + z - cut) 2 / m >> s = ((e >> a) r) >> 20. */
 enum glint_err glint_tables_light_init(struct glint_tables_light *light, const struct glint_tables *tables,

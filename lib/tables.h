@@ -149,8 +149,6 @@ void glint_small_rect(const struct glint_tables *tables, const struct glint_tabl
 enum glint_err glint_span_any(const struct glint_tables *tables, const struct glint_span *span,
                               const struct glint_surface *surface);
 
-uint32_t glint_root(uint64_t square); /* rounded down */
-
 /* ALBEDO tables: may they be filled for this material? Their fill, and what is theirs of a light whose l and h are set. */
 bool glint_albedo_can(const struct glint_material *material);
 void glint_albedo_fill(struct glint_tables *tables, const struct glint_shader *shader, uint32_t *memory);

@@ -1,19 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "internal.h"
 
-static uint32_t square_root(uint64_t x) /* floor, digit by digit; x < 2^62 */
-{
-    uint64_t root = 0;
-    for (uint64_t bit = (uint64_t)1 << 60; bit; bit >>= 2) {
-        if (x >= root + bit) {
-            x -= root + bit;
-            root += bit << 1;
-        }
-        root >>= 1;
-    }
-    return (uint32_t)root;
-}
-
 bool glint_unit_q30(int32_t out[3], const int32_t v[3])
 {
     uint32_t size[3], largest = 0;
@@ -34,7 +21,7 @@ bool glint_unit_q30(int32_t out[3], const int32_t v[3])
         size[i] = size[i] << up >> down;
         sum += (uint64_t)size[i] * size[i];
     }
-    const uint32_t length = square_root(sum); /* >= every size */
+    const uint32_t length = glint_root(sum); /* >= every size */
     for (int i = 0; i < 3; i++) {
         const int32_t part = (int32_t)((((uint64_t)size[i] << 30) + length / 2) / length);
         out[i] = v[i] < 0 ? -part : part;
