@@ -4,12 +4,10 @@
  * and FAULTY, the programs. */
 #include "unit.h"
 
+#include "card.h"
 #include "lab.h"
 
-#include <dirent.h>
 #include <errno.h>
-#include <drm.h>
-#include <drm_fourcc.h>
 #include <fcntl.h>
 #include <linux/fb.h>
 #include <linux/usbdevice_fs.h>
@@ -24,7 +22,6 @@
 
 enum { WIDTH = 61, HEIGHT = 47, PATIENCE_MS = 10000, STEP_MS = 20 };
 #define PICTURE "/run/picture"
-#define LOG "/run/gadget.log"
 
 static void wait_ms(unsigned ms)
 {
@@ -58,103 +55,6 @@ static void gadget_figures(unsigned long *rectangles, unsigned long long *bytes)
     free(line);
 }
 
-/* ---- the kernel's DRM device ---- */
-
-static struct card {
-    int file;
-    uint32_t crtc, connector, frame, pitch, fourcc;
-    struct drm_mode_modeinfo mode;
-    uint8_t *pixels;
-    size_t bytes;
-} card = {.file = -1};
-
-static void must(unsigned long request, void *argument, const char *what)
-{
-    if (ioctl(card.file, request, argument) != 0)
-        fail_msg("%s: %s", what, strerror(errno));
-}
-
-static bool find_card(void)
-{
-    struct dirent **entries;
-    const int count = scandir("/dev/dri", &entries, NULL, alphasort);
-    for (int i = 0; i < count; i++) {
-        char path[300];
-        snprintf(path, sizeof path, "/dev/dri/%s", entries[i]->d_name);
-        if (card.file < 0 && strncmp(entries[i]->d_name, "card", 4) == 0)
-            card.file = open(path, O_RDWR | O_CLOEXEC);
-        free(entries[i]);
-    }
-    if (count > 0)
-        free(entries);
-    return card.file >= 0;
-}
-
-static void card_open(void)
-{
-    card.file = -1;
-    for (unsigned ms = 0; !find_card(); ms += STEP_MS) {
-        if (ms > PATIENCE_MS)
-            fail_msg("the kernel makes no display of it: %s", log_text());
-        wait_ms(STEP_MS);
-    }
-    struct drm_mode_card_res resources = {.count_crtcs = 1, .count_connectors = 1};
-    resources.crtc_id_ptr = (uintptr_t)&card.crtc;
-    resources.connector_id_ptr = (uintptr_t)&card.connector;
-    must(DRM_IOCTL_MODE_GETRESOURCES, &resources, "resources");
-    assert_true(resources.count_crtcs == 1 && resources.count_connectors == 1);
-    struct drm_mode_get_connector probe = {.connector_id = card.connector};
-    must(DRM_IOCTL_MODE_GETCONNECTOR, &probe, "connector");
-    assert_int_equal(probe.count_modes, 1);
-    struct drm_mode_get_connector get = {.connector_id = card.connector, .count_modes = 1};
-    get.modes_ptr = (uintptr_t)&card.mode;
-    must(DRM_IOCTL_MODE_GETCONNECTOR, &get, "mode");
-    assert_true(card.mode.hdisplay == WIDTH && card.mode.vdisplay == HEIGHT);
-}
-
-static void card_close(void)
-{
-    munmap(card.pixels, card.bytes);
-    close(card.file);
-    card.file = -1;
-}
-
-static unsigned pixel_bytes(uint32_t fourcc)
-{
-    return fourcc == DRM_FORMAT_RGB565 ? 2 : fourcc == DRM_FORMAT_RGB888 ? 3 : 4;
-}
-
-/* A frame buffer of this format on the display. */
-static void card_show(uint32_t fourcc)
-{
-    struct drm_mode_create_dumb create = {.width = WIDTH, .height = HEIGHT, .bpp = 8 * pixel_bytes(fourcc)};
-    must(DRM_IOCTL_MODE_CREATE_DUMB, &create, "buffer");
-    struct drm_mode_fb_cmd2 add = {.width = WIDTH, .height = HEIGHT, .pixel_format = fourcc};
-    add.handles[0] = create.handle;
-    add.pitches[0] = create.pitch;
-    must(DRM_IOCTL_MODE_ADDFB2, &add, "frame buffer");
-    struct drm_mode_map_dumb map = {.handle = create.handle};
-    must(DRM_IOCTL_MODE_MAP_DUMB, &map, "map");
-    card.pixels = mmap(NULL, create.size, PROT_READ | PROT_WRITE, MAP_SHARED, card.file, (off_t)map.offset);
-    assert_true(card.pixels != MAP_FAILED);
-    card.bytes = create.size;
-    card.pitch = create.pitch;
-    card.frame = add.fb_id;
-    card.fourcc = fourcc;
-    struct drm_mode_crtc set = {.crtc_id = card.crtc, .fb_id = add.fb_id, .count_connectors = 1, .mode_valid = 1};
-    set.mode = card.mode;
-    set.set_connectors_ptr = (uintptr_t)&card.connector;
-    must(DRM_IOCTL_MODE_SETCRTC, &set, "mode");
-}
-
-static void card_dirty(unsigned x, unsigned y, unsigned width, unsigned height)
-{
-    struct drm_clip_rect clip = {(unsigned short)x, (unsigned short)y, (unsigned short)(x + width),
-                                 (unsigned short)(y + height)};
-    struct drm_mode_fb_dirty_cmd dirty = {.fb_id = card.frame, .num_clips = 1, .clips_ptr = (uintptr_t)&clip};
-    must(DRM_IOCTL_MODE_DIRTYFB, &dirty, "dirty");
-}
-
 /* ---- pictures ---- */
 
 static uint8_t source[HEIGHT][WIDTH][3], wanted[HEIGHT][WIDTH][3];
@@ -168,7 +68,7 @@ static void draw(enum content content, unsigned turn, unsigned x0, unsigned y0, 
                 const unsigned smooth = x / 8 * 37 + 11 * turn + 50 * c, noise = (unsigned)rand() >> 7;
                 source[y][x][c] = (uint8_t)(content == SMOOTH ? smooth : noise);
                 const uint8_t v = source[y][x][c];
-                uint8_t *at = card.pixels + y * card.pitch + x * pixel_bytes(card.fourcc);
+                uint8_t *at = card.pixels + y * card.pitch + x * card_pixel_bytes(card.fourcc);
                 if (card.fourcc != DRM_FORMAT_RGB565) {
                     at[2 - c] = v;
                     continue;
@@ -242,7 +142,7 @@ static void draws_all(const char *format, uint32_t fourcc)
 {
     static const unsigned boxes[][4] = {{0, 0, 1, 1},  {60, 46, 1, 1}, {7, 3, 13, 5},
                                         {8, 0, 9, 47}, {1, 20, 59, 1}, {3, 1, 57, 45}};
-    card_open();
+    card_open(WIDTH, HEIGHT);
     card_show(fourcc);
     draw(SMOOTH, 0, 0, 0, WIDTH, HEIGHT);
     card_dirty(0, 0, WIDTH, HEIGHT);
@@ -391,7 +291,7 @@ static void unplugged_in_the_middle_of_a_rectangle_and_back_it_is_a_display_agai
 {
     (void)state;
     gadget_start("FAULTY", "--formats rgb565 --fault unplug --after 1500 --back 300");
-    card_open();
+    card_open(WIDTH, HEIGHT);
     card_show(DRM_FORMAT_RGB565);
     draw(NOISE, 0, 0, 0, WIDTH, HEIGHT);
     struct drm_clip_rect clip = {0, 0, WIDTH, HEIGHT};
@@ -441,7 +341,7 @@ static void a_second_one_is_refused_in_one_line(void **state)
 {
     (void)state;
     gadget_start("GADGET", "--formats rgb565");
-    card_open();
+    card_open(WIDTH, HEIGHT);
     close(card.file);
     static const struct {
         const char *options, *message;

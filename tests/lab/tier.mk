@@ -4,7 +4,7 @@
 # LAB_COMMON; every other tests/lab/test_* is a script that speaks TAP and runs outside.
 LAB_TESTS = $(patsubst tests/lab/test_%.c,$(BUILD)/tests/lab/test_%,$(filter-out tests/lab/test_usb_%,$(wildcard tests/lab/test_*.c)))
 LAB_SCRIPTS = $(filter-out %.c,$(wildcard tests/lab/test_*))
-LAB_COMMON = $(patsubst %,$(BUILD)/tests/lab/%.o,chip capture bus screen sigrok run process usbip known)
+LAB_COMMON = $(patsubst %,$(BUILD)/tests/lab/%.o,chip capture bus screen sigrok run process usbip known card)
 
 $(BUILD)/tests/lab/%.o: tests/lab/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -32,7 +32,7 @@ LAB_SCRIPTS += $(patsubst %,"$(USB_GUEST) %",$(filter $(BUILD)/tests/lab/test_%,
 usb-rate: usb-programs ## the usb sink's rate beside a bare loop of libusb calls, to the same simulated display
 	@LAB_BUILD=$(CURDIR)/$(BUILD) $(USB_GUEST) $(BUILD)/tests/lab/usb_rate
 
-$(BUILD)/tests/lab/test_gud_drm.o: LAB_CFLAGS += $$(pkg-config --cflags libdrm)
+$(addprefix $(BUILD)/tests/lab/,test_gud_drm.o card.o): LAB_CFLAGS += $$(pkg-config --cflags libdrm)
 
 # By libgpiod as installed, and by its version 2.
 $(BUILD)/tests/lab/bitbang1: $(patsubst %,$(BUILD)/tests/lab/%.o,bitbang known lines1)

@@ -204,4 +204,18 @@ static inline unsigned bytes_of(enum glint_format format, unsigned w)
 static const enum glint_format formats[] = {GLINT_RGB565, GLINT_RGB565_SWAPPED, GLINT_RGB888, GLINT_GREY8, GLINT_MONO};
 enum { FORMATS = 5 };
 
+/* All other bytes are GUARD still, of mono the bits past a line's last pixel, too. */
+static inline void assert_only_the_rectangle_is_written(const uint8_t *out, size_t size, size_t start, ptrdiff_t stride,
+                                                        enum glint_format format, uint16_t w, uint16_t h)
+{
+    for (size_t b = 0; b < size; b++) {
+        const ptrdiff_t at = (ptrdiff_t)b - (ptrdiff_t)start;
+        const bool inside = at >= 0 && at < stride * h && at % stride < (ptrdiff_t)bytes_of(format, w);
+        if (!inside)
+            assert_int_equal(out[b], GUARD);
+        else if (format == GLINT_MONO && w % 8 && at % stride == w / 8)
+            assert_int_equal(out[b] & (0xff >> w % 8), GUARD & (0xff >> w % 8));
+    }
+}
+
 #endif
