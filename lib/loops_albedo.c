@@ -37,7 +37,8 @@ void glint_albedo_fill(struct glint_tables *tables, const struct glint_shader *s
         tables->colour.sums[i] = shine_word(shader, glint_pixel_lobe(shader, glint_column_t(t_max, tables->shift, i)));
     for (int32_t row = 0; row < LEVELS; row++) {
         const uint32_t nl = row < 128 ? 512 * (uint32_t)row + 256 : 65536;
-        tables->columns[-1 - row] = (uint8_t)((ambient * 32u + ((diffuse * nl) >> 11) + 32768) >> 16);
+        const uint32_t share = (uint32_t)((uint64_t)diffuse * nl >> 11); /* the product may be 2^32 */
+        tables->columns[-1 - row] = (uint8_t)((ambient * 32 + share + 32768) >> 16);
     }
     tables->dark = (uint16_t)((ambient * 32u + 32768) >> 16);
 }

@@ -203,6 +203,30 @@ static void a_field_that_overflows_is_full_and_the_others_are_not_touched(void *
     }
 }
 
+/* Q1.15 vectors may be a little longer than 1. */
+static void a_surface_that_faces_the_light_is_lit_in_full_though_its_normal_is_longer_than_1(void **state)
+{
+    (void)state;
+    struct glint_shader shader = grey_shader(60, GLINT_RGB565);
+    static const int32_t to_light[3] = {1, 1, 1}, to_viewer[3] = {0, 0, 1};
+    assert_int_equal(glint_light_init(&shader.light, to_light, to_viewer), GLINT_OK);
+    assert_true(dot(shader.light.l, shader.light.l) > 1 << 30);
+    for (int k = 0; k < 3; k++) {
+        shader.material.ambient_q16[k] = 0;
+        shader.material.diffuse_q16[k] = 65536;
+    }
+    struct glint_tables tables;
+    struct glint_tables_light light;
+    prepare(&tables, &light, &shader);
+    static const uint16_t white = 0xffff;
+    uint16_t out = 0;
+    const struct glint_surface surface = {&out, 0, 0, 0};
+    assert_int_equal(glint_tables_albedo_rect(&tables, &light, GLINT_NORMALS_INT16, &shader.light.l, 0, &white, 0, 1, 1,
+                                              &surface),
+                     GLINT_OK);
+    assert_int_equal(out, white);
+}
+
 static void a_span_is_within_two_steps_of_the_exact_span_and_of_the_rectangle_by_one(void **state)
 {
     (void)state;
@@ -263,6 +287,7 @@ int main(void)
         cmocka_unit_test(pixels_are_within_two_steps_of_the_exact_path_on_a_real_normal_map),
         cmocka_unit_test(pixels_are_within_two_steps_of_the_exact_path_for_random_normals_lights_and_materials),
         cmocka_unit_test(a_field_that_overflows_is_full_and_the_others_are_not_touched),
+        cmocka_unit_test(a_surface_that_faces_the_light_is_lit_in_full_though_its_normal_is_longer_than_1),
         cmocka_unit_test(a_span_is_within_two_steps_of_the_exact_span_and_of_the_rectangle_by_one),
         cmocka_unit_test(a_span_whose_t_has_come_a_little_below_0_is_at_its_peak),
     };
