@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: MIT
+ * Table loops as glint.h writes them down, written another way than in lib/: channel by channel and without short cuts. */
+#ifndef UNIT_TABLES_MODEL_H
+#define UNIT_TABLES_MODEL_H
+
+#include "shading.h"
+
+/* ---- Fill ---- */
+
+static inline uint32_t f_at(const struct glint_shader *s, uint32_t t)
+{
+    const uint32_t f = t > s->lobe.t_max_q30 ? 0 : glint_eval_t((enum glint_model)s->lobe.model, s->lobe.n, t);
+    return s->clamp_peak && f > 65536 ? 65536 : f;
+}
+
+static inline unsigned column_of(const struct glint_shader *s, uint32_t t)
+{
+    const uint64_t f0 = f_at(s, 0);
+    return (unsigned)((63 * (uint64_t)f_at(s, t) + f0 / 2) / f0);
+}
+
+static inline uint32_t f_of(const struct glint_shader *s, unsigned column)
+{
+    return (column * f_at(s, 0) + 31) / 63;
+}
+
+/* The largest t for which it holds; it holds at 0 and stops holding once. */
+static inline uint32_t last_t(const struct glint_shader *s, bool (*holds)(const struct glint_shader *s, uint32_t t))
+{
+    uint32_t good = 0, bad = s->lobe.t_max_q30 + 1;
+    while (bad - good > 1) {
+        const uint32_t t = good + (bad - good) / 2;
+        if (holds(s, t))
+            good = t;
+        else
+            bad = t;
+    }
+    return good;
+}
+
+static inline unsigned least_shift(uint32_t u, uint32_t limit)
+{
+    unsigned s = 0;
+    while ((u >> s) + (65536u >> s) >= limit)
+        s++;
+    return s;
+}
+
+/* t in the middle of column i, counted from u down. */
+static inline uint32_t middle(uint32_t u, unsigned shift, uint32_t i)
+{
+    const int64_t t = (int64_t)u - ((int64_t)i << shift) - ((INT64_C(1) << shift) >> 1);
+    return t < 0 ? 0 : (uint32_t)t;
+}
+
+/* A channel's value over 255 * 2^32, at most 1. */
+static inline u128 value_of(const struct glint_shader *s, int k, unsigned albedo, uint32_t nl, uint32_t f)
+{
+    const u128 lit = ((u128)clamped(s->material.ambient_q16[k]) << 16) + (u128)clamped(s->material.diffuse_q16[k]) * nl;
+    const u128 sum = albedo * lit + (u128)clamped(s->material.specular_q16[k]) * 255 * f, one = (u128)255 << 32;
+    return sum < one ? sum : one;
+}
+
+static inline unsigned nearest_level(u128 value, unsigned max)
+{
+    return gamma_level(value, max, 16);
+}
+
+/* As in memory. */
+static inline uint16_t in_order(const struct glint_shader *s, unsigned rgb)
+{
+    const uint8_t low = (uint8_t)rgb, high = (uint8_t)(rgb >> 8);
+    const uint8_t bytes[2] = {s->format == GLINT_RGB565 ? low : high, s->format == GLINT_RGB565 ? high : low};
+    uint16_t pixel;
+    memcpy(&pixel, bytes, 2);
+    return pixel;
+}
+
+/* Steps 4 to 8 with the material's albedo. */
+static inline uint16_t pixel_565(const struct glint_shader *s, uint32_t nl, uint32_t f)
+{
+    unsigned level[3];
+    for (int k = 0; k < 3; k++)
+        level[k] = nearest_level(value_of(s, k, s->material.albedo[k], nl, f), k == 1 ? 63 : 31);
+    return in_order(s, level[0] << 11 | level[1] << 5 | level[2]);
+}
+
+/* ---- t and N.L, step 1 and 2 ---- */
+
+static inline int64_t t_of(struct glint_vec n, struct glint_vec h)
+{
+    const int64_t x = n.x - h.x, y = n.y - h.y, z = n.z - h.z;
+    return (x * x + y * y + z * z) / 2;
+}
+
+/* floor(sqrt(x)), x < 2^62 */
+static inline uint64_t root_of(uint64_t x)
+{
+    uint64_t root = (uint64_t)sqrt((double)x);
+    while (root * root > x)
+        root--;
+    while ((root + 1) * (root + 1) <= x)
+        root++;
+    return root;
+}
+
+static inline uint64_t square(int64_t x)
+{
+    return (uint64_t)(x * x);
+}
+
+/* ---- A scene: normals about the light's, some along it or of any bits, some runs without surface. None so long that its
+ * t is 2 and more: those get some colour or other. ---- */
+
+enum { WIDE = 43, LINES = 3 };
+struct surface_normals {
+    struct glint_vec vec[WIDE * LINES]; /* as the loops read them */
+    uint32_t word[WIDE * LINES];
+};
+
+static inline struct glint_vec near_normal(const struct glint_light *light)
+{
+    struct glint_vec n;
+    do
+        n = below(6) ? random_normal(light) : light->l; /* the latter may be longer than 1 */
+    while (t_of(n, light->h) >> 31);
+    return n;
+}
+
+static inline void random_surface(struct surface_normals *s, enum glint_normals format, const struct glint_light *light)
+{
+    const bool is_8 = format == GLINT_NORMALS_INT8;
+    const uint32_t z = is_8 ? UINT32_C(0xffff0000) : 4095;
+    uint32_t none = 0;
+    for (int p = 0; p < WIDE * LINES; p++) {
+        struct glint_vec *n = &s->vec[p];
+        *n = near_normal(light);
+        s->word[p] = 0;
+        if (format != GLINT_NORMALS_INT16)
+            do {
+                s->word[p] = below(9) ? glint_normals_pack(format, n) : below(65536) << 16 | below(65536);
+                *n = glint_normals_unpack(format, s->word[p]);
+            } while ((s->word[p] & z) == 0 || t_of(*n, light->h) >> 31);
+        if (none == 0 && below(20) == 0)
+            none = 1 + below(WIDE);
+        if (none) {
+            s->word[p] = is_8 ? none : none << 12;
+            *n = (struct glint_vec){0, 0, 0};
+            none--;
+        }
+    }
+}
+
+/* A frontal light from anywhere, also from behind and grazing. */
+static inline struct glint_shader tables_shader(enum glint_format format)
+{
+    struct glint_shader s = random_shader(format, GLINT_GAMMA);
+    s.dither = false;
+    static const uint32_t shininess[] = {1, 2, 5, 10, 60, 200, 1000};
+    static const enum glint_model models[] = {GLINT_MSH, GLINT_SCHLICK, GLINT_BLINN, GLINT_GAUSS, GLINT_CAYLEY};
+    glint_lobe_init(&s.lobe, models[below(5)], shininess[below(7)], below(3) ? 6 + below(3) : below(17));
+    static const int32_t tricky[][3] = {{1, 1, 1},   {0, 0, 1},    {1, 0, 0},  {0, -1, 0},
+                                        {3, 1, -20}, {0, 1, -300}, {-1, -1, 1}};
+    static const int32_t front[3] = {0, 0, 1};
+    if (below(3) == 0)
+        assert_int_equal(glint_light_init(&s.light, tricky[below(7)], front), GLINT_OK);
+    return s;
+}
+
+#endif
