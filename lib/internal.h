@@ -22,6 +22,20 @@ static inline uint32_t glint_t_of_c(int32_t c_q16)
     return c_q16 < 0 ? UINT32_MAX : c_q16 > GLINT_C_ONE ? 0 : (uint32_t)(GLINT_C_ONE - c_q16) << 14;
 }
 
+/* ---- alignment ---- */
+
+/* What a type wants: on 8-bit machines, whose compilers place everything anywhere, 1. */
+struct glint_align_16 {
+    char before;
+    uint16_t at;
+};
+struct glint_align_32 {
+    char before;
+    uint32_t at;
+};
+#define GLINT_MISALIGNED(address_or_stride, bits)                                                                      \
+    ((uintptr_t)(address_or_stride) % offsetof(struct glint_align_##bits, at) != 0)
+
 /* ---- power.c: x^n in Q0.64, x < 1 ---- */
 
 /* In (x^n - n 2^-64, x^n]; monotone in x; the exact floor for n <= 4 where x has 30 bits. */

@@ -50,10 +50,10 @@ enum glint_err glint_tables_rect(const struct glint_tables *tables, const struct
     const uint8_t *in = (const uint8_t *)normals;
     uint8_t *out = (uint8_t *)surface->pixels;
     for (; h; h--, in += stride, out += surface->stride)
-        if ((uintptr_t)out % 2 == 0)
-            line(tables, light, format, in, w, (uint16_t *)(void *)out);
-        else
+        if (GLINT_MISALIGNED(out, 16))
             glint_colour_odd(tables, light, format, in, w, out);
+        else
+            line(tables, light, format, in, w, (uint16_t *)(void *)out);
     return GLINT_OK;
 }
 

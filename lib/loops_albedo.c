@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * ALBEDO tables: their fill, their lights, and the loops over them. RAM: 8,584 bytes of tables, what a light takes, no
- * buffers but 64 bytes of stack where lines are at odd addresses. */
+ * buffers. */
 #include "tables.h"
 
 enum { SHINE = 2048, LEVELS = 392 /* three times 128, and some: whatever normals and lights are */ };
@@ -176,18 +176,11 @@ static inline void line(const struct glint_tables *tables, const struct glint_ta
         glint_albedo_int8(tables, light, (const uint32_t *)normals, albedo, w, out);
 }
 
-/* Where it cannot be stored as aligned 2-byte pixels. */
-static __attribute__((noinline)) void odd_line(const struct glint_tables *tables,
-                                               const struct glint_tables_light *light, enum glint_normals format,
-                                               const uint8_t *normals, const uint16_t *albedo, uint16_t w, uint8_t *out)
+void glint_albedo_line(const struct glint_tables *tables, const struct glint_tables_light *light,
+                       enum glint_normals format, const void *normals, const uint16_t *albedo, uint16_t w,
+                       uint16_t *out)
 {
-    uint16_t piece[GLINT_RUN];
-    for (uint32_t x = 0; x < w; x += GLINT_RUN) {
-        const uint16_t count = glint_piece(w - x);
-        glint_get_pixels(piece, out + 2 * x, count);
-        line(tables, light, format, normals + glint_normals_size(format) * x, albedo + x, count, piece);
-        glint_put_pixels(out + 2 * x, piece, count);
-    }
+    line(tables, light, format, normals, albedo, w, out);
 }
 
 enum glint_err glint_tables_albedo_rect(const struct glint_tables *tables, const struct glint_tables_light *light,
@@ -206,7 +199,7 @@ enum glint_err glint_tables_albedo_rect(const struct glint_tables *tables, const
     for (; h; h--) {
         const uint16_t *colours = (const uint16_t *)(const void *)map;
         if (GLINT_MISALIGNED(out, 16))
-            odd_line(tables, light, format, in, colours, w, out);
+            glint_albedo_odd(tables, light, format, in, colours, w, out);
         else
             line(tables, light, format, in, colours, w, (uint16_t *)(void *)out);
         in += stride;

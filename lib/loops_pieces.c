@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * COLOUR tables where an address or a width is not what the fast loops want: in pieces of so many pixels. */
+ * Where an address or a width is not what the fast loops want: in pieces of so many pixels, 64 bytes of stack. */
 #include "tables.h"
 
 enum { PIECE = GLINT_RUN };
@@ -29,6 +29,19 @@ void glint_colour_odd(const struct glint_tables *tables, const struct glint_tabl
     }
 }
 
+void glint_albedo_odd(const struct glint_tables *tables, const struct glint_tables_light *light,
+                      enum glint_normals format, const void *normals, const uint16_t *albedo, uint16_t w, uint8_t *out)
+{
+    const size_t size = glint_normals_size(format);
+    uint16_t piece[PIECE];
+    for (uint32_t x = 0; x < w; x += PIECE) {
+        const uint16_t count = glint_piece(w - x);
+        glint_get_pixels(piece, out + 2 * x, count);
+        glint_albedo_line(tables, light, format, (const uint8_t *)normals + size * x, albedo + x, count, piece);
+        glint_put_pixels(out + 2 * x, piece, count);
+    }
+}
+
 static inline void advance(struct glint_span *at)
 {
     const uint32_t n = PIECE;
@@ -53,7 +66,7 @@ static void odd_span(const struct glint_tables *tables, struct glint_span *at, u
 void glint_colour_span(const struct glint_tables *tables, const struct glint_span *span, uint8_t *out)
 {
     struct glint_span at = *span;
-    if ((uintptr_t)out % 2) {
+    if (GLINT_MISALIGNED(out, 16)) {
         odd_span(tables, &at, at.w, out);
         return;
     }

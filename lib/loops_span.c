@@ -47,7 +47,7 @@ enum glint_err glint_tables_span(const struct glint_tables *tables, const struct
                                  const struct glint_surface *surface)
 {
     if (!tables || !span || !surface || !surface->pixels || tables->kind != GLINT_TABLES_COLOUR ||
-        (uintptr_t)surface->pixels % 2 || span->w - 1u >= GLINT_RUN)
+        GLINT_MISALIGNED(surface->pixels, 16) || span->w - 1u >= GLINT_RUN)
         return glint_span_any(tables, span, surface);
     run(tables, span, span->w, (uint16_t *)surface->pixels);
     return GLINT_OK;

@@ -1,24 +1,14 @@
 /* SPDX-License-Identifier: MIT
  * The exact rectangle path. */
 #include "rect.h"
+#include "internal.h"
 #include "pixel.h"
-
-/* What int16_t wants: 2, but 1 on 8-bit machines, whose compilers place normals anywhere. */
-struct aligned {
-    char before;
-    int16_t component;
-};
-
-static bool misaligned(uintptr_t address_or_stride)
-{
-    return address_or_stride % offsetof(struct aligned, component) != 0;
-}
 
 enum glint_err glint_rect_check(const struct glint_shader *shader, const struct glint_source *source,
                                 const struct glint_surface *surface)
 {
     if (!shader || !source || !surface || !source->normals || !surface->pixels ||
-        misaligned((uintptr_t)source->normals) || misaligned((uintptr_t)source->normals_stride))
+        GLINT_MISALIGNED(source->normals, 16) || GLINT_MISALIGNED(source->normals_stride, 16))
         return GLINT_ERR_ARG;
     return glint_pixel_check(shader);
 }

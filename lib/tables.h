@@ -50,18 +50,6 @@ static inline uint32_t glint_last_t(const struct glint_shader *shader,
     return t;
 }
 
-/* What a type wants: on 8-bit machines, whose compilers place everything anywhere, 1. */
-struct glint_align_16 {
-    char before;
-    uint16_t at;
-};
-struct glint_align_32 {
-    char before;
-    uint32_t at;
-};
-#define GLINT_MISALIGNED(address_or_stride, bits)                                                                      \
-    ((uintptr_t)(address_or_stride) % offsetof(struct glint_align_##bits, at) != 0)
-
 static inline struct glint_vec glint_unpack_int10(uint32_t word)
 {
     const struct glint_vec n = {(int16_t)(((int32_t)word >> 22) * 64), (int16_t)(((int32_t)(word << 10) >> 22) * 64),
@@ -158,6 +146,13 @@ void glint_albedo_int8(const struct glint_tables *tables, const struct glint_tab
                        const uint16_t *albedo, uint16_t w, uint16_t *out);
 void glint_albedo_int8_swapped(const struct glint_tables *tables, const struct glint_tables_light *light,
                                const uint32_t *words, const uint16_t *albedo, uint16_t w, uint16_t *out);
+
+/* Any line, aligned and not. */
+void glint_albedo_line(const struct glint_tables *tables, const struct glint_tables_light *light,
+                       enum glint_normals format, const void *normals, const uint16_t *albedo, uint16_t w,
+                       uint16_t *out);
+void glint_albedo_odd(const struct glint_tables *tables, const struct glint_tables_light *light,
+                      enum glint_normals format, const void *normals, const uint16_t *albedo, uint16_t w, uint8_t *out);
 
 /* A line of a palette. */
 void glint_palette_line(const uint16_t *colours, const uint16_t *offsets, uint16_t w, uint16_t *out);
