@@ -109,7 +109,8 @@ struct glint_vec {
     int16_t x, y, z;
 };
 
-/* Scales v (any units) to length 1, within .501 of 2^-15; 1.0 is held as 32767. GLINT_ERR_VECTOR where v is 0. */
+/* Scales v (any units) to length 1, within .501 of 2^-15; 1.0 is held as 32767. GLINT_ERR_ARG: NULL. GLINT_ERR_VECTOR
+ * where v is 0. */
 enum glint_err glint_vec_normalize(struct glint_vec *out, const int32_t v[3]);
 
 /* A directional light seen by a distant viewer. */
@@ -118,7 +119,8 @@ struct glint_light {
     struct glint_vec v; /* towards the viewer */
     struct glint_vec h; /* the half vector (L + V) / |L + V| */
 };
-/* From directions of any length. GLINT_ERR_VECTOR where one is 0, or the light straight behind: L within 2^-27 of -V. */
+/* From directions of any length. GLINT_ERR_ARG: NULL. GLINT_ERR_VECTOR where one is 0, or the light straight behind: L
+ * within 2^-27 of -V. */
 enum glint_err glint_light_init(struct glint_light *light, const int32_t to_light[3], const int32_t to_viewer[3]);
 
 /* ---- The pixel: the integer sequence that every exact path follows ------------------------------------------- *
@@ -337,9 +339,10 @@ enum glint_normals {
     GLINT_NORMALS_INT10, /* uint32_t: x in the top 10 bits (Q9), y in 10 (Q9), z in the low 12 (Q11). z = 0: no surface */
     GLINT_NORMALS_INT8 /* uint32_t: 256 y + x in the low half (x, y Q7: -127..127), z in the high one (Q15), such that the
                             length is 1. z = 0: no surface */
-    /* Where z = 0, the other bits may hold how many pixels, this one among them, are to be stepped over; 0 counts as 1. */
+    /* Where z = 0, the other bits may hold how many pixels from this one on have no surface, and z = 0, too: loops may step
+     * over them. 0 counts as 1. */
 };
-/* A normal of any format but INT16, packed: to the nearest x and y, and the z that makes its length 1. Z of length 0: 0. */
+/* A normal, packed: to the nearest x and y, and the z that makes its length 1. One of length 0, and INT16: 0. */
 uint32_t glint_normals_pack(enum glint_normals format, const struct glint_vec *normal);
 /* And as the loops read it. 0, 0, 0 where there is no surface. */
 struct glint_vec glint_normals_unpack(enum glint_normals format, uint32_t word);
@@ -362,13 +365,13 @@ struct glint_tables {
     uint8_t kind, format, shift;
     bool dither;
 };
-/* Fills. shader->light is not looked at. GLINT_ERR_ARG: NULL, too few bytes, memory not aligned to 4, Phong (its geometry
- * is not |N - H|^2), ALBEDO and a material that it does not do. GLINT_ERR_FORMAT: a format, space or dither that this kind
- * does not do. Nothing is written then. */
+/* Fills. shader->light is not looked at. GLINT_ERR_ARG: NULL, too few bytes, memory not aligned to 4, no such kind or
+ * model, Phong (its geometry is not |N - H|^2), ALBEDO and a material that it does not do. GLINT_ERR_FORMAT: a format,
+ * space or dither that this kind does not do. Nothing is written then. */
 enum glint_err glint_tables_fill(struct glint_tables *tables, enum glint_tables_kind kind,
                                  const struct glint_shader *shader, void *memory, size_t bytes);
 
-/* A light, prepared for these tables: a few thousand cycles, no table touched. */
+/* A light, prepared for these tables as they are filled: a few thousand cycles, no table touched. GLINT_ERR_ARG: NULL. */
 struct glint_tables_light {
     struct glint_vec l, h;
     int32_t x, y, z, cut, peak; /* for INT8 and INT10 with the viewer at (0, 0, 1) */
@@ -380,8 +383,9 @@ enum glint_err glint_tables_light_init(struct glint_tables_light *light, const s
                                        const struct glint_light *from);
 
 /* Shades w x h normals; pixels without a surface are left as they are. Normals are aligned (INT16 to 2 bytes, else to 4) and
- * of about unit length: others give some colour. GLINT_ERR_ARG: NULL, misaligned, ALBEDO tables. GLINT_ERR_FORMAT: no such
- * normals. GLINT_ERR_VECTOR: INT8 and a viewer not at (0, 0, 1), but with SMALL tables. Nothing is written then. */
+ * of about unit length: others give some colour. GLINT_ERR_ARG: NULL, misaligned, ALBEDO tables, a light for another kind of
+ * tables. GLINT_ERR_FORMAT: no such normals. GLINT_ERR_VECTOR: INT8 and a viewer not at (0, 0, 1), unless the tables are
+ * SMALL. Nothing is written then. */
 enum glint_err glint_tables_rect(const struct glint_tables *tables, const struct glint_tables_light *light,
                                  enum glint_normals format, const void *normals, ptrdiff_t stride, uint16_t w,
                                  uint16_t h, const struct glint_surface *surface);

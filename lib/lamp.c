@@ -33,7 +33,7 @@ static struct glint_lamp white(enum glint_lamp_kind kind)
 
 enum glint_err glint_lamp_directional(struct glint_lamp *lamp, const int32_t to_light[3], const int32_t to_viewer[3])
 {
-    if (!lamp || !to_light || !to_viewer)
+    if (!lamp)
         return GLINT_ERR_ARG;
     struct glint_light light;
     const enum glint_err err = glint_light_init(&light, to_light, to_viewer);

@@ -191,8 +191,8 @@ enum glint_err glint_tables_albedo_rect(const struct glint_tables *tables, const
     const enum glint_err err = glint_tables_check(tables, light, format, normals, stride, surface);
     if (err)
         return err;
-    if (tables->kind != GLINT_TABLES_ALBEDO || light->kind != GLINT_TABLES_ALBEDO || !albedo ||
-        GLINT_MISALIGNED(albedo, 16) || GLINT_MISALIGNED(albedo_stride, 16))
+    if (tables->kind != GLINT_TABLES_ALBEDO || !albedo || GLINT_MISALIGNED(albedo, 16) ||
+        GLINT_MISALIGNED(albedo_stride, 16))
         return GLINT_ERR_ARG;
     const uint8_t *in = (const uint8_t *)normals, *map = (const uint8_t *)albedo;
     uint8_t *out = (uint8_t *)surface->pixels;

@@ -17,9 +17,9 @@ static int32_t nearest(int32_t value, unsigned bits, int32_t limit)
 /* z > 0 and |z| at least 1, so that no normal reads as no surface. */
 uint32_t glint_normals_pack(enum glint_normals format, const struct glint_vec *normal)
 {
-    if (!(normal->x | normal->y | normal->z) || (unsigned)format > GLINT_NORMALS_INT8)
-        return 0;
     const bool is_8 = format == GLINT_NORMALS_INT8;
+    if (!(normal->x | normal->y | normal->z) || !(is_8 || format == GLINT_NORMALS_INT10))
+        return 0;
     const unsigned bits = is_8 ? 8 : 6, z_bits = is_8 ? 0 : 4;
     const int32_t limit = is_8 ? 127 : 511, z_limit = is_8 ? 32767 : 2047;
     const int32_t x = nearest(normal->x, bits, limit), y = nearest(normal->y, bits, limit);

@@ -80,7 +80,7 @@ static inline enum glint_err glint_tables_check(const struct glint_tables *table
                                                 const void *normals, ptrdiff_t stride,
                                                 const struct glint_surface *surface)
 {
-    if (!tables || !light || !normals || !surface || !surface->pixels ||
+    if (!tables || !light || !normals || !surface || !surface->pixels || tables->kind != light->kind ||
         (glint_normals_size(format) == 4 ? GLINT_MISALIGNED(normals, 32) || GLINT_MISALIGNED(stride, 32)
                                          : GLINT_MISALIGNED(normals, 16) || GLINT_MISALIGNED(stride, 16)))
         return GLINT_ERR_ARG;

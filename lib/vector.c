@@ -43,6 +43,8 @@ static struct glint_vec vec_of_q30(const int32_t v[3])
 
 enum glint_err glint_vec_normalize(struct glint_vec *out, const int32_t v[3])
 {
+    if (!out || !v)
+        return GLINT_ERR_ARG;
     int32_t unit[3];
     if (!glint_unit_q30(unit, v))
         return GLINT_ERR_VECTOR;
@@ -69,6 +71,8 @@ bool glint_light_between(struct glint_light *light, const int32_t l_q30[3], cons
 
 enum glint_err glint_light_init(struct glint_light *light, const int32_t to_light[3], const int32_t to_viewer[3])
 {
+    if (!light || !to_light || !to_viewer)
+        return GLINT_ERR_ARG;
     int32_t l[3], v[3];
     return glint_unit_q30(l, to_light) && glint_unit_q30(v, to_viewer) && glint_light_between(light, l, v)
                ? GLINT_OK

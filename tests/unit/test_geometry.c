@@ -46,6 +46,20 @@ static void a_vector_of_any_length_is_normalized_to_the_nearest_unit(void **stat
     assert_true(worst <= 0.501);
 }
 
+static void directions_that_are_not_there_are_refused(void **state)
+{
+    (void)state;
+    static const int32_t up[3] = {0, 0, 1};
+    struct glint_vec vec = {7, 7, 7};
+    struct glint_light light = {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}};
+    assert_int_equal(glint_vec_normalize(NULL, up), GLINT_ERR_ARG);
+    assert_int_equal(glint_vec_normalize(&vec, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_light_init(NULL, up, up), GLINT_ERR_ARG);
+    assert_int_equal(glint_light_init(&light, NULL, up), GLINT_ERR_ARG);
+    assert_int_equal(glint_light_init(&light, up, NULL), GLINT_ERR_ARG);
+    assert_int_equal(vec.x + light.l.x + light.h.z, 21);
+}
+
 static void the_axes_and_the_longest_vectors_normalize_exactly(void **state)
 {
     (void)state;
@@ -253,6 +267,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_vector_of_any_length_is_normalized_to_the_nearest_unit),
+        cmocka_unit_test(directions_that_are_not_there_are_refused),
         cmocka_unit_test(the_axes_and_the_longest_vectors_normalize_exactly),
         cmocka_unit_test(the_half_vector_lies_halfway_to_half_a_unit),
         cmocka_unit_test(a_light_without_direction_or_straight_behind_is_refused),

@@ -142,6 +142,26 @@ static void a_packed_normal_keeps_its_direction_and_its_length(void **state)
 }
 
 /* The rectangle cut anywhere, at any alignment, gives the same pixels as whole, and nothing around it is written. */
+static void what_cannot_be_packed_is_0_and_unpacks_to_no_surface(void **state)
+{
+    (void)state;
+    static const struct glint_vec up = {0, 0, 32767}, none = {0, 0, 0};
+    for (int format = 0; format < 5; format++) {
+        const bool is_packed = format == GLINT_NORMALS_INT10 || format == GLINT_NORMALS_INT8;
+        assert_int_equal(glint_normals_pack((enum glint_normals)format, &up) != 0, is_packed);
+        assert_int_equal(glint_normals_pack((enum glint_normals)format, &none), 0);
+        const struct glint_vec back = glint_normals_unpack((enum glint_normals)format, 0x7fff7fff);
+        assert_int_equal((back.x | back.y | back.z) != 0, is_packed);
+    }
+    static const uint32_t runs[] = {0, 1, 9, 0x7fff};
+    for (int i = 0; i < 4; i++) {
+        const struct glint_vec of_8 = glint_normals_unpack(GLINT_NORMALS_INT8, runs[i]);
+        const struct glint_vec of_10 = glint_normals_unpack(GLINT_NORMALS_INT10, runs[i] << 12);
+        assert_memory_equal(&of_8, &none, sizeof none);
+        assert_memory_equal(&of_10, &none, sizeof none);
+    }
+}
+
 static void tables_write_their_rectangle_and_nothing_else_at_any_alignment(void **state)
 {
     (void)state;
@@ -334,6 +354,18 @@ static void what_the_tables_cannot_do_is_refused_and_nothing_is_written(void **s
         glint_tables_rect(&tables, &light, GLINT_NORMALS_INT10, (const char *)words + 2, 0, 1, 1, &surface),
         GLINT_ERR_ARG);
     assert_int_equal(glint_tables_rect(&tables, &light, GLINT_NORMALS_INT10, NULL, 0, 1, 1, &surface), GLINT_ERR_ARG);
+    struct glint_tables of_small;
+    struct glint_tables_light small_light;
+    static uint32_t small_memory[GLINT_TABLES_SMALL_BYTES / 4];
+    assert_int_equal(glint_tables_fill(&of_small, small, &shader, small_memory, sizeof small_memory), GLINT_OK);
+    assert_int_equal(glint_tables_light_init(&small_light, &of_small, &shader.light), GLINT_OK);
+    assert_int_equal(glint_tables_rect(&tables, &small_light, GLINT_NORMALS_INT10, words, 0, 1, 1, &surface),
+                     GLINT_ERR_ARG); /* a light for other tables */
+    assert_int_equal(glint_tables_rect(&of_small, &light, GLINT_NORMALS_INT10, words, 0, 1, 1, &surface),
+                     GLINT_ERR_ARG);
+    assert_int_equal(glint_tables_light_init(NULL, &tables, &shader.light), GLINT_ERR_ARG);
+    assert_int_equal(glint_tables_light_init(&light, NULL, &shader.light), GLINT_ERR_ARG);
+    assert_int_equal(glint_tables_light_init(&light, &tables, NULL), GLINT_ERR_ARG);
     assert_int_equal(glint_tables_span(&tables, NULL, &surface), GLINT_ERR_ARG);
     assert_int_equal(glint_palette_rect(out, NULL, 0, 1, 1, &surface), GLINT_ERR_ARG);
     for (int i = 0; i < 4; i++)
@@ -345,6 +377,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_loop_stays_within_its_documented_difference_from_the_exact_path),
         cmocka_unit_test(a_packed_normal_keeps_its_direction_and_its_length),
+        cmocka_unit_test(what_cannot_be_packed_is_0_and_unpacks_to_no_surface),
         cmocka_unit_test(tables_write_their_rectangle_and_nothing_else_at_any_alignment),
         cmocka_unit_test(garbage_in_normals_and_spans_reads_nothing_outside_the_tables),
         cmocka_unit_test(a_span_by_tables_is_within_one_step_of_the_exact_span),
