@@ -26,7 +26,9 @@
     bls .Lrun
     adds r4, #1
     bne .Llong
-1:  bl glint_span_any
+1:  sub sp, #4 /* C wants it in eights */
+    bl glint_span_any
+    add sp, #4
     pop {r4-r7, pc}
 
 .Llong: /* run by run: at sp t, dt, ddt, nl, dnl, tables, out, how many are left */

@@ -294,6 +294,7 @@ enum glint_err glint_shade_span(const struct glint_shader *shader, const struct 
  *
  * Tables are filled from exact values on the device; only their arguments are quantised. Filled once a material; a light
  * that moves needs only glint_tables_light_init. Uniform material, gloss 255, one directional light, Blinn geometry.
+ * Divisions and roots round down.
  *
  * Compile with -DGLINT_CORTEX_M0PLUS_ASM=1, and lib/cortex_m0plus_*.S too, and 8- and 10-bit lines (10-bit ones not over
  * an albedo map), spans without one and palettes run in Thumb assembly, with the same pixels.
@@ -306,17 +307,21 @@ enum glint_err glint_shade_span(const struct glint_shader *shader, const struct 
  *     pixel:  nl_q30 < 0: steps 4 to 8 for nl = 0, F = 0. Else row = nl_q30 >> 24, j = t > u ? 0 :
  *             column[(u - t) >> s].
  *     INT8:   with w the word, x = (int8) w, v = (int16) w, z = w >> 16: d = x X + v Y + z Z (Q29), row = d >> 23,
- *             e = d + (z << 14) - cut; j = e < 0 ? 0 : column[((e >> a) r mod 2^32) >> 20]   (struct glint_tables_light)
+ *             e = d + (z << 14) - cut; j = e < 0 ? 0 : column[((e >> a) r mod 2^32) >> 20]
  *     INT10:  for a viewer at (0, 0, 1), x, y, z as in the word: v = (32 x - h'x)^2 + (32 y - h'y)^2 + (8 z - h'z)^2 (t in
  *             Q29), h' = (h + 1) >> 1; d = peak - (peak >> 15) (v >> 14) - (z << 18) (Q29); d < 0 is dark, row = d >> 23,
  *             j = v > u >> 1 ? 0 : column[((u >> 1) - v) >> (s - 1)]. For other viewers as INT16.
+ *     light:  Y = (l_y + 1) >> 1, Z = (l_z + 1) >> 1, X = 128 l_x - Y;  peak = sqrt((l_x^2 + (2 Y)^2 + (2 Z + 2^15)^2) 2^28)
+ *             cut = peak - (u peak >> 30);  a = the least with u peak >> (31 + a) < 2^15;  r = 2^(50 + a - s) / peak, at most
+ *             2^32 - 1
  * SMALL   for every format, dithered or not, gamma only. 904 bytes; with its structs below 1 KB.
  *     fill:   f = the least shift with t_max >> f < 3072 (192 entries, 4 bits): 192 fine columns for t >> f < 192, then
  *             192 coarse ones of t >> (f + 4); each at its interval's middle (at most t_max), (63 F + F(0) / 2) / F(0)
  *             diffuse[0] for nl = 0, diffuse[1 + k] for nl = 1024 k + 512; specular[j] for F = (j F(0) + 31) / 63
  *             each a word of three fields with a guard bit above each: RGB565 5.4, 5.4, 6.4 bits; else 8.1 bits each
- *     pixel:  diffuse[nl_q30 <= 0 ? 0 : 1 + min(63, nl_q30 >> 24)] + specular[j] (where nl_q30 > 0 and t <= t_max) + the dither's
- *             weight; a field whose guard is set is full.
+ *     pixel:  x = diffuse[nl_q30 <= 0 ? 0 : 1 + min(63, nl_q30 >> 24)] + (nl_q30 > 0 and t <= t_max ? specular[j] : 0); a field
+ *             whose guard is set is full. RGB565: the upper bits of x + b, RGB888: of x + (b >> 3); undithered b = 8.
+ *             GREY8, MONO: step 8 of (54 x_red + 183 x_green + 19 x_blue) / (256 * 510), each x at most 510
  * ALBEDO  for RGB565 in either order, undithered, gamma, from an albedo map in RGB565; ambient and diffuse grey, together
  *         at most 1 (a coloured light goes into the map), any specular colour. 8,584 bytes.
  *     fill:   shine(F) = a word of the nearest levels of S_k F: blue 5 bits, from bit 11 red 5, from 21 green 6
@@ -329,6 +334,8 @@ enum glint_err glint_shade_span(const struct glint_shader *shader, const struct 
  *             the pixel is (x | x >> 16) mod 2^16
  *     INT8:   d = x X + v Y + z Z (Q25, the other sign), dark where d >= 0, else light[-1 - (d >> 18)];
  *             e = (z << 10) - cut - d; where e >= 0: shine[(e r mod 2^32) >> 21]
+ *     light:  Y = -((l_y + 16) >> 5), Z = -((l_z + 16) >> 5), X = -8 l_x - Y;  cut = peak - (u 2^21 >> s) / r
+ *             peak = sqrt((l_x^2 + (32 Y)^2 + (32 Z - 2^15)^2) 2^20);  r = (2^(51 - s) + peak / 2) / peak in 1..2^32 - 1
  *     From the exact path with the map as RGB888 and the normals as stored: at most 2 steps of each channel, mostly
  *             none: less than .5 in the mean. (Not so where |N.L| < 2^-10: F ends there, and a last bit decides.)
  */
