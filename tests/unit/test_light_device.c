@@ -88,6 +88,15 @@ static void send_light(int32_t x)
     light_device_bulk(&device, bytes, sizeof bytes);
 }
 
+/* Member by member: what stands in the padding is nobody's. */
+static void assert_same(const struct glint_material *a, const struct glint_material *b)
+{
+    assert_memory_equal(a->albedo, b->albedo, sizeof a->albedo);
+    assert_memory_equal(a->ambient_q16, b->ambient_q16, sizeof a->ambient_q16);
+    assert_memory_equal(a->diffuse_q16, b->diffuse_q16, sizeof a->diffuse_q16);
+    assert_memory_equal(a->specular_q16, b->specular_q16, sizeof a->specular_q16);
+}
+
 /* ---- tests ---- */
 
 static void what_is_packed_comes_back(void **state)
@@ -95,12 +104,11 @@ static void what_is_packed_comes_back(void **state)
     (void)state;
     uint8_t bytes[LIGHT_MATERIAL_BYTES];
     struct light_material again;
-    memset(&again, 0, sizeof again);
     light_material_pack(bytes, &material);
     light_material_unpack(&again, bytes);
     assert_int_equal(again.model, material.model);
     assert_int_equal(again.background, material.background);
-    assert_memory_equal(&again.material, &material.material, sizeof again.material);
+    assert_same(&again.material, &material.material);
     struct light_descriptor descriptor = {240, 320};
     light_descriptor_pack(bytes, &descriptor);
     descriptor = (struct light_descriptor){0, 0};
@@ -140,7 +148,7 @@ static void the_shader_is_what_the_material_says(void **state)
     assert_int_equal(shader.format, GLINT_RGB565);
     assert_int_equal(shader.space, GLINT_LINEAR);
     assert_true(shader.clamp_peak);
-    assert_memory_equal(&shader.material, &material.material, sizeof shader.material);
+    assert_same(&shader.material, &material.material);
 }
 
 static void no_request_is_taken_that_is_not_wholly_right(void **state)
