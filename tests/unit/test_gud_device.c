@@ -36,6 +36,17 @@ static void the_mode_is_the_panel_at_its_rate(void **state)
     assert_int_equal(m.flags, GUD_MODE_PREFERRED);
     assert_true(m.clock_khz > 0 && m.hsync_start >= WIDTH && m.hsync_end >= m.hsync_start && m.htotal >= m.hsync_end);
     assert_true(m.vsync_start >= HEIGHT && m.vsync_end >= m.vsync_start && m.vtotal >= m.vsync_end);
+    static const uint16_t sizes[][3] = {{240, 240, 60}, {135, 240, 50}, {1920, 1080, 30}, {8192, 8192, 60}};
+    for (unsigned i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        board.config.width = sizes[i][0];
+        board.config.height = sizes[i][1];
+        board.config.refresh_hz = sizes[i][2];
+        assert_int_equal(get(GUD_GET_CONNECTOR_MODES, 3072), GUD_MODE_BYTES);
+        gud_mode_unpack(&m, reply);
+        const double pixels =
+            (double)m.htotal * m.vtotal; /* as the kernel's driver computes the rate, to the nearest */
+        assert_int_equal(lround(m.clock_khz * 1000 / pixels), sizes[i][2]);
+    }
 }
 
 static const struct {
@@ -58,6 +69,20 @@ static void each_reply_has_its_length_cut_to_what_the_host_takes(void **state)
             assert_int_equal(get(gets[i].request, length), wanted);
             assert_int_equal(status(), GUD_OK);
         }
+}
+
+static void each_reply_says_all_that_it_has_room_for(void **state)
+{
+    (void)state;
+    go(GUD_RGB565);
+    memset(reply, FRESH, sizeof reply);
+    assert_int_equal(get(GUD_GET_CONNECTORS, 160), GUD_CONNECTOR_BYTES);
+    assert_memory_equal(reply, "\0\0\0\0\0", GUD_CONNECTOR_BYTES); /* a panel, no flags */
+    memset(reply, FRESH, sizeof reply);
+    assert_int_equal(get(GUD_GET_CONNECTOR_PROPERTIES, 320), GUD_PROPERTY_BYTES);
+    assert_memory_equal(reply, "\x0c\0\x46\0\0\0\0\0\0\0", GUD_PROPERTY_BYTES); /* brightness, 70 */
+    assert_int_equal(get(GUD_GET_FORMATS, 32), sizeof all_formats);
+    assert_memory_equal(reply, all_formats, sizeof all_formats);
 }
 
 static void unknown_requests_are_unsupported(void **state)
@@ -212,6 +237,35 @@ static void the_display_is_told_what_changes(void **state)
     assert_int_equal(board.displays, 5); /* the display has to be enabled again, too */
 }
 
+static void brightness_is_full_until_a_host_sets_it_and_stays_where_one_does_not(void **state)
+{
+    (void)state;
+    uint8_t data[GUD_DATA_BYTES];
+    assert_int_equal(set_byte(GUD_SET_CONTROLLER_ENABLE, 1), GUD_OK);
+    assert_int_equal(set_byte(GUD_SET_DISPLAY_ENABLE, 1), GUD_OK);
+    assert_true(board.on && board.brightness == 100);
+    go(GUD_RGB565);
+    assert_int_equal(board.brightness, 70);
+    state_of(data, GUD_R8);
+    assert_int_equal(set(GUD_SET_STATE_CHECK, data, GUD_STATE_BYTES), GUD_OK); /* without properties */
+    assert_int_equal(set(GUD_SET_STATE_COMMIT, NULL, 0), GUD_OK);
+    assert_true(board.on && board.brightness == 70);
+}
+
+static void a_disabled_controller_gives_its_rectangle_up(void **state)
+{
+    (void)state;
+    const struct gud_rectangle two_lines = {0, 0, 2, 2, 8, 0, 0};
+    go(GUD_RGB565);
+    assert_int_equal(ask(&two_lines), GUD_OK);
+    send((uint8_t[5]){0}, 5, false);
+    assert_int_equal(set_byte(GUD_SET_CONTROLLER_ENABLE, 0), GUD_OK);
+    assert_int_equal(gud_device_expects(&board.device), 0);
+    assert_true(board.ends == 1 && board.whole == 0);
+    send((uint8_t[3]){0}, 3, false);
+    assert_int_equal(board.row, 1);
+}
+
 static void a_bus_reset_forgets_what_the_host_had_set(void **state)
 {
     (void)state;
@@ -223,7 +277,14 @@ static void a_bus_reset_forgets_what_the_host_had_set(void **state)
     assert_true(!board.on && board.ends == 1 && board.whole == 0);
     assert_int_equal(gud_device_expects(&board.device), 0);
     assert_int_equal(ask(&two_lines), GUD_PROTOCOL);
+    gud_device_reset(&board.device);
+    assert_int_equal(status(), GUD_OK);
+    assert_int_equal(set_byte(GUD_SET_CONTROLLER_ENABLE, 1), GUD_OK);
+    assert_int_equal(set(GUD_SET_STATE_COMMIT, NULL, 0), GUD_PROTOCOL); /* nothing is checked */
+    gud_device_suspend(&board.device);
+    gud_device_reset(&board.device);
     go(GUD_R8);
+    assert_true(board.on);
     draw((struct glint_box){0, 0, 1, 1}, GUD_R8, (uint8_t[]){255}, false, false);
 }
 
@@ -233,6 +294,7 @@ int main(void)
         DEVICE_TEST(the_descriptor_tells_size_buffer_and_compression),
         DEVICE_TEST(the_mode_is_the_panel_at_its_rate),
         DEVICE_TEST(each_reply_has_its_length_cut_to_what_the_host_takes),
+        DEVICE_TEST(each_reply_says_all_that_it_has_room_for),
         DEVICE_TEST(unknown_requests_are_unsupported),
         DEVICE_TEST(wrong_lengths_are_protocol_errors),
         DEVICE_TEST(a_request_to_another_interface_is_refused_and_changes_nothing),
@@ -241,6 +303,8 @@ int main(void)
         DEVICE_TEST(steps_out_of_order_are_protocol_errors),
         DEVICE_TEST(a_check_changes_nothing_until_its_commit),
         DEVICE_TEST(the_display_is_told_what_changes),
+        DEVICE_TEST(brightness_is_full_until_a_host_sets_it_and_stays_where_one_does_not),
+        DEVICE_TEST(a_disabled_controller_gives_its_rectangle_up),
         DEVICE_TEST(a_bus_reset_forgets_what_the_host_had_set),
     };
     return cmocka_run_group_tests_name("gud device", tests, NULL, NULL);

@@ -230,7 +230,7 @@ static void a_config_that_cannot_be_is_refused(void **state)
     REFUSED((c.formats = no_format, c.format_count = 2));
     REFUSED(c.output = GLINT_GREY8);
     REFUSED(c.max_buffer = 4 * WIDTH - 1);
-    REFUSED(c.max_buffer = (uint32_t)INT32_MAX + 1);
+    REFUSED((c.max_buffer = (uint32_t)INT32_MAX + 1, c.window = NULL));
     REFUSED(c.lines_bytes = GUD_DEVICE_LINE_BYTES(WIDTH, 4, 2) - 1);
     REFUSED(c.window_bytes = c.max_buffer - 1);
     c = good;

@@ -137,6 +137,20 @@ static const struct wrong_block {
      "\x40"
      "vwxy",
      16},
+    {"a long match that ends 4 bytes before the end", 24, false,
+     "\x88"
+     "abcdefgh"
+     "\x08\0"
+     "\x40"
+     "vwxy",
+     16},
+    {"a long match that ends 5 bytes before the end", 25, true,
+     "\x88"
+     "abcdefgh"
+     "\x08\0"
+     "\x50"
+     "vwxyz",
+     17},
     {"a match that starts 12 bytes before the end", 15, true,
      "\x33"
      "abc"
