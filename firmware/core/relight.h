@@ -33,7 +33,7 @@ struct relight {
     uint8_t buffer;                       /* 0 or 1: that line's; they take turns */
     bool in_frame;                        /* between relight_frame and the frame's last line */
     volatile bool is_sending, is_waiting; /* a line is on its way; another is shaded, to follow at once */
-    const uint16_t *waiting;
+    const uint16_t *volatile waiting;
 };
 
 /* Fills the tables (12.7 million cycles on a Cortex-M0+) and finds the extents. Errors as glint_tables_fill. */

@@ -23,7 +23,7 @@ static struct {
     uint32_t *to;
     const uint32_t *from;
     size_t words;
-    unsigned windows;
+    unsigned windows, polls; /* polls: after so many questions what is fetched is there; 0: when the test says so */
     bool broken;
 } board;
 
@@ -94,6 +94,8 @@ static void on_fetch(void *context, uint32_t *to, const uint32_t *from, size_t w
 static bool on_fetched(void *context)
 {
     (void)context;
+    if (board.polls && --board.polls == 0)
+        end_fetch();
     return !board.to;
 }
 
@@ -241,6 +243,31 @@ static void a_line_is_not_overwritten_while_it_is_sent(void **state)
     assert_int_equal(board.windows, 1);
 }
 
+static void a_frame_that_was_given_up_disturbs_no_other(void **state)
+{
+    (void)state;
+    struct glint_shader shader;
+    int32_t to_light[3];
+    demo_shader(&shader);
+    orbit_light(to_light, 7, ORBIT_FRAMES);
+    start(true);
+    assert_int_equal(relight_frame(&relight, to_light), GLINT_OK);
+    end_fetch();
+    relight_step(&relight); /* its first line is shaded; the second is being fetched, or the one after */
+    end_fetch();
+    relight_step(&relight);
+    assert_non_null(board.to);
+    while (board.done)
+        end_flush();
+    assert_int_equal(relight_start(&relight, &shader), GLINT_OK);
+    assert_int_equal(relight_step(&relight), RELIGHT_DONE); /* no frame was begun */
+    board.polls = 5;
+    assert_int_equal(relight_frame(&relight, to_light), GLINT_OK); /* waits for the fetch that nobody wants any more */
+    assert_int_equal(board.polls, 0);
+    end_fetch();
+    run_frames(3);
+}
+
 static void a_light_that_cannot_be_is_refused_and_no_frame_begins(void **state)
 {
     (void)state;
@@ -292,6 +319,7 @@ int main(void)
         cmocka_unit_test(frames_are_the_librarys_whatever_ends_first),
         cmocka_unit_test(a_map_in_ram_is_read_where_it_is),
         cmocka_unit_test(a_line_is_not_overwritten_while_it_is_sent),
+        cmocka_unit_test(a_frame_that_was_given_up_disturbs_no_other),
         cmocka_unit_test(a_light_that_cannot_be_is_refused_and_no_frame_begins),
         cmocka_unit_test(a_bus_that_fails_is_told),
         cmocka_unit_test(the_orbit_is_a_circle_of_thirty_degrees),
