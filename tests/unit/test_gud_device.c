@@ -211,6 +211,23 @@ static void a_check_changes_nothing_until_its_commit(void **state)
     assert_int_equal(ask(&pixel), GUD_PARAMETER); /* a pixel is one byte now */
 }
 
+static void a_commit_gives_up_the_rectangle_of_the_state_before(void **state)
+{
+    (void)state;
+    uint8_t data[GUD_DATA_BYTES];
+    go(GUD_R1);
+    const struct gud_rectangle two_lines = {0, 0, WIDTH, 2, 2 * WIDTH / 8, 0, 0};
+    assert_int_equal(ask(&two_lines), GUD_OK);
+    send((uint8_t[WIDTH / 8]){0}, WIDTH / 8, false);
+    state_of(data, GUD_XRGB8888); /* whose lines are longer */
+    assert_int_equal(set(GUD_SET_STATE_CHECK, data, sizeof data), GUD_OK);
+    assert_int_equal(set(GUD_SET_STATE_COMMIT, NULL, 0), GUD_OK);
+    assert_int_equal(gud_device_expects(&board.device), 0);
+    assert_true(board.ends == 1 && board.whole == 0);
+    send((uint8_t[WIDTH / 8]){0}, WIDTH / 8, false);
+    assert_int_equal(board.row, 1);
+}
+
 static void the_display_is_told_what_changes(void **state)
 {
     (void)state;
@@ -302,6 +319,7 @@ int main(void)
         DEVICE_TEST(a_state_that_the_panel_has_not_is_refused),
         DEVICE_TEST(steps_out_of_order_are_protocol_errors),
         DEVICE_TEST(a_check_changes_nothing_until_its_commit),
+        DEVICE_TEST(a_commit_gives_up_the_rectangle_of_the_state_before),
         DEVICE_TEST(the_display_is_told_what_changes),
         DEVICE_TEST(brightness_is_full_until_a_host_sets_it_and_stays_where_one_does_not),
         DEVICE_TEST(a_disabled_controller_gives_its_rectangle_up),
