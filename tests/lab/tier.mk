@@ -82,6 +82,7 @@ run-lab: lab-programs
 		$(foreach build,$(BUILD) build/gpiod2,"env GLINT=$(CURDIR)/$(build)/glint tests/lab/guest $(BUILD)/tests/lab/test_gpio_faults") \
 		"env GLINT=$(CURDIR)/$(BUILD)/glint tests/lab/guest --spi $(BUILD)/tests/lab/test_spidev" \
 		"env GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest $(BUILD)/tests/lab/test_gud_kernel" \
+		"env GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest $(BUILD)/tests/lab/test_gud_ends" \
 		"env GADGET=$(CURDIR)/$(linux)/glint-gadget FAULTY=$(CURDIR)/$(linux)/faulty-gadget \
 			tests/lab/guest $(BUILD)/tests/lab/test_gud_drm"
 

@@ -127,12 +127,28 @@ static void find_controller(const char *wanted)
     fail("there is no USB device controller: /sys/class/udc is empty; the board's USB port must be in device mode");
 }
 
+static const char *remedy(int error)
+{
+    switch (error) {
+    case EPERM:
+    case EACCES:
+        return "; run it as root";
+    case ENOENT:
+    case ENODEV:
+        return "; load libcomposite (modprobe libcomposite): the kernel needs CONFIG_USB_CONFIGFS_F_FS";
+    case EEXIST:
+        return "; it is not this program's: give another --name";
+    default:
+        return "";
+    }
+}
+
 static void mount_configfs(void)
 {
     if (access(GADGETS, F_OK) == 0)
         return;
     if (mount("none", CONFIGFS, "configfs", 0, NULL) != 0 && errno != EBUSY)
-        fail(CONFIGFS ": cannot be mounted: %s%s", strerror(errno), errno == EPERM ? "; run it as root" : "");
+        fail(CONFIGFS ": cannot be mounted: %s%s", strerror(errno), remedy(errno));
     if (access(GADGETS, F_OK) != 0)
         fail(GADGETS ": not there; load libcomposite (modprobe libcomposite)");
 }
@@ -187,7 +203,7 @@ const char *configfs_create(const struct options *options)
     find_controller(options->udc);
     take_down(); /* of one that was killed */
     if (mkdir(gadget, 0755) != 0)
-        fail("%s: %s%s", gadget, strerror(errno), errno == EACCES ? "; run it as root" : "");
+        fail("%s: %s%s", gadget, strerror(errno), remedy(errno));
     created = true;
     describe(options);
     mount_function(options);

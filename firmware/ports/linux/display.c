@@ -117,7 +117,7 @@ static void event(void *context, enum usb_event event)
 
 static void dump(void *context)
 {
-    picture_write(&((struct display *)context)->picture);
+    (void)picture_write(&((struct display *)context)->picture);
 }
 
 struct usb_function display_function(struct display *display)
@@ -132,13 +132,15 @@ static void dump_shown(void *context)
     dump(shown);
 }
 
-void display_run(struct display *display, const struct options *options, const struct usb_function *function)
+bool display_run(struct display *display, const struct options *options, const struct usb_function *function)
 {
     shown = display;
+    functionfs_hold_signals();
     functionfs_run(configfs_create(options), function, options->verbose, dump_shown);
     configfs_remove();
-    picture_write(&display->picture);
+    const bool good = picture_write(&display->picture);
     if (options->verbose)
         fprintf(stderr, "%lu rectangles, %lu with faults, %llu bytes\n", display->rectangles, display->faults,
                 display->bytes);
+    return good;
 }

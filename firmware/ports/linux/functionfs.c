@@ -23,11 +23,11 @@ enum {
 
 static const struct usb_function *function;
 static bool verbose;
-static int control, bulk_out;
+static int control, bulk_out, signals;
 
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
-static pthread_cond_t wanted = PTHREAD_COND_INITIALIZER;   /* the bulk thread waits for work */
-static pthread_cond_t progress = PTHREAD_COND_INITIALIZER; /* the control thread waits for the bulk thread */
+static pthread_cond_t wanted = PTHREAD_COND_INITIALIZER; /* the bulk thread waits for work */
+static pthread_cond_t progress;                          /* the control thread waits for the bulk thread */
 static pthread_t bulk_thread;
 static bool configured, ending, reading;
 static unsigned long reads; /* finished */
@@ -124,10 +124,20 @@ static void *bulk_loop(void *nothing)
     return nothing;
 }
 
+/* By a clock that is never set: boards without a clock of their own get the time from the network, later. */
+static void begin_progress(void)
+{
+    pthread_condattr_t attributes;
+    pthread_condattr_init(&attributes);
+    pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
+    pthread_cond_init(&progress, &attributes);
+    pthread_condattr_destroy(&attributes);
+}
+
 static void wait_progress(long ms)
 {
     struct timespec until;
-    clock_gettime(CLOCK_REALTIME, &until);
+    clock_gettime(CLOCK_MONOTONIC, &until);
     until.tv_nsec += ms * 1000000;
     if (until.tv_nsec >= 1000000000) {
         until.tv_nsec -= 1000000000;
@@ -257,18 +267,18 @@ static void ignore(int number)
     (void)number;
 }
 
-static int hold_signals(void)
+void functionfs_hold_signals(void)
 {
+    static const int held[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1};
     sigset_t set;
     sigemptyset(&set);
-    sigaddset(&set, SIGINT);
-    sigaddset(&set, SIGTERM);
-    sigaddset(&set, SIGHUP);
-    sigaddset(&set, SIGUSR1);
+    for (size_t i = 0; i < sizeof held / sizeof *held; i++)
+        sigaddset(&set, held[i]);
     pthread_sigmask(SIG_BLOCK, &set, NULL);
     const struct sigaction interrupt = {.sa_handler = ignore}; /* without SA_RESTART */
     sigaction(INTERRUPT, &interrupt, NULL);
-    return signalfd(-1, &set, SFD_CLOEXEC);
+    signal(SIGPIPE, SIG_IGN); /* nobody reads the messages any more: no reason to leave the gadget behind */
+    signals = signalfd(-1, &set, SFD_CLOEXEC);
 }
 
 static int open_endpoint(const char *folder, const char *name, int flags)
@@ -281,11 +291,14 @@ static int open_endpoint(const char *folder, const char *name, int flags)
     return file;
 }
 
-static void serve(int signals, void (*dump)(void *context))
+static void serve(void (*dump)(void *context))
 {
     struct pollfd files[] = {{.fd = control, .events = POLLIN}, {.fd = signals, .events = POLLIN}};
     for (;;) {
-        if (poll(files, 2, REPLUG_MS) == 0 && configfs_is_lost())
+        const int ready = poll(files, 2, REPLUG_MS);
+        if (ready < 0)
+            continue; /* interrupted: what the files told is old */
+        if (ready == 0 && configfs_is_lost())
             configfs_plug();
         if (files[0].revents & (POLLIN | POLLHUP | POLLERR))
             take_events();
@@ -305,17 +318,18 @@ void functionfs_run(const char *folder, const struct usb_function *run, bool tel
 {
     function = run;
     verbose = tell;
-    const int signals = hold_signals();
+    begin_progress();
     control = open_endpoint(folder, "ep0", O_RDWR);
     write_descriptors();
     bulk_out = open_endpoint(folder, "ep1", O_RDWR);
-    if (pthread_create(&bulk_thread, NULL, bulk_loop, NULL) != 0)
-        fail("no thread for the bulk endpoint: %s", strerror(errno));
+    const int error = pthread_create(&bulk_thread, NULL, bulk_loop, NULL);
+    if (error)
+        fail("no thread for the bulk endpoint: %s", strerror(error));
     if (!configfs_plug())
         fail("%s: does not take the gadget: %s", configfs_udc(), strerror(errno));
     printf("glint-gadget: on the bus, %s\n", configfs_udc());
     fflush(stdout);
-    serve(signals, dump);
+    serve(dump);
     pthread_mutex_lock(&lock);
     ending = true;
     stop_reading();

@@ -43,10 +43,10 @@ struct picture {
     uint16_t next;
     bool shown;
 };
-/* Fails where the framebuffer cannot be used. */
+/* Fails where the framebuffer cannot be used, or options.output not be written. */
 void picture_open(struct picture *picture, const struct options *options);
-/* To options.output, whole or not at all; the suffix chooses: .png, .ppm, else raw r, g, b. */
-void picture_write(struct picture *picture);
+/* To options.output, whole or not at all; the suffix chooses: .png, .ppm, else raw r, g, b. False: it warned. */
+bool picture_write(const struct picture *picture);
 extern const struct gud_device_ops picture_ops; /* their context is the picture */
 
 /* ---- configfs (configfs.c) ---- */
@@ -72,7 +72,9 @@ struct usb_function {
     void (*event)(void *context, enum usb_event event);
     void *context;
 };
-/* Descriptors, then the gadget on the bus, then requests until SIGINT or SIGTERM; SIGUSR1 calls `dump`. */
+/* From here on signals wait for functionfs_run: before there is anything to take down. */
+void functionfs_hold_signals(void);
+/* Descriptors, then the gadget on the bus, then requests until SIGINT, SIGTERM, SIGHUP or SIGQUIT; SIGUSR1 calls `dump`. */
 void functionfs_run(const char *folder, const struct usb_function *function, bool verbose, void (*dump)(void *context));
 /* The endpoint stalls until the host clears it. Only from within usb_function.bulk. */
 void functionfs_halt(void);
@@ -89,7 +91,8 @@ struct display {
 };
 void display_open(struct display *display, const struct options *options);
 struct usb_function display_function(struct display *display);
-/* Everything: until a signal ends it. `function` as display_function gave it, or around it. */
-void display_run(struct display *display, const struct options *options, const struct usb_function *function);
+/* Everything: until a signal ends it. `function` as display_function gave it, or around it. False: the last picture could not
+ * be written. */
+bool display_run(struct display *display, const struct options *options, const struct usb_function *function);
 
 #endif

@@ -13,6 +13,5 @@ int main(int argc, char **argv)
     static struct display display;
     display_open(&display, &options);
     const struct usb_function function = display_function(&display);
-    display_run(&display, &options, &function);
-    return 0;
+    return display_run(&display, &options, &function) ? 0 : 1;
 }

@@ -83,7 +83,8 @@ static uint32_t parse_vid_pid(const struct argp_state *state, const char *text)
 {
     unsigned vendor, product;
     int length = 0;
-    if (sscanf(text, "%4x:%4x%n", &vendor, &product, &length) < 2 || text[length])
+    if (strspn(text, "0123456789abcdefABCDEF:") != strlen(text) ||
+        sscanf(text, "%4x:%4x%n", &vendor, &product, &length) < 2 || text[length])
         argp_error(state, "--vid-pid: '%s' is not two hexadecimal numbers as in 1d50:614d", text);
     return (uint32_t)vendor << 16 | product;
 }

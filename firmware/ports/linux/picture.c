@@ -8,6 +8,7 @@
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "gadget.h"
@@ -36,6 +37,29 @@ static void open_framebuffer(struct picture *picture, const char *path)
     picture->framebuffer_line = memory.line_length;
 }
 
+enum { PATH_ROOM = 4096 };
+
+/* Pictures are written beside their place, and then put there. */
+static FILE *open_part(const char *path, char part[PATH_ROOM])
+{
+    snprintf(part, PATH_ROOM, "%s.part", path);
+    return fopen(part, "we");
+}
+
+/* Now, not when the first picture is there. And only files: what is put in the place of a device is in everybody's way. */
+static void check_output(const char *path)
+{
+    struct stat there;
+    if (stat(path, &there) == 0 && !S_ISREG(there.st_mode))
+        fail("-o: %s is not a file: name one that is, or a new one", path);
+    char part[PATH_ROOM];
+    FILE *stream = open_part(path, part);
+    if (!stream)
+        fail("-o: %s cannot be written: %s", path, strerror(errno));
+    fclose(stream);
+    unlink(part);
+}
+
 void picture_open(struct picture *picture, const struct options *options)
 {
     *picture = (struct picture){
@@ -43,6 +67,8 @@ void picture_open(struct picture *picture, const struct options *options)
     picture->pixels = calloc((size_t)options->width * options->height, 3);
     if (!picture->pixels)
         fail("no memory for %ux%u pixels", options->width, options->height);
+    if (options->output)
+        check_output(options->output);
     if (options->framebuffer)
         open_framebuffer(picture, options->framebuffer);
 }
@@ -84,34 +110,33 @@ static bool write_pixels(const struct picture *picture, FILE *stream)
     return fwrite(picture->pixels, 3, count, stream) == count;
 }
 
-static void write_file(const struct picture *picture, const char *path)
+static bool write_file(const struct picture *picture, const char *path)
 {
-    char temporary[4096];
-    snprintf(temporary, sizeof temporary, "%s.part", path);
-    FILE *stream = fopen(temporary, "we");
+    char part[PATH_ROOM];
+    FILE *stream = open_part(path, part);
     if (!stream) {
         warn("%s: %s", path, strerror(errno));
-        return;
+        return false;
     }
     const bool good = write_pixels(picture, stream) && !ferror(stream);
-    if (fclose(stream) != 0 || !good || rename(temporary, path) != 0) {
-        warn("%s: could not be written: %s", path, strerror(errno));
-        unlink(temporary);
-    }
+    if (fclose(stream) == 0 && good && rename(part, path) == 0)
+        return true;
+    warn("%s: could not be written: %s", path, strerror(errno));
+    unlink(part);
+    return false;
 }
 
-void picture_write(struct picture *picture)
+bool picture_write(const struct picture *picture)
 {
-    if (picture->output)
-        write_file(picture, picture->output);
+    return !picture->output || write_file(picture, picture->output);
 }
 
 static void write_next(struct picture *picture)
 {
-    char path[4096];
+    char path[PATH_ROOM];
     const char *kind = suffix(picture->output);
     snprintf(path, sizeof path, "%.*s-%06u%s", (int)(kind - picture->output), picture->output, ++picture->files, kind);
-    write_file(picture, path);
+    (void)write_file(picture, path);
 }
 
 /* ---- what the device does with it ---- */
