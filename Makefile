@@ -71,7 +71,7 @@ $(BUILD)/packages:
 	@touch $@
 
 PORTS = $(patsubst firmware/ports/%/port.mk,%,$(wildcard firmware/ports/*/port.mk))
-firmware-%: # a port's own goal comes before
+firmware-%: # ports' own goals are phony, and so are not looked for here
 	@echo "make: there is no port $*, but $(PORTS)" >&2; exit 1
 firmware: $(if $(PORT),firmware-$(PORT),$(PORTS:%=firmware-%)) ## firmware into build/firmware; PORT=NAME: one port, of firmware/ports
 

@@ -20,6 +20,7 @@ $(linux)/%.o: firmware/ports/linux/%.c
 	@mkdir -p $(@D)
 	$(CC) $(linux_CFLAGS) -c $< -o $@
 
+.PHONY: firmware-linux
 -include $(wildcard $(linux)/*.d $(linux)/core/*.d)
 
 # For the lab's tests of hosts: the same, with faults.
