@@ -13,6 +13,7 @@ static void window(void *context, uint16_t x, uint16_t y, uint16_t width, uint16
     wait_until_sent(gud);
     if (!panel_window(gud->panel, x, y, width, height))
         gud->has_failed = true;
+    gud->is_open = true;
 }
 
 static void sent(void *argument)
@@ -30,8 +31,8 @@ static void line(void *context, const uint8_t *pixels, size_t bytes)
 
 static void end(void *context, bool whole)
 {
-    (void)context; /* the next window ends what was cut short */
-    (void)whole;
+    ((struct gud_panel *)context)->is_open = false;
+    (void)whole; /* the next window ends what was cut short */
 }
 
 static void display(void *context, bool on, uint8_t brightness)
@@ -40,6 +41,9 @@ static void display(void *context, bool on, uint8_t brightness)
     (void)brightness;
     wait_until_sent(gud);
     if (!panel_show(gud->panel, on))
+        gud->has_failed = true;
+    const struct panel_bus *bus = gud->panel->bus;
+    if (gud->is_open && !bus->command(bus->context, PANEL_MEMORY_CONTINUE)) /* any command ends a write */
         gud->has_failed = true;
 }
 

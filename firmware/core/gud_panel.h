@@ -13,6 +13,7 @@ struct gud_panel {
     const struct panel *panel;
     /* State. */
     bool has_failed; /* the panel's bus */
+    bool is_open;    /* a rectangle, of which lines are to come */
     volatile bool is_sending;
 };
 
