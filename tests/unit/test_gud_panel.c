@@ -143,10 +143,10 @@ static void a_bus_that_fails_is_noticed(void **state)
 {
     (void)state;
     is_broken = true;
-    begin_rectangle();
+    set(GUD_SET_DISPLAY_ENABLE, &(uint8_t){1}, 1);
     assert_true(gud_panel.has_failed);
     gud_panel.has_failed = false;
-    set(GUD_SET_DISPLAY_ENABLE, &(uint8_t){1}, 1);
+    begin_rectangle();
     assert_true(gud_panel.has_failed);
 }
 
