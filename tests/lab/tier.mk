@@ -83,6 +83,7 @@ run-lab: lab-programs
 		"env GLINT=$(CURDIR)/$(BUILD)/glint tests/lab/guest --spi $(BUILD)/tests/lab/test_spidev" \
 		"env GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest $(BUILD)/tests/lab/test_gud_kernel" \
 		"env GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest $(BUILD)/tests/lab/test_gud_ends" \
+		"env GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest $(BUILD)/tests/lab/test_gud_host" \
 		"env GADGET=$(CURDIR)/$(linux)/glint-gadget FAULTY=$(CURDIR)/$(linux)/faulty-gadget \
 			tests/lab/guest $(BUILD)/tests/lab/test_gud_drm"
 

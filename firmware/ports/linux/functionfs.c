@@ -29,7 +29,7 @@ static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t wanted = PTHREAD_COND_INITIALIZER; /* the bulk thread waits for work */
 static pthread_cond_t progress;                          /* the control thread waits for the bulk thread */
 static pthread_t bulk_thread;
-static bool configured, ending, reading;
+static bool configured, ending, reading, stopping;
 static unsigned long reads; /* finished */
 
 /* ---- descriptors ---- */
@@ -102,7 +102,7 @@ static void *bulk_loop(void *nothing)
     static uint8_t chunk[CHUNK_BYTES];
     pthread_mutex_lock(&lock);
     while (!ending) {
-        const uint32_t expected = configured ? function->expects(function->context) : 0;
+        const uint32_t expected = configured && !stopping ? function->expects(function->context) : 0;
         if (expected == 0) {
             pthread_cond_wait(&wanted, &lock);
             continue;
@@ -156,13 +156,17 @@ static void let_bulk_arrive(void)
     }
 }
 
-/* The lock is held, and is again when this returns. The signal may come before the read has begun, so it comes again. */
+/* The lock is held, and is again when this returns. The signal may come before the read has begun, so it comes again; and no
+ * other read begins for the rectangle that is about to be given up. */
 static void stop_reading(void)
 {
+    stopping = true;
     while (reading) {
         pthread_kill(bulk_thread, INTERRUPT);
         wait_progress(1);
     }
+    stopping = false;
+    pthread_cond_signal(&wanted);
 }
 
 void functionfs_halt(void)
