@@ -239,7 +239,7 @@ int command_bake(int argc, char **argv)
     static const struct argp_child children[] = {{&scene_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
     static const struct argp argp = {options, parse_option, NULL, doc, children, NULL, NULL};
     struct request request = {.format = BAKE_INT8, .entries = PALETTE_DEFAULT, .kind = BAKE_KINDS};
-    parse_command(&argp, argc, argv, &request);
+    parse_command(&argp, 0, argc, argv, &request);
     if (!request.address)
         request.address = FLASH_DEFAULT;
     struct scene *scene = scene_of_options(&request.scene);

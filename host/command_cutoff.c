@@ -96,7 +96,7 @@ int command_cutoff(int argc, char **argv)
     struct request request = {.model_given = {[GLINT_MSH] = true}, .path = "-"};
     request.shininess_count = parse_integer_list(NULL, "-n", "60", 1, GLINT_N_MAX, &request.shininess);
     request.q_count = parse_integer_list(NULL, "-q", "8", 0, GLINT_Q_MAX, &request.q);
-    parse_command(&argp, argc, argv, &request);
+    parse_command(&argp, 0, argc, argv, &request);
 
     struct output *output = output_open(request.path);
     struct rows *rows = rows_begin(output->stream, request.format, columns, COLUMN_COUNT);

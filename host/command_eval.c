@@ -192,7 +192,7 @@ int command_eval(int argc, char **argv)
     static const struct argp argp = {options, parse_option, "VALUE...", doc, NULL, NULL, NULL};
     struct request request = {.model_given = {[GLINT_MSH] = true}, .q = -1, .path = "-"};
     request.shininess_count = parse_integer_list(NULL, "-n", "60", 1, GLINT_N_MAX, &request.shininess);
-    parse_command(&argp, argc, argv, &request);
+    parse_command(&argp, 0, argc, argv, &request);
 
     struct output *output = output_open(request.path);
     struct rows *rows =

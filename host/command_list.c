@@ -58,7 +58,7 @@ int command_list(int argc, char **argv)
 {
     static const struct argp argp = {argp_options, parse_option, NULL, doc, NULL, NULL, NULL};
     bool as_json = false;
-    parse_command(&argp, argc, argv, &as_json);
+    parse_command(&argp, 0, argc, argv, &as_json);
     json_t *all = json_object();
     for (unsigned i = 0; sink_kinds[i]; i++) {
         json_t *devices = sink_kinds[i]->list ? sink_kinds[i]->list() : NULL;

@@ -166,7 +166,7 @@ int command_paper(int argc, char **argv)
 {
     static const struct argp argp = {option_list, parse_option, NULL, documentation, NULL, NULL, NULL};
     struct settings settings = {.wanted = ~0u, .plots = true};
-    parse_command(&argp, argc, argv, &settings);
+    parse_command(&argp, 0, argc, argv, &settings);
 
     struct paper paper = {
         .directory = settings.directory,

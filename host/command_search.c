@@ -40,7 +40,8 @@ static const struct argp_option option_list[] = {
 
 static const char documentation[] =
     "Search for functions near Blinn's c^n as the paper does (fig. 2), in its family (4):\n"
-    "F = a1 c^b1 / (a2 (a3 n^b3 - a4 (n c)^b4 + a5 c^b5)^b2) with b4 = b3 and a4 = a3.\n"
+    "F = a1 c^b1 / (a2 (a3 n^b3 - a4 (n c)^b4 + a5 c^b5)^b2)\n"
+    "with b4 = b3 and a4 = a3.\n"
     "Stage 1 varies the exponents with all coefficients 1 and keeps the best sets; stage 2 varies the coefficients of "
     "each of these and keeps the best."
     "\v"
@@ -162,7 +163,7 @@ int command_search(int argc, char **argv)
 {
     static const struct argp argp = {option_list, parse_option, NULL, documentation, NULL, NULL, NULL};
     struct settings settings = {.search = search_options_paper(), .output = "-"};
-    parse_command(&argp, argc, argv, &settings);
+    parse_command(&argp, 0, argc, argv, &settings);
 
     struct output *output = output_open(settings.output); /* a name that cannot be written is found out now */
     struct search_result result;

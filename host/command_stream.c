@@ -20,13 +20,15 @@ static const struct argp_option argp_options[] = {
      5},
     {"period", KEY_PERIOD, "SECONDS", 0, "For one turn (default 4); 0: the light stands still", 5},
     {"lights", KEY_LIGHTS, "FILE", 0,
-     "Instead: the direction of each frame from a file or standard input (-), one a line: X Y Z or X,Y,Z. Empty lines "
+     "Instead of the orbit: the direction of each frame from a file or standard input (-), one a line: X Y Z or "
+     "X,Y,Z. Empty lines "
      "and those that begin with # count for nothing",
      5},
 
     {NULL, 0, NULL, 0, "The stream:", 6},
     {"to", KEY_TO, "SINK", 0, "Where the frames go: see below", 6},
-    {NULL, 'o', "NAME", 0, "Files of sinks that write such: the frame's number stands where NAME has %d or %04d", 6},
+    {NULL, 'o', "NAME", 0,
+     "For sinks that write files, their name: the frame's number stands where NAME has %d or %04d", 6},
     {"fps", KEY_FPS, "F", 0,
      "Frames of a second of the light's way (default 30); devices are paced by it. 0: as fast as they take them", 6},
     {"frames", KEY_FRAMES, "N", 0,
@@ -38,7 +40,8 @@ static const struct argp_option argp_options[] = {
      6},
     {"stats", KEY_STATS, NULL, 0,
      "Print at the end what was sent, and what it would take over USB; on a terminal also while it runs", 6},
-    {"json", KEY_JSON, NULL, 0, "The same as JSON; on standard error where frames go to standard output", 6},
+    {"json", KEY_JSON, NULL, 0,
+     "What --stats prints at the end, as JSON; on standard error where frames go to standard output", 6},
     {NULL, 0, NULL, 0, NULL, 0}};
 
 static const char doc[] =
@@ -205,6 +208,6 @@ int command_stream(int argc, char **argv)
     sink_options_children(children + 1);
     const struct argp argp = {argp_options, parse_option, "[SCENE]", doc, children, describe, NULL};
     struct stream_options options = {.kind = sink_kinds[0], .fps = USUAL_FPS, .orbit = NAN, .period = NAN};
-    parse_command(&argp, argc, argv, &options);
+    parse_command(&argp, 0, argc, argv, &options);
     return stream_run(&options);
 }

@@ -250,7 +250,7 @@ int command_table(int argc, char **argv)
     struct request request = {.model = GLINT_MSH, .n = 60, .q = 8, .path = "-"};
     struct table *table = &request.table;
     *table = (struct table){.of_t = true, .bits = 16, .count = 256};
-    parse_command(&argp, argc, argv, &request);
+    parse_command(&argp, 0, argc, argv, &request);
     glint_lobe_init(&table->lobe, request.model, request.n, request.q);
     fill(table);
 

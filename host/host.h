@@ -121,7 +121,8 @@ int command_list(int argc, char **argv);
 int command_search(int argc, char **argv);
 int command_paper(int argc, char **argv);
 
-/* argp_parse for a subcommand (command.c); usage errors exit with 2, options may follow arguments. */
-void parse_command(const struct argp *argp, int argc, char **argv, void *input);
+/* argp_parse with its flags (command.c): usage errors are one line that begins with argv[0] and names its help, and exit
+ * with 2. */
+void parse_command(const struct argp *argp, unsigned flags, int argc, char **argv, void *input);
 
 #endif

@@ -22,7 +22,7 @@ static const struct command {
     {"cutoff", command_cutoff, "Print where a highlight falls below 2^-q"},
     {"table", command_table, "Write a material's table as C source or raw"},
     {"bake", command_bake, "Turn normals into what the table loops read, and tell the quality"},
-    {"stream", command_stream, "Shade frame after frame and send what changed to a display, files or a pipe"},
+    {"stream", command_stream, "Shade frame after frame, send what changed to a display or files"},
     {"list", command_list, "List the displays, chips and ports that frames can be sent to"},
     {"search", command_search, "Search for highlight functions as the paper does"},
     {"paper", command_paper, "Reproduce the paper: table, figures, claims, report"},
@@ -71,7 +71,7 @@ static char *describe(int key, const char *text, void *input)
     FILE *stream = open_memstream(&out, &size);
     if (!stream)
         return (char *)text;
-    fputs("Commands:\n", stream);
+    fputs("Commands:\n", stream); /* what is longer than a line argp would break */
     for (int i = 0; i < COMMAND_COUNT; i++)
         fprintf(stream, "  %-8s %s\n", commands[i].name, commands[i].summary);
     fputs("\n`glint COMMAND --help` tells more.\n"
@@ -128,8 +128,10 @@ int main(int argc, char **argv)
     static const struct argp argp = {
         NULL,     parse_option, "COMMAND [OPTION...]", "glint: specular highlights with integers only.\vCommands", NULL,
         describe, NULL};
+    static char own_name[] = "glint";
     int first = 0;
-    argp_parse(&argp, argc, argv, ARGP_IN_ORDER, NULL, &first);
+    argv[0] = own_name; /* without its folder, in messages */
+    parse_command(&argp, ARGP_IN_ORDER, argc, argv, &first);
     for (int i = 0; i < COMMAND_COUNT; i++) {
         if (strcmp(argv[first], commands[i].name) != 0)
             continue;

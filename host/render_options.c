@@ -7,9 +7,8 @@
 
 enum key { KEY_IMAGE = 384, KEY_COMPARE, KEY_JSON, KEY_ERROR_MAP, KEY_AGAINST };
 
-/* Beside those of shading_options.c. */
+/* Beside those of shading_options.c, where group 4 has its heading. */
 static const struct argp_option argp_options[] = {
-    {NULL, 0, NULL, 0, "The picture:", 4},
     {NULL, 'o', "FILE", 0, "Where it goes; - is standard output. May be left out where --compare is asked for", 4},
     {"image", KEY_IMAGE, "KIND", 0, "png, ppm or qoi (default: by FILE's ending, png where it has none)", 4},
     {NULL, 0, NULL, 0, "How right it is:", 5},
@@ -17,7 +16,7 @@ static const struct argp_option argp_options[] = {
      "Print the errors against the same model and against Blinn in double precision, "
      "each rounded to the format and not; on standard error with -o -",
      5},
-    {"json", KEY_JSON, NULL, 0, "The same as JSON", 5},
+    {"json", KEY_JSON, NULL, 0, "What --compare prints, as JSON", 5},
     {"error-map", KEY_ERROR_MAP, "FILE", 0,
      "Also write the absolute error against the unrounded reference as a "
      "picture, amplified by a power of two, which is printed",
@@ -33,7 +32,8 @@ static const char doc[] =
     "  glint render --normals brick.png --flip-y -n 120 --light 1,1,0.5 -o out.png\n"
     "  glint render --scene coin --size 240x240 --format rgb565 --dither -o c.png\n"
     "  glint render --scene watchface -o - | chafa\n"
-    "  glint render --scene coin --light=-1,1,2,.5,.5,.5 --point 240,80,60,300,1,.7,.3 -o lamps.png\n"
+    "  glint render --scene coin --light=-1,1,2,.5,.5,.5 \\\n"
+    "      --point 240,80,60,300,1,.7,.3 -o lamps.png\n"
     "  glint render --scene sphere -n 300 --error-map e.png --against blinn\n";
 
 static enum image_kind kind_of_file(const struct argp_state *state, const char *option, const char *path)
@@ -107,5 +107,5 @@ void render_options_parse(struct render_options *options, int argc, char **argv)
     static const struct argp_child children[] = {{&shading_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
     static const struct argp argp = {argp_options, parse_option, NULL, doc, children, NULL, NULL};
     *options = (struct render_options){.kind = IMAGE_KINDS};
-    parse_command(&argp, argc, argv, options);
+    parse_command(&argp, 0, argc, argv, options);
 }

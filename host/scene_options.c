@@ -32,7 +32,7 @@ static const struct argp_option argp_options[] = {
      2},
     {"flip-y", KEY_FLIP_Y, NULL, 0, "Green points down in the normal map (as DirectX has it)", 2},
     {"size", KEY_SIZE, "WxH", 0,
-     "Draw a scene at this size (default 320x320); cut a map to it or repeat the map to "
+     "Draw a scene at this size (default 320x320; glint stream: see SCENE); cut a map to it or repeat the map to "
      "fill it, never scale it (default: the map's own size)",
      2},
     {NULL, 0, NULL, 0, NULL, 0}};

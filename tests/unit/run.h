@@ -92,10 +92,4 @@ static inline void assert_refused(const char *command, const char *part)
     assert_string_equal(result->out, "");
 }
 
-/* The same by argp itself, which adds a line that tells of --help. */
-static inline void assert_unknown(const char *command, const char *part)
-{
-    assert_string_equal(assert_ends(command, 2, part)->out, "");
-}
-
 #endif

@@ -77,7 +77,7 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         assert_refused(line, wrong[i].about);
         assert_false(exists("out/u.png"));
     }
-    assert_unknown("$GLINT render --scene sphere --shiny -o out/u.png", "--shiny");
+    assert_refused("$GLINT render --scene sphere --shiny -o out/u.png", "--shiny");
     assert_false(exists("out/u.png"));
 }
 
