@@ -51,7 +51,7 @@ static void print_text(const json_t *all)
         }
     }
     if (!kinds)
-        puts("nothing: this glint was built without sinks for devices (`glint --version` lists those it has)");
+        puts("nothing: this glint was built without sinks for devices (`glint stream --help` tells what they need)");
 }
 
 int command_list(int argc, char **argv)

@@ -66,6 +66,10 @@ static void parse_scene(const struct argp_state *state, const char *text, struct
 
 static void parse_sink(const struct argp_state *state, const char *text, struct stream_options *o)
 {
+    for (const struct sink_left_out *out = sinks_left_out; out->name; out++)
+        if (strcmp(text, out->name) == 0)
+            refuse(state, "--to %s: this glint was built without it; install %s, and build it again", text,
+                   out->packages);
     const char *names[SINKS_MAX + 1] = {NULL};
     for (unsigned i = 0; sink_kinds[i] && i < SINKS_MAX; i++)
         names[i] = sink_kinds[i]->name;
@@ -189,6 +193,8 @@ static char *describe(int key, const char *text, void *input)
           stream);
     for (unsigned i = 0; sink_kinds[i]; i++)
         fprintf(stream, "  %-9s %s%s\n", sink_kinds[i]->name, sink_kinds[i]->summary, i ? "" : " (the default)");
+    for (const struct sink_left_out *left = sinks_left_out; left->name; left++)
+        fprintf(stream, "  %-9s (not in this build: it needs %s)\n", left->name, left->packages);
     for (unsigned i = 0; sink_kinds[i]; i++)
         if (sink_kinds[i]->help)
             fprintf(stream, "\n%s", sink_kinds[i]->help);

@@ -42,6 +42,8 @@ static void print_version(FILE *stream, struct argp_state *state)
             fprintf(stream, " (%s)", library);
         free(library);
     }
+    for (const struct sink_left_out *out = sinks_left_out; out->name; out++)
+        fprintf(stream, "%s%s", out == sinks_left_out ? "\nnot built: " : ", ", out->name);
     fputc('\n', stream);
 }
 

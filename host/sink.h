@@ -107,11 +107,17 @@ extern const double usb_rates[USB_RATES], usb_rectangle_s;
 
 /* Those compiled in are named in sinks.def, and nowhere else. */
 #define SINK(name) extern const struct sink_kind sink_##name;
+#define LEFT_OUT(name, packages)
 #include "sinks.def"
 #undef SINK
+#undef LEFT_OUT
 enum { SINKS_MAX = 16 };
 /* The default first; ends with NULL (sinks.c). */
 extern const struct sink_kind *const sink_kinds[];
+/* Those that this build is without; ends with a NULL name (sinks.c). */
+extern const struct sink_left_out {
+    const char *name, *packages;
+} sinks_left_out[];
 
 /* A text of a device's or a user's as JSON, which is UTF-8: where it is not, '?' stands for its bytes. (sinks.c) */
 json_t *json_text(const char *text);
