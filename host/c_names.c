@@ -2,6 +2,7 @@
  * Names that written C source can have. */
 #include <ctype.h>
 #include <string.h>
+#include <strings.h>
 
 #include "host.h"
 
@@ -55,5 +56,7 @@ const char *parse_c_name(const struct argp_state *state, const char *text)
                text);
     if (is_taken_c_name(text))
         refuse(state, "--name: '%s' has a meaning of its own in C or C++; take another", text);
+    if (strncasecmp(text, "glint_", 6) == 0)
+        refuse(state, "--name: '%s' may be a name of glint.h's; take another", text);
     return text;
 }

@@ -119,8 +119,6 @@ static void check(const struct argp_state *state, struct request *request)
         request->kind = to_stdout ? BAKE_C : kind_by_ending(state, request->path);
     if (request->name && request->kind != BAKE_C)
         refuse(state, "--name is for C source; leave it out with --as %s", kind_names[request->kind]);
-    if (request->name && strncasecmp(request->name, "glint_", 6) == 0)
-        refuse(state, "--name: '%s' may be a name of glint.h's; take another", request->name);
     if (request->address && request->kind != BAKE_UF2)
         refuse(state, "--address is for UF2; leave it out with --as %s", kind_names[request->kind]);
     if (to_stdout && request->kind != BAKE_C && isatty(STDOUT_FILENO))

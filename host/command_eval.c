@@ -119,7 +119,7 @@ static void add_standard_input(struct rows *rows, const struct request *request)
     size_t size = 0;
     ssize_t length;
     for (unsigned long number = 1; (length = getline(&line, &size, stdin)) >= 0; number++) {
-        char where[64], *rest = line;
+        char where[64], *rest = number == 1 ? after_byte_order_mark(line) : line;
         snprintf(where, sizeof where, "standard input, line %lu", number);
         if (strlen(line) != (size_t)length)
             fail("%s: not text: it holds a zero byte", where);

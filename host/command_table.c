@@ -185,8 +185,6 @@ static void write_source(FILE *out, const struct table *table, const char *name)
 
 static void write_raw(FILE *out, const struct table *table)
 {
-    if (isatty(fileno(out)))
-        fail("standard output is a terminal: --raw wants -o FILE or a pipe");
     for (uint32_t i = 0; i < table->count; i++)
         for (unsigned bit = 0; bit < table->bits; bit += 8)
             fputc((int)(table->entries[i] >> bit & 255), out);
@@ -196,6 +194,7 @@ static void write_raw(FILE *out, const struct table *table)
 
 static error_t parse_option(int key, char *argument, struct argp_state *state)
 {
+    static const char *const arguments[] = {"c", "t", NULL};
     struct request *request = state->input;
     switch (key) {
     case KEY_MODEL:
@@ -208,9 +207,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         request->q = (unsigned)parse_integer(state, "-q", argument, 0, GLINT_Q_MAX);
         return 0;
     case KEY_OF:
-        if (strcmp(argument, "c") != 0 && strcmp(argument, "t") != 0)
-            refuse(state, "--of: not c or t");
-        request->table.of_t = *argument == 't';
+        request->table.of_t = parse_choice(state, "--of", argument, arguments) == 1;
         return 0;
     case KEY_ENTRIES:
         request->table.count = (uint32_t)parse_integer(state, "--entries", argument, 2, 65536);
@@ -238,6 +235,8 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
     case ARGP_KEY_END:
         if (request->raw && request->name)
             refuse(state, "--name is for C source; leave it out with --raw");
+        if (request->raw && strcmp(request->path, "-") == 0 && isatty(STDOUT_FILENO))
+            refuse(state, "--raw: standard output is a terminal; pipe or redirect it, or name a file by -o");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

@@ -155,7 +155,8 @@ static void set_origin(struct reader *reader)
     snprintf(reader->origin, sizeof reader->origin, "%.100s:%u", config_path, reader->line);
 }
 
-/* As fgets, but what is no text is told, and a line that begins with blanks is not taken for the rest of the one before. */
+/* As fgets, but what is no text is told, and a line that begins with blanks is not taken for the rest of the one before.
+ * Remarks begin with a # at the beginning or after a blank. */
 static char *read_line(char *text, int room, void *context)
 {
     struct reader *reader = context;
@@ -171,6 +172,9 @@ static char *read_line(char *text, int room, void *context)
             text[length++] = (char)byte;
     }
     text[length] = '\0';
+    char *remark = strstr(text, " #"); /* inih itself takes only a ; in the middle of a line */
+    if (remark || (remark = strstr(text, "\t#")))
+        *remark = '\0';
     return length ? text : NULL;
 }
 

@@ -33,6 +33,7 @@ struct output {
     FILE *stream;
     char *path;      /* as named by the user */
     char *temporary; /* NULL where written in place */
+    char *target;    /* what it becomes, where links lead */
 };
 /* A name from the command line, refused where it is empty. */
 const char *parse_output(const struct argp_state *state, const char *option, const char *text);
@@ -55,6 +56,10 @@ _Noreturn void refuse(const struct argp_state *state, const char *format, ...) _
  * `option` names where it stands, and fail() ends the program (exit 1). */
 long parse_integer(const struct argp_state *state, const char *option, const char *text, long low, long high);
 double parse_real(const struct argp_state *state, const char *option, const char *text, double low, double high);
+/* A number in decimal at the beginning of the text, finite. */
+bool read_real(const char *text, char **end, double *value);
+/* The first line of a text file may begin with such a mark, in UTF-8. */
+char *after_byte_order_mark(char *line);
 /* "X,Y,Z": exactly `count` numbers. */
 void parse_reals(const struct argp_state *state, const char *option, const char *text, double *values, int count,
                  double low, double high);
@@ -96,7 +101,7 @@ bool is_c_name(const char *text);
 /* A keyword, or a name of <stdint.h>; `text` is_c_name. */
 bool is_taken_c_name(const char *text);
 
-/* For --name: a name that C and C++ leave to programs and that has no meaning yet, of at most 63 letters. */
+/* For --name: a name that C, C++ and glint.h leave to programs and that has no meaning yet, of at most 63 letters. */
 const char *parse_c_name(const struct argp_state *state, const char *text);
 
 /* ---- models (models.c) ---- */

@@ -30,8 +30,8 @@ static const char *unsigned_part(const char *text)
     return text + (*text == '-' || *text == '+');
 }
 
-/* strtod takes more than a number in decimal: blanks before it, hexadecimal, nan, inf. */
-static bool real(const char *text, char **end, double *value)
+/* strtod takes more than that: blanks before it, hexadecimal, nan, inf. */
+bool read_real(const char *text, char **end, double *value)
 {
     const char *digits = unsigned_part(text);
     if (!isdigit((unsigned char)digits[*digits == '.']))
@@ -66,8 +66,8 @@ void parse_reals(const struct argp_state *state, const char *option, const char 
     bool good = true;
     for (int i = 0; i < count && good; i++) {
         char *end;
-        good =
-            real(at, &end, &values[i]) && values[i] >= low && values[i] <= high && *end == (i + 1 < count ? ',' : '\0');
+        good = read_real(at, &end, &values[i]) && values[i] >= low && values[i] <= high &&
+               *end == (i + 1 < count ? ',' : '\0');
         at = good ? end + 1 : at;
     }
     if (good)
@@ -91,6 +91,12 @@ unsigned parse_choice(const struct argp_state *state, const char *option, const 
     refuse(state, "%s: no '%s'; %s %s", option, text, i > 1 ? "one of these is wanted:" : "there is only", all);
 }
 
+char *after_byte_order_mark(char *text)
+{
+    static const char mark[] = "\xEF\xBB\xBF";
+    return text + (strncmp(text, mark, strlen(mark)) == 0 ? strlen(mark) : 0);
+}
+
 /* ---- lists ---- */
 
 struct range {
@@ -101,14 +107,14 @@ struct range {
 static bool parse_range(const char *text, const char **end, struct range *range)
 {
     char *at;
-    if (!real(text, &at, &range->from))
+    if (!read_real(text, &at, &range->from))
         return false;
     range->to = range->from;
     range->step = 1;
     if (*at == ':') {
-        if (!real(at + 1, &at, &range->to))
+        if (!read_real(at + 1, &at, &range->to))
             return false;
-        if (*at == ':' && !real(at + 1, &at, &range->step))
+        if (*at == ':' && !read_real(at + 1, &at, &range->step))
             return false;
     }
     *end = at;

@@ -119,19 +119,20 @@ void signals_release(const sigset_t *before)
     pthread_sigmask(SIG_SETMASK, before, NULL);
 }
 
-/* A new file in the folder of `path`, under a name of its own until it is whole. */
-static int open_beside(const char *path, char **name)
+/* A new file in the target's folder, under a name of its own until it is whole. */
+static int open_beside(struct output *output)
 {
-    const char *slash = strrchr(path, '/');
-    if (asprintf(name, "%.*s.glint-XXXXXX", slash ? (int)(slash - path) + 1 : 0, path) < 0)
+    const char *slash = strrchr(output->target, '/');
+    const int folder = slash ? (int)(slash - output->target) + 1 : 0;
+    if (asprintf(&output->temporary, "%.*s.glint-XXXXXX", folder, output->target) < 0)
         fail("out of memory");
     /* A signal in between would leave a file that nobody knows of. */
     sigset_t before;
     signals_hold(&before);
-    const int descriptor = mkstemp(*name);
+    const int descriptor = mkstemp(output->temporary);
     if (descriptor < 0)
-        fail("%s: cannot write there: %s", path, strerror(errno));
-    remember(*name);
+        fail("%s: cannot write there: %s", output->path, strerror(errno));
+    remember(output->temporary);
     signals_release(&before);
     return descriptor;
 }
@@ -162,12 +163,10 @@ struct output *output_open(const char *path)
             fail("%s: %s", path, strerror(errno));
         return output;
     }
-    char *target = resolve(path);
-    if (!target || (exists && access(path, W_OK) != 0))
+    output->target = resolve(path);
+    if (!output->target || (exists && access(path, W_OK) != 0))
         fail("%s: %s", path, strerror(errno));
-    free(output->path);
-    output->path = target;
-    const int descriptor = open_beside(target, &output->temporary);
+    const int descriptor = open_beside(output);
     if (exists && fchown(descriptor, status.st_uid, status.st_gid) != 0)
         errno = 0; /* it becomes ours: only root can give files away */
     if (fchmod(descriptor, wanted_mode(exists, &status)) != 0 || !(output->stream = fdopen(descriptor, "wb")))
@@ -186,11 +185,12 @@ void output_close(struct output *output)
     if (bad)
         fail("%s: could not be written: %s", name, reason ? strerror(reason) : "write error");
     if (output->temporary) {
-        if (rename(output->temporary, output->path) != 0)
+        if (rename(output->temporary, output->target) != 0)
             fail("%s: %s", name, strerror(errno));
         forget(output->temporary);
     }
     free(output->temporary);
+    free(output->target);
     free(output->path);
     free(output);
 }

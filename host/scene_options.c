@@ -165,8 +165,6 @@ void scene_maps_size(const struct scene_maps *maps, uint32_t *width, uint32_t *h
 static struct scene *scene_of_heights(const struct scene_maps *maps, uint32_t width, uint32_t height)
 {
     const struct image *map = maps->surface;
-    if (!image_is_grey(map))
-        warn("%s: is in colour; its brightness is taken as the height", map->name);
     const bool repeats = width > map->width || height > map->height;
     return scene_from_heights(map, maps->options.scale, maps->options.wraps || repeats);
 }
@@ -219,6 +217,8 @@ struct scene *scene_of_maps(const struct scene_maps *maps, uint32_t width, uint3
         check_same_size(maps->mask, scene, what);
         replace(&scene->mask, image_grey8(maps->mask));
     }
+    if (options->heights && !image_is_grey(maps->surface)) /* after what may fail: that is one line */
+        warn("%s: is in colour; its brightness is taken as the height", maps->surface->name);
     if (width && (width != scene->width || height != scene->height))
         scene_repeat(scene, width, height);
     return scene;

@@ -117,8 +117,7 @@ static bool read_direction(char *text, double direction[3])
         at += strspn(at, " \t");
         if (k && *at == ',')
             at += 1 + strspn(at + 1, " \t");
-        direction[k] = strtod(at, &end);
-        if (end == at || !isfinite(direction[k]))
+        if (!read_real(at, &end, &direction[k]))
             return false;
         if (k < 2 && !strchr(" \t,", *end))
             return false;
@@ -140,13 +139,13 @@ static bool next_line(struct light_path *path, struct shading *shading)
             return false;
         }
         path->number++;
-        char *text = path->line;
+        char *text = path->number == 1 ? after_byte_order_mark(path->line) : path->line;
         text[strcspn(text, "\n")] = '\0';
         const size_t blank = strspn(text, " \t\r");
         if (!text[blank] || text[blank] == '#')
             continue;
         struct lamp *lamp = &shading->lamps[path->lamp];
-        if (strlen(text) + 1 < (size_t)length || !read_direction(text, lamp->direction))
+        if (text + strlen(text) + 1 < path->line + length || !read_direction(text, lamp->direction))
             fail("%s, line %lu: '%s' is not a direction; three numbers are wanted, \"X Y Z\" or \"X,Y,Z\"", path->name,
                  path->number, text);
         struct glint_lamp unused;

@@ -174,6 +174,13 @@ static void one_file_for_both_pictures_is_refused_whatever_its_names(void **stat
     assert_int_equal(run("rm out/*.png link")->status, 0);
 }
 
+static void a_failure_is_one_line_after_a_height_map_in_colour_too(void **state)
+{
+    (void)state;
+    assert_fails("$GLINT render --height colors.png --albedo small.png -o out/x.png", "small.png: is 4x4 pixels");
+    assert_fails("$GLINT render --height colors.png --mask small.png -o out/x.png", "small.png: is 4x4 pixels");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -184,6 +191,7 @@ int main(void)
         cmocka_unit_test(two_pictures_are_both_written_or_neither),
         cmocka_unit_test(one_file_for_both_pictures_is_refused_whatever_its_names),
         cmocka_unit_test(a_failure_keeps_the_picture_that_was_there),
+        cmocka_unit_test(a_failure_is_one_line_after_a_height_map_in_colour_too),
     };
     return cmocka_run_group_tests_name("$GLINT render errors", tests, make_maps, scratch_remove);
 }

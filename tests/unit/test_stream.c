@@ -39,7 +39,7 @@ static void the_first_frame_is_what_render_draws(void **state)
 static void each_line_of_lights_is_a_frame(void **state)
 {
     (void)state;
-    assert_quiet("printf '1 1 1\\n\\n  # a remark\\n-1,2, 3\\r\\n  0,0 .5' >lights.txt");
+    assert_quiet("printf '\\357\\273\\2771 1 1\\n\\n  # a remark\\n-1,2, 3\\r\\n  0,0 .5' >lights.txt");
     assert_quiet("$GLINT stream --height heights.png --albedo colors.png --to ppm -o l%d.ppm --lights lights.txt");
     assert_quiet("$GLINT render --height heights.png --albedo colors.png -o a.ppm --light=-1,2,3");
     assert_same_file("a.ppm", "l1.ppm");

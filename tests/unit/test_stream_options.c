@@ -63,6 +63,7 @@ static void a_wrong_line_of_lights_is_named_by_its_number(void **state)
         {"1-1-1\\n", "line 1"},
         {"one 1 1\\n", "'one 1 1'"},
         {"1 1 inf\\n", "line 1"},
+        {"0x10 1 1\\n", "line 1: '0x10 1 1' is not a direction"},
         {"0 0 0\\n", "line 1: '0 0 0' has no direction"},
         {"1 1 1\\n0 0 -2\\n", "line 2: '0 0 -2' lies straight opposite"},
         {"1 1 1\\0001\\n", "line 1"},

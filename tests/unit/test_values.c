@@ -89,6 +89,8 @@ static void standard_input_is_read_and_its_errors_name_the_line(void **state)
     double rows[8][8];
     assert_int_equal(read_rows(run("printf '1 0.5\\n\\n0.25,0.125\\r\\n' | $GLINT eval - --csv")->out, rows, 8), 4);
     assert_near(rows[3][3], 8192, 0);
+    assert_int_equal(read_rows(run("printf '\\357\\273\\2770.125\\n' | $GLINT eval - --csv")->out, rows, 8), 1);
+    assert_near(rows[0][3], 8192, 0);
     assert_fails("printf '1\\n2\\n' | $GLINT eval -", "standard input, line 2: '2' is not a list from -1 to 1");
     assert_fails("printf '1\\0\\n' | $GLINT eval -", "standard input, line 1: not text");
     assert_fails("$GLINT eval - <.", "standard input: Is a directory");
@@ -298,8 +300,9 @@ static void a_table_that_cannot_be_is_refused(void **state)
         assert_refused(command, part);
     }
     assert_refused("$GLINT table --raw --name shine", "--name is for C source");
+    assert_refused("$GLINT table --name glint_msh", "--name: 'glint_msh' may be a name of glint.h's");
     assert_refused("$GLINT table --name shine --raw", "--name is for C source");
-    assert_refused("$GLINT table --of x", "--of: not c or t");
+    assert_refused("$GLINT table --of x", "--of: no 'x'; one of these is wanted: c, t");
     assert_refused("$GLINT table shine.h", "shine.h: options only");
     assert_refused("$GLINT table --model all", "--model: no model 'all'");
 }
