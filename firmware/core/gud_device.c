@@ -1,13 +1,8 @@
-/* SPDX-License-Identifier: MIT */
-#include "gud_device.h"
-#include "gud_pixels.h"
+/* SPDX-License-Identifier: MIT
+ * Requests, and the state that they lead to. */
+#include "gud_rectangle.h"
 
 enum { NO_MODE_FORMAT = 0, BRIGHTNESS_MOST = 100 };
-
-static uint32_t output_line_bytes(const struct gud_device_config *c)
-{
-    return (c->output == GLINT_RGB888 ? 3u : 2u) * c->width;
-}
 
 static uint32_t widest_line(const struct gud_device_config *c)
 {
@@ -37,7 +32,7 @@ bool gud_device_init(struct gud_device *d, const struct gud_device_config *c)
         return false;
     const uint32_t widest = widest_line(c);
     return widest && c->max_buffer >= widest && c->max_buffer <= INT32_MAX && window_suffices(c) &&
-           c->lines_bytes >= widest + 2 * (size_t)output_line_bytes(c);
+           c->lines_bytes >= widest + 2 * (size_t)gud_output_line_bytes(c);
 }
 
 /* ---- what the host asks ---- */
@@ -150,16 +145,6 @@ static int data_bytes(const struct gud_device *d, const struct gud_setup *setup)
     }
 }
 
-static void close_rectangle(struct gud_device *d)
-{
-    const bool whole = d->lines_left == 0;
-    d->bulk_left = 0;
-    if (!d->open)
-        return;
-    d->open = false;
-    d->config->ops->end(d->config->context, whole);
-}
-
 static int refuse(struct gud_device *d, enum gud_status status)
 {
     d->status = (uint8_t)status;
@@ -174,7 +159,7 @@ int gud_device_setup(struct gud_device *d, const struct gud_setup *setup, uint8_
     if (!in && setup->type != GUD_TYPE_OUT)
         return refuse(d, GUD_UNSUPPORTED);
     if (!in && setup->request == GUD_SET_BUFFER)
-        close_rectangle(d); /* whatever follows is not for the last one */
+        gud_rectangle_close(d); /* whatever follows is not for the last one */
     const int length = in ? get(d, setup->request, reply) : data_bytes(d, setup);
     if (length == GUD_STALL)
         return refuse(d, GUD_UNSUPPORTED);
@@ -238,7 +223,7 @@ static enum gud_status commit(struct gud_device *d)
 {
     if (!d->controller || !d->checked.format)
         return GUD_PROTOCOL;
-    close_rectangle(d);
+    gud_rectangle_close(d);
     d->committed = d->checked;
     update_display(d);
     return GUD_OK;
@@ -252,58 +237,10 @@ static enum gud_status enable(struct gud_device *d, bool *what, uint8_t value)
         return GUD_PROTOCOL;
     *what = value;
     if (!d->controller) {
-        close_rectangle(d);
+        gud_rectangle_close(d);
         d->display = false;
     }
     update_display(d);
-    return GUD_OK;
-}
-
-static bool lies_inside(const struct gud_device_config *c, const struct gud_rectangle *r)
-{
-    return r->width && r->height && r->x < c->width && r->y < c->height && r->width <= c->width - r->x &&
-           r->height <= c->height - r->y;
-}
-
-/* Of a rectangle that lies inside. One larger than max_buffer is taken where memory allows: Linux (6.1) aligns the left side
- * of R1 and XRGB1111 after it has counted the bytes. */
-static bool bytes_are_right(const struct gud_device *d, const struct gud_rectangle *r)
-{
-    const struct gud_device_config *c = d->config;
-    const enum gud_format format = (enum gud_format)d->committed.format;
-    const unsigned in_a_byte = format == GUD_R1 ? 8 : format == GUD_XRGB1111 ? 2 : 1;
-    if (r->x % in_a_byte || r->length > INT32_MAX ||
-        r->length != (uint64_t)gud_line_bytes(format, r->width) * r->height)
-        return false;
-    if (r->compression == 0)
-        return r->compressed_length == 0;
-    /* An LZ4 block of nothing but literals is as long as the last line tells. */
-    return r->compression == GUD_COMPRESSION_LZ4 && c->window &&
-           (c->window_bytes >= LZ4_BLOCK_REACH || c->window_bytes >= r->length) && r->compressed_length &&
-           r->compressed_length <= r->length + r->length / 255 + 16;
-}
-
-static enum gud_status open_rectangle(struct gud_device *d, const uint8_t *data)
-{
-    const struct gud_device_config *c = d->config;
-    struct gud_rectangle r;
-    gud_rectangle_unpack(&r, data);
-    if (!d->controller || !d->committed.format)
-        return GUD_PROTOCOL;
-    if (!lies_inside(c, &r) || !bytes_are_right(d, &r))
-        return GUD_PARAMETER;
-    if (c->ops->busy && c->ops->busy(c->context))
-        return GUD_BUSY;
-    d->compressed = r.compression != 0;
-    d->bulk_left = d->compressed ? r.compressed_length : r.length;
-    d->columns = (uint16_t)r.width;
-    d->lines_left = (uint16_t)r.height;
-    d->line_bytes = r.length / r.height;
-    d->line_filled = 0;
-    d->open = true;
-    if (d->compressed)
-        lz4_block_begin(&d->lz4, r.length);
-    c->ops->window(c->context, (uint16_t)r.x, (uint16_t)r.y, d->columns, d->lines_left);
     return GUD_OK;
 }
 
@@ -312,7 +249,7 @@ bool gud_device_set(struct gud_device *d, const struct gud_setup *setup, const u
     enum gud_status status = GUD_OK; /* the connector's detection has nothing to do */
     switch (setup->request) {
     case GUD_SET_BUFFER:
-        status = open_rectangle(d, data);
+        status = gud_rectangle_open(d, data);
         break;
     case GUD_SET_STATE_CHECK:
         status = check_state(d, data, setup->length);
@@ -331,77 +268,11 @@ bool gud_device_set(struct gud_device *d, const struct gud_setup *setup, const u
     return status == GUD_OK;
 }
 
-/* ---- bulk ---- */
-
-static void draw_line(struct gud_device *d, const uint8_t *in)
-{
-    const struct gud_device_config *c = d->config;
-    const uint32_t bytes = output_line_bytes(c);
-    uint8_t *out = c->lines + (d->half ? bytes : 0);
-    d->half = !d->half;
-    gud_pixels_convert(out, (enum glint_format)c->output, in, (enum gud_format)d->committed.format, d->columns);
-    d->lines_left--;
-    c->ops->line(c->context, out, bytes / c->width * d->columns);
-}
-
-/* Uncompressed bytes; never more than the rectangle has: bulk_left and the decoder see to it. */
-static void take(struct gud_device *d, const uint8_t *bytes, size_t count)
-{
-    uint8_t *const gathered = d->config->lines + 2 * (size_t)output_line_bytes(d->config);
-    while (count) {
-        if (d->line_filled == 0 && count >= d->line_bytes) {
-            draw_line(d, bytes);
-            bytes += d->line_bytes;
-            count -= d->line_bytes;
-            continue;
-        }
-        const uint32_t room = d->line_bytes - d->line_filled, some = count < room ? (uint32_t)count : room;
-        uint8_t *const to = gathered + d->line_filled; /* locals only, so that compilers may make it a memcpy */
-        for (uint32_t i = 0; i < some; i++)
-            to[i] = bytes[i];
-        bytes += some;
-        count -= some;
-        d->line_filled += some;
-        if (d->line_filled == d->line_bytes) {
-            d->line_filled = 0;
-            draw_line(d, gathered);
-        }
-    }
-}
-
-uint32_t gud_device_expects(const struct gud_device *d)
-{
-    return d->bulk_left;
-}
-
-void gud_device_bulk(struct gud_device *d, const uint8_t *bytes, size_t count)
-{
-    if (count > d->bulk_left) {
-        count = d->bulk_left;
-        d->status = GUD_PROTOCOL;
-    }
-    if (count == 0)
-        return;
-    d->bulk_left -= (uint32_t)count;
-    if (d->compressed) {
-        const uint8_t *run, *const end = bytes + count;
-        for (size_t length; (length = lz4_block_next(&d->lz4, &bytes, end, &run)) != 0;)
-            take(d, run, length);
-    } else {
-        take(d, bytes, count);
-    }
-    if (d->bulk_left)
-        return;
-    if (d->compressed && !lz4_block_complete(&d->lz4))
-        d->status = GUD_ERROR;
-    close_rectangle(d);
-}
-
 /* ---- the bus ---- */
 
 void gud_device_reset(struct gud_device *d)
 {
-    close_rectangle(d);
+    gud_rectangle_close(d);
     d->status = GUD_OK;
     d->controller = d->display = d->suspended = false;
     update_display(d);

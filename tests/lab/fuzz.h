@@ -9,6 +9,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "gud_device.h"
+
 #define check(condition)                                                                                               \
     do {                                                                                                               \
         if (!(condition)) {                                                                                            \
@@ -42,6 +44,16 @@ static inline uint8_t *next_bytes(struct input *input, size_t *count)
     for (size_t i = 0; i < *count; i++)
         bytes[i] = *input->at++;
     return bytes;
+}
+
+/* Any request there can be. */
+static inline struct gud_setup next_setup(struct input *input)
+{
+    struct gud_setup setup = {.type = (uint8_t)next_byte(input), .request = (uint8_t)next_byte(input)};
+    setup.value = (uint16_t)next_word(input);
+    setup.index = (uint16_t)next_word(input);
+    setup.length = (uint16_t)next_word(input);
+    return setup;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);

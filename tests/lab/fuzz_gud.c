@@ -160,10 +160,7 @@ static void step(struct input *input)
     const unsigned what = next_byte(input);
     switch (what % 8) {
     case 0: {
-        struct gud_setup setup = {.type = (uint8_t)next_byte(input), .request = (uint8_t)next_byte(input)};
-        setup.value = (uint16_t)next_word(input);
-        setup.index = (uint16_t)next_word(input);
-        setup.length = (uint16_t)next_word(input);
+        const struct gud_setup setup = next_setup(input);
         request(&setup, input);
         break;
     }
