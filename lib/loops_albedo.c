@@ -36,9 +36,8 @@ void glint_albedo_fill(struct glint_tables *tables, const struct glint_shader *s
     for (uint32_t i = 0; i < SHINE; i++)
         tables->colour.sums[i] = shine_word(shader, glint_pixel_lobe(shader, glint_column_t(t_max, tables->shift, i)));
     for (int32_t row = 0; row < LEVELS; row++) {
-        const uint32_t nl = row < 128 ? 512 * (uint32_t)row + 256 : 65536;
-        const uint32_t share = (uint32_t)((uint64_t)diffuse * nl >> 11); /* the product may be 2^32 */
-        tables->columns[-1 - row] = (uint8_t)((ambient * 32 + share + 32768) >> 16);
+        const uint32_t lit = row < 128 ? diffuse * (2 * (uint32_t)row + 1) >> 3 : diffuse * 32; /* 32 D nl */
+        tables->columns[-1 - row] = (uint8_t)((ambient * 32 + lit + 32768) >> 16);
     }
     tables->dark = (uint16_t)((ambient * 32u + 32768) >> 16);
 }

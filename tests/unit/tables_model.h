@@ -109,7 +109,7 @@ static inline uint64_t square(int64_t x)
     return (uint64_t)(x * x);
 }
 
-/* ---- A scene: normals about the light's, some along it or of any bits, some runs without surface. None so long that its
+/* ---- A scene: normals about the light's, some along it or across, some of any bits, some runs without surface. None so long that its
  * t is 2 and more: those get some colour or other. ---- */
 
 enum { WIDE = 43, LINES = 3 };
@@ -120,9 +120,10 @@ struct surface_normals {
 
 static inline struct glint_vec near_normal(const struct glint_light *light)
 {
+    const struct glint_vec across = {light->l.y, (int16_t)(light->l.x > INT16_MIN ? -light->l.x : 0), 0};
     struct glint_vec n;
-    do
-        n = below(6) ? random_normal(light) : light->l; /* the latter may be longer than 1 */
+    do /* along the light a normal may be longer than 1; across N.L is 0, mostly */
+        n = below(6) ? random_normal(light) : below(2) ? light->l : across;
     while (t_of(n, light->h) >> 31);
     return n;
 }

@@ -221,9 +221,9 @@ static void a_surface_that_faces_the_light_is_lit_in_full_though_its_normal_is_l
     static const uint16_t white = 0xffff;
     uint16_t out = 0;
     const struct glint_surface surface = {&out, 0, 0, 0};
-    assert_int_equal(glint_tables_albedo_rect(&tables, &light, GLINT_NORMALS_INT16, &shader.light.l, 0, &white, 0, 1, 1,
-                                              &surface),
-                     GLINT_OK);
+    assert_int_equal(
+        glint_tables_albedo_rect(&tables, &light, GLINT_NORMALS_INT16, &shader.light.l, 0, &white, 0, 1, 1, &surface),
+        GLINT_OK);
     assert_int_equal(out, white);
 }
 
