@@ -120,6 +120,25 @@ static void exact_albedo(void)
     exact(bench_albedo[0]);
 }
 
+/* A lamp, so far away that the picture is much the same. */
+static struct glint_lamp lamp;
+
+static void lamp_frame(void)
+{
+    enum { AWAY = 1 << 21 };
+    static const int32_t position[3] = {16 * SPHERE_W / 2 + AWAY, 16 * SPHERE_H / 2 - AWAY, AWAY};
+    check(glint_lamp_point(&lamp, position, (uint32_t)GLINT_LAMP_FAR));
+    for (uint8_t k = 0; k < 3; k++)
+        lamp.color_q16[k] = 99273; /* of it .66 arrive: (1 - 3 / 16)^2 */
+}
+
+static void exact_lamp(void)
+{
+    const struct glint_source source = {.normals = bench_line.normals, .mask = bench_line.mask};
+    const struct glint_surface surface = {bench_line.out, 0, 0, bench_line.y};
+    check(glint_shade_lights(&bench_shader, &lamp, 1, &source, SPHERE_W, 1, &surface, NULL));
+}
+
 static void colour_fill(void)
 {
     check(glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &bench_shader, bench_memory, GLINT_TABLES_COLOUR_BYTES));
@@ -217,6 +236,7 @@ const struct bench_loop bench_loops[] = {
     {"small int16", "under 1 KB of RAM, int16 normals", small_fill, tables_frame, .shade = tables_int16, INT16},
 #ifndef __AVR__
     {"exact albedo", "exact rect, albedo in RGB888, white light", .shade = exact_albedo, INT16, .albedo = true, .step = 4},
+    {"exact lights", "glint_shade_lights, one point light, far away", .frame = lamp_frame, .shade = exact_lamp, INT16, .step = 16},
     {"colour span 16", "glint_tables_span, spans of 16", colour_fill, .prepare = tables_span_16_prepare, .shade = tables_span},
     {"colour span 64", "the same, spans of 64", colour_fill, .prepare = tables_span_64_prepare, .shade = tables_span},
     {"colour int8", "glint_tables_rect, int8 normals", colour_fill, tables_frame, .shade = tables_int8, INT8},
