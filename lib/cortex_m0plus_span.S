@@ -32,7 +32,7 @@
     pop {r4-r7, pc}
 
 .Llong: /* run by run: at sp t, dt, ddt, nl, dnl, tables, out, how many are left */
-    sub sp, #32
+    sub sp, #36 /* a multiple of 8 with what is pushed */
     str r4, [sp, #28]
     mov r5, sp
     ldmia r1!, {r2, r4, r6}
@@ -70,7 +70,7 @@
     bhi 2b
     mov r1, sp
     bl glint_colour_run
-    add sp, #32
+    add sp, #36
     pop {r4-r7, pc}
 
     entry glint_colour_run

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // rp2040 PACKAGES ELF: runs a program in SRAM on an emulated RP2040, with semihosting. It stops
-// where one of the library's functions does not give back the registers it must keep: assembly may forget one.
+// where one of the library's functions does not give back the registers it must keep, or is called with a stack that is not
+// aligned to 8: assembly may forget either.
 import { load, RAM } from '../bench/m0plus.mjs'
 
 const [packages, elf] = process.argv.slice(2)
@@ -14,14 +15,16 @@ const kept = () => [...core.registers.subarray(4, 12), core.SP]
 const calls = [] // under way: name, where it returns, and what is to be as it was then
 let back = 0 // where the last of them returns
 
+function stop(name, why) {
+  console.error(`${name} ${why}`)
+  process.exit(1)
+}
+
 function leave() {
   const { name, before } = calls.pop()
   const now = kept()
   if (now[8] < before[8]) return calls.push({ name, back, before }) // a call further in has the same place to return to
-  if (now.some((value, i) => value !== before[i])) {
-    console.error(`${name} returns with other registers than it was given`)
-    process.exit(1)
-  }
+  if (now.some((value, i) => value !== before[i])) stop(name, 'returns with other registers than it was given')
   back = calls.length ? calls[calls.length - 1].back : 0
 }
 
@@ -30,6 +33,7 @@ function run() {
     let at = calls.length
     while (core.PC === back && at--) leave() // a function that ends by calling another returns for it, too
     if (begins[(core.PC - RAM) >> 1]) {
+      if (core.SP & 7) stop(names.get(core.PC), 'is called with a stack that is not aligned to 8')
       back = core.LR & ~1
       calls.push({ name: names.get(core.PC), back, before: kept() })
     }

@@ -49,11 +49,15 @@ def stated_stack():
     return [int(number) for number in statement.groups()]
 
 
+def library_files(ending):
+    """Its sources, from the project's folder."""
+    return tuple(os.path.relpath(path, SOURCE) for path in sorted(glob.glob(os.path.join(SOURCE, "lib", "*" + ending))))
+
+
 STACK_M0, STACK_M, STACK_OTHER = stated_stack()
 TARGETS = [
     Target("cortex-m0plus-asm", "arm-none-eabi-", "-mcpu=cortex-m0plus -mthumb -DGLINT_CORTEX_M0PLUS_ASM=1", STACK_M0,
-           assembly=("lib/cortex_m0plus_int8.S", "lib/cortex_m0plus_int10.S", "lib/cortex_m0plus_span.S",
-                     "lib/cortex_m0plus_palette.S", "lib/cortex_m0plus_albedo.S")),
+           assembly=library_files(".S")),
     Target("cortex-m0plus", "arm-none-eabi-", "-mcpu=cortex-m0plus -mthumb", STACK_M0),
     Target("cortex-m3", "arm-none-eabi-", "-mcpu=cortex-m3 -mthumb", STACK_M),
     Target("cortex-m4f", "arm-none-eabi-", "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16", STACK_M),
@@ -107,8 +111,7 @@ MACHINES = [
 
 
 def library_sources(target=None):
-    sources = [os.path.relpath(path, SOURCE) for path in sorted(glob.glob(os.path.join(SOURCE, "lib", "*.c")))]
-    return sources + list(target.assembly if target else ())
+    return [*library_files(".c"), *(target.assembly if target else ())]
 
 
 class Tap:
