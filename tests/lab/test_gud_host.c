@@ -35,12 +35,17 @@ static unsigned status(void)
 }
 
 /* Which the gadget acknowledges before it has seen the data: the status tells. */
-static void set(uint8_t request, const void *data, uint16_t length)
+static unsigned status_of(uint8_t request, const void *data, uint16_t length)
 {
     uint8_t bytes[64];
     memcpy(bytes, data, length);
     assert_int_equal(control(0x41, request, bytes, length), length);
-    assert_int_equal(status(), 0);
+    return status();
+}
+
+static void set(uint8_t request, const void *data, uint16_t length)
+{
+    assert_int_equal(status_of(request, data, length), 0);
 }
 
 static int bulk(const uint8_t *bytes, unsigned count)
@@ -49,21 +54,37 @@ static int bulk(const uint8_t *bytes, unsigned count)
     return ioctl(usb, USBDEVFS_BULK, &transfer);
 }
 
-static void set_buffer(unsigned x, unsigned y, unsigned width, unsigned height)
+static unsigned status_of_buffer(unsigned x, unsigned y, unsigned width, unsigned height)
 {
     uint8_t data[25] = {0};
     const unsigned values[] = {x, y, width, height, 2 * width * height};
     for (unsigned i = 0; i < 5; i++)
         for (unsigned b = 0; b < 4; b++)
             data[4 * i + b] = (uint8_t)(values[i] >> 8 * b);
-    set(0x60, data, sizeof data);
+    return status_of(0x60, data, sizeof data);
+}
+
+static void set_buffer(unsigned x, unsigned y, unsigned width, unsigned height)
+{
+    assert_int_equal(status_of_buffer(x, y, width, height), 0);
+}
+
+static void begin(void)
+{
+    uint8_t state[26] = {0};
+    assert_int_equal(ioctl(usb, USBDEVFS_CLAIMINTERFACE, &(unsigned){0}), 0);
+    assert_int_equal(control(0xc1, 0x55, state, 24), 24);
+    state[24] = 0x40;
+    set(0x63, "\1", 1);
+    set(0x61, state, sizeof state);
+    set(0x62, "", 0);
+    set(0x64, "\1", 1);
 }
 
 /* IDs that the kernel's driver does not take. */
 static void plug_in(void)
 {
     char number[16] = "", path[64];
-    uint8_t state[26] = {0};
     unlink(PICTURE);
     process_start(&gadget, "$GADGET --size %dx%d --formats rgb565 --vid-pid 1209:0001 -o " PICTURE, WIDTH, HEIGHT);
     wait_for_file("/sys/bus/usb/devices/1-1:1.0");
@@ -77,13 +98,7 @@ static void plug_in(void)
     snprintf(path, sizeof path, "/dev/bus/usb/001/%03d", atoi(number));
     usb = open(path, O_RDWR);
     assert_true(usb >= 0);
-    assert_int_equal(ioctl(usb, USBDEVFS_CLAIMINTERFACE, &(unsigned){0}), 0);
-    assert_int_equal(control(0xc1, 0x55, state, 24), 24);
-    state[24] = 0x40;
-    set(0x63, "\1", 1);
-    set(0x61, state, sizeof state);
-    set(0x62, "", 0);
-    set(0x64, "\1", 1);
+    begin();
 }
 
 static int clean(void **state)
@@ -169,6 +184,23 @@ static void disabled_amid_a_rectangle_it_draws_the_one_after(void **state)
     assert_grey(0, 0, WIDTH, HEIGHT, 0);
 }
 
+static void a_bus_reset_forgets_what_the_host_had_set(void **state)
+{
+    (void)state;
+    static uint8_t white[FRAME], black[FRAME];
+    memset(white, 0xff, sizeof white);
+    plug_in();
+    set_buffer(0, 0, WIDTH, HEIGHT);
+    assert_int_equal(bulk(white, 512), 512);
+    assert_int_equal(ioctl(usb, USBDEVFS_RESET, 0), 0);
+    assert_int_equal(status_of_buffer(0, 0, WIDTH, HEIGHT), 3); /* GUD_STATUS_PROTOCOL_ERROR: nothing is enabled */
+    begin();
+    set_buffer(0, 0, WIDTH, HEIGHT);
+    assert_int_equal(bulk(black, FRAME), FRAME);
+    assert_int_equal(status(), 0);
+    assert_grey(0, 0, WIDTH, HEIGHT, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -176,6 +208,7 @@ int main(void)
         cmocka_unit_test_teardown(a_host_that_only_announces_does_not_block_the_next_rectangle, clean),
         cmocka_unit_test_teardown(bytes_that_were_not_announced_are_not_drawn, clean),
         cmocka_unit_test_teardown(disabled_amid_a_rectangle_it_draws_the_one_after, clean),
+        cmocka_unit_test_teardown(a_bus_reset_forgets_what_the_host_had_set, clean),
     };
     return cmocka_run_group_tests_name("gud host", tests, NULL, NULL);
 }
