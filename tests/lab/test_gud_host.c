@@ -5,6 +5,7 @@
 
 #include "lab.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <linux/usbdevice_fs.h>
 #include <signal.h>
@@ -201,6 +202,30 @@ static void a_bus_reset_forgets_what_the_host_had_set(void **state)
     assert_grey(0, 0, WIDTH, HEIGHT, 0);
 }
 
+/* With a STALL, in either direction, and the status says why; what follows is as before. */
+static void wrong_requests_are_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        uint8_t type, request, length;
+        unsigned status;
+    } wrong[] = {{0xc1, 0x7f, 8, 2}, {0x41, 0x7f, 0, 2}, {0x41, 0x7f, 8, 2}, {0x41, 0x60, 24, 3}, {0xc1, 0x60, 25, 2}};
+    static uint8_t white[FRAME];
+    uint8_t data[64] = {0};
+    memset(white, 0xff, sizeof white);
+    plug_in();
+    for (unsigned i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        errno = 0;
+        if (control(wrong[i].type, wrong[i].request, data, wrong[i].length) != -1 || errno != EPIPE)
+            fail_msg("request %02x %02x is not refused: %s", wrong[i].type, wrong[i].request, strerror(errno));
+        assert_int_equal(status(), wrong[i].status);
+    }
+    set_buffer(0, 0, WIDTH, HEIGHT);
+    assert_int_equal(bulk(white, FRAME), FRAME);
+    assert_int_equal(status(), 0);
+    assert_grey(0, 0, WIDTH, HEIGHT, 255);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -208,6 +233,7 @@ int main(void)
         cmocka_unit_test_teardown(a_host_that_only_announces_does_not_block_the_next_rectangle, clean),
         cmocka_unit_test_teardown(bytes_that_were_not_announced_are_not_drawn, clean),
         cmocka_unit_test_teardown(disabled_amid_a_rectangle_it_draws_the_one_after, clean),
+        cmocka_unit_test_teardown(wrong_requests_are_refused, clean),
         cmocka_unit_test_teardown(a_bus_reset_forgets_what_the_host_had_set, clean),
     };
     return cmocka_run_group_tests_name("gud host", tests, NULL, NULL);
