@@ -17,7 +17,8 @@ static bool ends(const char *text, const char *with)
     return len >= len_with && strcmp(text + len - len_with, with) == 0;
 }
 
-bool is_c_name(const char *text)
+/* Letters, digits and single _ between, a letter first: what C and C++ leave to programs. */
+static bool is_c_name(const char *text)
 {
     for (const char *at = text; *at; at++)
         if (!isalnum((unsigned char)*at) && *at != '_')
@@ -35,7 +36,8 @@ static const char words[] =
     "struct switch template this thread_local throw true try typedef typeid typename typeof typeof_unqual "
     "union unix unsigned using virtual void volatile while xor xor_eq ";
 
-bool is_taken_c_name(const char *text)
+/* A keyword, or a name of <stdint.h>; `text` is_c_name. */
+static bool is_taken_c_name(const char *text)
 {
     static const char *const of_stdint[] = {"INT", "UINT", "PTRDIFF_", "SIG_ATOMIC_", "SIZE_", "WCHAR_", "WINT_"};
     for (const char *at = strstr(words, text); at; at = strstr(at + 1, text))

@@ -65,15 +65,10 @@ static unsigned parse_parts(const struct argp_state *state, const char *text)
     if (!copy)
         fail("out of memory");
     for (char *name; (name = strsep(&rest, ","));) {
-        int i = 0;
-        while (i < PART_COUNT && strcmp(name, parts[i].name) != 0)
-            i++;
-        if (i == PART_COUNT)
-            refuse(state,
-                   "--only: no part '%s'; of table1, wider, models, fig3, fig4, fig5, fig6, fig7a, fig7b, fig9, with "
-                   "commas between",
-                   name);
-        wanted |= 1u << i;
+        const char *names[PART_COUNT + 1] = {NULL};
+        for (int i = 0; i < PART_COUNT; i++)
+            names[i] = parts[i].name;
+        wanted |= 1u << parse_choice(state, "--only", name, names);
     }
     free(copy);
     return wanted;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT
  * glint table: a lobe as a table, as C source for flash or raw. */
-#include <ctype.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>

@@ -11,8 +11,6 @@
 #include "shade.h"
 #include "sink.h"
 
-enum { DIGITS_MAX = 9 };
-
 /* A conversion at `text`, which begins with %: its length, 0 where it is none of ours. %%: a percent sign. */
 static size_t conversion(const char *text, unsigned *digits)
 {

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT
  * Devices in /dev: which there are, and who may open them. */
-#include <ctype.h>
 #include <dirent.h>
 #include <grp.h>
 #include <stdlib.h>

@@ -96,11 +96,6 @@ void rows_end(struct rows *rows);
 
 /* ---- names for written C source (c_names.c) ---- */
 
-/* Letters, digits and single _ between, a letter first: what C and C++ leave to programs. */
-bool is_c_name(const char *text);
-/* A keyword, or a name of <stdint.h>; `text` is_c_name. */
-bool is_taken_c_name(const char *text);
-
 /* For --name: a name that C, C++ and glint.h leave to programs and that has no meaning yet, of at most 63 letters. */
 const char *parse_c_name(const struct argp_state *state, const char *text);
 

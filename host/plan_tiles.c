@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * The frame cut from edge to edge, again and again, into tiles of which those without a change are left out: of all such
  * cuts along a grid, the one that should take the least time. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

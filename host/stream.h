@@ -49,7 +49,7 @@ void light_path_free(struct light_path *path);
 struct stream_stats;
 struct stream_stats *stats_new(const struct sink *sink);
 void stats_add(struct stream_stats *stats, const struct plan_result *result);
-void stats_show(const struct stream_stats *stats); /* a line on a terminal, some times a second */
+void stats_show(struct stream_stats *stats); /* a line on a terminal, some times a second */
 /* The sums at the end, as text or JSON. */
 void stats_print(const struct stream_stats *stats, bool json, FILE *stream);
 void stats_free(struct stream_stats *stats);

@@ -104,12 +104,11 @@ static double rate(double seconds)
     return seconds > 0 ? 1 / seconds : INFINITY;
 }
 
-void stats_show(const struct stream_stats *stats)
+void stats_show(struct stream_stats *stats)
 {
-    struct stream_stats *shown = (struct stream_stats *)stats;
     if (stats->last - stats->shown < .2)
         return;
-    shown->shown = stats->last;
+    stats->shown = stats->last;
     const struct sums *sums = sums_of(stats);
     progress("%s: frame %lu, %.1f a second, %.0f of %.0f bytes each in %.1f rectangles", stats->device, stats->frames,
              frames_a_second(stats), mean(sums->bytes, sums), mean(sums->whole_bytes, sums),

@@ -295,8 +295,8 @@ static void wrong_usage_is_named(void **state)
     (void)state;
     assert_refused("$GLINT paper", "-o DIR");
     assert_refused("$GLINT paper -o ''", "-o DIR");
-    assert_refused("$GLINT paper -o x --only fig8", "no part 'fig8'");
-    assert_refused("$GLINT paper -o x --only fig3,", "no part ''");
+    assert_refused("$GLINT paper -o x --only fig8", "no 'fig8'; one of these is wanted: table1, wider");
+    assert_refused("$GLINT paper -o x --only fig3,", "no ''");
     assert_refused("$GLINT paper x", "'x'");
 }
 
