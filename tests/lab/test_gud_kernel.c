@@ -3,7 +3,6 @@
  * GADGET, the program. */
 #include "unit.h"
 
-#include "kernel_faults.h"
 #include "known.h"
 
 #include <fcntl.h>
@@ -158,7 +157,6 @@ static void rectangles_larger_than_the_buffer_arrive_in_parts(void **state)
 static void over_usb_ip_it_is_the_same(void **state)
 {
     (void)state;
-    SKIP_WHERE_UNBINDING_HANGS();
     kernel_draws(&RGB565, "--udc usbip-vudc.0");
 }
 

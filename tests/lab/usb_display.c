@@ -305,8 +305,10 @@ static _Noreturn void serve(struct process *p)
     usb_function_plug(&p->function, p->config->controller);
     for (;;) {
         struct usb_functionfs_event event;
+        /* Until Linux 6.1.176 a read that waits keeps the lock that unplugging asks for. */
+        poll(&(struct pollfd){.fd = p->function.ep0, .events = POLLIN}, 1, -1);
         if (read(p->function.ep0, &event, sizeof event) != sizeof event) {
-            if (errno == EINTR || errno == EL2HLT || errno == EIDRM)
+            if (errno == EAGAIN || errno == EINTR || errno == EL2HLT || errno == EIDRM)
                 continue;
             perror("usb_display: ep0");
             _exit(1);

@@ -93,6 +93,7 @@ void usb_function_build(struct usb_function *f, const char *name, const struct u
     snprintf(path, sizeof path, "%s/ep0", mounted);
     f->ep0 = open(path, O_RDWR);
     write_descriptors(f->ep0);
+    fcntl(f->ep0, F_SETFL, O_NONBLOCK); /* for events; data is waited for all the same */
     snprintf(path, sizeof path, "%s/ep1", mounted);
     f->bulk = open(path, O_RDWR);
     if (f->ep0 < 0 || f->bulk < 0)
