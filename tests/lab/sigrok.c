@@ -7,14 +7,17 @@
 #include <stdlib.h>
 
 /* The decoder parallel gives away a reference of Python's True (libsigrokdecode 0.5.3), so that Python aborts when all is
- * written. */
+ * written. It writes byte by byte: to a file, as the reader of a pipe would be woken as often. */
 char *sigrok(const struct capture *capture, const char *clock, size_t *size, const char *arguments)
 {
     char path[256];
     snprintf(path, sizeof path, "%s/capture.vcd", getenv("TMPDIR"));
     capture_write_vcd(capture, path, clock);
-    return run_for_output(size, "sigrok-cli -I vcd -i %s %s 2>$TMPDIR/errors || grep -q bool_dealloc $TMPDIR/errors",
-                          path, arguments);
+    return run_for_output(
+        size,
+        "{ sigrok-cli -I vcd -i %s %s >$TMPDIR/found 2>$TMPDIR/errors || grep -q bool_dealloc $TMPDIR/errors; } && "
+        "cat $TMPDIR/found",
+        path, arguments);
 }
 
 void sigrok_agrees_on_spi(const struct capture *capture, const bus_byte *bytes, size_t count)

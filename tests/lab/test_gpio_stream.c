@@ -30,6 +30,9 @@ static const struct bus SPI = {"--bus spi --lines sck=SCK,mosi=MOSI,cs=CS,dc=DC,
                                decode_i80,
                                sigrok_agrees_on_i80};
 
+/* The light is slow, as every bit that changes takes the guest's kernel two calls. */
+#define STREAM "$GLINT stream watchface --period 60 --fps 0 --size %ux%u --frames %u "
+
 /* What a stream of so many frames left on the lines. */
 struct stream {
     struct chip chip;
@@ -45,10 +48,9 @@ static void stream_frames(struct stream *stream, const struct bus *bus, const ch
     chip_create(&stream->chip, "panel", bus->lines, bus->count);
     const size_t event_bytes = 32;
     capture_start(&stream->capture, &stream->chip, (unsigned)(room * bus->sets_per_byte * event_bytes >> 20) + 1);
-    assert_int_equal(
-        run("$GLINT stream watchface --to gpio --offset 0,0 --chip %s %s %s --size %ux%u --fps 0 --frames %u",
-            stream->chip.name, bus->options, options, width, height, frames),
-        0);
+    assert_int_equal(run(STREAM "--to gpio --offset 0,0 --chip %s %s %s", width, height, frames, stream->chip.name,
+                         bus->options, options),
+                     0);
     capture_stop(&stream->capture);
     stream->bytes = malloc(room * sizeof *stream->bytes);
     assert_non_null(stream->bytes);
@@ -66,9 +68,7 @@ static void forget(struct stream *stream)
 static uint16_t *rendered(unsigned width, unsigned height, unsigned frames)
 {
     size_t size;
-    char *all =
-        run_for_output(&size, "$GLINT stream watchface --to raw --format rgb565 --size %ux%u --fps 0 --frames %u",
-                       width, height, frames);
+    char *all = run_for_output(&size, STREAM "--to raw --format rgb565", width, height, frames);
     const size_t frame = 2 * (size_t)width * height;
     assert_int_equal(size, frames * frame);
     uint16_t *pixels = malloc(frame);
