@@ -124,9 +124,9 @@ static bool on_reset(void *context, bool active)
     return set(context);
 }
 
-static bool on_backlight(void *context, bool on)
+static bool on_backlight(void *context, uint8_t percent)
 {
-    change(context, ROLE_BACKLIGHT, on);
+    change(context, ROLE_BACKLIGHT, percent != PANEL_OFF);
     return set(context);
 }
 

@@ -86,7 +86,7 @@ enum sink_result gpio_display_send(struct sink *sink, const struct frame *frame,
     for (size_t i = 0; i < count; i++)
         if (send_piece(display, &pieces[i]) != SINK_SENT)
             return SINK_INTERRUPTED;
-    if (!display->shown && !panel_show(&display->panel, true))
+    if (!display->shown && !panel_show(&display->panel, PANEL_BRIGHTEST))
         fail_bus(display);
     display->shown = true;
     return SINK_SENT;

@@ -70,7 +70,7 @@ static enum sink_result send_frame(struct sink *sink, const struct frame *frame,
             fail("%s: has no place for %ux%u pixels at %u,%u", sink->name, box->w, box->h, box->x, box->y);
         virtual_panel_data(&display->glass, pieces[i].data, pieces[i].bytes);
     }
-    display->shown = display->shown || panel_show(&display->panel, true);
+    display->shown = display->shown || panel_show(&display->panel, PANEL_BRIGHTEST);
     write_picture(display);
     return SINK_SENT;
 }

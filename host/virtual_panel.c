@@ -226,9 +226,9 @@ static bool bus_reset(void *context, bool active)
     return true;
 }
 
-static bool bus_backlight(void *context, bool on)
+static bool bus_backlight(void *context, uint8_t percent)
 {
-    ((struct virtual_panel *)context)->lit = on;
+    ((struct virtual_panel *)context)->lit = percent != PANEL_OFF;
     return true;
 }
 

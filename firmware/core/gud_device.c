@@ -277,6 +277,7 @@ void gud_device_reset(struct gud_device *d)
     d->controller = d->display = d->suspended = false;
     update_display(d);
     d->checked.format = d->committed.format = NO_MODE_FORMAT;
+    d->brightness = BRIGHTNESS_MOST;
 }
 
 void gud_device_suspend(struct gud_device *d)

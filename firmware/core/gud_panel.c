@@ -38,9 +38,8 @@ static void end(void *context, bool whole)
 static void display(void *context, bool on, uint8_t brightness)
 {
     struct gud_panel *gud = context;
-    (void)brightness;
     wait_until_sent(gud);
-    if (!panel_show(gud->panel, on))
+    if (!panel_show(gud->panel, on ? brightness : PANEL_OFF))
         gud->has_failed = true;
     const struct panel_bus *bus = gud->panel->bus;
     if (gud->is_open && !bus->command(bus->context, PANEL_MEMORY_CONTINUE)) /* any command ends a write */

@@ -130,15 +130,15 @@ static bool reset(const struct panel *panel)
     return bus->reset(bus->context, false);
 }
 
-static bool backlight(const struct panel *panel, bool on)
+static bool backlight(const struct panel *panel, uint8_t percent)
 {
     const struct panel_bus *bus = panel->bus;
-    return !bus->backlight || bus->backlight(bus->context, on);
+    return !bus->backlight || bus->backlight(bus->context, percent);
 }
 
 bool panel_start(const struct panel *panel)
 {
-    if (!panel_fits(panel) || !backlight(panel, false) || !reset(panel))
+    if (!panel_fits(panel) || !backlight(panel, PANEL_OFF) || !reset(panel))
         return false;
     wait_ms(panel, AFTER_RESET_MS);
     if (panel->controller == PANEL_ILI9341 && !send_values(panel, ili9341_values))
@@ -151,17 +151,17 @@ bool panel_start(const struct panel *panel)
     return true;
 }
 
-bool panel_show(const struct panel *panel, bool on)
+bool panel_show(const struct panel *panel, uint8_t percent)
 {
     /* The light never shines on a display that is off: that is white on some glass. */
-    if (!on && !backlight(panel, false))
-        return false;
-    return send(panel, on ? PANEL_DISPLAY_ON : PANEL_DISPLAY_OFF, NULL, 0) && (!on || backlight(panel, true));
+    if (percent == PANEL_OFF)
+        return backlight(panel, PANEL_OFF) && send(panel, PANEL_DISPLAY_OFF, NULL, 0);
+    return send(panel, PANEL_DISPLAY_ON, NULL, 0) && backlight(panel, percent);
 }
 
 bool panel_stop(const struct panel *panel)
 {
-    if (!panel_show(panel, false) || !send(panel, PANEL_SLEEP_IN, NULL, 0)) /* any command ends a write */
+    if (!panel_show(panel, PANEL_OFF) || !send(panel, PANEL_SLEEP_IN, NULL, 0)) /* any command ends a write */
         return false;
     wait_ms(panel, AFTER_ASLEEP_MS);
     return true;

@@ -39,12 +39,15 @@ enum {
     PANEL_FORMAT_666 = 0x66 /* after a reset: a byte a channel */
 };
 
+enum { PANEL_OFF = 0, PANEL_BRIGHTEST = 100 }; /* percent */
+
 /* What panel.c needs of a board. Functions return false where the bus failed; then the panel call does, too. */
 struct panel_bus {
     bool (*command)(void *context, uint8_t command);                 /* one byte, D/C low */
     bool (*data)(void *context, const uint8_t *bytes, size_t count); /* D/C high */
     bool (*reset)(void *context, bool active); /* the reset line; NULL: there is none, the command does */
-    bool (*backlight)(void *context, bool on); /* NULL: there is none */
+    bool (*backlight)(void *context,
+                      uint8_t percent); /* 0..100; any but 0 is on where it cannot be dimmed. NULL: none */
     void (*wait_ms)(void *context, unsigned ms);
     void *context;
 };
@@ -68,8 +71,8 @@ bool panel_fits(const struct panel *panel);
 
 /* Reset and initialisation, a quarter of a second: awake, RGB565, still dark, since the memory holds noise. */
 bool panel_start(const struct panel *panel);
-/* Display and backlight: on after the first picture. */
-bool panel_show(const struct panel *panel, bool on);
+/* Display and backlight, after the first picture: on, at so many percent of its brightness, 1..100; or off, 0. */
+bool panel_show(const struct panel *panel, uint8_t percent);
 /* A window and the command that takes its pixels: width x height RGB565, high byte first, follow by bus->data, in as many
  * calls as you like. False also where the window is empty or not within the picture; nothing is sent then. */
 bool panel_window(const struct panel *panel, uint16_t x, uint16_t y, uint16_t width, uint16_t height);

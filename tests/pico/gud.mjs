@@ -12,10 +12,12 @@ export class Gud {
   enable(controller, display) {
     return this.set(0x63, Buffer.of(controller)) && this.set(0x64, Buffer.of(display))
   }
-  state(format) {
+  state(format, brightness) {
     const mode = this.get(0x55, 24)
-    return this.set(0x61, Buffer.concat([mode, Buffer.of(format, 0)])) && this.set(0x62)
+    const property = brightness === undefined ? [] : [12, 0, brightness, 0, 0, 0, 0, 0, 0, 0]
+    return this.set(0x61, Buffer.concat([mode, Buffer.of(format, 0, ...property)])) && this.set(0x62)
   }
+  brightness() { return this.get(0x51, 320)[2] }
   // As the kernel's driver begins.
   begin(format) { return this.set(0x63, Buffer.of(1)) && this.state(format) && this.set(0x64, Buffer.of(1)) }
   buffer({ x, y, width, height, length, compressed = 0 }) {

@@ -10,6 +10,7 @@ const STACK = 0x20042000
 const CYCLE_NS = 8 // 125 MHz
 export const PINS = { dc: 8, cs: 9, clock: 10, data: 11, reset: 12, backlight: 13 }
 const FUNCTION_SPI = 1
+const EYE_NS = 150e3
 
 // The blocks of a UF2 file for the RP2040, placed.
 export function loadUf2(flash, file) {
@@ -102,9 +103,19 @@ class Wires {
       if (!this.held) alarm.schedule(ns)
     }
     chip.gpio[PINS.reset].addListener(() => this.put('R', this.level('reset')))
-    chip.gpio[PINS.backlight].addListener(() => this.put('B', this.level('backlight')))
+    this.lit = { is: false, since: 0, ns: 0, dark: chip.clock.createAlarm(() => { this.lit.is = false; this.put('B', 0) }) }
+    chip.gpio[PINS.backlight].addListener(() => this.light(this.level('backlight')))
   }
   level(name) { return this.chip.gpio[PINS[name]].value === 1 ? 1 : 0 }
+  // An eye sees no gaps as short as a dimmed light's.
+  light(level) {
+    const { lit } = this, now = this.chip.clock.nanos
+    if (!level) { lit.ns += now - lit.since; lit.dark.schedule(EYE_NS); return }
+    lit.since = now
+    lit.dark.cancel()
+    if (!lit.is) { lit.is = true; this.put('B', 1) }
+  }
+  lit_ns() { return this.lit.ns + (this.level('backlight') ? this.chip.clock.nanos - this.lit.since : 0) }
   put(kind, byte) {
     if (this.length + 2 > this.bytes.length) this.bytes = Buffer.concat([this.bytes, Buffer.alloc(this.bytes.length)])
     this.bytes[this.length++] = kind.charCodeAt(0)
@@ -155,6 +166,12 @@ export class Pico {
     return this
   }
   get cycles() { return this.chip.clock.nanos / CYCLE_NS }
+  // Of the backlight, in percent of the time.
+  brightness() {
+    const begin = this.chip.clock.nanos, before = this.wires.lit_ns()
+    this.run(() => false, 4)
+    return 100 * (this.wires.lit_ns() - before) / (this.chip.clock.nanos - begin)
+  }
   // Runs until done() or the time is over; whether it was done().
   run(done, ms = 2000) {
     const { core, clock } = this.chip

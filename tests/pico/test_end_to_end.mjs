@@ -2,7 +2,7 @@
 // test_end_to_end.mjs PACKAGES FOLDER PANEL JUDGE GLINT, run by attach under the lab's kernel: that kernel's own GUD driver, and
 // glint stream by libusb, draw on the emulated board.
 import { spawn } from 'node:child_process'
-import { existsSync, openSync, readFileSync, writeSync } from 'node:fs'
+import { existsSync, openSync, readdirSync, readFileSync, writeFileSync, writeSync } from 'node:fs'
 import { picture565, shown565 } from './gud.mjs'
 import { Judge } from './judge.mjs'
 import { Pico } from './pico.mjs'
@@ -71,6 +71,14 @@ await run([
     writeSync(openSync('/dev/fb0', 'w'), pixels)
     const wanted = shown565(pixels)
     await serve(() => !bridge.queue.length && look().equals(wanted), 60, 'the picture')
+  }],
+  ['the kernel dims its backlight', async () => {
+    const folder = `/sys/class/backlight/${readdirSync('/sys/class/backlight')[0]}`
+    equal(+readFileSync(`${folder}/max_brightness`, 'utf8'), 100, 'the brightest')
+    for (const percent of [40, 100]) {
+      writeFileSync(`${folder}/brightness`, `${percent}`)
+      await serve(() => !bridge.queue.length && Math.abs(pico.brightness() - percent) < 0.5, 30, `${percent} percent`)
+    }
   }],
   ['glint list finds it by its name', async () => {
     const text = await command([glint, 'list', '--json'], 30)

@@ -31,6 +31,20 @@ function refused(done, status, what) {
   equal(gud.status(), status, `the status after ${what}`)
 }
 
+// The emulator leaves it to us.
+function suspend() {
+  const { usb } = host
+  usb.sieStatus |= 1 << 4
+  usb.sieStatusUpdated()
+  pico.run(() => false, 0.001)
+  usb.sieStatus &= ~(1 << 4)
+  usb.sieStatusUpdated()
+}
+function resume() {
+  host.usb.sieStatus |= 1 << 11
+  host.usb.sieStatusUpdated()
+}
+
 let frame_ms
 run([
   ['it enumerates as what the kernel\'s GUD driver looks for, with a name and a serial number', () => {
@@ -138,17 +152,26 @@ run([
     judge.same(look(), screen, 'the panel')
     draws(rectangle, picture565(20, 20, 40), undefined, 'the same rectangle, right')
   }],
-  ['suspended it is dark, and the picture is back when the host resumes', () => {
-    const { usb } = host
-    usb.sieStatus |= 1 << 4 // suspended: the emulator leaves it to us
-    usb.sieStatusUpdated()
-    pico.run(() => false, 0.001)
-    usb.sieStatus &= ~(1 << 4)
-    usb.sieStatusUpdated()
+  ['the backlight is as bright as the host sets it, 0 is off and 100 is on all the time', () => {
+    equal(gud.get(0x51, 320).toString('hex'), '0c006400000000000000', 'the property, at first')
+    for (const percent of [30, 0, 1, 100, 55]) {
+      check(gud.state(FORMAT.rgb565, percent), `${percent} percent are refused with status ${gud.status()}`)
+      equal(gud.brightness(), percent, 'the property')
+      const found = pico.brightness()
+      check([0, 100].includes(percent) ? found === percent : Math.abs(found - percent) < 0.5, `it shines ${found} % of the time, not ${percent}`)
+      judge.same(look(), percent ? screen : Buffer.alloc(screen.length), `the picture at ${percent} percent`)
+    }
+    refused(gud.state(FORMAT.rgb565, 101), STATUS.parameter, '101 percent')
+    check(gud.state(FORMAT.rgb565), 'the state, without a brightness')
+    equal(gud.brightness(), 55, 'the property, which nobody has set')
+  }],
+  ['suspended it is dark, and picture and brightness are back when the host resumes', () => {
+    suspend()
     check(look().every((level) => level === 0), 'the panel shows something')
-    usb.sieStatus |= 1 << 11
-    usb.sieStatusUpdated()
+    equal(pico.brightness(), 0, 'percent of the time that it shines')
+    resume()
     judge.same(look(), screen, 'the panel')
+    check(Math.abs(pico.brightness() - 55) < 0.5, 'the brightness is another one')
   }],
   ['a bus reset amid a rectangle gives the panel back to the demo', () => {
     check(gud.buffer({ ...whole, length: 2 * width * height }), 'the rectangle')
@@ -157,10 +180,13 @@ run([
     host.reset()
     check(pico.run(() => pico.wires.pixels === 2 * width * height, 200), `no whole frame: ${pico.uart}`)
     check(pico.uart.endsWith('relighting\r\n'), pico.uart)
+    settle()
+    equal(pico.brightness(), 100, 'its brightness')
   }],
   ['after that it enumerates and draws again', () => {
     host.enumerate()
     check(gud.begin(FORMAT.rgb565), `refused with status ${gud.status()}`)
+    equal(gud.brightness(), 100, 'the brightness')
     screen = look()
     draws(whole, picture565(width, height, 50), undefined, 'the frame')
   }],

@@ -300,6 +300,8 @@ static void a_bus_reset_forgets_what_the_host_had_set(void **state)
     assert_int_equal(set(GUD_SET_STATE_COMMIT, NULL, 0), GUD_PROTOCOL); /* nothing is checked */
     gud_device_suspend(&board.device);
     gud_device_reset(&board.device);
+    assert_int_equal(get(GUD_GET_CONNECTOR_PROPERTIES, 320), 10);
+    assert_int_equal(reply[2], 100);
     go(GUD_R8);
     assert_true(board.on);
     draw((struct glint_box){0, 0, 1, 1}, GUD_R8, (uint8_t[]){255}, false, false);

@@ -50,10 +50,10 @@ static bool on_reset(void *context, bool active)
     return works() && happen(RESET, active);
 }
 
-static bool on_backlight(void *context, bool on)
+static bool on_backlight(void *context, uint8_t percent)
 {
     (void)context;
-    return works() && happen(LIGHT, on);
+    return works() && happen(LIGHT, percent);
 }
 
 static void on_wait(void *context, unsigned ms)
@@ -163,8 +163,8 @@ static void the_light_shines_on_a_display_that_is_on_only(void **state)
 {
     (void)state;
     const struct panel panel = made(&bus, PANEL_ST7789, 0, 240, 240);
-    assert_true(panel_show(&panel, true));
-    assert_true(place_of(LIGHT, 1) > place_of(COMMAND, PANEL_DISPLAY_ON));
+    assert_true(panel_show(&panel, 37));
+    assert_true(place_of(LIGHT, 37) > place_of(COMMAND, PANEL_DISPLAY_ON));
     happenings = 0;
     assert_true(panel_stop(&panel));
     assert_true(place_of(LIGHT, 0) < place_of(COMMAND, PANEL_DISPLAY_OFF));
@@ -176,7 +176,7 @@ static void without_a_reset_line_the_command_resets(void **state)
 {
     (void)state;
     const struct panel panel = made(&bare_bus, PANEL_ILI9341, 1, 320, 240);
-    assert_true(panel_start(&panel) && panel_show(&panel, true) && panel_stop(&panel));
+    assert_true(panel_start(&panel) && panel_show(&panel, PANEL_BRIGHTEST) && panel_stop(&panel));
     assert_int_equal(place_of(COMMAND, PANEL_SOFTWARE_RESET), 0);
     assert_true(ms_between(0, place_of(COMMAND, PANEL_SLEEP_OUT)) >= 120);
 }
@@ -190,8 +190,8 @@ static void a_bus_that_fails_at_any_call_fails_the_panel(void **state)
         for (size_t limit = 0; limit <= whole; limit++) {
             calls = happenings = 0;
             calls_that_work = limit;
-            const bool good = panel_start(&panel) && panel_window(&panel, 0, 0, 1, 1) && panel_show(&panel, true) &&
-                              panel_stop(&panel);
+            const bool good = panel_start(&panel) && panel_window(&panel, 0, 0, 1, 1) &&
+                              panel_show(&panel, PANEL_BRIGHTEST) && panel_stop(&panel);
             assert_int_equal(good, limit == whole || calls <= limit);
             assert_true(calls <= limit + 1); /* nothing is sent after a failure */
             if (good)

@@ -40,7 +40,7 @@ static struct panel started(const struct module *module, unsigned rotation)
     const uint16_t sides[] = {module->glass.width, module->glass.height};
     assert_true(
         panel_defaults(&panel, module->controller, (uint8_t)rotation, sides[rotation % 2], sides[1 - rotation % 2]));
-    assert_true(panel_start(&panel) && panel_show(&panel, true));
+    assert_true(panel_start(&panel) && panel_show(&panel, PANEL_BRIGHTEST));
     return panel;
 }
 
@@ -157,7 +157,7 @@ static void nothing_is_seen_before_it_is_shown_nor_after_a_stop(void **state)
         assert_true(panel_start(&panel));
         draw(&panel, 0, 0, panel.width, panel.height);
         assert_black(&panel);
-        assert_true(panel_show(&panel, true));
+        assert_true(panel_show(&panel, PANEL_BRIGHTEST));
         assert_seen(&panel);
         assert_true(panel_stop(&panel));
         assert_black(&panel);
@@ -172,7 +172,7 @@ static void a_panel_starts_anew_after_bytes_that_were_cut_off(void **state)
         assert_true(panel_window(&panel, 0, 0, panel.width, panel.height));
         virtual_panel_data(&screen, sent, cut);
         assert_true(panel_stop(&panel));
-        assert_true(panel_start(&panel) && panel_show(&panel, true));
+        assert_true(panel_start(&panel) && panel_show(&panel, PANEL_BRIGHTEST));
         draw(&panel, 0, 0, panel.width, panel.height);
         assert_seen(&panel);
     }
@@ -268,14 +268,14 @@ static void wrong_wiring_is_seen(void **state)
     (void)state;
     struct panel panel = started(&modules[0], 0);
     panel.inverted = false;
-    assert_true(panel_start(&panel) && panel_show(&panel, true));
+    assert_true(panel_start(&panel) && panel_show(&panel, PANEL_BRIGHTEST));
     assert_true(panel_window(&panel, 0, 0, 1, 1));
     virtual_panel_data(&screen, (const uint8_t[]){0xf8, 0x00}, 2); /* red */
     virtual_panel_look(&screen, 0, seen);
     assert_memory_equal(seen, ((const uint8_t[]){0, 255, 255}), 3);
     panel.inverted = true;
     panel.bgr = true;
-    assert_true(panel_start(&panel) && panel_show(&panel, true));
+    assert_true(panel_start(&panel) && panel_show(&panel, PANEL_BRIGHTEST));
     virtual_panel_look(&screen, 0, seen);
     assert_memory_equal(seen, ((const uint8_t[]){0, 0, 255}), 3);
 }
@@ -302,7 +302,7 @@ static void any_bytes_in_any_order_are_taken(void **state)
         bus = virtual_panel_bus(&screen);
         struct panel panel = {.bus = &bus};
         assert_true(panel_defaults(&panel, modules[i].controller, 0, modules[i].glass.width, modules[i].glass.height));
-        assert_true(panel_start(&panel) && panel_show(&panel, true));
+        assert_true(panel_start(&panel) && panel_show(&panel, PANEL_BRIGHTEST));
         draw(&panel, 0, 0, panel.width, panel.height);
         assert_seen(&panel);
     }

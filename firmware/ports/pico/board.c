@@ -6,6 +6,7 @@
 #include <hardware/dma.h>
 #include <hardware/gpio.h>
 #include <hardware/irq.h>
+#include <hardware/pwm.h>
 #include <hardware/spi.h>
 #include <hardware/structs/xip_ctrl.h>
 #include <hardware/timer.h>
@@ -56,10 +57,10 @@ static bool reset(void *context, bool active)
     return true;
 }
 
-static bool backlight(void *context, bool on)
+static bool backlight(void *context, uint8_t percent)
 {
     (void)context;
-    gpio_put(PIN_BACKLIGHT, on);
+    pwm_set_gpio_level(PIN_BACKLIGHT, percent);
     return true;
 }
 
@@ -141,13 +142,25 @@ static void start_output(unsigned pin, bool value)
     gpio_set_dir(pin, GPIO_OUT);
 }
 
+/* Above what can be heard. At a level of 0 the pin is low all the time, at 100 high. */
+static void start_backlight(void)
+{
+    const unsigned slice = pwm_gpio_to_slice_num(PIN_BACKLIGHT);
+    pwm_config config = pwm_get_default_config();
+    pwm_config_set_clkdiv_int(&config, clock_get_hz(clk_sys) / (BACKLIGHT_HZ * PANEL_BRIGHTEST));
+    pwm_config_set_wrap(&config, PANEL_BRIGHTEST - 1);
+    pwm_set_gpio_level(PIN_BACKLIGHT, PANEL_OFF);
+    pwm_init(slice, &config, true);
+    gpio_set_function(PIN_BACKLIGHT, GPIO_FUNC_PWM);
+}
+
 bool board_start(void)
 {
     const bool restarted = watchdog_caused_reboot();
     watchdog_enable(WATCHDOG_MS, true);
     uart_init(uart0, UART_BAUD);
     gpio_set_function(PIN_UART_TX, GPIO_FUNC_UART);
-    start_output(PIN_BACKLIGHT, false);
+    start_backlight();
     start_output(PIN_RESET, true);
     start_output(PIN_DC, true);
     start_output(PIN_CS, false); /* the panel is alone on its bus */

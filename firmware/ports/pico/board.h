@@ -6,7 +6,7 @@
 #include "hal.h"
 
 enum { PIN_UART_TX = 0, PIN_DC = 8, PIN_CS = 9, PIN_CLOCK = 10, PIN_DATA = 11, PIN_RESET = 12, PIN_BACKLIGHT = 13 };
-enum { UART_BAUD = 115200, WATCHDOG_MS = 1000 };
+enum { UART_BAUD = 115200, WATCHDOG_MS = 1000, BACKLIGHT_HZ = 25000 };
 /* ST7789: what its data sheet allows. ILI9341: three times that, as most of its drivers have it, since it works. */
 enum { SPI_HZ = PANEL_CONTROLLER == PANEL_ILI9341 ? 31250000 : 62500000 };
 

@@ -57,6 +57,7 @@ static const struct gud_device_config gud_config = {.width = PANEL_WIDTH,
                                                     .output = GLINT_RGB565,
                                                     .formats = gud_formats,
                                                     .format_count = sizeof gud_formats,
+                                                    .dimmable = true,
                                                     .max_buffer = PANEL_WIDTH * PANEL_HEIGHT * 2,
                                                     .lines = (uint8_t *)memory.host.gud.lines,
                                                     .lines_bytes = sizeof memory.host.gud.lines,
@@ -103,9 +104,9 @@ static void start(void)
         fail("the panel's bus");
 }
 
-static void show(bool on)
+static void show(uint8_t percent)
 {
-    if (!panel_show(&panel, on))
+    if (!panel_show(&panel, percent))
         fail("the panel's bus");
 }
 
@@ -154,11 +155,11 @@ static void hand_over(enum owner from, enum owner to)
     static const char *const names[] = {"dark", "relighting", "a computer draws", "a computer sends lights"};
     relight.in_frame = false;
     if (to != GUD_HOST)
-        show(false);
+        show(PANEL_OFF);
     else if (from == LIGHT_HOST)
-        show(gud.shown);
+        show(gud.shown ? gud.brightness : PANEL_OFF);
     else if (!gud.shown) /* no command, which would end a rectangle that may be open already */
-        board_hal.bus.backlight(board_hal.bus.context, false);
+        board_hal.bus.backlight(board_hal.bus.context, PANEL_OFF);
     if (to == DEMO)
         begin_demo();
     board_say(names[to]);
@@ -194,7 +195,7 @@ static void draw(enum owner owner, bool *is_shown)
     if (relight.in_frame)
         return;
     if (was_in_frame && !*is_shown) {
-        show(true);
+        show(PANEL_BRIGHTEST);
         *is_shown = true;
     }
     int32_t to_light[3];

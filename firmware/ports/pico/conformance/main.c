@@ -60,7 +60,7 @@ static void measure_frames(void)
     struct glint_shader shader;
     demo_shader(&shader);
     bool good = panel_defaults(&panel, PANEL_CONTROLLER, ROTATION, PANEL_WIDTH, PANEL_HEIGHT) && panel_start(&panel) &&
-                relight_start(&relight, &shader) == GLINT_OK && draw(0) && panel_show(&panel, true);
+                relight_start(&relight, &shader) == GLINT_OK && draw(0) && panel_show(&panel, PANEL_BRIGHTEST);
     const uint32_t begin = time_us_32();
     for (uint32_t frame = 1; good && frame <= FRAMES; frame++)
         good = draw(frame);
