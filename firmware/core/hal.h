@@ -16,6 +16,8 @@ struct hal {
      * NULL: flash is as fast as RAM, and maps are read where they are. */
     void (*fetch)(void *context, uint32_t *to, const uint32_t *from, size_t words);
     bool (*fetched)(void *context);
+    /* Asked before a frame's first pixels, until it is so: in step with the panel's scan. NULL: at any time. */
+    bool (*may_begin)(void *context);
     void *context;
 };
 

@@ -43,6 +43,7 @@ bool panel_defaults(struct panel *panel, enum panel_controller controller, uint8
     panel->height = height;
     panel->x_offset = 0;
     panel->y_offset = 0;
+    panel->tearing_line = false;
     panel->bgr = controller == PANEL_ILI9341;     /* its modules are wired blue first */
     panel->inverted = controller == PANEL_ST7789; /* it comes with IPS glass, the other with TN */
     for (size_t i = 0; i < sizeof glasses / sizeof *glasses; i++) {
@@ -144,6 +145,7 @@ bool panel_start(const struct panel *panel)
     if (panel->controller == PANEL_ILI9341 && !send_values(panel, ili9341_values))
         return false;
     if (!send_byte(panel, PANEL_PIXEL_FORMAT, PANEL_FORMAT_565) || !send_byte(panel, PANEL_MADCTL, madctl(panel)) ||
+        (panel->tearing_line && !send_byte(panel, PANEL_TEARING_ON, 0)) ||
         !send(panel, panel->inverted ? PANEL_INVERSION_ON : PANEL_INVERSION_OFF, NULL, 0) ||
         !send(panel, PANEL_SLEEP_OUT, NULL, 0))
         return false;

@@ -26,6 +26,8 @@ enum panel_command {
     PANEL_COLUMN_ADDRESS = 0x2a, /* CASET: first and last, 16 bits each, high byte first */
     PANEL_ROW_ADDRESS = 0x2b,    /* RASET */
     PANEL_MEMORY_WRITE = 0x2c,   /* RAMWR: from the window's first pixel */
+    PANEL_TEARING_OFF = 0x34,
+    PANEL_TEARING_ON = 0x35, /* a byte, 0: the line is high while no row is scanned */
     PANEL_MADCTL = 0x36,
     PANEL_PIXEL_FORMAT = 0x3a,   /* COLMOD */
     PANEL_MEMORY_CONTINUE = 0x3c /* RAMWRC: from where the last write stopped */
@@ -60,6 +62,7 @@ struct panel {
     uint16_t width, height;      /* of the picture, after the rotation */
     uint16_t x_offset, y_offset; /* where the glass starts in the controller's memory, before the rotation */
     bool bgr, inverted;          /* how the glass is wired; IPS glass wants inversion */
+    bool tearing_line;           /* is wired: the controller is to drive it */
 };
 
 /* Sets all but the bus to what is usual for a glass of this size: ST7789 as 240x320, 240x280, 240x240, 172x320, 170x320 or

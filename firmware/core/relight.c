@@ -116,6 +116,8 @@ enum relight_step relight_step(struct relight *relight)
         return relight->is_sending ? RELIGHT_BUSY : RELIGHT_DONE;
     if (relight->is_waiting || !is_fetched(relight)) /* waiting: the other buffer is on its way */
         return RELIGHT_BUSY;
+    if (relight->line == 0 && relight->hal->may_begin && !relight->hal->may_begin(relight->hal->context))
+        return RELIGHT_BUSY;
     if (relight->line + 1 < panel->height)
         fetch(relight, (uint16_t)(relight->line + 1), !relight->buffer);
     shade(relight);

@@ -2,6 +2,7 @@
 # Tier pico: the unmodified firmware image in an emulated RP2040 (rp2040js, the version that package-lock.json of tests/bench
 # pins); its panel's pins are judged by the host's virtual panel. At the end a real kernel, that of tier lab, is the host.
 PICO_PANELS_TESTED = st7789-240x240 ili9341-320x240
+PICO_TE_TESTED = 21
 PICO_TOOLS = judge attach
 
 setup-pico: setup-build setup-firmware-pico setup-lab
@@ -15,13 +16,14 @@ test-pico: ## the Pico's firmware emulated: boot, panel, the demo's frames, USB,
 run-pico: $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $(addprefix $(BUILD)/tests/lab/,init spi.dtb) $(BUILD)/glint
 	@+for panel in $(PICO_PANELS_TESTED); do $(SUBMAKE) -s firmware-pico PANEL=$$panel || exit 1; done
 	@+$(SUBMAKE) -s firmware-pico IMAGE=conformance
+	@+$(SUBMAKE) -s firmware-pico TE=$(PICO_TE_TESTED)
 	@+$(SUBMAKE) -s firmware-pico BOARD=pico2 # builds; nothing emulates it
 	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) && export LAB_KERNEL LAB_BUILD && tests/tally \
 		$(foreach panel,$(PICO_PANELS_TESTED),"$(call PICO_TEST,demo)" "$(call PICO_TEST,usb)") \
 		"node tests/pico/test_conformance.mjs $(BENCH_NPM) build/firmware/pico-st7789-240x240 $(CONFORMANCE_EXPECTED)" \
-		$(foreach panel,st7789-240x240,"$(call PICO_TEST,light)" \
+		$(foreach panel,st7789-240x240,"$(call PICO_TEST,light)" "$(call PICO_TEST,te,-te$(PICO_TE_TESTED)) $(PICO_TE_TESTED)" \
 		"tests/lab/guest --memory 1G $(BUILD)/tests/pico/attach $(call PICO_TEST,end_to_end) $(BUILD)/glint")
-PICO_TEST = node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel) $(panel) $(BUILD)/tests/pico/judge
+PICO_TEST = node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel)$(2) $(panel) $(BUILD)/tests/pico/judge
 
 $(BUILD)/tests/pico/judge: tests/pico/judge.c $(filter-out $(BUILD)/host/main.o,$(HOST_OBJECTS)) $(BUILD)/libglint.a
 	@mkdir -p $(@D)

@@ -172,6 +172,20 @@ static void the_light_shines_on_a_display_that_is_on_only(void **state)
     assert_true(ms_between(place_of(COMMAND, PANEL_SLEEP_IN), happenings) >= 5);
 }
 
+static void the_tearing_line_is_driven_where_it_is_wired(void **state)
+{
+    (void)state;
+    struct panel panel = made(&bus, PANEL_ST7789, 0, 240, 240);
+    assert_true(panel_start(&panel));
+    for (size_t k = 0; k < happenings; k++)
+        assert_false(record[k].kind == COMMAND && record[k].value == 0x35);
+    happenings = 0;
+    panel.tearing_line = true;
+    assert_true(panel_start(&panel));
+    const size_t at = place_of(COMMAND, 0x35);
+    assert_true(record[at + 1].kind == DATA && record[at + 1].value == 0);
+}
+
 static void without_a_reset_line_the_command_resets(void **state)
 {
     (void)state;
@@ -241,6 +255,7 @@ int main(void)
         cmocka_unit_test(the_picture_is_turned_as_drivers_in_wide_use_turn_it),
         cmocka_unit_test(a_start_gives_the_controller_its_time_and_shows_nothing),
         cmocka_unit_test(the_light_shines_on_a_display_that_is_on_only),
+        cmocka_unit_test(the_tearing_line_is_driven_where_it_is_wired),
         cmocka_unit_test(without_a_reset_line_the_command_resets),
         cmocka_unit_test(a_bus_that_fails_at_any_call_fails_the_panel),
         cmocka_unit_test(windows_beyond_the_picture_are_refused_and_send_nothing),

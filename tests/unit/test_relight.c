@@ -23,7 +23,8 @@ static struct {
     uint32_t *to;
     const uint32_t *from;
     size_t words;
-    unsigned windows, polls; /* polls: after so many questions what is fetched is there; 0: when the test says so */
+    unsigned windows, asked, waits;
+    unsigned polls; /* after so many questions what is fetched is there; 0: when the test says so */
     bool broken;
 } board;
 
@@ -91,6 +92,14 @@ static void on_fetch(void *context, uint32_t *to, const uint32_t *from, size_t w
     board.words = words;
 }
 
+/* At any time, where `waits` is 0. */
+static bool on_may_begin(void *context)
+{
+    (void)context;
+    board.asked++;
+    return board.waits == 0 || --board.waits == 0;
+}
+
 static bool on_fetched(void *context)
 {
     (void)context;
@@ -108,7 +117,7 @@ static bool on_command_waiting(void *context, uint8_t command)
 }
 
 static const struct hal hal = {
-    {on_command_waiting, on_data, NULL, NULL, on_wait, NULL}, on_flush, on_fetch, on_fetched, NULL};
+    {on_command_waiting, on_data, NULL, NULL, on_wait, NULL}, on_flush, on_fetch, on_fetched, on_may_begin, NULL};
 
 /* ---- a map and a loop over it ---- */
 
@@ -268,6 +277,23 @@ static void a_frame_that_was_given_up_disturbs_no_other(void **state)
     run_frames(3);
 }
 
+static void a_frame_begins_when_it_may_and_is_not_asked_about_again(void **state)
+{
+    (void)state;
+    start(false);
+    int32_t to_light[3];
+    orbit_light(to_light, 0, ORBIT_FRAMES);
+    assert_int_equal(relight_frame(&relight, to_light), GLINT_OK);
+    board.waits = 7;
+    for (unsigned i = 0; i < 6; i++)
+        assert_int_equal(relight_step(&relight), RELIGHT_BUSY);
+    assert_true(board.windows == 0 && !board.done && board.asked == 6);
+    while (relight_step(&relight) == RELIGHT_BUSY)
+        end_flush();
+    assert_true(board.windows == 1 && board.asked == 7);
+    check_screen(to_light);
+}
+
 static void a_light_that_cannot_be_is_refused_and_no_frame_begins(void **state)
 {
     (void)state;
@@ -320,6 +346,7 @@ int main(void)
         cmocka_unit_test(a_map_in_ram_is_read_where_it_is),
         cmocka_unit_test(a_line_is_not_overwritten_while_it_is_sent),
         cmocka_unit_test(a_frame_that_was_given_up_disturbs_no_other),
+        cmocka_unit_test(a_frame_begins_when_it_may_and_is_not_asked_about_again),
         cmocka_unit_test(a_light_that_cannot_be_is_refused_and_no_frame_begins),
         cmocka_unit_test(a_bus_that_fails_is_told),
         cmocka_unit_test(the_orbit_is_a_circle_of_thirty_degrees),

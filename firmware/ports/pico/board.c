@@ -8,6 +8,7 @@
 #include <hardware/irq.h>
 #include <hardware/pwm.h>
 #include <hardware/spi.h>
+#include <hardware/structs/io_bank0.h>
 #include <hardware/structs/xip_ctrl.h>
 #include <hardware/timer.h>
 #include <hardware/uart.h>
@@ -18,6 +19,8 @@ static struct {
     unsigned bits;        /* of the SPI's frames */
     void (*volatile done)(void *);
     void *argument;
+    uint32_t te_asked_us; /* where it waits for TE */
+    bool te_is_awaited, te_is_dead;
 } board;
 
 /* ---- the panel's bus ---- */
@@ -112,7 +115,37 @@ static bool fetched(void *context)
     return !dma_channel_is_busy(board.fetch);
 }
 
-const struct hal board_hal = {{command, data, reset, backlight, wait_ms, NULL}, flush, fetch, fetched, NULL};
+/* ---- in step with the panel's scan ---- */
+
+enum { TE_EDGE = IS_BEHIND_SCAN ? GPIO_IRQ_EDGE_FALL : GPIO_IRQ_EDGE_RISE };
+
+/* The pin's latch, without an interrupt. A line that is dead holds up one frame; edges bring it to life again. */
+static bool may_begin(void *context)
+{
+    (void)context;
+    const bool edge = io_bank0_hw->intr[TE / 8] >> TE % 8 * 4 & TE_EDGE;
+    if (!board.te_is_awaited) {
+        if (board.te_is_dead && !edge)
+            return true;
+        if (board.te_is_dead)
+            board_say("TE is back\r\n");
+        board.te_is_dead = false;
+        board.te_is_awaited = true;
+        gpio_acknowledge_irq(TE, TE_EDGE);
+        board.te_asked_us = time_us_32();
+        return false;
+    }
+    if (!edge && time_us_32() - board.te_asked_us < TE_TIMEOUT_US)
+        return false;
+    if (!edge)
+        board_say("TE is dead: frames begin at any time\r\n");
+    board.te_is_dead = !edge;
+    board.te_is_awaited = false;
+    return true;
+}
+
+const struct hal board_hal = {
+    {command, data, reset, backlight, wait_ms, NULL}, flush, fetch, fetched, HAS_TE ? may_begin : NULL, NULL};
 
 /* ---- start, messages ---- */
 
@@ -164,6 +197,8 @@ bool board_start(void)
     start_output(PIN_RESET, true);
     start_output(PIN_DC, true);
     start_output(PIN_CS, false); /* the panel is alone on its bus */
+    if (HAS_TE)
+        gpio_init(TE); /* an input */
     spi_init(spi1, SPI_HZ);
     gpio_set_function(PIN_CLOCK, GPIO_FUNC_SPI);
     gpio_set_function(PIN_DATA, GPIO_FUNC_SPI);

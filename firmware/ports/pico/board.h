@@ -10,6 +10,11 @@ enum { UART_BAUD = 115200, WATCHDOG_MS = 1000, BACKLIGHT_HZ = 25000 };
 /* ST7789: what its data sheet allows. ILI9341: three times that, as most of its drivers have it, since it works. */
 enum { SPI_HZ = PANEL_CONTROLLER == PANEL_ILI9341 ? 31250000 : 62500000 };
 
+/* The panel scans its rows so often, and does not while its tearing line (TE) is high. A frame that is written more slowly
+ * than it is scanned starts behind the scan, where TE falls; a faster one ahead of it, where TE rises. */
+enum { SCAN_HZ = 60, SCAN_ROWS = PANEL_ROWS + 24, IS_BEHIND_SCAN = PANEL_WIDTH * 16 * SCAN_HZ * SCAN_ROWS > SPI_HZ };
+enum { HAS_TE = PIN_TE >= 0, TE = HAS_TE ? PIN_TE : 0, TE_TIMEOUT_US = 40000 /* its slowest scan takes 26 ms */ };
+
 /* Clocks run already. Returns whether the watchdog had to restart the board. */
 bool board_start(void);
 extern const struct hal board_hal;

@@ -94,6 +94,7 @@ static void start(void)
     enum { ROTATION = PANEL_WIDTH > PANEL_HEIGHT }; /* glass is upright */
     if (!panel_defaults(&panel, PANEL_CONTROLLER, ROTATION, PANEL_WIDTH, PANEL_HEIGHT))
         fail("no such panel");
+    panel.tearing_line = HAS_TE;
     gud_ops = gud_panel_ops;
     gud_ops.busy = gud_is_busy;
     gud_ops.display = gud_display;
@@ -209,6 +210,8 @@ int main(void)
 {
     const bool restarted = board_start();
     board_say("glint " GLINT_VERSION_STRING ", " PANEL_NAME "\r\n");
+    if (HAS_TE)
+        board_say("frames in step with TE\r\n");
     if (restarted)
         board_say("restarted by the watchdog\r\n");
     start();

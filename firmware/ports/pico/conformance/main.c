@@ -59,8 +59,10 @@ static void measure_frames(void)
     enum { FRAMES = 8, ROTATION = PANEL_WIDTH > PANEL_HEIGHT };
     struct glint_shader shader;
     demo_shader(&shader);
-    bool good = panel_defaults(&panel, PANEL_CONTROLLER, ROTATION, PANEL_WIDTH, PANEL_HEIGHT) && panel_start(&panel) &&
-                relight_start(&relight, &shader) == GLINT_OK && draw(0) && panel_show(&panel, PANEL_BRIGHTEST);
+    bool good = panel_defaults(&panel, PANEL_CONTROLLER, ROTATION, PANEL_WIDTH, PANEL_HEIGHT);
+    panel.tearing_line = HAS_TE;
+    good = good && panel_start(&panel) && relight_start(&relight, &shader) == GLINT_OK && draw(0) &&
+           panel_show(&panel, PANEL_BRIGHTEST);
     const uint32_t begin = time_us_32();
     for (uint32_t frame = 1; good && frame <= FRAMES; frame++)
         good = draw(frame);
