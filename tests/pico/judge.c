@@ -2,6 +2,7 @@
  * What the emulated board's panel shows, and what it ought to show; RGB, to standard output.
  *   judge look CONTROLLER WIDTH HEIGHT    standard input: a transcript of the panel's pins (pico.mjs)
  *   judge demo WIDTH HEIGHT FRAME         the stand-alone demo, by the library on this machine
+ *   judge fault WIDTH HEIGHT NUMBER       what is shown where something is wrong
  *   judge lz4                             standard input as one LZ4 block (no picture)
  *   judge map WIDTH HEIGHT                the demo's map, as it goes over the wire to a device that shades
  *   judge material                        the demo's material, likewise
@@ -13,6 +14,7 @@
 
 #include "bake.h"
 #include "demo.h"
+#include "fault.h"
 #include "host.h"
 #include "image.h"
 #include "light_protocol.h"
@@ -58,6 +60,23 @@ static uint8_t shown(unsigned level, unsigned max)
     return (uint8_t)((level * 255 + max / 2) / max);
 }
 
+static void write_shown(const uint16_t *pixels, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        const uint8_t rgb[3] = {shown(pixels[i] >> 11, 31), shown(pixels[i] >> 5 & 63, 63), shown(pixels[i] & 31, 31)};
+        fwrite(rgb, 1, sizeof rgb, stdout);
+    }
+}
+
+static void draw_fault(unsigned width, unsigned height, unsigned fault)
+{
+    uint16_t line[PANEL_ROWS];
+    for (unsigned y = 0; y < height; y++) {
+        fault_line(line, (uint16_t)width, (uint16_t)height, (uint16_t)y, (enum fault)fault);
+        write_shown(line, width);
+    }
+}
+
 static void draw_demo(unsigned width, unsigned height, unsigned frame)
 {
     static uint32_t memory[GLINT_TABLES_COLOUR_BYTES / 4];
@@ -78,10 +97,7 @@ static void draw_demo(unsigned width, unsigned height, unsigned frame)
         glint_tables_rect(&tables, &light, GLINT_NORMALS_INT8, baked->words, 4 * (ptrdiff_t)width, (uint16_t)width,
                           (uint16_t)height, &surface) != GLINT_OK)
         fail("judge: the library refused the demo");
-    for (size_t i = 0; i < (size_t)width * height; i++) {
-        const uint8_t rgb[3] = {shown(pixels[i] >> 11, 31), shown(pixels[i] >> 5 & 63, 63), shown(pixels[i] & 31, 31)};
-        fwrite(rgb, 1, sizeof rgb, stdout);
-    }
+    write_shown(pixels, (size_t)width * height);
     free(pixels);
     baked_free(baked);
     scene_free(scene);
@@ -137,6 +153,8 @@ int main(int argc, char **argv)
         show_panel(argv[2], number(argv[3]), number(argv[4]));
     else if (argc == 5 && strcmp(argv[1], "demo") == 0)
         draw_demo(number(argv[2]), number(argv[3]), number(argv[4]));
+    else if (argc == 5 && strcmp(argv[1], "fault") == 0)
+        draw_fault(number(argv[2]), number(argv[3]), number(argv[4]));
     else if (argc == 2 && strcmp(argv[1], "lz4") == 0)
         compress();
     else if (argc == 4 && strcmp(argv[1], "map") == 0)

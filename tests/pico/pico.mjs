@@ -140,6 +140,9 @@ class Wires {
   transcript() { return this.bytes.subarray(0, this.length) }
 }
 
+// Why the chip was started, for the processor to read: the supply, or the RUN pin.
+export const STARTED_BY = { supply: 1 << 8, pin: 1 << 16 }
+
 // The chip would start again; here the run ends.
 export class WatchdogBite extends Error {}
 
@@ -153,6 +156,8 @@ export class Pico {
     this.chip.uart[0].onByte = (byte) => { this.uart += String.fromCharCode(byte) }
     this.watchdog = this.chip.peripherals[0x40058]
     this.watchdog.onWatchdogTrigger = () => { throw new WatchdogBite() }
+    this.chip_reset = STARTED_BY.supply
+    this.chip.peripherals[0x40064] = { readUint32: (at) => at === 8 ? this.chip_reset : 0, writeUint32Atomic() {} }
     this.streamer = new Streamer(this.chip, flash_word * CYCLE_NS)
     this.wires = new Wires(this.chip)
     this.probes = new Map() // by address: what to call when the processor is there
@@ -164,6 +169,17 @@ export class Pico {
     core.PC = FLASH // the second stage, as the boot ROM leaves it
     core.LR = 0
     return this
+  }
+  // The same board, started again: flash and RAM are as they were, and where the watchdog did it, what that keeps.
+  static after({ chip, watchdog }, packages, uf2, { by, watchdog: bitten = false }) {
+    const pico = new Pico(packages).load(uf2)
+    pico.chip.flash.set(chip.flash)
+    pico.chip.sram.set(chip.sram)
+    pico.chip_reset = by
+    if (!bitten) return pico
+    pico.watchdog.reason = 1
+    pico.watchdog.scratchData.set(watchdog.scratchData)
+    return pico
   }
   get cycles() { return this.chip.clock.nanos / CYCLE_NS }
   // Of the backlight, in percent of the time.

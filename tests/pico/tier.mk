@@ -21,7 +21,7 @@ run-pico: $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $(addprefix $(BUILD)/tests/lab/,
 	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) && export LAB_KERNEL LAB_BUILD && tests/tally \
 		$(foreach panel,$(PICO_PANELS_TESTED),"$(call PICO_TEST,demo)" "$(call PICO_TEST,usb)") \
 		"node tests/pico/test_conformance.mjs $(BENCH_NPM) build/firmware/pico-st7789-240x240 $(CONFORMANCE_EXPECTED)" \
-		$(foreach panel,st7789-240x240,"$(call PICO_TEST,light)" "$(call PICO_TEST,te,-te$(PICO_TE_TESTED)) $(PICO_TE_TESTED)" \
+		$(foreach panel,st7789-240x240,"$(call PICO_TEST,light)" "$(call PICO_TEST,faults)" "$(call PICO_TEST,te,-te$(PICO_TE_TESTED)) $(PICO_TE_TESTED)" \
 		"tests/lab/guest --memory 1G $(BUILD)/tests/pico/attach $(call PICO_TEST,end_to_end) $(BUILD)/glint")
 PICO_TEST = node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel)$(2) $(panel) $(BUILD)/tests/pico/judge
 

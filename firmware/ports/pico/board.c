@@ -10,6 +10,11 @@
 #include <hardware/spi.h>
 #include <hardware/structs/io_bank0.h>
 #include <hardware/structs/xip_ctrl.h>
+#if PICO_RP2040
+#include <hardware/structs/vreg_and_chip_reset.h>
+#else
+#include <hardware/structs/powman.h>
+#endif
 #include <hardware/timer.h>
 #include <hardware/uart.h>
 #include <hardware/watchdog.h>
@@ -187,9 +192,40 @@ static void start_backlight(void)
     gpio_set_function(PIN_BACKLIGHT, GPIO_FUNC_PWM);
 }
 
-bool board_start(void)
+/* RAM may outlive a dip of the supply, of which the chip tells no more than of a power-up; what it then holds tells. */
+static uint32_t __uninitialized_ram(running);
+enum { RUNNING = 0x74736f6d };
+
+static bool supply_was_off(void)
 {
-    const bool restarted = watchdog_caused_reboot();
+#if PICO_RP2040
+    return vreg_and_chip_reset_hw->chip_reset & VREG_AND_CHIP_RESET_CHIP_RESET_HAD_POR_BITS;
+#else
+    return powman_hw->chip_reset & (POWMAN_CHIP_RESET_HAD_POR_BITS | POWMAN_CHIP_RESET_HAD_BOR_BITS);
+#endif
+}
+
+/* A loader restarts the board by the watchdog, too: that is no fault. */
+static enum fault reason_of_start(void)
+{
+    const uint32_t kept = watchdog_hw->scratch[0];
+    watchdog_hw->scratch[0] = FAULT_NONE;
+    if (watchdog_enable_caused_reboot())
+        return kept > FAULT_NONE && kept < FAULTS ? (enum fault)kept : FAULT_HUNG;
+    return supply_was_off() && running == RUNNING ? FAULT_SUPPLY : FAULT_NONE;
+}
+
+void board_fail(enum fault fault)
+{
+    watchdog_hw->scratch[0] = fault;
+    for (;;)
+        tight_loop_contents();
+}
+
+enum fault board_start(void)
+{
+    const enum fault reason = reason_of_start();
+    running = RUNNING;
     watchdog_enable(WATCHDOG_MS, true);
     uart_init(uart0, UART_BAUD);
     gpio_set_function(PIN_UART_TX, GPIO_FUNC_UART);
@@ -203,7 +239,7 @@ bool board_start(void)
     gpio_set_function(PIN_CLOCK, GPIO_FUNC_SPI);
     gpio_set_function(PIN_DATA, GPIO_FUNC_SPI);
     start_dma();
-    return restarted;
+    return reason;
 }
 
 void board_say(const char *text)

@@ -3,6 +3,7 @@
 #ifndef BOARD_H
 #define BOARD_H
 
+#include "fault.h"
 #include "hal.h"
 
 enum { PIN_UART_TX = 0, PIN_DC = 8, PIN_CS = 9, PIN_CLOCK = 10, PIN_DATA = 11, PIN_RESET = 12, PIN_BACKLIGHT = 13 };
@@ -15,8 +16,10 @@ enum { SPI_HZ = PANEL_CONTROLLER == PANEL_ILI9341 ? 31250000 : 62500000 };
 enum { SCAN_HZ = 60, SCAN_ROWS = PANEL_ROWS + 24, IS_BEHIND_SCAN = PANEL_WIDTH * 16 * SCAN_HZ * SCAN_ROWS > SPI_HZ };
 enum { HAS_TE = PIN_TE >= 0, TE = HAS_TE ? PIN_TE : 0, TE_TIMEOUT_US = 40000 /* its slowest scan takes 26 ms */ };
 
-/* Clocks run already. Returns whether the watchdog had to restart the board. */
-bool board_start(void);
+/* Clocks run already. Returns what went wrong before, where the board was started anew for that reason. */
+enum fault board_start(void);
+/* Starts it anew: by the watchdog, and then board_start tells of it. */
+void board_fail(enum fault fault);
 extern const struct hal board_hal;
 void board_say(const char *text); /* over the UART; waits where its FIFO is full */
 void board_alive(void);           /* to be called at least every WATCHDOG_MS */

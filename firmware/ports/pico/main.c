@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * A display that shades by itself until a computer wants to be the one who draws. */
 #include "board.h"
+#include "cksum.h"
 #include "demo.h"
 #include "demo_map.h"
 #include "gud_panel.h"
@@ -8,6 +9,7 @@
 #include "relight.h"
 #include "usb.h"
 
+#include <hardware/timer.h>
 #include <pico.h>
 
 /* Where a host's map fills RAM the lines are in the bank that the second core's stack would have. */
@@ -79,42 +81,81 @@ static void gud_display(void *context, bool on, uint8_t brightness)
         gud_panel_ops.display(context, on, brightness);
 }
 
-/* The watchdog then starts all over again. */
-static void fail(const char *what)
+/* ---- what may go wrong ---- */
+
+/* What is shown instead of the demo, and until when. */
+static struct {
+    enum fault fault;
+    bool stays;
+    uint32_t since_us;
+} wrong;
+enum { FAULT_SHOWN_US = 2000000 };
+
+static void say_fault(enum fault fault)
 {
-    board_say("error: ");
-    board_say(what);
+    const char number[] = {(char)('0' + fault), 0};
+    board_say("error ");
+    board_say(number);
+    board_say(": ");
+    board_say(fault_text(fault));
     board_say("\r\n");
-    for (;;)
-        ;
 }
+
+/* After the watchdog's start the panel shows it. */
+static void fail(enum fault fault)
+{
+    say_fault(fault);
+    board_fail(fault);
+}
+
+/* Hosts may draw all the same. */
+static void find_faults(enum fault before)
+{
+    wrong.fault = before;
+    if (before)
+        say_fault(before);
+    if (cksum(demo_map, sizeof demo_map) != DEMO_MAP_CKSUM) {
+        wrong.fault = FAULT_MAP;
+        wrong.stays = true;
+        say_fault(FAULT_MAP);
+    }
+}
+
+static bool has_fault_to_show(void)
+{
+    if (wrong.fault && !wrong.stays && time_us_32() - wrong.since_us > FAULT_SHOWN_US)
+        wrong.fault = FAULT_NONE;
+    return wrong.fault;
+}
+
+/* ---- start ---- */
 
 static void start(void)
 {
     enum { ROTATION = PANEL_WIDTH > PANEL_HEIGHT }; /* glass is upright */
-    if (!panel_defaults(&panel, PANEL_CONTROLLER, ROTATION, PANEL_WIDTH, PANEL_HEIGHT))
-        fail("no such panel");
-    panel.tearing_line = HAS_TE;
     gud_ops = gud_panel_ops;
     gud_ops.busy = gud_is_busy;
     gud_ops.display = gud_display;
-    if (!gud_device_init(&gud, &gud_config))
-        fail("the GUD display");
+    if (!panel_defaults(&panel, PANEL_CONTROLLER, ROTATION, PANEL_WIDTH, PANEL_HEIGHT) ||
+        !gud_device_init(&gud, &gud_config))
+        fail(FAULT_BUILD);
+    panel.tearing_line = HAS_TE;
     usb_start(&gud, &light);
     if (!panel_start(&panel))
-        fail("the panel's bus");
+        fail(FAULT_BUS);
+    wrong.since_us = time_us_32();
 }
 
 static void show(uint8_t percent)
 {
     if (!panel_show(&panel, percent))
-        fail("the panel's bus");
+        fail(FAULT_BUS);
 }
 
 /* ---- who draws ---- */
 
 /* The later, the stronger: a program that sends lights has been started on purpose. */
-enum owner { NOBODY, DEMO, GUD_HOST, LIGHT_HOST };
+enum owner { NOBODY, FAULT, DEMO, GUD_HOST, LIGHT_HOST };
 
 static enum owner wanted(void)
 {
@@ -122,7 +163,9 @@ static enum owner wanted(void)
         return LIGHT_HOST;
     if (gud.controller)
         return GUD_HOST;
-    return usb_is_suspended() ? NOBODY : DEMO;
+    if (usb_is_suspended())
+        return NOBODY;
+    return has_fault_to_show() ? FAULT : DEMO;
 }
 
 static void begin_relighting(const uint32_t *map, bool is_in_flash, const struct glint_shader *shader,
@@ -133,7 +176,7 @@ static void begin_relighting(const uint32_t *map, bool is_in_flash, const struct
     for (unsigned i = 0; i < 2; i++)
         relight.normals[i] = is_in_flash ? lines.normals[i] : NULL;
     if (relight_start(&relight, shader) != GLINT_OK)
-        fail("the tables");
+        fail(FAULT_TABLES);
 }
 
 static void begin_demo(void)
@@ -153,7 +196,8 @@ static void begin_demo(void)
 /* The panel changes hands, and is dark until the next one has a picture. */
 static void hand_over(enum owner from, enum owner to)
 {
-    static const char *const names[] = {"dark", "relighting", "a computer draws", "a computer sends lights"};
+    static const char *const names[] = {"dark", "showing the error", "relighting", "a computer draws",
+                                        "a computer sends lights"};
     relight.in_frame = false;
     if (to != GUD_HOST)
         show(PANEL_OFF);
@@ -163,6 +207,11 @@ static void hand_over(enum owner from, enum owner to)
         board_hal.bus.backlight(board_hal.bus.context, PANEL_OFF);
     if (to == DEMO)
         begin_demo();
+    if (to == FAULT) {
+        if (!fault_draw(&board_hal, &panel, lines.pixels[0], wrong.fault))
+            fail(FAULT_BUS);
+        show(PANEL_BRIGHTEST);
+    }
     board_say(names[to]);
     board_say("\r\n");
 }
@@ -191,7 +240,7 @@ static void draw(enum owner owner, bool *is_shown)
         relight.in_frame = false; /* it is being replaced */
     const bool was_in_frame = relight.in_frame;
     if (relight_step(&relight) == RELIGHT_BUS_FAILED)
-        fail("the panel's bus");
+        fail(FAULT_BUS);
     light.is_drawing = owner == LIGHT_HOST && (relight.in_frame || relight.is_sending);
     if (relight.in_frame)
         return;
@@ -208,12 +257,11 @@ static void draw(enum owner owner, bool *is_shown)
 
 int main(void)
 {
-    const bool restarted = board_start();
+    const enum fault before = board_start();
     board_say("glint " GLINT_VERSION_STRING ", " PANEL_NAME "\r\n");
     if (HAS_TE)
         board_say("frames in step with TE\r\n");
-    if (restarted)
-        board_say("restarted by the watchdog\r\n");
+    find_faults(before);
     start();
     enum owner owner = NOBODY;
     bool is_shown = false;
@@ -221,7 +269,7 @@ int main(void)
         board_alive();
         usb_poll();
         if (gud_panel.has_failed)
-            fail("the panel's bus");
+            fail(FAULT_BUS);
         const enum owner next = wanted();
         if (next != owner) {
             hand_over(owner, next);

@@ -18,6 +18,7 @@ setup-firmware-pico: setup-build
 
 # CMake knows what depends on what within.
 firmware-pico: $(PICO)/map/demo_map.h $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
+	@$(if $(filter $(PICO_PANELS),$(PANEL)),,echo "make: PANEL=$(PANEL): the panels are $(PICO_PANELS)" >&2; exit 1)
 	@$(if $(filter-out $(PICO_FREE_PINS),$(TE)),echo "make: TE=$(TE): the pins that are free are $(PICO_FREE_PINS)" >&2; exit 1)
 	@sdk=$$(firmware/ports/pico/fetch-sdk) && \
 	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DPICO_BOARD=$(PICO_BOARD) -DPICO_NO_PICOTOOL=1 \
@@ -34,6 +35,8 @@ $(BUILD)/bin2uf2: firmware/ports/pico/tools/bin2uf2.c $(BUILD)/host/uf2.o
 
 $(PICO)/map/demo_map.h: $(BUILD)/glint
 	@mkdir -p $(@D)
-	@$< bake --scene coin --size $(PICO_SIZE) --to int8 --name demo_map -o $@ >/dev/null
+	@$< bake --scene coin --size $(PICO_SIZE) --to int8 -o $(@D)/demo_map.bin >/dev/null
+	@$< bake --scene coin --size $(PICO_SIZE) --to int8 --name demo_map --as c -o $@.tmp >/dev/null
+	@cksum <$(@D)/demo_map.bin | awk '{ print "#define DEMO_MAP_CKSUM " $$1 "u" }' >>$@.tmp && mv $@.tmp $@
 
 .PHONY: setup-firmware-pico firmware-pico
