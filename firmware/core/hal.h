@@ -18,6 +18,10 @@ struct hal {
     bool (*fetched)(void *context);
     /* Asked before a frame's first pixels, until it is so: in step with the panel's scan. NULL: at any time. */
     bool (*may_begin)(void *context);
+    /* Runs job(argument) on another core and returns at once; join() returns when it is done. One at a time. NULL: there is
+     * no other core. */
+    void (*fork)(void *context, void (*job)(void *), void *argument);
+    void (*join)(void *context);
     void *context;
 };
 

@@ -74,20 +74,50 @@ enum glint_err relight_frame(struct relight *relight, const int32_t to_light[3])
     return GLINT_OK;
 }
 
-static void shade(const struct relight *relight)
+/* Pixels first..end - 1 of the line; nothing else is written. */
+static void shade_part(const struct relight *relight, unsigned first, unsigned end)
 {
     const uint16_t y = relight->line;
     uint16_t *const pixels = relight->pixels[relight->buffer];
-    const uint16_t w = relight->panel->width;
+    const unsigned w = relight->panel->width;
     const struct relight_extent extent = relight->extents[y];
     if (relight->has_gaps)
-        for (uint16_t x = 0; x < w; x++)
+        for (unsigned x = first; x < end; x++)
             pixels[x] = relight->background;
+    const unsigned extent_end = extent.first + extent.count;
+    first = first > extent.first ? first : extent.first;
+    end = end < extent_end ? end : extent_end;
+    if (first >= end)
+        return;
     const uint32_t *normals =
-        relight->normals[0] ? relight->normals[relight->buffer] : map_line(relight, y) + extent.first;
-    const struct glint_surface surface = {pixels + extent.first, 2 * (ptrdiff_t)w, 0, 0};
-    glint_tables_rect(&relight->tables, &relight->light, GLINT_NORMALS_INT8, normals, 4 * (ptrdiff_t)w, extent.count, 1,
-                      &surface);
+        relight->normals[0] ? relight->normals[relight->buffer] + (first - extent.first) : map_line(relight, y) + first;
+    const struct glint_surface surface = {pixels + first, 2 * (ptrdiff_t)w, 0, 0};
+    glint_tables_rect(&relight->tables, &relight->light, GLINT_NORMALS_INT8, normals, 4 * (ptrdiff_t)w,
+                      (uint16_t)(end - first), 1, &surface);
+}
+
+static unsigned middle(const struct relight *relight)
+{
+    const struct relight_extent extent = relight->extents[relight->line];
+    return extent.first + extent.count / 2u;
+}
+
+static void shade_right(void *relight)
+{
+    shade_part(relight, middle(relight), ((const struct relight *)relight)->panel->width);
+}
+
+/* Where there are two cores each has half of the surface: nothing that one writes the other reads before the join. */
+static void shade(struct relight *relight)
+{
+    const struct hal *hal = relight->hal;
+    if (!hal->fork) {
+        shade_part(relight, 0, relight->panel->width);
+        return;
+    }
+    hal->fork(hal->context, shade_right, relight);
+    shade_part(relight, 0, middle(relight));
+    hal->join(hal->context);
 }
 
 static void sent(void *argument);

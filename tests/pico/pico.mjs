@@ -4,6 +4,7 @@
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { resolve } from 'node:path'
+import { SecondCore } from './second_core.mjs'
 
 const FLASH = 0x10000000
 const STACK = 0x20042000
@@ -181,6 +182,11 @@ export class Pico {
     pico.watchdog.scratchData.set(watchdog.scratchData)
     return pico
   }
+  // With a second core, by our model of it.
+  with_second_core() {
+    this.second = new SecondCore(this.chip)
+    return this
+  }
   get cycles() { return this.chip.clock.nanos / CYCLE_NS }
   // Of the backlight, in percent of the time.
   brightness() {
@@ -190,14 +196,17 @@ export class Pico {
   }
   // Runs until done() or the time is over; whether it was done().
   run(done, ms = 2000) {
-    const { core, clock } = this.chip
+    const { second, chip: { core, clock } } = this
     const end = clock.nanos + ms * 1e6
     while (clock.nanos < end) {
       if (done()) return true
       for (let i = 0; i < 32; i++) {
-        if (core.waiting) { clock.tick(Math.max(clock.nanosToNextAlarm, CYCLE_NS)); continue }
+        if (core.waiting && !second?.awake) { clock.tick(Math.max(clock.nanosToNextAlarm, CYCLE_NS)); continue }
         if (this.probes.size) this.probes.get(core.PC)?.()
-        clock.tick(core.executeInstruction() * CYCLE_NS)
+        if (core.waiting) { clock.tick(second.execute() * CYCLE_NS); continue }
+        const cycles = core.executeInstruction()
+        second?.catch_up(cycles)
+        clock.tick(cycles * CYCLE_NS)
       }
     }
     return done()

@@ -3,7 +3,7 @@
 # pins); its panel's pins are judged by the host's virtual panel. At the end a real kernel, that of tier lab, is the host.
 PICO_PANELS_TESTED = st7789-240x240 ili9341-320x240
 PICO_TE_TESTED = 21
-PICO_TOOLS = judge attach
+PICO_TOOLS = judge attach cores
 
 setup-pico: setup-build setup-firmware-pico setup-lab
 	@command -v npm >/dev/null || .ci/need "tier pico: the emulator rp2040js" nodejs npm
@@ -17,11 +17,13 @@ run-pico: $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $(addprefix $(BUILD)/tests/lab/,
 	@+for panel in $(PICO_PANELS_TESTED); do $(SUBMAKE) -s firmware-pico PANEL=$$panel || exit 1; done
 	@+$(SUBMAKE) -s firmware-pico IMAGE=conformance
 	@+$(SUBMAKE) -s firmware-pico TE=$(PICO_TE_TESTED)
+	@+$(SUBMAKE) -s firmware-pico SECOND_CORE=1
 	@+$(SUBMAKE) -s firmware-pico BOARD=pico2 # builds; nothing emulates it
 	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) && export LAB_KERNEL LAB_BUILD && tests/tally \
 		$(foreach panel,$(PICO_PANELS_TESTED),"$(call PICO_TEST,demo)" "$(call PICO_TEST,usb)") \
 		"node tests/pico/test_conformance.mjs $(BENCH_NPM) build/firmware/pico-st7789-240x240 $(CONFORMANCE_EXPECTED)" \
 		$(foreach panel,st7789-240x240,"$(call PICO_TEST,light)" "$(call PICO_TEST,faults)" "$(call PICO_TEST,te,-te$(PICO_TE_TESTED)) $(PICO_TE_TESTED)" \
+		"$(call PICO_TEST,second_core,-two-cores)" "tests/pico/test_cores $(BUILD)/tests/pico/cores" \
 		"tests/lab/guest --memory 1G $(BUILD)/tests/pico/attach $(call PICO_TEST,end_to_end) $(BUILD)/glint")
 PICO_TEST = node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel)$(2) $(panel) $(BUILD)/tests/pico/judge
 
@@ -32,6 +34,11 @@ $(BUILD)/tests/pico/judge: tests/pico/judge.c $(filter-out $(BUILD)/host/main.o,
 $(BUILD)/tests/pico/attach: tests/pico/attach.c
 	@mkdir -p $(@D)
 	@$(CC) -std=c11 -D_GNU_SOURCE $(WARNINGS) $(CFLAGS) $< -o $@
+
+PICO_CORES = $(patsubst %,firmware/core/%.c,relight panel demo orbit) $(wildcard lib/*.c)
+$(BUILD)/tests/pico/cores: tests/pico/cores.c $(PICO_CORES) $(wildcard firmware/core/*.h lib/*.h)
+	@mkdir -p $(@D)
+	@$(CC) -std=c11 -Ilib -Ifirmware/core $(WARNINGS) -O1 -g -fsanitize=thread $(filter %.c,$^) -o $@ -pthread
 
 hwtest: ## check a Raspberry Pi Pico that is plugged in (BOOTSEL held) and its frame rate; a report to send in
 	@+tests/hwtest "$(SUBMAKE)"

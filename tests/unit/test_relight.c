@@ -116,8 +116,14 @@ static bool on_command_waiting(void *context, uint8_t command)
     return on_command(context, command);
 }
 
-static const struct hal hal = {
-    {on_command_waiting, on_data, NULL, NULL, on_wait, NULL}, on_flush, on_fetch, on_fetched, on_may_begin, NULL};
+static const struct hal hal = {{on_command_waiting, on_data, NULL, NULL, on_wait, NULL},
+                               on_flush,
+                               on_fetch,
+                               on_fetched,
+                               on_may_begin,
+                               NULL,
+                               NULL,
+                               NULL};
 
 /* ---- a map and a loop over it ---- */
 
@@ -157,13 +163,15 @@ static void make_map(void)
     }
 }
 
+static const struct hal *hal_in_use = &hal;
+
 static void start(bool from_flash)
 {
     struct glint_shader shader;
     memset(&board, 0, sizeof board);
     make_map();
     demo_shader(&shader);
-    relight = (struct relight){.hal = &hal,
+    relight = (struct relight){.hal = hal_in_use,
                                .panel = &panel,
                                .map = map,
                                .background = BACKGROUND,
@@ -215,6 +223,44 @@ static void run_frames(unsigned seed)
     }
 }
 
+/* ---- a second core, which runs as early or as late as it may ---- */
+
+static struct {
+    void (*job)(void *);
+    void *argument;
+    bool late;
+    unsigned jobs;
+} other;
+
+static void on_fork(void *context, void (*job)(void *), void *argument)
+{
+    (void)context;
+    assert_null(other.job);
+    other.job = job;
+    other.argument = argument;
+    other.jobs++;
+    if (!other.late)
+        job(argument);
+}
+
+static void on_join(void *context)
+{
+    (void)context;
+    assert_non_null(other.job);
+    if (other.late)
+        other.job(other.argument);
+    other.job = NULL;
+}
+
+static const struct hal two_cores = {{on_command_waiting, on_data, NULL, NULL, on_wait, NULL},
+                                     on_flush,
+                                     on_fetch,
+                                     on_fetched,
+                                     NULL,
+                                     on_fork,
+                                     on_join,
+                                     NULL};
+
 /* ---- tests ---- */
 
 static void frames_are_the_librarys_whatever_ends_first(void **state)
@@ -234,6 +280,20 @@ static void a_map_in_ram_is_read_where_it_is(void **state)
         run_frames(seed);
         assert_null(board.to);
     }
+}
+
+static void two_cores_draw_what_one_does_whichever_is_first(void **state)
+{
+    (void)state;
+    hal_in_use = &two_cores;
+    for (unsigned seed = 1; seed < 40; seed++) {
+        other.late = seed & 1;
+        other.jobs = 0;
+        start(seed & 2);
+        run_frames(seed);
+        assert_int_equal(other.jobs, 5 * HEIGHT);
+    }
+    hal_in_use = &hal;
 }
 
 static void a_line_is_not_overwritten_while_it_is_sent(void **state)
@@ -344,6 +404,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(frames_are_the_librarys_whatever_ends_first),
         cmocka_unit_test(a_map_in_ram_is_read_where_it_is),
+        cmocka_unit_test(two_cores_draw_what_one_does_whichever_is_first),
         cmocka_unit_test(a_line_is_not_overwritten_while_it_is_sent),
         cmocka_unit_test(a_frame_that_was_given_up_disturbs_no_other),
         cmocka_unit_test(a_frame_begins_when_it_may_and_is_not_asked_about_again),

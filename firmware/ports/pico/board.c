@@ -10,7 +10,7 @@
 #include <hardware/spi.h>
 #include <hardware/structs/io_bank0.h>
 #include <hardware/structs/xip_ctrl.h>
-#if PICO_RP2040
+#ifdef PICO_RP2040
 #include <hardware/structs/vreg_and_chip_reset.h>
 #else
 #include <hardware/structs/powman.h>
@@ -149,8 +149,14 @@ static bool may_begin(void *context)
     return true;
 }
 
-const struct hal board_hal = {
-    {command, data, reset, backlight, wait_ms, NULL}, flush, fetch, fetched, HAS_TE ? may_begin : NULL, NULL};
+const struct hal board_hal = {{command, data, reset, backlight, wait_ms, NULL},
+                              flush,
+                              fetch,
+                              fetched,
+                              HAS_TE ? may_begin : NULL,
+                              SECOND_CORE ? second_core_fork : NULL,
+                              SECOND_CORE ? second_core_join : NULL,
+                              NULL};
 
 /* ---- start, messages ---- */
 
@@ -198,7 +204,7 @@ enum { RUNNING = 0x74736f6d };
 
 static bool supply_was_off(void)
 {
-#if PICO_RP2040
+#ifdef PICO_RP2040
     return vreg_and_chip_reset_hw->chip_reset & VREG_AND_CHIP_RESET_CHIP_RESET_HAD_POR_BITS;
 #else
     return powman_hw->chip_reset & (POWMAN_CHIP_RESET_HAD_POR_BITS | POWMAN_CHIP_RESET_HAD_BOR_BITS);

@@ -21,6 +21,10 @@ enum fault board_start(void);
 /* Starts it anew: by the watchdog, and then board_start tells of it. */
 void board_fail(enum fault fault);
 extern const struct hal board_hal;
+/* Where SECOND_CORE is 1. Start: once, when nothing is to be done any more for which flash must not be read. */
+void second_core_start(void);
+void second_core_fork(void *context, void (*job)(void *), void *argument);
+void second_core_join(void *context);
 void board_say(const char *text); /* over the UART; waits where its FIFO is full */
 void board_alive(void);           /* to be called at least every WATCHDOG_MS */
 

@@ -12,14 +12,16 @@
 #include <hardware/timer.h>
 #include <pico.h>
 
-/* Where a host's map fills RAM the lines are in the bank that the second core's stack would have. */
+/* Where a map fills RAM the lines are in a bank of 4 KB, beside the second core's stack. */
 #if OFFERS_LIGHT
 #define LINES_BANK __scratch_x("lines")
 #else
 #define LINES_BANK
 #endif
 static struct {
+#if !OFFERS_LIGHT
     uint32_t normals[2][PANEL_WIDTH];
+#endif
     uint16_t pixels[2][PANEL_WIDTH];
     struct relight_extent extents[PANEL_HEIGHT];
 } lines LINES_BANK;
@@ -45,6 +47,9 @@ static struct relight relight = {.hal = &board_hal,
                                  .panel = &panel,
                                  .tables_memory = memory.tables,
                                  .pixels = {lines.pixels[0], lines.pixels[1]},
+#if !OFFERS_LIGHT /* the map stays in flash */
+                                 .normals = {lines.normals[0], lines.normals[1]},
+#endif
                                  .extents = lines.extents};
 static struct gud_device gud;
 static struct gud_panel gud_panel = {.hal = &board_hal, .panel = &panel};
@@ -141,6 +146,10 @@ static void start(void)
         fail(FAULT_BUILD);
     panel.tearing_line = HAS_TE;
     usb_start(&gud, &light);
+#if SECOND_CORE
+    board_say("both cores shade; the second has run in a model only\r\n");
+    second_core_start();
+#endif
     if (!panel_start(&panel))
         fail(FAULT_BUS);
     wrong.since_us = time_us_32();
@@ -168,13 +177,10 @@ static enum owner wanted(void)
     return has_fault_to_show() ? FAULT : DEMO;
 }
 
-static void begin_relighting(const uint32_t *map, bool is_in_flash, const struct glint_shader *shader,
-                             uint16_t background)
+static void begin_relighting(const uint32_t *map, const struct glint_shader *shader, uint16_t background)
 {
     relight.map = map;
     relight.background = background;
-    for (unsigned i = 0; i < 2; i++)
-        relight.normals[i] = is_in_flash ? lines.normals[i] : NULL;
     if (relight_start(&relight, shader) != GLINT_OK)
         fail(FAULT_TABLES);
 }
@@ -187,9 +193,9 @@ static void begin_demo(void)
     board_hal.fetch(board_hal.context, memory.host.map, demo_map, PANEL_WIDTH * PANEL_HEIGHT);
     while (!board_hal.fetched(board_hal.context))
         ;
-    begin_relighting(memory.host.map, false, &shader, 0);
+    begin_relighting(memory.host.map, &shader, 0);
 #else
-    begin_relighting(demo_map, true, &shader, 0);
+    begin_relighting(demo_map, &shader, 0);
 #endif
 }
 
@@ -227,7 +233,7 @@ static bool next_light(enum owner owner, int32_t to_light[3])
     if (light.is_new && light.has_material && light.has_map) {
         struct glint_shader shader;
         light_device_shader(&light, &shader);
-        begin_relighting(light.map, false, &shader, light.material.background);
+        begin_relighting(light.map, &shader, light.material.background);
         light.is_new = false;
     }
     return light_device_next(&light, to_light);

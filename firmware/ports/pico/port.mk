@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The Raspberry Pi Pico with a panel: make firmware PORT=pico [PANEL=st7789-240x240] [TE=21] [IMAGE=conformance] [BOARD=pico2, never run]
+# The Raspberry Pi Pico with a panel: make firmware PORT=pico [PANEL=st7789-240x240] [TE=21] [SECOND_CORE=1] [IMAGE=conformance] [BOARD=pico2, never run]
 PANEL ?= st7789-240x240
 PICO_BOARD = $(or $(BOARD),pico)
 # glint, or conformance: that checks the board and measures its frame rate.
@@ -7,8 +7,10 @@ IMAGE ?= glint
 PICO_PANELS = st7789-240x240 st7789-240x320 st7789-135x240 ili9341-240x320 ili9341-320x240
 # The pin on which the panel's tearing line is wired, if it is.
 TE ?=
+# 1: both cores shade.
+SECOND_CORE ?= 0
 PICO_FREE_PINS = 1 2 3 4 5 6 7 14 15 16 17 18 19 20 21 22 26 27 28
-PICO = build/firmware/$(PICO_BOARD)-$(PANEL)$(TE:%=-te%)
+PICO = build/firmware/$(PICO_BOARD)-$(PANEL)$(TE:%=-te%)$(if $(filter 1,$(SECOND_CORE)),-two-cores)
 PICO_SIZE = $(lastword $(subst -, ,$(PANEL)))
 
 setup-firmware-pico: setup-build
@@ -22,7 +24,7 @@ firmware-pico: $(PICO)/map/demo_map.h $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
 	@$(if $(filter-out $(PICO_FREE_PINS),$(TE)),echo "make: TE=$(TE): the pins that are free are $(PICO_FREE_PINS)" >&2; exit 1)
 	@sdk=$$(firmware/ports/pico/fetch-sdk) && \
 	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DPICO_BOARD=$(PICO_BOARD) -DPICO_NO_PICOTOOL=1 \
-		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_PANEL=$(PANEL) -DGLINT_TE=$(or $(TE),-1) \
+		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_PANEL=$(PANEL) -DGLINT_TE=$(or $(TE),-1) -DGLINT_SECOND_CORE=$(SECOND_CORE) \
 		-DGLINT_MAP="$(CURDIR)/$(PICO)/map" -DGLINT_EXPECTED="$(abspath $(CONFORMANCE))" >$(PICO)/log 2>&1 && \
 	MAKEFLAGS= cmake --build $(PICO)/cmake --target $(IMAGE) $(PARALLEL) >>$(PICO)/log 2>&1 || { grep -E 'rror|glint:' $(PICO)/log >&2; \
 		echo "make: the Pico's firmware was not built; the whole log is $(PICO)/log" >&2; exit 1; }

@@ -15,6 +15,7 @@ void usb_start(struct gud_device *gud, struct light_device *light)
 {
     usb.gud = gud;
     usb.light = light;
+    (void)usb_serial();
     tusb_init();
 }
 

@@ -10,8 +10,9 @@ enum usb_interface { USB_GUD, USB_LIGHT, USB_INTERFACES = 1 + OFFERS_LIGHT };
 enum { USB_PACKET = 64 };
 
 void usb_start(struct gud_device *gud, struct light_device *light);
-void usb_poll(void);         /* what arrived meanwhile; often */
-bool usb_is_suspended(void); /* by a host that had configured it, or unplugged from one */
+const char *usb_serial(void); /* its first call must have flash for itself */
+void usb_poll(void);          /* what arrived meanwhile; often */
+bool usb_is_suspended(void);  /* by a host that had configured it, or unplugged from one */
 
 /* For usb_class.c: is there room for so many bytes that come by bulk, and here they are. */
 bool usb_has_room(enum usb_interface interface, size_t count);

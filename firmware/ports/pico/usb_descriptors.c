@@ -51,7 +51,7 @@ const uint8_t *tud_descriptor_configuration_cb(uint8_t index)
 }
 
 /* The flash chip's own number, by functions of the boot ROM: zeros where there is no ROM, in an emulator. */
-static const char *serial(void)
+const char *usb_serial(void)
 {
     static char text[2 * FLASH_UNIQUE_ID_SIZE_BYTES + 1];
     uint8_t id[FLASH_UNIQUE_ID_SIZE_BYTES] = {0};
@@ -72,7 +72,7 @@ static const char *serial(void)
 const uint16_t *tud_descriptor_string_cb(uint8_t index, uint16_t language)
 {
     static uint16_t words[1 + 32];
-    const char *const texts[STRINGS] = {NULL, "glint", PANEL_NAME, serial()};
+    const char *const texts[STRINGS] = {NULL, "glint", PANEL_NAME, usb_serial()};
     unsigned count = 1;
     (void)language;
     if (index >= STRINGS)

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: MIT
+ * cores [hasty]: the display loop on two threads, under the thread sanitizer, which finds what both touch at a time. The threads
+ * hand each other work as the cores do (ports/pico/second_core.c). hasty: the join does not wait, which is to be found. */
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "demo.h"
+#include "orbit.h"
+#include "relight.h"
+
+enum { WIDTH = 101, HEIGHT = 64, FRAMES = 20 };
+
+static uint16_t screen[WIDTH * HEIGHT];
+static size_t at;
+static bool is_hasty;
+static struct {
+    void (*job)(void *);
+    void *argument;
+    atomic_uint given, done; /* counted */
+} posted;
+
+static void *serve(void *nothing)
+{
+    for (unsigned next = 1;; next++) {
+        while (atomic_load_explicit(&posted.given, memory_order_acquire) < next)
+            ;
+        if (!posted.job)
+            return nothing;
+        posted.job(posted.argument);
+        atomic_store_explicit(&posted.done, next, memory_order_release);
+    }
+}
+
+static void on_fork(void *context, void (*job)(void *), void *argument)
+{
+    (void)context;
+    posted.job = job;
+    posted.argument = argument;
+    atomic_fetch_add_explicit(&posted.given, 1, memory_order_release);
+}
+
+static void on_join(void *context)
+{
+    (void)context;
+    while (!is_hasty && atomic_load_explicit(&posted.done, memory_order_acquire) !=
+                            atomic_load_explicit(&posted.given, memory_order_relaxed))
+        ;
+}
+
+static bool on_command(void *context, uint8_t command)
+{
+    (void)context;
+    at = command == PANEL_MEMORY_WRITE ? 0 : at;
+    return true;
+}
+
+static bool on_data(void *context, const uint8_t *bytes, size_t count)
+{
+    (void)context;
+    (void)bytes;
+    (void)count;
+    return true;
+}
+
+static void on_flush(void *context, const uint16_t *pixels, size_t count, void (*done)(void *), void *argument)
+{
+    (void)context;
+    memcpy(screen + at, pixels, count * sizeof *pixels);
+    at += count;
+    done(argument);
+}
+
+static const struct hal hal = {
+    .bus = {.command = on_command, .data = on_data}, .flush = on_flush, .fork = on_fork, .join = on_join};
+static const struct panel panel = {.bus = &hal.bus, .controller = PANEL_ST7789, .width = WIDTH, .height = HEIGHT};
+static uint32_t map[WIDTH * HEIGHT], tables[GLINT_TABLES_COLOUR_BYTES / 4];
+static uint16_t pixels[2][WIDTH];
+static struct relight_extent extents[HEIGHT];
+static struct relight relight = {.hal = &hal,
+                                 .panel = &panel,
+                                 .map = map,
+                                 .background = 0x1234,
+                                 .tables_memory = tables,
+                                 .pixels = {pixels[0], pixels[1]},
+                                 .extents = extents};
+
+static void make_map(void) /* a disc with a hole */
+{
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++) {
+            const int32_t v[3] = {x - WIDTH / 2, HEIGHT / 2 - y, 30}, r = v[0] * v[0] + v[1] * v[1];
+            struct glint_vec normal;
+            const bool is_there = r > 100 && r < 1000 && glint_vec_normalize(&normal, v) == GLINT_OK;
+            map[y * WIDTH + x] = is_there ? glint_normals_pack(GLINT_NORMALS_INT8, &normal) : 0;
+        }
+}
+
+static bool is_right(void)
+{
+    uint16_t wanted[WIDTH * HEIGHT];
+    for (unsigned i = 0; i < WIDTH * HEIGHT; i++)
+        wanted[i] = relight.background;
+    const struct glint_surface surface = {wanted, 2 * WIDTH, 0, 0};
+    return glint_tables_rect(&relight.tables, &relight.light, GLINT_NORMALS_INT8, map, 4 * WIDTH, WIDTH, HEIGHT,
+                             &surface) == GLINT_OK &&
+           memcmp(screen, wanted, sizeof wanted) == 0;
+}
+
+int main(int argc, char **argv)
+{
+    pthread_t other;
+    struct glint_shader shader;
+    int wrong = 0;
+    is_hasty = argc > 1 && strcmp(argv[1], "hasty") == 0;
+    make_map();
+    demo_shader(&shader);
+    if (pthread_create(&other, NULL, serve, NULL) != 0 || relight_start(&relight, &shader) != GLINT_OK)
+        return 2;
+    for (uint32_t frame = 0; frame < FRAMES; frame++) {
+        int32_t to_light[3];
+        orbit_light(to_light, frame * 12, ORBIT_FRAMES);
+        wrong += relight_frame(&relight, to_light) != GLINT_OK;
+        while (relight_step(&relight) == RELIGHT_BUSY)
+            ;
+        wrong += !is_right();
+    }
+    on_fork(NULL, NULL, NULL); /* the end */
+    pthread_join(other, NULL);
+    printf("%d frames of %d are wrong\n", wrong, FRAMES);
+    return wrong != 0;
+}
