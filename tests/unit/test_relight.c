@@ -23,8 +23,8 @@ static struct {
     uint32_t *to;
     const uint32_t *from;
     size_t words;
-    unsigned windows, asked, waits;
-    unsigned polls; /* after so many questions what is fetched is there; 0: when the test says so */
+    unsigned windows, asked, waits; /* waits: how many questions more until a frame may begin */
+    unsigned polls;                 /* after so many questions what is fetched is there; 0: when the test says so */
     bool broken;
 } board;
 
