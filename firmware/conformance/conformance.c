@@ -41,6 +41,8 @@ const char *conformance_name(unsigned check)
 
 bool conformance_fits(unsigned check)
 {
+    if (CONFORMANCE_MODELS_ONLY)
+        return check <= CONFORMANCE_LOBES;
     if (check == CONFORMANCE_COLOURS || check == CONFORMANCE_ALBEDO)
         return CONFORMANCE_COLOUR;
     return check < CONFORMANCE_EVERY_C_1 || CONFORMANCE_EVERY_C;
@@ -92,7 +94,7 @@ uint64_t conformance_hash(unsigned check, const struct conformance_size *size)
     state = 1;
     if (check <= CONFORMANCE_CAYLEY)
         conform_model(check, size);
-    else if (check == CONFORMANCE_LOBES)
+    else if (CONFORMANCE_MODELS_ONLY || check == CONFORMANCE_LOBES)
         conform_lobes(size);
     else if (check == CONFORMANCE_VECTORS)
         conform_vectors(size);

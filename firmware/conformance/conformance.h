@@ -17,6 +17,10 @@
 #ifndef CONFORMANCE_EVERY_C
 #define CONFORMANCE_EVERY_C 1
 #endif
+/* 1: models and prepared lobes alone, for machines of 32 KB of flash and 2 KB of RAM. */
+#ifndef CONFORMANCE_MODELS_ONLY
+#define CONFORMANCE_MODELS_ONLY 0
+#endif
 
 enum conformance_check {
     CONFORMANCE_MSH, /* values from c and from t: a grid, every limit, every cutoff and its neighbours */

@@ -107,6 +107,7 @@ MACHINES = [
     Machine("cortex-m33", "cortex-m", "mps2-an505", 26, f"{QEMU_ARM} mps2-an505 -kernel"),
     Machine("rv32imc", "rv32", "virt", 26, "qemu-system-riscv32 -M virt -bios none -nographic -kernel"),
     Machine("atmega2560", "avr", "atmega2560", 15, "simavr -m atmega2560 -f 16000000"),
+    Machine("atmega328p", "avr", "atmega328p", 6, "simavr -m atmega328p -f 16000000"),
 ]
 
 

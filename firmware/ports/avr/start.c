@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * ATmega2560: output by USART 0. Under simavr: asleep with interrupts off, it ends. */
+ * ATmega2560, ATmega328P: output by USART 0. Under simavr: asleep with interrupts off, it ends. */
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <avr/sleep.h>
