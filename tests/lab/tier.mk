@@ -69,23 +69,25 @@ lab-programs: $(LAB_TESTS) $(addprefix $(BUILD)/tests/lab/,init spi.dtb bitbang1
 glint-gpiod2:
 	@+$(LIBGPIOD2) $(SUBMAKE) BUILD=build/gpiod2 all
 
-# These take longest: they go first, as several guests run at a time.
+# Programs that compute go first; beside those that wait for USB's times two more run than there are processors.
 run-lab: $(BUILD)/glint glint-gpiod2
-LAB_FIRST = $(foreach build,$(BUILD) build/gpiod2,"env GLINT=$(CURDIR)/$(build)/glint tests/lab/guest --memory 768 \
-	$(BUILD)/tests/lab/test_gpio_stream")
+LAB_BUSY = $(foreach build,$(BUILD) build/gpiod2,"env GLINT=$(CURDIR)/$(build)/glint tests/lab/guest --memory 768 \
+	$(BUILD)/tests/lab/test_gpio_stream") "tests/lab/test_fuzz"
+LAB_JOBS = $$(($$(nproc) + 2))
 
 run-lab: lab-programs
-	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) TALLY_JOBS=$$(nproc) && \
-		export LAB_KERNEL LAB_BUILD TALLY_JOBS && tests/tally $(LAB_FIRST) $(LAB_SCRIPTS) \
+	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) TALLY_JOBS=$(LAB_JOBS) && \
+		export LAB_KERNEL LAB_BUILD TALLY_JOBS && tests/tally $(LAB_BUSY) \
+		"env GADGET=$(CURDIR)/$(linux)/glint-gadget FAULTY=$(CURDIR)/$(linux)/faulty-gadget \
+			tests/lab/guest $(BUILD)/tests/lab/test_gud_drm" \
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang1 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang2 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
+		$(filter-out tests/lab/test_fuzz,$(LAB_SCRIPTS)) \
 		$(foreach build,$(BUILD) build/gpiod2,"env GLINT=$(CURDIR)/$(build)/glint tests/lab/guest $(BUILD)/tests/lab/test_gpio_faults") \
 		"env GLINT=$(CURDIR)/$(BUILD)/glint tests/lab/guest --spi $(BUILD)/tests/lab/test_spidev" \
 		"env GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest $(BUILD)/tests/lab/test_gud_kernel" \
 		"env GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest $(BUILD)/tests/lab/test_gud_ends" \
-		"env GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest $(BUILD)/tests/lab/test_gud_host" \
-		"env GADGET=$(CURDIR)/$(linux)/glint-gadget FAULTY=$(CURDIR)/$(linux)/faulty-gadget \
-			tests/lab/guest $(BUILD)/tests/lab/test_gud_drm"
+		"env GADGET=$(CURDIR)/$(linux)/glint-gadget tests/lab/guest $(BUILD)/tests/lab/test_gud_host"
 
 # Calls that set lines, by either version.
 $(BUILD)/tests/lab/gpio_rate.o: LAB_CFLAGS += -Ihost -Ifirmware/core $(SINK_FLAGS)
