@@ -69,8 +69,9 @@ lab-programs: $(LAB_TESTS) $(addprefix $(BUILD)/tests/lab/,init spi.dtb bitbang1
 glint-gpiod2:
 	@+$(LIBGPIOD2) $(SUBMAKE) BUILD=build/gpiod2 all
 
-# Programs that compute go first; beside those that wait for USB's times two more run than there are processors.
-run-lab: $(BUILD)/glint glint-gpiod2
+# What takes longest goes first: of what is built the kernel, of what runs the programs that compute. The others mostly
+# wait for USB's times: two more run than there are processors.
+run-lab: $(BUILD)/tests/lab/spi.dtb $(BUILD)/glint glint-gpiod2
 LAB_BUSY = $(foreach build,$(BUILD) build/gpiod2,"env GLINT=$(CURDIR)/$(build)/glint tests/lab/guest --memory 768 \
 	$(BUILD)/tests/lab/test_gpio_stream") "tests/lab/test_fuzz"
 LAB_JOBS = $$(($$(nproc) + 2))

@@ -74,7 +74,7 @@ static double bare_rate(uint16_t width, uint16_t height, unsigned frames, double
     return frames * (double)bytes / (end - start);
 }
 
-enum { TURNS = 9 };
+enum { TURNS = 15 };
 
 static int compare(const void *a, const void *b)
 {
@@ -115,7 +115,7 @@ static void measure(uint16_t width, uint16_t height, bool full_speed, unsigned f
 static void rates(void **state)
 {
     (void)state;
-    measure(320, 240, true, 6);
+    measure(320, 240, true, 10);
     measure(320, 240, false, 40);
     measure(1920, 1080, false, 5);
 }
