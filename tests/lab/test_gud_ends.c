@@ -2,7 +2,6 @@
  * However glint-gadget ends, it leaves no gadget and no mount behind. In the environment: GADGET, the program. */
 #include "unit.h"
 
-#include "kernel_faults.h"
 #include "lab.h"
 
 #include <signal.h>
@@ -26,7 +25,6 @@ static void assert_nothing_is_left(const char *after)
 static void interrupted_while_it_starts_it_leaves_nothing(void **state)
 {
     (void)state;
-    SKIP_WHERE_UNBINDING_HANGS();
     static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
     for (unsigned turn = 0; turn < 8; turn++) {
         process_start(&gadget, "$GADGET " OPTIONS);
