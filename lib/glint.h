@@ -221,7 +221,8 @@ enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct 
  * cosines; C_k: its colour, at most 16.0.
  *
  *  1a. l, v    directional: L, V, H are the lamp's. Else l = e / |e|, v = the shader's V / |V| in Q2.30, h likewise of
- *              (l + v) >> 1; L, V, H are l, v, h rounded to Q1.15. Where l or h is not to be had, att = 0
+ *              (l + v) >> 1; L, V, H are l, v, h rounded to Q1.15. Where l or h is not to be had, att = 0. (x / |x|: sizes
+ *              shifted, the largest to 2^29 .. 2^30; times 2^30 over the root of their squares' sum, to nearest.)
  *  1b. att     directional: 65536.  Point: 0 where |e| >= r; u = (65536 |e|^2 + r^2 / 2) / r^2;
  *              att = ((65536 - u)^2 + 2^15) >> 16, that is (1 - (|e| / r)^2)^2
  *              Spot: c = (-l.axis + 2^29) >> 30; p = 65536 at c >= s_inner, else 0 at c <= s_outer, else

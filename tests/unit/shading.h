@@ -70,6 +70,17 @@ static inline int64_t dot(struct glint_vec a, struct glint_vec b)
     return (int64_t)a.x * b.x + (int64_t)a.y * b.y + (int64_t)a.z * b.z;
 }
 
+/* floor(sqrt(x)), x < 2^62 */
+static inline uint64_t root_of(uint64_t x)
+{
+    uint64_t root = (uint64_t)sqrt((double)x);
+    while (root * root > x)
+        root--;
+    while ((root + 1) * (root + 1) <= x)
+        root++;
+    return root;
+}
+
 /* Steps 1 and 3 for Blinn's geometry and Phong's; *nl in Q16. */
 static inline uint32_t lobe_at(const struct glint_shader *s, struct glint_vec n, uint32_t *nl)
 {

@@ -93,17 +93,6 @@ static inline int64_t t_of(struct glint_vec n, struct glint_vec h)
     return (x * x + y * y + z * z) / 2;
 }
 
-/* floor(sqrt(x)), x < 2^62 */
-static inline uint64_t root_of(uint64_t x)
-{
-    uint64_t root = (uint64_t)sqrt((double)x);
-    while (root * root > x)
-        root--;
-    while ((root + 1) * (root + 1) <= x)
-        root++;
-    return root;
-}
-
 static inline uint64_t square(int64_t x)
 {
     return (uint64_t)(x * x);

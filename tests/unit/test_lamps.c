@@ -59,7 +59,90 @@ static void what_arrives_of_a_point_is_the_falloff_bit_by_bit(void **state)
     assert_true(dark > 1000 && dark < 90000 && whole > 100);
 }
 
-static void what_arrives_of_a_spot_is_its_cones_part_of_that(void **state)
+/* A direction in Q2.30, as glint.h has it; false for one of length 0. */
+static bool unit_of(const int64_t v[3], int64_t out[3])
+{
+    int64_t size[3], largest = 0;
+    for (int k = 0; k < 3; k++) {
+        size[k] = llabs(v[k]);
+        largest = size[k] > largest ? size[k] : largest;
+    }
+    if (largest == 0)
+        return false;
+    uint64_t squares = 0;
+    for (; largest >= 1 << 30; largest /= 2)
+        for (int k = 0; k < 3; k++)
+            size[k] /= 2;
+    for (; largest < 1 << 29; largest *= 2)
+        for (int k = 0; k < 3; k++)
+            size[k] *= 2;
+    for (int k = 0; k < 3; k++)
+        squares += (uint64_t)(size[k] * size[k]);
+    const int64_t root = (int64_t)root_of(squares);
+    for (int k = 0; k < 3; k++)
+        out[k] = (v[k] < 0 ? -1 : 1) * (((size[k] << 30) + root / 2) / root);
+    return true;
+}
+
+static struct glint_vec q15_of(const int64_t v[3])
+{
+    int16_t c[3];
+    for (int k = 0; k < 3; k++)
+        c[k] = (int16_t)fmin(floor((double)v[k] / 32768 + .5), 32767);
+    return (struct glint_vec){c[0], c[1], c[2]};
+}
+
+static void a_light_is_what_its_sequence_says(void **state)
+{
+    (void)state;
+    static const int32_t sizes[] = {1, 5, 100, 32767, 1 << 29, INT32_MAX};
+    unsigned behind = 0;
+    for (int i = 0; i < 30000; i++) {
+        const int32_t size = sizes[below(6)];
+        int32_t to_light[3], to_viewer[3];
+        int64_t l[3], v[3], wide_l[3], wide_v[3], h[3], half[3];
+        for (int k = 0; k < 3; k++) {
+            wide_l[k] = to_light[k] =
+                size < INT32_MAX / 2 ? within(size) : (int32_t)(below(65536) << 16 | below(65536));
+            wide_v[k] = to_viewer[k] = below(9) ? within(size / 2 + 1) : -to_light[k] / 2;
+        }
+        struct glint_light light;
+        const enum glint_err err = glint_light_init(&light, to_light, to_viewer);
+        if (!unit_of(wide_l, l) || !unit_of(wide_v, v)) {
+            assert_int_equal(err, GLINT_ERR_VECTOR);
+            continue;
+        }
+        bool is_behind = true;
+        for (int k = 0; k < 3; k++) {
+            is_behind = is_behind && llabs(l[k] + v[k]) <= 8;
+            half[k] = (int64_t)floor((double)(l[k] + v[k]) / 2);
+        }
+        assert_int_equal(err, is_behind ? GLINT_ERR_VECTOR : GLINT_OK);
+        behind += is_behind;
+        if (is_behind)
+            continue;
+        assert_true(unit_of(half, h));
+        const struct glint_light wanted = {q15_of(l), q15_of(v), q15_of(h)};
+        assert_memory_equal(&light, &wanted, sizeof light);
+    }
+    assert_true(behind > 10);
+}
+
+/* Of 65536, by steps 1a and 1b. */
+static uint32_t cone_of(const struct glint_lamp *spot, int32_t x, int32_t y)
+{
+    const int64_t e[3] = {spot->position[0] - 16 * x - 8, 16 * y + 8 - spot->position[1], spot->position[2]};
+    int64_t l[3], sum = 0;
+    if (!unit_of(e, l))
+        return 0;
+    for (int k = 0; k < 3; k++)
+        sum -= l[k] * spot->axis_q30[k];
+    const int64_t c = (sum + (1 << 29)) >> 30, inner = spot->cos_inner_q30, outer = spot->cos_outer_q30;
+    const u128 p = c >= inner ? 65536 : c <= outer ? 0 : (u128)((c - outer) * 65536 / (inner - outer));
+    return (uint32_t)(p * p * (196608 - 2 * p) >> 32);
+}
+
+static void what_arrives_of_a_spot_is_its_cones_part_of_that_bit_by_bit(void **state)
 {
     (void)state;
     unsigned part = 0;
@@ -79,6 +162,7 @@ static void what_arrives_of_a_spot_is_its_cones_part_of_that(void **state)
         const double c = length > 0 ? towards / length : 0;
         const double p = fmin(1, fmax(0, (c - spot.cos_outer_q30) / (spot.cos_inner_q30 - spot.cos_outer_q30)));
         const uint32_t att = glint_lamp_reach(&spot, x, y, viewer, &light);
+        assert_int_equal(att, ((uint64_t)all * cone_of(&spot, x, y) + 32768) >> 16);
         assert_near(att, all * p * p * (3 - 2 * p), 4); /* c to 2^-27, p and the step rounded down */
         part += att > 0 && att < all;
     }
@@ -104,7 +188,8 @@ static void a_lamp_that_cannot_be_is_refused_and_not_written(void **state)
     memset(&lamp, GUARD, sizeof lamp);
     before = lamp;
     const int32_t zero[3] = {0, 0, 0}, up[3] = {0, 0, 1}, down[3] = {0, 0, -1};
-    const int32_t far[3] = {0, -GLINT_LAMP_FAR - 1, 0}, min[3] = {INT32_MIN, INT32_MAX, INT32_MIN};
+    const int32_t far[3] = {0, -GLINT_LAMP_FAR - 1, 0}, right[3] = {GLINT_LAMP_FAR + 1, 0, 0},
+                  min[3] = {INT32_MIN, INT32_MAX, INT32_MIN};
     assert_int_equal(glint_lamp_directional(NULL, up, up), GLINT_ERR_ARG);
     assert_int_equal(glint_lamp_directional(&lamp, NULL, up), GLINT_ERR_ARG);
     assert_int_equal(glint_lamp_directional(&lamp, up, NULL), GLINT_ERR_ARG);
@@ -115,6 +200,7 @@ static void a_lamp_that_cannot_be_is_refused_and_not_written(void **state)
     assert_int_equal(glint_lamp_point(&lamp, up, 0), GLINT_ERR_ARG);
     assert_int_equal(glint_lamp_point(&lamp, up, GLINT_LAMP_FAR + 1), GLINT_ERR_ARG);
     assert_int_equal(glint_lamp_point(&lamp, far, 1), GLINT_ERR_ARG);
+    assert_int_equal(glint_lamp_point(&lamp, right, 1), GLINT_ERR_ARG);
     assert_int_equal(glint_lamp_point(&lamp, min, 1), GLINT_ERR_ARG);
     assert_int_equal(glint_lamp_spot(NULL, up, zero, 1, 2, 1), GLINT_ERR_ARG);
     assert_int_equal(glint_lamp_spot(&lamp, NULL, zero, 1, 2, 1), GLINT_ERR_ARG);
@@ -134,7 +220,8 @@ int main(void)
         cmocka_unit_test(a_directional_lamp_has_the_light_of_glint_light_init),
         cmocka_unit_test(a_spot_looks_from_its_place_to_its_target),
         cmocka_unit_test(what_arrives_of_a_point_is_the_falloff_bit_by_bit),
-        cmocka_unit_test(what_arrives_of_a_spot_is_its_cones_part_of_that),
+        cmocka_unit_test(a_light_is_what_its_sequence_says),
+        cmocka_unit_test(what_arrives_of_a_spot_is_its_cones_part_of_that_bit_by_bit),
         cmocka_unit_test(a_light_goes_with_what_arrives),
         cmocka_unit_test(a_lamp_that_cannot_be_is_refused_and_not_written),
     };
