@@ -418,7 +418,9 @@ enum glint_err glint_palette_rect(const uint16_t *colours, const uint16_t *offse
 /* ---- sRGB, integers only ------------------------------------------------------------------------------------- */
 
 uint16_t glint_srgb_decode(uint8_t encoded); /* 65535 = 1.0; nearest */
-uint16_t glint_srgb_encode(uint16_t linear); /* 65535 = 1.0, both; monotone, within 3 units (.01 of a level of 255) */
+/* 65535 = 1.0, both; monotone, within 3 units (.01 of a level of 255): below 128 (3308 v + 128) >> 8, else chords between
+ * the nearest encodings of 32 values an octave, to nearest. */
+uint16_t glint_srgb_encode(uint16_t linear);
 
 #ifdef __cplusplus
 }

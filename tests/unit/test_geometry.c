@@ -256,6 +256,24 @@ static void srgb_encoding_is_monotone_and_within_its_stated_error(void **state)
     assert_int_equal(glint_srgb_encode(65535), 65535);
 }
 
+static int knot(int v)
+{
+    return (int)fmin(floor(65535 * encode(v / 65535.0) + 0.5), 65535);
+}
+
+static void srgb_encoding_is_what_its_sequence_says(void **state)
+{
+    (void)state;
+    for (int v = 0; v <= 65535; v++) {
+        int width = 4; /* of a chord: 32 an octave */
+        while (v >= 64 * width)
+            width *= 2;
+        const int from = v / width * width, e0 = knot(from), e1 = knot(from + width);
+        const int chord = e0 + ((e1 - e0) * (v - from) + width / 2) / width;
+        assert_int_equal(glint_srgb_encode((uint16_t)v), v < 128 ? (3308 * v + 128) / 256 : chord);
+    }
+}
+
 static void every_srgb_byte_survives_decoding_and_encoding(void **state)
 {
     (void)state;
@@ -277,6 +295,7 @@ int main(void)
         cmocka_unit_test(a_span_is_refused_from_its_stated_limits_on),
         cmocka_unit_test(srgb_decoding_is_correctly_rounded),
         cmocka_unit_test(srgb_encoding_is_monotone_and_within_its_stated_error),
+        cmocka_unit_test(srgb_encoding_is_what_its_sequence_says),
         cmocka_unit_test(every_srgb_byte_survives_decoding_and_encoding),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -142,6 +142,40 @@ static void a_packed_normal_keeps_its_direction_and_its_length(void **state)
 }
 
 /* The rectangle cut anywhere, at any alignment, gives the same pixels as whole, and nothing around it is written. */
+static int nearest_of(int value, int step, int most)
+{
+    const int rounded = (int)floor((double)value / step + .5);
+    return rounded > most ? most : rounded < -most ? -most : rounded;
+}
+
+static void any_normal_is_packed_to_the_nearest_x_and_y_and_the_z_that_is_left(void **state)
+{
+    (void)state;
+    static const struct glint_vec extremes[] = {{32767, 0, 0},  {-32768, 0, 1}, {0, 32767, -1},
+                                                {0, -32768, 0}, {0, 0, -32768}, {32767, 32767, -32768},
+                                                {0, 0, 32767},  {-1, 1, -32767}};
+    const struct glint_shader shader = plain_shader(60, 8, GLINT_RGB565);
+    for (int i = 0; i < 20000; i++) {
+        struct glint_vec n = i < 8 ? extremes[i] : random_normal(&shader.light);
+        n.z = (int16_t)(i >= 8 && below(2) && n.z > INT16_MIN ? -n.z : n.z);
+        for (int is_8 = 0; is_8 < 2; is_8++) {
+            const int step = is_8 ? 256 : 64, most = is_8 ? 127 : 511, z_step = is_8 ? 1 : 16;
+            const int x = nearest_of(n.x, step, most), y = nearest_of(n.y, step, most);
+            const double left = 1073741824. - (double)step * step * (x * x + y * y);
+            int z = nearest_of((int)floor(sqrt(fmax(left, 0)) + .5), z_step, 32768 / z_step - 1);
+            z = (n.z < 0 ? -1 : 1) * (z > 1 ? z : 1);
+            const uint32_t word = glint_normals_pack(is_8 ? GLINT_NORMALS_INT8 : GLINT_NORMALS_INT10, &n);
+            const uint32_t wanted = is_8 ? (uint32_t)z << 16 | ((uint32_t)(256 * y + x) & 65535)
+                                         : (uint32_t)x << 22 | ((uint32_t)y & 1023) << 12 | ((uint32_t)z & 4095);
+            assert_int_equal(word, n.x | n.y | n.z ? wanted : 0);
+            const struct glint_vec back = {(int16_t)(x * step), (int16_t)(y * step), (int16_t)(z * z_step)},
+                                   none = {0, 0, 0};
+            const struct glint_vec found = glint_normals_unpack(is_8 ? GLINT_NORMALS_INT8 : GLINT_NORMALS_INT10, word);
+            assert_memory_equal(&found, word ? &back : &none, sizeof back);
+        }
+    }
+}
+
 static void what_cannot_be_packed_is_0_and_unpacks_to_no_surface(void **state)
 {
     (void)state;
@@ -339,6 +373,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_loop_stays_within_its_documented_difference_from_the_exact_path),
         cmocka_unit_test(a_packed_normal_keeps_its_direction_and_its_length),
+        cmocka_unit_test(any_normal_is_packed_to_the_nearest_x_and_y_and_the_z_that_is_left),
         cmocka_unit_test(what_cannot_be_packed_is_0_and_unpacks_to_no_surface),
         cmocka_unit_test(tables_write_their_rectangle_and_nothing_else_at_any_alignment),
         cmocka_unit_test(garbage_in_normals_and_spans_reads_nothing_outside_the_tables),
