@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Tables as filled, lights as prepared, pixels: each is what glint.h says, to the bit. (COLOUR's packed normals and spans are
- * in test_tables_sequence.c.) */
+ * Tables, lights and pixels as glint.h has them, to the bit. (COLOUR's packed normals and spans: test_tables_sequence.c.) */
 #include "tables_model.h"
 
 static uint32_t memory[GLINT_TABLES_COLOUR_BYTES / 4];
@@ -130,6 +129,9 @@ static void sixteen_bit_normals_over_colour_tables_have_the_pixels_of_their_sequ
         struct glint_tables_light light;
         fill(&t, &light, GLINT_TABLES_COLOUR, &s);
         random_surface(&scene_normals, GLINT_NORMALS_INT16, &s.light);
+        const int64_t edge = t_of(scene_normals.vec[1], s.light.h); /* a pixel at the highlight's end, to the unit */
+        if (edge > 0 && edge < t.t_max_q30)
+            t.t_max_q30 = (uint32_t)edge - below(2);
         const struct glint_surface surface = any_surface(2 * WIDE);
         assert_int_equal(glint_tables_rect(&t, &light, GLINT_NORMALS_INT16, scene_normals.vec,
                                            line_bytes_as(GLINT_NORMALS_INT16), WIDE, LINES, &surface),
@@ -296,20 +298,28 @@ static unsigned wide_pixel(const struct glint_shader *s, const struct glint_tabl
     return albedo_pixel(s, t, albedo, nl < 0 ? (unsigned)t->dark : light_level(s, nl >> 23), column);
 }
 
-static unsigned int8_pixel(const struct glint_shader *s, const struct glint_tables *t, unsigned albedo, uint32_t word)
+/* edge: how far from its place the highlight's end is. */
+static unsigned int8_pixel(const struct glint_shader *s, const struct glint_tables *t, unsigned albedo, uint32_t word,
+                           int64_t edge)
 {
     const struct glint_vec l = s->light.l;
     const int64_t y_q10 = -((l.y + 16) >> 5), z_q10 = -((l.z + 16) >> 5), x_q18 = -8 * (int64_t)l.x - y_q10;
     const int64_t peak = (int64_t)root_of((square(l.x) + square(32 * y_q10) + square(32 * z_q10 - 32768)) << 20);
     uint64_t r = peak ? ((UINT64_C(1) << (51 - t->shift)) + (uint64_t)peak / 2) / (uint64_t)peak : 0;
     r = r < 1 ? 1 : r < UINT32_MAX ? r : UINT32_MAX;
-    const int64_t cut = peak - (int64_t)((((uint64_t)t->t_max_q30 << 21) >> t->shift) / r);
+    const int64_t cut = peak - (int64_t)((((uint64_t)t->t_max_q30 << 21) >> t->shift) / r) + edge;
     const int64_t x = (int8_t)word, v = (int16_t)word, z = (int16_t)(word >> 16);
     const int64_t d = x * x_q18 + v * y_q10 + z * z_q10, e = z * 1024 - cut - d;
     if (d >= 0)
         return albedo_pixel(s, t, albedo, t->dark, 0);
     const uint32_t column = e < 0 ? 0 : 1 + ((uint32_t)((uint64_t)e * r) >> 21);
     return albedo_pixel(s, t, albedo, light_level(s, -1 - (d >> 18)), column);
+}
+
+static int64_t int8_e(const struct glint_tables_light *light, uint32_t word)
+{
+    const int64_t x = (int8_t)word, v = (int16_t)word, z = (int16_t)(word >> 16);
+    return z * 1024 - light->cut - (x * light->x + v * light->y + z * light->z);
 }
 
 static void albedo_loops_have_the_pixels_of_their_sequence(void **state)
@@ -328,6 +338,8 @@ static void albedo_loops_have_the_pixels_of_their_sequence(void **state)
         uint16_t map[WIDE * LINES];
         for (int p = 0; p < WIDE * LINES; p++)
             map[p] = (uint16_t)below(65536);
+        const int64_t edge = format == GLINT_NORMALS_INT8 && below(2) ? int8_e(&light, scene_normals.word[1]) : 0;
+        light.cut += (int32_t)edge;
         const struct glint_surface surface = any_surface(2 * WIDE);
         assert_int_equal(glint_tables_albedo_rect(&t, &light, format, held_as(format), line_bytes_as(format), map,
                                                   2 * WIDE, WIDE, LINES, &surface),
@@ -335,7 +347,7 @@ static void albedo_loops_have_the_pixels_of_their_sequence(void **state)
         for (int p = 0; p < WIDE * LINES; p++) {
             const struct glint_vec n = scene_normals.vec[p];
             const unsigned wanted = format == GLINT_NORMALS_INT8
-                                        ? int8_pixel(&s, &t, map[p], scene_normals.word[p])
+                                        ? int8_pixel(&s, &t, map[p], scene_normals.word[p], edge)
                                         : wide_pixel(&s, &t, map[p], t_of(n, s.light.h), dot(n, s.light.l));
             assert_pixel(&surface, p % WIDE, p / WIDE, in_order(&s, wanted), is_surface(n));
         }

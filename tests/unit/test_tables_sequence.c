@@ -123,10 +123,20 @@ static void a_span_has_the_pixels_of_its_sequence_whatever_its_steps_and_width(v
     }
 }
 
-static uint16_t int8_pixel(const struct glint_tables *tables, const struct glint_tables_light *light, uint32_t word)
+static int64_t int8_d(const struct glint_tables_light *light, uint32_t word)
 {
     const int64_t x = (int8_t)word, v = (int16_t)word, z = (int16_t)(word >> 16);
-    const int64_t d = x * light->x + v * light->y + z * light->z, e = d + z * (1 << 14) - light->cut;
+    return x * light->x + v * light->y + z * light->z;
+}
+
+static int64_t int8_e(const struct glint_tables_light *light, uint32_t word)
+{
+    return int8_d(light, word) + (int64_t)(int16_t)(word >> 16) * (1 << 14) - light->cut;
+}
+
+static uint16_t int8_pixel(const struct glint_tables *tables, const struct glint_tables_light *light, uint32_t word)
+{
+    const int64_t d = int8_d(light, word), e = int8_e(light, word);
     if (d < 0)
         return tables->dark;
     if (e < 0)
@@ -142,14 +152,34 @@ static int64_t int10_u(const struct glint_tables_light *light, uint32_t word)
     return x * x + y * y + z * z;
 }
 
+static int64_t int10_d(const struct glint_tables_light *light, uint32_t word)
+{
+    const int64_t z = (int32_t)(word << 20) >> 20;
+    return light->peak - (light->peak >> 15) * (int10_u(light, word) >> 14) - z * (1 << 18);
+}
+
 static uint16_t int10_pixel(const struct glint_tables *tables, const struct glint_tables_light *light, uint32_t word)
 {
-    const int64_t u = int10_u(light, word), t = tables->t_max_q30 >> 1, z = (int32_t)(word << 20) >> 20;
-    const int64_t d = light->peak - (light->peak >> 15) * (u >> 14) - z * (1 << 18);
+    const int64_t u = int10_u(light, word), t = tables->t_max_q30 >> 1, d = int10_d(light, word);
     if (d < 0)
         return tables->dark;
     return u > t ? without_highlight(tables, (uint32_t)(d >> 23))
                  : colour_of(tables, (uint32_t)(d >> 23), (uint32_t)((t - u) >> (tables->shift - 1)));
+}
+
+/* One of the words comes to lie where the highlight ends, or where the light does, to the unit: 0 or one below. */
+static void put_on_an_edge(struct glint_tables *tables, struct glint_tables_light *light, enum glint_normals format,
+                           const uint32_t words[WIDE])
+{
+    const uint32_t word = words[below(WIDE)], u = (uint32_t)int10_u(light, word);
+    const int32_t less = (int32_t)below(2);
+    if (format == GLINT_NORMALS_INT8)
+        light->cut += llabs(int8_e(light, word)) < 1 << 26 ? (int32_t)int8_e(light, word) + less : 0;
+    else if (below(2) && 2 * u < tables->t_max_q30)
+        tables->t_max_q30 = 2 * u - 2 * (uint32_t)less;
+    else
+        for (int k = 0; k < 9 && llabs(int10_d(light, word)) < 1 << 26; k++)
+            light->peak -= (int32_t)int10_d(light, word) + less;
 }
 
 /* A line: normals about the highlight, some bits at random, some runs without surface. */
@@ -180,9 +210,10 @@ static void packed_normals_have_the_pixels_of_their_sequence_at_every_width(void
         memset(pixels, GUARD, sizeof pixels);
         const uint16_t left = pixels[0], w = widths[below(WIDTHS)];
         const struct glint_surface surface = {pixels, 0, 0, 0};
-        const uint32_t t_max = tables.t_max_q30, u = (uint32_t)int10_u(&light, words[0]);
-        if (!is_8 && w && 2 * u < t_max) /* a pixel at t_max, to the unit */
-            tables.t_max_q30 = 2 * u - (i & 2);
+        const struct glint_tables whole = tables;
+        const struct glint_tables_light straight = light;
+        if (i % 4 > 1)
+            put_on_an_edge(&tables, &light, format, words);
         assert_int_equal(glint_tables_rect(&tables, &light, format, words, 0, w, 1, &surface), GLINT_OK);
         for (uint32_t x = 0, none = 0; x < w; x++) {
             if (none == 0 && (is_8 ? words[x] >> 16 : words[x] << 20) == 0)
@@ -195,7 +226,8 @@ static void packed_normals_have_the_pixels_of_their_sequence_at_every_width(void
             none -= none > 0;
         }
         assert_int_equal(pixels[w], left);
-        tables.t_max_q30 = t_max;
+        tables = whole;
+        light = straight;
     }
 }
 
