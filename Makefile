@@ -6,7 +6,7 @@ CFLAGS ?= -O2 -g
 OPENMP ?= -fopenmp
 PREFIX ?= /usr/local
 DESTDIR ?=
-TIERS = unit exact targets lab pico
+TIERS = unit exact targets lab pico gateware
 # A TMPDIR that cannot be written would stop compilers and tests.
 export TMPDIR := $(shell test -d "$$TMPDIR" && test -w "$$TMPDIR" && echo "$$TMPDIR" || echo /tmp)
 
@@ -75,7 +75,7 @@ firmware-%: # ports' own goals are phony, and so are not looked for here
 	@echo "make: there is no port $*, but $(PORTS)" >&2; exit 1
 firmware: $(if $(PORT),firmware-$(PORT),$(PORTS:%=firmware-%)) ## firmware into build/firmware; PORT=NAME: one port, of firmware/ports
 
-include firmware/conformance/conformance.mk firmware/ports/bare/bare.mk
+include firmware/conformance/conformance.mk firmware/ports/bare/bare.mk firmware/gateware/gateware.mk
 include $(wildcard firmware/ports/*/port.mk) $(wildcard tests/*/tier.mk) tests/bench/bench.mk tests/bench/host/host.mk tests/bench/stream/stream.mk
 
 setup: ## install what building, the demo and glint paper need (Debian packages, by apt-get)
@@ -102,7 +102,7 @@ CHECK_MAKE = $(SUBMAKE) BUILD=build/check WERROR=-Werror
 # A tier with a quick part that needs no set-up offers a goal check-TIER.
 CHECKS = $(shell sed -n 's/^\(check-[a-z]*\):.*/\1/p' $(wildcard tests/*/tier.mk))
 
-FORMATTED = $(wildcard lib/*.[ch] firmware/*/*.[ch] firmware/*/*/*.[ch] firmware/*/*/*/*.[ch] host/*.[ch] tests/*/*.[ch] tests/*/*/*.[ch])
+FORMATTED = $(wildcard lib/*.[ch] firmware/*/*.[ch] firmware/*/*/*.[ch] firmware/*/*/*/*.[ch] host/*.[ch] tests/*/*.[ch] tests/*/*/*.[ch] tests/gateware/*.cpp)
 check-format:
 	@tests/tally "tests/format $(FORMATTED)"
 

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: MIT
+# Gateware: rtl/ has one module a file, boards/NAME a board's top module, its pins (NAME.pcf) and NAME.mk, which sets
+# NAME_TOP, NAME_DEVICE (nextpnr's options) and NAME_MHZ, the clock that must be met.
+GATEWARE = build/gateware
+RTL = $(wildcard firmware/gateware/rtl/*.v)
+GATEWARE_BOARDS = $(patsubst firmware/gateware/boards/%/,%,$(sort $(dir $(wildcard firmware/gateware/boards/*/*.mk))))
+GATEWARE_PACKAGES = yosys nextpnr-ice40 fpga-icestorm python3-minimal
+include $(wildcard firmware/gateware/boards/*/*.mk)
+
+gateware: $(GATEWARE_BOARDS:%=$(GATEWARE)/%.bin) ## bitstreams into build/gateware, one for each of firmware/gateware/boards
+
+setup-gateware-tools:
+	@.ci/need "gateware (synthesis, place and route)" $(GATEWARE_PACKAGES)
+
+define gateware_board
+$(GATEWARE)/$(1).json: $(RTL) $(wildcard firmware/gateware/boards/$(1)/*.v) | setup-gateware-tools
+	@mkdir -p $$(@D)
+	@yosys -q -l $(GATEWARE)/$(1).yosys.log -p "synth_ice40 -dsp -top $($(1)_TOP) -json $$@" $$(filter %.v,$$^)
+
+# No --timing-allow-fail: a clock that is not met is an error.
+$(GATEWARE)/$(1).asc: $(GATEWARE)/$(1).json firmware/gateware/boards/$(1)/$(1).pcf
+	@nextpnr-ice40 -q -l $(GATEWARE)/$(1).nextpnr.log $($(1)_DEVICE) --freq $($(1)_MHZ) --pcf $$(lastword $$^) --json $$< --asc $$@
+endef
+$(foreach board,$(GATEWARE_BOARDS),$(eval $(call gateware_board,$(board))))
+
+$(GATEWARE)/%.bin: $(GATEWARE)/%.asc
+	@icepack $< $@ && echo "$@: $$(wc -c <$@) bytes"
+
+.PHONY: gateware setup-gateware-tools

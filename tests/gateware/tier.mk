@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+# Tier gateware: the Verilog against the library. tests/gateware/test_NAME.cpp is linked with Verilator's model of module
+# glint_NAME and with the library; every other tests/gateware/test_* is a script that speaks TAP. Both run with
+# GATEWARE_BUILD, a folder of their own to write to, in the environment.
+GATEWARE_TESTS = $(patsubst tests/gateware/test_%.cpp,$(BUILD)/tests/gateware/test_%,$(wildcard tests/gateware/test_*.cpp))
+GATEWARE_SCRIPTS = $(filter-out %.cpp %.v,$(wildcard tests/gateware/test_*))
+VERILATE = verilator --cc --exe --build -Wall -Wno-fatal -O3 --x-assign unique -CFLAGS "-O3 -I$(CURDIR)/lib -I$(CURDIR)/tests/gateware" \
+	-Ifirmware/gateware/rtl
+
+# The library at -O3: the tests wait for it more than for the model.
+$(BUILD)/tests/gateware/libglint.a: $(wildcard lib/*.[ch])
+	@+$(SUBMAKE) -s BUILD=build/o3 CFLAGS=-O3 build/o3/libglint.a
+	@mkdir -p $(@D) && cp build/o3/libglint.a $@
+
+$(BUILD)/tests/gateware/test_%: tests/gateware/test_%.cpp $(RTL) $(wildcard tests/gateware/*.h) $(BUILD)/tests/gateware/libglint.a
+	@mkdir -p $@.dir
+	@$(VERILATE) --top-module glint_$* --prefix Vtop --Mdir $@.dir -o ../$(@F) $(CURDIR)/$< $(CURDIR)/$(BUILD)/tests/gateware/libglint.a \
+		firmware/gateware/rtl/glint_$*.v >$@.log 2>&1 || { cat $@.log >&2; exit 1; }
+
+setup-gateware: setup-gateware-tools
+	@.ci/need "tier gateware (simulators, a solver)" gcc g++ libc6-dev make verilator iverilog z3 python3-yaml
+
+test-gateware: ## the Verilog: every cosine and shininess against the library, the netlist, the handshake proved, faults found
+	@+tests/tier gateware "$(SUBMAKE)"
+
+run-gateware: $(GATEWARE_TESTS)
+	@mkdir -p $(GATEWARE)/test
+	@GATEWARE_BUILD=$(CURDIR)/$(GATEWARE)/test TALLY_JOBS=2 tests/tally $(GATEWARE_TESTS) $(GATEWARE_SCRIPTS)
+
+# The quick part: lint, with what is installed.
+check-gateware:
+	@if command -v verilator >/dev/null; then tests/tally tests/gateware/test_lint; \
+	else tests/tally "echo ok 1 - tier gateware # SKIP verilator is not installed: make setup-gateware"; fi
+
+.PHONY: setup-gateware test-gateware run-gateware check-gateware
