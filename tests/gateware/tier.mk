@@ -4,7 +4,9 @@
 # GATEWARE_BUILD, a folder of their own to write to, in the environment.
 GATEWARE_TESTS = $(patsubst tests/gateware/test_%.cpp,$(BUILD)/tests/gateware/test_%,$(wildcard tests/gateware/test_*.cpp))
 GATEWARE_SCRIPTS = $(filter-out %.cpp %.v,$(wildcard tests/gateware/test_*))
-VERILATE = verilator --cc --exe --build -Wall -Wno-fatal -O3 --x-assign unique -CFLAGS "-O3 -I$(CURDIR)/lib -I$(CURDIR)/tests/gateware" \
+# Their parameters.
+VERILATE_core = -GUSER=16
+VERILATE = verilator --cc --exe --build -Wall -Wno-fatal -O3 --x-assign unique $(VERILATE_$*) -CFLAGS "-O3 -I$(CURDIR)/lib -I$(CURDIR)/tests/gateware" \
 	-Ifirmware/gateware/rtl
 
 # The library at -O3: the tests wait for it more than for the model.
