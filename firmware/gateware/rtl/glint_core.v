@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // F of the modified Schlick function or of Schlick's, in Q16.16, from the cosine, with the bits of glint_msh() and
-// glint_schlick(): correctly rounded, ties up. A pixel a clock, 13 clocks later.
+// glint_schlick(): correctly rounded, ties up. A pixel a clock, 12 clocks later. The digit after a name is the clock it holds at.
 //
-// With C the cosine, U = 2^16 - C, 4D = 4(n - 1)U + 2^18:  F 2^16 = 2^18 C / 4D (Schlick), 2^39 C / 5E^2, E = 4D + C.
-//  1. y        E or 4D, times 2^(9 - octave): 2^27 <= y < 2^28
-//  2. h        floor of an approximation of F 2^16 that is off by less than 1/2: C times a reciprocal from a table
-//  3. F        h, or h + 1 where F 2^16 >= h + 1/2: h + 1/2 times the divisor is compared with C
+// With C the cosine, u = 2^16 - C, 4D = 4(n - 1)u + 2^18, E = 4D + C:  F 2^16 = 2^39 C / 5E^2 or 2^18 C / 4D (Schlick).
+//  1. y        E or 4D, times 2^(9 - octave): 2^27 <= y < 2^28. Then F 2^(16+t) = 2^57 C / 5y^2 or 2^27 C / y, t = 2 octave or octave
+//  2. q        that by a table, off by less than 2^t / 2; h = floor(q / 2^t), so that F 2^16, rounded, is h or h + 1
+//  3. F        h + 1 where (h + 1/2) 2^t times the divisor, 5y^2 / 2^30 or y, is at most 2^27 C
 module glint_core #(
     parameter USER = 1
 ) (
@@ -23,7 +23,7 @@ module glint_core #(
     output [16:0] m_f,  // F, Q16.16
     output [USER-1:0] m_user
 );
-    localparam CLOCKS = 13;
+    localparam CLOCKS = 12;
 
     // The pipeline stands still while its last pixel waits.
     reg [CLOCKS:1] valid;
@@ -37,7 +37,7 @@ module glint_core #(
     reg [9:0] n_less_1;
     always @(posedge clk) n_less_1 <= n == 0 ? 10'd0 : n > 10'd1000 ? 10'd999 : n - 10'd1;
 
-    // 1: the cosine, clamped. u is 2^16 - c, but for c = 0, whose F is 0 like those of the cutoff.
+    // 1: the cosine, clamped. That of 0 becomes u = 0, too, but its F is 0 like those beyond the cutoff.
     reg [15:0] u1;
     reg [16:0] c1;
     reg zero1;
@@ -49,16 +49,14 @@ module glint_core #(
             zero1 <= s_c[17] || s_c < $signed({1'b0, c_min}) || (minus_c[16] && !s_c[16]);
         end
 
-    // 2: the denominator.
+    // 2 to 4: the denominator and its mantissa. E >= 2^27 makes F 2^16 less than 0.4.
     reg [27:0] w2;
-    reg zero2;
+    reg [12:2] zero;
     always @(posedge clk)
         if (en) begin
             w2 <= {16'd0, n_less_1, 2'd0} * {12'd0, u1} + {10'd1, 1'b0, c1};
-            zero2 <= zero1;
+            zero <= {zero[11:3], zero[2] || (w2[27] && !model), zero1};
         end
-
-    // 3, 4: its mantissa.
     wire [27:0] y4;
     wire [3:0] octave4;
     glint_normalize normalize (
@@ -68,122 +66,113 @@ module glint_core #(
         .y(y4),
         .octave(octave4)
     );
-    // Beyond E = 2^27 F 2^16 is less than 0.4.
-    wire zero3 = zero2 || (w2[27] && !model);
 
-    // 5, 6: the reciprocal.
-    wire [18:0] z6;
+    // 5 to 9: the divisor.
+    wire [37:0] s9;
+    glint_divisor divisor (
+        .clk(clk),
+        .en(en),
+        .model(model),
+        .y(y4[27:1]),
+        .s(s9)
+    );
+
+    // 5 to 7: the reciprocal.
+    wire [18:0] z7;
     glint_reciprocal reciprocal (
         .clk(clk),
         .en(en),
         .model(model),
         .y(y4[26:8]),
-        .z(z6)
+        .z(z7)
     );
 
-    // 7, 8: times the cosine, of which there is 2^16 - u = p + 1.
-    wire [15:0] u6, u11;
+    // 8: times C = p + 1.
+    wire [15:0] u7;
     glint_delay #(
         .WIDTH(16),
-        .CLOCKS(5)
-    ) u_1_to_6 (
+        .CLOCKS(6)
+    ) u_1_to_7 (
         .clk(clk),
         .rst(rst),
         .en(en),
         .d(u1),
-        .q(u6)
+        .q(u7)
     );
-    reg [16:0] c7;
-    reg [18:0] z7;
-    reg [16:0] q8;
-    wire [35:0] q = {17'd0, z7} * {19'd0, c7};
-    wire unused = &{1'b0, q[35], q[17:0]};
+    wire [15:0] p7 = ~u7;
+    wire [16:0] low0 = z7[0] ? {1'b0, p7} : 17'd0;
+    wire [16:0] low1 = z7[1] ? {1'b0, low0[16:1]} + {1'b0, p7} : {1'b0, low0[16:1]};
+    wire [16:0] low2 = z7[2] ? {1'b0, low1[16:1]} + {1'b0, p7} : {1'b0, low1[16:1]};
+    wire [16:0] addend7 = {1'b0, z7[18:3]} + {1'b0, low2[16:1]};
+    reg [31:0] product8;
+    reg [4:0] t5, t6, t7, t8;
     always @(posedge clk)
         if (en) begin
-            c7 <= 17'h10000 - {1'b0, u6};
-            z7 <= z6;
-            q8 <= {q[34:18]};
+            product8 <= {16'd0, z7[18:3]} * {16'd0, p7} + {15'd0, addend7};
+            t5 <= model ? {1'b0, octave4} : {octave4, 1'b0};
+            t6 <= t5;
+            t7 <= t6;
+            t8 <= t7;
         end
+    wire [16:0] q8 = product8[31:15];
 
-    // 9: h above t zeros, and one half.
-    wire [4:0] zero_octave8;
-    wire zero8 = zero_octave8[4];
-    wire [4:0] t8 = model ? {1'b0, zero_octave8[3:0]} : {zero_octave8[3:0], 1'b0};
-    glint_delay #(
-        .WIDTH(5),
-        .CLOCKS(4)
-    ) octave_4_to_8 (
-        .clk(clk),
-        .rst(rst),
-        .en(en),
-        .d({zero4, octave4}),
-        .q(zero_octave8)
-    );
-    reg zero3r, zero4;
-    always @(posedge clk)
-        if (en) begin
-            zero3r <= zero3;
-            zero4 <= zero3r;
-        end
-    reg [17:0] g9;
-    reg [16:0] h9;
-    reg zero9;
+    // 9: half units: 2h + 1, then t zeros.
     wire [17:0] half = 18'd1 << t8;
+    reg [17:0] g9;
+    reg [16:0] h9, h10, h11;
+    reg [2:0] t9;
+    reg t10;
     always @(posedge clk)
         if (en) begin
             g9 <= ({q8, 1'b0} & ~(half - 18'd1)) | half;
-            h9 <= q8 >> t8;
-            zero9 <= zero8;
+            h9 <= t8[4] ? {16'd0, q8[16]} : t8[3] ? {8'd0, q8[16:8]} : q8;
+            t9 <= t8[2:0];
+            h10 <= t9[2] ? (t9[1] ? {6'd0, h9[16:6]} : {4'd0, h9[16:4]}) : t9[1] ? {2'd0, h9[16:2]} : h9;
+            t10 <= t9[0];
+            h11 <= t10 ? {1'b0, h10[16:1]} : h10;
         end
 
-    // The divisor, meanwhile.
-    wire [27:0] y7;
-    wire [36:0] s9;
-    glint_delay #(
-        .WIDTH(28),
-        .CLOCKS(3)
-    ) y_4_to_7 (
-        .clk(clk),
-        .rst(rst),
-        .en(en),
-        .d(y4),
-        .q(y7)
-    );
-    glint_divisor divisor (
-        .clk(clk),
-        .en(en),
-        .model(model),
-        .y(y7),
-        .s(s9)
-    );
-
-    // 10 to 13: F.
-    glint_delay #(
-        .WIDTH(16),
-        .CLOCKS(10)
-    ) u_1_to_11 (
-        .clk(clk),
-        .rst(rst),
-        .en(en),
-        .d(u1),
-        .q(u11)
-    );
-    wire [54:0] p = {37'd0, g9} * {18'd0, s9};
-    reg [54:0] p10, p11;
-    reg [16:0] h10, h11, f12, f13;
-    reg zero10, zero11;
+    // 10, 11: g times s, as g[17:2] times s[37:6] and, in 2^8 of its units, the rest: for Schlick less by 1, so that its tie is less
+    // than C, too; else more by 1, which makes up for what is cut off.
+    wire [2:0] rest0 = s9[0] ? {1'b0, g9[17:16]} + 3'd1 : 3'd1;
+    wire [3:0] rest1 = s9[1] ? {1'b0, rest0} + {1'b0, g9[17:15]} : {1'b0, rest0};
+    wire [4:0] rest2 = s9[2] ? {1'b0, rest1} + {1'b0, g9[17:14]} : {1'b0, rest1};
+    wire [5:0] rest3 = s9[3] ? {1'b0, rest2} + {1'b0, g9[17:13]} : {1'b0, rest2};
+    wire [6:0] rest4 = s9[4] ? {1'b0, rest3} + {1'b0, g9[17:12]} : {1'b0, rest3};
+    wire [7:0] rest5 = s9[5] ? {1'b0, rest4} + {1'b0, g9[17:11]} : {1'b0, rest4};
+    wire [24:0] rest6 = {{17{model}}, rest5 | {8{model}}};
+    wire [24:0] rest7 = g9[1] ? rest6 + {2'd0, s9[37:15]} : rest6;
+    wire [24:0] rest8 = g9[0] ? rest7 + {3'd0, s9[37:16]} : rest7;
+    reg [31:0] product10, product11;
+    reg [24:0] rest10;
+    reg [15:0] g10, s10;
+    wire [25:0] carry10 = {2'd0, product10[31:8]} + {rest10[24], rest10};
     always @(posedge clk)
         if (en) begin
-            p10 <= p;
-            p11 <= p10;
-            h10 <= h9;
-            h11 <= h10;
-            zero10 <= zero9;
-            zero11 <= zero10;
-            f12 <= zero11 ? 17'd0 : h11 + {16'd0, p11 <= {2'd0, 17'h10000 - {1'b0, u11}, 36'd0}};
-            f13 <= f12;
+            product10 <= {16'd0, g9[17:2]} * {16'd0, s9[21:6]};
+            rest10 <= rest8;
+            g10 <= g9[17:2];
+            s10 <= s9[37:22];
+            product11 <= {16'd0, g10} * {16'd0, s10} + {{14{carry10[25]}}, carry10[25:8]};
         end
-    assign m_f = f13;
+
+    // 12: F.
+    wire [15:0] u11;
+    glint_delay #(
+        .WIDTH(16),
+        .CLOCKS(4)
+    ) u_7_to_11 (
+        .clk(clk),
+        .rst(rst),
+        .en(en),
+        .d(u7),
+        .q(u11)
+    );
+    wire up = product11[31:13] <= {3'd0, ~u11};
+    reg [16:0] f12;
+    always @(posedge clk) if (en) f12 <= zero[11] ? 17'd0 : h11 + {16'd0, up};
+    assign m_f = f12;
+
     glint_delay #(
         .WIDTH(USER),
         .CLOCKS(CLOCKS)
@@ -194,4 +183,6 @@ module glint_core #(
         .d(s_user),
         .q(m_user)
     );
+
+    wire unused = &{1'b0, zero[12], y4[0], low2[0], carry10[7:0], product10[7:0], product11[12:0], product8[14:0], low0[0], low1[0]};
 endmodule

@@ -1,20 +1,94 @@
 // SPDX-License-Identifier: MIT
-// What the quotient is multiplied by to be compared with the cosine: 5 y^2 / 2^30 (modified Schlick) or y (Schlick), in
-// units of 2^-8. Two clocks.
+// What the quotient is multiplied by to be compared with the cosine, in units of 2^-9: 5 y^2 / 2^30, off by less than 16 units
+// (modified Schlick), or y (Schlick). Five clocks.
+//
+// y = 2^12 h + 2 l, as bit 0 is 0:  y^2 / 2^30 = (2^10 h^2 + h l + l^2 / 2^12) / 2^16. Rows that add or not are one logic cell a bit;
+// multiplier blocks are left to the core's other products and to its user.
 module glint_divisor (
     input clk,
     input en,
     input model,
-    input [27:0] y,
-    output reg [36:0] s
+    input [27:1] y,
+    output reg [37:0] s
 );
-    reg [35:0] x;
-    wire [55:0] square = {28'd0, y} * {28'd0, y};
+    wire [15:0] h = y[27:12];
+    wire [10:0] l = y[11:1];
+
+    // h l + l^2 / 2^12 in units of 2^7. Bits left out of its rows cannot change a comparison: where l has many bits F is small and
+    // needs few. That was searched for among the nearest ties of all n and c; the tests go over the whole domain.
+    wire [7:0] l4_squared = {4'd0, l[10:7]} * {4'd0, l[10:7]};
+    wire unused = &{1'b0, l4_squared[4:0]};
+    wire [3:0] rest = {1'b0, l4_squared[7:5]} + 4'd1;
+    wire [9:0] sum1 = {l[1] ? h[15:14] : 2'd0, 4'd0, rest};
+    wire [11:0] sum2 = {l[2] ? {2'd0, sum1[9:3]} + {1'b0, h[15:8]} : {2'd0, sum1[9:3]}, sum1[2:0]};
+    wire [12:0] sum3 = {l[3] ? {1'b0, sum2[11:8]} + {1'b0, h[15:12]} : {1'b0, sum2[11:8]}, sum2[7:0]};
+    wire [13:0] sum4 = {l[4] ? {1'b0, sum3[12:4]} + {1'b0, h[15:7]} : {1'b0, sum3[12:4]}, sum3[3:0]};
+    wire [14:0] sum5 = {l[5] ? {1'b0, sum4[13:5]} + {1'b0, h[15:7]} : {1'b0, sum4[13:5]}, sum4[4:0]};
+    wire [13:0] square7;
+    glint_square #(
+        .FROM(2),
+        .TO(7)
+    ) square_2_to_7 (
+        .h(h[6:0]),
+        .low({h[1] & h[0], h[1] & ~h[0], 1'b0, h[0]}),
+        .square(square7)
+    );
+
+    reg [15:0] h_1;
+    reg [10:0] l_1;
+    reg [14:0] sum_1;
+    reg [13:0] square_1;
+    wire [15:0] sum6 = l_1[6] ? {1'b0, sum_1} + {1'b0, h_1[15:1]} : {1'b0, sum_1};
+    wire [16:0] sum7 = l_1[7] ? {1'b0, sum6} + {1'b0, h_1} : {1'b0, sum6};
+    wire [17:0] sum8 = {l_1[8] ? {1'b0, sum7[16:2]} + {1'b0, h_1[15:1]} : {1'b0, sum7[16:2]}, sum7[1:0]};
+    wire [23:0] square12;
+    glint_square #(
+        .FROM(7),
+        .TO(12)
+    ) square_7_to_12 (
+        .h(h_1[11:0]),
+        .low(square_1),
+        .square(square12)
+    );
+
+    reg [15:0] h_2;
+    reg [10:0] l_2;
+    reg [17:0] sum_2;
+    reg [23:0] square_2;
+    wire [18:0] sum9 = {l_2[9] ? {1'b0, sum_2[17:2]} + {1'b0, h_2} : {1'b0, sum_2[17:2]}, sum_2[1:0]};
+    wire [19:0] sum10 = {l_2[10] ? {1'b0, sum9[18:3]} + {1'b0, h_2} : {1'b0, sum9[18:3]}, sum9[2:0]};
+    wire [31:0] square16;
+    glint_square #(
+        .FROM(12),
+        .TO(16)
+    ) square_12_to_16 (
+        .h(h_2),
+        .low(square_2),
+        .square(square16)
+    );
+
+    reg [26:0] y_3;
+    reg [19:0] sum_3;
+    reg [31:0] square_3;
+    reg [36:0] x;
+    wire [31:0] high = square_3 + {15'd0, sum_3[19:3]};
     always @(posedge clk)
         if (en) begin
-            x <= model ? {y, 8'd0} : {2'd0, square[55:22]};
-            s <= model ? {1'b0, x} : {1'b0, x} + {x[34:0], 2'd0};
-        end
+            h_1 <= h;
+            l_1 <= l;
+            sum_1 <= sum5;
+            square_1 <= square7;
 
-    wire unused = &{1'b0, square[21:0]};
+            h_2 <= h_1;
+            l_2 <= l_1;
+            sum_2 <= sum8;
+            square_2 <= square12;
+
+            y_3 <= {h_2, l_2};
+            sum_3 <= sum10;
+            square_3 <= square16;
+
+            x <= model ? {y_3, 10'd0} : {2'd0, high, sum_3[2:0]};
+            s <= model ? {1'b0, x} : {1'b0, x} + {x[35:0], 2'd0};
+        end
 endmodule

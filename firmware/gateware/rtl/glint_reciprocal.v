@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // z, nearly 2^18 times 1.6 / x^2 (modified Schlick) or 1 / x (Schlick), for x = y / 2^27, 1 <= x < 2: a line through each of
-// 256 intervals, half way between chord and tangent. Two clocks after y.
+// 256 intervals, half way between chord and tangent. Three clocks after y.
 module glint_reciprocal (
     input clk,
     input en,
@@ -41,15 +41,40 @@ module glint_reciprocal (
     integer i;
     initial for (i = 0; i < 512; i = i + 1) lines[i] = {base(i >= 256, {56'd0, i[7:0]}), slope(i >= 256, {56'd0, i[7:0]})};
 
+    // rise * back / 2^12, from back's last bit on. (A row that adds or not is one logic cell a bit.)
+    function [13:0] row(input [12:0] sum, input [12:0] rise, input bit_of_back);
+        row = bit_of_back ? {1'b0, sum} + {1'b0, rise} : {1'b0, sum};
+    endfunction
+
     reg [31:0] line;
     reg [10:0] back;  // from the right end
-    wire [23:0] rise = {11'd0, line[12:0]} * {13'd0, back};
+    wire [12:0] rise = line[12:0];
+    wire [13:0] sum0 = back[0] ? {1'b0, rise} : 14'd0;
+    wire [13:0] sum1 = row(sum0[13:1], rise, back[1]);
+    wire [13:0] sum2 = row(sum1[13:1], rise, back[2]);
+    wire [13:0] sum3 = row(sum2[13:1], rise, back[3]);
+    wire [13:0] sum4 = row(sum3[13:1], rise, back[4]);
+    wire [13:0] sum5 = row(sum4[13:1], rise, back[5]);
+
+    reg [31:0] line_1;
+    reg [10:6] back_1;
+    reg [13:0] sum_1;
+    wire [12:0] rise_1 = line_1[12:0];
+    wire [13:0] sum6 = row(sum_1[13:1], rise_1, back_1[6]);
+    wire [13:0] sum7 = row(sum6[13:1], rise_1, back_1[7]);
+    wire [13:0] sum8 = row(sum7[13:1], rise_1, back_1[8]);
+    wire [13:0] sum9 = row(sum8[13:1], rise_1, back_1[9]);
+    wire [13:0] sum10 = row(sum9[13:1], rise_1, back_1[10]);
+
     always @(posedge clk)
         if (en) begin
             line <= lines[{model, y[26:19]}];
             back <= ~y[18:8];
-            z <= line[31:13] + {7'd0, rise[23:12]};
+            line_1 <= line;
+            back_1 <= back[10:6];
+            sum_1 <= sum5;
+            z <= line_1[31:13] + {7'd0, sum10[13:2]};
         end
 
-    wire unused = &{1'b0, rise[11:0]};
+    wire unused = &{1'b0, sum0[0], sum1[0], sum2[0], sum3[0], sum4[0], sum6[0], sum7[0], sum8[0], sum9[0], sum10[1:0], sum_1[0]};
 endmodule
