@@ -139,6 +139,19 @@ static void grey_of_a_colour_weighs_green_most(void **state)
     image_free(image);
 }
 
+static void a_colour_that_differs_in_one_channel_is_no_grey(void **state)
+{
+    (void)state;
+    for (unsigned k = 0; k < 3; k++) {
+        uint16_t samples[3] = {7, 7, 7};
+        samples[k] = 8;
+        struct image *image = read_made(&(struct made_png){
+            .width = 1, .height = 1, .bits = 8, .color_type = PNG_COLOR_TYPE_RGB, .samples = samples});
+        assert_false(image_is_grey(image));
+        image_free(image);
+    }
+}
+
 /* ---- what is no picture ---- */
 
 static void write_bytes(const char *path, const void *bytes, size_t len)
@@ -229,21 +242,31 @@ static void a_flipped_byte_is_refused(void **state)
 }
 
 /* 65535 x 65535 pixels in a hundred bytes: refused by its size, before memory is asked for. */
-static void a_picture_too_large_is_refused_by_its_size(void **state)
+/* A PNG that says so, and holds nothing. */
+static void write_head(const char *path, uint32_t width, uint32_t height)
 {
-    (void)state;
-    FILE *file = fopen("huge.png", "wb");
+    FILE *file = fopen(path, "wb");
     assert_non_null(file);
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
     png_infop info = png_create_info_struct(png);
     png_init_io(png, file);
-    png_set_IHDR(png, info, 65535, 65535, 8, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+    png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
     png_write_chunk(png, (png_const_bytep) "IDAT", (png_const_bytep) "data", 4);
     png_destroy_write_struct(&png, &info);
     assert_int_equal(fclose(file), 0);
+}
+
+static void a_picture_too_large_is_refused_by_its_size(void **state)
+{
+    (void)state;
+    write_head("huge.png", 65535, 65535);
     assert_not_read("huge.png", "65535x65535");
+    write_head("wide.png", SIDE_MAX + 1, 1);
+    assert_not_read("wide.png", "is 16385x1 pixels; at most 16384 a side");
+    write_head("tall.png", 1, SIDE_MAX + 1);
+    assert_not_read("tall.png", "is 1x16385 pixels; at most 16384 a side");
 }
 
 /* ---- writing ---- */
@@ -381,6 +404,7 @@ int main(void)
         cmocka_unit_test(other_files_are_called_what_they_are),
         cmocka_unit_test(a_file_cut_anywhere_is_refused),
         cmocka_unit_test(a_flipped_byte_is_refused),
+        cmocka_unit_test(a_colour_that_differs_in_one_channel_is_no_grey),
         cmocka_unit_test(a_picture_too_large_is_refused_by_its_size),
         cmocka_unit_test(a_written_png_reads_back),
         cmocka_unit_test(mono_is_a_one_bit_png_and_grey_an_eight_bit_one),

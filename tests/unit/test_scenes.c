@@ -228,16 +228,21 @@ static void a_map_is_cut_or_repeated_from_its_corner(void **state)
     }
     double before[WIDTH * HEIGHT][3];
     memcpy(before, scene->normals, sizeof before);
-    const uint32_t width = 2 * WIDTH + 1, height = HEIGHT - 2;
-    scene_repeat(scene, width, height);
-    assert_int_equal(scene->width, width);
-    assert_int_equal(scene->height, height);
-    assert_null(scene->mask);
-    for (uint32_t i = 0; i < width * height; i++) {
-        const uint32_t from = i / width * WIDTH + i % width % WIDTH;
-        assert_memory_equal(scene->normals[i], before[from], sizeof before[0]);
-        assert_int_equal(scene->gloss[i], from);
-        assert_int_equal(scene->albedo[3 * i + 2], from + 100);
+    static const struct {
+        uint32_t width, height, lines; /* of the first map that are left then */
+    } sizes[] = {{2 * WIDTH + 1, HEIGHT - 2, HEIGHT}, {WIDTH, 2 * HEIGHT + 1, HEIGHT - 2}};
+    for (unsigned k = 0; k < 2; k++) {
+        const uint32_t width = sizes[k].width, height = sizes[k].height;
+        scene_repeat(scene, width, height);
+        assert_int_equal(scene->width, width);
+        assert_int_equal(scene->height, height);
+        assert_null(scene->mask);
+        for (uint32_t i = 0; i < width * height; i++) {
+            const uint32_t from = i / width % sizes[k].lines * WIDTH + i % width % WIDTH;
+            assert_memory_equal(scene->normals[i], before[from], sizeof before[0]);
+            assert_int_equal(scene->gloss[i], from);
+            assert_int_equal(scene->albedo[3 * i + 2], from + 100);
+        }
     }
     scene_free(scene);
 }

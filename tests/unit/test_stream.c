@@ -76,6 +76,16 @@ static void the_orbit_keeps_its_angle(void **state)
     assert_same_file("o0.png", "o1.png");
 }
 
+static void a_point_circles_in_the_sense_of_the_orbit(void **state)
+{
+    (void)state;
+    assert_quiet(SPHERE "--point 40,20,30,90 --fps 4 --period 1 -o o%d.png"); /* about 30,20 */
+    assert_quiet("$GLINT render --scene sphere --size 60x40 -o a.png --point 30,10,30,90");
+    assert_same_file("a.png", "o1.png");
+    assert_quiet("$GLINT render --scene sphere --size 60x40 -o a.png --point 20,20,30,90");
+    assert_same_file("a.png", "o2.png");
+}
+
 static void raw_frames_are_packed_lines_of_the_format(void **state)
 {
     (void)state;
@@ -333,6 +343,7 @@ int main(void)
         cmocka_unit_test(each_line_of_lights_is_a_frame),
         cmocka_unit_test(files_get_one_turn_of_the_light_unless_frames_says_more),
         cmocka_unit_test(the_orbit_keeps_its_angle),
+        cmocka_unit_test(a_point_circles_in_the_sense_of_the_orbit),
         cmocka_unit_test(raw_frames_are_packed_lines_of_the_format),
         cmocka_unit_test(a_map_is_streamed_at_its_own_size_or_repeated),
         cmocka_unit_test(the_virtual_panel_shows_the_frames_that_png_files_hold),

@@ -95,6 +95,7 @@ static void standard_input_is_read_and_its_errors_name_the_line(void **state)
     assert_fails("printf '1\\0\\n' | $GLINT eval -", "standard input, line 1: not text");
     assert_fails("$GLINT eval - <.", "standard input: Is a directory");
     assert_refused("$GLINT eval", "no value");
+    assert_refused("$GLINT eval 0:0.6:1e-6,0:0.6:1e-6", "names more than 1000000 values");
     assert_refused("$GLINT eval 1.5", "VALUE: '1.5' is not a list from -1 to 1");
     assert_refused("$GLINT eval --raw 0.5", "VALUE: '0.5' is not a list of whole numbers from -65536 to 65536");
     assert_refused("$GLINT cutoff -q 17", "-q: '17' is not a list from 0 to 16");
