@@ -89,6 +89,19 @@ static void four_lights_compare_well_with_doubles(void **state)
     assert_in_range((int)(1000 * strtod(largest + strlen("\"largest\": "), NULL)), 400, 600);
 }
 
+static void places_count_to_a_sixteenth_of_a_pixel_for_the_reference_too(void **state)
+{
+    (void)state;
+    char exact[4096];
+    const char *const scene = "$GLINT render --scene sphere --size 40x40 --json --point ";
+    char line[200];
+    snprintf(line, sizeof line, "%s 20,10,30,90", scene);
+    snprintf(exact, sizeof exact, "%s", run(line)->out);
+    assert_contains(exact, "psnr");
+    snprintf(line, sizeof line, "%s 20.03,9.97,30.03,90.03", scene);
+    assert_string_equal(run(line)->out, exact);
+}
+
 static void wrong_lights_are_refused_with_what_is_allowed(void **state)
 {
     (void)state;
@@ -112,6 +125,7 @@ static void wrong_lights_are_refused_with_what_is_allowed(void **state)
         {"--light 1,1,1 --light 0,0,-1", "opposite"},
         {"--spot 1,2,3,4,5,6,7", "not 8 numbers"},
         {"--spot 1,2,3,4,5,6,20,10", "INNER <= OUTER"},
+        {"--spot 1,2,3,4,5,6,-1,10", "0 <= INNER"},
         {"--spot 1,2,3,4,5,6,20,190", "180 degrees"},
         {"--spot 1,2,0,1,2,6,10,20", "its own place"},
         {"--spot 1,2,3,4,700000,6,10,20", "aimed more than"},
@@ -135,6 +149,7 @@ int main(void)
         cmocka_unit_test(one_white_light_may_come_with_its_colour),
         cmocka_unit_test(a_point_light_takes_the_place_of_the_default_light),
         cmocka_unit_test(four_lights_compare_well_with_doubles),
+        cmocka_unit_test(places_count_to_a_sixteenth_of_a_pixel_for_the_reference_too),
         cmocka_unit_test(wrong_lights_are_refused_with_what_is_allowed),
     };
     return cmocka_run_group_tests_name("render lights", tests, flat_map, scratch_remove);

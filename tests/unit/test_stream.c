@@ -236,6 +236,18 @@ static void signals_end_it_after_a_whole_frame(void **state)
     }
 }
 
+static void a_signal_that_the_caller_ignores_is_ignored(void **state)
+{
+    (void)state;
+    /* As nohup does. The second light comes after the signal. */
+    const struct run *result =
+        run("mkfifo hup; trap '' HUP; $GLINT stream sphere --size 60x40 --to raw --lights hup >frames & exec 3>hup;"
+            "echo 1 1 1 >&3; for i in $(seq 100); do [ -s frames ] && break; sleep .1; done; kill -HUP $!;"
+            "echo 1 1 2 >&3; exec 3>&-; wait $! && stat -c %s frames");
+    assert_int_equal(result->status, 0);
+    assert_string_equal(result->out, "9600\n");
+}
+
 /* A stream that cannot go on: nobody reads its frames, or nobody writes its lights. */
 static int interrupted_while_it_waits(const char *option, const char *value, bool reads)
 {
@@ -329,6 +341,10 @@ static void the_terminal_shows_it_and_gets_its_cursor_back(void **state)
     read_text("typed", typed, sizeof typed);
     assert_contains(strstr(typed, "\033[?25l"), "\033[?25h");
     assert_contains(typed, "line 2");
+    const struct run *paced = run(IN_TERMINAL("$GLINT stream coin --to terminal --frames 4 --fps 10 --json 2>paced"));
+    assert_int_equal(paced->status, 0);
+    assert_true(strtod(run("grep '\"seconds\"' paced | tr -dc 0-9.")->out, NULL) >=
+                .3); /* and as slow as the machine */
     assert_int_equal(
         run(IN_TERMINAL("timeout -s INT 1 $GLINT stream coin --to terminal --fps 4; test \\$? = 124"))->status, 0);
     read_text("typed", typed, sizeof typed);
@@ -343,6 +359,7 @@ int main(void)
         cmocka_unit_test(each_line_of_lights_is_a_frame),
         cmocka_unit_test(files_get_one_turn_of_the_light_unless_frames_says_more),
         cmocka_unit_test(the_orbit_keeps_its_angle),
+        cmocka_unit_test(a_signal_that_the_caller_ignores_is_ignored),
         cmocka_unit_test(a_point_circles_in_the_sense_of_the_orbit),
         cmocka_unit_test(raw_frames_are_packed_lines_of_the_format),
         cmocka_unit_test(a_map_is_streamed_at_its_own_size_or_repeated),
