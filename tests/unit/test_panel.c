@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "panel.h"
+#include "panel_options.h"
 #include "unit.h"
 
 /* ---- a bus that writes down what happens ---- */
@@ -248,6 +249,19 @@ static void glass_that_is_not_known_or_does_not_fit_is_refused(void **state)
     assert_false(panel_fits(&panel));
 }
 
+static void colour_order_and_inversion_are_as_said_else_as_usual(void **state)
+{
+    (void)state;
+    const struct sink_wish wish = {.width = 240, .height = 240, .format = -1};
+    struct panel panel;
+    panel_of_options(&panel, &wish, false);
+    assert_true(panel.inverted && !panel.bgr);
+    assert_true(panel_options_set("pins.ini:1", "invert", "no") && panel_options_set("pins.ini:2", "bgr", "yes"));
+    panel_of_options(&panel, &wish, false);
+    assert_true(!panel.inverted && panel.bgr);
+    assert_false(panel_options_set("pins.ini:3", "contrast", "no"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -260,6 +274,7 @@ int main(void)
         cmocka_unit_test(a_bus_that_fails_at_any_call_fails_the_panel),
         cmocka_unit_test(windows_beyond_the_picture_are_refused_and_send_nothing),
         cmocka_unit_test(glass_that_is_not_known_or_does_not_fit_is_refused),
+        cmocka_unit_test(colour_order_and_inversion_are_as_said_else_as_usual),
     };
     return cmocka_run_group_tests_name("panel", tests, NULL, NULL);
 }

@@ -210,6 +210,16 @@ static void help_explains_every_option_and_fits_a_terminal(void **state)
     }
 }
 
+static void a_path_leaves_what_is_not_of_full_gloss_to_the_exact_one(void **state)
+{
+    (void)state;
+    const struct run *result =
+        run("$GLINT render --height heights.png --gloss heights.png --path small-int16 -o out/path.ppm");
+    assert_int_equal(result->status, 0);
+    assert_contains(result->err,
+                    "full gloss, 1 of 96 pixels; the exact path drew the rest"); /* of 96 greys one is white */
+}
+
 static void each_path_draws_the_sphere_within_its_error(void **state)
 {
     (void)state;
@@ -272,6 +282,7 @@ int main(void)
         cmocka_unit_test(q_follows_the_format_and_the_space),
         cmocka_unit_test(each_option_of_light_and_material_changes_the_picture),
         cmocka_unit_test(help_explains_every_option_and_fits_a_terminal),
+        cmocka_unit_test(a_path_leaves_what_is_not_of_full_gloss_to_the_exact_one),
         cmocka_unit_test(each_path_draws_the_sphere_within_its_error),
         cmocka_unit_test(an_albedo_path_says_which_light_it_wants),
     };
