@@ -26,7 +26,7 @@ ASAN = build/asan
 ASAN_FLAGS = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 run-unit: unit-programs
 	@+$(SUBMAKE) BUILD=$(ASAN) CFLAGS="$(ASAN_FLAGS)" unit-programs
-	@+$(UNIT_ENV) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS) \
+	@+$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS) \
 		$(patsubst $(BUILD)/%,"env GLINT=$(CURDIR)/$(ASAN)/glint $(ASAN)/%",$(UNIT_TESTS)) \
 		"tests/unit/compilers $(BUILD)/compilers $(BUILD)/libglint.a $(SUBMAKE)"
 
@@ -36,6 +36,6 @@ check-unit:
 	else tests/tally "echo ok 1 - tier unit # SKIP cmocka is not installed: make setup-unit"; fi
 
 run-check-unit: unit-programs
-	@$(UNIT_ENV) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS)
+	@$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS)
 
 .PHONY: setup-unit test-unit unit-programs run-unit check-unit run-check-unit
