@@ -104,6 +104,7 @@ static void a_file_s_wrong_line_is_told_with_its_number(void **state)
     assert_config_fails("[pins]\nsck = A\n", "pins.ini:2: [pins]: the only section is [lines]");
     assert_config_fails("[lines]\nsck = A\nfoo = B\n", "pins.ini:3: no line 'foo'");
     assert_config_fails("[lines]\nsck = A\nclk = B\n", "pins.ini:3: sck is given twice, as A and B");
+    assert_config_fails("[lines]\nSCK = A\nCLK = B\n", "pins.ini:3: sck is given twice, as A and B");
     assert_config_fails("[lines]\nsck =\n", "pins.ini:2: sck has no line");
     assert_config_fails("bus = spi # of wires\nchip =\t# which?\n", "pins.ini:2: chip: '' is no name");
     assert_config_fails("\xEF\xBB\xBF"
