@@ -6,6 +6,7 @@ GATEWARE_TESTS = $(patsubst tests/gateware/test_%.cpp,$(BUILD)/tests/gateware/te
 GATEWARE_SCRIPTS = $(filter-out %.cpp %.v,$(wildcard tests/gateware/test_*))
 # Their parameters.
 VERILATE_core = -GUSER=16
+VERILATE_lite = -GUSER=16
 VERILATE = verilator --cc --exe --build -Wall -Wno-fatal -O3 --x-assign unique $(VERILATE_$*) -CFLAGS "-O3 -I$(CURDIR)/lib -I$(CURDIR)/tests/gateware" \
 	-Ifirmware/gateware/rtl
 

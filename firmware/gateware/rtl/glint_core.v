@@ -50,11 +50,14 @@ module glint_core #(
         end
 
     // 2 to 4: the denominator and its mantissa. E >= 2^27 makes F 2^16 less than 0.4.
-    reg [27:0] w2;
+    reg [31:0] w2_high;
+    reg [1:0] w2_low;
+    wire [27:0] w2 = {w2_high[25:0], w2_low};
     reg [12:2] zero;
     always @(posedge clk)
         if (en) begin
-            w2 <= {16'd0, n_less_1, 2'd0} * {12'd0, u1} + {10'd1, 1'b0, c1};
+            w2_high <= {22'd0, n_less_1} * {16'd0, u1} + {16'd1, 1'b0, c1[16:2]};
+            w2_low <= c1[1:0];
             zero <= {zero[11:3], zero[2] || (w2[27] && !model), zero1};
         end
     wire [27:0] y4;
@@ -101,8 +104,10 @@ module glint_core #(
     );
     wire [15:0] p7 = ~u7;
     wire [16:0] low0 = z7[0] ? {1'b0, p7} : 17'd0;
-    wire [16:0] low1 = z7[1] ? {1'b0, low0[16:1]} + {1'b0, p7} : {1'b0, low0[16:1]};
-    wire [16:0] low2 = z7[2] ? {1'b0, low1[16:1]} + {1'b0, p7} : {1'b0, low1[16:1]};
+    wire [16:0] low1;
+    glint_row #(16) row_low1 (z7[1], low0[16:1], p7, low1);
+    wire [16:0] low2;
+    glint_row #(16) row_low2 (z7[2], low1[16:1], p7, low2);
     wire [16:0] addend7 = {1'b0, z7[18:3]} + {1'b0, low2[16:1]};
     reg [31:0] product8;
     reg [4:0] t5, t6, t7, t8;
@@ -117,14 +122,14 @@ module glint_core #(
     wire [16:0] q8 = product8[31:15];
 
     // 9: half units: 2h + 1, then t zeros.
-    wire [17:0] half = 18'd1 << t8;
+    wire [17:0] keep = 18'h3ffff << t8;
     reg [17:0] g9;
     reg [16:0] h9, h10, h11;
     reg [2:0] t9;
     reg t10;
     always @(posedge clk)
         if (en) begin
-            g9 <= ({q8, 1'b0} & ~(half - 18'd1)) | half;
+            g9 <= keep & ({q8, 1'b0} | ~{keep[16:0], 1'b0});
             h9 <= t8[4] ? {16'd0, q8[16]} : t8[3] ? {8'd0, q8[16:8]} : q8;
             t9 <= t8[2:0];
             h10 <= t9[2] ? (t9[1] ? {6'd0, h9[16:6]} : {4'd0, h9[16:4]}) : t9[1] ? {2'd0, h9[16:2]} : h9;
@@ -132,24 +137,30 @@ module glint_core #(
             h11 <= t10 ? {1'b0, h10[16:1]} : h10;
         end
 
-    // 10, 11: g times s, as g[17:2] times s[37:6] and, in 2^8 of its units, the rest: for Schlick less by 1, so that its tie is less
-    // than C, too; else more by 1, which makes up for what is cut off.
-    wire [2:0] rest0 = s9[0] ? {1'b0, g9[17:16]} + 3'd1 : 3'd1;
-    wire [3:0] rest1 = s9[1] ? {1'b0, rest0} + {1'b0, g9[17:15]} : {1'b0, rest0};
-    wire [4:0] rest2 = s9[2] ? {1'b0, rest1} + {1'b0, g9[17:14]} : {1'b0, rest1};
-    wire [5:0] rest3 = s9[3] ? {1'b0, rest2} + {1'b0, g9[17:13]} : {1'b0, rest2};
-    wire [6:0] rest4 = s9[4] ? {1'b0, rest3} + {1'b0, g9[17:12]} : {1'b0, rest3};
-    wire [7:0] rest5 = s9[5] ? {1'b0, rest4} + {1'b0, g9[17:11]} : {1'b0, rest4};
-    wire [24:0] rest6 = {{17{model}}, rest5 | {8{model}}};
-    wire [24:0] rest7 = g9[1] ? rest6 + {2'd0, s9[37:15]} : rest6;
-    wire [24:0] rest8 = g9[0] ? rest7 + {3'd0, s9[37:16]} : rest7;
+    // 10, 11: g times s, as g[17:2] times s[37:6] and, in 2^8 of its units, the rest. Less by 1 for Schlick, so that its tie counts as
+    // less than C, too; else more by 2^8, which makes up for what is cut off. (For Schlick g[17:2] <= 2^15.)
+    wire [5:0] rest4 = s9[4] ? g9[17:12] : 6'd0;
+    wire [3:0] rest2 = s9[2] ? g9[17:14] : 4'd0;
+    wire [1:0] rest0 = s9[0] ? g9[17:16] : 2'd0;
+    wire [7:0] rest5;
+    wire [5:0] rest3;
+    wire [3:0] rest1;
+    glint_row #(7) row_rest5 (s9[5], {1'b0, rest4}, g9[17:11], rest5);
+    glint_row #(5) row_rest3 (s9[3], {1'b0, rest2}, g9[17:13], rest3);
+    glint_row #(3) row_rest1 (s9[1], {1'b0, rest0}, g9[17:15], rest1);
+    wire [5:0] rest_3_to_0 = rest3 + {2'd0, rest1};
+    wire [7:0] rest_5_to_0 = rest5 + {2'd0, rest_3_to_0};
+    wire [23:0] rest7;
+    wire [24:0] rest8;
+    glint_row #(23) row_rest7 (g9[1], {15'd0, rest_5_to_0}, s9[37:15], rest7);
+    glint_row #(24) row_rest8 (g9[0], rest7, {2'd0, s9[37:16]}, rest8);
     reg [31:0] product10, product11;
     reg [24:0] rest10;
     reg [15:0] g10, s10;
-    wire [25:0] carry10 = {2'd0, product10[31:8]} + {rest10[24], rest10};
+    wire [25:0] carry10 = {{2{product10[31] && model}}, product10[31:8]} + {1'b0, rest10};
     always @(posedge clk)
         if (en) begin
-            product10 <= {16'd0, g9[17:2]} * {16'd0, s9[21:6]};
+            product10 <= {16'd0, g9[17:2]} * {16'd0, s9[21:6]} + (model ? 32'hffffffff : 32'h100);
             rest10 <= rest8;
             g10 <= g9[17:2];
             s10 <= s9[37:22];
@@ -184,5 +195,5 @@ module glint_core #(
         .q(m_user)
     );
 
-    wire unused = &{1'b0, zero[12], y4[0], low2[0], carry10[7:0], product10[7:0], product11[12:0], product8[14:0], low0[0], low1[0]};
+    wire unused = &{1'b0, w2_high[31:26], zero[12], y4[0], low2[0], carry10[7:0], product10[7:0], product11[12:0], product8[14:0], low0[0], low1[0]};
 endmodule

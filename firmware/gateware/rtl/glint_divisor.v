@@ -2,8 +2,8 @@
 // What the quotient is multiplied by to be compared with the cosine, in units of 2^-9: 5 y^2 / 2^30, off by less than 16 units
 // (modified Schlick), or y (Schlick). Five clocks.
 //
-// y = 2^12 h + 2 l, as bit 0 is 0:  y^2 / 2^30 = (2^10 h^2 + h l + l^2 / 2^12) / 2^16. Rows that add or not are one logic cell a bit;
-// multiplier blocks are left to the core's other products and to its user.
+// y = 2^12 h + 2 l, as bit 0 is 0:  y^2 / 2^30 = (2^10 h^2 + h l + l^2 / 2^12) / 2^16. By rows of logic cells, as the multiplier
+// blocks are left to the core's other products and to its user.
 module glint_divisor (
     input clk,
     input en,
@@ -20,10 +20,18 @@ module glint_divisor (
     wire unused = &{1'b0, l4_squared[4:0]};
     wire [3:0] rest = {1'b0, l4_squared[7:5]} + 4'd1;
     wire [9:0] sum1 = {l[1] ? h[15:14] : 2'd0, 4'd0, rest};
-    wire [11:0] sum2 = {l[2] ? {2'd0, sum1[9:3]} + {1'b0, h[15:8]} : {2'd0, sum1[9:3]}, sum1[2:0]};
-    wire [12:0] sum3 = {l[3] ? {1'b0, sum2[11:8]} + {1'b0, h[15:12]} : {1'b0, sum2[11:8]}, sum2[7:0]};
-    wire [13:0] sum4 = {l[4] ? {1'b0, sum3[12:4]} + {1'b0, h[15:7]} : {1'b0, sum3[12:4]}, sum3[3:0]};
-    wire [14:0] sum5 = {l[5] ? {1'b0, sum4[13:5]} + {1'b0, h[15:7]} : {1'b0, sum4[13:5]}, sum4[4:0]};
+    wire [11:0] sum2;
+    glint_row #(8) row_sum2 (l[2], {1'b0, sum1[9:3]}, h[15:8], sum2[11:3]);
+    assign sum2[2:0] = sum1[2:0];
+    wire [12:0] sum3;
+    glint_row #(4) row_sum3 (l[3], sum2[11:8], h[15:12], sum3[12:8]);
+    assign sum3[7:0] = sum2[7:0];
+    wire [13:0] sum4;
+    glint_row #(9) row_sum4 (l[4], sum3[12:4], h[15:7], sum4[13:4]);
+    assign sum4[3:0] = sum3[3:0];
+    wire [14:0] sum5;
+    glint_row #(9) row_sum5 (l[5], sum4[13:5], h[15:7], sum5[14:5]);
+    assign sum5[4:0] = sum4[4:0];
     wire [13:0] square7;
     glint_square #(
         .FROM(2),
@@ -38,9 +46,13 @@ module glint_divisor (
     reg [10:0] l_1;
     reg [14:0] sum_1;
     reg [13:0] square_1;
-    wire [15:0] sum6 = l_1[6] ? {1'b0, sum_1} + {1'b0, h_1[15:1]} : {1'b0, sum_1};
-    wire [16:0] sum7 = l_1[7] ? {1'b0, sum6} + {1'b0, h_1} : {1'b0, sum6};
-    wire [17:0] sum8 = {l_1[8] ? {1'b0, sum7[16:2]} + {1'b0, h_1[15:1]} : {1'b0, sum7[16:2]}, sum7[1:0]};
+    wire [15:0] sum6;
+    glint_row #(15) row_sum6 (l_1[6], sum_1, h_1[15:1], sum6[15:0]);
+    wire [16:0] sum7;
+    glint_row #(16) row_sum7 (l_1[7], sum6, h_1, sum7[16:0]);
+    wire [17:0] sum8;
+    glint_row #(15) row_sum8 (l_1[8], sum7[16:2], h_1[15:1], sum8[17:2]);
+    assign sum8[1:0] = sum7[1:0];
     wire [23:0] square12;
     glint_square #(
         .FROM(7),
@@ -55,8 +67,12 @@ module glint_divisor (
     reg [10:0] l_2;
     reg [17:0] sum_2;
     reg [23:0] square_2;
-    wire [18:0] sum9 = {l_2[9] ? {1'b0, sum_2[17:2]} + {1'b0, h_2} : {1'b0, sum_2[17:2]}, sum_2[1:0]};
-    wire [19:0] sum10 = {l_2[10] ? {1'b0, sum9[18:3]} + {1'b0, h_2} : {1'b0, sum9[18:3]}, sum9[2:0]};
+    wire [18:0] sum9;
+    glint_row #(16) row_sum9 (l_2[9], sum_2[17:2], h_2, sum9[18:2]);
+    assign sum9[1:0] = sum_2[1:0];
+    wire [19:0] sum10;
+    glint_row #(16) row_sum10 (l_2[10], sum9[18:3], h_2, sum10[19:3]);
+    assign sum10[2:0] = sum9[2:0];
     wire [31:0] square16;
     glint_square #(
         .FROM(12),

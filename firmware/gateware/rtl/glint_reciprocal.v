@@ -41,30 +41,36 @@ module glint_reciprocal (
     integer i;
     initial for (i = 0; i < 512; i = i + 1) lines[i] = {base(i >= 256, {56'd0, i[7:0]}), slope(i >= 256, {56'd0, i[7:0]})};
 
-    // rise * back / 2^12, from back's last bit on. (A row that adds or not is one logic cell a bit.)
-    function [13:0] row(input [12:0] sum, input [12:0] rise, input bit_of_back);
-        row = bit_of_back ? {1'b0, sum} + {1'b0, rise} : {1'b0, sum};
-    endfunction
-
+    // rise * back / 2^12, from back's last bit on.
     reg [31:0] line;
     reg [10:0] back;  // from the right end
     wire [12:0] rise = line[12:0];
     wire [13:0] sum0 = back[0] ? {1'b0, rise} : 14'd0;
-    wire [13:0] sum1 = row(sum0[13:1], rise, back[1]);
-    wire [13:0] sum2 = row(sum1[13:1], rise, back[2]);
-    wire [13:0] sum3 = row(sum2[13:1], rise, back[3]);
-    wire [13:0] sum4 = row(sum3[13:1], rise, back[4]);
-    wire [13:0] sum5 = row(sum4[13:1], rise, back[5]);
+    wire [13:0] sum1;
+    glint_row #(13) row_sum1 (back[1], sum0[13:1], rise, sum1);
+    wire [13:0] sum2;
+    glint_row #(13) row_sum2 (back[2], sum1[13:1], rise, sum2);
+    wire [13:0] sum3;
+    glint_row #(13) row_sum3 (back[3], sum2[13:1], rise, sum3);
+    wire [13:0] sum4;
+    glint_row #(13) row_sum4 (back[4], sum3[13:1], rise, sum4);
+    wire [13:0] sum5;
+    glint_row #(13) row_sum5 (back[5], sum4[13:1], rise, sum5);
 
     reg [31:0] line_1;
     reg [10:6] back_1;
     reg [13:0] sum_1;
     wire [12:0] rise_1 = line_1[12:0];
-    wire [13:0] sum6 = row(sum_1[13:1], rise_1, back_1[6]);
-    wire [13:0] sum7 = row(sum6[13:1], rise_1, back_1[7]);
-    wire [13:0] sum8 = row(sum7[13:1], rise_1, back_1[8]);
-    wire [13:0] sum9 = row(sum8[13:1], rise_1, back_1[9]);
-    wire [13:0] sum10 = row(sum9[13:1], rise_1, back_1[10]);
+    wire [13:0] sum6;
+    glint_row #(13) row_sum6 (back_1[6], sum_1[13:1], rise_1, sum6);
+    wire [13:0] sum7;
+    glint_row #(13) row_sum7 (back_1[7], sum6[13:1], rise_1, sum7);
+    wire [13:0] sum8;
+    glint_row #(13) row_sum8 (back_1[8], sum7[13:1], rise_1, sum8);
+    wire [13:0] sum9;
+    glint_row #(13) row_sum9 (back_1[9], sum8[13:1], rise_1, sum9);
+    wire [13:0] sum10;
+    glint_row #(13) row_sum10 (back_1[10], sum9[13:1], rise_1, sum10);
 
     always @(posedge clk)
         if (en) begin

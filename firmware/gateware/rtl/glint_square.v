@@ -15,8 +15,14 @@ module glint_square #(
             wire [2*i-1:0] was;
             if (i == FROM) assign was = low;
             else assign was = bits[i-1].is;
-            wire [i:0] more = {2'd1, was[2*i-1:i+1]} + {1'b0, h[i-1:0]};
-            wire [2*i+1:0] is = {h[i] ? more : {2'd0, was[2*i-1:i+1]}, was[i:0]};
+            wire [2*i+1:0] is;
+            assign is[i:0] = was[i:0];
+            glint_row #(i) row (
+                .add(h[i]),
+                .sum({h[i], was[2*i-1:i+1]}),
+                .more(h[i-1:0]),
+                .result(is[2*i+1:i+1])
+            );
         end
     endgenerate
     assign square = bits[TO-1].is;

@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: MIT
+ * The lite core against its table, and what that costs against the library. */
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+#include "stream.h"
+#include "tap.h"
+
+extern "C" {
+#include "glint.h"
+}
+
+double sc_time_stamp()
+{
+    return 0;
+}
+
+namespace
+{
+
+constexpr int32_t ONE = GLINT_C_ONE;
+constexpr uint32_t ENTRIES = 208;
+
+/* As the module says: u of entry i. */
+uint32_t u_of(uint32_t i)
+{
+    return i < 16 ? i : (16 + i % 16) << (i / 16 - 1);
+}
+
+struct Table {
+    uint32_t f[ENTRIES + 1];
+    Table(enum glint_model model, uint32_t n)
+    {
+        for (uint32_t i = 0; i <= ENTRIES; i++)
+            f[i] = glint_eval(model, n, ONE - static_cast<int32_t>(u_of(i)));
+    }
+    uint32_t drop(uint32_t i) const
+    {
+        return f[i] - f[i + 1];
+    }
+    uint32_t word(uint32_t i) const
+    {
+        return f[i] << 15 | drop(i);
+    }
+};
+
+/* Whose interval c lies in, and how far, in 1/256. */
+struct Place {
+    uint32_t entry, part;
+    explicit Place(int32_t c)
+    {
+        const uint32_t u = static_cast<uint32_t>(ONE - c);
+        const int shift = u < 32 ? 0 : 27 - __builtin_clz(u); /* 16 <= u >> shift < 32 */
+        entry = u < 16 ? u : 16 * static_cast<uint32_t>(shift + 1) + (u >> shift) - 16;
+        part = shift ? (u - u_of(entry)) << 8 >> shift : 0;
+    }
+};
+
+uint32_t line(const Table &table, Place at)
+{
+    uint32_t sum = 0; /* cut after each bit, as there */
+    for (int i = 0; i < 8; i++)
+        sum = (sum + (at.part >> i & 1 ? table.drop(at.entry) : 0)) >> 1;
+    return table.f[at.entry] - sum;
+}
+
+class Lite : public Stream
+{
+  public:
+    void material(const Table &table, uint32_t c_min)
+    {
+        for (uint32_t i = 0; i < ENTRIES; i++) {
+            top.t_write = 1;
+            top.t_entry = i;
+            top.t_value = table.word(i);
+            clock();
+        }
+        top.t_write = 0;
+        top.c_min = c_min;
+    }
+};
+
+bool all_of_a_material(Lite &lite, Random &random, enum glint_model model, uint32_t n, unsigned q, bool pressed)
+{
+    const Table table(model, n);
+    const int32_t c_min = static_cast<int32_t>(glint_cutoff(model, n, q));
+    lite.forget();
+    lite.material(table, static_cast<uint32_t>(c_min));
+    for (int32_t c = -300; c <= ONE + 300;) {
+        lite.ready(!pressed || random.one_in(2));
+        if (pressed && random.one_in(3))
+            lite.offer_nothing();
+        else
+            lite.offer(c, c < c_min || c <= 0 ? 0 : line(table, Place(std::min(c, ONE))));
+        c += lite.clock();
+    }
+    lite.drain();
+    return lite.good();
+}
+
+/* Largest error over all c, F at or above the cutoff; -1 where a difference does not fit. */
+int error_of(enum glint_model model, uint32_t first, uint32_t last, uint32_t step)
+{
+    static std::array<Place, ONE + 1> *places;
+    if (!places) {
+        places = static_cast<decltype(places)>(malloc(sizeof *places));
+        for (int32_t c = 0; c <= ONE; c++)
+            (*places)[static_cast<size_t>(c)] = Place(c);
+    }
+    int worst = 0;
+    for (uint32_t n = first; n <= last; n += step) {
+        const Table table(model, n);
+        for (uint32_t i = 0; i < ENTRIES; i++)
+            if (table.drop(i) >= 1 << 12)
+                return -1;
+        for (int32_t c = 1; c <= ONE; c++) {
+            const int f = static_cast<int>(glint_eval(model, n, c));
+            worst = std::max(worst, abs(static_cast<int>(line(table, (*places)[static_cast<size_t>(c)])) - f));
+        }
+    }
+    return worst;
+}
+
+bool within(const char *name, enum glint_model model, uint32_t first, uint32_t step, int most)
+{
+    const int error = error_of(model, first, GLINT_N_MAX, step);
+    printf("# %s: largest error %d of 2^-16, %.3f levels of 255\n", name, error, error * 255 / 65536.);
+    return error >= 0 && error <= most;
+}
+
+} // namespace
+
+int main()
+{
+    static Lite lite;
+    Random random;
+    tap::check("each c gives the line between its entries: MSH",
+               all_of_a_material(lite, random, GLINT_MSH, 60, 8, false));
+    tap::check("each c gives the line between its entries: Blinn, n = 1000",
+               all_of_a_material(lite, random, GLINT_BLINN, 1000, 16, false));
+    tap::check("under gaps and back-pressure: each pixel once, in order, held while it waits",
+               all_of_a_material(lite, random, GLINT_SCHLICK, 1, 16, true));
+    tap::check("MSH: within 20 of 2^-16 of the library for every c and n", within("MSH", GLINT_MSH, 1, 1, 20));
+    tap::check("Schlick: within 20 of 2^-16 of the library for every c and n",
+               within("Schlick", GLINT_SCHLICK, 1, 1, 20));
+    tap::check("Blinn: within 25 of 2^-16 of the library for every c and every 37th n",
+               within("Blinn", GLINT_BLINN, 1, 37, 25));
+    return tap::done();
+}
