@@ -60,12 +60,13 @@ module glint_core #(
             w2_low <= c1[1:0];
             zero <= {zero[11:3], zero[2] || (w2[27] && !model), zero1};
         end
-    wire [27:0] y4;
+    wire [27:0] y3_next, y4;
     wire [3:0] octave4;
     glint_normalize normalize (
         .clk(clk),
         .en(en),
         .w(w2),
+        .next(y3_next),
         .y(y4),
         .octave(octave4)
     );
@@ -80,13 +81,13 @@ module glint_core #(
         .s(s9)
     );
 
-    // 5 to 7: the reciprocal.
+    // 4 to 7: the reciprocal.
     wire [18:0] z7;
     glint_reciprocal reciprocal (
         .clk(clk),
         .en(en),
         .model(model),
-        .y(y4[26:8]),
+        .y(y3_next[26:8]),
         .z(z7)
     );
 
@@ -150,18 +151,20 @@ module glint_core #(
     glint_row #(3) row_rest1 (s9[1], {1'b0, rest0}, g9[17:15], rest1);
     wire [5:0] rest_3_to_0 = rest3 + {2'd0, rest1};
     wire [7:0] rest_5_to_0 = rest5 + {2'd0, rest_3_to_0};
-    wire [23:0] rest7;
-    wire [24:0] rest8;
-    glint_row #(23) row_rest7 (g9[1], {15'd0, rest_5_to_0}, s9[37:15], rest7);
-    glint_row #(24) row_rest8 (g9[0], rest7, {2'd0, s9[37:16]}, rest8);
+    wire [22:0] rest7 = g9[1] ? s9[37:15] : 23'd0;
+    wire [23:0] rest8;
+    glint_row #(23) row_rest8 (g9[0], rest7, {1'd0, s9[37:16]}, rest8);
     reg [31:0] product10, product11;
-    reg [24:0] rest10;
+    reg [7:0] low_rest10;
+    reg [23:0] high_rest10;
     reg [15:0] g10, s10;
+    wire [24:0] rest10 = {1'b0, high_rest10} + {17'd0, low_rest10};
     wire [25:0] carry10 = {{2{product10[31] && model}}, product10[31:8]} + {1'b0, rest10};
     always @(posedge clk)
         if (en) begin
             product10 <= {16'd0, g9[17:2]} * {16'd0, s9[21:6]} + (model ? 32'hffffffff : 32'h100);
-            rest10 <= rest8;
+            low_rest10 <= rest_5_to_0;
+            high_rest10 <= rest8;
             g10 <= g9[17:2];
             s10 <= s9[37:22];
             product11 <= {16'd0, g10} * {16'd0, s10} + {{14{carry10[25]}}, carry10[25:8]};
@@ -195,5 +198,5 @@ module glint_core #(
         .q(m_user)
     );
 
-    wire unused = &{1'b0, w2_high[31:26], zero[12], y4[0], low2[0], carry10[7:0], product10[7:0], product11[12:0], product8[14:0], low0[0], low1[0]};
+    wire unused = &{1'b0, w2_high[31:26], zero[12], y4[0], y3_next[27], y3_next[7:0], low2[0], carry10[7:0], product10[7:0], product11[12:0], product8[14:0], low0[0], low1[0]};
 endmodule

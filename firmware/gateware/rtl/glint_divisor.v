@@ -16,9 +16,9 @@ module glint_divisor (
 
     // h l + l^2 / 2^12 in units of 2^7. Bits left out of its rows cannot change a comparison: where l has many bits F is small and
     // needs few. That was searched for among the nearest ties of all n and c; the tests go over the whole domain.
-    wire [7:0] l4_squared = {4'd0, l[10:7]} * {4'd0, l[10:7]};
-    wire unused = &{1'b0, l4_squared[4:0]};
-    wire [3:0] rest = {1'b0, l4_squared[7:5]} + 4'd1;
+    // The first is 1 + i^2 / 32 for i = l[10:7]: 1 makes up for what is left out.
+    localparam [63:0] SQUARES = 64'h8765443322111111;
+    wire [3:0] rest = SQUARES[{l[10:7], 2'd0}+:4];
     wire [9:0] sum1 = {l[1] ? h[15:14] : 2'd0, 4'd0, rest};
     wire [11:0] sum2;
     glint_row #(8) row_sum2 (l[2], {1'b0, sum1[9:3]}, h[15:8], sum2[11:3]);
@@ -29,9 +29,6 @@ module glint_divisor (
     wire [13:0] sum4;
     glint_row #(9) row_sum4 (l[4], sum3[12:4], h[15:7], sum4[13:4]);
     assign sum4[3:0] = sum3[3:0];
-    wire [14:0] sum5;
-    glint_row #(9) row_sum5 (l[5], sum4[13:5], h[15:7], sum5[14:5]);
-    assign sum5[4:0] = sum4[4:0];
     wire [13:0] square7;
     glint_square #(
         .FROM(2),
@@ -44,15 +41,15 @@ module glint_divisor (
 
     reg [15:0] h_1;
     reg [10:0] l_1;
-    reg [14:0] sum_1;
+    reg [13:0] sum_1;
     reg [13:0] square_1;
+    wire [14:0] sum5;
+    glint_row #(9) row_sum5 (l_1[5], sum_1[13:5], h_1[15:7], sum5[14:5]);
+    assign sum5[4:0] = sum_1[4:0];
     wire [15:0] sum6;
-    glint_row #(15) row_sum6 (l_1[6], sum_1, h_1[15:1], sum6[15:0]);
+    glint_row #(15) row_sum6 (l_1[6], sum5, h_1[15:1], sum6[15:0]);
     wire [16:0] sum7;
     glint_row #(16) row_sum7 (l_1[7], sum6, h_1, sum7[16:0]);
-    wire [17:0] sum8;
-    glint_row #(15) row_sum8 (l_1[8], sum7[16:2], h_1[15:1], sum8[17:2]);
-    assign sum8[1:0] = sum7[1:0];
     wire [23:0] square12;
     glint_square #(
         .FROM(7),
@@ -65,11 +62,14 @@ module glint_divisor (
 
     reg [15:0] h_2;
     reg [10:0] l_2;
-    reg [17:0] sum_2;
+    reg [16:0] sum_2;
     reg [23:0] square_2;
+    wire [17:0] sum8;
+    glint_row #(15) row_sum8 (l_2[8], sum_2[16:2], h_2[15:1], sum8[17:2]);
+    assign sum8[1:0] = sum_2[1:0];
     wire [18:0] sum9;
-    glint_row #(16) row_sum9 (l_2[9], sum_2[17:2], h_2, sum9[18:2]);
-    assign sum9[1:0] = sum_2[1:0];
+    glint_row #(16) row_sum9 (l_2[9], sum8[17:2], h_2, sum9[18:2]);
+    assign sum9[1:0] = sum8[1:0];
     wire [19:0] sum10;
     glint_row #(16) row_sum10 (l_2[10], sum9[18:3], h_2, sum10[19:3]);
     assign sum10[2:0] = sum9[2:0];
@@ -92,12 +92,12 @@ module glint_divisor (
         if (en) begin
             h_1 <= h;
             l_1 <= l;
-            sum_1 <= sum5;
+            sum_1 <= sum4;
             square_1 <= square7;
 
             h_2 <= h_1;
             l_2 <= l_1;
-            sum_2 <= sum8;
+            sum_2 <= sum7;
             square_2 <= square12;
 
             y_3 <= {h_2, l_2};

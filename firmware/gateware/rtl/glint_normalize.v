@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Shifts w, 2^18 <= w < 2^28, left until bit 27 is set: y = w << (9 - octave), octave 0..9. Two clocks.
+// Shifts w, 2^18 <= w < 2^28, left until bit 27 is set: y = w << (9 - octave), octave 0..9. Two clocks; next is y a clock before.
 module glint_normalize (
     input clk,
     input en,
     input [27:0] w,
+    output [27:0] next,
     output reg [27:0] y,
     output reg [3:0] octave
 );
@@ -23,9 +24,10 @@ module glint_normalize (
     wire far2 = ~|half[27:26];
     wire [27:0] w2 = far2 ? {half[25:0], 2'd0} : half;
     wire far1 = ~w2[27];
+    assign next = far1 ? {w2[26:0], 1'b0} : w2;
     always @(posedge clk)
         if (en) begin
-            y <= far1 ? {w2[26:0], 1'b0} : w2;
+            y <= next;
             octave <= rest - {2'd0, far2, far1};
         end
 endmodule

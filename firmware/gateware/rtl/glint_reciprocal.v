@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // z, nearly 2^18 times 1.6 / x^2 (modified Schlick) or 1 / x (Schlick), for x = y / 2^27, 1 <= x < 2: a line through each of
-// 256 intervals, half way between chord and tangent. Three clocks after y.
+// 256 intervals, half way between chord and tangent. Four clocks after y.
 module glint_reciprocal (
     input clk,
     input en,
@@ -44,43 +44,48 @@ module glint_reciprocal (
     // rise * back / 2^12, from back's last bit on.
     reg [31:0] line;
     reg [10:0] back;  // from the right end
-    wire [12:0] rise = line[12:0];
-    wire [13:0] sum0 = back[0] ? {1'b0, rise} : 14'd0;
+    wire [13:0] sum0 = back[0] ? {1'b0, line[12:0]} : 14'd0;
     wire [13:0] sum1;
-    glint_row #(13) row_sum1 (back[1], sum0[13:1], rise, sum1);
+    glint_row #(13) row_sum1 (back[1], sum0[13:1], line[12:0], sum1);
     wire [13:0] sum2;
-    glint_row #(13) row_sum2 (back[2], sum1[13:1], rise, sum2);
+    glint_row #(13) row_sum2 (back[2], sum1[13:1], line[12:0], sum2);
     wire [13:0] sum3;
-    glint_row #(13) row_sum3 (back[3], sum2[13:1], rise, sum3);
+    glint_row #(13) row_sum3 (back[3], sum2[13:1], line[12:0], sum3);
     wire [13:0] sum4;
-    glint_row #(13) row_sum4 (back[4], sum3[13:1], rise, sum4);
-    wire [13:0] sum5;
-    glint_row #(13) row_sum5 (back[5], sum4[13:1], rise, sum5);
+    glint_row #(13) row_sum4 (back[4], sum3[13:1], line[12:0], sum4);
 
     reg [31:0] line_1;
-    reg [10:6] back_1;
+    reg [10:5] back_1;
     reg [13:0] sum_1;
-    wire [12:0] rise_1 = line_1[12:0];
+    wire [13:0] sum5;
+    glint_row #(13) row_sum5 (back_1[5], sum_1[13:1], line_1[12:0], sum5);
     wire [13:0] sum6;
-    glint_row #(13) row_sum6 (back_1[6], sum_1[13:1], rise_1, sum6);
+    glint_row #(13) row_sum6 (back_1[6], sum5[13:1], line_1[12:0], sum6);
     wire [13:0] sum7;
-    glint_row #(13) row_sum7 (back_1[7], sum6[13:1], rise_1, sum7);
+    glint_row #(13) row_sum7 (back_1[7], sum6[13:1], line_1[12:0], sum7);
     wire [13:0] sum8;
-    glint_row #(13) row_sum8 (back_1[8], sum7[13:1], rise_1, sum8);
+    glint_row #(13) row_sum8 (back_1[8], sum7[13:1], line_1[12:0], sum8);
+
+    reg [31:0] line_2;
+    reg [10:9] back_2;
+    reg [13:0] sum_2;
     wire [13:0] sum9;
-    glint_row #(13) row_sum9 (back_1[9], sum8[13:1], rise_1, sum9);
+    glint_row #(13) row_sum9 (back_2[9], sum_2[13:1], line_2[12:0], sum9);
     wire [13:0] sum10;
-    glint_row #(13) row_sum10 (back_1[10], sum9[13:1], rise_1, sum10);
+    glint_row #(13) row_sum10 (back_2[10], sum9[13:1], line_2[12:0], sum10);
 
     always @(posedge clk)
         if (en) begin
             line <= lines[{model, y[26:19]}];
             back <= ~y[18:8];
             line_1 <= line;
-            back_1 <= back[10:6];
-            sum_1 <= sum5;
-            z <= line_1[31:13] + {7'd0, sum10[13:2]};
+            back_1 <= back[10:5];
+            sum_1 <= sum4;
+            line_2 <= line_1;
+            back_2 <= back_1[10:9];
+            sum_2 <= sum8;
+            z <= line_2[31:13] + {7'd0, sum10[13:2]};
         end
 
-    wire unused = &{1'b0, sum0[0], sum1[0], sum2[0], sum3[0], sum4[0], sum6[0], sum7[0], sum8[0], sum9[0], sum10[1:0], sum_1[0]};
+    wire unused = &{1'b0, sum0[0], sum1[0], sum2[0], sum3[0], sum5[0], sum6[0], sum7[0], sum9[0], sum10[1:0], sum_1[0], sum_2[0]};
 endmodule
