@@ -26,4 +26,9 @@ $(foreach board,$(GATEWARE_BOARDS),$(eval $(call gateware_board,$(board))))
 $(GATEWARE)/%.bin: $(GATEWARE)/%.asc
 	@icepack $< $@ && echo "$@: $$(wc -c <$@) bytes"
 
-.PHONY: gateware setup-gateware-tools
+# MODULE:PART[:NAME=VALUE,...], see firmware/gateware/report.
+GATEWARE_REPORT = glint_core:up5k glint_lite:up5k glint_core:hx8k glint_lite:hx8k glint_lite:hx1k
+gateware-report: setup-gateware-tools ## what the gateware takes on iCE40 parts, into firmware/gateware/README.md
+	@firmware/gateware/report -r firmware/gateware/README.md -w $(GATEWARE)/report $(GATEWARE_REPORT)
+
+.PHONY: gateware gateware-report setup-gateware-tools

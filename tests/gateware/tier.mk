@@ -21,14 +21,21 @@ $(BUILD)/tests/gateware/test_%: tests/gateware/test_%.cpp $(RTL) $(wildcard test
 		firmware/gateware/rtl/glint_$*.v >$@.log 2>&1 || { cat $@.log >&2; exit 1; }
 
 setup-gateware: setup-gateware-tools
-	@.ci/need "tier gateware (simulators, a solver)" gcc g++ libc6-dev make verilator iverilog z3 python3-yaml
+	@.ci/need "tier gateware (simulators, a solver)" gcc g++ libc6-dev make verilator iverilog cvc4 python3-yaml
 
 test-gateware: ## the Verilog: every cosine and shininess against the library, the netlist, the handshake proved, faults found
 	@+tests/tier gateware "$(SUBMAKE)"
 
-run-gateware: $(GATEWARE_TESTS)
+GATEWARE_ENV = GATEWARE_BUILD=$(CURDIR)/$(GATEWARE)/test VECTORS=$(CURDIR)/$(BUILD)/tests/gateware/vectors \
+	LIBGLINT=$(CURDIR)/$(BUILD)/tests/gateware/libglint.a
+
+# What the netlist's test plays.
+$(BUILD)/tests/gateware/vectors: tests/gateware/vectors.c $(BUILD)/tests/gateware/libglint.a
+	@$(CC) -std=c11 $(WARNINGS) -O2 -Ilib $^ -o $@
+
+run-gateware: $(GATEWARE_TESTS) $(BUILD)/tests/gateware/vectors
 	@mkdir -p $(GATEWARE)/test
-	@GATEWARE_BUILD=$(CURDIR)/$(GATEWARE)/test TALLY_JOBS=2 tests/tally $(GATEWARE_TESTS) $(GATEWARE_SCRIPTS)
+	@$(GATEWARE_ENV) TALLY_JOBS=2 tests/tally $(GATEWARE_TESTS) $(GATEWARE_SCRIPTS)
 
 # The quick part: lint, with what is installed.
 check-gateware:
