@@ -35,11 +35,17 @@ static void end(void *context, bool whole)
     (void)whole; /* the next window ends what was cut short */
 }
 
+uint8_t gud_panel_percent(bool on, uint8_t brightness)
+{
+    const unsigned square = (brightness * (unsigned)brightness + PANEL_BRIGHTEST / 2) / PANEL_BRIGHTEST;
+    return !on ? PANEL_OFF : square ? (uint8_t)square : 1;
+}
+
 static void display(void *context, bool on, uint8_t brightness)
 {
     struct gud_panel *gud = context;
     wait_until_sent(gud);
-    if (!panel_show(gud->panel, on ? brightness : PANEL_OFF))
+    if (!panel_show(gud->panel, gud_panel_percent(on, brightness)))
         gud->has_failed = true;
     const struct panel_bus *bus = gud->panel->bus;
     if (gud->is_open && !bus->command(bus->context, PANEL_MEMORY_CONTINUE)) /* any command ends a write */

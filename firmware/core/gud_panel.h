@@ -17,6 +17,9 @@ struct gud_panel {
     volatile bool is_sending;
 };
 
+/* For panel_show. GUD counts brightness as eyes do, and none of it is dark: a square, 1 at least; where not on, 0. */
+uint8_t gud_panel_percent(bool on, uint8_t brightness);
+
 /* For gud_device_config, whose output is then GLINT_RGB565, lines aligned to 2, and whose context is a struct gud_panel. */
 extern const struct gud_device_ops gud_panel_ops;
 

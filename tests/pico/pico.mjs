@@ -103,7 +103,10 @@ class Wires {
       this.wire_ns += ns
       if (!this.held) alarm.schedule(ns)
     }
-    chip.gpio[PINS.reset].addListener(() => this.put('R', this.level('reset')))
+    chip.gpio[PINS.reset].addListener(() => {
+      this.put('R', this.level('reset'))
+      if (this.level('reset') && !this.clock_idles_high()) this.faults.push('the clock idles low when the reset ends')
+    })
     this.lit = { is: false, since: 0, ns: 0, dark: chip.clock.createAlarm(() => { this.lit.is = false; this.put('B', 0) }) }
     chip.gpio[PINS.backlight].addListener(() => this.light(this.level('backlight')))
   }
@@ -117,6 +120,7 @@ class Wires {
     if (!lit.is) { lit.is = true; this.put('B', 1) }
   }
   lit_ns() { return this.lit.ns + (this.level('backlight') ? this.chip.clock.nanos - this.lit.since : 0) }
+  clock_idles_high() { return (this.chip.spi[1].readUint32(0) & 0xc0) === 0xc0 } // SPO and SPH, mode 3
   put(kind, byte) {
     if (this.length + 2 > this.bytes.length) this.bytes = Buffer.concat([this.bytes, Buffer.alloc(this.bytes.length)])
     this.bytes[this.length++] = kind.charCodeAt(0)
@@ -130,6 +134,7 @@ class Wires {
     if (bits !== 8 && bits !== 16) fault('not whole bytes')
     if (bits === 16 && !dc) fault('a command of 16 bits')
     if (gpio[PINS.clock].functionSelect !== FUNCTION_SPI || gpio[PINS.data].functionSelect !== FUNCTION_SPI) fault('the pins are not the SPI\'s')
+    if (!this.clock_idles_high()) fault('not SPI mode 3')
     if (this.level('cs') !== 0) fault('CS is high')
     if (bits === 16) this.put('D', value >> 8)
     this.put(dc ? 'D' : 'C', value & 255)

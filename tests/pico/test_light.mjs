@@ -89,6 +89,7 @@ run([
     check(gud.begin(FORMAT.rgb565), 'the GUD host cannot begin')
     check(!gud.buffer({ x: 0, y: 0, width: 2, height: 1, length: 4 }), 'a rectangle is not refused')
     equal(gud.status(), 1, 'its status, GUD_BUSY')
+    check(gud.set(0x64, Buffer.of(0)), 'switching its display off')
     judge.same(look(), before, 'the picture')
   }],
   ['a map with a normal that is none is refused as a whole', () => {
@@ -104,6 +105,17 @@ run([
     equal(wires.windows, before, 'frames')
     equal(light.status(), STATUS.protocol, 'the status of a light without a map')
   }],
+  ['a map that is replaced amid a frame leaves the next one whole', () => {
+    check(light.set(MAP), 'the map')
+    host.bulk(2, map, 2000)
+    host.bulk(2, judge.light(5))
+    check(pico.run(() => wires.pixels > FULL / 3 && wires.pixels < FULL, 400), 'no frame')
+    check(light.set(MAP), 'the next map')
+    host.bulk(2, map, 2000)
+    host.bulk(2, judge.light(6))
+    check(pico.run(() => !frame_done(), 400) && pico.run(frame_done, 400), 'no frame after it')
+    judge.same(look(), judge.demo(6), 'the picture')
+  }],
   ['another material changes the picture with the same map', () => {
     const other = Buffer.from(material)
     other.writeUInt8(40, 8) // the albedo's red
@@ -118,6 +130,8 @@ run([
     check(light.set(ENABLE, Buffer.of(0)), 'disabling')
     pico.run(() => false, 2)
     check(pico.uart.endsWith('a computer draws\r\n'), pico.uart)
+    check(look().every((level) => level === 0), 'its display is off, but something is shown')
+    check(gud.set(0x64, Buffer.of(1)), 'switching its display on')
     const bytes = picture565(width, height, 3)
     check(gud.draw({ x: 0, y: 0, width, height }, bytes, judge.lz4(bytes)), `refused with status ${gud.status()}`)
     pico.run(() => false, 1)

@@ -23,7 +23,7 @@ static struct {
     unsigned send, fetch; /* DMA channels */
     unsigned bits;        /* of the SPI's frames */
     void (*volatile done)(void *);
-    void *argument;
+    void *volatile argument;
     uint32_t te_asked_us; /* where it waits for TE */
     bool te_is_awaited, te_is_dead;
 } board;
@@ -31,14 +31,20 @@ static struct {
 /* ---- the panel's bus ---- */
 
 /* ST7789 modules without CS want the clock to idle high (mode 3); ILI9341 takes that, too. And with CPHA = 1 frames
- * follow each other without a gap. Only while nothing is sent may the frame's size or D/C change. */
+ * follow each other without a gap. */
+static void set_format(unsigned bits)
+{
+    spi_set_format(spi1, bits, SPI_CPOL_1, SPI_CPHA_1, SPI_MSB_FIRST);
+    board.bits = bits;
+}
+
+/* Only while nothing is sent may the frame's size or D/C change. */
 static void wait_for_spi(unsigned bits, bool data)
 {
     while (board.done || spi_is_busy(spi1))
         tight_loop_contents();
     if (bits != board.bits)
-        spi_set_format(spi1, bits, SPI_CPOL_1, SPI_CPHA_1, SPI_MSB_FIRST);
-    board.bits = bits;
+        set_format(bits);
     gpio_put(PIN_DC, data);
 }
 
@@ -242,6 +248,7 @@ enum fault board_start(void)
     if (HAS_TE)
         gpio_init(TE); /* an input */
     spi_init(spi1, SPI_HZ);
+    set_format(8); /* the clock idles high before the panel's reset: afterwards its rise would count as a bit */
     gpio_set_function(PIN_CLOCK, GPIO_FUNC_SPI);
     gpio_set_function(PIN_DATA, GPIO_FUNC_SPI);
     start_dma();

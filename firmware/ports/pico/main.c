@@ -73,16 +73,27 @@ static const struct gud_device_config gud_config = {.width = PANEL_WIDTH,
                                                     .ops = &gud_ops,
                                                     .context = &gud_panel};
 
-/* While a host sends lights the panel is no other host's, and nor is the memory. */
+/* ---- who draws ---- */
+
+/* The later, the stronger: a program that sends lights has been started on purpose. */
+enum owner { NOBODY, FAULT, DEMO, GUD_HOST, LIGHT_HOST };
+static enum owner owner;
+
+/* While a host sends lights the panel is no other host's, and nor is the memory; until it has been handed over. */
+static bool has_lights(void)
+{
+    return light.enabled || owner == LIGHT_HOST;
+}
+
 static bool gud_is_busy(void *context)
 {
     (void)context;
-    return light.enabled;
+    return has_lights();
 }
 
 static void gud_display(void *context, bool on, uint8_t brightness)
 {
-    if (!light.enabled)
+    if (!has_lights())
         gud_panel_ops.display(context, on, brightness);
 }
 
@@ -161,10 +172,7 @@ static void show(uint8_t percent)
         fail(FAULT_BUS);
 }
 
-/* ---- who draws ---- */
-
-/* The later, the stronger: a program that sends lights has been started on purpose. */
-enum owner { NOBODY, FAULT, DEMO, GUD_HOST, LIGHT_HOST };
+/* ---- the panel changes hands ---- */
 
 static enum owner wanted(void)
 {
@@ -200,15 +208,15 @@ static void begin_demo(void)
 }
 
 /* The panel changes hands, and is dark until the next one has a picture. */
-static void hand_over(enum owner from, enum owner to)
+static void hand_over(enum owner to)
 {
     static const char *const names[] = {"dark", "showing the error", "relighting", "a computer draws",
                                         "a computer sends lights"};
     relight.in_frame = false;
     if (to != GUD_HOST)
         show(PANEL_OFF);
-    else if (from == LIGHT_HOST)
-        show(gud.shown ? gud.brightness : PANEL_OFF);
+    else if (owner == LIGHT_HOST)
+        show(gud_panel_percent(gud.shown, gud.brightness));
     else if (!gud.shown) /* no command, which would end a rectangle that may be open already */
         board_hal.bus.backlight(board_hal.bus.context, PANEL_OFF);
     if (to == DEMO)
@@ -218,12 +226,13 @@ static void hand_over(enum owner from, enum owner to)
             fail(FAULT_BUS);
         show(PANEL_BRIGHTEST);
     }
+    owner = to;
     board_say(names[to]);
     board_say("\r\n");
 }
 
 /* Where the light is in the next frame; false: there is none yet. */
-static bool next_light(enum owner owner, int32_t to_light[3])
+static bool next_light(int32_t to_light[3])
 {
     static uint32_t frame;
     if (owner == DEMO) {
@@ -240,7 +249,7 @@ static bool next_light(enum owner owner, int32_t to_light[3])
 }
 
 /* A line at most; the display goes on with the first whole frame. */
-static void draw(enum owner owner, bool *is_shown)
+static void draw(bool *is_shown)
 {
     if (owner == LIGHT_HOST && !light.has_map)
         relight.in_frame = false; /* it is being replaced */
@@ -255,7 +264,7 @@ static void draw(enum owner owner, bool *is_shown)
         *is_shown = true;
     }
     int32_t to_light[3];
-    if (next_light(owner, to_light)) {
+    if (next_light(to_light)) {
         relight_frame(&relight, to_light); /* a light that cannot be leaves the last picture */
         light.is_drawing = owner == LIGHT_HOST;
     }
@@ -269,7 +278,6 @@ int main(void)
         board_say("frames in step with TE\r\n");
     find_faults(before);
     start();
-    enum owner owner = NOBODY;
     bool is_shown = false;
     for (;;) {
         board_alive();
@@ -278,11 +286,10 @@ int main(void)
             fail(FAULT_BUS);
         const enum owner next = wanted();
         if (next != owner) {
-            hand_over(owner, next);
+            hand_over(next);
             is_shown = false;
         }
-        owner = next;
         if (owner == DEMO || owner == LIGHT_HOST)
-            draw(owner, &is_shown);
+            draw(&is_shown);
     }
 }
