@@ -242,15 +242,15 @@ enum fault board_start(void)
     uart_init(uart0, UART_BAUD);
     gpio_set_function(PIN_UART_TX, GPIO_FUNC_UART);
     start_backlight();
+    spi_init(spi1, SPI_HZ);
+    set_format(8); /* the clock idles high before the panel leaves its reset: later its rise would count as a bit */
+    gpio_set_function(PIN_CLOCK, GPIO_FUNC_SPI);
+    gpio_set_function(PIN_DATA, GPIO_FUNC_SPI);
     start_output(PIN_RESET, true);
     start_output(PIN_DC, true);
     start_output(PIN_CS, false); /* the panel is alone on its bus */
     if (HAS_TE)
         gpio_init(TE); /* an input */
-    spi_init(spi1, SPI_HZ);
-    set_format(8); /* the clock idles high before the panel's reset: afterwards its rise would count as a bit */
-    gpio_set_function(PIN_CLOCK, GPIO_FUNC_SPI);
-    gpio_set_function(PIN_DATA, GPIO_FUNC_SPI);
     start_dma();
     return reason;
 }
