@@ -7,22 +7,23 @@
 #include "host.h"
 #include "shade.h"
 
-const char *const path_names[] = {"exact",       "span",        "colour-int16", "colour-int10",
-                                  "colour-int8", "colour-span", "small-int16",  "small-int10",
-                                  "small-int8",  "small-span",  "albedo-int16", "albedo-int10",
-                                  "albedo-int8", "albedo-span", "palette",      NULL};
+const char *const path_names[] = {
+    "exact",       "span",        "span-c16",   "colour-int16", "colour-int10", "colour-int8",  "colour-span",
+    "small-int16", "small-int10", "small-int8", "small-span",   "albedo-int16", "albedo-int10", "albedo-int8",
+    "albedo-span", "palette",     NULL};
 
 /* What a path is made of. */
 static const struct path {
     enum { EXACT, COLOUR, SMALL, ALBEDO, PALETTE } by;
-    enum { RECT, SPAN } unit;
+    enum { RECT, SPAN, SPAN_C16 } unit;
     enum glint_normals normals;
 } paths[] = {
-    {EXACT, RECT, GLINT_NORMALS_INT16},  {EXACT, SPAN, GLINT_NORMALS_INT16},  {COLOUR, RECT, GLINT_NORMALS_INT16},
-    {COLOUR, RECT, GLINT_NORMALS_INT10}, {COLOUR, RECT, GLINT_NORMALS_INT8},  {COLOUR, SPAN, GLINT_NORMALS_INT16},
-    {SMALL, RECT, GLINT_NORMALS_INT16},  {SMALL, RECT, GLINT_NORMALS_INT10},  {SMALL, RECT, GLINT_NORMALS_INT8},
-    {SMALL, SPAN, GLINT_NORMALS_INT16},  {ALBEDO, RECT, GLINT_NORMALS_INT16}, {ALBEDO, RECT, GLINT_NORMALS_INT10},
-    {ALBEDO, RECT, GLINT_NORMALS_INT8},  {ALBEDO, SPAN, GLINT_NORMALS_INT16}, {PALETTE, RECT, GLINT_NORMALS_INT16}};
+    {EXACT, RECT, GLINT_NORMALS_INT16},  {EXACT, SPAN, GLINT_NORMALS_INT16},  {EXACT, SPAN_C16, GLINT_NORMALS_INT16},
+    {COLOUR, RECT, GLINT_NORMALS_INT16}, {COLOUR, RECT, GLINT_NORMALS_INT10}, {COLOUR, RECT, GLINT_NORMALS_INT8},
+    {COLOUR, SPAN, GLINT_NORMALS_INT16}, {SMALL, RECT, GLINT_NORMALS_INT16},  {SMALL, RECT, GLINT_NORMALS_INT10},
+    {SMALL, RECT, GLINT_NORMALS_INT8},   {SMALL, SPAN, GLINT_NORMALS_INT16},  {ALBEDO, RECT, GLINT_NORMALS_INT16},
+    {ALBEDO, RECT, GLINT_NORMALS_INT10}, {ALBEDO, RECT, GLINT_NORMALS_INT8},  {ALBEDO, SPAN, GLINT_NORMALS_INT16},
+    {PALETTE, RECT, GLINT_NORMALS_INT16}};
 
 /* A path made ready for a scene: what does not change when the light moves. */
 struct way {
@@ -52,7 +53,7 @@ const char *path_refusal(const struct shading *shading)
         return "takes any model but phong";
     if (path->by != EXACT && path->by != SMALL && (shading->format > GLINT_RGB565_SWAPPED || shading->dither))
         return "needs --format rgb565 or rgb565-swapped, and no --dither";
-    if (path->unit == SPAN && shading->format == GLINT_MONO)
+    if (path->unit != RECT && shading->format == GLINT_MONO)
         return "takes any format but mono, whose spans would have to start on a byte";
     if ((path->by == SMALL || path->by == ALBEDO) && shading->space != GLINT_GAMMA)
         return "needs --space gamma";
@@ -86,9 +87,10 @@ static enum glint_err draw_spans(const struct way *way, const struct glint_shade
         enum glint_err error = glint_span_init(&span, &shader->light, &way->normals[start + x],
                                                &way->normals[start + end - 1], (uint16_t)(end - x));
         if (error == GLINT_OK)
-            error = way->path->by == EXACT ? glint_shade_span(shader, &span, &at, NULL)
-                    : way->albedo          ? glint_tables_albedo_span(&way->tables, &span, way->albedo + start + x, &at)
-                                           : glint_tables_span(&way->tables, &span, &at);
+            error = way->path->unit == SPAN_C16 ? glint_shade_span_c16(shader, &span, &at, NULL)
+                    : way->path->by == EXACT    ? glint_shade_span(shader, &span, &at, NULL)
+                    : way->albedo ? glint_tables_albedo_span(&way->tables, &span, way->albedo + start + x, &at)
+                                  : glint_tables_span(&way->tables, &span, &at);
         if (error != GLINT_OK)
             return error;
     }

@@ -22,6 +22,12 @@ static inline uint32_t glint_t_of_c(int32_t c_q16)
     return c_q16 < 0 ? UINT32_MAX : c_q16 > GLINT_C_ONE ? 0 : (uint32_t)(GLINT_C_ONE - c_q16) << 14;
 }
 
+/* The reduction of glint_shade_span_c16: the nearest c of a span's t; negative where the surface faces away. */
+static inline int32_t glint_c_of_t(uint32_t t_q30)
+{
+    return GLINT_C_ONE - (int32_t)((t_q30 + (1 << 13)) >> 14); /* t < 0xf8000000: the sum does not wrap */
+}
+
 /* ---- alignment ---- */
 
 /* What a type wants: on 8-bit machines, whose compilers place everything anywhere, 1. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * The exact span. With N(k) = N0 + k s and D0 = N0 - H, t(k) = |N(k) - H|^2 / 2 = t0 + k (D0.s) + k^2 |s|^2 / 2. */
+#include "internal.h"
 #include "pixel.h"
 
 static int64_t divide(int64_t a, int64_t b) /* to nearest; b > 0 */
@@ -30,8 +31,17 @@ enum glint_err glint_span_init(struct glint_span *span, const struct glint_light
     return GLINT_OK;
 }
 
-enum glint_err glint_shade_span(const struct glint_shader *shader, const struct glint_span *span,
-                                const struct glint_surface *surface, struct glint_box *highlight)
+/* By t, or by the nearest c: as gateware does. */
+static inline uint32_t lobe(const struct glint_shader *shader, uint32_t t_q30, bool by_c)
+{
+    if (!by_c)
+        return glint_pixel_lobe(shader, t_q30);
+    const uint32_t f = glint_lobe_eval(&shader->lobe, glint_c_of_t(t_q30));
+    return shader->clamp_peak && f > 65536 ? 65536 : f;
+}
+
+static inline enum glint_err shade(const struct glint_shader *shader, const struct glint_span *span,
+                                   const struct glint_surface *surface, struct glint_box *highlight, bool by_c)
 {
     if (!shader || !span || !surface || !surface->pixels)
         return GLINT_ERR_ARG;
@@ -42,8 +52,10 @@ enum glint_err glint_shade_span(const struct glint_shader *shader, const struct 
     uint32_t nl = (uint32_t)span->nl_q30;
     struct glint_box box = {0, 0, 0, 0};
     for (uint16_t x = 0; x < span->w; x++) {
-        if (glint_pixel(shader, surface, x, 0, t >= GLINT_NEGATIVE_T ? 0 : t, (int32_t)nl, shader->material.albedo,
-                        255)) {
+        const uint32_t nl_q16 = glint_pixel_nl((int32_t)nl);
+        const uint32_t f = nl_q16 ? lobe(shader, t >= GLINT_NEGATIVE_T ? 0 : t, by_c) : 0;
+        glint_pixel_store(shader, surface, x, 0, nl_q16, f, shader->material.albedo, 255);
+        if (f) {
             if (box.w == 0)
                 box.x = x;
             box.w = (uint16_t)(x - box.x + 1);
@@ -56,4 +68,16 @@ enum glint_err glint_shade_span(const struct glint_shader *shader, const struct 
     if (highlight)
         *highlight = box;
     return GLINT_OK;
+}
+
+enum glint_err glint_shade_span(const struct glint_shader *shader, const struct glint_span *span,
+                                const struct glint_surface *surface, struct glint_box *highlight)
+{
+    return shade(shader, span, surface, highlight, false);
+}
+
+enum glint_err glint_shade_span_c16(const struct glint_shader *shader, const struct glint_span *span,
+                                    const struct glint_surface *surface, struct glint_box *highlight)
+{
+    return shade(shader, span, surface, highlight, true);
 }

@@ -132,6 +132,8 @@ static void add_scene(unsigned model, unsigned format, unsigned space, unsigned 
     conform_add((uint32_t)glint_span_init(&span, &shader.light, &normals[0], &normals[1], W));
     surface.pixels = out + LINE;
     conform_add((uint32_t)glint_shade_span(&shader, &span, &surface, &box));
+    surface.pixels = out;
+    conform_add((uint32_t)glint_shade_span_c16(&shader, &span, &surface, &box));
     conform_add(span.t_q30);
     conform_add(span.dt_q30);
     conform_add(span.ddt_q30);

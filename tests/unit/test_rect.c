@@ -110,6 +110,51 @@ static void a_span_is_the_rectangle_sequence_at_its_own_t(void **state)
     }
 }
 
+static void a_span_by_c_is_the_span_at_the_nearest_multiple_of_two_to_the_minus_16(void **state)
+{
+    (void)state;
+    unsigned lit = 0, other = 0;
+    for (int i = 0; i < 500; i++) {
+        struct glint_shader shader = random_shader(formats[i % (FORMATS - 1)], (enum glint_space)below(2));
+        shader.dither = false; /* each pixel is drawn by itself below */
+        const uint32_t scale = below(2) ? 1 << 22 : 1 << 30;
+        const struct glint_span span = {below(scale),
+                                        below(scale) / W - scale / W / 2,
+                                        below(scale) / (W * W),
+                                        (int32_t)(below(1u << 31) - (1u << 29)),
+                                        (int32_t)below(1 << 26) - (1 << 25),
+                                        W};
+        uint8_t out[LINE], by_t[LINE], wanted[LINE];
+        memset(out, GUARD, sizeof out);
+        memset(by_t, GUARD, sizeof by_t);
+        memset(wanted, GUARD, sizeof wanted);
+        const struct glint_surface surface = {out, LINE, 0, 0}, exact = {by_t, LINE, 0, 0};
+        struct glint_box box, expected = {0, 0, 0, 0};
+        assert_int_equal(glint_shade_span_c16(&shader, &span, &surface, &box), GLINT_OK);
+        assert_int_equal(glint_shade_span(&shader, &span, &exact, NULL), GLINT_OK);
+        const unsigned bytes = bytes_of((enum glint_format)shader.format, 1);
+        for (int64_t k = 0; k < W; k++) {
+            int64_t t = (span.t_q30 + k * span.dt_q30 + k * (k - 1) / 2 * span.ddt_q30) % (INT64_C(1) << 32);
+            t = t >= INT64_C(0xf8000000) ? 0 : (t + 8192) / 16384 * 16384;
+            const struct glint_span pixel = {(uint32_t)t, 0, 0, (int32_t)(span.nl_q30 + k * span.dnl_q30), 0, 1};
+            const struct glint_surface at = {wanted + k * bytes, LINE, 0, 0};
+            struct glint_box here;
+            assert_int_equal(glint_shade_span(&shader, &pixel, &at, &here), GLINT_OK);
+            if (here.w) {
+                expected.x = expected.w ? expected.x : (uint16_t)k;
+                expected.w = (uint16_t)(k + 1 - expected.x);
+                expected.h = 1;
+            }
+        }
+        assert_memory_equal(out, wanted, sizeof out);
+        assert_memory_equal(&box, &expected, sizeof box);
+        lit += box.w > 0;
+        other += memcmp(out, by_t, sizeof out) != 0;
+    }
+    assert_in_range(lit, 100, 500);  /* the spans do meet highlights, ... */
+    assert_in_range(other, 20, 500); /* ... and it is not the path by t */
+}
+
 static void a_span_whose_t_dips_below_zero_shows_the_peak_there(void **state)
 {
     (void)state;
@@ -138,6 +183,7 @@ int main(void)
         cmocka_unit_test(linear_pixels_are_within_a_twentieth_of_a_level_of_the_real_sum),
         cmocka_unit_test(masked_pixels_keep_what_was_there),
         cmocka_unit_test(a_span_is_the_rectangle_sequence_at_its_own_t),
+        cmocka_unit_test(a_span_by_c_is_the_span_at_the_nearest_multiple_of_two_to_the_minus_16),
         cmocka_unit_test(a_span_whose_t_dips_below_zero_shows_the_peak_there),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

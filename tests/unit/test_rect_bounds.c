@@ -93,6 +93,7 @@ static void wrong_arguments_are_refused_and_nothing_is_written(void **state)
     assert_int_equal(glint_shade_span(NULL, &span, &s.surface, NULL), GLINT_ERR_ARG);
     assert_int_equal(glint_shade_span(&s.shader, NULL, &s.surface, NULL), GLINT_ERR_ARG);
     assert_int_equal(glint_shade_span(&s.shader, &span, NULL, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_span_c16(&s.shader, NULL, &s.surface, NULL), GLINT_ERR_ARG);
     bad = s;
     bad.source.normals = NULL;
     assert_int_equal(glint_shade_rect(&s.shader, &bad.source, W, H, &s.surface, NULL), GLINT_ERR_ARG);

@@ -223,9 +223,9 @@ static void a_path_leaves_what_is_not_of_full_gloss_to_the_exact_one(void **stat
 static void each_path_draws_the_sphere_within_its_error(void **state)
 {
     (void)state;
-    static const char *const names[] = {"span",         "colour-int16", "colour-int10", "colour-int8", "colour-span",
-                                        "small-int16",  "small-int10",  "small-int8",   "small-span",  "albedo-int16",
-                                        "albedo-int10", "albedo-int8",  "albedo-span",  "palette"};
+    static const char *const names[] = {"span",         "span-c16",     "colour-int16", "colour-int10", "colour-int8",
+                                        "colour-span",  "small-int16",  "small-int10",  "small-int8",   "small-span",
+                                        "albedo-int16", "albedo-int10", "albedo-int8",  "albedo-span",  "palette"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         struct shading shading = {.model = GLINT_MSH,
                                   .n = 60,
