@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-# Gateware: rtl/ has one module a file, boards/NAME a board's top module, its pins (NAME.pcf) and NAME.mk, which sets
+# Gateware: rtl/ has one module a file, demo/ what the demo adds to it, boards/NAME a board's top module, its pins (NAME.pcf) and NAME.mk, which sets
 # NAME_TOP, NAME_DEVICE (nextpnr's options) and NAME_MHZ, the clock that must be met.
 GATEWARE = build/gateware
 RTL = $(wildcard firmware/gateware/rtl/*.v)
+GATEWARE_DEMO = $(wildcard firmware/gateware/demo/*.v)
 GATEWARE_BOARDS = $(patsubst firmware/gateware/boards/%/,%,$(sort $(dir $(wildcard firmware/gateware/boards/*/*.mk))))
 GATEWARE_PACKAGES = yosys nextpnr-ice40 fpga-icestorm python3-minimal
 include $(wildcard firmware/gateware/boards/*/*.mk)
@@ -13,7 +14,7 @@ setup-gateware-tools:
 	@.ci/need "gateware (synthesis, place and route)" $(GATEWARE_PACKAGES)
 
 define gateware_board
-$(GATEWARE)/$(1).json: $(RTL) $(wildcard firmware/gateware/boards/$(1)/*.v) | setup-gateware-tools
+$(GATEWARE)/$(1).json: $(RTL) $(GATEWARE_DEMO) $(wildcard firmware/gateware/boards/$(1)/*.v) | setup-gateware-tools
 	@mkdir -p $$(@D)
 	@yosys -q -l $(GATEWARE)/$(1).yosys.log -p "synth_ice40 -dsp -top $($(1)_TOP) -json $$@" $$(filter %.v,$$^)
 
@@ -31,4 +32,15 @@ GATEWARE_REPORT = glint_core:up5k glint_lite:up5k glint_core:hx8k glint_lite:hx8
 gateware-report: setup-gateware-tools ## what the gateware takes on iCE40 parts, into firmware/gateware/README.md
 	@firmware/gateware/report -r firmware/gateware/README.md -w $(GATEWARE)/report $(GATEWARE_REPORT)
 
-.PHONY: gateware gateware-report setup-gateware-tools
+
+# The demo's tables, of the library's values; a test tells when those in the tree are not what this program writes.
+GATEWARE_TABLES = $(BUILD)/gateware/tables
+$(GATEWARE_TABLES): firmware/gateware/demo/tables.c $(BUILD)/firmware/core/orbit.o $(BUILD)/libglint.a
+	@mkdir -p $(@D)
+	@$(CC) -Ilib -Ifirmware/core $(LIB_CFLAGS) $(LDFLAGS) $^ -o $@
+
+gateware-tables: $(GATEWARE_TABLES)
+	$< orbit >firmware/gateware/demo/glint_orbit.v
+	$< chord >firmware/gateware/demo/glint_chord.v
+
+.PHONY: gateware gateware-report setup-gateware-tools gateware-tables

@@ -7,6 +7,7 @@
 #include "Vtop.h"
 #include "glint.h"
 #include "tap.h"
+#include "verilated.h"
 
 static uint64_t seed = 5;
 static uint32_t bits()
@@ -20,7 +21,7 @@ static uint32_t below(uint32_t limit)
 }
 
 static Vtop top;
-static bool held = true;      // has everything offered and not taken stayed as it was?
+static bool held = true; // has everything offered and not taken stayed as it was?
 static const int TIMEOUT = 2000;
 
 static void clock_edge()
@@ -147,8 +148,9 @@ static bool same(const struct glint_shader &shader, const std::vector<glint_span
     }
     for (size_t i = 0; i < wanted.size(); i++)
         if (found[i].rgb565 != wanted[i].rgb565 || found[i].last != wanted[i].last) {
-            printf("# pixel %zu is %04x%s, not %04x%s (model %d, n = %d)\n", i, found[i].rgb565, found[i].last ? " last" : "",
-                   wanted[i].rgb565, wanted[i].last ? " last" : "", shader.lobe.model, shader.lobe.n);
+            printf("# pixel %zu is %04x%s, not %04x%s (model %d, n = %d)\n", i, found[i].rgb565,
+                   found[i].last ? " last" : "", wanted[i].rgb565, wanted[i].last ? " last" : "", shader.lobe.model,
+                   shader.lobe.n);
             return false;
         }
     return true;
@@ -168,7 +170,8 @@ static struct glint_span random_span(uint16_t w)
         return span;
     struct glint_light light;
     struct glint_vec ends[2];
-    const int32_t view[3] = {0, 0, 1}, to[3] = {(int32_t)below(200) - 100, (int32_t)below(200) - 100, (int32_t)below(100)};
+    const int32_t view[3] = {0, 0, 1},
+                  to[3] = {(int32_t)below(200) - 100, (int32_t)below(200) - 100, (int32_t)below(100)};
     if (glint_light_init(&light, to, view) != GLINT_OK)
         return span;
     const int32_t spread = 1 << below(16);
@@ -215,16 +218,30 @@ static bool the_shortest_and_the_longest_match()
 // t and nl at and beside every limit of the reductions, one pixel each and as the middle of three.
 static bool the_limits_match()
 {
-    static const uint32_t t_limits[] = {0, 1 << 13, 1 << 14, 1 << 30, (1 << 30) + (1 << 13), UINT32_C(1) << 31,
-                                        UINT32_C(0xf8000000), UINT32_C(0xffffe000)};
-    static const uint32_t nl_limits[] = {0, 1 << 13, 1 << 14, 1 << 30, (1 << 30) + (1 << 13), INT32_MAX, UINT32_C(0x80000000),
-                                         UINT32_C(0) - (1 << 13), UINT32_C(0) - (1 << 14)};
+    static const uint32_t t_limits[] = {0,
+                                        1 << 13,
+                                        1 << 14,
+                                        1 << 30,
+                                        (1 << 30) + (1 << 13),
+                                        UINT32_C(1) << 31,
+                                        UINT32_C(0xf8000000),
+                                        UINT32_C(0xffffe000)};
+    static const uint32_t nl_limits[] = {0,
+                                         1 << 13,
+                                         1 << 14,
+                                         1 << 30,
+                                         (1 << 30) + (1 << 13),
+                                         INT32_MAX,
+                                         UINT32_C(0x80000000),
+                                         UINT32_C(0) - (1 << 13),
+                                         UINT32_C(0) - (1 << 14)};
     for (int i = 0; i < 8; i++) {
         std::vector<glint_span> spans;
         for (const uint32_t t : t_limits)
             for (const uint32_t nl : nl_limits)
                 for (uint32_t beside = 0; beside < 9; beside++) {
-                    const uint32_t at = t + beside / 3 - 1, nl_at = nl + beside % 3 - 1, dt = bits() >> 4, dnl = bits() >> 4;
+                    const uint32_t at = t + beside / 3 - 1, nl_at = nl + beside % 3 - 1, dt = bits() >> 4,
+                                   dnl = bits() >> 4;
                     spans.push_back({at, 0, 0, (int32_t)nl_at, 0, 1});
                     spans.push_back({at - dt, dt, bits(), (int32_t)(nl_at - dnl), (int32_t)dnl, 3});
                 }
@@ -252,7 +269,8 @@ static bool sums_saturate_as_in_the_library()
             }
             std::vector<glint_span> spans;
             for (int i = 0; i < 8; i++) // from the peak outwards, through the cutoff
-                spans.push_back({UINT32_C(0) - below(1 << 20), below(1 << 20), 1 << (8 + i), 1 << (30 - i), 1 << 20, 64});
+                spans.push_back(
+                    {UINT32_C(0) - below(1 << 20), below(1 << 20), 1 << (8 + i), 1 << (30 - i), 1 << 20, 64});
             if (!same(shader, spans))
                 return false;
         }
@@ -288,13 +306,15 @@ static bool a_reset_empties_it()
     return true;
 }
 
-int main()
+int main(int argc, char **argv)
 {
+    Verilated::commandArgs(argc, argv);
     reset();
     tap::check("random spans of both models are the library's pixels under random back-pressure", random_spans_match());
     tap::check("spans of 0, 1, 4095 and 4096 pixels are the library's pixels", the_shortest_and_the_longest_match());
     tap::check("at and beside every limit of t and N.L pixels are the library's", the_limits_match());
-    tap::check("sums at and above 1 and the peak, raw and clamped, are the library's for every q", sums_saturate_as_in_the_library());
+    tap::check("sums at and above 1 and the peak, raw and clamped, are the library's for every q",
+               sums_saturate_as_in_the_library());
     tap::check("spans follow each other without a gap", there_are_no_gaps());
     tap::check("a reset in the middle of a span empties the unit", a_reset_empties_it());
     tap::check("a pixel that is offered stays until it is taken", held);

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// The demo's picture and its timing: what a monitor would see, against the library. Writes the frames as PNG files into
+// GATEWARE_BUILD. An argument `quick`: a third of the frames, for the tests of this test.
+#include <png.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <string>
+
+#include "Vtop.h"
+#include "sphere_model.h"
+#include "tap.h"
+#include "verilated.h"
+
+enum { WIDTH = 640, HEIGHT = 480, CLOCKS = 800, LINES = 525 };
+
+static Vtop top;
+
+static void clock_edge()
+{
+    top.clk = 1;
+    top.eval();
+    top.clk = 0;
+    top.eval();
+}
+
+typedef std::vector<uint16_t> picture;
+
+static picture drawn_by_the_library(unsigned frame, enum glint_model model)
+{
+    struct glint_shader shader;
+    memset(&shader, 0, sizeof shader);
+    glint_lobe_init(&shader.lobe, model, 60, 6);
+    shader.light = orbit_frame(frame);
+    shader.material = {{7000, 2200, 1800}, {52000, 13000, 9000}, {50000, 50000, 50000}, {255, 255, 255}};
+    picture pixels(WIDTH * HEIGHT);
+    for (int row = SPHERE_Y - SPHERE_ROWS; row <= SPHERE_Y + SPHERE_ROWS; row++) {
+        int column = SPHERE_X - sphere_half_width(SPHERE_Y - row);
+        for (const struct glint_span &span : sphere_row(row, shader.light)) {
+            const struct glint_surface surface = {&pixels[(size_t)(row * WIDTH + column)], 0, 0, 0};
+            (void)glint_shade_span_c16(&shader, &span, &surface, NULL);
+            column += span.w;
+        }
+    }
+    return pixels; // low byte first, as this machine has it
+}
+
+// From a frame's first visible pixel to the next frame's. The timing, as a monitor counts it, into *good.
+static picture shown(bool *good)
+{
+    picture pixels;
+    for (int line = 0; line < LINES; line++)
+        for (int x = 0; x < CLOCKS; x++) {
+            const bool visible = x < WIDTH && line < HEIGHT;
+            *good = *good && top.visible == visible && top.hsync == !(x >= 656 && x < 752) &&
+                    top.vsync == !(line >= 490 && line < 492) && (visible || top.rgb565 == 0);
+            if (top.visible)
+                pixels.push_back(top.rgb565);
+            clock_edge();
+        }
+    return pixels;
+}
+
+static bool write_png(const picture &pixels, const std::string &name)
+{
+    std::vector<uint8_t> rgb;
+    for (const uint16_t p : pixels)
+        for (const int level : {(p >> 11) * 255 / 31, (p >> 5 & 63) * 255 / 63, (p & 31) * 255 / 31})
+            rgb.push_back((uint8_t)level);
+    png_image image;
+    memset(&image, 0, sizeof image);
+    image.version = PNG_IMAGE_VERSION;
+    image.width = WIDTH;
+    image.height = HEIGHT;
+    image.format = PNG_FORMAT_RGB;
+    return png_image_write_to_file(&image, name.c_str(), 0, rgb.data(), 0, NULL);
+}
+
+int main(int argc, char **argv)
+{
+    Verilated::commandArgs(argc, argv);
+    const unsigned last = argc > 1 && strcmp(argv[1], "quick") == 0 ? 42 : 122; // Schlick's
+    const char *folder = getenv("GATEWARE_BUILD");
+    const std::string prefix = std::string(folder ? folder : ".") + "/demo-";
+    top.rst = 1;
+    for (int i = 0; i < 4; i++)
+        clock_edge();
+    top.rst = 0;
+    clock_edge();
+    clock_edge(); // the outputs are two clocks late
+    bool timing = true, same = true, written = true, other_model = true;
+    shown(&timing); // the first frame's first line was never prepared
+    timing = true;
+    for (unsigned frame = 1; frame <= last; frame++) {
+        const bool schlick = frame == last;
+        top.choose_schlick = frame + 1 >= last;
+        const picture found = shown(&timing);
+        if (frame == 1 || frame % 40 == 0 || schlick) { // a third of the orbit between
+            const bool equal = found == drawn_by_the_library(frame, schlick ? GLINT_SCHLICK : GLINT_MSH);
+            (schlick ? other_model : same) &= equal;
+            if (!equal)
+                printf("# frame %u differs\n", frame);
+            written = written && write_png(found, prefix + std::to_string(frame) + ".png");
+        }
+    }
+    tap::check("frames of an orbit are the library's pictures of the same spans", same && written);
+    tap::check("with the button held it is Schlick's highlight, from the next frame on", other_model);
+    tap::check("640x480 in 800 clocks and 525 lines, syncs negative, black outside", timing);
+    return tap::done();
+}
