@@ -2,7 +2,8 @@
 // From F and nl to RGB565: min(1, ambient + diffuse nl + specular F) a channel, one rounding at the end. Coefficients
 // {red, green, blue}, 17 bits each, 0..65536 = 1.0, are held still while pixels are inside.
 module glint_shade #(
-    parameter WHITE = 0 // 1: the specular coefficient of red is that of all; two multipliers less
+    parameter WHITE = 0, // 1: the specular coefficient of red is that of all; two products less
+    parameter ROWS = 1 // 1: those two are made of logic cells, not of multiplier blocks
 ) (
     input clk,
     input rst,
@@ -65,7 +66,7 @@ module glint_shade #(
             end else begin : own
                 wire [33:0] p;
                 reg [32:0] late;
-                glint_product product (.clk(clk), .step(step), .a(specular[17*k+:17]), .x(f), .p(p));
+                glint_product #(.ROWS(ROWS)) product (.clk(clk), .step(step), .a(specular[17*k+:17]), .x(f), .p(p));
                 always @(posedge clk) if (step) late <= p[32:0];
                 assign shine = late;
                 wire unused = p[33];

@@ -2,7 +2,8 @@
 // The span unit: one prepared span in (struct glint_span), its pixels out in RGB565, those of glint_shade_span_c16 for a
 // material with albedo 255 in gamma space, undithered. A pixel a clock; spans follow each other without a gap.
 module glint_span #(
-    parameter WHITE = 0 // 1: the specular coefficient of red is that of all; two multipliers less
+    parameter WHITE = 0, // 1: the specular coefficient of red is that of all; two products less
+    parameter ROWS = 1 // 1: those two are made of logic cells, not of multiplier blocks
 ) (
     input clk,
     input rst,
@@ -44,7 +45,7 @@ module glint_span #(
         .s_user({walk_last, nl}), .m_valid(core_valid), .m_ready(core_ready), .m_f(f), .m_user({core_last, core_nl})
     );
 
-    glint_shade #(.WHITE(WHITE)) shade (
+    glint_shade #(.WHITE(WHITE), .ROWS(ROWS)) shade (
         .clk(clk), .rst(rst), .clamp_peak(clamp_peak), .ambient(ambient), .diffuse(diffuse), .specular(specular),
         .s_valid(core_valid), .s_ready(core_ready), .s_f(f), .s_nl(core_nl), .s_last(core_last),
         .m_valid(m_valid), .m_ready(m_ready), .m_rgb565(m_rgb565), .m_last(m_last)
