@@ -28,7 +28,7 @@ $(GATEWARE)/%.bin: $(GATEWARE)/%.asc
 	@icepack $< $@ && echo "$@: $$(wc -c <$@) bytes"
 
 # MODULE:PART[:NAME=VALUE,...], see firmware/gateware/report.
-GATEWARE_REPORT = glint_core:up5k glint_lite:up5k glint_core:hx8k glint_lite:hx8k glint_lite:hx1k
+GATEWARE_REPORT = glint_core:up5k glint_lite:up5k glint_span:up5k glint_span:up5k:WHITE=1 glint_core:hx8k glint_lite:hx8k glint_lite:hx1k
 gateware-report: setup-gateware-tools ## what the gateware takes on iCE40 parts, into firmware/gateware/README.md
 	@firmware/gateware/report -r firmware/gateware/README.md -w $(GATEWARE)/report $(GATEWARE_REPORT)
 
