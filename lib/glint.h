@@ -294,7 +294,7 @@ enum glint_err glint_shade_span(const struct glint_shader *shader, const struct 
 /* The same as gateware draws it, whose core takes c: step 3 is F = glint_lobe_eval(lobe, c_q16), 0 where nl_q16 = 0, with
  *   c_q16 = 65536 - ((t_q30 + 2^13) >> 14), t as the span uses it; negative is back-facing.
  * Off the exact span by half a step of c: F by at most .03, .19, .63, 3.2 levels of 255 at n = 10, 60, 200, 1000 (MSH;
- * Schlick 0.6 of that): one step of RGB565, in 9 to 19 of 230,400 samples of the sphere in the README. */
+ * Schlick 0.6 of that): one step of RGB565, in 8 to 9 of 230,400 samples of the sphere in the README. */
 enum glint_err glint_shade_span_c16(const struct glint_shader *shader, const struct glint_span *span,
                                     const struct glint_surface *surface, struct glint_box *highlight);
 
