@@ -90,6 +90,19 @@ class Stream
             clock();
     }
 
+    /* Clocks from the edge that takes a cosine to the one that takes its F, when nothing waits. */
+    int latency()
+    {
+        drain();
+        offer(0, 0);
+        clock();
+        offer_nothing();
+        int clocks = 0;
+        for (const uint64_t before = received; received == before && clocks < 100; clocks++)
+            clock();
+        return clocks;
+    }
+
     void forget()
     {
         sent = received = wrong = disorder = moved = 0;

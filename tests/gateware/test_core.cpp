@@ -156,5 +156,6 @@ int main(int argc, char **argv)
     tap::check("below the cutoff F is 0, from it on the library's", cutoffs(core, random));
     tap::check("cosines beyond 0..1 and shininess beyond 1..1000 are clamped", clamping(core, random));
     tap::check("a reset leaves nothing on its way", resets(core, random));
+    tap::check("F comes 12 clocks after its cosine", core.latency() == 12);
     return tap::done();
 }

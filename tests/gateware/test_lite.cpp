@@ -147,5 +147,6 @@ int main()
                within("Schlick", GLINT_SCHLICK, 1, 1, 20));
     tap::check("Blinn: within 25 of 2^-16 of the library for every c and every 37th n",
                within("Blinn", GLINT_BLINN, 1, 37, 25));
+    tap::check("F comes 6 clocks after its cosine", lite.latency() == 6);
     return tap::done();
 }

@@ -292,6 +292,22 @@ static bool there_are_no_gaps()
     return true;
 }
 
+// Clocks from the edge that takes a span to the one that takes its first pixel, when nothing waits.
+static int latency()
+{
+    reset();
+    top.m_ready = top.s_valid = 1;
+    top.s_w = 1;
+    int clocks = 0;
+    for (top.eval(); !top.m_valid && clocks < 100; clocks++) {
+        clock_edge();
+        top.s_valid = 0;
+        top.eval();
+    }
+    reset();
+    return clocks;
+}
+
 static bool a_reset_empties_it()
 {
     unsigned gaps;
@@ -318,5 +334,6 @@ int main(int argc, char **argv)
     tap::check("spans follow each other without a gap", there_are_no_gaps());
     tap::check("a reset in the middle of a span empties the unit", a_reset_empties_it());
     tap::check("a pixel that is offered stays until it is taken", held);
+    tap::check("the first pixel comes 19 clocks after its span", latency() == 19);
     return tap::done();
 }

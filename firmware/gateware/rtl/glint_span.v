@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The span unit: one prepared span in (struct glint_span), its pixels out in RGB565, those of glint_shade_span_c16 for a
-// material with albedo 255 in gamma space, undithered. A pixel a clock; spans follow each other without a gap.
+// material with albedo 255 in gamma space, undithered. A pixel a clock, the first 19 clocks later; spans follow each
+// other without a gap.
 module glint_span #(
     parameter WHITE = 0, // 1: the specular coefficient of red is that of all; two products less
     parameter ROWS = 1 // 1: those two are made of logic cells, not of multiplier blocks
