@@ -9,7 +9,7 @@ test-targets: ## cross-compiled: no floating point, no writable data, stack; emu
 	@+tests/tier targets "$(SUBMAKE)"
 
 run-targets: firmware-cortex-m firmware-rv32 firmware-avr
-	@PYTHONDONTWRITEBYTECODE=1 tests/tally "tests/targets/test_objects $(BUILD)/targets" \
+	@PYTHONDONTWRITEBYTECODE=1 TALLY_JOBS=$$(nproc) tests/tally "tests/targets/test_objects $(BUILD)/targets" \
 		"tests/targets/test_conformance $(BUILD)/targets $(CONFORMANCE_EXPECTED)"
 
 .PHONY: setup-targets test-targets run-targets
