@@ -14,24 +14,25 @@ setup-gateware-tools:
 	@.ci/need "gateware (synthesis, place and route)" $(GATEWARE_PACKAGES)
 
 define gateware_board
-$(GATEWARE)/$(1).json: $(RTL) $(GATEWARE_DEMO) $(wildcard firmware/gateware/boards/$(1)/*.v) | setup-gateware-tools
+$(GATEWARE)/$(1).json: $(RTL) $(GATEWARE_DEMO) $(wildcard firmware/gateware/boards/$(1)/*.v) firmware/gateware/boards/$(1)/$(1).mk | setup-gateware-tools
 	@mkdir -p $$(@D)
-	@yosys -q -l $(GATEWARE)/$(1).yosys.log -p "synth_ice40 -dsp -top $($(1)_TOP) -json $$@" $$(filter %.v,$$^)
+	@yosys -q -l $(GATEWARE)/$(1).yosys.log -p "synth_ice40 -dsp -top $($(1)_TOP) -json $$@" $$(filter %.v,$$^) || { rm -f $$@; exit 1; }
 
-# No --timing-allow-fail: a clock that is not met is an error.
+# A clock that is not met is an error, and leaves no bitstream.
 $(GATEWARE)/$(1).asc: $(GATEWARE)/$(1).json firmware/gateware/boards/$(1)/$(1).pcf
-	@nextpnr-ice40 -q -l $(GATEWARE)/$(1).nextpnr.log $($(1)_DEVICE) --freq $($(1)_MHZ) --pcf $$(lastword $$^) --json $$< --asc $$@
+	@nextpnr-ice40 -q -l $(GATEWARE)/$(1).nextpnr.log $($(1)_DEVICE) --freq $($(1)_MHZ) --pcf $$(lastword $$^) --json $$< --asc $$@ || \
+		{ rm -f $$@; echo "make: $$@: not placed, or too slow: $(GATEWARE)/$(1).nextpnr.log tells" >&2; exit 1; }
 endef
 $(foreach board,$(GATEWARE_BOARDS),$(eval $(call gateware_board,$(board))))
 
 $(GATEWARE)/%.bin: $(GATEWARE)/%.asc
-	@icepack $< $@ && echo "$@: $$(wc -c <$@) bytes"
+	@icepack $< $@ && echo "$@: $$(wc -c <$@) bytes" && sed -n '/Device utilisation/,/ICESTORM_SPRAM/p' $(@:.bin=.nextpnr.log) | \
+		sed -n 's/^Info:[ \t]*\(ICESTORM_[LRD][CAS][MP ]*\)/  \1/p' && sed -n 's/^Info: \(Max frequency\)/  \1/p' $(@:.bin=.nextpnr.log) | tail -1
 
 # MODULE:PART[:NAME=VALUE,...], see firmware/gateware/report.
 GATEWARE_REPORT = glint_core:up5k glint_lite:up5k glint_span:up5k glint_span:up5k:WHITE=1 glint_core:hx8k glint_lite:hx8k glint_lite:hx1k
 gateware-report: setup-gateware-tools ## what the gateware takes on iCE40 parts, into firmware/gateware/README.md
 	@firmware/gateware/report -r firmware/gateware/README.md -w $(GATEWARE)/report $(GATEWARE_REPORT)
-
 
 # The demo's tables, of the library's values; a test tells when those in the tree are not what this program writes.
 GATEWARE_TABLES = $(BUILD)/gateware/tables
@@ -40,7 +41,7 @@ $(GATEWARE_TABLES): firmware/gateware/demo/tables.c $(BUILD)/firmware/core/orbit
 	@$(CC) -Ilib -Ifirmware/core $(LIB_CFLAGS) $(LDFLAGS) $^ -o $@
 
 gateware-tables: $(GATEWARE_TABLES)
-	$< orbit >firmware/gateware/demo/glint_orbit.v
-	$< chord >firmware/gateware/demo/glint_chord.v
+	$< orbit >$<.v && mv $<.v firmware/gateware/demo/glint_orbit.v
+	$< chord >$<.v && mv $<.v firmware/gateware/demo/glint_chord.v
 
 .PHONY: gateware gateware-report setup-gateware-tools gateware-tables

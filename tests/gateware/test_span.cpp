@@ -95,14 +95,15 @@ static std::vector<pixel> drawn_by_the_library(const struct glint_shader &shader
 }
 
 // Chances of 256 that a span is offered and a pixel taken in a clock. gaps: clocks without a pixel between first and last.
+// It goes on until nothing more comes, or stop pixels have.
 static std::vector<pixel> drawn_by_the_unit(const std::vector<glint_span> &spans, size_t wanted, uint32_t offer,
-                                            uint32_t take, unsigned *gaps)
+                                            uint32_t take, unsigned *gaps, size_t stop = SIZE_MAX)
 {
     std::vector<pixel> pixels;
     size_t next = 0;
     bool offered = false;
     *gaps = 0;
-    for (int idle = 0; idle < TIMEOUT && (pixels.size() < wanted || idle < 60);) {
+    for (int idle = 0; idle < TIMEOUT && pixels.size() < stop && (pixels.size() < wanted || idle < 60);) {
         if (!offered && next < spans.size() && below(256) < offer) {
             const struct glint_span &span = spans[next];
             top.s_t = span.t_q30;
@@ -314,7 +315,7 @@ static bool a_reset_empties_it()
     const std::vector<glint_span> before = {random_span(4096)};
     for (size_t pixels = 1; pixels < 60; pixels += 7) {
         set_registers(random_shader());
-        drawn_by_the_unit(before, pixels, 256, 128, &gaps);
+        drawn_by_the_unit(before, pixels, 256, 128, &gaps, pixels);
         reset();
         if (!same(random_shader(), random_spans(5)))
             return false;

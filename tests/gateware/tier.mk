@@ -23,7 +23,7 @@ $(BUILD)/tests/gateware/test_%: tests/gateware/test_%.cpp $(RTL) $(GATEWARE_DEMO
 		$(CURDIR)/$(BUILD)/tests/gateware/libglint.a $(wildcard firmware/gateware/*/glint_$*.v) >$@.log 2>&1 || { cat $@.log >&2; exit 1; }
 
 setup-gateware: setup-gateware-tools
-	@.ci/need "tier gateware (simulators, a solver)" gcc g++ libc6-dev make libpng-dev verilator iverilog z3 python3-yaml
+	@.ci/need "tier gateware (simulators, solvers)" gcc g++ libc6-dev make libpng-dev verilator iverilog z3 cvc4 python3-yaml
 
 test-gateware: ## the Verilog: every cosine and shininess against the library, the netlist, the handshake proved, faults found
 	@+tests/tier gateware "$(SUBMAKE)"

@@ -20,11 +20,13 @@ module icebreaker (
         .PACKAGEPIN(clk_12mhz), .PLLOUTGLOBAL(clk), .LOCK(locked), .RESETB(1'b1), .BYPASS(1'b0)
     );
 
+    reg [1:0] lock = 0; // it belongs to no clock
     reg [3:0] settled = 0; // clocks since the PLL has locked
     reg rst = 1;
     reg [1:0] button;
     always @(posedge clk) begin
-        settled <= !locked ? 4'd0 : settled == 15 ? 4'd15 : settled + 4'd1;
+        lock <= {lock[0], locked};
+        settled <= !lock[1] ? 4'd0 : settled == 15 ? 4'd15 : settled + 4'd1;
         rst <= settled != 15;
         button <= {button[0], !button_n};
     end
