@@ -26,8 +26,9 @@ endef
 $(foreach board,$(GATEWARE_BOARDS),$(eval $(call gateware_board,$(board))))
 
 $(GATEWARE)/%.bin: $(GATEWARE)/%.asc
-	@icepack $< $@ && echo "$@: $$(wc -c <$@) bytes" && sed -n '/Device utilisation/,/ICESTORM_SPRAM/p' $(@:.bin=.nextpnr.log) | \
-		sed -n 's/^Info:[ \t]*\(ICESTORM_[LRD][CAS][MP ]*\)/  \1/p' && sed -n 's/^Info: \(Max frequency\)/  \1/p' $(@:.bin=.nextpnr.log) | tail -1
+	@icepack $< $@ && echo "$@: $$(wc -c <$@) bytes" && \
+		sed -n 's/^Info:[ \t]*\(ICESTORM_LC\|ICESTORM_RAM\|ICESTORM_DSP\):/  \1/p' $(@:.bin=.nextpnr.log) && \
+		sed -n 's/^Info: \(Max frequency\)/  \1/p' $(@:.bin=.nextpnr.log) | tail -1
 
 # MODULE:PART[:NAME=VALUE,...], see firmware/gateware/report.
 GATEWARE_REPORT = glint_core:up5k glint_lite:up5k glint_span:up5k glint_span:up5k:WHITE=1 glint_core:hx8k glint_lite:hx8k glint_lite:hx1k
