@@ -73,8 +73,7 @@ uint32_t glint_pixel_nl(int64_t nl_q30)
 
 uint32_t glint_pixel_lobe(const struct glint_shader *shader, uint32_t t_q30)
 {
-    const uint32_t f = glint_lobe_eval_t(&shader->lobe, t_q30);
-    return shader->clamp_peak && f > 65536 ? 65536 : f;
+    return glint_pixel_peak(shader, glint_lobe_eval_t(&shader->lobe, t_q30));
 }
 
 void glint_pixel_put(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,

@@ -34,6 +34,12 @@ uint32_t glint_pixel_t(const struct glint_lobe *lobe, const struct glint_light *
 bool glint_pixel(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
                  uint32_t t_q30, int64_t nl_q30, const uint8_t albedo[3], uint8_t gloss);
 
+/* Step 3's last words. */
+static inline uint32_t glint_pixel_peak(const struct glint_shader *shader, uint32_t f)
+{
+    return shader->clamp_peak && f > 65536 ? 65536 : f;
+}
+
 /* Its parts, from which tables are filled and lights summed. Steps 2, 3, 4 and 5 (nl < 2^23, shine = g F < 2^39: what
  * several lights may sum to), 6 to 8, and 4 to 8. */
 uint32_t glint_pixel_nl(int64_t nl_q30);

@@ -36,8 +36,7 @@ static inline uint32_t lobe(const struct glint_shader *shader, uint32_t t_q30, b
 {
     if (!by_c)
         return glint_pixel_lobe(shader, t_q30);
-    const uint32_t f = glint_lobe_eval(&shader->lobe, glint_c_of_t(t_q30));
-    return shader->clamp_peak && f > 65536 ? 65536 : f;
+    return glint_pixel_peak(shader, glint_lobe_eval(&shader->lobe, glint_c_of_t(t_q30)));
 }
 
 static inline enum glint_err shade(const struct glint_shader *shader, const struct glint_span *span,

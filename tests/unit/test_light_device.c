@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "light.h"
 #include "light_device.h"
 #include "unit.h"
 
@@ -12,14 +13,6 @@ static uint32_t *map; /* by itself on the heap, so that the sanitizers see its e
 static struct gud_device gud;
 static struct light_device device;
 static uint8_t reply[GUD_REPLY_BYTES];
-static const struct light_material material = {
-    .model = GLINT_MSH,
-    .q = 6,
-    .n = 60,
-    .flags = LIGHT_CLAMP_PEAK,
-    .space = GLINT_LINEAR,
-    .background = 0xabcd,
-    .material = {{1, 2, 3}, {40000, 50000, 60000}, {65536, 7, 8}, {9, 10, 11}}};
 
 static int begin(void **state)
 {
@@ -88,98 +81,7 @@ static void send_light(int32_t x)
     light_device_bulk(&device, bytes, sizeof bytes);
 }
 
-/* Member by member: what stands in the padding is nobody's. */
-static void assert_same(const struct glint_material *a, const struct glint_material *b)
-{
-    assert_memory_equal(a->albedo, b->albedo, sizeof a->albedo);
-    assert_memory_equal(a->ambient_q16, b->ambient_q16, sizeof a->ambient_q16);
-    assert_memory_equal(a->diffuse_q16, b->diffuse_q16, sizeof a->diffuse_q16);
-    assert_memory_equal(a->specular_q16, b->specular_q16, sizeof a->specular_q16);
-}
-
 /* ---- tests ---- */
-
-static void what_is_packed_comes_back(void **state)
-{
-    (void)state;
-    uint8_t bytes[LIGHT_MATERIAL_BYTES];
-    struct light_material again;
-    light_material_pack(bytes, &material);
-    light_material_unpack(&again, bytes);
-    assert_int_equal(again.model, material.model);
-    assert_int_equal(again.background, material.background);
-    assert_same(&again.material, &material.material);
-    struct light_descriptor descriptor = {240, 320};
-    light_descriptor_pack(bytes, &descriptor);
-    descriptor = (struct light_descriptor){0, 0};
-    assert_true(light_descriptor_unpack(&descriptor, bytes));
-    assert_int_equal(descriptor.width, 240);
-    assert_int_equal(descriptor.height, 320);
-    bytes[4]++;
-    assert_false(light_descriptor_unpack(&descriptor, bytes));
-}
-
-/* As written down for those who write hosts: a change of both sides at once would break theirs. */
-static void the_bytes_on_the_wire_are_these(void **state)
-{
-    (void)state;
-    static const uint8_t wanted[LIGHT_MATERIAL_BYTES] = {GLINT_MSH,
-                                                         6,
-                                                         60,
-                                                         0,
-                                                         GLINT_LINEAR,
-                                                         LIGHT_CLAMP_PEAK,
-                                                         0xcd,
-                                                         0xab, /* model, q, n, space, flags, background */
-                                                         9,
-                                                         10,
-                                                         11,
-                                                         0, /* albedo */
-                                                         1,
-                                                         0,
-                                                         0,
-                                                         0,
-                                                         2,
-                                                         0,
-                                                         0,
-                                                         0,
-                                                         3,
-                                                         0,
-                                                         0,
-                                                         0, /* ambient */
-                                                         0x40,
-                                                         0x9c,
-                                                         0,
-                                                         0,
-                                                         0x50,
-                                                         0xc3,
-                                                         0,
-                                                         0,
-                                                         0x60,
-                                                         0xea,
-                                                         0,
-                                                         0,
-                                                         0,
-                                                         0,
-                                                         1,
-                                                         0,
-                                                         7,
-                                                         0,
-                                                         0,
-                                                         0,
-                                                         8}; /* diffuse, specular */
-    uint8_t bytes[LIGHT_MATERIAL_BYTES];
-    memset(bytes, 0xee, sizeof bytes);
-    light_material_pack(bytes, &material);
-    assert_memory_equal(bytes, wanted, sizeof wanted);
-    light_message_pack(bytes, 0x01020304, (const int32_t[]){-2, 0x0a0b0c0d, INT32_MIN});
-    assert_memory_equal(bytes, "\x04\x03\x02\x01\xfe\xff\xff\xff\x0d\x0c\x0b\x0a\0\0\0\x80", LIGHT_MESSAGE_BYTES);
-    struct light_descriptor descriptor = {0x0102, 0x0304};
-    light_descriptor_pack(bytes, &descriptor);
-    assert_memory_equal(bytes, "glnt\1\0\0\0\2\1\4\3", LIGHT_DESCRIPTOR_BYTES);
-    bytes[3]++;
-    assert_false(light_descriptor_unpack(&descriptor, bytes));
-}
 
 static void material_and_map_in_pieces_of_any_size_make_it_ready(void **state)
 {
@@ -446,8 +348,6 @@ static void whatever_comes_only_the_map_is_written_to(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(what_is_packed_comes_back, begin, end),
-        cmocka_unit_test_setup_teardown(the_bytes_on_the_wire_are_these, begin, end),
         cmocka_unit_test_setup_teardown(material_and_map_in_pieces_of_any_size_make_it_ready, begin, end),
         cmocka_unit_test_setup_teardown(the_shader_is_what_the_material_says, begin, end),
         cmocka_unit_test_setup_teardown(no_request_is_taken_that_is_not_wholly_right, begin, end),
