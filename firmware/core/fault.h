@@ -7,7 +7,6 @@
 
 #include "hal.h"
 
-/* Stored as uint8_t. */
 enum fault {
     FAULT_NONE,
     FAULT_HUNG,   /* the program stood still, and the watchdog has started it anew */

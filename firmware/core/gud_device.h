@@ -25,10 +25,10 @@ struct gud_device_ops {
     void (*window)(void *context, uint16_t x, uint16_t y, uint16_t width, uint16_t height);
     void (*line)(void *context, const uint8_t *pixels, size_t bytes);
     void (*end)(void *context, bool whole);
-    void (*display)(
-        void *context, bool on,
-        uint8_t brightness);     /* 0..100 as eyes count, 0 not dark; the picture stays. NULL: nothing to switch */
-    bool (*busy)(void *context); /* rectangles are refused with GUD_BUSY while it says so. NULL: never */
+    /* Brightness is 0..100 as eyes count, 0 not dark; the picture stays. NULL: nothing to switch. */
+    void (*display)(void *context, bool on, uint8_t brightness);
+    /* Rectangles are refused with GUD_BUSY while it says so. NULL: never. */
+    bool (*busy)(void *context);
 };
 
 /* Memory for lines, static: the widest format that is offered and the output's, in bytes a pixel. */

@@ -48,8 +48,8 @@ struct panel_bus {
     bool (*command)(void *context, uint8_t command);                 /* one byte, D/C low */
     bool (*data)(void *context, const uint8_t *bytes, size_t count); /* D/C high */
     bool (*reset)(void *context, bool active); /* the reset line; NULL: there is none, the command does */
-    bool (*backlight)(void *context,
-                      uint8_t percent); /* 0..100; any but 0 is on where it cannot be dimmed. NULL: none */
+    /* 0..100 percent; any but 0 is on where it cannot be dimmed. NULL: there is none. */
+    bool (*backlight)(void *context, uint8_t percent);
     void (*wait_ms)(void *context, unsigned ms);
     void *context;
 };
