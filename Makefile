@@ -22,8 +22,8 @@ WITH_TERMINAL := $(call has,chafa)
 SINK_LIBS = $(if $(WITH_USB),libusb-1.0) $(if $(WITH_GPIO),libgpiod inih) $(if $(WITH_TERMINAL),chafa)
 SINK_FLAGS = -DGLINT_WITH_USB=$(if $(WITH_USB),1,0) -DGLINT_WITH_GPIO=$(if $(WITH_GPIO),$(WITH_GPIO),0) \
 	-DGLINT_WITH_TERMINAL=$(if $(WITH_TERMINAL),1,0)
-LEFT_OUT = $(if $(WITH_USB),,host/sink_usb%) $(if $(WITH_TERMINAL),,host/sink_terminal%) \
-	$(if $(WITH_GPIO),host/gpio_chip_v$(if $(filter 1,$(WITH_GPIO)),2,1).c,host/sink_gpio% host/sink_spi% host/gpio_%)
+LEFT_OUT = $(if $(WITH_USB),,host/sinks/usb/%) $(if $(WITH_TERMINAL),,host/sinks/terminal%) \
+	$(if $(WITH_GPIO),host/sinks/wires/chip_v$(if $(filter 1,$(WITH_GPIO)),2,1).c,host/sinks/wires/%)
 # Recursive (=), so that they are asked for after set-up; silent, because before it there may be no answer.
 HOST_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ifirmware/core -Ihost $(OPENMP) \
 	$(SINK_FLAGS) $(shell pkg-config --cflags $(HOST_LIBS) $(SINK_LIBS) 2>/dev/null) $(CFLAGS)
@@ -32,7 +32,8 @@ HOST_LDLIBS = $(shell pkg-config --libs $(HOST_LIBS) $(SINK_LIBS) 2>/dev/null) -
 
 LIB_OBJECTS = $(patsubst lib/%.c,$(BUILD)/lib/%.o,$(wildcard lib/*.c))
 CORE_OBJECTS = $(patsubst firmware/core/%.c,$(BUILD)/firmware/core/%.o,$(wildcard firmware/core/*.c))
-HOST_OBJECTS = $(patsubst host/%.c,$(BUILD)/host/%.o,$(filter-out $(LEFT_OUT),$(wildcard host/*.c))) $(CORE_OBJECTS)
+HOST_SOURCES = $(filter-out $(LEFT_OUT),$(wildcard host/*.c host/*/*.c host/*/*/*.c))
+HOST_OBJECTS = $(HOST_SOURCES:host/%.c=$(BUILD)/host/%.o) $(CORE_OBJECTS)
 # Sub-makes use all cores unless the caller's make decides. (Their recipes begin with +: make does not see $(MAKE) in it.)
 PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
 SUBMAKE = $(MAKE) --no-print-directory $(PARALLEL)
@@ -51,7 +52,7 @@ $(BUILD)/firmware/core/%.o: firmware/core/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(CC) -Ilib $(LIB_CFLAGS) -c $< -o $@
 
-$(BUILD)/glint: $(HOST_OBJECTS) $(BUILD)/libglint.a host firmware/core
+$(BUILD)/glint: $(HOST_OBJECTS) $(BUILD)/libglint.a $(sort $(dir $(HOST_SOURCES))) firmware/core
 	$(CC) $(HOST_LDFLAGS) $(HOST_OBJECTS) $(BUILD)/libglint.a -o $@ $(HOST_LDLIBS)
 
 $(BUILD)/host/%.o: host/%.c $(BUILD)/flags | $(BUILD)/packages
@@ -102,7 +103,7 @@ CHECK_MAKE = $(SUBMAKE) BUILD=build/check WERROR=-Werror
 # A tier with a quick part that needs no set-up offers a goal check-TIER.
 CHECKS = $(shell sed -n 's/^\(check-[a-z]*\):.*/\1/p' $(wildcard tests/*/tier.mk))
 
-FORMATTED = $(wildcard lib/*.[ch] firmware/*/*.[ch] firmware/*/*/*.[ch] firmware/*/*/*/*.[ch] host/*.[ch] tests/*/*.[ch] tests/*/*/*.[ch] tests/gateware/*.cpp)
+FORMATTED = $(wildcard lib/*.[ch] firmware/*/*.[ch] firmware/*/*/*.[ch] firmware/*/*/*/*.[ch] host/*.[ch] host/*/*.[ch] host/*/*/*.[ch] tests/*/*.[ch] tests/*/*/*.[ch] tests/gateware/*.cpp)
 check-format:
 	@tests/tally "tests/format $(FORMATTED)"
 

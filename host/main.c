@@ -9,8 +9,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "host.h"
-#include "sink.h"
+#include "base/host.h"
+#include "sinks/sink.h"
 
 static const struct command {
     const char *name;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Lamps: set up, and how much of one reaches a pixel. */
-#include "lamp.h"
-#include "internal.h"
+#include "glint_lamp.h"
+#include "glint_internal.h"
 
 static bool is_far(const int32_t place[3])
 {

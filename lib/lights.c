@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * The exact rectangle path under several lights. */
-#include "internal.h"
-#include "lamp.h"
-#include "pixel.h"
-#include "rect.h"
+#include "glint_internal.h"
+#include "glint_lamp.h"
+#include "glint_pixel.h"
+#include "glint_rect.h"
 
 /* What a surface that scatters all, and one that mirrors all, would send, Q16.16, < 2^23. */
 struct sums {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "internal.h"
+#include "glint_internal.h"
 
 void glint_lobe_init(struct glint_lobe *lobe, enum glint_model model, uint32_t n, unsigned q)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Rectangles, spans and palettes by table loops: what can be refused is refused here, then line by line. */
-#include "tables.h"
+#include "glint_tables.h"
 
 struct glint_vec glint_normals_unpack(enum glint_normals format, uint32_t word)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * ALBEDO tables: their fill, their lights, and the loops over them. RAM: 8,584 bytes of tables, what a light takes, no
  * buffers. */
-#include "tables.h"
+#include "glint_tables.h"
 
 enum { SHINE = 2048, LEVELS = 392 /* three times 128, and some: whatever normals and lights are */ };
 /* Blue, red and green as fields of a word, each with room above it: a product by a level of up to 32 fits, and so does a

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * The loops over COLOUR tables, a line each. RAM: 20,480 bytes of tables, what a light takes, no buffers. */
-#include "tables.h"
+#include "glint_tables.h"
 
 /* Table and limits in registers. */
 struct look {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Where an address or a width is not what the fast loops want: in pieces of so many pixels, 64 bytes of stack. */
-#include "tables.h"
+#include "glint_tables.h"
 
 enum { PIECE = GLINT_RUN };
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * The pixels of a run by COLOUR tables: a loop for each of what they can have in common (loops_span.c). */
-#include "tables.h"
+#include "glint_tables.h"
 
 #if !GLINT_CORTEX_M0PLUS_ASM
 static inline uint16_t colour_at(const uint8_t *at)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * SMALL tables: pixels one by one, of any format, at any address. */
-#include "tables.h"
+#include "glint_tables.h"
 
 static uint32_t clamp_sum(uint32_t sum, uint8_t format) /* a field whose guard is set is full */
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Spans over COLOUR tables, up to GLINT_RUN pixels at a time. Of those it is cheap to know that all are alike, for t is
  * convex and nl linear; then each takes but the additions that its kind needs. */
-#include "tables.h"
+#include "glint_tables.h"
 
 #if !GLINT_CORTEX_M0PLUS_ASM
 /* Modulo 2^32 t is convex and nl linear only where no sum wraps: with steps below 2^25 and ddt below 2^20, 31 steps

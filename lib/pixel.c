@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "pixel.h"
+#include "glint_pixel.h"
 
 #define ONE ((uint64_t)65535 << 32) /* a value of 1.0 */
 

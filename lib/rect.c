@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * The exact rectangle path. */
-#include "rect.h"
-#include "internal.h"
-#include "pixel.h"
+#include "glint_rect.h"
+#include "glint_internal.h"
+#include "glint_pixel.h"
 
 enum glint_err glint_rect_check(const struct glint_shader *shader, const struct glint_source *source,
                                 const struct glint_surface *surface)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Tables from exact values, and lights for the loops that read them (glint.h). */
-#include "tables.h"
+#include "glint_tables.h"
 
 enum { COLUMNS = 4096, SPARE = 16, SEGMENT = GLINT_SEGMENT };
 #define GAP ((uint32_t)1 << 16) /* how far below 0 t may come, Q2.30, by rounding */

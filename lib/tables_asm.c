@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * What the assembly takes for granted of the structs (cortex_m0plus.inc): arrays of -1 where it is not so. */
-#include "tables.h"
+#include "glint_tables.h"
 
 #if GLINT_CORTEX_M0PLUS_ASM
 #define AT(type, field, offset) (offsetof(struct type, field) == (offset))

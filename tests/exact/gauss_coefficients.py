@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Prints the table in lib/gauss.c: g(t) = exp(-acos(1 - t)^2 / 2) on 0 <= t <= 1 as a polynomial in t, Q1.62.
+"""Prints the table in lib/lobe_gauss.c: g(t) = exp(-acos(1 - t)^2 / 2) on 0 <= t <= 1 as a polynomial in t, Q1.62.
 
 g is interpolated at the Chebyshev nodes in 60 decimal digits. Its only singularity is at t = 2, so that a degree
 of DEGREE leaves less than 2^-60. The first coefficient is g(0) = 1 exactly. Only the standard library is used."""

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Prints the tables in lib/srgb.c: the sRGB transfer function (IEC 61966-2-1) in 1/65535, to nearest.
+"""Prints the tables in lib/math_srgb.c: the sRGB transfer function (IEC 61966-2-1) in 1/65535, to nearest.
 
 decoded[i]: the linear value of i / 255. encoded[j]: the encoding of (32 + j % 32) << (2 + j / 32), j = 0..288,
 that is of 32 steps an octave from 128 on."""

@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "batch.h"
+#include "models/batch.h"
 
 enum { CODES = GLINT_C_ONE + 1, ALL = CODES * (int)GLINT_N_MAX }; /* an odd number: rounds and a remainder */
 

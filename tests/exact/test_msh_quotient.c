@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "../../lib/msh.c"
+#include "../../lib/lobe_msh.c"
 
 /* The largest 2^8 C that belongs to E = 2^-s m for an n in 1..1000, or 0: E = 5 2^16 + (4n - 5)(2^16 - C). */
 static double largest_u(uint32_t m, int s)

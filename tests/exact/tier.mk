@@ -13,7 +13,7 @@ $(BUILD)/tests/exact/host/%.o: host/%.c $(BUILD)/flags
 
 EXACT_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ihost $(OPENMP) $(CFLAGS)
 
-$(BUILD)/tests/exact/test_batch: $(BUILD)/tests/exact/host/batch.o
+$(BUILD)/tests/exact/test_batch: $(BUILD)/tests/exact/host/models/batch.o
 $(EXACT_TESTS): %: %.o $(BUILD)/tests/exact/oracle.o $(BUILD)/libglint.a
 	$(CC) $(HOST_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) -o $@ -lcmocka -lmpfr -lgmp -lm
 

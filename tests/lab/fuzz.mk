@@ -3,7 +3,7 @@
 FUZZERS = $(patsubst tests/lab/fuzz_%.c,$(BUILD)/tests/lab/fuzz_%,$(wildcard tests/lab/fuzz_*.c))
 
 $(FUZZERS): $(BUILD)/tests/lab/fuzz_%: tests/lab/fuzz_%.c tests/lab/fuzz.h tests/lab/fuzzer $(wildcard firmware/core/*.[ch]) \
-		host/virtual_panel.c host/virtual_panel.h
+		host/sinks/panel/virtual_panel.c host/sinks/panel/virtual_panel.h
 	tests/lab/fuzzer $* $@
 
 setup-lab: setup-fuzz

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "fuzz.h"
-#include "virtual_panel.h"
+#include "sinks/panel/virtual_panel.h"
 
 static struct virtual_panel panel;
 

@@ -14,8 +14,8 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "gpio_bus.h"
-#include "gpio_chip.h"
+#include "sinks/wires/bus.h"
+#include "sinks/wires/chip.h"
 #include "lab.h"
 
 static const char *const spi_names[] = {"SCK", "MOSI", "DC"};

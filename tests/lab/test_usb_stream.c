@@ -5,8 +5,8 @@
 #include <lz4.h>
 #include <lz4hc.h>
 
-#include "shade.h"
-#include "sink.h"
+#include "draw/shade.h"
+#include "sinks/sink.h"
 #include "usb_display.h"
 
 #include "gud_protocol.h"

@@ -9,7 +9,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "sink.h"
+#include "sinks/sink.h"
 #include "usb_display.h"
 
 #include "gud_protocol.h"

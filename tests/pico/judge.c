@@ -12,14 +12,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bake.h"
+#include "bake/bake.h"
 #include "demo.h"
 #include "fault.h"
-#include "host.h"
-#include "image.h"
+#include "base/host.h"
+#include "image/image.h"
 #include "light_protocol.h"
 #include "orbit.h"
-#include "virtual_panel.h"
+#include "sinks/panel/virtual_panel.h"
 
 static struct virtual_panel seen;
 

@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "formulas.h"
+#include "models/formulas.h"
 
 static inline double family_value(const struct family *family, double n, double c)
 {

@@ -12,14 +12,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "gpio_bus.h"
-#include "gpio_display.h"
-#include "gpio_find.h"
-#include "gpio_lines.h"
-#include "host.h"
-#include "panel_options.h"
+#include "sinks/wires/bus.h"
+#include "sinks/wires/display.h"
+#include "sinks/wires/find.h"
+#include "sinks/wires/lines.h"
+#include "base/host.h"
+#include "sinks/panel/options.h"
 #include "unit.h"
-#include "virtual_panel.h"
+#include "sinks/panel/virtual_panel.h"
 
 /* ---- the library's place is taken ---- */
 

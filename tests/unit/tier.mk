@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MIT
-# Tier unit: every tests/unit/test_*.c is a cmocka program, linked with all of the host but main.o; they run twice, the
-# second time under the sanitizers. Every other tests/unit/test_* is a script that speaks TAP.
+# Tier unit: every tests/unit/*/test_*.c is a cmocka program, linked with all of the host but main.o; they run twice, the
+# second time under the sanitizers. Every other tests/unit/*/test_* is a script that speaks TAP.
 # In the environment of each: GLINT, the command; GLINT_SOURCE, the source folder.
-UNIT_TESTS = $(patsubst tests/unit/test_%.c,$(BUILD)/tests/unit/test_%,$(wildcard tests/unit/test_*.c))
-UNIT_SCRIPTS = $(filter-out %.c,$(wildcard tests/unit/test_*))
+UNIT_TESTS = $(patsubst tests/unit/%.c,$(BUILD)/tests/unit/%,$(wildcard tests/unit/*/test_*.c))
+UNIT_SCRIPTS = $(filter-out %.c,$(wildcard tests/unit/*/test_*))
 UNIT_COMMON = $(filter-out $(BUILD)/host/main.o,$(HOST_OBJECTS)) $(BUILD)/libglint.a
 UNIT_ENV = GLINT="$$(realpath $(BUILD)/glint)" GLINT_SOURCE="$(CURDIR)"
 
 $(BUILD)/tests/unit/%.o: tests/unit/%.c $(BUILD)/flags | $(BUILD)/packages
 	@mkdir -p $(@D)
-	$(CC) $(HOST_CFLAGS) -c $< -o $@
+	$(CC) $(HOST_CFLAGS) -Itests/unit -c $< -o $@
 
 $(UNIT_TESTS): %: %.o $(UNIT_COMMON)
 	$(CC) $(HOST_LDFLAGS) $< $(UNIT_COMMON) -o $@ -lcmocka $(HOST_LDLIBS)

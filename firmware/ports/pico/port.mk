@@ -32,7 +32,7 @@ firmware-pico: $(PICO)/map/demo_map.h $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
 	@cp $(PICO)/cmake/$(IMAGE).elf $(PICO)/ && $(BUILD)/bin2uf2 $(PICO_BOARD) $(PICO)/cmake/$(IMAGE).bin $(PICO)/$(IMAGE).uf2
 	@arm-none-eabi-size $(PICO)/$(IMAGE).elf | awk 'NR == 2 { printf "$(PICO)/$(IMAGE).uf2: %d bytes of flash, %d of RAM\n", $$1 + $$2, $$2 + $$3 }'
 
-$(BUILD)/bin2uf2: firmware/ports/pico/tools/bin2uf2.c $(BUILD)/host/uf2.o
+$(BUILD)/bin2uf2: firmware/ports/pico/tools/bin2uf2.c $(BUILD)/host/bake/uf2.o
 	@$(CC) $(filter-out -MMD -MP,$(HOST_CFLAGS)) $^ -o $@
 
 $(PICO)/map/demo_map.h: $(BUILD)/glint

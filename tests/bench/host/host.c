@@ -7,7 +7,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "batch.h"
+#include "models/batch.h"
 #include "methods.h"
 
 enum { N = 60, RUNS = 7, IN_CACHE = 1 << 14, IN_MEMORY = 1 << 24, COSINES = GLINT_C_ONE / 2 + 1 };

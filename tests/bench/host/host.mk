@@ -25,7 +25,7 @@ $(BENCH_HOST)/%.o: tests/bench/host/%.c tests/bench/host/host.mk
 	@mkdir -p $(@D)
 	@$(BENCH_HOST_CC) $(BENCH_HOST_FLAGS) -c $< -o $@
 
-$(BENCH_HOST)/batch.o: host/batch.c tests/bench/host/host.mk
+$(BENCH_HOST)/batch.o: host/models/batch.c tests/bench/host/host.mk
 	@mkdir -p $(@D)
 	@$(BENCH_HOST_CC) -O2 -c $< -o $@
 

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "../sphere.h"
-#include "bake.h"
+#include "bake/bake.h"
 
 static const double RADIUS = 120.9;
 enum { SAMPLES = 2000, FEW = 24 };

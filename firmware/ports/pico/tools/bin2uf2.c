@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "bake.h"
-#include "uf2.h"
+#include "bake/uf2.h"
 
 int main(int argc, char **argv)
 {

@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: MIT
+ * Normals into words and palettes. */
+#include <stdlib.h>
+
+#include "bake/bake.h"
+
+const char *const bake_format_names[] = {"int16", "int10", "int8", "palette", NULL};
+
+static bool has_surface(const struct scene *scene, size_t pixel)
+{
+    return !scene->mask || scene->mask[pixel];
+}
+
+static const struct glint_vec no_surface = {0, 0, 0};
+
+static enum glint_normals packing(enum bake_format format)
+{
+    return format == BAKE_INT8 ? GLINT_NORMALS_INT8 : GLINT_NORMALS_INT10;
+}
+
+/* A pixel without surface says how many there are from it to the right, so that a loop steps over them: above INT10's z,
+ * below INT8's. */
+static void add_runs(struct baked *baked)
+{
+    const unsigned shift = baked->format == BAKE_INT10 ? 12 : 0;
+    for (uint32_t y = 0; y < baked->height; y++) {
+        uint32_t *line = &baked->words[(size_t)y * baked->width];
+        uint32_t run = 0;
+        for (uint32_t x = baked->width; x-- > 0;) {
+            run = line[x] ? 0 : run + 1; /* at most SIDE_MAX */
+            line[x] |= run << shift;
+        }
+    }
+}
+
+static void bake_words(struct baked *baked, const struct glint_vec *normals, size_t pixels)
+{
+    baked->words = allocate(pixels, sizeof *baked->words);
+    for (size_t i = 0; i < pixels; i++)
+        baked->words[i] = glint_normals_pack(packing(baked->format), &normals[i]);
+    add_runs(baked);
+}
+
+static bool is_surface(struct glint_vec v)
+{
+    return v.x || v.y || v.z;
+}
+
+static void bake_palette(struct baked *baked, const struct glint_vec *normals, size_t pixels, uint32_t entries)
+{
+    struct glint_vec *drawn = allocate(pixels, sizeof *drawn);
+    uint16_t *places = allocate(pixels, sizeof *places);
+    size_t count = 0;
+    for (size_t i = 0; i < pixels; i++)
+        if (is_surface(normals[i]))
+            drawn[count++] = normals[i];
+    baked->normals = allocate(entries, sizeof *baked->normals);
+    baked->normals[0] = no_surface;
+    baked->entries = 1 + palette_choose(drawn, count, entries - 1, baked->normals + 1, places);
+    baked->offsets = allocate(pixels, sizeof *baked->offsets);
+    count = 0;
+    for (size_t i = 0; i < pixels; i++)
+        baked->offsets[i] = is_surface(normals[i]) ? (uint16_t)(2 * (1 + places[count++])) : 0;
+    free(drawn);
+    free(places);
+}
+
+struct baked *bake(const struct scene *scene, enum bake_format format, uint32_t entries)
+{
+    const size_t pixels = (size_t)scene->width * scene->height;
+    struct baked *baked = allocate(1, sizeof *baked);
+    *baked = (struct baked){.format = format, .width = scene->width, .height = scene->height};
+    struct glint_vec *normals = scene_normals_q15(scene);
+    for (size_t i = 0; i < pixels; i++)
+        if (!has_surface(scene, i))
+            normals[i] = no_surface;
+    if (format == BAKE_INT16) {
+        baked->normals = normals;
+        return baked;
+    }
+    if (format == BAKE_PALETTE)
+        bake_palette(baked, normals, pixels, entries);
+    else
+        bake_words(baked, normals, pixels);
+    free(normals);
+    return baked;
+}
+
+void baked_free(struct baked *baked)
+{
+    free(baked->normals);
+    free(baked->words);
+    free(baked->offsets);
+    free(baked);
+}
+
+size_t baked_bytes(const struct baked *baked)
+{
+    const size_t pixels = (size_t)baked->width * baked->height;
+    switch (baked->format) {
+    case BAKE_INT16:
+        return pixels * sizeof *baked->normals;
+    case BAKE_PALETTE:
+        return baked->entries * sizeof *baked->normals + pixels * sizeof *baked->offsets;
+    default:
+        return pixels * sizeof *baked->words;
+    }
+}
+
+struct glint_vec baked_normal(const struct baked *baked, size_t pixel)
+{
+    switch (baked->format) {
+    case BAKE_INT16:
+        return baked->normals[pixel];
+    case BAKE_PALETTE:
+        return baked->normals[baked->offsets[pixel] / 2];
+    default:
+        return glint_normals_unpack(packing(baked->format), baked->words[pixel]);
+    }
+}

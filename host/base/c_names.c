@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: MIT
+ * Names that written C source can have. */
+#include <ctype.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/host.h"
+
+static bool begins(const char *text, const char *with)
+{
+    return strncmp(text, with, strlen(with)) == 0;
+}
+
+static bool ends(const char *text, const char *with)
+{
+    const size_t len = strlen(text), len_with = strlen(with);
+    return len >= len_with && strcmp(text + len - len_with, with) == 0;
+}
+
+/* Letters, digits and single _ between, a letter first: what C and C++ leave to programs. */
+static bool is_c_name(const char *text)
+{
+    for (const char *at = text; *at; at++)
+        if (!isalnum((unsigned char)*at) && *at != '_')
+            return false;
+    return isalpha((unsigned char)*text) && !ends(text, "_") && !strstr(text, "__");
+}
+
+/* Of C23, C++23 and GNU C; what a hosted program or a compiler for Unix has taken. */
+static const char words[] =
+    " alignas alignof and and_eq asm auto bitand bitor bool break case catch char class co_await co_return "
+    "co_yield compl concept const const_cast consteval constexpr constinit continue decltype default delete "
+    "do double dynamic_cast else enum explicit export extern false float for friend goto if inline int linux "
+    "long main mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public "
+    "register reinterpret_cast requires restrict return short signed sizeof static static_assert static_cast "
+    "struct switch template this thread_local throw true try typedef typeid typename typeof typeof_unqual "
+    "union unix unsigned using virtual void volatile while xor xor_eq ";
+
+/* A keyword, or a name of <stdint.h>; `text` is_c_name. */
+static bool is_taken_c_name(const char *text)
+{
+    static const char *const of_stdint[] = {"INT", "UINT", "PTRDIFF_", "SIG_ATOMIC_", "SIZE_", "WCHAR_", "WINT_"};
+    for (const char *at = strstr(words, text); at; at = strstr(at + 1, text))
+        if (at[-1] == ' ' && at[strlen(text)] == ' ')
+            return true;
+    for (size_t i = 0; i < sizeof of_stdint / sizeof *of_stdint; i++)
+        if (begins(text, of_stdint[i]) &&
+            (ends(text, "_MAX") || ends(text, "_MIN") || ends(text, "_WIDTH") || ends(text, "_C")))
+            return true;
+    return ends(text, "_t"); /* POSIX keeps these for types, <stdint.h> has many */
+}
+
+const char *parse_c_name(const struct argp_state *state, const char *text)
+{
+    if (strlen(text) > 63 || !is_c_name(text))
+        refuse(state,
+               "--name: '%s' is no name for C and C++: a letter, then letters, digits and single _ between, at most 63",
+               text);
+    if (is_taken_c_name(text))
+        refuse(state, "--name: '%s' has a meaning of its own in C or C++; take another", text);
+    if (strncasecmp(text, "glint_", 6) == 0)
+        refuse(state, "--name: '%s' may be a name of glint.h's; take another", text);
+    return text;
+}

@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: MIT
+ * Numbers from the command line: the whole text counts, and an error says what is allowed. */
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/host.h"
+
+enum { LIST_MAX = 1000000 };
+
+void refuse(const struct argp_state *state, const char *format, ...)
+{
+    char *message;
+    va_list arguments;
+    va_start(arguments, format);
+    if (vasprintf(&message, format, arguments) < 0)
+        fail("out of memory");
+    va_end(arguments);
+    if (!state)
+        fail("%s", message);
+    argp_failure(state, EXIT_USAGE, 0, "%s; see `%s --help`", one_line(message), state->name);
+    exit(EXIT_USAGE);
+}
+
+static const char *unsigned_part(const char *text)
+{
+    return text + (*text == '-' || *text == '+');
+}
+
+/* strtod takes more than that: blanks before it, hexadecimal, nan, inf. */
+bool read_real(const char *text, char **end, double *value)
+{
+    const char *digits = unsigned_part(text);
+    if (!isdigit((unsigned char)digits[*digits == '.']))
+        return false;
+    if (digits[0] == '0' && (digits[1] == 'x' || digits[1] == 'X'))
+        return false;
+    *value = strtod(text, end);
+    return isfinite(*value);
+}
+
+long parse_integer(const struct argp_state *state, const char *option, const char *text, long low, long high)
+{
+    char *end;
+    errno = 0;
+    const long value = strtol(text, &end, 10);
+    if (!isdigit((unsigned char)*unsigned_part(text)) || *end || errno || value < low || value > high)
+        refuse(state, "%s: '%s' is not a whole number from %ld to %ld", option, text, low, high);
+    return value;
+}
+
+double parse_real(const struct argp_state *state, const char *option, const char *text, double low, double high)
+{
+    double value;
+    parse_reals(state, option, text, &value, 1, low, high);
+    return value;
+}
+
+void parse_reals(const struct argp_state *state, const char *option, const char *text, double *values, int count,
+                 double low, double high)
+{
+    const char *at = text;
+    bool good = true;
+    for (int i = 0; i < count && good; i++) {
+        char *end;
+        good = read_real(at, &end, &values[i]) && values[i] >= low && values[i] <= high &&
+               *end == (i + 1 < count ? ',' : '\0');
+        at = good ? end + 1 : at;
+    }
+    if (good)
+        return;
+    if (count == 1)
+        refuse(state, "%s: '%s' is not a number from %.10g to %.10g", option, text, low, high);
+    else
+        refuse(state, "%s: '%s' is not %d numbers from %.10g to %.10g with commas between", option, text, count, low,
+               high);
+}
+
+unsigned parse_choice(const struct argp_state *state, const char *option, const char *text, const char *const *names)
+{
+    char all[256] = "";
+    unsigned i = 0;
+    for (; names[i]; i++) {
+        if (strcmp(text, names[i]) == 0)
+            return i;
+        snprintf(all + strlen(all), sizeof all - strlen(all), "%s%s", i ? ", " : "", names[i]);
+    }
+    refuse(state, "%s: no '%s'; %s %s", option, text, i > 1 ? "one of these is wanted:" : "there is only", all);
+}
+
+char *after_byte_order_mark(char *text)
+{
+    static const char mark[] = "\xEF\xBB\xBF";
+    return text + (strncmp(text, mark, strlen(mark)) == 0 ? strlen(mark) : 0);
+}
+
+/* ---- lists ---- */
+
+struct range {
+    double from, to, step;
+};
+
+/* A, A:B or A:B:STEP up to a comma or the end. */
+static bool parse_range(const char *text, const char **end, struct range *range)
+{
+    char *at;
+    if (!read_real(text, &at, &range->from))
+        return false;
+    range->to = range->from;
+    range->step = 1;
+    if (*at == ':') {
+        if (!read_real(at + 1, &at, &range->to))
+            return false;
+        if (*at == ':' && !read_real(at + 1, &at, &range->step))
+            return false;
+    }
+    *end = at;
+    return (*at == '\0' || *at == ',') && range->step > 0 && range->to >= range->from;
+}
+
+size_t parse_list(const struct argp_state *state, const char *option, const char *text, double low, double high,
+                  double **values)
+{
+    size_t count = 0;
+    double *list = NULL;
+    const char *end;
+    for (const char *at = text;; at = end + 1) {
+        struct range range;
+        if (!parse_range(at, &end, &range) || range.from < low || range.to > high)
+            refuse(state, "%s: '%s' is not a list from %.10g to %.10g: A, A:B or A:B:STEP, rising, with commas between",
+                   option, text, low, high);
+        const double last = floor((range.to - range.from) / range.step + 1e-9);
+        if (last + (double)count >= LIST_MAX)
+            refuse(state, "%s: '%s' names more than %d values", option, text, LIST_MAX);
+        list = reallocarray(list, count + (size_t)last + 1, sizeof *list);
+        if (!list)
+            fail("out of memory");
+        for (size_t i = 0; i <= (size_t)last; i++)
+            list[count++] = fmin(range.from + (double)i * range.step, range.to);
+        if (!*end)
+            break;
+    }
+    *values = list;
+    return count;
+}
+
+size_t parse_integer_list(const struct argp_state *state, const char *option, const char *text, long low, long high,
+                          long **values)
+{
+    double *reals;
+    const size_t count = parse_list(state, option, text, (double)low, (double)high, &reals);
+    long *list = calloc(count, sizeof *list);
+    if (!list)
+        fail("out of memory");
+    for (size_t i = 0; i < count; i++) {
+        if (reals[i] != floor(reals[i]))
+            refuse(state, "%s: '%s' is not a list of whole numbers from %ld to %ld", option, text, low, high);
+        list[i] = (long)reals[i];
+    }
+    free(reals);
+    *values = list;
+    return count;
+}

@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: MIT
+ * Output that is whole or not there: a regular file is written beside its name, then renamed. */
+#include <errno.h>
+#include <limits.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/host.h"
+
+enum { OPEN_MAX_FILES = 8 };
+static char *unfinished[OPEN_MAX_FILES]; /* names to remove if the program ends early; read by the signal handler */
+
+static void remember(char *name)
+{
+    for (int i = 0; i < OPEN_MAX_FILES; i++) {
+        if (!unfinished[i]) {
+            unfinished[i] = name;
+            return;
+        }
+    }
+    fail("%s: more than %d output files at once", name, OPEN_MAX_FILES);
+}
+
+static void forget(const char *name)
+{
+    for (int i = 0; i < OPEN_MAX_FILES; i++)
+        if (unfinished[i] == name)
+            unfinished[i] = NULL;
+}
+
+void output_discard_all(void)
+{
+    for (int i = 0; i < OPEN_MAX_FILES; i++) {
+        if (unfinished[i])
+            unlink(unfinished[i]);
+        unfinished[i] = NULL;
+    }
+}
+
+/* A file that exists keeps its mode; a new one gets what the umask allows. */
+static mode_t wanted_mode(bool exists, const struct stat *status)
+{
+    if (exists)
+        return status->st_mode & 07777;
+    const mode_t mask = umask(0);
+    umask(mask);
+    return 0666 & ~mask;
+}
+
+/* Where the name leads: a symbolic link stays one, also one whose file is not there yet. */
+static char *resolve(const char *path)
+{
+    char *target = realpath(path, NULL);
+    if (target || errno != ENOENT)
+        return target;
+    char link[PATH_MAX];
+    const ssize_t length = readlink(path, link, sizeof link - 1);
+    if (length < 0)
+        return strdup(path);
+    link[length] = '\0';
+    const char *slash = *link == '/' ? NULL : strrchr(path, '/');
+    const int folder = slash ? (int)(slash - path) + 1 : 0;
+    char *next;
+    if (asprintf(&next, "%.*s%s", folder, path, link) < 0)
+        return NULL;
+    target = resolve(next); /* ends: a loop of links is ELOOP to realpath */
+    free(next);
+    return target;
+}
+
+static bool same_status(const struct stat *a, const struct stat *b)
+{
+    return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
+}
+
+/* The folder of `path`, which ends with a name in it. */
+static bool folder_status(const char *path, const char *slash, struct stat *status)
+{
+    char *folder = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
+    const bool good = folder && stat(folder, status) == 0;
+    free(folder);
+    return good;
+}
+
+/* Names of files that are not there: the same name in one folder. */
+static bool same_place(const char *a, const char *b)
+{
+    const char *slash_a = strrchr(a, '/'), *slash_b = strrchr(b, '/');
+    struct stat of_a, of_b;
+    return strcmp(slash_a ? slash_a + 1 : a, slash_b ? slash_b + 1 : b) == 0 && folder_status(a, slash_a, &of_a) &&
+           folder_status(b, slash_b, &of_b) && same_status(&of_a, &of_b);
+}
+
+bool output_same(const char *a, const char *b)
+{
+    struct stat of_a, of_b;
+    const bool a_exists = stat(a, &of_a) == 0, b_exists = stat(b, &of_b) == 0;
+    if (a_exists || b_exists)
+        return a_exists && b_exists && same_status(&of_a, &of_b);
+    char *target_a = resolve(a), *target_b = resolve(b);
+    const bool same = target_a && target_b && same_place(target_a, target_b);
+    free(target_a);
+    free(target_b);
+    return same;
+}
+
+void signals_hold(sigset_t *before)
+{
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, before);
+}
+
+void signals_release(const sigset_t *before)
+{
+    pthread_sigmask(SIG_SETMASK, before, NULL);
+}
+
+/* A new file in the target's folder, under a name of its own until it is whole. */
+static int open_beside(struct output *output)
+{
+    const char *slash = strrchr(output->target, '/');
+    const int folder = slash ? (int)(slash - output->target) + 1 : 0;
+    if (asprintf(&output->temporary, "%.*s.glint-XXXXXX", folder, output->target) < 0)
+        fail("out of memory");
+    /* A signal in between would leave a file that nobody knows of. */
+    sigset_t before;
+    signals_hold(&before);
+    const int descriptor = mkstemp(output->temporary);
+    if (descriptor < 0)
+        fail("%s: cannot write there: %s", output->path, strerror(errno));
+    remember(output->temporary);
+    signals_release(&before);
+    return descriptor;
+}
+
+const char *parse_output(const struct argp_state *state, const char *option, const char *text)
+{
+    if (!*text)
+        refuse(state, "%s: '' is no name; name a file", option);
+    return text;
+}
+
+struct output *output_open(const char *path)
+{
+    struct output *output = calloc(1, sizeof *output);
+    if (!output || !(output->path = strdup(path)))
+        fail("out of memory");
+    if (strcmp(path, "-") == 0) {
+        output->stream = stdout;
+        return output;
+    }
+    struct stat status;
+    const bool exists = stat(path, &status) == 0;
+    if (exists && S_ISDIR(status.st_mode))
+        fail("'%s': is a directory; name a file", path);
+    if (exists && !S_ISREG(status.st_mode)) {
+        output->stream = fopen(path, "wb");
+        if (!output->stream)
+            fail("%s: %s", path, strerror(errno));
+        return output;
+    }
+    output->target = resolve(path);
+    if (!output->target || (exists && access(path, W_OK) != 0))
+        fail("%s: %s", path, strerror(errno));
+    const int descriptor = open_beside(output);
+    if (exists && fchown(descriptor, status.st_uid, status.st_gid) != 0)
+        errno = 0; /* it becomes ours: only root can give files away */
+    if (fchmod(descriptor, wanted_mode(exists, &status)) != 0 || !(output->stream = fdopen(descriptor, "wb")))
+        fail("%s: %s", path, strerror(errno));
+    return output;
+}
+
+void output_close(struct output *output)
+{
+    const char *name = strcmp(output->path, "-") == 0 ? "standard output" : output->path;
+    errno = 0;
+    const bool bad = fflush(output->stream) != 0 || ferror(output->stream);
+    const int reason = errno;
+    if (output->stream != stdout && fclose(output->stream) != 0 && !bad)
+        fail("%s: %s; nothing was written", name, strerror(errno));
+    if (bad)
+        fail("%s: could not be written: %s", name, reason ? strerror(reason) : "write error");
+    if (output->temporary) {
+        if (rename(output->temporary, output->target) != 0)
+            fail("%s: %s", name, strerror(errno));
+        forget(output->temporary);
+    }
+    free(output->temporary);
+    free(output->target);
+    free(output->path);
+    free(output);
+}

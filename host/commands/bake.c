@@ -1,0 +1,261 @@
+/* SPDX-License-Identifier: MIT
+ * glint bake: normals for the table loops, as C source, raw or UF2, and what they cost in quality. */
+#include <errno.h>
+#include <inttypes.h>
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <unistd.h>
+
+#include "bake/bake.h"
+#include "base/host.h"
+#include "options/scene_options.h"
+
+enum { KEY_TO = 256, KEY_AS, KEY_NAME, KEY_ADDRESS, KEY_JSON };
+
+struct request {
+    struct scene_options scene;
+    enum bake_format format;
+    uint32_t entries;
+    enum bake_kind kind;
+    const char *name, *path;
+    uint32_t address; /* 0: not given */
+    bool json;
+};
+
+static const struct argp_option options[] = {
+    {NULL, 0, NULL, 0, "What becomes of it:", 3},
+    {"to", KEY_TO, "FORMAT", 0,
+     "int16 (6 bytes a pixel), int10 or int8 (4 bytes; default int8), or palette or "
+     "palette:ENTRIES (2 bytes, and 6 an entry; 2..32767, default 4096)",
+     3},
+    {NULL, 'o', "FILE", 0, "Where it goes; - is standard output. Left out: only the quality is printed", 3},
+    {"as", KEY_AS, "KIND", 0, "c, raw or uf2 (default: by FILE's ending .c, .h, .bin or .uf2; c for -)", 3},
+    {"name", KEY_NAME, "NAME", 0, "The array's name in C and C++; default baked", 3},
+    {"address", KEY_ADDRESS, "ADDRESS", 0,
+     "Where a UF2 file goes in the RP2040's flash, a multiple of 4096 from 0x10000000 on; default 0x10100000", 3},
+    {"json", KEY_JSON, NULL, 0, "The quality as JSON", 3},
+    {0}};
+
+static const char doc[] =
+    "Turns a height map, a normal map or a built-in scene into what the library's table loops read, and prints what "
+    "that "
+    "costs in quality."
+    "\v"
+    "No surface (mask): int16 0, 0, 0; int10 and int8 z = 0, and in the other bits how many pixels without surface "
+    "follow from this one on in its line; palette entry 0, whose normal is 0, 0, 0: give it the background's "
+    "colour after shading the palette.\n"
+    "C source has one array, NAME, lines from the top; enums NAME_width, NAME_height; for a palette also NAME_normals "
+    "and "
+    "NAME_entries, NAME being the offsets. Raw is the same without names, low bytes first, a palette's normals before "
+    "its offsets. UF2 is raw in blocks of 256 bytes for the RP2040: flash is erased in sectors of 4096 bytes, so "
+    "keep the address clear of the program's.\n"
+    "Quality is that of the highlight alone, at full strength on white (msh, q = 8, grey8, exact path), against "
+    "the 16-bit normals, in levels of 255, over nine lights. It goes to standard output, or to standard error with -o "
+    "-.\n"
+    "\n"
+    "Examples:\n"
+    "  glint bake --height wall.png -o wall.h --name wall\n"
+    "  glint bake --normals brick.png --to palette:1000 -o brick.c\n"
+    "  glint bake --scene watchface --size 240x240 --to int8 -o dial.uf2\n"
+    "  glint bake --scene coin --to int10 --json\n";
+
+/* ---- options ---- */
+
+static const char *const kind_names[] = {"c", "raw", "uf2", NULL};
+
+static void parse_to(const struct argp_state *state, const char *text, struct request *request)
+{
+    static const char with_entries[] = "palette:";
+    if (strncmp(text, with_entries, strlen(with_entries)) == 0) {
+        request->format = BAKE_PALETTE;
+        request->entries = (uint32_t)parse_integer(state, "--to palette:ENTRIES", text + strlen(with_entries),
+                                                   PALETTE_MIN, PALETTE_MAX);
+        return;
+    }
+    request->format = (enum bake_format)parse_choice(state, "--to", text, bake_format_names);
+}
+
+static uint32_t parse_address(const struct argp_state *state, const char *text)
+{
+    char *end;
+    errno = 0;
+    const unsigned long long value = strtoull(text, &end, 0);
+    if (strspn(text, "0123456789xXabcdefABCDEF") != strlen(text) || !*text || *end || errno || value < FLASH_BASE ||
+        value >= FLASH_END || value % FLASH_SECTOR)
+        refuse(state, "--address: '%s' is not a multiple of %d from 0x%x to 0x%x", text, FLASH_SECTOR, FLASH_BASE,
+               FLASH_END - FLASH_SECTOR);
+    return (uint32_t)value;
+}
+
+static enum bake_kind kind_by_ending(const struct argp_state *state, const char *path)
+{
+    static const struct {
+        const char *ending;
+        enum bake_kind kind;
+    } endings[] = {{".c", BAKE_C}, {".h", BAKE_C}, {".bin", BAKE_RAW}, {".uf2", BAKE_UF2}};
+    const char *dot = strrchr(path, '.');
+    for (size_t i = 0; dot && i < sizeof endings / sizeof *endings; i++)
+        if (strcasecmp(dot, endings[i].ending) == 0)
+            return endings[i].kind;
+    refuse(state, "-o: '%s' does not end in .c, .h, .bin or .uf2; name it so, or give --as", path);
+}
+
+static bool is_stdout(const char *path)
+{
+    return path && strcmp(path, "-") == 0;
+}
+
+static void check(const struct argp_state *state, struct request *request)
+{
+    const bool to_stdout = is_stdout(request->path);
+    if (!request->path && (request->kind != BAKE_KINDS || request->name || request->address))
+        refuse(state, "where is it to go? give -o FILE");
+    if (!request->path)
+        return;
+    if (request->kind == BAKE_KINDS)
+        request->kind = to_stdout ? BAKE_C : kind_by_ending(state, request->path);
+    if (request->name && request->kind != BAKE_C)
+        refuse(state, "--name is for C source; leave it out with --as %s", kind_names[request->kind]);
+    if (request->address && request->kind != BAKE_UF2)
+        refuse(state, "--address is for UF2; leave it out with --as %s", kind_names[request->kind]);
+    if (to_stdout && request->kind != BAKE_C && isatty(STDOUT_FILENO))
+        refuse(state, "-o -: standard output is a terminal; pipe or redirect it, or name a file");
+}
+
+static error_t parse_option(int key, char *text, struct argp_state *state)
+{
+    struct request *request = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &request->scene;
+        return 0;
+    case KEY_TO:
+        parse_to(state, text, request);
+        return 0;
+    case KEY_AS:
+        request->kind = (enum bake_kind)parse_choice(state, "--as", text, kind_names);
+        return 0;
+    case KEY_NAME:
+        request->name = parse_c_name(state, text);
+        return 0;
+    case KEY_ADDRESS:
+        request->address = parse_address(state, text);
+        return 0;
+    case KEY_JSON:
+        request->json = true;
+        return 0;
+    case 'o':
+        request->path = parse_output(state, "-o", text);
+        return 0;
+    case ARGP_KEY_ARG:
+        refuse(state, "'%s' is not an option; files are named by --height, --normals, --mask and -o", text);
+    case ARGP_KEY_END:
+        check(state, request);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+/* ---- the report ---- */
+
+static void print_text(const struct baked *baked, const struct quality *rows, FILE *stream)
+{
+    fprintf(stream, "%s, %" PRIu32 "x%" PRIu32 ", %zu bytes", bake_format_names[baked->format], baked->width,
+            baked->height, baked_bytes(baked));
+    if (baked->format == BAKE_PALETTE)
+        fprintf(stream, ", %" PRIu32 " entries (the first is no surface)", baked->entries);
+    fputc('\n', stream);
+    if (rows[0].difference.samples == 0) {
+        fputs("no surface: the mask leaves every pixel out\n", stream);
+        return;
+    }
+    fputs("   n  largest     mean  PSNR dB  in levels of 255, the highlight alone\n", stream);
+    for (int i = 0; i < QUALITY_ROWS; i++) {
+        const struct difference *d = &rows[i].difference;
+        fprintf(stream, "%4u  %7.0f  %7.4f  ", rows[i].n, d->largest, difference_mean(d));
+        if (d->differing)
+            fprintf(stream, "%7.2f\n", difference_psnr_db(d));
+        else
+            fputs("no difference\n", stream);
+    }
+}
+
+static void print_json(const struct baked *baked, const struct quality *rows, FILE *stream)
+{
+    json_t *root = json_pack("{s:s, s:i, s:i, s:I, s:i, s:o}", "format", bake_format_names[baked->format], "width",
+                             (int)baked->width, "height", (int)baked->height, "bytes", (json_int_t)baked_bytes(baked),
+                             "levels_of", 255, "quality", json_array());
+    bool good = root != NULL;
+    if (good && baked->format == BAKE_PALETTE)
+        good = json_object_set_new(root, "entries", json_integer(baked->entries)) == 0;
+    for (int i = 0; good && i < QUALITY_ROWS; i++) {
+        const struct difference *d = &rows[i].difference;
+        json_t *psnr = d->differing ? json_real(difference_psnr_db(d)) : json_null();
+        good = json_array_append_new(json_object_get(root, "quality"),
+                                     json_pack("{s:i, s:f, s:f, s:o}", "n", (int)rows[i].n, "largest", d->largest,
+                                               "mean", difference_mean(d), "psnr_db", psnr)) == 0;
+    }
+    if (!good || json_dumpf(root, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) != 0)
+        fail("the quality could not be written as JSON");
+    fputc('\n', stream);
+    json_decref(root);
+}
+
+static void report(const struct request *request, const struct scene *scene, const struct baked *baked)
+{
+    const bool to_stdout = is_stdout(request->path);
+    FILE *stream = to_stdout ? stderr : stdout;
+    struct quality rows[QUALITY_ROWS];
+    bake_quality(scene, baked, rows);
+    (request->json ? print_json : print_text)(baked, rows, stream);
+    if (fflush(stream) != 0 || ferror(stream))
+        fail("standard %s: the quality could not be written", to_stdout ? "error" : "output");
+}
+
+/* ---- the command ---- */
+
+static void write_baked(const struct request *request, const struct baked *baked, FILE *out)
+{
+    switch (request->kind) {
+    case BAKE_RAW:
+        bake_write_raw(baked, out);
+        return;
+    case BAKE_UF2:
+        bake_write_uf2(baked, request->address, out);
+        return;
+    default:
+        bake_write_c(baked, request->name ? request->name : "baked", out);
+    }
+}
+
+int command_bake(int argc, char **argv)
+{
+    static const struct argp_child children[] = {{&scene_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
+    static const struct argp argp = {options, parse_option, NULL, doc, children, NULL, NULL};
+    struct request request = {.format = BAKE_INT8, .entries = PALETTE_DEFAULT, .kind = BAKE_KINDS};
+    parse_command(&argp, 0, argc, argv, &request);
+    if (!request.address)
+        request.address = FLASH_DEFAULT;
+    struct scene *scene = scene_of_options(&request.scene);
+    struct baked *baked = bake(scene, request.format, request.entries);
+    if (request.kind == BAKE_UF2 && baked_bytes(baked) > FLASH_END - request.address)
+        fail("%s: %zu bytes do not fit from 0x%" PRIx32 " to the flash's end at 0x%x; choose a lower --address, a "
+             "smaller --size or another --to",
+             request.path, baked_bytes(baked), request.address, FLASH_END);
+    struct output *output = request.path ? output_open(request.path) : NULL;
+    if (output)
+        write_baked(&request, baked, output->stream);
+    if (output && is_stdout(request.path)) {
+        output_close(output); /* an error there is the last word */
+        output = NULL;
+    }
+    report(&request, scene, baked);
+    if (output) /* a file gets its name when all is said */
+        output_close(output);
+    baked_free(baked);
+    scene_free(scene);
+    return EXIT_GOOD;
+}

@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: MIT
+ * glint cutoff: where a highlight falls below 2^-q. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/host.h"
+
+enum { KEY_MODEL = 256, KEY_CSV, KEY_JSON };
+
+struct request {
+    bool model_given[MODEL_COUNT];
+    long *shininess, *q;
+    size_t shininess_count, q_count;
+    enum rows_format format;
+    const char *path;
+};
+
+static const struct argp_option options[] = {
+    {"model", KEY_MODEL, "NAME", 0, "msh (default), schlick, blinn, phong, gauss, cayley, or all", 0},
+    {"shininess", 'n', "LIST", 0, "Shininess, whole numbers from 1 to 1000; default 60", 0},
+    {"cutoff", 'q', "LIST", 0, "The cutoff is 2^-Q; whole numbers from 0 to 16; default 8", 0},
+    {"csv", KEY_CSV, NULL, 0, "Print comma-separated values instead of aligned text", 1},
+    {"json", KEY_JSON, NULL, 0, "Print JSON, an array with an object a row", 1},
+    {"output", 'o', "FILE", 0, "Write to FILE; default -, standard output", 1},
+    {0}};
+
+static const char doc[] =
+    "Print where a highlight falls below 2^-Q: the smallest cosine and the largest t = 1 - c whose value is at least "
+    "that, and the angle from the peak.\v"
+    "A LIST is A, A:B (step 1), A:B:STEP, or several of these with commas between. c_q16 is the cosine times 2^16, "
+    "t_q30 is t times 2^30, the angle is that of t_q30, in degrees.\n"
+    "\n"
+    "Examples:\n"
+    "  glint cutoff --model msh -n 60 -q 8\n"
+    "  glint cutoff --model all -n 10,100,1000 -q 6,8,12\n"
+    "  glint cutoff --model blinn -n 1:1000 -q 8 --csv -o cutoffs.csv";
+
+static const struct column columns[] = {{"model", -7, 0}, {"n", 4, 0},      {"q", 2, 0},      {"c_q16", 6, 0},
+                                        {"c", 9, 6},      {"angle", 10, 6}, {"t_q30", 10, 0}, {"t", 11, 9}};
+enum { COLUMN_COUNT = sizeof columns / sizeof *columns };
+
+static void add_row(struct rows *rows, enum glint_model model, uint32_t n, unsigned q)
+{
+    const uint32_t c_q16 = glint_cutoff(model, n, q), t_q30 = glint_cutoff_t(model, n, q);
+    const double t = t_q30 / (double)GLINT_T_ONE;
+    const double angle = 2 * asin(sqrt(t / 2)) * 180 / M_PI; /* 1 - cos x = 2 sin^2(x / 2) */
+    const struct cell cells[COLUMN_COUNT] = {
+        {CELL_TEXT, {.text = model_names[model]}},
+        {CELL_INTEGER, {.integer = n}},
+        {CELL_INTEGER, {.integer = q}},
+        {CELL_INTEGER, {.integer = c_q16}},
+        {CELL_REAL, {.real = c_q16 / (double)GLINT_C_ONE}},
+        {CELL_REAL, {.real = angle}},
+        {CELL_INTEGER, {.integer = t_q30}},
+        {CELL_REAL, {.real = t}},
+    };
+    rows_add(rows, cells);
+}
+
+static error_t parse_option(int key, char *argument, struct argp_state *state)
+{
+    struct request *request = state->input;
+    switch (key) {
+    case KEY_MODEL:
+        parse_models(state, "--model", argument, request->model_given);
+        return 0;
+    case 'n':
+        free(request->shininess);
+        request->shininess_count = parse_integer_list(state, "-n", argument, 1, GLINT_N_MAX, &request->shininess);
+        return 0;
+    case 'q':
+        free(request->q);
+        request->q_count = parse_integer_list(state, "-q", argument, 0, GLINT_Q_MAX, &request->q);
+        return 0;
+    case KEY_CSV:
+        parse_rows_format(state, &request->format, ROWS_CSV);
+        return 0;
+    case KEY_JSON:
+        parse_rows_format(state, &request->format, ROWS_JSON);
+        return 0;
+    case 'o':
+        request->path = parse_output(state, "-o", argument);
+        return 0;
+    case ARGP_KEY_ARG:
+        refuse(state, "%s: no values are wanted; options are -n LIST and -q LIST", argument);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+int command_cutoff(int argc, char **argv)
+{
+    static const struct argp argp = {options, parse_option, NULL, doc, NULL, NULL, NULL};
+    struct request request = {.model_given = {[GLINT_MSH] = true}, .path = "-"};
+    request.shininess_count = parse_integer_list(NULL, "-n", "60", 1, GLINT_N_MAX, &request.shininess);
+    request.q_count = parse_integer_list(NULL, "-q", "8", 0, GLINT_Q_MAX, &request.q);
+    parse_command(&argp, 0, argc, argv, &request);
+
+    struct output *output = output_open(request.path);
+    struct rows *rows = rows_begin(output->stream, request.format, columns, COLUMN_COUNT);
+    for (int model = 0; model < MODEL_COUNT; model++)
+        for (size_t i = 0; request.model_given[model] && i < request.shininess_count; i++)
+            for (size_t k = 0; k < request.q_count; k++)
+                add_row(rows, (enum glint_model)model, (uint32_t)request.shininess[i], (unsigned)request.q[k]);
+    rows_end(rows);
+    output_close(output);
+    free(request.shininess);
+    free(request.q);
+    return EXIT_GOOD;
+}

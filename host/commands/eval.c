@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: MIT
+ * glint eval: values of the lobe, beside the double-precision formula. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/host.h"
+
+enum { KEY_MODEL = 256, KEY_T, KEY_RAW, KEY_CSV, KEY_JSON };
+
+struct request {
+    bool model_given[MODEL_COUNT];
+    long *shininess;
+    size_t shininess_count;
+    int q; /* -1: no cutoff */
+    bool of_t, raw;
+    enum rows_format format;
+    const char *path;
+    char **values; /* the words as given */
+    size_t value_count;
+};
+
+static const struct argp_option options[] = {
+    {"model", KEY_MODEL, "NAME", 0, "msh (default), schlick, blinn, phong, gauss, cayley, or all", 0},
+    {"shininess", 'n', "LIST", 0, "Shininess, whole numbers from 1 to 1000; default 60", 0},
+    {"cutoff", 'q', "Q", 0, "Apply the cutoff: values below 2^-Q become 0; 0 to 16; default: no cutoff", 0},
+    {"t", KEY_T, NULL, 0, "The values are t = 1 - c, 0 to 2: finer than c near the peak", 0},
+    {"raw", KEY_RAW, NULL, 0, "The values are the library's integers: c times 2^16, or t times 2^30", 0},
+    {"csv", KEY_CSV, NULL, 0, "Print comma-separated values instead of aligned text", 1},
+    {"json", KEY_JSON, NULL, 0, "Print JSON, an array with an object a row", 1},
+    {"output", 'o', "FILE", 0, "Write to FILE; default -, standard output", 1},
+    {0}};
+
+static const char doc[] =
+    "Print values of a highlight function, from the integer library and from the double-precision formula at the same "
+    "argument, with the difference in units of 2^-16.\v"
+    "A VALUE is a cosine c from -1 to 1, a range A:B (step 1) or A:B:STEP, or several of these with commas between; "
+    "- reads values from standard input, with blanks or new lines between. Before values that begin with a minus "
+    "write --. c is rounded to Q16.16 first, t to Q2.30: all columns are of the rounded argument. A row that the "
+    "cutoff makes 0 has no error.\n"
+    "\n"
+    "Examples:\n"
+    "  glint eval --model msh -n 60 0.99 0.5\n"
+    "  glint eval --model all -n 10,60,1000 0.9:1:0.01 --csv -o lobes.csv\n"
+    "  glint eval --model gauss -n 1000 -q 8 --t 0:0.01:0.0005\n"
+    "  glint eval --raw 65535 65536 --json\n"
+    "  seq 0 0.1 1 | glint eval -n 20 -";
+
+/* ---- one value ---- */
+
+static const struct column columns_of_c[] = {{"model", -7, 0}, {"n", 4, 0},  {"c", 12, 9},       {"c_q16", 10, 0},
+                                             {"F_q16", 6, 0},  {"F", 11, 9}, {"formula", 11, 9}, {"error_ulp", 9, 4}};
+static const struct column columns_of_t[] = {{"model", -7, 0}, {"n", 4, 0},  {"t", 12, 9},       {"t_q30", 10, 0},
+                                             {"F_q16", 6, 0},  {"F", 11, 9}, {"formula", 11, 9}, {"error_ulp", 9, 4}};
+enum { COLUMN_COUNT = sizeof columns_of_c / sizeof *columns_of_c };
+
+static void add_row(struct rows *rows, const struct request *request, enum glint_model model, uint32_t n, double value)
+{
+    const double one = request->of_t ? GLINT_T_ONE : GLINT_C_ONE;
+    const double integer = request->raw ? value : round(value * one);
+    const double argument = integer / one;
+    const double c = request->of_t ? 1 - argument : argument;
+    const uint32_t whole =
+        request->of_t ? glint_eval_t(model, n, (uint32_t)integer) : glint_eval(model, n, (int32_t)integer);
+    uint32_t f = whole;
+    if (request->q >= 0) {
+        struct glint_lobe lobe;
+        glint_lobe_init(&lobe, model, n, (unsigned)request->q);
+        f = request->of_t ? glint_lobe_eval_t(&lobe, (uint32_t)integer) : glint_lobe_eval(&lobe, (int32_t)integer);
+    }
+    const double formula = c < 0 ? 0 : model_double(model, n, c);
+    const struct cell cells[COLUMN_COUNT] = {
+        {CELL_TEXT, {.text = model_names[model]}},
+        {CELL_INTEGER, {.integer = n}},
+        {CELL_REAL, {.real = argument}},
+        {CELL_INTEGER, {.integer = (long long)integer}},
+        {CELL_INTEGER, {.integer = f}},
+        {CELL_REAL, {.real = f / (double)GLINT_C_ONE}},
+        {CELL_REAL, {.real = formula}},
+        {f == whole ? CELL_REAL : CELL_NONE, {.real = f - formula * GLINT_C_ONE}},
+    };
+    rows_add(rows, cells);
+}
+
+/* ---- values from words ---- */
+
+/* `state` NULL: the word is from standard input, at the place `where`. */
+static size_t parse_values(const struct argp_state *state, const struct request *request, const char *where,
+                           const char *word, double **values)
+{
+    if (!request->raw)
+        return parse_list(state, where, word, request->of_t ? 0 : -1, request->of_t ? 2 : 1, values);
+    long *integers;
+    const long low = request->of_t ? 0 : -GLINT_C_ONE, high = request->of_t ? 2L * GLINT_T_ONE : GLINT_C_ONE;
+    const size_t count = parse_integer_list(state, where, word, low, high, &integers);
+    *values = malloc(count * sizeof **values);
+    if (!*values)
+        fail("out of memory");
+    for (size_t i = 0; i < count; i++)
+        (*values)[i] = (double)integers[i];
+    free(integers);
+    return count;
+}
+
+static void add_word(struct rows *rows, const struct request *request, const char *where, const char *word)
+{
+    double *values;
+    const size_t count = parse_values(NULL, request, where, word, &values);
+    for (int model = 0; model < MODEL_COUNT; model++)
+        for (size_t i = 0; request->model_given[model] && i < request->shininess_count; i++)
+            for (size_t k = 0; k < count; k++)
+                add_row(rows, request, (enum glint_model)model, (uint32_t)request->shininess[i], values[k]);
+    free(values);
+}
+
+static void add_standard_input(struct rows *rows, const struct request *request)
+{
+    char *line = NULL;
+    size_t size = 0;
+    ssize_t length;
+    for (unsigned long number = 1; (length = getline(&line, &size, stdin)) >= 0; number++) {
+        char where[64], *rest = number == 1 ? after_byte_order_mark(line) : line;
+        snprintf(where, sizeof where, "standard input, line %lu", number);
+        if (strlen(line) != (size_t)length)
+            fail("%s: not text: it holds a zero byte", where);
+        for (char *word; (word = strtok_r(rest, " \t\r\n", &rest));)
+            add_word(rows, request, where, word);
+    }
+    if (ferror(stdin))
+        fail("standard input: %m");
+    free(line);
+}
+
+/* ---- the command ---- */
+
+static void check_values(const struct argp_state *state, const struct request *request)
+{
+    if (request->value_count == 0)
+        refuse(state, "no value; give a cosine such as 0.99, a range A:B:STEP, or - for standard input");
+    for (size_t i = 0; i < request->value_count; i++) {
+        double *values;
+        if (strcmp(request->values[i], "-") == 0)
+            continue;
+        parse_values(state, request, "VALUE", request->values[i], &values);
+        free(values);
+    }
+}
+
+static error_t parse_option(int key, char *argument, struct argp_state *state)
+{
+    struct request *request = state->input;
+    switch (key) {
+    case KEY_MODEL:
+        parse_models(state, "--model", argument, request->model_given);
+        return 0;
+    case 'n':
+        free(request->shininess);
+        request->shininess_count = parse_integer_list(state, "-n", argument, 1, GLINT_N_MAX, &request->shininess);
+        return 0;
+    case 'q':
+        request->q = (int)parse_integer(state, "-q", argument, 0, GLINT_Q_MAX);
+        return 0;
+    case KEY_T:
+        request->of_t = true;
+        return 0;
+    case KEY_RAW:
+        request->raw = true;
+        return 0;
+    case KEY_CSV:
+        parse_rows_format(state, &request->format, ROWS_CSV);
+        return 0;
+    case KEY_JSON:
+        parse_rows_format(state, &request->format, ROWS_JSON);
+        return 0;
+    case 'o':
+        request->path = parse_output(state, "-o", argument);
+        return 0;
+    case ARGP_KEY_ARGS:
+        request->values = state->argv + state->next;
+        request->value_count = (size_t)(state->argc - state->next);
+        return 0;
+    case ARGP_KEY_END: /* only now is it known whether the values are raw or t */
+        check_values(state, request);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+int command_eval(int argc, char **argv)
+{
+    static const struct argp argp = {options, parse_option, "VALUE...", doc, NULL, NULL, NULL};
+    struct request request = {.model_given = {[GLINT_MSH] = true}, .q = -1, .path = "-"};
+    request.shininess_count = parse_integer_list(NULL, "-n", "60", 1, GLINT_N_MAX, &request.shininess);
+    parse_command(&argp, 0, argc, argv, &request);
+
+    struct output *output = output_open(request.path);
+    struct rows *rows =
+        rows_begin(output->stream, request.format, request.of_t ? columns_of_t : columns_of_c, COLUMN_COUNT);
+    for (size_t i = 0; i < request.value_count; i++) {
+        if (strcmp(request.values[i], "-") == 0)
+            add_standard_input(rows, &request);
+        else
+            add_word(rows, &request, "VALUE", request.values[i]);
+    }
+    rows_end(rows);
+    output_close(output);
+    free(request.shininess);
+    return EXIT_GOOD;
+}

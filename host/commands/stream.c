@@ -1,0 +1,219 @@
+/* SPDX-License-Identifier: MIT
+ * glint stream: its options. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/host.h"
+#include "stream/stream.h"
+
+enum key { KEY_TO = 384, KEY_FPS, KEY_FRAMES, KEY_ORBIT, KEY_PERIOD, KEY_LIGHTS, KEY_STATS, KEY_JSON, KEY_SHADE };
+static const double usual_period = 4;
+static const char *const shade_names[] = {"host", "device", NULL};
+
+static const struct argp_option argp_options[] = {
+    {NULL, 0, NULL, 0, "The light that moves:", 5},
+    {"orbit", KEY_ORBIT, "DEGREES", 0,
+     "The first --light circles around the viewer's direction, so far from it (default: as far as it is, or 30 where "
+     "no light is given). Where there are only points and spots, the first circles about the picture's middle",
+     5},
+    {"period", KEY_PERIOD, "SECONDS", 0, "For one turn (default 4); 0: the light stands still", 5},
+    {"lights", KEY_LIGHTS, "FILE", 0,
+     "Instead of the orbit: the direction of each frame from a file or standard input (-), one a line: X Y Z or "
+     "X,Y,Z. Empty lines "
+     "and those that begin with # count for nothing",
+     5},
+
+    {NULL, 0, NULL, 0, "The stream:", 6},
+    {"to", KEY_TO, "SINK", 0, "Where the frames go: see below", 6},
+    {NULL, 'o', "NAME", 0,
+     "For sinks that write files, their name: the frame's number stands where NAME has %d or %04d", 6},
+    {"fps", KEY_FPS, "F", 0,
+     "Frames of a second of the light's way (default 30); devices are paced by it. 0: as fast as they take them", 6},
+    {"frames", KEY_FRAMES, "N", 0,
+     "End after so many (default: devices go on until Ctrl-C; files and pipes end after one turn of the light)", 6},
+    {"shade", KEY_SHADE, "WHERE", 0,
+     "Who shades: host (default), or device: one that can gets the normals and the material once, then 16 bytes a "
+     "frame "
+     "(--to usb). It draws as --path colour-int8 does, in one colour, under one white --light",
+     6},
+    {"stats", KEY_STATS, NULL, 0,
+     "Print at the end what was sent, and what it would take over USB; on a terminal also while it runs", 6},
+    {"json", KEY_JSON, NULL, 0,
+     "What --stats prints at the end, as JSON; on standard error where frames go to standard output", 6},
+    {NULL, 0, NULL, 0, NULL, 0}};
+
+static const char doc[] =
+    "Shades a scene frame after frame as its light moves, and sends what changed to a display, to files or to a pipe."
+    "\v"; /* and then what describe() writes */
+
+static void parse_scene(const struct argp_state *state, const char *text, struct stream_options *o)
+{
+    for (unsigned i = 0; scene_names[i]; i++) {
+        if (strcmp(text, scene_names[i]) != 0)
+            continue;
+        if (o->look.scene.scene)
+            refuse(state, "'%s' is a second scene; one is enough", text);
+        o->look.scene.scene = scene_names[i];
+        return;
+    }
+    char all[128] = "";
+    for (unsigned i = 0; scene_names[i]; i++)
+        snprintf(all + strlen(all), sizeof all - strlen(all), "%s%s", i ? ", " : "", scene_names[i]);
+    refuse(state, "'%s' is no built-in scene (%s); files are named by --height and --normals", text, all);
+}
+
+static void parse_sink(const struct argp_state *state, const char *text, struct stream_options *o)
+{
+    for (const struct sink_left_out *out = sinks_left_out; out->name; out++)
+        if (strcmp(text, out->name) == 0)
+            refuse(state, "--to %s: this glint was built without it; install %s, and build it again", text,
+                   out->packages);
+    const char *names[SINKS_MAX + 1] = {NULL};
+    for (unsigned i = 0; sink_kinds[i] && i < SINKS_MAX; i++)
+        names[i] = sink_kinds[i]->name;
+    o->kind = sink_kinds[parse_choice(state, "--to", text, names)];
+}
+
+static void check_output(const struct argp_state *state, struct stream_options *o)
+{
+    const bool files = o->kind->nature == SINK_FILES;
+    if (o->output && !files)
+        refuse(state, "-o: --to %s writes no files; leave it out", o->kind->name);
+    if (o->kind == &sink_raw && isatty(STDOUT_FILENO))
+        refuse(state, "--to %s: standard output is a terminal; pipe or redirect it", o->kind->name);
+    if (!o->output)
+        o->output = o->kind->usual_output;
+    if (!files)
+        return;
+    if (!o->output)
+        refuse(state, "where are the frames to go? give -o frame-%%04d.%s", o->kind->name);
+    if (strcmp(o->output, "-") == 0)
+        refuse(state, "-o -: frames to standard output are --to raw");
+    if (!frame_pattern(state, "-o", o->output) && o->frames != 1 && !o->kind->usual_output)
+        refuse(state,
+               "-o: '%s' names one file for all frames; say where the number goes (frame-%%04d.png), or give "
+               "--frames 1",
+               o->output);
+}
+
+static void check(const struct argp_state *state, struct stream_options *o)
+{
+    const struct shading *shading = &o->look.shading;
+    bool directional = false;
+    for (unsigned i = 0; i < shading->lamp_count; i++)
+        directional |= shading->lamps[i].kind == GLINT_DIRECTIONAL;
+    if (o->lights && (!isnan(o->orbit) || !isnan(o->period)))
+        refuse(state, "--lights says where the light is: leave out %s", isnan(o->orbit) ? "--period" : "--orbit");
+    if (o->lights && !directional)
+        refuse(state, "--lights moves a --light; there is none but --point and --spot");
+    if (!isnan(o->orbit) && !directional)
+        refuse(state, "--orbit is for a --light; points and spots keep their distance from the picture's middle");
+    const struct scene_options *scene = &o->look.scene;
+    const char *const maps[] = {scene->heights, scene->normals, scene->albedo, scene->gloss, scene->mask};
+    for (size_t i = 0; o->lights && strcmp(o->lights, "-") == 0 && i < sizeof maps / sizeof *maps; i++)
+        if (maps[i] && strcmp(maps[i], "-") == 0)
+            refuse(state, "only one of --lights and the maps can come from standard input");
+    if (isnan(o->period))
+        o->period = usual_period;
+    if (!o->frames && !o->lights && o->kind->nature != SINK_DEVICE) {
+        const double fps = o->fps > 0 ? o->fps : USUAL_FPS;
+        o->frames = o->period > 0 ? (unsigned long)fmax(1, round(fps * o->period)) : 1;
+    }
+    check_output(state, o);
+    sink_options_check(state, o->kind);
+    if (o->shade_device && !o->kind->open_shader)
+        refuse(state, "--shade device: --to %s has none that shades; give --to usb", o->kind->name);
+    if (o->look.has_format)
+        shading_options_check(state, shading);
+}
+
+static error_t parse_option(int key, char *text, struct argp_state *state)
+{
+    struct stream_options *o = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &o->look;
+        sink_options_inputs(&state->child_inputs[1]);
+        return 0;
+    case KEY_TO:
+        parse_sink(state, text, o);
+        return 0;
+    case 'o':
+        o->output = parse_output(state, "-o", text);
+        return 0;
+    case KEY_FPS:
+        o->fps = parse_real(state, "--fps", text, 0, 1000);
+        return 0;
+    case KEY_FRAMES:
+        o->frames = (unsigned long)parse_integer(state, "--frames", text, 1, 1000000000);
+        return 0;
+    case KEY_ORBIT:
+        o->orbit = parse_real(state, "--orbit", text, 0, 179);
+        return 0;
+    case KEY_PERIOD:
+        o->period = parse_real(state, "--period", text, 0, 1e6);
+        return 0;
+    case KEY_LIGHTS:
+        o->lights = parse_output(state, "--lights", text);
+        return 0;
+    case KEY_SHADE:
+        o->shade_device = parse_choice(state, "--shade", text, shade_names) == 1;
+        return 0;
+    case KEY_STATS:
+        o->stats = true;
+        return 0;
+    case KEY_JSON:
+        o->json = true;
+        return 0;
+    case ARGP_KEY_ARG:
+        parse_scene(state, text, o);
+        return 0;
+    case ARGP_KEY_END:
+        check(state, o);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+/* The sinks, with one line each, what they have to say, and their examples. */
+static char *describe(int key, const char *text, void *input)
+{
+    (void)input;
+    if (key != ARGP_KEY_HELP_POST_DOC)
+        return (char *)text;
+    char *out = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&out, &size);
+    if (!stream)
+        return (char *)text;
+    fputs("SCENE is a built-in scene, as --scene takes it; its size is the display's, else 320x240.\n\nSinks:\n",
+          stream);
+    for (unsigned i = 0; sink_kinds[i]; i++)
+        fprintf(stream, "  %-9s %s%s\n", sink_kinds[i]->name, sink_kinds[i]->summary, i ? "" : " (the default)");
+    for (const struct sink_left_out *left = sinks_left_out; left->name; left++)
+        fprintf(stream, "  %-9s (not in this build: it needs %s)\n", left->name, left->packages);
+    for (unsigned i = 0; sink_kinds[i]; i++)
+        if (sink_kinds[i]->help)
+            fprintf(stream, "\n%s", sink_kinds[i]->help);
+    fputs(
+        "\nCtrl-C ends the stream: the display is left in a defined state, and the exit status is 130.\n\nExamples:\n",
+        stream);
+    for (unsigned i = 0; sink_kinds[i]; i++)
+        if (sink_kinds[i]->examples)
+            fputs(sink_kinds[i]->examples, stream);
+    fclose(stream);
+    return out;
+}
+
+int command_stream(int argc, char **argv)
+{
+    static struct argp_child children[SINK_OPTIONS_MAX + 2] = {{&shading_options_argp, 0, NULL, 0}};
+    sink_options_children(children + 1);
+    const struct argp argp = {argp_options, parse_option, "[SCENE]", doc, children, describe, NULL};
+    struct stream_options options = {.kind = sink_kinds[0], .fps = USUAL_FPS, .orbit = NAN, .period = NAN};
+    parse_command(&argp, 0, argc, argv, &options);
+    return stream_run(&options);
+}

@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: MIT
+ * The comparison, a line at a time: nothing the size of the picture is held in doubles. */
+#include <jansson.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "compare/compare.h"
+#include "base/host.h"
+
+double difference_psnr_db(const struct difference *d)
+{
+    return d->sum_of_squares > 0 ? 10 * log10(255. * 255. * (double)d->samples / d->sum_of_squares) : INFINITY;
+}
+
+double difference_mean(const struct difference *d)
+{
+    return d->samples ? d->sum / (double)d->samples : 0;
+}
+
+void difference_add(struct difference *d, double a, double b, uint32_t x, uint32_t y, unsigned channel)
+{
+    const double off = 255 * fabs(a - b);
+    d->samples++;
+    d->differing += off > 0;
+    d->sum += off;
+    d->sum_of_squares += off * off;
+    if (off > d->largest) {
+        d->largest = off;
+        d->x = x;
+        d->y = y;
+        d->channel = channel;
+    }
+}
+
+static double rounded(double value, unsigned max, const struct shading *shading, uint32_t x, uint32_t y)
+{
+    return (double)reference_level(value, max, shading->dither, x, y) / max;
+}
+
+void compare(const struct scene *scene, const struct shading *shading, const struct levels *levels,
+             struct comparison *out)
+{
+    *out = (struct comparison){0};
+    const unsigned channels = levels->channels;
+    double *same = allocate((size_t)levels->width * channels, sizeof *same);
+    double *blinn = allocate((size_t)levels->width * channels, sizeof *blinn);
+    for (uint32_t y = 0; y < levels->height; y++) {
+        reference_line(scene, shading, shading->model, y, same);
+        reference_line(scene, shading, GLINT_BLINN, y, blinn);
+        const uint8_t *line = &levels->values[(size_t)y * levels->width * channels];
+        for (uint32_t i = 0; i < levels->width * channels; i++) {
+            const uint32_t x = i / channels;
+            const unsigned k = i % channels, max = levels->max[k];
+            if (scene->mask && !scene->mask[(size_t)y * levels->width + x])
+                continue;
+            const double value = (double)line[i] / max;
+            const double ideal = rounded(same[i], max, shading, x, y);
+            difference_add(&out->rounded, value, ideal, x, y, k);
+            difference_add(&out->unrounded, value, same[i], x, y, k);
+            difference_add(&out->rounding, ideal, same[i], x, y, k);
+            difference_add(&out->blinn_rounded, value, rounded(blinn[i], max, shading, x, y), x, y, k);
+            difference_add(&out->blinn_unrounded, value, blinn[i], x, y, k);
+        }
+    }
+    free(same);
+    free(blinn);
+}
+
+static const char *channel_name(const struct difference *d, unsigned channels)
+{
+    static const char *const names[] = {"red", "green", "blue"};
+    return channels == 1 ? "grey" : names[d->channel];
+}
+
+/* ---- the error map ---- */
+
+unsigned error_map_amplification(const struct difference *d)
+{
+    unsigned amplification = 1;
+    while (amplification < 1u << 16 && d->largest * amplification * 2 <= 255)
+        amplification *= 2;
+    return amplification;
+}
+
+struct picture *error_map(const struct scene *scene, const struct shading *shading, const struct levels *levels,
+                          enum glint_model model, unsigned amplification)
+{
+    const unsigned channels = levels->channels;
+    const size_t samples = (size_t)levels->width * channels;
+    struct picture *map = allocate(1, sizeof *map);
+    *map = (struct picture){levels->width, levels->height, channels, false, allocate(samples, levels->height)};
+    double *line = allocate(samples, sizeof *line);
+    for (uint32_t y = 0; y < levels->height; y++) {
+        reference_line(scene, shading, model, y, line);
+        for (size_t i = 0; i < samples; i++) {
+            const size_t at = y * samples + i;
+            if (scene->mask && !scene->mask[at / channels])
+                continue;
+            const double off = fabs((double)levels->values[at] / levels->max[i % channels] - line[i]);
+            map->samples[at] = (uint8_t)lround(fmin(255, 255 * off * amplification));
+        }
+    }
+    free(line);
+    return map;
+}
+
+/* ---- the report ---- */
+
+static void print_row(FILE *stream, const char *against, const struct difference *d, unsigned channels)
+{
+    fprintf(stream, "%-32s", against);
+    if (d->differing == 0) {
+        fputs("no difference\n", stream);
+        return;
+    }
+    fprintf(stream, "%7.2f  %8.4f  %7.3f  at %u,%u %s\n", difference_psnr_db(d), difference_mean(d), d->largest, d->x,
+            d->y, channel_name(d, channels));
+}
+
+static void print_share(FILE *stream, const struct difference *d)
+{
+    if (d->differing)
+        fprintf(stream, "  samples that differ: %llu of %llu (%.3g %%)\n", (unsigned long long)d->differing,
+                (unsigned long long)d->samples, 100. * (double)d->differing / (double)d->samples);
+}
+
+void comparison_print(const struct comparison *c, const struct shading *shading, const struct levels *levels,
+                      FILE *stream)
+{
+    const unsigned channels = levels->channels;
+    char same[32], same_rounded[32];
+    snprintf(same, sizeof same, "%s in double", model_names[shading->model]);
+    snprintf(same_rounded, sizeof same_rounded, "%s in double, rounded", model_names[shading->model]);
+    fprintf(stream, "%ux%u %s%s, %s, %s, n = %u, q = %u\n", levels->width, levels->height,
+            format_names[shading->format], shading->dither ? " dithered" : "", space_names[shading->space],
+            model_names[shading->model], shading->n, shading->q);
+    if (c->rounding.samples == 0) {
+        fputs("nothing is drawn: the mask leaves every pixel out\n", stream);
+        return;
+    }
+    fprintf(stream, "%-32s%7s  %8s  %7s  in levels of 255\n", "against", "PSNR dB", "mean", "largest");
+    print_row(stream, same_rounded, &c->rounded, channels);
+    print_share(stream, &c->rounded);
+    print_row(stream, same, &c->unrounded, channels);
+    print_row(stream, "  of that, the rounding alone", &c->rounding, channels);
+    if (shading->model == GLINT_BLINN)
+        return;
+    print_row(stream, "blinn in double, rounded", &c->blinn_rounded, channels);
+    print_share(stream, &c->blinn_rounded);
+    print_row(stream, "blinn in double", &c->blinn_unrounded, channels);
+    if (shading->model == GLINT_PHONG)
+        fputs("phong's power is taken of V.R, blinn's of N.H: with the same n phong's highlight is the smaller\n",
+              stream);
+}
+
+static json_t *difference_json(const struct difference *d, unsigned channels)
+{
+    const double psnr = difference_psnr_db(d);
+    return json_pack("{s:o, s:f, s:f, s:{s:i, s:i, s:s}, s:I, s:I}", "psnr_db",
+                     isinf(psnr) ? json_null() : json_real(psnr), "mean", difference_mean(d), "largest", d->largest,
+                     "at", "x", (int)d->x, "y", (int)d->y, "channel", channel_name(d, channels), "samples",
+                     (json_int_t)d->samples, "differing", (json_int_t)d->differing);
+}
+
+void comparison_print_json(const struct comparison *c, const struct shading *shading, const struct levels *levels,
+                           FILE *stream)
+{
+    const unsigned channels = levels->channels;
+    json_t *root = json_pack(
+        "{s:i, s:i, s:s, s:b, s:s, s:s, s:i, s:i, s:i, s:{s:o, s:o, s:o}, s:{s:o, s:o}}", "width", (int)levels->width,
+        "height", (int)levels->height, "format", format_names[shading->format], "dither", (int)shading->dither, "space",
+        space_names[shading->space], "model", model_names[shading->model], "n", (int)shading->n, "q", (int)shading->q,
+        "levels_of", 255, "same_model", "rounded", difference_json(&c->rounded, channels), "unrounded",
+        difference_json(&c->unrounded, channels), "rounding_alone", difference_json(&c->rounding, channels), "blinn",
+        "rounded", difference_json(&c->blinn_rounded, channels), "unrounded",
+        difference_json(&c->blinn_unrounded, channels));
+    if (!root || json_dumpf(root, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) != 0)
+        fail("the comparison could not be written as JSON");
+    fputc('\n', stream);
+    json_decref(root);
+}

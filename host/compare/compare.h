@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT
+ * How far a picture is from the double-precision reference. */
+#ifndef GLINT_COMPARE_H
+#define GLINT_COMPARE_H
+
+#include <stdio.h>
+
+#include "draw/shade.h"
+
+/* Between two pictures, over all samples that are drawn; in levels of 255, whatever the format. */
+struct difference {
+    uint64_t samples, differing;
+    double sum, sum_of_squares, largest;
+    uint32_t x, y; /* of the largest */
+    unsigned channel;
+};
+/* A sample, 0..1 in both. */
+void difference_add(struct difference *d, double a, double b, uint32_t x, uint32_t y, unsigned channel);
+double difference_psnr_db(const struct difference *difference); /* infinite where nothing differs */
+double difference_mean(const struct difference *difference);
+
+/* The picture against references in doubles, rounded to the picture's format (an ideal renderer's picture) and not (the
+ * true values: even the ideal picture misses them by what `rounding` says). */
+struct comparison {
+    struct difference rounded, unrounded;             /* against the same model */
+    struct difference blinn_rounded, blinn_unrounded; /* against Blinn with the same n and q */
+    struct difference rounding;                       /* the same model's reference, rounded, against its true values */
+};
+
+void compare(const struct scene *scene, const struct shading *shading, const struct levels *levels,
+             struct comparison *comparison);
+/* `shading` and `levels` as they were compared. */
+void comparison_print(const struct comparison *comparison, const struct shading *shading, const struct levels *levels,
+                      FILE *stream);
+void comparison_print_json(const struct comparison *comparison, const struct shading *shading,
+                           const struct levels *levels, FILE *stream);
+
+/* The absolute difference from the unrounded reference of `model`, times `amplification`; RGB or grey. */
+struct picture *error_map(const struct scene *scene, const struct shading *shading, const struct levels *levels,
+                          enum glint_model model, unsigned amplification);
+/* The largest power of two that leaves the largest error within white, at least 1. */
+unsigned error_map_amplification(const struct difference *difference);
+
+#endif

@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: MIT
+ * The picture in doubles, from the original normals, directions and coefficients: what the library's integers are to
+ * come near. Written from the formula, not from the library. */
+#include <math.h>
+
+#include "base/host.h"
+#include "draw/shade.h"
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void normalize(double v[3])
+{
+    const double length = sqrt(dot(v, v));
+    for (unsigned k = 0; k < 3; k++)
+        v[k] /= length;
+}
+
+/* What a lamp is at a pixel. */
+struct geometry {
+    double l[3], v[3], h[3];
+    double arrives; /* 0..1, of its light; 0 where there is no l or h */
+};
+
+/* 0 at x <= from, 1 at x >= to, an edge where they are equal. */
+static double step(double from, double to, double x)
+{
+    const double part = x >= to ? 1 : x <= from ? 0 : (x - from) / (to - from);
+    return part * part * (3 - 2 * part);
+}
+
+static double degrees_cosine(double degrees)
+{
+    return cos(degrees * M_PI / 180);
+}
+
+/* How much of a point or spot arrives at the middle of pixel x, y; `e` leads from there to the lamp. */
+static double attenuation(const struct lamp *lamp, double e[3], uint32_t x, uint32_t y)
+{
+    e[0] = lamp->position[0] - (x + .5);
+    e[1] = (y + .5) - lamp->position[1];
+    e[2] = lamp->position[2];
+    const double u = dot(e, e) / (lamp->range * lamp->range);
+    if (u == 0 || u >= 1)
+        return 0;
+    double all = (1 - u) * (1 - u);
+    if (lamp->kind == GLINT_SPOT) {
+        const double axis[3] = {lamp->target[0] - lamp->position[0], lamp->position[1] - lamp->target[1],
+                                -lamp->position[2]};
+        const double c = -dot(axis, e) / sqrt(dot(axis, axis) * dot(e, e));
+        all *= step(degrees_cosine(lamp->cone[1]), degrees_cosine(lamp->cone[0]), c);
+    }
+    return all;
+}
+
+static struct geometry geometry_of(const struct shading *shading, const struct lamp *lamp, uint32_t x, uint32_t y)
+{
+    struct geometry g = {.arrives = 1};
+    for (unsigned k = 0; k < 3; k++) {
+        g.l[k] = lamp->direction[k];
+        g.v[k] = shading->view[k];
+    }
+    if (lamp->kind != GLINT_DIRECTIONAL)
+        g.arrives = attenuation(lamp, g.l, x, y);
+    if (g.arrives == 0)
+        return g;
+    normalize(g.l);
+    normalize(g.v);
+    for (unsigned k = 0; k < 3; k++)
+        g.h[k] = g.l[k] + g.v[k];
+    if (dot(g.h, g.h) == 0)
+        g.arrives = 0; /* straight behind */
+    else
+        normalize(g.h);
+    return g;
+}
+
+static double highlight(const struct geometry *g, const struct shading *shading, enum glint_model model,
+                        const double normal[3], double nl)
+{
+    double c = dot(normal, g->h);
+    if (model == GLINT_PHONG) {
+        double r[3];
+        for (unsigned k = 0; k < 3; k++)
+            r[k] = 2 * nl * normal[k] - g->l[k];
+        c = dot(g->v, r);
+    }
+    if (c < 0)
+        return 0;
+    const double f = model_double(model, shading->n, fmin(1, c));
+    if (f < ldexp(1, -(int)shading->q))
+        return 0;
+    return shading->clamp_peak ? fmin(1, f) : f;
+}
+
+/* What a lamp adds to what a surface that scatters all, and one that mirrors all, would send. */
+static void add_lamp(const struct shading *shading, const struct lamp *lamp, enum glint_model model,
+                     const double normal[3], uint32_t x, uint32_t y, double lit[3], double shine[3])
+{
+    const struct geometry g = geometry_of(shading, lamp, x, y);
+    const double nl = dot(normal, g.l);
+    if (g.arrives == 0 || nl <= 0)
+        return;
+    const double f = highlight(&g, shading, model, normal, nl);
+    for (unsigned k = 0; k < 3; k++) {
+        lit[k] += lamp->color[k] * g.arrives * nl;
+        shine[k] += lamp->color[k] * g.arrives * f;
+    }
+}
+
+/* IEC 61966-2-1 */
+static double srgb_decode(double encoded)
+{
+    return encoded <= .04045 ? encoded / 12.92 : pow((encoded + .055) / 1.055, 2.4);
+}
+
+static double srgb_encode(double linear)
+{
+    return linear <= .0031308 ? linear * 12.92 : 1.055 * pow(linear, 1 / 2.4) - .055;
+}
+
+void reference_line(const struct scene *scene, const struct shading *shading, enum glint_model model, uint32_t y,
+                    double *values)
+{
+    static const double grey[3] = {GREY_RED / 256., GREY_GREEN / 256., GREY_BLUE / 256.};
+    const unsigned channels = format_channels(shading->format);
+    const bool linear = shading->space == GLINT_LINEAR;
+    for (uint32_t x = 0; x < scene->width; x++) {
+        const size_t i = (size_t)y * scene->width + x;
+        double lit[3] = {0}, shine[3] = {0};
+        for (unsigned lamp = 0; lamp < shading->lamp_count; lamp++)
+            add_lamp(shading, &shading->lamps[lamp], model, scene->normals[i], x, y, lit, shine);
+        const double gloss = scene->gloss ? scene->gloss[i] / 255. : 1;
+        double value[3];
+        for (unsigned k = 0; k < 3; k++) {
+            double albedo = (scene->albedo ? scene->albedo[3 * i + k] : shading->color[k]) / 255.;
+            if (linear)
+                albedo = srgb_decode(albedo);
+            value[k] = fmin(1, albedo * (shading->ambient[k] + shading->diffuse[k] * lit[k]) +
+                                   shading->specular[k] * gloss * shine[k]);
+        }
+        if (channels == 1)
+            value[0] = dot(value, grey);
+        for (unsigned k = 0; k < channels; k++)
+            values[channels * x + k] = linear ? srgb_encode(value[k]) : value[k];
+    }
+}
+
+unsigned reference_level(double value, unsigned max, bool dither, uint32_t x, uint32_t y)
+{
+    static const unsigned bayer[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+    const double threshold = dither ? (2 * bayer[y % 4][x % 4] + 1) / 32. : .5;
+    return (unsigned)floor(value * max + threshold);
+}

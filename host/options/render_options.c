@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: MIT */
+#include <string.h>
+#include <unistd.h>
+
+#include "base/host.h"
+#include "options/render_options.h"
+
+enum key { KEY_IMAGE = 384, KEY_COMPARE, KEY_JSON, KEY_ERROR_MAP, KEY_AGAINST };
+
+/* Beside those of shading_options.c, where group 4 has its heading. */
+static const struct argp_option argp_options[] = {
+    {NULL, 'o', "FILE", 0, "Where it goes; - is standard output. May be left out where --compare is asked for", 4},
+    {"image", KEY_IMAGE, "KIND", 0, "png, ppm or qoi (default: by FILE's ending, png where it has none)", 4},
+    {NULL, 0, NULL, 0, "How right it is:", 5},
+    {"compare", KEY_COMPARE, NULL, 0,
+     "Print the errors against the same model and against Blinn in double precision, "
+     "each rounded to the format and not; on standard error with -o -",
+     5},
+    {"json", KEY_JSON, NULL, 0, "What --compare prints, as JSON", 5},
+    {"error-map", KEY_ERROR_MAP, "FILE", 0,
+     "Also write the absolute error against the unrounded reference as a "
+     "picture, amplified by a power of two, which is printed",
+     5},
+    {"against", KEY_AGAINST, "NAME", 0, "The error map's reference: same (default: the same model) or blinn", 5},
+    {NULL, 0, NULL, 0, NULL, 0}};
+
+static const char doc[] =
+    "Shades a height map, a normal map or a built-in scene with the integer library and writes the picture."
+    "\v"
+    "Examples:\n"
+    "  glint render --height wall.png --albedo wall-color.png -o out.png\n"
+    "  glint render --normals brick.png --flip-y -n 120 --light 1,1,0.5 -o out.png\n"
+    "  glint render --scene coin --size 240x240 --format rgb565 --dither -o c.png\n"
+    "  glint render --scene watchface -o - | chafa\n"
+    "  glint render --scene coin --light=-1,1,2,.5,.5,.5 \\\n"
+    "      --point 240,80,60,300,1,.7,.3 -o lamps.png\n"
+    "  glint render --scene sphere -n 300 --error-map e.png --against blinn\n";
+
+static enum image_kind kind_of_file(const struct argp_state *state, const char *option, const char *path)
+{
+    const enum image_kind kind = image_kind_by_ending(path);
+    if (kind == IMAGE_KINDS)
+        refuse(state, "%s: '%s' does not end in .png, .ppm or .qoi; name it so, or give --image", option, path);
+    return kind;
+}
+
+static void check_outputs(const struct argp_state *state, struct render_options *o)
+{
+    if (!o->output && !o->compare)
+        refuse(state, "where is the picture to go? give -o FILE, or --compare");
+    if (o->output && strcmp(o->output, "-") == 0 && isatty(STDOUT_FILENO))
+        refuse(state, "-o -: standard output is a terminal; pipe or redirect it, or name a file");
+    if (o->error_map && strcmp(o->error_map, "-") == 0)
+        refuse(state, "--error-map: must be a file: only the picture of -o can go to standard output");
+    if (o->error_map && o->output && output_same(o->error_map, o->output))
+        refuse(state, "--error-map: is the same file as -o; give another");
+    if (o->against_blinn && !o->error_map)
+        refuse(state, "--against is for --error-map only");
+    if (o->output && o->kind == IMAGE_KINDS)
+        o->kind = kind_of_file(state, "-o", o->output);
+    if (o->error_map)
+        o->error_map_kind = kind_of_file(state, "--error-map", o->error_map);
+}
+
+static error_t parse_option(int key, char *text, struct argp_state *state)
+{
+    static const char *const references[] = {"same", "blinn", NULL};
+    struct render_options *o = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &o->look;
+        return 0;
+    case 'o':
+        o->output = parse_output(state, "-o", text);
+        return 0;
+    case KEY_IMAGE:
+        if ((o->kind = image_kind_by_name(text)) == IMAGE_KINDS)
+            refuse(state, "--image: no '%s'; one of png, ppm, qoi is wanted", text);
+        return 0;
+    case KEY_JSON:
+        o->json = true;
+        o->compare = true;
+        return 0;
+    case KEY_COMPARE:
+        o->compare = true;
+        return 0;
+    case KEY_ERROR_MAP:
+        o->error_map = parse_output(state, "--error-map", text);
+        o->compare = true;
+        return 0;
+    case KEY_AGAINST:
+        o->against_blinn = parse_choice(state, "--against", text, references);
+        return 0;
+    case ARGP_KEY_ARG:
+        refuse(state, "'%s' is not an option; files are named by --height, --normals, --albedo and -o", text);
+    case ARGP_KEY_END:
+        check_outputs(state, o);
+        shading_options_check(state, &o->look.shading);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+void render_options_parse(struct render_options *options, int argc, char **argv)
+{
+    static const struct argp_child children[] = {{&shading_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
+    static const struct argp argp = {argp_options, parse_option, NULL, doc, children, NULL, NULL};
+    *options = (struct render_options){.kind = IMAGE_KINDS};
+    parse_command(&argp, 0, argc, argv, options);
+}

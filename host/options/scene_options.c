@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/host.h"
+#include "options/scene_options.h"
+
+/* Beyond those of the commands, whose keys begin at 256. */
+enum key { KEY_HEIGHT = 512, KEY_NORMALS, KEY_SCENE, KEY_SCALE, KEY_WRAP, KEY_FLIP_Y, KEY_MASK, KEY_SIZE };
+enum { SCENE_SIDE = 320 };
+
+static const struct argp_option argp_options[] = {
+    {NULL, 0, NULL, 0, "The surface (one of three):", 1},
+    {"height", KEY_HEIGHT, "FILE", 0, "A height map, white near, black far; colour counts by its brightness", 1},
+    {"normals", KEY_NORMALS, "FILE", 0,
+     "A normal map with 8 or 16 bits a sample: red right, green up, blue towards the viewer. Vectors are renormalised; "
+     "where blue is 0 throughout, or with grey and alpha as x and y, z is reconstructed",
+     1},
+    {"scene", KEY_SCENE, "NAME", 0, "A built-in scene: sphere, watchface, coin or dial (the watch without numerals)",
+     1},
+
+    {NULL, 0, NULL, 0, "The maps, PNG files of one size (- is standard input):", 2},
+    {"mask", KEY_MASK, "FILE", 0, "What is drawn: black pixels hold no surface, stay black and are not compared", 2},
+    {"scale", KEY_SCALE, "S", 0,
+     "How many pixels white lies above black in a height map; negative turns hills into "
+     "hollows; default 8",
+     2},
+    {"wrap", KEY_WRAP, NULL, 0,
+     "The height map is seamless: slopes at its edges are taken around them (the default "
+     "where --size repeats it)",
+     2},
+    {"flip-y", KEY_FLIP_Y, NULL, 0, "Green points down in the normal map (as DirectX has it)", 2},
+    {"size", KEY_SIZE, "WxH", 0,
+     "Draw a scene at this size (default 320x320; glint stream: see SCENE); cut a map to it or repeat the map to "
+     "fill it, never scale it (default: the map's own size)",
+     2},
+    {NULL, 0, NULL, 0, NULL, 0}};
+
+/* ---- the options ---- */
+
+static void parse_size(const struct argp_state *state, const char *text, struct scene_options *options)
+{
+    unsigned width, height;
+    int end = 0;
+    if (strspn(text, "0123456789x") == strlen(text) && sscanf(text, "%5ux%5u%n", &width, &height, &end) == 2 &&
+        !text[end] && width >= 1 && width <= SIDE_MAX && height >= 1 && height <= SIDE_MAX &&
+        width * height <= PIXELS_MAX) {
+        options->width = width;
+        options->height = height;
+        return;
+    }
+    refuse(state, "--size: '%s' is not WxH, two numbers from 1 to %d with at most %d pixels in all", text, SIDE_MAX,
+           PIXELS_MAX);
+}
+
+static void check(const struct argp_state *state, struct scene_options *o)
+{
+    const int sources = !!o->heights + !!o->normals + !!o->scene;
+    if (sources != 1)
+        refuse(state, sources ? "only one of --height, --normals and --scene may be given"
+                              : "which surface? give --height FILE, --normals FILE or --scene NAME");
+    const char *const files[] = {o->heights, o->normals, o->albedo, o->gloss, o->mask};
+    int standard = 0;
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        standard += files[i] && strcmp(files[i], "-") == 0;
+    if (standard > 1)
+        refuse(state, "only one map can come from standard input");
+    if (!o->heights && (o->wraps || !isnan(o->scale)))
+        refuse(state, "%s is for --height only", o->wraps ? "--wrap" : "--scale");
+    if (!o->normals && o->flip_y)
+        refuse(state, "--flip-y is for --normals only");
+    if (isnan(o->scale))
+        o->scale = 8;
+}
+
+static error_t parse_option(int key, char *text, struct argp_state *state)
+{
+    struct scene_options *o = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        *o = (struct scene_options){.scale = NAN};
+        return 0;
+    case KEY_HEIGHT:
+        o->heights = text;
+        return 0;
+    case KEY_NORMALS:
+        o->normals = text;
+        return 0;
+    case KEY_SCENE:
+        o->scene = scene_names[parse_choice(state, "--scene", text, scene_names)];
+        return 0;
+    case KEY_SCALE:
+        o->scale = parse_real(state, "--scale", text, -10000, 10000);
+        return 0;
+    case KEY_WRAP:
+        o->wraps = true;
+        return 0;
+    case KEY_FLIP_Y:
+        o->flip_y = true;
+        return 0;
+    case KEY_MASK:
+        o->mask = text;
+        return 0;
+    case KEY_SIZE:
+        parse_size(state, text, o);
+        return 0;
+    case ARGP_KEY_END:
+        check(state, o);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+const struct argp scene_options_argp = {argp_options, parse_option, NULL, NULL, NULL, NULL, NULL};
+
+/* ---- the scene ---- */
+
+static struct image *read_map(const char *path)
+{
+    return path ? image_read(path) : NULL;
+}
+
+/* A map that goes with the scene, pixel for pixel. */
+static void check_same_size(const struct image *map, const struct scene *scene, const char *what)
+{
+    if (map->width != scene->width || map->height != scene->height)
+        fail("%s: is %ux%u pixels, but %s is %ux%u; both must have the same size", map->name, map->width, map->height,
+             what, scene->width, scene->height);
+}
+
+/* The picture that holds the surface, and those that go with it; NULL where there is none. */
+struct scene_maps {
+    struct scene_options options;
+    struct image *surface, *albedo, *gloss, *mask;
+};
+
+struct scene_maps *scene_maps_read(const struct scene_options *options)
+{
+    struct scene_maps *maps = allocate(1, sizeof *maps);
+    *maps = (struct scene_maps){*options, read_map(options->heights ? options->heights : options->normals),
+                                read_map(options->albedo), read_map(options->gloss), read_map(options->mask)};
+    return maps;
+}
+
+void scene_maps_free(struct scene_maps *maps)
+{
+    image_free(maps->surface);
+    image_free(maps->albedo);
+    image_free(maps->gloss);
+    image_free(maps->mask);
+    free(maps);
+}
+
+void scene_maps_size(const struct scene_maps *maps, uint32_t *width, uint32_t *height)
+{
+    *width = *height = 0;
+    if (maps->surface) {
+        *width = maps->surface->width;
+        *height = maps->surface->height;
+    }
+}
+
+static struct scene *scene_of_heights(const struct scene_maps *maps, uint32_t width, uint32_t height)
+{
+    const struct image *map = maps->surface;
+    const bool repeats = width > map->width || height > map->height;
+    return scene_from_heights(map, maps->options.scale, maps->options.wraps || repeats);
+}
+
+static struct scene *scene_of_normals(const struct scene_maps *maps)
+{
+    const struct image *map = maps->surface, *mask = maps->mask;
+    uint8_t *drawn = NULL;
+    if (mask && mask->width == map->width && mask->height == map->height)
+        drawn = image_grey8(mask);
+    struct scene *scene = scene_from_normals(map, maps->options.flip_y, drawn);
+    free(drawn);
+    return scene;
+}
+
+static void replace(uint8_t **map, uint8_t *by)
+{
+    free(*map);
+    *map = by;
+}
+
+struct scene *scene_of_maps(const struct scene_maps *maps, uint32_t width, uint32_t height)
+{
+    const struct scene_options *options = &maps->options;
+    if (!width) {
+        width = options->width;
+        height = options->height;
+    }
+    struct scene *scene;
+    const char *what;
+    if (options->heights) {
+        scene = scene_of_heights(maps, width, height);
+        what = "the height map";
+    } else if (options->normals) {
+        scene = scene_of_normals(maps);
+        what = "the normal map";
+    } else {
+        scene = scene_draw(options->scene, width ? width : SCENE_SIDE, width ? height : SCENE_SIDE);
+        what = "the scene (see --size)";
+    }
+    if (maps->albedo) {
+        check_same_size(maps->albedo, scene, what);
+        replace(&scene->albedo, image_rgb8(maps->albedo));
+    }
+    if (maps->gloss) {
+        check_same_size(maps->gloss, scene, what);
+        replace(&scene->gloss, image_grey8(maps->gloss));
+    }
+    if (maps->mask) {
+        check_same_size(maps->mask, scene, what);
+        replace(&scene->mask, image_grey8(maps->mask));
+    }
+    if (options->heights && !image_is_grey(maps->surface)) /* after what may fail: that is one line */
+        warn("%s: is in colour; its brightness is taken as the height", maps->surface->name);
+    if (width && (width != scene->width || height != scene->height))
+        scene_repeat(scene, width, height);
+    return scene;
+}
+
+struct scene *scene_of_options(const struct scene_options *options)
+{
+    struct scene_maps *maps = scene_maps_read(options);
+    struct scene *scene = scene_of_maps(maps, 0, 0);
+    scene_maps_free(maps);
+    return scene;
+}

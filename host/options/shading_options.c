@@ -1,0 +1,248 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/host.h"
+#include "options/shading_options.h"
+
+/* Other keys than those of the commands', which begin at 384. */
+enum key {
+    KEY_ALBEDO = 256,
+    KEY_COLOR,
+    KEY_GLOSS,
+    KEY_MODEL,
+    KEY_LIGHT,
+    KEY_POINT,
+    KEY_SPOT,
+    KEY_VIEW,
+    KEY_AMBIENT,
+    KEY_DIFFUSE,
+    KEY_SPECULAR,
+    KEY_CLAMP_PEAK,
+    KEY_FORMAT,
+    KEY_SPACE,
+    KEY_DITHER,
+    KEY_PATH
+};
+enum { Q_UNSET = 255 };
+
+static const struct shading_options shading_options_default = {
+    .shading = {.model = GLINT_MSH,
+                .q = Q_UNSET,
+                .view = {0, 0, 1},
+                .ambient = {NAN, NAN, NAN},
+                .diffuse = {NAN, NAN, NAN},
+                .specular = {NAN, NAN, NAN},
+                .color = {200, 200, 200},
+                .format = GLINT_RGB888,
+                .space = GLINT_GAMMA},
+};
+
+/* Beside those of scene_options.c. */
+static const struct argp_option argp_options[] = {
+    {"albedo", KEY_ALBEDO, "FILE", 0, "The surface's colour; alpha is ignored", 2},
+    {"color", KEY_COLOR, "R,G,B", 0, "One colour instead, 0..255 each (default 200,200,200, or the scene's own)", 2},
+    {"gloss", KEY_GLOSS, "FILE", 0, "What scales the highlight: white full, black none", 2},
+
+    {NULL, 0, NULL, 0, "The light and the material:", 3},
+    {"model", KEY_MODEL, "NAME", 0, "The highlight: msh (default), schlick, blinn, phong, gauss or cayley", 3},
+    {NULL, 'n', "N", 0, "Shininess, 1..1000 (default 60; watchface 40, coin 30)", 3},
+    {NULL, 'q', "Q", 0,
+     "A highlight under 2^-Q counts as 0; 0..16 (default 12 for --space linear, else 6 for rgb565 "
+     "and mono undithered, else 8)",
+     3},
+    {"light", KEY_LIGHT, "X,Y,Z[,R,G,B]", 0,
+     "Towards the light, any length: x right, y up, z to you (default -1,1,1, where no light is given), and its "
+     "colour, "
+     "0..16 each (default 1,1,1). Up to four lights of these three kinds may be given",
+     3},
+    {"point", KEY_POINT, "X,Y,Z,RANGE[,R,G,B]", 0,
+     "A light at a place, in pixels to a sixteenth: x right, y down, from the upper left corner, z to you. Its light "
+     "falls "
+     "to 0 at RANGE pixels",
+     3},
+    {"spot", KEY_SPOT, "X,Y,Z,TX,TY,RANGE,INNER,OUTER[,R,G,B]", 0,
+     "A --point aimed at TX,TY on the surface: full within INNER degrees of its axis, 0 from OUTER on", 3},
+    {"view", KEY_VIEW, "X,Y,Z", 0, "Towards the viewer (default 0,0,1)", 3},
+    {"ambient", KEY_AMBIENT, "A", 0, "Light from all around, 0..1: one number or R,G,B (default .2; sphere, coin .15)",
+     3},
+    {"diffuse", KEY_DIFFUSE, "D", 0,
+     "What the surface scatters, 0..1: one number or R,G,B (default .9; sphere .85, watchface and dial .8, coin .75)",
+     3},
+    {"specular", KEY_SPECULAR, "S", 0,
+     "How strong the highlight is, 0..1: one number or R,G,B (default .5; sphere .8, watchface and dial .7, coin "
+     ".75,.68,.5)",
+     3},
+    {"clamp-peak", KEY_CLAMP_PEAK, NULL, 0, "Hold the highlight to 1 (msh reaches 1.024)", 3},
+
+    {NULL, 0, NULL, 0, "The picture:", 4},
+    {"format", KEY_FORMAT, "NAME", 0,
+     "The display's pixels: rgb888, rgb565, rgb565-swapped, grey8 or mono (default: rgb888, or what the device wants)",
+     4},
+    {"space", KEY_SPACE, "NAME", 0,
+     "Where light is summed: gamma (default: as encoded) or linear (sRGB decoded and "
+     "encoded)",
+     4},
+    {"dither", KEY_DITHER, NULL, 0, "4x4 ordered dither", 4},
+    {"path", KEY_PATH, "NAME", 0,
+     "The way through the library: exact (default) or span; span-c16, as the gateware draws; or by tables, of 20 KB "
+     "(rgb565 only) from normals of 16, "
+     "10 or 8 bits or from spans: colour-int16, colour-int10, colour-int8, colour-span; of 1 KB: small-int16, "
+     "small-int10, small-int8, small-span; of 9 KB (rgb565) over an albedo map in RGB565: albedo-int16, albedo-int10, "
+     "albedo-int8, albedo-span; or by a palette of 4096 normals (rgb565): palette",
+     4},
+    {NULL, 0, NULL, 0, NULL, 0}};
+
+static void parse_coefficients(const struct argp_state *state, const char *option, const char *text, double out[3])
+{
+    const bool one = !strchr(text, ',');
+    parse_reals(state, option, text, out, one ? 1 : 3, 0, 1);
+    if (one)
+        out[1] = out[2] = out[0];
+}
+
+static void parse_color(const struct argp_state *state, const char *text, struct shading_options *options)
+{
+    double values[3];
+    parse_reals(state, "--color", text, values, 3, 0, 255);
+    for (unsigned k = 0; k < 3; k++)
+        options->shading.color[k] = (uint8_t)lround(values[k]);
+    options->has_color = true;
+}
+
+static void parse_view(const struct argp_state *state, const char *text, double view[3])
+{
+    parse_reals(state, "--view", text, view, 3, -1e6, 1e6);
+    check_direction(state, "--view", text, view);
+}
+
+static unsigned default_q(const struct shading *shading)
+{
+    if (shading->space == GLINT_LINEAR)
+        return 12;
+    const bool coarse = format_max(shading->format, 0) < 255;
+    return coarse && !shading->dither ? 6 : 8;
+}
+
+static error_t parse_shading(int key, char *text, const struct argp_state *state, struct shading *shading)
+{
+    switch (key) {
+    case 'n':
+        shading->n = (unsigned)parse_integer(state, "-n", text, 1, GLINT_N_MAX);
+        return 0;
+    case 'q':
+        shading->q = (unsigned)parse_integer(state, "-q", text, 0, GLINT_Q_MAX);
+        return 0;
+    case KEY_MODEL:
+        shading->model = parse_model(state, "--model", text);
+        return 0;
+    case KEY_LIGHT:
+        parse_light(state, text, shading);
+        return 0;
+    case KEY_POINT:
+        parse_point(state, text, shading);
+        return 0;
+    case KEY_SPOT:
+        parse_spot(state, text, shading);
+        return 0;
+    case KEY_VIEW:
+        parse_view(state, text, shading->view);
+        return 0;
+    case KEY_AMBIENT:
+        parse_coefficients(state, "--ambient", text, shading->ambient);
+        return 0;
+    case KEY_DIFFUSE:
+        parse_coefficients(state, "--diffuse", text, shading->diffuse);
+        return 0;
+    case KEY_SPECULAR:
+        parse_coefficients(state, "--specular", text, shading->specular);
+        return 0;
+    case KEY_CLAMP_PEAK:
+        shading->clamp_peak = true;
+        return 0;
+    case KEY_SPACE:
+        shading->space = (enum glint_space)parse_choice(state, "--space", text, space_names);
+        return 0;
+    case KEY_DITHER:
+        shading->dither = true;
+        return 0;
+    case KEY_PATH:
+        shading->path = parse_choice(state, "--path", text, path_names);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static error_t parse_option(int key, char *text, struct argp_state *state)
+{
+    struct shading_options *o = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        *o = shading_options_default;
+        state->child_inputs[0] = &o->scene;
+        return 0;
+    case KEY_ALBEDO:
+        o->scene.albedo = text;
+        return 0;
+    case KEY_COLOR:
+        parse_color(state, text, o);
+        return 0;
+    case KEY_GLOSS:
+        o->scene.gloss = text;
+        return 0;
+    case KEY_FORMAT:
+        o->shading.format = (enum glint_format)parse_choice(state, "--format", text, format_names);
+        o->has_format = true;
+        return 0;
+    case ARGP_KEY_END:
+        if (o->scene.albedo && o->has_color)
+            refuse(state, "--albedo and --color exclude each other; give one");
+        o->has_light = o->shading.lamp_count > 0;
+        check_lamps(state, &o->shading);
+        return 0;
+    default:
+        return parse_shading(key, text, state, &o->shading);
+    }
+}
+
+static const struct argp_child children[] = {{&scene_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
+const struct argp shading_options_argp = {argp_options, parse_option, NULL, NULL, children, NULL, NULL};
+
+void shading_options_check(const struct argp_state *state, const struct shading *shading)
+{
+    if (path_refusal(shading))
+        refuse(state, "--path %s: %s", path_names[shading->path], path_refusal(shading));
+}
+
+struct scene *scene_of_shading_options(const struct shading_options *options, const struct scene_maps *maps,
+                                       uint32_t width, uint32_t height)
+{
+    struct scene *scene = scene_of_maps(maps, width, height);
+    if (options->has_color) {
+        free(scene->albedo);
+        scene->albedo = NULL;
+    }
+    return scene;
+}
+
+struct shading shading_of_options(const struct shading_options *options, enum glint_format format,
+                                  const struct scene *scene)
+{
+    struct shading shading = options->shading;
+    shading.format = format;
+    if (shading.q == Q_UNSET)
+        shading.q = default_q(&shading);
+    if (!shading.n)
+        shading.n = scene->finish.n;
+    for (unsigned k = 0; k < 3; k++) {
+        if (isnan(shading.ambient[k]))
+            shading.ambient[k] = scene->finish.ambient[k];
+        if (isnan(shading.diffuse[k]))
+            shading.diffuse[k] = scene->finish.diffuse[k];
+        if (isnan(shading.specular[k]))
+            shading.specular[k] = scene->finish.specular[k];
+    }
+    return shading;
+}

@@ -1,0 +1,221 @@
+/* SPDX-License-Identifier: MIT
+ * The table of models on the paper's grid, and what one evaluation costs. */
+#include <math.h>
+
+#include "paper/paper.h"
+
+/* Arithmetic for one c with all that depends on n alone prepared. */
+struct operations {
+    int multiply, add, divide;
+    const char *more; /* what is not elementary arithmetic, or "" */
+};
+
+struct entry {
+    const char *name, *formula;
+    int model; /* of the library; -1: double only */
+    double (*value)(double n, double c);
+    struct operations operations;
+};
+
+static double msh(double n, double c)
+{
+    return model_double(GLINT_MSH, n, c);
+}
+static double schlick(double n, double c)
+{
+    return model_double(GLINT_SCHLICK, n, c);
+}
+static double gauss(double n, double c)
+{
+    return model_double(GLINT_GAUSS, n, c);
+}
+static double cayley(double n, double c)
+{
+    return model_double(GLINT_CAYLEY, n, c);
+}
+
+static const struct entry entries[] = {
+    {"Schlick", "c / (n - nc + c)", GLINT_SCHLICK, schlick, {1, 1, 1, ""}},
+    {"MSH", "2c / (1.25 (n - nc + 1.25c)^2)", GLINT_MSH, msh, {3, 1, 1, ""}},
+    {"Gauss", "exp(-n x^2 / 2)", GLINT_GAUSS, gauss, {2, 0, 0, "acos, exp"}},
+    {"Cayley (ours)",
+     "(max(0, 4(1+c) - n(1-c)) / (4(1+c) + n(1-c)))^4; c^n for n <= 4",
+     GLINT_CAYLEY,
+     cayley,
+     {4, 2, 1, "max"}},
+    {"Lyon 1993, gamma 4", "max(0, 1 - n(1-c)/4)^4", -1, lyon_double, {3, 1, 0, "max"}},
+    {"Spherical Gaussian", "exp(-(n + .775)(1-c))", -1, spherical_gaussian_double, {1, 1, 0, "exp"}},
+};
+enum { ENTRIES = sizeof entries / sizeof *entries, MSH_ENTRY = 1 };
+
+struct measured {
+    double mean, largest, largest_from_2;    /* |F - c^n| on the grid of 91 angles and n = 1..1000 */
+    double mean_q16, largest_q16, apart_q16; /* the library's, and how far it is from the double */
+    double epicentre;                        /* largest relative error (17) at (6), n = 2..1000, percent */
+    double spot, spot_60, peak; /* cutoff angle over Blinn's at q = 8: largest over n, at n = 60; F(0), n = 60 */
+    int spot_n;
+};
+
+static void measure_grid(const struct entry *entry, struct measured *m)
+{
+    for (int n = 1; n <= 1000; n++)
+        for (int angle = 0; angle <= 90; angle++) {
+            const double x = angle * PI / 180, c = cos(x), blinn = model_double(GLINT_BLINN, n, c);
+            const double f = entry->value(n, c), error = absolute_error(f, blinn);
+            m->mean += error / (91.0 * 1000);
+            m->largest = fmax(m->largest, error);
+            if (n >= 2)
+                m->largest_from_2 = fmax(m->largest_from_2, error);
+            if (entry->model < 0)
+                continue;
+            const double q16 = q16_from_t((enum glint_model)entry->model, n, x);
+            m->mean_q16 += absolute_error(q16, blinn) / (91.0 * 1000);
+            m->largest_q16 = fmax(m->largest_q16, absolute_error(q16, blinn));
+            m->apart_q16 = fmax(m->apart_q16, fabs(q16 - f) * GLINT_C_ONE);
+        }
+}
+
+/* The angle where the falling F meets 2^-q, 90 degrees where it stays above. */
+static double cutoff_by_bisection(const struct entry *entry, double n, double q)
+{
+    double low = 0, high = PI / 2;
+    for (int i = 0; i < 60; i++) {
+        const double middle = (low + high) / 2;
+        *(entry->value(n, cos(middle)) >= exp2(-q) ? &low : &high) = middle;
+    }
+    return low;
+}
+
+static struct measured measure(const struct entry *entry)
+{
+    struct measured m = {0};
+    measure_grid(entry, &m);
+    for (int n = 1; n <= 1000; n++) {
+        const double spot = cutoff_by_bisection(entry, n, 8) / blinn_cutoff_angle(n, 8);
+        if (spot > m.spot) {
+            m.spot = spot;
+            m.spot_n = n;
+        }
+        const double c = cos(epicentre_angle(n));
+        if (n >= 2)
+            m.epicentre =
+                fmax(m.epicentre, relative_error_percent(entry->value(n, c), model_double(GLINT_BLINN, n, c)));
+    }
+    m.spot_60 = cutoff_by_bisection(entry, 60, 8) / blinn_cutoff_angle(60, 8);
+    m.peak = entry->value(60, 1);
+    return m;
+}
+
+static int operation_count(const struct operations *operations)
+{
+    return operations->multiply + operations->add + operations->divide;
+}
+
+/* Multiplications for c^n by squaring: one for each bit after the first, one more for each of these that is set. */
+static int power_by_squaring(unsigned n)
+{
+    int count = 0;
+    for (; n > 1; n >>= 1)
+        count += 1 + (int)(n & 1);
+    return count;
+}
+
+static void operations_claim(struct paper *paper)
+{
+    const int prepared = operation_count(&entries[MSH_ENTRY].operations), printed = 8; /* 5 x, 2 +, 1 / in (5) */
+    int fewer_squaring = 0, fewer_repeated = 0, most = 0;
+    for (unsigned n = 1; n <= 1000; n++) {
+        fewer_squaring += prepared < power_by_squaring(n);
+        fewer_repeated += printed < (int)n - 1;
+        most = power_by_squaring(n) > most ? power_by_squaring(n) : most;
+    }
+    paper_claim(paper, "models", "text", "F_MSH needs fewer operations than Blinn and Phong",
+                verdict_of(fewer_squaring == 1000, fewer_squaring > 0),
+                json_sprintf(
+                    "MSH %d operations as printed, %d with constants prepared, one of them a division; c^n takes n - 1 "
+                    "multiplications, more than %d for %d of 1000 n, or by squaring up to %d (%d at n = 60), more "
+                    "than %d for %d of 1000 n. What a division costs decides on a given machine",
+                    printed, prepared, printed, fewer_repeated, most, power_by_squaring(60), prepared, fewer_squaring));
+    paper_choice(
+        paper, "models", "how operations are counted, and how Blinn's power is computed",
+        json_sprintf("one each for +, x, /; constants of the material prepared; c^n by squaring, n whole"),
+        json_sprintf("a library pow() or a table of c^n: then no count of operations decides, but time and memory"));
+    paper_count(paper, "operations_msh", prepared);
+    paper_count(paper, "operations_fewer_than_squaring_of_1000", fewer_squaring);
+}
+
+static void write_row(FILE *stream, const struct entry *entry, const struct measured *m)
+{
+    fprintf(stream, "\"%s\",\"%s\",%.9f,%.9f,%.9f,%.6f,%.6f,%d,%.6f,%.6f,%d,%d,%d,%s,", entry->name, entry->formula,
+            m->mean, m->largest, m->largest_from_2, m->epicentre, m->spot, m->spot_n, m->spot_60, m->peak,
+            entry->operations.multiply, entry->operations.add, entry->operations.divide,
+            *entry->operations.more ? "yes" : "no");
+    if (entry->model >= 0)
+        fprintf(stream, "%.9f,%.9f,%.6f", m->mean_q16, m->largest_q16, m->apart_q16);
+    else
+        fputs(",,", stream);
+    fputc('\n', stream);
+}
+
+void paper_models(struct paper *paper)
+{
+    static const char *const head[] = {"model",
+                                       "formula",
+                                       "mean error",
+                                       "largest error",
+                                       "largest, n >= 2",
+                                       "at the epicentre, n >= 2",
+                                       "spot / Blinn's, q = 8, n = 60",
+                                       "largest over n",
+                                       "peak, n = 60",
+                                       "operations",
+                                       "Q16 mean, largest error",
+                                       "Q16 less double",
+                                       NULL};
+    json_t *table = paper_table_new(paper, "models", "The models compared with Blinn's c^n", head);
+    struct output *csv = paper_file(paper, "models.csv");
+    fputs("model,formula,mean,largest,largest_from_n2,epicentre_percent,spot_ratio_q8,spot_ratio_n,spot_ratio_q8_n60,"
+          "peak,multiply,add,divide,more,mean_q16,largest_q16,largest_ulp_q16\n",
+          csv->stream);
+    static const char *const keys[ENTRIES] = {"schlick", "msh", "gauss", "cayley", "lyon", "spherical_gaussian"};
+    int nearer = 0;
+    struct measured m[ENTRIES];
+    for (int i = 0; i < ENTRIES; i++) {
+        m[i] = measure(&entries[i]);
+        write_row(csv->stream, &entries[i], &m[i]);
+        const struct operations *o = &entries[i].operations;
+        const bool fixed = entries[i].model >= 0;
+        paper_table_row(
+            table, 12, json_string(entries[i].name), json_string(entries[i].formula), json_sprintf("%.5f", m[i].mean),
+            json_sprintf("%.4f", m[i].largest), json_sprintf("%.4f", m[i].largest_from_2),
+            json_sprintf("%.1f %%", m[i].epicentre), json_sprintf("%.2f", m[i].spot_60),
+            json_sprintf("%.2f at n = %d", m[i].spot, m[i].spot_n), json_sprintf("%.3f", m[i].peak),
+            json_sprintf("%d x, %d +, %d /%s%s", o->multiply, o->add, o->divide, *o->more ? ", " : "", o->more),
+            fixed ? json_sprintf("%.5f, %.4f", m[i].mean_q16, m[i].largest_q16) : json_string("-"),
+            fixed ? json_sprintf("%.3f ulp", m[i].apart_q16) : json_string("-"));
+        char name[48];
+        snprintf(name, sizeof name, "mean_%s", keys[i]);
+        paper_number(paper, name, m[i].mean);
+        snprintf(name, sizeof name, "largest_%s", keys[i]);
+        paper_number(paper, name, m[i].largest);
+        snprintf(name, sizeof name, "largest_%s_from_n2", keys[i]);
+        paper_number(paper, name, m[i].largest_from_2);
+    }
+    output_close(csv);
+    for (int i = 0; i < ENTRIES; i++)
+        nearer += m[i].mean < m[MSH_ENTRY].mean;
+    json_object_set_new(
+        table, "note",
+        json_sprintf("Errors are |F - c^n| on the paper's grid: whole degrees 0 to 90, n = 1..1000. %d of "
+                     "the other %d models are nearer to Blinn's than MSH in the mean. 1 ulp = 2^-16. "
+                     "Lyon: R. F. Lyon, Apple Technical Report 43, 1993. Operations: for one c, constants "
+                     "of n prepared.",
+                     nearer, ENTRIES - 1));
+    const double printed_angle = 20 * PI / 180; /* between H and L where the light is 40 degrees from the viewer */
+    paper_choice(
+        paper, "models", "Gauss's angle x, printed as between H and L", json_sprintf("between N and H, as for Blinn's"),
+        json_sprintf("as printed the highlight does not depend on the normal: with the light 40 degrees from the "
+                     "viewer F = %.4f everywhere at n = 60",
+                     model_double(GLINT_GAUSS, 60, cos(printed_angle))));
+    operations_claim(paper);
+}

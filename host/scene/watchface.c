@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: MIT
+ * A watch: a domed dial with embossed numerals, minute marks, hands and a polished bezel; or a plain one, with hour marks
+ * only. */
+#include <math.h>
+
+#include "scene/scene.h"
+
+static const double case_radius = .97, bezel_radius = .83, dial_radius = .79;
+
+static const struct relief wall = {-.06, {.13, .14, .16}, 0};
+static const struct relief steel = {0, {.50, .52, .55}, 1};
+static const struct relief brass = {0, {.86, .68, .36}, 1};
+static const struct relief enamel = {0, {.05, .14, .33}, .6};
+
+/* The dial is a dome, as steep as lets a light from the side find its mirror somewhere on it; the hands follow it. */
+static double dome(double r)
+{
+    return .38 * (dial_radius * dial_radius - r * r) - .10;
+}
+
+/* 1 in the middle of a stroke, 0 and level at its edge. */
+static double ridge(double distance, double half_width)
+{
+    const double s = fmin(1, distance / half_width);
+    return (1 - s * s) * (1 - s * s);
+}
+
+static void raise(struct relief *point, struct relief metal, double distance, double half_width, double height,
+                  double pixel)
+{
+    const double half = fmax(half_width, pixel);
+    metal.height = point->height + height * ridge(distance, half);
+    relief_cover(point, &metal, coverage(distance - half, pixel));
+    if (distance < half)
+        point->height = metal.height; /* the profile is smooth by itself */
+}
+
+static void add_dial(struct relief *point, double x, double y, double pixel, bool plain)
+{
+    const double r = hypot(x, y);
+    struct relief dial = enamel;
+    dial.height = dome(r);
+    relief_cover(point, &dial, coverage(r - dial_radius, 2 * pixel));
+    if (r > dial_radius)
+        return;
+    /* Minute marks: fold the plane into one of sixty sectors. */
+    const double angle = atan2(x, y);
+    const double minute = round(angle / (M_PI / 30));
+    const double off = angle - minute * (M_PI / 30);
+    const bool hour = (long)minute % 5 == 0;
+    const double along = r * cos(off), across = r * sin(off);
+    if (hour || !plain)
+        raise(point, brass, distance_to_segment(across, along, 0, .715, 0, .745), hour ? .014 : .007, .010, pixel);
+    for (unsigned i = 1; i <= 12 && !plain; i++) {
+        const double at = i * (M_PI / 6);
+        const double dx = x - .575 * sin(at), dy = y - .575 * cos(at);
+        if (hypot(dx, dy) < .16)
+            raise(point, brass, distance_to_number(dx, dy, i, .135), .020, .020, pixel);
+    }
+}
+
+/* A hand with two facets that meet in a ridge; it points up, turned clockwise by `turn`. */
+static void add_hand(struct relief *point, double x, double y, double turn, double length, double half_width,
+                     double base, double pixel)
+{
+    const double along = x * sin(turn) + y * cos(turn), across = fabs(x * cos(turn) - y * sin(turn));
+    const double widest = .22 * length;
+    const double limit = along > widest ? half_width * (length - along) / (length - widest)
+                                        : half_width * (1 - .55 * (widest - along) / (widest + .12));
+    const double inside = fmin(limit - across, fmin(along + .12, length - along));
+    struct relief hand = steel;
+    hand.albedo[0] = hand.albedo[1] = hand.albedo[2] = .80;
+    hand.height = dome(hypot(x, y)) + base + .8 * fmax(0, limit - across);
+    relief_cover(point, &hand, coverage(-inside, pixel));
+}
+
+static void add_bezel(struct relief *point, double r, double pixel)
+{
+    const double middle = (case_radius + bezel_radius) / 2, half = (case_radius - bezel_radius) / 2;
+    const double s = (r - middle) / half;
+    struct relief ring = steel;
+    if (r < bezel_radius) { /* the flange that leads down to the dial */
+        ring.height = mix(-.10, -.02, smooth_step(dial_radius, bezel_radius, r));
+        relief_cover(point, &ring, coverage(dial_radius - r, 2 * pixel));
+        return;
+    }
+    ring.height = .07 * (1 - s * s) - .02;
+    relief_cover(point, &ring, coverage(r - case_radius, pixel));
+}
+
+static struct relief watch(double x, double y, double pixel, bool plain)
+{
+    const double r = hypot(x, y);
+    struct relief point = wall;
+    if (r > case_radius + pixel)
+        return point;
+    add_dial(&point, x, y, pixel, plain);
+    if (r > dial_radius - 2 * pixel)
+        add_bezel(&point, r, pixel);
+    if (r < .7) { /* 10:09, as watches are shown */
+        add_hand(&point, x, y, 10.15 * (M_PI / 6), .34, .042, .02, pixel);
+        add_hand(&point, x, y, 9 * (M_PI / 30), .53, .034, .03, pixel);
+        raise(&point, brass, r, .045, .03, pixel);
+    }
+    return point;
+}
+
+struct relief relief_watchface(double x, double y, double pixel)
+{
+    return watch(x, y, pixel, false);
+}
+
+struct relief relief_dial(double x, double y, double pixel)
+{
+    return watch(x, y, pixel, true);
+}

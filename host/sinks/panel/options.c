@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: MIT */
+#include <string.h>
+
+#include "base/host.h"
+#include "sinks/panel/options.h"
+#include "draw/shade.h"
+
+enum key { KEY_PANEL = 256, KEY_ROTATION, KEY_SIZE, KEY_OFFSET, KEY_BGR, KEY_INVERT, KEY_END };
+
+static const struct argp_option options[] = {
+    {NULL, 0, NULL, 0, "The panel (--to panel, gpio, spi):", 40},
+    {"panel", KEY_PANEL, "NAME", 0, "Its controller: st7789 (default) or ili9341", 40},
+    {"rotation", KEY_ROTATION, "DEGREES", 0,
+     "Turns the picture on the glass clockwise: 0, 90, 180 or 270 (default 0, or 90 where the size is that of a glass "
+     "so turned)",
+     40},
+    {"offset", KEY_OFFSET, "X,Y", 0,
+     "Where the glass begins in the controller's memory, unturned (default 0,0; 52,40 for 135x240, 35,0 for 170x320, "
+     "34,0 for 172x320, 0,20 for 240x280)",
+     40},
+    {"bgr", KEY_BGR, "yes|no", OPTION_ARG_OPTIONAL,
+     "The glass is wired blue first: where red and blue are exchanged, say the other (default: yes for ili9341)", 40},
+    {"invert", KEY_INVERT, "yes|no", OPTION_ARG_OPTIONAL,
+     "The glass wants inversion: where the picture is a negative, say the other (default: yes for st7789)", 40},
+    {0}};
+
+static const char *const controller_names[] = {"st7789", "ili9341", NULL}; /* by enum panel_controller */
+
+/* ---- values ---- */
+
+struct setting {
+    bool given;
+    int values[2];
+};
+static struct setting from_user[KEY_END - KEY_PANEL], from_file[KEY_END - KEY_PANEL];
+
+static const struct setting *setting_of(enum key key)
+{
+    const struct setting *user = &from_user[key - KEY_PANEL];
+    return user->given ? user : &from_file[key - KEY_PANEL];
+}
+
+static int or_usual(enum key key, int usual)
+{
+    return setting_of(key)->given ? setting_of(key)->values[0] : usual;
+}
+
+static void parse_pair(const struct argp_state *state, const char *origin, const char *text, char between, int low,
+                       int values[2])
+{
+    char rest;
+    const char format[] = {'%', 'd', between, '%', 'd', '%', 'c', '\0'};
+    const char *const unsure = "0123456789,x"; /* sscanf would skip blanks and take signs */
+    if (text[strspn(text, unsure)] || sscanf(text, format, &values[0], &values[1], &rest) != 2 || values[0] < low ||
+        values[1] < low || values[0] > PANEL_ROWS || values[1] > PANEL_ROWS)
+        refuse(state, "%s: '%s' is not two numbers from %d to %d with '%c' between", origin, text, low, PANEL_ROWS,
+               between);
+}
+
+static void parse(const struct argp_state *state, const char *origin, enum key key, const char *text,
+                  struct setting *setting)
+{
+    static const char *const turns[] = {"0", "90", "180", "270", NULL}, *const answers[] = {"no", "yes", NULL};
+    setting->given = true;
+    switch (key) {
+    case KEY_PANEL:
+        setting->values[0] = (int)parse_choice(state, origin, text, controller_names);
+        break;
+    case KEY_ROTATION:
+        setting->values[0] = (int)parse_choice(state, origin, text, turns);
+        break;
+    case KEY_SIZE:
+        parse_pair(state, origin, text, 'x', 1, setting->values);
+        break;
+    case KEY_OFFSET:
+        parse_pair(state, origin, text, ',', 0, setting->values);
+        break;
+    default:
+        setting->values[0] = (int)parse_choice(state, origin, text, answers);
+        break;
+    }
+}
+
+static error_t parse_option(int key, char *text, struct argp_state *state)
+{
+    if (key < KEY_PANEL || key >= KEY_END)
+        return ARGP_ERR_UNKNOWN;
+    static const char *const names[] = {"--panel", "--rotation", "--size", "--offset", "--bgr", "--invert"};
+    parse(state, names[key - KEY_PANEL], (enum key)key, text ? text : "yes", &from_user[key - KEY_PANEL]);
+    return 0;
+}
+
+const struct argp panel_options_argp = {options, parse_option, NULL, NULL, NULL, NULL, NULL};
+
+bool panel_options_set(const char *origin, const char *name, const char *text)
+{
+    static const char *const names[] = {"panel", "rotation", "size", "offset", "bgr", "invert"};
+    for (int i = 0; i < KEY_END - KEY_PANEL; i++) {
+        if (strcmp(name, names[i]) != 0)
+            continue;
+        parse(NULL, origin, (enum key)(KEY_PANEL + i), text, &from_file[i]);
+        return true;
+    }
+    return false;
+}
+
+/* ---- the panel ---- */
+
+static enum panel_controller controller(void)
+{
+    return (enum panel_controller)or_usual(KEY_PANEL, PANEL_ST7789);
+}
+
+/* Which way round, where nobody says: upright, unless only turned there is such glass, or room. */
+static uint8_t usual_rotation(uint16_t width, uint16_t height)
+{
+    struct panel panel;
+    for (uint8_t rotation = 0; rotation < 2; rotation++)
+        if (panel_defaults(&panel, controller(), rotation, width, height))
+            return rotation;
+    return width > PANEL_COLUMNS;
+}
+
+static bool usual_panel(struct panel *panel, uint16_t width, uint16_t height)
+{
+    const int rotation = or_usual(KEY_ROTATION, usual_rotation(width, height));
+    return panel_defaults(panel, controller(), (uint8_t)rotation, width, height);
+}
+
+static void choose_size(const struct sink_wish *wish, bool any_size, uint16_t *width, uint16_t *height)
+{
+    struct panel whole;
+    const bool turned = or_usual(KEY_ROTATION, 0) % 2;
+    *width = turned ? PANEL_ROWS : PANEL_COLUMNS;
+    *height = turned ? PANEL_COLUMNS : PANEL_ROWS;
+    if (wish->width) {
+        *width = wish->width;
+        *height = wish->height;
+    } else if (setting_of(KEY_SIZE)->given) {
+        *width = (uint16_t)setting_of(KEY_SIZE)->values[0];
+        *height = (uint16_t)setting_of(KEY_SIZE)->values[1];
+    } else if (any_size && (usual_panel(&whole, wish->default_width, wish->default_height) || panel_fits(&whole))) {
+        *width = wish->default_width;
+        *height = wish->default_height;
+    }
+}
+
+/* A size that would be right the other way round is told as that. */
+static void check_turn(const struct panel *panel)
+{
+    struct panel other;
+    if (!usual_panel(&other, panel->height, panel->width) || panel->width == panel->height)
+        return;
+    const char *name = controller_names[panel->controller];
+    const bool lying = panel->rotation % 2;
+    fail("--size: an %s glass of %ux%u shows %ux%u at --rotation %u; give that --size, or --rotation %s", name,
+         lying ? panel->width : panel->height, lying ? panel->height : panel->width, panel->height, panel->width,
+         90u * panel->rotation, lying ? "0 or 180" : "90 or 270");
+}
+
+void panel_of_options(struct panel *panel, const struct sink_wish *wish, bool any_size)
+{
+    uint16_t width, height;
+    if (wish->format >= 0 && wish->format != GLINT_RGB565 && wish->format != GLINT_RGB565_SWAPPED)
+        fail("--format: the panel's pixels are rgb565, not %s; leave it out", format_names[wish->format]);
+    choose_size(wish, any_size, &width, &height);
+    const bool known = usual_panel(panel, width, height);
+    const char *name = controller_names[panel->controller];
+    const struct setting *offset = setting_of(KEY_OFFSET);
+    if (!known && !any_size)
+        check_turn(panel);
+    if (offset->given) {
+        panel->x_offset = (uint16_t)offset->values[0];
+        panel->y_offset = (uint16_t)offset->values[1];
+    }
+    if (!panel_fits(panel))
+        fail("--size: %ux%u%s is more than the %dx%d pixels of an %s; choose a smaller --size%s%s", width, height,
+             offset->given ? " at --offset" : "", panel->rotation % 2 ? PANEL_ROWS : PANEL_COLUMNS,
+             panel->rotation % 2 ? PANEL_COLUMNS : PANEL_ROWS, name, offset->given ? " or --offset" : "",
+             any_size ? ", or --to png" : "");
+    if (!known && !offset->given && !any_size)
+        fail("--size: no %s glass of %ux%u is known; say where it begins in the controller's memory: --offset 0,0, or "
+             "as its "
+             "maker says",
+             name, width, height);
+    panel->bgr = or_usual(KEY_BGR, panel->bgr);
+    panel->inverted = or_usual(KEY_INVERT, panel->inverted);
+}

@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: MIT */
+#include <string.h>
+
+#include "sinks/panel/virtual_panel.h"
+
+/* Magenta is no picture's colour: what was never written is noticed. */
+enum { NOISE = 0xf81f };
+
+void virtual_panel_reset(struct virtual_panel *panel)
+{
+    panel->columns[0] = panel->rows[0] = panel->column = panel->row = 0;
+    panel->columns[1] = PANEL_COLUMNS - 1;
+    panel->rows[1] = PANEL_ROWS - 1;
+    panel->command = PANEL_NOP;
+    panel->held = 0;
+    panel->madctl = 0;
+    panel->format = PANEL_FORMAT_666;
+    panel->awake = panel->on = panel->inverted = false;
+}
+
+void virtual_panel_init(struct virtual_panel *panel, const struct virtual_glass *glass)
+{
+    panel->glass = *glass;
+    panel->lit = true;
+    for (int row = 0; row < PANEL_ROWS; row++)
+        for (int column = 0; column < PANEL_COLUMNS; column++)
+            panel->memory[row][column] = NOISE;
+    virtual_panel_reset(panel);
+}
+
+/* ---- writing ---- */
+
+void virtual_panel_command(struct virtual_panel *panel, uint8_t command)
+{
+    panel->command = command;
+    panel->held = 0; /* half a pixel or parameter is dropped */
+    switch (command) {
+    case PANEL_SOFTWARE_RESET:
+        virtual_panel_reset(panel);
+        break;
+    case PANEL_SLEEP_IN:
+    case PANEL_SLEEP_OUT:
+        panel->awake = command == PANEL_SLEEP_OUT;
+        break;
+    case PANEL_INVERSION_OFF:
+    case PANEL_INVERSION_ON:
+        panel->inverted = command == PANEL_INVERSION_ON;
+        break;
+    case PANEL_DISPLAY_OFF:
+    case PANEL_DISPLAY_ON:
+        panel->on = command == PANEL_DISPLAY_ON;
+        break;
+    case PANEL_MEMORY_WRITE:
+        panel->column = panel->columns[0];
+        panel->row = panel->rows[0];
+        break;
+    default:
+        break; /* what does not change the picture's geometry or colour order */
+    }
+}
+
+/* One more byte of something that is `whole` bytes long: is it complete? */
+static bool hold(struct virtual_panel *panel, uint8_t byte, unsigned whole)
+{
+    panel->bytes[panel->held++] = byte;
+    if (panel->held < whole)
+        return false;
+    panel->held = 0;
+    return true;
+}
+
+static void set_range(struct virtual_panel *panel, uint16_t range[2])
+{
+    const uint16_t first = (uint16_t)(panel->bytes[0] << 8 | panel->bytes[1]);
+    const uint16_t last = (uint16_t)(panel->bytes[2] << 8 | panel->bytes[3]);
+    if (first <= last) { /* "must be": another pair changes nothing */
+        range[0] = first;
+        range[1] = last;
+    }
+    panel->command = PANEL_NOP; /* more bytes are ignored */
+}
+
+/* The address counter: columns first, and from the window's last pixel to its first. */
+static void advance(struct virtual_panel *panel)
+{
+    if (panel->column++ < panel->columns[1])
+        return;
+    panel->column = panel->columns[0];
+    if (panel->row++ >= panel->rows[1])
+        panel->row = panel->rows[0];
+}
+
+static void store(struct virtual_panel *panel, uint16_t color)
+{
+    const bool exchanged = panel->madctl & PANEL_MADCTL_MV;
+    unsigned column = exchanged ? panel->row : panel->column, row = exchanged ? panel->column : panel->row;
+    if (column < PANEL_COLUMNS && row < PANEL_ROWS) { /* "data of out of range will be ignored" */
+        if (panel->madctl & PANEL_MADCTL_MX)
+            column = PANEL_COLUMNS - 1 - column;
+        if (panel->madctl & PANEL_MADCTL_MY)
+            row = PANEL_ROWS - 1 - row;
+        panel->memory[row][column] = color;
+    }
+    advance(panel);
+}
+
+static void take_pixel_byte(struct virtual_panel *panel, uint8_t byte)
+{
+    const uint8_t *bytes = panel->bytes;
+    switch (panel->format & 7) { /* the high half is of the RGB interface */
+    case PANEL_FORMAT_565 & 7:
+        if (hold(panel, byte, 2))
+            store(panel, (uint16_t)(bytes[0] << 8 | bytes[1]));
+        break;
+    case PANEL_FORMAT_666 & 7:
+        if (hold(panel, byte, 3))
+            store(panel, (uint16_t)((bytes[0] >> 3) << 11 | (bytes[1] >> 2) << 5 | bytes[2] >> 3));
+        break;
+    default:
+        break; /* 12 bits a pixel is not decoded */
+    }
+}
+
+static void take(struct virtual_panel *panel, uint8_t byte)
+{
+    switch (panel->command) {
+    case PANEL_COLUMN_ADDRESS:
+        if (hold(panel, byte, 4))
+            set_range(panel, panel->columns);
+        break;
+    case PANEL_ROW_ADDRESS:
+        if (hold(panel, byte, 4))
+            set_range(panel, panel->rows);
+        break;
+    case PANEL_MEMORY_WRITE:
+    case PANEL_MEMORY_CONTINUE:
+        take_pixel_byte(panel, byte);
+        break;
+    case PANEL_MADCTL:
+        panel->madctl = byte;
+        panel->command = PANEL_NOP;
+        break;
+    case PANEL_PIXEL_FORMAT:
+        panel->format = byte;
+        panel->command = PANEL_NOP;
+        break;
+    default:
+        break;
+    }
+}
+
+void virtual_panel_data(struct virtual_panel *panel, const uint8_t *bytes, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        take(panel, bytes[i]);
+}
+
+/* ---- looking ---- */
+
+static uint16_t on_glass(const struct virtual_panel *panel, unsigned x, unsigned y)
+{
+    const struct virtual_glass *glass = &panel->glass;
+    const unsigned column = glass->x + x;
+    uint16_t color = panel->memory[glass->y + y][glass->mirrored ? PANEL_COLUMNS - 1 - column : column];
+    if (panel->inverted != glass->inverted)
+        color = (uint16_t)~color;
+    if (((panel->madctl & PANEL_MADCTL_BGR) != 0) != glass->bgr)
+        color = (uint16_t)(color << 11 | (color & 0x07e0) | color >> 11);
+    return color;
+}
+
+static uint8_t shown(unsigned level, unsigned max) /* as pictures in files show levels: nearest of 255 */
+{
+    return (uint8_t)((level * 255 + max / 2) / max);
+}
+
+void virtual_panel_look(const struct virtual_panel *panel, unsigned rotation, uint8_t *rgb)
+{
+    const unsigned right = panel->glass.width - 1u, bottom = panel->glass.height - 1u;
+    const unsigned width = rotation % 2 ? bottom + 1 : right + 1, height = rotation % 2 ? right + 1 : bottom + 1;
+    if (!panel->awake || !panel->on || !panel->lit) {
+        memset(rgb, 0, (size_t)width * height * 3);
+        return;
+    }
+    for (unsigned y = 0; y < height; y++) {
+        for (unsigned x = 0; x < width; x++, rgb += 3) {
+            const unsigned across[4] = {x, right - y, right - x, y}, down[4] = {y, x, bottom - y, bottom - x};
+            const unsigned color = on_glass(panel, across[rotation % 4], down[rotation % 4]);
+            rgb[0] = shown(color >> 11, 31);
+            rgb[1] = shown(color >> 5 & 63, 63);
+            rgb[2] = shown(color & 31, 31);
+        }
+    }
+}
+
+/* ---- for panel.c ---- */
+
+struct virtual_glass virtual_glass_of(const struct panel *panel)
+{
+    const bool turned = panel->rotation % 2;
+    return (struct virtual_glass){.width = turned ? panel->height : panel->width,
+                                  .height = turned ? panel->width : panel->height,
+                                  .x = panel->x_offset,
+                                  .y = panel->y_offset,
+                                  .mirrored = panel->controller == PANEL_ILI9341,
+                                  .bgr = panel->bgr,
+                                  .inverted = panel->inverted};
+}
+
+static bool bus_command(void *context, uint8_t command)
+{
+    virtual_panel_command(context, command);
+    return true;
+}
+
+static bool bus_data(void *context, const uint8_t *bytes, size_t count)
+{
+    virtual_panel_data(context, bytes, count);
+    return true;
+}
+
+static bool bus_reset(void *context, bool active)
+{
+    if (active)
+        virtual_panel_reset(context);
+    return true;
+}
+
+static bool bus_backlight(void *context, uint8_t percent)
+{
+    ((struct virtual_panel *)context)->lit = percent != PANEL_OFF;
+    return true;
+}
+
+static void bus_wait_ms(void *context, unsigned ms)
+{
+    (void)context; /* it is ready at once */
+    (void)ms;
+}
+
+struct panel_bus virtual_panel_bus(struct virtual_panel *panel)
+{
+    return (struct panel_bus){bus_command, bus_data, bus_reset, bus_backlight, bus_wait_ms, panel};
+}

@@ -1,0 +1,180 @@
+/* SPDX-License-Identifier: MIT
+ * Which USB devices are displays. Names come from sysfs, so that devices that may not be opened have them, too; a device
+ * that a kernel driver has is sent nothing. */
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "sinks/usb/usb.h"
+
+static const uint32_t known_ids[] = {GUD_ID_OPENMOKO, GUD_ID_MCS, GUD_ID_PIDCODES};
+
+static bool is_known(uint32_t id)
+{
+    for (size_t i = 0; i < sizeof known_ids / sizeof known_ids[0]; i++)
+        if (known_ids[i] == id)
+            return true;
+    return false;
+}
+
+const char *usb_name(const struct usb_device *device, char *text, size_t size)
+{
+    snprintf(text, size, "usb %s (%04x:%04x)", device->path, device->id >> 16, device->id & 0xffff);
+    return text;
+}
+
+/* An attribute of the device; "" where there is none. */
+static void read_attribute(const struct usb_device *device, const char *attribute, char *text, size_t size)
+{
+    char name[128];
+    snprintf(name, sizeof name, "/sys/bus/usb/devices/%s/%s", device->path, attribute);
+    FILE *file = fopen(name, "re");
+    *text = '\0';
+    if (!file)
+        return;
+    if (fgets(text, (int)size, file))
+        text[strcspn(text, "\n")] = '\0';
+    fclose(file);
+    for (char *at = text; *at; at++)
+        if ((unsigned char)*at < ' ' || *at == 0x7f)
+            *at = '?';
+}
+
+static void read_driver(struct usb_device *device, unsigned configuration, unsigned interface)
+{
+    char name[128], target[PATH_MAX];
+    snprintf(name, sizeof name, "/sys/bus/usb/devices/%s:%u.%u/driver", device->path, configuration, interface);
+    const ssize_t length = readlink(name, target, sizeof target - 1);
+    target[length < 0 ? 0 : length] = '\0';
+    const char *last = strrchr(target, '/');
+    snprintf(device->driver, sizeof device->driver, "%.31s", last ? last + 1 : "");
+}
+
+/* "1-3.1": the bus and the ports on the way, as the kernel names devices. False for root hubs. */
+static bool read_path(struct usb_device *device)
+{
+    uint8_t ports[8];
+    const int count = libusb_get_port_numbers(device->device, ports, sizeof ports);
+    if (count < 1)
+        return false;
+    int length = snprintf(device->path, sizeof device->path, "%u", libusb_get_bus_number(device->device));
+    for (int i = 0; i < count; i++)
+        length +=
+            snprintf(device->path + length, sizeof device->path - (size_t)length, "%c%u", i ? '.' : '-', ports[i]);
+    return true;
+}
+
+static void read_interfaces(struct usb_device *device)
+{
+    struct libusb_config_descriptor *configuration;
+    if (libusb_get_active_config_descriptor(device->device, &configuration))
+        return;
+    for (unsigned i = 0; i < configuration->bNumInterfaces; i++) {
+        const struct libusb_interface *interface = &configuration->interface[i];
+        if (!interface->num_altsetting || interface->altsetting[0].bInterfaceClass != GUD_INTERFACE_CLASS)
+            continue;
+        const struct libusb_interface_descriptor *setting = &interface->altsetting[0];
+        for (unsigned e = 0; e < setting->bNumEndpoints && device->interface_count < USB_INTERFACES_MAX; e++) {
+            const struct libusb_endpoint_descriptor *endpoint = &setting->endpoint[e];
+            if ((endpoint->bmAttributes & LIBUSB_TRANSFER_TYPE_MASK) != LIBUSB_TRANSFER_TYPE_BULK ||
+                endpoint->bEndpointAddress & LIBUSB_ENDPOINT_IN)
+                continue;
+            device->interfaces[device->interface_count].number = setting->bInterfaceNumber;
+            device->interfaces[device->interface_count++].bulk_out = endpoint->bEndpointAddress;
+            if (!*device->driver)
+                read_driver(device, configuration->bConfigurationValue, setting->bInterfaceNumber);
+            break;
+        }
+    }
+    libusb_free_config_descriptor(configuration);
+}
+
+static bool is_wanted(const struct usb_device *device, const struct usb_options *options)
+{
+    return device->interface_count && (!options->id || options->id == device->id) &&
+           (!options->path || !strcmp(options->path, device->path)) &&
+           (!options->serial || !strcmp(options->serial, device->serial));
+}
+
+/* Asks one interface for its descriptor. */
+static enum usb_state ask(libusb_context *libusb, struct usb_device *device, uint8_t interface)
+{
+    struct usb_port port = {.libusb = libusb, .stoppable = true, .brief = !device->expected};
+    struct gud_link link = {.context = &port, .control = usb_control};
+    struct gud_descriptor descriptor;
+    switch (usb_port_open(&port, device->device, interface, NULL, &device->problem)) {
+    case USB_OPENED:
+        break;
+    case USB_OPEN_KERNEL:
+        return USB_KERNEL;
+    case USB_OPEN_IN_USE:
+        return USB_IN_USE;
+    case USB_OPEN_DENIED:
+        return USB_DENIED;
+    case USB_OPEN_FAILED:
+        return device->problem.fault == GUD_LINK_GONE ? USB_VANISHED : USB_NOT_DISPLAY;
+    }
+    const bool good = gud_descriptor_read(&link, &descriptor, &device->problem);
+    usb_port_close(&port, false);
+    return good ? USB_DISPLAY : device->problem.fault == GUD_LINK_GONE ? USB_VANISHED : USB_NOT_DISPLAY;
+}
+
+static void probe(libusb_context *libusb, struct usb_device *device)
+{
+    for (unsigned i = 0; i < device->interface_count; i++) {
+        device->interface = device->interfaces[i].number;
+        device->bulk_out = device->interfaces[i].bulk_out;
+        device->state = ask(libusb, device, device->interface);
+        if (device->state != USB_NOT_DISPLAY)
+            return;
+    }
+}
+
+/* Devices of other makers are left alone unless they answer as displays. */
+static bool is_foreign(const struct usb_device *device)
+{
+    return !device->expected && device->state != USB_DISPLAY &&
+           !(device->state == USB_KERNEL && !strcmp(device->driver, "gud"));
+}
+
+static int by_path(const void *a, const void *b)
+{
+    return strverscmp(((const struct usb_device *)a)->path, ((const struct usb_device *)b)->path);
+}
+
+void usb_find(libusb_context *libusb, const struct usb_options *options, struct usb_found *found)
+{
+    found->count = 0;
+    const ssize_t count = libusb_get_device_list(libusb, &found->list);
+    if (count < 0) {
+        found->list = NULL;
+        return;
+    }
+    for (ssize_t i = 0; i < count && found->count < USB_FOUND_MAX; i++) {
+        struct usb_device *device = &found->devices[found->count];
+        struct libusb_device_descriptor descriptor;
+        *device = (struct usb_device){.device = found->list[i]};
+        if (!read_path(device) || libusb_get_device_descriptor(device->device, &descriptor))
+            continue;
+        device->id = (uint32_t)descriptor.idVendor << 16 | descriptor.idProduct;
+        device->expected = is_known(device->id) || options->id || options->path || options->serial;
+        read_attribute(device, "serial", device->serial, sizeof device->serial);
+        read_attribute(device, "product", device->product, sizeof device->product);
+        read_interfaces(device);
+        if (!is_wanted(device, options))
+            continue;
+        probe(libusb, device);
+        if (!is_foreign(device))
+            found->count++;
+    }
+    qsort(found->devices, found->count, sizeof found->devices[0], by_path);
+}
+
+void usb_found_free(struct usb_found *found)
+{
+    if (found->list)
+        libusb_free_device_list(found->list, 1);
+    found->list = NULL;
+    found->count = 0;
+}

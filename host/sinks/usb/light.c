@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: MIT
+ * A USB device that shades by itself: an interface beside the display's, which no kernel driver takes. */
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "base/host.h"
+#include "image/image.h"
+#include "sinks/usb/usb.h"
+
+#include "light_protocol.h"
+
+struct light_sink {
+    struct sink sink;
+    struct usb_port port;
+    struct gud_link link;
+    bool gone;
+    uint32_t frames;
+    uint8_t messages[2][LIGHT_MESSAGE_BYTES]; /* one may be under way */
+    char name[48];
+};
+
+enum { WAIT_MS = 250, LAST_FRAMES_MS = 2000, ASK_MS = 10 };
+
+static const struct sink_kind light_kind;
+
+static struct light_sink *of(const struct sink *sink)
+{
+    return (struct light_sink *)sink; /* its first member */
+}
+
+static void pause_ms(long ms)
+{
+    nanosleep(&(struct timespec){ms / 1000, ms % 1000 * 1000000}, NULL);
+}
+
+/* ---- opening ---- */
+
+static bool ask(struct light_sink *light, const struct sink_wish *wish, char *line, size_t size)
+{
+    uint8_t bytes[LIGHT_DESCRIPTOR_BYTES];
+    struct light_descriptor descriptor;
+    if (light->link.control(&light->port, true, LIGHT_GET_DESCRIPTOR, 0, bytes, sizeof bytes) != sizeof bytes ||
+        !light_descriptor_unpack(&descriptor, bytes) || !descriptor.width || !descriptor.height)
+        return false;
+    if ((wish->width && (wish->width != descriptor.width || wish->height != descriptor.height)) ||
+        (wish->format >= 0 && wish->format != GLINT_RGB565))
+        snprintf(line, size, "%s: shades %ux%u in rgb565; leave out --size and --format", light->name, descriptor.width,
+                 descriptor.height);
+    light->sink.width = descriptor.width;
+    light->sink.height = descriptor.height;
+    return true;
+}
+
+/* The interface that answers; `line` tells why it will not do. */
+static bool find_interface(struct light_sink *light, const struct usb_device *device, const struct sink_wish *wish,
+                           char *line, size_t size)
+{
+    struct gud_problem problem;
+    usb_name(device, light->name, sizeof light->name);
+    for (unsigned i = 0; i < device->interface_count; i++) {
+        const uint8_t number = device->interfaces[i].number;
+        *line = '\0';
+        if (usb_port_open(&light->port, device->device, number, NULL, &problem) != USB_OPENED)
+            continue;
+        light->port.bulk_out = device->interfaces[i].bulk_out;
+        if (ask(light, wish, line, size))
+            return !*line;
+        usb_port_close(&light->port, false);
+    }
+    snprintf(line, size, "%s: does not shade by itself; leave out --shade device", light->name);
+    return false;
+}
+
+static bool enable(struct light_sink *light, uint8_t value)
+{
+    return light->link.control(&light->port, false, LIGHT_SET_ENABLE, 0, &value, 1) == 1;
+}
+
+static void leave(struct light_sink *light)
+{
+    usb_bulk_free(&light->port);
+    usb_port_close(&light->port, false);
+    libusb_exit(light->port.libusb);
+    free(light);
+}
+
+/* NULL: `line` tells why not, and `*may_pass` whether it may be plugged in yet. */
+static struct light_sink *try_open(const struct sink_wish *wish, char *line, size_t size, bool *may_pass)
+{
+    static struct usb_found found;
+    struct usb_options any = usb_options;
+    enum usb_attempt attempt;
+    struct light_sink *light = allocate(1, sizeof *light);
+    const int error = libusb_init(&light->port.libusb);
+    if (error)
+        fail("USB: libusb cannot start: %s; is /dev/bus/usb there?", libusb_strerror(error));
+    light->sink = (struct sink){
+        .kind = &light_kind, .format = GLINT_RGB565, .align_x = 1, .cost = {.0004, 800e3}, .name = light->name};
+    light->link = (struct gud_link){.context = &light->port, .control = usb_control};
+    light->port.stoppable = true;
+    any.detach = true; /* the kernel's driver may keep the display */
+    usb_find(light->port.libusb, &any, &found);
+    const struct usb_device *device = usb_choose(&found, &any, line, size, &attempt);
+    *may_pass = !device && attempt == USB_TRY_AGAIN;
+    bool good = device && find_interface(light, device, wish, line, size);
+    usb_found_free(&found);
+    if (good && (usb_bulk_prepare(&light->port) || !enable(light, 1))) {
+        snprintf(line, size, "%s: is busy with a picture; try again", light->name);
+        good = false;
+    }
+    if (good)
+        return light;
+    leave(light);
+    return NULL;
+}
+
+struct sink *usb_open_shader(const struct sink_wish *wish)
+{
+    char line[400];
+    bool may_pass;
+    struct light_sink *light;
+    while (!(light = try_open(wish, line, sizeof line, &may_pass))) {
+        if (stream_stopped())
+            return NULL;
+        if (!usb_options.wait || !may_pass)
+            fail("%s", line);
+        progress("waiting for a USB display; Ctrl-C ends it");
+        pause_ms(WAIT_MS);
+    }
+    progress_end();
+    return &light->sink;
+}
+
+/* ---- what is sent ---- */
+
+/* Of a fault: what the stream makes of it. */
+static enum sink_result result_of(struct light_sink *light, int fault, const char *what)
+{
+    if (!fault)
+        return SINK_SENT;
+    if (fault == GUD_LINK_STOPPED || stream_stopped())
+        return SINK_INTERRUPTED;
+    light->gone = fault == GUD_LINK_GONE;
+    if (!light->gone)
+        fail("%s: %s: %s; plug it in again", light->name, what, gud_fault_words((enum gud_link_fault)fault));
+    if (!usb_options.wait)
+        fail("%s: unplugged; start again when it is back, or use --wait", light->name);
+    warn("%s: unplugged; waiting for its return", light->name);
+    return SINK_GONE;
+}
+
+static int send(struct light_sink *light, const uint8_t *data, size_t bytes)
+{
+    const int fault = usb_bulk_start(&light->port, data, bytes);
+    return fault ? fault : usb_bulk_wait(&light->port);
+}
+
+enum sink_result usb_send_scene(struct sink *sink, const struct glint_shader *shader, const uint32_t *normals)
+{
+    struct light_sink *light = of(sink);
+    const size_t count = (size_t)sink->width * sink->height;
+    const struct light_material material = {.model = shader->lobe.model,
+                                            .q = shader->lobe.q,
+                                            .n = shader->lobe.n,
+                                            .space = shader->space,
+                                            .flags = shader->clamp_peak ? LIGHT_CLAMP_PEAK : 0,
+                                            .material = shader->material};
+    uint8_t packed[LIGHT_MATERIAL_BYTES], *map = allocate(count, 4);
+    for (size_t i = 0; i < 4 * count; i++)
+        map[i] = (uint8_t)(normals[i / 4] >> 8 * (i % 4));
+    light_material_pack(packed, &material);
+    int fault = light->link.control(&light->port, false, LIGHT_SET_MATERIAL, 0, packed, sizeof packed);
+    if (fault >= 0)
+        fault = light->link.control(&light->port, false, LIGHT_SET_MAP, 0, NULL, 0);
+    if (fault >= 0)
+        fault = send(light, map, 4 * count);
+    free(map);
+    return result_of(light, fault, "the scene");
+}
+
+enum sink_result usb_send_light(struct sink *sink, const int32_t to_light[3], size_t *bytes)
+{
+    struct light_sink *light = of(sink);
+    uint8_t *message = light->messages[light->frames % 2];
+    light_message_pack(message, light->frames++, to_light);
+    *bytes = LIGHT_MESSAGE_BYTES;
+    int fault = usb_bulk_wait(&light->port); /* the device takes a light when it has room: it sets the pace */
+    if (!fault)
+        fault = usb_bulk_start(&light->port, message, LIGHT_MESSAGE_BYTES);
+    return result_of(light, fault, "a light");
+}
+
+/* The frames of the last lights are still to be drawn. */
+static void wait_for_frames(struct light_sink *light)
+{
+    uint8_t status = GUD_BUSY;
+    if (usb_bulk_wait(&light->port))
+        return;
+    for (unsigned ms = 0; status == GUD_BUSY && ms < LAST_FRAMES_MS && !stream_stopped(); ms += ASK_MS) {
+        pause_ms(ASK_MS);
+        if (light->link.control(&light->port, true, LIGHT_GET_STATUS, 0, &status, 1) != 1)
+            return;
+    }
+}
+
+static void light_close(struct sink *sink)
+{
+    struct light_sink *light = of(sink);
+    if (!light->gone)
+        wait_for_frames(light);
+    light->port.stoppable = false;
+    if (!light->gone && !enable(light, 0))
+        warn("%s: it does not give the panel back", light->name);
+    leave(light);
+}
+
+static const struct sink_kind light_kind = {.name = "usb",
+                                            .nature = SINK_DEVICE,
+                                            .send_scene = usb_send_scene,
+                                            .send_light = usb_send_light,
+                                            .close = light_close};

@@ -1,0 +1,373 @@
+/* SPDX-License-Identifier: MIT
+ * A USB display that speaks GUD, driven by libusb: which one, its frames, and what goes wrong on the way. */
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "base/host.h"
+#include "sinks/usb/usb.h"
+
+/* ---- options ---- */
+
+struct usb_options usb_options;
+
+enum key { KEY_VID_PID = 0x600, KEY_SERIAL, KEY_USB_PATH, KEY_DETACH, KEY_WAIT };
+
+static const struct argp_option argp_options[] = {
+    {NULL, 0, NULL, 0, "USB displays (--to usb); the only one there is, unless named by one of:", 8},
+    {"usb-path", KEY_USB_PATH, "PATH", 0, "Where it is plugged in, as glint list shows it: 1-3.1", 8},
+    {"serial", KEY_SERIAL, "TEXT", 0, "Its serial number", 8},
+    {"vid-pid", KEY_VID_PID, "VVVV:PPPP", 0, "Its vendor and product IDs, hexadecimal", 8},
+    {"detach", KEY_DETACH, NULL, 0,
+     "Take a display that the kernel's driver has: this takes the monitor away from the desktop until glint ends", 8},
+    {"wait", KEY_WAIT, NULL, 0, "Wait until it is plugged in, and when it is unplugged until it is back", 8},
+    {NULL, 0, NULL, 0, NULL, 0}};
+
+static uint32_t parse_id(const struct argp_state *state, const char *text)
+{
+    unsigned vendor, product;
+    int end = 0;
+    if (strspn(text, "0123456789abcdefABCDEF:") != strlen(text) ||
+        sscanf(text, "%4x:%4x%n", &vendor, &product, &end) != 2 || text[end] || !(vendor || product))
+        refuse(state, "--vid-pid: '%s' is not two numbers of up to four hexadecimal digits, as 1d50:614d", text);
+    return (uint32_t)vendor << 16 | product;
+}
+
+static const char *parse_path(const struct argp_state *state, const char *text)
+{
+    const char *dash = strchr(text, '-');
+    if (strspn(text, "0123456789.-") != strlen(text) || !dash || dash == text || !dash[1] || strchr(dash + 1, '-') ||
+        strlen(text) >= sizeof((struct usb_device *)NULL)->path)
+        refuse(state, "--usb-path: '%s' is not a bus and ports, as 1-3.1; see glint list", text);
+    return text;
+}
+
+static error_t parse_option(int key, char *text, struct argp_state *state)
+{
+    switch (key) {
+    case KEY_VID_PID:
+        usb_options.id = parse_id(state, text);
+        return 0;
+    case KEY_SERIAL:
+        if (!*text)
+            refuse(state, "--serial: the serial number is empty; see glint list");
+        usb_options.serial = text;
+        return 0;
+    case KEY_USB_PATH:
+        usb_options.path = parse_path(state, text);
+        return 0;
+    case KEY_DETACH:
+        usb_options.detach = true;
+        return 0;
+    case KEY_WAIT:
+        usb_options.wait = true;
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp usb_argp = {argp_options, parse_option, NULL, NULL, NULL, NULL, NULL};
+
+/* ---- opening ---- */
+
+struct usb_sink {
+    struct sink sink;
+    struct usb_port port;
+    struct gud_link link;
+    struct gud_display display;
+    struct gud_choice choice;
+    bool full_update, detached, gone;
+    char name[48];
+};
+
+enum { WAIT_MS = 250, DENIED_TRIES = 8 };
+
+static void pause_ms(long ms)
+{
+    nanosleep(&(struct timespec){ms / 1000, ms % 1000 * 1000000}, NULL);
+}
+
+static struct sink_cost cost_of(libusb_device *device)
+{
+    switch (libusb_get_device_speed(device)) {
+    case LIBUSB_SPEED_SUPER:
+    case LIBUSB_SPEED_SUPER_PLUS:
+        return (struct sink_cost){0.0002, 200e6};
+    case LIBUSB_SPEED_HIGH:
+        return (struct sink_cost){0.0003, 35e6};
+    default:
+        return (struct sink_cost){0.0004, 800e3};
+    }
+}
+
+/* The display off, the interface released, the kernel's driver in its place. */
+static void leave(struct usb_sink *usb, bool tell)
+{
+    struct gud_problem problem;
+    usb->port.stoppable = false; /* switching off is short, and wanted */
+    if (usb->port.handle && !usb->gone && usb->choice.max_bytes && !gud_stop(&usb->link, &problem) &&
+        problem.fault != GUD_LINK_GONE && tell)
+        warn("%s: it was not switched off: %s", usb->name, problem.text);
+    usb_bulk_free(&usb->port);
+    usb_port_close(&usb->port, usb->detached);
+    if (usb->port.libusb)
+        libusb_exit(usb->port.libusb);
+    free(usb);
+}
+
+static bool configure(struct usb_sink *usb, const struct sink_wish *wish, struct gud_problem *problem)
+{
+    if (!gud_display_read(&usb->link, &usb->display, true, problem) ||
+        !gud_choose(&usb->display, wish, &usb->choice, problem) ||
+        !gud_start(&usb->link, &usb->display, &usb->choice, problem))
+        return false;
+    if (usb_bulk_prepare(&usb->port))
+        return gud_problem_is(problem, GUD_LINK_ERROR, "out of memory");
+    usb->full_update = usb->display.descriptor.flags & GUD_FLAG_FULL_UPDATE;
+    usb->sink.width = usb->choice.mode.hdisplay;
+    usb->sink.height = usb->choice.mode.vdisplay;
+    usb->sink.format = usb->choice.pixels;
+    usb->sink.align_x = usb->choice.format == GUD_R1 ? 8 : 1;
+    usb->sink.whole_frames = usb->full_update;
+    usb->sink.lz4 = usb->choice.lz4;
+    usb->sink.max_bytes = usb->choice.max_bytes;
+    usb->sink.cost = cost_of(libusb_get_device(usb->port.handle));
+    return true;
+}
+
+/* Opens the chosen device; `line` gets the reason where not. */
+static enum usb_attempt connect_display(struct usb_sink *usb, const struct usb_device *device,
+                                        const struct sink_wish *wish, char *line, size_t size)
+{
+    struct gud_problem problem = {GUD_LINK_ERROR, "the kernel's driver has taken it"};
+    const char *name = usb_name(device, usb->name, sizeof usb->name);
+    const enum usb_opened opened = usb_port_open(&usb->port, device->device, device->interface,
+                                                 usb_options.detach ? &usb->detached : NULL, &problem);
+    if (opened == USB_OPENED) {
+        usb->port.bulk_out = device->bulk_out;
+        if (configure(usb, wish, &problem))
+            return USB_TRY_OPENED;
+    }
+    usb->gone = problem.fault == GUD_LINK_GONE;
+    snprintf(line, size, "%s: %s", name, problem.text);
+    return usb->gone ? USB_TRY_AGAIN : USB_TRY_NO_GOOD;
+}
+
+/* ---- the sink's functions ---- */
+
+/* When it was unplugged it is this one that is waited for. */
+static void remember(const struct usb_device *device)
+{
+    static char serial[sizeof device->serial];
+    usb_options.id = device->id;
+    if (!usb_options.serial && *device->serial)
+        usb_options.serial = strcpy(serial, device->serial);
+}
+
+static struct usb_sink *new_sink(void)
+{
+    struct usb_sink *usb = calloc(1, sizeof *usb);
+    if (!usb)
+        fail("out of memory");
+    const int error = libusb_init(&usb->port.libusb);
+    if (error) {
+        free(usb);
+        fail("USB: libusb cannot start: %s; is /dev/bus/usb there?", libusb_strerror(error));
+    }
+    usb->sink = (struct sink){.kind = &sink_usb, .name = usb->name};
+    usb->link = (struct gud_link){.context = &usb->port, .control = usb_control};
+    usb->port.stoppable = true;
+    return usb;
+}
+
+/* libusb learns of new devices from udev's daemon, which is not everywhere; a new context looks for itself. */
+static enum usb_attempt try_open(const struct sink_wish *wish, struct usb_sink **out, char *line, size_t size)
+{
+    static struct usb_found found;
+    static bool was_detached; /* the driver is given back also after a display came again without it */
+    struct usb_sink *usb = new_sink();
+    enum usb_attempt attempt;
+    usb_find(usb->port.libusb, &usb_options, &found);
+    const struct usb_device *device = usb_choose(&found, &usb_options, line, size, &attempt);
+    if (device)
+        attempt = connect_display(usb, device, wish, line, size);
+    if (attempt == USB_TRY_OPENED)
+        remember(device);
+    usb_found_free(&found);
+    usb->detached = was_detached |= usb->detached;
+    if (attempt == USB_TRY_OPENED)
+        *out = usb;
+    else
+        leave(usb, false);
+    return attempt;
+}
+
+static struct sink *usb_open(const struct sink_wish *wish)
+{
+    char line[400];
+    struct usb_sink *usb = NULL;
+    for (unsigned denied = 0;;) {
+        const enum usb_attempt attempt = try_open(wish, &usb, line, sizeof line);
+        if (attempt == USB_TRY_OPENED)
+            break;
+        if (stream_stopped())
+            return NULL;
+        const bool may_pass = attempt == USB_TRY_AGAIN || (attempt == USB_TRY_DENIED && ++denied < DENIED_TRIES);
+        if (!usb_options.wait || !may_pass)
+            fail("%s", line);
+        progress("waiting for a USB display; Ctrl-C ends it");
+        pause_ms(WAIT_MS);
+        if (stream_stopped())
+            return NULL;
+    }
+    progress_end();
+    return &usb->sink;
+}
+
+static struct usb_sink *of(const struct sink *sink)
+{
+    return (struct usb_sink *)sink; /* its first member */
+}
+
+static size_t usb_box_bytes(const struct sink *sink, const struct glint_box *box)
+{
+    return gud_box_bytes(of(sink)->choice.format, box);
+}
+
+static void usb_pack(const struct sink *sink, const struct frame *frame, const struct glint_box *box, uint8_t *out)
+{
+    gud_box_pack(of(sink)->choice.format, frame, box, out);
+}
+
+/* A piece is announced when the one before has arrived: GUD knows no other order, the data of two would run together.
+ * The last one is left under way. */
+static int send_pieces(struct usb_sink *usb, const struct piece *pieces, size_t count, bool announce,
+                       struct gud_problem *problem)
+{
+    for (size_t i = 0; i < count; i++) {
+        int fault = usb_bulk_wait(&usb->port);
+        if (!fault && announce && !gud_rectangle_announce(&usb->link, &pieces[i], problem))
+            return problem->fault;
+        if (!fault)
+            fault = usb_bulk_start(&usb->port, pieces[i].data, pieces[i].bytes);
+        if (fault) {
+            const enum gud_link_fault why = (enum gud_link_fault)fault;
+            gud_problem_is(problem, why, "the picture's data: %s", gud_fault_words(why));
+            return fault;
+        }
+    }
+    return 0;
+}
+
+/* The whole picture, uncompressed, until it has arrived. */
+static int send_whole(struct usb_sink *usb, const struct frame *frame, struct gud_problem *problem)
+{
+    const size_t line = gud_line_bytes(usb->choice.format, frame->width);
+    const uint16_t lines = (uint16_t)(usb->choice.max_bytes / line);
+    uint8_t *data = malloc(usb->choice.max_bytes);
+    if (!data)
+        fail("%s: out of memory", usb->name);
+    int fault = 0;
+    for (unsigned y = 0; y < frame->height && !fault; y += lines) { /* y + lines may be more than 16 bits hold */
+        const uint16_t left = (uint16_t)(frame->height - y);
+        const struct glint_box box = {0, (uint16_t)y, frame->width, left < lines ? left : lines};
+        const size_t bytes = gud_box_bytes(usb->choice.format, &box);
+        gud_box_pack(usb->choice.format, frame, &box, data);
+        fault = send_pieces(usb, &(struct piece){box, false, bytes, bytes, data}, 1, true, problem);
+        if (!fault) {
+            fault = usb_bulk_wait(&usb->port);
+            if (fault)
+                gud_problem_is(problem, (enum gud_link_fault)fault, "the picture's data: %s",
+                               gud_fault_words((enum gud_link_fault)fault));
+        }
+    }
+    free(data);
+    return fault;
+}
+
+/* What the display shows is not known: everything from the start. */
+static int restart(struct usb_sink *usb, const struct frame *frame, struct gud_problem *problem)
+{
+    usb->port.fault = 0;
+    if (!usb_port_claim_again(&usb->port, usb_options.detach ? &usb->detached : NULL, problem) ||
+        !gud_start(&usb->link, &usb->display, &usb->choice, problem))
+        return problem->fault;
+    return send_whole(usb, frame, problem);
+}
+
+/* What is under way in a reset ends as if the device were gone, too. */
+static bool is_gone(struct usb_sink *usb)
+{
+    enum { MOMENT_MS = 100 };
+    uint8_t status;
+    pause_ms(MOMENT_MS);
+    return usb_control(&usb->port, true, GUD_GET_STATUS, 0, &status, 1) == GUD_LINK_GONE;
+}
+
+static enum sink_result usb_send(struct sink *sink, const struct frame *frame, const struct piece *pieces, size_t count)
+{
+    enum { TRIES = 3, PAUSE_MS = 300 /* a device that is gone is known to be after such a time */ };
+    struct usb_sink *usb = of(sink);
+    struct gud_problem problem = {0};
+    int fault = send_pieces(usb, pieces, count, !usb->full_update, &problem);
+    for (unsigned i = 0; fault && fault != GUD_LINK_STOPPED; i++) {
+        if (fault == GUD_LINK_GONE && is_gone(usb))
+            break;
+        if (i == TRIES)
+            fail("%s: %s, also after %d new starts; plug it in again", usb->name, problem.text, TRIES);
+        if (i == 0)
+            warn("%s: %s; starting it anew", usb->name, problem.text);
+        pause_ms(PAUSE_MS);
+        fault = stream_stopped() ? GUD_LINK_STOPPED : restart(usb, frame, &problem);
+    }
+    if (fault == GUD_LINK_STOPPED)
+        return SINK_INTERRUPTED;
+    usb->gone = fault == GUD_LINK_GONE;
+    if (usb->gone && !usb_options.wait)
+        fail("%s: unplugged; start again when it is back, or use --wait", usb->name);
+    if (usb->gone)
+        warn("%s: unplugged; waiting for its return", usb->name);
+    return usb->gone ? SINK_GONE : SINK_SENT;
+}
+
+static void usb_close(struct sink *sink)
+{
+    struct usb_sink *usb = of(sink);
+    const int fault = usb->gone ? 0 : usb_bulk_wait(&usb->port);
+    if (fault == GUD_LINK_GONE)
+        usb->gone = true;
+    if (fault && fault != GUD_LINK_STOPPED)
+        warn("%s: the last picture: %s", usb->name, gud_fault_words((enum gud_link_fault)fault));
+    leave(usb, true);
+}
+
+static char *usb_library(void)
+{
+    const struct libusb_version *version = libusb_get_version();
+    char *text;
+    return asprintf(&text, "libusb %u.%u.%u", version->major, version->minor, version->micro) < 0 ? NULL : text;
+}
+
+static const struct argp *const usb_argps[] = {&usb_argp, NULL};
+
+const struct sink_kind sink_usb = {
+    .name = "usb",
+    .nature = SINK_DEVICE,
+    .summary = "a USB display that speaks GUD, by libusb",
+    .options = usb_argps,
+    .examples = "  glint stream dial --to usb --stats\n"
+                "  glint stream --height wall.png --size 240x240 --to usb --shade device\n"
+                "  glint stream coin --to usb --usb-path 1-3.1 --wait\n",
+    .open = usb_open,
+    .box_bytes = usb_box_bytes,
+    .pack = usb_pack,
+    .send = usb_send,
+    .open_shader = usb_open_shader,
+    .send_scene = usb_send_scene,
+    .send_light = usb_send_light,
+    .close = usb_close,
+    .list = usb_list,
+    .list_print = usb_list_print,
+    .library = usb_library,
+};

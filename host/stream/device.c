@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT
+ * A stream to a device that shades by itself: the scene once, then lights. */
+#include <string.h>
+
+#include "bake/bake.h"
+#include "base/host.h"
+#include "stream/stream.h"
+
+static const char *colour_refusal(const struct scene *scene, uint8_t albedo[3])
+{
+    const size_t pixels = (size_t)scene->width * scene->height;
+    bool found = !scene->albedo;
+    for (size_t i = 0; i < pixels; i++) {
+        if (scene->mask && !scene->mask[i])
+            continue;
+        if (scene->gloss && scene->gloss[i] != 255)
+            return "the device has no gloss map; take a height or normal map, give --gloss a white picture, or shade "
+                   "here";
+        if (scene->albedo && found && memcmp(albedo, &scene->albedo[3 * i], 3) != 0)
+            return "the device draws one colour; give it by --color, or shade here";
+        if (scene->albedo)
+            memcpy(albedo, &scene->albedo[3 * i], 3);
+        found = true;
+    }
+    return NULL;
+}
+
+const char *device_refusal(const struct scene *scene, const struct shading *shading, struct glint_shader *shader)
+{
+    struct shading by_tables = *shading;
+    unsigned path = 0;
+    while (strcmp(path_names[path], "colour-int8") != 0)
+        path++;
+    if (shading->path != 0 && shading->path != path)
+        return "the device takes --path colour-int8; leave out --path";
+    by_tables.path = path;
+    if (path_refusal(&by_tables))
+        return path_refusal(&by_tables);
+    *shader = shading_shader(&by_tables);
+    return colour_refusal(scene, shader->material.albedo);
+}
+
+enum sink_result device_send_scene(struct sink *sink, const struct scene *scene, const struct shading *shading)
+{
+    struct glint_shader shader;
+    const char *refusal = device_refusal(scene, shading, &shader);
+    if (refusal)
+        fail("--shade device: %s", refusal);
+    struct baked *baked = bake(scene, BAKE_INT8, 0);
+    const enum sink_result result = sink->kind->send_scene(sink, &shader, baked->words);
+    baked_free(baked);
+    return result;
+}
+
+enum sink_result device_send_light(struct sink *sink, const struct shading *shading, struct plan_result *result)
+{
+    int32_t to_light[3];
+    direction_integers(shading->lamps[0].direction, to_light);
+    *result = (struct plan_result){.count = 1,
+                                   .changed = (size_t)sink->width * sink->height,
+                                   .whole_bytes = format_line_bytes(sink->format, sink->width) * sink->height};
+    return sink->kind->send_light(sink, to_light, &result->bytes);
+}

@@ -1,0 +1,248 @@
+/* SPDX-License-Identifier: MIT
+ * The loop of glint stream: light, shade, plan, send; and how it ends. */
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "base/host.h"
+#include "stream/stream.h"
+
+enum { USUAL_WIDTH = 320, USUAL_HEIGHT = 240 }; /* of built-in scenes */
+
+/* ---- the sink ---- */
+
+static struct sink *open_sink; /* to be closed however the program ends */
+
+static void close_sink(void)
+{
+    struct sink *sink = open_sink;
+    open_sink = NULL;
+    if (sink)
+        sink->kind->close(sink);
+}
+
+/* ---- signals ---- */
+
+static volatile sig_atomic_t stop_signal;
+
+bool stream_stopped(void)
+{
+    return stop_signal != 0;
+}
+
+/* The first asks, the second does not wait. */
+static void on_stop(int number)
+{
+    if (stop_signal) {
+        const char *words = open_sink ? open_sink->last_words : NULL;
+        if (words && write(STDOUT_FILENO, words, strlen(words)) < 0)
+            words = NULL; /* there is nothing more to do */
+        output_discard_all();
+        signal(number, SIG_DFL);
+        raise(number);
+    }
+    stop_signal = number;
+}
+
+static void catch_signals(void)
+{
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
+        struct sigaction now;
+        sigaction(signals[i], NULL, &now);
+        if (now.sa_handler == SIG_IGN)
+            continue;
+        now = (struct sigaction){.sa_handler = on_stop}; /* without SA_RESTART: waiting ends */
+        sigaction(signals[i], &now, NULL);
+    }
+}
+
+/* ---- time ---- */
+
+double seconds_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* In short sleeps: a signal just before one would not end it. */
+static void wait_until(double seconds)
+{
+    for (double now = seconds_now(); now < seconds && !stream_stopped(); now = seconds_now()) {
+        const double sleep = fmin(seconds - now, .2);
+        nanosleep(&(struct timespec){0, (long)(1e9 * sleep)}, NULL);
+    }
+}
+
+/* ---- the stream ---- */
+
+struct stream {
+    const struct stream_options *options;
+    struct sink_wish wish;
+    struct scene *scene;
+    struct shading shading;
+    struct canvas *canvas;
+    struct light_path *path;
+    struct plan *plan;
+    struct stream_stats *stats;
+    uint8_t *pixels[2]; /* of this frame and of the one before, in turn */
+    bool known;         /* the sink shows the frame before */
+};
+
+static void choose_size(struct stream *stream, const struct scene_maps *maps)
+{
+    const struct scene_options *scene = &stream->options->look.scene;
+    uint32_t width, height;
+    scene_maps_size(maps, &width, &height);
+    if (width > SIDE_MAX || height > SIDE_MAX)
+        fail("the map is %ux%u pixels; a stream has at most %d a side: cut it by --size", width, height, SIDE_MAX);
+    stream->wish =
+        (struct sink_wish){.width = (uint16_t)scene->width,
+                           .height = (uint16_t)scene->height,
+                           .format = stream->options->look.has_format ? (int)stream->options->look.shading.format : -1,
+                           .default_width = (uint16_t)(width ? width : USUAL_WIDTH),
+                           .default_height = (uint16_t)(height ? height : USUAL_HEIGHT),
+                           .output = stream->options->output};
+}
+
+static struct sink *open_wished(const struct stream *stream)
+{
+    const struct sink_kind *kind = stream->options->kind;
+    return (stream->options->shade_device ? kind->open_shader : kind->open)(&stream->wish);
+}
+
+/* False where interrupted. */
+static bool start(struct stream *stream)
+{
+    const struct stream_options *options = stream->options;
+    struct scene_maps *maps = scene_maps_read(&options->look.scene);
+    stream->path = light_path_new(options); /* files are opened before anything is done to a device */
+    choose_size(stream, maps);
+    catch_signals(); /* until here one ends the program at once */
+    open_sink = open_wished(stream);
+    if (!open_sink)
+        return false;
+    const struct sink *sink = open_sink;
+    stream->scene = scene_of_shading_options(&options->look, maps, sink->width, sink->height);
+    scene_maps_free(maps);
+    stream->shading = shading_of_options(&options->look, sink->format, stream->scene);
+    shading_options_check(NULL, &stream->shading);
+    stream->canvas = canvas_new(stream->scene, &stream->shading);
+    light_path_start(stream->path, options, &stream->shading, sink->width, sink->height);
+    stream->plan = plan_new(sink);
+    stream->stats = stats_new(sink);
+    for (unsigned i = 0; i < 2; i++)
+        stream->pixels[i] = allocate(sink->height, format_line_bytes(sink->format, sink->width));
+    return true;
+}
+
+static void end(struct stream *stream)
+{
+    close_sink();
+    plan_free(stream->plan);
+    stats_free(stream->stats);
+    light_path_free(stream->path);
+    canvas_free(stream->canvas);
+    scene_free(stream->scene);
+    free(stream->pixels[0]);
+    free(stream->pixels[1]);
+}
+
+/* The device is looked for again, and is to be the same. */
+static bool find_again(struct stream *stream)
+{
+    const struct sink old = *open_sink;
+    close_sink();
+    stream->known = false;
+    open_sink = open_wished(stream);
+    if (!open_sink)
+        return false;
+    if (open_sink->width != old.width || open_sink->height != old.height || open_sink->format != old.format)
+        fail("%s: came back as a display of %ux%u, not %ux%u; start again for that one", open_sink->name,
+             open_sink->width, open_sink->height, old.width, old.height);
+    plan_free(stream->plan);
+    stream->plan = plan_new(open_sink);
+    return true;
+}
+
+/* To a device that shades: the scene where it does not have it, and the light. */
+static bool send_light(struct stream *stream)
+{
+    struct plan_result result;
+    for (;;) {
+        enum sink_result sent =
+            stream->known ? SINK_SENT : device_send_scene(open_sink, stream->scene, &stream->shading);
+        if (sent == SINK_SENT)
+            sent = device_send_light(open_sink, &stream->shading, &result);
+        if (sent == SINK_SENT) {
+            stream->known = true;
+            stats_add(stream->stats, &result);
+            return true;
+        }
+        if (sent == SINK_INTERRUPTED || !find_again(stream))
+            return false;
+    }
+}
+
+/* Frame `index`; false where it is the end. */
+static bool send_frame(struct stream *stream, unsigned long index)
+{
+    const double fps = stream->options->fps > 0 ? stream->options->fps : USUAL_FPS;
+    if (!light_path_next(stream->path, (double)index / fps, &stream->shading) || stream_stopped())
+        return false;
+    if (stream->options->shade_device)
+        return send_light(stream);
+    uint8_t *pixels = stream->pixels[index % 2];
+    canvas_draw(stream->canvas, &stream->shading, pixels);
+    for (;;) {
+        struct sink *sink = open_sink;
+        const struct frame frame = {sink->width, sink->height, sink->format,
+                                    format_line_bytes(sink->format, sink->width), pixels};
+        const uint8_t *last = stream->known ? stream->pixels[(index + 1) % 2] : NULL;
+        const struct plan_result result = plan_frame(stream->plan, last, &frame);
+        const bool wanted = result.count || sink->kind->nature == SINK_FILES;
+        const enum sink_result sent = wanted ? sink->kind->send(sink, &frame, result.pieces, result.count) : SINK_SENT;
+        if (sent == SINK_SENT) {
+            stream->known = true;
+            stats_add(stream->stats, &result);
+            return true;
+        }
+        if (sent == SINK_INTERRUPTED || !find_again(stream))
+            return false;
+    }
+}
+
+static void run(struct stream *stream)
+{
+    const struct stream_options *options = stream->options;
+    const bool paced = options->fps > 0 && options->kind->nature == SINK_DEVICE;
+    const bool shown = options->stats && !(options->kind->takes_standard_output && isatty(STDOUT_FILENO));
+    const double began = seconds_now();
+    for (unsigned long i = 0; !options->frames || i < options->frames; i++) {
+        if (paced)
+            wait_until(began + (double)i / options->fps);
+        if (!send_frame(stream, i))
+            break;
+        if (shown)
+            stats_show(stream->stats);
+    }
+    progress_end();
+}
+
+int stream_run(const struct stream_options *options)
+{
+    struct stream stream = {.options = options};
+    atexit(close_sink); /* after fail(), too */
+    if (start(&stream)) {
+        run(&stream);
+        close_sink();
+        if (options->stats || options->json)
+            stats_print(stream.stats, options->json, options->kind->takes_standard_output ? stderr : stdout);
+    }
+    end(&stream);
+    return stop_signal ? 128 + stop_signal : EXIT_GOOD;
+}

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT
+ * Blinn and Phong, eq. (1): F = c^n. */
+#include "glint_internal.h"
+
+static uint64_t power_of(uint32_t n, uint32_t t)
+{
+    return glint_power((uint64_t)(GLINT_T_ONE - t) << 34, n);
+}
+
+/* Within 2^-37 ulp before rounding, which is enough: no c_q16 but the tie c = 1/2, n = 17, where the power is exact,
+ * lies that near to a half. (From t some may: 0.501 ulp is promised.) */
+uint32_t glint_blinn_t(uint32_t n, uint32_t t)
+{
+    if (t >= GLINT_T_ONE)
+        return 0;
+    if (t == 0)
+        return (uint32_t)GLINT_C_ONE; /* 1.0 has no place in Q0.64 */
+    return glint_power_round(power_of(glint_clamp_n(n), t));
+}
+
+uint32_t glint_blinn(uint32_t n, int32_t c_q16)
+{
+    return glint_blinn_t(n, glint_t_of_c(c_q16));
+}
+
+/* Powers of two, where F = 2^-q can hold exactly, are exact; elsewhere the margin is tested for every n and q. */
+static bool reaches(uint32_t n, uint32_t t, unsigned q)
+{
+    return power_of(n, t) >> (64 - q) != 0;
+}
+
+uint32_t glint_blinn_cutoff_t(uint32_t n, unsigned q)
+{
+    return q == 0 ? 0 : glint_largest_t(reaches, n, q); /* F >= 1 only at t = 0 */
+}
+
+uint32_t glint_blinn_cutoff(uint32_t n, unsigned q)
+{
+    return glint_c_of_cutoff_t(glint_blinn_cutoff_t(n, q));
+}

@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: MIT
+ * Modified Schlick, eq. (5): F = 2c / (1.25 (n - nc + 1.25c)^2).
+ *
+ * With C = 2^16 c and E = 2^16 (4n(1 - c) + 5c), 2^18 <= E < 2^28:  F 2^16 = 2^39 C / (5 E^2). Small cores divide slowly or
+ * not at all, so F comes from an approximate reciprocal, and where that does not settle the rounding, from an exact
+ * comparison of products. There are no ties for integer n. */
+#include "glint_internal.h"
+
+/* y, nearly 2^35 / m, for 2^27 <= m < 2^28 by m's upper bits: |y m / 2^35 - 1| < 0.00904. Printed by
+ * tests/exact/msh_reciprocals.py. */
+/* clang-format off */
+static const uint8_t reciprocal[64] = {
+    254, 250, 246, 243, 239, 236, 232, 229, 226, 223, 220, 217, 214, 211, 209, 206,
+    204, 201, 199, 196, 194, 192, 189, 187, 185, 183, 181, 179, 177, 175, 173, 172,
+    170, 168, 166, 165, 163, 161, 160, 158, 157, 155, 154, 152, 151, 150, 148, 147,
+    146, 144, 143, 142, 141, 139, 138, 137, 136, 135, 134, 133, 132, 131, 130, 128,
+};
+/* clang-format on */
+
+/* 2^71 C / (5 m^2) for C = u / 2^8 <= 2^16, within 2400; less than 0.4 * 2^32. With y m = 2^35 (1 + r),
+ * 1 / m^2 = y^2 2^-70 (1 + p), p = -2r + 3r^2 - 4r^3 + .. Products of 32 bits only, and all that fits is kept. */
+static inline uint32_t quotient(uint32_t u_q24, uint32_t m)
+{
+    const uint32_t y = reciprocal[(m >> 21) - 64];
+    const int32_t r = (int32_t)(m * y) >> 14;                  /* Q21, |r| < 18960: 2^35 is 0 modulo 2^32. Low by < 1 */
+    const int32_t p = (r * (3 * r - (r * r >> 19)) >> 22) - r; /* Q20, |p| < 19300, within 1.1: r and >> err apart */
+    const uint32_t b = (u_q24 * y >> 8) * y;                   /* y^2 C < 254^2 2^16 < 2^32. Low by < 254 */
+    /* 2^70 C / m^2, off by 1.1 * 2^12 of p + 19300 / 2^4 of b >> 16 + 254 of b + 1 < 5970; less than 2^32: m is near
+     * 1.25 * 2^27 where C is near 2^16, elsewhere the whole steps of C missing leave 2^16 each */
+    const uint32_t x = b + (uint32_t)((int32_t)(b >> 16) * p >> 4);
+    uint32_t q = (x >> 2) + (x >> 3); /* 2/5 x = 3/8 x (1 + 1/16) (1 + 1/256) (1 + 1/65536). Low by < 6 */
+    q += q >> 4;
+    q += q >> 8;
+    return q + (q >> 16);
+}
+
+/* E = 2^-s m, 2^27 <= m < 2^28: then F 2^16 = 2^(2s - 32) times the quotient. */
+struct scaled {
+    uint32_t m;
+    unsigned shift; /* 32 - 2s, 14 .. 30 */
+};
+
+static inline struct scaled scale(uint32_t e) /* 2^18 <= e < 2^27 */
+{
+    struct scaled a = {e << 1, 30};
+    if (a.m >> 20 == 0) {
+        a.m <<= 8;
+        a.shift -= 16;
+    }
+    if (a.m >> 24 == 0) {
+        a.m <<= 4;
+        a.shift -= 8;
+    }
+    unsigned top = (unsigned)(a.m >> 24); /* a byte: cores without a barrel shifter have it for nothing */
+    if (top < 4) {
+        a.m <<= 2;
+        top <<= 2;
+        a.shift -= 4;
+    }
+    if (top < 8) {
+        a.m <<= 1;
+        a.shift -= 2;
+    }
+    return a;
+}
+
+/* F 2^16, rounded, is low or high. They differ for one pixel in 30 of a highlight of n = 60 (q = 8), one in 11 at n = 10. */
+struct range {
+    uint32_t low, high; /* high <= low + 1 */
+};
+enum { SLACK = 2560 }; /* 2400, and from t, where u and m are cut by < 1 each, 254 * 254 / 2^8 * 2/5 < 101 or 26 */
+
+static inline struct range candidates(uint32_t u_q24, struct scaled a)
+{
+    const uint32_t q = quotient(u_q24, a.m) + ((uint32_t)1 << (a.shift - 1));
+    const struct range f = {(q - SLACK) >> a.shift, (q + SLACK) >> a.shift};
+    return f;
+}
+
+/* E, <= 4000 * 2^16. (For n = 1 the factor is -1, modulo 2^32.) */
+static inline uint32_t denominator(uint32_t n, uint32_t c)
+{
+    return (4 * n - 5) * ((uint32_t)GLINT_C_ONE - c) + 5 * (uint32_t)GLINT_C_ONE;
+}
+
+uint32_t glint_msh(uint32_t n, int32_t c_q16)
+{
+    if (c_q16 <= 0)
+        return 0;
+    const uint32_t c = c_q16 < GLINT_C_ONE ? (uint32_t)c_q16 : (uint32_t)GLINT_C_ONE;
+    const uint32_t e = denominator(glint_clamp_n(n), c);
+    if (e >> 27)
+        return 0; /* F 2^16 < 0.4 */
+    const struct range f = candidates(c << 8, scale(e));
+    if (f.low == f.high)
+        return f.low;
+    const uint64_t d = 5 * ((uint64_t)e * e);
+    return (2 * f.high - 1) * d > (uint64_t)c << 40 ? f.low : f.high; /* < 2^58 */
+}
+
+/* F >= 2^-q  <=>  C 2^(23+q) >= 5 E^2 < 2^59. F rises with C, so the smallest such C is found by bisection; it exists,
+ * as F(1) = 1.024. The closed form (12) is exact nowhere and singular at n = 1.25. */
+uint32_t glint_msh_cutoff(uint32_t n, unsigned q)
+{
+    n = glint_clamp_n(n);
+    q = glint_clamp_q(q);
+    uint32_t below = 0;
+    for (uint32_t bit = 32768; bit; bit >>= 1) {
+        const uint32_t c = below + bit;
+        const uint64_t e = denominator(n, c);
+        if ((uint64_t)(c << q) << 23 < 5 * (e * e))
+            below = c;
+    }
+    return below + 1;
+}
+
+/* With U = 2^30 (1 - t), 2^14 E = (4n - 5) T + 5 2^30 has 14 bits more; n = 1 makes the factor -1. */
+struct denominator {
+    uint32_t e;        /* floor(E), 2^18 <= e <= 4000 2^16 */
+    uint32_t fraction; /* Q14 */
+};
+
+static inline struct denominator denominator_of_t(uint32_t n, uint32_t t)
+{
+    const int32_t k = 4 * (int32_t)n - 5;
+    const int32_t low = k * (int32_t)(t & 0x3fff); /* < 2^26 */
+    const struct denominator d = {(uint32_t)(k * (int32_t)(t >> 14) + 5 * GLINT_C_ONE + (low >> 14)),
+                                  (uint32_t)low & 0x3fff};
+    return d;
+}
+
+/* F >= m 2^-17, exactly, for 0 < m < 2^18:  U 2^54 >= 5m (2^14 E)^2, in digits of base 2^21. */
+static bool at_least(uint32_t u, struct denominator d, uint32_t m)
+{
+    const uint64_t e = (uint64_t)d.e << 14 | d.fraction; /* < 2^42 */
+    const uint64_t high = e >> 21, low = e & 0x1fffff, five_m = 5 * m;
+    const uint64_t digit0 = five_m * (low * low);                         /* < 2^63 */
+    const uint64_t digit1 = 2 * (five_m * (high * low)) + (digit0 >> 21); /* < 2^64 */
+    const uint64_t digit2 = five_m * (high * high) + (digit1 >> 21);
+    const uint64_t left = (uint64_t)u << 12;
+    return left > digit2 || (left == digit2 && !(digit1 & 0x1fffff) && !(digit0 & 0x1fffff));
+}
+
+uint32_t glint_msh_t(uint32_t n, uint32_t t)
+{
+    if (t >= GLINT_T_ONE)
+        return 0;
+    const uint32_t u = GLINT_T_ONE - t;
+    const struct denominator d = denominator_of_t(glint_clamp_n(n), t);
+    if (d.e >> 27)
+        return 0; /* F 2^16 < 0.4 */
+    struct scaled a = scale(d.e);
+    a.m |= d.fraction >> (a.shift / 2 - 2); /* 14 - s */
+    const struct range f = candidates(u >> 6, a);
+    return f.low == f.high || !at_least(u, d, 2 * f.high - 1) ? f.low : f.high;
+}
+
+static bool reaches(uint32_t n, uint32_t t, unsigned q)
+{
+    return at_least(GLINT_T_ONE - t, denominator_of_t(n, t), (uint32_t)1 << (17 - q));
+}
+
+uint32_t glint_msh_cutoff_t(uint32_t n, unsigned q)
+{
+    return glint_largest_t(reaches, n, q);
+}

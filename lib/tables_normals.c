@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT
+ * Normals, packed. What is lost is x and y's precision; z is chosen so that the length, and with it t, stays right. */
+#include "glint_internal.h"
+
+static uint32_t root(uint32_t square) /* to nearest */
+{
+    const uint32_t floor = glint_root(square);
+    return floor + (square - floor * floor > floor);
+}
+
+static int32_t nearest(int32_t value, unsigned bits, int32_t limit)
+{
+    const int32_t rounded = (value + ((int32_t)1 << bits >> 1)) >> bits;
+    return rounded > limit ? limit : rounded < -limit ? -limit : rounded;
+}
+
+/* z > 0 and |z| at least 1, so that no normal reads as no surface. */
+uint32_t glint_normals_pack(enum glint_normals format, const struct glint_vec *normal)
+{
+    const bool is_8 = format == GLINT_NORMALS_INT8;
+    if (!(normal->x | normal->y | normal->z) || !(is_8 || format == GLINT_NORMALS_INT10))
+        return 0;
+    const unsigned bits = is_8 ? 8 : 6, z_bits = is_8 ? 0 : 4;
+    const int32_t limit = is_8 ? 127 : 511, z_limit = is_8 ? 32767 : 2047;
+    const int32_t x = nearest(normal->x, bits, limit), y = nearest(normal->y, bits, limit);
+    const int32_t xq = x * ((int32_t)1 << bits), yq = y * ((int32_t)1 << bits);
+    const int64_t rest = ((int64_t)1 << 30) - (int64_t)xq * xq - (int64_t)yq * yq;
+    int32_t z = nearest(rest > 0 ? (int32_t)root((uint32_t)rest) : 0, z_bits, z_limit);
+    z = z < 1 ? 1 : z;
+    z = normal->z < 0 ? -z : z;
+    if (is_8)
+        return (uint32_t)z << 16 | ((uint32_t)(256 * y + x) & 0xffff);
+    return (uint32_t)x << 22 | ((uint32_t)y & 1023) << 12 | ((uint32_t)z & 4095);
+}

@@ -1,0 +1,280 @@
+/* SPDX-License-Identifier: MIT
+ * The panel driver: what it sends, when, and what it refuses. */
+#include <stdio.h>
+#include <string.h>
+
+#include "panel.h"
+#include "sinks/panel/options.h"
+#include "unit.h"
+
+/* ---- a bus that writes down what happens ---- */
+
+enum kind { COMMAND, DATA, RESET, LIGHT, WAIT };
+struct happening {
+    enum kind kind;
+    unsigned value; /* the command, the byte, on or off, ms */
+};
+static struct happening record[4096];
+static size_t happenings, calls, calls_that_work;
+
+static bool happen(enum kind kind, unsigned value)
+{
+    assert_true(happenings < sizeof record / sizeof *record);
+    record[happenings++] = (struct happening){kind, value};
+    return true;
+}
+
+static bool works(void)
+{
+    return calls++ < calls_that_work;
+}
+
+static bool on_command(void *context, uint8_t command)
+{
+    (void)context;
+    return works() && happen(COMMAND, command);
+}
+
+static bool on_data(void *context, const uint8_t *bytes, size_t count)
+{
+    (void)context;
+    if (!works())
+        return false;
+    for (size_t i = 0; i < count; i++)
+        happen(DATA, bytes[i]);
+    return true;
+}
+
+static bool on_reset(void *context, bool active)
+{
+    (void)context;
+    return works() && happen(RESET, active);
+}
+
+static bool on_backlight(void *context, uint8_t percent)
+{
+    (void)context;
+    return works() && happen(LIGHT, percent);
+}
+
+static void on_wait(void *context, unsigned ms)
+{
+    (void)context;
+    happen(WAIT, ms);
+}
+
+static const struct panel_bus bus = {on_command, on_data, on_reset, on_backlight, on_wait, NULL};
+static const struct panel_bus bare_bus = {on_command, on_data, NULL, NULL, on_wait, NULL};
+
+static struct panel made(const struct panel_bus *on, enum panel_controller controller, unsigned rotation,
+                         unsigned width, unsigned height)
+{
+    struct panel panel = {.bus = on};
+    assert_true(panel_defaults(&panel, controller, (uint8_t)rotation, (uint16_t)width, (uint16_t)height));
+    happenings = calls = 0;
+    calls_that_work = SIZE_MAX;
+    return panel;
+}
+
+/* Where a happening is in the record. */
+static size_t place_of(enum kind kind, unsigned value)
+{
+    for (size_t i = 0; i < happenings; i++)
+        if (record[i].kind == kind && record[i].value == value)
+            return i;
+    fail_msg("%d, %u did not happen", (int)kind, value);
+    return 0;
+}
+
+static unsigned ms_between(size_t first, size_t last)
+{
+    unsigned ms = 0;
+    for (size_t i = first; i < last; i++)
+        ms += record[i].kind == WAIT ? record[i].value : 0;
+    return ms;
+}
+
+static const unsigned glasses[][3] = {{PANEL_ST7789, 240, 320}, {PANEL_ST7789, 240, 280}, {PANEL_ST7789, 240, 240},
+                                      {PANEL_ST7789, 172, 320}, {PANEL_ST7789, 170, 320}, {PANEL_ST7789, 135, 240},
+                                      {PANEL_ILI9341, 240, 320}};
+enum { GLASSES = sizeof glasses / sizeof *glasses };
+
+/* ---- tests ---- */
+
+static void windows_are_where_drivers_in_wide_use_put_them(void **state)
+{
+    (void)state;
+    static const struct {
+        unsigned width, height, starts[4][2];
+    } known[] = {{135, 240, {{52, 40}, {40, 53}, {53, 40}, {40, 52}}}, {240, 240, {{0, 0}, {0, 0}, {0, 80}, {80, 0}}},
+                 {240, 280, {{0, 20}, {20, 0}, {0, 20}, {20, 0}}},     {170, 320, {{35, 0}, {0, 35}, {35, 0}, {0, 35}}},
+                 {172, 320, {{34, 0}, {0, 34}, {34, 0}, {0, 34}}},     {240, 320, {{0, 0}, {0, 0}, {0, 0}, {0, 0}}}};
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        for (unsigned rotation = 0; rotation < 4; rotation++) {
+            const unsigned *sides[2] = {&known[i].width, &known[i].height};
+            const unsigned width = *sides[rotation % 2], height = *sides[1 - rotation % 2];
+            const struct panel panel = made(&bus, PANEL_ST7789, rotation, width, height);
+            assert_true(panel_window(&panel, 3, 5, (uint16_t)(width - 3), (uint16_t)(height - 5)));
+            const unsigned x = known[i].starts[rotation][0], y = known[i].starts[rotation][1];
+            const unsigned wanted[] = {0x2a, 0, x + 3, (x + width - 1) >> 8,  (x + width - 1) & 255,
+                                       0x2b, 0, y + 5, (y + height - 1) >> 8, (y + height - 1) & 255,
+                                       0x2c};
+            assert_int_equal(happenings, sizeof wanted / sizeof *wanted);
+            for (size_t k = 0; k < happenings; k++) {
+                assert_int_equal(record[k].kind, k % 5 == 0 ? COMMAND : DATA);
+                assert_int_equal(record[k].value, wanted[k]);
+            }
+        }
+    }
+}
+
+static void the_picture_is_turned_as_drivers_in_wide_use_turn_it(void **state)
+{
+    (void)state;
+    static const unsigned wanted[2][4] = {{0x00, 0x60, 0xc0, 0xa0}, {0x48, 0x28, 0x88, 0xe8}};
+    for (unsigned controller = 0; controller < 2; controller++) {
+        for (unsigned rotation = 0; rotation < 4; rotation++) {
+            const struct panel panel = made(&bus, (enum panel_controller)controller, rotation, rotation % 2 ? 320 : 240,
+                                            rotation % 2 ? 240 : 320);
+            assert_true(panel_start(&panel));
+            assert_int_equal(record[place_of(COMMAND, PANEL_MADCTL) + 1].value, wanted[controller][rotation]);
+        }
+    }
+}
+
+static void a_start_gives_the_controller_its_time_and_shows_nothing(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < GLASSES; i++) {
+        const struct panel panel = made(&bus, (enum panel_controller)glasses[i][0], 0, glasses[i][1], glasses[i][2]);
+        assert_true(panel_start(&panel));
+        const size_t awake = place_of(COMMAND, PANEL_SLEEP_OUT);
+        assert_int_equal(place_of(LIGHT, 0), 0);
+        assert_true(ms_between(place_of(RESET, 1), place_of(RESET, 0)) >= 1);
+        assert_true(ms_between(place_of(RESET, 0), awake) >= 120);
+        assert_true(ms_between(awake, happenings) >= 120);
+        assert_int_equal(record[place_of(COMMAND, PANEL_PIXEL_FORMAT) + 1].value, 0x55);
+        for (size_t k = 0; k < happenings; k++)
+            assert_false((record[k].kind == COMMAND && record[k].value == PANEL_DISPLAY_ON) ||
+                         (record[k].kind == LIGHT && record[k].value));
+    }
+}
+
+static void the_light_shines_on_a_display_that_is_on_only(void **state)
+{
+    (void)state;
+    const struct panel panel = made(&bus, PANEL_ST7789, 0, 240, 240);
+    assert_true(panel_show(&panel, 37));
+    assert_true(place_of(LIGHT, 37) > place_of(COMMAND, PANEL_DISPLAY_ON));
+    happenings = 0;
+    assert_true(panel_stop(&panel));
+    assert_true(place_of(LIGHT, 0) < place_of(COMMAND, PANEL_DISPLAY_OFF));
+    assert_true(place_of(COMMAND, PANEL_DISPLAY_OFF) < place_of(COMMAND, PANEL_SLEEP_IN));
+    assert_true(ms_between(place_of(COMMAND, PANEL_SLEEP_IN), happenings) >= 5);
+}
+
+static void the_tearing_line_is_driven_where_it_is_wired(void **state)
+{
+    (void)state;
+    struct panel panel = made(&bus, PANEL_ST7789, 0, 240, 240);
+    assert_true(panel_start(&panel));
+    for (size_t k = 0; k < happenings; k++)
+        assert_false(record[k].kind == COMMAND && record[k].value == 0x35);
+    happenings = 0;
+    panel.tearing_line = true;
+    assert_true(panel_start(&panel));
+    const size_t at = place_of(COMMAND, 0x35);
+    assert_true(record[at + 1].kind == DATA && record[at + 1].value == 0);
+}
+
+static void without_a_reset_line_the_command_resets(void **state)
+{
+    (void)state;
+    const struct panel panel = made(&bare_bus, PANEL_ILI9341, 1, 320, 240);
+    assert_true(panel_start(&panel) && panel_show(&panel, PANEL_BRIGHTEST) && panel_stop(&panel));
+    assert_int_equal(place_of(COMMAND, PANEL_SOFTWARE_RESET), 0);
+    assert_true(ms_between(0, place_of(COMMAND, PANEL_SLEEP_OUT)) >= 120);
+}
+
+static void a_bus_that_fails_at_any_call_fails_the_panel(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < GLASSES; i++) {
+        const struct panel panel = made(&bus, (enum panel_controller)glasses[i][0], 0, glasses[i][1], glasses[i][2]);
+        size_t whole = SIZE_MAX;
+        for (size_t limit = 0; limit <= whole; limit++) {
+            calls = happenings = 0;
+            calls_that_work = limit;
+            const bool good = panel_start(&panel) && panel_window(&panel, 0, 0, 1, 1) &&
+                              panel_show(&panel, PANEL_BRIGHTEST) && panel_stop(&panel);
+            assert_int_equal(good, limit == whole || calls <= limit);
+            assert_true(calls <= limit + 1); /* nothing is sent after a failure */
+            if (good)
+                whole = limit;
+        }
+        assert_true(whole > 10);
+    }
+}
+
+static void windows_beyond_the_picture_are_refused_and_send_nothing(void **state)
+{
+    (void)state;
+    const struct panel panel = made(&bus, PANEL_ST7789, 1, 240, 135);
+    static const uint16_t bad[][4] = {{0, 0, 0, 1},     {0, 0, 1, 0},     {0, 0, 241, 1},      {0, 0, 1, 136},
+                                      {240, 0, 1, 1},   {0, 135, 1, 1},   {1, 0, 240, 1},      {0, 1, 1, 135},
+                                      {65535, 0, 2, 1}, {0, 65535, 1, 2}, {1, 1, 65535, 65535}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        assert_false(panel_window(&panel, bad[i][0], bad[i][1], bad[i][2], bad[i][3]));
+    assert_int_equal(happenings, 0);
+    assert_true(panel_window(&panel, 239, 134, 1, 1));
+}
+
+static void glass_that_is_not_known_or_does_not_fit_is_refused(void **state)
+{
+    (void)state;
+    struct panel panel = {.bus = &bus};
+    assert_false(panel_defaults(&panel, PANEL_ST7789, 0, 320, 240)); /* lying, unturned */
+    assert_false(panel_fits(&panel));
+    assert_false(panel_start(&panel));
+    assert_false(panel_defaults(&panel, PANEL_ILI9341, 0, 240, 240));
+    assert_false(panel_defaults(&panel, PANEL_ST7789, 1, 160, 128));
+    assert_true(panel_fits(&panel)); /* its own offset may do */
+    panel.x_offset = PANEL_COLUMNS - 128;
+    assert_true(panel_fits(&panel));
+    panel.x_offset++;
+    assert_false(panel_fits(&panel));
+    assert_false(panel_defaults(&panel, PANEL_ST7789, 4, 240, 320));
+    assert_false(panel_fits(&panel));
+    assert_false(panel_defaults(&panel, PANEL_CONTROLLERS, 0, 240, 320));
+    assert_false(panel_fits(&panel));
+}
+
+static void colour_order_and_inversion_are_as_said_else_as_usual(void **state)
+{
+    (void)state;
+    const struct sink_wish wish = {.width = 240, .height = 240, .format = -1};
+    struct panel panel;
+    panel_of_options(&panel, &wish, false);
+    assert_true(panel.inverted && !panel.bgr);
+    assert_true(panel_options_set("pins.ini:1", "invert", "no") && panel_options_set("pins.ini:2", "bgr", "yes"));
+    panel_of_options(&panel, &wish, false);
+    assert_true(!panel.inverted && panel.bgr);
+    assert_false(panel_options_set("pins.ini:3", "contrast", "no"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(windows_are_where_drivers_in_wide_use_put_them),
+        cmocka_unit_test(the_picture_is_turned_as_drivers_in_wide_use_turn_it),
+        cmocka_unit_test(a_start_gives_the_controller_its_time_and_shows_nothing),
+        cmocka_unit_test(the_light_shines_on_a_display_that_is_on_only),
+        cmocka_unit_test(the_tearing_line_is_driven_where_it_is_wired),
+        cmocka_unit_test(without_a_reset_line_the_command_resets),
+        cmocka_unit_test(a_bus_that_fails_at_any_call_fails_the_panel),
+        cmocka_unit_test(windows_beyond_the_picture_are_refused_and_send_nothing),
+        cmocka_unit_test(glass_that_is_not_known_or_does_not_fit_is_refused),
+        cmocka_unit_test(colour_order_and_inversion_are_as_said_else_as_usual),
+    };
+    return cmocka_run_group_tests_name("panel", tests, NULL, NULL);
+}

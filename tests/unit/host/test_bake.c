@@ -1,0 +1,393 @@
+/* SPDX-License-Identifier: MIT
+ * glint bake: what its files hold, what they cost, what it refuses. */
+#include <jansson.h>
+
+#include "bake/bake.h"
+#include "files.h"
+#include "glint.h"
+
+enum { WIDTH = 12, HEIGHT = 8, PIXELS = WIDTH * HEIGHT };
+#define MASKED "--height heights.png --mask mask.png"
+
+static bool drawn(int pixel)
+{
+    return pixel % 7 > 2;
+}
+
+static int make_masked(void **state)
+{
+    uint16_t samples[PIXELS];
+    for (int i = 0; i < PIXELS; i++)
+        samples[i] = drawn(i) ? 255 : 0;
+    if (make_maps(state) != 0)
+        return -1;
+    make_png("mask.png", &(struct made_png){.width = WIDTH, .height = HEIGHT, .bits = 8, .samples = samples});
+    return 0;
+}
+
+static void bake_to(const char *options, const char *format, const char *file)
+{
+    char line[300];
+    snprintf(line, sizeof line, "$GLINT bake %s --to %s -o %s", options, format, file);
+    const struct run *result = run(line);
+    assert_string_equal(result->err, "");
+    assert_int_equal(result->status, 0);
+}
+
+static uint32_t word_at(const uint8_t *bytes, unsigned size)
+{
+    uint32_t word = 0;
+    for (unsigned i = size; i-- > 0;)
+        word = word << 8 | bytes[i];
+    return word;
+}
+
+static struct glint_vec vec_at(const uint8_t *bytes)
+{
+    return (struct glint_vec){(int16_t)word_at(bytes, 2), (int16_t)word_at(bytes + 2, 2),
+                              (int16_t)word_at(bytes + 4, 2)};
+}
+
+static void read_normals(const char *options, struct glint_vec normals[PIXELS])
+{
+    static uint8_t bytes[6 * PIXELS + 1];
+    bake_to(options, "int16", "out/normals.bin");
+    assert_int_equal(read_file("out/normals.bin", bytes, sizeof bytes), 6 * PIXELS);
+    for (int i = 0; i < PIXELS; i++)
+        normals[i] = vec_at(bytes + 6 * i);
+}
+
+static void the_16_bit_normals_are_of_length_1_and_0_where_the_mask_is_black(void **state)
+{
+    (void)state;
+    struct glint_vec normals[PIXELS];
+    read_normals(MASKED, normals);
+    for (int i = 0; i < PIXELS; i++) {
+        const struct glint_vec v = normals[i];
+        const int64_t square = (int64_t)v.x * v.x + (int64_t)v.y * v.y + (int64_t)v.z * v.z;
+        if (drawn(i))
+            assert_true(llabs(square - (1 << 30)) < 1 << 17);
+        else
+            assert_true(square == 0);
+    }
+}
+
+static void words_are_what_packing_gives(void **state)
+{
+    (void)state;
+    struct glint_vec normals[PIXELS];
+    static uint8_t bytes[4 * PIXELS + 1];
+    read_normals("--height heights.png", normals);
+    static const char *const names[] = {"int10", "int8"};
+    static const enum glint_normals formats[] = {GLINT_NORMALS_INT10, GLINT_NORMALS_INT8};
+    for (int f = 0; f < 2; f++) {
+        bake_to("--height heights.png", names[f], "out/words.bin");
+        assert_int_equal(read_file("out/words.bin", bytes, sizeof bytes), 4 * PIXELS);
+        for (int i = 0; i < PIXELS; i++)
+            assert_int_equal(word_at(bytes + 4 * i, 4), glint_normals_pack(formats[f], &normals[i]));
+    }
+}
+
+static void a_word_without_surface_counts_those_up_to_the_next_surface_in_its_line(void **state)
+{
+    (void)state;
+    struct glint_vec normals[PIXELS];
+    static uint8_t bytes[4 * PIXELS + 1];
+    read_normals(MASKED, normals);
+    for (int is_8 = 0; is_8 < 2; is_8++) {
+        const enum glint_normals format = is_8 ? GLINT_NORMALS_INT8 : GLINT_NORMALS_INT10;
+        bake_to(MASKED, is_8 ? "int8" : "int10", "out/words.bin");
+        read_file("out/words.bin", bytes, sizeof bytes);
+        int longest = 0;
+        for (int i = 0; i < PIXELS; i++) {
+            int run = 0;
+            while (i % WIDTH + run < WIDTH && normals[i + run].z == 0)
+                run++;
+            const uint32_t word = word_at(bytes + 4 * i, 4);
+            assert_int_equal(word, run ? (uint32_t)run << (is_8 ? 0 : 12) : glint_normals_pack(format, &normals[i]));
+            longest = run > longest ? run : longest;
+        }
+        assert_true(longest > 1 && longest < WIDTH);
+    }
+}
+
+static void a_palette_with_room_for_all_is_exact_and_its_first_entry_is_no_surface(void **state)
+{
+    (void)state;
+    struct glint_vec normals[PIXELS];
+    static uint8_t bytes[8 * PIXELS + 7];
+    read_normals(MASKED, normals);
+    bake_to(MASKED, "palette", "out/palette.bin");
+    const size_t len = read_file("out/palette.bin", bytes, sizeof bytes), entries = (len - 2 * PIXELS) / 6;
+    assert_int_equal(len, 6 * entries + 2 * PIXELS);
+    for (int i = 0; i < PIXELS; i++) {
+        const uint32_t offset = word_at(bytes + 6 * entries + 2 * i, 2);
+        assert_int_equal(offset % 2, 0);
+        assert_true(offset / 2 < entries);
+        assert_int_equal(offset == 0, normals[i].z == 0);
+        const struct glint_vec found = vec_at(bytes + 3 * offset);
+        assert_memory_equal(&found, &normals[i], sizeof found);
+    }
+}
+
+#define WARN "-Wall -Wextra -Wconversion -pedantic -Werror -I\"$GLINT_SOURCE/lib\" "
+
+static void c_source_compiles_in_c_and_cxx_and_holds_the_raw_bytes(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *format, *writes;
+    } cases[] = {
+        {"int16", "put(stone, sizeof stone);"},
+        {"int10", "put(stone, sizeof stone);"},
+        {"int8", "put(stone, sizeof stone);"},
+        {"palette:9", "put(stone_normals, sizeof stone_normals); put(stone, sizeof stone);"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char line[900];
+        bake_to(MASKED " --name stone", cases[i].format, "out/stone.h");
+        bake_to(MASKED, cases[i].format, "out/stone.bin");
+        snprintf(line, sizeof line,
+                 "printf '#include <stdio.h>\n#include \"stone.h\"\n"
+                 "static void put(const void *from, size_t len) { fwrite(from, 1, len, stdout); }\n"
+                 "int main(void) { %s return !(stone_width == %d && stone_height == %d); }\n' >out/t.c\n"
+                 "gcc -std=c99 " WARN "out/t.c -o out/t && out/t >out/c.bin &&\n"
+                 "g++ -std=c++11 " WARN "-x c++ out/t.c -o out/t && out/t >out/cxx.bin",
+                 cases[i].writes, WIDTH, HEIGHT);
+        assert_quiet(line);
+        assert_same_file("out/c.bin", "out/stone.bin");
+        assert_same_file("out/cxx.bin", "out/stone.bin");
+    }
+}
+
+static void uf2_blocks_are_well_formed_and_hold_the_raw_bytes(void **state)
+{
+    (void)state;
+    static uint8_t uf2[1 << 16], raw[1 << 14];
+    bake_to(MASKED " --address 0x10200000", "int10", "out/words.uf2");
+    bake_to(MASKED, "int10", "out/words.bin");
+    const size_t len = read_file("out/words.bin", raw, sizeof raw), blocks = (len + 255) / 256;
+    assert_true(len % 256 != 0); /* the last block is not full */
+    assert_int_equal(read_file("out/words.uf2", uf2, sizeof uf2), 512 * blocks);
+    for (uint32_t i = 0; i < blocks; i++) {
+        const uint8_t *block = uf2 + 512 * i;
+        const uint32_t wanted[] = {0x0a324655, 0x9e5d5157, 0x2000,           0x10200000 + 256 * i,
+                                   256,        i,          (uint32_t)blocks, 0xe48bff56};
+        for (int k = 0; k < 8; k++)
+            assert_int_equal(word_at(block + 4 * k, 4), wanted[k]);
+        assert_int_equal(word_at(block + 508, 4), 0x0ab16f30);
+        for (uint32_t k = 0; k < 476; k++)
+            assert_int_equal(block[32 + k], k < 256 && 256 * i + k < len ? raw[256 * i + k] : 0);
+    }
+    bake_to(MASKED, "int10", "out/default.uf2");
+    assert_int_equal(read_file("out/default.uf2", uf2, sizeof uf2), 512 * blocks);
+    assert_int_equal(word_at(uf2 + 12, 4), 0x10100000);
+}
+
+static void the_ending_or_the_option_decides_what_is_written(void **state)
+{
+    (void)state;
+    bake_to(MASKED, "int8", "out/a.bin");
+    bake_to(MASKED " --as raw", "int8", "out/a");
+    assert_same_file("out/a", "out/a.bin");
+    bake_to(MASKED, "int8", "out/a.C");
+    bake_to(MASKED " --as c", "int8", "out/a.bin2");
+    assert_same_file("out/a.C", "out/a.bin2");
+    const struct run *result = run("$GLINT bake " MASKED " -o - >out/a.stdout");
+    assert_int_equal(result->status, 0);
+    assert_contains(result->err, "int8, 12x8, 384 bytes");
+    assert_same_file("out/a.C", "out/a.stdout");
+}
+
+/* ---- quality ---- */
+
+struct figures {
+    int n;
+    double largest, mean, psnr_db;
+};
+
+static void read_figures(const char *options, struct figures figures[QUALITY_ROWS])
+{
+    char line[300];
+    snprintf(line, sizeof line, "$GLINT bake %s --json", options);
+    const struct run *result = run(line);
+    assert_int_equal(result->status, 0);
+    json_t *root = json_loads(result->out, 0, NULL), *rows = json_object_get(root, "quality");
+    assert_int_equal(json_array_size(rows), QUALITY_ROWS);
+    for (size_t i = 0; i < QUALITY_ROWS; i++) {
+        const json_t *row = json_array_get(rows, i);
+        const json_t *psnr = json_object_get(row, "psnr_db");
+        figures[i] = (struct figures){
+            (int)json_integer_value(json_object_get(row, "n")), json_real_value(json_object_get(row, "largest")),
+            json_real_value(json_object_get(row, "mean")), json_is_null(psnr) ? 0 : json_real_value(psnr)};
+    }
+    json_decref(root);
+}
+
+static void the_quality_of_each_format_is_within_its_limits_on_the_rock_wall(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *format;
+        double largest[QUALITY_ROWS], psnr_db; /* at n = 10, 60, 200, 1000; of the worst */
+    } limits[] = {
+        {"int16", {0, 0, 0, 0}, 0},        {"int10", {6, 2, 3, 6}, 58},        {"int8", {6, 8, 12, 27}, 52},
+        {"palette", {15, 21, 38, 80}, 43}, {"palette:32767", {0, 0, 0, 0}, 0},
+    };
+    for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) {
+        char options[200];
+        struct figures figures[QUALITY_ROWS];
+        static const int shininess[] = {10, 60, 200, 1000};
+        snprintf(options, sizeof options, "--height \"$GLINT_SOURCE/tests/data/rockwall-height.png\" --to %s",
+                 limits[i].format);
+        read_figures(options, figures);
+        for (int k = 0; k < QUALITY_ROWS; k++) {
+            assert_int_equal(figures[k].n, shininess[k]);
+            if (figures[k].largest > limits[i].largest[k] || figures[k].psnr_db < limits[i].psnr_db ||
+                figures[k].mean > figures[k].largest)
+                fail_msg("%s, n = %d: largest %g, mean %g, PSNR %g dB", limits[i].format, figures[k].n,
+                         figures[k].largest, figures[k].mean, figures[k].psnr_db);
+        }
+    }
+}
+
+static void the_same_normals_give_the_same_palette_whatever_the_threads(void **state)
+{
+    (void)state;
+    bake_to("--scene coin --size 64x64", "palette:200", "out/one.bin");
+    assert_int_equal(
+        run("OMP_NUM_THREADS=1 $GLINT bake --scene coin --size 64x64 --to palette:200 -o out/two.bin")->status, 0);
+    assert_same_file("out/one.bin", "out/two.bin");
+    struct stat status;
+    assert_int_equal(stat("out/one.bin", &status), 0);
+    assert_int_equal(status.st_size, 200 * 6 + 64 * 64 * 2);
+}
+
+static void the_smallest_palette_has_one_normal(void **state)
+{
+    (void)state;
+    static uint8_t bytes[8 * PIXELS];
+    bake_to(MASKED, "palette:2", "out/two.bin");
+    assert_int_equal(read_file("out/two.bin", bytes, sizeof bytes), 2 * 6 + 2 * PIXELS);
+    assert_int_equal(vec_at(bytes).z, 0);
+    assert_true(vec_at(bytes + 6).z > 0);
+}
+
+static void a_mask_that_leaves_nothing_is_said(void **state)
+{
+    (void)state;
+    static const uint16_t black[PIXELS];
+    make_png("black.png", &(struct made_png){.width = WIDTH, .height = HEIGHT, .bits = 8, .samples = black});
+    for (int f = 0; f < BAKE_FORMATS; f++) {
+        char line[200];
+        snprintf(line, sizeof line, "$GLINT bake --height heights.png --mask black.png --to %s -o out/none.bin",
+                 bake_format_names[f]);
+        const struct run *result = run(line);
+        assert_int_equal(result->status, 0);
+        assert_contains(result->out, "no surface");
+    }
+}
+
+/* ---- wrong use ---- */
+
+static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *options, *about;
+    } wrong[] = {
+        {"-o out/u.h", "--scene NAME"},
+        {"--scene sphere --height heights.png -o out/u.h", "only one of"},
+        {"--scene ball -o out/u.h", "sphere, watchface, coin"},
+        {"--scene sphere --to int12 -o out/u.h", "int16, int10, int8, palette"},
+        {"--scene sphere --to palette: -o out/u.h", "2 to 32767"},
+        {"--scene sphere --to palette:1 -o out/u.h", "2 to 32767"},
+        {"--scene sphere --to palette:32768 -o out/u.h", "2 to 32767"},
+        {"--scene sphere --to palette:9x -o out/u.h", "2 to 32767"},
+        {"--scene sphere -o out/u.png", ".c, .h, .bin or .uf2"},
+        {"--scene sphere -o out/u", "--as"},
+        {"--scene sphere -o ''", "name a file"},
+        {"--scene sphere --as elf -o out/u.h", "c, raw, uf2"},
+        {"--scene sphere --as raw", "give -o FILE"},
+        {"--scene sphere --name int -o out/u.h", "--name: 'int'"},
+        {"--scene sphere --name glint_vec -o out/u.h", "--name: 'glint_vec'"},
+        {"--scene sphere --name x -o out/u.bin", "--name is for C source"},
+        {"--scene sphere --address 0x10100000 -o out/u.bin", "--address is for UF2"},
+        {"--scene sphere --address 0x10100100 -o out/u.uf2", "multiple of 4096"},
+        {"--scene sphere --address 0x20000000 -o out/u.uf2", "0x10000000"},
+        {"--scene sphere --address flash -o out/u.uf2", "--address: 'flash'"},
+        {"--scene sphere --address '' -o out/u.uf2", "--address: ''"},
+        {"--scene sphere --address 0x -o out/u.uf2", "--address: '0x'"},
+        {"--scene sphere --wrap -o out/u.h", "--wrap is for --height"},
+        {"heights.png -o out/u.h", "'heights.png'"},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "$GLINT bake %s", wrong[i].options);
+        assert_refused(line, wrong[i].about);
+    }
+    assert_refused("$GLINT bake --scene sphere --albedo colors.png -o out/u.h", "--albedo");
+    static const char *const endings[] = {"h", "bin", "uf2", "png"};
+    for (int i = 0; i < 4; i++) {
+        char name[16];
+        snprintf(name, sizeof name, "out/u.%s", endings[i]);
+        assert_false(exists(name));
+    }
+}
+
+static void what_cannot_be_read_or_written_is_said_and_leaves_nothing_behind(void **state)
+{
+    (void)state;
+    bake_to(MASKED, "int8", "out/kept.bin");
+    bake_to(MASKED, "int8", "out/copy.bin");
+    const int before = files_in("out");
+    assert_fails("$GLINT bake --height missing.png -o out/kept.bin", "missing.png");
+    assert_fails("$GLINT bake --height heights.png --mask small.png -o out/kept.bin", "small.png: is 4x4");
+    assert_fails("$GLINT bake " MASKED " -o out/missing/x.h", "out/missing/x.h");
+    assert_fails("$GLINT bake " MASKED " --as c -o out", "directory");
+    assert_fails("$GLINT bake " MASKED " --as raw -o /dev/full", "/dev/full: could not be written");
+    assert_fails("$GLINT bake " MASKED " -o - >/dev/full", "standard output: could not be written");
+    assert_fails("$GLINT bake " MASKED " -o out/kept.bin >/dev/full", "standard output: the quality");
+    assert_fails("(ulimit -f 1; exec $GLINT bake --scene coin --size 64x64 --to int16 -o out/kept.bin)", "kept.bin");
+    assert_fails("$GLINT bake --scene sphere --address 0x10fff000 -o out/kept.uf2", "do not fit");
+    assert_int_equal(files_in("out"), before);
+    assert_same_file("out/kept.bin", "out/copy.bin");
+}
+
+static void help_explains_every_option_and_fits_a_terminal(void **state)
+{
+    (void)state;
+    const struct run *result = run("$GLINT bake --help");
+    static const char *const options[] = {"--height",  "--normals", "--scene", "--mask",   "--scale", "--wrap",
+                                          "--flip-y",  "--size",    "--to",    "-o FILE",  "--as",    "--name",
+                                          "--address", "--json",    "4096",    "Examples:"};
+    assert_int_equal(result->status, 0);
+    for (size_t i = 0; i < sizeof options / sizeof *options; i++)
+        assert_contains(result->out, options[i]);
+    for (const char *line = result->out; *line;) {
+        const size_t length = strcspn(line, "\n");
+        assert_true(length < 80);
+        line += length + (line[length] == '\n');
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_16_bit_normals_are_of_length_1_and_0_where_the_mask_is_black),
+        cmocka_unit_test(words_are_what_packing_gives),
+        cmocka_unit_test(a_word_without_surface_counts_those_up_to_the_next_surface_in_its_line),
+        cmocka_unit_test(a_palette_with_room_for_all_is_exact_and_its_first_entry_is_no_surface),
+        cmocka_unit_test(c_source_compiles_in_c_and_cxx_and_holds_the_raw_bytes),
+        cmocka_unit_test(uf2_blocks_are_well_formed_and_hold_the_raw_bytes),
+        cmocka_unit_test(the_ending_or_the_option_decides_what_is_written),
+        cmocka_unit_test(the_quality_of_each_format_is_within_its_limits_on_the_rock_wall),
+        cmocka_unit_test(the_same_normals_give_the_same_palette_whatever_the_threads),
+        cmocka_unit_test(the_smallest_palette_has_one_normal),
+        cmocka_unit_test(a_mask_that_leaves_nothing_is_said),
+        cmocka_unit_test(wrong_usage_is_said_with_what_is_allowed_and_ends_with_2),
+        cmocka_unit_test(what_cannot_be_read_or_written_is_said_and_leaves_nothing_behind),
+        cmocka_unit_test(help_explains_every_option_and_fits_a_terminal),
+    };
+    return cmocka_run_group_tests_name("bake", tests, make_masked, scratch_remove);
+}

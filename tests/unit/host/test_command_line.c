@@ -1,0 +1,308 @@
+/* SPDX-License-Identifier: MIT
+ * What all of the glint command has in common: statuses, messages, help, numbers, output files. */
+#include <sys/stat.h>
+
+#include "run.h"
+#include "sinks/sink.h"
+
+#define EVAL "$GLINT eval -n 60 0.99"
+
+/* ---- help and usage ---- */
+
+static const char *const commands[] = {"",     "render", "eval", "cutoff", "table",
+                                       "bake", "stream", "list", "search", "paper"};
+enum { COMMANDS = sizeof commands / sizeof *commands };
+
+static void help_of_every_command_has_an_example_and_exits_0(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < COMMANDS; i++) {
+        char command[64];
+        snprintf(command, sizeof command, "$GLINT %s --help", commands[i]);
+        const struct run *result = run(command);
+        assert_int_equal(result->status, 0);
+        assert_contains(result->out, "\nExamples:\n  glint ");
+        assert_string_equal(result->err, "");
+    }
+}
+
+/* argp breaks what is longer than a line, and what it breaks cannot be copied into a shell. */
+static void no_example_and_no_list_in_help_is_broken(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < COMMANDS; i++) {
+        char command[64];
+        snprintf(command, sizeof command, "$GLINT %s --help", commands[i]);
+        bool indented = false;
+        for (const char *line = run(command)->out; *line; line = strchr(line, '\n') + 1) {
+            if (indented && !strchr(" \n", *line))
+                fail_msg("%s: '%.30s' is the rest of the line before", command, line);
+            indented = *line == ' ';
+        }
+    }
+}
+
+static void no_heading_in_help_comes_twice(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < COMMANDS; i++) {
+        char command[96];
+        snprintf(command, sizeof command, "$GLINT %s --help | grep '^ [A-Z].*:$' | sort | uniq -d", commands[i]);
+        assert_string_equal(run(command)->out, "");
+    }
+}
+
+static void an_option_that_argp_refuses_is_told_in_one_line_by_every_command(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < COMMANDS; i++) {
+        char command[64];
+        snprintf(command, sizeof command, "$GLINT %s --shiny", commands[i]);
+        assert_refused(command, "'--shiny'; see `glint");
+    }
+}
+
+static void version_is_the_librarys(void **state)
+{
+    (void)state;
+    assert_memory_equal(run("$GLINT --version")->out, "glint 0.1.0\n", 12);
+    assert_memory_equal(run("$GLINT eval --version")->out, "glint 0.1.0\n", 12);
+}
+
+static void version_tells_the_libraries_and_the_sinks(void **state)
+{
+    (void)state;
+    const struct run *result = run("$GLINT --version");
+    assert_contains(result->out, "liblz4 1.");
+    for (unsigned i = 0; sink_kinds[i]; i++)
+        assert_contains(strstr(result->out, "\nsinks:"), sink_kinds[i]->name);
+}
+
+static void no_command_is_wrong_usage(void **state)
+{
+    (void)state;
+    assert_refused("$GLINT", "glint: no command is given; see `glint --help`");
+    assert_refused("$GLINT eval", "see `glint eval --help`");
+}
+
+static void an_unknown_command_is_named(void **state)
+{
+    (void)state;
+    assert_refused("$GLINT rendre", "'rendre'");
+    assert_refused("$GLINT ''", "''");
+}
+
+static void an_unknown_option_is_named(void **state)
+{
+    (void)state;
+    assert_refused("$GLINT --colour", "glint: unrecognized option '--colour'; see `glint --help`\n");
+    assert_refused("$GLINT eval --colour 1", "glint eval: unrecognized option '--colour'; see `glint eval --help`\n");
+    assert_refused("$GLINT eval -n", "glint eval: option requires an argument -- 'n'; see `glint eval --help`\n");
+    assert_refused("$GLINT eval --c 1", "'--c' is ambiguous; possibilities: '--cutoff' '--csv'; see");
+    assert_refused("$GLINT eval --csv=1 1", "option '--csv' doesn't allow an argument; see");
+    assert_refused("$GLINT eval \"--$(printf 'a\\nTry `b')\"", "'--a; see `glint eval --help`");
+    assert_refused("$GLINT eval --$(printf %0100000d 7)", "unrecognized option '--0");
+    assert_true(strlen(run("$GLINT eval --$(printf %0100000d 7)")->err) < 300);
+}
+
+static void an_unknown_model_is_named_with_those_there_are(void **state)
+{
+    (void)state;
+    assert_refused("$GLINT eval --model Blin 1", "--model: no model 'Blin'; one of msh, schlick");
+}
+
+/* ---- numbers ---- */
+
+static void malformed_numbers_are_refused_by_name(void **state)
+{
+    (void)state;
+    static const char *const numbers[] = {
+        "",    "1e",   "0x", "0x10", "nan", "inf",   "1,,2", " 5",  "5 ",
+        "1.5", "five", "1:", "1:2:", "--5", "0:5:0", "5:1",  "1e9", "99999999999999999999"};
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+        char command[96], wanted[64];
+        snprintf(command, sizeof command, "$GLINT eval -n '%s' 1", numbers[i]);
+        snprintf(wanted, sizeof wanted, "-n: '%s'", numbers[i]);
+        assert_refused(command, wanted);
+        snprintf(command, sizeof command, "$GLINT table -q '%s'", numbers[i]);
+        snprintf(wanted, sizeof wanted, "-q: '%s'", numbers[i]);
+        assert_refused(command, wanted);
+    }
+    assert_refused("$GLINT table -q 1,2", "-q: '1,2' is not a whole number from 0 to 16");
+    assert_refused("$GLINT eval -n 0 1", "from 1 to 1000");
+    assert_refused("$GLINT eval -n 1001 1", "from 1 to 1000");
+}
+
+static void a_message_is_one_line_whatever_it_quotes(void **state)
+{
+    (void)state;
+    assert_fails("$GLINT eval 1 -o \"$(printf 'no\\nsuch\\033[31m/file')\"", "no?such?[31m/file");
+    assert_refused("$GLINT eval -n \"$(printf '1\\n2')\" 1", "-n: '1?2'");
+}
+
+static void a_long_text_is_quoted_in_part(void **state)
+{
+    (void)state;
+    assert_refused("$GLINT eval -n $(printf %0100000d 7)x 1", "' is not a list from 1 to 1000: A, A:B or A:B:STEP");
+    assert_true(strlen(run("$GLINT eval -n $(printf %0100000d 7)x 1")->err) < 300);
+    assert_contains(run("$GLINT eval -n $(printf %0100000d 7)x 1")->err, "-n: '0000");
+    assert_fails("$GLINT eval 1 -o $(printf %0100000d 7)", "000...000");
+    assert_true(strlen(run("$GLINT eval 1 -o $(printf %0100000d 7)")->err) < 300);
+    assert_refused("$GLINT $(printf %0100000d 7)", "no command '000");
+    assert_true(strlen(run("$GLINT $(printf %0100000d 7)")->err) < 300);
+    /* Characters of two bytes: none is cut in two. */
+    assert_fails("printf '\\303\\244%.0s' $(seq 500) | $GLINT eval -", "standard input, line 1: '\303\244");
+    const char *dots = strstr(run("printf '\\303\\244%.0s' $(seq 500) | $GLINT eval -")->err, "...");
+    assert_non_null(dots);
+    assert_int_equal((unsigned char)dots[-1], 0244);
+    assert_int_equal((unsigned char)dots[3], 0303);
+    assert_null(strstr(run("$GLINT eval -n $(printf %050d 7)x 1")->err, "..."));
+}
+
+/* ---- standard output ---- */
+
+static void a_full_disk_is_a_failure(void **state)
+{
+    (void)state;
+    assert_fails(EVAL " >/dev/full", "standard output: could not be written: No space left on device");
+    assert_fails(EVAL " -o /dev/full", "/dev/full");
+    assert_fails("$GLINT cutoff >/dev/full", "standard output");
+    assert_fails("$GLINT table >/dev/full", "standard output");
+    assert_fails("$GLINT --help >/dev/full", "standard output");
+}
+
+static void a_closed_standard_output_is_a_failure(void **state)
+{
+    (void)state;
+    assert_fails(EVAL " >&-", "standard output");
+}
+
+static void a_closed_pipe_is_a_failure(void **state)
+{
+    (void)state;
+    assert_fails("{ $GLINT eval --raw 0:65536; echo $? >code; } | head -n 1; exit $(cat code)", "Broken pipe");
+}
+
+static void a_closed_standard_output_does_not_spoil_a_file(void **state)
+{
+    (void)state;
+    assert_int_equal(run(EVAL " -o closed.txt >&-")->status, 0);
+    assert_int_equal(run(EVAL " -o open.txt && cmp open.txt closed.txt")->status, 0);
+}
+
+static void no_escape_codes_go_where_no_terminal_is(void **state)
+{
+    (void)state;
+    static const char *const quiet[] = {EVAL, ("NO_COLOR=1 " EVAL), "TERM=xterm-256color $GLINT eval --help"};
+    for (size_t i = 0; i < sizeof quiet / sizeof *quiet; i++) {
+        const struct run *result = run(quiet[i]);
+        assert_int_equal(result->status, 0);
+        assert_null(strchr(result->out, '\033'));
+        assert_null(strchr(result->err, '\033'));
+    }
+}
+
+/* ---- output files ---- */
+
+static void a_file_is_kept_where_its_successor_fails(void **state)
+{
+    (void)state;
+    assert_fails("echo old >kept; (ulimit -f 1; $GLINT eval --raw 0:65536 -o kept)", "glint: kept: could not be");
+    assert_string_equal(run("cat kept")->out, "old\n");
+    assert_string_equal(run("ls -A | grep -c '^.glint'")->out, "0\n");
+}
+
+static void an_interrupted_run_leaves_nothing(void **state)
+{
+    (void)state;
+    /* It waits for standard input with its output open. */
+    const struct run *result = run("mkfifo input; $GLINT eval - -o late <input & exec 3>input; echo 1 >&3;"
+                                   "for i in 1 2 3 4 5 6 7 8 9; do ls -A | grep -q '^.glint' && break; sleep 0.1; done;"
+                                   "ls -A | grep -q '^.glint' || echo not begun; kill $!; wait $!");
+    assert_string_equal(result->out, "");
+    assert_int_equal(result->status, 128 + 15);
+    assert_string_equal(run("ls -A | grep -c -e '^.glint' -e '^late'")->out, "0\n");
+}
+
+static void a_replaced_file_keeps_its_mode(void **state)
+{
+    (void)state;
+    assert_string_equal(run("echo old >mode; chmod 640 mode; " EVAL " -o mode && stat -c %a mode")->out, "640\n");
+}
+
+static void a_new_file_has_the_mode_of_the_umask(void **state)
+{
+    (void)state;
+    assert_string_equal(run("umask 027; " EVAL " -o new && stat -c %a new")->out, "640\n");
+}
+
+static void a_symbolic_link_stays_one(void **state)
+{
+    (void)state;
+    assert_int_equal(run("echo old >target; ln -s target link; " EVAL " -o link && test -L link")->status, 0);
+    assert_int_equal(run(EVAL " | cmp - target")->status, 0);
+    assert_int_equal(run("mkdir -p sub; ln -s sub/new dangling; " EVAL " -o dangling && test -L dangling")->status, 0);
+    assert_int_equal(run(EVAL " | cmp - sub/new")->status, 0);
+}
+
+static void pipes_and_devices_are_written_in_place(void **state)
+{
+    (void)state;
+    assert_int_equal(run(EVAL " -o /dev/null && test -c /dev/null")->status, 0);
+    assert_int_equal(run("mkfifo pipe; cat pipe >piped & " EVAL " -o pipe && wait && " EVAL " | cmp - piped")->status,
+                     0);
+}
+
+static void a_name_of_the_longest_length_can_be_written(void **state)
+{
+    (void)state;
+    assert_int_equal(run("name=$(printf %0255d 0); " EVAL " -o $name && test -s $name && rm $name")->status, 0);
+}
+
+static void an_output_that_cannot_be_is_named(void **state)
+{
+    (void)state;
+    assert_fails(EVAL " -o missing/file", "missing/file");
+    assert_fails(EVAL " -o .", "'.': is a directory");
+    assert_fails("touch plain; " EVAL " -o plain/file", "plain/file");
+    static const char *const unnamed[] = {
+        EVAL " -o ''",         "$GLINT cutoff -o ''", "$GLINT table -o ''",
+        "$GLINT search -o ''", "$GLINT paper -o ''",  "$GLINT render --scene sphere -o ''",
+    };
+    for (size_t i = 0; i < sizeof unnamed / sizeof *unnamed; i++)
+        assert_refused(unnamed[i], "-o");
+    assert_refused("$GLINT render --scene sphere --error-map ''", "--error-map: '' is no name");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(help_of_every_command_has_an_example_and_exits_0),
+        cmocka_unit_test(no_example_and_no_list_in_help_is_broken),
+        cmocka_unit_test(no_heading_in_help_comes_twice),
+        cmocka_unit_test(an_option_that_argp_refuses_is_told_in_one_line_by_every_command),
+        cmocka_unit_test(version_is_the_librarys),
+        cmocka_unit_test(version_tells_the_libraries_and_the_sinks),
+        cmocka_unit_test(no_command_is_wrong_usage),
+        cmocka_unit_test(an_unknown_command_is_named),
+        cmocka_unit_test(an_unknown_option_is_named),
+        cmocka_unit_test(an_unknown_model_is_named_with_those_there_are),
+        cmocka_unit_test(malformed_numbers_are_refused_by_name),
+        cmocka_unit_test(a_message_is_one_line_whatever_it_quotes),
+        cmocka_unit_test(a_long_text_is_quoted_in_part),
+        cmocka_unit_test(a_full_disk_is_a_failure),
+        cmocka_unit_test(a_closed_standard_output_is_a_failure),
+        cmocka_unit_test(a_closed_pipe_is_a_failure),
+        cmocka_unit_test(a_closed_standard_output_does_not_spoil_a_file),
+        cmocka_unit_test(no_escape_codes_go_where_no_terminal_is),
+        cmocka_unit_test(a_file_is_kept_where_its_successor_fails),
+        cmocka_unit_test(an_interrupted_run_leaves_nothing),
+        cmocka_unit_test(a_replaced_file_keeps_its_mode),
+        cmocka_unit_test(a_new_file_has_the_mode_of_the_umask),
+        cmocka_unit_test(a_symbolic_link_stays_one),
+        cmocka_unit_test(pipes_and_devices_are_written_in_place),
+        cmocka_unit_test(a_name_of_the_longest_length_can_be_written),
+        cmocka_unit_test(an_output_that_cannot_be_is_named),
+    };
+    return cmocka_run_group_tests_name("command line", tests, scratch_make, scratch_remove);
+}

@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: MIT
+ * Output files: whole or not there, whatever ends the program. */
+#include <fcntl.h>
+#include <glob.h>
+#include <signal.h>
+#include <sys/resource.h>
+
+#include "files.h"
+
+#include "base/host.h"
+
+/* ---- in a process of its own, linked in ---- */
+
+/* What `child` ends with; it may fail(), which exits. */
+static int status_of(void (*child)(void))
+{
+    fflush(NULL);
+    const pid_t pid = fork();
+    assert_true(pid >= 0);
+    if (pid == 0) {
+        if (!freopen(".err", "w", stderr))
+            _exit(99);
+        child();
+        _exit(0);
+    }
+    int status;
+    assert_int_equal(waitpid(pid, &status, 0), pid);
+    return status;
+}
+
+static bool signal_in_mkstemp; /* one that comes when the file is there and its name is not yet known to the caller */
+
+/* Takes the place of libc's. */
+int mkstemp(char *name)
+{
+    const int descriptor = mkostemp(name, 0);
+    if (signal_in_mkstemp)
+        raise(SIGTERM);
+    return descriptor;
+}
+
+static void discard_and_end(int number)
+{
+    output_discard_all();
+    _exit(number);
+}
+
+static void open_while_a_signal_comes(void)
+{
+    signal_in_mkstemp = true;
+    signal(SIGTERM, discard_and_end);
+    output_open("out/struck");
+}
+
+static void a_signal_while_a_file_is_opened_leaves_nothing(void **state)
+{
+    (void)state;
+    const int status = status_of(open_while_a_signal_comes);
+    assert_int_equal(WEXITSTATUS(status), SIGTERM);
+    assert_int_equal(files_in("out"), 0);
+}
+
+static void fail_in_the_middle(void)
+{
+    struct output *output = output_open("out/holed");
+    fputs("begun", output->stream);
+    fflush(output->stream);
+    /* The stream remembers an error, as of a write; what follows can be written. */
+    if (fgetc(output->stream) != EOF || !ferror(output->stream))
+        _exit(98);
+    fputs("ended", output->stream);
+    output_close(output);
+}
+
+static void an_error_in_the_middle_is_not_forgotten_when_the_end_is_written(void **state)
+{
+    (void)state;
+    assert_int_equal(WEXITSTATUS(status_of(fail_in_the_middle)), 1);
+    char text[200];
+    read_text(".err", text, sizeof text);
+    assert_contains(text, "out/holed: could not be written");
+    assert_one_line(text);
+    assert_int_equal(files_in("out"), 0);
+}
+
+/* ---- the command ---- */
+
+static void be_eval_with_its_output_open(int input, int signal_number)
+{
+    const struct rlimit no_core = {0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);
+    signal(signal_number, SIG_DFL); /* whoever runs the tests may ignore it */
+    dup2(input, STDIN_FILENO);
+    execl(getenv("GLINT"), "glint", "eval", "-", "-o", "out/late", (char *)NULL);
+    _exit(99);
+}
+
+static bool unfinished_is_there(void)
+{
+    glob_t found;
+    const bool there = glob("out/.glint-*", 0, NULL, &found) == 0;
+    globfree(&found);
+    return there;
+}
+
+static void a_signal_that_ends_the_command_leaves_nothing(void **state)
+{
+    (void)state;
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM, SIGUSR1, SIGUSR2};
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
+        int ends[2];
+        assert_int_equal(pipe2(ends, O_CLOEXEC), 0);
+        fflush(NULL);
+        const pid_t pid = fork();
+        if (pid == 0)
+            be_eval_with_its_output_open(ends[0], signals[i]);
+        close(ends[0]);
+        for (int wait = 0; wait < 1000 && !unfinished_is_there(); wait++)
+            usleep(10000);
+        assert_true(unfinished_is_there());
+        int status;
+        assert_int_equal(kill(pid, signals[i]), 0);
+        assert_int_equal(waitpid(pid, &status, 0), pid);
+        close(ends[1]);
+        if (files_in("out") != 0)
+            fail_msg("%s: %d files left", strsignal(signals[i]), files_in("out"));
+        assert_true(WIFSIGNALED(status));
+        assert_int_equal(WTERMSIG(status), signals[i]);
+    }
+}
+
+static void a_signal_that_is_ignored_stays_so(void **state)
+{
+    (void)state;
+    /* As under nohup: the shell sends the signal and then the end of input. */
+    const struct run *result =
+        run("mkfifo held; trap '' HUP; $GLINT eval - -o out/kept <held & exec 3>held; echo 1 >&3;"
+            "for i in 1 2 3 4 5 6 7 8 9 10; do ls -A out | grep -q glint && break; sleep 0.1; done;"
+            "kill -HUP $!; exec 3>&-; wait $!");
+    assert_int_equal(result->status, 0);
+}
+
+static void a_limit_on_the_size_of_files_is_a_failure_that_leaves_nothing(void **state)
+{
+    (void)state;
+    assert_fails("(ulimit -f 4; exec $GLINT render --scene coin --size 640x640 -o out/big.ppm)",
+                 "out/big.ppm: could not be written: File too large");
+    assert_int_equal(files_in("out"), 0);
+    assert_fails("(ulimit -f 1; exec $GLINT eval --raw 0:65536 -o out/values)", "File too large");
+    assert_int_equal(files_in("out"), 0);
+}
+
+static int empty_folder(void **state)
+{
+    (void)state;
+    return system("rm -rf out && mkdir out");
+}
+
+#define TEST(name) cmocka_unit_test_setup(name, empty_folder)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(a_signal_while_a_file_is_opened_leaves_nothing),
+        TEST(an_error_in_the_middle_is_not_forgotten_when_the_end_is_written),
+        TEST(a_signal_that_ends_the_command_leaves_nothing),
+        TEST(a_signal_that_is_ignored_stays_so),
+        TEST(a_limit_on_the_size_of_files_is_a_failure_that_leaves_nothing),
+    };
+    return cmocka_run_group_tests_name("output", tests, scratch_make, scratch_remove);
+}

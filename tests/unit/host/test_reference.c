@@ -1,0 +1,359 @@
+/* SPDX-License-Identifier: MIT
+ * The library's pictures against the double-precision reference, and the comparison itself. */
+#include <math.h>
+#include <string.h>
+
+#include "unit.h"
+
+#include "compare/compare.h"
+#include "base/host.h"
+
+enum { SIDE = 96 };
+
+static const struct shading plain = {.model = GLINT_MSH,
+                                     .n = 60,
+                                     .q = 8,
+                                     .lamps = {{.direction = {-1, 1, 1}, .color = {1, 1, 1}}},
+                                     .lamp_count = 1,
+                                     .view = {0, 0, 1},
+                                     .ambient = {.15, .15, .15},
+                                     .diffuse = {.85, .85, .85},
+                                     .specular = {.8, .8, .8},
+                                     .color = {255, 128, 0},
+                                     .format = GLINT_RGB888};
+
+static struct comparison comparison_of(const struct scene *scene, const struct shading *shading)
+{
+    struct comparison comparison;
+    struct levels *levels = shade_scene(scene, shading);
+    compare(scene, shading, levels, &comparison);
+    levels_free(levels);
+    return comparison;
+}
+
+/* ---- the reference by itself ---- */
+
+static void a_mirror_facing_light_and_viewer_has_the_peak(void **state)
+{
+    (void)state;
+    struct scene *scene = scene_new(1, 1);
+    struct shading shading = plain;
+    memcpy(shading.lamps[0].direction, (const double[3]){0, 0, 5}, sizeof shading.lamps[0].direction);
+    double value[3];
+    for (unsigned k = 0; k < 3; k++)
+        shading.specular[k] = .25;
+    reference_line(scene, &shading, GLINT_MSH, 0, value);
+    assert_float_equal(value[0], 1, 0); /* albedo and highlight exceed white */
+    assert_true(fabs(value[1] - (128 / 255. + .25 * 1.024)) < 1e-12);
+    assert_true(fabs(value[2] - .25 * 1.024) < 1e-12);
+    shading.clamp_peak = true;
+    reference_line(scene, &shading, GLINT_MSH, 0, value);
+    assert_true(fabs(value[2] - .25) < 1e-12);
+    scene_free(scene);
+}
+
+static void a_light_from_behind_leaves_the_ambient_part(void **state)
+{
+    (void)state;
+    struct scene *scene = scene_new(1, 1);
+    struct shading shading = plain;
+    memcpy(shading.lamps[0].direction, (const double[3]){1, 0, -.01}, sizeof shading.lamps[0].direction);
+    shading.n = 1;
+    double value[3];
+    reference_line(scene, &shading, GLINT_MSH, 0, value);
+    assert_true(fabs(value[0] - .15) < 1e-12);
+    scene_free(scene);
+}
+
+static void under_the_cutoff_there_is_no_highlight(void **state)
+{
+    (void)state;
+    struct scene *scene = scene_new(1, 1);
+    struct shading shading = plain;
+    shading.diffuse[2] = shading.ambient[2] = 0;
+    memcpy(shading.lamps[0].direction, (const double[3]){.6, 0, .8},
+           sizeof shading.lamps[0].direction); /* N.H = sqrt(.9) */
+    const double c = sqrt(.9), f = model_double(GLINT_BLINN, 60, c);
+    assert_true(f > ldexp(1, -5) && f < ldexp(1, -4));
+    double value[3];
+    shading.q = 5;
+    reference_line(scene, &shading, GLINT_BLINN, 0, value);
+    assert_true(fabs(value[2] - .8 * f) < 1e-12);
+    shading.q = 4;
+    reference_line(scene, &shading, GLINT_BLINN, 0, value);
+    assert_float_equal(value[2], 0, 0);
+    scene_free(scene);
+}
+
+static void phong_takes_the_mirrored_light(void **state)
+{
+    (void)state;
+    struct scene *scene = scene_new(1, 1);
+    struct shading shading = plain;
+    shading.n = 3;
+    shading.diffuse[2] = shading.ambient[2] = 0;
+    memcpy(shading.lamps[0].direction, (const double[3]){.6, 0, .8},
+           sizeof shading.lamps[0].direction); /* R = (-.6, 0, .8), V.R = .8 */
+    double value[3];
+    reference_line(scene, &shading, GLINT_PHONG, 0, value);
+    assert_true(fabs(value[2] - .8 * .8 * .8 * .8) < 1e-12);
+    scene_free(scene);
+}
+
+static void in_linear_space_an_albedo_lit_fully_comes_back(void **state)
+{
+    (void)state;
+    struct scene *scene = scene_new(256, 1);
+    scene->albedo = allocate(256, 3);
+    for (int i = 0; i < 256; i++)
+        memset(&scene->albedo[3 * i], i, 3);
+    struct shading shading = plain;
+    shading.space = GLINT_LINEAR;
+    for (unsigned k = 0; k < 3; k++) {
+        shading.ambient[k] = 1;
+        shading.diffuse[k] = shading.specular[k] = 0;
+    }
+    double values[3 * 256];
+    reference_line(scene, &shading, GLINT_MSH, 0, values);
+    struct levels *levels = shade_scene(scene, &shading);
+    for (int i = 0; i < 256; i++) {
+        assert_true(fabs(255 * values[3 * i] - i) < 1e-4);
+        assert_int_equal(levels->values[3 * i], i);
+    }
+    levels_free(levels);
+    scene_free(scene);
+}
+
+static void dither_thresholds_cover_a_step_evenly(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 64; i++) {
+        const double value = (i + .5) / 64;
+        unsigned sum = 0;
+        for (uint32_t p = 0; p < 16; p++)
+            sum += reference_level(value / 31, 31, true, p % 4, p / 4);
+        assert_true(fabs(sum / 16. - value) <= 1 / 32.);
+    }
+    assert_int_equal(reference_level(1, 31, true, 0, 1), 31);
+    assert_int_equal(reference_level(0, 31, true, 0, 3), 0);
+    assert_int_equal(reference_level(.5, 255, false, 0, 0), 128);
+}
+
+/* ---- the library against it ---- */
+
+static void every_model_format_and_space_is_within_a_level_of_the_reference(void **state)
+{
+    (void)state;
+    static const enum glint_format formats[] = {GLINT_RGB565, GLINT_RGB565_SWAPPED, GLINT_RGB888, GLINT_GREY8,
+                                                GLINT_MONO};
+    struct scene *scene = scene_draw("sphere", SIDE, SIDE);
+    for (int i = 0; i < MODEL_COUNT * 5 * 4; i++) {
+        struct shading shading = plain;
+        shading.model = (enum glint_model)(i % MODEL_COUNT);
+        shading.format = formats[i / MODEL_COUNT % 5];
+        shading.space = i / MODEL_COUNT / 5 % 2 ? GLINT_LINEAR : GLINT_GAMMA;
+        shading.dither = i / MODEL_COUNT / 10;
+        const struct comparison c = comparison_of(scene, &shading);
+        const double step = 255. / format_max(shading.format, 0);
+        assert_int_equal(c.rounded.samples, SIDE * SIDE * format_channels(shading.format));
+        if (c.rounded.largest > 1.001 * step || (double)c.rounded.differing > .02 * (double)c.rounded.samples)
+            fail_msg("%s, format %d, space %d, dither %d: largest %g, %g %% differ", model_names[shading.model],
+                     shading.format, shading.space, shading.dither, c.rounded.largest,
+                     100. * (double)c.rounded.differing / (double)c.rounded.samples);
+    }
+    scene_free(scene);
+}
+
+/* Without a cutoff's edge, what is left beyond the rounding is the input's: Q1.15 vectors. */
+static void without_a_cutoff_little_but_the_rounding_is_left(void **state)
+{
+    (void)state;
+    struct scene *scene = scene_draw("sphere", SIDE, SIDE);
+    for (int model = 0; model < MODEL_COUNT; model++) {
+        for (unsigned n = 1; n <= 1000; n *= 10) {
+            struct shading shading = plain;
+            shading.model = (enum glint_model)model;
+            shading.n = n;
+            shading.q = 16;
+            const struct comparison c = comparison_of(scene, &shading);
+            if (c.unrounded.largest > .75 || c.rounding.largest > .5000001)
+                fail_msg("%s, n %u: largest %g", model_names[model], n, c.unrounded.largest);
+        }
+    }
+    scene_free(scene);
+}
+
+static void gloss_dims_the_highlight_alike(void **state)
+{
+    (void)state;
+    struct scene *scene = scene_draw("sphere", SIDE, SIDE);
+    for (int i = 0; i < SIDE * SIDE; i++)
+        scene->gloss[i] = (uint8_t)(i * 7);
+    const struct comparison c = comparison_of(scene, &plain);
+    assert_true(c.rounded.largest < 1.001);
+    assert_true((double)c.rounded.differing < .02 * (double)c.rounded.samples);
+    scene_free(scene);
+}
+
+static const struct lamp lamps[] = {
+    {.kind = GLINT_POINT, .position = {30, 20, 40}, .range = 150, .color = {1.5, .7, .3}},
+    {.kind = GLINT_SPOT,
+     .position = {90, 90, 60},
+     .target = {48, 40},
+     .range = 200,
+     .cone = {10, 25},
+     .color = {1, 1, 1}},
+    {.direction = {1, -1, .5}, .color = {.2, .3, .5}},
+    {.kind = GLINT_SPOT,
+     .position = {48, 48, 100},
+     .target = {60, 60},
+     .range = 150,
+     .cone = {0, 40},
+     .color = {0, 2, 0}}};
+
+static void four_lights_of_every_kind_are_as_near(void **state)
+{
+    (void)state;
+    struct scene *scene = scene_draw("sphere", SIDE, SIDE);
+    for (int i = 0; i < MODEL_COUNT * 4; i++) {
+        struct shading shading = plain;
+        shading.model = (enum glint_model)(i % MODEL_COUNT);
+        shading.lamp_count = 1 + (unsigned)i / MODEL_COUNT;
+        for (unsigned k = 0; k < shading.lamp_count; k++)
+            shading.lamps[k] = lamps[k];
+        shading.q = 16;
+        assert_false(shading_is_plain(&shading));
+        const struct comparison c = comparison_of(scene, &shading);
+        if (c.unrounded.largest > .6 || c.rounding.largest > .5000001)
+            fail_msg("%s, %u lights: largest %g", model_names[shading.model], shading.lamp_count, c.unrounded.largest);
+    }
+    scene_free(scene);
+}
+
+static void white_light_divided_among_lamps_is_the_same_light(void **state)
+{
+    (void)state;
+    struct scene *scene = scene_draw("sphere", SIDE, SIDE);
+    struct shading shading = plain;
+    assert_true(shading_is_plain(&shading));
+    double one[3 * SIDE], parts[3 * SIDE];
+    reference_line(scene, &shading, GLINT_MSH, SIDE / 3, one);
+    shading.lamp_count = 4;
+    for (unsigned k = 0; k < 4; k++)
+        shading.lamps[k] = (struct lamp){.direction = {-1, 1, 1}, .color = {.25, .25, .25}};
+    reference_line(scene, &shading, GLINT_MSH, SIDE / 3, parts);
+    for (int i = 0; i < 3 * SIDE; i++)
+        assert_near(parts[i], one[i], 1e-12);
+    scene_free(scene);
+}
+
+/* ---- the comparison ---- */
+
+static void a_wrong_sample_is_found_with_its_place(void **state)
+{
+    (void)state;
+    struct scene *scene = scene_draw("sphere", SIDE, SIDE);
+    struct levels *levels = shade_scene(scene, &plain);
+    struct comparison before, after;
+    compare(scene, &plain, levels, &before);
+    uint8_t *sample = &levels->values[3 * (40 * SIDE + 17) + 1];
+    *sample = (uint8_t)(*sample + 20);
+    compare(scene, &plain, levels, &after);
+    assert_int_equal(after.rounded.x, 17);
+    assert_int_equal(after.rounded.y, 40);
+    assert_int_equal(after.rounded.channel, 1);
+    assert_true(fabs(after.rounded.largest - 20) <= 1.001);
+    assert_true(difference_psnr_db(&after.rounded) < difference_psnr_db(&before.rounded));
+    assert_true(difference_mean(&after.rounded) > difference_mean(&before.rounded));
+    levels_free(levels);
+    scene_free(scene);
+}
+
+static void equal_pictures_have_infinite_psnr_and_known_errors_their_formula(void **state)
+{
+    (void)state;
+    struct difference d = {.samples = 4};
+    assert_true(isinf(difference_psnr_db(&d)));
+    d = (struct difference){.samples = 4, .differing = 1, .sum = 2, .sum_of_squares = 4, .largest = 2};
+    assert_true(fabs(difference_psnr_db(&d) - 20 * log10(255)) < 1e-9); /* mean square 1 */
+    assert_true(fabs(difference_mean(&d) - .5) < 1e-12);
+}
+
+static void what_is_masked_is_black_and_not_compared(void **state)
+{
+    (void)state;
+    struct scene *scene = scene_draw("sphere", SIDE, SIDE);
+    scene->mask = allocate(SIDE, SIDE);
+    memset(scene->mask + SIDE * 10, 1, SIDE * 5);
+    struct levels *levels = shade_scene(scene, &plain);
+    struct comparison c;
+    compare(scene, &plain, levels, &c);
+    assert_int_equal(c.rounded.samples, 3 * SIDE * 5);
+    assert_true(c.rounded.largest < 1.001);
+    assert_int_equal(levels->values[3 * (SIDE * 9 + SIDE / 2)], 0);
+    assert_true(levels->values[3 * (SIDE * 12 + SIDE / 2)] > 0);
+    levels_free(levels);
+    scene_free(scene);
+}
+
+static void the_error_map_shows_the_amplified_error(void **state)
+{
+    (void)state;
+    struct scene *scene = scene_draw("sphere", SIDE, SIDE);
+    struct levels *levels = shade_scene(scene, &plain);
+    struct comparison c;
+    compare(scene, &plain, levels, &c);
+    const unsigned times = error_map_amplification(&c.blinn_unrounded);
+    assert_true(c.blinn_unrounded.largest * times <= 255 && c.blinn_unrounded.largest * times * 2 > 255);
+    struct picture *map = error_map(scene, &plain, levels, GLINT_BLINN, times);
+    unsigned brightest = 0;
+    for (int i = 0; i < 3 * SIDE * SIDE; i++)
+        brightest = map->samples[i] > brightest ? map->samples[i] : brightest;
+    assert_int_equal(brightest, lround(c.blinn_unrounded.largest * times));
+    const struct difference *d = &c.blinn_unrounded;
+    assert_int_equal(map->samples[3 * (d->y * SIDE + d->x) + d->channel], brightest);
+    picture_free(map);
+    levels_free(levels);
+    scene_free(scene);
+}
+
+static void levels_are_shown_as_the_nearest_of_255(void **state)
+{
+    (void)state;
+    uint8_t values[3 * 64];
+    for (int i = 0; i < 64; i++) {
+        values[3 * i] = values[3 * i + 2] = (uint8_t)(i / 2);
+        values[3 * i + 1] = (uint8_t)i;
+    }
+    const struct levels levels = {64, 1, 3, {31, 63, 31}, values};
+    struct picture *picture = levels_picture(&levels);
+    for (int i = 0; i < 64; i++) {
+        assert_int_equal(picture->samples[3 * i], lround(i / 2 * 255 / 31.));
+        assert_int_equal(picture->samples[3 * i + 1], lround(i * 255 / 63.));
+    }
+    assert_false(picture->mono);
+    picture_free(picture);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_mirror_facing_light_and_viewer_has_the_peak),
+        cmocka_unit_test(a_light_from_behind_leaves_the_ambient_part),
+        cmocka_unit_test(under_the_cutoff_there_is_no_highlight),
+        cmocka_unit_test(phong_takes_the_mirrored_light),
+        cmocka_unit_test(in_linear_space_an_albedo_lit_fully_comes_back),
+        cmocka_unit_test(dither_thresholds_cover_a_step_evenly),
+        cmocka_unit_test(every_model_format_and_space_is_within_a_level_of_the_reference),
+        cmocka_unit_test(without_a_cutoff_little_but_the_rounding_is_left),
+        cmocka_unit_test(four_lights_of_every_kind_are_as_near),
+        cmocka_unit_test(white_light_divided_among_lamps_is_the_same_light),
+        cmocka_unit_test(gloss_dims_the_highlight_alike),
+        cmocka_unit_test(a_wrong_sample_is_found_with_its_place),
+        cmocka_unit_test(equal_pictures_have_infinite_psnr_and_known_errors_their_formula),
+        cmocka_unit_test(what_is_masked_is_black_and_not_compared),
+        cmocka_unit_test(the_error_map_shows_the_amplified_error),
+        cmocka_unit_test(levels_are_shown_as_the_nearest_of_255),
+    };
+    return cmocka_run_group_tests_name("reference", tests, NULL, NULL);
+}

@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: MIT
+ * --shade device: what a device is sent, and what it cannot draw. */
+#include "files.h"
+
+#include "bake/bake.h"
+#include "scene/scene.h"
+#include "stream/stream.h"
+
+enum { WIDTH = 12, HEIGHT = 7, PIXELS = WIDTH * HEIGHT };
+
+static struct scene *scene;
+static struct shading shading;
+
+static int begin(void **state)
+{
+    (void)state;
+    scene = scene_new(WIDTH, HEIGHT);
+    shading = (struct shading){.model = GLINT_MSH,
+                               .n = 60,
+                               .q = 6,
+                               .lamps = {{.kind = GLINT_DIRECTIONAL, .direction = {-1, .5, 2}, .color = {1, 1, 1}}},
+                               .lamp_count = 1,
+                               .view = {0, 0, 1},
+                               .ambient = {.1, .1, .1},
+                               .diffuse = {.5, .5, .5},
+                               .specular = {.25, .5, 1},
+                               .color = {1, 2, 3},
+                               .format = GLINT_RGB565};
+    return 0;
+}
+
+static int end(void **state)
+{
+    (void)state;
+    scene_free(scene);
+    return 0;
+}
+
+static void assert_unfit(const char *part)
+{
+    struct glint_shader shader;
+    const char *refusal = device_refusal(scene, &shading, &shader);
+    assert_non_null(refusal);
+    assert_contains(refusal, part);
+}
+
+/* ---- a device ---- */
+
+static struct glint_shader got;
+static uint32_t words[PIXELS];
+static int32_t to[3];
+
+static enum sink_result take_scene(struct sink *sink, const struct glint_shader *shader, const uint32_t *normals)
+{
+    (void)sink;
+    got = *shader;
+    memcpy(words, normals, sizeof words);
+    return SINK_SENT;
+}
+
+static enum sink_result take_light(struct sink *sink, const int32_t to_light[3], size_t *bytes)
+{
+    (void)sink;
+    memcpy(to, to_light, sizeof to);
+    *bytes = 16;
+    return SINK_SENT;
+}
+
+static const struct sink_kind kind = {.name = "test", .send_scene = take_scene, .send_light = take_light};
+static struct sink device = {.kind = &kind, .width = WIDTH, .height = HEIGHT, .format = GLINT_RGB565};
+
+/* ---- tests ---- */
+
+static void a_device_gets_the_normals_the_material_and_the_light(void **state)
+{
+    (void)state;
+    struct plan_result result;
+    assert_int_equal(device_send_scene(&device, scene, &shading), SINK_SENT);
+    struct baked *baked = bake(scene, BAKE_INT8, 0);
+    assert_memory_equal(words, baked->words, sizeof words);
+    baked_free(baked);
+    assert_int_equal(got.lobe.n, 60);
+    assert_int_equal(got.material.specular_q16[0], 16384);
+    assert_int_equal(got.material.albedo[2], 3);
+    assert_int_equal(device_send_light(&device, &shading, &result), SINK_SENT);
+    assert_int_equal(to[0], -(1 << 29));
+    assert_int_equal(to[1], 1 << 28);
+    assert_int_equal(to[2], 1 << 30);
+    assert_int_equal(result.bytes, 16);
+    assert_int_equal(result.whole_bytes, 2 * PIXELS);
+}
+
+static void one_colour_may_come_from_the_albedo(void **state)
+{
+    (void)state;
+    static uint8_t albedo[3 * PIXELS], mask[PIXELS];
+    struct glint_shader shader;
+    for (size_t i = 0; i < PIXELS; i++) {
+        const bool drawn = i % 3 != 0;
+        mask[i] = drawn;
+        memcpy(&albedo[3 * i], drawn ? (uint8_t[]){7, 8, 9} : (uint8_t[]){(uint8_t)i, 0, 0}, 3);
+    }
+    scene->albedo = albedo;
+    scene->mask = mask;
+    const char *refusal = device_refusal(scene, &shading, &shader);
+    albedo[3 * 4] = 6;
+    struct glint_shader unused;
+    const char *other = device_refusal(scene, &shading, &unused);
+    scene->albedo = NULL; /* not the scene's to free */
+    scene->mask = NULL;
+    assert_null(refusal);
+    assert_memory_equal(shader.material.albedo, ((uint8_t[]){7, 8, 9}), 3);
+    assert_non_null(other);
+    assert_contains(other, "one colour");
+}
+
+static void a_gloss_map_is_refused_unless_it_is_white(void **state)
+{
+    (void)state;
+    static uint8_t gloss[PIXELS];
+    struct glint_shader shader;
+    memset(gloss, 255, sizeof gloss);
+    scene->gloss = gloss;
+    const char *white = device_refusal(scene, &shading, &shader);
+    gloss[PIXELS - 1] = 254;
+    const char *grey = device_refusal(scene, &shading, &shader);
+    scene->gloss = NULL;
+    assert_null(white);
+    assert_non_null(grey);
+    assert_contains(grey, "gloss");
+}
+
+static void what_the_tables_cannot_do_is_refused(void **state)
+{
+    (void)state;
+    shading.model = GLINT_PHONG;
+    assert_unfit("phong");
+    shading.model = GLINT_MSH;
+    shading.dither = true;
+    assert_unfit("dither");
+    shading.dither = false;
+    shading.view[0] = 1;
+    assert_unfit("--view");
+    shading.view[0] = 0;
+    shading.lamps[0].color[1] = .5;
+    assert_unfit("--light");
+    shading.lamps[0].color[1] = 1;
+    shading.path = 1;
+    assert_unfit("--path");
+}
+
+static void the_command_line_tells_what_can_shade(void **state)
+{
+    (void)state;
+    assert_one_line(assert_ends("$GLINT stream coin --to none --shade device", 2, "--to usb")->err);
+    assert_one_line(assert_ends("$GLINT stream coin --to none --shade gpu", 2, "host, device")->err);
+    assert_quiet("$GLINT stream sphere --size 20x20 --to ppm -o s%d.ppm --frames 1 --shade host");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(a_device_gets_the_normals_the_material_and_the_light, begin, end),
+        cmocka_unit_test_setup_teardown(one_colour_may_come_from_the_albedo, begin, end),
+        cmocka_unit_test_setup_teardown(a_gloss_map_is_refused_unless_it_is_white, begin, end),
+        cmocka_unit_test_setup_teardown(what_the_tables_cannot_do_is_refused, begin, end),
+        cmocka_unit_test(the_command_line_tells_what_can_shade),
+    };
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
+}

@@ -1,0 +1,385 @@
+/* SPDX-License-Identifier: MIT
+ * Several lights: the value of every pixel, against a reference in doubles that is written from the formula. */
+#include "lamps.h"
+
+#include "base/host.h"
+
+/* ---- against glint_shade_rect ---- */
+
+static void one_white_directional_lamp_gives_the_pixels_of_the_rectangle(void **state)
+{
+    (void)state;
+    static struct scene a, b;
+    for (int i = 0; i < 1500; i++) {
+        scene_init(&a, formats[i % FORMATS], (enum glint_space)below(2));
+        b = a;
+        b.surface.pixels = b.out + LINE;
+        struct glint_lamp lamp;
+        const int32_t up[3] = {0, 0, 1};
+        assert_int_equal(glint_lamp_directional(&lamp, up, up), GLINT_OK);
+        lamp.light = a.shader.light;
+        struct glint_box box_a, box_b;
+        assert_int_equal(glint_shade_rect(&a.shader, &a.source, W, H, &a.surface, &box_a), GLINT_OK);
+        assert_int_equal(glint_shade_lights(&a.shader, &lamp, 1, &a.source, W, H, &b.surface, &box_b), GLINT_OK);
+        assert_memory_equal(a.out, b.out, sizeof a.out);
+        assert_memory_equal(&box_a, &box_b, sizeof box_a);
+    }
+}
+
+/* Bit by bit, in 128-bit fractions: directional lamps have no rounding but the sequence's. */
+static void directional_lamps_are_summed_as_the_sequence_says(void **state)
+{
+    (void)state;
+    static struct scene s;
+    const int32_t up[3] = {0, 0, 1};
+    for (int i = 0; i < 1500; i++) {
+        scene_init(&s, GLINT_RGB888, GLINT_GAMMA);
+        s.source.mask = NULL;
+        s.shader.dither = false;
+        struct glint_lamp lamps[GLINT_LAMPS_MAX];
+        const unsigned count = below(GLINT_LAMPS_MAX + 1);
+        for (unsigned k = 0; k < count; k++) {
+            assert_int_equal(glint_lamp_directional(&lamps[k], up, up), GLINT_OK);
+            lamps[k].light = random_shader(GLINT_RGB888, GLINT_GAMMA).light;
+            for (int c = 0; c < 3; c++)
+                lamps[k].color_q16[c] = below(below(4) ? 65537 : 1 << 20);
+        }
+        assert_int_equal(glint_shade_lights(&s.shader, lamps, count, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+        for (unsigned p = 0; p < W * H; p++) {
+            u128 lit[3] = {0}, shine[3] = {0};
+            for (unsigned k = 0; k < count; k++) {
+                uint32_t nl;
+                s.shader.light = lamps[k].light;
+                const u128 f = lobe_at(&s.shader, s.normals[p], &nl);
+                for (int c = 0; c < 3; c++) {
+                    lit[c] += ((u128)lamps[k].color_q16[c] * nl + 32768) / 65536;
+                    shine[c] += (lamps[k].color_q16[c] * f + 32768) / 65536;
+                }
+            }
+            const struct glint_material *m = &s.shader.material;
+            for (unsigned c = 0; c < 3; c++) {
+                const u128 ambient = (u128)clamped(m->ambient_q16[c]) << 16;
+                const u128 value = s.albedo[3 * p + c] * (ambient + clamped(m->diffuse_q16[c]) * lit[c]) +
+                                   clamped(m->specular_q16[c]) * shine[c] * s.gloss[p];
+                assert_int_equal(s.out[LINE * (1 + p / W) + 3 * (p % W) + c], gamma_level(value, 255, 16));
+            }
+        }
+    }
+}
+
+/* ---- against doubles ---- */
+
+struct vector {
+    double x, y, z;
+};
+
+static struct vector plus(struct vector a, struct vector b, double times)
+{
+    return (struct vector){a.x + times * b.x, a.y + times * b.y, a.z + times * b.z};
+}
+
+static double product(struct vector a, struct vector b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static struct vector unit(struct vector a)
+{
+    return plus((struct vector){0, 0, 0}, a, 1 / sqrt(product(a, a)));
+}
+
+static struct vector real_vector(struct glint_vec v)
+{
+    return (struct vector){v.x / 32768., v.y / 32768., v.z / 32768.};
+}
+
+/* Towards the lamp, and how much of it arrives. */
+static double arrives(const struct glint_lamp *lamp, double x, double y, struct vector *l)
+{
+    if (lamp->kind == GLINT_DIRECTIONAL) {
+        *l = unit(real_vector(lamp->light.l));
+        return 1;
+    }
+    *l = (struct vector){0, 0, 1};
+    const struct vector e = {lamp->position[0] / 16. - x, y - lamp->position[1] / 16., lamp->position[2] / 16.};
+    if (product(e, e) == 0)
+        return 0; /* by definition */
+    const double u = product(e, e) * 256 / lamp->range / lamp->range;
+    *l = unit(e);
+    double att = u < 1 ? (1 - u) * (1 - u) : 0;
+    if (lamp->kind == GLINT_SPOT) {
+        const struct vector axis = {(double)lamp->axis_q30[0], (double)lamp->axis_q30[1], (double)lamp->axis_q30[2]};
+        const double c = -product(unit(axis), *l) * ONE_Q30;
+        const double p = fmin(1, fmax(0, (c - lamp->cos_outer_q30) / (lamp->cos_inner_q30 - lamp->cos_outer_q30)));
+        att *= p * p * (3 - 2 * p);
+    }
+    return att;
+}
+
+/* F at N, unrounded: N is the integers', of which the length is off by up to 2^-15; t takes it as it is. */
+static double lobe(const struct glint_shader *s, struct vector n, struct vector l, struct vector v)
+{
+    const struct vector off =
+        s->lobe.model == GLINT_PHONG ? plus(plus(l, v, 1), n, -2 * product(n, l)) : plus(n, unit(plus(l, v, 1)), -1);
+    const double t = product(off, off) / 2;
+    const double f = t >= 1 ? 0 : model_double((enum glint_model)s->lobe.model, s->lobe.n, 1 - t);
+    return s->clamp_peak ? fmin(1, f) : f;
+}
+
+/* Of length 1, and half of the time within some degrees of the half vector. */
+static struct glint_vec normal_near_a_highlight(const struct scene *s, const struct glint_lamp *lamp, unsigned pixel)
+{
+    struct vector h = {0, 0, 1}, l;
+    const double spread = below(2) ? 1 : exp2(-(double)below(10));
+    (void)arrives(lamp, pixel % W + s->surface.x + .5, pixel / W + s->surface.y + .5, &l);
+    h = plus(unit(plus(h, l, 1)), (struct vector){within(1000) / 1e3, within(1000) / 1e3, within(1000) / 1e3}, spread);
+    struct glint_vec normal = {0, 0, 32767};
+    (void)glint_vec_normalize(&normal, (int32_t[]){(int32_t)(h.x * 1e6), (int32_t)(h.y * 1e6), (int32_t)(h.z * 1e6)});
+    return normal;
+}
+
+/* The three channels in levels of 255; false where a lamp grazes the surface, is straight behind or has a hard edge here,
+ * on either side of which pixels differ. */
+static bool reference(const struct scene *s, const struct glint_lamp *lamps, unsigned count, unsigned pixel,
+                      double levels[3])
+{
+    const struct vector n = real_vector(s->normals[pixel]), v = unit(real_vector(s->shader.light.v));
+    double lit[3] = {0, 0, 0}, shine[3] = {0, 0, 0};
+    for (unsigned i = 0; i < count; i++) {
+        struct vector l;
+        const double att = arrives(&lamps[i], pixel % W + s->surface.x + .5, pixel / W + s->surface.y + .5, &l);
+        const double nl = product(n, l);
+        const bool has_edge = lamps[i].kind == GLINT_SPOT && lamps[i].cos_inner_q30 - lamps[i].cos_outer_q30 < 10000;
+        const bool behind = product(plus(l, v, 1), plus(l, v, 1)) < 1e-8;
+        if (has_edge || behind || fabs(nl) < 1e-4)
+            return false;
+        if (nl < 0)
+            continue;
+        const double f = lobe(&s->shader, n, l, v);
+        for (int k = 0; k < 3; k++) {
+            lit[k] += lamps[i].color_q16[k] / 65536. * att * fmin(1, nl);
+            shine[k] += lamps[i].color_q16[k] / 65536. * att * f;
+        }
+    }
+    const struct glint_material *m = &s->shader.material;
+    for (int k = 0; k < 3; k++) {
+        const double albedo = s->albedo[3 * pixel + (unsigned)k] / 255., gloss = s->gloss[pixel] / 255.;
+        const double value = albedo * (clamped(m->ambient_q16[k]) + clamped(m->diffuse_q16[k]) * lit[k]) +
+                             clamped(m->specular_q16[k]) * gloss * shine[k];
+        levels[k] = 255 * fmin(1, value / 65536);
+    }
+    return true;
+}
+
+/* Beyond the rounding, half a level, there are L, V and H in Q1.15: each component is off by 2^-16 (2^-15 where 1.0 is
+ * held as 32767), 2.6e-5 in length; the steepest lobe, n = 1000, has a slope of 20 a radian: .13 level for each lamp. The
+ * cutoff is 2^-16, no level at all. */
+static void pixels_of_up_to_four_lamps_are_within_their_rounding_of_doubles(void **state)
+{
+    (void)state;
+    static struct scene s;
+    unsigned compared = 0, lit = 0;
+    double worst = 0;
+    for (int i = 0; i < 3000; i++) {
+        scene_init(&s, GLINT_RGB888, GLINT_GAMMA);
+        s.shader.dither = false;
+        glint_lobe_init(&s.shader.lobe, (enum glint_model)s.shader.lobe.model, s.shader.lobe.n, 16);
+        s.source.mask = NULL;
+        struct glint_lamp lamps[GLINT_LAMPS_MAX];
+        random_lamps(lamps);
+        const unsigned count = below(GLINT_LAMPS_MAX + 1);
+        for (unsigned p = 0; p < W * H; p++)
+            s.normals[p] = normal_near_a_highlight(&s, &lamps[below(GLINT_LAMPS_MAX)], p);
+        assert_int_equal(glint_shade_lights(&s.shader, lamps, count, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+        for (unsigned p = 0; p < W * H; p++) {
+            double wanted[3];
+            if (!reference(&s, lamps, count, p, wanted))
+                continue;
+            for (unsigned k = 0; k < 3; k++) {
+                const double beyond = fabs(s.out[LINE * (1 + p / W) + 3 * (p % W) + k] - wanted[k]) - .5;
+                worst = fmax(worst, beyond);
+                if (beyond > .001 + .13 * count)
+                    fail_msg("model %d, n %d, %u lamps: %g is wanted, %g off beyond the rounding", s.shader.lobe.model,
+                             s.shader.lobe.n, count, wanted[k], beyond);
+                compared++;
+                lit += wanted[k] > 0 && wanted[k] < 255;
+            }
+        }
+    }
+    printf("# at most %.3f of a level beyond the rounding, %u samples\n", worst, compared);
+    assert_true(compared > 1000000 && lit > compared / 2);
+}
+
+/* ---- what the sums promise ---- */
+
+static void the_order_of_the_lamps_does_not_matter(void **state)
+{
+    (void)state;
+    static struct scene a, b;
+    for (int i = 0; i < 300; i++) {
+        scene_init(&a, formats[i % FORMATS], (enum glint_space)below(2));
+        b = a;
+        b.surface.pixels = b.out + LINE;
+        struct glint_lamp lamps[GLINT_LAMPS_MAX], others[GLINT_LAMPS_MAX];
+        random_lamps(lamps);
+        const unsigned turn = 1 + below(3);
+        for (unsigned k = 0; k < GLINT_LAMPS_MAX; k++)
+            others[k] = lamps[i & 1 ? 3 - k : (k + turn) % GLINT_LAMPS_MAX];
+        struct glint_box box_a, box_b;
+        assert_int_equal(glint_shade_lights(&a.shader, lamps, 4, &a.source, W, H, &a.surface, &box_a), GLINT_OK);
+        assert_int_equal(glint_shade_lights(&a.shader, others, 4, &a.source, W, H, &b.surface, &box_b), GLINT_OK);
+        assert_memory_equal(a.out, b.out, sizeof a.out);
+        assert_memory_equal(&box_a, &box_b, sizeof box_a);
+    }
+}
+
+static void without_lamps_the_ambient_part_is_left(void **state)
+{
+    (void)state;
+    static struct scene a, b;
+    scene_init(&a, GLINT_RGB888, GLINT_GAMMA);
+    b = a;
+    b.surface.pixels = b.out + LINE;
+    for (int k = 0; k < 3; k++)
+        b.shader.material.diffuse_q16[k] = b.shader.material.specular_q16[k] = 0;
+    struct glint_box box = {9, 9, 9, 9};
+    assert_int_equal(glint_shade_lights(&a.shader, NULL, 0, &a.source, W, H, &a.surface, &box), GLINT_OK);
+    assert_int_equal(glint_shade_rect(&b.shader, &a.source, W, H, &b.surface, NULL), GLINT_OK);
+    assert_memory_equal(a.out, b.out, sizeof a.out);
+    assert_true(box.x == 0 && box.y == 0 && box.w == 0 && box.h == 0);
+}
+
+/* ---- one lamp over a plane ---- */
+
+/* A line of pixels that all face the lamp, white, without a highlight: what arrives, times 255. */
+enum { LONG = 320 };
+static void shade_line(const struct glint_lamp *lamp, uint8_t out[LONG])
+{
+    struct glint_vec normals[LONG];
+    for (int x = 0; x < LONG; x++) {
+        const int32_t to_lamp[3] = {lamp->position[0] - PIXEL * x - 8, 8 - lamp->position[1], lamp->position[2]};
+        assert_int_equal(glint_vec_normalize(&normals[x], to_lamp), GLINT_OK);
+    }
+    struct glint_shader shader = {.format = GLINT_GREY8, .light = {.v = {0, 0, 32767}}};
+    for (int k = 0; k < 3; k++) {
+        shader.material.diffuse_q16[k] = 65536;
+        shader.material.albedo[k] = 255;
+    }
+    glint_lobe_init(&shader.lobe, GLINT_MSH, 60, 8);
+    const struct glint_source source = {.normals = normals};
+    const struct glint_surface surface = {out, LONG, 0, 0};
+    assert_int_equal(glint_shade_lights(&shader, lamp, 1, &source, LONG, 1, &surface, NULL), GLINT_OK);
+}
+
+static const int32_t overhead[3] = {8, 8, 640};
+
+static void light_falls_smoothly_to_nothing_at_its_range(void **state)
+{
+    (void)state;
+    struct glint_lamp lamp;
+    uint8_t out[LONG];
+    const uint32_t range = 4000;
+    assert_int_equal(glint_lamp_point(&lamp, overhead, range), GLINT_OK);
+    for (int bright = 0; bright < 2; bright++) {
+        for (int k = 0; k < 3; k++)
+            lamp.color_q16[k] = bright ? 16 * 65536 : 65536;
+        shade_line(&lamp, out);
+        for (int x = 0; x < LONG; x++) {
+            const double u = (16. * 16 * x * x + 640 * 640) / range / range;
+            assert_near(out[x], fmin(255, (bright ? 16 * 255 : 255) * (u < 1 ? (1 - u) * (1 - u) : 0)), .55);
+            assert_true(x == 0 || (out[x] <= out[x - 1] && out[x - 1] - out[x] < (bright ? 30 : 3)));
+            if (16. * 16 * x * x + 640 * 640 >= (double)range * range)
+                assert_int_equal(out[x], 0);
+        }
+        assert_true(out[0] > 240 && out[LONG - 1] == 0);
+    }
+}
+
+static void a_colour_beyond_sixteen_counts_as_sixteen(void **state)
+{
+    (void)state;
+    struct glint_lamp lamp;
+    uint8_t most[LONG], beyond[LONG];
+    assert_int_equal(glint_lamp_point(&lamp, overhead, 4000), GLINT_OK);
+    for (int k = 0; k < 3; k++)
+        lamp.color_q16[k] = 1 << 20;
+    shade_line(&lamp, most);
+    for (int k = 0; k < 3; k++)
+        lamp.color_q16[k] = UINT32_MAX;
+    shade_line(&lamp, beyond);
+    assert_memory_equal(most, beyond, LONG);
+}
+
+static void a_spot_is_the_point_light_in_its_inner_cone_and_nothing_beyond_the_outer(void **state)
+{
+    (void)state;
+    static const double cones[][2] = {{20, 40}, {30, 30}, {0, 60}, {1, 2}, {0, 0}};
+    const int32_t below_it[3] = {8, 8, 0};
+    for (int i = 0; i < 5; i++) {
+        struct glint_lamp point, spot;
+        uint8_t full[LONG], out[LONG];
+        assert_int_equal(glint_lamp_point(&point, overhead, 8000), GLINT_OK);
+        assert_int_equal(glint_lamp_spot(&spot, overhead, below_it, 8000, cosine(cones[i][0]), cosine(cones[i][1])),
+                         GLINT_OK);
+        shade_line(&point, full);
+        shade_line(&spot, out);
+        int inside = 0, between = 0, outside = 0;
+        for (int x = 0; x < LONG; x++) {
+            const double angle = atan2(16 * x, 640) * 180 / M_PI;
+            if (angle < cones[i][0] || x == 0) {
+                assert_int_equal(out[x], full[x]);
+                inside++;
+            } else if (angle > cones[i][1]) {
+                assert_int_equal(out[x], 0);
+                outside++;
+            } else {
+                assert_in_range(out[x], 0, full[x]);
+                assert_true(out[x] <= out[x - 1]);
+                between++;
+            }
+        }
+        assert_true(inside && outside && (between || cones[i][0] == cones[i][1]));
+    }
+}
+
+static void a_lamp_at_a_pixel_or_straight_behind_gives_nothing_there(void **state)
+{
+    (void)state;
+    struct glint_shader shader = random_shader(GLINT_GREY8, GLINT_GAMMA);
+    memset(shader.material.ambient_q16, 0, sizeof shader.material.ambient_q16);
+    shader.dither = false;
+    const struct glint_vec back = {0, 0, -32768}, front = {0, 0, 32767};
+    const int32_t at_pixel[3] = {8, 8, 0}, behind[3] = {8, 8, -100};
+    const struct {
+        const int32_t *position;
+        const struct glint_vec *normal;
+    } cases[] = {{at_pixel, &front}, {at_pixel, &back}, {behind, &back}};
+    for (int i = 0; i < 3; i++) {
+        for (int model = 0; model < 6; model++) {
+            struct glint_lamp lamp;
+            uint8_t out = GUARD;
+            glint_lobe_init(&shader.lobe, (enum glint_model)model, 3, 8);
+            assert_int_equal(glint_lamp_point(&lamp, cases[i].position, 1000), GLINT_OK);
+            const struct glint_source source = {.normals = cases[i].normal};
+            const struct glint_surface surface = {&out, 1, 0, 0};
+            assert_int_equal(glint_shade_lights(&shader, &lamp, 1, &source, 1, 1, &surface, NULL), GLINT_OK);
+            assert_int_equal(out, 0);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(one_white_directional_lamp_gives_the_pixels_of_the_rectangle),
+        cmocka_unit_test(directional_lamps_are_summed_as_the_sequence_says),
+        cmocka_unit_test(pixels_of_up_to_four_lamps_are_within_their_rounding_of_doubles),
+        cmocka_unit_test(the_order_of_the_lamps_does_not_matter),
+        cmocka_unit_test(without_lamps_the_ambient_part_is_left),
+        cmocka_unit_test(light_falls_smoothly_to_nothing_at_its_range),
+        cmocka_unit_test(a_colour_beyond_sixteen_counts_as_sixteen),
+        cmocka_unit_test(a_spot_is_the_point_light_in_its_inner_cone_and_nothing_beyond_the_outer),
+        cmocka_unit_test(a_lamp_at_a_pixel_or_straight_behind_gives_nothing_there),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
