@@ -5,11 +5,15 @@
 #include <lz4.h>
 #include <png.h>
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "base/host.h"
+#include "base/argp.h"
+#include "base/message.h"
+#include "base/stop.h"
+#include "commands/commands.h"
 #include "sinks/sink.h"
 
 static const struct command {
@@ -87,13 +91,6 @@ static char *describe(int key, const char *text, void *input)
     return out;
 }
 
-static void on_signal(int number)
-{
-    output_discard_all();
-    signal(number, SIG_DFL);
-    raise(number);
-}
-
 /* A file opened later must not get the number of a standard stream that the caller closed: its place is taken by one
  * that fails as the closed one would. */
 static void occupy_standard_streams(void)
@@ -117,15 +114,11 @@ int main(int argc, char **argv)
 {
     occupy_standard_streams();
     argp_err_exit_status = EXIT_USAGE;
-    static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM, SIGUSR1, SIGUSR2};
-    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
-        if (signal(signals[i], SIG_IGN) != SIG_IGN) /* nohup's wish stays */
-            signal(signals[i], on_signal);
+    stop_at_signals();
     /* A closed pipe and a limit on the size of files are reported by the write that fails. */
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
     on_exit(check_standard_output, NULL);
-    atexit(output_discard_all);
 
     static const struct argp argp = {
         NULL,     parse_option, "COMMAND [OPTION...]", "glint: specular highlights with integers only.\vCommands", NULL,

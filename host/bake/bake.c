@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "bake/bake.h"
+#include "base/memory.h"
 
 const char *const bake_format_names[] = {"int16", "int10", "int8", "palette", NULL};
 

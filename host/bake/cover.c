@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "bake/palette.h"
-#include "image/image.h"
+#include "base/memory.h"
 
 enum { WORK_MAX = 1 << 22 }; /* pairs of points in a ball, all together: some seconds */
 

@@ -7,7 +7,8 @@
 #include <string.h>
 
 #include "bake/palette.h"
-#include "base/host.h"
+#include "base/memory.h"
+#include "models/models.h"
 
 enum { SIDE_LIMIT = 128, ROUNDS = 4, BALL_STEPS = 60 };
 

@@ -5,9 +5,8 @@
 #include <string.h>
 
 #include "bake/bake.h"
-#include "base/host.h"
-#include "image/image.h"
 #include "bake/uf2.h"
+#include "base/memory.h"
 
 /* ---- C source ---- */
 

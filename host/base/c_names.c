@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT
  * Names that written C source can have. */
 #include <ctype.h>
+#include <stdbool.h>
 #include <string.h>
 #include <strings.h>
 
-#include "base/host.h"
+#include "base/argp.h"
+#include "base/c_names.h"
 
 static bool begins(const char *text, const char *with)
 {

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include <ctype.h>
 #include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "base/host.h"
+#include "base/message.h"
 
 static bool progress_shown;
 
@@ -55,7 +57,6 @@ void fail(const char *format, ...)
     va_start(arguments, format);
     line(format, arguments);
     va_end(arguments);
-    output_discard_all();
     exit(EXIT_FAILED);
 }
 

@@ -2,19 +2,26 @@
  * Output that is whole or not there: a regular file is written beside its name, then renamed. */
 #include <errno.h>
 #include <limits.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/host.h"
+#include "base/message.h"
+#include "base/output.h"
+#include "base/stop.h"
 
 enum { OPEN_MAX_FILES = 8 };
 static char *unfinished[OPEN_MAX_FILES]; /* names to remove if the program ends early; read by the signal handler */
 
 static void remember(char *name)
 {
+    static bool registered;
+    if (!registered) {
+        registered = true;
+        atexit(output_discard_all);
+        stop_undo(output_discard_all);
+    }
     for (int i = 0; i < OPEN_MAX_FILES; i++) {
         if (!unfinished[i]) {
             unfinished[i] = name;
@@ -107,18 +114,6 @@ bool output_same(const char *a, const char *b)
     return same;
 }
 
-void signals_hold(sigset_t *before)
-{
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, before);
-}
-
-void signals_release(const sigset_t *before)
-{
-    pthread_sigmask(SIG_SETMASK, before, NULL);
-}
-
 /* A new file in the target's folder, under a name of its own until it is whole. */
 static int open_beside(struct output *output)
 {
@@ -135,13 +130,6 @@ static int open_beside(struct output *output)
     remember(output->temporary);
     signals_release(&before);
     return descriptor;
-}
-
-const char *parse_output(const struct argp_state *state, const char *option, const char *text)
-{
-    if (!*text)
-        refuse(state, "%s: '' is no name; name a file", option);
-    return text;
 }
 
 struct output *output_open(const char *path)

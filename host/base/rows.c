@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/host.h"
+#include "base/argp.h"
+#include "base/message.h"
+#include "base/rows.h"
 
 struct rows {
     FILE *stream;

@@ -4,7 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/host.h"
+#include "base/argp.h"
+#include "base/message.h"
+#include "base/output.h"
+#include "base/parse.h"
+#include "base/rows.h"
+#include "commands/commands.h"
+#include "models/models.h"
 
 enum { KEY_MODEL = 256, KEY_CSV, KEY_JSON };
 

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: MIT
  * glint list: what frames can be sent to. */
 #include <errno.h>
+#include <stdio.h>
 #include <string.h>
 
-#include "base/host.h"
+#include "base/argp.h"
+#include "base/message.h"
+#include "commands/commands.h"
 #include "sinks/sink.h"
 
 enum key { KEY_JSON = 256 };

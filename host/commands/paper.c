@@ -6,6 +6,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/argp.h"
+#include "base/message.h"
+#include "base/output.h"
+#include "base/parse.h"
+#include "commands/commands.h"
 #include "paper/paper.h"
 
 enum { OPTION_ONLY = 256, OPTION_NO_PLOTS, OPTION_JSON };

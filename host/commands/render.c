@@ -2,8 +2,14 @@
  * glint render: options, and the way from files to a picture. */
 #include <string.h>
 
+#include "base/message.h"
+#include "base/output.h"
+#include "commands/commands.h"
 #include "compare/compare.h"
-#include "base/host.h"
+#include "image/levels.h"
+#include "image/picture.h"
+#include "image/write.h"
+#include "models/models.h"
 #include "options/render_options.h"
 
 static void report(const struct render_options *options, const struct scene *scene, const struct shading *shading,

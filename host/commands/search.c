@@ -3,7 +3,11 @@
 #include <jansson.h>
 #include <stdlib.h>
 
-#include "base/host.h"
+#include "base/argp.h"
+#include "base/message.h"
+#include "base/output.h"
+#include "base/parse.h"
+#include "commands/commands.h"
 #include "paper/search.h"
 
 enum {

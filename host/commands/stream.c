@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: MIT
  * glint stream: its options. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "base/host.h"
+#include "base/argp.h"
+#include "base/parse.h"
+#include "commands/commands.h"
 #include "stream/stream.h"
 
 enum key { KEY_TO = 384, KEY_FPS, KEY_FRAMES, KEY_ORBIT, KEY_PERIOD, KEY_LIGHTS, KEY_STATS, KEY_JSON, KEY_SHADE };

@@ -6,7 +6,13 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/host.h"
+#include "base/argp.h"
+#include "base/c_names.h"
+#include "base/message.h"
+#include "base/output.h"
+#include "base/parse.h"
+#include "commands/commands.h"
+#include "models/models.h"
 
 enum { KEY_MODEL = 256, KEY_OF, KEY_ENTRIES, KEY_BITS, KEY_CLAMP, KEY_NAME, KEY_RAW };
 

@@ -4,8 +4,13 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/memory.h"
+#include "base/message.h"
 #include "compare/compare.h"
-#include "base/host.h"
+#include "image/format.h"
+#include "image/levels.h"
+#include "image/picture.h"
+#include "models/models.h"
 
 double difference_psnr_db(const struct difference *d)
 {

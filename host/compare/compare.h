@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "draw/shade.h"
+#include "image/levels.h"
 
 /* Between two pictures, over all samples that are drawn; in levels of 255, whatever the format. */
 struct difference {

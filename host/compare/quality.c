@@ -4,8 +4,9 @@
 #include <stdlib.h>
 
 #include "bake/bake.h"
-#include "base/host.h"
+#include "base/memory.h"
 #include "draw/shade.h"
+#include "image/levels.h"
 
 /* Straight on, then around at two heights, so that half vectors lie as the light's play puts them. */
 enum { LIGHTS = 9 };

@@ -3,8 +3,9 @@
  * come near. Written from the formula, not from the library. */
 #include <math.h>
 
-#include "base/host.h"
 #include "draw/shade.h"
+#include "image/format.h"
+#include "models/models.h"
 
 static double dot(const double a[3], const double b[3])
 {

@@ -4,7 +4,8 @@
 #include <string.h>
 
 #include "bake/bake.h"
-#include "base/host.h"
+#include "base/memory.h"
+#include "base/message.h"
 #include "draw/shade.h"
 
 const char *const path_names[] = {

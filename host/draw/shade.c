@@ -3,23 +3,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/host.h"
+#include "base/memory.h"
+#include "base/message.h"
+#include "base/stop.h"
 #include "draw/shade.h"
-
-const char *const format_names[] = {"rgb565", "rgb565-swapped", "rgb888", "grey8", "mono", NULL};
-const char *const space_names[] = {"gamma", "linear", NULL};
-
-unsigned format_channels(enum glint_format format)
-{
-    return format == GLINT_GREY8 || format == GLINT_MONO ? 1 : 3;
-}
-
-unsigned format_max(enum glint_format format, unsigned channel)
-{
-    if (format == GLINT_RGB565 || format == GLINT_RGB565_SWAPPED)
-        return channel == 1 ? 63 : 31;
-    return format == GLINT_MONO ? 1 : 255;
-}
+#include "image/format.h"
+#include "image/levels.h"
 
 void direction_integers(const double direction[3], int32_t out[3])
 {
@@ -108,48 +97,6 @@ struct glint_shader shading_shader(const struct shading *shading)
     return shader_of(shading, lamps);
 }
 
-size_t format_line_bytes(enum glint_format format, size_t width)
-{
-    switch (format) {
-    case GLINT_RGB565:
-    case GLINT_RGB565_SWAPPED:
-        return 2 * width;
-    case GLINT_RGB888:
-        return 3 * width;
-    case GLINT_GREY8:
-        return width;
-    case GLINT_MONO:
-        return (width + 7) / 8;
-    }
-    return 0;
-}
-
-/* One pixel of a line as the library wrote it. */
-static void unpack(const uint8_t *line, enum glint_format format, size_t x, uint8_t *values)
-{
-    unsigned word;
-    switch (format) {
-    case GLINT_RGB565:
-    case GLINT_RGB565_SWAPPED:
-        word = line[2 * x + (format == GLINT_RGB565)];
-        word = word << 8 | line[2 * x + (format == GLINT_RGB565_SWAPPED)];
-        values[0] = (uint8_t)(word >> 11);
-        values[1] = (uint8_t)(word >> 5 & 63);
-        values[2] = (uint8_t)(word & 31);
-        break;
-    case GLINT_RGB888:
-        for (unsigned k = 0; k < 3; k++)
-            values[k] = line[3 * x + k];
-        break;
-    case GLINT_GREY8:
-        values[0] = line[x];
-        break;
-    case GLINT_MONO:
-        values[0] = line[x / 8] >> (7 - x % 8) & 1;
-        break;
-    }
-}
-
 /* ---- drawing again and again ---- */
 
 struct canvas {
@@ -230,21 +177,6 @@ void canvas_draw(const struct canvas *canvas, const struct shading *shading, uin
         fail("the library refused the rectangle (error %d)", worst);
 }
 
-/* ---- pictures ---- */
-
-struct levels *levels_of_pixels(uint32_t width, uint32_t height, enum glint_format format, const uint8_t *pixels)
-{
-    const size_t bytes = format_line_bytes(format, width);
-    struct levels *levels = allocate(1, sizeof *levels);
-    *levels = (struct levels){width, height, format_channels(format), {0}, NULL};
-    for (unsigned k = 0; k < levels->channels; k++)
-        levels->max[k] = format_max(format, k);
-    levels->values = allocate((size_t)width * height, levels->channels);
-    for (size_t i = 0; i < (size_t)width * height; i++)
-        unpack(&pixels[i / width * bytes], format, i % width, &levels->values[i * levels->channels]);
-    return levels;
-}
-
 struct levels *shade_scene(const struct scene *scene, const struct shading *shading)
 {
     struct canvas *canvas = canvas_new(scene, shading);
@@ -255,33 +187,4 @@ struct levels *shade_scene(const struct scene *scene, const struct shading *shad
     struct levels *levels = levels_of_pixels(scene->width, scene->height, shading->format, pixels);
     free(pixels);
     return levels;
-}
-
-void levels_free(struct levels *levels)
-{
-    if (!levels)
-        return;
-    free(levels->values);
-    free(levels);
-}
-
-struct picture *levels_picture(const struct levels *levels)
-{
-    const size_t samples = (size_t)levels->width * levels->height * levels->channels;
-    struct picture *picture = allocate(1, sizeof *picture);
-    *picture = (struct picture){levels->width, levels->height, levels->channels, levels->max[0] == 1, NULL};
-    picture->samples = allocate(samples, 1);
-    for (size_t i = 0; i < samples; i++) {
-        const unsigned max = levels->max[i % levels->channels];
-        picture->samples[i] = (uint8_t)((255 * levels->values[i] + max / 2) / max);
-    }
-    return picture;
-}
-
-void picture_free(struct picture *picture)
-{
-    if (!picture)
-        return;
-    free(picture->samples);
-    free(picture);
 }

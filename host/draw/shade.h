@@ -4,7 +4,7 @@
 #define GLINT_SHADE_H
 
 #include "glint.h"
-#include "image/image.h"
+#include "image/levels.h"
 #include "scene/scene.h"
 
 /* A light of the scene. */
@@ -33,23 +33,6 @@ struct shading {
     unsigned path; /* index in path_names */
 };
 
-/* A picture in its format's own levels: 0..31, 0..63, 0..255 or 0..1. */
-struct levels {
-    uint32_t width, height;
-    unsigned channels; /* 3, or 1 for grey and mono */
-    unsigned max[3];
-    uint8_t *values;
-};
-void levels_free(struct levels *levels);
-/* The level as it is shown: nearest of 255. */
-struct picture *levels_picture(const struct levels *levels);
-void picture_free(struct picture *picture);
-
-extern const char *const format_names[]; /* "rgb565" ..., by enum glint_format; ends with NULL */
-extern const char *const space_names[];  /* "gamma", "linear", by enum glint_space; ends with NULL */
-unsigned format_channels(enum glint_format format);
-unsigned format_max(enum glint_format format, unsigned channel);
-
 /* ---- by the library (shade.c) ---- */
 
 /* A lamp as the library takes it, or what the library has against it. */
@@ -69,10 +52,6 @@ void canvas_free(struct canvas *canvas);
 /* With other lamps than it was made with, perhaps, of the same kinds. On all cores. Lines are packed; what the scene's
  * mask leaves out is left as it is. */
 void canvas_draw(const struct canvas *canvas, const struct shading *shading, uint8_t *pixels);
-size_t format_line_bytes(enum glint_format format, size_t width);
-/* Pixels as the library wrote them, lines packed. */
-struct levels *levels_of_pixels(uint32_t width, uint32_t height, enum glint_format format, const uint8_t *pixels);
-
 /* ---- ways through the library (paths.c) ---- */
 
 extern const char *const path_names[]; /* by the names --path takes, [0] the exact rectangle; ends with NULL */

@@ -3,24 +3,20 @@
  * error function needs no longjmp. */
 #include <errno.h>
 #include <png.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/host.h"
+#include "base/memory.h"
+#include "base/message.h"
 #include "image/image.h"
+#include "image/picture.h"
+#include "image/read.h"
 
 struct source {
     const char *name; /* for messages */
     FILE *stream;
 };
-
-void *allocate(size_t count, size_t size)
-{
-    void *memory = calloc(count ? count : 1, size);
-    if (!memory)
-        fail("out of memory: %zu bytes are wanted", count * size);
-    return memory;
-}
 
 static void on_error(png_structp png, png_const_charp message)
 {
@@ -141,76 +137,4 @@ struct image *image_read(const char *path)
     if (!standard)
         fclose(source.stream);
     return image;
-}
-
-void image_free(struct image *image)
-{
-    if (!image)
-        return;
-    free(image->name);
-    free(image->samples);
-    free(image);
-}
-
-static uint8_t to_8_bits(uint32_t sample)
-{
-    return (uint8_t)((sample + 128) / 257);
-}
-
-/* The pixel's colour as 0..65535: grey is repeated. */
-static void color_at(const struct image *image, size_t pixel, uint16_t rgb[3])
-{
-    const uint16_t *sample = &image->samples[pixel * image->channels];
-    for (unsigned k = 0; k < 3; k++)
-        rgb[k] = sample[image->channels < 3 ? 0 : k];
-}
-
-static uint32_t weighted_at(const struct image *image, size_t pixel) /* 0..65535 * 256 */
-{
-    uint16_t rgb[3];
-    color_at(image, pixel, rgb);
-    return (uint32_t)GREY_RED * rgb[0] + (uint32_t)GREY_GREEN * rgb[1] + (uint32_t)GREY_BLUE * rgb[2];
-}
-
-uint8_t *image_rgb8(const struct image *image)
-{
-    const size_t pixels = (size_t)image->width * image->height;
-    uint8_t *out = allocate(pixels, 3);
-    for (size_t i = 0; i < pixels; i++) {
-        uint16_t rgb[3];
-        color_at(image, i, rgb);
-        for (unsigned k = 0; k < 3; k++)
-            out[3 * i + k] = to_8_bits(rgb[k]);
-    }
-    return out;
-}
-
-uint8_t *image_grey8(const struct image *image)
-{
-    const size_t pixels = (size_t)image->width * image->height;
-    uint8_t *out = allocate(pixels, 1);
-    for (size_t i = 0; i < pixels; i++)
-        out[i] = to_8_bits((weighted_at(image, i) + 128) / 256);
-    return out;
-}
-
-double *image_grey(const struct image *image)
-{
-    const size_t pixels = (size_t)image->width * image->height;
-    double *out = allocate(pixels, sizeof *out);
-    for (size_t i = 0; i < pixels; i++)
-        out[i] = weighted_at(image, i) / (65535.0 * 256);
-    return out;
-}
-
-bool image_is_grey(const struct image *image)
-{
-    const size_t pixels = (size_t)image->width * image->height;
-    for (size_t i = 0; i < pixels; i++) {
-        uint16_t rgb[3];
-        color_at(image, i, rgb);
-        if (rgb[0] != rgb[1] || rgb[1] != rgb[2])
-            return false;
-    }
-    return true;
 }

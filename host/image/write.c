@@ -6,8 +6,11 @@
 #include <string.h>
 #include <strings.h>
 
-#include "base/host.h"
-#include "image/image.h"
+#include "base/memory.h"
+#include "base/message.h"
+#include "base/output.h"
+#include "image/picture.h"
+#include "image/write.h"
 
 /* The header is the library: this file holds its code. Only the encoder is wanted. */
 #pragma GCC diagnostic push
@@ -125,16 +128,6 @@ static void write_ppm(const struct picture *picture, struct output *output)
 }
 
 /* ---- QOI ---- */
-
-uint8_t *picture_rgb(const struct picture *picture)
-{
-    const size_t pixels = (size_t)picture->width * picture->height;
-    uint8_t *rgb = allocate(pixels, 3);
-    for (size_t i = 0; i < pixels; i++)
-        for (unsigned k = 0; k < 3; k++)
-            rgb[3 * i + k] = picture->samples[picture->channels == 3 ? 3 * i + k : i];
-    return rgb;
-}
 
 static void write_qoi(const struct picture *picture, struct output *output)
 {

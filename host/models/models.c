@@ -3,7 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/host.h"
+#include "base/argp.h"
+#include "models/models.h"
 
 const char *const model_names[MODEL_COUNT] = {"msh", "schlick", "blinn", "phong", "gauss", "cayley"};
 

@@ -3,7 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/host.h"
+#include "base/argp.h"
+#include "base/parse.h"
 #include "options/shading_options.h"
 
 static const double farthest = GLINT_LAMP_FAR / 16., widest = 1e6; /* pixels; the parts of a direction */

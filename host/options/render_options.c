@@ -2,7 +2,10 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/host.h"
+#include "base/argp.h"
+#include "base/output.h"
+#include "base/parse.h"
+#include "image/write.h"
 #include "options/render_options.h"
 
 enum key { KEY_IMAGE = 384, KEY_COMPARE, KEY_JSON, KEY_ERROR_MAP, KEY_AGAINST };

@@ -5,6 +5,7 @@
 
 #include <argp.h>
 
+#include "image/write.h"
 #include "options/shading_options.h"
 
 struct render_options {

@@ -3,7 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/host.h"
+#include "base/argp.h"
+#include "base/memory.h"
+#include "base/message.h"
+#include "base/parse.h"
+#include "image/image.h"
+#include "image/picture.h"
+#include "image/read.h"
 #include "options/scene_options.h"
 
 /* Beyond those of the commands, whose keys begin at 256. */

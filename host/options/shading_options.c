@@ -3,7 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/host.h"
+#include "base/argp.h"
+#include "base/parse.h"
+#include "image/format.h"
+#include "models/models.h"
 #include "options/shading_options.h"
 
 /* Other keys than those of the commands', which begin at 384. */

@@ -2,6 +2,8 @@
  * Figures 3 and 4: the functions themselves, and their error at the epicentre of the highlight. */
 #include <math.h>
 
+#include "base/output.h"
+#include "models/models.h"
 #include "paper/paper.h"
 
 /* ---- figure 3: F over x at n = 60 ---- */

@@ -2,6 +2,8 @@
  * The table of models on the paper's grid, and what one evaluation costs. */
 #include <math.h>
 
+#include "base/output.h"
+#include "models/models.h"
 #include "paper/paper.h"
 
 /* Arithmetic for one c with all that depends on n alone prepared. */

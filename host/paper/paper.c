@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/message.h"
+#include "base/output.h"
 #include "paper/paper.h"
 
 const char *const verdict_names[] = {"confirmed", "confirmed with limits", "not confirmed"};

@@ -7,8 +7,9 @@
 #include <jansson.h>
 #include <stdio.h>
 
+#include "base/output.h"
+#include "glint.h"
 #include "models/formulas.h"
-#include "base/host.h"
 #include "paper/search.h"
 
 #define PI 3.14159265358979323846

@@ -3,6 +3,8 @@
  * to a bound, of which the largest (17) is kept. Whose cutoff bounds the loop, and at which q, it does not say. */
 #include <math.h>
 
+#include "base/output.h"
+#include "models/models.h"
 #include "paper/paper.h"
 
 enum { Q_FIRST = 3, Q_LAST = 10 };

@@ -2,6 +2,8 @@
  * report.html, one file with the plots in it, and claims.json: two views of the same object. */
 #include <string.h>
 
+#include "base/message.h"
+#include "base/output.h"
 #include "paper/paper.h"
 
 static const char style[] =

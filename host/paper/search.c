@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-#include "base/host.h"
+#include "base/message.h"
+#include "base/stop.h"
 #include "paper/search_grid.h"
 
 #define LENGTH(array) (sizeof(array) / sizeof *(array))

@@ -3,7 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/host.h"
+#include "base/message.h"
+#include "models/models.h"
 #include "paper/search_grid.h"
 
 #define PI 3.14159265358979323846

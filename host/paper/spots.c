@@ -2,6 +2,8 @@
  * Figure 7: how far the highlight reaches, against Blinn's; the cutoff angles (10) (12) (14). */
 #include <math.h>
 
+#include "base/output.h"
+#include "models/models.h"
 #include "paper/paper.h"
 
 /* The surfaces drawn: n = 1, 38, 75 .. 704 .. 1000, q = 1..16. */

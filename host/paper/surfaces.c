@@ -2,6 +2,8 @@
  * Figures 5 and 6: the absolute error and the derivative as surfaces over n and x. */
 #include <math.h>
 
+#include "base/output.h"
+#include "models/models.h"
 #include "paper/paper.h"
 
 /* The surfaces drawn: n = 1, 28, 55 .. 1000 and x in quarter degrees. Claims are tested on finer grids. */

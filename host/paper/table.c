@@ -3,6 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/message.h"
+#include "base/output.h"
+#include "models/models.h"
 #include "paper/paper.h"
 
 enum { TABLE_ROWS = 5, MSH_ROW = 2 };

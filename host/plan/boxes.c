@@ -2,7 +2,7 @@
  * Rectangles around what changed. */
 #include <stdlib.h>
 
-#include "base/host.h"
+#include "base/message.h"
 #include "plan/plan.h"
 
 void boxes_add(struct boxes *boxes, struct glint_box box)

@@ -3,8 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/host.h"
-#include "image/image.h"
+#include "base/memory.h"
 #include "plan/plan.h"
 
 struct density {

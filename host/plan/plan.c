@@ -5,10 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/host.h"
-#include "image/image.h"
-#include "plan/plan.h"
+#include "base/memory.h"
+#include "base/message.h"
 #include "draw/shade.h"
+#include "image/format.h"
+#include "plan/plan.h"
 
 /* One way to send a frame. */
 struct draft {

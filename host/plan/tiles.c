@@ -4,8 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/host.h"
-#include "image/image.h"
+#include "base/memory.h"
 #include "plan/plan.h"
 
 /* Of a grid: 3510 boxes of cells, each cut in at most 19 ways. Each tile gets a grid of its own, so often. */

@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/host.h"
+#include "base/memory.h"
+#include "base/message.h"
+#include "image/image.h"
 #include "scene/scene.h"
 
 static const struct finish plain_finish = {60, {.2, .2, .2}, {.9, .9, .9}, {.5, .5, .5}};

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/host.h"
+#include "base/memory.h"
 #include "scene/scene.h"
 
 static uint8_t to_byte(double value)

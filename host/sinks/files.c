@@ -2,8 +2,11 @@
  * Sinks png and ppm: each frame a file. */
 #include <stdlib.h>
 
-#include "base/host.h"
+#include "base/memory.h"
+#include "base/output.h"
 #include "draw/shade.h"
+#include "image/picture.h"
+#include "image/write.h"
 #include "sinks/sink.h"
 
 struct files {

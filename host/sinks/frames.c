@@ -3,12 +3,18 @@
 #include <ctype.h>
 #include <errno.h>
 #include <poll.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "base/host.h"
+#include "base/argp.h"
+#include "base/memory.h"
+#include "base/message.h"
+#include "base/stop.h"
 #include "draw/shade.h"
+#include "image/levels.h"
+#include "image/picture.h"
 #include "sinks/sink.h"
 
 /* A conversion at `text`, which begins with %: its length, 0 where it is none of ours. %%: a percent sign. */

@@ -2,8 +2,8 @@
  * Sink none: no device; what would be sent to a USB display, for --stats. */
 #include <stdlib.h>
 
-#include "base/host.h"
-#include "image/image.h"
+#include "base/memory.h"
+#include "base/parse.h"
 #include "sinks/sink.h"
 
 enum key { KEY_RATE = 256, KEY_RECTANGLE, KEY_RAW };

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * The options of all sinks in one command line: those of a sink that was not chosen are refused. */
-#include "base/host.h"
+#include <stdio.h>
+
+#include "base/argp.h"
+#include "base/message.h"
 #include "stream/stream.h"
 
 /* The options that a sink, or several, take; argp hands it to parse_one() as its input. */

@@ -2,7 +2,7 @@
  * Sink raw: whole frames as they are in memory, to standard output. */
 #include <stdlib.h>
 
-#include "image/image.h"
+#include "base/memory.h"
 #include "sinks/sink.h"
 
 static struct sink *open_raw(const struct sink_wish *wish)

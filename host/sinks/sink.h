@@ -56,8 +56,7 @@ struct sink {
     bool lz4;                 /* does it take compressed pieces? */
     size_t max_bytes;         /* of a piece uncompressed; at least a line; SIZE_MAX: no limit */
     struct sink_cost cost;
-    const char *name;       /* of the device, for messages: "usb 1-3.1", "gpiochip0" */
-    const char *last_words; /* for standard output where a second signal ends the program at once; or NULL */
+    const char *name; /* of the device, for messages: "usb 1-3.1", "gpiochip0" */
 };
 
 enum sink_nature {
@@ -119,19 +118,13 @@ extern const struct sink_left_out {
     const char *name, *packages;
 } sinks_left_out[];
 
-/* A text of a device's or a user's as JSON, which is UTF-8: where it is not, '?' stands for its bytes. (sinks.c) */
-json_t *json_text(const char *text);
-
-/* Has a signal asked the stream to end? For loops that wait. (stream.c) */
-bool stream_stopped(void);
-
 /* ---- for sinks that write (frames.c) ---- */
 
 /* The name of frame `index`, malloc'd: `pattern` with the number where it has its %d or %04d. */
 char *frame_name(const char *pattern, unsigned long index);
 /* Is there a place for a number in it? Refuses a pattern that has two, or a % of another kind. */
 bool frame_pattern(const struct argp_state *state, const char *option, const char *pattern);
-struct picture *frame_picture(const struct frame *frame); /* image.h */
+struct picture *frame_picture(const struct frame *frame); /* image/picture.h */
 /* All of it, or until a signal came; else fail(). */
 enum sink_result standard_output_write(const void *bytes, size_t count);
 

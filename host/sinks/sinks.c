@@ -1,9 +1,5 @@
 /* SPDX-License-Identifier: MIT
  * The sinks compiled in and those left out, and what they share. */
-#include <stdlib.h>
-#include <string.h>
-
-#include "base/host.h"
 #include "sinks/sink.h"
 
 const struct sink_kind *const sink_kinds[] = {
@@ -24,19 +20,3 @@ const struct sink_left_out sinks_left_out[] = {
 #undef LEFT_OUT
     {NULL, NULL},
 };
-
-json_t *json_text(const char *text)
-{
-    json_t *json = json_string(text);
-    if (json)
-        return json;
-    char *copy = strdup(text);
-    if (!copy)
-        fail("out of memory");
-    for (char *at = copy; *at; at++)
-        if (*at & 0x80)
-            *at = '?';
-    json = json_string(copy);
-    free(copy);
-    return json;
-}

@@ -3,13 +3,17 @@
 #include <chafa.h>
 #include <langinfo.h>
 #include <locale.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "base/host.h"
+#include "base/memory.h"
+#include "base/message.h"
+#include "base/stop.h"
 #include "draw/shade.h"
+#include "image/picture.h"
 #include "sinks/sink.h"
 
 static const char show_start[] = "\033[?25l\033[2J", show_end[] = "\033[?25h\033[0m\n"; /* the cursor; clear; colours */
@@ -94,8 +98,8 @@ static struct sink *open_terminal(const struct sink_wish *wish)
                                    .align_x = 1,
                                    .whole_frames = true,
                                    .max_bytes = SIZE_MAX,
-                                   .name = "the terminal",
-                                   .last_words = show_end};
+                                   .name = "the terminal"};
+    stop_last_words(show_end);
     char **environment = g_get_environ();
     terminal->info = chafa_term_db_detect(chafa_term_db_get_default(), environment);
     g_strfreev(environment);
@@ -147,6 +151,7 @@ static void close_terminal(struct sink *sink)
     struct terminal *terminal = (struct terminal *)sink;
     if (terminal->started && write(STDOUT_FILENO, show_end, sizeof show_end - 1) < 0)
         warn("%s: could not be restored; `reset` does that", sink->name);
+    stop_last_words(NULL);
     chafa_canvas_unref(terminal->canvas);
     chafa_symbol_map_unref(terminal->symbols);
     chafa_term_info_unref(terminal->info);

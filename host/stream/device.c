@@ -3,7 +3,8 @@
 #include <string.h>
 
 #include "bake/bake.h"
-#include "base/host.h"
+#include "base/message.h"
+#include "image/format.h"
 #include "stream/stream.h"
 
 static const char *colour_refusal(const struct scene *scene, uint8_t albedo[3])

@@ -2,10 +2,14 @@
  * Where the light is in each frame: on an orbit, or where a file or standard input says. */
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/host.h"
+#include "base/memory.h"
+#include "base/message.h"
+#include "base/parse.h"
+#include "base/stop.h"
 #include "stream/stream.h"
 
 static const double usual_orbit = 30; /* degrees */

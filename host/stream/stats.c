@@ -2,11 +2,14 @@
  * What the frames of a stream took, and what they would take over USB. */
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/host.h"
-#include "image/image.h"
+#include "base/clock.h"
+#include "base/json.h"
+#include "base/memory.h"
+#include "base/message.h"
 #include "stream/stream.h"
 
 const double usb_rates[USB_RATES] = {600e3, 1000e3}, usb_rectangle_s = .4e-3;

@@ -1,13 +1,17 @@
 /* SPDX-License-Identifier: MIT
  * The loop of glint stream: light, shade, plan, send; and how it ends. */
 #include <math.h>
-#include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
-#include "base/host.h"
+#include "base/clock.h"
+#include "base/memory.h"
+#include "base/message.h"
+#include "base/stop.h"
+#include "image/format.h"
+#include "image/picture.h"
 #include "stream/stream.h"
 
 enum { USUAL_WIDTH = 320, USUAL_HEIGHT = 240 }; /* of built-in scenes */
@@ -22,60 +26,6 @@ static void close_sink(void)
     open_sink = NULL;
     if (sink)
         sink->kind->close(sink);
-}
-
-/* ---- signals ---- */
-
-static volatile sig_atomic_t stop_signal;
-
-bool stream_stopped(void)
-{
-    return stop_signal != 0;
-}
-
-/* The first asks, the second does not wait. */
-static void on_stop(int number)
-{
-    if (stop_signal) {
-        const char *words = open_sink ? open_sink->last_words : NULL;
-        if (words && write(STDOUT_FILENO, words, strlen(words)) < 0)
-            words = NULL; /* there is nothing more to do */
-        output_discard_all();
-        signal(number, SIG_DFL);
-        raise(number);
-    }
-    stop_signal = number;
-}
-
-static void catch_signals(void)
-{
-    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
-    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
-        struct sigaction now;
-        sigaction(signals[i], NULL, &now);
-        if (now.sa_handler == SIG_IGN)
-            continue;
-        now = (struct sigaction){.sa_handler = on_stop}; /* without SA_RESTART: waiting ends */
-        sigaction(signals[i], &now, NULL);
-    }
-}
-
-/* ---- time ---- */
-
-double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-/* In short sleeps: a signal just before one would not end it. */
-static void wait_until(double seconds)
-{
-    for (double now = seconds_now(); now < seconds && !stream_stopped(); now = seconds_now()) {
-        const double sleep = fmin(seconds - now, .2);
-        nanosleep(&(struct timespec){0, (long)(1e9 * sleep)}, NULL);
-    }
 }
 
 /* ---- the stream ---- */
@@ -122,7 +72,7 @@ static bool start(struct stream *stream)
     struct scene_maps *maps = scene_maps_read(&options->look.scene);
     stream->path = light_path_new(options); /* files are opened before anything is done to a device */
     choose_size(stream, maps);
-    catch_signals(); /* until here one ends the program at once */
+    stop_when_asked(); /* until here one ends the program at once */
     open_sink = open_wished(stream);
     if (!open_sink)
         return false;
@@ -244,5 +194,5 @@ int stream_run(const struct stream_options *options)
             stats_print(stream.stats, options->json, options->kind->takes_standard_output ? stderr : stdout);
     }
     end(&stream);
-    return stop_signal ? 128 + stop_signal : EXIT_GOOD;
+    return stop_status();
 }

@@ -54,8 +54,6 @@ void stats_show(struct stream_stats *stats); /* a line on a terminal, some times
 void stats_print(const struct stream_stats *stats, bool json, FILE *stream);
 void stats_free(struct stream_stats *stats);
 
-double seconds_now(void); /* of a clock that only runs forward */
-
 /* ---- the options of sinks (sink_options.c) ---- */
 
 enum { SINK_OPTIONS_MAX = 2 * SINKS_MAX };

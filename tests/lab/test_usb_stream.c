@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * The usb sink against a USB display through the kernel's host and gadget sides: what arrives is what was drawn. */
+#include "image/format.h"
 #include "run.h"
 
 #include <lz4.h>

@@ -13,10 +13,11 @@
 #include <string.h>
 
 #include "bake/bake.h"
+#include "base/memory.h"
+#include "base/message.h"
+#include "base/parse.h"
 #include "demo.h"
 #include "fault.h"
-#include "base/host.h"
-#include "image/image.h"
 #include "light_protocol.h"
 #include "orbit.h"
 #include "sinks/panel/virtual_panel.h"

@@ -12,14 +12,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "sinks/panel/options.h"
+#include "sinks/panel/virtual_panel.h"
 #include "sinks/wires/bus.h"
 #include "sinks/wires/display.h"
 #include "sinks/wires/find.h"
 #include "sinks/wires/lines.h"
-#include "base/host.h"
-#include "sinks/panel/options.h"
 #include "unit.h"
-#include "sinks/panel/virtual_panel.h"
 
 /* ---- the library's place is taken ---- */
 

@@ -2,8 +2,9 @@
  * Which of a display's formats and modes: what the user named, else the display's own preference. */
 #include <string.h>
 
-#include "sinks/gud/host.h"
 #include "draw/shade.h"
+#include "image/format.h"
+#include "sinks/gud/host.h"
 
 /* Appends to a text; what does not fit is left out. */
 static void add(char *text, size_t size, const char *more)

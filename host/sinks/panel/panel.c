@@ -4,11 +4,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/host.h"
-#include "image/image.h"
+#include "base/memory.h"
+#include "base/message.h"
+#include "base/output.h"
+#include "image/picture.h"
+#include "image/write.h"
 #include "sinks/panel/options.h"
-#include "sinks/sink.h"
 #include "sinks/panel/virtual_panel.h"
+#include "sinks/sink.h"
 
 struct display {
     struct sink sink;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "base/stop.h"
 #include "sinks/usb/usb.h"
 
 /* As in the kernel's driver; the bulk time counts from the last chunk that arrived. */

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT
  * A USB device that shades by itself: an interface beside the display's, which no kernel driver takes. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-#include "base/host.h"
-#include "image/image.h"
+#include "base/memory.h"
+#include "base/message.h"
+#include "base/stop.h"
 #include "sinks/usb/usb.h"
 
 #include "light_protocol.h"

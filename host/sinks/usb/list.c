@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * USB displays for glint list. One that the kernel or another program has is named and not asked. */
+#include <stdio.h>
 #include <stdlib.h>
 
-#include "base/host.h"
+#include "base/json.h"
 #include "sinks/usb/usb.h"
 
 static json_t *formats_json(const struct gud_display *display)

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT
  * A USB display that speaks GUD, driven by libusb: which one, its frames, and what goes wrong on the way. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-#include "base/host.h"
+#include "base/argp.h"
+#include "base/message.h"
+#include "base/stop.h"
 #include "sinks/usb/usb.h"
 
 /* ---- options ---- */

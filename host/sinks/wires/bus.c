@@ -5,11 +5,10 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "base/memory.h"
 #include "sinks/wires/bus.h"
 #include "sinks/wires/lines.h"
 #include "sinks/wires/spidev.h"
-#include "base/host.h"
-#include "image/image.h"
 
 struct gpio_bus {
     const struct gpio_options *options;

@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/memory.h"
 #include "sinks/wires/chip.h"
-#include "image/image.h"
 
 struct gpio_chip {
     struct gpiod_chip *gpiod;

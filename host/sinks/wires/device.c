@@ -6,8 +6,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/message.h"
 #include "sinks/wires/lines.h"
-#include "base/host.h"
 
 char *device_permission(const char *path)
 {

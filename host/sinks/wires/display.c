@@ -3,11 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/memory.h"
+#include "base/message.h"
+#include "base/stop.h"
+#include "sinks/panel/options.h"
 #include "sinks/wires/bus.h"
 #include "sinks/wires/display.h"
-#include "base/host.h"
-#include "image/image.h"
-#include "sinks/panel/options.h"
 
 /* For choosing what to send, and for predictions: calls of the kernel a second, as measured on a Raspberry Pi 5; what a
  * window takes beside its bytes through the SPI device: its calls. */

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/message.h"
 #include "sinks/wires/find.h"
-#include "base/host.h"
 
 /* ---- chips ---- */
 

@@ -2,11 +2,11 @@
  * Sink gpio: a panel whose every wire is a GPIO line. */
 #include <stdlib.h>
 
+#include "base/message.h"
+#include "sinks/panel/options.h"
 #include "sinks/wires/chip.h"
 #include "sinks/wires/display.h"
 #include "sinks/wires/lines.h"
-#include "base/host.h"
-#include "sinks/panel/options.h"
 
 static struct sink *open_gpio(const struct sink_wish *wish)
 {

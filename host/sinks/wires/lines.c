@@ -3,12 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/json.h"
+#include "base/memory.h"
+#include "base/message.h"
+#include "sinks/sink.h"
 #include "sinks/wires/chip.h"
 #include "sinks/wires/find.h"
 #include "sinks/wires/lines.h"
-#include "base/host.h"
-#include "image/image.h"
-#include "sinks/sink.h"
 
 /* The lines of one chip that are set together. */
 struct group {

@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 #include <errno.h>
 #include <ini.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include "sinks/wires/options.h"
-#include "base/host.h"
+#include "base/argp.h"
+#include "base/message.h"
+#include "base/parse.h"
 #include "sinks/panel/options.h"
+#include "sinks/wires/options.h"
 
 enum key { KEY_BUS = 256, KEY_CHIP, KEY_SPIDEV, KEY_SPI_HZ, KEY_LINES, KEY_BUS_CONFIG };
 enum { TEXTS = KEY_LINES - KEY_BUS };

@@ -8,9 +8,9 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "base/message.h"
 #include "sinks/wires/lines.h"
 #include "sinks/wires/spidev.h"
-#include "base/host.h"
 
 enum { USUAL_CHUNK = 4096 };
 

@@ -5,7 +5,7 @@
 #include "unit.h"
 
 #include "family.h"
-#include "base/host.h"
+#include "models/models.h"
 
 static const double some_n[] = {1, 2, 3.5, 10, 60, 704, 1000};
 enum { SOME_N = sizeof some_n / sizeof *some_n };

@@ -2,6 +2,7 @@
  * The golden pictures of tests/golden, drawn again and compared pixel for pixel. */
 #include <stdio.h>
 
+#include "image/read.h"
 #include "run.h"
 
 #include "image/image.h"

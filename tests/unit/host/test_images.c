@@ -6,7 +6,10 @@
 
 #include "files.h"
 
-#include "base/host.h"
+#include "base/output.h"
+#include "image/picture.h"
+#include "image/read.h"
+#include "image/write.h"
 #include "image/image.h"
 
 /* ---- reading ---- */

@@ -4,7 +4,7 @@
 
 #include "unit.h"
 
-#include "base/host.h"
+#include "base/parse.h"
 
 static void a_list_holds_its_numbers_and_ranges_in_order(void **state)
 {

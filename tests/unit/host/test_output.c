@@ -7,7 +7,7 @@
 
 #include "files.h"
 
-#include "base/host.h"
+#include "base/output.h"
 
 /* ---- in a process of its own, linked in ---- */
 

@@ -6,8 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "plan/plan.h"
 #include "draw/shade.h"
+#include "image/format.h"
+#include "plan/plan.h"
 #include "unit.h"
 
 enum { WIDTH = 93, HEIGHT = 61, BYTES = 3 * WIDTH * HEIGHT };

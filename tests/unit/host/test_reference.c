@@ -6,7 +6,11 @@
 #include "unit.h"
 
 #include "compare/compare.h"
-#include "base/host.h"
+#include "base/memory.h"
+#include "image/format.h"
+#include "image/levels.h"
+#include "image/picture.h"
+#include "models/models.h"
 
 enum { SIDE = 96 };
 

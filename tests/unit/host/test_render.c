@@ -3,6 +3,8 @@
 #include <pty.h>
 #include <string.h>
 
+#include "image/levels.h"
+#include "image/read.h"
 #include "files.h"
 
 #include "image/image.h"

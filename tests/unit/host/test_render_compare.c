@@ -3,6 +3,7 @@
 #include <jansson.h>
 #include <string.h>
 
+#include "image/read.h"
 #include "files.h"
 
 #include "image/image.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * `glint render` with --light, --point and --spot. */
+#include "image/read.h"
 #include "files.h"
 
 #include "image/image.h"

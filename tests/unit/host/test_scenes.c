@@ -3,6 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/memory.h"
+#include "image/image.h"
+#include "image/read.h"
 #include "files.h"
 
 #include "scene/scene.h"

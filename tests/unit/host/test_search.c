@@ -8,7 +8,6 @@
 #include "family.h"
 #include "run.h"
 
-#include "base/host.h"
 #include "paper/search.h"
 
 /* ---- the paper's search ---- */

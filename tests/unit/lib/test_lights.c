@@ -2,7 +2,7 @@
  * Several lights: the value of every pixel, against a reference in doubles that is written from the formula. */
 #include "lamps.h"
 
-#include "base/host.h"
+#include "models/models.h"
 
 /* ---- against glint_shade_rect ---- */
 

@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * ALBEDO tables: how far from the exact path. */
+#include "base/memory.h"
+#include "image/image.h"
+#include "image/read.h"
 #include "albedo.h"
 
 #define scene host_scene /* shading.h has one of its own */

@@ -5,7 +5,7 @@
 
 #include "run.h"
 
-#include "base/host.h"
+#include "models/models.h"
 
 /* Lines of CSV after the header, with all fields numbers but the first. */
 static int read_rows(const char *text, double rows[][8], int limit)

@@ -3,27 +3,15 @@
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
-#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/host.h"
+#include "base/argp.h"
+#include "base/message.h"
+#include "base/parse.h"
 
 enum { LIST_MAX = 1000000 };
-
-void refuse(const struct argp_state *state, const char *format, ...)
-{
-    char *message;
-    va_list arguments;
-    va_start(arguments, format);
-    if (vasprintf(&message, format, arguments) < 0)
-        fail("out of memory");
-    va_end(arguments);
-    if (!state)
-        fail("%s", message);
-    argp_failure(state, EXIT_USAGE, 0, "%s; see `%s --help`", one_line(message), state->name);
-    exit(EXIT_USAGE);
-}
 
 static const char *unsigned_part(const char *text)
 {
@@ -89,6 +77,13 @@ unsigned parse_choice(const struct argp_state *state, const char *option, const 
         snprintf(all + strlen(all), sizeof all - strlen(all), "%s%s", i ? ", " : "", names[i]);
     }
     refuse(state, "%s: no '%s'; %s %s", option, text, i > 1 ? "one of these is wanted:" : "there is only", all);
+}
+
+const char *parse_output(const struct argp_state *state, const char *option, const char *text)
+{
+    if (!*text)
+        refuse(state, "%s: '' is no name; name a file", option);
+    return text;
 }
 
 char *after_byte_order_mark(char *text)

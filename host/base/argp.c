@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: MIT
  * What every command line has in common. Not in main.c: the unit tests link all of the host but that. */
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/host.h"
+#include "base/argp.h"
+#include "base/message.h"
 
 /* What argp itself refuses it tells in two lines; so that they become one, standard error is held while it parses. */
 static FILE *standard_error; /* NULL: it is not held */
@@ -39,4 +42,18 @@ void parse_command(const struct argp *argp, unsigned flags, int argc, char **arg
     atexit(show_held); /* argp ends the program by itself, for --help, too */
     argp_parse(argp, argc, argv, flags, NULL, input);
     show_held();
+}
+
+void refuse(const struct argp_state *state, const char *format, ...)
+{
+    char *message;
+    va_list arguments;
+    va_start(arguments, format);
+    if (vasprintf(&message, format, arguments) < 0)
+        fail("out of memory");
+    va_end(arguments);
+    if (!state)
+        fail("%s", message);
+    argp_failure(state, EXIT_USAGE, 0, "%s; see `%s --help`", one_line(message), state->name);
+    exit(EXIT_USAGE);
 }

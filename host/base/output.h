@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT
+ * Output files. A regular file is written beside its name and renamed when it is whole; "-" is standard output; pipes and
+ * devices are written in place. If a step fails, the program ends through fail() and leaves no partial file. */
+#ifndef GLINT_BASE_OUTPUT_H
+#define GLINT_BASE_OUTPUT_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+/* One of several that may be open at once. */
+struct output {
+    FILE *stream;
+    char *path;      /* as the user named it */
+    char *temporary; /* NULL: written in place */
+    char *target;    /* the file's name in the end, behind symbolic links */
+};
+struct output *output_open(const char *path);
+bool output_same(const char *a, const char *b); /* do two names lead to one file, whether it exists or not? */
+void output_close(struct output *output);       /* checks, gives the file its name, frees */
+void output_discard_all(void);                  /* removes unfinished files; at exit and on signals it runs by itself */
+
+#endif

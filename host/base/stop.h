@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT
+ * Signals that end the program, and how a stream is asked to end. */
+#ifndef GLINT_BASE_STOP_H
+#define GLINT_BASE_STOP_H
+
+#include <signal.h>
+#include <stdbool.h>
+
+/* The signals that end a program end it at once, after stop_undo's function has run. Ignored signals stay ignored. */
+void stop_at_signals(void);
+/* From now on the first SIGINT, SIGTERM or SIGHUP only asks: stream_stopped() becomes true and waiting ends. The second
+ * ends the program at once. */
+void stop_when_asked(void);
+/* Has a signal asked the stream to end? For loops that wait. */
+bool stream_stopped(void);
+/* The exit status: 0, or 128 and the signal that asked. */
+int stop_status(void);
+
+/* Runs where a signal ends the program at once: it may call only what a signal handler may. */
+void stop_undo(void (*undo)(void));
+/* Goes to standard output where a second signal ends the program at once; NULL: nothing. The text must stay. */
+void stop_last_words(const char *words);
+
+/* Holds all signals back until they are released: in this thread, and in threads it starts in between. */
+void signals_hold(sigset_t *before);
+void signals_release(const sigset_t *before);
+
+#endif

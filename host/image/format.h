@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT
+ * The library's pixel formats and colour spaces: names, channels, levels, bytes. */
+#ifndef GLINT_IMAGE_FORMAT_H
+#define GLINT_IMAGE_FORMAT_H
+
+#include <stddef.h>
+
+#include "glint.h"
+
+/* Grey of a colour, of 256: the weights of step 6 in glint.h. */
+enum { GREY_RED = 54, GREY_GREEN = 183, GREY_BLUE = 19 };
+
+extern const char *const format_names[]; /* "rgb565" ..., by enum glint_format; ends with NULL */
+extern const char *const space_names[];  /* "gamma", "linear", by enum glint_space; ends with NULL */
+unsigned format_channels(enum glint_format format);
+unsigned format_max(enum glint_format format, unsigned channel); /* the highest level */
+size_t format_line_bytes(enum glint_format format, size_t width);
+/* The levels of pixel x of a line as the library wrote it, one a channel. */
+void format_unpack(const uint8_t *line, enum glint_format format, size_t x, uint8_t *values);
+
+#endif

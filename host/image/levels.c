@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+#include "image/levels.h"
+
+#include <stdlib.h>
+
+#include "base/memory.h"
+#include "image/format.h"
+
+struct levels *levels_of_pixels(uint32_t width, uint32_t height, enum glint_format format, const uint8_t *pixels)
+{
+    const size_t bytes = format_line_bytes(format, width);
+    struct levels *levels = allocate(1, sizeof *levels);
+    *levels = (struct levels){width, height, format_channels(format), {0}, NULL};
+    for (unsigned k = 0; k < levels->channels; k++)
+        levels->max[k] = format_max(format, k);
+    levels->values = allocate((size_t)width * height, levels->channels);
+    for (size_t i = 0; i < (size_t)width * height; i++)
+        format_unpack(&pixels[i / width * bytes], format, i % width, &levels->values[i * levels->channels]);
+    return levels;
+}
+
+void levels_free(struct levels *levels)
+{
+    if (!levels)
+        return;
+    free(levels->values);
+    free(levels);
+}
+
+struct picture *levels_picture(const struct levels *levels)
+{
+    const size_t samples = (size_t)levels->width * levels->height * levels->channels;
+    struct picture *picture = allocate(1, sizeof *picture);
+    *picture = (struct picture){levels->width, levels->height, levels->channels, levels->max[0] == 1, NULL};
+    picture->samples = allocate(samples, 1);
+    for (size_t i = 0; i < samples; i++) {
+        const unsigned max = levels->max[i % levels->channels];
+        picture->samples[i] = (uint8_t)((255 * levels->values[i] + max / 2) / max);
+    }
+    return picture;
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT
+ * Pictures in the levels of a pixel format. */
+#ifndef GLINT_IMAGE_LEVELS_H
+#define GLINT_IMAGE_LEVELS_H
+
+#include "glint.h"
+#include "image/picture.h"
+
+/* 0..31, 0..63, 0..255 or 0..1. */
+struct levels {
+    uint32_t width, height;
+    unsigned channels; /* 3, or 1 for grey and mono */
+    unsigned max[3];
+    uint8_t *values;
+};
+/* Of pixels as the library wrote them, lines packed. */
+struct levels *levels_of_pixels(uint32_t width, uint32_t height, enum glint_format format, const uint8_t *pixels);
+void levels_free(struct levels *levels);
+/* Each level as it is shown: the nearest of 255. */
+struct picture *levels_picture(const struct levels *levels);
+
+#endif

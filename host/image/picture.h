@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT
+ * Pictures to be written or shown. */
+#ifndef GLINT_IMAGE_PICTURE_H
+#define GLINT_IMAGE_PICTURE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* The longest side, and the pixels of an 8K UHD picture; anything larger is a mistake or an attack. */
+enum { SIDE_MAX = 16384, PIXELS_MAX = 1 << 25 };
+
+/* Grey or RGB, 8 bits a sample, lines from the top. */
+struct picture {
+    uint32_t width, height;
+    unsigned channels; /* 1 or 3 */
+    bool mono;         /* 1 channel of 0 and 255 only: one bit a pixel where the file format has that */
+    uint8_t *samples;
+};
+void picture_free(struct picture *picture);
+
+uint8_t *picture_rgb(const struct picture *picture); /* grey tripled; malloc'd */
+
+#endif

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT
+ * Pictures into PNG, PPM and QOI files. */
+#ifndef GLINT_IMAGE_WRITE_H
+#define GLINT_IMAGE_WRITE_H
+
+#include "image/picture.h"
+
+enum image_kind { IMAGE_PNG, IMAGE_PPM, IMAGE_QOI, IMAGE_KINDS };
+
+/* By name ("png") or by a file name's ending, in either case; a name without an ending counts as PNG.
+ * IMAGE_KINDS: neither. */
+enum image_kind image_kind_by_name(const char *name);
+enum image_kind image_kind_by_ending(const char *path);
+
+struct output; /* base/output.h */
+/* Writes the whole file; output_close then gives it its name. PPM stands for P6, P5 (grey) or P4 (mono); QOI has only
+ * RGB. */
+void picture_write(const struct picture *picture, struct output *output, enum image_kind kind);
+
+#endif
