@@ -29,6 +29,7 @@
 #define factor lr
 
 #define ROW 6
+#define LEVEL_SHIFT_Q25 (GLINT_ALBEDO_LEVEL_SHIFT - 5)
 
 /* The next word: d in x and in the flags. */
 .macro dot gap
@@ -76,11 +77,11 @@
 .macro inside at, swapped, over, back
     mov v, factor
     muls z, v
-    lsrs z, z, #21
+    lsrs z, z, #32 - GLINT_ALBEDO_COLUMNS_LOG
     lsls z, z, #2
     mov v, base
     ldr z, [v, z]
-    asrs x, x, #18
+    asrs x, x, #LEVEL_SHIFT_Q25
     ldrb x, [v, x]
     lit lx, \at
     adds v, v, z
@@ -104,7 +105,7 @@
 .endm
 
 .macro outside at, swapped
-    asrs x, x, #18
+    asrs x, x, #LEVEL_SHIFT_Q25
     mov v, base
     ldrb x, [v, x]
     lit z, \at
@@ -169,16 +170,16 @@
     str r4, [sp, #OUR_END]
     subs r4, #2 * ROW
     str r4, [sp, #OUR_LAST]
-    ldr r4, [r0, #COLOURS]
+    ldr r4, [r0, #GLINT_AT_TABLES_COLOUR]
     mov base, r4
-    ldrh r4, [r0, #DARK]
+    ldrh r4, [r0, #GLINT_AT_TABLES_DARK]
     str r4, [sp, #OUR_DARK]
-    ldr r4, [r1, #LIGHT_X + 8]
+    ldr r4, [r1, #GLINT_AT_LIGHT_X + 8]
     mov lz, r4
-    ldr r4, [r1, #LIGHT_CUT]
+    ldr r4, [r1, #GLINT_AT_LIGHT_CUT]
     rsbs r4, r4, #0
     mov minus_cut, r4
-    ldr r4, [r1, #LIGHT_R]
+    ldr r4, [r1, #GLINT_AT_LIGHT_R]
     mov factor, r4
     ldr r4, 2f
     mov gaps, r4
@@ -187,8 +188,8 @@
     mov r0, r2
     movs albedo, r3
     mov r2, r5
-    ldr lx, [r1, #LIGHT_X]
-    ldr ly, [r1, #LIGHT_X + 4]
+    ldr lx, [r1, #GLINT_AT_LIGHT_X]
+    ldr ly, [r1, #GLINT_AT_LIGHT_X + 4]
     str lx, [sp, #OUR_LX]
     mov r1, r2
     b .L\name\()_rest

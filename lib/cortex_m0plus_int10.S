@@ -53,8 +53,8 @@
 .endm
 
 .macro int10_outside at
-    lsrs z, z, #23
-    lsls z, z, #7
+    lsrs z, z, #ROW_SHIFT_Q29
+    lsls z, z, #GLINT_COLOUR_ROW_BYTES_LOG
     add z, colours
     ldrh z, [z]
     strh z, [r1, #2 * \at]
@@ -65,8 +65,8 @@
     lsrs y, x
     ldr x, [sp, #AT_COLUMNS]
     ldrb y, [x, y]
-    lsrs z, z, #23
-    lsls z, z, #7
+    lsrs z, z, #ROW_SHIFT_Q29
+    lsls z, z, #GLINT_COLOUR_ROW_BYTES_LOG
     add z, colours
     ldrh z, [z, y]
     strh z, [r1, #2 * \at]
@@ -93,7 +93,7 @@
 .endm
 
 .macro int10_half at, to /* a component of H in Q14, negative */
-    movs r3, #LIGHT_H + 2 * \at
+    movs r3, #GLINT_AT_LIGHT_H + 2 * \at
     ldrsh r3, [r1, r3]
     adds r3, #1
     asrs r3, r3, #1
@@ -103,7 +103,7 @@
 
     function glint_colour_int10
     enter 16
-    ldrh r4, [r0, #DARK]
+    ldrh r4, [r0, #GLINT_AT_TABLES_DARK]
     str r4, [sp, #AT_DARK]
     ldr r4, [sp, #SAVED + 16]
     lsls r3, r3, #1
@@ -111,20 +111,20 @@
     str r3, [sp, #AT_END]
     subs r3, #6
     mov last, r3
-    ldr r3, [r0, #COLUMNS]
+    ldr r3, [r0, #GLINT_AT_TABLES_COLUMNS]
     str r3, [sp, #AT_COLUMNS]
-    ldrb r3, [r0, #SHIFT]
+    ldrb r3, [r0, #GLINT_AT_TABLES_SHIFT]
     subs r3, #1
     str r3, [sp, #AT_SHIFT]
-    ldr t_half, [r0, #T_MAX]
+    ldr t_half, [r0, #GLINT_AT_TABLES_T_MAX]
     lsrs t_half, t_half, #1
-    ldr r3, [r0, #COLOURS]
+    ldr r3, [r0, #GLINT_AT_TABLES_COLOUR]
     mov colours, r3
     mov r0, r2
     int10_half 0, minus_hx
     int10_half 1, minus_hy
     int10_half 2, minus_hz
-    ldr r3, [r1, #LIGHT_PEAK]
+    ldr r3, [r1, #GLINT_AT_LIGHT_PEAK]
     mov peak, r3
     asrs r3, r3, #15
     rsbs minus_m, r3, #0

@@ -41,8 +41,8 @@
 .endm
 
 .macro int8_outside at
-    lsrs x, x, #23
-    lsls x, x, #7
+    lsrs x, x, #ROW_SHIFT_Q29
+    lsls x, x, #GLINT_COLOUR_ROW_BYTES_LOG
     add x, colours
     ldrh x, [x]
     strh x, [r1, #2 * \at]
@@ -53,11 +53,11 @@
     lsrs v, z
     mov z, factor
     muls v, z
-    lsrs v, v, #20
+    lsrs v, v, #32 - GLINT_COLOUR_COLUMNS_LOG
     add v, columns
     ldrb v, [v]
-    lsrs x, x, #23
-    lsls x, x, #7
+    lsrs x, x, #ROW_SHIFT_Q29
+    lsls x, x, #GLINT_COLOUR_ROW_BYTES_LOG
     add x, colours
     ldrh x, [x, v]
     strh x, [r1, #2 * \at]
@@ -85,7 +85,7 @@
 
     function glint_colour_int8
     enter 8
-    ldrh r4, [r0, #DARK]
+    ldrh r4, [r0, #GLINT_AT_TABLES_DARK]
     str r4, [sp]
     ldr r4, [sp, #SAVED + 8]
     lsls r3, r3, #1
@@ -93,18 +93,18 @@
     str r3, [sp, #4] /* the end of out */
     subs r3, #8
     mov last, r3
-    ldr r3, [r0, #COLUMNS]
+    ldr r3, [r0, #GLINT_AT_TABLES_COLUMNS]
     mov columns, r3
-    ldr r3, [r0, #COLOURS]
+    ldr r3, [r0, #GLINT_AT_TABLES_COLOUR]
     mov colours, r3
     mov r0, r2
-    ldr r5, [r1, #LIGHT_CUT]
+    ldr r5, [r1, #GLINT_AT_LIGHT_CUT]
     rsbs r5, r5, #0
     mov minus_cut, r5
-    ldr r5, [r1, #LIGHT_R]
+    ldr r5, [r1, #GLINT_AT_LIGHT_R]
     mov factor, r5
-    adds r1, #LIGHT_X
-    ldrb r5, [r1, #LIGHT_A - LIGHT_X]
+    adds r1, #GLINT_AT_LIGHT_X
+    ldrb r5, [r1, #GLINT_AT_LIGHT_A - GLINT_AT_LIGHT_X]
     mov exponent, r5
     ldmia r1!, {lx, ly, lz}
     mov r1, r4

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * glint_tables_span(tables, span, surface), where all is as it mostly is; else it calls glint_span_any.
- * glint_colour_run(tables, span, w, out): what loops_span.c and loops_run.c do. A loop is entered so that it ends after w
- * pixels. */
+ * Run by run as loops_span.c has it. Loops over a run are unrolled whole, and entered so that they end after w pixels. */
 #if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus.inc"
 
@@ -16,13 +15,13 @@
     ldr r3, [r2] /* surface->pixels */
     cmp r3, #0
     beq 1f
-    ldrb r4, [r0, #KIND]
+    ldrb r4, [r0, #GLINT_AT_TABLES_KIND]
     lsls r5, r3, #31
     orrs r5, r4
     bne 1f
-    ldrh r4, [r1, #SPAN_W]
+    ldrh r4, [r1, #GLINT_AT_SPAN_W]
     subs r4, #1
-    cmp r4, #31
+    cmp r4, #GLINT_RUN - 1
     bls .Lrun
     adds r4, #1
     bne .Llong
@@ -42,38 +41,39 @@
     str r0, [r5]
     str r3, [r5, #4]
 2:  mov r1, sp
-    movs r2, #32
-    bl glint_colour_run
+    movs r2, #GLINT_RUN
+    bl .Lany_run
     mov r0, sp
     ldmia r0!, {r1-r7} /* r6: tables, r7: out */
     subs r0, #28
-    movs r5, #31
-    lsls r5, r5, #4 /* 31 * 32 / 2 */
+    movs r5, #GLINT_RUN - 1
+    lsls r5, r5, #GLINT_RUN_LOG - 1 /* 31 * 32 / 2 */
     muls r5, r3
     adds r1, r1, r5
-    lsls r5, r2, #5
+    lsls r5, r2, #GLINT_RUN_LOG
     adds r1, r1, r5
-    lsls r5, r3, #5
+    lsls r5, r3, #GLINT_RUN_LOG
     adds r2, r2, r5
     ldr r5, [sp, #16]
-    lsls r5, r5, #5
+    lsls r5, r5, #GLINT_RUN_LOG
     adds r4, r4, r5
     stmia r0!, {r1-r4}
     movs r3, r7
-    adds r3, #64
+    adds r3, #2 * GLINT_RUN
     str r3, [sp, #24]
     ldr r2, [sp, #28]
-    subs r2, #32
+    subs r2, #GLINT_RUN
     str r2, [sp, #28]
     movs r0, r6
-    cmp r2, #32
+    cmp r2, #GLINT_RUN
     bhi 2b
     mov r1, sp
-    bl glint_colour_run
+    bl .Lany_run
     add sp, #36
     pop {r4-r7, pc}
 
-    entry glint_colour_run
+    .balign 4
+.Lany_run: /* (tables, span, w, out) */
     push {r4-r7, lr}
     subs r4, r2, #1
 .Lrun: /* tables r0, dnl r1 and lr, t r2, out r12, m = w - 1 r4, dt r5, ddt r6, nl r7 */
@@ -96,7 +96,7 @@
     bne .Lmixed_of_t
     lsrs r3, r6, #20
     bne .Lmixed_of_t
-    ldr r1, [r0, #T_MAX]
+    ldr r1, [r0, #GLINT_AT_TABLES_T_MAX]
     subs r1, r1, r2 /* back = t_max - t */
     bpl .Lstarts_inside
     cmp r5, #0
@@ -121,7 +121,7 @@
     bmi 1f
     b .Linside
 1:  subs r2, r1, r2
-    ldr r3, [r0, #T_MAX]
+    ldr r3, [r0, #GLINT_AT_TABLES_T_MAX]
     cmp r2, r3
     bgt .Lmixed_1
     b .Linside
@@ -141,14 +141,14 @@
     bne .Lmixed_of_t
     b .Ldark
 .Lmixed_of_t:
-    ldr r1, [r0, #T_MAX]
+    ldr r1, [r0, #GLINT_AT_TABLES_T_MAX]
     subs r1, r1, r2
     b .Lmixed
 
 .Loutside: /* nl r7, dnl r1, colours r0, out r3 */
-    ldr r0, [r0, #COLOURS]
+    ldr r0, [r0, #GLINT_AT_TABLES_COLOUR]
     mov r1, lr
-    movs r2, #31
+    movs r2, #GLINT_RUN - 1
     subs r2, r2, r4
     mov r3, r12
     lsls r4, r2, #1
@@ -157,19 +157,21 @@
     muls r2, r4
     add pc, r2
     nop
-.irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31
-    lsrs r4, r7, #24
-    lsls r4, r4, #7
+    .set pixel, 0
+.rept GLINT_RUN
+    lsrs r4, r7, #GLINT_COLOUR_ROW_SHIFT
+    lsls r4, r4, #GLINT_COLOUR_ROW_BYTES_LOG
     ldrh r4, [r0, r4]
-    strh r4, [r3, #2 * \at]
+    strh r4, [r3, #2 * pixel]
     adds r7, r7, r1
+    .set pixel, pixel + 1
 .endr
     movs r0, #0
     pop {r4-r7, pc}
 
 .Linside: /* back r1, -dt r5, -ddt r12, all scaled; nl r7, dnl lr; columns r0, colours r2, out r3 */
-    ldrb r2, [r0, #SHIFT]
-    movs r3, #20
+    ldrb r2, [r0, #GLINT_AT_TABLES_SHIFT]
+    movs r3, #32 - GLINT_COLOUR_COLUMNS_LOG
     subs r2, r3, r2
     lsls r1, r2
     rsbs r5, r5, #0
@@ -178,7 +180,7 @@
     lsls r6, r2
     mov r3, r12
     mov r12, r6
-    movs r6, #31
+    movs r6, #GLINT_RUN - 1
     subs r6, r6, r4
     lsls r4, r6, #1
     subs r3, r3, r4
@@ -187,32 +189,36 @@
     ldmia r0, {r0, r2}
     add pc, r6
     nop
-.irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31
-    lsrs r4, r1, #20
+    .set pixel, 0
+.rept GLINT_RUN
+    lsrs r4, r1, #32 - GLINT_COLOUR_COLUMNS_LOG
     ldrb r4, [r0, r4]
-    lsrs r6, r7, #24
-    lsls r6, r6, #7
+    lsrs r6, r7, #GLINT_COLOUR_ROW_SHIFT
+    lsls r6, r6, #GLINT_COLOUR_ROW_BYTES_LOG
     adds r6, r6, r4
     ldrh r6, [r2, r6]
-    strh r6, [r3, #2 * \at]
+    strh r6, [r3, #2 * pixel]
     add r7, lr
     adds r1, r1, r5
     add r5, r12
+    .set pixel, pixel + 1
 .endr
     movs r0, #0
     pop {r4-r7, pc}
 
 .Ldark:
-    ldrh r0, [r0, #DARK]
-    movs r2, #31
+    ldrh r0, [r0, #GLINT_AT_TABLES_DARK]
+    movs r2, #GLINT_RUN - 1
     subs r2, r2, r4
     lsls r2, r2, #1
     mov r3, r12
     subs r3, r3, r2
     add pc, r2
     nop
-.irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31
-    strh r0, [r3, #2 * \at]
+    .set pixel, 0
+.rept GLINT_RUN
+    strh r0, [r3, #2 * pixel]
+    .set pixel, pixel + 1
 .endr
     movs r0, #0
     pop {r4-r7, pc}
@@ -264,7 +270,7 @@
     mov r3, r11
     push {r2, r3}
     mov out, r12
-    ldrh r2, [r0, #DARK]
+    ldrh r2, [r0, #GLINT_AT_TABLES_DARK]
     lsls r4, r4, #1
     adds r4, r4, out
     adds r4, #2
@@ -276,23 +282,23 @@
     rsbs r6, r6, #0
     mov ddback, r6
     rsbs dback, dback, #0
-    ldr r4, [r0, #COLUMNS]
+    ldr r4, [r0, #GLINT_AT_TABLES_COLUMNS]
     mov columns, r4
-    ldr r4, [r0, #T_MAX]
+    ldr r4, [r0, #GLINT_AT_TABLES_T_MAX]
     mov t_max, r4
     movs r6, #1
-    lsls r6, r6, #27 /* - GLINT_NEGATIVE_T */
+    lsls r6, r6, #GLINT_NEGATIVE_T_LOG
     adds r4, r4, r6
     mov limit, r4
-    ldrb shift, [r0, #SHIFT]
-    ldr colours, [r0, #COLOURS]
+    ldrb shift, [r0, #GLINT_AT_TABLES_SHIFT]
+    ldr colours, [r0, #GLINT_AT_TABLES_COLOUR]
 .Lmixed_rest:
     cmp out, last
     bls .Lmixed_past_0
     ldr at, [sp]
     cmp out, at
     bhs 5f
-    asrs at, nl, #24
+    asrs at, nl, #GLINT_COLOUR_ROW_SHIFT
     bmi 3f
     movs j, #0
     cmp back, limit
@@ -304,7 +310,7 @@
 1:  lsrs j, shift
     add j, columns
     ldrb j, [j]
-2:  lsls at, at, #7
+2:  lsls at, at, #GLINT_COLOUR_ROW_BYTES_LOG
     adds at, at, j
     ldrh at, [colours, at]
     b 4f
@@ -326,12 +332,12 @@
     mixed_dark past
 .irp i, 0, 1, 2, 3
 .Lmixed_past_\i:
-    asrs at, nl, #24
+    asrs at, nl, #GLINT_COLOUR_ROW_SHIFT
     bmi .Lmixed_past_dark_\i
     cmp back, limit
     bls .Lmixed_is_in_\i
 .Lmixed_is_past_\i:
-    lsls at, at, #7
+    lsls at, at, #GLINT_COLOUR_ROW_BYTES_LOG
     ldrh at, [colours, at]
     strh at, [out, #2 * \i]
 .Lmixed_past_step_\i:
@@ -341,7 +347,7 @@
 
 .irp i, 0, 1, 2, 3
 .Lmixed_in_\i:
-    asrs at, nl, #24
+    asrs at, nl, #GLINT_COLOUR_ROW_SHIFT
     bmi .Lmixed_in_dark_\i
 .Lmixed_is_in_\i:
     movs j, back
@@ -351,7 +357,7 @@
     lsrs j, shift
     add j, columns
     ldrb j, [j]
-    lsls at, at, #7
+    lsls at, at, #GLINT_COLOUR_ROW_BYTES_LOG
     adds at, at, j
     ldrh at, [colours, at]
     strh at, [out, #2 * \i]

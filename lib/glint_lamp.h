@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * A lamp as a pixel sees it; not for users. */
+ * A lamp as a pixel sees it; internal. */
 #ifndef GLINT_LAMP_H
 #define GLINT_LAMP_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The pixel's sequence (glint.h), as far as the paths share it; not for users. */
+ * The pixel's sequence (glint.h), as far as the paths share it; internal. */
 #ifndef GLINT_PIXEL_H
 #define GLINT_PIXEL_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * What the paths over rectangles of normals share; not for users. */
+ * What the paths over rectangles of normals share; internal. */
 #ifndef GLINT_RECT_H
 #define GLINT_RECT_H
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Lamps: set up, and how much of one reaches a pixel. */
 #include "glint_lamp.h"
-#include "glint_internal.h"
+#include "glint_math_vector.h"
 
 static bool is_far(const int32_t place[3])
 {

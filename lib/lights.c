@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * The exact rectangle path under several lights. */
-#include "glint_internal.h"
+#include "glint_math_vector.h"
 #include "glint_lamp.h"
 #include "glint_pixel.h"
 #include "glint_rect.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "glint_internal.h"
+#include "glint_lobe_domain.h"
 
 void glint_lobe_init(struct glint_lobe *lobe, enum glint_model model, uint32_t n, unsigned q)
 {

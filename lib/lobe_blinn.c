@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT
  * Blinn and Phong, eq. (1): F = c^n. */
-#include "glint_internal.h"
+#include "glint_lobe_domain.h"
+#include "glint_lobe_largest_t.h"
+#include "glint_math_power.h"
 
-static uint64_t power_of(uint32_t n, uint32_t t)
+static uint64_t blinn_power(uint32_t n, uint32_t t)
 {
     return glint_power((uint64_t)(GLINT_T_ONE - t) << 34, n);
 }
@@ -15,7 +17,7 @@ uint32_t glint_blinn_t(uint32_t n, uint32_t t)
         return 0;
     if (t == 0)
         return (uint32_t)GLINT_C_ONE; /* 1.0 has no place in Q0.64 */
-    return glint_power_round(power_of(glint_clamp_n(n), t));
+    return glint_power_round(blinn_power(glint_clamp_n(n), t));
 }
 
 uint32_t glint_blinn(uint32_t n, int32_t c_q16)
@@ -24,14 +26,14 @@ uint32_t glint_blinn(uint32_t n, int32_t c_q16)
 }
 
 /* Powers of two, where F = 2^-q can hold exactly, are exact; elsewhere the margin is tested for every n and q. */
-static bool reaches(uint32_t n, uint32_t t, unsigned q)
+static bool blinn_reaches(uint32_t n, uint32_t t, unsigned q)
 {
-    return power_of(n, t) >> (64 - q) != 0;
+    return blinn_power(n, t) >> (64 - q) != 0;
 }
 
 uint32_t glint_blinn_cutoff_t(uint32_t n, unsigned q)
 {
-    return q == 0 ? 0 : glint_largest_t(reaches, n, q); /* F >= 1 only at t = 0 */
+    return q == 0 ? 0 : glint_largest_t(blinn_reaches, n, q); /* F >= 1 only at t = 0 */
 }
 
 uint32_t glint_blinn_cutoff(uint32_t n, unsigned q)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * The functions that take the model as an argument; they link every model. */
-#include "glint_internal.h"
+#include "glint.h"
 
 uint32_t glint_eval(enum glint_model model, uint32_t n, int32_t c_q16)
 {

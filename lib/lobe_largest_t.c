@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#include "glint_internal.h"
+#include "glint_lobe_largest_t.h"
+#include "glint_lobe_domain.h"
 
 uint32_t glint_largest_t(bool (*reaches)(uint32_t n, uint32_t t_q30, unsigned q), uint32_t n, unsigned q)
 {

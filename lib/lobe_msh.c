@@ -4,7 +4,8 @@
  * With C = 2^16 c and E = 2^16 (4n(1 - c) + 5c), 2^18 <= E < 2^28:  F 2^16 = 2^39 C / (5 E^2). Small cores divide slowly or
  * not at all, so F comes from an approximate reciprocal, and where that does not settle the rounding, from an exact
  * comparison of products. There are no ties for integer n. */
-#include "glint_internal.h"
+#include "glint_lobe_domain.h"
+#include "glint_lobe_largest_t.h"
 
 /* y, nearly 2^35 / m, for 2^27 <= m < 2^28 by m's upper bits: |y m / 2^35 - 1| < 0.00904. Printed by
  * tests/exact/msh_reciprocals.py. */
@@ -130,7 +131,7 @@ static inline struct denominator denominator_of_t(uint32_t n, uint32_t t)
 }
 
 /* F >= m 2^-17, exactly, for 0 < m < 2^18:  U 2^54 >= 5m (2^14 E)^2, in digits of base 2^21. */
-static bool at_least(uint32_t u, struct denominator d, uint32_t m)
+static bool msh_at_least(uint32_t u, struct denominator d, uint32_t m)
 {
     const uint64_t e = (uint64_t)d.e << 14 | d.fraction; /* < 2^42 */
     const uint64_t high = e >> 21, low = e & 0x1fffff, five_m = 5 * m;
@@ -152,15 +153,15 @@ uint32_t glint_msh_t(uint32_t n, uint32_t t)
     struct scaled a = scale(d.e);
     a.m |= d.fraction >> (a.shift / 2 - 2); /* 14 - s */
     const struct range f = candidates(u >> 6, a);
-    return f.low == f.high || !at_least(u, d, 2 * f.high - 1) ? f.low : f.high;
+    return f.low == f.high || !msh_at_least(u, d, 2 * f.high - 1) ? f.low : f.high;
 }
 
-static bool reaches(uint32_t n, uint32_t t, unsigned q)
+static bool msh_reaches(uint32_t n, uint32_t t, unsigned q)
 {
-    return at_least(GLINT_T_ONE - t, denominator_of_t(n, t), (uint32_t)1 << (17 - q));
+    return msh_at_least(GLINT_T_ONE - t, denominator_of_t(n, t), (uint32_t)1 << (17 - q));
 }
 
 uint32_t glint_msh_cutoff_t(uint32_t n, unsigned q)
 {
-    return glint_largest_t(reaches, n, q);
+    return glint_largest_t(msh_reaches, n, q);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Schlick, eq. (2): F = c / (n - nc + c). */
-#include "glint_internal.h"
+#include "glint_lobe_domain.h"
 
 /* With C = 2^16 c: F 2^16 = C 2^16 / D, D = n(2^16 - C) + C <= 2^26; C 2^16 + D/2 < 2^32 for C < 2^16.
  * One tie: C = 32896, n = 513. */

@@ -1,8 +1,14 @@
 /* SPDX-License-Identifier: MIT
- * The loops over COLOUR tables, a line each. RAM: 20,480 bytes of tables, what a light takes, no buffers. */
-#include "glint_tables.h"
+ * The loops over COLOUR tables, a line each: nl leads to a row of colours, t to a column, which holds the colour's place in
+ * the row as an offset in bytes; no pixel multiplies by more than a vector. RAM: 20,480 bytes of tables, what a light
+ * takes, no buffers. */
+#include "glint_loops_colour.h"
+#include "glint_loops_vector.h"
+#include "glint_tables_assembly.h"
+#include "glint_tables_geometry.h"
+#include "glint_tables_normals.h"
 
-/* Table and limits in registers. */
+/* Table and limits in registers: out may alias the structs as far as compilers know. */
 struct look {
     const uint8_t *columns;
     const uint8_t *colours;
@@ -27,12 +33,13 @@ static inline uint16_t colour(const struct look *look, uint32_t t, int32_t nl)
 {
     if (nl < 0)
         return look->dark;
-    uint32_t at = (uint32_t)nl >> 24 << 7; /* bytes, as in the columns */
+    uint32_t at = (uint32_t)nl >> GLINT_COLOUR_ROW_SHIFT << GLINT_COLOUR_ROW_BYTES_LOG; /* bytes, as in the columns */
     if (t <= look->t_max)
         at += look->columns[(look->t_max - t) >> look->shift];
     return colour_at(look->colours + at);
 }
 
+/* Any viewer, any normals: t and nl by a product of vectors each. */
 void glint_colour_vec(const struct glint_tables *tables, const struct glint_tables_light *light,
                       const struct glint_vec *normals, uint16_t w, uint16_t *out)
 {
@@ -49,7 +56,7 @@ static inline uint32_t gap(uint32_t count, size_t left)
     return (uint32_t)(count < 1 ? 1 : count < left ? count : left) - 1;
 }
 
-/* For any viewer. */
+/* 10 bits, for any viewer: unpacked, then as above. */
 void glint_colour_int10_aside(const struct glint_tables *tables, const struct glint_tables_light *light,
                               const uint32_t *words, uint16_t w, uint16_t *out)
 {
@@ -68,6 +75,9 @@ void glint_colour_int10_aside(const struct glint_tables *tables, const struct gl
 }
 
 #if !GLINT_CORTEX_M0PLUS_ASM
+/* 8 bits, the viewer at (0, 0, 1). H lies between L and the viewer, so N.H |L + V| = N.L + z: one product d (Q29) gives the
+ * row, and with z the place e (Q29) from the last column on, to which r brings a column's number. Three multiplications
+ * for the vectors, and one inside the highlight. */
 void glint_colour_int8(const struct glint_tables *tables, const struct glint_tables_light *light, const uint32_t *words,
                        uint16_t w, uint16_t *out)
 {
@@ -92,14 +102,16 @@ void glint_colour_int8(const struct glint_tables *tables, const struct glint_tab
             *out = dark;
             continue;
         }
-        uint32_t at = (uint32_t)d >> 23 << 7; /* bytes */
+        uint32_t at = (uint32_t)d >> (GLINT_COLOUR_ROW_SHIFT - 1) << GLINT_COLOUR_ROW_BYTES_LOG;
         const uint32_t e = (uint32_t)d + ((uint32_t)z << 14) - cut;
         if ((int32_t)e >= 0)
-            at += columns[((e >> a) * r) >> 20];
+            at += columns[((e >> a) * r) >> (32 - GLINT_COLOUR_COLUMNS_LOG)];
         *out = colour_at(colours + at);
     }
 }
 
+/* 10 bits, the viewer at (0, 0, 1). As above, but backwards: s = |N - H|^2 / 2 in Q29, which keeps its precision near the
+ * peak, gives the column, and nl = |L + V| (1 - s) - z (Q29) the row. */
 void glint_colour_int10(const struct glint_tables *tables, const struct glint_tables_light *light,
                         const uint32_t *words, uint16_t w, uint16_t *out)
 {
@@ -126,7 +138,7 @@ void glint_colour_int10(const struct glint_tables *tables, const struct glint_ta
             *out = dark;
             continue;
         }
-        uint32_t at = nl >> 23 << 7;
+        uint32_t at = nl >> (GLINT_COLOUR_ROW_SHIFT - 1) << GLINT_COLOUR_ROW_BYTES_LOG;
         if (s <= t_half)
             at += columns[(t_half - s) >> shift];
         *out = colour_at(colours + at);

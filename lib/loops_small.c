@@ -1,6 +1,13 @@
 /* SPDX-License-Identifier: MIT
- * SMALL tables: pixels one by one, of any format, at any address. */
-#include "glint_tables.h"
+ * SMALL tables: pixels one by one, of any format, at any address. Two words, one by nl and one by t, hold three channels
+ * each with room between them; their sum is the pixel, to which the threshold of the dither is added before the upper bits
+ * are taken. */
+#include "glint_loops_small.h"
+#include "glint_loops_vector.h"
+#include "glint_pixel.h"
+#include "glint_tables_field.h"
+#include "glint_tables_geometry.h"
+#include "glint_tables_normals.h"
 
 static uint32_t clamp_sum(uint32_t sum, uint8_t format) /* a field whose guard is set is full */
 {
@@ -30,12 +37,14 @@ static uint32_t weights(const struct glint_tables *tables, uint32_t b)
 static void small_pixel(const struct glint_tables *tables, const struct glint_surface *surface, uint16_t x, uint16_t y,
                         uint32_t t_q30, int32_t nl_q30)
 {
-    const uint32_t *diffuse = tables->colour.sums, *specular = diffuse + GLINT_DIFFUSE;
-    const uint32_t row = nl_q30 <= 0 ? 0 : (uint32_t)nl_q30 >> 24 < 63 ? 1 + ((uint32_t)nl_q30 >> 24) : 64;
+    const uint32_t *diffuse = tables->colour.sums, *specular = diffuse + GLINT_SMALL_DIFFUSE;
+    const uint32_t last = GLINT_SMALL_DIFFUSE - 2, step = (uint32_t)nl_q30 >> GLINT_COLOUR_ROW_SHIFT;
+    const uint32_t row = nl_q30 <= 0 ? 0 : 1 + (step < last ? step : last);
     uint32_t column = 0;
     if (nl_q30 > 0 && t_q30 <= tables->t_max_q30) {
         const uint32_t fine = t_q30 >> tables->shift;
-        column = tables->columns[fine < GLINT_SEGMENT ? fine : GLINT_SEGMENT + (fine >> 4)];
+        column =
+            tables->columns[fine < GLINT_SMALL_SEGMENT ? fine : GLINT_SMALL_SEGMENT + (fine >> GLINT_SMALL_COARSER)];
     }
     const uint32_t b = tables->dither ? glint_pixel_bayer(surface->x + (uint32_t)x, surface->y + (uint32_t)y) : 8;
     const uint32_t raw = diffuse[row] + specular[column];
@@ -77,13 +86,7 @@ static void small_line(const struct glint_tables *tables, const struct glint_tab
                        const struct glint_surface *surface)
 {
     for (uint16_t x = 0; x < w; x++) {
-        struct glint_vec n;
-        if (format == GLINT_NORMALS_INT16) {
-            n = ((const struct glint_vec *)normals)[x];
-        } else {
-            const uint32_t word = ((const uint32_t *)normals)[x];
-            n = glint_normals_unpack(format, word);
-        }
+        const struct glint_vec n = glint_normal_at(format, normals, x);
         if (n.x | n.y | n.z)
             small_pixel(tables, surface, x, y, glint_fast_t(&n, &light->h), glint_fast_nl(&n, &light->l));
     }

@@ -1,55 +1,159 @@
 /* SPDX-License-Identifier: MIT
- * Spans over COLOUR tables, up to GLINT_RUN pixels at a time. Of those it is cheap to know that all are alike, for t is
- * convex and nl linear; then each takes but the additions that its kind needs. */
-#include "glint_tables.h"
+ * Spans over COLOUR tables, GLINT_RUN pixels at a time: a run. Of a run it is cheap to know that all its pixels are alike,
+ * as t is convex and nl linear: three loops for three kinds take only the additions that their kind needs, and a fourth
+ * takes any run. */
+#include "glint_loops_span_any.h"
+#include "glint_math_align.h"
+#include "glint_pixel.h"
+#include "glint_tables_assembly.h"
+#include "glint_tables_geometry.h"
 
 #if !GLINT_CORTEX_M0PLUS_ASM
+static inline uint16_t run_colour(const uint8_t *at)
+{
+    return *(const uint16_t *)(const void *)at;
+}
+
+static inline uint32_t run_row(uint32_t nl) /* in bytes, as the columns are */
+{
+    return nl >> GLINT_COLOUR_ROW_SHIFT << GLINT_COLOUR_ROW_BYTES_LOG;
+}
+
+/* nl < 0 throughout. */
+static void run_dark(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out, const uint16_t *end)
+{
+    (void)at;
+    const uint16_t pixel = tables->dark;
+    while (out != end)
+        *out++ = pixel;
+}
+
+/* Lit, and past the last column: nl alone. Unrolled by hand, as compilers do not at -O2. */
+static void run_outside(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out,
+                        const uint16_t *end)
+{
+    const uint8_t *const colours = (const uint8_t *)tables->colour.colours;
+    const uint32_t dnl = (uint32_t)at->dnl_q30;
+    uint32_t nl = (uint32_t)at->nl_q30;
+    for (; end - out >= 4; out += 4) {
+        out[0] = run_colour(colours + run_row(nl));
+        nl += dnl;
+        out[1] = run_colour(colours + run_row(nl));
+        nl += dnl;
+        out[2] = run_colour(colours + run_row(nl));
+        nl += dnl;
+        out[3] = run_colour(colours + run_row(nl));
+        nl += dnl;
+    }
+    for (; out != end; out++) {
+        *out = run_colour(colours + run_row(nl));
+        nl += dnl;
+    }
+}
+
+/* Lit, and all columns: back = t_max - t, so that a column is back >> shift; here scaled, so that the shift is a constant. */
+static void run_inside(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out,
+                       const uint16_t *end)
+{
+    const uint8_t *const columns = tables->columns, *const colours = (const uint8_t *)tables->colour.colours;
+    const unsigned top = 32 - GLINT_COLOUR_COLUMNS_LOG, scale = top - tables->shift; /* a column takes the rest */
+    uint32_t back = (tables->t_max_q30 - at->t_q30) << scale, dback = (0 - at->dt_q30) << scale;
+    uint32_t nl = (uint32_t)at->nl_q30;
+    const uint32_t ddback = (0 - at->ddt_q30) << scale, dnl = (uint32_t)at->dnl_q30;
+    for (; out != end; out++) {
+        *out = run_colour(colours + run_row(nl) + columns[back >> top]);
+        back += dback;
+        dback += ddback;
+        nl += dnl;
+    }
+}
+
+/* Anything: each pixel is asked. A t a little below 0 makes back more than t_max, by no more than limit allows. */
+static void run_mixed(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out,
+                      const uint16_t *end)
+{
+    const uint8_t *const columns = tables->columns, *const colours = (const uint8_t *)tables->colour.colours;
+    const unsigned shift = tables->shift;
+    const uint32_t t_max = tables->t_max_q30, limit = t_max - GLINT_NEGATIVE_T;
+    uint32_t back = t_max - at->t_q30, dt = at->dt_q30, nl = (uint32_t)at->nl_q30;
+    const uint32_t ddt = at->ddt_q30, dnl = (uint32_t)at->dnl_q30;
+    for (; out != end; out++) {
+        if ((int32_t)nl < 0) {
+            *out = tables->dark;
+        } else {
+            uint32_t at_byte = run_row(nl);
+            if (back <= limit)
+                at_byte += columns[(back <= t_max ? back : t_max) >> shift];
+            *out = run_colour(colours + at_byte);
+        }
+        back -= dt;
+        dt += ddt;
+        nl += dnl;
+    }
+}
+
 /* Modulo 2^32 t is convex and nl linear only where no sum wraps: with steps below 2^25 and ddt below 2^20, 31 steps
  * change nl by less than 2^30, and t by -2^30 .. 3 * 2^29. */
-#define BIG ((uint32_t)1 << 25)
+#define RUN_BIG ((uint32_t)1 << 25)
 
 static inline bool is_big(uint32_t step)
 {
-    return (step + BIG) >> 26 != 0;
+    return (step + RUN_BIG) >> 26 != 0;
 }
 
-static inline void run(const struct glint_tables *tables, const struct glint_span *at, uint32_t w, uint16_t *out)
+static void run(const struct glint_tables *tables, const struct glint_span *at, uint32_t w, uint16_t *out)
 {
     const uint32_t m = w - 1u;
     const uint32_t last_nl = (uint32_t)at->nl_q30 + m * (uint32_t)at->dnl_q30;
     if (is_big((uint32_t)at->dnl_q30) || is_big(at->dt_q30) || at->ddt_q30 >> 20) {
-        glint_run_mixed(tables, at, out, out + w);
+        run_mixed(tables, at, out, out + w);
     } else if ((int32_t)((uint32_t)at->nl_q30 | last_nl | at->t_q30) < 0) {
         if ((at->nl_q30 & (int32_t)last_nl) < 0)
-            glint_run_dark(tables, at, out, out + w);
+            run_dark(tables, at, out, out + w);
         else
-            glint_run_mixed(tables, at, out, out + w);
+            run_mixed(tables, at, out, out + w);
     } else {
         const int32_t t_max = (int32_t)tables->t_max_q30, back = t_max - (int32_t)at->t_q30;
         const int32_t fall = (int32_t)(m * at->dt_q30);
         /* t is not below the tangent at the start */
         const int32_t highest = fall < 0 ? back - fall : back;
         if (highest < 0)
-            glint_run_outside(tables, at, out, out + w);
+            run_outside(tables, at, out, out + w);
         else if (back >= 0 && highest <= t_max && back - fall - (int32_t)((m * (m - 1) >> 1) * at->ddt_q30) >= 0)
-            glint_run_inside(tables, at, out, out + w);
+            run_inside(tables, at, out, out + w);
         else
-            glint_run_mixed(tables, at, out, out + w);
+            run_mixed(tables, at, out, out + w);
     }
 }
 
-void glint_colour_run(const struct glint_tables *tables, const struct glint_span *at, uint16_t w, uint16_t *out)
+/* The span from the next run on: t is quadratic in the pixel's number. */
+static inline void next_run(struct glint_span *at)
 {
-    run(tables, at, w, out);
+    const uint32_t n = GLINT_RUN;
+    at->t_q30 += n * at->dt_q30 + n * (n - 1) / 2 * at->ddt_q30;
+    at->dt_q30 += n * at->ddt_q30;
+    at->nl_q30 = (int32_t)((uint32_t)at->nl_q30 + n * (uint32_t)at->dnl_q30);
 }
 
 enum glint_err glint_tables_span(const struct glint_tables *tables, const struct glint_span *span,
                                  const struct glint_surface *surface)
 {
     if (!tables || !span || !surface || !surface->pixels || tables->kind != GLINT_TABLES_COLOUR ||
-        GLINT_MISALIGNED(surface->pixels, 16) || span->w - 1u >= GLINT_RUN)
+        GLINT_MISALIGNED(surface->pixels, 16))
         return glint_span_any(tables, span, surface);
-    run(tables, span, span->w, (uint16_t *)surface->pixels);
+    uint16_t *out = (uint16_t *)surface->pixels;
+    if (span->w <= GLINT_RUN) {
+        if (span->w)
+            run(tables, span, span->w, out);
+        return GLINT_OK;
+    }
+    struct glint_span at = *span;
+    uint32_t left = at.w;
+    for (; left > GLINT_RUN; left -= GLINT_RUN, out += GLINT_RUN) {
+        run(tables, &at, GLINT_RUN, out);
+        next_run(&at);
+    }
+    run(tables, &at, left, out);
     return GLINT_OK;
 }
 #endif

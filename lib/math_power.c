@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "glint_internal.h"
+#include "glint_math_power.h"
 
 /* The upper half of a 64 x 64 bit product, from 32 x 32 bit ones. */
 static uint64_t mulhi(uint64_t a, uint64_t b)

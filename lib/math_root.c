@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "glint_internal.h"
+#include "glint_math_root.h"
 
 uint32_t glint_root(uint64_t x) /* digit by digit */
 {

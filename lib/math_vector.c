@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#include "glint_internal.h"
+#include "glint_math_vector.h"
+#include "glint_math_root.h"
 
 bool glint_unit_q30(int32_t out[3], const int32_t v[3])
 {

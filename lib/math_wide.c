@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "glint_internal.h"
+#include "glint_math_wide.h"
 
 enum { LIMBS = 6 };
 

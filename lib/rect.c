@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * The exact rectangle path. */
 #include "glint_rect.h"
-#include "glint_internal.h"
+#include "glint_math_align.h"
 #include "glint_pixel.h"
 
 enum glint_err glint_rect_check(const struct glint_shader *shader, const struct glint_source *source,

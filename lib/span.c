@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * The exact span. With N(k) = N0 + k s and D0 = N0 - H, t(k) = |N(k) - H|^2 / 2 = t0 + k (D0.s) + k^2 |s|^2 / 2. */
-#include "glint_internal.h"
+#include "glint_lobe_domain.h"
 #include "glint_pixel.h"
 
 static int64_t divide(int64_t a, int64_t b) /* to nearest; b > 0 */

@@ -34,27 +34,27 @@ void scene_free(struct scene *scene)
     free(scene);
 }
 
-static void repeat(void *map, const struct scene *scene, uint32_t width, uint32_t height, size_t size)
+/* The map, repeated to width x height, in place of the one given; NULL stays. */
+static void *repeated(void *map, const struct scene *scene, uint32_t width, uint32_t height, size_t size)
 {
-    uint8_t **from = map; /* the pointer is replaced */
-    if (!*from)
-        return;
+    if (!map)
+        return NULL;
     uint8_t *to = allocate((size_t)width * height, size);
     for (size_t y = 0; y < height; y++) {
-        const uint8_t *line = &(*from)[y % scene->height * scene->width * size];
+        const uint8_t *line = (const uint8_t *)map + y % scene->height * scene->width * size;
         for (size_t x = 0; x < width; x++)
             memcpy(&to[(y * width + x) * size], &line[x % scene->width * size], size);
     }
-    free(*from);
-    *from = to;
+    free(map);
+    return to;
 }
 
 void scene_repeat(struct scene *scene, uint32_t width, uint32_t height)
 {
-    repeat(&scene->normals, scene, width, height, sizeof *scene->normals);
-    repeat(&scene->albedo, scene, width, height, 3);
-    repeat(&scene->gloss, scene, width, height, 1);
-    repeat(&scene->mask, scene, width, height, 1);
+    scene->normals = repeated(scene->normals, scene, width, height, sizeof *scene->normals);
+    scene->albedo = repeated(scene->albedo, scene, width, height, 3);
+    scene->gloss = repeated(scene->gloss, scene, width, height, 1);
+    scene->mask = repeated(scene->mask, scene, width, height, 1);
     scene->width = width;
     scene->height = height;
 }

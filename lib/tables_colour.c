@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+#include "glint_tables_colour.h"
+#include "glint_math_root.h"
+#include "glint_pixel.h"
+#include "glint_tables_geometry.h"
+
+typedef char glint_colour_bytes[GLINT_TABLES_COLOUR_BYTES ==
+                                        2 * GLINT_COLOUR_ROWS * GLINT_COLOUR_STEPS + (1 << GLINT_COLOUR_COLUMNS_LOG)
+                                    ? 1
+                                    : -1];
+
+static bool has_step(const struct glint_shader *shader, uint32_t f)
+{
+    const struct glint_peak peak = {shader, glint_pixel_lobe(shader, 0)};
+    return glint_peak_step(&peak, f) != 0;
+}
+
+/* Two tables, so that neither axis costs a division: t leads to a column, which holds the nearest step of F as an offset in
+ * bytes; nl to a row of finished pixels, in which the offset finds the colour. Columns end where F no longer reaches half
+ * a step, so that their resolution goes where the highlight is. */
+void glint_colour_fill(struct glint_tables *tables, const struct glint_peak *peak, void *memory)
+{
+    const struct glint_shader *shader = peak->shader;
+    const uint32_t columns = (uint32_t)1 << GLINT_COLOUR_COLUMNS_LOG, t_max = glint_last_t(shader, has_step);
+    tables->colour.colours = (uint16_t *)memory; /* the 16-bit table first, for its alignment */
+    tables->columns = (uint8_t *)memory + 2 * GLINT_COLOUR_ROWS * GLINT_COLOUR_STEPS;
+    tables->t_max_q30 = t_max;
+    tables->shift = (uint8_t)glint_columns_shift(t_max, columns);
+    for (uint32_t i = 0; i < columns; i++)
+        tables->columns[i] = (uint8_t)(2 * glint_peak_step_at(peak, glint_column_t(t_max, tables->shift, i)));
+    const struct glint_surface colours = {memory, 2 * GLINT_COLOUR_STEPS, 0, 0}, dark = {&tables->dark, 2, 0, 0};
+    for (uint16_t row = 0; row < GLINT_COLOUR_ROWS; row++)
+        for (uint16_t j = 0; j < GLINT_COLOUR_STEPS; j++)
+            glint_pixel_store(shader, &colours, j, row, glint_row_nl(row), glint_peak_f(peak, j),
+                              shader->material.albedo, 255);
+    glint_pixel_store(shader, &dark, 0, 0, 0, 0, shader->material.albedo, 255);
+}
+
+/* N.H |L + V| = N.L + N.z for a viewer at (0, 0, 1): one dot serves both. With m = |L + V| = peak / 2^29, 1 - N.H =
+ * (peak - d - z) / m, so a column's number is (d + z - cut) 2 / m >> s = ((e >> a) r) >> 20, e = d + z - cut in Q29. */
+void glint_colour_light(struct glint_tables_light *light, const struct glint_tables *tables)
+{
+    light->y = (light->l.y + 1) >> 1; /* Q14, as z */
+    light->z = (light->l.z + 1) >> 1;
+    light->x = 128 * (int32_t)light->l.x - light->y; /* Q22; v holds x, too */
+    const int64_t x = light->l.x, y = 2 * light->y, z = 2 * light->z + 32768;
+    const uint32_t peak = glint_root((uint64_t)(x * x + y * y + z * z) << 28);          /* Q29, <= 2^30 + 2^16 */
+    const uint32_t reach = (uint32_t)(((uint64_t)tables->t_max_q30 * peak) >> 30) >> 1; /* of e */
+    light->peak = (int32_t)peak;
+    light->cut = (int32_t)(peak - (uint32_t)(((uint64_t)tables->t_max_q30 * peak) >> 30));
+    unsigned a = 0;
+    while (reach >> a >= 32768)
+        a++;
+    const unsigned scale = 30 + 32 - GLINT_COLOUR_COLUMNS_LOG + a - tables->shift; /* e 2^30 / peak >> s */
+    const uint64_t r = peak && tables->kind == GLINT_TABLES_COLOUR ? ((uint64_t)1 << scale) / peak : 0;
+    light->a = (uint8_t)a;
+    light->r = r > UINT32_MAX ? UINT32_MAX : (uint32_t)r;
+}
