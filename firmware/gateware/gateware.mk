@@ -2,19 +2,22 @@
 # Gateware: rtl/ has one module a file, demo/ what the demo adds to it, boards/NAME a board's top module, its pins (NAME.pcf) and NAME.mk, which sets
 # NAME_TOP, NAME_DEVICE (nextpnr's options) and NAME_MHZ, the clock that must be met.
 GATEWARE = build/gateware
-RTL = $(wildcard firmware/gateware/rtl/*.v)
+GATEWARE_RTL = $(wildcard firmware/gateware/rtl/*.v)
 GATEWARE_DEMO = $(wildcard firmware/gateware/demo/*.v)
 GATEWARE_BOARDS = $(patsubst firmware/gateware/boards/%/,%,$(sort $(dir $(wildcard firmware/gateware/boards/*/*.mk))))
 GATEWARE_PACKAGES = yosys nextpnr-ice40 fpga-icestorm python3-minimal
+GATEWARE_TABLES = $(BUILD)/gateware/tables
+# MODULE:PART[:NAME=VALUE,...], see firmware/gateware/report.
+GATEWARE_REPORT = glint_core:up5k glint_lite:up5k glint_span:up5k glint_span:up5k:WHITE=1 glint_core:hx8k glint_lite:hx8k glint_lite:hx1k
 include $(wildcard firmware/gateware/boards/*/*.mk)
 
-gateware: $(GATEWARE_BOARDS:%=$(GATEWARE)/%.bin) ## bitstreams into build/gateware, one for each of firmware/gateware/boards
+gateware: $(GATEWARE_BOARDS:%=$(GATEWARE)/%.bin) ## firmware: bitstreams into build/gateware, one for each of firmware/gateware/boards
 
 setup-gateware-tools:
 	@.ci/need "gateware (synthesis, place and route)" $(GATEWARE_PACKAGES)
 
 define gateware_board
-$(GATEWARE)/$(1).json: $(RTL) $(GATEWARE_DEMO) $(wildcard firmware/gateware/boards/$(1)/*.v) firmware/gateware/boards/$(1)/$(1).mk | setup-gateware-tools
+$(GATEWARE)/$(1).json: $(GATEWARE_RTL) $(GATEWARE_DEMO) $(wildcard firmware/gateware/boards/$(1)/*.v) firmware/gateware/boards/$(1)/$(1).mk | setup-gateware-tools
 	@mkdir -p $$(@D)
 	@yosys -q -l $(GATEWARE)/$(1).yosys.log -p "synth_ice40 -dsp -top $($(1)_TOP) -json $$@" $$(filter %.v,$$^) || { rm -f $$@; exit 1; }
 
@@ -30,13 +33,10 @@ $(GATEWARE)/%.bin: $(GATEWARE)/%.asc
 		sed -n 's/^Info:[ \t]*\(ICESTORM_LC\|ICESTORM_RAM\|ICESTORM_DSP\):/  \1/p' $(@:.bin=.nextpnr.log) && \
 		sed -n 's/^Info: \(Max frequency\)/  \1/p' $(@:.bin=.nextpnr.log) | tail -1
 
-# MODULE:PART[:NAME=VALUE,...], see firmware/gateware/report.
-GATEWARE_REPORT = glint_core:up5k glint_lite:up5k glint_span:up5k glint_span:up5k:WHITE=1 glint_core:hx8k glint_lite:hx8k glint_lite:hx1k
-gateware-report: setup-gateware-tools ## what the gateware takes on iCE40 parts, into firmware/gateware/README.md
+gateware-report: setup-gateware-tools ## measure: what the gateware takes on iCE40 parts, into firmware/gateware/README.md
 	@firmware/gateware/report -r firmware/gateware/README.md -w $(GATEWARE)/report $(GATEWARE_REPORT)
 
 # The demo's tables, of the library's values; a test tells when those in the tree are not what this program writes.
-GATEWARE_TABLES = $(BUILD)/gateware/tables
 $(GATEWARE_TABLES): firmware/gateware/demo/tables.c $(BUILD)/firmware/core/orbit.o $(BUILD)/libglint.a
 	@mkdir -p $(@D)
 	@$(CC) -Ilib -Ifirmware/core $(LIB_CFLAGS) $(LDFLAGS) $^ -o $@

@@ -1,28 +1,31 @@
 # SPDX-License-Identifier: MIT
 # make bench: what a highlight and a pixel cost, beside what people use today: cycles on a Cortex-M0+ and an AVR, instructions
-# on other cores, bytes; then the host's part, host/host.mk.
-# Measurements, no test: nothing here can fail for being slow.
+# on other cores, bytes; then the host's part, host/host.mk. These are measurements, not tests: nothing here fails for being slow.
+BENCH_PACKAGES = libnewlib-arm-none-eabi picolibc-riscv64-unknown-elf
+BENCH_EMULATOR_PACKAGES = nodejs npm
 BENCH = build/bench
 BENCH_SCENE = $(BENCH)/scene
-BENCH_SCENE_OBJECTS = $(filter-out $(BUILD)/host/main.o,$(HOST_OBJECTS)) $(BUILD)/libglint.a
 BENCH_NPM = $(BENCH)/npm
 # The variants for Cortex-M0+; asm: with the library's assembly.
 BENCH_FLAGS_O2 = -O2
 BENCH_FLAGS_Os = -Os
 BENCH_FLAGS_asm = -O2 -DGLINT_CORTEX_M0PLUS_ASM=1
 BENCH_ELFS = $(patsubst %,$(BENCH)/m0plus-%.elf,O2 Os asm)
-# libfixmath's source, where it could be had.
+# libfixmath's source, where it could be fetched.
 BENCH_FIXMATH = $(wildcard $(addprefix $(BENCH)/fixmath/libfixmath/,fix16.c fix16_exp.c))
 BENCH_FLAGS = -Ilib $(if $(BENCH_FIXMATH),-DBENCH_FIXMATH=1 -DFIXMATH_NO_CACHE -I$(BENCH)/fixmath,-DBENCH_FIXMATH=0)
 BENCH_SOURCES = $(wildcard lib/*.c lib/*.S) $(BENCH_FIXMATH) \
 	$(filter-out $(if $(BENCH_FIXMATH),,%/fixmath.c),$(wildcard tests/bench/*.c))
+# The counted programs have their start-up code and linker scripts.
+BENCH_IMAGES = cortex-m-mps2-an385 cortex-m-mps2-an386 rv32-virt avr-atmega2560
+BENCH_INPUTS = $(BENCH_SOURCES) $(wildcard lib/*.h lib/*.inc tests/bench/*.h) tests/targets/targets.py tests/bench/m0plus.ld tests/bench/bench.mk
 
-setup-bench: setup-build setup-targets setup-rp2040js
-	@.ci/need "make bench" libnewlib-arm-none-eabi picolibc-riscv64-unknown-elf $(BENCH_HOST_PACKAGES)
+setup-bench: setup-build setup-targets setup-bench-host setup-rp2040js
+	@.ci/need "make bench" $(BENCH_PACKAGES)
 	@tests/bench/fixmath-source $(BENCH)/fixmath
 
 setup-rp2040js:
-	@command -v npm >/dev/null || .ci/need "the emulator rp2040js" nodejs npm
+	@command -v npm >/dev/null || .ci/need "the emulator rp2040js" $(BENCH_EMULATOR_PACKAGES)
 	@+$(SUBMAKE) -s $(BENCH_NPM)/done
 
 # What package-lock.json says, checked by its hashes.
@@ -32,7 +35,7 @@ $(BENCH_NPM)/done: tests/bench/package.json tests/bench/package-lock.json
 		{ tail -5 $(BENCH)/npm.log >&2; echo "make: npm could not install rp2040js" >&2; exit 1; }
 	@touch $@
 
-bench: ## set up what is missing, measure cycles, instructions, code size and the host; tables, and build/bench/*.json
+bench: ## measure: set up what is missing, measure cycles, instructions, code size and the host; tables, and build/bench/*.json
 	@+$(SUBMAKE) setup-bench
 	@+$(SUBMAKE) run-bench
 	@+$(SUBMAKE) run-bench-host
@@ -43,25 +46,22 @@ run-bench: bench-programs
 
 bench-programs: $(BENCH_ELFS) $(BENCH_SCENE)/scene.json $(BENCH)/sizes.txt $(BENCH)/counts.txt
 
-# Whose start-up and linker script the counted programs have.
-BENCH_IMAGES = cortex-m-mps2-an385 cortex-m-mps2-an386 rv32-virt avr-atmega2560
-BENCH_INPUTS = $(BENCH_SOURCES) $(wildcard lib/*.h lib/*.inc tests/bench/*.h) tests/targets/targets.py tests/bench/m0plus.ld tests/bench/bench.mk
-
 $(BENCH)/m0plus-%.elf: $(BENCH_INPUTS) tests/bench/calibrate.S
 	@mkdir -p $(@D)
 	@arm-none-eabi-gcc -std=c99 -mcpu=cortex-m0plus -mthumb $(BENCH_FLAGS_$*) -ffunction-sections -fdata-sections $(BENCH_FLAGS) \
 		-nostartfiles -T tests/bench/m0plus.ld $(BENCH_SOURCES) tests/bench/calibrate.S -lm -o $@
 
 $(BENCH)/sizes.txt: tests/bench/sizes $(BENCH_INPUTS)
+	@PYTHONDONTWRITEBYTECODE=1 $< $(BENCH) >$@.tmp && mv $@.tmp $@
+
 $(BENCH)/counts.txt: tests/bench/count $(BENCH_INPUTS) $(wildcard tests/bench/machine/*) $(BENCH_SCENE)/scene.json \
-	$(BENCH_IMAGES:%=build/firmware/%/conformance.elf)
-$(BENCH)/sizes.txt $(BENCH)/counts.txt:
+		$(BENCH_IMAGES:%=build/firmware/%/conformance.elf)
 	@PYTHONDONTWRITEBYTECODE=1 $< $(BENCH) >$@.tmp && mv $@.tmp $@
 
 $(BENCH_SCENE)/scene.json: $(BENCH_SCENE)/scene
 	@$< write $(@D)
 
-$(BENCH_SCENE)/scene: tests/bench/scene/scene.c tests/bench/sphere.c tests/bench/sphere.h $(BENCH_SCENE_OBJECTS)
+$(BENCH_SCENE)/scene: tests/bench/scene/scene.c tests/bench/sphere.c tests/bench/sphere.h $(HOST_ARCHIVES)
 	@mkdir -p $(@D)
 	@$(CC) $(filter-out -MMD -MP,$(HOST_CFLAGS)) $(filter %.c %.o %.a,$^) -o $@ $(HOST_LDFLAGS) $(HOST_LDLIBS)
 

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 # Tier exact: the whole domain against an independent oracle (128-bit integers, GMP, MPFR); the host's batch loops against
 # the library. Of the host only batch.c is linked, so that its packages are not needed.
+EXACT_PACKAGES = gcc libc6-dev make libcmocka-dev libgmp-dev libmpfr-dev python3
 EXACT_TESTS = $(patsubst tests/exact/test_%.c,$(BUILD)/tests/exact/test_%,$(wildcard tests/exact/test_*.c))
+EXACT_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ihost $(OPENMP) $(CFLAGS) $(SANITIZERS)
 
 $(BUILD)/tests/exact/%.o: tests/exact/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -11,16 +13,14 @@ $(BUILD)/tests/exact/host/%.o: host/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(CC) $(EXACT_CFLAGS) -c $< -o $@
 
-EXACT_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ihost $(OPENMP) $(CFLAGS)
-
 $(BUILD)/tests/exact/test_batch: $(BUILD)/tests/exact/host/models/batch.o
 $(EXACT_TESTS): %: %.o $(BUILD)/tests/exact/oracle.o $(BUILD)/libglint.a
 	$(CC) $(HOST_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) -o $@ -lcmocka -lmpfr -lgmp -lm
 
 setup-exact:
-	@.ci/need "tier exact" gcc libc6-dev make libcmocka-dev libgmp-dev libmpfr-dev python3
+	@.ci/need "tier exact" $(EXACT_PACKAGES)
 
-test-exact: ## the library over its whole domain: 0 wrong
+test-exact: ## check: the library over its whole domain: 0 wrong
 	@+tests/tier exact "$(SUBMAKE)"
 
 run-exact: $(EXACT_TESTS)

@@ -2,38 +2,39 @@
 # Tier gateware: the Verilog against the library. tests/gateware/test_NAME.cpp is linked with Verilator's model of module
 # glint_NAME (of rtl or demo) and with the library; every other tests/gateware/test_* is a script that speaks TAP. Both run with
 # GATEWARE_BUILD, a folder of their own to write to, in the environment.
+GATEWARE_TEST_PACKAGES = gcc g++ libc6-dev make libpng-dev verilator iverilog z3 cvc4 python3-yaml
 GATEWARE_TESTS = $(patsubst tests/gateware/test_%.cpp,$(BUILD)/tests/gateware/test_%,$(wildcard tests/gateware/test_*.cpp))
 GATEWARE_SCRIPTS = $(filter-out %.cpp %.v,$(wildcard tests/gateware/test_*))
-# Their parameters.
-VERILATE_core = -GUSER=16
-VERILATE_lite = -GUSER=16
-VERILATE = verilator --cc --exe --build -Wall -Wno-fatal -O3 --x-assign unique $(VERILATE_$*) -CFLAGS "-O3 $(patsubst %,-I$(CURDIR)/%,lib tests/gateware firmware/core firmware/gateware/demo)" \
-	$(VERILATE_LDLIBS_$*:%=-LDFLAGS %) -Ifirmware/gateware/rtl -Ifirmware/gateware/demo
-VERILATE_LDLIBS_demo = -lpng
+# Their parameters, and what one is linked with.
+GATEWARE_PARAMETERS_core = -GUSER=16
+GATEWARE_PARAMETERS_lite = -GUSER=16
+GATEWARE_LDLIBS_demo = -lpng
+GATEWARE_VERILATE = verilator --cc --exe --build -Wall -Wno-fatal -O3 --x-assign unique $(GATEWARE_PARAMETERS_$*) \
+	-CFLAGS "-O3 $(patsubst %,-I$(CURDIR)/%,lib tests/gateware firmware/core firmware/gateware/demo)" \
+	$(GATEWARE_LDLIBS_$*:%=-LDFLAGS %) -Ifirmware/gateware/rtl -Ifirmware/gateware/demo
+GATEWARE_LIBRARY = $(BUILD)/tests/gateware/libglint.a
+GATEWARE_ENV = GATEWARE_BUILD=$(CURDIR)/$(GATEWARE)/test VECTORS=$(CURDIR)/$(BUILD)/tests/gateware/vectors \
+	LIBGLINT=$(CURDIR)/$(GATEWARE_LIBRARY) ORBIT=$(CURDIR)/$(BUILD)/firmware/core/orbit.o TABLES=$(CURDIR)/$(GATEWARE_TABLES)
 
 # The library at -O3: the tests wait for it more than for the model.
-$(BUILD)/tests/gateware/libglint.a: $(wildcard lib/*.[ch])
+$(GATEWARE_LIBRARY): $(wildcard lib/*.[ch])
 	@+$(SUBMAKE) -s BUILD=build/o3 CFLAGS=-O3 build/o3/libglint.a
 	@mkdir -p $(@D) && cp build/o3/libglint.a $@
 
-$(BUILD)/tests/gateware/test_%: tests/gateware/test_%.cpp $(RTL) $(GATEWARE_DEMO) $(wildcard tests/gateware/*.h firmware/gateware/demo/*.h) \
-		$(BUILD)/tests/gateware/libglint.a $(BUILD)/firmware/core/orbit.o
+$(BUILD)/tests/gateware/test_%: tests/gateware/test_%.cpp $(GATEWARE_RTL) $(GATEWARE_DEMO) $(wildcard tests/gateware/*.h firmware/gateware/demo/*.h) \
+		$(GATEWARE_LIBRARY) $(BUILD)/firmware/core/orbit.o
 	@mkdir -p $@.dir
-	@$(VERILATE) --top-module glint_$* --prefix Vtop --Mdir $@.dir -o ../$(@F) $(CURDIR)/$< $(CURDIR)/$(BUILD)/firmware/core/orbit.o \
-		$(CURDIR)/$(BUILD)/tests/gateware/libglint.a $(wildcard firmware/gateware/*/glint_$*.v) >$@.log 2>&1 || { cat $@.log >&2; exit 1; }
+	@$(GATEWARE_VERILATE) --top-module glint_$* --prefix Vtop --Mdir $@.dir -o ../$(@F) $(CURDIR)/$< $(CURDIR)/$(BUILD)/firmware/core/orbit.o \
+		$(CURDIR)/$(GATEWARE_LIBRARY) $(wildcard firmware/gateware/*/glint_$*.v) >$@.log 2>&1 || { cat $@.log >&2; exit 1; }
 
 setup-gateware: setup-gateware-tools
-	@.ci/need "tier gateware (simulators, solvers)" gcc g++ libc6-dev make libpng-dev verilator iverilog z3 cvc4 python3-yaml
+	@.ci/need "tier gateware (simulators, solvers)" $(GATEWARE_TEST_PACKAGES)
 
-test-gateware: ## the Verilog: every cosine and shininess against the library, the netlist, the handshake proved, faults found
+test-gateware: ## check: the Verilog: every cosine and shininess against the library, the netlist, the handshake proved, faults found
 	@+tests/tier gateware "$(SUBMAKE)"
 
-GATEWARE_ENV = GATEWARE_BUILD=$(CURDIR)/$(GATEWARE)/test VECTORS=$(CURDIR)/$(BUILD)/tests/gateware/vectors \
-	LIBGLINT=$(CURDIR)/$(BUILD)/tests/gateware/libglint.a \
-	ORBIT=$(CURDIR)/$(BUILD)/firmware/core/orbit.o TABLES=$(CURDIR)/$(GATEWARE_TABLES)
-
 # What the netlist's test plays.
-$(BUILD)/tests/gateware/vectors: tests/gateware/vectors.c $(BUILD)/tests/gateware/libglint.a
+$(BUILD)/tests/gateware/vectors: tests/gateware/vectors.c $(GATEWARE_LIBRARY)
 	@$(CC) -std=c11 $(WARNINGS) -O2 -Ilib $^ -o $@
 
 run-gateware: $(GATEWARE_TESTS) $(BUILD)/tests/gateware/vectors $(GATEWARE_TABLES)

@@ -1,20 +1,18 @@
 # SPDX-License-Identifier: MIT
 # Fuzzers of what devices parse: tests/lab/test_fuzz runs them, `make fuzz` longer.
-FUZZERS = $(patsubst tests/lab/fuzz_%.c,$(BUILD)/tests/lab/fuzz_%,$(wildcard tests/lab/fuzz_*.c))
+LAB_FUZZ_PACKAGES = clang-14 libclang-rt-14-dev liblz4-dev
+LAB_FUZZERS = $(patsubst tests/lab/fuzz_%.c,$(BUILD)/tests/lab/fuzz_%,$(wildcard tests/lab/fuzz_*.c))
 
-$(FUZZERS): $(BUILD)/tests/lab/fuzz_%: tests/lab/fuzz_%.c tests/lab/fuzz.h tests/lab/fuzzer $(wildcard firmware/core/*.[ch]) \
+$(LAB_FUZZERS): $(BUILD)/tests/lab/fuzz_%: tests/lab/fuzz_%.c tests/lab/fuzz.h tests/lab/fuzzer $(wildcard firmware/core/*.[ch]) \
 		host/sinks/panel/virtual_panel.c host/sinks/panel/virtual_panel.h
 	tests/lab/fuzzer $* $@
 
-setup-lab: setup-fuzz
 setup-fuzz:
-	@.ci/need "fuzzing" clang-14 libclang-rt-14-dev liblz4-dev
+	@.ci/need "fuzzing" $(LAB_FUZZ_PACKAGES)
 
-lab-programs: $(FUZZERS)
-
-fuzz: setup-fuzz ## what devices parse, fuzzed for SECONDS (600) each; what is new goes to build/fuzz
+fuzz: setup-fuzz ## check: what devices parse, fuzzed for SECONDS (600) each; what is new goes to build/fuzz
 	@+$(SUBMAKE) run-fuzz
-run-fuzz: $(FUZZERS)
+run-fuzz: $(LAB_FUZZERS)
 	@for fuzzer in $^; do name=$${fuzzer##*_} && mkdir -p build/fuzz/$$name && \
 		$$fuzzer -max_total_time=$(or $(SECONDS),600) -timeout=20 -max_len=4096 -print_final_stats=1 \
 		-artifact_prefix=build/fuzz/ build/fuzz/$$name tests/lab/seeds/$$name || exit 1; done

@@ -4,16 +4,16 @@
 PICO_PANELS_TESTED = st7789-240x240 ili9341-320x240
 PICO_TE_TESTED = 21
 PICO_TOOLS = judge attach cores
+# What is built; BOARD=pico2 only to see that it builds: nothing emulates it.
+PICO_BUILT = $(PICO_PANELS_TESTED:%=PANEL=%) TE=$(PICO_TE_TESTED) SECOND_CORE=1 BOARD=pico2
+PICO_TEST = node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel)$(2) $(panel) $(BUILD)/tests/pico/judge
+PICO_CORES = $(patsubst %,firmware/core/%.c,relight panel demo orbit) $(wildcard lib/*.c)
 
-setup-pico: setup-build setup-firmware-pico setup-lab
-	@command -v npm >/dev/null || .ci/need "tier pico: the emulator rp2040js" nodejs npm
-	@+$(SUBMAKE) -s $(BENCH_NPM)/done
+setup-pico: setup-build setup-firmware-pico setup-lab setup-rp2040js
 
-test-pico: ## the Pico's firmware emulated: boot, panel, the demo's frames, USB, a real kernel's drivers; cycles
+test-pico: ## check: the Pico's firmware emulated: boot, panel, the demo's frames, USB, a real kernel's drivers; cycles
 	@+tests/tier pico "$(SUBMAKE)"
 
-# What is built; BOARD=pico2 for the build's sake, nothing emulates it.
-PICO_BUILT = $(PICO_PANELS_TESTED:%=PANEL=%) TE=$(PICO_TE_TESTED) SECOND_CORE=1 BOARD=pico2
 # Two at a time, since half of CMake's work uses one core. The conformance image is built in the first one's folder.
 pico-images: $(BUILD)/glint $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
 	@firmware/ports/pico/fetch-sdk >/dev/null
@@ -31,9 +31,8 @@ run-pico: pico-images $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $(addprefix $(BUILD)
 		"node tests/pico/test_conformance.mjs $(BENCH_NPM) build/firmware/pico-st7789-240x240 $(CONFORMANCE_EXPECTED)" \
 		$(foreach panel,$(PICO_PANELS_TESTED),"$(call PICO_TEST,demo)" "$(call PICO_TEST,usb)") \
 		"tests/pico/test_cores $(BUILD)/tests/pico/cores"
-PICO_TEST = node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel)$(2) $(panel) $(BUILD)/tests/pico/judge
 
-$(BUILD)/tests/pico/judge: tests/pico/judge.c $(filter-out $(BUILD)/host/main.o,$(HOST_OBJECTS)) $(BUILD)/libglint.a
+$(BUILD)/tests/pico/judge: tests/pico/judge.c $(HOST_ARCHIVES)
 	@mkdir -p $(@D)
 	@$(CC) $(filter-out -MMD -MP,$(HOST_CFLAGS)) $^ -o $@ $(HOST_LDFLAGS) $(HOST_LDLIBS)
 
@@ -41,12 +40,11 @@ $(BUILD)/tests/pico/attach: tests/pico/attach.c
 	@mkdir -p $(@D)
 	@$(CC) -std=c11 -D_GNU_SOURCE $(WARNINGS) $(CFLAGS) $< -o $@
 
-PICO_CORES = $(patsubst %,firmware/core/%.c,relight panel demo orbit) $(wildcard lib/*.c)
 $(BUILD)/tests/pico/cores: tests/pico/cores.c $(PICO_CORES) $(wildcard firmware/core/*.h lib/*.h)
 	@mkdir -p $(@D)
 	@$(CC) -std=c11 -Ilib -Ifirmware/core $(WARNINGS) -O1 -g -fsanitize=thread $(filter %.c,$^) -o $@ -pthread
 
-hwtest: ## check a Raspberry Pi Pico that is plugged in (BOOTSEL held) and its frame rate; a report to send in
+hwtest: ## check: a Raspberry Pi Pico that is plugged in (BOOTSEL held) and its frame rate; a report to send in
 	@+tests/hwtest "$(SUBMAKE)"
 
 .PHONY: setup-pico test-pico pico-images run-pico hwtest

@@ -8,7 +8,8 @@ avr_FLAGS_atmega328p = -mmcu=atmega328p -DCONFORMANCE_MODELS_ONLY=1
 avr_LINK_atmega328p = $(CURDIR)/firmware/ports/avr/budget328p.ld
 $(eval $(call bare_port,avr))
 
+avr_PACKAGES = gcc-avr avr-libc
 setup-firmware-avr: setup-build
-	@.ci/need "firmware for AVR" gcc-avr avr-libc
+	@.ci/need "firmware for AVR" $(avr_PACKAGES)
 
 .PHONY: setup-firmware-avr

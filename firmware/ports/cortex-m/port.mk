@@ -19,7 +19,8 @@ cortex-m_LINK_rp2040 = $(cortex-m_SCRIPT)rp2040.ld
 cortex-m_LINK_rp2040-asm = $(cortex-m_SCRIPT)rp2040.ld
 $(eval $(call bare_port,cortex-m))
 
+cortex-m_PACKAGES = gcc-arm-none-eabi
 setup-firmware-cortex-m: setup-build
-	@.ci/need "firmware for Cortex-M" gcc-arm-none-eabi
+	@.ci/need "firmware for Cortex-M" $(cortex-m_PACKAGES)
 
 .PHONY: setup-firmware-cortex-m

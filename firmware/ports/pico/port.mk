@@ -13,9 +13,9 @@ PICO_FREE_PINS = 1 2 3 4 5 6 7 14 15 16 17 18 19 20 21 22 26 27 28
 PICO = build/firmware/$(PICO_BOARD)-$(PANEL)$(TE:%=-te%)$(if $(filter 1,$(SECOND_CORE)),-two-cores)
 PICO_SIZE = $(lastword $(subst -, ,$(PANEL)))
 
+pico_PACKAGES = cmake make python3-minimal gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib
 setup-firmware-pico: setup-build
-	@.ci/need "firmware for the Pico" cmake make python3-minimal gcc-arm-none-eabi libnewlib-arm-none-eabi \
-		libstdc++-arm-none-eabi-newlib
+	@.ci/need "firmware for the Pico" $(pico_PACKAGES)
 	@firmware/ports/pico/fetch-sdk >/dev/null
 
 # CMake knows what depends on what within.

@@ -7,7 +7,8 @@ rv32_FLAGS_virt = -march=rv32imc -mabi=ilp32
 rv32_LINK_virt = -nostdlib -T $(CURDIR)/firmware/ports/rv32/virt.ld
 $(eval $(call bare_port,rv32))
 
+rv32_PACKAGES = gcc-riscv64-unknown-elf
 setup-firmware-rv32: setup-build
-	@.ci/need "firmware for RV32" gcc-riscv64-unknown-elf
+	@.ci/need "firmware for RV32" $(rv32_PACKAGES)
 
 .PHONY: setup-firmware-rv32

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # make bench-stream: bytes a frame of the measured animations, and the frames/s predicted from them. The last part of make bench.
-bench-stream: ## set up what is missing; bytes a frame of moving lights, and the frames/s predicted over USB
+bench-stream: ## measure: set up what is missing; bytes a frame of moving lights, and the frames/s predicted over USB
 	@+$(SUBMAKE) setup-build
 	@+$(SUBMAKE) run-bench-stream
 
