@@ -5,15 +5,13 @@
 
 #include <stdio.h>
 
+#include "bake/palette.h"
 #include "compare/compare.h"
 #include "glint.h"
 #include "scene/scene.h"
 
 enum bake_format { BAKE_INT16, BAKE_INT10, BAKE_INT8, BAKE_PALETTE, BAKE_FORMATS };
 extern const char *const bake_format_names[]; /* "int16" ..., by enum bake_format; ends with NULL */
-
-/* The first entry of a palette stands for no surface, and its offsets count two bytes an entry. */
-enum { PALETTE_MIN = 2, PALETTE_MAX = 32767, PALETTE_DEFAULT = 4096 };
 
 /* Of one allocation a pointer; those of other formats are NULL. */
 struct baked {
@@ -30,13 +28,6 @@ void baked_free(struct baked *baked);
 size_t baked_bytes(const struct baked *baked);
 /* The normal that the loops see; 0, 0, 0 where there is no surface. */
 struct glint_vec baked_normal(const struct baked *baked, size_t pixel);
-
-/* ---- palettes (bake_palette.c) ---- */
-
-/* At most `entries` normals, chosen for `count` given ones so that the largest error of a highlight is small; places[i]
- * becomes the entry for given[i]. Returns how many there are: no more than there are different ones given. */
-uint32_t palette_choose(const struct glint_vec *given, size_t count, uint32_t entries, struct glint_vec *palette,
-                        uint16_t *places);
 
 /* ---- quality (bake_quality.c) ---- */
 

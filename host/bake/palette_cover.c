@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT
- * The fewest balls that cover the normals: the radius is a twelfth smaller than by farthest points,
- * the mean distance less than half. */
+ * The fewest balls that cover the normals, by greedy set cover at each of several radii: the smallest radius for which the
+ * entries suffice is about a twelfth smaller than by farthest points, and the mean distance less than half. It is left out
+ * where it would take long: the work grows with the square of the number of points. */
+#include "bake/palette_cover.h"
+
 #include <stdlib.h>
 
-#include "bake/palette.h"
 #include "base/memory.h"
 
 enum { WORK_MAX = 1 << 22 }; /* pairs of points in a ball, all together: some seconds */
@@ -13,12 +15,11 @@ static uint32_t covered(const struct palette_choice *c, uint32_t middle, double 
 {
     const struct palette_grid *grid = &c->of_points;
     const double *at = c->points[middle].at, reach = radius / c->points[middle].weight;
-    const int x0 = palette_cell(grid, at[0] - reach), x1 = palette_cell(grid, at[0] + reach);
-    const int y0 = palette_cell(grid, at[1] - reach), y1 = palette_cell(grid, at[1] + reach);
+    const struct palette_window near = palette_grid_window(grid, at, reach);
     uint32_t count = 0;
-    for (int y = y0; y <= y1; y++) {
+    for (int y = near.y0; y <= near.y1; y++) {
         const uint32_t *first = &grid->first[y * grid->side];
-        for (uint32_t i = first[x0]; i < first[x1 + 1]; i++)
+        for (uint32_t i = first[near.x0]; i < first[near.x1 + 1]; i++)
             if (open[i] && c->points[i].weight * palette_distance(c->points[i].at, at) <= radius) {
                 count++;
                 open[i] = !close;
@@ -27,8 +28,10 @@ static uint32_t covered(const struct palette_choice *c, uint32_t middle, double 
     return count;
 }
 
-/* Balls of one radius, each where it covers the most that is still open. Gains only fall: a point waits under its last
- * known one, and counts again when its turn comes. Returns false where the entries do not suffice. */
+/* Greedily: balls of one radius, each where it covers the most points that are still open. What a ball would cover, its
+ * gain, only falls. So each point waits in a list for its last known gain, and the lists are taken from the largest gain
+ * down: a point whose gain has fallen meanwhile moves to a later list, one whose gain still holds is the best there is.
+ * Returns false where the entries do not suffice. */
 static bool cover(const struct palette_choice *c, double radius, uint32_t *middles, uint32_t *used)
 {
     bool *open = allocate(c->count, sizeof *open);
@@ -63,6 +66,7 @@ static bool cover(const struct palette_choice *c, double radius, uint32_t *middl
     return left == 0;
 }
 
+/* The smallest radius, by six steps of bisection. Without weights no choice is below half of what farthest points left. */
 uint32_t palette_cover(struct palette_choice *c, double radius)
 {
     if ((double)c->count * (double)c->count > (double)WORK_MAX * c->entries)
