@@ -8,23 +8,34 @@
 #include "base/message.h"
 #include "draw/shade.h"
 
-const char *const path_names[] = {
-    "exact",       "span",        "span-c16",   "colour-int16", "colour-int10", "colour-int8",  "colour-span",
-    "small-int16", "small-int10", "small-int8", "small-span",   "albedo-int16", "albedo-int10", "albedo-int8",
-    "albedo-span", "palette",     NULL};
+/* Each path: its name, what computes the pixels, what one call draws, and the normals that it reads. */
+#define PATHS(X)                                                                                                       \
+    X("exact", EXACT, RECT, INT16)                                                                                     \
+    X("span", EXACT, SPAN, INT16)                                                                                      \
+    X("span-c16", EXACT, SPAN_C16, INT16)                                                                              \
+    X("colour-int16", COLOUR, RECT, INT16)                                                                             \
+    X("colour-int10", COLOUR, RECT, INT10)                                                                             \
+    X("colour-int8", COLOUR, RECT, INT8)                                                                               \
+    X("colour-span", COLOUR, SPAN, INT16)                                                                              \
+    X("small-int16", SMALL, RECT, INT16)                                                                               \
+    X("small-int10", SMALL, RECT, INT10)                                                                               \
+    X("small-int8", SMALL, RECT, INT8)                                                                                 \
+    X("small-span", SMALL, SPAN, INT16)                                                                                \
+    X("albedo-int16", ALBEDO, RECT, INT16)                                                                             \
+    X("albedo-int10", ALBEDO, RECT, INT10)                                                                             \
+    X("albedo-int8", ALBEDO, RECT, INT8)                                                                               \
+    X("albedo-span", ALBEDO, SPAN, INT16)                                                                              \
+    X("palette", PALETTE, RECT, INT16)
 
-/* What a path is made of. */
+#define NAME(name, by, unit, normals) name,
+const char *const path_names[] = {PATHS(NAME) NULL};
+
+#define PARTS(name, by, unit, normals) {by, unit, GLINT_NORMALS_##normals},
 static const struct path {
     enum { EXACT, COLOUR, SMALL, ALBEDO, PALETTE } by;
     enum { RECT, SPAN, SPAN_C16 } unit;
     enum glint_normals normals;
-} paths[] = {
-    {EXACT, RECT, GLINT_NORMALS_INT16},  {EXACT, SPAN, GLINT_NORMALS_INT16},  {EXACT, SPAN_C16, GLINT_NORMALS_INT16},
-    {COLOUR, RECT, GLINT_NORMALS_INT16}, {COLOUR, RECT, GLINT_NORMALS_INT10}, {COLOUR, RECT, GLINT_NORMALS_INT8},
-    {COLOUR, SPAN, GLINT_NORMALS_INT16}, {SMALL, RECT, GLINT_NORMALS_INT16},  {SMALL, RECT, GLINT_NORMALS_INT10},
-    {SMALL, RECT, GLINT_NORMALS_INT8},   {SMALL, SPAN, GLINT_NORMALS_INT16},  {ALBEDO, RECT, GLINT_NORMALS_INT16},
-    {ALBEDO, RECT, GLINT_NORMALS_INT10}, {ALBEDO, RECT, GLINT_NORMALS_INT8},  {ALBEDO, SPAN, GLINT_NORMALS_INT16},
-    {PALETTE, RECT, GLINT_NORMALS_INT16}};
+} paths[] = {PATHS(PARTS)};
 
 /* A path made ready for a scene: what does not change when the light moves. */
 struct way {
@@ -69,7 +80,26 @@ static bool drawn(const struct scene *scene, size_t i)
     return !scene->mask || scene->mask[i];
 }
 
-/* A line as spans between normals that lie at most SPAN_PIXELS apart. */
+static enum glint_err draw_span(const struct way *way, const struct glint_shader *shader, const struct glint_span *span,
+                                size_t start, const struct glint_surface *at)
+{
+    switch (way->path->by) {
+    case EXACT:
+        return way->path->unit == SPAN_C16 ? glint_shade_span_c16(shader, span, at, NULL)
+                                           : glint_shade_span(shader, span, at, NULL);
+    case ALBEDO:
+        return glint_tables_albedo_span(&way->tables, span, way->albedo + start, at);
+    case COLOUR:
+    case SMALL:
+        return glint_tables_span(&way->tables, span, at);
+    case PALETTE:
+        break; /* has no spans */
+    }
+    return GLINT_ERR_ARG;
+}
+
+/* A line as spans: each goes from one pixel that is drawn to the last of those that follow it, at most SPAN_PIXELS. Its
+ * curve runs from the normal of its first pixel to the normal of its last. */
 static enum glint_err draw_spans(const struct way *way, const struct glint_shader *shader, uint32_t y,
                                  const struct glint_surface *line, ptrdiff_t pixel_bytes)
 {
@@ -88,10 +118,7 @@ static enum glint_err draw_spans(const struct way *way, const struct glint_shade
         enum glint_err error = glint_span_init(&span, &shader->light, &way->normals[start + x],
                                                &way->normals[start + end - 1], (uint16_t)(end - x));
         if (error == GLINT_OK)
-            error = way->path->unit == SPAN_C16 ? glint_shade_span_c16(shader, &span, &at, NULL)
-                    : way->path->by == EXACT    ? glint_shade_span(shader, &span, &at, NULL)
-                    : way->albedo ? glint_tables_albedo_span(&way->tables, &span, way->albedo + start + x, &at)
-                                  : glint_tables_span(&way->tables, &span, &at);
+            error = draw_span(way, shader, &span, start + x, &at);
         if (error != GLINT_OK)
             return error;
     }
