@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * Normals into words and palettes. */
+#include "bake/bake.h"
+
 #include <stdlib.h>
 
-#include "bake/bake.h"
 #include "base/memory.h"
 
 const char *const bake_format_names[] = {"int16", "int10", "int8", "palette", NULL};

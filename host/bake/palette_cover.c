@@ -4,6 +4,7 @@
  * where it would take long: the work grows with the square of the number of points. */
 #include "bake/palette_cover.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
 
 #include "base/memory.h"

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT
  * Baked normals as C source, as bytes and as UF2 blocks. */
+#include "bake/write.h"
+
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "bake/bake.h"
 #include "bake/uf2.h"
 #include "base/memory.h"
 

@@ -9,12 +9,14 @@
 #include <unistd.h>
 
 #include "bake/bake.h"
+#include "bake/write.h"
 #include "base/argp.h"
 #include "base/c_names.h"
 #include "base/message.h"
 #include "base/output.h"
 #include "base/parse.h"
 #include "commands/commands.h"
+#include "compare/quality.h"
 #include "options/scene_options.h"
 
 enum { KEY_TO = 256, KEY_AS, KEY_NAME, KEY_ADDRESS, KEY_JSON };

@@ -6,6 +6,7 @@
 #include "base/output.h"
 #include "commands/commands.h"
 #include "compare/compare.h"
+#include "draw/canvas.h"
 #include "image/levels.h"
 #include "image/picture.h"
 #include "image/write.h"

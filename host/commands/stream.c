@@ -9,6 +9,7 @@
 #include "base/argp.h"
 #include "base/parse.h"
 #include "commands/commands.h"
+#include "scene/scenes.h"
 #include "stream/stream.h"
 
 enum key { KEY_TO = 384, KEY_FPS, KEY_FRAMES, KEY_ORBIT, KEY_PERIOD, KEY_LIGHTS, KEY_STATS, KEY_JSON, KEY_SHADE };

@@ -1,41 +1,18 @@
 /* SPDX-License-Identifier: MIT
  * The comparison, a line at a time: nothing the size of the picture is held in doubles. */
+#include "compare/compare.h"
+
 #include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "base/memory.h"
 #include "base/message.h"
-#include "compare/compare.h"
+#include "compare/reference.h"
 #include "image/format.h"
 #include "image/levels.h"
 #include "image/picture.h"
 #include "models/models.h"
-
-double difference_psnr_db(const struct difference *d)
-{
-    return d->sum_of_squares > 0 ? 10 * log10(255. * 255. * (double)d->samples / d->sum_of_squares) : INFINITY;
-}
-
-double difference_mean(const struct difference *d)
-{
-    return d->samples ? d->sum / (double)d->samples : 0;
-}
-
-void difference_add(struct difference *d, double a, double b, uint32_t x, uint32_t y, unsigned channel)
-{
-    const double off = 255 * fabs(a - b);
-    d->samples++;
-    d->differing += off > 0;
-    d->sum += off;
-    d->sum_of_squares += off * off;
-    if (off > d->largest) {
-        d->largest = off;
-        d->x = x;
-        d->y = y;
-        d->channel = channel;
-    }
-}
 
 static double rounded(double value, unsigned max, const struct shading *shading, uint32_t x, uint32_t y)
 {

@@ -5,20 +5,10 @@
 
 #include <stdio.h>
 
-#include "draw/shade.h"
+#include "compare/difference.h"
+#include "draw/shading.h"
 #include "image/levels.h"
-
-/* Between two pictures, over all samples that are drawn; in levels of 255, whatever the format. */
-struct difference {
-    uint64_t samples, differing;
-    double sum, sum_of_squares, largest;
-    uint32_t x, y; /* of the largest */
-    unsigned channel;
-};
-/* A sample, 0..1 in both. */
-void difference_add(struct difference *d, double a, double b, uint32_t x, uint32_t y, unsigned channel);
-double difference_psnr_db(const struct difference *difference); /* infinite where nothing differs */
-double difference_mean(const struct difference *difference);
+#include "scene/scene.h"
 
 /* The picture against references in doubles, rounded to the picture's format (an ideal renderer's picture) and not (the
  * true values: even the ideal picture misses them by what `rounding` says). */

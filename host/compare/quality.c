@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT
  * What baking costs: pictures of the highlight alone, at full strength on white, where an error is largest. */
+#include "compare/quality.h"
+
 #include <math.h>
 #include <stdlib.h>
 
-#include "bake/bake.h"
 #include "base/memory.h"
-#include "draw/shade.h"
+#include "draw/canvas.h"
 #include "image/levels.h"
 
 /* Straight on, then around at two heights, so that half vectors lie as the light's play puts them. */

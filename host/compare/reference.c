@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
- * The picture in doubles, from the original normals, directions and coefficients: what the library's integers are to
- * come near. Written from the formula, not from the library. */
+ * The picture in doubles, from the original normals, directions and coefficients. It is written from the formula, not from
+ * the library, so that an error in one does not hide in the other. */
+#include "compare/reference.h"
+
 #include <math.h>
 
-#include "draw/shade.h"
 #include "image/format.h"
 #include "models/models.h"
 

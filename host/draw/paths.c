@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT
  * The ways through the library that --path names: the exact rectangle, and spans and table loops beside it. */
+#include "draw/paths.h"
+
 #include <stdlib.h>
 #include <string.h>
 
 #include "bake/bake.h"
 #include "base/memory.h"
 #include "base/message.h"
-#include "draw/shade.h"
+#include "image/format.h"
 
 /* Each path: its name, what computes the pixels, what one call draws, and the normals that it reads. */
 #define PATHS(X)                                                                                                       \
@@ -156,8 +158,8 @@ static uint16_t *albedo_565(const struct scene *scene, const uint8_t color[3])
     return map;
 }
 
-/* Paths have full gloss and most of them one colour: the first there is. Everything else stays with the exact path, and
- * masks here what the path is to draw; returns how many pixels those are. */
+/* Paths have full gloss, and most of them one colour, which becomes that of the first pixel with full gloss. `by_path`
+ * marks the pixels that the path draws; the exact path draws the others. Returns how many are marked. */
 static size_t choose(const struct scene *scene, bool any_color, struct glint_shader *shader, uint8_t *by_path)
 {
     const size_t pixels = (size_t)scene->width * scene->height;
@@ -275,7 +277,6 @@ static enum glint_err draw_packed(const struct way *way, const struct glint_tabl
 enum glint_err way_draw(const struct way *way, const struct glint_light *light, uint32_t y, uint32_t lines,
                         const struct glint_surface *surface)
 {
-    static const ptrdiff_t sizes[] = {2, 2, 3, 1, 0}; /* of a pixel, by format; mono's spans start anywhere */
     struct glint_tables_light tables_light;
     struct glint_shader shader = way->shader;
     shader.light = *light;
@@ -286,9 +287,11 @@ enum glint_err way_draw(const struct way *way, const struct glint_light *light, 
         error = glint_tables_light_init(&tables_light, &way->tables, light);
     if (way->path->unit == RECT)
         return error ? error : draw_packed(way, &tables_light, y, lines, surface);
+    const ptrdiff_t pixel_bytes =
+        (ptrdiff_t)format_line_bytes((enum glint_format)shader.format, 1); /* mono has no spans */
     struct glint_surface line = *surface;
     for (uint32_t i = 0; i < lines && error == GLINT_OK; i++) {
-        error = draw_spans(way, &shader, y + i, &line, sizes[shader.format]);
+        error = draw_spans(way, &shader, y + i, &line, pixel_bytes);
         line.pixels = (uint8_t *)line.pixels + line.stride;
         line.y++;
     }

@@ -5,6 +5,7 @@
 
 #include "base/argp.h"
 #include "base/parse.h"
+#include "draw/paths.h"
 #include "image/format.h"
 #include "models/models.h"
 #include "options/shading_options.h"

@@ -6,7 +6,7 @@
 #include <argp.h>
 
 #include "options/scene_options.h"
-#include "draw/shade.h"
+#include "draw/shading.h"
 
 struct shading_options {
     struct scene_options scene;

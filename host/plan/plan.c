@@ -7,7 +7,7 @@
 
 #include "base/memory.h"
 #include "base/message.h"
-#include "draw/shade.h"
+#include "image/format.h"
 #include "image/format.h"
 #include "plan/plan.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * A coin: a rim, a ring of beads, a wreath and a chiselled star. */
-#include <math.h>
+#include "scene/coin.h"
 
-#include "scene/scene.h"
+#include <math.h>
 
 static const double coin_radius = .93, rim_radius = .85;
 

@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: MIT
  * The built-in scenes: the sphere, and what turns a relief into normals. */
+#include "scene/scenes.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"
-#include "scene/scene.h"
+#include "scene/coin.h"
+#include "scene/shapes.h"
+#include "scene/watchface.h"
 
 static uint8_t to_byte(double value)
 {

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
  * Shapes by signed distances, for the built-in scenes; numerals are strokes, so that no font is needed. */
-#include <math.h>
-#include <stdlib.h>
+#include "scene/shapes.h"
 
-#include "scene/scene.h"
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
 
 double smooth_step(double from, double to, double at)
 {

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
  * A watch: a domed dial with embossed numerals, minute marks, hands and a polished bezel; or a plain one, with hour marks
  * only. */
-#include <math.h>
+#include "scene/watchface.h"
 
-#include "scene/scene.h"
+#include <math.h>
+#include <stdbool.h>
 
 static const double case_radius = .97, bezel_radius = .83, dial_radius = .79;
 

@@ -4,7 +4,7 @@
 
 #include "base/memory.h"
 #include "base/output.h"
-#include "draw/shade.h"
+#include "image/levels.h"
 #include "image/picture.h"
 #include "image/write.h"
 #include "sinks/sink.h"

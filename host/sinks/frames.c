@@ -12,7 +12,7 @@
 #include "base/memory.h"
 #include "base/message.h"
 #include "base/stop.h"
-#include "draw/shade.h"
+#include "image/levels.h"
 #include "image/levels.h"
 #include "image/picture.h"
 #include "sinks/sink.h"

@@ -4,6 +4,7 @@
 
 #include "bake/bake.h"
 #include "base/message.h"
+#include "draw/paths.h"
 #include "image/format.h"
 #include "stream/stream.h"
 

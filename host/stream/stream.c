@@ -10,6 +10,7 @@
 #include "base/memory.h"
 #include "base/message.h"
 #include "base/stop.h"
+#include "draw/canvas.h"
 #include "image/format.h"
 #include "image/picture.h"
 #include "stream/stream.h"

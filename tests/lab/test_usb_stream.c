@@ -6,7 +6,7 @@
 #include <lz4.h>
 #include <lz4hc.h>
 
-#include "draw/shade.h"
+#include "image/format.h"
 #include "sinks/sink.h"
 #include "usb_display.h"
 

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "bake/bake.h"
+#include "bake/write.h"
 #include "base/memory.h"
 #include "base/message.h"
 #include "base/parse.h"
@@ -20,6 +21,7 @@
 #include "fault.h"
 #include "light_protocol.h"
 #include "orbit.h"
+#include "scene/scenes.h"
 #include "sinks/panel/virtual_panel.h"
 
 static struct virtual_panel seen;

@@ -2,7 +2,7 @@
  * Which of a display's formats and modes: what the user named, else the display's own preference. */
 #include <string.h>
 
-#include "draw/shade.h"
+#include "image/format.h"
 #include "image/format.h"
 #include "sinks/gud/host.h"
 

@@ -4,7 +4,7 @@
 #include "base/argp.h"
 #include "base/message.h"
 #include "base/parse.h"
-#include "draw/shade.h"
+#include "image/format.h"
 #include "image/format.h"
 #include "sinks/panel/options.h"
 

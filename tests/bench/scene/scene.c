@@ -10,6 +10,7 @@
 
 #include "../sphere.h"
 #include "bake/bake.h"
+#include "base/memory.h"
 
 static const double RADIUS = 120.9;
 enum { SAMPLES = 2000, FEW = 24 };

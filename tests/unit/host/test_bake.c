@@ -3,6 +3,7 @@
 #include <jansson.h>
 
 #include "bake/bake.h"
+#include "compare/quality.h"
 #include "files.h"
 #include "glint.h"
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "draw/shade.h"
+#include "image/format.h"
 #include "image/format.h"
 #include "plan/plan.h"
 #include "unit.h"

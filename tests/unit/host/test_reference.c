@@ -8,10 +8,13 @@
 
 #include "compare/compare.h"
 #include "base/memory.h"
+#include "compare/reference.h"
+#include "draw/canvas.h"
 #include "image/format.h"
 #include "image/levels.h"
 #include "image/picture.h"
 #include "models/models.h"
+#include "scene/scenes.h"
 
 enum { SIDE = 96 };
 

@@ -3,12 +3,14 @@
 #include <pty.h>
 #include <string.h>
 
+#include "draw/paths.h"
 #include "image/levels.h"
 #include "image/read.h"
 #include "files.h"
 
 #include "image/image.h"
-#include "draw/shade.h"
+#include "draw/canvas.h"
+#include "scene/scenes.h"
 
 static void a_map_becomes_a_picture_of_its_size_and_nothing_is_said(void **state)
 {

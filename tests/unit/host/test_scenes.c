@@ -8,7 +8,9 @@
 #include "image/read.h"
 #include "files.h"
 
+#include "scene/normals.h"
 #include "scene/scene.h"
+#include "scene/scenes.h"
 
 static struct image *made(uint32_t width, uint32_t height, int bits, int color_type, const uint16_t *samples)
 {

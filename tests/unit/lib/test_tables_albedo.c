@@ -6,6 +6,7 @@
 #include "albedo.h"
 
 #define scene host_scene /* shading.h has one of its own */
+#include "scene/normals.h"
 #include "scene/scene.h"
 #undef scene
 

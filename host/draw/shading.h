@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT
+ * How a scene is lit and shaded. */
+#ifndef GLINT_DRAW_SHADING_H
+#define GLINT_DRAW_SHADING_H
+
+#include <stdbool.h>
+
+#include "glint.h"
+
+/* A light of the scene. */
+struct lamp {
+    enum glint_lamp_kind kind;
+    double direction[3]; /* directional: towards it, any length, y up */
+    double position[3];  /* point and spot, in pixels from the picture's upper left corner: x right, y down, z to you */
+    double target[2];    /* spot: the pixel on the surface it is aimed at */
+    double range;        /* point and spot: in pixels */
+    double cone[2];      /* spot: degrees from its axis, full within the first, nothing beyond the second */
+    double color[3];     /* 1 is white */
+};
+
+/* As the user gave it: in doubles, so that the reference has nothing of the library's rounding. */
+struct shading {
+    enum glint_model model;
+    unsigned n, q;
+    struct lamp lamps[GLINT_LAMPS_MAX];
+    unsigned lamp_count;
+    double view[3]; /* towards the viewer, any length */
+    double ambient[3], diffuse[3], specular[3];
+    uint8_t color[3]; /* where the scene has no albedo */
+    enum glint_format format;
+    enum glint_space space;
+    bool dither, clamp_peak;
+    unsigned path; /* index in path_names */
+};
+
+/* A direction in whole numbers, as the library is given it: the longest part becomes 2^30. */
+void direction_integers(const double direction[3], int32_t out[3]);
+/* Lamp i as the library takes it, or the error with which the library refuses it. */
+enum glint_err shading_lamp(const struct shading *shading, unsigned i, struct glint_lamp *lamp);
+/* All of them; ends the program where the library refuses one. */
+void shading_lamps(const struct shading *shading, struct glint_lamp lamps[GLINT_LAMPS_MAX]);
+/* Is it lit by one white directional light, which every path can draw? */
+bool shading_is_plain(const struct shading *shading);
+/* As the library takes it. The light is the first one where shading_is_plain; otherwise only the viewer is set. */
+struct glint_shader shading_shader(const struct shading *shading);
+
+#endif

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT
+ * Scenes as the user names them: a height map, a normal map or a built-in scene, with the maps that go with it. */
+#ifndef GLINT_SCENE_MAPS_H
+#define GLINT_SCENE_MAPS_H
+
+#include <stdbool.h>
+
+#include "scene/scene.h"
+
+struct scene_options {
+    /* one of three */
+    const char *heights, *normals, *scene;
+    double scale;
+    bool wraps, flip_y;
+    const char *mask;
+    uint32_t width, height;     /* 0: the map's own */
+    const char *albedo, *gloss; /* for commands that take them to set; NULL: the scene's own */
+};
+
+/* All of these end the program through fail() where something is wrong. */
+struct scene *scene_of_options(const struct scene_options *options);
+
+/* The same in two steps, for a size that is known only when the maps are: width = 0 is the options'. */
+struct scene_maps;
+struct scene_maps *scene_maps_read(const struct scene_options *options);
+void scene_maps_free(struct scene_maps *maps);
+/* Of the surface's map; 0, 0 of a built-in scene, which takes any. */
+void scene_maps_size(const struct scene_maps *maps, uint32_t *width, uint32_t *height);
+struct scene *scene_of_maps(const struct scene_maps *maps, uint32_t width, uint32_t height);
+
+#endif

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/scene.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+static const struct finish plain_finish = {60, {.2, .2, .2}, {.9, .9, .9}, {.5, .5, .5}};
+
+struct scene *scene_new(uint32_t width, uint32_t height)
+{
+    struct scene *scene = allocate(1, sizeof *scene);
+    scene->width = width;
+    scene->height = height;
+    scene->normals = allocate((size_t)width * height, sizeof *scene->normals);
+    scene->finish = plain_finish;
+    for (size_t i = 0; i < (size_t)width * height; i++)
+        scene->normals[i][2] = 1;
+    return scene;
+}
+
+void scene_free(struct scene *scene)
+{
+    if (!scene)
+        return;
+    free(scene->normals);
+    free(scene->albedo);
+    free(scene->gloss);
+    free(scene->mask);
+    free(scene);
+}
+
+/* The map, repeated to width x height, in place of the one given; NULL stays. */
+static void *repeated(void *map, const struct scene *scene, uint32_t width, uint32_t height, size_t size)
+{
+    if (!map)
+        return NULL;
+    uint8_t *to = allocate((size_t)width * height, size);
+    for (size_t y = 0; y < height; y++) {
+        const uint8_t *line = (const uint8_t *)map + y % scene->height * scene->width * size;
+        for (size_t x = 0; x < width; x++)
+            memcpy(&to[(y * width + x) * size], &line[x % scene->width * size], size);
+    }
+    free(map);
+    return to;
+}
+
+void scene_repeat(struct scene *scene, uint32_t width, uint32_t height)
+{
+    scene->normals = repeated(scene->normals, scene, width, height, sizeof *scene->normals);
+    scene->albedo = repeated(scene->albedo, scene, width, height, 3);
+    scene->gloss = repeated(scene->gloss, scene, width, height, 1);
+    scene->mask = repeated(scene->mask, scene, width, height, 1);
+    scene->width = width;
+    scene->height = height;
+}
+
+static int16_t to_q15(double value)
+{
+    return (int16_t)fmax(-32768, fmin(32767, round(value * 32768)));
+}
+
+struct glint_vec *scene_normals_q15(const struct scene *scene)
+{
+    const size_t pixels = (size_t)scene->width * scene->height;
+    struct glint_vec *out = allocate(pixels, sizeof *out);
+    for (size_t i = 0; i < pixels; i++) {
+        const double *n = scene->normals[i];
+        out[i] = (struct glint_vec){to_q15(n[0]), to_q15(n[1]), to_q15(n[2])};
+    }
+    return out;
+}

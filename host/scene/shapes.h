@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT
+ * Drawing reliefs with signed distances. */
+#ifndef GLINT_SCENE_SHAPES_H
+#define GLINT_SCENE_SHAPES_H
+
+/* A point of a relief. Lengths are in units of half the picture's shorter side. */
+struct relief {
+    double height;
+    double albedo[3]; /* 0..1 */
+    double gloss;     /* 0..1 */
+};
+/* The relief at x, y from the picture's middle, y up; `pixel` is the length of a pixel, for smooth edges that do not
+ * blur. */
+typedef struct relief relief_function(double x, double y, double pixel);
+
+double smooth_step(double from, double to, double at); /* 0..1, level at both ends */
+double mix(double a, double b, double part);
+/* How much of a pixel lies inside, from the signed distance to the edge (negative inside). */
+double coverage(double distance, double pixel);
+/* Lays `top` over `bottom` by `part` 0..1. */
+void relief_cover(struct relief *bottom, const struct relief *top, double part);
+double distance_to_segment(double x, double y, double ax, double ay, double bx, double by);
+/* To the strokes of a whole number's digits, each `size` high, centred on 0, 0. */
+double distance_to_number(double x, double y, unsigned number, double size);
+
+#endif

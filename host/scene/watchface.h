@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef GLINT_SCENE_WATCHFACE_H
+#define GLINT_SCENE_WATCHFACE_H
+
+#include "scene/shapes.h"
+
+struct relief relief_watchface(double x, double y, double pixel);
+struct relief relief_dial(double x, double y, double pixel); /* the same without numerals and minutes */
+
+#endif
