@@ -14,6 +14,7 @@
 #include "base/message.h"
 #include "base/stop.h"
 #include "commands/commands.h"
+#include "paper/ranks.h"
 #include "sinks/sink.h"
 
 static const struct command {
@@ -37,8 +38,10 @@ enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 static void print_version(FILE *stream, struct argp_state *state)
 {
     (void)state;
-    fprintf(stream, "glint %s\nlibpng %s, liblz4 %s, jansson %s\nsinks:", GLINT_VERSION_STRING,
-            png_get_libpng_ver(NULL), LZ4_versionString(), JANSSON_VERSION);
+    char *mpi = ranks_library();
+    fprintf(stream, "glint %s\nlibpng %s, liblz4 %s, jansson %s%s%s\nsinks:", GLINT_VERSION_STRING,
+            png_get_libpng_ver(NULL), LZ4_versionString(), JANSSON_VERSION, mpi ? ", " : "", mpi ? mpi : "");
+    free(mpi);
     for (unsigned i = 0; sink_kinds[i]; i++) {
         char *library = sink_kinds[i]->library ? sink_kinds[i]->library() : NULL;
         fprintf(stream, "%s %s", i ? "," : "", sink_kinds[i]->name);

@@ -2,13 +2,14 @@
  * glint search: the paper's search, and wider ones. */
 #include <jansson.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/argp.h"
 #include "base/message.h"
 #include "base/output.h"
 #include "base/parse.h"
 #include "commands/commands.h"
-#include "paper/search.h"
+#include "paper/search_joint.h"
 
 enum {
     OPTION_EXPONENTS = 256,
@@ -17,6 +18,8 @@ enum {
     OPTION_SHININESS,
     OPTION_BEST,
     OPTION_STAGE,
+    OPTION_JOINT,
+    OPTION_CHECKPOINT,
     OPTION_JSON
 };
 
@@ -25,8 +28,8 @@ enum { BEST_MAX = 1000, ANGLES_MAX = 90001, VALUES_MAX = 1000, POINTS_MAX = 2000
 struct settings {
     struct search_options search;
     double *exponents, *coefficients, *shininess; /* lists from the command line; NULL where the paper's are used */
-    const char *output;
-    bool first_only, json;
+    const char *output, *checkpoint;
+    bool stage_given, first_only, joint, json;
 };
 
 static const struct argp_option option_list[] = {
@@ -36,8 +39,15 @@ static const struct argp_option option_list[] = {
     {"angles", OPTION_ANGLES, "COUNT", 0, "Angles in the grid, evenly from 0 to 90 degrees, 2 to 90001 (default: 91)",
      0},
     {"shininess", OPTION_SHININESS, "LIST", 0, "Shininess n in the grid, 0.01 to 100000 (default: 1:1000)", 0},
-    {"best", OPTION_BEST, "COUNT", 0, "Exponent sets kept after stage 1, 1 to 1000 (default: 5)", 0},
+    {"best", OPTION_BEST, "COUNT", 0, "Exponent sets kept after stage 1, or rows of --joint, 1 to 1000 (default: 5)",
+     0},
     {"stage", OPTION_STAGE, "1|2", 0, "Print the rows of this stage; 1 ends there, all coefficients 1 (default: 2)", 0},
+    {"joint", OPTION_JOINT, NULL, 0,
+     "Every set of exponents with every set of coefficients, in place of the two stages (default lists: -4:4:0.25 and "
+     "0.25:2.5:0.25); under mpirun all ranks share the grid",
+     0},
+    {"checkpoint", OPTION_CHECKPOINT, "FILE", 0,
+     "With --joint: keep there what is done, every few seconds, and go on from it", 0},
     {"json", OPTION_JSON, NULL, 0, "Print JSON: the sizes, the rows of each stage", 0},
     {"output", 'o', "FILE", 0, "Write there (default: standard output)", 0},
     {0}};
@@ -62,7 +72,9 @@ static const char documentation[] =
     "  glint search                                   the paper's Table 1\n"
     "  glint search --stage 1 --best 10               ten sets before stage 2\n"
     "  glint search --exponents -3:3:0.5 --json       half steps\n"
-    "  glint search --coefficients 0.25:3:0.25 --best 20 -o wide.txt";
+    "  glint search --coefficients 0.25:3:0.25 --best 20 -o wide.txt\n"
+    "  glint search --joint --exponents 0:3:0.5       both at once, on a smaller grid\n"
+    "  mpirun -n 8 glint search --joint --checkpoint joint.json -o joint.txt";
 
 /* `owned` keeps the values; those of an earlier use of the option go. */
 static struct search_list list_of(const struct argp_state *state, const char *option, const char *text, double low,
@@ -80,6 +92,35 @@ static void check_size(const struct argp_state *state, const struct search_optio
     const double points = (double)search->angles * (double)search->shininess.count;
     if (points > POINTS_MAX)
         refuse(state, "--angles, --shininess: %.0f grid points; at most %d are allowed", points, POINTS_MAX);
+}
+
+/* --joint has lists of its own where none are given, and limits; what goes with it alone is refused without it. */
+static void check_joint(const struct argp_state *state, struct settings *settings)
+{
+    struct search_options *search = &settings->search;
+    struct ranks ranks;
+    if (!settings->joint) {
+        if (settings->checkpoint)
+            refuse(state, "--checkpoint: only --joint writes checkpoints");
+        if (ranks_launched(&ranks) && ranks.count > 1)
+            refuse(state, "mpirun: only --joint is spread over ranks; add --joint, or leave mpirun out");
+        return;
+    }
+    if (settings->stage_given)
+        refuse(state, "--stage: --joint has no stages; leave one of the two out");
+    const struct search_options joint = search_options_joint();
+    if (!settings->exponents)
+        search->exponents = joint.exponents;
+    if (!settings->coefficients)
+        search->coefficients = joint.coefficients;
+    if (search->exponents.count > JOINT_EXPONENTS_MAX)
+        refuse(state, "--exponents: %zu values; with --joint at most %d are allowed", search->exponents.count,
+               JOINT_EXPONENTS_MAX);
+    if (search->coefficients.count > JOINT_COEFFICIENTS_MAX)
+        refuse(state, "--coefficients: %zu values; with --joint at most %d are allowed", search->coefficients.count,
+               JOINT_COEFFICIENTS_MAX);
+    if (settings->checkpoint && strcmp(settings->checkpoint, "-") == 0)
+        refuse(state, "--checkpoint: a checkpoint is a file, not standard output");
 }
 
 static error_t parse_option(int key, char *argument, struct argp_state *state)
@@ -104,7 +145,14 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         search->best = (size_t)parse_integer(state, "--best", argument, 1, BEST_MAX);
         return 0;
     case OPTION_STAGE:
+        settings->stage_given = true;
         settings->first_only = parse_integer(state, "--stage", argument, 1, 2) == 1;
+        return 0;
+    case OPTION_JOINT:
+        settings->joint = true;
+        return 0;
+    case OPTION_CHECKPOINT:
+        settings->checkpoint = parse_output(state, "--checkpoint", argument);
         return 0;
     case OPTION_JSON:
         settings->json = true;
@@ -117,6 +165,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         return 0;
     case ARGP_KEY_END:
         check_size(state, search);
+        check_joint(state, settings);
         if (settings->first_only && settings->coefficients)
             refuse(state, "--coefficients: stage 1 has all coefficients 1; leave it out, or ask for --stage 2");
         return 0;
@@ -152,10 +201,14 @@ static void print_json(FILE *stream, const struct settings *settings, const stru
 {
     const struct search_options *search = &settings->search;
     json_t *root =
-        json_pack("{s:I,s:I,s:I,s:o}", "angles", (json_int_t)search->angles, "shininess",
-                  (json_int_t)search->shininess.count, "stage1_functions", (json_int_t)search_first_size(search),
-                  "stage1", json_rows(result->first, result->first_count));
-    if (!settings->first_only)
+        json_pack("{s:I,s:I}", "angles", (json_int_t)search->angles, "shininess", (json_int_t)search->shininess.count);
+    if (!settings->joint)
+        json_object_update_new(root, json_pack("{s:I,s:o}", "stage1_functions", (json_int_t)search_first_size(search),
+                                               "stage1", json_rows(result->first, result->first_count)));
+    if (settings->joint)
+        json_object_update_new(root, json_pack("{s:f,s:o}", "joint_functions", search_joint_size(search), "rows",
+                                               json_rows(result->rows, result->count)));
+    else if (!settings->first_only)
         json_object_update_new(root, json_pack("{s:I,s:o}", "stage2_functions", (json_int_t)search_second_size(search),
                                                "rows", json_rows(result->rows, result->count)));
     json_dumpf(root, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(12));
@@ -163,24 +216,39 @@ static void print_json(FILE *stream, const struct settings *settings, const stru
     json_decref(root);
 }
 
+static void print_result(FILE *stream, const struct settings *settings, const struct search_result *result)
+{
+    const size_t count = settings->first_only ? result->first_count : result->count;
+    if (count == 0)
+        fail("search: no function is a finite number on the whole grid; widen --exponents or --coefficients");
+    if (settings->json)
+        print_json(stream, settings, result);
+    else
+        for (size_t i = 0; i < count; i++)
+            print_row(stream, settings->first_only ? &result->first[i] : &result->rows[i]);
+}
+
 int command_search(int argc, char **argv)
 {
     static const struct argp argp = {option_list, parse_option, NULL, documentation, NULL, NULL, NULL};
     struct settings settings = {.search = search_options_paper(), .output = "-"};
+    ranks_let_first_speak();
     parse_command(&argp, 0, argc, argv, &settings);
 
-    struct output *output = output_open(settings.output); /* a name that cannot be written is found out now */
+    const struct ranks ranks = settings.joint ? ranks_begin() : (struct ranks){0, 1};
+    /* A name that cannot be written is found out now. */
+    struct output *output = ranks.index == 0 ? output_open(settings.output) : NULL;
     struct search_result result;
-    search_run(&settings.search, settings.first_only ? 1 : 2, &result);
-    const size_t count = settings.first_only ? result.first_count : result.count;
-    if (count == 0)
-        fail("search: no function is a finite number on the whole grid; widen --exponents or --coefficients");
-    if (settings.json)
-        print_json(output->stream, &settings, &result);
+    if (settings.joint)
+        search_joint(&settings.search, &ranks, settings.checkpoint, &result);
     else
-        for (size_t i = 0; i < count; i++)
-            print_row(output->stream, settings.first_only ? &result.first[i] : &result.rows[i]);
-    output_close(output);
+        search_run(&settings.search, settings.first_only ? 1 : 2, &result);
+    if (output)
+        print_result(output->stream, &settings, &result);
+    if (output)
+        output_close(output);
+    if (settings.joint)
+        ranks_end(&ranks);
     search_free(&result);
     free(settings.exponents);
     free(settings.coefficients);

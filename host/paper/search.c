@@ -3,17 +3,23 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "base/message.h"
 #include "base/stop.h"
+#include "paper/search_best.h"
+#include "paper/search_clock.h"
 #include "paper/search_grid.h"
+#include "paper/search_order.h"
+#include "paper/search_rows.h"
 
 #define LENGTH(array) (sizeof(array) / sizeof *(array))
 
 static const double paper_exponents[] = {-3, -2, -1, 0, 1, 2, 3};
 static const double paper_coefficients[] = {0.25, 0.5, 1, 1.25, 1.5, 2, 2.5, 3};
 static double paper_shininess[1000];
+
+static const char nothing_written[] = "nothing is written";
 
 struct search_options search_options_paper(void)
 {
@@ -28,98 +34,7 @@ struct search_options search_options_paper(void)
     };
 }
 
-/* ---- the best so far ---- */
-
-struct entry {
-    double sum;
-    uint64_t index;
-};
-
-struct best {
-    struct entry *entries; /* sorted, smallest first */
-    size_t count, room;
-    double limit; /* the last entry's sum once there is no more room; read by all threads while one writes */
-};
-
-static void best_init(struct best *best, size_t room)
-{
-    *best = (struct best){.room = room, .limit = INFINITY};
-    best->entries = calloc(room, sizeof *best->entries);
-    if (!best->entries)
-        fail("out of memory");
-}
-
-static bool before(struct entry a, struct entry b)
-{
-    return a.sum < b.sum || (a.sum == b.sum && a.index < b.index);
-}
-
-static void best_add(struct best *best, struct entry entry)
-{
-    if (best->count == best->room && !before(entry, best->entries[best->count - 1]))
-        return;
-    size_t at = best->count < best->room ? best->count++ : best->count - 1;
-    for (; at > 0 && before(entry, best->entries[at - 1]); at--)
-        best->entries[at] = best->entries[at - 1];
-    best->entries[at] = entry;
-    if (best->count == best->room) {
-#pragma omp atomic write
-        best->limit = best->entries[best->count - 1].sum;
-    }
-}
-
-/* ---- progress ---- */
-
-struct clock {
-    const char *what;
-    double total, start, shown;
-    bool warned;
-};
-
-static double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static void describe_time(char *text, size_t size, double time)
-{
-    if (time < 90)
-        snprintf(text, size, "%.0f s", ceil(time));
-    else if (time < 90 * 60)
-        snprintf(text, size, "%.0f min", time / 60);
-    else
-        snprintf(text, size, "%.1f h", time / 3600);
-}
-
-static void clock_tick(struct clock *clock, double done)
-{
-    const double now = seconds(), passed = now - clock->start;
-    if (now - clock->shown < 0.2 || done <= 0)
-        return;
-    clock->shown = now;
-    char left[32];
-    describe_time(left, sizeof left, passed * (clock->total - done) / done);
-    if (!clock->warned && passed > 2 && passed * (clock->total - done) / done > 60) {
-        clock->warned = true;
-        warn("search: %s of %.0f functions will take about %s; Ctrl-C stops, and nothing is written", clock->what,
-             clock->total, left);
-    }
-    progress("search: %s, %.0f %% of %.0f functions, %s left", clock->what, 100 * done / clock->total, clock->total,
-             left);
-}
-
 /* ---- the stages ---- */
-
-/* The index-th of all ways to pick four from `count`, the last one changing fastest. */
-static void pick_four(uint64_t index, size_t count, size_t picked[4])
-{
-    for (int i = 3; i >= 0; i--) {
-        picked[i] = (size_t)(index % count);
-        index /= count;
-    }
-}
 
 typedef struct candidate (*candidate_at)(const struct search_options *options, const void *set, uint64_t index);
 
@@ -142,26 +57,9 @@ static struct candidate coefficients_at(const struct search_options *options, co
     return candidate;
 }
 
-/* A step through 0..total-1 that visits each once, far from the one before: a good limit comes early, and what is done
- * is a fair sample of what is left, for the clock. */
-static uint64_t scattered_step(uint64_t total)
-{
-    uint64_t step = (uint64_t)((double)total * 0.6180339887) | 1;
-    for (;; step += 2) {
-        uint64_t a = total, b = step;
-        while (b) {
-            const uint64_t rest = a % b;
-            a = b;
-            b = rest;
-        }
-        if (a == 1)
-            return step;
-    }
-}
-
 /* Compares the functions 0..total-1, each by one thread in a fixed order: the result does not depend on the threads. */
 static void compare(const struct search_options *options, const struct grid *grid, candidate_at at, const void *set,
-                    uint64_t total, struct clock *clock, double done_before, struct best *best)
+                    uint64_t total, struct search_clock *clock, double done_before, struct best *best)
 {
     const uint64_t step = scattered_step(total);
     uint64_t done = 0;
@@ -173,7 +71,7 @@ static void compare(const struct search_options *options, const struct grid *gri
         signals_release(&before);
 #pragma omp for schedule(dynamic, 16)
         for (uint64_t i = 0; i < total; i++) {
-            const uint64_t index = (uint64_t)((unsigned __int128)i * step % total);
+            const uint64_t index = scattered_at(i, step, total);
             const struct candidate candidate = at(options, set, index);
             double limit;
 #pragma omp atomic read
@@ -188,20 +86,10 @@ static void compare(const struct search_options *options, const struct grid *gri
             now = ++done;
             if (now % 64 == 0) {
 #pragma omp critical(clock)
-                clock_tick(clock, done_before + (double)now);
+                search_clock_tick(clock, done_before + (double)now);
             }
         }
     }
-}
-
-static double grid_points(const struct search_options *options)
-{
-    return (double)options->angles * (double)options->shininess.count;
-}
-
-static double fourth_power(size_t count)
-{
-    return (double)count * (double)count * (double)count * (double)count;
 }
 
 double search_first_size(const struct search_options *options)
@@ -214,39 +102,21 @@ double search_second_size(const struct search_options *options)
     return (double)options->best * fourth_power(options->coefficients.count);
 }
 
-static struct search_row *rows_new(size_t count)
-{
-    struct search_row *rows = calloc(count ? count : 1, sizeof *rows);
-    if (!rows)
-        fail("out of memory");
-    return rows;
-}
-
-static void set_exponents(const struct search_options *options, const struct candidate *at, struct family *family)
-{
-    const double *b = options->exponents.values;
-    const double chosen[5] = {b[at->b1], b[at->b2], b[at->b3], b[at->b3], b[at->b5]};
-    memcpy(family->b, chosen, sizeof chosen);
-}
-
-static void set_coefficients(const double values[4], struct family *family)
-{
-    const double chosen[5] = {values[0], values[1], values[2], values[2], values[3]};
-    memcpy(family->a, chosen, sizeof chosen);
-}
+static const double ones[5] = {1, 1, 1, 1, 1};
 
 static void first_stage(const struct search_options *options, const struct grid *grid, struct best *best,
                         struct search_result *result)
 {
     const double total = search_first_size(options);
-    struct clock clock = {.what = "stage 1 of 2, exponents", .total = total, .start = seconds()};
+    struct search_clock clock = {
+        .what = "stage 1 of 2, exponents", .stop = nothing_written, .total = total, .start = seconds_now()};
     compare(options, grid, exponents_at, NULL, (uint64_t)total, &clock, 0, best);
     result->first_count = best->count;
     result->first = rows_new(best->count);
     for (size_t i = 0; i < best->count; i++) {
         const struct candidate candidate = exponents_at(options, NULL, best->entries[i].index);
-        set_exponents(options, &candidate, &result->first[i].family);
-        set_coefficients((const double[4]){1, 1, 1, 1}, &result->first[i].family);
+        row_set_exponents(options, &candidate, &result->first[i].family);
+        memcpy(result->first[i].family.a, ones, sizeof ones);
         result->first[i].deviation = best->entries[i].sum / grid_points(options);
     }
 }
@@ -264,8 +134,10 @@ static void second_stage(const struct search_options *options, const struct grid
                          struct search_result *result)
 {
     const double each = fourth_power(options->coefficients.count);
-    struct clock clock = {
-        .what = "stage 2 of 2, coefficients", .total = each * (double)sets->count, .start = seconds()};
+    struct search_clock clock = {.what = "stage 2 of 2, coefficients",
+                                 .stop = nothing_written,
+                                 .total = each * (double)sets->count,
+                                 .start = seconds_now()};
     result->rows = rows_new(sets->count);
     for (size_t i = 0; i < sets->count; i++) {
         const struct candidate set = exponents_at(options, NULL, sets->entries[i].index);
@@ -273,15 +145,12 @@ static void second_stage(const struct search_options *options, const struct grid
         best_init(&best, 1);
         compare(options, grid, coefficients_at, &set, (uint64_t)each, &clock, each * (double)i, &best);
         if (best.count) {
-            size_t a[4];
-            pick_four(best.entries[0].index, options->coefficients.count, a);
-            const double *list = options->coefficients.values;
             struct search_row row = {.deviation = best.entries[0].sum / grid_points(options)};
-            set_exponents(options, &set, &row.family);
-            set_coefficients((const double[4]){list[a[0]], list[a[1]], list[a[2]], list[a[3]]}, &row.family);
+            row_set_exponents(options, &set, &row.family);
+            row_set_coefficients(options, best.entries[0].index, &row.family);
             insert_row(result, row);
         }
-        free(best.entries);
+        best_free(&best);
     }
 }
 
@@ -296,7 +165,7 @@ void search_run(const struct search_options *options, int stages, struct search_
     if (stages == 2)
         second_stage(options, &grid, &best, result);
     progress_end();
-    free(best.entries);
+    best_free(&best);
     grid_free(&grid);
 }
 

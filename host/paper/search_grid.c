@@ -20,7 +20,8 @@ static double *numbers(size_t count)
 void grid_init(struct grid *grid, const struct search_options *options, struct search_list exponents)
 {
     const size_t angles = options->angles, count = options->shininess.count;
-    *grid = (struct grid){.angles = angles, .shininess = count, .exponents = exponents};
+    *grid = (struct grid){
+        .angles = angles, .shininess = count, .exponents = exponents, .shininess_values = options->shininess.values};
     grid->reference = numbers(angles * count);
     grid->cosine_power = numbers(angles * exponents.count);
     grid->shininess_power = numbers(count * exponents.count);
@@ -51,32 +52,37 @@ struct row {
     size_t count;
 };
 
-enum { NO_HALF_STEP = 99 };
-
 #define INLINE static inline __attribute__((always_inline))
 
-/* b2 = half_steps / 2 is known when compiled: no pow(), and whole powers are vectorised (sqrt, which may set errno, is
- * not). */
-INLINE double error_at(const struct row *row, size_t j, int half_steps)
+/* d^(quarters / 4) for a number of quarters that is known when compiled: no pow(). Whole powers are vectorised; roots,
+ * which may set errno, are not. */
+INLINE double quarter_power(double d, unsigned quarters)
 {
-    const double d = row->p * row->shininess_power[j] + row->q;
-    double power = half_steps % 2 ? sqrt(d) : 1;
-    for (int i = 0; i < abs(half_steps) / 2; i++)
+    double power = quarters & 2 ? sqrt(d) : 1;
+    if (quarters & 1)
+        power *= sqrt(sqrt(d));
+    for (unsigned i = 0; i < quarters / 4; i++)
         power *= d;
-    return fabs((half_steps < 0 ? row->a * power : row->a / power) - row->reference[j]);
+    return power;
 }
 
-INLINE double sum_row(const struct row *row, int half_steps)
+INLINE double value_at(const struct row *row, size_t j, int quarters)
+{
+    const double power = quarter_power(row->p * row->shininess_power[j] + row->q, (unsigned)abs(quarters));
+    return quarters < 0 ? row->a * power : row->a / power;
+}
+
+INLINE double sum_row(const struct row *row, int quarters)
 {
     double sum = 0;
-    if (half_steps % 2) {
+    if (quarters % 4) {
         for (size_t j = 0; j < row->count; j++)
-            sum += error_at(row, j, half_steps);
+            sum += fabs(value_at(row, j, quarters) - row->reference[j]);
         return sum;
     }
 #pragma omp simd reduction(+ : sum)
     for (size_t j = 0; j < row->count; j++)
-        sum += error_at(row, j, half_steps);
+        sum += fabs(value_at(row, j, quarters) - row->reference[j]);
     return sum;
 }
 
@@ -90,58 +96,66 @@ static double sum_row_any(const struct row *row)
     return sum;
 }
 
+/* The quarter steps -4..4, each a loop of its own. */
+#define EACH_QUARTER(X)                                                                                                \
+    X(-16)                                                                                                             \
+    X(-15)                                                                                                             \
+    X(-14) X(-13) X(-12) X(-11) X(-10) X(-9) X(-8) X(-7) X(-6) X(-5) X(-4) X(-3) X(-2) X(-1) X(0) X(1) X(2) X(3) X(4)  \
+        X(5) X(6) X(7) X(8) X(9) X(10) X(11) X(12) X(13) X(14) X(15) X(16)
+enum { QUARTERS_MAX = 16, NO_QUARTER = 99 };
+
+static int quarters_of(double exponent)
+{
+    const double quarters = 4 * exponent;
+    return quarters == floor(quarters) && fabs(quarters) <= QUARTERS_MAX ? (int)quarters : NO_QUARTER;
+}
+
 static double row_deviation(const struct row *row)
 {
-    const double half_steps = 2 * row->b2;
-    switch (half_steps == floor(half_steps) && fabs(half_steps) <= 6 ? (int)half_steps : NO_HALF_STEP) {
-    case -6:
-        return sum_row(row, -6);
-    case -5:
-        return sum_row(row, -5);
-    case -4:
-        return sum_row(row, -4);
-    case -3:
-        return sum_row(row, -3);
-    case -2:
-        return sum_row(row, -2);
-    case -1:
-        return sum_row(row, -1);
-    case 0:
-        return sum_row(row, 0);
-    case 1:
-        return sum_row(row, 1);
-    case 2:
-        return sum_row(row, 2);
-    case 3:
-        return sum_row(row, 3);
-    case 4:
-        return sum_row(row, 4);
-    case 5:
-        return sum_row(row, 5);
-    case 6:
-        return sum_row(row, 6);
+    switch (quarters_of(row->b2)) {
+#define CASE(quarters)                                                                                                 \
+    case quarters:                                                                                                     \
+        return sum_row(row, quarters);
+        EACH_QUARTER(CASE)
+#undef CASE
     default:
         return sum_row_any(row);
     }
+}
+
+static struct row row_of(const struct grid *grid, const struct candidate *candidate, size_t angle)
+{
+    const double *power = grid->cosine_power + angle;
+    return (struct row){
+        .a = candidate->scale * power[candidate->b1 * grid->angles],
+        .p = 1 - power[candidate->b3 * grid->angles],
+        .q = candidate->ratio * power[candidate->b5 * grid->angles],
+        .b2 = grid->exponents.values[candidate->b2],
+        .shininess_power = grid->shininess_power + candidate->b3 * grid->shininess,
+        .reference = grid->reference + angle * grid->shininess,
+        .count = grid->shininess,
+    };
 }
 
 double candidate_sum(const struct grid *grid, const struct candidate *candidate, double limit)
 {
     double sum = 0;
     for (size_t i = 0; i < grid->angles; i++) {
-        const double *power = grid->cosine_power + i;
-        const struct row row = {
-            .a = candidate->scale * power[candidate->b1 * grid->angles],
-            .p = 1 - power[candidate->b3 * grid->angles],
-            .q = candidate->ratio * power[candidate->b5 * grid->angles],
-            .b2 = grid->exponents.values[candidate->b2],
-            .shininess_power = grid->shininess_power + candidate->b3 * grid->shininess,
-            .reference = grid->reference + i * grid->shininess,
-            .count = grid->shininess,
-        };
+        const struct row row = row_of(grid, candidate, i);
         sum += row_deviation(&row);
         if (!(sum <= limit))
             return INFINITY;
     }
     return isfinite(sum) ? sum : INFINITY;
+}
+
+void candidate_places(const struct grid *grid, const struct candidate *candidate, size_t angle, const size_t *places,
+                      size_t count, double *values, double *denominators)
+{
+    const struct row row = row_of(grid, candidate, angle);
+    const int quarters = quarters_of(row.b2);
+    for (size_t k = 0; k < count; k++) {
+        denominators[k] = row.p * row.shininess_power[places[k]] + row.q;
+        values[k] = quarters == NO_QUARTER ? row.a / pow(denominators[k], row.b2) : value_at(&row, places[k], quarters);
+    }
 }

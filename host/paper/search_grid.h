@@ -9,6 +9,7 @@
 struct grid {
     size_t angles, shininess;
     struct search_list exponents;
+    const double *shininess_values;
     double *reference;       /* c^n   [angle][n] */
     double *cosine_power;    /* c^b   [b][angle] */
     double *shininess_power; /* n^b   [b][n] */
@@ -28,5 +29,9 @@ struct candidate {
 /* The sum over the grid, from the angles at the peak outwards, where functions differ most; infinite as soon as it is
  * above the limit or no number. A partial sum never falls, so what is given up could not have come below the limit. */
 double candidate_sum(const struct grid *grid, const struct candidate *candidate, double limit);
+
+/* The function at one angle and some places of the list of n, and its denominator before the power b2. */
+void candidate_places(const struct grid *grid, const struct candidate *candidate, size_t angle, const size_t *places,
+                      size_t count, double *values, double *denominators);
 
 #endif
