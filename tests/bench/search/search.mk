@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: MIT
+# How the joint search scales over threads and MPI ranks.
+bench-search: ## of make bench, how glint search --joint scales over threads and ranks
+	@+$(SUBMAKE) setup-unit
+	@+$(SUBMAKE) all
+	@tests/bench/search/search $(BUILD)/glint
+
+.PHONY: bench-search
