@@ -145,6 +145,7 @@ static bool has_ranks(void)
     return run("$GLINT --version | grep -q Open.MPI && command -v mpirun")->status == 0;
 }
 
+/* Open MPI itself leaves memory to the end of the process: no leaks are looked for under mpirun. */
 static void the_rows_do_not_depend_on_ranks_and_threads(void **state)
 {
     (void)state;
@@ -157,7 +158,9 @@ static void the_rows_do_not_depend_on_ranks_and_threads(void **state)
     for (int i = 0; i < 3; i++) {
         char command[256];
         snprintf(command, sizeof command,
-                 "OMP_NUM_THREADS=1 mpirun --allow-run-as-root --oversubscribe -n %s $GLINT " SLICE, ranks[i]);
+                 "ASAN_OPTIONS=detect_leaks=0 OMP_NUM_THREADS=1 mpirun --allow-run-as-root --oversubscribe -n %s "
+                 "$GLINT " SLICE,
+                 ranks[i]);
         const struct run *result = run(command);
         assert_int_equal(result->status, 0);
         assert_string_equal(result->out, wanted);
