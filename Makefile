@@ -133,7 +133,7 @@ firmware: $(if $(PORT),firmware-$(PORT),$(PORTS:%=firmware-%)) ## firmware: all 
 
 include firmware/conformance/conformance.mk firmware/ports/bare/bare.mk firmware/gateware/gateware.mk
 include $(sort $(wildcard firmware/ports/*/port.mk))
-include tests/bench/bench.mk tests/bench/host/host.mk tests/bench/stream/stream.mk
+include tests/bench/bench.mk tests/bench/host/host.mk tests/bench/stream/stream.mk tests/bench/search/search.mk
 include $(sort $(wildcard tests/*/tier.mk))
 
 # A tier with a quick part that needs no set-up has a goal check-TIER.

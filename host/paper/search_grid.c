@@ -100,8 +100,9 @@ static double sum_row_any(const struct row *row)
 #define EACH_QUARTER(X)                                                                                                \
     X(-16)                                                                                                             \
     X(-15)                                                                                                             \
-    X(-14) X(-13) X(-12) X(-11) X(-10) X(-9) X(-8) X(-7) X(-6) X(-5) X(-4) X(-3) X(-2) X(-1) X(0) X(1) X(2) X(3) X(4)  \
-        X(5) X(6) X(7) X(8) X(9) X(10) X(11) X(12) X(13) X(14) X(15) X(16)
+    X(-14)                                                                                                             \
+    X(-13) X(-12) X(-11) X(-10) X(-9) X(-8) X(-7) X(-6) X(-5) X(-4) X(-3) X(-2) X(-1) X(0) X(1) X(2) X(3) X(4) X(5)    \
+        X(6) X(7) X(8) X(9) X(10) X(11) X(12) X(13) X(14) X(15) X(16)
 enum { QUARTERS_MAX = 16, NO_QUARTER = 99 };
 
 static int quarters_of(double exponent)

@@ -40,6 +40,7 @@ bench: ## measure: set up what is missing, measure cycles, instructions, code si
 	@+$(SUBMAKE) run-bench
 	@+$(SUBMAKE) run-bench-host
 	@+$(SUBMAKE) run-bench-stream
+	@+$(SUBMAKE) run-bench-search
 
 run-bench: bench-programs
 	@node tests/bench/bench.mjs $(BENCH)

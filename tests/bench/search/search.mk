@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 # How the joint search scales over threads and MPI ranks.
-bench-search: ## of make bench, how glint search --joint scales over threads and ranks
+bench-search: ## measure: of make bench, how glint search --joint scales over threads and ranks
 	@+$(SUBMAKE) setup-unit
-	@+$(SUBMAKE) all
+	@+$(SUBMAKE) run-bench-search
+
+run-bench-search: $(BUILD)/glint
 	@tests/bench/search/search $(BUILD)/glint
 
-.PHONY: bench-search
+.PHONY: bench-search run-bench-search
