@@ -96,13 +96,6 @@ static double sum_row_any(const struct row *row)
     return sum;
 }
 
-/* The quarter steps -4..4, each a loop of its own. */
-#define EACH_QUARTER(X)                                                                                                \
-    X(-16)                                                                                                             \
-    X(-15)                                                                                                             \
-    X(-14)                                                                                                             \
-    X(-13) X(-12) X(-11) X(-10) X(-9) X(-8) X(-7) X(-6) X(-5) X(-4) X(-3) X(-2) X(-1) X(0) X(1) X(2) X(3) X(4) X(5)    \
-        X(6) X(7) X(8) X(9) X(10) X(11) X(12) X(13) X(14) X(15) X(16)
 enum { QUARTERS_MAX = 16, NO_QUARTER = 99 };
 
 static int quarters_of(double exponent)
@@ -114,11 +107,20 @@ static int quarters_of(double exponent)
 static double row_deviation(const struct row *row)
 {
     switch (quarters_of(row->b2)) {
-#define CASE(quarters)                                                                                                 \
-    case quarters:                                                                                                     \
-        return sum_row(row, quarters);
-        EACH_QUARTER(CASE)
-#undef CASE
+/* Each quarter step a loop of its own. */
+#define CASE(q)                                                                                                        \
+    case q:                                                                                                            \
+        return sum_row(row, q);
+#define CASES(q) CASE(-(q)-1) CASE(-(q)) CASE(q) CASE((q) + 1)
+        CASE(0)
+        CASES(1)
+        CASES(3)
+        CASES(5)
+        CASES(7)
+        CASES(9)
+        CASES(11)
+        CASES(13)
+        CASES(15)
     default:
         return sum_row_any(row);
     }
