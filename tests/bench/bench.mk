@@ -17,7 +17,8 @@ BENCH_FLAGS = -Ilib $(if $(BENCH_FIXMATH),-DBENCH_FIXMATH=1 -DFIXMATH_NO_CACHE -
 BENCH_SOURCES = $(wildcard lib/*.c lib/*.S) $(BENCH_FIXMATH) \
 	$(filter-out $(if $(BENCH_FIXMATH),,%/fixmath.c),$(wildcard tests/bench/*.c))
 # The counted programs have their start-up code and linker scripts.
-BENCH_IMAGES = cortex-m-mps2-an385 cortex-m-mps2-an386 rv32-virt avr-atmega2560
+BENCH_BOARDS = mps2-an385 mps2-an386 virt atmega2560
+BENCH_IMAGES = $(foreach board,$(BENCH_BOARDS),$(bare_image_$(board)))
 BENCH_INPUTS = $(BENCH_SOURCES) $(wildcard lib/*.h lib/*.inc tests/bench/*.h) tests/targets/targets.py tests/bench/m0plus.ld tests/bench/bench.mk
 
 setup-bench: setup-build setup-targets setup-bench-host setup-rp2040js
@@ -52,12 +53,12 @@ $(BENCH)/m0plus-%.elf: $(BENCH_INPUTS) tests/bench/calibrate.S
 	@arm-none-eabi-gcc -std=c99 -mcpu=cortex-m0plus -mthumb $(BENCH_FLAGS_$*) -ffunction-sections -fdata-sections $(BENCH_FLAGS) \
 		-nostartfiles -T tests/bench/m0plus.ld $(BENCH_SOURCES) tests/bench/calibrate.S -lm -o $@
 
-$(BENCH)/sizes.txt: tests/bench/sizes $(BENCH_INPUTS)
-	@PYTHONDONTWRITEBYTECODE=1 $< $(BENCH) >$@.tmp && mv $@.tmp $@
+$(BENCH)/sizes.txt: tests/bench/sizes $(BENCH_INPUTS) $(BOARDS)
+	@PYTHONDONTWRITEBYTECODE=1 $< $(BENCH) $(BENCH_BOARDS) >$@.tmp && mv $@.tmp $@
 
 $(BENCH)/counts.txt: tests/bench/count $(BENCH_INPUTS) $(wildcard tests/bench/machine/*) $(BENCH_SCENE)/scene.json \
-		$(BENCH_IMAGES:%=build/firmware/%/conformance.elf)
-	@PYTHONDONTWRITEBYTECODE=1 $< $(BENCH) >$@.tmp && mv $@.tmp $@
+		$(BENCH_IMAGES) $(BOARDS)
+	@PYTHONDONTWRITEBYTECODE=1 $< $(BENCH) $(BENCH_BOARDS) >$@.tmp && mv $@.tmp $@
 
 $(BENCH_SCENE)/scene.json: $(BENCH_SCENE)/scene
 	@$< write $(@D)

@@ -3,9 +3,11 @@
 import { readFileSync } from 'node:fs'
 import { line } from './print.mjs'
 
-const TARGETS = { 'cortex-m3': 'M3', 'cortex-m4f': 'M4F', rv32imc: 'RV32', atmega2560: 'AVR' }
-const unitOf = (target) => target === 'atmega2560' ? 'cycles' : 'instructions'
-const emulatorOf = (target) => target === 'atmega2560' ? 'simavr' : 'QEMU -icount shift=0'
+// Heads of columns, from a core's name: M3, RV32, AVR.
+const short = (target) => target.replace(/^cortex-m0plus/, 'M0+').replace('cortex-', '').replace(/^atmega.*/, 'AVR')
+  .replace(/^rv32.*/, 'RV32').replace(/^m/, 'M').replace(/f$/, 'F')
+const unitOf = (target) => short(target) === 'AVR' ? 'cycles' : 'instructions'
+const emulatorOf = (target) => short(target) === 'AVR' ? 'simavr' : 'QEMU -icount shift=0'
 
 export function readCounts(file, q) {
   const figures = []
@@ -27,8 +29,8 @@ export function readCounts(file, q) {
 
 export function printCounts(figures) {
   const find = (wanted) => figures.find((x) => Object.entries(wanted).every(([key, value]) => x[key] === value))
-  const heads = Object.entries(TARGETS).flatMap(([target, name]) => target === 'cortex-m3' || target === 'atmega2560'
-    ? [[target, 10, `${name} 10`], [target, 60, `${name} 60`], [target, 1000, `${name} 1000`]] : [[target, 60, `${name} 60`]])
+  const heads = [...new Set(figures.map((x) => x.target))].flatMap((target) =>
+    (['M3', 'AVR'].includes(short(target)) ? [10, 60, 1000] : [60]).map((n) => [target, n, `${short(target)} ${n}`]))
   const table = (key, figure) => {
     line('', heads.map(([, , head]) => head), '', 10)
     for (const name of new Set(figures.map((x) => x[key]).filter((x) => x))) {
@@ -57,8 +59,7 @@ export function readSizes(file) {
 export function printSizes(sizes) {
   console.log('\nBytes of code and constants, linked alone with all it needs of the library, libgcc and libc [linked]')
   const columns = [...new Set(sizes.map((x) => `${x.target} ${x.flags}`))].map((x) => x.split(' '))
-  const short = { 'cortex-m0plus': 'M0+', ...TARGETS }
-  line('', columns.map(([target, flags]) => short[target] + flags), '', 8, 64)
+  line('', columns.map(([target, flags]) => short(target) + flags), '', 8, 64)
   for (const name of new Set(sizes.map((x) => x.function))) {
     line(name, columns.map(([target, flags]) =>
       sizes.find((x) => x.function === name && x.target === target && x.flags === flags).bytes), '', 8, 64)

@@ -49,11 +49,11 @@ def text_bytes(target, objects):
 
 
 # What a call through a pointer looks like, and what a call does that is not a jump.
-INDIRECT = re.compile(r"\t(blx?\t[a-z]|bx\t(?!lr)[a-z]|e?icall|e?ijmp|jalr\t|jr\t(?!ra))")
-FUNCTION = re.compile(r"^[0-9a-f]+ <((?!\.L)[^>]+)>:$")
+INDIRECT = re.compile(r"\t(blx?\t[a-z]|bx\t(?!lr)[a-z]|e?icall|e?ijmp|jalr\t|jr\t(?!ra)|callx0|jx\t(?!a0))")
+FUNCTION = re.compile(r"^[0-9a-f]+ <((?!\.L)[^>+-]+)>:$")  # Xtensa's constants stand before a function, as NAME-0x4
 RELOCATION = re.compile(r"^\s+[0-9a-f]+: (R_\S+)\s+([^\s+-]+)(\S*)")
-CALL_MNEMONIC = re.compile(r"\t(bl|blx|r?call|jal|auipc)\t")
-CALLS = re.compile(r"R_ARM_THM_(CALL|JUMP\d+|XPC22)|R_ARM_CALL|R_RISCV_(CALL|CALL_PLT|JAL|RVC_JUMP)|R_AVR_(CALL|13_PCREL)")
+CALL_MNEMONIC = re.compile(r"\t(bl|blx|r?call|jal|auipc|call0)\t")
+CALLS = re.compile(r"R_ARM_THM_(CALL|JUMP\d+|XPC22)|R_ARM_CALL|R_RISCV_(CALL|CALL_PLT|JAL|RVC_JUMP)|R_AVR_(CALL|13_PCREL)|R_XTENSA_SLOT0_OP")
 
 
 def assembly_stack(line):
@@ -112,7 +112,7 @@ class Calls:
             fields = line.split()
             if line.startswith("RELOCATION"):
                 section = fields[-1]
-            elif len(fields) == 3 and fields[1].startswith("R_") and not section.startswith(("[.ARM", "[.eh", "[.debug")):
+            elif len(fields) == 3 and fields[1].startswith("R_") and not section.startswith(("[.ARM", "[.eh", "[.debug", "[.xt")):
                 inside = re.search(r"[+-]0x", fields[2]) or fields[2].startswith(self.target.label_prefix)
                 if not CALLS.fullmatch(fields[1]) and not inside:
                     self.taken.add((path, fields[2].replace(".text.", "")))
@@ -151,7 +151,7 @@ class Calls:
             chains = [self.depth(at, (*above, function)) if at else (HELPER_STACK, [name]) for name, at in below]
             deepest = max(chains, default=(0, []))
             frame = self.frames.get((function[0], function[1].split(".")[0]), 0)
-            self.memory[function] = frame + self.target.return_address + deepest[0], [function[1], *deepest[1]]
+            self.memory[function] = frame + self.target.pushed + deepest[0], [function[1], *deepest[1]]
         return self.memory[function]
 
     def deepest(self, name=None):

@@ -1,23 +1,26 @@
 # SPDX-License-Identifier: MIT
-"""The cross compilers, the emulated machines, and TAP lines."""
+"""The boards with their cross compilers and emulators, and TAP lines."""
+import csv
 import glob
 import os
 import re
 import shutil
 import subprocess
+import sys
 from dataclasses import dataclass
 
 SOURCE = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 WARNINGS = "-Wall -Wextra -Wconversion -Wundef -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Werror".split()
 
 
-@dataclass
+@dataclass(frozen=True)
 class Target:
+    """A processor core, as a board names it, and the compiler for it."""
     name: str
     prefix: str  # of the tools: arm-none-eabi-
     flags: str
     stack_limit: int
-    return_address: int = 0  # bytes that a call pushes by itself, which gcc does not count
+    pushed: int = 0  # bytes that a call pushes by itself, which gcc does not count
     assembly: tuple = ()  # of the library, beside its C
 
     @property
@@ -37,16 +40,9 @@ class Target:
         shutil.rmtree(folder, ignore_errors=True)
         os.makedirs(folder)
         sources = [os.path.join(SOURCE, source) for source in sources]
-        self.tool("gcc", "-std=c99", "-ffreestanding", "-ffunction-sections", "-fstack-usage", *self.flags.split(),
-                  *flags.split(), *WARNINGS, "-I" + os.path.join(SOURCE, "lib"), "-c", *sources, cwd=folder)
+        self.tool("gcc", "-std=c99", "-ffreestanding", "-ffunction-sections", "-fstack-usage",
+                  "-fno-jump-tables", *self.flags.split(), *flags.split(), *WARNINGS, "-I" + os.path.join(SOURCE, "lib"), "-c", *sources, cwd=folder)
         return [os.path.join(folder, os.path.basename(source)[:-2] + ".o") for source in sources]
-
-
-def stated_stack():
-    """Bytes as the header promises: of Cortex-M0+, of the other Cortex-M, of the rest."""
-    with open(os.path.join(SOURCE, "lib", "glint.h")) as header:
-        statement = re.search(r"At most (\d+) bytes on Cortex-M0\+, (\d+) on other Cortex-M, (\d+) on RV32 and AVR", header.read())
-    return [int(number) for number in statement.groups()]
 
 
 def library_files(ending):
@@ -54,32 +50,27 @@ def library_files(ending):
     return tuple(os.path.relpath(path, SOURCE) for path in sorted(glob.glob(os.path.join(SOURCE, "lib", "*" + ending))))
 
 
-STACK_M0, STACK_M, STACK_OTHER = stated_stack()
-TARGETS = [
-    Target("cortex-m0plus-asm", "arm-none-eabi-", "-mcpu=cortex-m0plus -mthumb -DGLINT_CORTEX_M0PLUS_ASM=1", STACK_M0,
-           assembly=library_files(".S")),
-    Target("cortex-m0plus", "arm-none-eabi-", "-mcpu=cortex-m0plus -mthumb", STACK_M0),
-    Target("cortex-m3", "arm-none-eabi-", "-mcpu=cortex-m3 -mthumb", STACK_M),
-    Target("cortex-m4f", "arm-none-eabi-", "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16", STACK_M),
-    Target("cortex-m33", "arm-none-eabi-", "-mcpu=cortex-m33 -mthumb", STACK_M),
-    Target("rv32imc", "riscv64-unknown-elf-", "-march=rv32imc -mabi=ilp32", STACK_OTHER),
-    Target("atmega328p", "avr-", "-mmcu=atmega328p", STACK_OTHER, 2),
-    Target("atmega2560", "avr-", "-mmcu=atmega2560", STACK_OTHER, 3),
-]
+def stated_stack(core):
+    """Bytes as the header promises for this core."""
+    with open(os.path.join(SOURCE, "lib", "glint.h")) as header:
+        statement = re.search(r"At most (\d+) bytes on Cortex-M0\+, (\d+) on other Cortex-M, (\d+) on RV32 and AVR, (\d+) on Xtensa", header.read())
+    m0plus, other_m, rv32_avr, xtensa = (int(number) for number in statement.groups())
+    limits = {"cortex-m0": m0plus, "cortex-m": other_m, "rv32": rv32_avr, "at": rv32_avr, "lx": xtensa}
+    return next(limit for start, limit in limits.items() if core.startswith(start))
 
-QEMU_ARM = "qemu-system-arm -display none -semihosting-config enable=on,target=native -M"
+
 NPM = os.path.join(SOURCE, "build/bench/npm")  # where make installs rp2040js
-RP2040JS = f"node {SOURCE}/tests/targets/rp2040.mjs {NPM}"
 
 
 @dataclass(frozen=True)
 class Machine:
-    """A board of a port, as `make firmware` builds for it, and what emulates it."""
-    target: str
+    """A board, as its port.mk describes it (firmware/ports/bare/bare.mk says where each field comes from)."""
     port: str
     board: str
-    checks: int  # of the conformance image that fit
-    emulator: str
+    target: Target
+    skips: int  # checks of the conformance image that it may leave out
+    sources: tuple  # that start a program
+    emulator: str  # a command; '': nothing emulates it
 
     @property
     def folder(self):
@@ -87,28 +78,57 @@ class Machine:
         return os.path.join(SOURCE, "build/firmware", f"{self.port}-{self.board}")
 
     @property
-    def start(self):
-        """Sources that start a program."""
-        folders = [self.port] if self.port == "avr" else [self.port, "bare"]
-        return [path for name in folders for path in glob.glob(os.path.join(SOURCE, "firmware/ports", name, "*.c"))]
+    def missing(self):
+        """Why it cannot be run; '': it can."""
+        if not self.emulator:
+            return f"nothing emulates it: firmware/ports/{self.port}/port.mk names no emulator"
+        if NPM_WORD in self.emulator and not os.path.exists(os.path.join(NPM, "done")):
+            return "npm could not install rp2040js"
+        program = self.emulator.split()[0]
+        return "" if shutil.which(program) else f"{program} is not installed: make setup-targets"
+
+    def run(self, program, *words, seconds=900):
+        """What it prints, and its exit status. Words: of the emulator, before its others."""
+        emulator, *others = self.emulator.split()
+        done = subprocess.run([emulator, *words, *others, program], capture_output=True, text=True, timeout=seconds,
+                              stdin=subprocess.DEVNULL, cwd=SOURCE)
+        text = re.sub(r"\x1b\[\d*m", "", done.stdout + done.stderr)  # simavr colours what a program sends, and shows its line ends as dots
+        return re.sub(r"\.$", "", text, flags=re.M), done.returncode
 
     def link(self, objects, program, *words):
         """Words first: a budget must be set before a script asks whether it is."""
-        target = next(target for target in TARGETS if target.name == self.target)
-        target.tool("gcc", *words, f"@{self.folder}/link", *objects, "-lgcc", "-o", program)
+        self.target.tool("gcc", *words, f"@{self.folder}/link", *objects, "-lgcc", "-o", program)
 
 
-MACHINES = [
-    Machine("cortex-m0plus", "cortex-m", "microbit", 24, f"{QEMU_ARM} microbit -kernel"),
-    Machine("cortex-m0plus", "cortex-m", "rp2040", 17, RP2040JS),
-    Machine("cortex-m0plus-asm", "cortex-m", "rp2040-asm", 17, RP2040JS),
-    Machine("cortex-m3", "cortex-m", "mps2-an385", 26, f"{QEMU_ARM} mps2-an385 -kernel"),
-    Machine("cortex-m4f", "cortex-m", "mps2-an386", 26, f"{QEMU_ARM} mps2-an386 -kernel"),
-    Machine("cortex-m33", "cortex-m", "mps2-an505", 26, f"{QEMU_ARM} mps2-an505 -kernel"),
-    Machine("rv32imc", "rv32", "virt", 26, "qemu-system-riscv32 -M virt -bios none -nographic -kernel"),
-    Machine("atmega2560", "avr", "atmega2560", 15, "simavr -m atmega2560 -f 16000000"),
-    Machine("atmega328p", "avr", "atmega328p", 6, "simavr -m atmega328p -f 16000000"),
-]
+NPM_WORD = os.path.relpath(NPM, SOURCE)
+
+
+def read_boards():
+    """All boards, by the list that make writes of what the port.mk files say; tests have lists of their own."""
+    path = os.environ.get("GLINT_BOARDS") or os.path.join(SOURCE, "build/firmware/boards")
+    if not os.path.exists(path):
+        raise SystemExit(f"{sys.argv[0]}: there is no {os.path.relpath(path)}: run 'make boards' first")
+    machines, cores = [], {}
+    with open(path) as lines:
+        for row in csv.DictReader(lines, delimiter="|"):
+            target = Target(row["core"], row["tools"], row["flags"], stated_stack(row["core"]), int(row["pushed"]),
+                            tuple(row["assembly"].split()))
+            if cores.setdefault(target.name, target) != target:
+                raise SystemExit(f"{sys.argv[0]}: board {row['board']}: another board gives the core {target.name} other flags")
+            own = sorted(glob.glob(os.path.join(SOURCE, "firmware/ports", row["port"], "*.c")))
+            started = (*own, *(os.path.join(SOURCE, source) for source in row["sources"].split()))
+            machines.append(Machine(row["port"], row["board"], cores[target.name], int(row["skips"]), started, row["run"]))
+    return machines
+
+
+MACHINES = read_boards()
+TARGETS = list({machine.target.name: machine.target for machine in MACHINES}.values())
+
+
+def choose(board):
+    """The machine of that name alone, or all for ''; and their cores."""
+    machines = [machine for machine in MACHINES if board in ("", machine.board)]
+    return machines, list({machine.target.name: machine.target for machine in machines}.values())
 
 
 def library_sources(target=None):

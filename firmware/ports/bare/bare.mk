@@ -1,29 +1,62 @@
 # SPDX-License-Identifier: MIT
-# Ports without an operating system build the conformance image. A port.mk says NAME_TOOLS, NAME_BOARDS, for each board
-# NAME_FLAGS_BOARD (the compiler's) and NAME_LINK_BOARD (the linker's), and calls bare_port; BOARD= chooses one of its boards.
-# Sources beside lib/, conformance/ and the port's own: NAME_BARE, NAME_ASSEMBLY_BOARD.
+# Boards without an operating system build the conformance image. A port's port.mk holds all facts about its boards and ends
+# with $(eval $(call bare_port,NAME)):
+#   NAME_BOARDS                the boards' names
+#   NAME_TOOLS                 prefix of the compiler's tools
+#   NAME_SOURCES               C sources beside lib/, conformance/ and the port's folder
+#   NAME_LINK                  words for the linker before each board's script
+#   NAME_RUN                   emulator that takes an image, with % for the board's name; NAME_RUN_BOARD where a board differs
+#   NAME_CORE_BOARD            name of the processor core
+#   NAME_FLAGS_BOARD           the compiler's flags for that core
+#   NAME_SCRIPT_BOARD          linker script, in the port's folder
+# and where it applies
+#   NAME_IMAGE_BOARD           what the image leaves out: -DCONFORMANCE_...=0
+#   NAME_SKIPS_BOARD           how many checks that may skip, at most
+#   NAME_ASSEMBLY_BOARD        assembly of the library
+#   NAME_PUSHED_BOARD          bytes that a call pushes by itself
+# The build, the tests of tests/targets, make bench and make boards read them here; BOARD= chooses one board.
 BARE = firmware/ports/bare
-BARE_FLAGS = -std=c99 -ffreestanding -Os -ffunction-sections -fdata-sections -fstack-usage $(WARNINGS)
+# Without jump tables a jump to a register is a call through a pointer, never a switch: the check of the stack needs that.
+BARE_FLAGS = -std=c99 -ffreestanding -Os -ffunction-sections -fdata-sections -fstack-usage -fno-jump-tables $(WARNINGS)
 BARE_INCLUDE = lib firmware/conformance $(BARE) $(CONFORMANCE)
 BARE_INPUTS = $(wildcard lib/* $(BARE)/*) $(CONFORMANCE_INPUTS) firmware/conformance/image.c $(CONFORMANCE_EXPECTED)
+BARE_PORTS :=
+BARE_BOARDS :=
 
 define bare_port
-$(1)_SOURCES = $$(wildcard lib/*.c) $$(CONFORMANCE_SOURCES) firmware/conformance/image.c $$(wildcard firmware/ports/$(1)/*.c) $$($(1)_BARE)
+BARE_PORTS += $(1)
+BARE_BOARDS += $$($(1)_BOARDS)
+$(1)_INPUTS = $$(wildcard lib/*.c) $$(CONFORMANCE_SOURCES) firmware/conformance/image.c $$(wildcard firmware/ports/$(1)/*.c) $$($(1)_SOURCES)
 firmware-$(1): $$(patsubst %,firmware-$(1)-%,$$(or $$(BOARD),$$($(1)_BOARDS)))
 firmware-$(1)-%:
-	@echo "make: port $(1) has no board $$*, but $$($(1)_BOARDS)" >&2; exit 1
+	@echo "make: port $(1) has no board $$*; choose from $$($(1)_BOARDS)" >&2; exit 1
 $$(foreach board,$$($(1)_BOARDS),$$(eval $$(call bare_board,$(1),$$(board),build/firmware/$(1)-$$(board))))
 .PHONY: firmware-$(1) $$($(1)_BOARDS:%=firmware-$(1)-%)
 endef
 
-# The linker's words are left beside the objects: tests link these anew, with a fault.
+# The linker's words stay beside the objects: tests link these again, with a fault.
 define bare_board
+bare_goal_$(2) = firmware-$(1)-$(2)
+bare_image_$(2) = $(3)/conformance.elf
+bare_line_$(2) = $(1)|$(2)|$$($(1)_CORE_$(2))|$$($(1)_TOOLS)|$$($(1)_FLAGS_$(2))|$$(or $$($(1)_SKIPS_$(2)),0)|$$($(1)_ASSEMBLY_$(2))|$$(or $$($(1)_PUSHED_$(2)),0)|$$($(1)_SOURCES)|$$(subst %,$(2),$$(or $$($(1)_RUN_$(2)),$$($(1)_RUN)))
 firmware-$(1)-$(2): $(3)/conformance.elf
 	@$$($(1)_TOOLS)size $$< | awk 'NR == 2 { printf "$$<: %d bytes of flash, %d of RAM without stack\n", $$$$1 + $$$$2, $$$$2 + $$$$3 }'
-$(3)/conformance.elf: $$($(1)_SOURCES) $$(BARE_INPUTS) $$(wildcard firmware/ports/$(1)/*)
+$(3)/conformance.elf: $$($(1)_INPUTS) $$(BARE_INPUTS) $$(wildcard firmware/ports/$(1)/*)
 	@rm -rf $(3) && mkdir -p $(3)
-	@cd $(3) && $$($(1)_TOOLS)gcc $$(BARE_FLAGS) $$($(1)_FLAGS_$(2)) $$(addprefix -I,$$(abspath $$(BARE_INCLUDE))) -c \
-		$$(abspath $$($(1)_SOURCES) $$($(1)_ASSEMBLY_$(2)))
-	@echo '$$($(1)_FLAGS_$(2)) -Wl,--gc-sections -L$$(abspath $$(BARE)) $$($(1)_LINK_$(2))' >$(3)/link
+	@cd $(3) && $$($(1)_TOOLS)gcc $$(BARE_FLAGS) $$($(1)_FLAGS_$(2)) $$($(1)_IMAGE_$(2)) $$(addprefix -I,$$(abspath $$(BARE_INCLUDE))) -c \
+		$$(abspath $$($(1)_INPUTS) $$($(1)_ASSEMBLY_$(2)))
+	@echo '$$($(1)_FLAGS_$(2)) -Wl,--gc-sections -L$$(abspath $$(BARE)) $$($(1)_LINK) $$(abspath firmware/ports/$(1)/$$($(1)_SCRIPT_$(2)))' >$(3)/link
 	@$$($(1)_TOOLS)gcc @$(3)/link $(3)/*.o -lgcc -o $$@
 endef
+
+# One line a board, for programs; written again only where it changes.
+BOARDS = build/firmware/boards
+$(BOARDS): always
+	@mkdir -p $(@D)
+	@printf '%s\n' 'port|board|core|tools|flags|skips|assembly|pushed|sources|run' $(foreach board,$(BARE_BOARDS),'$(bare_line_$(board))') >$@.tmp
+	@cmp -s $@.tmp $@ && rm $@.tmp || mv $@.tmp $@
+
+boards: $(BOARDS) ## firmware: the boards without an operating system: port, processor core, emulator
+	@awk -F'|' '{ printf "%-10s %-12s %-18s %s\n", $$1, $$2, $$3, $$10 }' $<
+
+.PHONY: boards
