@@ -9,15 +9,20 @@ static uint64_t blinn_power(uint32_t n, uint32_t t)
     return glint_power((uint64_t)(GLINT_T_ONE - t) << 34, n);
 }
 
-/* Within 2^-37 ulp before rounding, which is enough: no c_q16 but the tie c = 1/2, n = 17, where the power is exact,
- * lies that near to a half. (From t some may: 0.501 ulp is promised.) */
+/* The normative sequence: within 2^-37 ulp before rounding, which is enough: no c_q16 but the tie c = 1/2, n = 17, where
+ * the power is exact, lies that near to a half. (From t some may: 0.501 ulp is promised.) glint_power_near decides its
+ * rounding but for one t in 65536 / (3n - 1). */
 uint32_t glint_blinn_t(uint32_t n, uint32_t t)
 {
     if (t >= GLINT_T_ONE)
         return 0;
     if (t == 0)
         return (uint32_t)GLINT_C_ONE; /* 1.0 has no place in Q0.64 */
-    return glint_power_round(blinn_power(glint_clamp_n(n), t));
+    n = glint_clamp_n(n);
+    const uint32_t near = glint_power_near((GLINT_T_ONE - t) << 2, n), low = (near >> 1) + 16384;
+    if ((low ^ (low + (GLINT_POWER_LOW(n) + 1) / 2)) >> 15 == 0)
+        return low >> 15;
+    return glint_power_round(blinn_power(n, t));
 }
 
 uint32_t glint_blinn(uint32_t n, int32_t c_q16)

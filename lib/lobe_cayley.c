@@ -1,38 +1,53 @@
 /* SPDX-License-Identifier: MIT
  * Cayley, an extension, not of the paper: c^n for n <= 4, else r^4, r = (4(1+c) - n(1-c)) / (4(1+c) + n(1-c)), 0 where
- * r < 0. It comes from c = (1 - x) / (1 + x): n such factors are nearly 4 of (1 - nx/4) / (1 + nx/4). */
+ * r < 0. It comes from c = (1 - x) / (1 + x): n such factors are nearly 4 of (1 - nx/4) / (1 + nx/4).
+ *
+ * With T = 2^30 t: r = p / s, p = 2^33 - (n + 4) T, s = 2^33 + (n - 4) T. Where p > 0, s < 2 * 2^33. An approximation in
+ * 32 bits decides the rounding but for one t in 108; there an exact comparison of p^4 and s^4 does. */
+#include "glint_lobe_cayley.h"
 #include "glint_lobe_domain.h"
 #include "glint_lobe_largest_t.h"
-#include "glint_math_wide.h"
 
-/* With T = 2^30 t: r = p / s, p = 2^33 - (n + 4) T, s = 2^33 + (n - 4) T. Where p > 0, s < 2 * 2^33. */
-static uint64_t cayley_numerator(uint32_t n, uint32_t t)
+enum { CAYLEY_LIMBS = 5 }; /* of 32 bits, least significant first */
+
+/* x^4 for x < 2^34, in place of 136 bits. */
+static void cayley_fourth(uint32_t out[CAYLEY_LIMBS], uint64_t x)
 {
-    const uint64_t fall = (uint64_t)(n + 4) * t;
-    return fall < (uint64_t)1 << 33 ? ((uint64_t)1 << 33) - fall : 0;
+    /* x^2 = (c2 2^64 + c1 2^32 + c0), c2 < 16 */
+    const uint32_t low = (uint32_t)x, high = (uint32_t)(x >> 32); /* high < 4 */
+    const uint64_t low2 = glint_multiply(low, low);
+    const uint64_t middle = (low2 >> 32) + 2 * glint_multiply(low, high);
+    const uint32_t c0 = (uint32_t)low2, c1 = (uint32_t)middle, c2 = (uint32_t)(middle >> 32) + high * high;
+    const uint64_t a = glint_multiply(c0, c0), b = glint_multiply(c0, c1), c = glint_multiply(c1, c1);
+    uint64_t sum = (a >> 32) + 2 * (uint64_t)(uint32_t)b; /* each sum < 2^38 */
+    out[0] = (uint32_t)a;
+    out[1] = (uint32_t)sum;
+    sum = (sum >> 32) + 2 * (b >> 32) + (uint32_t)c + 2 * glint_multiply(c0, c2);
+    out[2] = (uint32_t)sum;
+    sum = (sum >> 32) + (c >> 32) + 2 * glint_multiply(c1, c2);
+    out[3] = (uint32_t)sum;
+    out[4] = (uint32_t)(sum >> 32) + c2 * c2;
 }
 
-static uint64_t cayley_denominator(uint32_t n, uint32_t t)
+/* r^4 >= m 2^-17, exactly, for p > 0 and m < 2^18: both sides < 2^154. There are no ties for odd m: 17 is odd. */
+static bool cayley_at_least(uint32_t n, uint32_t t, uint32_t m)
 {
-    return ((uint64_t)1 << 33) + (uint64_t)(n - 4) * t;
-}
-
-/* r^4 >= m 2^-k, exactly, for p > 0, m < 2^18 and k <= 17: both sides < 2^154. There are no ties: 17 is odd. */
-static bool cayley_at_least(uint32_t n, uint32_t t, uint32_t m, unsigned k)
-{
-    const uint64_t p = cayley_numerator(n, t), s = cayley_denominator(n, t);
-    struct glint_wide left, right;
-    glint_wide_set(&left, (uint64_t)1 << k);
-    glint_wide_set(&right, m);
-    for (int i = 0; i < 4; i++) {
-        glint_wide_mul(&left, p);
-        glint_wide_mul(&right, s);
+    uint32_t left[CAYLEY_LIMBS], right[CAYLEY_LIMBS];
+    cayley_fourth(left, ((uint64_t)1 << 33) - glint_multiply(n + 4, t));
+    cayley_fourth(right, ((uint64_t)1 << 33) + glint_multiply(n - 4, t));
+    uint32_t before = 0;
+    uint64_t product = 0;
+    bool at_least = true;
+    for (int i = 0; i < CAYLEY_LIMBS; i++) {
+        const uint32_t p = left[i] << 17 | before >> 15;
+        before = left[i];
+        product = (product >> 32) + glint_multiply(right[i], m);
+        if (p != (uint32_t)product)
+            at_least = p > (uint32_t)product;
     }
-    return glint_wide_ge(&left, &right);
+    return at_least;
 }
 
-/* One division of 64 bits gives F within 3 * 2^-12 ulp; where that does not settle the rounding (one t in 1300), the
- * exact comparison does. */
 uint32_t glint_cayley_t(uint32_t n, uint32_t t)
 {
     n = glint_clamp_n(n);
@@ -42,15 +57,9 @@ uint32_t glint_cayley_t(uint32_t n, uint32_t t)
         return (uint32_t)GLINT_C_ONE;
     if (t >= GLINT_T_ONE)
         return 0;
-    const uint64_t p = cayley_numerator(n, t);
-    if (p == 0)
-        return 0;
-    const uint64_t r = (p << 30) / cayley_denominator(n, t); /* Q30, low by < 1; p < 2^33, so r < 2^30 */
-    const uint64_t r2 = (r * r) >> 28;                       /* Q32, low by < 2^-30 * 2 + 2^-32 */
-    const uint64_t y = (r2 * r2) >> 36;                      /* F 2^16 in Q12, low by < 1 (of r) + 1/8 (of r2) + 1 */
-    const uint32_t low = (uint32_t)((y + 2048) >> 12);
-    const uint32_t high = (uint32_t)((y + 3 + 2048) >> 12);
-    return low == high || !cayley_at_least(n, t, 2 * high - 1, 17) ? low : high;
+    const uint32_t f = glint_cayley_near_t(n, t) + 2048;
+    const uint32_t low = (f - GLINT_CAYLEY_HIGH) >> 12, high = (f + GLINT_CAYLEY_LOW) >> 12;
+    return low == high || !cayley_at_least(n, t, 2 * high - 1) ? low : high;
 }
 
 uint32_t glint_cayley(uint32_t n, int32_t c_q16)
@@ -60,7 +69,7 @@ uint32_t glint_cayley(uint32_t n, int32_t c_q16)
 
 static bool cayley_reaches(uint32_t n, uint32_t t, unsigned q)
 {
-    return cayley_numerator(n, t) != 0 && cayley_at_least(n, t, 1, q);
+    return (uint64_t)(n + 4) * t >> 33 == 0 && cayley_at_least(n, t, (uint32_t)1 << (17 - q));
 }
 
 uint32_t glint_cayley_cutoff_t(uint32_t n, unsigned q)

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * Gauss, eq. (1): F = exp(-n x^2 / 2), x = acos c. One function of c suffices: F = g^n, g = exp(-acos(c)^2 / 2). */
 #include "glint_lobe_domain.h"
+#include "glint_lobe_gauss.h"
 #include "glint_lobe_largest_t.h"
+#include "glint_math_multiply.h"
 #include "glint_math_power.h"
 
 /* g as a polynomial in t = 1 - c, Q1.62, off by < 2^-63 on 0..1; printed by tests/exact/gauss_coefficients.py. */
@@ -42,13 +44,65 @@ static uint64_t gauss_power(uint32_t n, uint32_t t)
     return glint_power((uint64_t)g << 2, n);
 }
 
+/* ---- quickly: F = 2^-(n t b), b(t) = log2(e) acos(1 - t)^2 / (2 t), 1.44 .. 1.78 ---- */
+
+/* b in Q31, off by < 2^-24.2 of it on 0..1; the sixth and seventh are to be taken with a minus sign. And 2^-(i / 32) in
+ * Q32. Printed by tests/exact/gauss_near.py. */
+/* clang-format off */
+static const uint32_t gauss_exponents[8] = {
+    3098163907, 516373763, 137426014, 46347971, 7983879, 21050881, 12874301, 7734345,
+};
+static const uint32_t gauss_fractions[32] = {
+    4294967295, 4202935003, 4112874773, 4024744348, 3938502376, 3854108391, 3771522796, 3690706840,
+    3611622603, 3534232978, 3458501653, 3384393094, 3311872529, 3240905930, 3171459999, 3103502151,
+    3037000500, 2971923842, 2908241642, 2845924021, 2784941738, 2725266179, 2666869345, 2609723834,
+    2553802834, 2499080105, 2445529972, 2393127307, 2341847524, 2291666561, 2242560872, 2194507417,
+};
+/* clang-format on */
+
+static inline uint32_t gauss_exponent(uint32_t t)
+{
+    const uint32_t x = t << 2;
+    uint32_t b = gauss_exponents[5] - glint_mulhi_near(gauss_exponents[6] - glint_mulhi_near(gauss_exponents[7], x), x);
+    for (int k = 4; k >= 0; k--)
+        b = gauss_exponents[k] + glint_mulhi_near(b, x);
+    return b;
+}
+
+/* 2^-(x / 2^27) in Q32 for x < 2^27. */
+static inline uint32_t gauss_fraction(uint32_t x)
+{
+    const uint32_t d = x & 0x3fffff;
+    const uint32_t z = (d >> 6) * 45426 + ((d & 63) * 45426 >> 6) + (3 * d >> 11); /* d ln 2 in Q37 */
+    const uint32_t h = (z + 32768) >> 16, square = h * h;                            /* Q21, Q42 */
+    const uint32_t cube = (square >> 16) * (h * 10880 >> 16);                      /* a sixth of it, Q47 */
+    const uint32_t f = gauss_fractions[x >> 22];
+    return f - glint_mulhi_near(f, (z >> 5) - (square >> 11) + (cube >> 15));
+}
+
+uint32_t glint_gauss_near_t(uint32_t n, uint32_t t)
+{
+    const uint32_t whole = n * (t >> 14); /* < 2^26 */
+    if (whole >= ((uint32_t)1 << 20) - 1024)
+        return 0; /* n t > 15.98: 2^28 F < 31. Below, the sum stays under 2^32: n 2^14 < 1024 2^14 */
+    const uint32_t x = glint_mulhi_near((whole << 12) + (n * (t & 0x3fff) >> 2), gauss_exponent(t)); /* Q27 */
+    return gauss_fraction(x & 0x7ffffff) >> 4 >> (x >> 27);
+}
+
 uint32_t glint_gauss_t(uint32_t n, uint32_t t)
 {
     if (t > GLINT_T_ONE)
         return 0;
     if (t == 0)
         return (uint32_t)GLINT_C_ONE; /* 1.0 has no place in Q0.64 */
-    return glint_power_round(gauss_power(glint_clamp_n(n), t));
+    n = glint_clamp_n(n);
+    if (t < GLINT_T_ONE) {
+        const uint32_t f = glint_gauss_near_t(n, t) + 2048;
+        const uint32_t low = (f - GLINT_GAUSS_HIGH) >> 12;
+        if (low == (f + GLINT_GAUSS_LOW) >> 12)
+            return low;
+    }
+    return glint_power_round(gauss_power(n, t));
 }
 
 uint32_t glint_gauss(uint32_t n, int32_t c_q16)

@@ -6,23 +6,13 @@
  * comparison of products. There are no ties for integer n. */
 #include "glint_lobe_domain.h"
 #include "glint_lobe_largest_t.h"
-
-/* y, nearly 2^35 / m, for 2^27 <= m < 2^28 by m's upper bits: |y m / 2^35 - 1| < 0.00904. Printed by
- * tests/exact/msh_reciprocals.py. */
-/* clang-format off */
-static const uint8_t reciprocal[64] = {
-    254, 250, 246, 243, 239, 236, 232, 229, 226, 223, 220, 217, 214, 211, 209, 206,
-    204, 201, 199, 196, 194, 192, 189, 187, 185, 183, 181, 179, 177, 175, 173, 172,
-    170, 168, 166, 165, 163, 161, 160, 158, 157, 155, 154, 152, 151, 150, 148, 147,
-    146, 144, 143, 142, 141, 139, 138, 137, 136, 135, 134, 133, 132, 131, 130, 128,
-};
-/* clang-format on */
+#include "glint_math_reciprocal.h"
 
 /* 2^71 C / (5 m^2) for C = u / 2^8 <= 2^16, within 2400; less than 0.4 * 2^32. With y m = 2^35 (1 + r),
  * 1 / m^2 = y^2 2^-70 (1 + p), p = -2r + 3r^2 - 4r^3 + .. Products of 32 bits only, and all that fits is kept. */
 static inline uint32_t quotient(uint32_t u_q24, uint32_t m)
 {
-    const uint32_t y = reciprocal[(m >> 21) - 64];
+    const uint32_t y = glint_reciprocals[(m >> 21) - 64];
     const int32_t r = (int32_t)(m * y) >> 14;                  /* Q21, |r| < 18960: 2^35 is 0 modulo 2^32. Low by < 1 */
     const int32_t p = (r * (3 * r - (r * r >> 19)) >> 22) - r; /* Q20, |p| < 19300, within 1.1: r and >> err apart */
     const uint32_t b = (u_q24 * y >> 8) * y;                   /* y^2 C < 254^2 2^16 < 2^32. Low by < 254 */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Schlick, eq. (2): F = c / (n - nc + c). */
 #include "glint_lobe_domain.h"
+#include "glint_lobe_schlick.h"
 
 /* With C = 2^16 c: F 2^16 = C 2^16 / D, D = n(2^16 - C) + C <= 2^26; C 2^16 + D/2 < 2^32 for C < 2^16.
  * One tie: C = 32896, n = 513. */
@@ -15,12 +16,20 @@ uint32_t glint_schlick(uint32_t n, int32_t c_q16)
     return ((c << 16) + (d >> 1)) / d;
 }
 
-/* With T = 2^30 t: F 2^16 = (2^30 - T) 2^16 / d, d = 2^30 + (n - 1) T < 2^40. */
+/* With T = 2^30 t: F 2^16 = (2^30 - T) 2^16 / d, d = 2^30 + (n - 1) T < 2^40. The approximation decides the rounding but
+ * for one t in 370. */
 uint32_t glint_schlick_t(uint32_t n, uint32_t t)
 {
     if (t >= GLINT_T_ONE)
         return 0;
-    const uint64_t d = GLINT_T_ONE + (uint64_t)(glint_clamp_n(n) - 1) * t;
+    if (t == 0)
+        return (uint32_t)GLINT_C_ONE;
+    n = glint_clamp_n(n);
+    const uint32_t f = glint_schlick_near_t(n, t) + 2048;
+    const uint32_t low = (f - GLINT_SCHLICK_HIGH) >> 12;
+    if (low == (f + GLINT_SCHLICK_LOW) >> 12)
+        return low;
+    const uint64_t d = GLINT_T_ONE + (uint64_t)(n - 1) * t;
     return (uint32_t)((((uint64_t)(GLINT_T_ONE - t) << 17) + d) / (2 * d));
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "glint_math_power.h"
+#include "glint_math_multiply.h"
 
 /* The upper half of a 64 x 64 bit product, from 32 x 32 bit ones. */
 static uint64_t mulhi(uint64_t a, uint64_t b)
@@ -22,6 +23,21 @@ uint64_t glint_power(uint64_t x, uint32_t n)
         power = mulhi(power, power);
         if (n & bit)
             power = mulhi(power, x);
+    }
+    return power;
+}
+
+/* The same in Q0.32. err(x^2k) < 2 err(x^k) + 2, err(x^(k+1)) < err(x^k) + 3, so that err(x^n) <= 3n - 2 by induction. As each
+ * product is an integer no larger than the product of what glint_power multiplies, its power is no lower than this. */
+uint32_t glint_power_near(uint32_t x, uint32_t n)
+{
+    uint32_t power = x, bit = 512;
+    while (bit > n)
+        bit >>= 1;
+    while (bit >>= 1) {
+        power = glint_squarehi_near(power);
+        if (n & bit)
+            power = glint_mulhi_near(power, x);
     }
     return power;
 }

@@ -21,23 +21,23 @@ def cosine(x):
     return total
 
 
-def g(t):
+def half_square(t):
     """acos(1 - t)^2 / 2 = sum over k >= 1 of (2t)^k / (k^2 C(2k, k)), t < 2."""
-    half_square, power = Decimal(0), Decimal(1)
+    total, power = Decimal(0), Decimal(1)
     for k in range(1, 220):
         power *= 2 * t
-        half_square += power / (k * k * comb(2 * k, k))
-    return (-half_square).exp()
+        total += power / (k * k * comb(2 * k, k))
+    return total
 
 
-def chebyshev_coefficients():
-    """h(t) = (g(t) - 1) / t at the nodes x_j of [-1, 1], t = (x + 1) / 2; one degree less than g."""
-    count = DEGREE
+def g(t):
+    return (-half_square(t)).exp()
+
+
+def chebyshev_coefficients(h, count):
+    """h(t) at the nodes x_j of [-1, 1], t = (x + 1) / 2."""
     angles = [PI * (2 * j + 1) / (2 * count) for j in range(count)]
-    values = []
-    for angle in angles:
-        t = (cosine(angle) + 1) / 2
-        values.append((g(t) - 1) / t)
+    values = [h((cosine(angle) + 1) / 2) for angle in angles]
     return [sum(v * cosine(k * a % (2 * PI)) for v, a in zip(values, angles)) * (1 if k == 0 else 2) / count
             for k in range(count)]
 
@@ -56,8 +56,10 @@ def monomials(chebyshev):
         for i, value in enumerate(previous):
             following[i] -= value
         previous, current = current, following
-    return [Fraction(1)] + total
+    return total
 
 
-for value in monomials(chebyshev_coefficients()):
-    print("    INT64_C(%d)," % round(value * 2**62))
+if __name__ == "__main__":
+    # (g(t) - 1) / t has one degree less than g.
+    for value in [Fraction(1)] + monomials(chebyshev_coefficients(lambda t: (g(t) - 1) / t, DEGREE)):
+        print("    INT64_C(%d)," % round(value * 2**62))

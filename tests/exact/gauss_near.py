@@ -1,0 +1,21 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Prints the tables of the quick Gauss in lib/lobe_gauss.c: b(t) = log2(e) acos(1 - t)^2 / (2 t) on 0 <= t <= 1 as a polynomial
+of degree 7 in t, interpolated at the Chebyshev nodes, magnitudes in Q31; and 2^-(i / 32) in Q32, the first held to 32 bits."""
+from decimal import Decimal
+from gauss_coefficients import chebyshev_coefficients, half_square, monomials
+
+TWO = Decimal(2)
+
+
+def print_table(name, values, line):
+    print("static const uint32_t %s[%d] = {" % (name, len(values)))
+    for i in range(0, len(values), line):
+        print("    " + " ".join("%d," % value for value in values[i:i + line]))
+    print("};")
+
+
+b = monomials(chebyshev_coefficients(lambda t: half_square(t) / t / TWO.ln(), 8))
+assert [value > 0 for value in b] == [True] * 6 + [False, True]  # as lib/lobe_gauss.c adds and subtracts them
+print_table("gauss_exponents", [abs(round(value * 2**31)) for value in b], 8)
+print_table("gauss_fractions", [min(2**32 - 1, round(TWO**(32 - Decimal(i) / 32))) for i in range(32)], 8)

@@ -1,0 +1,308 @@
+/* SPDX-License-Identifier: MIT
+ * The files under test are included to reach what is static. */
+#include "near.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "../../lib/lobe_blinn.c"
+#include "../../lib/lobe_cayley.c"
+#include "../../lib/lobe_gauss.c"
+#include "../../lib/lobe_schlick.c"
+
+typedef unsigned __int128 u128;
+enum { N = 1000 };
+
+static uint64_t mix(uint64_t x) /* splitmix64 */
+{
+    x += UINT64_C(0x9e3779b97f4a7c15);
+    x = (x ^ (x >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    x = (x ^ (x >> 27)) * UINT64_C(0x94d049bb133111eb);
+    return x ^ (x >> 31);
+}
+
+/* 0 < t < 1: a third uniform, a third uniform in the logarithm, a third where n t < 16. */
+static uint32_t random_t(uint32_t n, uint32_t i)
+{
+    const uint64_t r = mix((uint64_t)n << 32 | i);
+    uint32_t t = (uint32_t)(r >> 34);
+    if (i % 3 == 1)
+        t >>= (r & 31) * 28 / 31;
+    else if (i % 3 == 2 && n > 16)
+        t = (uint32_t)((uint64_t)t * 16 / n);
+    return t ? t : 1;
+}
+
+/* What was met of an error, beside what is stated. */
+struct range {
+    double low, high;
+};
+static struct range met(struct range a, double low, double high)
+{
+    return (struct range){fmin(a.low, low), fmax(a.high, high)};
+}
+#pragma omp declare reduction(hull : struct range : omp_out = met(omp_out, omp_in.low, omp_in.high)) initializer(omp_priv = (struct range){0, 0})
+
+/* An error below a sixteenth of what is stated would be of a check that has seen nothing. */
+static void check_range(const char *what, struct range found, double low, double high)
+{
+    printf("# %s: met %.2f .. %.2f, stated %.1f .. %.1f\n", what, found.low, found.high, low, high);
+    assert_true(found.low > low && found.high < high);
+    assert_true(found.low < low / 16 || found.high > high / 16);
+}
+
+/* The lower halves decide what is cut: all of them beside the largest upper halves, and mixed words. */
+void check_products(uint32_t step)
+{
+    struct range product = {0, 0}, square = {0, 0};
+    long wrong = 0;
+#pragma omp parallel for reduction(hull : product, square) reduction(+ : wrong)
+    for (uint64_t i = 0; i < (uint64_t)1 << 32; i += step) {
+        const uint64_t r = mix(i);
+        const uint32_t pairs[][2] = {{(uint32_t)(i >> 16) | 0xffff0000, (uint32_t)i | 0xffff0000},
+                                     {(uint32_t)r, (uint32_t)(r >> 32)}};
+        for (int k = 0; k < 2; k++) {
+            const uint64_t exact = (uint64_t)pairs[k][0] * pairs[k][1];
+            const double error = glint_mulhi_near(pairs[k][0], pairs[k][1]) - (double)exact * 0x1p-32;
+            product = met(product, error, error);
+            wrong += glint_multiply(pairs[k][0], pairs[k][1]) != exact;
+        }
+        const double error = glint_squarehi_near((uint32_t)i) - (double)(i * i) * 0x1p-32;
+        square = met(square, error, error);
+    }
+    check_range("upper half of a product", product, -3, 0x1p-20);
+    check_range("upper half of a square", square, -2, 0x1p-20);
+    assert_int_equal(wrong, 0);
+}
+
+void check_reciprocal(uint32_t step)
+{
+    struct range found = {0, 0};
+    uint32_t largest = 0;
+#pragma omp parallel for reduction(hull : found) reduction(max : largest)
+    for (uint32_t m = UINT32_C(1) << 27; m < UINT32_C(1) << 28; m += step) {
+        const double y = glint_reciprocal(m), d = (y * m - 0x1p58) * 0x1p-28; /* 2^30 d; the product is exact enough */
+        found = met(found, d, d + y * 0x1p-28);
+        largest = largest > (uint32_t)y ? largest : (uint32_t)y;
+    }
+    check_range("reciprocal, 2^-30", found, -16.1, 16.4);
+    assert_true(largest <= (UINT32_C(1) << 31) + 15);
+}
+
+/* b = log2(e) (2 asin^2 sqrt(t/2)) / t: without the cancellation of acos(1 - t). */
+static double exponent_of(uint32_t t)
+{
+    const double a = asin(sqrt(t * 0x1p-31));
+    return 2 * a * a / (t * 0x1p-30) / M_LN2;
+}
+
+void check_gauss_exponent(uint32_t step)
+{
+    struct range found = {0, 0};
+#pragma omp parallel for reduction(hull : found)
+    for (uint32_t t = 1; t < GLINT_T_ONE; t += step) {
+        const double d = (gauss_exponent(t) * 0x1p-31 / exponent_of(t) - 1) * 0x1p28;
+        found = met(found, d, d);
+    }
+    check_range("exponent of Gauss, 2^-28", found, -14, 13);
+}
+
+void check_gauss_fraction(uint32_t step)
+{
+    struct range found = {0, 0};
+#pragma omp parallel for reduction(hull : found)
+    for (uint32_t x = 0; x < UINT32_C(1) << 27; x += step) {
+        const double d = gauss_fraction(x) - exp2(32 - x * 0x1p-27);
+        found = met(found, d, d);
+    }
+    check_range("fraction of Gauss, 2^-32", found, -32, 20);
+}
+
+/* Where 2^-32 glint_power lies above glint_power_near, in parts of what is stated for that n. */
+void check_power(uint32_t per_n)
+{
+    double most = 0;
+    long wrong = 0;
+#pragma omp parallel for schedule(dynamic) reduction(max : most) reduction(+ : wrong)
+    for (uint32_t n = 1; n <= N; n++)
+        for (uint32_t i = 0; i < per_n; i++) {
+            const uint32_t x = i % 8 ? (GLINT_T_ONE - random_t(n, i)) << 2 : (uint32_t)mix(i); /* any x will do */
+            const uint32_t near = glint_power_near(x, n), power = (uint32_t)(glint_power((uint64_t)x << 32, n) >> 32);
+            wrong += power < near || power - near > GLINT_POWER_LOW(n);
+            most = fmax(most, (double)(power - near) / GLINT_POWER_LOW(n));
+        }
+    printf("# power, of 3n - 2: met 0 .. %.2f, %ld beyond\n", most, wrong);
+    assert_int_equal(wrong, 0);
+    assert_true(most > 0.1);
+}
+
+static double cayley(uint32_t n, double t) /* p and s are exact in double */
+{
+    const double r = (0x1p33 - (n + 4) * t) / (0x1p33 + (n - 4.0) * t);
+    return r > 0 ? r * r * (r * r) : 0;
+}
+
+static double schlick(uint32_t n, double t)
+{
+    return (0x1p30 - t) / (0x1p30 + (n - 1) * t);
+}
+
+static double gauss(uint32_t n, double t)
+{
+    return exp2(-(n * (t * 0x1p-30) * exponent_of((uint32_t)t)));
+}
+
+static struct range error_of(uint32_t (*near)(uint32_t n, uint32_t t), double (*real)(uint32_t n, double t),
+                             uint32_t from_n, uint32_t per_n)
+{
+    struct range found = {0, 0};
+#pragma omp parallel for schedule(dynamic) reduction(hull : found)
+    for (uint32_t n = from_n; n <= N; n++)
+        for (uint32_t i = 0; i < per_n; i++) {
+            const uint32_t t = random_t(n, i);
+            const double f = near(n, t), error = f - 0x1p28 * real(n, t);
+            if (f > 0 || error <= -31) /* so small an F may count as 0 */
+                found = met(found, error, error);
+        }
+    return found;
+}
+
+void check_cayley(uint32_t per_n)
+{
+    check_range("cayley, 2^-28", error_of(glint_cayley_near_t, cayley, 5, per_n), -GLINT_CAYLEY_LOW, GLINT_CAYLEY_HIGH);
+}
+
+void check_schlick(uint32_t per_n)
+{
+    check_range("schlick, 2^-28", error_of(glint_schlick_near_t, schlick, 1, per_n), -GLINT_SCHLICK_LOW,
+                GLINT_SCHLICK_HIGH);
+}
+
+void check_gauss(uint32_t per_n)
+{
+    check_range("gauss, 2^-28", error_of(glint_gauss_near_t, gauss, 1, per_n), -GLINT_GAUSS_LOW, GLINT_GAUSS_HIGH);
+}
+
+/* ---- values ---- */
+
+static bool blinn_is_simple(uint32_t n, uint32_t t, uint32_t f)
+{
+    return f == glint_power_round(blinn_power(n, t));
+}
+
+static bool gauss_is_simple(uint32_t n, uint32_t t, uint32_t f)
+{
+    return f == glint_power_round(gauss_power(n, t));
+}
+
+static bool schlick_is_simple(uint32_t n, uint32_t t, uint32_t f)
+{
+    const uint64_t d = GLINT_T_ONE + (uint64_t)(n - 1) * t;
+    return f == (((uint64_t)(GLINT_T_ONE - t) << 17) + d) / (2 * d);
+}
+
+/* Both comparisons of the fallback, wherever t lies; the oracle of test_eval_t.c decides beside them. */
+static bool cayley_is_simple(uint32_t n, uint32_t t, uint32_t f)
+{
+    if (n <= 4)
+        return blinn_is_simple(n, t, f);
+    if ((uint64_t)(n + 4) * t >> 33)
+        return f == 0;
+    return (f == 0 || cayley_at_least(n, t, 2 * f - 1)) && !cayley_at_least(n, t, 2 * f + 1);
+}
+
+static bool blinn_is_open(uint32_t n, uint32_t t)
+{
+    const uint32_t low = (glint_power_near((GLINT_T_ONE - t) << 2, n) >> 1) + 16384;
+    return (low ^ (low + (GLINT_POWER_LOW(n) + 1) / 2)) >> 15 != 0;
+}
+
+static bool open_between(uint32_t f, uint32_t low, uint32_t high)
+{
+    return (f + 2048 - high) >> 12 != (f + 2048 + low) >> 12;
+}
+
+static bool gauss_is_open(uint32_t n, uint32_t t)
+{
+    return open_between(glint_gauss_near_t(n, t), GLINT_GAUSS_LOW, GLINT_GAUSS_HIGH);
+}
+
+static bool schlick_is_open(uint32_t n, uint32_t t)
+{
+    return open_between(glint_schlick_near_t(n, t), GLINT_SCHLICK_LOW, GLINT_SCHLICK_HIGH);
+}
+
+static bool cayley_is_open(uint32_t n, uint32_t t)
+{
+    return n > 4 ? open_between(glint_cayley_near_t(n, t), GLINT_CAYLEY_LOW, GLINT_CAYLEY_HIGH) : blinn_is_open(n, t);
+}
+
+static const struct model {
+    const char *name;
+    uint32_t (*value)(uint32_t n, uint32_t t);
+    bool (*is_simple)(uint32_t n, uint32_t t, uint32_t f), (*is_open)(uint32_t n, uint32_t t);
+} models[] = {
+    {"cayley", glint_cayley_t, cayley_is_simple, cayley_is_open},
+    {"schlick", glint_schlick_t, schlick_is_simple, schlick_is_open},
+    {"blinn", glint_blinn_t, blinn_is_simple, blinn_is_open},
+    {"gauss", glint_gauss_t, gauss_is_simple, gauss_is_open},
+};
+
+struct counts {
+    long wrong, open, highlight, open_60, highlight_60;
+};
+static void add(struct counts *sum, const struct counts *a)
+{
+    sum->wrong += a->wrong;
+    sum->open += a->open;
+    sum->highlight += a->highlight;
+    sum->open_60 += a->open_60;
+    sum->highlight_60 += a->highlight_60;
+}
+
+/* Two places for each draw: a random t, and, of a random value f, the last t with F >= f: there the rounding is nearest to a
+ * tie, and the bound must not decide. */
+static void count(struct counts *counts, const struct model *model, uint32_t n, uint32_t i)
+{
+    const uint32_t t = random_t(n, i), f = model->value(n, t);
+    counts->wrong += !model->is_simple(n, t, f);
+    if (f >= 256) { /* q = 8 */
+        const bool open = model->is_open(n, t);
+        counts->highlight++;
+        counts->open += open;
+        counts->highlight_60 += n == 60;
+        counts->open_60 += n == 60 && open;
+    }
+    if (f == 0 || i % 4)
+        return;
+    uint32_t last = t;
+    for (uint32_t bit = GLINT_T_ONE / 2; bit; bit >>= 1)
+        if (last + bit < GLINT_T_ONE && model->value(n, last + bit) >= f)
+            last += bit;
+    for (uint32_t k = 0; k < 2 && last + k < GLINT_T_ONE; k++)
+        counts->wrong += !model->is_simple(n, last + k, model->value(n, last + k));
+}
+
+void check_values(uint32_t per_n)
+{
+    for (size_t k = 0; k < sizeof models / sizeof *models; k++) {
+        struct counts counts = {0, 0, 0, 0, 0};
+#pragma omp parallel for schedule(dynamic)
+        for (uint32_t n = 1; n <= N; n++) {
+            struct counts of_n = {0, 0, 0, 0, 0};
+            for (uint32_t i = 0; i < per_n * (n == 60 ? 50 : 1); i++)
+                count(&of_n, &models[k], n, i);
+#pragma omp critical
+            add(&counts, &of_n);
+        }
+        printf("# %s: %ld wrong; of %ld values >= 2^-8, %.2f %% fall back, at n = 60 %.2f %%\n", models[k].name, counts.wrong,
+               counts.highlight, 100.0 * (double)counts.open / (double)counts.highlight,
+               100.0 * (double)counts.open_60 / (double)counts.highlight_60);
+        assert_int_equal(counts.wrong, 0);
+    }
+}

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT
+ * The quick forms of the lobes and their bounds over the whole of each domain that can be enumerated, and 10^8 values. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include "near.h"
+
+static void products_are_low_by_less_than_stated_for_all_lower_halves_and_squares(void **state)
+{
+    (void)state;
+    check_products(1);
+}
+
+static void gausss_exponent_is_within_its_bounds_for_every_t_and_its_fraction_for_every_x(void **state)
+{
+    (void)state;
+    check_gauss_exponent(1);
+    check_gauss_fraction(1);
+}
+
+static void powers_and_models_are_within_their_bounds_at_ten_to_the_eight_places(void **state)
+{
+    (void)state;
+    check_power(40000);
+    check_cayley(200000);
+    check_schlick(200000);
+    check_gauss(40000);
+}
+
+static void every_quick_value_is_the_simple_forms(void **state)
+{
+    (void)state;
+    check_values(40000);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(products_are_low_by_less_than_stated_for_all_lower_halves_and_squares),
+        cmocka_unit_test(gausss_exponent_is_within_its_bounds_for_every_t_and_its_fraction_for_every_x),
+        cmocka_unit_test(powers_and_models_are_within_their_bounds_at_ten_to_the_eight_places),
+        cmocka_unit_test(every_quick_value_is_the_simple_forms),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
