@@ -26,9 +26,9 @@ static inline uint32_t glint_cayley_near_t(uint32_t n, uint32_t t)
     const uint32_t v = (fall << 13) + rest; /* (n + 4) T / 2, rounded down */
     if (v < rest)
         return 0;
-    const uint32_t m = ((uint32_t)1 << 27) + ((v - (t << 2)) >> 5); /* s / 2^6, rounded down */
+    const uint32_t m = ((uint32_t)1 << 27) + ((v - (t << 2)) >> 5);  /* s / 2^6, rounded down */
     const uint32_t r = glint_mulhi_near(0 - v, glint_reciprocal(m)); /* Q31 */
-    return glint_squarehi_near(glint_squarehi_near(r));             /* Q30, Q28 */
+    return glint_squarehi_near(glint_squarehi_near(r));              /* Q30, Q28 */
 }
 
 #endif

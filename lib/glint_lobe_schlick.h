@@ -17,9 +17,9 @@ enum { GLINT_SCHLICK_LOW = 6, GLINT_SCHLICK_HIGH = 5 };
  *   shift        low by < 1 */
 static inline uint32_t glint_schlick_near_t(uint32_t n, uint32_t t)
 {
-    const uint32_t rest = (n - 1) * (t & 0x3fff);                                  /* < 2^24 */
+    const uint32_t rest = (n - 1) * (t & 0x3fff);                                 /* < 2^24 */
     uint32_t m = (((uint32_t)1 << 16) + (n - 1) * (t >> 14) + (rest >> 14)) << 2; /* 2^18 .. 2^28: up = 2 */
-    unsigned down = 12;                                                            /* 14 - up */
+    unsigned down = 12;                                                           /* 14 - up */
     if (m >> 23 == 0) {
         m <<= 5;
         down -= 5;

@@ -14,8 +14,8 @@ extern const uint8_t glint_reciprocals[64];
 static inline uint32_t glint_reciprocal(uint32_t m)
 {
     const uint32_t y = glint_reciprocals[(m >> 21) - 64];
-    const int32_t e = (int32_t)(m * y);                              /* Q35: 2^35 is 0 modulo 2^32 */
-    const int32_t r = e >> 14, rr = r * r;                           /* Q21, |r| < 18960; Q42 */
+    const int32_t e = (int32_t)(m * y);                               /* Q35: 2^35 is 0 modulo 2^32 */
+    const int32_t r = e >> 14, rr = r * r;                            /* Q21, |r| < 18960; Q42 */
     const int32_t c = (rr >> 13) - (e >> 6) - ((rr >> 14) * r >> 20); /* Q29, |c| < 0.0092: y c < 2^31 */
     return (y << 23) + (uint32_t)((int32_t)y * c >> 6);
 }

@@ -10,10 +10,10 @@
 
 enum { CAYLEY_LIMBS = 5 }; /* of 32 bits, least significant first */
 
-/* x^4 for x < 2^34, in place of 136 bits. */
+/* x^4 for x < 2^34. */
 static void cayley_fourth(uint32_t out[CAYLEY_LIMBS], uint64_t x)
 {
-    /* x^2 = (c2 2^64 + c1 2^32 + c0), c2 < 16 */
+    /* x^2 = c2 2^64 + c1 2^32 + c0, c2 < 16 */
     const uint32_t low = (uint32_t)x, high = (uint32_t)(x >> 32); /* high < 4 */
     const uint64_t low2 = glint_multiply(low, low);
     const uint64_t middle = (low2 >> 32) + 2 * glint_multiply(low, high);

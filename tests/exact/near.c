@@ -46,7 +46,10 @@ static struct range met(struct range a, double low, double high)
 {
     return (struct range){fmin(a.low, low), fmax(a.high, high)};
 }
-#pragma omp declare reduction(hull : struct range : omp_out = met(omp_out, omp_in.low, omp_in.high)) initializer(omp_priv = (struct range){0, 0})
+#pragma omp declare reduction(hull                                                                                     \
+                              : struct range                                                                           \
+                              : omp_out = met(omp_out, omp_in.low, omp_in.high))                                       \
+    initializer(omp_priv = (struct range){0, 0})
 
 /* An error below a sixteenth of what is stated would be of a check that has seen nothing. */
 static void check_range(const char *what, struct range found, double low, double high)
@@ -300,8 +303,8 @@ void check_values(uint32_t per_n)
 #pragma omp critical
             add(&counts, &of_n);
         }
-        printf("# %s: %ld wrong; of %ld values >= 2^-8, %.2f %% fall back, at n = 60 %.2f %%\n", models[k].name, counts.wrong,
-               counts.highlight, 100.0 * (double)counts.open / (double)counts.highlight,
+        printf("# %s: %ld wrong; of %ld values >= 2^-8, %.2f %% fall back, at n = 60 %.2f %%\n", models[k].name,
+               counts.wrong, counts.highlight, 100.0 * (double)counts.open / (double)counts.highlight,
                100.0 * (double)counts.open_60 / (double)counts.highlight_60);
         assert_int_equal(counts.wrong, 0);
     }

@@ -6,8 +6,8 @@
 
 #include <stdint.h>
 
-void check_products(uint32_t step);     /* glint_mulhi_near, glint_squarehi_near, glint_multiply */
-void check_reciprocal(uint32_t step);   /* of every mantissa */
+void check_products(uint32_t step);       /* glint_mulhi_near, glint_squarehi_near, glint_multiply */
+void check_reciprocal(uint32_t step);     /* of every mantissa */
 void check_gauss_exponent(uint32_t step); /* of every t */
 void check_gauss_fraction(uint32_t step); /* of every x */
 void check_power(uint32_t per_n);
