@@ -91,7 +91,7 @@ uint32_t glint_gauss_near_t(uint32_t n, uint32_t t)
     return gauss_fraction(x & 0x7ffffff) >> 4 >> (x >> 27);
 }
 
-/* The normative sequence is gauss_power's; the quick form decides its rounding but for one t in 200. */
+/* The normative sequence is gauss_power's; the quick form decides its rounding but for one t in 256. */
 uint32_t glint_gauss_t(uint32_t n, uint32_t t)
 {
     if (t > GLINT_T_ONE)
