@@ -13,7 +13,7 @@ PREFIX ?= /usr/local
 DESTDIR ?=
 TEST ?=
 WERROR ?=
-TIERS = unit exact targets lab pico gateware
+TIERS = unit exact targets packages lab pico gateware
 # A TMPDIR that cannot be written to would stop compilers and tests.
 export TMPDIR := $(shell test -d "$$TMPDIR" && test -w "$$TMPDIR" && echo "$$TMPDIR" || echo /tmp)
 
@@ -111,12 +111,19 @@ run-demo: all
 	@echo "demo: rockwall.png, watchface.png, coin.png and sphere.png are in build/demo"
 
 INSTALL = $(DESTDIR)$(PREFIX)
-install: all ## use: library, header, command, libglint.pc and the udev rule, to DESTDIR/PREFIX (/usr/local)
-	install -d "$(INSTALL)/lib/pkgconfig" "$(INSTALL)/lib/udev/rules.d" "$(INSTALL)/include" "$(INSTALL)/bin"
-	install -m 644 $(BUILD)/libglint.a "$(INSTALL)/lib/"
-	install -m 644 lib/glint.h "$(INSTALL)/include/"
+install: all run-install-lib ## use: library, header, libglint.pc, command and the udev rule, to DESTDIR/PREFIX (/usr/local)
+	install -d "$(INSTALL)/lib/udev/rules.d" "$(INSTALL)/bin"
 	install -m 755 $(BUILD)/glint "$(INSTALL)/bin/"
 	install -m 644 host/udev/70-glint.rules "$(INSTALL)/lib/udev/rules.d/"
+
+# A folder for each compiler, so that a cross compiler's objects do not replace the host's.
+install-lib: ## use: library, header and libglint.pc alone, needs a compiler only: CC=arm-none-eabi-gcc AR=arm-none-eabi-ar DESTDIR=...
+	@+$(SUBMAKE) BUILD=$(BUILD)/$(shell $(CC) -dumpmachine) run-install-lib
+
+run-install-lib: $(BUILD)/libglint.a
+	install -d "$(INSTALL)/lib/pkgconfig" "$(INSTALL)/include"
+	install -m 644 $(BUILD)/libglint.a "$(INSTALL)/lib/"
+	install -m 644 lib/glint.h "$(INSTALL)/include/"
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: libglint' 'Description: Specular shading with integers only' \
 		'Version: $(VERSION)' 'Cflags: -I"$${prefix}/include"' 'Libs: -L"$${prefix}/lib" -lglint' \
 		>"$(INSTALL)/lib/pkgconfig/libglint.pc"
@@ -163,7 +170,7 @@ clean: ## maintain: remove what was built
 	rm -rf build
 
 always:
-.PHONY: all always firmware setup setup-build test check check-format demo run-demo help packages clean install uninstall
+.PHONY: all always firmware setup setup-build test check check-format demo run-demo help packages clean install install-lib run-install-lib uninstall
 .DEFAULT:
 	$(error there is no goal or file '$@'; 'make help' lists the goals)
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

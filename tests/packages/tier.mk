@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+# Tier packages: lib/ as each build system takes it, built and, where something runs the result, run. Every
+# tests/packages/test_* is a script that speaks TAP.
+PACKAGES_PACKAGES = cmake gcc libc6-dev make pkg-config python3 gcc-arm-none-eabi qemu-system-arm
+PACKAGES_TESTS = $(wildcard tests/packages/test_*)
+
+setup-packages:
+	@.ci/need "tier packages (build systems, a cross compiler, an emulator)" $(PACKAGES_PACKAGES)
+
+test-packages: ## check: lib/ by CMake, make install-lib and others, on the host and for a Cortex-M3 in QEMU
+	@+tests/tier packages "$(SUBMAKE)"
+
+run-packages:
+	@TALLY_JOBS=$$(nproc) tests/tally $(PACKAGES_TESTS)
+
+.PHONY: setup-packages test-packages run-packages
