@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Tier packages: lib/ as each build system takes it, built and, where something runs the result, run. Every
 # tests/packages/test_* is a script that speaks TAP.
-PACKAGES_PACKAGES = cmake gcc libc6-dev make pkg-config python3 gcc-arm-none-eabi qemu-system-arm
+PACKAGES_PACKAGES = cmake gcc libc6-dev make pkg-config python3 python3-yaml python3-kconfiglib gcc-arm-none-eabi \
+	gcc-riscv64-unknown-elf gcc-xtensa-lx106 qemu-system-arm arduino-builder arduino-core-avr simavr
 PACKAGES_TESTS = $(wildcard tests/packages/test_*)
 
 setup-packages:
