@@ -15,7 +15,7 @@
 #include "base/stop.h"
 #include "commands/commands.h"
 #include "paper/ranks.h"
-#include "sinks/sink.h"
+#include "sinks/sinks.h"
 
 static const struct command {
     const char *name;

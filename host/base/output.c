@@ -38,6 +38,16 @@ static void forget(const char *name)
             unfinished[i] = NULL;
 }
 
+static void discard(const char *name)
+{
+    for (int i = 0; i < OPEN_MAX_FILES; i++) {
+        if (unfinished[i] == name) {
+            unlink(name);
+            unfinished[i] = NULL;
+        }
+    }
+}
+
 void output_discard_all(void)
 {
     for (int i = 0; i < OPEN_MAX_FILES; i++) {
@@ -162,6 +172,14 @@ struct output *output_open(const char *path)
     return output;
 }
 
+static void free_output(struct output *output)
+{
+    free(output->temporary);
+    free(output->target);
+    free(output->path);
+    free(output);
+}
+
 void output_close(struct output *output)
 {
     const char *name = strcmp(output->path, "-") == 0 ? "standard output" : output->path;
@@ -177,8 +195,14 @@ void output_close(struct output *output)
             fail("%s: %s", name, strerror(errno));
         forget(output->temporary);
     }
-    free(output->temporary);
-    free(output->target);
-    free(output->path);
-    free(output);
+    free_output(output);
+}
+
+void output_discard(struct output *output)
+{
+    if (output->stream != stdout)
+        fclose(output->stream); /* whether it could be written does not matter now */
+    if (output->temporary)
+        discard(output->temporary);
+    free_output(output);
 }

@@ -17,6 +17,7 @@ struct output {
 struct output *output_open(const char *path);
 bool output_same(const char *a, const char *b); /* do two names lead to one file, whether it exists or not? */
 void output_close(struct output *output);       /* checks, gives the file its name, frees */
+void output_discard(struct output *output);     /* removes it unfinished, frees */
 void output_discard_all(void);                  /* removes unfinished files; at exit and on signals it runs by itself */
 
 #endif

@@ -2,14 +2,17 @@
  * glint stream: its options. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "base/argp.h"
 #include "base/parse.h"
 #include "commands/commands.h"
+#include "draw/shading.h"
 #include "scene/scenes.h"
+#include "sinks/frames.h"
+#include "sinks/options.h"
+#include "sinks/sinks.h"
 #include "stream/stream.h"
 
 enum key { KEY_TO = 384, KEY_FPS, KEY_FRAMES, KEY_ORBIT, KEY_PERIOD, KEY_LIGHTS, KEY_STATS, KEY_JSON, KEY_SHADE };
@@ -19,28 +22,28 @@ static const char *const shade_names[] = {"host", "device", NULL};
 static const struct argp_option argp_options[] = {
     {NULL, 0, NULL, 0, "The light that moves:", 5},
     {"orbit", KEY_ORBIT, "DEGREES", 0,
-     "The first --light circles around the viewer's direction, so far from it (default: as far as it is, or 30 where "
-     "no light is given). Where there are only points and spots, the first circles about the picture's middle",
+     "The first --light circles around the viewer's direction at this angle (default: its own, or 30 where no light is "
+     "given). Where there are only points and spots, the first circles around the picture's middle",
      5},
-    {"period", KEY_PERIOD, "SECONDS", 0, "For one turn (default 4); 0: the light stands still", 5},
+    {"period", KEY_PERIOD, "SECONDS", 0, "Time for one turn (default 4); 0: the light stands still", 5},
     {"lights", KEY_LIGHTS, "FILE", 0,
      "Instead of the orbit: the direction of each frame from a file or standard input (-), one a line: X Y Z or "
-     "X,Y,Z. Empty lines "
-     "and those that begin with # count for nothing",
+     "X,Y,Z. Empty lines and lines that begin with # are skipped",
      5},
 
     {NULL, 0, NULL, 0, "The stream:", 6},
     {"to", KEY_TO, "SINK", 0, "Where the frames go: see below", 6},
     {NULL, 'o', "NAME", 0,
-     "For sinks that write files, their name: the frame's number stands where NAME has %d or %04d", 6},
+     "For sinks that write files, their name. Where each frame is a file, its number replaces %d or %04d in NAME", 6},
     {"fps", KEY_FPS, "F", 0,
-     "Frames of a second of the light's way (default 30); devices are paced by it. 0: as fast as they take them", 6},
+     "Frames a second (default 30), by which the light moves; displays are paced by it. 0: as fast as they take them",
+     6},
     {"frames", KEY_FRAMES, "N", 0,
-     "End after so many (default: devices go on until Ctrl-C; files and pipes end after one turn of the light)", 6},
+     "End after N frames (default: displays go on until Ctrl-C; files and pipes end after one turn of the light)", 6},
     {"shade", KEY_SHADE, "WHERE", 0,
-     "Who shades: host (default), or device: one that can gets the normals and the material once, then 16 bytes a "
-     "frame "
-     "(--to usb). It draws as --path colour-int8 does, in one colour, under one white --light",
+     "Who shades: host (default), or device: it gets the normals and the material once, then 16 bytes a frame. It "
+     "draws "
+     "as --path colour-int8 does, in one colour, under one white --light. For --to",
      6},
     {"stats", KEY_STATS, NULL, 0,
      "Print at the end what was sent, and what it would take over USB; on a terminal also while it runs", 6},
@@ -58,21 +61,21 @@ static void parse_scene(const struct argp_state *state, const char *text, struct
         if (strcmp(text, scene_names[i]) != 0)
             continue;
         if (o->look.scene.scene)
-            refuse(state, "'%s' is a second scene; one is enough", text);
+            refuse(state, "'%s' is a second scene; name one", text);
         o->look.scene.scene = scene_names[i];
         return;
     }
     char all[128] = "";
     for (unsigned i = 0; scene_names[i]; i++)
         snprintf(all + strlen(all), sizeof all - strlen(all), "%s%s", i ? ", " : "", scene_names[i]);
-    refuse(state, "'%s' is no built-in scene (%s); files are named by --height and --normals", text, all);
+    refuse(state, "'%s' is not a built-in scene (%s); give files by --height or --normals", text, all);
 }
 
 static void parse_sink(const struct argp_state *state, const char *text, struct stream_options *o)
 {
     for (const struct sink_left_out *out = sinks_left_out; out->name; out++)
         if (strcmp(text, out->name) == 0)
-            refuse(state, "--to %s: this glint was built without it; install %s, and build it again", text,
+            refuse(state, "--to %s: this glint was built without it; install %s and build glint again", text,
                    out->packages);
     const char *names[SINKS_MAX + 1] = {NULL};
     for (unsigned i = 0; sink_kinds[i] && i < SINKS_MAX; i++)
@@ -80,26 +83,41 @@ static void parse_sink(const struct argp_state *state, const char *text, struct 
     o->kind = sink_kinds[parse_choice(state, "--to", text, names)];
 }
 
+static bool shades(const struct sink_kind *kind)
+{
+    return kind->shader != NULL;
+}
+
+static bool writes_standard_output(const struct sink_kind *kind)
+{
+    return kind->output == SINK_STANDARD_OUTPUT || kind->output == SINK_ONE_FILE;
+}
+
+/* -o as the sink takes it; its usual name where none is given. */
 static void check_output(const struct argp_state *state, struct stream_options *o)
 {
-    const bool files = o->kind->nature == SINK_FILES;
+    const struct sink_kind *kind = o->kind;
+    const bool files = kind->output == SINK_FILE_A_FRAME || kind->output == SINK_ONE_FILE;
     if (o->output && !files)
-        refuse(state, "-o: --to %s writes no files; leave it out", o->kind->name);
-    if (o->kind == &sink_raw && isatty(STDOUT_FILENO))
-        refuse(state, "--to %s: standard output is a terminal; pipe or redirect it", o->kind->name);
+        refuse(state, "-o: --to %s writes no files; leave it out", kind->name);
     if (!o->output)
-        o->output = o->kind->usual_output;
-    if (!files)
+        o->output = kind->usual_output;
+    if (files && !o->output)
+        refuse(state, "-o: --to %s writes %s; name %s: -o %s.%s", kind->name,
+               kind->output == SINK_ONE_FILE ? "a file" : "files", kind->output == SINK_ONE_FILE ? "it" : "them",
+               kind->output == SINK_ONE_FILE ? "FILE" : "frame-%04d", kind->name);
+    if (kind->output != SINK_TERMINAL && sink_takes_standard_output(kind, o->output) && isatty(STDOUT_FILENO))
+        refuse(state, "--to %s: standard output is a terminal; pipe or redirect it", kind->name);
+    if (kind->output != SINK_FILE_A_FRAME)
         return;
-    if (!o->output)
-        refuse(state, "where are the frames to go? give -o frame-%%04d.%s", o->kind->name);
     if (strcmp(o->output, "-") == 0)
-        refuse(state, "-o -: frames to standard output are --to raw");
-    if (!frame_pattern(state, "-o", o->output) && o->frames != 1 && !o->kind->usual_output)
+        refuse(state, "-o -: --to %s writes a file for each frame; for standard output choose --to %s", kind->name,
+               sink_names(writes_standard_output));
+    if (!frame_pattern(state, "-o", o->output) && o->frames != 1 && !kind->usual_output)
         refuse(state,
-               "-o: '%s' names one file for all frames; say where the number goes (frame-%%04d.png), or give "
-               "--frames 1",
-               o->output);
+               "-o: '%s' names one file for all frames; write %%04d where the frame's number goes (frame-%%04d.%s), or "
+               "give --frames 1",
+               o->output, kind->name);
 }
 
 static void check(const struct argp_state *state, struct stream_options *o)
@@ -109,26 +127,29 @@ static void check(const struct argp_state *state, struct stream_options *o)
     for (unsigned i = 0; i < shading->lamp_count; i++)
         directional |= shading->lamps[i].kind == GLINT_DIRECTIONAL;
     if (o->lights && (!isnan(o->orbit) || !isnan(o->period)))
-        refuse(state, "--lights says where the light is: leave out %s", isnan(o->orbit) ? "--period" : "--orbit");
+        refuse(state, "--lights: gives each direction of the light; leave out %s",
+               isnan(o->orbit) ? "--period" : "--orbit");
     if (o->lights && !directional)
-        refuse(state, "--lights moves a --light; there is none but --point and --spot");
+        refuse(state, "--lights: moves a --light, and there are only --point and --spot; add a --light");
     if (!isnan(o->orbit) && !directional)
-        refuse(state, "--orbit is for a --light; points and spots keep their distance from the picture's middle");
+        refuse(state, "--orbit: is for a --light; points and spots keep their distance from the picture's middle");
     const struct scene_options *scene = &o->look.scene;
     const char *const maps[] = {scene->heights, scene->normals, scene->albedo, scene->gloss, scene->mask};
     for (size_t i = 0; o->lights && strcmp(o->lights, "-") == 0 && i < sizeof maps / sizeof *maps; i++)
         if (maps[i] && strcmp(maps[i], "-") == 0)
-            refuse(state, "only one of --lights and the maps can come from standard input");
+            refuse(state, "--lights: only one of --lights and the maps can come from standard input");
     if (isnan(o->period))
         o->period = usual_period;
-    if (!o->frames && !o->lights && o->kind->nature != SINK_DEVICE) {
+    if (!o->frames && !o->lights && !o->kind->paced) {
         const double fps = o->fps > 0 ? o->fps : USUAL_FPS;
         o->frames = o->period > 0 ? (unsigned long)fmax(1, round(fps * o->period)) : 1;
     }
     check_output(state, o);
+    if (o->kind->wants_fps && !(o->fps > 0))
+        refuse(state, "--fps: --to %s states the frame rate in what it writes; give one above 0", o->kind->name);
     sink_options_check(state, o->kind);
-    if (o->shade_device && !o->kind->open_shader)
-        refuse(state, "--shade device: --to %s has none that shades; give --to usb", o->kind->name);
+    if (o->shade_device && !o->kind->shader)
+        refuse(state, "--shade device: no device of --to %s shades; choose --to %s", o->kind->name, sink_names(shades));
     if (o->look.has_format)
         shading_options_check(state, shading);
 }
@@ -182,10 +203,13 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     }
 }
 
-/* The sinks, with one line each, what they have to say, and their examples. */
+/* The sinks that shade; then all sinks with one line each, their own help, and their examples. */
 static char *describe(int key, const char *text, void *input)
 {
     (void)input;
+    char *shaders;
+    if (key == KEY_SHADE && asprintf(&shaders, "%s %s", text, sink_names(shades)) >= 0)
+        return shaders;
     if (key != ARGP_KEY_HELP_POST_DOC)
         return (char *)text;
     char *out = NULL;
@@ -202,9 +226,10 @@ static char *describe(int key, const char *text, void *input)
     for (unsigned i = 0; sink_kinds[i]; i++)
         if (sink_kinds[i]->help)
             fprintf(stream, "\n%s", sink_kinds[i]->help);
-    fputs(
-        "\nCtrl-C ends the stream: the display is left in a defined state, and the exit status is 130.\n\nExamples:\n",
-        stream);
+    fputs("\nCtrl-C ends the stream after a whole frame. The display is left in a defined state, and the exit status "
+          "is 130.\n"
+          "\nExamples:\n",
+          stream);
     for (unsigned i = 0; sink_kinds[i]; i++)
         if (sink_kinds[i]->examples)
             fputs(sink_kinds[i]->examples, stream);

@@ -1,5 +1,6 @@
-/* SPDX-License-Identifier: MIT
- * Rectangles around what changed. */
+/* SPDX-License-Identifier: MIT */
+#include "plan/boxes.h"
+
 #include <stdlib.h>
 
 #include "base/message.h"
@@ -32,7 +33,7 @@ static double saving(const struct box_price *price, const struct glint_box *a, c
            price->bytes(price->context, &both);
 }
 
-/* The spans of line y, those near each other as one. */
+/* The spans of line y; a span joins the one before it where one rectangle costs no more than two. */
 static void add_spans(const struct changes *changes, const struct box_price *price, uint16_t y, struct boxes *spans)
 {
     const uint8_t *line = &changes->marks[(size_t)y * changes->width];
@@ -55,7 +56,9 @@ static void add_spans(const struct changes *changes, const struct box_price *pri
     }
 }
 
-/* Each span goes to the box that it makes least dearer, among those that reach down to near its line. */
+/* From the top line down, each span joins the box for which that saves most, among those that end at most NEAR lines above
+ * it; where joining any of them costs more than a rectangle of its own, it becomes a new box. Boxes end in the order of
+ * their start only roughly, so `open` lags behind, which costs time but loses nothing. */
 double boxes_of_spans(const struct changes *changes, const struct box_price *price, struct boxes *boxes)
 {
     enum { NEAR = 8 }; /* lines */

@@ -1,5 +1,6 @@
-/* SPDX-License-Identifier: MIT
- * Where in a frame the bytes of its LZ4 form lie, to tell before compressing what a part of it would take. */
+/* SPDX-License-Identifier: MIT */
+#include "plan/density.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,7 +27,8 @@ void density_free(struct density *density)
     free(density);
 }
 
-/* Bytes of the block spread evenly over those they stand for. */
+/* A walk through an LZ4 block: each literal or match counts its own bytes in the block, spread evenly over the pixels that
+ * it stands for. */
 struct spread {
     const struct density *density;
     const struct piece *piece;
@@ -48,7 +50,7 @@ static void spread(struct spread *s, size_t length, double bytes)
     }
 }
 
-/* The rest of a length that begins with 15 in its nibble. */
+/* The rest of a length whose nibble is 15: bytes are added until one is below 255. */
 static size_t rest_of_length(const struct piece *piece, size_t *at)
 {
     size_t length = 0;
@@ -61,7 +63,8 @@ static size_t rest_of_length(const struct piece *piece, size_t *at)
     return length;
 }
 
-/* A block as lz4_Block_format.md has it: token, literals, offset, ... */
+/* Sequences as in lz4_Block_format.md: token, more literal length, literals, offset, more match length. Literals cost one
+ * byte each; token, lengths and offset are the price of the match. */
 static void add_block(struct spread *s)
 {
     const struct piece *piece = s->piece;
@@ -84,6 +87,8 @@ static void add_block(struct spread *s)
     }
 }
 
+/* Spreads the bytes over the pixels, then turns them into sums of all pixels above and left, so that any box takes four
+ * look-ups. */
 void density_measure(struct density *density, const struct piece *pieces, size_t count)
 {
     const size_t stride = density->width + 1;

@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include "plan/plan.h"
+
 #include <lz4.h>
 #include <lz4hc.h>
 #include <math.h>
@@ -8,8 +10,8 @@
 #include "base/memory.h"
 #include "base/message.h"
 #include "image/format.h"
-#include "image/format.h"
-#include "plan/plan.h"
+#include "plan/density.h"
+#include "plan/tiles.h"
 
 /* One way to send a frame. */
 struct draft {
@@ -36,8 +38,9 @@ struct plan {
     void *lz4_state;
 };
 
-/* How hard to compress: the next frame is drawn and compressed while this one is under way, so that what takes less time
- * than sending costs nothing. (Of 150 KB on one core: level 11 about 5 ms, level 3 one, level 0, plain LZ4, .15.) */
+/* How hard to compress: the next frame is drawn and compressed while this one is sent, so compressing costs nothing while it
+ * is faster than sending. (150 KB on one core: level 11 takes about 5 ms, level 3 1 ms, level 0, which is plain LZ4,
+ * .15 ms.) */
 static int lz4_level(const struct sink_cost *cost)
 {
     return cost->bytes_per_s < 2e6 ? 11 : cost->bytes_per_s < 20e6 ? 3 : 0;
@@ -48,12 +51,10 @@ struct plan *plan_new(const struct sink *sink)
     struct plan *plan = allocate(1, sizeof *plan);
     plan->sink = sink;
     plan->align_x = sink->align_x > 1 ? sink->align_x : 1;
-    if (sink->format == GLINT_MONO && !sink->kind->pack) /* lines of a box begin on a byte */
+    if (sink->format == GLINT_MONO && !sink->kind->pixels.pack) /* lines of a box begin on a byte */
         while (plan->align_x % 8)
             plan->align_x += sink->align_x > 1 ? sink->align_x : 1u;
-    plan->changes.width = sink->width;
-    plan->changes.height = sink->height;
-    plan->changes.marks = allocate((size_t)sink->width * sink->height, 1);
+    changes_init(&plan->changes, sink->width, sink->height);
     if (sink->lz4)
         plan->density = density_new(sink->width, sink->height);
     const int state = lz4_level(&sink->cost) ? LZ4_sizeofStateHC() : LZ4_sizeofState();
@@ -82,13 +83,14 @@ void plan_free(struct plan *plan)
 
 static size_t box_bytes(const struct sink *sink, const struct glint_box *box)
 {
-    return sink->kind->box_bytes ? sink->kind->box_bytes(sink, box) : format_line_bytes(sink->format, box->w) * box->h;
+    return sink->kind->pixels.box_bytes ? sink->kind->pixels.box_bytes(sink, box)
+                                        : format_line_bytes(sink->format, box->w) * box->h;
 }
 
 static void pack(const struct sink *sink, const struct frame *frame, const struct glint_box *box, uint8_t *out)
 {
-    if (sink->kind->pack) {
-        sink->kind->pack(sink, frame, box, out);
+    if (sink->kind->pixels.pack) {
+        sink->kind->pixels.pack(sink, frame, box, out);
         return;
     }
     const size_t bytes = format_line_bytes(frame->format, box->w), before = format_line_bytes(frame->format, box->x);
@@ -134,7 +136,7 @@ static uint8_t *grow(uint8_t *bytes, size_t *size, size_t wanted)
     return bytes;
 }
 
-/* The bytes it takes; 0 where they are not fewer. */
+/* The bytes it takes compressed; 0 where that is not less. */
 static size_t compress(struct plan *plan, const uint8_t *from, size_t length, uint8_t *to)
 {
     if (length < 2 || length > LZ4_MAX_INPUT_SIZE)
@@ -146,7 +148,8 @@ static size_t compress(struct plan *plan, const uint8_t *from, size_t length, ui
     return bytes > 0 ? (size_t)bytes : 0;
 }
 
-/* A box that the sink takes as it is. Data are offsets until the draft is whole, since its memory moves as it grows. */
+/* Adds a box that the sink takes as it is. The pieces get their data pointers from settle(), since the draft's memory moves as
+ * it grows. */
 static void add_piece(struct plan *plan, struct draft *draft, const struct frame *frame, const struct glint_box *box)
 {
     const size_t length = box_bytes(plan->sink, box);
@@ -178,7 +181,8 @@ static void add_piece(struct plan *plan, struct draft *draft, const struct frame
                       (plan->sink->cost.bytes_per_s > 0 ? (double)piece.bytes / plan->sink->cost.bytes_per_s : 0);
 }
 
-/* The box in as many pieces as the sink's limit asks for. */
+/* Cuts the box into as many pieces as the sink's limit of bytes asks for, each of as many lines as fit: the height shrinks by
+ * an eighth at a time until they do. */
 static void add_box(struct plan *plan, struct draft *draft, const struct frame *frame, const struct glint_box *box)
 {
     struct glint_box part = align(plan, box);
@@ -192,8 +196,10 @@ static void add_box(struct plan *plan, struct draft *draft, const struct frame *
     }
 }
 
-/* Sends these boxes, if that is faster than the best so far. */
-static void try(struct plan *plan, const struct frame *frame, const struct glint_box *boxes, size_t count)
+/* Packs and compresses these boxes into the draft that is neither under way nor the best so far; if it takes less time, it
+ * becomes the best. The three drafts have the numbers 0, 1, 2, which add up to DRAFTS: what is left of that sum is the
+ * free one. Stops as soon as the draft takes longer than the best. */
+static void try_draft(struct plan *plan, const struct frame *frame, const struct glint_box *boxes, size_t count)
 {
     const unsigned next = DRAFTS - plan->sending - plan->best;
     struct draft *draft = &plan->drafts[next];
@@ -206,53 +212,9 @@ static void try(struct plan *plan, const struct frame *frame, const struct glint
         plan->best = next;
 }
 
-/* ---- what changed ---- */
+/* ---- choosing ---- */
 
-static size_t pixel_bytes(enum glint_format format)
-{
-    return format == GLINT_MONO ? 0 : format_line_bytes(format, 1);
-}
-
-static bool differs(const uint8_t *a, const uint8_t *b, size_t x, size_t bytes)
-{
-    return bytes ? memcmp(&a[x * bytes], &b[x * bytes], bytes) != 0 : ((a[x / 8] ^ b[x / 8]) >> (7 - x % 8) & 1) != 0;
-}
-
-static void find_changes(struct changes *changes, const uint8_t *last, const struct frame *now)
-{
-    const size_t bytes = pixel_bytes(now->format);
-    unsigned left = now->width, right = 0, top = now->height, bottom = 0;
-    changes->count = 0;
-    for (unsigned y = 0; y < now->height; y++) {
-        const uint8_t *a = last ? &last[y * now->line_bytes] : NULL, *b = &now->pixels[y * now->line_bytes];
-        uint8_t *marks = &changes->marks[(size_t)y * now->width];
-        memset(marks, !last, now->width);
-        if (last && memcmp(a, b, now->line_bytes) == 0)
-            continue;
-        unsigned first = now->width, end = 0;
-        for (unsigned x = 0; x < now->width; x++) {
-            if (last && !differs(a, b, x, bytes))
-                continue;
-            marks[x] = 1;
-            changes->count++;
-            end = x + 1;
-            if (first > x)
-                first = x;
-        }
-        if (!end)
-            continue;
-        left = first < left ? first : left;
-        right = end > right ? end : right;
-        top = y < top ? y : top;
-        bottom = y + 1;
-    }
-    changes->bounds = (struct glint_box){0, 0, 0, 0};
-    if (changes->count)
-        changes->bounds =
-            (struct glint_box){(uint16_t)left, (uint16_t)top, (uint16_t)(right - left), (uint16_t)(bottom - top)};
-}
-
-/* The data of each piece, now that they stay where they are. */
+/* Points each piece at its data, which no longer move. */
 static void settle(struct draft *draft)
 {
     size_t at = 0;
@@ -262,19 +224,20 @@ static void settle(struct draft *draft)
     }
 }
 
-/* Boxes that by their price may beat the best so far. */
+/* Packs the boxes that were proposed if by their price they may beat the best so far. */
 static void try_boxes(struct plan *plan, const struct frame *now, double bytes)
 {
     const struct sink_cost *cost = &plan->sink->cost;
     if (plan->boxes.count > 1 && bytes / cost->bytes_per_s < plan->drafts[plan->best].seconds)
-        try(plan, now, plan->boxes.list, plan->boxes.count);
+        try_draft(plan, now, plan->boxes.list, plan->boxes.count);
     plan->boxes.count = 0;
 }
 
-enum { SHORT_BYTES = 2048 };
+enum { SHORT_BYTES = 2048 }; /* for LZ4 */
 
-/* One box around all changes, perhaps the whole frame; then the tiles; then the spans, whose price is what they are
- * without compression. */
+/* Tries one box around all changes first, which gives the bytes of each part as LZ4 (density) and a time to beat. Tiles and
+ * then spans are packed only where their price, estimated from that, promises less. A very short box may be beaten by the
+ * whole frame, in which LZ4 finds longer matches. Spans are too short for LZ4, so they are priced uncompressed. */
 static void choose(struct plan *plan, const struct frame *now, const struct glint_box *whole)
 {
     const struct sink_cost *cost = &plan->sink->cost;
@@ -282,9 +245,9 @@ static void choose(struct plan *plan, const struct frame *now, const struct glin
     const size_t pixels = (size_t)whole->w * whole->h;
     struct box_price price = {cost->rectangle_s * cost->bytes_per_s, price_bytes, plan};
     plan->drafts[plan->best].seconds = INFINITY;
-    try(plan, now, &changes->bounds, 1);
-    if (plan->density && plan->drafts[plan->best].bytes < SHORT_BYTES) /* LZ4 may find more in more */
-        try(plan, now, whole, 1);
+    try_draft(plan, now, &changes->bounds, 1);
+    if (plan->density && plan->drafts[plan->best].bytes < SHORT_BYTES)
+        try_draft(plan, now, whole, 1);
     if (changes->count == pixels || cost->bytes_per_s <= 0)
         return;
     if (plan->density) {
@@ -304,17 +267,17 @@ struct plan_result plan_frame(struct plan *plan, const uint8_t *last, const stru
 {
     const struct glint_box whole = {0, 0, now->width, now->height};
     struct plan_result result = {.whole_bytes = box_bytes(plan->sink, &whole)};
-    find_changes(&plan->changes, last, now);
+    changes_find(&plan->changes, last, now);
     result.changed = plan->changes.count;
-    plan->sending = plan->best; /* what was planned before; its turn is over only when this is sent */
+    plan->sending = plan->best; /* its data stay until this frame is sent */
     plan->best = (plan->sending + 1) % DRAFTS;
     if (plan->sink->whole_frames) {
         plan->drafts[plan->best].seconds = INFINITY;
-        try(plan, now, &whole, 1);
+        try_draft(plan, now, &whole, 1);
     } else if (plan->changes.count) {
         choose(plan, now, &whole);
     } else {
-        plan->best = plan->sending; /* nothing to send: it stays the last */
+        plan->best = plan->sending; /* nothing to send: the draft under way stays the last */
         return result;
     }
     struct draft *draft = &plan->drafts[plan->best];

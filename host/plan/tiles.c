@@ -1,20 +1,26 @@
 /* SPDX-License-Identifier: MIT
- * The frame cut from edge to edge, again and again, into tiles of which those without a change are left out: of all such
- * cuts along a grid, the one that should take the least time. */
+ *
+ * A frame is cut from edge to edge, each part again, and so on; tiles without a change are not sent. Of all such ways to
+ * cut along a grid this finds the one of the least price by dynamic programming: the best way to cut a box of cells is to
+ * leave it whole, or one cut and the best ways for the two parts, so boxes are weighed from small to large and each looks
+ * up its parts. Then each tile found gets a finer grid of its own. */
+#include "plan/tiles.h"
+
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"
 #include "plan/plan.h"
 
-/* Of a grid: 3510 boxes of cells, each cut in at most 19 ways. Each tile gets a grid of its own, so often. */
+/* A grid has 12 * 13 / 2 * 9 * 10 / 2 = 3510 boxes of cells, each cut in at most 11 + 8 = 19 ways. GRIDS: how often tiles are
+ * refined, the first grid counted. */
 enum { COLUMNS = 12, ROWS = 9, GRIDS = 3 };
 
 /* A box of cells: columns x0 to x1 - 1, rows y0 to y1 - 1. */
 struct tile {
     struct glint_box bounds; /* of its changes, in pixels; w = 0: none */
-    float bytes;             /* cheapest, rectangles counted */
-    int8_t cut;              /* 0: as it is; x > 0: at column x; -y: at row y */
+    float bytes;             /* the least price, rectangles counted */
+    int8_t cut;              /* the best: 0: none; x > 0: at column x; -y: at row y */
 };
 
 struct tiles {
@@ -23,7 +29,7 @@ struct tiles {
     unsigned align_x;
     struct glint_box area;
     unsigned columns, rows, step_x, step_y;
-    struct tile list[(COLUMNS + 1) * (ROWS + 1) * (COLUMNS + 1) * (ROWS + 1)];
+    struct tile list[(COLUMNS + 1) * (ROWS + 1) * (COLUMNS + 1) * (ROWS + 1)]; /* by x0, y0, x1, y1 */
 };
 
 static struct tile *tile_at(struct tiles *tiles, unsigned x0, unsigned y0, unsigned x1, unsigned y1)
@@ -43,6 +49,7 @@ static unsigned least(unsigned a, unsigned b)
     return a < b ? a : b;
 }
 
+/* Grows a box around the first and the last mark of each line of the cell. */
 static struct glint_box bounds_of_cell(struct tiles *tiles, unsigned x, unsigned y)
 {
     struct glint_box bounds = {0, 0, 0, 0};
@@ -64,7 +71,7 @@ static struct glint_box bounds_of_cell(struct tiles *tiles, unsigned x, unsigned
     return bounds;
 }
 
-/* The parts of a tile's cut. */
+/* The two parts that a cut leaves of a tile. */
 static void parts(struct tiles *tiles, unsigned x0, unsigned y0, unsigned x1, unsigned y1, int cut, struct tile *out[2])
 {
     const unsigned at = (unsigned)abs(cut);
@@ -72,6 +79,25 @@ static void parts(struct tiles *tiles, unsigned x0, unsigned y0, unsigned x1, un
     out[1] = cut > 0 ? tile_at(tiles, at, y0, x1, y1) : tile_at(tiles, x0, at, x1, y1);
 }
 
+/* The price of a tile cut as `cut` says. */
+static float cut_bytes(struct tiles *tiles, unsigned x0, unsigned y0, unsigned x1, unsigned y1, int cut)
+{
+    struct tile *part[2];
+    parts(tiles, x0, y0, x1, y1, cut, part);
+    return part[0]->bytes + part[1]->bytes;
+}
+
+static void keep_cheaper(struct tile *tile, float bytes, int cut)
+{
+    if (bytes < tile->bytes) {
+        tile->bytes = bytes;
+        tile->cut = (int8_t)cut;
+    }
+}
+
+/* The best way to cut a box of cells, all smaller boxes being weighed. Its changes are those of any two parts. It costs its
+ * own rectangle or, if that is less, the sum of two parts: every row and every column inside it is tried as the cut, rows
+ * from the bottom up, since of equal prices the first stays. */
 static void weigh(struct tiles *tiles, unsigned x0, unsigned y0, unsigned x1, unsigned y1)
 {
     struct tile *tile = tile_at(tiles, x0, y0, x1, y1), *part[2];
@@ -85,20 +111,13 @@ static void weigh(struct tiles *tiles, unsigned x0, unsigned y0, unsigned x1, un
         return;
     const struct box_price *price = tiles->price;
     tile->bytes = (float)(price->rectangle_bytes + price->bytes(price->context, &tile->bounds));
-    for (int cut = -(int)y1 + 1; cut < (int)x1; cut++) {
-        if (cut >= -(int)y0 && cut <= (int)x0) {
-            cut = (int)x0; /* goes on behind it */
-            continue;
-        }
-        parts(tiles, x0, y0, x1, y1, cut, part);
-        if (part[0]->bytes + part[1]->bytes < tile->bytes) {
-            tile->bytes = part[0]->bytes + part[1]->bytes;
-            tile->cut = (int8_t)cut;
-        }
-    }
+    for (unsigned y = y1 - 1; y > y0; y--)
+        keep_cheaper(tile, cut_bytes(tiles, x0, y0, x1, y1, -(int)y), -(int)y);
+    for (unsigned x = x0 + 1; x < x1; x++)
+        keep_cheaper(tile, cut_bytes(tiles, x0, y0, x1, y1, (int)x), (int)x);
 }
 
-/* The tiles that are left. */
+/* Follows the best cuts down and adds the tiles that are left whole and hold changes. */
 static void collect(struct tiles *tiles, unsigned x0, unsigned y0, unsigned x1, unsigned y1, struct boxes *boxes)
 {
     const struct tile *tile = tile_at(tiles, x0, y0, x1, y1);
@@ -121,6 +140,7 @@ static unsigned step_of(unsigned side, unsigned most, unsigned align)
     return (step + align - 1) / align * align;
 }
 
+/* All boxes of cells in the order of their size, so that the parts of each are known; then the finer grids. */
 static double cut_area(struct tiles *tiles, const struct glint_box *area, unsigned grids, struct boxes *boxes)
 {
     const size_t first = boxes->count;

@@ -4,10 +4,9 @@
 
 #include "base/memory.h"
 #include "base/output.h"
-#include "image/levels.h"
 #include "image/picture.h"
 #include "image/write.h"
-#include "sinks/sink.h"
+#include "sinks/frames.h"
 
 struct files {
     struct sink sink;
@@ -16,17 +15,15 @@ struct files {
     unsigned long next;
 };
 
-static struct sink *open_files(const struct sink_kind *kind, const struct sink_wish *wish, enum image_kind image)
+static struct sink *open_files(const struct sink_wish *wish, enum image_kind image)
 {
     struct files *files = allocate(1, sizeof *files);
-    files->sink = (struct sink){.kind = kind,
-                                .width = wish->width ? wish->width : wish->default_width,
-                                .height = wish->height ? wish->height : wish->default_height,
-                                .format = wish->format < 0 ? GLINT_RGB888 : (enum glint_format)wish->format,
+    files->sink = (struct sink){.format = wish->format < 0 ? GLINT_RGB888 : (enum glint_format)wish->format,
                                 .align_x = 1,
                                 .whole_frames = true,
                                 .max_bytes = SIZE_MAX,
                                 .name = wish->output};
+    sink_size(&files->sink, wish);
     files->kind = image;
     files->pattern = wish->output;
     return &files->sink;
@@ -34,12 +31,12 @@ static struct sink *open_files(const struct sink_kind *kind, const struct sink_w
 
 static struct sink *open_png(const struct sink_wish *wish)
 {
-    return open_files(&sink_png, wish, IMAGE_PNG);
+    return open_files(wish, IMAGE_PNG);
 }
 
 static struct sink *open_ppm(const struct sink_wish *wish)
 {
-    return open_files(&sink_ppm, wish, IMAGE_PPM);
+    return open_files(wish, IMAGE_PPM);
 }
 
 static enum sink_result send_file(struct sink *sink, const struct frame *frame, const struct piece *pieces,
@@ -66,19 +63,17 @@ static void close_files(struct sink *sink)
 const struct sink_kind sink_png = {
     .name = "png",
     .summary = "PNG files, one a frame: -o frame-%04d.png",
-    .nature = SINK_FILES,
+    .output = SINK_FILE_A_FRAME,
+    .every_frame = true,
     .examples = "  glint stream dial --to png -o dial-%03d.png --fps 10\n",
-    .open = open_png,
-    .send = send_file,
-    .close = close_files,
+    .pixels = {.open = open_png, .send = send_file, .close = close_files},
 };
 
 const struct sink_kind sink_ppm = {
     .name = "ppm",
     .summary = "the same as PPM (PGM and PBM for grey8 and mono)",
-    .nature = SINK_FILES,
+    .output = SINK_FILE_A_FRAME,
+    .every_frame = true,
     .examples = "  glint stream --height wall.png --to ppm -o wall-%d.ppm --lights light.txt\n",
-    .open = open_ppm,
-    .send = send_file,
-    .close = close_files,
+    .pixels = {.open = open_ppm, .send = send_file, .close = close_files},
 };

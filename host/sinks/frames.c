@@ -1,23 +1,15 @@
-/* SPDX-License-Identifier: MIT
- * Frames as files: their names, their pixels as pictures; and bytes to standard output. */
+/* SPDX-License-Identifier: MIT */
+#include "sinks/frames.h"
+
 #include <ctype.h>
-#include <errno.h>
-#include <poll.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/argp.h"
 #include "base/memory.h"
-#include "base/message.h"
-#include "base/stop.h"
-#include "image/levels.h"
 #include "image/levels.h"
 #include "image/picture.h"
-#include "sinks/sink.h"
 
-/* A conversion at `text`, which begins with %: its length, 0 where it is none of ours. %%: a percent sign. */
+/* The length of the conversion at `text`, which begins with %: %d, %4d to %09d, or %% for a percent sign; 0 for any other. */
 static size_t conversion(const char *text, unsigned *digits)
 {
     *digits = 0;
@@ -71,21 +63,4 @@ struct picture *frame_picture(const struct frame *frame)
     struct picture *picture = levels_picture(levels);
     levels_free(levels);
     return picture;
-}
-
-enum sink_result standard_output_write(const void *bytes, size_t count)
-{
-    const uint8_t *from = bytes;
-    for (size_t done = 0; done < count;) {
-        if (stream_stopped())
-            return SINK_INTERRUPTED;
-        const ssize_t written = write(STDOUT_FILENO, from + done, count - done);
-        if (written >= 0)
-            done += (size_t)written;
-        else if (errno == EAGAIN)
-            poll(&(struct pollfd){.fd = STDOUT_FILENO, .events = POLLOUT}, 1, -1);
-        else if (errno != EINTR)
-            fail("standard output: could not be written: %s", strerror(errno));
-    }
-    return SINK_SENT;
 }

@@ -8,7 +8,7 @@
 
 enum key { KEY_RATE = 256, KEY_RECTANGLE, KEY_RAW };
 
-static double rate, rectangle; /* bytes a second, seconds */
+static struct sink_cost link_cost;
 static bool raw;
 
 static const struct argp_option argp_options[] = {
@@ -22,15 +22,14 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
 {
     switch (key) {
     case ARGP_KEY_INIT:
-        rate = usb_rates[USB_RATES - 1];
-        rectangle = usb_rectangle_s;
+        link_cost = usb_costs[USB_RATES - 1];
         raw = false;
         return 0;
     case KEY_RATE:
-        rate = 1e3 * parse_real(state, "--link-rate", text, .001, 1e9);
+        link_cost.bytes_per_s = 1e3 * parse_real(state, "--link-rate", text, .001, 1e9);
         return 0;
     case KEY_RECTANGLE:
-        rectangle = 1e-3 * parse_real(state, "--link-rectangle", text, 0, 1e6);
+        link_cost.rectangle_s = 1e-3 * parse_real(state, "--link-rectangle", text, 0, 1e6);
         return 0;
     case KEY_RAW:
         raw = true;
@@ -45,15 +44,13 @@ static const struct argp argp = {argp_options, parse_option, NULL, NULL, NULL, N
 static struct sink *open_none(const struct sink_wish *wish)
 {
     struct sink *sink = allocate(1, sizeof *sink);
-    *sink = (struct sink){.kind = &sink_none,
-                          .width = wish->width ? wish->width : wish->default_width,
-                          .height = wish->height ? wish->height : wish->default_height,
-                          .format = wish->format < 0 ? GLINT_RGB565 : (enum glint_format)wish->format,
+    *sink = (struct sink){.format = wish->format < 0 ? GLINT_RGB565 : (enum glint_format)wish->format,
                           .align_x = 1,
                           .lz4 = !raw,
                           .max_bytes = SIZE_MAX,
-                          .cost = {rectangle, rate},
+                          .cost = link_cost,
                           .name = "no device"};
+    sink_size(sink, wish);
     return sink;
 }
 
@@ -77,10 +74,8 @@ static const struct argp *const options[] = {&argp, NULL};
 const struct sink_kind sink_none = {
     .name = "none",
     .summary = "nowhere: --stats tells what a USB display would be sent",
-    .nature = SINK_PIPE,
+    .output = SINK_DEVICE,
     .options = options,
     .examples = "  glint stream dial --to none --json --link-rate 600\n",
-    .open = open_none,
-    .send = send_none,
-    .close = close_none,
+    .pixels = {.open = open_none, .send = send_none, .close = close_none},
 };

@@ -1,10 +1,8 @@
-/* SPDX-License-Identifier: MIT
- * The options of all sinks in one command line: those of a sink that was not chosen are refused. */
-#include <stdio.h>
+/* SPDX-License-Identifier: MIT */
+#include "sinks/options.h"
 
 #include "base/argp.h"
 #include "base/message.h"
-#include "stream/stream.h"
 
 /* The options that a sink, or several, take; argp hands it to parse_one() as its input. */
 static struct group {
@@ -16,7 +14,7 @@ static unsigned group_count;
 
 static const char *option_name(const struct argp_option *options, int key)
 {
-    for (; options->name || options->key || options->doc; options++)
+    for (; options->name || options->key || options->doc; options++) /* as argp finds the end */
         if (options->name && options->key == key)
             return options->name;
     return NULL;
@@ -37,6 +35,13 @@ static bool takes(const struct sink_kind *kind, const struct argp *argp)
         if (*own == argp)
             return true;
     return false;
+}
+
+static const struct argp *asked;
+
+static bool takes_asked(const struct sink_kind *kind)
+{
+    return takes(kind, asked);
 }
 
 static void add_group(const struct argp *argp)
@@ -71,12 +76,8 @@ void sink_options_check(const struct argp_state *state, const struct sink_kind *
     for (unsigned i = 0; i < group_count; i++) {
         if (!groups[i].given || takes(kind, groups[i].argp))
             continue;
-        char names[128] = "";
-        for (unsigned k = 0, length = 0; sink_kinds[k]; k++)
-            if (takes(sink_kinds[k], groups[i].argp) && length < sizeof names)
-                length += (unsigned)snprintf(names + length, sizeof names - length, "%s%s", length ? ", " : "",
-                                             sink_kinds[k]->name);
-        refuse(state, "--%s: is for --to %s; --to %s has no use for it: leave it out", groups[i].given, names,
+        asked = groups[i].argp;
+        refuse(state, "--%s: is for --to %s; leave it out for --to %s", groups[i].given, sink_names(takes_asked),
                kind->name);
     }
 }

@@ -1,21 +1,23 @@
 /* SPDX-License-Identifier: MIT
  * Sink raw: whole frames as they are in memory, to standard output. */
 #include <stdlib.h>
+#include <unistd.h>
 
 #include "base/memory.h"
 #include "sinks/sink.h"
+#include "sinks/write.h"
+
+static const char name[] = "standard output";
 
 static struct sink *open_raw(const struct sink_wish *wish)
 {
     struct sink *sink = allocate(1, sizeof *sink);
-    *sink = (struct sink){.kind = &sink_raw,
-                          .width = wish->width ? wish->width : wish->default_width,
-                          .height = wish->height ? wish->height : wish->default_height,
-                          .format = wish->format < 0 ? GLINT_RGB565 : (enum glint_format)wish->format,
+    *sink = (struct sink){.format = wish->format < 0 ? GLINT_RGB565 : (enum glint_format)wish->format,
                           .align_x = 1,
                           .whole_frames = true,
                           .max_bytes = SIZE_MAX,
-                          .name = "standard output"};
+                          .name = name};
+    sink_size(sink, wish);
     return sink;
 }
 
@@ -24,7 +26,7 @@ static enum sink_result send_raw(struct sink *sink, const struct frame *frame, c
     (void)pieces;
     (void)count;
     (void)sink;
-    return standard_output_write(frame->pixels, frame->line_bytes * frame->height);
+    return sink_write(STDOUT_FILENO, name, frame->pixels, frame->line_bytes * frame->height);
 }
 
 static void close_raw(struct sink *sink)
@@ -35,11 +37,8 @@ static void close_raw(struct sink *sink)
 const struct sink_kind sink_raw = {
     .name = "raw",
     .summary = "pixels to standard output, frame after frame, lines packed",
-    .nature = SINK_PIPE,
-    .takes_standard_output = true,
+    .output = SINK_STANDARD_OUTPUT,
     .examples = "  glint stream sphere --to raw --format rgb888 | ffplay -f rawvideo \\\n"
                 "      -pixel_format rgb24 -video_size 320x240 -\n",
-    .open = open_raw,
-    .send = send_raw,
-    .close = close_raw,
+    .pixels = {.open = open_raw, .send = send_raw, .close = close_raw},
 };

@@ -1,13 +1,19 @@
 /* SPDX-License-Identifier: MIT
- * Where streamed frames go: one file a sink (sink_NAME.c), behind this interface. A sink knows its device; what changed,
- * how it is cut into pieces and when to send belongs to the stream (stream.c, plan.c). */
+ * Where streamed frames go: one file a sink, behind this interface. A sink knows its device; what changed, how it is cut
+ * into pieces and when to send belong to the stream (stream/, plan/). To add a sink: its file defines `const struct
+ * sink_kind sink_NAME`, and sinks.def names it; help, list and checks of the command line come from the data here. */
 #ifndef GLINT_SINK_H
 #define GLINT_SINK_H
 
 #include <argp.h>
 #include <jansson.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
 
 #include "glint.h"
+#include "sinks/cost.h"
 
 /* A whole frame as the library wrote it, lines packed. */
 struct frame {
@@ -25,107 +31,101 @@ struct piece {
     const uint8_t *data;
 };
 
-/* What a user asked for; 0 or negative where it is left to the sink. */
+/* What a user asked for; 0 or negative where the sink decides. */
 struct sink_wish {
     uint16_t width, height;
     int format;                             /* enum glint_format, or -1 */
     uint16_t default_width, default_height; /* the scene's own, for sinks that take any size */
-    const char *output;                     /* -o, for SINK_FILES: NULL, or a name for frame_name() */
-};
-
-/* What sending takes, for choosing the cheapest form. */
-struct sink_cost {
-    double rectangle_s; /* before the first byte of each piece */
-    double bytes_per_s;
+    double fps;                             /* frames a second; 0: as fast as the sink takes them */
+    const char *output;                     /* -o as enum sink_output says, or NULL */
 };
 
 enum sink_result {
     SINK_SENT,
-    SINK_INTERRUPTED, /* a signal came; see stream_stopped() */
-    SINK_GONE         /* the device went away; sink_kind.open may find it again */
+    SINK_INTERRUPTED, /* a signal came: see base/stop.h */
+    SINK_GONE         /* the device went away; opening it again may find it */
 };
 
 struct sink_kind;
-/* Filled by open; each sink embeds it as its first member. */
+
+/* An open sink. Each sink embeds it as its first member. */
 struct sink {
-    const struct sink_kind *kind;
+    const struct sink_kind *kind; /* set by sink_open, as is the next */
+    bool shades;                  /* it takes a scene and lights, not pixels */
     uint16_t width, height;
     enum glint_format format; /* that frames must have */
     uint16_t align_x;         /* boxes start at, and end at, a multiple of it (or at the edge); 1: anywhere */
-    bool whole_frames;        /* files: each frame is sent as one piece, changed or not */
+    bool whole_frames;        /* each frame is sent as one piece, changed or not */
     bool lz4;                 /* does it take compressed pieces? */
     size_t max_bytes;         /* of a piece uncompressed; at least a line; SIZE_MAX: no limit */
     struct sink_cost cost;
     const char *name; /* of the device, for messages: "usb 1-3.1", "gpiochip0" */
 };
 
-enum sink_nature {
-    SINK_DEVICE, /* somebody looks at it: paced by --fps, until stopped */
-    SINK_PIPE,   /* as fast as it takes them; one turn of the light, unless --frames says more */
-    SINK_FILES   /* likewise, and named by -o */
+/* Where the bytes go, which decides what -o means. */
+enum sink_output {
+    SINK_DEVICE,          /* a device, or nowhere: no -o */
+    SINK_FILE_A_FRAME,    /* files named by -o, which has a place for the frame's number */
+    SINK_ONE_FILE,        /* all frames in the file that -o names; -: standard output */
+    SINK_STANDARD_OUTPUT, /* bytes for another program, so not for a terminal; no -o */
+    SINK_TERMINAL         /* standard output, which must be a terminal; no -o */
 };
 
-struct sink_kind {
-    const char *name;    /* as --to takes it */
-    const char *summary; /* one line for the help */
-    enum sink_nature nature;
-    bool takes_standard_output; /* so that words go to standard error */
-    /* SINK_FILES: -o where none is given, and then a name without a number is one picture, the last. NULL: -o must be given,
-     * with a place for the frame's number. */
-    const char *usual_output;
-    /* Its own options, parsed into the sink's files, or NULL; ends with NULL. Sinks may share some. (sink_options.c) */
-    const struct argp *const *options;
-    const char *help, *examples; /* for the end of the help, whole lines; or NULL */
+/* Frames as pixels. */
+struct sink_pixels {
     /* Ends the program through fail() with one line where it cannot. Returns NULL only where interrupted. */
     struct sink *(*open)(const struct sink_wish *wish);
     /* Bytes of a box in the sink's own form, and the box's pixels in it. NULL: rows as the library wrote them, packed. */
     size_t (*box_bytes)(const struct sink *sink, const struct glint_box *box);
     void (*pack)(const struct sink *sink, const struct frame *frame, const struct glint_box *box, uint8_t *out);
-    /* The pieces of one frame, in order (none: only to SINK_FILES, which may want a file all the same); their data stays
-     * until the next send or close. Returns when they are sent or safely under way. */
+    /* The pieces of one frame, in order; none only for a sink of every_frame. Their data stay until the next send or
+     * close. Returns when they are sent or safely under way. */
     enum sink_result (*send)(struct sink *sink, const struct frame *frame, const struct piece *pieces, size_t count);
-    /* --shade device: a device that shades by itself is opened by open_shader, gets the scene once (normals as
-     * GLINT_NORMALS_INT8, the shader's light does not matter), then a light a frame. NULL: no device of this kind does. */
-    struct sink *(*open_shader)(const struct sink_wish *wish);
+    /* All frames are sent, or a signal ended the stream after a whole one: what was written gets its name. May fail().
+     * NULL: nothing to do. Close follows. */
+    void (*finish)(struct sink *sink);
+    /* Waits for what is under way, leaves the device in a defined state, discards an output that was not finished, frees.
+     * Also called when interrupted or failing: must not fail(), only warn(). */
+    void (*close)(struct sink *sink);
+};
+
+/* A device that shades by itself gets the scene once, then a light a frame. */
+struct sink_shader {
+    struct sink *(*open)(const struct sink_wish *wish); /* as above */
+    /* Normals as GLINT_NORMALS_INT8; the shader's light does not matter. */
     enum sink_result (*send_scene)(struct sink *sink, const struct glint_shader *shader, const uint32_t *normals);
     enum sink_result (*send_light)(struct sink *sink, const int32_t to_light[3], size_t *bytes);
-    /* Waits for what is under way, leaves the device in a defined state, frees. Also called when interrupted or failing:
-     * must not fail() itself, only warn(). */
-    void (*close)(struct sink *sink);
-    /* The devices there are, as a JSON array of objects, and the same as text (glint list). NULL: nothing to list. */
+    void (*close)(struct sink *sink); /* as above */
+};
+
+/* What a kind of sink is and can do. */
+struct sink_kind {
+    const char *name;    /* as --to takes it */
+    const char *summary; /* one line for the help and the list */
+    enum sink_output output;
+    const char
+        *usual_output; /* -o where none is given; then a name without a number is one picture, the last. NULL: none */
+    bool paced;        /* --fps sets the pace, and frames go on until stopped; else one turn of the light, unpaced */
+    bool every_frame;  /* send is called for a frame that changed nothing, too */
+    bool wants_fps;    /* what it writes states the frame rate: --fps 0 is refused */
+    const struct argp *const *options; /* its own, some perhaps shared with other sinks; ends with NULL. NULL: none */
+    const char *help, *examples;       /* for the end of the help, whole lines; or NULL */
+    struct sink_pixels pixels;
+    const struct sink_shader *shader; /* NULL: no device of this kind shades */
+    /* The devices there are, as a JSON array of objects, and the same as text (glint list). NULL: it has no devices. */
     json_t *(*list)(void);
     void (*list_print)(const json_t *devices, FILE *stream);
     /* The library behind it and its version, malloc'd, for --version. NULL: none. */
     char *(*library)(void);
 };
 
-/* USB at full speed, as seen in the field, for predictions: bytes a second, and seconds to announce a rectangle.
- * (stream_stats.c) */
-enum { USB_RATES = 2 };
-extern const double usb_rates[USB_RATES], usb_rectangle_s;
-
-/* Those compiled in are named in sinks.def, and nowhere else. */
-#define SINK(name) extern const struct sink_kind sink_##name;
-#define LEFT_OUT(name, packages)
-#include "sinks/sinks.def"
-#undef SINK
-#undef LEFT_OUT
-enum { SINKS_MAX = 16 };
-/* The default first; ends with NULL (sinks.c). */
-extern const struct sink_kind *const sink_kinds[];
-/* Those that this build is without; ends with a NULL name (sinks.c). */
-extern const struct sink_left_out {
-    const char *name, *packages;
-} sinks_left_out[];
-
-/* ---- for sinks that write (frames.c) ---- */
-
-/* The name of frame `index`, malloc'd: `pattern` with the number where it has its %d or %04d. */
-char *frame_name(const char *pattern, unsigned long index);
-/* Is there a place for a number in it? Refuses a pattern that has two, or a % of another kind. */
-bool frame_pattern(const struct argp_state *state, const char *option, const char *pattern);
-struct picture *frame_picture(const struct frame *frame); /* image/picture.h */
-/* All of it, or until a signal came; else fail(). */
-enum sink_result standard_output_write(const void *bytes, size_t count);
+/* Opens for pixels or, where `shades`, for a scene and lights; NULL only where interrupted. */
+struct sink *sink_open(const struct sink_kind *kind, bool shades, const struct sink_wish *wish);
+void sink_finish(struct sink *sink); /* close follows */
+void sink_close(struct sink *sink);
+/* The size of a sink that takes any: as the user asked, else the scene's own. */
+void sink_size(struct sink *sink, const struct sink_wish *wish);
+/* Do frames to this output go to standard output? Then words go to standard error. */
+bool sink_takes_standard_output(const struct sink_kind *kind, const char *output);
 
 #endif

@@ -1,6 +1,7 @@
-/* SPDX-License-Identifier: MIT
- * The sinks compiled in and those left out, and what they share. */
-#include "sinks/sink.h"
+/* SPDX-License-Identifier: MIT */
+#include "sinks/sinks.h"
+
+#include <string.h>
 
 const struct sink_kind *const sink_kinds[] = {
 #define SINK(name) &sink_##name,
@@ -20,3 +21,14 @@ const struct sink_left_out sinks_left_out[] = {
 #undef LEFT_OUT
     {NULL, NULL},
 };
+
+const char *sink_names(bool (*is)(const struct sink_kind *kind))
+{
+    static char names[128];
+    *names = '\0';
+    for (unsigned i = 0; sink_kinds[i]; i++)
+        if (is(sink_kinds[i]))
+            snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", *names ? ", " : "",
+                     sink_kinds[i]->name);
+    return names;
+}

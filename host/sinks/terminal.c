@@ -3,7 +3,6 @@
 #include <chafa.h>
 #include <langinfo.h>
 #include <locale.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
@@ -12,19 +11,24 @@
 #include "base/memory.h"
 #include "base/message.h"
 #include "base/stop.h"
-#include "image/levels.h"
 #include "image/picture.h"
-#include "sinks/sink.h"
+#include "sinks/frames.h"
+#include "sinks/write.h"
 
+static const char name[] = "the terminal";
 static const char show_start[] = "\033[?25l\033[2J", show_end[] = "\033[?25h\033[0m\n"; /* the cursor; clear; colours */
+
+struct cells {
+    int columns, rows, width, height; /* the terminal in cells, and a cell in pixels */
+};
 
 struct terminal {
     struct sink sink;
     ChafaTermInfo *info;
     ChafaSymbolMap *symbols;
     ChafaCanvas *canvas;
-    struct winsize size; /* the canvas's */
-    bool started;        /* the cursor is hidden */
+    struct cells cells; /* that the canvas was made for */
+    bool started;       /* the cursor is hidden */
 };
 
 static ChafaPixelMode pixel_mode(ChafaTermInfo *info)
@@ -50,33 +54,38 @@ static ChafaCanvasMode canvas_mode(ChafaTermInfo *info)
     return CHAFA_CANVAS_MODE_FGBG;
 }
 
-/* The terminal's size now; 80 x 24 with cells of 8 x 16 where it does not say. */
-static struct winsize terminal_size(void)
+/* The size of the terminal now: 80 x 24 where it does not say, cells of 8 x 16 pixels where it does not say or cannot mean
+ * what it says, and no more cells than CANVAS_MAX pixels a side have room for, which is what libchafa is made to hold. */
+static struct cells terminal_cells(void)
 {
+    enum { CELL_MAX = 128, CANVAS_MAX = 8192 };
     struct winsize size = {0};
     ioctl(STDOUT_FILENO, TIOCGWINSZ, &size);
-    if (!size.ws_col || !size.ws_row) {
-        size.ws_col = 80;
-        size.ws_row = 24;
+    const bool known = size.ws_col && size.ws_row;
+    struct cells cells = {.columns = known ? size.ws_col : 80, .rows = known ? size.ws_row : 24};
+    cells.width = size.ws_xpixel / cells.columns;
+    cells.height = size.ws_ypixel / cells.rows;
+    if (!cells.width || !cells.height || cells.width > CELL_MAX || cells.height > CELL_MAX) {
+        cells.width = 8;
+        cells.height = 16;
     }
-    if (!size.ws_xpixel || !size.ws_ypixel) {
-        size.ws_xpixel = (unsigned short)(8 * size.ws_col);
-        size.ws_ypixel = (unsigned short)(16 * size.ws_row);
-    }
-    return size;
+    if (cells.columns > CANVAS_MAX / cells.width)
+        cells.columns = CANVAS_MAX / cells.width;
+    if (cells.rows > CANVAS_MAX / cells.height)
+        cells.rows = CANVAS_MAX / cells.height;
+    return cells;
 }
 
 static void make_canvas(struct terminal *terminal)
 {
-    const struct winsize *size = &terminal->size;
-    const int cell_width = size->ws_xpixel / size->ws_col, cell_height = size->ws_ypixel / size->ws_row;
-    int columns = size->ws_col, rows = size->ws_row > 1 ? size->ws_row - 1 : 1; /* one for the shell's next prompt */
+    const struct cells *cells = &terminal->cells;
+    int columns = cells->columns, rows = cells->rows > 1 ? cells->rows - 1 : 1; /* one for the shell's next prompt */
     const bool no_color = canvas_mode(terminal->info) == CHAFA_CANVAS_MODE_FGBG;
     chafa_calc_canvas_geometry(terminal->sink.width, terminal->sink.height, &columns, &rows,
-                               (gfloat)cell_width / (gfloat)(cell_height ? cell_height : 1), TRUE, FALSE);
+                               (gfloat)cells->width / (gfloat)cells->height, TRUE, FALSE);
     ChafaCanvasConfig *config = chafa_canvas_config_new();
     chafa_canvas_config_set_geometry(config, columns > 0 ? columns : 1, rows > 0 ? rows : 1);
-    chafa_canvas_config_set_cell_geometry(config, cell_width ? cell_width : 8, cell_height ? cell_height : 16);
+    chafa_canvas_config_set_cell_geometry(config, cells->width, cells->height);
     chafa_canvas_config_set_canvas_mode(config, canvas_mode(terminal->info));
     chafa_canvas_config_set_pixel_mode(config, no_color ? CHAFA_PIXEL_MODE_SYMBOLS : pixel_mode(terminal->info));
     chafa_canvas_config_set_symbol_map(config, terminal->symbols);
@@ -89,16 +98,14 @@ static void make_canvas(struct terminal *terminal)
 static struct sink *open_terminal(const struct sink_wish *wish)
 {
     if (!isatty(STDOUT_FILENO))
-        fail("--to terminal: standard output is no terminal; use --to png or --to raw");
+        fail("--to terminal: standard output is not a terminal; choose another sink");
     struct terminal *terminal = allocate(1, sizeof *terminal);
-    terminal->sink = (struct sink){.kind = &sink_terminal,
-                                   .width = wish->width ? wish->width : wish->default_width,
-                                   .height = wish->height ? wish->height : wish->default_height,
-                                   .format = wish->format < 0 ? GLINT_RGB888 : (enum glint_format)wish->format,
+    terminal->sink = (struct sink){.format = wish->format < 0 ? GLINT_RGB888 : (enum glint_format)wish->format,
                                    .align_x = 1,
                                    .whole_frames = true,
                                    .max_bytes = SIZE_MAX,
-                                   .name = "the terminal"};
+                                   .name = name};
+    sink_size(&terminal->sink, wish);
     stop_last_words(show_end);
     char **environment = g_get_environ();
     terminal->info = chafa_term_db_detect(chafa_term_db_get_default(), environment);
@@ -109,7 +116,7 @@ static struct sink *open_terminal(const struct sink_wish *wish)
                                  strcmp(nl_langinfo(CODESET), "UTF-8") == 0
                                      ? CHAFA_SYMBOL_TAG_SPACE | CHAFA_SYMBOL_TAG_BLOCK | CHAFA_SYMBOL_TAG_BORDER
                                      : CHAFA_SYMBOL_TAG_ASCII);
-    terminal->size = terminal_size();
+    terminal->cells = terminal_cells();
     make_canvas(terminal);
     return &terminal->sink;
 }
@@ -120,10 +127,10 @@ static enum sink_result send_terminal(struct sink *sink, const struct frame *fra
     (void)pieces;
     (void)count;
     struct terminal *terminal = (struct terminal *)sink;
-    const struct winsize size = terminal_size();
-    const bool resized = memcmp(&size, &terminal->size, sizeof size) != 0;
+    const struct cells cells = terminal_cells();
+    const bool resized = memcmp(&cells, &terminal->cells, sizeof cells) != 0;
     if (resized) {
-        terminal->size = size;
+        terminal->cells = cells;
         make_canvas(terminal);
     }
     struct picture *picture = frame_picture(frame);
@@ -135,12 +142,12 @@ static enum sink_result send_terminal(struct sink *sink, const struct frame *fra
     GString *text = chafa_canvas_print(terminal->canvas, terminal->info);
     enum sink_result result = SINK_SENT;
     if (resized || !terminal->started)
-        result = standard_output_write(show_start, sizeof show_start - 1);
+        result = sink_write(STDOUT_FILENO, name, show_start, sizeof show_start - 1);
     terminal->started = true;
     if (result == SINK_SENT)
-        result = standard_output_write("\033[H", 3);
+        result = sink_write(STDOUT_FILENO, name, "\033[H", 3);
     if (result == SINK_SENT)
-        result = standard_output_write(text->str, text->len);
+        result = sink_write(STDOUT_FILENO, name, text->str, text->len);
     g_string_free(text, TRUE);
     return result;
 }
@@ -149,9 +156,9 @@ static enum sink_result send_terminal(struct sink *sink, const struct frame *fra
 static void close_terminal(struct sink *sink)
 {
     struct terminal *terminal = (struct terminal *)sink;
+    stop_last_words(NULL);
     if (terminal->started && write(STDOUT_FILENO, show_end, sizeof show_end - 1) < 0)
         warn("%s: could not be restored; `reset` does that", sink->name);
-    stop_last_words(NULL);
     chafa_canvas_unref(terminal->canvas);
     chafa_symbol_map_unref(terminal->symbols);
     chafa_term_info_unref(terminal->info);
@@ -169,11 +176,9 @@ static char *library(void)
 const struct sink_kind sink_terminal = {
     .name = "terminal",
     .summary = "this terminal, in pixels (kitty, sixel) or symbols; heeds NO_COLOR",
-    .nature = SINK_DEVICE,
-    .takes_standard_output = true,
+    .output = SINK_TERMINAL,
+    .paced = true,
     .examples = "  glint stream coin --to terminal --point 240,80,60,300,1,.7,.3\n",
-    .open = open_terminal,
-    .send = send_terminal,
-    .close = close_terminal,
+    .pixels = {.open = open_terminal, .send = send_terminal, .close = close_terminal},
     .library = library,
 };

@@ -1,13 +1,15 @@
-/* SPDX-License-Identifier: MIT
- * A stream to a device that shades by itself: the scene once, then lights. */
+/* SPDX-License-Identifier: MIT */
+#include "stream/device.h"
+
 #include <string.h>
 
 #include "bake/bake.h"
 #include "base/message.h"
 #include "draw/paths.h"
+#include "draw/shading.h"
 #include "image/format.h"
-#include "stream/stream.h"
 
+/* All pixels that are drawn must have one albedo, which becomes the material's, and full gloss. */
 static const char *colour_refusal(const struct scene *scene, uint8_t albedo[3])
 {
     const size_t pixels = (size_t)scene->width * scene->height;
@@ -49,7 +51,7 @@ enum sink_result device_send_scene(struct sink *sink, const struct scene *scene,
     if (refusal)
         fail("--shade device: %s", refusal);
     struct baked *baked = bake(scene, BAKE_INT8, 0);
-    const enum sink_result result = sink->kind->send_scene(sink, &shader, baked->words);
+    const enum sink_result result = sink->kind->shader->send_scene(sink, &shader, baked->words);
     baked_free(baked);
     return result;
 }
@@ -61,5 +63,5 @@ enum sink_result device_send_light(struct sink *sink, const struct shading *shad
     *result = (struct plan_result){.count = 1,
                                    .changed = (size_t)sink->width * sink->height,
                                    .whole_bytes = format_line_bytes(sink->format, sink->width) * sink->height};
-    return sink->kind->send_light(sink, to_light, &result->bytes);
+    return sink->kind->shader->send_light(sink, to_light, &result->bytes);
 }

@@ -1,8 +1,8 @@
-/* SPDX-License-Identifier: MIT
- * Where the light is in each frame: on an orbit, or where a file or standard input says. */
+/* SPDX-License-Identifier: MIT */
+#include "stream/light.h"
+
 #include <errno.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,7 +10,7 @@
 #include "base/message.h"
 #include "base/parse.h"
 #include "base/stop.h"
-#include "stream/stream.h"
+#include "draw/shading.h"
 
 static const double usual_orbit = 30; /* degrees */
 
@@ -51,7 +51,8 @@ static void set_orbit(struct light_path *path, const struct shading *shading, co
     const double height = dot(light, axis);
     for (unsigned k = 0; k < 3; k++)
         side[k] = light[k] - height * axis[k];
-    if (sqrt(dot(side, side)) < 1e-9) { /* straight from the viewer: start on the right, or wherever that is not */
+    if (sqrt(dot(side, side)) <
+        1e-9) { /* straight from the viewer: start on the right or, if the viewer is there, above */
         const unsigned k = fabs(axis[0]) < .9 ? 0 : 1;
         for (unsigned i = 0; i < 3; i++)
             side[i] = (i == k) - axis[k] * axis[i];
@@ -139,7 +140,7 @@ static bool next_line(struct light_path *path, struct shading *shading)
             if (ferror(path->file) && errno != EINTR)
                 fail("%s: cannot be read: %s", path->name, strerror(errno));
             if (!path->any && !stream_stopped())
-                fail("%s: holds no direction; lines of three numbers are wanted", path->name);
+                fail("%s: holds no direction; write three numbers a line, X Y Z", path->name);
             return false;
         }
         path->number++;
@@ -150,13 +151,13 @@ static bool next_line(struct light_path *path, struct shading *shading)
             continue;
         struct lamp *lamp = &shading->lamps[path->lamp];
         if (text + strlen(text) + 1 < path->line + length || !read_direction(text, lamp->direction))
-            fail("%s, line %lu: '%s' is not a direction; three numbers are wanted, \"X Y Z\" or \"X,Y,Z\"", path->name,
+            fail("%s, line %lu: '%s' is not a direction; write three numbers, \"X Y Z\" or \"X,Y,Z\"", path->name,
                  path->number, text);
         struct glint_lamp unused;
         if (shading_lamp(shading, path->lamp, &unused) != GLINT_OK)
             fail("%s, line %lu: '%s' %s", path->name, path->number, text,
-                 dot(lamp->direction, lamp->direction) > 0 ? "lies straight opposite to --view: there is no half vector"
-                                                           : "has no direction; one of the three must not be 0");
+                 dot(lamp->direction, lamp->direction) > 0 ? "is straight opposite to --view: there is no half vector"
+                                                           : "has no direction; it must not be 0,0,0");
         path->any = true;
         return true;
     }

@@ -1,8 +1,8 @@
-/* SPDX-License-Identifier: MIT
- * What the frames of a stream took, and what they would take over USB. */
+/* SPDX-License-Identifier: MIT */
+#include "stream/stats.h"
+
 #include <errno.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,9 +10,6 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "base/message.h"
-#include "stream/stream.h"
-
-const double usb_rates[USB_RATES] = {600e3, 1000e3}, usb_rectangle_s = .4e-3;
 
 enum { LINKS_MAX = USB_RATES + 1 };
 
@@ -39,11 +36,11 @@ struct stream_stats *stats_new(const struct sink *sink)
 {
     struct stream_stats *stats = allocate(1, sizeof *stats);
     stats->sink = sink->kind->name;
-    stats->device = strdup(sink->name);
+    stats->device = strdup(sink->name); /* the sink may be gone when the figures are printed */
     if (!stats->device)
         fail("out of memory");
     for (unsigned i = 0; i < USB_RATES; i++)
-        stats->links[stats->link_count++] = (struct link){"USB", {usb_rectangle_s, usb_rates[i]}};
+        stats->links[stats->link_count++] = (struct link){"USB", usb_costs[i]};
     if (sink->cost.bytes_per_s > 0)
         stats->links[stats->link_count++] = (struct link){"this link", sink->cost};
     stats->pixels = (unsigned)sink->width * sink->height;

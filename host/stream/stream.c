@@ -1,9 +1,8 @@
-/* SPDX-License-Identifier: MIT
- * The loop of glint stream: light, shade, plan, send; and how it ends. */
-#include <math.h>
+/* SPDX-License-Identifier: MIT */
+#include "stream/stream.h"
+
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "base/clock.h"
@@ -11,22 +10,26 @@
 #include "base/message.h"
 #include "base/stop.h"
 #include "draw/canvas.h"
+#include "draw/shading.h"
 #include "image/format.h"
 #include "image/picture.h"
-#include "stream/stream.h"
+#include "plan/plan.h"
+#include "stream/device.h"
+#include "stream/light.h"
+#include "stream/stats.h"
 
 enum { USUAL_WIDTH = 320, USUAL_HEIGHT = 240 }; /* of built-in scenes */
 
 /* ---- the sink ---- */
 
-static struct sink *open_sink; /* to be closed however the program ends */
+static struct sink *open_sink; /* closed however the program ends */
 
 static void close_sink(void)
 {
     struct sink *sink = open_sink;
     open_sink = NULL;
     if (sink)
-        sink->kind->close(sink);
+        sink_close(sink);
 }
 
 /* ---- the stream ---- */
@@ -57,13 +60,13 @@ static void choose_size(struct stream *stream, const struct scene_maps *maps)
                            .format = stream->options->look.has_format ? (int)stream->options->look.shading.format : -1,
                            .default_width = (uint16_t)(width ? width : USUAL_WIDTH),
                            .default_height = (uint16_t)(height ? height : USUAL_HEIGHT),
+                           .fps = stream->options->fps,
                            .output = stream->options->output};
 }
 
 static struct sink *open_wished(const struct stream *stream)
 {
-    const struct sink_kind *kind = stream->options->kind;
-    return (stream->options->shade_device ? kind->open_shader : kind->open)(&stream->wish);
+    return sink_open(stream->options->kind, stream->options->shade_device, &stream->wish);
 }
 
 /* False where interrupted. */
@@ -73,7 +76,7 @@ static bool start(struct stream *stream)
     struct scene_maps *maps = scene_maps_read(&options->look.scene);
     stream->path = light_path_new(options); /* files are opened before anything is done to a device */
     choose_size(stream, maps);
-    stop_when_asked(); /* until here one ends the program at once */
+    stop_when_asked(); /* until here a signal ends the program at once */
     open_sink = open_wished(stream);
     if (!open_sink)
         return false;
@@ -84,8 +87,10 @@ static bool start(struct stream *stream)
     shading_options_check(NULL, &stream->shading);
     stream->canvas = canvas_new(stream->scene, &stream->shading);
     light_path_start(stream->path, options, &stream->shading, sink->width, sink->height);
-    stream->plan = plan_new(sink);
     stream->stats = stats_new(sink);
+    if (sink->shades)
+        return true;
+    stream->plan = plan_new(sink);
     for (unsigned i = 0; i < 2; i++)
         stream->pixels[i] = allocate(sink->height, format_line_bytes(sink->format, sink->width));
     return true;
@@ -103,7 +108,7 @@ static void end(struct stream *stream)
     free(stream->pixels[1]);
 }
 
-/* The device is looked for again, and is to be the same. */
+/* Looks for the device again, which must have the same size and format as before. */
 static bool find_again(struct stream *stream)
 {
     const struct sink old = *open_sink;
@@ -113,14 +118,16 @@ static bool find_again(struct stream *stream)
     if (!open_sink)
         return false;
     if (open_sink->width != old.width || open_sink->height != old.height || open_sink->format != old.format)
-        fail("%s: came back as a display of %ux%u, not %ux%u; start again for that one", open_sink->name,
-             open_sink->width, open_sink->height, old.width, old.height);
-    plan_free(stream->plan);
-    stream->plan = plan_new(open_sink);
+        fail("%s: came back as a display of %ux%u, not %ux%u; start again to use it", open_sink->name, open_sink->width,
+             open_sink->height, old.width, old.height);
+    if (stream->plan) {
+        plan_free(stream->plan);
+        stream->plan = plan_new(open_sink);
+    }
     return true;
 }
 
-/* To a device that shades: the scene where it does not have it, and the light. */
+/* To a device that shades: the scene if it does not have it yet, and the light. */
 static bool send_light(struct stream *stream)
 {
     struct plan_result result;
@@ -143,7 +150,7 @@ static bool send_light(struct stream *stream)
 static bool send_frame(struct stream *stream, unsigned long index)
 {
     const double fps = stream->options->fps > 0 ? stream->options->fps : USUAL_FPS;
-    if (!light_path_next(stream->path, (double)index / fps, &stream->shading) || stream_stopped())
+    if (stream_stopped() || !light_path_next(stream->path, (double)index / fps, &stream->shading) || stream_stopped())
         return false;
     if (stream->options->shade_device)
         return send_light(stream);
@@ -155,8 +162,9 @@ static bool send_frame(struct stream *stream, unsigned long index)
                                     format_line_bytes(sink->format, sink->width), pixels};
         const uint8_t *last = stream->known ? stream->pixels[(index + 1) % 2] : NULL;
         const struct plan_result result = plan_frame(stream->plan, last, &frame);
-        const bool wanted = result.count || sink->kind->nature == SINK_FILES;
-        const enum sink_result sent = wanted ? sink->kind->send(sink, &frame, result.pieces, result.count) : SINK_SENT;
+        enum sink_result sent = SINK_SENT;
+        if (result.count || sink->kind->every_frame)
+            sent = sink->kind->pixels.send(sink, &frame, result.pieces, result.count);
         if (sent == SINK_SENT) {
             stream->known = true;
             stats_add(stream->stats, &result);
@@ -170,15 +178,15 @@ static bool send_frame(struct stream *stream, unsigned long index)
 static void run(struct stream *stream)
 {
     const struct stream_options *options = stream->options;
-    const bool paced = options->fps > 0 && options->kind->nature == SINK_DEVICE;
-    const bool shown = options->stats && !(options->kind->takes_standard_output && isatty(STDOUT_FILENO));
+    const bool paced = options->fps > 0 && options->kind->paced;
+    const bool covered = sink_takes_standard_output(options->kind, options->output) && isatty(STDOUT_FILENO);
     const double began = seconds_now();
     for (unsigned long i = 0; !options->frames || i < options->frames; i++) {
         if (paced)
             wait_until(began + (double)i / options->fps);
         if (!send_frame(stream, i))
             break;
-        if (shown)
+        if (options->stats && !covered) /* by frames on the same terminal */
             stats_show(stream->stats);
     }
     progress_end();
@@ -190,9 +198,12 @@ int stream_run(const struct stream_options *options)
     atexit(close_sink); /* after fail(), too */
     if (start(&stream)) {
         run(&stream);
+        if (open_sink)
+            sink_finish(open_sink);
         close_sink();
         if (options->stats || options->json)
-            stats_print(stream.stats, options->json, options->kind->takes_standard_output ? stderr : stdout);
+            stats_print(stream.stats, options->json,
+                        sink_takes_standard_output(options->kind, options->output) ? stderr : stdout);
     }
     end(&stream);
     return stop_status();

@@ -7,7 +7,8 @@
 #include <lz4hc.h>
 
 #include "image/format.h"
-#include "sinks/sink.h"
+#include "sinks/sinks.h"
+#include "sinks/usb/options.h"
 #include "usb_display.h"
 
 #include "gud_protocol.h"
@@ -97,7 +98,7 @@ static void set_options(const char *words)
     snprintf(copy, sizeof copy, "%s", words);
     for (char *word = strtok(copy, " "); word; word = strtok(NULL, " "))
         argv[argc++] = word;
-    assert_int_equal(argp_parse(sink_usb.options[0], argc, argv, 0, NULL, NULL), 0);
+    assert_int_equal(argp_parse(&usb_options_argp, argc, argv, 0, NULL, NULL), 0);
 }
 
 enum { ROOM = 4 << 20 };
@@ -105,14 +106,14 @@ enum { ROOM = 4 << 20 };
 static struct piece make_piece(const struct sink *sink, const struct frame *frame, struct glint_box box, bool lz4,
                                uint8_t *room)
 {
-    struct piece piece = {.box = box, .data = room, .length = sink->kind->box_bytes(sink, &box)};
+    struct piece piece = {.box = box, .data = room, .length = sink_usb.pixels.box_bytes(sink, &box)};
     piece.bytes = piece.length;
     if (!lz4) {
-        sink->kind->pack(sink, frame, &box, room);
+        sink_usb.pixels.pack(sink, frame, &box, room);
         return piece;
     }
     uint8_t *raw = malloc(piece.length);
-    sink->kind->pack(sink, frame, &box, raw);
+    sink_usb.pixels.pack(sink, frame, &box, raw);
     piece.bytes =
         (size_t)LZ4_compress_HC((const char *)raw, (char *)room, (int)piece.length, ROOM, LZ4HC_CLEVEL_DEFAULT);
     free(raw);
@@ -128,7 +129,7 @@ static void send_two_frames(struct sink *sink, struct frame *frame, uint8_t *pix
     const uint16_t w = sink->width, h = sink->height, a = sink->align_x;
     draw(frame, pixels, 1);
     struct piece pieces[4] = {make_piece(sink, frame, (struct glint_box){0, 0, w, h}, lz4, rooms[0])};
-    assert_int_equal(sink->kind->send(sink, frame, pieces, 1), SINK_SENT);
+    assert_int_equal(sink_usb.pixels.send(sink, frame, pieces, 1), SINK_SENT);
     /* Only what the boxes hold differs between the two. */
     const struct glint_box boxes[4] = {{0, 0, a, 1},
                                        {(uint16_t)(w / a * a - a), (uint16_t)(h - 1), (uint16_t)(w - w / a * a + a), 1},
@@ -150,7 +151,7 @@ static void send_two_frames(struct sink *sink, struct frame *frame, uint8_t *pix
     static uint8_t more[4][ROOM];
     for (unsigned i = 0; i < 4; i++)
         pieces[i] = make_piece(sink, frame, boxes[i], lz4, more[i]);
-    assert_int_equal(sink->kind->send(sink, frame, pieces, 4), SINK_SENT);
+    assert_int_equal(sink_usb.pixels.send(sink, frame, pieces, 4), SINK_SENT);
 }
 
 static void check_form(const struct picture_form *form, uint16_t width, uint16_t height, bool lz4)
@@ -162,7 +163,7 @@ static void check_form(const struct picture_form *form, uint16_t width, uint16_t
     config.formats_bytes = 2;
     usb_display_be(&display, &config);
     set_options("--vid-pid 1209:0001");
-    struct sink *sink = sink_usb.open(&(struct sink_wish){.format = -1});
+    struct sink *sink = sink_usb.pixels.open(&(struct sink_wish){.format = -1});
     assert_non_null(sink);
     assert_int_equal(sink->width, width);
     assert_int_equal(sink->height, height);
@@ -172,7 +173,7 @@ static void check_form(const struct picture_form *form, uint16_t width, uint16_t
     struct frame frame = {width, height, form->pixels, format_line_bytes(form->pixels, width), NULL};
     uint8_t *pixels = malloc(frame.line_bytes * height);
     send_two_frames(sink, &frame, pixels, lz4);
-    sink->kind->close(sink);
+    sink_usb.pixels.close(sink);
     assert_soon(display.seen->rectangles == 5);
     assert_shows(form->offered, &frame);
     assert_int_equal(display.seen->compressed, lz4 ? 5 : 0);
@@ -209,13 +210,13 @@ static void requests_come_in_the_kernel_drivers_order(void **state)
     usb_display_defaults(&config, 64, 32);
     usb_display_be(&display, &config);
     set_options("--vid-pid 1209:0001");
-    struct sink *sink = sink_usb.open(&(struct sink_wish){.format = -1});
+    struct sink *sink = sink_usb.pixels.open(&(struct sink_wish){.format = -1});
     struct frame frame = {64, 32, sink->format, 128, NULL};
     uint8_t pixels[64 * 32 * 2], room[64 * 32 * 2];
     draw(&frame, pixels, 3);
     const struct piece piece = make_piece(sink, &frame, (struct glint_box){0, 0, 64, 32}, false, room);
-    sink->kind->send(sink, &frame, &piece, 1);
-    sink->kind->close(sink);
+    sink_usb.pixels.send(sink, &frame, &piece, 1);
+    sink_usb.pixels.close(sink);
     static const uint8_t wanted[] = {
         GUD_GET_DESCRIPTOR, /* which is it? */
         GUD_GET_DESCRIPTOR,       GUD_GET_FORMATS,         GUD_GET_CONNECTORS,  GUD_SET_CONNECTOR_FORCE_DETECT,

@@ -9,7 +9,8 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "sinks/sink.h"
+#include "sinks/sinks.h"
+#include "sinks/usb/options.h"
 #include "usb_display.h"
 
 #include "gud_protocol.h"
@@ -26,17 +27,17 @@ static uint8_t pixels[USB_PICTURE_MAX];
 static double sink_rate(uint16_t width, uint16_t height, unsigned frames)
 {
     char *argv[] = {(char *)"rate", (char *)"--vid-pid", (char *)"1209:0001", NULL};
-    argp_parse(sink_usb.options[0], 3, argv, 0, NULL, NULL);
-    struct sink *sink = sink_usb.open(&(struct sink_wish){.format = GLINT_RGB565});
+    argp_parse(&usb_options_argp, 3, argv, 0, NULL, NULL);
+    struct sink *sink = sink_usb.pixels.open(&(struct sink_wish){.format = GLINT_RGB565});
     const struct frame frame = {width, height, GLINT_RGB565, 2 * (size_t)width, pixels};
     const size_t bytes = 2 * (size_t)width * height;
     const struct piece piece = {{0, 0, width, height}, false, bytes, bytes, pixels};
-    sink->kind->send(sink, &frame, &piece, 1);
+    sink_usb.pixels.send(sink, &frame, &piece, 1);
     const double start = now();
     for (unsigned i = 0; i < frames; i++)
-        assert_int_equal(sink->kind->send(sink, &frame, &piece, 1), SINK_SENT);
+        assert_int_equal(sink_usb.pixels.send(sink, &frame, &piece, 1), SINK_SENT);
     const double end = now(); /* the last is still under way, as the one before was at the start */
-    sink->kind->close(sink);
+    sink_usb.pixels.close(sink);
     return frames * (double)bytes / (end - start);
 }
 

@@ -272,7 +272,7 @@ static inline struct sink *opened(const struct gpio_options *options)
     argp_parse(&panel_options_argp, 3, arguments, 0, NULL, NULL);
     const struct virtual_glass glass = {.width = WIDTH, .height = HEIGHT, .x = 7, .y = 9, .inverted = true};
     virtual_panel_init(&screen, &glass);
-    struct sink *sink = gpio_display_open(&sink_gpio, options, &(struct sink_wish){.width = WIDTH, .height = HEIGHT});
+    struct sink *sink = gpio_display_open(options, &(struct sink_wish){.width = WIDTH, .height = HEIGHT});
     assert_non_null(sink);
     assert_int_equal(sink->format, GLINT_RGB565_SWAPPED);
     return sink;
@@ -287,7 +287,7 @@ static inline void send_two_pieces(struct sink *sink)
     const struct piece pieces[] = {
         {.box = {0, 0, WIDTH, HEIGHT}, .bytes = sizeof pixels, .length = sizeof pixels, .data = pixels},
         {.box = {3, 2, 1, 1}, .bytes = 2, .length = 2, .data = dot}};
-    assert_int_equal(sink->kind->send(sink, NULL, pieces, 2), SINK_SENT);
+    assert_int_equal(gpio_display_send(sink, NULL, pieces, 2), SINK_SENT);
     virtual_panel_look(&screen, 0, seen);
     for (size_t i = 0; i < WIDTH * HEIGHT; i++) {
         const bool dotted = i == 2 * WIDTH + 3;
@@ -300,7 +300,7 @@ static inline void send_two_pieces(struct sink *sink)
 
 static inline void close_and_check(struct sink *sink)
 {
-    sink->kind->close(sink);
+    gpio_display_close(sink);
     assert_false(screen.on || screen.awake || screen.lit);
     assert_int_equal(open_chips, 0);
     assert_int_equal(held_lines, 0);

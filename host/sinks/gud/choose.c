@@ -1,10 +1,11 @@
-/* SPDX-License-Identifier: MIT
- * Which of a display's formats and modes: what the user named, else the display's own preference. */
+/* SPDX-License-Identifier: MIT */
+#include "sinks/gud/choose.h"
+
 #include <string.h>
 
 #include "image/format.h"
-#include "image/format.h"
 #include "sinks/gud/host.h"
+#include "sinks/gud/pack.h"
 
 /* Appends to a text; what does not fit is left out. */
 static void add(char *text, size_t size, const char *more)

@@ -1,39 +1,11 @@
 /* SPDX-License-Identifier: MIT
  * What a GUD display says of itself, read in the kernel driver's order and checked. */
-#include <stdarg.h>
-#include <string.h>
-
 #include "sinks/gud/host.h"
 
-bool gud_problem_is(struct gud_problem *problem, enum gud_link_fault fault, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(problem->text, sizeof problem->text, format, arguments);
-    va_end(arguments);
-    problem->fault = fault;
-    return false;
-}
+#include "sinks/gud/choose.h"
 
 /* It answers, but what it says cannot be. */
 #define lies(problem, ...) gud_problem_is(problem, GUD_LINK_ERROR, __VA_ARGS__)
-
-const char *gud_fault_words(enum gud_link_fault fault)
-{
-    switch (fault) {
-    case GUD_LINK_STALL:
-        return "it refuses (STALL)";
-    case GUD_LINK_GONE:
-        return "it is no longer there";
-    case GUD_LINK_STOPPED:
-        return "stopped";
-    case GUD_LINK_TIMEOUT:
-        return "it does not answer";
-    case GUD_LINK_ERROR:
-        break;
-    }
-    return "the transfer failed";
-}
 
 static const char *status_words(uint8_t status)
 {

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * A display's pixels from the library's. */
+#include "sinks/gud/pack.h"
+
 #include <string.h>
 
 #include "sinks/gud/host.h"

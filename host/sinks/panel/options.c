@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
+#include "sinks/panel/options.h"
+
 #include <string.h>
 
 #include "base/argp.h"
 #include "base/message.h"
 #include "base/parse.h"
 #include "image/format.h"
-#include "image/format.h"
-#include "sinks/panel/options.h"
 
 enum key { KEY_PANEL = 256, KEY_ROTATION, KEY_SIZE, KEY_OFFSET, KEY_BGR, KEY_INVERT, KEY_END };
 

@@ -9,9 +9,9 @@
 #include "base/output.h"
 #include "image/picture.h"
 #include "image/write.h"
+#include "sinks/frames.h"
 #include "sinks/panel/options.h"
 #include "sinks/panel/virtual_panel.h"
-#include "sinks/sink.h"
 
 struct display {
     struct sink sink;
@@ -35,8 +35,7 @@ static struct sink *open_panel(const struct sink_wish *wish)
     display->bus = virtual_panel_bus(&display->glass);
     display->panel.bus = &display->bus;
     display->pattern = wish->output;
-    display->sink = (struct sink){.kind = &sink_panel,
-                                  .width = display->panel.width,
+    display->sink = (struct sink){.width = display->panel.width,
                                   .height = display->panel.height,
                                   .format = GLINT_RGB565_SWAPPED,
                                   .align_x = 1,
@@ -89,12 +88,11 @@ static const struct argp *const options[] = {&panel_options_argp, NULL};
 const struct sink_kind sink_panel = {
     .name = "panel",
     .summary = "a virtual panel: what it shows goes to PNG files",
-    .nature = SINK_FILES,
+    .output = SINK_FILE_A_FRAME,
     .usual_output = "panel.png",
+    .every_frame = true,
     .options = options,
     .examples = "  glint stream watchface --frames 1\n"
                 "  glint stream coin --panel ili9341 --size 240x320 -o coin-%02d.png\n",
-    .open = open_panel,
-    .send = send_frame,
-    .close = close_panel,
+    .pixels = {.open = open_panel, .send = send_frame, .close = close_panel},
 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include <string.h>
-
 #include "sinks/panel/virtual_panel.h"
+
+#include <string.h>
 
 /* Magenta is no picture's colour: what was never written is noticed. */
 enum { NOISE = 0xf81f };

@@ -1,8 +1,10 @@
-/* SPDX-License-Identifier: MIT
- * Which of the USB displays that were found, or why none. */
+/* SPDX-License-Identifier: MIT */
+#include "sinks/usb/choose.h"
+
+#include <stdio.h>
 #include <string.h>
 
-#include "sinks/usb/usb.h"
+#include "gud_protocol.h"
 
 static void wanted_text(const struct usb_options *options, char *text, size_t size)
 {

@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: MIT
- * Which USB devices are displays. Names come from sysfs, so that devices that may not be opened have them, too; a device
- * that a kernel driver has is sent nothing. */
+ *
+ * Names come from sysfs, so that devices that may not be opened have them, too. A device that a kernel driver has is sent
+ * nothing. */
+#include "sinks/usb/find.h"
+
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "sinks/usb/usb.h"
+#include "sinks/gud/host.h"
+#include "sinks/usb/port.h"
 
 static const uint32_t known_ids[] = {GUD_ID_OPENMOKO, GUD_ID_MCS, GUD_ID_PIDCODES};
 

@@ -1,16 +1,16 @@
-/* SPDX-License-Identifier: MIT
- * A USB device that shades by itself: an interface beside the display's, which no kernel driver takes. */
-#include <stdio.h>
+/* SPDX-License-Identifier: MIT */
+#include "sinks/usb/light.h"
+
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "base/memory.h"
 #include "base/message.h"
 #include "base/stop.h"
-#include "sinks/usb/usb.h"
-
+#include "gud_protocol.h"
 #include "light_protocol.h"
+#include "sinks/usb/bulk.h"
+#include "sinks/usb/choose.h"
 
 struct light_sink {
     struct sink sink;
@@ -24,16 +24,9 @@ struct light_sink {
 
 enum { WAIT_MS = 250, LAST_FRAMES_MS = 2000, ASK_MS = 10 };
 
-static const struct sink_kind light_kind;
-
 static struct light_sink *of(const struct sink *sink)
 {
     return (struct light_sink *)sink; /* its first member */
-}
-
-static void pause_ms(long ms)
-{
-    nanosleep(&(struct timespec){ms / 1000, ms % 1000 * 1000000}, NULL);
 }
 
 /* ---- opening ---- */
@@ -97,8 +90,7 @@ static struct light_sink *try_open(const struct sink_wish *wish, char *line, siz
     const int error = libusb_init(&light->port.libusb);
     if (error)
         fail("USB: libusb cannot start: %s; is /dev/bus/usb there?", libusb_strerror(error));
-    light->sink = (struct sink){
-        .kind = &light_kind, .format = GLINT_RGB565, .align_x = 1, .cost = {.0004, 800e3}, .name = light->name};
+    light->sink = (struct sink){.format = GLINT_RGB565, .align_x = 1, .cost = usb_full_speed_cost, .name = light->name};
     light->link = (struct gud_link){.context = &light->port, .control = usb_control};
     light->port.stoppable = true;
     any.detach = true; /* the kernel's driver may keep the display */
@@ -117,7 +109,7 @@ static struct light_sink *try_open(const struct sink_wish *wish, char *line, siz
     return NULL;
 }
 
-struct sink *usb_open_shader(const struct sink_wish *wish)
+static struct sink *open_shader(const struct sink_wish *wish)
 {
     char line[400];
     bool may_pass;
@@ -128,7 +120,7 @@ struct sink *usb_open_shader(const struct sink_wish *wish)
         if (!usb_options.wait || !may_pass)
             fail("%s", line);
         progress("waiting for a USB display; Ctrl-C ends it");
-        pause_ms(WAIT_MS);
+        usb_pause_ms(WAIT_MS);
     }
     progress_end();
     return &light->sink;
@@ -158,7 +150,7 @@ static int send(struct light_sink *light, const uint8_t *data, size_t bytes)
     return fault ? fault : usb_bulk_wait(&light->port);
 }
 
-enum sink_result usb_send_scene(struct sink *sink, const struct glint_shader *shader, const uint32_t *normals)
+static enum sink_result send_scene(struct sink *sink, const struct glint_shader *shader, const uint32_t *normals)
 {
     struct light_sink *light = of(sink);
     const size_t count = (size_t)sink->width * sink->height;
@@ -181,7 +173,7 @@ enum sink_result usb_send_scene(struct sink *sink, const struct glint_shader *sh
     return result_of(light, fault, "the scene");
 }
 
-enum sink_result usb_send_light(struct sink *sink, const int32_t to_light[3], size_t *bytes)
+static enum sink_result send_light(struct sink *sink, const int32_t to_light[3], size_t *bytes)
 {
     struct light_sink *light = of(sink);
     uint8_t *message = light->messages[light->frames % 2];
@@ -200,7 +192,7 @@ static void wait_for_frames(struct light_sink *light)
     if (usb_bulk_wait(&light->port))
         return;
     for (unsigned ms = 0; status == GUD_BUSY && ms < LAST_FRAMES_MS && !stream_stopped(); ms += ASK_MS) {
-        pause_ms(ASK_MS);
+        usb_pause_ms(ASK_MS);
         if (light->link.control(&light->port, true, LIGHT_GET_STATUS, 0, &status, 1) != 1)
             return;
     }
@@ -217,8 +209,5 @@ static void light_close(struct sink *sink)
     leave(light);
 }
 
-static const struct sink_kind light_kind = {.name = "usb",
-                                            .nature = SINK_DEVICE,
-                                            .send_scene = usb_send_scene,
-                                            .send_light = usb_send_light,
-                                            .close = light_close};
+const struct sink_shader usb_shader = {
+    .open = open_shader, .send_scene = send_scene, .send_light = send_light, .close = light_close};

@@ -1,10 +1,13 @@
-/* SPDX-License-Identifier: MIT
- * USB displays for glint list. One that the kernel or another program has is named and not asked. */
-#include <stdio.h>
+/* SPDX-License-Identifier: MIT */
+#include "sinks/usb/list.h"
+
 #include <stdlib.h>
 
 #include "base/json.h"
-#include "sinks/usb/usb.h"
+#include "sinks/gud/host.h"
+#include "sinks/gud/pack.h"
+#include "sinks/usb/find.h"
+#include "sinks/usb/port.h"
 
 static json_t *formats_json(const struct gud_display *display)
 {

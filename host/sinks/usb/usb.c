@@ -1,78 +1,17 @@
 /* SPDX-License-Identifier: MIT
  * A USB display that speaks GUD, driven by libusb: which one, its frames, and what goes wrong on the way. */
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
-#include "base/argp.h"
+#include "base/memory.h"
 #include "base/message.h"
 #include "base/stop.h"
-#include "sinks/usb/usb.h"
-
-/* ---- options ---- */
-
-struct usb_options usb_options;
-
-enum key { KEY_VID_PID = 0x600, KEY_SERIAL, KEY_USB_PATH, KEY_DETACH, KEY_WAIT };
-
-static const struct argp_option argp_options[] = {
-    {NULL, 0, NULL, 0, "USB displays (--to usb); the only one there is, unless named by one of:", 8},
-    {"usb-path", KEY_USB_PATH, "PATH", 0, "Where it is plugged in, as glint list shows it: 1-3.1", 8},
-    {"serial", KEY_SERIAL, "TEXT", 0, "Its serial number", 8},
-    {"vid-pid", KEY_VID_PID, "VVVV:PPPP", 0, "Its vendor and product IDs, hexadecimal", 8},
-    {"detach", KEY_DETACH, NULL, 0,
-     "Take a display that the kernel's driver has: this takes the monitor away from the desktop until glint ends", 8},
-    {"wait", KEY_WAIT, NULL, 0, "Wait until it is plugged in, and when it is unplugged until it is back", 8},
-    {NULL, 0, NULL, 0, NULL, 0}};
-
-static uint32_t parse_id(const struct argp_state *state, const char *text)
-{
-    unsigned vendor, product;
-    int end = 0;
-    if (strspn(text, "0123456789abcdefABCDEF:") != strlen(text) ||
-        sscanf(text, "%4x:%4x%n", &vendor, &product, &end) != 2 || text[end] || !(vendor || product))
-        refuse(state, "--vid-pid: '%s' is not two numbers of up to four hexadecimal digits, as 1d50:614d", text);
-    return (uint32_t)vendor << 16 | product;
-}
-
-static const char *parse_path(const struct argp_state *state, const char *text)
-{
-    const char *dash = strchr(text, '-');
-    if (strspn(text, "0123456789.-") != strlen(text) || !dash || dash == text || !dash[1] || strchr(dash + 1, '-') ||
-        strlen(text) >= sizeof((struct usb_device *)NULL)->path)
-        refuse(state, "--usb-path: '%s' is not a bus and ports, as 1-3.1; see glint list", text);
-    return text;
-}
-
-static error_t parse_option(int key, char *text, struct argp_state *state)
-{
-    switch (key) {
-    case KEY_VID_PID:
-        usb_options.id = parse_id(state, text);
-        return 0;
-    case KEY_SERIAL:
-        if (!*text)
-            refuse(state, "--serial: the serial number is empty; see glint list");
-        usb_options.serial = text;
-        return 0;
-    case KEY_USB_PATH:
-        usb_options.path = parse_path(state, text);
-        return 0;
-    case KEY_DETACH:
-        usb_options.detach = true;
-        return 0;
-    case KEY_WAIT:
-        usb_options.wait = true;
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
-static const struct argp usb_argp = {argp_options, parse_option, NULL, NULL, NULL, NULL, NULL};
-
-/* ---- opening ---- */
+#include "sinks/gud/choose.h"
+#include "sinks/gud/pack.h"
+#include "sinks/usb/bulk.h"
+#include "sinks/usb/choose.h"
+#include "sinks/usb/light.h"
+#include "sinks/usb/list.h"
 
 struct usb_sink {
     struct sink sink;
@@ -86,21 +25,16 @@ struct usb_sink {
 
 enum { WAIT_MS = 250, DENIED_TRIES = 8 };
 
-static void pause_ms(long ms)
-{
-    nanosleep(&(struct timespec){ms / 1000, ms % 1000 * 1000000}, NULL);
-}
-
 static struct sink_cost cost_of(libusb_device *device)
 {
     switch (libusb_get_device_speed(device)) {
     case LIBUSB_SPEED_SUPER:
     case LIBUSB_SPEED_SUPER_PLUS:
-        return (struct sink_cost){0.0002, 200e6};
+        return usb_super_speed_cost;
     case LIBUSB_SPEED_HIGH:
-        return (struct sink_cost){0.0003, 35e6};
+        return usb_high_speed_cost;
     default:
-        return (struct sink_cost){0.0004, 800e3};
+        return usb_full_speed_cost;
     }
 }
 
@@ -170,15 +104,13 @@ static void remember(const struct usb_device *device)
 
 static struct usb_sink *new_sink(void)
 {
-    struct usb_sink *usb = calloc(1, sizeof *usb);
-    if (!usb)
-        fail("out of memory");
+    struct usb_sink *usb = allocate(1, sizeof *usb);
     const int error = libusb_init(&usb->port.libusb);
     if (error) {
         free(usb);
         fail("USB: libusb cannot start: %s; is /dev/bus/usb there?", libusb_strerror(error));
     }
-    usb->sink = (struct sink){.kind = &sink_usb, .name = usb->name};
+    usb->sink = (struct sink){.name = usb->name};
     usb->link = (struct gud_link){.context = &usb->port, .control = usb_control};
     usb->port.stoppable = true;
     return usb;
@@ -220,7 +152,7 @@ static struct sink *usb_open(const struct sink_wish *wish)
         if (!usb_options.wait || !may_pass)
             fail("%s", line);
         progress("waiting for a USB display; Ctrl-C ends it");
-        pause_ms(WAIT_MS);
+        usb_pause_ms(WAIT_MS);
         if (stream_stopped())
             return NULL;
     }
@@ -304,7 +236,7 @@ static bool is_gone(struct usb_sink *usb)
 {
     enum { MOMENT_MS = 100 };
     uint8_t status;
-    pause_ms(MOMENT_MS);
+    usb_pause_ms(MOMENT_MS);
     return usb_control(&usb->port, true, GUD_GET_STATUS, 0, &status, 1) == GUD_LINK_GONE;
 }
 
@@ -321,7 +253,7 @@ static enum sink_result usb_send(struct sink *sink, const struct frame *frame, c
             fail("%s: %s, also after %d new starts; plug it in again", usb->name, problem.text, TRIES);
         if (i == 0)
             warn("%s: %s; starting it anew", usb->name, problem.text);
-        pause_ms(PAUSE_MS);
+        usb_pause_ms(PAUSE_MS);
         fault = stream_stopped() ? GUD_LINK_STOPPED : restart(usb, frame, &problem);
     }
     if (fault == GUD_LINK_STOPPED)
@@ -352,24 +284,19 @@ static char *usb_library(void)
     return asprintf(&text, "libusb %u.%u.%u", version->major, version->minor, version->micro) < 0 ? NULL : text;
 }
 
-static const struct argp *const usb_argps[] = {&usb_argp, NULL};
+static const struct argp *const usb_argps[] = {&usb_options_argp, NULL};
 
 const struct sink_kind sink_usb = {
     .name = "usb",
-    .nature = SINK_DEVICE,
     .summary = "a USB display that speaks GUD, by libusb",
+    .output = SINK_DEVICE,
+    .paced = true,
     .options = usb_argps,
     .examples = "  glint stream dial --to usb --stats\n"
                 "  glint stream --height wall.png --size 240x240 --to usb --shade device\n"
                 "  glint stream coin --to usb --usb-path 1-3.1 --wait\n",
-    .open = usb_open,
-    .box_bytes = usb_box_bytes,
-    .pack = usb_pack,
-    .send = usb_send,
-    .open_shader = usb_open_shader,
-    .send_scene = usb_send_scene,
-    .send_light = usb_send_light,
-    .close = usb_close,
+    .pixels = {.open = usb_open, .box_bytes = usb_box_bytes, .pack = usb_pack, .send = usb_send, .close = usb_close},
+    .shader = &usb_shader,
     .list = usb_list,
     .list_print = usb_list_print,
     .library = usb_library,

@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include "sinks/wires/bus.h"
+
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,7 +8,6 @@
 #include <unistd.h>
 
 #include "base/memory.h"
-#include "sinks/wires/bus.h"
 #include "sinks/wires/lines.h"
 #include "sinks/wires/spidev.h"
 

@@ -1,13 +1,15 @@
-/* SPDX-License-Identifier: MIT
- * Devices in /dev: which there are, and who may open them. */
+/* SPDX-License-Identifier: MIT */
+#include "sinks/wires/device.h"
+
 #include <dirent.h>
 #include <grp.h>
+#include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
 #include "base/message.h"
-#include "sinks/wires/lines.h"
 
 char *device_permission(const char *path)
 {

@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include "sinks/wires/display.h"
+
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +10,6 @@
 #include "base/stop.h"
 #include "sinks/panel/options.h"
 #include "sinks/wires/bus.h"
-#include "sinks/wires/display.h"
 
 /* For choosing what to send, and for predictions: calls of the kernel a second, as measured on a Raspberry Pi 5; what a
  * window takes beside its bytes through the SPI device: its calls. */
@@ -40,16 +41,14 @@ static _Noreturn void fail_bus(const struct display *display)
     fail("%s: the panel could not be written: %s", display->sink.name, strerror(reason));
 }
 
-struct sink *gpio_display_open(const struct sink_kind *kind, const struct gpio_options *options,
-                               const struct sink_wish *wish)
+struct sink *gpio_display_open(const struct gpio_options *options, const struct sink_wish *wish)
 {
     struct display *display = allocate(1, sizeof *display);
     panel_of_options(&display->panel, wish, false);
     display->bus = gpio_bus_open(options);
     display->panel_bus = gpio_bus_panel(display->bus);
     display->panel.bus = &display->panel_bus;
-    display->sink = (struct sink){.kind = kind,
-                                  .width = display->panel.width,
+    display->sink = (struct sink){.width = display->panel.width,
                                   .height = display->panel.height,
                                   .format = GLINT_RGB565_SWAPPED,
                                   .align_x = 1,

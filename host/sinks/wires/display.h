@@ -6,8 +6,7 @@
 #include "sinks/wires/options.h"
 #include "sinks/sink.h"
 
-struct sink *gpio_display_open(const struct sink_kind *kind, const struct gpio_options *options,
-                               const struct sink_wish *wish);
+struct sink *gpio_display_open(const struct gpio_options *options, const struct sink_wish *wish);
 enum sink_result gpio_display_send(struct sink *sink, const struct frame *frame, const struct piece *pieces,
                                    size_t count);
 void gpio_display_close(struct sink *sink);

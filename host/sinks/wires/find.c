@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
+#include "sinks/wires/find.h"
+
 #include <ctype.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/message.h"
-#include "sinks/wires/find.h"
+#include "sinks/wires/device.h"
 
 /* ---- chips ---- */
 

@@ -10,7 +10,7 @@
 
 static struct sink *open_gpio(const struct sink_wish *wish)
 {
-    return gpio_display_open(&sink_gpio, gpio_options_ready(false), wish);
+    return gpio_display_open(gpio_options_ready(false), wish);
 }
 
 static char *library(void)
@@ -42,16 +42,15 @@ static const char help[] =
 const struct sink_kind sink_gpio = {
     .name = "gpio",
     .summary = "a panel (ST7789, ILI9341) on GPIO lines, SPI or 8080",
-    .nature = SINK_DEVICE,
+    .output = SINK_DEVICE,
+    .paced = true,
     .options = options,
     .help = help,
     .examples = "  glint stream watchface --to gpio --bus-config pins.ini\n"
                 "  glint stream coin --to gpio --bus 8080 --panel ili9341 --size 320x240 \\\n"
                 "      --chip gpiochip0 --lines d0=0,d1=1,d2=2,d3=3,d4=4,d5=5,d6=6,d7=7 \\\n"
                 "      --lines wr=8,dc=9,cs=10,reset=11\n",
-    .open = open_gpio,
-    .send = gpio_display_send,
-    .close = gpio_display_close,
+    .pixels = {.open = open_gpio, .send = gpio_display_send, .close = gpio_display_close},
     .list = gpio_lines_list,
     .list_print = gpio_lines_print,
     .library = library,

@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include "sinks/wires/lines.h"
+
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,10 +8,9 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "base/message.h"
-#include "sinks/sink.h"
 #include "sinks/wires/chip.h"
+#include "sinks/wires/device.h"
 #include "sinks/wires/find.h"
-#include "sinks/wires/lines.h"
 
 /* The lines of one chip that are set together. */
 struct group {

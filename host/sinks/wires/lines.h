@@ -28,10 +28,4 @@ const char *gpio_lines_chip(const struct gpio_lines *lines, unsigned i); /* "gpi
 json_t *gpio_lines_list(void);
 void gpio_lines_print(const json_t *chips, FILE *stream);
 
-/* What to do where a device may not be opened, malloc'd: "join the group gpio: ...". (gpio_device.c) */
-char *device_permission(const char *path);
-/* The names in /dev that begin with `prefix` and end with digits or dots, in order; malloc'd, as each is. */
-unsigned device_names(const char *prefix, char ***names);
-void device_names_free(char **names, unsigned count);
-
 #endif

@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include "sinks/wires/options.h"
+
 #include <errno.h>
 #include <ini.h>
 #include <stdio.h>
@@ -10,7 +12,6 @@
 #include "base/message.h"
 #include "base/parse.h"
 #include "sinks/panel/options.h"
-#include "sinks/wires/options.h"
 
 enum key { KEY_BUS = 256, KEY_CHIP, KEY_SPIDEV, KEY_SPI_HZ, KEY_LINES, KEY_BUS_CONFIG };
 enum { TEXTS = KEY_LINES - KEY_BUS };

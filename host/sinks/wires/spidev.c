@@ -1,5 +1,6 @@
-/* SPDX-License-Identifier: MIT
- * The kernel's SPI devices. */
+/* SPDX-License-Identifier: MIT */
+#include "sinks/wires/spidev.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/spi/spidev.h>
@@ -9,8 +10,7 @@
 #include <unistd.h>
 
 #include "base/message.h"
-#include "sinks/wires/lines.h"
-#include "sinks/wires/spidev.h"
+#include "sinks/wires/device.h"
 
 enum { USUAL_CHUNK = 4096 };
 

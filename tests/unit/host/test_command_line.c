@@ -3,7 +3,7 @@
 #include <sys/stat.h>
 
 #include "run.h"
-#include "sinks/sink.h"
+#include "sinks/sinks.h"
 
 #define EVAL "$GLINT eval -n 60 0.99"
 

@@ -33,7 +33,7 @@ static void a_frame_over_the_fewest_wires_is_seen_on_the_panel(void **state)
     *wire("RST") = *wire("LIGHT") = true;
     struct sink *sink = opened(&options);
     send_two_pieces(sink);
-    sink->kind->close(sink);
+    gpio_display_close(sink);
     assert_false(screen.on || screen.awake);
 }
 

@@ -13,7 +13,7 @@ static void open_and_send(void)
     struct sink *sink = opened(&child_options);
     for (int i = 0; i < 3; i++)
         send_two_pieces(sink);
-    sink->kind->close(sink);
+    gpio_display_close(sink);
 }
 
 /* Exit 1, and one line. */

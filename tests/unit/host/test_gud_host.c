@@ -6,7 +6,8 @@
 #include <string.h>
 
 #include "gud_device.h"
-#include "sinks/gud/host.h"
+#include "sinks/gud/choose.h"
+#include "sinks/gud/pack.h"
 
 /* ---- an honest display: the firmware's ---- */
 

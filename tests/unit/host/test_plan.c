@@ -337,7 +337,7 @@ static void pack_low_bytes(const struct sink *sink, const struct frame *frame, c
 static void a_sinks_own_form_is_what_is_sent(void **state)
 {
     (void)state;
-    static const struct sink_kind kind = {.name = "own", .box_bytes = byte_a_pixel, .pack = pack_low_bytes};
+    static const struct sink_kind kind = {.name = "own", .pixels = {.box_bytes = byte_a_pixel, .pack = pack_low_bytes}};
     static uint8_t last[BYTES], now[BYTES], rows[BYTES];
     struct sink sink = sink_of(GLINT_RGB565, true, 1, 10 * WIDTH);
     sink.kind = &kind;

@@ -4,7 +4,7 @@
 
 #include "bake/bake.h"
 #include "scene/scene.h"
-#include "stream/stream.h"
+#include "stream/device.h"
 
 enum { WIDTH = 12, HEIGHT = 7, PIXELS = WIDTH * HEIGHT };
 
@@ -66,7 +66,8 @@ static enum sink_result take_light(struct sink *sink, const int32_t to_light[3],
     return SINK_SENT;
 }
 
-static const struct sink_kind kind = {.name = "test", .send_scene = take_scene, .send_light = take_light};
+static const struct sink_shader shading_device = {.send_scene = take_scene, .send_light = take_light};
+static const struct sink_kind kind = {.name = "test", .shader = &shading_device};
 static struct sink device = {.kind = &kind, .width = WIDTH, .height = HEIGHT, .format = GLINT_RGB565};
 
 /* ---- tests ---- */

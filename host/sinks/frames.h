@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT
+ * Frames as files: their names, and their pixels as pictures. */
+#ifndef GLINT_SINK_FRAMES_H
+#define GLINT_SINK_FRAMES_H
+
+#include "sinks/sink.h"
+
+/* The name of frame `index`, malloc'd: `pattern` with the number where it has its %d or %04d. */
+char *frame_name(const char *pattern, unsigned long index);
+/* Is there a place for a number in it? Refuses a pattern that has two, or a % of another kind. */
+bool frame_pattern(const struct argp_state *state, const char *option, const char *pattern);
+struct picture *frame_picture(const struct frame *frame); /* image/image.h */
+
+#endif

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT
+ * Which of the USB displays that were found, or why none. */
+#ifndef GLINT_USB_CHOOSE_H
+#define GLINT_USB_CHOOSE_H
+
+#include <stddef.h>
+
+#include "sinks/usb/find.h"
+
+enum usb_attempt {
+    USB_TRY_OPENED,
+    USB_TRY_AGAIN,  /* it may be plugged in */
+    USB_TRY_DENIED, /* udev takes a moment to let the user in */
+    USB_TRY_NO_GOOD
+};
+/* The one to use; else NULL, one line that says why, and whether that may pass. */
+const struct usb_device *usb_choose(const struct usb_found *found, const struct usb_options *options, char *line,
+                                    size_t size, enum usb_attempt *attempt);
+
+#endif

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT
+ * Which USB devices are displays. */
+#ifndef GLINT_USB_FIND_H
+#define GLINT_USB_FIND_H
+
+#include <libusb.h>
+#include <stdbool.h>
+
+#include "sinks/gud/link.h"
+#include "sinks/usb/options.h"
+
+enum usb_state {
+    USB_DISPLAY,     /* answers the descriptor request */
+    USB_KERNEL,      /* a kernel driver has it; nothing was asked */
+    USB_IN_USE,      /* another program has it */
+    USB_DENIED,      /* may not be opened */
+    USB_NOT_DISPLAY, /* or no good one: see problem */
+    USB_VANISHED
+};
+
+enum { USB_INTERFACES_MAX = 8, USB_FOUND_MAX = 64 };
+
+struct usb_device {
+    libusb_device *device;
+    uint32_t id;
+    char path[USB_PATH_ROOM], serial[128], product[128], driver[32];
+    bool expected; /* to be a GUD display: by its ID, or because it was named */
+    unsigned interface_count;
+    struct {
+        uint8_t number, bulk_out;
+    } interfaces[USB_INTERFACES_MAX]; /* vendor class with a bulk OUT endpoint */
+    uint8_t interface, bulk_out;      /* the display's */
+    enum usb_state state;
+    struct gud_problem problem;
+};
+
+struct usb_found {
+    libusb_device **list;
+    unsigned count;
+    struct usb_device devices[USB_FOUND_MAX];
+};
+
+/* What the options allow, each device asked what it is. `libusb` NULL: no context. */
+void usb_find(libusb_context *libusb, const struct usb_options *options, struct usb_found *found);
+void usb_found_free(struct usb_found *found);
+/* "usb 1-3 (1d50:614d)" */
+const char *usb_name(const struct usb_device *device, char *text, size_t size);
+
+#endif
