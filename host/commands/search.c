@@ -73,7 +73,7 @@ static const char documentation[] =
     "  glint search --stage 1 --best 10               ten sets before stage 2\n"
     "  glint search --exponents -3:3:0.5 --json       half steps\n"
     "  glint search --coefficients 0.25:3:0.25 --best 20 -o wide.txt\n"
-    "  glint search --joint --exponents 0:3:0.5       both at once, on a smaller grid\n"
+    "  glint search --joint --exponents 0:3:0.5       both at once, smaller grid\n"
     "  mpirun -n 8 glint search --joint --checkpoint joint.json -o joint.txt";
 
 /* `owned` keeps the values; those of an earlier use of the option go. */
