@@ -48,18 +48,27 @@ enum glint_err {
 
 /* ---- The lobe: how bright the highlight is ------------------------------------------------------------------- */
 
-/* The function of the cosine c and the shininess n. Stored as uint8_t in structs. */
-enum glint_model {
-    GLINT_MSH,     /* (5)  2c / (1.25 (n - nc + 1.25c)^2): the modified Schlick function; peak 1.024 */
-    GLINT_SCHLICK, /* (2)  c / (n - nc + c) */
-    GLINT_BLINN,   /* (1)  c^n, c = N.H */
-    GLINT_PHONG,   /* (1)  c^n, c = V.R: the same power, other geometry */
-    GLINT_GAUSS,   /* (1)  exp(-n x^2 / 2), x = acos c */
-    GLINT_CAYLEY   /* ours, not of the paper: c^n for n <= 4, else (max(0, 4(1+c) - n(1-c)) / (4(1+c) + n(1-c)))^4 */
-};
+/* The models: functions of the cosine c and the shininess n. This list is the one place that names them all:
+ * X(number, name, function, use) has glint_FUNCTION below do the model's work, in lib/lobe_FUNCTION.c; use is own, or shared
+ * where another model's functions are used. */
+#define GLINT_MODELS(X)                                                                                                \
+    X(GLINT_MSH, msh, msh, own)             /* (5)  2c / (1.25 (n - nc + 1.25c)^2), modified Schlick; peak 1.024 */    \
+    X(GLINT_SCHLICK, schlick, schlick, own) /* (2)  c / (n - nc + c) */                                                \
+    X(GLINT_BLINN, blinn, blinn, own)       /* (1)  c^n, c = N.H */                                                    \
+    X(GLINT_PHONG, phong, blinn, shared)    /* (1)  c^n, c = V.R: the same power, other geometry */                    \
+    X(GLINT_GAUSS, gauss, gauss, own)       /* (1)  exp(-n x^2 / 2), x = acos c */                                     \
+    X(GLINT_CAYLEY, cayley, cayley, own)    /* ours: c^n for n <= 4, else the next line to the power of 4 */           \
+                                            /* max(0, 4(1+c) - n(1-c)) / (4(1+c) + n(1-c)) */                          \
+    X(GLINT_LYON, lyon, lyon, own)          /* Lyon 1993, gamma 4: max(0, 1 - n(1-c)/4)^4 */
 
-/* F in Q16.16, 0..67109. From c correctly rounded; from t correctly rounded for MSH, Schlick and Cayley, within
- * 0.501 ulp for the others. Monotone: F never rises with t. Both agree where t is a multiple of 2^-16. */
+/* GLINT_MSH = 0, ... Stored as uint8_t in structs. */
+#define GLINT_MODEL_NUMBER(number, name, function, use) number,
+#define GLINT_MODEL_ONE(number, name, function, use) +1
+enum glint_model { GLINT_MODELS(GLINT_MODEL_NUMBER) };
+enum { GLINT_MODEL_COUNT = 0 GLINT_MODELS(GLINT_MODEL_ONE) };
+
+/* F in Q16.16, 0..67109. From c correctly rounded; from t correctly rounded, too, but for powers and Gauss, which
+ * are within 0.501 ulp. Monotone: F never rises with t. Both agree where t is a multiple of 2^-16. */
 uint32_t glint_eval(enum glint_model model, uint32_t n, int32_t c_q16);
 uint32_t glint_eval_t(enum glint_model model, uint32_t n, uint32_t t_q30);
 
@@ -68,27 +77,14 @@ uint32_t glint_eval_t(enum glint_model model, uint32_t n, uint32_t t_q30);
 uint32_t glint_cutoff(enum glint_model model, uint32_t n, unsigned q);
 uint32_t glint_cutoff_t(enum glint_model model, uint32_t n, unsigned q);
 
-/* The same, one model a file, so that a program links only what it calls. */
-uint32_t glint_msh(uint32_t n, int32_t c_q16);
-uint32_t glint_msh_t(uint32_t n, uint32_t t_q30);
-uint32_t glint_msh_cutoff(uint32_t n, unsigned q);
-uint32_t glint_msh_cutoff_t(uint32_t n, unsigned q);
-uint32_t glint_schlick(uint32_t n, int32_t c_q16);
-uint32_t glint_schlick_t(uint32_t n, uint32_t t_q30);
-uint32_t glint_schlick_cutoff(uint32_t n, unsigned q);
-uint32_t glint_schlick_cutoff_t(uint32_t n, unsigned q);
-uint32_t glint_blinn(uint32_t n, int32_t c_q16);
-uint32_t glint_blinn_t(uint32_t n, uint32_t t_q30);
-uint32_t glint_blinn_cutoff(uint32_t n, unsigned q);
-uint32_t glint_blinn_cutoff_t(uint32_t n, unsigned q);
-uint32_t glint_gauss(uint32_t n, int32_t c_q16);
-uint32_t glint_gauss_t(uint32_t n, uint32_t t_q30);
-uint32_t glint_gauss_cutoff(uint32_t n, unsigned q);
-uint32_t glint_gauss_cutoff_t(uint32_t n, unsigned q);
-uint32_t glint_cayley(uint32_t n, int32_t c_q16);
-uint32_t glint_cayley_t(uint32_t n, uint32_t t_q30);
-uint32_t glint_cayley_cutoff(uint32_t n, unsigned q);
-uint32_t glint_cayley_cutoff_t(uint32_t n, unsigned q);
+/* The same, one model a file, so that a program links only what it calls: glint_msh, glint_msh_t, glint_msh_cutoff,
+ * glint_msh_cutoff_t, and so on for schlick, blinn, gauss, cayley and lyon. */
+#define GLINT_MODEL_FUNCTIONS(number, name, function, use)                                                             \
+    uint32_t glint_##function(uint32_t n, int32_t c_q16);                                                              \
+    uint32_t glint_##function##_t(uint32_t n, uint32_t t_q30);                                                         \
+    uint32_t glint_##function##_cutoff(uint32_t n, unsigned q);                                                        \
+    uint32_t glint_##function##_cutoff_t(uint32_t n, unsigned q);
+GLINT_MODELS(GLINT_MODEL_FUNCTIONS)
 
 /* A lobe prepared for a loop: everything beyond the cutoff is exactly 0 and costs one compare. Yours to place. */
 struct glint_lobe {

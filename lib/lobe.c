@@ -3,7 +3,7 @@
 
 void glint_lobe_init(struct glint_lobe *lobe, enum glint_model model, uint32_t n, unsigned q)
 {
-    lobe->model = (uint8_t)(model <= GLINT_CAYLEY ? model : UINT8_MAX); /* unknown stays unknown */
+    lobe->model = (uint8_t)((unsigned)model < GLINT_MODEL_COUNT ? model : UINT8_MAX); /* unknown stays unknown */
     lobe->n = (uint16_t)glint_clamp_n(n);
     lobe->q = (uint8_t)glint_clamp_q(q);
     lobe->c_min_q16 = glint_cutoff(model, n, q);

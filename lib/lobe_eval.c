@@ -1,21 +1,15 @@
 /* SPDX-License-Identifier: MIT
- * The functions that take the model as an argument; they link every model. */
+ * The functions that take the model as an argument; they link every model. An unknown model gives 0. */
 #include "glint.h"
 
 uint32_t glint_eval(enum glint_model model, uint32_t n, int32_t c_q16)
 {
     switch (model) {
-    case GLINT_MSH:
-        return glint_msh(n, c_q16);
-    case GLINT_SCHLICK:
-        return glint_schlick(n, c_q16);
-    case GLINT_BLINN:
-    case GLINT_PHONG:
-        return glint_blinn(n, c_q16);
-    case GLINT_GAUSS:
-        return glint_gauss(n, c_q16);
-    case GLINT_CAYLEY:
-        return glint_cayley(n, c_q16);
+#define MODEL_CASE(number, name, function, use)                                                                        \
+    case number:                                                                                                       \
+        return glint_##function(n, c_q16);
+        GLINT_MODELS(MODEL_CASE)
+#undef MODEL_CASE
     }
     return 0;
 }
@@ -23,17 +17,11 @@ uint32_t glint_eval(enum glint_model model, uint32_t n, int32_t c_q16)
 uint32_t glint_eval_t(enum glint_model model, uint32_t n, uint32_t t_q30)
 {
     switch (model) {
-    case GLINT_MSH:
-        return glint_msh_t(n, t_q30);
-    case GLINT_SCHLICK:
-        return glint_schlick_t(n, t_q30);
-    case GLINT_BLINN:
-    case GLINT_PHONG:
-        return glint_blinn_t(n, t_q30);
-    case GLINT_GAUSS:
-        return glint_gauss_t(n, t_q30);
-    case GLINT_CAYLEY:
-        return glint_cayley_t(n, t_q30);
+#define MODEL_CASE(number, name, function, use)                                                                        \
+    case number:                                                                                                       \
+        return glint_##function##_t(n, t_q30);
+        GLINT_MODELS(MODEL_CASE)
+#undef MODEL_CASE
     }
     return 0;
 }
@@ -41,17 +29,11 @@ uint32_t glint_eval_t(enum glint_model model, uint32_t n, uint32_t t_q30)
 uint32_t glint_cutoff(enum glint_model model, uint32_t n, unsigned q)
 {
     switch (model) {
-    case GLINT_MSH:
-        return glint_msh_cutoff(n, q);
-    case GLINT_SCHLICK:
-        return glint_schlick_cutoff(n, q);
-    case GLINT_BLINN:
-    case GLINT_PHONG:
-        return glint_blinn_cutoff(n, q);
-    case GLINT_GAUSS:
-        return glint_gauss_cutoff(n, q);
-    case GLINT_CAYLEY:
-        return glint_cayley_cutoff(n, q);
+#define MODEL_CASE(number, name, function, use)                                                                        \
+    case number:                                                                                                       \
+        return glint_##function##_cutoff(n, q);
+        GLINT_MODELS(MODEL_CASE)
+#undef MODEL_CASE
     }
     return 0;
 }
@@ -59,17 +41,11 @@ uint32_t glint_cutoff(enum glint_model model, uint32_t n, unsigned q)
 uint32_t glint_cutoff_t(enum glint_model model, uint32_t n, unsigned q)
 {
     switch (model) {
-    case GLINT_MSH:
-        return glint_msh_cutoff_t(n, q);
-    case GLINT_SCHLICK:
-        return glint_schlick_cutoff_t(n, q);
-    case GLINT_BLINN:
-    case GLINT_PHONG:
-        return glint_blinn_cutoff_t(n, q);
-    case GLINT_GAUSS:
-        return glint_gauss_cutoff_t(n, q);
-    case GLINT_CAYLEY:
-        return glint_cayley_cutoff_t(n, q);
+#define MODEL_CASE(number, name, function, use)                                                                        \
+    case number:                                                                                                       \
+        return glint_##function##_cutoff_t(n, q);
+        GLINT_MODELS(MODEL_CASE)
+#undef MODEL_CASE
     }
     return 0;
 }

@@ -9,6 +9,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "glint.h"
+
 /* 0: without the COLOUR and ALBEDO tables, for machines whose RAM is less than their 20 KB. */
 #ifndef CONFORMANCE_COLOUR
 #define CONFORMANCE_COLOUR 1
@@ -22,13 +24,16 @@
 #define CONFORMANCE_MODELS_ONLY 0
 #endif
 
+/* Text for each model that has functions of its own; those that share another's are left out. */
+#define CONFORMANCE_MODELS(number, name, function, use) CONFORMANCE_IF_##use(name)
+#define CONFORMANCE_IF_shared(name)
+
+#define CONFORMANCE_IF_own(name) CONFORMANCE_##name,
 enum conformance_check {
-    CONFORMANCE_MSH, /* values from c and from t: a grid, every limit, every cutoff and its neighbours */
-    CONFORMANCE_SCHLICK,
-    CONFORMANCE_BLINN,
-    CONFORMANCE_GAUSS,
-    CONFORMANCE_CAYLEY,
+    /* clang-format off */
+    GLINT_MODELS(CONFORMANCE_MODELS) /* values from c and from t: a grid, every limit, every cutoff and its neighbours */
     CONFORMANCE_LOBES, /* models by number, prepared lobes on both sides of their cutoff */
+    /* clang-format on */
     CONFORMANCE_VECTORS,
     CONFORMANCE_SRGB,
     CONFORMANCE_RGB565, /* rectangles, rectangles under several lights, spans */
@@ -41,8 +46,11 @@ enum conformance_check {
     CONFORMANCE_COLOURS,
     CONFORMANCE_ALBEDO,
     CONFORMANCE_EVERY_C_1, /* MSH and Schlick at every c: n = 1, 2, 3, 5, 10, 60, 100, 317, 1000 */
-    CONFORMANCE_CHECKS = CONFORMANCE_EVERY_C_1 + 9
+    CONFORMANCE_CHECKS = CONFORMANCE_EVERY_C_1 + 9,
+    /* Of how many the image holds names and hashes: the first ones. */
+    CONFORMANCE_HELD = CONFORMANCE_MODELS_ONLY ? CONFORMANCE_LOBES + 1 : CONFORMANCE_CHECKS
 };
+#undef CONFORMANCE_IF_own
 
 struct conformance_size {
     uint16_t n_stride; /* of the list of shininess values */
@@ -55,15 +63,15 @@ struct conformance_size {
 extern const struct conformance_size conformance_large; /* for a desktop: some millions of values */
 extern const struct conformance_size conformance_small; /* for a microcontroller: some thousands */
 
-const char *conformance_name(unsigned check);
-bool conformance_fits(unsigned check); /* false: left out here, see above */
+const char *conformance_name(unsigned check); /* of those held */
+bool conformance_fits(unsigned check);        /* false: left out here, see above */
 uint64_t conformance_hash(unsigned check, const struct conformance_size *size);
 
 /* The small size. Prints a line a check by machine_put; `expected`: the host's hashes. */
 struct conformance_sum {
     unsigned passed, failed, skipped;
 };
-struct conformance_sum conformance_run(const uint64_t expected[CONFORMANCE_CHECKS]);
+struct conformance_sum conformance_run(const uint64_t expected[CONFORMANCE_HELD]);
 
 /* For whoever adds a line to the report. */
 void conformance_say(const char *text);

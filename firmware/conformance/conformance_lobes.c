@@ -36,16 +36,11 @@ void conform_model(unsigned check, const struct conformance_size *size)
     for (uint16_t i = 0; i < SHININESS_COUNT; i += size->n_stride) {
         const uint32_t n = shininess[i];
         switch (check) {
-        case CONFORMANCE_MSH:
-            ADD_MODEL(msh);
-        case CONFORMANCE_SCHLICK:
-            ADD_MODEL(schlick);
-        case CONFORMANCE_BLINN:
-            ADD_MODEL(blinn);
-        case CONFORMANCE_GAUSS:
-            ADD_MODEL(gauss);
-        default:
-            ADD_MODEL(cayley);
+#define CONFORMANCE_IF_own(name)                                                                                       \
+    case CONFORMANCE_##name:                                                                                           \
+        ADD_MODEL(name);
+            GLINT_MODELS(CONFORMANCE_MODELS)
+#undef CONFORMANCE_IF_own
         }
     }
 }
@@ -75,7 +70,7 @@ static void add_lobe(unsigned model, uint16_t n, const struct conformance_size *
 void conform_lobes(const struct conformance_size *size)
 {
     for (uint16_t i = 0; i < SHININESS_COUNT; i += size->n_stride)
-        for (unsigned model = 0; model <= MODEL_COUNT; model++) /* one more than there are */
+        for (unsigned model = 0; model <= GLINT_MODEL_COUNT; model++) /* one more than there are */
             add_lobe(model, shininess[i], size);
 }
 

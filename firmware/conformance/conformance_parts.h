@@ -6,7 +6,6 @@
 #include "conformance.h"
 #include "glint.h"
 
-enum { MODEL_COUNT = GLINT_CAYLEY + 1 };
 enum { W = 13, H = 3, LINE = 3 * W + 2 }; /* of a rectangle */
 
 /* Into the hash. */

@@ -145,7 +145,7 @@ static void add_scene(unsigned model, unsigned format, unsigned space, unsigned 
 void conform_scenes(unsigned format, const struct conformance_size *size)
 {
     unsigned flags = format;
-    for (unsigned model = 0; model < MODEL_COUNT; model++)
+    for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
         for (unsigned space = GLINT_GAMMA; space <= GLINT_LINEAR; space++)
             for (uint8_t scene = 0; scene < size->scenes; scene++)
                 add_scene(model, format, space, flags++);

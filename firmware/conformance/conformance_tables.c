@@ -183,7 +183,7 @@ static void add_tables(unsigned kind, unsigned model, unsigned format, unsigned 
 static void add_kind(unsigned kind, unsigned last_format, const struct conformance_size *size)
 {
     unsigned flags = 0;
-    for (unsigned model = 0; model < MODEL_COUNT; model++)
+    for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
         for (unsigned format = GLINT_RGB565; format <= last_format; format++)
             for (uint8_t scene = 0; scene < size->scenes; scene++)
                 add_tables(kind, model, format, flags++);
@@ -203,7 +203,7 @@ void conform_albedo(const struct conformance_size *size)
 {
 #if CONFORMANCE_COLOUR
     unsigned flags = 0;
-    for (unsigned model = 0; model < MODEL_COUNT; model++)
+    for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
         for (uint8_t scene = 0; scene < 2 * size->scenes; scene++)
             add_albedo(model, flags++);
 #else

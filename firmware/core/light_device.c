@@ -68,7 +68,7 @@ static enum gud_status set_material(struct light_device *d, const uint8_t *data)
     light_material_unpack(&material, data);
     if (!d->enabled)
         return GUD_PROTOCOL;
-    if (material.model > GLINT_CAYLEY || material.model == GLINT_PHONG || material.space > GLINT_LINEAR ||
+    if (material.model >= GLINT_MODEL_COUNT || material.model == GLINT_PHONG || material.space > GLINT_LINEAR ||
         material.flags & ~LIGHT_CLAMP_PEAK)
         return GUD_PARAMETER;
     d->material = material;

@@ -15,7 +15,7 @@
 enum { KEY_MODEL = 256, KEY_CSV, KEY_JSON };
 
 struct request {
-    bool model_given[MODEL_COUNT];
+    bool model_given[GLINT_MODEL_COUNT];
     long *shininess, *q;
     size_t shininess_count, q_count;
     enum rows_format format;
@@ -23,7 +23,7 @@ struct request {
 };
 
 static const struct argp_option options[] = {
-    {"model", KEY_MODEL, "NAME", 0, "msh (default), schlick, blinn, phong, gauss, cayley, or all", 0},
+    {"model", KEY_MODEL, "NAME", 0, MODEL_WORDS "or all; default: msh", 0},
     {"shininess", 'n', "LIST", 0, "Shininess, whole numbers from 1 to 1000; default 60", 0},
     {"cutoff", 'q', "LIST", 0, "The cutoff is 2^-Q; whole numbers from 0 to 16; default 8", 0},
     {"csv", KEY_CSV, NULL, 0, "Print comma-separated values instead of aligned text", 1},
@@ -106,7 +106,7 @@ int command_cutoff(int argc, char **argv)
 
     struct output *output = output_open(request.path);
     struct rows *rows = rows_begin(output->stream, request.format, columns, COLUMN_COUNT);
-    for (int model = 0; model < MODEL_COUNT; model++)
+    for (int model = 0; model < GLINT_MODEL_COUNT; model++)
         for (size_t i = 0; request.model_given[model] && i < request.shininess_count; i++)
             for (size_t k = 0; k < request.q_count; k++)
                 add_row(rows, (enum glint_model)model, (uint32_t)request.shininess[i], (unsigned)request.q[k]);

@@ -15,7 +15,7 @@
 enum { KEY_MODEL = 256, KEY_T, KEY_RAW, KEY_CSV, KEY_JSON };
 
 struct request {
-    bool model_given[MODEL_COUNT];
+    bool model_given[GLINT_MODEL_COUNT];
     long *shininess;
     size_t shininess_count;
     int q; /* -1: no cutoff */
@@ -27,7 +27,7 @@ struct request {
 };
 
 static const struct argp_option options[] = {
-    {"model", KEY_MODEL, "NAME", 0, "msh (default), schlick, blinn, phong, gauss, cayley, or all", 0},
+    {"model", KEY_MODEL, "NAME", 0, MODEL_WORDS "or all; default: msh", 0},
     {"shininess", 'n', "LIST", 0, "Shininess, whole numbers from 1 to 1000; default 60", 0},
     {"cutoff", 'q', "Q", 0, "Apply the cutoff: values below 2^-Q become 0; 0 to 16; default: no cutoff", 0},
     {"t", KEY_T, NULL, 0, "The values are t = 1 - c, 0 to 2: finer than c near the peak", 0},
@@ -112,7 +112,7 @@ static void add_word(struct rows *rows, const struct request *request, const cha
 {
     double *values;
     const size_t count = parse_values(NULL, request, where, word, &values);
-    for (int model = 0; model < MODEL_COUNT; model++)
+    for (int model = 0; model < GLINT_MODEL_COUNT; model++)
         for (size_t i = 0; request->model_given[model] && i < request->shininess_count; i++)
             for (size_t k = 0; k < count; k++)
                 add_row(rows, request, (enum glint_model)model, (uint32_t)request->shininess[i], values[k]);

@@ -35,7 +35,7 @@ struct request {
 };
 
 static const struct argp_option options[] = {
-    {"model", KEY_MODEL, "NAME", 0, "msh (default), schlick, blinn, phong, gauss or cayley", 0},
+    {"model", KEY_MODEL, "NAME", 0, MODEL_WORDS "default: msh", 0},
     {"shininess", 'n', "N", 0, "Shininess, a whole number from 1 to 1000; default 60", 0},
     {"cutoff", 'q', "Q", 0, "The table ends where the highlight falls below 2^-Q, 0 to 16; default 8", 0},
     {"of", KEY_OF, "c|t", 0, "The argument: the cosine c, or t = 1 - c (default), which is finer near the peak", 0},

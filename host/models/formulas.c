@@ -61,12 +61,6 @@ double relative_error_percent(double f, double reference)
     return fabs(100 * (f - reference) / reference);
 }
 
-double lyon_double(double n, double c)
-{
-    const double base = fmax(0, 1 - n * (1 - c) / 4);
-    return base * base * (base * base);
-}
-
 double spherical_gaussian_double(double n, double c)
 {
     return exp(-(n + 0.775) * (1 - c));

@@ -21,9 +21,7 @@ double msh_cutoff_angle_stable(double n, double q);        /* (12) rearranged: n
 double blinn_cutoff_angle(double n, double q);             /* (14) */
 double relative_error_percent(double f, double reference); /* (17) */
 
-/* Not the paper's, to compare with: R. F. Lyon, Phong Shading Reformulation for Hardware Renderer Simplification,
- * Apple Technical Report 43, 1993, with gamma = 4, and the spherical Gaussian fitted to c^n. */
-double lyon_double(double n, double c);               /* max(0, 1 - n (1-c) / 4)^4 */
+/* Not the paper's, to compare with: the spherical Gaussian fitted to c^n. */
 double spherical_gaussian_double(double n, double c); /* exp(-(n + 0.775) (1-c)) */
 
 #endif

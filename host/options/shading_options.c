@@ -50,7 +50,7 @@ static const struct argp_option argp_options[] = {
     {"gloss", KEY_GLOSS, "FILE", 0, "What scales the highlight: white full, black none", 2},
 
     {NULL, 0, NULL, 0, "The light and the material:", 3},
-    {"model", KEY_MODEL, "NAME", 0, "The highlight: msh (default), schlick, blinn, phong, gauss or cayley", 3},
+    {"model", KEY_MODEL, "NAME", 0, "The highlight: " MODEL_WORDS "default: msh", 3},
     {NULL, 'n', "N", 0, "Shininess, 1..1000 (default 60; watchface 40, coin 30)", 3},
     {NULL, 'q', "Q", 0,
      "A highlight under 2^-Q counts as 0; 0..16 (default 12 for --space linear, else 6 for rgb565 "

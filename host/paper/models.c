@@ -35,6 +35,10 @@ static double cayley(double n, double c)
 {
     return model_double(GLINT_CAYLEY, n, c);
 }
+static double lyon(double n, double c)
+{
+    return model_double(GLINT_LYON, n, c);
+}
 
 static const struct entry entries[] = {
     {"Schlick", "c / (n - nc + c)", GLINT_SCHLICK, schlick, {1, 1, 1, ""}},
@@ -45,7 +49,7 @@ static const struct entry entries[] = {
      GLINT_CAYLEY,
      cayley,
      {4, 2, 1, "max"}},
-    {"Lyon 1993, gamma 4", "max(0, 1 - n(1-c)/4)^4", -1, lyon_double, {3, 1, 0, "max"}},
+    {"Lyon 1993, gamma 4", "max(0, 1 - n(1-c)/4)^4", GLINT_LYON, lyon, {3, 1, 0, "max"}},
     {"Spherical Gaussian", "exp(-(n + .775)(1-c))", -1, spherical_gaussian_double, {1, 1, 0, "exp"}},
 };
 enum { ENTRIES = sizeof entries / sizeof *entries, MSH_ENTRY = 1 };

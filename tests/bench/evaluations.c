@@ -33,6 +33,8 @@ const struct evaluation evaluations[] = {
     FROM_T(glint_schlick_t, GLINT_SCHLICK, "exact"),
     FROM_C(glint_cayley, GLINT_CAYLEY, "exact"),
     FROM_T(glint_cayley_t, GLINT_CAYLEY, "exact"),
+    FROM_C(glint_lyon, GLINT_LYON, "exact"),
+    FROM_T(glint_lyon_t, GLINT_LYON, "exact"),
     FROM_C(glint_blinn, GLINT_BLINN, "exact"),
     FROM_T(glint_blinn_t, GLINT_BLINN, "within .501 ulp"),
     FROM_C(glint_gauss, GLINT_GAUSS, "exact"),

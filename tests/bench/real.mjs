@@ -7,5 +7,6 @@ export const real = {
   schlick: (n, t) => (1 - t) / (n * t + 1 - t), // (2)
   blinn: power, // (1)
   gauss: (n, t) => Math.exp(-n / 2 * Math.acos(1 - t) ** 2), // (1)
-  cayley: (n, t) => n <= 4 ? power(n, t) : (Math.max(0, 4 * (2 - t) - n * t) / (4 * (2 - t) + n * t)) ** 4
+  cayley: (n, t) => n <= 4 ? power(n, t) : (Math.max(0, 4 * (2 - t) - n * t) / (4 * (2 - t) + n * t)) ** 4,
+  lyon: (n, t) => Math.max(0, 1 - n * t / 4) ** 4
 }

@@ -3,8 +3,9 @@
 import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 
-// As glint.h numbers them.
-export const MODELS = ['msh', 'schlick', 'blinn', 'phong', 'gauss', 'cayley']
+// As glint.h lists them.
+const header = readFileSync(new URL('../../lib/glint.h', import.meta.url), 'utf8')
+export const MODELS = [...header.matchAll(/^ +X\(GLINT_\w+, (\w+), /mg)].map((match) => match[1])
 export const FORMATS = ['rgb565', 'rgb565 swapped', 'rgb888', 'grey8', 'mono']
 const MAPS = ['int16', 'int10', 'int8', 'palette-offsets'] // enum bench_map
 export const LINE_BYTES = [2, 2, 3, 1, 1 / 8]

@@ -14,25 +14,32 @@
 
 typedef unsigned __int128 u128;
 
-/* Is f the rounding (nearest, ties up) of 2^16 F? Argument: c = u / 2^30. */
-bool oracle_msh_rounds_to(uint32_t n, uint32_t u, uint32_t f);
-bool oracle_schlick_rounds_to(uint32_t n, uint32_t u, uint32_t f);
-bool oracle_cayley_rounds_to(uint32_t n, uint32_t u, uint32_t f);
-
 /* base^1, base^2, ... in Q0.128, each low by less than `below` units, for base = c (Blinn) or exp(-acos(c)^2 / 2). */
 struct oracle_chain {
     u128 base, power;
     uint32_t n, below;
 };
-void oracle_chain_blinn(struct oracle_chain *chain, uint32_t u); /* 0 < u < 2^30 */
-void oracle_chain_gauss(struct oracle_chain *chain, uint32_t u);
 void oracle_chain_next(struct oracle_chain *chain);
 /* Is f the rounding of the chain's power? Undecided (never yet seen) counts as wrong, but for exact powers of two. */
 bool oracle_chain_rounds_to(const struct oracle_chain *chain, uint32_t f);
 /* Is f within .501 ulp of it? */
 bool oracle_chain_is_near(const struct oracle_chain *chain, uint32_t f);
 
-/* Is F(model, n, c = u / 2^30) >= 2^-q? Decided exactly, or for Gauss by MPFR with a margin that is asserted. */
+/* What is known of a model. Argument: c = u / 2^30. */
+struct oracle {
+    /* Rational in c and n: is f the rounding (nearest, ties up) of 2^16 F? And F itself, as its formula is printed. */
+    bool (*rounds_to)(uint32_t n, uint32_t u, uint32_t f);
+    void (*printed)(mpq_t f, uint32_t n, const mpq_t c);
+    /* Powers of a function of c: n = 1 of a chain, u < 2^30. Is F >= 2^-q? Exactly, or with a margin that is asserted. */
+    void (*chain)(struct oracle_chain *chain, uint32_t u);
+    bool (*reaches)(uint32_t n, uint32_t u, unsigned q);
+};
+/* By enum glint_model, from lib's list: for each model with functions of its own a NAME_oracle. */
+extern const struct oracle *const oracles[GLINT_MODEL_COUNT];
+
+/* c = u / 2^30; and F of a rational model. */
+void oracle_printed(mpq_t f, enum glint_model model, uint32_t n, uint32_t u);
+/* Is F(model, n, c = u / 2^30) >= 2^-q? */
 bool oracle_reaches(enum glint_model model, uint32_t n, uint32_t u, unsigned q);
 
 #endif

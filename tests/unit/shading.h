@@ -45,7 +45,7 @@ static inline struct glint_shader random_shader(enum glint_format format, enum g
     struct glint_shader s;
     memset(&s, 0, sizeof s);
     static const uint32_t shininess[] = {1, 3, 10, 60, 200, 1000};
-    glint_lobe_init(&s.lobe, (enum glint_model)below(6), shininess[below(6)], below(17));
+    glint_lobe_init(&s.lobe, (enum glint_model)below(GLINT_MODEL_COUNT), shininess[below(6)], below(17));
     const int32_t view[3] = {0, 0, 1};
     int32_t l[3];
     do {

@@ -146,7 +146,7 @@ static void no_request_is_taken_that_is_not_wholly_right(void **state)
     assert_true(device.enabled);
     struct light_material wrong[4] = {material, material, material, material};
     wrong[0].model = GLINT_PHONG;
-    wrong[1].model = GLINT_CAYLEY + 1;
+    wrong[1].model = GLINT_MODEL_COUNT;
     wrong[2].space = GLINT_LINEAR + 1;
     wrong[3].flags = LIGHT_CLAMP_PEAK << 1;
     for (unsigned i = 0; i < sizeof wrong / sizeof *wrong; i++) {

@@ -7,7 +7,7 @@
 
 #include "models/batch.h"
 
-enum { MODELS = GLINT_CAYLEY + 1, GUARD = 16, MOST = 70, TABLE = GLINT_C_ONE + 1 }; /* a table pays from TABLE on */
+enum { MODELS = GLINT_MODEL_COUNT, GUARD = 16, MOST = 70, TABLE = GLINT_C_ONE + 1 }; /* a table pays from TABLE on */
 static const uint32_t guard = 0xdeadbeef;
 
 /* All of the range, with both ends and beyond. */

@@ -206,12 +206,12 @@ static void every_model_format_and_space_is_within_a_level_of_the_reference(void
     struct scene *scene = scene_draw("sphere", SIDE, SIDE), scenes[NUDGES];
     for (int k = 0; k < NUDGES; k++)
         scenes[k] = nudged(scene, k);
-    for (int i = 0; i < MODEL_COUNT * 5 * 4; i++) {
+    for (int i = 0; i < GLINT_MODEL_COUNT * 5 * 4; i++) {
         struct shading shading = plain;
-        shading.model = (enum glint_model)(i % MODEL_COUNT);
-        shading.format = formats[i / MODEL_COUNT % 5];
-        shading.space = i / MODEL_COUNT / 5 % 2 ? GLINT_LINEAR : GLINT_GAMMA;
-        shading.dither = i / MODEL_COUNT / 10;
+        shading.model = (enum glint_model)(i % GLINT_MODEL_COUNT);
+        shading.format = formats[i / GLINT_MODEL_COUNT % 5];
+        shading.space = i / GLINT_MODEL_COUNT / 5 % 2 ? GLINT_LINEAR : GLINT_GAMMA;
+        shading.dither = i / GLINT_MODEL_COUNT / 10;
         const struct comparison c = comparison_of(scene, &shading);
         const int apart = first_sample_apart(scenes, &shading);
         assert_int_equal(c.rounded.samples, SIDE * SIDE * format_channels(shading.format));
@@ -230,7 +230,7 @@ static void without_a_cutoff_little_but_the_rounding_is_left(void **state)
 {
     (void)state;
     struct scene *scene = scene_draw("sphere", SIDE, SIDE);
-    for (int model = 0; model < MODEL_COUNT; model++) {
+    for (int model = 0; model < GLINT_MODEL_COUNT; model++) {
         for (unsigned n = 1; n <= 1000; n *= 10) {
             struct shading shading = plain;
             shading.model = (enum glint_model)model;
@@ -276,10 +276,10 @@ static void four_lights_of_every_kind_are_as_near(void **state)
 {
     (void)state;
     struct scene *scene = scene_draw("sphere", SIDE, SIDE);
-    for (int i = 0; i < MODEL_COUNT * 4; i++) {
+    for (int i = 0; i < GLINT_MODEL_COUNT * 4; i++) {
         struct shading shading = plain;
-        shading.model = (enum glint_model)(i % MODEL_COUNT);
-        shading.lamp_count = 1 + (unsigned)i / MODEL_COUNT;
+        shading.model = (enum glint_model)(i % GLINT_MODEL_COUNT);
+        shading.lamp_count = 1 + (unsigned)i / GLINT_MODEL_COUNT;
         for (unsigned k = 0; k < shading.lamp_count; k++)
             shading.lamps[k] = lamps[k];
         shading.q = 16;

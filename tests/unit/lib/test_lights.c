@@ -355,7 +355,7 @@ static void a_lamp_at_a_pixel_or_straight_behind_gives_nothing_there(void **stat
         const struct glint_vec *normal;
     } cases[] = {{at_pixel, &front}, {at_pixel, &back}, {behind, &back}};
     for (int i = 0; i < 3; i++) {
-        for (int model = 0; model < 6; model++) {
+        for (int model = 0; model < GLINT_MODEL_COUNT; model++) {
             struct glint_lamp lamp;
             uint8_t out = GUARD;
             glint_lobe_init(&shader.lobe, (enum glint_model)model, 3, 8);
