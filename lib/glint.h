@@ -15,6 +15,7 @@
  * Stack        At most 800 bytes on Cortex-M0+, 500 on other Cortex-M, 600 on RV32 and AVR, 700 on Xtensa, for any
  *              call (`make test-targets` checks it).
  * Memory       Constants: 1.4 KB, 1.1 of it the sRGB tables, where all is linked. Compilers for AVR keep them in RAM.
+ * Integers     sequence.md states every path's sequence, bit by bit.
  * Sources      Equation numbers are those of Zavalniuk et al. 2022, DOI 10.31649/1999-9941-2022-55-3-4-12.
  */
 #ifndef GLINT_H
@@ -57,7 +58,7 @@ enum glint_err {
     X(GLINT_BLINN, blinn, blinn, own)       /* (1)  c^n, c = N.H */                                                    \
     X(GLINT_PHONG, phong, blinn, shared)    /* (1)  c^n, c = V.R: the same power, other geometry */                    \
     X(GLINT_GAUSS, gauss, gauss, own)       /* (1)  exp(-n x^2 / 2), x = acos c */                                     \
-    X(GLINT_CAYLEY, cayley, cayley, own)    /* ours: c^n for n <= 4, else the next line to the power of 4 */           \
+    X(GLINT_CAYLEY, cayley, cayley, own)    /* ours: c^n for n <= 4, else r^4, r =                                  */ \
                                             /* max(0, 4(1+c) - n(1-c)) / (4(1+c) + n(1-c)) */                          \
     X(GLINT_LYON, lyon, lyon, own)          /* Lyon 1993, gamma 4: max(0, 1 - n(1-c)/4)^4 */
 
@@ -119,25 +120,17 @@ struct glint_light {
  * within 2^-27 of -V. */
 enum glint_err glint_light_init(struct glint_light *light, const int32_t to_light[3], const int32_t to_viewer[3]);
 
-/* ---- The pixel: the integer sequence that every exact path follows ------------------------------------------- *
+/* ---- The pixel ------------------------------------------------------------------------------------------------ *
  *
- * Normal N, light L, V, H in Q1.15; albedo a_k and gloss g 0..255; material A_k, D_k, S_k Q16.16, 0..65536.
+ * With N a normal, L the light, H the half vector (V.R for Phong in the place of N.H), k red, green, blue:
  *
- *  1. t        Blinn geometry: d = N - H, t_q30 = (dx^2 + dy^2 + dz^2) >> 1                             [34 bits summed]
- *              Phong: p = N.L, w = ((L + V) 2^30 - 2 p N + 2^20) >> 21 (Q24), t_q30 = (wx^2 + wy^2 + wz^2) >> 19 [58]
- *              A t over 2^31 counts as 2^31.
- *  2. nl       nl_q30 = N.L;  nl_q16 = clamp((nl_q30 + 2^13) >> 14, 0, 65536)
- *  3. F        glint_lobe_eval_t(lobe, t_q30); 0 where nl_q16 = 0; at most 65536 where clamp_peak
- *  4. albedo   gamma: a_k * 257; linear: the sRGB decoding of a_k, nearest; either way 65535 = 1.0.  gloss: g * 257
- *  5. value    x_k = min(a_k (A_k 2^16 + D_k nl_q16) + S_k g F, 65535 * 2^32), 65535 * 2^32 = 1.0       [50 bits]
- *  6. grey     x = (54 x_red + 183 x_green + 19 x_blue) >> 8, for GREY8 and MONO                        [56 bits]
- *  7. linear   x = 2^32 * the sRGB encoding of ((x + 2^31) >> 32), by interpolation in a table of 289   [48 bits]
- *  8. level    ((x * max + 65535 * 2^27 * (2b + 1)) >> 32) / 65535, max = 255, 63, 31 or 1              [56 bits]
- *              undithered: the added term is 65535 * 2^31, one half. Dithered: b = the 4x4 ordered (Bayer) matrix
- *              at the screen's x mod 4, y mod 4.
+ *   t = |N - H|^2 / 2 = 1 - N.H      nl = max(0, N.L)      F = the lobe at t; 0 where nl = 0
+ *   value_k = albedo_k (ambient_k + diffuse_k nl) + specular_k gloss F
+ *   out_k   = floor(min(1, value_k) max_k + 1/2), max_k = 255, 63, 31 or 1; dithered: a threshold in the place of 1/2
  *
- * In gamma space step 8 is the one rounding, after the sum. Q1.15 vectors are the input as given: what rounding them
- * costs is the picture's affair, see the README.
+ * In gamma space that is the one rounding, after the sum; in linear space the sum is encoded to sRGB before it. sequence.md
+ * has the integers, step by step: they are the same on every path, target and compiler. Q1.15 vectors are the input as
+ * given: what rounding them costs is the picture's affair, see the README.
  */
 
 /* The coefficients, Q16.16, 0..65536 each (more counts as 65536), times the light's colour: red, green, blue. */
@@ -201,8 +194,7 @@ struct glint_source {
     ptrdiff_t mask_stride;
 };
 
-/* Shades w x h pixels by the sequence above; w or h = 0 does nothing. In GLINT_MONO the bits past w in a line's last
- * byte are kept. *highlight (NULL: not wanted) becomes the smallest box, relative to the rectangle, that holds every
+/* Shades w x h pixels; w or h = 0 does nothing. In GLINT_MONO the bits past w in a line's last byte are kept. *highlight (NULL: not wanted) becomes the smallest box, relative to the rectangle, that holds every
  * drawn pixel with F > 0 and gloss > 0: beyond it the picture does not depend on the highlight.
  * GLINT_ERR_ARG: NULL, normals or stride misaligned. GLINT_ERR_FORMAT: no such format or space. Nothing is written. */
 enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct glint_source *source, uint16_t w,
@@ -213,22 +205,12 @@ enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct 
  * Up to four, each directional, a point or a spot. Correct, not fast: a point or spot costs two normalisations a pixel.
  * Places are on the screen, in 1/16 pixel: x right, y down (as lines go), z to the viewer from the surface, which is at
  * z = 0; pixel x, y of a rectangle lies at 16 (surface.x + x) + 8, 16 (surface.y + y) + 8, so that parts of a picture
- * join. Directions stay as above, y up. Of a lamp, e: from the pixel to it (y up); r: its range; s_inner, s_outer: its
- * cosines; C_k: its colour, at most 16.0.
+ * join. Directions stay as above, y up.
  *
- *  1a. l, v    directional: L, V, H are the lamp's. Else l = e / |e|, v = the shader's V / |V| in Q2.30, h likewise of
- *              (l + v) >> 1; L, V, H are l, v, h rounded to Q1.15. Where l or h is not to be had, att = 0. (x / |x|: sizes
- *              shifted, the largest to 2^29 .. 2^30; times 2^30 over the root of their squares' sum, to nearest.)
- *  1b. att     directional: 65536.  Point: 0 where |e| >= r; u = (65536 |e|^2 + r^2 / 2) / r^2;
- *              att = ((65536 - u)^2 + 2^15) >> 16, that is (1 - (|e| / r)^2)^2
- *              Spot: c = (-l.axis + 2^29) >> 30; p = 65536 at c >= s_inner, else 0 at c <= s_outer, else
- *              (c - s_outer) 65536 / (s_inner - s_outer); att = (att (p^2 (196608 - 2p) >> 32) + 2^15) >> 16
- *  1 to 3.     for each lamp where att > 0: nl_i and F_i as above
- *  3a. sums    lit_k = sum_i ((C_ik att_i nl_i + 2^31) >> 32);  shine_k = sum_i ((C_ik att_i F_i + 2^31) >> 32)
- *  4 to 8.     as above, with lit_k for nl_q16 and shine_k for F                                         [56 bits]
- *
- * Divisions round down. The order of the lamps does not matter; one white directional lamp gives the pixels of
- * glint_shade_rect. With clamp_peak each F is held to 1, not their sum.
+ * A point's light falls off by (1 - (distance / range)^2)^2; a spot's also by a smooth step from its outer cone to its
+ * inner one. The lights' nl and F, scaled by their colours, are summed before the one rounding. The order of the lamps
+ * does not matter; one white directional lamp gives the pixels of glint_shade_rect. With clamp_peak each F is held to 1,
+ * not their sum. The integers: sequence.md.
  */
 
 #define GLINT_LAMPS_MAX 4u
@@ -270,7 +252,7 @@ enum glint_err glint_shade_lights(const struct glint_shader *shader, const struc
 
 /* |N - H|^2 / 2 is exactly quadratic along a span: t takes two additions a pixel and nl one, Q2.30 modulo 2^32:
  *   t and nl are used (t >= 0xf8000000 is a little below 0 and counts as 0), then t += dt, dt += ddt, nl += dnl.
- * Steps 2 to 8 above follow, with the material's albedo and gloss 255. */
+ * The rest of the pixel follows, with the material's albedo and gloss 255. */
 struct glint_span {
     uint32_t t_q30, dt_q30, ddt_q30;
     int32_t nl_q30, dnl_q30;
@@ -287,10 +269,9 @@ enum glint_err glint_span_init(struct glint_span *span, const struct glint_light
 enum glint_err glint_shade_span(const struct glint_shader *shader, const struct glint_span *span,
                                 const struct glint_surface *surface, struct glint_box *highlight);
 
-/* The same as gateware draws it, whose core takes c: step 3 is F = glint_lobe_eval(lobe, c_q16), 0 where nl_q16 = 0, with
- *   c_q16 = 65536 - ((t_q30 + 2^13) >> 14), t as the span uses it; negative is back-facing.
- * Off the exact span by half a step of c: F by at most .03, .19, .63, 3.2 levels of 255 at n = 10, 60, 200, 1000 (MSH;
- * Schlick 0.6 of that): one step of RGB565, in 8 to 9 of 230,400 samples of the sphere in the README. */
+/* The same as gateware draws it, whose core takes c: F at the nearest c_q16 to 1 - t. Off the exact span by half a step
+ * of c: F by at most .03, .19, .63, 3.2 levels of 255 at n = 10, 60, 200, 1000 (MSH; Schlick 0.6 of that): one step of
+ * RGB565, in 8 to 9 of 230,400 samples of the sphere in the README. */
 enum glint_err glint_shade_span_c16(const struct glint_shader *shader, const struct glint_span *span,
                                     const struct glint_surface *surface, struct glint_box *highlight);
 
@@ -298,50 +279,19 @@ enum glint_err glint_shade_span_c16(const struct glint_shader *shader, const str
  *
  * Tables are filled from exact values on the device; only their arguments are quantised. Filled once a material; a light
  * that moves needs only glint_tables_light_init. Uniform material, gloss 255, one directional light, Blinn geometry.
- * Divisions and roots round down.
+ * sequence.md has what they hold and how they are read.
  *
  * Compile with -DGLINT_CORTEX_M0PLUS_ASM=1, and lib/cortex_m0plus_*.S too, and 8- and 10-bit lines (10-bit ones not over
  * an albedo map), spans without one and palettes run in Thumb assembly, with the same pixels.
  *
- * COLOUR  for RGB565 in either order, undithered, gamma or linear. 20,480 bytes: 4096 columns (bytes) and 128 x 64 colours.
- *     fill:   u = the largest t <= t_max where 63 F(t) + F(0) / 2 >= F(0); s = the least shift with (u >> s) + (2^16 >> s) < 4080
- *             column[i] = (63 F(t) + F(0) / 2) / F(0), t = max(0, u - (i << s) - (1 << s >> 1)); in memory twice this, an
- *             offset in bytes
- *             colour[row][j] = steps 4 to 8 for nl = min(2^16, 1024 row + 512), F = (j F(0) + 31) / 63
- *     pixel:  nl_q30 < 0: steps 4 to 8 for nl = 0, F = 0. Else row = nl_q30 >> 24, j = t > u ? 0 :
- *             column[(u - t) >> s].
- *     INT8:   with w the word, x = (int8) w, v = (int16) w, z = w >> 16: d = x X + v Y + z Z (Q29), row = d >> 23,
- *             e = d + (z << 14) - cut; j = e < 0 ? 0 : column[((e >> a) r mod 2^32) >> 20]
- *     INT10:  for a viewer at (0, 0, 1), x, y, z as in the word: v = (32 x - h'x)^2 + (32 y - h'y)^2 + (8 z - h'z)^2 (t in
- *             Q29), h' = (h + 1) >> 1; d = peak - (peak >> 15) (v >> 14) - (z << 18) (Q29); d < 0 is dark, row = d >> 23,
- *             j = v > u >> 1 ? 0 : column[((u >> 1) - v) >> (s - 1)]. For other viewers as INT16.
- *     light:  Y = (l_y + 1) >> 1, Z = (l_z + 1) >> 1, X = 128 l_x - Y;  peak = sqrt((l_x^2 + (2 Y)^2 + (2 Z + 2^15)^2) 2^28)
- *             cut = peak - (u peak >> 30);  a = the least with u peak >> (31 + a) < 2^15;  r = 2^(50 + a - s) / peak, at most
- *             2^32 - 1
- * SMALL   for every format, dithered or not, gamma only. 904 bytes; with its structs below 1 KB.
- *     fill:   f = the least shift with t_max >> f < 3072 (192 entries, 4 bits): 192 fine columns for t >> f < 192, then
- *             192 coarse ones of t >> (f + 4); each at its interval's middle (at most t_max), (63 F + F(0) / 2) / F(0)
- *             diffuse[0] for nl = 0, diffuse[1 + k] for nl = 1024 k + 512; specular[j] for F = (j F(0) + 31) / 63
- *             each a word of three fields with a guard bit above each: RGB565 5.4, 5.4, 6.4 bits; else 8.1 bits each
- *     pixel:  x = diffuse[nl_q30 <= 0 ? 0 : 1 + min(63, nl_q30 >> 24)] + (nl_q30 > 0 and t <= t_max ? specular[j] : 0); a field
- *             whose guard is set is full. RGB565: the upper bits of x + b, RGB888: of x + (b >> 3); undithered b = 8.
- *             GREY8, MONO: step 8 of (54 x_red + 183 x_green + 19 x_blue) / (256 * 510), each x at most 510
+ * COLOUR  for RGB565 in either order, undithered, gamma or linear. 20,480 bytes: 4096 columns over t, which hold F in 64
+ *         steps, and 128 rows over nl of 64 finished pixels.
+ * SMALL   for every format, dithered or not, gamma only. 904 bytes; with its structs below 1 KB. A pixel is a sum of two
+ *         words, one by nl and one by t.
  * ALBEDO  for RGB565 in either order, undithered, gamma, from an albedo map in RGB565; ambient and diffuse grey, together
- *         at most 1 (a coloured light goes into the map), any specular colour. 8,584 bytes.
- *     fill:   shine(F) = a word of the nearest levels of S_k F: blue 5 bits, from bit 11 red 5, from 21 green 6
- *             u = the largest t <= t_max where shine(F(t)) is not 0; s = the least shift with (u >> s) + (2^16 >> s) < 2032
- *             shine[i] = shine(F(max(0, u - (i << s) - (1 << s >> 1)))), i < 2048
- *             light[row] = the nearest of 32 (A + D nl), nl = min(1, (row + 1/2) / 128)
- *     pixel:  p = nl_q30 < 0 ? the nearest of 32 A : light[nl_q30 >> 23], M = 0x07e0f81f
- *             x = (((albedo | albedo << 16) & M) p + 0x02008010) >> 5 & M
- *             where nl_q30 >= 0 and t <= u: x += shine[(u - t) >> s], a field that overflows is full
- *             the pixel is (x | x >> 16) mod 2^16
- *     INT8:   d = x X + v Y + z Z (Q25, the other sign), dark where d >= 0, else light[-1 - (d >> 18)];
- *             e = (z << 10) - cut - d; where e >= 0: shine[(e r mod 2^32) >> 21]
- *     light:  Y = -((l_y + 16) >> 5), Z = -((l_z + 16) >> 5), X = -8 l_x - Y;  cut = peak - (u 2^21 >> s) / r
- *             peak = sqrt((l_x^2 + (32 Y)^2 + (32 Z - 2^15)^2) 2^20);  r = (2^(51 - s) + peak / 2) / peak in 1..2^32 - 1
- *     From the exact path with the map as RGB888 and the normals as stored: at most 2 steps of each channel, mostly
- *             none: less than .5 in the mean. (Not so where |N.L| < 2^-10: F ends there, and a last bit decides.)
+ *         at most 1 (a coloured light goes into the map), any specular colour. 8,584 bytes. From the exact path with the
+ *         map as RGB888 and the normals as stored: at most 2 steps of each channel, mostly none: less than .5 in the mean.
+ *         (Not so where |N.L| < 2^-10: F ends there, and a last bit decides.)
  */
 
 /* How a normal is held. Stored as uint8_t. */
@@ -421,8 +371,7 @@ enum glint_err glint_palette_rect(const uint16_t *colours, const uint16_t *offse
 /* ---- sRGB, integers only ------------------------------------------------------------------------------------- */
 
 uint16_t glint_srgb_decode(uint8_t encoded); /* 65535 = 1.0; nearest */
-/* 65535 = 1.0, both; monotone, within 3 units (.01 of a level of 255): below 128 (3308 v + 128) >> 8, else chords between
- * the nearest encodings of 32 values an octave, to nearest. */
+/* 65535 = 1.0, both; monotone, within 3 units (.01 of a level of 255) of the true encoding. */
 uint16_t glint_srgb_encode(uint16_t linear);
 
 #ifdef __cplusplus

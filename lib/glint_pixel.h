@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The pixel's sequence (glint.h), as far as the paths share it; internal. */
+ * The pixel's sequence (sequence.md), as far as the paths share it; internal. */
 #ifndef GLINT_PIXEL_H
 #define GLINT_PIXEL_H
 

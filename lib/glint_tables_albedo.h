@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Internal. ALBEDO tables (glint.h): their fill, and a light for the loops over them. */
+ * Internal. ALBEDO tables (sequence.md): their fill, and a light for the loops over them. */
 #ifndef GLINT_TABLES_ALBEDO_H
 #define GLINT_TABLES_ALBEDO_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Internal. COLOUR tables (glint.h): their fill, and a light for the loops over them. */
+ * Internal. COLOUR tables (sequence.md): their fill, and a light for the loops over them. */
 #ifndef GLINT_TABLES_COLOUR_H
 #define GLINT_TABLES_COLOUR_H
 

@@ -5,7 +5,7 @@
 
 #include "glint_tables_columns.h"
 
-/* Fills SMALL tables (glint.h). */
+/* Fills SMALL tables (sequence.md). */
 void glint_small_fill(struct glint_tables *tables, const struct glint_peak *peak, void *memory);
 
 #endif

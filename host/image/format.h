@@ -7,7 +7,7 @@
 
 #include "glint.h"
 
-/* Grey of a colour, of 256: the weights of step 6 in glint.h. */
+/* Grey of a colour, of 256: the weights of step 6 in lib/sequence.md. */
 enum { GREY_RED = 54, GREY_GREEN = 183, GREY_BLUE = 19 };
 
 extern const char *const format_names[]; /* "rgb565" ..., by enum glint_format; ends with NULL */

@@ -95,11 +95,14 @@ static void the_oracles_agree_with_the_printed_formulas(void **state)
     mpz_clear(rounded);
 }
 
-int main(void)
+/* test_eval [PATTERN]: the tests whose names fit, such as lyon*. */
+int main(int argc, char **argv)
 {
 #define MODEL_ENTRY(number, name, function, use)                                                                       \
     cmocka_unit_test(name##_is_correctly_rounded_for_every_cosine_and_shininess),
     const struct CMUnitTest tests[] = {cmocka_unit_test(the_oracles_agree_with_the_printed_formulas),
                                        GLINT_MODELS(MODEL_ENTRY)};
+    if (argc > 1)
+        cmocka_set_test_filter(argv[1]);
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

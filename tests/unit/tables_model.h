@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Table loops as glint.h writes them down, written another way than in lib/: channel by channel and without short cuts. */
+ * Table loops as lib/sequence.md writes them down, written another way than in lib/: channel by channel and without short cuts. */
 #ifndef UNIT_TABLES_MODEL_H
 #define UNIT_TABLES_MODEL_H
 

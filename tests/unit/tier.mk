@@ -35,7 +35,8 @@ else
 	@+$(SUBMAKE) BUILD=$(UNIT_SANITIZED) SANITIZE=1 unit-programs
 	@+$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS) \
 		$(patsubst $(BUILD)/%,"env GLINT=$(CURDIR)/$(UNIT_SANITIZED)/glint $(UNIT_SANITIZED)/%",$(UNIT_TESTS)) \
-		"tests/unit/compilers $(BUILD)/compilers $(BUILD)/libglint.a $(SUBMAKE)"
+		"tests/unit/compilers $(BUILD)/compilers $(BUILD)/libglint.a $(SUBMAKE)" \
+		"tests/unit/model_added $(BUILD)/model_added $(SUBMAKE)"
 endif
 
 # Without set-up and what takes long.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The nearest of the levels 0..2^BITS - 1 to min(1, y), 2^32 = 1.0: (y max + 2^31) >> 32. Step 8 in glint.h without its
+// The nearest of the levels 0..2^BITS - 1 to min(1, y), 2^32 = 1.0: (y max + 2^31) >> 32. Step 8 in lib/sequence.md without its
 // division by 65535, which cancels where the albedo is 255.
 module glint_level #(
     parameter BITS = 5

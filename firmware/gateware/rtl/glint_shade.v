@@ -36,7 +36,7 @@ module glint_shade #(
         if (rst) valid <= 0;
     end
 
-    // 1: step 3 of glint.h
+    // 1: step 3 of lib/sequence.md
     reg [16:0] f, nl;
     always @(posedge clk)
         if (step) begin

@@ -86,7 +86,7 @@ struct sample {
 };
 static struct sample samples[SPHERE_W * SPHERE_H];
 
-/* c and t as glint.h forms them, of the pixels inside MSH's lobe; returns how many. */
+/* c and t as lib/sequence.md forms them, of the pixels inside MSH's lobe; returns how many. */
 static unsigned find_samples(uint32_t n)
 {
     struct glint_shader shader;

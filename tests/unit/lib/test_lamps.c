@@ -59,7 +59,7 @@ static void what_arrives_of_a_point_is_the_falloff_bit_by_bit(void **state)
     assert_true(dark > 1000 && dark < 90000 && whole > 100);
 }
 
-/* A direction in Q2.30, as glint.h has it; false for one of length 0. */
+/* A direction in Q2.30, as lib/sequence.md has it; false for one of length 0. */
 static bool unit_of(const int64_t v[3], int64_t out[3])
 {
     int64_t size[3], largest = 0;

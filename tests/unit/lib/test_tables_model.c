@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Tables, lights and pixels as glint.h has them, to the bit. (COLOUR's packed normals and spans: test_tables_sequence.c.) */
+ * Tables, lights and pixels as lib/sequence.md has them, to the bit. (COLOUR's packed normals and spans: test_tables_sequence.c.) */
 #include "tables_model.h"
 
 static uint32_t memory[GLINT_TABLES_COLOUR_BYTES / 4];

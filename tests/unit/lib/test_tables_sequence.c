@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Spans and packed normals by COLOUR tables, pixel by pixel as glint.h has it, without the loops' short cuts. */
+ * Spans and packed normals by COLOUR tables, pixel by pixel as lib/sequence.md has it, without the loops' short cuts. */
 #include "shading.h"
 
 enum { WIDE = 319 };
