@@ -25,7 +25,7 @@ static void put_number(uint32_t value)
 
 static void put_values(void)
 {
-    for (uint32_t model = 0; model <= GLINT_CAYLEY; model++) {
+    for (uint32_t model = 0; model < GLINT_MODEL_COUNT; model++) {
         put_number(glint_eval((enum glint_model)model, 60, 65000));
         put(' ');
     }
