@@ -22,7 +22,7 @@ struct draft {
     double seconds;
 };
 
-/* Three: one whose data the sink may still be sending, the best so far, and the next try. */
+/* Three: one whose data the sink may still be sending, the best so far, and the next to try. */
 enum { DRAFTS = 3 };
 
 struct plan {
@@ -115,7 +115,7 @@ static double price_bytes(const void *context, const struct glint_box *box)
     return (double)box_bytes(plan->sink, &aligned);
 }
 
-/* The same compressed, as far as the whole frame tells. */
+/* The same compressed, estimated from the whole frame. */
 static double price_lz4(const void *context, const struct glint_box *box)
 {
     const struct plan *plan = context;

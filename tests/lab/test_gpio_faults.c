@@ -69,14 +69,14 @@ static void lines_that_are_in_use_or_not_there_are_named(void **state)
     assert_ended(&process, SIGINT, 130, "");
 
     assert_refused("--to gpio --lines sck=SCK,mosi=MOSO,dc=DC",
-                   "mosi=MOSO: no GPIO line is called 'MOSO'; is it MOSI?");
+                   "mosi=MOSO: no GPIO line has the name 'MOSO'; is it MOSI?");
     snprintf(words, sizeof words, "dc=panel:6: %s has the lines 0 to 5", chip.name);
     assert_refused("--to gpio --lines sck=SCK,mosi=MOSI,dc=panel:6", words);
     assert_refused("--to gpio --chip gpiochip77 --lines sck=0,mosi=1,dc=2",
-                   "there is no GPIO chip 'gpiochip77'; there is ");
+                   "no GPIO chip is named 'gpiochip77'; choose from ");
     assert_refused("--to gpio --chip panel --lines sck=0,mosi=1,dc=1", "mosi and dc are the same line");
     chip_create(&other, "other", SPI, SPI_COUNT);
-    assert_refused(OPTIONS, "sck=SCK: 2 lines are called so; say which: ");
+    assert_refused(OPTIONS, "sck=SCK: 2 lines have that name; choose one: ");
     chip_remove(&other);
     chip_remove(&chip);
 }
@@ -104,7 +104,7 @@ static void a_chip_that_is_removed_ends_the_stream_with_one_line(void **state)
     wait_for_lines();
     chip_remove(&chip);
     char words[100];
-    snprintf(words, sizeof words, "%s: went away while it was in use", chip.name);
+    snprintf(words, sizeof words, "%s: it was removed while in use", chip.name);
     assert_ended(&process, 0, 1, words);
 }
 

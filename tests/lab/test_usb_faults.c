@@ -40,7 +40,7 @@ static void a_halted_endpoint_is_cleared_and_the_picture_sent_again(void **state
 {
     (void)state;
     trouble(BULK_STALL, false);
-    assert_recovers("", "the picture's data: it refuses (STALL); starting it anew");
+    assert_recovers("", "the picture's data: it refuses (STALL); reinitialising it");
 }
 
 /* In parts that are more than half of what 16 bits count. */
@@ -54,7 +54,7 @@ static void a_tall_picture_is_sent_again_to_its_end(void **state)
     set_descriptor(d);
     config.trouble = BULK_STALL;
     usb_display_be(&display, &config);
-    assert_ends("timeout 30 " STREAM OURS "--frames 1", 0, "starting it anew");
+    assert_ends("timeout 30 " STREAM OURS "--frames 1", 0, "reinitialising it");
     assert_int_equal(display.seen->rectangles, 2);
 }
 
@@ -62,23 +62,25 @@ static void an_endpoint_that_halts_again_and_again_ends_the_stream(void **state)
 {
     (void)state;
     trouble(BULK_STALL, true);
-    assert_ends("timeout 60 " STREAM OURS, 1, "it refuses (STALL), also after 3 new starts; plug it in again");
+    assert_ends("timeout 60 " STREAM OURS, 1,
+                "it refuses (STALL), and again after 3 attempts to reinitialise it; plug it in again");
     assert_soon(!display.seen->display);
     usb_display_unplug(&display);
 }
 
-static void a_display_that_takes_no_data_is_started_anew(void **state)
+static void a_display_that_takes_no_data_is_reinitialised(void **state)
 {
     (void)state;
     trouble(BULK_NAK, false);
-    assert_recovers("", "the picture's data: it does not answer; starting it anew");
+    assert_recovers("", "the picture's data: it does not answer; reinitialising it");
 }
 
 static void a_display_that_never_takes_data_again_ends_the_stream(void **state)
 {
     (void)state;
     trouble(BULK_NAK, true);
-    assert_ends("timeout 60 " STREAM OURS, 1, "it does not answer, also after 3 new starts; plug it in again");
+    assert_ends("timeout 60 " STREAM OURS, 1,
+                "it does not answer, and again after 3 attempts to reinitialise it; plug it in again");
 }
 
 static void a_display_unplugged_within_a_frame_ends_the_stream(void **state)
@@ -116,7 +118,7 @@ static void a_display_reset_by_another_program_shows_the_whole_picture_again(voi
     char text[1000];
     read_text("stream.err", text, sizeof text);
     assert_one_line(text);
-    assert_contains(text, "starting it anew");
+    assert_contains(text, "reinitialising it");
     assert_last_frame(30);
 }
 
@@ -126,7 +128,7 @@ int main(void)
         cmocka_unit_test(a_halted_endpoint_is_cleared_and_the_picture_sent_again),
         cmocka_unit_test(a_tall_picture_is_sent_again_to_its_end),
         cmocka_unit_test(an_endpoint_that_halts_again_and_again_ends_the_stream),
-        cmocka_unit_test(a_display_that_takes_no_data_is_started_anew),
+        cmocka_unit_test(a_display_that_takes_no_data_is_reinitialised),
         cmocka_unit_test(a_display_that_never_takes_data_again_ends_the_stream),
         cmocka_unit_test(a_display_unplugged_within_a_frame_ends_the_stream),
         cmocka_unit_test(a_display_that_comes_back_is_waited_for_and_shows_the_whole_picture),

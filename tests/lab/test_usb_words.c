@@ -25,13 +25,13 @@ static void a_descriptor_that_is_none_of_guds_is_named(void **state)
     (void)state;
     honest();
     config.descriptor[0] ^= 1;
-    assert_says("it is no GUD display: its descriptor begins with 1d50614c, not 1d50614d");
+    assert_says("it is not a GUD display: its descriptor begins with 1d50614c, not 1d50614d");
     honest();
     config.descriptor[4] = 2;
     assert_says("it speaks GUD version 2; this glint knows version 1");
     honest();
     config.descriptor_bytes = 12;
-    assert_says("it is no GUD display: its descriptor has 12 bytes, not 30");
+    assert_says("it is not a GUD display: its descriptor has 12 bytes, not 30");
 }
 
 static void sizes_that_cannot_be_are_refused(void **state)
@@ -72,7 +72,7 @@ static void lists_that_cannot_be_are_refused(void **state)
     config.formats[0] = GUD_RGB332;
     config.formats[1] = 0x77;
     config.formats_bytes = 2;
-    assert_says("it does not take any format of glint's; it offers rgb332, GUD's 77");
+    assert_says("it takes none of glint's formats; it offers rgb332, GUD's 77");
     honest();
     config.connectors_bytes = 0;
     assert_says("it has no connector");
@@ -121,7 +121,7 @@ static void a_refused_request_is_told_with_its_status(void **state)
     config.trouble_lasts = true;
     config.trouble_request = GUD_SET_STATE_CHECK;
     config.trouble_status = GUD_PARAMETER;
-    assert_says("the mode and format: it refuses (STALL; status 4: a value that cannot be)");
+    assert_says("the mode and format: it refuses (STALL; status 4: invalid parameter)");
     config.trouble_request = GUD_GET_FORMATS;
     config.trouble_status = GUD_BUSY;
     assert_says("its formats: it refuses (STALL; status 1: busy)");

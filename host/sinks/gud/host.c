@@ -4,13 +4,13 @@
 
 #include "sinks/gud/choose.h"
 
-/* It answers, but what it says cannot be. */
+/* It answers, but the answer makes no sense. */
 #define lies(problem, ...) gud_problem_is(problem, GUD_LINK_ERROR, __VA_ARGS__)
 
 static const char *status_words(uint8_t status)
 {
-    static const char *const words[] = {
-        "no reason", "busy", "no such request", "wrong length", "a value that cannot be", "an error of its own"};
+    static const char *const words[] = {"no reason",         "busy",    "unsupported", "protocol error",
+                                        "invalid parameter", "an error"};
     return status < sizeof words / sizeof words[0] ? words[status] : "an unknown status";
 }
 
@@ -97,10 +97,11 @@ bool gud_descriptor_read(struct gud_link *link, struct gud_descriptor *d, struct
     if (count >= 5 && first_u32(bytes) == GUD_MAGIC && bytes[4] != GUD_VERSION)
         return lies(problem, "it speaks GUD version %u; this glint knows version %d", bytes[4], GUD_VERSION);
     if (count >= 4 && first_u32(bytes) != GUD_MAGIC)
-        return lies(problem, "it is no GUD display: its descriptor begins with %08x, not %08x", first_u32(bytes),
+        return lies(problem, "it is not a GUD display: its descriptor begins with %08x, not %08x", first_u32(bytes),
                     GUD_MAGIC);
     if (count != sizeof bytes)
-        return lies(problem, "it is no GUD display: its descriptor has %d bytes, not %d", count, GUD_DESCRIPTOR_BYTES);
+        return lies(problem, "it is not a GUD display: its descriptor has %d bytes, not %d", count,
+                    GUD_DESCRIPTOR_BYTES);
     gud_descriptor_unpack(d, bytes);
     return true;
 }

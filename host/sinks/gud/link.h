@@ -21,9 +21,9 @@ enum gud_link_fault {
     GUD_LINK_ERROR = -5
 };
 
-/* Why something could not be: for one line, after the device's name. */
+/* Why something failed: for one line, after the device's name. */
 struct gud_problem {
-    enum gud_link_fault fault; /* GUD_LINK_ERROR where it is the answer that is wrong */
+    enum gud_link_fault fault; /* GUD_LINK_ERROR where the answer is wrong */
     char text[200];
 };
 

@@ -14,17 +14,18 @@ static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "The panel (--to panel, gpio, spi):", 40},
     {"panel", KEY_PANEL, "NAME", 0, "Its controller: st7789 (default) or ili9341", 40},
     {"rotation", KEY_ROTATION, "DEGREES", 0,
-     "Turns the picture on the glass clockwise: 0, 90, 180 or 270 (default 0, or 90 where the size is that of a glass "
-     "so turned)",
+     "Turns the picture on the glass clockwise: 0, 90, 180 or 270 (default 0, or 90 if the size is that of a turned "
+     "glass)",
      40},
     {"offset", KEY_OFFSET, "X,Y", 0,
      "Where the glass begins in the controller's memory, unturned (default 0,0; 52,40 for 135x240, 35,0 for 170x320, "
      "34,0 for 172x320, 0,20 for 240x280)",
      40},
     {"bgr", KEY_BGR, "yes|no", OPTION_ARG_OPTIONAL,
-     "The glass is wired blue first: where red and blue are exchanged, say the other (default: yes for ili9341)", 40},
+     "The glass is wired blue first: if red and blue are exchanged, give the other value (default: yes for ili9341)",
+     40},
     {"invert", KEY_INVERT, "yes|no", OPTION_ARG_OPTIONAL,
-     "The glass wants inversion: where the picture is a negative, say the other (default: yes for st7789)", 40},
+     "The glass needs inversion: if the picture is a negative, give the other value (default: yes for st7789)", 40},
     {0}};
 
 static const char *const controller_names[] = {"st7789", "ili9341", NULL}; /* by enum panel_controller */
@@ -114,7 +115,7 @@ static enum panel_controller controller(void)
     return (enum panel_controller)or_usual(KEY_PANEL, PANEL_ST7789);
 }
 
-/* Which way round, where nobody says: upright, unless only turned there is such glass, or room. */
+/* The rotation where none is given: upright, unless the size fits a known glass, or the memory, only when turned. */
 static uint8_t usual_rotation(uint16_t width, uint16_t height)
 {
     struct panel panel;
@@ -148,7 +149,7 @@ static void choose_size(const struct sink_wish *wish, bool any_size, uint16_t *w
     }
 }
 
-/* A size that would be right the other way round is told as that. */
+/* Fails with a hint where width and height are exchanged. */
 static void check_turn(const struct panel *panel)
 {
     struct panel other;
@@ -182,9 +183,9 @@ void panel_of_options(struct panel *panel, const struct sink_wish *wish, bool an
              panel->rotation % 2 ? PANEL_COLUMNS : PANEL_ROWS, name, offset->given ? " or --offset" : "",
              any_size ? ", or --to png" : "");
     if (!known && !offset->given && !any_size)
-        fail("--size: no %s glass of %ux%u is known; say where it begins in the controller's memory: --offset 0,0, or "
-             "as its "
-             "maker says",
+        fail("--size: no %s glass of %ux%u is known; give the place where it begins in the controller's memory: "
+             "--offset 0,0, "
+             "or as its maker says",
              name, width, height);
     panel->bgr = or_usual(KEY_BGR, panel->bgr);
     panel->inverted = or_usual(KEY_INVERT, panel->inverted);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Sink panel: a panel that is not there. Frames go through the panel's driver and its bytes; what the glass would show goes
+ * Sink panel: a virtual panel. Frames go through the panel's driver and its bytes; what the glass would show goes
  * into PNG files. */
 #include <stdlib.h>
 #include <string.h>
@@ -69,7 +69,7 @@ static enum sink_result send_frame(struct sink *sink, const struct frame *frame,
     for (size_t i = 0; i < count; i++) {
         const struct glint_box *box = &pieces[i].box;
         if (!panel_window(&display->panel, box->x, box->y, box->w, box->h))
-            fail("%s: has no place for %ux%u pixels at %u,%u", sink->name, box->w, box->h, box->x, box->y);
+            fail("%s: %ux%u pixels at %u,%u do not fit on it", sink->name, box->w, box->h, box->x, box->y);
         virtual_panel_data(&display->glass, pieces[i].data, pieces[i].bytes);
     }
     display->shown = display->shown || panel_show(&display->panel, PANEL_BRIGHTEST);

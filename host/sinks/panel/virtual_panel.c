@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* Magenta is no picture's colour: what was never written is noticed. */
+/* Magenta, which no picture has: pixels that were never written stand out. */
 enum { NOISE = 0xf81f };
 
 void virtual_panel_reset(struct virtual_panel *panel)

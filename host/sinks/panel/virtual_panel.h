@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * A panel that is not there: it takes a panel's bytes as its controller does, and shows what the glass would. Written
- * from the controllers' data sheets, not from panel.c, whose work it judges. Any bytes in any order are welcome. */
+ * A virtual panel: it takes a panel's bytes as its controller does, and shows what the glass would. Written
+ * from the controllers' data sheets, not from panel.c, whose work it judges. Takes any bytes in any order. */
 #ifndef GLINT_VIRTUAL_PANEL_H
 #define GLINT_VIRTUAL_PANEL_H
 
@@ -31,18 +31,18 @@ struct virtual_panel {
     bool awake, on, inverted, lit;
 };
 
-/* As after power-on: asleep, off, and noise in the memory. The backlight is lit until told otherwise. The glass must fit
- * the memory. */
+/* As after power-on: asleep, off, and noise in the memory. The backlight is lit at first. The glass must fit the
+ * memory. */
 void virtual_panel_init(struct virtual_panel *panel, const struct virtual_glass *glass);
 void virtual_panel_reset(struct virtual_panel *panel); /* the line, and the command: the memory stays as it is */
 void virtual_panel_command(struct virtual_panel *panel, uint8_t command);
 void virtual_panel_data(struct virtual_panel *panel, const uint8_t *bytes, size_t count);
 
-/* What is to be seen by one who turns the panel back by `rotation` quarter turns, so that a picture turned by as many stands
+/* The picture as seen after the panel is turned back by `rotation` quarter turns, so that a picture turned by as many stands
  * upright: RGB, width x height, exchanged where the rotation is odd. Black where asleep, off or unlit. */
 void virtual_panel_look(const struct virtual_panel *panel, unsigned rotation, uint8_t *rgb);
 
-/* The glass that a panel's own configuration tells of, and a bus to it. The bus keeps pointing to the panel. */
+/* The glass that a panel's configuration describes, and a bus to it. The panel must outlive the bus. */
 struct virtual_glass virtual_glass_of(const struct panel *panel);
 struct panel_bus virtual_panel_bus(struct virtual_panel *panel);
 

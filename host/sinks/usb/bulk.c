@@ -12,11 +12,11 @@ enum { CHUNK_FULL_SPEED = 128 << 10, CHUNK_FASTER = 4 << 20 };
 static void submit(struct usb_port *port, struct libusb_transfer *transfer)
 {
     const size_t bytes = port->left < port->chunk ? port->left : port->chunk;
-    transfer->buffer = (unsigned char *)port->next; /* libusb takes what it only reads as not const */
+    transfer->buffer = (unsigned char *)port->next; /* libusb declares it without const but only reads it */
     transfer->length = (int)bytes;
     const int error = libusb_submit_transfer(transfer);
     if (error == LIBUSB_ERROR_NO_MEM && port->in_flight)
-        return; /* the kernel's 16 MB for all of USB are taken: again when the one before has arrived */
+        return; /* the kernel's 16 MB for all of USB are taken: tried again when the one before has arrived */
     if (error) {
         port->fault = usb_fault(error);
         return;
@@ -40,7 +40,7 @@ static void chunk_done(struct libusb_transfer *transfer)
     int fault = usb_transfer_fault(transfer);
     if (!fault && transfer->actual_length != transfer->length)
         fault = GUD_LINK_ERROR;
-    if (fault && !port->fault) { /* those after it would arrive with a hole before them */
+    if (fault && !port->fault) { /* what follows would arrive with a hole before it */
         port->fault = fault;
         cancel(port);
     }

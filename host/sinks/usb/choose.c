@@ -24,11 +24,11 @@ static void none_text(const struct usb_options *options, char *line, size_t size
     char wanted[120];
     wanted_text(options, wanted, sizeof wanted);
     if (*wanted)
-        snprintf(line, size, "no USB device%s; glint list shows the displays there are, --wait waits for it", wanted);
+        snprintf(line, size, "no USB device%s; `glint list` shows the displays; --wait waits for one", wanted);
     else
         snprintf(line, size,
                  "no USB display: no device has the IDs %04x:%04x, %04x:%04x or %04x:%04x, and none of vendor class "
-                 "answers as one; plug it in, or --wait",
+                 "answers as a display; plug it in, or give --wait",
                  GUD_ID_OPENMOKO >> 16, GUD_ID_OPENMOKO & 0xffff, GUD_ID_MCS >> 16, GUD_ID_MCS & 0xffff,
                  GUD_ID_PIDCODES >> 16, GUD_ID_PIDCODES & 0xffff);
 }
@@ -48,7 +48,7 @@ static void several_text(const struct usb_found *found, const bool *fits, char *
     snprintf(line + strlen(line), size - strlen(line), "; choose one by --usb-path, --serial or --vid-pid");
 }
 
-/* Why a device that is there cannot be used. */
+/* Why a device that was found cannot be used. */
 static void unusable_text(const struct usb_device *device, char *line, size_t size)
 {
     char name[48];
@@ -56,7 +56,7 @@ static void unusable_text(const struct usb_device *device, char *line, size_t si
     switch (device->state) {
     case USB_KERNEL:
         snprintf(line, size,
-                 "%s: the kernel's driver %s has it; --detach takes the monitor away from the desktop until glint ends",
+                 "%s: the kernel's driver %s has it; --detach takes the monitor from the desktop until glint ends",
                  name, device->driver);
         break;
     case USB_IN_USE:

@@ -9,11 +9,11 @@
 
 enum usb_attempt {
     USB_TRY_OPENED,
-    USB_TRY_AGAIN,  /* it may be plugged in */
+    USB_TRY_AGAIN,  /* it may still be plugged in */
     USB_TRY_DENIED, /* udev takes a moment to let the user in */
     USB_TRY_NO_GOOD
 };
-/* The one to use; else NULL, one line that says why, and whether that may pass. */
+/* The one to use; else NULL, one line that says why, and whether it may work later. */
 const struct usb_device *usb_choose(const struct usb_found *found, const struct usb_options *options, char *line,
                                     size_t size, enum usb_attempt *attempt);
 

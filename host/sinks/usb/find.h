@@ -14,7 +14,7 @@ enum usb_state {
     USB_KERNEL,      /* a kernel driver has it; nothing was asked */
     USB_IN_USE,      /* another program has it */
     USB_DENIED,      /* may not be opened */
-    USB_NOT_DISPLAY, /* or no good one: see problem */
+    USB_NOT_DISPLAY, /* or a broken one: see problem */
     USB_VANISHED
 };
 

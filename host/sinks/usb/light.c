@@ -40,14 +40,14 @@ static bool ask(struct light_sink *light, const struct sink_wish *wish, char *li
         return false;
     if ((wish->width && (wish->width != descriptor.width || wish->height != descriptor.height)) ||
         (wish->format >= 0 && wish->format != GLINT_RGB565))
-        snprintf(line, size, "%s: shades %ux%u in rgb565; leave out --size and --format", light->name, descriptor.width,
-                 descriptor.height);
+        snprintf(line, size, "%s: it shades %ux%u in rgb565; leave out --size and --format", light->name,
+                 descriptor.width, descriptor.height);
     light->sink.width = descriptor.width;
     light->sink.height = descriptor.height;
     return true;
 }
 
-/* The interface that answers; `line` tells why it will not do. */
+/* The interface that answers; `line` says why it does not fit. */
 static bool find_interface(struct light_sink *light, const struct usb_device *device, const struct sink_wish *wish,
                            char *line, size_t size)
 {
@@ -63,7 +63,7 @@ static bool find_interface(struct light_sink *light, const struct usb_device *de
             return !*line;
         usb_port_close(&light->port, false);
     }
-    snprintf(line, size, "%s: does not shade by itself; leave out --shade device", light->name);
+    snprintf(line, size, "%s: it does not shade by itself; leave out --shade device", light->name);
     return false;
 }
 
@@ -80,7 +80,7 @@ static void leave(struct light_sink *light)
     free(light);
 }
 
-/* NULL: `line` tells why not, and `*may_pass` whether it may be plugged in yet. */
+/* NULL: `line` says why, and `*may_pass` whether it may still be plugged in. */
 static struct light_sink *try_open(const struct sink_wish *wish, char *line, size_t size, bool *may_pass)
 {
     static struct usb_found found;
@@ -100,7 +100,7 @@ static struct light_sink *try_open(const struct sink_wish *wish, char *line, siz
     bool good = device && find_interface(light, device, wish, line, size);
     usb_found_free(&found);
     if (good && (usb_bulk_prepare(&light->port) || !enable(light, 1))) {
-        snprintf(line, size, "%s: is busy with a picture; try again", light->name);
+        snprintf(line, size, "%s: it is busy with a picture; try again", light->name);
         good = false;
     }
     if (good)
@@ -128,7 +128,7 @@ static struct sink *open_shader(const struct sink_wish *wish)
 
 /* ---- what is sent ---- */
 
-/* Of a fault: what the stream makes of it. */
+/* What a fault means for the stream. */
 static enum sink_result result_of(struct light_sink *light, int fault, const char *what)
 {
     if (!fault)
@@ -185,7 +185,7 @@ static enum sink_result send_light(struct sink *sink, const int32_t to_light[3],
     return result_of(light, fault, "a light");
 }
 
-/* The frames of the last lights are still to be drawn. */
+/* Waits until the device has drawn the frames of the last lights. */
 static void wait_for_frames(struct light_sink *light)
 {
     uint8_t status = GUD_BUSY;
@@ -205,7 +205,7 @@ static void light_close(struct sink *sink)
         wait_for_frames(light);
     light->port.stoppable = false;
     if (!light->gone && !enable(light, 0))
-        warn("%s: it does not give the panel back", light->name);
+        warn("%s: it did not give the panel back", light->name);
     leave(light);
 }
 

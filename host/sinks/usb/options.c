@@ -11,13 +11,13 @@ struct usb_options usb_options;
 enum key { KEY_VID_PID = 0x600, KEY_SERIAL, KEY_USB_PATH, KEY_DETACH, KEY_WAIT };
 
 static const struct argp_option argp_options[] = {
-    {NULL, 0, NULL, 0, "USB displays (--to usb); the only one there is, unless named by one of:", 8},
-    {"usb-path", KEY_USB_PATH, "PATH", 0, "Where it is plugged in, as glint list shows it: 1-3.1", 8},
+    {NULL, 0, NULL, 0, "USB displays (--to usb); needed where there are several:", 8},
+    {"usb-path", KEY_USB_PATH, "PATH", 0, "Where it is plugged in, as `glint list` shows it: 1-3.1", 8},
     {"serial", KEY_SERIAL, "TEXT", 0, "Its serial number", 8},
     {"vid-pid", KEY_VID_PID, "VVVV:PPPP", 0, "Its vendor and product IDs, hexadecimal", 8},
     {"detach", KEY_DETACH, NULL, 0,
-     "Take a display that the kernel's driver has: this takes the monitor away from the desktop until glint ends", 8},
-    {"wait", KEY_WAIT, NULL, 0, "Wait until it is plugged in, and when it is unplugged until it is back", 8},
+     "Take a display that the kernel's driver has: the desktop loses this monitor until glint ends", 8},
+    {"wait", KEY_WAIT, NULL, 0, "Wait until it is plugged in, and when it is unplugged, until it is back", 8},
     {NULL, 0, NULL, 0, NULL, 0}};
 
 static uint32_t parse_id(const struct argp_state *state, const char *text)
@@ -35,7 +35,7 @@ static const char *parse_path(const struct argp_state *state, const char *text)
     const char *dash = strchr(text, '-');
     if (strspn(text, "0123456789.-") != strlen(text) || !dash || dash == text || !dash[1] || strchr(dash + 1, '-') ||
         strlen(text) >= USB_PATH_ROOM)
-        refuse(state, "--usb-path: '%s' is not a bus and ports, as 1-3.1; see glint list", text);
+        refuse(state, "--usb-path: '%s' is not a bus and its ports, as 1-3.1; see `glint list`", text);
     return text;
 }
 
@@ -47,7 +47,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case KEY_SERIAL:
         if (!*text)
-            refuse(state, "--serial: the serial number is empty; see glint list");
+            refuse(state, "--serial: the serial number is empty; see `glint list`");
         usb_options.serial = text;
         return 0;
     case KEY_USB_PATH:

@@ -42,7 +42,7 @@ static struct sink_cost cost_of(libusb_device *device)
 static void leave(struct usb_sink *usb, bool tell)
 {
     struct gud_problem problem;
-    usb->port.stoppable = false; /* switching off is short, and wanted */
+    usb->port.stoppable = false; /* a signal does not keep the display from being switched off */
     if (usb->port.handle && !usb->gone && usb->choice.max_bytes && !gud_stop(&usb->link, &problem) &&
         problem.fault != GUD_LINK_GONE && tell)
         warn("%s: it was not switched off: %s", usb->name, problem.text);
@@ -93,7 +93,7 @@ static enum usb_attempt connect_display(struct usb_sink *usb, const struct usb_d
 
 /* ---- the sink's functions ---- */
 
-/* When it was unplugged it is this one that is waited for. */
+/* If it is unplugged, --wait waits for this one. */
 static void remember(const struct usb_device *device)
 {
     static char serial[sizeof device->serial];
@@ -116,11 +116,11 @@ static struct usb_sink *new_sink(void)
     return usb;
 }
 
-/* libusb learns of new devices from udev's daemon, which is not everywhere; a new context looks for itself. */
+/* libusb learns of new devices from udev's daemon, which not every system runs; a new context lists them by itself. */
 static enum usb_attempt try_open(const struct sink_wish *wish, struct usb_sink **out, char *line, size_t size)
 {
     static struct usb_found found;
-    static bool was_detached; /* the driver is given back also after a display came again without it */
+    static bool was_detached; /* the kernel's driver gets the display back even if it was replugged meanwhile */
     struct usb_sink *usb = new_sink();
     enum usb_attempt attempt;
     usb_find(usb->port.libusb, &usb_options, &found);
@@ -175,7 +175,7 @@ static void usb_pack(const struct sink *sink, const struct frame *frame, const s
     gud_box_pack(of(sink)->choice.format, frame, box, out);
 }
 
-/* A piece is announced when the one before has arrived: GUD knows no other order, the data of two would run together.
+/* A piece is announced when the one before has arrived: GUD has no other order, and the data of two would run together.
  * The last one is left under way. */
 static int send_pieces(struct usb_sink *usb, const struct piece *pieces, size_t count, bool announce,
                        struct gud_problem *problem)
@@ -221,7 +221,7 @@ static int send_whole(struct usb_sink *usb, const struct frame *frame, struct gu
     return fault;
 }
 
-/* What the display shows is not known: everything from the start. */
+/* What the display shows is unknown: sets the mode again and sends everything. */
 static int restart(struct usb_sink *usb, const struct frame *frame, struct gud_problem *problem)
 {
     usb->port.fault = 0;
@@ -231,7 +231,7 @@ static int restart(struct usb_sink *usb, const struct frame *frame, struct gud_p
     return send_whole(usb, frame, problem);
 }
 
-/* What is under way in a reset ends as if the device were gone, too. */
+/* Also a reset ends what is under way as if the device were gone, so ask it. */
 static bool is_gone(struct usb_sink *usb)
 {
     enum { MOMENT_MS = 100 };
@@ -242,7 +242,7 @@ static bool is_gone(struct usb_sink *usb)
 
 static enum sink_result usb_send(struct sink *sink, const struct frame *frame, const struct piece *pieces, size_t count)
 {
-    enum { TRIES = 3, PAUSE_MS = 300 /* a device that is gone is known to be after such a time */ };
+    enum { TRIES = 3, PAUSE_MS = 300 /* by then the system knows whether a device is gone */ };
     struct usb_sink *usb = of(sink);
     struct gud_problem problem = {0};
     int fault = send_pieces(usb, pieces, count, !usb->full_update, &problem);
@@ -250,9 +250,10 @@ static enum sink_result usb_send(struct sink *sink, const struct frame *frame, c
         if (fault == GUD_LINK_GONE && is_gone(usb))
             break;
         if (i == TRIES)
-            fail("%s: %s, also after %d new starts; plug it in again", usb->name, problem.text, TRIES);
+            fail("%s: %s, and again after %d attempts to reinitialise it; plug it in again", usb->name, problem.text,
+                 TRIES);
         if (i == 0)
-            warn("%s: %s; starting it anew", usb->name, problem.text);
+            warn("%s: %s; reinitialising it", usb->name, problem.text);
         usb_pause_ms(PAUSE_MS);
         fault = stream_stopped() ? GUD_LINK_STOPPED : restart(usb, frame, &problem);
     }

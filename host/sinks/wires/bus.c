@@ -14,8 +14,8 @@
 struct gpio_bus {
     const struct gpio_options *options;
     struct gpio_lines *lines;
-    uint32_t bits[ROLES]; /* in levels; 0 where there is no such line */
-    uint32_t levels;      /* as they are to be; the lines follow by set() */
+    uint32_t bits[ROLES]; /* in levels; 0 for a line that is not wired */
+    uint32_t levels;      /* as wanted; set() makes the lines follow */
     int error;
     int spidev; /* a descriptor, or -1 */
     size_t chunk;
@@ -103,7 +103,7 @@ static bool deselect(struct gpio_bus *bus)
 static bool on_command(void *context, uint8_t command)
 {
     struct gpio_bus *bus = context;
-    /* A panel that missed a clock edge counts its bits anew. */
+    /* A panel that missed a clock edge starts to count its bits again. */
     if (bus->options->kind == GPIO_BUS_SPI && bus->bits[ROLE_CS] && !deselect(bus))
         return false;
     change(bus, ROLE_CS, false);
@@ -151,7 +151,7 @@ struct panel_bus gpio_bus_panel(struct gpio_bus *bus)
 
 /* ---- open and close ---- */
 
-/* The chip stays selected, and nothing is asked of it before panel_start. */
+/* The chip stays selected; panel_start sends the first bytes. */
 static const uint32_t busy_roles = 0xff | (1u << ROLE_DC) | (1u << ROLE_MOSI) | (1u << ROLE_SCK) | (1u << ROLE_WR);
 static const uint32_t high_at_first = (1u << ROLE_DC) | (1u << ROLE_RD) | (1u << ROLE_RESET) | (1u << ROLE_WR);
 

@@ -6,7 +6,7 @@
 #include "sinks/wires/options.h"
 #include "panel.h"
 
-/* Takes the lines, and the device; ends the program through fail() where that cannot be. The options stay where they are. */
+/* Takes the lines and the device; ends the program through fail() where it cannot. The options must outlive it. */
 struct gpio_bus *gpio_bus_open(const struct gpio_options *options);
 /* Its calls fail once the wires do: then this is the errno of the first failure. */
 int gpio_bus_error(const struct gpio_bus *bus);

@@ -21,7 +21,7 @@ struct display {
     struct gpio_bus *bus;
     struct panel_bus panel_bus;
     struct panel panel;
-    bool shown; /* dark until the first picture is there */
+    bool shown; /* dark until the first picture is complete */
 };
 
 static struct sink_cost cost_of(const struct gpio_options *options)
@@ -36,9 +36,8 @@ static _Noreturn void fail_bus(const struct display *display)
 {
     const int reason = gpio_bus_error(display->bus);
     if (reason == ENODEV || reason == ENXIO)
-        fail("%s: went away while it was in use; plug it in or load its driver again, then start again",
-             display->sink.name);
-    fail("%s: the panel could not be written: %s", display->sink.name, strerror(reason));
+        fail("%s: it was removed while in use; plug it in or load its driver, then start again", display->sink.name);
+    fail("%s: writing to the panel failed: %s", display->sink.name, strerror(reason));
 }
 
 struct sink *gpio_display_open(const struct gpio_options *options, const struct sink_wish *wish)

@@ -23,8 +23,7 @@ static struct chips chips_open(const struct gpio_line_wish *wish)
     struct chips chips = {0};
     chips.count = device_names("gpiochip", &chips.names);
     if (chips.count == 0)
-        fail("%s: %s=%s: there is no GPIO chip: no /dev/gpiochip0 on this machine; `glint list` shows what there is",
-             wish->origin, wish->role, wish->text);
+        fail("%s: %s=%s: no GPIO chip: this machine has no /dev/gpiochip0", wish->origin, wish->role, wish->text);
     chips.open = calloc(chips.count, sizeof(struct gpio_chip *));
     if (!chips.open)
         fail("out of memory");
@@ -67,7 +66,7 @@ static bool is_chip(const struct chips *chips, unsigned i, const char *text)
            (chips->open[i] && strcmp(text, gpio_chip_label(chips->open[i])) == 0);
 }
 
-/* chips->count where there is none. */
+/* chips->count if there is none. */
 static unsigned chip_called(const struct chips *chips, const char *text)
 {
     unsigned i = 0;
@@ -86,7 +85,7 @@ static _Noreturn void fail_chip(const struct chips *chips, const struct gpio_lin
                 chips->open[i] ? gpio_chip_label(chips->open[i]) : "", chips->open[i] ? ")" : "");
     if (stream)
         fclose(stream);
-    fail("%s: %s=%s: there is no GPIO chip '%s'; there is %s", wish->origin, wish->role, wish->text, text,
+    fail("%s: %s=%s: no GPIO chip is named '%s'; choose from %s", wish->origin, wish->role, wish->text, text,
          known ? known : chips->names[0]);
 }
 
@@ -120,7 +119,7 @@ unsigned letters_apart(const char *a, const char *b)
 
 struct search {
     const char *name;
-    unsigned found; /* how many are called so */
+    unsigned found; /* how many have that name */
     unsigned chip[2], offset[2];
     unsigned apart; /* of the nearest other name */
     char near[GPIO_NAME_MAX];
@@ -154,12 +153,12 @@ static _Noreturn void fail_name(const struct chips *chips, const struct gpio_lin
     if (chips->denied)
         fail_denied(wish, chips->denied);
     if (is_number(search->name))
-        fail("%s: %s=%s: no GPIO line is called so; where %s is an offset, say of which chip: gpiochip0:%s, or --chip",
+        fail("%s: %s=%s: no GPIO line has that name; if %s is an offset, name its chip: gpiochip0:%s, or --chip",
              wish->origin, wish->role, wish->text, search->name, search->name);
     if (search->apart < 3 && search->apart < strlen(search->name))
-        fail("%s: %s=%s: no GPIO line is called '%s'; is it %s? (`glint list` shows all)", wish->origin, wish->role,
-             wish->text, search->name, search->near);
-    fail("%s: %s=%s: no GPIO line is called '%s'; `glint list` shows all, and lines without a name are CHIP:OFFSET",
+        fail("%s: %s=%s: no GPIO line has the name '%s'; did you mean %s? (`glint list` shows all)", wish->origin,
+             wish->role, wish->text, search->name, search->near);
+    fail("%s: %s=%s: no GPIO line has the name '%s'; `glint list` shows all, and lines without a name are CHIP:OFFSET",
          wish->origin, wish->role, wish->text, search->name);
 }
 
@@ -172,7 +171,7 @@ static struct gpio_found found_by_name(struct chips *chips, const struct gpio_li
     if (search.found == 0)
         fail_name(chips, wish, &search);
     if (search.found > 1)
-        fail("%s: %s=%s: %u lines are called so; say which: %s:%u, %s:%u%s", wish->origin, wish->role, wish->text,
+        fail("%s: %s=%s: %u lines have that name; choose one: %s:%u, %s:%u%s", wish->origin, wish->role, wish->text,
              search.found, chips->names[search.chip[0]], search.offset[0], chips->names[search.chip[1]],
              search.offset[1], search.found > 2 ? " ..." : "");
     return (struct gpio_found){chips->open[search.chip[0]], search.offset[0]};

@@ -12,7 +12,7 @@ struct gpio_found {
     struct gpio_chip *chip; /* open, yours */
     unsigned offset;
 };
-/* Ends the program through fail() where there is none such, or more than one. */
+/* Ends the program through fail() where there is none, or more than one. */
 struct gpio_found gpio_find(const char *chip, const struct gpio_line_wish *wish);
 
 /* How many letters must be changed, added, removed or exchanged with their neighbour to make b of a, upper and lower case

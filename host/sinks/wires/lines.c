@@ -76,7 +76,7 @@ static void check_other(const struct gpio_lines *lines, const struct gpio_line_w
             continue;
         for (unsigned k = 0; k < group->count; k++)
             if (group->offsets[k] == found->offset)
-                fail("%s: %s and %s are the same line, %s:%u; each wants a line of its own", wish->origin,
+                fail("%s: %s and %s are the same line, %s:%u; each needs its own line", wish->origin,
                      wishes[group->wishes[k]].role, wish->role, gpio_chip_name(group->chip), found->offset);
     }
 }
@@ -94,7 +94,7 @@ static void add(struct gpio_lines *lines, const char *chip, const struct gpio_li
     lines->inverted |= (uint32_t)(*wish->text == '!') << i;
 }
 
-/* Which of them could not be had, and why. */
+/* Names the line that was refused, and why. */
 static _Noreturn void fail_request(const struct group *group, const struct gpio_line_wish *wishes, int reason)
 {
     const char *chip = gpio_chip_name(group->chip);
@@ -108,7 +108,7 @@ static _Noreturn void fail_request(const struct group *group, const struct gpio_
                  *line.consumer ? line.consumer : "the kernel");
     }
     const struct gpio_line_wish *first = &wishes[group->wishes[0]];
-    fail("%s: %s: the %u line%s from %s=%s on cannot be outputs: %s", first->origin, chip, group->count,
+    fail("%s: %s: the %u line%s from %s=%s on cannot become outputs: %s", first->origin, chip, group->count,
          group->count == 1 ? "" : "s", first->role, first->text, strerror(reason));
 }
 

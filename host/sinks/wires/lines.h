@@ -17,7 +17,7 @@ struct gpio_line_wish {
 };
 
 /* All as outputs, held by "glint". `chip` (a name, a label, a path or a number): where lines are that name none; NULL:
- * anywhere. Ends the program through fail() with one line where one is not to be had. */
+ * anywhere. Ends the program through fail() with one line where one cannot be had. */
 struct gpio_lines *gpio_lines_open(const char *chip, const struct gpio_line_wish *wishes, unsigned count);
 /* Bit i of levels is wish i: one call of the kernel for each chip where something changes. 0 or an errno. */
 int gpio_lines_set(struct gpio_lines *lines, uint32_t levels);

@@ -20,13 +20,13 @@ enum { TEXTS = KEY_LINES - KEY_BUS };
 static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "The wires to the panel (--to gpio, spi):", GROUP},
     {"lines", KEY_LINES, "ROLE=LINE,...", 0,
-     "Which GPIO line does what; may be given again. LINE is a NAME, CHIP:OFFSET or CHIP:NAME (`glint list` shows "
+     "Which GPIO line does what; may be repeated. LINE is a NAME, CHIP:OFFSET or CHIP:NAME (`glint list` shows "
      "them); a ! before it: active low. --bus spi: sck, mosi, dc, and if wired cs, reset, backlight. --bus 8080: "
      "d0 ... d7, wr, dc, and if wired cs, rd, reset, backlight. --to spi: dc, and if wired reset, backlight",
      GROUP},
-    {"chip", KEY_CHIP, "CHIP", 0, "Where lines are that name no chip; then a LINE may be an OFFSET", GROUP},
+    {"chip", KEY_CHIP, "CHIP", 0, "The chip of lines that name none; then a LINE may be an OFFSET", GROUP},
     {"bus-config", KEY_BUS_CONFIG, "FILE", 0,
-     "All of this and the panel from a file; what the command line says goes before it", GROUP},
+     "Reads all of this and the panel's options from a file; the command line overrides it", GROUP},
     {0}};
 
 static const struct argp_option line_options[] = {
@@ -85,7 +85,7 @@ static enum gpio_role parse_role(const struct argp_state *state, const char *ori
     for (size_t i = 0; i < sizeof aliases / sizeof *aliases; i++)
         if (strcasecmp(name, aliases[i].name) == 0)
             return aliases[i].role;
-    refuse(state, "%s: no line '%s'; lines are %s", origin, name, role_list((1u << ROLES) - 1));
+    refuse(state, "%s: unknown line '%s'; choose from %s", origin, name, role_list((1u << ROLES) - 1));
 }
 
 /* ---- what was said ---- */
@@ -112,7 +112,7 @@ static void say_line(const struct argp_state *state, struct said *said, const ch
 {
     const enum gpio_role wanted = parse_role(state, origin, role);
     if (!text[*text == '!'])
-        refuse(state, "%s: %s has no line; write %s=NAME or %s=CHIP:OFFSET", origin, role, role, role);
+        refuse(state, "%s: %s names no line; write %s=NAME or %s=CHIP:OFFSET", origin, role, role, role);
     if (said->lines[wanted].text)
         refuse(state, "%s: %s is given twice, as %s and %s", origin, gpio_role_names[wanted], said->lines[wanted].text,
                text);
@@ -141,7 +141,7 @@ static void say(const struct argp_state *state, struct said *said, const char *o
     else if (key == KEY_SPI_HZ)
         parse_integer(state, origin, text, 1000, 200000000);
     else if (!*text)
-        refuse(state, "%s: '' is no name", origin);
+        refuse(state, "%s: the name is empty", origin);
     said->texts[key - KEY_BUS] = copied(text);
 }
 
@@ -159,8 +159,8 @@ static void set_origin(struct reader *reader)
     snprintf(reader->origin, sizeof reader->origin, "%.100s:%u", config_path, reader->line);
 }
 
-/* As fgets, but what is no text is told, and a line that begins with blanks is not taken for the rest of the one before.
- * Remarks begin with a # at the beginning or after a blank. */
+/* As fgets, but a zero byte is an error, and a line that begins with blanks is not the rest of the one before. Comments begin
+ * with a # at the beginning or after a blank. */
 static char *read_line(char *text, int room, void *context)
 {
     struct reader *reader = context;
@@ -169,7 +169,7 @@ static char *read_line(char *text, int room, void *context)
     set_origin(reader);
     while (byte != '\n' && (byte = getc(reader->stream)) != EOF) {
         if (byte == '\0')
-            fail("%s: holds a zero byte; a text file is wanted", reader->origin);
+            fail("%s: holds a zero byte; give a text file", reader->origin);
         if (length + 1 == room)
             fail("%s: the line is longer than %d characters", reader->origin, room - 2);
         if (length || (byte != ' ' && byte != '\t'))
@@ -199,9 +199,8 @@ static int take(void *context, const char *section, const char *name, const char
     while (i < SETTINGS && strcmp(name, setting_names[i]) != 0)
         i++;
     if (i == SETTINGS)
-        fail("%s: no setting '%s'; settings are bus, chip, spidev, spi-hz, panel, size, rotation, offset, bgr, invert, "
-             "and "
-             "[lines] begins the lines",
+        fail("%s: unknown setting '%s'; choose from bus, chip, spidev, spi-hz, panel, size, rotation, offset, bgr, "
+             "invert; [lines] begins the lines",
              reader->origin, name);
     if (reader->seen >> i & 1)
         fail("%s: %s is given twice", reader->origin, name);
@@ -272,7 +271,7 @@ static void check_lines(const struct gpio_options *o)
         given |= o->lines[i].text ? ROLE_BIT(i) : 0;
     const uint32_t needed = buses[o->kind].needed, missing = needed & ~given;
     if (missing)
-        fail("--lines: %s wants a line for %s; give it by --lines %s=NAME or in a file by --bus-config",
+        fail("--lines: %s needs a line for %s; give it by --lines %s=NAME or in a file by --bus-config",
              buses[o->kind].name, role_list(missing), gpio_role_names[__builtin_ctz(missing)]);
     const uint32_t unwelcome = given & ~(needed | buses[o->kind].welcome);
     if (!unwelcome)

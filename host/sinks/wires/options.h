@@ -33,7 +33,7 @@ struct gpio_options {
     enum gpio_bus_kind kind;
     const char *chip; /* NULL: any */
     struct {
-        const char *origin, *text; /* text NULL: no such line */
+        const char *origin, *text; /* text NULL: not wired */
     } lines[ROLES];
     const char *spidev;
     uint32_t spi_hz;

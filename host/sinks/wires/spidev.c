@@ -19,9 +19,9 @@ static _Noreturn void fail_absent(const char *path)
     char **names;
     const unsigned count = device_names("spidev", &names);
     if (count)
-        fail("--spidev: %s: not there; there is /dev/%s%s (`glint list` shows all)", path, names[0],
+        fail("--spidev: %s: there is no such device; choose from /dev/%s%s (`glint list` shows all)", path, names[0],
              count > 1 ? " ..." : "");
-    fail("--spidev: %s: not there, nor any other; switch the SPI bus on (Raspberry Pi: dtparam=spi=on in config.txt), "
+    fail("--spidev: %s: there is no SPI device; switch the SPI bus on (Raspberry Pi: dtparam=spi=on in config.txt), "
          "or drive "
          "the wires by --to gpio",
          path);
@@ -52,11 +52,11 @@ int spidev_open(const char *path, uint32_t hz, size_t *chunk)
     const uint8_t mode = SPI_MODE_0, bits = 8;
     if (ioctl(descriptor, SPI_IOC_WR_MODE, &mode) != 0 || ioctl(descriptor, SPI_IOC_WR_BITS_PER_WORD, &bits) != 0) {
         if (errno == ENOTTY)
-            fail("--spidev: %s: is not an SPI device; those are called /dev/spidevB.C", path);
-        fail("--spidev: %s: does not do mode 0 with 8 bits: %s", path, strerror(errno));
+            fail("--spidev: %s: is not an SPI device; their names are /dev/spidevB.C", path);
+        fail("--spidev: %s: cannot do mode 0 with 8 bits: %s", path, strerror(errno));
     }
     if (ioctl(descriptor, SPI_IOC_WR_MAX_SPEED_HZ, &hz) != 0)
-        fail("--spi-hz: %s: does not do %u: %s", path, hz, strerror(errno));
+        fail("--spi-hz: %s: cannot do %u: %s", path, hz, strerror(errno));
     *chunk = largest_write();
     return descriptor;
 }

@@ -60,10 +60,11 @@ static void a_line_that_is_not_there_is_told_with_the_nearest(void **state)
     (void)state;
     struct gpio_options options = wires(GPIO_BUS_SPI);
     options.lines[ROLE_SCK].text = "SKC";
-    assert_told(&options, "--lines: sck=SKC: no GPIO line is called 'SKC'; is it SCK? (`glint list` shows all)");
+    assert_told(&options,
+                "--lines: sck=SKC: no GPIO line has the name 'SKC'; did you mean SCK? (`glint list` shows all)");
     options.lines[ROLE_SCK].text = "GPIO17";
     assert_told(&options,
-                "--lines: sck=GPIO17: no GPIO line is called 'GPIO17'; `glint list` shows all, and lines without "
+                "--lines: sck=GPIO17: no GPIO line has the name 'GPIO17'; `glint list` shows all, and lines without "
                 "a name are CHIP:OFFSET");
     options.lines[ROLE_SCK].text = "17";
     assert_told(&options, "--lines: sck=17: gpiochip0 has the lines 0 to 16");
@@ -78,10 +79,10 @@ static void a_number_without_a_chip_and_a_name_that_is_there_twice_are_told(void
     options.chip = NULL;
     options.lines[ROLE_SCK].text = "0:11";
     options.lines[ROLE_CS].text = "13";
-    assert_told(&options, "--lines: cs=13: no GPIO line is called so; where 13 is an offset, say of which chip: "
+    assert_told(&options, "--lines: cs=13: no GPIO line has that name; if 13 is an offset, name its chip: "
                           "gpiochip0:13, or --chip");
     options.lines[ROLE_SCK].text = "SCK";
-    assert_told(&options, "--lines: sck=SCK: 2 lines are called so; say which: gpiochip0:11, gpiochip10:0");
+    assert_told(&options, "--lines: sck=SCK: 2 lines have that name; choose one: gpiochip0:11, gpiochip10:0");
 }
 
 static void a_chip_that_is_not_there_is_told_with_those_that_are(void **state)
@@ -89,15 +90,15 @@ static void a_chip_that_is_not_there_is_told_with_those_that_are(void **state)
     (void)state;
     struct gpio_options options = wires(GPIO_BUS_SPI);
     options.chip = "gpiochip1";
-    assert_told(&options, "--lines: sck=SCK: there is no GPIO chip 'gpiochip1'; there is gpiochip0 (main), gpiochip10 "
-                          "(aside)");
+    assert_told(&options,
+                "--lines: sck=SCK: no GPIO chip is named 'gpiochip1'; choose from gpiochip0 (main), gpiochip10 "
+                "(aside)");
     options.chip = NULL;
     options.lines[ROLE_SCK].text = "gpiochip2:4";
-    assert_told(&options, "--lines: sck=gpiochip2:4: there is no GPIO chip 'gpiochip2'; there is gpiochip0 (main), "
+    assert_told(&options, "--lines: sck=gpiochip2:4: no GPIO chip is named 'gpiochip2'; choose from gpiochip0 (main), "
                           "gpiochip10 (aside)");
     no_chips = true;
-    assert_told(&options, "--lines: sck=gpiochip2:4: there is no GPIO chip: no /dev/gpiochip0 on this machine; `glint "
-                          "list` shows what there is");
+    assert_told(&options, "--lines: sck=gpiochip2:4: no GPIO chip: this machine has no /dev/gpiochip0");
 }
 
 static void the_same_line_for_two_wires_is_told(void **state)
@@ -106,7 +107,7 @@ static void the_same_line_for_two_wires_is_told(void **state)
     struct gpio_options options = wires(GPIO_BUS_SPI);
     options.lines[ROLE_BACKLIGHT].text = "gpiochip0:8";
     options.lines[ROLE_BACKLIGHT].origin = "pins.ini:9";
-    assert_told(&options, "pins.ini:9: dc and backlight are the same line, gpiochip0:8; each wants a line of its own");
+    assert_told(&options, "pins.ini:9: dc and backlight are the same line, gpiochip0:8; each needs its own line");
 }
 
 static void a_chip_that_may_not_be_opened_is_told(void **state)
@@ -129,8 +130,7 @@ static void a_chip_that_goes_away_ends_the_stream_with_one_line_whenever_it_does
     for (size_t i = 0; i < sizeof whens / sizeof *whens; i++) {
         calls_that_work = whens[i];
         assert_told(&options,
-                    "gpiochip0: went away while it was in use; plug it in or load its driver again, then start "
-                    "again");
+                    "gpiochip0: it was removed while in use; plug it in or load its driver, then start again");
     }
 }
 

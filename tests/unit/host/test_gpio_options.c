@@ -21,10 +21,10 @@ static void assert_config_fails(const char *text, const char *part)
 static void wires_that_are_missing_are_named(void **state)
 {
     (void)state;
-    assert_fails("$GLINT stream coin --to gpio", "--bus spi wants a line for sck, mosi, dc");
+    assert_fails("$GLINT stream coin --to gpio", "--bus spi needs a line for sck, mosi, dc");
     assert_fails("$GLINT stream coin --to gpio --bus 8080 --lines d0=A,d1=B,d2=C,d3=D,d4=E,d5=F,d6=G,d7=H,dc=I",
-                 "--bus 8080 wants a line for wr; give it by --lines wr=NAME or in a file by --bus-config");
-    assert_fails("$GLINT stream coin --to spi", "--to spi wants a line for dc");
+                 "--bus 8080 needs a line for wr; give it by --lines wr=NAME or in a file by --bus-config");
+    assert_fails("$GLINT stream coin --to spi", "--to spi needs a line for dc");
 }
 
 static void wires_that_the_bus_does_not_have_are_named(void **state)
@@ -34,7 +34,7 @@ static void wires_that_the_bus_does_not_have_are_named(void **state)
                  "--lines: --bus spi has no line wr; it has");
     assert_fails("$GLINT stream coin --to spi --lines dc=C,cs=D",
                  "--lines: --to spi has no line cs (the SPI device drives its own); it has dc, reset, backlight");
-    assert_refused("$GLINT stream coin --to gpio --lines miso=A", "--lines: no line 'miso'; lines are d0, d1");
+    assert_refused("$GLINT stream coin --to gpio --lines miso=A", "--lines: unknown line 'miso'; choose from d0, d1");
 }
 
 static void lines_are_role_and_name(void **state)
@@ -42,8 +42,8 @@ static void lines_are_role_and_name(void **state)
     (void)state;
     assert_refused("$GLINT stream coin --to gpio --lines sck", "--lines: 'sck' is not ROLE=LINE");
     assert_refused("$GLINT stream coin --to gpio --lines sck=A,,mosi=B", "--lines: '' is not ROLE=LINE");
-    assert_refused("$GLINT stream coin --to gpio --lines sck=", "--lines: sck has no line");
-    assert_refused("$GLINT stream coin --to gpio --lines 'sck=!'", "--lines: sck has no line");
+    assert_refused("$GLINT stream coin --to gpio --lines sck=", "--lines: sck names no line");
+    assert_refused("$GLINT stream coin --to gpio --lines 'sck=!'", "--lines: sck names no line");
     assert_refused("$GLINT stream coin --to gpio --lines sck=A --lines clk=B",
                    "--lines: sck is given twice, as A and B");
 }
@@ -64,7 +64,7 @@ static void values_that_cannot_be_are_refused_with_those_that_can(void **state)
         snprintf(command, sizeof command, "$GLINT stream coin --offset=%s", offsets[i]);
         assert_refused(command, "is not two numbers from 0 to 320 with ',' between");
     }
-    assert_refused("$GLINT stream coin --chip ''", "--chip: '' is no name");
+    assert_refused("$GLINT stream coin --chip ''", "--chip: the name is empty");
 }
 
 static void glass_that_is_not_is_told_with_what_to_do(void **state)
@@ -79,7 +79,7 @@ static void glass_that_is_not_is_told_with_what_to_do(void **state)
                  "give that --size, or --rotation 90 or 270");
     assert_fails(TO_GPIO "--size 300x300",
                  "--size: 300x300 is more than the 320x240 pixels of an st7789; choose a smaller");
-    assert_fails(TO_GPIO "--size 128x128", "no st7789 glass of 128x128 is known; say where");
+    assert_fails(TO_GPIO "--size 128x128", "no st7789 glass of 128x128 is known; give the place");
     assert_fails(TO_GPIO "--size 128x128 --offset 200,0", "choose a smaller --size or --offset");
     assert_fails(TO_GPIO "--panel ili9341 --size 240x240", "no ili9341 glass of 240x240");
 }
@@ -97,26 +97,26 @@ static void a_file_s_wrong_line_is_told_with_its_number(void **state)
 {
     (void)state;
     assert_config_fails("# pins\n\nbus spi\n", "pins.ini:3: neither NAME = VALUE nor [lines] nor a # comment");
-    assert_config_fails("bus = spi\nspeed = 3\n", "pins.ini:2: no setting 'speed'; settings are bus, chip");
+    assert_config_fails("bus = spi\nspeed = 3\n", "pins.ini:2: unknown setting 'speed'; choose from bus, chip");
     assert_config_fails("bus = i2c\n", "pins.ini:1: bus: no 'i2c'; one of these is wanted: spi, 8080");
     assert_config_fails("bus = spi\n  bus = 8080\n", "pins.ini:2: bus is given twice");
     assert_config_fails("rotation = 45\n", "pins.ini:1: rotation: no '45'");
     assert_config_fails("[pins]\nsck = A\n", "pins.ini:2: [pins]: the only section is [lines]");
-    assert_config_fails("[lines]\nsck = A\nfoo = B\n", "pins.ini:3: no line 'foo'");
+    assert_config_fails("[lines]\nsck = A\nfoo = B\n", "pins.ini:3: unknown line 'foo'");
     assert_config_fails("[lines]\nsck = A\nclk = B\n", "pins.ini:3: sck is given twice, as A and B");
     assert_config_fails("[lines]\nSCK = A\nCLK = B\n", "pins.ini:3: sck is given twice, as A and B");
-    assert_config_fails("[lines]\nsck =\n", "pins.ini:2: sck has no line");
-    assert_config_fails("bus = spi # of wires\nchip =\t# which?\n", "pins.ini:2: chip: '' is no name");
+    assert_config_fails("[lines]\nsck =\n", "pins.ini:2: sck names no line");
+    assert_config_fails("bus = spi # of wires\nchip =\t# which?\n", "pins.ini:2: chip: the name is empty");
     assert_config_fails("\xEF\xBB\xBF"
                         "bus = spi\r\nchip =\r\n",
-                        "pins.ini:2: chip: '' is no name");
-    assert_config_fails("chip =\n", "pins.ini:1: chip: '' is no name");
+                        "pins.ini:2: chip: the name is empty");
+    assert_config_fails("chip =\n", "pins.ini:1: chip: the name is empty");
     char text[500];
     memset(text, 'a', sizeof text);
     text[sizeof text - 1] = '\0';
     assert_config_fails(text, "pins.ini:1: the line is longer than");
     assert_fails("printf 'bus = spi\\n\\0' >pins.ini; $GLINT stream coin --to gpio --bus-config pins.ini",
-                 "pins.ini:2: holds a zero byte; a text file is wanted");
+                 "pins.ini:2: holds a zero byte; give a text file");
     assert_fails("timeout 10 $GLINT stream coin --to gpio --bus-config /dev/full", "/dev/full:1: holds a zero byte");
 }
 
@@ -132,9 +132,9 @@ static void a_file_says_all_and_the_command_line_goes_before_it(void **state)
 {
     (void)state;
     write_config("bus = 8080 ; a comment\nsize = 100x100\n  rotation = 180\n[lines]\n  dc = GPIO25\n  wr = GPIO7\n");
-    assert_fails("$GLINT stream coin --to gpio --bus-config pins.ini", "--bus 8080 wants a line for d0, d1");
+    assert_fails("$GLINT stream coin --to gpio --bus-config pins.ini", "--bus 8080 needs a line for d0, d1");
     assert_fails("$GLINT stream coin --to gpio --bus-config pins.ini --bus spi",
-                 "--bus spi wants a line for sck, mosi");
+                 "--bus spi needs a line for sck, mosi");
     assert_fails("$GLINT stream coin --to gpio --bus-config pins.ini --bus spi --lines sck=A,mosi=B",
                  "pins.ini:6: --bus spi has no line wr");
     write_config("size = 100x100\n[lines]\ndc = A\nsck = B\nmosi = C\n");
@@ -154,7 +154,7 @@ static void the_example_of_the_help_is_a_file_that_is_taken(void **state)
     assert_contains(text, "backlight = ");
     /* As far as the lines, which are not there or not to be used by a test. */
     assert_fails("$GLINT stream coin --to gpio --bus-config pins.ini --chip no-such-chip", "pins.ini:");
-    assert_fails("$GLINT stream coin --to gpio --bus-config pins.ini --chip no-such-chip", "there is no GPIO chip");
+    assert_fails("$GLINT stream coin --to gpio --bus-config pins.ini --chip no-such-chip", "no GPIO chip");
 }
 
 static void an_spi_device_that_is_not_is_told(void **state)
@@ -163,7 +163,7 @@ static void an_spi_device_that_is_not_is_told(void **state)
     assert_fails("$GLINT stream coin --to spi --lines dc=A --spidev /dev/null",
                  "--spidev: /dev/null: is not an SPI device");
     assert_fails("$GLINT stream coin --to spi --lines dc=A --spidev /dev/spidev99.9",
-                 "--spidev: /dev/spidev99.9: not there");
+                 "--spidev: /dev/spidev99.9: there is no ");
 }
 
 /* ---- the virtual panel as a sink ---- */

@@ -164,7 +164,7 @@ static void nothing_is_seen_before_it_is_shown_nor_after_a_stop(void **state)
     }
 }
 
-static void a_panel_starts_anew_after_bytes_that_were_cut_off(void **state)
+static void a_panel_recovers_after_bytes_that_were_cut_off(void **state)
 {
     (void)state;
     for (size_t cut = 0; cut < 12; cut++) {
@@ -316,7 +316,7 @@ int main(void)
         cmocka_unit_test(a_glass_that_the_panel_tells_of_is_the_module_s_own),
         cmocka_unit_test(an_unturned_picture_begins_at_the_top_left_of_the_glass),
         cmocka_unit_test(nothing_is_seen_before_it_is_shown_nor_after_a_stop),
-        cmocka_unit_test(a_panel_starts_anew_after_bytes_that_were_cut_off),
+        cmocka_unit_test(a_panel_recovers_after_bytes_that_were_cut_off),
         cmocka_unit_test(pixels_beyond_the_window_s_last_begin_it_again),
         cmocka_unit_test(a_write_that_is_continued_goes_on_where_it_stopped),
         cmocka_unit_test(a_window_whose_end_is_before_its_start_changes_nothing),
