@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "image/picture.h"
+
 struct sink *sink_open(const struct sink_kind *kind, bool shades, const struct sink_wish *wish)
 {
     struct sink *sink = (shades ? kind->shader->open : kind->pixels.open)(wish);
@@ -28,6 +30,11 @@ void sink_size(struct sink *sink, const struct sink_wish *wish)
 {
     sink->width = wish->width ? wish->width : wish->default_width;
     sink->height = wish->height ? wish->height : wish->default_height;
+}
+
+bool sink_size_fits(uint32_t width, uint32_t height)
+{
+    return width <= SIDE_MAX && height <= SIDE_MAX && width * height <= PIXELS_MAX; /* 2^14 * 2^14 fits 32 bits */
 }
 
 bool sink_takes_standard_output(const struct sink_kind *kind, const char *output)

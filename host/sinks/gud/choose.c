@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "image/format.h"
-#include "sinks/gud/host.h"
+#include "image/picture.h"
 #include "sinks/gud/pack.h"
 
 /* Appends to a text; what does not fit is left out. */
@@ -90,6 +90,10 @@ bool gud_choose(const struct gud_display *display, const struct sink_wish *wish,
 {
     if (!choose_format(display, wish->format, choice, problem) || !choose_mode(display, wish, choice, problem))
         return false;
+    if (!sink_size_fits(choice->mode.hdisplay, choice->mode.vdisplay))
+        return gud_problem_is(problem, GUD_LINK_ERROR,
+                              "its mode %ux%u is too large; the most is %d pixels a side and %d in all",
+                              choice->mode.hdisplay, choice->mode.vdisplay, SIDE_MAX, PIXELS_MAX);
     const uint32_t limit = display->descriptor.max_buffer;
     const size_t line = gud_line_bytes(choice->format, choice->mode.hdisplay), frame = line * choice->mode.vdisplay;
     if (frame > GUD_HOST_FRAME_MAX)

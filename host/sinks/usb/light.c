@@ -8,7 +8,7 @@
 #include "base/message.h"
 #include "base/stop.h"
 #include "gud_protocol.h"
-#include "light_protocol.h"
+#include "image/picture.h"
 #include "sinks/usb/bulk.h"
 #include "sinks/usb/choose.h"
 
@@ -31,6 +31,22 @@ static struct light_sink *of(const struct sink *sink)
 
 /* ---- opening ---- */
 
+bool usb_light_fits(const struct light_descriptor *device, const struct sink_wish *wish, const char *name, char *line,
+                    size_t size)
+{
+    const unsigned width = device->width, height = device->height;
+    if (!sink_size_fits(width, height))
+        snprintf(line, size, "%s: its %ux%u pixels are too many; the most is %d a side and %d in all", name, width,
+                 height, SIDE_MAX, PIXELS_MAX);
+    else if ((wish->width && (wish->width != width || wish->height != height)) ||
+             (wish->format >= 0 && wish->format != GLINT_RGB565))
+        snprintf(line, size, "%s: it shades %ux%u in rgb565; leave out --size and --format", name, width, height);
+    else
+        return true;
+    return false;
+}
+
+/* Does the interface answer as one that shades? `line` gets the reason where it does not fit the wish. */
 static bool ask(struct light_sink *light, const struct sink_wish *wish, char *line, size_t size)
 {
     uint8_t bytes[LIGHT_DESCRIPTOR_BYTES];
@@ -38,12 +54,10 @@ static bool ask(struct light_sink *light, const struct sink_wish *wish, char *li
     if (light->link.control(&light->port, true, LIGHT_GET_DESCRIPTOR, 0, bytes, sizeof bytes) != sizeof bytes ||
         !light_descriptor_unpack(&descriptor, bytes) || !descriptor.width || !descriptor.height)
         return false;
-    if ((wish->width && (wish->width != descriptor.width || wish->height != descriptor.height)) ||
-        (wish->format >= 0 && wish->format != GLINT_RGB565))
-        snprintf(line, size, "%s: it shades %ux%u in rgb565; leave out --size and --format", light->name,
-                 descriptor.width, descriptor.height);
-    light->sink.width = descriptor.width;
-    light->sink.height = descriptor.height;
+    if (usb_light_fits(&descriptor, wish, light->name, line, size)) {
+        light->sink.width = descriptor.width;
+        light->sink.height = descriptor.height;
+    }
     return true;
 }
 

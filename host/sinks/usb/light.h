@@ -3,8 +3,13 @@
 #ifndef GLINT_USB_LIGHT_H
 #define GLINT_USB_LIGHT_H
 
+#include "light_protocol.h"
 #include "sinks/sink.h"
 
 extern const struct sink_shader usb_shader;
+
+/* Can glint shade for such a device, as the user wishes? Where not, `line` says why. */
+bool usb_light_fits(const struct light_descriptor *device, const struct sink_wish *wish, const char *name, char *line,
+                    size_t size);
 
 #endif

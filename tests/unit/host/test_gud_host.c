@@ -227,6 +227,31 @@ static void the_preferred_mode_and_the_smallest_colour_are_chosen_unless_others_
     assert_string_equal(problem.text, "it has no mode 640x32; it has 320x240, 64x32");
 }
 
+/* In one bit a pixel such sizes keep within GUD's bytes, and would take gigabytes of normals. */
+static void a_mode_of_more_pixels_than_glint_shades_is_refused(void **state)
+{
+    (void)state;
+    static const uint16_t sizes[][2] = {{16384, 32767}, {16385, 8}, {8, 16385}, {8192, 4097}, {65535, 65535}};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        struct liar liar;
+        struct gud_display display;
+        struct gud_choice choice;
+        struct gud_problem problem;
+        char wanted[100];
+        const uint16_t width = sizes[i][0], height = sizes[i][1];
+        liar_init(&liar);
+        liar.formats_bytes = 1; /* R1 */
+        gud_descriptor_pack(liar.descriptor, &(struct gud_descriptor){.max_width = width, .max_height = height});
+        gud_mode_pack(liar.modes, &(struct gud_mode){.hdisplay = width, .vdisplay = height});
+        liar.modes_bytes = GUD_MODE_BYTES;
+        assert_true(read_liar(&liar, &display, &problem));
+        assert_false(gud_choose(&display, &(struct sink_wish){.format = -1}, &choice, &problem));
+        snprintf(wanted, sizeof wanted,
+                 "its mode %ux%u is too large; the most is 16384 pixels a side and 33554432 in all", width, height);
+        assert_string_equal(problem.text, wanted);
+    }
+}
+
 static void a_display_of_whole_frames_gets_no_lz4(void **state)
 {
     (void)state;
@@ -334,6 +359,7 @@ int main(void)
         cmocka_unit_test(the_firmwares_display_shows_what_the_host_packs),
         cmocka_unit_test(a_rectangle_that_the_display_refuses_is_told_with_its_status),
         cmocka_unit_test(the_preferred_mode_and_the_smallest_colour_are_chosen_unless_others_are_named),
+        cmocka_unit_test(a_mode_of_more_pixels_than_glint_shades_is_refused),
         cmocka_unit_test(a_display_of_whole_frames_gets_no_lz4),
         cmocka_unit_test(a_status_that_is_asked_for_counts_as_a_refusal),
         cmocka_unit_test(what_is_longer_than_can_be_is_cut),

@@ -4,6 +4,9 @@
 
 #include "bake/bake.h"
 #include "scene/scene.h"
+#if GLINT_WITH_USB
+#include "sinks/usb/light.h"
+#endif
 #include "stream/device.h"
 
 enum { WIDTH = 12, HEIGHT = 7, PIXELS = WIDTH * HEIGHT };
@@ -150,6 +153,23 @@ static void what_the_tables_cannot_do_is_refused(void **state)
     assert_unfit("--path");
 }
 
+#if GLINT_WITH_USB
+static void a_device_of_more_pixels_than_glint_shades_is_refused(void **state)
+{
+    (void)state;
+    char line[200];
+    const struct sink_wish wish = {.format = -1};
+    const struct light_descriptor largest = {.width = 8192, .height = 4096}, wide = {.width = 16385, .height = 1},
+                                  many = {.width = 8192, .height = 4097}, most = {.width = 65535, .height = 65535};
+    assert_true(usb_light_fits(&largest, &wish, "usb 1-1", line, sizeof line));
+    assert_false(usb_light_fits(&wide, &wish, "usb 1-1", line, sizeof line));
+    assert_false(usb_light_fits(&many, &wish, "usb 1-1", line, sizeof line));
+    assert_false(usb_light_fits(&most, &wish, "usb 1-1", line, sizeof line));
+    assert_string_equal(line,
+                        "usb 1-1: its 65535x65535 pixels are too many; the most is 16384 a side and 33554432 in all");
+}
+#endif
+
 static void the_command_line_tells_what_can_shade(void **state)
 {
     (void)state;
@@ -165,6 +185,9 @@ int main(void)
         cmocka_unit_test_setup_teardown(one_colour_may_come_from_the_albedo, begin, end),
         cmocka_unit_test_setup_teardown(a_gloss_map_is_refused_unless_it_is_white, begin, end),
         cmocka_unit_test_setup_teardown(what_the_tables_cannot_do_is_refused, begin, end),
+#if GLINT_WITH_USB
+        cmocka_unit_test(a_device_of_more_pixels_than_glint_shades_is_refused),
+#endif
         cmocka_unit_test(the_command_line_tells_what_can_shade),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
