@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <lz4.h>
 #include <png.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -118,9 +117,6 @@ int main(int argc, char **argv)
     occupy_standard_streams();
     argp_err_exit_status = EXIT_USAGE;
     stop_at_signals();
-    /* A closed pipe and a limit on the size of files are reported by the write that fails. */
-    signal(SIGPIPE, SIG_IGN);
-    signal(SIGXFSZ, SIG_IGN);
     on_exit(check_standard_output, NULL);
 
     static const struct argp argp = {

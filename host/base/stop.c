@@ -1,12 +1,25 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/stop.h"
 
+#include <errno.h>
 #include <string.h>
 #include <unistd.h>
 
 static volatile sig_atomic_t asked; /* the signal that asked the stream to end */
 static void (*volatile undo_all)(void);
 static const char *volatile last_words;
+static volatile sig_atomic_t resumed;
+
+/* All that end a program and can be caught, but for those that tell of a bug in it. */
+static const int ends[] = {SIGHUP,  SIGINT,    SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2,
+                           SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU, SIGPIPE, SIGXFSZ};
+enum { ENDS = sizeof ends / sizeof *ends };
+
+/* A closed pipe and a limit on the size of files are reported by the write that fails. */
+static bool write_reports(int number)
+{
+    return number == SIGPIPE || number == SIGXFSZ;
+}
 
 static void end_by(int number)
 {
@@ -18,34 +31,76 @@ static void end_by(int number)
 
 void stop_at_signals(void)
 {
-    static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM, SIGUSR1, SIGUSR2};
-    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
-        if (signal(signals[i], SIG_IGN) != SIG_IGN) /* as nohup asked */
-            signal(signals[i], end_by);
+    for (int i = 0; i < ENDS; i++) {
+        if (write_reports(ends[i]))
+            signal(ends[i], SIG_IGN);
+        else if (signal(ends[i], SIG_IGN) != SIG_IGN) /* as nohup asked */
+            signal(ends[i], end_by);
+    }
+}
+
+static void say_last_words(void)
+{
+    const char *words = last_words;
+    if (words && write(STDOUT_FILENO, words, strlen(words)) < 0)
+        return; /* there is nothing more to do */
 }
 
 static void on_stop(int number)
 {
+    if (asked && write_reports(number))
+        return;
     if (asked) {
-        const char *words = last_words;
-        if (words && write(STDOUT_FILENO, words, strlen(words)) < 0)
-            words = NULL; /* there is nothing more to do */
+        say_last_words();
         end_by(number);
     }
     asked = number;
 }
 
+/* The terminal gets its cursor back, then the system stops the program: its own action is put in place and the signal sent
+ * again, which takes effect where it is no longer blocked, as it is in its handler. The next line runs when it goes on. */
+static void on_suspend(int number)
+{
+    const int error = errno;
+    struct sigaction ours;
+    sigset_t only, before;
+    say_last_words();
+    sigaction(number, &(struct sigaction){.sa_handler = SIG_DFL}, &ours);
+    sigemptyset(&only);
+    sigaddset(&only, number);
+    raise(number);
+    pthread_sigmask(SIG_UNBLOCK, &only, &before);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    sigaction(number, &ours, NULL);
+    resumed++;
+    errno = error;
+}
+
+static void on_continue(int number)
+{
+    (void)number;
+    resumed++;
+}
+
+static bool is_ignored(int number)
+{
+    struct sigaction now;
+    return sigaction(number, NULL, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
 void stop_when_asked(void)
 {
-    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
-    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
-        struct sigaction now;
-        sigaction(signals[i], NULL, &now);
-        if (now.sa_handler == SIG_IGN)
-            continue;
-        now = (struct sigaction){.sa_handler = on_stop}; /* without SA_RESTART: waiting ends */
-        sigaction(signals[i], &now, NULL);
-    }
+    for (int i = 0; i < ENDS; i++)
+        if (write_reports(ends[i]) || !is_ignored(ends[i]))
+            sigaction(ends[i], &(struct sigaction){.sa_handler = on_stop}, NULL); /* no SA_RESTART: waiting ends */
+    if (!is_ignored(SIGTSTP))
+        sigaction(SIGTSTP, &(struct sigaction){.sa_handler = on_suspend, .sa_flags = SA_RESTART}, NULL);
+    sigaction(SIGCONT, &(struct sigaction){.sa_handler = on_continue, .sa_flags = SA_RESTART}, NULL);
+}
+
+unsigned stop_resumed(void)
+{
+    return (unsigned)resumed;
 }
 
 bool stream_stopped(void)

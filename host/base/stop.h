@@ -8,8 +8,8 @@
 
 /* The signals that end a program end it at once, after stop_undo's function has run. Ignored signals stay ignored. */
 void stop_at_signals(void);
-/* From now on the first SIGINT, SIGTERM or SIGHUP only asks: stream_stopped() becomes true and waiting ends. The second
- * ends the program at once. */
+/* From now on the first signal that would end the program only asks: stream_stopped() becomes true and waiting ends. The
+ * second ends the program at once. SIGTSTP stops it after the last words. */
 void stop_when_asked(void);
 /* Has a signal asked the stream to end? For loops that wait. */
 bool stream_stopped(void);
@@ -18,8 +18,11 @@ int stop_status(void);
 
 /* Runs where a signal ends the program at once: it may call only what a signal handler may. */
 void stop_undo(void (*undo)(void));
-/* Goes to standard output where a second signal ends the program at once; NULL: nothing. The text must stay. */
+/* Goes to standard output where a signal stops the program or a second one ends it at once; NULL: nothing. The text must
+ * stay. */
 void stop_last_words(const char *words);
+/* How often the program went on after it was stopped: what it showed on the terminal may be gone. */
+unsigned stop_resumed(void);
 
 /* Holds all signals back until they are released: in this thread, and in threads it starts in between. */
 void signals_hold(sigset_t *before);

@@ -29,6 +29,7 @@ struct terminal {
     ChafaCanvas *canvas;
     struct cells cells; /* that the canvas was made for */
     bool started;       /* the cursor is hidden */
+    unsigned resumed;   /* stop_resumed() at the last frame */
 };
 
 static ChafaPixelMode pixel_mode(ChafaTermInfo *info)
@@ -54,11 +55,17 @@ static ChafaCanvasMode canvas_mode(ChafaTermInfo *info)
     return CHAFA_CANVAS_MODE_FGBG;
 }
 
+static int least(int a, int b)
+{
+    return a < b ? a : b;
+}
+
 /* The size of the terminal now: 80 x 24 where it does not say, cells of 8 x 16 pixels where it does not say or cannot mean
- * what it says, and no more cells than CANVAS_MAX pixels a side have room for, which is what libchafa is made to hold. */
+ * what it says. libchafa computes pixels in 32 bits and holds 64 of them a cell even for symbols: so no more cells than any
+ * screen has, and no side of more than CANVAS_MAX pixels. */
 static struct cells terminal_cells(void)
 {
-    enum { CELL_MAX = 128, CANVAS_MAX = 8192 };
+    enum { CELL_MAX = 128, COLUMNS_MAX = 1024, ROWS_MAX = 512, CANVAS_MAX = 8192 };
     struct winsize size = {0};
     ioctl(STDOUT_FILENO, TIOCGWINSZ, &size);
     const bool known = size.ws_col && size.ws_row;
@@ -69,10 +76,8 @@ static struct cells terminal_cells(void)
         cells.width = 8;
         cells.height = 16;
     }
-    if (cells.columns > CANVAS_MAX / cells.width)
-        cells.columns = CANVAS_MAX / cells.width;
-    if (cells.rows > CANVAS_MAX / cells.height)
-        cells.rows = CANVAS_MAX / cells.height;
+    cells.columns = least(cells.columns, least(COLUMNS_MAX, CANVAS_MAX / cells.width));
+    cells.rows = least(cells.rows, least(ROWS_MAX, CANVAS_MAX / cells.height));
     return cells;
 }
 
@@ -129,6 +134,8 @@ static enum sink_result send_terminal(struct sink *sink, const struct frame *fra
     struct terminal *terminal = (struct terminal *)sink;
     const struct cells cells = terminal_cells();
     const bool resized = memcmp(&cells, &terminal->cells, sizeof cells) != 0;
+    const bool resumed = terminal->resumed != stop_resumed();
+    terminal->resumed = stop_resumed();
     if (resized) {
         terminal->cells = cells;
         make_canvas(terminal);
@@ -141,7 +148,7 @@ static enum sink_result send_terminal(struct sink *sink, const struct frame *fra
     picture_free(picture);
     GString *text = chafa_canvas_print(terminal->canvas, terminal->info);
     enum sink_result result = SINK_SENT;
-    if (resized || !terminal->started)
+    if (resized || resumed || !terminal->started)
         result = sink_write(STDOUT_FILENO, name, show_start, sizeof show_start - 1);
     terminal->started = true;
     if (result == SINK_SENT)

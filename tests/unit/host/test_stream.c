@@ -229,8 +229,9 @@ static int interrupted(int number)
 static void signals_end_it_after_a_whole_frame(void **state)
 {
     (void)state;
-    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
-    for (size_t i = 0; i < 3; i++) {
+    static const int signals[] = {SIGHUP,  SIGINT,  SIGQUIT,   SIGTERM, SIGPIPE, SIGUSR1,
+                                  SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU, SIGXFSZ};
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
         assert_int_equal(interrupted(signals[i]), 128 + signals[i]);
         assert_true(exists("out/1.png"));
         assert_int_equal(run("ls -A out | grep -v '^[0-9]*.png$'")->status, 1); /* nothing else there */
@@ -339,41 +340,6 @@ static void the_list_is_json_on_demand(void **state)
     json_decref(list);
 }
 
-#if GLINT_WITH_TERMINAL
-#define IN_TERMINAL(command) "TERM=xterm-256color script -qec \"stty rows 24 cols 60; " command "\" typed >/dev/null"
-
-static void the_terminal_shows_it_and_gets_its_cursor_back(void **state)
-{
-    (void)state;
-    static char typed[1 << 20];
-    assert_fails(SPHERE "--to terminal", "standard output is not a terminal");
-    if (run("command -v script")->status != 0)
-        skip();
-    assert_int_equal(run(IN_TERMINAL("$GLINT stream coin --to terminal --frames 2 --fps 0"))->status, 0);
-    read_text("typed", typed, sizeof typed);
-    assert_contains(typed, "\033[?25l");
-    assert_contains(typed, "\033[38;"); /* colours */
-    assert_contains(strstr(typed, "\033[?25l"), "\033[?25h");
-    assert_int_equal(run("export NO_COLOR=1; " IN_TERMINAL("$GLINT stream coin --to terminal --frames 1"))->status, 0);
-    read_text("typed", typed, sizeof typed);
-    assert_null(strstr(typed, "\033[38;"));
-    assert_contains(typed, "\033[?25h");
-    assert_quiet("printf '1 1 1\\n1\\n' >lights.txt"); /* fails when it has begun */
-    assert_int_equal(run(IN_TERMINAL("$GLINT stream coin --to terminal --lights lights.txt"))->status, 1);
-    read_text("typed", typed, sizeof typed);
-    assert_contains(strstr(typed, "\033[?25l"), "\033[?25h");
-    assert_contains(typed, "line 2");
-    const struct run *paced = run(IN_TERMINAL("$GLINT stream coin --to terminal --frames 4 --fps 10 --json 2>paced"));
-    assert_int_equal(paced->status, 0);
-    assert_true(strtod(run("grep '\"seconds\"' paced | tr -dc 0-9.")->out, NULL) >=
-                .3); /* and as slow as the machine */
-    assert_int_equal(
-        run(IN_TERMINAL("timeout -s INT 1 $GLINT stream coin --to terminal --fps 4; test \\$? = 124"))->status, 0);
-    read_text("typed", typed, sizeof typed);
-    assert_contains(typed, "\033[?25h");
-}
-#endif
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -393,9 +359,6 @@ int main(void)
         cmocka_unit_test(a_stream_that_waits_ends_by_a_signal),
         cmocka_unit_test(the_list_is_json_on_demand),
         cmocka_unit_test(every_sink_is_listed_with_what_it_is_and_its_devices),
-#if GLINT_WITH_TERMINAL
-        cmocka_unit_test(the_terminal_shows_it_and_gets_its_cursor_back),
-#endif
     };
     return cmocka_run_group_tests(tests, make_maps, scratch_remove);
 }
