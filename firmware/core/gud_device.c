@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * Requests, and the state that they lead to. */
+#include "gud_device.h"
+
 #include "gud_rectangle.h"
+#include "gud_reply.h"
 
 enum { NO_MODE_FORMAT = 0, BRIGHTNESS_MOST = 100 };
 
@@ -35,98 +38,14 @@ bool gud_device_init(struct gud_device *d, const struct gud_device_config *c)
            c->lines_bytes >= widest + 2 * (size_t)gud_output_line_bytes(c);
 }
 
-/* ---- what the host asks ---- */
-
-static int descriptor(const struct gud_device_config *c, uint8_t *reply)
-{
-    const struct gud_descriptor descriptor = {.flags = c->status_after_set ? GUD_FLAG_STATUS : 0,
-                                              .compression = c->window ? GUD_COMPRESSION_LZ4 : 0,
-                                              .max_buffer = c->max_buffer,
-                                              .min_width = c->width,
-                                              .max_width = c->width,
-                                              .min_height = c->height,
-                                              .max_height = c->height};
-    gud_descriptor_pack(reply, &descriptor);
-    return GUD_DESCRIPTOR_BYTES;
-}
-
-static int mode(const struct gud_device_config *c, uint8_t *reply)
-{
-    /* No blanking: nothing scans these out. */
-    const struct gud_mode mode = {
-        .clock_khz = (uint32_t)c->width * c->height / 100 * c->refresh_hz / 10 + 1,
-        .hdisplay = c->width,
-        .hsync_start = c->width,
-        .hsync_end = c->width,
-        .htotal = c->width,
-        .vdisplay = c->height,
-        .vsync_start = c->height,
-        .vsync_end = c->height,
-        .vtotal = c->height,
-        .flags = GUD_MODE_PREFERRED,
-    };
-    gud_mode_pack(reply, &mode);
-    return GUD_MODE_BYTES;
-}
-
-static int zeros(uint8_t *reply, int count)
-{
-    for (int i = 0; i < count; i++)
-        reply[i] = 0;
-    return count;
-}
-
-static int brightness_property(const struct gud_device *d, uint8_t *reply)
-{
-    if (!d->config->dimmable)
-        return 0;
-    zeros(reply, GUD_PROPERTY_BYTES);
-    reply[0] = GUD_BRIGHTNESS;
-    reply[2] = d->brightness;
-    return GUD_PROPERTY_BYTES;
-}
-
-static int formats(const struct gud_device_config *c, uint8_t *reply)
-{
-    for (unsigned i = 0; i < c->format_count; i++)
-        reply[i] = c->formats[i];
-    return c->format_count;
-}
-
-/* The whole reply's length; GUD_STALL where there is no such request. */
-static int get(const struct gud_device *d, uint8_t request, uint8_t *reply)
-{
-    switch (request) {
-    case GUD_GET_STATUS:
-        reply[0] = d->status;
-        return 1;
-    case GUD_GET_DESCRIPTOR:
-        return descriptor(d->config, reply);
-    case GUD_GET_FORMATS:
-        return formats(d->config, reply);
-    case GUD_GET_PROPERTIES:
-    case GUD_GET_CONNECTOR_EDID:
-        return 0;
-    case GUD_GET_CONNECTORS:
-        return zeros(reply, GUD_CONNECTOR_BYTES); /* one, a panel, without flags */
-    case GUD_GET_CONNECTOR_PROPERTIES:
-        return brightness_property(d, reply);
-    case GUD_GET_CONNECTOR_STATUS:
-        reply[0] = GUD_CONNECTED;
-        return 1;
-    case GUD_GET_CONNECTOR_MODES:
-        return mode(d->config, reply);
-    default:
-        return GUD_STALL;
-    }
-}
+/* ---- requests ---- */
 
 static bool is_of_connector(uint8_t request)
 {
     return request > GUD_GET_CONNECTORS && request <= GUD_GET_CONNECTOR_EDID;
 }
 
-/* GUD_STALL where there is no such request. */
+/* Bytes that come with a request to the device; GUD_STALL for an unknown one. */
 static int data_bytes(const struct gud_device *d, const struct gud_setup *setup)
 {
     switch (setup->request) {
@@ -159,8 +78,8 @@ int gud_device_setup(struct gud_device *d, const struct gud_setup *setup, uint8_
     if (!in && setup->type != GUD_TYPE_OUT)
         return refuse(d, GUD_UNSUPPORTED);
     if (!in && setup->request == GUD_SET_BUFFER)
-        gud_rectangle_close(d); /* whatever follows is not for the last one */
-    const int length = in ? get(d, setup->request, reply) : data_bytes(d, setup);
+        gud_rectangle_close(d); /* bytes that follow are not for the last one */
+    const int length = in ? gud_reply(d, setup->request, reply) : data_bytes(d, setup);
     if (length == GUD_STALL)
         return refuse(d, GUD_UNSUPPORTED);
     if (in ? setup->length == 0 : setup->length != length)
@@ -266,6 +185,20 @@ bool gud_device_set(struct gud_device *d, const struct gud_setup *setup, const u
     }
     d->status = (uint8_t)status;
     return status == GUD_OK;
+}
+
+/* ---- bulk ---- */
+
+uint32_t gud_device_expects(const struct gud_device *d)
+{
+    return d->bulk_left;
+}
+
+void gud_device_bulk(struct gud_device *d, const uint8_t *bytes, size_t count)
+{
+    const enum gud_status status = gud_rectangle_bulk(d, bytes, count);
+    if (status != GUD_OK)
+        d->status = (uint8_t)status;
 }
 
 /* ---- the bus ---- */

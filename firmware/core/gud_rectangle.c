@@ -106,19 +106,15 @@ static void take(struct gud_device *d, const uint8_t *bytes, size_t count)
     }
 }
 
-uint32_t gud_device_expects(const struct gud_device *d)
+enum gud_status gud_rectangle_bulk(struct gud_device *d, const uint8_t *bytes, size_t count)
 {
-    return d->bulk_left;
-}
-
-void gud_device_bulk(struct gud_device *d, const uint8_t *bytes, size_t count)
-{
+    enum gud_status status = GUD_OK;
     if (count > d->bulk_left) {
         count = d->bulk_left;
-        d->status = GUD_PROTOCOL;
+        status = GUD_PROTOCOL;
     }
     if (count == 0)
-        return;
+        return status;
     d->bulk_left -= (uint32_t)count;
     if (d->compressed) {
         const uint8_t *run, *const end = bytes + count;
@@ -128,8 +124,9 @@ void gud_device_bulk(struct gud_device *d, const uint8_t *bytes, size_t count)
         take(d, bytes, count);
     }
     if (d->bulk_left)
-        return;
+        return status;
     if (d->compressed && !lz4_block_complete(&d->lz4))
-        d->status = GUD_ERROR;
+        status = GUD_ERROR;
     gud_rectangle_close(d);
+    return status;
 }

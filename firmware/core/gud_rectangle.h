@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Between gud_device.c, which has the requests and the state, and gud_rectangle.c, which has rectangles and bulk. */
+ * One rectangle of a GUD display: its request, its bulk bytes, its end. gud_device.c calls these. */
 #ifndef GUD_RECTANGLE_H
 #define GUD_RECTANGLE_H
 
@@ -8,9 +8,12 @@
 
 /* Bytes of a whole line as the panel takes it. */
 uint32_t gud_output_line_bytes(const struct gud_device_config *config);
-/* The request's data; what is not GUD_OK has changed nothing. */
+/* From the request's data. Any other status than GUD_OK has changed nothing. */
 enum gud_status gud_rectangle_open(struct gud_device *device, const uint8_t *data);
-/* Where one is open; bytes that are still to come for it will be dropped. */
+/* Bulk bytes; those that no rectangle expects are dropped. GUD_PROTOCOL: there were such bytes. GUD_ERROR: the LZ4 block was
+ * wrong. */
+enum gud_status gud_rectangle_bulk(struct gud_device *device, const uint8_t *bytes, size_t count);
+/* Ends an open rectangle, complete or not. Bytes of it that are still to come will be dropped. */
 void gud_rectangle_close(struct gud_device *device);
 
 #endif

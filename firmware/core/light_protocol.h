@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * Streams light, not pixels: a vendor interface beside the GUD display's, for devices that shade by themselves. A host sends
+ * Light instead of pixels: a vendor interface beside the GUD display's, for devices that shade by themselves. A host sends
  * a normal map and a material once, then 16 bytes a frame. Little-endian, packed.
  *
- *   LIGHT_ENABLE 1     the panel is the host's; what GUD hosts draw meanwhile is refused as busy
- *   LIGHT_MATERIAL     the device fills its tables (a tenth of a second on an RP2040)
- *   LIGHT_MAP          then the map's words on bulk OUT: width x height normals, GLINT_NORMALS_INT8, lines from the top
- *   bulk OUT           light messages. Those that the device has no room for wait on the bus: it sets the pace
- *   LIGHT_ENABLE 0     or a bus reset: the panel goes back
+ *   LIGHT_SET_ENABLE 1   the panel is the host's; GUD hosts that draw meanwhile are refused as busy
+ *   LIGHT_SET_MATERIAL   the device fills its tables (a tenth of a second on an RP2040)
+ *   LIGHT_SET_MAP        then the map's words on bulk OUT: width x height normals, GLINT_NORMALS_INT8, lines from the top
+ *   bulk OUT             light messages. Those that the device has no room for wait on the bus: it sets the pace
+ *   LIGHT_SET_ENABLE 0   or a bus reset: the panel is given back
  *
  * The interface has class ff and one bulk OUT endpoint, and answers to GUD's descriptor request with a STALL, so that no GUD
  * driver takes it for a display. */
@@ -16,11 +16,11 @@
 
 #include "glint.h"
 
-/* Control requests: bmRequestType c1 (in) or 41 (out), wValue 0, wIndex = the interface. No number is one of GUD's but the
- * first, which means the same. */
+/* Control requests: bmRequestType c1 (in) or 41 (out), wValue 0, wIndex = the interface. The first number is GUD's, too, and
+ * means the same; the others are none of GUD's. */
 enum light_request {
-    LIGHT_GET_STATUS =
-        0x00, /* 1 byte, enum gud_status: of the last request or bulk data; GUD_BUSY while a light waits or is drawn */
+    /* 1 byte, enum gud_status: of the last request or bulk data; GUD_BUSY while a light waits or is drawn */
+    LIGHT_GET_STATUS = 0x00,
     LIGHT_GET_DESCRIPTOR = 0xa0, /* struct light_descriptor */
     LIGHT_SET_ENABLE = 0xa1,     /* 1 byte: 0 or 1 */
     LIGHT_SET_MATERIAL = 0xa2,   /* struct light_material */
@@ -47,7 +47,7 @@ struct light_material {
 };
 
 void light_descriptor_pack(uint8_t out[LIGHT_DESCRIPTOR_BYTES], const struct light_descriptor *descriptor);
-/* False where magic or version are others. */
+/* False where magic or version are wrong. */
 bool light_descriptor_unpack(struct light_descriptor *descriptor, const uint8_t in[LIGHT_DESCRIPTOR_BYTES]);
 void light_material_pack(uint8_t out[LIGHT_MATERIAL_BYTES], const struct light_material *material);
 void light_material_unpack(struct light_material *material, const uint8_t in[LIGHT_MATERIAL_BYTES]);

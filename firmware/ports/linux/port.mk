@@ -2,7 +2,7 @@
 # A Linux board with a USB device controller: glint-gadget. CC may be a cross compiler.
 linux_PACKAGES = gcc libc6-dev libpng-dev pkg-config
 linux_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ifirmware/core -Ifirmware/ports/linux -pthread $(CFLAGS)
-linux_CORE = gud_device gud_rectangle gud_pixels gud_protocol lz4_block
+linux_CORE = gud_device gud_reply gud_rectangle gud_pixels gud_protocol lz4_block
 linux_OBJECTS = $(patsubst firmware/ports/linux/%.c,$(linux)/%.o,$(wildcard firmware/ports/linux/*.c)) \
 	$(linux_CORE:%=$(linux)/core/%.o)
 linux = build/firmware/linux

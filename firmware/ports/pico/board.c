@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * SPI by DMA, flash read ahead by the XIP streamer and DMA, pins, UART, watchdog. */
 #include "board.h"
+#include "second_core.h"
 
 #include <hardware/clocks.h>
 #include <hardware/dma.h>

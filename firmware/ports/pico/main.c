@@ -7,7 +7,9 @@
 #include "gud_panel.h"
 #include "orbit.h"
 #include "relight.h"
+#include "second_core.h"
 #include "usb.h"
+#include "usb_class.h"
 
 #include <hardware/timer.h>
 #include <pico.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Built in by SECOND_CORE=1: the other core runs the jobs that this one sends it through the FIFO between them. What a job
  * touches is the other core's from the push until the answer is popped; the barriers hold the compiler to that. */
-#include "board.h"
+#include "second_core.h"
 
 #if SECOND_CORE
 #include <hardware/sync.h>

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT
- * TinyUSB's callbacks, on to the portable devices. */
+ * Hands TinyUSB's callbacks to the portable devices. */
 #include "usb.h"
 
 #include <tusb.h>
+
+#include "usb_class.h"
+#include "usb_descriptors.h"
 
 static struct {
     struct gud_device *gud;
@@ -11,21 +14,13 @@ static struct {
     uint8_t reply[GUD_REPLY_BYTES], data[64]; /* they outlive the callback */
 } usb;
 
-void usb_start(struct gud_device *gud, struct light_device *light)
-{
-    usb.gud = gud;
-    usb.light = light;
-    (void)usb_serial();
-    tusb_init();
-}
-
 void usb_poll(void)
 {
     usb_class_poll();
-    if (!tud_task_event_ready()) /* a cheaper question than tud_task's own */
+    if (!tud_task_event_ready()) /* cheaper than tud_task */
         return;
     tud_task();
-    if (usb.is_mounted && !tud_mounted()) /* a bus reset is told in no other way */
+    if (usb.is_mounted && !tud_mounted()) /* TinyUSB reports a bus reset in no other way */
         tud_umount_cb();
 }
 
@@ -36,7 +31,7 @@ bool usb_is_suspended(void)
 
 /* ---- the bus ---- */
 
-static void begin_anew(bool is_mounted)
+static void reset(bool is_mounted)
 {
     usb.is_mounted = is_mounted;
     usb.is_suspended = false;
@@ -46,12 +41,12 @@ static void begin_anew(bool is_mounted)
 
 void tud_mount_cb(void)
 {
-    begin_anew(true);
+    reset(true);
 }
 
 void tud_umount_cb(void)
 {
-    begin_anew(false);
+    reset(false);
 }
 
 void tud_suspend_cb(bool remote_wakeup)
@@ -69,7 +64,7 @@ void tud_resume_cb(void)
 
 /* ---- requests ---- */
 
-/* The high byte of wIndex is not the interface's, but no request has it. */
+/* Requests to a vendor interface have it as wIndex. */
 static bool is_for_light(const struct gud_setup *setup)
 {
     return USB_INTERFACES > USB_LIGHT && setup->index == USB_LIGHT;
@@ -107,15 +102,27 @@ bool tud_vendor_control_xfer_cb(uint8_t port, uint8_t stage, const tusb_control_
 
 /* ---- bulk ---- */
 
-bool usb_has_room(enum usb_interface interface, size_t count)
+static bool has_room(enum usb_interface interface, size_t count)
 {
     return interface == USB_GUD || light_device_has_room(usb.light, count);
 }
 
-void usb_take(enum usb_interface interface, const uint8_t *bytes, size_t count)
+static void take(enum usb_interface interface, const uint8_t *bytes, size_t count)
 {
     if (interface == USB_GUD)
         gud_device_bulk(usb.gud, bytes, count);
     else
         light_device_bulk(usb.light, bytes, count);
+}
+
+/* ---- start ---- */
+
+void usb_start(struct gud_device *gud, struct light_device *light)
+{
+    static const struct usb_class_ops bulk = {has_room, take};
+    usb.gud = gud;
+    usb.light = light;
+    (void)usb_serial();
+    usb_class_start(&bulk);
+    tusb_init();
 }

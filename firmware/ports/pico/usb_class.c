@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT
- * A class driver for TinyUSB: vendor interfaces with one bulk OUT endpoint each. Its packets go to two buffers by turns, so
- * that the next one arrives while the last one is handled, for which TinyUSB's own vendor class waits. Where there is no room
- * for it the host does the waiting. */
+ * Vendor interfaces with one bulk OUT endpoint each. Packets go to two buffers in turn, so that the next one arrives while
+ * the last one is handled; TinyUSB's own vendor class would wait. Where there is no room for a packet, the host waits. */
 #include <device/usbd_pvt.h>
 #include <tusb.h>
 
-#include "usb.h"
+#include "usb_class.h"
 
 static struct bulk {
     uint8_t endpoint; /* 0: not open */
@@ -13,6 +12,13 @@ static struct bulk {
     bool is_armed;
     uint32_t packets[2][USB_PACKET / 4]; /* TinyUSB copies words where it can */
 } bulk[USB_INTERFACES];
+
+static const struct usb_class_ops *ops;
+
+void usb_class_start(const struct usb_class_ops *wanted)
+{
+    ops = wanted;
+}
 
 static void reset(uint8_t port)
 {
@@ -26,11 +32,11 @@ static void init(void)
     reset(0);
 }
 
-/* Where there is room for the next packet and for those that are still to be taken. */
+/* If there is room for the next packet and for those that are still to be taken. */
 static void arm(uint8_t port, enum usb_interface i, size_t pending)
 {
     struct bulk *b = &bulk[i];
-    if (b->endpoint && !b->is_armed && usb_has_room(i, pending + USB_PACKET))
+    if (b->endpoint && !b->is_armed && ops->has_room(i, pending + USB_PACKET))
         b->is_armed = usbd_edpt_xfer(port, b->endpoint, (uint8_t *)b->packets[b->turn], USB_PACKET);
 }
 
@@ -60,7 +66,7 @@ static bool request(uint8_t port, uint8_t stage, const tusb_control_request_t *w
     (void)port;
     (void)stage;
     (void)what;
-    return false; /* vendor requests do not come this way, others are none of ours */
+    return false; /* vendor requests do not come this way; others are not for us */
 }
 
 static bool transferred(uint8_t port, uint8_t endpoint, xfer_result_t result, uint32_t bytes)
@@ -74,7 +80,7 @@ static bool transferred(uint8_t port, uint8_t endpoint, xfer_result_t result, ui
         b->is_armed = false;
         arm(port, (enum usb_interface)i, bytes);
         if (result == XFER_RESULT_SUCCESS)
-            usb_take((enum usb_interface)i, packet, bytes);
+            ops->take((enum usb_interface)i, packet, bytes);
         return true;
     }
     return false;

@@ -4,7 +4,10 @@
 #include <hardware/sync.h>
 #include <tusb.h>
 
-#include "usb.h"
+#include "glint.h"
+#include "gud_protocol.h"
+#include "usb_class.h"
+#include "usb_descriptors.h"
 
 enum { STRING_LANGUAGE, STRING_MANUFACTURER, STRING_PRODUCT, STRING_SERIAL, STRINGS };
 enum {
@@ -50,13 +53,13 @@ const uint8_t *tud_descriptor_configuration_cb(uint8_t index)
     return configuration;
 }
 
-/* The flash chip's own number, by functions of the boot ROM: zeros where there is no ROM, in an emulator. */
+/* The flash chip's own number, by functions of the boot ROM; zeros where there is no ROM, as in an emulator. */
 const char *usb_serial(void)
 {
     static char text[2 * FLASH_UNIQUE_ID_SIZE_BYTES + 1];
     uint8_t id[FLASH_UNIQUE_ID_SIZE_BYTES] = {0};
     uintptr_t magic = 0x10;
-    __asm__("" : "+r"(magic)); /* that it is not an object's address is no mistake */
+    __asm__("" : "+r"(magic)); /* not the address of an object, which a compiler would warn about */
     if (text[0])
         return text;
     if (*(const uint16_t *)magic == ('u' << 8 | 'M')) {

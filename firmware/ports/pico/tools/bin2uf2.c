@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT
  * bin2uf2 pico|pico2 IMAGE.bin IMAGE.uf2: a flash image for the boot loader, from the flash's beginning. */
+#include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "bake.h"
 #include "bake/uf2.h"
+#include "bake/write.h"
 
 int main(int argc, char **argv)
 {
