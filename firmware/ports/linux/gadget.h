@@ -10,6 +10,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "framebuffer.h"
 #include "gud_device.h"
 
 /* One line on standard error, "glint-gadget: ...", and exit 1, after taking down what was set up. */
@@ -22,7 +23,8 @@ struct options {
     uint16_t width, height;
     uint8_t formats[GUD_FORMATS_MAX], format_count;
     uint32_t max_buffer; /* 0: a whole frame */
-    bool lz4, verbose, each;
+    bool lz4, verbose;
+    unsigned each; /* files, one after each rectangle, at most; 0: none */
     uint32_t vid_pid;
     const char *serial, *udc, *name, *speed, *output, *framebuffer;
 };
@@ -35,17 +37,15 @@ struct picture {
     uint16_t width, height;
     uint8_t *pixels; /* r, g, b */
     const char *output;
-    bool each;
-    unsigned files;
-    uint8_t *framebuffer; /* its first pixel that is seen; or NULL */
-    uint32_t framebuffer_bits, framebuffer_line;
+    unsigned each, files; /* numbered files: at most, and written */
+    struct framebuffer framebuffer;
     struct glint_box box; /* the rectangle being drawn, and its next line */
     uint16_t next;
     bool shown;
 };
 /* Fails where the framebuffer cannot be used, or options.output not be written. */
 void picture_open(struct picture *picture, const struct options *options);
-/* To options.output, whole or not at all; the suffix chooses: .png, .ppm, else raw r, g, b. False: it warned. */
+/* To options.output, whole or not at all. False: it warned. */
 bool picture_write(const struct picture *picture);
 extern const struct gud_device_ops picture_ops; /* their context is the picture */
 

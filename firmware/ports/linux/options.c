@@ -4,7 +4,7 @@
 
 #include "gadget.h"
 
-enum { SIDE_MAX = 8192, BUFFER_MAX = 64 << 20 };
+enum { SIDE_MAX = 8192, BUFFER_MAX = 64 << 20, EACH_DEFAULT = 1000, EACH_MAX = 999999 };
 
 static const struct {
     const char *name;
@@ -27,8 +27,12 @@ static const struct argp_option list[] = {
     {0, 0, 0, 0, "Where pictures go", 2},
     {"output", 'o', "FILE", 0,
      "The picture, written on SIGUSR1 and at the end: PNG or PPM by its suffix, else raw rows of r, g, b", 0},
-    {"each", EACH, 0, 0, "Write one after each rectangle, too, with a number before the suffix: FILE-000001.png", 0},
-    {"framebuffer", FRAMEBUFFER, "DEVICE", 0, "Draw on this panel, /dev/fb0, of 16, 24 or 32 bits a pixel", 0},
+    {"each", EACH, "COUNT", OPTION_ARG_OPTIONAL,
+     "Also write one after each rectangle, with a number before the suffix, FILE-000001.png; COUNT files at most "
+     "(default 1000)",
+     0},
+    {"framebuffer", FRAMEBUFFER, "DEVICE", 0,
+     "Draw on this framebuffer, such as /dev/fb0, of 16, 24 or 32 bits a pixel", 0},
     {0, 0, 0, 0, "USB", 3},
     {"udc", UDC, "NAME", 0, "The device controller (default: the first of /sys/class/udc that is free)", 0},
     {"name", NAME, "NAME", 0, "The gadget's name in configfs, for several at a time (default glint)", 0},
@@ -67,11 +71,13 @@ static void parse_formats(const struct argp_state *state, const char *text, stru
         while (i < FORMATS && (strlen(formats[i].name) != length || memcmp(formats[i].name, word, length) != 0))
             i++;
         if (i == FORMATS)
-            argp_error(state, "--formats: no '%.*s': rgb565, rgb888, xrgb8888, argb8888, r8, r1, rgb332, xrgb1111",
+            argp_error(state,
+                       "--formats: unknown format '%.*s'; choose from rgb565, rgb888, xrgb8888, argb8888, r8, r1, "
+                       "rgb332, xrgb1111",
                        (int)length, word);
         if (options->format_count == GUD_FORMATS_MAX ||
             memchr(options->formats, formats[i].format, options->format_count))
-            argp_error(state, "--formats: '%.*s' is there twice", (int)length, word);
+            argp_error(state, "--formats: '%.*s' is listed twice", (int)length, word);
         options->formats[options->format_count++] = formats[i].format;
         if (word[length] == 0)
             return;
@@ -116,6 +122,17 @@ static uint32_t parse_max_buffer(const struct argp_state *state, const char *tex
     return (uint32_t)value;
 }
 
+static unsigned parse_each(const struct argp_state *state, const char *text)
+{
+    if (!text)
+        return EACH_DEFAULT;
+    char *end;
+    const unsigned long value = strtoul(text, &end, 10);
+    if (*text < '0' || *text > '9' || *end || value < 1 || value > EACH_MAX)
+        argp_error(state, "--each: '%s' is not a number of files from 1 to %d", text, EACH_MAX);
+    return (unsigned)value;
+}
+
 /* A rectangle has at least a line, and by default the whole frame. */
 static void settle_max_buffer(const struct argp_state *state, struct options *options)
 {
@@ -151,7 +168,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         options->output = text;
         break;
     case EACH:
-        options->each = true;
+        options->each = parse_each(state, text);
         break;
     case FRAMEBUFFER:
         options->framebuffer = text;
@@ -175,11 +192,11 @@ static error_t parse(int key, char *text, struct argp_state *state)
         options->verbose = true;
         break;
     case ARGP_KEY_ARG:
-        argp_error(state, "'%s' is not wanted: there are only options", text);
+        argp_error(state, "unexpected argument '%s'; there are only options", text);
         break;
     case ARGP_KEY_END:
         if (options->each && !options->output)
-            argp_error(state, "--each: -o says where");
+            argp_error(state, "--each: give -o FILE, too");
         settle_max_buffer(state, options);
         break;
     default:

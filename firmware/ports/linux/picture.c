@@ -2,16 +2,14 @@
  * The picture that the host has drawn: in memory, in files, on a framebuffer. */
 #include <errno.h>
 #include <fcntl.h>
-#include <linux/fb.h>
-#include <png.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "gadget.h"
+#include "picture_file.h"
 
 static void open_framebuffer(struct picture *picture, const char *path)
 {
@@ -22,42 +20,17 @@ static void open_framebuffer(struct picture *picture, const char *path)
         fail("--framebuffer: %s: %s", path, strerror(errno));
     if (ioctl(file, FBIOGET_VSCREENINFO, &screen) != 0 || ioctl(file, FBIOGET_FSCREENINFO, &memory) != 0)
         fail("--framebuffer: %s is not a framebuffer: %s", path, strerror(errno));
-    if (screen.bits_per_pixel != 16 && screen.bits_per_pixel != 24 && screen.bits_per_pixel != 32)
-        fail("--framebuffer: %s has %u bits a pixel; 16, 24 and 32 are known", path, screen.bits_per_pixel);
-    if (screen.xres < picture->width || screen.yres < picture->height)
-        fail("--framebuffer: %s has %ux%u pixels, fewer than the display's %ux%u; give --size", path, screen.xres,
-             screen.yres, picture->width, picture->height);
+    struct framebuffer *const framebuffer = &picture->framebuffer;
+    const char *trouble = framebuffer_layout(framebuffer, &screen, &memory, picture->width, picture->height);
+    if (trouble)
+        fail("--framebuffer: %s, %ux%u, %u bits a pixel: %s", path, screen.xres, screen.yres, screen.bits_per_pixel,
+             trouble);
     /* Mapped: Linux (6.1) does not notice a write that ends with its line. */
-    picture->framebuffer = mmap(NULL, memory.smem_len, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
-    if (picture->framebuffer == MAP_FAILED)
+    uint8_t *const bytes = mmap(NULL, framebuffer->bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    if (bytes == MAP_FAILED)
         fail("--framebuffer: %s cannot be mapped: %s", path, strerror(errno));
     close(file);
-    picture->framebuffer += (size_t)screen.yoffset * memory.line_length + screen.xoffset * screen.bits_per_pixel / 8;
-    picture->framebuffer_bits = screen.bits_per_pixel;
-    picture->framebuffer_line = memory.line_length;
-}
-
-enum { PATH_ROOM = 4096 };
-
-/* Pictures are written beside their place, and then put there. */
-static FILE *open_part(const char *path, char part[PATH_ROOM])
-{
-    snprintf(part, PATH_ROOM, "%s.part", path);
-    return fopen(part, "we");
-}
-
-/* Now, not when the first picture is there. And only files: what is put in the place of a device is in everybody's way. */
-static void check_output(const char *path)
-{
-    struct stat there;
-    if (stat(path, &there) == 0 && !S_ISREG(there.st_mode))
-        fail("-o: %s is not a file: name one that is, or a new one", path);
-    char part[PATH_ROOM];
-    FILE *stream = open_part(path, part);
-    if (!stream)
-        fail("-o: %s cannot be written: %s", path, strerror(errno));
-    fclose(stream);
-    unlink(part);
+    framebuffer->pixels = bytes + framebuffer->offset;
 }
 
 void picture_open(struct picture *picture, const struct options *options)
@@ -68,75 +41,28 @@ void picture_open(struct picture *picture, const struct options *options)
     if (!picture->pixels)
         fail("no memory for %ux%u pixels", options->width, options->height);
     if (options->output)
-        check_output(options->output);
+        picture_file_check(options->output);
     if (options->framebuffer)
         open_framebuffer(picture, options->framebuffer);
 }
 
-/* Little-endian r, g, b from the top bit down, as nearly every framebuffer has them. */
-static void show_line(const struct picture *picture, unsigned x, unsigned y, unsigned width)
-{
-    const uint8_t *in = picture->pixels + 3 * ((size_t)y * picture->width + x);
-    const unsigned bytes = picture->framebuffer_bits / 8;
-    uint8_t *out = picture->framebuffer + (size_t)y * picture->framebuffer_line + (size_t)x * bytes;
-    for (unsigned i = 0; i < width; i++, in += 3, out += bytes) {
-        const unsigned rgb565 = ((unsigned)in[0] >> 3) << 11 | ((unsigned)in[1] >> 2) << 5 | (unsigned)in[2] >> 3;
-        const uint32_t value = bytes == 2 ? rgb565 : (uint32_t)in[0] << 16 | (uint32_t)in[1] << 8 | in[2];
-        for (unsigned b = 0; b < bytes; b++)
-            out[b] = (uint8_t)(value >> 8 * b);
-    }
-}
-
 /* ---- files ---- */
-
-static const char *suffix(const char *path)
-{
-    const char *name = strrchr(path, '/');
-    const char *dot = strrchr(name ? name : path, '.');
-    return dot ? dot : path + strlen(path);
-}
-
-static bool write_pixels(const struct picture *picture, FILE *stream)
-{
-    const char *kind = suffix(picture->output);
-    if (strcmp(kind, ".png") == 0) {
-        png_image image = {
-            .version = PNG_IMAGE_VERSION, .width = picture->width, .height = picture->height, .format = PNG_FORMAT_RGB};
-        return png_image_write_to_stdio(&image, stream, 0, picture->pixels, 0, NULL);
-    }
-    if (strcmp(kind, ".ppm") == 0)
-        fprintf(stream, "P6 %u %u 255\n", picture->width, picture->height);
-    const size_t count = (size_t)picture->width * picture->height;
-    return fwrite(picture->pixels, 3, count, stream) == count;
-}
-
-static bool write_file(const struct picture *picture, const char *path)
-{
-    char part[PATH_ROOM];
-    FILE *stream = open_part(path, part);
-    if (!stream) {
-        warn("%s: %s", path, strerror(errno));
-        return false;
-    }
-    const bool good = write_pixels(picture, stream) && !ferror(stream);
-    if (fclose(stream) == 0 && good && rename(part, path) == 0)
-        return true;
-    warn("%s: could not be written: %s", path, strerror(errno));
-    unlink(part);
-    return false;
-}
 
 bool picture_write(const struct picture *picture)
 {
-    return !picture->output || write_file(picture, picture->output);
+    return !picture->output || picture_file_write(picture->output, picture->width, picture->height, picture->pixels);
 }
 
+/* So many and no more: a host that draws for days must not fill the disk. */
 static void write_next(struct picture *picture)
 {
+    if (picture->files == picture->each)
+        return;
     char path[PATH_ROOM];
-    const char *kind = suffix(picture->output);
-    snprintf(path, sizeof path, "%.*s-%06u%s", (int)(kind - picture->output), picture->output, ++picture->files, kind);
-    (void)write_file(picture, path);
+    picture_file_number(path, picture->output, ++picture->files);
+    (void)picture_file_write(path, picture->width, picture->height, picture->pixels);
+    if (picture->files == picture->each)
+        warn("--each: that was file %u, the last one; --each=COUNT sets another limit", picture->files);
 }
 
 /* ---- what the device does with it ---- */
@@ -152,8 +78,9 @@ static void line(void *context, const uint8_t *pixels, size_t bytes)
 {
     struct picture *picture = context;
     memcpy(picture->pixels + 3 * ((size_t)picture->next * picture->width + picture->box.x), pixels, bytes);
-    if (picture->framebuffer)
-        show_line(picture, picture->box.x, picture->next, picture->box.w);
+    if (picture->framebuffer.pixels)
+        framebuffer_put(&picture->framebuffer, picture->box.x, picture->next, picture->box.w,
+                        picture->pixels + 3 * ((size_t)picture->next * picture->width + picture->box.x));
     picture->next++;
 }
 
