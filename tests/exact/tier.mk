@@ -25,7 +25,7 @@ test-exact: ## check: the library over its whole domain: 0 wrong
 	@+tests/tier exact "$(SUBMAKE)"
 
 run-exact: $(EXACT_TESTS)
-	@tests/tally $(EXACT_TESTS) tests/exact/test_tables
+	@CC="$(CC)" OPENMP="$(OPENMP)" tests/tally $(EXACT_TESTS) tests/exact/test_tables tests/exact/test_bounds
 
 # The quick part: a part of the arguments from c, every cutoff, the bounds of quick forms, every batch loop.
 check-exact:
