@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Tier exact: the whole domain against an independent oracle (128-bit integers, GMP, MPFR); the host's batch loops against
-# the library. Of the host only batch.c is linked, so that its packages are not needed.
+# the library. Of the host only batch*.c are linked, so that its packages are not needed.
 EXACT_PACKAGES = gcc libc6-dev make libcmocka-dev libgmp-dev libmpfr-dev python3
 EXACT_TESTS = $(patsubst tests/exact/test_%.c,$(BUILD)/tests/exact/test_%,$(wildcard tests/exact/test_*.c))
 EXACT_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ihost $(OPENMP) $(CFLAGS) $(SANITIZERS)
@@ -13,7 +13,7 @@ $(BUILD)/tests/exact/host/%.o: host/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(CC) $(EXACT_CFLAGS) -c $< -o $@
 
-$(BUILD)/tests/exact/test_batch: $(BUILD)/tests/exact/host/models/batch.o
+$(BUILD)/tests/exact/test_batch: $(addprefix $(BUILD)/tests/exact/host/models/,batch.o batch_avx2.o batch_portable.o)
 $(BUILD)/tests/exact/test_near $(BUILD)/tests/exact/test_near_whole: $(BUILD)/tests/exact/near.o
 $(EXACT_TESTS): %: %.o $(BUILD)/tests/exact/oracle.o $(BUILD)/libglint.a
 	$(CC) $(HOST_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) -o $@ -lcmocka -lmpfr -lgmp -lm

@@ -12,7 +12,7 @@
 
 enum { N = 60, RUNS = 7, IN_CACHE = 1 << 14, IN_MEMORY = 1 << 24, COSINES = GLINT_C_ONE / 2 + 1 };
 
-static method copy, batch_msh, batch_schlick, batch_blinn, scalar_msh, scalar_schlick;
+static method copy, batch_msh, batch_schlick, batch_cayley, batch_blinn, batch_gauss, scalar_msh, scalar_schlick;
 
 static void copy(uint32_t n, const void *restrict in, void *restrict out, size_t count)
 {
@@ -30,9 +30,19 @@ static void batch_schlick(uint32_t n, const void *restrict in, void *restrict ou
     batch_eval(GLINT_SCHLICK, n, in, out, count);
 }
 
+static void batch_cayley(uint32_t n, const void *restrict in, void *restrict out, size_t count)
+{
+    batch_eval(GLINT_CAYLEY, n, in, out, count);
+}
+
 static void batch_blinn(uint32_t n, const void *restrict in, void *restrict out, size_t count)
 {
     batch_eval(GLINT_BLINN, n, in, out, count);
+}
+
+static void batch_gauss(uint32_t n, const void *restrict in, void *restrict out, size_t count)
+{
+    batch_eval(GLINT_GAUSS, n, in, out, count);
 }
 
 static void each(enum glint_model model, uint32_t n, const int32_t *c_q16, uint32_t *f_q16, size_t count)
@@ -66,6 +76,16 @@ static double real_blinn(double c)
     return pow(c, N);
 }
 
+static double real_gauss(double c)
+{
+    return exp(-N * acos(c) * acos(c) / 2);
+}
+
+static double real_cayley(double c)
+{
+    return pow(fmax(0, 4 * (1 + c) - N * (1 - c)) / (4 * (1 + c) + N * (1 - c)), 4);
+}
+
 static const struct row {
     const char *name, *what;
     method *run;
@@ -78,7 +98,9 @@ static const struct row {
     {"float_msh", "float, vectorised", float_msh, real_msh, FLOAT, BOTH},
     {"batch_schlick", "exact", batch_schlick, real_schlick, Q16, BOTH},
     {"float_schlick", "float, vectorised", float_schlick, real_schlick, FLOAT, BOTH},
-    {"batch_blinn", "exact; by a table from 65537 elements on", batch_blinn, real_blinn, Q16, BOTH},
+    {"batch_cayley", "exact", batch_cayley, real_cayley, Q16, BOTH},
+    {"batch_gauss", "exact; by a table from 65,537 elements on", batch_gauss, real_gauss, Q16, BOTH},
+    {"batch_blinn", "exact; by a table from 1,048,592 elements on", batch_blinn, real_blinn, Q16, BOTH},
     {"float_blinn", "float, vectorised: libmvec's powf", float_blinn, real_blinn, FLOAT, BOTH},
     {"glint_eval_msh", "exact, one by one", scalar_msh, real_msh, Q16, CACHE},
     {"glint_eval_schlick", "exact, one by one", scalar_schlick, real_schlick, Q16, CACHE},

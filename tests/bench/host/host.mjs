@@ -37,4 +37,5 @@ for (const { method, what, worst_ulp } of figures.filter((x) => x.elements === C
     method === 'copy' ? '-' : worst_ulp.toFixed(3), what)
 }
 console.log(`In memory batch_msh runs at ${ratio('batch_msh', 'float_msh')} of float_msh, ` +
-  `batch_schlick at ${ratio('batch_schlick', 'float_schlick')} of float_schlick.`)
+  `batch_schlick at ${ratio('batch_schlick', 'float_schlick')} of float_schlick,\nbatch_blinn at ` +
+  `${ratio('batch_blinn', 'float_blinn')} and batch_gauss at ${ratio('batch_gauss', 'float_blinn')} of float_blinn, libmvec's powf.`)

@@ -6,7 +6,7 @@ BENCH_NODE_PACKAGES = nodejs
 BENCH_HOST_PACKAGES = gcc libc6-dev make libfixmath-dev
 BENCH_HOST_CC = $(CC) -std=gnu11 -D_GNU_SOURCE -Wall -Wextra -MMD -MP -Ilib -Ihost -fopenmp-simd
 BENCH_AVX2 = $(if $(filter x86_64,$(shell uname -m)),-mavx2 -mfma)
-BENCH_HOST_OBJECTS = $(addprefix $(BENCH_HOST)/,host.o floats.o powf.o fixmath.o batch.o) \
+BENCH_HOST_OBJECTS = $(addprefix $(BENCH_HOST)/,host.o floats.o powf.o fixmath.o batch.o batch_avx2.o batch_portable.o) \
 	$(patsubst lib/%.c,$(BENCH_HOST)/lib-%.o,$(wildcard lib/*.c))
 
 BENCH_HOST_FLAGS = -O2
@@ -31,7 +31,7 @@ $(BENCH_HOST)/%.o: tests/bench/host/%.c tests/bench/host/host.mk
 	@mkdir -p $(@D)
 	@$(BENCH_HOST_CC) $(BENCH_HOST_FLAGS) -c $< -o $@
 
-$(BENCH_HOST)/batch.o: host/models/batch.c tests/bench/host/host.mk
+$(filter $(BENCH_HOST)/batch%,$(BENCH_HOST_OBJECTS)): $(BENCH_HOST)/%.o: host/models/%.c tests/bench/host/host.mk
 	@mkdir -p $(@D)
 	@$(BENCH_HOST_CC) -O2 -c $< -o $@
 
