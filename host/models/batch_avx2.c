@@ -138,6 +138,24 @@ AVX2 void batch_cayley_avx2(uint32_t n, const int32_t *c_q16, uint32_t *f_q16, s
     batch_cayley_portable(n, c_q16 + i, f_q16 + i, count - i);
 }
 
+AVX2 static inline __m256i lyon_8(double k, __m256i c)
+{
+    const struct doubles p = linear_positive(4 * (4 - k), k * 0x1p-14, c);
+    return lower_halves(fourth_rounded(p.low), fourth_rounded(p.high));
+}
+
+AVX2 void batch_lyon_avx2(uint32_t n, const int32_t *c_q16, uint32_t *f_q16, size_t count)
+{
+    size_t i = 0;
+    for (; i + 16 <= count; i += 16) {
+        const __m256i f0 = lyon_8(n, load_c(c_q16 + i)), f1 = lyon_8(n, load_c(c_q16 + i + 8));
+        store_f(f_q16 + i, f0);
+        store_f(f_q16 + i + 8, f1);
+    }
+    _mm256_zeroupper();
+    batch_lyon_portable(n, c_q16 + i, f_q16 + i, count - i);
+}
+
 /* ---- c^n in Q0.32 by binary powering: each product is cut by less than 1, so that the power is low by less than n. Where
  * that does not decide the rounding, glint_blinn does. Even and odd elements are apart in 64 bits. ---- */
 

@@ -12,7 +12,8 @@
 
 enum { N = 60, RUNS = 7, IN_CACHE = 1 << 14, IN_MEMORY = 1 << 24, COSINES = GLINT_C_ONE / 2 + 1 };
 
-static method copy, batch_msh, batch_schlick, batch_cayley, batch_blinn, batch_gauss, scalar_msh, scalar_schlick;
+static method copy, batch_msh, batch_schlick, batch_cayley, batch_lyon, batch_blinn, batch_gauss, scalar_msh,
+    scalar_schlick;
 
 static void copy(uint32_t n, const void *restrict in, void *restrict out, size_t count)
 {
@@ -33,6 +34,11 @@ static void batch_schlick(uint32_t n, const void *restrict in, void *restrict ou
 static void batch_cayley(uint32_t n, const void *restrict in, void *restrict out, size_t count)
 {
     batch_eval(GLINT_CAYLEY, n, in, out, count);
+}
+
+static void batch_lyon(uint32_t n, const void *restrict in, void *restrict out, size_t count)
+{
+    batch_eval(GLINT_LYON, n, in, out, count);
 }
 
 static void batch_blinn(uint32_t n, const void *restrict in, void *restrict out, size_t count)
@@ -86,6 +92,11 @@ static double real_cayley(double c)
     return pow(fmax(0, 4 * (1 + c) - N * (1 - c)) / (4 * (1 + c) + N * (1 - c)), 4);
 }
 
+static double real_lyon(double c)
+{
+    return pow(fmax(0, 1 - N * (1 - c) / 4), 4);
+}
+
 static const struct row {
     const char *name, *what;
     method *run;
@@ -99,6 +110,7 @@ static const struct row {
     {"batch_schlick", "exact", batch_schlick, real_schlick, Q16, BOTH},
     {"float_schlick", "float, vectorised", float_schlick, real_schlick, FLOAT, BOTH},
     {"batch_cayley", "exact", batch_cayley, real_cayley, Q16, BOTH},
+    {"batch_lyon", "exact", batch_lyon, real_lyon, Q16, BOTH},
     {"batch_gauss", "exact; by a table from 65,537 elements on", batch_gauss, real_gauss, Q16, BOTH},
     {"batch_blinn", "exact; by a table from 1,048,592 elements on", batch_blinn, real_blinn, Q16, BOTH},
     {"float_blinn", "float, vectorised: libmvec's powf", float_blinn, real_blinn, FLOAT, BOTH},
