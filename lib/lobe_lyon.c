@@ -4,6 +4,7 @@
  *
  * With T = 2^30 t:  F = (p / 2^32)^4, p = 2^32 - nT. There are no ties: p^4 = (2k + 1) 2^111 has no solution. */
 #include "glint_lobe_domain.h"
+#include "glint_math_multiply.h"
 
 /* p, modulo 2^32, for 0 < p <= 2^32; 0 else, which for t > 0 can only be that. */
 static inline uint32_t lyon_base(uint32_t n, uint32_t t)
@@ -12,13 +13,6 @@ static inline uint32_t lyon_base(uint32_t n, uint32_t t)
     if (high >> 16 || product < high << 16)               /* nT >= 2^32: past the low half's carry, too */
         return 0;
     return 0 - product;
-}
-
-/* p^2 / 2^32 from products of 32 bits, low by less than 2: the square of the lower half, and a cut. */
-static inline uint32_t lyon_square(uint32_t p)
-{
-    const uint32_t high = p >> 16, low = p & 0xffff;
-    return high * high + (high * low >> 15);
 }
 
 /* F 2^16 rounded, of p^4 / 2^64 to the last bit; for the one t in 11,000 that needs it. */
@@ -37,7 +31,7 @@ uint32_t glint_lyon_t(uint32_t n, uint32_t t)
         return 0;
     if (t == 0)
         return (uint32_t)GLINT_C_ONE; /* p = 2^32 */
-    const uint32_t p = lyon_base(glint_clamp_n(n), t), y = lyon_square(lyon_square(p));
+    const uint32_t p = lyon_base(glint_clamp_n(n), t), y = glint_squarehi_near(glint_squarehi_near(p));
     if (((y + 32768) & 0xffff) > 65536 - 6)
         return lyon_exactly(p);
     return ((y >> 15) + 1) >> 1;

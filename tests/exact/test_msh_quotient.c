@@ -42,7 +42,7 @@ static void the_approximation_is_within_its_stated_2400_for_every_mantissa(void 
     printf("# largest error %.0f of 2400, slack %d\n", worst, SLACK);
     assert_true(worst <= 2400);
     assert_true(worst + 127 < SLACK); /* what cutting u and m adds from t */
-    assert_true(worst > 1000); /* the loop has seen something */
+    assert_true(worst > 1000);        /* the loop has seen something */
 }
 
 int main(void)
