@@ -74,7 +74,7 @@ static const char documentation[] =
     "  glint search --exponents -3:3:0.5 --json       half steps\n"
     "  glint search --coefficients 0.25:3:0.25 --best 20 -o wide.txt\n"
     "  glint search --joint --exponents 0:3:0.5       both at once, smaller grid\n"
-    "  mpirun -n 8 glint search --joint --checkpoint joint.json -o joint.txt";
+    "  mpirun -n 8 glint search --joint --checkpoint joint.json";
 
 /* `owned` keeps the values; those of an earlier use of the option go. */
 static struct search_list list_of(const struct argp_state *state, const char *option, const char *text, double low,
