@@ -11,6 +11,7 @@
 
 #include "base/argp.h"
 #include "base/message.h"
+#include "base/parse.h"
 #include "base/stop.h"
 #include "commands/commands.h"
 #include "paper/ranks.h"
@@ -25,7 +26,7 @@ static const struct command {
     {"eval", command_eval, "Print values of a highlight function"},
     {"cutoff", command_cutoff, "Print where a highlight falls below 2^-q"},
     {"table", command_table, "Write a material's table as C source or raw"},
-    {"bake", command_bake, "Turn normals into what the table loops read, and tell the quality"},
+    {"bake", command_bake, "Turn normals into what the table loops read, and print the quality"},
     {"stream", command_stream, "Shade frame after frame, send what changed to a display or files"},
     {"list", command_list, "List the displays, chips and ports that frames can be sent to"},
     {"search", command_search, "Search for highlight functions as the paper does"},
@@ -55,15 +56,23 @@ static void print_version(FILE *stream, struct argp_state *state)
 
 void (*argp_program_version_hook)(FILE *, struct argp_state *) = print_version;
 
+struct call {
+    const struct command *command;
+    int first; /* of its own words in argv */
+};
+
 static error_t parse_option(int key, char *argument, struct argp_state *state)
 {
-    (void)argument;
     if (key == ARGP_KEY_NO_ARGS)
-        refuse(state, "no command is given");
+        refuse(state, "no command; choose one");
     if (key == ARGP_KEY_ARG) {
-        state->next--; /* leave the command's own words to it */
-        *(int *)state->input = state->next;
-        state->next = state->argc;
+        const char *names[COMMAND_COUNT + 1] = {NULL};
+        for (int i = 0; i < COMMAND_COUNT; i++)
+            names[i] = commands[i].name;
+        struct call *call = state->input;
+        call->command = &commands[parse_choice(state, NULL, "command", argument, names)];
+        call->first = state->next - 1;
+        state->next = state->argc; /* the command parses the rest */
         return 0;
     }
     return ARGP_ERR_UNKNOWN;
@@ -79,10 +88,10 @@ static char *describe(int key, const char *text, void *input)
     FILE *stream = open_memstream(&out, &size);
     if (!stream)
         return (char *)text;
-    fputs("Commands:\n", stream); /* what is longer than a line argp would break */
+    fputs("Commands:\n", stream); /* argp would break longer lines */
     for (int i = 0; i < COMMAND_COUNT; i++)
         fprintf(stream, "  %-8s %s\n", commands[i].name, commands[i].summary);
-    fputs("\n`glint COMMAND --help` tells more.\n"
+    fputs("\n`glint COMMAND --help` explains each.\n"
           "Exit status: 0 good, 1 failed, 2 wrong usage.\n"
           "\nExamples:\n"
           "  glint render --scene watchface -o dial.png --model msh -n 60\n"
@@ -115,7 +124,6 @@ static void check_standard_output(int status, void *unused)
 int main(int argc, char **argv)
 {
     occupy_standard_streams();
-    argp_err_exit_status = EXIT_USAGE;
     stop_at_signals();
     on_exit(check_standard_output, NULL);
 
@@ -123,17 +131,11 @@ int main(int argc, char **argv)
         NULL,     parse_option, "COMMAND [OPTION...]", "glint: specular highlights with integers only.\vCommands", NULL,
         describe, NULL};
     static char own_name[] = "glint";
-    int first = 0;
+    struct call call;
     argv[0] = own_name; /* without its folder, in messages */
-    parse_command(&argp, ARGP_IN_ORDER, argc, argv, &first);
-    for (int i = 0; i < COMMAND_COUNT; i++) {
-        if (strcmp(argv[first], commands[i].name) != 0)
-            continue;
-        static char name[32];
-        snprintf(name, sizeof name, "glint %s", commands[i].name);
-        argv[first] = name; /* so that help and errors name the subcommand */
-        return commands[i].run(argc - first, argv + first);
-    }
-    warn("no command '%s'; `glint --help` lists them", argv[first]);
-    return EXIT_USAGE;
+    parse_command(&argp, ARGP_IN_ORDER, argc, argv, &call);
+    static char name[32];
+    snprintf(name, sizeof name, "glint %s", call.command->name);
+    argv[call.first] = name; /* so that help and errors name the subcommand */
+    return call.command->run(argc - call.first, argv + call.first);
 }

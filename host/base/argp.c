@@ -1,48 +1,15 @@
 /* SPDX-License-Identifier: MIT
- * What every command line has in common. Not in main.c: the unit tests link all of the host but that. */
+ * argp tells its own errors in two lines, and getopt writes them straight to standard error. So argp is told to be silent
+ * (ARGP_NO_ERRS), and a child parser of ours finds out what was wrong when argp gives up. */
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/argp.h"
 #include "base/message.h"
-
-/* What argp itself refuses it tells in two lines; so that they become one, standard error is held while it parses. */
-static FILE *standard_error; /* NULL: it is not held */
-static char *held;
-static size_t held_bytes;
-static const char *held_name; /* the command's */
-
-static void show_held(void)
-{
-    if (!standard_error)
-        return;
-    fclose(stderr);
-    stderr = standard_error;
-    standard_error = NULL;
-    char *hint = strstr(held, "\nTry `");
-    if (hint) {
-        *hint = '\0';
-        fprintf(stderr, "%s; see `%s --help`\n", one_line(held), held_name);
-    } else {
-        fputs(held, stderr);
-    }
-    free(held);
-}
-
-void parse_command(const struct argp *argp, unsigned flags, int argc, char **argv, void *input)
-{
-    FILE *stream = open_memstream(&held, &held_bytes);
-    if (!stream)
-        fail("out of memory");
-    standard_error = stderr;
-    stderr = stream;
-    held_name = argv[0];
-    atexit(show_held); /* argp ends the program by itself, for --help, too */
-    argp_parse(argp, argc, argv, flags, NULL, input);
-    show_held();
-}
+#include "base/unknown.h"
 
 void refuse(const struct argp_state *state, const char *format, ...)
 {
@@ -54,6 +21,145 @@ void refuse(const struct argp_state *state, const char *format, ...)
     va_end(arguments);
     if (!state)
         fail("%s", message);
-    argp_failure(state, EXIT_USAGE, 0, "%s; see `%s --help`", one_line(message), state->name);
+    fprintf(stderr, "%s: %s; see `%s --help`\n", state->name, one_line(message), state->name);
     exit(EXIT_USAGE);
+}
+
+/* ---- what was wrong ---- */
+
+enum { OPTIONS_MAX = 128 };
+struct option_list {
+    const struct argp_option *options[OPTIONS_MAX];
+    unsigned count;
+};
+
+/* The options of a parser and of its children. */
+static void collect(const struct argp *argp, struct option_list *list)
+{
+    for (const struct argp_option *o = argp->options; o && (o->name || o->key || o->doc || o->group); o++)
+        if ((o->name || o->key) && !(o->flags & OPTION_DOC) && list->count < OPTIONS_MAX)
+            list->options[list->count++] = o;
+    for (const struct argp_child *child = argp->children; child && child->argp; child++)
+        collect(child->argp, list);
+}
+
+static bool needs_value(const struct argp_option *option)
+{
+    return option->arg && !(option->flags & OPTION_ARG_OPTIONAL);
+}
+
+static void refuse_long_name(const struct argp_state *state, const struct option_list *list, const char *word)
+{
+    const char *names[OPTIONS_MAX + 1] = {NULL};
+    for (unsigned i = 0, count = 0; i < list->count; i++)
+        if (list->options[i]->name)
+            names[count++] = list->options[i]->name;
+    char *name = strndup(word + 2, strcspn(word + 2, "="));
+    if (!name)
+        fail("out of memory");
+    const char *closest = closest_name(name, names);
+    if (closest)
+        refuse(state, "unknown option '--%s' (did you mean '--%s'?)", name, closest);
+    refuse(state, "unknown option '--%s'", name);
+}
+
+/* "--NAME" or "--NAME=VALUE", of which getopt takes any beginning that only one name has. Returns where it is right. */
+static void check_long(const struct argp_state *state, const struct option_list *list, const char *word, bool last)
+{
+    const size_t length = strcspn(word + 2, "=");
+    const struct argp_option *found = NULL;
+    unsigned count = 0;
+    char all[256] = "";
+    for (unsigned i = 0; i < list->count; i++) {
+        const struct argp_option *option = list->options[i];
+        if (!option->name || strncmp(option->name, word + 2, length) != 0)
+            continue;
+        found = option;
+        if (!option->name[length]) {
+            count = 1;
+            break;
+        }
+        const size_t at = strlen(all);
+        snprintf(all + at, sizeof all - at, "%s--%s", count++ ? ", " : "", option->name);
+    }
+    if (count == 0)
+        refuse_long_name(state, list, word);
+    if (count > 1)
+        refuse(state, "option '%.*s' is ambiguous; choose from %s", (int)length + 2, word, all);
+    if (word[2 + length] && !found->arg)
+        refuse(state, "option '--%s' takes no value", found->name);
+    if (!word[2 + length] && needs_value(found) && last)
+        refuse(state, "option '--%s' needs a value: %s", found->name, found->arg);
+}
+
+/* "-abcVALUE". */
+static void check_letters(const struct argp_state *state, const struct option_list *list, const char *word, bool last)
+{
+    for (const char *at = word + 1; *at; at++) {
+        const struct argp_option *found = NULL;
+        for (unsigned i = 0; i < list->count && !found; i++)
+            if (list->options[i]->key == *at)
+                found = list->options[i];
+        if (!found)
+            refuse(state, "unknown option '-%c'", *at);
+        if (needs_value(found) && !at[1] && last)
+            refuse(state, "option '-%c' needs a value: %s", *at, found->arg);
+        if (found->arg)
+            return;
+    }
+}
+
+/* getopt has stopped behind the word that is wrong, or at it where letters are left. */
+static void refuse_option(const struct argp_state *state)
+{
+    struct option_list list = {.count = 0};
+    collect(state->root_argp, &list);
+    for (int i = state->next - 1; i <= state->next && i < state->argc; i++) {
+        const char *word = state->argv[i];
+        const bool last = i + 1 == state->argc;
+        if (i > 0 && strncmp(word, "--", 2) == 0 && word[2])
+            check_long(state, &list, word, last);
+        else if (i > 0 && *word == '-' && word[1] && word[1] != '-')
+            check_letters(state, &list, word, last);
+    }
+    refuse(state, "wrong usage");
+}
+
+/* ---- what argp would have given ---- */
+
+enum { KEY_HELP = '?', KEY_USAGE = 1024, KEY_VERSION = 'V' };
+
+static const struct argp_option common_options[] = {{"help", KEY_HELP, NULL, 0, "Give this help list", -1},
+                                                    {"usage", KEY_USAGE, NULL, 0, "Give a short usage message", 0},
+                                                    {"version", KEY_VERSION, NULL, 0, "Print program version", -1},
+                                                    {0}};
+
+static error_t parse_common(int key, char *text, struct argp_state *state)
+{
+    switch (key) {
+    case KEY_HELP:
+    case KEY_USAGE:
+        state->flags &= ~(unsigned)ARGP_NO_ERRS; /* which would silence help, too */
+        argp_state_help(state, state->out_stream, key == KEY_HELP ? ARGP_HELP_STD_HELP : ARGP_HELP_USAGE);
+        exit(EXIT_GOOD);
+    case KEY_VERSION:
+        if (argp_program_version_hook)
+            argp_program_version_hook(state->out_stream, state);
+        exit(EXIT_GOOD);
+    case ARGP_KEY_ARG: /* which no other parser took */
+        refuse(state, "unexpected argument '%s'", text);
+    case ARGP_KEY_ERROR:
+        refuse_option(state);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+void parse_command(const struct argp *argp, unsigned flags, int argc, char **argv, void *input)
+{
+    static const struct argp common = {common_options, parse_common, NULL, NULL, NULL, NULL, NULL};
+    const struct argp_child children[] = {{argp, 0, NULL, 0}, {&common, 0, NULL, 0}, {NULL, 0, NULL, 0}};
+    const struct argp all = {NULL, NULL, NULL, NULL, children, NULL, NULL};
+    argp_parse(&all, argc, argv, flags | ARGP_NO_ERRS | ARGP_NO_HELP, NULL, input);
 }

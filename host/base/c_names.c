@@ -28,7 +28,7 @@ static bool is_c_name(const char *text)
     return isalpha((unsigned char)*text) && !ends(text, "_") && !strstr(text, "__");
 }
 
-/* Of C23, C++23 and GNU C; what a hosted program or a compiler for Unix has taken. */
+/* Of C23, C++23 and GNU C, and what a hosted program or a compiler for Unix defines. */
 static const char words[] =
     " alignas alignof and and_eq asm auto bitand bitor bool break case catch char class co_await co_return "
     "co_yield compl concept const const_cast consteval constexpr constinit continue decltype default delete "
@@ -55,12 +55,11 @@ static bool is_taken_c_name(const char *text)
 const char *parse_c_name(const struct argp_state *state, const char *text)
 {
     if (strlen(text) > 63 || !is_c_name(text))
-        refuse(state,
-               "--name: '%s' is no name for C and C++: a letter, then letters, digits and single _ between, at most 63",
+        refuse(state, "--name: '%s' is not a C name: a letter, then letters, digits and single _ between, at most 63",
                text);
     if (is_taken_c_name(text))
-        refuse(state, "--name: '%s' has a meaning of its own in C or C++; take another", text);
+        refuse(state, "--name: '%s' has a meaning in C or C++; choose another", text);
     if (strncasecmp(text, "glint_", 6) == 0)
-        refuse(state, "--name: '%s' may be a name of glint.h's; take another", text);
+        refuse(state, "--name: '%s' may be a name of glint.h; choose another", text);
     return text;
 }

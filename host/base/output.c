@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Output that is whole or not there: a regular file is written beside its name, then renamed. */
+ * A regular file is written beside its name and then renamed, so that it is whole or not there. */
 #include <errno.h>
 #include <limits.h>
 #include <stdlib.h>
@@ -28,7 +28,7 @@ static void remember(char *name)
             return;
         }
     }
-    fail("%s: more than %d output files at once", name, OPEN_MAX_FILES);
+    fail("%s: more than %d output files are open", name, OPEN_MAX_FILES);
 }
 
 static void forget(const char *name)
@@ -131,12 +131,12 @@ static int open_beside(struct output *output)
     const int folder = slash ? (int)(slash - output->target) + 1 : 0;
     if (asprintf(&output->temporary, "%.*s.glint-XXXXXX", folder, output->target) < 0)
         fail("out of memory");
-    /* A signal in between would leave a file that nobody knows of. */
+    /* A signal in between would leave a file behind. */
     sigset_t before;
     signals_hold(&before);
     const int descriptor = mkstemp(output->temporary);
     if (descriptor < 0)
-        fail("%s: cannot write there: %s", output->path, strerror(errno));
+        fail("%s: cannot create a file there: %s", output->path, strerror(errno));
     remember(output->temporary);
     signals_release(&before);
     return descriptor;
@@ -154,7 +154,7 @@ struct output *output_open(const char *path)
     struct stat status;
     const bool exists = stat(path, &status) == 0;
     if (exists && S_ISDIR(status.st_mode))
-        fail("'%s': is a directory; name a file", path);
+        fail("%s: this is a folder; name a file", path);
     if (exists && !S_ISREG(status.st_mode)) {
         output->stream = fopen(path, "wb");
         if (!output->stream)
@@ -187,7 +187,7 @@ void output_close(struct output *output)
     const bool bad = fflush(output->stream) != 0 || ferror(output->stream);
     const int reason = errno;
     if (output->stream != stdout && fclose(output->stream) != 0 && !bad)
-        fail("%s: %s; nothing was written", name, strerror(errno));
+        fail("%s: could not be written: %s", name, strerror(errno));
     if (bad)
         fail("%s: could not be written: %s", name, reason ? strerror(reason) : "write error");
     if (output->temporary) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Numbers from the command line: the whole text counts, and an error says what is allowed. */
+ * Values from the command line: the whole text counts, and an error says what is allowed. */
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
@@ -10,6 +10,7 @@
 #include "base/argp.h"
 #include "base/message.h"
 #include "base/parse.h"
+#include "base/unknown.h"
 
 enum { LIST_MAX = 1000000 };
 
@@ -18,7 +19,7 @@ static const char *unsigned_part(const char *text)
     return text + (*text == '-' || *text == '+');
 }
 
-/* strtod takes more than that: blanks before it, hexadecimal, nan, inf. */
+/* strtod also takes leading blanks, hexadecimal, nan and inf. */
 bool read_real(const char *text, char **end, double *value)
 {
     const char *digits = unsigned_part(text);
@@ -63,26 +64,23 @@ void parse_reals(const struct argp_state *state, const char *option, const char 
     if (count == 1)
         refuse(state, "%s: '%s' is not a number from %.10g to %.10g", option, text, low, high);
     else
-        refuse(state, "%s: '%s' is not %d numbers from %.10g to %.10g with commas between", option, text, count, low,
+        refuse(state, "%s: '%s' is not %d numbers from %.10g to %.10g separated by commas", option, text, count, low,
                high);
 }
 
-unsigned parse_choice(const struct argp_state *state, const char *option, const char *text, const char *const *names)
+unsigned parse_choice(const struct argp_state *state, const char *option, const char *what, const char *text,
+                      const char *const *names)
 {
-    char all[256] = "";
-    unsigned i = 0;
-    for (; names[i]; i++) {
+    for (unsigned i = 0; names[i]; i++)
         if (strcmp(text, names[i]) == 0)
             return i;
-        snprintf(all + strlen(all), sizeof all - strlen(all), "%s%s", i ? ", " : "", names[i]);
-    }
-    refuse(state, "%s: no '%s'; %s %s", option, text, i > 1 ? "one of these is wanted:" : "there is only", all);
+    refuse_unknown(state, option, what, text, names);
 }
 
 const char *parse_output(const struct argp_state *state, const char *option, const char *text)
 {
     if (!*text)
-        refuse(state, "%s: '' is no name; name a file", option);
+        refuse(state, "%s: the file name is empty", option);
     return text;
 }
 
@@ -125,11 +123,11 @@ size_t parse_list(const struct argp_state *state, const char *option, const char
     for (const char *at = text;; at = end + 1) {
         struct range range;
         if (!parse_range(at, &end, &range) || range.from < low || range.to > high)
-            refuse(state, "%s: '%s' is not a list from %.10g to %.10g: A, A:B or A:B:STEP, rising, with commas between",
+            refuse(state, "%s: '%s' is not a list from %.10g to %.10g: A, A:B or A:B:STEP, rising, separated by commas",
                    option, text, low, high);
         const double last = floor((range.to - range.from) / range.step + 1e-9);
         if (last + (double)count >= LIST_MAX)
-            refuse(state, "%s: '%s' names more than %d values", option, text, LIST_MAX);
+            refuse(state, "%s: '%s' has more than %d values", option, text, LIST_MAX);
         list = reallocarray(list, count + (size_t)last + 1, sizeof *list);
         if (!list)
             fail("out of memory");

@@ -20,8 +20,9 @@ size_t parse_list(const struct argp_state *state, const char *option, const char
 size_t parse_integer_list(const struct argp_state *state, const char *option, const char *text, long low, long high,
                           long **values);
 
-/* The place of `text` in a list that ends with NULL; else a usage error that shows the list. */
-unsigned parse_choice(const struct argp_state *state, const char *option, const char *text, const char *const *names);
+/* The place of `text` in a list that ends with NULL; else refuse_unknown(). `what` the names are: "format". */
+unsigned parse_choice(const struct argp_state *state, const char *option, const char *what, const char *text,
+                      const char *const *names);
 
 /* The name of a file to write, which may not be empty. */
 const char *parse_output(const struct argp_state *state, const char *option, const char *text);

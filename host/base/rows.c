@@ -18,7 +18,7 @@ struct rows {
 void parse_rows_format(const struct argp_state *state, enum rows_format *format, enum rows_format wanted)
 {
     if (*format != ROWS_TEXT && *format != wanted)
-        refuse(state, "--csv and --json exclude each other; give one");
+        refuse(state, "give only one of --csv and --json");
     *format = wanted;
 }
 

@@ -32,35 +32,33 @@ struct request {
 };
 
 static const struct argp_option options[] = {
-    {NULL, 0, NULL, 0, "What becomes of it:", 3},
+    {NULL, 0, NULL, 0, "The output:", 3},
     {"to", KEY_TO, "FORMAT", 0,
      "int16 (6 bytes a pixel), int10 or int8 (4 bytes; default int8), or palette or "
      "palette:ENTRIES (2 bytes, and 6 an entry; 2..32767, default 4096)",
      3},
-    {NULL, 'o', "FILE", 0, "Where it goes; - is standard output. Left out: only the quality is printed", 3},
+    {NULL, 'o', "FILE", 0, "The file to write; - is standard output. Without -o only the quality is printed", 3},
     {"as", KEY_AS, "KIND", 0, "c, raw or uf2 (default: by FILE's ending .c, .h, .bin or .uf2; c for -)", 3},
     {"name", KEY_NAME, "NAME", 0, "The array's name in C and C++; default baked", 3},
     {"address", KEY_ADDRESS, "ADDRESS", 0,
      "Where a UF2 file goes in the RP2040's flash, a multiple of 4096 from 0x10000000 on; default 0x10100000", 3},
-    {"json", KEY_JSON, NULL, 0, "The quality as JSON", 3},
+    {"json", KEY_JSON, NULL, 0, "Print the quality as JSON", 3},
     {0}};
 
 static const char doc[] =
-    "Turns a height map, a normal map or a built-in scene into what the library's table loops read, and prints what "
-    "that "
-    "costs in quality."
+    "Turns a height map, a normal map or a built-in scene into the normals that the library's table loops read, and "
+    "prints what that costs in quality."
     "\v"
-    "No surface (mask): int16 0, 0, 0; int10 and int8 z = 0, and in the other bits how many pixels without surface "
-    "follow from this one on in its line; palette entry 0, whose normal is 0, 0, 0: give it the background's "
-    "colour after shading the palette.\n"
-    "C source has one array, NAME, lines from the top; enums NAME_width, NAME_height; for a palette also NAME_normals "
-    "and "
-    "NAME_entries, NAME being the offsets. Raw is the same without names, low bytes first, a palette's normals before "
-    "its offsets. UF2 is raw in blocks of 256 bytes for the RP2040: flash is erased in sectors of 4096 bytes, so "
-    "keep the address clear of the program's.\n"
-    "Quality is that of the highlight alone, at full strength on white (msh, q = 8, grey8, exact path), against "
-    "the 16-bit normals, in levels of 255, over nine lights. It goes to standard output, or to standard error with -o "
-    "-.\n"
+    "Pixels without a surface (mask): int16 has 0, 0, 0; int10 and int8 have z = 0, and the other bits count the "
+    "pixels without a surface from this one on in its line; a palette has entry 0, with the normal 0, 0, 0: give it "
+    "the background's colour after shading the palette.\n"
+    "C source has one array, NAME, lines from the top, and the enums NAME_width and NAME_height; for a palette NAME "
+    "holds the offsets, and there are NAME_normals and NAME_entries. Raw is the same without names, low bytes first, "
+    "a palette's normals before its offsets. UF2 is raw in blocks of 256 bytes for the RP2040. Its flash is erased in "
+    "sectors of 4096 bytes: choose an address beyond the program's last sector.\n"
+    "The quality compares the highlight alone, at full strength on white (msh, q = 8, grey8, exact path), with that of "
+    "the 16-bit normals, in levels of 255, over nine lights. It is printed to standard output, or to standard error "
+    "with -o -.\n"
     "\n"
     "Examples:\n"
     "  glint bake --height wall.png -o wall.h --name wall\n"
@@ -81,7 +79,7 @@ static void parse_to(const struct argp_state *state, const char *text, struct re
                                                    PALETTE_MIN, PALETTE_MAX);
         return;
     }
-    request->format = (enum bake_format)parse_choice(state, "--to", text, bake_format_names);
+    request->format = (enum bake_format)parse_choice(state, "--to", "format", text, bake_format_names);
 }
 
 static uint32_t parse_address(const struct argp_state *state, const char *text)
@@ -106,7 +104,7 @@ static enum bake_kind kind_by_ending(const struct argp_state *state, const char 
     for (size_t i = 0; dot && i < sizeof endings / sizeof *endings; i++)
         if (strcasecmp(dot, endings[i].ending) == 0)
             return endings[i].kind;
-    refuse(state, "-o: '%s' does not end in .c, .h, .bin or .uf2; name it so, or give --as", path);
+    refuse(state, "-o: '%s' does not end in .c, .h, .bin or .uf2; rename it, or give --as", path);
 }
 
 static bool is_stdout(const char *path)
@@ -118,15 +116,15 @@ static void check(const struct argp_state *state, struct request *request)
 {
     const bool to_stdout = is_stdout(request->path);
     if (!request->path && (request->kind != BAKE_KINDS || request->name || request->address))
-        refuse(state, "where is it to go? give -o FILE");
+        refuse(state, "no output; give -o FILE");
     if (!request->path)
         return;
     if (request->kind == BAKE_KINDS)
         request->kind = to_stdout ? BAKE_C : kind_by_ending(state, request->path);
     if (request->name && request->kind != BAKE_C)
-        refuse(state, "--name is for C source; leave it out with --as %s", kind_names[request->kind]);
+        refuse(state, "--name is for C source; it cannot be used with --as %s", kind_names[request->kind]);
     if (request->address && request->kind != BAKE_UF2)
-        refuse(state, "--address is for UF2; leave it out with --as %s", kind_names[request->kind]);
+        refuse(state, "--address is for UF2; it cannot be used with --as %s", kind_names[request->kind]);
     if (to_stdout && request->kind != BAKE_C && isatty(STDOUT_FILENO))
         refuse(state, "-o -: standard output is a terminal; pipe or redirect it, or name a file");
 }
@@ -142,7 +140,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         parse_to(state, text, request);
         return 0;
     case KEY_AS:
-        request->kind = (enum bake_kind)parse_choice(state, "--as", text, kind_names);
+        request->kind = (enum bake_kind)parse_choice(state, "--as", "file format", text, kind_names);
         return 0;
     case KEY_NAME:
         request->name = parse_c_name(state, text);
@@ -157,7 +155,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         request->path = parse_output(state, "-o", text);
         return 0;
     case ARGP_KEY_ARG:
-        refuse(state, "'%s' is not an option; files are named by --height, --normals, --mask and -o", text);
+        refuse(state, "unexpected argument '%s'; name files by --height, --normals, --mask and -o", text);
     case ARGP_KEY_END:
         check(state, request);
         return 0;

@@ -27,15 +27,15 @@ static const struct argp_option options[] = {
     {"shininess", 'n', "LIST", 0, "Shininess, whole numbers from 1 to 1000; default 60", 0},
     {"cutoff", 'q', "LIST", 0, "The cutoff is 2^-Q; whole numbers from 0 to 16; default 8", 0},
     {"csv", KEY_CSV, NULL, 0, "Print comma-separated values instead of aligned text", 1},
-    {"json", KEY_JSON, NULL, 0, "Print JSON, an array with an object a row", 1},
-    {"output", 'o', "FILE", 0, "Write to FILE; default -, standard output", 1},
+    {"json", KEY_JSON, NULL, 0, "Print JSON: an array with one object per row", 1},
+    {"output", 'o', "FILE", 0, "Write to FILE (default: -, standard output)", 1},
     {0}};
 
 static const char doc[] =
-    "Print where a highlight falls below 2^-Q: the smallest cosine and the largest t = 1 - c whose value is at least "
-    "that, and the angle from the peak.\v"
-    "A LIST is A, A:B (step 1), A:B:STEP, or several of these with commas between. c_q16 is the cosine times 2^16, "
-    "t_q30 is t times 2^30, the angle is that of t_q30, in degrees.\n"
+    "Print where a highlight falls below 2^-Q: the smallest cosine and the largest t = 1 - c with a value of at least "
+    "2^-Q, and the angle from the peak.\v"
+    "A LIST is A, A:B (step 1), A:B:STEP, or several of these separated by commas. c_q16 is the cosine times 2^16, "
+    "t_q30 is t times 2^30, the angle belongs to t_q30 and is in degrees.\n"
     "\n"
     "Examples:\n"
     "  glint cutoff --model msh -n 60 -q 8\n"
@@ -89,7 +89,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         request->path = parse_output(state, "-o", argument);
         return 0;
     case ARGP_KEY_ARG:
-        refuse(state, "%s: no values are wanted; options are -n LIST and -q LIST", argument);
+        refuse(state, "unexpected argument '%s'; give -n LIST and -q LIST", argument);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

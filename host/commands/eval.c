@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * glint eval: values of the lobe, beside the double-precision formula. */
+ * glint eval: values of the lobe beside those of the double-precision formula. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,16 +33,16 @@ static const struct argp_option options[] = {
     {"t", KEY_T, NULL, 0, "The values are t = 1 - c, 0 to 2: finer than c near the peak", 0},
     {"raw", KEY_RAW, NULL, 0, "The values are the library's integers: c times 2^16, or t times 2^30", 0},
     {"csv", KEY_CSV, NULL, 0, "Print comma-separated values instead of aligned text", 1},
-    {"json", KEY_JSON, NULL, 0, "Print JSON, an array with an object a row", 1},
-    {"output", 'o', "FILE", 0, "Write to FILE; default -, standard output", 1},
+    {"json", KEY_JSON, NULL, 0, "Print JSON: an array with one object per row", 1},
+    {"output", 'o', "FILE", 0, "Write to FILE (default: -, standard output)", 1},
     {0}};
 
 static const char doc[] =
     "Print values of a highlight function, from the integer library and from the double-precision formula at the same "
     "argument, with the difference in units of 2^-16.\v"
-    "A VALUE is a cosine c from -1 to 1, a range A:B (step 1) or A:B:STEP, or several of these with commas between; "
-    "- reads values from standard input, with blanks or new lines between. Before values that begin with a minus "
-    "write --. c is rounded to Q16.16 first, t to Q2.30: all columns are of the rounded argument. A row that the "
+    "A VALUE is a cosine c from -1 to 1, a range A:B (step 1) or A:B:STEP, or several of these separated by commas; "
+    "- reads values from standard input, separated by blanks or new lines. Write -- before values that begin with a "
+    "minus. c is first rounded to Q16.16, t to Q2.30: all columns are for the rounded argument. A row that the "
     "cutoff makes 0 has no error.\n"
     "\n"
     "Examples:\n"
@@ -128,12 +128,12 @@ static void add_standard_input(struct rows *rows, const struct request *request)
         char where[64], *rest = number == 1 ? after_byte_order_mark(line) : line;
         snprintf(where, sizeof where, "standard input, line %lu", number);
         if (strlen(line) != (size_t)length)
-            fail("%s: not text: it holds a zero byte", where);
+            fail("%s: this is not text: it contains a zero byte", where);
         for (char *word; (word = strtok_r(rest, " \t\r\n", &rest));)
             add_word(rows, request, where, word);
     }
     if (ferror(stdin))
-        fail("standard input: %m");
+        fail("standard input: could not be read: %m");
     free(line);
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * glint paper: the paper's table, figures and claims, computed anew. */
+ * glint paper: the paper's table, figures and claims, computed again. */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -39,25 +39,22 @@ struct settings {
 };
 
 static const struct argp_option option_list[] = {
-    {"output", 'o', "DIR", 0, "Write there (created if missing; files of the same name are replaced)", 0},
+    {"output", 'o', "DIR", 0, "The folder to write to; it is created, and files of the same name are replaced", 0},
     {"only", OPTION_ONLY, "PARTS", 0,
-     "Only these, with commas between: table1 wider models fig3 fig4 fig5 fig6 fig7a fig7b fig9 (default: all)", 0},
-    {"no-plots", OPTION_NO_PLOTS, NULL, 0, "CSV files and the report without pictures; gnuplot is not needed then", 0},
+     "Only these, separated by commas: table1 wider models fig3 fig4 fig5 fig6 fig7a fig7b fig9 (default: all)", 0},
+    {"no-plots", OPTION_NO_PLOTS, NULL, 0, "Write CSV files and a report without plots; this does not need gnuplot", 0},
     {"json", OPTION_JSON, NULL, 0, "Print claims.json instead of the lines", 0},
     {0}};
 
 static const char documentation[] =
-    "Compute the modified Schlick paper anew: table 1, figures 3 4 5 6 7A 7B 9, every claim with a verdict, the "
-    "choices "
-    "where the paper is silent, wider searches, and the models compared."
+    "Compute the results of the modified Schlick paper again: table 1, figures 3 4 5 6 7A 7B 9, every claim with a "
+    "verdict, our choices where the paper is silent, wider searches, and a comparison of the models."
     "\v"
-    "DIR gets report.html (all of it, plots included, in one file), claims.json (claims, verdicts and every number "
-    "quoted, "
-    "at full precision), and for each part NAME.csv, NAME.gp (the gnuplot script) and NAME.png. Every curve is in the "
-    "CSV "
-    "twice: from the double formulas and from the Q16 library. One line a claim is printed.\n"
-    "gnuplot (Debian: gnuplot-nox) draws the plots; without it nothing is written unless --no-plots is given.\n"
-    "Takes about five seconds on two cores.\n"
+    "DIR receives report.html (everything in one file, with plots), claims.json (claims, verdicts and every quoted "
+    "number at full precision), and for each part NAME.csv, NAME.gp (the gnuplot script) and NAME.png. The CSV has "
+    "every curve twice: from the double formulas and from the Q16 library. One line per claim is printed.\n"
+    "gnuplot (Debian: gnuplot-nox) draws the plots; without it glint paper fails unless --no-plots is given.\n"
+    "This takes about five seconds on two cores.\n"
     "\nExamples:\n"
     "  glint paper -o report\n"
     "  glint paper -o report --only fig3,fig4\n"
@@ -73,7 +70,7 @@ static unsigned parse_parts(const struct argp_state *state, const char *text)
         const char *names[PART_COUNT + 1] = {NULL};
         for (int i = 0; i < PART_COUNT; i++)
             names[i] = parts[i].name;
-        wanted |= 1u << parse_choice(state, "--only", name, names);
+        wanted |= 1u << parse_choice(state, "--only", "part", name, names);
     }
     free(copy);
     return wanted;
@@ -96,11 +93,11 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         settings->json = true;
         return 0;
     case ARGP_KEY_ARG:
-        refuse(state, "'%s' is one word too many; the folder is named by -o", argument);
+        refuse(state, "unexpected argument '%s'; name the folder by -o", argument);
         return 0;
     case ARGP_KEY_END:
         if (!settings->directory || !*settings->directory)
-            refuse(state, "-o DIR is wanted: the folder for the report");
+            refuse(state, "no output; give -o DIR, the folder for the report");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -126,8 +123,8 @@ static void make_directory(const char *directory)
         *at = 0;
         if (mkdir(path, 0777) != 0 && !(errno == EEXIST && is_directory(path))) {
             if (errno == EEXIST)
-                fail("%s: is a file; -o names a folder", path);
-            fail("%s: the folder cannot be made: %s", path, strerror(errno));
+                fail("%s: this is a file; name a folder", path);
+            fail("%s: cannot create the folder: %s", path, strerror(errno));
         }
         *at = kept;
         if (!kept)
@@ -150,7 +147,7 @@ static void print_claims(const struct paper *paper)
 
 static void print_result(const struct paper *paper, bool json)
 {
-    struct output *output = output_open("-"); /* its closing finds out whether the lines arrived */
+    struct output *output = output_open("-"); /* output_close reports lines that could not be written */
     if (json) {
         json_t *summary = paper_summary(paper);
         json_dumpf(summary, output->stream, JSON_INDENT(2) | JSON_REAL_PRECISION(12));

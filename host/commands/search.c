@@ -161,7 +161,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         settings->output = parse_output(state, "-o", argument);
         return 0;
     case ARGP_KEY_ARG:
-        refuse(state, "'%s' is one word too many; glint search takes options only", argument);
+        refuse(state, "unexpected argument '%s'; give options only", argument);
         return 0;
     case ARGP_KEY_END:
         check_size(state, search);

@@ -57,18 +57,9 @@ static const char doc[] =
 
 static void parse_scene(const struct argp_state *state, const char *text, struct stream_options *o)
 {
-    for (unsigned i = 0; scene_names[i]; i++) {
-        if (strcmp(text, scene_names[i]) != 0)
-            continue;
-        if (o->look.scene.scene)
-            refuse(state, "'%s' is a second scene; name one", text);
-        o->look.scene.scene = scene_names[i];
-        return;
-    }
-    char all[128] = "";
-    for (unsigned i = 0; scene_names[i]; i++)
-        snprintf(all + strlen(all), sizeof all - strlen(all), "%s%s", i ? ", " : "", scene_names[i]);
-    refuse(state, "'%s' is not a built-in scene (%s); give files by --height or --normals", text, all);
+    if (o->look.scene.scene)
+        refuse(state, "unexpected argument '%s'; one scene is enough", text);
+    o->look.scene.scene = scene_names[parse_choice(state, NULL, "scene", text, scene_names)];
 }
 
 static void parse_sink(const struct argp_state *state, const char *text, struct stream_options *o)
@@ -80,7 +71,7 @@ static void parse_sink(const struct argp_state *state, const char *text, struct 
     const char *names[SINKS_MAX + 1] = {NULL};
     for (unsigned i = 0; sink_kinds[i] && i < SINKS_MAX; i++)
         names[i] = sink_kinds[i]->name;
-    o->kind = sink_kinds[parse_choice(state, "--to", text, names)];
+    o->kind = sink_kinds[parse_choice(state, "--to", "sink", text, names)];
 }
 
 static bool shades(const struct sink_kind *kind)
@@ -184,7 +175,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->lights = parse_output(state, "--lights", text);
         return 0;
     case KEY_SHADE:
-        o->shade_device = parse_choice(state, "--shade", text, shade_names) == 1;
+        o->shade_device = parse_choice(state, "--shade", "shader", text, shade_names) == 1;
         return 0;
     case KEY_STATS:
         o->stats = true;

@@ -41,17 +41,18 @@ static const struct argp_option options[] = {
     {"of", KEY_OF, "c|t", 0, "The argument: the cosine c, or t = 1 - c (default), which is finer near the peak", 0},
     {"entries", KEY_ENTRIES, "COUNT", 0, "Entries, 2 to 65536; default 256", 0},
     {"bits", KEY_BITS, "BITS", 0, "Bits an entry: 8 (1.0 is 255), 16 (1.0 is 32768; default) or 32 (1.0 is 65536)", 0},
-    {"clamp-peak", KEY_CLAMP, NULL, 0, "Entries at most 1.0; always so with 8 bits. Else msh reaches 1.024", 0},
-    {"name", KEY_NAME, "NAME", 0, "The array's name in C and C++; default after the material, such as msh_n60_q8", 1},
-    {"raw", KEY_RAW, NULL, 0, "Write the entries alone, low byte first", 1},
-    {"output", 'o', "FILE", 0, "Write to FILE; default -, standard output", 1},
+    {"clamp-peak", KEY_CLAMP, NULL, 0, "Limit entries to 1.0, as 8 bits always do; otherwise msh reaches 1.024", 0},
+    {"name", KEY_NAME, "NAME", 0, "The array's name in C and C++ (default: from the material, such as msh_n60_q8)", 1},
+    {"raw", KEY_RAW, NULL, 0, "Write only the entries, low byte first", 1},
+    {"output", 'o', "FILE", 0, "Write to FILE (default: -, standard output)", 1},
     {0}};
 
 static const char doc[] =
     "Write a material's highlight as a table: C source for flash, with its look-up functions, or raw.\v"
     "The argument is the distance from the peak, x = t_q30 or x = 65536 - c_q16. Entry i is the library's value at "
-    "x = i 2^SHIFT, where SHIFT is the smallest for which the last entry lies beyond the cutoff and is 0. The C source "
-    "states SHIFT and the largest errors of looking up the nearest entry and of linear interpolation, measured.\n"
+    "x = i 2^SHIFT; SHIFT is the smallest for which the last entry lies beyond the cutoff and is 0. The C source "
+    "states "
+    "SHIFT and the largest measured errors of the nearest entry and of linear interpolation.\n"
     "\n"
     "Examples:\n"
     "  glint table --model msh -n 60 -o msh_n60_q8.h\n"
@@ -212,7 +213,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         request->q = (unsigned)parse_integer(state, "-q", argument, 0, GLINT_Q_MAX);
         return 0;
     case KEY_OF:
-        request->table.of_t = parse_choice(state, "--of", argument, arguments) == 1;
+        request->table.of_t = parse_choice(state, "--of", "argument", argument, arguments) == 1;
         return 0;
     case KEY_ENTRIES:
         request->table.count = (uint32_t)parse_integer(state, "--entries", argument, 2, 65536);
@@ -235,11 +236,11 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         request->path = parse_output(state, "-o", argument);
         return 0;
     case ARGP_KEY_ARG:
-        refuse(state, "%s: options only; the file's name goes after -o", argument);
+        refuse(state, "unexpected argument '%s'; name the file by -o", argument);
         return 0;
     case ARGP_KEY_END:
         if (request->raw && request->name)
-            refuse(state, "--name is for C source; leave it out with --raw");
+            refuse(state, "--name is for C source; it cannot be used with --raw");
         if (request->raw && strcmp(request->path, "-") == 0 && isatty(STDOUT_FILENO))
             refuse(state, "--raw: standard output is a terminal; pipe or redirect it, or name a file by -o");
         return 0;

@@ -37,10 +37,10 @@ static void read_bytes(png_structp png, png_bytep bytes, size_t len_bytes)
         return;
     if (ferror(source->stream))
         fail("%s: could not be read: %s", source->name, strerror(errno));
-    fail("%s: truncated: the file ends within the picture; fetch or save it again", source->name);
+    fail("%s: the file ends within the picture; fetch or save it again", source->name);
 }
 
-/* What people hand over in place of a PNG. */
+/* What people name instead of a PNG. */
 static const struct {
     const char *magic;
     const char *what;
@@ -72,22 +72,22 @@ static void check_signature(const struct source *source)
     if (ferror(source->stream))
         fail("%s: could not be read: %s", source->name, strerror(errno));
     if (got == 0)
-        fail("%s: is empty; a PNG picture is wanted", source->name);
+        fail("%s: this file is empty; name a PNG picture", source->name);
     if (got == sizeof head && png_sig_cmp(head, 0, sizeof head) == 0)
         return;
     if (got < sizeof head && png_sig_cmp(head, 0, got) == 0)
-        fail("%s: truncated: the file ends within the picture; fetch or save it again", source->name);
+        fail("%s: the file ends within the picture; fetch or save it again", source->name);
     for (size_t i = 0; i < sizeof other_files / sizeof *other_files; i++)
         if (memcmp(head, other_files[i].magic, strlen(other_files[i].magic)) == 0)
-            fail("%s: is %s, not a PNG; convert it to PNG", source->name, other_files[i].what);
-    fail("%s: is not a PNG picture; a PNG is wanted", source->name);
+            fail("%s: this is %s, not a PNG; convert it to PNG", source->name, other_files[i].what);
+    fail("%s: this is not a PNG picture; convert it to PNG", source->name);
 }
 
 static void check_size(const struct image *image)
 {
     if (image->width > SIDE_MAX || image->height > SIDE_MAX || (uint64_t)image->width * image->height > PIXELS_MAX)
-        fail("%s: is %ux%u pixels; at most %d a side and %d in all are allowed", image->name, image->width,
-             image->height, SIDE_MAX, PIXELS_MAX);
+        fail("%s: %ux%u pixels; at most %d a side and %d in all are allowed", image->name, image->width, image->height,
+             SIDE_MAX, PIXELS_MAX);
 }
 
 static void read_samples(png_structp png, png_infop info, struct image *image)
@@ -121,7 +121,7 @@ struct image *image_read(const char *path)
         fail("out of memory");
     png_set_read_fn(png, &source, read_bytes);
     png_set_sig_bytes(png, 8);
-    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); /* check_size says it better */
+    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); /* check_size has the clearer message */
     png_read_info(png, info);
 
     struct image *image = allocate(1, sizeof *image);

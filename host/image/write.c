@@ -12,7 +12,7 @@
 #include "image/picture.h"
 #include "image/write.h"
 
-/* The header is the library: this file holds its code. Only the encoder is wanted. */
+/* The header is the library: this file holds its code. We use only the encoder. */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wsign-conversion"
@@ -21,7 +21,7 @@
 #include <qoi.h>
 #pragma GCC diagnostic pop
 
-static const char *const image_kind_names[] = {"png", "ppm", "qoi"};
+const char *const image_kind_names[] = {"png", "ppm", "qoi", NULL};
 
 enum image_kind image_kind_by_name(const char *name)
 {

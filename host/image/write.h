@@ -6,6 +6,7 @@
 #include "image/picture.h"
 
 enum image_kind { IMAGE_PNG, IMAGE_PPM, IMAGE_QOI, IMAGE_KINDS };
+extern const char *const image_kind_names[]; /* "png" ..., by enum image_kind; ends with NULL */
 
 /* By name ("png") or by a file name's ending, in either case; a name without an ending counts as PNG.
  * IMAGE_KINDS: neither. */

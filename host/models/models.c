@@ -55,13 +55,13 @@ const char *const model_names[] = {GLINT_MODELS(NAME) NULL};
 
 enum glint_model parse_model(const struct argp_state *state, const char *option, const char *text)
 {
-    return (enum glint_model)parse_choice(state, option, text, model_names);
+    return (enum glint_model)parse_choice(state, option, "model", text, model_names);
 }
 
 void parse_models(const struct argp_state *state, const char *option, const char *text, bool given[GLINT_MODEL_COUNT])
 {
     static const char *const choices[] = {GLINT_MODELS(NAME) "all", NULL};
-    const unsigned choice = parse_choice(state, option, text, choices);
+    const unsigned choice = parse_choice(state, option, "model", text, choices);
     for (unsigned i = 0; i < GLINT_MODEL_COUNT; i++)
         given[i] = choice == i || choice == GLINT_MODEL_COUNT;
 }

@@ -10,31 +10,31 @@
 static const double farthest = GLINT_LAMP_FAR / 16., widest = 1e6; /* pixels; the parts of a direction */
 enum { BRIGHTEST = GLINT_LAMP_COLOR_MAX / 65536 };
 
-void check_direction(const struct argp_state *state, const char *option, const char *text, const double direction[3])
+void check_direction(const struct argp_state *state, const char *option, const double direction[3])
 {
     if (direction[0] == 0 && direction[1] == 0 && direction[2] == 0)
-        refuse(state, "%s: '%s' has no direction; one of the three must not be 0", option, text);
+        refuse(state, "%s: the direction must not be 0,0,0", option);
 }
 
-/* Places are held in sixteenths of a pixel. */
+/* The library holds places in sixteenths of a pixel. */
 static double sixteenths(double pixels)
 {
     return round(16 * pixels) / 16;
 }
 
-/* The next lamp, and the numbers of its option: `count` of them, and three more where a colour is given. */
+/* The next lamp. Its option has `count` numbers, and three more if it has a colour. */
 static struct lamp *add_lamp(const struct argp_state *state, const char *option, const char *text, int count,
                              struct shading *shading, enum glint_lamp_kind kind, double *values)
 {
     if (shading->lamp_count == GLINT_LAMPS_MAX)
-        refuse(state, "%s: '%s' is one too many; --light, --point and --spot may be given %u times in all", option,
-               text, GLINT_LAMPS_MAX);
+        refuse(state, "%s: more than %u lights; give --light, --point and --spot at most %u times in all", option,
+               GLINT_LAMPS_MAX, GLINT_LAMPS_MAX);
     int commas = 0;
     for (const char *at = text; *at; at++)
         commas += *at == ',';
     const bool has_color = commas + 1 == count + 3;
     if (!has_color && commas + 1 != count)
-        refuse(state, "%s: '%s' is not %d numbers with commas between, nor %d with a colour", option, text, count,
+        refuse(state, "%s: '%s' is not %d numbers separated by commas, or %d with a colour", option, text, count,
                count + 3);
     parse_reals(state, option, text, values, has_color ? count + 3 : count, -widest, widest);
     struct lamp *lamp = &shading->lamps[shading->lamp_count++];
@@ -42,7 +42,7 @@ static struct lamp *add_lamp(const struct argp_state *state, const char *option,
     for (int k = 0; k < 3 && has_color; k++) {
         lamp->color[k] = values[count + k];
         if (!(lamp->color[k] >= 0 && lamp->color[k] <= BRIGHTEST))
-            refuse(state, "%s: '%s' has a colour that is not three numbers from 0 to %d", option, text, BRIGHTEST);
+            refuse(state, "%s: '%s': the colour must be three numbers from 0 to %d", option, text, BRIGHTEST);
     }
     return lamp;
 }
@@ -52,7 +52,7 @@ void parse_light(const struct argp_state *state, const char *text, struct shadin
     double values[6];
     struct lamp *lamp = add_lamp(state, "--light", text, 3, shading, GLINT_DIRECTIONAL, values);
     memcpy(lamp->direction, values, sizeof lamp->direction);
-    check_direction(state, "--light", text, lamp->direction);
+    check_direction(state, "--light", lamp->direction);
 }
 
 static void set_place(const struct argp_state *state, const char *option, const char *text, struct lamp *lamp,
@@ -61,11 +61,11 @@ static void set_place(const struct argp_state *state, const char *option, const 
     for (int k = 0; k < 3; k++) {
         lamp->position[k] = sixteenths(position[k]);
         if (fabs(lamp->position[k]) > farthest)
-            refuse(state, "%s: '%s' is more than %.0f pixels away", option, text, farthest);
+            refuse(state, "%s: '%s': the place is more than %.0f pixels away", option, text, farthest);
     }
     lamp->range = sixteenths(range);
     if (lamp->range <= 0 || lamp->range > farthest)
-        refuse(state, "%s: '%s' has a range of %g pixels; it must be from 1/16 to %.0f", option, text, range, farthest);
+        refuse(state, "%s: '%s': the range must be from 1/16 to %.0f pixels", option, text, farthest);
 }
 
 void parse_point(const struct argp_state *state, const char *text, struct shading *shading)
@@ -83,13 +83,13 @@ void parse_spot(const struct argp_state *state, const char *text, struct shading
     for (int k = 0; k < 2; k++) {
         lamp->target[k] = sixteenths(values[3 + k]);
         if (fabs(lamp->target[k]) > farthest)
-            refuse(state, "--spot: '%s' is aimed more than %.0f pixels away", text, farthest);
+            refuse(state, "--spot: '%s': the target is more than %.0f pixels away", text, farthest);
         lamp->cone[k] = values[6 + k];
     }
     if (lamp->cone[0] < 0 || lamp->cone[0] > lamp->cone[1] || lamp->cone[1] > 180)
-        refuse(state, "--spot: '%s' must have 0 <= INNER <= OUTER <= 180 degrees", text);
+        refuse(state, "--spot: '%s': the angles must be 0 <= INNER <= OUTER <= 180 degrees", text);
     if (lamp->target[0] == lamp->position[0] && lamp->target[1] == lamp->position[1] && lamp->position[2] == 0)
-        refuse(state, "--spot: '%s' is aimed at its own place; raise it (Z) or aim it elsewhere", text);
+        refuse(state, "--spot: '%s': the target is the light's own place; raise Z or move TX,TY", text);
 }
 
 void check_lamps(const struct argp_state *state, struct shading *shading)
@@ -99,6 +99,6 @@ void check_lamps(const struct argp_state *state, struct shading *shading)
     for (unsigned i = 0; i < shading->lamp_count; i++) {
         struct glint_lamp lamp;
         if (shading_lamp(shading, i, &lamp) != GLINT_OK)
-            refuse(state, "--light: must not lie straight opposite to --view: there is no half vector");
+            refuse(state, "--light: must not be opposite to --view: there is no half vector");
     }
 }

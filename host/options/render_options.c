@@ -5,6 +5,7 @@
 #include "base/argp.h"
 #include "base/output.h"
 #include "base/parse.h"
+#include "base/unknown.h"
 #include "image/write.h"
 #include "options/render_options.h"
 
@@ -12,9 +13,9 @@ enum key { KEY_IMAGE = 384, KEY_COMPARE, KEY_JSON, KEY_ERROR_MAP, KEY_AGAINST };
 
 /* Beside those of shading_options.c, where group 4 has its heading. */
 static const struct argp_option argp_options[] = {
-    {NULL, 'o', "FILE", 0, "Where it goes; - is standard output. May be left out where --compare is asked for", 4},
+    {NULL, 'o', "FILE", 0, "The picture to write; - is standard output. With --compare it may be left out", 4},
     {"image", KEY_IMAGE, "KIND", 0, "png, ppm or qoi (default: by FILE's ending, png where it has none)", 4},
-    {NULL, 0, NULL, 0, "How right it is:", 5},
+    {NULL, 0, NULL, 0, "Quality:", 5},
     {"compare", KEY_COMPARE, NULL, 0,
      "Print the errors against the same model and against Blinn in double precision, "
      "each rounded to the format and not; on standard error with -o -",
@@ -43,22 +44,22 @@ static enum image_kind kind_of_file(const struct argp_state *state, const char *
 {
     const enum image_kind kind = image_kind_by_ending(path);
     if (kind == IMAGE_KINDS)
-        refuse(state, "%s: '%s' does not end in .png, .ppm or .qoi; name it so, or give --image", option, path);
+        refuse(state, "%s: '%s' does not end in .png, .ppm or .qoi; rename it, or give --image", option, path);
     return kind;
 }
 
 static void check_outputs(const struct argp_state *state, struct render_options *o)
 {
     if (!o->output && !o->compare)
-        refuse(state, "where is the picture to go? give -o FILE, or --compare");
+        refuse(state, "no output; give -o FILE, or --compare");
     if (o->output && strcmp(o->output, "-") == 0 && isatty(STDOUT_FILENO))
         refuse(state, "-o -: standard output is a terminal; pipe or redirect it, or name a file");
     if (o->error_map && strcmp(o->error_map, "-") == 0)
-        refuse(state, "--error-map: must be a file: only the picture of -o can go to standard output");
+        refuse(state, "--error-map: name a file; only the picture of -o can go to standard output");
     if (o->error_map && o->output && output_same(o->error_map, o->output))
-        refuse(state, "--error-map: is the same file as -o; give another");
+        refuse(state, "--error-map: this is the file of -o, too; name another");
     if (o->against_blinn && !o->error_map)
-        refuse(state, "--against is for --error-map only");
+        refuse(state, "--against needs --error-map");
     if (o->output && o->kind == IMAGE_KINDS)
         o->kind = kind_of_file(state, "-o", o->output);
     if (o->error_map)
@@ -78,7 +79,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case KEY_IMAGE:
         if ((o->kind = image_kind_by_name(text)) == IMAGE_KINDS)
-            refuse(state, "--image: no '%s'; one of png, ppm, qoi is wanted", text);
+            refuse_unknown(state, "--image", "file format", text, image_kind_names);
         return 0;
     case KEY_JSON:
         o->json = true;
@@ -92,10 +93,10 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->compare = true;
         return 0;
     case KEY_AGAINST:
-        o->against_blinn = parse_choice(state, "--against", text, references);
+        o->against_blinn = parse_choice(state, "--against", "reference", text, references);
         return 0;
     case ARGP_KEY_ARG:
-        refuse(state, "'%s' is not an option; files are named by --height, --normals, --albedo and -o", text);
+        refuse(state, "unexpected argument '%s'; name files by --height, --normals, --albedo and -o", text);
     case ARGP_KEY_END:
         check_outputs(state, o);
         shading_options_check(state, &o->look.shading);

@@ -14,28 +14,24 @@ enum key { KEY_HEIGHT = 512, KEY_NORMALS, KEY_SCENE, KEY_SCALE, KEY_WRAP, KEY_FL
 
 static const struct argp_option argp_options[] = {
     {NULL, 0, NULL, 0, "The surface (one of three):", 1},
-    {"height", KEY_HEIGHT, "FILE", 0, "A height map, white near, black far; colour counts by its brightness", 1},
+    {"height", KEY_HEIGHT, "FILE", 0, "A height map: white near, black far; of colours the brightness counts", 1},
     {"normals", KEY_NORMALS, "FILE", 0,
      "A normal map with 8 or 16 bits a sample: red right, green up, blue towards the viewer. Vectors are renormalised; "
-     "where blue is 0 throughout, or with grey and alpha as x and y, z is reconstructed",
+     "z is reconstructed if blue is 0 everywhere, or if grey and alpha are x and y",
      1},
     {"scene", KEY_SCENE, "NAME", 0, "A built-in scene: sphere, watchface, coin or dial (the watch without numerals)",
      1},
 
     {NULL, 0, NULL, 0, "The maps, PNG files of one size (- is standard input):", 2},
-    {"mask", KEY_MASK, "FILE", 0, "What is drawn: black pixels hold no surface, stay black and are not compared", 2},
+    {"mask", KEY_MASK, "FILE", 0, "What is drawn: black pixels have no surface, stay black and are not compared", 2},
     {"scale", KEY_SCALE, "S", 0,
-     "How many pixels white lies above black in a height map; negative turns hills into "
-     "hollows; default 8",
-     2},
+     "The height of white above black in pixels; negative turns hills into hollows (default 8)", 2},
     {"wrap", KEY_WRAP, NULL, 0,
-     "The height map is seamless: slopes at its edges are taken around them (the default "
-     "where --size repeats it)",
-     2},
-    {"flip-y", KEY_FLIP_Y, NULL, 0, "Green points down in the normal map (as DirectX has it)", 2},
+     "The height map is seamless: take slopes across its edges (the default if --size repeats it)", 2},
+    {"flip-y", KEY_FLIP_Y, NULL, 0, "Green points down in the normal map, as in DirectX", 2},
     {"size", KEY_SIZE, "WxH", 0,
-     "Draw a scene at this size (default 320x320; glint stream: see SCENE); cut a map to it or repeat the map to "
-     "fill it, never scale it (default: the map's own size)",
+     "Draw a scene at this size (default 320x320; glint stream: see SCENE). A map is cut or repeated to this size, "
+     "never scaled (default: the map's own size)",
      2},
     {NULL, 0, NULL, 0, NULL, 0}};
 
@@ -60,8 +56,8 @@ static void check(const struct argp_state *state, struct scene_options *o)
 {
     const int sources = !!o->heights + !!o->normals + !!o->scene;
     if (sources != 1)
-        refuse(state, sources ? "only one of --height, --normals and --scene may be given"
-                              : "which surface? give --height FILE, --normals FILE or --scene NAME");
+        refuse(state, sources ? "give only one of --height, --normals and --scene"
+                              : "no surface; give --height FILE, --normals FILE or --scene NAME");
     const char *const files[] = {o->heights, o->normals, o->albedo, o->gloss, o->mask};
     int standard = 0;
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
@@ -69,9 +65,9 @@ static void check(const struct argp_state *state, struct scene_options *o)
     if (standard > 1)
         refuse(state, "only one map can come from standard input");
     if (!o->heights && (o->wraps || !isnan(o->scale)))
-        refuse(state, "%s is for --height only", o->wraps ? "--wrap" : "--scale");
+        refuse(state, "%s needs --height", o->wraps ? "--wrap" : "--scale");
     if (!o->normals && o->flip_y)
-        refuse(state, "--flip-y is for --normals only");
+        refuse(state, "--flip-y needs --normals");
     if (isnan(o->scale))
         o->scale = 8;
 }
@@ -90,7 +86,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->normals = text;
         return 0;
     case KEY_SCENE:
-        o->scene = scene_names[parse_choice(state, "--scene", text, scene_names)];
+        o->scene = scene_names[parse_choice(state, "--scene", "scene", text, scene_names)];
         return 0;
     case KEY_SCALE:
         o->scale = parse_real(state, "--scale", text, -10000, 10000);

@@ -10,7 +10,7 @@
 #include "models/models.h"
 #include "options/shading_options.h"
 
-/* Other keys than those of the commands', which begin at 384. */
+/* The commands' own keys begin at 384. */
 enum key {
     KEY_ALBEDO = 256,
     KEY_COLOR,
@@ -43,11 +43,11 @@ static const struct shading_options shading_options_default = {
                 .space = GLINT_GAMMA},
 };
 
-/* Beside those of scene_options.c. */
+/* scene_options.c has the surface's. */
 static const struct argp_option argp_options[] = {
     {"albedo", KEY_ALBEDO, "FILE", 0, "The surface's colour; alpha is ignored", 2},
     {"color", KEY_COLOR, "R,G,B", 0, "One colour instead, 0..255 each (default 200,200,200, or the scene's own)", 2},
-    {"gloss", KEY_GLOSS, "FILE", 0, "What scales the highlight: white full, black none", 2},
+    {"gloss", KEY_GLOSS, "FILE", 0, "A map that scales the highlight: white full, black none", 2},
 
     {NULL, 0, NULL, 0, "The light and the material:", 3},
     {"model", KEY_MODEL, "NAME", 0, "The highlight: " MODEL_WORDS "default: msh", 3},
@@ -57,19 +57,17 @@ static const struct argp_option argp_options[] = {
      "and mono undithered, else 8)",
      3},
     {"light", KEY_LIGHT, "X,Y,Z[,R,G,B]", 0,
-     "Towards the light, any length: x right, y up, z to you (default -1,1,1, where no light is given), and its "
-     "colour, "
-     "0..16 each (default 1,1,1). Up to four lights of these three kinds may be given",
+     "The direction to the light, of any length: x right, y up, z to you (default -1,1,1 if no light is given), and "
+     "its colour, 0..16 each (default 1,1,1). Give up to four lights of these three kinds",
      3},
     {"point", KEY_POINT, "X,Y,Z,RANGE[,R,G,B]", 0,
-     "A light at a place, in pixels to a sixteenth: x right, y down, from the upper left corner, z to you. Its light "
-     "falls "
-     "to 0 at RANGE pixels",
+     "A light at a place, in pixels to a sixteenth: x right and y down from the upper left corner, z to you. Its light "
+     "falls to 0 at RANGE pixels",
      3},
     {"spot", KEY_SPOT, "X,Y,Z,TX,TY,RANGE,INNER,OUTER[,R,G,B]", 0,
-     "A --point aimed at TX,TY on the surface: full within INNER degrees of its axis, 0 from OUTER on", 3},
-    {"view", KEY_VIEW, "X,Y,Z", 0, "Towards the viewer (default 0,0,1)", 3},
-    {"ambient", KEY_AMBIENT, "A", 0, "Light from all around, 0..1: one number or R,G,B (default .2; sphere, coin .15)",
+     "A --point aimed at TX,TY on the surface: full within INNER degrees of its axis, 0 beyond OUTER", 3},
+    {"view", KEY_VIEW, "X,Y,Z", 0, "The direction to the viewer (default 0,0,1)", 3},
+    {"ambient", KEY_AMBIENT, "A", 0, "Light from everywhere, 0..1: one number or R,G,B (default .2; sphere, coin .15)",
      3},
     {"diffuse", KEY_DIFFUSE, "D", 0,
      "What the surface scatters, 0..1: one number or R,G,B (default .9; sphere .85, watchface and dial .8, coin .75)",
@@ -78,16 +76,13 @@ static const struct argp_option argp_options[] = {
      "How strong the highlight is, 0..1: one number or R,G,B (default .5; sphere .8, watchface and dial .7, coin "
      ".75,.68,.5)",
      3},
-    {"clamp-peak", KEY_CLAMP_PEAK, NULL, 0, "Hold the highlight to 1 (msh reaches 1.024)", 3},
+    {"clamp-peak", KEY_CLAMP_PEAK, NULL, 0, "Limit the highlight to 1 (msh reaches 1.024)", 3},
 
     {NULL, 0, NULL, 0, "The picture:", 4},
     {"format", KEY_FORMAT, "NAME", 0,
-     "The display's pixels: rgb888, rgb565, rgb565-swapped, grey8 or mono (default: rgb888, or what the device wants)",
-     4},
+     "The display's pixels: rgb888, rgb565, rgb565-swapped, grey8 or mono (default: rgb888, or the device's)", 4},
     {"space", KEY_SPACE, "NAME", 0,
-     "Where light is summed: gamma (default: as encoded) or linear (sRGB decoded and "
-     "encoded)",
-     4},
+     "The space in which light is summed: gamma (default: as encoded) or linear (sRGB decoded and encoded)", 4},
     {"dither", KEY_DITHER, NULL, 0, "4x4 ordered dither", 4},
     {"path", KEY_PATH, "NAME", 0,
      "The way through the library: exact (default) or span; span-c16, as the gateware draws; or by tables, of 20 KB "
@@ -118,7 +113,7 @@ static void parse_color(const struct argp_state *state, const char *text, struct
 static void parse_view(const struct argp_state *state, const char *text, double view[3])
 {
     parse_reals(state, "--view", text, view, 3, -1e6, 1e6);
-    check_direction(state, "--view", text, view);
+    check_direction(state, "--view", view);
 }
 
 static unsigned default_q(const struct shading *shading)
@@ -166,13 +161,13 @@ static error_t parse_shading(int key, char *text, const struct argp_state *state
         shading->clamp_peak = true;
         return 0;
     case KEY_SPACE:
-        shading->space = (enum glint_space)parse_choice(state, "--space", text, space_names);
+        shading->space = (enum glint_space)parse_choice(state, "--space", "colour space", text, space_names);
         return 0;
     case KEY_DITHER:
         shading->dither = true;
         return 0;
     case KEY_PATH:
-        shading->path = parse_choice(state, "--path", text, path_names);
+        shading->path = parse_choice(state, "--path", "path", text, path_names);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -197,12 +192,12 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->scene.gloss = text;
         return 0;
     case KEY_FORMAT:
-        o->shading.format = (enum glint_format)parse_choice(state, "--format", text, format_names);
+        o->shading.format = (enum glint_format)parse_choice(state, "--format", "format", text, format_names);
         o->has_format = true;
         return 0;
     case ARGP_KEY_END:
         if (o->scene.albedo && o->has_color)
-            refuse(state, "--albedo and --color exclude each other; give one");
+            refuse(state, "give only one of --albedo and --color");
         o->has_light = o->shading.lamp_count > 0;
         check_lamps(state, &o->shading);
         return 0;

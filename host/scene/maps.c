@@ -22,7 +22,7 @@ static struct image *read_map(const char *path)
 static void check_same_size(const struct image *map, const struct scene *scene, const char *what)
 {
     if (map->width != scene->width || map->height != scene->height)
-        fail("%s: is %ux%u pixels, but %s is %ux%u; both must have the same size", map->name, map->width, map->height,
+        fail("%s: %ux%u pixels, but %s has %ux%u; both must have the same size", map->name, map->width, map->height,
              what, scene->width, scene->height);
 }
 
@@ -114,7 +114,7 @@ struct scene *scene_of_maps(const struct scene_maps *maps, uint32_t width, uint3
         replace(&scene->mask, image_grey8(maps->mask));
     }
     if (options->heights && !image_is_grey(maps->surface)) /* after what may fail: that is one line */
-        warn("%s: is in colour; its brightness is taken as the height", maps->surface->name);
+        warn("%s: this map is in colour; its brightness is the height", maps->surface->name);
     if (width && (width != scene->width || height != scene->height))
         scene_repeat(scene, width, height);
     return scene;

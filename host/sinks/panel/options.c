@@ -68,10 +68,10 @@ static void parse(const struct argp_state *state, const char *origin, enum key k
     setting->given = true;
     switch (key) {
     case KEY_PANEL:
-        setting->values[0] = (int)parse_choice(state, origin, text, controller_names);
+        setting->values[0] = (int)parse_choice(state, origin, "panel", text, controller_names);
         break;
     case KEY_ROTATION:
-        setting->values[0] = (int)parse_choice(state, origin, text, turns);
+        setting->values[0] = (int)parse_choice(state, origin, "rotation", text, turns);
         break;
     case KEY_SIZE:
         parse_pair(state, origin, text, 'x', 1, setting->values);
@@ -80,7 +80,7 @@ static void parse(const struct argp_state *state, const char *origin, enum key k
         parse_pair(state, origin, text, ',', 0, setting->values);
         break;
     default:
-        setting->values[0] = (int)parse_choice(state, origin, text, answers);
+        setting->values[0] = (int)parse_choice(state, origin, "answer", text, answers);
         break;
     }
 }

@@ -137,7 +137,7 @@ static void say_lines(const struct argp_state *state, const char *text)
 static void say(const struct argp_state *state, struct said *said, const char *origin, enum key key, const char *text)
 {
     if (key == KEY_BUS)
-        parse_choice(state, origin, text, bus_names);
+        parse_choice(state, origin, "bus", text, bus_names);
     else if (key == KEY_SPI_HZ)
         parse_integer(state, origin, text, 1000, 200000000);
     else if (!*text)

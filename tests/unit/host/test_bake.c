@@ -307,7 +307,7 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         {"--scene sphere --to palette:9x -o out/u.h", "2 to 32767"},
         {"--scene sphere -o out/u.png", ".c, .h, .bin or .uf2"},
         {"--scene sphere -o out/u", "--as"},
-        {"--scene sphere -o ''", "name a file"},
+        {"--scene sphere -o ''", "the file name is empty"},
         {"--scene sphere --as elf -o out/u.h", "c, raw, uf2"},
         {"--scene sphere --as raw", "give -o FILE"},
         {"--scene sphere --name int -o out/u.h", "--name: 'int'"},
@@ -319,7 +319,7 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         {"--scene sphere --address flash -o out/u.uf2", "--address: 'flash'"},
         {"--scene sphere --address '' -o out/u.uf2", "--address: ''"},
         {"--scene sphere --address 0x -o out/u.uf2", "--address: '0x'"},
-        {"--scene sphere --wrap -o out/u.h", "--wrap is for --height"},
+        {"--scene sphere --wrap -o out/u.h", "--wrap needs --height"},
         {"heights.png -o out/u.h", "'heights.png'"},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
@@ -343,7 +343,7 @@ static void what_cannot_be_read_or_written_is_said_and_leaves_nothing_behind(voi
     bake_to(MASKED, "int8", "out/copy.bin");
     const int before = files_in("out");
     assert_fails("$GLINT bake --height missing.png -o out/kept.bin", "missing.png");
-    assert_fails("$GLINT bake --height heights.png --mask small.png -o out/kept.bin", "small.png: is 4x4");
+    assert_fails("$GLINT bake --height heights.png --mask small.png -o out/kept.bin", "small.png: 4x4");
     assert_fails("$GLINT bake " MASKED " -o out/missing/x.h", "out/missing/x.h");
     assert_fails("$GLINT bake " MASKED " --as c -o out", "directory");
     assert_fails("$GLINT bake " MASKED " --as raw -o /dev/full", "/dev/full: could not be written");

@@ -295,16 +295,16 @@ static void wrong_usage_is_named(void **state)
     (void)state;
     assert_refused("$GLINT paper", "-o DIR");
     assert_refused("$GLINT paper -o ''", "-o DIR");
-    assert_refused("$GLINT paper -o x --only fig8", "no 'fig8'; one of these is wanted: table1, wider");
-    assert_refused("$GLINT paper -o x --only fig3,", "no ''");
+    assert_refused("$GLINT paper -o x --only fig8", "--only: unknown part 'fig8'; choose from table1, wider");
+    assert_refused("$GLINT paper -o x --only fig3,", "unknown part ''");
     assert_refused("$GLINT paper x", "'x'");
 }
 
 static void a_folder_that_cannot_be_is_named_in_one_line(void **state)
 {
     (void)state;
-    assert_fails("echo >file; $GLINT paper -o file --no-plots", "file: is a file");
-    assert_fails("$GLINT paper -o file/below --no-plots", "file: is a file");
+    assert_fails("echo >file; $GLINT paper -o file --no-plots", "file: this is a file; name a folder");
+    assert_fails("$GLINT paper -o file/below --no-plots", "file: this is a file; name a folder");
     assert_fails("$GLINT paper -o /proc/glint --no-plots", "/proc/glint");
 }
 

@@ -140,7 +140,7 @@ static void a_coloured_height_map_is_drawn_with_a_warning(void **state)
     (void)state;
     const struct run *result = run("$GLINT render --height colors.png -o out/c.png");
     assert_int_equal(result->status, 0);
-    assert_contains(result->err, "colors.png: is in colour");
+    assert_contains(result->err, "colors.png: this map is in colour");
     assert_true(exists("out/c.png"));
 }
 

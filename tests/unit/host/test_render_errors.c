@@ -9,7 +9,7 @@ static void a_map_of_another_size_is_named_with_both_sizes(void **state)
     for (int i = 0; i < 3; i++) {
         char line[200];
         snprintf(line, sizeof line, "$GLINT render --height heights.png %s small.png -o out/none.png", maps[i]);
-        assert_fails(line, "small.png: is 4x4");
+        assert_fails(line, "small.png: 4x4");
         assert_fails(line, "12x8");
     }
     assert_fails("$GLINT render --scene sphere --albedo small.png -o out/none.png", "320x320");
@@ -47,7 +47,7 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         {"--scene sphere --path small-span --format mono -o out/u.png", "mono"},
         {"--scene sphere --light 1,2 -o out/u.png", "--light"},
         {"--scene sphere --light 1,2,nan -o out/u.png", "--light"},
-        {"--scene sphere --light 0,0,0 -o out/u.png", "no direction"},
+        {"--scene sphere --light 0,0,0 -o out/u.png", "--light: the direction must not be 0,0,0"},
         {"--scene sphere --view 0,0,0 -o out/u.png", "--view"},
         {"--scene sphere --light 0,0,-1 -o out/u.png", "opposite"},
         {"--scene sphere --ambient 2 -o out/u.png", "--ambient"},
@@ -60,13 +60,13 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         {"--scene sphere --size -10x10 -o out/u.png", "WxH"},
         {"--scene sphere --size 99999x10 -o out/u.png", "16384"},
         {"--scene sphere --size 16384x16384 -o out/u.png", "pixels in all"},
-        {"--scene sphere --scale 3 -o out/u.png", "--scale is for --height"},
-        {"--scene sphere --wrap -o out/u.png", "--wrap is for --height"},
-        {"--height heights.png --flip-y -o out/u.png", "--flip-y is for --normals"},
+        {"--scene sphere --scale 3 -o out/u.png", "--scale needs --height"},
+        {"--scene sphere --wrap -o out/u.png", "--wrap needs --height"},
+        {"--height heights.png --flip-y -o out/u.png", "--flip-y needs --normals"},
         {"--height heights.png --scale high -o out/u.png", "--scale"},
         {"--height heights.png --albedo colors.png --color 1,1,1 -o out/u.png", "--color"},
-        {"--scene sphere --error-map - -o out/u.png", "--error-map: must be a file: only the picture of -o"},
-        {"--scene sphere --error-map out/u.png -o out/u.png", "same file"},
+        {"--scene sphere --error-map - -o out/u.png", "--error-map: name a file; only the picture of -o"},
+        {"--scene sphere --error-map out/u.png -o out/u.png", "the file of -o"},
         {"--scene sphere --against blinn -o out/u.png", "--error-map"},
         {"'height\ns.png' -o out/u.png", "'height?s.png'"}, /* one line, whatever is quoted */
         {"--scene 'sph\nere' -o out/u.png", "'sph?ere'"},
@@ -102,8 +102,8 @@ static void what_cannot_be_written_leaves_nothing_behind(void **state)
     (void)state;
     const int before = files_in("out");
     assert_fails("$GLINT render --scene sphere -o out/missing/x.png", "out/missing/x.png");
-    assert_fails("$GLINT render --scene sphere -o out", "directory");
-    assert_fails("$GLINT render --scene sphere -o out/..", "directory");
+    assert_fails("$GLINT render --scene sphere -o out", "out: this is a folder");
+    assert_fails("$GLINT render --scene sphere -o out/..", "this is a folder");
     assert_int_equal(files_in("out"), before);
 }
 
@@ -127,7 +127,7 @@ static void two_pictures_are_both_written_or_neither(void **state)
     const int before = files_in("out");
     assert_fails("$GLINT render --scene sphere -o out/pair.png --error-map out/missing/e.png", "out/missing/e.png");
     assert_fails("$GLINT render --scene sphere -o out/missing/o.png --error-map out/pair.png", "out/missing/o.png");
-    assert_fails("$GLINT render --scene sphere -o out/pair.png --error-map out", "'out': is a directory");
+    assert_fails("$GLINT render --scene sphere -o out/pair.png --error-map out", "out: this is a folder");
     assert_fails(
         "(ulimit -f 64; exec $GLINT render --scene sphere --format mono -o out/pair.png --error-map out/e.ppm)",
         "out/e.ppm: could not be written");
@@ -163,10 +163,10 @@ static void one_file_for_both_pictures_is_refused_whatever_its_names(void **stat
         char line[200];
         snprintf(line, sizeof line, "$GLINT render --scene sphere -o %s --error-map %s", names[i].first,
                  names[i].second);
-        assert_refused(line, "--error-map: is the same file as -o");
+        assert_refused(line, "--error-map: this is the file of -o, too");
         snprintf(line, sizeof line, "$GLINT render --scene sphere -o %s --error-map %s", names[i].second,
                  names[i].first);
-        assert_refused(line, "--error-map: is the same file as -o");
+        assert_refused(line, "--error-map: this is the file of -o, too");
     }
     assert_string_equal(run("cat out/there.png")->out, "old\n");
     assert_int_equal(run("$GLINT render --scene sphere -o out/x.png --error-map ./x.png && rm out/x.png x.png")->status,
@@ -177,8 +177,8 @@ static void one_file_for_both_pictures_is_refused_whatever_its_names(void **stat
 static void a_failure_is_one_line_after_a_height_map_in_colour_too(void **state)
 {
     (void)state;
-    assert_fails("$GLINT render --height colors.png --albedo small.png -o out/x.png", "small.png: is 4x4 pixels");
-    assert_fails("$GLINT render --height colors.png --mask small.png -o out/x.png", "small.png: is 4x4 pixels");
+    assert_fails("$GLINT render --height colors.png --albedo small.png -o out/x.png", "small.png: 4x4 pixels");
+    assert_fails("$GLINT render --height colors.png --mask small.png -o out/x.png", "small.png: 4x4 pixels");
 }
 
 int main(void)

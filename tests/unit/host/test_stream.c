@@ -196,8 +196,8 @@ static void where_it_cannot_write_there_is_one_line(void **state)
     assert_fails(SPHERE "--to raw >/dev/full", "standard output: could not be written: No space left");
     assert_fails(SPHERE "--to raw >&-", "standard output: could not be written");
     assert_fails(SPHERE "--to raw 2>err.txt | head -c 1 >/dev/null; wait; cat err.txt >&2; exit 1", "Broken pipe");
-    assert_fails(SPHERE "-o none/%d.png", "none/0.png: cannot write there");
-    assert_fails("mkdir -p out/1.png; " SPHERE "-o out/%d.png", "'out/1.png': is a directory");
+    assert_fails(SPHERE "-o none/%d.png", "none/0.png: cannot create a file there");
+    assert_fails("mkdir -p out/1.png; " SPHERE "-o out/%d.png", "out/1.png: this is a folder");
     assert_true(exists("out/0.png"));
     assert_int_equal(files_in("out"), 2); /* nothing half-written */
     assert_fails("rm -r out/*; " SPHERE "--frames 1 -o /dev/full", "/dev/full: could not be written: No space left");

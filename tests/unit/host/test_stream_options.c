@@ -10,11 +10,11 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
     static const struct {
         const char *options, *about;
     } wrong[] = {
-        {"--to png -o out/x%d.png", "which surface?"},
-        {"sphere coin --to png -o out/x%d.png", "'coin' is a second scene"},
-        {"--scene sphere coin --to png -o out/x%d.png", "'coin' is a second scene"},
-        {"wall.png --to png -o out/x%d.png", "'wall.png' is not a built-in scene (sphere, "},
-        {"sphere --to tv -o out/x%d.png", "--to: no 'tv'; one of these is wanted:"},
+        {"--to png -o out/x%d.png", "no surface"},
+        {"sphere coin --to png -o out/x%d.png", "unexpected argument 'coin'; one scene is enough"},
+        {"--scene sphere coin --to png -o out/x%d.png", "unexpected argument 'coin'; one scene is enough"},
+        {"wall.png --to png -o out/x%d.png", "unknown scene 'wall.png'; choose from sphere, "},
+        {"sphere --to tv -o out/x%d.png", "--to: unknown sink 'tv'; choose from"},
         {"sphere --to png", "name them: -o frame-%04d.png"},
         {"sphere --to ppm", "name them: -o frame-%04d.ppm"},
         {"sphere --to png -o ''", "name a file"},
@@ -40,7 +40,7 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         {"sphere --to png -o out/x%d.png --light 0,0,-1", "opposite"},
         {"sphere --to none --link-rate 0", "--link-rate: '0' is not a number from 0.001"},
         {"sphere --to none --link-rectangle -1", "--link-rectangle: '-1' is not a number from 0"},
-        {"sphere --to none --lights ''", "--lights: '' is no name"},
+        {"sphere --to none --lights ''", "--lights: the file name is empty"},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         char line[200];
