@@ -35,9 +35,8 @@ static const struct command {
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 
 /* The version, and what this build can send frames to, with the libraries behind it. */
-static void print_version(FILE *stream, struct argp_state *state)
+static void print_version(FILE *stream)
 {
-    (void)state;
     char *mpi = ranks_library();
     fprintf(stream, "glint %s\nlibpng %s, liblz4 %s, jansson %s%s%s\nsinks:", GLINT_VERSION_STRING,
             png_get_libpng_ver(NULL), LZ4_versionString(), JANSSON_VERSION, mpi ? ", " : "", mpi ? mpi : "");
@@ -53,8 +52,6 @@ static void print_version(FILE *stream, struct argp_state *state)
         fprintf(stream, "%s%s", out == sinks_left_out ? "\nnot built: " : ", ", out->name);
     fputc('\n', stream);
 }
-
-void (*argp_program_version_hook)(FILE *, struct argp_state *) = print_version;
 
 struct call {
     const struct command *command;
@@ -132,6 +129,7 @@ int main(int argc, char **argv)
         describe, NULL};
     static char own_name[] = "glint";
     struct call call;
+    version_print = print_version;
     argv[0] = own_name; /* without its folder, in messages */
     parse_command(&argp, ARGP_IN_ORDER, argc, argv, &call);
     static char name[32];

@@ -129,6 +129,8 @@ static void refuse_option(const struct argp_state *state)
 
 enum { KEY_HELP = '?', KEY_USAGE = 1024, KEY_VERSION = 'V' };
 
+void (*version_print)(FILE *stream);
+
 static const struct argp_option common_options[] = {{"help", KEY_HELP, NULL, 0, "Give this help list", -1},
                                                     {"usage", KEY_USAGE, NULL, 0, "Give a short usage message", 0},
                                                     {"version", KEY_VERSION, NULL, 0, "Print program version", -1},
@@ -143,8 +145,8 @@ static error_t parse_common(int key, char *text, struct argp_state *state)
         argp_state_help(state, state->out_stream, key == KEY_HELP ? ARGP_HELP_STD_HELP : ARGP_HELP_USAGE);
         exit(EXIT_GOOD);
     case KEY_VERSION:
-        if (argp_program_version_hook)
-            argp_program_version_hook(state->out_stream, state);
+        if (version_print)
+            version_print(state->out_stream);
         exit(EXIT_GOOD);
     case ARGP_KEY_ARG: /* which no other parser took */
         refuse(state, "unexpected argument '%s'", text);

@@ -4,9 +4,13 @@
 #define GLINT_BASE_ARGP_H
 
 #include <argp.h>
+#include <stdio.h>
 
 /* argp_parse with its flags. Usage errors are one line that begins with argv[0] and ends with where help is; exit 2. */
 void parse_command(const struct argp *argp, unsigned flags, int argc, char **argv, void *input);
+
+/* What --version prints; NULL: nothing. */
+extern void (*version_print)(FILE *stream);
 
 /* One line on standard error that ends with where help is, exit 2; where `state` is NULL, fail() (exit 1). */
 _Noreturn void refuse(const struct argp_state *state, const char *format, ...) __attribute__((format(printf, 2, 3)));

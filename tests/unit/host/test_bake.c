@@ -345,7 +345,7 @@ static void what_cannot_be_read_or_written_is_said_and_leaves_nothing_behind(voi
     assert_fails("$GLINT bake --height missing.png -o out/kept.bin", "missing.png");
     assert_fails("$GLINT bake --height heights.png --mask small.png -o out/kept.bin", "small.png: 4x4");
     assert_fails("$GLINT bake " MASKED " -o out/missing/x.h", "out/missing/x.h");
-    assert_fails("$GLINT bake " MASKED " --as c -o out", "directory");
+    assert_fails("$GLINT bake " MASKED " --as c -o out", "out: this is a folder");
     assert_fails("$GLINT bake " MASKED " --as raw -o /dev/full", "/dev/full: could not be written");
     assert_fails("$GLINT bake " MASKED " -o - >/dev/full", "standard output: could not be written");
     assert_fails("$GLINT bake " MASKED " -o out/kept.bin >/dev/full", "standard output: the quality");

@@ -93,7 +93,7 @@ static void standard_input_is_read_and_its_errors_name_the_line(void **state)
     assert_near(rows[0][3], 8192, 0);
     assert_fails("printf '1\\n2\\n' | $GLINT eval -", "standard input, line 2: '2' is not a list from -1 to 1");
     assert_fails("printf '1\\0\\n' | $GLINT eval -", "standard input, line 1: this is not text");
-    assert_fails("$GLINT eval - <.", "standard input: Is a directory");
+    assert_fails("$GLINT eval - <.", "standard input: could not be read: Is a directory");
     assert_refused("$GLINT eval", "no value");
     assert_refused("$GLINT eval 0:0.6:1e-6,0:0.6:1e-6", "has more than 1000000 values");
     assert_refused("$GLINT eval 1.5", "VALUE: '1.5' is not a list from -1 to 1");
