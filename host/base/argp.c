@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "base/argp.h"
+#include "base/closest.h"
 #include "base/message.h"
-#include "base/unknown.h"
 
 void refuse(const struct argp_state *state, const char *format, ...)
 {

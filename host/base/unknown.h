@@ -10,7 +10,5 @@
  * with NULL. */
 _Noreturn void refuse_unknown(const struct argp_state *state, const char *origin, const char *what, const char *text,
                               const char *const *names);
-/* The name that is meant where there is a slip of the fingers, or NULL. */
-const char *closest_name(const char *text, const char *const *names);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Unknown values: what was meant. */
-#include "base/unknown.h"
+#include "base/closest.h"
 #include "run.h"
 
 static const char *const names[] = {"msh",    "schlick", "blinn",    "phong", "spi", "panel",
