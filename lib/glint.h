@@ -30,9 +30,9 @@ extern "C" {
 #endif
 
 #define GLINT_VERSION_MAJOR 0
-#define GLINT_VERSION_MINOR 1
+#define GLINT_VERSION_MINOR 2
 #define GLINT_VERSION_PATCH 0
-#define GLINT_VERSION_STRING "0.1.0"
+#define GLINT_VERSION_STRING "0.2.0"
 
 #define GLINT_N_MAX 1000u
 #define GLINT_Q_MAX 16u

@@ -3,6 +3,8 @@
 #include <sys/stat.h>
 
 #include "run.h"
+
+#include "glint.h"
 #include "sinks/sinks.h"
 
 #define EVAL "$GLINT eval -n 60 0.99"
@@ -65,8 +67,9 @@ static void an_option_that_argp_refuses_is_told_in_one_line_by_every_command(voi
 static void version_is_the_librarys(void **state)
 {
     (void)state;
-    assert_memory_equal(run("$GLINT --version")->out, "glint 0.1.0\n", 12);
-    assert_memory_equal(run("$GLINT eval --version")->out, "glint 0.1.0\n", 12);
+    const char *version = "glint " GLINT_VERSION_STRING "\n";
+    assert_memory_equal(run("$GLINT --version")->out, version, strlen(version));
+    assert_memory_equal(run("$GLINT eval --version")->out, version, strlen(version));
 }
 
 static void version_tells_the_libraries_and_the_sinks(void **state)
