@@ -11,6 +11,8 @@
 
 #include "../../lib/lobe_msh.c"
 
+_Static_assert(SLACK > 2400 + 127, "from t, cutting u and m adds 101 and 26"); /* the bound that is used */
+
 /* The largest 2^8 C that belongs to E = 2^-s m for an n in 1..1000, or 0: E = 5 2^16 + (4n - 5)(2^16 - C). */
 static double largest_u(uint32_t m, int s)
 {
@@ -41,8 +43,7 @@ static void the_approximation_is_within_its_stated_2400_for_every_mantissa(void 
     }
     printf("# largest error %.0f of 2400, slack %d\n", worst, SLACK);
     assert_true(worst <= 2400);
-    assert_true(worst + 127 < SLACK); /* what cutting u and m adds from t */
-    assert_true(worst > 1000);        /* the loop has seen something */
+    assert_true(worst > 1000); /* the loop has seen something */
 }
 
 int main(void)
