@@ -3,7 +3,7 @@
 #ifndef GLINT_PIXEL_H
 #define GLINT_PIXEL_H
 
-#include "glint.h"
+#include "glint_pixel_exact.h"
 
 /* a.b in Q2.30; in magnitude at most 3 * 2^30. */
 static inline int64_t glint_dot(const struct glint_vec *a, const struct glint_vec *b)
@@ -30,9 +30,7 @@ enum glint_err glint_pixel_check(const struct glint_shader *shader);
 /* Step 1, in the geometry of the lobe's model. */
 uint32_t glint_pixel_t(const struct glint_lobe *lobe, const struct glint_light *light, const struct glint_vec *normal);
 
-/* Steps 2 to 8: shades and stores pixel x of the surface's line y. True where F > 0 and gloss > 0. */
-bool glint_pixel(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
-                 uint32_t t_q30, int64_t nl_q30, const uint8_t albedo[3], uint8_t gloss);
+uint32_t glint_phong_t(const struct glint_vec *normal, const struct glint_light *light);
 
 /* Step 3's last words. */
 static inline uint32_t glint_pixel_peak(const struct glint_shader *shader, uint32_t f)
@@ -49,8 +47,5 @@ void glint_pixel_put(const struct glint_shader *shader, const struct glint_surfa
                      const uint64_t v[3]);
 void glint_pixel_store(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
                        uint32_t nl_q16, uint32_t f, const uint8_t albedo[3], uint8_t gloss);
-
-/* The ordered dither's weight b, 0..15, at a place on the screen. */
-uint32_t glint_pixel_bayer(uint32_t x, uint32_t y);
 
 #endif

@@ -9,6 +9,9 @@
 enum glint_err glint_rect_check(const struct glint_shader *shader, const struct glint_source *source,
                                 const struct glint_surface *surface);
 
+/* The same of the maps alone; false for GLINT_ERR_ARG. */
+bool glint_rect_can(const struct glint_source *source, const struct glint_surface *surface);
+
 /* A line of the maps. */
 struct glint_line {
     const struct glint_vec *normals;

@@ -55,9 +55,16 @@ uint16_t glint_srgb_encode(uint16_t linear)
     const uint32_t v = linear;
     if (v < 128)
         return (uint16_t)((v * 3308 + 128) >> 8);
-    unsigned octave = 0; /* v = 2^(7 + octave) .. */
-    while (v >> octave >> 8)
-        octave++;
+    unsigned octave = 0, rest8 = (unsigned)(v >> 8); /* v = 2^(7 + octave) ..: the bits of v >> 8 */
+    if (rest8 >= 16) {
+        octave = 4;
+        rest8 >>= 4;
+    }
+    if (rest8 >= 4) {
+        octave += 2;
+        rest8 >>= 2;
+    }
+    octave += rest8 >= 2 ? 2 : rest8;
     const unsigned bits = 2 + octave; /* of a chord's width */
     const uint16_t *chord = &encoded[32 * octave + (v >> bits) - 32];
     const uint32_t rise = (uint32_t)(chord[1] - chord[0]), rest = v & (((uint32_t)1 << bits) - 1);

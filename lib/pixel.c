@@ -1,14 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "glint_pixel.h"
-
-#define ONE ((uint64_t)65535 << 32) /* a value of 1.0 */
-
-static const uint8_t bayer[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
-
-uint32_t glint_pixel_bayer(uint32_t x, uint32_t y)
-{
-    return bayer[y & 3][x & 3];
-}
+#include "glint_pixel_exact.h"
 
 enum glint_err glint_pixel_check(const struct glint_shader *shader)
 {
@@ -29,7 +21,7 @@ static int64_t off_mirror(int16_t l, int16_t v, int64_t p, int16_t n)
 }
 
 /* Step 1, Phong: t = |V - R|^2 / 2, R = 2(N.L)N - L. */
-static uint32_t phong_t(const struct glint_vec *n, const struct glint_light *light)
+uint32_t glint_phong_t(const struct glint_vec *n, const struct glint_light *light)
 {
     const int64_t p = glint_dot(n, &light->l);
     const int64_t x = off_mirror(light->l.x, light->v.x, p, n->x), y = off_mirror(light->l.y, light->v.y, p, n->y);
@@ -40,29 +32,21 @@ static uint32_t phong_t(const struct glint_vec *n, const struct glint_light *lig
 
 uint32_t glint_pixel_t(const struct glint_lobe *lobe, const struct glint_light *light, const struct glint_vec *normal)
 {
-    return lobe->model == GLINT_PHONG ? phong_t(normal, light) : blinn_t(normal, &light->h);
-}
-
-static uint64_t coefficient(uint32_t q16)
-{
-    return q16 > 65536 ? 65536 : q16;
+    return lobe->model == GLINT_PHONG ? glint_phong_t(normal, light) : blinn_t(normal, &light->h);
 }
 
 uint64_t glint_pixel_value(const struct glint_shader *shader, int k, uint8_t albedo, uint32_t nl_q16, uint64_t shine)
 {
-    const struct glint_material *m = &shader->material;
-    const uint64_t a = shader->space == GLINT_LINEAR ? glint_srgb_decode(albedo) : albedo * 257u;
-    const uint64_t lit = (coefficient(m->ambient_q16[k]) << 16) + coefficient(m->diffuse_q16[k]) * nl_q16;
-    const uint64_t x = a * lit + coefficient(m->specular_q16[k]) * shine;
-    return x < ONE ? x : ONE;
+    const uint32_t a = shader->space == GLINT_LINEAR ? glint_srgb_decode(albedo) : albedo * 257u;
+    return glint_exact_value(&shader->material, k, a, nl_q16, shine);
 }
 
-/* Steps 7 and 8. weight / 32 is the threshold: 2b + 1, or 16. */
-static uint32_t level(const struct glint_shader *shader, uint64_t x, uint32_t max, uint32_t weight)
+/* Steps 7 and 8. */
+static uint32_t pixel_level(const struct glint_shader *shader, uint64_t x, uint32_t max, uint32_t weight)
 {
     if (shader->space == GLINT_LINEAR)
         x = (uint64_t)glint_srgb_encode((uint16_t)((x + ((uint64_t)1 << 31)) >> 32)) << 32;
-    return (uint32_t)((x * max + ((uint64_t)65535 << 27) * weight) >> 32) / 65535;
+    return glint_exact_level(x, max, weight);
 }
 
 uint32_t glint_pixel_nl(int64_t nl_q30)
@@ -79,14 +63,13 @@ uint32_t glint_pixel_lobe(const struct glint_shader *shader, uint32_t t_q30)
 void glint_pixel_put(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
                      const uint64_t v[3])
 {
-    const uint32_t weight =
-        shader->dither ? 2 * glint_pixel_bayer(surface->x + (uint32_t)x, surface->y + (uint32_t)y) + 1 : 16;
+    const uint32_t weight = glint_exact_weight(shader, surface->x + (uint32_t)x, surface->y + (uint32_t)y);
     uint8_t *line = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;
     switch ((enum glint_format)shader->format) {
     case GLINT_RGB565:
     case GLINT_RGB565_SWAPPED: {
-        const uint32_t rgb = level(shader, v[0], 31, weight) << 11 | level(shader, v[1], 63, weight) << 5 |
-                             level(shader, v[2], 31, weight);
+        const uint32_t rgb = pixel_level(shader, v[0], 31, weight) << 11 | pixel_level(shader, v[1], 63, weight) << 5 |
+                             pixel_level(shader, v[2], 31, weight);
         const bool swapped = shader->format == GLINT_RGB565_SWAPPED;
         line += 2 * (ptrdiff_t)x;
         line[swapped] = (uint8_t)rgb;
@@ -96,16 +79,16 @@ void glint_pixel_put(const struct glint_shader *shader, const struct glint_surfa
     case GLINT_RGB888:
         line += 3 * (ptrdiff_t)x;
         for (int k = 0; k < 3; k++)
-            line[k] = (uint8_t)level(shader, v[k], 255, weight);
+            line[k] = (uint8_t)pixel_level(shader, v[k], 255, weight);
         break;
     case GLINT_GREY8:
     case GLINT_MONO: {
         const uint64_t grey = (GLINT_LUMA_RED * v[0] + GLINT_LUMA_GREEN * v[1] + GLINT_LUMA_BLUE * v[2]) >> 8;
         if (shader->format == GLINT_GREY8) {
-            line[x] = (uint8_t)level(shader, grey, 255, weight);
+            line[x] = (uint8_t)pixel_level(shader, grey, 255, weight);
         } else {
             const uint8_t bit = (uint8_t)(0x80 >> (x & 7));
-            line[x >> 3] = (uint8_t)(level(shader, grey, 1, weight) ? line[x >> 3] | bit : line[x >> 3] & ~bit);
+            line[x >> 3] = (uint8_t)(pixel_level(shader, grey, 1, weight) ? line[x >> 3] | bit : line[x >> 3] & ~bit);
         }
         break;
     }
@@ -120,13 +103,4 @@ void glint_pixel_store(const struct glint_shader *shader, const struct glint_sur
     for (int k = 0; k < 3; k++)
         v[k] = glint_pixel_value(shader, k, albedo[k], nl_q16, shine);
     glint_pixel_put(shader, surface, x, y, v);
-}
-
-bool glint_pixel(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
-                 uint32_t t_q30, int64_t nl_q30, const uint8_t albedo[3], uint8_t gloss)
-{
-    const uint32_t nl_q16 = glint_pixel_nl(nl_q30);
-    const uint32_t f = nl_q16 ? glint_pixel_lobe(shader, t_q30) : 0;
-    glint_pixel_store(shader, surface, x, y, nl_q16, f, albedo, gloss);
-    return f > 0 && gloss > 0;
 }

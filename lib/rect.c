@@ -1,16 +1,13 @@
 /* SPDX-License-Identifier: MIT
- * The exact rectangle path. */
+ * The exact rectangle: each line in runs of pixels that the mask leaves. */
 #include "glint_rect.h"
 #include "glint_math_align.h"
-#include "glint_pixel.h"
+#include "glint_pixel_prepared.h"
 
-enum glint_err glint_rect_check(const struct glint_shader *shader, const struct glint_source *source,
-                                const struct glint_surface *surface)
+bool glint_rect_can(const struct glint_source *source, const struct glint_surface *surface)
 {
-    if (!shader || !source || !surface || !source->normals || !surface->pixels ||
-        GLINT_MISALIGNED(source->normals, 16) || GLINT_MISALIGNED(source->normals_stride, 16))
-        return GLINT_ERR_ARG;
-    return glint_pixel_check(shader);
+    return source && surface && source->normals && surface->pixels && !GLINT_MISALIGNED(source->normals, 16) &&
+           !GLINT_MISALIGNED(source->normals_stride, 16);
 }
 
 void glint_bounds_add(struct glint_bounds *b, uint16_t x, uint16_t y)
@@ -39,24 +36,109 @@ void glint_bounds_box(const struct glint_bounds *b, struct glint_box *box)
     }
 }
 
-enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct glint_source *source, uint16_t w,
-                                uint16_t h, const struct glint_surface *surface, struct glint_box *highlight)
+/* Steps 1 and 2, t by the half vector. In 32 bits N.L fits where |lx| + |ly| + |lz| < 2^16, as for every light of
+ * length 1; `wide` is for others. Differences of coordinates are below 2^16, so their squares fit; a sum that does not is a t
+ * beyond every lobe, as is any where nl is 0. */
+static inline __attribute__((always_inline)) void rect_geometry(const struct glint_light *light,
+                                                                const struct glint_vec *normal,
+                                                                struct glint_sample *sample, unsigned count, bool wide)
 {
-    const enum glint_err err = glint_rect_check(shader, source, surface);
-    if (err)
-        return err;
+    const struct glint_sample *end = sample + count;
+    do {
+        const int32_t x = normal->x, y = normal->y, z = normal->z;
+        int32_t nl;
+        if (wide) {
+            const int64_t sum = (int64_t)(x * light->l.x) + y * light->l.y + z * light->l.z;
+            nl = (int32_t)glint_sample_nl(sum > INT32_MAX ? INT32_MAX : sum < 0 ? 0 : (int32_t)sum);
+        } else {
+            nl = (((x * light->l.x + y * light->l.y + z * light->l.z) >> 13) + 1) >> 1;
+        }
+        uint32_t t = UINT32_MAX;
+        if (nl <= 0) {
+            nl = 0;
+        } else {
+            const int32_t dx = x - light->h.x, dy = y - light->h.y, dz = z - light->h.z;
+            const uint32_t xx = (uint32_t)dx * (uint32_t)dx, yy = (uint32_t)dy * (uint32_t)dy;
+            const uint32_t zz = (uint32_t)dz * (uint32_t)dz, xy = xx + yy, sum = xy + zz;
+            if (xy >= xx && sum >= zz)
+                t = sum >> 1;
+            nl = nl < 65536 ? nl : 65536;
+        }
+        sample->t_q30 = t;
+        sample->nl_q16 = (uint32_t)nl;
+        normal++;
+    } while (++sample != end);
+}
+
+static void geometry_unit(const struct glint_light *light, const struct glint_vec *normals,
+                          struct glint_sample *samples, unsigned count)
+{
+    rect_geometry(light, normals, samples, count, false);
+}
+
+static void geometry_wide(const struct glint_light *light, const struct glint_vec *normals,
+                          struct glint_sample *samples, unsigned count)
+{
+    rect_geometry(light, normals, samples, count, true);
+}
+
+/* The samples that are lit go to the bounds. */
+static void rect_note(struct glint_bounds *bounds, const struct glint_sample *sample, unsigned count, uint32_t t_end,
+                      const uint8_t *gloss, uint16_t x, uint16_t y)
+{
+    for (unsigned i = 0; i < count; i++)
+        if (sample[i].t_q30 < t_end && (!gloss || gloss[i]))
+            glint_bounds_add(bounds, (uint16_t)(x + i), y);
+}
+
+/* How many pixels from x on are drawn, side by side, up to a run. */
+static unsigned rect_length_of(const uint8_t *mask, uint32_t x, uint32_t w)
+{
+    const unsigned most = w - x < GLINT_RUN ? (unsigned)(w - x) : GLINT_RUN;
+    unsigned count = 1;
+    if (!mask)
+        return most;
+    mask += x;
+    while (count < most && mask[count])
+        count++;
+    return count;
+}
+
+enum glint_err glint_shade_prepared_rect(const struct glint_prepared *prepared, const struct glint_source *source,
+                                         uint16_t w, uint16_t h, const struct glint_surface *surface,
+                                         struct glint_box *highlight)
+{
+    if (!prepared || !glint_rect_can(source, surface))
+        return GLINT_ERR_ARG;
+    const struct glint_light *light = &prepared->shader.light;
+    const bool wide = glint_light_is_wide(light);
+    void (*const samples_of)(const struct glint_light *light, const struct glint_vec *normals,
+                             struct glint_sample *samples, unsigned count) = prepared->model->geometry
+                                                                                 ? prepared->model->geometry
+                                                                             : wide ? geometry_wide
+                                                                                    : geometry_unit;
     struct glint_bounds bounds = {0, 0, 0, 0, false};
+    struct glint_sample samples[GLINT_RUN];
+    struct glint_run run = {NULL, 0, surface->x, 0, NULL, NULL};
     for (uint16_t y = 0; y < h; y++) {
         const struct glint_line line = glint_line_at(source, y);
-        for (uint16_t x = 0; x < w; x++) {
-            if (line.mask && !line.mask[x])
-                continue;
-            const struct glint_vec *normal = &line.normals[x];
-            if (glint_pixel(shader, surface, x, y, glint_pixel_t(&shader->lobe, &shader->light, normal),
-                            glint_dot(normal, &shader->light.l),
-                            line.albedo ? line.albedo + 3 * (ptrdiff_t)x : shader->material.albedo,
-                            line.gloss ? line.gloss[x] : 255))
-                glint_bounds_add(&bounds, x, y);
+        run.line = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;
+        run.y = (uint32_t)surface->y + y;
+        for (uint32_t x = 0;;) {
+            if (line.mask)
+                while (x < w && !line.mask[x])
+                    x++;
+            if (x >= w)
+                break;
+            const unsigned count = rect_length_of(line.mask, x, w);
+            run.x = x;
+            run.albedo = line.albedo ? line.albedo + 3 * x : NULL;
+            run.gloss = line.gloss ? line.gloss + x : NULL;
+            samples_of(light, line.normals + x, samples, count);
+            glint_prepared_run(prepared, &run, samples, count);
+            if (highlight)
+                rect_note(&bounds, samples, count, prepared->near.t_end, run.gloss, (uint16_t)x, y);
+            x += count;
         }
     }
     glint_bounds_box(&bounds, highlight);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * The exact span. With N(k) = N0 + k s and D0 = N0 - H, t(k) = |N(k) - H|^2 / 2 = t0 + k (D0.s) + k^2 |s|^2 / 2. */
-#include "glint_lobe_domain.h"
 #include "glint_pixel.h"
+#include "glint_pixel_prepared.h"
 
 static int64_t divide(int64_t a, int64_t b) /* to nearest; b > 0 */
 {
@@ -31,52 +31,49 @@ enum glint_err glint_span_init(struct glint_span *span, const struct glint_light
     return GLINT_OK;
 }
 
-/* By t, or by the nearest c: as gateware does. */
-static inline uint32_t lobe(const struct glint_shader *shader, uint32_t t_q30, bool by_c)
+/* The next samples of a span that advances. */
+static void span_walk(struct glint_span *at, struct glint_sample *sample, unsigned count)
 {
-    if (!by_c)
-        return glint_pixel_lobe(shader, t_q30);
-    return glint_pixel_peak(shader, glint_lobe_eval(&shader->lobe, glint_c_of_t(t_q30)));
-}
-
-static inline enum glint_err shade(const struct glint_shader *shader, const struct glint_span *span,
-                                   const struct glint_surface *surface, struct glint_box *highlight, bool by_c)
-{
-    if (!shader || !span || !surface || !surface->pixels)
-        return GLINT_ERR_ARG;
-    const enum glint_err err = glint_pixel_check(shader);
-    if (err)
-        return err;
-    uint32_t t = span->t_q30, dt = span->dt_q30;
-    uint32_t nl = (uint32_t)span->nl_q30;
-    struct glint_box box = {0, 0, 0, 0};
-    for (uint16_t x = 0; x < span->w; x++) {
-        const uint32_t nl_q16 = glint_pixel_nl((int32_t)nl);
-        const uint32_t f = nl_q16 ? lobe(shader, t >= GLINT_NEGATIVE_T ? 0 : t, by_c) : 0;
-        glint_pixel_store(shader, surface, x, 0, nl_q16, f, shader->material.albedo, 255);
-        if (f) {
-            if (box.w == 0)
-                box.x = x;
-            box.w = (uint16_t)(x - box.x + 1);
-            box.h = 1;
-        }
+    const struct glint_sample *end = sample + count;
+    uint32_t t = at->t_q30, dt = at->dt_q30, nl = (uint32_t)at->nl_q30;
+    do {
+        const uint32_t nl_q16 = glint_sample_nl((int32_t)nl);
+        sample->nl_q16 = nl_q16;
+        sample->t_q30 = nl_q16 == 0 ? UINT32_MAX : t >= GLINT_NEGATIVE_T ? 0 : t;
         t += dt;
-        dt += span->ddt_q30;
-        nl += (uint32_t)span->dnl_q30;
+        dt += at->ddt_q30;
+        nl += (uint32_t)at->dnl_q30;
+    } while (++sample != end);
+    at->t_q30 = t;
+    at->dt_q30 = dt;
+    at->nl_q30 = (int32_t)nl;
+}
+
+enum glint_err glint_shade_prepared_span(const struct glint_prepared *prepared, const struct glint_span *span,
+                                         const struct glint_surface *surface, struct glint_box *highlight)
+{
+    if (!prepared || !span || !surface || !surface->pixels)
+        return GLINT_ERR_ARG;
+    struct glint_run run = {(uint8_t *)surface->pixels, 0, surface->x, surface->y, NULL, NULL};
+    struct glint_sample samples[GLINT_RUN];
+    struct glint_span at = *span;
+    uint32_t first = span->w, last = 0;
+    while (run.x < span->w) {
+        const uint32_t left = span->w - run.x;
+        const unsigned count = left < GLINT_RUN ? (unsigned)left : GLINT_RUN;
+        span_walk(&at, samples, count);
+        glint_prepared_run(prepared, &run, samples, count);
+        for (unsigned i = 0; highlight && i < count; i++) {
+            if (samples[i].t_q30 >= prepared->near.t_end)
+                continue;
+            first = run.x + i < first ? run.x + i : first;
+            last = run.x + i + 1;
+        }
+        run.x += count;
     }
-    if (highlight)
-        *highlight = box;
+    if (highlight) {
+        const struct glint_box none = {0, 0, 0, 0}, box = {(uint16_t)first, 0, (uint16_t)(last - first), 1};
+        *highlight = last ? box : none;
+    }
     return GLINT_OK;
-}
-
-enum glint_err glint_shade_span(const struct glint_shader *shader, const struct glint_span *span,
-                                const struct glint_surface *surface, struct glint_box *highlight)
-{
-    return shade(shader, span, surface, highlight, false);
-}
-
-enum glint_err glint_shade_span_c16(const struct glint_shader *shader, const struct glint_span *span,
-                                    const struct glint_surface *surface, struct glint_box *highlight)
-{
-    return shade(shader, span, surface, highlight, true);
 }

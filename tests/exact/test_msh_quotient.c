@@ -24,7 +24,7 @@ static double largest_u(uint32_t m, int s)
 
 static double error_of(uint32_t m, uint32_t u)
 {
-    return fabs(quotient(u, m) - u / 256.0 * 0x1p71 / (5.0 * m * m)); /* double is good to 2^-20 here */
+    return fabs(glint_msh_quotient(u, m) - u / 256.0 * 0x1p71 / (5.0 * m * m)); /* double is good to 2^-20 here */
 }
 
 static void the_approximation_is_within_its_stated_2400_for_every_mantissa(void **state)

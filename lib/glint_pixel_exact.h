@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT
+ * Steps 5 and 8 of the pixel's sequence (sequence.md) as they are written there, in 64 bits; not for users. */
+#ifndef GLINT_PIXEL_EXACT_H
+#define GLINT_PIXEL_EXACT_H
+
+#include "glint.h"
+
+/* Step 5: albedo of step 4, 65535 = 1.0; nl < 2^23, shine = g F < 2^39: what several lights may sum to. */
+uint64_t glint_exact_value(const struct glint_material *material, int k, uint32_t albedo, uint32_t nl_q16,
+                           uint64_t shine);
+/* Step 8. weight / 32 is the threshold: 2b + 1, or 16. */
+uint32_t glint_exact_level(uint64_t x, uint32_t max, uint32_t weight);
+/* The ordered dither's weight b, 0..15, at a place on the screen. */
+uint32_t glint_pixel_bayer(uint32_t x, uint32_t y);
+/* That of a shader: 2b + 1, or 16. */
+uint32_t glint_exact_weight(const struct glint_shader *shader, uint32_t x, uint32_t y);
+
+static inline uint32_t glint_coefficient(uint32_t q16)
+{
+    return q16 > 65536 ? 65536 : q16;
+}
+
+#endif

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: MIT */
+#include "glint_pixel_levels.h"
+
+/* n / 2^bits, rounded down, and by how much that times 2^16 is low where n is low by less than 2. bits <= 16. */
+struct levels_cut {
+    uint32_t value, low; /* low <= 2^16 + 2^12 */
+};
+static struct levels_cut levels_cut_of(uint32_t n, unsigned bits)
+{
+    const struct levels_cut cut = {n >> bits, ((n & (((uint32_t)1 << bits) - 1)) + 2) << (16 - bits)};
+    return cut;
+}
+
+/* A coefficient in levels of channel k, Q16: low by < 1, in RGB exact. 2^16 255 256 < 2^32. */
+static uint32_t levels_scaled(uint32_t q16, struct glint_levels_kind kind, int k)
+{
+    return glint_coefficient(q16) * kind.max[k] * kind.part[k] >> 8;
+}
+
+/* The largest shift at which the largest sum of a channel, or the largest level, and a threshold, less than 1, leave
+ * V < 2^32 - 2^20. A sum of 3.03 * 255 leaves 22. */
+static unsigned levels_shift(const struct glint_material *m, struct glint_levels_kind kind)
+{
+    uint32_t most = (uint32_t)kind.max[1] << 16;
+    for (int k = 0; k < 3; k++) {
+        const uint32_t s = glint_coefficient(m->specular_q16[k]); /* F <= 67109 < 33/32 2^16 */
+        const uint32_t sum =
+            (glint_coefficient(m->ambient_q16[k]) + glint_coefficient(m->diffuse_q16[k]) + s + (s >> 5) + 1) *
+            kind.max[k];
+        most = sum > most ? sum : most;
+    }
+    unsigned shift = 28;
+    while (most + 65536 > UINT32_C(0xfff00000) >> (shift - 16))
+        shift--;
+    return shift;
+}
+
+/* Every n below is < 2^24, and low by < 2. */
+void glint_levels_fold(struct glint_prepared *p, struct glint_levels_kind kind, bool grey)
+{
+    const struct glint_material *m = &p->shader.material;
+    const unsigned shift = levels_shift(m, kind);
+    const uint32_t half = p->shader.dither || grey ? 0 : (uint32_t)1 << (shift - 1);
+    p->shift = shift;
+    p->w = p->w_maps = 0;
+    for (int k = 0; k < 3; k++) {
+        const uint32_t albedo = m->albedo[k], a = levels_scaled(m->ambient_q16[k], kind, k);
+        const uint32_t d = levels_scaled(m->diffuse_q16[k], kind, k);
+        const struct levels_cut q = levels_cut_of(d * albedo / 255, 32 - shift);
+        const struct levels_cut r = levels_cut_of(levels_scaled(m->specular_q16[k], kind, k), 32 - shift);
+        const struct levels_cut diffuse = levels_cut_of(d * 256 / 255, 33 - shift);
+        p->p[k] = (a * albedo / 255 << (shift - 16)) + half; /* low by < 2 2^(shift - 16) */
+        p->ambient[k] = a * 256 / 255 << (shift - 17);       /* low by < 2 2^(shift - 17), times 255 / 2^7 */
+        p->q[k] = q.value;                                   /* Q nl: low by q.low, as nl <= 2^16 */
+        p->diffuse[k] = diffuse.value;                       /* low by diffuse.low, times 255 / 2^7 */
+        p->r[k] = r.value;                                   /* R F: low by 33/32 r.low, and (R + 1) slack of F */
+        /* what the loop of grey takes off, or a limit is low by: < 4 */
+        const uint32_t both =
+            ((uint32_t)2 << (shift - 16)) + r.low + (r.low >> 5) + 1 + p->model->slack * (r.value + 1) + 4;
+        const uint32_t w = both + q.low;
+        /* >> 7 loses < 1 of 255, and F gloss / 255 < 1 + 2^-6: glint_by_255. W < 2^20 for a slack up to 8 */
+        const uint32_t w_maps = both + 2 * diffuse.low + 255 + r.value + (r.value >> 6) + 2;
+        p->w = grey ? p->w + w : w > p->w ? w : p->w;
+        p->w_maps = grey ? p->w_maps + w_maps : w_maps > p->w_maps ? w_maps : p->w_maps;
+    }
+}
+
+void glint_levels_bias(uint32_t bias[4], const struct glint_prepared *p, const struct glint_run *run)
+{
+    for (unsigned i = 0; i < 4; i++)
+        bias[i] = glint_exact_weight(&p->shader, run->left + run->x + i, run->y) << (p->shift - 5);
+}
+
+void glint_levels_exact(uint64_t v[3], const struct glint_shader *shader, const struct glint_run *run, unsigned i,
+                        uint32_t nl_q16, uint32_t f_q16)
+{
+    const uint8_t *albedo = run->albedo ? run->albedo + 3 * i : shader->material.albedo;
+    const uint64_t shine = (uint64_t)((run->gloss ? run->gloss[i] : 255) * 257u) * f_q16;
+    for (int k = 0; k < 3; k++)
+        v[k] = glint_exact_value(&shader->material, k, albedo[k] * 257u, nl_q16, shine);
+}

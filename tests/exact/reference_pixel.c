@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: MIT */
+#include "reference_pixel.h"
+
+#define ONE ((uint64_t)65535 << 32) /* a value of 1.0 */
+
+static int64_t dot(struct glint_vec a, struct glint_vec b)
+{
+    return (int64_t)a.x * b.x + (int64_t)a.y * b.y + (int64_t)a.z * b.z;
+}
+
+static uint32_t half_t(struct glint_vec n, struct glint_vec h)
+{
+    const int64_t x = n.x - h.x, y = n.y - h.y, z = n.z - h.z, sum = x * x + y * y + z * z;
+    return sum >> 32 ? UINT32_C(1) << 31 : (uint32_t)(sum >> 1);
+}
+
+static int64_t off_mirror(int16_t l, int16_t v, int64_t p, int16_t n)
+{
+    return (((int64_t)l + v) * (INT64_C(1) << 30) - 2 * p * n + (1 << 20)) >> 21;
+}
+
+static uint32_t mirror_t(struct glint_vec n, const struct glint_light *light)
+{
+    const struct glint_vec l = light->l, v = light->v;
+    const int64_t p = dot(n, l);
+    const int64_t x = off_mirror(l.x, v.x, p, n.x), y = off_mirror(l.y, v.y, p, n.y), z = off_mirror(l.z, v.z, p, n.z);
+    const int64_t sum = x * x + y * y + z * z;
+    return sum >> 50 ? UINT32_C(1) << 31 : (uint32_t)(sum >> 19);
+}
+
+static uint32_t nl_of(int64_t nl_q30)
+{
+    const int64_t nl = (nl_q30 + (1 << 13)) >> 14;
+    return nl < 0 ? 0 : nl > 65536 ? 65536 : (uint32_t)nl;
+}
+
+static uint64_t held(uint32_t q16)
+{
+    return q16 > 65536 ? 65536 : q16;
+}
+
+static uint32_t level(const struct glint_shader *s, uint64_t x, uint32_t max, uint32_t weight)
+{
+    if (s->space == GLINT_LINEAR)
+        x = (uint64_t)glint_srgb_encode((uint16_t)((x + (UINT64_C(1) << 31)) >> 32)) << 32;
+    return (uint32_t)((x * max + (UINT64_C(65535) << 27) * weight) >> 32) / 65535;
+}
+
+/* Steps 3 to 8; true where F > 0 and gloss > 0. */
+static bool pixel(const struct glint_shader *s, uint8_t *line, uint32_t x, uint32_t left, uint32_t y, uint32_t t,
+                  uint32_t nl, const uint8_t *albedo, uint8_t gloss)
+{
+    static const uint8_t bayer[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+    const uint32_t weight = s->dither ? 2 * bayer[y & 3][(left + x) & 3] + 1u : 16;
+    uint32_t f = nl && t <= s->lobe.t_max_q30 ? glint_eval_t((enum glint_model)s->lobe.model, s->lobe.n, t) : 0;
+    f = s->clamp_peak && f > 65536 ? 65536 : f;
+    uint64_t v[3];
+    for (int k = 0; k < 3; k++) {
+        const uint64_t a = s->space == GLINT_LINEAR ? glint_srgb_decode(albedo[k]) : albedo[k] * 257u;
+        const uint64_t lit = (held(s->material.ambient_q16[k]) << 16) + held(s->material.diffuse_q16[k]) * nl;
+        const uint64_t sum = a * lit + held(s->material.specular_q16[k]) * (uint64_t)(gloss * 257u) * f;
+        v[k] = sum < ONE ? sum : ONE;
+    }
+    const uint64_t grey = (54 * v[0] + 183 * v[1] + 19 * v[2]) >> 8;
+    switch ((enum glint_format)s->format) {
+    case GLINT_RGB565:
+    case GLINT_RGB565_SWAPPED: {
+        const uint32_t rgb =
+            level(s, v[0], 31, weight) << 11 | level(s, v[1], 63, weight) << 5 | level(s, v[2], 31, weight);
+        const bool swapped = s->format == GLINT_RGB565_SWAPPED;
+        line[2 * x + swapped] = (uint8_t)rgb;
+        line[2 * x + !swapped] = (uint8_t)(rgb >> 8);
+        break;
+    }
+    case GLINT_RGB888:
+        for (uint32_t k = 0; k < 3; k++)
+            line[3 * x + k] = (uint8_t)level(s, v[k], 255, weight);
+        break;
+    case GLINT_GREY8:
+        line[x] = (uint8_t)level(s, grey, 255, weight);
+        break;
+    case GLINT_MONO: {
+        const uint8_t bit = (uint8_t)(0x80 >> (x & 7));
+        line[x >> 3] = (uint8_t)(level(s, grey, 1, weight) ? line[x >> 3] | bit : line[x >> 3] & ~bit);
+    }
+    }
+    return f && gloss;
+}
+
+static void add(struct glint_box *box, uint32_t *right, uint32_t x, uint32_t y)
+{
+    if (!box->w) {
+        box->x = *right = (uint16_t)x;
+        box->y = (uint16_t)y;
+        box->w = 1;
+    }
+    box->x = x < box->x ? (uint16_t)x : box->x;
+    *right = x > *right ? x : *right;
+    box->w = (uint16_t)(*right + 1 - box->x);
+    box->h = (uint16_t)(y + 1 - box->y);
+}
+
+static const uint8_t *row(const uint8_t *map, ptrdiff_t stride, uint32_t y)
+{
+    return map ? map + stride * (ptrdiff_t)y : NULL;
+}
+
+void reference_rect(const struct glint_shader *s, const struct glint_source *source, uint16_t w, uint16_t h,
+                    const struct glint_surface *surface, struct glint_box *highlight)
+{
+    struct glint_box box = {0, 0, 0, 0};
+    uint32_t right = 0;
+    for (uint32_t y = 0; y < h; y++) {
+        const uint8_t *normals = row((const uint8_t *)source->normals, source->normals_stride, y);
+        const uint8_t *albedo = row(source->albedo, source->albedo_stride, y);
+        const uint8_t *gloss = row(source->gloss, source->gloss_stride, y),
+                      *mask = row(source->mask, source->mask_stride, y);
+        uint8_t *line = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;
+        for (uint32_t x = 0; x < w; x++) {
+            if (mask && !mask[x])
+                continue;
+            const struct glint_vec n = ((const struct glint_vec *)(const void *)normals)[x];
+            const uint32_t t = s->lobe.model == GLINT_PHONG ? mirror_t(n, &s->light) : half_t(n, s->light.h);
+            if (pixel(s, line, x, surface->x, surface->y + y, t, nl_of(dot(n, s->light.l)),
+                      albedo ? albedo + 3 * x : s->material.albedo, gloss ? gloss[x] : 255))
+                add(&box, &right, x, y);
+        }
+    }
+    if (highlight)
+        *highlight = box;
+}
+
+void reference_span(const struct glint_shader *s, const struct glint_span *span, const struct glint_surface *surface,
+                    struct glint_box *highlight)
+{
+    struct glint_box box = {0, 0, 0, 0};
+    uint32_t right = 0, t = span->t_q30, dt = span->dt_q30, nl = (uint32_t)span->nl_q30;
+    for (uint32_t x = 0; x < span->w; x++) {
+        if (pixel(s, (uint8_t *)surface->pixels, x, surface->x, surface->y, t >= UINT32_C(0xf8000000) ? 0 : t,
+                  nl_of((int32_t)nl), s->material.albedo, 255))
+            add(&box, &right, x, 0);
+        t += dt;
+        dt += span->ddt_q30;
+        nl += (uint32_t)span->dnl_q30;
+    }
+    if (highlight)
+        *highlight = box;
+}
