@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <time.h>
 
 /* ---- who else has it ---- */
 
@@ -75,6 +76,57 @@ static void of_two_displays_one_is_to_be_named(void **state)
     usb_display_unplug(&display);
 }
 
+static void a_device_whose_interface_is_not_guds_is_asked_only_by_name(void **state)
+{
+    (void)state;
+    usb_displays_unplug(NULL);
+    honest();
+    config.ids.interface = "Printer";
+    usb_display_be(&display, &config);
+    assert_null(strstr(run("$GLINT list")->out, "1209:0001"));
+    assert_fails(STREAM "--frames 1", "no USB display: no device has the IDs");
+    assert_int_equal(display.seen->request_count, 0);
+    assert_ends(STREAM OURS "--frames 1", 0, "");
+    assert_true(display.seen->request_count > 0);
+    usb_display_unplug(&display);
+    honest();
+    usb_display_be(&display, &config);
+    assert_contains(run("$GLINT list")->out, "1209:0001  free");
+    usb_display_unplug(&display);
+}
+
+/* Also where the kernel's own driver waits for the same device, which holds back everybody who opens it. */
+static void the_list_answers_in_time_whatever_a_device_does(void **state)
+{
+    (void)state;
+    static const struct {
+        uint16_t vendor, product;
+        uint8_t request;
+    } silent[] = {
+        {0x1209, 1, GUD_GET_DESCRIPTOR}, {0x1209, 1, GUD_GET_CONNECTOR_MODES}, {0x1d50, 0x614d, GUD_GET_DESCRIPTOR}};
+    for (size_t i = 0; i < sizeof silent / sizeof *silent; i++) {
+        usb_displays_unplug(NULL);
+        honest();
+        config.ids.vendor = silent[i].vendor;
+        config.ids.product = silent[i].product;
+        config.trouble = CONTROL_SILENT;
+        config.trouble_lasts = true;
+        config.trouble_ms = 4000;
+        config.trouble_request = silent[i].request;
+        usb_display_be(&display, &config);
+        struct timespec from, to;
+        clock_gettime(CLOCK_MONOTONIC, &from);
+        const struct run *result = run("$GLINT list");
+        clock_gettime(CLOCK_MONOTONIC, &to);
+        assert_int_equal(result->status, 0);
+        assert_contains(result->out, "\nnone ");
+        const double seconds = (double)(to.tv_sec - from.tv_sec) + 1e-9 * (double)(to.tv_nsec - from.tv_nsec);
+        if (seconds > 2)
+            fail_msg("silent to request %#x, %04x: %.1f s", silent[i].request, silent[i].vendor, seconds);
+    }
+    usb_displays_unplug(NULL);
+}
+
 /* ---- signals ---- */
 
 static void an_interrupt_ends_waiting(void **state)
@@ -136,6 +188,8 @@ int main(void)
         cmocka_unit_test(a_display_without_permission_is_told_apart_from_none),
         cmocka_unit_test(the_kernels_display_is_taken_only_by_detach_and_given_back),
         cmocka_unit_test(of_two_displays_one_is_to_be_named),
+        cmocka_unit_test(a_device_whose_interface_is_not_guds_is_asked_only_by_name),
+        cmocka_unit_test(the_list_answers_in_time_whatever_a_device_does),
         cmocka_unit_test(an_interrupt_ends_waiting),
         cmocka_unit_test(an_interrupt_switches_the_display_off),
         cmocka_unit_test(an_interrupt_ends_requests_and_data_that_are_not_taken),

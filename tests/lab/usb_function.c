@@ -36,7 +36,7 @@ static void make_folder(const char *folder, const char *name)
         fprintf(stderr, "usb_function: %s: %s\n", path, strerror(errno));
 }
 
-static void write_descriptors(int ep0)
+static void write_descriptors(int ep0, const char *name)
 {
     struct {
         struct usb_functionfs_descs_head_v2 head;
@@ -53,7 +53,8 @@ static void write_descriptors(int ep0)
                                      .full = {.interface = {.bLength = sizeof all.full.interface,
                                                             .bDescriptorType = USB_DT_INTERFACE,
                                                             .bNumEndpoints = 1,
-                                                            .bInterfaceClass = USB_CLASS_VENDOR_SPEC},
+                                                            .bInterfaceClass = USB_CLASS_VENDOR_SPEC,
+                                                            .iInterface = 1},
                                               .bulk = {.bLength = sizeof all.full.bulk,
                                                        .bDescriptorType = USB_DT_ENDPOINT,
                                                        .bEndpointAddress = 1 | USB_DIR_OUT,
@@ -61,9 +62,18 @@ static void write_descriptors(int ep0)
                                                        .wMaxPacketSize = htole16(64)}}};
     all.high = all.full;
     all.high.bulk.wMaxPacketSize = htole16(512);
-    const struct usb_functionfs_strings_head strings = {.magic = htole32(FUNCTIONFS_STRINGS_MAGIC),
-                                                        .length = htole32(sizeof strings)};
-    if (write(ep0, &all, sizeof all) < 0 || write(ep0, &strings, sizeof strings) < 0)
+    struct {
+        struct usb_functionfs_strings_head head;
+        __le16 language;
+        char name[64];
+    } __attribute__((packed)) strings = {.language = htole16(0x409)};
+    snprintf(strings.name, sizeof strings.name, "%s", name);
+    const size_t bytes = sizeof strings.head + sizeof strings.language + strlen(strings.name) + 1;
+    strings.head = (struct usb_functionfs_strings_head){.magic = htole32(FUNCTIONFS_STRINGS_MAGIC),
+                                                        .length = htole32((uint32_t)bytes),
+                                                        .str_count = htole32(1),
+                                                        .lang_count = htole32(1)};
+    if (write(ep0, &all, sizeof all) < 0 || write(ep0, &strings, bytes) < 0)
         perror("usb_function: descriptors");
 }
 
@@ -92,7 +102,7 @@ void usb_function_build(struct usb_function *f, const char *name, const struct u
         perror("usb_function: function");
     snprintf(path, sizeof path, "%s/ep0", mounted);
     f->ep0 = open(path, O_RDWR);
-    write_descriptors(f->ep0);
+    write_descriptors(f->ep0, ids->interface ? ids->interface : "Lab GUD display");
     fcntl(f->ep0, F_SETFL, O_NONBLOCK); /* for events; data is waited for all the same */
     snprintf(path, sizeof path, "%s/ep1", mounted);
     f->bulk = open(path, O_RDWR);

@@ -8,7 +8,8 @@
 
 struct usb_function_ids {
     uint16_t vendor, product;
-    const char *serial; /* NULL: none */
+    const char *serial;    /* NULL: none */
+    const char *interface; /* its name; NULL: "Lab GUD display" */
     bool full_speed;
 };
 

@@ -27,8 +27,8 @@ static void none_text(const struct usb_options *options, char *line, size_t size
         snprintf(line, size, "no USB device%s; `glint list` shows the displays; --wait waits for one", wanted);
     else
         snprintf(line, size,
-                 "no USB display: no device has the IDs %04x:%04x, %04x:%04x or %04x:%04x, and none of vendor class "
-                 "answers as a display; plug it in, or give --wait",
+                 "no USB display: no device has the IDs %04x:%04x, %04x:%04x or %04x:%04x, and none "
+                 "calls its interface GUD; plug it in, name another by --vid-pid, or give --wait",
                  GUD_ID_OPENMOKO >> 16, GUD_ID_OPENMOKO & 0xffff, GUD_ID_MCS >> 16, GUD_ID_MCS & 0xffff,
                  GUD_ID_PIDCODES >> 16, GUD_ID_PIDCODES & 0xffff);
 }

@@ -28,11 +28,11 @@ const char *usb_name(const struct usb_device *device, char *text, size_t size)
     return text;
 }
 
-/* An attribute of the device; "" where there is none. */
-static void read_attribute(const struct usb_device *device, const char *attribute, char *text, size_t size)
+/* A file of the kernel's about a device or interface; "" where there is none. */
+static void read_file(const char *file_name, char *text, size_t size)
 {
-    char name[128];
-    snprintf(name, sizeof name, "/sys/bus/usb/devices/%s/%s", device->path, attribute);
+    char name[160];
+    snprintf(name, sizeof name, "/sys/bus/usb/devices/%s", file_name);
     FILE *file = fopen(name, "re");
     *text = '\0';
     if (!file)
@@ -45,6 +45,13 @@ static void read_attribute(const struct usb_device *device, const char *attribut
             *at = '?';
 }
 
+static void read_attribute(const struct usb_device *device, const char *attribute, char *text, size_t size)
+{
+    char file[128];
+    snprintf(file, sizeof file, "%s/%s", device->path, attribute);
+    read_file(file, text, size);
+}
+
 static void read_driver(struct usb_device *device, unsigned configuration, unsigned interface)
 {
     char name[128], target[PATH_MAX];
@@ -55,18 +62,28 @@ static void read_driver(struct usb_device *device, unsigned configuration, unsig
     snprintf(device->driver, sizeof device->driver, "%.31s", last ? last + 1 : "");
 }
 
-/* "1-3.1": the bus and the ports on the way, as the kernel names devices. False for root hubs. */
+bool usb_path_text(uint8_t bus, const uint8_t *ports, int count, char *text, size_t size)
+{
+    int length = snprintf(text, size, "%u", bus);
+    for (int i = 0; i < count && length >= 0 && (size_t)length < size; i++)
+        length += snprintf(text + length, size - (size_t)length, "%c%u", i ? '.' : '-', ports[i]);
+    return count > 0 && length >= 0 && (size_t)length < size;
+}
+
 static bool read_path(struct usb_device *device)
 {
     uint8_t ports[8];
     const int count = libusb_get_port_numbers(device->device, ports, sizeof ports);
-    if (count < 1)
-        return false;
-    int length = snprintf(device->path, sizeof device->path, "%u", libusb_get_bus_number(device->device));
-    for (int i = 0; i < count; i++)
-        length +=
-            snprintf(device->path + length, sizeof device->path - (size_t)length, "%c%u", i ? '.' : '-', ports[i]);
-    return true;
+    return usb_path_text(libusb_get_bus_number(device->device), ports, count, device->path, sizeof device->path);
+}
+
+/* The kernel has read the name already: nothing is sent to the device. */
+static bool says_gud(const struct usb_device *device, unsigned configuration, unsigned interface)
+{
+    char file[128], name[128];
+    snprintf(file, sizeof file, "%s:%u.%u/interface", device->path, configuration, interface);
+    read_file(file, name, sizeof name);
+    return strcasestr(name, "gud") != NULL;
 }
 
 static void read_interfaces(struct usb_device *device)
@@ -85,6 +102,8 @@ static void read_interfaces(struct usb_device *device)
                 endpoint->bEndpointAddress & LIBUSB_ENDPOINT_IN)
                 continue;
             device->interfaces[device->interface_count].number = setting->bInterfaceNumber;
+            device->interfaces[device->interface_count].says_gud =
+                says_gud(device, configuration->bConfigurationValue, setting->bInterfaceNumber);
             device->interfaces[device->interface_count++].bulk_out = endpoint->bEndpointAddress;
             if (!*device->driver)
                 read_driver(device, configuration->bConfigurationValue, setting->bInterfaceNumber);
@@ -102,9 +121,10 @@ static bool is_wanted(const struct usb_device *device, const struct usb_options 
 }
 
 /* Asks one interface for its descriptor. */
-static enum usb_state ask(libusb_context *libusb, struct usb_device *device, uint8_t interface)
+static enum usb_state ask(libusb_context *libusb, struct usb_device *device, uint8_t interface, double until)
 {
-    struct usb_port port = {.libusb = libusb, .stoppable = true, .brief = !device->expected};
+    struct usb_port port = {
+        .libusb = libusb, .stoppable = true, .brief = !device->expected || until > 0, .until = until};
     struct gud_link link = {.context = &port, .control = usb_control};
     struct gud_descriptor descriptor;
     switch (usb_port_open(&port, device->device, interface, NULL, &device->problem)) {
@@ -124,18 +144,26 @@ static enum usb_state ask(libusb_context *libusb, struct usb_device *device, uin
     return good ? USB_DISPLAY : device->problem.fault == GUD_LINK_GONE ? USB_VANISHED : USB_NOT_DISPLAY;
 }
 
-static void probe(libusb_context *libusb, struct usb_device *device)
+static bool may_ask(const struct usb_device *device, unsigned i)
 {
+    return device->expected || device->interfaces[i].says_gud || strcmp(device->driver, "gud") == 0;
+}
+
+static void probe(libusb_context *libusb, struct usb_device *device, double until)
+{
+    device->state = USB_NOT_DISPLAY;
     for (unsigned i = 0; i < device->interface_count; i++) {
+        if (!may_ask(device, i))
+            continue;
         device->interface = device->interfaces[i].number;
         device->bulk_out = device->interfaces[i].bulk_out;
-        device->state = ask(libusb, device, device->interface);
+        device->state = ask(libusb, device, device->interface, until);
         if (device->state != USB_NOT_DISPLAY)
             return;
     }
 }
 
-/* Devices of other makers are left alone unless they answer as displays. */
+/* Devices that were neither named nor known do not count unless they answer as displays. */
 static bool is_foreign(const struct usb_device *device)
 {
     return !device->expected && device->state != USB_DISPLAY &&
@@ -147,7 +175,7 @@ static int by_path(const void *a, const void *b)
     return strverscmp(((const struct usb_device *)a)->path, ((const struct usb_device *)b)->path);
 }
 
-void usb_find(libusb_context *libusb, const struct usb_options *options, struct usb_found *found)
+void usb_find(libusb_context *libusb, const struct usb_options *options, double until, struct usb_found *found)
 {
     found->count = 0;
     const ssize_t count = libusb_get_device_list(libusb, &found->list);
@@ -168,7 +196,7 @@ void usb_find(libusb_context *libusb, const struct usb_options *options, struct 
         read_interfaces(device);
         if (!is_wanted(device, options))
             continue;
-        probe(libusb, device);
+        probe(libusb, device, until);
         if (!is_foreign(device))
             found->count++;
     }

@@ -28,6 +28,7 @@ struct usb_device {
     unsigned interface_count;
     struct {
         uint8_t number, bulk_out;
+        bool says_gud;                /* by its name */
     } interfaces[USB_INTERFACES_MAX]; /* vendor class with a bulk OUT endpoint */
     uint8_t interface, bulk_out;      /* the display's */
     enum usb_state state;
@@ -40,9 +41,14 @@ struct usb_found {
     struct usb_device devices[USB_FOUND_MAX];
 };
 
-/* What the options allow, each device asked what it is. `libusb` NULL: no context. */
-void usb_find(libusb_context *libusb, const struct usb_options *options, struct usb_found *found);
+/* What the options allow, each device asked what it is: those that the options name, that have an ID of GUD's, or whose
+ * interface has GUD in its name; no other is sent a request. `until`: seconds_now() when asking ends, and each request is
+ * short; 0: no end. */
+void usb_find(libusb_context *libusb, const struct usb_options *options, double until, struct usb_found *found);
 void usb_found_free(struct usb_found *found);
+/* "1-3.1": the bus and the ports on the way, as the kernel names devices. False where there is no port, as for root hubs, or
+ * no room. */
+bool usb_path_text(uint8_t bus, const uint8_t *ports, int count, char *text, size_t size);
 /* "usb 1-3 (1d50:614d)" */
 const char *usb_name(const struct usb_device *device, char *text, size_t size);
 

@@ -108,7 +108,7 @@ static struct light_sink *try_open(const struct sink_wish *wish, char *line, siz
     light->link = (struct gud_link){.context = &light->port, .control = usb_control};
     light->port.stoppable = true;
     any.detach = true; /* the kernel's driver may keep the display */
-    usb_find(light->port.libusb, &any, &found);
+    usb_find(light->port.libusb, &any, 0, &found);
     const struct usb_device *device = usb_choose(&found, &any, line, size, &attempt);
     *may_pass = !device && attempt == USB_TRY_AGAIN;
     bool good = device && find_interface(light, device, wish, line, size);

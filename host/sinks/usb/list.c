@@ -3,11 +3,15 @@
 
 #include <stdlib.h>
 
+#include "base/clock.h"
 #include "base/json.h"
 #include "sinks/gud/host.h"
 #include "sinks/gud/pack.h"
 #include "sinks/usb/find.h"
 #include "sinks/usb/port.h"
+
+/* For all devices together: a display answers each request in some milliseconds. */
+#define LIST_S 1.2
 
 static json_t *formats_json(const struct gud_display *display)
 {
@@ -32,9 +36,9 @@ static json_t *modes_json(const struct gud_display *display)
 }
 
 /* Formats, modes and limits, or the problem. */
-static void describe(libusb_context *libusb, struct usb_device *device, json_t *object)
+static void describe(libusb_context *libusb, struct usb_device *device, double until, json_t *object)
 {
-    struct usb_port port = {.libusb = libusb};
+    struct usb_port port = {.libusb = libusb, .brief = true, .until = until};
     struct gud_link link = {.context = &port, .control = usb_control};
     struct gud_display display;
     if (usb_port_open(&port, device->device, device->interface, NULL, &device->problem) != USB_OPENED) {
@@ -52,7 +56,7 @@ static void describe(libusb_context *libusb, struct usb_device *device, json_t *
     usb_port_close(&port, false);
 }
 
-static json_t *device_json(libusb_context *libusb, struct usb_device *device)
+static json_t *device_json(libusb_context *libusb, struct usb_device *device, double until)
 {
     static const char *const states[] = {
         "free", "taken by the kernel", "in use by another program", "permission denied", "no good", "vanished"};
@@ -64,7 +68,7 @@ static json_t *device_json(libusb_context *libusb, struct usb_device *device)
     if (device->state == USB_KERNEL)
         json_object_set_new(object, "driver", json_text(device->driver));
     else if (device->state == USB_DISPLAY)
-        describe(libusb, device, object);
+        describe(libusb, device, until, object);
     else if (device->state == USB_NOT_DISPLAY)
         json_object_set_new(object, "problem", json_text(device->problem.text));
     return object;
@@ -77,9 +81,10 @@ json_t *usb_list(void)
     json_t *devices = json_array();
     if (libusb_init(&libusb))
         return devices;
-    usb_find(libusb, &(struct usb_options){0}, &found);
+    const double until = seconds_now() + LIST_S;
+    usb_find(libusb, &(struct usb_options){0}, until, &found);
     for (unsigned i = 0; i < found.count; i++)
-        json_array_append_new(devices, device_json(libusb, &found.devices[i]));
+        json_array_append_new(devices, device_json(libusb, &found.devices[i], until));
     usb_found_free(&found);
     libusb_exit(libusb);
     return devices;

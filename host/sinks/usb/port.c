@@ -64,7 +64,9 @@ static void control_done(struct libusb_transfer *transfer)
 static int control_wait(struct usb_port *port, struct libusb_transfer *transfer, const bool *done)
 {
     int cut = 0;
-    const double end = seconds_now() + 1e-3 * (port->brief ? BRIEF_MS : CONTROL_MS);
+    double end = seconds_now() + 1e-3 * (port->brief ? BRIEF_MS : CONTROL_MS);
+    if (port->until > 0 && port->until < end)
+        end = port->until;
     while (!*done) {
         usb_port_tick(port);
         if (cut || *done)

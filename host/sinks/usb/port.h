@@ -18,6 +18,7 @@ struct usb_port {
     uint8_t interface, bulk_out;
     bool stoppable; /* waiting ends when stream_stopped() */
     bool brief;     /* requests have little time: it may not be a display at all */
+    double until;   /* seconds_now() when all requests end; 0: each has its own time */
     /* of the bulk under way (bulk.h) */
     struct libusb_transfer *transfers[USB_FLIGHT];
     const uint8_t *next;

@@ -123,7 +123,7 @@ static enum usb_attempt try_open(const struct sink_wish *wish, struct usb_sink *
     static bool was_detached; /* the kernel's driver gets the display back even if it was replugged meanwhile */
     struct usb_sink *usb = new_sink();
     enum usb_attempt attempt;
-    usb_find(usb->port.libusb, &usb_options, &found);
+    usb_find(usb->port.libusb, &usb_options, 0, &found);
     const struct usb_device *device = usb_choose(&found, &usb_options, line, size, &attempt);
     if (device)
         attempt = connect_display(usb, device, wish, line, size);

@@ -5,6 +5,7 @@
 #include "bake/bake.h"
 #include "scene/scene.h"
 #if GLINT_WITH_USB
+#include "sinks/usb/find.h"
 #include "sinks/usb/light.h"
 #endif
 #include "stream/device.h"
@@ -154,6 +155,26 @@ static void what_the_tables_cannot_do_is_refused(void **state)
 }
 
 #if GLINT_WITH_USB
+static void the_name_of_a_device_keeps_within_its_room(void **state)
+{
+    (void)state;
+    static const uint8_t ports[8] = {255, 255, 255, 255, 255, 255, 255, 255};
+    char text[USB_PATH_ROOM + 4];
+    memset(text, 'x', sizeof text);
+    assert_true(usb_path_text(1, (uint8_t[]){3, 1}, 2, text, USB_PATH_ROOM));
+    assert_string_equal(text, "1-3.1");
+    assert_true(usb_path_text(255, ports, 7, text, USB_PATH_ROOM)); /* the most that USB has */
+    assert_string_equal(text, "255-255.255.255.255.255.255.255");
+    assert_false(usb_path_text(255, ports, 8, text, USB_PATH_ROOM));
+    assert_memory_equal(text + USB_PATH_ROOM, "xxxx", 4);
+    for (size_t size = 1; size < USB_PATH_ROOM; size++) {
+        memset(text, 'x', sizeof text);
+        assert_false(usb_path_text(255, ports, 7, text, size));
+        assert_int_equal(text[size], 'x');
+    }
+    assert_false(usb_path_text(1, ports, 0, text, USB_PATH_ROOM)); /* a root hub */
+}
+
 static void a_device_of_more_pixels_than_glint_shades_is_refused(void **state)
 {
     (void)state;
@@ -186,6 +207,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(a_gloss_map_is_refused_unless_it_is_white, begin, end),
         cmocka_unit_test_setup_teardown(what_the_tables_cannot_do_is_refused, begin, end),
 #if GLINT_WITH_USB
+        cmocka_unit_test(the_name_of_a_device_keeps_within_its_room),
         cmocka_unit_test(a_device_of_more_pixels_than_glint_shades_is_refused),
 #endif
         cmocka_unit_test(the_command_line_tells_what_can_shade),
