@@ -1,5 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-#include "conformance_parts.h"
+#include "conformance.h"
+
+#include "conformance_lobes.h"
+#include "conformance_random.h"
+#include "conformance_scenes.h"
+#include "conformance_tables.h"
 #include "machine.h"
 
 const struct conformance_size conformance_large = {1, 7, 3000, 1, 40, 50000};
@@ -48,50 +53,12 @@ bool conformance_fits(unsigned check)
     return check < CONFORMANCE_EVERY_C_1 || CONFORMANCE_EVERY_C;
 }
 
-/* ---- hash and chance ---- */
-
-static uint64_t hash;
-static uint32_t state;
-
-static void mix(uint32_t value) /* FNV-1a */
-{
-    hash ^= value;
-    hash *= UINT64_C(0x100000001b3);
-}
-
-void conform_add_bytes(const uint8_t *bytes, uint16_t count)
-{
-    while (count--)
-        mix(*bytes++);
-}
-
-void conform_add(uint32_t value)
-{
-    mix(value);
-}
-
-uint32_t conform_random_bits(void)
-{
-    state = state * UINT32_C(1664525) + UINT32_C(1013904223);
-    return state ^ state >> 16;
-}
-
-int32_t conform_random_within(int32_t limit)
-{
-    return (int32_t)(conform_random_bits() % (2 * (uint32_t)limit + 1)) - limit;
-}
-
-void conform_random_vector(int32_t v[3], int32_t limit)
-{
-    for (uint8_t i = 0; i < 3; i++)
-        v[i] = conform_random_within(limit);
-}
+/* ---- the checks ---- */
 
 /* No table of pointers: the stack's bound follows calls by name. */
 uint64_t conformance_hash(unsigned check, const struct conformance_size *size)
 {
-    hash = UINT64_C(0xcbf29ce484222325);
-    state = 1;
+    conform_begin();
     if (check < CONFORMANCE_LOBES)
         conform_model(check, size);
     else if (CONFORMANCE_MODELS_ONLY || check == CONFORMANCE_LOBES)
@@ -110,7 +77,7 @@ uint64_t conformance_hash(unsigned check, const struct conformance_size *size)
         conform_albedo(size);
     else
         conform_every_c(check);
-    return hash;
+    return conform_hash();
 }
 
 /* ---- the report ---- */

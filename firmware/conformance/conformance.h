@@ -73,7 +73,7 @@ struct conformance_sum {
 };
 struct conformance_sum conformance_run(const uint64_t expected[CONFORMANCE_HELD]);
 
-/* For whoever adds a line to the report. */
+/* For further lines of the report. */
 void conformance_say(const char *text);
 void conformance_say_number(uint32_t number);
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * The functions of the cosine, and sRGB's. */
-#include "conformance_parts.h"
+#include "conformance_lobes.h"
+
+#include "conformance_random.h"
+#include "glint.h"
 
 static const uint16_t shininess[] = {60, 0, 1, 2, 1000, 3, 4, 5, 17, 7, 10, 35, 200, 100, 255, 513, 704, 999, 5000};
 enum { SHININESS_COUNT = sizeof shininess / sizeof *shininess };

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * Geometry, rectangles and spans. */
-#include "conformance_parts.h"
+#include "conformance_scenes.h"
+
+#include "conformance_random.h"
 
 /* ---- geometry and colour ---- */
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * Tables and their loops. */
-#include "conformance_parts.h"
+#include "conformance_tables.h"
+
+#include "conformance_random.h"
+#include "conformance_scenes.h"
 
 enum { TABLES_BYTES = CONFORMANCE_COLOUR ? GLINT_TABLES_COLOUR_BYTES : GLINT_TABLES_SMALL_BYTES };
 static uint32_t memory[TABLES_BYTES / 4];
