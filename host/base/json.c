@@ -5,19 +5,14 @@
 #include <string.h>
 
 #include "base/message.h"
+#include "base/text.h"
 
 json_t *json_text(const char *text)
 {
-    json_t *json = json_string(text);
-    if (json)
-        return json;
     char *copy = strdup(text);
     if (!copy)
         fail("out of memory");
-    for (char *at = copy; *at; at++)
-        if (*at & 0x80)
-            *at = '?';
-    json = json_string(copy);
+    json_t *json = json_string(text_clean(copy, true));
     free(copy);
     return json;
 }

@@ -5,7 +5,7 @@
 
 #include <jansson.h>
 
-/* JSON is UTF-8: where the text is not, '?' replaces its bytes. */
+/* Cleaned by text_clean(): JSON is UTF-8, and may be shown on a terminal. */
 json_t *json_text(const char *text);
 
 #endif

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include <ctype.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -8,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/message.h"
+#include "base/text.h"
 
 static bool progress_shown;
 
@@ -35,10 +35,7 @@ static void shorten(char *text)
 char *one_line(char *text)
 {
     shorten(text);
-    for (char *at = text; *at; at++)
-        if (iscntrl((unsigned char)*at))
-            *at = '?';
-    return text;
+    return text_clean(text, false);
 }
 
 static void line(const char *format, va_list arguments)
@@ -72,11 +69,14 @@ void progress(const char *format, ...)
 {
     if (!isatty(STDERR_FILENO))
         return;
+    char *text;
     va_list arguments;
     va_start(arguments, format);
-    fputs("\r\033[K", stderr);
-    vfprintf(stderr, format, arguments);
-    fflush(stderr);
+    if (vasprintf(&text, format, arguments) >= 0) {
+        fprintf(stderr, "\r\033[K%s", text_clean(text, false));
+        fflush(stderr);
+        free(text);
+    }
     va_end(arguments);
     progress_shown = true;
 }

@@ -9,7 +9,7 @@ enum { EXIT_GOOD = 0, EXIT_FAILED = 1, EXIT_USAGE = 2 };
 _Noreturn void fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* One line on standard error that begins with "glint: ". */
 void warn(const char *format, ...) __attribute__((format(printf, 1, 2)));
-/* Control characters, which a quoted text may hold, become '?', and the middle of a long text "..."; in place. */
+/* text_clean(), and the middle of a long text becomes "..."; in place. */
 char *one_line(char *text);
 /* A line that overwrites itself, only where standard error is a terminal. */
 void progress(const char *format, ...) __attribute__((format(printf, 1, 2)));

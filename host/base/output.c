@@ -124,6 +124,36 @@ bool output_same(const char *a, const char *b)
     return same;
 }
 
+/* ---- files that are read ---- */
+
+static struct input {
+    dev_t device;
+    ino_t file;
+    struct input *next;
+} * inputs;
+
+void output_never(FILE *input)
+{
+    struct stat status;
+    if (fstat(fileno(input), &status) != 0 || !S_ISREG(status.st_mode))
+        return; /* pipes and devices are not replaced */
+    struct input *kept = malloc(sizeof *kept);
+    if (!kept)
+        fail("out of memory");
+    *kept = (struct input){status.st_dev, status.st_ino, inputs};
+    inputs = kept;
+}
+
+static bool is_input(const struct stat *status)
+{
+    const struct input *input = inputs;
+    while (input && (input->device != status->st_dev || input->file != status->st_ino))
+        input = input->next;
+    return input != NULL;
+}
+
+/* ---- files that are written ---- */
+
 /* A new file in the target's folder, under a name of its own until it is whole. */
 static int open_beside(struct output *output)
 {
@@ -155,10 +185,14 @@ struct output *output_open(const char *path)
     const bool exists = stat(path, &status) == 0;
     if (exists && S_ISDIR(status.st_mode))
         fail("%s: this is a folder; name a file", path);
+    if (exists && is_input(&status))
+        fail("%s: this file is also an input; name another for the output", path);
     if (exists && !S_ISREG(status.st_mode)) {
-        output->stream = fopen(path, "wb");
-        if (!output->stream)
+        output->stream = fopen(path, "wb"); /* of a pipe: waits for its reader */
+        if (!output->stream) {
+            stop_if_interrupted(errno);
             fail("%s: %s", path, strerror(errno));
+        }
         return output;
     }
     output->target = resolve(path);
@@ -188,6 +222,8 @@ void output_close(struct output *output)
     const int reason = errno;
     if (output->stream != stdout && fclose(output->stream) != 0 && !bad)
         fail("%s: could not be written: %s", name, strerror(errno));
+    if (bad)
+        stop_if_interrupted(reason);
     if (bad)
         fail("%s: could not be written: %s", name, reason ? strerror(reason) : "write error");
     if (output->temporary) {

@@ -2,6 +2,7 @@
 #include "base/stop.h"
 
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -111,6 +112,12 @@ bool stream_stopped(void)
 int stop_status(void)
 {
     return asked ? 128 + asked : 0;
+}
+
+void stop_if_interrupted(int error)
+{
+    if (error == EINTR && asked)
+        exit(stop_status());
 }
 
 void stop_undo(void (*undo)(void))

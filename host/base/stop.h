@@ -15,6 +15,8 @@ void stop_when_asked(void);
 bool stream_stopped(void);
 /* The exit status: 0, or 128 and the signal that asked. */
 int stop_status(void);
+/* Ends the program with that status if the error (errno) is only that such a signal came; else returns. */
+void stop_if_interrupted(int error);
 
 /* Runs where a signal ends the program at once: it may call only what a signal handler may. */
 void stop_undo(void (*undo)(void));

@@ -4,6 +4,7 @@
 
 #include "base/message.h"
 #include "base/output.h"
+#include "base/text.h"
 #include "commands/commands.h"
 #include "compare/compare.h"
 #include "draw/canvas.h"
@@ -24,8 +25,10 @@ static void report(const struct render_options *options, const struct scene *sce
     if (options->json) {
         comparison_print_json(&comparison, shading, levels, stream);
     } else {
-        if (options->output && !to_stdout)
-            fprintf(stream, "%s: ", options->output);
+        if (options->output && !to_stdout) {
+            text_print(stream, options->output);
+            fputs(": ", stream);
+        }
         comparison_print(&comparison, shading, levels, stream);
     }
     if (error_map_output) {
@@ -34,9 +37,11 @@ static void report(const struct render_options *options, const struct scene *sce
         struct picture *map = error_map(scene, shading, levels, blinn ? GLINT_BLINN : shading->model, times);
         picture_write(map, error_map_output, options->error_map_kind);
         picture_free(map);
-        if (!options->json)
-            fprintf(stream, "%s: errors against %s in double, times %u\n", options->error_map,
+        if (!options->json) {
+            text_print(stream, options->error_map);
+            fprintf(stream, ": errors against %s in double, times %u\n",
                     model_names[blinn ? GLINT_BLINN : shading->model], times);
+        }
     }
     if (fflush(stream) != 0 || ferror(stream))
         fail("standard %s: the comparison could not be written", stream == stdout ? "output" : "error");

@@ -9,6 +9,7 @@
 
 #include "base/memory.h"
 #include "base/message.h"
+#include "base/output.h"
 #include "image/image.h"
 #include "image/picture.h"
 #include "image/read.h"
@@ -113,6 +114,7 @@ struct image *image_read(const char *path)
     struct source source = {standard ? "standard input" : path, standard ? stdin : fopen(path, "rb")};
     if (!source.stream)
         fail("%s: %s", path, strerror(errno));
+    output_never(source.stream);
     check_signature(&source);
 
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_error, on_warning);

@@ -9,6 +9,7 @@
 #include "base/memory.h"
 #include "base/message.h"
 #include "base/output.h"
+#include "base/stop.h"
 #include "image/picture.h"
 #include "image/write.h"
 
@@ -46,8 +47,10 @@ static _Noreturn void fail_write(const struct output *output, const char *why)
 
 static void put(struct output *output, const void *bytes, size_t len_bytes)
 {
-    if (fwrite(bytes, 1, len_bytes, output->stream) != len_bytes)
-        fail_write(output, strerror(errno));
+    if (fwrite(bytes, 1, len_bytes, output->stream) == len_bytes)
+        return;
+    stop_if_interrupted(errno);
+    fail_write(output, strerror(errno));
 }
 
 static size_t samples_of(const struct picture *picture)
@@ -146,6 +149,8 @@ void picture_write(const struct picture *picture, struct output *output, enum im
 {
     static void (*const writers[])(const struct picture *, struct output *) = {write_png, write_ppm, write_qoi};
     writers[kind](picture, output);
-    if (fflush(output->stream) != 0)
-        fail_write(output, strerror(errno));
+    if (fflush(output->stream) == 0)
+        return;
+    stop_if_interrupted(errno);
+    fail_write(output, strerror(errno));
 }

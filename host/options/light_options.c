@@ -5,7 +5,7 @@
 
 #include "base/argp.h"
 #include "base/parse.h"
-#include "options/shading_options.h"
+#include "options/light_options.h"
 
 static const double farthest = GLINT_LAMP_FAR / 16., widest = 1e6; /* pixels; the parts of a direction */
 enum { BRIGHTEST = GLINT_LAMP_COLOR_MAX / 65536 };

@@ -8,6 +8,7 @@
 #include "draw/paths.h"
 #include "image/format.h"
 #include "models/models.h"
+#include "options/light_options.h"
 #include "options/shading_options.h"
 
 /* The commands' own keys begin at 384. */

@@ -28,13 +28,4 @@ struct scene *scene_of_shading_options(const struct shading_options *options, co
 struct shading shading_of_options(const struct shading_options *options, enum glint_format format,
                                   const struct scene *scene);
 
-/* ---- the lights (light_options.c); all refuse what is wrong ---- */
-
-void check_direction(const struct argp_state *state, const char *option, const double direction[3]);
-void parse_light(const struct argp_state *state, const char *text, struct shading *shading);
-void parse_point(const struct argp_state *state, const char *text, struct shading *shading);
-void parse_spot(const struct argp_state *state, const char *text, struct shading *shading);
-/* After all options: adds the default light if there is none, and checks what depends on --view. */
-void check_lamps(const struct argp_state *state, struct shading *shading);
-
 #endif

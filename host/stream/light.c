@@ -8,6 +8,7 @@
 
 #include "base/memory.h"
 #include "base/message.h"
+#include "base/output.h"
 #include "base/parse.h"
 #include "base/stop.h"
 #include "draw/shading.h"
@@ -88,6 +89,8 @@ struct light_path *light_path_new(const struct stream_options *options)
     FILE *file = options->lights ? open_lines(options->lights) : NULL;
     struct light_path *path = allocate(1, sizeof *path);
     path->period = options->period;
+    if (file)
+        output_never(file);
     path->file = file;
     path->name = file == stdin ? "standard input" : options->lights;
     return path;
