@@ -27,8 +27,10 @@ struct stream_stats {
     size_t first_bytes; /* of the first frame, which is whole and counts in nothing below unless it is the only one */
     struct sums {
         unsigned long frames;
-        double whole_bytes, bytes, worst_bytes, rectangles, worst_rectangles, changed, seconds[LINKS_MAX],
-            worst_seconds[LINKS_MAX];
+        double whole_bytes, bytes, worst_bytes, rectangles, worst_rectangles, changed;
+        struct {
+            double sum, worst;
+        } seconds[LINKS_MAX]; /* over each link */
     } first, rest;
 };
 
@@ -67,8 +69,8 @@ static void add(const struct stream_stats *stats, struct sums *sums, const struc
     for (unsigned i = 0; i < stats->link_count; i++) {
         const struct sink_cost *cost = &stats->links[i].cost;
         const double seconds = (double)result->count * cost->rectangle_s + (double)result->bytes / cost->bytes_per_s;
-        sums->seconds[i] += seconds;
-        sums->worst_seconds[i] = fmax(sums->worst_seconds[i], seconds);
+        sums->seconds[i].sum += seconds;
+        sums->seconds[i].worst = fmax(sums->seconds[i].worst, seconds);
     }
 }
 
@@ -120,7 +122,7 @@ static json_t *to_json(const struct stream_stats *stats)
     const struct sums *s = sums_of(stats);
     json_t *predicted = json_array();
     for (unsigned i = 0; i < stats->link_count; i++) {
-        const double seconds = mean(s->seconds[i], s), worst = s->worst_seconds[i];
+        const double seconds = mean(s->seconds[i].sum, s), worst = s->seconds[i].worst;
         const struct link *link = &stats->links[i];
         json_array_append_new(predicted, json_pack("{s:s, s:f, s:f, s:o, s:o}", "link", link->name, "bytes_per_s",
                                                    link->cost.bytes_per_s, "rectangle_s", link->cost.rectangle_s,
@@ -150,7 +152,7 @@ static void print_text(const struct stream_stats *stats, FILE *stream)
         const struct link *link = &stats->links[i];
         fprintf(stream, "  predicted   ");
         if (s->bytes > 0)
-            fprintf(stream, "%.1f frames/s, worst %.1f,", rate(mean(s->seconds[i], s)), rate(s->worst_seconds[i]));
+            fprintf(stream, "%.1f frames/s, worst %.1f,", rate(mean(s->seconds[i].sum, s)), rate(s->seconds[i].worst));
         else
             fprintf(stream, "any number of frames/s");
         fprintf(stream, " over %s at %.0f KB/s and %g ms a rectangle\n", link->name, link->cost.bytes_per_s / 1000,

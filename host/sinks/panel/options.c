@@ -28,6 +28,8 @@ static const struct argp_option options[] = {
      "The glass needs inversion: if the picture is a negative, give the other value (default: yes for st7789)", 40},
     {0}};
 
+/* By key: the options, and the same in a bus's file. */
+static const char *const setting_names[KEY_END - KEY_PANEL] = {"panel", "rotation", "size", "offset", "bgr", "invert"};
 static const char *const controller_names[] = {"st7789", "ili9341", NULL}; /* by enum panel_controller */
 
 /* ---- values ---- */
@@ -89,8 +91,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
 {
     if (key < KEY_PANEL || key >= KEY_END)
         return ARGP_ERR_UNKNOWN;
-    static const char *const names[] = {"--panel", "--rotation", "--size", "--offset", "--bgr", "--invert"};
-    parse(state, names[key - KEY_PANEL], (enum key)key, text ? text : "yes", &from_user[key - KEY_PANEL]);
+    char origin[16];
+    snprintf(origin, sizeof origin, "--%s", setting_names[key - KEY_PANEL]);
+    parse(state, origin, (enum key)key, text ? text : "yes", &from_user[key - KEY_PANEL]);
     return 0;
 }
 
@@ -98,9 +101,8 @@ const struct argp panel_options_argp = {options, parse_option, NULL, NULL, NULL,
 
 bool panel_options_set(const char *origin, const char *name, const char *text)
 {
-    static const char *const names[] = {"panel", "rotation", "size", "offset", "bgr", "invert"};
     for (int i = 0; i < KEY_END - KEY_PANEL; i++) {
-        if (strcmp(name, names[i]) != 0)
+        if (strcmp(name, setting_names[i]) != 0)
             continue;
         parse(NULL, origin, (enum key)(KEY_PANEL + i), text, &from_file[i]);
         return true;

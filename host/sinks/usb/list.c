@@ -58,8 +58,12 @@ static void describe(libusb_context *libusb, struct usb_device *device, double u
 
 static json_t *device_json(libusb_context *libusb, struct usb_device *device, double until)
 {
-    static const char *const states[] = {
-        "free", "taken by the kernel", "in use by another program", "permission denied", "no good", "vanished"};
+    static const char *const states[] = {[USB_DISPLAY] = "free",
+                                         [USB_KERNEL] = "taken by the kernel",
+                                         [USB_IN_USE] = "in use by another program",
+                                         [USB_DENIED] = "permission denied",
+                                         [USB_NOT_DISPLAY] = "not usable",
+                                         [USB_VANISHED] = "vanished"};
     char id[16];
     snprintf(id, sizeof id, "%04x:%04x", device->id >> 16, device->id & 0xffff);
     json_t *object =

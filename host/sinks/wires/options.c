@@ -182,6 +182,7 @@ static char *read_line(char *text, int room, void *context)
     return length ? text : NULL;
 }
 
+/* First those that are said here, by key; then the panel's. */
 static const char *const setting_names[] = {"bus",  "chip",     "spidev", "spi-hz", "panel",
                                             "size", "rotation", "offset", "bgr",    "invert"};
 enum { SETTINGS = sizeof setting_names / sizeof *setting_names };
@@ -238,10 +239,11 @@ static void read_config(void)
 
 static error_t parse_option(int key, char *text, struct argp_state *state)
 {
-    static const char *const names[] = {"--bus", "--chip", "--spidev", "--spi-hz"};
-    if (key >= KEY_BUS && key < KEY_LINES)
-        say(state, &by_user, names[key - KEY_BUS], (enum key)key, text);
-    else if (key == KEY_LINES)
+    if (key >= KEY_BUS && key < KEY_LINES) {
+        char origin[16];
+        snprintf(origin, sizeof origin, "--%s", setting_names[key - KEY_BUS]);
+        say(state, &by_user, origin, (enum key)key, text);
+    } else if (key == KEY_LINES)
         say_lines(state, text);
     else if (key == KEY_BUS_CONFIG)
         config_path = parse_output(state, "--bus-config", text);
