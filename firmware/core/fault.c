@@ -5,21 +5,21 @@ const char *fault_text(enum fault fault)
 {
     static const char *const texts[FAULTS] = {
         "",
-        "it stood still, and the watchdog started it anew",
-        "the supply dipped",
+        "the program hung and the watchdog restarted it",
+        "the supply voltage dipped",
         "the map in flash is damaged: load the image again",
         "the panel's bus failed",
-        "the material is none",
-        "the image was built for no such panel",
+        "the library refused the material",
+        "the image was built for an unknown panel",
     };
     return texts[fault < FAULTS ? fault : FAULT_NONE];
 }
 
 void fault_line(uint16_t *pixels, uint16_t width, uint16_t height, uint16_t y, enum fault fault)
 {
-    const unsigned ninth = 9u * y / height; /* the bar takes three of nine, the blocks one */
+    const unsigned ninth = 9u * y / height; /* the bar takes three ninths, the blocks one */
     const bool in_bar = ninth / 3 == 1, in_blocks = ninth == 4;
-    const unsigned slots = 2 * (FAULTS - 1) + 1; /* blocks and what is between them, and at both ends */
+    const unsigned slots = 2 * (FAULTS - 1) + 1; /* blocks, the gaps between them, and a gap at each end */
     for (unsigned x = 0; x < width; x++) {
         const unsigned slot = x * slots / width;
         const bool in_block = in_blocks && slot % 2 && slot / 2 < (unsigned)fault;

@@ -9,7 +9,7 @@
  *   bus     -> gud_device_reset, _suspend, _resume
  *
  * One thread at a time. A rectangle that ends early (the host gave up, the bus was reset) leaves its other lines as they
- * were; the next GUD_SET_BUFFER starts anew. Bytes that no rectangle expects are dropped. A wrong LZ4 block draws what came
+ * were; the next GUD_SET_BUFFER starts a new one. Bytes that no rectangle expects are dropped. A wrong LZ4 block draws what came
  * before the fault. Both leave GUD_PROTOCOL or GUD_ERROR as the status until the next request. */
 #ifndef GUD_DEVICE_H
 #define GUD_DEVICE_H
@@ -25,9 +25,9 @@ struct gud_device_ops {
     void (*window)(void *context, uint16_t x, uint16_t y, uint16_t width, uint16_t height);
     void (*line)(void *context, const uint8_t *pixels, size_t bytes);
     void (*end)(void *context, bool whole);
-    /* Brightness is 0..100 as eyes count, 0 not dark; the picture stays. NULL: nothing to switch. */
+    /* Brightness is 0..100 as the eye sees it, and 0 is not dark; the picture stays. NULL: nothing to switch. */
     void (*display)(void *context, bool on, uint8_t brightness);
-    /* Rectangles are refused with GUD_BUSY while it says so. NULL: never. */
+    /* Rectangles are refused with GUD_BUSY while it returns true. NULL: never. */
     bool (*busy)(void *context);
 };
 
@@ -36,14 +36,14 @@ struct gud_device_ops {
 
 struct gud_device_config {
     uint16_t width, height;
-    uint16_t refresh_hz;    /* told to the host */
+    uint16_t refresh_hz;    /* stated to the host */
     uint8_t interface;      /* wIndex of its requests; others are refused (a board looks first for those of its own) */
     uint8_t output;         /* enum glint_format that lines have: GLINT_RGB565, GLINT_RGB565_SWAPPED or GLINT_RGB888 */
     const uint8_t *formats; /* enum gud_format, the best first */
     uint8_t format_count;   /* 1..GUD_FORMATS_MAX */
     bool status_after_set;  /* for USB stacks that cannot refuse a request once its data is there */
     bool dimmable;          /* offers brightness */
-    uint32_t max_buffer;    /* told to hosts: bytes of a rectangle before compression; at least a line */
+    uint32_t max_buffer;    /* stated to hosts: bytes of a rectangle before compression; at least a line */
     uint8_t *lines;         /* GUD_DEVICE_LINE_BYTES */
     size_t lines_bytes;
     uint8_t *window; /* for LZ4, of at least max_buffer bytes or LZ4_BLOCK_REACH; NULL: no LZ4 */
@@ -85,7 +85,7 @@ enum {
     GUD_TYPE_OUT = 0x41
 };
 
-/* False where the config cannot be (sizes of 0, memory too small, a format that is none). */
+/* False: the config is invalid (a size of 0, too little memory, an unknown format). */
 bool gud_device_init(struct gud_device *device, const struct gud_device_config *config);
 /* To the host: fills `reply` and returns its length, at most setup->length. To the device: returns setup->length, at most
  * GUD_DATA_BYTES. Or GUD_STALL; the host then asks for the status. */
@@ -97,7 +97,7 @@ uint32_t gud_device_expects(const struct gud_device *device);
 void gud_device_bulk(struct gud_device *device, const uint8_t *bytes, size_t count);
 /* Bus reset, disconnect, deconfigured: all that the host had set is gone, the display is off. */
 void gud_device_reset(struct gud_device *device);
-/* The display is off meanwhile. */
+/* The display is off between the two. */
 void gud_device_suspend(struct gud_device *device);
 void gud_device_resume(struct gud_device *device);
 

@@ -13,11 +13,11 @@ struct gud_panel {
     const struct panel *panel;
     /* State. */
     bool has_failed; /* the panel's bus */
-    bool is_open;    /* a rectangle, of which lines are to come */
+    bool is_open;    /* a rectangle is open: more lines follow */
     volatile bool is_sending;
 };
 
-/* For panel_show. GUD counts brightness as eyes do, and none of it is dark: a square, 1 at least; where not on, 0. */
+/* For panel_show. GUD states brightness as the eye sees it, and 0 is not dark: its square, at least 1; 0 if off. */
 uint8_t gud_panel_percent(bool on, uint8_t brightness);
 
 /* For gud_device_config, whose output is then GLINT_RGB565, lines aligned to 2, and whose context is a struct gud_panel. */

@@ -14,13 +14,13 @@ enum gud_request {
     GUD_GET_STATUS = 0x00,     /* 1 byte, enum gud_status: read after a STALL, or after each SET if GUD_FLAG_STATUS */
     GUD_GET_DESCRIPTOR = 0x01, /* struct gud_descriptor */
     GUD_GET_FORMATS = 0x40,    /* a byte each, enum gud_format */
-    GUD_GET_PROPERTIES = 0x41, /* 10 bytes each; none is fine */
+    GUD_GET_PROPERTIES = 0x41, /* 10 bytes each; may be empty */
     GUD_GET_CONNECTORS = 0x50, /* 5 bytes each: u8 type, u32 flags; at least 1 */
     GUD_GET_CONNECTOR_PROPERTIES = 0x51,
     GUD_SET_CONNECTOR_FORCE_DETECT = 0x53, /* empty */
     GUD_GET_CONNECTOR_STATUS = 0x54,       /* 1 byte: GUD_CONNECTOR_* */
     GUD_GET_CONNECTOR_MODES = 0x55,        /* struct gud_mode each */
-    GUD_GET_CONNECTOR_EDID = 0x56,         /* none is fine */
+    GUD_GET_CONNECTOR_EDID = 0x56,         /* may be empty */
     GUD_SET_BUFFER = 0x60,                 /* struct gud_rectangle, then its bytes on bulk OUT */
     GUD_SET_STATE_CHECK = 0x61,            /* struct gud_mode, u8 format, u8 connector, then properties */
     GUD_SET_STATE_COMMIT = 0x62,           /* empty */
@@ -31,9 +31,9 @@ enum gud_request {
 enum gud_status {
     GUD_OK,
     GUD_BUSY,
-    GUD_UNSUPPORTED, /* no such request */
+    GUD_UNSUPPORTED, /* unknown request */
     GUD_PROTOCOL,    /* a wrong length */
-    GUD_PARAMETER,   /* a value that cannot be */
+    GUD_PARAMETER,   /* an invalid value */
     GUD_ERROR
 };
 
@@ -100,14 +100,14 @@ struct gud_rectangle {
 };
 
 void gud_descriptor_pack(uint8_t out[GUD_DESCRIPTOR_BYTES], const struct gud_descriptor *descriptor);
-/* False where magic or version are others. Values are as sent: whoever reads them checks them. */
+/* False: wrong magic or version. Values are as sent; the caller checks them. */
 bool gud_descriptor_unpack(struct gud_descriptor *descriptor, const uint8_t in[GUD_DESCRIPTOR_BYTES]);
 void gud_mode_pack(uint8_t out[GUD_MODE_BYTES], const struct gud_mode *mode);
 void gud_mode_unpack(struct gud_mode *mode, const uint8_t in[GUD_MODE_BYTES]);
 void gud_rectangle_pack(uint8_t out[GUD_RECTANGLE_BYTES], const struct gud_rectangle *rectangle);
 void gud_rectangle_unpack(struct gud_rectangle *rectangle, const uint8_t in[GUD_RECTANGLE_BYTES]);
 
-/* Bytes of one line of `width` pixels; 0 for no such format. */
+/* Bytes of one line of `width` pixels; 0 for an unknown format. */
 size_t gud_line_bytes(enum gud_format format, uint32_t width);
 
 #endif

@@ -38,7 +38,7 @@ static bool bytes_are_right(const struct gud_device *d, const struct gud_rectang
         return false;
     if (r->compression == 0)
         return r->compressed_length == 0;
-    /* An LZ4 block of nothing but literals is as long as the last line tells. */
+    /* The last line is the length of an LZ4 block that holds literals only. */
     return r->compression == GUD_COMPRESSION_LZ4 && c->window &&
            (c->window_bytes >= LZ4_BLOCK_REACH || c->window_bytes >= r->length) && r->compressed_length &&
            r->compressed_length <= r->length + r->length / 255 + 16;
@@ -81,7 +81,7 @@ static void draw_line(struct gud_device *d, const uint8_t *in)
     c->ops->line(c->context, out, bytes / c->width * d->columns);
 }
 
-/* Uncompressed bytes; never more than the rectangle has: bulk_left and the decoder see to it. */
+/* Uncompressed bytes; bulk_left and the decoder keep them within the rectangle. */
 static void take(struct gud_device *d, const uint8_t *bytes, size_t count)
 {
     uint8_t *const gathered = d->config->lines + 2 * (size_t)gud_output_line_bytes(d->config);

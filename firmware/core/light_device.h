@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The device's side of light_protocol.h, portable. The USB stack hands it requests and bulk bytes, as to gud_device.h; the
- * board takes material, map and lights from it. No heap, no I/O; whatever a host sends, it writes to no memory but the map's. */
+ * board takes material, map and lights from it. No heap, no I/O; whatever a host sends, it writes to the map's memory only. */
 #ifndef LIGHT_DEVICE_H
 #define LIGHT_DEVICE_H
 
@@ -21,9 +21,9 @@ struct light_device {
     /* State: read it. */
     bool enabled;      /* the host wants the panel */
     bool has_material; /* and the material below */
-    bool has_map;      /* all of it, and it is one */
-    bool is_drawing;   /* yours to set: the last light's frame is not whole on the panel */
-    bool is_new;       /* material or map are others than when you last set this to false */
+    bool has_map;      /* all of it, and all its words are normals */
+    bool is_drawing;   /* yours to set: the last light's frame is not complete on the panel */
+    bool is_new;       /* material or map have changed since you last set this to false */
     struct light_material material;
 
     /* State, ours. */
@@ -38,7 +38,7 @@ struct light_device {
 /* As gud_device_setup and gud_device_set. */
 int light_device_setup(struct light_device *device, const struct gud_setup *setup, uint8_t reply[GUD_REPLY_BYTES]);
 bool light_device_set(struct light_device *device, const struct gud_setup *setup, const uint8_t *data);
-/* Takes bulk bytes; before, ask whether there is room for as many: else let them wait on the bus. */
+/* Takes bulk bytes. Ask first whether there is room for them; if not, let them wait on the bus. */
 bool light_device_has_room(const struct light_device *device, size_t count);
 void light_device_bulk(struct light_device *device, const uint8_t *bytes, size_t count);
 /* Bus reset, disconnect. */
@@ -46,7 +46,7 @@ void light_device_reset(struct light_device *device);
 
 /* The shader that the material asks for; its light is not set. */
 void light_device_shader(const struct light_device *device, struct glint_shader *shader);
-/* The next frame's light; false: none waits, or material or map are missing. */
+/* The next frame's light; false: no light waits, or material or map are missing. */
 bool light_device_next(struct light_device *device, int32_t to_light[3]);
 
 #endif

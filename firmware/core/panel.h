@@ -47,8 +47,8 @@ enum { PANEL_OFF = 0, PANEL_BRIGHTEST = 100 }; /* percent */
 struct panel_bus {
     bool (*command)(void *context, uint8_t command);                 /* one byte, D/C low */
     bool (*data)(void *context, const uint8_t *bytes, size_t count); /* D/C high */
-    bool (*reset)(void *context, bool active); /* the reset line; NULL: there is none, the command does */
-    /* 0..100 percent; any but 0 is on where it cannot be dimmed. NULL: there is none. */
+    bool (*reset)(void *context, bool active);                       /* the reset line; NULL: reset by command */
+    /* 0..100 percent; a backlight that cannot be dimmed is on above 0. NULL: no backlight. */
     bool (*backlight)(void *context, uint8_t percent);
     void (*wait_ms)(void *context, unsigned ms);
     void *context;
@@ -61,15 +61,15 @@ struct panel {
     uint8_t rotation;            /* quarter turns of the picture on the glass, clockwise, 0..3 */
     uint16_t width, height;      /* of the picture, after the rotation */
     uint16_t x_offset, y_offset; /* where the glass starts in the controller's memory, before the rotation */
-    bool bgr, inverted;          /* how the glass is wired; IPS glass wants inversion */
-    bool tearing_line;           /* is wired: the controller is to drive it */
+    bool bgr, inverted;          /* how the glass is wired; IPS glass needs inversion */
+    bool tearing_line;           /* it is wired: the controller must drive it */
 };
 
-/* Sets all but the bus to what is usual for a glass of this size: ST7789 as 240x320, 240x280, 240x240, 172x320, 170x320 or
- * 135x240 with its offset, ILI9341 as 240x320. False where no such glass is known (the offset is 0, 0 then). */
+/* Sets all but the bus to the usual values for a glass of this size: ST7789 as 240x320, 240x280, 240x240, 172x320, 170x320 or
+ * 135x240 with its offset, ILI9341 as 240x320. False: no glass of this size is known; the offset is then 0, 0. */
 bool panel_defaults(struct panel *panel, enum panel_controller controller, uint8_t rotation, uint16_t width,
                     uint16_t height);
-/* Does the glass lie within the controller's memory, and do the other fields make sense? */
+/* Whether the glass lies within the controller's memory and the other fields are valid. */
 bool panel_fits(const struct panel *panel);
 
 /* Reset and initialisation, a quarter of a second: awake, RGB565, still dark, since the memory holds noise. */
@@ -77,9 +77,9 @@ bool panel_start(const struct panel *panel);
 /* Display and backlight, after the first picture: on, at so many percent of its brightness, 1..100; or off, 0. */
 bool panel_show(const struct panel *panel, uint8_t percent);
 /* A window and the command that takes its pixels: width x height RGB565, high byte first, follow by bus->data, in as many
- * calls as you like. False also where the window is empty or not within the picture; nothing is sent then. */
+ * calls as you like. False also if the window is empty or leaves the picture; then nothing is sent. */
 bool panel_window(const struct panel *panel, uint16_t x, uint16_t y, uint16_t width, uint16_t height);
-/* Dark and asleep, also after pixels that were half sent. panel_start begins anew. */
+/* Dark and asleep, also in the middle of pixels. panel_start wakes it again. */
 bool panel_stop(const struct panel *panel);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Two buffers for normals and two for pixels, by turns. */
+ * Two buffers for normals and two for pixels, used in turn. */
 #include "relight.h"
 
 static const uint32_t *map_line(const struct relight *relight, uint16_t y)
@@ -35,7 +35,7 @@ enum glint_err relight_material(struct relight *relight, const struct glint_shad
 
 enum glint_err relight_start(struct relight *relight, const struct glint_shader *shader)
 {
-    while (relight->is_sending) /* the last lines of what was there before */
+    while (relight->is_sending) /* the last lines of the picture before */
         ;
     relight->in_frame = false;
     relight->has_gaps = false;
@@ -66,7 +66,7 @@ enum glint_err relight_frame(struct relight *relight, const int32_t to_light[3])
         error = glint_tables_light_init(&relight->light, &relight->tables, &relight->source);
     if (error != GLINT_OK)
         return error;
-    while (!is_fetched(relight)) /* where a frame was given up */
+    while (!is_fetched(relight)) /* of a frame that was abandoned */
         ;
     relight->line = 0;
     relight->in_frame = true;
@@ -107,7 +107,7 @@ static void shade_right(void *relight)
     shade_part(relight, middle(relight), ((const struct relight *)relight)->panel->width);
 }
 
-/* Where there are two cores each has half of the surface: nothing that one writes the other reads before the join. */
+/* With two cores each shades half of the surface: neither reads what the other writes before the join. */
 static void shade(struct relight *relight)
 {
     const struct hal *hal = relight->hal;
@@ -151,7 +151,8 @@ enum relight_step relight_step(struct relight *relight)
     if (relight->line + 1 < panel->height)
         fetch(relight, (uint16_t)(relight->line + 1), !relight->buffer);
     shade(relight);
-    if (relight->line == 0 && !panel_window(panel, 0, 0, panel->width, panel->height)) /* after what is on its way */
+    if (relight->line == 0 &&
+        !panel_window(panel, 0, 0, panel->width, panel->height)) /* after the lines that are on their way */
         return RELIGHT_BUS_FAILED;
     relight->waiting = relight->pixels[relight->buffer];
     relight->is_waiting = true; /* from here on an interrupt may send it */

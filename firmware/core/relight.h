@@ -40,7 +40,7 @@ struct relight {
 enum glint_err relight_start(struct relight *relight, const struct glint_shader *shader);
 /* Another material for the frames to come; between frames. */
 enum glint_err relight_material(struct relight *relight, const struct glint_shader *shader);
-/* Begins a frame, when the one before is done. GLINT_ERR_VECTOR: no such light; the one before stays. */
+/* Begins a frame after the one before is done. GLINT_ERR_VECTOR: the light is invalid; the one before stays. */
 enum glint_err relight_frame(struct relight *relight, const int32_t to_light[3]);
 
 enum relight_step { RELIGHT_DONE, RELIGHT_BUSY, RELIGHT_BUS_FAILED };

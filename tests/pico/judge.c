@@ -32,7 +32,7 @@ static void show_panel(const char *controller, unsigned width, unsigned height)
     const unsigned rotation = width > height;
     if (!panel_defaults(&panel, strcmp(controller, "ili9341") == 0 ? PANEL_ILI9341 : PANEL_ST7789, (uint8_t)rotation,
                         (uint16_t)width, (uint16_t)height))
-        fail("judge: no such panel: %s %ux%u", controller, width, height);
+        fail("judge: unknown panel %s %ux%u", controller, width, height);
     const struct virtual_glass glass = virtual_glass_of(&panel);
     virtual_panel_init(&seen, &glass);
     for (int kind, byte; (kind = getchar()) != EOF && (byte = getchar()) != EOF;) {
@@ -167,6 +167,6 @@ int main(int argc, char **argv)
     else if (argc == 3 && strcmp(argv[1], "light") == 0)
         pack_light(number(argv[2]));
     else
-        fail("judge: no such call; the source tells which there are");
+        fail("judge: unknown call; the source lists the calls");
     return fflush(stdout) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

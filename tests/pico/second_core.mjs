@@ -39,7 +39,7 @@ export class SecondCore {
     if (core.waiting) core.waiting = false
     else core.eventRegistered = true
   }
-  // The boot ROM echoes 0, 0, 1, the vector table, the stack and the entry; what is out of turn begins anew.
+  // The boot ROM echoes 0, 0, 1, the vector table, the stack and the entry; a word out of turn restarts the sequence.
   launch(value) {
     const in_turn = this.step >= 3 || value === [0, 0, 1][this.step]
     this.messages[this.step] = value

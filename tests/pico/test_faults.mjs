@@ -47,7 +47,7 @@ run([
     check(pico.run(() => pico.uart.includes('relighting'), 3000), pico.uart)
     check(!pico.uart.includes('error'), pico.uart)
   }],
-  ['a bus that hangs: the watchdog starts the board anew, and it says and shows so for two seconds', () => {
+  ['a bus that hangs: the watchdog restarts the board, which reports it and shows it for two seconds', () => {
     pico.wires.held = true
     until_bitten(pico)
     pico = Pico.after(pico, packages, uf2, { by: STARTED_BY.supply, watchdog: true })
@@ -55,14 +55,14 @@ run([
     check(!pico.run(() => pico.uart.includes('relighting'), 1800), 'it is gone before')
     relights(pico, 400)
   }],
-  ['a bus that fails is told, and shown after the start that follows', () => {
+  ['a bus that fails is reported, and shown after the restart', () => {
     pico.chip.writeUint8(symbols.get('gud_panel') + 8, 1) // has_failed: a bus of our SPI's kind cannot
     until_bitten(pico)
     check(pico.uart.includes(`error ${BUS}: `), pico.uart)
     pico = Pico.after(pico, packages, uf2, { by: STARTED_BY.supply, watchdog: true })
     shows_fault(pico, BUS)
   }],
-  ['meanwhile a computer may draw', () => {
+  ['a computer may draw while the fault is shown', () => {
     const host = new UsbHost(pico), gud = new Gud(host)
     host.pulled_up = true
     host.enumerate()
@@ -72,7 +72,7 @@ run([
     pico.run(() => false, 1)
     judge.same(look(pico), shown565(pixels), 'its frame')
   }],
-  ['a supply that dips is told apart from a power-up by the RAM that outlives it', () => {
+  ['a dip of the supply is told from a power-up by RAM that kept its contents', () => {
     pico = Pico.after(pico, packages, uf2, { by: STARTED_BY.supply })
     shows_fault(pico, SUPPLY)
     relights(pico, 2200)

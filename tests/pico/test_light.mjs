@@ -84,7 +84,7 @@ run([
     check(pico.run(() => !frame_done(), 100) && pico.run(frame_done, 100), 'no frame')
     judge.same(look(), judge.demo(3), 'the next picture')
   }],
-  ['GUD hosts are busy-signalled meanwhile, and nothing of theirs is drawn', () => {
+  ['GUD hosts get busy while a light host has the panel, and nothing of theirs is drawn', () => {
     const before = look()
     check(gud.begin(FORMAT.rgb565), 'the GUD host cannot begin')
     check(!gud.buffer({ x: 0, y: 0, width: 2, height: 1, length: 4 }), 'a rectangle is not refused')
@@ -92,7 +92,7 @@ run([
     check(gud.set(0x64, Buffer.of(0)), 'switching its display off')
     judge.same(look(), before, 'the picture')
   }],
-  ['a map with a normal that is none is refused as a whole', () => {
+  ['a map with an invalid normal is refused as a whole', () => {
     const wrong = Buffer.from(map)
     wrong.writeUInt32LE(0x7fff7f7f, 4 * 1234)
     check(light.set(MAP), 'the map')

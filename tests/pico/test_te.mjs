@@ -63,7 +63,7 @@ function torn(from) {
 
 let rate
 run([
-  ['the board says that it waits for TE, and the panel is told to drive it', () => {
+  ['the board says that it waits for TE, and tells the panel to drive it', () => {
     check(pico.run(() => pico.uart.includes('relighting'), 3000), pico.uart)
     check(pico.uart.includes('in step with TE'), pico.uart)
     equal(scan.mode, 0, 'the mode of TE')
@@ -80,7 +80,7 @@ run([
   ['no scan shows lines of two frames', () => {
     equal(torn(frames[1].begins[0]), 0, 'scans that are torn')
   }],
-  ['with a line that is dead frames come all the same, once it is said, and then they tear', () => {
+  ['frames go on with a dead line, which is reported once, and then they tear', () => {
     scan.wired = false
     const from = clock.nanos
     draw(20)

@@ -144,7 +144,7 @@ run([
     judge.same(look(), screen, 'the lines that arrived')
     draws({ x: 30, y: 40, width: 9, height: 9 }, picture565(9, 9, 31), undefined, 'the next rectangle')
   }],
-  ['a wrong LZ4 block is told by the status and stays within its rectangle', () => {
+  ['a wrong LZ4 block is reported by the status and stays within its rectangle', () => {
     const rectangle = { x: 60, y: 60, width: 20, height: 20 }
     check(gud.buffer({ ...rectangle, length: 800, compressed: 40 }), 'the rectangle')
     host.bulk(1, Buffer.alloc(40, 0x0f)) // a match from before the beginning
@@ -152,7 +152,7 @@ run([
     judge.same(look(), screen, 'the panel')
     draws(rectangle, picture565(20, 20, 40), undefined, 'the same rectangle, right')
   }],
-  ['the backlight is as bright as the host sets it, as eyes count: a square, never dark, 100 on all the time', () => {
+  ['the backlight is as bright as the host sets it: its square, never dark, 100 on all the time', () => {
     equal(gud.get(0x51, 320).toString('hex'), '0c006400000000000000', 'the property, at first')
     for (const [percent, shines] of [[30, 9], [0, 1], [1, 1], [100, 100], [55, 30]]) {
       check(gud.state(FORMAT.rgb565, percent), `${percent} percent are refused with status ${gud.status()}`)

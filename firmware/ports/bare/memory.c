@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Where there is no C library: static data as C wants it, and what compilers ask for by themselves. */
+ * In place of a C library: initial static data, and the functions that compilers call by themselves. */
 #include "bare.h"
 
 #include <stddef.h>

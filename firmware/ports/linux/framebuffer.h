@@ -9,7 +9,7 @@
 #include <stdint.h>
 
 struct framebuffer {
-    uint8_t *pixels; /* the first one that is seen; NULL: there is none */
+    uint8_t *pixels; /* the first visible one; NULL: no framebuffer */
     size_t offset;   /* of that one in the memory, and the memory's size */
     size_t bytes;    /* of the memory */
     uint32_t line;   /* bytes from a line to the next */

@@ -171,13 +171,13 @@ static void stop_reading(void)
 
 void functionfs_halt(void)
 {
-    if (write(bulk_out, "", 1) >= 0 || errno != EBADMSG) /* the wrong way round is how FunctionFS is told */
+    if (write(bulk_out, "", 1) >= 0 || errno != EBADMSG) /* the wrong direction means a stall to FunctionFS */
         warn("the endpoint cannot be stalled: %s", strerror(errno));
 }
 
 /* ---- control ---- */
 
-/* I/O in the other direction than the request's is how FunctionFS is told to stall. */
+/* FunctionFS stalls on I/O in the direction opposite to the request's. */
 static void stall(bool in)
 {
     char none;
@@ -281,7 +281,7 @@ void functionfs_hold_signals(void)
     pthread_sigmask(SIG_BLOCK, &set, NULL);
     const struct sigaction interrupt = {.sa_handler = ignore}; /* without SA_RESTART */
     sigaction(INTERRUPT, &interrupt, NULL);
-    signal(SIGPIPE, SIG_IGN); /* nobody reads the messages any more: no reason to leave the gadget behind */
+    signal(SIGPIPE, SIG_IGN); /* the reader of the messages is gone: go on, and take the gadget down at the end */
     signals = signalfd(-1, &set, SFD_CLOEXEC);
 }
 
@@ -301,7 +301,7 @@ static void serve(void (*dump)(void *context))
     for (;;) {
         const int ready = poll(files, 2, REPLUG_MS);
         if (ready < 0)
-            continue; /* interrupted: what the files told is old */
+            continue; /* interrupted: the events are stale */
         if (ready == 0 && configfs_is_lost())
             configfs_plug();
         if (files[0].revents & (POLLIN | POLLHUP | POLLERR))

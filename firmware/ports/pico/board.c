@@ -31,7 +31,7 @@ static struct {
 
 /* ---- the panel's bus ---- */
 
-/* ST7789 modules without CS want the clock to idle high (mode 3); ILI9341 takes that, too. And with CPHA = 1 frames
+/* ST7789 modules without CS need a clock that idles high (mode 3); ILI9341 takes that, too. And with CPHA = 1 frames
  * follow each other without a gap. */
 static void set_format(unsigned bits)
 {
@@ -110,7 +110,7 @@ static void flush(void *context, const uint16_t *pixels, size_t count, void (*do
     dma_channel_transfer_from_buffer_now(board.send, pixels, count);
 }
 
-/* The streamer reads flash in the background, behind what the processor wants of it, and DMA empties its FIFO: a DMA from
+/* The streamer reads flash in the background, behind the processor's own reads, and DMA empties its FIFO: a DMA from
  * flash itself would hold up the other one at each word. */
 static void fetch(void *context, uint32_t *to, const uint32_t *from, size_t words)
 {
@@ -131,7 +131,7 @@ static bool fetched(void *context)
 
 enum { TE_EDGE = IS_BEHIND_SCAN ? GPIO_IRQ_EDGE_FALL : GPIO_IRQ_EDGE_RISE };
 
-/* The pin's latch, without an interrupt. A line that is dead holds up one frame; edges bring it to life again. */
+/* The pin's latch, without an interrupt. A dead line holds up one frame; with its next edge it counts again. */
 static bool may_begin(void *context)
 {
     (void)context;
@@ -205,7 +205,7 @@ static void start_backlight(void)
     gpio_set_function(PIN_BACKLIGHT, GPIO_FUNC_PWM);
 }
 
-/* RAM may outlive a dip of the supply, of which the chip tells no more than of a power-up; what it then holds tells. */
+/* RAM may keep its contents over a dip of the supply, which the chip reports as a power-up: the contents tell them apart. */
 static uint32_t __uninitialized_ram(running);
 enum { RUNNING = 0x74736f6d };
 

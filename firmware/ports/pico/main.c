@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * A display that shades by itself until a computer wants to be the one who draws. */
+ * A display that shades by itself until a computer takes it over. */
 #include "board.h"
 #include "cksum.h"
 #include "demo.h"
@@ -29,7 +29,7 @@ static struct {
 } lines LINES_BANK;
 static struct {
     uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4];
-    union { /* no two of these hosts have the panel at once */
+    union { /* only one of these hosts has the panel at a time */
         struct {
             uint32_t lines[(GUD_DEVICE_LINE_BYTES(PANEL_WIDTH, 2, 2) + 3) / 4];
             uint8_t lz4_window[LZ4_BLOCK_REACH];
@@ -37,7 +37,7 @@ static struct {
 #if OFFERS_LIGHT
         uint32_t map[PANEL_WIDTH * PANEL_HEIGHT];
 #else
-        uint32_t map[1]; /* its interface is not there to fill it */
+        uint32_t map[1]; /* no interface fills it */
 #endif
     } host;
 } memory;
@@ -99,7 +99,7 @@ static void gud_display(void *context, bool on, uint8_t brightness)
         gud_panel_ops.display(context, on, brightness);
 }
 
-/* ---- what may go wrong ---- */
+/* ---- faults ---- */
 
 /* What is shown instead of the demo, and until when. */
 static struct {
@@ -119,14 +119,14 @@ static void say_fault(enum fault fault)
     board_say("\r\n");
 }
 
-/* After the watchdog's start the panel shows it. */
+/* The panel shows it after the watchdog's restart. */
 static void fail(enum fault fault)
 {
     say_fault(fault);
     board_fail(fault);
 }
 
-/* Hosts may draw all the same. */
+/* Hosts may draw in spite of these. */
 static void find_faults(enum fault before)
 {
     wrong.fault = before;
@@ -160,7 +160,7 @@ static void start(void)
     panel.tearing_line = HAS_TE;
     usb_start(&gud, &light);
 #if SECOND_CORE
-    board_say("both cores shade; the second has run in a model only\r\n");
+    board_say("both cores shade; the second core has run in a model only\r\n");
     second_core_start();
 #endif
     if (!panel_start(&panel))
@@ -233,7 +233,7 @@ static void hand_over(enum owner to)
     board_say("\r\n");
 }
 
-/* Where the light is in the next frame; false: there is none yet. */
+/* The light of the next frame; false: none yet. */
 static bool next_light(int32_t to_light[3])
 {
     static uint32_t frame;
@@ -267,7 +267,7 @@ static void draw(bool *is_shown)
     }
     int32_t to_light[3];
     if (next_light(to_light)) {
-        relight_frame(&relight, to_light); /* a light that cannot be leaves the last picture */
+        relight_frame(&relight, to_light); /* after an invalid light the last picture stays */
         light.is_drawing = owner == LIGHT_HOST;
     }
 }

@@ -11,7 +11,7 @@
 enum usb_interface { USB_GUD, USB_LIGHT, USB_INTERFACES = 1 + OFFERS_LIGHT };
 enum { USB_PACKET = 64 };
 
-/* Where bulk bytes go. Packets are taken only where there is room; the host waits meanwhile. */
+/* Where bulk bytes go. Packets are taken only if there is room; else the host waits. */
 struct usb_class_ops {
     bool (*has_room)(enum usb_interface interface, size_t count);
     void (*take)(enum usb_interface interface, const uint8_t *bytes, size_t count);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * In the place of glint_msh, by the linker's --wrap: an instruction that is none. */
+ * In the place of glint_msh, by the linker's --wrap: an undefined instruction. */
 #include "glint.h"
 
 uint32_t __wrap_glint_msh(uint32_t n, int32_t c_q16);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * The conformance image and the frame rate: the report goes to the UART as it comes and, whole, again and again, to USB's
- * serial port, whoever opens it when. No panel is needed, but one is used. */
+ * serial port, whenever it is opened. No panel is needed, but one is used. */
 #include "../board.h"
 #include "conformance.h"
 #include "demo.h"
