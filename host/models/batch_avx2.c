@@ -18,6 +18,12 @@ AVX2 static inline __m256i load_c(const int32_t *c_q16)
     return _mm256_min_epi32(_mm256_max_epi32(c, _mm256_setzero_si256()), _mm256_set1_epi32(GLINT_C_ONE));
 }
 
+/* All bits where c < 0, where F is 0; models whose F is not 0 at c = 0 need to ask. */
+AVX2 static inline __m256i back_facing(const int32_t *c_q16)
+{
+    return _mm256_srai_epi32(_mm256_loadu_si256((const __m256i *)(const void *)c_q16), 31);
+}
+
 AVX2 static inline void store_f(uint32_t *f_q16, __m256i f)
 {
     _mm256_storeu_si256((__m256i *)(void *)f_q16, f);
@@ -148,9 +154,10 @@ AVX2 void batch_lyon_avx2(uint32_t n, const int32_t *c_q16, uint32_t *f_q16, siz
 {
     size_t i = 0;
     for (; i + 16 <= count; i += 16) {
+        const __m256i back0 = back_facing(c_q16 + i), back1 = back_facing(c_q16 + i + 8);
         const __m256i f0 = lyon_8(n, load_c(c_q16 + i)), f1 = lyon_8(n, load_c(c_q16 + i + 8));
-        store_f(f_q16 + i, f0);
-        store_f(f_q16 + i + 8, f1);
+        store_f(f_q16 + i, _mm256_andnot_si256(back0, f0));
+        store_f(f_q16 + i + 8, _mm256_andnot_si256(back1, f1));
     }
     _mm256_zeroupper();
     batch_lyon_portable(n, c_q16 + i, f_q16 + i, count - i);
@@ -231,7 +238,9 @@ AVX2 void batch_lookup_avx2(const uint32_t *table, const int32_t *c_q16, uint32_
 {
     size_t i = 0;
     for (; i + 8 <= count; i += 8)
-        store_f(f_q16 + i, _mm256_i32gather_epi32((const int *)(const void *)table, load_c(c_q16 + i), 4));
+        store_f(f_q16 + i,
+                _mm256_andnot_si256(back_facing(c_q16 + i),
+                                    _mm256_i32gather_epi32((const int *)(const void *)table, load_c(c_q16 + i), 4)));
     _mm256_zeroupper();
     batch_lookup_portable(table, c_q16 + i, f_q16 + i, count - i);
 }

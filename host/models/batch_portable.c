@@ -54,14 +54,14 @@ void batch_lyon_portable(uint32_t n, const int32_t *c_q16, uint32_t *f_q16, size
     const int32_t k = (int32_t)n;
 #pragma omp simd
     for (size_t i = 0; i < count; i++) {
-        const int32_t p = 4 * GLINT_C_ONE - k * (GLINT_C_ONE - batch_clamp_c(c_q16[i]));
+        const int32_t c = c_q16[i], p = 4 * GLINT_C_ONE - k * (GLINT_C_ONE - batch_clamp_c(c));
         const double base = (p > 0 ? p : 0) * 0x1p-14, square = base * base;
-        f_q16[i] = (uint32_t)(int32_t)(square * square + 0.5);
+        f_q16[i] = c < 0 ? 0 : (uint32_t)(int32_t)(square * square + 0.5); /* at c = 0 it is more than 0 for n < 4 */
     }
 }
 
 void batch_lookup_portable(const uint32_t *table, const int32_t *c_q16, uint32_t *f_q16, size_t count)
 {
     for (size_t i = 0; i < count; i++)
-        f_q16[i] = table[batch_clamp_c(c_q16[i])];
+        f_q16[i] = c_q16[i] < 0 ? 0 : table[batch_clamp_c(c_q16[i])];
 }

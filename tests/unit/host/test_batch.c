@@ -89,6 +89,27 @@ static void shininess_out_of_range_is_clamped(void **state)
             check((enum glint_model)model, shininess[k], MOST, 0, 0);
 }
 
+/* Where F(0) is not 0, as Gauss's and Lyon's for small n: by loops and by tables. */
+static void back_facing_cosines_give_0_for_every_model(void **state)
+{
+    (void)state;
+    int32_t *c_q16 = malloc((TABLE + 5) * sizeof *c_q16);
+    uint32_t *f_q16 = malloc((TABLE + 5) * sizeof *f_q16);
+    assert_non_null(c_q16);
+    assert_non_null(f_q16);
+    for (size_t i = 0; i < TABLE + 5; i++)
+        c_q16[i] = i % 2 ? -1 - (int32_t)i : INT32_MIN + (int32_t)i;
+    for (int model = 0; model < MODELS; model++)
+        for (size_t count = 17; count <= TABLE + 5; count += TABLE + 5 - 17) {
+            memset(f_q16, 1, count * sizeof *f_q16);
+            batch_eval((enum glint_model)model, 1, c_q16, f_q16, count);
+            for (size_t i = 0; i < count; i++)
+                assert_int_equal(f_q16[i], 0);
+        }
+    free(c_q16);
+    free(f_q16);
+}
+
 static void an_unknown_model_gives_0(void **state)
 {
     (void)state;
@@ -137,6 +158,7 @@ int main(void)
         cmocka_unit_test(every_model_is_exact_on_both_sides_of_the_table),
         cmocka_unit_test(the_output_may_be_the_input),
         cmocka_unit_test(shininess_out_of_range_is_clamped),
+        cmocka_unit_test(back_facing_cosines_give_0_for_every_model),
         cmocka_unit_test(an_unknown_model_gives_0),
         cmocka_unit_test(every_loop_takes_any_count_in_place),
     };
