@@ -7,7 +7,9 @@
 #include <unistd.h>
 
 static volatile sig_atomic_t asked; /* the signal that asked the stream to end */
-static void (*volatile undo_all)(void);
+enum { UNDO_MAX = 4 };
+static void (*volatile undos[UNDO_MAX])(void);
+static volatile sig_atomic_t undo_count;
 static const char *volatile last_words;
 static volatile sig_atomic_t resumed;
 
@@ -24,8 +26,8 @@ static bool write_reports(int number)
 
 static void end_by(int number)
 {
-    if (undo_all)
-        undo_all();
+    for (int i = undo_count; i-- > 0;)
+        undos[i]();
     signal(number, SIG_DFL);
     raise(number);
 }
@@ -122,7 +124,10 @@ void stop_if_interrupted(int error)
 
 void stop_undo(void (*undo)(void))
 {
-    undo_all = undo;
+    if (undo_count == UNDO_MAX)
+        abort(); /* each file of base that needs it calls this once */
+    undos[undo_count] = undo;
+    undo_count = undo_count + 1;
 }
 
 void stop_last_words(const char *words)

@@ -6,7 +6,7 @@
 #include <signal.h>
 #include <stdbool.h>
 
-/* The signals that end a program end it at once, after stop_undo's function has run. Ignored signals stay ignored. */
+/* The signals that end a program end it at once, after stop_undo's functions have run. Ignored signals stay ignored. */
 void stop_at_signals(void);
 /* From now on the first signal that would end the program only asks: stream_stopped() becomes true and waiting ends. The
  * second ends the program at once. SIGTSTP stops it after the last words. */
@@ -18,7 +18,8 @@ int stop_status(void);
 /* Ends the program with that status if the error (errno) is only that such a signal came; else returns. */
 void stop_if_interrupted(int error);
 
-/* Runs where a signal ends the program at once: it may call only what a signal handler may. */
+/* Runs where a signal ends the program at once: it may call only what a signal handler may. The last one added runs
+ * first, as with atexit(). */
 void stop_undo(void (*undo)(void));
 /* Goes to standard output where a signal stops the program or a second one ends it at once; NULL: nothing. The text must
  * stay. */

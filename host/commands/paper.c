@@ -1,17 +1,24 @@
 /* SPDX-License-Identifier: MIT
  * glint paper: the paper's table, figures and claims, computed again. */
-#include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "base/argp.h"
+#include "base/folder.h"
 #include "base/message.h"
 #include "base/output.h"
 #include "base/parse.h"
 #include "commands/commands.h"
+#include "paper/lobes.h"
+#include "paper/models.h"
 #include "paper/paper.h"
+#include "paper/plot.h"
+#include "paper/relative.h"
+#include "paper/report.h"
+#include "paper/spots.h"
+#include "paper/surfaces.h"
+#include "paper/table.h"
 
 enum { OPTION_ONLY = 256, OPTION_NO_PLOTS, OPTION_JSON };
 
@@ -104,37 +111,6 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
     }
 }
 
-static bool is_directory(const char *path)
-{
-    struct stat status;
-    return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
-}
-
-/* With the folders above it. */
-static void make_directory(const char *directory)
-{
-    char *path = strdup(directory);
-    if (!path)
-        fail("out of memory");
-    for (char *at = path + 1;; at++) {
-        if (*at && *at != '/')
-            continue;
-        const char kept = *at;
-        *at = 0;
-        if (mkdir(path, 0777) != 0 && !(errno == EEXIST && is_directory(path))) {
-            if (errno == EEXIST)
-                fail("%s: this is a file; name a folder", path);
-            fail("%s: cannot create the folder: %s", path, strerror(errno));
-        }
-        *at = kept;
-        if (!kept)
-            break;
-    }
-    free(path);
-    if (access(directory, W_OK | X_OK) != 0)
-        fail("%s: cannot write there: %s", directory, strerror(errno));
-}
-
 static void print_claims(const struct paper *paper)
 {
     size_t i;
@@ -175,7 +151,7 @@ int command_paper(int argc, char **argv)
         .tables = json_object(),
         .figures = json_array(),
     };
-    make_directory(settings.directory);
+    paper.folder = folder_open(settings.directory);
     for (int i = 0; i < PART_COUNT; i++) {
         if (!(settings.wanted >> i & 1))
             continue;
@@ -184,6 +160,7 @@ int command_paper(int argc, char **argv)
     }
     progress_end();
     paper_report(&paper);
+    folder_close(paper.folder);
     print_result(&paper, settings.json);
     json_decref(paper.claims);
     json_decref(paper.choices);

@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: MIT
  * Figures 3 and 4: the functions themselves, and their error at the epicentre of the highlight. */
+#include "paper/lobes.h"
+
 #include <math.h>
 
 #include "base/output.h"
+#include "models/formulas.h"
 #include "models/models.h"
-#include "paper/paper.h"
+#include "paper/figure.h"
+#include "paper/q16.h"
 
 /* ---- figure 3: F over x at n = 60 ---- */
 

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT
  * The table of models on the paper's grid, and what one evaluation costs. */
+#include "paper/models.h"
+
 #include <math.h>
 
 #include "base/output.h"
+#include "models/formulas.h"
 #include "models/models.h"
-#include "paper/paper.h"
+#include "paper/q16.h"
 
 /* Arithmetic for one c with all that depends on n alone prepared. */
 struct operations {

@@ -1,17 +1,23 @@
 /* SPDX-License-Identifier: MIT
  * gnuplot as a process: a script in, a picture out. */
+#include "paper/plot.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <spawn.h>
+#include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "base/message.h"
-#include "paper/paper.h"
 
 extern char **environ;
+
+enum { COMPLAINT_BYTES = 100 };
 
 static char *read_all(int descriptor, size_t *size)
 {
@@ -31,17 +37,30 @@ static char *read_all(int descriptor, size_t *size)
     }
 }
 
-/* Its standard error is dropped: gnuplot's complaints take many lines; the script is kept for whoever wants to see them. */
-static char *run(const char *directory, char *const arguments[], size_t *size, int *status)
+/* gnuplot's complaint is the last line on its standard error that is not blank; the ones before show the place. */
+static void read_complaint(int descriptor, char *complaint, size_t room)
+{
+    char text[4096];
+    const ssize_t length = pread(descriptor, text, sizeof text - 1, 0);
+    text[length > 0 ? length : 0] = '\0';
+    *complaint = '\0';
+    for (char *rest = text, *line; (line = strsep(&rest, "\n"));)
+        if (line[strspn(line, " \t\r")])
+            snprintf(complaint, room, "%s", line);
+}
+
+static char *run(const char *directory, char *const arguments[], size_t *size, int *status,
+                 char complaint[COMPLAINT_BYTES])
 {
     int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0)
+    const int errors = memfd_create("gnuplot", MFD_CLOEXEC);
+    if (pipe2(ends, O_CLOEXEC) != 0 || errors < 0)
         fail("gnuplot: no pipe to it: %s", strerror(errno));
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
     posix_spawn_file_actions_addchdir_np(&actions, directory);
     pid_t child;
     const int error = posix_spawnp(&child, arguments[0], &actions, NULL, arguments, environ);
@@ -55,6 +74,8 @@ static char *run(const char *directory, char *const arguments[], size_t *size, i
     while (waitpid(child, status, 0) < 0)
         if (errno != EINTR)
             fail("gnuplot: %s", strerror(errno));
+    read_complaint(errors, complaint, COMPLAINT_BYTES);
+    close(errors);
     return text;
 }
 
@@ -63,7 +84,8 @@ const char *plot_terminal(void)
     char *const arguments[] = {"gnuplot", "-d", "-e", "set print '-'; print GPVAL_TERMINALS", NULL};
     size_t size;
     int status;
-    char *text = run(".", arguments, &size, &status);
+    char complaint[COMPLAINT_BYTES];
+    char *text = run(".", arguments, &size, &status, complaint);
     const bool good = WIFEXITED(status) && WEXITSTATUS(status) == 0;
     const char *terminal = NULL;
     if (good && memmem(text, size, " pngcairo ", 10))
@@ -80,11 +102,12 @@ char *plot_run(const char *directory, const char *script, size_t *size)
 {
     char *const arguments[] = {"gnuplot", "-d", (char *)script, NULL};
     int status;
-    char *picture = run(directory, arguments, size, &status);
+    char complaint[COMPLAINT_BYTES];
+    char *picture = run(directory, arguments, size, &status, complaint);
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || *size == 0) {
         free(picture);
-        fail("gnuplot: no picture from %s/%s; run `gnuplot %s` there to see why, or pass --no-plots", directory, script,
-             script);
+        fail("gnuplot: no picture from %s: %s; install gnuplot-nox again, or pass --no-plots", script,
+             *complaint ? complaint : "it does not say why");
     }
     return picture;
 }

@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: MIT
  * Figure 9: the largest relative error within the cutoff, by the paper's program (fig. 8): angles 0.01 rad apart from 0 up
  * to a bound, of which the largest (17) is kept. Whose cutoff bounds the loop, and at which q, it does not say. */
+#include "paper/relative.h"
+
 #include <math.h>
 
 #include "base/output.h"
+#include "models/formulas.h"
 #include "models/models.h"
-#include "paper/paper.h"
+#include "paper/figure.h"
+#include "paper/q16.h"
 
 enum { Q_FIRST = 3, Q_LAST = 10 };
 enum bound { BLINNS, MSHS, OWN, BOUNDS };

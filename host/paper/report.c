@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT
  * report.html, one file with the plots in it, and claims.json: two views of the same object. */
+#include "paper/report.h"
+
 #include <string.h>
 
 #include "base/message.h"
 #include "base/output.h"
-#include "paper/paper.h"
+#include "glint.h"
 
 static const char style[] =
     "body{font:16px/1.5 system-ui,sans-serif;color:#222;background:#fff;max-width:72rem;margin:2rem auto;padding:0 "

@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: MIT
  * Figure 7: how far the highlight reaches, against Blinn's; the cutoff angles (10) (12) (14). */
+#include "paper/spots.h"
+
 #include <math.h>
 
 #include "base/output.h"
+#include "models/formulas.h"
 #include "models/models.h"
-#include "paper/paper.h"
+#include "paper/figure.h"
+#include "paper/q16.h"
 
 /* The surfaces drawn: n = 1, 38, 75 .. 704 .. 1000, q = 1..16. */
 enum { N_STEP = 37 };

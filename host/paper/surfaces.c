@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: MIT
  * Figures 5 and 6: the absolute error and the derivative as surfaces over n and x. */
+#include "paper/surfaces.h"
+
 #include <math.h>
 
 #include "base/output.h"
+#include "models/formulas.h"
 #include "models/models.h"
-#include "paper/paper.h"
+#include "paper/figure.h"
+#include "paper/q16.h"
 
 /* The surfaces drawn: n = 1, 28, 55 .. 1000 and x in quarter degrees. Claims are tested on finer grids. */
 enum { N_STEP = 27, ANGLE_STEPS = 360 };

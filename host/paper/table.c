@@ -1,12 +1,17 @@
 /* SPDX-License-Identifier: MIT
  * Table 1 by the paper's search, and what wider searches find. */
+#include "paper/table.h"
+
 #include <math.h>
 #include <string.h>
 
 #include "base/message.h"
 #include "base/output.h"
+#include "models/formulas.h"
 #include "models/models.h"
-#include "paper/paper.h"
+#include "paper/figure.h"
+#include "paper/q16.h"
+#include "paper/search.h"
 
 enum { TABLE_ROWS = 5, MSH_ROW = 2 };
 

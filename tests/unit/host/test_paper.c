@@ -2,9 +2,10 @@
  * glint paper: its numbers, claims, files, and what it does without gnuplot. */
 #include <jansson.h>
 #include <math.h>
+#include <signal.h>
 #include <sys/stat.h>
 
-#include "run.h"
+#include "files.h"
 
 #include "paper/paper.h"
 
@@ -315,13 +316,63 @@ static void without_gnuplot_it_says_what_to_do_and_writes_nothing(void **state)
     assert_true(access("unplotted", F_OK) != 0);
 }
 
-static void a_gnuplot_that_fails_is_reported_with_its_script(void **state)
+static void a_gnuplot_that_fails_is_quoted(void **state)
 {
     (void)state;
-    assert_fails("mkdir fake; printf '#!/bin/sh\\ncase \"$*\" in *print*) echo \" pngcairo \";; *) exit 3;; esac\\n' "
+    assert_fails("mkdir fake; printf '#!/bin/sh\ncase \"$*\" in *print*) echo \" pngcairo \";; *) printf "
+                 "\"\\n  ^\\n\\\"fig3.gp\\\" line 7: undefined variable: f\\n\\n\" >&2; exit 3;; esac\n' "
                  ">fake/gnuplot; chmod +x fake/gnuplot; PATH=$PWD/fake:$PATH; $GLINT paper -o unplotted --only fig3",
-                 "no picture from unplotted/fig3.gp");
-    assert_true(access("unplotted/fig3.png", F_OK) != 0);
+                 "gnuplot: no picture from fig3.gp: \"fig3.gp\" line 7: undefined variable: f; ");
+    assert_false(exists("unplotted"));
+}
+
+/* ---- whole or not at all ---- */
+
+static void when_the_disk_is_full_no_folder_is_left(void **state)
+{
+    (void)state;
+    run("mkdir disk");
+    assert_fails("ulimit -f 200; $GLINT paper -o disk/full/report --no-plots", "disk/full/report/fig5.csv: ");
+    assert_int_equal(files_in("disk"), 0);
+}
+
+static void when_the_disk_is_full_a_folder_that_exists_keeps_its_files(void **state)
+{
+    (void)state;
+    run("mkdir kept; echo mine >kept/mine; echo old >kept/fig3.csv");
+    assert_fails("ulimit -f 200; $GLINT paper -o kept --no-plots", "kept/fig5.csv: ");
+    assert_quiet("echo old | cmp - kept/fig3.csv && echo mine | cmp - kept/mine");
+    assert_int_equal(files_in("kept"), 2);
+}
+
+static void a_signal_leaves_nothing(void **state)
+{
+    (void)state;
+    run("mkdir cut; printf '#!/bin/sh\ncase \"$*\" in *print*) echo \" pngcairo \";; *) kill -INT $PPID; sleep 5;; "
+        "esac\n' >cut/gnuplot; chmod +x cut/gnuplot; mkdir cut/old; echo old >cut/old/fig3.csv");
+    assert_int_equal(run("PATH=$PWD/cut:$PATH; $GLINT paper -o cut/new --only fig3")->status, 128 + SIGINT);
+    assert_int_equal(run("PATH=$PWD/cut:$PATH; $GLINT paper -o cut/old --only fig3")->status, 128 + SIGINT);
+    assert_quiet("echo old | cmp - cut/old/fig3.csv");
+    assert_int_equal(files_in("cut/old"), 1);
+    assert_int_equal(files_in("cut"), 2);
+}
+
+static void a_folder_that_exists_keeps_other_files(void **state)
+{
+    (void)state;
+    run("mkdir again; echo mine >again/mine; echo old >again/fig4.csv");
+    assert_int_equal(run("$GLINT paper -o again/ --no-plots --only fig4")->status, 0);
+    assert_quiet("echo mine | cmp - again/mine");
+    assert_int_equal(run("cmp again/fig4.csv report/fig4.csv")->status, 0);
+    assert_int_equal(files_in("again"), 4); /* and report.html, claims.json */
+}
+
+static void a_folder_in_a_files_place_is_named(void **state)
+{
+    (void)state;
+    assert_fails("mkdir -p place/fig4.csv; $GLINT paper -o place --no-plots --only fig4",
+                 "place/fig4.csv: is a folder");
+    assert_int_equal(files_in("place"), 1);
 }
 
 static void plots_are_pictures_and_lie_in_the_report(void **state)
@@ -367,7 +418,12 @@ int main(void)
         cmocka_unit_test(wrong_usage_is_named),
         cmocka_unit_test(a_folder_that_cannot_be_is_named_in_one_line),
         cmocka_unit_test(without_gnuplot_it_says_what_to_do_and_writes_nothing),
-        cmocka_unit_test(a_gnuplot_that_fails_is_reported_with_its_script),
+        cmocka_unit_test(a_gnuplot_that_fails_is_quoted),
+        cmocka_unit_test(when_the_disk_is_full_no_folder_is_left),
+        cmocka_unit_test(when_the_disk_is_full_a_folder_that_exists_keeps_its_files),
+        cmocka_unit_test(a_signal_leaves_nothing),
+        cmocka_unit_test(a_folder_that_exists_keeps_other_files),
+        cmocka_unit_test(a_folder_in_a_files_place_is_named),
         cmocka_unit_test(plots_are_pictures_and_lie_in_the_report),
     };
     return cmocka_run_group_tests_name("paper", tests, make_report, remove_report);
