@@ -19,12 +19,16 @@ static void write_vectors(FILE *out, const struct glint_vec *vectors, size_t cou
 }
 
 static const char *const notes[] = {
-    "For glint_shade_rect, or glint_tables_rect with GLINT_NORMALS_INT16; 0, 0, 0 where there is no surface",
-    "For glint_tables_rect with GLINT_NORMALS_INT10; z = 0 where there is no surface, with how many pixels to the "
-    "right",
-    "For glint_tables_rect with GLINT_NORMALS_INT8; z = 0 where there is no surface, with how many pixels to the right",
-    ("A palette of normals, to be shaded once a frame as one line, and for each pixel twice its entry, for\n"
-     " * glint_palette_rect. Entry 0 is no surface: after shading, give it the background's colour")};
+    [BAKE_INT16] =
+        "For glint_shade_rect, or glint_tables_rect with GLINT_NORMALS_INT16; 0, 0, 0 where there is no surface",
+    [BAKE_INT10] =
+        "For glint_tables_rect with GLINT_NORMALS_INT10; z = 0 where there is no surface, with how many pixels to the "
+        "right",
+    [BAKE_INT8] = "For glint_tables_rect with GLINT_NORMALS_INT8; z = 0 where there is no surface, with how many "
+                  "pixels to the right",
+    [BAKE_PALETTE] =
+        ("A palette of normals, to be shaded once a frame as one line, and for each pixel twice its entry, for\n"
+         " * glint_palette_rect. Entry 0 is no surface: after shading, give it the background's colour")};
 
 void bake_write_c(const struct baked *baked, const char *name, FILE *out)
 {

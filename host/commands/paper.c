@@ -61,6 +61,7 @@ static const char documentation[] =
     "number at full precision), and for each part NAME.csv, NAME.gp (the gnuplot script) and NAME.png. The CSV has "
     "every curve twice: from the double formulas and from the Q16 library. One line per claim is printed.\n"
     "gnuplot (Debian: gnuplot-nox) draws the plots; without it glint paper fails unless --no-plots is given.\n"
+    "If a step fails, DIR stays as it was.\n"
     "This takes about five seconds on two cores.\n"
     "\nExamples:\n"
     "  glint paper -o report\n"

@@ -131,7 +131,7 @@ void comparison_print(const struct comparison *c, const struct shading *shading,
     print_share(stream, &c->blinn_rounded);
     print_row(stream, "blinn in double", &c->blinn_unrounded, channels);
     if (shading->model == GLINT_PHONG)
-        fputs("phong's power is taken of V.R, blinn's of N.H: with the same n phong's highlight is the smaller\n",
+        fputs("phong takes the power of V.R, blinn that of N.H: with the same n phong's highlight is smaller\n",
               stream);
 }
 

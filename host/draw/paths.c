@@ -62,13 +62,13 @@ const char *path_refusal(const struct shading *shading)
     if (path->by == EXACT && path->unit == RECT)
         return NULL;
     if (!shading_is_plain(shading))
-        return "takes one --light without a colour; others need --path exact";
+        return "takes only one --light without a colour; other lights need --path exact";
     if (shading->model == GLINT_PHONG)
-        return "takes any model but phong";
+        return "cannot draw phong";
     if (path->by != EXACT && path->by != SMALL && (shading->format > GLINT_RGB565_SWAPPED || shading->dither))
         return "needs --format rgb565 or rgb565-swapped, and no --dither";
     if (path->unit != RECT && shading->format == GLINT_MONO)
-        return "takes any format but mono, whose spans would have to start on a byte";
+        return "cannot draw mono, whose spans would have to start on a byte";
     if ((path->by == SMALL || path->by == ALBEDO) && shading->space != GLINT_GAMMA)
         return "needs --space gamma";
     if (path->by != SMALL && path->normals == GLINT_NORMALS_INT8 && shading_lamp(shading, 0, &lamp) == GLINT_OK &&

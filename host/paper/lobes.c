@@ -180,7 +180,7 @@ void paper_figure4(struct paper *paper)
         json_sprintf("MSH %.1f %% at n = %d, Schlick %.1f %% at n = %d", msh.value, msh.n, schlick.value, schlick.n));
     const double one = epicentre_angle(1);
     paper_choice(paper, "fig4", "the epicentre: F_B = 0.3 in the text, but (6) gives e^-1.2 = 0.3012",
-                 json_sprintf("(6): MSH %.1f %%, Schlick %.1f %% at the most", msh.value, schlick.value),
+                 json_sprintf("(6): MSH %.1f %%, Schlick %.1f %% at most", msh.value, schlick.value),
                  json_sprintf("F_B = 0.3 exactly: %.1f %% and %.1f %%; n = 1, which the paper leaves out: %.1f %% and "
                               "%.1f %% by (6)",
                               msh_exact.value, schlick_exact.value, epicentre_error(double_at, GLINT_MSH, 1, one),

@@ -16,46 +16,36 @@ struct operations {
 };
 
 struct entry {
-    const char *name, *formula;
-    int model; /* of the library; -1: double only */
-    double (*value)(double n, double c);
+    const char *name, *key, *formula;    /* key: in the names of numbers */
+    int model;                           /* of the library; -1: double only */
+    double (*value)(double n, double c); /* of what is double only */
     struct operations operations;
 };
 
-static double msh(double n, double c)
-{
-    return model_double(GLINT_MSH, n, c);
-}
-static double schlick(double n, double c)
-{
-    return model_double(GLINT_SCHLICK, n, c);
-}
-static double gauss(double n, double c)
-{
-    return model_double(GLINT_GAUSS, n, c);
-}
-static double cayley(double n, double c)
-{
-    return model_double(GLINT_CAYLEY, n, c);
-}
-static double lyon(double n, double c)
-{
-    return model_double(GLINT_LYON, n, c);
-}
-
 static const struct entry entries[] = {
-    {"Schlick", "c / (n - nc + c)", GLINT_SCHLICK, schlick, {1, 1, 1, ""}},
-    {"MSH", "2c / (1.25 (n - nc + 1.25c)^2)", GLINT_MSH, msh, {3, 1, 1, ""}},
-    {"Gauss", "exp(-n x^2 / 2)", GLINT_GAUSS, gauss, {2, 0, 0, "acos, exp"}},
+    {"Schlick", "schlick", "c / (n - nc + c)", GLINT_SCHLICK, NULL, {1, 1, 1, ""}},
+    {"MSH", "msh", "2c / (1.25 (n - nc + 1.25c)^2)", GLINT_MSH, NULL, {3, 1, 1, ""}},
+    {"Gauss", "gauss", "exp(-n x^2 / 2)", GLINT_GAUSS, NULL, {2, 0, 0, "acos, exp"}},
     {"Cayley (ours)",
+     "cayley",
      "(max(0, 4(1+c) - n(1-c)) / (4(1+c) + n(1-c)))^4; c^n for n <= 4",
      GLINT_CAYLEY,
-     cayley,
+     NULL,
      {4, 2, 1, "max"}},
-    {"Lyon 1993, gamma 4", "max(0, 1 - n(1-c)/4)^4", GLINT_LYON, lyon, {3, 1, 0, "max"}},
-    {"Spherical Gaussian", "exp(-(n + .775)(1-c))", -1, spherical_gaussian_double, {1, 1, 0, "exp"}},
+    {"Lyon 1993, gamma 4", "lyon", "max(0, 1 - n(1-c)/4)^4", GLINT_LYON, NULL, {3, 1, 0, "max"}},
+    {"Spherical Gaussian",
+     "spherical_gaussian",
+     "exp(-(n + .775)(1-c))",
+     -1,
+     spherical_gaussian_double,
+     {1, 1, 0, "exp"}},
 };
 enum { ENTRIES = sizeof entries / sizeof *entries, MSH_ENTRY = 1 };
+
+static double value_of(const struct entry *entry, double n, double c)
+{
+    return entry->model < 0 ? entry->value(n, c) : model_double((enum glint_model)entry->model, n, c);
+}
 
 struct measured {
     double mean, largest, largest_from_2;    /* |F - c^n| on the grid of 91 angles and n = 1..1000 */
@@ -65,12 +55,14 @@ struct measured {
     int spot_n;
 };
 
+/* Over the grid of the paper: whole degrees, n = 1..1000. Each value is compared with Blinn's c^n, in double and as the
+ * library gives it, and the library's with the double. */
 static void measure_grid(const struct entry *entry, struct measured *m)
 {
     for (int n = 1; n <= 1000; n++)
         for (int angle = 0; angle <= 90; angle++) {
             const double x = angle * PI / 180, c = cos(x), blinn = model_double(GLINT_BLINN, n, c);
-            const double f = entry->value(n, c), error = absolute_error(f, blinn);
+            const double f = value_of(entry, n, c), error = absolute_error(f, blinn);
             m->mean += error / (91.0 * 1000);
             m->largest = fmax(m->largest, error);
             if (n >= 2)
@@ -84,13 +76,14 @@ static void measure_grid(const struct entry *entry, struct measured *m)
         }
 }
 
-/* The angle where the falling F meets 2^-q, 90 degrees where it stays above. */
+/* The angle where F, which falls, meets 2^-q: by bisection, since not every model has a closed form. 90 degrees where F
+ * stays above. */
 static double cutoff_by_bisection(const struct entry *entry, double n, double q)
 {
     double low = 0, high = PI / 2;
     for (int i = 0; i < 60; i++) {
         const double middle = (low + high) / 2;
-        *(entry->value(n, cos(middle)) >= exp2(-q) ? &low : &high) = middle;
+        *(value_of(entry, n, cos(middle)) >= exp2(-q) ? &low : &high) = middle;
     }
     return low;
 }
@@ -108,10 +101,10 @@ static struct measured measure(const struct entry *entry)
         const double c = cos(epicentre_angle(n));
         if (n >= 2)
             m.epicentre =
-                fmax(m.epicentre, relative_error_percent(entry->value(n, c), model_double(GLINT_BLINN, n, c)));
+                fmax(m.epicentre, relative_error_percent(value_of(entry, n, c), model_double(GLINT_BLINN, n, c)));
     }
     m.spot_60 = cutoff_by_bisection(entry, 60, 8) / blinn_cutoff_angle(60, 8);
-    m.peak = entry->value(60, 1);
+    m.peak = value_of(entry, 60, 1);
     return m;
 }
 
@@ -143,7 +136,7 @@ static void operations_claim(struct paper *paper)
                 json_sprintf(
                     "MSH %d operations as printed, %d with constants prepared, one of them a division; c^n takes n - 1 "
                     "multiplications, more than %d for %d of 1000 n, or by squaring up to %d (%d at n = 60), more "
-                    "than %d for %d of 1000 n. What a division costs decides on a given machine",
+                    "than %d for %d of 1000 n. On a given machine the cost of a division decides",
                     printed, prepared, printed, fewer_repeated, most, power_by_squaring(60), prepared, fewer_squaring));
     paper_choice(
         paper, "models", "how operations are counted, and how Blinn's power is computed",
@@ -186,7 +179,6 @@ void paper_models(struct paper *paper)
     fputs("model,formula,mean,largest,largest_from_n2,epicentre_percent,spot_ratio_q8,spot_ratio_n,spot_ratio_q8_n60,"
           "peak,multiply,add,divide,more,mean_q16,largest_q16,largest_ulp_q16\n",
           csv->stream);
-    static const char *const keys[ENTRIES] = {"schlick", "msh", "gauss", "cayley", "lyon", "spherical_gaussian"};
     int nearer = 0;
     struct measured m[ENTRIES];
     for (int i = 0; i < ENTRIES; i++) {
@@ -203,11 +195,11 @@ void paper_models(struct paper *paper)
             fixed ? json_sprintf("%.5f, %.4f", m[i].mean_q16, m[i].largest_q16) : json_string("-"),
             fixed ? json_sprintf("%.3f ulp", m[i].apart_q16) : json_string("-"));
         char name[48];
-        snprintf(name, sizeof name, "mean_%s", keys[i]);
+        snprintf(name, sizeof name, "mean_%s", entries[i].key);
         paper_number(paper, name, m[i].mean);
-        snprintf(name, sizeof name, "largest_%s", keys[i]);
+        snprintf(name, sizeof name, "largest_%s", entries[i].key);
         paper_number(paper, name, m[i].largest);
-        snprintf(name, sizeof name, "largest_%s_from_n2", keys[i]);
+        snprintf(name, sizeof name, "largest_%s_from_n2", entries[i].key);
         paper_number(paper, name, m[i].largest_from_2);
     }
     output_close(csv);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Figure 9: the largest relative error within the cutoff, by the paper's program (fig. 8): angles 0.01 rad apart from 0 up
- * to a bound, of which the largest (17) is kept. Whose cutoff bounds the loop, and at which q, it does not say. */
+ * to a bound, of which the largest (17) is kept. The paper does not say whose cutoff bounds the
+ * loop, nor which q. */
 #include "paper/relative.h"
 
 #include <math.h>
@@ -31,7 +32,7 @@ static double bound_angle(enum bound bound, enum glint_model model, double n, do
     return bound == MSHS || model == GLINT_MSH ? msh_cutoff_angle_stable(n, q) : schlick_cutoff_angle(n, q);
 }
 
-/* The program of fig. 8. */
+/* The program of fig. 8: from the middle outwards in steps of .01 rad up to the border; the largest error counts. */
 static double largest_relative_error(value_at value, enum glint_model model, double n, double border)
 {
     double largest = 0;
@@ -46,6 +47,7 @@ struct reading {
     int within, last_outside; /* number of n where it is 1.5 to 7; the largest n where not */
 };
 
+/* Of all n, where the ratio is smallest and largest, and how often it is within the claimed limits. */
 static struct reading read_as(enum bound bound, int q)
 {
     struct reading reading = {.least = INFINITY};
@@ -66,7 +68,7 @@ static struct reading read_as(enum bound bound, int q)
     return reading;
 }
 
-/* How far from the claimed 1.5 to 7. */
+/* How far a reading is from the claimed 1.5 to 7. Factors count, so both ends are compared by their logarithms. */
 static double distance(const struct reading *reading)
 {
     return fabs(log(reading->least / 1.5)) + fabs(log(reading->most / 7));
@@ -113,8 +115,8 @@ static double write_figure9(struct paper *paper, int q)
 
 static void write_readings(struct paper *paper, struct reading readings[BOUNDS][Q_LAST + 1])
 {
-    static const char *const head[] = {"loop bounded by", "q",    "ratio at the least",         "at n",
-                                       "at the most",     "at n", "n in 2..1000 with 1.5 to 7", NULL};
+    static const char *const head[] = {
+        "loop bounded by", "q", "smallest ratio", "at n", "largest ratio", "at n", "n in 2..1000 with 1.5 to 7", NULL};
     json_t *table =
         paper_table_new(paper, "fig9", "Figure 9 by every reading: Schlick's largest relative error over MSH's", head);
     struct output *csv = paper_file(paper, "fig9_readings.csv");
@@ -160,8 +162,8 @@ void paper_figure9(struct paper *paper)
         "The largest relative error of F_MSH within the cutoff is 1.5 to 7 times smaller than that of F_SH",
         verdict_of(in_full, smaller),
         json_sprintf("with Blinn's cutoff as bound, q = %d: %.2f to %.2f times, and 1.5 to 7 times for %d of the "
-                     "999 n in 2..1000, all from n = %d on; over q = 3..10 %.2f..%.2f at the least, %.1f..%.1f at the "
-                     "most",
+                     "999 n in 2..1000, all from n = %d on; over q = 3..10 the smallest ratio is %.2f to %.2f, the "
+                     "largest %.1f to %.1f",
                      nearest, best->least, best->most, best->within, best->last_outside + 1, least[0], least[1],
                      most[0], most[1]));
     paper_choice(

@@ -51,11 +51,12 @@ static int count_of(const struct paper *paper, enum verdict verdict)
     return count;
 }
 
-static const char *const verdict_classes[] = {"confirmed", "limits", "not"};
+static const char *const verdict_classes[] = {
+    [CONFIRMED] = "confirmed", [WITH_LIMITS] = "limits", [NOT_CONFIRMED] = "not"};
 
 static const char *class_of(const char *verdict)
 {
-    for (int i = 0; i < 3; i++)
+    for (int i = CONFIRMED; i <= NOT_CONFIRMED; i++)
         if (strcmp(verdict, verdict_names[i]) == 0)
             return verdict_classes[i];
     return "";
@@ -85,7 +86,7 @@ static void put_choices(FILE *stream, const struct paper *paper)
     size_t i;
     json_t *choice;
     fputs("<h2>Where the paper is silent</h2>\n<div class=wide><table>\n"
-          "<tr><th>not said, or a slip</th><th>chosen</th><th>the other choice gives</th></tr>\n",
+          "<tr><th>not stated, or an error</th><th>chosen</th><th>the other choice gives</th></tr>\n",
           stream);
     json_array_foreach(paper->choices, i, choice)
     {
@@ -161,7 +162,7 @@ static void put_report(FILE *stream, const struct paper *paper)
         "numbers beside them.%s</p>\n",
         style, GLINT_VERSION_STRING, json_array_size(paper->claims), count_of(paper, CONFIRMED),
         count_of(paper, WITH_LIMITS), count_of(paper, NOT_CONFIRMED),
-        paper->complete ? "" : " Only some parts were asked for: this report is not whole.");
+        paper->complete ? "" : " Only some parts were asked for: this report is not complete.");
     if (json_array_size(paper->claims))
         put_claims(stream, paper);
     if (json_array_size(paper->choices))

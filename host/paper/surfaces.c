@@ -144,7 +144,7 @@ static void zero_claim(struct paper *paper)
     }
     paper_claim(paper, "fig6", "text", "F_MSH reaches zero at x = 1.570796 (pi/2)",
                 verdict_of(at_one == 0 && at_one_q16 == 0 && before > 0, at_one < 1e-6),
-                json_sprintf("F_MSH = %g for every n at c = 0, from the library too (%u), and %.1e at the least at "
+                json_sprintf("F_MSH = %g for every n at c = 0, from the library too (%u), and at least %.1e at "
                              "x = 1.5707; pi/2 = %.6f",
                              at_one, (unsigned)at_one_q16, before, PI / 2));
     paper_number(paper, "msh_zero_angle", PI / 2);

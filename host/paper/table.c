@@ -245,5 +245,5 @@ void paper_wider(struct paper *paper)
                      "100 sets kept after stage 1, the best deviates by %.6f: %s.",
                      msh, table_best, kept_more,
                      kept_more < table_best ? "sets that are poor with all coefficients 1 end up better"
-                                            : "nothing better was given up"));
+                                            : "no better set was dropped"));
 }

@@ -97,7 +97,7 @@ struct scene *scene_from_normals(const struct image *map, bool flip_y, const uin
         if (normalize(n, shortest))
             memcpy(scene->normals[i], n, sizeof n);
         else if (!mask || mask[i])
-            fail("%s: the vector at %zu,%zu has length 0 (half grey); mend it, or leave such pixels out with --mask",
+            fail("%s: the vector at %zu,%zu has length 0 (half grey); correct it, or leave such pixels out with --mask",
                  map->name, i % map->width, i / map->width);
     }
     return scene;

@@ -276,7 +276,7 @@ static void only_the_parts_named_are_written(void **state)
     assert_contains(result->out, "fig4.csv\nmodels.csv\nreport.html\n");
     assert_null(strstr(result->out, "fig3"));
     char *report = whole_file("some/deep/folder/report.html");
-    assert_contains(report, "this report is not whole");
+    assert_contains(report, "this report is not complete");
     free(report);
 }
 
