@@ -15,36 +15,53 @@ struct operations {
     const char *more; /* what is not elementary arithmetic, or "" */
 };
 
+/* A row of the table. */
 struct entry {
-    const char *name, *key, *formula;    /* key: in the names of numbers */
-    int model;                           /* of the library; -1: double only */
-    double (*value)(double n, double c); /* of what is double only */
-    struct operations operations;
+    const char *name, *key, *formula; /* key: in the names of numbers */
+    int model;                        /* of the library; -1: double only */
+    struct operations operations;     /* all 0: not counted */
 };
 
-static const struct entry entries[] = {
-    {"Schlick", "schlick", "c / (n - nc + c)", GLINT_SCHLICK, NULL, {1, 1, 1, ""}},
-    {"MSH", "msh", "2c / (1.25 (n - nc + 1.25c)^2)", GLINT_MSH, NULL, {3, 1, 1, ""}},
-    {"Gauss", "gauss", "exp(-n x^2 / 2)", GLINT_GAUSS, NULL, {2, 0, 0, "acos, exp"}},
+/* How the table presents models of the library: those of the paper, and others that were counted. A model without such a
+ * line appears under its name alone. */
+static const struct entry presented[] = {
+    {"Schlick", "schlick", "c / (n - nc + c)", GLINT_SCHLICK, {1, 1, 1, ""}},
+    {"MSH", "msh", "2c / (1.25 (n - nc + 1.25c)^2)", GLINT_MSH, {3, 1, 1, ""}},
+    {"Gauss", "gauss", "exp(-n x^2 / 2)", GLINT_GAUSS, {2, 0, 0, "acos, exp"}},
     {"Cayley (ours)",
      "cayley",
      "(max(0, 4(1+c) - n(1-c)) / (4(1+c) + n(1-c)))^4; c^n for n <= 4",
      GLINT_CAYLEY,
-     NULL,
      {4, 2, 1, "max"}},
-    {"Lyon 1993, gamma 4", "lyon", "max(0, 1 - n(1-c)/4)^4", GLINT_LYON, NULL, {3, 1, 0, "max"}},
-    {"Spherical Gaussian",
-     "spherical_gaussian",
-     "exp(-(n + .775)(1-c))",
-     -1,
-     spherical_gaussian_double,
-     {1, 1, 0, "exp"}},
+    {"Lyon 1993, gamma 4", "lyon", "max(0, 1 - n(1-c)/4)^4", GLINT_LYON, {3, 1, 0, "max"}},
 };
-enum { ENTRIES = sizeof entries / sizeof *entries, MSH_ENTRY = 1 };
+enum { PRESENTED = sizeof presented / sizeof *presented };
+
+static const struct entry spherical_gaussian = {
+    "Spherical Gaussian", "spherical_gaussian", "exp(-(n + .775)(1-c))", -1, {1, 1, 0, "exp"}};
+
+enum { ENTRIES = GLINT_MODEL_COUNT - 2 + 1 }; /* without Blinn and Phong, which are c^n; with the spherical Gaussian */
+
+static struct entry entry_of(enum glint_model model)
+{
+    for (int i = 0; i < PRESENTED; i++)
+        if (presented[i].model == (int)model)
+            return presented[i];
+    return (struct entry){model_names[model], model_names[model], "-", (int)model, {0, 0, 0, ""}};
+}
+
+static void list_entries(struct entry entries[ENTRIES])
+{
+    int count = 0;
+    for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
+        if (model != GLINT_BLINN && model != GLINT_PHONG)
+            entries[count++] = entry_of((enum glint_model)model);
+    entries[count] = spherical_gaussian;
+}
 
 static double value_of(const struct entry *entry, double n, double c)
 {
-    return entry->model < 0 ? entry->value(n, c) : model_double((enum glint_model)entry->model, n, c);
+    return entry->model < 0 ? spherical_gaussian_double(n, c) : model_double((enum glint_model)entry->model, n, c);
 }
 
 struct measured {
@@ -124,7 +141,8 @@ static int power_by_squaring(unsigned n)
 
 static void operations_claim(struct paper *paper)
 {
-    const int prepared = operation_count(&entries[MSH_ENTRY].operations), printed = 8; /* 5 x, 2 +, 1 / in (5) */
+    const struct entry msh = entry_of(GLINT_MSH);
+    const int prepared = operation_count(&msh.operations), printed = 8; /* 5 x, 2 +, 1 / in (5) */
     int fewer_squaring = 0, fewer_repeated = 0, most = 0;
     for (unsigned n = 1; n <= 1000; n++) {
         fewer_squaring += prepared < power_by_squaring(n);
@@ -179,21 +197,28 @@ void paper_models(struct paper *paper)
     fputs("model,formula,mean,largest,largest_from_n2,epicentre_percent,spot_ratio_q8,spot_ratio_n,spot_ratio_q8_n60,"
           "peak,multiply,add,divide,more,mean_q16,largest_q16,largest_ulp_q16\n",
           csv->stream);
-    int nearer = 0;
+    struct entry entries[ENTRIES];
     struct measured m[ENTRIES];
+    int nearer = 0;
+    double msh_mean = 0;
+    list_entries(entries);
     for (int i = 0; i < ENTRIES; i++) {
         m[i] = measure(&entries[i]);
         write_row(csv->stream, &entries[i], &m[i]);
+        if (entries[i].model == GLINT_MSH)
+            msh_mean = m[i].mean;
         const struct operations *o = &entries[i].operations;
         const bool fixed = entries[i].model >= 0;
-        paper_table_row(
-            table, 12, json_string(entries[i].name), json_string(entries[i].formula), json_sprintf("%.5f", m[i].mean),
-            json_sprintf("%.4f", m[i].largest), json_sprintf("%.4f", m[i].largest_from_2),
-            json_sprintf("%.1f %%", m[i].epicentre), json_sprintf("%.2f", m[i].spot_60),
-            json_sprintf("%.2f at n = %d", m[i].spot, m[i].spot_n), json_sprintf("%.3f", m[i].peak),
-            json_sprintf("%d x, %d +, %d /%s%s", o->multiply, o->add, o->divide, *o->more ? ", " : "", o->more),
-            fixed ? json_sprintf("%.5f, %.4f", m[i].mean_q16, m[i].largest_q16) : json_string("-"),
-            fixed ? json_sprintf("%.3f ulp", m[i].apart_q16) : json_string("-"));
+        paper_table_row(table, 12, json_string(entries[i].name), json_string(entries[i].formula),
+                        json_sprintf("%.5f", m[i].mean), json_sprintf("%.4f", m[i].largest),
+                        json_sprintf("%.4f", m[i].largest_from_2), json_sprintf("%.1f %%", m[i].epicentre),
+                        json_sprintf("%.2f", m[i].spot_60), json_sprintf("%.2f at n = %d", m[i].spot, m[i].spot_n),
+                        json_sprintf("%.3f", m[i].peak),
+                        operation_count(o) ? json_sprintf("%d x, %d +, %d /%s%s", o->multiply, o->add, o->divide,
+                                                          *o->more ? ", " : "", o->more)
+                                           : json_string("-"),
+                        fixed ? json_sprintf("%.5f, %.4f", m[i].mean_q16, m[i].largest_q16) : json_string("-"),
+                        fixed ? json_sprintf("%.3f ulp", m[i].apart_q16) : json_string("-"));
         char name[48];
         snprintf(name, sizeof name, "mean_%s", entries[i].key);
         paper_number(paper, name, m[i].mean);
@@ -204,7 +229,7 @@ void paper_models(struct paper *paper)
     }
     output_close(csv);
     for (int i = 0; i < ENTRIES; i++)
-        nearer += m[i].mean < m[MSH_ENTRY].mean;
+        nearer += m[i].mean < msh_mean;
     json_object_set_new(
         table, "note",
         json_sprintf("Errors are |F - c^n| on the paper's grid: whole degrees 0 to 90, n = 1..1000. %d of "
