@@ -2,6 +2,7 @@
  * Names that written C source can have. */
 #include <ctype.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -62,4 +63,14 @@ const char *parse_c_name(const struct argp_state *state, const char *text)
     if (strncasecmp(text, "glint_", 6) == 0)
         refuse(state, "--name: '%s' may be a name of glint.h; choose another", text);
     return text;
+}
+
+void parse_c_macro(const struct argp_state *state, const char *name, const char *suffix)
+{
+    char macro[128];
+    snprintf(macro, sizeof macro, "%s%s", name, suffix);
+    for (char *at = macro; *at; at++)
+        *at = (char)toupper((unsigned char)*at);
+    if (is_taken_c_name(macro))
+        refuse(state, "--name: '%s' would define %s, which has a meaning in C; take another", name, macro);
 }

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "bake/bake.h"
+#include "bake/source.h"
 #include "bake/write.h"
 #include "base/argp.h"
 #include "base/c_names.h"
@@ -17,9 +18,10 @@
 #include "base/parse.h"
 #include "commands/commands.h"
 #include "compare/quality.h"
+#include "image/picture.h"
 #include "options/scene_options.h"
 
-enum { KEY_TO = 256, KEY_AS, KEY_NAME, KEY_ADDRESS, KEY_JSON };
+enum { KEY_TO = 256, KEY_AS, KEY_NAME, KEY_ADDRESS, KEY_STRIP, KEY_JSON };
 
 struct request {
     struct scene_options scene;
@@ -27,6 +29,8 @@ struct request {
     uint32_t entries;
     enum bake_kind kind;
     const char *name, *path;
+    char *header;     /* beside a NAME.c; NULL: the source is one file */
+    uint32_t strip;   /* lines; 0: not given */
     uint32_t address; /* 0: not given */
     bool json;
 };
@@ -39,7 +43,9 @@ static const struct argp_option options[] = {
      3},
     {NULL, 'o', "FILE", 0, "The file to write; - is standard output. Without -o only the quality is printed", 3},
     {"as", KEY_AS, "KIND", 0, "c, raw or uf2 (default: by FILE's ending .c, .h, .bin or .uf2; c for -)", 3},
-    {"name", KEY_NAME, "NAME", 0, "The array's name in C and C++; default baked", 3},
+    {"name", KEY_NAME, "NAME", 0, "The array's name in C and C++; default: FILE's name for FILE.c, else baked", 3},
+    {"strip", KEY_STRIP, "LINES", 0, "For FILE.c: macros to draw so many lines at once, where RAM holds no whole frame",
+     3},
     {"address", KEY_ADDRESS, "ADDRESS", 0,
      "Where a UF2 file goes in the RP2040's flash, a multiple of 4096 from 0x10000000 on; default 0x10100000", 3},
     {"json", KEY_JSON, NULL, 0, "Print the quality as JSON", 3},
@@ -52,16 +58,20 @@ static const char doc[] =
     "Pixels without a surface (mask): int16 has 0, 0, 0; int10 and int8 have z = 0, and the other bits count the "
     "pixels without a surface from this one on in its line; a palette has entry 0, with the normal 0, 0, 0: give it "
     "the background's colour after shading the palette.\n"
-    "C source has one array, NAME, lines from the top, and the enums NAME_width and NAME_height; for a palette NAME "
-    "holds the offsets, and there are NAME_normals and NAME_entries. Raw is the same without names, low bytes first, "
-    "a palette's normals before its offsets. UF2 is raw in blocks of 256 bytes for the RP2040. Its flash is erased in "
-    "sectors of 4096 bytes: choose an address beyond the program's last sector.\n"
+    "FILE.c defines the array NAME, lines from the top, and FILE.h beside it declares it, with macros (NAME in "
+    "capitals): _WIDTH, _HEIGHT, _STRIDE in bytes, and _FORMAT for glint_tables_rect; for a palette _ENTRIES and the "
+    "array NAME_normals, NAME being the offsets; with --strip also _STRIP, _STRIPS, _STRIP_LINES(i) and "
+    "_STRIP_START(i). FILE.h alone and - hold a static array and the enumerators NAME_width and NAME_height.\n"
+    "Raw is the same without names, low bytes first, a palette's normals before its offsets. UF2 is raw in blocks of "
+    "256 bytes for the RP2040: flash is erased in sectors of 4096 bytes, so choose an address beyond the program's "
+    "last one.\n"
     "The quality compares the highlight alone, at full strength on white (msh, q = 8, grey8, exact path), with that of "
     "the 16-bit normals, in levels of 255, over nine lights. It is printed to standard output, or to standard error "
     "with -o -.\n"
     "\n"
     "Examples:\n"
-    "  glint bake --height wall.png -o wall.h --name wall\n"
+    "  glint bake --height wall.png -o wall.c\n"
+    "  glint bake --scene watchface --size 240x240 --strip 16 -o dial.c\n"
     "  glint bake --normals brick.png --to palette:1000 -o brick.c\n"
     "  glint bake --scene watchface --size 240x240 --to int8 -o dial.uf2\n"
     "  glint bake --scene coin --to int10 --json\n";
@@ -107,6 +117,25 @@ static enum bake_kind kind_by_ending(const struct argp_state *state, const char 
     refuse(state, "-o: '%s' does not end in .c, .h, .bin or .uf2; rename it, or give --as", path);
 }
 
+/* For FILE.c: FILE.h, and FILE as the array's name where none is given. */
+static void name_header(const struct argp_state *state, struct request *request)
+{
+    const size_t length = strlen(request->path);
+    if (length < 3 || strcasecmp(request->path + length - 2, ".c") != 0)
+        return;
+    if (!(request->header = strdup(request->path)))
+        fail("out of memory");
+    const char *slash = strrchr(request->path, '/');
+    char *stem = strdup(slash ? slash + 1 : request->path);
+    if (!stem)
+        fail("out of memory");
+    stem[strlen(stem) - 2] = '\0';
+    if (!request->name)
+        request->name = parse_c_name(state, stem);
+    request->header[length - 1] = request->path[length - 1] == 'C' ? 'H' : 'h';
+    parse_c_macro(state, request->name, "_WIDTH");
+}
+
 static bool is_stdout(const char *path)
 {
     return path && strcmp(path, "-") == 0;
@@ -115,12 +144,16 @@ static bool is_stdout(const char *path)
 static void check(const struct argp_state *state, struct request *request)
 {
     const bool to_stdout = is_stdout(request->path);
-    if (!request->path && (request->kind != BAKE_KINDS || request->name || request->address))
+    if (!request->path && (request->kind != BAKE_KINDS || request->name || request->address || request->strip))
         refuse(state, "no output; give -o FILE");
     if (!request->path)
         return;
     if (request->kind == BAKE_KINDS)
         request->kind = to_stdout ? BAKE_C : kind_by_ending(state, request->path);
+    if (request->kind == BAKE_C && !to_stdout)
+        name_header(state, request);
+    if (request->strip && !request->header)
+        refuse(state, "--strip is for C source in a FILE.c; leave it out, or give -o FILE.c");
     if (request->name && request->kind != BAKE_C)
         refuse(state, "--name is for C source; it cannot be used with --as %s", kind_names[request->kind]);
     if (request->address && request->kind != BAKE_UF2)
@@ -147,6 +180,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case KEY_ADDRESS:
         request->address = parse_address(state, text);
+        return 0;
+    case KEY_STRIP:
+        request->strip = (uint32_t)parse_integer(state, "--strip", text, 1, SIDE_MAX);
         return 0;
     case KEY_JSON:
         request->json = true;
@@ -232,7 +268,12 @@ static void write_baked(const struct request *request, const struct baked *baked
         bake_write_uf2(baked, request->address, out);
         return;
     default:
-        bake_write_c(baked, request->name ? request->name : "baked", out);
+        if (request->header) {
+            const char *slash = strrchr(request->header, '/');
+            bake_write_definitions(baked, request->name, slash ? slash + 1 : request->header, out);
+        } else {
+            bake_write_c(baked, request->name ? request->name : "baked", out);
+        }
     }
 }
 
@@ -251,6 +292,9 @@ int command_bake(int argc, char **argv)
              "smaller --size or another --to",
              request.path, baked_bytes(baked), request.address, FLASH_END);
     struct output *output = request.path ? output_open(request.path) : NULL;
+    struct output *header = request.header ? output_open(request.header) : NULL;
+    if (header)
+        bake_write_header(baked, request.name, request.strip, header->stream);
     if (output)
         write_baked(&request, baked, output->stream);
     if (output && is_stdout(request.path)) {
@@ -258,8 +302,11 @@ int command_bake(int argc, char **argv)
         output = NULL;
     }
     report(&request, scene, baked);
-    if (output) /* a file gets its name when all is said */
+    if (header) /* files get their names when all is said */
+        output_close(header);
+    if (output)
         output_close(output);
+    free(request.header);
     baked_free(baked);
     scene_free(scene);
     return EXIT_GOOD;

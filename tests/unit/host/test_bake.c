@@ -161,6 +161,60 @@ static void c_source_compiles_in_c_and_cxx_and_holds_the_raw_bytes(void **state)
     }
 }
 
+/* The header is included by two sources, of which one is compiled as C++; the definitions once as each. */
+static void a_source_and_its_header_link_in_c_and_cxx_and_hold_the_raw_bytes(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *format, *writes, *macro;
+    } cases[] = {
+        {"int16", "put(stone, sizeof stone)", "STONE_FORMAT == GLINT_NORMALS_INT16 && STONE_STRIDE == 6 * STONE_WIDTH"},
+        {"int10", "put(stone, sizeof stone)", "STONE_FORMAT == GLINT_NORMALS_INT10 && STONE_STRIDE == 4 * STONE_WIDTH"},
+        {"int8", "put(stone, sizeof stone)", "STONE_FORMAT == GLINT_NORMALS_INT8 && STONE_STRIDE == 4 * STONE_WIDTH"},
+        {"palette:9", "put(stone_normals, sizeof stone_normals), put(stone, sizeof stone)",
+         "STONE_ENTRIES == 9 && STONE_STRIDE == 2 * STONE_WIDTH"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char line[1400];
+        bake_to(MASKED, cases[i].format, "out/stone.c");
+        bake_to(MASKED, cases[i].format, "out/stone.bin");
+        snprintf(
+            line, sizeof line,
+            "printf '#include <stdint.h>\n#include <stdio.h>\n#include \"stone.h\"\n#include \"stone.h\"\n"
+            "static void put(const void *from, size_t len) { fwrite(from, 1, len, stdout); }\n"
+            "int main(void) { %s; return !(STONE_WIDTH == %d && STONE_HEIGHT == %d && (uintptr_t)stone %%%% 4 == 0 && "
+            "%s); }\n' >out/t.c\n"
+            "cd out && gcc -std=c99 " WARN "-c stone.c -o stone.o && g++ -std=c++11 " WARN
+            "-x c++ -c stone.c -o stonexx.o &&\n"
+            "gcc -std=c99 " WARN "t.c stone.o -o t && ./t >c.bin &&\n"
+            "g++ -std=c++11 " WARN "-x c++ t.c -x none stonexx.o -o t && ./t >cxx.bin",
+            cases[i].writes, WIDTH, HEIGHT, cases[i].macro);
+        assert_quiet(line);
+        assert_same_file("out/c.bin", "out/stone.bin");
+        assert_same_file("out/cxx.bin", "out/stone.bin");
+    }
+}
+
+static void strips_of_any_height_cover_the_map(void **state)
+{
+    (void)state;
+    for (int strip = 1; strip <= HEIGHT + 1; strip++) {
+        char line[900];
+        snprintf(line, sizeof line, "$GLINT bake " MASKED " --strip %d -o out/strip.c >out/log", strip);
+        assert_quiet(line);
+        snprintf(line, sizeof line,
+                 "printf '#include \"strip.h\"\n"
+                 "int main(void) { int lines = 0;\n"
+                 "for (int i = 0; i < STRIP_STRIPS; i++) {\n"
+                 "if (STRIP_STRIP_START(i) != strip + lines * STRIP_WIDTH || STRIP_STRIP_LINES(i) > %d) return 1;\n"
+                 "lines += STRIP_STRIP_LINES(i); }\n"
+                 "return lines != STRIP_HEIGHT || STRIP_STRIP != %d; }\n' >out/t.c\n"
+                 "cd out && gcc -std=c99 " WARN "t.c strip.c -o t && ./t",
+                 strip, strip);
+        assert_quiet(line);
+    }
+}
+
 static void uf2_blocks_are_well_formed_and_hold_the_raw_bytes(void **state)
 {
     (void)state;
@@ -191,13 +245,13 @@ static void the_ending_or_the_option_decides_what_is_written(void **state)
     bake_to(MASKED, "int8", "out/a.bin");
     bake_to(MASKED " --as raw", "int8", "out/a");
     assert_same_file("out/a", "out/a.bin");
-    bake_to(MASKED, "int8", "out/a.C");
+    bake_to(MASKED, "int8", "out/a.H");
     bake_to(MASKED " --as c", "int8", "out/a.bin2");
-    assert_same_file("out/a.C", "out/a.bin2");
+    assert_same_file("out/a.H", "out/a.bin2");
     const struct run *result = run("$GLINT bake " MASKED " -o - >out/a.stdout");
     assert_int_equal(result->status, 0);
     assert_contains(result->err, "int8, 12x8, 384 bytes");
-    assert_same_file("out/a.C", "out/a.stdout");
+    assert_same_file("out/a.H", "out/a.stdout");
 }
 
 /* ---- quality ---- */
@@ -313,6 +367,12 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         {"--scene sphere --name int -o out/u.h", "--name: 'int'"},
         {"--scene sphere --name glint_vec -o out/u.h", "--name: 'glint_vec'"},
         {"--scene sphere --name x -o out/u.bin", "--name is for C source"},
+        {"--scene sphere -o out/my-dial.c", "--name: 'my-dial' is not a C name"},
+        {"--scene sphere -o out/int8.c", "'int8' would define INT8_WIDTH"},
+        {"--scene sphere --strip 4 -o out/u.h", "--strip is for C source in a FILE.c"},
+        {"--scene sphere --strip 4 -o -", "--strip is for C source in a FILE.c"},
+        {"--scene sphere --strip 4", "give -o FILE"},
+        {"--scene sphere --strip 0 -o out/u.c", "--strip: '0'"},
         {"--scene sphere --address 0x10100000 -o out/u.bin", "--address is for UF2"},
         {"--scene sphere --address 0x10100100 -o out/u.uf2", "multiple of 4096"},
         {"--scene sphere --address 0x20000000 -o out/u.uf2", "0x10000000"},
@@ -328,8 +388,8 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         assert_refused(line, wrong[i].about);
     }
     assert_refused("$GLINT bake --scene sphere --albedo colors.png -o out/u.h", "--albedo");
-    static const char *const endings[] = {"h", "bin", "uf2", "png"};
-    for (int i = 0; i < 4; i++) {
+    static const char *const endings[] = {"c", "h", "bin", "uf2", "png"};
+    for (int i = 0; i < 5; i++) {
         char name[16];
         snprintf(name, sizeof name, "out/u.%s", endings[i]);
         assert_false(exists(name));
@@ -359,9 +419,9 @@ static void help_explains_every_option_and_fits_a_terminal(void **state)
 {
     (void)state;
     const struct run *result = run("$GLINT bake --help");
-    static const char *const options[] = {"--height",  "--normals", "--scene", "--mask",   "--scale", "--wrap",
-                                          "--flip-y",  "--size",    "--to",    "-o FILE",  "--as",    "--name",
-                                          "--address", "--json",    "4096",    "Examples:"};
+    static const char *const options[] = {"--height", "--normals", "--scene", "--mask",  "--scale",  "--wrap",
+                                          "--flip-y", "--size",    "--to",    "-o FILE", "--as",     "--name",
+                                          "--strip",  "--address", "--json",  "4096",    "Examples:"};
     assert_int_equal(result->status, 0);
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
         assert_contains(result->out, options[i]);
@@ -380,6 +440,8 @@ int main(void)
         cmocka_unit_test(a_word_without_surface_counts_those_up_to_the_next_surface_in_its_line),
         cmocka_unit_test(a_palette_with_room_for_all_is_exact_and_its_first_entry_is_no_surface),
         cmocka_unit_test(c_source_compiles_in_c_and_cxx_and_holds_the_raw_bytes),
+        cmocka_unit_test(a_source_and_its_header_link_in_c_and_cxx_and_hold_the_raw_bytes),
+        cmocka_unit_test(strips_of_any_height_cover_the_map),
         cmocka_unit_test(uf2_blocks_are_well_formed_and_hold_the_raw_bytes),
         cmocka_unit_test(the_ending_or_the_option_decides_what_is_written),
         cmocka_unit_test(the_quality_of_each_format_is_within_its_limits_on_the_rock_wall),

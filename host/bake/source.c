@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: MIT */
+#include "bake/source.h"
+
+#include <ctype.h>
+#include <inttypes.h>
+
+/* ---- arrays ---- */
+
+static void write_vectors(FILE *out, const struct glint_vec *vectors, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        fprintf(out, "%s{%d, %d, %d}%s", i % 6 ? " " : "\n    ", vectors[i].x, vectors[i].y, vectors[i].z,
+                i + 1 < count ? "," : "");
+}
+
+static const char *const notes[] = {
+    [BAKE_INT16] =
+        "For glint_shade_rect, or glint_tables_rect with GLINT_NORMALS_INT16; 0, 0, 0 where there is no surface",
+    [BAKE_INT10] =
+        "For glint_tables_rect with GLINT_NORMALS_INT10; z = 0 where there is no surface, with how many pixels to the "
+        "right",
+    [BAKE_INT8] = "For glint_tables_rect with GLINT_NORMALS_INT8; z = 0 where there is no surface, with how many "
+                  "pixels to the right",
+    [BAKE_PALETTE] =
+        ("A palette of normals, to be shaded once a frame as one line, and for each pixel twice its entry, for\n"
+         " * glint_palette_rect. Entry 0 is no surface: after shading, give it the background's colour")};
+
+static size_t pixels_of(const struct baked *baked)
+{
+    return (size_t)baked->width * baked->height;
+}
+
+static void write_note(const struct baked *baked, FILE *out)
+{
+    fprintf(out,
+            "/* Written by glint bake, version " GLINT_VERSION_STRING ": normals as %s, %" PRIu32 "x%" PRIu32
+            ", %zu bytes.\n * %s. */\n",
+            bake_format_names[baked->format], baked->width, baked->height, baked_bytes(baked), notes[baked->format]);
+}
+
+/* The array NAME has an element a pixel, in each format. */
+static const char *element_type(const struct baked *baked)
+{
+    return baked->format == BAKE_INT16 ? "struct glint_vec" : baked->format == BAKE_PALETTE ? "uint16_t" : "uint32_t";
+}
+
+static void write_elements(const struct baked *baked, FILE *out)
+{
+    const size_t pixels = pixels_of(baked);
+    if (baked->format == BAKE_INT16) {
+        write_vectors(out, baked->normals, pixels);
+        return;
+    }
+    for (size_t i = 0; i < pixels; i++)
+        if (baked->format == BAKE_PALETTE)
+            fprintf(out, "%s%u%s", i % 16 ? " " : "\n    ", baked->offsets[i], i + 1 < pixels ? "," : "");
+        else
+            fprintf(out, "%s0x%08" PRIx32 "u%s", i % 8 ? " " : "\n    ", baked->words[i], i + 1 < pixels ? "," : "");
+}
+
+/* ---- one file ---- */
+
+void bake_write_c(const struct baked *baked, const char *name, FILE *out)
+{
+    write_note(baked, out);
+    fprintf(out, "#include %s\n\n", baked->normals ? "\"glint.h\"" : "<stdint.h>");
+    fprintf(out, "enum { %s_width = %" PRIu32 ", %s_height = %" PRIu32, name, baked->width, name, baked->height);
+    if (baked->format == BAKE_PALETTE)
+        fprintf(out, ", %s_entries = %" PRIu32, name, baked->entries);
+    fputs(" };\n\n", out);
+    if (baked->format == BAKE_PALETTE) {
+        fprintf(out, "static const struct glint_vec %s_normals[%" PRIu32 "] = {", name, baked->entries);
+        write_vectors(out, baked->normals, baked->entries);
+        fputs("\n};\n\n", out);
+    }
+    fprintf(out, "static const %s %s[%zu] = {", element_type(baked), name, pixels_of(baked));
+    write_elements(baked, out);
+    fputs("\n};\n", out);
+}
+
+/* ---- a header and definitions ---- */
+
+/* NAME in capitals, for macros; at most 63 letters, as parse_c_name sees to. */
+struct capitals {
+    char text[64];
+};
+
+static struct capitals capitals_of(const char *name)
+{
+    struct capitals capitals = {""};
+    for (size_t i = 0; name[i] && i + 1 < sizeof capitals.text; i++)
+        capitals.text[i] = (char)toupper((unsigned char)name[i]);
+    return capitals;
+}
+
+/* The last strip may be shorter than the others. */
+static void write_strip_macros(const char *name, const char *macro, uint32_t height, uint32_t strip, FILE *out)
+{
+    const uint32_t strips = (height + strip - 1) / strip;
+    fprintf(out,
+            "\n/* Drawn in strips: strip i, from 0, has %s_STRIP_LINES(i) lines, which begin at %s_STRIP_START(i). */\n"
+            "#define %s_STRIP %" PRIu32 " /* lines; the last strip may have fewer */\n"
+            "#define %s_STRIPS %" PRIu32 "\n"
+            "#define %s_STRIP_LINES(i) ((i) + 1 < %s_STRIPS ? %s_STRIP : %" PRIu32 ")\n"
+            "#define %s_STRIP_START(i) (%s + (size_t)(i) * %s_STRIP * %s_WIDTH)\n",
+            macro, macro, macro, strip, macro, strips, macro, macro, macro, height - (strips - 1) * strip, macro, name,
+            macro, macro);
+}
+
+void bake_write_header(const struct baked *baked, const char *name, uint32_t strip, FILE *out)
+{
+    static const char *const formats[] = {[BAKE_INT16] = "GLINT_NORMALS_INT16",
+                                          [BAKE_INT10] = "GLINT_NORMALS_INT10",
+                                          [BAKE_INT8] = "GLINT_NORMALS_INT8",
+                                          [BAKE_PALETTE] = NULL};
+    static const int bytes[] = {[BAKE_INT16] = 6, [BAKE_INT10] = 4, [BAKE_INT8] = 4, [BAKE_PALETTE] = 2};
+    const struct capitals capitals = capitals_of(name);
+    const char *macro = capitals.text;
+    write_note(baked, out);
+    fprintf(out, "#ifndef %s_H\n#define %s_H\n\n#include <stddef.h>\n\n#include \"glint.h\"\n\n", macro, macro);
+    fprintf(out, "#define %s_WIDTH %" PRIu32 "\n#define %s_HEIGHT %" PRIu32 "\n", macro, baked->width, macro,
+            baked->height);
+    fprintf(out, "#define %s_STRIDE %" PRIu32 " /* bytes from a line to the next */\n", macro,
+            (uint32_t)bytes[baked->format] * baked->width);
+    if (formats[baked->format])
+        fprintf(out, "#define %s_FORMAT %s\n", macro, formats[baked->format]);
+    else
+        fprintf(out, "#define %s_ENTRIES %" PRIu32 "\n", macro, baked->entries);
+    if (strip)
+        write_strip_macros(name, macro, baked->height, strip, out);
+    fputs("\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n", out);
+    if (baked->format == BAKE_PALETTE)
+        fprintf(out, "extern const struct glint_vec %s_normals[%s_ENTRIES];\n", name, macro);
+    fprintf(out, "extern const %s %s[(size_t)%s_WIDTH * %s_HEIGHT];\n", element_type(baked), name, macro, macro);
+    fputs("#ifdef __cplusplus\n}\n#endif\n\n#endif\n", out);
+}
+
+/* Aligned to words, so that a DMA or a copy by words may read it. */
+static void begin_definition(const char *type, const char *name, const char *suffix, FILE *out)
+{
+    fprintf(out, "\n#ifdef __GNUC__\n__attribute__((aligned(4)))\n#endif\nconst %s %s%s[] = {", type, name, suffix);
+}
+
+void bake_write_definitions(const struct baked *baked, const char *name, const char *header, FILE *out)
+{
+    write_note(baked, out);
+    fprintf(out, "#include \"%s\"\n", header);
+    if (baked->format == BAKE_PALETTE) {
+        begin_definition("struct glint_vec", name, "_normals", out);
+        write_vectors(out, baked->normals, baked->entries);
+        fputs("\n};\n", out);
+    }
+    begin_definition(element_type(baked), name, "", out);
+    write_elements(baked, out);
+    fputs("\n};\n", out);
+}
