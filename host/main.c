@@ -27,6 +27,7 @@ static const struct command {
     {"cutoff", command_cutoff, "Print where a highlight falls below 2^-q"},
     {"table", command_table, "Write a material's table as C source or raw"},
     {"bake", command_bake, "Turn normals into what the table loops read, and print the quality"},
+    {"material", command_material, "Print a material and a light as C source or JSON"},
     {"stream", command_stream, "Shade frame after frame, send what changed to a display or files"},
     {"list", command_list, "List the displays, chips and ports that frames can be sent to"},
     {"search", command_search, "Search for highlight functions as the paper does"},

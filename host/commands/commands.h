@@ -8,6 +8,7 @@ int command_eval(int argc, char **argv);
 int command_cutoff(int argc, char **argv);
 int command_table(int argc, char **argv);
 int command_bake(int argc, char **argv);
+int command_material(int argc, char **argv);
 int command_stream(int argc, char **argv);
 int command_list(int argc, char **argv);
 int command_search(int argc, char **argv);

@@ -49,7 +49,7 @@ static void report(const struct render_options *options, const struct scene *sce
 
 int command_render(int argc, char **argv)
 {
-    struct render_options options;
+    struct render_options options = {0};
     render_options_parse(&options, argc, argv);
     struct scene_maps *maps = scene_maps_read(&options.look.scene);
     struct scene *scene = scene_of_shading_options(&options.look, maps, 0, 0);

@@ -55,7 +55,7 @@ static void parse_size(const struct argp_state *state, const char *text, struct 
 static void check(const struct argp_state *state, struct scene_options *o)
 {
     const int sources = !!o->heights + !!o->normals + !!o->scene;
-    if (sources != 1)
+    if (sources > 1 || (sources == 0 && !o->optional))
         refuse(state, sources ? "give only one of --height, --normals and --scene"
                               : "no surface; give --height FILE, --normals FILE or --scene NAME");
     const char *const files[] = {o->heights, o->normals, o->albedo, o->gloss, o->mask};
@@ -77,7 +77,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     struct scene_options *o = state->input;
     switch (key) {
     case ARGP_KEY_INIT:
-        *o = (struct scene_options){.scale = NAN};
+        *o = (struct scene_options){.scale = NAN, .optional = o->optional};
         return 0;
     case KEY_HEIGHT:
         o->heights = text;

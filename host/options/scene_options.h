@@ -7,7 +7,8 @@
 
 #include "scene/maps.h"
 
-/* A child for a command's argp: sets the defaults, parses and checks. Its input is a struct scene_options. */
+/* A child for a command's argp: sets the defaults, parses and checks. Its input is a struct scene_options, with
+ * `optional` set. */
 extern const struct argp scene_options_argp;
 
 #endif

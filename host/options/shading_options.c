@@ -179,8 +179,11 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
 {
     struct shading_options *o = state->input;
     switch (key) {
-    case ARGP_KEY_INIT:
+    case ARGP_KEY_INIT: {
+        const bool optional = o->scene.optional;
         *o = shading_options_default;
+        o->scene.optional = optional;
+    }
         state->child_inputs[0] = &o->scene;
         return 0;
     case KEY_ALBEDO:

@@ -16,7 +16,8 @@ struct shading_options {
     struct shading shading; /* with gaps, which shading_of_options fills */
 };
 
-/* A child of a command's argp; its input is a struct shading_options, which it fills. It refuses wrong values. */
+/* A child of a command's argp; its input is a struct shading_options, which it fills, but for scene.optional. It
+ * refuses wrong values. */
 extern const struct argp shading_options_argp;
 /* Checks what depends on the format. */
 void shading_options_check(const struct argp_state *state, const struct shading *shading);

@@ -8,6 +8,7 @@
 #include "scene/scene.h"
 
 struct scene_options {
+    bool optional; /* set before the options are parsed: no surface need be named */
     /* one of three */
     const char *heights, *normals, *scene;
     double scale;

@@ -11,8 +11,8 @@
 
 /* ---- help and usage ---- */
 
-static const char *const commands[] = {"",     "render", "eval", "cutoff", "table",
-                                       "bake", "stream", "list", "search", "paper"};
+static const char *const commands[] = {"",         "render", "eval", "cutoff", "table", "bake",
+                                       "material", "stream", "list", "search", "paper"};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static void help_of_every_command_has_an_example_and_exits_0(void **state)

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: MIT
+ * glint material: what it prints compiles, and draws the pixels of glint render. */
+#include <jansson.h>
+
+#include "files.h"
+#include "glint.h"
+#include "models/models.h"
+
+enum { WIDTH = 12, HEIGHT = 8 };
+#define WARN "-Wall -Wextra -Wconversion -pedantic -Werror -I\"$GLINT_SOURCE/lib\" "
+
+/* A program that draws the baked height map with the printed shader, and writes a PPM's bytes after its head. */
+static const char program[] = "printf '#include <stdio.h>\n#include \"stone.h\"\n#include \"look.h\"\n"
+                              "static unsigned char pixels[3 * 96];\n"
+                              "int main(void) {\n"
+                              "struct glint_shader shader; material(&shader);\n"
+                              "struct glint_source source = {stone, 6 * 12, NULL, 0, NULL, 0, NULL, 0};\n"
+                              "struct glint_surface surface = {pixels, 3 * 12, 0, 0};\n"
+                              "if (glint_shade_rect(&shader, &source, 12, 8, &surface, NULL) != GLINT_OK) return 1;\n"
+                              "fwrite(pixels, 1, sizeof pixels, stdout); return 0; }\n' >out/t.c && cd out && "
+                              "gcc -std=c99 " WARN "t.c \"$GLINT_SOURCE\"/lib/*.c -o t && ./t >c.ppm && "
+                              "g++ -std=c++11 " WARN "-x c++ t.c -x none ../lib.a -o t && ./t >cxx.ppm";
+
+static int make_library(void **state)
+{
+    if (make_maps(state) != 0)
+        return -1;
+    return run("mkdir -p o && cd o && gcc -O1 -std=c99 -c \"$GLINT_SOURCE\"/lib/*.c && ar rc ../lib.a *.o")->status;
+}
+
+static void the_printed_shader_draws_the_pixels_of_render(void **state)
+{
+    (void)state;
+    static const char *const looks[] = {
+        "--model cayley -n 60 --ambient .2",
+        "--model phong -n 9 -q 3 --space linear --light 1,2,3 --view .1,0,1 --color 255,0,17",
+        "--ambient 0,.5,1 --diffuse .3,.2,.1 --specular 1,0,.7 --dither --clamp-peak --light=-3,0,1",
+    };
+    for (size_t i = 0; i < sizeof looks / sizeof *looks; i++) {
+        char line[400];
+        assert_quiet("$GLINT bake --height heights.png --to int16 --name stone -o out/stone.h >out/log");
+        snprintf(line, sizeof line, "$GLINT material %s -o out/look.h", looks[i]);
+        assert_quiet(line);
+        snprintf(line, sizeof line,
+                 "$GLINT render --height heights.png %s -o out/r.ppm && tail -c %d out/r.ppm >out/w.ppm", looks[i],
+                 3 * WIDTH * HEIGHT);
+        assert_quiet(line);
+        assert_quiet(program);
+        assert_same_file("out/c.ppm", "out/w.ppm");
+        assert_same_file("out/cxx.ppm", "out/w.ppm");
+    }
+}
+
+static void every_model_format_and_space_compiles(void **state)
+{
+    (void)state;
+    static const char *const formats[] = {"rgb565", "rgb565-swapped", "rgb888", "grey8", "mono"};
+    for (int i = 0; i < GLINT_MODEL_COUNT || i < 5; i++) {
+        char line[500];
+        snprintf(
+            line, sizeof line,
+            "$GLINT material --model %s --format %s --space %s --name look_%d | sed '1!b;s/^/#include <stddef.h>\\n/' "
+            ">out/l.c && echo 'int main(void) { return (size_t)&look_%d == 0; }' >>out/l.c && "
+            "gcc -std=c99 " WARN "-Wno-unused-function -c out/l.c -o out/l.o",
+            model_names[i % GLINT_MODEL_COUNT], formats[i % 5], i % 2 ? "linear" : "gamma", i, i);
+        assert_quiet(line);
+    }
+}
+
+static void json_holds_the_same_numbers(void **state)
+{
+    (void)state;
+    const struct run *result =
+        run("$GLINT material --scene coin -n 200 --ambient .2 --light 1,2,4 --format rgb565 --dither --json");
+    assert_string_equal(result->err, "");
+    json_t *root = json_loads(result->out, 0, NULL);
+    const char *model, *format, *space;
+    int n, q, ambient, specular[3], light[3], dither;
+    assert_int_equal(json_unpack(root, "{s:s, s:i, s:i, s:s, s:s, s:b, s:[i, *], s:[i, i, i], s:[i, i, i]}", "model",
+                                 &model, "n", &n, "q", &q, "format", &format, "space", &space, "dither", &dither,
+                                 "ambient_q16", &ambient, "specular_q16", &specular[0], &specular[1], &specular[2],
+                                 "to_light", &light[0], &light[1], &light[2]),
+                     0);
+    assert_string_equal(model, "msh");
+    assert_string_equal(format, "rgb565");
+    assert_string_equal(space, "gamma");
+    assert_int_equal(n, 200);
+    assert_int_equal(q, 8);
+    assert_int_equal(dither, 1);
+    assert_int_equal(ambient, 13107);
+    assert_int_equal(specular[0], 49152); /* the coin's own: .75, .68, .5 */
+    assert_int_equal(specular[2], 32768);
+    assert_int_equal(light[2], 1 << 30);
+    assert_int_equal(light[0], 1 << 28);
+    json_decref(root);
+}
+
+static void what_a_shader_cannot_hold_is_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *options, *part;
+    } wrong[] = {
+        {"--point 1,2,3,4", "lamps of glint_shade_lights"},
+        {"--light 1,1,1 --light 1,2,1", "lamps of glint_shade_lights"},
+        {"--light 1,1,1,.5,.5,.5", "lamps of glint_shade_lights"},
+        {"--json --name x", "--name is for C source"},
+        {"--name int", "--name: 'int'"},
+        {"out.h", "unexpected argument 'out.h'"},
+        {"--scene ball", "sphere, watchface, coin"},
+        {"-n 0", "-n"},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "$GLINT material %s", wrong[i].options);
+        assert_refused(line, wrong[i].part);
+    }
+    assert_refused("$GLINT render -o out/x.png", "no surface"); /* which material alone leaves out */
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_printed_shader_draws_the_pixels_of_render),
+        cmocka_unit_test(every_model_format_and_space_compiles),
+        cmocka_unit_test(json_holds_the_same_numbers),
+        cmocka_unit_test(what_a_shader_cannot_hold_is_refused),
+    };
+    return cmocka_run_group_tests_name("material", tests, make_library, scratch_remove);
+}
