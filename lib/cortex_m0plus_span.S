@@ -21,7 +21,7 @@
     bne 1f
     ldrh r4, [r1, #GLINT_AT_SPAN_W]
     subs r4, #1
-    cmp r4, #GLINT_RUN - 1
+    cmp r4, #GLINT_SPAN_RUN - 1
     bls .Lrun
     adds r4, #1
     bne .Llong
@@ -41,31 +41,31 @@
     str r0, [r5]
     str r3, [r5, #4]
 2:  mov r1, sp
-    movs r2, #GLINT_RUN
+    movs r2, #GLINT_SPAN_RUN
     bl .Lany_run
     mov r0, sp
     ldmia r0!, {r1-r7} /* r6: tables, r7: out */
     subs r0, #28
-    movs r5, #GLINT_RUN - 1
-    lsls r5, r5, #GLINT_RUN_LOG - 1 /* 31 * 32 / 2 */
+    movs r5, #GLINT_SPAN_RUN - 1
+    lsls r5, r5, #GLINT_SPAN_RUN_LOG - 1 /* 31 * 32 / 2 */
     muls r5, r3
     adds r1, r1, r5
-    lsls r5, r2, #GLINT_RUN_LOG
+    lsls r5, r2, #GLINT_SPAN_RUN_LOG
     adds r1, r1, r5
-    lsls r5, r3, #GLINT_RUN_LOG
+    lsls r5, r3, #GLINT_SPAN_RUN_LOG
     adds r2, r2, r5
     ldr r5, [sp, #16]
-    lsls r5, r5, #GLINT_RUN_LOG
+    lsls r5, r5, #GLINT_SPAN_RUN_LOG
     adds r4, r4, r5
     stmia r0!, {r1-r4}
     movs r3, r7
-    adds r3, #2 * GLINT_RUN
+    adds r3, #2 * GLINT_SPAN_RUN
     str r3, [sp, #24]
     ldr r2, [sp, #28]
-    subs r2, #GLINT_RUN
+    subs r2, #GLINT_SPAN_RUN
     str r2, [sp, #28]
     movs r0, r6
-    cmp r2, #GLINT_RUN
+    cmp r2, #GLINT_SPAN_RUN
     bhi 2b
     mov r1, sp
     bl .Lany_run
@@ -148,7 +148,7 @@
 .Loutside: /* nl r7, dnl r1, colours r0, out r3 */
     ldr r0, [r0, #GLINT_AT_TABLES_COLOUR]
     mov r1, lr
-    movs r2, #GLINT_RUN - 1
+    movs r2, #GLINT_SPAN_RUN - 1
     subs r2, r2, r4
     mov r3, r12
     lsls r4, r2, #1
@@ -158,7 +158,7 @@
     add pc, r2
     nop
     .set pixel, 0
-.rept GLINT_RUN
+.rept GLINT_SPAN_RUN
     lsrs r4, r7, #GLINT_COLOUR_ROW_SHIFT
     lsls r4, r4, #GLINT_COLOUR_ROW_BYTES_LOG
     ldrh r4, [r0, r4]
@@ -180,7 +180,7 @@
     lsls r6, r2
     mov r3, r12
     mov r12, r6
-    movs r6, #GLINT_RUN - 1
+    movs r6, #GLINT_SPAN_RUN - 1
     subs r6, r6, r4
     lsls r4, r6, #1
     subs r3, r3, r4
@@ -190,7 +190,7 @@
     add pc, r6
     nop
     .set pixel, 0
-.rept GLINT_RUN
+.rept GLINT_SPAN_RUN
     lsrs r4, r1, #32 - GLINT_COLOUR_COLUMNS_LOG
     ldrb r4, [r0, r4]
     lsrs r6, r7, #GLINT_COLOUR_ROW_SHIFT
@@ -208,7 +208,7 @@
 
 .Ldark:
     ldrh r0, [r0, #GLINT_AT_TABLES_DARK]
-    movs r2, #GLINT_RUN - 1
+    movs r2, #GLINT_SPAN_RUN - 1
     subs r2, r2, r4
     lsls r2, r2, #1
     mov r3, r12
@@ -216,7 +216,7 @@
     add pc, r2
     nop
     .set pixel, 0
-.rept GLINT_RUN
+.rept GLINT_SPAN_RUN
     strh r0, [r3, #2 * pixel]
     .set pixel, pixel + 1
 .endr

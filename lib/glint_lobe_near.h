@@ -9,7 +9,7 @@
 
 #include "glint.h"
 
-enum { GLINT_RUN = 16 }; /* samples at most */
+#define GLINT_RUN 16u /* samples at most */
 
 struct glint_sample {
     uint32_t t_q30;  /* any; F is 0 from near->t_end on. UINT32_MAX where nl_q16 is 0 */

@@ -22,7 +22,7 @@
 #define GLINT_SMALL_DIFFUSE 65 /* nl = 0, and 64 intervals of nl_q30 >> GLINT_COLOUR_ROW_SHIFT */
 
 /* Spans: pixels that are judged together. A store of Thumb reaches 31 pixels from its address. */
-#define GLINT_RUN_LOG 5
-#define GLINT_RUN 32
+#define GLINT_SPAN_RUN_LOG 5
+#define GLINT_SPAN_RUN 32
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Spans over COLOUR tables, GLINT_RUN pixels at a time: a run. Of a run it is cheap to know that all its pixels are alike,
+ * Spans over COLOUR tables, GLINT_SPAN_RUN pixels at a time: a run. Of a run it is cheap to know that all its pixels are alike,
  * as t is convex and nl linear: three loops for three kinds take only the additions that their kind needs, and a fourth
  * takes any run. */
 #include "glint_loops_span_any.h"
@@ -129,7 +129,7 @@ static void run(const struct glint_tables *tables, const struct glint_span *at, 
 /* The span from the next run on: t is quadratic in the pixel's number. */
 static inline void next_run(struct glint_span *at)
 {
-    const uint32_t n = GLINT_RUN;
+    const uint32_t n = GLINT_SPAN_RUN;
     at->t_q30 += n * at->dt_q30 + n * (n - 1) / 2 * at->ddt_q30;
     at->dt_q30 += n * at->ddt_q30;
     at->nl_q30 = (int32_t)((uint32_t)at->nl_q30 + n * (uint32_t)at->dnl_q30);
@@ -142,15 +142,15 @@ enum glint_err glint_tables_span(const struct glint_tables *tables, const struct
         GLINT_MISALIGNED(surface->pixels, 16))
         return glint_span_any(tables, span, surface);
     uint16_t *out = (uint16_t *)surface->pixels;
-    if (span->w <= GLINT_RUN) {
+    if (span->w <= GLINT_SPAN_RUN) {
         if (span->w)
             run(tables, span, span->w, out);
         return GLINT_OK;
     }
     struct glint_span at = *span;
     uint32_t left = at.w;
-    for (; left > GLINT_RUN; left -= GLINT_RUN, out += GLINT_RUN) {
-        run(tables, &at, GLINT_RUN, out);
+    for (; left > GLINT_SPAN_RUN; left -= GLINT_SPAN_RUN, out += GLINT_SPAN_RUN) {
+        run(tables, &at, GLINT_SPAN_RUN, out);
         next_run(&at);
     }
     run(tables, &at, left, out);

@@ -7,7 +7,7 @@
 
 typedef char glint_geometry[(int64_t)GLINT_COLOUR_ROWS << GLINT_COLOUR_ROW_SHIFT == (int64_t)1 << 31 &&
                                     1 << GLINT_COLOUR_ROW_BYTES_LOG == 2 * GLINT_COLOUR_STEPS &&
-                                    1 << GLINT_RUN_LOG == GLINT_RUN && GLINT_RUN <= 32
+                                    1 << GLINT_SPAN_RUN_LOG == GLINT_SPAN_RUN && GLINT_SPAN_RUN <= 32
                                 ? 1
                                 : -1];
 
