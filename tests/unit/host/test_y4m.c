@@ -176,7 +176,7 @@ static void without_o_or_in_a_place_that_cannot_be_written_there_is_one_line_and
 {
     (void)state;
     assert_refused(COIN, "-o: --to y4m writes a file; name it: -o FILE.y4m");
-    assert_fails(COIN "-o none/v.y4m", "none/v.y4m: cannot write there");
+    assert_fails(COIN "-o none/v.y4m", "none/v.y4m: cannot create a file there");
     assert_quiet("printf '1 1 1\\n1\\n' >lights.txt"); /* fails after a frame */
     assert_fails(COIN "--lights lights.txt -o out/v.y4m", "line 2");
     assert_int_equal(files_in("out"), 0);
