@@ -10,6 +10,10 @@ uint64_t glint_exact_value(const struct glint_material *material, int k, uint32_
                            uint64_t shine);
 /* Step 8. weight / 32 is the threshold: 2b + 1, or 16. */
 uint32_t glint_exact_level(uint64_t x, uint32_t max, uint32_t weight);
+/* The largest level of each channel, by format. */
+extern const uint8_t glint_exact_max[5][3];
+/* Stores the levels of pixel x of a line; all are the same in grey. */
+void glint_exact_store(uint8_t format, uint8_t *line, uint32_t x, const uint8_t levels[3]);
 /* The ordered dither's weight b, 0..15, at a place on the screen. */
 uint32_t glint_pixel_bayer(uint32_t x, uint32_t y);
 /* That of a shader: 2b + 1, or 16. */

@@ -15,8 +15,8 @@ struct glint_levels_kind {
     uint16_t part[3];
 };
 
-/* P, Q, R and W; P has the threshold of undithered RGB. */
-void glint_levels_fold(struct glint_prepared *prepared, struct glint_levels_kind kind, bool grey);
+/* P, Q, R and W; with the threshold of an undithered level in P, where the loop adds none. */
+void glint_levels_fold(struct glint_prepared *prepared, struct glint_levels_kind kind, bool threshold);
 
 /* The thresholds of four pixels side by side, times 2^shift. */
 void glint_levels_bias(uint32_t bias[4], const struct glint_prepared *prepared, const struct glint_run *run);

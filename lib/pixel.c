@@ -64,35 +64,14 @@ void glint_pixel_put(const struct glint_shader *shader, const struct glint_surfa
                      const uint64_t v[3])
 {
     const uint32_t weight = glint_exact_weight(shader, surface->x + (uint32_t)x, surface->y + (uint32_t)y);
-    uint8_t *line = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;
-    switch ((enum glint_format)shader->format) {
-    case GLINT_RGB565:
-    case GLINT_RGB565_SWAPPED: {
-        const uint32_t rgb = pixel_level(shader, v[0], 31, weight) << 11 | pixel_level(shader, v[1], 63, weight) << 5 |
-                             pixel_level(shader, v[2], 31, weight);
-        const bool swapped = shader->format == GLINT_RGB565_SWAPPED;
-        line += 2 * (ptrdiff_t)x;
-        line[swapped] = (uint8_t)rgb;
-        line[!swapped] = (uint8_t)(rgb >> 8);
-        break;
+    const bool grey = shader->format >= GLINT_GREY8;
+    uint8_t levels[3];
+    for (int k = 0; k < 3; k++) {
+        const uint64_t value =
+            grey ? (GLINT_LUMA_RED * v[0] + GLINT_LUMA_GREEN * v[1] + GLINT_LUMA_BLUE * v[2]) >> 8 : v[k];
+        levels[k] = (uint8_t)pixel_level(shader, value, glint_exact_max[shader->format][k], weight);
     }
-    case GLINT_RGB888:
-        line += 3 * (ptrdiff_t)x;
-        for (int k = 0; k < 3; k++)
-            line[k] = (uint8_t)pixel_level(shader, v[k], 255, weight);
-        break;
-    case GLINT_GREY8:
-    case GLINT_MONO: {
-        const uint64_t grey = (GLINT_LUMA_RED * v[0] + GLINT_LUMA_GREEN * v[1] + GLINT_LUMA_BLUE * v[2]) >> 8;
-        if (shader->format == GLINT_GREY8) {
-            line[x] = (uint8_t)pixel_level(shader, grey, 255, weight);
-        } else {
-            const uint8_t bit = (uint8_t)(0x80 >> (x & 7));
-            line[x >> 3] = (uint8_t)(pixel_level(shader, grey, 1, weight) ? line[x >> 3] | bit : line[x >> 3] & ~bit);
-        }
-        break;
-    }
-    }
+    glint_exact_store(shader->format, (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y, x, levels);
 }
 
 void glint_pixel_store(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,

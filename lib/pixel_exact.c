@@ -25,5 +25,28 @@ uint64_t glint_exact_value(const struct glint_material *m, int k, uint32_t albed
 
 uint32_t glint_exact_level(uint64_t x, uint32_t max, uint32_t weight)
 {
-    return (uint32_t)((x * max + ((uint64_t)65535 << 27) * weight) >> 32) / 65535;
+    const uint32_t z = (uint32_t)((x * max + ((uint64_t)65535 << 27) * weight) >> 32);
+    /* z / 65535 for z = 65535 q + r = 65536 q + r - q, q <= 256: z >> 16 is q, or q - 1 where r < q */
+    return (z + (z >> 16) + 1) >> 16;
+}
+
+const uint8_t glint_exact_max[5][3] = {{31, 63, 31}, {31, 63, 31}, {255, 255, 255}, {255, 255, 255}, {1, 1, 1}};
+
+void glint_exact_store(uint8_t format, uint8_t *line, uint32_t x, const uint8_t levels[3])
+{
+    if (format <= GLINT_RGB565_SWAPPED) {
+        const uint32_t pixel = (uint32_t)levels[0] << 11 | (uint32_t)levels[1] << 5 | levels[2];
+        const bool swapped = format == GLINT_RGB565_SWAPPED;
+        line[2 * x + swapped] = (uint8_t)pixel;
+        line[2 * x + !swapped] = (uint8_t)(pixel >> 8);
+    } else if (format == GLINT_RGB888) {
+        line[3 * x] = levels[0];
+        line[3 * x + 1] = levels[1];
+        line[3 * x + 2] = levels[2];
+    } else if (format == GLINT_GREY8) {
+        line[x] = levels[0];
+    } else {
+        const uint8_t bit = (uint8_t)(0x80 >> (x & 7));
+        line[x >> 3] = (uint8_t)(levels[0] ? line[x >> 3] | bit : line[x >> 3] & ~bit);
+    }
 }

@@ -18,17 +18,13 @@ static void grey_fold(struct glint_prepared *prepared)
 {
     const uint8_t max = (uint8_t)grey_max(&prepared->shader);
     const struct glint_levels_kind kind = {{max, max, max}, {GREY_RED, GREY_GREEN, GREY_BLUE}};
-    glint_levels_fold(prepared, kind, true);
+    glint_levels_fold(prepared, kind, false);
 }
 
 static void grey_put(const struct glint_shader *shader, uint8_t *line, uint32_t x, uint32_t level)
 {
-    if (shader->format == GLINT_GREY8) {
-        line[x] = (uint8_t)level;
-    } else {
-        const uint8_t bit = (uint8_t)(0x80 >> (x & 7));
-        line[x >> 3] = (uint8_t)(level ? line[x >> 3] | bit : line[x >> 3] & ~bit);
-    }
+    const uint8_t levels[3] = {(uint8_t)level, (uint8_t)level, (uint8_t)level};
+    glint_exact_store(shader->format, line, x, levels);
 }
 
 GLINT_INLINE uint32_t grey_loop(const struct glint_prepared *p, const struct glint_run *run,

@@ -17,6 +17,15 @@ static uint32_t levels_scaled(uint32_t q16, struct glint_levels_kind kind, int k
     return glint_coefficient(q16) * kind.max[k] * kind.part[k] >> 8;
 }
 
+/* n / 255, rounded down, without a division: the first sum is low by less than 4, and never high. */
+static uint32_t levels_by_255(uint32_t n)
+{
+    uint32_t q = (n >> 8) + (n >> 16) + (n >> 24);
+    while (n - q * 255 >= 255)
+        q++;
+    return q;
+}
+
 /* The largest shift at which the largest sum of a channel, or the largest level, and a threshold, less than 1, leave
  * V < 2^32 - 2^20. A sum of 3.03 * 255 leaves 22. */
 static unsigned levels_shift(const struct glint_material *m, struct glint_levels_kind kind)
@@ -36,24 +45,25 @@ static unsigned levels_shift(const struct glint_material *m, struct glint_levels
 }
 
 /* Every n below is < 2^24, and low by < 2. */
-void glint_levels_fold(struct glint_prepared *p, struct glint_levels_kind kind, bool grey)
+void glint_levels_fold(struct glint_prepared *p, struct glint_levels_kind kind, bool threshold)
 {
     const struct glint_material *m = &p->shader.material;
     const unsigned shift = levels_shift(m, kind);
-    const uint32_t half = p->shader.dither || grey ? 0 : (uint32_t)1 << (shift - 1);
+    const bool grey = kind.part[0] < 256;
+    const uint32_t half = threshold ? (uint32_t)1 << (shift - 1) : 0;
     p->shift = shift;
     p->w = p->w_maps = 0;
     for (int k = 0; k < 3; k++) {
         const uint32_t albedo = m->albedo[k], a = levels_scaled(m->ambient_q16[k], kind, k);
         const uint32_t d = levels_scaled(m->diffuse_q16[k], kind, k);
-        const struct levels_cut q = levels_cut_of(d * albedo / 255, 32 - shift);
+        const struct levels_cut q = levels_cut_of(levels_by_255(d * albedo), 32 - shift);
         const struct levels_cut r = levels_cut_of(levels_scaled(m->specular_q16[k], kind, k), 32 - shift);
-        const struct levels_cut diffuse = levels_cut_of(d * 256 / 255, 33 - shift);
-        p->p[k] = (a * albedo / 255 << (shift - 16)) + half; /* low by < 2 2^(shift - 16) */
-        p->ambient[k] = a * 256 / 255 << (shift - 17);       /* low by < 2 2^(shift - 17), times 255 / 2^7 */
-        p->q[k] = q.value;                                   /* Q nl: low by q.low, as nl <= 2^16 */
-        p->diffuse[k] = diffuse.value;                       /* low by diffuse.low, times 255 / 2^7 */
-        p->r[k] = r.value;                                   /* R F: low by 33/32 r.low, and (R + 1) slack of F */
+        const struct levels_cut diffuse = levels_cut_of(levels_by_255(d * 256), 33 - shift);
+        p->p[k] = (levels_by_255(a * albedo) << (shift - 16)) + half; /* low by < 2 2^(shift - 16) */
+        p->ambient[k] = levels_by_255(a * 256) << (shift - 17);       /* low by < 2 2^(shift - 17), times 255 / 2^7 */
+        p->q[k] = q.value;                                            /* Q nl: low by q.low, as nl <= 2^16 */
+        p->diffuse[k] = diffuse.value;                                /* low by diffuse.low, times 255 / 2^7 */
+        p->r[k] = r.value; /* R F: low by 33/32 r.low, and (R + 1) slack of F */
         /* what the loop of grey takes off, or a limit is low by: < 4 */
         const uint32_t both =
             ((uint32_t)2 << (shift - 16)) + r.low + (r.low >> 5) + 1 + p->model->slack * (r.value + 1) + 4;

@@ -89,45 +89,15 @@ static uint32_t linear_encode(uint8_t *level, const uint32_t *v, unsigned count,
     return open;
 }
 
-/* Stores the levels of pixel x; grey is red. */
-static void linear_put(const struct glint_shader *shader, uint8_t *line, uint32_t x, uint32_t red, uint32_t green,
-                       uint32_t blue)
-{
-    switch ((enum glint_format)shader->format) {
-    case GLINT_RGB565:
-    case GLINT_RGB565_SWAPPED: {
-        const uint32_t pixel = red << 11 | green << 5 | blue;
-        const bool swapped = shader->format == GLINT_RGB565_SWAPPED;
-        line[2 * x + swapped] = (uint8_t)pixel;
-        line[2 * x + !swapped] = (uint8_t)(pixel >> 8);
-        break;
-    }
-    case GLINT_RGB888:
-        line[3 * x] = (uint8_t)red;
-        line[3 * x + 1] = (uint8_t)green;
-        line[3 * x + 2] = (uint8_t)blue;
-        break;
-    case GLINT_GREY8:
-        line[x] = (uint8_t)red;
-        break;
-    case GLINT_MONO: {
-        const uint8_t bit = (uint8_t)(0x80 >> (x & 7));
-        line[x >> 3] = (uint8_t)(red ? line[x >> 3] | bit : line[x >> 3] & ~bit);
-        break;
-    }
-    }
-}
-
 static uint32_t linear_levels(const struct glint_prepared *p, const struct glint_run *run,
                               const struct glint_sample *samples, unsigned count)
 {
     static const uint8_t luma[3] = {GLINT_LUMA_RED, GLINT_LUMA_GREEN, GLINT_LUMA_BLUE};
-    static const uint8_t most[5][3] = {{31, 63, 31}, {31, 63, 31}, {255, 255, 255}, {255, 0, 0}, {1, 0, 0}};
-    const uint8_t *max = most[p->shader.format];
+    const uint8_t *max = glint_exact_max[p->shader.format];
     const bool grey = p->shader.format >= GLINT_GREY8;
     const uint32_t w = run->gloss ? p->w_maps : p->w;
     uint32_t v[GLINT_RUN] = {0}, threshold[4], open = 0;
-    uint8_t level[3][GLINT_RUN] = {{0}, {0}, {0}};
+    uint8_t level[3][GLINT_RUN];
     for (unsigned i = 0; i < 4; i++)
         threshold[i] = LINEAR_ONE * glint_exact_weight(&p->shader, run->left + run->x + i, run->y) >> 5;
     for (int k = 0; k < 3; k++) {
@@ -137,9 +107,12 @@ static uint32_t linear_levels(const struct glint_prepared *p, const struct glint
     }
     if (grey)
         open = linear_encode(level[0], v, count, w, max[0], threshold);
-    for (unsigned i = 0; i < count; i++)
+    for (unsigned i = 0; i < count; i++) {
+        const uint8_t green = level[grey ? 0 : 1][i], blue = level[grey ? 0 : 2][i];
+        const uint8_t levels[3] = {level[0][i], green, blue};
         if (!(open >> i & 1))
-            linear_put(&p->shader, run->line, run->x + i, level[0][i], level[1][i], level[2][i]);
+            glint_exact_store(p->shader.format, run->line, run->x + i, levels);
+    }
     return open;
 }
 

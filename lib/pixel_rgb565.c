@@ -10,7 +10,7 @@ static bool rgb565_draws(const struct glint_shader *shader)
 static void rgb565_fold(struct glint_prepared *prepared)
 {
     const struct glint_levels_kind kind = {{31, 63, 31}, {256, 256, 256}};
-    glint_levels_fold(prepared, kind, false);
+    glint_levels_fold(prepared, kind, !prepared->shader.dither);
 }
 
 static uint32_t rgb565_plain(const struct glint_prepared *prepared, const struct glint_run *run,

@@ -13,12 +13,6 @@ static void rgb888_fold(struct glint_prepared *prepared)
     glint_levels_fold(prepared, kind, false);
 }
 
-static uint32_t rgb888_plain(const struct glint_prepared *prepared, const struct glint_run *run,
-                             const struct glint_sample *samples, unsigned count)
-{
-    return glint_levels_rgb(prepared, run, samples, count, true, false, false);
-}
-
 static uint32_t rgb888_dithered(const struct glint_prepared *prepared, const struct glint_run *run,
                                 const struct glint_sample *samples, unsigned count)
 {
@@ -35,8 +29,7 @@ static uint32_t rgb888_levels(const struct glint_prepared *prepared, const struc
                               const struct glint_sample *samples, unsigned count)
 {
     return run->albedo || run->gloss ? rgb888_mapped(prepared, run, samples, count)
-           : prepared->shader.dither ? rgb888_dithered(prepared, run, samples, count)
-                                     : rgb888_plain(prepared, run, samples, count);
+                                     : rgb888_dithered(prepared, run, samples, count);
 }
 
 static void rgb888_exact(const struct glint_shader *shader, const struct glint_run *run, unsigned i, uint32_t nl_q16,

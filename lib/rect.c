@@ -117,7 +117,9 @@ enum glint_err glint_shade_prepared_rect(const struct glint_prepared *prepared, 
                                                                                  ? prepared->model->geometry
                                                                              : wide ? geometry_wide
                                                                                     : geometry_unit;
-    struct glint_bounds bounds = {0, 0, 0, 0, false};
+    struct glint_bounds bounds;
+    bounds.left = bounds.right = bounds.top = bounds.bottom = 0;
+    bounds.any = false;
     struct glint_sample samples[GLINT_RUN];
     struct glint_run run = {NULL, 0, surface->x, 0, NULL, NULL};
     for (uint16_t y = 0; y < h; y++) {
