@@ -58,7 +58,7 @@ static void linear_sum(uint32_t *v, const struct glint_prepared *p, int k, const
         /* 65535/65536 of shine in Q30: high by < 1 */
         const uint32_t sum = linear_product(albedo, lit) + ((shine - (shine >> 16)) >> 1);
         if (part)
-            *v += part * (glint_levels_hold(sum, one) >> 8);
+            *v = (k ? *v : 0) + part * (glint_levels_hold(sum, one) >> 8);
         else
             *v = sum;
     }
@@ -96,7 +96,7 @@ static uint32_t linear_levels(const struct glint_prepared *p, const struct glint
     const uint8_t *max = glint_exact_max[p->shader.format];
     const bool grey = p->shader.format >= GLINT_GREY8;
     const uint32_t w = run->gloss ? p->w_maps : p->w;
-    uint32_t v[GLINT_RUN] = {0}, threshold[4], open = 0;
+    uint32_t v[GLINT_RUN], threshold[4], open = 0;
     uint8_t level[3][GLINT_RUN];
     for (unsigned i = 0; i < 4; i++)
         threshold[i] = LINEAR_ONE * glint_exact_weight(&p->shader, run->left + run->x + i, run->y) >> 5;
