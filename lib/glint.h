@@ -265,7 +265,7 @@ struct glint_near {
     uint32_t t_end; /* F > 0 exactly where t < t_end, <= 2^30 + 1 */
     uint32_t f_max; /* F is held to this */
     uint32_t n;     /* 1..1000 */
-    int32_t k[5];   /* the model's own */
+    int32_t k[3];   /* the model's own */
 };
 
 /* State, ours; const once filled: shared by threads and interrupts. */
