@@ -90,7 +90,8 @@ static bool pixel(const struct glint_shader *s, uint8_t *line, uint32_t x, uint3
 static void add(struct glint_box *box, uint32_t *right, uint32_t x, uint32_t y)
 {
     if (!box->w) {
-        box->x = *right = (uint16_t)x;
+        box->x = (uint16_t)x;
+        *right = x;
         box->y = (uint16_t)y;
         box->w = 1;
     }
