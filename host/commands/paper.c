@@ -10,6 +10,7 @@
 #include "base/output.h"
 #include "base/parse.h"
 #include "commands/commands.h"
+#include "paper/joint.h"
 #include "paper/lobes.h"
 #include "paper/models.h"
 #include "paper/paper.h"
@@ -28,6 +29,7 @@ static const struct part {
 } parts[] = {
     {"table1", "the search, table 1", paper_table1},
     {"wider", "wider searches", paper_wider},
+    {"joint", "the joint search", paper_joint},
     {"models", "the table of models", paper_models},
     {"fig3", "figure 3", paper_figure3},
     {"fig4", "figure 4", paper_figure4},
@@ -48,7 +50,8 @@ struct settings {
 static const struct argp_option option_list[] = {
     {"output", 'o', "DIR", 0, "The folder to write to; it is created, and files of the same name are replaced", 0},
     {"only", OPTION_ONLY, "PARTS", 0,
-     "Only these, separated by commas: table1 wider models fig3 fig4 fig5 fig6 fig7a fig7b fig9 (default: all)", 0},
+     "Only these, separated by commas: table1 wider joint models fig3 fig4 fig5 fig6 fig7a fig7b fig9 (default: all)",
+     0},
     {"no-plots", OPTION_NO_PLOTS, NULL, 0, "Write CSV files and a report without plots; this does not need gnuplot", 0},
     {"json", OPTION_JSON, NULL, 0, "Print claims.json instead of the lines", 0},
     {0}};

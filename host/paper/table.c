@@ -11,6 +11,7 @@
 #include "models/models.h"
 #include "paper/figure.h"
 #include "paper/q16.h"
+#include "paper/family.h"
 #include "paper/search.h"
 
 enum { TABLE_ROWS = 5, MSH_ROW = 2 };
@@ -55,17 +56,6 @@ static double msh_deviation_q16(void)
             sum += absolute_error(q16_from_t(GLINT_MSH, n, x), model_double(GLINT_BLINN, n, cos(x)));
         }
     return sum / (91.0 * 1000);
-}
-
-static json_t *five(const double values[5])
-{
-    return json_sprintf("%g %g %g %g %g", values[0], values[1], values[2], values[3], values[4]);
-}
-
-static void write_five(FILE *stream, const double values[5])
-{
-    for (int i = 0; i < 5; i++)
-        fprintf(stream, "%g,", values[i]);
 }
 
 static void claims_of_table(struct paper *paper, const struct search_result *result)
@@ -122,7 +112,7 @@ static void choice_of_grid(struct paper *paper)
         rows += row && same(&row->family, &printed[i].family);
     }
     const struct search_row *msh = find(result.rows, result.count, &printed[MSH_ROW].family);
-    json_t *best = msh ? five(msh->family.a) : json_string("not found");
+    json_t *best = msh ? family_text(msh->family.a) : json_string("not found");
     paper_choice(
         paper, "table1", "how fine a grid of angles is fine enough",
         json_sprintf("the paper's own: whole degrees, 0 to 90; cos 90 degrees as computed, 6.1e-17"),
@@ -157,14 +147,13 @@ void paper_table1(struct paper *paper)
         if (!row || !first)
             continue; /* the claim says so */
         fprintf(csv->stream, "%d,", i);
-        write_five(csv->stream, row->family.b);
-        write_five(csv->stream, row->family.a);
+        family_write(csv->stream, &row->family);
         fprintf(csv->stream, "%.4f,%.9f,%.9f,", printed[i].deviation, row->deviation, first->deviation);
         if (i == MSH_ROW)
             fprintf(csv->stream, "%.9f", q16);
         fputc('\n', csv->stream);
-        paper_table_row(table, 6, json_sprintf(i == MSH_ROW ? "%d = MSH" : "%d", i), five(row->family.b),
-                        five(row->family.a), json_sprintf("%.4f", printed[i].deviation),
+        paper_table_row(table, 6, json_sprintf(i == MSH_ROW ? "%d = MSH" : "%d", i), family_text(row->family.b),
+                        family_text(row->family.a), json_sprintf("%.4f", printed[i].deviation),
                         json_sprintf("%.6f", row->deviation), json_sprintf("%.6f", first->deviation));
     }
     output_close(csv);
@@ -225,14 +214,13 @@ void paper_wider(struct paper *paper)
         for (size_t j = 0; j < result.count; j++) {
             better += result.rows[j].deviation < table_best;
             fprintf(csv->stream, "%s,", widers[i].options);
-            write_five(csv->stream, result.rows[j].family.b);
-            write_five(csv->stream, result.rows[j].family.a);
+            family_write(csv->stream, &result.rows[j].family);
             fprintf(csv->stream, "%.9f\n", result.rows[j].deviation);
         }
         const struct search_row *best = &result.rows[0];
         paper_table_row(table, 7, json_sprintf("%s (%s)", widers[i].text, widers[i].options),
                         json_sprintf("%.0f", search_first_size(&options) + search_second_size(&options)),
-                        five(best->family.b), five(best->family.a), json_sprintf("%.6f", best->deviation),
+                        family_text(best->family.b), family_text(best->family.a), json_sprintf("%.6f", best->deviation),
                         json_sprintf("%.0f %%", 100 * best->deviation / msh), json_sprintf("%d", better));
         paper_number(paper, widers[i].number, best->deviation);
         kept_more = best->deviation; /* of the last, which keeps 100 */
