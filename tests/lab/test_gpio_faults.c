@@ -69,7 +69,7 @@ static void lines_that_are_in_use_or_not_there_are_named(void **state)
     assert_ended(&process, SIGINT, 130, "");
 
     assert_refused("--to gpio --lines sck=SCK,mosi=MOSO,dc=DC",
-                   "mosi=MOSO: no GPIO line has the name 'MOSO'; is it MOSI?");
+                   "mosi=MOSO: no GPIO line has the name 'MOSO'; did you mean MOSI?");
     snprintf(words, sizeof words, "dc=panel:6: %s has the lines 0 to 5", chip.name);
     assert_refused("--to gpio --lines sck=SCK,mosi=MOSI,dc=panel:6", words);
     assert_refused("--to gpio --chip gpiochip77 --lines sck=0,mosi=1,dc=2",

@@ -47,10 +47,10 @@ static void a_halted_endpoint_is_cleared_and_the_picture_sent_again(void **state
 static void a_tall_picture_is_sent_again_to_its_end(void **state)
 {
     (void)state;
-    usb_display_defaults(&config, 1, 60000);
+    usb_display_defaults(&config, 1, 16384); /* the longest side */
     struct gud_descriptor d = descriptor();
     d.compression = 0;
-    d.max_buffer = 2 * 40000;
+    d.max_buffer = 2 * 10000;
     set_descriptor(d);
     config.trouble = BULK_STALL;
     usb_display_be(&display, &config);

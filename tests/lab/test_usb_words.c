@@ -72,7 +72,7 @@ static void lists_that_cannot_be_are_refused(void **state)
     config.formats[0] = GUD_RGB332;
     config.formats[1] = 0x77;
     config.formats_bytes = 2;
-    assert_says("it takes none of glint's formats; it offers rgb332, GUD's 77");
+    assert_says("it does not take any format of glint's; it offers rgb332, GUD's 77");
     honest();
     config.connectors_bytes = 0;
     assert_says("it has no connector");
