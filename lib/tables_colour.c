@@ -2,6 +2,7 @@
 #include "glint_tables_colour.h"
 #include "glint_math_root.h"
 #include "glint_pixel.h"
+#include "glint_pixel_prepared.h"
 #include "glint_tables_geometry.h"
 
 typedef char glint_colour_bytes[GLINT_TABLES_COLOUR_BYTES ==
@@ -13,6 +14,36 @@ static bool has_step(const struct glint_shader *shader, uint32_t f)
 {
     const struct glint_peak peak = {shader, glint_pixel_lobe(shader, 0)};
     return glint_peak_step(&peak, f) != 0;
+}
+
+typedef char glint_colour_runs[GLINT_COLOUR_STEPS % GLINT_RUN == 0 ? 1 : -1];
+
+/* Finished pixels, a run of steps in every row: by the format's quick loop, which leaves few to the 64-bit sequence. */
+static void fill_colours(const struct glint_peak *peak, uint8_t *colours)
+{
+    static const struct glint_shade_model exact_f = {0, 0, NULL, NULL, NULL, NULL}; /* F is given, without slack */
+    const struct glint_shader *shader = peak->shader;
+    const struct glint_shade_format *format = shader->space == GLINT_LINEAR ? &glint_shade_linear : &glint_shade_rgb565;
+    struct glint_run run = {NULL, 0, 0, 0, NULL, NULL};
+    struct glint_sample samples[GLINT_RUN];
+    struct glint_prepared prepared;
+    prepared.shader = *shader;
+    prepared.model = &exact_f;
+    format->fold(&prepared);
+    for (; run.x < GLINT_COLOUR_STEPS; run.x += GLINT_RUN) {
+        for (unsigned i = 0; i < GLINT_RUN; i++)
+            samples[i].f_q16 = glint_peak_f(peak, run.x + i);
+        for (run.y = 0; run.y < GLINT_COLOUR_ROWS; run.y++) {
+            const uint32_t nl = glint_row_nl(run.y);
+            for (unsigned i = 0; i < GLINT_RUN; i++)
+                samples[i].nl_q16 = nl;
+            run.line = colours + 2 * GLINT_COLOUR_STEPS * (ptrdiff_t)run.y;
+            const uint32_t open = format->levels(&prepared, &run, samples, GLINT_RUN);
+            for (unsigned i = 0; open >> i; i++)
+                if (open >> i & 1)
+                    format->exact(shader, &run, i, nl, samples[i].f_q16);
+        }
+    }
 }
 
 /* Two tables, so that neither axis costs a division: t leads to a column, which holds the nearest step of F as an offset in
@@ -28,11 +59,8 @@ void glint_colour_fill(struct glint_tables *tables, const struct glint_peak *pea
     tables->shift = (uint8_t)glint_columns_shift(t_max, columns);
     for (uint32_t i = 0; i < columns; i++)
         tables->columns[i] = (uint8_t)(2 * glint_peak_step_at(peak, glint_column_t(t_max, tables->shift, i)));
-    const struct glint_surface colours = {memory, 2 * GLINT_COLOUR_STEPS, 0, 0}, dark = {&tables->dark, 2, 0, 0};
-    for (uint16_t row = 0; row < GLINT_COLOUR_ROWS; row++)
-        for (uint16_t j = 0; j < GLINT_COLOUR_STEPS; j++)
-            glint_pixel_store(shader, &colours, j, row, glint_row_nl(row), glint_peak_f(peak, j),
-                              shader->material.albedo, 255);
+    const struct glint_surface dark = {&tables->dark, 2, 0, 0};
+    fill_colours(peak, (uint8_t *)memory);
     glint_pixel_store(shader, &dark, 0, 0, 0, 0, shader->material.albedo, 255);
 }
 
