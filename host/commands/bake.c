@@ -30,6 +30,7 @@ struct request {
     enum bake_kind kind;
     const char *name, *path;
     char *header;     /* beside a NAME.c; NULL: the source is one file */
+    char *stem;       /* FILE without .c: the name where none is given */
     uint32_t strip;   /* lines; 0: not given */
     uint32_t address; /* 0: not given */
     bool json;
@@ -126,12 +127,11 @@ static void name_header(const struct argp_state *state, struct request *request)
     if (!(request->header = strdup(request->path)))
         fail("out of memory");
     const char *slash = strrchr(request->path, '/');
-    char *stem = strdup(slash ? slash + 1 : request->path);
-    if (!stem)
+    if (!(request->stem = strdup(slash ? slash + 1 : request->path)))
         fail("out of memory");
-    stem[strlen(stem) - 2] = '\0';
+    request->stem[strlen(request->stem) - 2] = '\0';
     if (!request->name)
-        request->name = parse_c_name(state, stem);
+        request->name = parse_c_name(state, request->stem);
     request->header[length - 1] = request->path[length - 1] == 'C' ? 'H' : 'h';
     parse_c_macro(state, request->name, "_WIDTH");
 }
@@ -307,6 +307,7 @@ int command_bake(int argc, char **argv)
     if (output)
         output_close(output);
     free(request.header);
+    free(request.stem);
     baked_free(baked);
     scene_free(scene);
     return EXIT_GOOD;
