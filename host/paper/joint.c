@@ -16,6 +16,7 @@ void paper_joint(struct paper *paper)
     struct search_options options = search_options_joint();
     const double whole = search_joint_size(&options);
     options.exponents = (struct search_list){exponents, sizeof exponents / sizeof *exponents};
+    options.quiet = true;
     const struct ranks alone = {0, 1};
     struct search_result result;
     const double start = seconds_now();

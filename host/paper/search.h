@@ -28,6 +28,7 @@ struct search_options {
     struct search_list shininess;    /* n of the grid; positive */
     size_t angles;                   /* of the grid, evenly from 0 to 90 degrees; at least 2 */
     size_t best;                     /* exponent sets kept after stage 1 */
+    bool quiet;                      /* no warning where it takes long */
     bool exhaustive;                 /* every sum to its end; the same rows, many times slower */
 };
 struct search_options search_options_paper(void); /* what the paper searched */

@@ -25,7 +25,7 @@ void search_clock_tick(struct search_clock *clock, double done)
     const double time_left = passed * (clock->total - done) / (done - clock->before);
     char left[32];
     describe_time(left, sizeof left, time_left);
-    if (!clock->warned && passed > 2 && time_left > 60) {
+    if (clock->stop && !clock->warned && passed > 2 && time_left > 60) {
         clock->warned = true;
         warn("search: %s of %.0f functions will take about %s; Ctrl-C stops, and %s", clock->what, clock->total, left,
              clock->stop);

@@ -9,7 +9,7 @@ struct search_clock {
     const char *what;
     double total, start; /* functions; seconds_now() when it began */
     double before;       /* functions compared before that, which say nothing about the speed */
-    const char *stop;    /* what Ctrl-C leaves behind, for the warning */
+    const char *stop;    /* what Ctrl-C leaves behind, for the warning; NULL: no warning */
     double shown;
     bool warned;
 };

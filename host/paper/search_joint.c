@@ -192,8 +192,9 @@ void search_joint(const struct search_options *options, const struct ranks *rank
                               .total = sets * each,
                               .start = seconds_now(),
                               .before = (double)joint.done * each,
-                              .stop = checkpoint ? "the same command goes on from the checkpoint"
-                                                 : "nothing is written (--checkpoint FILE keeps what is done)"};
+                              .stop = options->quiet ? NULL
+                                      : checkpoint   ? "the same command goes on from the checkpoint"
+                                                     : "nothing is written (--checkpoint FILE keeps what is done)"};
     search_rounds(&joint, checkpoint);
     progress_end();
     fill_rows(&joint, result);
