@@ -15,7 +15,7 @@ static void msh_fold(struct glint_near *near)
     if (k > 0)
         largest += (uint32_t)k * (t >> 14) + ((uint32_t)k * (t & 0x3fff) >> 14) + 1;
     unsigned up = 0;
-    while (largest << up < (uint32_t)1 << 27 && k << up < (int32_t)1 << 16)
+    while (largest << up < (uint32_t)1 << 27 && k * ((int32_t)1 << up) < (int32_t)1 << 16)
         up++;
     near->k[MSH_FACTOR] = k * ((int32_t)1 << up);
     near->k[MSH_ADDEND] = (int32_t)((uint32_t)5 << 16 << up);
