@@ -14,7 +14,7 @@ struct ranks {
 bool ranks_launched(struct ranks *ranks);
 /* In the others, whatever rank 0 says by itself stays unsaid: usage errors, which all of them find, are one line. */
 void ranks_let_first_speak(void);
-/* Joins the others; ends the program through fail() where this build has no MPI and there are others. */
+/* Joins the other ranks; ends the program through fail() if there are any and this build has no MPI. */
 struct ranks ranks_begin(void);
 /* `bytes` of every rank, in order of their index, to every rank. */
 void ranks_gather(const struct ranks *ranks, const void *mine, size_t bytes, void *all);

@@ -14,7 +14,7 @@
 
 #define GADGETS "/sys/kernel/config/usb_gadget"
 
-/* What cannot be done is told; the test then waits in vain for the device. */
+/* Reports what fails; the test then ends because no device appears. */
 static void put(const char *folder, const char *file, const char *format, ...) __attribute__((format(printf, 3, 4)));
 static void put(const char *folder, const char *file, const char *format, ...)
 {

@@ -89,7 +89,7 @@ static void be_eval_with_its_output_open(int input, int signal_number)
 {
     const struct rlimit no_core = {0, 0};
     setrlimit(RLIMIT_CORE, &no_core);
-    signal(signal_number, SIG_DFL); /* whoever runs the tests may ignore it */
+    signal(signal_number, SIG_DFL); /* the tests may run where it is ignored */
     dup2(input, STDIN_FILENO);
     execl(getenv("GLINT"), "glint", "eval", "-", "-o", "out/late", (char *)NULL);
     _exit(99);

@@ -199,7 +199,7 @@ static void pixels_of_up_to_four_lamps_are_within_their_rounding_of_doubles(void
                 const double beyond = fabs(s.out[LINE * (1 + p / W) + 3 * (p % W) + k] - wanted[k]) - .5;
                 worst = fmax(worst, beyond);
                 if (beyond > .001 + .13 * count)
-                    fail_msg("model %d, n %d, %u lamps: %g is wanted, %g off beyond the rounding", s.shader.lobe.model,
+                    fail_msg("model %d, n %d, %u lamps: wanted %g, off by %g beyond the rounding", s.shader.lobe.model,
                              s.shader.lobe.n, count, wanted[k], beyond);
                 compared++;
                 lit += wanted[k] > 0 && wanted[k] < 255;
