@@ -16,7 +16,8 @@ static bool has_step(const struct glint_shader *shader, uint32_t f)
     return glint_peak_step(&peak, f) != 0;
 }
 
-typedef char glint_colour_runs[GLINT_COLOUR_STEPS % GLINT_RUN == 0 ? 1 : -1];
+enum { FILL_RUN = GLINT_RUN / 2 }; /* steps at a time: samples on the stack, which is at its deepest here */
+typedef char glint_colour_runs[GLINT_COLOUR_STEPS % FILL_RUN == 0 ? 1 : -1];
 
 /* Finished pixels, a run of steps in every row: by the format's quick loop, which leaves few to the 64-bit sequence. */
 static void fill_colours(const struct glint_peak *peak, uint8_t *colours)
@@ -25,20 +26,20 @@ static void fill_colours(const struct glint_peak *peak, uint8_t *colours)
     const struct glint_shader *shader = peak->shader;
     const struct glint_shade_format *format = shader->space == GLINT_LINEAR ? &glint_shade_linear : &glint_shade_rgb565;
     struct glint_run run = {NULL, 0, 0, 0, NULL, NULL};
-    struct glint_sample samples[GLINT_RUN];
+    struct glint_sample samples[FILL_RUN];
     struct glint_prepared prepared;
     prepared.shader = *shader;
     prepared.model = &exact_f;
     format->fold(&prepared);
-    for (; run.x < GLINT_COLOUR_STEPS; run.x += GLINT_RUN) {
-        for (unsigned i = 0; i < GLINT_RUN; i++)
+    for (; run.x < GLINT_COLOUR_STEPS; run.x += FILL_RUN) {
+        for (unsigned i = 0; i < FILL_RUN; i++)
             samples[i].f_q16 = glint_peak_f(peak, run.x + i);
         for (run.y = 0; run.y < GLINT_COLOUR_ROWS; run.y++) {
             const uint32_t nl = glint_row_nl(run.y);
-            for (unsigned i = 0; i < GLINT_RUN; i++)
+            for (unsigned i = 0; i < FILL_RUN; i++)
                 samples[i].nl_q16 = nl;
             run.line = colours + 2 * GLINT_COLOUR_STEPS * (ptrdiff_t)run.y;
-            const uint32_t open = format->levels(&prepared, &run, samples, GLINT_RUN);
+            const uint32_t open = format->levels(&prepared, &run, samples, FILL_RUN);
             for (unsigned i = 0; open >> i; i++)
                 if (open >> i & 1)
                     format->exact(shader, &run, i, nl, samples[i].f_q16);
