@@ -388,7 +388,7 @@ struct glint_tables_light {
     int32_t x, y, z, cut, peak; /* for INT8 and INT10 with the viewer at (0, 0, 1) */
     uint32_t r;
     uint8_t a, kind; /* kind: of the tables */
-    bool frontal;    /* is the viewer there? */
+    bool frontal;    /* is the viewer there, and with COLOUR l of length 1 and h theirs? */
 };
 enum glint_err glint_tables_light_init(struct glint_tables_light *light, const struct glint_tables *tables,
                                        const struct glint_light *from);
@@ -396,7 +396,8 @@ enum glint_err glint_tables_light_init(struct glint_tables_light *light, const s
 /* Shades w x h normals; pixels without a surface are left as they are. Normals are aligned (INT16 to 2 bytes, else to 4) and
  * of about unit length: others give some colour. GLINT_ERR_ARG: NULL, misaligned, ALBEDO tables, a light for another kind of
  * tables. GLINT_ERR_FORMAT: no such normals. GLINT_ERR_VECTOR: INT8 and a viewer not at (0, 0, 1), unless the tables are
- * SMALL. Nothing is written then. */
+ * SMALL; INT8, COLOUR and a light made by hand that is longer than 1.03 or has an h that is not its own. Nothing is written
+ * then. */
 enum glint_err glint_tables_rect(const struct glint_tables *tables, const struct glint_tables_light *light,
                                  enum glint_normals format, const void *normals, ptrdiff_t stride, uint16_t w,
                                  uint16_t h, const struct glint_surface *surface);

@@ -65,6 +65,26 @@ void glint_colour_fill(struct glint_tables *tables, const struct glint_peak *pea
     glint_pixel_store(shader, &dark, 0, 0, 0, 0, shader->material.albedo, 255);
 }
 
+static uint32_t square(int16_t x)
+{
+    return (uint32_t)((int32_t)x * x); /* <= 2^30 */
+}
+
+static bool is_unit(const struct glint_vec *v) /* or a little longer, up to 1.03 */
+{
+    return square(v->x) + square(v->y) + square(v->z) <= ((uint32_t)1 << 30) + ((uint32_t)1 << 26);
+}
+
+/* Do the loops for a viewer in front stay inside the tables? Their row is d >> 23, and the 128 rows end at d = 2^30, N.L = 2.
+ * Packed normals are at most sqrt(3) long, so INT8 is safe with L up to 1.15. INT10 takes N.L from N.H, so H has to be the
+ * half vector: H_z = |L + V| / 2, here within 2^-6. Lights from glint_light_init are far closer than that. */
+static bool is_consistent(const struct glint_tables_light *light)
+{
+    const uint32_t margin = (uint32_t)1 << 24;
+    const uint32_t off = (uint32_t)light->peak - ((uint32_t)light->h.z << 15); /* Q29, modulo 2^32: |off| < 2^31.2 */
+    return is_unit(&light->l) && is_unit(&light->h) && off + margin <= 2 * margin;
+}
+
 /* N.H |L + V| = N.L + N.z for a viewer at (0, 0, 1): one dot serves both. With m = |L + V| = peak / 2^29, 1 - N.H =
  * (peak - d - z) / m, so a column's number is (d + z - cut) 2 / m >> s = ((e >> a) r) >> 20, e = d + z - cut in Q29. */
 void glint_colour_light(struct glint_tables_light *light, const struct glint_tables *tables)
@@ -82,6 +102,7 @@ void glint_colour_light(struct glint_tables_light *light, const struct glint_tab
         a++;
     const unsigned scale = 30 + 32 - GLINT_COLOUR_COLUMNS_LOG + a - tables->shift; /* e 2^30 / peak >> s */
     const uint64_t r = peak && tables->kind == GLINT_TABLES_COLOUR ? ((uint64_t)1 << scale) / peak : 0;
+    light->frontal = light->frontal && is_consistent(light);
     light->a = (uint8_t)a;
     light->r = r > UINT32_MAX ? UINT32_MAX : (uint32_t)r;
 }

@@ -108,7 +108,7 @@ void light_device_reset(struct light_device *d)
 
 /* ---- bulk ---- */
 
-/* The table loops need normals of about unit length: with a longer one they would read outside the tables. */
+/* A map of normals is of about unit length; other data would be drawn in arbitrary colours, so it is refused. */
 static bool is_normal(uint32_t word)
 {
     const int32_t x = (int8_t)word, y = ((int32_t)(int16_t)word - x) / 256, z = (int32_t)word >> 16;

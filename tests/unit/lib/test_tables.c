@@ -252,6 +252,9 @@ static void garbage_in_normals_and_spans_reads_nothing_outside_the_tables(void *
         struct glint_shader shader = random_shader(GLINT_RGB565, GLINT_GAMMA);
         shader.dither = false;
         shader.lobe.model = (uint8_t)below(3);
+        int16_t *lvh = (int16_t *)(void *)&shader.light;
+        for (int k = 0; k < 9 && i % 3; k++) /* by hand: any light, any half vector, for a viewer in front */
+            lvh[k] = k / 3 == 1 ? lvh[k] : (int16_t)(below(65536) - 32768);
         uint32_t *small = malloc(GLINT_TABLES_SMALL_BYTES);
         struct glint_tables tables;
         struct glint_tables_light light;
@@ -263,9 +266,12 @@ static void garbage_in_normals_and_spans_reads_nothing_outside_the_tables(void *
             words[k] = below(UINT32_MAX);
         uint16_t out[150];
         const struct glint_surface surface = {out, 0, 0, 0};
-        for (int format = 0; format < 3; format++)
-            assert_int_equal(glint_tables_rect(&tables, &light, (enum glint_normals)format, words, 0, 100, 1, &surface),
-                             GLINT_OK);
+        for (int format = 0; format < 3; format++) {
+            const enum glint_err error =
+                glint_tables_rect(&tables, &light, (enum glint_normals)format, words, 0, 100, 1, &surface);
+            if (error != GLINT_ERR_VECTOR || format != GLINT_NORMALS_INT8 || !(i % 3))
+                assert_int_equal(error, GLINT_OK);
+        }
         const struct glint_span span = {words[0], words[1], words[2], (int32_t)words[3], (int32_t)words[4], 150};
         assert_int_equal(glint_tables_span(&tables, &span, &surface), GLINT_OK);
         free(small);

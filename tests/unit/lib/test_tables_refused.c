@@ -81,7 +81,7 @@ static void refuses(const struct loop *loop, enum glint_err err, int format, con
     assert_untouched(loop);
 }
 
-static void eight_bit_normals_want_the_viewer_in_front_but_for_small_tables(void **state)
+static void eight_bit_normals_require_the_viewer_in_front_except_with_small_tables(void **state)
 {
     (void)state;
     static const int32_t aside[][3] = {{1, 0, 4}, {0, 0, -1}, {1, 0, 200}, {0, -1, 200}}; /* two with z = 32767 */
@@ -90,6 +90,48 @@ static void eight_bit_normals_want_the_viewer_in_front_but_for_small_tables(void
         loop_init(&loop, GLINT_TABLES_COLOUR, aside[i]);
         refuses(&loop, GLINT_ERR_VECTOR, INT8, words, 8);
         loop_init(&loop, GLINT_TABLES_SMALL, aside[i]);
+        assert_int_equal(
+            glint_tables_rect(&loop.tables, &loop.light, GLINT_NORMALS_INT8, words, 8, 2, 2, &loop.surface), GLINT_OK);
+    }
+}
+
+static void eight_bit_normals_require_a_light_of_length_1_and_its_own_half_vector(void **state)
+{
+    (void)state;
+    static const struct glint_light wrong[] = {
+        {{32767, 32767, 32767}, {0, 0, 32767}, {15000, 15000, 25000}}, /* 1.7 long */
+        {{0, 0, 32767}, {0, 0, 32767}, {0, 0, -32767}},
+        {{0, 0, 32767}, {0, 0, 32767}, {32767, 0, 0}},
+        {{0, 0, 32767}, {0, 0, 32767}, {32767, 32767, 32767}},
+    };
+    for (int i = 0; i < 4; i++) {
+        struct loop loop;
+        loop_init(&loop, GLINT_TABLES_COLOUR, front);
+        assert_int_equal(glint_tables_light_init(&loop.light, &loop.tables, &wrong[i]), GLINT_OK);
+        refuses(&loop, GLINT_ERR_VECTOR, INT8, words, 8);
+        loop_init(&loop, GLINT_TABLES_SMALL, front);
+        assert_int_equal(glint_tables_light_init(&loop.light, &loop.tables, &wrong[i]), GLINT_OK);
+        assert_int_equal(
+            glint_tables_rect(&loop.tables, &loop.light, GLINT_NORMALS_INT8, words, 8, 2, 2, &loop.surface), GLINT_OK);
+    }
+}
+
+/* The light's own rounding, and what programs round it to, is no reason to refuse it. */
+static void eight_bit_normals_take_every_light_of_glint_light_init(void **state)
+{
+    (void)state;
+    struct loop loop;
+    loop_init(&loop, GLINT_TABLES_COLOUR, front);
+    for (int i = 0; i < 100000; i++) {
+        const int32_t near = 1 << below(31), viewer[3] = {0, 0, 1};
+        int32_t to_light[3] = {(int32_t)below(2001) - 1000, (int32_t)below(2001) - 1000, (int32_t)below(2001) - 1000};
+        if (i % 2)
+            to_light[2] = -near; /* also almost straight behind */
+        struct glint_light light;
+        if (glint_light_init(&light, to_light, viewer) != GLINT_OK)
+            continue;
+        light.l.x = (int16_t)(light.l.x & ~255); /* as one held in bytes */
+        assert_int_equal(glint_tables_light_init(&loop.light, &loop.tables, &light), GLINT_OK);
         assert_int_equal(
             glint_tables_rect(&loop.tables, &loop.light, GLINT_NORMALS_INT8, words, 8, 2, 2, &loop.surface), GLINT_OK);
     }
@@ -160,7 +202,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_tables_cannot_be_filled_for_is_refused_and_nothing_is_written),
-        cmocka_unit_test(eight_bit_normals_want_the_viewer_in_front_but_for_small_tables),
+        cmocka_unit_test(eight_bit_normals_require_the_viewer_in_front_except_with_small_tables),
+        cmocka_unit_test(eight_bit_normals_require_a_light_of_length_1_and_its_own_half_vector),
+        cmocka_unit_test(eight_bit_normals_take_every_light_of_glint_light_init),
         cmocka_unit_test(rectangles_by_tables_refuse_what_cannot_be),
         cmocka_unit_test(spans_lights_and_palettes_refuse_what_cannot_be),
     };
