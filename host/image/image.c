@@ -57,6 +57,23 @@ uint8_t *image_grey8(const struct image *image)
     return out;
 }
 
+uint8_t *image_cut_out(const struct image *image)
+{
+    if (image->channels % 2)
+        return NULL;
+    const size_t pixels = (size_t)image->width * image->height;
+    uint8_t *out = allocate(pixels, 1);
+    bool cuts = false;
+    for (size_t i = 0; i < pixels; i++) {
+        out[i] = to_8_bits(image->samples[(i + 1) * image->channels - 1]);
+        cuts |= out[i] == 0;
+    }
+    if (cuts)
+        return out;
+    free(out);
+    return NULL;
+}
+
 double *image_grey(const struct image *image)
 {
     const size_t pixels = (size_t)image->width * image->height;

@@ -20,6 +20,8 @@ void image_free(struct image *image);
 /* Alpha is dropped, 16 bits are rounded to 8; malloc'd. */
 uint8_t *image_rgb8(const struct image *image);
 uint8_t *image_grey8(const struct image *image);
+/* Alpha in 8 bits; NULL where no pixel is wholly transparent: such alpha leaves nothing out. malloc'd. */
+uint8_t *image_cut_out(const struct image *image);
 double *image_grey(const struct image *image); /* 0..1, at the file's full precision */
 bool image_is_grey(const struct image *image); /* red, green and blue are equal throughout */
 

@@ -10,22 +10,31 @@
 #include "options/scene_options.h"
 
 /* Beyond those of the commands, whose keys begin at 256. */
-enum key { KEY_HEIGHT = 512, KEY_NORMALS, KEY_SCENE, KEY_SCALE, KEY_WRAP, KEY_FLIP_Y, KEY_MASK, KEY_SIZE };
+enum key { KEY_HEIGHT = 512, KEY_NORMALS, KEY_SCENE, KEY_SCALE, KEY_BEVEL, KEY_WRAP, KEY_FLIP_Y, KEY_MASK, KEY_SIZE };
 
 static const struct argp_option argp_options[] = {
     {NULL, 0, NULL, 0, "The surface (one of three):", 1},
-    {"height", KEY_HEIGHT, "FILE", 0, "A height map: white near, black far; of colours the brightness counts", 1},
+    {"height", KEY_HEIGHT, "FILE", 0,
+     "A height map: white near, black far; of colours the brightness counts. With --bevel a logo", 1},
     {"normals", KEY_NORMALS, "FILE", 0,
      "A normal map with 8 or 16 bits a sample: red right, green up, blue towards the viewer. Vectors are renormalised; "
-     "z is reconstructed if blue is 0 everywhere, or if grey and alpha are x and y",
+     "z is reconstructed if blue is 0 everywhere, or if grey and alpha are x and y. Of RGB with alpha, pixels that are "
+     "transparent are left out, as by --mask",
      1},
     {"scene", KEY_SCENE, "NAME", 0, "A built-in scene: sphere, watchface, coin or dial (the watch without numerals)",
      1},
 
     {NULL, 0, NULL, 0, "The maps, PNG files of one size (- is standard input):", 2},
-    {"mask", KEY_MASK, "FILE", 0, "What is drawn: black pixels have no surface, stay black and are not compared", 2},
+    {"mask", KEY_MASK, "FILE", 0,
+     "What is drawn: black pixels have no surface, stay black and are not compared. Of a mask with transparent pixels "
+     "these count instead",
+     2},
     {"scale", KEY_SCALE, "S", 0,
-     "The height of white above black in pixels; negative turns hills into hollows (default 8)", 2},
+     "The height of white above black in pixels; negative turns hills into hollows (default 8, or --bevel's WIDTH)", 2},
+    {"bevel", KEY_BEVEL, "WIDTH", 0,
+     "The picture of --height is a logo: a rounded edge rises over WIDTH pixels from the edge of its shape inwards. "
+     "The shape is what alpha covers, or in an opaque picture what differs in brightness from the picture's rim",
+     2},
     {"wrap", KEY_WRAP, NULL, 0,
      "The height map is seamless: take slopes across its edges (the default if --size repeats it)", 2},
     {"flip-y", KEY_FLIP_Y, NULL, 0, "Green points down in the normal map, as in DirectX", 2},
@@ -66,10 +75,14 @@ static void check(const struct argp_state *state, struct scene_options *o)
         refuse(state, "only one map can come from standard input");
     if (!o->heights && (o->wraps || !isnan(o->scale)))
         refuse(state, "%s needs --height", o->wraps ? "--wrap" : "--scale");
+    if (o->bevel && !o->heights)
+        refuse(state, "--bevel needs --height");
+    if (o->bevel && o->wraps)
+        refuse(state, "--wrap cannot be used with --bevel: a logo has no seams");
     if (!o->normals && o->flip_y)
         refuse(state, "--flip-y needs --normals");
     if (isnan(o->scale))
-        o->scale = 8;
+        o->scale = o->bevel ? o->bevel : 8;
 }
 
 static error_t parse_option(int key, char *text, struct argp_state *state)
@@ -90,6 +103,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case KEY_SCALE:
         o->scale = parse_real(state, "--scale", text, -10000, 10000);
+        return 0;
+    case KEY_BEVEL:
+        o->bevel = parse_real(state, "--bevel", text, 1, 10000);
         return 0;
     case KEY_WRAP:
         o->wraps = true;

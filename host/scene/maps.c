@@ -8,6 +8,8 @@
 #include "base/message.h"
 #include "image/image.h"
 #include "image/read.h"
+#include "scene/bevel.h"
+#include "scene/curl.h"
 #include "scene/normals.h"
 #include "scene/scenes.h"
 
@@ -61,25 +63,59 @@ void scene_maps_size(const struct scene_maps *maps, uint32_t *width, uint32_t *h
 static struct scene *scene_of_heights(const struct scene_maps *maps, uint32_t width, uint32_t height)
 {
     const struct image *map = maps->surface;
-    const bool repeats = width > map->width || height > map->height;
-    return scene_from_heights(map, maps->options.scale, maps->options.wraps || repeats);
+    const struct scene_options *options = &maps->options;
+    const bool wraps = options->wraps || width > map->width || height > map->height; /* which repeats it */
+    if (!options->bevel)
+        return scene_from_heights(map, options->scale, wraps);
+    double *heights = bevel_heights(map, options->bevel);
+    struct scene *scene = scene_from_relief(heights, map->width, map->height, options->scale, wraps);
+    free(heights);
+    return scene;
 }
 
-static struct scene *scene_of_normals(const struct scene_maps *maps)
+/* What is drawn, 8 bits a pixel of *from: the mask's alpha where that leaves something out, else its brightness; without a
+ * mask the normal map's alpha. NULL: everything. */
+static uint8_t *drawn_of(const struct scene_maps *maps, const struct image **from, bool *by_alpha)
 {
-    const struct image *map = maps->surface, *mask = maps->mask;
-    uint8_t *drawn = NULL;
-    if (mask && mask->width == map->width && mask->height == map->height)
-        drawn = image_grey8(mask);
-    struct scene *scene = scene_from_normals(map, maps->options.flip_y, drawn);
-    free(drawn);
-    return scene;
+    *from = maps->mask ? maps->mask : maps->options.normals ? maps->surface : NULL;
+    if (!*from || (!maps->mask && (*from)->channels < 4)) /* grey and alpha of a normal map are x and y */
+        return NULL;
+    uint8_t *drawn = image_cut_out(*from);
+    *by_alpha = drawn != NULL;
+    return drawn || !maps->mask ? drawn : image_grey8(maps->mask);
 }
 
 static void replace(uint8_t **map, uint8_t *by)
 {
     free(*map);
     *map = by;
+}
+
+static bool is_constant(const struct image *map)
+{
+    const size_t pixels = (size_t)map->width * map->height;
+    double *grey = image_grey(map);
+    size_t same = 1;
+    while (same < pixels && grey[same] == grey[0])
+        same++;
+    free(grey);
+    return same == pixels;
+}
+
+/* Maps that are taken as they are, though they cannot be meant so. */
+static void say_what_looks_wrong(const struct scene_options *options, const struct image *map,
+                                 const struct scene *scene)
+{
+    if (options->heights && !options->bevel && is_constant(map))
+        warn(
+            "%s: has no heights: its brightness is the same everywhere, so the surface is flat; --bevel WIDTH makes an "
+            "edge from the shape of a logo",
+            map->name);
+    else if (options->heights && !options->bevel && !image_is_grey(map))
+        warn("%s: this map is in colour; its brightness is the height", map->name);
+    if (options->normals && curl_says_flipped(scene, scene->mask))
+        warn("%s: green seems to point %s: the normals fit a surface better %s --flip-y", map->name,
+             options->flip_y ? "up" : "down", options->flip_y ? "without" : "with");
 }
 
 struct scene *scene_of_maps(const struct scene_maps *maps, uint32_t width, uint32_t height)
@@ -89,13 +125,17 @@ struct scene *scene_of_maps(const struct scene_maps *maps, uint32_t width, uint3
         width = options->width;
         height = options->height;
     }
+    const struct image *surface = maps->surface, *drawn_from;
+    bool by_alpha = false;
+    uint8_t *drawn = drawn_of(maps, &drawn_from, &by_alpha);
     struct scene *scene;
     const char *what;
     if (options->heights) {
         scene = scene_of_heights(maps, width, height);
         what = "the height map";
     } else if (options->normals) {
-        scene = scene_of_normals(maps);
+        const bool fits = drawn && drawn_from->width == surface->width && drawn_from->height == surface->height;
+        scene = scene_from_normals(surface, options->flip_y, fits ? drawn : NULL);
         what = "the normal map";
     } else {
         scene = scene_draw(options->scene, width ? width : SCENE_SIDE, width ? height : SCENE_SIDE);
@@ -109,12 +149,13 @@ struct scene *scene_of_maps(const struct scene_maps *maps, uint32_t width, uint3
         check_same_size(maps->gloss, scene, what);
         replace(&scene->gloss, image_grey8(maps->gloss));
     }
-    if (maps->mask) {
-        check_same_size(maps->mask, scene, what);
-        replace(&scene->mask, image_grey8(maps->mask));
+    if (drawn) {
+        check_same_size(drawn_from, scene, what);
+        replace(&scene->mask, drawn);
     }
-    if (options->heights && !image_is_grey(maps->surface)) /* after what may fail: that is one line */
-        warn("%s: this map is in colour; its brightness is the height", maps->surface->name);
+    if (by_alpha)
+        warn("%s: its alpha is the mask: transparent pixels are not drawn", drawn_from->name);
+    say_what_looks_wrong(options, surface, scene); /* after what may fail: that is one line */
     if (width && (width != scene->width || height != scene->height))
         scene_repeat(scene, width, height);
     return scene;

@@ -11,7 +11,7 @@ struct scene_options {
     bool optional; /* set before the options are parsed: no surface need be named */
     /* one of three */
     const char *heights, *normals, *scene;
-    double scale;
+    double scale, bevel; /* bevel > 0: the heights are those of a shape's rounded edge */
     bool wraps, flip_y;
     const char *mask;
     uint32_t width, height;     /* 0: the map's own */

@@ -36,19 +36,24 @@ static double slope(const double *heights, size_t count, size_t step, size_t at,
     return (heights[after * step] - heights[before * step]) / run;
 }
 
-struct scene *scene_from_heights(const struct image *map, double scale, bool wraps)
+struct scene *scene_from_relief(const double *heights, uint32_t width, uint32_t height, double scale, bool wraps)
 {
-    struct scene *scene = scene_new(map->width, map->height);
-    double *heights = image_grey(map);
-    const size_t width = map->width;
-    for (size_t y = 0; y < map->height; y++) {
+    struct scene *scene = scene_new(width, height);
+    for (size_t y = 0; y < height; y++) {
         for (size_t x = 0; x < width; x++) {
             double *n = scene->normals[y * width + x];
             n[0] = -scale * slope(&heights[y * width], width, 1, x, wraps);
-            n[1] = scale * slope(&heights[x], map->height, width, y, wraps); /* lines go down, y goes up */
+            n[1] = scale * slope(&heights[x], height, width, y, wraps); /* lines go down, y goes up */
             normalize(n, 0);
         }
     }
+    return scene;
+}
+
+struct scene *scene_from_heights(const struct image *map, double scale, bool wraps)
+{
+    double *heights = image_grey(map);
+    struct scene *scene = scene_from_relief(heights, map->width, map->height, scale, wraps);
     free(heights);
     return scene;
 }

@@ -11,6 +11,7 @@
 /* `scale`: how many pixels white lies above black. Central differences; at the edges one-sided, or around them where
  * the map `wraps`. */
 struct scene *scene_from_heights(const struct image *heights, double scale, bool wraps);
+struct scene *scene_from_relief(const double *heights, uint32_t width, uint32_t height, double scale, bool wraps);
 
 /* Red x, green y (up), blue z, -1..1 over the samples' range; z is reconstructed where there are two channels or blue is
  * 0 throughout. Renormalised. Pixels that `mask` (NULL: none) leaves out may hold anything. */

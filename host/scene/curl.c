@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/curl.h"
+
+#include <math.h>
+
+/* Where a normal is steeper than this, its slope is mostly rounding. */
+static const double least_z = .25;
+/* How many times the curl must be that of the other way, in squares: noise gives 1, a surface hundreds. */
+static const double factor = 4;
+enum { PIXELS_LEAST = 64 };
+
+/* The slopes of a surface, p across and q down, are those of one height at each pixel, so how p changes going down is how q
+ * changes going across: dp/dy = dq/dx. With y the other way q has the other sign, and the two sum up where they should
+ * cancel. */
+bool curl_says_flipped(const struct scene *scene, const uint8_t *mask)
+{
+    const size_t width = scene->width;
+    double as_it_is = 0, flipped = 0;
+    size_t count = 0;
+    for (size_t y = 1; y + 1 < scene->height; y++) {
+        for (size_t x = 1; x + 1 < width; x++) {
+            const size_t i = y * width + x;
+            const size_t around[] = {i - width, i + width, i - 1, i + 1};
+            bool counts = true;
+            for (int k = 0; k < 4; k++)
+                counts &= scene->normals[around[k]][2] > least_z && (!mask || mask[around[k]]);
+            if (!counts)
+                continue;
+            const double *up = scene->normals[around[0]], *down = scene->normals[around[1]];
+            const double *left = scene->normals[around[2]], *right = scene->normals[around[3]];
+            const double dp = up[0] / up[2] - down[0] / down[2];       /* p = -x / z */
+            const double dq = right[1] / right[2] - left[1] / left[2]; /* q = y / z: lines go down, y goes up */
+            as_it_is += (dp - dq) * (dp - dq);
+            flipped += (dp + dq) * (dp + dq);
+            count++;
+        }
+    }
+    return count >= PIXELS_LEAST && as_it_is > factor * flipped;
+}

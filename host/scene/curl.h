@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: MIT
+ * Which way the green of a normal map points. */
+#ifndef GLINT_SCENE_CURL_H
+#define GLINT_SCENE_CURL_H
+
+#include <stdbool.h>
+
+#include "scene/scene.h"
+
+/* Would the scene's normals fit a surface much better with y the other way? `mask` (NULL: none) leaves pixels out. */
+bool curl_says_flipped(const struct scene *scene, const uint8_t *mask);
+
+#endif
