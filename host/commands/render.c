@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * glint render: options, and the way from files to a picture. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/message.h"
@@ -8,6 +9,7 @@
 #include "commands/commands.h"
 #include "compare/compare.h"
 #include "draw/canvas.h"
+#include "image/format.h"
 #include "image/levels.h"
 #include "image/picture.h"
 #include "image/write.h"
@@ -55,11 +57,14 @@ int command_render(int argc, char **argv)
     struct scene *scene = scene_of_shading_options(&options.look, maps, 0, 0);
     scene_maps_free(maps);
     const struct shading shading = shading_of_options(&options.look, options.look.shading.format, scene);
-    struct levels *levels = shade_scene(scene, &shading);
+    uint8_t *pixels = shade_pixels(scene, &shading);
+    struct levels *levels = levels_of_pixels(scene->width, scene->height, shading.format, pixels);
     /* Both are there in full before one gets its name. */
     struct output *output = options.output ? output_open(options.output) : NULL;
     struct output *error_map_output = options.error_map ? output_open(options.error_map) : NULL;
-    if (output) {
+    if (output && options.raw) {
+        pixels_write(pixels, scene->height * format_line_bytes(shading.format, scene->width), output);
+    } else if (output) {
         struct picture *picture = levels_picture(levels);
         picture_write(picture, output, options.kind);
         picture_free(picture);
@@ -71,6 +76,7 @@ int command_render(int argc, char **argv)
     if (error_map_output)
         output_close(error_map_output);
     levels_free(levels);
+    free(pixels);
     scene_free(scene);
     return EXIT_GOOD;
 }

@@ -88,13 +88,19 @@ void canvas_draw(const struct canvas *canvas, const struct shading *shading, uin
         fail("the library refused the rectangle (error %d)", worst);
 }
 
-struct levels *shade_scene(const struct scene *scene, const struct shading *shading)
+uint8_t *shade_pixels(const struct scene *scene, const struct shading *shading)
 {
     struct canvas *canvas = canvas_new(scene, shading);
     uint8_t *pixels =
         allocate(scene->height, format_line_bytes(shading->format, scene->width)); /* black where a mask leaves it */
     canvas_draw(canvas, shading, pixels);
     canvas_free(canvas);
+    return pixels;
+}
+
+struct levels *shade_scene(const struct scene *scene, const struct shading *shading)
+{
+    uint8_t *pixels = shade_pixels(scene, shading);
     struct levels *levels = levels_of_pixels(scene->width, scene->height, shading->format, pixels);
     free(pixels);
     return levels;

@@ -15,7 +15,8 @@ void canvas_free(struct canvas *canvas);
  * scene's mask keep their values. */
 void canvas_draw(const struct canvas *canvas, const struct shading *shading, uint8_t *pixels);
 
-/* One picture; black outside the mask. */
+/* One picture, black outside the mask: as the library wrote it, lines packed (malloc'd), or in levels. */
+uint8_t *shade_pixels(const struct scene *scene, const struct shading *shading);
 struct levels *shade_scene(const struct scene *scene, const struct shading *shading);
 
 #endif

@@ -53,6 +53,14 @@ static void put(struct output *output, const void *bytes, size_t len_bytes)
     fail_write(output, strerror(errno));
 }
 
+static void flush(struct output *output)
+{
+    if (fflush(output->stream) == 0)
+        return;
+    stop_if_interrupted(errno);
+    fail_write(output, strerror(errno));
+}
+
 static size_t samples_of(const struct picture *picture)
 {
     return (size_t)picture->width * picture->height * picture->channels;
@@ -149,8 +157,11 @@ void picture_write(const struct picture *picture, struct output *output, enum im
 {
     static void (*const writers[])(const struct picture *, struct output *) = {write_png, write_ppm, write_qoi};
     writers[kind](picture, output);
-    if (fflush(output->stream) == 0)
-        return;
-    stop_if_interrupted(errno);
-    fail_write(output, strerror(errno));
+    flush(output);
+}
+
+void pixels_write(const void *pixels, size_t len_bytes, struct output *output)
+{
+    put(output, pixels, len_bytes);
+    flush(output);
 }

@@ -3,6 +3,8 @@
 #ifndef GLINT_IMAGE_WRITE_H
 #define GLINT_IMAGE_WRITE_H
 
+#include <stddef.h>
+
 #include "image/picture.h"
 
 enum image_kind { IMAGE_PNG, IMAGE_PPM, IMAGE_QOI, IMAGE_KINDS };
@@ -16,6 +18,7 @@ enum image_kind image_kind_by_ending(const char *path);
 struct output; /* base/output.h */
 /* Writes the whole file; output_close then gives it its name. PPM stands for P6, P5 (grey) or P4 (mono); QOI has only
  * RGB. */
+void pixels_write(const void *pixels, size_t len_bytes, struct output *output); /* the same, of bytes as they are */
 void picture_write(const struct picture *picture, struct output *output, enum image_kind kind);
 
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include <string.h>
+#include <strings.h>
 #include <unistd.h>
 
 #include "base/argp.h"
@@ -14,7 +15,11 @@ enum key { KEY_IMAGE = 384, KEY_COMPARE, KEY_JSON, KEY_ERROR_MAP, KEY_AGAINST };
 /* Beside those of shading_options.c, where group 4 has its heading. */
 static const struct argp_option argp_options[] = {
     {NULL, 'o', "FILE", 0, "The picture to write; - is standard output. With --compare it may be left out", 4},
-    {"image", KEY_IMAGE, "KIND", 0, "png, ppm or qoi (default: by FILE's ending, png where it has none)", 4},
+    {"image", KEY_IMAGE, "KIND", 0,
+     "png, ppm or qoi (default: by FILE's ending, png where it has none), or raw: the pixels of --format as they lie "
+     "in "
+     "memory, lines from the top without gaps or a header",
+     4},
     {NULL, 0, NULL, 0, "Quality:", 5},
     {"compare", KEY_COMPARE, NULL, 0,
      "Print the errors against the same model and against Blinn in double precision, "
@@ -31,11 +36,17 @@ static const struct argp_option argp_options[] = {
 static const char doc[] =
     "Shades a height map, a normal map or a built-in scene with the integer library and writes the picture."
     "\v"
+    "PNG, PPM and QOI have 8 bits a sample: a level v of 0..m becomes v 255 / m, rounded to the nearest. In RGB565 m "
+    "is "
+    "31 for red and blue and 63 for green, so 16 of 31 becomes 132.\n"
+    "\n"
     "Examples:\n"
     "  glint render --height wall.png --albedo wall-color.png -o out.png\n"
     "  glint render --normals brick.png --flip-y -n 120 --light 1,1,0.5 -o out.png\n"
     "  glint render --scene coin --size 240x240 --format rgb565 --dither -o c.png\n"
     "  glint render --scene watchface -o - | chafa\n"
+    "  glint render --scene dial --size 240x240 --format rgb565-swapped \\\n"
+    "      --image raw -o dial.bin\n"
     "  glint render --scene coin --light=-1,1,2,.5,.5,.5 \\\n"
     "      --point 240,80,60,300,1,.7,.3 -o lamps.png\n"
     "  glint render --scene sphere -n 300 --error-map e.png --against blinn\n";
@@ -46,6 +57,17 @@ static enum image_kind kind_of_file(const struct argp_state *state, const char *
     if (kind == IMAGE_KINDS)
         refuse(state, "%s: '%s' does not end in .png, .ppm or .qoi; rename it, or give --image", option, path);
     return kind;
+}
+
+static void parse_image_kind(const struct argp_state *state, const char *text, struct render_options *o)
+{
+    const char *names[IMAGE_KINDS + 2] = {NULL};
+    for (int i = 0; i < IMAGE_KINDS; i++)
+        names[i] = image_kind_names[i];
+    names[IMAGE_KINDS] = "raw";
+    o->raw = strcasecmp(text, "raw") == 0;
+    if ((o->kind = image_kind_by_name(text)) == IMAGE_KINDS && !o->raw)
+        refuse_unknown(state, "--image", "file format", text, names);
 }
 
 static void check_outputs(const struct argp_state *state, struct render_options *o)
@@ -60,7 +82,7 @@ static void check_outputs(const struct argp_state *state, struct render_options 
         refuse(state, "--error-map: this is the file of -o, too; name another");
     if (o->against_blinn && !o->error_map)
         refuse(state, "--against needs --error-map");
-    if (o->output && o->kind == IMAGE_KINDS)
+    if (o->output && o->kind == IMAGE_KINDS && !o->raw)
         o->kind = kind_of_file(state, "-o", o->output);
     if (o->error_map)
         o->error_map_kind = kind_of_file(state, "--error-map", o->error_map);
@@ -78,8 +100,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->output = parse_output(state, "-o", text);
         return 0;
     case KEY_IMAGE:
-        if ((o->kind = image_kind_by_name(text)) == IMAGE_KINDS)
-            refuse_unknown(state, "--image", "file format", text, image_kind_names);
+        parse_image_kind(state, text, o);
         return 0;
     case KEY_JSON:
         o->json = true;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * What `glint render` writes, and its defaults. */
+#include <math.h>
 #include <pty.h>
 #include <string.h>
 
@@ -56,6 +57,44 @@ static void mono_is_written_as_bits(void **state)
         white += image->samples[i] == 65535;
     assert_true(white > 100 && white < 1000);
     image_free(image);
+}
+
+/* The bytes of scene coin, 31 x 20, in a format. */
+static size_t raw_coin(const char *format, uint8_t *bytes, size_t room)
+{
+    char line[400];
+    snprintf(line, sizeof line,
+             "$GLINT render --scene coin --size 31x20 --format %s --image raw -o out/raw && "
+             "$GLINT render --scene coin --size 31x20 --format %s --image raw -o - >out/pipe && "
+             "$GLINT render --scene coin --size 31x20 --format %s -o out/f.ppm",
+             format, format, format);
+    assert_quiet(line);
+    assert_same_file("out/raw", "out/pipe");
+    return read_file("out/raw", bytes, room);
+}
+
+static void raw_is_the_panels_lines_whose_levels_a_picture_has_to_the_nearest_of_255(void **state)
+{
+    (void)state;
+    enum { PIXELS = 31 * 20 };
+    static uint8_t raw[4 * PIXELS], swapped[4 * PIXELS], ppm[4 * PIXELS];
+    assert_int_equal(raw_coin("rgb565", raw, sizeof raw), 2 * PIXELS);
+    const uint8_t *samples = ppm + read_file("out/f.ppm", ppm, sizeof ppm) - 3 * PIXELS;
+    for (int i = 0; i < PIXELS; i++) {
+        const unsigned word = raw[2 * i] | (unsigned)raw[2 * i + 1] << 8;
+        assert_int_equal(samples[3 * i], lround((word >> 11) * 255 / 31.));
+        assert_int_equal(samples[3 * i + 1], lround((word >> 5 & 63) * 255 / 63.));
+        assert_int_equal(samples[3 * i + 2], lround((word & 31) * 255 / 31.));
+    }
+    assert_int_equal(raw_coin("rgb565-swapped", swapped, sizeof swapped), 2 * PIXELS);
+    for (int i = 0; i < 2 * PIXELS; i++)
+        assert_int_equal(swapped[i], raw[i ^ 1]);
+    assert_int_equal(raw_coin("rgb888", raw, sizeof raw), 3 * PIXELS);
+    samples = ppm + read_file("out/f.ppm", ppm, sizeof ppm) - 3 * PIXELS;
+    assert_memory_equal(raw, samples, 3 * PIXELS);
+    assert_int_equal(raw_coin("mono", raw, sizeof raw), 4 * 20);
+    assert_refused("$GLINT render --scene coin --image jpeg -o out/no", "png, ppm, qoi, raw");
+    assert_fails("$GLINT render --scene coin --image raw -o - >/dev/full", "standard output: could not be written");
 }
 
 static void the_ending_or_the_option_decides_the_kind(void **state)
@@ -277,6 +316,7 @@ int main(void)
         cmocka_unit_test(a_map_becomes_a_picture_of_its_size_and_nothing_is_said),
         cmocka_unit_test(every_kind_of_file_holds_the_same_picture),
         cmocka_unit_test(mono_is_written_as_bits),
+        cmocka_unit_test(raw_is_the_panels_lines_whose_levels_a_picture_has_to_the_nearest_of_255),
         cmocka_unit_test(the_ending_or_the_option_decides_the_kind),
         cmocka_unit_test(a_dash_is_standard_input_and_output),
         cmocka_unit_test(a_terminal_is_spared_the_picture),
