@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // bench FOLDER: calls the functions in FOLDER's programs, counts, prints tables, and writes FOLDER/*.json. Every figure has a
 // label: emulated, predicted (from what is emulated, by a model that the table's foot states) or linked (sizes).
+// bench FOLDER PATTERN: prints the Cortex-M0+'s rows whose names match, for n = 60; PATTERN N...: for these n.
 import { writeFileSync } from 'node:fs'
 import { boot } from './m0plus.mjs'
 import { readScene } from './scene.mjs'
@@ -14,10 +15,18 @@ process.on('uncaughtException', (error) => {
   process.exit(1)
 })
 
-const folder = process.argv[2]
+const [, , folder, pattern, ...shininesses] = process.argv
 const scene = readScene(`${folder}/scene`)
 const machines = Object.fromEntries(Object.entries({ '-O2': 'O2', '-Os': 'Os', '-O2 asm': 'asm' }).map(([flags, name]) =>
   [flags, boot(`${folder}/npm`, `${folder}/m0plus-${name}.elf`)]))
+if (pattern !== undefined) {
+  const match = new RegExp(pattern), wanted = [...new Set([60, ...shininesses.map(Number)])]
+  const cycles = evaluations(machines, scene, match, wanted), pixels = loops(machines, scene, match, wanted)
+  if (!cycles.length && !pixels.length) throw new Error(`no row's name matches ${pattern}`)
+  if (cycles.length) printEvaluations(cycles, scene)
+  if (pixels.length) printLoops(pixels, scene)
+  process.exit(0)
+}
 const write = (name, data) => writeFileSync(`${folder}/${name}.json`, JSON.stringify(data, null, 1) + '\n')
 
 const { '-O2': o2, '-Os': os } = machines

@@ -4,6 +4,9 @@
 BENCH_PACKAGES = libnewlib-arm-none-eabi picolibc-riscv64-unknown-elf
 BENCH_EMULATOR_PACKAGES = nodejs npm
 BENCH = build/bench
+# Of bench-cycles: rows with this pattern in their names, and other n than 60.
+ROWS ?=
+N ?=
 BENCH_SCENE = $(BENCH)/scene
 BENCH_NPM = $(BENCH)/npm
 # The variants for Cortex-M0+; asm: with the library's assembly.
@@ -43,6 +46,11 @@ bench: ## measure: set up what is missing, measure cycles, instructions, code si
 	@+$(SUBMAKE) run-bench-stream
 	@+$(SUBMAKE) run-bench-search
 
+# Seconds instead of minutes: what one needs while making a loop faster.
+bench-cycles: $(BENCH_ELFS) $(BENCH_SCENE)/scene.json ## measure: cycles on the Cortex-M0+ alone, n = 60: ROWS=PATTERN (exact), N="5 1000"
+	@+$(SUBMAKE) -s setup-rp2040js
+	@node tests/bench/bench.mjs $(BENCH) '$(value ROWS)' $(N)
+
 run-bench: bench-programs
 	@node tests/bench/bench.mjs $(BENCH)
 
@@ -67,4 +75,4 @@ $(BENCH_SCENE)/scene: tests/bench/scene/scene.c tests/bench/sphere.c tests/bench
 	@mkdir -p $(@D)
 	@$(CC) $(filter-out -MMD -MP,$(HOST_CFLAGS)) $(filter %.c %.o %.a,$^) -o $@ $(HOST_LDFLAGS) $(HOST_LDLIBS)
 
-.PHONY: setup-bench setup-rp2040js bench run-bench bench-programs
+.PHONY: setup-bench setup-rp2040js bench bench-cycles run-bench bench-programs

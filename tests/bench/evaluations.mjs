@@ -42,12 +42,13 @@ function measure(machine, { run, takes, model }, n, samples) {
   return { mean, min: Math.min(...cycles), max: Math.max(...cycles), samples: cycles.length, worst_ulp: worst, words }
 }
 
-export function evaluations(machines, scene) {
+// Functions whose name matches.
+export function evaluations(machines, scene, match = /./, wanted = scene.n) {
   const figures = []
   for (const [flags, machine] of Object.entries(machines))
-    for (const n of scene.n.filter((n) => flags === '-O2' || n === 60)) {
+    for (const n of wanted.filter((n) => flags === '-O2' || n === 60)) {
       machine.call('evaluation_begin', [n])
-      for (const row of rows(machine)) {
+      for (const row of rows(machine).filter(({ name }) => match.test(name))) {
         const { words, ...figure } = measure(machine, row, n, scene.samples.get(n))
         const common = { function: row.name, what: row.what, target: 'cortex-m0plus', flags, n, q: scene.q, unit: 'cycles' }
         figures.push({ ...common, label: 'emulated', ...figure })
@@ -66,8 +67,8 @@ export function printEvaluations(figures, scene) {
   for (const { function: name, what } of figures.filter((x) => x.n === 60 && x.flags === '-O2' && x.label === 'emulated')) {
     const at = (n, flags = '-O2', label = 'emulated') => find({ function: name, n, flags, label })
     const { mean, min, max, worst_ulp } = at(60)
-    const cells = [mean, min, max, at(5).mean, at(10).mean, at(200).mean, at(1000).mean, at(60, '-Os').mean]
-    line(name, [...cells.map((x) => x.toFixed(0)), worst_ulp.toFixed(worst_ulp < 100 ? 3 : 0),
+    const cells = [mean, min, max, ...[at(5), at(10), at(200), at(1000), at(60, '-Os')].map((x) => x?.mean)]
+    line(name, [...cells.map((x) => x?.toFixed(0) ?? '-'), worst_ulp.toFixed(worst_ulp < 100 ? 3 : 0),
       at(60, '-O2', 'predicted').mean.toFixed(0)], what)
   }
 }

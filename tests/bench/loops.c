@@ -10,14 +10,15 @@ __attribute__((aligned(4))) struct bench_line bench_line;
 struct glint_shader bench_shader;
 __attribute__((aligned(4))) uint32_t bench_memory[BENCH_MEMORY / 4];
 int16_t bench_error;
+const struct bench_loop *bench_loop;
 #ifndef __AVR__
 uint32_t bench_map[SPHERE_W];
 struct glint_vec bench_palette[SPHERE_PALETTE];
-uint8_t bench_albedo[SPHERE_W][3];
+uint8_t bench_albedo[SPHERE_W][3], bench_gloss[SPHERE_W];
 uint16_t bench_albedo_565[SPHERE_W];
 #endif
 
-static void check(enum glint_err err)
+void bench_check(enum glint_err err)
 {
     if (err && !bench_error)
         bench_error = (int16_t)err;
@@ -26,9 +27,8 @@ static void check(enum glint_err err)
 void bench_begin(const struct bench_loop *loop, uint32_t n)
 {
     bench_error = 0;
-    sphere_shader(&bench_shader, (enum glint_model)loop->model, n, (enum glint_format)loop->format, loop->dither);
-    if (loop->albedo)
-        sphere_grey(&bench_shader);
+    bench_loop = loop;
+    sphere_shader(&bench_shader, &loop->look, n);
 }
 
 void bench_line_begin(uint16_t y)
@@ -46,45 +46,8 @@ void bench_line_begin(uint16_t y)
 #ifndef __AVR__
         bench_albedo_565[x] = sphere_albedo(x, y);
         sphere_expand(bench_albedo[x], bench_albedo_565[x]);
+        bench_gloss[x] = sphere_gloss(x, y);
 #endif
-    }
-}
-
-/* ---- the exact paths ---- */
-
-static void exact(const uint8_t *albedo)
-{
-    const struct glint_source source = {.normals = bench_line.normals, .albedo = albedo, .mask = bench_line.mask};
-    const struct glint_surface surface = {bench_line.out, 0, 0, bench_line.y};
-    check(glint_shade_rect(&bench_shader, &source, SPHERE_W, 1, &surface, NULL));
-}
-
-static void exact_rect(void)
-{
-    exact(NULL);
-}
-
-/* ---- spans: the line's by pieces of at most so many pixels ---- */
-
-static void spans_prepare(struct glint_span *span, uint16_t width)
-{
-    for (uint16_t x = bench_line.from; x < bench_line.to; x = (uint16_t)(x + width), span++) {
-        const uint16_t left = (uint16_t)(bench_line.to - x), w = left < width ? left : width;
-        check(glint_span_init(span, &bench_shader.light, &bench_line.normals[x], &bench_line.normals[x + w - 1], w));
-    }
-}
-
-static void exact_span_prepare(void)
-{
-    spans_prepare((struct glint_span *)(void *)bench_memory, 16);
-}
-
-static void exact_span(void)
-{
-    const struct glint_span *span = (const struct glint_span *)(const void *)bench_memory;
-    for (uint16_t x = bench_line.from; x < bench_line.to; x = (uint16_t)(x + span->w), span++) {
-        const struct glint_surface surface = {bench_line.out + x, 0, x, bench_line.y};
-        check(glint_shade_span(&bench_shader, span, &surface, NULL));
     }
 }
 
@@ -95,18 +58,18 @@ static struct glint_tables_light tables_light;
 
 static void small_fill(void)
 {
-    check(glint_tables_fill(&tables, GLINT_TABLES_SMALL, &bench_shader, bench_memory, GLINT_TABLES_SMALL_BYTES));
+    bench_check(glint_tables_fill(&tables, GLINT_TABLES_SMALL, &bench_shader, bench_memory, GLINT_TABLES_SMALL_BYTES));
 }
 
 static void tables_frame(void)
 {
-    check(glint_tables_light_init(&tables_light, &tables, &bench_shader.light));
+    bench_check(glint_tables_light_init(&tables_light, &tables, &bench_shader.light));
 }
 
 static void tables_rect(enum glint_normals format, const void *normals)
 {
     const struct glint_surface surface = {bench_line.out, 0, 0, bench_line.y};
-    check(glint_tables_rect(&tables, &tables_light, format, normals, 0, SPHERE_W, 1, &surface));
+    bench_check(glint_tables_rect(&tables, &tables_light, format, normals, 0, SPHERE_W, 1, &surface));
 }
 
 static void tables_int16(void)
@@ -115,37 +78,11 @@ static void tables_int16(void)
 }
 
 #ifndef __AVR__
-static void exact_albedo(void)
-{
-    exact(bench_albedo[0]);
-}
-
-/* A lamp, so far away that the picture is much the same. */
-static struct glint_lamp lamp;
-
-static void lamp_frame(void)
-{
-    enum { AWAY = 1 << 21 };
-    static const int32_t position[3] = {16 * SPHERE_W / 2 + AWAY, 16 * SPHERE_H / 2 - AWAY, AWAY};
-    check(glint_lamp_point(&lamp, position, (uint32_t)GLINT_LAMP_FAR));
-    for (uint8_t k = 0; k < 3; k++)
-        lamp.color_q16[k] = 99273; /* of it .66 arrive: (1 - 3 / 16)^2 */
-}
-
-static void exact_lamp(void)
-{
-    const struct glint_source source = {.normals = bench_line.normals, .mask = bench_line.mask};
-    const struct glint_surface surface = {bench_line.out, 0, 0, bench_line.y};
-    check(glint_shade_lights(&bench_shader, &lamp, 1, &source, SPHERE_W, 1, &surface, NULL));
-}
-
 static void colour_fill(void)
 {
-    check(glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &bench_shader, bench_memory, GLINT_TABLES_COLOUR_BYTES));
+    bench_check(
+        glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &bench_shader, bench_memory, GLINT_TABLES_COLOUR_BYTES));
 }
-
-/* After the largest tables. */
-#define BESIDE_TABLES ((void *)(bench_memory + GLINT_TABLES_COLOUR_BYTES / 4))
 
 static void tables_int10(void)
 {
@@ -157,35 +94,26 @@ static void tables_int8(void)
     tables_rect(GLINT_NORMALS_INT8, bench_map);
 }
 
-static void tables_span_16_prepare(void)
-{
-    spans_prepare(BESIDE_TABLES, 16);
-}
-
-static void tables_span_64_prepare(void)
-{
-    spans_prepare(BESIDE_TABLES, 64);
-}
-
 static void tables_span(void)
 {
-    const struct glint_span *span = BESIDE_TABLES;
+    const struct glint_span *span = bench_spans;
     for (uint16_t x = bench_line.from; x < bench_line.to; x = (uint16_t)(x + span->w), span++) {
         const struct glint_surface surface = {bench_line.out + x, 0, x, bench_line.y};
-        check(glint_tables_span(&tables, span, &surface));
+        bench_check(glint_tables_span(&tables, span, &surface));
     }
 }
 
 static void albedo_fill(void)
 {
-    check(glint_tables_fill(&tables, GLINT_TABLES_ALBEDO, &bench_shader, bench_memory, GLINT_TABLES_ALBEDO_BYTES));
+    bench_check(
+        glint_tables_fill(&tables, GLINT_TABLES_ALBEDO, &bench_shader, bench_memory, GLINT_TABLES_ALBEDO_BYTES));
 }
 
 static void albedo_rect(enum glint_normals format, const void *normals)
 {
     const struct glint_surface surface = {bench_line.out, 0, 0, bench_line.y};
-    check(glint_tables_albedo_rect(&tables, &tables_light, format, normals, 0, bench_albedo_565, 0, SPHERE_W, 1,
-                                   &surface));
+    bench_check(glint_tables_albedo_rect(&tables, &tables_light, format, normals, 0, bench_albedo_565, 0, SPHERE_W, 1,
+                                         &surface));
 }
 
 static void albedo_int8(void)
@@ -200,25 +128,28 @@ static void albedo_int16(void)
 
 static void albedo_span(void)
 {
-    const struct glint_span *span = BESIDE_TABLES;
+    const struct glint_span *span = bench_spans;
     for (uint16_t x = bench_line.from; x < bench_line.to; x = (uint16_t)(x + span->w), span++) {
         const struct glint_surface surface = {bench_line.out + x, 0, x, bench_line.y};
-        check(glint_tables_albedo_span(&tables, span, bench_albedo_565 + x, &surface));
+        bench_check(glint_tables_albedo_span(&tables, span, bench_albedo_565 + x, &surface));
     }
 }
 
+/* After the tables. */
+#define COLOURS ((uint16_t *)(void *)(bench_memory + BENCH_TABLES / 4))
+
 static void palette_frame(void)
 {
-    const struct glint_surface colours = {BESIDE_TABLES, 0, 0, 0};
+    const struct glint_surface colours = {COLOURS, 0, 0, 0};
     tables_frame();
-    check(
+    bench_check(
         glint_tables_rect(&tables, &tables_light, GLINT_NORMALS_INT16, bench_palette, 0, SPHERE_PALETTE, 1, &colours));
 }
 
 static void palette(void)
 {
     const struct glint_surface surface = {bench_line.out, 0, 0, bench_line.y};
-    check(glint_palette_rect(BESIDE_TABLES, (const uint16_t *)(const void *)bench_map, 0, SPHERE_W, 1, &surface));
+    bench_check(glint_palette_rect(COLOURS, (const uint16_t *)(const void *)bench_map, 0, SPHERE_W, 1, &surface));
 }
 #endif
 
@@ -228,37 +159,63 @@ static void palette(void)
 #define INT10 .map = MAP_INT10, .map_bytes = 4
 #define INT8 .map = MAP_INT8, .map_bytes = 4
 #define PALETTE .map = MAP_PALETTE, .map_bytes = 2
+#define EXACT exact_fill, exact_frame, .shade = exact_rect, .step = 4
+#define LIGHTS .frame = exact_lights_frame, .shade = exact_lights, INT16, .step = 48, .once = true
 
 /* clang-format off */
 const struct bench_loop bench_loops[] = {
-    {"exact rect", "glint_shade_rect, int16 normals", .shade = exact_rect, INT16, .step = 4},
-    {"exact span", "glint_shade_span, spans of 16", .prepare = exact_span_prepare, .shade = exact_span, .step = 4},
+    {"exact rect", "glint_shade_prepared_rect, int16 normals", EXACT, INT16},
     {"small int16", "under 1 KB of RAM, int16 normals", small_fill, tables_frame, .shade = tables_int16, INT16},
 #ifndef __AVR__
-    {"exact albedo", "exact rect, albedo in RGB888, white light", .shade = exact_albedo, INT16, .albedo = true, .step = 4},
-    {"exact lights", "glint_shade_lights, one point light, far away", .frame = lamp_frame, .shade = exact_lamp, INT16, .step = 16},
-    {"colour span 16", "glint_tables_span, spans of 16", colour_fill, .prepare = tables_span_16_prepare, .shade = tables_span},
-    {"colour span 64", "the same, spans of 64", colour_fill, .prepare = tables_span_64_prepare, .shade = tables_span},
+    {"exact rect, call", "glint_shade_rect, which prepares: a line a call", .shade = exact_call, INT16, .step = 4, .once = true},
+    {"exact dither", "exact rect, dithered", EXACT, INT16, .look = {.dither = true}, .once = true},
+    {"exact rgb888", "exact rect", EXACT, INT16, .look = {.format = GLINT_RGB888}, .once = true},
+    {"exact grey", "exact rect", EXACT, INT16, .look = {.format = GLINT_GREY8}, .once = true},
+    {"exact mono", "exact rect", EXACT, INT16, .look = {.format = GLINT_MONO}, .once = true},
+    {"exact linear", "exact rect, linear space", EXACT, INT16, .look = {.space = GLINT_LINEAR}, .once = true},
+    {"exact linear 888", "the same, RGB888", EXACT, INT16, .look = {.format = GLINT_RGB888, .space = GLINT_LINEAR}, .once = true},
+    {"exact linear grey", "the same, GREY8", EXACT, INT16, .look = {.format = GLINT_GREY8, .space = GLINT_LINEAR}, .once = true},
+    {"exact albedo", "exact rect, albedo in RGB888, white light", EXACT, .look = {.albedo = true}, .map_bytes = 9},
+    {"exact albedo 888", "the same, RGB888", EXACT, .look = {.format = GLINT_RGB888, .albedo = true}, .map_bytes = 9, .once = true},
+    {"exact gloss", "exact rect, gloss", EXACT, .look = {.gloss = true}, .map_bytes = 7, .once = true},
+    {"exact schlick", "exact rect", EXACT, INT16, .look = {.model = GLINT_SCHLICK}, .once = true},
+    {"exact cayley", "exact rect", EXACT, INT16, .look = {.model = GLINT_CAYLEY}, .once = true},
+    {"exact lyon", "exact rect", EXACT, INT16, .look = {.model = GLINT_LYON}, .once = true},
+    {"exact blinn", "exact rect", EXACT, INT16, .look = {.model = GLINT_BLINN}, .once = true},
+    {"exact gauss", "exact rect", EXACT, INT16, .look = {.model = GLINT_GAUSS}, .once = true},
+    {"exact phong", "exact rect", EXACT, INT16, .look = {.model = GLINT_PHONG}, .once = true},
+    {"exact span 16", "glint_shade_prepared_span, spans of 16",
+     exact_fill, exact_frame, .prepare = bench_spans_16, .shade = exact_span, .step = 4},
+    {"exact span 64", "the same, spans of 64",
+     exact_fill, exact_frame, .prepare = bench_spans_64, .shade = exact_span, .step = 4},
+    {"exact span 16, call", "glint_shade_span, which prepares", .prepare = bench_spans_16, .shade = exact_span_call, .step = 4, .once = true},
+    {"exact directional", "glint_shade_lights, one directional light", LIGHTS, .look = {.lamps = LAMPS_DIRECTIONAL}},
+    {"exact point", "the same, one white point", LIGHTS, .look = {.lamps = LAMPS_POINT}},
+    {"exact point coloured", "the same, one coloured point", LIGHTS, .look = {.lamps = LAMPS_COLOURED}},
+    {"exact spot", "the same, one white spot", LIGHTS, .look = {.lamps = LAMPS_SPOT}},
+    {"exact four points", "the same, four white points, near", LIGHTS, .look = {.lamps = LAMPS_FOUR}},
+    {"colour span 16", "glint_tables_span, spans of 16", colour_fill, .prepare = bench_spans_16, .shade = tables_span},
+    {"colour span 64", "the same, spans of 64", colour_fill, .prepare = bench_spans_64, .shade = tables_span},
     {"colour int8", "glint_tables_rect, int8 normals", colour_fill, tables_frame, .shade = tables_int8, INT8},
     {"colour int10", "the same, 10-10-10 normals", colour_fill, tables_frame, .shade = tables_int10, INT10},
     {"colour int16", "the same, int16 normals", colour_fill, tables_frame, .shade = tables_int16, INT16},
     {"albedo int8", "glint_tables_albedo_rect, int8 normals, RGB565 albedo",
-     albedo_fill, tables_frame, .shade = albedo_int8, .albedo = true, .map = MAP_INT8, .map_bytes = 6},
+     albedo_fill, tables_frame, .shade = albedo_int8, .look = {.albedo = true}, .map = MAP_INT8, .map_bytes = 6},
     {"albedo int16", "the same, int16 normals",
-     albedo_fill, tables_frame, .shade = albedo_int16, .albedo = true, .map_bytes = 8},
+     albedo_fill, tables_frame, .shade = albedo_int16, .look = {.albedo = true}, .map_bytes = 8},
     {"albedo span 16", "glint_tables_albedo_span, spans of 16",
-     albedo_fill, .prepare = tables_span_16_prepare, .shade = albedo_span, .albedo = true, .map_bytes = 2},
+     albedo_fill, .prepare = bench_spans_16, .shade = albedo_span, .look = {.albedo = true}, .map_bytes = 2},
     {"palette", "glint_palette_rect, 4096 entries by colour int16", colour_fill, palette_frame, .shade = palette, PALETTE},
 #endif
     {"integer power", "int16 normals, Q15, powers by squaring",
-     .shade = peer_integer_power, INT16, .model = GLINT_BLINN},
+     .shade = peer_integer_power, INT16, .look = {.model = GLINT_BLINN}},
     {"table power", "int16 normals, Q15, 256 powers, nearest below",
-     peer_fill, .shade = peer_table_power, INT16, .model = GLINT_BLINN},
+     peer_fill, .shade = peer_table_power, INT16, .look = {.model = GLINT_BLINN}},
     {"int8 table power", "int8 normals, 128 powers, nearest below",
-     peer_int8_fill, .pack = peer_int8_pack, .shade = peer_int8_table_power, .map_bytes = 3, .model = GLINT_BLINN},
+     peer_int8_fill, .pack = peer_int8_pack, .shade = peer_int8_table_power, .map_bytes = 3, .look = {.model = GLINT_BLINN}},
     {"float MSH", "float, the whole pixel", .shade = peer_float_msh, INT16, .step = 16},
     {"float powf", "float, the whole pixel, the C library's powf",
-     .shade = peer_float_powf, INT16, .model = GLINT_BLINN, .step = 32},
+     .shade = peer_float_powf, INT16, .look = {.model = GLINT_BLINN}, .step = 32},
     {.name = NULL},
 };
 /* clang-format on */

@@ -21,7 +21,7 @@ enum bench_map { MAP_INT16 /* bench_line.normals */, MAP_INT10, MAP_INT8, MAP_PA
 #ifndef __AVR__
 extern uint32_t bench_map[SPHERE_W];
 extern struct glint_vec bench_palette[SPHERE_PALETTE];
-extern uint8_t bench_albedo[SPHERE_W][3];
+extern uint8_t bench_albedo[SPHERE_W][3], bench_gloss[SPHERE_W];
 extern uint16_t bench_albedo_565[SPHERE_W];
 #endif
 
@@ -30,9 +30,9 @@ extern struct glint_shader bench_shader;
 
 /* A scratch for what the loop at hand needs: its packed line, its tables. One loop is measured after another. */
 #ifdef __AVR__
-enum { BENCH_MEMORY = 1024 };
+enum { BENCH_MEMORY = 1024, BENCH_TABLES = 0 };
 #else
-enum { BENCH_MEMORY = 128 * 1024 };
+enum { BENCH_MEMORY = 128 * 1024, BENCH_TABLES = GLINT_TABLES_COLOUR_BYTES /* the largest */ };
 #endif
 extern uint32_t bench_memory[BENCH_MEMORY / 4];
 
@@ -42,27 +42,37 @@ extern int16_t bench_error;
 /* What is done once, how often it counts, and where it shows. NULL where there is nothing to do. */
 struct bench_loop {
     const char *name, *what;
-    void (*fill)(void);    /* once a material: the tables.                  Shown by itself, cycles */
-    void (*frame)(void);   /* once a frame or a light: what does not depend on the pixels.   "          */
-    void (*pack)(void);    /* a line's normals to a form of the loop's own. Not counted */
-    void (*prepare)(void); /* once a frame and line: what is sent besides, as a span's ends. As frame     */
-    void (*shade)(void);   /* the line's pixels.                            Cycles a pixel */
-    uint8_t model;         /* enum glint_model: the exact picture to compare with */
-    uint8_t format;        /* enum glint_format */
-    bool dither, albedo;
-    uint8_t map;       /* enum bench_map */
-    uint8_t map_bytes; /* a pixel of what the loop reads: charged where it lies in flash */
-    uint8_t step;      /* emulate one line in so many, for slow loops; 0 counts as 1 */
+    void (*fill)(void);      /* once a material: the tables.                  Shown by itself, cycles */
+    void (*frame)(void);     /* once a frame or a light: what does not depend on the pixels.   "          */
+    void (*pack)(void);      /* a line's normals to a form of the loop's own. Not counted */
+    void (*prepare)(void);   /* once a frame and line: what is sent besides, as a span's ends. As frame     */
+    void (*shade)(void);     /* the line's pixels.                            Cycles a pixel */
+    struct sphere_look look; /* of the exact picture to compare with, too */
+    uint8_t map;             /* enum bench_map */
+    uint8_t map_bytes;       /* a pixel of what the loop reads: charged where it lies in flash */
+    uint8_t step;            /* emulate one line in so many, for slow loops; 0 counts as 1 */
+    bool once;               /* for n = 60 alone */
 };
 extern const struct bench_loop bench_loops[]; /* loops.c; the last one's name is NULL */
 
-/* Sets bench_shader for a loop. */
+/* The one at hand. */
+extern const struct bench_loop *bench_loop;
+/* Sets it and bench_shader. */
 void bench_begin(const struct bench_loop *loop, uint32_t n);
 /* Finds the rest of bench_line, and the albedo, from the normals. */
 void bench_line_begin(uint16_t y);
 
-/* peer_loops.c: whole pixels as people write them. */
+/* Keeps the first error. */
+void bench_check(enum glint_err err);
+
 typedef void bench_step(void);
+/* exact_loops.c */
+bench_step exact_fill, exact_frame, exact_rect, exact_call, exact_span, exact_span_call, exact_lights_frame,
+    exact_lights;
+bench_step bench_spans_16, bench_spans_64; /* the line's spans, at bench_spans */
+#define bench_spans ((struct glint_span *)(void *)(bench_memory + BENCH_TABLES / 4))
+
+/* peer_loops.c: whole pixels as people write them. */
 bench_step peer_fill, peer_integer_power, peer_table_power;
 bench_step peer_int8_fill, peer_int8_pack, peer_int8_table_power;
 bench_step peer_float_powf, peer_float_msh;

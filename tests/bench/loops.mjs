@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Loops over pixels on the emulated Cortex-M0+: line by line over the scene, their cycles and their pictures.
-import { FORMATS, LINE_BYTES, MODELS, levels } from './scene.mjs'
+import { FORMATS, LINE_BYTES, MODELS, SPACES, levels } from './scene.mjs'
 import { FLASH_WORD } from './flash.mjs'
 import { line } from './print.mjs'
 
 const RGB888 = 2
+const LOOK = 7 // struct sphere_look (sphere.h)'s bytes
 
 // The program's bench_loops[] (loops.h).
 function rows(machine) {
   const list = []
-  for (let at = machine.address('bench_loops'); machine.word(at); at += 36) {
+  for (let at = machine.address('bench_loops'); machine.word(at); at += 40) {
     const [name, what] = [0, 4].map((i) => machine.text(machine.word(at + i)))
     const [fill, frame, pack, prepare, shade] = [8, 12, 16, 20, 24].map((i) => machine.word(at + i))
-    const [model, format, dither, albedo, map, mapBytes, step] = [28, 29, 30, 31, 32, 33, 34].map((i) => machine.byte(at + i))
-    list.push({ at, name, what, fill, frame, pack, prepare, shade, model, format, dither, albedo, map, mapBytes, step: step || 1 })
+    const look = Array.from({ length: LOOK }, (_, i) => machine.byte(at + 28 + i))
+    const [map, mapBytes, step, once] = [0, 1, 2, 3].map((i) => machine.byte(at + 28 + LOOK + i))
+    list.push({ at, name, what, fill, frame, pack, prepare, shade, look, map, mapBytes, step: step || 1, once })
   }
   return list
 }
@@ -38,10 +40,10 @@ function measure(machine, scene, row, n) {
   const normals = machine.bytes(at, 6 * width), out = machine.bytes(at + 6 * width, 3 * width)
   const map = scene.maps[row.map], mapLine = map.length / height
   const cycles = (step) => step ? machine.call(step).cycles : 0
-  const exact = scene.exact(row.model, n, row.format, row.albedo, row.dither)
-  const exact888 = scene.exact(row.model, n, RGB888, row.albedo, 0)
+  const [model, format, space, , ...maps] = row.look
+  const exact = scene.exact(n, ...row.look), exact888 = scene.exact(n, model, RGB888, space, 0, ...maps)
   const same = difference(), deep = difference()
-  const stride = width * LINE_BYTES[row.format]
+  const stride = width * LINE_BYTES[format]
 
   machine.call('bench_begin', [row.at, n])
   scene.palette.copy(machine.bytes(machine.address('bench_palette'), scene.palette.length))
@@ -61,8 +63,8 @@ function measure(machine, scene, row, n) {
       pixels++
       if (!scene.covers(x, y)) continue
       covered++
-      const found = levels(row.format, out, x)
-      same.add(found, levels(row.format, exact.subarray(y * stride), x))
+      const found = levels(format, out, x)
+      same.add(found, levels(format, exact.subarray(y * stride), x))
       if (found.length === 3) deep.add(found, levels(RGB888, exact888.subarray(3 * y * width), x))
     }
   }
@@ -78,8 +80,9 @@ function measure(machine, scene, row, n) {
 }
 
 function figuresOf(row, flags, n, scene, { fill, frame, shade, pixels, covered, words, quality, rgb888_psnr }) {
-  const common = { loop: row.name, what: row.what, target: 'cortex-m0plus', flags, n, q: scene.q, model: MODELS[row.model],
-    format: FORMATS[row.format], albedo: !!row.albedo, dither: !!row.dither, unit: 'cycles' }
+  const [model, format, space, dither, albedo, gloss] = row.look
+  const common = { loop: row.name, what: row.what, target: 'cortex-m0plus', flags, n, q: scene.q, model: MODELS[model],
+    format: FORMATS[format], space: SPACES[space], albedo: !!albedo, gloss: !!gloss, dither: !!dither, unit: 'cycles' }
   const map = FLASH_WORD * row.mapBytes / 4
   const frame_pixels = scene.width * scene.height
   const cold = shade / covered + FLASH_WORD * words / scene.covered
@@ -92,13 +95,13 @@ function figuresOf(row, flags, n, scene, { fill, frame, shade, pixels, covered, 
   ]
 }
 
-// -O2 for every n; -Os for n = 60; with assembly ("-O2 asm") what that makes another.
-export function loops(machines, scene) {
+// Rows whose name matches. -O2 for every n, or those wanted; -Os for n = 60; with assembly ("-O2 asm") what that makes another.
+export function loops(machines, scene, match = /./, wanted = [60, ...scene.n.filter((x) => x !== 60)]) {
   const figures = []
   const of = (flags, row, n) => figures.find((x) => x.loop === row.name && x.flags === flags && x.n === n)
   for (const [flags, machine] of Object.entries(machines))
-    for (const row of rows(machine))
-      for (const n of flags === '-Os' ? [60] : [60, ...scene.n.filter((x) => x !== 60)]) {
+    for (const row of rows(machine).filter(({ name }) => match.test(name)))
+      for (const n of flags === '-Os' || row.once ? [60] : wanted) {
         const asm = flags === '-O2 asm'
         if (asm && n !== 60 && !of(flags, row, 60)) continue
         const measured = measure(machine, scene, row, n)
@@ -116,7 +119,7 @@ export function printLoops(figures, scene) {
   console.log('sphere. fill: thousands of cycles once a material; frame: thousands once a frame. Flash [predicted]: code in flash; and')
   console.log('the map, too. Difference from the exact picture of the same model and format at n = 60, in levels of 255: largest, mean,')
   console.log('PSNR; 888: PSNR from the exact picture in RGB888 (rounding to RGB565 alone: see the exact loops).')
-  const out = (name, cells, what) => line(name, cells, what, 7, 18)
+  const out = (name, cells, what) => line(name, cells, what, 7, 21)
   out('n', ['5', '10', '60', '200', '1000', '60-Os', '/frame', 'fill', 'frame', 'flash', '+map', 'max', 'mean', 'PSNR', '888'])
   const k = (x) => x ? (x / 1000).toFixed(x < 99500 ? 1 : 0) : '-'
   const px = (x) => x.toFixed(x < 100 ? 1 : 0)
@@ -125,17 +128,22 @@ export function printLoops(figures, scene) {
     const at = (n, level = flags, label = 'emulated') => find({ loop, n, flags: level, label })
     const { per_frame_pixel, fill_per_material, per_frame, quality, rgb888_psnr } = at(60)
     const flash = at(60, flags, 'predicted'), asm = flags === '-O2 asm'
-    out(asm ? `${loop}, asm` : loop, [...[5, 10, 60, 200, 1000].map((n) => px(at(n).per_covered_pixel)),
-      asm ? '-' : px(at(60, '-Os').per_covered_pixel), px(per_frame_pixel), k(fill_per_material), k(per_frame),
+    const pixel = (figure) => figure ? px(figure.per_covered_pixel) : '-'
+    out(asm ? `${loop}, asm` : loop, [...[5, 10, 60, 200, 1000].map((n) => pixel(at(n))),
+      pixel(at(60, '-Os')), px(per_frame_pixel), k(fill_per_material), k(per_frame),
       px(flash.per_covered_pixel_code_in_flash), flash.map_bytes ? px(flash.per_covered_pixel_code_and_map_in_flash) : '-',
       quality.largest.toFixed(1), quality.mean.toFixed(2), db(quality.psnr), db(rgb888_psnr)], what)
   }
-  console.log('\nDifference from the exact picture, in levels of 255: largest, mean, PSNR in dB [emulated]')
-  line('n', scene.n, '', 20, 18)
-  for (const loop of new Set(figures.map((x) => x.loop))) {
+  const off = new Set(figures.filter((x) => x.quality?.psnr).map((x) => x.loop))
+  if (!off.size || !figures.some((x) => x.n !== 60)) return
+  console.log('\nDifference from the exact picture, in levels of 255: largest, mean, PSNR in dB [emulated]; all other loops: same')
+  line('n', scene.n, '', 20, 21)
+  for (const loop of off) {
     line(loop, scene.n.map((n) => {
-      const { largest, mean, psnr } = find({ loop, n, flags: '-O2', label: 'emulated' }).quality
+      const found = find({ loop, n, flags: '-O2', label: 'emulated' })
+      if (!found) return '-'
+      const { largest, mean, psnr } = found.quality
       return `${largest.toFixed(1)} ${mean.toFixed(2)} ${db(psnr)}`
-    }), '', 20, 18)
+    }), '', 20, 21)
   }
 }

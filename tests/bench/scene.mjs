@@ -6,6 +6,7 @@ import { readFileSync } from 'node:fs'
 // As glint.h lists them.
 const header = readFileSync(new URL('../../lib/glint.h', import.meta.url), 'utf8')
 export const MODELS = [...header.matchAll(/^ +X\(GLINT_\w+, (\w+), /mg)].map((match) => match[1])
+export const SPACES = ['gamma', 'linear']
 export const FORMATS = ['rgb565', 'rgb565 swapped', 'rgb888', 'grey8', 'mono']
 const MAPS = ['int16', 'int10', 'int8', 'palette-offsets'] // enum bench_map
 export const LINE_BYTES = [2, 2, 3, 1, 1 / 8]
@@ -21,7 +22,7 @@ export function readScene(folder) {
   }
   const covers = (x, y) => normals.readInt32LE(6 * (y * width + x)) !== 0 || normals.readInt16LE(6 * (y * width + x) + 4) !== 0
   const pictures = new Map()
-  const exact = (...choice) => { // model, n, format, albedo, dither
+  const exact = (...choice) => { // n, and a look's fields (sphere.h)
     const key = choice.join(' ')
     if (!pictures.has(key)) pictures.set(key, execFileSync(`${folder}/scene`, ['exact', ...choice.map(String)]))
     return pictures.get(key)

@@ -16,13 +16,25 @@ enum {
 };
 extern const uint16_t sphere_n[SPHERE_N_COUNT];
 
-/* Its light and material: the same for every loop, and for the exact picture to which they are compared. */
-void sphere_shader(struct glint_shader *shader, enum glint_model model, uint32_t n, enum glint_format format,
-                   bool dither);
+enum sphere_lamps { LAMPS_NONE, LAMPS_DIRECTIONAL, LAMPS_POINT, LAMPS_COLOURED, LAMPS_SPOT, LAMPS_FOUR };
 
-/* A map over it: a smooth pattern in RGB565, and that in RGB888. With it goes white light: the diffuse part grey. */
+/* How it looks, but for n: what a loop draws, and the exact picture to which that is compared. */
+struct sphere_look {
+    uint8_t model;  /* enum glint_model */
+    uint8_t format; /* enum glint_format */
+    uint8_t space;  /* enum glint_space */
+    bool dither, albedo, gloss;
+    uint8_t lamps; /* enum sphere_lamps: in the place of the light */
+};
+
+/* Its light and material. Under an albedo map the light is white: the diffuse part is grey. */
+void sphere_shader(struct glint_shader *shader, const struct sphere_look *look, uint32_t n);
+/* Fills the lamps; how many there are, negative: enum glint_err. */
+int sphere_lamps(struct glint_lamp lamps[GLINT_LAMPS_MAX], enum sphere_lamps which);
+
+/* Maps over it: a smooth pattern in RGB565, and that in RGB888; and of gloss. */
 uint16_t sphere_albedo(uint16_t x, uint16_t y);
 void sphere_expand(uint8_t rgb[3], uint16_t rgb565);
-void sphere_grey(struct glint_shader *shader);
+uint8_t sphere_gloss(uint16_t x, uint16_t y);
 
 #endif

@@ -39,6 +39,8 @@ static void measure(const struct bench_loop *loop, uint32_t n)
     if (bench_error) {
         print_text("error");
         print_text(loop->name);
+        print_number(n);
+        print_number((uint32_t)-bench_error);
         print_end();
         return;
     }
@@ -60,6 +62,7 @@ bool machine_run(volatile uint8_t *floor)
     print_calibration();
     for (const struct bench_loop *loop = bench_loops; loop->name; loop++)
         for (unsigned k = 0; k < SPHERE_N_COUNT; k++)
-            measure(loop, sphere_n[k]);
+            if (!loop->once || sphere_n[k] == 60)
+                measure(loop, sphere_n[k]);
     return true;
 }

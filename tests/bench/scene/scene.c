@@ -2,7 +2,8 @@
  * scene write FOLDER: what the measurements take: the sphere's normals as `glint bake` makes them (int16.bin, int10.bin,
  *     int8.bin, palette.bin and palette-offsets.bin, and lines-*.bin, one line in SPHERE_STEP), samples.txt (n, c, t of
  *     pixels of the highlight), samples.h (fewer of them, as C), scene.json.
- * scene exact MODEL N FORMAT ALBEDO DITHER: the exact path's picture on stdout; the numbers are those of glint.h, or 0 and 1. */
+ * scene exact N MODEL FORMAT SPACE DITHER ALBEDO GLOSS LAMPS: the exact path's picture on stdout; what follows N is a look as
+ *     sphere.h has it. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +14,7 @@
 #include "base/memory.h"
 
 static const double RADIUS = 120.9;
-enum { SAMPLES = 2000, FEW = 24 };
+enum { SAMPLES = 2000, FEW = 24, LOOK_WORDS = 7 };
 
 static struct scene *scene;
 static struct glint_vec *normals; /* 0 beside the sphere */
@@ -90,7 +91,8 @@ static struct sample samples[SPHERE_W * SPHERE_H];
 static unsigned find_samples(uint32_t n)
 {
     struct glint_shader shader;
-    sphere_shader(&shader, GLINT_MSH, n, GLINT_RGB565, false);
+    const struct sphere_look look = {.model = GLINT_MSH};
+    sphere_shader(&shader, &look, n);
     const struct glint_vec *h = &shader.light.h;
     unsigned count = 0;
     for (int i = 0; i < SPHERE_W * SPHERE_H; i++) {
@@ -149,25 +151,35 @@ static void write_scene(const char *folder, unsigned covered)
 
 static int write_exact(char **words)
 {
-    static uint8_t picture[SPHERE_H][SPHERE_W][3], albedo[SPHERE_H][SPHERE_W][3];
-    for (int i = 0; i < SPHERE_W * SPHERE_H; i++)
-        sphere_expand(albedo[0][i], sphere_albedo((uint16_t)(i % SPHERE_W), (uint16_t)(i / SPHERE_W)));
-    const enum glint_format format = (enum glint_format)atoi(words[2]);
+    static uint8_t picture[SPHERE_H][SPHERE_W][3], albedo[SPHERE_H * SPHERE_W][3], gloss[SPHERE_H * SPHERE_W];
+    uint8_t n[LOOK_WORDS];
+    for (int i = 0; i < LOOK_WORDS; i++)
+        n[i] = (uint8_t)atoi(words[1 + i]);
+    const struct sphere_look look = {n[0], n[1], n[2], n[3], n[4], n[5], n[6]};
+    for (int i = 0; i < SPHERE_W * SPHERE_H; i++) {
+        const uint16_t x = (uint16_t)(i % SPHERE_W), y = (uint16_t)(i / SPHERE_W);
+        sphere_expand(albedo[i], sphere_albedo(x, y));
+        gloss[i] = sphere_gloss(x, y);
+    }
     const size_t line[] = {SPHERE_W * 2, SPHERE_W * 2, SPHERE_W * 3, SPHERE_W, SPHERE_W / 8};
     struct glint_shader shader;
-    sphere_shader(&shader, (enum glint_model)atoi(words[0]), (uint32_t)atoi(words[1]), format, atoi(words[4]));
-    if (atoi(words[3]))
-        sphere_grey(&shader);
+    sphere_shader(&shader, &look, (uint32_t)atoi(words[0]));
+    struct glint_lamp lamps[GLINT_LAMPS_MAX];
+    const int count = look.lamps ? sphere_lamps(lamps, (enum sphere_lamps)look.lamps) : 0;
     const struct glint_source source = {.normals = normals,
                                         .normals_stride = SPHERE_W * sizeof *normals,
-                                        .albedo = atoi(words[3]) ? albedo[0][0] : NULL,
-                                        .albedo_stride = sizeof *albedo,
+                                        .albedo = look.albedo ? albedo[0] : NULL,
+                                        .albedo_stride = SPHERE_W * sizeof *albedo,
+                                        .gloss = look.gloss ? gloss : NULL,
+                                        .gloss_stride = SPHERE_W,
                                         .mask = scene->mask,
                                         .mask_stride = SPHERE_W};
-    const struct glint_surface surface = {picture, (ptrdiff_t)line[format], 0, 0};
-    if (glint_shade_rect(&shader, &source, SPHERE_W, SPHERE_H, &surface, NULL))
+    const struct glint_surface surface = {picture, (ptrdiff_t)line[look.format], 0, 0};
+    if (count < 0 ||
+        (count ? glint_shade_lights(&shader, lamps, (unsigned)count, &source, SPHERE_W, SPHERE_H, &surface, NULL)
+               : glint_shade_rect(&shader, &source, SPHERE_W, SPHERE_H, &surface, NULL)))
         return 1;
-    return fwrite(picture, line[format], SPHERE_H, stdout) != SPHERE_H;
+    return fwrite(picture, line[look.format], SPHERE_H, stdout) != SPHERE_H;
 }
 
 int main(int argc, char **argv)
@@ -175,7 +187,7 @@ int main(int argc, char **argv)
     const unsigned covered = draw();
     if (argc == 3 && strcmp(argv[1], "write") == 0)
         write_scene(argv[2], covered);
-    else if (argc == 7 && strcmp(argv[1], "exact") == 0)
+    else if (argc == 3 + LOOK_WORDS && strcmp(argv[1], "exact") == 0)
         return write_exact(argv + 2);
     else
         return 2;
