@@ -366,10 +366,10 @@ size_t glint_tables_bytes(enum glint_tables_kind kind); /* the same; 0 for no su
 
 /* State, ours; the memory stays yours and must outlive it. Const once filled: shared by threads and interrupts. */
 struct glint_tables {
-    uint8_t *columns;
+    const uint8_t *columns;
     union {
-        uint16_t *colours;
-        uint32_t *sums;
+        const uint16_t *colours;
+        const uint32_t *sums;
     } colour;
     uint32_t t_max_q30; /* u above (COLOUR, ALBEDO); the lobe's (SMALL) */
     uint16_t dark;      /* where nl < 0: the pixel, in memory order (COLOUR); p (ALBEDO) */

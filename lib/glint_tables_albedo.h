@@ -11,7 +11,7 @@
 
 /* In 32nds, how much of the albedo shows at nl_q30 >= 0; all below 0 are tables->dark. Levels lie before the highlights,
  * downwards, so that the assembly has one pointer for both. */
-static inline uint8_t *glint_albedo_level(const struct glint_tables *tables, int32_t number)
+static inline const uint8_t *glint_albedo_level(const struct glint_tables *tables, int32_t number)
 {
     return tables->columns - 1 - number;
 }

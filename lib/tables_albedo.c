@@ -32,13 +32,15 @@ void glint_albedo_fill(struct glint_tables *tables, const struct glint_shader *s
     const uint32_t t_max = glint_last_t(shader, shines);
     tables->t_max_q30 = t_max;
     tables->shift = (uint8_t)glint_columns_shift(t_max, SHINES);
-    tables->columns = (uint8_t *)memory + GLINT_ALBEDO_LEVELS;
-    tables->colour.sums = (uint32_t *)memory + GLINT_ALBEDO_LEVELS / 4;
+    uint8_t *const levels = (uint8_t *)memory;
+    uint32_t *const sums = (uint32_t *)memory + GLINT_ALBEDO_LEVELS / 4;
+    tables->columns = levels + GLINT_ALBEDO_LEVELS;
+    tables->colour.sums = sums;
     for (uint32_t i = 0; i < SHINES; i++)
-        tables->colour.sums[i] = shine_word(shader, glint_pixel_lobe(shader, glint_column_t(t_max, tables->shift, i)));
+        sums[i] = shine_word(shader, glint_pixel_lobe(shader, glint_column_t(t_max, tables->shift, i)));
     for (int32_t row = 0; row < GLINT_ALBEDO_LEVELS; row++) {
         const uint32_t lit = row < 128 ? diffuse * (2 * (uint32_t)row + 1) >> 3 : diffuse * 32; /* 32 D nl < 2^25 */
-        *glint_albedo_level(tables, row) = (uint8_t)((ambient * 32 + lit + 32768) >> 16);
+        levels[GLINT_ALBEDO_LEVELS - 1 - row] = (uint8_t)((ambient * 32 + lit + 32768) >> 16);
     }
     tables->dark = (uint16_t)((ambient * 32u + 32768) >> 16);
 }

@@ -55,11 +55,12 @@ void glint_colour_fill(struct glint_tables *tables, const struct glint_peak *pea
     const struct glint_shader *shader = peak->shader;
     const uint32_t columns = (uint32_t)1 << GLINT_COLOUR_COLUMNS_LOG, t_max = glint_last_t(shader, has_step);
     tables->colour.colours = (uint16_t *)memory; /* the 16-bit table first, for its alignment */
-    tables->columns = (uint8_t *)memory + 2 * GLINT_COLOUR_ROWS * GLINT_COLOUR_STEPS;
+    uint8_t *const column = (uint8_t *)memory + 2 * GLINT_COLOUR_ROWS * GLINT_COLOUR_STEPS;
+    tables->columns = column;
     tables->t_max_q30 = t_max;
     tables->shift = (uint8_t)glint_columns_shift(t_max, columns);
     for (uint32_t i = 0; i < columns; i++)
-        tables->columns[i] = (uint8_t)(2 * glint_peak_step_at(peak, glint_column_t(t_max, tables->shift, i)));
+        column[i] = (uint8_t)(2 * glint_peak_step_at(peak, glint_column_t(t_max, tables->shift, i)));
     const struct glint_surface dark = {&tables->dark, 2, 0, 0};
     fill_colours(peak, (uint8_t *)memory);
     glint_pixel_store(shader, &dark, 0, 0, 0, 0, shader->material.albedo, 255);

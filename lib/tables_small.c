@@ -26,8 +26,10 @@ void glint_small_fill(struct glint_tables *tables, const struct glint_peak *peak
 {
     enum { SEGMENT = GLINT_SMALL_SEGMENT };
     const uint32_t t_max = peak->shader->lobe.t_max_q30;
-    tables->colour.sums = (uint32_t *)memory;
-    tables->columns = (uint8_t *)memory + 4 * (GLINT_SMALL_DIFFUSE + GLINT_COLOUR_STEPS);
+    uint32_t *const diffuse = (uint32_t *)memory, *const specular = diffuse + GLINT_SMALL_DIFFUSE;
+    uint8_t *const column = (uint8_t *)memory + 4 * (GLINT_SMALL_DIFFUSE + GLINT_COLOUR_STEPS);
+    tables->colour.sums = diffuse;
+    tables->columns = column;
     unsigned fine = 0;
     while (t_max >> fine >= SEGMENT << GLINT_SMALL_COARSER)
         fine++;
@@ -36,9 +38,8 @@ void glint_small_fill(struct glint_tables *tables, const struct glint_peak *peak
     for (uint32_t i = 0; i < 2 * SEGMENT; i++) {
         const unsigned s = i < SEGMENT ? fine : fine + GLINT_SMALL_COARSER;
         const uint32_t t = ((i % SEGMENT) << s) + ((uint32_t)1 << s >> 1);
-        tables->columns[i] = glint_peak_step_at(peak, t < t_max ? t : t_max);
+        column[i] = glint_peak_step_at(peak, t < t_max ? t : t_max);
     }
-    uint32_t *diffuse = tables->colour.sums, *specular = diffuse + GLINT_SMALL_DIFFUSE;
     for (uint32_t row = 0; row < GLINT_SMALL_DIFFUSE; row++)
         diffuse[row] = sum_word(peak->shader, row ? glint_row_nl(row - 1) : 0, 0, true);
     for (uint32_t j = 0; j < GLINT_COLOUR_STEPS; j++)
