@@ -27,7 +27,8 @@ prints() { # COMMAND...: it succeeds and prints the host's values and nothing el
 
 # A Cortex-M3: an image needs the port's start code, and is run by QEMU.
 arm_flags="-mcpu=cortex-m3 -mthumb"
-bare="$source/firmware/ports/cortex-m/start.c $source/firmware/ports/bare/memory.c"
+ports=$source/firmware/ports
+bare="$ports/cortex-m/start.c $ports/cortex-m/machine.c $ports/bare/run.c $ports/bare/memory.c"
 bare_flags="-DBARE -ffreestanding -I$source/firmware/ports/bare"
 bare_link="-nostdlib -L$source/firmware/ports/bare -T$source/firmware/ports/cortex-m/mps2.ld"
 run_arm() { # IMAGE

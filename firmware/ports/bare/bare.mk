@@ -3,7 +3,7 @@
 # with $(eval $(call bare_port,NAME)):
 #   NAME_BOARDS                the boards' names
 #   NAME_TOOLS                 prefix of the compiler's tools
-#   NAME_SOURCES               C sources beside lib/, conformance/ and the port's folder
+#   NAME_SOURCES               C sources beside lib/, conformance/ and the port's folder: $(BARE_START) for start.c, machine.c
 #   NAME_LINK                  words for the linker before each board's script
 #   NAME_RUN                   emulator that takes an image, with % for the board's name; NAME_RUN_BOARD where a board differs
 #   NAME_CORE_BOARD            name of the processor core
@@ -16,6 +16,7 @@
 #   NAME_PUSHED_BOARD          bytes that a call pushes by itself
 # The build, the tests of tests/targets, make bench and make boards read them here; BOARD= chooses one board.
 BARE = firmware/ports/bare
+BARE_START = $(BARE)/run.c $(BARE)/memory.c
 # Without jump tables a jump to a register is a call through a pointer, never a switch: the check of the stack needs that.
 BARE_FLAGS = -std=c99 -ffreestanding -Os -ffunction-sections -fdata-sections -fstack-usage -fno-jump-tables $(WARNINGS)
 BARE_INCLUDE = lib firmware/conformance $(BARE) $(CONFORMANCE)

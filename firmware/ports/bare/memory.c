@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * In place of a C library: initial static data, and the functions that compilers call by themselves. */
-#include "bare.h"
+#include "memory.h"
 
 #include <stddef.h>
 
@@ -25,7 +25,7 @@ __attribute__((optimize("no-tree-loop-distribute-patterns"))) void *memcpy(void 
 /* From the linker script. */
 extern unsigned char data_load[], data_start[], data_end[], bss_start[], bss_end[];
 
-void bare_begin(void)
+void bare_memory(void)
 {
     memcpy(data_start, data_load, (size_t)(data_end - data_start));
     memset(bss_start, 0, (size_t)(bss_end - bss_start));

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Cortex-M without an operating system: make firmware PORT=cortex-m [BOARD=microbit]
 cortex-m_TOOLS = arm-none-eabi-
-cortex-m_SOURCES = $(BARE)/memory.c
+cortex-m_SOURCES = $(BARE_START)
 cortex-m_LINK = -nostdlib -T
 cortex-m_RUN = qemu-system-arm -display none -semihosting-config enable=on,target=native -M % -kernel
 cortex-m_RP2040JS = node tests/targets/rp2040.mjs build/bench/npm

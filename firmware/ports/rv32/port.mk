@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # RISC-V of 32 bits without an operating system: make firmware PORT=rv32
 rv32_TOOLS = riscv64-unknown-elf-
-rv32_SOURCES = $(BARE)/memory.c
+rv32_SOURCES = $(BARE_START)
 rv32_LINK = -nostdlib -T
 rv32_RUN = qemu-system-riscv32 -M % -bios none -nographic -kernel
 rv32_BOARDS = virt

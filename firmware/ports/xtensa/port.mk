@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Xtensa, the ESP8266's core, without an operating system: make firmware PORT=xtensa
 xtensa_TOOLS = xtensa-lx106-elf-
-xtensa_SOURCES = $(BARE)/memory.c
+xtensa_SOURCES = $(BARE_START)
 xtensa_LINK = -nostdlib -T
 xtensa_RUN = qemu-system-xtensa -M sim -cpu % -display none -semihosting -kernel
 xtensa_BOARDS = lx106
