@@ -2,7 +2,6 @@
  * glint cutoff: where a highlight falls below 2^-q. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/argp.h"
 #include "base/message.h"
@@ -11,25 +10,16 @@
 #include "base/rows.h"
 #include "commands/commands.h"
 #include "models/models.h"
-
-enum { KEY_MODEL = 256, KEY_CSV, KEY_JSON };
+#include "options/lobe_options.h"
 
 struct request {
-    bool model_given[GLINT_MODEL_COUNT];
-    long *shininess, *q;
-    size_t shininess_count, q_count;
-    enum rows_format format;
-    const char *path;
+    struct lobe_options lobes;
+    long *q;
+    size_t q_count;
 };
 
 static const struct argp_option options[] = {
-    {"model", KEY_MODEL, "NAME", 0, MODEL_WORDS "or all; default: msh", 0},
-    {"shininess", 'n', "LIST", 0, "Shininess, whole numbers from 1 to 1000; default 60", 0},
-    {"cutoff", 'q', "LIST", 0, "The cutoff is 2^-Q; whole numbers from 0 to 16; default 8", 0},
-    {"csv", KEY_CSV, NULL, 0, "Print comma-separated values instead of aligned text", 1},
-    {"json", KEY_JSON, NULL, 0, "Print JSON: an array with one object per row", 1},
-    {"output", 'o', "FILE", 0, "Write to FILE (default: -, standard output)", 1},
-    {0}};
+    {"cutoff", 'q', "LIST", 0, "The cutoff is 2^-Q; whole numbers from 0 to 16; default 8", 0}, {0}};
 
 static const char doc[] =
     "Print where a highlight falls below 2^-Q: the smallest cosine and the largest t = 1 - c with a value of at least "
@@ -68,25 +58,12 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
 {
     struct request *request = state->input;
     switch (key) {
-    case KEY_MODEL:
-        parse_models(state, "--model", argument, request->model_given);
-        return 0;
-    case 'n':
-        free(request->shininess);
-        request->shininess_count = parse_integer_list(state, "-n", argument, 1, GLINT_N_MAX, &request->shininess);
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &request->lobes;
         return 0;
     case 'q':
         free(request->q);
         request->q_count = parse_integer_list(state, "-q", argument, 0, GLINT_Q_MAX, &request->q);
-        return 0;
-    case KEY_CSV:
-        parse_rows_format(state, &request->format, ROWS_CSV);
-        return 0;
-    case KEY_JSON:
-        parse_rows_format(state, &request->format, ROWS_JSON);
-        return 0;
-    case 'o':
-        request->path = parse_output(state, "-o", argument);
         return 0;
     case ARGP_KEY_ARG:
         refuse(state, "unexpected argument '%s'; give -n LIST and -q LIST", argument);
@@ -98,21 +75,22 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
 
 int command_cutoff(int argc, char **argv)
 {
-    static const struct argp argp = {options, parse_option, NULL, doc, NULL, NULL, NULL};
-    struct request request = {.model_given = {[GLINT_MSH] = true}, .path = "-"};
-    request.shininess_count = parse_integer_list(NULL, "-n", "60", 1, GLINT_N_MAX, &request.shininess);
+    static const struct argp_child children[] = {{&lobe_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
+    static const struct argp argp = {options, parse_option, NULL, doc, children, NULL, NULL};
+    struct request request = {.q = NULL};
     request.q_count = parse_integer_list(NULL, "-q", "8", 0, GLINT_Q_MAX, &request.q);
     parse_command(&argp, 0, argc, argv, &request);
 
-    struct output *output = output_open(request.path);
-    struct rows *rows = rows_begin(output->stream, request.format, columns, COLUMN_COUNT);
+    const struct lobe_options *lobes = &request.lobes;
+    struct output *output = output_open(lobes->path);
+    struct rows *rows = rows_begin(output->stream, lobes->format, columns, COLUMN_COUNT);
     for (int model = 0; model < GLINT_MODEL_COUNT; model++)
-        for (size_t i = 0; request.model_given[model] && i < request.shininess_count; i++)
+        for (size_t i = 0; lobes->model_given[model] && i < lobes->shininess_count; i++)
             for (size_t k = 0; k < request.q_count; k++)
-                add_row(rows, (enum glint_model)model, (uint32_t)request.shininess[i], (unsigned)request.q[k]);
+                add_row(rows, (enum glint_model)model, (uint32_t)lobes->shininess[i], (unsigned)request.q[k]);
     rows_end(rows);
     output_close(output);
-    free(request.shininess);
+    free(lobes->shininess);
     free(request.q);
     return EXIT_GOOD;
 }

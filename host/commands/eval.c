@@ -11,30 +11,22 @@
 #include "base/rows.h"
 #include "commands/commands.h"
 #include "models/models.h"
+#include "options/lobe_options.h"
 
-enum { KEY_MODEL = 256, KEY_T, KEY_RAW, KEY_CSV, KEY_JSON };
+enum { KEY_T = 256, KEY_RAW };
 
 struct request {
-    bool model_given[GLINT_MODEL_COUNT];
-    long *shininess;
-    size_t shininess_count;
+    struct lobe_options lobes;
     int q; /* -1: no cutoff */
     bool of_t, raw;
-    enum rows_format format;
-    const char *path;
     char **values; /* the words as given */
     size_t value_count;
 };
 
 static const struct argp_option options[] = {
-    {"model", KEY_MODEL, "NAME", 0, MODEL_WORDS "or all; default: msh", 0},
-    {"shininess", 'n', "LIST", 0, "Shininess, whole numbers from 1 to 1000; default 60", 0},
     {"cutoff", 'q', "Q", 0, "Apply the cutoff: values below 2^-Q become 0; 0 to 16; default: no cutoff", 0},
     {"t", KEY_T, NULL, 0, "The values are t = 1 - c, 0 to 2: finer than c near the peak", 0},
     {"raw", KEY_RAW, NULL, 0, "The values are the library's integers: c times 2^16, or t times 2^30", 0},
-    {"csv", KEY_CSV, NULL, 0, "Print comma-separated values instead of aligned text", 1},
-    {"json", KEY_JSON, NULL, 0, "Print JSON: an array with one object per row", 1},
-    {"output", 'o', "FILE", 0, "Write to FILE (default: -, standard output)", 1},
     {0}};
 
 static const char doc[] =
@@ -110,12 +102,13 @@ static size_t parse_values(const struct argp_state *state, const struct request 
 
 static void add_word(struct rows *rows, const struct request *request, const char *where, const char *word)
 {
+    const struct lobe_options *lobes = &request->lobes;
     double *values;
     const size_t count = parse_values(NULL, request, where, word, &values);
     for (int model = 0; model < GLINT_MODEL_COUNT; model++)
-        for (size_t i = 0; request->model_given[model] && i < request->shininess_count; i++)
+        for (size_t i = 0; lobes->model_given[model] && i < lobes->shininess_count; i++)
             for (size_t k = 0; k < count; k++)
-                add_row(rows, request, (enum glint_model)model, (uint32_t)request->shininess[i], values[k]);
+                add_row(rows, request, (enum glint_model)model, (uint32_t)lobes->shininess[i], values[k]);
     free(values);
 }
 
@@ -156,12 +149,8 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
 {
     struct request *request = state->input;
     switch (key) {
-    case KEY_MODEL:
-        parse_models(state, "--model", argument, request->model_given);
-        return 0;
-    case 'n':
-        free(request->shininess);
-        request->shininess_count = parse_integer_list(state, "-n", argument, 1, GLINT_N_MAX, &request->shininess);
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &request->lobes;
         return 0;
     case 'q':
         request->q = (int)parse_integer(state, "-q", argument, 0, GLINT_Q_MAX);
@@ -171,15 +160,6 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         return 0;
     case KEY_RAW:
         request->raw = true;
-        return 0;
-    case KEY_CSV:
-        parse_rows_format(state, &request->format, ROWS_CSV);
-        return 0;
-    case KEY_JSON:
-        parse_rows_format(state, &request->format, ROWS_JSON);
-        return 0;
-    case 'o':
-        request->path = parse_output(state, "-o", argument);
         return 0;
     case ARGP_KEY_ARGS:
         request->values = state->argv + state->next;
@@ -195,14 +175,14 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
 
 int command_eval(int argc, char **argv)
 {
-    static const struct argp argp = {options, parse_option, "VALUE...", doc, NULL, NULL, NULL};
-    struct request request = {.model_given = {[GLINT_MSH] = true}, .q = -1, .path = "-"};
-    request.shininess_count = parse_integer_list(NULL, "-n", "60", 1, GLINT_N_MAX, &request.shininess);
+    static const struct argp_child children[] = {{&lobe_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
+    static const struct argp argp = {options, parse_option, "VALUE...", doc, children, NULL, NULL};
+    struct request request = {.q = -1};
     parse_command(&argp, 0, argc, argv, &request);
 
-    struct output *output = output_open(request.path);
+    struct output *output = output_open(request.lobes.path);
     struct rows *rows =
-        rows_begin(output->stream, request.format, request.of_t ? columns_of_t : columns_of_c, COLUMN_COUNT);
+        rows_begin(output->stream, request.lobes.format, request.of_t ? columns_of_t : columns_of_c, COLUMN_COUNT);
     for (size_t i = 0; i < request.value_count; i++) {
         if (strcmp(request.values[i], "-") == 0)
             add_standard_input(rows, &request);
@@ -211,6 +191,6 @@ int command_eval(int argc, char **argv)
     }
     rows_end(rows);
     output_close(output);
-    free(request.shininess);
+    free(request.lobes.shininess);
     return EXIT_GOOD;
 }
