@@ -76,16 +76,8 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
     return ARGP_ERR_UNKNOWN;
 }
 
-static char *describe(int key, const char *text, void *input)
+static void print_help(FILE *stream)
 {
-    (void)input;
-    if (key != ARGP_KEY_HELP_POST_DOC)
-        return (char *)text;
-    char *out = NULL;
-    size_t size = 0;
-    FILE *stream = open_memstream(&out, &size);
-    if (!stream)
-        return (char *)text;
     fputs("Commands:\n", stream); /* argp would break longer lines */
     for (int i = 0; i < COMMAND_COUNT; i++)
         fprintf(stream, "  %-8s %s\n", commands[i].name, commands[i].summary);
@@ -96,8 +88,12 @@ static char *describe(int key, const char *text, void *input)
           "  glint eval --model msh -n 60 0.99\n"
           "  glint paper -o report",
           stream);
-    fclose(stream);
-    return out;
+}
+
+static char *describe(int key, const char *text, void *input)
+{
+    (void)input;
+    return key == ARGP_KEY_HELP_POST_DOC ? help_text(text, print_help) : (char *)text;
 }
 
 /* A file opened later must not get the number of a standard stream that the caller closed: its place is taken by one

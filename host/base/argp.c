@@ -165,3 +165,15 @@ void parse_command(const struct argp *argp, unsigned flags, int argc, char **arg
     const struct argp all = {NULL, NULL, NULL, NULL, children, NULL, NULL};
     argp_parse(&all, argc, argv, flags | ARGP_NO_ERRS | ARGP_NO_HELP, NULL, input);
 }
+
+char *help_text(const char *text, void (*print)(FILE *stream))
+{
+    char *out = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&out, &size);
+    if (!stream)
+        return (char *)text;
+    print(stream);
+    fclose(stream);
+    return out;
+}

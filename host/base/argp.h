@@ -9,6 +9,9 @@
 /* argp_parse with its flags. Usage errors are one line that begins with argv[0] and ends with where help is; exit 2. */
 void parse_command(const struct argp *argp, unsigned flags, int argc, char **argv, void *input);
 
+/* For an argp's help_filter: what `print` prints, as argp frees it; where there is no memory, `text`. */
+char *help_text(const char *text, void (*print)(FILE *stream));
+
 /* What --version prints; NULL: nothing. */
 extern void (*version_print)(FILE *stream);
 

@@ -124,11 +124,8 @@ static void check(const struct argp_state *state, struct stream_options *o)
         refuse(state, "--lights: moves a --light, and there are only --point and --spot; add a --light");
     if (!isnan(o->orbit) && !directional)
         refuse(state, "--orbit: is for a --light; points and spots keep their distance from the picture's middle");
-    const struct scene_options *scene = &o->look.scene;
-    const char *const maps[] = {scene->heights, scene->normals, scene->albedo, scene->gloss, scene->mask};
-    for (size_t i = 0; o->lights && strcmp(o->lights, "-") == 0 && i < sizeof maps / sizeof *maps; i++)
-        if (maps[i] && strcmp(maps[i], "-") == 0)
-            refuse(state, "--lights: only one of --lights and the maps can come from standard input");
+    if (o->lights && strcmp(o->lights, "-") == 0 && scene_options_standard_input(&o->look.scene))
+        refuse(state, "--lights: only one of --lights and the maps can come from standard input");
     if (isnan(o->period))
         o->period = usual_period;
     if (!o->frames && !o->lights && !o->kind->paced) {
@@ -194,20 +191,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     }
 }
 
-/* The sinks that shade; then all sinks with one line each, their own help, and their examples. */
-static char *describe(int key, const char *text, void *input)
+/* All sinks with one line each, their own help, and their examples. */
+static void print_help(FILE *stream)
 {
-    (void)input;
-    char *shaders;
-    if (key == KEY_SHADE && asprintf(&shaders, "%s %s", text, sink_names(shades)) >= 0)
-        return shaders;
-    if (key != ARGP_KEY_HELP_POST_DOC)
-        return (char *)text;
-    char *out = NULL;
-    size_t size = 0;
-    FILE *stream = open_memstream(&out, &size);
-    if (!stream)
-        return (char *)text;
     fputs("SCENE is a built-in scene, as --scene takes it; its size is the display's, else 320x240.\n\nSinks:\n",
           stream);
     for (unsigned i = 0; sink_kinds[i]; i++)
@@ -224,8 +210,15 @@ static char *describe(int key, const char *text, void *input)
     for (unsigned i = 0; sink_kinds[i]; i++)
         if (sink_kinds[i]->examples)
             fputs(sink_kinds[i]->examples, stream);
-    fclose(stream);
-    return out;
+}
+
+static char *describe(int key, const char *text, void *input)
+{
+    (void)input;
+    char *shaders;
+    if (key == KEY_SHADE && asprintf(&shaders, "%s %s", text, sink_names(shades)) >= 0)
+        return shaders;
+    return key == ARGP_KEY_HELP_POST_DOC ? help_text(text, print_help) : (char *)text;
 }
 
 int command_stream(int argc, char **argv)

@@ -61,17 +61,22 @@ static void parse_size(const struct argp_state *state, const char *text, struct 
            PIXELS_MAX);
 }
 
+unsigned scene_options_standard_input(const struct scene_options *o)
+{
+    const char *const maps[] = {o->heights, o->normals, o->albedo, o->gloss, o->mask};
+    unsigned count = 0;
+    for (size_t i = 0; i < sizeof maps / sizeof *maps; i++)
+        count += maps[i] && strcmp(maps[i], "-") == 0;
+    return count;
+}
+
 static void check(const struct argp_state *state, struct scene_options *o)
 {
     const int sources = !!o->heights + !!o->normals + !!o->scene;
     if (sources > 1 || (sources == 0 && !o->optional))
         refuse(state, sources ? "give only one of --height, --normals and --scene"
                               : "no surface; give --height FILE, --normals FILE or --scene NAME");
-    const char *const files[] = {o->heights, o->normals, o->albedo, o->gloss, o->mask};
-    int standard = 0;
-    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
-        standard += files[i] && strcmp(files[i], "-") == 0;
-    if (standard > 1)
+    if (scene_options_standard_input(o) > 1)
         refuse(state, "only one map can come from standard input");
     if (!o->heights && (o->wraps || !isnan(o->scale)))
         refuse(state, "%s needs --height", o->wraps ? "--wrap" : "--scale");

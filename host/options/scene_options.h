@@ -10,5 +10,7 @@
 /* A child for a command's argp: sets the defaults, parses and checks. Its input is a struct scene_options, with
  * `optional` set. */
 extern const struct argp scene_options_argp;
+/* How many of the maps come from standard input. */
+unsigned scene_options_standard_input(const struct scene_options *options);
 
 #endif
