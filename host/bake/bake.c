@@ -88,24 +88,31 @@ struct baked *bake(const struct scene *scene, enum bake_format format, uint32_t 
     return baked;
 }
 
+void bake_albedo(struct baked *baked, const struct scene *scene)
+{
+    baked->albedo = scene_albedo_565(scene, NULL);
+}
+
 void baked_free(struct baked *baked)
 {
     free(baked->normals);
     free(baked->words);
     free(baked->offsets);
+    free(baked->albedo);
     free(baked);
 }
 
 size_t baked_bytes(const struct baked *baked)
 {
     const size_t pixels = (size_t)baked->width * baked->height;
+    const size_t albedo = baked->albedo ? pixels * sizeof *baked->albedo : 0;
     switch (baked->format) {
     case BAKE_INT16:
-        return pixels * sizeof *baked->normals;
+        return pixels * sizeof *baked->normals + albedo;
     case BAKE_PALETTE:
         return baked->entries * sizeof *baked->normals + pixels * sizeof *baked->offsets;
     default:
-        return pixels * sizeof *baked->words;
+        return pixels * sizeof *baked->words + albedo;
     }
 }
 

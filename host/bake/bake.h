@@ -18,9 +18,11 @@ struct baked {
     uint32_t *words;           /* int10, int8 */
     uint16_t *offsets;         /* palette: 2 x entry */
     uint32_t entries;          /* palette */
+    uint16_t *albedo;          /* RGB565, for ALBEDO tables; NULL where bake_albedo was not called */
 };
 /* `entries`: the most that a palette may have, the first one included. */
 struct baked *bake(const struct scene *scene, enum bake_format format, uint32_t entries);
+void bake_albedo(struct baked *baked, const struct scene *scene); /* the scene has an albedo */
 void baked_free(struct baked *baked);
 size_t baked_bytes(const struct baked *baked);
 /* The normal that the loops see; 0, 0, 0 where there is no surface. */

@@ -25,6 +25,10 @@ static const char *const notes[] = {
         ("A palette of normals, to be shaded once a frame as one line, and for each pixel twice its entry, for\n"
          " * glint_palette_rect. Entry 0 is no surface: after shading, give it the background's colour")};
 
+static const char albedo_note[] =
+    "For glint_tables_albedo_rect and ALBEDO tables; a normal is 0 where there is no surface, the "
+    "albedo\n * is RGB565 in the machine's order";
+
 static size_t pixels_of(const struct baked *baked)
 {
     return (size_t)baked->width * baked->height;
@@ -35,7 +39,8 @@ static void write_note(const struct baked *baked, FILE *out)
     fprintf(out,
             "/* Written by glint bake, version " GLINT_VERSION_STRING ": normals as %s, %" PRIu32 "x%" PRIu32
             ", %zu bytes.\n * %s. */\n",
-            bake_format_names[baked->format], baked->width, baked->height, baked_bytes(baked), notes[baked->format]);
+            bake_format_names[baked->format], baked->width, baked->height, baked_bytes(baked),
+            baked->albedo ? albedo_note : notes[baked->format]);
 }
 
 /* The array NAME has an element a pixel, in each format. */
@@ -58,6 +63,13 @@ static void write_elements(const struct baked *baked, FILE *out)
             fprintf(out, "%s0x%08" PRIx32 "u%s", i % 8 ? " " : "\n    ", baked->words[i], i + 1 < pixels ? "," : "");
 }
 
+static void write_albedo(const struct baked *baked, FILE *out)
+{
+    const size_t pixels = pixels_of(baked);
+    for (size_t i = 0; i < pixels; i++)
+        fprintf(out, "%s0x%04x%s", i % 12 ? " " : "\n    ", baked->albedo[i], i + 1 < pixels ? "," : "");
+}
+
 /* ---- one file ---- */
 
 void bake_write_c(const struct baked *baked, const char *name, FILE *out)
@@ -76,6 +88,11 @@ void bake_write_c(const struct baked *baked, const char *name, FILE *out)
     fprintf(out, "static const %s %s[%zu] = {", element_type(baked), name, pixels_of(baked));
     write_elements(baked, out);
     fputs("\n};\n", out);
+    if (baked->albedo) {
+        fprintf(out, "\nstatic const uint16_t %s_albedo[%zu] = {", name, pixels_of(baked));
+        write_albedo(baked, out);
+        fputs("\n};\n", out);
+    }
 }
 
 /* ---- a header and definitions ---- */
@@ -126,12 +143,19 @@ void bake_write_header(const struct baked *baked, const char *name, uint32_t str
         fprintf(out, "#define %s_FORMAT %s\n", macro, formats[baked->format]);
     else
         fprintf(out, "#define %s_ENTRIES %" PRIu32 "\n", macro, baked->entries);
+    if (baked->albedo)
+        fprintf(out, "#define %s_ALBEDO_STRIDE %" PRIu32 "\n", macro, 2 * baked->width);
     if (strip)
         write_strip_macros(name, macro, baked->height, strip, out);
+    if (strip && baked->albedo)
+        fprintf(out, "#define %s_STRIP_ALBEDO(i) (%s_albedo + (size_t)(i) * %s_STRIP * %s_WIDTH)\n", macro, name, macro,
+                macro);
     fputs("\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n", out);
     if (baked->format == BAKE_PALETTE)
         fprintf(out, "extern const struct glint_vec %s_normals[%s_ENTRIES];\n", name, macro);
     fprintf(out, "extern const %s %s[(size_t)%s_WIDTH * %s_HEIGHT];\n", element_type(baked), name, macro, macro);
+    if (baked->albedo)
+        fprintf(out, "extern const uint16_t %s_albedo[(size_t)%s_WIDTH * %s_HEIGHT];\n", name, macro, macro);
     fputs("#ifdef __cplusplus\n}\n#endif\n\n#endif\n", out);
 }
 
@@ -153,4 +177,9 @@ void bake_write_definitions(const struct baked *baked, const char *name, const c
     begin_definition(element_type(baked), name, "", out);
     write_elements(baked, out);
     fputs("\n};\n", out);
+    if (baked->albedo) {
+        begin_definition("uint16_t", name, "_albedo", out);
+        write_albedo(baked, out);
+        fputs("\n};\n", out);
+    }
 }

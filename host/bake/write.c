@@ -28,6 +28,8 @@ static uint8_t *to_bytes(const struct baked *baked)
         at = put(at, baked->words[i], 4);
     for (size_t i = 0; i < pixels && baked->offsets; i++)
         at = put(at, baked->offsets[i], 2);
+    for (size_t i = 0; i < pixels && baked->albedo; i++)
+        at = put(at, baked->albedo[i], 2);
     return bytes;
 }
 

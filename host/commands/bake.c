@@ -21,7 +21,7 @@
 #include "image/picture.h"
 #include "options/scene_options.h"
 
-enum { KEY_TO = 256, KEY_AS, KEY_NAME, KEY_ADDRESS, KEY_STRIP, KEY_JSON };
+enum { KEY_TO = 256, KEY_ALBEDO, KEY_AS, KEY_NAME, KEY_ADDRESS, KEY_STRIP, KEY_JSON };
 
 struct request {
     struct scene_options scene;
@@ -37,6 +37,8 @@ struct request {
 };
 
 static const struct argp_option options[] = {
+    {"albedo", KEY_ALBEDO, "FILE", 0,
+     "The surface's colour, for ALBEDO tables: an array of RGB565 beside the normals; alpha is ignored", 2},
     {NULL, 0, NULL, 0, "The output:", 3},
     {"to", KEY_TO, "FORMAT", 0,
      "int16 (6 bytes a pixel), int10 or int8 (4 bytes; default int8), or palette or "
@@ -62,9 +64,11 @@ static const char doc[] =
     "FILE.c defines the array NAME, lines from the top, and FILE.h beside it declares it, with macros (NAME in "
     "capitals): _WIDTH, _HEIGHT, _STRIDE in bytes, and _FORMAT for glint_tables_rect; for a palette _ENTRIES and the "
     "array NAME_normals, NAME being the offsets; with --strip also _STRIP, _STRIPS, _STRIP_LINES(i) and "
-    "_STRIP_START(i). FILE.h alone and - hold a static array and the enumerators NAME_width and NAME_height.\n"
-    "Raw is the same without names, low bytes first, a palette's normals before its offsets. UF2 is raw in blocks of "
-    "256 bytes for the RP2040: flash is erased in sectors of 4096 bytes, so choose an address beyond the program's "
+    "_STRIP_START(i). With --albedo there is an array NAME_albedo, too, _ALBEDO_STRIDE and _STRIP_ALBEDO(i). FILE.h "
+    "alone and - hold a static array and the enumerators NAME_width and NAME_height.\n"
+    "Raw is the same without names, low bytes first, a palette's normals before its offsets, the albedo after the "
+    "normals. UF2 is raw in blocks of 256 bytes for the RP2040: flash is erased in sectors of 4096 bytes, so choose an "
+    "address beyond the program's "
     "last one.\n"
     "The quality compares the highlight alone, at full strength on white (msh, q = 8, grey8, exact path), with that of "
     "the 16-bit normals, in levels of 255, over nine lights. It is printed to standard output, or to standard error "
@@ -73,6 +77,7 @@ static const char doc[] =
     "Examples:\n"
     "  glint bake --height wall.png -o wall.c\n"
     "  glint bake --scene watchface --size 240x240 --strip 16 -o dial.c\n"
+    "  glint bake --height wall.png --albedo wall-color.png -o wall.c\n"
     "  glint bake --normals brick.png --to palette:1000 -o brick.c\n"
     "  glint bake --scene watchface --size 240x240 --to int8 -o dial.uf2\n"
     "  glint bake --scene coin --to int10 --json\n";
@@ -144,7 +149,10 @@ static bool is_stdout(const char *path)
 static void check(const struct argp_state *state, struct request *request)
 {
     const bool to_stdout = is_stdout(request->path);
-    if (!request->path && (request->kind != BAKE_KINDS || request->name || request->address || request->strip))
+    if (request->scene.albedo && request->format == BAKE_PALETTE)
+        refuse(state, "--albedo cannot be used with --to palette, whose entries have one colour each");
+    if (!request->path &&
+        (request->kind != BAKE_KINDS || request->name || request->address || request->strip || request->scene.albedo))
         refuse(state, "no output; give -o FILE");
     if (!request->path)
         return;
@@ -158,6 +166,8 @@ static void check(const struct argp_state *state, struct request *request)
         refuse(state, "--name is for C source; it cannot be used with --as %s", kind_names[request->kind]);
     if (request->address && request->kind != BAKE_UF2)
         refuse(state, "--address is for UF2; it cannot be used with --as %s", kind_names[request->kind]);
+    if (request->scene.albedo && request->kind == BAKE_UF2)
+        refuse(state, "--albedo cannot be used with --as uf2: the Pico's firmware has one colour");
     if (to_stdout && request->kind != BAKE_C && isatty(STDOUT_FILENO))
         refuse(state, "-o -: standard output is a terminal; pipe or redirect it, or name a file");
 }
@@ -168,6 +178,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     switch (key) {
     case ARGP_KEY_INIT:
         state->child_inputs[0] = &request->scene;
+        return 0;
+    case KEY_ALBEDO:
+        request->scene.albedo = text;
         return 0;
     case KEY_TO:
         parse_to(state, text, request);
@@ -287,6 +300,8 @@ int command_bake(int argc, char **argv)
         request.address = FLASH_DEFAULT;
     struct scene *scene = scene_of_options(&request.scene);
     struct baked *baked = bake(scene, request.format, request.entries);
+    if (request.scene.albedo)
+        bake_albedo(baked, scene);
     if (request.kind == BAKE_UF2 && baked_bytes(baked) > FLASH_END - request.address)
         fail("%s: %zu bytes do not fit from 0x%" PRIx32 " to the flash's end at 0x%x; choose a lower --address, a "
              "smaller --size or another --to",

@@ -146,18 +146,6 @@ static void pack(struct way *way)
     }
 }
 
-static uint16_t *albedo_565(const struct scene *scene, const uint8_t color[3])
-{
-    const size_t pixels = (size_t)scene->width * scene->height;
-    uint16_t *map = allocate(pixels, sizeof *map);
-    for (size_t i = 0; i < pixels; i++) {
-        const uint8_t *rgb = scene->albedo ? &scene->albedo[3 * i] : color;
-        map[i] =
-            (uint16_t)((rgb[0] * 31 + 127) / 255 << 11 | (rgb[1] * 63 + 127) / 255 << 5 | (rgb[2] * 31 + 127) / 255);
-    }
-    return map;
-}
-
 /* Paths have full gloss, and most of them one colour, which becomes that of the first pixel with full gloss. `by_path`
  * marks the pixels that the path draws; the exact path draws the others. Returns how many are marked. */
 static size_t choose(const struct scene *scene, bool any_color, struct glint_shader *shader, uint8_t *by_path)
@@ -215,7 +203,7 @@ struct way *way_new(const struct scene *scene, const struct shading *shading, co
         warn("--path %s: draws %s full gloss, %zu of %zu pixels; the exact path drew the rest", name,
              any_color ? "pixels of" : "one colour at", chosen, wanted);
     if (way->path->by == ALBEDO)
-        way->albedo = albedo_565(scene, way->shader.material.albedo);
+        way->albedo = scene_albedo_565(scene, way->shader.material.albedo);
     if (way->path->by == PALETTE)
         way->palette = bake(&way->scene, BAKE_PALETTE, PALETTE_DEFAULT);
     else if (way->path->unit == RECT)

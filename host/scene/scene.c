@@ -72,3 +72,15 @@ struct glint_vec *scene_normals_q15(const struct scene *scene)
     }
     return out;
 }
+
+uint16_t *scene_albedo_565(const struct scene *scene, const uint8_t color[3])
+{
+    const size_t pixels = (size_t)scene->width * scene->height;
+    uint16_t *map = allocate(pixels, sizeof *map);
+    for (size_t i = 0; i < pixels; i++) {
+        const uint8_t *rgb = scene->albedo ? &scene->albedo[3 * i] : color;
+        map[i] =
+            (uint16_t)((rgb[0] * 31 + 127) / 255 << 11 | (rgb[1] * 63 + 127) / 255 << 5 | (rgb[2] * 31 + 127) / 255);
+    }
+    return map;
+}

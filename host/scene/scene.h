@@ -28,5 +28,7 @@ void scene_free(struct scene *scene);
 void scene_repeat(struct scene *scene, uint32_t width, uint32_t height);
 /* What the library takes: nearest Q1.15, 1.0 held as 32767; malloc'd. */
 struct glint_vec *scene_normals_q15(const struct scene *scene);
+/* The albedo, or `color` throughout where there is none, in the nearest RGB565, as ALBEDO tables take it; malloc'd. */
+uint16_t *scene_albedo_565(const struct scene *scene, const uint8_t color[3]);
 
 #endif

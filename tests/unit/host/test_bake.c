@@ -387,7 +387,6 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         snprintf(line, sizeof line, "$GLINT bake %s", wrong[i].options);
         assert_refused(line, wrong[i].about);
     }
-    assert_refused("$GLINT bake --scene sphere --albedo colors.png -o out/u.h", "--albedo");
     static const char *const endings[] = {"c", "h", "bin", "uf2", "png"};
     for (int i = 0; i < 5; i++) {
         char name[16];
