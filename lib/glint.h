@@ -14,7 +14,7 @@
  *              on different structs or on the same one where it is const.
  * Stack        At most 900 bytes on Cortex-M0+, 900 on other Cortex-M, 1000 on RV32 and AVR, 950 on Xtensa, for any
  *              call (`make test-targets` checks it).
- * Memory       Constants: 1.9 KB, 1.1 of it the sRGB tables, where all is linked. Compilers for AVR keep them in RAM.
+ * Memory       Constants: 1.9 KB, 1.1 of it the sRGB tables, where all is linked. In flash, on AVR and the ESP8266, too.
  * Integers     sequence.md states every path's sequence, bit by bit.
  * Sources      Equation numbers are those of Zavalniuk et al. 2022, DOI 10.31649/1999-9941-2022-55-3-4-12.
  */
@@ -24,6 +24,16 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* An AVR with 32 KB of flash holds one model and one format, not all: a call that links all is refused there. */
+#if defined(__AVR__)
+#include <avr/io.h>
+#endif
+#if defined(__AVR__) && FLASHEND < 0x8000
+#define GLINT_LARGE(instead) __attribute__((noinline, error("glint: this part has too little flash for it; " instead)))
+#else
+#define GLINT_LARGE(instead)
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -197,6 +207,7 @@ struct glint_source {
 /* Shades w x h pixels; w or h = 0 does nothing. In GLINT_MONO the bits past w in a line's last byte are kept. *highlight (NULL: not wanted) becomes the smallest box, relative to the rectangle, that holds every
  * drawn pixel with F > 0 and gloss > 0: beyond it the picture does not depend on the highlight.
  * GLINT_ERR_ARG: NULL, normals or stride misaligned. GLINT_ERR_FORMAT: no such format or space. Nothing is written. */
+GLINT_LARGE("name the model and the format: glint_shade_prepare_for, then glint_shade_prepared_rect")
 enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct glint_source *source, uint16_t w,
                                 uint16_t h, const struct glint_surface *surface, struct glint_box *highlight);
 
@@ -313,6 +324,7 @@ enum glint_err glint_span_init(struct glint_span *span, const struct glint_light
                                const struct glint_vec *last, uint16_t w);
 
 /* Shades the span's w pixels as one line. Errors and highlight as glint_shade_rect; Phong's power takes t as it is. */
+GLINT_LARGE("name the model and the format: glint_shade_prepare_for, then glint_shade_prepared_span")
 enum glint_err glint_shade_span(const struct glint_shader *shader, const struct glint_span *span,
                                 const struct glint_surface *surface, struct glint_box *highlight);
 

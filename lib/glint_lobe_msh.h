@@ -9,7 +9,7 @@
  * 1 / m^2 = y^2 2^-70 (1 + p), p = -2r + 3r^2 - 4r^3 + .. Products of 32 bits only, and all that fits is kept. */
 static inline uint32_t glint_msh_quotient(uint32_t u_q24, uint32_t m)
 {
-    const uint32_t y = glint_reciprocals[(m >> 21) - 64];
+    const uint32_t y = GLINT_FLASH_U8(glint_reciprocals[(m >> 21) - 64]);
     const int32_t r = (int32_t)(m * y) >> 14;                  /* Q21, |r| < 18960: 2^35 is 0 modulo 2^32. Low by < 1 */
     const int32_t p = (r * (3 * r - (r * r >> 19)) >> 22) - r; /* Q20, |p| < 19300, within 1.1: r and >> err apart */
     const uint32_t b = (u_q24 * y >> 8) * y;                   /* y^2 C < 254^2 2^16 < 2^32. Low by < 254 */

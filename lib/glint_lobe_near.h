@@ -8,6 +8,7 @@
 #define GLINT_LOBE_NEAR_H
 
 #include "glint.h"
+#include "glint_math_flash.h"
 
 #define GLINT_RUN 16u /* samples at most */
 

@@ -4,6 +4,7 @@
 #define GLINT_PIXEL_EXACT_H
 
 #include "glint.h"
+#include "glint_math_flash.h"
 
 /* Step 5: albedo of step 4, 65535 = 1.0; nl < 2^23, shine = g F < 2^39: what several lights may sum to. */
 uint64_t glint_exact_value(const struct glint_material *material, int k, uint32_t albedo, uint32_t nl_q16,
@@ -11,7 +12,7 @@ uint64_t glint_exact_value(const struct glint_material *material, int k, uint32_
 /* Step 8. weight / 32 is the threshold: 2b + 1, or 16. */
 uint32_t glint_exact_level(uint64_t x, uint32_t max, uint32_t weight);
 /* The largest level of each channel, by format. */
-extern const uint8_t glint_exact_max[5][3];
+extern const uint8_t glint_exact_max[5][3]; /* GLINT_FLASH */
 /* Stores the levels of pixel x of a line; all are the same in grey. */
 void glint_exact_store(uint8_t format, uint8_t *line, uint32_t x, const uint8_t levels[3]);
 /* The ordered dither's weight b, 0..15, at a place on the screen. */

@@ -14,4 +14,5 @@ void glint_blinn_run(const struct glint_near *near, struct glint_sample *samples
     glint_near_run(near, samples, count, blinn_near);
 }
 
-const struct glint_shade_model glint_shade_blinn = {GLINT_BLINN, 1, NULL, NULL, glint_blinn_run, glint_blinn_t};
+const struct glint_shade_model glint_shade_blinn GLINT_FLASH = {GLINT_BLINN,  1, NULL, NULL, glint_blinn_run,
+                                                                glint_blinn_t};

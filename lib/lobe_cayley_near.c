@@ -17,4 +17,5 @@ static void cayley_run(const struct glint_near *near, struct glint_sample *sampl
         glint_blinn_run(near, samples, count);
 }
 
-const struct glint_shade_model glint_shade_cayley = {GLINT_CAYLEY, 1, NULL, NULL, cayley_run, glint_cayley_t};
+const struct glint_shade_model glint_shade_cayley GLINT_FLASH = {GLINT_CAYLEY, 1,          NULL,
+                                                                 NULL,         cayley_run, glint_cayley_t};

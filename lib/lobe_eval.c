@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * The functions that take the model as an argument; they link every model. An unknown model gives 0. */
 #include "glint.h"
+#include "glint_math_flash.h"
 
 uint32_t glint_eval(enum glint_model model, uint32_t n, int32_t c_q16)
 {

@@ -3,12 +3,13 @@
 #include "glint_lobe_domain.h"
 #include "glint_lobe_gauss.h"
 #include "glint_lobe_largest_t.h"
+#include "glint_math_flash.h"
 #include "glint_math_multiply.h"
 #include "glint_math_power.h"
 
 /* g as a polynomial in t = 1 - c, Q1.62, off by < 2^-63 on 0..1; printed by tests/exact/gauss_coefficients.py. */
 /* clang-format off */
-static const int64_t gauss_coefficient[] = {
+static const int64_t gauss_coefficient[] GLINT_FLASH = {
     INT64_C(4611686018427387904),
     INT64_C(-4611686018427387904),
     INT64_C(1537228672809129187),
@@ -38,9 +39,10 @@ enum { GAUSS_DEGREE = sizeof gauss_coefficient / sizeof *gauss_coefficient - 1 }
  * g^n to 2^-48 = 2^-32 ulp. As g' <= -0.29 a step of t moves g by 2^-32 at the least: monotone. */
 static uint64_t gauss_power(uint32_t n, uint32_t t)
 {
-    int64_t g = gauss_coefficient[GAUSS_DEGREE]; /* |g| <= 1 */
+    int64_t g = GLINT_FLASH_I64(gauss_coefficient[GAUSS_DEGREE]); /* |g| <= 1 */
     for (int k = GAUSS_DEGREE - 1; k >= 0; k--)
-        g = gauss_coefficient[k] + (g >> 32) * (int64_t)t * 4 + (int64_t)((uint64_t)(uint32_t)g * t >> 30);
+        g = GLINT_FLASH_I64(gauss_coefficient[k]) + (g >> 32) * (int64_t)t * 4 +
+            (int64_t)((uint64_t)(uint32_t)g * t >> 30);
     return glint_power((uint64_t)g << 2, n);
 }
 
@@ -49,10 +51,10 @@ static uint64_t gauss_power(uint32_t n, uint32_t t)
 /* b in Q31, off by < 2^-24.2 of it on 0..1; only the coefficient of t^6 is negative. And 2^-(i / 32) in
  * Q32. Printed by tests/exact/gauss_near.py. */
 /* clang-format off */
-static const uint32_t gauss_exponents[8] = {
+static const uint32_t gauss_exponents[8] GLINT_FLASH = {
     3098163907, 516373763, 137426014, 46347971, 7983879, 21050881, 12874301, 7734345,
 };
-static const uint32_t gauss_fractions[32] = {
+static const uint32_t gauss_fractions[32] GLINT_FLASH = {
     4294967295, 4202935003, 4112874773, 4024744348, 3938502376, 3854108391, 3771522796, 3690706840,
     3611622603, 3534232978, 3458501653, 3384393094, 3311872529, 3240905930, 3171459999, 3103502151,
     3037000500, 2971923842, 2908241642, 2845924021, 2784941738, 2725266179, 2666869345, 2609723834,
@@ -64,9 +66,11 @@ static const uint32_t gauss_fractions[32] = {
 static inline uint32_t gauss_exponent(uint32_t t)
 {
     const uint32_t x = t << 2;
-    uint32_t b = gauss_exponents[5] - glint_mulhi_near(gauss_exponents[6] - glint_mulhi_near(gauss_exponents[7], x), x);
+    uint32_t b = GLINT_FLASH_U32(gauss_exponents[5]) -
+                 glint_mulhi_near(
+                     GLINT_FLASH_U32(gauss_exponents[6]) - glint_mulhi_near(GLINT_FLASH_U32(gauss_exponents[7]), x), x);
     for (int k = 4; k >= 0; k--)
-        b = gauss_exponents[k] + glint_mulhi_near(b, x);
+        b = GLINT_FLASH_U32(gauss_exponents[k]) + glint_mulhi_near(b, x);
     return b;
 }
 
@@ -78,7 +82,7 @@ static inline uint32_t gauss_fraction(uint32_t x)
     const uint32_t z = (d >> 6) * 45426 + ((d & 63) * 45426 >> 6) + (3 * d >> 11); /* d ln 2 in Q37 */
     const uint32_t h = (z + 32768) >> 16, square = h * h;                          /* Q21, Q42 */
     const uint32_t cube = (square >> 16) * (h * 10880 >> 16);                      /* a sixth of it, Q47 */
-    const uint32_t f = gauss_fractions[x >> 22];
+    const uint32_t f = GLINT_FLASH_U32(gauss_fractions[x >> 22]);
     return f - glint_mulhi_near(f, (z >> 5) - (square >> 11) + (cube >> 15));
 }
 

@@ -18,4 +18,4 @@ static void gauss_run(const struct glint_near *near, struct glint_sample *sample
     glint_near_run(near, samples, count, gauss_near);
 }
 
-const struct glint_shade_model glint_shade_gauss = {GLINT_GAUSS, 1, NULL, NULL, gauss_run, glint_gauss_t};
+const struct glint_shade_model glint_shade_gauss GLINT_FLASH = {GLINT_GAUSS, 1, NULL, NULL, gauss_run, glint_gauss_t};

@@ -4,6 +4,7 @@
  *
  * With T = 2^30 t:  F = (p / 2^32)^4, p = 2^32 - nT. There are no ties: p^4 = (2k + 1) 2^111 has no solution. */
 #include "glint_lobe_domain.h"
+#include "glint_math_flash.h"
 #include "glint_math_multiply.h"
 
 /* p, modulo 2^32, for 0 < p <= 2^32; 0 else, which for t > 0 can only be that. */
@@ -46,10 +47,10 @@ uint32_t glint_lyon(uint32_t n, int32_t c_q16)
  * r(k) = 2^(32 - k/4) rounded up. The table holds r - 1, so that ceil(r / 2^m) = (r - 1 >> m) + 1. */
 uint32_t glint_lyon_cutoff_t(uint32_t n, unsigned q)
 {
-    static const uint32_t root[4] = {UINT32_C(0xffffffff), UINT32_C(0xd744fcca), UINT32_C(0xb504f333),
-                                     UINT32_C(0x9837f051)};
+    static const uint32_t root[4] GLINT_FLASH = {UINT32_C(0xffffffff), UINT32_C(0xd744fcca), UINT32_C(0xb504f333),
+                                                 UINT32_C(0x9837f051)};
     q = glint_clamp_q(q);
-    const uint32_t t = ~(root[q & 3] >> (q >> 2)) / glint_clamp_n(n);
+    const uint32_t t = ~(GLINT_FLASH_U32(root[q & 3]) >> (q >> 2)) / glint_clamp_n(n);
     return t < GLINT_T_ONE ? t : GLINT_T_ONE; /* where n < 4, F(1) > 0 */
 }
 

@@ -12,4 +12,4 @@ static void lyon_run(const struct glint_near *near, struct glint_sample *samples
     glint_near_run(near, samples, count, lyon_near);
 }
 
-const struct glint_shade_model glint_shade_lyon = {GLINT_LYON, 0, NULL, NULL, lyon_run, glint_lyon_t};
+const struct glint_shade_model glint_shade_lyon GLINT_FLASH = {GLINT_LYON, 0, NULL, NULL, lyon_run, glint_lyon_t};

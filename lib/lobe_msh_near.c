@@ -46,4 +46,4 @@ static void msh_run(const struct glint_near *near, struct glint_sample *samples,
     glint_near_run(near, samples, count, msh_near);
 }
 
-const struct glint_shade_model glint_shade_msh = {GLINT_MSH, 1, NULL, msh_fold, msh_run, glint_msh_t};
+const struct glint_shade_model glint_shade_msh GLINT_FLASH = {GLINT_MSH, 1, NULL, msh_fold, msh_run, glint_msh_t};

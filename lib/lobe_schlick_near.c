@@ -14,4 +14,5 @@ static void schlick_run(const struct glint_near *near, struct glint_sample *samp
     glint_near_run(near, samples, count, schlick_near);
 }
 
-const struct glint_shade_model glint_shade_schlick = {GLINT_SCHLICK, 1, NULL, NULL, schlick_run, glint_schlick_t};
+const struct glint_shade_model glint_shade_schlick GLINT_FLASH = {GLINT_SCHLICK, 1,           NULL,
+                                                                  NULL,          schlick_run, glint_schlick_t};

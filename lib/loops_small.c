@@ -63,11 +63,11 @@ static void small_pixel(const struct glint_tables *tables, const struct glint_su
             line[3 * (ptrdiff_t)x + k] = (uint8_t)(sum_field(sum, format, k) >> 1);
     } else {
         uint32_t grey = 0; /* 255 * 2 * 256 = 1.0 */
-        static const uint8_t luma[3] = {GLINT_LUMA_RED, GLINT_LUMA_GREEN, GLINT_LUMA_BLUE};
+        static const uint8_t luma[3] GLINT_FLASH = {GLINT_LUMA_RED, GLINT_LUMA_GREEN, GLINT_LUMA_BLUE};
         const uint32_t sum = clamp_sum(raw, format);
         for (int k = 0; k < 3; k++) {
             const uint32_t level = sum_field(sum, format, k);
-            grey += luma[k] * (level < 510 ? level : 510);
+            grey += GLINT_FLASH_U8(luma[k]) * (level < 510 ? level : 510);
         }
         if (format == GLINT_GREY8) {
             const uint32_t shade = (grey + 32 * b + (tables->dither ? 16 : 0)) >> 9;

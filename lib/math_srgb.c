@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
  * The sRGB transfer function, IEC 61966-2-1. The tables are printed by tests/exact/srgb_tables.py. */
 #include "glint.h"
+#include "glint_math_flash.h"
 
 /* clang-format off */
-static const uint16_t decoded[256] = {
+static const uint16_t decoded[256] GLINT_FLASH = {
     0, 20, 40, 60, 80, 99, 119, 139, 159, 179, 199, 219, 241, 264, 288, 313,
     340, 367, 396, 427, 458, 491, 526, 562, 599, 637, 677, 718, 761, 805, 851, 898,
     947, 997, 1048, 1101, 1156, 1212, 1270, 1330, 1391, 1453, 1517, 1583, 1651, 1720, 1790, 1863,
@@ -21,7 +22,7 @@ static const uint16_t decoded[256] = {
     48850, 49344, 49841, 50341, 50844, 51349, 51858, 52369, 52884, 53401, 53921, 54445, 54971, 55500, 56032, 56567,
     57105, 57646, 58190, 58737, 59287, 59840, 60396, 60955, 61517, 62082, 62650, 63221, 63795, 64372, 64952, 65535,
 };
-static const uint16_t encoded[289] = {
+static const uint16_t encoded[289] GLINT_FLASH = {
     1654, 1705, 1757, 1809, 1860, 1912, 1964, 2016, 2067, 2119, 2171, 2222, 2274, 2326, 2377, 2429,
     2481, 2532, 2584, 2636, 2687, 2737, 2786, 2835, 2884, 2932, 2979, 3027, 3073, 3119, 3165, 3210,
     3255, 3344, 3431, 3516, 3600, 3683, 3764, 3844, 3923, 4001, 4078, 4154, 4228, 4302, 4375, 4447,
@@ -46,7 +47,7 @@ static const uint16_t encoded[289] = {
 
 uint16_t glint_srgb_decode(uint8_t e)
 {
-    return decoded[e];
+    return GLINT_FLASH_U16(decoded[e]);
 }
 
 /* Below 128 the curve is a line of slope 12.92; above, each octave has 32 chords. */
@@ -67,6 +68,7 @@ uint16_t glint_srgb_encode(uint16_t linear)
     octave += rest8 >= 2 ? 2 : rest8;
     const unsigned bits = 2 + octave; /* of a chord's width */
     const uint16_t *chord = &encoded[32 * octave + (v >> bits) - 32];
-    const uint32_t rise = (uint32_t)(chord[1] - chord[0]), rest = v & (((uint32_t)1 << bits) - 1);
-    return (uint16_t)(chord[0] + ((rise * rest + ((uint32_t)1 << (bits - 1))) >> bits));
+    const uint32_t rise = (uint32_t)(GLINT_FLASH_U16(chord[1]) - GLINT_FLASH_U16(chord[0])),
+                   rest = v & (((uint32_t)1 << bits) - 1);
+    return (uint16_t)(GLINT_FLASH_U16(chord[0]) + ((rise * rest + ((uint32_t)1 << (bits - 1))) >> bits));
 }

@@ -69,7 +69,7 @@ void glint_pixel_put(const struct glint_shader *shader, const struct glint_surfa
     for (int k = 0; k < 3; k++) {
         const uint64_t value =
             grey ? (GLINT_LUMA_RED * v[0] + GLINT_LUMA_GREEN * v[1] + GLINT_LUMA_BLUE * v[2]) >> 8 : v[k];
-        levels[k] = (uint8_t)pixel_level(shader, value, glint_exact_max[shader->format][k], weight);
+        levels[k] = (uint8_t)pixel_level(shader, value, GLINT_FLASH_U8(glint_exact_max[shader->format][k]), weight);
     }
     glint_exact_store(shader->format, (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y, x, levels);
 }

@@ -3,11 +3,11 @@
 
 #define ONE ((uint64_t)65535 << 32) /* a value of 1.0 */
 
-static const uint8_t bayer[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+static const uint8_t bayer[4][4] GLINT_FLASH = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
 
 uint32_t glint_pixel_bayer(uint32_t x, uint32_t y)
 {
-    return bayer[y & 3][x & 3];
+    return GLINT_FLASH_U8(bayer[y & 3][x & 3]);
 }
 
 uint32_t glint_exact_weight(const struct glint_shader *shader, uint32_t x, uint32_t y)
@@ -30,7 +30,8 @@ uint32_t glint_exact_level(uint64_t x, uint32_t max, uint32_t weight)
     return (z + (z >> 16) + 1) >> 16;
 }
 
-const uint8_t glint_exact_max[5][3] = {{31, 63, 31}, {31, 63, 31}, {255, 255, 255}, {255, 255, 255}, {1, 1, 1}};
+const uint8_t glint_exact_max[5][3] GLINT_FLASH = {
+    {31, 63, 31}, {31, 63, 31}, {255, 255, 255}, {255, 255, 255}, {1, 1, 1}};
 
 void glint_exact_store(uint8_t format, uint8_t *line, uint32_t x, const uint8_t levels[3])
 {

@@ -16,7 +16,7 @@ static bool linear_draws(const struct glint_shader *shader)
 static void linear_fold(struct glint_prepared *p)
 {
     const struct glint_material *m = &p->shader.material;
-    const uint32_t slack = p->model->slack;
+    const uint32_t slack = GLINT_FLASH_U8(p->model->slack);
     p->w = p->w_maps = 0;
     for (int k = 0; k < 3; k++) {
         const uint32_t d = glint_coefficient(m->diffuse_q16[k]), s = glint_coefficient(m->specular_q16[k]);
@@ -92,7 +92,7 @@ static uint32_t linear_encode(uint8_t *level, const uint32_t *v, unsigned count,
 static uint32_t linear_levels(const struct glint_prepared *p, const struct glint_run *run,
                               const struct glint_sample *samples, unsigned count)
 {
-    static const uint8_t luma[3] = {GLINT_LUMA_RED, GLINT_LUMA_GREEN, GLINT_LUMA_BLUE};
+    static const uint8_t luma[3] GLINT_FLASH = {GLINT_LUMA_RED, GLINT_LUMA_GREEN, GLINT_LUMA_BLUE};
     const uint8_t *max = glint_exact_max[p->shader.format];
     const bool grey = p->shader.format >= GLINT_GREY8;
     const uint32_t w = run->gloss ? p->w_maps : p->w;
@@ -101,12 +101,12 @@ static uint32_t linear_levels(const struct glint_prepared *p, const struct glint
     for (unsigned i = 0; i < 4; i++)
         threshold[i] = LINEAR_ONE * glint_exact_weight(&p->shader, run->left + run->x + i, run->y) >> 5;
     for (int k = 0; k < 3; k++) {
-        linear_sum(v, p, k, run, samples, count, grey ? luma[k] : 0);
+        linear_sum(v, p, k, run, samples, count, grey ? GLINT_FLASH_U8(luma[k]) : 0);
         if (!grey)
-            open |= linear_encode(level[k], v, count, w, max[k], threshold);
+            open |= linear_encode(level[k], v, count, w, GLINT_FLASH_U8(max[k]), threshold);
     }
     if (grey)
-        open = linear_encode(level[0], v, count, w, max[0], threshold);
+        open = linear_encode(level[0], v, count, w, GLINT_FLASH_U8(max[0]), threshold);
     for (unsigned i = 0; i < count; i++) {
         const uint8_t green = level[grey ? 0 : 1][i], blue = level[grey ? 0 : 2][i];
         const uint8_t levels[3] = {level[0][i], green, blue};
@@ -124,4 +124,5 @@ static void linear_exact(const struct glint_shader *shader, const struct glint_r
                       run->albedo ? run->albedo + 3 * i : shader->material.albedo, run->gloss ? run->gloss[i] : 255);
 }
 
-const struct glint_shade_format glint_shade_linear = {linear_draws, linear_fold, linear_levels, linear_exact};
+const struct glint_shade_format glint_shade_linear GLINT_FLASH = {linear_draws, linear_fold, linear_levels,
+                                                                  linear_exact};

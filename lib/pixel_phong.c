@@ -48,5 +48,5 @@ static void phong_geometry(const struct glint_light *light, const struct glint_v
     }
 }
 
-const struct glint_shade_model glint_shade_phong = {GLINT_PHONG,  1, phong_geometry, NULL, glint_blinn_run,
-                                                    glint_blinn_t};
+const struct glint_shade_model glint_shade_phong GLINT_FLASH = {GLINT_PHONG,  1, phong_geometry, NULL, glint_blinn_run,
+                                                                glint_blinn_t};

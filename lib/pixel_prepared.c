@@ -6,13 +6,13 @@
 static uint32_t prepared_find_t_end(const struct glint_shade_model *model, uint32_t n, uint32_t t_max)
 {
     const uint32_t last = t_max < GLINT_T_ONE ? t_max : GLINT_T_ONE;
-    if (model->exact(n, last))
+    if (GLINT_FLASH_POINTER(model->exact)(n, last))
         return last + 1;
-    if (!model->exact(n, 0))
+    if (!GLINT_FLASH_POINTER(model->exact)(n, 0))
         return 0;
     uint32_t t = 0;
     for (uint32_t bit = GLINT_T_ONE >> 1; bit; bit >>= 1)
-        if (t + bit < last && model->exact(n, t + bit))
+        if (t + bit < last && GLINT_FLASH_POINTER(model->exact)(n, t + bit))
             t += bit;
     return t + 1;
 }
@@ -28,17 +28,17 @@ void glint_prepared_fill(struct glint_prepared *prepared, const struct glint_sha
     near->n = lobe->n < 1 ? 1 : lobe->n > GLINT_N_MAX ? GLINT_N_MAX : lobe->n;
     near->f_max = shader->clamp_peak ? 65536 : UINT32_MAX;
     near->t_end = prepared_find_t_end(model, near->n, lobe->t_max_q30);
-    if (model->fold && near->t_end)
-        model->fold(near);
-    format->fold(prepared);
+    if (GLINT_FLASH_POINTER(model->fold) && near->t_end)
+        GLINT_FLASH_POINTER(model->fold)(near);
+    GLINT_FLASH_POINTER(format->fold)(prepared);
 }
 
 enum glint_err glint_shade_prepare_for(struct glint_prepared *prepared, const struct glint_shader *shader,
                                        const struct glint_shade_model *model, const struct glint_shade_format *format)
 {
-    if (!prepared || !shader || !model || !format || shader->lobe.model != model->model)
+    if (!prepared || !shader || !model || !format || shader->lobe.model != GLINT_FLASH_U8(model->model))
         return GLINT_ERR_ARG;
-    if (!format->draws(shader))
+    if (!GLINT_FLASH_POINTER(format->draws)(shader))
         return GLINT_ERR_FORMAT;
     glint_prepared_fill(prepared, shader, model, format);
     return GLINT_OK;
@@ -60,17 +60,18 @@ static void prepared_finish(const struct glint_prepared *prepared, const struct 
     for (unsigned i = 0; open; i++, open >>= 1, sample++) {
         if (!(open & 1))
             continue;
-        uint32_t f = sample->t_q30 < near->t_end ? prepared->model->exact(near->n, sample->t_q30) : 0;
+        uint32_t f =
+            sample->t_q30 < near->t_end ? GLINT_FLASH_POINTER(prepared->model->exact)(near->n, sample->t_q30) : 0;
         f = f < near->f_max ? f : near->f_max;
-        prepared->format->exact(&prepared->shader, run, i, sample->nl_q16, f);
+        GLINT_FLASH_POINTER(prepared->format->exact)(&prepared->shader, run, i, sample->nl_q16, f);
     }
 }
 
 void glint_prepared_run(const struct glint_prepared *prepared, const struct glint_run *run,
                         struct glint_sample *samples, unsigned count)
 {
-    prepared->model->run(&prepared->near, samples, count);
-    const uint32_t open = prepared->format->levels(prepared, run, samples, count);
+    GLINT_FLASH_POINTER(prepared->model->run)(&prepared->near, samples, count);
+    const uint32_t open = GLINT_FLASH_POINTER(prepared->format->levels)(prepared, run, samples, count);
     if (open)
         prepared_finish(prepared, run, samples, open);
 }

@@ -53,4 +53,5 @@ static void rgb565_exact(const struct glint_shader *shader, const struct glint_r
     out[!swapped] = (uint8_t)(rgb >> 8);
 }
 
-const struct glint_shade_format glint_shade_rgb565 = {rgb565_draws, rgb565_fold, rgb565_levels, rgb565_exact};
+const struct glint_shade_format glint_shade_rgb565 GLINT_FLASH = {rgb565_draws, rgb565_fold, rgb565_levels,
+                                                                  rgb565_exact};

@@ -42,4 +42,5 @@ static void rgb888_exact(const struct glint_shader *shader, const struct glint_r
         run->line[3 * x + (uint32_t)k] = (uint8_t)glint_exact_level(v[k], 255, weight);
 }
 
-const struct glint_shade_format glint_shade_rgb888 = {rgb888_draws, rgb888_fold, rgb888_levels, rgb888_exact};
+const struct glint_shade_format glint_shade_rgb888 GLINT_FLASH = {rgb888_draws, rgb888_fold, rgb888_levels,
+                                                                  rgb888_exact};

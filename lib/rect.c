@@ -113,10 +113,10 @@ enum glint_err glint_shade_prepared_rect(const struct glint_prepared *prepared, 
     const struct glint_light *light = &prepared->shader.light;
     const bool wide = glint_light_is_wide(light);
     void (*const samples_of)(const struct glint_light *light, const struct glint_vec *normals,
-                             struct glint_sample *samples, unsigned count) = prepared->model->geometry
-                                                                                 ? prepared->model->geometry
-                                                                             : wide ? geometry_wide
-                                                                                    : geometry_unit;
+                             struct glint_sample *samples, unsigned count) =
+        GLINT_FLASH_POINTER(prepared->model->geometry) ? GLINT_FLASH_POINTER(prepared->model->geometry)
+        : wide                                         ? geometry_wide
+                                                       : geometry_unit;
     struct glint_bounds bounds;
     bounds.left = bounds.right = bounds.top = bounds.bottom = 0;
     bounds.any = false;

@@ -12,10 +12,12 @@ typedef char glint_albedo_bytes[GLINT_TABLES_ALBEDO_BYTES == GLINT_ALBEDO_LEVELS
 /* The highlight's nearest levels in RGB565, as fields (GLINT_ALBEDO_FIELDS). */
 static uint32_t shine_word(const struct glint_shader *shader, uint64_t f)
 {
-    static const struct glint_field fields[3] = {{11, 16, 31}, {21, 27, 63}, {0, 5, 31}};
+    static const struct glint_field fields[3] GLINT_FLASH = {{11, 16, 31}, {21, 27, 63}, {0, 5, 31}};
     uint32_t word = 0;
     for (int k = 0; k < 3; k++)
-        word |= glint_field_level(fields[k], glint_pixel_value(shader, k, 0, 0, 65535 * f)) << fields[k].at;
+        word |= glint_field_level(GLINT_FLASH_STRUCT(struct glint_field, fields[k]),
+                                  glint_pixel_value(shader, k, 0, 0, 65535 * f))
+                << GLINT_FLASH_U8(fields[k].at);
     return word;
 }
 

@@ -22,7 +22,8 @@ typedef char glint_colour_runs[GLINT_COLOUR_STEPS % FILL_RUN == 0 ? 1 : -1];
 /* Finished pixels, a run of steps in every row: by the format's quick loop, which leaves few to the 64-bit sequence. */
 static void fill_colours(const struct glint_peak *peak, uint8_t *colours)
 {
-    static const struct glint_shade_model exact_f = {0, 0, NULL, NULL, NULL, NULL}; /* F is given, without slack */
+    /* F is given, without slack. */
+    static const struct glint_shade_model exact_f GLINT_FLASH = {0, 0, NULL, NULL, NULL, NULL};
     const struct glint_shader *shader = peak->shader;
     const struct glint_shade_format *format = shader->space == GLINT_LINEAR ? &glint_shade_linear : &glint_shade_rgb565;
     struct glint_run run = {NULL, 0, 0, 0, NULL, NULL};
@@ -30,7 +31,7 @@ static void fill_colours(const struct glint_peak *peak, uint8_t *colours)
     struct glint_prepared prepared;
     prepared.shader = *shader;
     prepared.model = &exact_f;
-    format->fold(&prepared);
+    GLINT_FLASH_POINTER(format->fold)(&prepared);
     for (; run.x < GLINT_COLOUR_STEPS; run.x += FILL_RUN) {
         for (unsigned i = 0; i < FILL_RUN; i++)
             samples[i].f_q16 = glint_peak_f(peak, run.x + i);
@@ -39,10 +40,10 @@ static void fill_colours(const struct glint_peak *peak, uint8_t *colours)
             for (unsigned i = 0; i < FILL_RUN; i++)
                 samples[i].nl_q16 = nl;
             run.line = colours + 2 * GLINT_COLOUR_STEPS * (ptrdiff_t)run.y;
-            const uint32_t open = format->levels(&prepared, &run, samples, FILL_RUN);
+            const uint32_t open = GLINT_FLASH_POINTER(format->levels)(&prepared, &run, samples, FILL_RUN);
             for (unsigned i = 0; open >> i; i++)
                 if (open >> i & 1)
-                    format->exact(shader, &run, i, nl, samples[i].f_q16);
+                    GLINT_FLASH_POINTER(format->exact)(shader, &run, i, nl, samples[i].f_q16);
         }
     }
 }

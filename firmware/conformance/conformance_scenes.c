@@ -4,6 +4,8 @@
 
 #include "conformance_random.h"
 
+#if !CONFORMANCE_MODELS_ONLY /* a part that is too small for these is refused at compile time */
+
 /* ---- geometry and colour ---- */
 
 void conform_vectors(const struct conformance_size *size)
@@ -152,3 +154,5 @@ void conform_scenes(unsigned format, const struct conformance_size *size)
             for (uint8_t scene = 0; scene < size->scenes; scene++)
                 add_scene(model, format, space, flags++);
 }
+
+#endif

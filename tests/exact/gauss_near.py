@@ -9,7 +9,7 @@ TWO = Decimal(2)
 
 
 def print_table(name, values, line):
-    print("static const uint32_t %s[%d] = {" % (name, len(values)))
+    print("static const uint32_t %s[%d] GLINT_FLASH = {" % (name, len(values)))
     for i in range(0, len(values), line):
         print("    " + " ".join("%d," % value for value in values[i:i + line]))
     print("};")

@@ -10,7 +10,7 @@ def farthest(i, y):
 
 table = [min(range(128, 256), key=lambda y: farthest(i, y)) for i in range(64)]
 assert max(farthest(i, y) for i, y in enumerate(table)) < Fraction("0.00904")  # what the error bounds there build on
-print("const uint8_t glint_reciprocals[64] = {")
+print("const uint8_t glint_reciprocals[64] GLINT_FLASH = {")
 for i in range(0, 64, 16):
     print("    " + " ".join("%d," % y for y in table[i:i + 16]))
 print("};")

@@ -22,7 +22,7 @@ def encode(v):
 
 
 def show(name, values):
-    print("static const uint16_t %s[%d] = {" % (name, len(values)))
+    print("static const uint16_t %s[%d] GLINT_FLASH = {" % (name, len(values)))
     for i in range(0, len(values), 16):
         print("    " + " ".join("%d," % v for v in values[i:i + 16]))
     print("};")

@@ -2,7 +2,8 @@
 # Tier packages: lib/ as each build system takes it, built and, where something runs the result, run. Every
 # tests/packages/test_* is a script that speaks TAP.
 PACKAGES_PACKAGES = cmake gcc libc6-dev make pkg-config python3 python3-yaml python3-kconfiglib gcc-arm-none-eabi \
-	gcc-riscv64-unknown-elf gcc-xtensa-lx106 qemu-system-arm arduino-builder arduino-core-avr simavr
+	gcc-riscv64-unknown-elf gcc-xtensa-lx106 gcc-avr avr-libc qemu-system-arm arduino-builder \
+	arduino-core-avr simavr
 PACKAGES_TESTS = $(wildcard tests/packages/test_*)
 
 setup-packages:

@@ -7,7 +7,7 @@ import re
 # function of libm is among them.
 ALLOWED = re.compile(r"""
     glint_\w+
-  | mem(cpy|set|move|cmp)
+  | mem(cpy|set|move|cmp) | memcpy_P                    # AVR: memcpy_P from flash
   | __aeabi_(u?idiv(mod)?|u?ldivmod|lmul|llsl|llsr|lasr|l?u?lcmp|mem(cpy|set|move|clr)[48]?|[ui]div0|ldiv0)
   | __gnu_thumb1_case_\w+                               # a switch, on Cortex-M0
   | __(u?div|u?mod|u?divmod|mul|ashl|ashr|lshr|u?cmp|clz|ctz|bswap|neg)([qhsd]i)[234]?
@@ -44,7 +44,7 @@ def complaints(target, objects):
 def text_bytes(target, objects):
     """Code and constants, and the constants alone."""
     lines = target.tool("size", "-B", *objects).split("\n")[1:]
-    constants = re.findall(r"^\.rodata\S*\s+(\d+)", target.tool("size", "-A", *objects), re.M)
+    constants = re.findall(r"^\.(?:rodata|progmem|irom0)\S*\s+(\d+)", target.tool("size", "-A", *objects), re.M)
     return sum(int(line.split()[0]) for line in lines if line), sum(map(int, constants))
 
 

@@ -7,7 +7,8 @@ xtensa_RUN = qemu-system-xtensa -M sim -cpu % -display none -semihosting -kernel
 xtensa_BOARDS = lx106
 
 xtensa_CORE_lx106 = lx106
-xtensa_FLAGS_lx106 = -mtext-section-literals
+# As the ESP8266's kits compile: constants stay in flash and are read in words.
+xtensa_FLAGS_lx106 = -mtext-section-literals -DESP8266
 xtensa_SCRIPT_lx106 = lx106.ld
 $(eval $(call bare_port,xtensa))
 
