@@ -4,7 +4,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "gadget.h"
+#include "configfs.h"
+#include "display.h"
 
 static const char *const faults[] = {"none",         /* */
                                      "unplug",       /* off the bus in the middle of bulk */

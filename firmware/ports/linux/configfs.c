@@ -3,13 +3,15 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mount.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "gadget.h"
+#include "configfs.h"
+#include "message.h"
 
 #define CONFIGFS "/sys/kernel/config"
 #define GADGETS CONFIGFS "/usb_gadget"
@@ -205,6 +207,7 @@ const char *configfs_create(const struct options *options)
     if (mkdir(gadget, 0755) != 0)
         fail("%s: %s%s", gadget, strerror(errno), remedy(errno));
     created = true;
+    atexit(configfs_remove);
     describe(options);
     mount_function(options);
     return mounted;

@@ -1,37 +1,13 @@
 /* SPDX-License-Identifier: MIT
  * The portable GUD device with this board's memory and picture. */
-#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "gadget.h"
+#include "configfs.h"
+#include "display.h"
+#include "message.h"
 
 enum { REFRESH_HZ = 60, OUTPUT_BYTES = 3, WIDEST_BYTES = 4 };
-
-static void say(const char *format, va_list arguments)
-{
-    fputs("glint-gadget: ", stderr);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
-}
-
-void warn(const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    say(format, arguments);
-    va_end(arguments);
-}
-
-void fail(const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    say(format, arguments);
-    va_end(arguments);
-    configfs_remove();
-    exit(1);
-}
 
 static uint8_t *memory(size_t bytes)
 {

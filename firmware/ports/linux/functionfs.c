@@ -5,14 +5,17 @@
 #include <fcntl.h>
 #include <linux/usb/functionfs.h>
 #include <poll.h>
+#include <pthread.h>
 #include <signal.h>
-#include <stdlib.h>
+#include <stdio.h>
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
 
-#include "gadget.h"
+#include "configfs.h"
+#include "functionfs.h"
+#include "message.h"
 
 enum {
     CHUNK_BYTES = 32768, /* of a read; a multiple of every packet size */

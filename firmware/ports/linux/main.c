@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * glint-gadget: this board as a USB display. */
-#include "gadget.h"
+#include "display.h"
 
 const char *argp_program_version = "glint-gadget " GLINT_VERSION_STRING;
 

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "gadget.h"
+#include "options.h"
 
 enum { SIDE_MAX = 8192, BUFFER_MAX = 64 << 20, EACH_DEFAULT = 1000, EACH_MAX = 999999 };
 

@@ -8,7 +8,8 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "gadget.h"
+#include "message.h"
+#include "picture.h"
 #include "picture_file.h"
 
 static void open_framebuffer(struct picture *picture, const char *path)

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "gadget.h"
+#include "message.h"
 
 #define PART ".part-XXXXXX"
 enum { NUMBER_LEN = 7 + 4 /* -000001, and room for more digits */ };
