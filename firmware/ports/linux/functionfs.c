@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * FunctionFS: control requests in this thread, bulk in another, because a read of the endpoint blocks. */
+ * FunctionFS: this thread answers control requests; another reads bulk bytes, as a read of the endpoint blocks. */
 #include <endian.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -19,9 +19,9 @@
 
 enum {
     CHUNK_BYTES = 32768, /* of a read; a multiple of every packet size */
-    GRACE_MS = 50,       /* for bulk bytes that are under way when the next request is already there */
-    REPLUG_MS = 1000,    /* how often a controller that went away is looked for */
-    INTERRUPT = SIGUSR2  /* ends a read whose bytes never came */
+    GRACE_MS = 50,       /* for bulk bytes that are under way when the next request arrives */
+    REPLUG_MS = 1000,    /* how often to look for a controller that went away */
+    INTERRUPT = SIGUSR2  /* ends a read */
 };
 
 static const struct usb_function *function;
@@ -29,8 +29,8 @@ static bool verbose;
 static int control, bulk_out, signals;
 
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
-static pthread_cond_t wanted = PTHREAD_COND_INITIALIZER; /* the bulk thread waits for work */
-static pthread_cond_t progress;                          /* the control thread waits for the bulk thread */
+static pthread_cond_t work = PTHREAD_COND_INITIALIZER; /* the bulk thread waits for it */
+static pthread_cond_t progress;                        /* the control thread waits for the bulk thread */
 static pthread_t bulk_thread;
 static bool configured, ending, reading, stopping;
 static unsigned long reads; /* finished */
@@ -88,8 +88,8 @@ static void write_descriptors(void)
 
 /* ---- bulk ---- */
 
-/* Reads end with a short packet or when full: whole packets, so that too long a packet has room, and never more than the
- * rectangle needs, because no short packet follows one that ends with a full packet. */
+/* A read ends with a short packet or when it is full. It takes whole packets, so that a packet that is too long has room, and
+ * no more of them than the rectangle needs: no short packet follows a rectangle that ends with a full one. */
 static size_t read_bytes(uint32_t expected)
 {
     struct usb_endpoint_descriptor endpoint;
@@ -107,7 +107,7 @@ static void *bulk_loop(void *nothing)
     while (!ending) {
         const uint32_t expected = configured && !stopping ? function->expects(function->context) : 0;
         if (expected == 0) {
-            pthread_cond_wait(&wanted, &lock);
+            pthread_cond_wait(&work, &lock);
             continue;
         }
         reading = true;
@@ -127,7 +127,7 @@ static void *bulk_loop(void *nothing)
     return nothing;
 }
 
-/* By a clock that is never set: boards without a clock of their own get the time from the network, later. */
+/* By the clock that is never set: boards without a battery get the time from the network, after a while. */
 static void begin_progress(void)
 {
     pthread_condattr_t attributes;
@@ -149,8 +149,8 @@ static void wait_progress(long ms)
     pthread_cond_timedwait(&progress, &lock, &until);
 }
 
-/* A host may ask for the next rectangle as soon as the last byte of this one is with the controller: what is under way
- * arrives first. */
+/* A host may ask for the next rectangle as soon as the controller has the last byte of this one, so this waits for bytes that
+ * are under way. */
 static void let_bulk_arrive(void)
 {
     for (unsigned long before = reads - 1; configured && before != reads && function->expects(function->context);) {
@@ -159,8 +159,8 @@ static void let_bulk_arrive(void)
     }
 }
 
-/* The lock is held, and is again when this returns. The signal may come before the read has begun, so it comes again; and no
- * other read begins for the rectangle that is about to be given up. */
+/* Ends a read whose bytes never came. The caller holds the lock. The signal may arrive before the read has begun, so it is
+ * sent again; `stopping` keeps another read from beginning for the rectangle that is given up. */
 static void stop_reading(void)
 {
     stopping = true;
@@ -169,18 +169,18 @@ static void stop_reading(void)
         wait_progress(1);
     }
     stopping = false;
-    pthread_cond_signal(&wanted);
+    pthread_cond_signal(&work);
 }
 
 void functionfs_halt(void)
 {
-    if (write(bulk_out, "", 1) >= 0 || errno != EBADMSG) /* the wrong direction means a stall to FunctionFS */
+    if (write(bulk_out, "", 1) >= 0 || errno != EBADMSG) /* FunctionFS stalls on I/O in the wrong direction */
         warn("the endpoint cannot be stalled: %s", strerror(errno));
 }
 
 /* ---- control ---- */
 
-/* FunctionFS stalls on I/O in the direction opposite to the request's. */
+/* The same for a request. */
 static void stall(bool in)
 {
     char none;
@@ -218,10 +218,10 @@ static void answer(const struct usb_ctrlrequest *request)
         return;
     }
     if (read(control, data, (size_t)length) != length)
-        return; /* the host went on to another request, or away */
+        return; /* the host sent another request, or left */
     pthread_mutex_lock(&lock);
     const bool good = function->set(function->context, &setup, data);
-    pthread_cond_signal(&wanted);
+    pthread_cond_signal(&work);
     pthread_mutex_unlock(&lock);
     if (verbose && !good)
         fprintf(stderr, "request %02x: its values are refused\n", setup.request);
@@ -245,7 +245,7 @@ static void take_event(const struct usb_functionfs_event *event)
         stop_reading();
         function->event(function->context, USB_RESET);
         configured = event->type == FUNCTIONFS_ENABLE;
-        pthread_cond_signal(&wanted);
+        pthread_cond_signal(&work);
         break;
     case FUNCTIONFS_SUSPEND:
         function->event(function->context, USB_SUSPEND);
@@ -282,9 +282,9 @@ void functionfs_hold_signals(void)
     for (size_t i = 0; i < sizeof held / sizeof *held; i++)
         sigaddset(&set, held[i]);
     pthread_sigmask(SIG_BLOCK, &set, NULL);
-    const struct sigaction interrupt = {.sa_handler = ignore}; /* without SA_RESTART */
+    const struct sigaction interrupt = {.sa_handler = ignore}; /* without SA_RESTART: the read returns */
     sigaction(INTERRUPT, &interrupt, NULL);
-    signal(SIGPIPE, SIG_IGN); /* the reader of the messages is gone: go on, and take the gadget down at the end */
+    signal(SIGPIPE, SIG_IGN); /* without a reader of the messages it goes on, and takes the gadget down at the end */
     signals = signalfd(-1, &set, SFD_CLOEXEC);
 }
 
@@ -304,7 +304,7 @@ static void serve(void (*dump)(void *context))
     for (;;) {
         const int ready = poll(files, 2, REPLUG_MS);
         if (ready < 0)
-            continue; /* interrupted: the events are stale */
+            continue; /* interrupted: revents are stale */
         if (ready == 0 && configfs_is_lost())
             configfs_plug();
         if (files[0].revents & (POLLIN | POLLHUP | POLLERR))
@@ -328,6 +328,8 @@ void functionfs_run(const char *folder, const struct usb_function *run, bool tel
     begin_progress();
     control = open_endpoint(folder, "ep0", O_RDWR);
     write_descriptors();
+    fcntl(control, F_SETFL,
+          O_NONBLOCK); /* events may be gone after poll; a request's data are waited for all the same */
     bulk_out = open_endpoint(folder, "ep1", O_RDWR);
     const int error = pthread_create(&bulk_thread, NULL, bulk_loop, NULL);
     if (error)
@@ -340,7 +342,6 @@ void functionfs_run(const char *folder, const struct usb_function *run, bool tel
     pthread_mutex_lock(&lock);
     ending = true;
     stop_reading();
-    pthread_cond_signal(&wanted);
     pthread_mutex_unlock(&lock);
     pthread_join(bulk_thread, NULL);
     configfs_unplug();

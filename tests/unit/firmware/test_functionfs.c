@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: MIT
+ * glint-gadget's loop over requests, with sockets in the place of FunctionFS's files. */
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "unit.h"
+
+/* What the port's file is to call instead. */
+static int fake_open(const char *path, int flags);
+static int fake_poll(struct pollfd *files, unsigned long count, int ms);
+#define open fake_open
+#define poll fake_poll
+#include "../../../firmware/ports/linux/functionfs.c"
+#undef open
+#undef poll
+#include "../../../firmware/ports/linux/message.c"
+
+bool configfs_plug(void)
+{
+    return true;
+}
+bool configfs_unplug(void)
+{
+    return true;
+}
+bool configfs_is_lost(void)
+{
+    return false;
+}
+const char *configfs_udc(void)
+{
+    return "none";
+}
+
+static int kernel[2]; /* the other ends of ep0 and ep1 */
+
+static int fake_open(const char *path, int flags)
+{
+    int ends[2];
+    const bool is_bulk = strstr(path, "ep1") != NULL;
+    assert_true(flags & O_RDWR);
+    assert_int_equal(socketpair(AF_UNIX, SOCK_SEQPACKET, 0, ends), 0);
+    kernel[is_bulk] = ends[1];
+    return ends[0];
+}
+
+static unsigned stale;
+
+/* As some kernels (6.1) do: ep0 is ready, and then its event is gone. Only then a signal ends the run. */
+static int fake_poll(struct pollfd *files, unsigned long count, int ms)
+{
+    if (stale == 3)
+        kill(getpid(), SIGTERM);
+    if (stale++ >= 3)
+        return poll(files, count, ms);
+    files[0].revents = POLLIN;
+    files[1].revents = 0;
+    return 1;
+}
+
+static int no_setup(void *context, const struct gud_setup *setup, uint8_t *reply)
+{
+    (void)context, (void)setup, (void)reply;
+    return GUD_STALL;
+}
+static bool no_set(void *context, const struct gud_setup *setup, const uint8_t *data)
+{
+    (void)context, (void)setup, (void)data;
+    return false;
+}
+static uint32_t expects_nothing(void *context)
+{
+    (void)context;
+    return 0;
+}
+static void no_bulk(void *context, const uint8_t *bytes, size_t count)
+{
+    (void)context, (void)bytes, (void)count;
+}
+static void no_event(void *context, enum usb_event event)
+{
+    (void)context, (void)event;
+}
+static void no_dump(void *context)
+{
+    (void)context;
+}
+
+static void an_event_that_is_gone_when_it_is_read_does_not_hold_up_signals(void **state)
+{
+    (void)state;
+    const struct usb_function silent = {no_setup, no_set, expects_nothing, no_bulk, no_event, NULL};
+    alarm(10); /* a run that hangs ends the test */
+    functionfs_hold_signals();
+    functionfs_run("/nowhere", &silent, false, no_dump);
+    alarm(0);
+    assert_true(stale > 3);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_event_that_is_gone_when_it_is_read_does_not_hold_up_signals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
