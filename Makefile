@@ -110,10 +110,23 @@ run-demo: all
 	@chafa --size 80x30 build/demo/rockwall.png build/demo/watchface.png
 	@echo "demo: rockwall.png, watchface.png, coin.png and sphere.png are in build/demo"
 
+# A page for glint and one for each command, from the tables of options behind --help.
+COMMAND_PAGES = $(patsubst host/commands/%.c,glint-%.1,$(wildcard host/commands/*.c))
+$(BUILD)/man: $(BUILD)/glint
+	@rm -rf $@ && mkdir -p $@
+	$(BUILD)/glint --_man >$@/glint.1
+	for command in $$($(BUILD)/glint --_choices ''); do \
+		$(BUILD)/glint $$command --_man >$@/glint-$$command.1 || { rm -rf $@; exit 1; }; done
+	@touch $@
+
 INSTALL = $(DESTDIR)$(PREFIX)
-install: all run-install-lib ## use: library, header, libglint.pc, command and the udev rule, to DESTDIR/PREFIX (/usr/local)
-	install -d "$(INSTALL)/lib/udev/rules.d" "$(INSTALL)/bin"
+install: all run-install-lib $(BUILD)/man ## use: library, header, libglint.pc, command, its man pages and completion, the udev rule, to DESTDIR/PREFIX (/usr/local)
+	install -d "$(INSTALL)/lib/udev/rules.d" "$(INSTALL)/bin" "$(INSTALL)/share/man/man1" \
+		"$(INSTALL)/share/bash-completion/completions" "$(INSTALL)/share/zsh/site-functions"
 	install -m 755 $(BUILD)/glint "$(INSTALL)/bin/"
+	install -m 644 $(BUILD)/man/*.1 "$(INSTALL)/share/man/man1/"
+	install -m 644 host/completion/glint.bash "$(INSTALL)/share/bash-completion/completions/glint"
+	install -m 644 host/completion/_glint "$(INSTALL)/share/zsh/site-functions/"
 	install -m 644 host/udev/70-glint.rules "$(INSTALL)/lib/udev/rules.d/"
 
 # A folder for each compiler, so that a cross compiler's objects do not replace the host's.
@@ -130,7 +143,9 @@ run-install-lib: $(BUILD)/libglint.a
 
 uninstall: ## use: remove what make install put there
 	rm -f "$(INSTALL)/lib/libglint.a" "$(INSTALL)/lib/pkgconfig/libglint.pc" "$(INSTALL)/include/glint.h" \
-		"$(INSTALL)/bin/glint" "$(INSTALL)/lib/udev/rules.d/70-glint.rules"
+		"$(INSTALL)/bin/glint" "$(INSTALL)/lib/udev/rules.d/70-glint.rules" \
+		"$(INSTALL)/share/bash-completion/completions/glint" "$(INSTALL)/share/zsh/site-functions/_glint" \
+		"$(INSTALL)/share/man/man1/glint.1" $(COMMAND_PAGES:%="$(INSTALL)/share/man/man1/%")
 
 # Firmware: a port's goals are phony, so this pattern catches only what is no port.
 PORTS = $(patsubst firmware/ports/%/port.mk,%,$(sort $(wildcard firmware/ports/*/port.mk)))

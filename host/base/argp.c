@@ -8,7 +8,9 @@
 #include <string.h>
 
 #include "base/argp.h"
+#include "base/argp_options.h"
 #include "base/closest.h"
+#include "base/manual.h"
 #include "base/message.h"
 
 void refuse(const struct argp_state *state, const char *format, ...)
@@ -27,20 +29,15 @@ void refuse(const struct argp_state *state, const char *format, ...)
 
 /* ---- what was wrong ---- */
 
-enum { OPTIONS_MAX = 128 };
-struct option_list {
-    const struct argp_option *options[OPTIONS_MAX];
-    unsigned count;
-};
-
-/* The options of a parser and of its children. */
+/* The options of a parser and of its children, without headings. */
 static void collect(const struct argp *argp, struct option_list *list)
 {
-    for (const struct argp_option *o = argp->options; o && (o->name || o->key || o->doc || o->group); o++)
-        if ((o->name || o->key) && !(o->flags & OPTION_DOC) && list->count < OPTIONS_MAX)
-            list->options[list->count++] = o;
-    for (const struct argp_child *child = argp->children; child && child->argp; child++)
-        collect(child->argp, list);
+    options_collect(argp, list);
+    unsigned count = 0;
+    for (unsigned i = 0; i < list->count; i++)
+        if (!option_is_heading(list->options[i]))
+            list->options[count++] = list->options[i];
+    list->count = count;
 }
 
 static bool needs_value(const struct argp_option *option)
@@ -52,7 +49,7 @@ static void refuse_long_name(const struct argp_state *state, const struct option
 {
     const char *names[OPTIONS_MAX + 1] = {NULL};
     for (unsigned i = 0, count = 0; i < list->count; i++)
-        if (list->options[i]->name)
+        if (list->options[i]->name && !(list->options[i]->flags & OPTION_HIDDEN))
             names[count++] = list->options[i]->name;
     char *name = strndup(word + 2, strcspn(word + 2, "="));
     if (!name)
@@ -127,13 +124,17 @@ static void refuse_option(const struct argp_state *state)
 
 /* ---- what argp would have given ---- */
 
-enum { KEY_HELP = '?', KEY_USAGE = 1024, KEY_VERSION = 'V' };
+enum { KEY_HELP = '?', KEY_USAGE = 1024, KEY_MAN, KEY_OPTIONS, KEY_CHOICES, KEY_VERSION = 'V' };
 
 void (*version_print)(FILE *stream);
+bool choices_wanted;
 
 static const struct argp_option common_options[] = {{"help", KEY_HELP, NULL, 0, "Give this help list", -1},
                                                     {"usage", KEY_USAGE, NULL, 0, "Give a short usage message", 0},
                                                     {"version", KEY_VERSION, NULL, 0, "Print program version", -1},
+                                                    {"_man", KEY_MAN, NULL, OPTION_HIDDEN, NULL, -1},
+                                                    {"_options", KEY_OPTIONS, NULL, OPTION_HIDDEN, NULL, -1},
+                                                    {"_choices", KEY_CHOICES, NULL, OPTION_HIDDEN, NULL, -1},
                                                     {0}};
 
 static error_t parse_common(int key, char *text, struct argp_state *state)
@@ -148,6 +149,19 @@ static error_t parse_common(int key, char *text, struct argp_state *state)
         if (version_print)
             version_print(state->out_stream);
         exit(EXIT_GOOD);
+    case KEY_MAN:
+        manual_write(state->root_argp, state->name, state->out_stream);
+        exit(EXIT_GOOD);
+    case KEY_OPTIONS:
+        manual_list_options(state->root_argp, state->out_stream);
+        exit(EXIT_GOOD);
+    case KEY_CHOICES:
+        choices_wanted = true;
+        return 0;
+    case ARGP_KEY_END: /* comes here before it comes to the command */
+        if (choices_wanted)
+            exit(EXIT_GOOD);
+        return 0;
     case ARGP_KEY_ARG: /* which no other parser took */
         refuse(state, "unexpected argument '%s'", text);
     case ARGP_KEY_ERROR:

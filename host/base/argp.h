@@ -4,6 +4,7 @@
 #define GLINT_BASE_ARGP_H
 
 #include <argp.h>
+#include <stdbool.h>
 #include <stdio.h>
 
 /* argp_parse with its flags. Usage errors are one line that begins with argv[0] and ends with where help is; exit 2. */
@@ -11,6 +12,10 @@ void parse_command(const struct argp *argp, unsigned flags, int argc, char **arg
 
 /* For an argp's help_filter: what `print` prints, as argp frees it; where there is no memory, `text`. */
 char *help_text(const char *text, void (*print)(FILE *stream));
+
+/* Given --_choices, for completion: what refuses an unknown name prints the names that there are instead, and no command
+ * runs. (--_man prints the page for man, --_options the options; manual.h.) */
+extern bool choices_wanted;
 
 /* What --version prints; NULL: nothing. */
 extern void (*version_print)(FILE *stream);
