@@ -18,6 +18,8 @@ TIERS = unit exact targets packages lab pico gateware
 export TMPDIR := $(shell test -d "$$TMPDIR" && test -w "$$TMPDIR" && echo "$$TMPDIR" || echo /tmp)
 
 # Flags. Those that ask pkg-config are recursive (=) and silent: before set-up it may have no answer.
+# What users include: glint.h, which includes the others.
+LIB_HEADERS = glint.h glint_mesh.h
 VERSION := $(shell sed -n 's/.*GLINT_VERSION_STRING "\(.*\)"/\1/p' lib/glint.h)
 WARNINGS = -Wall -Wextra -Wconversion -Wundef -Wshadow -Wstrict-prototypes -Wmissing-prototypes $(WERROR)
 ifeq ($(SANITIZE),1)
@@ -136,13 +138,13 @@ install-lib: ## use: library, header and libglint.pc alone, needs a compiler onl
 run-install-lib: $(BUILD)/libglint.a
 	install -d "$(INSTALL)/lib/pkgconfig" "$(INSTALL)/include"
 	install -m 644 $(BUILD)/libglint.a "$(INSTALL)/lib/"
-	install -m 644 lib/glint.h "$(INSTALL)/include/"
+	install -m 644 $(LIB_HEADERS:%=lib/%) "$(INSTALL)/include/"
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: libglint' 'Description: Specular shading with integers only' \
 		'Version: $(VERSION)' 'Cflags: -I"$${prefix}/include"' 'Libs: -L"$${prefix}/lib" -lglint' \
 		>"$(INSTALL)/lib/pkgconfig/libglint.pc"
 
 uninstall: ## use: remove what make install put there
-	rm -f "$(INSTALL)/lib/libglint.a" "$(INSTALL)/lib/pkgconfig/libglint.pc" "$(INSTALL)/include/glint.h" \
+	rm -f "$(INSTALL)/lib/libglint.a" "$(INSTALL)/lib/pkgconfig/libglint.pc" $(LIB_HEADERS:%="$(INSTALL)/include/%") \
 		"$(INSTALL)/bin/glint" "$(INSTALL)/lib/udev/rules.d/70-glint.rules" \
 		"$(INSTALL)/share/bash-completion/completions/glint" "$(INSTALL)/share/zsh/site-functions/_glint" \
 		"$(INSTALL)/share/man/man1/glint.1" $(COMMAND_PAGES:%="$(INSTALL)/share/man/man1/%")

@@ -440,4 +440,8 @@ uint16_t glint_srgb_encode(uint16_t linear);
 #ifdef __cplusplus
 }
 #endif
+
+/* ---- Meshes ---- */
+#include "glint_mesh.h"
+
 #endif

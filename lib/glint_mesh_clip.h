@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT
+ * Internal. Triangles that reach beyond the near plane or the guard band. */
+#ifndef GLINT_MESH_CLIP_H
+#define GLINT_MESH_CLIP_H
+
+#include "glint_mesh_gradient.h"
+#include "glint_mesh_pose.h"
+
+#define GLINT_MESH_POLYGON 8 /* 3 corners, and one more for each of 5 planes */
+
+struct glint_mesh_clipped {
+    struct glint_mesh_place at;
+    struct glint_vec normal;
+};
+/* What a polygon in work takes. */
+struct glint_mesh_polygon {
+    struct glint_mesh_clipped corner[2][GLINT_MESH_POLYGON];
+};
+
+/* Clips a face: the count of corners of what is left, at least 3, or 0; they stand in polygon->corner[0], projected. */
+unsigned glint_mesh_clip(struct glint_mesh_polygon *polygon, const struct glint_mesh_frame *frame,
+                         const struct glint_mesh_drawn *drawn, const uint16_t face[3]);
+
+/* One of them as a corner of a triangle. */
+struct glint_mesh_corner glint_mesh_clip_corner(const struct glint_mesh_frame *frame,
+                                                const struct glint_mesh_drawn *drawn,
+                                                const struct glint_mesh_clipped *clipped);
+
+#endif

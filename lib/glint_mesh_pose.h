@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT
+ * Internal. Vertices of a mesh on the screen, and its lights in its own directions. */
+#ifndef GLINT_MESH_POSE_H
+#define GLINT_MESH_POSE_H
+
+#include "glint_mesh.h"
+
+/* Places are held to these, 1/16 pixel: depths and the guard band around the viewport's middle. */
+#define GLINT_MESH_GUARD 16383
+enum { GLINT_MESH_LEFT = 1, GLINT_MESH_RIGHT = 2, GLINT_MESH_ABOVE = 4, GLINT_MESH_BELOW = 8, GLINT_MESH_NEAR = 16 };
+
+/* Turn, light and half vector from a pose; false where the quaternion is 0. */
+bool glint_pose_set(struct glint_mesh_drawn *drawn, const struct glint_pose *pose, const struct glint_light *light);
+
+/* A vertex before the projection: 1/16 pixel, x right, y down, z to the viewer; |.| < 2^18. */
+struct glint_mesh_place {
+    int32_t x, y, z;
+};
+struct glint_mesh_place glint_mesh_place_of(const struct glint_mesh_drawn *drawn, unsigned vertex);
+struct glint_vec glint_mesh_normal(const struct glint_mesh *mesh, unsigned vertex);
+
+/* Beyond the near plane? */
+bool glint_mesh_is_near(const struct glint_mesh_frame *frame, int32_t z);
+
+/* A projected place: x, y from the viewport's middle, |.| < 2^22; z the depth, 0 nearest. */
+struct glint_mesh_place glint_mesh_project(const struct glint_mesh_frame *frame, struct glint_mesh_place place);
+
+/* t and nl of a normal. */
+void glint_mesh_light(struct glint_mesh_vertex *vertex, const struct glint_mesh_drawn *drawn, struct glint_vec normal);
+
+/* All vertices; `out` says by which planes they must be clipped. */
+void glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn);
+
+#endif

@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT
+ * A pixel belongs to a triangle if its middle does; a middle on an edge, to the triangle right of it or below. Each edge is stepped
+ * from its upper corner on, so that the two triangles beside it see the same columns, whatever rounding does to them. */
+#include "glint_mesh_edges.h"
+
+/* dx <= 2^15 - 2, so dx 2^16 and the step < 2^31; the middle of the first line is within dy of the corner where there is a line, so
+ * |step / 16| times that is at most 2^27. */
+static struct glint_mesh_edge edge_of(const struct glint_mesh_corner *a, const struct glint_mesh_corner *b)
+{
+    struct glint_mesh_edge edge = {0, 0};
+    const int32_t first = glint_mesh_first(a->y);
+    if (first >= glint_mesh_first(b->y))
+        return edge;
+    edge.step = (b->x - a->x) * 65536 / (b->y - a->y);
+    edge.x = a->x * 4096 + (edge.step >> 4) * (16 * first + 8 - a->y) - 32768 + 65535;
+    return edge;
+}
+
+bool glint_mesh_triangle_set(struct glint_mesh_triangle *triangle, const struct glint_mesh_corner corner[3])
+{
+    const struct glint_mesh_corner *c[3] = {&corner[0], &corner[1], &corner[2]}, *swap;
+    for (int i = 0; i < 3; i++) { /* by y; stable */
+        const int k = i & 1;
+        if (c[k + 1]->y < c[k]->y) {
+            swap = c[k];
+            c[k] = c[k + 1];
+            c[k + 1] = swap;
+        }
+    }
+    const int32_t area = glint_mesh_area(c[0], c[1], c[2]);
+    triangle->y = glint_mesh_first(c[0]->y);
+    triangle->y_middle = glint_mesh_first(c[1]->y);
+    triangle->y_end = glint_mesh_first(c[2]->y);
+    if (area == 0 || triangle->y >= triangle->y_end)
+        return false;
+    triangle->long_is_left = area > 0; /* the middle corner is right of the long edge */
+    triangle->long_edge = edge_of(c[0], c[2]);
+    triangle->upper = edge_of(c[0], c[1]);
+    triangle->lower = edge_of(c[1], c[2]);
+    glint_mesh_values_set(&triangle->values, c, area);
+    return true;
+}
+
+static void edge_skip(struct glint_mesh_edge *edge, uint32_t lines)
+{
+    edge->x = (int32_t)((uint32_t)edge->x + lines * (uint32_t)edge->step);
+}
+
+/* n steps at once: what grows by constants grows by n (n - 1) / 2 of its own step. */
+void glint_mesh_triangle_skip(struct glint_mesh_triangle *triangle, int32_t y)
+{
+    struct glint_mesh_values *v = &triangle->values;
+    const uint32_t n = (uint32_t)(y - triangle->y), pairs = n * (n - 1) / 2; /* n <= 2^12 */
+    v->t += n * v->ty + (n ? pairs * v->tyy : 0);
+    v->ty += n * v->tyy;
+    v->tx += n * v->txy;
+    v->nl += n * v->nly;
+    v->z += n * v->zy;
+    edge_skip(&triangle->long_edge, n);
+    if (triangle->y < triangle->y_middle)
+        edge_skip(&triangle->upper, n); /* may go past its end: it is read no more */
+    if (y > triangle->y_middle)
+        edge_skip(&triangle->lower,
+                  (uint32_t)(y - (triangle->y > triangle->y_middle ? triangle->y : triangle->y_middle)));
+    v->y = triangle->y = y;
+}
+
+bool glint_mesh_triangle_line(const struct glint_mesh_triangle *triangle, int32_t w, int32_t *left, int32_t *right)
+{
+    const struct glint_mesh_edge *edge = triangle->y < triangle->y_middle ? &triangle->upper : &triangle->lower;
+    const int32_t a = triangle->long_edge.x >> 16, b = edge->x >> 16;
+    const int32_t from = triangle->long_is_left ? a : b, to = triangle->long_is_left ? b : a;
+    *left = from < 0 ? 0 : from;
+    *right = to > w ? w : to;
+    return *left < *right;
+}

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT
+ * Each band has a list of the faces that begin in it. A strip takes the lists of its bands, and gives those that go on to the
+ * band after it. Lists ascend by the face's number, and faces are drawn in that order: of two at the same depth the first stays,
+ * however the picture is cut into strips. */
+#include "glint_mesh_lists.h"
+#include "glint_mesh_edges.h"
+#include "glint_mesh_pose.h"
+
+bool glint_mesh_face_lines(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn,
+                           const uint16_t face[3], int32_t *first, int32_t *last)
+{
+    const struct glint_mesh_vertex *a = &drawn->vertices[face[0]], *b = &drawn->vertices[face[1]],
+                                   *c = &drawn->vertices[face[2]];
+    *first = 0;
+    *last = frame->h;
+    if (a->out | b->out | c->out) /* seen once it is clipped, unless one plane cuts all of it */
+        return (a->out & b->out & c->out) == 0;
+    if ((b->x - a->x) * (c->y - a->y) - (c->x - a->x) * (b->y - a->y) >= 0)
+        return false;
+    int32_t low = a->y < b->y ? a->y : b->y, high = a->y < b->y ? b->y : a->y;
+    low = c->y < low ? c->y : low;
+    high = c->y > high ? c->y : high;
+    low = glint_mesh_first(low);
+    high = glint_mesh_first(high);
+    *first = low > 0 ? low : 0;
+    *last = high < frame->h ? high : frame->h;
+    return *first < *last;
+}
+
+void glint_mesh_sort(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y)
+{
+    const unsigned bands = (frame->h + GLINT_MESH_BAND - 1) / GLINT_MESH_BAND;
+    for (unsigned i = 0; i < bands; i++)
+        drawn->bands[i] = GLINT_MESH_NONE;
+    const uint16_t *face = drawn->mesh->faces + 3 * (size_t)drawn->mesh->face_count;
+    for (unsigned i = drawn->mesh->face_count; i--;) {
+        int32_t first, last;
+        face -= 3;
+        if (!glint_mesh_face_lines(frame, drawn, face, &first, &last) || last <= y)
+            continue;
+        uint16_t *band = &drawn->bands[(uint32_t)(first > y ? first : y) / GLINT_MESH_BAND];
+        drawn->links[i] = *band;
+        *band = (uint16_t)i;
+    }
+}
+
+/* Two lists that ascend as one. */
+static uint16_t lists_merged(uint16_t *links, uint16_t a, uint16_t b)
+{
+    uint16_t first = GLINT_MESH_NONE, *at = &first;
+    while (a != GLINT_MESH_NONE && b != GLINT_MESH_NONE) {
+        uint16_t *const lower = a < b ? &a : &b;
+        *at = *lower;
+        at = &links[*lower];
+        *lower = *at;
+    }
+    *at = a != GLINT_MESH_NONE ? a : b;
+    return first;
+}
+
+uint16_t glint_mesh_take(const struct glint_mesh_drawn *drawn, int32_t y, int32_t end)
+{
+    uint16_t list = GLINT_MESH_NONE;
+    for (uint32_t band = (uint32_t)y / GLINT_MESH_BAND; band * GLINT_MESH_BAND < (uint32_t)end; band++) {
+        list = lists_merged(drawn->links, list, drawn->bands[band]);
+        drawn->bands[band] = GLINT_MESH_NONE;
+    }
+    return list;
+}
+
+void glint_mesh_give(const struct glint_mesh_drawn *drawn, uint16_t list, int32_t y)
+{
+    uint16_t *band = &drawn->bands[(uint32_t)y / GLINT_MESH_BAND];
+    *band = lists_merged(drawn->links, list, *band);
+}

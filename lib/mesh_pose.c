@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: MIT
+ * The light is turned into the mesh's directions once a picture, so that normals are never turned. */
+#include "glint_mesh_pose.h"
+
+/* The rotation of a quaternion of length s: its products of two components over s^2, no root. */
+static bool pose_rotation(int32_t m_q30[3][3], const int16_t q[4])
+{
+    const int64_t w = q[0], x = q[1], y = q[2], z = q[3], s = w * w + x * x + y * y + z * z; /* <= 2^32 */
+    if (s == 0)
+        return false;
+    const int64_t product[3][3] = {{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
+                                   {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
+                                   {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            m_q30[i][j] = (int32_t)(product[i][j] * (1 << 30) / s); /* |product| <= s: <= 2^30, 2^62 before */
+    return true;
+}
+
+static int16_t pose_hold(int32_t x)
+{
+    return (int16_t)(x > INT16_MAX ? INT16_MAX : x < -INT16_MAX ? -INT16_MAX : x);
+}
+
+/* A direction back through the rotation, Q1.15, nearest. */
+static struct glint_vec pose_back(int32_t m_q30[3][3], const struct glint_vec *v)
+{
+    int16_t out[3];
+    for (int i = 0; i < 3; i++) {
+        const int64_t sum = (int64_t)m_q30[0][i] * v->x + (int64_t)m_q30[1][i] * v->y + (int64_t)m_q30[2][i] * v->z;
+        out[i] = pose_hold((int32_t)((sum + (1 << 29)) >> 30));
+    }
+    const struct glint_vec back = {out[0], out[1], out[2]};
+    return back;
+}
+
+bool glint_pose_set(struct glint_mesh_drawn *drawn, const struct glint_pose *pose, const struct glint_light *light)
+{
+    int32_t m_q30[3][3];
+    if (!pose_rotation(m_q30, pose->turn))
+        return false;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++)
+            drawn->turn[i][j] = (int16_t)((m_q30[i][j] + (1 << 15)) >> 16); /* |.| <= 2^14 */
+        drawn->position[i] = pose->position[i];
+    }
+    drawn->l = pose_back(m_q30, &light->l);
+    drawn->h = pose_back(m_q30, &light->h);
+    drawn->scale = pose->scale;
+    return true;
+}
+
+/* A row of the turn times a place: |.| < 2^30.8, since a row's length is 1; to 1/16 pixel from 2^29 units of 32768. The factors are
+ * cut to 17 and 14 bits or to 15 and 16, so that the product fits 32. */
+static int32_t pose_scaled(const int16_t row[3], const int16_t place[3], uint32_t scale)
+{
+    const int32_t sum = row[0] * place[0] + row[1] * place[1] + row[2] * place[2];
+    return scale < 16384 ? ((sum >> 14) * (int32_t)scale) >> 15 : ((sum >> 16) * (int32_t)scale) >> 13;
+}
+
+struct glint_mesh_place glint_mesh_place_of(const struct glint_mesh_drawn *drawn, unsigned vertex)
+{
+    const int16_t *place = drawn->mesh->places + 3 * vertex;
+    const struct glint_mesh_place at = {drawn->position[0] + pose_scaled(drawn->turn[0], place, drawn->scale),
+                                        drawn->position[1] - pose_scaled(drawn->turn[1], place, drawn->scale),
+                                        drawn->position[2] + pose_scaled(drawn->turn[2], place, drawn->scale)};
+    return at;
+}
+
+struct glint_vec glint_mesh_normal(const struct glint_mesh *mesh, unsigned vertex)
+{
+    struct glint_vec normal;
+    if (mesh->normals) {
+        const int16_t *n = mesh->normals + 3 * vertex;
+        normal.x = n[0];
+        normal.y = n[1];
+        normal.z = n[2];
+    } else { /* 127 to 32766 */
+        const int8_t *n = mesh->normals8 + 3 * vertex;
+        normal.x = (int16_t)(n[0] * 258);
+        normal.y = (int16_t)(n[1] * 258);
+        normal.z = (int16_t)(n[2] * 258);
+    }
+    return normal;
+}
+
+bool glint_mesh_is_near(const struct glint_mesh_frame *frame, int32_t z)
+{
+    return frame->distance && 8 * ((int32_t)frame->distance - z) < (int32_t)frame->distance;
+}
+
+/* r = distance / (distance - z), Q13, <= 2^16 up to the near plane. Depth is linear in z, and under perspective in r: each is linear
+ * on the screen. */
+struct glint_mesh_place glint_mesh_project(const struct glint_mesh_frame *frame, struct glint_mesh_place place)
+{
+    if (frame->distance == 0) {
+        place.z = place.z > 32767 ? 0 : place.z < -32767 ? 65534 : 32767 - place.z;
+        return place;
+    }
+    const int32_t away = (int32_t)frame->distance - place.z; /* > 0: distance / 8 at least */
+    const uint32_t r = (((uint32_t)frame->distance << 14) / (uint32_t)(away > 0 ? away : 1) + 1) >> 1;
+    place.x = (int32_t)(((int64_t)place.x * r) >> 13);
+    place.y = (int32_t)(((int64_t)place.y * r) >> 13);
+    place.z = r > 65535 ? 0 : (int32_t)(65535 - r);
+    return place;
+}
+
+/* 32 bits are enough: with |N|, |H| <= 1.0 t is at most 2^31; of others it is what is left modulo 2^32. */
+void glint_mesh_light(struct glint_mesh_vertex *vertex, const struct glint_mesh_drawn *drawn, struct glint_vec normal)
+{
+    const int32_t x = normal.x - drawn->h.x, y = normal.y - drawn->h.y, z = normal.z - drawn->h.z;
+    const uint32_t xx = (uint32_t)x * (uint32_t)x, yy = (uint32_t)y * (uint32_t)y, zz = (uint32_t)z * (uint32_t)z;
+    vertex->t_q30 = (xx >> 1) + (yy >> 1) + (zz >> 1);
+    vertex->nl_q30 = (int32_t)((uint32_t)(normal.x * drawn->l.x) + (uint32_t)(normal.y * drawn->l.y) +
+                               (uint32_t)(normal.z * drawn->l.z));
+}
+
+void glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn)
+{
+    const int32_t guard = GLINT_MESH_GUARD;
+    struct glint_mesh_vertex *vertex = drawn->vertices;
+    for (unsigned i = 0; i < drawn->mesh->vertex_count; i++, vertex++) {
+        const struct glint_mesh_place place = glint_mesh_place_of(drawn, i);
+        glint_mesh_light(vertex, drawn, glint_mesh_normal(drawn->mesh, i));
+        if (glint_mesh_is_near(frame, place.z)) {
+            vertex->out = GLINT_MESH_NEAR;
+            continue;
+        }
+        const struct glint_mesh_place at = glint_mesh_project(frame, place);
+        vertex->out = (uint16_t)((at.x < -guard  ? GLINT_MESH_LEFT
+                                  : at.x > guard ? GLINT_MESH_RIGHT
+                                                 : 0) |
+                                 (at.y < -guard  ? GLINT_MESH_ABOVE
+                                  : at.y > guard ? GLINT_MESH_BELOW
+                                                 : 0));
+        vertex->x = (int16_t)(at.x + 8 * frame->w); /* of use where it is not out */
+        vertex->y = (int16_t)(at.y + 8 * frame->h);
+        vertex->z = (uint16_t)at.z;
+    }
+}

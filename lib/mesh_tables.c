@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT
+ * A line of a triangle by tables: pixels side by side that are in front are a span. */
+#include "glint_mesh_path.h"
+
+/* A span starts on a byte. */
+static bool tables_can(const void *with, const struct glint_surface *surface)
+{
+    const struct glint_tables *tables = (const struct glint_tables *)with;
+    return tables && surface->pixels && tables->format != GLINT_MONO &&
+           (tables->kind == GLINT_TABLES_COLOUR || tables->kind == GLINT_TABLES_SMALL);
+}
+
+static void tables_row(const void *with, struct glint_mesh_row *row)
+{
+    const struct glint_tables *tables = (const struct glint_tables *)with;
+    const unsigned bytes = tables->format <= GLINT_RGB565_SWAPPED ? 2 : tables->format == GLINT_RGB888 ? 3 : 1;
+    for (unsigned count; (count = glint_mesh_in_front(row, GLINT_SPAN_MAX)) != 0; row->x += count) {
+        const struct glint_span span = {row->t,           row->dt,           row->ddt,
+                                        (int32_t)row->nl, (int32_t)row->dnl, (uint16_t)count};
+        const struct glint_surface surface = {row->line + bytes * row->x, 0, (uint16_t)(row->left + row->x),
+                                              (uint16_t)row->y};
+        glint_tables_span(tables, &span, &surface);
+        for (unsigned i = 0; i < count; i++)
+            glint_mesh_step(row);
+    }
+}
+
+const struct glint_mesh_path glint_mesh_tables = {tables_can, tables_row};

@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: MIT
+ * A triangle's pixels: which they are, how well t and nl follow the definition, and what clipping leaves. */
+#include "meshes.h"
+
+#include "glint_mesh_clip.h"
+#include "glint_mesh_edges.h"
+
+enum { GRID = 40 };
+
+static struct glint_mesh_corner corner_at(double x, double y)
+{
+    const struct glint_mesh_corner corner = {(int16_t)floor(x), (int16_t)floor(y), 5, 0, 1, {0, 0, 32767}};
+    return corner;
+}
+
+/* Counts the pixels of a triangle in lines from..to - 1. */
+static void count_pixels(uint8_t *count, const struct glint_mesh_corner corner[3], int32_t from, int32_t to)
+{
+    struct glint_mesh_triangle triangle;
+    if (!glint_mesh_triangle_set(&triangle, corner))
+        return;
+    if (triangle.y < from)
+        glint_mesh_triangle_skip(&triangle, from);
+    for (; triangle.y < triangle.y_end && triangle.y < to; glint_mesh_triangle_skip(&triangle, triangle.y + 1)) {
+        int32_t left, right;
+        if (glint_mesh_triangle_line(&triangle, MESH_W, &left, &right))
+            for (int32_t x = left; x < right; x++)
+                count[triangle.y * MESH_W + x]++;
+    }
+}
+
+static double unit_random(void)
+{
+    return below(1 << 24) / (double)(1 << 24);
+}
+
+static void triangles_that_share_edges_cover_each_pixel_once(void **state)
+{
+    (void)state;
+    static struct glint_mesh_corner grid[GRID + 1][GRID + 1];
+    static uint8_t count[MESH_H * MESH_W];
+    for (int round = 0; round < 90; round++) {
+        const int cells = round % 3 == 0 ? 4 : round % 3 == 1 ? 13 : GRID;
+        const double step = 16. * MESH_W * 1.1 / cells;
+        for (int j = 0; j <= cells; j++)
+            for (int i = 0; i <= cells; i++) { /* inner corners move by less than would turn a triangle over */
+                const bool inner = i > 0 && j > 0 && i < cells && j < cells;
+                const double dx = inner ? .4 * (unit_random() - .5) : 0, dy = inner ? .4 * (unit_random() - .5) : 0;
+                grid[j][i] = corner_at(-60 + (i + dx) * step, -60 + (j + dy) * step);
+                if (round & 1) { /* corners in the middles of pixels and on their borders */
+                    grid[j][i].x = (int16_t)(grid[j][i].x & ~7);
+                    grid[j][i].y = (int16_t)(grid[j][i].y & ~7);
+                }
+            }
+        memset(count, 0, sizeof count);
+        for (int strip = 0; strip < MESH_H; strip += 10 + round % 7)
+            for (int j = 0; j < cells; j++)
+                for (int i = 0; i < cells; i++) {
+                    const struct glint_mesh_corner a = grid[j][i], b = grid[j][i + 1], c = grid[j + 1][i],
+                                                   d = grid[j + 1][i + 1];
+                    const bool way = (i * 7 + j * 5 + round) % 3;
+                    const struct glint_mesh_corner one[3] = {a, c, way ? d : b},
+                                                   two[3] = {way ? a : b, way ? d : c, way ? b : d};
+                    const int32_t end = strip + 10 + round % 7 < MESH_H ? strip + 10 + round % 7 : MESH_H;
+                    count_pixels(count, one, strip, end);
+                    count_pixels(count, two, strip, end);
+                }
+        for (int p = 0; p < MESH_H * MESH_W; p++)
+            if (count[p] != 1)
+                fail_msg("round %d: pixel %d, %d is covered %d times", round, p % MESH_W, p / MESH_W, count[p]);
+    }
+}
+
+static struct glint_vec unit_near(const double middle[3], double reach)
+{
+    double v[3], length = 0;
+    for (int k = 0; k < 3; k++) {
+        v[k] = middle[k] + reach * (2 * unit_random() - 1) / sqrt(3);
+        length += v[k] * v[k];
+    }
+    const struct glint_vec n = {(int16_t)lrint(32767 * v[0] / sqrt(length)),
+                                (int16_t)lrint(32767 * v[1] / sqrt(length)),
+                                (int16_t)lrint(32767 * v[2] / sqrt(length))};
+    return n;
+}
+
+/* Over triangles of up to 240 pixels whose normals are up to 30 degrees apart. */
+static void t_and_nl_follow_the_interpolated_normal(void **state)
+{
+    (void)state;
+    static const double sizes[] = {4, 8, 16, 32, 64, 120, 240};
+    double t_most = 0, nl_most = 0;
+    for (int round = 0; round < 30000; round++) {
+        const double size = 16 * sizes[round % 7], v[3] = {unit_random() - .5, unit_random() - .5, .3 + unit_random()};
+        const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]),
+                     middle[3] = {v[0] / length, v[1] / length, v[2] / length};
+        struct glint_mesh_corner c[3];
+        const struct glint_vec h = unit_near(middle, .5), l = unit_near(middle, 1.);
+        for (int i = 0; i < 3; i++) {
+            c[i] = corner_at(unit_random() * size, unit_random() * size);
+            c[i].normal = unit_near(middle, .25);
+            const double d[3] = {c[i].normal.x - h.x, c[i].normal.y - h.y, c[i].normal.z - h.z};
+            c[i].t_q30 = (uint32_t)((d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / 2);
+            c[i].nl_q30 = (int32_t)dot(c[i].normal, l);
+        }
+        const double area =
+            (double)(c[1].x - c[0].x) * (c[2].y - c[0].y) - (double)(c[2].x - c[0].x) * (c[1].y - c[0].y);
+        struct glint_mesh_triangle triangle;
+        if (fabs(area) < size * size / 8 || !glint_mesh_triangle_set(&triangle, c)) /* no slivers */
+            continue;
+        for (; triangle.y < triangle.y_end; glint_mesh_triangle_skip(&triangle, triangle.y + 1)) {
+            const struct glint_mesh_values *at = &triangle.values;
+            int32_t left, right;
+            if (!glint_mesh_triangle_line(&triangle, 240, &left, &right))
+                continue;
+            for (int32_t x = left; x < right; x += 1 + (right - left) / 5) {
+                const int32_t k = x - at->x;
+                const uint32_t t = at->t + (uint32_t)k * at->tx + (uint32_t)(k * (k - 1) / 2) * at->txx;
+                const int32_t nl = (int32_t)(at->nl + (uint32_t)k * at->nlx);
+                const double px = 16 * x + 8, py = 16 * triangle.y + 8;
+                const double b1 = ((px - c[0].x) * (c[2].y - c[0].y) - (c[2].x - c[0].x) * (py - c[0].y)) / area;
+                const double b2 = ((c[1].x - c[0].x) * (py - c[0].y) - (px - c[0].x) * (c[1].y - c[0].y)) / area;
+                double t_true = 0, nl_true = 0;
+                const double n[3] = {
+                    c[0].normal.x + b1 * (c[1].normal.x - c[0].normal.x) + b2 * (c[2].normal.x - c[0].normal.x),
+                    c[0].normal.y + b1 * (c[1].normal.y - c[0].normal.y) + b2 * (c[2].normal.y - c[0].normal.y),
+                    c[0].normal.z + b1 * (c[1].normal.z - c[0].normal.z) + b2 * (c[2].normal.z - c[0].normal.z)};
+                t_true = ((n[0] - h.x) * (n[0] - h.x) + (n[1] - h.y) * (n[1] - h.y) + (n[2] - h.z) * (n[2] - h.z)) / 2;
+                nl_true = n[0] * l.x + n[1] * l.y + n[2] * l.z;
+                const double t_error = fabs((int32_t)(t - (uint32_t)llrint(t_true)) / 1073741824.);
+                const double nl_error = fabs(nl - nl_true) / 1073741824.;
+                t_most = t_error > t_most ? t_error : t_most;
+                nl_most = nl_error > nl_most ? nl_error : nl_most;
+            }
+        }
+    }
+    print_message("largest errors: t %.2g, nl %.2g\n", t_most, nl_most);
+    assert_true(t_most < 6e-5 && nl_most < 9e-5);
+}
+
+/* A floor that runs from behind the camera to far away, as 2 x 20 x 20 faces: below the horizon each pixel is covered once. */
+static void a_plane_through_the_camera_leaves_no_hole(void **state)
+{
+    (void)state;
+    static struct made_mesh mesh;
+    static uint8_t out[MESH_H][MESH_W];
+    struct glint_shader shader = random_shader(GLINT_GREY8, GLINT_GAMMA);
+    struct glint_prepared prepared;
+    static const unsigned whole[] = {MESH_H};
+    glint_lobe_init(&shader.lobe, GLINT_MSH, 10, 6);
+    for (int k = 0; k < 3; k++) {
+        shader.material.ambient_q16[k] = 65536;
+        shader.material.albedo[k] = 255;
+    }
+    assert_int_equal(glint_shade_prepare(&prepared, &shader), GLINT_OK);
+    const struct glint_paint paint = {&glint_mesh_exact, &prepared};
+    for (int round = 0; round < 20; round++) {
+        mesh_made(&mesh, 441, 800);
+        for (int j = 0; j <= 20; j++)
+            for (int i = 0; i <= 20; i++) {
+                int16_t *place = mesh.places[21 * j + i], *normal = mesh.normals[21 * j + i];
+                place[0] = (int16_t)(3200 * (i - 10));
+                place[1] = 0;
+                place[2] = (int16_t)(3200 * (j - 10));
+                normal[0] = normal[2] = 0;
+                normal[1] = 32767;
+            }
+        for (int j = 0; j < 20; j++)
+            for (int i = 0; i < 20; i++) {
+                const unsigned a = 21 * (unsigned)j + (unsigned)i;
+                const uint16_t two[2][3] = {{(uint16_t)a, (uint16_t)(a + 21), (uint16_t)(a + 22)},
+                                            {(uint16_t)a, (uint16_t)(a + 22), (uint16_t)(a + 1)}};
+                memcpy(mesh.faces[2 * (20 * j + i)], two, sizeof two);
+            }
+        mesh.pose.scale = (uint16_t)(30000 + below(30000));
+        mesh.pose.position[1] = (int16_t)(200 + below(1000)); /* below the eye */
+        mesh.distance = (uint16_t)(1500 + below(1500));
+        memset(out, 0, sizeof out);
+        mesh_picture(&mesh, &shader.light, &paint, &out[0][0], 1, whole, 1, false);
+        for (unsigned x = 0; x < MESH_W; x++) {
+            unsigned top = 0;
+            while (top < MESH_H && !out[top][x])
+                top++;
+            assert_in_range(top, MESH_H / 2 - 1, MESH_H - 10); /* the horizon is in the middle */
+            for (unsigned y = top; y < MESH_H; y++)
+                if (!out[y][x])
+                    fail_msg("round %d: a hole at %u, %u", round, x, y);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(triangles_that_share_edges_cover_each_pixel_once),
+        cmocka_unit_test(t_and_nl_follow_the_interpolated_normal),
+        cmocka_unit_test(a_plane_through_the_camera_leaves_no_hole),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
