@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
-# The Raspberry Pi Pico with a panel: make firmware PORT=pico [PANEL=st7789-240x240] [TE=21] [SECOND_CORE=1] [IMAGE=conformance] [BOARD=pico2, never run]
+# The Raspberry Pi Pico with a panel: make firmware PORT=pico [PANEL=st7789-240x240] [TE=21] [SECOND_CORE=1] [IMAGE=conformance] [BOARD=pico2]
 PANEL ?= st7789-240x240
+pico_BOARDS = pico pico2
+# Those that an emulator runs; make test-pico reports the others as skipped.
+pico_EMULATED = pico
 PICO_BOARD = $(or $(BOARD),pico)
 # glint, or conformance: that checks the board and measures its frame rate.
 IMAGE ?= glint
@@ -20,6 +23,7 @@ setup-firmware-pico: setup-build
 
 # CMake knows what depends on what within.
 firmware-pico: $(PICO)/map/demo_map.h $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
+	@$(if $(filter $(pico_BOARDS),$(PICO_BOARD)),,echo "make: port pico has no board $(PICO_BOARD); choose from $(pico_BOARDS)" >&2; exit 1)
 	@$(if $(filter $(PICO_PANELS),$(PANEL)),,echo "make: PANEL=$(PANEL): the panels are $(PICO_PANELS)" >&2; exit 1)
 	@$(if $(filter-out $(PICO_FREE_PINS),$(TE)),echo "make: TE=$(TE): the pins that are free are $(PICO_FREE_PINS)" >&2; exit 1)
 	@sdk=$$(firmware/ports/pico/fetch-sdk) && \
