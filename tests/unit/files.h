@@ -18,6 +18,19 @@ static inline size_t read_file(const char *path, uint8_t *bytes, size_t room)
     return len;
 }
 
+/* With a 0 at its end; the caller frees it. */
+static inline char *whole_file(const char *path)
+{
+    struct stat status;
+    assert_int_equal(stat(path, &status), 0);
+    const size_t len = (size_t)status.st_size;
+    char *text = malloc(len + 1);
+    assert_non_null(text);
+    assert_int_equal(read_file(path, (uint8_t *)text, len), len);
+    text[len] = 0;
+    return text;
+}
+
 static inline bool same_file(const char *a, const char *b)
 {
     static uint8_t in_a[1 << 20], in_b[1 << 20];

@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: MIT
- * Reading PNG of every kind, writing PNG, PPM and QOI. */
+ * Reading PNG of every kind, and what is no picture. */
 #include <math.h>
-#include <qoi.h>
 #include <string.h>
 
 #include "files.h"
 
-#include "base/output.h"
 #include "image/picture.h"
 #include "image/read.h"
-#include "image/write.h"
 #include "image/image.h"
 
 /* ---- reading ---- */
@@ -272,124 +269,6 @@ static void a_picture_too_large_is_refused_by_its_size(void **state)
     assert_not_read("tall.png", "1x16385 pixels; at most 16384 a side");
 }
 
-/* ---- writing ---- */
-
-static const uint8_t color_samples[] = {0, 1, 2, 255, 254, 253, 128, 0, 255, 7, 7, 7, 1, 2, 3, 250, 100, 0};
-static const struct picture color_picture = {3, 2, 3, false, (uint8_t *)color_samples};
-enum { MONO_WIDTH = 11 };
-static const uint8_t mono_samples[2 * MONO_WIDTH] = {255, 0, 0, 255, 0, 0, 0, 255, 255, 0, 255,
-                                                     0,   0, 0, 255, 0, 0, 0, 0,   255, 0, 0};
-static const struct picture mono_picture = {MONO_WIDTH, 2, 1, true, (uint8_t *)mono_samples};
-static const struct picture grey_picture = {MONO_WIDTH, 2, 1, false, (uint8_t *)mono_samples};
-
-static void write_picture(const struct picture *picture, const char *path, enum image_kind kind)
-{
-    struct output *output = output_open(path);
-    picture_write(picture, output, kind);
-    output_close(output);
-}
-
-static void a_written_png_reads_back(void **state)
-{
-    (void)state;
-    write_picture(&color_picture, "color.png", IMAGE_PNG);
-    struct image *image = image_read("color.png");
-    assert_int_equal(image->width, 3);
-    assert_int_equal(image->height, 2);
-    uint8_t *rgb = image_rgb8(image);
-    assert_memory_equal(rgb, color_samples, sizeof color_samples);
-    free(rgb);
-    image_free(image);
-}
-
-static void mono_is_a_one_bit_png_and_grey_an_eight_bit_one(void **state)
-{
-    (void)state;
-    write_picture(&mono_picture, "mono.png", IMAGE_PNG);
-    write_picture(&grey_picture, "grey.png", IMAGE_PNG);
-    struct image *mono = image_read("mono.png"), *grey = image_read("grey.png");
-    assert_int_equal(mono->bits, 1);
-    assert_int_equal(grey->bits, 8);
-    for (size_t i = 0; i < sizeof mono_samples; i++) {
-        assert_int_equal(mono->samples[i], 257 * mono_samples[i]);
-        assert_int_equal(grey->samples[i], 257 * mono_samples[i]);
-    }
-    image_free(mono);
-    image_free(grey);
-}
-
-static size_t read_bytes(const char *path, uint8_t *bytes, size_t room)
-{
-    FILE *file = fopen(path, "rb");
-    assert_non_null(file);
-    const size_t len = fread(bytes, 1, room, file);
-    fclose(file);
-    return len;
-}
-
-static void a_ppm_holds_the_samples_after_its_head(void **state)
-{
-    (void)state;
-    uint8_t bytes[128];
-    write_picture(&color_picture, "color.ppm", IMAGE_PPM);
-    size_t len = read_bytes("color.ppm", bytes, sizeof bytes);
-    assert_int_equal(len, 11 + sizeof color_samples);
-    assert_memory_equal(bytes, "P6\n3 2\n255\n", 11);
-    assert_memory_equal(bytes + 11, color_samples, sizeof color_samples);
-    write_picture(&grey_picture, "grey.ppm", IMAGE_PPM);
-    len = read_bytes("grey.ppm", bytes, sizeof bytes);
-    assert_int_equal(len, 12 + sizeof mono_samples);
-    assert_memory_equal(bytes, "P5\n11 2\n255\n", 12);
-    assert_memory_equal(bytes + 12, mono_samples, sizeof mono_samples);
-}
-
-static void a_pbm_has_a_bit_for_black(void **state)
-{
-    (void)state;
-    uint8_t bytes[64];
-    write_picture(&mono_picture, "mono.ppm", IMAGE_PPM);
-    assert_int_equal(read_bytes("mono.ppm", bytes, sizeof bytes), 8 + 4);
-    assert_memory_equal(bytes, "P4\n11 2\n", 8);
-    for (int i = 0; i < 2 * MONO_WIDTH; i++) {
-        const int x = i % MONO_WIDTH, y = i / MONO_WIDTH;
-        assert_int_equal(bytes[8 + 2 * y + x / 8] >> (7 - x % 8) & 1, mono_samples[i] == 0);
-    }
-}
-
-static void a_qoi_decodes_to_the_samples_and_grey_to_equal_ones(void **state)
-{
-    (void)state;
-    uint8_t bytes[512];
-    qoi_desc desc;
-    write_picture(&color_picture, "color.qoi", IMAGE_QOI);
-    uint8_t *rgb = qoi_decode(bytes, (int)read_bytes("color.qoi", bytes, sizeof bytes), &desc, 3);
-    assert_non_null(rgb);
-    assert_int_equal(desc.width, 3);
-    assert_int_equal(desc.height, 2);
-    assert_int_equal(desc.channels, 3);
-    assert_memory_equal(rgb, color_samples, sizeof color_samples);
-    free(rgb);
-    write_picture(&grey_picture, "grey.qoi", IMAGE_QOI);
-    rgb = qoi_decode(bytes, (int)read_bytes("grey.qoi", bytes, sizeof bytes), &desc, 3);
-    assert_non_null(rgb);
-    for (size_t i = 0; i < 3 * sizeof mono_samples; i++)
-        assert_int_equal(rgb[i], mono_samples[i / 3]);
-    free(rgb);
-}
-
-static void the_kind_follows_the_ending(void **state)
-{
-    (void)state;
-    assert_int_equal(image_kind_by_ending("a.png"), IMAGE_PNG);
-    assert_int_equal(image_kind_by_ending("dir.qoi/a.PPM"), IMAGE_PPM);
-    assert_int_equal(image_kind_by_ending("a.b.qoi"), IMAGE_QOI);
-    assert_int_equal(image_kind_by_ending("dir.jpg/a"), IMAGE_PNG);
-    assert_int_equal(image_kind_by_ending("-"), IMAGE_PNG);
-    assert_int_equal(image_kind_by_ending("dir/.hidden"), IMAGE_PNG);
-    assert_int_equal(image_kind_by_ending(".."), IMAGE_PNG);
-    assert_int_equal(image_kind_by_ending("a.jpg"), IMAGE_KINDS);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -409,12 +288,6 @@ int main(void)
         cmocka_unit_test(a_flipped_byte_is_refused),
         cmocka_unit_test(a_colour_that_differs_in_one_channel_is_no_grey),
         cmocka_unit_test(a_picture_too_large_is_refused_by_its_size),
-        cmocka_unit_test(a_written_png_reads_back),
-        cmocka_unit_test(mono_is_a_one_bit_png_and_grey_an_eight_bit_one),
-        cmocka_unit_test(a_ppm_holds_the_samples_after_its_head),
-        cmocka_unit_test(a_pbm_has_a_bit_for_black),
-        cmocka_unit_test(a_qoi_decodes_to_the_samples_and_grey_to_equal_ones),
-        cmocka_unit_test(the_kind_follows_the_ending),
     };
     return cmocka_run_group_tests_name("images", tests, scratch_make, scratch_remove);
 }
