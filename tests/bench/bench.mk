@@ -4,9 +4,6 @@
 BENCH_PACKAGES = libnewlib-arm-none-eabi picolibc-riscv64-unknown-elf
 BENCH_EMULATOR_PACKAGES = nodejs npm
 BENCH = build/bench
-# Of bench-cycles: rows with this pattern in their names, and other n than 60.
-ROWS ?=
-N ?=
 BENCH_SCENE = $(BENCH)/scene
 BENCH_NPM = $(BENCH)/npm
 # The variants for Cortex-M0+; asm: with the library's assembly.

@@ -12,7 +12,7 @@ const floatBits = (x) => new Uint32Array(Float32Array.of(x).buffer)[0]
 const floatOf = (bits) => new Float32Array(Uint32Array.of(bits).buffer)[0]
 
 // The program's evaluations[] (evaluations.h).
-function rows(machine) {
+export function evaluationRows(machine) {
   const list = []
   for (let at = machine.address('evaluations'); machine.word(at); at += 24) {
     const [name, what] = [0, 4].map((i) => machine.text(machine.word(at + i)))
@@ -22,7 +22,8 @@ function rows(machine) {
   return list
 }
 
-function measure(machine, { run, takes, model }, n, samples) {
+// lean: without the words that flash would deliver.
+export function measureEvaluation(machine, { run, takes, model }, n, samples, lean = false) {
   const first = takes === 'float' ? floatBits(n) : takes === 'lobe' ? machine.address('evaluation_lobe') : n
   const second = ({ c, t }) => takes === 'float' ? floatBits(c / 65536) : takes === 'c' ? c : t
   const few = machine.call(run, [first, second(samples[0])]).cycles * samples.length / CYCLES
@@ -38,7 +39,7 @@ function measure(machine, { run, takes, model }, n, samples) {
   }
   const mean = cycles.reduce((sum, x) => sum + x, 0) / cycles.length
   const middle = samples[samples.length >> 1]
-  const words = machine.touched((call) => call(run, [first, second(middle)]))
+  const words = lean ? 0 : machine.touched((call) => call(run, [first, second(middle)]))
   return { mean, min: Math.min(...cycles), max: Math.max(...cycles), samples: cycles.length, worst_ulp: worst, words }
 }
 
@@ -48,8 +49,8 @@ export function evaluations(machines, scene, match = /./, wanted = scene.n) {
   for (const [flags, machine] of Object.entries(machines))
     for (const n of wanted.filter((n) => flags === '-O2' || n === 60)) {
       machine.call('evaluation_begin', [n])
-      for (const row of rows(machine).filter(({ name }) => match.test(name))) {
-        const { words, ...figure } = measure(machine, row, n, scene.samples.get(n))
+      for (const row of evaluationRows(machine).filter(({ name }) => match.test(name))) {
+        const { words, ...figure } = measureEvaluation(machine, row, n, scene.samples.get(n))
         const common = { function: row.name, what: row.what, target: 'cortex-m0plus', flags, n, q: scene.q, unit: 'cycles' }
         figures.push({ ...common, label: 'emulated', ...figure })
         figures.push({ ...common, label: 'predicted', words, mean: figure.mean + FLASH_WORD * words })

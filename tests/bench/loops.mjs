@@ -8,7 +8,7 @@ const RGB888 = 2
 const LOOK = 7 // struct sphere_look (sphere.h)'s bytes
 
 // The program's bench_loops[] (loops.h).
-function rows(machine) {
+export function loopRows(machine) {
   const list = []
   for (let at = machine.address('bench_loops'); machine.word(at); at += 40) {
     const [name, what] = [0, 4].map((i) => machine.text(machine.word(at + i)))
@@ -34,7 +34,8 @@ function difference() {
   return { add, result }
 }
 
-function measure(machine, scene, row, n) {
+// lean: without the words that flash would deliver.
+export function measureLoop(machine, scene, row, n, lean = false) {
   const { width, height } = scene
   const at = machine.address('bench_line')
   const normals = machine.bytes(at, 6 * width), out = machine.bytes(at + 6 * width, 3 * width)
@@ -68,7 +69,7 @@ function measure(machine, scene, row, n) {
       if (found.length === 3) deep.add(found, levels(RGB888, exact888.subarray(3 * y * width), x))
     }
   }
-  const words = machine.touched((call) => {
+  const words = lean ? 0 : machine.touched((call) => {
     for (const y of [height / 3 | 0, height / 2]) { // through the highlight, and where it is not
       load(y)
       cycles(row.prepare)
@@ -100,11 +101,11 @@ export function loops(machines, scene, match = /./, wanted = [60, ...scene.n.fil
   const figures = []
   const of = (flags, row, n) => figures.find((x) => x.loop === row.name && x.flags === flags && x.n === n)
   for (const [flags, machine] of Object.entries(machines))
-    for (const row of rows(machine).filter(({ name }) => match.test(name)))
+    for (const row of loopRows(machine).filter(({ name }) => match.test(name)))
       for (const n of flags === '-Os' || row.once ? [60] : wanted) {
         const asm = flags === '-O2 asm'
         if (asm && n !== 60 && !of(flags, row, 60)) continue
-        const measured = measure(machine, scene, row, n)
+        const measured = measureLoop(machine, scene, row, n)
         if (asm && n === 60 && measured.shade / measured.pixels === of('-O2', row, 60).per_frame_pixel) continue
         figures.push(...figuresOf(row, flags, n, scene, measured))
       }

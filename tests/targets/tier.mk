@@ -1,20 +1,29 @@
 # SPDX-License-Identifier: MIT
 # Tier targets: the library by cross compilers (integers only, no writable data, bounded stack), and run by emulators.
 TARGETS_PACKAGES = gcc libc6-dev make python3-minimal gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-avr avr-libc simavr \
-	gcc-xtensa-lx106 qemu-system-arm qemu-system-misc
+	gcc-xtensa-lx106 qemu-system-arm qemu-system-misc libnewlib-arm-none-eabi
 # BOARD=NAME: that board alone.
 TARGETS_FIRMWARE = $(if $(BOARD),$(bare_goal_$(BOARD)),$(BARE_PORTS:%=firmware-%))
 
-setup-targets:
+setup-targets: setup-build
 	@.ci/need "tier targets (cross compilers, emulators)" $(TARGETS_PACKAGES)
 	@+$(SUBMAKE) -s setup-rp2040js || echo "setup: without rp2040js its machines are skipped" >&2
 
 test-targets: ## check: cross-compiled: no floating point, no writable data, stack; emulated: the host's results; BOARD=NAME: one board
 	@+tests/tier targets "$(SUBMAKE)"
 
-run-targets: $(TARGETS_FIRMWARE) $(BOARDS) $(CONFORMANCE_EXPECTED)
+# The table of costs is of all boards, so that one board's run leaves it.
+TARGETS_COSTS = $(if $(BOARD),,"tests/targets/test_costs $(BENCH)")
+TARGETS_COSTS_INPUTS = $(filter-out %-Os.elf,$(BENCH_ELFS)) $(BENCH_SCENE)/scene.json
+
+costs: $(TARGETS_COSTS_INPUTS) $(BOARDS) ## measure: write the table that tier targets compares cycles and sizes with (costs.tsv), and the READMEs' figures
+	@+$(SUBMAKE) -s setup-rp2040js
+	@PYTHONDONTWRITEBYTECODE=1 tests/targets/test_costs $(BENCH) write
+	@tests/unit/house/test_figures write
+
+run-targets: $(if $(BOARD),,$(TARGETS_COSTS_INPUTS)) $(TARGETS_FIRMWARE) $(BOARDS) $(CONFORMANCE_EXPECTED)
 	@$(if $(TARGETS_FIRMWARE),,echo "make: there is no board $(BOARD); choose from $(BARE_BOARDS)" >&2; exit 1)
-	@PYTHONDONTWRITEBYTECODE=1 TALLY_JOBS=$$(nproc) tests/tally tests/targets/test_boards "tests/targets/test_objects $(BUILD)/targets $(BOARD)" \
+	@PYTHONDONTWRITEBYTECODE=1 TALLY_JOBS=$$(nproc) tests/tally $(TARGETS_COSTS) tests/targets/test_boards "tests/targets/test_objects $(BUILD)/targets $(BOARD)" \
 		"tests/targets/test_conformance $(BUILD)/targets $(CONFORMANCE_EXPECTED) $(BOARD)"
 
-.PHONY: setup-targets test-targets run-targets
+.PHONY: costs setup-targets test-targets run-targets

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// costs FOLDER PART PARTS: the figures of the committed table (tests/bench/costs.tsv) that are emulated on the Cortex-M0+, or
+// one part of them, so that parts run side by side. Lines: number, kind, name, build, n, value; the number is the line's place
+// in the whole, 10 apart. Emulated cycles are the same on every computer, however busy it is.
+import { boot } from './m0plus.mjs'
+import { readScene } from './scene.mjs'
+import { evaluationRows, measureEvaluation } from './evaluations.mjs'
+import { loopRows, measureLoop } from './loops.mjs'
+
+process.on('uncaughtException', (error) => {
+  console.error(`costs: ${error.message}`)
+  process.exit(1)
+})
+
+// What the library has assembly for, and of which loops other n than 60 are stated.
+const ASSEMBLY = /^(exact (rect|albedo|span 16|span 64)|colour (int8|int10|span 16|span 64)|albedo (int8|span 16)|palette)$/
+const SHININESSES = { 'exact rect': [5, 1000], 'albedo int8': [5] }
+
+const [folder, part, parts] = [process.argv[2], Number(process.argv[3]), Number(process.argv[4])]
+const scene = readScene(`${folder}/scene`)
+const machines = Object.fromEntries(['O2', 'asm'].map((build) => [build, boot(`${folder}/npm`, `${folder}/m0plus-${build}.elf`)]))
+
+function evaluation(row, n) {
+  machines.O2.call('evaluation_begin', [n])
+  return [['call', measureEvaluation(machines.O2, row, n, scene.samples.get(n), true).mean.toFixed(0)]]
+}
+
+function loop(build, row, n) {
+  const { fill, frame, shade, pixels, covered, quality } = measureLoop(machines[build], scene, row, n, true)
+  const figures = [['pixel', (shade / covered).toFixed(1)]]
+  if (n !== 60) return figures
+  figures.push(['frame pixel', (shade / pixels).toFixed(1)])
+  if (build === 'asm') return figures
+  if (fill) figures.push(['fill', fill])
+  if (frame) figures.push(['frame', frame])
+  return [...figures, ['largest', quality.largest.toFixed(1)], ['mean', quality.mean.toFixed(2)]]
+}
+
+const jobs = evaluationRows(machines.O2).filter(({ name }) => !name.endsWith('_fixmath')).map((row) => [row.name, 'O2', 60, () => evaluation(row, 60)])
+for (const build of ['O2', 'asm']) {
+  for (const row of loopRows(machines[build])) {
+    if (build === 'asm' && !ASSEMBLY.test(row.name)) continue
+    for (const n of [60, ...SHININESSES[row.name] ?? []]) jobs.push([row.name, build, n, () => loop(build, row, n)])
+  }
+}
+jobs.forEach(([name, build, n, run], i) => {
+  if (i % parts !== part) return
+  run().forEach(([kind, value], k) => console.log([10 * i + k, kind, name, build, n, value].join('\t')))
+})

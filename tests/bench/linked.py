@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: MIT
+"""What a program links: functions alone, with all they need (libgcc's and libc's helpers, too) and nothing else."""
+import glob
+import os
+import re
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "targets"))
+from targets import SOURCE, library_sources  # noqa: E402
+
+FUNCTIONS = """glint_msh glint_msh_t glint_msh+glint_msh_cutoff glint_msh_t+glint_msh_cutoff_t glint_schlick glint_schlick_t
+glint_blinn glint_blinn_t glint_gauss glint_gauss_t glint_cayley glint_cayley_t glint_lyon glint_lyon_t glint_lobe_init+glint_lobe_eval_t
+glint_light_init+glint_shade_rect glint_light_init+glint_span_init+glint_shade_span glint_light_init+glint_shade_lights
+glint_tables_fill+glint_tables_light_init+glint_tables_rect glint_tables_fill+glint_span_init+glint_tables_span glint_palette_rect
+peer_blinn_powf peer_schlick_float peer_msh_float""".split()
+# A rectangle of one model and one kind of pixel, without the set-up of light and lobe.
+RECTANGLES = ["glint_shade_prepare_for+glint_shade_prepared_rect+" + pair for pair in (
+    "glint_shade_rgb565+glint_shade_msh", "glint_shade_rgb565+glint_shade_cayley", "glint_shade_rgb888+glint_shade_msh",
+    "glint_shade_linear+glint_shade_msh")]
+FIXMATH_FUNCTIONS = ["peer_blinn_fixmath", "peer_schlick_fixmath", "peer_msh_fixmath"]
+# Sections that are in flash; AVR's constants are in .data.
+TEXT = re.compile(r"^\.(?:text|rodata|srodata|data|sdata)\S*\s+(\d+)", re.M)
+IN_MAP = re.compile(r"^ \.(?:text|rodata|data)\S*\s+0x[0-9a-f]+\s+0x([0-9a-f]+) \S*?([^/(]+\.o)\)?$", re.M)
+
+
+def fixmath(folder):
+    """Its sources, if they could be had."""
+    sources = [os.path.join(folder, "fixmath/libfixmath", name) for name in ("fix16.c", "fix16_exp.c")]
+    return sources if all(map(os.path.exists, sources)) else []
+
+
+def libc(target):
+    return ["--specs=picolibc.specs"] if target.name.startswith("rv") else []
+
+
+def objects(target, level, folder, place, peers=()):
+    """The library and the peers; and where a program may be linked."""
+    place = os.path.join(folder, place, target.name + level)
+    os.makedirs(place, exist_ok=True)
+    for old in glob.glob(place + "/*.o"):
+        os.remove(old)
+    sources = [os.path.join(SOURCE, path) for path in library_sources() + ["tests/bench/peers.c"]] + list(peers)
+    target.tool("gcc", "-std=gnu99", level, "-ffunction-sections", "-fdata-sections", *target.flags.split(), *libc(target),
+                "-DFIXMATH_NO_CACHE", "-I" + SOURCE + "/lib", f"-I{folder}/fixmath", "-c", *sources, cwd=place)
+    return glob.glob(place + "/*.o"), os.path.join(place, "alone.elf")
+
+
+def link(target, level, files, elf, functions):
+    """Bytes of code and constants; and how many of them each object file gives, by the link map."""
+    script = ["-T", os.path.join(SOURCE, "tests/bench/m0plus.ld")] if target.name.startswith("cortex") else []
+    target.tool("gcc", level, *target.flags.split(), *libc(target), "-nostartfiles", *script, "-Wl,--gc-sections,-Map," + elf + ".map",
+                *["-Wl,-u," + name for name in functions], "-Wl,-e," + functions[0], *files, "-lm", "-o", elf)
+    with open(elf + ".map") as text:
+        linked = text.read().split("Linker script and memory map")[1].replace("\n                0x", " 0x")
+    share = {}
+    for size, name in IN_MAP.findall(linked):
+        if int(size, 16):
+            share[name] = share.get(name, 0) + int(size, 16)
+    return sum(map(int, TEXT.findall(target.tool("size", "-A", elf)))), share
