@@ -152,6 +152,19 @@ static bool is_input(const struct stat *status)
     return input != NULL;
 }
 
+static void refuse_input(const char *path, const struct stat *status)
+{
+    if (is_input(status))
+        fail("%s: this file is also an input; name another for the output", path);
+}
+
+void output_check(const char *path)
+{
+    struct stat status;
+    if (inputs && stat(path, &status) == 0)
+        refuse_input(path, &status);
+}
+
 /* ---- files that are written ---- */
 
 /* A new file in the target's folder, under a name of its own until it is whole. */
@@ -185,8 +198,8 @@ struct output *output_open(const char *path)
     const bool exists = stat(path, &status) == 0;
     if (exists && S_ISDIR(status.st_mode))
         fail("%s: this is a folder; name a file", path);
-    if (exists && is_input(&status))
-        fail("%s: this file is also an input; name another for the output", path);
+    if (exists)
+        refuse_input(path, &status);
     if (exists && !S_ISREG(status.st_mode)) {
         output->stream = fopen(path, "wb"); /* of a pipe: waits for its reader */
         if (!output->stream) {

@@ -17,6 +17,8 @@ struct output {
 struct output *output_open(const char *path);
 /* No output may replace this file, which is read: output_open of it fails, by whatever name or link. */
 void output_never(FILE *input);
+/* Refuses a name that output_open would refuse because it leads to an input. */
+void output_check(const char *path);
 bool output_same(const char *a, const char *b); /* do two names lead to one file, whether it exists or not? */
 void output_close(struct output *output);       /* checks, gives the file its name, frees */
 void output_discard(struct output *output);     /* removes it unfinished, frees */

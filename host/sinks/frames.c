@@ -2,10 +2,12 @@
 #include "sinks/frames.h"
 
 #include <ctype.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/argp.h"
 #include "base/memory.h"
+#include "base/output.h"
 #include "image/levels.h"
 #include "image/picture.h"
 
@@ -55,6 +57,18 @@ char *frame_name(const char *pattern, unsigned long index)
         at += length ? length : 1;
     }
     return name;
+}
+
+/* A frame beyond those that are tried here is still refused when it is opened. */
+void frames_check(const char *pattern, unsigned long count)
+{
+    enum { TRIED = 100000 };
+    const unsigned long end = !strchr(pattern, '%') ? 1 : count && count < TRIED ? count : TRIED;
+    for (unsigned long i = 0; i < end; i++) {
+        char *name = frame_name(pattern, i);
+        output_check(name);
+        free(name);
+    }
 }
 
 struct picture *frame_picture(const struct frame *frame)

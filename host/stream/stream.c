@@ -14,6 +14,7 @@
 #include "image/format.h"
 #include "image/picture.h"
 #include "plan/plan.h"
+#include "sinks/frames.h"
 #include "stream/device.h"
 #include "stream/light.h"
 #include "stream/stats.h"
@@ -76,6 +77,8 @@ static bool start(struct stream *stream)
     struct scene_maps *maps = scene_maps_read(&options->look.scene);
     stream->path = light_path_new(options); /* files are opened before anything is done to a device */
     choose_size(stream, maps);
+    if (options->kind->output == SINK_FILE_A_FRAME)
+        frames_check(options->output, options->frames);
     stop_when_asked(); /* until here a signal ends the program at once */
     open_sink = open_wished(stream);
     if (!open_sink)

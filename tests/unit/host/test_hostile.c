@@ -42,6 +42,30 @@ static void an_output_that_is_also_an_input_is_refused_and_kept(void **state)
     assert_quiet("$GLINT render --height out/in.png -o out/other.png"); /* as equal as it is, it is another file */
 }
 
+/* Frame 12 would have the name of an input: nothing is written, not even frames 0 to 11. */
+static void a_frame_that_would_replace_an_input_is_refused_before_the_first_one(void **state)
+{
+    (void)state;
+    static const char *const commands[] = {
+        "--height out/frame-0012.png --to png --frames 13",
+        "--height heights.png --albedo out/frame-0012.png --to png",
+        "--height heights.png --to png --lights out/frame-0012.png",
+        "--height heights.png --mask out/same.png --to png --frames 13",
+        "--height out/frame-0012.png --to panel --frames 13",
+    };
+    assert_quiet(
+        "cp heights.png out/frame-0012.png && ln out/frame-0012.png out/same.png && cp out/same.png out/copy.png");
+    const int before = files_in("out");
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "$GLINT stream %s -o out/frame-%%04d.png", commands[i]);
+        assert_fails(line, "out/frame-0012.png: this file is also an input; name another for the output");
+        assert_same_file("out/frame-0012.png", "out/copy.png");
+        assert_int_equal(files_in("out"), before);
+    }
+    assert_quiet("$GLINT stream --height out/frame-0012.png --to png --frames 12 -o out/frame-%04d.png");
+}
+
 /* ---- texts ---- */
 
 static void texts_lose_control_characters_and_what_is_not_utf_8(void **state)
@@ -115,6 +139,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_output_that_is_also_an_input_is_refused_and_kept),
+        cmocka_unit_test(a_frame_that_would_replace_an_input_is_refused_before_the_first_one),
         cmocka_unit_test(texts_lose_control_characters_and_what_is_not_utf_8),
         cmocka_unit_test(file_names_do_not_reach_the_terminal_as_they_are),
         cmocka_unit_test(a_signal_at_a_pipe_without_a_reader_ends_a_stream_with_its_status),
