@@ -14,6 +14,7 @@
 #include "base/parse.h"
 #include "base/stop.h"
 #include "commands/commands.h"
+#include "image/svg.h"
 #include "paper/ranks.h"
 #include "sinks/sinks.h"
 
@@ -39,8 +40,10 @@ enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 static void print_version(FILE *stream)
 {
     char *mpi = ranks_library();
-    fprintf(stream, "glint %s\nlibpng %s, liblz4 %s, jansson %s%s%s\nsinks:", GLINT_VERSION_STRING,
-            png_get_libpng_ver(NULL), LZ4_versionString(), JANSSON_VERSION, mpi ? ", " : "", mpi ? mpi : "");
+    const char *svg = svg_library();
+    fprintf(stream, "glint %s\nlibpng %s, liblz4 %s, jansson %s%s%s%s%s\nsinks:", GLINT_VERSION_STRING,
+            png_get_libpng_ver(NULL), LZ4_versionString(), JANSSON_VERSION, svg ? ", " : "", svg ? svg : "",
+            mpi ? ", " : "", mpi ? mpi : "");
     free(mpi);
     for (unsigned i = 0; sink_kinds[i]; i++) {
         char *library = sink_kinds[i]->library ? sink_kinds[i]->library() : NULL;
@@ -49,8 +52,11 @@ static void print_version(FILE *stream)
             fprintf(stream, " (%s)", library);
         free(library);
     }
-    for (const struct sink_left_out *out = sinks_left_out; out->name; out++)
-        fprintf(stream, "%s%s", out == sinks_left_out ? "\nnot built: " : ", ", out->name);
+    const char *before = "\nnot built: ";
+    for (const struct sink_left_out *out = sinks_left_out; out->name; out++, before = ", ")
+        fprintf(stream, "%s%s", before, out->name);
+    if (!svg)
+        fprintf(stream, "%sSVG", before);
     fputc('\n', stream);
 }
 

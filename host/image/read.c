@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * PNG files into 16-bit samples. libpng's errors come out as one line of ours; fail() does not return, so that libpng's
+ * PNG files into 16-bit samples, SVG files by svg.c. libpng's errors come out as one line of ours; fail() does not return, so that libpng's
  * error function needs no longjmp. */
 #include <errno.h>
 #include <png.h>
@@ -13,6 +13,7 @@
 #include "image/image.h"
 #include "image/picture.h"
 #include "image/read.h"
+#include "image/svg.h"
 
 struct source {
     const char *name; /* for messages */
@@ -56,7 +57,6 @@ static const struct {
     {"DDS ", "a DDS texture"},
     {"\x76\x2F\x31\x01", "an OpenEXR"},
     {"\xABKTX", "a KTX texture"},
-    {"<svg", "an SVG"},
     {"P1", "a PBM"},
     {"P2", "a PGM"},
     {"P3", "a PPM"},
@@ -66,17 +66,18 @@ static const struct {
     {"8BPS", "a PSD"},
 };
 
-static void check_signature(const struct source *source)
+enum { HEAD = 8 };
+
+/* Of the source's first bytes. */
+static void check_signature(const struct source *source, const png_byte head[HEAD], size_t got)
 {
-    png_byte head[8] = {0};
-    const size_t got = fread(head, 1, sizeof head, source->stream);
     if (ferror(source->stream))
         fail("%s: could not be read: %s", source->name, strerror(errno));
     if (got == 0)
         fail("%s: this file is empty; name a PNG picture", source->name);
-    if (got == sizeof head && png_sig_cmp(head, 0, sizeof head) == 0)
+    if (got == HEAD && png_sig_cmp(head, 0, HEAD) == 0)
         return;
-    if (got < sizeof head && png_sig_cmp(head, 0, got) == 0)
+    if (got < HEAD && png_sig_cmp(head, 0, got) == 0)
         fail("%s: the file ends within the picture; fetch or save it again", source->name);
     for (size_t i = 0; i < sizeof other_files / sizeof *other_files; i++)
         if (memcmp(head, other_files[i].magic, strlen(other_files[i].magic)) == 0)
@@ -108,26 +109,19 @@ static void read_samples(png_structp png, png_infop info, struct image *image)
     free(lines);
 }
 
-struct image *image_read(const char *path)
+static struct image *read_png(struct source *source)
 {
-    const bool standard = strcmp(path, "-") == 0;
-    struct source source = {standard ? "standard input" : path, standard ? stdin : fopen(path, "rb")};
-    if (!source.stream)
-        fail("%s: %s", path, strerror(errno));
-    output_never(source.stream);
-    check_signature(&source);
-
-    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_error, on_warning);
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, source, on_error, on_warning);
     png_infop info = png ? png_create_info_struct(png) : NULL;
     if (!info)
         fail("out of memory");
-    png_set_read_fn(png, &source, read_bytes);
+    png_set_read_fn(png, source, read_bytes);
     png_set_sig_bytes(png, 8);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); /* check_size has the clearer message */
     png_read_info(png, info);
 
     struct image *image = allocate(1, sizeof *image);
-    if (!(image->name = strdup(source.name)))
+    if (!(image->name = strdup(source->name)))
         fail("out of memory");
     image->width = png_get_image_width(png, info);
     image->height = png_get_image_height(png, info);
@@ -136,6 +130,27 @@ struct image *image_read(const char *path)
     check_size(image);
     read_samples(png, info, image);
     png_destroy_read_struct(&png, &info, NULL);
+    return image;
+}
+
+struct image *image_read(const char *path)
+{
+    return image_read_sized(path, 0, 0);
+}
+
+struct image *image_read_sized(const char *path, uint32_t width, uint32_t height)
+{
+    const bool standard = strcmp(path, "-") == 0;
+    struct source source = {standard ? "standard input" : path, standard ? stdin : fopen(path, "rb")};
+    if (!source.stream)
+        fail("%s: %s", path, strerror(errno));
+    output_never(source.stream);
+    png_byte head[HEAD] = {0};
+    const size_t got = fread(head, 1, HEAD, source.stream);
+    const bool is_svg = svg_begins(head, got);
+    if (!is_svg)
+        check_signature(&source, head, got);
+    struct image *image = is_svg ? svg_read(source.stream, source.name, head, got, width, height) : read_png(&source);
     if (!standard)
         fclose(source.stream);
     return image;

@@ -24,7 +24,7 @@ static const struct argp_option argp_options[] = {
     {"scene", KEY_SCENE, "NAME", 0, "A built-in scene: sphere, watchface, coin or dial (the watch without numerals)",
      1},
 
-    {NULL, 0, NULL, 0, "The maps, PNG files of one size (- is standard input):", 2},
+    {NULL, 0, NULL, 0, "The maps, PNG or SVG files of one size (- is standard input):", 2},
     {"mask", KEY_MASK, "FILE", 0,
      "What is drawn: black pixels have no surface, stay black and are not compared. Of a mask with transparent pixels "
      "these count instead",
@@ -40,7 +40,7 @@ static const struct argp_option argp_options[] = {
     {"flip-y", KEY_FLIP_Y, NULL, 0, "Green points down in the normal map, as in DirectX", 2},
     {"size", KEY_SIZE, "WxH", 0,
      "Draw a scene at this size (default 320x320; glint stream: see SCENE). A map is cut or repeated to this size, "
-     "never scaled (default: the map's own size)",
+     "never scaled; an SVG is drawn at it (default: the map's own size)",
      2},
     {NULL, 0, NULL, 0, NULL, 0}};
 

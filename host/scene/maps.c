@@ -15,9 +15,10 @@
 
 enum { SCENE_SIDE = 320 };
 
-static struct image *read_map(const char *path)
+/* An SVG is drawn at the size that is asked for. */
+static struct image *read_map(const struct scene_options *options, const char *path)
 {
-    return path ? image_read(path) : NULL;
+    return path ? image_read_sized(path, options->width, options->height) : NULL;
 }
 
 /* A map that goes with the scene, pixel for pixel. */
@@ -37,8 +38,9 @@ struct scene_maps {
 struct scene_maps *scene_maps_read(const struct scene_options *options)
 {
     struct scene_maps *maps = allocate(1, sizeof *maps);
-    *maps = (struct scene_maps){*options, read_map(options->heights ? options->heights : options->normals),
-                                read_map(options->albedo), read_map(options->gloss), read_map(options->mask)};
+    *maps = (struct scene_maps){*options, read_map(options, options->heights ? options->heights : options->normals),
+                                read_map(options, options->albedo), read_map(options, options->gloss),
+                                read_map(options, options->mask)};
     return maps;
 }
 
