@@ -3,6 +3,7 @@
 #ifndef GLINT_MESH_PATH_H
 #define GLINT_MESH_PATH_H
 
+#include "glint_lobe_near.h"
 #include "glint_mesh.h"
 
 /* Pixels x..end - 1 of a line, with the values at x and their steps. */
@@ -12,6 +13,7 @@ struct glint_mesh_row {
     uint32_t x, end;
     uint32_t left, y; /* on the screen, of the line's first pixel */
     uint32_t t, dt, ddt, nl, dnl, z, dz;
+    struct glint_sample *samples; /* GLINT_RUN of them, to work with */
 };
 
 struct glint_mesh_path {

@@ -11,11 +11,19 @@ struct bench {
     struct glint_mesh_polygon polygon;
     struct glint_mesh_triangle triangle;
     struct glint_mesh_corner corner[3];
+    struct glint_mesh_row row;
+    struct glint_sample samples[GLINT_RUN];
 };
+
+/* More than an AVR can address is more than it can have. */
+static size_t mesh_size(uint32_t bytes)
+{
+    return (size_t)bytes == bytes ? (size_t)bytes : SIZE_MAX;
+}
 
 size_t glint_mesh_frame_bytes(uint16_t w, uint16_t lines)
 {
-    return sizeof(struct bench) + (size_t)2 * w * lines;
+    return mesh_size((uint32_t)sizeof(struct bench) + (uint32_t)2 * w * lines);
 }
 
 enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint16_t h, uint16_t lines,
@@ -35,14 +43,17 @@ enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint
     return GLINT_OK;
 }
 
-static size_t frame_bands(uint16_t h)
+static uint32_t frame_bands(uint16_t h)
 {
     return (h + GLINT_MESH_BAND - 1u) / GLINT_MESH_BAND;
 }
 
 size_t glint_mesh_bytes(const struct glint_mesh *mesh, uint16_t h)
 {
-    return mesh ? mesh->vertex_count * sizeof(struct glint_mesh_vertex) + 2 * (mesh->face_count + frame_bands(h)) : 0;
+    if (!mesh)
+        return 0;
+    return mesh_size((uint32_t)mesh->vertex_count * (uint32_t)sizeof(struct glint_mesh_vertex) +
+                     2 * ((uint32_t)mesh->face_count + frame_bands(h)));
 }
 
 enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn,
@@ -77,10 +88,17 @@ struct strip {
 };
 
 /* The triangle's lines in the strip. */
-static void strip_triangle(const struct strip *strip, struct glint_mesh_triangle *triangle,
-                           const struct glint_paint *paint)
+static void strip_triangle(const struct strip *strip, const struct glint_paint *paint)
 {
     const struct glint_surface *surface = strip->surface;
+    struct bench *bench = (struct bench *)strip->frame->memory;
+    struct glint_mesh_triangle *triangle = &bench->triangle;
+    struct glint_mesh_row *row = &bench->row;
+    row->left = surface->x;
+    row->ddt = triangle->values.txx;
+    row->dnl = triangle->values.nlx;
+    row->dz = triangle->values.zx;
+    row->samples = bench->samples;
     const int32_t end = triangle->y_end < strip->end ? triangle->y_end : strip->end;
     if (triangle->y < strip->y)
         glint_mesh_triangle_skip(triangle, strip->y);
@@ -91,20 +109,16 @@ static void strip_triangle(const struct strip *strip, struct glint_mesh_triangle
             continue;
         const int32_t line = triangle->y - strip->y, k = left - v->x; /* |k| < 2^12 */
         const uint32_t n = (uint32_t)k, pairs = (uint32_t)(k * (k - 1) / 2);
-        struct glint_mesh_row row = {(uint8_t *)surface->pixels + surface->stride * line,
-                                     strip->depth + (size_t)strip->frame->w * (uint32_t)line,
-                                     (uint32_t)left,
-                                     (uint32_t)right,
-                                     surface->x,
-                                     (uint32_t)surface->y + (uint32_t)line,
-                                     v->t + n * v->tx + pairs * v->txx,
-                                     v->tx + n * v->txx,
-                                     v->txx,
-                                     v->nl + n * v->nlx,
-                                     v->nlx,
-                                     v->z + n * v->zx,
-                                     v->zx};
-        paint->path->row(paint->with, &row);
+        row->line = (uint8_t *)surface->pixels + surface->stride * line;
+        row->depth = strip->depth + (size_t)strip->frame->w * (uint32_t)line;
+        row->x = (uint32_t)left;
+        row->end = (uint32_t)right;
+        row->y = (uint32_t)surface->y + (uint32_t)line;
+        row->t = v->t + n * v->tx + pairs * v->txx;
+        row->dt = v->tx + n * v->txx;
+        row->nl = v->nl + n * v->nlx;
+        row->z = v->z + n * v->zx;
+        paint->path->row(paint->with, row);
     }
 }
 
@@ -124,7 +138,7 @@ static void strip_face(const struct strip *strip, const struct glint_mesh_drawn 
         corner->normal = glint_mesh_normal(drawn->mesh, face[i]);
     }
     if (glint_mesh_triangle_set(&bench->triangle, bench->corner))
-        strip_triangle(strip, &bench->triangle, paint);
+        strip_triangle(strip, paint);
 }
 
 /* The others, as a fan. */
@@ -140,7 +154,7 @@ static void strip_clipped(const struct strip *strip, const struct glint_mesh_dra
         bench->corner[2] = glint_mesh_clip_corner(strip->frame, drawn, &at[i]);
         if (glint_mesh_area(&bench->corner[0], &bench->corner[1], &bench->corner[2]) < 0 &&
             glint_mesh_triangle_set(&bench->triangle, bench->corner))
-            strip_triangle(strip, &bench->triangle, paint);
+            strip_triangle(strip, paint);
     }
 }
 

@@ -28,7 +28,7 @@ static int32_t clip_inside(const struct glint_mesh_frame *frame, unsigned plane,
 {
     switch (plane) {
     case GLINT_MESH_NEAR:
-        return frame->distance - (frame->distance + 7) / 8 - at->z;
+        return (int32_t)frame->distance - ((int32_t)frame->distance + 7) / 8 - at->z;
     case GLINT_MESH_LEFT:
         return at->x + GLINT_MESH_GUARD;
     case GLINT_MESH_RIGHT:

@@ -12,7 +12,7 @@ static struct glint_mesh_edge edge_of(const struct glint_mesh_corner *a, const s
     if (first >= glint_mesh_first(b->y))
         return edge;
     edge.step = (b->x - a->x) * 65536 / (b->y - a->y);
-    edge.x = a->x * 4096 + (edge.step >> 4) * (16 * first + 8 - a->y) - 32768 + 65535;
+    edge.x = (int32_t)a->x * 4096 + (edge.step >> 4) * (16 * first + 8 - a->y) - 32768 + 65535;
     return edge;
 }
 

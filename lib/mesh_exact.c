@@ -14,7 +14,7 @@ static void exact_row(const void *with, struct glint_mesh_row *row)
 {
     const struct glint_prepared *prepared = (const struct glint_prepared *)with;
     struct glint_run run = {row->line, 0, row->left, row->y, NULL, NULL};
-    struct glint_sample samples[GLINT_RUN];
+    struct glint_sample *samples = row->samples;
     for (unsigned count; (count = glint_mesh_in_front(row, GLINT_RUN)) != 0; row->x += count) {
         for (unsigned i = 0; i < count; i++, glint_mesh_step(row)) {
             const uint32_t nl = glint_sample_nl((int32_t)row->nl);

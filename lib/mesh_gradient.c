@@ -54,14 +54,14 @@ static uint32_t gradient_sum(struct pair pair, int32_t u, int32_t v, int e, int 
 /* |a - b|^2 / 2 in Q29, < 2^32. */
 static uint32_t gradient_distance(struct glint_vec a, struct glint_vec b)
 {
-    const int32_t x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+    const int32_t x = (int32_t)a.x - b.x, y = (int32_t)a.y - b.y, z = (int32_t)a.z - b.z;
     return ((uint32_t)x * (uint32_t)x >> 2) + ((uint32_t)y * (uint32_t)y >> 2) + ((uint32_t)z * (uint32_t)z >> 2);
 }
 
 int32_t glint_mesh_area(const struct glint_mesh_corner *a, const struct glint_mesh_corner *b,
                         const struct glint_mesh_corner *c)
 {
-    return (b->x - a->x) * (c->y - a->y) - (c->x - a->x) * (b->y - a->y); /* 2 (2^15 - 2)^2 at most */
+    return (int32_t)(b->x - a->x) * (c->y - a->y) - (int32_t)(c->x - a->x) * (b->y - a->y); /* 2 (2^15 - 2)^2 at most */
 }
 
 /* One value for all of it. */
@@ -152,7 +152,7 @@ void glint_mesh_values_set(struct glint_mesh_values *values, const struct glint_
     values->nlx = gradient_sum(nl, s.ux, s.vx, s.e, 2);
     values->nly = gradient_sum(nl, s.uy, s.vy, s.e, 2);
     values->nl = (uint32_t)a->nl_q30 + gradient_sum(nl, s.u, s.v, s.e - 1, 2);
-    const struct pair z = gradient_pair((b->z - a->z) * 4096, (c->z - a->z) * 4096);
+    const struct pair z = gradient_pair(((int32_t)b->z - a->z) * 4096, ((int32_t)c->z - a->z) * 4096);
     values->zx = gradient_sum(z, s.ux, s.vx, s.e, 4);
     values->zy = gradient_sum(z, s.uy, s.vy, s.e, 4);
     values->z = ((uint32_t)a->z << 16) + gradient_sum(z, s.u, s.v, s.e - 1, 4);

@@ -15,7 +15,7 @@ bool glint_mesh_face_lines(const struct glint_mesh_frame *frame, const struct gl
     *last = frame->h;
     if (a->out | b->out | c->out) /* seen once it is clipped, unless one plane cuts all of it */
         return (a->out & b->out & c->out) == 0;
-    if ((b->x - a->x) * (c->y - a->y) - (c->x - a->x) * (b->y - a->y) >= 0)
+    if ((int32_t)(b->x - a->x) * (c->y - a->y) - (int32_t)(c->x - a->x) * (b->y - a->y) >= 0)
         return false;
     int32_t low = a->y < b->y ? a->y : b->y, high = a->y < b->y ? b->y : a->y;
     low = c->y < low ? c->y : low;

@@ -13,7 +13,7 @@ static bool pose_rotation(int32_t m_q30[3][3], const int16_t q[4])
                                    {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            m_q30[i][j] = (int32_t)(product[i][j] * (1 << 30) / s); /* |product| <= s: <= 2^30, 2^62 before */
+            m_q30[i][j] = (int32_t)(product[i][j] * ((int64_t)1 << 30) / s); /* |product| <= s: <= 2^30, 2^62 before */
     return true;
 }
 
@@ -28,7 +28,7 @@ static struct glint_vec pose_back(int32_t m_q30[3][3], const struct glint_vec *v
     int16_t out[3];
     for (int i = 0; i < 3; i++) {
         const int64_t sum = (int64_t)m_q30[0][i] * v->x + (int64_t)m_q30[1][i] * v->y + (int64_t)m_q30[2][i] * v->z;
-        out[i] = pose_hold((int32_t)((sum + (1 << 29)) >> 30));
+        out[i] = pose_hold((int32_t)((sum + ((int64_t)1 << 29)) >> 30));
     }
     const struct glint_vec back = {out[0], out[1], out[2]};
     return back;
@@ -41,7 +41,7 @@ bool glint_pose_set(struct glint_mesh_drawn *drawn, const struct glint_pose *pos
         return false;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++)
-            drawn->turn[i][j] = (int16_t)((m_q30[i][j] + (1 << 15)) >> 16); /* |.| <= 2^14 */
+            drawn->turn[i][j] = (int16_t)((m_q30[i][j] + ((int32_t)1 << 15)) >> 16); /* |.| <= 2^14 */
         drawn->position[i] = pose->position[i];
     }
     drawn->l = pose_back(m_q30, &light->l);
@@ -54,7 +54,7 @@ bool glint_pose_set(struct glint_mesh_drawn *drawn, const struct glint_pose *pos
  * cut to 17 and 14 bits or to 15 and 16, so that the product fits 32. */
 static int32_t pose_scaled(const int16_t row[3], const int16_t place[3], uint32_t scale)
 {
-    const int32_t sum = row[0] * place[0] + row[1] * place[1] + row[2] * place[2];
+    const int32_t sum = (int32_t)row[0] * place[0] + (int32_t)row[1] * place[1] + (int32_t)row[2] * place[2];
     return scale < 16384 ? ((sum >> 14) * (int32_t)scale) >> 15 : ((sum >> 16) * (int32_t)scale) >> 13;
 }
 
@@ -77,9 +77,9 @@ struct glint_vec glint_mesh_normal(const struct glint_mesh *mesh, unsigned verte
         normal.z = n[2];
     } else { /* 127 to 32766 */
         const int8_t *n = mesh->normals8 + 3 * vertex;
-        normal.x = (int16_t)(n[0] * 258);
-        normal.y = (int16_t)(n[1] * 258);
-        normal.z = (int16_t)(n[2] * 258);
+        normal.x = (int16_t)((int32_t)n[0] * 258);
+        normal.y = (int16_t)((int32_t)n[1] * 258);
+        normal.z = (int16_t)((int32_t)n[2] * 258);
     }
     return normal;
 }
@@ -108,11 +108,12 @@ struct glint_mesh_place glint_mesh_project(const struct glint_mesh_frame *frame,
 /* 32 bits are enough: with |N|, |H| <= 1.0 t is at most 2^31; of others it is what is left modulo 2^32. */
 void glint_mesh_light(struct glint_mesh_vertex *vertex, const struct glint_mesh_drawn *drawn, struct glint_vec normal)
 {
-    const int32_t x = normal.x - drawn->h.x, y = normal.y - drawn->h.y, z = normal.z - drawn->h.z;
+    const int32_t x = (int32_t)normal.x - drawn->h.x, y = (int32_t)normal.y - drawn->h.y,
+                  z = (int32_t)normal.z - drawn->h.z;
     const uint32_t xx = (uint32_t)x * (uint32_t)x, yy = (uint32_t)y * (uint32_t)y, zz = (uint32_t)z * (uint32_t)z;
     vertex->t_q30 = (xx >> 1) + (yy >> 1) + (zz >> 1);
-    vertex->nl_q30 = (int32_t)((uint32_t)(normal.x * drawn->l.x) + (uint32_t)(normal.y * drawn->l.y) +
-                               (uint32_t)(normal.z * drawn->l.z));
+    vertex->nl_q30 = (int32_t)((uint32_t)((int32_t)normal.x * drawn->l.x) + (uint32_t)((int32_t)normal.y * drawn->l.y) +
+                               (uint32_t)((int32_t)normal.z * drawn->l.z));
 }
 
 void glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn)

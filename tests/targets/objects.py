@@ -67,9 +67,15 @@ def assembly_stack(line):
     return 4 * count + (int(room[1]) if room else 0)
 
 
+def is_mesh(path):
+    """Meshes call through pointers of a type of their own, struct glint_mesh_path, which no other file has."""
+    return os.path.basename(path).startswith("mesh")
+
+
 class Calls:
     """The call graph of some objects, read from their relocations (compiled with -ffunction-sections, every call has one),
-    with the frames that gcc states (-fstack-usage). A call through a pointer may reach any function whose address is taken."""
+    with the frames that gcc states (-fstack-usage). A call through a pointer may reach any function whose address is taken
+    in a file of the same kind: of meshes or not."""
 
     def __init__(self, target, objects):
         self.target, self.frames, self.edges, self.indirect = target, {}, {}, set()
@@ -147,7 +153,8 @@ class Calls:
         if function not in self.memory:
             below = {(name, self._find(function[0], name)) for name in self.edges[function]}
             if function in self.indirect:
-                below |= {(name, self._find(path, name)) for path, name in self.taken if self._find(path, name)}
+                below |= {(name, self._find(path, name)) for path, name in self.taken
+                          if self._find(path, name) and is_mesh(path) == is_mesh(function[0])}
             chains = [self.depth(at, (*above, function)) if at else (HELPER_STACK, [name]) for name, at in below]
             deepest = max(chains, default=(0, []))
             frame = self.frames.get((function[0], function[1].split(".")[0]), 0)
