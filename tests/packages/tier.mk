@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: MIT
 # Tier packages: lib/ as each build system takes it, built and, where something runs the result, run. Every
 # tests/packages/test_* is a script that speaks TAP.
-PACKAGES_PACKAGES = cmake gcc libc6-dev make pkg-config python3 python3-yaml python3-kconfiglib gcc-arm-none-eabi \
+PACKAGES_PACKAGES = cmake gcc g++ libc6-dev make pkg-config python3 python3-yaml python3-kconfiglib gcc-arm-none-eabi \
 	gcc-riscv64-unknown-elf gcc-xtensa-lx106 gcc-avr avr-libc qemu-system-arm arduino-builder \
 	arduino-core-avr simavr
 PACKAGES_TESTS = $(wildcard tests/packages/test_*)
 
-setup-packages:
+setup-packages: setup-build
 	@.ci/need "tier packages (build systems, a cross compiler, an emulator)" $(PACKAGES_PACKAGES)
 
 test-packages: ## check: lib/ by CMake, make install-lib and others, on the host and for a Cortex-M3 in QEMU
 	@+tests/tier packages "$(SUBMAKE)"
 
-run-packages:
-	@TALLY_JOBS=$$(nproc) tests/tally $(PACKAGES_TESTS)
+run-packages: all
+	@GLINT="$(abspath $(BUILD)/glint)" TALLY_JOBS=$$(nproc) tests/tally $(PACKAGES_TESTS)
 
 .PHONY: setup-packages test-packages run-packages

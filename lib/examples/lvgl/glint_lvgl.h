@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT
+ * glint under LVGL 9: copy this file and glint_lvgl.c into your project. LVGL's RGB565, RGB565_SWAPPED (from 9.3 on) and L8 are glint's
+ * RGB565, RGB565_SWAPPED and GREY8; its other formats hold blue first, and are refused. */
+#ifndef GLINT_LVGL_H
+#define GLINT_LVGL_H
+
+#include <glint.h>
+#include <lvgl.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A canvas's pixels as a surface, without a copy. Afterwards lv_obj_invalidate(canvas). GLINT_ERR_ARG: the canvas has no buffer;
+ * GLINT_ERR_FORMAT: its format is not that of the tables or the shader that is to draw there. */
+enum glint_err glint_lvgl_canvas(lv_obj_t *canvas, uint8_t format, struct glint_surface *surface);
+
+/* What glint_lvgl_draw draws, from the object's upper left corner on; yours, and must outlive the object. */
+struct glint_lvgl {
+    const struct glint_tables *tables;
+    const struct glint_tables_light *light; /* another light: prepare it, then lv_obj_invalidate(object) */
+    const void *normals; /* as glint bake writes them: NAME, NAME_FORMAT, NAME_STRIDE, NAME_WIDTH, NAME_HEIGHT */
+    uint8_t normals_format;
+    uint16_t stride, w, h;
+    enum glint_err err; /* of the last call; GLINT_OK, or nothing was drawn */
+};
+
+/* Draws straight into the layer, only what LVGL is redrawing of the object:
+ *
+ *     lv_obj_add_event_cb(object, glint_lvgl_draw, LV_EVENT_DRAW_MAIN, &map); */
+void glint_lvgl_draw(lv_event_t *event);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

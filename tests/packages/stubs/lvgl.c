@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: MIT
+ * Two objects on a screen of 160 x 80, redrawn as LVGL does in partial mode: an area at a time, in a buffer of its own, where the background's
+ * task is still waiting when an object is drawn. Prints what differs between the canvas and the object that draws itself. */
+#include "badge.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { WIDTH = 160, HEIGHT = 80, BACKGROUND = 0x1f };
+
+struct lv_obj_t {
+    lv_area_t at;
+    lv_draw_buf_t buffer;
+    lv_event_cb_t draw;
+    void *user_data;
+};
+struct lv_event_t {
+    lv_obj_t *target;
+    lv_layer_t *layer;
+};
+
+static lv_obj_t screen, objects[2];
+static unsigned count;
+static uint16_t shown[HEIGHT][WIDTH], part[HEIGHT * WIDTH];
+static lv_draw_buf_t part_buffer;
+
+lv_obj_t *lv_screen_active(void)
+{
+    return &screen;
+}
+
+lv_obj_t *lv_obj_create(lv_obj_t *parent)
+{
+    return parent == &screen && count < 2 ? &objects[count++] : NULL;
+}
+
+lv_obj_t *lv_canvas_create(lv_obj_t *parent)
+{
+    return lv_obj_create(parent);
+}
+
+void lv_canvas_set_buffer(lv_obj_t *obj, void *buf, int32_t w, int32_t h, lv_color_format_t cf)
+{
+    obj->buffer.header.cf = cf;
+    obj->buffer.header.w = (uint16_t)w;
+    obj->buffer.header.h = (uint16_t)h;
+    obj->buffer.header.stride = (uint16_t)(2 * w);
+    obj->buffer.data = (uint8_t *)buf;
+    lv_obj_set_size(obj, w, h);
+}
+
+lv_draw_buf_t *lv_canvas_get_draw_buf(lv_obj_t *obj)
+{
+    return &obj->buffer;
+}
+
+void lv_obj_remove_style_all(lv_obj_t *obj)
+{
+    (void)obj;
+}
+
+void lv_obj_set_pos(lv_obj_t *obj, int32_t x, int32_t y)
+{
+    const lv_area_t at = {x, y, obj->at.x2 - obj->at.x1 + x, obj->at.y2 - obj->at.y1 + y};
+    obj->at = at;
+}
+
+void lv_obj_set_size(lv_obj_t *obj, int32_t w, int32_t h)
+{
+    obj->at.x2 = obj->at.x1 + w - 1;
+    obj->at.y2 = obj->at.y1 + h - 1;
+}
+
+void lv_obj_get_coords(const lv_obj_t *obj, lv_area_t *coords)
+{
+    *coords = obj->at;
+}
+
+void lv_obj_invalidate(const lv_obj_t *obj)
+{
+    (void)obj;
+}
+
+lv_display_t *lv_obj_get_display(const lv_obj_t *obj)
+{
+    (void)obj;
+    return NULL;
+}
+
+void *lv_obj_add_event_cb(lv_obj_t *obj, lv_event_cb_t event_cb, lv_event_code_t filter, void *user_data)
+{
+    obj->draw = filter == LV_EVENT_DRAW_MAIN ? event_cb : NULL;
+    obj->user_data = user_data;
+    return obj;
+}
+
+void *lv_event_get_user_data(lv_event_t *e)
+{
+    return e->target->user_data;
+}
+
+lv_obj_t *lv_event_get_target_obj(lv_event_t *e)
+{
+    return e->target;
+}
+
+lv_layer_t *lv_event_get_layer(lv_event_t *e)
+{
+    return e->layer;
+}
+
+void *lv_draw_layer_alloc_buf(lv_layer_t *layer)
+{
+    layer->draw_buf = &part_buffer;
+    return part;
+}
+
+void *lv_draw_layer_go_to_xy(lv_layer_t *layer, int32_t x, int32_t y)
+{
+    return layer->draw_buf->data + (ptrdiff_t)y * layer->draw_buf->header.stride + 2 * x;
+}
+
+/* The one task that waits: the background. */
+bool lv_draw_dispatch_layer(lv_display_t *disp, lv_layer_t *layer)
+{
+    (void)disp;
+    lv_draw_layer_alloc_buf(layer);
+    if (layer->draw_task_head)
+        for (size_t i = 0; i < sizeof part / sizeof *part; i++)
+            part[i] = BACKGROUND;
+    layer->draw_task_head = NULL;
+    return true;
+}
+
+void lv_draw_dispatch_wait_for_request(void)
+{
+}
+void lv_draw_dispatch_request(void)
+{
+}
+void lv_draw_wait_for_finish(void)
+{
+}
+
+static void refresh(lv_area_t area)
+{
+    lv_layer_t layer = {NULL, (lv_draw_task_t *)&screen, area, area, LV_COLOR_FORMAT_RGB565};
+    const int32_t w = area.x2 - area.x1 + 1;
+    part_buffer.data = (uint8_t *)part;
+    part_buffer.header.stride = (uint16_t)(2 * w);
+    for (unsigned i = 0; i < 2; i++) {
+        lv_event_t event = {&objects[i], &layer};
+        if (objects[i].draw)
+            objects[i].draw(&event);
+    }
+    lv_draw_dispatch_layer(NULL, &layer);
+    for (int32_t y = area.y1; y <= area.y2; y++)
+        memcpy(&shown[y][area.x1], &part[w * (y - area.y1)], 2 * (size_t)w);
+}
+
+int main(void)
+{
+    if (badge_create())
+        return 1;
+    const lv_area_t of_canvas = objects[0].at, of_object = objects[1].at;
+    for (int32_t y = 0; y < HEIGHT; y += 20) {
+        const lv_area_t lines = {0, y, WIDTH - 1, y + 19};
+        refresh(lines);
+    }
+    const lv_area_t odd = {of_object.x1 + 11, of_object.y1 + 13, of_object.x2 + 3, of_object.y1 + 30};
+    for (int32_t y = odd.y1; y <= odd.y2; y++)
+        memset(&shown[y][odd.x1], 0, 2 * (size_t)(odd.x2 - odd.x1 + 1));
+    refresh(odd);
+    unsigned wrong = 0;
+    for (int32_t y = 0; y < 64; y++)
+        for (int32_t x = 0; x < 64; x++)
+            wrong +=
+                shown[of_object.y1 + y][of_object.x1 + x] != ((const uint16_t *)objects[0].buffer.data)[64 * y + x];
+    printf("%u wrong, %04x in the highlight, %04x beside, canvas at %d\n", wrong,
+           shown[of_object.y1 + 20][of_object.x1 + 20], shown[odd.y1][odd.x2], (int)of_canvas.x1);
+    return 0;
+}
