@@ -13,6 +13,7 @@
 
 #include "base/argp.h"
 #include "base/clock.h"
+#include "base/text.h"
 #include "base/message.h"
 #include "commands/commands.h"
 #include "sinks/sinks.h"
@@ -131,7 +132,7 @@ static void print_devices(const struct sink_kind *kind, const json_t *devices)
     if (fclose(stream) != 0)
         fail("out of memory");
     for (char *rest = text, *line; (line = strsep(&rest, "\n")) && (*line || rest);)
-        printf("  %s\n", line);
+        printf("  %s\n", text_clean(line, false));
     free(text);
 }
 

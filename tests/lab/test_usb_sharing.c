@@ -95,6 +95,29 @@ static void a_device_whose_interface_is_not_guds_is_asked_only_by_name(void **st
     usb_display_unplug(&display);
 }
 
+/* Its serial number carries ESC and, as U+009B, the control sequence introducer. */
+static void what_a_device_says_of_itself_reaches_the_terminal_without_control_characters(void **state)
+{
+    (void)state;
+    usb_displays_unplug(NULL);
+    honest();
+    config.ids.serial = "a\033[31m\302\233"
+                        "1mz";
+    usb_display_be(&display, &config);
+    static const char *const commands[] = {"$GLINT list", "$GLINT list --json", STREAM "--frames 1 --stats",
+                                           STREAM "--frames 1 --json", STREAM "--frames 1 --size 9x9"};
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
+        const struct run *result = run(commands[i]);
+        assert_null(strchr(result->out, '\033'));
+        assert_null(strchr(result->err, '\033'));
+        assert_null(strstr(result->out, "\302\233"));
+        assert_null(strstr(result->err, "\302\233"));
+        if (i < 2)
+            assert_contains(result->out, "a?[31m?1mz");
+    }
+    usb_display_unplug(&display);
+}
+
 /* Also where the kernel's own driver waits for the same device, which holds back everybody who opens it. */
 static void the_list_answers_in_time_whatever_a_device_does(void **state)
 {
@@ -189,6 +212,7 @@ int main(void)
         cmocka_unit_test(the_kernels_display_is_taken_only_by_detach_and_given_back),
         cmocka_unit_test(of_two_displays_one_is_to_be_named),
         cmocka_unit_test(a_device_whose_interface_is_not_guds_is_asked_only_by_name),
+        cmocka_unit_test(what_a_device_says_of_itself_reaches_the_terminal_without_control_characters),
         cmocka_unit_test(the_list_answers_in_time_whatever_a_device_does),
         cmocka_unit_test(an_interrupt_ends_waiting),
         cmocka_unit_test(an_interrupt_switches_the_display_off),

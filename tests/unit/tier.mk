@@ -8,6 +8,8 @@ ifneq ($(TEST),)
 UNIT_CHOSEN := $(filter $(wildcard tests/unit/*/*$(TEST)*),$(UNIT_CHOSEN))
 endif
 UNIT_TESTS = $(patsubst tests/unit/%.c,$(BUILD)/tests/unit/%,$(UNIT_CHOSEN))
+# What make check leaves to make test-unit.
+UNIT_QUICK = $(filter-out $(BUILD)/tests/unit/slow/%,$(UNIT_TESTS))
 UNIT_SCRIPTS = $(filter-out %.c,$(wildcard tests/unit/*/test_*))
 UNIT_ENV = GLINT="$$(realpath $(BUILD)/glint)" GLINT_SOURCE="$(CURDIR)"
 UNIT_SANITIZED = build/sanitized
@@ -45,6 +47,6 @@ check-unit:
 	else tests/tally "echo ok 1 - tier unit # SKIP cmocka is not installed: make setup-unit"; fi
 
 run-check-unit: unit-programs
-	@$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS)
+	@$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_QUICK) $(UNIT_SCRIPTS)
 
 .PHONY: setup-unit test-unit unit-programs run-unit check-unit run-check-unit

@@ -149,13 +149,6 @@ static void half_steps_are_searched(void **state)
     assert_contains(result->out, "2.5 2 1 1 3 2 1.25 1 1 1.25 0.00635017\n");
 }
 
-static void keeping_more_sets_finds_better_functions(void **state)
-{
-    (void)state;
-    const struct run *result = run("$GLINT search --best 100 | head -1");
-    assert_string_equal(result->out, "3 3 1 1 1 0.5 0.25 0.5 0.5 1.25 0.00399858\n");
-}
-
 static void the_grid_can_be_chosen(void **state)
 {
     (void)state;
@@ -249,7 +242,6 @@ int main(void)
         cmocka_unit_test(the_deviation_of_one_function_is_that_of_the_formula),
         cmocka_unit_test(a_function_that_is_no_number_somewhere_has_no_deviation),
         cmocka_unit_test(half_steps_are_searched),
-        cmocka_unit_test(keeping_more_sets_finds_better_functions),
         cmocka_unit_test(the_grid_can_be_chosen),
         cmocka_unit_test(json_holds_the_same_rows),
         cmocka_unit_test(rows_of_stage_1_have_coefficients_1),
