@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "bake/source.h"
 
-#include <ctype.h>
 #include <inttypes.h>
+
+#include "bake/c_source.h"
 
 /* ---- arrays ---- */
 
@@ -97,19 +98,6 @@ void bake_write_c(const struct baked *baked, const char *name, FILE *out)
 
 /* ---- a header and definitions ---- */
 
-/* NAME in capitals, for macros; at most 63 letters, as parse_c_name sees to. */
-struct capitals {
-    char text[64];
-};
-
-static struct capitals capitals_of(const char *name)
-{
-    struct capitals capitals = {""};
-    for (size_t i = 0; name[i] && i + 1 < sizeof capitals.text; i++)
-        capitals.text[i] = (char)toupper((unsigned char)name[i]);
-    return capitals;
-}
-
 /* The last strip may be shorter than the others. */
 static void write_strip_macros(const char *name, const char *macro, uint32_t height, uint32_t strip, FILE *out)
 {
@@ -131,11 +119,11 @@ void bake_write_header(const struct baked *baked, const char *name, uint32_t str
                                           [BAKE_INT8] = "GLINT_NORMALS_INT8",
                                           [BAKE_PALETTE] = NULL};
     static const int bytes[] = {[BAKE_INT16] = 6, [BAKE_INT10] = 4, [BAKE_INT8] = 4, [BAKE_PALETTE] = 2};
-    const struct capitals capitals = capitals_of(name);
+    const struct c_capitals capitals = c_capitals(name);
     const char *macro = capitals.text;
     write_note(baked, out);
-    fprintf(out, "#ifndef %s_H\n#define %s_H\n\n#include <stddef.h>\n\n#include \"glint.h\"\n\n", macro, macro);
-    fprintf(out, "#define %s_WIDTH %" PRIu32 "\n#define %s_HEIGHT %" PRIu32 "\n", macro, baked->width, macro,
+    c_begin_header(name, "<stddef.h>\n\n#include \"glint.h\"", out);
+    fprintf(out, "\n#define %s_WIDTH %" PRIu32 "\n#define %s_HEIGHT %" PRIu32 "\n", macro, baked->width, macro,
             baked->height);
     fprintf(out, "#define %s_STRIDE %" PRIu32 " /* bytes from a line to the next */\n", macro,
             (uint32_t)bytes[baked->format] * baked->width);
@@ -150,19 +138,14 @@ void bake_write_header(const struct baked *baked, const char *name, uint32_t str
     if (strip && baked->albedo)
         fprintf(out, "#define %s_STRIP_ALBEDO(i) (%s_albedo + (size_t)(i) * %s_STRIP * %s_WIDTH)\n", macro, name, macro,
                 macro);
-    fputs("\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n", out);
+    c_begin_externs(out);
     if (baked->format == BAKE_PALETTE)
         fprintf(out, "extern const struct glint_vec %s_normals[%s_ENTRIES];\n", name, macro);
     fprintf(out, "extern const %s %s[(size_t)%s_WIDTH * %s_HEIGHT];\n", element_type(baked), name, macro, macro);
     if (baked->albedo)
         fprintf(out, "extern const uint16_t %s_albedo[(size_t)%s_WIDTH * %s_HEIGHT];\n", name, macro, macro);
-    fputs("#ifdef __cplusplus\n}\n#endif\n\n#endif\n", out);
-}
-
-/* Aligned to words, so that a DMA or a copy by words may read it. */
-static void begin_definition(const char *type, const char *name, const char *suffix, FILE *out)
-{
-    fprintf(out, "\n#ifdef __GNUC__\n__attribute__((aligned(4)))\n#endif\nconst %s %s%s[] = {", type, name, suffix);
+    c_end_externs(out);
+    c_end_header(out);
 }
 
 void bake_write_definitions(const struct baked *baked, const char *name, const char *header, FILE *out)
@@ -170,15 +153,15 @@ void bake_write_definitions(const struct baked *baked, const char *name, const c
     write_note(baked, out);
     fprintf(out, "#include \"%s\"\n", header);
     if (baked->format == BAKE_PALETTE) {
-        begin_definition("struct glint_vec", name, "_normals", out);
+        c_begin_array("", "struct glint_vec", name, "_normals", out);
         write_vectors(out, baked->normals, baked->entries);
         fputs("\n};\n", out);
     }
-    begin_definition(element_type(baked), name, "", out);
+    c_begin_array("", element_type(baked), name, "", out);
     write_elements(baked, out);
     fputs("\n};\n", out);
     if (baked->albedo) {
-        begin_definition("uint16_t", name, "_albedo", out);
+        c_begin_array("", "uint16_t", name, "_albedo", out);
         write_albedo(baked, out);
         fputs("\n};\n", out);
     }

@@ -3,11 +3,13 @@
 #include <ctype.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 #include "base/argp.h"
 #include "base/c_names.h"
+#include "base/message.h"
 
 static bool begins(const char *text, const char *with)
 {
@@ -73,4 +75,30 @@ void parse_c_macro(const struct argp_state *state, const char *name, const char 
         *at = (char)toupper((unsigned char)*at);
     if (is_taken_c_name(macro))
         refuse(state, "--name: '%s' would define %s, which has a meaning in C; take another", name, macro);
+}
+
+void parse_c_files(const struct argp_state *state, const char *path, const char **name, const char *suffix,
+                   struct c_files *files)
+{
+    const size_t length = strlen(path);
+    *files = (struct c_files){NULL, NULL, NULL};
+    if (length < 3 || strcasecmp(path + length - 2, ".c") != 0)
+        return;
+    const char *slash = strrchr(path, '/');
+    files->header = strdup(path);
+    files->stem = strdup(slash ? slash + 1 : path);
+    if (!files->header || !files->stem)
+        fail("out of memory");
+    files->header[length - 1] = path[length - 1] == 'C' ? 'H' : 'h';
+    files->within = files->header + (slash ? slash + 1 - path : 0);
+    files->stem[strlen(files->stem) - 2] = '\0';
+    if (!*name)
+        *name = parse_c_name(state, files->stem);
+    parse_c_macro(state, *name, suffix);
+}
+
+void c_files_free(struct c_files *files)
+{
+    free(files->header);
+    free(files->stem);
 }

@@ -29,8 +29,7 @@ struct request {
     uint32_t entries;
     enum bake_kind kind;
     const char *name, *path;
-    char *header;     /* beside a NAME.c; NULL: the source is one file */
-    char *stem;       /* FILE without .c: the name where none is given */
+    struct c_files files;
     uint32_t strip;   /* lines; 0: not given */
     uint32_t address; /* 0: not given */
     bool json;
@@ -123,24 +122,6 @@ static enum bake_kind kind_by_ending(const struct argp_state *state, const char 
     refuse(state, "-o: '%s' does not end in .c, .h, .bin or .uf2; rename it, or give --as", path);
 }
 
-/* For FILE.c: FILE.h, and FILE as the array's name where none is given. */
-static void name_header(const struct argp_state *state, struct request *request)
-{
-    const size_t length = strlen(request->path);
-    if (length < 3 || strcasecmp(request->path + length - 2, ".c") != 0)
-        return;
-    if (!(request->header = strdup(request->path)))
-        fail("out of memory");
-    const char *slash = strrchr(request->path, '/');
-    if (!(request->stem = strdup(slash ? slash + 1 : request->path)))
-        fail("out of memory");
-    request->stem[strlen(request->stem) - 2] = '\0';
-    if (!request->name)
-        request->name = parse_c_name(state, request->stem);
-    request->header[length - 1] = request->path[length - 1] == 'C' ? 'H' : 'h';
-    parse_c_macro(state, request->name, "_WIDTH");
-}
-
 static bool is_stdout(const char *path)
 {
     return path && strcmp(path, "-") == 0;
@@ -159,8 +140,8 @@ static void check(const struct argp_state *state, struct request *request)
     if (request->kind == BAKE_KINDS)
         request->kind = to_stdout ? BAKE_C : kind_by_ending(state, request->path);
     if (request->kind == BAKE_C && !to_stdout)
-        name_header(state, request);
-    if (request->strip && !request->header)
+        parse_c_files(state, request->path, &request->name, "_WIDTH", &request->files);
+    if (request->strip && !request->files.header)
         refuse(state, "--strip is for C source in a FILE.c; leave it out, or give -o FILE.c");
     if (request->name && request->kind != BAKE_C)
         refuse(state, "--name is for C source; it cannot be used with --as %s", kind_names[request->kind]);
@@ -281,12 +262,10 @@ static void write_baked(const struct request *request, const struct baked *baked
         bake_write_uf2(baked, request->address, out);
         return;
     default:
-        if (request->header) {
-            const char *slash = strrchr(request->header, '/');
-            bake_write_definitions(baked, request->name, slash ? slash + 1 : request->header, out);
-        } else {
+        if (request->files.header)
+            bake_write_definitions(baked, request->name, request->files.within, out);
+        else
             bake_write_c(baked, request->name ? request->name : "baked", out);
-        }
     }
 }
 
@@ -307,7 +286,7 @@ int command_bake(int argc, char **argv)
              "smaller --size or another --to",
              request.path, baked_bytes(baked), request.address, FLASH_END);
     struct output *output = request.path ? output_open(request.path) : NULL;
-    struct output *header = request.header ? output_open(request.header) : NULL;
+    struct output *header = request.files.header ? output_open(request.files.header) : NULL;
     if (header)
         bake_write_header(baked, request.name, request.strip, header->stream);
     if (output)
@@ -321,8 +300,7 @@ int command_bake(int argc, char **argv)
         output_close(header);
     if (output)
         output_close(output);
-    free(request.header);
-    free(request.stem);
+    c_files_free(&request.files);
     baked_free(baked);
     scene_free(scene);
     return EXIT_GOOD;

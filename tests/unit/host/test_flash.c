@@ -87,11 +87,106 @@ static void an_albedo_where_there_is_no_place_for_it_is_refused(void **state)
     assert_false(exists("out/no.c") || exists("out/no.uf2"));
 }
 
+/* A program that draws the baked heights with tables of the name `shine` under the light of look.h. */
+static const char tables_program[] =
+    "cat >out/t.c <<'END'\n"
+    "#include <stdio.h>\n#include \"stone.h\"\n#include \"look.h\"\n#include \"shine.h\"\n"
+    "static unsigned char pixels[2 * STONE_WIDTH * STONE_HEIGHT];\n"
+    "int main(void) {\n"
+    "struct glint_shader shader; struct glint_tables_light light;\n"
+    "struct glint_surface surface = {pixels, 2 * STONE_WIDTH, 0, 0};\n"
+    "material(&shader);\n"
+    "if (glint_tables_light_init(&light, &shine, &shader.light) != GLINT_OK) return 1;\n"
+    "if ((shine.kind == GLINT_TABLES_ALBEDO\n"
+    "     ? glint_tables_albedo_rect(&shine, &light, STONE_FORMAT, stone, STONE_STRIDE, stone_albedo,\n"
+    "                                STONE_ALBEDO_STRIDE, STONE_WIDTH, STONE_HEIGHT, &surface)\n"
+    "     : glint_tables_rect(&shine, &light, STONE_FORMAT, stone, STONE_STRIDE, STONE_WIDTH, STONE_HEIGHT,\n"
+    "                         &surface)) != GLINT_OK) return 1;\n"
+    "fwrite(pixels, 1, sizeof pixels, stdout);\n"
+    "return 0; }\nEND";
+
+static void tables_in_flash_draw_what_tables_filled_at_run_time_draw(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *kind, *look, *maps;
+    } cases[] = {
+        {"colour", "-n 20 --color 200,90,20 --format rgb565", ""},
+        {"colour", "--model cayley -n 300 -q 9 --space linear --specular 1,.5,.2 --format rgb565-swapped", ""},
+        {"small", "--model schlick -n 5 --color 0,250,99 --ambient .1,.2,.3 --format rgb565", ""},
+        {"small", "-n 100 --dither --format rgb565-swapped", ""},
+        {"albedo", "-n 20 --ambient .3 --diffuse .6 --specular .8,.7,.1 --format rgb565", "--albedo colors.png"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char line[900];
+        snprintf(line, sizeof line,
+                 "$GLINT bake --height heights.png --albedo colors.png -o out/stone.c >out/log && "
+                 "$GLINT material %s -o out/look.h && $GLINT table --kind %s %s -o out/shine.%s && "
+                 "$GLINT render --height heights.png %s %s --path %s-int8 --image raw -o out/wanted.raw",
+                 cases[i].look, cases[i].kind, cases[i].look, i == 0 ? "h --name shine" : "c", cases[i].look,
+                 cases[i].maps, cases[i].kind);
+        assert_quiet(line);
+        assert_quiet(tables_program);
+        assert_draws(i == 0 ? "stone.c" : "stone.c shine.c", "out/wanted.raw");
+    }
+}
+
+static void tables_in_flash_take_no_ram(void **state)
+{
+    (void)state;
+    assert_quiet("$GLINT table --kind colour --name shine -o out/colour.c && cd out && "
+                 "gcc -std=c99 -fno-pic " WARN "-c colour.c -o c.o && g++ -std=c++11 -fno-pic " WARN
+                 "-x c++ -c colour.c -o cxx.o");
+    static const char *const objects[] = {"c.o", "cxx.o"};
+    for (int i = 0; i < 2; i++) {
+        char line[300];
+        snprintf(line, sizeof line,
+                 "size -A out/%s | awk '/^\\.(data|bss)/ { ram += $2 } /^\\.rodata/ { rom += $2 } "
+                 "END { print ram + 0, (rom >= 20480) }'",
+                 objects[i]);
+        assert_string_equal(run(line)->out, "0 1\n");
+    }
+}
+
+static void tables_that_cannot_be_are_refused_with_the_reason(void **state)
+{
+    (void)state;
+    const int before = files_in("out");
+    assert_fails("$GLINT table --kind colour --format grey8 -o out/no.c", "--kind colour: needs --format rgb565");
+    assert_fails("$GLINT table --kind small --space linear -o out/no.c", "--kind small: needs --space gamma");
+    assert_fails("$GLINT table --kind small --model phong -o out/no.c", "cannot draw phong");
+    assert_fails("$GLINT table --kind albedo -o out/no.c", "--kind albedo: needs --ambient and --diffuse");
+    assert_refused("$GLINT table --kind grey -o out/no.c", "colour, small, albedo");
+    assert_refused("$GLINT table --kind small --entries 9 -o out/no.c", "--entries");
+    assert_refused("$GLINT table --kind small --raw -o out/no.bin", "--raw");
+    assert_refused("$GLINT table --ambient .3 -o out/no.c", "need --kind");
+    assert_int_equal(files_in("out"), before);
+}
+
+/* The look-ups of the header are those of the single file. */
+static void a_highlight_in_flash_links_and_looks_up_the_same(void **state)
+{
+    (void)state;
+    assert_quiet(
+        "$GLINT table -n 20 --entries 40 -o out/one.h --name shine && mv out/one.h out/shine.h && "
+        "printf '#include <stdio.h>\n#include \"shine.h\"\nint main(void) { for (uint32_t x = 0; x < 1u << 30; x += "
+        "1234567) printf(\"%%d %%d\\\\n\", shine_nearest(x), shine_linear(x)); return 0; }\n' >out/t.c && "
+        "cd out && gcc -std=c99 " WARN "t.c -o t && ./t >wanted.raw");
+    assert_quiet(
+        "$GLINT table -n 20 --entries 40 -o out/shine.c && grep -q '^#define SHINE_ENTRIES 40$' out/shine.h && "
+        "grep -q 'extern const uint16_t shine\\[SHINE_ENTRIES\\];' out/shine.h");
+    assert_draws("shine.c", "out/wanted.raw");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(normals_and_albedo_in_strips_draw_the_pixels_of_render),
         cmocka_unit_test(raw_has_the_albedo_after_the_normals),
+        cmocka_unit_test(tables_in_flash_draw_what_tables_filled_at_run_time_draw),
+        cmocka_unit_test(tables_in_flash_take_no_ram),
+        cmocka_unit_test(tables_that_cannot_be_are_refused_with_the_reason),
+        cmocka_unit_test(a_highlight_in_flash_links_and_looks_up_the_same),
         cmocka_unit_test(an_albedo_where_there_is_no_place_for_it_is_refused),
     };
     return cmocka_run_group_tests_name("flash", tests, make_library, scratch_remove);
