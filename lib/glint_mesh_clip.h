@@ -12,12 +12,13 @@ struct glint_mesh_clipped {
     struct glint_mesh_place at;
     struct glint_vec normal;
 };
-/* What a polygon in work takes. */
+/* A polygon in work: each plane clips from one list of corners to the other. */
 struct glint_mesh_polygon {
     struct glint_mesh_clipped corner[2][GLINT_MESH_POLYGON];
+    uint8_t now; /* which of them holds it */
 };
 
-/* Clips a face: the count of corners of what is left, at least 3, or 0; they stand in polygon->corner[0], projected. */
+/* Clips a face: the count of corners of what is left, at least 3, or 0; they stand in corner[now], projected. */
 unsigned glint_mesh_clip(struct glint_mesh_polygon *polygon, const struct glint_mesh_frame *frame,
                          const struct glint_mesh_drawn *drawn, const uint16_t face[3]);
 

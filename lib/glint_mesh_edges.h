@@ -29,6 +29,34 @@ bool glint_mesh_triangle_set(struct glint_mesh_triangle *triangle, const struct 
 void glint_mesh_triangle_skip(struct glint_mesh_triangle *triangle, int32_t y);
 
 /* The columns of its line, those from 0 on before w: *left..*right - 1; false where there is none. */
-bool glint_mesh_triangle_line(const struct glint_mesh_triangle *triangle, int32_t w, int32_t *left, int32_t *right);
+static inline bool glint_mesh_triangle_line(const struct glint_mesh_triangle *triangle, int32_t w, int32_t *left,
+                                            int32_t *right)
+{
+    const struct glint_mesh_edge *edge = triangle->y < triangle->y_middle ? &triangle->upper : &triangle->lower;
+    const int32_t a = triangle->long_edge.x >> 16, b = edge->x >> 16;
+    const int32_t from = triangle->long_is_left ? a : b, to = triangle->long_is_left ? b : a;
+    *left = from < 0 ? 0 : from;
+    *right = to > w ? w : to;
+    return *left < *right;
+}
+
+static inline void glint_mesh_edge_next(struct glint_mesh_edge *edge)
+{
+    edge->x = (int32_t)((uint32_t)edge->x + (uint32_t)edge->step);
+}
+
+/* To the next line: a skip by one. */
+static inline void glint_mesh_triangle_next(struct glint_mesh_triangle *triangle)
+{
+    struct glint_mesh_values *v = &triangle->values;
+    v->t += v->ty;
+    v->ty += v->tyy;
+    v->tx += v->txy;
+    v->nl += v->nly;
+    v->z += v->zy;
+    glint_mesh_edge_next(&triangle->long_edge);
+    glint_mesh_edge_next(triangle->y < triangle->y_middle ? &triangle->upper : &triangle->lower);
+    triangle->y++;
+}
 
 #endif

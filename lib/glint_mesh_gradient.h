@@ -14,10 +14,10 @@ struct glint_mesh_corner {
     struct glint_vec normal;
 };
 
-/* Values at the middle of pixel x, y, and their steps; all modulo 2^32. A pixel to the right adds tx to t, then txx to tx; a line
+/* Values at the middle of a pixel, in column x, and their steps; all modulo 2^32. A pixel to the right adds tx to t, then txx to tx; a line
  * down adds ty to t, tyy to ty and txy to tx. nl and z are linear; z is Q16.16. */
 struct glint_mesh_values {
-    int32_t x, y;
+    int32_t x;
     uint32_t t, tx, ty, txx, txy, tyy;
     uint32_t nl, nlx, nly;
     uint32_t z, zx, zy;
@@ -27,7 +27,7 @@ struct glint_mesh_values {
 int32_t glint_mesh_area(const struct glint_mesh_corner *a, const struct glint_mesh_corner *b,
                         const struct glint_mesh_corner *c);
 
-/* From three corners, the upper one first; area is not 0. */
+/* From three corners, the upper one first, in the first line whose middle is at or below it; area is not 0. */
 void glint_mesh_values_set(struct glint_mesh_values *values, const struct glint_mesh_corner *const corner[3],
                            int32_t area);
 

@@ -102,7 +102,7 @@ static void strip_triangle(const struct strip *strip, const struct glint_paint *
     const int32_t end = triangle->y_end < strip->end ? triangle->y_end : strip->end;
     if (triangle->y < strip->y)
         glint_mesh_triangle_skip(triangle, strip->y);
-    for (; triangle->y < end; glint_mesh_triangle_skip(triangle, triangle->y + 1)) {
+    for (; triangle->y < end; glint_mesh_triangle_next(triangle)) {
         const struct glint_mesh_values *v = &triangle->values;
         int32_t left, right;
         if (!glint_mesh_triangle_line(triangle, strip->frame->w, &left, &right))
@@ -146,8 +146,8 @@ static void strip_clipped(const struct strip *strip, const struct glint_mesh_dra
                           const struct glint_paint *paint)
 {
     struct bench *bench = (struct bench *)strip->frame->memory;
-    const struct glint_mesh_clipped *at = bench->polygon.corner[0];
     const unsigned count = glint_mesh_clip(&bench->polygon, strip->frame, drawn, face);
+    const struct glint_mesh_clipped *at = bench->polygon.corner[bench->polygon.now];
     for (unsigned i = 2; i < count; i++) {
         bench->corner[0] = glint_mesh_clip_corner(strip->frame, drawn, &at[0]);
         bench->corner[1] = glint_mesh_clip_corner(strip->frame, drawn, &at[i - 1]);

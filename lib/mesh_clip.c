@@ -40,13 +40,13 @@ static int32_t clip_inside(const struct glint_mesh_frame *frame, unsigned plane,
     }
 }
 
-/* From polygon->corner[0], by way of corner[1], to corner[0]. A convex polygon gains one corner at most; where rounding made it something
+/* From one list to the other. A convex polygon gains one corner at most; where rounding made it something
  * else, what exceeds the place for it is left out. */
 static unsigned clip_plane(struct glint_mesh_polygon *polygon, unsigned count, const struct glint_mesh_frame *frame,
                            unsigned plane)
 {
-    const struct glint_mesh_clipped *from = polygon->corner[0];
-    struct glint_mesh_clipped *to = polygon->corner[1];
+    const struct glint_mesh_clipped *from = polygon->corner[polygon->now];
+    struct glint_mesh_clipped *to = polygon->corner[1 - polygon->now];
     unsigned found = 0;
     for (unsigned i = 0; i < count; i++) {
         const struct glint_mesh_clipped *a = &from[i], *b = &from[i + 1 < count ? i + 1 : 0];
@@ -56,8 +56,7 @@ static unsigned clip_plane(struct glint_mesh_polygon *polygon, unsigned count, c
         if ((a_in >= 0) != (b_in >= 0) && found < GLINT_MESH_POLYGON)
             to[found++] = a_in >= 0 ? clip_crossing(a, b, a_in, a_in - b_in) : clip_crossing(b, a, b_in, b_in - a_in);
     }
-    for (unsigned i = 0; i < found; i++)
-        polygon->corner[0][i] = to[i];
+    polygon->now = (uint8_t)(1 - polygon->now);
     return found < 3 ? 0 : found;
 }
 
@@ -66,12 +65,14 @@ unsigned glint_mesh_clip(struct glint_mesh_polygon *polygon, const struct glint_
 {
     struct glint_mesh_clipped *corner = polygon->corner[0];
     unsigned count = 3;
+    polygon->now = 0;
     for (unsigned i = 0; i < 3; i++) {
         corner[i].at = glint_mesh_place_of(drawn, face[i]);
         corner[i].normal = glint_mesh_normal(drawn->mesh, face[i]);
     }
     if (frame->distance)
         count = clip_plane(polygon, count, frame, GLINT_MESH_NEAR);
+    corner = polygon->corner[polygon->now];
     for (unsigned i = 0; i < count; i++)
         corner[i].at = glint_mesh_project(frame, corner[i].at);
     for (unsigned plane = GLINT_MESH_LEFT; plane <= GLINT_MESH_BELOW && count; plane <<= 1)

@@ -62,15 +62,5 @@ void glint_mesh_triangle_skip(struct glint_mesh_triangle *triangle, int32_t y)
     if (y > triangle->y_middle)
         edge_skip(&triangle->lower,
                   (uint32_t)(y - (triangle->y > triangle->y_middle ? triangle->y : triangle->y_middle)));
-    v->y = triangle->y = y;
-}
-
-bool glint_mesh_triangle_line(const struct glint_mesh_triangle *triangle, int32_t w, int32_t *left, int32_t *right)
-{
-    const struct glint_mesh_edge *edge = triangle->y < triangle->y_middle ? &triangle->upper : &triangle->lower;
-    const int32_t a = triangle->long_edge.x >> 16, b = edge->x >> 16;
-    const int32_t from = triangle->long_is_left ? a : b, to = triangle->long_is_left ? b : a;
-    *left = from < 0 ? 0 : from;
-    *right = to > w ? w : to;
-    return *left < *right;
+    triangle->y = y;
 }

@@ -137,7 +137,6 @@ void glint_mesh_values_set(struct glint_mesh_values *values, const struct glint_
 {
     const struct glint_mesh_corner *a = corner[0], *b = corner[1], *c = corner[2];
     values->x = a->x >> 4;
-    values->y = (a->y + 7) >> 4;
     const uint32_t pp = gradient_distance(b->normal, a->normal), qq = gradient_distance(c->normal, a->normal);
     const uint32_t rr = gradient_distance(c->normal, b->normal), square = (uint32_t)1 << 29; /* 90 degrees */
     const struct slopes s = gradient_slopes(corner, area);

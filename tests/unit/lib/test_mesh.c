@@ -84,6 +84,31 @@ static void tables_draw_the_pixels_of_the_span(void **state)
     }
 }
 
+static void colour_tables_draw_each_pixel_as_in_a_span(void **state)
+{
+    (void)state;
+    static uint32_t memory[GLINT_TABLES_COLOUR_BYTES / 4];
+    _Alignas(4) static uint8_t even[2 * MESH_H * MESH_W + 2], uneven[2 * MESH_H * MESH_W + 2];
+    for (int i = 0; i < 60; i++) {
+        struct glint_shader shader = random_shader(i & 1 ? GLINT_RGB565 : GLINT_RGB565_SWAPPED, GLINT_GAMMA);
+        struct glint_tables tables;
+        if (shader.lobe.model == GLINT_PHONG)
+            continue;
+        shader.dither = false;
+        assert_int_equal(glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &shader, memory, sizeof memory), GLINT_OK);
+        if (i % 3)
+            mesh_noise(&mesh, 3 + below(100), 1 + below(100));
+        else
+            mesh_ball(&mesh, 4 + below(8), 5 + below(8));
+        const struct glint_paint paint = {&glint_mesh_tables, &tables};
+        memset(even, GUARD, sizeof even);
+        memset(uneven, GUARD, sizeof uneven);
+        mesh_picture(&mesh, &shader.light, &paint, even, 2, bands, 1, false);
+        mesh_picture(&mesh, &shader.light, &paint, uneven + 1, 2, bands, 1, false); /* by glint_tables_span */
+        assert_memory_equal(even, uneven + 1, sizeof even - 2);
+    }
+}
+
 static void the_nearer_hides_the_farther_and_the_first_of_two_stays(void **state)
 {
     (void)state;
@@ -223,6 +248,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_picture_is_the_same_in_strips_of_any_height_and_order),
         cmocka_unit_test(tables_draw_the_pixels_of_the_span),
+        cmocka_unit_test(colour_tables_draw_each_pixel_as_in_a_span),
         cmocka_unit_test(the_nearer_hides_the_farther_and_the_first_of_two_stays),
         cmocka_unit_test(whatever_a_mesh_holds_nothing_outside_the_strip_is_written),
         cmocka_unit_test(wrong_arguments_are_refused_and_nothing_is_drawn),
