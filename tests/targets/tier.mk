@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Tier targets: the library by cross compilers (integers only, no writable data, bounded stack), and run by emulators.
-TARGETS_PACKAGES = gcc libc6-dev make python3-minimal gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-avr avr-libc simavr \
-	gcc-xtensa-lx106 qemu-system-arm qemu-system-misc libnewlib-arm-none-eabi
+TARGETS_PACKAGES = $(sort gcc libc6-dev make python3-minimal simavr qemu-system-arm qemu-system-misc libnewlib-arm-none-eabi \
+	$(foreach port,$(BARE_PORTS),$($(port)_PACKAGES)))
 # BOARD=NAME: that board alone.
 TARGETS_FIRMWARE = $(if $(BOARD),$(bare_goal_$(BOARD)),$(BARE_PORTS:%=firmware-%))
 
