@@ -16,6 +16,8 @@
     cmp r3, #0
     beq 1f
     ldrb r4, [r0, #GLINT_AT_TABLES_KIND]
+    ldrb r5, [r0, #GLINT_AT_TABLES_DITHER]
+    orrs r4, r5
     lsls r5, r3, #31
     orrs r5, r4
     bne 1f

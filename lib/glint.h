@@ -346,8 +346,9 @@ enum glint_err glint_shade_span_c16(const struct glint_shader *shader, const str
  * Compile with -DGLINT_CORTEX_M0PLUS_ASM=1, and lib/cortex_m0plus_*.S too, and 8- and 10-bit lines (10-bit ones not over
  * an albedo map), spans without one and palettes run in Thumb assembly, with the same pixels.
  *
- * COLOUR  for RGB565 in either order, undithered, gamma or linear. 20,480 bytes: 4096 columns over t, which hold F in 64
- *         steps, and 128 rows over nl of 64 finished pixels.
+ * COLOUR  for RGB565 in either order, gamma or linear. 20,480 bytes: 4096 columns over t, which hold F in 64 steps, and
+ *         128 rows over nl of 64 finished pixels. With shader->dither: gamma only, and 20,608 bytes; surface.x and y are the
+ *         dither's phase. No rings: means over 4x4 pixels are as near to the true picture as the exact dithered path's.
  * SMALL   for every format, dithered or not, gamma only. 904 bytes; with its structs below 1 KB. A pixel is a sum of two
  *         words, one by nl and one by t.
  * ALBEDO  for RGB565 in either order, undithered, gamma, from an albedo map in RGB565; ambient and diffuse grey, together
@@ -372,9 +373,10 @@ struct glint_vec glint_normals_unpack(enum glint_normals format, uint32_t word);
 
 enum glint_tables_kind { GLINT_TABLES_COLOUR, GLINT_TABLES_SMALL, GLINT_TABLES_ALBEDO };
 #define GLINT_TABLES_COLOUR_BYTES 20480u
+#define GLINT_TABLES_DITHER_BYTES 20608u /* COLOUR, dithered */
 #define GLINT_TABLES_SMALL_BYTES 904u
 #define GLINT_TABLES_ALBEDO_BYTES 8584u
-size_t glint_tables_bytes(enum glint_tables_kind kind); /* the same; 0 for no such kind */
+size_t glint_tables_bytes(enum glint_tables_kind kind); /* the same, undithered; 0 for no such kind */
 
 /* State, ours; the memory stays yours and must outlive it. Const once filled: shared by threads and interrupts. */
 struct glint_tables {

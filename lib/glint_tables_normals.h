@@ -26,4 +26,10 @@ static inline struct glint_vec glint_normal_at(enum glint_normals format, const 
                                          : glint_normals_unpack(format, ((const uint32_t *)normals)[i]);
 }
 
+/* From a word without surface on: how many more are to be stepped over. */
+static inline uint32_t glint_gap(uint32_t count, size_t left)
+{
+    return (uint32_t)(count < 1 ? 1 : count < left ? count : left) - 1;
+}
+
 #endif

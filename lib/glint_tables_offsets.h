@@ -10,6 +10,7 @@
 #define GLINT_AT_TABLES_DARK 12
 #define GLINT_AT_TABLES_KIND 14
 #define GLINT_AT_TABLES_SHIFT 16
+#define GLINT_AT_TABLES_DITHER 17
 
 #define GLINT_AT_LIGHT_H 6
 #define GLINT_AT_LIGHT_X 12 /* x, y, z: one load of three words */

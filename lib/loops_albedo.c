@@ -12,6 +12,7 @@
 #include "glint_tables_assembly.h"
 #include "glint_tables_geometry.h"
 #include "glint_tables_normals.h"
+#include "glint_tables_order.h"
 
 #define FIELDS GLINT_ALBEDO_FIELDS
 #define FIELDS_HALF UINT32_C(0x02008010) /* of 32nds, in each field */
@@ -30,20 +31,6 @@ static inline uint32_t full(uint32_t sum) /* a field whose guard is set is full 
                 : sum; /* green has 6 bits: its lowest by the >> 6 */
 }
 
-static inline uint16_t packed(uint32_t word, bool swapped)
-{
-    const uint32_t rgb = word | word >> 16;
-    return (uint16_t)(swapped ? rgb << 8 | (rgb >> 8 & 255) : rgb);
-}
-
-/* Does a pixel in the format's order differ from this machine's? */
-static inline bool is_swapped(const struct glint_tables *tables)
-{
-    const uint16_t one = 1;
-    const bool low_first = *(const uint8_t *)&one == 1;
-    return (tables->format == GLINT_RGB565_SWAPPED) == low_first;
-}
-
 /* ---- Lines ---- */
 
 /* By t and nl, as spans and the wider normals have them. Below 0, t may come by rounding. */
@@ -53,14 +40,14 @@ static inline uint16_t albedo_pixel(const struct glint_tables *tables, uint32_t 
     uint32_t word = lit(albedo, nl < 0 ? tables->dark : *glint_albedo_level(tables, nl >> GLINT_ALBEDO_LEVEL_SHIFT));
     if (nl >= 0 && t <= tables->t_max_q30)
         word = full(word + tables->colour.sums[(tables->t_max_q30 - t) >> tables->shift]);
-    return packed(word, swapped);
+    return glint_packed(word, swapped);
 }
 
 static void wide_line(const struct glint_tables *tables, const struct glint_tables_light *light,
                       enum glint_normals format, const void *normals, const uint16_t *albedo, uint16_t w, uint16_t *out)
 {
     const struct glint_vec l = light->l, h = light->h;
-    const bool swapped = is_swapped(tables);
+    const bool swapped = glint_is_swapped(tables);
     for (uint16_t i = 0; i < w; i++) {
         const struct glint_vec n = glint_normal_at(format, normals, i);
         if (n.x | n.y | n.z)
@@ -87,14 +74,14 @@ static inline void int8_line(const struct glint_tables *tables, const struct gli
         /* Q25, negative where lit: the level is behind its table's end, and e needs no other address */
         const int32_t d = (int8_t)word * lx + (int16_t)word * ly + z * lz;
         if (d >= 0) {
-            out[i] = packed(lit(albedo[i], dark), swapped);
+            out[i] = glint_packed(lit(albedo[i], dark), swapped);
             continue;
         }
         uint32_t sum = lit(albedo[i], levels[d >> (GLINT_ALBEDO_LEVEL_SHIFT - 5)]);
         const uint32_t e = ((uint32_t)z << 10) - cut - (uint32_t)d;
         if ((int32_t)e >= 0)
             sum = full(sum + shine[(e * r) >> (32 - GLINT_ALBEDO_COLUMNS_LOG)]);
-        out[i] = packed(sum, swapped);
+        out[i] = glint_packed(sum, swapped);
     }
 }
 
@@ -117,7 +104,7 @@ static void albedo_line(const struct glint_tables *tables, const struct glint_ta
 {
     if (format != GLINT_NORMALS_INT8)
         wide_line(tables, light, format, normals, albedo, w, out);
-    else if (is_swapped(tables))
+    else if (glint_is_swapped(tables))
         glint_albedo_int8_swapped(tables, light, (const uint32_t *)normals, albedo, w, out);
     else
         glint_albedo_int8(tables, light, (const uint32_t *)normals, albedo, w, out);
@@ -170,7 +157,7 @@ enum glint_err glint_tables_albedo_span(const struct glint_tables *tables, const
     if (!tables || !span || !albedo || !surface || !surface->pixels || tables->kind != GLINT_TABLES_ALBEDO ||
         GLINT_MISALIGNED(albedo, 16))
         return GLINT_ERR_ARG;
-    const bool swapped = is_swapped(tables);
+    const bool swapped = glint_is_swapped(tables);
     uint32_t t = span->t_q30, dt = span->dt_q30, nl = (uint32_t)span->nl_q30;
     uint8_t *out = (uint8_t *)surface->pixels;
     for (uint16_t x = 0; x < span->w; x++, out += 2) {

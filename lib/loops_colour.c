@@ -50,12 +50,6 @@ void glint_colour_vec(const struct glint_tables *tables, const struct glint_tabl
             out[i] = colour(&look, glint_fast_t(&normals[i], &h), glint_fast_nl(&normals[i], &l));
 }
 
-/* From a word without surface on: how many more are to be stepped over. */
-static inline uint32_t gap(uint32_t count, size_t left)
-{
-    return (uint32_t)(count < 1 ? 1 : count < left ? count : left) - 1;
-}
-
 /* 10 bits, for any viewer: unpacked, then as above. */
 void glint_colour_int10_aside(const struct glint_tables *tables, const struct glint_tables_light *light,
                               const uint32_t *words, uint16_t w, uint16_t *out)
@@ -65,7 +59,7 @@ void glint_colour_int10_aside(const struct glint_tables *tables, const struct gl
     for (const uint16_t *end = out + w; out < end; words++, out++) {
         const struct glint_vec n = glint_unpack_int10(*words);
         if (n.z == 0) {
-            const uint32_t skip = gap(*words >> 12, (size_t)(end - out));
+            const uint32_t skip = glint_gap(*words >> 12, (size_t)(end - out));
             words += skip;
             out += skip;
             continue;
@@ -91,7 +85,7 @@ void glint_colour_int8(const struct glint_tables *tables, const struct glint_tab
         const uint32_t word = *words;
         const int32_t z = (int32_t)word >> 16;
         if (z == 0) {
-            const uint32_t skip = gap(word, (size_t)(end - out));
+            const uint32_t skip = glint_gap(word, (size_t)(end - out));
             words += skip;
             out += skip;
             continue;
@@ -124,7 +118,7 @@ void glint_colour_int10(const struct glint_tables *tables, const struct glint_ta
         const uint32_t word = *words;
         const int32_t top_z = (int32_t)(word << 20);
         if (top_z == 0) {
-            const uint32_t skip = gap(word >> 12, (size_t)(end - out));
+            const uint32_t skip = glint_gap(word >> 12, (size_t)(end - out));
             words += skip;
             out += skip;
             continue;

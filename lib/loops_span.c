@@ -2,6 +2,7 @@
  * Spans over COLOUR tables, GLINT_SPAN_RUN pixels at a time: a run. Of a run it is cheap to know that all its pixels are alike,
  * as t is convex and nl linear: three loops for three kinds take only the additions that their kind needs, and a fourth
  * takes any run. */
+#include "glint_loops_run.h"
 #include "glint_loops_span_any.h"
 #include "glint_math_align.h"
 #include "glint_pixel.h"
@@ -92,53 +93,27 @@ static void run_mixed(const struct glint_tables *tables, const struct glint_span
     }
 }
 
-/* Modulo 2^32 t is convex and nl linear only where no sum wraps: with steps below 2^25 and ddt below 2^20, 31 steps
- * change nl by less than 2^30, and t by -2^30 .. 3 * 2^29. */
-#define RUN_BIG ((uint32_t)1 << 25)
-
-static inline bool is_big(uint32_t step)
-{
-    return (step + RUN_BIG) >> 26 != 0;
-}
-
 static void run(const struct glint_tables *tables, const struct glint_span *at, uint32_t w, uint16_t *out)
 {
-    const uint32_t m = w - 1u;
-    const uint32_t last_nl = (uint32_t)at->nl_q30 + m * (uint32_t)at->dnl_q30;
-    if (is_big((uint32_t)at->dnl_q30) || is_big(at->dt_q30) || at->ddt_q30 >> 20) {
+    switch (glint_run_kind(at, w, tables->t_max_q30)) {
+    case GLINT_RUN_DARK:
+        run_dark(tables, at, out, out + w);
+        break;
+    case GLINT_RUN_OUTSIDE:
+        run_outside(tables, at, out, out + w);
+        break;
+    case GLINT_RUN_INSIDE:
+        run_inside(tables, at, out, out + w);
+        break;
+    case GLINT_RUN_MIXED:
         run_mixed(tables, at, out, out + w);
-    } else if ((int32_t)((uint32_t)at->nl_q30 | last_nl | at->t_q30) < 0) {
-        if ((at->nl_q30 & (int32_t)last_nl) < 0)
-            run_dark(tables, at, out, out + w);
-        else
-            run_mixed(tables, at, out, out + w);
-    } else {
-        const int32_t t_max = (int32_t)tables->t_max_q30, back = t_max - (int32_t)at->t_q30;
-        const int32_t fall = (int32_t)(m * at->dt_q30);
-        /* t is not below the tangent at the start */
-        const int32_t highest = fall < 0 ? back - fall : back;
-        if (highest < 0)
-            run_outside(tables, at, out, out + w);
-        else if (back >= 0 && highest <= t_max && back - fall - (int32_t)((m * (m - 1) >> 1) * at->ddt_q30) >= 0)
-            run_inside(tables, at, out, out + w);
-        else
-            run_mixed(tables, at, out, out + w);
     }
-}
-
-/* The span from the next run on: t is quadratic in the pixel's number. */
-static inline void next_run(struct glint_span *at)
-{
-    const uint32_t n = GLINT_SPAN_RUN;
-    at->t_q30 += n * at->dt_q30 + n * (n - 1) / 2 * at->ddt_q30;
-    at->dt_q30 += n * at->ddt_q30;
-    at->nl_q30 = (int32_t)((uint32_t)at->nl_q30 + n * (uint32_t)at->dnl_q30);
 }
 
 enum glint_err glint_tables_span(const struct glint_tables *tables, const struct glint_span *span,
                                  const struct glint_surface *surface)
 {
-    if (!tables || !span || !surface || !surface->pixels || tables->kind != GLINT_TABLES_COLOUR ||
+    if (!tables || !span || !surface || !surface->pixels || tables->kind != GLINT_TABLES_COLOUR || tables->dither ||
         GLINT_MISALIGNED(surface->pixels, 16))
         return glint_span_any(tables, span, surface);
     uint16_t *out = (uint16_t *)surface->pixels;
@@ -151,7 +126,7 @@ enum glint_err glint_tables_span(const struct glint_tables *tables, const struct
     uint32_t left = at.w;
     for (; left > GLINT_SPAN_RUN; left -= GLINT_SPAN_RUN, out += GLINT_SPAN_RUN) {
         run(tables, &at, GLINT_SPAN_RUN, out);
-        next_run(&at);
+        glint_run_next(&at);
     }
     run(tables, &at, left, out);
     return GLINT_OK;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "glint_loops_span_any.h"
+#include "glint_loops_dither.h"
 #include "glint_loops_small.h"
 #include "glint_pixel.h"
 #include "glint_tables_geometry.h"
@@ -33,6 +34,8 @@ enum glint_err glint_span_any(const struct glint_tables *tables, const struct gl
         return GLINT_ERR_ARG;
     if (tables->kind == GLINT_TABLES_SMALL)
         glint_small_span(tables, span, surface);
+    else if (tables->dither)
+        glint_dither_span(tables, span, surface);
     else
         colour_span_odd(tables, span, (uint8_t *)surface->pixels);
     return GLINT_OK;

@@ -4,6 +4,7 @@
 #include "glint_pixel.h"
 #include "glint_tables_albedo.h"
 #include "glint_tables_colour.h"
+#include "glint_tables_dither.h"
 #include "glint_tables_small.h"
 
 size_t glint_tables_bytes(enum glint_tables_kind kind)
@@ -17,13 +18,13 @@ size_t glint_tables_bytes(enum glint_tables_kind kind)
 enum glint_err glint_tables_fill(struct glint_tables *tables, enum glint_tables_kind kind,
                                  const struct glint_shader *shader, void *memory, size_t bytes)
 {
-    const size_t needed = glint_tables_bytes(kind);
+    const bool dithered = kind == GLINT_TABLES_COLOUR && shader && shader->dither;
+    const size_t needed = dithered ? GLINT_TABLES_DITHER_BYTES : glint_tables_bytes(kind);
     if (!tables || !shader || !memory || needed == 0 || bytes < needed || GLINT_MISALIGNED(memory, 32) ||
         shader->lobe.model == GLINT_PHONG || (kind == GLINT_TABLES_ALBEDO && !glint_albedo_can(&shader->material)))
         return GLINT_ERR_ARG;
-    const bool is_plain_565 = shader->format <= GLINT_RGB565_SWAPPED && !shader->dither;
-    if (glint_pixel_check(shader) || (kind != GLINT_TABLES_SMALL && !is_plain_565) ||
-        (kind != GLINT_TABLES_COLOUR && shader->space))
+    if (glint_pixel_check(shader) || (kind != GLINT_TABLES_SMALL && shader->format > GLINT_RGB565_SWAPPED) ||
+        (kind == GLINT_TABLES_ALBEDO && shader->dither) || (shader->space && (kind != GLINT_TABLES_COLOUR || dithered)))
         return GLINT_ERR_FORMAT;
     const struct glint_peak peak = {shader, glint_pixel_lobe(shader, 0)};
     if (peak.f0 == 0) /* no such model */
@@ -32,7 +33,9 @@ enum glint_err glint_tables_fill(struct glint_tables *tables, enum glint_tables_
     tables->format = shader->format;
     tables->dither = shader->dither;
     tables->dark = 0;
-    if (kind == GLINT_TABLES_COLOUR)
+    if (dithered)
+        glint_dither_fill(tables, shader, memory);
+    else if (kind == GLINT_TABLES_COLOUR)
         glint_colour_fill(tables, &peak, memory);
     else if (kind == GLINT_TABLES_ALBEDO)
         glint_albedo_fill(tables, shader, memory);

@@ -102,7 +102,8 @@ void glint_colour_light(struct glint_tables_light *light, const struct glint_tab
     unsigned a = 0;
     while (reach >> a >= 32768)
         a++;
-    const unsigned scale = 30 + 32 - GLINT_COLOUR_COLUMNS_LOG + a - tables->shift; /* e 2^30 / peak >> s */
+    const unsigned columns_log = tables->dither ? GLINT_DITHER_COLUMNS_LOG : GLINT_COLOUR_COLUMNS_LOG;
+    const unsigned scale = 30 + 32 - columns_log + a - tables->shift; /* e 2^30 / peak >> s */
     const uint64_t r = peak && tables->kind == GLINT_TABLES_COLOUR ? ((uint64_t)1 << scale) / peak : 0;
     light->frontal = light->frontal && is_consistent(light);
     light->a = (uint8_t)a;

@@ -17,6 +17,7 @@ typedef char glint_tables_layout
     [AT(glint_tables, columns, GLINT_AT_TABLES_COLUMNS) && AT(glint_tables, colour, GLINT_AT_TABLES_COLOUR) &&
              AT(glint_tables, t_max_q30, GLINT_AT_TABLES_T_MAX) && AT(glint_tables, dark, GLINT_AT_TABLES_DARK) &&
              AT(glint_tables, kind, GLINT_AT_TABLES_KIND) && AT(glint_tables, shift, GLINT_AT_TABLES_SHIFT) &&
+             AT(glint_tables, dither, GLINT_AT_TABLES_DITHER) &&
              GLINT_AT_TABLES_COLOUR == GLINT_AT_TABLES_COLUMNS + 4 && GLINT_TABLES_COLOUR == 0
          ? 1
          : -1];

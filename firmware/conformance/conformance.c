@@ -26,6 +26,7 @@ static const char *const names[CONFORMANCE_HELD] = {
     "no such format",
     "SMALL tables, their loops",
     "COLOUR tables, their loops, palettes",
+    "COLOUR tables with dither, their loops",
     "ALBEDO tables, their loops",
     "MSH and Schlick, every c, n = 1",
     "MSH and Schlick, every c, n = 2",
@@ -48,7 +49,7 @@ bool conformance_fits(unsigned check)
 {
     if (check >= CONFORMANCE_HELD)
         return false;
-    if (check == CONFORMANCE_COLOURS || check == CONFORMANCE_ALBEDO)
+    if (check >= CONFORMANCE_COLOURS && check <= CONFORMANCE_ALBEDO)
         return CONFORMANCE_COLOUR;
     return check < CONFORMANCE_EVERY_C_1 || CONFORMANCE_EVERY_C;
 }
@@ -73,6 +74,8 @@ uint64_t conformance_hash(unsigned check, const struct conformance_size *size)
         conform_small(size);
     else if (check == CONFORMANCE_COLOURS)
         conform_colours(size);
+    else if (check == CONFORMANCE_DITHERED)
+        conform_dithered(size);
     else if (check == CONFORMANCE_ALBEDO)
         conform_albedo(size);
     else

@@ -7,7 +7,7 @@
 
 #if !CONFORMANCE_MODELS_ONLY /* a part that is too small for these is refused at compile time */
 
-enum { TABLES_BYTES = CONFORMANCE_COLOUR ? GLINT_TABLES_COLOUR_BYTES : GLINT_TABLES_SMALL_BYTES };
+enum { TABLES_BYTES = CONFORMANCE_COLOUR ? GLINT_TABLES_DITHER_BYTES : GLINT_TABLES_SMALL_BYTES };
 static uint32_t memory[TABLES_BYTES / 4];
 
 /* Into the hash, too: err and, of what was filled, every byte. Whether there are tables. */
@@ -18,7 +18,9 @@ static bool fill(struct glint_tables *tables, enum glint_tables_kind kind, const
     const enum glint_err err = glint_tables_fill(tables, kind, shader, memory, sizeof memory);
     conform_add((uint32_t)err);
     if (!err)
-        conform_add_bytes((const uint8_t *)memory, (uint16_t)glint_tables_bytes(kind));
+        conform_add_bytes((const uint8_t *)memory,
+                          (uint16_t)(kind == GLINT_TABLES_COLOUR && shader->dither ? GLINT_TABLES_DITHER_BYTES
+                                                                                   : glint_tables_bytes(kind)));
     return !err;
 }
 
@@ -64,13 +66,17 @@ static void add_wide(const struct glint_tables *tables, const struct glint_table
     static const uint16_t widths[] = {0, 1, 2, 3, 4, 5, 15, 16, 17, 31, 32, 33, 64, 65, 96, WIDE};
     static uint32_t words[WIDE];
     static uint16_t offsets[WIDE];
-    const struct glint_surface line = {wide_out, sizeof wide_out, 0, 0};
+    struct glint_surface line = {wide_out, sizeof wide_out, 0, 0};
     for (uint16_t i = 0; i < 512; i++) {
+        line.x = i & 3;
+        line.y = i >> 2 & 3;
         struct glint_span span = {0, 0, 0, 0, 0, widths[i / 32u]};
         tricky_span(&span, tables->t_max_q30, i % 8u);
         add_wide_out((uint32_t)glint_tables_span(tables, &span, &line));
     }
     for (uint8_t i = 0; i < 32; i++) {
+        line.x = i >> 1 & 3;
+        line.y = i >> 3 & 3;
         const enum glint_normals held = i & 1 ? GLINT_NORMALS_INT8 : GLINT_NORMALS_INT10;
         for (uint16_t x = 0; x < WIDE; x++) {
             struct glint_vec normal;
@@ -144,7 +150,8 @@ static void add_albedo(unsigned model, unsigned flags)
 }
 #endif
 
-static void add_tables(unsigned kind, unsigned model, unsigned format, unsigned flags)
+/* dither: of COLOUR tables, whose space is then gamma. */
+static void add_tables(unsigned kind, unsigned model, unsigned format, unsigned flags, bool dither)
 {
     static uint32_t words[W * H];
     static struct glint_vec normals[W * H];
@@ -152,8 +159,8 @@ static void add_tables(unsigned kind, unsigned model, unsigned format, unsigned 
     struct glint_shader shader;
     conform_random_shader(&shader, model);
     shader.format = (uint8_t)format;
-    shader.space = kind == GLINT_TABLES_COLOUR ? flags >> 1 & 1 : 0;
-    shader.dither = kind == GLINT_TABLES_SMALL && (flags & 1);
+    shader.space = kind == GLINT_TABLES_COLOUR && !dither ? flags >> 1 & 1 : 0;
+    shader.dither = kind == GLINT_TABLES_SMALL ? flags & 1 : dither;
     shader.clamp_peak = flags & 1;
     struct glint_tables tables;
     struct glint_tables_light light;
@@ -185,23 +192,28 @@ static void add_tables(unsigned kind, unsigned model, unsigned format, unsigned 
 #endif
 }
 
-static void add_kind(unsigned kind, unsigned last_format, const struct conformance_size *size)
+static void add_kind(unsigned kind, unsigned last_format, const struct conformance_size *size, bool dither)
 {
     unsigned flags = 0;
     for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
         for (unsigned format = GLINT_RGB565; format <= last_format; format++)
             for (uint8_t scene = 0; scene < size->scenes; scene++)
-                add_tables(kind, model, format, flags++);
+                add_tables(kind, model, format, flags++, dither);
 }
 
 void conform_small(const struct conformance_size *size)
 {
-    add_kind(GLINT_TABLES_SMALL, GLINT_MONO, size);
+    add_kind(GLINT_TABLES_SMALL, GLINT_MONO, size, false);
 }
 
 void conform_colours(const struct conformance_size *size)
 {
-    add_kind(GLINT_TABLES_COLOUR, GLINT_RGB565_SWAPPED, size);
+    add_kind(GLINT_TABLES_COLOUR, GLINT_RGB565_SWAPPED, size, false);
+}
+
+void conform_dithered(const struct conformance_size *size)
+{
+    add_kind(GLINT_TABLES_COLOUR, GLINT_RGB565_SWAPPED, size, true);
 }
 
 void conform_albedo(const struct conformance_size *size)

@@ -7,6 +7,7 @@
 
 void conform_small(const struct conformance_size *size);
 void conform_colours(const struct conformance_size *size);
+void conform_dithered(const struct conformance_size *size);
 void conform_albedo(const struct conformance_size *size);
 
 #endif

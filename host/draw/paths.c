@@ -50,7 +50,7 @@ struct way {
     uint16_t *albedo; /* for ALBEDO, as firmware keeps it */
     struct baked *palette;
     struct glint_tables tables;
-    uint32_t memory[GLINT_TABLES_COLOUR_BYTES / 4]; /* the largest */
+    uint32_t memory[GLINT_TABLES_DITHER_BYTES / 4]; /* the largest */
 };
 
 enum { SPAN_PIXELS = 16 }; /* a curve is cut into spans of at most so many */
@@ -65,8 +65,12 @@ const char *path_refusal(const struct shading *shading)
         return "takes only one --light without a colour; other lights need --path exact";
     if (shading->model == GLINT_PHONG)
         return "cannot draw phong";
-    if (path->by != EXACT && path->by != SMALL && (shading->format > GLINT_RGB565_SWAPPED || shading->dither))
-        return "needs --format rgb565 or rgb565-swapped, and no --dither";
+    if (path->by != EXACT && path->by != SMALL && shading->format > GLINT_RGB565_SWAPPED)
+        return "needs --format rgb565 or rgb565-swapped";
+    if ((path->by == ALBEDO || path->by == PALETTE) && shading->dither)
+        return "cannot draw with --dither";
+    if (path->by == COLOUR && shading->dither && shading->space != GLINT_GAMMA)
+        return "needs --space gamma with --dither";
     if (path->unit != RECT && shading->format == GLINT_MONO)
         return "cannot draw mono, whose spans would have to start on a byte";
     if ((path->by == SMALL || path->by == ALBEDO) && shading->space != GLINT_GAMMA)

@@ -84,10 +84,10 @@ static const struct argp_option argp_options[] = {
      "The display's pixels: rgb888, rgb565, rgb565-swapped, grey8 or mono (default: rgb888, or the device's)", 4},
     {"space", KEY_SPACE, "NAME", 0,
      "The space in which light is summed: gamma (default: as encoded) or linear (sRGB decoded and encoded)", 4},
-    {"dither", KEY_DITHER, NULL, 0, "4x4 ordered dither", 4},
+    {"dither", KEY_DITHER, NULL, 0, "4x4 ordered dither; not with the albedo paths and palette of --path", 4},
     {"path", KEY_PATH, "NAME", 0,
      "The way through the library: exact (default) or span; span-c16, as the gateware draws; or by tables, of 20 KB "
-     "(rgb565 only) from normals of 16, "
+     "(rgb565 only; with --dither gamma space, too) from normals of 16, "
      "10 or 8 bits or from spans: colour-int16, colour-int10, colour-int8, colour-span; of 1 KB: small-int16, "
      "small-int10, small-int8, small-span; of 9 KB (rgb565) over an albedo map in RGB565: albedo-int16, albedo-int10, "
      "albedo-int8, albedo-span; or by a palette of 4096 normals (rgb565): palette",

@@ -37,6 +37,8 @@ const char *device_refusal(const struct scene *scene, const struct shading *shad
         path++;
     if (shading->path != 0 && shading->path != path)
         return "the device takes --path colour-int8; leave out --path";
+    if (shading->dither)
+        return "the device does not dither; leave out --dither";
     by_tables.path = path;
     if (path_refusal(&by_tables))
         return path_refusal(&by_tables);
