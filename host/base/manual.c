@@ -3,6 +3,7 @@
 
 #include <ctype.h>
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -80,11 +81,16 @@ static void put_paragraphs(const char *text, FILE *out)
 
 /* ---- the tables ---- */
 
-/* What the command's help_filter makes of a text; the text itself where it has none. */
-static const char *filtered(const struct argp *root, int key, const char *text)
+/* Puts what the command's help_filter makes of a text, the text itself where it has none. */
+static void put_filtered(const struct argp *root, int key, const char *text, void (*put)(const char *text, FILE *out),
+                         FILE *out)
 {
     const struct argp *argp = root->children[0].argp;
-    return argp->help_filter ? argp->help_filter(key, text, NULL) : text;
+    char *own = argp->help_filter ? argp->help_filter(key, text, NULL) : (char *)(uintptr_t)text;
+    if (own)
+        put(own, out);
+    if (own != text)
+        free(own);
 }
 
 static bool has_letter(const struct argp_option *option)
@@ -110,7 +116,7 @@ static void put_option(const struct argp *root, const struct argp_option *option
             fprintf(out, option->flags & OPTION_ARG_OPTIONAL ? "[=\\fI%s\\fR]" : "=\\fI%s\\fR", option->arg);
     }
     fputc('\n', out);
-    put_line(filtered(root, option->key, option->doc ? option->doc : ""), out);
+    put_filtered(root, option->key, option->doc ? option->doc : "", put_line, out);
 }
 
 static void put_options(const struct argp *root, FILE *out)
@@ -153,9 +159,7 @@ void manual_write(const struct argp *root, const char *name, FILE *out)
     put_text(doc, length, out);
     fputc('\n', out);
     put_options(root, out);
-    const char *after = filtered(root, ARGP_KEY_HELP_POST_DOC, more ? more + 1 : NULL);
-    if (after)
-        put_paragraphs(after, out);
+    put_filtered(root, ARGP_KEY_HELP_POST_DOC, more ? more + 1 : NULL, put_paragraphs, out);
     fputs(".SH \"EXIT STATUS\"\n0 good, 1 failed, 2 wrong usage\n.SH \"SEE ALSO\"\n", out);
     fputs(strchr(name, ' ') ? "\\fBglint\\fR(1)\n" : "\\fBglint\\-\\fICOMMAND\\fR(1) for each command\n", out);
 }
