@@ -176,6 +176,21 @@ check-format:
 test: ## check: set up what is missing and run every tier; the last line is the sum
 	@+tests/sum "$(SUBMAKE)" $(TIERS:%=test-%)
 
+# What a release has. The bitstreams and the page are in it where they are built (make gateware, make page).
+DIST = build/dist
+DIST_PANELS = $(foreach panel,$(PICO_PANELS),build/firmware/pico-$(panel)/glint.uf2=glint-VERSION-pico-$(panel).uf2)
+DIST_BUILT = $(foreach file,$(wildcard build/gateware/*.bin),$(file)=glint-VERSION-$(notdir $(file))) \
+	$(foreach file,$(wildcard build/page/index.html),$(file)=glint-VERSION-page.html)
+
+dist: all $(BUILD)/man ## maintain: what a release has, into build/dist: archives, an image for each Pico panel, man pages, SHA256SUMS
+	@+for panel in $(PICO_PANELS); do $(SUBMAKE) -s firmware PORT=pico PANEL=$$panel || exit 1; done
+	@.ci/dist $(DIST) $(DIST_PANELS) $(DIST_BUILT) "$$(echo $(BUILD)/man/*.1)=glint-VERSION-man.tar.gz"
+	@cat $(DIST)/SHA256SUMS
+
+# Without firmware: the archives alone need git and python3.
+dist-archives:
+	@.ci/dist $(DIST)
+
 # A goal with a line here bears "## GROUP: what it does".
 help: ## maintain: this list
 	@awk -F ' ## ' '/^[a-z][a-z-]*:.* ## / { goal = $$1; sub(/:.*/, "", goal); group = $$2; sub(/:.*/, "", group); \
@@ -190,7 +205,7 @@ clean: ## maintain: remove what was built
 	rm -rf build
 
 always:
-.PHONY: all always firmware setup setup-build test check check-format demo run-demo help packages clean install install-lib run-install-lib uninstall
+.PHONY: all always dist dist-archives firmware setup setup-build test check check-format demo run-demo help packages clean install install-lib run-install-lib uninstall
 .DEFAULT:
 	$(error there is no goal or file '$@'; 'make help' lists the goals)
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

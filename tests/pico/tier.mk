@@ -31,7 +31,8 @@ run-pico: pico-images $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $(addprefix $(BUILD)
 		"$(call PICO_TEST,second_core,-two-cores)") \
 		"node tests/pico/test_conformance.mjs $(BENCH_NPM) build/firmware/pico-st7789-240x240 $(CONFORMANCE_EXPECTED)" \
 		$(foreach panel,$(PICO_PANELS_TESTED),"$(call PICO_TEST,demo)" "$(call PICO_TEST,usb)") \
-		"tests/pico/test_cores $(BUILD)/tests/pico/cores" $(foreach board,$(PICO_NOT_RUN),"echo ok 1 - $(board) # SKIP nothing emulates it")
+		"tests/pico/test_cores $(BUILD)/tests/pico/cores" \
+		"tests/pico/test_image build/firmware/pico-st7789-240x240/glint.uf2 st7789-240x240" $(foreach board,$(PICO_NOT_RUN),"echo ok 1 - $(board) # SKIP nothing emulates it")
 
 $(BUILD)/tests/pico/judge: tests/pico/judge.c $(HOST_ARCHIVES)
 	@mkdir -p $(@D)
