@@ -13,7 +13,8 @@ const char *const tables_kind_names[] = {"colour", "small", "albedo", NULL};
 enum glint_err flash_tables_fill(struct flash_tables *flash, enum glint_tables_kind kind,
                                  const struct glint_shader *shader)
 {
-    *flash = (struct flash_tables){.bytes = glint_tables_bytes(kind)};
+    const bool dithered = kind == GLINT_TABLES_COLOUR && shader->dither;
+    *flash = (struct flash_tables){.bytes = dithered ? GLINT_TABLES_DITHER_BYTES : glint_tables_bytes(kind)};
     flash->memory = allocate(flash->bytes / 4, sizeof *flash->memory);
     return glint_tables_fill(&flash->tables, kind, shader, flash->memory, flash->bytes);
 }

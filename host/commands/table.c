@@ -36,7 +36,7 @@ static const struct argp_option options[] = {
     {"kind", KEY_KIND, "KIND", 0,
      "Not the highlight alone but tables for glint_tables_rect and its like, which draw as glint render --path does: "
      "colour "
-     "(20,480 bytes), small (904) or albedo (8,584)",
+     "(20,480 bytes, with --dither 20,608), small (904) or albedo (8,584)",
      5},
     {"of", KEY_OF, "c|t", 0, "The argument: the cosine c, or t = 1 - c (default), which is finer near the peak", 5},
     {"entries", KEY_ENTRIES, "COUNT", 0, "Entries, 2 to 65536; default 256", 5},
@@ -192,8 +192,7 @@ static void write_tables(const struct request *request, struct shading shading, 
     struct flash_tables flash;
     const struct glint_shader shader = shading_shader(&shading);
     if (flash_tables_fill(&flash, kind, &shader) != GLINT_OK)
-        fail("--kind %s: needs --ambient and --diffuse of one number each, which together are at most 1, and no "
-             "--dither",
+        fail("--kind %s: needs --ambient and --diffuse of one number each, which together are at most 1",
              tables_kind_names[kind]);
     if (asprintf(&flash.about, "%s, n = %u, q = %u, %s, %s", model_names[shading.model], shading.n, shading.q,
                  format_names[shading.format], space_names[shading.space]) < 0)

@@ -113,6 +113,7 @@ static void tables_in_flash_draw_what_tables_filled_at_run_time_draw(void **stat
     } cases[] = {
         {"colour", "-n 20 --color 200,90,20 --format rgb565", ""},
         {"colour", "--model cayley -n 300 -q 9 --space linear --specular 1,.5,.2 --format rgb565-swapped", ""},
+        {"colour", "-n 40 --dither --color 20,190,220 --format rgb565", ""},
         {"small", "--model schlick -n 5 --color 0,250,99 --ambient .1,.2,.3 --format rgb565", ""},
         {"small", "-n 100 --dither --format rgb565-swapped", ""},
         {"albedo", "-n 20 --ambient .3 --diffuse .6 --specular .8,.7,.1 --format rgb565", "--albedo colors.png"},
