@@ -9,7 +9,7 @@
 
 /* ---- distances ---- */
 
-static const int64_t no_site = INT64_C(1) << 40; /* farther than any, and its square plus a site's stays in 64 bits */
+static const int64_t no_site = INT64_C(1) << 40; /* farther than any site; its square plus a site's fits 64 bits */
 
 /* The line of the nearest site (coverage under 1/2) in each pixel's column: one sweep down, one up. */
 static void nearest_in_columns(const double *coverage, uint32_t width, uint32_t height, int64_t *lines)
@@ -38,7 +38,7 @@ struct parabola {
     int64_t first;
 };
 
-/* Where parabola b, right of a, comes to lie lower than a: the first whole x. */
+/* The first whole x where parabola b, right of a, lies lower than a. */
 static int64_t crossing(const struct parabola *a, const struct parabola *b)
 {
     const int64_t over = b->height - a->height + b->column * b->column - a->column * a->column;
@@ -46,8 +46,8 @@ static int64_t crossing(const struct parabola *a, const struct parabola *b)
     return over < 0 ? 0 : over / step + 1;
 }
 
-/* How far inside the pixel of a site, towards the shape, the edge lies: half a pixel where coverage is 0 or 1, else nearer
- * or farther by what the site and its most covered neighbour are short of that. */
+/* How far the edge lies inside the pixel of a site, towards the shape: half a pixel where coverage is 0 or 1; other coverages
+ * of the site and its most covered neighbour move it. */
 static double edge_beyond(const double *coverage, uint32_t width, uint32_t height, size_t x, size_t y)
 {
     const double *at = &coverage[y * width + x];
@@ -131,7 +131,7 @@ static bool rim_is_bright(const double *coverage, uint32_t width, uint32_t heigh
     return 2 * bright > all;
 }
 
-/* The brightness, stretched from the picture's darkest to its brightest; turned over where the rim is bright. */
+/* The brightness, stretched from the picture's darkest to its brightest; inverted where the rim is bright. */
 static double *brightness_of(const struct image *picture)
 {
     const size_t pixels = (size_t)picture->width * picture->height;
@@ -152,7 +152,7 @@ static double *brightness_of(const struct image *picture)
     return grey;
 }
 
-/* A line of heights, `step` apart, smoothed by weights 1 4 6 4 1; beyond its ends it goes on level. */
+/* A line of heights, `step` apart, smoothed by weights 1 4 6 4 1; beyond its ends it stays level. */
 static void smooth_line(double *heights, size_t count, size_t step, double *line)
 {
     for (size_t i = 0; i < count; i++)

@@ -6,7 +6,7 @@
 #include "image/image.h"
 
 /* Heights 0..1 of the shape in the picture: 0 outside, rising as a quarter of a circle over `width` pixels from its edge
- * inwards, then 1. The shape is what alpha covers; in an opaque picture what differs in brightness from its rim. malloc'd. A
+ * inwards, then 1. The shape is what alpha covers; in an opaque picture it is what differs in brightness from the rim. malloc'd. A
  * picture without a shape ends the program through fail(). */
 double *bevel_heights(const struct image *picture, double width);
 

@@ -60,7 +60,7 @@ static double wreath(double x, double y)
     return height;
 }
 
-/* A star of facets: fold the plane into half an arm, where the height rises linearly from the edge. */
+/* A star of facets. The plane is folded into half an arm, in which the height rises linearly from the edge. */
 static double star(double x, double y, unsigned arms, double turn, double outer, double inner, double steep)
 {
     const double sector = M_PI / arms;

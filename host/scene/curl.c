@@ -5,13 +5,13 @@
 
 /* Where a normal is steeper than this, its slope is mostly rounding. */
 static const double least_z = .25;
-/* How many times the curl must be that of the other way, in squares: noise gives 1, a surface hundreds. */
+/* How many times the squared curl must exceed that of the other way: noise gives 1, a surface hundreds. */
 static const double factor = 4;
 enum { PIXELS_LEAST = 64 };
 
 /* The slopes of a surface, p across and q down, are those of one height at each pixel, so how p changes going down is how q
- * changes going across: dp/dy = dq/dx. With y the other way q has the other sign, and the two sum up where they should
- * cancel. */
+ * changes going across: dp/dy = dq/dx. With y the other way q has the other sign, and the two add up instead of
+ * cancelling. */
 bool curl_says_flipped(const struct scene *scene, const uint8_t *mask)
 {
     const size_t width = scene->width;

@@ -29,7 +29,7 @@ static void check_same_size(const struct image *map, const struct scene *scene, 
              what, scene->width, scene->height);
 }
 
-/* The picture that holds the surface, and those that go with it; NULL where there is none. */
+/* The picture that holds the surface, and its other maps; NULL where there is none. */
 struct scene_maps {
     struct scene_options options;
     struct image *surface, *albedo, *gloss, *mask;
@@ -75,7 +75,7 @@ static struct scene *scene_of_heights(const struct scene_maps *maps, uint32_t wi
     return scene;
 }
 
-/* What is drawn, 8 bits a pixel of *from: the mask's alpha where that leaves something out, else its brightness; without a
+/* What is drawn, 8 bits a pixel of *from: the mask's alpha where that leaves pixels out, else its brightness; without a
  * mask the normal map's alpha. NULL: everything. */
 static uint8_t *drawn_of(const struct scene_maps *maps, const struct image **from, bool *by_alpha)
 {
@@ -104,7 +104,7 @@ static bool is_constant(const struct image *map)
     return same == pixels;
 }
 
-/* Maps that are taken as they are, though they cannot be meant so. */
+/* Maps that are used as they are, but are probably not what the user meant. */
 static void say_what_looks_wrong(const struct scene_options *options, const struct image *map,
                                  const struct scene *scene)
 {
@@ -157,7 +157,7 @@ struct scene *scene_of_maps(const struct scene_maps *maps, uint32_t width, uint3
     }
     if (by_alpha)
         warn("%s: its alpha is the mask: transparent pixels are not drawn", drawn_from->name);
-    say_what_looks_wrong(options, surface, scene); /* after what may fail: that is one line */
+    say_what_looks_wrong(options, surface, scene); /* after everything that may fail, since a failure is one line */
     if (width && (width != scene->width || height != scene->height))
         scene_repeat(scene, width, height);
     return scene;

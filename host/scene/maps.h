@@ -8,7 +8,7 @@
 #include "scene/scene.h"
 
 struct scene_options {
-    bool optional; /* set before the options are parsed: no surface need be named */
+    bool optional; /* set before the options are parsed: a surface is not required */
     /* one of three */
     const char *heights, *normals, *scene;
     double scale, bevel; /* bevel > 0: the heights are those of a shape's rounded edge */

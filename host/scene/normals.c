@@ -60,7 +60,7 @@ struct scene *scene_from_heights(const struct image *map, double scale, bool wra
 
 /* ---- normal maps ---- */
 
-/* Shorter than what half grey in 8 bits leaves (127.5 is not there to be had): it points nowhere. */
+/* Half grey in 8 bits is not exactly 0 (there is no 127.5). A vector that short has no direction. */
 static const double shortest = 1.0 / 64;
 
 static bool blue_is_nowhere(const struct image *map)

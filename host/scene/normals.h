@@ -8,8 +8,8 @@
 #include "image/image.h"
 #include "scene/scene.h"
 
-/* `scale`: how many pixels white lies above black. Central differences; at the edges one-sided, or around them where
- * the map `wraps`. */
+/* `scale`: white lies so many pixels above black. Central differences; one-sided at the edges, or across them where the map
+ * `wraps`. */
 struct scene *scene_from_heights(const struct image *heights, double scale, bool wraps);
 struct scene *scene_from_relief(const double *heights, uint32_t width, uint32_t height, double scale, bool wraps);
 

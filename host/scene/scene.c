@@ -32,7 +32,7 @@ void scene_free(struct scene *scene)
     free(scene);
 }
 
-/* The map, repeated to width x height, in place of the one given; NULL stays. */
+/* Replaces the map by itself, repeated to width x height. NULL stays NULL. */
 static void *repeated(void *map, const struct scene *scene, uint32_t width, uint32_t height, size_t size)
 {
     if (!map)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * What is shaded, apart from how: a normal for each pixel and what the maps say of it, from files or drawn. */
+ * What is shaded, apart from how: each pixel's normal and maps, from files or drawn. */
 #ifndef GLINT_SCENE_SCENE_H
 #define GLINT_SCENE_SCENE_H
 
@@ -7,7 +7,7 @@
 
 #include "glint.h"
 
-/* What suits a scene where the user says nothing. */
+/* A scene's own material, for what the user leaves out. */
 struct finish {
     unsigned n;
     double ambient[3], diffuse[3], specular[3];

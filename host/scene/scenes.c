@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The built-in scenes: the sphere, and what turns a relief into normals. */
+ * The built-in scenes: the sphere, and reliefs turned into normals. */
 #include "scene/scenes.h"
 
 #include <math.h>
@@ -46,8 +46,8 @@ static void set_pixel(struct scene *scene, size_t pixel, const double normal[3],
 
 /* ---- reliefs ---- */
 
-/* Heights are taken at the pixels' corners: the mean slope over a pixel is then exact along its edges, and nothing
- * finer than a pixel is lost between samples. Colours are taken in the middle. */
+/* Heights are sampled at the pixels' corners: the mean slope over a pixel is then exact along its edges, and no detail is
+ * lost between samples. Colours are sampled in the middle. */
 static void draw_relief(struct scene *scene, relief_function *at)
 {
     const struct frame f = frame_of(scene->width, scene->height);
@@ -76,7 +76,7 @@ static void draw_relief(struct scene *scene, relief_function *at)
 /* ---- the sphere ---- */
 
 /* A glossy ball before a matt wall that darkens towards the corners. At the silhouette the two are mixed by coverage and
- * the gloss fades first: a mixed normal would else catch a highlight that neither has. */
+ * the gloss fades first, or a mixed normal would catch a highlight that neither has. */
 static void draw_sphere(struct scene *scene)
 {
     static const double radius = .8;

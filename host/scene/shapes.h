@@ -20,7 +20,7 @@ double coverage(double distance, double pixel);
 /* Lays `top` over `bottom` by `part` 0..1. */
 void relief_cover(struct relief *bottom, const struct relief *top, double part);
 double distance_to_segment(double x, double y, double ax, double ay, double bx, double by);
-/* To the strokes of a whole number's digits, each `size` high, centred on 0, 0. */
+/* The distance to the strokes of a whole number's digits, each `size` high, centred on 0, 0. */
 double distance_to_number(double x, double y, unsigned number, double size);
 
 #endif

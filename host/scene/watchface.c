@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * A watch: a domed dial with embossed numerals, minute marks, hands and a polished bezel; or a plain one, with hour marks
+ * A watch: a domed dial with embossed numerals, minute marks, hands and a polished bezel; or a plain one with hour marks
  * only. */
 #include "scene/watchface.h"
 
@@ -13,7 +13,7 @@ static const struct relief steel = {0, {.50, .52, .55}, 1};
 static const struct relief brass = {0, {.86, .68, .36}, 1};
 static const struct relief enamel = {0, {.05, .14, .33}, .6};
 
-/* The dial is a dome, as steep as lets a light from the side find its mirror somewhere on it; the hands follow it. */
+/* The dial is a dome, so steep that a light from the side is mirrored somewhere on it; the hands follow it. */
 static double dome(double r)
 {
     return .38 * (dial_radius * dial_radius - r * r) - .10;
@@ -98,7 +98,7 @@ static struct relief watch(double x, double y, double pixel, bool plain)
     add_dial(&point, x, y, pixel, plain);
     if (r > dial_radius - 2 * pixel)
         add_bezel(&point, r, pixel);
-    if (r < .7) { /* 10:09, as watches are shown */
+    if (r < .7) { /* 10:09, as in advertisements */
         add_hand(&point, x, y, 10.15 * (M_PI / 6), .34, .042, .02, pixel);
         add_hand(&point, x, y, 9 * (M_PI / 30), .53, .034, .03, pixel);
         raise(&point, brass, r, .045, .03, pixel);

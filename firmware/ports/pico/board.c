@@ -25,13 +25,13 @@ static struct {
     unsigned bits;        /* of the SPI's frames */
     void (*volatile done)(void *);
     void *volatile argument;
-    uint32_t te_asked_us; /* where it waits for TE */
+    uint32_t te_asked_us; /* while it waits for TE */
     bool te_is_awaited, te_is_dead;
 } board;
 
 /* ---- the panel's bus ---- */
 
-/* ST7789 modules without CS need a clock that idles high (mode 3); ILI9341 takes that, too. And with CPHA = 1 frames
+/* ST7789 modules without CS need a clock that idles high (mode 3); ILI9341 takes that, too. With CPHA = 1 frames
  * follow each other without a gap. */
 static void set_format(unsigned bits)
 {
@@ -39,7 +39,7 @@ static void set_format(unsigned bits)
     board.bits = bits;
 }
 
-/* Only while nothing is sent may the frame's size or D/C change. */
+/* The frame's size and D/C may change only while nothing is being sent. */
 static void wait_for_spi(unsigned bits, bool data)
 {
     while (board.done || spi_is_busy(spi1))
@@ -111,7 +111,7 @@ static void flush(void *context, const uint16_t *pixels, size_t count, void (*do
 }
 
 /* The streamer reads flash in the background, behind the processor's own reads, and DMA empties its FIFO: a DMA from
- * flash itself would hold up the other one at each word. */
+ * flash would delay the other one at each word. */
 static void fetch(void *context, uint32_t *to, const uint32_t *from, size_t words)
 {
     (void)context;
@@ -131,7 +131,7 @@ static bool fetched(void *context)
 
 enum { TE_EDGE = IS_BEHIND_SCAN ? GPIO_IRQ_EDGE_FALL : GPIO_IRQ_EDGE_RISE };
 
-/* The pin's latch, without an interrupt. A dead line holds up one frame; with its next edge it counts again. */
+/* The pin's latch, without an interrupt. A dead line delays one frame; its next edge revives it. */
 static bool may_begin(void *context)
 {
     (void)context;
@@ -193,7 +193,7 @@ static void start_output(unsigned pin, bool value)
     gpio_set_dir(pin, GPIO_OUT);
 }
 
-/* Above what can be heard. At a level of 0 the pin is low all the time, at 100 high. */
+/* Above audible frequencies. At a level of 0 the pin is always low, at 100 high. */
 static void start_backlight(void)
 {
     const unsigned slice = pwm_gpio_to_slice_num(PIN_BACKLIGHT);
@@ -218,7 +218,7 @@ static bool supply_was_off(void)
 #endif
 }
 
-/* A loader restarts the board by the watchdog, too: that is no fault. */
+/* A loader also restarts the board by the watchdog; that is no fault. */
 static enum fault reason_of_start(void)
 {
     const uint32_t kept = watchdog_hw->scratch[0];
@@ -244,7 +244,7 @@ enum fault board_start(void)
     gpio_set_function(PIN_UART_TX, GPIO_FUNC_UART);
     start_backlight();
     spi_init(spi1, SPI_HZ);
-    set_format(8); /* the clock idles high before the panel leaves its reset: later its rise would count as a bit */
+    set_format(8); /* the clock idles high before the panel leaves its reset: a later rise would count as a bit */
     gpio_set_function(PIN_CLOCK, GPIO_FUNC_SPI);
     gpio_set_function(PIN_DATA, GPIO_FUNC_SPI);
     start_output(PIN_RESET, true);

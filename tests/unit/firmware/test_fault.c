@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * What a board shows where something is wrong, and the checksum by which it knows of one. */
+ * What a board shows when something is wrong, and the checksum that finds a damaged map. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 
 enum { SIDE_MAX = 320 };
 
-/* How often white begins in a line; -1 where a colour is there that ought not to be. */
+/* How often white begins in a line; -1 where the line has another colour than red and white. */
 static int blocks_in(const uint16_t *pixels, unsigned width)
 {
     int count = 0;
@@ -23,7 +23,7 @@ static int blocks_in(const uint16_t *pixels, unsigned width)
     return count;
 }
 
-static void as_many_blocks_are_on_the_bar_as_the_number_says(void **state)
+static void the_bar_has_as_many_blocks_as_the_faults_number(void **state)
 {
     (void)state;
     static const uint16_t sizes[][2] = {{240, 240}, {240, 320}, {135, 240}, {320, 240}, {172, 320}};
@@ -138,7 +138,7 @@ static void the_checksum_is_the_commands(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(as_many_blocks_are_on_the_bar_as_the_number_says),
+        cmocka_unit_test(the_bar_has_as_many_blocks_as_the_faults_number),
         cmocka_unit_test(every_fault_has_a_text),
         cmocka_unit_test(the_picture_is_on_the_panel_line_for_line),
         cmocka_unit_test(the_checksum_is_the_commands),

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * glint-gadget's loop over requests, with sockets in the place of FunctionFS's files. */
+ * glint-gadget's loop over requests, with sockets instead of FunctionFS's files. */
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -9,7 +9,7 @@
 
 #include "unit.h"
 
-/* What the port's file is to call instead. */
+/* The port's file calls these instead. */
 static int fake_open(const char *path, int flags);
 static int fake_poll(struct pollfd *files, unsigned long count, int ms);
 #define open fake_open
@@ -50,7 +50,7 @@ static int fake_open(const char *path, int flags)
 
 static unsigned stale;
 
-/* As some kernels (6.1) do: ep0 is ready, and then its event is gone. Only then a signal ends the run. */
+/* As some kernels (6.1) do: ep0 is ready, and then its event is gone. After that a signal ends the run. */
 static int fake_poll(struct pollfd *files, unsigned long count, int ms)
 {
     if (stale == 3)

@@ -138,7 +138,7 @@ static void a_request_to_another_interface_is_refused_and_changes_nothing(void *
     }
 }
 
-static void there_is_one_connector(void **state)
+static void the_display_has_one_connector(void **state)
 {
     (void)state;
     for (uint8_t request = GUD_GET_CONNECTORS; request <= GUD_GET_CONNECTOR_EDID; request++) {
@@ -156,7 +156,7 @@ static void there_is_one_connector(void **state)
 
 /* ---- the state ---- */
 
-static void a_state_that_the_panel_has_not_is_refused(void **state)
+static void a_state_that_the_panel_lacks_is_refused(void **state)
 {
     (void)state;
     static const struct {
@@ -211,7 +211,7 @@ static void a_check_changes_nothing_until_its_commit(void **state)
     assert_int_equal(ask(&pixel), GUD_PARAMETER); /* a pixel is one byte now */
 }
 
-static void a_commit_gives_up_the_rectangle_of_the_state_before(void **state)
+static void a_commit_drops_the_rectangle_of_the_earlier_state(void **state)
 {
     (void)state;
     uint8_t data[GUD_DATA_BYTES];
@@ -254,7 +254,7 @@ static void the_display_is_told_what_changes(void **state)
     assert_int_equal(board.displays, 5); /* the display has to be enabled again, too */
 }
 
-static void brightness_is_full_until_a_host_sets_it_and_stays_where_one_does_not(void **state)
+static void brightness_is_full_until_a_host_sets_it_and_then_stays(void **state)
 {
     (void)state;
     uint8_t data[GUD_DATA_BYTES];
@@ -269,7 +269,7 @@ static void brightness_is_full_until_a_host_sets_it_and_stays_where_one_does_not
     assert_true(board.on && board.brightness == 70);
 }
 
-static void a_disabled_controller_gives_its_rectangle_up(void **state)
+static void a_disabled_controller_drops_its_rectangle(void **state)
 {
     (void)state;
     const struct gud_rectangle two_lines = {0, 0, 2, 2, 8, 0, 0};
@@ -297,7 +297,7 @@ static void a_bus_reset_forgets_what_the_host_had_set(void **state)
     gud_device_reset(&board.device);
     assert_int_equal(status(), GUD_OK);
     assert_int_equal(set_byte(GUD_SET_CONTROLLER_ENABLE, 1), GUD_OK);
-    assert_int_equal(set(GUD_SET_STATE_COMMIT, NULL, 0), GUD_PROTOCOL); /* nothing is checked */
+    assert_int_equal(set(GUD_SET_STATE_COMMIT, NULL, 0), GUD_PROTOCOL); /* no state was checked */
     gud_device_suspend(&board.device);
     gud_device_reset(&board.device);
     assert_int_equal(get(GUD_GET_CONNECTOR_PROPERTIES, 320), 10);
@@ -317,14 +317,14 @@ int main(void)
         DEVICE_TEST(unknown_requests_are_unsupported),
         DEVICE_TEST(wrong_lengths_are_protocol_errors),
         DEVICE_TEST(a_request_to_another_interface_is_refused_and_changes_nothing),
-        DEVICE_TEST(there_is_one_connector),
-        DEVICE_TEST(a_state_that_the_panel_has_not_is_refused),
+        DEVICE_TEST(the_display_has_one_connector),
+        DEVICE_TEST(a_state_that_the_panel_lacks_is_refused),
         DEVICE_TEST(steps_out_of_order_are_protocol_errors),
         DEVICE_TEST(a_check_changes_nothing_until_its_commit),
-        DEVICE_TEST(a_commit_gives_up_the_rectangle_of_the_state_before),
+        DEVICE_TEST(a_commit_drops_the_rectangle_of_the_earlier_state),
         DEVICE_TEST(the_display_is_told_what_changes),
-        DEVICE_TEST(brightness_is_full_until_a_host_sets_it_and_stays_where_one_does_not),
-        DEVICE_TEST(a_disabled_controller_gives_its_rectangle_up),
+        DEVICE_TEST(brightness_is_full_until_a_host_sets_it_and_then_stays),
+        DEVICE_TEST(a_disabled_controller_drops_its_rectangle),
         DEVICE_TEST(a_bus_reset_forgets_what_the_host_had_set),
     };
     return cmocka_run_group_tests_name("gud device", tests, NULL, NULL);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * A GUD display on a panel: what a host draws is to be seen, whatever else it asks for meanwhile. */
+ * A GUD display on a panel: it shows what a host draws, whatever else the host asks for meanwhile. */
 #include <string.h>
 
 #include "gud_panel.h"
@@ -8,7 +8,7 @@
 
 enum { WIDTH = 135, HEIGHT = 240, X = 7, Y = 30, COLUMNS = 100, LINES = 20, BYTES = 2 * COLUMNS * LINES };
 
-static struct virtual_panel screen; /* 150 KB: not for the stack */
+static struct virtual_panel screen; /* 150 KB: too much for the stack */
 static struct hal hal;
 static struct panel panel;
 static struct gud_panel gud_panel;
@@ -97,7 +97,7 @@ static void assert_drawn(void)
     }
 }
 
-static void a_rectangle_is_seen_where_the_host_wants_it(void **state)
+static void a_rectangle_is_shown_where_the_host_puts_it(void **state)
 {
     (void)state;
     set(GUD_SET_DISPLAY_ENABLE, &(uint8_t){1}, 1);
@@ -108,8 +108,8 @@ static void a_rectangle_is_seen_where_the_host_wants_it(void **state)
     assert_false(gud_panel.has_failed);
 }
 
-/* Linux draws from a thread of its own, which does not wait for what the others ask. */
-static void a_display_that_is_switched_amid_a_rectangle_gets_the_rest_of_it(void **state)
+/* Linux draws from a thread of its own, which does not wait for requests of other threads. */
+static void a_display_that_is_switched_within_a_rectangle_gets_the_rest_of_it(void **state)
 {
     (void)state;
     begin_rectangle();
@@ -134,7 +134,7 @@ static void a_display_that_is_switched_at_a_rectangles_ends_shows_all_of_it(void
     set(GUD_SET_DISPLAY_ENABLE, &(uint8_t){1}, 1);
     gud_device_bulk(&device, pixels, BYTES);
     set(GUD_SET_DISPLAY_ENABLE, &(uint8_t){0}, 1);
-    assert_int_equal(screen.command, PANEL_DISPLAY_OFF); /* no write goes on that nobody wants */
+    assert_int_equal(screen.command, PANEL_DISPLAY_OFF); /* the panel takes no pixels any more */
     set(GUD_SET_DISPLAY_ENABLE, &(uint8_t){1}, 1);
     assert_drawn();
 }
@@ -153,8 +153,8 @@ static void a_bus_that_fails_is_noticed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(a_rectangle_is_seen_where_the_host_wants_it, start),
-        cmocka_unit_test_setup(a_display_that_is_switched_amid_a_rectangle_gets_the_rest_of_it, start),
+        cmocka_unit_test_setup(a_rectangle_is_shown_where_the_host_puts_it, start),
+        cmocka_unit_test_setup(a_display_that_is_switched_within_a_rectangle_gets_the_rest_of_it, start),
         cmocka_unit_test_setup(a_display_that_is_switched_at_a_rectangles_ends_shows_all_of_it, start),
         cmocka_unit_test_setup(a_bus_that_fails_is_noticed, start),
     };

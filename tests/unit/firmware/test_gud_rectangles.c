@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * What the GUD device draws, and what it refuses to. */
+ * What the GUD device draws, and what it refuses to draw. */
 #include "gud_board.h"
 
 /* ---- rectangles ---- */
@@ -23,7 +23,7 @@ static void rectangles_that_do_not_fit_are_parameter_errors(void **state)
         {0, 0, 1, 1, 2, 0, 2},  /* not compressed, with a compressed length */
         {0, 0, 1, 1, 2, 1, 0},  /* compressed to nothing */
         {0, 0, 1, 1, 2, 2, 2},  /* no such compression */
-        {0, 0, 1, 1, 2, 1, 19}, /* no block of 2 bytes is as long */
+        {0, 0, 1, 1, 2, 1, 19}, /* too long for a block of 2 bytes */
         {0, 0, 1, 1, 2, 1, UINT32_MAX},
     };
     go(GUD_RGB565);
@@ -120,7 +120,7 @@ static void rgb_of(unsigned rgb[3], enum gud_format format, const uint8_t *line_
             memcpy(rgb, values[i] + 1, 3 * sizeof *rgb);
 }
 
-static void every_format_becomes_what_the_panel_takes(void **state)
+static void every_format_is_converted_to_the_panels(void **state)
 {
     (void)state;
     static const uint8_t outputs[] = {GLINT_RGB565, GLINT_RGB565_SWAPPED, GLINT_RGB888};
@@ -168,7 +168,7 @@ static void bulk_that_no_rectangle_expects_is_dropped(void **state)
     assert_memory_equal(board.panel + 2 * WIDTH, "\x33\x22\0", 3);
 }
 
-static void after_too_little_bulk_the_next_rectangle_starts_anew(void **state)
+static void after_too_little_bulk_the_next_rectangle_starts_at_its_beginning(void **state)
 {
     (void)state;
     uint8_t bytes[FRAME_MAX];
@@ -179,7 +179,7 @@ static void after_too_little_bulk_the_next_rectangle_starts_anew(void **state)
             go(GUD_RGB565);
             assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, 2, 4 * WIDTH, 0, 0}), GUD_OK);
             send(bytes, cut, false);
-            if (then) /* also where the next is refused: what follows is not for the first */
+            if (then) /* also where the next is refused: the bytes that follow are not the first one's */
                 assert_int_equal(ask(&(struct gud_rectangle){0, 0, 0, 0, 0, 0, 0}), GUD_PARAMETER);
             assert_int_equal(gud_device_expects(&board.device), then ? 0 : 4 * WIDTH - cut);
             draw((struct glint_box){1, 5, 1, 1}, GUD_RGB565, (uint8_t[]){0x22, 0x33}, false, false);
@@ -215,7 +215,7 @@ static void a_broken_block_leaves_an_error_and_the_next_rectangle_is_drawn(void 
 
 /* ---- configs ---- */
 
-static void a_config_that_cannot_be_is_refused(void **state)
+static void an_impossible_config_is_refused(void **state)
 {
     (void)state;
     struct gud_device device;
@@ -247,11 +247,11 @@ int main(void)
         DEVICE_TEST(compression_that_is_not_offered_is_refused),
         DEVICE_TEST(a_board_that_is_busy_says_so),
         DEVICE_TEST(any_pieces_raw_or_compressed_draw_the_same),
-        DEVICE_TEST(every_format_becomes_what_the_panel_takes),
+        DEVICE_TEST(every_format_is_converted_to_the_panels),
         DEVICE_TEST(bulk_that_no_rectangle_expects_is_dropped),
-        DEVICE_TEST(after_too_little_bulk_the_next_rectangle_starts_anew),
+        DEVICE_TEST(after_too_little_bulk_the_next_rectangle_starts_at_its_beginning),
         DEVICE_TEST(a_broken_block_leaves_an_error_and_the_next_rectangle_is_drawn),
-        DEVICE_TEST(a_config_that_cannot_be_is_refused),
+        DEVICE_TEST(an_impossible_config_is_refused),
     };
     return cmocka_run_group_tests_name("gud rectangles", tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The device's side of light_protocol.h, by itself: what it takes, what it refuses, and that it keeps within its map. */
+ * The device's side of light_protocol.h: what it takes, what it refuses, and that it writes to its map only. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,7 +9,7 @@
 
 enum { WIDTH = 6, HEIGHT = 5, PIXELS = WIDTH * HEIGHT, INTERFACE = 1 };
 
-static uint32_t *map; /* by itself on the heap, so that the sanitizers see its ends */
+static uint32_t *map; /* on the heap, so that the sanitizers see its ends */
 static struct gud_device gud;
 static struct light_device device;
 static uint8_t reply[GUD_REPLY_BYTES];
@@ -115,7 +115,7 @@ static void the_shader_is_what_the_material_says(void **state)
     assert_same(&shader.material, &material.material);
 }
 
-static void no_request_is_taken_that_is_not_wholly_right(void **state)
+static void a_request_with_anything_wrong_is_refused(void **state)
 {
     (void)state;
     uint8_t bytes[64] = {1};
@@ -168,7 +168,7 @@ static void before_it_is_enabled_it_takes_nothing(void **state)
     assert_false(device.has_material || device.in_map);
 }
 
-static void enabled_again_it_begins_anew(void **state)
+static void enabled_again_it_forgets_map_and_material(void **state)
 {
     (void)state;
     assert_true(enable(1) && set_material(&material));
@@ -185,17 +185,17 @@ static void lights_wait_for_material_and_map(void **state)
     (void)state;
     int32_t to_light[3];
     assert_true(enable(1));
-    send_light(1); /* the map is not there: lost, and told */
+    send_light(1); /* without a map it is lost, and the status says so */
     assert_int_equal(status(), GUD_PROTOCOL);
     send_map(64);
     send_light(2);
-    assert_false(light_device_next(&device, to_light)); /* the material is not there */
+    assert_false(light_device_next(&device, to_light)); /* without a material */
     assert_true(set_material(&material));
     assert_true(light_device_next(&device, to_light));
     assert_int_equal(to_light[0], 2);
 }
 
-static void a_new_map_ends_what_was_for_the_old_one(void **state)
+static void a_new_map_drops_lights_for_the_old_one(void **state)
 {
     (void)state;
     int32_t to_light[3];
@@ -205,7 +205,7 @@ static void a_new_map_ends_what_was_for_the_old_one(void **state)
     light_device_bulk(&device, (uint8_t[5]){0}, 5); /* a third of a light */
     assert_true(set(LIGHT_SET_MAP, NULL, 0));
     assert_false(device.has_map);
-    assert_true(light_device_has_room(&device, 2 * LIGHT_QUEUE * LIGHT_MESSAGE_BYTES)); /* for a map always */
+    assert_true(light_device_has_room(&device, 2 * LIGHT_QUEUE * LIGHT_MESSAGE_BYTES)); /* a map always has room */
     assert_false(light_device_next(&device, to_light));
     send_map(64);
     assert_false(light_device_next(&device, to_light));
@@ -214,7 +214,7 @@ static void a_new_map_ends_what_was_for_the_old_one(void **state)
     assert_int_equal(to_light[0], 2);
 }
 
-static void another_material_is_told_to_the_board(void **state)
+static void the_board_learns_of_another_material(void **state)
 {
     (void)state;
     struct glint_shader shader;
@@ -229,7 +229,7 @@ static void another_material_is_told_to_the_board(void **state)
     assert_false(shader.clamp_peak);
 }
 
-static void it_is_not_enabled_amid_a_rectangle_of_gud(void **state)
+static void it_cannot_be_enabled_within_a_rectangle_of_gud(void **state)
 {
     (void)state;
     gud.open = true;
@@ -237,11 +237,11 @@ static void it_is_not_enabled_amid_a_rectangle_of_gud(void **state)
     assert_int_equal(status(), GUD_BUSY);
     gud.open = false;
     assert_true(enable(1));
-    gud.open = true; /* cannot be, and enabling again is no harm */
+    gud.open = true; /* does not happen; enabling again is harmless */
     assert_true(enable(1));
 }
 
-static void a_normal_far_from_unit_length_spoils_the_map(void **state)
+static void a_map_with_a_normal_far_from_unit_length_is_refused(void **state)
 {
     (void)state;
     static const uint32_t wrong[] = {0x7fff7f7f, 0x80000001, 0x7fff4000, 0x80018181, 0x00007f7f};
@@ -252,7 +252,7 @@ static void a_normal_far_from_unit_length_spoils_the_map(void **state)
         assert_true(enable(1));
         assert_true(set(LIGHT_SET_MAP, NULL, 0));
         light_device_bulk(&device, bytes, sizeof bytes);
-        /* Length 1 to 2^-15 that looks away is allowed, and so is whatever has z = 0: no surface. */
+        /* A normal of length 1 within 2^-15 that looks away is allowed, and so is any word with z = 0: no surface. */
         assert_int_equal(device.has_map, wrong[i] == 0x80000001 || wrong[i] >> 16 == 0);
     }
 }
@@ -274,7 +274,7 @@ static void every_normal_that_the_library_packs_is_taken(void **state)
     }
 }
 
-static void lights_queue_up_and_what_has_no_room_is_to_wait(void **state)
+static void lights_queue_up_and_wait_where_there_is_no_room(void **state)
 {
     (void)state;
     int32_t to_light[3];
@@ -325,7 +325,7 @@ static void a_reset_forgets_everything(void **state)
     assert_false(light_device_next(&device, to_light));
 }
 
-static void whatever_comes_only_the_map_is_written_to(void **state)
+static void whatever_arrives_only_the_map_is_written(void **state)
 {
     (void)state;
     srand(2);
@@ -350,19 +350,19 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(material_and_map_in_pieces_of_any_size_make_it_ready, begin, end),
         cmocka_unit_test_setup_teardown(the_shader_is_what_the_material_says, begin, end),
-        cmocka_unit_test_setup_teardown(no_request_is_taken_that_is_not_wholly_right, begin, end),
+        cmocka_unit_test_setup_teardown(a_request_with_anything_wrong_is_refused, begin, end),
         cmocka_unit_test_setup_teardown(before_it_is_enabled_it_takes_nothing, begin, end),
-        cmocka_unit_test_setup_teardown(enabled_again_it_begins_anew, begin, end),
+        cmocka_unit_test_setup_teardown(enabled_again_it_forgets_map_and_material, begin, end),
         cmocka_unit_test_setup_teardown(lights_wait_for_material_and_map, begin, end),
-        cmocka_unit_test_setup_teardown(a_new_map_ends_what_was_for_the_old_one, begin, end),
-        cmocka_unit_test_setup_teardown(another_material_is_told_to_the_board, begin, end),
-        cmocka_unit_test_setup_teardown(it_is_not_enabled_amid_a_rectangle_of_gud, begin, end),
-        cmocka_unit_test_setup_teardown(a_normal_far_from_unit_length_spoils_the_map, begin, end),
+        cmocka_unit_test_setup_teardown(a_new_map_drops_lights_for_the_old_one, begin, end),
+        cmocka_unit_test_setup_teardown(the_board_learns_of_another_material, begin, end),
+        cmocka_unit_test_setup_teardown(it_cannot_be_enabled_within_a_rectangle_of_gud, begin, end),
+        cmocka_unit_test_setup_teardown(a_map_with_a_normal_far_from_unit_length_is_refused, begin, end),
         cmocka_unit_test_setup_teardown(every_normal_that_the_library_packs_is_taken, begin, end),
-        cmocka_unit_test_setup_teardown(lights_queue_up_and_what_has_no_room_is_to_wait, begin, end),
+        cmocka_unit_test_setup_teardown(lights_queue_up_and_wait_where_there_is_no_room, begin, end),
         cmocka_unit_test_setup_teardown(the_status_is_busy_until_the_last_frame_is_drawn, begin, end),
         cmocka_unit_test_setup_teardown(a_reset_forgets_everything, begin, end),
-        cmocka_unit_test_setup_teardown(whatever_comes_only_the_map_is_written_to, begin, end),
+        cmocka_unit_test_setup_teardown(whatever_arrives_only_the_map_is_written, begin, end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

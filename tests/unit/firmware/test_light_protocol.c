@@ -4,7 +4,7 @@
 
 #include "light.h"
 
-static void what_is_packed_comes_back(void **state)
+static void what_is_packed_unpacks_to_the_same(void **state)
 {
     (void)state;
     uint8_t bytes[LIGHT_MATERIAL_BYTES];
@@ -24,8 +24,8 @@ static void what_is_packed_comes_back(void **state)
     assert_false(light_descriptor_unpack(&descriptor, bytes));
 }
 
-/* As written down for those who write hosts: a change of both sides at once would break theirs. */
-static void the_bytes_on_the_wire_are_these(void **state)
+/* As documented for other hosts, which a change of both sides at once would break. */
+static void the_bytes_on_the_wire_are_those_documented(void **state)
 {
     (void)state;
     static const uint8_t fields[] = {GLINT_MSH,       6, 60, 0, GLINT_LINEAR,
@@ -53,8 +53,8 @@ static void the_bytes_on_the_wire_are_these(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_packed_comes_back),
-        cmocka_unit_test(the_bytes_on_the_wire_are_these),
+        cmocka_unit_test(what_is_packed_unpacks_to_the_same),
+        cmocka_unit_test(the_bytes_on_the_wire_are_those_documented),
     };
     return cmocka_run_group_tests_name("light protocol", tests, NULL, NULL);
 }

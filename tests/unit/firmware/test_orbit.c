@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The light that circles while nobody sends one. */
+ * The light that circles while no host sends one. */
 #include <math.h>
 
 #include "orbit.h"

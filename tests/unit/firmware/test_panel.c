@@ -7,7 +7,7 @@
 #include "sinks/panel/options.h"
 #include "unit.h"
 
-/* ---- a bus that writes down what happens ---- */
+/* ---- a bus that records what happens ---- */
 
 enum kind { COMMAND, DATA, RESET, LIGHT, WAIT };
 struct happening {
@@ -76,7 +76,7 @@ static struct panel made(const struct panel_bus *on, enum panel_controller contr
     return panel;
 }
 
-/* Where a happening is in the record. */
+/* The place of an event in the record. */
 static size_t place_of(enum kind kind, unsigned value)
 {
     for (size_t i = 0; i < happenings; i++)
@@ -101,7 +101,7 @@ enum { GLASSES = sizeof glasses / sizeof *glasses };
 
 /* ---- tests ---- */
 
-static void windows_are_where_drivers_in_wide_use_put_them(void **state)
+static void windows_are_where_widely_used_drivers_put_them(void **state)
 {
     (void)state;
     static const struct {
@@ -128,7 +128,7 @@ static void windows_are_where_drivers_in_wide_use_put_them(void **state)
     }
 }
 
-static void the_picture_is_turned_as_drivers_in_wide_use_turn_it(void **state)
+static void the_picture_is_turned_as_widely_used_drivers_turn_it(void **state)
 {
     (void)state;
     static const unsigned wanted[2][4] = {{0x00, 0x60, 0xc0, 0xa0}, {0x48, 0x28, 0x88, 0xe8}};
@@ -160,7 +160,7 @@ static void a_start_gives_the_controller_its_time_and_shows_nothing(void **state
     }
 }
 
-static void the_light_shines_on_a_display_that_is_on_only(void **state)
+static void the_backlight_is_on_only_while_the_display_is(void **state)
 {
     (void)state;
     const struct panel panel = made(&bus, PANEL_ST7789, 0, 240, 240);
@@ -229,7 +229,7 @@ static void windows_beyond_the_picture_are_refused_and_send_nothing(void **state
     assert_true(panel_window(&panel, 239, 134, 1, 1));
 }
 
-static void glass_that_is_not_known_or_does_not_fit_is_refused(void **state)
+static void a_panel_that_is_unknown_or_does_not_fit_is_refused(void **state)
 {
     (void)state;
     struct panel panel = {.bus = &bus};
@@ -238,7 +238,7 @@ static void glass_that_is_not_known_or_does_not_fit_is_refused(void **state)
     assert_false(panel_start(&panel));
     assert_false(panel_defaults(&panel, PANEL_ILI9341, 0, 240, 240));
     assert_false(panel_defaults(&panel, PANEL_ST7789, 1, 160, 128));
-    assert_true(panel_fits(&panel)); /* its own offset may do */
+    assert_true(panel_fits(&panel)); /* an offset of its own makes it fit */
     panel.x_offset = PANEL_COLUMNS - 128;
     assert_true(panel_fits(&panel));
     panel.x_offset++;
@@ -249,7 +249,7 @@ static void glass_that_is_not_known_or_does_not_fit_is_refused(void **state)
     assert_false(panel_fits(&panel));
 }
 
-static void colour_order_and_inversion_are_as_said_else_as_usual(void **state)
+static void colour_order_and_inversion_are_as_given_else_the_controllers_usual_ones(void **state)
 {
     (void)state;
     const struct sink_wish wish = {.width = 240, .height = 240, .format = -1};
@@ -265,16 +265,16 @@ static void colour_order_and_inversion_are_as_said_else_as_usual(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(windows_are_where_drivers_in_wide_use_put_them),
-        cmocka_unit_test(the_picture_is_turned_as_drivers_in_wide_use_turn_it),
+        cmocka_unit_test(windows_are_where_widely_used_drivers_put_them),
+        cmocka_unit_test(the_picture_is_turned_as_widely_used_drivers_turn_it),
         cmocka_unit_test(a_start_gives_the_controller_its_time_and_shows_nothing),
-        cmocka_unit_test(the_light_shines_on_a_display_that_is_on_only),
+        cmocka_unit_test(the_backlight_is_on_only_while_the_display_is),
         cmocka_unit_test(the_tearing_line_is_driven_where_it_is_wired),
         cmocka_unit_test(without_a_reset_line_the_command_resets),
         cmocka_unit_test(a_bus_that_fails_at_any_call_fails_the_panel),
         cmocka_unit_test(windows_beyond_the_picture_are_refused_and_send_nothing),
-        cmocka_unit_test(glass_that_is_not_known_or_does_not_fit_is_refused),
-        cmocka_unit_test(colour_order_and_inversion_are_as_said_else_as_usual),
+        cmocka_unit_test(a_panel_that_is_unknown_or_does_not_fit_is_refused),
+        cmocka_unit_test(colour_order_and_inversion_are_as_given_else_the_controllers_usual_ones),
     };
     return cmocka_run_group_tests_name("panel", tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The display loop, against the library's rectangle: whatever the order in which bus and flash are ready. */
+ * The display loop draws what the library's rectangle draws, in whatever order bus and flash are ready. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,8 +22,8 @@ static struct {
     uint32_t *to;
     const uint32_t *from;
     size_t words;
-    unsigned windows, asked, waits; /* waits: how many questions more until a frame may begin */
-    unsigned polls;                 /* after so many questions what is fetched is there; 0: when the test says so */
+    unsigned windows, asked, waits; /* waits: so many more questions until a frame may begin */
+    unsigned polls;                 /* after so many questions the fetched words are there; 0: when the test says so */
     bool broken;
 } board;
 
@@ -31,7 +31,7 @@ static bool on_command(void *context, uint8_t command)
 {
     (void)context;
     if (command == PANEL_MEMORY_WRITE) {
-        assert_null(board.done); /* else pixels would go to the new window */
+        assert_null(board.done); /* or pixels would go to the new window */
         board.at = 0;
         board.windows++;
     }
@@ -52,7 +52,7 @@ static void end_flush(void)
     if (!done)
         return;
     assert_true(board.at + board.count <= WIDTH * HEIGHT);
-    memcpy(board.screen + board.at, board.pixels, board.count * sizeof *board.pixels); /* as late as can be */
+    memcpy(board.screen + board.at, board.pixels, board.count * sizeof *board.pixels); /* as late as possible */
     board.at += board.count;
     board.done = NULL;
     done(board.argument);
@@ -85,7 +85,7 @@ static void on_fetch(void *context, uint32_t *to, const uint32_t *from, size_t w
 {
     (void)context;
     assert_null(board.to);
-    memset(to, 0x55, words * sizeof *to); /* what was there is gone from now on */
+    memset(to, 0x55, words * sizeof *to); /* the old words are gone from now on */
     board.to = to;
     board.from = from;
     board.words = words;
@@ -107,7 +107,7 @@ static bool on_fetched(void *context)
     return !board.to;
 }
 
-/* The window's command waits for what is on its way, as on a real bus. */
+/* The window's command waits for pixels that are on their way, as on a real bus. */
 static bool on_command_waiting(void *context, uint8_t command)
 {
     while (board.done)
@@ -141,7 +141,8 @@ static void put_normal(unsigned x, unsigned y)
     map[y * WIDTH + x] = glint_normals_pack(GLINT_NORMALS_INT8, &normal);
 }
 
-static bool has_surface(unsigned x, unsigned y) /* whole lines, none, the middle, one pixel, a hole, the sides */
+static bool has_surface(unsigned x,
+                        unsigned y) /* lines that are full or empty; the middle, one pixel, a hole, the sides */
 {
     const unsigned kind = y % 6;
     return kind == 0 || (kind == 2 && x > 5 && x < 30) || (kind == 3 && x == 17) || (kind == 4 && (x < 9 || x > 15)) ||
@@ -155,7 +156,7 @@ static void make_map(void)
         for (unsigned x = WIDTH; x-- > 0;) {
             gap = has_surface(x, y) ? 0 : gap + 1;
             if (gap)
-                map[y * WIDTH + x] = gap; /* how many there are from here on */
+                map[y * WIDTH + x] = gap; /* how many pixels have none from here on */
             else
                 put_normal(x, y);
         }
@@ -198,7 +199,7 @@ static void check_screen(const int32_t to_light[3])
     assert_memory_equal(board.screen, wanted, sizeof wanted);
 }
 
-/* Frames back to back, transfers ended in an order that the seed decides. */
+/* Frames back to back, transfers end in an order that the seed decides. */
 static void run_frames(unsigned seed)
 {
     srand(seed);
@@ -222,7 +223,7 @@ static void run_frames(unsigned seed)
     }
 }
 
-/* ---- a second core, which runs as early or as late as it may ---- */
+/* ---- a second core, which runs as early or as late as it can ---- */
 
 static struct {
     void (*job)(void *);
@@ -303,7 +304,7 @@ static void a_line_is_not_overwritten_while_it_is_sent(void **state)
     orbit_light(to_light, 0, ORBIT_FRAMES);
     assert_int_equal(relight_frame(&relight, to_light), GLINT_OK);
     uint16_t before[WIDTH];
-    relight_step(&relight); /* line 0 goes out */
+    relight_step(&relight); /* line 0 is sent */
     memcpy(before, board.pixels, sizeof before);
     for (unsigned i = 0; i < 10; i++) /* line 1 is shaded, and then it waits */
         assert_int_equal(relight_step(&relight), RELIGHT_BUSY);
@@ -311,7 +312,7 @@ static void a_line_is_not_overwritten_while_it_is_sent(void **state)
     assert_int_equal(board.windows, 1);
 }
 
-static void a_frame_that_was_given_up_disturbs_no_other(void **state)
+static void an_abandoned_frame_disturbs_no_other(void **state)
 {
     (void)state;
     struct glint_shader shader;
@@ -330,13 +331,13 @@ static void a_frame_that_was_given_up_disturbs_no_other(void **state)
     assert_int_equal(relight_start(&relight, &shader), GLINT_OK);
     assert_int_equal(relight_step(&relight), RELIGHT_DONE); /* no frame was begun */
     board.polls = 5;
-    assert_int_equal(relight_frame(&relight, to_light), GLINT_OK); /* waits for the fetch that nobody wants any more */
+    assert_int_equal(relight_frame(&relight, to_light), GLINT_OK); /* waits for the abandoned frame's fetch */
     assert_int_equal(board.polls, 0);
     end_fetch();
     run_frames(3);
 }
 
-static void a_frame_begins_when_it_may_and_is_not_asked_about_again(void **state)
+static void a_frame_begins_when_the_board_allows_it_and_asks_once(void **state)
 {
     (void)state;
     start(false);
@@ -353,7 +354,7 @@ static void a_frame_begins_when_it_may_and_is_not_asked_about_again(void **state
     check_screen(to_light);
 }
 
-static void a_light_that_cannot_be_is_refused_and_no_frame_begins(void **state)
+static void an_impossible_light_is_refused_and_no_frame_begins(void **state)
 {
     (void)state;
     static const int32_t none[3] = {0, 0, 0}, behind[3] = {0, 0, -1};
@@ -364,7 +365,7 @@ static void a_light_that_cannot_be_is_refused_and_no_frame_begins(void **state)
     assert_int_equal(board.windows, 0);
 }
 
-static void a_bus_that_fails_is_told(void **state)
+static void a_bus_that_fails_is_reported(void **state)
 {
     (void)state;
     int32_t to_light[3];
@@ -382,10 +383,10 @@ int main(void)
         cmocka_unit_test(a_map_in_ram_is_read_where_it_is),
         cmocka_unit_test(two_cores_draw_what_one_does_whichever_is_first),
         cmocka_unit_test(a_line_is_not_overwritten_while_it_is_sent),
-        cmocka_unit_test(a_frame_that_was_given_up_disturbs_no_other),
-        cmocka_unit_test(a_frame_begins_when_it_may_and_is_not_asked_about_again),
-        cmocka_unit_test(a_light_that_cannot_be_is_refused_and_no_frame_begins),
-        cmocka_unit_test(a_bus_that_fails_is_told),
+        cmocka_unit_test(an_abandoned_frame_disturbs_no_other),
+        cmocka_unit_test(a_frame_begins_when_the_board_allows_it_and_asks_once),
+        cmocka_unit_test(an_impossible_light_is_refused_and_no_frame_begins),
+        cmocka_unit_test(a_bus_that_fails_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
