@@ -29,6 +29,8 @@ static struct relight_extent find_extent(const uint32_t *words, uint16_t w, bool
 
 enum glint_err relight_material(struct relight *relight, const struct glint_shader *shader)
 {
+    if (relight->exact)
+        return glint_shade_prepare(relight->exact, shader);
     return glint_tables_fill(&relight->tables, GLINT_TABLES_COLOUR, shader, relight->tables_memory,
                              GLINT_TABLES_COLOUR_BYTES);
 }
@@ -62,7 +64,9 @@ enum glint_err relight_frame(struct relight *relight, const int32_t to_light[3])
 {
     static const int32_t to_viewer[3] = {0, 0, 1};
     enum glint_err error = glint_light_init(&relight->source, to_light, to_viewer);
-    if (error == GLINT_OK)
+    if (error == GLINT_OK && relight->exact)
+        error = glint_shade_relight(relight->exact, &relight->source);
+    else if (error == GLINT_OK)
         error = glint_tables_light_init(&relight->light, &relight->tables, &relight->source);
     if (error != GLINT_OK)
         return error;
@@ -72,6 +76,20 @@ enum glint_err relight_frame(struct relight *relight, const int32_t to_light[3])
     relight->in_frame = true;
     fetch(relight, 0, relight->buffer);
     return GLINT_OK;
+}
+
+/* The exact pixel takes unpacked normals: pieces of the line at a time, which end where there is no surface. */
+static void shade_exact(const struct relight *relight, const uint32_t *words, uint16_t *pixels, unsigned count)
+{
+    enum { PIECE = 48 };
+    struct glint_vec normals[PIECE];
+    const struct glint_source source = {.normals = normals};
+    for (unsigned x = 0, w; x < count; x += w ? w : 1) {
+        for (w = 0; w < PIECE && x + w < count && is_surface(words[x + w]); w++)
+            normals[w] = glint_normals_unpack(GLINT_NORMALS_INT8, words[x + w]);
+        const struct glint_surface surface = {pixels + x, 0, 0, 0};
+        glint_shade_prepared_rect(relight->exact, &source, (uint16_t)w, 1, &surface, NULL);
+    }
 }
 
 /* Pixels first..end - 1 of the line; nothing else is written. */
@@ -91,6 +109,10 @@ static void shade_part(const struct relight *relight, unsigned first, unsigned e
         return;
     const uint32_t *normals =
         relight->normals[0] ? relight->normals[relight->buffer] + (first - extent.first) : map_line(relight, y) + first;
+    if (relight->exact) {
+        shade_exact(relight, normals, pixels + first, end - first);
+        return;
+    }
     const struct glint_surface surface = {pixels + first, 2 * (ptrdiff_t)w, 0, 0};
     glint_tables_rect(&relight->tables, &relight->light, GLINT_NORMALS_INT8, normals, 4 * (ptrdiff_t)w,
                       (uint16_t)(end - first), 1, &surface);

@@ -2,6 +2,7 @@
  * What the emulated board's panel shows, and what it ought to show; RGB, to standard output.
  *   judge look CONTROLLER WIDTH HEIGHT    standard input: a transcript of the panel's pins (pico.mjs)
  *   judge demo WIDTH HEIGHT FRAME         the stand-alone demo, by the library on this machine
+ *   judge exact WIDTH HEIGHT FRAME        the same by the exact rectangle (PATH=exact)
  *   judge fault WIDTH HEIGHT NUMBER       what is shown where something is wrong
  *   judge lz4                             standard input as one LZ4 block (no picture)
  *   judge map WIDTH HEIGHT                the demo's map, as it goes over the wire to a device that shades
@@ -80,25 +81,50 @@ static void draw_fault(unsigned width, unsigned height, unsigned fault)
     }
 }
 
-static void draw_demo(unsigned width, unsigned height, unsigned frame)
+static bool draw_tables(const struct glint_shader *shader, const struct baked *baked, unsigned width, unsigned height,
+                        const struct glint_surface *surface)
 {
     static uint32_t memory[GLINT_TABLES_COLOUR_BYTES / 4];
+    struct glint_tables tables;
+    struct glint_tables_light light;
+    return glint_tables_fill(&tables, GLINT_TABLES_COLOUR, shader, memory, sizeof memory) == GLINT_OK &&
+           glint_tables_light_init(&light, &tables, &shader->light) == GLINT_OK &&
+           glint_tables_rect(&tables, &light, GLINT_NORMALS_INT8, baked->words, 4 * (ptrdiff_t)width, (uint16_t)width,
+                             (uint16_t)height, surface) == GLINT_OK;
+}
+
+static bool draw_exact(const struct glint_shader *shader, const struct baked *baked, unsigned width, unsigned height,
+                       const struct glint_surface *surface)
+{
+    struct glint_vec *normals = allocate((size_t)width * height, sizeof *normals);
+    uint8_t *mask = allocate((size_t)width * height, 1);
+    for (size_t i = 0; i < (size_t)width * height; i++) {
+        normals[i] = glint_normals_unpack(GLINT_NORMALS_INT8, baked->words[i]);
+        mask[i] = baked->words[i] >> 16 ? 255 : 0;
+    }
+    const struct glint_source source = {.normals = normals,
+                                        .normals_stride = (ptrdiff_t)(width * sizeof *normals),
+                                        .mask = mask,
+                                        .mask_stride = (ptrdiff_t)width};
+    const bool drawn = glint_shade_rect(shader, &source, (uint16_t)width, (uint16_t)height, surface, NULL) == GLINT_OK;
+    free(normals);
+    free(mask);
+    return drawn;
+}
+
+static void draw_demo(unsigned width, unsigned height, unsigned frame, bool exact)
+{
     static const int32_t to_viewer[3] = {0, 0, 1};
     struct scene *scene = scene_draw("coin", width, height);
     struct baked *baked = bake(scene, BAKE_INT8, 0);
     uint16_t *pixels = allocate((size_t)width * height, sizeof *pixels);
     const struct glint_surface surface = {pixels, 2 * (ptrdiff_t)width, 0, 0};
     struct glint_shader shader;
-    struct glint_tables tables;
-    struct glint_tables_light light;
     int32_t to_light[3];
     demo_shader(&shader);
     orbit_light(to_light, frame, ORBIT_FRAMES);
     if (glint_light_init(&shader.light, to_light, to_viewer) != GLINT_OK ||
-        glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &shader, memory, sizeof memory) != GLINT_OK ||
-        glint_tables_light_init(&light, &tables, &shader.light) != GLINT_OK ||
-        glint_tables_rect(&tables, &light, GLINT_NORMALS_INT8, baked->words, 4 * (ptrdiff_t)width, (uint16_t)width,
-                          (uint16_t)height, &surface) != GLINT_OK)
+        !(exact ? draw_exact : draw_tables)(&shader, baked, width, height, &surface))
         fail("judge: the library refused the demo");
     write_shown(pixels, (size_t)width * height);
     free(pixels);
@@ -155,7 +181,9 @@ int main(int argc, char **argv)
     if (argc == 5 && strcmp(argv[1], "look") == 0)
         show_panel(argv[2], number(argv[3]), number(argv[4]));
     else if (argc == 5 && strcmp(argv[1], "demo") == 0)
-        draw_demo(number(argv[2]), number(argv[3]), number(argv[4]));
+        draw_demo(number(argv[2]), number(argv[3]), number(argv[4]), false);
+    else if (argc == 5 && strcmp(argv[1], "exact") == 0)
+        draw_demo(number(argv[2]), number(argv[3]), number(argv[4]), true);
     else if (argc == 5 && strcmp(argv[1], "fault") == 0)
         draw_fault(number(argv[2]), number(argv[3]), number(argv[4]));
     else if (argc == 2 && strcmp(argv[1], "lz4") == 0)

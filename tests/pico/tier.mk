@@ -28,7 +28,7 @@ run-pico: pico-images $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $(addprefix $(BUILD)
 		$(foreach panel,st7789-240x240,"$(call PICO_TEST,faults)" \
 		"tests/lab/guest --memory 1G $(BUILD)/tests/pico/attach $(call PICO_TEST,end_to_end) $(BUILD)/glint" \
 		"$(call PICO_TEST,light)" "$(call PICO_TEST,te,-te$(PICO_TE_TESTED)) $(PICO_TE_TESTED)" \
-		"$(call PICO_TEST,second_core,-two-cores)") \
+		"$(call PICO_TEST,second_core,-two-cores)" "$(call PICO_TEST,exact,-exact)") \
 		"node tests/pico/test_conformance.mjs $(BENCH_NPM) build/firmware/pico-st7789-240x240 $(CONFORMANCE_EXPECTED)" \
 		$(foreach panel,$(PICO_PANELS_TESTED),"$(call PICO_TEST,demo)" "$(call PICO_TEST,usb)") \
 		"tests/pico/test_cores $(BUILD)/tests/pico/cores" \

@@ -27,8 +27,13 @@ static struct {
     uint16_t pixels[2][PANEL_WIDTH];
     struct relight_extent extents[PANEL_HEIGHT];
 } lines LINES_BANK;
+#if EXACT
+static struct glint_prepared prepared;
+#endif
 static struct {
+#if !EXACT
     uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4];
+#endif
     union { /* only one of these hosts has the panel at a time */
         struct {
             uint32_t lines[(GUD_DEVICE_LINE_BYTES(PANEL_WIDTH, 2, 2) + 3) / 4];
@@ -47,7 +52,11 @@ static struct {
 static struct panel panel = {.bus = &board_hal.bus};
 static struct relight relight = {.hal = &board_hal,
                                  .panel = &panel,
+#if EXACT
+                                 .exact = &prepared,
+#else
                                  .tables_memory = memory.tables,
+#endif
                                  .pixels = {lines.pixels[0], lines.pixels[1]},
 #if !OFFERS_LIGHT /* the map stays in flash */
                                  .normals = {lines.normals[0], lines.normals[1]},
@@ -162,6 +171,9 @@ static void start(void)
 #if SECOND_CORE
     board_say("both cores shade; the second core has run in a model only\r\n");
     second_core_start();
+#endif
+#if EXACT
+    board_say("every pixel is exact\r\n");
 #endif
     if (!panel_start(&panel))
         fail(FAULT_BUS);

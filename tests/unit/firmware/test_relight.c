@@ -132,6 +132,8 @@ static uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4], normals[2][WIDTH];
 static uint16_t pixels[2][WIDTH];
 static struct relight_extent extents[HEIGHT];
 static struct relight relight;
+static struct glint_prepared prepared;
+static bool by_exact_pixels;
 
 static void put_normal(unsigned x, unsigned y)
 {
@@ -175,12 +177,32 @@ static void start(bool from_flash)
                                .panel = &panel,
                                .map = map,
                                .background = BACKGROUND,
-                               .tables_memory = tables,
+                               .exact = by_exact_pixels ? &prepared : NULL,
+                               .tables_memory = by_exact_pixels ? NULL : tables,
                                .pixels = {pixels[0], pixels[1]},
                                .extents = extents};
     for (unsigned i = 0; i < 2 && from_flash; i++)
         relight.normals[i] = normals[i];
     assert_int_equal(relight_start(&relight, &shader), GLINT_OK);
+}
+
+/* One rectangle of the whole map. */
+static void draw_exact(uint16_t *wanted, const struct glint_light *light)
+{
+    struct glint_vec unpacked[WIDTH * HEIGHT];
+    uint8_t mask[WIDTH * HEIGHT];
+    struct glint_shader shader;
+    demo_shader(&shader);
+    shader.light = *light;
+    for (unsigned i = 0; i < WIDTH * HEIGHT; i++) {
+        unpacked[i] = glint_normals_unpack(GLINT_NORMALS_INT8, map[i]);
+        mask[i] = map[i] >> 16 ? 255 : 0;
+    }
+    const struct glint_source source = {
+        .normals = unpacked, .normals_stride = WIDTH * sizeof *unpacked, .mask = mask, .mask_stride = WIDTH};
+    assert_int_equal(
+        glint_shade_rect(&shader, &source, WIDTH, HEIGHT, &(struct glint_surface){wanted, 2 * WIDTH, 0, 0}, NULL),
+        GLINT_OK);
 }
 
 static void check_screen(const int32_t to_light[3])
@@ -192,6 +214,11 @@ static void check_screen(const int32_t to_light[3])
     for (unsigned i = 0; i < WIDTH * HEIGHT; i++)
         wanted[i] = BACKGROUND;
     assert_int_equal(glint_light_init(&source, to_light, to_viewer), GLINT_OK);
+    if (by_exact_pixels) {
+        draw_exact(wanted, &source);
+        assert_memory_equal(board.screen, wanted, sizeof wanted);
+        return;
+    }
     assert_int_equal(glint_tables_light_init(&light, &relight.tables, &source), GLINT_OK);
     assert_int_equal(glint_tables_rect(&relight.tables, &light, GLINT_NORMALS_INT8, map, 4 * WIDTH, WIDTH, HEIGHT,
                                        &(struct glint_surface){wanted, 2 * WIDTH, 0, 0}),
@@ -270,6 +297,17 @@ static void frames_are_the_librarys_whatever_ends_first(void **state)
         start(true);
         run_frames(seed);
     }
+}
+
+static void exact_frames_are_the_exact_rectangle_without_memory_for_tables(void **state)
+{
+    (void)state;
+    by_exact_pixels = true;
+    for (unsigned seed = 1; seed < 20; seed++) {
+        start(seed & 1);
+        run_frames(seed);
+    }
+    by_exact_pixels = false;
 }
 
 static void a_map_in_ram_is_read_where_it_is(void **state)
@@ -380,6 +418,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(frames_are_the_librarys_whatever_ends_first),
+        cmocka_unit_test(exact_frames_are_the_exact_rectangle_without_memory_for_tables),
         cmocka_unit_test(a_map_in_ram_is_read_where_it_is),
         cmocka_unit_test(two_cores_draw_what_one_does_whichever_is_first),
         cmocka_unit_test(a_line_is_not_overwritten_while_it_is_sent),
