@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// costs FOLDER PART PARTS: the figures of the committed table (tests/bench/costs.tsv) that are emulated on the Cortex-M0+, or
-// one part of them, so that parts run side by side. Lines: number, kind, name, build, n, value; the number is the line's place
+// costs FOLDER PART PARTS [PATTERN]: the figures of the committed table (tests/bench/costs.tsv) that are emulated on the Cortex-M0+, or
+// one part of them, so that parts run side by side. PATTERN: of rows that it matches as "loop exact rect asm" (call, loop, worst)
+// alone. Lines: number, kind, name, build, n, value; the number is the line's place
 // in the whole, 10 apart. Emulated cycles are the same on every computer, however busy it is.
 import { boot } from './m0plus.mjs'
 import { readScene } from './scene.mjs'
 import { evaluationRows, measureEvaluation } from './evaluations.mjs'
 import { loopRows, measureLoop } from './loops.mjs'
+import { measureOpen, measureWorst, readWorst, worstRows } from './worst.mjs'
 
 process.on('uncaughtException', (error) => {
   console.error(`costs: ${error.message}`)
@@ -16,13 +18,14 @@ process.on('uncaughtException', (error) => {
 const ASSEMBLY = /^(exact (rect|albedo|span 16|span 64)|colour (int8|int10|span 16|span 64)|albedo (int8|span 16)|palette)$/
 const SHININESSES = { 'exact rect': [5, 1000], 'albedo int8': [5] }
 
-const [folder, part, parts] = [process.argv[2], Number(process.argv[3]), Number(process.argv[4])]
+const [folder, part, parts, match] = [process.argv[2], Number(process.argv[3]), Number(process.argv[4]), new RegExp(process.argv[5] ?? '')]
 const scene = readScene(`${folder}/scene`)
 const machines = Object.fromEntries(['O2', 'asm'].map((build) => [build, boot(`${folder}/npm`, `${folder}/m0plus-${build}.elf`)]))
 
 function evaluation(row, n) {
   machines.O2.call('evaluation_begin', [n])
-  return [['call', measureEvaluation(machines.O2, row, n, scene.samples.get(n), true).mean.toFixed(0)]]
+  const { mean, max } = measureEvaluation(machines.O2, row, n, scene.samples.get(n), true)
+  return [['call', mean.toFixed(0)], ['slowest', max]]
 }
 
 function loop(build, row, n) {
@@ -36,14 +39,22 @@ function loop(build, row, n) {
   return [...figures, ['largest', quality.largest.toFixed(1)], ['mean', quality.mean.toFixed(2)]]
 }
 
-const jobs = evaluationRows(machines.O2).filter(({ name }) => !name.endsWith('_fixmath')).map((row) => [row.name, 'O2', 60, () => evaluation(row, 60)])
+const worst = readWorst()
+function worstLine(row) {
+  if (!worst.has(row.name)) throw new Error(`${row.name} is not in worst.tsv: make costs`)
+  return [['open', (100 * measureOpen(machines.O2, scene, row)).toFixed(2)],
+    ['worst', measureWorst(machines.O2, row, worst.get(row.name)).toFixed(0)]]
+}
+
+const jobs = evaluationRows(machines.O2).filter(({ name }) => !name.endsWith('_fixmath')).map((row) => ['call', row.name, 'O2', 60, () => evaluation(row, 60)])
 for (const build of ['O2', 'asm']) {
   for (const row of loopRows(machines[build])) {
     if (build === 'asm' && !ASSEMBLY.test(row.name)) continue
-    for (const n of [60, ...SHININESSES[row.name] ?? []]) jobs.push([row.name, build, n, () => loop(build, row, n)])
+    for (const n of [60, ...SHININESSES[row.name] ?? []]) jobs.push(['loop', row.name, build, n, () => loop(build, row, n)])
   }
 }
-jobs.forEach(([name, build, n, run], i) => {
-  if (i % parts !== part) return
+for (const row of worstRows(machines.O2)) jobs.push(['worst', row.name, 'O2', 60, () => worstLine(row)])
+jobs.forEach(([group, name, build, n, run], i) => {
+  if (i % parts !== part || !match.test(`${group} ${name} ${build}`)) return
   run().forEach(([kind, value], k) => console.log([10 * i + k, kind, name, build, n, value].join('\t')))
 })

@@ -2,16 +2,14 @@
  * Loops over the exact paths: rectangles and spans, prepared or not, and lights. */
 #include "loops.h"
 
-#define prepared (*(struct glint_prepared *)(void *)bench_memory) /* no tables beside it: AVR has no room */
-
 void exact_fill(void)
 {
-    bench_check(glint_shade_prepare(&prepared, &bench_shader));
+    bench_check(glint_shade_prepare(&exact_prepared, &bench_shader));
 }
 
 void exact_frame(void)
 {
-    bench_check(glint_shade_relight(&prepared, &bench_shader.light));
+    bench_check(glint_shade_relight(&exact_prepared, &bench_shader.light));
 }
 
 static struct glint_surface line_from(uint16_t x)
@@ -30,11 +28,16 @@ static struct glint_source source(void)
     return from;
 }
 
-void exact_rect(void)
+void exact_line(const struct glint_prepared *prepared)
 {
     const struct glint_source from = source();
     const struct glint_surface to = line_from(0);
-    bench_check(glint_shade_prepared_rect(&prepared, &from, SPHERE_W, 1, &to, NULL));
+    bench_check(glint_shade_prepared_rect(prepared, &from, SPHERE_W, 1, &to, NULL));
+}
+
+void exact_rect(void)
+{
+    exact_line(&exact_prepared);
 }
 
 void exact_call(void)
@@ -72,7 +75,7 @@ void exact_span(void)
     const struct glint_span *span = bench_spans;
     for (uint16_t x = bench_line.from; x < bench_line.to; x = (uint16_t)(x + span->w), span++) {
         const struct glint_surface to = line_from(x);
-        bench_check(glint_shade_prepared_span(&prepared, span, &to, NULL));
+        bench_check(glint_shade_prepared_span(&exact_prepared, span, &to, NULL));
     }
 }
 

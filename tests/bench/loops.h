@@ -69,7 +69,9 @@ typedef void bench_step(void);
 /* exact_loops.c */
 bench_step exact_fill, exact_frame, exact_rect, exact_call, exact_span, exact_span_call, exact_lights_frame,
     exact_lights;
-bench_step bench_spans_16, bench_spans_64; /* the line's spans, at bench_spans */
+void exact_line(const struct glint_prepared *prepared);
+#define exact_prepared (*(struct glint_prepared *)(void *)bench_memory) /* no tables beside it: AVR has no room */
+bench_step bench_spans_16, bench_spans_64;                              /* the line's spans, at bench_spans */
 #define bench_spans ((struct glint_span *)(void *)(bench_memory + BENCH_TABLES / 4))
 
 /* peer_loops.c: whole pixels as people write them. */

@@ -16,9 +16,9 @@ test-targets: ## check: cross-compiled: no floating point, no writable data, sta
 TARGETS_COSTS = $(if $(BOARD),,"tests/targets/test_costs $(BENCH)")
 TARGETS_COSTS_INPUTS = $(filter-out %-Os.elf,$(BENCH_ELFS)) $(BENCH_SCENE)/scene.json
 
-costs: $(TARGETS_COSTS_INPUTS) $(BOARDS) ## measure: write the table that tier targets compares cycles and sizes with (costs.tsv), and the READMEs' figures
+costs: $(TARGETS_COSTS_INPUTS) $(BOARDS) ## measure: write the table that tier targets compares cycles and sizes with (costs.tsv), and the READMEs' figures; ROWS=PATTERN
 	@+$(SUBMAKE) -s setup-rp2040js
-	@PYTHONDONTWRITEBYTECODE=1 tests/targets/test_costs $(BENCH) write
+	@PYTHONDONTWRITEBYTECODE=1 tests/targets/test_costs $(BENCH) write '$(value ROWS)'
 	@tests/unit/house/test_figures write
 
 run-targets: $(if $(BOARD),,$(TARGETS_COSTS_INPUTS)) $(TARGETS_FIRMWARE) $(BOARDS) $(CONFORMANCE_EXPECTED)

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// The exact rectangle's worst lines (worst.h) on the emulated Cortex-M0+. worst FOLDER PART PARTS [PATTERN]: searches for them, and prints
+// what worst.tsv holds: row, ambient red, green and blue, and x, y and z of a normal, or of four that pixels take in turn.
+import { readFileSync } from 'node:fs'
+import { boot } from './m0plus.mjs'
+import { readScene } from './scene.mjs'
+import { loopRows } from './loops.mjs'
+
+const N = 60, WIDTH = 320, SLOWEST = 80, MATERIALS = 2000
+const phasesOf = (row) => row.look[3] ? 4 : 1 // dithered, a pixel's threshold is one of four in a line
+
+export const worstRows = (machine) => loopRows(machine).filter((row) => row.shade === (machine.address('exact_rect') | 1))
+
+function begin(machine, row) {
+  machine.call('bench_begin', [row.at, N])
+  machine.call('worst_begin')
+  machine.call('exact_fill')
+}
+
+const normalsOf = (machine) => machine.bytes(machine.address('bench_line'), 6 * WIDTH)
+const put = (normals, x, [a, b, c]) => [a, b, c].forEach((value, k) => normals.writeInt16LE(value, 6 * x + 2 * k))
+
+// The scene's normals, and the cycles of the lobe there, the most first.
+function lobes(machine, scene) {
+  const normals = normalsOf(machine), found = []
+  for (let y = 0; y < scene.height; y++) {
+    scene.maps[0].copy(normals, 0, 6 * y * WIDTH)
+    for (let x = 0; x < WIDTH; x++) {
+      if (!scene.covers(x, y)) continue
+      const { cycles, value } = machine.call('worst_lobe', [machine.call('worst_t', [x]).value])
+      if (value) found.push({ cycles, normal: [0, 2, 4].map((k) => normals.readInt16LE(6 * x + k)) })
+    }
+  }
+  return found.sort((a, b) => b.cycles - a.cycles)
+}
+
+// For some ambient light, one of the slow normals for each place of the dither whose pixel is open.
+function searchAmong(machine, phases, slow) {
+  const normals = normalsOf(machine), open = machine.bytes(machine.address('worst_open'), WIDTH)
+  const mask = machine.bytes(machine.address('bench_line') + 9 * WIDTH, WIDTH).fill(0, phases * slow.length)
+  slow.forEach((normal, i) => { for (let phase = 0; phase < phases; phase++) put(normals, phases * i + phase, normal) })
+  for (let i = 0; i < MATERIALS; i++) {
+    const ambient = [1000 + 37 * i % 9973, 1000 + 53 * i % 9967, 1000 + 71 * i % 9949]
+    machine.call('worst_material', ambient)
+    machine.call('worst_count')
+    const chosen = Array.from({ length: phases }, (_, phase) => slow.find((_, k) => open[phases * k + phase]))
+    if (!chosen.every((x) => x)) continue
+    mask.fill(255)
+    return [...ambient, ...chosen.flat()]
+  }
+  mask.fill(255)
+}
+
+// Among the slowest first, then among more.
+function search(machine, scene, row) {
+  begin(machine, row)
+  const found = lobes(machine, scene)
+  for (const least of [.95, .8, .5, 0]) {
+    const slow = found.filter(({ cycles }) => cycles >= least * found[0].cycles).slice(0, SLOWEST).map(({ normal }) => normal)
+    const line = searchAmong(machine, phasesOf(row), slow)
+    if (line) return line
+  }
+  throw new Error(`${row.name}: no line was found whose every pixel is open`)
+}
+
+export function readWorst() {
+  const lines = readFileSync(new URL('worst.tsv', import.meta.url), 'utf8').trim().split('\n').filter((line) => line[0] !== '#')
+  return new Map(lines.map((line) => line.split('\t')).map(([name, ...numbers]) => [name, numbers.map(Number)]))
+}
+
+// Cycles a pixel of the worst line.
+export function measureWorst(machine, row, [red, green, blue, ...vectors]) {
+  begin(machine, row)
+  machine.call('worst_material', [red, green, blue])
+  const normals = normalsOf(machine), phases = phasesOf(row)
+  for (let x = 0; x < WIDTH; x++) put(normals, x, vectors.slice(3 * (x % phases), 3 * (x % phases) + 3))
+  const open = machine.call('worst_count').value
+  if (open !== WIDTH) throw new Error(`${row.name}: ${open} of ${WIDTH} pixels of the worst line are open: search again: make costs`)
+  return machine.call(row.shade).cycles / WIDTH
+}
+
+// The share of the scene's pixels that are open.
+export function measureOpen(machine, scene, row) {
+  machine.call('bench_begin', [row.at, N])
+  machine.call('exact_fill')
+  let open = 0, covered = 0
+  for (let y = 2; y < scene.height; y += 4) {
+    scene.maps[0].copy(normalsOf(machine), 0, 6 * y * WIDTH)
+    machine.call('bench_line_begin', [y])
+    open += machine.call('worst_count').value
+    for (let x = 0; x < WIDTH; x++) covered += scene.covers(x, y)
+  }
+  return open / covered
+}
+
+if (process.argv[1] === new URL(import.meta.url).pathname) {
+  const [folder, part, parts, match] = [process.argv[2], Number(process.argv[3]), Number(process.argv[4]), new RegExp(process.argv[5] ?? '')]
+  const machine = boot(`${folder}/npm`, `${folder}/m0plus-O2.elf`), scene = readScene(`${folder}/scene`)
+  worstRows(machine).forEach((row, i) => {
+    if (i % parts === part && match.test(`worst ${row.name} O2`)) console.log([row.name, ...search(machine, scene, row)].join('\t'))
+  })
+}
