@@ -135,8 +135,11 @@ install: all run-install-lib $(BUILD)/man ## use: library, header, libglint.pc, 
 	install -m 644 host/udev/70-glint.rules "$(INSTALL)/lib/udev/rules.d/"
 
 # A folder for each compiler, so that a cross compiler's objects do not replace the host's.
-install-lib: ## use: library, header and libglint.pc alone, needs a compiler only: CC=arm-none-eabi-gcc AR=arm-none-eabi-ar DESTDIR=...
+install-lib: have-compiler ## use: library, header and libglint.pc alone, needs a compiler only: CC=arm-none-eabi-gcc AR=arm-none-eabi-ar DESTDIR=...
 	@+$(SUBMAKE) BUILD=$(BUILD)/$(shell $(CC) -dumpmachine) run-install-lib
+
+have-compiler:
+	@command -v $(firstword $(CC)) >/dev/null || { echo "make: there is no compiler '$(firstword $(CC))': set CC, and AR for its archiver" >&2; exit 1; }
 
 run-install-lib: $(BUILD)/libglint.a
 	install -d "$(INSTALL)/lib/pkgconfig" "$(INSTALL)/include"
@@ -205,7 +208,7 @@ clean: ## maintain: remove what was built
 	rm -rf build
 
 always:
-.PHONY: all always dist dist-archives firmware setup setup-build test check check-format demo run-demo help packages clean install install-lib run-install-lib uninstall
+.PHONY: all always have-compiler dist dist-archives firmware setup setup-build test check check-format demo run-demo help packages clean install install-lib run-install-lib uninstall
 .DEFAULT:
 	$(error there is no goal or file '$@'; 'make help' lists the goals)
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
