@@ -2,8 +2,8 @@
 #include "glint_math_power.h"
 #include "glint_math_multiply.h"
 
-/* The upper half of a 64 x 64 bit product, from 32 x 32 bit ones. */
-static uint64_t mulhi(uint64_t a, uint64_t b)
+/* The upper half of a 64 x 64 bit product, from 32 x 32 bit ones. Inlined it would take stack and code twice. */
+__attribute__((noinline)) static uint64_t mulhi(uint64_t a, uint64_t b)
 {
     const uint64_t a0 = (uint32_t)a, a1 = a >> 32, b0 = (uint32_t)b, b1 = b >> 32;
     const uint64_t low = a0 * b1 + (a0 * b0 >> 32); /* <= (2^32-1)^2 + 2^32-2 < 2^64 */
