@@ -16,7 +16,10 @@ ALLOWED = re.compile(r"""
   | __prologue_saves__ | __epilogue_restores__ | __riscv_(save|restore)_\d+
   | __tablejump2?_?_ | __do_copy_data                   # AVR: a switch; constants in RAM, copied at the start
 """, re.VERBOSE)
+LIBRARY = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "lib")
 HELPER_STACK = 80  # bytes that one of these may use; what the emulated machines measure is checked against it
+MULTIPLY = re.compile(r"__aeabi_lmul|__u?mul\w+3")
+MULTIPLY_STACK = 32  # of a helper that multiplies: libgcc's push 20 bytes on Cortex-M0, 25 on AVR with what they call, 0 on RV32
 
 
 def complaints(target, objects):
@@ -67,17 +70,51 @@ def assembly_stack(line):
     return 4 * count + (int(room[1]) if room else 0)
 
 
-def is_mesh(path):
-    """Meshes call through pointers of a type of their own, struct glint_mesh_path, which no other file has."""
-    return os.path.basename(path).startswith("mesh")
+def parameters(text):
+    """The types of a parameter list, without names and qualifiers."""
+    return tuple(re.sub(r"\bconst\b|\b\w+(\[\d*\])?$|\s", "", part.strip()) for part in text.split(","))
+
+
+class Sources:
+    """Which functions a call through a pointer may reach, from the C of the library: those whose parameters are those of a pointer
+    to a function that the caller's file declares or includes."""
+
+    POINTER = re.compile(r"\(\*(?:const )?\w+(?:\[\])?\)\(([^()]*)\)")
+
+    def __init__(self, folder):
+        self.folder, self.texts = folder, {}
+
+    def text(self, name):
+        if name not in self.texts:
+            path = os.path.join(self.folder, name)
+            self.texts[name] = open(path).read() if os.path.exists(path) else ""
+        return self.texts[name]
+
+    def pointers(self, name, seen):
+        """The parameters of all pointers to functions that a file sees."""
+        if name in seen:
+            return set()
+        seen.add(name)
+        found = {parameters(match) for match in self.POINTER.findall(self.text(name))}
+        for include in re.findall(r'#include "(\w+\.h)"', self.text(name)):
+            found |= self.pointers(include, seen)
+        return found
+
+    def may_call(self, path, target, function):
+        """Where nothing is known of either, yes."""
+        caller, callee = (os.path.basename(each)[:-2] + ".c" for each in (path, target))
+        defined = re.search(r"\b" + re.escape(function.split(".")[0]) + r"\(([^()]*)\)\s*\{", self.text(callee))
+        seen = self.pointers(caller, set())
+        return not defined or not self.text(caller) or parameters(defined[1]) in seen
 
 
 class Calls:
     """The call graph of some objects, read from their relocations (compiled with -ffunction-sections, every call has one),
-    with the frames that gcc states (-fstack-usage). A call through a pointer may reach any function whose address is taken
-    in a file of the same kind: of meshes or not."""
+    with the frames that gcc states (-fstack-usage). A call through a pointer may reach any function whose address is taken and whose
+    parameters fit."""
 
     def __init__(self, target, objects):
+        self.sources = Sources(LIBRARY)
         self.target, self.frames, self.edges, self.indirect = target, {}, {}, set()
         self.taken, self.trouble, self.memory = set(), set(), {}
         for path in objects:
@@ -154,8 +191,9 @@ class Calls:
             below = {(name, self._find(function[0], name)) for name in self.edges[function]}
             if function in self.indirect:
                 below |= {(name, self._find(path, name)) for path, name in self.taken
-                          if self._find(path, name) and is_mesh(path) == is_mesh(function[0])}
-            chains = [self.depth(at, (*above, function)) if at else (HELPER_STACK, [name]) for name, at in below]
+                          if self._find(path, name) and self.sources.may_call(function[0], path, name)}
+            chains = [self.depth(at, (*above, function)) if at else
+                      (MULTIPLY_STACK if MULTIPLY.fullmatch(name) else HELPER_STACK, [name]) for name, at in below]
             deepest = max(chains, default=(0, []))
             frame = self.frames.get((function[0], function[1].split(".")[0]), 0)
             self.memory[function] = frame + self.target.pushed + deepest[0], [function[1], *deepest[1]]
