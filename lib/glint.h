@@ -12,7 +12,7 @@
  * Clamping     n and q are clamped. c < 0 or t > 1 (back-facing) gives 0, c > 1 counts as 1. An unknown model gives 0.
  * Re-entrancy  No global state, no heap, no writable data: everything may be called from interrupts and threads,
  *              on different structs or on the same one where it is const.
- * Stack        At most 900 bytes on Cortex-M0+, 900 on other Cortex-M, 1000 on RV32 and AVR, 950 on Xtensa, for any
+ * Stack        At most 800 bytes on Cortex-M0+, 800 on other Cortex-M, 900 on RV32 and AVR, 900 on Xtensa, for any
  *              call (`make test-targets` checks it).
  * Memory       Constants: 1.9 KB, 1.1 of it the sRGB tables, where all is linked. In flash, on AVR and the ESP8266, too.
  * Integers     sequence.md states every path's sequence, bit by bit.

@@ -38,6 +38,9 @@ static inline uint32_t glint_pixel_peak(const struct glint_shader *shader, uint3
     return shader->clamp_peak && f > 65536 ? 65536 : f;
 }
 
+/* Steps 7 and 8 of channel k. */
+uint8_t glint_pixel_level(const struct glint_shader *shader, uint64_t x, int k, uint32_t weight);
+
 /* Its parts, from which tables are filled and lights summed. Steps 2, 3, 4 and 5 (nl < 2^23, shine = g F < 2^39: what
  * several lights may sum to), 6 to 8, and 4 to 8. */
 uint32_t glint_pixel_nl(int64_t nl_q30);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * The sRGB transfer function, IEC 61966-2-1. The tables are printed by tests/exact/srgb_tables.py. */
-#include "glint.h"
-#include "glint_math_flash.h"
+#include "glint_math_srgb.h"
 
 /* clang-format off */
 static const uint16_t decoded[256] GLINT_FLASH = {
@@ -50,13 +49,9 @@ uint16_t glint_srgb_decode(uint8_t e)
     return GLINT_FLASH_U16(decoded[e]);
 }
 
-/* Below 128 the curve is a line of slope 12.92; above, each octave has 32 chords. */
-uint16_t glint_srgb_encode(uint16_t linear)
+void glint_srgb_chords(struct glint_chords *chords, uint32_t v)
 {
-    const uint32_t v = linear;
-    if (v < 128)
-        return (uint16_t)((v * 3308 + 128) >> 8);
-    unsigned octave = 0, rest8 = (unsigned)(v >> 8); /* v = 2^(7 + octave) ..: the bits of v >> 8 */
+    uint32_t octave = 0, rest8 = v >> 8; /* v = 2^(7 + octave) ..: the bits of v >> 8 */
     if (rest8 >= 16) {
         octave = 4;
         rest8 >>= 4;
@@ -66,9 +61,17 @@ uint16_t glint_srgb_encode(uint16_t linear)
         rest8 >>= 2;
     }
     octave += rest8 >= 2 ? 2 : rest8;
-    const unsigned bits = 2 + octave; /* of a chord's width */
-    const uint16_t *chord = &encoded[32 * octave + (v >> bits) - 32];
-    const uint32_t rise = (uint32_t)(GLINT_FLASH_U16(chord[1]) - GLINT_FLASH_U16(chord[0])),
-                   rest = v & (((uint32_t)1 << bits) - 1);
-    return (uint16_t)(GLINT_FLASH_U16(chord[0]) + ((rise * rest + ((uint32_t)1 << (bits - 1))) >> bits));
+    chords->entry = &encoded[32 * octave];
+    chords->bits = 2 + octave;
+}
+
+uint16_t glint_srgb_encode(uint16_t linear)
+{
+    const uint32_t v = linear;
+    struct glint_chords chords;
+    if (v < 128)
+        return (uint16_t)glint_srgb_dark(v);
+    glint_srgb_chords(&chords, v);
+    const uint32_t chord = v >> chords.bits;
+    return (uint16_t)glint_srgb_bright(chords.entry + chord - 32, v - (chord << chords.bits), chords.bits);
 }

@@ -41,12 +41,12 @@ uint64_t glint_pixel_value(const struct glint_shader *shader, int k, uint8_t alb
     return glint_exact_value(&shader->material, k, a, nl_q16, shine);
 }
 
-/* Steps 7 and 8. */
-static uint32_t pixel_level(const struct glint_shader *shader, uint64_t x, uint32_t max, uint32_t weight)
+uint8_t glint_pixel_level(const struct glint_shader *shader, uint64_t x, int k, uint32_t weight)
 {
+    const uint32_t max = GLINT_FLASH_U8(glint_exact_max[shader->format][k]);
     if (shader->space == GLINT_LINEAR)
         x = (uint64_t)glint_srgb_encode((uint16_t)((x + ((uint64_t)1 << 31)) >> 32)) << 32;
-    return glint_exact_level(x, max, weight);
+    return (uint8_t)glint_exact_level(x, max, weight);
 }
 
 uint32_t glint_pixel_nl(int64_t nl_q30)
@@ -69,7 +69,7 @@ void glint_pixel_put(const struct glint_shader *shader, const struct glint_surfa
     for (int k = 0; k < 3; k++) {
         const uint64_t value =
             grey ? (GLINT_LUMA_RED * v[0] + GLINT_LUMA_GREEN * v[1] + GLINT_LUMA_BLUE * v[2]) >> 8 : v[k];
-        levels[k] = (uint8_t)pixel_level(shader, value, GLINT_FLASH_U8(glint_exact_max[shader->format][k]), weight);
+        levels[k] = glint_pixel_level(shader, value, k, weight);
     }
     glint_exact_store(shader->format, (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y, x, levels);
 }

@@ -1,90 +1,170 @@
 /* SPDX-License-Identifier: MIT
- * Every format in linear space. The light x of step 7 is found as V, 65535 2^14 = 1.0, low by at most W; encoded and as a level,
- * V and V + W mostly agree. */
+ * Every format in linear space. The light x of step 7 is found as V, 65535 2^14 = 1.0, low by at most W; where V and V + W lead to
+ * the same level, it is the pixel's. */
+#include "glint_math_srgb.h"
 #include "glint_pixel.h"
 #include "glint_pixel_levels.h"
 
 #define LINEAR_ONE UINT32_C(65535)
-enum { LINEAR_BITS = 14 };
+enum { LINEAR_BITS = 14, LINEAR_HALF = 1 << 13 };
+
+/* A loop with the registers to itself. */
+#define LINEAR_ALONE __attribute__((noinline)) static
 
 static bool linear_draws(const struct glint_shader *shader)
 {
     return shader->format <= GLINT_MONO && shader->space == GLINT_LINEAR;
 }
 
-/* What V is low by, in its units, where nl <= 2^16 and F <= 67109 < 33/32 2^16. */
+/* V = P + Q nl + R F of a channel; Q and R come in 2^-14 of V, <= 2^28, all rounded down. With an albedo map P and Q are its
+ * pixel's: ambient and diffuse are the coefficients.
+ *
+ * V is low by less than W: by 1 of P; with nl <= 2^16 and F <= 67109 by 4 of Q and 4.1 of R; by 1 of the lower products; by
+ * R 2^-14 for each unit of the model's slack, and for 1 + 2^-6 units that F gloss / 255 is low by (glint_by_255); and in grey by
+ * 256, 1 for each part. */
 static void linear_fold(struct glint_prepared *p)
 {
     const struct glint_material *m = &p->shader.material;
     const uint32_t slack = GLINT_FLASH_U8(p->model->slack);
     p->w = p->w_maps = 0;
     for (int k = 0; k < 3; k++) {
-        const uint32_t d = glint_coefficient(m->diffuse_q16[k]), s = glint_coefficient(m->specular_q16[k]);
-        p->p[k] = glint_coefficient(m->ambient_q16[k]) << 14;
-        p->q[k] = d < 65536 ? d : 65535; /* its product with nl in 32 bits */
-        p->r[k] = s >> 1;                /* its product with F < 2^32 */
-        p->ambient[k] = glint_srgb_decode(m->albedo[k]);
-        /* lit, Q30: nl / 4 where d is cut, and 1, times albedo 2^-16; that product: 1. S: F / 4 where s is odd, S / 4 + 1 a unit
-         * of F. Sums and shifts of step 6: 256. The rest: 4. */
-        const uint32_t w = (d - p->q[k]) * (1 << 14) + 2 + (s & 1) * (33 << 9) + slack * (s / 4 + 1) + 256 + 4;
-        const uint32_t w_maps = w + s / 4 + s / 256 + 2; /* F gloss / 255: glint_by_255 */
+        const uint32_t albedo = glint_srgb_decode(m->albedo[k]), s = glint_coefficient(m->specular_q16[k]);
+        p->ambient[k] = glint_coefficient(m->ambient_q16[k]);
+        p->diffuse[k] = glint_coefficient(m->diffuse_q16[k]);
+        p->p[k] = albedo * p->ambient[k] >> 2;
+        p->q[k] = albedo * p->diffuse[k] >> 4;
+        p->r[k] = (s << 12) - ((s + 15) >> 4); /* s 65535 / 16 */
+        const uint32_t unit = (p->r[k] >> 14) + 1, w = 11 + slack * unit + 256;
+        const uint32_t w_maps = w + unit + (unit >> 6) + 1;
         p->w = w > p->w ? w : p->w;
         p->w_maps = w_maps > p->w_maps ? w_maps : p->w_maps;
     }
 }
 
-/* a b 2^-16, low by < 1: a < 2^16, b <= 2^31. */
-GLINT_INLINE uint32_t linear_product(uint32_t a, uint32_t b)
+/* Step 6's parts of 256. */
+static inline uint32_t linear_part(int k)
 {
-    return a * (b >> 16) + (a * (b & 0xffff) >> 16);
+    return k == 0 ? GLINT_LUMA_RED : k == 1 ? GLINT_LUMA_GREEN : GLINT_LUMA_BLUE;
 }
 
-/* V of channel k for a run: set, or added as so many parts of 256 of what is held to 1.0. V <= 3.03 65535 2^14 < 2^32 - 2^26. */
-static void linear_sum(uint32_t *v, const struct glint_prepared *p, int k, const struct glint_run *run,
-                       const struct glint_sample *sample, unsigned count, uint32_t part)
+/* P, Q and R: with 1/2 of step 7 in P, Q and R as their upper bits and the lower 14. */
+struct linear_parts {
+    uint32_t p, q, q_low, r, r_low;
+};
+static inline struct linear_parts linear_parts_of(uint32_t p, uint32_t q, uint32_t r)
 {
-    const uint32_t a = p->p[k], d = p->q[k], s = p->r[k], one = LINEAR_ONE << LINEAR_BITS;
+    const uint32_t low = (1 << LINEAR_BITS) - 1;
+    const struct linear_parts parts = {p + LINEAR_HALF, q >> LINEAR_BITS, q & low, r >> LINEAR_BITS, r & low};
+    return parts;
+}
+
+/* V + 1/2. Lower products: < 2^14 (2^16 + 67109) < 2^32 - 2^30. V <= 3.03 65535 2^14 < 2^32 - 2^26. */
+static inline uint32_t linear_v(const struct linear_parts *v, uint32_t nl, uint32_t f)
+{
+    return v->p + v->q * nl + v->r * f + ((v->q_low * nl + v->r_low * f) >> LINEAR_BITS);
+}
+
+/* Step 7's argument: V rounded, at most 1.0. */
+static inline uint16_t linear_x(uint32_t v)
+{
+    const uint32_t x = v >> LINEAR_BITS;
+    return (uint16_t)(x < LINEAR_ONE ? x : LINEAR_ONE);
+}
+
+/* Arguments of channel k for a run, without maps. */
+LINEAR_ALONE void linear_sum(uint16_t *x, const struct glint_prepared *p, int k, const struct glint_sample *sample,
+                             unsigned count)
+{
+    const struct linear_parts parts = linear_parts_of(p->p[k], p->q[k], p->r[k]);
+    for (uint16_t *end = x + count; x != end; x++, sample++)
+        *x = linear_x(linear_v(&parts, sample->nl_q16, sample->f_q16));
+}
+
+/* The same over maps. */
+LINEAR_ALONE void linear_sum_maps(uint16_t *x, const struct glint_prepared *p, int k, const struct glint_run *run,
+                                  const struct glint_sample *sample, unsigned count)
+{
     const uint8_t *map = run->albedo ? run->albedo + k : NULL, *gloss = run->gloss;
-    uint32_t albedo = p->ambient[k];
-    for (const struct glint_sample *end = sample + count; sample != end; sample++, v++) {
-        uint32_t f = sample->f_q16;
-        if (gloss)
-            f = glint_by_255(f * *gloss++);
+    struct linear_parts parts = linear_parts_of(p->p[k], p->q[k], p->r[k]);
+    for (uint16_t *end = x + count; x != end; x++, sample++) {
         if (map) {
-            albedo = glint_srgb_decode(*map);
+            const uint32_t albedo = glint_srgb_decode(*map);
+            const struct linear_parts here =
+                linear_parts_of(albedo * p->ambient[k] >> 2, albedo * p->diffuse[k] >> 4, 0);
+            parts.p = here.p;
+            parts.q = here.q;
+            parts.q_low = here.q_low;
             map += 3;
         }
-        const uint32_t lit = a + (d * sample->nl_q16 >> 2), shine = s * f; /* Q30, <= 2^31; Q31 */
-        /* 65535/65536 of shine in Q30: high by < 1 */
-        const uint32_t sum = linear_product(albedo, lit) + ((shine - (shine >> 16)) >> 1);
-        if (part)
-            *v = (k ? *v : 0) + part * (glint_levels_hold(sum, one) >> 8);
-        else
-            *v = sum;
+        *x = linear_x(linear_v(&parts, sample->nl_q16, gloss ? glint_by_255(sample->f_q16 * *gloss++) : sample->f_q16));
     }
 }
 
-/* Steps 7 and 8 for a run: levels; the bits of those that are open. The encoding rises by at most 13 a unit; z / 65535 for
- * z < 2^25 without a division. */
-static uint32_t linear_encode(uint8_t *level, const uint32_t *v, unsigned count, uint32_t w, uint32_t max,
-                              const uint32_t threshold[4])
+/* Of grey, with maps or without: parts of 256 of what is held to 1.0. */
+LINEAR_ALONE void linear_sum_grey(uint16_t *x, const struct glint_prepared *p, const struct glint_run *run,
+                                  const struct glint_sample *sample, unsigned count)
 {
-    const uint32_t half = ((uint32_t)1 << (LINEAR_BITS - 1)) - 2;
-    uint32_t open = 0;
-    for (unsigned i = 0; i < count; i++) {
-        const uint32_t at = v[i] + half, low = at >> LINEAR_BITS, high = (at + w) >> LINEAR_BITS;
-        if (low >= LINEAR_ONE) {
-            level[i] = (uint8_t)max;
-            continue;
+    const uint8_t *map = run->albedo, *gloss = run->gloss;
+    for (uint16_t *end = x + count; x != end; x++, sample++) {
+        const uint32_t nl = sample->nl_q16, f = gloss ? glint_by_255(sample->f_q16 * *gloss++) : sample->f_q16;
+        uint32_t sum = LINEAR_HALF;
+        for (int k = 0; k < 3; k++) {
+            struct linear_parts parts = linear_parts_of(p->p[k], p->q[k], p->r[k]);
+            if (map) {
+                const uint32_t albedo = glint_srgb_decode(*map++);
+                parts = linear_parts_of(albedo * p->ambient[k] >> 2, albedo * p->diffuse[k] >> 4, p->r[k]);
+            }
+            const uint32_t v = glint_levels_hold(linear_v(&parts, nl, f) - LINEAR_HALF, LINEAR_ONE << LINEAR_BITS);
+            sum += linear_part(k) * (v >> 8);
         }
-        const uint32_t z = glint_srgb_encode((uint16_t)low) * max + threshold[i & 3];
-        const uint32_t found = (z + (z >> 16) + 1) >> 16, room = (found + 1) * LINEAR_ONE - z;
-        level[i] = (uint8_t)found;
-        if ((high - low) * 13 * max < room)
-            continue;
-        const uint32_t most = high < LINEAR_ONE ? high : LINEAR_ONE;
-        if (glint_srgb_encode((uint16_t)most) * max + threshold[i & 3] >= (found + 1) * LINEAR_ONE)
-            open |= (uint32_t)1 << i;
+        *x = linear_x(sum);
+    }
+}
+
+/* Step 8 by its level times 2^16: z / 65535 without a division. */
+GLINT_INLINE uint32_t linear_level(uint32_t encoded, uint32_t max, uint32_t threshold)
+{
+    const uint32_t z = encoded * max + threshold;
+    return z + (z >> 16) + 1;
+}
+
+/* Steps 7 and 8 for a run: levels; the bits of those that are open. The last pixel's chords mostly serve the next. From V to V + W
+ * the argument rises by at most `steps`, and step 8's sum by less than margin, as no chord is steeper than its octave's first.
+ * Dithered, every fourth pixel has the same threshold. */
+LINEAR_ALONE uint32_t linear_encode(uint8_t *level, const uint16_t *at, const struct glint_sample *samples,
+                                    unsigned count, const struct glint_prepared *p, const struct glint_run *run, int k)
+{
+    const uint32_t max = GLINT_FLASH_U8(glint_exact_max[p->shader.format][k]);
+    const uint32_t steps = ((run->gloss ? p->w_maps : p->w) >> LINEAR_BITS) + 1;
+    const unsigned stride = p->shader.dither ? 4 : 1;
+    const uint16_t *entry = NULL;
+    uint32_t open = 0, margin = 0, bits = 31;
+    for (unsigned phase = 0; phase < stride; phase++) {
+        const uint32_t t = LINEAR_ONE * glint_exact_weight(&p->shader, run->left + run->x + phase, run->y) >> 5;
+        for (unsigned i = phase; i < count; i += stride) {
+            const uint32_t x = at[i], chord = x >> bits, n = chord - 32;
+            uint32_t encoded;
+            if (__builtin_expect(n < 32, 1)) {
+                encoded = glint_srgb_bright(entry + n, x - (chord << bits), bits);
+            } else {
+                struct glint_chords chords;
+                glint_srgb_chords(&chords, x);
+                encoded = glint_srgb_encode((uint16_t)x);
+                entry = chords.entry;
+                bits = chords.bits;
+                const uint32_t rise = (uint32_t)(GLINT_FLASH_U16(entry[1]) - GLINT_FLASH_U16(entry[0]));
+                margin = (steps * ((rise >> bits) + 1) + 1) * max + 2;
+            }
+            const uint32_t found = linear_level(encoded, max, t);
+            level[3 * i] = (uint8_t)(found >> 16);
+            if (__builtin_expect(((found ^ (found + margin)) >> 16) != 0, 0)) {
+                uint32_t most = x + steps < LINEAR_ONE ? x + steps : LINEAR_ONE;
+                if (samples[i].nl_q16 == 0 && !run->albedo && p->shader.format < GLINT_GREY8)
+                    most = linear_x(p->p[k] + LINEAR_HALF + 1); /* all of V, low by less than 1 */
+                if ((linear_level(glint_srgb_encode((uint16_t)most), max, t) ^ found) >> 16)
+                    open |= (uint32_t)1 << i;
+            }
+        }
     }
     return open;
 }
@@ -92,36 +172,44 @@ static uint32_t linear_encode(uint8_t *level, const uint32_t *v, unsigned count,
 static uint32_t linear_levels(const struct glint_prepared *p, const struct glint_run *run,
                               const struct glint_sample *samples, unsigned count)
 {
-    static const uint8_t luma[3] GLINT_FLASH = {GLINT_LUMA_RED, GLINT_LUMA_GREEN, GLINT_LUMA_BLUE};
-    const uint8_t *max = glint_exact_max[p->shader.format];
     const bool grey = p->shader.format >= GLINT_GREY8;
-    const uint32_t w = run->gloss ? p->w_maps : p->w;
-    uint32_t v[GLINT_RUN], threshold[4], open = 0;
-    uint8_t level[3][GLINT_RUN];
-    for (unsigned i = 0; i < 4; i++)
-        threshold[i] = LINEAR_ONE * glint_exact_weight(&p->shader, run->left + run->x + i, run->y) >> 5;
-    for (int k = 0; k < 3; k++) {
-        linear_sum(v, p, k, run, samples, count, grey ? GLINT_FLASH_U8(luma[k]) : 0);
-        if (!grey)
-            open |= linear_encode(level[k], v, count, w, GLINT_FLASH_U8(max[k]), threshold);
+    uint16_t at[GLINT_RUN];
+    uint8_t level[GLINT_RUN][3];
+    uint32_t open = 0;
+    for (int k = 0; k < (grey ? 1 : 3); k++) {
+        if (grey)
+            linear_sum_grey(at, p, run, samples, count);
+        else if (run->albedo || run->gloss)
+            linear_sum_maps(at, p, k, run, samples, count);
+        else
+            linear_sum(at, p, k, samples, count);
+        open |= linear_encode(&level[0][k], at, samples, count, p, run, k);
     }
-    if (grey)
-        open = linear_encode(level[0], v, count, w, GLINT_FLASH_U8(max[0]), threshold);
-    for (unsigned i = 0; i < count; i++) {
-        const uint8_t green = level[grey ? 0 : 1][i], blue = level[grey ? 0 : 2][i];
-        const uint8_t levels[3] = {level[0][i], green, blue};
+    const uint8_t *levels = level[0];
+    for (unsigned i = 0; i < count; i++, levels += 3)
         if (!(open >> i & 1))
             glint_exact_store(p->shader.format, run->line, run->x + i, levels);
-    }
     return open;
 }
 
+/* Channel by channel, to keep the stack low. */
 static void linear_exact(const struct glint_shader *shader, const struct glint_run *run, unsigned i, uint32_t nl_q16,
                          uint32_t f_q16)
 {
-    const struct glint_surface surface = {run->line, 0, (uint16_t)run->left, (uint16_t)run->y};
-    glint_pixel_store(shader, &surface, (uint16_t)(run->x + i), 0, nl_q16, f_q16,
-                      run->albedo ? run->albedo + 3 * i : shader->material.albedo, run->gloss ? run->gloss[i] : 255);
+    const uint8_t *albedo = run->albedo ? run->albedo + 3 * i : shader->material.albedo;
+    const uint32_t gloss = (run->gloss ? run->gloss[i] : 255) * 257u;
+    const uint32_t weight = glint_exact_weight(shader, run->left + run->x + i, run->y);
+    const bool grey = shader->format >= GLINT_GREY8;
+    uint64_t sum = 0;
+    uint8_t levels[3];
+    for (int k = 0; k < 3; k++) {
+        const uint64_t v =
+            glint_exact_value(&shader->material, k, glint_srgb_decode(albedo[k]), nl_q16, (uint64_t)gloss * f_q16);
+        sum = grey ? sum + v * linear_part(k) : v << 8;
+        levels[k] = glint_pixel_level(shader, sum >> 8, k, weight);
+    }
+    levels[0] = levels[grey ? 2 : 0];
+    glint_exact_store(shader->format, run->line, run->x + i, levels);
 }
 
 const struct glint_shade_format glint_shade_linear GLINT_FLASH = {linear_draws, linear_fold, linear_levels,

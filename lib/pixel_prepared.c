@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "glint_pixel_prepared.h"
 
+typedef char glint_prepared_bytes[sizeof(struct glint_prepared) <= 200 ? 1 : -1]; /* it lies on stacks */
+
 /* F falls as t grows, and is 0 beyond 2^30. With lobes as glint_lobe_init fills them F(t_max) > 0, so it is only lobes filled
  * otherwise that are searched for the last F > 0. */
 static uint32_t prepared_find_t_end(const struct glint_shade_model *model, uint32_t n, uint32_t t_max)

@@ -91,10 +91,14 @@ static void rect_note(struct glint_bounds *bounds, const struct glint_sample *sa
             glint_bounds_add(bounds, (uint16_t)(x + i), y);
 }
 
+/* Samples at a time: fewer than might be, for the stack. */
+enum { RECT_RUN = 14 };
+typedef char glint_rect_run[RECT_RUN <= GLINT_RUN ? 1 : -1];
+
 /* How many pixels from x on are drawn, side by side, up to a run. */
 static unsigned rect_length_of(const uint8_t *mask, uint32_t x, uint32_t w)
 {
-    const unsigned most = w - x < GLINT_RUN ? (unsigned)(w - x) : GLINT_RUN;
+    const unsigned most = w - x < RECT_RUN ? (unsigned)(w - x) : RECT_RUN;
     unsigned count = 1;
     if (!mask)
         return most;
@@ -120,7 +124,7 @@ enum glint_err glint_shade_prepared_rect(const struct glint_prepared *prepared, 
     struct glint_bounds bounds;
     bounds.left = bounds.right = bounds.top = bounds.bottom = 0;
     bounds.any = false;
-    struct glint_sample samples[GLINT_RUN];
+    struct glint_sample samples[RECT_RUN];
     struct glint_run run = {NULL, 0, surface->x, 0, NULL, NULL};
     for (uint16_t y = 0; y < h; y++) {
         const struct glint_line line = glint_line_at(source, y);
