@@ -51,5 +51,5 @@ core.rp2040.onBreak = () => {
     process.exit(argument === 0x20026 ? 0 : 1)
   }
 }
-enter('start', [])
+enter('bare_run', [])
 run()
