@@ -9,7 +9,7 @@
 #include "glint_math_align.h"
 #include "glint_pixel.h"
 #include "glint_tables_albedo.h"
-#include "glint_tables_assembly.h"
+#include "glint_math_assembly.h"
 #include "glint_tables_geometry.h"
 #include "glint_tables_normals.h"
 #include "glint_tables_order.h"

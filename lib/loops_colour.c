@@ -4,7 +4,7 @@
  * takes, no buffers. */
 #include "glint_loops_colour.h"
 #include "glint_loops_vector.h"
-#include "glint_tables_assembly.h"
+#include "glint_math_assembly.h"
 #include "glint_tables_geometry.h"
 #include "glint_tables_normals.h"
 

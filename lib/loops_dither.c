@@ -3,7 +3,7 @@
  * finished pixel for nl and the place on the screen, within it the sum of a word for these and one for t. Phases are 2 (x mod 4). */
 #include "glint_loops_dither.h"
 #include "glint_loops_vector.h"
-#include "glint_tables_assembly.h"
+#include "glint_math_assembly.h"
 #include "glint_tables_normals.h"
 
 /* From a pixel to the next. */

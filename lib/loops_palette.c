@@ -3,7 +3,7 @@
  * bytes, so that a pixel costs one load of the offset and one of the colour. */
 #include "glint_loops_palette.h"
 #include "glint_math_align.h"
-#include "glint_tables_assembly.h"
+#include "glint_math_assembly.h"
 
 #include "glint.h"
 

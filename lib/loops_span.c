@@ -6,7 +6,7 @@
 #include "glint_loops_span_any.h"
 #include "glint_math_align.h"
 #include "glint_pixel.h"
-#include "glint_tables_assembly.h"
+#include "glint_math_assembly.h"
 #include "glint_tables_geometry.h"
 
 #if !GLINT_CORTEX_M0PLUS_ASM

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * What the assembly takes for granted (glint_tables_offsets.h, glint_tables_geometry.h): arrays of -1 where it is not so. */
 #include "glint_tables_offsets.h"
-#include "glint_tables_assembly.h"
+#include "glint_math_assembly.h"
 #include "glint_pixel.h"
 #include "glint_tables_geometry.h"
 
