@@ -344,7 +344,8 @@ enum glint_err glint_shade_span_c16(const struct glint_shader *shader, const str
  * sequence.md has what they hold and how they are read.
  *
  * Compile with -DGLINT_CORTEX_M0PLUS_ASM=1, and lib/cortex_m0plus_*.S too, and 8- and 10-bit lines (10-bit ones not over
- * an albedo map), spans without one and palettes run in Thumb assembly, with the same pixels.
+ * an albedo map), spans without one and palettes run in Thumb assembly, with the same pixels; so do exact rectangles of
+ * undithered RGB565 in gamma space under MSH, without gloss.
  *
  * COLOUR  for RGB565 in either order, gamma or linear. 20,480 bytes: 4096 columns over t, which hold F in 64 steps, and
  *         128 rows over nl of 64 finished pixels. With shader->dither: gamma only, and 20,608 bytes; surface.x and y are the

@@ -9,6 +9,7 @@
 #define GLINT_PIXEL_PREPARED_H
 
 #include "glint_lobe_near.h"
+#include "glint_math_flash.h"
 
 /* Up to GLINT_RUN pixels side by side. */
 struct glint_run {
@@ -18,6 +19,8 @@ struct glint_run {
     const uint8_t *albedo; /* of the first sample, RGB888; NULL: the material's */
     const uint8_t *gloss;  /* of the first sample; NULL: 255 */
 };
+
+struct glint_line_loop;
 
 /* glint_shade_rgb565 and so on: const, one a kind of pixel. */
 struct glint_shade_format {
@@ -29,6 +32,8 @@ struct glint_shade_format {
     /* Stores sample i of the run by the 64-bit sequence; F exact and held to the peak. */
     void (*exact)(const struct glint_shader *shader, const struct glint_run *run, unsigned i, uint32_t nl_q16,
                   uint32_t f_q16);
+    /* Prepares lines in one loop, over an albedo map or not; false where the shader has none. NULL: there is none. */
+    bool (*begin)(struct glint_line_loop *loop, const struct glint_prepared *prepared, bool albedo);
 };
 
 /* Fills for a model and a format that suit the shader. */
@@ -38,6 +43,17 @@ void glint_prepared_fill(struct glint_prepared *prepared, const struct glint_sha
 /* Steps 3 to 8 for samples whose t and nl are there, count 1..GLINT_RUN. The pixels are those of sequence.md. */
 void glint_prepared_run(const struct glint_prepared *prepared, const struct glint_run *run,
                         struct glint_sample *samples, unsigned count);
+
+/* The same for sample i of the run, whose t and nl are those of *sample, by the 64-bit sequence. Inline: it would take stack. */
+static inline void glint_prepared_exact(const struct glint_prepared *prepared, const struct glint_run *run, unsigned i,
+                                        const struct glint_sample *sample)
+{
+    const struct glint_near *near = &prepared->near;
+    const uint32_t f =
+        sample->t_q30 < near->t_end ? GLINT_FLASH_POINTER(prepared->model->exact)(near->n, sample->t_q30) : 0;
+    GLINT_FLASH_POINTER(prepared->format->exact)
+    (&prepared->shader, run, i, sample->nl_q16, f < near->f_max ? f : near->f_max);
+}
 
 /* N.L fits 32 bits where |lx| + |ly| + |lz| < 2^16, as it is for every light of length 1. */
 static inline bool glint_light_is_wide(const struct glint_light *light)

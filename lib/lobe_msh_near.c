@@ -2,11 +2,10 @@
  * MSH from below. E = 2^16 (4n(1 - c) + 5c) comes scaled by 2^up, such that m, the largest, is just below 2^28: most of a
  * highlight is dim, so most pixels need no shift more. */
 #include "glint_lobe_msh.h"
+#include "glint_lobe_msh_near.h"
 #include "glint_lobe_near.h"
 
-enum { MSH_FACTOR, MSH_ADDEND, MSH_SHIFT }; /* of k */
-
-/* m = MSH_FACTOR t 2^-14 + MSH_ADDEND, < 2^28 for t < t_end, where F > 0 and so E < 2^27: up >= 1. MSH_FACTOR < 2^17. */
+/* m = FACTOR t 2^-14 + ADDEND, < 2^28 for t < t_end, where F > 0 and so E < 2^27: up >= 1. FACTOR < 2^17. */
 static void msh_fold(struct glint_near *near)
 {
     const int32_t k = 4 * (int32_t)near->n - 5;
@@ -17,27 +16,23 @@ static void msh_fold(struct glint_near *near)
     unsigned up = 0;
     while (largest << up < (uint32_t)1 << 27 && k * ((int32_t)1 << up) < (int32_t)1 << 16)
         up++;
-    near->k[MSH_FACTOR] = k * ((int32_t)1 << up);
-    near->k[MSH_ADDEND] = (int32_t)((uint32_t)5 << 16 << up);
-    near->k[MSH_SHIFT] = 32 - 2 * (int32_t)up;
+    near->k[GLINT_MSH_FACTOR] = k * ((int32_t)1 << up);
+    near->k[GLINT_MSH_ADDEND] = (int32_t)((uint32_t)5 << 16 << up);
+    near->k[GLINT_MSH_SHIFT] = 32 - 2 * (int32_t)up;
 }
-
-/* MSH_HIGH: the quotient is high by at most 2400, and by 26 for each unit that m is low: < 2^8, as E >= 2^18.3 is doubled 9 times
- * at most, and once before the cut. (n = 1: E >= 2^18 > E / 2: once after.) It is low by at most 2400 + 101 (u): together less than
- * 2^14, the smallest step of F, so F is this or 1 more. */
-enum { MSH_HIGH = 2400 + 26 * 256 };
 
 static inline uint32_t msh_near(const struct glint_near *near, uint32_t t)
 {
-    const int32_t k = near->k[MSH_FACTOR];
-    uint32_t m = (uint32_t)(k * (int32_t)(t >> 14) + (k * (int32_t)(t & 0x3fff) >> 14)) + (uint32_t)near->k[MSH_ADDEND];
-    unsigned shift = (unsigned)near->k[MSH_SHIFT];
+    const int32_t k = near->k[GLINT_MSH_FACTOR];
+    uint32_t m =
+        (uint32_t)(k * (int32_t)(t >> 14) + (k * (int32_t)(t & 0x3fff) >> 14)) + (uint32_t)near->k[GLINT_MSH_ADDEND];
+    unsigned shift = (unsigned)near->k[GLINT_MSH_SHIFT];
     while (!(m >> 27)) {
         m <<= 1;
         shift -= 2;
     }
     const uint32_t f =
-        (glint_msh_quotient((GLINT_T_ONE - t) >> 6, m) + ((uint32_t)1 << shift >> 1) - MSH_HIGH) >> shift;
+        (glint_msh_quotient((GLINT_T_ONE - t) >> 6, m) + ((uint32_t)1 << shift >> 1) - GLINT_MSH_HIGH) >> shift;
     return f < near->f_max ? f : near->f_max;
 }
 

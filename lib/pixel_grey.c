@@ -82,4 +82,4 @@ static void grey_exact(const struct glint_shader *shader, const struct glint_run
     grey_put(shader, run->line, x, glint_exact_level(sum, grey_max(shader), weight));
 }
 
-const struct glint_shade_format glint_shade_grey GLINT_FLASH = {grey_draws, grey_fold, grey_levels, grey_exact};
+const struct glint_shade_format glint_shade_grey GLINT_FLASH = {grey_draws, grey_fold, grey_levels, grey_exact, NULL};

@@ -213,4 +213,4 @@ static void linear_exact(const struct glint_shader *shader, const struct glint_r
 }
 
 const struct glint_shade_format glint_shade_linear GLINT_FLASH = {linear_draws, linear_fold, linear_levels,
-                                                                  linear_exact};
+                                                                  linear_exact, NULL};

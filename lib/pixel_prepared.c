@@ -58,15 +58,9 @@ enum glint_err glint_shade_relight(struct glint_prepared *prepared, const struct
 static void prepared_finish(const struct glint_prepared *prepared, const struct glint_run *run,
                             const struct glint_sample *sample, uint32_t open)
 {
-    const struct glint_near *near = &prepared->near;
-    for (unsigned i = 0; open; i++, open >>= 1, sample++) {
-        if (!(open & 1))
-            continue;
-        uint32_t f =
-            sample->t_q30 < near->t_end ? GLINT_FLASH_POINTER(prepared->model->exact)(near->n, sample->t_q30) : 0;
-        f = f < near->f_max ? f : near->f_max;
-        GLINT_FLASH_POINTER(prepared->format->exact)(&prepared->shader, run, i, sample->nl_q16, f);
-    }
+    for (unsigned i = 0; open; i++, open >>= 1)
+        if (open & 1)
+            glint_prepared_exact(prepared, run, i, sample + i);
 }
 
 void glint_prepared_run(const struct glint_prepared *prepared, const struct glint_run *run,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * RGB565 in gamma space, either order. */
 #include "glint_pixel_levels.h"
+#include "glint_pixel_line.h"
 
 static bool rgb565_draws(const struct glint_shader *shader)
 {
@@ -54,4 +55,4 @@ static void rgb565_exact(const struct glint_shader *shader, const struct glint_r
 }
 
 const struct glint_shade_format glint_shade_rgb565 GLINT_FLASH = {rgb565_draws, rgb565_fold, rgb565_levels,
-                                                                  rgb565_exact};
+                                                                  rgb565_exact, GLINT_LINE_BEGIN};

@@ -43,4 +43,4 @@ static void rgb888_exact(const struct glint_shader *shader, const struct glint_r
 }
 
 const struct glint_shade_format glint_shade_rgb888 GLINT_FLASH = {rgb888_draws, rgb888_fold, rgb888_levels,
-                                                                  rgb888_exact};
+                                                                  rgb888_exact, NULL};

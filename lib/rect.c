@@ -2,6 +2,7 @@
  * The exact rectangle: each line in runs of pixels that the mask leaves. */
 #include "glint_rect.h"
 #include "glint_math_align.h"
+#include "glint_pixel_line.h"
 #include "glint_pixel_prepared.h"
 
 bool glint_rect_can(const struct glint_source *source, const struct glint_surface *surface)
@@ -108,6 +109,56 @@ static unsigned rect_length_of(const uint8_t *mask, uint32_t x, uint32_t w)
     return count;
 }
 
+/* What a line is drawn with. */
+union rect_work {
+    struct glint_sample samples[RECT_RUN];
+#if GLINT_CORTEX_M0PLUS_ASM
+    struct glint_line_loop loop;
+#endif
+};
+
+#if GLINT_CORTEX_M0PLUS_ASM
+/* Can the format draw whole lines? Then the loop is prepared. */
+static bool rect_begin(struct glint_line_loop *loop, const struct glint_prepared *prepared,
+                       const struct glint_source *source, const struct glint_surface *surface, struct glint_run *run)
+{
+    const struct glint_shade_format *format = prepared->format;
+    if (!format->begin || source->gloss || GLINT_MISALIGNED(surface->pixels, 16) ||
+        GLINT_MISALIGNED(surface->stride, 16) || !format->begin(loop, prepared, source->albedo != NULL))
+        return false;
+    run->line = (uint8_t *)&loop->dark; /* the pixel where N.L <= 0 */
+    loop->sample.t_q30 = UINT32_MAX;
+    loop->sample.nl_q16 = loop->sample.f_q16 = 0;
+    if (GLINT_FLASH_POINTER(format->levels)(prepared, run, &loop->sample, 1))
+        glint_prepared_exact(prepared, run, 0, &loop->sample);
+    return true;
+}
+
+/* A line by the loop; pixels that this leaves open by the 64-bit sequence. */
+static void rect_line(struct glint_line_loop *loop, const struct glint_prepared *prepared,
+                      const struct glint_line *line, struct glint_run *run, uint32_t w, struct glint_bounds *bounds,
+                      uint16_t y)
+{
+    loop->out = run->line;
+    loop->w = w;
+    loop->mask = line->mask;
+    loop->normals = line->normals;
+    loop->albedo = line->albedo;
+    loop->first = (const uint8_t *)UINTPTR_MAX;
+    loop->last = NULL;
+    for (uint32_t x = 0; (x = loop->draw(loop, x)) < w; x++) {
+        run->x = x;
+        run->albedo = line->albedo ? line->albedo + 3 * x : NULL;
+        geometry_unit(&prepared->shader.light, line->normals + x, &loop->sample, 1);
+        glint_prepared_exact(prepared, run, 0, &loop->sample);
+    }
+    if (loop->last) {
+        glint_bounds_add(bounds, (uint16_t)((loop->first - run->line) / 2), y);
+        glint_bounds_add(bounds, (uint16_t)((loop->last - run->line) / 2), y);
+    }
+}
+#endif
+
 enum glint_err glint_shade_prepared_rect(const struct glint_prepared *prepared, const struct glint_source *source,
                                          uint16_t w, uint16_t h, const struct glint_surface *surface,
                                          struct glint_box *highlight)
@@ -116,20 +167,29 @@ enum glint_err glint_shade_prepared_rect(const struct glint_prepared *prepared, 
         return GLINT_ERR_ARG;
     const struct glint_light *light = &prepared->shader.light;
     const bool wide = glint_light_is_wide(light);
-    void (*const samples_of)(const struct glint_light *light, const struct glint_vec *normals,
-                             struct glint_sample *samples, unsigned count) =
-        GLINT_FLASH_POINTER(prepared->model->geometry) ? GLINT_FLASH_POINTER(prepared->model->geometry)
-        : wide                                         ? geometry_wide
-                                                       : geometry_unit;
+    void (*samples_of)(const struct glint_light *light, const struct glint_vec *normals, struct glint_sample *samples,
+                       unsigned count) = prepared->model->geometry ? prepared->model->geometry
+                                         : wide                    ? geometry_wide
+                                                                   : geometry_unit;
     struct glint_bounds bounds;
     bounds.left = bounds.right = bounds.top = bounds.bottom = 0;
     bounds.any = false;
-    struct glint_sample samples[RECT_RUN];
+    union rect_work work;
     struct glint_run run = {NULL, 0, surface->x, 0, NULL, NULL};
+#if GLINT_CORTEX_M0PLUS_ASM
+    if (rect_begin(&work.loop, prepared, source, surface, &run))
+        samples_of = NULL;
+#endif
     for (uint16_t y = 0; y < h; y++) {
         const struct glint_line line = glint_line_at(source, y);
         run.line = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;
         run.y = (uint32_t)surface->y + y;
+#if GLINT_CORTEX_M0PLUS_ASM
+        if (!samples_of) { /* whole lines */
+            rect_line(&work.loop, prepared, &line, &run, w, &bounds, y);
+            continue;
+        }
+#endif
         for (uint32_t x = 0;;) {
             if (line.mask)
                 while (x < w && !line.mask[x])
@@ -140,10 +200,10 @@ enum glint_err glint_shade_prepared_rect(const struct glint_prepared *prepared, 
             run.x = x;
             run.albedo = line.albedo ? line.albedo + 3 * x : NULL;
             run.gloss = line.gloss ? line.gloss + x : NULL;
-            samples_of(light, line.normals + x, samples, count);
-            glint_prepared_run(prepared, &run, samples, count);
+            samples_of(light, line.normals + x, work.samples, count);
+            glint_prepared_run(prepared, &run, work.samples, count);
             if (highlight)
-                rect_note(&bounds, samples, count, prepared->near.t_end, run.gloss, (uint16_t)x, y);
+                rect_note(&bounds, work.samples, count, prepared->near.t_end, run.gloss, (uint16_t)x, y);
             x += count;
         }
     }

@@ -24,6 +24,7 @@ costs: $(TARGETS_COSTS_INPUTS) $(BOARDS) ## measure: write the table that tier t
 run-targets: $(if $(BOARD),,$(TARGETS_COSTS_INPUTS)) $(TARGETS_FIRMWARE) $(BOARDS) $(CONFORMANCE_EXPECTED)
 	@$(if $(TARGETS_FIRMWARE),,echo "make: there is no board $(BOARD); choose from $(BARE_BOARDS)" >&2; exit 1)
 	@PYTHONDONTWRITEBYTECODE=1 TALLY_JOBS=$$(nproc) tests/tally $(TARGETS_COSTS) tests/targets/test_boards "tests/targets/test_objects $(BUILD)/targets $(BOARD)" \
-		"tests/targets/test_conformance $(BUILD)/targets $(CONFORMANCE_EXPECTED) $(BOARD)"
+		"tests/targets/test_conformance $(BUILD)/targets $(CONFORMANCE_EXPECTED) $(BOARD)" \
+		"tests/targets/test_lines $(BUILD)/targets $(BOARD)"
 
 .PHONY: costs setup-targets test-targets run-targets
