@@ -80,14 +80,14 @@ static void check(const struct argp_state *state, struct scene_options *o)
         refuse(state, "only one map can come from standard input");
     if (!o->heights && (o->wraps || !isnan(o->scale)))
         refuse(state, "%s needs --height", o->wraps ? "--wrap" : "--scale");
-    if (o->bevel && !o->heights)
+    if (o->bevel > 0 && !o->heights)
         refuse(state, "--bevel needs --height");
-    if (o->bevel && o->wraps)
+    if (o->bevel > 0 && o->wraps)
         refuse(state, "--wrap cannot be used with --bevel: a logo has no seams");
     if (!o->normals && o->flip_y)
         refuse(state, "--flip-y needs --normals");
     if (isnan(o->scale))
-        o->scale = o->bevel ? o->bevel : 8;
+        o->scale = o->bevel > 0 ? o->bevel : 8;
 }
 
 static error_t parse_option(int key, char *text, struct argp_state *state)

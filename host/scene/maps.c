@@ -67,7 +67,7 @@ static struct scene *scene_of_heights(const struct scene_maps *maps, uint32_t wi
     const struct image *map = maps->surface;
     const struct scene_options *options = &maps->options;
     const bool wraps = options->wraps || width > map->width || height > map->height; /* which repeats it */
-    if (!options->bevel)
+    if (options->bevel <= 0)
         return scene_from_heights(map, options->scale, wraps);
     double *heights = bevel_heights(map, options->bevel);
     struct scene *scene = scene_from_relief(heights, map->width, map->height, options->scale, wraps);
@@ -108,12 +108,12 @@ static bool is_constant(const struct image *map)
 static void say_what_looks_wrong(const struct scene_options *options, const struct image *map,
                                  const struct scene *scene)
 {
-    if (options->heights && !options->bevel && is_constant(map))
+    if (options->heights && options->bevel <= 0 && is_constant(map))
         warn(
             "%s: has no heights: its brightness is the same everywhere, so the surface is flat; --bevel WIDTH makes an "
             "edge from the shape of a logo",
             map->name);
-    else if (options->heights && !options->bevel && !image_is_grey(map))
+    else if (options->heights && options->bevel <= 0 && !image_is_grey(map))
         warn("%s: this map is in colour; its brightness is the height", map->name);
     if (options->normals && curl_says_flipped(scene, scene->mask))
         warn("%s: green seems to point %s: the normals fit a surface better %s --flip-y", map->name,
