@@ -80,8 +80,7 @@ static void tables_int16(void)
 #ifndef __AVR__
 static void colour_fill(void)
 {
-    bench_check(
-        glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &bench_shader, bench_memory, GLINT_TABLES_COLOUR_BYTES));
+    bench_check(glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &bench_shader, bench_memory, BENCH_TABLES));
 }
 
 static void tables_int10(void)
@@ -199,6 +198,10 @@ const struct bench_loop bench_loops[] = {
     {"colour int8", "glint_tables_rect, int8 normals", colour_fill, tables_frame, .shade = tables_int8, INT8},
     {"colour int10", "the same, 10-10-10 normals", colour_fill, tables_frame, .shade = tables_int10, INT10},
     {"colour int16", "the same, int16 normals", colour_fill, tables_frame, .shade = tables_int16, INT16},
+    {"colour int8 dither", "colour int8, dithered", colour_fill, tables_frame, .shade = tables_int8, INT8, .look = {.dither = true}, .once = true},
+    {"colour int10 dither", "colour int10, dithered", colour_fill, tables_frame, .shade = tables_int10, INT10, .look = {.dither = true}, .once = true},
+    {"colour int16 dither", "colour int16, dithered", colour_fill, tables_frame, .shade = tables_int16, INT16, .look = {.dither = true}, .once = true},
+    {"colour span 16 dither", "colour span 16, dithered", colour_fill, .prepare = bench_spans_16, .shade = tables_span, .look = {.dither = true}, .once = true},
     {"albedo int8", "glint_tables_albedo_rect, int8 normals, RGB565 albedo",
      albedo_fill, tables_frame, .shade = albedo_int8, .look = {.albedo = true}, .map = MAP_INT8, .map_bytes = 6},
     {"albedo int16", "the same, int16 normals",

@@ -32,7 +32,7 @@ extern struct glint_shader bench_shader;
 #ifdef __AVR__
 enum { BENCH_MEMORY = 1024, BENCH_TABLES = 0 };
 #else
-enum { BENCH_MEMORY = 128 * 1024, BENCH_TABLES = GLINT_TABLES_COLOUR_BYTES /* the largest */ };
+enum { BENCH_MEMORY = 128 * 1024, BENCH_TABLES = GLINT_TABLES_DITHER_BYTES /* the largest */ };
 #endif
 extern uint32_t bench_memory[BENCH_MEMORY / 4];
 

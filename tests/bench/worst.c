@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "worst.h"
 
+#ifndef __AVR__ /* it has no room for maps */
 #include "glint_pixel.h"
 #include "glint_pixel_prepared.h"
 
@@ -62,3 +63,4 @@ void worst_begin(void)
     }
     bench_line.y = 0;
 }
+#endif
