@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * A line of 64 pixels over a curved surface, shaded exactly without a map: t is quadratic along a span, so that a pixel takes two
- * additions. RGB565 values, printed in hexadecimal. An Arduino Mega holds every model; an Uno the one that is named here. */
+ * additions. RGB565 values, printed in hexadecimal. Fits an Arduino Uno, since a model and a format are named: a Mega holds all. */
 #include <glint.h>
 
 static struct glint_shader shader;
