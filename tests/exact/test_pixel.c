@@ -10,6 +10,8 @@
 
 #include <cmocka.h>
 
+#include "glint_math_srgb.h"
+#include "glint_pixel_prepared.h"
 #include "reference_pixel.h"
 
 enum { W = 61, H = 8, LINE = 3 * W + 13, SIZE = (H + 2) * LINE, GUARD = 0xa5 };
@@ -65,11 +67,12 @@ static struct glint_shader shader(uint64_t *seed)
         s.light.v = vector(seed);
         s.light.h = vector(seed);
     }
-    const bool grey = ONE_IN(2), plain = ONE_IN(2); /* plain: no level is full */
+    const bool grey = ONE_IN(2), plain = ONE_IN(2);                /* plain: no level is full */
+    const uint32_t dim = ONE_IN(6) ? UINT32_C(1) << BELOW(14) : 0; /* dim: V has few bits, or takes more of them */
     for (int k = 0; k < 3; k++) {
-        s.material.ambient_q16[k] = plain ? BELOW(6000) : coefficient(seed);
-        s.material.diffuse_q16[k] = plain ? BELOW(40000) : coefficient(seed);
-        s.material.specular_q16[k] = coefficient(seed);
+        s.material.ambient_q16[k] = dim ? BELOW(dim) : plain ? BELOW(6000) : coefficient(seed);
+        s.material.diffuse_q16[k] = dim ? BELOW(dim) : plain ? BELOW(40000) : coefficient(seed);
+        s.material.specular_q16[k] = dim ? BELOW(dim) : coefficient(seed);
         s.material.albedo[k] = (uint8_t)(ONE_IN(2) ? 255 : BELOW(256));
         if (grey && k) {
             s.material.ambient_q16[k] = s.material.ambient_q16[0];
@@ -235,9 +238,51 @@ static void spans_have_the_reference_pixels_at_boundaries_cutoffs_and_ends(void 
     compare(span_case, million() / 2);
 }
 
+/* For t of any size, 4 million a model. */
+static void quick_models_are_below_the_exact_ones_by_at_most_their_slack(void **state)
+{
+    (void)state;
+    for (int model = 0; model < GLINT_MODEL_COUNT; model++) {
+        uint64_t random = (uint64_t)model + 1, *seed = &random;
+        for (int i = 0; i < 4000000 / (int)GLINT_RUN / 100; i++) {
+            struct glint_shader s = shader(seed);
+            struct glint_prepared p;
+            glint_lobe_init(&s.lobe, (enum glint_model)model, 1 + BELOW(ONE_IN(2) ? 1000 : 8), BELOW(17));
+            s.clamp_peak = false;
+            assert_int_equal(glint_shade_prepare(&p, &s), GLINT_OK);
+            for (int run = 0; run < 100; run++) {
+                struct glint_sample samples[GLINT_RUN];
+                for (unsigned k = 0; k < GLINT_RUN; k++)
+                    samples[k].t_q30 = BELOW(p.near.t_end) >> BELOW(ONE_IN(2) ? 20 : 1);
+                p.model->run(&p.near, samples, GLINT_RUN);
+                for (unsigned k = 0; k < GLINT_RUN; k++)
+                    assert_in_range(p.model->exact(p.near.n, samples[k].t_q30), samples[k].f_q16,
+                                    samples[k].f_q16 + p.model->slack);
+            }
+        }
+    }
+}
+
+/* For every argument, and as many steps as W may be. */
+static void encoding_rises_by_no_more_than_its_octaves_first_chord_says(void **state)
+{
+    (void)state;
+    for (uint32_t x = 0; x < 65536; x++) {
+        struct glint_chords chords;
+        glint_srgb_chords(&chords, x);
+        const uint32_t steep = ((uint32_t)(chords.entry[1] - chords.entry[0]) >> chords.bits) + 1;
+        for (uint32_t steps = 1; steps <= 9; steps++) {
+            const uint32_t most = x + steps < 65535 ? x + steps : 65535;
+            assert_in_range(glint_srgb_encode((uint16_t)most) - glint_srgb_encode((uint16_t)x), 0, steps * steep + 1);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(encoding_rises_by_no_more_than_its_octaves_first_chord_says),
+        cmocka_unit_test(quick_models_are_below_the_exact_ones_by_at_most_their_slack),
         cmocka_unit_test(rectangles_have_the_reference_pixels),
         cmocka_unit_test(spans_have_the_reference_pixels_at_boundaries_cutoffs_and_ends),
     };
