@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The sine by a polynomial of degree 5, within 2^-12.5: on a circle nobody sees more. */
+ * The sine by a polynomial of degree 5, within 2^-12.5: no finer circle is visible. */
 #include "orbit.h"
 
 /* sin(x pi / 2), x and the result Q15, x = 0..2^15: x (pi/2 - x^2 (pi - 5/2 - x^2 (pi - 3) / 2)); exact at both ends. */

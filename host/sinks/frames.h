@@ -9,7 +9,7 @@
 char *frame_name(const char *pattern, unsigned long index);
 /* Is there a place for a number in it? Refuses a pattern that has two, or a % of another kind. */
 bool frame_pattern(const struct argp_state *state, const char *option, const char *pattern);
-/* Fails where one of so many frames would get the name of a file that is read; 0: nobody knows how many there will be. */
+/* Fails where one of so many frames would get the name of a file that is read; 0: their number is unknown. */
 void frames_check(const char *pattern, unsigned long count);
 struct picture *frame_picture(const struct frame *frame); /* image/image.h */
 

@@ -168,7 +168,7 @@ static void bytes_that_were_not_announced_are_not_drawn(void **state)
     assert_grey(0, 0, WIDTH, HEIGHT, 0);
 }
 
-/* A controller that is disabled amid a rectangle and enabled again. */
+/* A controller that is disabled within a rectangle and enabled again. */
 static void disabled_amid_a_rectangle_it_draws_the_one_after(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * What the emulated board's panel shows, and what it ought to show; RGB, to standard output.
+ * What the emulated board's panel shows, and what it should show; RGB, to standard output.
  *   judge look CONTROLLER WIDTH HEIGHT    standard input: a transcript of the panel's pins (pico.mjs)
  *   judge demo WIDTH HEIGHT FRAME         the stand-alone demo, by the library on this machine
  *   judge exact WIDTH HEIGHT FRAME        the same by the exact rectangle (PATH=exact)

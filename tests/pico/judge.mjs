@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program judge: what a panel shows after a transcript of its pins, and what the demo ought to show.
+// The program judge: what a panel shows after a transcript of its pins, and what the demo should show.
 import { execFileSync } from 'node:child_process'
 import { check } from './tap.mjs'
 

@@ -105,7 +105,7 @@ run([
     equal(wires.windows, before, 'frames')
     equal(light.status(), STATUS.protocol, 'the status of a light without a map')
   }],
-  ['a map that is replaced amid a frame leaves the next one whole', () => {
+  ['a map that is replaced within a frame leaves the next one whole', () => {
     check(light.set(MAP), 'the map')
     host.bulk(2, map, 2000)
     host.bulk(2, judge.light(5))
@@ -173,7 +173,7 @@ run([
       () => { begin(); host.bulk(2, map.subarray(0, 1000)) },
       () => { begin(); host.bulk(2, map.subarray(0, map.length - 1)) },
       () => { begin(); host.bulk(2, map, 2000) },
-      () => { begin(); host.bulk(2, map, 2000); host.bulk(2, lights(0, 4)); pico.run(() => false, 120) }, // amid a frame
+      () => { begin(); host.bulk(2, map, 2000); host.bulk(2, lights(0, 4)); pico.run(() => false, 120) }, // within a frame
       () => { begin(); host.bulk(2, map, 2000); host.bulk(2, lights(0, 1).subarray(0, 7)) },
       () => { gud.begin(FORMAT.rgb565); gud.buffer({ x: 0, y: 0, width, height, length: FULL, compressed: block.length }); host.bulk(1, block.subarray(0, 5000)) },
     ]

@@ -41,7 +41,7 @@ run([
   }],
   ['a second core that hangs is met by the watchdog', () => {
     second.running = false
-    second.launch = () => {} // nobody answers
+    second.launch = () => {} // no core answers
     try { pico.run(() => false, 1500) } catch (error) {
       if (error instanceof WatchdogBite) return
       throw error

@@ -15,9 +15,9 @@ const gud = new Gud(host)
 const settle = () => pico.run(() => false, 1)
 const look = () => { settle(); return judge.look(pico.wires.transcript()) }
 const whole = { x: 0, y: 0, width, height }
-let screen // what ought to be seen
+let screen // what should be seen
 
-// A rectangle's pixels into what ought to be seen.
+// A rectangle's pixels into what should be seen.
 function paint({ x, y, width: w, height: h }, rgb) {
   for (let line = 0; line < h; line++) rgb.copy(screen, 3 * ((y + line) * width + x), 3 * line * w, 3 * (line + 1) * w)
 }
@@ -173,7 +173,7 @@ run([
     judge.same(look(), screen, 'the panel')
     check(Math.abs(pico.brightness() - 30) < 0.5, 'the brightness is another one')
   }],
-  ['a bus reset amid a rectangle gives the panel back to the demo', () => {
+  ['a bus reset within a rectangle gives the panel back to the demo', () => {
     check(gud.buffer({ ...whole, length: 2 * width * height }), 'the rectangle')
     host.bulk(1, Buffer.alloc(7777, 0x55))
     pico.wires.pixels = 0
