@@ -182,7 +182,7 @@ static char *library(void)
 
 const struct sink_kind sink_terminal = {
     .name = "terminal",
-    .summary = "this terminal, in pixels (kitty, sixel) or symbols; respects NO_COLOR",
+    .summary = "this terminal, in pixels (kitty, sixel) or symbols; obeys NO_COLOR",
     .output = SINK_TERMINAL,
     .paced = true,
     .examples = "  glint stream coin --to terminal --point 240,80,60,300,1,.7,.3\n",

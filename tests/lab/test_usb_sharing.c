@@ -170,16 +170,21 @@ static void an_interrupt_ends_waiting(void **state)
     close(terminal);
 }
 
-static void an_interrupt_switches_the_display_off(void **state)
+static void every_signal_that_ends_a_stream_switches_the_display_off(void **state)
 {
     (void)state;
-    honest();
-    usb_display_be(&display, &config);
-    const pid_t stream = start("exec " STREAM OURS);
-    assert_soon(display.seen->rectangles > 1);
-    kill(stream, SIGINT);
-    assert_exits(stream, 130);
-    assert_soon(!display.seen->display && !display.seen->controller);
+    static const int signals[] = {SIGHUP,  SIGINT,  SIGQUIT,   SIGTERM, SIGPIPE, SIGUSR1,
+                                  SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU, SIGXFSZ};
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
+        honest();
+        usb_display_be(&display, &config);
+        const pid_t stream = start("exec env --default-signal " STREAM OURS);
+        assert_soon(display.seen->rectangles > 1);
+        kill(stream, signals[i]);
+        assert_exits(stream, 128 + signals[i]);
+        assert_soon(!display.seen->display && !display.seen->controller);
+        usb_display_unplug(&display);
+    }
 }
 
 static void an_interrupt_ends_requests_and_data_that_are_not_taken(void **state)
@@ -215,7 +220,7 @@ int main(void)
         cmocka_unit_test(what_a_device_says_of_itself_reaches_the_terminal_without_control_characters),
         cmocka_unit_test(the_list_answers_in_time_whatever_a_device_does),
         cmocka_unit_test(an_interrupt_ends_waiting),
-        cmocka_unit_test(an_interrupt_switches_the_display_off),
+        cmocka_unit_test(every_signal_that_ends_a_stream_switches_the_display_off),
         cmocka_unit_test(an_interrupt_ends_requests_and_data_that_are_not_taken),
     };
     return cmocka_run_group_tests_name("usb sharing", tests, scratch_make, clean);
