@@ -176,14 +176,15 @@ static void every_signal_that_ends_a_stream_switches_the_display_off(void **stat
     static const int signals[] = {SIGHUP,  SIGINT,  SIGQUIT,   SIGTERM, SIGPIPE, SIGUSR1,
                                   SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU, SIGXFSZ};
     for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
+        print_message("signal %d\n", signals[i]);
+        usb_displays_unplug(NULL);
         honest();
         usb_display_be(&display, &config);
-        const pid_t stream = start("exec env --default-signal " STREAM OURS);
+        const pid_t stream = start("exec env --default-signal=PIPE --default-signal=XFSZ " STREAM OURS);
         assert_soon(display.seen->rectangles > 1);
         kill(stream, signals[i]);
         assert_exits(stream, 128 + signals[i]);
         assert_soon(!display.seen->display && !display.seen->controller);
-        usb_display_unplug(&display);
     }
 }
 
