@@ -76,7 +76,9 @@ GLINT_INLINE uint32_t glint_levels_rgb(const struct glint_prepared *p, const str
     uint32_t bias[4], open = 0;
     if (dither)
         glint_levels_bias(bias, p, run);
-    for (unsigned i = 0; i < count; i++, sample++, out += deep ? 3 : 2) {
+    const struct glint_sample *const first = sample, *const end = sample + count;
+    for (unsigned next = 0; sample != end; sample++, out += deep ? 3 : 2) {
+        const unsigned i = maps || dither ? next++ : 0; /* else it is found where a pixel stays open */
         uint32_t v[3];
         glint_levels_sum(v, p, sample, albedo, gloss ? gloss + i : gloss, maps);
         const uint32_t threshold = dither ? bias[i & 3] : 0;
@@ -85,7 +87,7 @@ GLINT_INLINE uint32_t glint_levels_rgb(const struct glint_prepared *p, const str
         const uint32_t blue = glint_levels_hold(v[2] + threshold, most);
         albedo += maps ? step : 0;
         if (((red ^ (red + w)) | (green ^ (green + w)) | (blue ^ (blue + w))) >> shift) {
-            open |= (uint32_t)1 << i;
+            open |= (uint32_t)1 << (sample - first);
         } else if (deep) {
             out[0] = (uint8_t)(red >> shift);
             out[1] = (uint8_t)(green >> shift);

@@ -77,8 +77,9 @@ void glint_levels_fold(struct glint_prepared *p, struct glint_levels_kind kind, 
 
 void glint_levels_bias(uint32_t bias[4], const struct glint_prepared *p, const struct glint_run *run)
 {
+    const bool dither = p->shader.dither;
     for (unsigned i = 0; i < 4; i++)
-        bias[i] = glint_exact_weight(&p->shader, run->left + run->x + i, run->y) << (p->shift - 5);
+        bias[i] = (dither ? 2 * glint_pixel_bayer(run->left + run->x + i, run->y) + 1 : 16) << (p->shift - 5);
 }
 
 void glint_levels_exact(uint64_t v[3], const struct glint_shader *shader, const struct glint_run *run, unsigned i,
