@@ -21,7 +21,7 @@ static inline uint32_t glint_dither_nudge(uint32_t y)
     return (UINT32_C(0x3157) >> (4 * (y & 3)) & 15) << (GLINT_DITHER_ROW_SHIFT - 3);
 }
 
-static inline struct glint_dither_look glint_dither_look(const struct glint_tables *tables, uint32_t y)
+static inline struct glint_dither_look glint_dither_look_up(const struct glint_tables *tables, uint32_t y)
 {
     const uint8_t *const bytes = (const uint8_t *)tables->colour.colours;
     const struct glint_dither_look look = {bytes + (y & 3) * GLINT_DITHER_PIXELS_PART + (1 << GLINT_DITHER_PIXELS_LOG),

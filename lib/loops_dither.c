@@ -7,7 +7,7 @@
 #include "glint_tables_normals.h"
 
 /* From a pixel to the next. */
-static inline uint32_t next(uint32_t phase)
+static inline uint32_t next_phase(uint32_t phase)
 {
     return (phase + 2) & 6;
 }
@@ -28,10 +28,10 @@ static inline uint16_t by_vector(const struct glint_dither_look *look, const str
 static void vector_line(const struct glint_tables *tables, const struct glint_tables_light *light,
                         const struct glint_vec *normals, uint16_t w, uint16_t *out, uint32_t phase, uint32_t y)
 {
-    const struct glint_dither_look look = glint_dither_look(tables, y);
+    const struct glint_dither_look look = glint_dither_look_up(tables, y);
     const struct glint_tables_light at = *light;
     const bool swapped = glint_is_swapped(tables);
-    for (const uint16_t *end = out + w; out < end; normals++, out++, phase = next(phase))
+    for (const uint16_t *end = out + w; out < end; normals++, out++, phase = next_phase(phase))
         if (normals->x | normals->y | normals->z)
             *out = by_vector(&look, &at, *normals, phase, swapped);
 }
@@ -39,10 +39,10 @@ static void vector_line(const struct glint_tables *tables, const struct glint_ta
 static void aside_line(const struct glint_tables *tables, const struct glint_tables_light *light, const uint32_t *words,
                        uint16_t w, uint16_t *out, uint32_t phase, uint32_t y)
 {
-    const struct glint_dither_look look = glint_dither_look(tables, y);
+    const struct glint_dither_look look = glint_dither_look_up(tables, y);
     const struct glint_tables_light at = *light;
     const bool swapped = glint_is_swapped(tables);
-    for (const uint16_t *end = out + w; out < end; words++, out++, phase = next(phase)) {
+    for (const uint16_t *end = out + w; out < end; words++, out++, phase = next_phase(phase)) {
         const struct glint_vec n = glint_unpack_int10(*words);
         if (n.z == 0) {
             const uint32_t skip = glint_gap(*words >> 12, (size_t)(end - out));
@@ -56,15 +56,16 @@ static void aside_line(const struct glint_tables *tables, const struct glint_tab
 }
 
 /* The viewer at (0, 0, 1): rows and columns as in loops_colour.c. */
-static inline void int8_line(const struct glint_tables *tables, const struct glint_tables_light *light,
-                             const uint32_t *words, uint16_t w, uint16_t *out, uint32_t phase, uint32_t y, bool swapped)
+static inline void dithered_int8(const struct glint_tables *tables, const struct glint_tables_light *light,
+                                 const uint32_t *words, uint16_t w, uint16_t *out, uint32_t phase, uint32_t y,
+                                 bool swapped)
 {
-    const struct glint_dither_look look = glint_dither_look(tables, y);
+    const struct glint_dither_look look = glint_dither_look_up(tables, y);
     const int32_t lx = light->x, ly = light->y, lz = light->z;
     const uint32_t cut = (uint32_t)light->cut, r = light->r;
     const uint32_t nudge = look.nudge >> 1;
     const unsigned a = light->a;
-    for (const uint16_t *end = out + w; out < end; words++, out++, phase = next(phase)) {
+    for (const uint16_t *end = out + w; out < end; words++, out++, phase = next_phase(phase)) {
         const uint32_t word = *words;
         const int32_t z = (int32_t)word >> 16;
         if (z == 0) {
@@ -92,20 +93,20 @@ void glint_dither_int8(const struct glint_tables *tables, const struct glint_tab
                        uint16_t w, uint16_t *out, uint32_t phase, uint32_t y)
 {
     if (glint_is_swapped(tables))
-        int8_line(tables, light, words, w, out, phase, y, true);
+        dithered_int8(tables, light, words, w, out, phase, y, true);
     else
-        int8_line(tables, light, words, w, out, phase, y, false);
+        dithered_int8(tables, light, words, w, out, phase, y, false);
 }
 
 static void int10_line(const struct glint_tables *tables, const struct glint_tables_light *light, const uint32_t *words,
                        uint16_t w, uint16_t *out, uint32_t phase, uint32_t y)
 {
-    const struct glint_dither_look look = glint_dither_look(tables, y);
+    const struct glint_dither_look look = glint_dither_look_up(tables, y);
     const bool swapped = glint_is_swapped(tables);
     const int32_t hx = (light->h.x + 1) >> 1, hy = (light->h.y + 1) >> 1, hz = (light->h.z + 1) >> 1;
     const uint32_t t_half = look.t_max >> 1, peak = (uint32_t)light->peak, m = peak >> 15, nudge = look.nudge >> 1;
     const unsigned shift = look.shift - 1u;
-    for (const uint16_t *end = out + w; out < end; words++, out++, phase = next(phase)) {
+    for (const uint16_t *end = out + w; out < end; words++, out++, phase = next_phase(phase)) {
         const uint32_t word = *words;
         const int32_t top_z = (int32_t)(word << 20);
         if (top_z == 0) {

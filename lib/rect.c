@@ -99,7 +99,7 @@ typedef char glint_rect_run[RECT_RUN <= GLINT_RUN ? 1 : -1];
 /* How many pixels from x on are drawn, side by side, up to a run. */
 static unsigned rect_length_of(const uint8_t *mask, uint32_t x, uint32_t w)
 {
-    const unsigned most = w - x < RECT_RUN ? (unsigned)(w - x) : RECT_RUN;
+    const unsigned most = w - x < RECT_RUN ? (unsigned)(w - x) : (unsigned)RECT_RUN;
     unsigned count = 1;
     if (!mask)
         return most;

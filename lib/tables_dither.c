@@ -4,14 +4,14 @@
 #include "glint_tables_columns.h"
 #include "glint_tables_field.h"
 
-enum { SHINES = 1 << GLINT_DITHER_COLUMNS_LOG };
-typedef char glint_dither_bytes[GLINT_DITHER_SHINES + 4 * SHINES == GLINT_TABLES_DITHER_BYTES ? 1 : -1];
+enum { DITHER_SHINES = 1 << GLINT_DITHER_COLUMNS_LOG };
+typedef char glint_dither_bytes[GLINT_DITHER_SHINES + 4 * DITHER_SHINES == GLINT_TABLES_DITHER_BYTES ? 1 : -1];
 
 static const struct glint_field fields[3] = {{23, 32, 31 * 16}, {1, 11, 63 * 16}, {12, 21, 31 * 16}};
 
 /* The nearest sixteenths of a level, and b of them more: at most 15 above the largest level, which no field overflows by. */
-static uint32_t sum_word(const struct glint_shader *shader, const uint8_t albedo[3], uint32_t nl_q16, uint32_t f,
-                         uint32_t b)
+static uint32_t dither_sum(const struct glint_shader *shader, const uint8_t albedo[3], uint32_t nl_q16, uint32_t f,
+                           uint32_t b)
 {
     uint32_t word = 0;
     for (int k = 0; k < 3; k++) {
@@ -21,15 +21,15 @@ static uint32_t sum_word(const struct glint_shader *shader, const uint8_t albedo
     return word;
 }
 
-static uint32_t shine_word(const struct glint_shader *shader, uint32_t f)
+static uint32_t dither_shine(const struct glint_shader *shader, uint32_t f)
 {
     static const uint8_t black[3] = {0, 0, 0};
-    return sum_word(shader, black, 0, f, 0);
+    return dither_sum(shader, black, 0, f, 0);
 }
 
-static bool shines(const struct glint_shader *shader, uint32_t f)
+static bool dither_shines(const struct glint_shader *shader, uint32_t f)
 {
-    return shine_word(shader, f) != 0;
+    return dither_shine(shader, f) != 0;
 }
 
 /* Past the highlight a pixel is a function of nl and of its threshold alone: finished, for all sixteen. Within it, it is the sum of
@@ -38,14 +38,14 @@ void glint_dither_fill(struct glint_tables *tables, const struct glint_shader *s
 {
     const uint8_t *const albedo = shader->material.albedo;
     uint8_t *const bytes = (uint8_t *)memory;
-    const uint32_t t_max = glint_last_t(shader, shines);
+    const uint32_t t_max = glint_last_t(shader, dither_shines);
     tables->colour.colours = (uint16_t *)memory;
     tables->columns = bytes + GLINT_DITHER_SHINES;
     tables->t_max_q30 = t_max;
-    tables->shift = (uint8_t)glint_columns_shift(t_max, SHINES);
+    tables->shift = (uint8_t)glint_columns_shift(t_max, DITHER_SHINES);
     uint32_t *const shine = (uint32_t *)memory + GLINT_DITHER_SHINES / 4;
-    for (uint32_t i = 0; i < SHINES; i++)
-        shine[i] = shine_word(shader, glint_pixel_lobe(shader, glint_column_t(t_max, tables->shift, i)));
+    for (uint32_t i = 0; i < DITHER_SHINES; i++)
+        shine[i] = dither_shine(shader, glint_pixel_lobe(shader, glint_column_t(t_max, tables->shift, i)));
     for (uint16_t y = 0; y < 4; y++) {
         uint8_t *const pixels = bytes + y * GLINT_DITHER_PIXELS_PART;
         uint32_t *const sums = (uint32_t *)memory + (GLINT_DITHER_SUMS + y * GLINT_DITHER_SUMS_PART) / 4;
@@ -55,7 +55,7 @@ void glint_dither_fill(struct glint_tables *tables, const struct glint_shader *s
             for (uint16_t x = 0; x < 4; x++) {
                 glint_pixel_store(shader, &surface, x, 0, nl, 0, albedo, 255);
                 if (row > 0)
-                    sums[4 * (row - 1) + x] = sum_word(shader, albedo, nl, 0, glint_pixel_bayer(x, y));
+                    sums[4 * (row - 1) + x] = dither_sum(shader, albedo, nl, 0, glint_pixel_bayer(x, y));
             }
         }
     }
