@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Prints the tables in lib/math_srgb.c: the sRGB transfer function (IEC 61966-2-1) in 1/65535, to nearest.
 
-decoded[i]: the linear value of i / 255. encoded[j]: the encoding of (32 + j % 32) << (2 + j / 32), j = 0..288,
+decoded[i]: the linear value of i / 255. encodings[j]: the encoding of (32 + j % 32) << (2 + j / 32), j = 0..288,
 that is of 32 steps an octave from 128 on."""
 from decimal import Decimal, getcontext
 
@@ -30,4 +30,4 @@ def show(name, values):
 
 show("decoded", [round(65535 * decode(Decimal(i) / 255)) for i in range(256)])
 linear = [Decimal((32 + j % 32) << (2 + j // 32)) / 65535 for j in range(289)]
-show("encoded", [min(65535, round(65535 * encode(v))) for v in linear])
+show("encodings", [min(65535, round(65535 * encode(v))) for v in linear])
