@@ -65,8 +65,10 @@ void glint_dither_line(const struct glint_tables *tables, const struct glint_tab
 void glint_dither_span(const struct glint_tables *tables, const struct glint_span *span,
                        const struct glint_surface *surface);
 
-/* 8- and 10-bit normals, the viewer at (0, 0, 1); the first may have a twin in assembly. */
-void glint_dither_int8(const struct glint_tables *tables, const struct glint_tables_light *light, const uint32_t *words,
-                       uint16_t w, uint16_t *out, uint32_t phase, uint32_t y);
+/* A line of INT8, as 16-bit numbers or with their bytes swapped; with twins in assembly. phase: 2 (x mod 4). */
+void glint_dither_int8_plain(const struct glint_tables *tables, const struct glint_tables_light *light,
+                             const uint32_t *words, uint16_t w, uint16_t *out, uint32_t phase, uint32_t y);
+void glint_dither_int8_swapped(const struct glint_tables *tables, const struct glint_tables_light *light,
+                               const uint32_t *words, uint16_t w, uint16_t *out, uint32_t phase, uint32_t y);
 
 #endif

@@ -55,6 +55,7 @@ static void aside_line(const struct glint_tables *tables, const struct glint_tab
     }
 }
 
+#if !GLINT_CORTEX_M0PLUS_ASM
 /* The viewer at (0, 0, 1): rows and columns as in loops_colour.c. */
 static inline void dithered_int8(const struct glint_tables *tables, const struct glint_tables_light *light,
                                  const uint32_t *words, uint16_t w, uint16_t *out, uint32_t phase, uint32_t y,
@@ -89,14 +90,18 @@ static inline void dithered_int8(const struct glint_tables *tables, const struct
     }
 }
 
-void glint_dither_int8(const struct glint_tables *tables, const struct glint_tables_light *light, const uint32_t *words,
-                       uint16_t w, uint16_t *out, uint32_t phase, uint32_t y)
+void glint_dither_int8_plain(const struct glint_tables *tables, const struct glint_tables_light *light,
+                             const uint32_t *words, uint16_t w, uint16_t *out, uint32_t phase, uint32_t y)
 {
-    if (glint_is_swapped(tables))
-        dithered_int8(tables, light, words, w, out, phase, y, true);
-    else
-        dithered_int8(tables, light, words, w, out, phase, y, false);
+    dithered_int8(tables, light, words, w, out, phase, y, false);
 }
+
+void glint_dither_int8_swapped(const struct glint_tables *tables, const struct glint_tables_light *light,
+                               const uint32_t *words, uint16_t w, uint16_t *out, uint32_t phase, uint32_t y)
+{
+    dithered_int8(tables, light, words, w, out, phase, y, true);
+}
+#endif
 
 static void int10_line(const struct glint_tables *tables, const struct glint_tables_light *light, const uint32_t *words,
                        uint16_t w, uint16_t *out, uint32_t phase, uint32_t y)
@@ -132,8 +137,10 @@ void glint_dither_line(const struct glint_tables *tables, const struct glint_tab
                        uint32_t y)
 {
     const uint32_t phase = 2 * (x & 3);
-    if (format == GLINT_NORMALS_INT8)
-        glint_dither_int8(tables, light, (const uint32_t *)normals, w, out, phase, y);
+    if (format == GLINT_NORMALS_INT8 && glint_is_swapped(tables))
+        glint_dither_int8_swapped(tables, light, (const uint32_t *)normals, w, out, phase, y);
+    else if (format == GLINT_NORMALS_INT8)
+        glint_dither_int8_plain(tables, light, (const uint32_t *)normals, w, out, phase, y);
     else if (format == GLINT_NORMALS_INT16)
         vector_line(tables, light, (const struct glint_vec *)normals, w, out, phase, y);
     else if (light->frontal)
