@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * A line of a triangle by the prepared shader: every format and space. */
+#include "glint_math_flash.h"
 #include "glint_mesh_path.h"
 #include "glint_pixel.h"
 #include "glint_pixel_prepared.h"
@@ -7,7 +8,8 @@
 static bool exact_can(const void *with, const struct glint_surface *surface)
 {
     const struct glint_prepared *prepared = (const struct glint_prepared *)with;
-    return prepared && surface->pixels && !prepared->model->geometry; /* Phong's t is not of this form */
+    return prepared && surface->pixels &&
+           !GLINT_FLASH_POINTER(prepared->model->geometry); /* Phong's t is not of this form */
 }
 
 static void exact_row(const void *with, struct glint_mesh_row *row)

@@ -2,6 +2,7 @@
 #include "conformance.h"
 
 #include "conformance_lobes.h"
+#include "conformance_meshes.h"
 #include "conformance_random.h"
 #include "conformance_scenes.h"
 #include "conformance_tables.h"
@@ -24,6 +25,7 @@ static const char *const names[CONFORMANCE_HELD] = {
     "rectangles and spans in grey",
     "rectangles and spans in mono",
     "no such format",
+    "meshes",
     "SMALL tables, their loops",
     "COLOUR tables, their loops, palettes",
     "COLOUR tables with dither, their loops",
@@ -70,6 +72,8 @@ uint64_t conformance_hash(unsigned check, const struct conformance_size *size)
         conform_srgb(size);
     else if (check <= CONFORMANCE_NO_FORMAT)
         conform_scenes(check - CONFORMANCE_RGB565 + GLINT_RGB565, size);
+    else if (check == CONFORMANCE_MESHES)
+        conform_meshes(size);
     else if (check == CONFORMANCE_SMALL)
         conform_small(size);
     else if (check == CONFORMANCE_COLOURS)

@@ -42,7 +42,8 @@ enum conformance_check {
     CONFORMANCE_GREY8,
     CONFORMANCE_MONO,
     CONFORMANCE_NO_FORMAT, /* one more than there are */
-    CONFORMANCE_SMALL,     /* tables as filled, and all their loops */
+    CONFORMANCE_MESHES,
+    CONFORMANCE_SMALL, /* tables as filled, and all their loops */
     CONFORMANCE_COLOURS,
     CONFORMANCE_DITHERED,
     CONFORMANCE_ALBEDO,

@@ -6,6 +6,7 @@
 uint64_t __muldi3(uint64_t a, uint64_t b);
 uint32_t __udivsi3(uint32_t a, uint32_t b);
 uint32_t __umodsi3(uint32_t a, uint32_t b);
+int32_t __divsi3(int32_t a, int32_t b);
 uint64_t __udivdi3(uint64_t a, uint64_t b);
 int64_t __divdi3(int64_t a, int64_t b);
 
@@ -47,6 +48,14 @@ uint32_t __umodsi3(uint32_t a, uint32_t b)
     uint32_t rest;
     (void)divide(a, b, &rest);
     return rest;
+}
+
+int32_t __divsi3(int32_t a, int32_t b)
+{
+    uint32_t rest;
+    const uint32_t quotient =
+        divide(a < 0 ? 0 - (uint32_t)a : (uint32_t)a, b < 0 ? 0 - (uint32_t)b : (uint32_t)b, &rest);
+    return (int32_t)((a < 0) != (b < 0) ? 0 - quotient : quotient);
 }
 
 static int bits(uint64_t value)

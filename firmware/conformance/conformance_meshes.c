@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT
+ * Meshes of random faces, most of which are in the picture: parallel and in perspective, clipped, in strips. */
+#include "conformance_meshes.h"
+
+#include "conformance_random.h"
+#include "conformance_scenes.h"
+
+#if !CONFORMANCE_MODELS_ONLY
+
+enum { VERTICES = 10, FACES = 14, WIDTH = 19, HEIGHT = 13, STRIP = 5, MEMORY = 1500 };
+static int16_t places[3 * VERTICES], normals[3 * VERTICES];
+static uint16_t faces[3 * FACES];
+
+static int16_t any_q15(int32_t limit)
+{
+    return (int16_t)conform_random_within(limit);
+}
+
+/* 0: as random as can be; else a model of normals and a size as people have them. */
+static void random_mesh(struct glint_pose *pose, unsigned kind, const struct glint_light *light)
+{
+    for (uint8_t i = 0; i < VERTICES; i++) {
+        struct glint_vec normal;
+        conform_random_normal(&normal, light);
+        normals[3 * i] = normal.x;
+        normals[3 * i + 1] = normal.y;
+        normals[3 * i + 2] = normal.z;
+        for (uint8_t k = 0; k < 3; k++)
+            places[3 * i + k] = any_q15(32767);
+    }
+    for (uint8_t i = 0; i < 3 * FACES; i++)
+        faces[i] = (uint16_t)(conform_random_bits() % VERTICES);
+    for (uint8_t k = 0; k < 4; k++)
+        pose->turn[k] = any_q15(32767);
+    pose->turn[0] |= 1;
+    for (uint8_t k = 0; k < 3; k++)
+        pose->position[k] = any_q15(kind ? 60 : 32767);
+    pose->scale = (uint16_t)(conform_random_bits() % (kind ? 500u : 65536u));
+}
+
+static void add_mesh(unsigned model, unsigned format, unsigned kind)
+{
+    static uint32_t depths[MEMORY / 4], work[(16 * VERTICES + 2 * FACES + 8) / 4];
+    static uint8_t out[3 * WIDTH * HEIGHT];
+    struct glint_shader shader;
+    struct glint_prepared prepared;
+    struct glint_pose pose;
+    struct glint_mesh_frame frame;
+    struct glint_mesh_drawn drawn;
+    const struct glint_mesh mesh = {places, normals, NULL, faces, NULL, VERTICES, FACES, 0};
+    conform_random_shader(&shader, model);
+    shader.format = (uint8_t)format;
+    shader.space = kind & 1;
+    shader.dither = kind >> 1 & 1;
+    random_mesh(&pose, kind, &shader.light);
+    const uint32_t distance = conform_random_bits() % 1000;
+    const struct glint_paint paint = {&glint_mesh_exact, &prepared};
+    for (uint16_t i = 0; i < sizeof out; i++)
+        out[i] = (uint8_t)i;
+    conform_add((uint32_t)glint_mesh_check(&mesh));
+    conform_add((uint32_t)glint_shade_prepare(&prepared, &shader));
+    conform_add(
+        (uint32_t)glint_mesh_begin(&frame, WIDTH, HEIGHT, STRIP, (uint16_t)(kind % 3 ? distance : 0), depths, MEMORY));
+    conform_add((uint32_t)glint_mesh_add(&frame, &drawn, &mesh, &pose, &shader.light, &paint, work, sizeof work));
+    for (uint16_t y = 0; y < HEIGHT; y += STRIP) {
+        const struct glint_surface surface = {out + 3 * WIDTH * y, 3 * WIDTH, 0, y};
+        conform_add(
+            (uint32_t)glint_mesh_strip(&frame, y, (uint16_t)(HEIGHT - y < STRIP ? HEIGHT - y : STRIP), &surface));
+    }
+    conform_add_bytes(out, sizeof out);
+}
+
+void conform_meshes(const struct conformance_size *size)
+{
+    unsigned kind = 0;
+    for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
+        for (unsigned format = GLINT_RGB565; format <= GLINT_MONO; format++)
+            for (uint8_t scene = 0; scene < size->scenes; scene++)
+                add_mesh(model, format, kind++);
+}
+
+#endif
