@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT
+ * Shaders, normals and many cases of them, likely or hostile. A case has its own generator, so that cases are the same for any number
+ * of threads. */
+#ifndef GLINT_EXACT_CASES_H
+#define GLINT_EXACT_CASES_H
+
+#include "glint.h"
+
+uint32_t case_below(uint64_t *seed, uint32_t limit);
+#define BELOW(limit) case_below(seed, limit)
+#define ONE_IN(count) (case_below(seed, count) == 0)
+
+struct glint_vec case_vector(uint64_t *seed);
+struct glint_shader case_shader(uint64_t *seed);
+/* Of the whole sphere, near the half vector, or anything. */
+struct glint_vec case_normal(uint64_t *seed, const struct glint_light *light, int spread);
+
+/* Cases until `share` thousandths of GLINT_PIXELS million pixels are drawn, 1000 where it is not set. `one` draws one case in so many
+ * bytes of memory of its own, and returns how many pixels; 0 where one differs: then the case's number is printed. */
+bool cases_pass(unsigned (*one)(uint64_t *seed, void *memory), size_t bytes, unsigned share);
+
+#endif
