@@ -25,7 +25,8 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_prepared 
 {
     const struct glint_shader *shader = &p->shader;
     const struct glint_light *light = &shader->light;
-    if (p->model->model != GLINT_MSH || p->shift != GLINT_LINE_SHIFT || shader->dither || glint_light_is_wide(light))
+    if (GLINT_FLASH_U8(p->model->model) != GLINT_MSH || p->shift != GLINT_LINE_SHIFT || shader->dither ||
+        glint_light_is_wide(light))
         return false;
     const struct glint_vec l = light->l, h = light->h;
     loop->l[0] = l.x, loop->l[1] = l.y, loop->l[2] = l.z;

@@ -123,8 +123,9 @@ static bool rect_begin(struct glint_line_loop *loop, const struct glint_prepared
                        const struct glint_source *source, const struct glint_surface *surface, struct glint_run *run)
 {
     const struct glint_shade_format *format = prepared->format;
-    if (!format->begin || source->gloss || GLINT_MISALIGNED(surface->pixels, 16) ||
-        GLINT_MISALIGNED(surface->stride, 16) || !format->begin(loop, prepared, source->albedo != NULL))
+    if (!GLINT_FLASH_POINTER(format->begin) || source->gloss || GLINT_MISALIGNED(surface->pixels, 16) ||
+        GLINT_MISALIGNED(surface->stride, 16) ||
+        !GLINT_FLASH_POINTER(format->begin)(loop, prepared, source->albedo != NULL))
         return false;
     run->line = (uint8_t *)&loop->dark; /* the pixel where N.L <= 0 */
     loop->sample.t_q30 = UINT32_MAX;
@@ -168,9 +169,10 @@ enum glint_err glint_shade_prepared_rect(const struct glint_prepared *prepared, 
     const struct glint_light *light = &prepared->shader.light;
     const bool wide = glint_light_is_wide(light);
     void (*samples_of)(const struct glint_light *light, const struct glint_vec *normals, struct glint_sample *samples,
-                       unsigned count) = prepared->model->geometry ? prepared->model->geometry
-                                         : wide                    ? geometry_wide
-                                                                   : geometry_unit;
+                       unsigned count) = GLINT_FLASH_POINTER(prepared->model->geometry)
+                                             ? GLINT_FLASH_POINTER(prepared->model->geometry)
+                                         : wide ? geometry_wide
+                                                : geometry_unit;
     struct glint_bounds bounds;
     bounds.left = bounds.right = bounds.top = bounds.bottom = 0;
     bounds.any = false;
