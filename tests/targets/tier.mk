@@ -12,6 +12,8 @@ setup-targets: setup-build
 test-targets: ## check: cross-compiled: no floating point, no writable data, stack; emulated: the host's results; BOARD=NAME: one board
 	@+tests/tier targets "$(SUBMAKE)"
 
+# Those with the library's assembly compare its lines with C's.
+TARGETS_LINES = $(if $(or $(if $(BOARD),,all),$(findstring asm,$(BOARD))),"tests/targets/test_lines $(BUILD)/targets $(BOARD)")
 # The table of costs is of all boards, so that one board's run leaves it.
 TARGETS_COSTS = $(if $(BOARD),,"tests/targets/test_costs $(BENCH)")
 TARGETS_COSTS_INPUTS = $(filter-out %-Os.elf,$(BENCH_ELFS)) $(BENCH_SCENE)/scene.json
@@ -24,7 +26,6 @@ costs: $(TARGETS_COSTS_INPUTS) $(BOARDS) ## measure: write the table that tier t
 run-targets: $(if $(BOARD),,$(TARGETS_COSTS_INPUTS)) $(TARGETS_FIRMWARE) $(BOARDS) $(CONFORMANCE_EXPECTED)
 	@$(if $(TARGETS_FIRMWARE),,echo "make: there is no board $(BOARD); choose from $(BARE_BOARDS)" >&2; exit 1)
 	@PYTHONDONTWRITEBYTECODE=1 TALLY_JOBS=$$(nproc) tests/tally $(TARGETS_COSTS) tests/targets/test_boards "tests/targets/test_objects $(BUILD)/targets $(BOARD)" \
-		"tests/targets/test_conformance $(BUILD)/targets $(CONFORMANCE_EXPECTED) $(BOARD)" \
-		"tests/targets/test_lines $(BUILD)/targets $(BOARD)"
+		"tests/targets/test_conformance $(BUILD)/targets $(CONFORMANCE_EXPECTED) $(BOARD)" $(TARGETS_LINES)
 
 .PHONY: costs setup-targets test-targets run-targets
