@@ -8,9 +8,18 @@
 /* GLINT_OK or GLINT_ERR_ARG. */
 enum glint_err glint_lamp_check(const struct glint_lamp *lamp);
 
-/* Steps 1a and 1b for a point or spot, which glint_lamp_check has seen, at pixel x, y of the screen: att; *light only
- * where it is not 0. */
-uint32_t glint_lamp_reach(const struct glint_lamp *lamp, int32_t x, int32_t y, const int32_t v_q30[3],
-                          struct glint_light *light);
+/* A point or spot for many pixels: its divisors, range^2 and s_inner - s_outer, as 2^63 / (divisor 2^-exponent) rounded down,
+ * that in 2^31 .. 2^32. */
+struct glint_reach {
+    uint32_t range_inverse, width_inverse;
+    uint32_t blur; /* what lamp_cone does not know of its quotient, of 2^31; 0: the cone is left to the 64 bits */
+    int8_t range_exponent, width_exponent;
+};
+
+/* Of a lamp that glint_lamp_check has seen. */
+void glint_reach_init(struct glint_reach *reach, const struct glint_lamp *lamp);
+/* Steps 1a and 1b at pixel x, y of the screen: att; L and H of *light only where it is not 0. V is there already. */
+uint32_t glint_reach_at(const struct glint_reach *reach, const struct glint_lamp *lamp, int32_t x, int32_t y,
+                        const int32_t v_q30[3], struct glint_light *light);
 
 #endif

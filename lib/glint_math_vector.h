@@ -7,6 +7,10 @@
 
 /* v / |v|, good to 2^-28; false where v = 0. */
 bool glint_unit_q30(int32_t out[3], const int32_t v[3]);
+/* To Q1.15, |v_i| <= 2^30 + 8; false where what is off by up to slack, < 2^14, might be rounded to another. */
+bool glint_vec_of_q30(struct glint_vec *out, const int32_t v[3], int32_t slack);
+/* Half of l + v; false where the light is straight behind. half may be l or v. */
+bool glint_half_q30(int32_t half[3], const int32_t l_q30[3], const int32_t v_q30[3]);
 /* From unit vectors; false where the light is straight behind. */
 bool glint_light_between(struct glint_light *light, const int32_t l_q30[3], const int32_t v_q30[3]);
 

@@ -16,14 +16,16 @@ static uint64_t color(const struct glint_lamp *lamp, int k)
 }
 
 /* What one lamp adds at pixel x, y of the screen. */
-static void add_lamp(struct sums *sums, const struct glint_shader *shader, const struct glint_lamp *lamp, int32_t x,
-                     int32_t y, const int32_t v_q30[3], const struct glint_vec *normal)
+static void add_lamp(struct sums *sums, const struct glint_shader *shader, const struct glint_lamp *lamp,
+                     const struct glint_reach *reach, int32_t x, int32_t y, const int32_t v_q30[3],
+                     const struct glint_vec *normal)
 {
     struct glint_light here;
     const struct glint_light *light = &lamp->light;
     uint32_t att = 65536;
     if (lamp->kind != GLINT_DIRECTIONAL) {
-        att = glint_lamp_reach(lamp, x, y, v_q30, &here);
+        (void)glint_vec_of_q30(&here.v, v_q30, 0);
+        att = glint_reach_at(reach, lamp, x, y, v_q30, &here);
         if (att == 0)
             return;
         light = &here;
@@ -79,6 +81,9 @@ enum glint_err glint_shade_lights(const struct glint_shader *shader, const struc
         err = check(shader, lamps, count, v_q30);
     if (err)
         return err;
+    struct glint_reach reach[GLINT_LAMPS_MAX];
+    for (unsigned i = 0; i < count; i++)
+        glint_reach_init(&reach[i], &lamps[i]);
     struct glint_bounds bounds = {0, 0, 0, 0, false};
     for (uint16_t y = 0; y < h; y++) {
         const struct glint_line line = glint_line_at(source, y);
@@ -87,7 +92,7 @@ enum glint_err glint_shade_lights(const struct glint_shader *shader, const struc
                 continue;
             struct sums sums = {{0, 0, 0}, {0, 0, 0}};
             for (unsigned i = 0; i < count; i++)
-                add_lamp(&sums, shader, &lamps[i], (int32_t)surface->x + x, (int32_t)surface->y + y, v_q30,
+                add_lamp(&sums, shader, &lamps[i], &reach[i], (int32_t)surface->x + x, (int32_t)surface->y + y, v_q30,
                          &line.normals[x]);
             if (pixel(shader, surface, x, y, &sums,
                       line.albedo ? line.albedo + 3 * (ptrdiff_t)x : shader->material.albedo,

@@ -30,16 +30,21 @@ bool glint_unit_q30(int32_t out[3], const int32_t v[3])
     return true;
 }
 
-static int16_t q15_of_q30(int32_t x)
+/* low to Q1.15; bits from 15 on in what it returns: low + more goes to another. */
+static inline uint32_t vector_round(int16_t *out, int32_t low, int32_t more)
 {
-    const int32_t rounded = (x + (1 << 14)) >> 15;
-    return (int16_t)(rounded > INT16_MAX ? INT16_MAX : rounded);
+    const int32_t rounded = low >> 15;
+    *out = (int16_t)(rounded > INT16_MAX ? INT16_MAX : rounded);
+    return (uint32_t)(low ^ (low + more));
 }
 
-static struct glint_vec vec_of_q30(const int32_t v[3])
+bool glint_vec_of_q30(struct glint_vec *out, const int32_t v[3], int32_t slack)
 {
-    const struct glint_vec vec = {q15_of_q30(v[0]), q15_of_q30(v[1]), q15_of_q30(v[2])};
-    return vec;
+    const int32_t half = (1 << 14) - slack, more = 2 * slack;
+    uint32_t open = vector_round(&out->x, v[0] + half, more);
+    open |= vector_round(&out->y, v[1] + half, more);
+    open |= vector_round(&out->z, v[2] + half, more);
+    return !(open >> 15);
 }
 
 enum glint_err glint_vec_normalize(struct glint_vec *out, const int32_t v[3])
@@ -49,25 +54,30 @@ enum glint_err glint_vec_normalize(struct glint_vec *out, const int32_t v[3])
     int32_t unit[3];
     if (!glint_unit_q30(unit, v))
         return GLINT_ERR_VECTOR;
-    *out = vec_of_q30(unit);
+    (void)glint_vec_of_q30(out, unit, 0);
     return GLINT_OK;
+}
+
+bool glint_half_q30(int32_t half[3], const int32_t l_q30[3], const int32_t v_q30[3])
+{
+    bool behind = true;
+    for (int i = 0; i < 3; i++) {
+        const int32_t l = l_q30[i], v = v_q30[i];
+        const uint32_t sum = (uint32_t)l + (uint32_t)v + 8; /* modulo 2^32: sizes are about 2^30 at most */
+        behind = behind && sum <= 16;                       /* what the rounding of l and v leaves of 0, and more */
+        half[i] = (l & v) + ((l ^ v) >> 1);                 /* the sum may not fit */
+    }
+    return !behind;
 }
 
 bool glint_light_between(struct glint_light *light, const int32_t l_q30[3], const int32_t v_q30[3])
 {
-    int32_t half[3], h[3];
-    bool behind = true;
-    for (int i = 0; i < 3; i++) {
-        const int64_t sum = (int64_t)l_q30[i] + v_q30[i];
-        behind = behind && sum <= 8 && sum >= -8; /* what the rounding of l and v leaves of 0, and more */
-        half[i] = (int32_t)(sum >> 1);
-    }
-    if (behind || !glint_unit_q30(h, half))
+    int32_t h[3];
+    if (!glint_half_q30(h, l_q30, v_q30) || !glint_unit_q30(h, h))
         return false;
-    light->l = vec_of_q30(l_q30);
-    light->v = vec_of_q30(v_q30);
-    light->h = vec_of_q30(h);
-    return true;
+    (void)glint_vec_of_q30(&light->l, l_q30, 0);
+    (void)glint_vec_of_q30(&light->v, v_q30, 0);
+    return glint_vec_of_q30(&light->h, h, 0);
 }
 
 enum glint_err glint_light_init(struct glint_light *light, const int32_t to_light[3], const int32_t to_viewer[3])

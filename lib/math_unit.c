@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: MIT */
+#include "glint_math_unit.h"
+
+/* r, nearly 2^46 / sqrt(a), 2^30 <= r <= 2^31, for an a whose floor is given, 2^30 <= a < 2^32. With y^2 a = 2^62 (1 - e),
+ * 2^46 / sqrt(a) = 2^15 y (1 + e/2 + 3/8 e^2 + ..); 5/16 e^3 < 2^-37 is left out. Low by < 2.2. */
+static uint32_t unit_inverse(uint32_t a)
+{
+    const uint32_t y = glint_root_inverse(a >> 16), yy = y * y;
+    const uint32_t a1 = a >> 16, a0 = a & 0xffff, b1 = yy >> 16, b0 = yy & 0xffff;
+    /* Q40, where 1 is 0 modulo 2^32; |e| < 0.95 2^28. High by < 2^10 + 2, as a0 b0 is left out, and by < 2^10, as a is a floor:
+     * r is high by less than 2^-30 r */
+    const int32_t e = -(int32_t)((a1 * b1 << 10) + (a1 * b0 >> 6) + (a0 * b1 >> 6));
+    const int32_t s = e >> 14;                        /* Q26, |s| < 2^14 */
+    const int32_t c = (e >> 6) + (3 * (s * s) >> 20); /* Q35, |c| < 0.96 2^22; low by < 3, which r is by < 0.2 */
+    /* |c >> 7| < 2^15, products < 2^31. Low by < 2 */
+    return (y << 15) + (uint32_t)((int32_t)y * (c >> 7) >> 13) + (y * ((uint32_t)c & 0x7f) >> 20);
+}
+
+static inline uint32_t unit_size(int32_t v)
+{
+    return (uint32_t)((v ^ v >> 31) - (v >> 31));
+}
+
+/* Squares of sizes 2^15 x + w: 2^30 ones + 2^16 mixed + rests, three of each < 3 2^30. */
+struct unit_squares {
+    uint32_t ones, mixed, rests;
+};
+
+static inline void unit_square(struct unit_squares *squares, uint32_t size)
+{
+    const uint32_t x = size >> 15, w = size & 0x7fff;
+    squares->ones += x * x;
+    squares->mixed += x * w;
+    squares->rests += w * w;
+}
+
+/* size r 2^-30, with the sign of v. x r0 < 2^30, w r1 < 2^31; low by < 2. With r's errors, of which size / 2^30 <= 1 arrives, it is
+ * -4.2 .. 1 from the true one before 2 are added. glint_unit_q30 is -0.51 .. 2.51 from it, as its length is low by < 1 of 2^29.
+ * Whole numbers that differ by -4.8 .. 3.6 differ by at most 4. */
+static inline int32_t unit_part(int32_t v, uint32_t size, uint32_t r)
+{
+    const uint32_t x = size >> 15, w = size & 0x7fff, r1 = r >> 15, r0 = r & 0x7fff;
+    const int32_t part = (int32_t)(x * r1 + ((x * r0 + w * r1) >> 15)) + 2;
+    return (part ^ v >> 31) - (v >> 31);
+}
+
+bool glint_unit_near(struct glint_unit *out, const int32_t v[3])
+{
+    uint32_t x = unit_size(v[0]), y = unit_size(v[1]), z = unit_size(v[2]);
+    const uint32_t any = x | y | z;
+    if (any == 0 || any >> 30)
+        return false;
+    unsigned up = 0;
+    if (!(any >> 14))
+        up = 16;
+    if (!(any << up >> 22))
+        up += 8;
+    while (!(any << up >> 29))
+        up++;
+    x <<= up;
+    y <<= up;
+    z <<= up;
+    struct unit_squares sum = {0, 0, 0};
+    unit_square(&sum, x);
+    unit_square(&sum, y);
+    unit_square(&sum, z);
+    sum.mixed += sum.rests >> 16; /* < 2^32; low by < 1, of which the square holds 2^-12 */
+    const bool small = !((sum.ones + (sum.mixed >> 14)) >> 30);
+    const uint32_t square = small ? (sum.ones << 2) + (sum.mixed >> 12) : sum.ones + (sum.mixed >> 14);
+    out->up = up;
+    out->square = square;
+    out->exponent = (small ? 28 : 30) - 2 * (int32_t)up;
+    const uint32_t r = unit_inverse(square) >> (small ? 0 : 1); /* low by < 2.2, also where shifted */
+    out->unit_q30[0] = unit_part(v[0], x, r);
+    out->unit_q30[1] = unit_part(v[1], y, r);
+    out->unit_q30[2] = unit_part(v[2], z, r);
+    return true;
+}

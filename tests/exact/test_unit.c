@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: MIT
+ * Directions in 32 bits: the bound of the root's first steps for every argument, that of the whole beside the 64-bit one. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "glint_math_unit.h"
+#include "reference_lights.h"
+
+/* The error falls with x: the ends of what is cut to t are its worst. */
+static void roots_inverse_is_near_for_every_argument(void **state)
+{
+    (void)state;
+    for (uint32_t t = 1 << 14; t < 1 << 16; t++) {
+        const uint64_t y = glint_root_inverse(t), one = UINT64_C(1) << 62;
+        assert_true(y < 65536);
+        const double low = (double)(int64_t)(one - ((y * y * t) << 16)) / (double)one;
+        const double high = (double)(int64_t)(one - y * y * ((t << 16) | 0xffff)) / (double)one;
+        assert_true(fabs(low) < 0.95 / 4096 && fabs(high) < 0.95 / 4096);
+    }
+}
+
+static uint32_t below(uint64_t *seed, uint32_t limit)
+{
+    *seed = *seed * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+    return (uint32_t)((*seed >> 32) * limit >> 32);
+}
+
+/* Of any length, often near a power of two, with a component of 0 or a small one. */
+static void vector(uint64_t *seed, int32_t v[3])
+{
+    const unsigned bits = 1 + below(seed, 30);
+    for (int i = 0; i < 3; i++) {
+        const unsigned own = below(seed, 3) ? bits : below(seed, bits + 1);
+        uint32_t size = below(seed, UINT32_C(1) << own);
+        if (below(seed, 8) == 0)
+            size = (UINT32_C(1) << own) - 1 - below(seed, size < 4 ? size + 1 : 4);
+        v[i] = below(seed, 2) ? (int32_t)size : -(int32_t)size;
+    }
+}
+
+static void directions_are_within_their_bound_of_the_64_bit_ones(void **state)
+{
+    (void)state;
+    int wrong = 0;
+#pragma omp parallel for reduction(+ : wrong)
+    for (int batch = 0; batch < 4096; batch++) {
+        uint64_t seed = (uint64_t)batch * UINT64_C(0x9e3779b97f4a7c15) + 1;
+        for (int i = 0; i < 4096; i++) {
+            int32_t v[3];
+            struct glint_unit near;
+            vector(&seed, v);
+            const int64_t wide[3] = {v[0], v[1], v[2]};
+            int64_t exact[3];
+            const bool there = reference_unit(exact, wide);
+            if (glint_unit_near(&near, v) != there) {
+                wrong++;
+                continue;
+            }
+            for (int k = 0; there && k < 3; k++)
+                wrong += llabs(near.unit_q30[k] - exact[k]) > GLINT_UNIT_SLACK;
+            /* A square of 48 bits is a double's */
+            const double square = (double)wide[0] * (double)wide[0] + (double)wide[1] * (double)wide[1] +
+                                  (double)wide[2] * (double)wide[2];
+            const double unit = there ? square - ldexp(near.square, near.exponent) : 0;
+            wrong += there && labs(v[0]) < 1 << 24 && labs(v[1]) < 1 << 24 && labs(v[2]) < 1 << 24 &&
+                     (unit < 0 || unit > ldexp(1.001, near.exponent));
+        }
+    }
+    assert_int_equal(wrong, 0);
+}
+
+/* A vector that is off by 2 in its components: by GLINT_UNIT_GROWS each. */
+static void directions_of_vectors_that_are_a_little_off_are_within_their_bound(void **state)
+{
+    (void)state;
+    int wrong = 0;
+#pragma omp parallel for reduction(+ : wrong)
+    for (int batch = 0; batch < 4096; batch++) {
+        uint64_t seed = (uint64_t)batch * UINT64_C(0x9e3779b97f4a7c15) + 1;
+        for (int i = 0; i < 4096; i++) {
+            int32_t v[3];
+            int64_t off[3], exact[3];
+            struct glint_unit near;
+            vector(&seed, v);
+            for (int k = 0; k < 3; k++)
+                off[k] = v[k] + (int64_t)below(&seed, 5) - 2;
+            if (!glint_unit_near(&near, v) || near.up > 8 || !reference_unit(exact, off))
+                continue;
+            for (int k = 0; k < 3; k++)
+                wrong += llabs(near.unit_q30[k] - exact[k]) > GLINT_UNIT_SLACK + (2 * GLINT_UNIT_GROWS << near.up);
+        }
+    }
+    assert_int_equal(wrong, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(roots_inverse_is_near_for_every_argument),
+        cmocka_unit_test(directions_are_within_their_bound_of_the_64_bit_ones),
+        cmocka_unit_test(directions_of_vectors_that_are_a_little_off_are_within_their_bound),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
