@@ -203,9 +203,9 @@ enum glint_err glint_shade_prepared_rect(const struct glint_prepared *prepared, 
             run.albedo = line.albedo ? line.albedo + 3 * x : NULL;
             run.gloss = line.gloss ? line.gloss + x : NULL;
             samples_of(light, line.normals + x, work.samples, count);
-            glint_prepared_run(prepared, &run, work.samples, count);
-            if (highlight)
+            if (highlight) /* before gloss is drawn over, where it is the output */
                 rect_note(&bounds, work.samples, count, prepared->near.t_end, run.gloss, (uint16_t)x, y);
+            glint_prepared_run(prepared, &run, work.samples, count);
             x += count;
         }
     }

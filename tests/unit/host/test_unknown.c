@@ -76,5 +76,5 @@ int main(void)
         cmocka_unit_test(every_list_of_choices_has_one_wording),
         cmocka_unit_test(an_unknown_option_comes_with_the_closest),
     };
-    return cmocka_run_group_tests_name("unknown values", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("unknown values", tests, scratch_make, scratch_remove);
 }

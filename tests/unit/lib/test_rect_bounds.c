@@ -73,10 +73,14 @@ static void albedo_may_be_the_output_and_gloss_the_grey_output(void **state)
         scene_init(&s, grey ? GLINT_GREY8 : GLINT_RGB888, GLINT_GAMMA);
         s.surface = (struct glint_surface){apart, grey ? W : 3 * W, 0, 0};
         s.source.mask = NULL;
-        assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+        struct glint_box box_apart, box;
+        for (int p = 0; p < W * H; p++) /* without light it turns to 0, without gloss to something else */
+            s.gloss[p] = below(4) ? s.gloss[p] : 0;
+        assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, &box_apart), GLINT_OK);
         s.surface.pixels = grey ? s.gloss : s.albedo;
-        assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+        assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, &box), GLINT_OK);
         assert_memory_equal(s.surface.pixels, apart, grey ? W * H : 3 * W * H);
+        assert_true(box.x == box_apart.x && box.y == box_apart.y && box.w == box_apart.w && box.h == box_apart.h);
     }
 }
 
