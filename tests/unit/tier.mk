@@ -2,7 +2,8 @@
 # Tier unit: every tests/unit/*/test_*.c is a cmocka program, linked with all of the host but main.o; they run twice, the
 # second time with sanitizers. Every other tests/unit/*/test_* is a script that speaks TAP.
 # In the environment of each: GLINT, the command; GLINT_SOURCE, the source folder.
-UNIT_PACKAGES = libopenmpi-dev openmpi-bin libcmocka-dev g++ clang libomp-dev gnuplot-nox cmake groff-base zsh
+# GMP and MPFR: model_added builds programs of tier exact.
+UNIT_PACKAGES = libopenmpi-dev openmpi-bin libcmocka-dev libgmp-dev libmpfr-dev g++ clang libomp-dev gnuplot-nox cmake groff-base zsh
 UNIT_CHOSEN = $(wildcard tests/unit/*/test_*.c)
 ifneq ($(TEST),)
 UNIT_CHOSEN := $(filter $(wildcard tests/unit/*/*$(TEST)*),$(UNIT_CHOSEN))
