@@ -83,13 +83,14 @@ static void geometry_wide(const struct glint_light *light, const struct glint_ve
     rect_geometry(light, normals, samples, count, true);
 }
 
-/* The samples that are lit go to the bounds. */
-static void rect_note(struct glint_bounds *bounds, const struct glint_sample *sample, unsigned count, uint32_t t_end,
-                      const uint8_t *gloss, uint16_t x, uint16_t y)
+/* The samples that are lit go to the bounds. Not inlined, for the stack of what is called beside it. */
+static __attribute__((noinline)) void rect_note(struct glint_bounds *bounds, const struct glint_sample *sample,
+                                                unsigned count, const struct glint_prepared *prepared,
+                                                const struct glint_run *run, uint16_t y)
 {
     for (unsigned i = 0; i < count; i++)
-        if (sample[i].t_q30 < t_end && (!gloss || gloss[i]))
-            glint_bounds_add(bounds, (uint16_t)(x + i), y);
+        if (sample[i].t_q30 < prepared->near.t_end && (!run->gloss || run->gloss[i]))
+            glint_bounds_add(bounds, (uint16_t)(run->x + i), y);
 }
 
 /* Samples at a time: fewer than might be, for the stack. */
@@ -204,7 +205,7 @@ enum glint_err glint_shade_prepared_rect(const struct glint_prepared *prepared, 
             run.gloss = line.gloss ? line.gloss + x : NULL;
             samples_of(light, line.normals + x, work.samples, count);
             if (highlight) /* before gloss is drawn over, where it is the output */
-                rect_note(&bounds, work.samples, count, prepared->near.t_end, run.gloss, (uint16_t)x, y);
+                rect_note(&bounds, work.samples, count, prepared, &run, y);
             glint_prepared_run(prepared, &run, work.samples, count);
             x += count;
         }
