@@ -206,8 +206,7 @@ struct glint_source {
 
 /* Shades w x h pixels; w or h = 0 does nothing. In GLINT_MONO the bits past w in a line's last byte are kept. *highlight, unless it
  * is NULL, becomes the smallest box, relative to the rectangle, that holds every drawn pixel with F > 0 and gloss > 0: beyond it the
- * picture does not depend on the highlight.
- * GLINT_ERR_ARG: NULL, normals or stride misaligned. GLINT_ERR_FORMAT: no such format or space. Nothing is written. */
+ * picture does not depend on it. GLINT_ERR_ARG: NULL, normals or stride misaligned. GLINT_ERR_FORMAT: no such format or space. */
 GLINT_LARGE("name the model and the format: glint_shade_prepare_for, then glint_shade_prepared_rect")
 enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct glint_source *source, uint16_t w,
                                 uint16_t h, const struct glint_surface *surface, struct glint_box *highlight);
