@@ -7,10 +7,7 @@
 
 /* A corner of a triangle. */
 struct glint_mesh_corner {
-    int16_t x, y; /* as a vertex's */
-    uint16_t z;
-    uint32_t t_q30;
-    int32_t nl_q30;
+    struct glint_mesh_vertex v;
     struct glint_vec normal;
 };
 
@@ -23,9 +20,13 @@ struct glint_mesh_values {
     uint32_t z, zx, zy;
 };
 
-/* Twice the area in square 1/16 pixels, positive where the corners are clockwise on the screen (y down); < 2^31. */
-int32_t glint_mesh_area(const struct glint_mesh_corner *a, const struct glint_mesh_corner *b,
-                        const struct glint_mesh_corner *c);
+/* Twice the area in square 1/16 pixels, positive where the corners are clockwise on the screen (y down): 2 (2^15 - 2)^2 at
+ * most. */
+static inline int32_t glint_mesh_area(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b,
+                                      const struct glint_mesh_vertex *c)
+{
+    return (int32_t)(b->x - a->x) * (c->y - a->y) - (int32_t)(c->x - a->x) * (b->y - a->y);
+}
 
 /* From three corners, the upper one first, in the first line whose middle is at or below it; area is not 0. */
 void glint_mesh_values_set(struct glint_mesh_values *values, const struct glint_mesh_corner *const corner[3],

@@ -3,47 +3,28 @@
  * the row as an offset in bytes; no pixel multiplies by more than a vector. RAM: 20,480 bytes of tables, what a light
  * takes, no buffers. */
 #include "glint_loops_colour.h"
+#include "glint_loops_look.h"
 #include "glint_loops_vector.h"
 #include "glint_math_assembly.h"
 #include "glint_tables_geometry.h"
 #include "glint_tables_normals.h"
 
-/* Table and limits in registers: out may alias the structs as far as compilers know. */
-struct look {
-    const uint8_t *columns;
-    const uint8_t *colours;
-    uint32_t t_max;
-    unsigned shift;
-    uint16_t dark;
-};
-
-static inline struct look look_up(const struct glint_tables *tables)
-{
-    const struct look look = {tables->columns, (const uint8_t *)tables->colour.colours, tables->t_max_q30,
-                              tables->shift, tables->dark};
-    return look;
-}
-
-static inline uint16_t colour_at(const uint8_t *at)
-{
-    return *(const uint16_t *)(const void *)at;
-}
-
-static inline uint16_t colour(const struct look *look, uint32_t t, int32_t nl)
+/* t: a vector's, never below 0. */
+static inline uint16_t colour(const struct glint_look *look, uint32_t t, int32_t nl)
 {
     if (nl < 0)
         return look->dark;
-    uint32_t at = (uint32_t)nl >> GLINT_COLOUR_ROW_SHIFT << GLINT_COLOUR_ROW_BYTES_LOG; /* bytes, as in the columns */
+    uint32_t at = glint_look_row((uint32_t)nl);
     if (t <= look->t_max)
         at += look->columns[(look->t_max - t) >> look->shift];
-    return colour_at(look->colours + at);
+    return glint_look_colour(look, at);
 }
 
 /* Any viewer, any normals: t and nl by a product of vectors each. */
 void glint_colour_vec(const struct glint_tables *tables, const struct glint_tables_light *light,
                       const struct glint_vec *normals, uint16_t w, uint16_t *out)
 {
-    const struct look look = look_up(tables);
+    const struct glint_look look = glint_look_up(tables);
     const struct glint_vec l = light->l, h = light->h;
     for (uint16_t i = 0; i < w; i++)
         if (normals[i].x | normals[i].y | normals[i].z)
@@ -54,7 +35,7 @@ void glint_colour_vec(const struct glint_tables *tables, const struct glint_tabl
 void glint_colour_int10_aside(const struct glint_tables *tables, const struct glint_tables_light *light,
                               const uint32_t *words, uint16_t w, uint16_t *out)
 {
-    const struct look look = look_up(tables);
+    const struct glint_look look = glint_look_up(tables);
     const struct glint_vec l = light->l, h = light->h;
     for (const uint16_t *end = out + w; out < end; words++, out++) {
         const struct glint_vec n = glint_unpack_int10(*words);
@@ -75,12 +56,10 @@ void glint_colour_int10_aside(const struct glint_tables *tables, const struct gl
 void glint_colour_int8(const struct glint_tables *tables, const struct glint_tables_light *light, const uint32_t *words,
                        uint16_t w, uint16_t *out)
 {
-    const uint8_t *const columns = tables->columns;
-    const uint8_t *const colours = (const uint8_t *)tables->colour.colours;
+    const struct glint_look look = glint_look_up(tables);
     const int32_t lx = light->x, ly = light->y, lz = light->z;
     const uint32_t cut = (uint32_t)light->cut, r = light->r;
     const unsigned a = light->a;
-    const uint16_t dark = tables->dark;
     for (const uint16_t *end = out + w; out < end; words++, out++) {
         const uint32_t word = *words;
         const int32_t z = (int32_t)word >> 16;
@@ -93,14 +72,14 @@ void glint_colour_int8(const struct glint_tables *tables, const struct glint_tab
         const int32_t d =
             (int32_t)((uint32_t)((int8_t)word * lx) + (uint32_t)((int16_t)word * ly) + (uint32_t)(z * lz));
         if (d < 0) {
-            *out = dark;
+            *out = look.dark;
             continue;
         }
         uint32_t at = (uint32_t)d >> (GLINT_COLOUR_ROW_SHIFT - 1) << GLINT_COLOUR_ROW_BYTES_LOG;
         const uint32_t e = (uint32_t)d + ((uint32_t)z << 14) - cut;
         if ((int32_t)e >= 0)
-            at += columns[((e >> a) * r) >> (32 - GLINT_COLOUR_COLUMNS_LOG)];
-        *out = colour_at(colours + at);
+            at += look.columns[((e >> a) * r) >> (32 - GLINT_COLOUR_COLUMNS_LOG)];
+        *out = glint_look_colour(&look, at);
     }
 }
 
@@ -109,11 +88,10 @@ void glint_colour_int8(const struct glint_tables *tables, const struct glint_tab
 void glint_colour_int10(const struct glint_tables *tables, const struct glint_tables_light *light,
                         const uint32_t *words, uint16_t w, uint16_t *out)
 {
-    const uint8_t *const columns = tables->columns, *const colours = (const uint8_t *)tables->colour.colours;
+    const struct glint_look look = glint_look_up(tables);
     const int32_t hx = (light->h.x + 1) >> 1, hy = (light->h.y + 1) >> 1, hz = (light->h.z + 1) >> 1;
-    const uint32_t t_half = tables->t_max_q30 >> 1, peak = (uint32_t)light->peak, m = peak >> 15;
-    const unsigned shift = tables->shift - 1u;
-    const uint16_t dark = tables->dark;
+    const uint32_t t_half = look.t_max >> 1, peak = (uint32_t)light->peak, m = peak >> 15;
+    const unsigned shift = look.shift - 1u;
     for (const uint16_t *end = out + w; out < end; words++, out++) {
         const uint32_t word = *words;
         const int32_t top_z = (int32_t)(word << 20);
@@ -129,13 +107,13 @@ void glint_colour_int10(const struct glint_tables *tables, const struct glint_ta
         const uint32_t s = x * x + y * y + z * z;
         const uint32_t nl = peak - m * (s >> 14) - (uint32_t)(top_z >> 2);
         if ((int32_t)nl < 0) {
-            *out = dark;
+            *out = look.dark;
             continue;
         }
         uint32_t at = nl >> (GLINT_COLOUR_ROW_SHIFT - 1) << GLINT_COLOUR_ROW_BYTES_LOG;
         if (s <= t_half)
-            at += columns[(t_half - s) >> shift];
-        *out = colour_at(colours + at);
+            at += look.columns[(t_half - s) >> shift];
+        *out = glint_look_colour(&look, at);
     }
 }
 #endif

@@ -2,24 +2,14 @@
  * Spans over COLOUR tables, GLINT_SPAN_RUN pixels at a time: a run. Of a run it is cheap to know that all its pixels are alike,
  * as t is convex and nl linear: three loops for three kinds take only the additions that their kind needs, and a fourth
  * takes any run. */
+#include "glint_loops_look.h"
 #include "glint_loops_run.h"
 #include "glint_loops_span_any.h"
 #include "glint_math_align.h"
-#include "glint_pixel.h"
 #include "glint_math_assembly.h"
 #include "glint_tables_geometry.h"
 
 #if !GLINT_CORTEX_M0PLUS_ASM
-static inline uint16_t run_colour(const uint8_t *at)
-{
-    return *(const uint16_t *)(const void *)at;
-}
-
-static inline uint32_t run_row(uint32_t nl) /* in bytes, as the columns are */
-{
-    return nl >> GLINT_COLOUR_ROW_SHIFT << GLINT_COLOUR_ROW_BYTES_LOG;
-}
-
 /* nl < 0 throughout. */
 static void run_dark(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out, const uint16_t *end)
 {
@@ -33,21 +23,21 @@ static void run_dark(const struct glint_tables *tables, const struct glint_span 
 static void run_outside(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out,
                         const uint16_t *end)
 {
-    const uint8_t *const colours = (const uint8_t *)tables->colour.colours;
+    const struct glint_look look = glint_look_up(tables);
     const uint32_t dnl = (uint32_t)at->dnl_q30;
     uint32_t nl = (uint32_t)at->nl_q30;
     for (; end - out >= 4; out += 4) {
-        out[0] = run_colour(colours + run_row(nl));
+        out[0] = glint_look_colour(&look, glint_look_row(nl));
         nl += dnl;
-        out[1] = run_colour(colours + run_row(nl));
+        out[1] = glint_look_colour(&look, glint_look_row(nl));
         nl += dnl;
-        out[2] = run_colour(colours + run_row(nl));
+        out[2] = glint_look_colour(&look, glint_look_row(nl));
         nl += dnl;
-        out[3] = run_colour(colours + run_row(nl));
+        out[3] = glint_look_colour(&look, glint_look_row(nl));
         nl += dnl;
     }
     for (; out != end; out++) {
-        *out = run_colour(colours + run_row(nl));
+        *out = glint_look_colour(&look, glint_look_row(nl));
         nl += dnl;
     }
 }
@@ -56,37 +46,28 @@ static void run_outside(const struct glint_tables *tables, const struct glint_sp
 static void run_inside(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out,
                        const uint16_t *end)
 {
-    const uint8_t *const columns = tables->columns, *const colours = (const uint8_t *)tables->colour.colours;
+    const struct glint_look look = glint_look_up(tables);
     const unsigned top = 32 - GLINT_COLOUR_COLUMNS_LOG, scale = top - tables->shift; /* a column takes the rest */
     uint32_t back = (tables->t_max_q30 - at->t_q30) << scale, dback = (0 - at->dt_q30) << scale;
     uint32_t nl = (uint32_t)at->nl_q30;
     const uint32_t ddback = (0 - at->ddt_q30) << scale, dnl = (uint32_t)at->dnl_q30;
     for (; out != end; out++) {
-        *out = run_colour(colours + run_row(nl) + columns[back >> top]);
+        *out = glint_look_colour(&look, glint_look_row(nl) + look.columns[back >> top]);
         back += dback;
         dback += ddback;
         nl += dnl;
     }
 }
 
-/* Anything: each pixel is asked. A t a little below 0 makes back more than t_max, by no more than limit allows. */
+/* Anything: each pixel is asked. */
 static void run_mixed(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out,
                       const uint16_t *end)
 {
-    const uint8_t *const columns = tables->columns, *const colours = (const uint8_t *)tables->colour.colours;
-    const unsigned shift = tables->shift;
-    const uint32_t t_max = tables->t_max_q30, limit = t_max - GLINT_NEGATIVE_T;
-    uint32_t back = t_max - at->t_q30, dt = at->dt_q30, nl = (uint32_t)at->nl_q30;
+    const struct glint_look look = glint_look_up(tables);
+    uint32_t back = look.t_max - at->t_q30, dt = at->dt_q30, nl = (uint32_t)at->nl_q30;
     const uint32_t ddt = at->ddt_q30, dnl = (uint32_t)at->dnl_q30;
     for (; out != end; out++) {
-        if ((int32_t)nl < 0) {
-            *out = tables->dark;
-        } else {
-            uint32_t at_byte = run_row(nl);
-            if (back <= limit)
-                at_byte += columns[(back <= t_max ? back : t_max) >> shift];
-            *out = run_colour(colours + at_byte);
-        }
+        glint_look_store(&look, back, nl, out);
         back -= dt;
         dt += ddt;
         nl += dnl;

@@ -128,14 +128,8 @@ static void strip_face(const struct strip *strip, const struct glint_mesh_drawn 
 {
     struct bench *bench = (struct bench *)strip->frame->memory;
     for (int i = 0; i < 3; i++) {
-        const struct glint_mesh_vertex *v = &drawn->vertices[face[i]];
-        struct glint_mesh_corner *corner = &bench->corner[i];
-        corner->x = v->x;
-        corner->y = v->y;
-        corner->z = v->z;
-        corner->t_q30 = v->t_q30;
-        corner->nl_q30 = v->nl_q30;
-        corner->normal = glint_mesh_normal(drawn->mesh, face[i]);
+        bench->corner[i].v = drawn->vertices[face[i]];
+        bench->corner[i].normal = glint_mesh_normal(drawn->mesh, face[i]);
     }
     if (glint_mesh_triangle_set(&bench->triangle, bench->corner))
         strip_triangle(strip, paint);
@@ -152,7 +146,7 @@ static void strip_clipped(const struct strip *strip, const struct glint_mesh_dra
         bench->corner[0] = glint_mesh_clip_corner(strip->frame, drawn, &at[0]);
         bench->corner[1] = glint_mesh_clip_corner(strip->frame, drawn, &at[i - 1]);
         bench->corner[2] = glint_mesh_clip_corner(strip->frame, drawn, &at[i]);
-        if (glint_mesh_area(&bench->corner[0], &bench->corner[1], &bench->corner[2]) < 0 &&
+        if (glint_mesh_area(&bench->corner[0].v, &bench->corner[1].v, &bench->corner[2].v) < 0 &&
             glint_mesh_triangle_set(&bench->triangle, bench->corner))
             strip_triangle(strip, paint);
     }

@@ -84,13 +84,9 @@ struct glint_mesh_corner glint_mesh_clip_corner(const struct glint_mesh_frame *f
                                                 const struct glint_mesh_drawn *drawn,
                                                 const struct glint_mesh_clipped *clipped)
 {
-    struct glint_mesh_vertex lit;
-    glint_mesh_light(&lit, drawn, clipped->normal);
-    const struct glint_mesh_corner corner = {(int16_t)(clipped->at.x + 8 * frame->w),
-                                             (int16_t)(clipped->at.y + 8 * frame->h),
-                                             (uint16_t)clipped->at.z,
-                                             lit.t_q30,
-                                             lit.nl_q30,
-                                             clipped->normal};
+    struct glint_mesh_corner corner = {{(int16_t)(clipped->at.x + 8 * frame->w),
+                                        (int16_t)(clipped->at.y + 8 * frame->h), (uint16_t)clipped->at.z, 0, 0, 0},
+                                       clipped->normal};
+    glint_mesh_light(&corner.v, drawn, clipped->normal);
     return corner;
 }

@@ -5,7 +5,7 @@
 
 /* dx <= 2^15 - 2, so dx 2^16 and the step < 2^31; the middle of the first line is within dy of the corner where there is a line, so
  * |step / 16| times that is at most 2^27. */
-static struct glint_mesh_edge edge_of(const struct glint_mesh_corner *a, const struct glint_mesh_corner *b)
+static struct glint_mesh_edge edge_of(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b)
 {
     struct glint_mesh_edge edge = {0, 0};
     const int32_t first = glint_mesh_first(a->y);
@@ -21,22 +21,22 @@ bool glint_mesh_triangle_set(struct glint_mesh_triangle *triangle, const struct 
     const struct glint_mesh_corner *c[3] = {&corner[0], &corner[1], &corner[2]}, *swap;
     for (int i = 0; i < 3; i++) { /* by y; stable */
         const int k = i & 1;
-        if (c[k + 1]->y < c[k]->y) {
+        if (c[k + 1]->v.y < c[k]->v.y) {
             swap = c[k];
             c[k] = c[k + 1];
             c[k + 1] = swap;
         }
     }
-    const int32_t area = glint_mesh_area(c[0], c[1], c[2]);
-    triangle->y = glint_mesh_first(c[0]->y);
-    triangle->y_middle = glint_mesh_first(c[1]->y);
-    triangle->y_end = glint_mesh_first(c[2]->y);
+    const int32_t area = glint_mesh_area(&c[0]->v, &c[1]->v, &c[2]->v);
+    triangle->y = glint_mesh_first(c[0]->v.y);
+    triangle->y_middle = glint_mesh_first(c[1]->v.y);
+    triangle->y_end = glint_mesh_first(c[2]->v.y);
     if (area == 0 || triangle->y >= triangle->y_end)
         return false;
     triangle->long_is_left = area > 0; /* the middle corner is right of the long edge */
-    triangle->long_edge = edge_of(c[0], c[2]);
-    triangle->upper = edge_of(c[0], c[1]);
-    triangle->lower = edge_of(c[1], c[2]);
+    triangle->long_edge = edge_of(&c[0]->v, &c[2]->v);
+    triangle->upper = edge_of(&c[0]->v, &c[1]->v);
+    triangle->lower = edge_of(&c[1]->v, &c[2]->v);
     glint_mesh_values_set(&triangle->values, c, area);
     return true;
 }

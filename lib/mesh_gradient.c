@@ -58,16 +58,10 @@ static uint32_t gradient_distance(struct glint_vec a, struct glint_vec b)
     return ((uint32_t)x * (uint32_t)x >> 2) + ((uint32_t)y * (uint32_t)y >> 2) + ((uint32_t)z * (uint32_t)z >> 2);
 }
 
-int32_t glint_mesh_area(const struct glint_mesh_corner *a, const struct glint_mesh_corner *b,
-                        const struct glint_mesh_corner *c)
-{
-    return (int32_t)(b->x - a->x) * (c->y - a->y) - (int32_t)(c->x - a->x) * (b->y - a->y); /* 2 (2^15 - 2)^2 at most */
-}
-
 /* One value for all of it. */
 static void gradient_flat(struct glint_mesh_values *values, const struct glint_mesh_corner *const corner[3])
 {
-    const struct glint_mesh_corner *a = corner[0], *b = corner[1], *c = corner[2];
+    const struct glint_mesh_vertex *a = &corner[0]->v, *b = &corner[1]->v, *c = &corner[2]->v;
     values->t = a->t_q30 / 4 + b->t_q30 / 2 + c->t_q30 / 4;
     values->nl = (uint32_t)((a->nl_q30 >> 2) + (b->nl_q30 >> 1) + (c->nl_q30 >> 2));
     values->z = ((uint32_t)a->z + b->z + c->z) * 21845u; /* 65535 / 3 */
@@ -83,8 +77,8 @@ struct slopes {
 
 static struct slopes gradient_slopes(const struct glint_mesh_corner *const corner[3], int32_t area)
 {
-    const int32_t x1 = corner[1]->x - corner[0]->x, y1 = corner[1]->y - corner[0]->y;
-    const int32_t x2 = corner[2]->x - corner[0]->x, y2 = corner[2]->y - corner[0]->y;
+    const int32_t x1 = corner[1]->v.x - corner[0]->v.x, y1 = corner[1]->v.y - corner[0]->v.y;
+    const int32_t x2 = corner[2]->v.x - corner[0]->v.x, y2 = corner[2]->v.y - corner[0]->v.y;
     const uint32_t size = gradient_size(area);
     const unsigned left = 32 - gradient_bits(size);
     const uint32_t divisor = ((size << left >> 15) + 1) >> 1; /* 2^15..2^16, of size: 2^(16 - left) times it */
@@ -97,8 +91,8 @@ static struct slopes gradient_slopes(const struct glint_mesh_corner *const corne
     struct slopes s = {(ux + half) >> down,       (uy + half) >> down, (vx + half) >> down, (vy + half) >> down, 0, 0,
                        43 - (int)left - (int)down}; /* 16 / size = inverse 2^(left - 43) */
     /* -8..8 and 0..15 sixteenths of a pixel: < 2^15 (8 + 15) / 32 */
-    const int32_t fx = 16 * (corner[0]->x >> 4) + 8 - corner[0]->x;
-    const int32_t fy = 16 * ((corner[0]->y + 7) >> 4) + 8 - corner[0]->y;
+    const int32_t fx = 16 * (corner[0]->v.x >> 4) + 8 - corner[0]->v.x;
+    const int32_t fy = 16 * ((corner[0]->v.y + 7) >> 4) + 8 - corner[0]->v.y;
     s.u = (s.ux * fx + s.uy * fy + 16) >> 5;
     s.v = (s.vx * fx + s.vy * fy + 16) >> 5;
     return s;
@@ -108,7 +102,7 @@ static struct slopes gradient_slopes(const struct glint_mesh_corner *const corne
 static void values_t(struct glint_mesh_values *values, const struct glint_mesh_corner *const corner[3],
                      const struct slopes *s, uint32_t pp, uint32_t qq, uint32_t rr)
 {
-    const uint32_t t0 = corner[0]->t_q30 / 2, t1 = corner[1]->t_q30 / 2, t2 = corner[2]->t_q30 / 2;
+    const uint32_t t0 = corner[0]->v.t_q30 / 2, t1 = corner[1]->v.t_q30 / 2, t2 = corner[2]->v.t_q30 / 2;
     const int32_t p2 = 2 * (int32_t)pp, q2 = 2 * (int32_t)qq, pq = (int32_t)(pp + qq - rr); /* |.| <= 2^30 */
     const int32_t dp = (int32_t)(t1 - t0 - pp), dq = (int32_t)(t2 - t0 - qq);               /* D.P at the corner, D.Q */
     /* P.P, Q.Q, P.Q of 15 bits, with one shift. */
@@ -119,7 +113,7 @@ static void values_t(struct glint_mesh_values *values, const struct glint_mesh_c
     const int32_t dp_here = (int32_t)((uint32_t)dp + gradient_sum(to_p, s->u, s->v, s->e - 1, 0));
     const int32_t dq_here = (int32_t)((uint32_t)dq + gradient_sum(to_q, s->u, s->v, s->e - 1, 0));
     const struct pair mean = gradient_pair((dp >> 1) + (dp_here >> 1), (dq >> 1) + (dq_here >> 1));
-    values->t = corner[0]->t_q30 + gradient_sum(mean, s->u, s->v, s->e - 1, 1);
+    values->t = corner[0]->v.t_q30 + gradient_sum(mean, s->u, s->v, s->e - 1, 1);
     /* The change a pixel of D.P, D.Q: P.Nx and so on, times 2^(e - down); cut once more. */
     const struct pair x = gradient_pair(to_p.p * s->ux + to_p.q * s->vx, to_q.p * s->ux + to_q.q * s->vx);
     const struct pair y = gradient_pair(to_p.p * s->uy + to_p.q * s->vy, to_q.p * s->uy + to_q.q * s->vy);
@@ -135,10 +129,11 @@ static void values_t(struct glint_mesh_values *values, const struct glint_mesh_c
 void glint_mesh_values_set(struct glint_mesh_values *values, const struct glint_mesh_corner *const corner[3],
                            int32_t area)
 {
-    const struct glint_mesh_corner *a = corner[0], *b = corner[1], *c = corner[2];
+    const struct glint_mesh_vertex *a = &corner[0]->v, *b = &corner[1]->v, *c = &corner[2]->v;
+    const struct glint_vec *na = &corner[0]->normal, *nb = &corner[1]->normal, *nc = &corner[2]->normal;
     values->x = a->x >> 4;
-    const uint32_t pp = gradient_distance(b->normal, a->normal), qq = gradient_distance(c->normal, a->normal);
-    const uint32_t rr = gradient_distance(c->normal, b->normal), square = (uint32_t)1 << 29; /* 90 degrees */
+    const uint32_t pp = gradient_distance(*nb, *na), qq = gradient_distance(*nc, *na);
+    const uint32_t rr = gradient_distance(*nc, *nb), square = (uint32_t)1 << 29; /* 90 degrees */
     const struct slopes s = gradient_slopes(corner, area);
     /* Where u or v change by 8 a pixel or more, a value beyond the corners' might be met; normals over 90 degrees apart would
      * overflow. */

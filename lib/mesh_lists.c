@@ -4,7 +4,6 @@
  * however the picture is cut into strips. */
 #include "glint_mesh_lists.h"
 #include "glint_mesh_edges.h"
-#include "glint_mesh_pose.h"
 
 bool glint_mesh_face_lines(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn,
                            const uint16_t face[3], int32_t *first, int32_t *last)
@@ -15,7 +14,7 @@ bool glint_mesh_face_lines(const struct glint_mesh_frame *frame, const struct gl
     *last = frame->h;
     if (a->out | b->out | c->out) /* seen once it is clipped, unless one plane cuts all of it */
         return (a->out & b->out & c->out) == 0;
-    if ((int32_t)(b->x - a->x) * (c->y - a->y) - (int32_t)(c->x - a->x) * (b->y - a->y) >= 0)
+    if (glint_mesh_area(a, b, c) >= 0)
         return false;
     int32_t low = a->y < b->y ? a->y : b->y, high = a->y < b->y ? b->y : a->y;
     low = c->y < low ? c->y : low;

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * A line of a triangle by tables: pixels side by side that are in front are a span. Triangles' lines are short, so that COLOUR tables
  * have a loop of their own, which asks each pixel for its depth and draws it at once. */
+#include "glint_loops_look.h"
 #include "glint_math_align.h"
 #include "glint_mesh_path.h"
-#include "glint_pixel.h"
-#include "glint_tables_geometry.h"
 
 /* A span starts on a byte. */
 static bool tables_can(const void *with, const struct glint_surface *surface)
@@ -14,26 +13,17 @@ static bool tables_can(const void *with, const struct glint_surface *surface)
            (tables->kind == GLINT_TABLES_COLOUR || tables->kind == GLINT_TABLES_SMALL);
 }
 
-/* The span's pixels; back is t_max - t, and a t a little below 0 makes it more than t_max by no more than limit allows. */
+/* A span's pixels, those in front. */
 static void tables_colour_row(const struct glint_tables *tables, const struct glint_mesh_row *row)
 {
-    const uint8_t *const columns = tables->columns, *const colours = (const uint8_t *)tables->colour.colours;
-    const unsigned shift = tables->shift;
-    const uint32_t t_max = tables->t_max_q30, limit = t_max - GLINT_NEGATIVE_T;
+    const struct glint_look look = glint_look_up(tables);
     const uint32_t ddt = row->ddt, dnl = row->dnl, dz = row->dz;
-    uint32_t back = t_max - row->t, dt = row->dt, nl = row->nl, z = row->z;
+    uint32_t back = look.t_max - row->t, dt = row->dt, nl = row->nl, z = row->z;
     uint16_t *depth = row->depth + row->x, *out = (uint16_t *)(void *)(row->line + 2 * row->x);
     for (const uint16_t *const end = row->depth + row->end; depth != end; depth++, out++) {
         if (z >> 16 < *depth) {
             *depth = (uint16_t)(z >> 16);
-            if ((int32_t)nl < 0) {
-                *out = tables->dark;
-            } else {
-                uint32_t at = nl >> GLINT_COLOUR_ROW_SHIFT << GLINT_COLOUR_ROW_BYTES_LOG;
-                if (back <= limit)
-                    at += columns[(back <= t_max ? back : t_max) >> shift];
-                *out = *(const uint16_t *)(const void *)(colours + at);
-            }
+            glint_look_store(&look, back, nl, out);
         }
         z += dz;
         back -= dt;

@@ -109,6 +109,39 @@ static void colour_tables_draw_each_pixel_as_in_a_span(void **state)
     }
 }
 
+static void dithered_tables_draw_the_same_picture_in_strips(void **state)
+{
+    (void)state;
+    static uint32_t memory[GLINT_TABLES_DITHER_BYTES / 4];
+    static uint16_t one[MESH_H][MESH_W], other[MESH_H][MESH_W], plain[MESH_H][MESH_W];
+    unsigned different = 0;
+    for (int i = 0; i < 20; i++) {
+        struct glint_shader shader = random_shader(i & 1 ? GLINT_RGB565 : GLINT_RGB565_SWAPPED, GLINT_GAMMA);
+        struct glint_tables tables;
+        const struct glint_paint paint = {&glint_mesh_tables, &tables};
+        if (shader.lobe.model == GLINT_PHONG)
+            continue;
+        mesh_ball(&mesh, 4 + below(8), 5 + below(8));
+        for (int dither = 0; dither < 2; dither++) {
+            uint16_t *const picture = dither ? &one[0][0] : &plain[0][0];
+            shader.dither = dither;
+            assert_int_equal(glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &shader, memory, sizeof memory), GLINT_OK);
+            assert_int_equal(tables.dither, dither);
+            memset(picture, GUARD, sizeof one);
+            mesh_picture(&mesh, &shader.light, &paint, (uint8_t *)picture, 2, whole, 1, false);
+        }
+        for (unsigned p = 0; p < MESH_W * MESH_H; p++)
+            different += (&one[0][0])[p] != (&plain[0][0])[p];
+        for (int way = 0; way < 4; way++) {
+            memset(other, GUARD, sizeof other);
+            mesh_picture(&mesh, &shader.light, &paint, (uint8_t *)other, 2, way & 1 ? bands : odd, way & 1 ? 1 : 5,
+                         way & 2);
+            assert_memory_equal(one, other, sizeof one);
+        }
+    }
+    assert_true(different > 1000); /* it is dithered */
+}
+
 static void the_nearer_hides_the_farther_and_the_first_of_two_stays(void **state)
 {
     (void)state;
@@ -249,6 +282,7 @@ int main(void)
         cmocka_unit_test(a_picture_is_the_same_in_strips_of_any_height_and_order),
         cmocka_unit_test(tables_draw_the_pixels_of_the_span),
         cmocka_unit_test(colour_tables_draw_each_pixel_as_in_a_span),
+        cmocka_unit_test(dithered_tables_draw_the_same_picture_in_strips),
         cmocka_unit_test(the_nearer_hides_the_farther_and_the_first_of_two_stays),
         cmocka_unit_test(whatever_a_mesh_holds_nothing_outside_the_strip_is_written),
         cmocka_unit_test(wrong_arguments_are_refused_and_nothing_is_drawn),

@@ -9,7 +9,7 @@ enum { GRID = 40 };
 
 static struct glint_mesh_corner corner_at(double x, double y)
 {
-    const struct glint_mesh_corner corner = {(int16_t)floor(x), (int16_t)floor(y), 5, 0, 1, {0, 0, 32767}};
+    const struct glint_mesh_corner corner = {{(int16_t)floor(x), (int16_t)floor(y), 5, 0, 0, 1}, {0, 0, 32767}};
     return corner;
 }
 
@@ -48,8 +48,8 @@ static void triangles_that_share_edges_cover_each_pixel_once(void **state)
                 const double dx = inner ? .4 * (unit_random() - .5) : 0, dy = inner ? .4 * (unit_random() - .5) : 0;
                 grid[j][i] = corner_at(-60 + (i + dx) * step, -60 + (j + dy) * step);
                 if (round & 1) { /* corners in the middles of pixels and on their borders */
-                    grid[j][i].x = (int16_t)(grid[j][i].x & ~7);
-                    grid[j][i].y = (int16_t)(grid[j][i].y & ~7);
+                    grid[j][i].v.x = (int16_t)(grid[j][i].v.x & ~7);
+                    grid[j][i].v.y = (int16_t)(grid[j][i].v.y & ~7);
                 }
             }
         memset(count, 0, sizeof count);
@@ -100,11 +100,11 @@ static void t_and_nl_follow_the_interpolated_normal(void **state)
             c[i] = corner_at(unit_random() * size, unit_random() * size);
             c[i].normal = unit_near(middle, .25);
             const double d[3] = {c[i].normal.x - h.x, c[i].normal.y - h.y, c[i].normal.z - h.z};
-            c[i].t_q30 = (uint32_t)((d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / 2);
-            c[i].nl_q30 = (int32_t)dot(c[i].normal, l);
+            c[i].v.t_q30 = (uint32_t)((d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / 2);
+            c[i].v.nl_q30 = (int32_t)dot(c[i].normal, l);
         }
-        const double area =
-            (double)(c[1].x - c[0].x) * (c[2].y - c[0].y) - (double)(c[2].x - c[0].x) * (c[1].y - c[0].y);
+        const double area = (double)(c[1].v.x - c[0].v.x) * (c[2].v.y - c[0].v.y) -
+                            (double)(c[2].v.x - c[0].v.x) * (c[1].v.y - c[0].v.y);
         struct glint_mesh_triangle triangle;
         if (fabs(area) < size * size / 8 || !glint_mesh_triangle_set(&triangle, c)) /* no slivers */
             continue;
@@ -118,8 +118,10 @@ static void t_and_nl_follow_the_interpolated_normal(void **state)
                 const uint32_t t = at->t + (uint32_t)k * at->tx + (uint32_t)(k * (k - 1) / 2) * at->txx;
                 const int32_t nl = (int32_t)(at->nl + (uint32_t)k * at->nlx);
                 const double px = 16 * x + 8, py = 16 * triangle.y + 8;
-                const double b1 = ((px - c[0].x) * (c[2].y - c[0].y) - (c[2].x - c[0].x) * (py - c[0].y)) / area;
-                const double b2 = ((c[1].x - c[0].x) * (py - c[0].y) - (px - c[0].x) * (c[1].y - c[0].y)) / area;
+                const double b1 =
+                    ((px - c[0].v.x) * (c[2].v.y - c[0].v.y) - (c[2].v.x - c[0].v.x) * (py - c[0].v.y)) / area;
+                const double b2 =
+                    ((c[1].v.x - c[0].v.x) * (py - c[0].v.y) - (px - c[0].v.x) * (c[1].v.y - c[0].v.y)) / area;
                 double t_true = 0, nl_true = 0;
                 const double n[3] = {
                     c[0].normal.x + b1 * (c[1].normal.x - c[0].normal.x) + b2 * (c[2].normal.x - c[0].normal.x),
