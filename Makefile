@@ -13,7 +13,7 @@ PREFIX ?= /usr/local
 DESTDIR ?=
 TEST ?=
 WERROR ?=
-TIERS = unit exact targets packages lab pico gateware
+TIERS = unit exact targets packages page lab pico gateware
 # A TMPDIR that cannot be written to would stop compilers and tests.
 export TMPDIR := $(shell test -d "$$TMPDIR" && test -w "$$TMPDIR" && echo "$$TMPDIR" || echo /tmp)
 
@@ -38,7 +38,8 @@ WITH_SVG := $(call has,librsvg-2.0)
 SINK_LIBS = $(if $(WITH_MPI),ompi-c) $(if $(WITH_USB),libusb-1.0) $(if $(WITH_GPIO),libgpiod inih) $(if $(WITH_TERMINAL),chafa)
 SINK_FLAGS = -DGLINT_WITH_USB=$(if $(WITH_USB),1,0) -DGLINT_WITH_GPIO=$(if $(WITH_GPIO),$(WITH_GPIO),0) \
 	-DGLINT_WITH_TERMINAL=$(if $(WITH_TERMINAL),1,0) -DGLINT_WITH_MPI=$(if $(WITH_MPI),1,0)
-LEFT_OUT = $(if $(WITH_USB),,host/sinks/usb/%) $(if $(WITH_TERMINAL),,host/sinks/terminal%) \
+# Of the page's module clang makes WebAssembly (host/page/page.mk).
+LEFT_OUT = host/page/% $(if $(WITH_USB),,host/sinks/usb/%) $(if $(WITH_TERMINAL),,host/sinks/terminal%) \
 	$(if $(WITH_GPIO),host/sinks/wires/chip_v$(if $(filter 1,$(WITH_GPIO)),2,1).c,host/sinks/wires/%)
 HOST_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ifirmware/core -Ihost $(OPENMP) \
 	$(SINK_FLAGS) -DGLINT_WITH_SVG=$(if $(WITH_SVG),1,0) \
@@ -163,6 +164,7 @@ firmware: $(if $(PORT),firmware-$(PORT),$(PORTS:%=firmware-%)) ## firmware: all 
 
 include firmware/conformance/conformance.mk firmware/ports/bare/bare.mk firmware/gateware/gateware.mk
 include $(sort $(wildcard firmware/ports/*/port.mk))
+include host/page/page.mk
 include tests/bench/bench.mk tests/bench/host/host.mk tests/bench/stream/stream.mk tests/bench/search/search.mk
 include $(sort $(wildcard tests/*/tier.mk))
 

@@ -2,7 +2,6 @@
  * glint bake: normals for the table loops, as C source, raw or UF2, and what they cost in quality. */
 #include <errno.h>
 #include <inttypes.h>
-#include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -18,6 +17,7 @@
 #include "base/parse.h"
 #include "commands/commands.h"
 #include "compare/quality.h"
+#include "compare/compare_json.h"
 #include "image/picture.h"
 #include "options/scene_options.h"
 
@@ -218,34 +218,13 @@ static void print_text(const struct baked *baked, const struct quality *rows, FI
     }
 }
 
-static void print_json(const struct baked *baked, const struct quality *rows, FILE *stream)
-{
-    json_t *root = json_pack("{s:s, s:i, s:i, s:I, s:i, s:o}", "format", bake_format_names[baked->format], "width",
-                             (int)baked->width, "height", (int)baked->height, "bytes", (json_int_t)baked_bytes(baked),
-                             "levels_of", 255, "quality", json_array());
-    bool good = root != NULL;
-    if (good && baked->format == BAKE_PALETTE)
-        good = json_object_set_new(root, "entries", json_integer(baked->entries)) == 0;
-    for (int i = 0; good && i < QUALITY_ROWS; i++) {
-        const struct difference *d = &rows[i].difference;
-        json_t *psnr = d->differing ? json_real(difference_psnr_db(d)) : json_null();
-        good = json_array_append_new(json_object_get(root, "quality"),
-                                     json_pack("{s:i, s:f, s:f, s:o}", "n", (int)rows[i].n, "largest", d->largest,
-                                               "mean", difference_mean(d), "psnr_db", psnr)) == 0;
-    }
-    if (!good || json_dumpf(root, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) != 0)
-        fail("the quality could not be written as JSON");
-    fputc('\n', stream);
-    json_decref(root);
-}
-
 static void report(const struct request *request, const struct scene *scene, const struct baked *baked)
 {
     const bool to_stdout = is_stdout(request->path);
     FILE *stream = to_stdout ? stderr : stdout;
     struct quality rows[QUALITY_ROWS];
     bake_quality(scene, baked, rows);
-    (request->json ? print_json : print_text)(baked, rows, stream);
+    (request->json ? quality_print_json : print_text)(baked, rows, stream);
     if (fflush(stream) != 0 || ferror(stream))
         fail("standard %s: the quality could not be written", to_stdout ? "error" : "output");
 }

@@ -2,7 +2,6 @@
  * glint material: the shader that glint render's options describe, for a program that fills it in itself. */
 #include <ctype.h>
 #include <inttypes.h>
-#include <jansson.h>
 #include <string.h>
 
 #include "base/argp.h"
@@ -12,6 +11,7 @@
 #include "base/parse.h"
 #include "commands/commands.h"
 #include "draw/shading.h"
+#include "draw/shading_json.h"
 #include "image/format.h"
 #include "models/models.h"
 #include "options/shading_options.h"
@@ -131,37 +131,6 @@ static void write_source(FILE *out, const struct shading *shading, const char *n
             shading->clamp_peak ? "true" : "false");
 }
 
-/* ---- JSON ---- */
-
-static json_t *channels(const uint32_t values[3])
-{
-    return json_pack("[I, I, I]", (json_int_t)values[0], (json_int_t)values[1], (json_int_t)values[2]);
-}
-
-static json_t *direction(const double values[3])
-{
-    int32_t whole[3];
-    direction_integers(values, whole);
-    return json_pack("[i, i, i]", whole[0], whole[1], whole[2]);
-}
-
-static void write_json(FILE *out, const struct shading *shading)
-{
-    const struct glint_shader shader = shading_shader(shading);
-    const struct glint_material *m = &shader.material;
-    json_t *root = json_pack(
-        "{s:s, s:i, s:i, s:o, s:o, s:o, s:o, s:o, s:[i, i, i], s:s, s:s, s:b, s:b}", "model",
-        model_names[shading->model], "n", (int)shading->n, "q", (int)shading->q, "to_light",
-        direction(shading->lamps[0].direction), "to_viewer", direction(shading->view), "ambient_q16",
-        channels(m->ambient_q16), "diffuse_q16", channels(m->diffuse_q16), "specular_q16", channels(m->specular_q16),
-        "albedo", m->albedo[0], m->albedo[1], m->albedo[2], "format", format_names[shading->format], "space",
-        space_names[shading->space], "dither", (int)shading->dither, "clamp_peak", (int)shading->clamp_peak);
-    if (!root || json_dumpf(root, out, JSON_INDENT(2)) != 0)
-        fail("the material could not be written as JSON");
-    fputc('\n', out);
-    json_decref(root);
-}
-
 /* ---- the command ---- */
 
 /* What suits the scene where the user says nothing; the plain finish without one. */
@@ -183,7 +152,7 @@ int command_material(int argc, char **argv)
     const struct shading shading = shading_of_request(&request);
     struct output *output = output_open(request.path);
     if (request.json)
-        write_json(output->stream, &shading);
+        shading_print_json(&shading, output->stream);
     else
         write_source(output->stream, &shading, request.name ? request.name : "material");
     output_close(output);

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "commands/commands.h"
 #include "compare/compare.h"
+#include "compare/compare_json.h"
 #include "draw/canvas.h"
 #include "image/format.h"
 #include "image/levels.h"

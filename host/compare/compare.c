@@ -2,7 +2,6 @@
  * The comparison, a line at a time: nothing the size of the picture is held in doubles. */
 #include "compare/compare.h"
 
-#include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -48,12 +47,6 @@ void compare(const struct scene *scene, const struct shading *shading, const str
     free(blinn);
 }
 
-static const char *channel_name(const struct difference *d, unsigned channels)
-{
-    static const char *const names[] = {"red", "green", "blue"};
-    return channels == 1 ? "grey" : names[d->channel];
-}
-
 /* ---- the error map ---- */
 
 unsigned error_map_amplification(const struct difference *d)
@@ -96,7 +89,7 @@ static void print_row(FILE *stream, const char *against, const struct difference
         return;
     }
     fprintf(stream, "%7.2f  %8.4f  %7.3f  at %u,%u %s\n", difference_psnr_db(d), difference_mean(d), d->largest, d->x,
-            d->y, channel_name(d, channels));
+            d->y, difference_channel(d, channels));
 }
 
 static void print_share(FILE *stream, const struct difference *d)
@@ -133,31 +126,4 @@ void comparison_print(const struct comparison *c, const struct shading *shading,
     if (shading->model == GLINT_PHONG)
         fputs("phong takes the power of V.R, blinn that of N.H: with the same n phong's highlight is smaller\n",
               stream);
-}
-
-static json_t *difference_json(const struct difference *d, unsigned channels)
-{
-    const double psnr = difference_psnr_db(d);
-    return json_pack("{s:o, s:f, s:f, s:{s:i, s:i, s:s}, s:I, s:I}", "psnr_db",
-                     isinf(psnr) ? json_null() : json_real(psnr), "mean", difference_mean(d), "largest", d->largest,
-                     "at", "x", (int)d->x, "y", (int)d->y, "channel", channel_name(d, channels), "samples",
-                     (json_int_t)d->samples, "differing", (json_int_t)d->differing);
-}
-
-void comparison_print_json(const struct comparison *c, const struct shading *shading, const struct levels *levels,
-                           FILE *stream)
-{
-    const unsigned channels = levels->channels;
-    json_t *root = json_pack(
-        "{s:i, s:i, s:s, s:b, s:s, s:s, s:i, s:i, s:i, s:{s:o, s:o, s:o}, s:{s:o, s:o}}", "width", (int)levels->width,
-        "height", (int)levels->height, "format", format_names[shading->format], "dither", (int)shading->dither, "space",
-        space_names[shading->space], "model", model_names[shading->model], "n", (int)shading->n, "q", (int)shading->q,
-        "levels_of", 255, "same_model", "rounded", difference_json(&c->rounded, channels), "unrounded",
-        difference_json(&c->unrounded, channels), "rounding_alone", difference_json(&c->rounding, channels), "blinn",
-        "rounded", difference_json(&c->blinn_rounded, channels), "unrounded",
-        difference_json(&c->blinn_unrounded, channels));
-    if (!root || json_dumpf(root, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) != 0)
-        fail("the comparison could not be written as JSON");
-    fputc('\n', stream);
-    json_decref(root);
 }

@@ -23,8 +23,6 @@ void compare(const struct scene *scene, const struct shading *shading, const str
 /* `shading` and `levels` as they were compared. */
 void comparison_print(const struct comparison *comparison, const struct shading *shading, const struct levels *levels,
                       FILE *stream);
-void comparison_print_json(const struct comparison *comparison, const struct shading *shading,
-                           const struct levels *levels, FILE *stream);
 
 /* The absolute difference from the unrounded reference of `model`, times `amplification`; RGB or grey. */
 struct picture *error_map(const struct scene *scene, const struct shading *shading, const struct levels *levels,

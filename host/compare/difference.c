@@ -27,3 +27,9 @@ void difference_add(struct difference *d, double a, double b, uint32_t x, uint32
         d->channel = channel;
     }
 }
+
+const char *difference_channel(const struct difference *d, unsigned channels)
+{
+    static const char *const names[] = {"red", "green", "blue"};
+    return channels == 1 ? "grey" : names[d->channel];
+}

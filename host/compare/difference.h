@@ -16,5 +16,7 @@ struct difference {
 void difference_add(struct difference *d, double a, double b, uint32_t x, uint32_t y, unsigned channel);
 double difference_psnr_db(const struct difference *difference); /* infinite where nothing differs */
 double difference_mean(const struct difference *difference);
+/* The name of the channel of the largest. */
+const char *difference_channel(const struct difference *difference, unsigned channels);
 
 #endif

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+#include "compare/compare_json.h"
+
+#include <inttypes.h>
+#include <jansson.h>
+#include <math.h>
+
+#include "base/message.h"
+#include "image/format.h"
+#include "models/models.h"
+
+static json_t *difference_json(const struct difference *d, unsigned channels)
+{
+    const double psnr = difference_psnr_db(d);
+    return json_pack("{s:o, s:f, s:f, s:{s:i, s:i, s:s}, s:I, s:I}", "psnr_db",
+                     isinf(psnr) ? json_null() : json_real(psnr), "mean", difference_mean(d), "largest", d->largest,
+                     "at", "x", (int)d->x, "y", (int)d->y, "channel", difference_channel(d, channels), "samples",
+                     (json_int_t)d->samples, "differing", (json_int_t)d->differing);
+}
+
+void comparison_print_json(const struct comparison *c, const struct shading *shading, const struct levels *levels,
+                           FILE *stream)
+{
+    const unsigned channels = levels->channels;
+    json_t *root = json_pack(
+        "{s:i, s:i, s:s, s:b, s:s, s:s, s:i, s:i, s:i, s:{s:o, s:o, s:o}, s:{s:o, s:o}}", "width", (int)levels->width,
+        "height", (int)levels->height, "format", format_names[shading->format], "dither", (int)shading->dither, "space",
+        space_names[shading->space], "model", model_names[shading->model], "n", (int)shading->n, "q", (int)shading->q,
+        "levels_of", 255, "same_model", "rounded", difference_json(&c->rounded, channels), "unrounded",
+        difference_json(&c->unrounded, channels), "rounding_alone", difference_json(&c->rounding, channels), "blinn",
+        "rounded", difference_json(&c->blinn_rounded, channels), "unrounded",
+        difference_json(&c->blinn_unrounded, channels));
+    if (!root || json_dumpf(root, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) != 0)
+        fail("the comparison could not be written as JSON");
+    fputc('\n', stream);
+    json_decref(root);
+}
+
+void quality_print_json(const struct baked *baked, const struct quality rows[QUALITY_ROWS], FILE *stream)
+{
+    json_t *root = json_pack("{s:s, s:i, s:i, s:I, s:i, s:o}", "format", bake_format_names[baked->format], "width",
+                             (int)baked->width, "height", (int)baked->height, "bytes", (json_int_t)baked_bytes(baked),
+                             "levels_of", 255, "quality", json_array());
+    bool good = root != NULL;
+    if (good && baked->format == BAKE_PALETTE)
+        good = json_object_set_new(root, "entries", json_integer(baked->entries)) == 0;
+    for (int i = 0; good && i < QUALITY_ROWS; i++) {
+        const struct difference *d = &rows[i].difference;
+        json_t *psnr = d->differing ? json_real(difference_psnr_db(d)) : json_null();
+        good = json_array_append_new(json_object_get(root, "quality"),
+                                     json_pack("{s:i, s:f, s:f, s:o}", "n", (int)rows[i].n, "largest", d->largest,
+                                               "mean", difference_mean(d), "psnr_db", psnr)) == 0;
+    }
+    if (!good || json_dumpf(root, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) != 0)
+        fail("the quality could not be written as JSON");
+    fputc('\n', stream);
+    json_decref(root);
+}

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT
+ * Comparisons as JSON. */
+#ifndef GLINT_COMPARE_COMPARE_JSON_H
+#define GLINT_COMPARE_COMPARE_JSON_H
+
+#include <stdio.h>
+
+#include "compare/compare.h"
+#include "compare/quality.h"
+
+/* `shading` and `levels` as they were compared. */
+void comparison_print_json(const struct comparison *comparison, const struct shading *shading,
+                           const struct levels *levels, FILE *stream);
+void quality_print_json(const struct baked *baked, const struct quality rows[QUALITY_ROWS], FILE *stream);
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// build NPM FOLDER: one HTML file from FOLDER/src (a copy of src/ with exports.ts made from page.h), FOLDER/module.wasm and the
+// table of costs; and FOLDER/engine.mjs, the engine for tests in node. The page fetches nothing when it runs.
+import { readFileSync, writeFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { dirname, resolve } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { deflateRawSync } from 'node:zlib'
+
+const here = dirname(fileURLToPath(import.meta.url))
+const [npm, folder] = process.argv.slice(2).map(path => resolve(path))
+const { build } = createRequire(`${npm}/package.json`)('esbuild')
+
+const costs = readFileSync(`${here}/../../tests/bench/costs.tsv`, 'utf8').split('\n')
+    .filter(line => line && !line.startsWith('#')).map(line => line.split('\t'))
+    .filter(([kind]) => ['pixel', 'frame pixel', 'call', 'linked', 'fill', 'mean', 'largest', 'constants', 'stack'].includes(kind))
+const version = readFileSync(`${here}/../../lib/glint.h`, 'utf8').match(/GLINT_VERSION_STRING "(.*)"/)[1]
+const values = {
+    module: () => deflateRawSync(readFileSync(`${folder}/module.wasm`), { level: 9 }).toString('base64'),
+    costs: () => costs,
+    version: () => version,
+    worker: async () => (await bundle(`${folder}/src/worker.ts`, 'iife')),
+}
+const inline = {
+    name: 'inline',
+    setup(esbuild) {
+        esbuild.onResolve({ filter: /^glint:/ }, ({ path }) => ({ path: path.slice(6), namespace: 'inlined' }))
+        esbuild.onLoad({ filter: /.*/, namespace: 'inlined' }, async ({ path }) => ({ contents: JSON.stringify(await values[path]()), loader: 'json' }))
+    },
+}
+
+async function bundle(entry, format) {
+    const result = await build({
+        entryPoints: [entry], bundle: true, minify: true, write: false, format, target: 'es2022', charset: 'utf8',
+        plugins: [inline], legalComments: 'none',
+    })
+    return result.outputFiles[0].text
+}
+
+writeFileSync(`${folder}/engine.mjs`, await bundle(`${folder}/src/node.ts`, 'esm'))
+const script = (await bundle(`${folder}/src/main.ts`, 'iife')).replaceAll('</script', '<\\/script')
+const style = readFileSync(`${here}/style.css`, 'utf8')
+const page = readFileSync(`${here}/index.html`, 'utf8')
+    .replace('<link rel="stylesheet" href="style.css">', () => `<style>\n${style}</style>`)
+    .replace('<script type="module" src="src/main.ts"></script>', () => `<script>${script}</script>`)
+    .replaceAll('GLINT_VERSION', version)
+if (page.length > 400_000)
+    throw new Error(`the page has ${page.length} bytes; at most 400,000 are allowed`)
+writeFileSync(`${folder}/index.html`, page)

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT
+ * Files of the page: they are in memory. Beside image/read.h and base/output.h, whose functions files.c has. */
+#ifndef GLINT_PAGE_FILES_H
+#define GLINT_PAGE_FILES_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "image/image.h"
+
+/* A picture to be read under its name; takes the samples. One of the same name is replaced. */
+void files_add_image(const char *name, const struct image *image);
+
+/* What was written and closed, in that order. */
+struct file {
+    char *name, *bytes;
+    size_t len;
+};
+unsigned files_written(void);
+const struct file *files_get(unsigned i); /* NULL: there is none */
+void files_forget(void);
+
+#endif

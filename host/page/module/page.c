@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: MIT
+ * The picture: the words of `glint render` into pixels, keeping what a moving light does not change. */
+#include "page.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/argp.h"
+#include "base/memory.h"
+#include "draw/canvas.h"
+#include "files.h"
+#include "image/format.h"
+#include "image/levels.h"
+#include "image/picture.h"
+#include "options/shading_options.h"
+#include "state.h"
+#include "words.h"
+
+static struct page_state state;
+
+const struct page_state *page_state(void)
+{
+    return &state;
+}
+
+void *page_allocate(size_t bytes)
+{
+    return allocate(bytes, 1);
+}
+
+void page_image(char *name, uint32_t width, uint32_t height, uint32_t channels, uint32_t bits, uint32_t palette,
+                uint16_t *samples)
+{
+    const struct image image = {NULL, width, height, channels, bits, palette != 0, samples};
+    files_add_image(name, &image);
+    free(name);
+}
+
+/* ---- the options of glint render, but for its outputs ---- */
+
+static error_t parse_option(int key, char *text, struct argp_state *argp_state)
+{
+    (void)text;
+    struct shading_options *look = argp_state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        argp_state->child_inputs[0] = look;
+        return 0;
+    case ARGP_KEY_END:
+        shading_options_check(argp_state, &look->shading);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static struct shading_options parse(char *text, size_t bytes)
+{
+    static const struct argp_child children[] = {{&shading_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
+    static const struct argp argp = {NULL, parse_option, NULL, NULL, children, NULL, NULL};
+    struct shading_options look = {.has_color = false};
+    struct words words;
+    words_split(&words, text, bytes);
+    parse_command(&argp, 0, words.count, words.list, &look);
+    return look;
+}
+
+/* ---- the picture ---- */
+
+static void draw(void)
+{
+    const size_t bytes = state.scene->height * format_line_bytes(state.shading.format, state.scene->width);
+    if (!state.pixels)
+        state.pixels = allocate(bytes, 1); /* black where a mask leaves it */
+    state.pixels_bytes = bytes;
+    canvas_draw(state.canvas, &state.shading, state.pixels);
+}
+
+static void show(void)
+{
+    levels_free(state.levels);
+    free(state.rgba);
+    state.levels = levels_of_pixels(state.scene->width, state.scene->height, state.shading.format, state.pixels);
+    struct picture *picture = levels_picture(state.levels);
+    state.rgba = rgba_of_picture(picture);
+    picture_free(picture);
+}
+
+uint8_t *rgba_of_picture(const struct picture *picture)
+{
+    const size_t pixels = (size_t)picture->width * picture->height;
+    const unsigned channels = picture->channels;
+    uint8_t *rgba = allocate(pixels, 4);
+    for (size_t i = 0; i < pixels; i++) {
+        for (unsigned k = 0; k < 3; k++)
+            rgba[4 * i + k] = picture->samples[channels * i + (channels == 3 ? k : 0)];
+        rgba[4 * i + 3] = 255;
+    }
+    return rgba;
+}
+
+void page_draw(char *text, size_t bytes, uint32_t keep)
+{
+    const struct shading_options look = parse(text, bytes);
+    if (keep < PAGE_KEEP_CANVAS) {
+        canvas_free(state.canvas);
+        free(state.pixels);
+        state.canvas = NULL;
+        state.pixels = NULL;
+    }
+    if (keep < PAGE_KEEP_SCENE) {
+        scene_free(state.scene);
+        struct scene_maps *maps = scene_maps_read(&look.scene);
+        state.scene = scene_of_shading_options(&look, maps, 0, 0);
+        scene_maps_free(maps);
+    }
+    free(text); /* the options point into it; the scene does not */
+    state.shading = shading_of_options(&look, look.shading.format, state.scene);
+    if (!state.canvas)
+        state.canvas = canvas_new(state.scene, &state.shading);
+    draw();
+    show();
+}
+
+void page_again(uint32_t times)
+{
+    for (uint32_t i = 0; i < times; i++)
+        draw();
+}
+
+uint32_t page_width(void)
+{
+    return state.scene->width;
+}
+
+uint32_t page_height(void)
+{
+    return state.scene->height;
+}
+
+const uint8_t *page_pixels(void)
+{
+    return state.pixels;
+}
+
+size_t page_pixels_bytes(void)
+{
+    return state.pixels_bytes;
+}
+
+const uint8_t *page_rgba(void)
+{
+    return state.rgba;
+}

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT
+ * The page's module: all that JavaScript may call. The page's types are made from these declarations (module_types.mjs).
+ *
+ * Texts end with 0. Words of a command line follow each other, each with its 0. What goes in lies in memory of
+ * page_allocate, which the callee frees. What comes out stays until the next call of its kind. An error is a line on
+ * standard error and the end of the program, as in the command: the page then begins with a fresh module. */
+#ifndef GLINT_PAGE_PAGE_H
+#define GLINT_PAGE_PAGE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define PAGE_EXPORT(name) __attribute__((export_name(#name))) name
+
+void *PAGE_EXPORT(page_allocate)(size_t bytes);
+
+/* A map: 16-bit samples as struct image has them. */
+void PAGE_EXPORT(page_image)(char *name, uint32_t width, uint32_t height, uint32_t channels, uint32_t bits,
+                             uint32_t palette, uint16_t *samples);
+
+/* ---- the picture ---- */
+
+/* Draws by the words of `glint render`, the first being the command's name. What did not change since the call before is
+ * kept: PAGE_KEEP_SCENE, the surface and its maps; PAGE_KEEP_CANVAS, all but the lights' values. */
+enum { PAGE_KEEP_NOTHING, PAGE_KEEP_SCENE, PAGE_KEEP_CANVAS };
+void PAGE_EXPORT(page_draw)(char *words, size_t bytes, uint32_t keep);
+uint32_t PAGE_EXPORT(page_width)(void);
+uint32_t PAGE_EXPORT(page_height)(void);
+/* In the format, lines without gaps, as `--image raw` writes them. */
+const uint8_t *PAGE_EXPORT(page_pixels)(void);
+size_t PAGE_EXPORT(page_pixels_bytes)(void);
+/* As `glint render` writes it into a PNG, with alpha 255; page_width x page_height. */
+const uint8_t *PAGE_EXPORT(page_rgba)(void);
+/* Lines "name value ..." of the shader that drew. */
+const char *PAGE_EXPORT(page_facts)(void);
+/* Milliseconds that are not spent on words: draws the picture `times` times. For the page's bench. */
+void PAGE_EXPORT(page_again)(uint32_t times);
+
+/* ---- its quality ---- */
+
+/* Compares the picture with double precision, as `glint render --compare` does, and returns what that prints. */
+const char *PAGE_EXPORT(page_compare)(void);
+/* Afterwards: the error map, amplified, in RGBA, and by how much. */
+const uint8_t *PAGE_EXPORT(page_error_map)(void);
+uint32_t PAGE_EXPORT(page_error_times)(void);
+/* And how many samples are off by i quarters of a level of 255, to the nearest; the last bin has the rest. */
+enum { PAGE_BINS = 65 };
+const uint32_t *PAGE_EXPORT(page_histogram)(void);
+
+/* The lobe at `count` angles from 0 to `degrees`: rows of the library's value, the same in double, Blinn in double. */
+const double *PAGE_EXPORT(page_curve)(uint32_t model, uint32_t n, uint32_t count, double degrees);
+
+/* ---- files ---- */
+
+/* Runs `glint bake`, `material` or `table`. */
+void PAGE_EXPORT(page_run)(char *words, size_t bytes);
+uint32_t PAGE_EXPORT(page_files)(void);
+const char *PAGE_EXPORT(page_file_name)(uint32_t i);
+const char *PAGE_EXPORT(page_file_bytes)(uint32_t i);
+size_t PAGE_EXPORT(page_file_length)(uint32_t i);
+
+#endif

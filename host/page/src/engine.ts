@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// Pictures, numbers and files by command lines: what the worker does, without being one.
+import { PAGE_BINS } from './exports'
+import { Module } from './module'
+import type { Map16 } from './png'
+
+export interface Picture {
+    width: number
+    height: number
+    /** For a canvas: what `glint render` writes into a PNG. */
+    rgba: Uint8Array<ArrayBuffer>
+    warnings: string[]
+    milliseconds: number
+}
+export interface Quality {
+    report: string
+    errorMap: Uint8Array<ArrayBuffer>
+    errorTimes: number
+    /** Samples that are off by i quarters of a level of 255. */
+    histogram: number[]
+}
+export interface Curve {
+    library: number[]
+    double: number[]
+    blinn: number[]
+}
+export interface File {
+    name: string
+    bytes: Uint8Array<ArrayBuffer>
+}
+export type Facts = Record<string, number[]>
+
+const keepNothing = 0, keepScene = 1, keepCanvas = 2
+/** Options that make the surface; --color takes a built-in scene's own away. */
+const ofSurface = /^--(height|normals|scene|mask|scale|bevel|wrap|flip-y|size|albedo|gloss)\b/
+
+export class Engine {
+    private module: Module
+    private maps = new Map<string, Map16>()
+    private surface = ''
+    private material = ''
+    private surfaceWarnings: string[] = []
+    private drawn: string[] = []
+
+    constructor(private program: WebAssembly.Module) {
+        this.module = new Module(program)
+    }
+
+    addMap(name: string, map: Map16): void {
+        this.maps.set(name, map)
+        this.surface = this.material = ''
+        this.guard(() => this.hand(name, map))
+    }
+
+    /** By the words of `glint render`, each an option with its value. */
+    draw(words: string[]): Picture {
+        return this.guard(() => {
+            const { call } = this.module
+            const surface = words.filter(word => ofSurface.test(word)).join('\0') + words.some(word => word.startsWith('--color'))
+            const material = words.map(lightKind).join('\0')
+            const keep = material === this.material ? keepCanvas : surface === this.surface ? keepScene : keepNothing
+            this.surface = this.material = '' // until it is drawn
+            this.module.takeWarnings()
+            const start = performance.now()
+            this.give(['glint render', ...words], (at, bytes) => call.page_draw(at, bytes, keep))
+            const milliseconds = performance.now() - start
+            const warnings = this.module.takeWarnings()
+            if (keep !== keepCanvas)
+                this.surfaceWarnings = keep === keepScene ? [...this.surfaceWarnings.filter(w => !w.startsWith('--path')), ...warnings] : warnings
+            this.surface = surface
+            this.material = material
+            this.drawn = words
+            const width = call.page_width(), height = call.page_height()
+            const rgba = this.module.copy(call.page_rgba(), 4 * width * height)
+            return { width, height, rgba, warnings: this.surfaceWarnings, milliseconds }
+        })
+    }
+
+    /** The pixels of the last picture as `--image raw` writes them. */
+    pixels(): Uint8Array<ArrayBuffer> {
+        const { call } = this.module
+        return this.module.copy(call.page_pixels(), call.page_pixels_bytes())
+    }
+
+    facts(): Facts {
+        return this.guard(() => {
+            const lines = this.module.text(this.module.call.page_facts()).trim().split('\n').map(line => line.split(' '))
+            return Object.fromEntries(lines.map(([name, ...values]) => [name, values.map(Number)]))
+        })
+    }
+
+    compare(): Quality {
+        return this.guard(() => {
+            const { call } = this.module
+            const report = this.module.text(call.page_compare())
+            const bins = new Uint32Array(this.module.copy(call.page_histogram(), 4 * PAGE_BINS).buffer)
+            return {
+                report,
+                errorMap: this.module.copy(call.page_error_map(), 4 * call.page_width() * call.page_height()),
+                errorTimes: call.page_error_times(),
+                histogram: [...bins],
+            }
+        })
+    }
+
+    curve(model: number, n: number, count: number, degrees: number): Curve {
+        const rows = this.module.copy(this.module.call.page_curve(model, n, count, degrees), 24 * count)
+        const row = (i: number) => [...new Float64Array(rows.buffer, 8 * count * i, count)]
+        return { library: row(0), double: row(1), blinn: row(2) }
+    }
+
+    /** Runs `glint bake`, `material` or `table`: the files that it writes, and what it prints. */
+    run(words: string[]): { files: File[], printed: string, warnings: string[] } {
+        return this.guard(() => {
+            const { call } = this.module
+            this.module.takeWarnings()
+            this.module.takePrinted()
+            this.give(words, (at, bytes) => call.page_run(at, bytes))
+            const files: File[] = []
+            for (let i = 0; i < call.page_files(); i++)
+                files.push({
+                    name: this.module.text(call.page_file_name(i)),
+                    bytes: this.module.copy(call.page_file_bytes(i), call.page_file_length(i)),
+                })
+            return { files, printed: this.module.takePrinted(), warnings: this.module.takeWarnings() }
+        })
+    }
+
+    /** Milliseconds to shade the last picture once, from `times` of them. */
+    again(times: number): number {
+        const start = performance.now()
+        this.module.call.page_again(times)
+        return (performance.now() - start) / times
+    }
+
+    private give(words: string[], call: (at: number, bytes: number) => void): void {
+        const bytes = new TextEncoder().encode(words.map(word => word + '\0').join(''))
+        call(this.module.put(bytes), bytes.length)
+    }
+
+    private hand(name: string, map: Map16): void {
+        const { module } = this
+        const at = module.put(new TextEncoder().encode(name + '\0'))
+        const samples = module.put(new Uint8Array(map.samples.buffer, map.samples.byteOffset, map.samples.byteLength))
+        module.call.page_image(at, map.width, map.height, map.channels, map.bits, map.palette ? 1 : 0, samples)
+    }
+
+    /** A program that ended is replaced by a fresh one that knows the maps and the last good picture. */
+    private guard<T>(work: () => T): T {
+        try {
+            return work()
+        } catch (error) {
+            this.module = new Module(this.program)
+            this.surface = this.material = ''
+            for (const [name, map] of this.maps)
+                this.hand(name, map)
+            if (this.drawn.length)
+                this.give(['glint render', ...this.drawn], (at, bytes) => this.module.call.page_draw(at, bytes, keepNothing))
+            throw error
+        }
+    }
+}
+
+/** A light as what canvas_new looks at: its kind. */
+function lightKind(word: string): string {
+    return word.replace(/^(--(light|point|spot))=.*/, '$1')
+}

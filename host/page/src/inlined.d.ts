@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What build.mjs puts in.
+/** The C module, deflated, in base64. */
+declare module 'glint:module' {
+    const base64: string
+    export default base64
+}
+/** worker.ts, bundled. */
+declare module 'glint:worker' {
+    const source: string
+    export default source
+}
+/** tests/bench/costs.tsv: kind, name, build, n, value. */
+declare module 'glint:costs' {
+    const rows: [string, string, string, string, string][]
+    export default rows
+}
+declare module 'glint:version' {
+    const version: string
+    export default version
+}

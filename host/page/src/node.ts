@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+// What the tests run in node.
+export { Engine } from './engine'
+export { readPng, writePng } from './png'
+export { commandLine, stateOfWords, wordsOf } from './words'

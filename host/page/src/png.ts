@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// PNG files into the samples that the host's image/read.c gives: not by a canvas, which cuts 16 bits, applies gamma and
+// changes colours under alpha. Every sample becomes 16 bits, 65535 = 1.0.
+import { convertIndexedToRgb, decode, encode } from 'fast-png'
+import type { DecodedPng } from 'fast-png'
+
+export interface Map16 {
+    width: number
+    height: number
+    /** 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA. */
+    channels: number
+    /** Of a sample in the file. */
+    bits: number
+    palette: boolean
+    samples: Uint16Array
+}
+
+const others: [string, string][] = [
+    ['\xff\xd8\xff', 'a JPEG'], ['GIF8', 'a GIF'], ['BM', 'a BMP'], ['RIFF', 'a WebP or other RIFF file'], ['qoif', 'a QOI'],
+    ['II*', 'a TIFF'], ['MM', 'a TIFF'], ['DDS ', 'a DDS texture'], ['\x76\x2f\x31\x01', 'an OpenEXR'], ['8BPS', 'a PSD'],
+    ['<svg', 'an SVG'], ['<?xml', 'an SVG or other XML file'],
+]
+const signature = '\x89PNG\r\n\x1a\n'
+const sideMax = 16384, pixelsMax = 1 << 25
+
+/** Throws an Error whose message is a sentence. */
+export function readPng(name: string, bytes: Uint8Array): Map16 {
+    const head = String.fromCharCode(...bytes.subarray(0, 8))
+    if (!bytes.length)
+        throw new Error(`${name}: this file is empty; choose a PNG picture`)
+    if (head !== signature) {
+        const other = others.find(([magic]) => head.startsWith(magic))
+        throw new Error(`${name}: this is ${other ? other[1] + ', not a PNG' : 'not a PNG picture'}; convert it to PNG`)
+    }
+    const view = new DataView(bytes.buffer, bytes.byteOffset)
+    const [width, height] = bytes.length >= 24 ? [view.getUint32(16), view.getUint32(20)] : [1, 1]
+    if (width > sideMax || height > sideMax || width * height > pixelsMax)
+        throw new Error(`${name}: ${width}x${height} pixels; at most ${sideMax} a side and ${pixelsMax} in all are allowed`)
+    let png: DecodedPng
+    try {
+        png = decode(bytes, { checkCrc: true })
+    } catch (error) {
+        throw new Error(`${name}: damaged PNG: ${(error as Error).message}; save it again`)
+    }
+    if (bytes[28] && png.depth < 8)
+        throw new Error(`${name}: an interlaced PNG with ${png.depth} bits a sample; save it without interlacing`)
+    return widen(png)
+}
+
+function widen(png: DecodedPng): Map16 {
+    const { width, height, depth } = png
+    if (png.palette) {
+        const rgb = convertIndexedToRgb(png)
+        return { width, height, channels: png.palette[0].length, bits: depth, palette: true, samples: Uint16Array.from(rgb, v => 257 * v) }
+    }
+    const values = depth < 8 ? unpack(png) : png.data
+    const scale = 65535 / (2 ** depth - 1) // whole for each depth
+    const key = png.transparency // one value or colour that is transparent
+    if (!key)
+        return { width, height, channels: png.channels, bits: depth, palette: false, samples: Uint16Array.from(values, v => scale * v) }
+    const from = png.channels, channels = from + 1
+    const samples = new Uint16Array(width * height * channels)
+    for (let i = 0; i < width * height; i++) {
+        let hit = true
+        for (let k = 0; k < from; k++) {
+            hit &&= values[from * i + k] === key[k]
+            samples[channels * i + k] = scale * values[from * i + k]
+        }
+        samples[channels * i + from] = hit ? 0 : 65535
+    }
+    return { width, height, channels, bits: depth, palette: false, samples }
+}
+
+/** Greys of 1, 2 or 4 bits, whose lines begin with a byte. */
+function unpack({ width, height, depth, data }: DecodedPng): Uint8Array {
+    const line = Math.ceil(width * depth / 8)
+    const out = new Uint8Array(width * height)
+    for (let y = 0; y < height; y++)
+        for (let x = 0; x < width; x++) {
+            const bit = x * depth
+            out[y * width + x] = data[y * line + (bit >> 3)] >> 8 - depth - (bit & 7) & (1 << depth) - 1
+        }
+    return out
+}
+
+/** A picture of three equal samples or colours, as a PNG. */
+export function writePng(width: number, height: number, rgba: Uint8Array, isGrey: boolean): Uint8Array<ArrayBuffer> {
+    const channels = isGrey ? 1 : 3
+    const data = new Uint8Array(width * height * channels)
+    for (let i = 0; i < width * height; i++)
+        for (let k = 0; k < channels; k++)
+            data[channels * i + k] = rgba[4 * i + k]
+    return encode({ width, height, channels, depth: 8, data }) as Uint8Array<ArrayBuffer>
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// The state of the page is the command line of `glint render` that gives the same picture, without -o: options with their
+// texts. What is not set has the command's default. The URL's fragment is the same state: #scene=coin&n=60&light=-1,1,1.
+
+/** In the order in which the command line has them. true: the option takes no value. */
+const options = {
+    height: false, normals: false, scene: false, bevel: false, scale: false, wrap: true, 'flip-y': true, mask: false,
+    albedo: false, color: false, gloss: false, size: false, model: false, n: false, q: false, view: false, ambient: false,
+    diffuse: false, specular: false, 'clamp-peak': true, format: false, space: false, dither: true, path: false,
+} as const
+export type Option = keyof typeof options
+export const lightKinds = ['light', 'point', 'spot'] as const
+export type LightKind = typeof lightKinds[number]
+export interface Light {
+    kind: LightKind
+    /** As the option's value. */
+    text: string
+}
+export type State = { lights: Light[] } & { [name in Option]?: string }
+
+const names = Object.keys(options) as Option[]
+const dashes = (name: string) => name.length === 1 ? `-${name}` : `--${name}`
+
+/** Each word an option and its value: "--model=msh", "-n60". */
+export function wordsOf(state: State): string[] {
+    const words = names.filter(name => state[name] !== undefined).map(name =>
+        options[name] ? dashes(name) : dashes(name) + (name.length === 1 ? '' : '=') + state[name])
+    return [...words, ...state.lights.map(({ kind, text }) => `--${kind}=${text}`)]
+}
+
+export function stateOfWords(words: string[]): State {
+    const state: State = { lights: [] }
+    for (const word of words) {
+        const match = word.match(/^(?:--([a-z-]+)(?:=(.*))?|-([a-z])(.*))$/s)
+        const name = match?.[1] ?? match?.[3] ?? '', text = match?.[2] ?? match?.[4] ?? ''
+        if (lightKinds.includes(name as LightKind))
+            state.lights.push({ kind: name as LightKind, text })
+        else if (Object.hasOwn(options, name))
+            state[name as Option] = text
+    }
+    return state
+}
+
+/** For a shell. */
+export function commandLine(command: string, words: string[]): string {
+    return [command, ...words.map(quoted)].join(' ')
+}
+
+function quoted(word: string): string {
+    return /^[\w=.,:/+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`
+}
+
+export function fragmentOf(state: State): string {
+    const entries: [string, string][] = names.filter(name => state[name] !== undefined).map(name => [name, state[name]!])
+    entries.push(...state.lights.map(({ kind, text }): [string, string] => [kind, text]))
+    return entries.map(([name, text]) => text === '' ? name : `${name}=${encodeURIComponent(text).replaceAll('%2C', ',')}`).join('&')
+}
+
+export function stateOfFragment(fragment: string): State {
+    const state: State = { lights: [] }
+    for (const part of fragment.replace(/^#/, '').split('&').filter(part => part)) {
+        const at = part.indexOf('=')
+        const name = at < 0 ? part : part.slice(0, at)
+        let text = at < 0 ? '' : part.slice(at + 1)
+        try {
+            text = decodeURIComponent(text)
+        } catch { /* a cut link: as it is */ }
+        if (lightKinds.includes(name as LightKind))
+            state.lights.push({ kind: name as LightKind, text })
+        else if (Object.hasOwn(options, name))
+            state[name as Option] = text
+    }
+    return state
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The worker: an engine that answers messages, so that the page stays responsive while it shades.
+import { inflateSync } from 'fflate'
+import base64 from 'glint:module'
+import { Engine } from './engine'
+import { readPng, writePng } from './png'
+
+const program = new WebAssembly.Module(inflateSync(Uint8Array.from(atob(base64), c => c.charCodeAt(0))) as Uint8Array<ArrayBuffer>)
+const engine = new Engine(program)
+
+export const methods = {
+    map(name: string, bytes: Uint8Array) {
+        const map = readPng(name, bytes)
+        engine.addMap(name, map)
+        return { width: map.width, height: map.height, channels: map.channels, bits: map.bits }
+    },
+    draw: (words: string[]) => ({ ...engine.draw(words), facts: engine.facts() }),
+    compare: () => engine.compare(),
+    curve: (model: number, n: number, count: number, degrees: number) => engine.curve(model, n, count, degrees),
+    run: (words: string[]) => engine.run(words),
+    raw: () => engine.pixels(),
+    again: (times: number) => engine.again(times),
+    png: (width: number, height: number, rgba: Uint8Array, isGrey: boolean) => writePng(width, height, rgba, isGrey),
+}
+export type Methods = typeof methods
+
+onmessage = ({ data: { id, method, args } }: MessageEvent<{ id: number, method: keyof Methods, args: never[] }>) => {
+    try {
+        const result = (methods[method] as (...args: never[]) => unknown)(...args)
+        postMessage({ id, result })
+    } catch (error) {
+        postMessage({ id, error: (error as Error).message })
+    }
+}

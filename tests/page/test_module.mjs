@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// test_module.mjs PAGE GLINT: the page's module and engine in node, against the command.
+import { readFileSync } from 'node:fs'
+import { inflateRawSync } from 'node:zlib'
+import { check, equal, run } from '../pico/tap.mjs'
+import { Command, difference } from './glint.mjs'
+import { extras, png, surfaces } from './maps.mjs'
+
+const [folder, glint] = process.argv.slice(2)
+const { Engine, readPng, commandLine, stateOfWords, wordsOf } = await import(`${process.cwd()}/${folder}/engine.mjs`)
+const program = new WebAssembly.Module(readFileSync(`${folder}/module.wasm`))
+const command = new Command(glint)
+const models = ['msh', 'schlick', 'blinn', 'phong', 'gauss', 'cayley', 'lyon']
+const formats = ['rgb565', 'rgb565-swapped', 'rgb888', 'grey8', 'mono']
+const paths = ['span', 'span-c16', 'colour-int16', 'colour-int10', 'colour-int8', 'colour-span', 'small-int16', 'small-int10',
+    'small-int8', 'small-span', 'albedo-int16', 'albedo-int10', 'albedo-int8', 'albedo-span', 'palette']
+
+function same(engine, words) {
+    const picture = engine.draw(words)
+    const wrong = difference(picture.rgba, picture.width, picture.height, command.render(words))
+    check(!wrong, `${words.join(' ')}: ${wrong}`)
+    return picture
+}
+
+function engineWithMaps() {
+    const engine = new Engine(program)
+    for (const [name, bytes] of [...Object.entries(surfaces).map(([name, { bytes }]) => [name, bytes]), ...Object.entries(extras)]) {
+        command.put(name, bytes)
+        engine.addMap(name, readPng(name, bytes))
+    }
+    return engine
+}
+
+/** The sentence with which it refuses. */
+function refusal(work) {
+    try {
+        work()
+    } catch (error) {
+        return error.message
+    }
+    return 'nothing was refused'
+}
+
+run([
+    ['every model, format and space, dithered or not, gives the command\'s pixels', () => {
+        const engine = new Engine(program)
+        for (const model of models)
+            for (const format of formats)
+                for (const space of ['gamma', 'linear'])
+                    for (const dither of [[], ['--dither']])
+                        same(engine, ['--scene=coin', '--size=64x48', `--model=${model}`, `--format=${format}`, `--space=${space}`, ...dither, '--light=-1,1,1.5'])
+    }],
+    ['every path gives the command\'s pixels, with the same warning', () => {
+        const engine = new Engine(program)
+        for (const path of paths)
+            for (const scene of ['sphere', 'dial']) {
+                const words = [`--scene=${scene}`, '--size=80x60', '--format=rgb565', '--ambient=.1', '--diffuse=.8', `--path=${path}`]
+                same(engine, words)
+                same(engine, [...words, '--light=1,1,2'])
+            }
+        const { warnings } = engine.draw(['--scene=coin', '--size=64x48', '--path=small-int8'])
+        check(/^--path small-int8: draws one colour at full gloss, \d+ of \d+ pixels/.test(warnings[0]), `it says ${warnings[0]}`)
+    }],
+    ['every built-in scene is the command\'s, at several sizes', () => {
+        const engine = new Engine(program)
+        for (const scene of ['sphere', 'watchface', 'coin', 'dial'])
+            for (const size of ['320x240', '240x240', '135x240', '61x47', '1x1'])
+                same(engine, [`--scene=${scene}`, `--size=${size}`])
+    }],
+    ['points, spots and coloured lights give the command\'s pixels', () => {
+        const engine = new Engine(program)
+        same(engine, ['--scene=coin', '--size=96x96', '--light=-1,1,2,.5,.5,.5', '--point=80,20,30,120,1,.7,.3', '--spot=10,90,60,48,48,200,20,40,.2,.4,1'])
+        same(engine, ['--scene=coin', '--size=96x96', '--point=40.25,30.5,20,90', '--clamp-peak', '--view=.1,.2,1'])
+    }],
+    ['maps of every kind of PNG give the command\'s pixels, with the same warnings', () => {
+        const engine = engineWithMaps()
+        for (const [name, { words }] of Object.entries(surfaces))
+            same(engine, [`${words[0]}=${name}`, ...words.slice(1), '-n20'])
+        same(engine, ['--height=grey8.png', '--albedo=albedo.png', '--gloss=gloss.png', '--mask=mask.png'])
+        same(engine, ['--normals=rgb8.png', '--albedo=albedo16.png', '--format=rgb565', '--dither'])
+        const { warnings } = engine.draw(['--normals=rgba8.png'])
+        equal(warnings.join(), 'rgba8.png: its alpha is the mask: transparent pixels are not drawn', 'the warning')
+    }],
+    ['a light that moves is drawn from what was kept, and so are other materials', () => {
+        const engine = engineWithMaps()
+        for (const light of ['-1,1,1', '1,0,1', '0,1,.2'])
+            for (const rest of [[], ['-n300'], ['--path=span'], ['--color=9,90,200'], ['--format=mono'], ['--point=20,20,30,60']])
+                same(engine, ['--height=grey16.png', ...rest, `--light=${light}`])
+        same(engine, ['--height=grey16.png', '--point=20,20,30,60', '--light=1,1,1'])
+        same(engine, ['--scene=coin', '--size=40x40', '--color=9,90,200'])
+        same(engine, ['--scene=coin', '--size=40x40'])
+    }],
+    ['a wrong value is refused in the command\'s words, and the next picture is right', () => {
+        const engine = new Engine(program)
+        for (const words of [['--scene=coin', '-n1001'], ['--scene=coins'], ['--scene=coin', '--path=palette'], ['--scene=coin', '--light=0,0,0'],
+            ['--scene=coin', '--size=0x5'], [], ['--scene=coin', '--ambient=2'], ['--scene=coin', '--light=0,0,-1'], ['--scene=coin', '--format=rgb565', '--path=palette', '--dither']])
+            equal(refusal(() => engine.draw(words)), command.refusal(['render', ...words, '-o', 'no.png']), words.join(' '))
+        same(engine, ['--scene=coin', '--size=40x40'])
+        equal(refusal(() => engine.draw(['--height=none.png'])), 'none.png: this map is not here; drop or choose the file', 'a file that is not there')
+        same(engine, ['--scene=dial', '--size=40x40'])
+    }],
+    ['a wrong file gives a sentence', () => {
+        const good = surfaces['rgb16.png'].bytes
+        const damaged = Buffer.from(good)
+        damaged[good.length - 20] ^= 255
+        const sentence = bytes => refusal(() => readPng('a.png', bytes))
+        equal(sentence(Buffer.alloc(0)), 'a.png: this file is empty; choose a PNG picture', 'nothing')
+        equal(sentence(Buffer.from('\xff\xd8\xff\xe0 and more', 'latin1')), 'a.png: this is a JPEG, not a PNG; convert it to PNG', 'a JPEG')
+        equal(sentence(Buffer.from('hello')), 'a.png: this is not a PNG picture; convert it to PNG', 'a text')
+        for (const bytes of [damaged, good.subarray(0, 20), good.subarray(0, good.length - 30)])
+            check(/^a\.png: damaged PNG: .*; save it again$/.test(sentence(bytes)), sentence(bytes))
+        const wide = png({ width: 20000, height: 1, type: 0, depth: 8, sample: () => 0 })
+        equal(sentence(wide), 'a.png: 20000x1 pixels; at most 16384 a side and 33554432 in all are allowed', 'a wide one')
+    }],
+    ['material, tables and baked maps are byte for byte the command\'s files', () => {
+        const engine = engineWithMaps()
+        const look = ['--ambient=.3', '--diffuse=.6', '--format=rgb565', '-n90']
+        for (const words of [
+            ['material', '--scene=coin', '--name=coin_init', '-o', 'look.h'], ['material', ...look, '--model=cayley', '-o', 'look.h'],
+            ['table', '--kind=colour', ...look, '-o', 'look_tables.c'], ['table', '--kind=albedo', ...look, '-o', 'look_tables.h'],
+            ['table', '--kind=small', '--format=rgb888', '-o', 'small.c'], ['table', '--model=gauss', '-n', '200', '--of=c', '--bits=8', '-o', 'shine.c'],
+            ['bake', '--scene=dial', '--size=64x64', '--strip=16', '-o', 'dial.c'], ['bake', '--height=grey16.png', '--albedo=albedo.png', '--to=int10', '-o', 'wall.c'],
+            ['bake', '--normals=rgba8.png', '--to=palette:300', '-o', 'map.c'], ['bake', '--height=a-logo.png', '--bevel=5', '--to=int16', '-o', 'map.bin'],
+            ['bake', '--scene=dial', '--size=64x64', '-o', 'dial.uf2']]) {
+            const expected = command.files(words)
+            const { files } = engine.run([`glint ${words[0]}`, ...words.slice(1)])
+            equal(files.map(file => file.name).sort().join(), Object.keys(expected).sort().join(), `${words.join(' ')}: names`)
+            for (const { name, bytes } of files)
+                check(expected[name].equals(bytes), `${words.join(' ')}: ${name} differs`)
+        }
+        equal(refusal(() => engine.run(['glint bake', '--scene=dial', '-o', 'a.txt'])), command.refusal(['bake', '--scene=dial', '-o', 'a.txt']), 'a wrong name')
+        equal(refusal(() => engine.run(['glint bake', '--scene=dial', '--json'])), '--json: only the command writes JSON', '--json')
+    }],
+    ['words, state and command line say the same', () => {
+        const words = ['--scene=coin', '--size=64x48', '-n60', '--clamp-peak', '--dither', '--light=-1,1,1', '--point=1,2,3,4']
+        equal(wordsOf(stateOfWords(words)).sort().join(' '), [...words].sort().join(' '), 'there and back')
+        equal(commandLine('glint render', ['--height=my map.png', '-n60']), 'glint render \'--height=my map.png\' -n60', 'quoted')
+    }],
+    ['the page has the module, deflated, and stays under 400 KB', () => {
+        const page = readFileSync(`${folder}/index.html`, 'utf8')
+        check(page.length < 400_000, `${page.length} bytes`)
+        const packed = page.match(/[A-Za-z0-9+/]{10000,}={0,2}/)
+        check(inflateRawSync(Buffer.from(packed[0], 'base64')).equals(readFileSync(`${folder}/module.wasm`)), 'another module')
+        check(!/(src|href)\s*=\s*["']?(https?:)?\/\//.test(page.replace(/<a [^>]*>/g, '')), 'something is fetched')
+    }],
+])
