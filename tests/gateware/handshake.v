@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 // What the core's handshake promises, for yosys-smtbmc: any sequence of gaps, back-pressure and resets.
+`default_nettype none
+
 module handshake (
-    input clk,
-    input rst,
-    input model,
-    input [9:0] n,
-    input [16:0] c_min,
-    input s_valid,
-    input [17:0] s_c,
-    input m_ready
+    input wire clk,
+    input wire rst,
+    input wire model,
+    input wire [9:0] n,
+    input wire [16:0] c_min,
+    input wire s_valid,
+    input wire [17:0] s_c,
+    input wire m_ready
 );
     localparam CLOCKS = 12;
     reg [4:0] sent, received;  // modulo 32, more than there is room for
@@ -76,3 +78,5 @@ module handshake (
         cover (started && m_valid && within == CLOCKS);
     end
 endmodule
+
+`default_nettype wire

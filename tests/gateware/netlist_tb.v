@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Plays +vectors=FILE (vectors.c) to a netlist of glint_core with gaps and back-pressure, and says how many pixels were wrong.
+// Plays +vectors=FILE (vectors.c) to a netlist of glint_core with gaps and back-pressure, and says how many pixels
+// were wrong.
+`default_nettype none
+
 `timescale 1ns / 1ps
 module netlist_tb;
     reg clk = 0, rst = 1, model = 0, s_valid = 0, m_ready = 0;
@@ -88,3 +91,5 @@ module netlist_tb;
         $finish;
     end
 endmodule
+
+`default_nettype wire

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Written by tables.c: for the rows j = +-row of the sphere their half width in pixels and, at their first pixel, z^2 and
-// 2 (41)^2 |i|.
+// Written by tables.c: for the rows j = +-row of the sphere their half width in pixels and, at their first pixel,
+// z^2 and 2 (41)^2 |i|.
+`default_nettype none
+
 module glint_chord (
-    input clk,
-    input [7:0] row,
+    input wire clk,
+    input wire [7:0] row,
     output reg [51:0] chord
 );
     reg [51:0] memory[0:255];
@@ -267,3 +269,5 @@ module glint_chord (
         memory[255] = {8'd0, 24'd0, 20'd0};
     end
 endmodule
+
+`default_nettype wire

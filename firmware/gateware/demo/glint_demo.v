@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A sphere under a light that goes round it: while a line is shown, the next one's spans are prepared and shaded into the
-// other half of a line buffer. The picture of frame f is the library's for the light orbit_light(f, 240).
+// A sphere under a light that goes round it: while a line is shown, the next one's spans are prepared and shaded into
+// the other half of a line buffer. The picture of frame f is the library's for the light orbit_light(f, 240).
+`default_nettype none
+
 module glint_demo (
-    input clk, // 25.175 MHz
-    input rst,
-    input choose_schlick, // which model, from the next frame on
+    input wire clk, // 25.175 MHz
+    input wire rst,
+    input wire choose_schlick, // which model, from the next frame on
     output reg hsync,
     output reg vsync,
     output reg visible,
@@ -20,7 +22,14 @@ module glint_demo (
     wire [9:0] x, y;
     wire line_end, in_picture, hsync_now, vsync_now;
     glint_video video (
-        .clk(clk), .rst(rst), .x(x), .y(y), .line_end(line_end), .visible(in_picture), .hsync(hsync_now), .vsync(vsync_now)
+        .clk(clk),
+        .rst(rst),
+        .x(x),
+        .y(y),
+        .line_end(line_end),
+        .visible(in_picture),
+        .hsync(hsync_now),
+        .vsync(vsync_now)
     );
 
     // The light and the model change below the picture.
@@ -49,17 +58,47 @@ module glint_demo (
     wire [31:0] t, dt, ddt, nl, dnl;
     wire [12:0] w;
     glint_sphere sphere (
-        .clk(clk), .rst(rst), .start(x == 2 && on_sphere && !rst), .row(row[8:0]), .light(light), .busy(busy),
-        .half_width(half_width), .m_valid(span_valid), .m_ready(span_ready), .m_t(t), .m_dt(dt), .m_ddt(ddt), .m_nl(nl),
-        .m_dnl(dnl), .m_w(w)
+        .clk(clk),
+        .rst(rst),
+        .start(x == 2 && on_sphere && !rst),
+        .row(row[8:0]),
+        .light(light),
+        .busy(busy),
+        .half_width(half_width),
+        .m_valid(span_valid),
+        .m_ready(span_ready),
+        .m_t(t),
+        .m_dt(dt),
+        .m_ddt(ddt),
+        .m_nl(nl),
+        .m_dnl(dnl),
+        .m_w(w)
     );
-    wire pixel_valid, pixel_last;
+    wire pixel_valid, pixel_last, span_idle;
     wire [15:0] pixel;
     glint_span #(.WHITE(1)) span (
-        .clk(clk), .rst(rst), .model(model), .n(N), .c_min(model ? C_MIN_SCHLICK : C_MIN_MSH), .clamp_peak(1'b0),
-        .ambient(AMBIENT), .diffuse(DIFFUSE), .specular(SPECULAR), .s_valid(span_valid), .s_ready(span_ready), .s_t(t),
-        .s_dt(dt), .s_ddt(ddt), .s_nl(nl), .s_dnl(dnl), .s_w(w), .m_valid(pixel_valid), .m_ready(1'b1), .m_rgb565(pixel),
-        .m_last(pixel_last)
+        .clk(clk),
+        .rst(rst),
+        .model(model),
+        .n(N),
+        .c_min(model ? C_MIN_SCHLICK : C_MIN_MSH),
+        .clamp_peak(1'b0),
+        .ambient(AMBIENT),
+        .diffuse(DIFFUSE),
+        .specular(SPECULAR),
+        .s_valid(span_valid),
+        .s_ready(span_ready),
+        .s_t(t),
+        .s_dt(dt),
+        .s_ddt(ddt),
+        .s_nl(nl),
+        .s_dnl(dnl),
+        .s_w(w),
+        .m_valid(pixel_valid),
+        .m_ready(1'b1),
+        .m_rgb565(pixel),
+        .m_last(pixel_last),
+        .idle(span_idle)
     );
 
     // Two lines of 512: the sphere's 399 columns, modulo 512.
@@ -81,5 +120,7 @@ module glint_demo (
         rgb565 <= on ? read : 16'd0;
         {hsync, vsync, visible} <= {hsync_late, vsync_late, visible_late};
     end
-    wire unused = &{1'b0, busy, pixel_last};
+    wire unused = &{1'b0, busy, pixel_last, span_idle};
 endmodule
+
+`default_nettype wire

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Written by tables.c: the light's orbit, by glint_light_init for a viewer at (0, 0, 1), in Q1.15: 164 L.x, 164 L.y (24
-// bits each), L.z, 164 H.x, 164 H.y, H.z, and 2^30 + |H|^2.
+// Written by tables.c: the light's orbit, by glint_light_init for a viewer at (0, 0, 1), in Q1.15: 164 L.x, 164 L.y
+// (24 bits each), L.z, 164 H.x, 164 H.y, H.z, and 2^30 + |H|^2.
+`default_nettype none
+
 module glint_orbit (
-    input clk,
-    input [7:0] frame,
+    input wire clk,
+    input wire [7:0] frame,
     output reg [159:0] light
 );
     reg [159:0] memory[0:255];
@@ -267,3 +269,5 @@ module glint_orbit (
         memory[255] = 160'h25e3b40fb0b86ed8139d38081f787ba380003991;
     end
 endmodule
+
+`default_nettype wire

@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: MIT
-// The spans of a row of the demo's sphere (sphere.h), lit by a light that may move: exactly those of glint_span_init between
-// the normals of a span's first pixel and of the pixel after its last, with no multiplier. x and y advance by additions; z is
-// a square root, bit by bit, and each of its bits at once adds to N.H, N.L and z z' with the z before. 17 clocks a span.
+// The spans of a row of the demo's sphere (sphere.h), lit by a light that may move: exactly those of glint_span_init
+// between the normals of a span's first pixel and of the pixel after its last, with no multiplier. x and y advance by
+// additions; z is a square root, bit by bit, and each of its bits at once adds to N.H, N.L and z z' with the z
+// before. 17 clocks a span.
+`default_nettype none
+
 module glint_sphere (
-    input clk,
-    input rst,
-    input start, // while not busy
-    input [8:0] row, // of 480; the sphere is in 41..439
-    input [159:0] light, // glint_orbit's; held still while busy
-    output busy,
-    output [7:0] half_width, // of the row, from the fourth clock after start
-    output m_valid,
-    input m_ready,
-    output [31:0] m_t,
-    output [31:0] m_dt,
-    output [31:0] m_ddt,
-    output [31:0] m_nl,
-    output [31:0] m_dnl,
-    output [12:0] m_w
+    input wire clk,
+    input wire rst,
+    input wire start, // while not busy
+    input wire [8:0] row, // of 480; the sphere is in 41..439
+    input wire [159:0] light, // glint_orbit's; held still while busy
+    output wire busy,
+    output wire [7:0] half_width, // of the row, from the fourth clock after start
+    output wire m_valid,
+    input wire m_ready,
+    output wire [31:0] m_t,
+    output wire [31:0] m_dt,
+    output wire [31:0] m_ddt,
+    output wire [31:0] m_nl,
+    output wire [31:0] m_dnl,
+    output wire [12:0] m_w
 );
     wire [23:0] lx_164 = light[159:136], ly_164 = light[135:112], hx_164 = light[95:72], hy_164 = light[71:48];
     wire [15:0] lz = light[111:96], hz = light[47:32];
@@ -165,12 +168,14 @@ module glint_sphere (
             closing <= left == 0;
             wide <= long;
             work <= 1;
-        end else if (work == OFFER ? m_ready : work != 0) work <= work == OFFER || (work == 2 && opening) ? 3'd0 : work + 3'd1;
+        end else if (work == OFFER ? m_ready : work != 0)
+            work <= work == OFFER || (work == 2 && opening) ? 3'd0 : work + 3'd1;
         case (work)
             1: begin
                 t <= base - dot_h; // |N - H|^2 / 2
                 zz_sum <= zz + zz_before;
-                zz_before <= zz + (long ? 32'd6885504 : 32'd107586); // for the next: with (164 m)^2, and m^2 / 2 to round by
+                // for the next: with (164 m)^2, and m^2 / 2 to round by
+                zz_before <= zz + (long ? 32'd6885504 : 32'd107586);
             end
             2: begin
                 change <= zz_sum - {1'b0, dot_z, 1'b0}; // |N' - N|^2
@@ -180,7 +185,8 @@ module glint_sphere (
             3: lead <= wide ? {ddt[24:0], 7'b0} - {ddt[28:0], 3'b0} : ddt; // ddt m (m - 1) / 2
             4: begin
                 rise_led <= rise - $signed({2'b0, lead});
-                turn_rounded <= turn + $signed({29'b0, wide ? 4'd8 - {3'b0, turn[32]} : {3'b0, !turn[32]}}); // halves away from 0
+                // halves away from 0
+                turn_rounded <= turn + $signed({29'b0, wide ? 4'd8 - {3'b0, turn[32]} : {3'b0, !turn[32]}});
             end
             5: rise_rounded <= rise_led + $signed({30'b0, wide ? 4'd8 - {3'b0, rise_led[33]} : {3'b0, !rise_led[33]}});
             default: ;
@@ -202,3 +208,5 @@ module glint_sphere (
     assign m_w = (wide ? 13'd16 : 13'd2) + {12'b0, closing};
     wire unused = &{1'b0, trial[17], twice_base[0], rise_rounded[0], turn_rounded[0], change[1:0]};
 endmodule
+
+`default_nettype wire

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 // 640x480 at 60 Hz: 800 clocks of 25.175 MHz a line, 525 lines, both syncs negative. The picture comes first.
+`default_nettype none
+
 module glint_video (
-    input clk,
-    input rst,
+    input wire clk,
+    input wire rst,
     output reg [9:0] x,
     output reg [9:0] y,
-    output line_end, // the line's last clock
-    output visible,
-    output hsync,
-    output vsync
+    output wire line_end, // the line's last clock
+    output wire visible,
+    output wire hsync,
+    output wire vsync
 );
     assign line_end = x == 799;
     assign visible = x < 640 && y < 480;
@@ -23,3 +25,5 @@ module glint_video (
             if (line_end) y <= y == 524 ? 10'd0 : y + 10'd1;
         end
 endmodule
+
+`default_nettype wire

@@ -9,11 +9,12 @@
 
 static const char orbit_head[] = "// SPDX-License-Identifier: MIT\n"
                                  "// Written by tables.c: the light's orbit, by glint_light_init for a viewer at (0, "
-                                 "0, 1), in Q1.15: 164 L.x, 164 L.y (24\n"
-                                 "// bits each), L.z, 164 H.x, 164 H.y, H.z, and 2^30 + |H|^2.\n"
+                                 "0, 1), in Q1.15: 164 L.x, 164 L.y\n"
+                                 "// (24 bits each), L.z, 164 H.x, 164 H.y, H.z, and 2^30 + |H|^2.\n"
+                                 "`default_nettype none\n\n"
                                  "module glint_orbit (\n"
-                                 "    input clk,\n"
-                                 "    input [7:0] frame,\n"
+                                 "    input wire clk,\n"
+                                 "    input wire [7:0] frame,\n"
                                  "    output reg [159:0] light\n"
                                  ");\n"
                                  "    reg [159:0] memory[0:255];\n"
@@ -22,11 +23,12 @@ static const char orbit_head[] = "// SPDX-License-Identifier: MIT\n"
 
 static const char chord_head[] = "// SPDX-License-Identifier: MIT\n"
                                  "// Written by tables.c: for the rows j = +-row of the sphere their half width in "
-                                 "pixels and, at their first pixel, z^2 and\n"
-                                 "// 2 (41)^2 |i|.\n"
+                                 "pixels and, at their first pixel,\n"
+                                 "// z^2 and 2 (41)^2 |i|.\n"
+                                 "`default_nettype none\n\n"
                                  "module glint_chord (\n"
-                                 "    input clk,\n"
-                                 "    input [7:0] row,\n"
+                                 "    input wire clk,\n"
+                                 "    input wire [7:0] row,\n"
                                  "    output reg [51:0] chord\n"
                                  ");\n"
                                  "    reg [51:0] memory[0:255];\n"
@@ -77,6 +79,6 @@ int main(int argc, char **argv)
         return 2;
     }
     const int status = strcmp(argv[1], "orbit") == 0 ? write_orbit() : write_chord();
-    puts("    end\nendmodule");
+    puts("    end\nendmodule\n\n`default_nettype wire");
     return status;
 }

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: MIT
-// An example of use: a line of cosines becomes grey pixels, ambient light plus a highlight, a pixel a clock. What goes with a pixel, here
-// the mark of the line's last, travels through the core as its user bits. The cutoff is what glint_cutoff(GLINT_MSH, 60, 8) gives.
+// An example of use: a line of cosines becomes grey pixels, ambient light plus a highlight, a pixel a clock. What
+// goes with a pixel, here the mark of the line's last, travels through the core as its user bits. The cutoff is what
+// glint_cutoff(GLINT_MSH, 60, 8) gives.
+`default_nettype none
+
 module highlight_grey (
-    input clk,
-    input rst,
-    input in_valid,
-    output in_ready,
-    input signed [17:0] in_cosine,
-    input in_last,
+    input wire clk,
+    input wire rst,
+    input wire in_valid,
+    output wire in_ready,
+    input wire signed [17:0] in_cosine,
+    input wire in_last,
     output reg out_valid,
-    input out_ready,
+    input wire out_ready,
     output reg [7:0] out_grey,
     output reg out_last
 );
     localparam [7:0] AMBIENT = 24;
 
-    wire valid, last;
+    wire valid, last, idle;
     wire [16:0] f;
     wire ready = !out_valid || out_ready;
     glint_core #(
@@ -33,7 +36,8 @@ module highlight_grey (
         .m_valid(valid),
         .m_ready(ready),
         .m_f(f),
-        .m_user(last)
+        .m_user(last),
+        .idle(idle)
     );
 
     // 255 * 2^16 is 1.0; MSH reaches 1.024, so the sum is held.
@@ -46,5 +50,7 @@ module highlight_grey (
             out_last <= last;
         end
 
-    wire unused = &{1'b0, sum[15:0]};
+    wire unused = &{1'b0, sum[15:0], idle};
 endmodule
+
+`default_nettype wire

@@ -1,27 +1,40 @@
 // SPDX-License-Identifier: MIT
-// F of the modified Schlick function or of Schlick's, in Q16.16, from the cosine, with the bits of glint_msh() and
-// glint_schlick(): correctly rounded, ties up. A pixel a clock, 12 clocks later. The digit after a name is the clock it holds at.
+// Purpose: F of the modified Schlick function or of Schlick's, in Q16.16, from the cosine, with the bits of glint_msh()
+// and glint_schlick(): correctly rounded, ties up.
+// Parameters: USER, bits that travel with a pixel; LUT_RAM, 1 on parts whose logic cells can be memory; ROW_AND, 1
+// where rows fit carry chains better as sum + (more & add) (Xilinx).
+// Latency: a pixel a clock, 12 clocks later.
+// Reset: synchronous, active high; empties the pipeline. What is offered in that clock is lost.
+// Back-pressure: while the last pixel waits all stages stand still; s_ready follows m_ready in the same clock
+// (glint_skid breaks that path). Registers may change in a clock in which idle is 1 and no pixel is taken.
 //
+// The digit after a name is the clock it holds at.
 // With C the cosine, u = 2^16 - C, 4D = 4(n - 1)u + 2^18, E = 4D + C:  F 2^16 = 2^39 C / 5E^2 or 2^18 C / 4D (Schlick).
-//  1. y        E or 4D, times 2^(9 - octave): 2^27 <= y < 2^28. Then F 2^(16+t) = 2^57 C / 5y^2 or 2^27 C / y, t = 2 octave or octave
+//  1. y        E or 4D, times 2^(9 - octave): 2^27 <= y < 2^28. Then F 2^(16+t) = 2^57 C / 5y^2 or 2^27 C / y,
+//              t = 2 octave or octave
 //  2. q        that by a table, off by less than 2^t / 2; h = floor(q / 2^t), so that F 2^16, rounded, is h or h + 1
 //  3. F        h + 1 where (h + 1/2) 2^t times the divisor, 5y^2 / 2^30 or y, is at most 2^27 C
+`default_nettype none
+
 module glint_core #(
-    parameter USER = 1
+    parameter integer USER = 1, // 1 or more
+    parameter integer LUT_RAM = 0, // 0 or 1
+    parameter integer ROW_AND = 0 // 0 or 1
 ) (
-    input clk,
-    input rst,
-    input model,         // 0: modified Schlick, 1: Schlick. Like n and c_min held still while pixels are on their way
-    input [9:0] n,       // the shininess, 1..1000; others are clamped
-    input [16:0] c_min,  // the cutoff: F = 0 where c < c_min
-    input s_valid,
-    output s_ready,
-    input signed [17:0] s_c,  // the cosine, Q16.16; below 0 counts as 0, above 65536 as 65536
-    input [USER-1:0] s_user,  // comes out with the pixel's F
-    output m_valid,
-    input m_ready,
-    output [16:0] m_f,  // F, Q16.16
-    output [USER-1:0] m_user
+    input wire clk,
+    input wire rst,
+    input wire model, // 0: modified Schlick, 1: Schlick. Like n and c_min held still unless idle
+    input wire [9:0] n, // the shininess, 1..1000; others are clamped
+    input wire [16:0] c_min, // the cutoff: F = 0 where c < c_min
+    input wire s_valid,
+    output wire s_ready,
+    input wire signed [17:0] s_c, // the cosine, Q16.16; below 0 counts as 0, above 65536 as 65536
+    input wire [USER-1:0] s_user, // comes out with the pixel's F
+    output wire m_valid,
+    input wire m_ready,
+    output wire [16:0] m_f, // F, Q16.16
+    output wire [USER-1:0] m_user,
+    output wire idle // no pixel is inside
 );
     localparam CLOCKS = 12;
 
@@ -30,6 +43,7 @@ module glint_core #(
     wire en = !m_valid || m_ready;
     assign s_ready = en;
     assign m_valid = valid[CLOCKS];
+    assign idle = valid == 0;
     always @(posedge clk)
         if (rst) valid <= 0;
         else if (en) valid <= {valid[CLOCKS-1:1], s_valid};
@@ -73,7 +87,7 @@ module glint_core #(
 
     // 5 to 9: the divisor.
     wire [37:0] s9;
-    glint_divisor divisor (
+    glint_divisor #(.ROW_AND(ROW_AND)) divisor (
         .clk(clk),
         .en(en),
         .model(model),
@@ -83,7 +97,7 @@ module glint_core #(
 
     // 4 to 7: the reciprocal.
     wire [18:0] z7;
-    glint_reciprocal reciprocal (
+    glint_reciprocal #(.ROW_AND(ROW_AND)) reciprocal (
         .clk(clk),
         .en(en),
         .model(model),
@@ -95,7 +109,8 @@ module glint_core #(
     wire [15:0] u7;
     glint_delay #(
         .WIDTH(16),
-        .CLOCKS(6)
+        .CLOCKS(6),
+        .LUT_RAM(LUT_RAM)
     ) u_1_to_7 (
         .clk(clk),
         .rst(rst),
@@ -106,9 +121,11 @@ module glint_core #(
     wire [15:0] p7 = ~u7;
     wire [16:0] low0 = z7[0] ? {1'b0, p7} : 17'd0;
     wire [16:0] low1;
-    glint_row #(16) row_low1 (z7[1], low0[16:1], p7, low1);
+    glint_row #(.WIDTH(16), .ROW_AND(ROW_AND))
+        row_low1 (.add(z7[1]), .sum(low0[16:1]), .more(p7), .result(low1));
     wire [16:0] low2;
-    glint_row #(16) row_low2 (z7[2], low1[16:1], p7, low2);
+    glint_row #(.WIDTH(16), .ROW_AND(ROW_AND))
+        row_low2 (.add(z7[2]), .sum(low1[16:1]), .more(p7), .result(low2));
     wire [16:0] addend7 = {1'b0, z7[18:3]} + {1'b0, low2[16:1]};
     reg [31:0] product8;
     reg [4:0] t5, t6, t7, t8;
@@ -138,22 +155,27 @@ module glint_core #(
             h11 <= t10 ? {1'b0, h10[16:1]} : h10;
         end
 
-    // 10, 11: g times s, as g[17:2] times s[37:6] and, in 2^8 of its units, the rest. Less by 1 for Schlick, so that its tie counts as
-    // less than C, too; else more by 2^8, which makes up for what is cut off. (For Schlick g[17:2] <= 2^15.)
+    // 10, 11: g times s, as g[17:2] times s[37:6] and, in 2^8 of its units, the rest. Less by 1 for Schlick, so that
+    // its tie counts as less than C, too; else more by 2^8, which makes up for what is cut off. (For Schlick g[17:2]
+    // <= 2^15.)
     wire [5:0] rest4 = s9[4] ? g9[17:12] : 6'd0;
     wire [3:0] rest2 = s9[2] ? g9[17:14] : 4'd0;
     wire [1:0] rest0 = s9[0] ? g9[17:16] : 2'd0;
     wire [7:0] rest5;
     wire [5:0] rest3;
     wire [3:0] rest1;
-    glint_row #(7) row_rest5 (s9[5], {1'b0, rest4}, g9[17:11], rest5);
-    glint_row #(5) row_rest3 (s9[3], {1'b0, rest2}, g9[17:13], rest3);
-    glint_row #(3) row_rest1 (s9[1], {1'b0, rest0}, g9[17:15], rest1);
+    glint_row #(.WIDTH(7), .ROW_AND(ROW_AND))
+        row_rest5 (.add(s9[5]), .sum({1'b0, rest4}), .more(g9[17:11]), .result(rest5));
+    glint_row #(.WIDTH(5), .ROW_AND(ROW_AND))
+        row_rest3 (.add(s9[3]), .sum({1'b0, rest2}), .more(g9[17:13]), .result(rest3));
+    glint_row #(.WIDTH(3), .ROW_AND(ROW_AND))
+        row_rest1 (.add(s9[1]), .sum({1'b0, rest0}), .more(g9[17:15]), .result(rest1));
     wire [5:0] rest_3_to_0 = rest3 + {2'd0, rest1};
     wire [7:0] rest_5_to_0 = rest5 + {2'd0, rest_3_to_0};
     wire [22:0] rest7 = g9[1] ? s9[37:15] : 23'd0;
     wire [23:0] rest8;
-    glint_row #(23) row_rest8 (g9[0], rest7, {1'd0, s9[37:16]}, rest8);
+    glint_row #(.WIDTH(23), .ROW_AND(ROW_AND))
+        row_rest8 (.add(g9[0]), .sum(rest7), .more({1'd0, s9[37:16]}), .result(rest8));
     reg [31:0] product10, product11;
     reg [7:0] low_rest10;
     reg [23:0] high_rest10;
@@ -174,7 +196,8 @@ module glint_core #(
     wire [15:0] u11;
     glint_delay #(
         .WIDTH(16),
-        .CLOCKS(4)
+        .CLOCKS(4),
+        .LUT_RAM(LUT_RAM)
     ) u_7_to_11 (
         .clk(clk),
         .rst(rst),
@@ -189,7 +212,8 @@ module glint_core #(
 
     glint_delay #(
         .WIDTH(USER),
-        .CLOCKS(CLOCKS)
+        .CLOCKS(CLOCKS),
+        .LUT_RAM(LUT_RAM)
     ) user (
         .clk(clk),
         .rst(rst),
@@ -198,5 +222,14 @@ module glint_core #(
         .q(m_user)
     );
 
-    wire unused = &{1'b0, w2_high[31:26], zero[12], y4[0], y3_next[27], y3_next[7:0], low2[0], carry10[7:0], product10[7:0], product11[12:0], product8[14:0], low0[0], low1[0]};
+    generate
+        if (USER < 1) begin : range
+            USER_must_be_1_or_more stop ();
+        end
+    endgenerate
+
+    wire unused = &{1'b0, w2_high[31:26], zero[12], y4[0], y3_next[27], y3_next[7:0], low2[0], carry10[7:0],
+        product10[7:0], product11[12:0], product8[14:0], low0[0], low1[0]};
 endmodule
+
+`default_nettype wire

@@ -1,26 +1,34 @@
 // SPDX-License-Identifier: MIT
-// F of any function of the library for one material, from a table that the user fills: a line between exact values, 16 to each
-// octave of u = 2^16 - c, and every u below 32. A pixel a clock, 6 clocks later. No multiplier blocks, one pair of block RAMs.
+// Purpose: F of any function of the library for one material, from a table that the user fills: a line between exact
+// values, 16 to each octave of u = 2^16 - c, and every u below 32. No multiplier blocks, one pair of block RAMs.
+// Parameters: as glint_core's.
+// Latency: a pixel a clock, 6 clocks later.
+// Reset, back-pressure: as glint_core's; the table stays as it is through a reset.
 //
 // Entry i holds F(u_i), 17 bits, above F(u_i) - F(u_i+1), 15 bits of which 12 are used, Q16.16:
 //   u_i = i for i < 16, else (16 + i mod 16) << (i / 16 - 1);  i = 0..207, u_208 = 65536.
+`default_nettype none
+
 module glint_lite #(
-    parameter USER = 1
+    parameter integer USER = 1, // 1 or more
+    parameter integer LUT_RAM = 0, // 0 or 1
+    parameter integer ROW_AND = 0 // 0 or 1
 ) (
-    input clk,
-    input rst,
-    input t_write,  // the table's port; not while pixels are on their way
-    input [7:0] t_entry,
-    input [31:0] t_value,
-    input [16:0] c_min,  // the cutoff: F = 0 where c < c_min; held still while pixels are on their way
-    input s_valid,
-    output s_ready,
-    input signed [17:0] s_c,  // the cosine, Q16.16; below 0 counts as 0, above 65536 as 65536
-    input [USER-1:0] s_user,  // comes out with the pixel's F
-    output m_valid,
-    input m_ready,
-    output [16:0] m_f,  // F, Q16.16
-    output [USER-1:0] m_user
+    input wire clk,
+    input wire rst,
+    input wire t_write, // the table's port; only while idle
+    input wire [7:0] t_entry,
+    input wire [31:0] t_value,
+    input wire [16:0] c_min, // the cutoff: F = 0 where c < c_min; held still unless idle
+    input wire s_valid,
+    output wire s_ready,
+    input wire signed [17:0] s_c, // the cosine, Q16.16; below 0 counts as 0, above 65536 as 65536
+    input wire [USER-1:0] s_user, // comes out with the pixel's F
+    output wire m_valid,
+    input wire m_ready,
+    output wire [16:0] m_f, // F, Q16.16
+    output wire [USER-1:0] m_user,
+    output wire idle // no pixel is inside
 );
     localparam CLOCKS = 6;
 
@@ -29,6 +37,7 @@ module glint_lite #(
     wire en = !m_valid || m_ready;
     assign s_ready = en;
     assign m_valid = valid[CLOCKS];
+    assign idle = valid == 0;
     always @(posedge clk)
         if (rst) valid <= 0;
         else if (en) valid <= {valid[CLOCKS-1:1], s_valid};
@@ -74,13 +83,20 @@ module glint_lite #(
     reg [12:0] was5;
     wire [12:0] sum0 = part4[3] ? {1'b0, entry4[11:0]} : 13'd0;
     wire [12:0] sum1, sum2, sum3, sum4, sum5, sum6, sum7;
-    glint_row #(12) row_sum1 (part4[4], sum0[12:1], entry4[11:0], sum1);
-    glint_row #(12) row_sum2 (part4[5], sum1[12:1], entry4[11:0], sum2);
-    glint_row #(12) row_sum3 (part4[6], sum2[12:1], entry4[11:0], sum3);
-    glint_row #(12) row_sum4 (part5[7], was5[12:1], entry5[11:0], sum4);
-    glint_row #(12) row_sum5 (part5[8], sum4[12:1], entry5[11:0], sum5);
-    glint_row #(12) row_sum6 (part5[9], sum5[12:1], entry5[11:0], sum6);
-    glint_row #(12) row_sum7 (part5[10], sum6[12:1], entry5[11:0], sum7);
+    glint_row #(.WIDTH(12), .ROW_AND(ROW_AND))
+        row_sum1 (.add(part4[4]), .sum(sum0[12:1]), .more(entry4[11:0]), .result(sum1));
+    glint_row #(.WIDTH(12), .ROW_AND(ROW_AND))
+        row_sum2 (.add(part4[5]), .sum(sum1[12:1]), .more(entry4[11:0]), .result(sum2));
+    glint_row #(.WIDTH(12), .ROW_AND(ROW_AND))
+        row_sum3 (.add(part4[6]), .sum(sum2[12:1]), .more(entry4[11:0]), .result(sum3));
+    glint_row #(.WIDTH(12), .ROW_AND(ROW_AND))
+        row_sum4 (.add(part5[7]), .sum(was5[12:1]), .more(entry5[11:0]), .result(sum4));
+    glint_row #(.WIDTH(12), .ROW_AND(ROW_AND))
+        row_sum5 (.add(part5[8]), .sum(sum4[12:1]), .more(entry5[11:0]), .result(sum5));
+    glint_row #(.WIDTH(12), .ROW_AND(ROW_AND))
+        row_sum6 (.add(part5[9]), .sum(sum5[12:1]), .more(entry5[11:0]), .result(sum6));
+    glint_row #(.WIDTH(12), .ROW_AND(ROW_AND))
+        row_sum7 (.add(part5[10]), .sum(sum6[12:1]), .more(entry5[11:0]), .result(sum7));
     reg [16:0] f6;
     always @(posedge clk)
         if (en) begin
@@ -94,7 +110,8 @@ module glint_lite #(
 
     glint_delay #(
         .WIDTH(USER),
-        .CLOCKS(CLOCKS)
+        .CLOCKS(CLOCKS),
+        .LUT_RAM(LUT_RAM)
     ) user (
         .clk(clk),
         .rst(rst),
@@ -103,5 +120,14 @@ module glint_lite #(
         .q(m_user)
     );
 
-    wire unused = &{1'b0, zero[6], u3[2:0], entry5[14:12], sum0[0], sum1[0], sum2[0], sum4[0], was5[0], sum5[0], sum6[0], sum7[0]};
+    generate
+        if (USER < 1) begin : range
+            USER_must_be_1_or_more stop ();
+        end
+    endgenerate
+
+    wire unused = &{1'b0, zero[6], u3[2:0], entry5[14:12], sum0[0], sum1[0], sum2[0], sum4[0], was5[0], sum5[0],
+        sum6[0], sum7[0]};
 endmodule
+
+`default_nettype wire

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Shifts w, 2^18 <= w < 2^28, left until bit 27 is set: y = w << (9 - octave), octave 0..9. Two clocks; next is y a clock before.
+// Shifts w, 2^18 <= w < 2^28, left until bit 27 is set: y = w << (9 - octave), octave 0..9. Two clocks; next is y a
+// clock before.
+`default_nettype none
+
 module glint_normalize (
-    input clk,
-    input en,
-    input [27:0] w,
-    output [27:0] next,
+    input wire clk,
+    input wire en,
+    input wire [27:0] w,
+    output wire [27:0] next,
     output reg [27:0] y,
     output reg [3:0] octave
 );
@@ -31,3 +34,5 @@ module glint_normalize (
             octave <= rest - {2'd0, far2, far1};
         end
 endmodule
+
+`default_nettype wire

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// p = a x for a = 0..65536, held still, one clock after x. Of the low 16 bits by a multiplier block, or with ROWS by rows of logic
-// cells in three parts; the bits of 2^16 select and add.
+// p = a x for a = 0..65536, held still, one clock after x. Of the low 16 bits by a multiplier block, or with ROWS by
+// rows of logic cells in three parts; the bits of 2^16 select and add.
+`default_nettype none
+
 module glint_product #(
-    parameter ROWS = 0
+    parameter integer ROWS = 0, // 0 or 1
+    parameter integer ROW_AND = 0 // as in glint_row
 ) (
-    input clk,
-    input step,
-    input [16:0] a,
-    input [16:0] x,
-    output [33:0] p
+    input wire clk,
+    input wire step,
+    input wire [16:0] a,
+    input wire [16:0] x,
+    output wire [33:0] p
 );
     wire [31:0] low;
     reg [16:0] x_late;
@@ -20,9 +23,9 @@ module glint_product #(
             wire [21:0] at_10;
             reg [20:0] late_0, late_5;
             reg [21:0] late_10;
-            glint_rows #(5) rows_0 (.a(a[4:0]), .x(x[15:0]), .product(at_0));
-            glint_rows #(5) rows_5 (.a(a[9:5]), .x(x[15:0]), .product(at_5));
-            glint_rows #(6) rows_10 (.a(a[15:10]), .x(x[15:0]), .product(at_10));
+            glint_rows #(.BITS(5), .ROW_AND(ROW_AND)) rows_0 (.a(a[4:0]), .x(x[15:0]), .product(at_0));
+            glint_rows #(.BITS(5), .ROW_AND(ROW_AND)) rows_5 (.a(a[9:5]), .x(x[15:0]), .product(at_5));
+            glint_rows #(.BITS(6), .ROW_AND(ROW_AND)) rows_10 (.a(a[15:10]), .x(x[15:0]), .product(at_10));
             always @(posedge clk)
                 if (step) begin
                     late_0 <= at_0;
@@ -40,3 +43,5 @@ module glint_product #(
     wire [17:0] high = a[16] ? {1'b0, x_late} : {2'b0, low[31:16]} + (x_late[16] ? {2'b0, a[15:0]} : 18'b0);
     assign p = {high, low[15:0]}; // where a = 65536, low is 0
 endmodule
+
+`default_nettype wire

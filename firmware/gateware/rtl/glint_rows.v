@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // a x from rows of logic cells, 17 a bit of a. Combinational.
+`default_nettype none
+
 module glint_rows #(
-    parameter BITS = 5 // of a, 2 or more
+    parameter integer BITS = 5, // of a, 2 or more
+    parameter integer ROW_AND = 0 // as in glint_row
 ) (
-    input [BITS-1:0] a,
-    input [15:0] x,
-    output [BITS+15:0] product
+    input wire [BITS-1:0] a,
+    input wire [15:0] x,
+    output wire [BITS+15:0] product
 );
     genvar i;
     generate
@@ -15,13 +18,21 @@ module glint_rows #(
             else assign was = bits[i-1].is;
             wire [i+16:0] is;
             assign is[i-1:0] = was[i-1:0];
-            glint_row #(16) row (
+            glint_row #(
+                .WIDTH(16),
+                .ROW_AND(ROW_AND)
+            ) row (
                 .add(a[i]),
                 .sum(was[i+15:i]),
                 .more(x),
                 .result(is[i+16:i])
             );
         end
+        if (BITS < 2) begin : range
+            BITS_must_be_2_or_more stop ();
+        end
     endgenerate
     assign product = bits[BITS-1].is[BITS+15:0];
 endmodule
+
+`default_nettype wire

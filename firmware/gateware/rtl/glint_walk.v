@@ -1,28 +1,32 @@
 // SPDX-License-Identifier: MIT
-// From a span to its pixels: second-order differences and the reductions to Q16, as glint_shade_span_c16 does them. A pixel a
-// clock, spans back to back; a span of w = 0 is taken and gives none.
+// From a span to its pixels: second-order differences and the reductions to Q16, as glint_shade_span_c16 does them. A
+// pixel a clock, spans back to back; a span of w = 0 is taken and gives none.
+`default_nettype none
+
 module glint_walk (
-    input clk,
-    input rst,
-    input s_valid,
-    output s_ready,
-    input [31:0] s_t,
-    input [31:0] s_dt,
-    input [31:0] s_ddt,
-    input [31:0] s_nl,
-    input [31:0] s_dnl,
-    input [12:0] s_w,
+    input wire clk,
+    input wire rst,
+    input wire s_valid,
+    output wire s_ready,
+    input wire [31:0] s_t,
+    input wire [31:0] s_dt,
+    input wire [31:0] s_ddt,
+    input wire [31:0] s_nl,
+    input wire [31:0] s_dnl,
+    input wire [12:0] s_w,
     output reg m_valid,
-    input m_ready,
+    input wire m_ready,
     output reg signed [17:0] m_c,
     output reg [16:0] m_nl,
-    output reg m_last
+    output reg m_last,
+    output wire idle // no span and no pixel is inside
 );
     reg busy; // t and nl are of a pixel that is to be given
     reg [31:0] t, dt, ddt, nl, dnl;
     reg [12:0] left; // pixels after it
     wire step = !m_valid | m_ready;
     wire last = left == 0;
+    assign idle = !busy & !m_valid;
     assign s_ready = !busy | (step & last);
 
     always @(posedge clk) begin
@@ -44,7 +48,8 @@ module glint_walk (
         if (rst) busy <= 0;
     end
 
-    // 65536 - ((t + 2^13) >> 14). From t = 2^31 on it would not fit and is negative anyhow; from 0xf8000000 on t counts as 0.
+    // 65536 - ((t + 2^13) >> 14). From t = 2^31 on it would not fit and is negative anyhow; from 0xf8000000 on t
+    // counts as 0.
     wire signed [18:0] c = 19'sd65536 - $signed({1'b0, t[31:14]}) - $signed({18'b0, t[13]});
     // clamp((nl + 2^13) >> 14, 0, 65536)
     wire signed [18:0] n = $signed({nl[31], nl[31:14]}) + $signed({18'b0, nl[13]});
@@ -60,3 +65,5 @@ module glint_walk (
 
     wire unused = &{1'b0, c[18]}; // below t = 2^31 the two top bits are equal
 endmodule
+
+`default_nettype wire

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What is offered stays as it is until it is taken; nothing is offered right after a reset.
+`default_nettype none
+
 module held #(
-    parameter WIDTH = 1
+    parameter integer WIDTH = 1
 ) (
-    input clk,
-    input rst,
-    input valid,
-    input ready,
-    input [WIDTH-1:0] data
+    input wire clk,
+    input wire rst,
+    input wire valid,
+    input wire ready,
+    input wire [WIDTH-1:0] data
 );
     reg begun = 0, was_reset, was_waiting;
     reg [WIDTH-1:0] before;
@@ -21,3 +23,5 @@ module held #(
         if (begun & was_waiting) assert (valid & data == before);
     end
 endmodule
+
+`default_nettype wire

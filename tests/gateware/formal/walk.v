@@ -1,23 +1,39 @@
 // SPDX-License-Identifier: MIT
-// The walk under any spans and any taking: what it offers is held; with COUNT: a span of w gives w pixels, the last marked.
+// The walk under any spans and any taking: what it offers is held; with COUNT: a span of w gives w pixels, the last
+// marked.
+`default_nettype none
+
 module walk (
-    input clk,
-    input rst,
-    input s_valid,
-    input [31:0] s_t,
-    input [31:0] s_dt,
-    input [31:0] s_ddt,
-    input [31:0] s_nl,
-    input [31:0] s_dnl,
-    input [12:0] s_w,
-    input m_ready
+    input wire clk,
+    input wire rst,
+    input wire s_valid,
+    input wire [31:0] s_t,
+    input wire [31:0] s_dt,
+    input wire [31:0] s_ddt,
+    input wire [31:0] s_nl,
+    input wire [31:0] s_dnl,
+    input wire [12:0] s_w,
+    input wire m_ready
 );
     wire s_ready, m_valid, m_last;
     wire signed [17:0] m_c;
     wire [16:0] m_nl;
     glint_walk dut (
-        .clk(clk), .rst(rst), .s_valid(s_valid), .s_ready(s_ready), .s_t(s_t), .s_dt(s_dt), .s_ddt(s_ddt), .s_nl(s_nl),
-        .s_dnl(s_dnl), .s_w(s_w), .m_valid(m_valid), .m_ready(m_ready), .m_c(m_c), .m_nl(m_nl), .m_last(m_last)
+        .clk(clk),
+        .rst(rst),
+        .s_valid(s_valid),
+        .s_ready(s_ready),
+        .s_t(s_t),
+        .s_dt(s_dt),
+        .s_ddt(s_ddt),
+        .s_nl(s_nl),
+        .s_dnl(s_dnl),
+        .s_w(s_w),
+        .m_valid(m_valid),
+        .m_ready(m_ready),
+        .m_c(m_c),
+        .m_nl(m_nl),
+        .m_last(m_last)
     );
     held #(.WIDTH(36)) offered (.clk(clk), .rst(rst), .valid(m_valid), .ready(m_ready), .data({m_c, m_nl, m_last}));
 
@@ -38,3 +54,5 @@ module walk (
     end
 `endif
 endmodule
+
+`default_nettype wire
