@@ -109,6 +109,21 @@ export class Engine {
         return { library: row(0), double: row(1), blinn: row(2) }
     }
 
+    /** What changes between pictures that follow each other, in the mean: a share of the bytes; bytes of the rectangle, and of
+     *  the lines' pieces, that hold all changes; bytes of a frame. Afterwards `words` are drawn again. */
+    moving(steps: string[][], words: string[]): { changed: number, box: number, lines: number, frame: number } {
+        let before: Uint8Array | undefined
+        const sum = { changed: 0, box: 0, lines: 0, frame: 0 }
+        for (const step of steps) {
+            const { height } = this.draw(step), now = this.pixels()
+            if (before)
+                add(sum, extentOf(before, now, height), 1 / (steps.length - 1))
+            before = now
+        }
+        this.draw(words)
+        return sum
+    }
+
     /** Runs `glint bake`, `material` or `table`: the files that it writes, and what it prints. */
     run(words: string[]): { files: File[], printed: string, warnings: string[] } {
         return this.guard(() => {
@@ -159,6 +174,35 @@ export class Engine {
             throw error
         }
     }
+}
+
+type Extent = { changed: number, box: number, lines: number, frame: number }
+
+function add(sum: Extent, more: Extent, weight: number): void {
+    for (const name of Object.keys(sum) as (keyof Extent)[])
+        sum[name] += weight * more[name]
+}
+
+function extentOf(before: Uint8Array, now: Uint8Array, height: number): Extent {
+    const line = now.length / height
+    let changed = 0, lines = 0, top = height, bottom = -1, left = line, right = -1
+    for (let y = 0; y < height; y++) {
+        let first = line, last = -1
+        for (let x = 0; x < line; x++)
+            if (before[y * line + x] !== now[y * line + x]) {
+                changed++
+                first = Math.min(first, x)
+                last = x
+            }
+        if (last < 0)
+            continue
+        lines += last - first + 1
+        top = Math.min(top, y)
+        bottom = y
+        left = Math.min(left, first)
+        right = Math.max(right, last)
+    }
+    return { changed: changed / now.length, box: right < 0 ? 0 : (right - left + 1) * (bottom - top + 1), lines, frame: now.length }
 }
 
 /** A light as what canvas_new looks at: its kind. */

@@ -7,6 +7,8 @@ import { readPng, writePng } from './png'
 
 const program = new WebAssembly.Module(inflateSync(Uint8Array.from(atob(base64), c => c.charCodeAt(0))) as Uint8Array<ArrayBuffer>)
 const engine = new Engine(program)
+/** For pictures beside the main one, whose scene stays prepared. */
+const other = new Engine(program)
 
 export const methods = {
     map(name: string, bytes: Uint8Array) {
@@ -15,9 +17,11 @@ export const methods = {
         return { width: map.width, height: map.height, channels: map.channels, bits: map.bits }
     },
     draw: (words: string[]) => ({ ...engine.draw(words), facts: engine.facts() }),
+    aside: (words: string[]) => other.draw(words),
     compare: () => engine.compare(),
     curve: (model: number, n: number, count: number, degrees: number) => engine.curve(model, n, count, degrees),
     run: (words: string[]) => engine.run(words),
+    moving: (steps: string[][], words: string[]) => engine.moving(steps, words),
     raw: () => engine.pixels(),
     again: (times: number) => engine.again(times),
     png: (width: number, height: number, rgba: Uint8Array, isGrey: boolean) => writePng(width, height, rgba, isGrey),

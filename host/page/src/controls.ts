@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// The material's controls: a table. Each sets one option of the command line; it shows the number that C gets and says
+// what it means. To add one: its option in words.ts, a line here.
+import { byId, capital, make, short } from './dom'
+import type { Facts } from './engine'
+import { onDrawn } from './picture'
+import { canRedo, canUndo, change, current, onChange, redo, reset, undo } from './store'
+import type { Option, State } from './words'
+
+export const models = ['msh', 'schlick', 'blinn', 'phong', 'gauss', 'cayley', 'lyon'] as const
+const modelTitles: Record<string, string> = { msh: 'MSH', schlick: 'Schlick', blinn: 'Blinn', phong: 'Phong', gauss: 'Gauss', cayley: 'Cayley', lyon: 'Lyon' }
+const modelMeanings: Record<string, string> = {
+    msh: 'The paper\'s function (5): one division; its peak is 1.024',
+    schlick: 'c / (n − nc + c): the cheapest fraction, with a wide skirt',
+    blinn: 'cosⁿ of the angle between N and H, exactly',
+    phong: 'cosⁿ of the angle between V and the reflected light: a smaller spot at the same n',
+    gauss: 'exp(−n x² / 2) of the angle x',
+    cayley: 'A fraction to the fourth power: closest to Blinn, and 0 beyond its foot',
+    lyon: '(1 − n(1 − c)/4)⁴: Lyon 1993, the fewest cycles',
+}
+const formats = ['rgb565', 'rgb565-swapped', 'rgb888', 'grey8', 'mono'] as const
+const paths = ['exact', 'span', 'span-c16', 'colour-int16', 'colour-int10', 'colour-int8', 'colour-span', 'small-int16', 'small-int10', 'small-int8',
+    'small-span', 'albedo-int16', 'albedo-int10', 'albedo-int8', 'albedo-span', 'palette'] as const
+
+interface Row {
+    option: Option
+    title: string
+    /** Builds the inputs and returns what updates them. */
+    build: (id: string, line: HTMLElement) => (state: State, facts: Facts | undefined) => void
+    number: (state: State, facts: Facts) => string
+    meaning: (state: State, facts: Facts) => string
+}
+
+const set = (option: Option, text: string | undefined, kind = '') => change({ [option]: text } as Partial<State>, kind)
+
+// ---- kinds of inputs ----
+
+const choice = (option: Option, values: readonly string[], standard: string, title = (value: string) => value): Row['build'] => (id, line) => {
+    const input = make('select', { id }, ...values.map(value => make('option', { value, textContent: title(value) })))
+    input.onchange = () => set(option, input.value === standard ? undefined : input.value)
+    line.append(input)
+    return state => { input.value = state[option] ?? standard }
+}
+
+const flag = (option: Option): Row['build'] => (id, line) => {
+    const input = make('input', { type: 'checkbox', id })
+    input.onchange = () => set(option, input.checked ? '' : undefined)
+    line.append(input)
+    return state => { input.checked = state[option] !== undefined }
+}
+
+/** A slider and a number. The slider runs 0..steps, `at` and `of` bend it. */
+const slider = (option: Option, low: number, high: number, steps: number, of: (step: number) => number, at: (value: number) => number): Row['build'] => (id, line) => {
+    const title = line.querySelector('label')!.textContent!
+    const range = make('input', { type: 'range', min: '0', max: String(steps), aria: { label: `${title}, slider` } })
+    const number = make('input', { type: 'number', id, min: String(low), max: String(high), step: '1' })
+    range.oninput = () => set(option, String(of(Number(range.value))), option)
+    number.onchange = () => set(option, number.value || undefined)
+    line.append(range, number)
+    return (state, facts) => {
+        const value = Number(state[option] ?? facts?.[option]?.[0] ?? low)
+        range.value = String(at(value))
+        range.setAttribute('aria-valuetext', String(value))
+        if (document.activeElement !== number)
+            number.value = String(value)
+    }
+}
+
+const hex = (values: number[]) => '#' + values.map(v => Math.round(Math.max(0, Math.min(255, v))).toString(16).padStart(2, '0')).join('')
+const ofHex = (text: string) => [1, 3, 5].map(i => parseInt(text.slice(i, i + 2), 16))
+
+/** A strength 0..1 and its tint: one number, or three. */
+const coefficient = (option: 'ambient' | 'diffuse' | 'specular'): Row['build'] => (id, line) => {
+    const title = line.querySelector('label')!.textContent!
+    const range = make('input', { type: 'range', id, min: '0', max: '1', step: '0.01' })
+    const tint = make('input', { type: 'color', aria: { label: `${title}: tint` } })
+    const put = () => {
+        const strength = Number(range.value), color = ofHex(tint.value), most = Math.max(...color, 1)
+        const values = color.map(v => short(strength * v / most))
+        set(option, values.every(v => v === values[0]) ? values[0] : values.join(','), option)
+    }
+    range.oninput = tint.oninput = put
+    line.append(range, tint)
+    return (_state, facts) => {
+        const values = facts?.[`${option}_q16`]
+        if (!values)
+            return
+        const most = Math.max(...values)
+        if (document.activeElement !== range)
+            range.value = String(most / 65536)
+        if (most && document.activeElement !== tint)
+            tint.value = hex(values.map(v => 255 * v / most))
+    }
+}
+
+const color: Row['build'] = (id, line) => {
+    const input = make('input', { type: 'color', id })
+    const own = make('button', { type: 'button', textContent: 'The surface\'s own' })
+    input.oninput = () => change({ color: ofHex(input.value).join(','), albedo: undefined }, 'color')
+    own.onclick = () => set('color', undefined)
+    line.append(input, own)
+    return (state, facts) => {
+        if (facts && document.activeElement !== input)
+            input.value = hex(facts.albedo)
+        own.setAttribute('aria-pressed', String(state.color === undefined))
+    }
+}
+
+const size: Row['build'] = (id, line) => {
+    const input = make('input', { type: 'text', id, spellcheck: false, placeholder: 'the map\'s own' })
+    const list = make('datalist', { id: 'sizes' }, ...['128x128', '135x240', '160x80', '170x320', '240x135', '240x240', '240x280', '320x240', '480x320'].map(value => make('option', { value })))
+    input.setAttribute('list', 'sizes')
+    input.onchange = () => set('size', input.value.replace(/\s|×/g, c => c === '×' ? 'x' : '') || undefined)
+    line.append(input, list)
+    return state => {
+        if (document.activeElement !== input)
+            input.value = state.size ?? ''
+    }
+}
+
+const view: Row['build'] = (id, line) => {
+    const input = make('input', { type: 'text', id, spellcheck: false })
+    input.onchange = () => set('view', input.value.replace(/\s/g, '') || undefined)
+    line.append(input)
+    return state => {
+        if (document.activeElement !== input)
+            input.value = state.view ?? '0,0,1'
+    }
+}
+
+// ---- the table ----
+
+const constant = (text: string) => `GLINT_${text.toUpperCase().replace('-', '_')}`
+const q16 = (facts: Facts, name: string) => `${name}_q16 = {${facts[`${name}_q16`].join(', ')}}`
+const degrees = (radians: number) => `${(radians * 180 / Math.PI).toFixed(1)}°`
+/** Where Blinn's highlight has fallen to half. */
+const half = (n: number) => Math.acos(2 ** (-1 / n))
+
+const table: Row[] = [
+    { option: 'model', title: 'Model', build: choice('model', models, 'msh', m => modelTitles[m]), number: s => constant(s.model ?? 'msh'), meaning: s => modelMeanings[s.model ?? 'msh'] ?? '' },
+    {
+        option: 'n', title: 'Shininess', build: slider('n', 1, 1000, 300, step => Math.round(1000 ** (step / 300)), n => Math.round(300 * Math.log(n) / Math.log(1000))),
+        number: (_, f) => `n = ${f.n}`, meaning: (_, f) => `A cosine to the power ${f.n} falls to half at ${degrees(half(f.n[0]))}`,
+    },
+    {
+        option: 'q', title: 'Cutoff', build: slider('q', 0, 16, 16, v => v, v => v), number: (_, f) => `q = ${f.q}, t_q30 ≤ ${f.cutoff_t_q30}`,
+        meaning: (_, f) => `Below 2⁻${[...String(f.q)].map(d => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(d)]).join('')} a highlight counts as 0: beyond ${f.cutoff_degrees[0].toFixed(2)}°`,
+    },
+    {
+        option: 'color', title: 'Colour', build: color, number: (_, f) => `albedo = {${f.albedo.join(', ')}}`,
+        meaning: (s, f) => f.has_albedo[0] ? s.albedo ? `From ${s.albedo}, pixel for pixel` : 'The scene has colours of its own; choose one instead' : 'The same everywhere',
+    },
+    { option: 'ambient', title: 'Ambient', build: coefficient('ambient'), number: (_, f) => q16(f, 'ambient'), meaning: () => 'Light from everywhere; 65536 is 1.0' },
+    { option: 'diffuse', title: 'Diffuse', build: coefficient('diffuse'), number: (_, f) => q16(f, 'diffuse'), meaning: () => 'What the surface scatters, by N·L' },
+    { option: 'specular', title: 'Specular', build: coefficient('specular'), number: (_, f) => q16(f, 'specular'), meaning: () => 'How strong the highlight is; metals tint it' },
+    { option: 'clamp-peak', title: 'Clamp peak', build: flag('clamp-peak'), number: s => `clamp_peak = ${s['clamp-peak'] !== undefined}`, meaning: () => 'Holds the highlight to 1: MSH reaches 1.024' },
+    { option: 'format', title: 'Pixels', build: choice('format', formats, 'rgb888'), number: s => constant(s.format ?? 'rgb888'), meaning: s => ({ rgb565: 'The usual small panel: 32, 64 and 32 levels', 'rgb565-swapped': 'The same, high byte first, as SPI panels take it', rgb888: '256 levels a channel', grey8: '256 greys', mono: 'Black and white, 8 pixels a byte: try dither' })[s.format ?? 'rgb888'] ?? '' },
+    { option: 'dither', title: 'Dither', build: flag('dither'), number: s => `dither = ${s.dither !== undefined}`, meaning: () => 'Ordered, 4 × 4: hides the steps of few levels' },
+    { option: 'space', title: 'Space', build: choice('space', ['gamma', 'linear'], 'gamma'), number: s => constant(s.space ?? 'gamma'), meaning: s => s.space === 'linear' ? 'Light is summed linearly, then encoded as sRGB' : 'Light is summed as encoded: faster, and what most small renderers do' },
+    { option: 'path', title: 'Path', build: choice('path', paths, 'exact'), number: s => s.path ? `--path ${s.path}` : 'glint_shade_rect', meaning: s => pathMeaning(s.path ?? 'exact') },
+    { option: 'size', title: 'Panel size', build: size, number: s => s.size ?? 'the map\'s', meaning: s => s.height || s.normals ? 'A map is cut or repeated to this size, never scaled' : 'Width × height in pixels' },
+    { option: 'view', title: 'Viewer', build: view, number: s => `to_viewer = ${s.view ?? '0,0,1'}`, meaning: () => 'The direction to you: x right, y up, z out of the panel' },
+]
+
+function pathMeaning(path: string): string {
+    const [by, normals] = path.split('-')
+    const how: Record<string, string> = {
+        exact: 'Every pixel by the function itself: right to the last bit', span: 'Normals between the ends of spans: two additions a pixel',
+        colour: '20 KB of finished pixels in tables (RGB565)', small: 'Under 1 KB of tables, any format', albedo: '9 KB of tables over a colour map (RGB565)', palette: '4096 normals shaded once a frame, one load a pixel',
+    }
+    return (how[by] ?? '') + (/int\d/.test(normals ?? '') ? `; normals of ${normals.slice(3)} bits` : normals === 'span' ? '; along spans' : normals === 'c16' ? ', as the gateware draws' : '')
+}
+
+const updates: ((state: State, facts: Facts | undefined) => void)[] = table.map(row => {
+    const id = `control-${row.option}`
+    const line = make('div', { className: 'line' }, make('label', { htmlFor: id, textContent: row.title }))
+    const update = row.build(id, line)
+    const number = make('output', { className: 'number' }), meaning = make('span', { className: 'meaning', id: `${id}-meaning` })
+    line.querySelector(`#${id}`)?.setAttribute('aria-describedby', meaning.id)
+    byId('rows').append(make('div', { className: 'row' }, line, make('div', { className: 'note' }, number, meaning)))
+    return (state, facts) => {
+        update(state, facts)
+        if (!facts)
+            return
+        number.value = row.number(state, facts)
+        meaning.textContent = row.meaning(state, facts)
+    }
+})
+
+// ---- presets ----
+
+const clear: Partial<State> = { color: undefined, albedo: undefined, 'clamp-peak': undefined }
+const presets: Record<string, Partial<State>> = {
+    satin: { ...clear, color: '150,40,60', model: undefined, n: '12', ambient: '.2', diffuse: '.75', specular: '.35' },
+    plastic: { ...clear, color: '30,90,200', model: undefined, n: '80', ambient: '.15', diffuse: '.8', specular: '.6' },
+    steel: { ...clear, color: '120,126,134', model: 'cayley', n: '120', ambient: '.25', diffuse: '.45', specular: '.85,.9,.95' },
+    gold: { ...clear, color: '200,140,40', model: undefined, n: '40', ambient: '.25', diffuse: '.6', specular: '1,.86,.55' },
+    glass: { ...clear, color: '40,60,64', model: 'blinn', n: '600', ambient: '.3', diffuse: '.25', specular: '1' },
+}
+for (const [name, values] of Object.entries(presets))
+    byId('presets').append(make('button', { type: 'button', textContent: capital(name), onclick: () => change(values) }))
+
+const undoButton = byId<HTMLButtonElement>('undo'), redoButton = byId<HTMLButtonElement>('redo')
+undoButton.onclick = undo
+redoButton.onclick = redo
+byId('reset').onclick = reset
+addEventListener('keydown', event => {
+    if (!(event.ctrlKey || event.metaKey) || event.target instanceof HTMLInputElement && /text|number/.test(event.target.type))
+        return
+    const key = event.key.toLowerCase()
+    if (key !== 'z' && key !== 'y')
+        return
+    event.preventDefault()
+    if (key === 'y' || event.shiftKey)
+        redo()
+    else
+        undo()
+})
+
+let facts: Facts | undefined
+function update(): void {
+    updates.forEach(work => work(current(), facts))
+    undoButton.disabled = !canUndo()
+    redoButton.disabled = !canRedo()
+}
+onChange(update)
+onDrawn(drawn => {
+    facts = drawn.facts
+    update()
+})
+update()

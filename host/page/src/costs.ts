@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// What the picture costs on a Cortex-M0+: the row of the committed table that is nearest to the state.
+import table from 'glint:costs'
+import type { Facts } from './engine'
+import type { State } from './words'
+
+const clock = 125e6 // the RP2040's
+const tableBytes: Record<string, number> = { colour: 20480, small: 904, albedo: 8584, palette: 8192 }
+const normalBytes: Record<string, number> = { int16: 6, int10: 4, int8: 4, span: 0 }
+
+function value(kind: string, name: string, build = 'O2', n = '60'): number | undefined {
+    const row = table.find(([k, what, b, at]) => k === kind && what === name && b === build && (at === n || at === ''))
+    return row && Number(row[4])
+}
+
+/** The table's name for the state, or why there is none. */
+function rowOf(state: State, facts: Facts): string | undefined {
+    const path = state.path ?? 'exact', model = state.model ?? 'msh', format = state.format ?? 'rgb888'
+    const dither = state.dither !== undefined ? ' dither' : ''
+    if (path === 'span' || path === 'span-c16')
+        return path === 'span' ? 'exact span 16' : undefined
+    if (path === 'palette')
+        return 'palette'
+    if (path !== 'exact')
+        return path.replace('-', ' ').replace(/span$/, 'span 16') + dither
+    const kinds = state.lights.map(light => light.kind)
+    const coloured = state.lights.some(({ kind, text }) => kind === 'light' && text.split(',').length > 3)
+    if (kinds.length > 1)
+        return 'exact four points'
+    if (kinds[0] === 'spot' || kinds[0] === 'point')
+        return `exact ${kinds[0]}`
+    if (coloured)
+        return 'exact directional'
+    const grey = format === 'grey8' || format === 'mono'
+    if (state.space === 'linear')
+        return `exact linear${grey ? ' grey' : format === 'rgb888' ? ' 888' : ''}`
+    if (grey)
+        return format === 'mono' ? 'exact mono' : 'exact grey'
+    if (facts.has_albedo?.[0])
+        return `exact albedo${format === 'rgb888' ? ' 888' : ''}`
+    if (format === 'rgb888')
+        return 'exact rgb888'
+    if (model !== 'msh')
+        return `exact ${model}`
+    return dither ? 'exact dither' : 'exact rect'
+}
+
+const commas = (x: number) => Math.round(x).toLocaleString('en')
+
+export function costs(state: State, facts: Facts, width: number, height: number): [string, string][] {
+    const row = rowOf(state, facts), path = state.path ?? 'exact'
+    const pixel = row && value('pixel', row), frame = row && value('frame pixel', row)
+    const asm = row && value('pixel', row, 'asm')
+    const out: [string, string][] = []
+    if (row && pixel && frame) {
+        out.push(['Nearest measured case', `${row}, n = 60`])
+        out.push(['Cycles a covered pixel', commas(pixel) + (asm ? ` (assembly ${commas(asm)})` : '')])
+        out.push([`Frames/s, ${width}×${height} at 125 MHz`, (clock / (frame * width * height)).toPrecision(3)])
+        const fill = path === 'exact' ? undefined : value('fill', row)
+        if (fill)
+            out.push(['Filling the tables, once', `${commas(fill)} cycles`])
+    } else {
+        out.push(['Cycles', 'not in the table for this path'])
+    }
+    const normals = path.match(/int16|int10|int8|span/)?.[0] ?? 'int16'
+    const tables = tableBytes[path.split('-')[0]]
+    out.push(['RAM', tables ? `${commas(tables)} bytes of tables` : '180 bytes, prepared'])
+    out.push(['Normals', path === 'palette' ? `${commas(2 * width * height)} bytes` : `${commas(normalBytes[normals] * width * height)} bytes`])
+    const parts = 'glint_shade_prepare_for+glint_shade_prepared_rect+glint_shade_'
+    const format = state.space === 'linear' ? 'linear' : (state.format ?? 'rgb888').replace('-swapped', '')
+    const linked = path === 'exact' ? value('linked', `${parts}${format}+glint_shade_${state.model ?? 'msh'}`, 'Os', '') : undefined
+    out.push(linked ? ['Flash, this model and format', `${commas(linked)} bytes`]
+        : ['Flash, the whole library', `${commas(value('library', 'cortex-m0plus', 'Os', '') ?? 0)} bytes`])
+    out.push(['Stack', `${commas(value('stack', 'cortex-m0plus', 'Os', '') ?? 0)} bytes`])
+    return out
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// MSH, Cayley and Blinn beside each other, at the n of the picture.
+import { ask } from './client'
+import { byId, make, show } from './dom'
+import { onDrawn } from './picture'
+
+const titles = { msh: 'MSH', cayley: 'Cayley', blinn: 'Blinn' }
+const side = 200
+const places = Object.entries(titles).map(([model, title]) => {
+    const canvas = make('canvas', { width: side, height: side, role: 'img', aria: { label: `A sphere under ${title}` } })
+    const caption = make('figcaption')
+    byId('beside').append(make('figure', {}, canvas, caption))
+    return { model, title, canvas, caption }
+})
+
+let drawnN = 0
+let waiting: number | undefined
+onDrawn(({ facts }) => {
+    const n = facts.n[0]
+    if (n === drawnN)
+        return
+    clearTimeout(waiting)
+    waiting = window.setTimeout(async () => {
+        drawnN = n
+        for (const { model, title, canvas, caption } of places) {
+            const { width, height, rgba } = await ask('aside', ['--scene=sphere', `--size=${side}x${side}`, `--model=${model}`, `-n${n}`, '--light=-1,1,1.5'])
+            show(canvas, width, height, rgba)
+            caption.textContent = `${title}, n = ${n}`
+        }
+    }, 250)
+})
+
+// The fragment is the state, so links within the page only scroll.
+for (const anchor of document.querySelectorAll<HTMLAnchorElement>('a[data-jump], a.skip'))
+    anchor.onclick = event => {
+        event.preventDefault()
+        const target = byId(anchor.getAttribute('href')!.slice(1))
+        target.scrollIntoView()
+        target.focus({ preventScroll: true })
+    }

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// The surface: built-in scenes, and PNG files that are chosen or dropped.
+import { ask } from './client'
+import { buttons, byId, capital, make } from './dom'
+import { redraw } from './picture'
+import { change, current, onChange } from './store'
+import type { Option, State } from './words'
+
+const scenes = ['sphere', 'watchface', 'coin', 'dial'] as const
+const kinds = ['height', 'normals', 'albedo', 'gloss', 'mask'] as const
+type Kind = typeof kinds[number]
+const without: Partial<State> = { height: undefined, normals: undefined, mask: undefined, albedo: undefined, gloss: undefined, scale: undefined, bevel: undefined, wrap: undefined, 'flip-y': undefined, color: undefined }
+
+const press = buttons(byId('scenes'), scenes, capital, scene => change({ ...without, scene, size: current().size ?? '240x240' }))
+
+/** The name in the command line, which must not look like a path. */
+async function take(file: File, kind: Kind): Promise<void> {
+    try {
+        const name = file.name.replace(/[/\\]/g, '_')
+        await ask('map', name, new Uint8Array(await file.arrayBuffer()))
+        const surface: Partial<State> = kind === 'height' || kind === 'normals' ? { ...without, scene: undefined, size: undefined } : {}
+        if (kind === 'albedo')
+            surface.color = undefined
+        const before = current()[kind]
+        change({ ...surface, [kind]: name })
+        if (before === name)
+            void redraw()
+    } catch (error) {
+        byId('refusal').textContent = (error as Error).message
+        byId('refusal').hidden = false
+    }
+}
+
+/** By its name, as artists call them. */
+function kindOf(name: string): Kind {
+    const words: [RegExp, Kind][] = [[/norm|nrm|_n\b/i, 'normals'], [/gloss|rough|spec/i, 'gloss'], [/mask|opacity/i, 'mask'], [/albedo|colou?r|diff|base/i, 'albedo']]
+    return words.find(([pattern]) => pattern.test(name))?.[1] ?? 'height'
+}
+
+const updates: (() => void)[] = []
+const titles: Record<Kind, string> = { height: 'Height', normals: 'Normals', albedo: 'Albedo', gloss: 'Gloss', mask: 'Mask' }
+for (const kind of kinds) {
+    const input = make('input', { type: 'file', accept: 'image/png,.png', className: 'hidden', id: `map-${kind}` })
+    input.onchange = () => {
+        if (input.files?.[0])
+            void take(input.files[0], kind)
+        input.value = ''
+    }
+    const label = make('label', { htmlFor: input.id, className: 'file', textContent: 'Choose', aria: { label: `Choose: ${titles[kind]}` } })
+    const name = make('span', { className: 'name' })
+    const clear = make('button', { type: 'button', textContent: '×', aria: { label: `${titles[kind]}: remove` }, onclick: () => change({ [kind]: undefined }) })
+    updates.push(() => {
+        name.textContent = current()[kind] ?? '—'
+        clear.hidden = current()[kind] === undefined || kind === 'height' || kind === 'normals'
+    })
+    byId('map-rows').append(make('div', { className: 'map' }, make('span', { textContent: titles[kind] }), name,
+        make('span', { className: 'group' }, make('span', {}, input, label), clear)))
+}
+
+function field(option: Option, title: string, meaning: string, needs: () => boolean, flag: boolean): void {
+    const input = make('input', flag ? { type: 'checkbox', id: `map-${option}` } : { type: 'text', id: `map-${option}`, inputMode: 'decimal' })
+    input.onchange = () => change({ [option]: flag ? input.checked ? '' : undefined : input.value.trim() || undefined })
+    const row = make('div', { className: 'row' }, make('div', { className: 'line' }, make('label', { htmlFor: input.id, textContent: title }), input),
+        make('span', { className: 'meaning', textContent: meaning }))
+    updates.push(() => {
+        row.hidden = !needs()
+        if (flag)
+            input.checked = current()[option] !== undefined
+        else if (document.activeElement !== input)
+            input.value = current()[option] ?? ''
+    })
+    byId('map-rows').append(row)
+}
+field('scale', 'Scale', 'The height of white above black, in pixels; negative turns hills into hollows', () => current().height !== undefined, false)
+field('bevel', 'Bevel', 'The height map is a logo: a rounded edge rises over so many pixels', () => current().height !== undefined, false)
+field('wrap', 'Seamless', 'Slopes are taken across the edges', () => current().height !== undefined && current().bevel === undefined, true)
+field('flip-y', 'Flip green', 'Green points down, as in maps for DirectX', () => current().normals !== undefined, true)
+
+// ---- dropped ----
+
+const drop = byId('drop')
+addEventListener('dragover', event => {
+    event.preventDefault()
+    drop.hidden = false
+})
+addEventListener('dragleave', event => {
+    if (!event.relatedTarget)
+        drop.hidden = true
+})
+addEventListener('drop', async event => {
+    event.preventDefault()
+    drop.hidden = true
+    const files = [...event.dataTransfer?.files ?? []].map(file => ({ file, kind: kindOf(file.name) }))
+    files.sort((a, b) => kinds.indexOf(a.kind) - kinds.indexOf(b.kind)) // the surface first, which clears the others
+    for (const { file, kind } of files)
+        await take(file, kind)
+    byId<HTMLDetailsElement>('maps').open = files.length > 0
+})
+
+function update(): void {
+    press(current().scene)
+    updates.forEach(work => work())
+}
+onChange(update)
+update()

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// What is taken along: files as the command writes them, and the command line.
+import { ask } from './client'
+import { byId, make } from './dom'
+import { lastDrawn, onDrawn } from './picture'
+import { current, link } from './store'
+import { commandLine, wordsOf } from './words'
+import type { Option, State } from './words'
+
+const status = byId('file-status')
+const scene: Option[] = ['height', 'normals', 'scene', 'bevel', 'scale', 'wrap', 'flip-y', 'mask', 'size']
+
+function only(options: Option[], state: State): string[] {
+    return wordsOf({ ...Object.fromEntries(options.filter(name => state[name] !== undefined).map(name => [name, state[name]])), lights: [] })
+}
+
+function save(name: string, bytes: Uint8Array<ArrayBuffer>): void {
+    const url = URL.createObjectURL(new Blob([bytes]))
+    make('a', { href: url, download: name }).click()
+    setTimeout(() => URL.revokeObjectURL(url), 10000)
+}
+
+/** Without maps, which a shader has not; of a scene its finish counts. */
+const shader = (state: State) => wordsOf({ ...state, height: undefined, normals: undefined, albedo: undefined, gloss: undefined, mask: undefined,
+    bevel: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined })
+const tables = (state: State, kind: string) => ['glint table', `--kind=${kind}`, ...shader({ ...state, lights: [] }), '-o', `glint_${kind}.c`]
+/** RGB565 colours go beside normals, not beside a palette's offsets. */
+const baked = (state: State, to: string, name: string) => ['glint bake', ...only(to.startsWith('palette') || name.endsWith('.uf2') ? scene : [...scene, 'albedo'], state), `--to=${to}`, '-o', name]
+
+const files: { title: string, name: string, words: (state: State) => string[] }[] = [
+    { title: 'Material, C', name: 'material', words: state => ['glint material', ...shader(state), '-o', 'material.h'] },
+    { title: 'Tables, 20 KB', name: 'colour', words: state => tables(state, 'colour') },
+    { title: 'Tables, 1 KB', name: 'small', words: state => tables(state, 'small') },
+    { title: 'Tables over a map', name: 'albedo', words: state => tables(state, 'albedo') },
+    { title: 'Normals, 8 bits, C', name: 'int8', words: state => baked(state, 'int8', 'normals.c') },
+    { title: 'Normals, 10 bits, C', name: 'int10', words: state => baked(state, 'int10', 'normals.c') },
+    { title: 'Normals, 16 bits, C', name: 'int16', words: state => baked(state, 'int16', 'normals.c') },
+    { title: 'Palette, C', name: 'palette', words: state => baked(state, 'palette', 'normals.c') },
+    { title: 'Normals, raw', name: 'raw', words: state => baked(state, 'int8', 'normals.bin') },
+    { title: 'Normals, UF2', name: 'uf2', words: state => baked(state, 'int8', 'normals.uf2') },
+]
+
+async function run(words: string[]): Promise<void> {
+    status.textContent = 'Working…'
+    try {
+        const { files, warnings } = await ask('run', words)
+        for (const { name, bytes } of files)
+            save(name, bytes)
+        const [first, ...rest] = words
+        status.textContent = `${files.map(file => file.name).join(' and ')}: as ${commandLine(first, rest)} writes them. ${warnings.join(' ')}`
+    } catch (error) {
+        status.textContent = (error as Error).message
+    }
+}
+
+async function savePicture(): Promise<void> {
+    const drawn = lastDrawn()
+    if (!drawn)
+        return
+    const grey = /^(grey8|mono)$/.test(current().format ?? '')
+    save('glint.png', await ask('png', drawn.width, drawn.height, drawn.rgba, grey))
+    status.textContent = `glint.png: the pixels of ${line()}`
+}
+
+const line = () => commandLine('glint render', [...wordsOf(current()), '-o', 'glint.png'])
+
+byId('files').append(make('button', { type: 'button', textContent: 'Picture, PNG', id: 'file-png', onclick: () => void savePicture() }),
+    ...files.map(({ title, name, words }) => make('button', { type: 'button', textContent: title, id: `file-${name}`, onclick: () => void run(words(current())) })))
+
+async function copy(text: string, button: HTMLElement): Promise<void> {
+    const title = button.textContent
+    try {
+        await navigator.clipboard.writeText(text)
+        button.textContent = 'Copied'
+    } catch { // a page from a file may not be allowed to
+        const area = make('textarea', { value: text })
+        document.body.append(area)
+        area.select()
+        button.textContent = document.execCommand('copy') ? 'Copied' : 'Select and copy it'
+        area.remove()
+    }
+    setTimeout(() => { button.textContent = title }, 1500)
+}
+byId('copy').onclick = event => void copy(line(), event.currentTarget as HTMLElement)
+byId('copy-link').onclick = event => void copy(link(), event.currentTarget as HTMLElement)
+
+onDrawn(() => { byId('command').textContent = line() })

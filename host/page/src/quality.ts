@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// The right side: curve, errors, costs, extent. What takes long waits until the picture rests.
+import { ask } from './client'
+import { models } from './controls'
+import { costs } from './costs'
+import { byId, make, rows, short, show } from './dom'
+import type { Curve } from './engine'
+import { onDrawn } from './picture'
+import type { Drawn } from './picture'
+import { current } from './store'
+import { wordsOf } from './words'
+import type { State } from './words'
+
+const commas = (x: number) => Math.round(x).toLocaleString('en')
+
+// ---- the curve ----
+
+const points = 121, wide = 320, tall = 150, left = 28, bottom = 20
+
+function polyline(values: number[], className: string, most: number): string {
+    const at = values.map((v, i) => `${(left + i / (points - 1) * (wide - left)).toFixed(1)},${((tall - bottom) * (1 - v / most) + 4).toFixed(1)}`)
+    return `<polyline class="${className}" points="${at.join(' ')}"/>`
+}
+
+function drawCurve(curve: Curve, reach: number, cutoff: number, model: string, n: number): void {
+    const most = 1.05, y = (v: number) => (tall - bottom) * (1 - v / most) + 4
+    const x = (angle: number) => left + angle / reach * (wide - left)
+    const grid = [0, .5, 1].map(v => `<path class="axis" d="M${left} ${y(v)}H${wide}"/><text x="0" y="${y(v) + 4}">${v}</text>`).join('')
+    const step = [1, 2, 5, 10, 15, 30].find(s => reach / s <= 6) ?? 30
+    let ticks = ''
+    for (let angle = 0; angle <= reach; angle += step)
+        ticks += `<text x="${x(angle)}" y="${tall}" text-anchor="${angle ? 'middle' : 'start'}">${angle}°</text>`
+    const cut = cutoff < reach ? `<path class="cut" d="M${x(cutoff)} 4V${tall - bottom + 4}"/>` : ''
+    byId('curve').innerHTML = `<svg viewBox="0 0 ${wide} ${tall + 2}" role="img" aria-label="The lobe from 0 to ${reach} degrees: ${model}, the same in double, and Blinn, n = ${n}">${grid}${ticks}${cut}`
+        + polyline(curve.blinn, 'blinn', most) + polyline(curve.library, 'ours', most) + polyline(curve.double, 'exact', most) + '</svg>'
+    const worst = Math.max(...curve.library.map((v, i) => v >= 2 ** -16 ? Math.abs(v - curve.double[i]) : 0))
+    byId('curve-caption').innerHTML = `<span class="key">${model}, integers</span><span class="key double">in double</span><span class="key other">Blinn, the same n</span><br>`
+        + `By the angle between N and H. Integers are within ${(worst * 65536).toFixed(2)} of 2⁻¹⁶ of the double here`
+}
+
+async function curve(state: State, drawn: Drawn): Promise<void> {
+    const n = drawn.facts.n[0], cutoff = drawn.facts.cutoff_degrees[0]
+    const reach = Math.min(90, Math.max(4, Math.ceil(cutoff * 1.12)))
+    const model = state.model ?? 'msh'
+    const values = await ask('curve', models.indexOf(model as typeof models[number]), n, points, reach)
+    drawCurve(values, reach, cutoff, model, n)
+}
+
+// ---- errors ----
+
+function histogram(bins: number[]): void {
+    const last = Math.max(8, bins.findLastIndex(v => v > 0)), most = Math.log1p(Math.max(...bins))
+    const width = (wide - 4) / (last + 1)
+    const bars = bins.slice(0, last + 1).map((v, i) => {
+        const high = v ? Math.max(1.5, Math.log1p(v) / most * (tall - bottom)) : 0
+        return `<rect class="bars" x="${(2 + i * width).toFixed(1)}" y="${(tall - bottom - high).toFixed(1)}" width="${(width * .82).toFixed(1)}" height="${high.toFixed(1)}"/>`
+    })
+    const step = last > 32 ? 16 : last > 12 ? 8 : 4
+    const ticks = bins.slice(0, last + 1).map((_, i) => i % step ? '' : `<text x="${2 + i * width}" y="${tall - 4}">${i / 4}</text>`)
+    byId('histogram').innerHTML = `<svg viewBox="0 0 ${wide} ${tall}" role="img" aria-label="Histogram of errors; the largest is under ${(last + 1) / 4} levels">${bars.join('')}${ticks.join('')}<path class="axis" d="M0 ${tall - bottom}H${wide}"/></svg>`
+}
+
+async function errors(drawn: Drawn): Promise<void> {
+    const quality = await ask('compare')
+    show(byId<HTMLCanvasElement>('error-map'), drawn.width, drawn.height, quality.errorMap)
+    byId('error-caption').textContent = `Errors, times ${quality.errorTimes}`
+    histogram(quality.histogram)
+    byId('errors').replaceChildren(...quality.report.split('\n').flatMap(line => {
+        const row = line.match(/^(.{32})(.*)$/), name = row?.[1].trim() ?? ''
+        if (!row || !/in double|rounding alone/.test(name))
+            return []
+        const title = name.replace('of that, the rounding alone', 'rounding alone').replace('in double, rounded', 'rounded')
+        const values = row[2].match(/^\s*([\d.]+|inf)\s+([\d.]+)\s+([\d.]+)/)?.slice(1) ?? ['same', '0', '0']
+        return [make('tr', {}, make('th', { scope: 'row', textContent: title }), ...values.map(textContent => make('td', { textContent })))]
+    }))
+}
+
+// ---- extent ----
+
+/** The words with the first light turned by so many degrees. */
+function turned(state: State, degrees: number, drawn: Drawn): string[] {
+    const angle = degrees * Math.PI / 180, [light, ...others] = state.lights.length ? state.lights : [{ kind: 'light' as const, text: '-1,1,1' }]
+    const values = light.text.split(',').map(Number)
+    const [cx, cy] = light.kind === 'light' ? [0, 0] : [drawn.width / 2, drawn.height / 2]
+    const dx = values[0] - cx, dy = values[1] - cy
+    values[0] = Number(short(cx + dx * Math.cos(angle) - dy * Math.sin(angle), 5))
+    values[1] = Number(short(cy + dx * Math.sin(angle) + dy * Math.cos(angle), 5))
+    return wordsOf({ ...state, lights: [{ kind: light.kind, text: values.join(',') }, ...others] })
+}
+
+async function extent(state: State, drawn: Drawn): Promise<void> {
+    const { facts } = drawn, [x, y, w, h] = facts.box
+    const entries: [string, string][] = [
+        ['Cutoff', `${facts.cutoff_degrees[0].toFixed(3)}°, c_q16 ≥ ${facts.cutoff_c_q16[0]}`],
+        ['The highlight\'s box', w ? `${w} × ${h} at ${x}, ${y}` : 'no highlight'],
+    ]
+    rows(byId('extent'), entries)
+    const steps = [0, 3, 6, 9, 12].map(degrees => turned(state, degrees, drawn))
+    const moving = await ask('moving', steps, wordsOf(state))
+    entries.push(['A light that turns by 3° changes', `${(100 * moving.changed).toFixed(0)} % of the bytes`],
+        ['Sent as one rectangle a frame', `${commas(moving.box)} of ${commas(moving.frame)} bytes`],
+        ['Sent as lines that changed', `${commas(moving.lines)} bytes`])
+    rows(byId('extent'), entries)
+}
+
+let waiting: number | undefined
+let round = 0
+onDrawn(drawn => {
+    const state = current()
+    rows(byId('costs'), costs(state, drawn.facts, drawn.width, drawn.height))
+    const mine = ++round
+    clearTimeout(waiting)
+    waiting = window.setTimeout(async () => {
+        try {
+            await curve(state, drawn)
+            if (mine === round)
+                await errors(drawn)
+            if (mine === round)
+                await extent(state, drawn)
+        } catch { /* the picture's own message says why */ }
+        if (mine === round)
+            document.body.dataset.rested = String(mine)
+    }, 150)
+})

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The state of the page: with undo, in the URL's fragment, and told to who asked.
+import { fragmentOf, stateOfFragment } from './words'
+import type { State } from './words'
+
+const start = 'scene=coin&size=240x240&format=rgb565&light=-1,1,1.2'
+let state: State = stateOfFragment(location.hash.length > 1 ? location.hash : start)
+let undone: State[] = [], done: State[] = []
+/** Changes of one kind in quick succession are one step to undo. */
+let lastKind = '', lastTime = 0
+let toWrite: number | undefined
+const listeners: (() => void)[] = []
+
+export function current(): State {
+    return state
+}
+
+export function onChange(listener: () => void): void {
+    listeners.push(listener)
+}
+
+function tell(): void {
+    listeners.forEach(listener => listener())
+}
+
+/** Not at once: browsers limit how often. */
+function writeFragment(): void {
+    clearTimeout(toWrite)
+    toWrite = window.setTimeout(() => history.replaceState(null, '', '#' + fragmentOf(state)), 250)
+}
+
+export function change(patch: Partial<State>, kind = ''): void {
+    const now = performance.now()
+    if (!kind || kind !== lastKind || now - lastTime > 1000)
+        done.push(state)
+    done = done.slice(-200)
+    undone = []
+    lastKind = kind
+    lastTime = now
+    const next = { ...state, ...patch }
+    for (const name of Object.keys(next) as (keyof State)[])
+        if (next[name] === undefined)
+            delete next[name]
+    state = next
+    writeFragment()
+    tell()
+}
+
+function step(from: State[], to: State[]): void {
+    const next = from.pop()
+    if (!next)
+        return
+    to.push(state)
+    state = next
+    lastKind = ''
+    writeFragment()
+    tell()
+}
+
+export const undo = () => step(done, undone)
+export const redo = () => step(undone, done)
+export const canUndo = () => done.length > 0
+export const canRedo = () => undone.length > 0
+
+export function reset(): void {
+    replace(stateOfFragment(start))
+}
+
+function replace(next: State): void {
+    done.push(state)
+    undone = []
+    state = next
+    writeFragment()
+    tell()
+}
+
+/** A link to this very state. */
+export function link(): string {
+    return location.href.replace(/#.*/, '') + '#' + fragmentOf(state)
+}
+
+addEventListener('hashchange', () => {
+    if (location.hash.slice(1) !== fragmentOf(state))
+        replace(stateOfFragment(location.hash.length > 1 ? location.hash : start))
+})
