@@ -30,12 +30,12 @@ test-exact: ## check: the library over its whole domain: 0 wrong
 run-exact: $(EXACT_TESTS)
 	@CC="$(CC)" OPENMP="$(OPENMP)" tests/tally $(EXACT_TESTS) tests/exact/test_tables tests/exact/test_bounds
 
-# The quick part: a part of the arguments from c, every cutoff, the bounds of quick forms, every batch loop.
+# The quick part: a part of the arguments from c, every cutoff, the bounds of quick forms.
 check-exact:
 	@+if echo '#include <mpfr.h>' | $(CC) -E - >/dev/null 2>&1 && pkg-config --exists cmocka; then $(SUBMAKE) run-check-exact; \
 	else tests/tally "echo ok 1 - tier exact # SKIP cmocka, gmp or mpfr is not installed: make setup-exact"; fi
 
-run-check-exact: $(addprefix $(BUILD)/tests/exact/test_,eval cutoff near pixel unit lights batch)
-	@EXACT_EVERY=7 GLINT_PIXELS=8 tests/tally $^ tests/exact/test_tables
+run-check-exact: $(addprefix $(BUILD)/tests/exact/test_,eval cutoff near pixel unit lights)
+	@EXACT_EVERY=21 GLINT_PIXELS=4 TALLY_JOBS=$$(nproc) tests/tally $^ tests/exact/test_tables
 
 .PHONY: setup-exact test-exact run-exact check-exact run-check-exact

@@ -12,6 +12,7 @@ UNIT_TESTS = $(patsubst tests/unit/%.c,$(BUILD)/tests/unit/%,$(UNIT_CHOSEN))
 # What make check leaves to make test-unit.
 UNIT_QUICK = $(filter-out $(BUILD)/tests/unit/slow/%,$(UNIT_TESTS))
 UNIT_SCRIPTS = $(filter-out %.c,$(wildcard tests/unit/*/test_*))
+UNIT_QUICK_SCRIPTS = $(filter-out tests/unit/slow/%,$(UNIT_SCRIPTS))
 UNIT_ENV = GLINT="$$(realpath $(BUILD)/glint)" GLINT_SOURCE="$(CURDIR)"
 UNIT_SANITIZED = build/sanitized
 
@@ -48,6 +49,6 @@ check-unit:
 	else tests/tally "echo ok 1 - tier unit # SKIP cmocka is not installed: make setup-unit"; fi
 
 run-check-unit: unit-programs
-	@$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_QUICK) $(UNIT_SCRIPTS)
+	@$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_QUICK) $(UNIT_QUICK_SCRIPTS)
 
 .PHONY: setup-unit test-unit unit-programs run-unit check-unit run-check-unit
