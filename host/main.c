@@ -15,6 +15,7 @@
 #include "base/stop.h"
 #include "commands/commands.h"
 #include "image/svg.h"
+#include "mesh/import.h"
 #include "paper/ranks.h"
 #include "sinks/sinks.h"
 
@@ -40,10 +41,10 @@ enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 static void print_version(FILE *stream)
 {
     char *mpi = ranks_library();
-    const char *svg = svg_library();
-    fprintf(stream, "glint %s\nlibpng %s, liblz4 %s, jansson %s%s%s%s%s\nsinks:", GLINT_VERSION_STRING,
+    const char *svg = svg_library(), *mesh = import_library();
+    fprintf(stream, "glint %s\nlibpng %s, liblz4 %s, jansson %s%s%s%s%s%s%s\nsinks:", GLINT_VERSION_STRING,
             png_get_libpng_ver(NULL), LZ4_versionString(), JANSSON_VERSION, svg ? ", " : "", svg ? svg : "",
-            mpi ? ", " : "", mpi ? mpi : "");
+            mesh ? ", " : "", mesh ? mesh : "", mpi ? ", " : "", mpi ? mpi : "");
     free(mpi);
     for (unsigned i = 0; sink_kinds[i]; i++) {
         char *library = sink_kinds[i]->library ? sink_kinds[i]->library() : NULL;
@@ -55,8 +56,12 @@ static void print_version(FILE *stream)
     const char *before = "\nnot built: ";
     for (const struct sink_left_out *out = sinks_left_out; out->name; out++, before = ", ")
         fprintf(stream, "%s%s", before, out->name);
-    if (!svg)
+    if (!svg) {
         fprintf(stream, "%sSVG", before);
+        before = ", ";
+    }
+    if (!mesh)
+        fprintf(stream, "%smesh files", before);
     fputc('\n', stream);
 }
 

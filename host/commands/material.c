@@ -136,11 +136,7 @@ static void write_source(FILE *out, const struct shading *shading, const char *n
 /* What suits the scene where the user says nothing; the plain finish without one. */
 static struct shading shading_of_request(const struct request *request)
 {
-    const char *name = request->look.scene.scene;
-    struct scene *scene = name ? scene_draw(name, 1, 1) : scene_new(1, 1);
-    const struct shading shading = shading_of_options(&request->look, request->look.shading.format, scene);
-    scene_free(scene);
-    return shading;
+    return shading_of_options(&request->look, request->look.shading.format, scene_finish(request->look.scene.scene));
 }
 
 int command_material(int argc, char **argv)

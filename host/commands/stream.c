@@ -9,23 +9,26 @@
 #include "base/parse.h"
 #include "commands/commands.h"
 #include "draw/shading.h"
-#include "scene/scenes.h"
 #include "sinks/frames.h"
 #include "sinks/options.h"
 #include "sinks/sinks.h"
 #include "stream/stream.h"
 
 enum key { KEY_TO = 384, KEY_FPS, KEY_FRAMES, KEY_ORBIT, KEY_PERIOD, KEY_LIGHTS, KEY_STATS, KEY_JSON, KEY_SHADE };
-static const double usual_period = 4;
+static const double usual_period = 4, usual_turn_period = 8;
 static const char *const shade_names[] = {"host", "device", NULL};
 
 static const struct argp_option argp_options[] = {
-    {NULL, 0, NULL, 0, "The light that moves:", 5},
+    {NULL, 0, NULL, 0, "The light that moves, or the mesh:", 5},
     {"orbit", KEY_ORBIT, "DEGREES", 0,
      "The first --light circles around the viewer's direction at this angle (default: its own, or 30 where no light is "
      "given). Where there are only points and spots, the first circles around the picture's middle",
      5},
-    {"period", KEY_PERIOD, "SECONDS", 0, "Time for one turn (default 4); 0: the light stands still", 5},
+    {"period", KEY_PERIOD, "SECONDS", 0,
+     "Time for one turn of the light (default 4), or of a mesh about its vertical axis (default 8), whose light stands "
+     "still "
+     "without --orbit and --lights; 0: nothing moves",
+     5},
     {"lights", KEY_LIGHTS, "FILE", 0,
      "Instead of the orbit: the direction of each frame from a file or standard input (-), one a line: X Y Z or "
      "X,Y,Z. Empty lines and lines that begin with # are skipped",
@@ -51,15 +54,15 @@ static const struct argp_option argp_options[] = {
      "What --stats prints at the end, as JSON; on standard error where frames go to standard output", 6},
     {NULL, 0, NULL, 0, NULL, 0}};
 
-static const char doc[] =
-    "Shades a scene frame after frame as its light moves, and sends what changed to a display, to files or to a pipe."
-    "\v"; /* and then what describe() writes */
+static const char doc[] = "Shades a scene frame after frame as its light moves or the mesh turns, and sends what "
+                          "changed to a display, to files or to a pipe."
+                          "\v"; /* and then what describe() writes */
 
 static void parse_scene(const struct argp_state *state, const char *text, struct stream_options *o)
 {
     if (o->look.scene.scene)
         refuse(state, "unexpected argument '%s'; one scene is enough", text);
-    o->look.scene.scene = scene_names[parse_choice(state, NULL, "scene", text, scene_names)];
+    scene_options_choose(state, NULL, text, &o->look.scene);
 }
 
 static void parse_sink(const struct argp_state *state, const char *text, struct stream_options *o)
@@ -126,12 +129,20 @@ static void check(const struct argp_state *state, struct stream_options *o)
         refuse(state, "--orbit: is for a --light; points and spots keep their distance from the picture's middle");
     if (o->lights && strcmp(o->lights, "-") == 0 && scene_options_standard_input(&o->look.scene))
         refuse(state, "--lights: only one of --lights and the maps can come from standard input");
+    const bool is_mesh = o->look.scene.mesh.name, light_moves = !is_mesh || o->lights || !isnan(o->orbit);
     if (isnan(o->period))
-        o->period = usual_period;
+        o->period = is_mesh ? usual_turn_period : usual_period;
     if (!o->frames && !o->lights && !o->kind->paced) {
         const double fps = o->fps > 0 ? o->fps : USUAL_FPS;
         o->frames = o->period > 0 ? (unsigned long)fmax(1, round(fps * o->period)) : 1;
     }
+    o->turn_period = is_mesh ? o->period : 0;
+    if (!light_moves) {
+        o->period = 0;
+        o->look.has_light = true; /* which stays where it is, also the one that nobody gave */
+    }
+    if (is_mesh && o->shade_device)
+        refuse(state, "--shade device: no device draws meshes; leave it out");
     check_output(state, o);
     if (o->kind->wants_fps && !(o->fps > 0))
         refuse(state, "--fps: --to %s states the frame rate in what it writes; give one above 0", o->kind->name);
@@ -139,7 +150,7 @@ static void check(const struct argp_state *state, struct stream_options *o)
     if (o->shade_device && !o->kind->shader)
         refuse(state, "--shade device: no device of --to %s shades; choose --to %s", o->kind->name, sink_names(shades));
     if (o->look.has_format)
-        shading_options_check(state, shading);
+        shading_options_check(state, &o->look, shading);
 }
 
 static error_t parse_option(int key, char *text, struct argp_state *state)

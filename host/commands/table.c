@@ -149,13 +149,9 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
 /* A scene's own finish, or the plain one. */
 static struct shading shading_of_request(const struct request *request)
 {
-    const char *name = request->look.scene.scene;
     const bool is_rgb565 = request->kind >= 0 && !request->look.has_format;
-    struct scene *scene = name ? scene_draw(name, 1, 1) : scene_new(1, 1);
-    const struct shading shading =
-        shading_of_options(&request->look, is_rgb565 ? GLINT_RGB565 : request->look.shading.format, scene);
-    scene_free(scene);
-    return shading;
+    return shading_of_options(&request->look, is_rgb565 ? GLINT_RGB565 : request->look.shading.format,
+                              scene_finish(request->look.scene.scene));
 }
 
 static void write_lobe(struct request *request, const struct shading *shading, const char *name)

@@ -18,6 +18,7 @@ struct comparison {
     struct difference rounding;                       /* the same model's reference, rounded, against its true values */
 };
 
+/* `shading`: of each of the scene's parts, which agree in all but the material and n. */
 void compare(const struct scene *scene, const struct shading *shading, const struct levels *levels,
              struct comparison *comparison);
 /* `shading` and `levels` as they were compared. */

@@ -36,14 +36,11 @@ void comparison_print_json(const struct comparison *c, const struct shading *sha
     json_decref(root);
 }
 
-void quality_print_json(const struct baked *baked, const struct quality rows[QUALITY_ROWS], FILE *stream)
+/* Adds the rows to `root`, prints and frees it. */
+static void print_rows(json_t *root, const struct quality *rows, FILE *stream)
 {
-    json_t *root = json_pack("{s:s, s:i, s:i, s:I, s:i, s:o}", "format", bake_format_names[baked->format], "width",
-                             (int)baked->width, "height", (int)baked->height, "bytes", (json_int_t)baked_bytes(baked),
-                             "levels_of", 255, "quality", json_array());
-    bool good = root != NULL;
-    if (good && baked->format == BAKE_PALETTE)
-        good = json_object_set_new(root, "entries", json_integer(baked->entries)) == 0;
+    bool good = root && json_object_set_new(root, "levels_of", json_integer(255)) == 0 &&
+                json_object_set_new(root, "quality", json_array()) == 0;
     for (int i = 0; good && i < QUALITY_ROWS; i++) {
         const struct difference *d = &rows[i].difference;
         json_t *psnr = d->differing ? json_real(difference_psnr_db(d)) : json_null();
@@ -55,4 +52,22 @@ void quality_print_json(const struct baked *baked, const struct quality rows[QUA
         fail("the quality could not be written as JSON");
     fputc('\n', stream);
     json_decref(root);
+}
+
+void quality_print_json(const struct baked *baked, const struct quality rows[QUALITY_ROWS], FILE *stream)
+{
+    json_t *root = json_pack("{s:s, s:i, s:i, s:I}", "format", bake_format_names[baked->format], "width",
+                             (int)baked->width, "height", (int)baked->height, "bytes", (json_int_t)baked_bytes(baked));
+    if (root && baked->format == BAKE_PALETTE)
+        json_object_set_new(root, "entries", json_integer(baked->entries));
+    print_rows(root, rows, stream);
+}
+
+void quality_print_mesh_json(const struct baked_mesh *baked, const struct quality rows[QUALITY_ROWS], FILE *stream)
+{
+    const struct glint_mesh *mesh = &baked->fitted->mesh;
+    print_rows(json_pack("{s:s, s:i, s:i, s:i, s:I}", "format", baked->normals8 ? "int8" : "int16", "vertices",
+                         (int)mesh->vertex_count, "triangles", (int)mesh->face_count, "parts", (int)mesh->part_count,
+                         "bytes", (json_int_t)baked_mesh_bytes(baked)),
+               rows, stream);
 }

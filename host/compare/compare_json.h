@@ -5,6 +5,7 @@
 
 #include <stdio.h>
 
+#include "bake/mesh_files.h"
 #include "compare/compare.h"
 #include "compare/quality.h"
 
@@ -12,5 +13,6 @@
 void comparison_print_json(const struct comparison *comparison, const struct shading *shading,
                            const struct levels *levels, FILE *stream);
 void quality_print_json(const struct baked *baked, const struct quality rows[QUALITY_ROWS], FILE *stream);
+void quality_print_mesh_json(const struct baked_mesh *baked, const struct quality rows[QUALITY_ROWS], FILE *stream);
 
 #endif

@@ -2,6 +2,7 @@
 #include "compare/difference.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 double difference_psnr_db(const struct difference *d)
 {
@@ -32,4 +33,17 @@ const char *difference_channel(const struct difference *d, unsigned channels)
 {
     static const char *const names[] = {"red", "green", "blue"};
     return channels == 1 ? "grey" : names[d->channel];
+}
+
+void difference_merge(struct difference *into, const struct difference *from)
+{
+    const bool larger = from->largest > into->largest;
+    const struct difference sum = {.samples = into->samples + from->samples,
+                                   .differing = into->differing + from->differing,
+                                   .sum = into->sum + from->sum,
+                                   .sum_of_squares = into->sum_of_squares + from->sum_of_squares,
+                                   .largest = larger ? from->largest : into->largest,
+                                   .x = larger ? from->x : into->x,
+                                   .y = larger ? from->y : into->y};
+    *into = sum;
 }

@@ -14,6 +14,8 @@ struct difference {
 };
 /* A sample, 0..1 in both. */
 void difference_add(struct difference *d, double a, double b, uint32_t x, uint32_t y, unsigned channel);
+/* As if all samples had been added to one. */
+void difference_merge(struct difference *into, const struct difference *from);
 double difference_psnr_db(const struct difference *difference); /* infinite where nothing differs */
 double difference_mean(const struct difference *difference);
 /* The name of the channel of the largest. */

@@ -44,19 +44,6 @@ static void add_light(const struct scene *exact, const struct scene *lossy, unsi
     levels_free(found);
 }
 
-static void merge(struct difference *into, const struct difference *from)
-{
-    const bool larger = from->largest > into->largest;
-    const struct difference sum = {.samples = into->samples + from->samples,
-                                   .differing = into->differing + from->differing,
-                                   .sum = into->sum + from->sum,
-                                   .sum_of_squares = into->sum_of_squares + from->sum_of_squares,
-                                   .largest = larger ? from->largest : into->largest,
-                                   .x = larger ? from->x : into->x,
-                                   .y = larger ? from->y : into->y};
-    *into = sum;
-}
-
 void bake_quality(const struct scene *scene, const struct baked *baked, struct quality rows[QUALITY_ROWS])
 {
     static const unsigned shininess[QUALITY_ROWS] = {10, 60, 200, 1000};
@@ -78,7 +65,7 @@ void bake_quality(const struct scene *scene, const struct baked *baked, struct q
             add_light(&exact, &lossy, shininess[row], light, &each[light]);
         rows[row] = (struct quality){.n = shininess[row]};
         for (int light = 0; light < LIGHTS; light++) /* in order: the same sums each time */
-            merge(&rows[row].difference, &each[light]);
+            difference_merge(&rows[row].difference, &each[light]);
     }
     free(lossy.normals);
 }

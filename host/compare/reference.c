@@ -131,17 +131,18 @@ void reference_line(const struct scene *scene, const struct shading *shading, en
     const bool linear = shading->space == GLINT_LINEAR;
     for (uint32_t x = 0; x < scene->width; x++) {
         const size_t i = (size_t)y * scene->width + x;
+        const struct shading *own = &shading[scene->parts ? scene->parts[i] : 0];
         double lit[3] = {0}, shine[3] = {0};
-        for (unsigned lamp = 0; lamp < shading->lamp_count; lamp++)
-            add_lamp(shading, &shading->lamps[lamp], model, scene->normals[i], x, y, lit, shine);
+        for (unsigned lamp = 0; lamp < own->lamp_count; lamp++)
+            add_lamp(own, &own->lamps[lamp], model, scene->normals[i], x, y, lit, shine);
         const double gloss = scene->gloss ? scene->gloss[i] / 255. : 1;
         double value[3];
         for (unsigned k = 0; k < 3; k++) {
-            double albedo = (scene->albedo ? scene->albedo[3 * i + k] : shading->color[k]) / 255.;
+            double albedo = (scene->albedo ? scene->albedo[3 * i + k] : own->color[k]) / 255.;
             if (linear)
                 albedo = srgb_decode(albedo);
-            value[k] = fmin(1, albedo * (shading->ambient[k] + shading->diffuse[k] * lit[k]) +
-                                   shading->specular[k] * gloss * shine[k]);
+            value[k] =
+                fmin(1, albedo * (own->ambient[k] + own->diffuse[k] * lit[k]) + own->specular[k] * gloss * shine[k]);
         }
         if (channels == 1)
             value[0] = dot(value, grey);

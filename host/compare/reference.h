@@ -7,7 +7,7 @@
 #include "scene/scene.h"
 
 /* Line y of the scene by steps 1 to 7 of glint.h, for any model: each channel is 0..1, before the rounding. A highlight
- * is 0 where its true value is under 2^-q, and where the light does not reach the surface. */
+ * is 0 where its true value is under 2^-q, and where the light does not reach the surface. `shading`: of each of the scene's parts. */
 void reference_line(const struct scene *scene, const struct shading *shading, enum glint_model model, uint32_t y,
                     double *values);
 /* The rounding: step 8. */

@@ -81,6 +81,26 @@ const char *path_refusal(const struct shading *shading)
     return NULL;
 }
 
+const char *path_of_mesh(const struct shading *shading, struct mesh_path *of_mesh)
+{
+    const struct path *path = &paths[shading->path];
+    *of_mesh = (struct mesh_path){path->by != EXACT, path->normals == GLINT_NORMALS_INT8,
+                                  path->by == SMALL ? GLINT_TABLES_SMALL : GLINT_TABLES_COLOUR};
+    if (!shading_is_plain(shading))
+        return "a mesh takes only one --light, without a colour";
+    if (shading->model == GLINT_PHONG)
+        return "cannot draw a mesh by phong";
+    if (path->unit != RECT || path->by == ALBEDO || path->by == PALETTE || path->normals == GLINT_NORMALS_INT10)
+        return "cannot draw a mesh; choose exact, colour-int16, colour-int8, small-int16 or small-int8";
+    if (of_mesh->by_tables && shading->format == GLINT_MONO)
+        return "cannot draw a mesh in mono";
+    if (path->by == COLOUR && shading->format > GLINT_RGB565_SWAPPED)
+        return "needs --format rgb565 or rgb565-swapped";
+    if (of_mesh->by_tables && shading->space != GLINT_GAMMA && (path->by == SMALL || shading->dither))
+        return path->by == SMALL ? "needs --space gamma" : "needs --space gamma with --dither";
+    return NULL;
+}
+
 static bool drawn(const struct scene *scene, size_t i)
 {
     return !scene->mask || scene->mask[i];

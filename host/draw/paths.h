@@ -12,6 +12,13 @@ extern const char *const path_names[]; /* [0] is the exact rectangle; ends with 
 /* Why the path cannot draw with this shading, as the end of "--path NAME ..."; NULL where it can. */
 const char *path_refusal(const struct shading *shading);
 
+/* How a mesh is drawn by the shading's path. Returns why it cannot, as above. */
+struct mesh_path {
+    bool by_tables, normals8;
+    enum glint_tables_kind kind;
+};
+const char *path_of_mesh(const struct shading *shading, struct mesh_path *of_mesh);
+
 /* A path other than [0], made ready for a scene. It draws over what the exact path has drawn; pixels that it cannot draw
  * keep the exact path's values, and a warning says so. Scene and normals must outlive it. */
 struct way;

@@ -34,7 +34,7 @@ static const struct argp_option argp_options[] = {
     {NULL, 0, NULL, 0, NULL, 0}};
 
 static const char doc[] =
-    "Shades a height map, a normal map or a built-in scene with the integer library and writes the picture."
+    "Shades a height map, a normal map, a mesh or a built-in scene with the integer library and writes the picture."
     "\v"
     "PNG, PPM and QOI have 8 bits a sample: a level v of 0..m becomes v 255 / m, rounded to the nearest. In RGB565 m "
     "is "
@@ -49,6 +49,8 @@ static const char doc[] =
     "      --image raw -o dial.bin\n"
     "  glint render --scene coin --light=-1,1,2,.5,.5,.5 \\\n"
     "      --point 240,80,60,300,1,.7,.3 -o lamps.png\n"
+    "  glint render --mesh part.stl --turn 20,30,0 --perspective -o part.png\n"
+    "  glint render --scene teapot --size 240x240 --compare -o teapot.png\n"
     "  glint render --scene sphere -n 300 --error-map e.png --against blinn\n";
 
 static enum image_kind kind_of_file(const struct argp_state *state, const char *option, const char *path)
@@ -120,7 +122,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         refuse(state, "unexpected argument '%s'; name files by --height, --normals, --albedo and -o", text);
     case ARGP_KEY_END:
         check_outputs(state, o);
-        shading_options_check(state, &o->look.shading);
+        shading_options_check(state, &o->look, &o->look.shading);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

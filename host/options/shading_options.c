@@ -185,6 +185,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->scene.optional = optional;
     }
         state->child_inputs[0] = &o->scene;
+        state->child_inputs[1] = &o->view;
         return 0;
     case KEY_ALBEDO:
         o->scene.albedo = text;
@@ -202,6 +203,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     case ARGP_KEY_END:
         if (o->scene.albedo && o->has_color)
             refuse(state, "give only one of --albedo and --color");
+        view_options_check(state, &o->view, o->scene.mesh.name);
         o->has_light = o->shading.lamp_count > 0;
         check_lamps(state, &o->shading);
         return 0;
@@ -210,13 +212,17 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = {{&scene_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
+static const struct argp_child children[] = {
+    {&scene_options_argp, 0, NULL, 0}, {&view_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
 const struct argp shading_options_argp = {argp_options, parse_option, NULL, NULL, children, NULL, NULL};
 
-void shading_options_check(const struct argp_state *state, const struct shading *shading)
+void shading_options_check(const struct argp_state *state, const struct shading_options *options,
+                           const struct shading *shading)
 {
-    if (path_refusal(shading))
-        refuse(state, "--path %s: %s", path_names[shading->path], path_refusal(shading));
+    struct mesh_path of_mesh;
+    const char *refusal = options->scene.mesh.name ? path_of_mesh(shading, &of_mesh) : path_refusal(shading);
+    if (refusal)
+        refuse(state, "--path %s: %s", path_names[shading->path], refusal);
 }
 
 struct scene *scene_of_shading_options(const struct shading_options *options, const struct scene_maps *maps,
@@ -231,21 +237,21 @@ struct scene *scene_of_shading_options(const struct shading_options *options, co
 }
 
 struct shading shading_of_options(const struct shading_options *options, enum glint_format format,
-                                  const struct scene *scene)
+                                  const struct finish *finish)
 {
     struct shading shading = options->shading;
     shading.format = format;
     if (shading.q == Q_UNSET)
         shading.q = default_q(&shading);
     if (!shading.n)
-        shading.n = scene->finish.n;
+        shading.n = finish->n;
     for (unsigned k = 0; k < 3; k++) {
         if (isnan(shading.ambient[k]))
-            shading.ambient[k] = scene->finish.ambient[k];
+            shading.ambient[k] = finish->ambient[k];
         if (isnan(shading.diffuse[k]))
-            shading.diffuse[k] = scene->finish.diffuse[k];
+            shading.diffuse[k] = finish->diffuse[k];
         if (isnan(shading.specular[k]))
-            shading.specular[k] = scene->finish.specular[k];
+            shading.specular[k] = finish->specular[k];
     }
     return shading;
 }

@@ -6,10 +6,12 @@
 #include <argp.h>
 
 #include "options/scene_options.h"
+#include "options/view_options.h"
 #include "draw/shading.h"
 
 struct shading_options {
     struct scene_options scene;
+    struct view_options view;
     bool has_color;         /* instead of an albedo */
     bool has_light;         /* of any kind; otherwise the default one */
     bool has_format;        /* otherwise RGB888, or the device's */
@@ -20,13 +22,14 @@ struct shading_options {
  * refuses wrong values. */
 extern const struct argp shading_options_argp;
 /* Checks what depends on the format. */
-void shading_options_check(const struct argp_state *state, const struct shading *shading);
+void shading_options_check(const struct argp_state *state, const struct shading_options *options,
+                           const struct shading *shading);
 
 /* The scene of maps that were read; width = 0: at its own size. */
 struct scene *scene_of_shading_options(const struct shading_options *options, const struct scene_maps *maps,
                                        uint32_t width, uint32_t height);
-/* The shading, completed for the format and the scene. */
+/* The shading, completed for the format and the scene's finish. */
 struct shading shading_of_options(const struct shading_options *options, enum glint_format format,
-                                  const struct scene *scene);
+                                  const struct finish *finish);
 
 #endif

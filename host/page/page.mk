@@ -4,13 +4,13 @@ PAGE_PACKAGES = clang lld wasi-libc libclang-rt-dev-wasm32
 PAGE = build/page
 PAGE_NPM = $(PAGE)/npm
 # Of the host what needs no files, libraries or signals; host/page/module has those in memory.
-PAGE_HOST = $(filter-out %_json.c,$(wildcard host/compare/*.c host/draw/*.c host/bake/*.c host/scene/*.c)) \
-	$(patsubst %,host/options/%_options.c,shading scene light) $(patsubst %,host/commands/%.c,bake material table) \
+PAGE_HOST = $(filter-out %_json.c,$(wildcard host/compare/*.c host/draw/*.c host/bake/*.c host/mesh/*.c host/scene/*.c)) \
+	$(patsubst %,host/options/%_options.c,shading scene view light) $(patsubst %,host/commands/%.c,bake material table) \
 	$(patsubst %,host/image/%.c,format image levels picture) host/models/models.c \
-	$(patsubst %,host/base/%.c,c_names closest memory message parse text unknown)
+	$(patsubst %,host/base/%.c,c_names closest memory message output_pair parse text unknown)
 PAGE_C = $(wildcard lib/*.c host/page/module/*.c) $(PAGE_HOST)
 PAGE_OBJECTS = $(PAGE_C:%.c=$(PAGE)/objects/%.o)
-PAGE_CFLAGS = --target=wasm32-wasi -O2 -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP \
+PAGE_CFLAGS = --target=wasm32-wasi -O2 -std=c11 -D_GNU_SOURCE -DGLINT_WITH_MESH=0 $(WARNINGS) -MMD -MP \
 	-Ihost/page/module/include -Ihost/page/module -Ilib -Ihost
 # The stack lies below the data, so that an overflow traps.
 PAGE_LDFLAGS = --target=wasm32-wasi -mexec-model=reactor -Wl,--stack-first,-z,stack-size=1048576,--strip-all

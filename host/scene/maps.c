@@ -13,8 +13,6 @@
 #include "scene/normals.h"
 #include "scene/scenes.h"
 
-enum { SCENE_SIDE = 320 };
-
 /* An SVG is drawn at the size that is asked for. */
 static struct image *read_map(const struct scene_options *options, const char *path)
 {

@@ -5,20 +5,24 @@
 
 #include <stdbool.h>
 
+#include "mesh/load.h"
 #include "scene/scene.h"
+
+enum { SCENE_SIDE = 320 }; /* of built-in scenes and meshes where --size is not given */
 
 struct scene_options {
     bool optional; /* set before the options are parsed: a surface is not required */
-    /* one of three */
+    /* one of four; a built-in mesh is one that `mesh` names */
     const char *heights, *normals, *scene;
-    double scale, bevel; /* bevel > 0: the heights are those of a shape's rounded edge */
+    struct mesh_source mesh; /* its name is NULL where there is none */
+    double scale, bevel;     /* bevel > 0: the heights are those of a shape's rounded edge */
     bool wraps, flip_y;
     const char *mask;
     uint32_t width, height;     /* 0: the map's own */
     const char *albedo, *gloss; /* for commands that take them to set; NULL: the scene's own */
 };
 
-/* All of these end the program through fail() where something is wrong. */
+/* All of these are for maps and scenes, not for meshes, and end the program through fail() where something is wrong. */
 struct scene *scene_of_options(const struct scene_options *options);
 
 /* The same in two steps, for a size that is known only when the maps are: width = 0 is the options'. */

@@ -7,7 +7,7 @@
 
 #include "base/memory.h"
 
-static const struct finish plain_finish = {60, {.2, .2, .2}, {.9, .9, .9}, {.5, .5, .5}};
+const struct finish plain_finish = {60, {.2, .2, .2}, {.9, .9, .9}, {.5, .5, .5}};
 
 struct scene *scene_new(uint32_t width, uint32_t height)
 {
@@ -29,6 +29,7 @@ void scene_free(struct scene *scene)
     free(scene->albedo);
     free(scene->gloss);
     free(scene->mask);
+    free(scene->parts);
     free(scene);
 }
 

@@ -19,8 +19,11 @@ struct scene {
     uint8_t *albedo;      /* RGB888, or NULL */
     uint8_t *gloss;       /* or NULL */
     uint8_t *mask;        /* 0: not drawn; or NULL */
+    uint8_t *parts;       /* of a mesh: by which of its parts' shadings; or NULL: by the only one */
     struct finish finish;
 };
+
+extern const struct finish plain_finish;
 
 struct scene *scene_new(uint32_t width, uint32_t height); /* normals towards the viewer, no maps, the plain finish */
 void scene_free(struct scene *scene);

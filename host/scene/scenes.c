@@ -116,11 +116,24 @@ static const struct {
     {relief_dial, {60, {.2, .2, .2}, {.8, .8, .8}, {.7, .7, .7}}},
 };
 
-struct scene *scene_draw(const char *name, uint32_t width, uint32_t height)
+/* The place of a name; that of NULL where no scene has it. */
+static unsigned find(const char *name)
 {
     unsigned i = 0;
-    while (scene_names[i] && strcmp(name, scene_names[i]) != 0)
+    while (scene_names[i] && !(name && strcmp(name, scene_names[i]) == 0))
         i++;
+    return i;
+}
+
+const struct finish *scene_finish(const char *name)
+{
+    const unsigned i = find(name);
+    return scene_names[i] ? &scenes[i].finish : &plain_finish;
+}
+
+struct scene *scene_draw(const char *name, uint32_t width, uint32_t height)
+{
+    const unsigned i = find(name);
     if (!scene_names[i])
         return NULL;
     struct scene *scene = scene_new(width, height);

@@ -17,6 +17,7 @@
 #include "sinks/frames.h"
 #include "stream/device.h"
 #include "stream/light.h"
+#include "stream/mesh_stream.h"
 #include "stream/stats.h"
 
 enum { USUAL_WIDTH = 320, USUAL_HEIGHT = 240 }; /* of built-in scenes */
@@ -41,6 +42,7 @@ struct stream {
     struct scene *scene;
     struct shading shading;
     struct canvas *canvas;
+    struct mesh_stream *mesh; /* instead of scene and canvas; NULL: no mesh */
     struct light_path *path;
     struct plan *plan;
     struct stream_stats *stats;
@@ -75,6 +77,7 @@ static bool start(struct stream *stream)
 {
     const struct stream_options *options = stream->options;
     struct scene_maps *maps = scene_maps_read(&options->look.scene);
+    stream->mesh = options->look.scene.mesh.name ? mesh_stream_new(options) : NULL;
     stream->path = light_path_new(options); /* files are opened before anything is done to a device */
     choose_size(stream, maps);
     if (options->kind->output == SINK_FILE_A_FRAME)
@@ -84,11 +87,16 @@ static bool start(struct stream *stream)
     if (!open_sink)
         return false;
     const struct sink *sink = open_sink;
-    stream->scene = scene_of_shading_options(&options->look, maps, sink->width, sink->height);
+    if (!stream->mesh)
+        stream->scene = scene_of_shading_options(&options->look, maps, sink->width, sink->height);
     scene_maps_free(maps);
-    stream->shading = shading_of_options(&options->look, sink->format, stream->scene);
-    shading_options_check(NULL, &stream->shading);
-    stream->canvas = canvas_new(stream->scene, &stream->shading);
+    stream->shading =
+        shading_of_options(&options->look, sink->format, stream->mesh ? &plain_finish : &stream->scene->finish);
+    shading_options_check(NULL, &options->look, &stream->shading);
+    if (stream->mesh)
+        mesh_stream_start(stream->mesh, &stream->shading, sink->width, sink->height);
+    else
+        stream->canvas = canvas_new(stream->scene, &stream->shading);
     light_path_start(stream->path, options, &stream->shading, sink->width, sink->height);
     stream->stats = stats_new(sink);
     if (sink->shades)
@@ -106,6 +114,7 @@ static void end(struct stream *stream)
     stats_free(stream->stats);
     light_path_free(stream->path);
     canvas_free(stream->canvas);
+    mesh_stream_free(stream->mesh);
     scene_free(stream->scene);
     free(stream->pixels[0]);
     free(stream->pixels[1]);
@@ -158,7 +167,10 @@ static bool send_frame(struct stream *stream, unsigned long index)
     if (stream->options->shade_device)
         return send_light(stream);
     uint8_t *pixels = stream->pixels[index % 2];
-    canvas_draw(stream->canvas, &stream->shading, pixels);
+    if (stream->mesh)
+        mesh_stream_draw(stream->mesh, (double)index / fps, &stream->shading, pixels);
+    else
+        canvas_draw(stream->canvas, &stream->shading, pixels);
     for (;;) {
         struct sink *sink = open_sink;
         const struct frame frame = {sink->width, sink->height, sink->format,

@@ -12,6 +12,14 @@ void quality_print_json(const struct baked *baked, const struct quality rows[QUA
     fail("--json: only the command writes JSON");
 }
 
+void quality_print_mesh_json(const struct baked_mesh *baked, const struct quality rows[QUALITY_ROWS], FILE *stream)
+{
+    (void)baked;
+    (void)rows;
+    (void)stream;
+    fail("--json: only the command writes JSON");
+}
+
 void shading_print_json(const struct shading *shading, FILE *out)
 {
     (void)shading;

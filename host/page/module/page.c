@@ -47,7 +47,9 @@ static error_t parse_option(int key, char *text, struct argp_state *argp_state)
         argp_state->child_inputs[0] = look;
         return 0;
     case ARGP_KEY_END:
-        shading_options_check(argp_state, &look->shading);
+        if (look->scene.mesh.name)
+            refuse(argp_state, "the page draws no meshes; glint render does");
+        shading_options_check(argp_state, look, &look->shading);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -115,7 +117,7 @@ void page_draw(char *text, size_t bytes, uint32_t keep)
         scene_maps_free(maps);
     }
     free(text); /* the options point into it; the scene does not */
-    state.shading = shading_of_options(&look, look.shading.format, state.scene);
+    state.shading = shading_of_options(&look, look.shading.format, &state.scene->finish);
     if (!state.canvas)
         state.canvas = canvas_new(state.scene, &state.shading);
     draw();

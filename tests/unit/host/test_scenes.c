@@ -270,7 +270,7 @@ static void every_scene_can_be_drawn_at_any_size(void **state)
             scene_free(scene);
         }
     }
-    assert_refused("$GLINT render --scene teapot -o out.png", "sphere, watchface, coin");
+    assert_refused("$GLINT render --scene teacup -o out.png", "sphere, watchface, coin");
 }
 
 static void the_sphere_has_the_normals_of_a_sphere(void **state)

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT
+ * How well the library draws a baked mesh. */
+#ifndef GLINT_COMPARE_MESH_QUALITY_H
+#define GLINT_COMPARE_MESH_QUALITY_H
+
+#include "compare/quality.h"
+#include "mesh/fit.h"
+
+/* Pictures of 240x240 from three sides (RGB888, exact, ambient .2, diffuse .9, specular .5, grey) against double precision with
+ * normalised normals, rounded, where both show the same triangle. */
+void mesh_quality(const struct mesh *mesh, const struct fitted *fitted, bool normals8,
+                  struct quality rows[QUALITY_ROWS]);
+
+#endif

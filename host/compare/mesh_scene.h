@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT
+ * What a picture of a mesh should show: each pixel's normal, in double precision. */
+#ifndef GLINT_COMPARE_MESH_SCENE_H
+#define GLINT_COMPARE_MESH_SCENE_H
+
+#include "draw/view.h"
+#include "mesh/fit.h"
+#include "scene/scene.h"
+
+/* Pixels that the double render or the library draws, and those of them where they draw different triangles, which no shading can
+ * bring together. */
+struct mesh_coverage {
+    size_t drawn, different;
+};
+/* A scene of the picture's size: normals interpolated over the triangle in front, in space, and normalised; its parts are the
+ * mesh's; its mask is where both draw the same triangle. */
+struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
+                         struct mesh_coverage *coverage);
+
+#endif

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+#include "compare/quality_report.h"
+
+#include <inttypes.h>
+
+#include "base/message.h"
+
+static void print_rows(const struct quality *rows, const char *what, FILE *stream)
+{
+    fprintf(stream, "   n  largest     mean  PSNR dB  in levels of 255, %s\n", what);
+    for (int i = 0; i < QUALITY_ROWS; i++) {
+        const struct difference *d = &rows[i].difference;
+        fprintf(stream, "%4u  %7.0f  %7.4f  ", rows[i].n, d->largest, difference_mean(d));
+        if (d->differing)
+            fprintf(stream, "%7.2f\n", difference_psnr_db(d));
+        else
+            fputs("no difference\n", stream);
+    }
+}
+
+void quality_print(const struct baked *baked, const struct quality rows[QUALITY_ROWS], FILE *stream)
+{
+    fprintf(stream, "%s, %" PRIu32 "x%" PRIu32 ", %zu bytes", bake_format_names[baked->format], baked->width,
+            baked->height, baked_bytes(baked));
+    if (baked->format == BAKE_PALETTE)
+        fprintf(stream, ", %" PRIu32 " entries (the first is no surface)", baked->entries);
+    fputc('\n', stream);
+    if (rows[0].difference.samples == 0)
+        fputs("no surface: the mask leaves every pixel out\n", stream);
+    else
+        print_rows(rows, "the highlight alone", stream);
+}
+
+void quality_print_mesh(const struct baked_mesh *baked, const struct quality rows[QUALITY_ROWS], FILE *stream)
+{
+    const struct glint_mesh *mesh = &baked->fitted->mesh;
+    fprintf(stream, "%u vertices, %u triangles, %u part%s, normals as %s: %zu bytes\n", mesh->vertex_count,
+            mesh->face_count, mesh->part_count, mesh->part_count > 1 ? "s" : "", baked->normals8 ? "int8" : "int16",
+            baked_mesh_bytes(baked));
+    print_rows(rows, "pictures of 240x240 from three sides", stream);
+}
+
+void quality_printed(FILE *stream)
+{
+    if (fflush(stream) != 0 || ferror(stream))
+        fail("standard %s: the quality could not be written", stream == stderr ? "error" : "output");
+}

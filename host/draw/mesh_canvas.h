@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT
+ * Meshes drawn by the library. */
+#ifndef GLINT_DRAW_MESH_CANVAS_H
+#define GLINT_DRAW_MESH_CANVAS_H
+
+#include "draw/shading.h"
+#include "draw/view.h"
+#include "mesh/fit.h"
+
+/* The shading of each part: as it is given, but for what the mesh's materials say and the user does not. */
+struct shading *mesh_shadings(const struct mesh *mesh, const struct shading *shading, bool own_color, bool own_n);
+
+/* A mesh made ready for its parts' shadings, to be drawn again and again as it turns or the light moves. */
+struct mesh_canvas;
+struct mesh_canvas *mesh_canvas_new(const struct fitted *fitted, const struct shading *shadings);
+void mesh_canvas_free(struct mesh_canvas *canvas);
+/* The whole picture, black behind the mesh, lines packed. `light`: the shading whose light counts; NULL: as it was. */
+void mesh_canvas_draw(const struct mesh_canvas *canvas, const struct view *view, const struct shading *light,
+                      uint8_t *pixels);
+
+/* The number of the face that the library draws at each pixel, plus 1; 0: none. malloc'd. */
+uint32_t *mesh_faces_drawn(const struct fitted *fitted, const struct view *view);
+
+#endif

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT
+ * Normals of a mesh's corners, and the vertices that they make of places. */
+#ifndef GLINT_MESH_CORNER_NORMALS_H
+#define GLINT_MESH_CORNER_NORMALS_H
+
+#include "mesh/soup.h"
+
+enum { CREASE_USUAL = 60 }; /* degrees */
+
+/* The soup's; the face's own where one has no direction. `from`: where in the soup each face is. */
+void corner_normals_given(const struct soup *soup, const size_t *from, double (*places)[3], uint32_t (*faces)[3],
+                          size_t count, double (*normals)[3][3]);
+/* From the faces around, up to creases. */
+void corner_normals_made(double (*places)[3], uint32_t (*faces)[3], size_t count, double crease,
+                         double (*normals)[3][3]);
+/* Fills the mesh: corners of one place and one normal become one vertex. */
+void corner_normals_join(struct mesh *mesh, double (*places)[3], uint32_t (*faces)[3], double (*normals)[3][3]);
+
+#endif

@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: MIT */
+#include "mesh/import_child.h"
+
+#if GLINT_WITH_MESH
+#include <assimp/cimport.h>
+#include <assimp/material.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <dlfcn.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <unistd.h>
+
+#include "mesh/import.h"
+
+/* Loaded here only: commands that read no mesh start without it. */
+#define FUNCTIONS(X)                                                                                                   \
+    X(aiImportFile)                                                                                                    \
+    X(aiGetErrorString)                                                                                                \
+    X(aiGetMaterialColor)                                                                                              \
+    X(aiGetMaterialFloatArray)                                                                                         \
+    X(aiGetMaterialIntegerArray)
+#define POINTER(name) __typeof__(name) *name;
+static struct {
+    FUNCTIONS(POINTER)
+} lib;
+#define TEXT(x) #x
+#define TEXT_OF(x) TEXT(x)
+#define LIBRARY "libassimp.so." TEXT_OF(GLINT_WITH_MESH)
+
+static bool load(void)
+{
+    void *handle = dlopen(LIBRARY, RTLD_NOW);
+    bool good = handle != NULL;
+#define FIND(name) good = good && (*(void **)&lib.name = dlsym(handle, #name)) != NULL;
+    FUNCTIONS(FIND)
+    return good;
+}
+
+/* The parent may be gone: then there is nobody to tell. */
+static void send(int out, const void *from, size_t bytes)
+{
+    for (const uint8_t *at = from; bytes;) {
+        const ssize_t sent = write(out, at, bytes);
+        if (sent <= 0)
+            _exit(1);
+        at += sent;
+        bytes -= (size_t)sent;
+    }
+}
+
+static void send_message(int out, const char *text)
+{
+    struct import_head head = {.face_count = 0};
+    snprintf(head.message, sizeof head.message, "%s", text[0] ? text : "it is damaged");
+    send(out, &head, sizeof head);
+}
+
+/* glTF's colours are linear, the others' as encoded. */
+static uint8_t level(float part, bool linear)
+{
+    double value = fmax(0, fmin(1, (double)part)); /* of NaN 0 */
+    if (linear)
+        value = value <= .0031308 ? 12.92 * value : 1.055 * pow(value, 1 / 2.4) - .055;
+    return (uint8_t)lround(255 * value);
+}
+
+static struct mesh_material material_of(const struct aiMaterial *from, bool linear)
+{
+    struct mesh_material material = {.has_color = false};
+    struct aiColor4D color;
+    float n = 0;
+    int shading = 0;
+    unsigned one = 1;
+    if (lib.aiGetMaterialColor(from, AI_MATKEY_COLOR_DIFFUSE, &color) == aiReturn_SUCCESS) {
+        const float parts[3] = {color.r, color.g, color.b};
+        material.has_color = true;
+        for (int k = 0; k < 3; k++)
+            material.color[k] = level(parts[k], linear);
+    }
+    if (!linear && lib.aiGetMaterialFloatArray(from, AI_MATKEY_SHININESS, &n, &one) == aiReturn_SUCCESS && n >= 1)
+        material.n = (unsigned)fmin(1000, (double)n); /* an OBJ's Ns; a glTF has another model */
+    one = 1;
+    if (lib.aiGetMaterialIntegerArray(from, AI_MATKEY_SHADING_MODEL, &shading, &one) == aiReturn_SUCCESS)
+        material.unlit = shading == aiShadingMode_NoShading; /* glTF's unlit, too */
+    return material;
+}
+
+static void send_faces(int out, const struct aiMesh *mesh, bool has_normals)
+{
+    for (unsigned i = 0; i < mesh->mNumFaces; i++) {
+        const struct aiFace *from = &mesh->mFaces[i];
+        struct soup_face face = {.part = mesh->mMaterialIndex};
+        if (from->mNumIndices != 3)
+            continue; /* points and lines */
+        for (int k = 0; k < 3; k++) {
+            const struct aiVector3D *place = &mesh->mVertices[from->mIndices[k]];
+            const double at[3] = {(double)place->x, (double)place->y, (double)place->z};
+            memcpy(face.places[k], at, sizeof at);
+            if (!has_normals)
+                continue;
+            const struct aiVector3D *normal = &mesh->mNormals[from->mIndices[k]];
+            const double points[3] = {(double)normal->x, (double)normal->y, (double)normal->z};
+            memcpy(face.normals[k], points, sizeof points);
+        }
+        send(out, &face, sizeof face);
+    }
+}
+
+static struct import_head head_of(const struct aiScene *scene)
+{
+    struct import_head head = {.has_normals = true, .part_count = scene->mNumMaterials};
+    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+        const struct aiMesh *mesh = scene->mMeshes[i];
+        for (unsigned k = 0; k < mesh->mNumFaces; k++)
+            head.face_count += mesh->mFaces[k].mNumIndices == 3;
+        head.has_normals &= mesh->mNormals != NULL;
+        head.has_textures |= mesh->mTextureCoords[0] != NULL;
+    }
+    return head;
+}
+
+void import_child(const char *path, int out)
+{
+    const char *dot = strrchr(path, '.');
+    const bool linear = dot && (strcasecmp(dot, ".gltf") == 0 || strcasecmp(dot, ".glb") == 0);
+    if (!load()) {
+        send_message(out, "it cannot be loaded (" LIBRARY "); install libassimp5");
+        return;
+    }
+    if (!freopen("/dev/null", "w", stderr) || !freopen("/dev/null", "w", stdout))
+        _exit(1);
+    const struct aiScene *scene = lib.aiImportFile(path, aiProcess_Triangulate | aiProcess_PreTransformVertices);
+    if (!scene) {
+        send_message(out, lib.aiGetErrorString());
+        return;
+    }
+    struct import_head head = head_of(scene);
+    send(out, &head, sizeof head);
+    if (head.face_count > IMPORT_FACES_MAX)
+        return; /* the parent says so */
+    for (unsigned i = 0; i < scene->mNumMaterials; i++) {
+        const struct mesh_material material = material_of(scene->mMaterials[i], linear);
+        send(out, &material, sizeof material);
+    }
+    for (unsigned i = 0; i < scene->mNumMeshes; i++)
+        send_faces(out, scene->mMeshes[i], head.has_normals);
+}
+
+#else
+
+void import_child(const char *path, int out)
+{
+    (void)path;
+    (void)out;
+}
+
+#endif

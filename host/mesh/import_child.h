@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT
+ * Inside the child process: libassimp. */
+#ifndef GLINT_MESH_IMPORT_CHILD_H
+#define GLINT_MESH_IMPORT_CHILD_H
+
+#include "mesh/soup.h"
+
+/* Sent first; then, where there is no message, the materials and the faces. */
+struct import_head {
+    char message[256];
+    uint64_t face_count, part_count;
+    bool has_normals, has_textures;
+};
+/* Reads the file and sends it to the descriptor, as a head, struct mesh_material's and struct soup_face's. */
+void import_child(const char *path, int out);
+
+#endif

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT */
+#include "mesh/load.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/message.h"
+#include "mesh/import.h"
+#include "mesh/order.h"
+#include "mesh/soup.h"
+#include "mesh/split.h"
+#include "mesh/teapot_data.h"
+#include "mesh/weld.h"
+
+const char *const mesh_names[] = {"teapot", NULL};
+const char *const mesh_axes_names[] = {"y-up", "z-up", NULL};
+
+static struct soup *teapot(void)
+{
+    struct soup *soup = allocate(1, sizeof *soup);
+    *soup = (struct soup){.name = strdup(mesh_names[0]), .face_count = TEAPOT_FACES, .part_count = 1};
+    soup->materials = allocate(1, sizeof *soup->materials);
+    *soup->materials = (struct mesh_material){.has_color = true, .color = {196, 98, 60}};
+    soup->faces = allocate(TEAPOT_FACES, sizeof *soup->faces);
+    if (!soup->name)
+        fail("out of memory");
+    for (int i = 0; i < 3 * TEAPOT_FACES; i++)
+        memcpy(soup->faces[i / 3].places[i % 3], teapot_places[teapot_faces[i / 3][i % 3]], sizeof *teapot_places);
+    return soup;
+}
+
+/* x right, y to the back, z up becomes x right, y up, z to the viewer. */
+static void stand_up(double v[3])
+{
+    const double back = v[1];
+    v[1] = v[2];
+    v[2] = -back;
+}
+
+static struct soup *read_file(const struct mesh_source *source)
+{
+    struct soup *soup = import_soup(source->name);
+    const bool stl = import_is_stl(source->name);
+    const enum mesh_axes axes = source->axes != AXES_USUAL ? source->axes : stl ? AXES_Z_UP : AXES_Y_UP;
+    soup->has_normals &= !stl; /* which has one for each facet */
+    for (size_t i = 0; axes == AXES_Z_UP && i < 3 * soup->face_count; i++) {
+        stand_up(soup->faces[i / 3].places[i % 3]);
+        stand_up(soup->faces[i / 3].normals[i % 3]);
+    }
+    return soup;
+}
+
+struct mesh *mesh_load(const struct mesh_source *source)
+{
+    struct soup *soup = source->built_in ? teapot() : read_file(source);
+    struct mesh *mesh = mesh_weld(soup, source->built_in && source->crease < 0 ? 180 : source->crease);
+    mesh->has_textures = soup->has_textures;
+    soup_free(soup);
+    mesh_split(mesh, source->split);
+    mesh_order(mesh);
+    return mesh;
+}

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT
+ * Meshes as the user names them, made ready. */
+#ifndef GLINT_MESH_LOAD_H
+#define GLINT_MESH_LOAD_H
+
+#include "mesh/mesh.h"
+
+extern const char *const mesh_names[]; /* built in: "teapot"; ends with NULL */
+
+enum mesh_axes { AXES_Y_UP, AXES_Z_UP, AXES_USUAL };
+extern const char *const mesh_axes_names[]; /* ends with NULL */
+enum { SPLIT_USUAL = 30 };
+
+struct mesh_source {
+    const char *name; /* a file, or a built-in mesh */
+    bool built_in;
+    double crease;       /* degrees; below 0: the file's normals, or CREASE_USUAL */
+    double split;        /* degrees */
+    enum mesh_axes axes; /* of the file; AXES_USUAL: z up in an STL */
+};
+/* Welded, split and ordered. Errors end the program through fail(). */
+struct mesh *mesh_load(const struct mesh_source *source);
+
+#endif

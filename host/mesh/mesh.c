@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT */
+#include "mesh/mesh.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+void mesh_free(struct mesh *mesh)
+{
+    if (!mesh)
+        return;
+    free(mesh->name);
+    free(mesh->places);
+    free(mesh->normals);
+    free(mesh->at);
+    free(mesh->faces);
+    free(mesh->ends);
+    free(mesh->materials);
+    free(mesh);
+}
+
+unsigned mesh_part_of(const struct mesh *mesh, size_t face)
+{
+    unsigned part = 0;
+    while (part + 1 < mesh->part_count && face >= mesh->ends[part])
+        part++;
+    return part;
+}
+
+double mesh_dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+void mesh_cross(const double a[3], const double b[3], double out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+bool mesh_normalize(double v[3])
+{
+    const double length = sqrt(mesh_dot(v, v));
+    if (!(length > 1e-30 && length < 1e30))
+        return false;
+    for (int k = 0; k < 3; k++)
+        v[k] /= length;
+    return true;
+}
+
+void mesh_face_normal(const double a[3], const double b[3], const double c[3], double out[3])
+{
+    double p[3], q[3];
+    for (int k = 0; k < 3; k++) {
+        p[k] = b[k] - a[k];
+        q[k] = c[k] - a[k];
+    }
+    mesh_cross(p, q, out);
+}
+
+double mesh_cosine(double degrees)
+{
+    return degrees >= 180 ? -2 : cos(degrees * M_PI / 180) - 1e-12; /* rounding decides nothing */
+}

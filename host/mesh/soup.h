@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT
+ * Triangles as files have them: each with its own corners. */
+#ifndef GLINT_MESH_SOUP_H
+#define GLINT_MESH_SOUP_H
+
+#include "mesh/mesh.h"
+
+struct soup_face {
+    double places[3][3], normals[3][3];
+    uint32_t part;
+};
+struct soup {
+    char *name; /* for messages */
+    size_t face_count;
+    struct soup_face *faces;
+    bool has_normals;
+    bool has_textures; /* which nothing here reads */
+    unsigned part_count;
+    struct mesh_material *materials; /* of each part */
+};
+void soup_free(struct soup *soup);
+
+#endif

@@ -1,0 +1,254 @@
+/* SPDX-License-Identifier: MIT
+ * glint with meshes from files: what is read, what is refused, and the child that reads. */
+#include "files.h"
+
+#include "mesh/import.h"
+
+static void write_text(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    assert_int_equal(fclose(file), 0);
+}
+
+static const char triangle[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+static void the_teapot_is_drawn_baked_and_streamed_without_a_file(void **state)
+{
+    (void)state;
+    const struct run *result = run("$GLINT render --scene teapot --size 120x90 --compare -o a.ppm && "
+                                   "$GLINT stream teapot --size 120x90 --frames 1 --to ppm -o b.ppm && "
+                                   "$GLINT stream teapot --size 120x90 --period 2 --fps 4 --to ppm -o c%d.ppm");
+    assert_int_equal(result->status, 0);
+    assert_string_equal(result->err, "");
+    assert_contains(result->out, "msh in double, rounded");
+    assert_contains(result->out, "pixels; ");
+    assert_same_file("a.ppm", "b.ppm");
+    assert_same_file("a.ppm", "c0.ppm");
+    assert_false(same_file("c0.ppm", "c1.ppm"));
+    assert_true(exists("c7.ppm") && !exists("c8.ppm")); /* one turn */
+    assert_int_equal(run("$GLINT render --scene teapot --size 120x90 --turn 25,60,0 -o d.ppm")->status, 0);
+    assert_same_file("c2.ppm", "d.ppm"); /* a quarter */
+}
+
+static void every_path_that_draws_meshes_is_near_double_precision(void **state)
+{
+    (void)state;
+    static const char *const lines[] = {"--format rgb888",
+                                        "--format mono --dither",
+                                        "--format grey8 --space linear",
+                                        "--format rgb565 --path colour-int16",
+                                        "--format rgb565-swapped --path colour-int8 --dither",
+                                        "--path small-int16",
+                                        "--format grey8 --path small-int8",
+                                        "--perspective --model schlick -n 20",
+                                        "--perspective=2 --zoom .7 --model gauss"};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        char line[300];
+        double psnr = 0;
+        snprintf(line, sizeof line,
+                 "$GLINT render --scene teapot --size 160x160 %s --json | grep -m 1 psnr_db | tr -dc 0-9.", lines[i]);
+        const struct run *result = run(line);
+        if (sscanf(result->out, "%lf", &psnr) != 1 || psnr < (strstr(lines[i], "mono") ? 15 : 36))
+            fail_msg("%s: '%s' dB; %s", lines[i], result->out, result->err);
+    }
+}
+
+static void options_that_do_not_fit_a_mesh_are_refused(void **state)
+{
+    (void)state;
+    static const char *const lines[][2] = {
+        {"render --scene coin --turn 1,2,3 -o a.png", "need a mesh"},
+        {"render --scene coin --split 3 -o a.png", "--split needs --mesh"},
+        {"render --scene teapot --mesh a.obj -o a.png", "give only one of"},
+        {"render --scene teapot --gloss a.png -o a.png", "--gloss is for maps"},
+        {"render --mesh - -o a.png", "--mesh: cannot come from standard input"},
+        {"render --scene teapot --path span -o a.png", "--path span: cannot draw a mesh; choose"},
+        {"render --scene teapot --point 1,2,3,4 -o a.png", "takes only one --light"},
+        {"render --scene teapot --model phong -o a.png", "phong"},
+        {"bake --scene teapot --to palette", "--to palette is for maps"},
+        {"bake --scene teapot --size 9x9", "--size is for maps"},
+        {"bake --scene coin --unit 3", "--unit needs --mesh"},
+        {"stream teapot --to usb --shade device", "no device draws meshes"}};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        char line[300];
+        snprintf(line, sizeof line, "$GLINT %s", lines[i][0]);
+        assert_refused(line, lines[i][1]);
+    }
+    assert_fails("$GLINT render --scene teapot --size 3000x3000 -o a.png", "give a smaller --size");
+    assert_fails("$GLINT render --scene teapot --zoom 100 -o a.png", "give a smaller --zoom");
+    assert_fails("$GLINT render --scene teapot --size 2000x2000 --perspective=50 -o a.png", "smaller --perspective");
+    assert_false(exists("a.png"));
+}
+
+static void a_baked_mesh_compiles_and_is_what_raw_holds(void **state)
+{
+    (void)state;
+    const struct run *result =
+        run("$GLINT bake --scene teapot --split 180 -o pot.c >/dev/null && $GLINT bake --scene teapot --split 180 -o "
+            "pot.bin && "
+            "cat >t.c <<E\n#include <stdio.h>\n#include \"pot.h\"\nint main(void) {\n"
+            "  const unsigned head[4] = {pot.vertex_count, pot.face_count, POT_PARTS, 1};\n"
+            "  for (int i = 0; i < 4; i++) { putchar(head[i] & 255); putchar(head[i] >> 8); }\n"
+            "  fwrite(pot.places, 6, POT_VERTICES, stdout); fwrite(pot.normals8, 3, POT_VERTICES, stdout);\n"
+            "  fwrite(pot.faces, 6, POT_FACES, stdout); putchar(pot.face_count & 255); putchar(pot.face_count >> 8);\n"
+            "  fwrite(pot_materials[0].albedo, 3, 1, stdout); putchar(0); return 0; }\nE\n"
+            "for l in 'gcc -std=c99' 'g++ -std=c++11 -x c++'; do $l -Wall -Wextra -Werror "
+            "-I\"$GLINT_SOURCE\"/lib t.c pot.c "
+            "-o t && ./t | cmp - pot.bin || exit 1; done");
+    assert_string_equal(result->err, "");
+    assert_int_equal(result->status, 0);
+    assert_contains(result->out, "530 vertices, 992 triangles, 1 part, normals as int8: 10722 bytes");
+    assert_contains(run("$GLINT bake --scene teapot --to int16 --json")->out, "\"triangles\": 2");
+    assert_int_equal(run("$GLINT bake --scene teapot --split 180 -o pot.uf2")->status, 0);
+    struct stat status;
+    assert_int_equal(stat("pot.uf2", &status), 0);
+    assert_int_equal(status.st_size, 512 * ((8 + 9 * 530 + 6 * 992 + 6 + 255) / 256));
+}
+
+#if GLINT_WITH_MESH
+#define CUBE                                                                                                           \
+    "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\nvt 0 0\n"                     \
+    "usemtl red\nf 1 5 7 3\nf 2 4 8 6\nf 1 2 6 5\nusemtl blue\nf 3/1 7/1 8/1 4/1\nf 1 3 4 2\nf 5 6 8 7\n"
+
+static void an_obj_has_its_materials_and_its_textures_are_ignored_with_a_word(void **state)
+{
+    (void)state;
+    write_text("cube.obj", "mtllib cube.mtl\n" CUBE);
+    write_text("cube.mtl", "newmtl red\nKd 1 0 0\nillum 2\nnewmtl blue\nKd 0 0 1\nillum 0\n");
+    const struct run *result = run("$GLINT bake --mesh cube.obj -o cube.c && tail -8 cube.c && grep PARTS cube.h");
+    assert_int_equal(result->status, 0);
+    assert_one_line(result->err);
+    assert_contains(result->err, "cube.obj: texture coordinates are ignored");
+    assert_contains(result->out, "24 vertices, 12 triangles, 2 parts");
+    assert_contains(result->out, "{32768, 32768, 32768}, {255, 0, 0}}");
+    assert_contains(result->out, "{65536, 65536, 65536}, {0, 0, 0}, {0, 0, 0}, {0, 0, 255}}"); /* unlit */
+    assert_contains(result->out, "#define CUBE_PARTS 2");
+    /* Straight at its front, the unlit one. */
+    assert_int_equal(run("$GLINT render --mesh cube.obj --size 9x9 -o cube.ppm")->status, 0);
+    uint8_t bytes[11 + 243];
+    assert_int_equal(read_file("cube.ppm", bytes, sizeof bytes), sizeof bytes);
+    assert_memory_equal(&bytes[11 + 3 * 40], ((uint8_t[]){0, 0, 255}), 3);
+    assert_contains(run("$GLINT render --mesh cube.obj --size 99x99 --turn 20,70,0 --compare")->out,
+                    "rounded          no difference");
+}
+
+/* The same pyramid as STL, with z up, and as PLY and glTF. */
+static void stl_ply_and_gltf_are_read_and_axes_turn_what_is_up(void **state)
+{
+    (void)state;
+    write_text("a.stl", "solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 0 1\nendloop\n"
+                        "endfacet\nendsolid a\n");
+    write_text("a.ply",
+               "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+               "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n2 0 0\n0 1 0\n3 0 1 2\n");
+    write_text(
+        "a.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"buffers\":[{\"byteLength\":36,\"uri\":"
+        "\"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAQAAAAAAAAAAAAAAAAAAAgD8AAAAA\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,"
+        "\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[2,1,0]}]}");
+    const struct run *result = run(
+        "for f in stl ply gltf; do $GLINT render --mesh a.$f --color 9,99,199 --size 40x30 -o $f.ppm || exit 1; done; "
+        "$GLINT render --mesh a.ply --axes z-up --turn 90,0,0 --color 9,99,199 --size 40x30 -o z.ppm && "
+        "$GLINT render --mesh a.ply --axes z-up --color 9,99,199 --size 40x30 -o y.ppm");
+    assert_string_equal(result->err, "");
+    assert_int_equal(result->status, 0);
+    assert_same_file("stl.ppm", "ply.ppm");
+    assert_same_file("stl.ppm", "gltf.ppm");
+    assert_same_file("stl.ppm", "z.ppm");
+    assert_false(same_file("stl.ppm", "y.ppm"));
+}
+
+static void hostile_files_are_one_line(void **state)
+{
+    (void)state;
+    static const char *const files[][3] = {
+        {"nan.obj", "v 0 0 0\nv nan 1 0\nv 1 1 0\nf 1 2 3\n", "triangle 1 has a corner at no finite place"},
+        {"far.obj", "v 0 0 0\nv 1e38 1 0\nv 1 1 0\nf 1 2 3\n", "no finite place"},
+        {"point.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n", "all its corners are at one place"},
+        {"line.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n", "has no triangle with an area"},
+        {"lines.obj", "v 0 0 0\nv 1 1 1\nl 1 2\n", "has no triangles"},
+        {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99\n", "this is not a mesh that libassimp can read"},
+        {"empty.ply", "", "is empty"},
+        {"text.stl", "This is not a mesh at all, whatever its name says.\n",
+         "this is not a mesh that libassimp can read"},
+        {"huge.ply",
+         "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\n"
+         "element face 4000000000\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n",
+         "huge.ply: "}};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        char line[200];
+        write_text(files[i][0], files[i][1]);
+        snprintf(line, sizeof line, "$GLINT bake --mesh %s -o no.c", files[i][0]);
+        assert_fails(line, files[i][2]);
+    }
+    assert_fails("$GLINT bake --mesh none.obj", "none.obj: could not be opened");
+    assert_fails("$GLINT bake --mesh . ", "a mesh's name ends in .obj");
+    assert_fails("mkdir d.obj; $GLINT bake --mesh d.obj", "d.obj: is not a regular file");
+    assert_fails(
+        "(printf 'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\n'; yes 'f 1 2 3' | head -65535) >many.obj; $GLINT bake --mesh many.obj",
+        "has 65535 triangles, and at most 65534 can be drawn");
+    write_text("cube.obj", CUBE);
+    assert_fails("$GLINT bake --mesh cube.obj --crease 180 --split 1 -o no.c", "give a larger angle");
+    assert_fails("$GLINT bake --mesh cube.obj --unit 40000 -o no.c", "places are beyond 32767");
+    assert_false(exists("no.c") || exists("no.h"));
+}
+
+/* A library that does what the file's name says, in place of libassimp. */
+static void the_childs_death_is_one_line_and_it_runs_with_limits(void **state)
+{
+    (void)state;
+    write_text("fake.c",
+               "#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n#include <sys/resource.h>\n"
+               "const void *aiImportFile(const char *path, unsigned flags) { (void)flags;\n"
+               "  if (strstr(path, \"crash\")) raise_it(); if (strstr(path, \"quit\")) exit(0); return NULL; }\n"
+               "const char *aiGetErrorString(void) { static char text[200]; struct rlimit cpu, file;\n"
+               "  getrlimit(RLIMIT_CPU, &cpu); getrlimit(RLIMIT_FSIZE, &file);\n"
+               "  snprintf(text, sizeof text, \"limits %d %d\\n and \\033 odd\", (int)cpu.rlim_cur, "
+               "(int)file.rlim_cur); return text; }\n"
+               "int aiGetMaterialColor, aiGetMaterialFloatArray, aiGetMaterialIntegerArray;\n");
+    assert_int_equal(run("sed -i 's/raise_it()/__builtin_trap()/' fake.c && "
+                         "gcc -shared -fPIC fake.c -o $(basename $(readlink -f $(gcc -print-file-name=libassimp.so)) | "
+                         "sed 's/\\(so\\.[0-9]*\\).*/\\1/')")
+                         ->status,
+                     0);
+    write_text("crash.obj", triangle);
+    write_text("quit.obj", triangle);
+    write_text("other.obj", triangle);
+    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh crash.obj -o no.c", "crash.obj: libassimp crashed on it (");
+    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh quit.obj -o no.c", "quit.obj: libassimp broke off");
+    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh other.obj -o no.c", "can read: limits 10 0");
+    assert_false(exists("no.c"));
+    assert_contains(run("$GLINT --version")->out, import_library());
+}
+#else
+static void a_mesh_is_refused_with_what_to_install(void **state)
+{
+    (void)state;
+    write_text("a.obj", triangle);
+    assert_fails("$GLINT render --mesh a.obj -o no.png", "install libassimp-dev");
+    assert_contains(run("$GLINT --version")->out, "mesh files");
+}
+#endif
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_teapot_is_drawn_baked_and_streamed_without_a_file),
+        cmocka_unit_test(every_path_that_draws_meshes_is_near_double_precision),
+        cmocka_unit_test(options_that_do_not_fit_a_mesh_are_refused),
+        cmocka_unit_test(a_baked_mesh_compiles_and_is_what_raw_holds),
+#if GLINT_WITH_MESH
+        cmocka_unit_test(an_obj_has_its_materials_and_its_textures_are_ignored_with_a_word),
+        cmocka_unit_test(stl_ply_and_gltf_are_read_and_axes_turn_what_is_up),
+        cmocka_unit_test(hostile_files_are_one_line),
+        cmocka_unit_test(the_childs_death_is_one_line_and_it_runs_with_limits),
+#else
+        cmocka_unit_test(a_mesh_is_refused_with_what_to_install),
+#endif
+    };
+    return cmocka_run_group_tests_name("mesh files", tests, scratch_make, scratch_remove);
+}
