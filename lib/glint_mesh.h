@@ -66,6 +66,7 @@ struct glint_mesh_drawn {
     const struct glint_paint *paints;
     struct glint_mesh_vertex *vertices;
     uint16_t *links, *bands; /* of each face the next in its list; of each band the first face */
+    uint16_t kept;           /* the first triangle that goes on */
     struct glint_vec l, h;   /* in the mesh's directions */
     int16_t turn[3][3];      /* Q14 */
     int16_t position[3];
@@ -73,13 +74,15 @@ struct glint_mesh_drawn {
 };
 struct glint_mesh_frame {
     struct glint_mesh_drawn *first, **last;
-    void *memory;
-    uint16_t w, h, lines, distance, y;
+    void *memory, *kept;
+    uint16_t w, h, lines, distance, y, free;
 };
 
 /* Begins a picture of w x h pixels in strips of at most `lines` lines. distance: of the camera from z = 0, 1/16 pixel; 0: parallel
- * projection. Memory: glint_mesh_frame_bytes, aligned to 4. GLINT_ERR_ARG: NULL, a size of 0 or beyond
+ * projection. Memory: glint_mesh_frame_bytes, aligned to 4. With GLINT_MESH_KEPT_BYTES more for each triangle that goes on from one strip
+ * to the next these are set up once; the teapot has some 40 at a time. GLINT_ERR_ARG: NULL, a size of 0 or beyond
  * GLINT_MESH_SIZE_MAX, too few bytes, misaligned. */
+#define GLINT_MESH_KEPT_BYTES 92u
 size_t glint_mesh_frame_bytes(uint16_t w, uint16_t lines);
 enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint16_t h, uint16_t lines,
                                 uint16_t distance, void *memory, size_t bytes);

@@ -22,9 +22,8 @@ struct glint_mesh_polygon {
 unsigned glint_mesh_clip(struct glint_mesh_polygon *polygon, const struct glint_mesh_frame *frame,
                          const struct glint_mesh_drawn *drawn, const uint16_t face[3]);
 
-/* One of them as a corner of a triangle. */
-struct glint_mesh_corner glint_mesh_clip_corner(const struct glint_mesh_frame *frame,
-                                                const struct glint_mesh_drawn *drawn,
-                                                const struct glint_mesh_clipped *clipped);
+/* One of them as a vertex. */
+void glint_mesh_clip_vertex(struct glint_mesh_vertex *vertex, const struct glint_mesh_frame *frame,
+                            const struct glint_mesh_drawn *drawn, const struct glint_mesh_clipped *clipped);
 
 #endif

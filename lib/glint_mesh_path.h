@@ -1,25 +1,38 @@
 /* SPDX-License-Identifier: MIT
- * Internal. What a line of a triangle becomes pixels by. */
+ * Internal. What lines of a triangle become pixels by. */
 #ifndef GLINT_MESH_PATH_H
 #define GLINT_MESH_PATH_H
 
 #include "glint_lobe_near.h"
-#include "glint_mesh.h"
+#include "glint_mesh_edges.h"
 
-/* Pixels x..end - 1 of a line, with the values at x and their steps. */
-struct glint_mesh_row {
-    uint8_t *line;   /* the surface's */
-    uint16_t *depth; /* of the line's pixels: a smaller one is nearer and stays */
-    uint32_t x, end;
-    uint32_t left, y; /* on the screen, of the line's first pixel */
-    uint32_t t, dt, ddt, nl, dnl, z, dz;
+/* A strip, lines y..end - 1 of the picture. */
+struct glint_mesh_target {
+    const struct glint_surface *surface;
+    uint16_t *depth; /* of its pixels: a smaller one is nearer and stays */
+    int32_t w, y, end;
     struct glint_sample *samples; /* GLINT_RUN of them, to work with */
 };
 
 struct glint_mesh_path {
     bool (*can)(const void *with, const struct glint_surface *surface);
-    void (*row)(const void *with, struct glint_mesh_row *row);
+    uint32_t (*t_end)(const void *with); /* from there on nothing shines */
+    /* Draws a triangle's lines from its own, which is in the strip, to the strip's end, and brings it there. */
+    void (*draw)(const void *with, struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target);
 };
+
+/* Pixels x..end - 1 of a line, with the values at x and their steps. */
+struct glint_mesh_row {
+    uint8_t *line; /* the surface's */
+    uint16_t *depth;
+    uint32_t x, end;
+    uint32_t left, y; /* on the screen, of the line's first pixel */
+    uint32_t t, dt, ddt, nl, dnl, z, dz;
+};
+
+/* The triangle's next row; the triangle goes on to the line after it. false: there is none before the end of it or of the strip. */
+bool glint_mesh_row_next(struct glint_mesh_row *row, struct glint_mesh_triangle *triangle,
+                         const struct glint_mesh_target *target);
 
 /* The next pixels side by side that are in front, at most `most`: enters their depths and returns how many they are; row stands at the
  * first of them. 0: there is none. */

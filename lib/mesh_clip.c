@@ -80,13 +80,12 @@ unsigned glint_mesh_clip(struct glint_mesh_polygon *polygon, const struct glint_
     return count;
 }
 
-struct glint_mesh_corner glint_mesh_clip_corner(const struct glint_mesh_frame *frame,
-                                                const struct glint_mesh_drawn *drawn,
-                                                const struct glint_mesh_clipped *clipped)
+void glint_mesh_clip_vertex(struct glint_mesh_vertex *vertex, const struct glint_mesh_frame *frame,
+                            const struct glint_mesh_drawn *drawn, const struct glint_mesh_clipped *clipped)
 {
-    struct glint_mesh_corner corner = {{(int16_t)(clipped->at.x + 8 * frame->w),
-                                        (int16_t)(clipped->at.y + 8 * frame->h), (uint16_t)clipped->at.z, 0, 0, 0},
-                                       clipped->normal};
-    glint_mesh_light(&corner.v, drawn, clipped->normal);
-    return corner;
+    vertex->x = (int16_t)(clipped->at.x + 8 * frame->w);
+    vertex->y = (int16_t)(clipped->at.y + 8 * frame->h);
+    vertex->z = (uint16_t)clipped->at.z;
+    vertex->out = 0;
+    glint_mesh_light(vertex, drawn, clipped->normal);
 }

@@ -3,41 +3,47 @@
  * from its upper corner on, so that the two triangles beside it see the same columns, whatever rounding does to them. */
 #include "glint_mesh_edges.h"
 
-/* dx <= 2^15 - 2, so dx 2^16 and the step < 2^31; the middle of the first line is within dy of the corner where there is a line, so
- * |step / 16| times that is at most 2^27. */
+/* The quotient by the inverse of dy: within 2^-16 of it or 2^-16 pixel a line. dx <= 2^15 - 2, so dx 2^16 < 2^31; the middle of the
+ * first line is within dy of the corner where there is a line, so |step / 16| times that is at most 2^27. */
 static struct glint_mesh_edge edge_of(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b)
 {
     struct glint_mesh_edge edge = {0, 0};
     const int32_t first = glint_mesh_first(a->y);
     if (first >= glint_mesh_first(b->y))
         return edge;
-    edge.step = (b->x - a->x) * 65536 / (b->y - a->y);
+    const uint32_t dy = (uint32_t)(b->y - a->y); /* 1..2^15 - 2 */
+    const unsigned up = glint_mesh_zeros(dy);    /* 17..31 */
+    edge.step = (b->x - a->x) * (int32_t)glint_mesh_inverse(dy << up >> 4) >> (31 - up);
     edge.x = (int32_t)a->x * 4096 + (edge.step >> 4) * (16 * first + 8 - a->y) - 32768 + 65535;
     return edge;
 }
 
-bool glint_mesh_triangle_set(struct glint_mesh_triangle *triangle, const struct glint_mesh_corner corner[3])
+bool glint_mesh_triangle_set(struct glint_mesh_triangle *triangle, const struct glint_mesh_corner corner[3],
+                             enum glint_mesh_shine shine, uint32_t t_end)
 {
     const struct glint_mesh_corner *c[3] = {&corner[0], &corner[1], &corner[2]}, *swap;
     for (int i = 0; i < 3; i++) { /* by y; stable */
         const int k = i & 1;
-        if (c[k + 1]->v.y < c[k]->v.y) {
+        if (c[k + 1]->v->y < c[k]->v->y) {
             swap = c[k];
             c[k] = c[k + 1];
             c[k + 1] = swap;
         }
     }
-    const int32_t area = glint_mesh_area(&c[0]->v, &c[1]->v, &c[2]->v);
-    triangle->y = glint_mesh_first(c[0]->v.y);
-    triangle->y_middle = glint_mesh_first(c[1]->v.y);
-    triangle->y_end = glint_mesh_first(c[2]->v.y);
-    if (area == 0 || triangle->y >= triangle->y_end)
+    const struct glint_mesh_vertex *a = c[0]->v, *b = c[1]->v, *d = c[2]->v;
+    triangle->y = (int16_t)glint_mesh_first(a->y);
+    triangle->y_middle = (int16_t)glint_mesh_first(b->y);
+    triangle->y_end = (int16_t)glint_mesh_first(d->y);
+    if (triangle->y >= triangle->y_end)
+        return false;
+    const int32_t area = glint_mesh_area(a, b, d);
+    if (area == 0)
         return false;
     triangle->long_is_left = area > 0; /* the middle corner is right of the long edge */
-    triangle->long_edge = edge_of(&c[0]->v, &c[2]->v);
-    triangle->upper = edge_of(&c[0]->v, &c[1]->v);
-    triangle->lower = edge_of(&c[1]->v, &c[2]->v);
-    glint_mesh_values_set(&triangle->values, c, area);
+    triangle->long_edge = edge_of(a, d);
+    triangle->upper = edge_of(a, b);
+    triangle->lower = edge_of(b, d);
+    triangle->shine = (uint8_t)glint_mesh_values_set(&triangle->values, c, area, shine, t_end);
     return true;
 }
 
@@ -62,5 +68,5 @@ void glint_mesh_triangle_skip(struct glint_mesh_triangle *triangle, int32_t y)
     if (y > triangle->y_middle)
         edge_skip(&triangle->lower,
                   (uint32_t)(y - (triangle->y > triangle->y_middle ? triangle->y : triangle->y_middle)));
-    triangle->y = y;
+    triangle->y = (int16_t)y;
 }

@@ -12,11 +12,14 @@ static bool exact_can(const void *with, const struct glint_surface *surface)
            !GLINT_FLASH_POINTER(prepared->model->geometry); /* Phong's t is not of this form */
 }
 
-static void exact_row(const void *with, struct glint_mesh_row *row)
+static uint32_t exact_t_end(const void *with)
 {
-    const struct glint_prepared *prepared = (const struct glint_prepared *)with;
+    return ((const struct glint_prepared *)with)->near.t_end;
+}
+
+static void exact_row(const struct glint_prepared *prepared, struct glint_mesh_row *row, struct glint_sample *samples)
+{
     struct glint_run run = {row->line, 0, row->left, row->y, NULL, NULL};
-    struct glint_sample *samples = row->samples;
     for (unsigned count; (count = glint_mesh_in_front(row, GLINT_RUN)) != 0; row->x += count) {
         for (unsigned i = 0; i < count; i++, glint_mesh_step(row)) {
             const uint32_t nl = glint_sample_nl((int32_t)row->nl);
@@ -28,4 +31,11 @@ static void exact_row(const void *with, struct glint_mesh_row *row)
     }
 }
 
-const struct glint_mesh_path glint_mesh_exact = {exact_can, exact_row};
+static void exact_draw(const void *with, struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target)
+{
+    struct glint_mesh_row row;
+    while (glint_mesh_row_next(&row, triangle, target))
+        exact_row((const struct glint_prepared *)with, &row, target->samples);
+}
+
+const struct glint_mesh_path glint_mesh_exact = {exact_can, exact_t_end, exact_draw};

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT
+ * Internal. What a frame's memory holds: the bench, the depths of a strip, and triangles that go on in the next strip. */
+#ifndef GLINT_MESH_STRIP_H
+#define GLINT_MESH_STRIP_H
+
+#include "glint_mesh_clip.h"
+#include "glint_mesh_path.h"
+
+/* What the work on one face takes, so that it is not on the stack. */
+struct glint_mesh_bench {
+    struct glint_mesh_polygon polygon;
+    struct glint_mesh_vertex vertex[3];
+    struct glint_mesh_triangle triangle;
+    struct glint_sample samples[GLINT_RUN];
+};
+
+/* A triangle at the line where the last strip ended, in its mesh's list, which ascends by face, or in that of free ones. */
+struct glint_mesh_kept {
+    struct glint_mesh_triangle triangle;
+    uint16_t face, next; /* GLINT_MESH_NONE: the last */
+};
+
+/* Bytes of depths; what follows is aligned. */
+static inline uint32_t glint_mesh_depth_bytes(uint16_t w, uint16_t lines)
+{
+    return (((uint32_t)w * lines + 1) & ~(uint32_t)1) * 2;
+}
+
+/* Frees what is kept of a mesh. */
+void glint_mesh_forget(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn);
+
+#endif

@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: MIT
+ * A triangle by COLOUR tables. Its lines are short, so each pixel is asked for its depth and drawn at once; three loops take what
+ * dark, matt and glossy pixels need and no more. */
+#include "glint_mesh_colour.h"
+#include "glint_loops_look.h"
+#include "glint_math_assembly.h"
+
+#if !GLINT_CORTEX_M0PLUS_ASM
+/* Pixels with their depths; end: of these. */
+static void colour_dark(const struct glint_look *look, uint32_t z, uint32_t dz, uint16_t *depth, const uint16_t *end,
+                        uint16_t *out)
+{
+    const uint16_t dark = look->dark;
+    for (; depth != end; depth++, out++, z += dz)
+        if (z >> 16 < *depth) {
+            *depth = (uint16_t)(z >> 16);
+            *out = dark;
+        }
+}
+
+static void colour_matt(const struct glint_look *look, uint32_t z, uint32_t dz, uint32_t nl, uint32_t dnl,
+                        uint16_t *depth, const uint16_t *end, uint16_t *out)
+{
+    for (; depth != end; depth++, out++, z += dz, nl += dnl)
+        if (z >> 16 < *depth) {
+            *depth = (uint16_t)(z >> 16);
+            *out = (int32_t)nl < 0 ? look->dark : glint_look_colour(look, glint_look_row(nl));
+        }
+}
+
+static void colour_glossy(const struct glint_look *look, const struct glint_mesh_values *v, uint32_t n, uint32_t pairs,
+                          uint16_t *depth, const uint16_t *end, uint16_t *out)
+{
+    const uint32_t dz = v->zx, dnl = v->nlx, ddt = v->txx;
+    uint32_t z = v->z + n * dz, nl = v->nl + n * dnl, dt = v->tx + n * ddt;
+    uint32_t back = look->t_max - v->t - n * v->tx - pairs * ddt;
+    for (; depth != end; depth++, out++) {
+        if (z >> 16 < *depth) {
+            *depth = (uint16_t)(z >> 16);
+            glint_look_store(look, back, nl, out);
+        }
+        z += dz;
+        nl += dnl;
+        back -= dt;
+        dt += ddt;
+    }
+}
+
+void glint_mesh_colour_part(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_part *part, const struct glint_mesh_place_of_part *place)
+{
+    const struct glint_look look = glint_look_up(tables);
+    struct glint_mesh_values *v = &triangle->values;
+    struct glint_mesh_edge left = *part->left, right = *part->right;
+    uint8_t *depth_line = place->depth, *out_line = place->out;
+    for (int32_t lines = place->lines; lines; lines--) {
+        int32_t from, to;
+        if (glint_mesh_columns(&left, &right, place->w, &from, &to)) {
+            uint16_t *depth = (uint16_t *)(void *)depth_line + from, *out = (uint16_t *)(void *)out_line + from;
+            const uint16_t *const end = depth + (to - from);
+            const int32_t k = from - v->x; /* |k| < 2^12 */
+            const uint32_t n = (uint32_t)k;
+            if (triangle->shine == GLINT_MESH_GLOSSY)
+                colour_glossy(&look, v, n, (uint32_t)(k * (k - 1) / 2), depth, end, out);
+            else if (triangle->shine == GLINT_MESH_MATT)
+                colour_matt(&look, v->z + n * v->zx, v->zx, v->nl + n * v->nlx, v->nlx, depth, end, out);
+            else
+                colour_dark(&look, v->z + n * v->zx, v->zx, depth, end, out);
+        }
+        glint_mesh_edge_next(&left);
+        glint_mesh_edge_next(&right);
+        depth_line += place->depth_stride;
+        out_line += place->out_stride;
+        if (triangle->shine == GLINT_MESH_GLOSSY) {
+            glint_mesh_values_next(v);
+        } else {
+            v->nl += v->nly;
+            v->z += v->zy;
+        }
+    }
+    *part->left = left;
+    *part->right = right;
+}
+#endif
+
+void glint_mesh_colour(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                       const struct glint_mesh_target *target)
+{
+    const int32_t end = triangle->y_end < target->end ? triangle->y_end : target->end;
+    const struct glint_surface *surface = target->surface;
+    while (triangle->y < end) {
+        const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);
+        const int32_t line = triangle->y - target->y;
+        const struct glint_mesh_place_of_part place = {(uint8_t *)(target->depth + target->w * line),
+                                                       (uint8_t *)surface->pixels + surface->stride * line,
+                                                       2 * target->w,
+                                                       surface->stride,
+                                                       target->w,
+                                                       part.end - triangle->y};
+        glint_mesh_colour_part(tables, triangle, &part, &place);
+        triangle->y = (int16_t)part.end;
+    }
+}

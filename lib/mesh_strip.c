@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: MIT
+ * A strip of a picture. Its faces are drawn by number, whether set up for it or kept from the strip before: of two pixels at the same
+ * depth the first stays, however the picture is cut. A triangle that goes on is kept, so that it is set up once; where there is no
+ * place left its face goes into the next band's list and is set up again. */
+#include "glint_mesh_strip.h"
+#include "glint_mesh_lists.h"
+
+/* A strip in work: its mesh. */
+struct strip {
+    struct glint_mesh_frame *frame;
+    struct glint_mesh_drawn *drawn;
+    const struct glint_mesh_target *target;
+};
+
+/* A list to which entries are added at its end. */
+struct tail {
+    uint16_t first, *last;
+};
+
+static void draw(const struct strip *strip, struct glint_mesh_triangle *triangle, const struct glint_paint *paint)
+{
+    if (triangle->y < strip->target->y)
+        glint_mesh_triangle_skip(triangle, strip->target->y);
+    paint->path->draw(paint->with, triangle, strip->target);
+}
+
+/* A face, clipped, as a fan. */
+static void draw_clipped(const struct strip *strip, const uint16_t face[3], const struct glint_paint *paint)
+{
+    struct glint_mesh_bench *bench = (struct glint_mesh_bench *)strip->frame->memory;
+    struct glint_mesh_triangle *triangle = &bench->triangle;
+    const unsigned count = glint_mesh_clip(&bench->polygon, strip->frame, strip->drawn, face);
+    const struct glint_mesh_clipped *at = bench->polygon.corner[bench->polygon.now];
+    const uint32_t t_end = paint->path->t_end(paint->with);
+    struct glint_mesh_vertex *const v = bench->vertex;
+    for (unsigned i = 2; i < count; i++) {
+        const struct glint_mesh_clipped *const of[3] = {&at[0], &at[i - 1], &at[i]};
+        struct glint_mesh_corner corner[3];
+        for (unsigned k = 0; k < 3; k++) {
+            glint_mesh_clip_vertex(&v[k], strip->frame, strip->drawn, of[k]);
+            corner[k].v = &v[k];
+            corner[k].normal = of[k]->normal;
+        }
+        if (glint_mesh_area(&v[0], &v[1], &v[2]) < 0 &&
+            glint_mesh_triangle_set(triangle, corner, glint_mesh_shine(corner, t_end), t_end) &&
+            triangle->y < strip->target->end)
+            draw(strip, triangle, paint);
+    }
+}
+
+/* Another face; false where there is no line in it. */
+static bool set_up(const struct strip *strip, const uint16_t face[3], const struct glint_paint *paint,
+                   struct glint_mesh_triangle *triangle)
+{
+    const uint32_t t_end = paint->path->t_end(paint->with);
+    struct glint_mesh_corner corner[3];
+    for (unsigned i = 0; i < 3; i++)
+        corner[i].v = &strip->drawn->vertices[face[i]];
+    const enum glint_mesh_shine shine = glint_mesh_shine(corner, t_end);
+    for (unsigned i = 0; shine == GLINT_MESH_GLOSSY && i < 3; i++)
+        corner[i].normal = glint_mesh_normal(strip->drawn->mesh, face[i]);
+    return glint_mesh_triangle_set(triangle, corner, shine, t_end);
+}
+
+/* Draws it where its lines begin in the strip; does it go on after that? */
+static bool draw_on(const struct strip *strip, struct glint_mesh_triangle *triangle, const struct glint_paint *paint)
+{
+    if (triangle->y < strip->target->end)
+        draw(strip, triangle, paint);
+    return triangle->y_end > strip->target->end;
+}
+
+static void add(struct tail *tail, uint16_t entry, uint16_t *next)
+{
+    *tail->last = entry;
+    tail->last = next;
+}
+
+/* A face that has not been kept. */
+static void strip_face(const struct strip *strip, uint16_t i, const struct glint_paint *paint, struct tail *keep,
+                       struct tail *later)
+{
+    struct glint_mesh_frame *frame = strip->frame;
+    struct glint_mesh_kept *const all = (struct glint_mesh_kept *)frame->kept;
+    const uint16_t *face = strip->drawn->mesh->faces + 3 * (size_t)i, place = frame->free;
+    uint16_t *const link = &strip->drawn->links[i];
+    if (glint_mesh_face_is_out(strip->drawn, face)) {
+        draw_clipped(strip, face, paint);
+        add(later, i, link);
+        return;
+    }
+    struct glint_mesh_triangle *triangle =
+        place != GLINT_MESH_NONE ? &all[place].triangle : &((struct glint_mesh_bench *)frame->memory)->triangle;
+    if (!set_up(strip, face, paint, triangle) || !draw_on(strip, triangle, paint))
+        return;
+    if (place == GLINT_MESH_NONE) {
+        add(later, i, link);
+        return;
+    }
+    frame->free = all[place].next;
+    all[place].face = i;
+    add(keep, place, &all[place].next);
+}
+
+static void strip_mesh(const struct strip *strip)
+{
+    struct glint_mesh_frame *frame = strip->frame;
+    struct glint_mesh_drawn *drawn = strip->drawn;
+    struct glint_mesh_kept *const all = (struct glint_mesh_kept *)frame->kept;
+    struct tail keep = {GLINT_MESH_NONE, &keep.first}, later = {GLINT_MESH_NONE, &later.first};
+    uint16_t face = glint_mesh_take(drawn, strip->target->y, strip->target->end), place = drawn->kept;
+    unsigned part = 0;
+    while (face != GLINT_MESH_NONE || place != GLINT_MESH_NONE) {
+        const bool is_kept = place != GLINT_MESH_NONE && all[place].face < face; /* GLINT_MESH_NONE is above all */
+        const uint16_t i = is_kept ? all[place].face : face;
+        while (part + 1 < drawn->mesh->part_count && i >= drawn->mesh->ends[part])
+            part++;
+        if (is_kept) {
+            struct glint_mesh_kept *const kept = &all[place];
+            const uint16_t at = place;
+            place = kept->next;
+            if (draw_on(strip, &kept->triangle, &drawn->paints[part])) {
+                add(&keep, at, &kept->next);
+            } else {
+                kept->next = frame->free;
+                frame->free = at;
+            }
+        } else {
+            face = drawn->links[i];
+            strip_face(strip, i, &drawn->paints[part], &keep, &later);
+        }
+    }
+    *keep.last = *later.last = GLINT_MESH_NONE;
+    drawn->kept = keep.first;
+    if (strip->target->end < frame->h)
+        glint_mesh_give(drawn, later.first, strip->target->end);
+}
+
+void glint_mesh_forget(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn)
+{
+    struct glint_mesh_kept *const all = (struct glint_mesh_kept *)frame->kept;
+    while (drawn->kept != GLINT_MESH_NONE) {
+        struct glint_mesh_kept *const kept = &all[drawn->kept];
+        const uint16_t next = kept->next;
+        kept->next = frame->free;
+        frame->free = drawn->kept;
+        drawn->kept = next;
+    }
+}
+
+static bool strip_can(const struct glint_mesh_frame *frame, const struct glint_surface *surface)
+{
+    for (const struct glint_mesh_drawn *drawn = frame->first; drawn; drawn = drawn->next)
+        for (unsigned i = 0; i == 0 || i < drawn->mesh->part_count; i++)
+            if (!drawn->paints[i].path || !drawn->paints[i].path->can(drawn->paints[i].with, surface))
+                return false;
+    return true;
+}
+
+/* All of them the farthest, two at a time. */
+static void clear_depth(uint16_t *depth, uint32_t bytes)
+{
+    uint32_t *at = (uint32_t *)(void *)depth;
+    for (const uint32_t *const end = at + bytes / 4; at != end; at++)
+        *at = UINT32_MAX;
+}
+
+enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint16_t h,
+                                const struct glint_surface *surface)
+{
+    if (!frame || !surface || !surface->pixels || y >= frame->h || h == 0 || h > frame->lines || h > frame->h - y ||
+        !strip_can(frame, surface))
+        return GLINT_ERR_ARG;
+    struct glint_mesh_bench *bench = (struct glint_mesh_bench *)frame->memory;
+    const struct glint_mesh_target target = {surface,       (uint16_t *)(void *)(bench + 1), frame->w, y, y + h,
+                                             bench->samples};
+    clear_depth(target.depth, glint_mesh_depth_bytes(frame->w, h));
+    for (struct glint_mesh_drawn *drawn = frame->first; drawn; drawn = drawn->next) {
+        const struct strip strip = {frame, drawn, &target};
+        if (y != frame->y) {
+            glint_mesh_forget(frame, drawn);
+            glint_mesh_sort(frame, drawn, y);
+        }
+        strip_mesh(&strip);
+    }
+    frame->y = (uint16_t)(y + h);
+    return GLINT_OK;
+}
