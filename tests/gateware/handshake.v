@@ -18,6 +18,9 @@ module handshake (
     wire [16:0] m_f;
     wire [4:0] m_user;
     wire [CLOCKS:1] valid;
+    wire [5*CLOCKS-1:0] history;
+    wire [4:0] held;
+    wire idle;
     glint_core dut (
         .clk(clk),
         .rst(rst),
@@ -32,17 +35,25 @@ module handshake (
         .m_ready(m_ready),
         .m_f(m_f),
         .m_user(m_user),
-        .valid(valid)  // exposed by test_handshake
+        .idle(idle),
+        .valid(valid), // these are exposed by test_handshake
+        .\user.block.history (history),
+        .\user.block.held (held)
     );
 
     reg started = 0, stalled = 0, was_reset = 0;
     reg [16:0] f;
     reg [4:0] user;
+    // Pixels inside, and for each stage those before it: what the pixel there brought with it.
     integer i;
     reg [4:0] within;
+    reg [4:0] ahead[1:CLOCKS];
     always @* begin
         within = 0;
-        for (i = 1; i <= CLOCKS; i = i + 1) within = within + {4'd0, valid[i]};
+        for (i = CLOCKS; i >= 1; i = i - 1) begin
+            ahead[i] = within;
+            within = within + {4'd0, valid[i]};
+        end
     end
     always @(posedge clk) begin
         started <= 1;
@@ -70,10 +81,14 @@ module handshake (
             if (was_reset) assert (!m_valid && within == 0);
             // A pixel is taken whenever the last one can go.
             assert (s_ready == (!m_valid || m_ready));
-`ifdef ORDER
-            // Each comes with what went in with it: none overtakes.
+            assert (idle == (sent == received));
+            // Each comes with what went in with it: none overtakes. The lines before the last make the induction whole.
+            for (i = 1; i <= CLOCKS; i = i + 1)
+                if (valid[i]) begin
+                    assert (held >= i);
+                    assert (history[5*(i-1)+:5] == received + ahead[i]);
+                end
             if (m_valid) assert (m_user == received);
-`endif
         end
         cover (started && m_valid && within == CLOCKS);
     end

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * The lite core against its table, and what that costs against the library. */
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 
@@ -100,25 +99,22 @@ bool all_of_a_material(Lite &lite, Random &random, enum glint_model model, uint3
     return lite.good();
 }
 
-/* Largest error over all c, F at or above the cutoff; -1 where a difference does not fit. */
+/* Largest error over all c, F at or above the cutoff; -1 where a difference does not fit. Between two entries both F, which falls
+ * with u, and the line lie between the entries' values: where these differ by no more than the worst so far, there is none worse. */
 int error_of(enum glint_model model)
 {
-    static std::array<Place, ONE + 1> *places;
-    if (!places) {
-        places = static_cast<decltype(places)>(malloc(sizeof *places));
-        for (int32_t c = 0; c <= ONE; c++)
-            (*places)[static_cast<size_t>(c)] = Place(c);
-    }
     int worst = 0;
     for (uint32_t n = 1; n <= GLINT_N_MAX; n++) {
         const Table table(model, n);
         for (uint32_t i = 0; i < ENTRIES; i++)
             if (table.drop(i) >= 1 << 12)
                 return -1;
-        for (int32_t c = 1; c <= ONE; c++) {
-            const int f = static_cast<int>(glint_eval(model, n, c));
-            worst = std::max(worst, abs(static_cast<int>(line(table, (*places)[static_cast<size_t>(c)])) - f));
-        }
+        for (uint32_t i = 0; i < ENTRIES; i++)
+            for (uint32_t u = u_of(i); static_cast<int>(table.drop(i)) > worst && u < u_of(i + 1); u++) {
+                const int32_t c = ONE - static_cast<int32_t>(u);
+                const int f = static_cast<int>(glint_eval(model, n, c));
+                worst = std::max(worst, abs(static_cast<int>(line(table, Place(c))) - f));
+            }
     }
     return worst;
 }

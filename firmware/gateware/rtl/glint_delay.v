@@ -40,6 +40,25 @@ module glint_delay #(
                     ring[place] <= d;
                     q <= ring[next];
                 end
+`ifdef FORMAL
+            // Proved for ever, by induction: since the reset the ring holds what went in, the oldest where it writes next.
+            reg [WIDTH*CLOCKS-1:0] history; // the last lowest
+            reg [4:0] held;
+            integer i;
+            always @(posedge clk)
+                if (rst) held <= 0;
+                else if (en) begin
+                    held <= held == CLOCKS ? held : held + 5'd1;
+                    history <= {history, d};
+                end
+            always @(posedge clk)
+                if (!rst) begin
+                    assert (held <= CLOCKS && place < CLOCKS);
+                    for (i = 0; i < CLOCKS; i = i + 1)
+                        if (i < held) assert (ring[(place + CLOCKS - 1 - i) % CLOCKS] == history[WIDTH*i+:WIDTH]);
+                    if (held == CLOCKS) assert (q == history[WIDTH*(CLOCKS-1)+:WIDTH]);
+                end
+`endif
         end
         if (WIDTH < 1 || CLOCKS < 2 || CLOCKS > 16) begin : range
             WIDTH_must_be_1_or_more_and_CLOCKS_2_to_16 stop ();
