@@ -29,6 +29,7 @@ struct drawn {
     bool is_mesh;
     uint32_t width, height;
     uint8_t *pixels;
+    struct levels *levels; /* of the pixels, where they are not drawn otherwise */
 };
 
 static void print_coverage(const struct drawn *drawn, FILE *stream)
@@ -90,6 +91,8 @@ static void draw_mesh(const struct render_options *options, struct drawn *drawn)
     struct mesh_canvas *canvas = mesh_canvas_new(fitted, drawn->shadings);
     drawn->pixels = allocate(height, format_line_bytes(shading.format, width));
     mesh_canvas_draw(canvas, &view, NULL, drawn->pixels);
+    if (options->gouraud)
+        drawn->levels = mesh_gouraud(mesh, fitted, &view, drawn->shadings);
     if (options->compare)
         drawn->scene = mesh_scene(mesh, fitted, &view, &drawn->coverage);
     mesh_canvas_free(canvas);
@@ -116,7 +119,8 @@ int command_render(int argc, char **argv)
     render_options_parse(&options, argc, argv);
     (options.look.scene.mesh.name ? draw_mesh : draw_map)(&options, &drawn);
     const enum glint_format format = drawn.shadings->format;
-    struct levels *levels = levels_of_pixels(drawn.width, drawn.height, format, drawn.pixels);
+    struct levels *levels =
+        drawn.levels ? drawn.levels : levels_of_pixels(drawn.width, drawn.height, format, drawn.pixels);
     /* Both are there in full before one gets its name. */
     struct output *output = options.output ? output_open(options.output) : NULL;
     struct output *error_map_output = options.error_map ? output_open(options.error_map) : NULL;

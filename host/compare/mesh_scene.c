@@ -1,6 +1,4 @@
-/* SPDX-License-Identifier: MIT
- * Each triangle is tried at every pixel of the box around it, by the signs of three areas. Nothing of the library's rounding is in
- * it: places and normals are those before they were fitted. */
+/* SPDX-License-Identifier: MIT */
 #include "compare/mesh_scene.h"
 
 #include <math.h>
@@ -8,121 +6,80 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "compare/mesh_raster.h"
+#include "compare/reference.h"
 #include "draw/mesh_canvas.h"
+#include "image/format.h"
 
-/* On the screen, in pixels from its middle, y up; `near` is larger for what is nearer, and linear on the screen. */
-struct corner {
-    double x, y, near, weight;
-};
-
-static void project(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
-                    struct corner *corners)
+/* Each face's corners' normals, in the viewer's directions. */
+static double (*turned_normals(const struct mesh *mesh, const struct view *view))[3]
 {
-    const double radius = view_radius(view), distance = radius * view->distance;
-    double m[3][3];
+    double(*normals)[3] = allocate(3 * mesh->face_count, sizeof *normals), m[3][3];
     view_rotation(view, m);
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
-        double at[3];
+    for (size_t i = 0; i < 3 * mesh->face_count; i++)
         for (int k = 0; k < 3; k++)
-            at[k] = (mesh->places[i][k] - fitted->middle[k]) * fitted->unit / 32767 * radius;
-        const double x = mesh_dot(m[0], at), y = mesh_dot(m[1], at), z = mesh_dot(m[2], at);
-        const double r = distance > 0 ? distance / (distance - z) : 1;
-        corners[i] = (struct corner){x * r, y * r, distance > 0 ? r : z, r};
-    }
-}
-
-static double area(const struct corner *a, const struct corner *b, double x, double y)
-{
-    return (b->x - a->x) * (y - a->y) - (b->y - a->y) * (x - a->x);
-}
-
-struct target {
-    const struct mesh *mesh;
-    const struct view *view;
-    struct scene *scene;
-    double *near;     /* of what each pixel shows */
-    uint32_t *number; /* of its face, plus 1 */
-};
-
-/* The middle of pixel x, y, if the triangle is in front there: `part` are its shares of the corners. */
-static void draw_pixel(struct target *t, uint32_t face, const struct corner *const c[3], uint32_t x, uint32_t y,
-                       const double part[3])
-{
-    const size_t i = (size_t)y * t->view->width + x;
-    const uint32_t *vertices = t->mesh->faces[face];
-    double near = 0, normal[3] = {0, 0, 0};
-    for (int k = 0; k < 3; k++)
-        near += part[k] * c[k]->near;
-    if (t->number[i] && near <= t->near[i])
-        return;
-    for (int k = 0; k < 3; k++)
-        for (int j = 0; j < 3; j++)
-            normal[j] += part[k] * c[k]->weight * t->mesh->normals[vertices[k]][j];
-    t->near[i] = near;
-    t->number[i] = face + 1;
-    memcpy(t->scene->normals[i], normal, sizeof normal);
-}
-
-static void draw_face(struct target *t, uint32_t face, const struct corner *corners)
-{
-    const uint32_t *vertices = t->mesh->faces[face];
-    const struct corner *const c[3] = {&corners[vertices[0]], &corners[vertices[1]], &corners[vertices[2]]};
-    const double all = area(c[0], c[1], c[2]->x, c[2]->y), w = t->view->width, h = t->view->height;
-    if (all <= 0)
-        return; /* seen from behind */
-    const double left = fmin(c[0]->x, fmin(c[1]->x, c[2]->x)), right = fmax(c[0]->x, fmax(c[1]->x, c[2]->x));
-    const double low = fmin(c[0]->y, fmin(c[1]->y, c[2]->y)), high = fmax(c[0]->y, fmax(c[1]->y, c[2]->y));
-    const double x_end = fmin(w, right + w / 2), y_end = fmin(h, h / 2 - low);
-    for (double y = fmax(0, floor(h / 2 - high)); y < y_end; y++)
-        for (double x = fmax(0, floor(left + w / 2)); x < x_end; x++) {
-            const double at_x = x + .5 - w / 2, at_y = h / 2 - (y + .5);
-            double part[3];
-            for (int k = 0; k < 3; k++)
-                part[k] = area(c[(k + 1) % 3], c[(k + 2) % 3], at_x, at_y) / all;
-            if (part[0] >= 0 && part[1] >= 0 && part[2] >= 0)
-                draw_pixel(t, face, c, (uint32_t)x, (uint32_t)y, part);
-        }
-}
-
-/* Normals to the viewer's directions; the mask, and what of it differs from the library's picture. */
-static void finish(struct target *t, const uint32_t *drawn, struct mesh_coverage *coverage)
-{
-    const size_t pixels = (size_t)t->view->width * t->view->height;
-    double m[3][3];
-    view_rotation(t->view, m);
-    *coverage = (struct mesh_coverage){0, 0};
-    for (size_t i = 0; i < pixels; i++) {
-        double *normal = t->scene->normals[i], turned[3];
-        coverage->drawn += t->number[i] || drawn[i];
-        coverage->different += t->number[i] != drawn[i];
-        t->scene->mask[i] = t->number[i] && t->number[i] == drawn[i];
-        if (!t->number[i])
-            continue;
-        t->scene->parts[i] = (uint8_t)mesh_part_of(t->mesh, t->number[i] - 1);
-        for (int k = 0; k < 3; k++)
-            turned[k] = mesh_dot(m[k], normal);
-        if (mesh_normalize(turned))
-            memcpy(normal, turned, sizeof turned);
-    }
+            normals[i][k] = mesh_dot(m[k], mesh->normals[mesh->faces[i / 3][i % 3]]);
+    return normals;
 }
 
 struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
                          struct mesh_coverage *coverage)
 {
     const size_t pixels = (size_t)view->width * view->height;
-    struct target target = {mesh, view, scene_new(view->width, view->height), allocate(pixels, sizeof *target.near),
-                            allocate(pixels, sizeof *target.number)};
-    struct corner *corners = allocate(mesh->vertex_count, sizeof *corners);
-    target.scene->mask = allocate(pixels, 1);
-    target.scene->parts = allocate(pixels, 1);
-    project(mesh, fitted, view, corners);
-    for (uint32_t i = 0; i < mesh->face_count; i++)
-        draw_face(&target, i, corners);
+    double(*normals)[3] = turned_normals(mesh, view);
+    struct mesh_raster *raster = mesh_raster(mesh, fitted, view, normals);
     uint32_t *drawn = mesh_faces_drawn(fitted, view);
-    finish(&target, drawn, coverage);
+    struct scene *scene = scene_new(view->width, view->height);
+    scene->mask = allocate(pixels, 1);
+    scene->parts = allocate(pixels, 1);
+    *coverage = (struct mesh_coverage){0, 0};
+    for (size_t i = 0; i < pixels; i++) {
+        const uint32_t number = raster->numbers[i];
+        coverage->drawn += number || drawn[i];
+        coverage->different += number != drawn[i];
+        scene->mask[i] = number && number == drawn[i];
+        if (number)
+            scene->parts[i] = (uint8_t)mesh_part_of(mesh, number - 1);
+        if (number && mesh_normalize(raster->values[i]))
+            memcpy(scene->normals[i], raster->values[i], sizeof *scene->normals);
+    }
     free(drawn);
-    free(corners);
-    free(target.near);
-    free(target.number);
-    return target.scene;
+    mesh_raster_free(raster);
+    free(normals);
+    return scene;
+}
+
+/* The corners side by side are a scene of one line. */
+struct levels *mesh_gouraud(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
+                            const struct shading *shadings)
+{
+    const size_t corners = 3 * mesh->face_count, pixels = (size_t)view->width * view->height;
+    const unsigned channels = format_channels(shadings->format);
+    struct scene line = {.width = (uint32_t)corners, .height = 1, .normals = turned_normals(mesh, view)};
+    double *values = allocate(corners, channels * sizeof *values), (*colors)[3] = allocate(corners, sizeof *colors);
+    struct levels *levels = allocate(1, sizeof *levels);
+    *levels = (struct levels){.width = view->width, .height = view->height, .channels = channels};
+    levels->values = allocate(pixels, channels);
+    line.parts = allocate(corners, 1);
+    for (size_t i = 0; i < corners; i++)
+        line.parts[i] = (uint8_t)mesh_part_of(mesh, i / 3);
+    reference_line(&line, shadings, shadings->model, 0, values);
+    for (size_t i = 0; i < corners * channels; i++)
+        colors[i / channels][i % channels] = values[i];
+    struct mesh_raster *raster = mesh_raster(mesh, fitted, view, colors);
+    for (unsigned k = 0; k < channels; k++)
+        levels->max[k] = format_max(shadings->format, k);
+    for (size_t i = 0; i < pixels * channels; i++) {
+        const size_t at = i / channels;
+        if (raster->numbers[at])
+            levels->values[i] =
+                (uint8_t)reference_level(fmax(0, fmin(1, raster->values[at][i % channels])), levels->max[i % channels],
+                                         shadings->dither, (uint32_t)(at % view->width), (uint32_t)(at / view->width));
+    }
+    mesh_raster_free(raster);
+    free(values);
+    free(colors);
+    free(line.normals);
+    free(line.parts);
+    return levels;
 }

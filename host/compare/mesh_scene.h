@@ -3,7 +3,9 @@
 #ifndef GLINT_COMPARE_MESH_SCENE_H
 #define GLINT_COMPARE_MESH_SCENE_H
 
+#include "draw/shading.h"
 #include "draw/view.h"
+#include "image/levels.h"
 #include "mesh/fit.h"
 #include "scene/scene.h"
 
@@ -16,5 +18,9 @@ struct mesh_coverage {
  * mesh's; its mask is where both draw the same triangle. */
 struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
                          struct mesh_coverage *coverage);
+
+/* The same mesh as Gouraud shading draws it, for comparison: colours in double precision at the corners, and between them interpolated. */
+struct levels *mesh_gouraud(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
+                            const struct shading *shadings);
 
 #endif

@@ -10,7 +10,7 @@
 #include "image/write.h"
 #include "options/render_options.h"
 
-enum key { KEY_IMAGE = 384, KEY_COMPARE, KEY_JSON, KEY_ERROR_MAP, KEY_AGAINST };
+enum key { KEY_IMAGE = 384, KEY_COMPARE, KEY_JSON, KEY_ERROR_MAP, KEY_AGAINST, KEY_GOURAUD };
 
 /* Beside those of shading_options.c, where group 4 has its heading. */
 static const struct argp_option argp_options[] = {
@@ -19,6 +19,11 @@ static const struct argp_option argp_options[] = {
      "png, ppm or qoi (default: by FILE's ending, png where it has none), or raw: the pixels of --format as they lie "
      "in "
      "memory, lines from the top without gaps or a header",
+     4},
+    {"gouraud", KEY_GOURAUD, NULL, 0,
+     "Draw a mesh as Gouraud shading would, in double precision, to compare: colours at the corners, interpolated "
+     "between "
+     "them, as renderers without a highlight at every pixel do",
      4},
     {NULL, 0, NULL, 0, "Quality:", 5},
     {"compare", KEY_COMPARE, NULL, 0,
@@ -78,6 +83,9 @@ static void check_outputs(const struct argp_state *state, struct render_options 
         refuse(state, "no output; give -o FILE, or --compare");
     if (o->output && strcmp(o->output, "-") == 0 && isatty(STDOUT_FILENO))
         refuse(state, "-o -: standard output is a terminal; pipe or redirect it, or name a file");
+    if (o->gouraud && (!o->look.scene.mesh.name || o->raw))
+        refuse(state, o->raw ? "--image raw is what the library writes; it cannot be used with --gouraud"
+                             : "--gouraud needs a mesh; give --mesh FILE or --scene teapot");
     if (o->error_map && strcmp(o->error_map, "-") == 0)
         refuse(state, "--error-map: name a file; only the picture of -o can go to standard output");
     if (o->error_map && o->output && output_same(o->error_map, o->output))
@@ -100,6 +108,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case 'o':
         o->output = parse_output(state, "-o", text);
+        return 0;
+    case KEY_GOURAUD:
+        o->gouraud = true;
         return 0;
     case KEY_IMAGE:
         parse_image_kind(state, text, o);

@@ -12,7 +12,8 @@ struct render_options {
     struct shading_options look;
     const char *output; /* NULL: only compare */
     enum image_kind kind;
-    bool raw; /* no image file: the pixels as they are in memory */
+    bool raw;     /* no image file: the pixels as they are in memory */
+    bool gouraud; /* not by the library */
     bool compare, json, against_blinn;
     const char *error_map;
     enum image_kind error_map_kind;

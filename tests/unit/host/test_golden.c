@@ -55,6 +55,13 @@ static void the_coin_is_as_it_was(void **state)
     assert_golden("coin.png");
 }
 
+static void the_teapot_is_as_it_was_also_by_gouraud(void **state)
+{
+    (void)state;
+    assert_golden("teapot.png");
+    assert_golden("teapot-gouraud.png");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -62,6 +69,7 @@ int main(void)
         cmocka_unit_test(the_sphere_is_as_it_was),
         cmocka_unit_test(the_watchface_is_as_it_was),
         cmocka_unit_test(the_coin_is_as_it_was),
+        cmocka_unit_test(the_teapot_is_as_it_was_also_by_gouraud),
     };
     return cmocka_run_group_tests_name("golden", tests, draw_all, scratch_remove);
 }
