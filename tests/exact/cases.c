@@ -52,11 +52,12 @@ struct glint_shader case_shader(uint64_t *seed)
         s.light.v = case_vector(seed);
         s.light.h = case_vector(seed);
     }
-    const bool grey = ONE_IN(2), plain = ONE_IN(2); /* plain: no level is full */
+    const bool grey = ONE_IN(2), plain = ONE_IN(2);                /* plain: no level is full */
+    const uint32_t dim = ONE_IN(6) ? UINT32_C(1) << BELOW(14) : 0; /* dim: V has few bits, or takes more of them */
     for (int k = 0; k < 3; k++) {
-        s.material.ambient_q16[k] = plain ? BELOW(6000) : coefficient(seed);
-        s.material.diffuse_q16[k] = plain ? BELOW(40000) : coefficient(seed);
-        s.material.specular_q16[k] = coefficient(seed);
+        s.material.ambient_q16[k] = dim ? BELOW(dim) : plain ? BELOW(6000) : coefficient(seed);
+        s.material.diffuse_q16[k] = dim ? BELOW(dim) : plain ? BELOW(40000) : coefficient(seed);
+        s.material.specular_q16[k] = dim ? BELOW(dim) : coefficient(seed);
         s.material.albedo[k] = (uint8_t)(ONE_IN(2) ? 255 : BELOW(256));
         if (grey && k) {
             s.material.ambient_q16[k] = s.material.ambient_q16[0];

@@ -10,99 +10,12 @@
 
 #include <cmocka.h>
 
+#include "cases.h"
 #include "glint_math_srgb.h"
 #include "glint_pixel_prepared.h"
 #include "reference_pixel.h"
 
 enum { W = 61, H = 8, LINE = 3 * W + 13, SIZE = (H + 2) * LINE, GUARD = 0xa5 };
-
-/* A generator a case, so that cases are the same for any number of threads. */
-static uint32_t below(uint64_t *seed, uint32_t limit)
-{
-    *seed = *seed * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-    return (uint32_t)((*seed >> 32) * limit >> 32);
-}
-#define BELOW(limit) below(seed, limit)
-#define ONE_IN(count) (below(seed, count) == 0)
-
-static int16_t extreme(uint64_t *seed)
-{
-    static const int16_t of[] = {-32768, -32767, 32767, 0, 1, -1};
-    return of[BELOW(6)];
-}
-
-static struct glint_vec vector(uint64_t *seed)
-{
-    struct glint_vec v = {(int16_t)(BELOW(65536) - 32768), (int16_t)(BELOW(65536) - 32768),
-                          (int16_t)(BELOW(65536) - 32768)};
-    if (ONE_IN(3)) {
-        v.x = extreme(seed);
-        v.y = extreme(seed);
-        v.z = extreme(seed);
-    }
-    return v;
-}
-
-static uint32_t coefficient(uint64_t *seed)
-{
-    static const uint32_t of[] = {0, 1, 65535, 65536, 65537, UINT32_MAX, 32768, 64000};
-    return BELOW(2) ? BELOW(65537) : ONE_IN(2) ? BELOW(12000) : of[BELOW(8)];
-}
-
-static struct glint_shader shader(uint64_t *seed)
-{
-    static const uint16_t shininess[] = {1, 2, 3, 4, 5, 10, 60, 200, 1000};
-    struct glint_shader s;
-    memset(&s, 0, sizeof s);
-    glint_lobe_init(&s.lobe, (enum glint_model)BELOW(GLINT_MODEL_COUNT),
-                    ONE_IN(3) ? 1 + BELOW(1000) : shininess[BELOW(9)], BELOW(17));
-    if (ONE_IN(8)) { /* filled by hand */
-        s.lobe.t_max_q30 = ONE_IN(2) ? BELOW(UINT32_MAX) : BELOW(UINT32_C(1) << BELOW(31));
-        s.lobe.n = (uint16_t)BELOW(65536);
-        s.lobe.model = (uint8_t)(ONE_IN(4) ? BELOW(256) : s.lobe.model);
-    }
-    const int32_t l[3] = {(int32_t)BELOW(201) - 100, (int32_t)BELOW(201) - 100, (int32_t)BELOW(120)}, v[3] = {0, 0, 1};
-    if (glint_light_init(&s.light, l, v) || ONE_IN(16)) {
-        s.light.l = vector(seed);
-        s.light.v = vector(seed);
-        s.light.h = vector(seed);
-    }
-    const bool grey = ONE_IN(2), plain = ONE_IN(2);                /* plain: no level is full */
-    const uint32_t dim = ONE_IN(6) ? UINT32_C(1) << BELOW(14) : 0; /* dim: V has few bits, or takes more of them */
-    for (int k = 0; k < 3; k++) {
-        s.material.ambient_q16[k] = dim ? BELOW(dim) : plain ? BELOW(6000) : coefficient(seed);
-        s.material.diffuse_q16[k] = dim ? BELOW(dim) : plain ? BELOW(40000) : coefficient(seed);
-        s.material.specular_q16[k] = dim ? BELOW(dim) : coefficient(seed);
-        s.material.albedo[k] = (uint8_t)(ONE_IN(2) ? 255 : BELOW(256));
-        if (grey && k) {
-            s.material.ambient_q16[k] = s.material.ambient_q16[0];
-            s.material.diffuse_q16[k] = s.material.diffuse_q16[0];
-            s.material.specular_q16[k] = s.material.specular_q16[0];
-        }
-    }
-    s.format = (uint8_t)BELOW(5);
-    s.space = (uint8_t)ONE_IN(3);
-    s.dither = ONE_IN(2);
-    s.clamp_peak = ONE_IN(2);
-    return s;
-}
-
-/* A normal: of the whole sphere, near the half vector, or anything. */
-static struct glint_vec normal(uint64_t *seed, const struct glint_light *light, int spread)
-{
-    if (ONE_IN(16))
-        return vector(seed);
-    if (ONE_IN(3)) {
-        const int32_t any[3] = {(int32_t)BELOW(2001) - 1000, (int32_t)BELOW(2001) - 1000, (int32_t)BELOW(1000)};
-        struct glint_vec n = {0, 0, 32767};
-        (void)glint_vec_normalize(&n, any);
-        return n;
-    }
-    const int32_t x = light->h.x + (int32_t)BELOW((uint32_t)spread) - spread / 2;
-    const int32_t y = light->h.y + (int32_t)BELOW((uint32_t)spread) - spread / 2;
-    const struct glint_vec n = {(int16_t)x, (int16_t)y, light->h.z};
-    return n;
-}
 
 struct scene {
     struct glint_vec normals[W * H];
@@ -115,12 +28,13 @@ static bool same(const struct scene *s, const struct glint_box *a, const struct 
 }
 
 /* Returns how many pixels; 0 where one differs. */
-static unsigned rect_case(uint64_t *seed, struct scene *s)
+static unsigned rect_case(uint64_t *seed, void *memory)
 {
-    const struct glint_shader sh = shader(seed);
+    struct scene *s = memory;
+    const struct glint_shader sh = case_shader(seed);
     const int spread = 1 + (int)BELOW(UINT32_C(1) << BELOW(16));
     for (int i = 0; i < W * H; i++) {
-        s->normals[i] = normal(seed, &sh.light, spread);
+        s->normals[i] = case_normal(seed, &sh.light, spread);
         s->gloss[i] = (uint8_t)(ONE_IN(2) ? 255 : BELOW(256));
         s->mask[i] = BELOW(5) != 0;
         for (int k = 0; k < 3; k++)
@@ -156,9 +70,10 @@ static int32_t boundary(uint64_t *seed, const struct glint_shader *s)
     return nl > 0 && nl < 1.9 ? (int32_t)(nl * 1073741824.0) : 0;
 }
 
-static unsigned span_case(uint64_t *seed, struct scene *s)
+static unsigned span_case(uint64_t *seed, void *memory)
 {
-    struct glint_shader sh = shader(seed);
+    struct scene *s = memory;
+    struct glint_shader sh = case_shader(seed);
     struct glint_span span = {BELOW(UINT32_MAX),       BELOW(1 << 20),
                               BELOW(1 << 16),          (int32_t)BELOW(UINT32_C(1) << 31),
                               (int32_t)BELOW(1 << 26), W};
@@ -195,47 +110,16 @@ static unsigned span_case(uint64_t *seed, struct scene *s)
     return same(s, &box, &expected) ? W : 0;
 }
 
-static void compare(unsigned (*one)(uint64_t *seed, struct scene *s), uint64_t pixels)
-{
-    enum { BATCH = 64 };
-    uint64_t done = 0, wrong = UINT64_MAX;
-    for (uint64_t from = 0; done < pixels && wrong == UINT64_MAX; from += 4096) {
-        uint64_t count = 0;
-#pragma omp parallel for schedule(dynamic) reduction(+ : count) reduction(min : wrong)
-        for (uint64_t batch = from; batch < from + 4096; batch += BATCH) {
-            struct scene s;
-            for (uint64_t i = batch; i < batch + BATCH; i++) {
-                uint64_t seed = i * UINT64_C(0x9e3779b97f4a7c15) + 1;
-                const unsigned shaded = one(&seed, &s);
-                count += shaded;
-                if (!shaded && i < wrong)
-                    wrong = i;
-            }
-        }
-        done += count;
-    }
-    if (wrong != UINT64_MAX)
-        printf("# case %llu differs\n", (unsigned long long)wrong);
-    assert_true(wrong == UINT64_MAX);
-    printf("# %.0f million pixels\n", (double)done / 1e6);
-}
-
-static uint64_t million(void)
-{
-    const char *set = getenv("GLINT_PIXELS");
-    return UINT64_C(1000000) * (set ? strtoul(set, NULL, 10) : 1000);
-}
-
 static void rectangles_have_the_reference_pixels(void **state)
 {
     (void)state;
-    compare(rect_case, million() / 2);
+    assert_true(cases_pass(rect_case, sizeof(struct scene), 500));
 }
 
 static void spans_have_the_reference_pixels_at_boundaries_cutoffs_and_ends(void **state)
 {
     (void)state;
-    compare(span_case, million() / 2);
+    assert_true(cases_pass(span_case, sizeof(struct scene), 500));
 }
 
 /* For t of any size, 4 million a model. */
@@ -245,7 +129,7 @@ static void quick_models_are_below_the_exact_ones_by_at_most_their_slack(void **
     for (int model = 0; model < GLINT_MODEL_COUNT; model++) {
         uint64_t random = (uint64_t)model + 1, *seed = &random;
         for (int i = 0; i < 4000000 / (int)GLINT_RUN / 100; i++) {
-            struct glint_shader s = shader(seed);
+            struct glint_shader s = case_shader(seed);
             struct glint_prepared p;
             glint_lobe_init(&s.lobe, (enum glint_model)model, 1 + BELOW(ONE_IN(2) ? 1000 : 8), BELOW(17));
             s.clamp_peak = false;

@@ -15,7 +15,7 @@ $(BUILD)/tests/exact/host/%.o: host/%.c $(BUILD)/flags
 
 $(BUILD)/tests/exact/test_batch: $(addprefix $(BUILD)/tests/exact/host/models/,batch.o batch_avx2.o batch_portable.o)
 $(BUILD)/tests/exact/test_near $(BUILD)/tests/exact/test_near_whole: $(BUILD)/tests/exact/near.o
-$(BUILD)/tests/exact/test_pixel: $(BUILD)/tests/exact/reference_pixel.o
+$(BUILD)/tests/exact/test_pixel: $(addprefix $(BUILD)/tests/exact/,cases.o reference_pixel.o)
 $(BUILD)/tests/exact/test_lights: $(addprefix $(BUILD)/tests/exact/,cases.o reference_lights.o reference_pixel.o)
 $(BUILD)/tests/exact/test_unit: $(addprefix $(BUILD)/tests/exact/,reference_lights.o reference_pixel.o)
 $(EXACT_TESTS): %: %.o $(BUILD)/tests/exact/oracle.o $(BUILD)/libglint.a
