@@ -213,7 +213,7 @@ enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct 
 
 /* ---- Several lights ------------------------------------------------------------------------------------------- *
  *
- * Up to four, each directional, a point or a spot. A point costs some 4,200 cycles a pixel on a Cortex-M0+.
+ * Up to four, each directional, a point or a spot. A point costs some 1,900 cycles a pixel on a Cortex-M0+.
  * Places are on the screen, in 1/16 pixel: x right, y down (as lines go), z to the viewer from the surface, which is at
  * z = 0; pixel x, y of a rectangle lies at 16 (surface.x + x) + 8, 16 (surface.y + y) + 8, so that parts of a picture
  * join. Directions stay as above, y up.
@@ -288,12 +288,12 @@ struct glint_prepared {
     const struct glint_shade_model *model;
     const struct glint_shade_format *format;
     struct glint_shader shader; /* as given */
+    uint16_t slack, apart; /* F may be low by so much; from a channel's samples to the next's, 0: they are the same */
 };
 
 /* GLINT_ERR_ARG: NULL. GLINT_ERR_FORMAT: no such format or space. Nothing is written then. */
 enum glint_err glint_shade_prepare(struct glint_prepared *prepared, const struct glint_shader *shader);
-/* The same for the model and format named. GLINT_ERR_ARG, too: the shader has another model; GLINT_ERR_FORMAT: another
- * format or space. */
+/* For a model and format by name. GLINT_ERR_ARG, too: the shader has another model; GLINT_ERR_FORMAT: another format, space. */
 enum glint_err glint_shade_prepare_for(struct glint_prepared *prepared, const struct glint_shader *shader,
                                        const struct glint_shade_model *model, const struct glint_shade_format *format);
 /* Another light, without delay. GLINT_ERR_ARG: NULL. */

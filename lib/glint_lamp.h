@@ -18,8 +18,17 @@ struct glint_reach {
 
 /* Of a lamp that glint_lamp_check has seen. */
 void glint_reach_init(struct glint_reach *reach, const struct glint_lamp *lamp);
-/* Steps 1a and 1b at pixel x, y of the screen: att; L and H of *light only where it is not 0. V is there already. */
-uint32_t glint_reach_at(const struct glint_reach *reach, const struct glint_lamp *lamp, int32_t x, int32_t y,
-                        const int32_t v_q30[3], struct glint_light *light);
+/* From a pixel. */
+struct glint_sight {
+    int32_t v_q30[3]; /* to the viewer */
+    int32_t e[3];     /* to the lamp, as sequence.md has it */
+};
+#define GLINT_REACH_OPEN UINT32_MAX
+/* Steps 1a and 1b: att; L and H of *light only where it is not 0. GLINT_REACH_OPEN where 32 bits do not tell: then glint_reach_exact
+ * does. V is there already. */
+uint32_t glint_reach_near(const struct glint_reach *reach, const struct glint_lamp *lamp,
+                          const struct glint_sight *sight, struct glint_light *light);
+uint32_t glint_reach_exact(const struct glint_reach *reach, const struct glint_lamp *lamp,
+                           const struct glint_sight *sight, struct glint_light *light);
 
 #endif

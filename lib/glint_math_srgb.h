@@ -28,4 +28,13 @@ static inline uint32_t glint_srgb_bright(const uint16_t entry[2], uint32_t rest,
     return start + (((rise * rest * 2 >> bits) + 1) >> 1);
 }
 
+/* The encoding of v, < 2^16, by its chords. */
+static inline uint32_t glint_srgb_by(const struct glint_chords *chords, uint32_t v)
+{
+    if (v < 128)
+        return glint_srgb_dark(v);
+    const uint32_t chord = v >> chords->bits;
+    return glint_srgb_bright(chords->entry + chord - 32, v - (chord << chords->bits), chords->bits);
+}
+
 #endif

@@ -3,7 +3,7 @@
 #ifndef GLINT_RECT_H
 #define GLINT_RECT_H
 
-#include "glint.h"
+#include "glint_lobe_near.h"
 
 /* Can this be drawn? GLINT_OK, or what glint_shade_rect answers. */
 enum glint_err glint_rect_check(const struct glint_shader *shader, const struct glint_source *source,
@@ -11,6 +11,15 @@ enum glint_err glint_rect_check(const struct glint_shader *shader, const struct 
 
 /* The same of the maps alone; false for GLINT_ERR_ARG. */
 bool glint_rect_can(const struct glint_source *source, const struct glint_surface *surface);
+
+/* Steps 1 and 2 for count normals, t by the half vector; for lights that glint_light_is_wide says no or yes of. */
+void glint_samples_unit(const struct glint_light *light, const struct glint_vec *normals, struct glint_sample *samples,
+                        unsigned count);
+void glint_samples_wide(const struct glint_light *light, const struct glint_vec *normals, struct glint_sample *samples,
+                        unsigned count);
+
+/* How many pixels from x on, which is one, are drawn, side by side, up to `most`. */
+unsigned glint_rect_length(const uint8_t *mask, uint32_t x, uint32_t w, unsigned most);
 
 /* A line of the maps. */
 struct glint_line {

@@ -6,7 +6,6 @@
 #include "glint_math_unit.h"
 #include "glint_math_vector.h"
 
-#define LAMP_OPEN UINT32_MAX
 /* lamp_cosine may be so much low or high. */
 enum { LAMP_COSINE_LOW = 8, LAMP_COSINE_HIGH = 12 };
 /* Those of an axis of length 1 are below 1.74 2^30. */
@@ -47,6 +46,22 @@ void glint_reach_init(struct glint_reach *reach, const struct glint_lamp *lamp)
                   4 + 4;
 }
 
+/* floor(a 2^16 / b), and what is left, for a < b < 2^63; 32 bits for b <= 2^31. Digit by digit, as above. */
+static inline uint32_t lamp_divide(uint64_t a, uint64_t b, uint64_t *rest)
+{
+    uint32_t quotient = 0;
+    for (int digit = 0; digit < 16; digit++) {
+        a <<= 1;
+        quotient <<= 1;
+        if (a >= b) {
+            a -= b;
+            quotient++;
+        }
+    }
+    *rest = a;
+    return quotient;
+}
+
 /* att of u. Its square is 2^32 only where u = 0. */
 static uint32_t lamp_falloff(uint32_t u)
 {
@@ -67,7 +82,7 @@ static uint32_t lamp_falloff_near(const struct glint_reach *reach, const struct 
     if (x >= GLINT_T_ONE + LAMP_FALLOFF_HIGH)
         return 0;
     const uint32_t low = x + (1u << 13) - LAMP_FALLOFF_HIGH, high = x + (1u << 13) + LAMP_FALLOFF_LOW;
-    return (low ^ high) >> 14 ? LAMP_OPEN : lamp_falloff(low >> 14);
+    return (low ^ high) >> 14 ? GLINT_REACH_OPEN : lamp_falloff(low >> 14);
 }
 
 /* -l.axis, Q2.30. With l = 2^15 l1 + l0 and the axis likewise, l.axis 2^-30 sums l1 a1, and (l1 a0 + l0 a1) 2^-15, < 2^31 2^-15,
@@ -95,15 +110,16 @@ static uint32_t lamp_cone(const struct glint_reach *reach, const struct glint_la
     if (high <= outer)
         return 0;
     if (low <= outer || high >= inner)
-        return LAMP_OPEN;
+        return GLINT_REACH_OPEN;
     const uint32_t above = (uint32_t)low - (uint32_t)outer; /* < width */
     uint32_t part;                                          /* < 2^16 */
     if (low == high) {
-        part = (uint32_t)(((uint64_t)above << 16) / ((uint32_t)inner - (uint32_t)outer));
+        uint64_t rest;
+        part = lamp_divide(above, (uint32_t)inner - (uint32_t)outer, &rest);
     } else {
         part = glint_mulhi_near(above << -reach->width_exponent, reach->width_inverse); /* 2^31 = 1 */
         if ((part ^ (part + reach->blur)) >> 15)
-            return LAMP_OPEN;
+            return GLINT_REACH_OPEN;
         part >>= 15;
     }
     return (uint32_t)(glint_multiply(part * part, 196608 - 2 * part) >> 32);
@@ -115,50 +131,49 @@ static uint32_t lamp_scale(uint32_t att, uint32_t cone)
     return cone >> 16 ? att : att >> 16 ? cone : (att * cone + 32768) >> 16;
 }
 
-/* att; LAMP_OPEN where it is, or L or H. */
-static __attribute__((noinline)) uint32_t lamp_near(const struct glint_reach *reach, const struct glint_lamp *lamp,
-                                                    const int32_t e[3], const int32_t v_q30[3],
-                                                    struct glint_light *light)
+uint32_t glint_reach_near(const struct glint_reach *reach, const struct glint_lamp *lamp,
+                          const struct glint_sight *sight, struct glint_light *light)
 {
     struct glint_unit unit;
-    if (!glint_unit_near(&unit, e))
-        return LAMP_OPEN;
+    if (!glint_unit_near(&unit, sight->e))
+        return GLINT_REACH_OPEN;
     uint32_t att = lamp_falloff_near(reach, &unit);
-    if (att == 0 || att == LAMP_OPEN)
+    if (att == 0 || att == GLINT_REACH_OPEN)
         return att;
     if (lamp->kind == GLINT_SPOT) {
         if (!reach->blur)
-            return LAMP_OPEN;
+            return GLINT_REACH_OPEN;
         const int32_t c = lamp_cosine(lamp, unit.unit_q30);
         const uint32_t cone = lamp_cone(reach, lamp, c - LAMP_COSINE_HIGH, c + LAMP_COSINE_LOW);
-        if (cone == LAMP_OPEN)
+        if (cone == GLINT_REACH_OPEN)
             return cone;
         att = lamp_scale(att, cone);
         if (att == 0)
             return 0;
     }
     if (!glint_vec_of_q30(&light->l, unit.unit_q30, GLINT_UNIT_SLACK))
-        return LAMP_OPEN;
+        return GLINT_REACH_OPEN;
     /* The half is off by up to 2, and far from 0 where up is small */
-    (void)glint_half_q30(unit.unit_q30, unit.unit_q30, v_q30);
+    (void)glint_half_q30(unit.unit_q30, unit.unit_q30, sight->v_q30);
     if (!glint_unit_near(&unit, unit.unit_q30) || unit.up > 8)
-        return LAMP_OPEN;
+        return GLINT_REACH_OPEN;
     const int32_t slack = GLINT_UNIT_SLACK + (GLINT_UNIT_GROWS * GLINT_UNIT_SLACK / 2 << unit.up);
-    return glint_vec_of_q30(&light->h, unit.unit_q30, slack) ? att : LAMP_OPEN;
+    return glint_vec_of_q30(&light->h, unit.unit_q30, slack) ? att : GLINT_REACH_OPEN;
 }
 
-/* The same as the sequence says. */
-static uint32_t lamp_exact(const struct glint_reach *reach, const struct glint_lamp *lamp, const int32_t e[3],
-                           const int32_t v_q30[3], struct glint_light *light)
+uint32_t glint_reach_exact(const struct glint_reach *reach, const struct glint_lamp *lamp,
+                           const struct glint_sight *sight, struct glint_light *light)
 {
     const uint64_t range2 = (uint64_t)lamp->range * lamp->range; /* <= 2^46 */
     uint64_t d2 = 0;                                             /* < 2^50 */
     for (int i = 0; i < 3; i++)
-        d2 += (uint64_t)((int64_t)e[i] * e[i]);
+        d2 += (uint64_t)((int64_t)sight->e[i] * sight->e[i]);
     int32_t l[3];
-    if (d2 >= range2 || !glint_unit_q30(l, e))
+    if (d2 >= range2 || !glint_unit_q30(l, sight->e))
         return 0;
-    uint32_t att = lamp_falloff((uint32_t)(((d2 << 16) + range2 / 2) / range2));
+    uint64_t rest;
+    const uint32_t u = lamp_divide(d2, range2, &rest);
+    uint32_t att = lamp_falloff(u + (2 * rest >= range2));
     if (lamp->kind == GLINT_SPOT) {
         int64_t sum = (int64_t)1 << 29; /* |l| <= 1 + 2^-28, the axis's components any: < 2^63 */
         for (int i = 0; i < 3; i++)
@@ -169,17 +184,8 @@ static uint32_t lamp_exact(const struct glint_reach *reach, const struct glint_l
         att = lamp_scale(att, lamp_cone(reach, lamp, c, c));
     }
     (void)glint_vec_of_q30(&light->l, l, 0);
-    if (att == 0 || !glint_half_q30(l, l, v_q30) || !glint_unit_q30(l, l))
+    if (att == 0 || !glint_half_q30(l, l, sight->v_q30) || !glint_unit_q30(l, l))
         return 0;
     (void)glint_vec_of_q30(&light->h, l, 0);
     return att;
-}
-
-uint32_t glint_reach_at(const struct glint_reach *reach, const struct glint_lamp *lamp, int32_t x, int32_t y,
-                        const int32_t v_q30[3], struct glint_light *light)
-{
-    const int32_t *position = lamp->position;
-    const int32_t e[3] = {position[0] - (16 * x + 8), 16 * y + 8 - position[1], position[2]};
-    const uint32_t att = lamp_near(reach, lamp, e, v_q30, light);
-    return att != LAMP_OPEN ? att : lamp_exact(reach, lamp, e, v_q30, light);
 }

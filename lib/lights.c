@@ -1,73 +1,246 @@
 /* SPDX-License-Identifier: MIT
- * The exact rectangle path under several lights. */
+ * The exact rectangle under several lights, in runs of pixels. Each lamp fills samples as one light does, and adds what it sends
+ * to the run's sums. Those are samples of their own, whose F is low by more: the format's loop decides their levels. Pixels that
+ * this leaves open are summed again with exact F, and drawn by the 64-bit sequence. */
+#include "glint_lights.h"
+#include "glint_lights_apart.h"
 #include "glint_math_vector.h"
-#include "glint_lamp.h"
 #include "glint_pixel.h"
-#include "glint_rect.h"
 
-/* What a surface that scatters all, and one that mirrors all, would send, Q16.16, < 2^23. */
-struct sums {
-    uint32_t lit[3], shine[3];
-};
-
-static uint64_t color(const struct glint_lamp *lamp, int k)
+/* Draws pixel i of the run, whose sums are the first ones, by the 64-bit sequence; channel by channel, to keep the stack low. */
+static GLINT_LIGHTS_ALONE void lights_store(const struct glint_lights *lights, unsigned i)
 {
-    return lamp->color_q16[k] < GLINT_LAMP_COLOR_MAX ? lamp->color_q16[k] : GLINT_LAMP_COLOR_MAX;
+    static const uint8_t luma[3] GLINT_FLASH = {GLINT_LUMA_RED, GLINT_LUMA_GREEN, GLINT_LUMA_BLUE};
+    const struct glint_shader *shader = &lights->prepared->shader;
+    const struct glint_run *run = &lights->run;
+    const uint8_t *albedo = run->albedo ? run->albedo + 3 * i : shader->material.albedo;
+    const uint32_t gloss = (run->gloss ? run->gloss[i] : 255) * 257u;
+    const uint32_t weight = glint_exact_weight(shader, run->left + run->x + i, run->y);
+    const bool grey = shader->format >= GLINT_GREY8;
+    const struct glint_sample *sum = lights->slots;
+    uint64_t parts = 0;
+    uint8_t levels[3];
+    for (int k = 0; k < 3; k++, sum += lights->prepared->apart) {
+        const uint64_t v = glint_pixel_value(shader, k, albedo[k], sum->nl_q16, (uint64_t)gloss * sum->f_q16);
+        parts = grey ? parts + v * GLINT_FLASH_U8(luma[k]) : v << 8;
+        levels[k] = glint_pixel_level(shader, parts >> 8, k, weight);
+    }
+    levels[0] = levels[grey ? 2 : 0];
+    glint_exact_store(shader->format, run->line, run->x + i, levels);
 }
 
-/* What one lamp adds at pixel x, y of the screen. */
-static void add_lamp(struct sums *sums, const struct glint_shader *shader, const struct glint_lamp *lamp,
-                     const struct glint_reach *reach, int32_t x, int32_t y, const int32_t v_q30[3],
-                     const struct glint_vec *normal)
+/* Notes which of the run's pixels shine, from `from` on. Do formats take their sums? Not where the box depends on a shine of 0 that
+ * might be more, nor where nl is 0 and F is not, as under one light. */
+static GLINT_LIGHTS_ALONE bool lights_note(struct glint_lights *lights, unsigned from, unsigned count)
 {
-    struct glint_light here;
-    const struct glint_light *light = &lamp->light;
-    uint32_t att = 65536;
-    if (lamp->kind != GLINT_DIRECTIONAL) {
-        (void)glint_vec_of_q30(&here.v, v_q30, 0);
-        att = glint_reach_at(reach, lamp, x, y, v_q30, &here);
-        if (att == 0)
+    const uint8_t *gloss = lights->run.gloss;
+    const uint32_t most = lights->most, most_f = most + (most >> 5);
+    bool fit = true;
+    for (unsigned i = 0; i < count; i++) {
+        const struct glint_sample *sum = lights->slots + i;
+        uint32_t f = 0, none = UINT32_MAX;
+        for (unsigned k = 0; k < lights->channels; k++, sum += lights->length) {
+            if (sum->nl_q16 > most || sum->f_q16 > most_f || (sum->nl_q16 == 0 && !sum->t_q30))
+                fit = false;
+            f |= sum->f_q16;
+            none &= sum->t_q30;
+        }
+        if (!lights->boxed)
+            continue;
+        if (f == 0 && !none)
+            fit = false;
+        if (f && (!gloss || gloss[from + i])) /* now: gloss may be the output */
+            lights->shines |= (uint32_t)1 << (from + i);
+    }
+    return fit;
+}
+
+/* The sums of pixels from the run's pixel `from` on, with F or what the model's loop has of it; exact ones of a single pixel. */
+static inline void lights_sum(struct glint_lights *lights, unsigned from, unsigned count, bool exact)
+{
+    const struct glint_prepared *p = lights->prepared;
+    const struct glint_near *near = &p->near;
+    struct glint_sample *const samples = lights->slots + (lights->count > 1 ? lights->channels * lights->length : 0);
+    for (unsigned at = 0; at < lights->count; at++) {
+        glint_lights_sample(lights, at, from, count, samples);
+        if (!exact) {
+            GLINT_FLASH_POINTER(p->model->run)(near, samples, count);
+        } else {
+            const uint32_t f =
+                samples->t_q30 < near->t_end ? GLINT_FLASH_POINTER(p->model->exact)(near->n, samples->t_q30) : 0;
+            samples->f_q16 = f < near->f_max ? f : near->f_max;
+        }
+        glint_lights_add(lights, at, count, samples);
+    }
+}
+
+/* Draws a run: all of it, then each pixel that this leaves open. */
+static inline void lights_draw(struct glint_lights *lights, unsigned count)
+{
+    const struct glint_prepared *p = lights->prepared;
+    uint32_t open = ((uint32_t)1 << count) - 1;
+    unsigned i = 0, end = count;
+    lights->shines = 0;
+    for (bool exact = false;; exact = true) {
+        lights_sum(lights, i, end - i, exact);
+        const bool fit = lights_note(lights, i, end - i);
+        if (exact) {
+            lights_store(lights, i);
+            open &= ~((uint32_t)1 << i);
+        } else if (fit) {
+            open = lights->channels > 1 && p->shader.space == GLINT_GAMMA
+                       ? glint_apart_levels(p, &lights->run, lights->slots, count)
+                       : GLINT_FLASH_POINTER(p->format->levels)(p, &lights->run, lights->slots, count);
+        }
+        if (!open)
             return;
-        light = &here;
-    }
-    const uint32_t nl = glint_pixel_nl(glint_dot(normal, &light->l));
-    if (nl == 0)
-        return;
-    const uint32_t f = glint_pixel_lobe(shader, glint_pixel_t(&shader->lobe, light, normal));
-    for (int k = 0; k < 3; k++) {
-        const uint64_t c = color(lamp, k) * att;
-        sums->lit[k] += (uint32_t)((c * nl + ((uint64_t)1 << 31)) >> 32); /* c nl, c f < 2^53 */
-        sums->shine[k] += (uint32_t)((c * f + ((uint64_t)1 << 31)) >> 32);
+        for (i = 0; !(open >> i & 1);)
+            i++;
+        end = i + 1;
     }
 }
 
-/* Shades one pixel; true where the highlight and gloss are not 0. */
-static bool pixel(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,
-                  const struct sums *sums, const uint8_t albedo[3], uint8_t gloss)
+static bool lights_is_white(const struct glint_lamp *lamp)
 {
-    uint64_t v[3];
-    for (int k = 0; k < 3; k++)
-        v[k] = glint_pixel_value(shader, k, albedo[k], sums->lit[k], (uint64_t)(gloss * 257u) * sums->shine[k]);
-    glint_pixel_put(shader, surface, x, y, v);
-    return (sums->shine[0] | sums->shine[1] | sums->shine[2]) && gloss;
+    const uint32_t red = glint_lights_color(lamp, 0);
+    return glint_lights_color(lamp, 1) == red && glint_lights_color(lamp, 2) == red;
 }
 
-/* Is all in order? The viewer, for lamps that have a place, to v_q30. */
-static enum glint_err check(const struct glint_shader *shader, const struct glint_lamp *lamps, unsigned count,
-                            int32_t v_q30[3])
+/* The lamps' colours times x, each rounded up to a whole: <= 64 x. */
+static uint32_t lights_total(const struct glint_lamp *lamps, unsigned count, uint32_t x)
 {
-    const struct glint_vec v = shader->light.v;
+    uint32_t sum = 0;
+    for (unsigned i = 0; i < count; i++) {
+        uint32_t most = 0;
+        for (unsigned k = 0; k < 3; k++)
+            most = glint_lights_color(&lamps[i], k) > most ? glint_lights_color(&lamps[i], k) : most;
+        sum += (uint32_t)(((uint64_t)x * most + 65535) >> 16);
+    }
+    return sum;
+}
+
+/* Sums may reach so much, <= 2.0: where the lamps do, and V < 2^32 - 2^20 remains. W, <= 2^(shift - 1) at 1.0, grows no more than
+ * they. Linear space has less room. */
+static GLINT_LIGHTS_ALONE uint32_t lights_most(struct glint_prepared *p, uint32_t total)
+{
+    uint32_t most = total < 131072 ? total : 131072;
+    if (p->shader.space == GLINT_LINEAR || most < 65536)
+        return 65536;
+    for (int k = 0; k < 3; k++) { /* P <= 2 ambient and a threshold, Q <= 2 diffuse, with maps, too */
+        const uint32_t room = UINT32_C(0xfff00000) - ((uint32_t)1 << p->shift) - 2 * p->ambient[k];
+        const uint32_t unit = 2 * p->diffuse[k] + p->r[k] + (p->r[k] >> 5) + 1;
+        most = room / unit < most ? room / unit : most;
+    }
+    if (most <= 65536)
+        return 65536; /* for which there always is room */
+    p->w += (p->w >> 16) * (most - 65536) + most;
+    p->w_maps += (p->w_maps >> 16) * (most - 65536) + most;
+    return most;
+}
+
+/* What the lamps are for all pixels. */
+static GLINT_LIGHTS_ALONE void lights_prepare(struct glint_lights *lights, const struct glint_lamp *lamps,
+                                              unsigned count)
+{
+    struct glint_prepared *const p = lights->prepared;
+    const struct glint_vec v = p->shader.light.v;
     const int32_t viewer[3] = {v.x, v.y, v.z};
-    const bool seen = glint_unit_q30(v_q30, viewer);
+    const struct glint_sample none = {UINT32_MAX, 0, 0};
+    lights->most = lights_most(p, lights_total(lamps, count, 65536));
+    lights->lamps = lamps;
+    lights->count = (uint8_t)count;
+    lights->channels = 1;
+    for (unsigned i = 0; i < count; i++) {
+        if (!lights_is_white(&lamps[i]))
+            lights->channels = 3;
+        glint_reach_init(&lights->reach[i], &lamps[i]);
+    }
+    lights->length = (uint8_t)(GLINT_LIGHTS_SLOTS / (lights->channels + (count > 1)));
+    for (unsigned i = 0; i < GLINT_LIGHTS_SLOTS; i++)
+        lights->slots[i] = none;                     /* as they stay without lamps */
+    if (glint_unit_q30(lights->sight.v_q30, viewer)) /* else no lamp has a place */
+        (void)glint_vec_of_q30(&p->shader.light.v, lights->sight.v_q30, 0);
+    p->apart = lights->channels == 1 ? 0 : lights->length;
+    if (p->apart && p->shader.space == GLINT_LINEAR && p->shader.format >= GLINT_GREY8)
+        lights->most = 0; /* no loop has channels of their own there: all but the dark is left to the 64 bits */
+}
+
+/* Takes the next run of a line: false at its end. */
+static GLINT_LIGHTS_ALONE bool lights_next(struct glint_lights *lights, const struct glint_source *source, uint16_t w,
+                                           uint16_t y)
+{
+    struct glint_run *const run = &lights->run;
+    const struct glint_line line = glint_line_at(source, y);
+    uint32_t x = run->x;
+    while (line.mask && x < w && !line.mask[x])
+        x++;
+    run->x = x;
+    if (x >= w)
+        return false;
+    lights->pixels = (uint8_t)glint_rect_length(line.mask, x, w, lights->length);
+    lights->normals = line.normals + x;
+    run->albedo = line.albedo ? line.albedo + 3 * x : NULL;
+    run->gloss = line.gloss ? line.gloss + x : NULL;
+    return true;
+}
+
+static void lights_lines(struct glint_lights *lights, const struct glint_source *source, uint16_t w, uint16_t h,
+                         const struct glint_surface *surface)
+{
+    struct glint_run *const run = &lights->run;
+    run->left = surface->x;
+    for (uint16_t y = 0; y < h; y++) {
+        run->line = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;
+        run->y = (uint32_t)surface->y + y;
+        for (run->x = 0; lights_next(lights, source, w, y); run->x += lights->pixels) {
+            lights_draw(lights, lights->pixels);
+            for (uint32_t i = 0; lights->shines >> i; i++)
+                if (lights->shines >> i & 1)
+                    glint_bounds_add(&lights->bounds, (uint16_t)(run->x + i), y);
+        }
+    }
+}
+
+static GLINT_LIGHTS_ALONE void lights_rect(struct glint_prepared *prepared, const struct glint_lamp *lamps,
+                                           unsigned count, const struct glint_source *source, uint16_t w, uint16_t h,
+                                           const struct glint_surface *surface, struct glint_box *highlight)
+{
+    struct glint_lights lights;
+    lights.prepared = prepared;
+    lights.boxed = highlight != NULL;
+    lights.bounds.any = false;
+    lights_prepare(&lights, lamps, count);
+    lights_lines(&lights, source, w, h, surface);
+    glint_bounds_box(&lights.bounds, highlight);
+}
+
+enum { LIGHTS_ALONE = 1 };
+
+/* Prepares for sums: GLINT_OK; for one white directional lamp as for its light: LIGHTS_ALONE. Else what is wrong: lamps that have a
+ * place need a viewer. */
+static GLINT_LIGHTS_ALONE int lights_begin(struct glint_prepared *p, const struct glint_shader *shader,
+                                           const struct glint_lamp *lamps, unsigned count)
+{
+    const enum glint_err err = glint_shade_prepare(p, shader);
+    if (err)
+        return err;
     if (count > GLINT_LAMPS_MAX || (count && !lamps))
         return GLINT_ERR_ARG;
+    const struct glint_vec v = shader->light.v;
     for (unsigned i = 0; i < count; i++) {
-        const enum glint_err err = glint_lamp_check(&lamps[i]);
-        if (err)
-            return err;
-        if (lamps[i].kind != GLINT_DIRECTIONAL && !seen)
+        const enum glint_err wrong = glint_lamp_check(&lamps[i]);
+        if (wrong)
+            return wrong;
+        if (lamps[i].kind != GLINT_DIRECTIONAL && !(v.x | v.y | v.z))
             return GLINT_ERR_VECTOR;
     }
+    if (count == 1 && lamps->kind == GLINT_DIRECTIONAL && glint_lights_color(lamps, 0) == 65536 &&
+        lights_is_white(lamps)) {
+        p->shader.light = lamps->light;
+        return LIGHTS_ALONE;
+    }
+    p->slack = (uint16_t)lights_total(lamps, count, p->slack);
+    GLINT_FLASH_POINTER(p->format->fold)(p);
     return GLINT_OK;
 }
 
@@ -75,31 +248,14 @@ enum glint_err glint_shade_lights(const struct glint_shader *shader, const struc
                                   const struct glint_source *source, uint16_t w, uint16_t h,
                                   const struct glint_surface *surface, struct glint_box *highlight)
 {
-    int32_t v_q30[3];
-    enum glint_err err = glint_rect_check(shader, source, surface);
-    if (!err)
-        err = check(shader, lamps, count, v_q30);
-    if (err)
-        return err;
-    struct glint_reach reach[GLINT_LAMPS_MAX];
-    for (unsigned i = 0; i < count; i++)
-        glint_reach_init(&reach[i], &lamps[i]);
-    struct glint_bounds bounds = {0, 0, 0, 0, false};
-    for (uint16_t y = 0; y < h; y++) {
-        const struct glint_line line = glint_line_at(source, y);
-        for (uint16_t x = 0; x < w; x++) {
-            if (line.mask && !line.mask[x])
-                continue;
-            struct sums sums = {{0, 0, 0}, {0, 0, 0}};
-            for (unsigned i = 0; i < count; i++)
-                add_lamp(&sums, shader, &lamps[i], &reach[i], (int32_t)surface->x + x, (int32_t)surface->y + y, v_q30,
-                         &line.normals[x]);
-            if (pixel(shader, surface, x, y, &sums,
-                      line.albedo ? line.albedo + 3 * (ptrdiff_t)x : shader->material.albedo,
-                      line.gloss ? line.gloss[x] : 255))
-                glint_bounds_add(&bounds, x, y);
-        }
-    }
-    glint_bounds_box(&bounds, highlight);
+    struct glint_prepared prepared;
+    if (!glint_rect_can(source, surface))
+        return GLINT_ERR_ARG;
+    const int found = lights_begin(&prepared, shader, lamps, count);
+    if (found < 0)
+        return (enum glint_err)found;
+    if (found == LIGHTS_ALONE)
+        return glint_shade_prepared_rect(&prepared, source, w, h, surface, highlight);
+    lights_rect(&prepared, lamps, count, source, w, h, surface, highlight);
     return GLINT_OK;
 }

@@ -67,11 +67,7 @@ void glint_srgb_chords(struct glint_chords *chords, uint32_t v)
 
 uint16_t glint_srgb_encode(uint16_t linear)
 {
-    const uint32_t v = linear;
     struct glint_chords chords;
-    if (v < 128)
-        return (uint16_t)glint_srgb_dark(v);
-    glint_srgb_chords(&chords, v);
-    const uint32_t chord = v >> chords.bits;
-    return (uint16_t)glint_srgb_bright(chords.entry + chord - 32, v - (chord << chords.bits), chords.bits);
+    glint_srgb_chords(&chords, linear);
+    return (uint16_t)glint_srgb_by(&chords, linear);
 }

@@ -2,14 +2,31 @@
 #include "glint_math_vector.h"
 #include "glint_math_root.h"
 
+/* size 2^30 / length to nearest, for size <= length < 2^31: digit by digit, as a call of a division takes more stack. */
+static inline uint32_t vector_part(uint32_t size, uint32_t length)
+{
+    uint32_t part = 0;
+    for (int digit = 30; digit >= 0; digit--) {
+        part <<= 1;
+        if (size >= length) {
+            size -= length;
+            part++;
+        }
+        size <<= 1;
+    }
+    return part + (size >= length); /* twice the remainder */
+}
+
+static inline uint32_t vector_size(int32_t v)
+{
+    return v < 0 ? 0 - (uint32_t)v : (uint32_t)v;
+}
+
 bool glint_unit_q30(int32_t out[3], const int32_t v[3])
 {
-    uint32_t size[3], largest = 0;
-    for (int i = 0; i < 3; i++) {
-        size[i] = v[i] < 0 ? 0 - (uint32_t)v[i] : (uint32_t)v[i];
-        if (size[i] > largest)
-            largest = size[i];
-    }
+    uint32_t largest = 0;
+    for (int i = 0; i < 3; i++)
+        largest = vector_size(v[i]) > largest ? vector_size(v[i]) : largest;
     if (largest == 0)
         return false;
     unsigned up = 0, down = 0; /* bring the largest to 2^29 .. 2^30: the squares then sum to less than 2^62 */
@@ -19,13 +36,14 @@ bool glint_unit_q30(int32_t out[3], const int32_t v[3])
         down++;
     uint64_t sum = 0;
     for (int i = 0; i < 3; i++) {
-        size[i] = size[i] << up >> down;
-        sum += (uint64_t)size[i] * size[i];
+        const uint32_t size = vector_size(v[i]) << up >> down;
+        sum += (uint64_t)size * size;
+        out[i] = v[i] < 0 ? -(int32_t)size : (int32_t)size;
     }
     const uint32_t length = glint_root(sum); /* >= every size */
     for (int i = 0; i < 3; i++) {
-        const int32_t part = (int32_t)((((uint64_t)size[i] << 30) + length / 2) / length);
-        out[i] = v[i] < 0 ? -part : part;
+        const int32_t part = (int32_t)vector_part(vector_size(out[i]), length);
+        out[i] = out[i] < 0 ? -part : part;
     }
     return true;
 }

@@ -65,10 +65,10 @@ void glint_levels_fold(struct glint_prepared *p, struct glint_levels_kind kind, 
         p->diffuse[k] = diffuse.value;                                /* low by diffuse.low, times 255 / 2^7 */
         p->r[k] = r.value; /* R F: low by 33/32 r.low, and (R + 1) slack of F */
         /* what the loop of grey takes off, or a limit is low by: < 4 */
-        const uint32_t both = ((uint32_t)2 << (shift - 16)) + r.low + (r.low >> 5) + 1 +
-                              GLINT_FLASH_U8(p->model->slack) * (r.value + 1) + 4;
+        const uint32_t both = ((uint32_t)2 << (shift - 16)) + r.low + (r.low >> 5) + 1 + p->slack * (r.value + 1) + 4;
         const uint32_t w = both + q.low;
-        /* >> 7 loses < 1 of 255, and F gloss / 255 < 1 + 2^-6: glint_by_255. W < 2^20 for a slack up to 8 */
+        /* >> 7 loses < 1 of 255, and F gloss / 255 < 1 + 2^-6: glint_by_255. W < 2^shift for a slack up to 64, of which
+         * a unit is R + 1 <= 2^(shift - 8) */
         const uint32_t w_maps = both + 2 * diffuse.low + 255 + r.value + (r.value >> 6) + 2;
         p->w = grey ? p->w + w : w > p->w ? w : p->w;
         p->w_maps = grey ? p->w_maps + w_maps : w_maps > p->w_maps ? w_maps : p->w_maps;

@@ -25,7 +25,7 @@ static bool linear_draws(const struct glint_shader *shader)
 static void linear_fold(struct glint_prepared *p)
 {
     const struct glint_material *m = &p->shader.material;
-    const uint32_t slack = GLINT_FLASH_U8(p->model->slack);
+    const uint32_t slack = p->slack;
     p->w = p->w_maps = 0;
     for (int k = 0; k < 3; k++) {
         const uint32_t albedo = glint_srgb_decode(m->albedo[k]), s = glint_coefficient(m->specular_q16[k]);
@@ -71,22 +71,28 @@ static inline uint16_t linear_x(uint32_t v)
     return (uint16_t)(x < LINEAR_ONE ? x : LINEAR_ONE);
 }
 
+/* A pixel's three levels; in the last one's place the argument of the channel at hand, until that is found. */
+union linear_pixel {
+    uint8_t levels[4];
+    uint16_t x[2];
+};
+
 /* Arguments of channel k for a run, without maps. */
-LINEAR_ALONE void linear_sum(uint16_t *x, const struct glint_prepared *p, int k, const struct glint_sample *sample,
-                             unsigned count)
+LINEAR_ALONE void linear_sum(union linear_pixel *at, const struct glint_prepared *p, int k,
+                             const struct glint_sample *sample, unsigned count)
 {
     const struct linear_parts parts = linear_parts_of(p->p[k], p->q[k], p->r[k]);
-    for (uint16_t *end = x + count; x != end; x++, sample++)
-        *x = linear_x(linear_v(&parts, sample->nl_q16, sample->f_q16));
+    for (union linear_pixel *end = at + count; at != end; at++, sample++)
+        at->x[1] = linear_x(linear_v(&parts, sample->nl_q16, sample->f_q16));
 }
 
 /* The same over maps. */
-LINEAR_ALONE void linear_sum_maps(uint16_t *x, const struct glint_prepared *p, int k, const struct glint_run *run,
-                                  const struct glint_sample *sample, unsigned count)
+LINEAR_ALONE void linear_sum_maps(union linear_pixel *at, const struct glint_prepared *p, int k,
+                                  const struct glint_run *run, const struct glint_sample *sample, unsigned count)
 {
     const uint8_t *map = run->albedo ? run->albedo + k : NULL, *gloss = run->gloss;
     struct linear_parts parts = linear_parts_of(p->p[k], p->q[k], p->r[k]);
-    for (uint16_t *end = x + count; x != end; x++, sample++) {
+    for (union linear_pixel *end = at + count; at != end; at++, sample++) {
         if (map) {
             const uint32_t albedo = glint_srgb_decode(*map);
             const struct linear_parts here =
@@ -96,16 +102,17 @@ LINEAR_ALONE void linear_sum_maps(uint16_t *x, const struct glint_prepared *p, i
             parts.q_low = here.q_low;
             map += 3;
         }
-        *x = linear_x(linear_v(&parts, sample->nl_q16, gloss ? glint_by_255(sample->f_q16 * *gloss++) : sample->f_q16));
+        at->x[1] =
+            linear_x(linear_v(&parts, sample->nl_q16, gloss ? glint_by_255(sample->f_q16 * *gloss++) : sample->f_q16));
     }
 }
 
 /* Of grey, with maps or without: parts of 256 of what is held to 1.0. */
-LINEAR_ALONE void linear_sum_grey(uint16_t *x, const struct glint_prepared *p, const struct glint_run *run,
+LINEAR_ALONE void linear_sum_grey(union linear_pixel *at, const struct glint_prepared *p, const struct glint_run *run,
                                   const struct glint_sample *sample, unsigned count)
 {
     const uint8_t *map = run->albedo, *gloss = run->gloss;
-    for (uint16_t *end = x + count; x != end; x++, sample++) {
+    for (union linear_pixel *end = at + count; at != end; at++, sample++) {
         const uint32_t nl = sample->nl_q16, f = gloss ? glint_by_255(sample->f_q16 * *gloss++) : sample->f_q16;
         uint32_t sum = LINEAR_HALF;
         for (int k = 0; k < 3; k++) {
@@ -117,7 +124,7 @@ LINEAR_ALONE void linear_sum_grey(uint16_t *x, const struct glint_prepared *p, c
             const uint32_t v = glint_levels_hold(linear_v(&parts, nl, f) - LINEAR_HALF, LINEAR_ONE << LINEAR_BITS);
             sum += linear_part(k) * (v >> 8);
         }
-        *x = linear_x(sum);
+        at->x[1] = linear_x(sum);
     }
 }
 
@@ -131,8 +138,8 @@ GLINT_INLINE uint32_t linear_level(uint32_t encoded, uint32_t max, uint32_t thre
 /* Steps 7 and 8 for a run: levels; the bits of those that are open. The last pixel's chords mostly serve the next. From V to V + W
  * the argument rises by at most `steps`, and step 8's sum by less than margin, as no chord is steeper than its octave's first.
  * Dithered, every fourth pixel has the same threshold. */
-LINEAR_ALONE uint32_t linear_encode(uint8_t *level, const uint16_t *at, const struct glint_sample *samples,
-                                    unsigned count, const struct glint_prepared *p, const struct glint_run *run, int k)
+LINEAR_ALONE uint32_t linear_encode(union linear_pixel *at, const struct glint_sample *samples, unsigned count,
+                                    const struct glint_prepared *p, const struct glint_run *run, int k)
 {
     const uint32_t max = GLINT_FLASH_U8(glint_exact_max[p->shader.format][k]);
     const uint32_t steps = ((run->gloss ? p->w_maps : p->w) >> LINEAR_BITS) + 1;
@@ -142,26 +149,28 @@ LINEAR_ALONE uint32_t linear_encode(uint8_t *level, const uint16_t *at, const st
     for (unsigned phase = 0; phase < stride; phase++) {
         const uint32_t t = LINEAR_ONE * glint_exact_weight(&p->shader, run->left + run->x + phase, run->y) >> 5;
         for (unsigned i = phase; i < count; i += stride) {
-            const uint32_t x = at[i], chord = x >> bits, n = chord - 32;
+            const uint32_t x = at[i].x[1], chord = x >> bits, n = chord - 32;
             uint32_t encoded;
             if (__builtin_expect(n < 32, 1)) {
                 encoded = glint_srgb_bright(entry + n, x - (chord << bits), bits);
             } else {
                 struct glint_chords chords;
                 glint_srgb_chords(&chords, x);
-                encoded = glint_srgb_encode((uint16_t)x);
+                encoded = glint_srgb_by(&chords, x);
                 entry = chords.entry;
                 bits = chords.bits;
                 const uint32_t rise = (uint32_t)(GLINT_FLASH_U16(entry[1]) - GLINT_FLASH_U16(entry[0]));
                 margin = (steps * ((rise >> bits) + 1) + 1) * max + 2;
             }
             const uint32_t found = linear_level(encoded, max, t);
-            level[3 * i] = (uint8_t)(found >> 16);
+            at[i].levels[k] = (uint8_t)(found >> 16);
             if (__builtin_expect(((found ^ (found + margin)) >> 16) != 0, 0)) {
                 uint32_t most = x + steps < LINEAR_ONE ? x + steps : LINEAR_ONE;
                 if (samples[i].nl_q16 == 0 && !run->albedo && p->shader.format < GLINT_GREY8)
                     most = linear_x(p->p[k] + LINEAR_HALF + 1); /* all of V, low by less than 1 */
-                if ((linear_level(glint_srgb_encode((uint16_t)most), max, t) ^ found) >> 16)
+                struct glint_chords chords;
+                glint_srgb_chords(&chords, most);
+                if ((linear_level(glint_srgb_by(&chords, most), max, t) ^ found) >> 16)
                     open |= (uint32_t)1 << i;
             }
         }
@@ -173,22 +182,20 @@ static uint32_t linear_levels(const struct glint_prepared *p, const struct glint
                               const struct glint_sample *samples, unsigned count)
 {
     const bool grey = p->shader.format >= GLINT_GREY8;
-    uint16_t at[GLINT_RUN];
-    uint8_t level[GLINT_RUN][3];
+    union linear_pixel pixels[GLINT_RUN];
     uint32_t open = 0;
-    for (int k = 0; k < (grey ? 1 : 3); k++) {
+    for (int k = 0; k < (grey ? 1 : 3); k++, samples += p->apart) {
         if (grey)
-            linear_sum_grey(at, p, run, samples, count);
+            linear_sum_grey(pixels, p, run, samples, count);
         else if (run->albedo || run->gloss)
-            linear_sum_maps(at, p, k, run, samples, count);
+            linear_sum_maps(pixels, p, k, run, samples, count);
         else
-            linear_sum(at, p, k, samples, count);
-        open |= linear_encode(&level[0][k], at, samples, count, p, run, k);
+            linear_sum(pixels, p, k, samples, count);
+        open |= linear_encode(pixels, samples, count, p, run, k);
     }
-    const uint8_t *levels = level[0];
-    for (unsigned i = 0; i < count; i++, levels += 3)
+    for (unsigned i = 0; i < count; i++)
         if (!(open >> i & 1))
-            glint_exact_store(p->shader.format, run->line, run->x + i, levels);
+            glint_exact_store(p->shader.format, run->line, run->x + i, pixels[i].levels);
     return open;
 }
 

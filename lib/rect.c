@@ -71,14 +71,14 @@ static inline __attribute__((always_inline)) void rect_geometry(const struct gli
     } while (++sample != end);
 }
 
-static void geometry_unit(const struct glint_light *light, const struct glint_vec *normals,
-                          struct glint_sample *samples, unsigned count)
+void glint_samples_unit(const struct glint_light *light, const struct glint_vec *normals, struct glint_sample *samples,
+                        unsigned count)
 {
     rect_geometry(light, normals, samples, count, false);
 }
 
-static void geometry_wide(const struct glint_light *light, const struct glint_vec *normals,
-                          struct glint_sample *samples, unsigned count)
+void glint_samples_wide(const struct glint_light *light, const struct glint_vec *normals, struct glint_sample *samples,
+                        unsigned count)
 {
     rect_geometry(light, normals, samples, count, true);
 }
@@ -94,14 +94,14 @@ static __attribute__((noinline)) void rect_note(struct glint_bounds *bounds, con
 }
 
 /* Samples at a time: fewer than might be, for the stack. */
-enum { RECT_RUN = 14 };
+enum { RECT_RUN = 15 };
 typedef char glint_rect_run[RECT_RUN <= GLINT_RUN ? 1 : -1];
 
-/* How many pixels from x on are drawn, side by side, up to a run. */
-static unsigned rect_length_of(const uint8_t *mask, uint32_t x, uint32_t w)
+unsigned glint_rect_length(const uint8_t *mask, uint32_t x, uint32_t w, unsigned most)
 {
-    const unsigned most = w - x < RECT_RUN ? (unsigned)(w - x) : (unsigned)RECT_RUN;
     unsigned count = 1;
+    if (w - x < most)
+        most = (unsigned)(w - x);
     if (!mask)
         return most;
     mask += x;
@@ -151,7 +151,7 @@ static void rect_line(struct glint_line_loop *loop, const struct glint_prepared 
     for (uint32_t x = 0; (x = loop->draw(loop, x)) < w; x++) {
         run->x = x;
         run->albedo = line->albedo ? line->albedo + 3 * x : NULL;
-        geometry_unit(&prepared->shader.light, line->normals + x, &loop->sample, 1);
+        glint_samples_unit(&prepared->shader.light, line->normals + x, &loop->sample, 1);
         glint_prepared_exact(prepared, run, 0, &loop->sample);
     }
     if (loop->last) {
@@ -172,8 +172,8 @@ enum glint_err glint_shade_prepared_rect(const struct glint_prepared *prepared, 
     void (*samples_of)(const struct glint_light *light, const struct glint_vec *normals, struct glint_sample *samples,
                        unsigned count) = GLINT_FLASH_POINTER(prepared->model->geometry)
                                              ? GLINT_FLASH_POINTER(prepared->model->geometry)
-                                         : wide ? geometry_wide
-                                                : geometry_unit;
+                                         : wide ? glint_samples_wide
+                                                : glint_samples_unit;
     struct glint_bounds bounds;
     bounds.left = bounds.right = bounds.top = bounds.bottom = 0;
     bounds.any = false;
@@ -199,7 +199,7 @@ enum glint_err glint_shade_prepared_rect(const struct glint_prepared *prepared, 
                     x++;
             if (x >= w)
                 break;
-            const unsigned count = rect_length_of(line.mask, x, w);
+            const unsigned count = glint_rect_length(line.mask, x, w, RECT_RUN);
             run.x = x;
             run.albedo = line.albedo ? line.albedo + 3 * x : NULL;
             run.gloss = line.gloss ? line.gloss + x : NULL;

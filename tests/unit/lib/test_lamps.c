@@ -11,7 +11,11 @@ static uint32_t reach_of(const struct glint_lamp *lamp, int32_t x, int32_t y, co
     struct glint_reach reach;
     glint_reach_init(&reach, lamp);
     (void)glint_vec_of_q30(&light->v, v_q30, 0);
-    return glint_reach_at(&reach, lamp, x, y, v_q30, light);
+    const struct glint_sight sight = {
+        {v_q30[0], v_q30[1], v_q30[2]},
+        {lamp->position[0] - (16 * x + 8), 16 * y + 8 - lamp->position[1], lamp->position[2]}};
+    const uint32_t att = glint_reach_near(&reach, lamp, &sight, light);
+    return att != GLINT_REACH_OPEN ? att : glint_reach_exact(&reach, lamp, &sight, light);
 }
 
 static void a_directional_lamp_has_the_light_of_glint_light_init(void **state)
