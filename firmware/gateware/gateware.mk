@@ -45,4 +45,9 @@ gateware-tables: $(GATEWARE_TABLES)
 	$< orbit >$<.v && mv $<.v firmware/gateware/demo/glint_orbit.v
 	$< chord >$<.v && mv $<.v firmware/gateware/demo/glint_chord.v
 
-.PHONY: gateware gateware-report setup-gateware-tools gateware-tables
+# What is made of the list of registers; a test tells when it is not.
+gateware-registers:
+	@cd firmware/gateware && registers/generate verilog >rtl/glint_registers.v && \
+		registers/generate header >registers/glint_span_unit.h && registers/generate table >registers/README.md
+
+.PHONY: gateware gateware-report gateware-registers setup-gateware-tools gateware-tables

@@ -8,9 +8,12 @@ GATEWARE_SCRIPTS = $(filter-out %.cpp %.v,$(wildcard tests/gateware/test_*))
 # Their parameters, and what one is linked with.
 GATEWARE_PARAMETERS_core = -GUSER=16
 GATEWARE_PARAMETERS_lite = -GUSER=16
+GATEWARE_PARAMETERS_span_wb = -GSKID=1
 GATEWARE_LDLIBS_demo = -lpng
+# The registers' header as C.
+GATEWARE_OBJECTS_span_wb = $(BUILD)/tests/gateware/unit_registers.o
 GATEWARE_VERILATE = verilator --cc --exe --build -Wall -Wno-fatal -O3 --x-assign unique $(GATEWARE_PARAMETERS_$*) \
-	-CFLAGS "-O3 $(patsubst %,-I$(CURDIR)/%,lib tests/gateware firmware/core firmware/gateware/demo)" \
+	-CFLAGS "-O3 $(patsubst %,-I$(CURDIR)/%,lib tests/gateware firmware/core firmware/gateware/demo firmware/gateware/registers)" \
 	$(GATEWARE_LDLIBS_$*:%=-LDFLAGS %) -Ifirmware/gateware/rtl -Ifirmware/gateware/demo
 GATEWARE_LIBRARY = $(BUILD)/tests/gateware/libglint.a
 GATEWARE_ENV = GATEWARE_BUILD=$(CURDIR)/$(GATEWARE)/test VECTORS=$(CURDIR)/$(BUILD)/tests/gateware/vectors \
@@ -21,11 +24,15 @@ $(GATEWARE_LIBRARY): $(wildcard lib/*.[ch])
 	@+$(SUBMAKE) -s BUILD=build/o3 CFLAGS=-O3 build/o3/libglint.a
 	@mkdir -p $(@D) && cp build/o3/libglint.a $@
 
-$(BUILD)/tests/gateware/test_%: tests/gateware/test_%.cpp $(GATEWARE_RTL) $(GATEWARE_DEMO) $(wildcard tests/gateware/*.h firmware/gateware/demo/*.h) \
-		$(GATEWARE_LIBRARY) $(BUILD)/firmware/core/orbit.o
+$(BUILD)/tests/gateware/test_%: tests/gateware/test_%.cpp $(GATEWARE_RTL) $(GATEWARE_DEMO) $(wildcard tests/gateware/*.h firmware/gateware/*/*.h) \
+		$(GATEWARE_LIBRARY) $(BUILD)/firmware/core/orbit.o $(BUILD)/tests/gateware/unit_registers.o
 	@mkdir -p $@.dir
 	@$(GATEWARE_VERILATE) --top-module glint_$* --prefix Vtop --Mdir $@.dir -o ../$(@F) $(CURDIR)/$< $(CURDIR)/$(BUILD)/firmware/core/orbit.o \
-		$(CURDIR)/$(GATEWARE_LIBRARY) $(wildcard firmware/gateware/*/glint_$*.v) >$@.log 2>&1 || { cat $@.log >&2; exit 1; }
+		$(addprefix $(CURDIR)/,$(GATEWARE_OBJECTS_$*) $(GATEWARE_LIBRARY)) $(wildcard firmware/gateware/*/glint_$*.v) >$@.log 2>&1 || { cat $@.log >&2; exit 1; }
+
+$(BUILD)/tests/gateware/unit_registers.o: tests/gateware/unit_registers.c $(wildcard tests/gateware/*.h firmware/gateware/registers/*.h)
+	@mkdir -p $(@D)
+	@$(CC) -Ilib -Ifirmware/gateware/registers $(LIB_CFLAGS) -c $< -o $@
 
 setup-gateware: setup-gateware-tools
 	@.ci/need "tier gateware (simulators, solvers)" $(GATEWARE_TEST_PACKAGES)

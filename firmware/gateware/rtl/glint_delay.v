@@ -41,7 +41,8 @@ module glint_delay #(
                     q <= ring[next];
                 end
 `ifdef FORMAL
-            // Proved for ever, by induction: since the reset the ring holds what went in, the oldest where it writes next.
+            // Proved for ever, by induction: since the reset the ring holds what went in, the oldest where it writes
+            // next.
             reg [WIDTH*CLOCKS-1:0] history; // the last lowest
             reg [4:0] held;
             integer i;

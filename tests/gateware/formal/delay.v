@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// glint_delay under any inputs: what it asserts of itself holds, and what comes out is what went in CLOCKS moves before.
+// glint_delay under any inputs: what it asserts of itself holds, and what comes out is what went in CLOCKS moves
+// before.
 `default_nettype none
 
 module delay #(
