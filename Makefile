@@ -13,7 +13,7 @@ PREFIX ?= /usr/local
 DESTDIR ?=
 TEST ?=
 WERROR ?=
-TIERS = unit exact targets packages page lab pico gateware
+TIERS = unit exact proof targets packages page lab pico gateware
 # A TMPDIR that cannot be written to would stop compilers and tests.
 export TMPDIR := $(shell test -d "$$TMPDIR" && test -w "$$TMPDIR" && echo "$$TMPDIR" || echo /tmp)
 

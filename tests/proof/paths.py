@@ -1,0 +1,398 @@
+# SPDX-License-Identifier: MIT
+"""Runs a function of the library, as clang compiled it, for all arguments at once: every value is a polynomial over the arguments,
+congruent to the machine's word modulo 2^width; a shift adds its quotient as an atom; a comparison that the facts leave open makes
+two paths. A call is run the same way, or taken for what its contract says, which is then proved of it or checked by enumeration.
+
+Signed and unsigned products and sums that C leaves undefined, or that the compiler took for such, are proved not to overflow."""
+import re
+import subprocess
+
+from poly import Facts, Poly, poly
+
+CLANG = ["clang", "-std=c99", "-O1", "-fno-inline", "-fno-vectorize", "-fno-slp-vectorize", "-fno-unroll-loops", "-S", "-emit-llvm"]
+
+
+def compiled(path, include):
+    """Functions of a source by name: arguments, and blocks of lines by label."""
+    run = subprocess.run([*CLANG, f"-I{include}", path, "-o", "-"], capture_output=True, text=True, check=False)
+    if run.returncode:
+        raise SystemExit(f"paths: clang does not compile {path}: {run.stderr.splitlines()[0]}")
+    functions = {}
+    for name, values in re.findall(r"^(@\w+) = .*?constant \[\d+ x i\d+\] \[(.*?)\]", run.stdout, re.M):
+        functions[name] = [poly(int(v.split()[1])) for v in values.split(", ")]
+    for head, name, body in re.findall(r"^define (.*?)@(\w+)\(.*?$(.*?)^}", run.stdout, re.M | re.S):
+        count = re.search(rf"@{name}\((.*?)\)[^)]*{{$", run.stdout, re.M).group(1)
+        arguments = re.findall(r"(i\d+)[^,]*?(%\d+)|(ptr|i32\*)[^,]*?(%\d+)", count)
+        blocks, label = {}, str(len(arguments))
+        for line in body.splitlines():
+            line = line.split(" ;")[0].strip()
+            if re.match(r"\d+:", line):
+                label = line.split(":")[0]
+            elif line:
+                blocks.setdefault(label, []).append(re.sub(r", ![a-z.]+ !\d+", "", line))
+        functions[name] = ([a[1] or a[3] for a in arguments], blocks)
+    return functions
+
+
+class Broken(Exception):
+    """A proof that does not go through: what, where."""
+
+
+class Path:
+    """One path: facts, and the decisions that lead to it."""
+
+    def __init__(self, functions, contracts, decisions):
+        self.functions, self.contracts = functions, contracts
+        self.facts, self.decisions, self.taken, self.quotients, self.calls = Facts(), decisions, 0, {}, {}
+        self.definitions = []
+        self.given = {}  # registers of a function that are known from elsewhere; None: not needed
+        self.origins, self.rests, self.carried, self.squares, self.exact, self.contracts = {}, {}, [], [], [], dict(contracts)
+
+    def choose(self, options):
+        """One of several lists of facts, which between them leave nothing out; the others become paths of their own."""
+        open_ = [o for o in options if all(self.facts.decided(f) is not False for f in o)]
+        if len(open_) > 1:
+            open_ = [o for o in open_ if self.facts.possible(o)]
+        if not open_:
+            raise Infeasible
+        pick = 0
+        if len(open_) > 1:
+            if self.taken == len(self.decisions):
+                self.decisions.append([0, len(open_)])
+            pick = self.decisions[self.taken][0]
+            self.taken += 1
+        for fact in open_[pick]:
+            self.facts.add(fact)
+        return options.index(open_[pick])
+
+    def is_true(self, p):
+        """p >= 0?"""
+        known = self.facts.decided(p)
+        return known if known is not None else self.choose([[p], [-p - 1]]) == 0
+
+    def prove(self, goal, what):
+        goal = poly(goal)
+        if not any(self.facts.follows(p, sort) for p, sort in ((goal, ["Real"]), (self.expanded(goal), ["Real"]), (goal, ["Int"]))):
+            raise Broken(what)
+
+    def expanded(self, p):
+        """With the definitions of rests in their places."""
+        for atom, rest in self.definitions:
+            p = sum((rest**m.count(atom) * Poly({tuple(a for a in m if a != atom): c}) for m, c in p.terms.items()), poly(0))
+        return p
+
+    def same(self, a, b, what):
+        self.prove(a - b, what)
+        self.prove(b - a, what)
+
+    def squared(self, a, b, what):
+        """From a = b follows a^2 = b^2."""
+        self.same(a, b, what)
+        self.facts.add(a * a - b * b)
+        self.facts.add(b * b - a * a)
+
+    def times(self, *factors):
+        """Adds the product of numbers that are at least 0."""
+        product = poly(1)
+        for factor in factors:
+            self.prove(factor, "a factor of a product")
+            product = product * factor
+        self.facts.add(product)
+
+    def divide(self, fact, factor):
+        """fact >= 0, since its product with a number of at least 1 is."""
+        self.prove(factor - 1, "a divisor of a fact is positive")
+        self.prove(fact * factor, "a fact, multiplied")
+        self.facts.add(fact)
+
+    # ---- words ----
+
+    def reduced(self, p, width):
+        """Congruent modulo 2^width, with coefficients of the smallest size."""
+        top = 1 << width
+        return Poly({m: c if -top < c < top else (c + top // 2) % top - top // 2 for m, c in p.terms.items()})
+
+    def word(self, p, width, signed=False):
+        """The value of a word itself."""
+        bottom = -(1 << (width - 1)) if signed else 0
+        top = bottom + (1 << width)
+        for q in (p, self.reduced(p, width)):
+            low, high = self.facts.interval(q)
+            if low >= bottom and high < top:
+                return q
+        p = self.reduced(p, width)
+        low, high = self.facts.interval(p)
+        first, last = (low - bottom) >> width, (high - bottom) >> width
+        if last - first > 3:
+            if self.facts.follows(p - bottom) and self.facts.follows(top - 1 - p):
+                return p
+            return self.rest(p - bottom, width) + bottom
+        turns = list(range(first, last + 1))
+        chosen = self.choose([[p - (k << width) - bottom, top - 1 - p + (k << width)] for k in turns])
+        return p - (turns[chosen] << width)
+
+    def shifted(self, p, bits):
+        """p / 2^bits, rounded down."""
+        if bits == 0:
+            return p
+        while bits and p.terms and all(c % 2 == 0 for c in p.terms.values()):
+            p, bits = Poly({m: c // 2 for m, c in p.terms.items()}), bits - 1
+        if bits == 0:
+            return p
+        inner = (p - p.terms.get((), 0)).key()
+        if inner in self.origins:  # (x / 2^a + k) / 2^b = (x + k 2^a) / 2^(a + b), each rounded down
+            x, a = self.origins[inner]
+            return self.shifted(x + (p.terms.get((), 0) << a), a + bits)
+        step = 1 << bits
+        whole = Poly({m: c // step for m, c in p.terms.items() if c % step == 0})
+        rest = p - whole * step
+        low, high = self.facts.interval(rest)
+        if low >> bits == high >> bits:
+            return whole + (low >> bits)
+        key = (rest.key(), bits)
+        if key not in self.quotients and whole.terms and \
+                self.facts.follows(rest) and self.facts.follows(step - 1 - rest):
+            self.quotients[key] = poly(0)
+        if key not in self.quotients:
+            q = self.quotients[key] = self.facts.atom("quotient", low >> bits, high >> bits)
+            self.origins[q.key()] = (rest, bits)
+            self.facts.add(rest - q * step)
+            self.facts.add(q * step + step - 1 - rest)
+        return whole + self.quotients[key]
+
+    def masked(self, p, mask):
+        if mask == 0:
+            return poly(0)
+        low = (mask & -mask).bit_length() - 1
+        bits = (mask >> low).bit_length()
+        if mask >> low != (1 << bits) - 1:
+            raise Broken(f"a mask of several pieces: {mask:#x}")
+        p = self.shifted(p, low)
+        return self.rest(p, bits) * (1 << low)
+
+    def rest(self, p, bits):
+        """p modulo 2^bits; an atom where an interval of its terms would not show that."""
+        zeros = 0
+        while zeros < bits and p.terms and all(c % (2 << zeros) == 0 for c in p.terms.values()):
+            zeros += 1
+        if zeros:
+            return self.rest(Poly({m: c >> zeros for m, c in p.terms.items()}), bits - zeros) * (1 << zeros)
+        q = self.shifted(p, bits)
+        rest = p - q * (1 << bits)
+        low, high = self.facts.interval(rest)
+        if low >= 0 and high < 1 << bits:
+            return rest
+        if rest.key() not in self.rests:
+            atom = self.rests[rest.key()] = self.facts.atom("rest", 0, (1 << bits) - 1)
+            self.facts.add(rest - atom)
+            self.facts.add(atom - rest)
+            self.definitions.insert(0, (next(iter(atom.terms))[0], rest))
+        return self.rests[rest.key()]
+
+    def joined(self, a, b):
+        """a | b, where no bit is set in both."""
+        for x, y in ((a, b), (b, a)):
+            if x.constant() == 0:
+                return y
+            bits = min((c & -c).bit_length() - 1 for c in x.terms.values())
+            if bits and self.facts.follows(y) and self.facts.follows((1 << bits) - 1 - y):
+                return x + y
+        raise Broken("an or of numbers that may share bits")
+
+    # ---- instructions ----
+
+    def run(self, name, arguments):
+        if name in self.contracts:
+            return self.contracts[name](self, *arguments)
+        names, blocks = self.functions[name]
+        return Frame(self, {**dict(zip(names, arguments)), **self.given.get(name, {})}, blocks, self.given.get(name, {})).run(next(iter(blocks)))
+
+
+class Infeasible(Exception):
+    """A path that nothing takes."""
+
+
+class Frame:
+    """A call under way."""
+
+    def __init__(self, path, values, blocks, given):
+        self.path, self.values, self.blocks, self.given = path, values, blocks, given
+
+    def value(self, text):
+        text = text.strip()
+        if text.startswith("%"):
+            return self.values[text]
+        return poly({"true": 1, "false": 0}.get(text) if text in ("true", "false") else int(text))
+
+    def run(self, label):
+        before = None
+        while True:
+            phis = {}
+            for line in self.blocks[label]:
+                found = re.match(r"(%\d+) = phi i\d+ (.*)", line)
+                if found:
+                    for value, source in re.findall(r"\[ (\S+), %(\d+) \]", found.group(2)):
+                        if source == before:
+                            phis[found.group(1)] = self.value(value)
+            self.values.update(phis)
+            self.path.carried.extend(v for v in phis.values() if isinstance(v, Poly) and v.constant() is None)
+            for line in self.blocks[label]:
+                if " = phi " in line:
+                    continue
+                if line.startswith("ret"):
+                    return None if line == "ret void" else self.value(line.split()[-1])
+                if line.startswith("br label"):
+                    before, label = label, line.split("%")[1]
+                    break
+                found = re.match(r"br i1 (\S+), label %(\d+), label %(\d+)", line)
+                if found:
+                    before, label = label, found.group(2 if self.value(found.group(1)).constant() else 3)
+                    break
+                self.step(line)
+            else:
+                raise Broken(f"a block that ends in {line}")
+
+    def step(self, line):
+        found = re.match(r"(?:(%\d+) = )?(?:tail )?(\w+) (.*)", line)
+        target, op, rest = found.groups()
+        if target in self.given:
+            return
+        if op == "call":
+            result = self.call(rest)
+        elif op == "store":
+            a, b = re.match(r"i\d+ (\S+), i\d+\* (\S+),", rest).groups()
+            array, offset = self.values[b]
+            array[offset] = self.path.word(self.value(a), 32)
+            return
+        else:
+            result = getattr(self, "op_" + op, self.arithmetic)(op, rest)
+        if target:
+            self.values[target] = result
+
+    def call(self, rest):
+        name, arguments = re.search(r"@([\w.]+)\((.*)\)", rest).groups()
+        if name.startswith("llvm.lifetime"):
+            return None
+        values = []
+        for argument in arguments.split(", "):
+            value = self.value(argument.split()[-1])
+            kind = re.match(r"i(\d+)\b(?!\*)", argument)
+            values.append(value if not kind else self.path.word(value, int(kind.group(1))))
+        if name.startswith("llvm.fshl"):
+            return self.path.joined(self.path.word(values[0] * (1 << values[2].constant()), 32),
+                                    self.path.shifted(values[1], 32 - values[2].constant()))
+        return self.path.run(name, values)
+
+    def op_alloca(self, _, __):
+        return ({}, 0)
+
+    def op_bitcast(self, _, rest):
+        return self.values.get(re.search(r"(%\d+) to", rest).group(1))
+
+    def op_getelementptr(self, _, rest):
+        base, index = re.match(r".*\* (?:noundef )?([%@]\w+), .*?i64 (?:0, i64 )?(\S+)$", rest).groups()
+        array, offset = self.values[base] if base[0] == "%" else (self.path.functions[base], 0)
+        return (array, offset + self.value(index).constant())
+
+    def op_load(self, _, rest):
+        array, offset = self.values[re.search(r"\* (%\d+)", rest).group(1)]
+        return array[offset]
+
+    def op_zext(self, _, rest):
+        width, value = re.match(r"i(\d+) (\S+) to", rest).groups()
+        return self.path.word(self.value(value), int(width))
+
+    def op_sext(self, _, rest):
+        width, value = re.match(r"i(\d+) (\S+) to", rest).groups()
+        return self.path.word(self.value(value), int(width), signed=True)
+
+    def op_trunc(self, _, rest):
+        value, width = re.match(r"i\d+ (\S+) to i(\d+)", rest).groups()
+        return self.path.reduced(self.value(value), int(width))
+
+    def op_select(self, _, rest):
+        condition, a, b = re.match(r"i1 (\S+), i\d+ (\S+), i\d+ (\S+)", rest).groups()
+        return self.value(a if self.value(condition).constant() else b)
+
+    def op_icmp(self, _, rest):
+        how, width, a, b = re.match(r"(\w+) i(\d+) (\S+), (\S+)", rest).groups()
+        if isinstance(self.values.get(a), tuple):
+            return self.differ_only_below(self.values[a], how, self.value(b).constant())
+        a, b = (self.path.word(self.value(v), int(width), how[0] == "s") for v in (a, b))
+        if how in ("eq", "ne"):
+            below, above = self.path.facts.decided(a - b - 1), self.path.facts.decided(b - a - 1)
+            same = a.key() == b.key() or (below is not True and above is not True and
+                                          self.path.choose([[a - b, b - a], [a - b - 1], [b - a - 1]]) == 0)
+            return poly(int(same == (how == "eq")))
+        low, high, more = (a, b, 1) if how[1] == "l" else (b, a, 1)
+        return poly(int(self.path.is_true(high - low - (more if how.endswith("t") else 0))))
+
+    def op_xor(self, _, rest):
+        width, a, b = re.match(r"i(\d+) (\S+), (\S+)", rest).groups()
+        if int(width) == 1:
+            return poly(self.value(a).constant() % 2 ^ self.value(b).constant() % 2)
+        return tuple(self.path.word(self.value(v), int(width)) for v in (a, b))
+
+    def differ_only_below(self, words, how, limit):
+        """a ^ b < 2^k: their quotients by 2^k are the same."""
+        if how != "ult" or limit & (limit - 1):
+            raise Broken("a comparison of an exclusive or that is not with a power of two")
+        a, b = (self.path.shifted(w, limit.bit_length() - 1) for w in words)
+        return poly(int(self.path.choose([[a - b, b - a], [a - b - 1], [b - a - 1]]) == 0))
+
+    def arithmetic(self, op, rest):
+        flags, width, a, b = re.match(r"((?:nuw |nsw |exact )*)i(\d+) (\S+), (\S+)", rest).groups()
+        width, a, b, path = int(width), self.value(a), self.value(b), self.path
+        if width == 1:
+            a, b = a.constant() % 2, b.constant() % 2
+            return poly({"and": a & b, "or": a | b, "xor": a ^ b}[op])
+        if op in ("lshr", "ashr"):
+            return path.shifted(path.word(a, width, op == "ashr"), self.amount(b, width))
+        if op == "and":
+            return path.masked(path.word(a, width), b.constant() % (1 << width))
+        if op == "or":
+            return path.joined(path.word(a, width), path.word(b, width))
+        if op == "udiv":
+            return self.quotient(path.word(a, width), path.word(b, width))
+        for flag, signed in (("nuw", False), ("nsw", True)):
+            if flag in flags:
+                a, b = path.word(a, width, signed), path.word(b, width, signed and op != "shl")
+        if op == "shl":
+            op, b = "mul", poly(1 << self.amount(b, width))
+        result = {"add": lambda: a + b, "sub": lambda: a - b, "mul": lambda: a * b}[op]()
+        for flag, signed in (("nuw", False), ("nsw", True)):
+            if flag in flags:
+                bottom = -(1 << (width - 1)) if signed else 0
+                path.prove(result - bottom, f"{op} {rest} does not overflow downwards")
+                path.prove(bottom + (1 << width) - 1 - result, f"{op} {rest} does not overflow")
+        return result
+
+    def amount(self, b, width):
+        bits = self.path.word(b, width).constant()
+        if bits is None or bits >= width:
+            raise Broken(f"a shift by {'an unknown number of' if bits is None else bits} bits")
+        return bits
+
+    def quotient(self, a, b):
+        self.path.prove(b - 1, "a divisor is not 0")
+        q = self.path.facts.atom("quotient", 0, self.path.facts.interval(a)[1])
+        self.path.facts.add(a - q * b)
+        self.path.facts.add(q * b + b - 1 - a)
+        return q
+
+
+def paths(functions, contracts, theorem):
+    """Calls theorem(path) for every path; returns how many there are. Broken where one does not hold."""
+    decisions, count = [], 0
+    while True:
+        path = Path(functions, contracts, decisions)
+        try:
+            theorem(path)
+            count += 1
+        except Infeasible:
+            pass
+        while decisions and decisions[-1][0] + 1 == decisions[-1][1]:
+            decisions.pop()
+        if not decisions:
+            return count
+        decisions[-1][0] += 1

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT
+ * What is finite is run whole, in integers: every mantissa of the reciprocal and of MSH's quotient. The bounds are those of
+ * contracts.py, from which test_lobes proves the rest; finite.h is printed by cut.py. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "glint_math_reciprocal.h"
+
+#include "finite.h"
+
+typedef __int128 i128;
+static const uint32_t first_m = UINT32_C(1) << 27, end_m = UINT32_C(1) << 28;
+
+static void reciprocals_of_every_mantissa_are_within_their_bounds(void **state)
+{
+    (void)state;
+    long wrong = 0;
+    uint32_t largest = 0;
+#pragma omp parallel for reduction(+ : wrong) reduction(max : largest)
+    for (uint32_t m = first_m; m < end_m; m++) {
+        const int64_t y = glint_reciprocal(m), one = INT64_C(1) << 58;
+        wrong += y < 1 << 29 || (m + INT64_C(1)) * y > one + RECIPROCAL_HIGH || m * y < one - RECIPROCAL_LOW;
+        largest = largest > (uint32_t)y ? largest : (uint32_t)y;
+    }
+    printf("# largest reciprocal 2^31 + %d\n", (int)(largest - (UINT32_C(1) << 31)));
+    assert_int_equal(wrong, 0);
+    assert_true(largest <= (UINT32_C(1) << 31) + 15);
+}
+
+/* |p - 2^20 P| <= 1.1, 1 + P = 2^70 / (m y)^2: times 10 (m y)^2. */
+static void factors_of_mshs_quotient_are_within_their_bounds_for_every_mantissa(void **state)
+{
+    (void)state;
+    long wrong = 0;
+#pragma omp parallel for reduction(+ : wrong)
+    for (uint32_t m = first_m; m < end_m; m++) {
+        uint32_t y;
+        int32_t p;
+        cut(m, &y, &p);
+        const i128 my = (i128)m * y, z = my * my, error = 10 * (((1 << 20) + (i128)p) * z - ((i128)1 << 90));
+        wrong += y < 128 || y > 254 || p < -QUOTIENT_P || p > QUOTIENT_P || error > 11 * z || error < -11 * z;
+    }
+    assert_int_equal(wrong, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(reciprocals_of_every_mantissa_are_within_their_bounds),
+        cmocka_unit_test(factors_of_mshs_quotient_are_within_their_bounds_for_every_mantissa),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: MIT
+# Tier proof: what holds for every argument, decided by z3 from what clang makes of the library, or by running all that is finite.
+PROOF_PACKAGES = gcc libc6-dev make libcmocka-dev clang z3 python3
+PROOF_BUILD = $(BUILD)/tests/proof
+
+$(PROOF_BUILD)/finite.h: $(wildcard tests/proof/*.py) lib/lobe_msh.c lib/glint_lobe_msh.h
+	@mkdir -p $(@D)
+	tests/proof/cut.py . >$@.part && mv $@.part $@
+
+$(PROOF_BUILD)/test_finite: tests/proof/test_finite.c $(PROOF_BUILD)/finite.h $(BUILD)/libglint.a
+	$(CC) -std=c11 -D_GNU_SOURCE $(WARNINGS) -Ilib -I$(PROOF_BUILD) $(OPENMP) $(CFLAGS) $< $(BUILD)/libglint.a -o $@ -lcmocka -lm
+
+setup-proof:
+	@.ci/need "tier proof" $(PROOF_PACKAGES)
+
+test-proof: ## check: the library for every argument: values from t, proved
+	@+tests/tier proof "$(SUBMAKE)"
+
+run-proof: $(PROOF_BUILD)/test_finite
+	@TALLY_JOBS=2 tests/tally $(PROOF_BUILD)/test_finite tests/proof/test_lobes tests/proof/test_msh tests/proof/test_faults
+
+.PHONY: setup-proof test-proof run-proof
