@@ -127,7 +127,7 @@ int command_render(int argc, char **argv)
     if (output && options.raw) {
         pixels_write(drawn.pixels, drawn.height * format_line_bytes(format, drawn.width), output);
     } else if (output) {
-        struct picture *picture = levels_picture(levels);
+        struct picture *picture = levels_picture(levels, options.widen);
         picture_write(picture, output, options.kind);
         picture_free(picture);
     }

@@ -27,15 +27,31 @@ void levels_free(struct levels *levels)
     free(levels);
 }
 
-struct picture *levels_picture(const struct levels *levels)
+/* The level's bits, again and again until there are 8 of them; `max` is 2^bits - 1. */
+static unsigned replicate(unsigned level, unsigned max)
+{
+    unsigned sample = level, filled = max;
+    while (filled < 255) {
+        sample = sample * (max + 1) + level;
+        filled = filled * (max + 1) + max;
+    }
+    while (filled > 255) {
+        sample >>= 1;
+        filled >>= 1;
+    }
+    return sample;
+}
+
+struct picture *levels_picture(const struct levels *levels, enum widen widen)
 {
     const size_t samples = (size_t)levels->width * levels->height * levels->channels;
     struct picture *picture = allocate(1, sizeof *picture);
     *picture = (struct picture){levels->width, levels->height, levels->channels, levels->max[0] == 1, NULL};
     picture->samples = allocate(samples, 1);
     for (size_t i = 0; i < samples; i++) {
-        const unsigned max = levels->max[i % levels->channels];
-        picture->samples[i] = (uint8_t)((255 * levels->values[i] + max / 2) / max);
+        const unsigned max = levels->max[i % levels->channels], level = levels->values[i];
+        picture->samples[i] =
+            (uint8_t)(widen == WIDEN_REPLICATE ? replicate(level, max) : (255 * level + max / 2) / max);
     }
     return picture;
 }

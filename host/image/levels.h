@@ -16,7 +16,11 @@ struct levels {
 /* Of pixels as the library wrote them, lines packed. */
 struct levels *levels_of_pixels(uint32_t width, uint32_t height, enum glint_format format, const uint8_t *pixels);
 void levels_free(struct levels *levels);
-/* Each level as it is shown: the nearest of 255. */
-struct picture *levels_picture(const struct levels *levels);
+/* How a level of fewer bits than 8 becomes a sample. */
+enum widen {
+    WIDEN_NEAREST,  /* the nearest of 255 */
+    WIDEN_REPLICATE /* its high bits again below it, as many panels do: at most 1 from the nearest */
+};
+struct picture *levels_picture(const struct levels *levels, enum widen widen);
 
 #endif

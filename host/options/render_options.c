@@ -10,7 +10,7 @@
 #include "image/write.h"
 #include "options/render_options.h"
 
-enum key { KEY_IMAGE = 384, KEY_COMPARE, KEY_JSON, KEY_ERROR_MAP, KEY_AGAINST, KEY_GOURAUD };
+enum key { KEY_IMAGE = 384, KEY_COMPARE, KEY_JSON, KEY_ERROR_MAP, KEY_AGAINST, KEY_GOURAUD, KEY_REPLICATE };
 
 /* Beside those of shading_options.c, where group 4 has its heading. */
 static const struct argp_option argp_options[] = {
@@ -19,6 +19,10 @@ static const struct argp_option argp_options[] = {
      "png, ppm or qoi (default: by FILE's ending, png where it has none), or raw: the pixels of --format as they lie "
      "in "
      "memory, lines from the top without gaps or a header",
+     4},
+    {"replicate", KEY_REPLICATE, NULL, 0,
+     "Widen the levels of RGB565 to the picture's 8 bits as many panels do, by repeating their high bits, not to the "
+     "nearest; at most 1 of 255 differs",
      4},
     {"gouraud", KEY_GOURAUD, NULL, 0,
      "Draw a mesh as Gouraud shading would, in double precision, to compare: colours at the corners, interpolated "
@@ -43,7 +47,8 @@ static const char doc[] =
     "\v"
     "PNG, PPM and QOI have 8 bits a sample: a level v of 0..m becomes v 255 / m, rounded to the nearest. In RGB565 m "
     "is "
-    "31 for red and blue and 63 for green, so 16 of 31 becomes 132.\n"
+    "31 for red and blue and 63 for green, so 16 of 31 becomes 132; 3 of 31 becomes 25, by "
+    "--replicate 24.\n"
     "\n"
     "Examples:\n"
     "  glint render --height wall.png --albedo wall-color.png -o out.png\n"
@@ -86,6 +91,9 @@ static void check_outputs(const struct argp_state *state, struct render_options 
     if (o->gouraud && (!o->look.scene.mesh.name || o->raw))
         refuse(state, o->raw ? "--image raw is what the library writes; it cannot be used with --gouraud"
                              : "--gouraud needs a mesh; give --mesh FILE or --scene teapot");
+    if (o->widen == WIDEN_REPLICATE && (o->raw || !o->output))
+        refuse(state, o->raw ? "--replicate cannot be used with --image raw, whose pixels are as the library wrote them"
+                             : "--replicate is for the picture of -o; give -o FILE");
     if (o->error_map && strcmp(o->error_map, "-") == 0)
         refuse(state, "--error-map: name a file; only the picture of -o can go to standard output");
     if (o->error_map && o->output && output_same(o->error_map, o->output))
@@ -111,6 +119,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case KEY_GOURAUD:
         o->gouraud = true;
+        return 0;
+    case KEY_REPLICATE:
+        o->widen = WIDEN_REPLICATE;
         return 0;
     case KEY_IMAGE:
         parse_image_kind(state, text, o);

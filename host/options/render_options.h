@@ -5,6 +5,7 @@
 
 #include <argp.h>
 
+#include "image/levels.h"
 #include "image/write.h"
 #include "options/shading_options.h"
 
@@ -12,6 +13,7 @@ struct render_options {
     struct shading_options look;
     const char *output; /* NULL: only compare */
     enum image_kind kind;
+    enum widen widen;
     bool raw;     /* no image file: the pixels as they are in memory */
     bool gouraud; /* not by the library */
     bool compare, json, against_blinn;

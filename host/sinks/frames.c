@@ -74,7 +74,7 @@ void frames_check(const char *pattern, unsigned long count)
 struct picture *frame_picture(const struct frame *frame)
 {
     struct levels *levels = levels_of_pixels(frame->width, frame->height, frame->format, frame->pixels);
-    struct picture *picture = levels_picture(levels);
+    struct picture *picture = levels_picture(levels, WIDEN_NEAREST);
     levels_free(levels);
     return picture;
 }

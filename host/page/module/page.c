@@ -83,7 +83,7 @@ static void show(void)
     levels_free(state.levels);
     free(state.rgba);
     state.levels = levels_of_pixels(state.scene->width, state.scene->height, state.shading.format, state.pixels);
-    struct picture *picture = levels_picture(state.levels);
+    struct picture *picture = levels_picture(state.levels, WIDEN_NEAREST);
     state.rgba = rgba_of_picture(picture);
     picture_free(picture);
 }

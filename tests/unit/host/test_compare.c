@@ -104,7 +104,7 @@ static void levels_are_shown_as_the_nearest_of_255(void **state)
         values[3 * i + 1] = (uint8_t)i;
     }
     const struct levels levels = {64, 1, 3, {31, 63, 31}, values};
-    struct picture *picture = levels_picture(&levels);
+    struct picture *picture = levels_picture(&levels, WIDEN_NEAREST);
     for (int i = 0; i < 64; i++) {
         assert_int_equal(picture->samples[3 * i], lround(i / 2 * 255 / 31.));
         assert_int_equal(picture->samples[3 * i + 1], lround(i * 255 / 63.));

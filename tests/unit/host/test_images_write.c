@@ -7,6 +7,7 @@
 
 #include "base/output.h"
 #include "image/image.h"
+#include "image/levels.h"
 #include "image/picture.h"
 #include "image/read.h"
 #include "image/write.h"
@@ -114,6 +115,37 @@ static void a_qoi_decodes_to_the_samples_and_grey_to_equal_ones(void **state)
     free(rgb);
 }
 
+static void levels_widen_by_their_bits_again_where_that_is_asked_for(void **state)
+{
+    (void)state;
+    uint8_t values[64][3], mono[] = {0, 1};
+    for (unsigned i = 0; i < 64; i++)
+        memcpy(values[i], (const uint8_t[]){(uint8_t)(i / 2), (uint8_t)i, (uint8_t)(i / 2)}, 3);
+    const struct levels levels = {64, 1, 3, {31, 63, 31}, values[0]}, bits = {2, 1, 1, {1}, mono};
+    struct picture *again = levels_picture(&levels, WIDEN_REPLICATE);
+    for (unsigned i = 0; i < 64; i++) {
+        const unsigned five = i / 2;
+        assert_int_equal(again->samples[3 * i], five << 3 | five >> 2);
+        assert_int_equal(again->samples[3 * i + 1], i << 2 | i >> 4);
+    }
+    struct picture *black_white = levels_picture(&bits, WIDEN_REPLICATE);
+    assert_int_equal(black_white->samples[0], 0);
+    assert_int_equal(black_white->samples[1], 255);
+    picture_free(again);
+    picture_free(black_white);
+}
+
+static void replicate_changes_the_picture_and_is_refused_where_there_is_none(void **state)
+{
+    (void)state;
+    assert_quiet("$GLINT render --scene coin --size 40x40 --format rgb565 -o a.png");
+    assert_quiet("$GLINT render --scene coin --size 40x40 --format rgb565 --replicate -o b.png");
+    assert_int_equal(run("cmp -s a.png b.png")->status, 1);
+    assert_refused("$GLINT render --scene coin --replicate --image raw -o c",
+                   "--replicate cannot be used with --image raw");
+    assert_refused("$GLINT render --scene coin --replicate --compare", "give -o FILE");
+}
+
 static void the_kind_follows_the_ending(void **state)
 {
     (void)state;
@@ -135,6 +167,8 @@ int main(void)
         cmocka_unit_test(a_ppm_holds_the_samples_after_its_head),
         cmocka_unit_test(a_pbm_has_a_bit_for_black),
         cmocka_unit_test(a_qoi_decodes_to_the_samples_and_grey_to_equal_ones),
+        cmocka_unit_test(levels_widen_by_their_bits_again_where_that_is_asked_for),
+        cmocka_unit_test(replicate_changes_the_picture_and_is_refused_where_there_is_none),
         cmocka_unit_test(the_kind_follows_the_ending),
     };
     return cmocka_run_group_tests_name("images written", tests, scratch_make, scratch_remove);
