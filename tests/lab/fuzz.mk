@@ -3,7 +3,7 @@
 LAB_FUZZ_PACKAGES = clang-14 libclang-rt-14-dev liblz4-dev
 LAB_FUZZERS = $(patsubst tests/lab/fuzz_%.c,$(BUILD)/tests/lab/fuzz_%,$(wildcard tests/lab/fuzz_*.c))
 
-$(LAB_FUZZERS): $(BUILD)/tests/lab/fuzz_%: tests/lab/fuzz_%.c tests/lab/fuzz.h tests/lab/fuzzer $(wildcard firmware/core/*.[ch]) \
+$(LAB_FUZZERS): $(BUILD)/tests/lab/fuzz_%: tests/lab/fuzz_%.c tests/lab/fuzz.h tests/lab/fuzzer $(wildcard firmware/core/*.[ch] lib/*.[ch]) \
 		host/sinks/panel/virtual_panel.c host/sinks/panel/virtual_panel.h
 	tests/lab/fuzzer $* $@
 

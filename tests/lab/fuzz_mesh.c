@@ -1,0 +1,195 @@
+/* SPDX-License-Identifier: MIT
+ * Fuzzes meshes: any vertices, faces, parts, pose and light that glint_mesh_check lets through are drawn within their memory, and in
+ * strips as at once. Input: see next_mesh, next_view; then strips: y, height (1 each). */
+#include <string.h>
+
+#include "fuzz.h"
+#include "glint.h"
+
+enum { VERTICES_MAX = 32, FACES_MAX = 64, PARTS_MAX = 3, SIDE_MAX = 48, BYTES = 3 };
+
+/* Each array in a block of its own, so that reading beyond it is noticed. */
+struct made {
+    struct glint_mesh mesh;
+    int16_t *places, *normals;
+    int8_t *normals8;
+    uint16_t *faces, *ends;
+};
+
+static void *block(size_t bytes)
+{
+    void *memory = calloc(1, bytes ? bytes : 1);
+    check(memory);
+    return memory;
+}
+
+static struct made next_mesh(struct input *input)
+{
+    const unsigned vertices = next_byte(input) % (VERTICES_MAX + 1), faces = next_byte(input) % (FACES_MAX + 1);
+    const unsigned how = next_byte(input), parts = how / 2 % (PARTS_MAX + 1);
+    struct made m = {.places = block(6 * vertices), .faces = block(6 * faces), .ends = block(2 * parts)};
+    m.mesh = (struct glint_mesh){.places = m.places,
+                                 .faces = m.faces,
+                                 .ends = parts ? m.ends : NULL,
+                                 .vertex_count = (uint16_t)vertices,
+                                 .face_count = (uint16_t)faces,
+                                 .part_count = (uint8_t)parts};
+    if (how % 2)
+        m.mesh.normals8 = m.normals8 = block(3 * vertices);
+    else
+        m.mesh.normals = m.normals = block(6 * vertices);
+    for (unsigned i = 0; i < 3 * vertices; i++) {
+        m.places[i] = (int16_t)next_word(input);
+        if (how % 2)
+            m.normals8[i] = (int8_t)next_byte(input);
+        else
+            m.normals[i] = (int16_t)next_word(input);
+    }
+    for (unsigned i = 0; i < 3 * faces; i++)
+        m.faces[i] = (uint16_t)(next_byte(input) % (VERTICES_MAX + 1));
+    for (unsigned i = 0; i < parts; i++)
+        m.ends[i] = (uint16_t)(i + 1 < parts || how / 8 % 2 ? next_byte(input) : faces);
+    return m;
+}
+
+static void made_free(struct made *m)
+{
+    free(m->places);
+    free(m->normals);
+    free(m->normals8);
+    free(m->faces);
+    free(m->ends);
+}
+
+static bool is_good(const struct glint_mesh *mesh)
+{
+    bool good = mesh->vertex_count > 0;
+    for (unsigned i = 0; i < 3u * mesh->face_count; i++)
+        good = good && mesh->faces[i] < mesh->vertex_count;
+    for (unsigned i = 0; !mesh->normals && i < 3u * mesh->vertex_count; i++)
+        good = good && mesh->normals8[i] != -128;
+    for (unsigned i = 0; i < mesh->part_count; i++)
+        good = good && mesh->ends[i] >= (i ? mesh->ends[i - 1] : 0) && mesh->ends[i] <= mesh->face_count;
+    return good && (mesh->part_count == 0 || mesh->ends[mesh->part_count - 1] == mesh->face_count);
+}
+
+struct look {
+    struct glint_pose pose;
+    struct glint_light light;
+    uint16_t w, h, distance;
+    unsigned bytes; /* a pixel */
+    struct glint_prepared prepared;
+    struct glint_tables tables;
+    uint32_t memory[GLINT_TABLES_DITHER_BYTES / 4];
+    struct glint_paint paints[PARTS_MAX];
+};
+
+static int32_t next_direction(struct input *input)
+{
+    return (int32_t)(next_word(input) << 16 | 1);
+}
+
+static void next_look(struct look *look, struct input *input)
+{
+    static const uint8_t formats[] = {GLINT_RGB888, GLINT_RGB565, GLINT_RGB565, GLINT_GREY8};
+    const unsigned how = next_byte(input);
+    look->w = (uint16_t)(1 + next_byte(input) % SIDE_MAX);
+    look->h = (uint16_t)(1 + next_byte(input) % SIDE_MAX);
+    look->distance = (uint16_t)(how / 16 % 2 ? next_word(input) : 0);
+    for (int i = 0; i < 4; i++)
+        look->pose.turn[i] = (int16_t)next_word(input);
+    for (int i = 0; i < 3; i++)
+        look->pose.position[i] = (int16_t)next_word(input);
+    look->pose.scale = (uint16_t)next_word(input);
+    int32_t to_light[3], to_viewer[3] = {0, 0, 1};
+    for (int i = 0; i < 3; i++)
+        to_light[i] = next_direction(input);
+    if (glint_light_init(&look->light, to_light, to_viewer) != GLINT_OK)
+        memset(&look->light, 0, sizeof look->light);
+    struct glint_shader shader = {.light = look->light, .format = formats[how % 4], .dither = how / 32 % 2};
+    glint_lobe_init(&shader.lobe, (enum glint_model)(how / 64 % 2 ? GLINT_BLINN : GLINT_MSH),
+                    1 + next_word(input) % 1000, 6);
+    for (int k = 0; k < 3; k++) {
+        shader.material.ambient_q16[k] = 13000;
+        shader.material.diffuse_q16[k] = 40000;
+        shader.material.specular_q16[k] = 30000;
+        shader.material.albedo[k] = 200;
+    }
+    look->bytes = how % 4 == 0 ? 3 : how % 4 == 3 ? 1 : 2;
+    const enum glint_tables_kind kind = how % 4 == 2 ? GLINT_TABLES_COLOUR : GLINT_TABLES_SMALL;
+    check(glint_shade_prepare(&look->prepared, &shader) == GLINT_OK);
+    check(glint_tables_fill(&look->tables, kind, &shader, look->memory, sizeof look->memory) == GLINT_OK);
+    for (int i = 0; i < PARTS_MAX; i++)
+        look->paints[i] = how / 4 % 4 == 0 ? (struct glint_paint){&glint_mesh_exact, &look->prepared}
+                                           : (struct glint_paint){&glint_mesh_tables, &look->tables};
+}
+
+/* A picture with its memory, of which `more` bytes are beyond what it needs. False where the library refused the quaternion. */
+struct picture {
+    struct glint_mesh_frame frame;
+    struct glint_mesh_drawn drawn;
+    void *memory, *work;
+};
+
+static bool picture_begin(struct picture *p, const struct made *m, const struct look *look, uint16_t lines, size_t more)
+{
+    const size_t bytes = glint_mesh_frame_bytes(look->w, lines) + more, work = glint_mesh_bytes(&m->mesh, look->h);
+    p->memory = block(bytes);
+    p->work = block(work);
+    check(glint_mesh_begin(&p->frame, look->w, look->h, lines, look->distance, p->memory, bytes) == GLINT_OK);
+    const enum glint_err error =
+        glint_mesh_add(&p->frame, &p->drawn, &m->mesh, &look->pose, &look->light, look->paints, p->work, work);
+    const int16_t *q = look->pose.turn;
+    check(error == (q[0] || q[1] || q[2] || q[3] ? GLINT_OK : GLINT_ERR_VECTOR));
+    return error == GLINT_OK;
+}
+
+static void picture_end(struct picture *p)
+{
+    free(p->memory);
+    free(p->work);
+}
+
+static enum glint_err strip(struct picture *p, const struct look *look, unsigned y, unsigned h, uint8_t *pixels)
+{
+    const struct glint_surface surface = {pixels, (ptrdiff_t)(look->bytes * look->w), 0, (uint16_t)y};
+    return glint_mesh_strip(&p->frame, (uint16_t)y, (uint16_t)h, &surface);
+}
+
+static void draw(const struct made *m, const struct look *look, struct input *input)
+{
+    const uint16_t lines = (uint16_t)(1 + next_byte(input) % look->h);
+    const size_t more = next_byte(input) % 8 * (size_t)GLINT_MESH_KEPT_BYTES, line = look->bytes * look->w;
+    struct picture whole, cut;
+    uint8_t *all = block(line * look->h);
+    const bool good = picture_begin(&whole, m, look, look->h, 0);
+    if (good)
+        check(strip(&whole, look, 0, look->h, all) == GLINT_OK);
+    picture_end(&whole);
+    picture_begin(&cut, m, look, lines, more);
+    while (good && input->at < input->end) {
+        const unsigned y = next_byte(input) % (look->h + 1u), h = next_byte(input) % (lines + 2u);
+        uint8_t *pixels = block(line * h);
+        const bool fits = h > 0 && h <= lines && y < look->h && y + h <= look->h;
+        check(strip(&cut, look, y, h, pixels) == (fits ? GLINT_OK : GLINT_ERR_ARG));
+        check(!fits || memcmp(pixels, all + line * y, line * h) == 0);
+        free(pixels);
+    }
+    picture_end(&cut);
+    free(all);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    struct input input = {data, data + size};
+    static struct look look;
+    struct made m = next_mesh(&input);
+    const bool good = glint_mesh_check(&m.mesh) == GLINT_OK;
+    check(good == is_good(&m.mesh));
+    if (good) {
+        next_look(&look, &input);
+        draw(&m, &look, &input);
+    }
+    made_free(&m);
+    return 0;
+}
