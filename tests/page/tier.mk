@@ -1,11 +1,39 @@
 # SPDX-License-Identifier: MIT
-# Tier page: the page's module in node, against the command.
-setup-page: setup-build setup-page-build
+# Tier page: the page's module in node, and the page in Debian's browsers, against the command.
+PAGE_TEST_PACKAGES = chromium firefox-esr
+PAGE_TEST_NPM = $(PAGE)/tests/npm
+PAGE_CONFORMANCE = $(PAGE)/tests/conformance.wasm
+# Random states, each compared with the command's picture.
+PAGE_STATES_chromium = 400
+PAGE_STATES_firefox = 100
 
-test-page: ## check: the page: its module, pictures and files against the command
+setup-page: setup-build setup-page-build
+	@.ci/need "tier page (browsers)" $(PAGE_TEST_PACKAGES)
+	@+$(SUBMAKE) -s $(PAGE_TEST_NPM)/done
+
+$(PAGE_TEST_NPM)/done: tests/page/package.json tests/page/package-lock.json
+	@rm -rf $(@D) && mkdir -p $(@D) && cp $^ $(@D)
+	@npm ci --prefix $(@D) --ignore-scripts --no-audit --no-fund --loglevel=error >$(PAGE)/tests/npm.log 2>&1 || \
+		{ tail -5 $(PAGE)/tests/npm.log >&2; echo "make: npm could not install what tier page needs" >&2; exit 1; }
+	@touch $@
+
+test-page: ## check: the page in Chromium and Firefox: pictures, files, messages, rate, against the command
 	@+tests/tier page "$(SUBMAKE)"
 
-run-page: all $(PAGE)/index.html
-	@TALLY_JOBS=$$(nproc) tests/tally "node tests/page/test_module.mjs $(PAGE) $(abspath $(BUILD)/glint)"
+run-page: all $(PAGE)/index.html $(BUILD)/tests/page/native $(PAGE_CONFORMANCE) $(CONFORMANCE_EXPECTED)
+	@tests/tally "node tests/page/test_speed.mjs $(PAGE) $(BUILD)/tests/page/native $(PAGE_CONFORMANCE) $(CONFORMANCE_EXPECTED)"
+	@TALLY_JOBS=$$(nproc) tests/tally $(foreach browser,chromium firefox,"node tests/page/test_browser.mjs \
+		$(PAGE_TEST_NPM) $(PAGE) $(abspath $(BUILD)/glint) $(browser) $(PAGE_STATES_$(browser))") \
+		"node tests/page/test_module.mjs $(PAGE) $(abspath $(BUILD)/glint)"
+
+$(BUILD)/tests/page/native: tests/page/native.c $(HOST_ARCHIVES)
+	@mkdir -p $(@D)
+	@$(CC) $(filter-out -MMD -MP,$(HOST_CFLAGS)) $^ -o $@ $(HOST_LDFLAGS) $(HOST_LDLIBS)
+
+# The checks that boards run, over the module's own objects of the library.
+$(PAGE_CONFORMANCE): $(CONFORMANCE_INPUTS) firmware/conformance/expected.c $(filter $(PAGE)/objects/lib/%,$(PAGE_OBJECTS))
+	@mkdir -p $(@D)
+	@clang $(filter-out -MMD -MP,$(PAGE_CFLAGS)) -Ifirmware/conformance -Ifirmware/ports/bare $(filter %.c %.o,$^) \
+		-Wl,--stack-first,-z,stack-size=1048576 -o $@
 
 .PHONY: setup-page test-page run-page

@@ -2,4 +2,4 @@
 // What the tests run in node.
 export { Engine } from './engine'
 export { readPng, writePng } from './png'
-export { commandLine, stateOfWords, wordsOf } from './words'
+export { commandLine, fragmentOf, stateOfFragment, stateOfWords, wordsOf } from './words'

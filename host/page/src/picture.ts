@@ -28,6 +28,7 @@ export function onDrawn(listener: (drawn: Drawn) => void): void {
 
 /** While the worker draws, changes wait, and only the last counts. */
 export async function redraw(): Promise<void> {
+    document.body.dataset.state = fragmentOf(current()) // for tests: drawn where dataset.drawn is the same
     placeHandle()
     if (busy) {
         again = true

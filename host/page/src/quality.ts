@@ -34,7 +34,7 @@ function drawCurve(curve: Curve, reach: number, cutoff: number, model: string, n
     byId('curve').innerHTML = `<svg viewBox="0 0 ${wide} ${tall + 2}" role="img" aria-label="The lobe from 0 to ${reach} degrees: ${model}, the same in double, and Blinn, n = ${n}">${grid}${ticks}${cut}`
         + polyline(curve.blinn, 'blinn', most) + polyline(curve.library, 'ours', most) + polyline(curve.double, 'exact', most) + '</svg>'
     const worst = Math.max(...curve.library.map((v, i) => v >= 2 ** -16 ? Math.abs(v - curve.double[i]) : 0))
-    byId('curve-caption').innerHTML = `<span class="key">${model}, integers</span><span class="key double">in double</span><span class="key other">Blinn, the same n</span><br>`
+    byId('curve-caption').innerHTML = `<span class="key">${model}, integers</span> <span class="key double">in double</span> <span class="key other">Blinn, the same n</span><br>`
         + `By the angle between N and H. Integers are within ${(worst * 65536).toFixed(2)} of 2⁻¹⁶ of the double here`
 }
 

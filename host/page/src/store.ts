@@ -79,7 +79,9 @@ export function link(): string {
     return location.href.replace(/#.*/, '') + '#' + fragmentOf(state)
 }
 
-addEventListener('hashchange', () => {
-    if (location.hash.slice(1) !== fragmentOf(state))
-        replace(stateOfFragment(location.hash.length > 1 ? location.hash : start))
+// The event's own address: what writeFragment does in between may have replaced it already.
+addEventListener('hashchange', event => {
+    const { hash } = new URL(event.newURL)
+    if (hash.slice(1) !== fragmentOf(state))
+        replace(stateOfFragment(hash.length > 1 ? hash : start))
 })

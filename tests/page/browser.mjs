@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// A page in a headless browser, and what tests ask of it.
+import { createRequire } from 'node:module'
+import { pathToFileURL } from 'node:url'
+
+const programs = { chromium: ['chromium'], firefox: ['firefox-esr'] }
+
+export class Browser {
+    /** Console errors and exceptions so far. */
+    wrong = []
+
+    static async open(packages, name, file) {
+        const puppeteer = createRequire(`${packages}/package.json`)('puppeteer-core')
+        const it = new Browser()
+        it.browser = await puppeteer.launch({
+            browser: name === 'firefox' ? 'firefox' : 'chrome', executablePath: `/usr/bin/${programs[name][0]}`, headless: true,
+            args: name === 'firefox' ? [] : ['--no-sandbox', '--disable-dev-shm-usage'], // the tests may run as root
+        })
+        it.page = await it.browser.newPage()
+        it.page.on('console', message => message.type() === 'error' && it.wrong.push(message.text()))
+        it.page.on('pageerror', error => it.wrong.push(error.message))
+        it.url = pathToFileURL(file).href
+        // What would be downloaded, in place of a folder.
+        await it.page.evaluateOnNewDocument(() => {
+            globalThis.saved = []
+            const make = URL.createObjectURL
+            const blobs = new Map()
+            URL.createObjectURL = blob => {
+                const url = make.call(URL, blob)
+                blobs.set(url, blob)
+                return url
+            }
+            const click = HTMLAnchorElement.prototype.click
+            HTMLAnchorElement.prototype.click = function () {
+                if (!this.download)
+                    return click.call(this)
+                blobs.get(this.href).arrayBuffer().then(bytes => {
+                    let text = ''
+                    for (const byte of new Uint8Array(bytes))
+                        text += String.fromCharCode(byte)
+                    globalThis.saved.push({ name: this.download, base64: btoa(text) })
+                })
+            }
+        })
+        return it
+    }
+
+    async go(fragment = '') {
+        await this.page.goto('about:blank')
+        await this.page.goto(this.url + (fragment && '#' + fragment))
+        await this.page.waitForFunction(() => document.body.dataset.drawn !== undefined, { timeout: 20000 })
+    }
+
+    /** Draws each fragment in turn: { width, height, rgba, refusal }. */
+    async draw(fragments) {
+        const pictures = await this.page.evaluate(async fragments => {
+            const out = []
+            for (const fragment of fragments) {
+                if (document.body.dataset.drawn !== fragment) {
+                    location.hash = fragment
+                    while (document.body.dataset.drawn !== fragment)
+                        await new Promise(resolve => setTimeout(resolve, 1))
+                }
+                const canvas = document.getElementById('canvas'), { width, height } = canvas
+                const { data } = canvas.getContext('2d').getImageData(0, 0, width, height)
+                let text = ''
+                for (let i = 0; i < data.length; i += 8192)
+                    text += String.fromCharCode(...data.subarray(i, i + 8192))
+                const refusal = document.getElementById('refusal')
+                out.push({ width, height, base64: btoa(text), refusal: refusal.hidden ? '' : refusal.textContent })
+            }
+            return out
+        }, fragments)
+        return pictures.map(({ base64, ...rest }) => ({ ...rest, rgba: Buffer.from(base64, 'base64') }))
+    }
+
+    /** What the canvas shows, once the state that the page has is drawn. */
+    async now() {
+        await this.page.waitForFunction(() => document.body.dataset.drawn === document.body.dataset.state, { timeout: 20000 })
+        const fragment = await this.page.evaluate(() => document.body.dataset.drawn)
+        const [picture] = await this.draw([fragment])
+        return { ...picture, fragment }
+    }
+
+    /** Drops files: name -> bytes. */
+    async drop(files) {
+        const list = Object.entries(files).map(([name, bytes]) => ({ name, base64: Buffer.from(bytes).toString('base64') }))
+        await this.page.evaluate(list => {
+            const transfer = new DataTransfer()
+            for (const { name, base64 } of list)
+                transfer.items.add(new File([Uint8Array.from(atob(base64), c => c.charCodeAt(0))], name))
+            for (const type of ['dragover', 'drop'])
+                document.body.dispatchEvent(new DragEvent(type, { dataTransfer: transfer, bubbles: true, cancelable: true }))
+        }, list)
+    }
+
+    /** Presses a button and returns the files that it saves. */
+    async save(id, count) {
+        await this.page.evaluate(id => {
+            globalThis.saved = []
+            document.getElementById(id).click()
+        }, id)
+        await this.page.waitForFunction(count => globalThis.saved.length === count, { timeout: 20000 }, count)
+            .catch(async () => { throw new Error(`${id}: ${await this.text('file-status')}`) })
+        const saved = await this.page.evaluate(() => globalThis.saved)
+        return Object.fromEntries(saved.map(({ name, base64 }) => [name, Buffer.from(base64, 'base64')]))
+    }
+
+    text(id) {
+        return this.page.evaluate(id => document.getElementById(id).textContent, id)
+    }
+
+    /** Sets an input as a user does. */
+    set(id, value) {
+        return this.page.evaluate((id, value) => {
+            const input = document.getElementById(id)
+            if (typeof value === 'boolean')
+                input.checked = value
+            else
+                input.value = value
+            input.dispatchEvent(new Event('input', { bubbles: true }))
+            input.dispatchEvent(new Event('change', { bubbles: true }))
+        }, id, value)
+    }
+
+    close() {
+        return this.browser.close()
+    }
+}

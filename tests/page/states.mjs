@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Random states of the page, as words of `glint render`, the same in each run.
+
+export function randomly(seed) {
+    let state = seed >>> 0
+    return () => { // mulberry32
+        state = state + 0x6d2b79f5 >>> 0
+        let t = Math.imul(state ^ state >>> 15, 1 | state)
+        t = t + Math.imul(t ^ t >>> 7, 61 | t) ^ t
+        return ((t ^ t >>> 14) >>> 0) / 2 ** 32
+    }
+}
+
+const models = ['msh', 'schlick', 'blinn', 'phong', 'gauss', 'cayley', 'lyon']
+const formats = ['rgb565', 'rgb565-swapped', 'rgb888', 'grey8', 'mono']
+export const paths = ['exact', 'span', 'span-c16', 'colour-int16', 'colour-int10', 'colour-int8', 'colour-span', 'small-int16', 'small-int10',
+    'small-int8', 'small-span', 'albedo-int16', 'albedo-int10', 'albedo-int8', 'albedo-span', 'palette']
+
+/** Some are refused, by the command, too. */
+export function randomWords(random) {
+    const one = list => list[Math.floor(random() * list.length)]
+    const real = (low, high, decimals = 3) => String(Number((low + random() * (high - low)).toFixed(decimals)))
+    const maybe = (chance, word) => random() < chance ? [word] : []
+    const coefficient = () => random() < .6 ? real(0, 1, 2) : [real(0, 1, 2), real(0, 1, 2), real(0, 1, 2)].join()
+    const color = () => random() < .3 ? ',' + [real(0, 2), real(0, 2), real(0, 2)].join() : ''
+    const width = 20 + Math.floor(random() * 60), height = 20 + Math.floor(random() * 60)
+    const light = () => random() < .75 ? `--light=${real(-1, 1)},${real(-1, 1)},${real(.05, 1.5)}${color()}`
+        : random() < .5 ? `--point=${real(0, width, 1)},${real(0, height, 1)},${real(2, 60, 1)},${real(20, 200, 1)}${color()}`
+            : `--spot=${real(0, width, 1)},${real(0, height, 1)},${real(20, 90, 1)},${real(0, width, 1)},${real(0, height, 1)},${real(40, 300, 1)},${real(0, 20, 1)},${real(20, 60, 1)}${color()}`
+    return [`--scene=${one(['sphere', 'watchface', 'coin', 'dial'])}`, `--size=${width}x${height}`, `--model=${one(models)}`, `--format=${one(formats)}`,
+        ...maybe(.6, `-n${Math.round(1000 ** random())}`), ...maybe(.4, `-q${Math.floor(random() * 17)}`), ...maybe(.3, '--space=linear'), ...maybe(.4, '--dither'),
+        ...maybe(.2, '--clamp-peak'), ...maybe(.5, `--ambient=${coefficient()}`), ...maybe(.5, `--diffuse=${coefficient()}`), ...maybe(.5, `--specular=${coefficient()}`),
+        ...maybe(.3, `--color=${[0, 1, 2].map(() => Math.floor(random() * 256)).join()}`), ...maybe(.15, `--view=${real(-.4, .4)},${real(-.4, .4)},1`),
+        ...maybe(.35, `--path=${one(paths)}`), light(), ...random() < .2 ? [light()] : []]
+}
