@@ -117,6 +117,7 @@ run-demo: all
 	@tests/golden/draw $(BUILD)/glint build/demo --compare
 	@chafa --size 80x30 build/demo/rockwall.png build/demo/watchface.png
 	@echo "demo: rockwall.png, watchface.png, coin.png and sphere.png are in build/demo"
+	@echo "demo: to tune them in a browser: make page, then open build/page/index.html"
 
 # A page for glint and one for each command, from the tables of options behind --help.
 COMMAND_PAGES = $(patsubst host/commands/%.c,glint-%.1,$(wildcard host/commands/*.c))

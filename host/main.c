@@ -34,6 +34,7 @@ static const struct command {
     {"list", command_list, "List the displays, chips and ports that frames can be sent to"},
     {"search", command_search, "Search for highlight functions as the paper does"},
     {"paper", command_paper, "Reproduce the paper: table, figures, claims, report"},
+    {"page", command_page, "Serve the page on which the library shades in a browser"},
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 

@@ -13,5 +13,6 @@ int command_stream(int argc, char **argv);
 int command_list(int argc, char **argv);
 int command_search(int argc, char **argv);
 int command_paper(int argc, char **argv);
+int command_page(int argc, char **argv);
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A page in a headless browser, and what tests ask of it.
 import { createRequire } from 'node:module'
+import { resolve } from 'node:path'
 import { pathToFileURL } from 'node:url'
 
 const programs = { chromium: ['chromium'], firefox: ['firefox-esr'] }
@@ -10,7 +11,7 @@ export class Browser {
     wrong = []
 
     static async open(packages, name, file) {
-        const puppeteer = createRequire(`${packages}/package.json`)('puppeteer-core')
+        const puppeteer = createRequire(resolve(packages, 'package.json'))('puppeteer-core')
         const it = new Browser()
         it.browser = await puppeteer.launch({
             browser: name === 'firefox' ? 'firefox' : 'chrome', executablePath: `/usr/bin/${programs[name][0]}`, headless: true,

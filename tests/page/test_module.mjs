@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // test_module.mjs PAGE GLINT: the page's module and engine in node, against the command.
+import { spawn, spawnSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
+import { request } from 'node:http'
 import { inflateRawSync } from 'node:zlib'
 import { check, equal, run } from '../pico/tap.mjs'
 import { Command, difference } from './glint.mjs'
@@ -29,6 +31,14 @@ function engineWithMaps() {
         engine.addMap(name, readPng(name, bytes))
     }
     return engine
+}
+
+/** status and body of a request to a server of this machine. */
+function ask(port, path, method = 'GET') {
+    return new Promise((resolve, reject) => request({ host: '127.0.0.1', port, path, method }, answer => {
+        const parts = []
+        answer.on('data', part => parts.push(part)).on('end', () => resolve({ status: answer.statusCode, body: Buffer.concat(parts) }))
+    }).on('error', reject).end())
 }
 
 /** The sentence with which it refuses. */
@@ -142,5 +152,22 @@ run([
         const packed = page.match(/[A-Za-z0-9+/]{10000,}={0,2}/)
         check(inflateRawSync(Buffer.from(packed[0], 'base64')).equals(readFileSync(`${folder}/module.wasm`)), 'another module')
         check(!/(src|href)\s*=\s*["']?(https?:)?\/\//.test(page.replace(/<a [^>]*>/g, '')), 'something is fetched')
+    }],
+    ['glint page serves this very file to this machine, and ends by a signal', async () => {
+        const server = spawn(glint, ['page', '--port', '0', '--file', `${folder}/index.html`])
+        const ended = new Promise(resolve => server.on('exit', (code, signal) => resolve(signal ?? code)))
+        const line = await new Promise(resolve => server.stdout.once('data', resolve))
+        const port = Number(String(line).match(/^http:\/\/localhost:(\d+)\/ until Ctrl-C\n$/)?.[1])
+        check(port > 0, `it says ${line}`)
+        const page = readFileSync(`${folder}/index.html`)
+        for (const path of ['/', '/index.html', '/?a'])
+            check((await ask(port, path)).body.equals(page), `${path} is another file`)
+        equal((await ask(port, '/', 'HEAD')).body.length, 0, 'bytes after HEAD')
+        for (const [path, method, status] of [['/other', 'GET', 404], ['/../Makefile', 'GET', 404], ['/', 'POST', 405], ['/' + 'a'.repeat(9000), 'GET', 404]])
+            equal((await ask(port, path, method).catch(() => ({ status }))).status, status, `${method} ${path.slice(0, 20)}`)
+        const taken = spawnSync(glint, ['page', '--port', String(port), '--file', `${folder}/index.html`], { encoding: 'utf8' })
+        equal(`${taken.status} ${taken.stderr}`, `1 glint: port ${port}: Address already in use; choose another with --port, or --port 0\n`, 'a port that is taken')
+        server.kill('SIGTERM')
+        check(['SIGTERM', 143].includes(await ended), `it ends with ${await ended}`)
     }],
 ])

@@ -12,7 +12,7 @@
 /* ---- help and usage ---- */
 
 static const char *const commands[] = {"",         "render", "eval", "cutoff", "table", "bake",
-                                       "material", "stream", "list", "search", "paper"};
+                                       "material", "stream", "list", "search", "paper", "page"};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static void help_of_every_command_has_an_example_and_exits_0(void **state)
