@@ -104,10 +104,12 @@ MSH_QUOTIENT = Contract("glint_msh_quotient", [(0, 2**24), (1 << 27, (1 << 28) -
                         before=lambda u, m: [QUOTIENT_DOMAIN * m * m - 2**62 * u],
                         after=lambda u, m, q: [2**63 * u - 5 * m * m * (q - QUOTIENT_ERROR), 5 * m * m * (q + QUOTIENT_ERROR) - 2**63 * u])
 
+# ---- Gauss ----
+
+FRACTION_LOW, FRACTION_HIGH = 34, 24  # of gauss_fraction, in 2^-32 of its value
+
 
 def rounds(value, over, result):
     """result = value / over to nearest, ties up: (2 result - 1) over <= 2 value < (2 result + 1) over."""
     return [2 * value - (2 * result - 1) * over, (2 * result + 1) * over - 2 * value - 1]
 
-
-poly  # for callers

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Of MSH's quotient, as compiled: what depends on the mantissa alone. Printed as C, for test_finite.c to run for every mantissa;
 the rest is proved with these values unknown but for the bounds that are found there."""
+import math
 import re
 import sys
 
@@ -26,6 +27,14 @@ def slice_of(functions):
     return lines, [line.split(" = ")[0] for line in lines if line.split(" = ")[0] in used]
 
 
+def root_power(j):
+    """2^(64 - j / 512), rounded down: the 512th root of 2^(64 512 - j), by nine square roots, each rounded down."""
+    value = 1 << (64 * 512 - j)
+    for _ in range(9):
+        value = math.isqrt(value)
+    return value
+
+
 def in_c(line):
     target, text = line.replace("%", "v").split(" = ")
     words = text.replace(",", "").split()
@@ -48,8 +57,10 @@ def in_c(line):
 
 if __name__ == "__main__":
     found, taken = slice_of(compiled(f"{sys.argv[1]}/lib/lobe_msh.c", f"{sys.argv[1]}/lib"))
-    for name in ("RECIPROCAL_LOW", "RECIPROCAL_HIGH", "QUOTIENT_P"):
+    for name in ("RECIPROCAL_LOW", "RECIPROCAL_HIGH", "QUOTIENT_P", "FRACTION_LOW", "FRACTION_HIGH"):
         print(f"#define {name} INT64_C({getattr(contracts, name)})")
+    print("/* 2^-(j / 512) in Q0.64, rounded down, j = 1..512. */")
+    print("static const uint64_t root_powers[512] = {" + ", ".join(f"UINT64_C({root_power(j)})" for j in range(1, 513)) + "};")
     print("/* Printed by cut.py from what clang makes of glint_msh_quotient: y, p. */")
     print("static inline void cut(uint32_t v1, uint32_t *y, int32_t *p)\n{")
     print("\n".join(in_c(line) for line in found))

@@ -349,7 +349,10 @@ class Frame:
         if op in ("lshr", "ashr"):
             return path.shifted(path.word(a, width, op == "ashr"), self.amount(b, width))
         if op == "and":
-            return path.masked(path.word(a, width), b.constant() % (1 << width))
+            mask = b.constant() % (1 << width)
+            if a.constant() is not None:
+                return poly(a.constant() & mask)
+            return path.rest(a, mask.bit_length()) if mask & (mask + 1) == 0 else path.masked(path.word(a, width), mask)
         if op == "or":
             return path.joined(path.word(a, width), path.word(b, width))
         if op == "udiv":
@@ -369,6 +372,11 @@ class Frame:
 
     def amount(self, b, width):
         bits = self.path.word(b, width).constant()
+        if bits is None:
+            word = self.path.word(b, width)
+            low, high = self.path.facts.interval(word)
+            if low >= 0 and high < min(width, 33):
+                bits = low + self.path.choose([[word - k, k - word] for k in range(low, high + 1)])
         if bits is None or bits >= width:
             raise Broken(f"a shift by {'an unknown number of' if bits is None else bits} bits")
         return bits
@@ -382,17 +390,20 @@ class Frame:
 
 
 def paths(functions, contracts, theorem):
-    """Calls theorem(path) for every path; returns how many there are. Broken where one does not hold."""
+    """Calls theorem(path) for every path; returns how many can be taken. Broken where it does not hold, or none can: from facts that
+    contradict each other anything follows."""
     decisions, count = [], 0
     while True:
         path = Path(functions, contracts, decisions)
         try:
             theorem(path)
-            count += 1
+            count += path.facts.possible([])
         except Infeasible:
             pass
         while decisions and decisions[-1][0] + 1 == decisions[-1][1]:
             decisions.pop()
+        if not decisions and not count:
+            raise Broken("no path can be taken")
         if not decisions:
             return count
         decisions[-1][0] += 1

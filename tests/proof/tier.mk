@@ -7,7 +7,7 @@ $(PROOF_BUILD)/finite.h: $(wildcard tests/proof/*.py) lib/lobe_msh.c lib/glint_l
 	@mkdir -p $(@D)
 	tests/proof/cut.py . >$@.part && mv $@.part $@
 
-$(PROOF_BUILD)/test_finite: tests/proof/test_finite.c $(PROOF_BUILD)/finite.h $(BUILD)/libglint.a
+$(PROOF_BUILD)/test_finite: tests/proof/test_finite.c $(PROOF_BUILD)/finite.h lib/lobe_gauss.c $(BUILD)/libglint.a
 	$(CC) -std=c11 -D_GNU_SOURCE $(WARNINGS) -Ilib -I$(PROOF_BUILD) $(OPENMP) $(CFLAGS) $< $(BUILD)/libglint.a -o $@ -lcmocka -lm
 
 setup-proof:
@@ -17,6 +17,7 @@ test-proof: ## check: the library for every argument: values from t, proved
 	@+tests/tier proof "$(SUBMAKE)"
 
 run-proof: $(PROOF_BUILD)/test_finite
-	@TALLY_JOBS=2 tests/tally $(PROOF_BUILD)/test_finite tests/proof/test_lobes tests/proof/test_msh tests/proof/test_faults
+	@TALLY_JOBS=2 tests/tally $(PROOF_BUILD)/test_finite tests/proof/test_lobes tests/proof/test_msh \
+		tests/proof/test_powers tests/proof/test_faults
 
 .PHONY: setup-proof test-proof run-proof
