@@ -13,6 +13,7 @@
 void comparison_print_json(const struct comparison *comparison, const struct shading *shading,
                            const struct levels *levels, FILE *stream);
 void quality_print_json(const struct baked *baked, const struct quality rows[QUALITY_ROWS], FILE *stream);
-void quality_print_mesh_json(const struct baked_mesh *baked, const struct quality rows[QUALITY_ROWS], FILE *stream);
+void quality_print_mesh_json(const struct baked_mesh *baked, const struct quality rows[QUALITY_ROWS], double cycles,
+                             FILE *stream);
 
 #endif

@@ -11,7 +11,9 @@
 #include "draw/paths.h"
 #include "scene/scene.h"
 
-enum { SIDE = 240, VIEWS = 3 };
+enum { SIDE = 240 };
+const struct view mesh_views[MESH_VIEWS] = {
+    {SIDE, SIDE, {25, -30, 0}, 1, 0}, {SIDE, SIDE, {-20, 100, 0}, 1, 0}, {SIDE, SIDE, {50, 215, 0}, 1, 0}};
 static const unsigned shininess[QUALITY_ROWS] = {10, 60, 200, 1000};
 
 static struct shading shading_with(unsigned n)
@@ -52,19 +54,16 @@ static void add_view(const struct fitted *fitted, const struct view *view, const
 void mesh_quality(const struct mesh *mesh, const struct fitted *fitted, bool normals8,
                   struct quality rows[QUALITY_ROWS])
 {
-    static const double turns[VIEWS][3] = {{25, -30, 0}, {-20, 100, 0}, {50, 215, 0}};
     struct fitted chosen = *fitted;
     if (normals8)
         chosen.mesh.normals = NULL;
     for (int i = 0; i < QUALITY_ROWS; i++)
         rows[i] = (struct quality){.n = shininess[i]};
-    for (int v = 0; v < VIEWS; v++) {
-        struct view view = {.width = SIDE, .height = SIDE, .zoom = 1};
+    for (int v = 0; v < MESH_VIEWS; v++) {
         struct mesh_coverage coverage;
-        memcpy(view.turn, turns[v], sizeof view.turn);
-        struct scene *scene = mesh_scene(mesh, &chosen, &view, &coverage);
+        struct scene *scene = mesh_scene(mesh, &chosen, &mesh_views[v], &coverage);
         for (int i = 0; i < QUALITY_ROWS; i++)
-            add_view(&chosen, &view, scene, mesh->part_count, &rows[i]);
+            add_view(&chosen, &mesh_views[v], scene, mesh->part_count, &rows[i]);
         scene_free(scene);
     }
 }

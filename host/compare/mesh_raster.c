@@ -72,15 +72,22 @@ static void draw_face(struct target *t, uint32_t face, const struct corner *corn
     const double left = fmin(c[0]->x, fmin(c[1]->x, c[2]->x)), right = fmax(c[0]->x, fmax(c[1]->x, c[2]->x));
     const double low = fmin(c[0]->y, fmin(c[1]->y, c[2]->y)), high = fmax(c[0]->y, fmax(c[1]->y, c[2]->y));
     const double x_end = fmin(w, right + w / 2), y_end = fmin(h, h / 2 - low);
-    for (double y = fmax(0, floor(h / 2 - high)); y < y_end; y++)
+    const size_t pixels_before = t->raster->pixels;
+    for (double y = fmax(0, floor(h / 2 - high)); y < y_end; y++) {
+        const size_t line_before = t->raster->pixels;
         for (double x = fmax(0, floor(left + w / 2)); x < x_end; x++) {
             const double at_x = x + .5 - w / 2, at_y = h / 2 - (y + .5);
             double part[3];
             for (int k = 0; k < 3; k++)
                 part[k] = area(c[(k + 1) % 3], c[(k + 2) % 3], at_x, at_y) / all;
-            if (part[0] >= 0 && part[1] >= 0 && part[2] >= 0)
-                draw_pixel(t, face, c, (uint32_t)x, (uint32_t)y, part);
+            if (part[0] < 0 || part[1] < 0 || part[2] < 0)
+                continue;
+            t->raster->pixels++;
+            draw_pixel(t, face, c, (uint32_t)x, (uint32_t)y, part);
         }
+        t->raster->lines += t->raster->pixels > line_before;
+    }
+    t->raster->faces += t->raster->pixels > pixels_before;
 }
 
 struct mesh_raster *mesh_raster(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,

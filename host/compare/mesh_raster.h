@@ -9,6 +9,8 @@
 struct mesh_raster {
     double (*values)[3]; /* of each pixel, interpolated in space over the triangle in front */
     uint32_t *numbers;   /* of that triangle, plus 1; 0: none */
+    size_t faces, lines,
+        pixels; /* seen from the front with a pixel at all, their lines, their pixels; hidden ones, too */
 };
 /* `corners`: the values of each face's three. Places are those before they were fitted, so that nothing of the library's rounding is in
  * the picture. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * glint with meshes from files: what is read, what is refused, and the child that reads. */
+ * glint with meshes from files: what is read and what is refused. */
 #include "files.h"
 
 #include "mesh/import.h"
@@ -11,8 +11,6 @@ static void write_text(const char *path, const char *text)
     fputs(text, file);
     assert_int_equal(fclose(file), 0);
 }
-
-static const char triangle[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 static void the_teapot_is_drawn_baked_and_streamed_without_a_file(void **state)
 {
@@ -82,31 +80,6 @@ static void options_that_do_not_fit_a_mesh_are_refused(void **state)
     assert_fails("$GLINT render --scene teapot --zoom 100 -o a.png", "give a smaller --zoom");
     assert_fails("$GLINT render --scene teapot --size 2000x2000 --perspective=50 -o a.png", "smaller --perspective");
     assert_false(exists("a.png"));
-}
-
-static void a_baked_mesh_compiles_and_is_what_raw_holds(void **state)
-{
-    (void)state;
-    const struct run *result =
-        run("$GLINT bake --scene teapot --split 180 -o pot.c >/dev/null && $GLINT bake --scene teapot --split 180 -o "
-            "pot.bin && "
-            "cat >t.c <<E\n#include <stdio.h>\n#include \"pot.h\"\nint main(void) {\n"
-            "  const unsigned head[4] = {pot.vertex_count, pot.face_count, POT_PARTS, 1};\n"
-            "  for (int i = 0; i < 4; i++) { putchar(head[i] & 255); putchar(head[i] >> 8); }\n"
-            "  fwrite(pot.places, 6, POT_VERTICES, stdout); fwrite(pot.normals8, 3, POT_VERTICES, stdout);\n"
-            "  fwrite(pot.faces, 6, POT_FACES, stdout); putchar(pot.face_count & 255); putchar(pot.face_count >> 8);\n"
-            "  fwrite(pot_materials[0].albedo, 3, 1, stdout); putchar(0); return 0; }\nE\n"
-            "for l in 'gcc -std=c99' 'g++ -std=c++11 -x c++'; do $l -Wall -Wextra -Werror "
-            "-I\"$GLINT_SOURCE\"/lib t.c pot.c "
-            "-o t && ./t | cmp - pot.bin || exit 1; done");
-    assert_string_equal(result->err, "");
-    assert_int_equal(result->status, 0);
-    assert_contains(result->out, "530 vertices, 992 triangles, 1 part, normals as int8: 10722 bytes");
-    assert_contains(run("$GLINT bake --scene teapot --to int16 --json")->out, "\"triangles\": 2");
-    assert_int_equal(run("$GLINT bake --scene teapot --split 180 -o pot.uf2")->status, 0);
-    struct stat status;
-    assert_int_equal(stat("pot.uf2", &status), 0);
-    assert_int_equal(status.st_size, 512 * ((8 + 9 * 530 + 6 * 992 + 6 + 255) / 256));
 }
 
 #if GLINT_WITH_MESH
@@ -199,38 +172,11 @@ static void hostile_files_are_one_line(void **state)
     assert_false(exists("no.c") || exists("no.h"));
 }
 
-/* A library that does what the file's name says, in place of libassimp. */
-static void the_childs_death_is_one_line_and_it_runs_with_limits(void **state)
-{
-    (void)state;
-    write_text("fake.c",
-               "#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n#include <sys/resource.h>\n"
-               "const void *aiImportFile(const char *path, unsigned flags) { (void)flags;\n"
-               "  if (strstr(path, \"crash\")) raise_it(); if (strstr(path, \"quit\")) exit(0); return NULL; }\n"
-               "const char *aiGetErrorString(void) { static char text[200]; struct rlimit cpu, file;\n"
-               "  getrlimit(RLIMIT_CPU, &cpu); getrlimit(RLIMIT_FSIZE, &file);\n"
-               "  snprintf(text, sizeof text, \"limits %d %d\\n and \\033 odd\", (int)cpu.rlim_cur, "
-               "(int)file.rlim_cur); return text; }\n"
-               "int aiGetMaterialColor, aiGetMaterialFloatArray, aiGetMaterialIntegerArray;\n");
-    assert_int_equal(run("sed -i 's/raise_it()/__builtin_trap()/' fake.c && "
-                         "gcc -shared -fPIC fake.c -o $(basename $(readlink -f $(gcc -print-file-name=libassimp.so)) | "
-                         "sed 's/\\(so\\.[0-9]*\\).*/\\1/')")
-                         ->status,
-                     0);
-    write_text("crash.obj", triangle);
-    write_text("quit.obj", triangle);
-    write_text("other.obj", triangle);
-    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh crash.obj -o no.c", "crash.obj: libassimp crashed on it (");
-    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh quit.obj -o no.c", "quit.obj: libassimp broke off");
-    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh other.obj -o no.c", "can read: limits 10 0");
-    assert_false(exists("no.c"));
-    assert_contains(run("$GLINT --version")->out, import_library());
-}
 #else
 static void a_mesh_is_refused_with_what_to_install(void **state)
 {
     (void)state;
-    write_text("a.obj", triangle);
+    write_text("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     assert_fails("$GLINT render --mesh a.obj -o no.png", "install libassimp-dev");
     assert_contains(run("$GLINT --version")->out, "mesh files");
 }
@@ -242,12 +188,10 @@ int main(void)
         cmocka_unit_test(the_teapot_is_drawn_baked_and_streamed_without_a_file),
         cmocka_unit_test(every_path_that_draws_meshes_is_near_double_precision),
         cmocka_unit_test(options_that_do_not_fit_a_mesh_are_refused),
-        cmocka_unit_test(a_baked_mesh_compiles_and_is_what_raw_holds),
 #if GLINT_WITH_MESH
         cmocka_unit_test(an_obj_has_its_materials_and_its_textures_are_ignored_with_a_word),
         cmocka_unit_test(stl_ply_and_gltf_are_read_and_axes_turn_what_is_up),
         cmocka_unit_test(hostile_files_are_one_line),
-        cmocka_unit_test(the_childs_death_is_one_line_and_it_runs_with_limits),
 #else
         cmocka_unit_test(a_mesh_is_refused_with_what_to_install),
 #endif

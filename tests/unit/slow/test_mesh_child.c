@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: MIT
+ * glint bake --mesh with a compiler: what it writes, and what becomes of the child that reads where libassimp fails. */
+#include "files.h"
+
+#include "mesh/import.h"
+
+static void a_baked_mesh_compiles_and_is_what_raw_holds(void **state)
+{
+    (void)state;
+    const struct run *result =
+        run("$GLINT bake --scene teapot --split 180 -o pot.c >/dev/null && $GLINT bake --scene teapot --split 180 -o "
+            "pot.bin && "
+            "cat >t.c <<E\n#include <stdio.h>\n#include \"pot.h\"\nint main(void) {\n"
+            "  const unsigned head[4] = {pot.vertex_count, pot.face_count, POT_PARTS, 1};\n"
+            "  for (int i = 0; i < 4; i++) { putchar(head[i] & 255); putchar(head[i] >> 8); }\n"
+            "  fwrite(pot.places, 6, POT_VERTICES, stdout); fwrite(pot.normals8, 3, POT_VERTICES, stdout);\n"
+            "  fwrite(pot.faces, 6, POT_FACES, stdout); putchar(pot.face_count & 255); putchar(pot.face_count >> 8);\n"
+            "  fwrite(pot_materials[0].albedo, 3, 1, stdout); putchar(0); return 0; }\nE\n"
+            "for l in 'gcc -std=c99' 'g++ -std=c++11 -x c++'; do $l -Wall -Wextra -Werror "
+            "-I\"$GLINT_SOURCE\"/lib t.c pot.c "
+            "-o t && ./t | cmp - pot.bin || exit 1; done");
+    assert_string_equal(result->err, "");
+    assert_int_equal(result->status, 0);
+    assert_contains(result->out, "530 vertices, 992 triangles, 1 part, normals as int8: 10722 bytes");
+    assert_contains(result->out, "million cycles by COLOUR tables, in C (predicted)");
+    result = run("$GLINT bake --scene teapot --to int16 --json");
+    assert_contains(result->out, "\"triangles\": 2710");
+    const char *cycles = strstr(result->out, "\"predicted_cycles\": ");
+    assert_non_null(cycles);
+    assert_near(atof(cycles + 20), 5.9e6, .3e6); /* emulated: 6.1, 4.8 and 6.7 million */
+    assert_int_equal(run("$GLINT bake --scene teapot --split 180 -o pot.uf2")->status, 0);
+    struct stat status;
+    assert_int_equal(stat("pot.uf2", &status), 0);
+    assert_int_equal(status.st_size, 512 * ((8 + 9 * 530 + 6 * 992 + 6 + 255) / 256));
+}
+
+#if GLINT_WITH_MESH
+static void write_text(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    assert_int_equal(fclose(file), 0);
+}
+
+static const char triangle[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+/* A library that does what the file's name says, in place of libassimp. */
+static void the_childs_death_is_one_line_and_it_runs_with_limits(void **state)
+{
+    (void)state;
+    write_text(
+        "fake.c",
+        "#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n#include <unistd.h>\n#include <sys/resource.h>\n"
+        "const void *aiImportFile(const char *path, unsigned flags) { (void)flags;\n"
+        "  if (strstr(path, \"crash\")) raise_it(); if (strstr(path, \"quit\")) exit(0); if (strstr(path, \"hang\")) "
+        "pause(); return NULL; }\n"
+        "const char *aiGetErrorString(void) { static char text[200]; struct rlimit cpu, file;\n"
+        "  getrlimit(RLIMIT_CPU, &cpu); getrlimit(RLIMIT_FSIZE, &file);\n"
+        "  snprintf(text, sizeof text, \"limits %d %d\\n and \\033 odd\", (int)cpu.rlim_cur, "
+        "(int)file.rlim_cur); return text; }\n"
+        "int aiGetMaterialColor, aiGetMaterialFloatArray, aiGetMaterialIntegerArray;\n");
+    assert_int_equal(run("sed -i 's/raise_it()/__builtin_trap()/' fake.c && "
+                         "gcc -shared -fPIC fake.c -o $(basename $(readlink -f $(gcc -print-file-name=libassimp.so)) | "
+                         "sed 's/\\(so\\.[0-9]*\\).*/\\1/')")
+                         ->status,
+                     0);
+    write_text("crash.obj", triangle);
+    write_text("quit.obj", triangle);
+    write_text("other.obj", triangle);
+    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh crash.obj -o no.c", "crash.obj: libassimp crashed on it (");
+    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh quit.obj -o no.c", "quit.obj: libassimp broke off");
+    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh other.obj -o no.c", "can read: limits 10 0");
+    write_text("hang.obj", triangle);
+    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh hang.obj -o no.c", "did not read it within 10 s");
+    assert_false(exists("no.c"));
+    assert_contains(run("$GLINT --version")->out, import_library());
+}
+#endif
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_baked_mesh_compiles_and_is_what_raw_holds),
+#if GLINT_WITH_MESH
+        cmocka_unit_test(the_childs_death_is_one_line_and_it_runs_with_limits),
+#endif
+    };
+    return cmocka_run_group_tests_name("mesh child", tests, scratch_make, scratch_remove);
+}
