@@ -213,7 +213,7 @@ enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct 
 
 /* ---- Several lights ------------------------------------------------------------------------------------------- *
  *
- * Up to four, each directional, a point or a spot. A point costs some 1,900 cycles a pixel on a Cortex-M0+.
+ * Up to four, each directional, a point or a spot. A point costs some 1,400 cycles a pixel on a Cortex-M0+.
  * Places are on the screen, in 1/16 pixel: x right, y down (as lines go), z to the viewer from the surface, which is at
  * z = 0; pixel x, y of a rectangle lies at 16 (surface.x + x) + 8, 16 (surface.y + y) + 8, so that parts of a picture
  * join. Directions stay as above, y up.

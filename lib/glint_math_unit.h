@@ -23,6 +23,11 @@ struct glint_unit {
 /* False where v = 0, and where a size is 2^30 or more. */
 bool glint_unit_near(struct glint_unit *unit, const int32_t v[3]);
 
+/* h, the direction of half of l + (0, 0, 1), for an l of glint_unit_near with l_z >= 0: off that of glint_unit_q30 from its own l by
+ * no more than GLINT_UNIT_FRONT. math_unit.c has the sum. */
+enum { GLINT_UNIT_FRONT = 20 };
+void glint_unit_front(int32_t h_q30[3], const int32_t l_q30[3]);
+
 /* y, nearly 2^15 / sqrt(x) for x = t 2^-16, 2^14 <= t < 2^16: |1 - (y 2^-15)^2 x| < 0.95 2^-12 for every x of that t; y < 2^16. */
 static inline uint32_t glint_root_inverse(uint32_t t)
 {

@@ -131,6 +131,23 @@ static uint32_t lamp_scale(uint32_t att, uint32_t cone)
     return cone >> 16 ? att : att >> 16 ? cone : (att * cone + 32768) >> 16;
 }
 
+/* H of l, which is overwritten; false where it is open. */
+static inline bool lamp_half(struct glint_light *light, struct glint_unit *unit, const int32_t v[3])
+{
+    int32_t *const l = unit->unit_q30;
+    int32_t slack = GLINT_UNIT_FRONT;
+    if (!(v[0] | v[1]) && v[2] > 0 && l[2] >= 0) {
+        glint_unit_front(l, l);
+    } else {
+        for (int i = 0; i < 3; i++) /* off by up to 2, and far from 0 where up is small; the sum may not fit */
+            l[i] = (l[i] & v[i]) + ((l[i] ^ v[i]) >> 1);
+        if (!glint_unit_near(unit, l) || unit->up > 8)
+            return false;
+        slack = GLINT_UNIT_SLACK + (GLINT_UNIT_GROWS * GLINT_UNIT_SLACK / 2 << unit->up);
+    }
+    return glint_vec_near(&light->h, l, slack);
+}
+
 uint32_t glint_reach_near(const struct glint_reach *reach, const struct glint_lamp *lamp,
                           const struct glint_sight *sight, struct glint_light *light)
 {
@@ -151,14 +168,9 @@ uint32_t glint_reach_near(const struct glint_reach *reach, const struct glint_la
         if (att == 0)
             return 0;
     }
-    if (!glint_vec_of_q30(&light->l, unit.unit_q30, GLINT_UNIT_SLACK))
+    if (!glint_vec_near(&light->l, unit.unit_q30, GLINT_UNIT_SLACK))
         return GLINT_REACH_OPEN;
-    /* The half is off by up to 2, and far from 0 where up is small */
-    (void)glint_half_q30(unit.unit_q30, unit.unit_q30, sight->v_q30);
-    if (!glint_unit_near(&unit, unit.unit_q30) || unit.up > 8)
-        return GLINT_REACH_OPEN;
-    const int32_t slack = GLINT_UNIT_SLACK + (GLINT_UNIT_GROWS * GLINT_UNIT_SLACK / 2 << unit.up);
-    return glint_vec_of_q30(&light->h, unit.unit_q30, slack) ? att : GLINT_REACH_OPEN;
+    return lamp_half(light, &unit, sight->v_q30) ? att : GLINT_REACH_OPEN;
 }
 
 uint32_t glint_reach_exact(const struct glint_reach *reach, const struct glint_lamp *lamp,

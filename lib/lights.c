@@ -29,30 +29,39 @@ static GLINT_LIGHTS_ALONE void lights_store(const struct glint_lights *lights, u
     glint_exact_store(shader->format, run->line, run->x + i, levels);
 }
 
-/* Notes which of the run's pixels shine, from `from` on. Do formats take their sums? Not where the box depends on a shine of 0 that
- * might be more, nor where nl is 0 and F is not, as under one light. */
+/* Do formats take the run's sums? Not where nl is 0 and F is not, as under one light. */
+static GLINT_LIGHTS_ALONE bool lights_fit(const struct glint_lights *lights, unsigned count)
+{
+    const uint32_t most = lights->most, most_f = most + (most >> 5);
+    uint32_t over = 0; /* its upper bit; sums are < 2^31 */
+    for (unsigned k = 0; k < lights->channels; k++) {
+        const struct glint_sample *sum = lights->slots + k * lights->length;
+        for (const struct glint_sample *end = sum + count; sum != end; sum++) {
+            over |= (most - sum->nl_q16) | (most_f - sum->f_q16);
+            if (sum->nl_q16 == 0 && !sum->t_q30)
+                return false;
+        }
+    }
+    return !(over >> 31);
+}
+
+/* Notes which of the run's pixels shine, from `from` on. False where one does not, but might with exact F. */
 static GLINT_LIGHTS_ALONE bool lights_note(struct glint_lights *lights, unsigned from, unsigned count)
 {
     const uint8_t *gloss = lights->run.gloss;
-    const uint32_t most = lights->most, most_f = most + (most >> 5);
-    bool fit = true;
+    bool sure = true;
     for (unsigned i = 0; i < count; i++) {
         const struct glint_sample *sum = lights->slots + i;
         uint32_t f = 0, none = UINT32_MAX;
         for (unsigned k = 0; k < lights->channels; k++, sum += lights->length) {
-            if (sum->nl_q16 > most || sum->f_q16 > most_f || (sum->nl_q16 == 0 && !sum->t_q30))
-                fit = false;
             f |= sum->f_q16;
             none &= sum->t_q30;
         }
-        if (!lights->boxed)
-            continue;
-        if (f == 0 && !none)
-            fit = false;
+        sure = sure && (f || none);
         if (f && (!gloss || gloss[from + i])) /* now: gloss may be the output */
             lights->shines |= (uint32_t)1 << (from + i);
     }
-    return fit;
+    return sure;
 }
 
 /* The sums of pixels from the run's pixel `from` on, with F or what the model's loop has of it; exact ones of a single pixel. */
@@ -83,11 +92,11 @@ static inline void lights_draw(struct glint_lights *lights, unsigned count)
     lights->shines = 0;
     for (bool exact = false;; exact = true) {
         lights_sum(lights, i, end - i, exact);
-        const bool fit = lights_note(lights, i, end - i);
+        const bool sure = !lights->boxed || lights_note(lights, i, end - i);
         if (exact) {
             lights_store(lights, i);
             open &= ~((uint32_t)1 << i);
-        } else if (fit) {
+        } else if (sure && lights_fit(lights, count)) {
             open = lights->channels > 1 && p->shader.space == GLINT_GAMMA
                        ? glint_apart_levels(p, &lights->run, lights->slots, count)
                        : GLINT_FLASH_POINTER(p->format->levels)(p, &lights->run, lights->slots, count);

@@ -48,21 +48,9 @@ bool glint_unit_q30(int32_t out[3], const int32_t v[3])
     return true;
 }
 
-/* low to Q1.15; bits from 15 on in what it returns: low + more goes to another. */
-static inline uint32_t vector_round(int16_t *out, int32_t low, int32_t more)
-{
-    const int32_t rounded = low >> 15;
-    *out = (int16_t)(rounded > INT16_MAX ? INT16_MAX : rounded);
-    return (uint32_t)(low ^ (low + more));
-}
-
 bool glint_vec_of_q30(struct glint_vec *out, const int32_t v[3], int32_t slack)
 {
-    const int32_t half = (1 << 14) - slack, more = 2 * slack;
-    uint32_t open = vector_round(&out->x, v[0] + half, more);
-    open |= vector_round(&out->y, v[1] + half, more);
-    open |= vector_round(&out->z, v[2] + half, more);
-    return !(open >> 15);
+    return glint_vec_near(out, v, slack);
 }
 
 enum glint_err glint_vec_normalize(struct glint_vec *out, const int32_t v[3])

@@ -192,6 +192,7 @@ const struct bench_loop bench_loops[] = {
     {"exact point", "the same, one white point", LIGHTS, .look = {.lamps = LAMPS_POINT}},
     {"exact point coloured", "the same, one coloured point", LIGHTS, .look = {.lamps = LAMPS_COLOURED}},
     {"exact spot", "the same, one white spot", LIGHTS, .look = {.lamps = LAMPS_SPOT}},
+    {"exact narrow spot", "the same, a spot so narrow that most of its edge is drawn in 64 bits", LIGHTS, .look = {.lamps = LAMPS_NARROW}},
     {"exact four points", "the same, four white points, near", LIGHTS, .look = {.lamps = LAMPS_FOUR}},
     {"colour span 16", "glint_tables_span, spans of 16", colour_fill, .prepare = bench_spans_16, .shade = tables_span},
     {"colour span 64", "the same, spans of 64", colour_fill, .prepare = bench_spans_64, .shade = tables_span},

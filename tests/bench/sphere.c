@@ -19,12 +19,13 @@ void sphere_shader(struct glint_shader *shader, const struct sphere_look *look, 
     shader->clamp_peak = false;
 }
 
-/* A point as far away as may be gives much the same picture as the light; so does a spot there, whose cone holds the sphere and
+/* A point as far away as may be gives much the same picture as the light; so does a narrow spot there, whose cone holds the sphere and
  * is smooth over all of it. Four points are nearer, around the sphere. */
 int sphere_lamps(struct glint_lamp lamps[GLINT_LAMPS_MAX], enum sphere_lamps which)
 {
     enum { AWAY = 1 << 21, NEAR = 1 << 13, MIDDLE_X = 16 * SPHERE_W / 2, MIDDLE_Y = 16 * SPHERE_H / 2, ONE = 1 << 30 };
     static const int32_t to_light[3] = {1, 1, 1}, to_viewer[3] = {0, 0, 1}, middle[3] = {MIDDLE_X, MIDDLE_Y, 0};
+    static const int32_t desk[3] = {MIDDLE_X + 2000, MIDDLE_Y - 2000, 3000};
     static const int32_t far_place[3] = {MIDDLE_X + AWAY, MIDDLE_Y - AWAY, AWAY};
     static const int32_t near_places[GLINT_LAMPS_MAX][3] = {{MIDDLE_X + NEAR, MIDDLE_Y - NEAR, NEAR},
                                                             {MIDDLE_X - NEAR, MIDDLE_Y - NEAR, NEAR},
@@ -39,10 +40,12 @@ int sphere_lamps(struct glint_lamp lamps[GLINT_LAMPS_MAX], enum sphere_lamps whi
                 return GLINT_ERR_ARG;
         return GLINT_LAMPS_MAX;
     }
+    if (which == LAMPS_SPOT) /* as of a desk lamp, 258 pixels away: full within 15 degrees, 0 from 25 on */
+        return glint_lamp_spot(lamps, desk, middle, 1 << 14, 1037154959, 973141969) ? GLINT_ERR_ARG : 1;
     const uint32_t range = (uint32_t)GLINT_LAMP_FAR;
     /* the sphere's edge is 1934 / (sqrt(3) AWAY) from the axis: the cosine there is 1 - 1.4e-7, 152 below 2^30 */
-    const enum glint_err err = which == LAMPS_SPOT ? glint_lamp_spot(lamps, far_place, middle, range, ONE, ONE - 400)
-                                                   : glint_lamp_point(lamps, far_place, range);
+    const enum glint_err err = which == LAMPS_NARROW ? glint_lamp_spot(lamps, far_place, middle, range, ONE, ONE - 400)
+                                                     : glint_lamp_point(lamps, far_place, range);
     for (unsigned k = 0; k < 3; k++)
         lamps->color_q16[k] = which == LAMPS_COLOURED ? coloured[k] : arriving;
     return err ? err : 1;

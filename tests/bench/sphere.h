@@ -16,7 +16,7 @@ enum {
 };
 extern const uint16_t sphere_n[SPHERE_N_COUNT];
 
-enum sphere_lamps { LAMPS_NONE, LAMPS_DIRECTIONAL, LAMPS_POINT, LAMPS_COLOURED, LAMPS_SPOT, LAMPS_FOUR };
+enum sphere_lamps { LAMPS_NONE, LAMPS_DIRECTIONAL, LAMPS_POINT, LAMPS_COLOURED, LAMPS_SPOT, LAMPS_NARROW, LAMPS_FOUR };
 
 /* How it looks, but for n: what a loop draws, and the exact picture to which that is compared. */
 struct sphere_look {

@@ -98,12 +98,40 @@ static void directions_of_vectors_that_are_a_little_off_are_within_their_bound(v
     assert_int_equal(wrong, 0);
 }
 
+/* The half vector of a viewer straight in front, from nearly the light's direction and from its own. */
+static void halves_for_a_viewer_in_front_are_within_their_bound(void **state)
+{
+    (void)state;
+    int wrong = 0;
+#pragma omp parallel for reduction(+ : wrong)
+    for (int batch = 0; batch < 4096; batch++) {
+        uint64_t seed = (uint64_t)batch * UINT64_C(0x9e3779b97f4a7c15) + 1;
+        for (int i = 0; i < 4096; i++) {
+            int32_t v[3], h[3];
+            struct glint_unit near;
+            vector(&seed, v);
+            v[2] = abs(v[2]);
+            const int64_t wide[3] = {v[0], v[1], v[2]};
+            int64_t l[3], exact[3];
+            if (!glint_unit_near(&near, v) || near.unit_q30[2] < 0 || !reference_unit(l, wide))
+                continue;
+            const int64_t half[3] = {l[0] >> 1, l[1] >> 1, (l[2] + (1 << 30)) >> 1};
+            (void)reference_unit(exact, half);
+            glint_unit_front(h, near.unit_q30);
+            for (int k = 0; k < 3; k++)
+                wrong += llabs(h[k] - exact[k]) > GLINT_UNIT_FRONT;
+        }
+    }
+    assert_int_equal(wrong, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(roots_inverse_is_near_for_every_argument),
         cmocka_unit_test(directions_are_within_their_bound_of_the_64_bit_ones),
         cmocka_unit_test(directions_of_vectors_that_are_a_little_off_are_within_their_bound),
+        cmocka_unit_test(halves_for_a_viewer_in_front_are_within_their_bound),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
