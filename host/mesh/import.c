@@ -54,12 +54,6 @@ static void check_file(const char *path)
 
 /* ---- the child ---- */
 
-static void limit(int resource, rlim_t most)
-{
-    const struct rlimit both = {most, most};
-    setrlimit(resource, &both);
-}
-
 static _Noreturn void run_child(const char *path, int out)
 {
     for (int i = 1; i < NSIG; i++)
@@ -67,11 +61,12 @@ static _Noreturn void run_child(const char *path, int out)
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_FSIZE, 0);
-    limit(RLIMIT_CPU, SECONDS_MAX);
+    setrlimit(RLIMIT_CORE, &(struct rlimit){0, 0});
+    setrlimit(RLIMIT_FSIZE, &(struct rlimit){0, 0});
+    setrlimit(RLIMIT_CPU, &(struct rlimit){SECONDS_MAX, SECONDS_MAX});
 #if !defined(__SANITIZE_ADDRESS__) /* whose shadow is larger */
-    limit(RLIMIT_AS, (rlim_t)MEMORY_MAX_MB << 20);
+    const rlim_t memory = (rlim_t)MEMORY_MAX_MB << 20;
+    setrlimit(RLIMIT_AS, &(struct rlimit){memory, memory});
 #endif
     close(STDIN_FILENO);
     import_child(path, out);
