@@ -278,6 +278,8 @@ class Frame:
             value = self.value(argument.split()[-1])
             kind = re.match(r"i(\d+)\b(?!\*)", argument)
             values.append(value if not kind else self.path.word(value, int(kind.group(1))))
+        if name.startswith("llvm.umin"):
+            return values[0] if self.path.is_true(values[1] - values[0]) else values[1]
         if name.startswith("llvm.fshl"):
             return self.path.joined(self.path.word(values[0] * (1 << values[2].constant()), 32),
                                     self.path.shifted(values[1], 32 - values[2].constant()))
@@ -331,7 +333,9 @@ class Frame:
         width, a, b = re.match(r"i(\d+) (\S+), (\S+)", rest).groups()
         if int(width) == 1:
             return poly(self.value(a).constant() % 2 ^ self.value(b).constant() % 2)
-        return tuple(self.path.word(self.value(v), int(width)) for v in (a, b))
+        words = tuple(self.path.word(self.value(v), int(width)) for v in (a, b))
+        numbers = [w.constant() for w in words]
+        return words if None in numbers else poly(numbers[0] ^ numbers[1])
 
     def differ_only_below(self, words, how, limit):
         """a ^ b < 2^k: their quotients by 2^k are the same."""
@@ -349,6 +353,7 @@ class Frame:
         if op in ("lshr", "ashr"):
             return path.shifted(path.word(a, width, op == "ashr"), self.amount(b, width))
         if op == "and":
+            a, b = (a, b) if b.constant() is not None else (b, a)
             mask = b.constant() % (1 << width)
             if a.constant() is not None:
                 return poly(a.constant() & mask)

@@ -18,6 +18,6 @@ test-proof: ## check: the library for every argument: values from t, proved
 
 run-proof: $(PROOF_BUILD)/test_finite
 	@TALLY_JOBS=2 tests/tally $(PROOF_BUILD)/test_finite tests/proof/test_lobes tests/proof/test_msh \
-		tests/proof/test_powers tests/proof/test_faults
+		tests/proof/test_powers tests/proof/test_pixel tests/proof/test_faults
 
 .PHONY: setup-proof test-proof run-proof
