@@ -82,7 +82,7 @@ struct glint_mesh_frame {
  * projection. Memory: glint_mesh_frame_bytes, aligned to 4. With GLINT_MESH_KEPT_BYTES more for each triangle that goes on from one strip
  * to the next these are set up once; the teapot has some 40 at a time. GLINT_ERR_ARG: NULL, a size of 0 or beyond
  * GLINT_MESH_SIZE_MAX, too few bytes, misaligned. */
-#define GLINT_MESH_KEPT_BYTES 92u
+#define GLINT_MESH_KEPT_BYTES 88u
 size_t glint_mesh_frame_bytes(uint16_t w, uint16_t lines);
 enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint16_t h, uint16_t lines,
                                 uint16_t distance, void *memory, size_t bytes);

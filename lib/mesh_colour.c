@@ -46,31 +46,34 @@ static void colour_glossy(const struct glint_look *look, const struct glint_mesh
     }
 }
 
-void glint_mesh_colour_part(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
-                            const struct glint_mesh_part *part, const struct glint_mesh_place_of_part *place)
+/* Lines of a part, with the edges and steps at hand. */
+static void colour_part(const struct glint_look *look, struct glint_mesh_triangle *triangle,
+                        const struct glint_mesh_part *part, const struct glint_mesh_target *target)
 {
-    const struct glint_look look = glint_look_up(tables);
+    const struct glint_surface *surface = target->surface;
+    const int32_t line = triangle->y - target->y;
     struct glint_mesh_values *v = &triangle->values;
     struct glint_mesh_edge left = *part->left, right = *part->right;
-    uint8_t *depth_line = place->depth, *out_line = place->out;
-    for (int32_t lines = place->lines; lines; lines--) {
+    uint16_t *depth_line = target->depth + target->w * line;
+    uint8_t *out_line = (uint8_t *)surface->pixels + surface->stride * line;
+    for (int32_t lines = part->end - triangle->y; lines; lines--) {
         int32_t from, to;
-        if (glint_mesh_columns(&left, &right, place->w, &from, &to)) {
-            uint16_t *depth = (uint16_t *)(void *)depth_line + from, *out = (uint16_t *)(void *)out_line + from;
-            const uint16_t *const end = depth + (to - from);
+        if (glint_mesh_columns(&left, &right, target->w, &from, &to)) {
+            uint16_t *depth = depth_line + from, *out = (uint16_t *)(void *)out_line + from;
+            const uint16_t *const end = depth_line + to;
             const int32_t k = from - v->x; /* |k| < 2^12 */
             const uint32_t n = (uint32_t)k;
             if (triangle->shine == GLINT_MESH_GLOSSY)
-                colour_glossy(&look, v, n, (uint32_t)(k * (k - 1) / 2), depth, end, out);
+                colour_glossy(look, v, n, (uint32_t)(k * (k - 1) / 2), depth, end, out);
             else if (triangle->shine == GLINT_MESH_MATT)
-                colour_matt(&look, v->z + n * v->zx, v->zx, v->nl + n * v->nlx, v->nlx, depth, end, out);
+                colour_matt(look, v->z + n * v->zx, v->zx, v->nl + n * v->nlx, v->nlx, depth, end, out);
             else
-                colour_dark(&look, v->z + n * v->zx, v->zx, depth, end, out);
+                colour_dark(look, v->z + n * v->zx, v->zx, depth, end, out);
         }
         glint_mesh_edge_next(&left);
         glint_mesh_edge_next(&right);
-        depth_line += place->depth_stride;
-        out_line += place->out_stride;
+        depth_line += target->w;
+        out_line += surface->stride;
         if (triangle->shine == GLINT_MESH_GLOSSY) {
             glint_mesh_values_next(v);
         } else {
@@ -80,24 +83,17 @@ void glint_mesh_colour_part(const struct glint_tables *tables, struct glint_mesh
     }
     *part->left = left;
     *part->right = right;
+    triangle->y = (int16_t)part->end;
 }
-#endif
 
 void glint_mesh_colour(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
                        const struct glint_mesh_target *target)
 {
     const int32_t end = triangle->y_end < target->end ? triangle->y_end : target->end;
-    const struct glint_surface *surface = target->surface;
+    const struct glint_look look = glint_look_up(tables);
     while (triangle->y < end) {
         const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);
-        const int32_t line = triangle->y - target->y;
-        const struct glint_mesh_place_of_part place = {(uint8_t *)(target->depth + target->w * line),
-                                                       (uint8_t *)surface->pixels + surface->stride * line,
-                                                       2 * target->w,
-                                                       surface->stride,
-                                                       target->w,
-                                                       part.end - triangle->y};
-        glint_mesh_colour_part(tables, triangle, &part, &place);
-        triangle->y = (int16_t)part.end;
+        colour_part(&look, triangle, &part, target);
     }
 }
+#endif

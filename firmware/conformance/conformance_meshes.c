@@ -4,6 +4,7 @@
 
 #include "conformance_random.h"
 #include "conformance_scenes.h"
+#include "conformance_tables.h"
 
 #if !CONFORMANCE_MODELS_ONLY
 
@@ -38,36 +39,48 @@ static void random_mesh(struct glint_pose *pose, unsigned kind, const struct gli
     pose->scale = (uint16_t)(conform_random_bits() % (kind ? 500u : 65536u));
 }
 
-static void add_mesh(unsigned model, unsigned format, unsigned kind)
+/* Draws it in strips over numbers, lines of `stride` bytes. */
+static void add_picture(const struct glint_mesh *mesh, const struct glint_pose *pose, const struct glint_light *light,
+                        const struct glint_paint *paint, uint16_t distance, uint8_t stride)
 {
-    static uint32_t depths[MEMORY / 4], work[(16 * VERTICES + 2 * FACES + 8) / 4];
-    static uint8_t out[3 * WIDTH * HEIGHT];
-    struct glint_shader shader;
-    struct glint_prepared prepared;
-    struct glint_pose pose;
+    static uint32_t depths[MEMORY / 4], work[(16 * VERTICES + 2 * FACES + 8) / 4], out[(3 * WIDTH * HEIGHT + 3) / 4];
+    uint8_t *const bytes = (uint8_t *)out;
     struct glint_mesh_frame frame;
     struct glint_mesh_drawn drawn;
-    const struct glint_mesh mesh = {places, normals, NULL, faces, NULL, VERTICES, FACES, 0};
-    conform_random_shader(&shader, model);
-    shader.format = (uint8_t)format;
-    shader.space = kind & 1;
-    shader.dither = kind >> 1 & 1;
-    random_mesh(&pose, kind, &shader.light);
-    const uint32_t distance = conform_random_bits() % 1000;
-    const struct glint_paint paint = {&glint_mesh_exact, &prepared};
     for (uint16_t i = 0; i < sizeof out; i++)
-        out[i] = (uint8_t)i;
-    conform_add((uint32_t)glint_mesh_check(&mesh));
-    conform_add((uint32_t)glint_shade_prepare(&prepared, &shader));
-    conform_add(
-        (uint32_t)glint_mesh_begin(&frame, WIDTH, HEIGHT, STRIP, (uint16_t)(kind % 3 ? distance : 0), depths, MEMORY));
-    conform_add((uint32_t)glint_mesh_add(&frame, &drawn, &mesh, &pose, &shader.light, &paint, work, sizeof work));
+        bytes[i] = (uint8_t)i;
+    conform_add((uint32_t)glint_mesh_check(mesh));
+    conform_add((uint32_t)glint_mesh_begin(&frame, WIDTH, HEIGHT, STRIP, distance, depths, MEMORY));
+    conform_add((uint32_t)glint_mesh_add(&frame, &drawn, mesh, pose, light, paint, work, sizeof work));
     for (uint16_t y = 0; y < HEIGHT; y += STRIP) {
-        const struct glint_surface surface = {out + 3 * WIDTH * y, 3 * WIDTH, 0, y};
+        const struct glint_surface surface = {bytes + stride * y, stride, 0, y};
         conform_add(
             (uint32_t)glint_mesh_strip(&frame, y, (uint16_t)(HEIGHT - y < STRIP ? HEIGHT - y : STRIP), &surface));
     }
-    conform_add_bytes(out, sizeof out);
+    conform_add_bytes(bytes, 3 * WIDTH * HEIGHT);
+}
+
+/* tables: COLOUR, at an even address or not. */
+static void add_mesh(unsigned model, unsigned format, unsigned kind, bool tables)
+{
+    struct glint_shader shader;
+    struct glint_prepared prepared;
+    struct glint_tables filled;
+    struct glint_pose pose;
+    const struct glint_mesh mesh = {places, normals, NULL, faces, NULL, VERTICES, FACES, 0};
+    const struct glint_paint exact = {&glint_mesh_exact, &prepared}, by_tables = {&glint_mesh_tables, &filled};
+    conform_random_shader(&shader, model);
+    shader.format = (uint8_t)format;
+    shader.space = tables ? 0 : kind & 1;
+    shader.dither = tables ? kind % 5 == 4 : kind >> 1 & 1;
+    random_mesh(&pose, kind, &shader.light);
+    const uint32_t distance = conform_random_bits() % 1000;
+    if (tables && !conform_fill(&filled, GLINT_TABLES_COLOUR, &shader))
+        return;
+    if (!tables)
+        conform_add((uint32_t)glint_shade_prepare(&prepared, &shader));
+    add_picture(&mesh, &pose, &shader.light, tables ? &by_tables : &exact, (uint16_t)(kind % 3 ? distance : 0),
+                tables && kind % 4 ? 2 * WIDTH + 2 : 3 * WIDTH);
 }
 
 void conform_meshes(const struct conformance_size *size)
@@ -75,8 +88,14 @@ void conform_meshes(const struct conformance_size *size)
     unsigned kind = 0;
     for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
         for (unsigned format = GLINT_RGB565; format <= GLINT_MONO; format++)
-            for (uint8_t scene = 0; scene < size->scenes; scene++)
-                add_mesh(model, format, kind++);
+            for (uint8_t scene = 0; scene < size->scenes; scene++) {
+                add_mesh(model, format, kind, false);
+#if CONFORMANCE_COLOUR
+                if (format <= GLINT_RGB565_SWAPPED)
+                    add_mesh(model, format, kind, true);
+#endif
+                kind++;
+            }
 }
 
 #endif

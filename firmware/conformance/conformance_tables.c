@@ -10,8 +10,7 @@
 enum { TABLES_BYTES = CONFORMANCE_COLOUR ? GLINT_TABLES_DITHER_BYTES : GLINT_TABLES_SMALL_BYTES };
 static uint32_t memory[TABLES_BYTES / 4];
 
-/* Into the hash, too: err and, of what was filled, every byte. Whether there are tables. */
-static bool fill(struct glint_tables *tables, enum glint_tables_kind kind, const struct glint_shader *shader)
+bool conform_fill(struct glint_tables *tables, enum glint_tables_kind kind, const struct glint_shader *shader)
 {
     for (uint16_t i = 0; i < TABLES_BYTES / 4; i++)
         memory[i] = 0;
@@ -119,7 +118,7 @@ static void add_albedo(unsigned model, unsigned flags)
     }
     struct glint_tables tables;
     struct glint_tables_light light;
-    if (!fill(&tables, GLINT_TABLES_ALBEDO, &shader))
+    if (!conform_fill(&tables, GLINT_TABLES_ALBEDO, &shader))
         return;
     conform_add((uint32_t)glint_tables_light_init(&light, &tables, &shader.light));
     for (unsigned held = GLINT_NORMALS_INT16; held <= GLINT_NORMALS_INT8; held++) {
@@ -164,7 +163,7 @@ static void add_tables(unsigned kind, unsigned model, unsigned format, unsigned 
     shader.clamp_peak = flags & 1;
     struct glint_tables tables;
     struct glint_tables_light light;
-    if (!fill(&tables, (enum glint_tables_kind)kind, &shader))
+    if (!conform_fill(&tables, (enum glint_tables_kind)kind, &shader))
         return;
     conform_add((uint32_t)glint_tables_light_init(&light, &tables, &shader.light));
     for (uint8_t i = 0; i < W * H; i++)

@@ -5,6 +5,9 @@
 
 #include "conformance.h"
 
+/* Into the hash, too: err and, of what was filled, every byte. Whether there are tables; the next ones take their memory. */
+bool conform_fill(struct glint_tables *tables, enum glint_tables_kind kind, const struct glint_shader *shader);
+
 void conform_small(const struct conformance_size *size);
 void conform_colours(const struct conformance_size *size);
 void conform_dithered(const struct conformance_size *size);

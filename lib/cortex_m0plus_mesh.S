@@ -1,0 +1,324 @@
+/* SPDX-License-Identifier: MIT
+ * glint_mesh_colour(tables, triangle, target), as mesh_colour.c has it, part by part. A line's columns and first values, then its
+ * pixels, then the steps to the next line: three times, for dark, matt and glossy triangles. Pixels keep all they need in
+ * registers, lines take it from the frame and the triangle. */
+#if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
+#include "cortex_m0plus.inc"
+#include "glint_mesh_offsets.h"
+
+/* The frame. OFF: what out is beyond depth; behind it the steps of both from line to line. LAST: depth after the part's last line. */
+#define LEFT 0
+#define RIGHT 4
+#define LEFT_STEP 8
+#define RIGHT_STEP 12
+#define DEPTH 16
+#define OFF 20
+#define DEPTH_STEP 24
+#define OFF_STEP 28
+#define W 32
+#define LAST 36
+#define TRIANGLE 40
+#define LEFT_AT 44
+#define RIGHT_AT 48
+#define COLOURS 52
+#define DARK 56
+#define SHIFT 60
+#define LIMIT 64 /* of t_max - t: t is up to t_max, or a little below 0 */
+#define END 68
+#define FRAME 72
+
+#define depth r0
+#define z r1
+#define nl r2
+#define back r3
+#define dt r4
+#define dz r8
+#define end r9
+#define t_max r10
+#define dnl r11
+#define ddt r12
+#define columns lr
+
+/* A line's columns, held to 0..w: depth and end, r2: from the triangle's column, r7: the triangle. Steps the edges. */
+.macro line_begin skip
+    mov r7, sp
+    ldmia r7!, {r0, r1, r4, r5}
+    asrs r2, r0, #16
+    asrs r3, r1, #16
+    adds r0, r0, r4
+    adds r1, r1, r5
+    subs r7, #16
+    stmia r7!, {r0, r1}
+    cmp r2, #0
+    bge 1f
+    movs r2, #0
+1:  ldr r4, [sp, #W]
+    cmp r3, r4
+    ble 1f
+    movs r3, r4
+1:  subs r3, r3, r2
+    ble \skip
+    ldr depth, [sp, #DEPTH]
+    lsls r4, r2, #1
+    adds depth, depth, r4
+    lsls r3, r3, #1
+    adds r3, r3, depth
+    mov end, r3
+    ldr r7, [sp, #TRIANGLE]
+    ldr r1, [r7, #GLINT_AT_TRIANGLE_X]
+    subs r2, r2, r1
+.endm
+
+/* What is linear steps to the next line. */
+.macro step_line value, step
+    ldr r0, [r7, #\value]
+    ldr r1, [r7, #\step]
+    adds r0, r0, r1
+    str r0, [r7, #\value]
+.endm
+
+.macro line_end again
+    step_line GLINT_AT_TRIANGLE_Z, GLINT_AT_TRIANGLE_ZY
+    add r6, sp, #DEPTH
+    ldmia r6!, {r0-r3}
+    adds r0, r0, r2
+    adds r1, r1, r3
+    subs r6, #16
+    stmia r6!, {r0, r1}
+    ldr r2, [sp, #LAST]
+    cmp r0, r2
+    bne \again
+    ldr r0, [sp, #LEFT]
+    ldr r1, [sp, #LEFT_AT]
+    str r0, [r1]
+    ldr r0, [sp, #RIGHT]
+    ldr r1, [sp, #RIGHT_AT]
+    str r0, [r1]
+    b .Lpart
+.endm
+
+/* Is the pixel behind? Else its depth is entered. */
+.macro in_front behind
+    lsrs r5, z, #16
+    ldrh r6, [depth]
+    cmp r5, r6
+    bhs \behind
+    strh r5, [depth]
+.endm
+
+    function glint_mesh_colour
+    enter FRAME
+    str r1, [sp, #TRIANGLE]
+    ldmia r2!, {r3-r7} /* surface, depth, w, y, end */
+    str r5, [sp, #W]
+    adds r1, #GLINT_AT_TRIANGLE_Y
+    movs r2, #GLINT_AT_TRIANGLE_Y_END - GLINT_AT_TRIANGLE_Y
+    ldrsh r2, [r1, r2]
+    cmp r2, r7
+    bge 1f
+    movs r7, r2
+1:  str r7, [sp, #END]
+    movs r2, #0
+    ldrsh r2, [r1, r2]
+    subs r6, r2, r6 /* the line in the strip */
+    ldmia r3!, {r1, r2} /* pixels, stride */
+    lsls r5, r5, #1
+    movs r7, r5
+    muls r7, r6
+    adds r4, r4, r7
+    muls r6, r2
+    adds r1, r1, r6
+    subs r1, r1, r4
+    subs r2, r2, r5
+    str r4, [sp, #DEPTH]
+    str r1, [sp, #OFF]
+    str r5, [sp, #DEPTH_STEP]
+    str r2, [sp, #OFF_STEP]
+    ldr r1, [r0, #GLINT_AT_TABLES_COLOUR]
+    str r1, [sp, #COLOURS]
+    ldrh r1, [r0, #GLINT_AT_TABLES_DARK]
+    str r1, [sp, #DARK]
+    ldr r1, [r0, #GLINT_AT_TABLES_COLUMNS]
+    mov columns, r1
+    ldr r1, [r0, #GLINT_AT_TABLES_T_MAX]
+    mov t_max, r1
+    movs r2, #1
+    lsls r2, r2, #GLINT_NEGATIVE_T_LOG
+    adds r1, r1, r2
+    str r1, [sp, #LIMIT]
+    ldrb r1, [r0, #GLINT_AT_TABLES_SHIFT]
+    str r1, [sp, #SHIFT]
+
+.Lpart:
+    ldr r0, [sp, #TRIANGLE]
+    movs r1, r0
+    adds r1, #GLINT_AT_TRIANGLE_Y
+    movs r2, #0
+    ldrsh r2, [r1, r2]
+    ldr r3, [sp, #END]
+    cmp r2, r3
+    bge .Ldone
+    adds r0, #GLINT_AT_TRIANGLE_LONG
+    movs r5, r0
+    adds r5, #16 /* the lower edge */
+    movs r4, #GLINT_AT_TRIANGLE_Y_MIDDLE - GLINT_AT_TRIANGLE_Y
+    ldrsh r4, [r1, r4]
+    cmp r2, r4
+    bge 1f
+    subs r5, #8 /* the upper one */
+    cmp r4, r3
+    bge 1f
+    movs r3, r4
+1:  strh r3, [r1]
+    subs r3, r3, r2
+    ldr r2, [sp, #DEPTH_STEP]
+    muls r3, r2
+    ldr r2, [sp, #DEPTH]
+    adds r3, r3, r2
+    str r3, [sp, #LAST]
+    ldrb r2, [r1, #GLINT_AT_TRIANGLE_LONG_IS_LEFT - GLINT_AT_TRIANGLE_Y]
+    ldrb r1, [r1, #GLINT_AT_TRIANGLE_SHINE - GLINT_AT_TRIANGLE_Y]
+    cmp r2, #0
+    bne 1f
+    movs r4, r0
+    movs r0, r5
+    movs r5, r4
+1:  str r0, [sp, #LEFT_AT]
+    str r5, [sp, #RIGHT_AT]
+    ldmia r0!, {r2, r4}
+    ldmia r5, {r3, r5}
+    mov r6, sp
+    stmia r6!, {r2-r5}
+    cmp r1, #GLINT_SHINE_MATT
+    beq .Lmatt
+    blo .Ldark
+    b .Lglossy
+.Ldone:
+    leave FRAME
+
+.Ldark: /* r3: dark, r4: off, r7: dz */
+    line_begin .Ldark_end
+    ldr r7, [r7, #GLINT_AT_TRIANGLE_ZX]
+    muls r2, r7
+    ldr r3, [sp, #TRIANGLE]
+    ldr z, [r3, #GLINT_AT_TRIANGLE_Z]
+    adds z, z, r2
+    ldr r3, [sp, #DARK]
+    ldr r4, [sp, #OFF]
+1:  in_front 2f
+    strh r3, [depth, r4]
+2:  adds depth, #2
+    adds z, z, r7
+    cmp depth, end
+    blo 1b
+.Ldark_end:
+    ldr r7, [sp, #TRIANGLE]
+    line_end .Ldark
+
+.Lmatt: /* r3: colours, r4: off, r7: dz */
+    line_begin .Lmatt_end
+    ldr r4, [r7, #GLINT_AT_TRIANGLE_NLX]
+    mov dnl, r4
+    muls r4, r2
+    ldr r5, [r7, #GLINT_AT_TRIANGLE_NL]
+    ldr z, [r7, #GLINT_AT_TRIANGLE_Z]
+    ldr r7, [r7, #GLINT_AT_TRIANGLE_ZX]
+    muls r2, r7
+    adds z, z, r2
+    adds nl, r4, r5
+    ldr r3, [sp, #COLOURS]
+    ldr r4, [sp, #OFF]
+1:  in_front 2f
+    asrs r5, nl, #GLINT_COLOUR_ROW_SHIFT
+    bmi 3f
+    lsls r5, r5, #GLINT_COLOUR_ROW_BYTES_LOG
+    ldrh r5, [r3, r5]
+    strh r5, [depth, r4]
+2:  adds depth, #2
+    adds z, z, r7
+    add nl, dnl
+    cmp depth, end
+    blo 1b
+.Lmatt_end:
+    ldr r7, [sp, #TRIANGLE]
+    step_line GLINT_AT_TRIANGLE_NL, GLINT_AT_TRIANGLE_NLY
+    line_end .Lmatt
+3:  ldr r5, [sp, #DARK]
+    strh r5, [depth, r4]
+    b 2b
+
+.Lglossy: /* r7: colours */
+    line_begin .Lglossy_end
+    movs r6, r7
+    adds r6, #GLINT_AT_TRIANGLE_T
+    ldmia r6!, {r3-r5} /* t, tx, txx */
+    mov ddt, r5
+    subs r1, r2, #1
+    muls r1, r2
+    asrs r1, r1, #1
+    muls r1, r5
+    adds r3, r3, r1
+    movs r1, r2
+    muls r1, r4
+    adds r3, r3, r1
+    mov r1, t_max
+    subs back, r1, r3
+    muls r5, r2
+    adds dt, r4, r5
+    ldr r5, [r7, #GLINT_AT_TRIANGLE_ZX]
+    mov dz, r5
+    muls r5, r2
+    ldr z, [r7, #GLINT_AT_TRIANGLE_Z]
+    adds z, z, r5
+    ldr r5, [r7, #GLINT_AT_TRIANGLE_NLX]
+    mov dnl, r5
+    muls r5, r2
+    ldr nl, [r7, #GLINT_AT_TRIANGLE_NL]
+    adds nl, nl, r5
+    ldr r7, [sp, #COLOURS]
+1:  in_front 4f
+    asrs r5, nl, #GLINT_COLOUR_ROW_SHIFT
+    bmi 5f
+    lsls r5, r5, #GLINT_COLOUR_ROW_BYTES_LOG
+    movs r6, back
+    cmp back, t_max
+    bhi 6f
+2:  ldr r7, [sp, #SHIFT]
+    lsrs r6, r7
+    add r6, columns
+    ldrb r6, [r6]
+    adds r5, r5, r6
+    ldr r7, [sp, #COLOURS]
+3:  ldrh r5, [r7, r5]
+    ldr r6, [sp, #OFF]
+    strh r5, [depth, r6]
+4:  adds depth, #2
+    add z, dz
+    add nl, dnl
+    subs back, back, dt
+    add dt, ddt
+    cmp depth, end
+    blo 1b
+.Lglossy_end:
+    ldr r7, [sp, #TRIANGLE]
+    step_line GLINT_AT_TRIANGLE_NL, GLINT_AT_TRIANGLE_NLY
+    movs r6, r7
+    adds r6, #GLINT_AT_TRIANGLE_T
+    ldmia r6!, {r0-r5} /* t, tx, txx, txy, ty, tyy */
+    adds r0, r0, r4
+    adds r1, r1, r3
+    adds r4, r4, r5
+    str r4, [r7, #GLINT_AT_TRIANGLE_TY]
+    subs r6, #24
+    stmia r6!, {r0, r1}
+    line_end .Lglossy
+5:  ldr r5, [sp, #DARK]
+    ldr r6, [sp, #OFF]
+    strh r5, [depth, r6]
+    b 4b
+6:  ldr r6, [sp, #LIMIT] /* t is over t_max, or a little below 0 */
+    cmp back, r6
+    bhi 3b
+    mov r6, t_max
+    b 2b
+#endif

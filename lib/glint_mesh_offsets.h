@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT
+ * Internal. Where the assembly finds fields of a triangle, in bytes; mesh_offsets.c compares these with the compiler's. Macros only. */
+#ifndef GLINT_MESH_OFFSETS_H
+#define GLINT_MESH_OFFSETS_H
+
+#define GLINT_AT_TRIANGLE_X 0
+#define GLINT_AT_TRIANGLE_Z 4 /* z, zx, zy */
+#define GLINT_AT_TRIANGLE_ZX 8
+#define GLINT_AT_TRIANGLE_ZY 12
+#define GLINT_AT_TRIANGLE_NL 16 /* nl, nlx, nly */
+#define GLINT_AT_TRIANGLE_NLX 20
+#define GLINT_AT_TRIANGLE_NLY 24
+#define GLINT_AT_TRIANGLE_T 28 /* t, tx, txx, txy, ty, tyy */
+#define GLINT_AT_TRIANGLE_TY 44
+#define GLINT_AT_TRIANGLE_LONG 52 /* long_edge, upper, lower */
+#define GLINT_AT_TRIANGLE_Y 76
+#define GLINT_AT_TRIANGLE_Y_MIDDLE 78
+#define GLINT_AT_TRIANGLE_Y_END 80
+#define GLINT_AT_TRIANGLE_SHINE 82
+#define GLINT_AT_TRIANGLE_LONG_IS_LEFT 83
+
+#define GLINT_SHINE_DARK 0
+#define GLINT_SHINE_MATT 1
+
+#endif
