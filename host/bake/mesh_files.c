@@ -99,6 +99,8 @@ static void write_materials(const struct baked_mesh *baked, const char *storage,
         for (int j = 0; j < 3; j++)
             fprintf(out, "{%" PRIu32 ", %" PRIu32 ", %" PRIu32 "}, ", sums[j][0], sums[j][1], sums[j][2]);
         fprintf(out, "{%u, %u, %u}},", m->albedo[0], m->albedo[1], m->albedo[2]);
+        if (baked->mesh->materials[i].n)
+            fprintf(out, " /* in the file n = %u */", baked->mesh->materials[i].n);
     }
     fputs("\n};\n", out);
 }

@@ -28,6 +28,32 @@ static double extent(const struct mesh *mesh, double middle[3])
     return farthest;
 }
 
+/* The volume that the triangles enclose, as seen from outside, in radii of a ball around them; of a ball 4.2. */
+static double volume(const struct fitted *fitted)
+{
+    double sum = 0;
+    for (size_t i = 0; i < fitted->mesh.face_count; i++) {
+        double corner[3][3], normal[3];
+        for (int k = 0; k < 9; k++)
+            corner[k / 3][k % 3] = fitted->places[fitted->faces[i][k / 3]][k % 3] / 32767.;
+        mesh_cross(corner[1], corner[2], normal);
+        sum += mesh_dot(corner[0], normal) / 6;
+    }
+    return sum;
+}
+
+/* After everything that may fail, since a failure is one line. */
+static void say_what_looks_wrong(const struct mesh *mesh, const struct fitted *fitted, double unit)
+{
+    if (mesh->has_textures)
+        warn("%s: texture coordinates are ignored: each part has one colour", mesh->name);
+    if (!(unit > 0) && volume(fitted) < -.05)
+        warn("%s: most triangles seem to face inwards, and only those that face the viewer are drawn; flip them where "
+             "the "
+             "file was made",
+             mesh->name);
+}
+
 static void choose_unit(const struct mesh *mesh, double unit, struct fitted *fitted)
 {
     const double size = extent(mesh, fitted->middle);
@@ -120,8 +146,7 @@ struct fitted *mesh_fit(const struct mesh *mesh, double unit)
                                        .part_count = (uint8_t)mesh->part_count};
     if (glint_mesh_check(&fitted->mesh) != GLINT_OK)
         fail("%s: the library refused the mesh", mesh->name);
-    if (mesh->has_textures) /* after everything that may fail, since a failure is one line */
-        warn("%s: texture coordinates are ignored: each part has one colour", mesh->name);
+    say_what_looks_wrong(mesh, fitted, unit);
     return fitted;
 }
 

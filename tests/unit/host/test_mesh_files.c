@@ -46,7 +46,7 @@ static void every_path_that_draws_meshes_is_near_double_precision(void **state)
         char line[300];
         double psnr = 0;
         snprintf(line, sizeof line,
-                 "$GLINT render --scene teapot --size 160x160 %s --json | grep -m 1 psnr_db | tr -dc 0-9.", lines[i]);
+                 "$GLINT render --scene teapot --size 96x96 %s --json | grep -m 1 psnr_db | tr -dc 0-9.", lines[i]);
         const struct run *result = run(line);
         if (sscanf(result->out, "%lf", &psnr) != 1 || psnr < (strstr(lines[i], "mono") ? 15 : 36))
             fail_msg("%s: '%s' dB; %s", lines[i], result->out, result->err);
@@ -91,13 +91,13 @@ static void an_obj_has_its_materials_and_its_textures_are_ignored_with_a_word(vo
 {
     (void)state;
     write_text("cube.obj", "mtllib cube.mtl\n" CUBE);
-    write_text("cube.mtl", "newmtl red\nKd 1 0 0\nillum 2\nnewmtl blue\nKd 0 0 1\nillum 0\n");
+    write_text("cube.mtl", "newmtl red\nKd 1 0 0\nNs 90\nillum 2\nnewmtl blue\nKd 0 0 1\nillum 0\n");
     const struct run *result = run("$GLINT bake --mesh cube.obj -o cube.c && tail -8 cube.c && grep PARTS cube.h");
     assert_int_equal(result->status, 0);
     assert_one_line(result->err);
     assert_contains(result->err, "cube.obj: texture coordinates are ignored");
     assert_contains(result->out, "24 vertices, 12 triangles, 2 parts");
-    assert_contains(result->out, "{32768, 32768, 32768}, {255, 0, 0}}");
+    assert_contains(result->out, "{32768, 32768, 32768}, {255, 0, 0}}, /* in the file n = 90 */");
     assert_contains(result->out, "{65536, 65536, 65536}, {0, 0, 0}, {0, 0, 0}, {0, 0, 255}}"); /* unlit */
     assert_contains(result->out, "#define CUBE_PARTS 2");
     /* Straight at its front, the unlit one. */
@@ -135,6 +135,21 @@ static void stl_ply_and_gltf_are_read_and_axes_turn_what_is_up(void **state)
     assert_same_file("stl.ppm", "gltf.ppm");
     assert_same_file("stl.ppm", "z.ppm");
     assert_false(same_file("stl.ppm", "y.ppm"));
+}
+
+static void a_mesh_that_faces_inwards_is_drawn_with_a_warning(void **state)
+{
+    (void)state;
+    write_text("cube.obj", CUBE);
+    const struct run *result =
+        run("sed 's/^f \\([^ ]*\\) \\([^ ]*\\) \\([^ ]*\\) /f \\3 \\2 \\1 /; /^vt/d; s|/1||g' cube.obj >inside.obj && "
+            "$GLINT render --mesh inside.obj --size 9x9 -o inside.ppm");
+    assert_int_equal(result->status, 0);
+    assert_one_line(result->err);
+    assert_contains(result->err, "inside.obj: most triangles seem to face inwards");
+    result =
+        run("sed '/^vt/d; s|/1||g' cube.obj >outside.obj && $GLINT render --mesh outside.obj --size 9x9 -o inside.ppm");
+    assert_string_equal(result->err, "");
 }
 
 static void hostile_files_are_one_line(void **state)
@@ -191,6 +206,7 @@ int main(void)
 #if GLINT_WITH_MESH
         cmocka_unit_test(an_obj_has_its_materials_and_its_textures_are_ignored_with_a_word),
         cmocka_unit_test(stl_ply_and_gltf_are_read_and_axes_turn_what_is_up),
+        cmocka_unit_test(a_mesh_that_faces_inwards_is_drawn_with_a_warning),
         cmocka_unit_test(hostile_files_are_one_line),
 #else
         cmocka_unit_test(a_mesh_is_refused_with_what_to_install),
