@@ -7,6 +7,7 @@ import { inflateRawSync } from 'node:zlib'
 import { check, equal, run } from '../pico/tap.mjs'
 import { Command, difference } from './glint.mjs'
 import { extras, png, surfaces } from './maps.mjs'
+import { randomly, randomWords } from './states.mjs'
 
 const [folder, glint] = process.argv.slice(2)
 const { Engine, readPng, commandLine, stateOfWords, wordsOf } = await import(`${process.cwd()}/${folder}/engine.mjs`)
@@ -68,6 +69,9 @@ run([
                 same(engine, words)
                 same(engine, [...words, '--light=1,1,2'])
             }
+        // Filled from memory that was not set, once: a fresh module, where that is seldom 0.
+        for (const space of ['gamma', 'linear'])
+            same(new Engine(program), ['--scene=watchface', '--size=51x26', '--model=blinn', '--format=rgb565', `--space=${space}`, '--path=colour-int16'])
         const { warnings } = engine.draw(['--scene=coin', '--size=64x48', '--path=small-int8'])
         check(/^--path small-int8: draws one colour at full gloss, \d+ of \d+ pixels/.test(warnings[0]), `it says ${warnings[0]}`)
     }],
@@ -99,6 +103,22 @@ run([
         same(engine, ['--height=grey16.png', '--point=20,20,30,60', '--light=1,1,1'])
         same(engine, ['--scene=coin', '--size=40x40', '--color=9,90,200'])
         same(engine, ['--scene=coin', '--size=40x40'])
+    }],
+    ['640 random states give the command\'s pictures or refusals', async () => {
+        const engine = new Engine(program), random = randomly(3), width = 8
+        for (let from = 0; from < 640; from += width) {
+            const list = Array.from({ length: width }, () => randomWords(random))
+            const expected = list.map(words => command.renderLater(words).catch(() => undefined))
+            for (const [i, words] of list.entries()) {
+                const picture = await expected[i]
+                if (!picture) {
+                    equal(refusal(() => engine.draw(words)), command.refusal(['render', ...words, '-o', 'no.png']), words.join(' '))
+                    continue
+                }
+                const drawn = engine.draw(words), wrong = difference(drawn.rgba, drawn.width, drawn.height, picture)
+                check(!wrong, `${words.join(' ')}: ${wrong}`)
+            }
+        }
     }],
     ['a wrong value is refused in the command\'s words, and the next picture is right', () => {
         const engine = new Engine(program)
