@@ -137,6 +137,7 @@ install: all run-install-lib $(BUILD)/man ## use: library, header, libglint.pc, 
 	install -m 644 host/completion/glint.bash "$(INSTALL)/share/bash-completion/completions/glint"
 	install -m 644 host/completion/_glint "$(INSTALL)/share/zsh/site-functions/"
 	install -m 644 host/udev/70-glint.rules "$(INSTALL)/lib/udev/rules.d/"
+	test ! -e build/page/index.html || install -D -m 644 build/page/index.html "$(INSTALL)/share/glint/page.html"
 
 # A folder for each compiler, so that a cross compiler's objects do not replace the host's.
 install-lib: have-compiler ## use: library, header and libglint.pc alone, needs a compiler only: CC=arm-none-eabi-gcc AR=arm-none-eabi-ar DESTDIR=...
@@ -155,7 +156,7 @@ run-install-lib: $(BUILD)/libglint.a
 
 uninstall: ## use: remove what make install put there
 	rm -f "$(INSTALL)/lib/libglint.a" "$(INSTALL)/lib/pkgconfig/libglint.pc" $(LIB_HEADERS:%="$(INSTALL)/include/%") \
-		"$(INSTALL)/bin/glint" "$(INSTALL)/lib/udev/rules.d/70-glint.rules" \
+		"$(INSTALL)/bin/glint" "$(INSTALL)/share/glint/page.html" "$(INSTALL)/lib/udev/rules.d/70-glint.rules" \
 		"$(INSTALL)/share/bash-completion/completions/glint" "$(INSTALL)/share/zsh/site-functions/_glint" \
 		"$(INSTALL)/share/man/man1/glint.1" $(COMMAND_PAGES:%="$(INSTALL)/share/man/man1/%")
 

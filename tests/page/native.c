@@ -28,7 +28,7 @@ int main(int argc, char **argv)
     struct shading_options look = {.has_color = false};
     parse_command(&argp, 0, argc, argv, &look);
     struct scene *scene = scene_of_options(&look.scene);
-    const struct shading shading = shading_of_options(&look, look.shading.format, scene);
+    const struct shading shading = shading_of_options(&look, look.shading.format, &scene->finish);
     struct canvas *canvas = canvas_new(scene, &shading);
     uint8_t *pixels = calloc(scene->height, format_line_bytes(shading.format, scene->width));
     double best = 1e9;

@@ -71,6 +71,8 @@ export function costs(state: State, facts: Facts, width: number, height: number)
     const linked = path === 'exact' ? value('linked', `${parts}${format}+glint_shade_${state.model ?? 'msh'}`, 'Os', '') : undefined
     out.push(linked ? ['Flash, this model and format', `${commas(linked)} bytes`]
         : ['Flash, the whole library', `${commas(value('library', 'cortex-m0plus', 'Os', '') ?? 0)} bytes`])
+    const others = { M3: 'cortex-m3', RV32: 'rv32imc', ESP8266: 'lx106', AVR: 'atmega2560' }
+    out.push(['The library on other cores', Object.entries(others).map(([title, core]) => `${title} ${commas(value('library', core, 'Os', '') ?? 0)}`).join(', ')])
     out.push(['Stack', `${commas(value('stack', 'cortex-m0plus', 'Os', '') ?? 0)} bytes`])
     return out
 }

@@ -11,6 +11,8 @@ export interface Picture {
     rgba: Uint8Array<ArrayBuffer>
     warnings: string[]
     milliseconds: number
+    /** Only the lights' values had changed. */
+    kept: boolean
 }
 export interface Quality {
     report: string
@@ -72,7 +74,7 @@ export class Engine {
             this.drawn = words
             const width = call.page_width(), height = call.page_height()
             const rgba = this.module.copy(call.page_rgba(), 4 * width * height)
-            return { width, height, rgba, warnings: this.surfaceWarnings, milliseconds }
+            return { width, height, rgba, warnings: this.surfaceWarnings, milliseconds, kept: keep === keepCanvas }
         })
     }
 
@@ -171,6 +173,8 @@ export class Engine {
                 this.hand(name, map)
             if (this.drawn.length)
                 this.give(['glint render', ...this.drawn], (at, bytes) => this.module.call.page_draw(at, bytes, keepNothing))
+            if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)
+                throw new Error(`the page failed (${error.message}); a smaller --size may help`)
             throw error
         }
     }

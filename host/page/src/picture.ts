@@ -43,7 +43,7 @@ export async function redraw(): Promise<void> {
             drawn = picture
             show(canvas, picture.width, picture.height, picture.rgba)
             say('', picture.warnings)
-            byId('status').textContent = `${picture.width} × ${picture.height}, ${state.format ?? 'rgb888'}${state.dither !== undefined ? ', dithered' : ''}; ready in ${picture.milliseconds.toFixed(1)} ms`
+            byId('status').textContent = `${picture.width} × ${picture.height}, ${state.format ?? 'rgb888'}${state.dither !== undefined ? ', dithered' : ''}; ${picture.kept ? 'drawn' : 'prepared and drawn'} in ${picture.milliseconds.toFixed(1)} ms`
             layOut()
             listeners.forEach(listener => listener(picture))
         } catch (error) {
@@ -63,7 +63,7 @@ function say(refusal: string, warnings: string[]): void {
 // ---- zoom: device pixels, whole ----
 
 function scale(): number {
-    const room = stage.clientWidth - 26
+    const room = stage.clientWidth - 8
     const fits = Math.max(1, Math.floor(room * devicePixelRatio / canvas.width))
     const tall = Math.max(1, Math.floor(innerHeight * .62 * devicePixelRatio / canvas.height))
     return zoom || Math.min(fits, tall)
