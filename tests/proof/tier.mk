@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Tier proof: what holds for every argument, decided by z3 from what clang makes of the library, or by running all that is finite.
-PROOF_PACKAGES = gcc libc6-dev make libcmocka-dev clang z3 python3
+PROOF_PACKAGES = gcc libc6-dev make libcmocka-dev clang clang-tidy cppcheck z3 python3
 PROOF_BUILD = $(BUILD)/tests/proof
 
 $(PROOF_BUILD)/finite.h: $(wildcard tests/proof/*.py) lib/lobe_msh.c lib/glint_lobe_msh.h
@@ -18,6 +18,6 @@ test-proof: ## check: the library for every argument: values from t, proved
 
 run-proof: $(PROOF_BUILD)/test_finite
 	@TALLY_JOBS=2 tests/tally $(PROOF_BUILD)/test_finite tests/proof/test_lobes tests/proof/test_msh \
-		tests/proof/test_powers tests/proof/test_pixel tests/proof/test_faults
+		tests/proof/test_powers tests/proof/test_pixel tests/proof/test_static tests/proof/test_faults
 
 .PHONY: setup-proof test-proof run-proof
