@@ -57,6 +57,23 @@ static inline uint16_t glint_dither_within(const struct glint_dither_look *look,
     return glint_packed(sum & GLINT_DITHER_FIELDS, swapped);
 }
 
+/* A pixel of any t and nl; t modulo 2^32, as lines and spans have it. */
+static inline uint16_t glint_dither_pixel(const struct glint_dither_look *look, uint32_t t, uint32_t nl, uint32_t phase,
+                                          bool swapped)
+{
+    if ((int32_t)nl < 0)
+        return glint_dither_past(look, -1, phase);
+    const uint32_t row = (nl + look->nudge) >> GLINT_DITHER_ROW_SHIFT;
+    return t > look->t_max ? glint_dither_past(look, (int32_t)row, phase)
+                           : glint_dither_within(look, row, phase, (look->t_max - t) >> look->shift, swapped);
+}
+
+/* The phase of the next pixel. */
+static inline uint32_t glint_dither_next(uint32_t phase)
+{
+    return (phase + 2) & 6;
+}
+
 /* Aligned 2-byte pixels, the first of them at the screen's x, y. INT8 needs a light whose viewer is at (0, 0, 1). */
 void glint_dither_line(const struct glint_tables *tables, const struct glint_tables_light *light,
                        enum glint_normals format, const void *normals, uint16_t w, uint16_t *out, uint32_t x,

@@ -6,22 +6,11 @@
 #include "glint_math_assembly.h"
 #include "glint_tables_normals.h"
 
-/* From a pixel to the next. */
-static inline uint32_t next_phase(uint32_t phase)
-{
-    return (phase + 2) & 6;
-}
-
 static inline uint16_t by_vector(const struct glint_dither_look *look, const struct glint_tables_light *light,
                                  struct glint_vec n, uint32_t phase, bool swapped)
 {
-    const int32_t nl = glint_fast_nl(&n, &light->l);
-    const uint32_t t = glint_fast_t(&n, &light->h);
-    if (nl < 0)
-        return glint_dither_past(look, -1, phase);
-    const uint32_t row = ((uint32_t)nl + look->nudge) >> GLINT_DITHER_ROW_SHIFT;
-    return t > look->t_max ? glint_dither_past(look, (int32_t)row, phase)
-                           : glint_dither_within(look, row, phase, (look->t_max - t) >> look->shift, swapped);
+    return glint_dither_pixel(look, glint_fast_t(&n, &light->h), (uint32_t)glint_fast_nl(&n, &light->l), phase,
+                              swapped);
 }
 
 /* Any viewer: by a product of vectors each. */
@@ -31,7 +20,7 @@ static void vector_line(const struct glint_tables *tables, const struct glint_ta
     const struct glint_dither_look look = glint_dither_look_up(tables, y);
     const struct glint_tables_light at = *light;
     const bool swapped = glint_is_swapped(tables);
-    for (const uint16_t *end = out + w; out < end; normals++, out++, phase = next_phase(phase))
+    for (const uint16_t *end = out + w; out < end; normals++, out++, phase = glint_dither_next(phase))
         if (normals->x | normals->y | normals->z)
             *out = by_vector(&look, &at, *normals, phase, swapped);
 }
@@ -42,7 +31,7 @@ static void aside_line(const struct glint_tables *tables, const struct glint_tab
     const struct glint_dither_look look = glint_dither_look_up(tables, y);
     const struct glint_tables_light at = *light;
     const bool swapped = glint_is_swapped(tables);
-    for (const uint16_t *end = out + w; out < end; words++, out++, phase = next_phase(phase)) {
+    for (const uint16_t *end = out + w; out < end; words++, out++, phase = glint_dither_next(phase)) {
         const struct glint_vec n = glint_unpack_int10(*words);
         if (n.z == 0) {
             const uint32_t skip = glint_gap(*words >> 12, (size_t)(end - out));
@@ -66,7 +55,7 @@ static inline void dithered_int8(const struct glint_tables *tables, const struct
     const uint32_t cut = (uint32_t)light->cut, r = light->r;
     const uint32_t nudge = look.nudge >> 1;
     const unsigned a = light->a;
-    for (const uint16_t *end = out + w; out < end; words++, out++, phase = next_phase(phase)) {
+    for (const uint16_t *end = out + w; out < end; words++, out++, phase = glint_dither_next(phase)) {
         const uint32_t word = *words;
         const int32_t z = (int32_t)word >> 16;
         if (z == 0) {
@@ -111,7 +100,7 @@ static void int10_line(const struct glint_tables *tables, const struct glint_tab
     const int32_t hx = (light->h.x + 1) >> 1, hy = (light->h.y + 1) >> 1, hz = (light->h.z + 1) >> 1;
     const uint32_t t_half = look.t_max >> 1, peak = (uint32_t)light->peak, m = peak >> 15, nudge = look.nudge >> 1;
     const unsigned shift = look.shift - 1u;
-    for (const uint16_t *end = out + w; out < end; words++, out++, phase = next_phase(phase)) {
+    for (const uint16_t *end = out + w; out < end; words++, out++, phase = glint_dither_next(phase)) {
         const uint32_t word = *words;
         const int32_t top_z = (int32_t)(word << 20);
         if (top_z == 0) {

@@ -5,14 +5,9 @@
 #include "glint_math_align.h"
 #include "glint_pixel.h"
 
-static inline uint32_t next_in_run(uint32_t phase)
-{
-    return (phase + 2) & 6;
-}
-
 static void dithered_dark(const struct glint_dither_look *look, uint16_t *out, const uint16_t *end, uint32_t phase)
 {
-    for (; out != end; phase = next_in_run(phase))
+    for (; out != end; phase = glint_dither_next(phase))
         *out++ = glint_dither_past(look, -1, phase);
 }
 
@@ -21,7 +16,7 @@ static void dithered_outside(const struct glint_dither_look *look, const struct 
 {
     const uint32_t dnl = (uint32_t)at->dnl_q30;
     uint32_t nl = (uint32_t)at->nl_q30 + look->nudge;
-    for (; out != end; phase = next_in_run(phase), nl += dnl)
+    for (; out != end; phase = glint_dither_next(phase), nl += dnl)
         *out++ = glint_dither_past(look, (int32_t)(nl >> GLINT_DITHER_ROW_SHIFT), phase);
 }
 
@@ -30,7 +25,7 @@ static inline void dithered_inside(const struct glint_dither_look *look, const s
 {
     const uint32_t ddt = at->ddt_q30, dnl = (uint32_t)at->dnl_q30;
     uint32_t back = look->t_max - at->t_q30, dt = at->dt_q30, nl = (uint32_t)at->nl_q30 + look->nudge;
-    for (; out != end; phase = next_in_run(phase)) {
+    for (; out != end; phase = glint_dither_next(phase)) {
         *out++ = glint_dither_within(look, nl >> GLINT_DITHER_ROW_SHIFT, phase, back >> look->shift, swapped);
         back -= dt;
         dt += ddt;
@@ -38,23 +33,13 @@ static inline void dithered_inside(const struct glint_dither_look *look, const s
     }
 }
 
-static uint16_t any_pixel(const struct glint_dither_look *look, uint32_t t, uint32_t nl, uint32_t phase, bool swapped)
-{
-    if ((int32_t)nl < 0)
-        return glint_dither_past(look, -1, phase);
-    const uint32_t row = (nl + look->nudge) >> GLINT_DITHER_ROW_SHIFT;
-    t = t >= GLINT_NEGATIVE_T ? 0 : t;
-    return t > look->t_max ? glint_dither_past(look, (int32_t)row, phase)
-                           : glint_dither_within(look, row, phase, (look->t_max - t) >> look->shift, swapped);
-}
-
 /* Pixel by pixel, stored byte by byte: any, at any address. */
 static void run_any(const struct glint_dither_look *look, const struct glint_span *at, uint8_t *out, uint32_t w,
                     uint32_t phase, bool swapped)
 {
     uint32_t t = at->t_q30, dt = at->dt_q30, nl = (uint32_t)at->nl_q30;
-    for (const uint8_t *end = out + 2 * w; out != end; out += 2, phase = next_in_run(phase)) {
-        const uint16_t pixel = any_pixel(look, t, nl, phase, swapped);
+    for (const uint8_t *end = out + 2 * w; out != end; out += 2, phase = glint_dither_next(phase)) {
+        const uint16_t pixel = glint_dither_pixel(look, t >= GLINT_NEGATIVE_T ? 0 : t, nl, phase, swapped);
         out[0] = ((const uint8_t *)&pixel)[0];
         out[1] = ((const uint8_t *)&pixel)[1];
         t += dt;

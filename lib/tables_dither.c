@@ -7,24 +7,25 @@
 enum { DITHER_SHINES = 1 << GLINT_DITHER_COLUMNS_LOG };
 typedef char glint_dither_bytes[GLINT_DITHER_SHINES + 4 * DITHER_SHINES == GLINT_TABLES_DITHER_BYTES ? 1 : -1];
 
-static const struct glint_field fields[3] = {{23, 32, 31 * 16}, {1, 11, 63 * 16}, {12, 21, 31 * 16}};
+static const struct glint_field dither_fields[3] GLINT_FLASH = {{23, 32, 31 * 16}, {1, 11, 63 * 16}, {12, 21, 31 * 16}};
 
-/* The nearest sixteenths of a level, and b of them more: at most 15 above the largest level, which no field overflows by. */
+/* The nearest sixteenths of a level, and b of them more: at most 15 above the largest level, which no field overflows by.
+ * albedo NULL: black. */
 static uint32_t dither_sum(const struct glint_shader *shader, const uint8_t albedo[3], uint32_t nl_q16, uint32_t f,
                            uint32_t b)
 {
     uint32_t word = 0;
     for (int k = 0; k < 3; k++) {
-        const uint64_t value = glint_pixel_value(shader, k, albedo[k], nl_q16, (uint64_t)65535 * f);
-        word += (glint_field_level(fields[k], value) + b) << fields[k].at;
+        const struct glint_field field = GLINT_FLASH_STRUCT(struct glint_field, dither_fields[k]);
+        const uint64_t value = glint_pixel_value(shader, k, albedo ? albedo[k] : 0, nl_q16, (uint64_t)65535 * f);
+        word += (glint_field_level(field, value) + b) << field.at;
     }
     return word;
 }
 
 static uint32_t dither_shine(const struct glint_shader *shader, uint32_t f)
 {
-    static const uint8_t black[3] = {0, 0, 0};
-    return dither_sum(shader, black, 0, f, 0);
+    return dither_sum(shader, NULL, 0, f, 0);
 }
 
 static bool dither_shines(const struct glint_shader *shader, uint32_t f)

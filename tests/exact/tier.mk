@@ -17,6 +17,7 @@ $(BUILD)/tests/exact/test_batch: $(addprefix $(BUILD)/tests/exact/host/models/,b
 $(BUILD)/tests/exact/test_near $(BUILD)/tests/exact/test_near_whole: $(BUILD)/tests/exact/near.o
 $(BUILD)/tests/exact/test_pixel: $(addprefix $(BUILD)/tests/exact/,cases.o reference_pixel.o)
 $(BUILD)/tests/exact/test_lights: $(addprefix $(BUILD)/tests/exact/,cases.o reference_lights.o reference_pixel.o)
+$(BUILD)/tests/exact/test_reach: $(BUILD)/tests/exact/cases.o
 $(BUILD)/tests/exact/test_unit: $(addprefix $(BUILD)/tests/exact/,reference_lights.o reference_pixel.o)
 $(EXACT_TESTS): %: %.o $(BUILD)/tests/exact/oracle.o $(BUILD)/libglint.a
 	$(CC) $(HOST_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) -o $@ -lcmocka -lmpfr -lgmp -lm
@@ -35,7 +36,7 @@ check-exact:
 	@+if echo '#include <mpfr.h>' | $(CC) -E - >/dev/null 2>&1 && pkg-config --exists cmocka; then $(SUBMAKE) run-check-exact; \
 	else tests/tally "echo ok 1 - tier exact # SKIP cmocka, gmp or mpfr is not installed: make setup-exact"; fi
 
-run-check-exact: $(addprefix $(BUILD)/tests/exact/test_,eval cutoff near pixel unit lights)
+run-check-exact: $(addprefix $(BUILD)/tests/exact/test_,eval cutoff near pixel unit reach lights)
 	@EXACT_EVERY=21 GLINT_PIXELS=4 TALLY_JOBS=$$(nproc) tests/tally $^ tests/exact/test_tables
 
 .PHONY: setup-exact test-exact run-exact check-exact run-check-exact
