@@ -2,7 +2,7 @@
 # Tier gateware: the Verilog against the library. tests/gateware/test_NAME.cpp is linked with Verilator's model of module
 # glint_NAME (of rtl or demo) and with the library; every other tests/gateware/test_* is a script that speaks TAP. Both run with
 # GATEWARE_BUILD, a folder of their own to write to, in the environment.
-GATEWARE_TEST_PACKAGES = gcc g++ libc6-dev make libpng-dev verilator iverilog z3 cvc4 python3-yaml
+GATEWARE_TEST_PACKAGES = gcc g++ libc6-dev make libpng-dev verilator iverilog z3 python3-yaml
 GATEWARE_TESTS = $(patsubst tests/gateware/test_%.cpp,$(BUILD)/tests/gateware/test_%,$(wildcard tests/gateware/test_*.cpp))
 GATEWARE_SCRIPTS = $(filter-out %.cpp %.v,$(wildcard tests/gateware/test_*))
 # Their parameters, and what one is linked with.

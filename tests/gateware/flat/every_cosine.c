@@ -105,8 +105,8 @@ int main(int argc, char **argv)
         schlick = schlick && every_cosine(GLINT_SCHLICK, n, 0);
     }
     const bool cut = cutoffs();
-    result(3, "MSH of all 2^18 cosines and 2^10 shininesses is the library's", msh);
-    result(4, "Schlick of all 2^18 cosines and 2^10 shininesses is the library's", schlick);
-    result(5, "with a cutoff F is 0 below it and the library's from it on", cut);
+    result(7, "MSH of all 2^18 cosines and 2^10 shininesses is the library's", msh);
+    result(8, "Schlick of all 2^18 cosines and 2^10 shininesses is the library's", schlick);
+    result(9, "with a cutoff F is 0 below it and the library's from it on", cut);
     return !(msh && schlick && cut);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shading under any pixels and any taking: what it offers is held; with COUNT: as many pixels come out as went in.
+// The shading under any pixels and any taking, for ever: as many come out as went in, what is offered stays, idle
+// says that nothing is inside.
 `default_nettype none
 
 module shade (
@@ -15,9 +16,10 @@ module shade (
     input wire s_last,
     input wire m_ready
 );
-    wire s_ready, m_valid, m_last;
+    wire s_ready, m_valid, m_last, idle;
     wire [15:0] m_rgb565;
-    glint_shade #(.WHITE(1)) dut (
+    wire [4:0] valid;
+    glint_shade dut (
         .clk(clk),
         .rst(rst),
         .clamp_peak(clamp_peak),
@@ -32,19 +34,32 @@ module shade (
         .m_valid(m_valid),
         .m_ready(m_ready),
         .m_rgb565(m_rgb565),
-        .m_last(m_last)
+        .m_last(m_last),
+        .idle(idle),
+        .valid(valid) // exposed by test_span_handshake
     );
-    held #(.WIDTH(17)) offered (.clk(clk), .rst(rst), .valid(m_valid), .ready(m_ready), .data({m_rgb565, m_last}));
+    held #(
+        .WIDTH(17)
+    ) offered (
+        .clk(clk),
+        .rst(rst),
+        .valid(m_valid),
+        .ready(m_ready),
+        .data({m_rgb565, m_last})
+    );
 
-`ifdef COUNT
-    reg [7:0] inside, lasts;
+    reg begun = 0;
+    reg [3:0] inside;
     always @(posedge clk) begin
-        inside <= rst ? 0 : inside + (s_valid & s_ready) - (m_valid & m_ready);
-        lasts <= rst ? 0 : lasts + (s_valid & s_ready & s_last) - (m_valid & m_ready & m_last);
-        if (!rst & m_valid) assert (inside != 0 && inside <= 5 && (!m_last | lasts != 0));
-        if (!rst & !m_valid) assert (s_ready && inside <= 4);
+        begun <= 1;
+        inside <= rst ? 4'd0 : inside + {3'd0, s_valid & s_ready} - {3'd0, m_valid & m_ready};
+        if (begun) begin
+            assert (inside == {3'd0, valid[0]} + {3'd0, valid[1]} + {3'd0, valid[2]} + {3'd0, valid[3]} +
+                {3'd0, valid[4]});
+            assert (idle == (inside == 0));
+            assert (s_ready == (!m_valid | m_ready));
+        end
     end
-`endif
 endmodule
 
 `default_nettype wire
