@@ -73,6 +73,7 @@ static void add_mesh(unsigned model, unsigned format, unsigned kind, bool tables
     shader.format = (uint8_t)format;
     shader.space = tables ? 0 : kind & 1;
     shader.dither = tables ? kind % 5 == 4 : kind >> 1 & 1;
+    shader.clamp_peak = kind >> 2 & 1;
     random_mesh(&pose, kind, &shader.light);
     const uint32_t distance = conform_random_bits() % 1000;
     if (tables && !conform_fill(&filled, GLINT_TABLES_COLOUR, &shader))
