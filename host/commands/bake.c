@@ -289,7 +289,7 @@ static void bake_mesh(const struct request *request)
     struct fitted *fitted = mesh_fit(mesh, request->unit);
     struct glint_material *materials = mesh_materials(mesh);
     const struct baked_mesh baked = {mesh, fitted, materials, request->format == BAKE_INT8};
-    double cycles = 0;
+    struct mesh_cycles cycles = {0, 0};
     struct quality rows[QUALITY_ROWS];
     struct output_pair outputs = output_pair_open(request->path, request->files.header);
     if (outputs.header)
@@ -298,8 +298,11 @@ static void bake_mesh(const struct request *request)
         write_mesh(request, &baked, outputs.source->stream);
     output_pair_end_standard(&outputs);
     mesh_quality(mesh, fitted, baked.normals8, rows);
-    for (int i = 0; i < MESH_VIEWS; i++)
-        cycles += mesh_cycles(mesh, fitted, &mesh_views[i]) / MESH_VIEWS;
+    for (int i = 0; i < MESH_VIEWS; i++) {
+        const struct mesh_cycles of_one = mesh_cycles(mesh, fitted, &mesh_views[i]);
+        cycles.c += of_one.c / MESH_VIEWS;
+        cycles.assembly += of_one.assembly / MESH_VIEWS;
+    }
     (request->json ? quality_print_mesh_json : quality_print_mesh)(&baked, rows, cycles, report_stream(request));
     quality_printed(report_stream(request));
     output_pair_close(&outputs);

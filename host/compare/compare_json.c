@@ -63,12 +63,13 @@ void quality_print_json(const struct baked *baked, const struct quality rows[QUA
     print_rows(root, rows, stream);
 }
 
-void quality_print_mesh_json(const struct baked_mesh *baked, const struct quality rows[QUALITY_ROWS], double cycles,
-                             FILE *stream)
+void quality_print_mesh_json(const struct baked_mesh *baked, const struct quality rows[QUALITY_ROWS],
+                             struct mesh_cycles cycles, FILE *stream)
 {
     const struct glint_mesh *mesh = &baked->fitted->mesh;
-    print_rows(json_pack("{s:s, s:i, s:i, s:i, s:I, s:f}", "format", baked->normals8 ? "int8" : "int16", "vertices",
-                         (int)mesh->vertex_count, "triangles", (int)mesh->face_count, "parts", (int)mesh->part_count,
-                         "bytes", (json_int_t)baked_mesh_bytes(baked), "predicted_cycles", cycles),
+    print_rows(json_pack("{s:s, s:i, s:i, s:i, s:I, s:f, s:f}", "format", baked->normals8 ? "int8" : "int16",
+                         "vertices", (int)mesh->vertex_count, "triangles", (int)mesh->face_count, "parts",
+                         (int)mesh->part_count, "bytes", (json_int_t)baked_mesh_bytes(baked), "predicted_cycles",
+                         cycles.c, "predicted_cycles_assembly", cycles.assembly),
                rows, stream);
 }

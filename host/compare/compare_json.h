@@ -7,13 +7,14 @@
 
 #include "bake/mesh_files.h"
 #include "compare/compare.h"
+#include "compare/mesh_cost.h"
 #include "compare/quality.h"
 
 /* `shading` and `levels` as they were compared. */
 void comparison_print_json(const struct comparison *comparison, const struct shading *shading,
                            const struct levels *levels, FILE *stream);
 void quality_print_json(const struct baked *baked, const struct quality rows[QUALITY_ROWS], FILE *stream);
-void quality_print_mesh_json(const struct baked_mesh *baked, const struct quality rows[QUALITY_ROWS], double cycles,
-                             FILE *stream);
+void quality_print_mesh_json(const struct baked_mesh *baked, const struct quality rows[QUALITY_ROWS],
+                             struct mesh_cycles cycles, FILE *stream);
 
 #endif

@@ -12,8 +12,8 @@ void quality_print_json(const struct baked *baked, const struct quality rows[QUA
     fail("--json: only the command writes JSON");
 }
 
-void quality_print_mesh_json(const struct baked_mesh *baked, const struct quality rows[QUALITY_ROWS], double cycles,
-                             FILE *stream)
+void quality_print_mesh_json(const struct baked_mesh *baked, const struct quality rows[QUALITY_ROWS],
+                             struct mesh_cycles cycles, FILE *stream)
 {
     (void)cycles;
     (void)baked;

@@ -22,12 +22,12 @@ static void a_baked_mesh_compiles_and_is_what_raw_holds(void **state)
     assert_string_equal(result->err, "");
     assert_int_equal(result->status, 0);
     assert_contains(result->out, "530 vertices, 992 triangles, 1 part, normals as int8: 10722 bytes");
-    assert_contains(result->out, "million cycles by COLOUR tables, in C (predicted)");
+    assert_contains(result->out, "million cycles by COLOUR tables in C, ");
     result = run("$GLINT bake --scene teapot --to int16 --json");
     assert_contains(result->out, "\"triangles\": 2710");
     const char *cycles = strstr(result->out, "\"predicted_cycles\": ");
     assert_non_null(cycles);
-    assert_near(atof(cycles + 20), 5.9e6, .3e6); /* emulated: 6.1, 4.8 and 6.7 million */
+    assert_near(atof(cycles + 20), 5.7e6, .4e6); /* emulated: 5.9, 4.6 and 6.5 million */
     assert_int_equal(run("$GLINT bake --scene teapot --split 180 -o pot.uf2")->status, 0);
     struct stat status;
     assert_int_equal(stat("pot.uf2", &status), 0);
