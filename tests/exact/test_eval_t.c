@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * From t the domain (2^30 x 1000 a model) is too large to enumerate. What carries the claim:
- *   - the argument in the comments of lib/: error bounds, and an exact decision where they do not settle the rounding;
+ *   - tests/proof: error bounds, and an exact decision where they do not settle the rounding, for every t and n;
  *   - here more than 10^9 values against the oracle: every n at random t (uniform and logarithmic), dense runs at the
  *     ends and at the cutoffs, and both sides of 10^6 places where the result steps, found by bisection;
  *   - test_eval.c: all 65,537,000 arguments that are also cosines. */

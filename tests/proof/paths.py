@@ -3,7 +3,7 @@
 congruent to the machine's word modulo 2^width; a shift adds its quotient as an atom; a comparison that the facts leave open makes
 two paths. A call is run the same way, or taken for what its contract says, which is then proved of it or checked by enumeration.
 
-Signed and unsigned products and sums that C leaves undefined, or that the compiler took for such, are proved not to overflow."""
+Where the compiled code says that a sum or product does not overflow (nsw, nuw), that is proved; and that shifts are by less than the width."""
 import re
 import subprocess
 
