@@ -11,6 +11,9 @@ BENCH_FLAGS_O2 = -O2
 BENCH_FLAGS_Os = -Os
 BENCH_FLAGS_asm = -O2 -DGLINT_CORTEX_M0PLUS_ASM=1
 BENCH_ELFS = $(patsubst %,$(BENCH)/m0plus-%.elf,O2 Os asm)
+# The teapot's frames, a program of their own.
+BENCH_MESH = $(BENCH)/mesh
+BENCH_MESH_ELFS = $(patsubst %,$(BENCH)/mesh-%.elf,O2 asm)
 # libfixmath's source, where it could be fetched.
 BENCH_FIXMATH = $(wildcard $(addprefix $(BENCH)/fixmath/libfixmath/,fix16.c fix16_exp.c))
 BENCH_FLAGS = -Ilib $(if $(BENCH_FIXMATH),-DBENCH_FIXMATH=1 -DFIXMATH_NO_CACHE -I$(BENCH)/fixmath,-DBENCH_FIXMATH=0)
@@ -44,19 +47,31 @@ bench: ## measure: set up what is missing, measure cycles, instructions, code si
 	@+$(SUBMAKE) run-bench-search
 
 # Seconds instead of minutes: what one needs while making a loop faster.
-bench-cycles: $(BENCH_ELFS) $(BENCH_SCENE)/scene.json ## measure: cycles on the Cortex-M0+ alone, n = 60: ROWS=PATTERN (exact), N="5 1000"
+bench-cycles: $(BENCH_ELFS) $(BENCH_MESH_ELFS) $(BENCH_SCENE)/scene.json ## measure: cycles on the Cortex-M0+ alone, n = 60: ROWS=PATTERN (exact), N="5 1000"
 	@+$(SUBMAKE) -s setup-rp2040js
 	@node tests/bench/bench.mjs $(BENCH) '$(value ROWS)' $(N)
 
 run-bench: bench-programs
 	@node tests/bench/bench.mjs $(BENCH)
 
-bench-programs: $(BENCH_ELFS) $(BENCH_SCENE)/scene.json $(BENCH)/sizes.txt $(BENCH)/counts.txt
+bench-programs: $(BENCH_ELFS) $(BENCH_MESH_ELFS) $(BENCH_SCENE)/scene.json $(BENCH)/sizes.txt $(BENCH)/counts.txt
 
 $(BENCH)/m0plus-%.elf: $(BENCH_INPUTS) tests/bench/calibrate.S
 	@mkdir -p $(@D)
 	@arm-none-eabi-gcc -std=c99 -mcpu=cortex-m0plus -mthumb $(BENCH_FLAGS_$*) -ffunction-sections -fdata-sections $(BENCH_FLAGS) \
 		-nostartfiles -T tests/bench/m0plus.ld $(BENCH_SOURCES) tests/bench/calibrate.S -lm -o $@
+
+$(BENCH)/mesh-%.elf: tests/bench/mesh/mesh.c $(BENCH_MESH)/teapot.h $(BENCH_MESH)/teapot_split.h $(BENCH_INPUTS) tests/bench/calibrate.S
+	@arm-none-eabi-gcc -std=c99 -mcpu=cortex-m0plus -mthumb $(BENCH_FLAGS_$*) -ffunction-sections -fdata-sections -Ilib -I$(BENCH_MESH) \
+		-nostartfiles -T tests/bench/m0plus.ld $< $(wildcard lib/*.c lib/*.S) tests/bench/calibrate.S -o $@
+
+# As shipped: no normals of it are 180 degrees apart.
+$(BENCH_MESH)/teapot.h: $(BUILD)/glint
+	@mkdir -p $(@D)
+	@$< bake --scene teapot --split 180 --name teapot --as c -o $@ >/dev/null
+$(BENCH_MESH)/teapot_split.h: $(BUILD)/glint
+	@mkdir -p $(@D)
+	@$< bake --scene teapot --split 30 --name teapot_split --as c -o $@ >/dev/null
 
 $(BENCH)/sizes.txt: tests/bench/sizes $(BENCH_INPUTS) $(BOARDS)
 	@PYTHONDONTWRITEBYTECODE=1 $< $(BENCH) $(BENCH_BOARDS) >$@.tmp && mv $@.tmp $@

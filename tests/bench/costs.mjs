@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // costs FOLDER PART PARTS [PATTERN]: the figures of the committed table (tests/bench/costs.tsv) that are emulated on the Cortex-M0+, or
-// one part of them, so that parts run side by side. PATTERN: of rows that it matches as "loop exact rect asm" (call, loop, worst)
+// one part of them, so that parts run side by side. PATTERN: of rows that it matches as "loop exact rect asm" (call, loop, mesh, worst)
 // alone. Lines: number, kind, name, build, n, value; the number is the line's place
 // in the whole, 10 apart. Emulated cycles are the same on every computer, however busy it is.
 import { boot } from './m0plus.mjs'
 import { readScene } from './scene.mjs'
 import { evaluationRows, measureEvaluation } from './evaluations.mjs'
 import { loopRows, measureLoop } from './loops.mjs'
+import { MESHES, measureMesh } from './mesh.mjs'
 import { measureOpen, measureWorst, readWorst, worstRows } from './worst.mjs'
 
 process.on('uncaughtException', (error) => {
@@ -51,6 +52,12 @@ for (const build of ['O2', 'asm']) {
   for (const row of loopRows(machines[build])) {
     if (build === 'asm' && !ASSEMBLY.test(row.name)) continue
     for (const n of [60, ...SHININESSES[row.name] ?? []]) jobs.push(['loop', row.name, build, n, () => loop(build, row, n)])
+  }
+}
+for (const build of ['O2', 'asm']) {
+  const machine = boot(`${folder}/npm`, `${folder}/mesh-${build}.elf`)
+  for (const row of MESHES.filter(([, , exact]) => !exact || build === 'O2')) {
+    jobs.push(['mesh', row[0], build, 60, () => [['frame', measureMesh(machine, row).cycles]]])
   }
 }
 for (const row of worstRows(machines.O2)) jobs.push(['worst', row.name, 'O2', 60, () => worstLine(row)])

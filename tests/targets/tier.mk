@@ -16,7 +16,7 @@ test-targets: ## check: cross-compiled: no floating point, no writable data, sta
 TARGETS_LINES = $(if $(or $(if $(BOARD),,all),$(findstring asm,$(BOARD))),"tests/targets/test_lines $(BUILD)/targets $(BOARD)")
 # The table of costs is of all boards, so that one board's run leaves it.
 TARGETS_COSTS = $(if $(BOARD),,"tests/targets/test_costs $(BENCH)")
-TARGETS_COSTS_INPUTS = $(filter-out %-Os.elf,$(BENCH_ELFS)) $(BENCH_SCENE)/scene.json
+TARGETS_COSTS_INPUTS = $(filter-out %-Os.elf,$(BENCH_ELFS)) $(BENCH_MESH_ELFS) $(BENCH_SCENE)/scene.json
 
 costs: $(TARGETS_COSTS_INPUTS) $(BOARDS) ## measure: write the table that tier targets compares cycles and sizes with (costs.tsv), and the READMEs' figures; ROWS=PATTERN
 	@+$(SUBMAKE) -s setup-rp2040js
