@@ -29,6 +29,7 @@ static const char *const names[CONFORMANCE_HELD] = {
     "SMALL tables, their loops",
     "COLOUR tables, their loops, palettes",
     "COLOUR tables with dither, their loops",
+    "meshes by COLOUR tables",
     "ALBEDO tables, their loops",
     "MSH and Schlick, every c, n = 1",
     "MSH and Schlick, every c, n = 2",
@@ -73,13 +74,15 @@ uint64_t conformance_hash(unsigned check, const struct conformance_size *size)
     else if (check <= CONFORMANCE_NO_FORMAT)
         conform_scenes(check - CONFORMANCE_RGB565 + GLINT_RGB565, size);
     else if (check == CONFORMANCE_MESHES)
-        conform_meshes(size);
+        conform_meshes(size, false);
     else if (check == CONFORMANCE_SMALL)
         conform_small(size);
     else if (check == CONFORMANCE_COLOURS)
         conform_colours(size);
     else if (check == CONFORMANCE_DITHERED)
         conform_dithered(size);
+    else if (check == CONFORMANCE_MESHES_COLOUR)
+        conform_meshes(size, true);
     else if (check == CONFORMANCE_ALBEDO)
         conform_albedo(size);
     else

@@ -46,6 +46,7 @@ enum conformance_check {
     CONFORMANCE_SMALL, /* tables as filled, and all their loops */
     CONFORMANCE_COLOURS,
     CONFORMANCE_DITHERED,
+    CONFORMANCE_MESHES_COLOUR,
     CONFORMANCE_ALBEDO,
     CONFORMANCE_EVERY_C_1, /* MSH and Schlick at every c: n = 1, 2, 3, 5, 10, 60, 100, 317, 1000 */
     CONFORMANCE_CHECKS = CONFORMANCE_EVERY_C_1 + 9,

@@ -84,17 +84,14 @@ static void add_mesh(unsigned model, unsigned format, unsigned kind, bool tables
                 tables && kind % 4 ? 2 * WIDTH + 2 : 3 * WIDTH);
 }
 
-void conform_meshes(const struct conformance_size *size)
+void conform_meshes(const struct conformance_size *size, bool tables)
 {
     unsigned kind = 0;
     for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
         for (unsigned format = GLINT_RGB565; format <= GLINT_MONO; format++)
             for (uint8_t scene = 0; scene < size->scenes; scene++) {
-                add_mesh(model, format, kind, false);
-#if CONFORMANCE_COLOUR
-                if (format <= GLINT_RGB565_SWAPPED)
-                    add_mesh(model, format, kind, true);
-#endif
+                if (!tables || format <= GLINT_RGB565_SWAPPED)
+                    add_mesh(model, format, kind, tables);
                 kind++;
             }
 }

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT
- * The check of meshes. */
+ * The checks of meshes. */
 #ifndef CONFORMANCE_MESHES_H
 #define CONFORMANCE_MESHES_H
 
 #include "conformance.h"
 
-void conform_meshes(const struct conformance_size *size);
+/* Exact, or by COLOUR tables. */
+void conform_meshes(const struct conformance_size *size, bool tables);
 
 #endif
