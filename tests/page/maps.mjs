@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // PNG files of every kind that people drop, from formulas: no encoder is in between that could choose another kind.
-import { crc32, deflateSync } from 'node:zlib'
+import { deflateSync } from 'node:zlib'
 
-const crc = crc32 ?? ((bytes) => { // node 18 has none
+function crc(bytes) { // node 18's zlib has none
     let value = ~0
     for (const byte of bytes) {
         value ^= byte
@@ -10,7 +10,7 @@ const crc = crc32 ?? ((bytes) => { // node 18 has none
             value = value >>> 1 ^ (value & 1 ? 0xedb88320 : 0)
     }
     return ~value >>> 0
-})
+}
 
 function chunk(name, data) {
     const body = Buffer.concat([Buffer.from(name, 'latin1'), data])
