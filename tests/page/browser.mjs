@@ -46,10 +46,28 @@ export class Browser {
         return it
     }
 
+    /** Until it holds in the page; puppeteer's own wait is text to eval there, which the page's policy refuses in Firefox before 150. */
+    async until(condition, ...values) {
+        for (const end = Date.now() + 20000; !await this.page.evaluate(condition, ...values);) {
+            if (Date.now() > end)
+                throw new Error(`waited 20 s for ${condition}`)
+            await new Promise(resolve => setTimeout(resolve, 20))
+        }
+    }
+
+    /** Firefox before 150 knows sizes, but not orientations, which puppeteer sets with them. */
+    async resize(width, height) {
+        await this.page.setViewport({ width, height }).catch(error => {
+            if (!error.message.includes('setScreenOrientationOverride'))
+                throw error
+        })
+        await this.until((width, height) => innerWidth === width && innerHeight === height, width, height)
+    }
+
     async go(fragment = '') {
         await this.page.goto('about:blank')
         await this.page.goto(this.url + (fragment && '#' + fragment))
-        await this.page.waitForFunction(() => document.body.dataset.drawn !== undefined, { timeout: 20000 })
+        await this.until(() => document.body.dataset.drawn !== undefined)
     }
 
     /** Draws each fragment in turn: { width, height, rgba, refusal }. */
@@ -77,7 +95,7 @@ export class Browser {
 
     /** What the canvas shows, once the state that the page has is drawn. */
     async now() {
-        await this.page.waitForFunction(() => document.body.dataset.drawn === document.body.dataset.state, { timeout: 20000 })
+        await this.until(() => document.body.dataset.drawn === document.body.dataset.state)
         const fragment = await this.page.evaluate(() => document.body.dataset.drawn)
         const [picture] = await this.draw([fragment])
         return { ...picture, fragment }
@@ -101,7 +119,7 @@ export class Browser {
             globalThis.saved = []
             document.getElementById(id).click()
         }, id)
-        await this.page.waitForFunction(count => globalThis.saved.length === count, { timeout: 20000 }, count)
+        await this.until(count => globalThis.saved.length === count, count)
             .catch(async () => { throw new Error(`${id}: ${await this.text('file-status')}`) })
         const saved = await this.page.evaluate(() => globalThis.saved)
         return Object.fromEntries(saved.map(({ name, base64 }) => [name, Buffer.from(base64, 'base64')]))
