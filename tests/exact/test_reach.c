@@ -93,7 +93,7 @@ static void what_32_bits_decide_of_a_lamp_is_what_64_bits_find(void **state)
             wrong += found != att || (att && memcmp(&near, &exact, sizeof near));
         }
     }
-    printf("# %.3f million lamps, open: %.2f %%\n", batches / 1e3, open / (10.0 * batches));
+    printf("# %.3f million lamps, open: %.2f %%\n", (double)batches / 1e3, (double)open / (10.0 * (double)batches));
     assert_int_equal(wrong, 0);
     assert_true(open < 500L * batches); /* of 1000 each: were most open, this would be no test */
 }
