@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Runs a function of the library, as clang compiled it, for all arguments at once: every value is a polynomial over the arguments,
-congruent to the machine's word modulo 2^width; a shift adds its quotient as an atom; a comparison that the facts leave open makes
-two paths. A call is run the same way, or taken for what its contract says, which is then proved of it or checked by enumeration.
+"""Runs a function of the library, as clang compiled it, for all arguments at once: words.py has what a value is, and what makes two
+paths. A call is run the same way, or taken for what its contract says, which is then proved of it or checked by enumeration.
 
 Where the compiled code says that a sum or product does not overflow (nsw, nuw), that is proved; and that shifts are by less than the width."""
 import re
 import subprocess
 
-from poly import Facts, Poly, poly
+from poly import Poly, poly
+from words import Broken, Infeasible, Words
 
 CLANG = ["clang", "-std=c99", "-O1", "-fno-inline", "-fno-vectorize", "-fno-slp-vectorize", "-fno-unroll-loops", "-S", "-emit-llvm"]
 
@@ -20,7 +20,7 @@ def compiled(path, include):
     functions = {}
     for name, values in re.findall(r"^(@\w+) = .*?constant \[\d+ x i\d+\] \[(.*?)\]", run.stdout, re.M):
         functions[name] = [poly(int(v.split()[1])) for v in values.split(", ")]
-    for head, name, body in re.findall(r"^define (.*?)@(\w+)\(.*?$(.*?)^}", run.stdout, re.M | re.S):
+    for name, body in re.findall(r"^define .*?@(\w+)\(.*?$(.*?)^}", run.stdout, re.M | re.S):
         count = re.search(rf"@{name}\((.*?)\)[^)]*{{$", run.stdout, re.M).group(1)
         arguments = re.findall(r"(i\d+)[^,]*?(%\d+)|(ptr|i32\*)[^,]*?(%\d+)", count)
         blocks, label = {}, str(len(arguments))
@@ -34,182 +34,20 @@ def compiled(path, include):
     return functions
 
 
-class Broken(Exception):
-    """A proof that does not go through: what, where."""
-
-
-class Path:
-    """One path: facts, and the decisions that lead to it."""
+class Path(Words):
+    """One path: what its calls and loops leave for the theorem."""
 
     def __init__(self, functions, contracts, decisions):
-        self.functions, self.contracts = functions, contracts
-        self.facts, self.decisions, self.taken, self.quotients, self.calls = Facts(), decisions, 0, {}, {}
-        self.definitions = []
+        super().__init__(decisions)
+        self.functions, self.contracts = functions, dict(contracts)
         self.given = {}  # registers of a function that are known from elsewhere; None: not needed
-        self.origins, self.rests, self.carried, self.squares, self.exact, self.contracts = {}, {}, [], [], [], dict(contracts)
-
-    def choose(self, options):
-        """One of several lists of facts, which between them leave nothing out; the others become paths of their own."""
-        open_ = [o for o in options if all(self.facts.decided(f) is not False for f in o)]
-        if len(open_) > 1:
-            open_ = [o for o in open_ if self.facts.possible(o)]
-        if not open_:
-            raise Infeasible
-        pick = 0
-        if len(open_) > 1:
-            if self.taken == len(self.decisions):
-                self.decisions.append([0, len(open_)])
-            pick = self.decisions[self.taken][0]
-            self.taken += 1
-        for fact in open_[pick]:
-            self.facts.add(fact)
-        return options.index(open_[pick])
-
-    def is_true(self, p):
-        """p >= 0?"""
-        known = self.facts.decided(p)
-        return known if known is not None else self.choose([[p], [-p - 1]]) == 0
-
-    def prove(self, goal, what):
-        goal = poly(goal)
-        if not any(self.facts.follows(p, sort) for p, sort in ((goal, ["Real"]), (self.expanded(goal), ["Real"]), (goal, ["Int"]))):
-            raise Broken(what)
-
-    def expanded(self, p):
-        """With the definitions of rests in their places."""
-        for atom, rest in self.definitions:
-            p = sum((rest**m.count(atom) * Poly({tuple(a for a in m if a != atom): c}) for m, c in p.terms.items()), poly(0))
-        return p
-
-    def same(self, a, b, what):
-        self.prove(a - b, what)
-        self.prove(b - a, what)
-
-    def squared(self, a, b, what):
-        """From a = b follows a^2 = b^2."""
-        self.same(a, b, what)
-        self.facts.add(a * a - b * b)
-        self.facts.add(b * b - a * a)
-
-    def times(self, *factors):
-        """Adds the product of numbers that are at least 0."""
-        product = poly(1)
-        for factor in factors:
-            self.prove(factor, "a factor of a product")
-            product = product * factor
-        self.facts.add(product)
-
-    def divide(self, fact, factor):
-        """fact >= 0, since its product with a number of at least 1 is."""
-        self.prove(factor - 1, "a divisor of a fact is positive")
-        self.prove(fact * factor, "a fact, multiplied")
-        self.facts.add(fact)
-
-    # ---- words ----
-
-    def reduced(self, p, width):
-        """Congruent modulo 2^width, with coefficients of the smallest size."""
-        top = 1 << width
-        return Poly({m: c if -top < c < top else (c + top // 2) % top - top // 2 for m, c in p.terms.items()})
-
-    def word(self, p, width, signed=False):
-        """The value of a word itself."""
-        bottom = -(1 << (width - 1)) if signed else 0
-        top = bottom + (1 << width)
-        for q in (p, self.reduced(p, width)):
-            low, high = self.facts.interval(q)
-            if low >= bottom and high < top:
-                return q
-        p = self.reduced(p, width)
-        low, high = self.facts.interval(p)
-        first, last = (low - bottom) >> width, (high - bottom) >> width
-        if last - first > 3:
-            if self.facts.follows(p - bottom) and self.facts.follows(top - 1 - p):
-                return p
-            return self.rest(p - bottom, width) + bottom
-        turns = list(range(first, last + 1))
-        chosen = self.choose([[p - (k << width) - bottom, top - 1 - p + (k << width)] for k in turns])
-        return p - (turns[chosen] << width)
-
-    def shifted(self, p, bits):
-        """p / 2^bits, rounded down."""
-        if bits == 0:
-            return p
-        while bits and p.terms and all(c % 2 == 0 for c in p.terms.values()):
-            p, bits = Poly({m: c // 2 for m, c in p.terms.items()}), bits - 1
-        if bits == 0:
-            return p
-        inner = (p - p.terms.get((), 0)).key()
-        if inner in self.origins:  # (x / 2^a + k) / 2^b = (x + k 2^a) / 2^(a + b), each rounded down
-            x, a = self.origins[inner]
-            return self.shifted(x + (p.terms.get((), 0) << a), a + bits)
-        step = 1 << bits
-        whole = Poly({m: c // step for m, c in p.terms.items() if c % step == 0})
-        rest = p - whole * step
-        low, high = self.facts.interval(rest)
-        if low >> bits == high >> bits:
-            return whole + (low >> bits)
-        key = (rest.key(), bits)
-        if key not in self.quotients and whole.terms and \
-                self.facts.follows(rest) and self.facts.follows(step - 1 - rest):
-            self.quotients[key] = poly(0)
-        if key not in self.quotients:
-            q = self.quotients[key] = self.facts.atom("quotient", low >> bits, high >> bits)
-            self.origins[q.key()] = (rest, bits)
-            self.facts.add(rest - q * step)
-            self.facts.add(q * step + step - 1 - rest)
-        return whole + self.quotients[key]
-
-    def masked(self, p, mask):
-        if mask == 0:
-            return poly(0)
-        low = (mask & -mask).bit_length() - 1
-        bits = (mask >> low).bit_length()
-        if mask >> low != (1 << bits) - 1:
-            raise Broken(f"a mask of several pieces: {mask:#x}")
-        p = self.shifted(p, low)
-        return self.rest(p, bits) * (1 << low)
-
-    def rest(self, p, bits):
-        """p modulo 2^bits; an atom where an interval of its terms would not show that."""
-        zeros = 0
-        while zeros < bits and p.terms and all(c % (2 << zeros) == 0 for c in p.terms.values()):
-            zeros += 1
-        if zeros:
-            return self.rest(Poly({m: c >> zeros for m, c in p.terms.items()}), bits - zeros) * (1 << zeros)
-        q = self.shifted(p, bits)
-        rest = p - q * (1 << bits)
-        low, high = self.facts.interval(rest)
-        if low >= 0 and high < 1 << bits:
-            return rest
-        if rest.key() not in self.rests:
-            atom = self.rests[rest.key()] = self.facts.atom("rest", 0, (1 << bits) - 1)
-            self.facts.add(rest - atom)
-            self.facts.add(atom - rest)
-            self.definitions.insert(0, (next(iter(atom.terms))[0], rest))
-        return self.rests[rest.key()]
-
-    def joined(self, a, b):
-        """a | b, where no bit is set in both."""
-        for x, y in ((a, b), (b, a)):
-            if x.constant() == 0:
-                return y
-            bits = min((c & -c).bit_length() - 1 for c in x.terms.values())
-            if bits and self.facts.follows(y) and self.facts.follows((1 << bits) - 1 - y):
-                return x + y
-        raise Broken("an or of numbers that may share bits")
-
-    # ---- instructions ----
+        self.calls, self.squares, self.exact, self.carried = {}, [], [], []
 
     def run(self, name, arguments):
         if name in self.contracts:
             return self.contracts[name](self, *arguments)
         names, blocks = self.functions[name]
         return Frame(self, {**dict(zip(names, arguments)), **self.given.get(name, {})}, blocks, self.given.get(name, {})).run(next(iter(blocks)))
-
-
-class Infeasible(Exception):
-    """A path that nothing takes."""
 
 
 class Frame:
@@ -326,8 +164,8 @@ class Frame:
             same = a.key() == b.key() or (below is not True and above is not True and
                                           self.path.choose([[a - b, b - a], [a - b - 1], [b - a - 1]]) == 0)
             return poly(int(same == (how == "eq")))
-        low, high, more = (a, b, 1) if how[1] == "l" else (b, a, 1)
-        return poly(int(self.path.is_true(high - low - (more if how.endswith("t") else 0))))
+        low, high = (a, b) if how[1] == "l" else (b, a)
+        return poly(int(self.path.is_true(high - low - how.endswith("t"))))
 
     def op_xor(self, _, rest):
         width, a, b = re.match(r"i(\d+) (\S+), (\S+)", rest).groups()
