@@ -45,8 +45,7 @@ static const struct argp_option options[] = {
      "The surface's colour, for ALBEDO tables: an array of RGB565 beside the normals; alpha is ignored", 2},
     {"unit", KEY_UNIT, "N", 0,
      "Make 1 in a mesh's file N of the 32767, about its own origin, so that several meshes keep their sizes (default: "
-     "as large "
-     "as fits, about its middle)",
+     "as large as fits, about its middle)",
      1},
     {NULL, 0, NULL, 0, "The output:", 3},
     {"to", KEY_TO, "FORMAT", 0,
@@ -66,8 +65,7 @@ static const struct argp_option options[] = {
 
 static const char doc[] =
     "Turns a height map, a normal map or a built-in scene into the normals that the library's table loops read, or a "
-    "mesh into "
-    "what glint_mesh_add takes, and prints what that costs in quality."
+    "mesh into what glint_mesh_add takes, and prints what that costs in quality."
     "\v"
     "Pixels without a surface (mask): int16 has 0, 0, 0; int10 and int8 have z = 0, and the other bits count the "
     "pixels without a surface from this one on in its line; a palette has entry 0, with the normal 0, 0, 0: give it "
@@ -82,16 +80,11 @@ static const char doc[] =
     "address beyond the program's "
     "last one.\n"
     "Of a mesh, FILE.c defines the struct glint_mesh NAME and NAME_materials, a struct glint_material for each of its "
-    "parts; "
-    "FILE.h has the macros NAME_VERTICES, NAME_FACES and NAME_PARTS. Raw has four numbers of 16 bits (vertices, "
-    "triangles, "
-    "parts, bytes of a normal's number), then x, y, z of each vertex in 16 bits, its normal, a 0 where these are an "
-    "odd number "
-    "of bytes, three vertices of each triangle and the triangle each part ends before in 16 bits, and of each part "
-    "red, "
-    "green, blue and 1 where it is unlit. Its quality is that of whole pictures of 240x240 from three sides, exact, "
-    "against "
-    "double precision with normals normalised at each pixel.\n"
+    "parts; FILE.h has the macros NAME_VERTICES, NAME_FACES and NAME_PARTS. Raw has four numbers of 16 bits (vertices, "
+    "triangles, parts, bytes of a normal's number), then x, y, z of each vertex in 16 bits, its normal, a 0 where "
+    "these are an odd number of bytes, three vertices of each triangle and the triangle each part ends before in 16 "
+    "bits, and of each part red, green, blue and 1 where it is unlit. Its quality is that of whole pictures of 240x240 "
+    "from three sides, exact, against double precision with normals normalised at each pixel.\n"
     "The quality of the others compares the highlight alone, at full strength on white (msh, q = 8, grey8, exact "
     "path), with that of "
     "the 16-bit normals, in levels of 255, over nine lights. It is printed to standard output, or to standard error "

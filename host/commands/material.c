@@ -34,12 +34,10 @@ static const struct argp_option options[] = {
 
 static const char doc[] =
     "Prints a material, a light and a pixel format as a C function that fills a struct glint_shader: the shader with "
-    "which "
-    "glint render draws under the same options."
+    "which glint render draws under the same options."
     "\v"
     "No surface is needed; --scene NAME takes the material of a built-in scene. Maps are not part of a shader: hand "
-    "them to "
-    "glint_shade_rect in a struct glint_source.\n"
+    "them to glint_shade_rect in a struct glint_source.\n"
     "The light must be one --light without a colour; points, spots and colours are lamps of glint_shade_lights.\n"
     "In JSON, numbers are those of glint.h: _q16 is 65536 for 1.0; directions are whole numbers of any length.\n"
     "\n"

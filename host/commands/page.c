@@ -73,12 +73,12 @@ static bool read_page(const char *path, struct page *page)
     struct stat status;
     if (!stream)
         return false;
-    if (fstat(fileno(stream), &status) != 0 || !S_ISREG(status.st_mode) || status.st_size > PAGE_MAX)
-        fail("%s: this is not a page", path);
+    if (fstat(fileno(stream), &status) != 0 || !S_ISREG(status.st_mode) || !status.st_size || status.st_size > PAGE_MAX)
+        fail("%s: this is not a page; name the one that `make page` builds", path);
     page->len = (size_t)status.st_size;
     page->bytes = allocate(page->len, 1);
     if (fread(page->bytes, 1, page->len, stream) != page->len)
-        fail("%s: could not be read", path);
+        fail("%s: could not be read: %s", path, strerror(errno));
     fclose(stream);
     return true;
 }

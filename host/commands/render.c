@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * glint render: options, and the way from files to a picture. */
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -74,7 +75,8 @@ static void report(const struct render_options *options, const struct drawn *dra
         }
     }
     if (fflush(stream) != 0 || ferror(stream))
-        fail("standard %s: the comparison could not be written", stream == stdout ? "output" : "error");
+        fail("standard %s: the comparison could not be written: %s", stream == stdout ? "output" : "error",
+             strerror(errno));
 }
 
 static void draw_mesh(const struct render_options *options, struct drawn *drawn)

@@ -26,8 +26,7 @@ static const struct argp_option argp_options[] = {
      5},
     {"period", KEY_PERIOD, "SECONDS", 0,
      "Time for one turn of the light (default 4), or of a mesh about its vertical axis (default 8), whose light stands "
-     "still "
-     "without --orbit and --lights; 0: nothing moves",
+     "still without --orbit and --lights; 0: nothing moves",
      5},
     {"lights", KEY_LIGHTS, "FILE", 0,
      "Instead of the orbit: the direction of each frame from a file or standard input (-), one a line: X Y Z or "
@@ -45,8 +44,7 @@ static const struct argp_option argp_options[] = {
      "End after N frames (default: displays go on until Ctrl-C; files and pipes end after one turn of the light)", 6},
     {"shade", KEY_SHADE, "WHERE", 0,
      "Who shades: host (default), or device: it gets the normals and the material once, then 16 bytes a frame. It "
-     "draws "
-     "as --path colour-int8 does, in one colour, under one white --light. For --to",
+     "draws as --path colour-int8 does, in one colour, under one white --light. For --to",
      6},
     {"stats", KEY_STATS, NULL, 0,
      "Print at the end what was sent, and what it would take over USB; on a terminal also while it runs", 6},

@@ -35,8 +35,7 @@ static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "The table:", 5},
     {"kind", KEY_KIND, "KIND", 0,
      "Not the highlight alone but tables for glint_tables_rect and its like, which draw as glint render --path does: "
-     "colour "
-     "(20,480 bytes, with --dither 20,608), small (904) or albedo (8,584)",
+     "colour (20,480 bytes, with --dither 20,608), small (904) or albedo (8,584)",
      5},
     {"of", KEY_OF, "c|t", 0, "The argument: the cosine c, or t = 1 - c (default), which is finer near the peak", 5},
     {"entries", KEY_ENTRIES, "COUNT", 0, "Entries, 2 to 65536; default 256", 5},
@@ -51,11 +50,10 @@ static const struct argp_option options[] = {
 
 static const char doc[] =
     "Write a material's highlight as a table: C source for flash, with its look-up functions, or raw; or its tables "
-    "for "
-    "the loops of the library.\v"
+    "for the loops of the library."
+    "\v"
     "FILE.c defines the array NAME, and FILE.h beside it declares it, with NAME_ENTRIES and NAME_SHIFT in capitals. "
-    "Any "
-    "other FILE and - hold a static array.\n"
+    "Any other FILE and - hold a static array.\n"
     "The argument is the distance from the peak, x = t_q30 or x = 65536 - c_q16. Entry i is the library's value at "
     "x = i 2^SHIFT; SHIFT is the smallest for which the last entry lies beyond the cutoff and is 0. The C source "
     "states SHIFT and the largest measured errors of the nearest entry and of linear interpolation. Of the options of "

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "compare/quality_report.h"
 
+#include <errno.h>
 #include <inttypes.h>
+#include <string.h>
 
 #include "base/message.h"
 
@@ -48,5 +50,6 @@ void quality_print_mesh(const struct baked_mesh *baked, const struct quality row
 void quality_printed(FILE *stream)
 {
     if (fflush(stream) != 0 || ferror(stream))
-        fail("standard %s: the quality could not be written", stream == stderr ? "error" : "output");
+        fail("standard %s: the quality could not be written: %s", stream == stderr ? "error" : "output",
+             strerror(errno));
 }

@@ -89,11 +89,11 @@ const char *path_of_mesh(const struct shading *shading, struct mesh_path *of_mes
     if (!shading_is_plain(shading))
         return "a mesh takes only one --light, without a colour";
     if (shading->model == GLINT_PHONG)
-        return "cannot draw a mesh by phong";
+        return "cannot draw a mesh by phong; choose another --model";
     if (path->unit != RECT || path->by == ALBEDO || path->by == PALETTE || path->normals == GLINT_NORMALS_INT10)
         return "cannot draw a mesh; choose exact, colour-int16, colour-int8, small-int16 or small-int8";
     if (of_mesh->by_tables && shading->format == GLINT_MONO)
-        return "cannot draw a mesh in mono";
+        return "cannot draw a mesh in mono; choose another --format, or --path exact";
     if (path->by == COLOUR && shading->format > GLINT_RGB565_SWAPPED)
         return "needs --format rgb565 or rgb565-swapped";
     if (of_mesh->by_tables && shading->space != GLINT_GAMMA && (path->by == SMALL || shading->dither))

@@ -49,8 +49,7 @@ static void say_what_looks_wrong(const struct mesh *mesh, const struct fitted *f
         warn("%s: texture coordinates are ignored: each part has one colour", mesh->name);
     if (!(unit > 0) && volume(fitted) < -.05)
         warn("%s: most triangles seem to face inwards, and only those that face the viewer are drawn; flip them where "
-             "the "
-             "file was made",
+             "the file was made",
              mesh->name);
 }
 

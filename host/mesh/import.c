@@ -43,13 +43,13 @@ static void check_file(const char *path)
     if (!known)
         fail("%s: a mesh's name ends in .obj, .stl, .ply, .gltf or .glb; rename it, or export it so", path);
     if (stat(path, &status) != 0)
-        fail("%s: could not be opened: %s", path, strerror(errno));
+        fail("%s: %s", path, strerror(errno));
     if (!S_ISREG(status.st_mode))
-        fail("%s: is not a regular file", path);
+        fail("%s: this is not a regular file; name a mesh", path);
     if (status.st_size == 0)
-        fail("%s: is empty", path);
+        fail("%s: this file is empty; name a mesh", path);
     if (status.st_size > (off_t)FILE_MAX_MB << 20)
-        fail("%s: has more than %d MB; simplify the mesh", path, FILE_MAX_MB);
+        fail("%s: this file has more than %d MB; simplify the mesh", path, FILE_MAX_MB);
 }
 
 /* ---- the child ---- */
@@ -124,7 +124,8 @@ static void check_faces(const struct soup *soup)
         const struct soup_face *face = &soup->faces[i];
         for (int k = 0; k < 9; k++)
             if (!(fabs(face->places[k / 3][k % 3]) < 1e30))
-                fail("%s: triangle %zu has a corner at no finite place; repair the mesh", soup->name, i + 1);
+                fail("%s: triangle %zu has a coordinate that is not a number below 10^30; repair the mesh", soup->name,
+                     i + 1);
         if (face->part >= soup->part_count)
             fail("%s: triangle %zu has no material; repair the mesh", soup->name, i + 1);
     }
@@ -136,15 +137,15 @@ static struct soup *receive_soup(const struct reader *reader)
     receive(reader, &head, sizeof head);
     head.message[sizeof head.message - 1] = 0;
     if (head.message[0])
-        fail("%s: this is not a mesh that libassimp can read: %s", reader->path, head.message);
+        fail("%s: libassimp cannot read this mesh: %s", reader->path, head.message);
     if (head.face_count == 0)
-        fail("%s: has no triangles", reader->path);
+        fail("%s: has no triangles; name another mesh", reader->path);
     if (head.face_count > IMPORT_FACES_MAX)
         fail("%s: has %llu triangles, and at most %d can be drawn; simplify the mesh", reader->path,
              (unsigned long long)head.face_count, IMPORT_FACES_MAX);
     if (head.part_count == 0 || head.part_count > PARTS_MAX)
-        fail("%s: has %llu materials; at most %d can be read", reader->path, (unsigned long long)head.part_count,
-             PARTS_MAX);
+        fail("%s: has %llu materials; at most %d can be read; join some", reader->path,
+             (unsigned long long)head.part_count, PARTS_MAX);
     struct soup *soup = allocate(1, sizeof *soup);
     *soup = (struct soup){.name = strdup(reader->path),
                           .face_count = head.face_count,

@@ -128,7 +128,7 @@ void import_child(const char *path, int out)
     const char *dot = strrchr(path, '.');
     const bool linear = dot && (strcasecmp(dot, ".gltf") == 0 || strcasecmp(dot, ".glb") == 0);
     if (!load()) {
-        send_message(out, "it cannot be loaded (" LIBRARY "); install libassimp5");
+        send_message(out, LIBRARY " cannot be loaded; install libassimp5");
         return;
     }
     if (!freopen("/dev/null", "w", stderr) || !freopen("/dev/null", "w", stdout))

@@ -157,8 +157,7 @@ void mesh_split(struct mesh *mesh, double degrees)
         const size_t before = mesh->face_count, count = choose(mesh, least, middles);
         if (count > GLINT_MESH_FACES_MAX || mesh->vertex_count > UINT16_MAX)
             fail("%s: --split %g makes more than %u triangles or %u vertices of it; give a larger angle, or simplify "
-                 "the "
-                 "mesh",
+                 "the mesh",
                  mesh->name, degrees, GLINT_MESH_FACES_MAX, UINT16_MAX);
         cut_faces(mesh, middles, count);
         free(middles);

@@ -69,7 +69,7 @@ static struct grid *grid_new(const struct soup *soup)
         size = fmax(size, high - low);
     }
     if (!(size > 0 && size < 1e30))
-        fail("%s: has no size: all its corners are at one place", soup->name);
+        fail("%s: has no size: all its corners are at one place; repair the mesh", soup->name);
     grid->near = tolerance * size;
     grid->places = allocate(3 * soup->face_count, sizeof *grid->places);
     grid->next = allocate(3 * soup->face_count, sizeof *grid->next);
@@ -123,7 +123,7 @@ struct mesh *mesh_weld(const struct soup *soup, double crease)
     mesh->face_count = join(soup, grid, faces, from, mesh);
     mesh->place_count = grid->count;
     if (!mesh->face_count)
-        fail("%s: has no triangle with an area", soup->name);
+        fail("%s: has no triangle with an area; repair the mesh", soup->name);
     double(*normals)[3][3] = allocate(mesh->face_count, sizeof *normals);
     if (crease < 0 && soup->has_normals)
         corner_normals_given(soup, from, grid->places, faces, mesh->face_count, normals);

@@ -7,6 +7,7 @@
 #include "base/output.h"
 #include "base/parse.h"
 #include "base/unknown.h"
+#include "image/format.h"
 #include "image/write.h"
 #include "options/render_options.h"
 
@@ -17,8 +18,7 @@ static const struct argp_option argp_options[] = {
     {NULL, 'o', "FILE", 0, "The picture to write; - is standard output. With --compare it may be left out", 4},
     {"image", KEY_IMAGE, "KIND", 0,
      "png, ppm or qoi (default: by FILE's ending, png where it has none), or raw: the pixels of --format as they lie "
-     "in "
-     "memory, lines from the top without gaps or a header",
+     "in memory, lines from the top without gaps or a header",
      4},
     {"replicate", KEY_REPLICATE, NULL, 0,
      "Widen the levels of RGB565 to the picture's 8 bits as many panels do, by repeating their high bits, not to the "
@@ -26,8 +26,7 @@ static const struct argp_option argp_options[] = {
      4},
     {"gouraud", KEY_GOURAUD, NULL, 0,
      "Draw a mesh as Gouraud shading would, in double precision, to compare: colours at the corners, interpolated "
-     "between "
-     "them, as renderers without a highlight at every pixel do",
+     "between them, as renderers without a highlight at every pixel do",
      4},
     {NULL, 0, NULL, 0, "Quality:", 5},
     {"compare", KEY_COMPARE, NULL, 0,
@@ -46,9 +45,7 @@ static const char doc[] =
     "Shades a height map, a normal map, a mesh or a built-in scene with the integer library and writes the picture."
     "\v"
     "PNG, PPM and QOI have 8 bits a sample: a level v of 0..m becomes v 255 / m, rounded to the nearest. In RGB565 m "
-    "is "
-    "31 for red and blue and 63 for green, so 16 of 31 becomes 132; 3 of 31 becomes 25, by "
-    "--replicate 24.\n"
+    "is 31 for red and blue and 63 for green, so 16 of 31 becomes 132; 3 of 31 becomes 25, by --replicate 24.\n"
     "\n"
     "Examples:\n"
     "  glint render --height wall.png --albedo wall-color.png -o out.png\n"
@@ -94,6 +91,8 @@ static void check_outputs(const struct argp_state *state, struct render_options 
     if (o->widen == WIDEN_REPLICATE && (o->raw || !o->output))
         refuse(state, o->raw ? "--replicate cannot be used with --image raw, whose pixels are as the library wrote them"
                              : "--replicate is for the picture of -o; give -o FILE");
+    if (o->widen == WIDEN_REPLICATE && format_max(o->look.shading.format, 0) == 255)
+        refuse(state, "--replicate needs --format rgb565 or rgb565-swapped: other levels have 8 bits");
     if (o->error_map && strcmp(o->error_map, "-") == 0)
         refuse(state, "--error-map: name a file; only the picture of -o can go to standard output");
     if (o->error_map && o->output && output_same(o->error_map, o->output))
@@ -141,7 +140,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->against_blinn = parse_choice(state, "--against", "reference", text, references);
         return 0;
     case ARGP_KEY_ARG:
-        refuse(state, "unexpected argument '%s'; name files by --height, --normals, --albedo and -o", text);
+        refuse(state, "unexpected argument '%s'; name files by --height, --normals, --mesh, --albedo and -o", text);
     case ARGP_KEY_END:
         check_outputs(state, o);
         shading_options_check(state, &o->look, &o->look.shading);

@@ -41,13 +41,11 @@ static const struct argp_option argp_options[] = {
      "A mesh of triangles: OBJ, STL, PLY or glTF. Its materials' colours are used, its textures are not", 1},
     {"crease", KEY_CREASE, "DEGREES", 0,
      "Normals are made from the mesh's faces, and edges that turn by more than this stay sharp (default: the file's "
-     "own "
-     "normals; 60 where it has none, and for an STL)",
+     "own normals; 60 where it has none, and for an STL)",
      1},
     {"split", KEY_SPLIT, "DEGREES", 0,
      "Split a mesh's edges over which the normal turns by more than this, 1..180 (default 30): highlights lie better "
-     "on "
-     "more triangles",
+     "on more triangles",
      1},
     {"axes", KEY_AXES, "NAME", 0,
      "Which way is up in the mesh's file: y-up or z-up (default: z-up for an STL, else y-up)", 1},
@@ -120,6 +118,8 @@ static void check_mesh(const struct argp_state *state, const struct scene_option
     const struct mesh_source *mesh = &o->mesh;
     if (!mesh->name && (mesh->crease >= 0 || mesh->split > 0 || mesh->axes != AXES_USUAL))
         refuse(state, "%s needs --mesh", mesh->crease >= 0 ? "--crease" : mesh->split > 0 ? "--split" : "--axes");
+    if (mesh->built_in && mesh->axes != AXES_USUAL)
+        refuse(state, "--axes is for a mesh's file; leave it out with a built-in mesh");
     if (mesh->name && (o->albedo || o->gloss || o->mask))
         refuse(state, "%s is for maps; it cannot be used with a mesh",
                o->albedo ? "--albedo"

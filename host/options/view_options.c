@@ -13,8 +13,7 @@ static const struct argp_option argp_options[] = {
     {NULL, 0, NULL, 0, NULL, 1},
     {"turn", KEY_TURN, "X,Y,Z", 0,
      "Turn the mesh by so many degrees: about the vertical axis by Y, then about the horizontal one by X, then about "
-     "the "
-     "line of sight by Z (default 0,0,0; teapot 25,-30,0)",
+     "the line of sight by Z (default 0,0,0; teapot 25,-30,0)",
      1},
     {"zoom", KEY_ZOOM, "Z", 0, "How large the mesh is drawn (default 1: whatever its turn, it fills the picture)", 1},
     {"perspective", KEY_PERSPECTIVE, "DISTANCE", OPTION_ARG_OPTIONAL,

@@ -163,6 +163,14 @@ static void a_long_text_is_quoted_in_part(void **state)
     assert_null(strstr(run("$GLINT eval -n $(printf %050d 7)x 1")->err, "..."));
 }
 
+static void what_is_no_page_is_not_served(void **state)
+{
+    (void)state;
+    assert_fails("$GLINT page --port 0 --file no-page.html", "no-page.html: No such file");
+    assert_fails("$GLINT page --port 0 --file .", ".: this is not a page; name the one that `make page` builds");
+    assert_fails(">empty.html; $GLINT page --port 0 --file empty.html", "empty.html: this is not a page; name the one");
+}
+
 /* ---- standard output ---- */
 
 static void a_full_disk_is_a_failure(void **state)
@@ -173,6 +181,9 @@ static void a_full_disk_is_a_failure(void **state)
     assert_fails("$GLINT cutoff >/dev/full", "standard output");
     assert_fails("$GLINT table >/dev/full", "standard output");
     assert_fails("$GLINT --help >/dev/full", "standard output");
+    assert_fails("$GLINT render --scene sphere --size 8x8 --compare >/dev/full",
+                 "the comparison could not be written: No");
+    assert_fails("$GLINT bake --scene coin --size 8x8 >/dev/full", "the quality could not be written: No space");
 }
 
 static void a_closed_standard_output_is_a_failure(void **state)
@@ -294,6 +305,7 @@ int main(void)
         cmocka_unit_test(malformed_numbers_are_refused_by_name),
         cmocka_unit_test(a_message_is_one_line_whatever_it_quotes),
         cmocka_unit_test(a_long_text_is_quoted_in_part),
+        cmocka_unit_test(what_is_no_page_is_not_served),
         cmocka_unit_test(a_full_disk_is_a_failure),
         cmocka_unit_test(a_closed_standard_output_is_a_failure),
         cmocka_unit_test(a_closed_pipe_is_a_failure),

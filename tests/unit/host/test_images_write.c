@@ -144,6 +144,7 @@ static void replicate_changes_the_picture_and_is_refused_where_there_is_none(voi
     assert_refused("$GLINT render --scene coin --replicate --image raw -o c",
                    "--replicate cannot be used with --image raw");
     assert_refused("$GLINT render --scene coin --replicate --compare", "give -o FILE");
+    assert_refused("$GLINT render --scene coin --replicate -o c.png", "--replicate needs --format rgb565");
 }
 
 static void the_kind_follows_the_ending(void **state)

@@ -66,7 +66,8 @@ static void options_that_do_not_fit_a_mesh_are_refused(void **state)
         {"render --mesh - -o a.png", "--mesh: cannot come from standard input"},
         {"render --scene teapot --path span -o a.png", "--path span: cannot draw a mesh; choose"},
         {"render --scene teapot --point 1,2,3,4 -o a.png", "takes only one --light"},
-        {"render --scene teapot --model phong -o a.png", "phong"},
+        {"render --scene teapot --model phong -o a.png", "choose another --model"},
+        {"render --scene teapot --axes z-up -o a.png", "--axes is for a mesh's file"},
         {"bake --scene teapot --to palette", "--to palette is for maps"},
         {"bake --scene teapot --size 9x9", "--size is for maps"},
         {"bake --scene coin --unit 3", "--unit needs --mesh"},
@@ -156,15 +157,15 @@ static void hostile_files_are_one_line(void **state)
 {
     (void)state;
     static const char *const files[][3] = {
-        {"nan.obj", "v 0 0 0\nv nan 1 0\nv 1 1 0\nf 1 2 3\n", "triangle 1 has a corner at no finite place"},
-        {"far.obj", "v 0 0 0\nv 1e38 1 0\nv 1 1 0\nf 1 2 3\n", "no finite place"},
+        {"nan.obj", "v 0 0 0\nv nan 1 0\nv 1 1 0\nf 1 2 3\n",
+         "triangle 1 has a coordinate that is not a number below 10^30"},
+        {"far.obj", "v 0 0 0\nv 1e38 1 0\nv 1 1 0\nf 1 2 3\n", "not a number below 10^30"},
         {"point.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n", "all its corners are at one place"},
         {"line.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n", "has no triangle with an area"},
         {"lines.obj", "v 0 0 0\nv 1 1 1\nl 1 2\n", "has no triangles"},
-        {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99\n", "this is not a mesh that libassimp can read"},
-        {"empty.ply", "", "is empty"},
-        {"text.stl", "This is not a mesh at all, whatever its name says.\n",
-         "this is not a mesh that libassimp can read"},
+        {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99\n", "libassimp cannot read this mesh: "},
+        {"empty.ply", "", "this file is empty; name a mesh"},
+        {"text.stl", "This is not a mesh at all, whatever its name says.\n", "libassimp cannot read this mesh: "},
         {"huge.ply",
          "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\n"
          "element face 4000000000\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n",
@@ -175,9 +176,9 @@ static void hostile_files_are_one_line(void **state)
         snprintf(line, sizeof line, "$GLINT bake --mesh %s -o no.c", files[i][0]);
         assert_fails(line, files[i][2]);
     }
-    assert_fails("$GLINT bake --mesh none.obj", "none.obj: could not be opened");
+    assert_fails("$GLINT bake --mesh none.obj", "none.obj: No such file");
     assert_fails("$GLINT bake --mesh . ", "a mesh's name ends in .obj");
-    assert_fails("mkdir d.obj; $GLINT bake --mesh d.obj", "d.obj: is not a regular file");
+    assert_fails("mkdir d.obj; $GLINT bake --mesh d.obj", "d.obj: this is not a regular file");
     assert_fails(
         "(printf 'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\n'; yes 'f 1 2 3' | head -65535) >many.obj; $GLINT bake --mesh many.obj",
         "has 65535 triangles, and at most 65534 can be drawn");
