@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// test_te.mjs PACKAGES FOLDER PANEL JUDGE PIN: the demo of an image that was built for a panel's tearing line (TE) on PIN, with a
-// panel that scans: 320 rows and 24 of blanking, 60 times a second.
+// test_te.mjs PACKAGES FOLDER PANEL JUDGE PIN ADDRESS: the demo of an image that was built for a panel's tearing line (TE) on PIN,
+// with a panel that scans: 320 rows and 24 of blanking, 60 times a second; and for browsers to offer ADDRESS.
+import { bosOf, landingPageOf } from './descriptors.mjs'
 import { Judge } from './judge.mjs'
 import { Pico } from './pico.mjs'
 import { check, equal, run } from './tap.mjs'
+import { UsbHost } from './usb_host.mjs'
 
-const [packages, folder, panel, program, pin] = process.argv.slice(2)
+const [packages, folder, panel, program, pin, address] = process.argv.slice(2)
 const judge = new Judge(program, panel)
 const { width, height } = judge
 const pico = new Pico(packages).load(`${folder}/glint.uf2`)
@@ -95,6 +97,15 @@ run([
     draw(8)
     check(pico.uart.includes('TE is back'), pico.uart)
     equal(torn(from), 0, 'scans that are torn')
+  }],
+  ['browsers are told the address that was built in, for its own number only', () => {
+    const host = new UsbHost(pico)
+    host.pulled_up = true
+    host.enumerate()
+    const { webusb } = bosOf(host)
+    equal(webusb.landingPage, 1, 'iLandingPage')
+    equal(landingPageOf(host, webusb.vendorCode, 1), address, 'the address')
+    equal(landingPageOf(host, webusb.vendorCode, 2), null, 'the address of a second page')
   }],
   ['whatever happened, D/C never changed while a byte was sent', () => {
     equal(wires.faults.length, 0, `faults, the first: ${wires.faults[0]}`)

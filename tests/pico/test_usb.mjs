@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_usb.mjs PACKAGES FOLDER PANEL JUDGE: the image as a GUD display on an emulated USB.
+import { bosOf, landingPageOf, microsoftSetOf } from './descriptors.mjs'
 import { FORMAT, Gud, picture565, shown565, STATUS } from './gud.mjs'
 import { Judge } from './judge.mjs'
 import { Pico } from './pico.mjs'
@@ -56,6 +57,33 @@ run([
     equal(configuration[20], 1, 'the endpoint, OUT')
     equal(configuration[21], 2, 'its type, bulk')
     check(texts[0] === 'glint' && texts[1].includes(`${width}x${height}`) && texts[2].length === 16, texts.join(', '))
+  }],
+  ['BOS lets browsers in where there is an interface for light, and Windows has WinUSB for that one alone', () => {
+    const { device, configuration } = host.enumerate(), interfaces = configuration[4], bos = bosOf(host)
+    equal(device.readUInt16LE(2), interfaces === 2 ? 0x0210 : 0x0200, 'bcdUSB')
+    equal(device.readUInt16LE(12) & 15, 1, 'the descriptors\' count in bcdDevice')
+    equal(device.readUIntBE(4, 3), 0, 'the device\'s class, which makes it a composite one')
+    equal(bos === null, interfaces === 1, 'no BOS')
+    if (!bos) return
+    equal(bos.webusb.landingPage, 0, 'the landing page')
+    equal(landingPageOf(host, bos.webusb.vendorCode, 0), null, 'its address')
+    const set = microsoftSetOf(host, bos.microsoft)
+    equal(set.firstInterface, 1, 'bFirstInterface')
+    equal(set.compatible, 'WINUSB\0\0', 'the compatible ID')
+    equal(set.sub, '\0'.repeat(8), 'the sub-compatible ID')
+    equal(set.name, 'DeviceInterfaceGUIDs\0', 'the property')
+    check(/^\{[0-9A-F]{8}(-[0-9A-F]{4}){3}-[0-9A-F]{12}\}\0\0$/.test(set.guids), `the GUIDs: ${JSON.stringify(set.guids)}`)
+  }],
+  ['requests are told apart by their recipient first', () => {
+    const bos = bosOf(host), code = bos?.microsoft.vendorCode ?? 2
+    equal(gud.status(), STATUS.ok, 'the status before')
+    equal(host.control(0xc0, 0x01, 0, 0, 30), null, 'GUD\'s descriptor, asked of the device')
+    equal(host.control(0xc0, code, 0, 8, 255), null, 'another index')
+    equal(host.control(0xc0, code, 1, 7, 255), null, 'another value')
+    equal(host.control(0x40, code, 0, 7, Buffer.alloc(4)), null, 'a write')
+    equal(host.control(0xc2, code, 0, 7, 255), null, 'the set, asked of an endpoint')
+    equal(gud.status(), STATUS.ok, 'the status of the display, which none of these concerned')
+    equal(host.control(0xc1, code, 0, 7, 255), null, 'the set, asked of an interface')
   }],
   ['the demo goes on until a host enables the controller', () => {
     check(pico.run(() => pico.wires.level('backlight') === 1, 100), 'the backlight stays off')

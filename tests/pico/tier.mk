@@ -6,7 +6,9 @@ PICO_TE_TESTED = 21
 PICO_TOOLS = judge attach cores
 # What is built; boards that nothing emulates, to see that they build.
 PICO_NOT_RUN = $(filter-out $(pico_EMULATED),$(pico_BOARDS))
-PICO_BUILT = $(PICO_PANELS_TESTED:%=PANEL=%) TE=$(PICO_TE_TESTED) SECOND_CORE=1 PATH=exact $(PICO_NOT_RUN:%=BOARD=%)
+# The address in the image with TE: one image less to build.
+PICO_LANDING_TESTED = https://example.org/glint
+PICO_BUILT = $(PICO_PANELS_TESTED:%=PANEL=%) TE=$(PICO_TE_TESTED)+LANDING_PAGE=$(PICO_LANDING_TESTED) SECOND_CORE=1 PATH=exact $(PICO_NOT_RUN:%=BOARD=%)
 PICO_TEST = node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel)$(2) $(panel) $(BUILD)/tests/pico/judge
 PICO_CORES = $(patsubst %,firmware/core/%.c,relight panel demo orbit) $(wildcard lib/*.c)
 
@@ -18,7 +20,7 @@ test-pico: ## check: the Pico's firmware emulated: boot, panel, the demo's frame
 # Two at a time, since half of CMake's work uses one core. The conformance image is built in the first one's folder.
 pico-images: $(BUILD)/glint $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
 	@firmware/ports/pico/fetch-sdk >/dev/null
-	@+printf '%s\n' $(PICO_BUILT) | xargs -P 2 -n 1 $(SUBMAKE) -s firmware-pico
+	@+printf '%s\n' $(PICO_BUILT) | tr + ' ' | xargs -P 2 -L 1 $(SUBMAKE) -s firmware-pico
 	@+$(SUBMAKE) -s firmware-pico IMAGE=conformance
 
 # What takes longest goes first. LAB_*: as in tier lab.
@@ -27,7 +29,7 @@ run-pico: pico-images $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $(addprefix $(BUILD)
 		export LAB_KERNEL LAB_BUILD TALLY_JOBS && tests/tally \
 		$(foreach panel,st7789-240x240,"$(call PICO_TEST,faults)" \
 		"tests/lab/guest --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,end_to_end) $(BUILD)/glint" \
-		"$(call PICO_TEST,light)" "$(call PICO_TEST,te,-te$(PICO_TE_TESTED)) $(PICO_TE_TESTED)" \
+		"$(call PICO_TEST,light)" "$(call PICO_TEST,te,-te$(PICO_TE_TESTED)-landing) $(PICO_TE_TESTED) $(PICO_LANDING_TESTED)" \
 		"$(call PICO_TEST,second_core,-two-cores)" "$(call PICO_TEST,exact,-exact)") \
 		"node tests/pico/test_conformance.mjs $(BENCH_NPM) build/firmware/pico-st7789-240x240 $(CONFORMANCE_EXPECTED)" \
 		$(foreach panel,$(PICO_PANELS_TESTED),"$(call PICO_TEST,demo)" "$(call PICO_TEST,usb)") \

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The Raspberry Pi Pico with a panel: make firmware PORT=pico [PANEL=st7789-240x240] [TE=21] [SECOND_CORE=1] [PATH=exact] [IMAGE=conformance] [BOARD=pico2]
+# The Raspberry Pi Pico with a panel: make firmware PORT=pico [PANEL=st7789-240x240] [TE=21] [SECOND_CORE=1] [PATH=exact] [LANDING_PAGE=https://...] [IMAGE=conformance] [BOARD=pico2]
 PANEL ?= st7789-240x240
 pico_BOARDS = pico pico2
 # Those that an emulator runs; make test-pico reports the others as skipped.
@@ -19,8 +19,10 @@ override PATH := $(filter-out $(PICO_PATH),$(shell echo "$$PATH"))
 override PATH := $(or $(PATH),/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin)
 endif
 PICO_EXACT = $(if $(filter exact,$(PICO_PATH)),1,0)
+# The page that browsers offer when the board is plugged in; none: they offer none.
+LANDING_PAGE ?=
 PICO_FREE_PINS = 1 2 3 4 5 6 7 14 15 16 17 18 19 20 21 22 26 27 28
-PICO = build/firmware/$(PICO_BOARD)-$(PANEL)$(TE:%=-te%)$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)
+PICO = build/firmware/$(PICO_BOARD)-$(PANEL)$(TE:%=-te%)$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(if $(LANDING_PAGE),-landing)
 PICO_SIZE = $(lastword $(subst -, ,$(PANEL)))
 
 pico_PACKAGES = cmake make python3-minimal gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib
@@ -34,9 +36,10 @@ firmware-pico: $(PICO)/map/demo_map.h $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
 	@$(if $(filter $(PICO_PANELS),$(PANEL)),,echo "make: PANEL=$(PANEL): the panels are $(PICO_PANELS)" >&2; exit 1)
 	@$(if $(filter-out $(PICO_FREE_PINS),$(TE)),echo "make: TE=$(TE): the pins that are free are $(PICO_FREE_PINS)" >&2; exit 1)
 	@$(if $(filter 11,$(SECOND_CORE)$(PICO_EXACT)),echo "make: PATH=exact: draws with one core; leave SECOND_CORE=1 out" >&2; exit 1)
+	@$(if $(filter-out https://% http://localhost http://localhost/% http://localhost:%,$(LANDING_PAGE)),echo "make: LANDING_PAGE=$(LANDING_PAGE): browsers take https://... or http://localhost..." >&2; exit 1)
 	@sdk=$$(firmware/ports/pico/fetch-sdk) && \
 	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DPICO_BOARD=$(PICO_BOARD) -DPICO_NO_PICOTOOL=1 \
-		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_PANEL=$(PANEL) -DGLINT_TE=$(or $(TE),-1) -DGLINT_SECOND_CORE=$(SECOND_CORE) -DGLINT_EXACT=$(PICO_EXACT) \
+		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_PANEL=$(PANEL) -DGLINT_TE=$(or $(TE),-1) -DGLINT_SECOND_CORE=$(SECOND_CORE) -DGLINT_EXACT=$(PICO_EXACT) '-DGLINT_LANDING_PAGE=$(LANDING_PAGE)' \
 		-DGLINT_MAP="$(CURDIR)/$(PICO)/map" -DGLINT_EXPECTED="$(abspath $(CONFORMANCE))" >$(PICO)/log 2>&1 && \
 	MAKEFLAGS= cmake --build $(PICO)/cmake --target $(IMAGE) $(PARALLEL) >>$(PICO)/log 2>&1 || { grep -E 'rror|glint:' $(PICO)/log >&2; \
 		echo "make: the Pico's firmware was not built; the whole log is $(PICO)/log" >&2; exit 1; }

@@ -4,6 +4,7 @@
 
 #include <tusb.h>
 
+#include "usb_bos.h"
 #include "usb_class.h"
 #include "usb_descriptors.h"
 
@@ -64,7 +65,7 @@ void tud_resume_cb(void)
 
 /* ---- requests ---- */
 
-/* Requests to a vendor interface have it as wIndex. */
+/* Requests to an interface have it as wIndex. */
 static bool is_for_light(const struct gud_setup *setup)
 {
     return USB_INTERFACES > USB_LIGHT && setup->index == USB_LIGHT;
@@ -89,8 +90,13 @@ static bool begin(uint8_t port, const tusb_control_request_t *request, const str
     return set(setup) && tud_control_status(port, request);
 }
 
+/* What wIndex means depends on the recipient: that comes first. */
 bool tud_vendor_control_xfer_cb(uint8_t port, uint8_t stage, const tusb_control_request_t *request)
 {
+    if (request->bmRequestType_bit.recipient == TUSB_REQ_RCPT_DEVICE)
+        return stage != CONTROL_STAGE_SETUP || usb_bos_request(port, request);
+    if (request->bmRequestType_bit.recipient != TUSB_REQ_RCPT_INTERFACE)
+        return false;
     const struct gud_setup setup = {request->bmRequestType, request->bRequest, request->wValue, request->wIndex,
                                     request->wLength};
     if (stage == CONTROL_STAGE_SETUP)

@@ -14,12 +14,13 @@ enum {
     ENDPOINT_GUD = 0x01,
     ENDPOINT_LIGHT = 0x02,
     MILLIAMPERES = 250,
-    RELEASE = GLINT_VERSION_MAJOR << 8 | GLINT_VERSION_MINOR << 4
+    DESCRIPTORS = 1, /* counts up with each change here and in usb_bos.c: Windows keeps what it read by this number */
+    RELEASE = GLINT_VERSION_MAJOR << 8 | GLINT_VERSION_MINOR << 4 | DESCRIPTORS
 };
 
 static const tusb_desc_device_t device = {.bLength = sizeof device,
                                           .bDescriptorType = TUSB_DESC_DEVICE,
-                                          .bcdUSB = 0x0200,
+                                          .bcdUSB = OFFERS_LIGHT ? 0x0210 : 0x0200, /* 2.10: read usb_bos.c's, too */
                                           .bMaxPacketSize0 = CFG_TUD_ENDPOINT0_SIZE,
                                           .idVendor = GUD_ID_OPENMOKO >> 16,
                                           .idProduct = GUD_ID_OPENMOKO & 0xffff,
