@@ -10,10 +10,8 @@
  *              6 levels of 255 at n = 1000, one step of t is nothing.
  *              n: shininess, 1..1000.   q: the cutoff 2^-q below which a highlight counts as 0, 0..16.
  * Clamping     n and q are clamped. c < 0 or t > 1 (back-facing) gives 0, c > 1 counts as 1. An unknown model gives 0.
- * Re-entrancy  No global state, no heap, no writable data: everything may be called from interrupts and threads,
- *              on different structs or on the same one where it is const.
- * Stack        At most 800 bytes on Cortex-M, 900 on RV32, AVR and Xtensa, for any call (`make test-targets` checks
- *              it).
+ * Re-entrancy  No global state, no heap, no writable data: call it from interrupts and threads, on one struct where that is const.
+ * Stack        At most 800 bytes on Cortex-M, 900 on RV32, AVR and Xtensa, for any call (`make test-targets` checks it).
  * Memory       Constants: 2.0 KB, 1.1 of it the sRGB tables, where all is linked. In flash, on AVR and the ESP8266, too.
  * Integers     sequence.md states every path's sequence, bit by bit.
  * Sources      Equation numbers are those of Zavalniuk et al. 2022, DOI 10.31649/1999-9941-2022-55-3-4-12.
@@ -116,8 +114,7 @@ struct glint_vec {
     int16_t x, y, z;
 };
 
-/* Scales v (any units) to length 1, within .501 of 2^-15; 1.0 is held as 32767. GLINT_ERR_ARG: NULL. GLINT_ERR_VECTOR
- * where v is 0. */
+/* Scales v (any units) to length 1, within .501 of 2^-15; 1.0 is held as 32767. GLINT_ERR_ARG: NULL. GLINT_ERR_VECTOR: v is 0. */
 enum glint_err glint_vec_normalize(struct glint_vec *out, const int32_t v[3]);
 
 /* A directional light seen by a distant viewer. */
@@ -138,9 +135,9 @@ enum glint_err glint_light_init(struct glint_light *light, const int32_t to_ligh
  *   value_k = albedo_k (ambient_k + diffuse_k nl) + specular_k gloss F
  *   out_k   = floor(min(1, value_k) max_k + 1/2), max_k = 255, 63, 31 or 1; dithered: a threshold in the place of 1/2
  *
- * In gamma space that is the one rounding, after the sum; in linear space the sum is encoded to sRGB before it. sequence.md
- * has the integers, step by step: they are the same on every path, target and compiler. Q1.15 vectors are the input as
- * given: what rounding them costs is the picture's affair, see the README.
+ * In gamma space that is the one rounding, after the sum; in linear space the sum is encoded to sRGB before it. sequence.md has the
+ * integers, step by step, the same on every path, target and compiler. Q1.15 vectors are the input as given: what rounding them costs
+ * is the picture's affair, see the README.
  */
 
 /* The coefficients, Q16.16, 0..65536 each (more counts as 65536), times the light's colour: red, green, blue. */
@@ -151,14 +148,19 @@ struct glint_material {
     uint8_t albedo[3]; /* where there is no albedo map; 255 = 1.0 */
 };
 
-/* Pixel formats. Stored as uint8_t. */
-enum glint_format {
-    GLINT_RGB565,         /* 2 bytes, red in the top 5 bits, low byte first */
-    GLINT_RGB565_SWAPPED, /* the same, high byte first: the order on the wire to most panels */
-    GLINT_RGB888,         /* 3 bytes: red, green, blue */
-    GLINT_GREY8,          /* 1 byte */
-    GLINT_MONO            /* 1 bit, most significant first; each line starts on a byte */
-};
+/* Pixel formats. This list is the one place that names them all: X(number, name, bytes, channels, red, green, blue) has a pixel's bytes
+ * (0: one bit), its channels and the largest level of each. GLINT_RGB565 = 0, ... Stored as uint8_t. */
+#define GLINT_FORMATS(X)                                                                                               \
+    X(GLINT_RGB565, "rgb565", 2, 3, 31, 63, 31)                 /* red in the top 5 bits, low byte first */            \
+    X(GLINT_RGB565_SWAPPED, "rgb565-swapped", 2, 3, 31, 63, 31) /* high byte first: the wire's to most panels */       \
+    X(GLINT_RGB888, "rgb888", 3, 3, 255, 255, 255)              /* red, green, blue */                                 \
+    X(GLINT_GREY8, "grey8", 1, 1, 255, 255, 255)                                                                       \
+    X(GLINT_MONO, "mono", 0, 1, 1, 1, 1) /* most significant bit first; each line starts on a byte */
+
+#define GLINT_FORMAT_NUMBER(number, name, bytes, channels, red, green, blue) number,
+#define GLINT_FORMAT_ONE(number, name, bytes, channels, red, green, blue) +1
+enum glint_format { GLINT_FORMATS(GLINT_FORMAT_NUMBER) };
+enum { GLINT_FORMAT_COUNT = 0 GLINT_FORMATS(GLINT_FORMAT_ONE) };
 
 /* Where the sum is formed. Stored as uint8_t. */
 enum glint_space {
@@ -214,14 +216,12 @@ enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct 
 /* ---- Several lights ------------------------------------------------------------------------------------------- *
  *
  * Up to four, each directional, a point or a spot. A point costs some 1,400 cycles a pixel on a Cortex-M0+.
- * Places are on the screen, in 1/16 pixel: x right, y down (as lines go), z to the viewer from the surface, which is at
- * z = 0; pixel x, y of a rectangle lies at 16 (surface.x + x) + 8, 16 (surface.y + y) + 8, so that parts of a picture
- * join. Directions stay as above, y up.
+ * Places are on the screen, in 1/16 pixel: x right, y down (as lines go), z to the viewer from the surface, which is at z = 0; pixel
+ * x, y of a rectangle lies at 16 (surface.x + x) + 8, 16 (surface.y + y) + 8: parts of a picture join. Directions stay as above, y up.
  *
- * A point's light falls off by (1 - (distance / range)^2)^2; a spot's also by a smooth step from its outer cone to its
- * inner one. The lights' nl and F, scaled by their colours, are summed before the one rounding. The order of the lamps
- * does not matter; one white directional lamp gives the pixels of glint_shade_rect. With clamp_peak each F is held to 1,
- * not their sum. The integers: sequence.md.
+ * A point's light falls off by (1 - (distance / range)^2)^2; a spot's also by a smooth step from its outer cone to its inner one.
+ * The lights' nl and F, scaled by their colours, are summed before the one rounding. The order of the lamps does not matter; one white
+ * directional lamp gives the pixels of glint_shade_rect. With clamp_peak each F is held to 1, not their sum. The integers: sequence.md.
  */
 
 #define GLINT_LAMPS_MAX 4u
@@ -339,23 +339,21 @@ enum glint_err glint_shade_span_c16(const struct glint_shader *shader, const str
 
 /* ---- Table loops: what the exact paths draw, at a fraction of their cycles -------------------------------------- *
  *
- * Tables are filled from exact values on the device; only their arguments are quantised. Filled once a material; a light
- * that moves needs only glint_tables_light_init. Uniform material, gloss 255, one directional light, Blinn geometry.
- * sequence.md has what they hold and how they are read.
+ * Tables are filled from exact values on the device; only their arguments are quantised. Filled once a material; a light that moves
+ * needs only glint_tables_light_init. Uniform material, gloss 255, one directional light, Blinn geometry. In full: sequence.md.
  *
- * Compile with -DGLINT_CORTEX_M0PLUS_ASM=1, and lib/cortex_m0plus_*.S too, and 8- and 10-bit lines (10-bit ones not over
- * an albedo map), spans without one and palettes run in Thumb assembly, with the same pixels; so do exact rectangles of
- * undithered RGB565 in gamma space under MSH, without gloss.
+ * Compile with -DGLINT_CORTEX_M0PLUS_ASM=1, and lib/cortex_m0plus_*.S too, and 8- and 10-bit lines (10-bit ones not over an albedo map),
+ * spans without one and palettes run in Thumb assembly, with the same pixels; so do exact rectangles of undithered RGB565 in gamma
+ * space under MSH, without gloss.
  *
  * COLOUR  for RGB565 in either order, gamma or linear. 20,480 bytes: 4096 columns over t, which hold F in 64 steps, and
  *         128 rows over nl of 64 finished pixels. With shader->dither: gamma only, and 20,608 bytes; surface.x and y are the
  *         dither's phase. No rings: means over 4x4 pixels are as near to the true picture as the exact dithered path's.
  * SMALL   for every format, dithered or not, gamma only. 904 bytes; with its structs below 1 KB. A pixel is a sum of two
  *         words, one by nl and one by t.
- * ALBEDO  for RGB565 in either order, undithered, gamma, from an albedo map in RGB565; ambient and diffuse grey, together
- *         at most 1 (a coloured light goes into the map), any specular colour. 8,584 bytes. From the exact path with the
- *         map as RGB888 and the normals as stored: at most 2 steps of each channel, mostly none: less than .5 in the mean.
- *         (Not so where |N.L| < 2^-10: F ends there, and a last bit decides.)
+ * ALBEDO  for RGB565 in either order, undithered, gamma, from an albedo map in RGB565; ambient and diffuse grey, together at most 1 (a
+ *         coloured light goes into the map), any specular colour. 8,584 bytes. From the exact path with the map as RGB888 and the normals
+ *         as stored: at most 2 steps of each channel, less than .5 in the mean, but where |N.L| < 2^-10: a last bit decides whether F is 0.
  */
 
 /* How a normal is held. Stored as uint8_t. */

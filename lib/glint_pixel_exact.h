@@ -11,8 +11,20 @@ uint64_t glint_exact_value(const struct glint_material *material, int k, uint32_
                            uint64_t shine);
 /* Step 8. weight / 32 is the threshold: 2b + 1, or 16. */
 uint32_t glint_exact_level(uint64_t x, uint32_t max, uint32_t weight);
-/* The largest level of each channel, by format. */
-extern const uint8_t glint_exact_max[5][3]; /* GLINT_FLASH */
+/* What GLINT_FORMATS says of a format. */
+struct glint_format_traits {
+    uint8_t bytes, channels, max[3];
+};
+extern const struct glint_format_traits glint_exact_formats[GLINT_FORMAT_COUNT]; /* GLINT_FLASH */
+/* The same where the loops ask for it, without a load. */
+static inline bool glint_format_is_565(uint8_t format)
+{
+    return format == GLINT_RGB565 || format == GLINT_RGB565_SWAPPED;
+}
+static inline bool glint_format_is_grey(uint8_t format)
+{
+    return format == GLINT_GREY8 || format == GLINT_MONO;
+}
 /* Stores the levels of pixel x of a line; all are the same in grey. */
 void glint_exact_store(uint8_t format, uint8_t *line, uint32_t x, const uint8_t levels[3]);
 /* The ordered dither's weight b, 0..15, at a place on the screen. */

@@ -4,7 +4,7 @@
 #define GLINT_TABLES_FIELD_H
 
 #include "glint.h"
-#include "glint_math_flash.h"
+#include "glint_pixel_exact.h"
 
 /* Where a channel lies in the word, and what 1.0 is there; the guard bit is the one above its top bit: set by a sum that
  * overflows the channel. */
@@ -18,8 +18,8 @@ static inline struct glint_field glint_field_of(uint8_t format, int k)
 {
     static const struct glint_field of_565[3] GLINT_FLASH = {{10, 19, 31 * 16}, {20, 30, 63 * 16}, {0, 9, 31 * 16}};
     static const struct glint_field others[3] GLINT_FLASH = {{0, 9, 255 * 2}, {10, 19, 255 * 2}, {20, 29, 255 * 2}};
-    return format <= GLINT_RGB565_SWAPPED ? GLINT_FLASH_STRUCT(struct glint_field, of_565[k])
-                                          : GLINT_FLASH_STRUCT(struct glint_field, others[k]);
+    return glint_format_is_565(format) ? GLINT_FLASH_STRUCT(struct glint_field, of_565[k])
+                                       : GLINT_FLASH_STRUCT(struct glint_field, others[k]);
 }
 
 /* A value (65535 * 2^32 = 1.0) as a field's level, nearest. one < 2^10, so the product is below 2^58. */

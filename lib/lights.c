@@ -16,7 +16,7 @@ static GLINT_LIGHTS_ALONE void lights_store(const struct glint_lights *lights, u
     const uint8_t *albedo = run->albedo ? run->albedo + 3 * i : shader->material.albedo;
     const uint32_t gloss = (run->gloss ? run->gloss[i] : 255) * 257u;
     const uint32_t weight = glint_exact_weight(shader, run->left + run->x + i, run->y);
-    const bool grey = shader->format >= GLINT_GREY8;
+    const bool grey = glint_format_is_grey(shader->format);
     const struct glint_sample *sum = lights->slots;
     uint64_t parts = 0;
     uint8_t levels[3];
@@ -170,7 +170,7 @@ static GLINT_LIGHTS_ALONE void lights_prepare(struct glint_lights *lights, const
     if (glint_unit_q30(lights->sight.v_q30, viewer)) /* else no lamp has a place */
         (void)glint_vec_of_q30(&p->shader.light.v, lights->sight.v_q30, 0);
     p->apart = lights->channels == 1 ? 0 : lights->length;
-    if (p->apart && p->shader.space == GLINT_LINEAR && p->shader.format >= GLINT_GREY8)
+    if (p->apart && p->shader.space == GLINT_LINEAR && glint_format_is_grey(p->shader.format))
         lights->most = 0; /* no loop has channels of their own there: all but the dark is left to the 64 bits */
 }
 

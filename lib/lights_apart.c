@@ -10,7 +10,7 @@ uint32_t glint_apart_levels(const struct glint_prepared *p, const struct glint_r
 {
     static const uint8_t luma[3] GLINT_FLASH = {GLINT_LUMA_RED, GLINT_LUMA_GREEN, GLINT_LUMA_BLUE};
     const unsigned shift = (unsigned)p->shift;
-    const bool grey = p->shader.format >= GLINT_GREY8;
+    const bool grey = glint_format_is_grey(p->shader.format);
     const uint8_t *albedo = run->albedo ? run->albedo : p->shader.material.albedo;
     uint32_t bias[4], open = 0;
     glint_levels_bias(bias, p, run);
@@ -19,7 +19,7 @@ uint32_t glint_apart_levels(const struct glint_prepared *p, const struct glint_r
         uint32_t sum = bias[i & 3] - grey, undecided = 0;
         uint8_t levels[3];
         for (unsigned k = 0; k < 3; k++, sample += p->apart) {
-            const uint32_t most = (uint32_t)GLINT_FLASH_U8(glint_exact_max[p->shader.format][k]) << shift;
+            const uint32_t most = (uint32_t)GLINT_FLASH_U8(glint_exact_formats[p->shader.format].max[k]) << shift;
             const uint32_t f = run->gloss ? glint_by_255(sample->f_q16 * run->gloss[i]) : sample->f_q16;
             uint32_t v = (albedo[k] * ((p->ambient[k] + p->diffuse[k] * sample->nl_q16) >> 7)) + p->r[k] * f;
             if (grey)

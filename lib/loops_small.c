@@ -30,7 +30,7 @@ static uint32_t weights(const struct glint_tables *tables, uint32_t b)
 {
     uint32_t word = 0;
     for (int k = 0; k < 3; k++)
-        word |= (tables->format <= GLINT_RGB565_SWAPPED ? b : b >> 3) << glint_field_of(tables->format, k).at;
+        word |= (glint_format_is_565(tables->format) ? b : b >> 3) << glint_field_of(tables->format, k).at;
     return word;
 }
 
@@ -50,7 +50,7 @@ static void small_pixel(const struct glint_tables *tables, const struct glint_su
     const uint32_t raw = diffuse[row] + specular[column];
     uint8_t *line = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;
     const uint8_t format = tables->format;
-    if (format <= GLINT_RGB565_SWAPPED) {
+    if (glint_format_is_565(format)) {
         const uint32_t sum = clamp_sum(raw + weights(tables, b), format);
         const uint32_t rgb = (sum_field(sum, format, 0) >> 4) << 11 | (sum_field(sum, format, 1) >> 4) << 5 |
                              sum_field(sum, format, 2) >> 4;

@@ -4,6 +4,7 @@
 #include "glint_mesh_colour.h"
 #include "glint_tables_geometry.h"
 #include "glint_mesh_path.h"
+#include "glint_pixel_exact.h"
 
 /* A span starts on a byte. */
 static bool tables_can(const void *with, const struct glint_surface *surface)
@@ -15,7 +16,7 @@ static bool tables_can(const void *with, const struct glint_surface *surface)
 
 static void tables_row(const struct glint_tables *tables, struct glint_mesh_row *row)
 {
-    const unsigned bytes = tables->format <= GLINT_RGB565_SWAPPED ? 2 : tables->format == GLINT_RGB888 ? 3 : 1;
+    const unsigned bytes = GLINT_FLASH_U8(glint_exact_formats[tables->format].bytes);
     for (unsigned count; (count = glint_mesh_in_front(row, GLINT_SPAN_MAX)) != 0; row->x += count) {
         const struct glint_span span = {row->t,           row->dt,           row->ddt,
                                         (int32_t)row->nl, (int32_t)row->dnl, (uint16_t)count};

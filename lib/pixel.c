@@ -4,7 +4,7 @@
 
 enum glint_err glint_pixel_check(const struct glint_shader *shader)
 {
-    return shader->format <= GLINT_MONO && shader->space <= GLINT_LINEAR ? GLINT_OK : GLINT_ERR_FORMAT;
+    return shader->format < GLINT_FORMAT_COUNT && shader->space <= GLINT_LINEAR ? GLINT_OK : GLINT_ERR_FORMAT;
 }
 
 /* Step 1, Blinn: t = |N - H|^2 / 2. Unlike 1 - N.H it loses nothing near the peak. */
@@ -43,7 +43,7 @@ uint64_t glint_pixel_value(const struct glint_shader *shader, int k, uint8_t alb
 
 uint8_t glint_pixel_level(const struct glint_shader *shader, uint64_t x, int k, uint32_t weight)
 {
-    const uint32_t max = GLINT_FLASH_U8(glint_exact_max[shader->format][k]);
+    const uint32_t max = GLINT_FLASH_U8(glint_exact_formats[shader->format].max[k]);
     if (shader->space == GLINT_LINEAR)
         x = (uint64_t)glint_srgb_encode((uint16_t)((x + ((uint64_t)1 << 31)) >> 32)) << 32;
     return (uint8_t)glint_exact_level(x, max, weight);
@@ -64,7 +64,7 @@ void glint_pixel_put(const struct glint_shader *shader, const struct glint_surfa
                      const uint64_t v[3])
 {
     const uint32_t weight = glint_exact_weight(shader, surface->x + (uint32_t)x, surface->y + (uint32_t)y);
-    const bool grey = shader->format >= GLINT_GREY8;
+    const bool grey = glint_format_is_grey(shader->format);
     uint8_t levels[3];
     for (int k = 0; k < 3; k++) {
         const uint64_t value =

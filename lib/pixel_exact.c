@@ -30,12 +30,12 @@ uint32_t glint_exact_level(uint64_t x, uint32_t max, uint32_t weight)
     return (z + (z >> 16) + 1) >> 16;
 }
 
-const uint8_t glint_exact_max[5][3] GLINT_FLASH = {
-    {31, 63, 31}, {31, 63, 31}, {255, 255, 255}, {255, 255, 255}, {1, 1, 1}};
+#define EXACT_TRAITS(number, name, bytes, channels, red, green, blue) {bytes, channels, {red, green, blue}},
+const struct glint_format_traits glint_exact_formats[GLINT_FORMAT_COUNT] GLINT_FLASH = {GLINT_FORMATS(EXACT_TRAITS)};
 
 void glint_exact_store(uint8_t format, uint8_t *line, uint32_t x, const uint8_t levels[3])
 {
-    if (format <= GLINT_RGB565_SWAPPED) {
+    if (glint_format_is_565(format)) {
         const uint32_t pixel = (uint32_t)levels[0] << 11 | (uint32_t)levels[1] << 5 | levels[2];
         const bool swapped = format == GLINT_RGB565_SWAPPED;
         line[2 * x + swapped] = (uint8_t)pixel;

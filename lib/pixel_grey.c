@@ -6,7 +6,7 @@ enum { GREY_RED = 54, GREY_GREEN = 183, GREY_BLUE = 19 }; /* of 256: step 6 */
 
 static bool grey_draws(const struct glint_shader *shader)
 {
-    return (shader->format == GLINT_GREY8 || shader->format == GLINT_MONO) && shader->space == GLINT_GAMMA;
+    return glint_format_is_grey(shader->format) && shader->space == GLINT_GAMMA;
 }
 
 static uint32_t grey_max(const struct glint_shader *shader)

@@ -13,7 +13,7 @@ enum { LINEAR_BITS = 14, LINEAR_HALF = 1 << 13 };
 
 static bool linear_draws(const struct glint_shader *shader)
 {
-    return shader->format <= GLINT_MONO && shader->space == GLINT_LINEAR;
+    return shader->format < GLINT_FORMAT_COUNT && shader->space == GLINT_LINEAR;
 }
 
 /* V = P + Q nl + R F of a channel; Q and R come in 2^-14 of V, <= 2^28, all rounded down. With an albedo map P and Q are its
@@ -141,7 +141,7 @@ GLINT_INLINE uint32_t linear_level(uint32_t encoded, uint32_t max, uint32_t thre
 LINEAR_ALONE uint32_t linear_encode(union linear_pixel *at, const struct glint_sample *samples, unsigned count,
                                     const struct glint_prepared *p, const struct glint_run *run, int k)
 {
-    const uint32_t max = GLINT_FLASH_U8(glint_exact_max[p->shader.format][k]);
+    const uint32_t max = GLINT_FLASH_U8(glint_exact_formats[p->shader.format].max[k]);
     const uint32_t steps = ((run->gloss ? p->w_maps : p->w) >> LINEAR_BITS) + 1;
     const unsigned stride = p->shader.dither ? 4 : 1;
     const uint16_t *entry = NULL;
@@ -166,7 +166,7 @@ LINEAR_ALONE uint32_t linear_encode(union linear_pixel *at, const struct glint_s
             at[i].levels[k] = (uint8_t)(found >> 16);
             if (__builtin_expect(((found ^ (found + margin)) >> 16) != 0, 0)) {
                 uint32_t most = x + steps < LINEAR_ONE ? x + steps : LINEAR_ONE;
-                if (samples[i].nl_q16 == 0 && !run->albedo && p->shader.format < GLINT_GREY8)
+                if (samples[i].nl_q16 == 0 && !run->albedo && !glint_format_is_grey(p->shader.format))
                     most = linear_x(p->p[k] + LINEAR_HALF + 1); /* all of V, low by less than 1 */
                 struct glint_chords chords;
                 glint_srgb_chords(&chords, most);
@@ -181,7 +181,7 @@ LINEAR_ALONE uint32_t linear_encode(union linear_pixel *at, const struct glint_s
 static uint32_t linear_levels(const struct glint_prepared *p, const struct glint_run *run,
                               const struct glint_sample *samples, unsigned count)
 {
-    const bool grey = p->shader.format >= GLINT_GREY8;
+    const bool grey = glint_format_is_grey(p->shader.format);
     union linear_pixel pixels[GLINT_RUN];
     uint32_t open = 0;
     for (int k = 0; k < (grey ? 1 : 3); k++, samples += p->apart) {
@@ -206,7 +206,7 @@ static void linear_exact(const struct glint_shader *shader, const struct glint_r
     const uint8_t *albedo = run->albedo ? run->albedo + 3 * i : shader->material.albedo;
     const uint32_t gloss = (run->gloss ? run->gloss[i] : 255) * 257u;
     const uint32_t weight = glint_exact_weight(shader, run->left + run->x + i, run->y);
-    const bool grey = shader->format >= GLINT_GREY8;
+    const bool grey = glint_format_is_grey(shader->format);
     uint64_t sum = 0;
     uint8_t levels[3];
     for (int k = 0; k < 3; k++) {

@@ -5,7 +5,7 @@
 
 static bool rgb565_draws(const struct glint_shader *shader)
 {
-    return shader->format <= GLINT_RGB565_SWAPPED && shader->space == GLINT_GAMMA;
+    return glint_format_is_565(shader->format) && shader->space == GLINT_GAMMA;
 }
 
 static void rgb565_fold(struct glint_prepared *prepared)

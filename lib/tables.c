@@ -23,7 +23,7 @@ enum glint_err glint_tables_fill(struct glint_tables *tables, enum glint_tables_
     if (!tables || !shader || !memory || needed == 0 || bytes < needed || GLINT_MISALIGNED(memory, 32) ||
         shader->lobe.model == GLINT_PHONG || (kind == GLINT_TABLES_ALBEDO && !glint_albedo_can(&shader->material)))
         return GLINT_ERR_ARG;
-    if (glint_pixel_check(shader) || (kind != GLINT_TABLES_SMALL && shader->format > GLINT_RGB565_SWAPPED) ||
+    if (glint_pixel_check(shader) || (kind != GLINT_TABLES_SMALL && !glint_format_is_565(shader->format)) ||
         (kind == GLINT_TABLES_ALBEDO && shader->dither) || (shader->space && (kind != GLINT_TABLES_COLOUR || dithered)))
         return GLINT_ERR_FORMAT;
     const struct glint_peak peak = {shader, glint_pixel_lobe(shader, 0)};

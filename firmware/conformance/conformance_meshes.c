@@ -88,7 +88,7 @@ void conform_meshes(const struct conformance_size *size, bool tables)
 {
     unsigned kind = 0;
     for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
-        for (unsigned format = GLINT_RGB565; format <= GLINT_MONO; format++)
+        for (unsigned format = GLINT_RGB565; format < GLINT_FORMAT_COUNT; format++)
             for (uint8_t scene = 0; scene < size->scenes; scene++) {
                 if (!tables || format <= GLINT_RGB565_SWAPPED)
                     add_mesh(model, format, kind, tables);

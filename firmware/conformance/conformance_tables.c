@@ -191,28 +191,28 @@ static void add_tables(unsigned kind, unsigned model, unsigned format, unsigned 
 #endif
 }
 
-static void add_kind(unsigned kind, unsigned last_format, const struct conformance_size *size, bool dither)
+static void add_kind(unsigned kind, unsigned formats, const struct conformance_size *size, bool dither)
 {
     unsigned flags = 0;
     for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
-        for (unsigned format = GLINT_RGB565; format <= last_format; format++)
+        for (unsigned format = GLINT_RGB565; format < formats; format++)
             for (uint8_t scene = 0; scene < size->scenes; scene++)
                 add_tables(kind, model, format, flags++, dither);
 }
 
 void conform_small(const struct conformance_size *size)
 {
-    add_kind(GLINT_TABLES_SMALL, GLINT_MONO, size, false);
+    add_kind(GLINT_TABLES_SMALL, GLINT_FORMAT_COUNT, size, false);
 }
 
 void conform_colours(const struct conformance_size *size)
 {
-    add_kind(GLINT_TABLES_COLOUR, GLINT_RGB565_SWAPPED, size, false);
+    add_kind(GLINT_TABLES_COLOUR, GLINT_RGB565_SWAPPED + 1, size, false);
 }
 
 void conform_dithered(const struct conformance_size *size)
 {
-    add_kind(GLINT_TABLES_COLOUR, GLINT_RGB565_SWAPPED, size, true);
+    add_kind(GLINT_TABLES_COLOUR, GLINT_RGB565_SWAPPED + 1, size, true);
 }
 
 void conform_albedo(const struct conformance_size *size)

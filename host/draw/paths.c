@@ -65,7 +65,7 @@ const char *path_refusal(const struct shading *shading)
         return "takes only one --light without a colour; other lights need --path exact";
     if (shading->model == GLINT_PHONG)
         return "cannot draw phong";
-    if (path->by != EXACT && path->by != SMALL && shading->format > GLINT_RGB565_SWAPPED)
+    if (path->by != EXACT && path->by != SMALL && !format_is_565(shading->format))
         return "needs --format rgb565 or rgb565-swapped";
     if ((path->by == ALBEDO || path->by == PALETTE) && shading->dither)
         return "cannot draw with --dither";
@@ -94,7 +94,7 @@ const char *path_of_mesh(const struct shading *shading, struct mesh_path *of_mes
         return "cannot draw a mesh; choose exact, colour-int16, colour-int8, small-int16 or small-int8";
     if (of_mesh->by_tables && shading->format == GLINT_MONO)
         return "cannot draw a mesh in mono; choose another --format, or --path exact";
-    if (path->by == COLOUR && shading->format > GLINT_RGB565_SWAPPED)
+    if (path->by == COLOUR && !format_is_565(shading->format))
         return "needs --format rgb565 or rgb565-swapped";
     if (of_mesh->by_tables && shading->space != GLINT_GAMMA && (path->by == SMALL || shading->dither))
         return path->by == SMALL ? "needs --space gamma" : "needs --space gamma with --dither";

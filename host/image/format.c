@@ -1,35 +1,28 @@
 /* SPDX-License-Identifier: MIT */
 #include "image/format.h"
 
-const char *const format_names[] = {"rgb565", "rgb565-swapped", "rgb888", "grey8", "mono", NULL};
+#define FORMAT_NAME(number, name, bytes, channels, red, green, blue) name,
+const char *const format_names[] = {GLINT_FORMATS(FORMAT_NAME) NULL};
 const char *const space_names[] = {"gamma", "linear", NULL};
+
+#define FORMAT_TRAITS(number, name, bytes, channels, red, green, blue) {bytes, channels, {red, green, blue}},
+static const struct {
+    uint8_t bytes, channels, max[3];
+} format_traits[] = {GLINT_FORMATS(FORMAT_TRAITS)};
 
 unsigned format_channels(enum glint_format format)
 {
-    return format == GLINT_GREY8 || format == GLINT_MONO ? 1 : 3;
+    return format_traits[format].channels;
 }
 
 unsigned format_max(enum glint_format format, unsigned channel)
 {
-    if (format == GLINT_RGB565 || format == GLINT_RGB565_SWAPPED)
-        return channel == 1 ? 63 : 31;
-    return format == GLINT_MONO ? 1 : 255;
+    return format_traits[format].max[channel];
 }
 
 size_t format_line_bytes(enum glint_format format, size_t width)
 {
-    switch (format) {
-    case GLINT_RGB565:
-    case GLINT_RGB565_SWAPPED:
-        return 2 * width;
-    case GLINT_RGB888:
-        return 3 * width;
-    case GLINT_GREY8:
-        return width;
-    case GLINT_MONO:
-        return (width + 7) / 8;
-    }
-    return 0;
+    return format == GLINT_MONO ? (width + 7) / 8 : format_traits[format].bytes * width;
 }
 
 void format_unpack(const uint8_t *line, enum glint_format format, size_t x, uint8_t *values)

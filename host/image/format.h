@@ -12,6 +12,11 @@ enum { GREY_RED = 54, GREY_GREEN = 183, GREY_BLUE = 19 };
 
 extern const char *const format_names[]; /* "rgb565" ..., by enum glint_format; ends with NULL */
 extern const char *const space_names[];  /* "gamma", "linear", by enum glint_space; ends with NULL */
+/* Two bytes of 5, 6 and 5 bits, in either order. */
+static inline bool format_is_565(enum glint_format format)
+{
+    return format == GLINT_RGB565 || format == GLINT_RGB565_SWAPPED;
+}
 unsigned format_channels(enum glint_format format);
 unsigned format_max(enum glint_format format, unsigned channel); /* the highest level */
 size_t format_line_bytes(enum glint_format format, size_t width);

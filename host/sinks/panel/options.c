@@ -167,7 +167,7 @@ static void check_turn(const struct panel *panel)
 void panel_of_options(struct panel *panel, const struct sink_wish *wish, bool any_size)
 {
     uint16_t width, height;
-    if (wish->format >= 0 && wish->format != GLINT_RGB565 && wish->format != GLINT_RGB565_SWAPPED)
+    if (wish->format >= 0 && !format_is_565((enum glint_format)wish->format))
         fail("--format: the panel's pixels are rgb565, not %s; leave it out", format_names[wish->format]);
     choose_size(wish, any_size, &width, &height);
     const bool known = usual_panel(panel, width, height);

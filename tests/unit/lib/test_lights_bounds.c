@@ -156,7 +156,7 @@ static void wrong_lamps_are_refused_and_nothing_is_written(void **state)
     bad.shader.light.v = (struct glint_vec){0, 0, 0};
     assert_int_equal(refusal(&bad, &good), GLINT_ERR_VECTOR);
     bad = s;
-    bad.shader.format = GLINT_MONO + 1;
+    bad.shader.format = GLINT_FORMAT_COUNT;
     assert_int_equal(refusal(&bad, &good), GLINT_ERR_FORMAT);
     bad = s;
     bad.source.normals_stride = 7;

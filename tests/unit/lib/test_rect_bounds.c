@@ -112,7 +112,7 @@ static void wrong_arguments_are_refused_and_nothing_is_written(void **state)
     assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &bad.surface, NULL), GLINT_ERR_ARG);
     assert_int_equal(glint_shade_span(&s.shader, &span, &bad.surface, NULL), GLINT_ERR_ARG);
     bad = s;
-    bad.shader.format = GLINT_MONO + 1;
+    bad.shader.format = GLINT_FORMAT_COUNT;
     assert_int_equal(glint_shade_rect(&bad.shader, &s.source, W, H, &s.surface, NULL), GLINT_ERR_FORMAT);
     assert_int_equal(glint_shade_span(&bad.shader, &span, &s.surface, NULL), GLINT_ERR_FORMAT);
     bad = s;
