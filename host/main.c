@@ -24,11 +24,11 @@ static const struct command {
     int (*run)(int argc, char **argv);
     const char *summary;
 } commands[] = {
-    {"render", command_render, "Shade a normal map, a height map or a built-in scene into a picture"},
+    {"render", command_render, "Shade a map, a mesh or a built-in scene into a picture"},
     {"eval", command_eval, "Print values of a highlight function"},
     {"cutoff", command_cutoff, "Print where a highlight falls below 2^-q"},
     {"table", command_table, "Write a material's table as C source or raw"},
-    {"bake", command_bake, "Turn normals into what the table loops read, and print the quality"},
+    {"bake", command_bake, "Turn normals or a mesh into data for the library, print the quality"},
     {"material", command_material, "Print a material and a light as C source or JSON"},
     {"stream", command_stream, "Shade frame after frame, send what changed to a display or files"},
     {"list", command_list, "List the displays, chips and ports that frames can be sent to"},

@@ -46,7 +46,8 @@ void glint_reach_init(struct glint_reach *reach, const struct glint_lamp *lamp)
                   4 + 4;
 }
 
-/* floor(a 2^16 / b), and what is left, for a < b < 2^63; 32 bits for b <= 2^31. Digit by digit, as above. */
+/* floor(a 2^16 / b), and what is left, for a < b < 2^63; 32 bits for b <= 2^31. Digit by digit: a call of a division takes
+ * more stack. */
 static inline uint32_t lamp_divide(uint64_t a, uint64_t b, uint64_t *rest)
 {
     uint32_t quotient = 0;

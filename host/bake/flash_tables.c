@@ -85,9 +85,3 @@ void flash_tables_write_definition(const struct flash_tables *flash, const char 
     fprintf(out, "#include \"%s\"\n", header);
     write_tables(flash, name, "", out);
 }
-
-void flash_tables_write_raw(const struct flash_tables *flash, FILE *out)
-{
-    for (size_t i = 0; i < flash->bytes; i++)
-        fputc(((const uint8_t *)flash->memory)[i], out);
-}

@@ -24,6 +24,5 @@ void flash_tables_free(struct flash_tables *flash);
 void flash_tables_write_c(const struct flash_tables *flash, const char *name, FILE *out);
 void flash_tables_write_header(const struct flash_tables *flash, const char *name, FILE *out);
 void flash_tables_write_definition(const struct flash_tables *flash, const char *name, const char *header, FILE *out);
-void flash_tables_write_raw(const struct flash_tables *flash, FILE *out); /* the memory alone, low bytes first */
 
 #endif
