@@ -34,6 +34,17 @@ bool light_descriptor_unpack(struct light_descriptor *descriptor, const uint8_t 
     return magic == LIGHT_MAGIC && version == LIGHT_VERSION;
 }
 
+void light_material_of(struct light_material *material, const struct glint_shader *shader)
+{
+    const struct light_material of_shader = {.model = shader->lobe.model,
+                                             .q = shader->lobe.q,
+                                             .n = shader->lobe.n,
+                                             .space = shader->space,
+                                             .flags = shader->clamp_peak ? LIGHT_CLAMP_PEAK : 0,
+                                             .material = shader->material};
+    *material = of_shader;
+}
+
 void light_material_pack(uint8_t out[LIGHT_MATERIAL_BYTES], const struct light_material *material)
 {
     const struct glint_material *m = &material->material;

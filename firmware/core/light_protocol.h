@@ -49,6 +49,8 @@ struct light_material {
 void light_descriptor_pack(uint8_t out[LIGHT_DESCRIPTOR_BYTES], const struct light_descriptor *descriptor);
 /* False where magic or version are wrong. */
 bool light_descriptor_unpack(struct light_descriptor *descriptor, const uint8_t in[LIGHT_DESCRIPTOR_BYTES]);
+/* Of a shader, what goes over the wire; the background is 0. */
+void light_material_of(struct light_material *material, const struct glint_shader *shader);
 void light_material_pack(uint8_t out[LIGHT_MATERIAL_BYTES], const struct light_material *material);
 void light_material_unpack(struct light_material *material, const uint8_t in[LIGHT_MATERIAL_BYTES]);
 void light_message_pack(uint8_t out[LIGHT_MESSAGE_BYTES], uint32_t tag, const int32_t to_light[3]);

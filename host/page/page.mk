@@ -8,10 +8,12 @@ PAGE_HOST = $(filter-out %_json.c,$(wildcard host/compare/*.c host/draw/*.c host
 	$(patsubst %,host/options/%_options.c,shading scene view light) $(patsubst %,host/commands/%.c,bake material table) \
 	$(patsubst %,host/image/%.c,format image levels picture) host/models/models.c \
 	$(patsubst %,host/base/%.c,c_names closest memory message output_pair parse text unknown)
-PAGE_C = $(wildcard lib/*.c host/page/module/*.c) $(PAGE_HOST)
+# Whose numbers and layouts the page speaks over USB.
+PAGE_WIRE = firmware/core/light_protocol firmware/core/gud_protocol
+PAGE_C = $(wildcard lib/*.c host/page/module/*.c) $(PAGE_HOST) firmware/core/light_protocol.c
 PAGE_OBJECTS = $(PAGE_C:%.c=$(PAGE)/objects/%.o)
 PAGE_CFLAGS = --target=wasm32-wasi -O2 -std=c11 -D_GNU_SOURCE -DGLINT_WITH_MESH=0 $(WARNINGS) -MMD -MP \
-	-Ihost/page/module/include -Ihost/page/module -Ilib -Ihost
+	-Ihost/page/module/include -Ihost/page/module -Ilib -Ihost -Ifirmware/core
 # The stack lies below the data, so that an overflow traps.
 PAGE_LDFLAGS = --target=wasm32-wasi -mexec-model=reactor -Wl,--stack-first,-z,stack-size=1048576,--strip-all
 PAGE_SCRIPTS = $(wildcard host/page/*.mjs host/page/*.json host/page/src/*.ts host/page/*.html host/page/*.css)
@@ -39,9 +41,9 @@ $(PAGE)/objects/%.o: %.c host/page/page.mk
 $(PAGE)/module.wasm: $(PAGE_OBJECTS)
 	clang $(PAGE_LDFLAGS) $(PAGE_OBJECTS) -o $@
 
-$(PAGE)/exports.ts: host/page/module/page.h host/page/module_types.mjs
+$(PAGE)/exports.ts: host/page/module_types.mjs host/page/module/page.h $(PAGE_WIRE:%=%.h)
 	@mkdir -p $(@D)
-	node host/page/module_types.mjs $< >$@.part && mv $@.part $@
+	node $^ >$@.part && mv $@.part $@
 
 # Types are checked where the sources, the made types and the packages are together.
 $(PAGE)/index.html: $(PAGE)/module.wasm $(PAGE)/exports.ts $(PAGE_NPM)/done $(PAGE_SCRIPTS) tests/bench/costs.tsv

@@ -1,50 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "stream/device.h"
 
-#include <string.h>
-
 #include "bake/bake.h"
 #include "base/message.h"
-#include "draw/paths.h"
-#include "draw/shading.h"
+#include "draw/shading_device.h"
 #include "image/format.h"
-
-/* All pixels that are drawn must have one albedo, which becomes the material's, and full gloss. */
-static const char *colour_refusal(const struct scene *scene, uint8_t albedo[3])
-{
-    const size_t pixels = (size_t)scene->width * scene->height;
-    bool found = !scene->albedo;
-    for (size_t i = 0; i < pixels; i++) {
-        if (scene->mask && !scene->mask[i])
-            continue;
-        if (scene->gloss && scene->gloss[i] != 255)
-            return "the device has no gloss map; take a height or normal map, give --gloss a white picture, or shade "
-                   "here";
-        if (scene->albedo && found && memcmp(albedo, &scene->albedo[3 * i], 3) != 0)
-            return "the device draws one colour; give it by --color, or shade here";
-        if (scene->albedo)
-            memcpy(albedo, &scene->albedo[3 * i], 3);
-        found = true;
-    }
-    return NULL;
-}
-
-const char *device_refusal(const struct scene *scene, const struct shading *shading, struct glint_shader *shader)
-{
-    struct shading by_tables = *shading;
-    unsigned path = 0;
-    while (strcmp(path_names[path], "colour-int8") != 0)
-        path++;
-    if (shading->path != 0 && shading->path != path)
-        return "the device takes --path colour-int8; leave out --path";
-    if (shading->dither)
-        return "the device does not dither; leave out --dither";
-    by_tables.path = path;
-    if (path_refusal(&by_tables))
-        return path_refusal(&by_tables);
-    *shader = shading_shader(&by_tables);
-    return colour_refusal(scene, shader->material.albedo);
-}
 
 enum sink_result device_send_scene(struct sink *sink, const struct scene *scene, const struct shading *shading)
 {

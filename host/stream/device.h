@@ -6,8 +6,6 @@
 #include "options/shading_options.h"
 #include "plan/plan.h"
 
-/* Why a device cannot shade so: the end of "--shade device: ...", or NULL where it can. Sets the one colour there is. */
-const char *device_refusal(const struct scene *scene, const struct shading *shading, struct glint_shader *shader);
 enum sink_result device_send_scene(struct sink *sink, const struct scene *scene, const struct shading *shading);
 enum sink_result device_send_light(struct sink *sink, const struct shading *shading, struct plan_result *result);
 

@@ -168,6 +168,13 @@ run([
         await browser.go('scene=coins&n=5000')
         check((await browser.text('refusal')).startsWith('--scene: unknown scene \'coins\''), await browser.text('refusal'))
     }],
+    ['the Connect button says why a page from a file reaches no device, and where one does', async () => {
+        await browser.go(start)
+        await page.click('#connect')
+        equal(await browser.text('device-status'), isFirefox ? 'This browser does not reach USB devices. Open the page in Chrome, Edge or Opera on a computer.'
+            : 'Chrome loses a device that is chosen in a page from a file. Run "glint page", open http://localhost:8016/ and connect there.', 'the sentence')
+        await shownIsDrawn()
+    }],
     ['saved files are the command\'s, and the PNG has its pixels', async () => {
         const words = ['--scene=dial', '--size=60x60', '--format=rgb565', '-n50', '--ambient=.2', '--diffuse=.7', '--light=-1,1,1.2']
         await browser.go(fragment(words))

@@ -151,13 +151,10 @@ static void pack_map(unsigned width, unsigned height)
 static void pack_material(void)
 {
     struct glint_shader shader;
+    struct light_material material;
     uint8_t bytes[LIGHT_MATERIAL_BYTES];
     demo_shader(&shader);
-    const struct light_material material = {.model = shader.lobe.model,
-                                            .q = shader.lobe.q,
-                                            .n = shader.lobe.n,
-                                            .space = shader.space,
-                                            .material = shader.material};
+    light_material_of(&material, &shader);
     light_material_pack(bytes, &material);
     fwrite(bytes, 1, sizeof bytes, stdout);
 }

@@ -50,6 +50,16 @@ const uint32_t *PAGE_EXPORT(page_histogram)(void);
 /* The lobe at `count` angles from 0 to `degrees`: rows of the library's value, the same in double, Blinn in double. */
 const double *PAGE_EXPORT(page_curve)(uint32_t model, uint32_t n, uint32_t count, double degrees);
 
+/* ---- a device that shades by itself (firmware/core/light_protocol.h) ---- */
+
+/* Of its descriptor, LIGHT_DESCRIPTOR_BYTES: width << 16 | height; 0 where it is none. */
+uint32_t PAGE_EXPORT(page_device_size)(const uint8_t *bytes);
+/* What it is sent to draw the last picture: LIGHT_MATERIAL_BYTES, 4 bytes a pixel, LIGHT_MESSAGE_BYTES. The program ends
+ * with a line where a device cannot draw so. */
+const uint8_t *PAGE_EXPORT(page_device_material)(void);
+const uint8_t *PAGE_EXPORT(page_device_map)(void);
+const uint8_t *PAGE_EXPORT(page_device_light)(uint32_t tag);
+
 /* ---- files ---- */
 
 /* Runs `glint bake`, `material` or `table`. */

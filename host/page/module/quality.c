@@ -75,6 +75,23 @@ static struct glint_box highlight_box(const struct glint_shader *shader)
     return box;
 }
 
+/* Of what is drawn, for what takes one colour: the mean of its albedo. */
+static void mean_colour(const struct page_state *now, unsigned mean[3])
+{
+    const struct scene *scene = now->scene;
+    const size_t pixels = (size_t)scene->width * scene->height;
+    uint64_t sum[3] = {0}, count = 0;
+    for (size_t i = 0; scene->albedo && i < pixels; i++) {
+        if (scene->mask && !scene->mask[i])
+            continue;
+        for (unsigned k = 0; k < 3; k++)
+            sum[k] += scene->albedo[3 * i + k];
+        count++;
+    }
+    for (unsigned k = 0; k < 3; k++)
+        mean[k] = count ? (unsigned)((sum[k] + count / 2) / count) : now->shading.color[k];
+}
+
 const char *page_facts(void)
 {
     static struct text text;
@@ -84,12 +101,15 @@ const char *page_facts(void)
     const struct glint_material *m = &shader.material;
     const int32_t cutoff = (int32_t)glint_cutoff(shading->model, shading->n, shading->q);
     const struct glint_box box = highlight_box(&shader);
+    unsigned mean[3];
     FILE *out = text_open(&text);
     fprintf(out, "n %u\nq %u\n", shading->n, shading->q);
     put3(out, "ambient_q16", m->ambient_q16);
     put3(out, "diffuse_q16", m->diffuse_q16);
     put3(out, "specular_q16", m->specular_q16);
     fprintf(out, "albedo %u %u %u\n", m->albedo[0], m->albedo[1], m->albedo[2]);
+    mean_colour(now, mean);
+    fprintf(out, "colour %u %u %u\n", mean[0], mean[1], mean[2]);
     fprintf(out, "has_albedo %d\nhas_gloss %d\nhas_mask %d\n", now->scene->albedo != NULL, now->scene->gloss != NULL,
             now->scene->mask != NULL);
     fprintf(out, "cutoff_c_q16 %" PRId32 "\ncutoff_t_q30 %" PRIu32 "\n", cutoff,

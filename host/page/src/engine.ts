@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures, numbers and files by command lines: what the worker does, without being one.
-import { PAGE_BINS } from './exports'
+import { LIGHT_DESCRIPTOR_BYTES, LIGHT_MATERIAL_BYTES, LIGHT_MESSAGE_BYTES, PAGE_BINS } from './exports'
 import { Module } from './module'
 import type { Map16 } from './png'
 
@@ -30,6 +30,17 @@ export interface File {
     name: string
     bytes: Uint8Array<ArrayBuffer>
 }
+/** Names of what a device has. */
+export interface Had {
+    map: string
+    material: string
+}
+export interface ForDevice {
+    has: Had
+    map?: Uint8Array<ArrayBuffer>
+    material?: Uint8Array<ArrayBuffer>
+    light: Uint8Array<ArrayBuffer>
+}
 export type Facts = Record<string, number[]>
 
 const keepNothing = 0, keepScene = 1, keepCanvas = 2
@@ -43,6 +54,7 @@ export class Engine {
     private material = ''
     private surfaceWarnings: string[] = []
     private drawn: string[] = []
+    private lights = 0
 
     constructor(private program: WebAssembly.Module) {
         this.module = new Module(program)
@@ -52,6 +64,11 @@ export class Engine {
         this.maps.set(name, map)
         this.surface = this.material = ''
         this.guard(() => this.hand(name, map))
+    }
+
+    /** A map without anything on it. */
+    addWhite(name: string, width: number, height: number): void {
+        this.addMap(name, { width, height, channels: 1, bits: 8, palette: false, samples: new Uint16Array(width * height).fill(65535) })
     }
 
     /** By the words of `glint render`, each an option with its value. */
@@ -140,6 +157,29 @@ export class Engine {
                     bytes: this.module.copy(call.page_file_bytes(i), call.page_file_length(i)),
                 })
             return { files, printed: this.module.takePrinted(), warnings: this.module.takeWarnings() }
+        })
+    }
+
+    /** Of a device's descriptor: width << 16 | height, 0 where it is none. */
+    deviceSize(descriptor: Uint8Array): number {
+        const bytes = new Uint8Array(LIGHT_DESCRIPTOR_BYTES)
+        bytes.set(descriptor.subarray(0, bytes.length))
+        return this.module.call.page_device_size(this.module.put(bytes)) >>> 0
+    }
+
+    /** What a device of that size, which has a map and a material already, is sent to draw the last picture; nothing if that has another size. */
+    device(width: number, height: number, has: Had): ForDevice | undefined {
+        return this.guard(() => {
+            const { call } = this.module, { surface, material } = this
+            if (!material || call.page_width() !== width || call.page_height() !== height)
+                return undefined
+            const packed = this.module.copy(call.page_device_material(), LIGHT_MATERIAL_BYTES)
+            return {
+                has: { map: surface, material },
+                map: has.map === surface ? undefined : this.module.copy(call.page_device_map(), 4 * width * height),
+                material: has.material === material ? undefined : packed,
+                light: this.module.copy(call.page_device_light(this.lights++), LIGHT_MESSAGE_BYTES),
+            }
         })
     }
 

@@ -5,6 +5,7 @@ import './lights'
 import './quality'
 import './outputs'
 import './explain'
+import './live'
 import { redraw } from './picture'
 
 void redraw()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the tests run in node.
 export { Engine } from './engine'
+export { filters, Pico, sentences } from './pico'
 export { readPng, writePng } from './png'
-export { commandLine, fragmentOf, stateOfFragment, stateOfWords, wordsOf } from './words'
+export { commandLine, fragmentOf, onDevice, stateOfFragment, stateOfWords, white, wordsOf } from './words'

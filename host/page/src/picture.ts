@@ -5,6 +5,7 @@ import { byId, show, short } from './dom'
 import type { Facts } from './engine'
 import { change, current, onChange } from './store'
 import { fragmentOf, wordsOf } from './words'
+import type { State } from './words'
 
 const canvas = byId<HTMLCanvasElement>('canvas'), panel = byId('panel'), stage = byId('stage'), handle = byId<HTMLButtonElement>('handle')
 export interface Drawn {
@@ -26,6 +27,14 @@ export function onDrawn(listener: (drawn: Drawn) => void): void {
 
 // ---- drawing ----
 
+/** What is drawn of a state: itself, or what a device makes of it. */
+type View = (state: State) => State | Promise<State>
+const itself: View = state => state
+let view = itself
+export function setView(next = itself): void {
+    view = next
+}
+
 /** While the worker draws, changes wait, and only the last counts. */
 export async function redraw(): Promise<void> {
     document.body.dataset.state = fragmentOf(current()) // for tests: drawn where dataset.drawn is the same
@@ -37,8 +46,9 @@ export async function redraw(): Promise<void> {
     busy = true
     do {
         again = false
-        const state = current()
+        const now = current()
         try {
+            const state = await view(now)
             const picture = await ask('draw', wordsOf(state))
             drawn = picture
             show(canvas, picture.width, picture.height, picture.rgba)
@@ -49,7 +59,7 @@ export async function redraw(): Promise<void> {
         } catch (error) {
             say((error as Error).message, [])
         }
-        document.body.dataset.drawn = fragmentOf(state)
+        document.body.dataset.drawn = fragmentOf(now)
     } while (again)
     busy = false
 }

@@ -41,6 +41,15 @@ export function stateOfWords(words: string[]): State {
     return state
 }
 
+/** A map by which all of a built-in scene has full gloss. */
+export const white = 'white'
+
+/** The same as a device draws it that shades by itself: in one colour, with full gloss. */
+export function onDevice(state: State, width: number, height: number, color: string): State {
+    const { dither, albedo, gloss, ...rest } = state
+    return { ...rest, ...state.scene === undefined ? {} : { gloss: white }, color: state.color ?? color, size: `${width}x${height}`, format: 'rgb565', path: 'colour-int8' }
+}
+
 /** For a shell. */
 export function commandLine(command: string, words: string[]): string {
     return [command, ...words.map(quoted)].join(' ')

@@ -3,6 +3,7 @@
 import { inflateSync } from 'fflate'
 import base64 from 'glint:module'
 import { Engine } from './engine'
+import type { Had } from './engine'
 import { readPng, writePng } from './png'
 
 const program = new WebAssembly.Module(inflateSync(Uint8Array.from(atob(base64), c => c.charCodeAt(0))) as Uint8Array<ArrayBuffer>)
@@ -14,6 +15,7 @@ export const methods = {
     map(name: string, bytes: Uint8Array) {
         const map = readPng(name, bytes)
         engine.addMap(name, map)
+        other.addMap(name, map)
         return { width: map.width, height: map.height, channels: map.channels, bits: map.bits }
     },
     draw: (words: string[]) => ({ ...engine.draw(words), facts: engine.facts() }),
@@ -22,6 +24,14 @@ export const methods = {
     curve: (model: number, n: number, count: number, degrees: number) => engine.curve(model, n, count, degrees),
     run: (words: string[]) => engine.run(words),
     moving: (steps: string[][], words: string[]) => engine.moving(steps, words),
+    /** The one colour that stands for the surface's. */
+    colour(words: string[]) {
+        other.draw(words)
+        return other.facts().colour.join()
+    },
+    white: (name: string, width: number, height: number) => engine.addWhite(name, width, height),
+    deviceSize: (descriptor: Uint8Array) => engine.deviceSize(descriptor),
+    device: (width: number, height: number, has: Had) => engine.device(width, height, has),
     raw: () => engine.pixels(),
     again: (times: number) => engine.again(times),
     png: (width: number, height: number, rgba: Uint8Array, isGrey: boolean) => writePng(width, height, rgba, isGrey),

@@ -168,15 +168,11 @@ static enum sink_result send_scene(struct sink *sink, const struct glint_shader 
 {
     struct light_sink *light = of(sink);
     const size_t count = (size_t)sink->width * sink->height;
-    const struct light_material material = {.model = shader->lobe.model,
-                                            .q = shader->lobe.q,
-                                            .n = shader->lobe.n,
-                                            .space = shader->space,
-                                            .flags = shader->clamp_peak ? LIGHT_CLAMP_PEAK : 0,
-                                            .material = shader->material};
+    struct light_material material;
     uint8_t packed[LIGHT_MATERIAL_BYTES], *map = allocate(count, 4);
     for (size_t i = 0; i < 4 * count; i++)
         map[i] = (uint8_t)(normals[i / 4] >> 8 * (i % 4));
+    light_material_of(&material, shader);
     light_material_pack(packed, &material);
     int fault = light->link.control(&light->port, false, LIGHT_SET_MATERIAL, 0, packed, sizeof packed);
     if (fault >= 0)

@@ -3,6 +3,7 @@
 #include "files.h"
 
 #include "bake/bake.h"
+#include "draw/shading_device.h"
 #include "scene/scene.h"
 #if GLINT_WITH_USB
 #include "sinks/usb/find.h"

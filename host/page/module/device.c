@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT
+ * The last picture as what a device that shades by itself is sent to draw it. */
+#include <stdlib.h>
+
+#include "bake/bake.h"
+#include "base/message.h"
+#include "draw/shading_device.h"
+#include "light_protocol.h"
+#include "page.h"
+#include "state.h"
+
+uint32_t page_device_size(const uint8_t *bytes)
+{
+    struct light_descriptor descriptor;
+    const bool is_known = light_descriptor_unpack(&descriptor, bytes);
+    free((void *)(uintptr_t)bytes);
+    return is_known ? (uint32_t)descriptor.width << 16 | descriptor.height : 0;
+}
+
+const uint8_t *page_device_material(void)
+{
+    static uint8_t bytes[LIGHT_MATERIAL_BYTES];
+    const struct page_state *now = page_state();
+    struct light_material material;
+    struct glint_shader shader;
+    const char *refusal = device_refusal(now->scene, &now->shading, &shader);
+    if (refusal)
+        fail("%s", refusal);
+    light_material_of(&material, &shader);
+    light_material_pack(bytes, &material);
+    return bytes;
+}
+
+const uint8_t *page_device_map(void)
+{
+    static struct baked *baked;
+    baked_free(baked);
+    baked = bake(page_state()->scene, BAKE_INT8, 0);
+    return (const uint8_t *)baked->words; /* WebAssembly is little-endian, as the wire is */
+}
+
+const uint8_t *page_device_light(uint32_t tag)
+{
+    static uint8_t bytes[LIGHT_MESSAGE_BYTES];
+    int32_t to_light[3];
+    direction_integers(page_state()->shading.lamps[0].direction, to_light);
+    light_message_pack(bytes, tag, to_light);
+    return bytes;
+}

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// A Pico on the desk that follows the page. While one is connected the picture is what it draws: its size, RGB565 without dither, by
+// its tables from 8-bit normals.
+import { ask } from './client'
+import { byId } from './dom'
+import { onDrawn, redraw, setView } from './picture'
+import { filters, Pico, sentences, Trouble } from './pico'
+import type { Usb, UsbDevice } from './webusb'
+import { onDevice, white, wordsOf } from './words'
+import type { State } from './words'
+
+const button = byId<HTMLButtonElement>('connect'), status = byId('device-status')
+const usb = (navigator as Navigator & { usb?: Usb }).usb
+let pico: Pico | undefined
+/** What the device has; '' nothing. */
+let has = { map: '', material: '' }
+let frames: number[] = []
+let isLost = false
+
+function say(text: string): void {
+    status.textContent = text
+}
+
+function whyNot(): string {
+    if (!usb)
+        return 'This browser does not reach USB devices. Open the page in Chrome, Edge or Opera on a computer.'
+    if (location.protocol === 'file:')
+        return 'Chrome loses a device that is chosen in a page from a file. Run "glint page", open http://localhost:8016/ and connect there.'
+    return ''
+}
+
+// ---- connecting ----
+
+async function choose(): Promise<void> {
+    const reason = whyNot()
+    if (reason) {
+        say(reason)
+        return
+    }
+    const device = await usb!.requestDevice({ filters }).catch(() => undefined)
+    if (device)
+        await connect(device)
+    else
+        say(sentences.notChosen)
+}
+
+async function connect(device: UsbDevice): Promise<void> {
+    button.disabled = true
+    say('Connecting…')
+    try {
+        pico = await Pico.connect(usb!, device, bytes => ask('deviceSize', bytes))
+        isLost = false
+        has = { map: '', material: '' }
+        frames = []
+        const { width, height } = pico
+        await ask('white', white, width, height)
+        setView(async state => onDevice(state, width, height, await colourOf(state)))
+        button.textContent = 'Disconnect'
+        void redraw()
+    } catch (error) {
+        lose(error as Error)
+    }
+    button.disabled = false
+}
+
+let colour = { surface: '', text: '' }
+/** The colour where the state names none, for a surface that has several. */
+async function colourOf({ scene, height, normals, albedo, mask, color }: State): Promise<string> {
+    if (color !== undefined)
+        return color
+    const words = wordsOf({ scene, height, normals, albedo, mask, lights: [] }), surface = words.join('\0')
+    if (surface !== colour.surface)
+        colour = { surface, text: await ask('colour', words) }
+    return colour.text
+}
+
+function forget(): void {
+    pico = undefined
+    button.textContent = 'Connect a Pico'
+    setView()
+    void redraw()
+}
+
+function lose(error: Error): void {
+    isLost = error.message === sentences.unplugged
+    say(error.message)
+    forget()
+}
+
+button.onclick = async () => {
+    if (!pico) {
+        await choose()
+        return
+    }
+    const was = pico
+    forget()
+    await was.close()
+    say('Disconnected. The device shows its own demo again.')
+}
+
+usb?.addEventListener('disconnect', ({ device }) => {
+    if (pico?.device === device)
+        lose(new Trouble(sentences.unplugged))
+})
+usb?.addEventListener('connect', ({ device }) => {
+    if (!pico && isLost)
+        void connect(device)
+})
+
+// ---- following ----
+
+let isBusy = false, again = false
+/** While the device draws, changes wait, and only the last counts. */
+async function follow(): Promise<void> {
+    again = true
+    if (isBusy)
+        return
+    isBusy = true
+    while (again && pico) {
+        again = false
+        await send(pico).catch(error => {
+            if (!pico)
+                return
+            if (error instanceof Trouble)
+                lose(error)
+            else
+                say(`${pico.name} keeps its picture: ${error.message}`)
+        })
+    }
+    isBusy = false
+}
+
+async function send(to: Pico): Promise<void> {
+    const scene = await ask('device', to.width, to.height, has)
+    if (!scene) // drawn before it was connected
+        return
+    if (scene.map)
+        await to.sendMap(scene.map)
+    if (scene.material)
+        await to.sendMaterial(scene.material)
+    has = scene.has
+    await to.sendLight(scene.light)
+    frames.push(performance.now())
+    tell(to)
+}
+
+function tell(to: Pico): void {
+    const now = performance.now()
+    frames = frames.filter(time => time > now - 1000)
+    const rate = frames.length > 1 ? (frames.length - 1) * 1000 / (frames[frames.length - 1] - frames[0]) : 0
+    say(`${to.name} draws ${to.width} × ${to.height}, RGB565: ${frames.length > 4 ? `${rate.toFixed(0)} frames/s, ` : ''}16 bytes a frame. The picture here is the same, bit for bit: one colour, full gloss, no dither.`)
+}
+
+onDrawn(() => void follow())

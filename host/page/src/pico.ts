@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// A board that shades by itself, over WebUSB, as firmware/core/light_protocol.h says: a material and a map once, then a light a frame.
+// Numbers come from that header, what is sent from the module, which packs it in C. Without a DOM: tests run it in node, too.
+import * as wire from './exports'
+import type { Usb, UsbDevice, UsbInterface } from './webusb'
+
+/** What went wrong with the device, and what to do: a sentence for the user. */
+export class Trouble extends Error {}
+
+const ids = [wire.GUD_ID_OPENMOKO, wire.GUD_ID_MCS, wire.GUD_ID_PIDCODES]
+export const filters = ids.map(id => ({ vendorId: id >>> 16, productId: id & 0xffff }))
+
+export const sentences = {
+    notChosen: 'No device was chosen. Plug in a Pico with a 240x240 panel and glint\'s firmware, then connect again.',
+    notOpened: 'The device could not be opened. Stop other programs that use it; on Linux install glint\'s udev rule (70-glint.rules), plug the device in again, then connect again.',
+    held: 'Another program or tab has the device. Stop it, then connect again.',
+    noShader: 'This device does not shade by itself. Glint\'s firmware for a Pico with a 240x240 panel does.',
+    busy: 'The device is busy with a picture that another program sends. Connect again.',
+    unplugged: 'The device was unplugged. Plug it in, then connect again.',
+    silent: 'The device does not answer. Unplug it, plug it in, then connect again.',
+    stalled: 'The device stopped a transfer (STALL). Connect again.',
+    failed: 'A transfer failed. Connect again; if that does not help, plug the device in again.',
+} as const
+const statuses: Record<number, string> = {
+    [wire.GUD_UNSUPPORTED]: 'it does not know the request', [wire.GUD_PROTOCOL]: 'it has been restarted or used by another program',
+    [wire.GUD_PARAMETER]: 'it does not take the values', [wire.GUD_ERROR]: 'it failed',
+}
+const refused = (what: string, status: number) => new Trouble(`The device refused ${what}: ${statuses[status] ?? `status ${status}`}. Connect again.`)
+
+/** Pieces of a map: none takes long, however slow the bus. */
+const pieceBytes = 8192
+/** How long a transfer, or a frame, may take. */
+const patience = 10000
+
+export class Pico {
+    width = 0
+    height = 0
+    private number = 0
+    private endpoint = 0
+
+    private constructor(private usb: Usb, readonly device: UsbDevice) {}
+
+    /** sizeOf: width << 16 | height of a descriptor, 0 where it is none. */
+    static async connect(usb: Usb, device: UsbDevice, sizeOf: (descriptor: Uint8Array) => number | Promise<number>): Promise<Pico> {
+        const it = new Pico(usb, device)
+        try {
+            await device.open().catch(() => { throw new Trouble(sentences.notOpened) })
+            if (!device.configuration)
+                await device.selectConfiguration(1)
+            await it.findInterface(sizeOf)
+            if (!await it.set(wire.LIGHT_SET_ENABLE, Uint8Array.of(1))) {
+                const status = await it.status()
+                throw status === wire.GUD_BUSY ? new Trouble(sentences.busy) : refused('to hand over the panel', status)
+            }
+            return it
+        } catch (error) {
+            const trouble = await it.troubleOf(error)
+            await it.leave()
+            throw trouble
+        }
+    }
+
+    get name(): string {
+        return this.device.productName ?? 'The device'
+    }
+
+    async sendMaterial(bytes: Uint8Array<ArrayBuffer>): Promise<void> {
+        await this.guard(async () => {
+            if (!await this.set(wire.LIGHT_SET_MATERIAL, bytes))
+                throw refused('the material', await this.status())
+        })
+    }
+
+    async sendMap(bytes: Uint8Array<ArrayBuffer>): Promise<void> {
+        await this.guard(async () => {
+            if (!await this.set(wire.LIGHT_SET_MAP))
+                throw refused('the map', await this.status())
+            for (let at = 0; at < bytes.length; at += pieceBytes)
+                await this.bulk(bytes.subarray(at, at + pieceBytes))
+            await this.expectDone('the map')
+        })
+    }
+
+    /** Until its frame is on the panel. */
+    async sendLight(bytes: Uint8Array<ArrayBuffer>): Promise<void> {
+        await this.guard(async () => {
+            await this.bulk(bytes)
+            await this.expectDone('the light')
+        })
+    }
+
+    /** Gives the panel back. */
+    async close(): Promise<void> {
+        await this.set(wire.LIGHT_SET_ENABLE, Uint8Array.of(0)).catch(() => false)
+        await this.leave()
+    }
+
+    private async leave(): Promise<void> {
+        await this.device.releaseInterface(this.number).catch(() => undefined)
+        await this.device.close().catch(() => undefined)
+    }
+
+    /** The vendor interface that answers. The display's may have a driver, and then cannot be claimed. */
+    private async findInterface(sizeOf: (descriptor: Uint8Array) => number | Promise<number>): Promise<void> {
+        let claimed = 0
+        const fitting = this.device.configuration?.interfaces.filter(isVendors) ?? []
+        for (const { interfaceNumber, alternates } of fitting.reverse()) { // the display comes first
+            if (!await this.device.claimInterface(interfaceNumber).then(() => true, () => false))
+                continue
+            claimed++
+            this.number = interfaceNumber
+            this.endpoint = alternates[0].endpoints.find(isBulkOut)!.endpointNumber
+            const { status, data } = await this.within(this.device.controlTransferIn(this.setup(wire.LIGHT_GET_DESCRIPTOR), wire.LIGHT_DESCRIPTOR_BYTES))
+            const size = status === 'ok' && data?.byteLength === wire.LIGHT_DESCRIPTOR_BYTES ? await sizeOf(new Uint8Array(data.buffer, data.byteOffset, data.byteLength)) : 0
+            this.width = size >>> 16
+            this.height = size & 0xffff
+            if (this.width && this.height)
+                return
+            await this.device.releaseInterface(interfaceNumber)
+        }
+        throw new Trouble(claimed < fitting.length && fitting.length > 1 ? sentences.held : sentences.noShader)
+    }
+
+    private setup(request: number) {
+        return { requestType: 'vendor', recipient: 'interface', request, value: 0, index: this.number } as const
+    }
+
+    /** False: STALL. */
+    private async set(request: number, data?: Uint8Array<ArrayBuffer>): Promise<boolean> {
+        return (await this.within(this.device.controlTransferOut(this.setup(request), data ?? new Uint8Array(0)))).status === 'ok'
+    }
+
+    private async status(): Promise<number> {
+        const { data } = await this.within(this.device.controlTransferIn(this.setup(wire.LIGHT_GET_STATUS), 1))
+        return data?.byteLength ? data.getUint8(0) : wire.GUD_ERROR
+    }
+
+    private async bulk(bytes: Uint8Array<ArrayBuffer>): Promise<void> {
+        if ((await this.within(this.device.transferOut(this.endpoint, bytes))).status !== 'ok') {
+            await this.device.clearHalt('out', this.endpoint).catch(() => undefined)
+            throw new Trouble(sentences.stalled)
+        }
+    }
+
+    /** GUD_BUSY: a light waits or is drawn. */
+    private async expectDone(what: string): Promise<void> {
+        const end = performance.now() + patience
+        for (let status; (status = await this.status()) !== wire.GUD_OK;) {
+            if (status !== wire.GUD_BUSY)
+                throw refused(what, status)
+            if (performance.now() > end)
+                throw new Trouble(sentences.silent)
+        }
+    }
+
+    private within<T>(transfer: Promise<T>): Promise<T> {
+        let timer: ReturnType<typeof setTimeout>
+        const late = new Promise<never>((_, reject) => { timer = setTimeout(() => reject(new Trouble(sentences.silent)), patience) })
+        return Promise.race([transfer, late]).finally(() => clearTimeout(timer))
+    }
+
+    /** After trouble the device is closed: connect again. */
+    private async guard(work: () => Promise<void>): Promise<void> {
+        try {
+            await work()
+        } catch (error) {
+            const trouble = await this.troubleOf(error)
+            await this.leave()
+            throw trouble
+        }
+    }
+
+    /** Browsers word errors differently, and a device that went away has several: is it still there? */
+    private async troubleOf(error: unknown): Promise<Trouble> {
+        if (error instanceof Trouble && error.message !== sentences.stalled && error.message !== sentences.silent)
+            return error
+        await new Promise(resolve => setTimeout(resolve, 300)) // until the system has noticed
+        const devices = await this.usb.getDevices().catch(() => [])
+        if (!devices.some(({ serialNumber, productName }) => serialNumber === this.device.serialNumber && productName === this.device.productName))
+            return new Trouble(sentences.unplugged)
+        return error instanceof Trouble ? error : new Trouble(sentences.failed)
+    }
+}
+
+function isBulkOut({ direction, type }: { direction: string, type: string }): boolean {
+    return direction === 'out' && type === 'bulk'
+}
+
+function isVendors({ alternates: [first] }: UsbInterface): boolean {
+    return first.interfaceClass === wire.GUD_INTERFACE_CLASS && first.endpoints.some(isBulkOut)
+}

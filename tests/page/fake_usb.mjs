@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// navigator.usb with one board in it, for pages in a browser that has no device: fakeUsb runs in the page, and keeps what it is sent in
+// globalThis.board. A real board, or the firmware, is in tests/pico.
+export function fakeUsb(width, height) {
+    const gone = () => { throw new DOMException('A transfer error has occurred.', 'NetworkError') }
+    const board = globalThis.board = { isPlugged: true, isHeld: false, isBusy: false, stalls: false, isChosen: true, enabled: 0, material: [], map: [], lights: [], reports: 0 }
+    const listeners = { connect: [], disconnect: [] }
+    const answer = status => ({ status })
+    const device = {
+        productName: 'A board', serialNumber: '17', opened: false,
+        configuration: { interfaces: [0, 1].map(interfaceNumber => ({ interfaceNumber,
+            alternates: [{ interfaceClass: 255, endpoints: [{ endpointNumber: interfaceNumber + 1, direction: 'out', type: 'bulk' }] }] })) },
+        async open() { board.isPlugged || gone() },
+        async close() {},
+        async claimInterface(number) { board.isPlugged && number === 1 && !board.isHeld || gone() },
+        async releaseInterface() {},
+        async clearHalt() { board.stalls = false },
+        async controlTransferIn({ request }) {
+            board.isPlugged || gone()
+            if (request === 0xa0)
+                return { status: 'ok', data: new DataView(Uint8Array.of(0x67, 0x6c, 0x6e, 0x74, 1, 0, 0, 0, width, width >> 8, height, height >> 8).buffer) }
+            return { status: 'ok', data: new DataView(Uint8Array.of(board.isBusy || board.reports++ % 2 ? 1 : 0).buffer) }
+        },
+        async controlTransferOut({ request }, data) {
+            board.isPlugged || gone()
+            if (request === 0xa1 && data[0] && board.isBusy)
+                return answer('stall')
+            if (request === 0xa1)
+                board.enabled = data[0]
+            if (request === 0xa2)
+                board.material = [...data]
+            if (request === 0xa3)
+                board.map = []
+            return answer('ok')
+        },
+        async transferOut(endpoint, data) {
+            board.isPlugged || gone()
+            if (board.stalls)
+                return answer('stall')
+            if (board.map.length < 4 * width * height)
+                board.map.push(...data)
+            else
+                board.lights.push([...data])
+            return answer('ok')
+        },
+    }
+    board.plug = isPlugged => {
+        board.isPlugged = isPlugged
+        listeners[isPlugged ? 'connect' : 'disconnect'].forEach(listener => listener({ device }))
+    }
+    Object.defineProperty(navigator, 'usb', { value: {
+        async requestDevice() { return board.isChosen ? device : Promise.reject(new DOMException('No device selected.', 'NotFoundError')) },
+        async getDevices() { return board.isPlugged ? [device] : [] },
+        addEventListener(type, listener) { listeners[type].push(listener) },
+    } })
+}

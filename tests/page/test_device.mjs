@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// test_device.mjs PACKAGES PAGE GLINT: the page, served by `glint page`, in Chromium with a board that is a stand-in: what is sent and
+// shown, and what is said when the board goes away, stalls, or has another user.
+import { spawn } from 'node:child_process'
+import { once } from 'node:events'
+import { readFileSync } from 'node:fs'
+import { check, equal, run } from '../pico/tap.mjs'
+import { Browser } from './browser.mjs'
+import { fakeUsb } from './fake_usb.mjs'
+import { Command, difference } from './glint.mjs'
+
+const [packages, folder, glint] = process.argv.slice(2)
+const { Engine, fragmentOf, onDevice, sentences, stateOfFragment, stateOfWords, white, wordsOf, writePng } = await import(`${process.cwd()}/${folder}/engine.mjs`)
+const engine = new Engine(new WebAssembly.Module(readFileSync(`${folder}/module.wasm`)))
+const command = new Command(glint)
+const width = 60, height = 44
+engine.addWhite(white, width, height)
+command.put(white, writePng(width, height, Buffer.alloc(4 * width * height, 255), true))
+const server = spawn(glint, ['page', '--port', '0', '--file', `${folder}/index.html`])
+process.on('exit', () => server.kill())
+const [line] = await once(server.stdout, 'data')
+const browser = await Browser.open(packages, 'chromium', `${folder}/index.html`)
+browser.url = String(line).match(/http:\S+/)[0]
+const { page } = browser
+await page.evaluateOnNewDocument(fakeUsb, width, height)
+
+const words = ['--scene=coin', '--size=50x50', '--model=cayley', '-n77', '--format=rgb888', '--dither', '--light=-.5,.5,1']
+/** The means of the scenes' albedos, which the module is asked for here as there. */
+const colours = Object.fromEntries(['coin', 'dial'].map(scene => {
+    engine.draw([`--scene=${scene}`])
+    return [scene, engine.facts().colour.join()]
+}))
+const board = change => page.evaluate(change => Object.assign(globalThis.board, change), change ?? {})
+const connect = () => page.click('#connect')
+const says = async text => {
+    await browser.until(text => document.getElementById('device-status').textContent.includes(text), text)
+        .catch(async () => { throw new Error(`it says ${await browser.text('device-status')}, not ${text}`) })
+}
+
+/** The canvas is the command's picture of what the board draws, and the board has what makes that. Returns the words. */
+async function follows() {
+    const now = await browser.now(), state = stateOfFragment(now.fragment), drawn = wordsOf(onDevice(state, width, height, colours[state.scene]))
+    const wrong = difference(now.rgba, now.width, now.height, command.render(drawn))
+    check(!wrong, `${drawn.join(' ')}: ${wrong}`)
+    engine.draw(drawn)
+    const { map, material, light } = engine.device(width, height, { map: '', material: '' })
+    const tail = JSON.stringify([...light.subarray(4)])
+    await browser.until(tail => JSON.stringify(board.lights.at(-1)?.slice(4)) === tail, tail)
+    const sent = await board()
+    check(Buffer.from(sent.map).equals(Buffer.from(map)), 'the map is another one')
+    check(Buffer.from(sent.material).equals(Buffer.from(material)), 'the material is another one')
+    check(sent.lights.every(bytes => bytes.length === 16), 'a light is not 16 bytes')
+    return drawn
+}
+const isFree = async () => {
+    equal(await browser.text('connect'), 'Connect a Pico', 'the button')
+    const now = await browser.now(), own = wordsOf(stateOfFragment(now.fragment))
+    const wrong = difference(now.rgba, now.width, now.height, command.render(own))
+    check(!wrong, `not connected, the picture is not the page's own: ${own.join(' ')}: ${wrong}`)
+}
+
+run([
+    ['connected, the picture is what the board draws: its size, RGB565 without dither, from its map', async () => {
+        await browser.go(fragmentOf(stateOfWords(words)))
+        await isFree()
+        await connect()
+        await says('16 bytes a frame')
+        const drawn = await follows()
+        for (const word of ['--size=60x44', '--format=rgb565', '--path=colour-int8', '--model=cayley'])
+            check(drawn.includes(word), `${word} is not in ${drawn.join(' ')}`)
+        equal((await board()).enabled, 1, 'enabled')
+    }],
+    ['a light that moves is 16 bytes a frame; a material, or another scene, is sent when it changes', async () => {
+        const before = (await board()).lights.length
+        await page.focus('#handle')
+        for (let i = 0; i < 8; i++)
+            await page.keyboard.press('ArrowRight')
+        await follows()
+        check((await board()).lights.length > before, 'no lights')
+        await says('frames/s')
+        await browser.set('control-n', '12')
+        check((await follows()).includes('-n12'), 'another material')
+        await page.evaluate(() => [...document.querySelectorAll('button')].find(button => button.textContent === 'Dial').click())
+        check((await follows()).includes('--scene=dial'), 'another scene')
+    }],
+    ['what the board cannot draw is said, and it keeps its picture', async () => {
+        const { length } = (await board()).lights
+        await page.evaluate(() => document.getElementById('add-light').click())
+        await browser.until(() => !document.getElementById('refusal').hidden)
+        equal((await board()).lights.length, length, 'lights')
+        check((await browser.text('refusal')).startsWith('--path colour-int8'), await browser.text('refusal'))
+        await page.evaluate(() => document.getElementById('undo').click())
+        await follows()
+    }],
+    ['disconnected, the panel is given back and the picture is the page\'s own', async () => {
+        await connect()
+        await says('Disconnected')
+        equal((await board()).enabled, 0, 'enabled')
+        await isFree()
+    }],
+    ['an unplugged board is said, and followed again when it is back', async () => {
+        await connect()
+        await says('16 bytes a frame')
+        await page.evaluate(() => globalThis.board.plug(false))
+        await says(sentences.unplugged)
+        await isFree()
+        await board({ lights: [], map: [], material: [] })
+        await page.evaluate(() => globalThis.board.plug(true))
+        await says('16 bytes a frame')
+        await follows()
+    }],
+    ['a stalled transfer is said, and connecting again goes on', async () => {
+        await board({ stalls: true })
+        await page.focus('#handle')
+        await page.keyboard.press('ArrowUp')
+        await says(sentences.stalled)
+        await isFree()
+        await connect()
+        await says('16 bytes a frame')
+        await follows()
+        await connect()
+        await says('Disconnected')
+    }],
+    ['a board that another program has, that is busy, or that nobody chooses is said', async () => {
+        for (const [fault, sentence] of [['isHeld', sentences.held], ['isBusy', sentences.busy]]) {
+            await board({ [fault]: true })
+            await connect()
+            await says(sentence)
+            await board({ [fault]: false })
+            await isFree()
+        }
+        await board({ isChosen: false })
+        await connect()
+        await says(sentences.notChosen)
+    }],
+    ['nothing was written to the console as an error', () => equal(browser.wrong.join('\n'), '', 'errors')],
+], () => { server.kill(); browser.close() })
