@@ -61,6 +61,15 @@ run([
                     for (const dither of [[], ['--dither']])
                         same(engine, ['--scene=coin', '--size=64x48', `--model=${model}`, `--format=${format}`, `--space=${space}`, ...dither, '--light=-1,1,1.5'])
     }],
+    ['the bytes of tables that the page states are those of glint.h', () => {
+        const header = readFileSync('lib/glint.h', 'utf8'), engine = new Engine(program)
+        const stated = kind => Number(header.match(new RegExp(`GLINT_TABLES_${kind}_BYTES (\\d+)u`))[1])
+        for (const [words, colour] of [[[], 'COLOUR'], [['--dither'], 'DITHER']]) {
+            engine.draw(['--scene=coin', '--size=9x9', ...words])
+            const facts = engine.facts()
+            equal([facts.colour_bytes, facts.small_bytes, facts.albedo_bytes].join(), [colour, 'SMALL', 'ALBEDO'].map(stated).join(), colour)
+        }
+    }],
     ['every path gives the command\'s pixels, with the same warning', () => {
         const engine = new Engine(program)
         for (const path of paths)

@@ -112,6 +112,11 @@ const char *page_facts(void)
     fprintf(out, "colour %u %u %u\n", mean[0], mean[1], mean[2]);
     fprintf(out, "has_albedo %d\nhas_gloss %d\nhas_mask %d\n", now->scene->albedo != NULL, now->scene->gloss != NULL,
             now->scene->mask != NULL);
+    /* as on a microcontroller: pointers have 32 bits here, too */
+    fprintf(out, "prepared_bytes %zu\ncolour_bytes %u\nsmall_bytes %u\nalbedo_bytes %u\n",
+            sizeof(struct glint_prepared),
+            shading->dither ? (unsigned)GLINT_TABLES_DITHER_BYTES : (unsigned)GLINT_TABLES_COLOUR_BYTES,
+            (unsigned)GLINT_TABLES_SMALL_BYTES, (unsigned)GLINT_TABLES_ALBEDO_BYTES);
     fprintf(out, "cutoff_c_q16 %" PRId32 "\ncutoff_t_q30 %" PRIu32 "\n", cutoff,
             glint_cutoff_t(shading->model, shading->n, shading->q));
     fprintf(out, "cutoff_degrees %.6f\n", acos(cutoff / 65536.) * 180 / M_PI);

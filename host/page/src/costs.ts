@@ -5,7 +5,7 @@ import type { Facts } from './engine'
 import type { State } from './words'
 
 const clock = 125e6 // the RP2040's
-const tableBytes: Record<string, number> = { colour: 20480, small: 904, albedo: 8584, palette: 8192 }
+const paletteBytes = 8192 // 4096 colours
 const normalBytes: Record<string, number> = { int16: 6, int10: 4, int8: 4, span: 0 }
 
 function value(kind: string, name: string, build = 'O2', n = '60'): number | undefined {
@@ -63,8 +63,8 @@ export function costs(state: State, facts: Facts, width: number, height: number)
         out.push(['Cycles', 'not in the table for this path'])
     }
     const normals = path.match(/int16|int10|int8|span/)?.[0] ?? 'int16'
-    const tables = tableBytes[path.split('-')[0]]
-    out.push(['RAM', tables ? `${commas(tables)} bytes of tables` : '180 bytes, prepared'])
+    const tables = path === 'palette' ? paletteBytes : facts[`${path.split('-')[0]}_bytes`]?.[0]
+    out.push(['RAM', tables ? `${commas(tables)} bytes of tables` : `${facts.prepared_bytes[0]} bytes, prepared`])
     out.push(['Normals', path === 'palette' ? `${commas(2 * width * height)} bytes` : `${commas(normalBytes[normals] * width * height)} bytes`])
     const parts = 'glint_shade_prepare_for+glint_shade_prepared_rect+glint_shade_'
     const format = state.space === 'linear' ? 'linear' : (state.format ?? 'rgb888').replace('-swapped', '')
