@@ -28,8 +28,10 @@ setup-exact:
 test-exact: ## check: the library over its whole domain: 0 wrong
 	@+tests/tier exact "$(SUBMAKE)"
 
+# Several at a time, since some of them compile, and of the others not all use every core.
 run-exact: $(EXACT_TESTS)
-	@CC="$(CC)" OPENMP="$(OPENMP)" tests/tally $(EXACT_TESTS) tests/exact/test_tables tests/exact/test_bounds
+	@CC="$(CC)" OPENMP="$(OPENMP)" TALLY_JOBS=$$(nproc) OMP_WAIT_POLICY=passive \
+		tests/tally tests/exact/test_bounds $(EXACT_TESTS) tests/exact/test_tables
 
 # The quick part: a part of the arguments from c, every cutoff, the bounds of quick forms.
 check-exact:
@@ -37,6 +39,6 @@ check-exact:
 	else tests/tally "echo ok 1 - tier exact # SKIP cmocka, gmp or mpfr is not installed: make setup-exact"; fi
 
 run-check-exact: $(addprefix $(BUILD)/tests/exact/test_,eval cutoff near pixel unit reach lights)
-	@EXACT_EVERY=21 GLINT_PIXELS=4 TALLY_JOBS=$$(nproc) tests/tally $^ tests/exact/test_tables
+	@EXACT_EVERY=21 GLINT_PIXELS=3 OMP_WAIT_POLICY=passive TALLY_JOBS=$$(nproc) tests/tally $^ tests/exact/test_tables
 
 .PHONY: setup-exact test-exact run-exact check-exact run-check-exact

@@ -4,6 +4,8 @@
 # GATEWARE_BUILD, a folder of their own to write to, in the environment.
 GATEWARE_TEST_PACKAGES = gcc g++ libc6-dev make libpng-dev verilator iverilog z3 python3-yaml
 GATEWARE_TESTS = $(patsubst tests/gateware/test_%.cpp,$(BUILD)/tests/gateware/test_%,$(wildcard tests/gateware/test_*.cpp))
+# The longest first.
+GATEWARE_LONG = $(addprefix tests/gateware/test_,faults handshake span_faults flat netlist)
 GATEWARE_SCRIPTS = $(filter-out %.cpp %.v,$(wildcard tests/gateware/test_*))
 # Their parameters, and what one is linked with.
 GATEWARE_PARAMETERS_core = -GUSER=16
@@ -46,7 +48,7 @@ $(BUILD)/tests/gateware/vectors: tests/gateware/vectors.c $(GATEWARE_LIBRARY)
 
 run-gateware: $(GATEWARE_TESTS) $(BUILD)/tests/gateware/vectors $(GATEWARE_TABLES)
 	@mkdir -p $(GATEWARE)/test
-	@$(GATEWARE_ENV) TALLY_JOBS=2 tests/tally $(GATEWARE_TESTS) $(GATEWARE_SCRIPTS)
+	@$(GATEWARE_ENV) TALLY_JOBS=2 tests/tally $(GATEWARE_LONG) $(filter-out $(GATEWARE_LONG),$(GATEWARE_SCRIPTS)) $(GATEWARE_TESTS)
 
 # The quick part: lint, with what is installed.
 check-gateware:

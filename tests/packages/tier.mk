@@ -4,7 +4,9 @@
 PACKAGES_PACKAGES = cmake gcc g++ libc6-dev make pkg-config python3 python3-yaml python3-kconfiglib gcc-arm-none-eabi \
 	gcc-riscv64-unknown-elf gcc-xtensa-lx106 gcc-avr avr-libc qemu-system-arm arduino-builder \
 	arduino-core-avr simavr
-PACKAGES_TESTS = $(wildcard tests/packages/test_*)
+# The longest first.
+PACKAGES_TESTS = $(sort $(wildcard tests/packages/test_*))
+PACKAGES_LONG = tests/packages/test_arduino tests/packages/test_readme
 
 setup-packages: setup-build
 	@.ci/need "tier packages (build systems, a cross compiler, an emulator)" $(PACKAGES_PACKAGES)
@@ -13,6 +15,6 @@ test-packages: ## check: lib/ by CMake, make install-lib and others, on the host
 	@+tests/tier packages "$(SUBMAKE)"
 
 run-packages: all
-	@GLINT="$(abspath $(BUILD)/glint)" TALLY_JOBS=$$(nproc) tests/tally $(PACKAGES_TESTS)
+	@GLINT="$(abspath $(BUILD)/glint)" TALLY_JOBS=$$(nproc) tests/tally $(PACKAGES_LONG) $(filter-out $(PACKAGES_LONG),$(PACKAGES_TESTS))
 
 .PHONY: setup-packages test-packages run-packages

@@ -17,7 +17,7 @@ test-proof: ## check: the library for every argument: values from t, proved
 	@+tests/tier proof "$(SUBMAKE)"
 
 run-proof: $(PROOF_BUILD)/test_finite
-	@TALLY_JOBS=2 tests/tally $(PROOF_BUILD)/test_finite tests/proof/test_lobes tests/proof/test_msh \
-		tests/proof/test_powers tests/proof/test_pixel tests/proof/test_static tests/proof/test_faults
+	@TALLY_JOBS=2 tests/tally $(addprefix tests/proof/test_,lobes faults powers static msh pixel) \
+		$(PROOF_BUILD)/test_finite
 
 .PHONY: setup-proof test-proof run-proof

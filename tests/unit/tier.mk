@@ -30,17 +30,18 @@ test-unit: ## check: the library and the command: pictures, numbers, messages; s
 	@+tests/tier unit "$(SUBMAKE)"
 
 unit-programs: $(UNIT_TESTS) $(BUILD)/glint
+unit-quick-programs: $(UNIT_QUICK) $(BUILD)/glint
 
-# With TEST or SANITIZE only what they say; else everything, plain and with sanitizers.
+# With TEST or SANITIZE only what they say; else everything, plain and, but for what is slow, with sanitizers. What takes
+# longest begins first, so that it does not end alone.
 run-unit: unit-programs
 ifneq ($(TEST)$(filter 1,$(SANITIZE)),)
 	@$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS)
 else
-	@+$(SUBMAKE) BUILD=$(UNIT_SANITIZED) SANITIZE=1 unit-programs
-	@+$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS) \
-		$(patsubst $(BUILD)/%,"env GLINT=$(CURDIR)/$(UNIT_SANITIZED)/glint $(UNIT_SANITIZED)/%",$(UNIT_TESTS)) \
-		"tests/unit/compilers $(BUILD)/compilers $(BUILD)/libglint.a $(SUBMAKE)" \
-		"tests/unit/model_added $(BUILD)/model_added $(SUBMAKE)"
+	@+$(SUBMAKE) BUILD=$(UNIT_SANITIZED) SANITIZE=1 unit-quick-programs
+	@+$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally "tests/unit/compilers $(BUILD)/compilers $(BUILD)/libglint.a $(SUBMAKE)" \
+		"tests/unit/model_added $(BUILD)/model_added $(SUBMAKE)" $(sort $(UNIT_SCRIPTS)) \
+		$(patsubst $(BUILD)/%,"env GLINT=$(CURDIR)/$(UNIT_SANITIZED)/glint $(UNIT_SANITIZED)/%",$(UNIT_QUICK)) $(UNIT_TESTS)
 endif
 
 # Without set-up and what takes long.
@@ -48,7 +49,7 @@ check-unit:
 	@+if pkg-config --exists cmocka; then $(SUBMAKE) run-check-unit; \
 	else tests/tally "echo ok 1 - tier unit # SKIP cmocka is not installed: make setup-unit"; fi
 
-run-check-unit: unit-programs
+run-check-unit: unit-quick-programs
 	@$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_QUICK) $(UNIT_QUICK_SCRIPTS)
 
-.PHONY: setup-unit test-unit unit-programs run-unit check-unit run-check-unit
+.PHONY: setup-unit test-unit unit-programs unit-quick-programs run-unit check-unit run-check-unit
