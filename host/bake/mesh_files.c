@@ -123,7 +123,7 @@ static void write_all(const struct baked_mesh *baked, const char *storage, const
         fprintf(out, "%s_ends, ", name);
     else
         fputs("NULL, ", out);
-    fprintf(out, "%u, %u, %u};\n", mesh->vertex_count, mesh->face_count, parts ? mesh->part_count : 0);
+    fprintf(out, "%u, %u, %u};\n", mesh->vertex_count, mesh->face_count, parts ? mesh->part_count : 0u);
 }
 
 void bake_mesh_write_c(const struct baked_mesh *baked, const char *name, FILE *out)
@@ -182,7 +182,7 @@ uint8_t *bake_mesh_raw(const struct baked_mesh *baked, size_t *len)
     const size_t vertices = (size_t)3 * mesh->vertex_count, corners = (size_t)3 * mesh->face_count;
     const unsigned normal = baked->normals8 ? 1 : 2;
     const bool odd = (vertices * normal) % 2;
-    *len = 8 + 2 * vertices + normal * vertices + odd + 2 * corners + 6u * mesh->part_count;
+    *len = 8 + 2 * vertices + normal * vertices + odd + 2 * corners + (size_t)6 * mesh->part_count;
     uint8_t *bytes = allocate(*len, 1), *at = bytes;
     at = put(at, mesh->vertex_count, 2);
     at = put(at, mesh->face_count, 2);

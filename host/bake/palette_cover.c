@@ -19,7 +19,7 @@ static uint32_t covered(const struct palette_choice *c, uint32_t middle, double 
     const struct palette_window near = palette_grid_window(grid, at, reach);
     uint32_t count = 0;
     for (int y = near.y0; y <= near.y1; y++) {
-        const uint32_t *first = &grid->first[y * grid->side];
+        const uint32_t *first = &grid->first[(size_t)y * (size_t)grid->side];
         for (uint32_t i = first[near.x0]; i < first[near.x1 + 1]; i++)
             if (open[i] && c->points[i].weight * palette_distance(c->points[i].at, at) <= radius) {
                 count++;

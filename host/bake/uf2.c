@@ -22,7 +22,7 @@ void uf2_write(const uint8_t *bytes, size_t len, uint32_t address, enum uf2_fami
                                              PAYLOAD,  i,        count,          families[family]};
         uint8_t block[BLOCK] = {0};
         for (unsigned k = 0; k < HEADER / 4; k++)
-            put(block + 4 * k, header[k]);
+            put(block + sizeof header[k] * k, header[k]);
         memcpy(block + HEADER, bytes + from, len - from < PAYLOAD ? len - from : PAYLOAD);
         put(block + BLOCK - 4, end);
         fwrite(block, 1, sizeof block, out);

@@ -48,6 +48,7 @@ void text_print(FILE *stream, const char *text)
 {
     while (*text) {
         char piece[4];
-        fwrite(piece, 1, next(&text, false, piece), stream);
+        const size_t length = next(&text, false, piece);
+        fwrite(piece, 1, length, stream);
     }
 }

@@ -117,7 +117,7 @@ static void draw_map(const struct render_options *options, struct drawn *drawn)
 int command_render(int argc, char **argv)
 {
     struct render_options options = {0};
-    struct drawn drawn;
+    struct drawn drawn = {0};
     render_options_parse(&options, argc, argv);
     (options.look.scene.mesh.name ? draw_mesh : draw_map)(&options, &drawn);
     const enum glint_format format = drawn.shadings->format;

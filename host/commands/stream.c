@@ -70,7 +70,7 @@ static void parse_sink(const struct argp_state *state, const char *text, struct 
             refuse(state, "--to %s: this glint was built without it; install %s and build glint again", text,
                    out->packages);
     const char *names[SINKS_MAX + 1] = {NULL};
-    for (unsigned i = 0; sink_kinds[i] && i < SINKS_MAX; i++)
+    for (unsigned i = 0; i < SINKS_MAX && sink_kinds[i]; i++)
         names[i] = sink_kinds[i]->name;
     o->kind = sink_kinds[parse_choice(state, "--to", "sink", text, names)];
 }

@@ -121,7 +121,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
     case KEY_BITS:
         if (strcmp(argument, "8") != 0 && strcmp(argument, "16") != 0 && strcmp(argument, "32") != 0)
             refuse(state, "--bits: '%s' is not 8, 16 or 32", argument);
-        request->table.bits = (unsigned)atoi(argument);
+        request->table.bits = (unsigned)strtoul(argument, NULL, 10);
         request->is_lobe_option = true;
         return 0;
     case KEY_NAME:

@@ -131,7 +131,7 @@ uint32_t *mesh_faces_drawn(const struct fitted *fitted, const struct view *view)
     uint8_t *rgb = allocate(pixels, 3);
     uint32_t *numbers = allocate(pixels, sizeof *numbers);
     uint16_t ends[PARTS];
-    for (uint16_t i = 0; i < PARTS; i++)
+    for (unsigned i = 0; i < PARTS; i++)
         ends[i] = (uint16_t)(i + 1);
     for (size_t i = 0; i < count; i++) {
         const size_t left = faces - i * PARTS;
@@ -153,7 +153,7 @@ uint32_t *mesh_faces_drawn(const struct fitted *fitted, const struct view *view)
             fail("the library refused the numbers of faces");
         paints[i] = (struct glint_paint){&glint_mesh_exact, &prepared[i]};
     }
-    draw(meshes, first, count, view, &light, rgb, 3 * view->width);
+    draw(meshes, first, count, view, &light, rgb, (size_t)3 * view->width);
     for (size_t i = 0; i < pixels; i++)
         numbers[i] = (uint32_t)(rgb[3 * i] | rgb[3 * i + 1] << 8 | rgb[3 * i + 2] << 16);
     free(meshes);

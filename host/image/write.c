@@ -128,7 +128,7 @@ static void write_pbm_lines(const struct picture *picture, struct output *output
 static void write_ppm(const struct picture *picture, struct output *output)
 {
     char head[64];
-    const char kind = picture->mono ? '4' : picture->channels == 1 ? '5' : '6';
+    const int kind = picture->mono ? '4' : picture->channels == 1 ? '5' : '6';
     const int len = snprintf(head, sizeof head, "P%c\n%u %u\n%s", kind, picture->width, picture->height,
                              picture->mono ? "" : "255\n");
     put(output, head, (size_t)len);

@@ -63,7 +63,7 @@ static batch_loop *loop_of(const struct batch_loops *loops, enum glint_model mod
 /* From how many elements on a table pays: the loop for powers is nearly as fast. */
 static size_t table_pays(const struct batch_loops *loops, batch_loop *loop)
 {
-    return !loop ? ENTRIES : loop == loops->power ? 16 * ENTRIES : SIZE_MAX;
+    return !loop ? ENTRIES : loop == loops->power ? (size_t)16 * ENTRIES : SIZE_MAX;
 }
 
 void batch_eval(enum glint_model model, uint32_t n, const int32_t *c_q16, uint32_t *f_q16, size_t count)

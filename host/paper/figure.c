@@ -11,7 +11,7 @@
 
 static const char *base64(const unsigned char *bytes, size_t size)
 {
-    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/=";
     char *text = malloc((size + 2) / 3 * 4 + 1), *at = text;
     if (!text)
         fail("out of memory");
@@ -21,8 +21,8 @@ static const char *base64(const unsigned char *bytes, size_t size)
                                (left > 2 ? (unsigned)bytes[i + 2] : 0);
         *at++ = digits[group >> 18];
         *at++ = digits[group >> 12 & 63];
-        *at++ = left > 1 ? digits[group >> 6 & 63] : '=';
-        *at++ = left > 2 ? digits[group & 63] : '=';
+        *at++ = digits[left > 1 ? group >> 6 & 63 : 64];
+        *at++ = digits[left > 2 ? group & 63 : 64];
     }
     *at = 0;
     return text;

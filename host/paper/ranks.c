@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,10 +17,14 @@ static bool number_of(const char *const names[], int *value)
 {
     for (size_t i = 0; names[i]; i++) {
         const char *text = getenv(names[i]);
-        if (text && *text) {
-            *value = atoi(text);
-            return true;
-        }
+        if (!text || !*text)
+            continue;
+        char *end;
+        const long number = strtol(text, &end, 10);
+        if (*end || number < 0 || number > INT_MAX)
+            return false;
+        *value = (int)number;
+        return true;
     }
     return false;
 }

@@ -123,12 +123,12 @@ static double *alpha_of(const struct image *picture)
 static bool rim_is_bright(const double *coverage, uint32_t width, uint32_t height)
 {
     const size_t last = ((size_t)height - 1) * width;
-    double bright = 0, all = 0;
-    for (size_t x = 0; x < width; x++, all += 2)
+    double bright = 0;
+    for (size_t x = 0; x < width; x++)
         bright += coverage[x] + coverage[last + x];
-    for (size_t y = 0; y < height; y++, all += 2)
+    for (size_t y = 0; y < height; y++)
         bright += coverage[y * width] + coverage[y * width + width - 1];
-    return 2 * bright > all;
+    return bright > (double)width + height;
 }
 
 /* The brightness, stretched from the picture's darkest to its brightest; inverted where the rim is bright. */

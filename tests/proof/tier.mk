@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Tier proof: what holds for every argument, decided by z3 from what clang makes of the library, or by running all that is finite.
+# Analysis needs the headers of what the host uses, too (setup-build).
 PROOF_PACKAGES = gcc libc6-dev make libcmocka-dev clang clang-tidy cppcheck z3 python3
 PROOF_BUILD = $(BUILD)/tests/proof
 
@@ -10,14 +11,15 @@ $(PROOF_BUILD)/finite.h: $(wildcard tests/proof/*.py) lib/lobe_msh.c lib/glint_l
 $(PROOF_BUILD)/test_finite: tests/proof/test_finite.c $(PROOF_BUILD)/finite.h lib/lobe_gauss.c $(BUILD)/libglint.a
 	$(CC) -std=c11 -D_GNU_SOURCE $(WARNINGS) -Ilib -I$(PROOF_BUILD) $(OPENMP) $(CFLAGS) $< $(BUILD)/libglint.a -o $@ -lcmocka -lm
 
-setup-proof:
+setup-proof: setup-build
 	@.ci/need "tier proof" $(PROOF_PACKAGES)
 
 test-proof: ## check: the library for every argument: values from t, proved
 	@+tests/tier proof "$(SUBMAKE)"
 
-run-proof: $(PROOF_BUILD)/test_finite
-	@TALLY_JOBS=2 tests/tally $(addprefix tests/proof/test_,lobes faults powers static msh pixel) \
+run-proof: $(PROOF_BUILD)/test_finite $(CONFORMANCE_EXPECTED)
+	@HOST_FLAGS="$(filter -std=% -I% -D% -f%,$(HOST_CFLAGS))" HOST_SOURCES="$(HOST_SOURCES)" EXPECTED=$(CONFORMANCE) \
+		TALLY_JOBS=2 tests/tally $(addprefix tests/proof/test_,lobes faults powers static msh pixel) \
 		$(PROOF_BUILD)/test_finite
 
 .PHONY: setup-proof test-proof run-proof

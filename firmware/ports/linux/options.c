@@ -54,9 +54,9 @@ static const char description[] =
 static void parse_size(const struct argp_state *state, const char *text, struct options *options)
 {
     unsigned width, height;
-    int length;
-    if (sscanf(text, "%5ux%5u%n", &width, &height, &length) < 2 || text[length] || width < 1 || height < 1 ||
-        width > SIDE_MAX || height > SIDE_MAX)
+    int length = 0;
+    if (strspn(text, "0123456789x") != strlen(text) || sscanf(text, "%5ux%5u%n", &width, &height, &length) < 2 ||
+        text[length] || width < 1 || height < 1 || width > SIDE_MAX || height > SIDE_MAX)
         argp_error(state, "--size: '%s' is not WxH, each from 1 to %d", text, SIDE_MAX);
     options->width = (uint16_t)width;
     options->height = (uint16_t)height;

@@ -44,7 +44,7 @@ int usb_transfer_fault(const struct libusb_transfer *transfer)
 
 void usb_port_tick(struct usb_port *port)
 {
-    struct timeval time = {0, TICK_MS * 1000};
+    struct timeval time = {0, TICK_MS * 1000L};
     libusb_handle_events_timeout_completed(port->libusb, &time, NULL);
 }
 

@@ -66,7 +66,7 @@ struct gpio_request {
 static void spread(int *values, unsigned count, uint32_t levels)
 {
     for (unsigned i = 0; i < count; i++)
-        values[i] = levels >> i & 1;
+        values[i] = (int)(levels >> i & 1);
 }
 
 struct gpio_request *gpio_request_outputs(struct gpio_chip *chip, const unsigned *offsets, unsigned count,

@@ -56,12 +56,13 @@ static enum glint_err gauge_draw(uint8_t *pixels, int percent)
 int main(int argc, char **argv)
 {
     static uint8_t pixels[3 * WIDTH * HEIGHT];
-    const int percent = argc > 1 ? atoi(argv[1]) : 70;
-    if (percent < 0 || percent > 100) {
+    char *end = "";
+    const long percent = argc > 1 ? strtol(argv[1], &end, 10) : 70;
+    if (*end || percent < 0 || percent > 100) {
         fprintf(stderr, "gauge: %s: give a value from 0 to 100\n", argv[1]);
         return 2;
     }
-    const enum glint_err err = gauge_draw(pixels, percent);
+    const enum glint_err err = gauge_draw(pixels, (int)percent);
     if (err) {
         fprintf(stderr, "gauge: glint's error %d\n", (int)err);
         return 1;
