@@ -37,4 +37,8 @@ $(PAGE_CONFORMANCE): $(CONFORMANCE_INPUTS) firmware/conformance/expected.c $(fil
 	@clang $(filter-out -MMD -MP,$(PAGE_CFLAGS)) -Ifirmware/conformance -Ifirmware/ports/bare $(filter %.c %.o,$^) \
 		-Wl,--stack-first,-z,stack-size=1048576 -o $@
 
-.PHONY: setup-page test-page run-page
+# The READMEs' picture of the page.
+page-picture: setup-page $(PAGE)/index.html ## maintain: host/page/page.png, the page as READMEs show it
+	@node tests/page/picture.mjs $(PAGE_TEST_NPM) $(PAGE) host/page/page.png
+
+.PHONY: setup-page test-page run-page page-picture
