@@ -229,4 +229,33 @@ static inline void assert_only_the_rectangle_is_written(const uint8_t *out, size
     }
 }
 
+/* Draws w x h pixels over `normals` with the shader: GLINT_OK. */
+typedef enum glint_err draw_rectangle(const struct glint_shader *shader, const struct glint_source *source, uint16_t w,
+                                      uint16_t h, const struct glint_surface *surface);
+
+/* Draws into memory with guards around, at any alignment, lines from the top or from the bottom. */
+static inline void assert_draws_within(draw_rectangle *draw, enum glint_format format, enum glint_space space,
+                                       uint16_t w, uint16_t h, uint16_t x, uint16_t y)
+{
+    const struct glint_shader shader = random_shader(format, space);
+    const unsigned need = bytes_of(format, w);
+    const ptrdiff_t stride = (ptrdiff_t)need + (ptrdiff_t)below(6);
+    const size_t size = (size_t)stride * h + 64;
+    struct glint_vec *normals = malloc(((size_t)w * h + 1) * sizeof *normals); /* exact, for the sanitizer */
+    uint8_t *out = malloc(size);
+    assert_true(normals && out);
+    for (int p = 0; p < w * h; p++)
+        normals[p] = random_normal(&shader.light);
+    memset(out, GUARD, size);
+    const bool upside_down = below(2) && h > 0;
+    const unsigned start = 1 + below(8);
+    uint8_t *first = out + start + (upside_down ? stride * (h - 1) : 0);
+    const struct glint_surface surface = {first, upside_down ? -stride : stride, x, y};
+    const struct glint_source source = {.normals = normals, .normals_stride = w * (ptrdiff_t)sizeof *normals};
+    assert_int_equal(draw(&shader, &source, w, h, &surface), GLINT_OK);
+    assert_only_the_rectangle_is_written(out, size, start, stride, format, w, h);
+    free(normals);
+    free(out);
+}
+
 #endif
