@@ -155,7 +155,10 @@ struct glint_material {
     X(GLINT_RGB565_SWAPPED, "rgb565-swapped", 2, 3, 31, 63, 31) /* high byte first: the wire's to most panels */       \
     X(GLINT_RGB888, "rgb888", 3, 3, 255, 255, 255)              /* red, green, blue */                                 \
     X(GLINT_GREY8, "grey8", 1, 1, 255, 255, 255)                                                                       \
-    X(GLINT_MONO, "mono", 0, 1, 1, 1, 1) /* most significant bit first; each line starts on a byte */
+    X(GLINT_MONO, "mono", 0, 1, 1, 1, 1)               /* most significant bit first; each line starts on a byte */    \
+    X(GLINT_BGR888, "bgr888", 3, 3, 255, 255, 255)     /* blue, green, red, as LVGL has all of these */                \
+    X(GLINT_XRGB8888, "xrgb8888", 4, 3, 255, 255, 255) /* blue, green, red, 255 */                                     \
+    X(GLINT_ARGB8888, "argb8888", 4, 3, 255, 255, 255) /* blue, green, red, the mask: 255 where there is none */
 
 #define GLINT_FORMAT_NUMBER(number, name, bytes, channels, red, green, blue) number,
 #define GLINT_FORMAT_ONE(number, name, bytes, channels, red, green, blue) +1
@@ -202,7 +205,7 @@ struct glint_source {
     ptrdiff_t albedo_stride;
     const uint8_t *gloss; /* scales the highlight */
     ptrdiff_t gloss_stride;
-    const uint8_t *mask; /* 0: the pixel is left as it is */
+    const uint8_t *mask; /* 0: the pixel is left as it is, its alpha, too */
     ptrdiff_t mask_stride;
 };
 
@@ -260,14 +263,13 @@ enum glint_err glint_shade_lights(const struct glint_shader *shader, const struc
 /* ---- A prepared shader: what a material, light, format and space fold to ---------------------------------------- *
  *
  * The functions that take a shader prepare it in every call: some 2,000 cycles on a Cortex-M0+. Short spans and small rectangles
- * prepare once and draw often, with the same pixels. A model and a format named at preparation link nothing else.
- */
+ * prepare once and draw often, with the same pixels. A model and a format named at preparation link nothing else. */
 struct glint_shade_model;  /* const, one a model */
 struct glint_shade_format; /* const, one a kind of pixel */
 #define GLINT_MODEL_SHADE(number, name, function, use) extern const struct glint_shade_model glint_shade_##name;
 GLINT_MODELS(GLINT_MODEL_SHADE)                            /* glint_shade_msh and so on */
 extern const struct glint_shade_format glint_shade_rgb565, /* gamma, both orders */
-    glint_shade_rgb888,                                    /* gamma */
+    glint_shade_rgb888, glint_shade_bgr888,                /* gamma; BGR888, XRGB8888 and ARGB8888 by the second */
     glint_shade_grey,                                      /* GREY8 and MONO, gamma */
     glint_shade_linear;                                    /* every format in linear space */
 

@@ -23,9 +23,9 @@ struct glint_lights {
     struct glint_reach reach[GLINT_LAMPS_MAX];
     struct glint_sight sight;
     struct glint_run run; /* the one at hand */
-    uint8_t pixels;       /* in it */
     const struct glint_vec *normals;
     struct glint_bounds bounds;
+    uint8_t pixels;                        /* in the run; here it fills a gap */
     uint32_t shines;                       /* which pixels of the run do */
     uint16_t arriving[GLINT_LIGHTS_SLOTS]; /* of the lamp at hand: att - 1 */
     /* Sums, channel by channel, then the lamp's samples; of one lamp red's sums are both. A sum's t is UINT32_MAX where F is 0

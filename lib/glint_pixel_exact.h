@@ -25,8 +25,14 @@ static inline bool glint_format_is_grey(uint8_t format)
 {
     return format == GLINT_GREY8 || format == GLINT_MONO;
 }
-/* Stores the levels of pixel x of a line; all are the same in grey. */
+static inline bool glint_format_is_blue_first(uint8_t format)
+{
+    return format >= GLINT_BGR888 && format <= GLINT_ARGB8888;
+}
+/* Stores the levels of pixel x of a line; all are the same in grey. Not alpha. */
 void glint_exact_store(uint8_t format, uint8_t *line, uint32_t x, const uint8_t levels[3]);
+/* Alpha or X of pixels x.. of a line, where the format has one; mask: the line's, or NULL. */
+void glint_exact_alpha(uint8_t format, uint8_t *line, uint32_t x, unsigned count, const uint8_t *mask);
 /* The ordered dither's weight b, 0..15, at a place on the screen. */
 uint32_t glint_pixel_bayer(uint32_t x, uint32_t y);
 /* That of a shader: 2b + 1, or 16. */

@@ -60,24 +60,35 @@ GLINT_INLINE uint32_t glint_levels_hold(uint32_t v, uint32_t most)
     return v;
 }
 
+/* Alpha of samples i.., where the format has one. */
+GLINT_INLINE void glint_levels_alpha(uint8_t format, const struct glint_run *run, unsigned i, unsigned count)
+{
+    glint_exact_alpha(format, run->line, run->x + i, count, run->mask);
+}
+
+enum glint_levels_order { GLINT_LEVELS_565, GLINT_LEVELS_RED_FIRST, GLINT_LEVELS_BLUE_FIRST };
+
 /* The loop of RGB. */
 GLINT_INLINE uint32_t glint_levels_rgb(const struct glint_prepared *p, const struct glint_run *run,
-                                       const struct glint_sample *sample, unsigned count, bool deep, bool maps,
-                                       bool dither)
+                                       const struct glint_sample *sample, unsigned count, enum glint_levels_order order,
+                                       bool maps, bool dither)
 {
+    const bool deep = order != GLINT_LEVELS_565;
     const unsigned shift = (unsigned)p->shift;
     const uint32_t w = maps ? p->w_maps : p->w;
     const uint32_t most = (uint32_t)(deep ? 255 : 31) << shift, most_green = (uint32_t)(deep ? 255 : 63) << shift;
     const uint8_t *albedo = maps && run->albedo ? run->albedo : p->shader.material.albedo, *gloss = run->gloss;
     const unsigned step = maps && run->albedo ? 3 : 0;
     const bool swapped = p->shader.format == GLINT_RGB565_SWAPPED;
-    uint8_t *out = run->line + (deep ? 3 : 2) * run->x + (swapped ? 1 : 0);
+    const unsigned red_at = order == GLINT_LEVELS_BLUE_FIRST ? 2 : 0;
+    const unsigned bytes = !deep ? 2 : order == GLINT_LEVELS_BLUE_FIRST && p->shader.format != GLINT_BGR888 ? 4 : 3;
+    uint8_t *out = run->line + bytes * run->x + (swapped ? 1 : 0);
     const ptrdiff_t other = swapped ? -1 : 1;
     uint32_t bias[4], open = 0;
     if (dither)
         glint_levels_bias(bias, p, run);
     const struct glint_sample *const first = sample, *const end = sample + count;
-    for (unsigned next = 0; sample != end; sample++, out += deep ? 3 : 2) {
+    for (unsigned next = 0; sample != end; sample++, out += bytes) {
         const unsigned i = maps || dither ? next++ : 0; /* else it is found where a pixel stays open */
         uint32_t v[3];
         glint_levels_sum(v, p, sample, albedo, gloss ? gloss + i : gloss, maps);
@@ -89,9 +100,9 @@ GLINT_INLINE uint32_t glint_levels_rgb(const struct glint_prepared *p, const str
         if (((red ^ (red + w)) | (green ^ (green + w)) | (blue ^ (blue + w))) >> shift) {
             open |= (uint32_t)1 << (sample - first);
         } else if (deep) {
-            out[0] = (uint8_t)(red >> shift);
+            out[red_at] = (uint8_t)(red >> shift);
             out[1] = (uint8_t)(green >> shift);
-            out[2] = (uint8_t)(blue >> shift);
+            out[2 - red_at] = (uint8_t)(blue >> shift);
         } else {
             const uint32_t pixel = red >> shift << 11 | green >> shift << 5 | blue >> shift;
             out[0] = (uint8_t)pixel;

@@ -18,6 +18,7 @@ struct glint_run {
     uint32_t left, y;      /* on the screen, of the line's first pixel */
     const uint8_t *albedo; /* of the first sample, RGB888; NULL: the material's */
     const uint8_t *gloss;  /* of the first sample; NULL: 255 */
+    const uint8_t *mask;   /* of the line's first pixel: alpha; NULL: 255 */
 };
 
 struct glint_line_loop;

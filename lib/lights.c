@@ -27,6 +27,7 @@ static GLINT_LIGHTS_ALONE void lights_store(const struct glint_lights *lights, u
     }
     levels[0] = levels[grey ? 2 : 0];
     glint_exact_store(shader->format, run->line, run->x + i, levels);
+    glint_exact_alpha(shader->format, run->line, run->x + i, 1, run->mask);
 }
 
 /* Do formats take the run's sums? Not where nl is 0 and F is not, as under one light. */
@@ -190,6 +191,7 @@ static GLINT_LIGHTS_ALONE bool lights_next(struct glint_lights *lights, const st
     lights->normals = line.normals + x;
     run->albedo = line.albedo ? line.albedo + 3 * x : NULL;
     run->gloss = line.gloss ? line.gloss + x : NULL;
+    run->mask = line.mask;
     return true;
 }
 

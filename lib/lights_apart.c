@@ -14,6 +14,7 @@ uint32_t glint_apart_levels(const struct glint_prepared *p, const struct glint_r
     const uint8_t *albedo = run->albedo ? run->albedo : p->shader.material.albedo;
     uint32_t bias[4], open = 0;
     glint_levels_bias(bias, p, run);
+    glint_levels_alpha(p->shader.format, run, 0, count);
     for (unsigned i = 0; i < count; i++, albedo += run->albedo ? 3 : 0) {
         const struct glint_sample *sample = samples + i;
         uint32_t sum = bias[i & 3] - grey, undecided = 0;

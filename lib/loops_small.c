@@ -57,10 +57,14 @@ static void small_pixel(const struct glint_tables *tables, const struct glint_su
         const bool swapped = format == GLINT_RGB565_SWAPPED;
         line[2 * (ptrdiff_t)x + swapped] = (uint8_t)rgb;
         line[2 * (ptrdiff_t)x + !swapped] = (uint8_t)(rgb >> 8);
-    } else if (format == GLINT_RGB888) {
+    } else if (!glint_format_is_grey(format)) {
         const uint32_t sum = clamp_sum(raw + weights(tables, b), format);
+        const bool blue_first = glint_format_is_blue_first(format);
+        uint8_t *out = line + GLINT_FLASH_U8(glint_exact_formats[format].bytes) * (ptrdiff_t)x;
         for (int k = 0; k < 3; k++)
-            line[3 * (ptrdiff_t)x + k] = (uint8_t)(sum_field(sum, format, k) >> 1);
+            out[blue_first ? 2 - k : k] = (uint8_t)(sum_field(sum, format, k) >> 1);
+        if (blue_first)
+            glint_exact_alpha(format, line, x, 1, NULL);
     } else {
         uint32_t grey = 0; /* 255 * 2 * 256 = 1.0 */
         static const uint8_t luma[3] GLINT_FLASH = {GLINT_LUMA_RED, GLINT_LUMA_GREEN, GLINT_LUMA_BLUE};

@@ -19,7 +19,7 @@ static uint32_t exact_t_end(const void *with)
 
 static void exact_row(const struct glint_prepared *prepared, struct glint_mesh_row *row, struct glint_sample *samples)
 {
-    struct glint_run run = {row->line, 0, row->left, row->y, NULL, NULL};
+    struct glint_run run = {row->line, 0, row->left, row->y, NULL, NULL, NULL};
     for (unsigned count; (count = glint_mesh_in_front(row, GLINT_RUN)) != 0; row->x += count) {
         for (unsigned i = 0; i < count; i++, glint_mesh_step(row)) {
             const uint32_t nl = glint_sample_nl((int32_t)row->nl);

@@ -71,7 +71,9 @@ void glint_pixel_put(const struct glint_shader *shader, const struct glint_surfa
             grey ? (GLINT_LUMA_RED * v[0] + GLINT_LUMA_GREEN * v[1] + GLINT_LUMA_BLUE * v[2]) >> 8 : v[k];
         levels[k] = glint_pixel_level(shader, value, k, weight);
     }
-    glint_exact_store(shader->format, (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y, x, levels);
+    uint8_t *line = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;
+    glint_exact_store(shader->format, line, x, levels);
+    glint_exact_alpha(shader->format, line, x, 1, NULL);
 }
 
 void glint_pixel_store(const struct glint_shader *shader, const struct glint_surface *surface, uint16_t x, uint16_t y,

@@ -20,8 +20,8 @@ static const struct glint_shade_model any_unknown GLINT_FLASH = {UINT8_MAX, 0, N
 
 #define ANY_MODEL(number, name, function, use) &glint_shade_##name,
 static const struct glint_shade_model *const any_models[] GLINT_FLASH = {GLINT_MODELS(ANY_MODEL)};
-static const struct glint_shade_format *const any_formats[] GLINT_FLASH = {&glint_shade_rgb565, &glint_shade_rgb888,
-                                                                           &glint_shade_grey, &glint_shade_linear};
+static const struct glint_shade_format *const any_formats[] GLINT_FLASH = {
+    &glint_shade_rgb565, &glint_shade_rgb888, &glint_shade_bgr888, &glint_shade_grey, &glint_shade_linear};
 
 enum glint_err glint_shade_prepare(struct glint_prepared *prepared, const struct glint_shader *shader)
 {

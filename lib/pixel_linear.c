@@ -196,6 +196,7 @@ static uint32_t linear_levels(const struct glint_prepared *p, const struct glint
     for (unsigned i = 0; i < count; i++)
         if (!(open >> i & 1))
             glint_exact_store(p->shader.format, run->line, run->x + i, pixels[i].levels);
+    glint_levels_alpha(p->shader.format, run, 0, count);
     return open;
 }
 

@@ -17,19 +17,19 @@ static void rgb565_fold(struct glint_prepared *prepared)
 static uint32_t rgb565_plain(const struct glint_prepared *prepared, const struct glint_run *run,
                              const struct glint_sample *samples, unsigned count)
 {
-    return glint_levels_rgb(prepared, run, samples, count, false, false, false);
+    return glint_levels_rgb(prepared, run, samples, count, GLINT_LEVELS_565, false, false);
 }
 
 static uint32_t rgb565_dithered(const struct glint_prepared *prepared, const struct glint_run *run,
                                 const struct glint_sample *samples, unsigned count)
 {
-    return glint_levels_rgb(prepared, run, samples, count, false, false, true);
+    return glint_levels_rgb(prepared, run, samples, count, GLINT_LEVELS_565, false, true);
 }
 
 static uint32_t rgb565_mapped(const struct glint_prepared *prepared, const struct glint_run *run,
                               const struct glint_sample *samples, unsigned count)
 {
-    return glint_levels_rgb(prepared, run, samples, count, false, true, true);
+    return glint_levels_rgb(prepared, run, samples, count, GLINT_LEVELS_565, true, true);
 }
 
 static uint32_t rgb565_levels(const struct glint_prepared *prepared, const struct glint_run *run,

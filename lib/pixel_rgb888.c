@@ -16,13 +16,13 @@ static void rgb888_fold(struct glint_prepared *prepared)
 static uint32_t rgb888_dithered(const struct glint_prepared *prepared, const struct glint_run *run,
                                 const struct glint_sample *samples, unsigned count)
 {
-    return glint_levels_rgb(prepared, run, samples, count, true, false, true);
+    return glint_levels_rgb(prepared, run, samples, count, GLINT_LEVELS_RED_FIRST, false, true);
 }
 
 static uint32_t rgb888_mapped(const struct glint_prepared *prepared, const struct glint_run *run,
                               const struct glint_sample *samples, unsigned count)
 {
-    return glint_levels_rgb(prepared, run, samples, count, true, true, true);
+    return glint_levels_rgb(prepared, run, samples, count, GLINT_LEVELS_RED_FIRST, true, true);
 }
 
 static uint32_t rgb888_levels(const struct glint_prepared *prepared, const struct glint_run *run,

@@ -178,7 +178,7 @@ enum glint_err glint_shade_prepared_rect(const struct glint_prepared *prepared, 
     bounds.left = bounds.right = bounds.top = bounds.bottom = 0;
     bounds.any = false;
     union rect_work work;
-    struct glint_run run = {NULL, 0, surface->x, 0, NULL, NULL};
+    struct glint_run run = {NULL, 0, surface->x, 0, NULL, NULL, NULL};
 #if GLINT_CORTEX_M0PLUS_ASM
     if (rect_begin(&work.loop, prepared, source, surface, &run))
         samples_of = NULL;
@@ -187,6 +187,7 @@ enum glint_err glint_shade_prepared_rect(const struct glint_prepared *prepared, 
         const struct glint_line line = glint_line_at(source, y);
         run.line = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;
         run.y = (uint32_t)surface->y + y;
+        run.mask = line.mask;
 #if GLINT_CORTEX_M0PLUS_ASM
         if (!samples_of) { /* whole lines */
             rect_line(&work.loop, prepared, &line, &run, w, &bounds, y);

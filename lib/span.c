@@ -54,7 +54,7 @@ enum glint_err glint_shade_prepared_span(const struct glint_prepared *prepared, 
 {
     if (!prepared || !span || !surface || !surface->pixels)
         return GLINT_ERR_ARG;
-    struct glint_run run = {(uint8_t *)surface->pixels, 0, surface->x, surface->y, NULL, NULL};
+    struct glint_run run = {(uint8_t *)surface->pixels, 0, surface->x, surface->y, NULL, NULL, NULL};
     struct glint_sample samples[GLINT_RUN];
     struct glint_span at = *span;
     uint32_t first = span->w, last = 0;

@@ -26,7 +26,7 @@ static void fill_colours(const struct glint_peak *peak, uint8_t *colours)
     static const struct glint_shade_model exact_f GLINT_FLASH = {0, 0, NULL, NULL, NULL, NULL};
     const struct glint_shader *shader = peak->shader;
     const struct glint_shade_format *format = shader->space == GLINT_LINEAR ? &glint_shade_linear : &glint_shade_rgb565;
-    struct glint_run run = {NULL, 0, 0, 0, NULL, NULL};
+    struct glint_run run = {NULL, 0, 0, 0, NULL, NULL, NULL};
     struct glint_sample samples[FILL_RUN];
     struct glint_prepared prepared;
     prepared.shader = *shader;

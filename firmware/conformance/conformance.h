@@ -41,6 +41,9 @@ enum conformance_check {
     CONFORMANCE_RGB888,
     CONFORMANCE_GREY8,
     CONFORMANCE_MONO,
+    CONFORMANCE_BGR888,
+    CONFORMANCE_XRGB8888,
+    CONFORMANCE_ARGB8888,
     CONFORMANCE_NO_FORMAT, /* one more than there are */
     CONFORMANCE_MESHES,
     CONFORMANCE_SMALL, /* tables as filled, and all their loops */

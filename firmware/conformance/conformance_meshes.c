@@ -43,7 +43,7 @@ static void random_mesh(struct glint_pose *pose, unsigned kind, const struct gli
 static void add_picture(const struct glint_mesh *mesh, const struct glint_pose *pose, const struct glint_light *light,
                         const struct glint_paint *paint, uint16_t distance, uint8_t stride)
 {
-    static uint32_t depths[MEMORY / 4], work[(16 * VERTICES + 2 * FACES + 8) / 4], out[(3 * WIDTH * HEIGHT + 3) / 4];
+    static uint32_t depths[MEMORY / 4], work[(16 * VERTICES + 2 * FACES + 8) / 4], out[WIDTH * HEIGHT];
     uint8_t *const bytes = (uint8_t *)out;
     struct glint_mesh_frame frame;
     struct glint_mesh_drawn drawn;
@@ -57,7 +57,7 @@ static void add_picture(const struct glint_mesh *mesh, const struct glint_pose *
         conform_add(
             (uint32_t)glint_mesh_strip(&frame, y, (uint16_t)(HEIGHT - y < STRIP ? HEIGHT - y : STRIP), &surface));
     }
-    conform_add_bytes(bytes, 3 * WIDTH * HEIGHT);
+    conform_add_bytes(bytes, 4 * WIDTH * HEIGHT);
 }
 
 /* tables: COLOUR, at an even address or not. */
@@ -81,7 +81,7 @@ static void add_mesh(unsigned model, unsigned format, unsigned kind, bool tables
     if (!tables)
         conform_add((uint32_t)glint_shade_prepare(&prepared, &shader));
     add_picture(&mesh, &pose, &shader.light, tables ? &by_tables : &exact, (uint16_t)(kind % 3 ? distance : 0),
-                tables && kind % 4 ? 2 * WIDTH + 2 : 3 * WIDTH);
+                tables && kind % 4 ? 2 * WIDTH + 2 : 4 * WIDTH);
 }
 
 void conform_meshes(const struct conformance_size *size, bool tables)

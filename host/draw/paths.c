@@ -170,7 +170,7 @@ static void pack(struct way *way)
     }
 }
 
-/* Paths have full gloss, and most of them one colour, which becomes that of the first pixel with full gloss. `by_path`
+/* Paths have full gloss, alpha 255, and most of them one colour, which becomes that of the first pixel with full gloss. `by_path`
  * marks the pixels that the path draws; the exact path draws the others. Returns how many are marked. */
 static size_t choose(const struct scene *scene, bool any_color, struct glint_shader *shader, uint8_t *by_path)
 {
@@ -179,7 +179,8 @@ static size_t choose(const struct scene *scene, bool any_color, struct glint_sha
     size_t count = 0;
     for (size_t i = 0; i < pixels; i++) {
         const uint8_t *here = scene->albedo ? &scene->albedo[3 * i] : shader->material.albedo;
-        const bool full = drawn(scene, i) && (!scene->gloss || scene->gloss[i] == 255);
+        const bool solid = shader->format != GLINT_ARGB8888 || !scene->mask || scene->mask[i] == 255;
+        const bool full = drawn(scene, i) && solid && (!scene->gloss || scene->gloss[i] == 255);
         if (full && !color)
             color = here;
         by_path[i] = full && (any_color || memcmp(color, here, 3) == 0);

@@ -41,6 +41,12 @@ void format_unpack(const uint8_t *line, enum glint_format format, size_t x, uint
         for (unsigned k = 0; k < 3; k++)
             values[k] = line[3 * x + k];
         break;
+    case GLINT_BGR888:
+    case GLINT_XRGB8888:
+    case GLINT_ARGB8888:
+        for (unsigned k = 0; k < 3; k++)
+            values[k] = line[format_traits[format].bytes * x + 2 - k];
+        break;
     case GLINT_GREY8:
         values[0] = line[x];
         break;

@@ -81,7 +81,9 @@ static const struct argp_option argp_options[] = {
 
     {NULL, 0, NULL, 0, "The picture:", 4},
     {"format", KEY_FORMAT, "NAME", 0,
-     "The display's pixels: rgb888, rgb565, rgb565-swapped, grey8 or mono (default: rgb888, or the device's)", 4},
+     "The display's pixels: rgb888, rgb565, rgb565-swapped, grey8, mono; with blue first, as LVGL has them, bgr888, "
+     "xrgb8888 or argb8888, whose alpha is the mask (default: rgb888, or the device's)",
+     4},
     {"space", KEY_SPACE, "NAME", 0,
      "The space in which light is summed: gamma (default: as encoded) or linear (sRGB decoded and encoded)", 4},
     {"dither", KEY_DITHER, NULL, 0, "4x4 ordered dither; not with the albedo paths and palette of --path", 4},

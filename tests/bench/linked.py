@@ -16,6 +16,7 @@ peer_blinn_powf peer_schlick_float peer_msh_float""".split()
 # A rectangle of one model and one kind of pixel, without the set-up of light and lobe.
 RECTANGLES = ["glint_shade_prepare_for+glint_shade_prepared_rect+" + pair for pair in (
     "glint_shade_rgb565+glint_shade_msh", "glint_shade_rgb565+glint_shade_cayley", "glint_shade_rgb888+glint_shade_msh",
+    "glint_shade_bgr888+glint_shade_msh",
     "glint_shade_linear+glint_shade_msh")]
 FIXMATH_FUNCTIONS = ["peer_blinn_fixmath", "peer_schlick_fixmath", "peer_msh_fixmath"]
 # Sections that are in flash; AVR's constants are in .data.

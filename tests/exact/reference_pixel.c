@@ -55,7 +55,7 @@ static uint32_t lobe(const struct glint_shader *s, uint32_t t, uint32_t nl)
 
 /* Steps 4 to 8; true where it shines. */
 static bool pixel(const struct glint_shader *s, uint8_t *line, uint32_t x, uint32_t left, uint32_t y,
-                  const uint64_t lit[3], const uint64_t shine[3], const uint8_t *albedo, uint8_t gloss)
+                  const uint64_t lit[3], const uint64_t shine[3], const uint8_t *albedo, uint8_t gloss, uint8_t mask)
 {
     static const uint8_t bayer[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
     const uint32_t weight = s->dither ? 2 * bayer[y & 3][(left + x) & 3] + 1u : 16;
@@ -81,6 +81,16 @@ static bool pixel(const struct glint_shader *s, uint8_t *line, uint32_t x, uint3
     case GLINT_RGB888:
         for (uint32_t k = 0; k < 3; k++)
             line[3 * x + k] = (uint8_t)level(s, v[k], 255, weight);
+        break;
+    case GLINT_BGR888:
+        for (uint32_t k = 0; k < 3; k++)
+            line[3 * x + 2 - k] = (uint8_t)level(s, v[k], 255, weight);
+        break;
+    case GLINT_XRGB8888:
+    case GLINT_ARGB8888:
+        for (uint32_t k = 0; k < 3; k++)
+            line[4 * x + 2 - k] = (uint8_t)level(s, v[k], 255, weight);
+        line[4 * x + 3] = s->format == GLINT_ARGB8888 ? mask : 255;
         break;
     case GLINT_GREY8:
         line[x] = (uint8_t)level(s, grey, 255, weight);
@@ -136,9 +146,10 @@ void reference_put(struct reference_rect *rect, uint32_t x, uint32_t y, const ui
     const struct glint_surface *surface = rect->surface;
     const uint8_t *albedo = row(source->albedo, source->albedo_stride, y);
     const uint8_t *gloss = row(source->gloss, source->gloss_stride, y);
+    const uint8_t *mask = row(source->mask, source->mask_stride, y);
     uint8_t *line = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;
     if (pixel(rect->shader, line, x, surface->x, surface->y + y, lit, shine,
-              albedo ? albedo + 3 * x : rect->shader->material.albedo, gloss ? gloss[x] : 255))
+              albedo ? albedo + 3 * x : rect->shader->material.albedo, gloss ? gloss[x] : 255, mask ? mask[x] : 255))
         add(&rect->box, &rect->right, x, y);
 }
 
@@ -166,7 +177,7 @@ void reference_span(const struct glint_shader *s, const struct glint_span *span,
     for (uint32_t x = 0; x < span->w; x++) {
         const uint64_t lit = nl_of((int32_t)nl), f = lobe(s, t >= UINT32_C(0xf8000000) ? 0 : t, (uint32_t)lit);
         if (pixel(s, (uint8_t *)surface->pixels, x, surface->x, surface->y, (const uint64_t[3]){lit, lit, lit},
-                  (const uint64_t[3]){f, f, f}, s->material.albedo, 255))
+                  (const uint64_t[3]){f, f, f}, s->material.albedo, 255, 255))
             add(&box, &right, x, 0);
         t += dt;
         dt += span->ddt_q30;

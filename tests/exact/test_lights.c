@@ -11,7 +11,7 @@
 #include "cases.h"
 #include "reference_lights.h"
 
-enum { W = 37, H = 5, LINE = 3 * W + 13, SIZE = (H + 2) * LINE, GUARD = 0xa5, FAR = GLINT_LAMP_FAR };
+enum { W = 37, H = 5, LINE = 4 * W + 13, SIZE = (H + 2) * LINE, GUARD = 0xa5, FAR = GLINT_LAMP_FAR };
 
 struct scene {
     struct glint_vec normals[W * H];

@@ -15,7 +15,7 @@
 #include "glint_pixel_prepared.h"
 #include "reference_pixel.h"
 
-enum { W = 61, H = 8, LINE = 3 * W + 13, SIZE = (H + 2) * LINE, GUARD = 0xa5 };
+enum { W = 61, H = 8, LINE = 4 * W + 13, SIZE = (H + 2) * LINE, GUARD = 0xa5 };
 
 struct scene {
     struct glint_vec normals[W * H];
@@ -62,7 +62,8 @@ static unsigned rect_case(uint64_t *seed, void *memory)
 /* nl_q30 at which a channel's level without highlight changes. */
 static int32_t boundary(uint64_t *seed, const struct glint_shader *s)
 {
-    const unsigned k = BELOW(3), max = s->format <= GLINT_RGB565_SWAPPED ? (k == 1 ? 63 : 31) : 255;
+    const unsigned k = BELOW(3),
+                   max = s->format == GLINT_RGB565 || s->format == GLINT_RGB565_SWAPPED ? (k == 1 ? 63 : 31) : 255;
     const double a = s->material.albedo[k] / 255.0, d = s->material.diffuse_q16[k] / 65536.0;
     const double threshold = s->dither ? (2 * BELOW(16) + 1) / 32.0 : 0.5,
                  ambient = s->material.ambient_q16[k] / 65536.0;

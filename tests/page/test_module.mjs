@@ -14,7 +14,7 @@ const { Engine, readPng, commandLine, stateOfWords, wordsOf } = await import(`${
 const program = new WebAssembly.Module(readFileSync(`${folder}/module.wasm`))
 const command = new Command(glint)
 const models = ['msh', 'schlick', 'blinn', 'phong', 'gauss', 'cayley', 'lyon']
-const formats = ['rgb565', 'rgb565-swapped', 'rgb888', 'grey8', 'mono']
+const formats = ['rgb565', 'rgb565-swapped', 'rgb888', 'grey8', 'mono', 'bgr888', 'xrgb8888', 'argb8888']
 const paths = ['span', 'span-c16', 'colour-int16', 'colour-int10', 'colour-int8', 'colour-span', 'small-int16', 'small-int10',
     'small-int8', 'small-span', 'albedo-int16', 'albedo-int10', 'albedo-int8', 'albedo-span', 'palette']
 

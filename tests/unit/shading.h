@@ -171,6 +171,12 @@ static inline void stored_levels(enum glint_format format, const uint8_t *line, 
         for (int k = 0; k < 3; k++)
             levels[k] = line[3 * x + (unsigned)k];
         return;
+    case GLINT_BGR888:
+    case GLINT_XRGB8888:
+    case GLINT_ARGB8888:
+        for (unsigned k = 0; k < 3; k++)
+            levels[k] = line[(format == GLINT_BGR888 ? 3 : 4) * x + 2 - k];
+        return;
     case GLINT_GREY8:
         levels[0] = levels[1] = levels[2] = line[x];
         return;
@@ -179,7 +185,7 @@ static inline void stored_levels(enum glint_format format, const uint8_t *line, 
     }
 }
 
-enum { W = 37, H = 5, LINE = 3 * W + 8, GUARD = 0xa5 };
+enum { W = 37, H = 5, LINE = 4 * W + 8, GUARD = 0xa5 };
 
 struct scene {
     struct glint_vec normals[W * H];
@@ -206,14 +212,13 @@ static inline void scene_init(struct scene *s, enum glint_format format, enum gl
 
 static inline unsigned bytes_of(enum glint_format format, unsigned w)
 {
-    return format <= GLINT_RGB565_SWAPPED ? 2 * w
-           : format == GLINT_RGB888       ? 3 * w
-           : format == GLINT_GREY8        ? w
-                                          : (w + 7) / 8;
+    static const uint8_t bytes[] = {2, 2, 3, 1, 0, 3, 4, 4};
+    return format == GLINT_MONO ? (w + 7) / 8 : bytes[format] * w;
 }
 
-static const enum glint_format formats[] = {GLINT_RGB565, GLINT_RGB565_SWAPPED, GLINT_RGB888, GLINT_GREY8, GLINT_MONO};
-enum { FORMATS = 5 };
+static const enum glint_format formats[] = {GLINT_RGB565, GLINT_RGB565_SWAPPED, GLINT_RGB888,   GLINT_GREY8,
+                                            GLINT_BGR888, GLINT_XRGB8888,       GLINT_ARGB8888, GLINT_MONO};
+enum { FORMATS = 8 };
 
 /* All other bytes are GUARD still, of mono the bits past a line's last pixel, too. */
 static inline void assert_only_the_rectangle_is_written(const uint8_t *out, size_t size, size_t start, ptrdiff_t stride,

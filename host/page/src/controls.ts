@@ -18,7 +18,7 @@ const modelMeanings: Record<string, string> = {
     cayley: 'A fraction to the fourth power: closest to Blinn, and 0 beyond its foot',
     lyon: '(1 − n(1 − c)/4)⁴: Lyon 1993, the fewest cycles',
 }
-const formats = ['rgb565', 'rgb565-swapped', 'rgb888', 'grey8', 'mono'] as const
+const formats = ['rgb565', 'rgb565-swapped', 'rgb888', 'grey8', 'mono', 'bgr888', 'xrgb8888', 'argb8888'] as const
 const paths = ['exact', 'span', 'span-c16', 'colour-int16', 'colour-int10', 'colour-int8', 'colour-span', 'small-int16', 'small-int10', 'small-int8',
     'small-span', 'albedo-int16', 'albedo-int10', 'albedo-int8', 'albedo-span', 'palette'] as const
 
@@ -154,7 +154,7 @@ const table: Row[] = [
     { option: 'diffuse', title: 'Diffuse', build: coefficient('diffuse'), number: (_, f) => q16(f, 'diffuse'), meaning: () => 'What the surface scatters, by N·L' },
     { option: 'specular', title: 'Specular', build: coefficient('specular'), number: (_, f) => q16(f, 'specular'), meaning: () => 'How strong the highlight is; metals tint it' },
     { option: 'clamp-peak', title: 'Clamp peak', build: flag('clamp-peak'), number: s => `clamp_peak = ${s['clamp-peak'] !== undefined}`, meaning: () => 'Holds the highlight to 1: MSH reaches 1.024' },
-    { option: 'format', title: 'Pixels', build: choice('format', formats, 'rgb888'), number: s => constant(s.format ?? 'rgb888'), meaning: s => ({ rgb565: 'The usual small panel: 32, 64 and 32 levels', 'rgb565-swapped': 'The same, high byte first, as SPI panels take it', rgb888: '256 levels a channel', grey8: '256 greys', mono: 'Black and white, 8 pixels a byte: try dither' })[s.format ?? 'rgb888'] ?? '' },
+    { option: 'format', title: 'Pixels', build: choice('format', formats, 'rgb888'), number: s => constant(s.format ?? 'rgb888'), meaning: s => ({ rgb565: 'The usual small panel: 32, 64 and 32 levels', 'rgb565-swapped': 'The same, high byte first, as SPI panels take it', rgb888: '256 levels a channel', grey8: '256 greys', mono: 'Black and white, 8 pixels a byte: try dither', bgr888: 'The same, blue first: LVGL’s RGB888', xrgb8888: 'Blue first, and a byte of 255: LVGL’s XRGB8888', argb8888: 'Blue first, and the mask as alpha: LVGL’s ARGB8888' })[s.format ?? 'rgb888'] ?? '' },
     { option: 'dither', title: 'Dither', build: flag('dither'), number: s => `dither = ${s.dither !== undefined}`, meaning: () => 'Ordered, 4 × 4: hides the steps of few levels' },
     { option: 'space', title: 'Space', build: choice('space', ['gamma', 'linear'], 'gamma'), number: s => constant(s.space ?? 'gamma'), meaning: s => s.space === 'linear' ? 'Light is summed linearly, then encoded as sRGB' : 'Light is summed as encoded: faster, and what most small renderers do' },
     { option: 'path', title: 'Path', build: choice('path', paths, 'exact'), number: s => s.path ? `--path ${s.path}` : 'glint_shade_rect', meaning: s => pathMeaning(s.path ?? 'exact') },

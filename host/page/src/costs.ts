@@ -31,14 +31,14 @@ function rowOf(state: State, facts: Facts): string | undefined {
         return `exact ${kinds[0]}`
     if (coloured)
         return 'exact directional'
-    const grey = format === 'grey8' || format === 'mono'
+    const grey = format === 'grey8' || format === 'mono', deep = /888/.test(format)
     if (state.space === 'linear')
-        return `exact linear${grey ? ' grey' : format === 'rgb888' ? ' 888' : ''}`
+        return `exact linear${grey ? ' grey' : deep ? ' 888' : ''}`
     if (grey)
         return format === 'mono' ? 'exact mono' : 'exact grey'
     if (facts.has_albedo?.[0])
-        return `exact albedo${format === 'rgb888' ? ' 888' : ''}`
-    if (format === 'rgb888')
+        return `exact albedo${deep ? ' 888' : ''}`
+    if (deep)
         return 'exact rgb888'
     if (model !== 'msh')
         return `exact ${model}`
@@ -67,7 +67,7 @@ export function costs(state: State, facts: Facts, width: number, height: number)
     out.push(['RAM', tables ? `${commas(tables)} bytes of tables` : `${facts.prepared_bytes[0]} bytes, prepared`])
     out.push(['Normals', path === 'palette' ? `${commas(2 * width * height)} bytes` : `${commas(normalBytes[normals] * width * height)} bytes`])
     const parts = 'glint_shade_prepare_for+glint_shade_prepared_rect+glint_shade_'
-    const format = state.space === 'linear' ? 'linear' : (state.format ?? 'rgb888').replace('-swapped', '')
+    const format = state.space === 'linear' ? 'linear' : (state.format ?? 'rgb888').replace('-swapped', '').replace(/.rgb8888/, 'bgr888')
     const linked = path === 'exact' ? value('linked', `${parts}${format}+glint_shade_${state.model ?? 'msh'}`, 'Os', '') : undefined
     out.push(linked ? ['Flash, this model and format', `${commas(linked)} bytes`]
         : ['Flash, the whole library', `${commas(value('library', 'cortex-m0plus', 'Os', '') ?? 0)} bytes`])

@@ -10,6 +10,12 @@ static bool is_format(uint8_t format, unsigned lvgl)
         return lvgl == LV_COLOR_FORMAT_RGB565_SWAPPED;
     case GLINT_GREY8:
         return lvgl == LV_COLOR_FORMAT_L8;
+    case GLINT_BGR888:
+        return lvgl == LV_COLOR_FORMAT_RGB888;
+    case GLINT_XRGB8888:
+        return lvgl == LV_COLOR_FORMAT_XRGB8888;
+    case GLINT_ARGB8888:
+        return lvgl == LV_COLOR_FORMAT_ARGB8888;
     }
     return false;
 }

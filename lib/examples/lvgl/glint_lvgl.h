@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * glint under LVGL 9: copy this file and glint_lvgl.c into your project. LVGL's RGB565, RGB565_SWAPPED (from 9.3 on) and L8 are glint's
- * RGB565, RGB565_SWAPPED and GREY8; its other formats hold blue first, and are refused. */
+ * RGB565, RGB565_SWAPPED and GREY8; its RGB888, XRGB8888 and ARGB8888, which hold blue first, are glint's BGR888, XRGB8888 and ARGB8888. */
 #ifndef GLINT_LVGL_H
 #define GLINT_LVGL_H
 

@@ -24,6 +24,14 @@ static unsigned count;
 static uint16_t shown[HEIGHT][WIDTH], part[HEIGHT * WIDTH];
 static lv_draw_buf_t part_buffer;
 
+static int32_t bytes_of(unsigned cf)
+{
+    return cf == LV_COLOR_FORMAT_RGB565 || cf == LV_COLOR_FORMAT_RGB565_SWAPPED ? 2
+           : cf == LV_COLOR_FORMAT_L8                                           ? 1
+           : cf == LV_COLOR_FORMAT_RGB888                                       ? 3
+                                                                                : 4;
+}
+
 lv_obj_t *lv_screen_active(void)
 {
     return &screen;
@@ -44,7 +52,7 @@ void lv_canvas_set_buffer(lv_obj_t *obj, void *buf, int32_t w, int32_t h, lv_col
     obj->buffer.header.cf = cf;
     obj->buffer.header.w = (uint16_t)w;
     obj->buffer.header.h = (uint16_t)h;
-    obj->buffer.header.stride = (uint16_t)(2 * w);
+    obj->buffer.header.stride = (uint16_t)(bytes_of(cf) * w);
     obj->buffer.data = (uint8_t *)buf;
     lv_obj_set_size(obj, w, h);
 }
@@ -158,6 +166,45 @@ static void refresh(lv_area_t area)
         memcpy(&shown[y][area.x1], &part[w * (y - area.y1)], 2 * (size_t)w);
 }
 
+/* A pixel of 8 bits a channel in a canvas of each format: LVGL's lv_color_t and lv_color32_t are blue, green, red[, alpha]. Returns how
+ * many differ. */
+static unsigned deep_canvases(void)
+{
+    static const struct {
+        uint8_t format, cf, bytes, red, alpha;
+    } of[] = {{GLINT_BGR888, LV_COLOR_FORMAT_RGB888, 3, 2, 0},
+              {GLINT_XRGB8888, LV_COLOR_FORMAT_XRGB8888, 4, 2, 255},
+              {GLINT_ARGB8888, LV_COLOR_FORMAT_ARGB8888, 4, 2, 77}};
+    static const struct glint_vec normal = {0, 0, 32767};
+    static const uint8_t half = 77;
+    static const int32_t to_viewer[3] = {0, 0, 1};
+    unsigned wrong = 0;
+    for (unsigned i = 0; i < sizeof of / sizeof *of; i++) {
+        struct glint_shader shader;
+        struct glint_source source;
+        struct glint_surface surface;
+        uint8_t pixel[4] = {0, 0, 0, 0};
+        lv_obj_t canvas;
+        memset(&shader, 0, sizeof shader);
+        memset(&source, 0, sizeof source);
+        lv_canvas_set_buffer(&canvas, pixel, 1, 1, (lv_color_format_t)of[i].cf);
+        shader.format = of[i].format;
+        shader.material.albedo[0] = 200;
+        shader.material.ambient_q16[0] = 65536;
+        glint_lobe_init(&shader.lobe, GLINT_MSH, 60, 8);
+        wrong += glint_light_init(&shader.light, to_viewer, to_viewer) != GLINT_OK;
+        source.normals = &normal;
+        source.mask = &half;
+        wrong += glint_lvgl_canvas(&canvas, GLINT_RGB888, &surface) != GLINT_ERR_FORMAT;
+        wrong += glint_lvgl_canvas(&canvas, of[i].format, &surface) != GLINT_OK;
+        wrong += surface.stride != of[i].bytes;
+        wrong += glint_shade_rect(&shader, &source, 1, 1, &surface, NULL) != GLINT_OK;
+        for (unsigned b = 0; b < 4; b++)
+            wrong += pixel[b] != (b == of[i].red ? 200 : b == 3 ? of[i].alpha : 0);
+    }
+    return wrong;
+}
+
 int main(void)
 {
     if (badge_create())
@@ -171,7 +218,7 @@ int main(void)
     for (int32_t y = odd.y1; y <= odd.y2; y++)
         memset(&shown[y][odd.x1], 0, 2 * (size_t)(odd.x2 - odd.x1 + 1));
     refresh(odd);
-    unsigned wrong = 0;
+    unsigned wrong = deep_canvases();
     for (int32_t y = 0; y < 64; y++)
         for (int32_t x = 0; x < 64; x++)
             wrong +=

@@ -14,6 +14,8 @@ extern "C" {
 typedef enum {
     LV_COLOR_FORMAT_L8 = 0x06,
     LV_COLOR_FORMAT_RGB888 = 0x0f,
+    LV_COLOR_FORMAT_ARGB8888 = 0x10,
+    LV_COLOR_FORMAT_XRGB8888 = 0x11,
     LV_COLOR_FORMAT_RGB565 = 0x12,
     LV_COLOR_FORMAT_RGB565_SWAPPED = 0x1b
 } lv_color_format_t;

@@ -11,7 +11,7 @@
 #include "plan/plan.h"
 #include "unit.h"
 
-enum { WIDTH = 93, HEIGHT = 61, BYTES = 3 * WIDTH * HEIGHT };
+enum { WIDTH = 93, HEIGHT = 61, BYTES = 4 * WIDTH * HEIGHT };
 
 /* ---- a device that knows what it shows ---- */
 

@@ -185,7 +185,7 @@ static void the_nearer_hides_the_farther_and_the_first_of_two_stays(void **state
 static void whatever_a_mesh_holds_nothing_outside_the_strip_is_written(void **state)
 {
     (void)state;
-    static uint8_t out[MESH_H * MESH_W * 3 + 2];
+    static uint8_t out[MESH_H * MESH_W * 4 + 2];
     for (int i = 0; i < 300; i++) {
         const enum glint_format format = formats[i % FORMATS];
         struct glint_shader shader = random_shader(format, (enum glint_space)(i & 1));

@@ -75,7 +75,7 @@ static uint16_t colour_pixel(const struct glint_tables *t, const struct glint_li
 }
 
 /* Into a buffer of its size, at any address, from the top or from the bottom; around it nothing is written. */
-static uint8_t out[(3 * WIDE + 3) * LINES + 3];
+static uint8_t out[(4 * WIDE + 3) * LINES + 3];
 static struct glint_surface any_surface(unsigned line_bytes)
 {
     memset(out, GUARD, sizeof out);
@@ -233,14 +233,14 @@ static void small_loops_have_the_pixels_of_their_sequence(void **state)
         for (int p = 0; p < WIDE * LINES; p++) {
             const unsigned x = (unsigned)p % WIDE, y = (unsigned)p / WIDE;
             unsigned found[3], wanted[3];
-            uint8_t untouched[3 * WIDE];
+            uint8_t untouched[4 * WIDE];
             memset(untouched, GUARD, sizeof untouched);
             stored_levels((enum glint_format)s.format, line_of(&surface, (int)y), x, found);
             if (is_surface(scene_normals.vec[p]))
                 small_levels(&t, &s, scene_normals.vec[p], surface.x + x, surface.y + y, wanted);
             else
                 stored_levels((enum glint_format)s.format, untouched, x, wanted);
-            for (int k = 0; k < (s.format >= GLINT_GREY8 ? 1 : 3); k++)
+            for (int k = 0; k < (s.format == GLINT_GREY8 || s.format == GLINT_MONO ? 1 : 3); k++)
                 assert_int_equal(found[k], wanted[k]);
         }
         assert_guards(&surface, bytes);
