@@ -66,7 +66,7 @@ static void put_paragraphs(const char *text, FILE *out)
             put_capitals(text, length - 1, out);
             fputc('\n', out);
             has_heading = true;
-        } else if (length) {
+        } else if (length && strncmp(text, "Exit status: ", strlen("Exit status: ")) != 0) { /* has a section */
             fputs(has_heading ? "" : ".SH NOTES\n", out);
             has_heading = true;
             fputs(indented ? "" : ".PP\n", out);

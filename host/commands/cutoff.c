@@ -22,7 +22,7 @@ static const struct argp_option options[] = {
     {"cutoff", 'q', "LIST", 0, "The cutoff is 2^-Q; whole numbers from 0 to 16; default 8", 0}, {0}};
 
 static const char doc[] =
-    "Print where a highlight falls below 2^-Q: the smallest cosine and the largest t = 1 - c with a value of at least "
+    "Prints where a highlight falls below 2^-Q: the smallest cosine and the largest t = 1 - c with a value of at least "
     "2^-Q, and the angle from the peak.\v"
     "A LIST is A, A:B (step 1), A:B:STEP, or several of these separated by commas. c_q16 is the cosine times 2^16, "
     "t_q30 is t times 2^30, the angle belongs to t_q30 and is in degrees.\n"

@@ -30,7 +30,7 @@ static const struct argp_option options[] = {
     {0}};
 
 static const char doc[] =
-    "Print values of a highlight function, from the integer library and from the double-precision formula at the same "
+    "Prints values of a highlight function, from the integer library and from the double-precision formula at the same "
     "argument, with the difference in units of 2^-16.\v"
     "A VALUE is a cosine c from -1 to 1, a range A:B (step 1) or A:B:STEP, or several of these separated by commas; "
     "- reads values from standard input, separated by blanks or new lines. Write -- before values that begin with a "

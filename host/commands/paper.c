@@ -57,7 +57,7 @@ static const struct argp_option option_list[] = {
     {0}};
 
 static const char documentation[] =
-    "Compute the results of the modified Schlick paper again: table 1, figures 3 4 5 6 7A 7B 9, every claim with a "
+    "Computes the results of the modified Schlick paper again: table 1, figures 3 4 5 6 7A 7B 9, every claim with a "
     "verdict, our choices where the paper is silent, wider searches, and a comparison of the models."
     "\v"
     "DIR receives report.html (everything in one file, with plots), claims.json (claims, verdicts and every quoted "

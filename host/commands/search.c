@@ -53,7 +53,7 @@ static const struct argp_option option_list[] = {
     {0}};
 
 static const char documentation[] =
-    "Search for functions near Blinn's c^n as the paper does (fig. 2), in its family (4):\n"
+    "Searches for functions near Blinn's c^n as the paper does (fig. 2), in its family (4):\n"
     "F = a1 c^b1 / (a2 (a3 n^b3 - a4 (n c)^b4 + a5 c^b5)^b2)\n"
     "with b4 = b3 and a4 = a3.\n"
     "Stage 1 varies the exponents with all coefficients 1 and keeps the best sets; stage 2 varies the coefficients of "

@@ -49,7 +49,7 @@ static const struct argp_option options[] = {
     {0}};
 
 static const char doc[] =
-    "Write a material's highlight as a table: C source for flash, with its look-up functions, or raw; or its tables "
+    "Writes a material's highlight as a table: C source for flash, with its look-up functions, or raw; or its tables "
     "for the loops of the library."
     "\v"
     "FILE.c defines the array NAME, and FILE.h beside it declares it, with NAME_ENTRIES and NAME_SHIFT in capitals. "
