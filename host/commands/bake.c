@@ -46,7 +46,7 @@ static const struct argp_option options[] = {
     {"unit", KEY_UNIT, "N", 0,
      "Make 1 in a mesh's file N of the 32767, about its own origin, so that several meshes keep their sizes (default: "
      "as large as fits, about its middle)",
-     1},
+     7},
     {NULL, 0, NULL, 0, "The output:", 3},
     {"to", KEY_TO, "FORMAT", 0,
      "int16 (6 bytes a pixel), int10 or int8 (4 bytes; default int8), or palette or "

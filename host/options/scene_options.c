@@ -39,16 +39,6 @@ static const struct argp_option argp_options[] = {
      "A built-in scene: sphere, watchface, coin or dial (the watch without numerals), or the mesh teapot", 1},
     {"mesh", KEY_MESH, "FILE", 0,
      "A mesh of triangles: OBJ, STL, PLY or glTF. Its materials' colours are used, its textures are not", 1},
-    {"crease", KEY_CREASE, "DEGREES", 0,
-     "Normals are made from the mesh's faces, and edges that turn by more than this stay sharp (default: the file's "
-     "own normals; 60 where it has none, and for an STL)",
-     1},
-    {"split", KEY_SPLIT, "DEGREES", 0,
-     "Split a mesh's edges over which the normal turns by more than this, 1..180 (default 30): highlights lie better "
-     "on more triangles",
-     1},
-    {"axes", KEY_AXES, "NAME", 0,
-     "Which way is up in the mesh's file: y-up or z-up (default: z-up for an STL, else y-up)", 1},
 
     {NULL, 0, NULL, 0, "The maps, PNG or SVG files of one size (- is standard input):", 2},
     {"mask", KEY_MASK, "FILE", 0,
@@ -68,6 +58,18 @@ static const struct argp_option argp_options[] = {
      "Draw a scene at this size (default 320x320; glint stream: see SCENE). A map is cut or repeated to this size, "
      "never scaled; an SVG is drawn at it (default: the map's own size)",
      2},
+
+    {NULL, 0, NULL, 0, "The mesh:", 7}, /* below the commands' own groups */
+    {"crease", KEY_CREASE, "DEGREES", 0,
+     "Normals are made from the mesh's faces, and edges that turn by more than this stay sharp (default: the file's "
+     "own normals; 60 where it has none, and for an STL)",
+     7},
+    {"split", KEY_SPLIT, "DEGREES", 0,
+     "Split a mesh's edges over which the normal turns by more than this, 1..180 (default 30): highlights lie better "
+     "on more triangles",
+     7},
+    {"axes", KEY_AXES, "NAME", 0,
+     "Which way is up in the mesh's file: y-up or z-up (default: z-up for an STL, else y-up)", 7},
     {NULL, 0, NULL, 0, NULL, 0}};
 
 /* ---- the options ---- */

@@ -10,16 +10,16 @@ enum key { KEY_TURN = 640, KEY_ZOOM, KEY_PERSPECTIVE };
 static const double usual_distance = 4;
 
 static const struct argp_option argp_options[] = {
-    {NULL, 0, NULL, 0, NULL, 1},
+    {NULL, 0, NULL, 0, NULL, 7},
     {"turn", KEY_TURN, "X,Y,Z", 0,
      "Turn the mesh by so many degrees: about the vertical axis by Y, then about the horizontal one by X, then about "
      "the line of sight by Z (default 0,0,0; teapot 25,-30,0)",
-     1},
-    {"zoom", KEY_ZOOM, "Z", 0, "How large the mesh is drawn (default 1: whatever its turn, it fills the picture)", 1},
+     7},
+    {"zoom", KEY_ZOOM, "Z", 0, "How large the mesh is drawn (default 1: whatever its turn, it fills the picture)", 7},
     {"perspective", KEY_PERSPECTIVE, "DISTANCE", OPTION_ARG_OPTIONAL,
      "From a camera so far from the mesh's middle, in radii of a ball around the mesh, 1.5..100 (default 4; without "
      "--perspective: parallel)",
-     1},
+     7},
     {NULL, 0, NULL, 0, NULL, 0}};
 
 static error_t parse_option(int key, char *text, struct argp_state *state)
