@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cases.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -74,15 +75,25 @@ struct glint_shader case_shader(uint64_t *seed)
     return s;
 }
 
+struct glint_vec case_unit(const double v[3])
+{
+    const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    struct glint_vec unit = {0, 0, 32767};
+    if (length > 0) {
+        unit.x = (int16_t)lrint(v[0] * 32767 / length);
+        unit.y = (int16_t)lrint(v[1] * 32767 / length);
+        unit.z = (int16_t)lrint(v[2] * 32767 / length);
+    }
+    return unit;
+}
+
 struct glint_vec case_normal(uint64_t *seed, const struct glint_light *light, int spread)
 {
     if (ONE_IN(16))
         return case_vector(seed);
     if (ONE_IN(3)) {
-        const int32_t any[3] = {(int32_t)BELOW(2001) - 1000, (int32_t)BELOW(2001) - 1000, (int32_t)BELOW(1000)};
-        struct glint_vec n = {0, 0, 32767};
-        (void)glint_vec_normalize(&n, any);
-        return n;
+        const double any[3] = {(double)BELOW(2001) - 1000, (double)BELOW(2001) - 1000, (double)BELOW(1000)};
+        return case_unit(any);
     }
     const int32_t x = light->h.x + (int32_t)BELOW((uint32_t)spread) - spread / 2;
     const int32_t y = light->h.y + (int32_t)BELOW((uint32_t)spread) - spread / 2;

@@ -12,6 +12,8 @@ uint32_t case_below(uint64_t *seed, uint32_t limit);
 
 struct glint_vec case_vector(uint64_t *seed);
 struct glint_shader case_shader(uint64_t *seed);
+/* In doubles, within a unit of glint_vec_normalize, which takes longer than a pixel; (0, 0, 1) for a zero vector. */
+struct glint_vec case_unit(const double v[3]);
 /* Of the whole sphere, near the half vector, or anything. */
 struct glint_vec case_normal(uint64_t *seed, const struct glint_light *light, int spread);
 

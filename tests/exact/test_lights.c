@@ -105,12 +105,15 @@ static struct glint_lamp lamp_of(uint64_t *seed, const struct glint_shader *shad
 static struct glint_vec towards(uint64_t *seed, const struct glint_lamp *lamp, const struct glint_shader *shader,
                                 const struct glint_surface *surface, int pixel)
 {
-    const int32_t to[3] = {lamp->position[0] - 16 * (surface->x + pixel % W) - 8,
-                           16 * (surface->y + pixel / W) + 8 - lamp->position[1], lamp->position[2]};
-    const struct glint_vec v = shader->light.v;
-    struct glint_light light;
-    if (lamp->kind == GLINT_DIRECTIONAL || glint_light_init(&light, to, (const int32_t[3]){v.x, v.y, v.z}))
-        light = lamp->light;
+    struct glint_light light = lamp->light;
+    if (lamp->kind != GLINT_DIRECTIONAL) {
+        const struct glint_vec l = case_unit(
+            (const double[3]){(double)lamp->position[0] - 16 * (surface->x + pixel % W) - 8,
+                              16 * (surface->y + pixel / W) + 8 - (double)lamp->position[1], lamp->position[2]});
+        const struct glint_vec v =
+            case_unit((const double[3]){shader->light.v.x, shader->light.v.y, shader->light.v.z});
+        light.h = case_unit((const double[3]){l.x + v.x, l.y + v.y, l.z + v.z});
+    }
     return case_normal(seed, &light, 1 + (int)BELOW(UINT32_C(1) << BELOW(15)));
 }
 
