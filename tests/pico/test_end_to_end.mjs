@@ -1,28 +1,20 @@
 // SPDX-License-Identifier: MIT
 // test_end_to_end.mjs PACKAGES FOLDER PANEL JUDGE GLINT, run by attach under the lab's kernel: that kernel's own GUD driver, and
 // glint stream by libusb, draw on the emulated board.
-import { spawn } from 'node:child_process'
 import { existsSync, openSync, readdirSync, readFileSync, writeFileSync, writeSync } from 'node:fs'
 import { picture565, shown565 } from './gud.mjs'
 import { Judge } from './judge.mjs'
-import { Pico } from './pico.mjs'
+import { Plugged } from './plugged.mjs'
 import { check, equal, run } from './tap.mjs'
-import { UsbHost } from './usb_host.mjs'
-import { UsbIp } from './usbip.mjs'
 
 const [packages, folder, panel, program, glint] = process.argv.slice(2)
 const judge = new Judge(program, panel)
 const { width, height } = judge
-const pico = new Pico(packages).load(`${folder}/glint.uf2`)
-const host = new UsbHost(pico)
-check(pico.run(() => pico.uart.includes('relighting'), 3000), pico.uart)
-check(pico.run(() => host.pulled_up, 100), 'the device does not pull up')
-host.reset()
-
-const look = () => { pico.run(() => false, 1); return judge.look(pico.wires.transcript()) }
 const seen = [] // a picture after each transfer of pixels, while they are collected
 let collects = false
-const bridge = new UsbIp(host, 3, () => { if (collects) seen.push(look()) })
+const board = new Plugged(packages, folder, judge, () => { if (collects) seen.push(look()) }).attached()
+const { pico, bridge } = board
+const look = () => board.look(), serve = (...args) => board.serve(...args), command = (...args) => board.command(...args)
 // How long the transcript is at the end of every whole frame, while they are collected: looked at later, since the host does not
 // wait for ever.
 const frames = []
@@ -36,28 +28,6 @@ pico.wires.sent = (spi) => {
 }
 // The first frame of an owner is complete before the display is switched on.
 const lit = (transcript) => Buffer.concat([transcript, Buffer.from('C\x29B\x01', 'latin1')])
-const breathe = () => new Promise((resolve) => setImmediate(resolve))
-
-// Emulates and serves the kernel until done(), at most so many seconds.
-async function serve(done, seconds, what) {
-  const end = Date.now() + 1000 * seconds
-  for (;;) {
-    if (await done()) return
-    check(Date.now() < end, `${what}: not in ${seconds} s; the board says ${JSON.stringify(pico.uart)}`)
-    await breathe()
-    if (!bridge.step()) pico.run(() => false, 0.5)
-  }
-}
-async function command(words, seconds) {
-  const child = spawn(words[0], words.slice(1), { stdio: ['ignore', 'pipe', 'pipe'] })
-  let text = '', status
-  child.stdout.on('data', (bytes) => { text += bytes })
-  child.stderr.on('data', (bytes) => { text += bytes })
-  child.on('close', (code) => { status = code })
-  try { await serve(() => status !== undefined, seconds, words.join(' ')) } finally { if (status === undefined) child.kill() }
-  equal(status, 0, `the exit status of ${words.join(' ')}, which says ${JSON.stringify(text)}`)
-  return text
-}
 
 await run([
   ['the kernel\'s driver for USB displays takes the board for one, and its other interface for none', async () => {

@@ -12,7 +12,7 @@ PICO_BUILT = $(PICO_PANELS_TESTED:%=PANEL=%) TE=$(PICO_TE_TESTED)+LANDING_PAGE=$
 PICO_TEST = node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel)$(2) $(panel) $(BUILD)/tests/pico/judge
 PICO_CORES = $(patsubst %,firmware/core/%.c,relight panel demo orbit) $(wildcard lib/*.c)
 
-setup-pico: setup-build setup-firmware-pico setup-lab setup-rp2040js
+setup-pico: setup-build setup-firmware-pico setup-lab setup-rp2040js setup-page-build
 
 test-pico: ## check: the Pico's firmware emulated: boot, panel, the demo's frames, USB, a real kernel's drivers; cycles
 	@+tests/tier pico "$(SUBMAKE)"
@@ -24,11 +24,12 @@ pico-images: $(BUILD)/glint $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
 	@+$(SUBMAKE) -s firmware-pico IMAGE=conformance
 
 # What takes longest goes first. LAB_*: as in tier lab.
-run-pico: pico-images $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $(addprefix $(BUILD)/tests/lab/,init spi.dtb)
+run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $(addprefix $(BUILD)/tests/lab/,init spi.dtb)
 	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) TALLY_JOBS=$$(nproc) && \
 		export LAB_KERNEL LAB_BUILD TALLY_JOBS && tests/tally \
 		$(foreach panel,st7789-240x240,"$(call PICO_TEST,faults)" \
 		"tests/lab/guest --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,end_to_end) $(BUILD)/glint" \
+		"tests/lab/guest --memory 1024 $(call PICO_TEST,webusb) $(BUILD)/glint $(PAGE)" \
 		"$(call PICO_TEST,light)" "$(call PICO_TEST,te,-te$(PICO_TE_TESTED)-landing) $(PICO_TE_TESTED) $(PICO_LANDING_TESTED)" \
 		"$(call PICO_TEST,second_core,-two-cores)" "$(call PICO_TEST,exact,-exact)") \
 		"node tests/pico/test_conformance.mjs $(BENCH_NPM) build/firmware/pico-st7789-240x240 $(CONFORMANCE_EXPECTED)" \

@@ -6,10 +6,10 @@ const HEADER = 48, SUBMIT = 1, UNLINK = 2, RET_SUBMIT = 3, RET_UNLINK = 4, IN = 
 const EPIPE = -32, ECONNRESET = -104
 
 export class UsbIp {
-  // After each bulk transfer done(endpoint) is called.
-  constructor(host, fd, done = () => {}) {
-    Object.assign(this, { host, done, received: Buffer.alloc(0), queue: [] })
-    this.socket = new Socket({ fd })
+  // The socket, or its file descriptor. After each bulk transfer done(endpoint) is called. `stalls` of them are refused.
+  constructor(host, socket, done = () => {}) {
+    Object.assign(this, { host, done, received: Buffer.alloc(0), queue: [], stalls: 0 })
+    this.socket = typeof socket === 'number' ? new Socket({ fd: socket }) : socket
     this.socket.on('data', (bytes) => { this.received = Buffer.concat([this.received, bytes]); this.parse() })
     this.socket.on('error', () => {})
   }
@@ -47,6 +47,7 @@ export class UsbIp {
     const urb = this.queue.shift()
     if (!urb) return false
     if (urb.endpoint === 0) this.control(urb)
+    else if (this.stalls && this.stalls--) this.reply(RET_SUBMIT, urb, EPIPE)
     else {
       this.host.bulk(urb.endpoint, urb.data, 5000)
       this.reply(RET_SUBMIT, urb, 0, urb.data.length)

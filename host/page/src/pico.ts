@@ -178,7 +178,7 @@ export class Pico {
         const devices = await this.usb.getDevices().catch(() => [])
         if (!devices.some(({ serialNumber, productName }) => serialNumber === this.device.serialNumber && productName === this.device.productName))
             return new Trouble(sentences.unplugged)
-        return error instanceof Trouble ? error : new Trouble(sentences.failed)
+        return error instanceof Trouble ? error : new Trouble(sentences.failed, { cause: error })
     }
 }
 

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// test_webusb.mjs PACKAGES FOLDER PANEL JUDGE GLINT PAGE, run under the lab's kernel: the page's own transport and module, in node,
+// reach the emulated board by WebUSB (the package usb, on the kernel's usbfs), beside the kernel's driver for its display.
+import { existsSync, readFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { resolve } from 'node:path'
+import { Judge } from './judge.mjs'
+import { Plugged } from './plugged.mjs'
+import { check, equal, run } from './tap.mjs'
+
+const [packages, folder, panel, program, glint, page] = process.argv.slice(2)
+const { WebUSB } = createRequire(resolve(packages, 'x'))('usb')
+const { Engine, filters, onDevice, Pico, sentences, stateOfWords, white, wordsOf } = await import(resolve(page, 'engine.mjs'))
+const engine = new Engine(new WebAssembly.Module(readFileSync(`${page}/module.wasm`)))
+const judge = new Judge(program, panel)
+const { width, height } = judge
+const board = new Plugged(packages, folder, judge)
+const usb = new WebUSB({ allowAllDevices: true })
+engine.addWhite(white, width, height)
+
+// Where the package differs from WebUSB: a STALL is an error, not the transfer's status; and a transfer ends after a second, which the
+// emulated board may need, if not told otherwise.
+const TIMEOUT_MS = 20000
+function conforming(device) {
+  return new Proxy(device, { get(_, name) {
+    const value = device[name]
+    if (typeof value !== 'function') return value
+    if (!/ransfer(In|Out)$/.test(name)) return value.bind(device)
+    return (...args) => value.apply(device, [...args, TIMEOUT_MS]).catch((error) => {
+      if (/stall(ed)?$/i.test(error.message)) return { status: 'stall' }
+      throw error
+    })
+  } })
+}
+let pico, has
+async function connect() {
+  const device = await board.during(usb.requestDevice({ filters }), 30, 'requestDevice')
+  pico = await board.during(Pico.connect(usb, conforming(device), (bytes) => engine.deviceSize(bytes)), 60, 'connecting')
+  has = { map: '', material: '' }
+}
+const words = (light, more = ['--scene=coin', '-n40']) => wordsOf(onDevice(stateOfWords([...more, `--light=${light}`]), width, height, '200,140,40'))
+// Draws in the module, sends what changed, and compares the panel with the module's picture. Returns what was sent.
+async function follow(list) {
+  const { rgba } = engine.draw(list), scene = engine.device(width, height, has)
+  if (scene.map) await board.during(pico.sendMap(scene.map), 60, 'the map')
+  if (scene.material) await board.during(pico.sendMaterial(scene.material), 20, 'the material')
+  await board.during(pico.sendLight(scene.light), 20, 'the light')
+  has = scene.has
+  const rgb = Buffer.alloc(3 * width * height)
+  for (let i = 0; i < width * height; i++) rgba.subarray(4 * i, 4 * i + 3).forEach((level, k) => { rgb[3 * i + k] = level })
+  judge.same(board.look(), rgb, list.join(' '))
+  return scene
+}
+async function trouble(promise) {
+  const error = await board.during(promise, 60, 'the trouble').then(() => undefined, (error) => error)
+  check(error, 'nothing went wrong')
+  return error.message
+}
+const has_display = () => existsSync('/dev/fb0')
+
+await run([
+  ['WebUSB finds the board and has its light interface, while the kernel\'s driver keeps the display', async () => {
+    await board.plug()
+    await board.serve(has_display, 60, '/dev/fb0')
+    await connect()
+    equal(`${pico.width}x${pico.height}`, `${width}x${height}`, 'its size')
+    check(board.pico.uart.endsWith('a computer sends lights\r\n'), board.pico.uart)
+    check(has_display(), 'the display is gone')
+  }],
+  ['the panel shows the page\'s picture, bit for bit', async () => {
+    const { map, material } = await follow(words('-1,1,1.2'))
+    check(map.length === 4 * width * height && material.length === 48, 'the map and the material')
+  }],
+  ['a light that moves is 16 bytes, and each frame is the page\'s', async () => {
+    for (let i = 0; i < 5; i++) {
+      const { map, material, light } = await follow(words(`${i / 4 - .5},.3,1`))
+      check(!map && !material && light.length === 16, `${map?.length} and ${material?.length} bytes more`)
+    }
+  }],
+  ['another material, model and space, then another surface, are followed', async () => {
+    const other = await follow(words('.2,.4,1', ['--scene=coin', '--model=cayley', '-n9', '--space=linear', '--specular=.4,.9,1', '--clamp-peak']))
+    check(!other.map && other.material, 'the map, or no material')
+    check((await follow(words('.2,.4,1', ['--scene=watchface', '--color=30,90,200']))).map, 'no map')
+  }],
+  ['a stalled transfer is a sentence, and connecting again goes on', async () => {
+    board.bridge.stalls = 1
+    engine.draw(words('.5,.5,1'))
+    equal(await trouble(pico.sendLight(engine.device(width, height, has).light)), sentences.stalled, 'the sentence')
+    await connect()
+    await follow(words('.5,.5,1'))
+  }],
+  ['a board that has been reset meanwhile refuses, with a reason, and connecting again goes on', async () => {
+    const { material } = engine.device(width, height, { map: '', material: '' })
+    check(board.host.control(0x41, 0xa1, 0, 1, Buffer.of(0)) !== null, 'disabling behind the kernel\'s back')
+    const said = await trouble(pico.sendMaterial(material))
+    equal(said, 'The device refused the material: it has been restarted or used by another program. Connect again.', 'the sentence')
+    await connect()
+    await follow(words('-.5,.5,1'))
+  }],
+  ['closed, the panel is the kernel\'s again', async () => {
+    await board.during(pico.close(), 20, 'closing')
+    await board.serve(() => /(a computer draws|relighting)\r\n$/.test(board.pico.uart), 20, 'the hand-over')
+  }],
+  ['while another program has the board that is said, and afterwards connecting goes on', async () => {
+    const other = board.start_command([glint, 'stream', '--height=tests/data/rockwall-height.png', `--size=${width}x${height}`, '--fps=0', '--to=usb', '--shade=device'])
+    try {
+      await board.serve(() => board.pico.uart.endsWith('lights\r\n') || other.status !== undefined, 60, 'glint stream')
+      equal(other.status, undefined, `glint stream says ${other.text}`)
+      equal(await trouble(connect()), sentences.held, 'the sentence')
+    } finally { other.child.kill('SIGINT') }
+    await board.serve(() => other.status !== undefined, 60, 'the end of glint stream')
+    await connect()
+    await follow(words('0,.5,1'))
+  }],
+  ['an unplugged board is said, and plugged in again it is followed again', async () => {
+    board.unplug()
+    engine.draw(words('0,-.5,1'))
+    equal(await trouble(pico.sendLight(engine.device(width, height, has).light)), sentences.unplugged, 'the sentence')
+    await board.plug()
+    await board.serve(has_display, 60, '/dev/fb0')
+    await connect()
+    await follow(words('0,-.5,1'))
+    await board.during(pico.close(), 20, 'closing')
+  }],
+])
