@@ -48,10 +48,7 @@ export class Pico {
             if (!device.configuration)
                 await device.selectConfiguration(1)
             await it.findInterface(sizeOf)
-            if (!await it.set(wire.LIGHT_SET_ENABLE, Uint8Array.of(1))) {
-                const status = await it.status()
-                throw status === wire.GUD_BUSY ? new Trouble(sentences.busy) : refused('to hand over the panel', status)
-            }
+            await it.enable()
             return it
         } catch (error) {
             const trouble = await it.troubleOf(error)
@@ -119,6 +116,18 @@ export class Pico {
             await this.device.releaseInterface(interfaceNumber)
         }
         throw new Trouble(claimed < fitting.length && fitting.length > 1 ? sentences.held : sentences.noShader)
+    }
+
+    /** While the display's own host, the system, draws a rectangle, the panel is not handed over: that is soon done. */
+    private async enable(): Promise<void> {
+        for (let left = 20; !await this.set(wire.LIGHT_SET_ENABLE, Uint8Array.of(1)); left--) {
+            const status = await this.status()
+            if (status !== wire.GUD_BUSY)
+                throw refused('to hand over the panel', status)
+            if (!left)
+                throw new Trouble(sentences.busy)
+            await new Promise(resolve => setTimeout(resolve, 100))
+        }
     }
 
     private setup(request: number) {
