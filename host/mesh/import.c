@@ -27,6 +27,7 @@ bool import_is_stl(const char *path)
 
 #include "base/clock.h"
 #include "base/memory.h"
+#include "glint.h"
 #include "mesh/import_child.h"
 
 static const char *const endings[] = {".obj", ".stl", ".ply", ".gltf", ".glb"};
@@ -140,9 +141,9 @@ static struct soup *receive_soup(const struct reader *reader)
         fail("%s: libassimp cannot read this mesh: %s", reader->path, head.message);
     if (head.face_count == 0)
         fail("%s: has no triangles; name another mesh", reader->path);
-    if (head.face_count > IMPORT_FACES_MAX)
-        fail("%s: has %llu triangles, and at most %d can be drawn; simplify the mesh", reader->path,
-             (unsigned long long)head.face_count, IMPORT_FACES_MAX);
+    if (head.face_count > GLINT_MESH_FACES_MAX)
+        fail("%s: has %llu triangles, and at most %u can be drawn; simplify the mesh", reader->path,
+             (unsigned long long)head.face_count, GLINT_MESH_FACES_MAX);
     if (head.part_count == 0 || head.part_count > PARTS_MAX)
         fail("%s: has %llu materials; at most %d can be read; join some", reader->path,
              (unsigned long long)head.part_count, PARTS_MAX);

@@ -12,6 +12,4 @@ struct soup *import_soup(const char *path);
 bool import_is_stl(const char *path);
 const char *import_library(void); /* "libassimp 5", of which the headers are; NULL: built without it */
 
-enum { IMPORT_FACES_MAX = 65534 };
-
 #endif

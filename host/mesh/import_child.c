@@ -14,7 +14,7 @@
 #include <strings.h>
 #include <unistd.h>
 
-#include "mesh/import.h"
+#include "glint.h"
 
 /* Loaded here only: commands that read no mesh start without it. */
 #define FUNCTIONS(X)                                                                                                   \
@@ -140,7 +140,7 @@ void import_child(const char *path, int out)
     }
     struct import_head head = head_of(scene);
     send(out, &head, sizeof head);
-    if (head.face_count > IMPORT_FACES_MAX)
+    if (head.face_count > GLINT_MESH_FACES_MAX)
         return; /* the parent says so */
     for (unsigned i = 0; i < scene->mNumMaterials; i++) {
         const struct mesh_material material = material_of(scene->mMaterials[i], linear);

@@ -129,16 +129,3 @@ void mesh_order(struct mesh *mesh)
     free(work.stack);
     order_vertices(mesh);
 }
-
-double mesh_misses(const struct mesh *mesh, unsigned size)
-{
-    size_t *entered = allocate(mesh->vertex_count, sizeof *entered),
-           misses = 0; /* the miss that fetched it; 0: never */
-    for (size_t i = 0; i < 3 * mesh->face_count; i++) {
-        size_t *when = &entered[mesh->faces[i / 3][i % 3]];
-        if (*when == 0 || misses - *when >= size)
-            *when = ++misses;
-    }
-    free(entered);
-    return (double)misses / (double)mesh->face_count;
-}

@@ -7,7 +7,5 @@
 
 /* Faces that share vertices one after the other, within each part; vertices in the order of their first use. */
 void mesh_order(struct mesh *mesh);
-/* How many vertices a face fetches on average through a cache of the last `size` ones. */
-double mesh_misses(const struct mesh *mesh, unsigned size);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Fuzzes meshes: any vertices, faces, parts, pose and light that glint_mesh_check lets through are drawn within their memory, and in
- * strips as at once. Input: see next_mesh, next_view; then strips: y, height (1 each). */
+ * strips as at once. Input: see next_mesh, next_look and draw; then strips: y, height (1 each). */
 #include <string.h>
 
 #include "fuzz.h"

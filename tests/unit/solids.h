@@ -80,4 +80,18 @@ static inline double area_of(const struct mesh *mesh)
     return sum;
 }
 
+/* How many vertices a face fetches on average through a cache of the last `size` ones. */
+static inline double misses_of(const struct mesh *mesh, unsigned size)
+{
+    size_t *entered = calloc(mesh->vertex_count, sizeof *entered), misses = 0; /* the miss that fetched it; 0: none */
+    assert_non_null(entered);
+    for (size_t i = 0; i < 3 * mesh->face_count; i++) {
+        size_t *when = &entered[mesh->faces[i / 3][i % 3]];
+        if (*when == 0 || misses - *when >= size)
+            *when = ++misses;
+    }
+    free(entered);
+    return (double)misses / (double)mesh->face_count;
+}
+
 #endif

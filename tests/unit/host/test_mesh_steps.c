@@ -143,7 +143,7 @@ static void ordering_keeps_the_triangles_and_spares_the_cache(void **state)
     (void)state;
     struct mesh *mesh = teapot_split(30);
     const size_t count = mesh->face_count;
-    const double area = area_of(mesh), ordered = mesh_misses(mesh, 32);
+    const double area = area_of(mesh), ordered = misses_of(mesh, 32);
     uint32_t seed = 1;
     for (size_t i = count; i > 1; i--) { /* shuffled */
         uint32_t other[3];
@@ -152,9 +152,9 @@ static void ordering_keeps_the_triangles_and_spares_the_cache(void **state)
         memcpy(mesh->faces[j], mesh->faces[i - 1], sizeof other);
         memcpy(mesh->faces[i - 1], other, sizeof other);
     }
-    assert_true(mesh_misses(mesh, 32) > 2.5);
+    assert_true(misses_of(mesh, 32) > 2.5);
     mesh_order(mesh);
-    assert_true(ordered < .8 && mesh_misses(mesh, 32) < .8); /* .5 is the least there can be */
+    assert_true(ordered < .8 && misses_of(mesh, 32) < .8); /* .5 is the least there can be */
     assert_int_equal(mesh->face_count, count);
     assert_near(area_of(mesh), area, 1e-9);
     mesh_free(mesh);
