@@ -12,13 +12,22 @@ static uint32_t add(uint32_t sum, unsigned byte)
     return sum << 4 ^ remainders[sum >> 28 ^ (byte & 15)];
 }
 
-uint32_t cksum(const void *bytes, size_t count)
+uint32_t cksum_add(uint32_t sum, const void *bytes, size_t count)
 {
     const uint8_t *const at = bytes;
-    uint32_t sum = 0;
     for (size_t i = 0; i < count; i++)
         sum = add(sum, at[i]);
+    return sum;
+}
+
+uint32_t cksum_end(uint32_t sum, size_t count)
+{
     for (; count; count >>= 8) /* as the standard has it, the length follows */
         sum = add(sum, count & 255);
     return ~sum;
+}
+
+uint32_t cksum(const void *bytes, size_t count)
+{
+    return cksum_end(cksum_add(0, bytes, count), count);
 }

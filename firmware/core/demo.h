@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a board shows by itself: gold under a light that circles. Shared with the tests, which draw it on the host. */
+ * What a board shows by itself: gold under a light that circles, or that turns under a light. Shared with the tests, which draw it on
+ * the host. */
 #ifndef DEMO_H
 #define DEMO_H
 
@@ -8,5 +9,10 @@
 
 /* The material, into RGB565 in the machine's order; the light is not set. */
 void demo_shader(struct glint_shader *shader);
+
+/* A mesh that turns about its upright axis, tilted towards the viewer; a turn takes ORBIT_FRAMES. It is as large as the panel's shorter
+ * side, `size` pixels, up to 1023. */
+void demo_pose(struct glint_pose *pose, uint32_t frame, uint16_t size);
+extern const int32_t demo_mesh_light[3]; /* towards the light */
 
 #endif

@@ -78,6 +78,8 @@ static enum gud_status set_material(struct light_device *d, const uint8_t *data)
 
 static enum gud_status begin_map(struct light_device *d)
 {
+    if (!d->map)
+        return GUD_UNSUPPORTED;
     if (!d->enabled)
         return GUD_PROTOCOL;
     d->in_map = true;

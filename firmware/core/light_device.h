@@ -14,7 +14,7 @@ struct light_device {
     /* Config, set by you. */
     uint16_t width, height;
     uint8_t interface;
-    uint32_t *map; /* width x height words */
+    uint32_t *map; /* width x height words; NULL: maps are refused */
     const struct gud_device
         *gud; /* whose memory the map may share: no rectangle of it is open while the map is the host's */
 

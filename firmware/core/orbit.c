@@ -10,7 +10,7 @@ static int32_t quarter_sine_q15(uint32_t x)
     return (int32_t)(x * (51472 - (inner * square >> 15)) >> 15); /* < 2^31 */
 }
 
-static int32_t sine_q15(uint32_t turn_q16)
+int32_t orbit_sine_q15(uint32_t turn_q16)
 {
     const uint32_t at = turn_q16 & 0x3fff, back = turn_q16 & 0x4000 ? 0x4000 - at : at;
     const int32_t sine = quarter_sine_q15(2 * back);
@@ -20,7 +20,7 @@ static int32_t sine_q15(uint32_t turn_q16)
 void orbit_light(int32_t to_light[3], uint32_t frame, uint32_t frames)
 {
     const uint32_t turn_q16 = (frame % frames << 16) / frames;
-    to_light[0] = sine_q15(turn_q16 + 0x4000) / 2; /* sin 30 degrees */
-    to_light[1] = sine_q15(turn_q16) / 2;
+    to_light[0] = orbit_sine_q15(turn_q16 + 0x4000) / 2; /* sin 30 degrees */
+    to_light[1] = orbit_sine_q15(turn_q16) / 2;
     to_light[2] = 28378; /* cos 30 degrees, Q15 */
 }

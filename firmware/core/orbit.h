@@ -12,4 +12,7 @@ enum { ORBIT_FRAMES = 240 }; /* a turn, where nothing else is asked for: 4 s at 
  * 2^15 within 5. frames: 1..65535. */
 void orbit_light(int32_t to_light[3], uint32_t frame, uint32_t frames);
 
+/* sin(2 pi turn), Q15, within 2^-12.5; turn modulo 1. */
+int32_t orbit_sine_q15(uint32_t turn_q16);
+
 #endif

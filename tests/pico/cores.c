@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * cores [hasty]: the display loop on two threads, under the thread sanitizer, which finds what both touch at a time. The threads
+ * cores [hasty]: the display loops on two threads, under the thread sanitizer, which finds what both touch at a time. The threads
  * hand each other work as the cores do (ports/pico/second_core.c). hasty: the join does not wait, which is to be found. */
 #include <pthread.h>
 #include <stdatomic.h>
@@ -9,6 +9,7 @@
 #include "demo.h"
 #include "orbit.h"
 #include "relight.h"
+#include "turntable.h"
 
 enum { WIDTH = 101, HEIGHT = 64, FRAMES = 20 };
 
@@ -108,6 +109,51 @@ static bool is_right(void)
            memcmp(screen, wanted, sizeof wanted) == 0;
 }
 
+/* ---- a mesh ---- */
+
+static const int16_t places[6][3] = {{32767, 0, 0},  {-32767, 0, 0}, {0, 32767, 0},
+                                     {0, -32767, 0}, {0, 0, 32767},  {0, 0, -32767}};
+static const uint16_t faces[8][3] = {{4, 0, 2}, {4, 2, 1}, {4, 1, 3}, {4, 3, 0},
+                                     {5, 2, 0}, {5, 1, 2}, {5, 3, 1}, {5, 0, 3}};
+static const struct glint_mesh mesh = {places[0], places[0], NULL, faces[0], NULL, 6, 8, 0};
+enum { MESH_BYTES = 16384, MESH_STRIPS = HEIGHT / TURNTABLE_LINES };
+static uint32_t strips[MESH_STRIPS * TURNTABLE_LINES * WIDTH / 2], memory[2][MESH_BYTES / 4];
+static struct turntable turntable = {.pieces = {.hal = &hal, .panel = &panel},
+                                     .mesh = &mesh,
+                                     .tables_memory = tables,
+                                     .memory_bytes = MESH_BYTES,
+                                     .strips = strips,
+                                     .strip_count = MESH_STRIPS,
+                                     .lower_y = HEIGHT / 2,
+                                     .core = {{.memory = memory[0]}, {.memory = memory[1]}}};
+
+static void turn(uint16_t lower_y, uint32_t frame, uint16_t picture[WIDTH * HEIGHT])
+{
+    static const int32_t to_viewer[3] = {0, 0, 1};
+    struct glint_light light;
+    struct glint_pose pose;
+    turntable.lower_y = lower_y;
+    demo_pose(&pose, frame * 12, HEIGHT);
+    if (glint_light_init(&light, demo_mesh_light, to_viewer) == GLINT_OK)
+        turntable_frame(&turntable, &pose, &light);
+    while (turntable_step(&turntable) == TURNTABLE_BUSY)
+        ;
+    memcpy(picture, screen, sizeof screen);
+}
+
+/* With both cores as with one. */
+static int wrong_turns(const struct glint_shader *shader)
+{
+    static uint16_t by_one[WIDTH * HEIGHT], by_two[WIDTH * HEIGHT];
+    int wrong = turntable_start(&turntable, shader) != GLINT_OK;
+    for (uint32_t frame = 0; frame < FRAMES; frame++) {
+        turn(HEIGHT, frame, by_one);
+        turn(HEIGHT / 2, frame, by_two);
+        wrong += memcmp(by_one, by_two, sizeof by_one) != 0;
+    }
+    return wrong;
+}
+
 int main(int argc, char **argv)
 {
     pthread_t other;
@@ -126,8 +172,9 @@ int main(int argc, char **argv)
             ;
         wrong += !is_right();
     }
+    wrong += wrong_turns(&shader);
     on_fork(NULL, NULL, NULL); /* the end */
     pthread_join(other, NULL);
-    printf("%d frames of %d are wrong\n", wrong, FRAMES);
+    printf("%d frames of %d are wrong\n", wrong, 2 * FRAMES);
     return wrong != 0;
 }

@@ -3,6 +3,7 @@
  *   judge look CONTROLLER WIDTH HEIGHT    standard input: a transcript of the panel's pins (pico.mjs)
  *   judge demo WIDTH HEIGHT FRAME         the stand-alone demo, by the library on this machine
  *   judge exact WIDTH HEIGHT FRAME        the same by the exact rectangle (PATH=exact)
+ *   judge teapot WIDTH HEIGHT FRAME       the demo of DEMO=teapot, in one strip
  *   judge fault WIDTH HEIGHT NUMBER       what is shown where something is wrong
  *   judge lz4                             standard input as one LZ4 block (no picture)
  *   judge map WIDTH HEIGHT                the demo's map, as it goes over the wire to a device that shades
@@ -21,6 +22,8 @@
 #include "demo.h"
 #include "fault.h"
 #include "light_protocol.h"
+#include "mesh/fit.h"
+#include "mesh/load.h"
 #include "orbit.h"
 #include "scene/scenes.h"
 #include "sinks/panel/virtual_panel.h"
@@ -132,6 +135,50 @@ static void draw_demo(unsigned width, unsigned height, unsigned frame, bool exac
     scene_free(scene);
 }
 
+static void draw_mesh(const struct glint_mesh *mesh, const struct glint_pose *pose, const struct glint_light *light,
+                      unsigned width, unsigned height)
+{
+    static uint32_t memory[GLINT_TABLES_COLOUR_BYTES / 4];
+    struct glint_shader shader;
+    struct glint_tables tables;
+    const struct glint_paint paint = {&glint_mesh_tables, &tables};
+    struct glint_mesh_frame frame;
+    struct glint_mesh_drawn drawn;
+    const uint16_t w = (uint16_t)width, h = (uint16_t)height;
+    const size_t frame_bytes = glint_mesh_frame_bytes(w, h), mesh_bytes = glint_mesh_bytes(mesh, h);
+    uint16_t *pixels = allocate((size_t)width * height, sizeof *pixels);
+    void *of_frame = allocate(frame_bytes, 1), *of_mesh = allocate(mesh_bytes, 1);
+    const struct glint_surface surface = {pixels, 2 * (ptrdiff_t)width, 0, 0};
+    demo_shader(&shader);
+    if (glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &shader, memory, sizeof memory) != GLINT_OK ||
+        glint_mesh_begin(&frame, w, h, h, 0, of_frame, frame_bytes) != GLINT_OK ||
+        glint_mesh_add(&frame, &drawn, mesh, pose, light, &paint, of_mesh, mesh_bytes) != GLINT_OK ||
+        glint_mesh_strip(&frame, 0, h, &surface) != GLINT_OK)
+        fail("judge: the library refused the mesh");
+    write_shown(pixels, (size_t)width * height);
+    free(of_mesh);
+    free(of_frame);
+    free(pixels);
+}
+
+static void draw_teapot(unsigned width, unsigned height, unsigned frame)
+{
+    static const int32_t to_viewer[3] = {0, 0, 1};
+    const struct mesh_source source = {
+        .name = "teapot", .built_in = true, .crease = -1, .split = 180, .axes = AXES_USUAL};
+    struct mesh *mesh = mesh_load(&source);
+    struct fitted *fitted = mesh_fit(mesh, 0);
+    struct glint_pose pose;
+    struct glint_light light;
+    fitted->mesh.normals = NULL;
+    demo_pose(&pose, frame, (uint16_t)width);
+    if (glint_light_init(&light, demo_mesh_light, to_viewer) != GLINT_OK)
+        fail("judge: the library refused the light");
+    draw_mesh(&fitted->mesh, &pose, &light, width, height);
+    fitted_free(fitted);
+    mesh_free(mesh);
+}
+
 static void compress(void)
 {
     static char in[1 << 20], out[LZ4_COMPRESSBOUND(sizeof in)];
@@ -181,6 +228,8 @@ int main(int argc, char **argv)
         draw_demo(number(argv[2]), number(argv[3]), number(argv[4]), false);
     else if (argc == 5 && strcmp(argv[1], "exact") == 0)
         draw_demo(number(argv[2]), number(argv[3]), number(argv[4]), true);
+    else if (argc == 5 && strcmp(argv[1], "teapot") == 0)
+        draw_teapot(number(argv[2]), number(argv[3]), number(argv[4]));
     else if (argc == 5 && strcmp(argv[1], "fault") == 0)
         draw_fault(number(argv[2]), number(argv[3]), number(argv[4]));
     else if (argc == 2 && strcmp(argv[1], "lz4") == 0)

@@ -14,6 +14,7 @@ export class Judge {
   look(transcript) { return this.call(['look', this.controller, this.width, this.height], transcript) }
   demo(frame) { return this.call(['demo', this.width, this.height, frame], '') }
   exact(frame) { return this.call(['exact', this.width, this.height, frame], '') }
+  teapot(frame) { return this.call(['teapot', this.width, this.height, frame], '') }
   fault(number) { return this.call(['fault', this.width, this.height, number], '') }
   lz4(bytes) { return this.call(['lz4'], bytes) }
   map() { return this.call(['map', this.width, this.height], '') }

@@ -8,9 +8,9 @@ PICO_TOOLS = judge attach cores
 PICO_NOT_RUN = $(filter-out $(pico_EMULATED),$(pico_BOARDS))
 # The address in the image with TE: one image less to build.
 PICO_LANDING_TESTED = https://example.org/glint
-PICO_BUILT = $(PICO_PANELS_TESTED:%=PANEL=%) TE=$(PICO_TE_TESTED)+LANDING_PAGE=$(PICO_LANDING_TESTED) SECOND_CORE=1 PATH=exact $(PICO_NOT_RUN:%=BOARD=%)
+PICO_BUILT = $(PICO_PANELS_TESTED:%=PANEL=%) TE=$(PICO_TE_TESTED)+LANDING_PAGE=$(PICO_LANDING_TESTED) SECOND_CORE=1 PATH=exact DEMO=teapot DEMO=teapot+SECOND_CORE=1 $(PICO_NOT_RUN:%=BOARD=%)
 PICO_TEST = node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel)$(2) $(panel) $(BUILD)/tests/pico/judge
-PICO_CORES = $(patsubst %,firmware/core/%.c,relight panel demo orbit) $(wildcard lib/*.c)
+PICO_CORES = $(patsubst %,firmware/core/%.c,relight turntable pieces panel demo orbit) $(wildcard lib/*.c)
 
 setup-pico: setup-build setup-firmware-pico setup-lab setup-rp2040js setup-page-build
 
@@ -31,7 +31,8 @@ run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $
 		"tests/lab/guest --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,end_to_end) $(BUILD)/glint" \
 		"tests/lab/guest --memory 1024 $(call PICO_TEST,webusb) $(BUILD)/glint $(PAGE)" \
 		"$(call PICO_TEST,light)" "$(call PICO_TEST,te,-te$(PICO_TE_TESTED)-landing) $(PICO_TE_TESTED) $(PICO_LANDING_TESTED)" \
-		"$(call PICO_TEST,second_core,-two-cores)" "$(call PICO_TEST,exact,-exact)") \
+		"$(call PICO_TEST,second_core,-two-cores)" "$(call PICO_TEST,exact,-exact)" \
+		"$(call PICO_TEST,teapot,-two-cores-teapot) both" "$(call PICO_TEST,teapot,-teapot)") \
 		"node tests/pico/test_conformance.mjs $(BENCH_NPM) build/firmware/pico-st7789-240x240 $(CONFORMANCE_EXPECTED)" \
 		$(foreach panel,$(PICO_PANELS_TESTED),"$(call PICO_TEST,demo)" "$(call PICO_TEST,usb)") \
 		"tests/pico/test_cores $(BUILD)/tests/pico/cores" \

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The Raspberry Pi Pico with a panel: make firmware PORT=pico [PANEL=st7789-240x240] [TE=21] [SECOND_CORE=1] [PATH=exact] [LANDING_PAGE=https://...] [IMAGE=conformance] [BOARD=pico2]
+# The Raspberry Pi Pico with a panel: make firmware PORT=pico [PANEL=st7789-240x240] [TE=21] [SECOND_CORE=1] [PATH=exact] [DEMO=teapot] [LANDING_PAGE=https://...] [IMAGE=conformance] [BOARD=pico2]
 PANEL ?= st7789-240x240
 pico_BOARDS = pico pico2
 # Those that an emulator runs; make test-pico reports the others as skipped.
@@ -21,8 +21,12 @@ endif
 PICO_EXACT = $(if $(filter exact,$(PICO_PATH)),1,0)
 # The page that browsers offer when the board is plugged in; none: they offer none.
 LANDING_PAGE ?=
+# What the board shows by itself: coin, a map under a light, or teapot, a mesh that turns.
+DEMO ?= coin
+PICO_DEMOS = coin teapot
+PICO_TEAPOT = $(if $(filter teapot,$(DEMO)),1,0)
 PICO_FREE_PINS = 1 2 3 4 5 6 7 14 15 16 17 18 19 20 21 22 26 27 28
-PICO = build/firmware/$(PICO_BOARD)-$(PANEL)$(TE:%=-te%)$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(if $(LANDING_PAGE),-landing)
+PICO = build/firmware/$(PICO_BOARD)-$(PANEL)$(TE:%=-te%)$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(if $(filter 1,$(PICO_TEAPOT)),-teapot)$(if $(LANDING_PAGE),-landing)
 PICO_SIZE = $(lastword $(subst -, ,$(PANEL)))
 
 pico_PACKAGES = cmake make python3-minimal gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib
@@ -31,15 +35,17 @@ setup-firmware-pico: setup-build
 	@firmware/ports/pico/fetch-sdk >/dev/null
 
 # CMake knows what depends on what within.
-firmware-pico: $(PICO)/map/demo_map.h $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
+firmware-pico: $(PICO)/map/$(if $(filter 1,$(PICO_TEAPOT)),demo_mesh.h,demo_map.h) $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
 	@$(if $(filter $(pico_BOARDS),$(PICO_BOARD)),,echo "make: port pico has no board $(PICO_BOARD); choose from $(pico_BOARDS)" >&2; exit 1)
 	@$(if $(filter $(PICO_PANELS),$(PANEL)),,echo "make: PANEL=$(PANEL): the panels are $(PICO_PANELS)" >&2; exit 1)
 	@$(if $(filter-out $(PICO_FREE_PINS),$(TE)),echo "make: TE=$(TE): the pins that are free are $(PICO_FREE_PINS)" >&2; exit 1)
 	@$(if $(filter 11,$(SECOND_CORE)$(PICO_EXACT)),echo "make: PATH=exact: draws with one core; leave SECOND_CORE=1 out" >&2; exit 1)
 	@$(if $(filter-out https://% http://localhost http://localhost/% http://localhost:%,$(LANDING_PAGE)),echo "make: LANDING_PAGE=$(LANDING_PAGE): browsers take https://... or http://localhost..." >&2; exit 1)
+	@$(if $(filter $(PICO_DEMOS),$(DEMO)),,echo "make: DEMO=$(DEMO): the demos are $(PICO_DEMOS)" >&2; exit 1)
+	@$(if $(filter teapot,$(DEMO)),$(if $(filter pico.st7789-240x240.0.glint,$(PICO_BOARD).$(PANEL).$(PICO_EXACT)$(TE).$(IMAGE)),,echo "make: DEMO=teapot: is for a Pico with PANEL=st7789-240x240; leave TE, PATH and IMAGE out" >&2; exit 1))
 	@sdk=$$(firmware/ports/pico/fetch-sdk) && \
 	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DPICO_BOARD=$(PICO_BOARD) -DPICO_NO_PICOTOOL=1 \
-		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_PANEL=$(PANEL) -DGLINT_TE=$(or $(TE),-1) -DGLINT_SECOND_CORE=$(SECOND_CORE) -DGLINT_EXACT=$(PICO_EXACT) '-DGLINT_LANDING_PAGE=$(LANDING_PAGE)' \
+		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_PANEL=$(PANEL) -DGLINT_TE=$(or $(TE),-1) -DGLINT_SECOND_CORE=$(SECOND_CORE) -DGLINT_EXACT=$(PICO_EXACT) -DGLINT_TEAPOT=$(PICO_TEAPOT) '-DGLINT_LANDING_PAGE=$(LANDING_PAGE)' \
 		-DGLINT_MAP="$(CURDIR)/$(PICO)/map" -DGLINT_EXPECTED="$(abspath $(CONFORMANCE))" >$(PICO)/log 2>&1 && \
 	MAKEFLAGS= cmake --build $(PICO)/cmake --target $(IMAGE) $(PARALLEL) >>$(PICO)/log 2>&1 || { grep -E 'rror|glint:' $(PICO)/log >&2; \
 		echo "make: the Pico's firmware was not built; the whole log is $(PICO)/log" >&2; exit 1; }
@@ -55,5 +61,12 @@ $(PICO)/map/demo_map.h: $(BUILD)/glint
 	@$< bake --scene coin --size $(PICO_SIZE) --to int8 -o $(@D)/demo_map.bin >/dev/null
 	@$< bake --scene coin --size $(PICO_SIZE) --to int8 --name demo_map --as c -o $@.tmp >/dev/null
 	@cksum <$(@D)/demo_map.bin | awk '{ print "#define DEMO_MAP_CKSUM " $$1 "u" }' >>$@.tmp && mv $@.tmp $@
+
+# The teapot as it is, unsplit: what turns hides where its highlights break. Its checksum: without the head of 8 bytes and the 6 of its part.
+$(PICO)/map/demo_mesh.h: $(BUILD)/glint
+	@mkdir -p $(@D)
+	@$< bake --scene teapot --split 180 --to int8 -o $(@D)/demo_mesh.bin >/dev/null
+	@$< bake --scene teapot --split 180 --to int8 --name demo_mesh --as c -o $@.tmp >/dev/null
+	@tail -c +9 $(@D)/demo_mesh.bin | head -c -6 | cksum | awk '{ print "#define DEMO_MESH_CKSUM " $$1 "u" }' >>$@.tmp && mv $@.tmp $@
 
 .PHONY: setup-firmware-pico firmware-pico

@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: MIT
+ * A baked normal map, relit. */
+#include "shown.h"
+
+#if !TEAPOT
+#include "cksum.h"
+#include "demo.h"
+#include "demo_map.h"
+#include "orbit.h"
+#include "relight.h"
+
+#include <pico.h>
+
+/* Where a map fills RAM the lines are in a bank of 4 KB, beside the second core's stack. */
+#if OFFERS_LIGHT
+#define LINES_BANK __scratch_x("lines")
+#else
+#define LINES_BANK
+#endif
+static struct {
+#if !OFFERS_LIGHT
+    uint32_t normals[2][PANEL_WIDTH];
+#endif
+    uint16_t pixels[2][PANEL_WIDTH];
+    struct relight_extent extents[PANEL_HEIGHT];
+} lines LINES_BANK;
+#if EXACT
+static struct glint_prepared prepared;
+#endif
+static struct {
+#if !EXACT
+    uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4];
+#endif
+    union {
+        struct shown_gud_memory gud;
+#if OFFERS_LIGHT
+        uint32_t map[PANEL_WIDTH * PANEL_HEIGHT];
+#else
+        uint32_t map[1]; /* no interface fills it */
+#endif
+    } host;
+} memory;
+
+static struct light_device *lights;
+static struct relight relight = {.hal = &board_hal,
+#if EXACT
+                                 .exact = &prepared,
+#else
+                                 .tables_memory = memory.tables,
+#endif
+                                 .pixels = {lines.pixels[0], lines.pixels[1]},
+#if !OFFERS_LIGHT /* the map stays in flash */
+                                 .normals = {lines.normals[0], lines.normals[1]},
+#endif
+                                 .extents = lines.extents};
+
+const char *const shown_words = "relighting";
+
+struct shown_gud_memory *shown_gud_memory(void)
+{
+    return &memory.host.gud;
+}
+
+uint16_t *shown_line(void)
+{
+    return lines.pixels[0];
+}
+
+bool shown_is_intact(void)
+{
+    return cksum(demo_map, sizeof demo_map) == DEMO_MAP_CKSUM;
+}
+
+void shown_prepare(struct panel *panel, struct light_device *light)
+{
+    relight.panel = panel;
+    light->map = memory.host.map;
+    lights = light;
+}
+
+static enum glint_err begin(const uint32_t *map, const struct glint_shader *shader, uint16_t background)
+{
+    relight.map = map;
+    relight.background = background;
+    return relight_start(&relight, shader);
+}
+
+enum glint_err shown_begin_demo(void)
+{
+    struct glint_shader shader;
+    demo_shader(&shader);
+#if OFFERS_LIGHT /* a map fits into RAM, from where it is faster */
+    board_hal.fetch(board_hal.context, memory.host.map, demo_map, PANEL_WIDTH * PANEL_HEIGHT);
+    while (!board_hal.fetched(board_hal.context))
+        ;
+    return begin(memory.host.map, &shader, 0);
+#else
+    return begin(demo_map, &shader, 0);
+#endif
+}
+
+enum glint_err shown_begin_light(void)
+{
+    struct glint_shader shader;
+    light_device_shader(lights, &shader);
+    return begin(lights->map, &shader, lights->material.background);
+}
+
+bool shown_next_demo(void)
+{
+    static uint32_t frame;
+    int32_t to_light[3];
+    orbit_light(to_light, frame++, ORBIT_FRAMES);
+    return relight_frame(&relight, to_light) == GLINT_OK;
+}
+
+bool shown_next_light(void)
+{
+    int32_t to_light[3];
+    return light_device_next(lights, to_light) && relight_frame(&relight, to_light) == GLINT_OK;
+}
+
+enum shown_state shown_step(void)
+{
+    if (relight_step(&relight) == RELIGHT_BUS_FAILED)
+        return SHOWN_FAILED;
+    return relight.in_frame ? SHOWN_DRAWING : relight.is_sending ? SHOWN_SENDING : SHOWN_DONE;
+}
+
+void shown_abandon(void)
+{
+    relight.in_frame = false;
+}
+#endif

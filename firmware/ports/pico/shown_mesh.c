@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT
+ * A mesh that turns. With both cores one draws the lower part, up to the line where they take equally long. */
+#include "shown.h"
+
+#if TEAPOT
+#include "demo.h"
+#include "demo_teapot.h"
+#include "turntable.h"
+
+enum {
+    STRIPS = SECOND_CORE ? PANEL_HEIGHT / TURNTABLE_LINES : 2,
+    LOWER_Y = SECOND_CORE ? 112 : PANEL_HEIGHT,
+    CORE_BYTES = 23 * 1024 /* 40 triangles go on from a strip to the next one at most; there is room for more */
+};
+
+/* What a core writes next to what a host may fill already: pixels only, so that nothing but a picture that nobody will see is spoilt. */
+static union {
+    struct shown_gud_memory gud;
+    uint32_t strips[STRIPS * PANEL_WIDTH * TURNTABLE_LINES / 2];
+} memory;
+static uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4], work[1 + SECOND_CORE][CORE_BYTES / 4];
+
+static struct light_device *lights;
+static struct turntable turntable = {.pieces.hal = &board_hal,
+                                     .mesh = &demo_teapot,
+                                     .tables_memory = tables,
+                                     .memory_bytes = CORE_BYTES,
+                                     .strips = memory.strips,
+                                     .strip_count = STRIPS,
+                                     .lower_y = LOWER_Y,
+#if SECOND_CORE
+                                     .core[1].memory = work[1],
+#endif
+                                     .core[0].memory = work[0]};
+
+const char *const shown_words = "turning a mesh";
+
+struct shown_gud_memory *shown_gud_memory(void)
+{
+    return &memory.gud;
+}
+
+uint16_t *shown_line(void)
+{
+    return (uint16_t *)memory.strips;
+}
+
+bool shown_is_intact(void)
+{
+    return demo_teapot_is_intact();
+}
+
+void shown_prepare(struct panel *panel, struct light_device *light)
+{
+    turntable.pieces.panel = panel;
+    lights = light;
+}
+
+enum glint_err shown_begin_demo(void)
+{
+    struct glint_shader shader;
+    demo_shader(&shader);
+    turntable.background = 0;
+    return turntable_start(&turntable, &shader);
+}
+
+enum glint_err shown_begin_light(void)
+{
+    return GLINT_OK;
+}
+
+bool shown_next_demo(void)
+{
+    static uint32_t frame;
+    static const int32_t to_viewer[3] = {0, 0, 1};
+    struct glint_pose pose;
+    struct glint_light light;
+    demo_pose(&pose, frame++, PANEL_WIDTH);
+    return glint_light_init(&light, demo_mesh_light, to_viewer) == GLINT_OK &&
+           turntable_frame(&turntable, &pose, &light) == GLINT_OK;
+}
+
+bool shown_next_light(void)
+{
+    return false;
+}
+
+enum shown_state shown_step(void)
+{
+    static const enum shown_state of[] = {
+        [TURNTABLE_DONE] = SHOWN_DONE, [TURNTABLE_BUSY] = SHOWN_SENDING, [TURNTABLE_BUS_FAILED] = SHOWN_FAILED};
+    const enum shown_state state = of[turntable_step(&turntable)];
+    return turntable.in_frame && state != SHOWN_FAILED ? SHOWN_DRAWING : state;
+}
+
+void shown_abandon(void)
+{
+    turntable_stop(&turntable);
+}
+#endif

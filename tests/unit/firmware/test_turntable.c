@@ -1,0 +1,287 @@
+/* SPDX-License-Identifier: MIT
+ * The display loop of a mesh draws what the library draws in one strip, in whatever order the bus and another core are ready. */
+#include "demo.h"
+#include "meshes.h"
+#include "turntable.h"
+#include "unit.h"
+
+enum { WIDTH = 37, HEIGHT = 69, STRIPS = 5, LOWER_Y = 32, BACKGROUND = 0x1234, CORE_BYTES = 16384 };
+
+/* ---- a board whose transfers end when the test lets them ---- */
+
+static struct {
+    uint16_t screen[WIDTH * HEIGHT];
+    size_t at; /* pixels since the window */
+    const uint16_t *pixels;
+    size_t count;
+    void (*done)(void *);
+    void *argument;
+    unsigned windows;
+    bool broken;
+} board;
+
+static bool on_command(void *context, uint8_t command)
+{
+    (void)context;
+    assert_null(board.done); /* commands would go among pixels */
+    if (command == PANEL_MEMORY_WRITE) {
+        board.at = 0;
+        board.windows++;
+    }
+    return !board.broken;
+}
+
+static bool on_data(void *context, const uint8_t *bytes, size_t count)
+{
+    (void)context;
+    (void)bytes;
+    (void)count;
+    return true;
+}
+
+static void on_flush(void *context, const uint16_t *pixels, size_t count, void (*done)(void *), void *argument)
+{
+    (void)context;
+    assert_null(board.done);
+    board.pixels = pixels;
+    board.count = count;
+    board.argument = argument;
+    board.done = done;
+}
+
+static bool end_flush(void)
+{
+    void (*const done)(void *) = board.done;
+    if (!done)
+        return false;
+    assert_true(board.at + board.count <= WIDTH * HEIGHT);
+    memcpy(board.screen + board.at, board.pixels, board.count * sizeof *board.pixels); /* as late as possible */
+    board.at += board.count;
+    board.done = NULL;
+    done(board.argument);
+    return true;
+}
+
+/* ---- another core, which runs as early or as late as it can ---- */
+
+static struct {
+    void (*job)(void *);
+    void *argument;
+    bool late, is_forked;
+    unsigned jobs;
+} other;
+
+/* It waits for strips of the last picture, which are sent meanwhile. */
+static void run_other(void)
+{
+    while (end_flush())
+        ;
+    other.job(other.argument);
+    other.jobs++;
+}
+
+static void on_fork(void *context, void (*job)(void *), void *argument)
+{
+    (void)context;
+    assert_false(other.is_forked);
+    other.is_forked = true;
+    other.job = job;
+    other.argument = argument;
+    if (!other.late)
+        run_other();
+}
+
+static void on_join(void *context)
+{
+    (void)context;
+    assert_true(other.is_forked);
+    other.is_forked = false;
+    if (other.late)
+        run_other();
+}
+
+static const struct hal one_core = {.bus = {.command = on_command, .data = on_data}, .flush = on_flush},
+                        two_cores = {.bus = {.command = on_command, .data = on_data},
+                                     .flush = on_flush,
+                                     .fork = on_fork,
+                                     .join = on_join};
+
+/* ---- a ball that turns ---- */
+
+static struct made_mesh ball;
+static uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4], memory[2][CORE_BYTES / 4],
+    strips[STRIPS * WIDTH * TURNTABLE_LINES / 2];
+static struct panel panel = {.controller = PANEL_ST7789, .width = WIDTH, .height = HEIGHT};
+static struct turntable turntable;
+
+static void set_up(const struct hal *hal)
+{
+    memset(&board, 0, sizeof board);
+    memset(&other, 0, sizeof other);
+    mesh_ball(&ball, 9, 14);
+    panel.bus = &hal->bus;
+    turntable = (struct turntable){.pieces = {.hal = hal, .panel = &panel},
+                                   .mesh = &ball.mesh,
+                                   .tables_memory = tables,
+                                   .memory_bytes = CORE_BYTES,
+                                   .strips = strips,
+                                   .strip_count = hal->fork ? STRIPS : 2,
+                                   .lower_y = hal->fork ? LOWER_Y : HEIGHT,
+                                   .background = BACKGROUND,
+                                   .core = {{.memory = memory[0]}, {.memory = memory[1]}}};
+}
+
+static struct glint_light light_of(const int32_t to_light[3])
+{
+    static const int32_t to_viewer[3] = {0, 0, 1};
+    struct glint_light light;
+    assert_int_equal(glint_light_init(&light, to_light, to_viewer), GLINT_OK);
+    return light;
+}
+
+static void check_screen(const struct glint_pose *pose, const struct glint_light *light)
+{
+    static uint32_t of_frame[8192], of_mesh[4096];
+    uint16_t wanted[WIDTH * HEIGHT];
+    struct glint_mesh_frame frame;
+    struct glint_mesh_drawn drawn;
+    const struct glint_paint paint = {&glint_mesh_tables, &turntable.tables};
+    for (unsigned i = 0; i < WIDTH * HEIGHT; i++)
+        wanted[i] = BACKGROUND;
+    assert_int_equal(glint_mesh_begin(&frame, WIDTH, HEIGHT, HEIGHT, 0, of_frame, sizeof of_frame), GLINT_OK);
+    assert_int_equal(glint_mesh_add(&frame, &drawn, &ball.mesh, pose, light, &paint, of_mesh, sizeof of_mesh),
+                     GLINT_OK);
+    assert_int_equal(glint_mesh_strip(&frame, 0, HEIGHT, &(struct glint_surface){wanted, 2 * WIDTH, 0, 0}), GLINT_OK);
+    assert_memory_equal(board.screen, wanted, sizeof wanted);
+}
+
+static void start(const struct hal *hal)
+{
+    struct glint_shader shader;
+    set_up(hal);
+    demo_shader(&shader);
+    assert_int_equal(turntable_start(&turntable, &shader), GLINT_OK);
+}
+
+/* Frames back to back; transfers end at random. At the end of each its picture is complete. */
+static void run_frames(unsigned run)
+{
+    const struct glint_light light = light_of(demo_mesh_light);
+    srand(run);
+    for (uint32_t frame = 0; frame < 6; frame++) {
+        struct glint_pose pose;
+        demo_pose(&pose, frame * 37 + run, WIDTH);
+        assert_int_equal(turntable_frame(&turntable, &pose, &light), GLINT_OK);
+        for (unsigned steps = 0; turntable.in_frame; steps++) {
+            assert_int_equal(turntable_step(&turntable), TURNTABLE_BUSY);
+            if (rand() % 3 == 0)
+                end_flush();
+            assert_true(steps < 1000);
+        }
+        if (frame % 2) /* else the next one follows while this one is sent */
+            continue;
+        while (turntable_step(&turntable) == TURNTABLE_BUSY)
+            end_flush();
+        check_screen(&pose, &light);
+    }
+}
+
+/* ---- tests ---- */
+
+static void frames_are_the_librarys_however_slow_the_bus_is(void **state)
+{
+    (void)state;
+    for (unsigned run = 1; run < 30; run++) {
+        start(&one_core);
+        run_frames(run);
+        assert_int_equal(board.windows, 6);
+    }
+}
+
+static void two_cores_draw_what_one_does_whichever_is_first(void **state)
+{
+    (void)state;
+    for (unsigned run = 1; run < 30; run++) {
+        start(&two_cores);
+        other.late = run & 1;
+        run_frames(run);
+        assert_int_equal(other.jobs, 6);
+    }
+}
+
+static void a_stop_waits_for_the_other_core_and_the_bus(void **state)
+{
+    (void)state;
+    struct glint_pose pose;
+    const struct glint_light light = light_of(demo_mesh_light);
+    start(&two_cores);
+    demo_pose(&pose, 0, WIDTH);
+    assert_int_equal(turntable_frame(&turntable, &pose, &light), GLINT_OK);
+    turntable_step(&turntable);
+    assert_true(other.is_forked);
+    turntable_stop(&turntable);
+    assert_false(other.is_forked);
+    assert_false(turntable.in_frame);
+    assert_int_equal(turntable_step(&turntable), TURNTABLE_DONE);
+    run_frames(3);
+}
+
+static void a_quaternion_of_zero_leaves_the_last_picture(void **state)
+{
+    (void)state;
+    const struct glint_pose none = {{0, 0, 0, 0}, {0, 0, 0}, 100};
+    const struct glint_light light = light_of(demo_mesh_light);
+    start(&one_core);
+    assert_int_equal(turntable_frame(&turntable, &none, &light), GLINT_ERR_VECTOR);
+    assert_int_equal(turntable_step(&turntable), TURNTABLE_DONE);
+    assert_int_equal(board.windows, 0);
+}
+
+static void what_it_cannot_draw_is_refused_at_the_start(void **state)
+{
+    (void)state;
+    struct glint_shader shader;
+    uint16_t ends[2] = {1, 0};
+    demo_shader(&shader);
+    set_up(&one_core);
+    ball.faces[7][1] = ball.mesh.vertex_count;
+    assert_int_equal(turntable_start(&turntable, &shader), GLINT_ERR_ARG);
+    set_up(&one_core);
+    ends[1] = ball.mesh.face_count;
+    ball.mesh.ends = ends;
+    ball.mesh.part_count = 2;
+    assert_int_equal(turntable_start(&turntable, &shader), GLINT_ERR_ARG);
+    set_up(&one_core);
+    turntable.memory_bytes = 2048;
+    assert_int_equal(turntable_start(&turntable, &shader), GLINT_ERR_ARG);
+    set_up(&two_cores);
+    turntable.strip_count = STRIPS - 1;
+    assert_int_equal(turntable_start(&turntable, &shader), GLINT_ERR_ARG);
+}
+
+static void a_bus_that_fails_is_reported(void **state)
+{
+    (void)state;
+    struct glint_pose pose;
+    const struct glint_light light = light_of(demo_mesh_light);
+    start(&one_core);
+    board.broken = true;
+    demo_pose(&pose, 0, WIDTH);
+    assert_int_equal(turntable_frame(&turntable, &pose, &light), GLINT_OK);
+    assert_int_equal(turntable_step(&turntable), TURNTABLE_BUSY);
+    assert_int_equal(turntable_step(&turntable), TURNTABLE_BUSY);
+    assert_int_equal(turntable_step(&turntable), TURNTABLE_BUS_FAILED);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(frames_are_the_librarys_however_slow_the_bus_is),
+        cmocka_unit_test(two_cores_draw_what_one_does_whichever_is_first),
+        cmocka_unit_test(a_stop_waits_for_the_other_core_and_the_bus),
+        cmocka_unit_test(a_quaternion_of_zero_leaves_the_last_picture),
+        cmocka_unit_test(what_it_cannot_draw_is_refused_at_the_start),
+        cmocka_unit_test(a_bus_that_fails_is_reported),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
