@@ -159,6 +159,32 @@ run([
         const [, up] = (await shownIsDrawn()).find(word => word.startsWith('--light=')).slice(8).split(',').map(Number)
         check(up > y + .02, `an arrow key moves it from ${y} to ${up}`)
     }],
+    ['the teapot turns by dragging and by arrow keys, while the button is pressed', async () => {
+        const turn = async () => (await shownIsDrawn()).find(word => word.startsWith('--turn='))?.slice(7).split(',').map(Number)
+        await browser.go(start)
+        check(await page.evaluate(() => document.getElementById('turn').hidden), 'the coin can be turned')
+        await page.evaluate(() => [...document.querySelectorAll('button')].find(button => button.textContent === 'Teapot').click())
+        equal(await turn(), undefined, 'its turn')
+        await browser.until(() => !document.getElementById('turn').hidden)
+        await page.click('#turn')
+        const box = await (await page.$('#canvas')).boundingBox()
+        await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2)
+        await page.mouse.down()
+        await page.mouse.move(box.x + box.width * .75, box.y + box.height / 2)
+        await page.mouse.up()
+        const [x, y] = await turn()
+        check(Math.abs(x - 25) < 3 && Math.abs(y - 15) < 3, `dragged to ${x}, ${y}`)
+        await page.keyboard.press('ArrowDown')
+        equal((await turn())[0], Math.round(10 * (x + 5)) / 10, 'x after an arrow key')
+        await page.click('#turn')
+        await page.focus('#handle')
+        await page.keyboard.press('ArrowUp')
+        equal((await turn())[0], Math.round(10 * (x + 5)) / 10, 'x after an arrow key for the light')
+        await browser.set('control-zoom', '1.4')
+        check((await shownIsDrawn()).includes('--zoom=1.4'), 'no --zoom')
+        await browser.until(() => document.querySelectorAll('#extent dt').length === 5)
+        check((await browser.text('errors')).includes('msh in double'), 'no errors')
+    }],
     ['the address restores the state, with controls that show it', async () => {
         const words = ['--scene=watchface', '--size=50x40', '--model=cayley', '-n77', '-q9', '--ambient=.3', '--format=rgb565', '--dither', '--light=.5,.5,1', '--point=10,20,30,90,1,.5,.25']
         await browser.go(fragment(words))

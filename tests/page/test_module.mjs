@@ -90,6 +90,18 @@ run([
             for (const size of ['320x240', '240x240', '135x240', '61x47', '1x1'])
                 same(engine, [`--scene=${scene}`, `--size=${size}`])
     }],
+    ['the teapot is the command\'s, by every path that draws meshes, and as it turns from what was kept', () => {
+        const engine = new Engine(program)
+        for (const path of ['exact', 'colour-int16', 'colour-int8', 'small-int16', 'small-int8'])
+            for (const turn of ['25,-30,0', '-70,140,10'])
+                same(engine, ['--scene=teapot', '--size=90x70', `--turn=${turn}`, '--format=rgb565', '--ambient=.1', '--diffuse=.8', `--path=${path}`])
+        for (const more of [[], ['--perspective=3'], ['--perspective=3', '--zoom=1.5'], ['--light=1,1,1'], ['-n9', '--color=30,90,200', '--space=linear'], ['--dither', '--format=mono']])
+            same(engine, ['--scene=teapot', '--size=61x47', ...more])
+        check(engine.draw(['--scene=teapot', '--size=61x47', '--turn=1,2,3']).kept === false, 'kept, though the format is another')
+        check(engine.draw(['--scene=teapot', '--size=61x47', '--turn=4,5,6']).kept, 'a turn is not drawn from what was kept')
+        same(engine, ['--scene=coin', '--size=61x47'])
+        same(engine, ['--scene=teapot', '--size=61x47', '--turn=4,5,6'])
+    }],
     ['points, spots and coloured lights give the command\'s pixels', () => {
         const engine = new Engine(program)
         same(engine, ['--scene=coin', '--size=96x96', '--light=-1,1,2,.5,.5,.5', '--point=80,20,30,120,1,.7,.3', '--spot=10,90,60,48,48,200,20,40,.2,.4,1'])

@@ -65,16 +65,17 @@ static void take_option(struct parsers *parsers, char *word, char **argv, struct
 {
     for (unsigned i = 0; i < parsers->count; i++) {
         const struct argp_option *option = parsers->list[i].argp->options;
-        for (; option && (option->name || option->key || option->doc); option++) {
+        for (; option && (option->name || option->key || option->doc || option->group); option++) {
             if ((!option->name && !option->key) || !is_named(option, word))
                 continue;
             const size_t length = word[1] == '-' ? strcspn(word, "=") : 2;
             char *text = word[length] ? word + length + (word[1] == '-') : NULL;
             if (text && !option->arg)
                 refuse(state, "option '%.*s' takes no value", (int)length, word);
-            if (!text && option->arg && state->next == state->argc)
+            const bool needs = option->arg && !(option->flags & OPTION_ARG_OPTIONAL);
+            if (!text && needs && state->next == state->argc)
                 refuse(state, "option '%s' needs a value: %s", word, option->arg);
-            if (!text && option->arg)
+            if (!text && needs)
                 text = argv[state->next++];
             call(&parsers->list[i], option->key, text, state);
             return;

@@ -23,7 +23,8 @@ const uint8_t *page_device_material(void)
     const struct page_state *now = page_state();
     struct light_material material;
     struct glint_shader shader;
-    const char *refusal = device_refusal(now->scene, &now->shading, &shader);
+    const char *refusal = now->scene ? device_refusal(now->scene, &now->shading, &shader)
+                                     : "the device draws maps; a mesh is drawn here alone";
     if (refusal)
         fail("%s", refusal);
     light_material_of(&material, &shader);

@@ -12,6 +12,7 @@
 #include "image/format.h"
 #include "image/levels.h"
 #include "image/picture.h"
+#include "mesh.h"
 #include "options/shading_options.h"
 #include "state.h"
 #include "words.h"
@@ -47,8 +48,8 @@ static error_t parse_option(int key, char *text, struct argp_state *argp_state)
         argp_state->child_inputs[0] = look;
         return 0;
     case ARGP_KEY_END:
-        if (look->scene.mesh.name)
-            refuse(argp_state, "the page draws no meshes; glint render does");
+        if (look->scene.mesh.name && !look->scene.mesh.built_in)
+            refuse(argp_state, "the page draws no files of meshes; glint render does");
         shading_options_check(argp_state, look, &look->shading);
         return 0;
     default:
@@ -71,18 +72,17 @@ static struct shading_options parse(char *text, size_t bytes)
 
 static void draw(void)
 {
-    const size_t bytes = state.scene->height * format_line_bytes(state.shading.format, state.scene->width);
-    if (!state.pixels)
-        state.pixels = allocate(bytes, 1); /* black where a mask leaves it */
-    state.pixels_bytes = bytes;
-    canvas_draw(state.canvas, &state.shading, state.pixels);
+    if (page_mesh())
+        mesh_draw_again(state.pixels);
+    else
+        canvas_draw(state.canvas, &state.shading, state.pixels);
 }
 
 static void show(void)
 {
     levels_free(state.levels);
     free(state.rgba);
-    state.levels = levels_of_pixels(state.scene->width, state.scene->height, state.shading.format, state.pixels);
+    state.levels = levels_of_pixels(state.width, state.height, state.shading.format, state.pixels);
     struct picture *picture = levels_picture(state.levels, WIDEN_NEAREST);
     state.rgba = rgba_of_picture(picture);
     picture_free(picture);
@@ -101,26 +101,57 @@ uint8_t *rgba_of_picture(const struct picture *picture)
     return rgba;
 }
 
+static void forget_canvas(void)
+{
+    canvas_free(state.canvas);
+    free(state.pixels);
+    state.canvas = NULL;
+    state.pixels = NULL;
+}
+
+/* Black where a mask leaves it. */
+static void make_pixels(uint32_t width, uint32_t height, enum glint_format format)
+{
+    state.width = width;
+    state.height = height;
+    state.pixels_bytes = height * format_line_bytes(format, width);
+    if (!state.pixels)
+        state.pixels = allocate(state.pixels_bytes, 1);
+}
+
+static void draw_scene(const struct shading_options *look, uint32_t keep)
+{
+    if (keep < PAGE_KEEP_SCENE) {
+        mesh_forget();
+        scene_free(state.scene);
+        struct scene_maps *maps = scene_maps_read(&look->scene);
+        state.scene = scene_of_shading_options(look, maps, 0, 0);
+        scene_maps_free(maps);
+    }
+    state.shading = shading_of_options(look, look->shading.format, &state.scene->finish);
+    if (!state.canvas)
+        state.canvas = canvas_new(state.scene, &state.shading);
+    make_pixels(state.scene->width, state.scene->height, state.shading.format);
+    draw();
+}
+
+static void draw_mesh(const struct shading_options *look, uint32_t keep)
+{
+    const uint32_t width = look->scene.width ? look->scene.width : SCENE_SIDE;
+    const uint32_t height = look->scene.width ? look->scene.height : SCENE_SIDE;
+    scene_free(state.scene);
+    state.scene = NULL;
+    make_pixels(width, height, look->shading.format);
+    state.shading = mesh_draw(look, width, height, keep, state.pixels);
+}
+
 void page_draw(char *text, size_t bytes, uint32_t keep)
 {
     const struct shading_options look = parse(text, bytes);
-    if (keep < PAGE_KEEP_CANVAS) {
-        canvas_free(state.canvas);
-        free(state.pixels);
-        state.canvas = NULL;
-        state.pixels = NULL;
-    }
-    if (keep < PAGE_KEEP_SCENE) {
-        scene_free(state.scene);
-        struct scene_maps *maps = scene_maps_read(&look.scene);
-        state.scene = scene_of_shading_options(&look, maps, 0, 0);
-        scene_maps_free(maps);
-    }
-    free(text); /* the options point into it; the scene does not */
-    state.shading = shading_of_options(&look, look.shading.format, &state.scene->finish);
-    if (!state.canvas)
-        state.canvas = canvas_new(state.scene, &state.shading);
-    draw();
+    if (keep < PAGE_KEEP_CANVAS)
+        forget_canvas();
+    (look.scene.mesh.name ? draw_mesh : draw_scene)(&look, keep);
+    free(text); /* the options point into it; scene and mesh do not */
     show();
 }
 
@@ -132,12 +163,12 @@ void page_again(uint32_t times)
 
 uint32_t page_width(void)
 {
-    return state.scene->width;
+    return state.width;
 }
 
 uint32_t page_height(void)
 {
-    return state.scene->height;
+    return state.height;
 }
 
 const uint8_t *page_pixels(void)

@@ -21,7 +21,8 @@ void PAGE_EXPORT(page_image)(char *name, uint32_t width, uint32_t height, uint32
 /* ---- the picture ---- */
 
 /* Draws by the words of `glint render`, the first being the command's name. What did not change since the call before is
- * kept: PAGE_KEEP_SCENE, the surface and its maps; PAGE_KEEP_CANVAS, all but the lights' values. */
+ * kept: PAGE_KEEP_SCENE, the surface and its maps, or the mesh; PAGE_KEEP_CANVAS, all but the lights' values and where the
+ * mesh stands. */
 enum { PAGE_KEEP_NOTHING, PAGE_KEEP_SCENE, PAGE_KEEP_CANVAS };
 void PAGE_EXPORT(page_draw)(char *words, size_t bytes, uint32_t keep);
 uint32_t PAGE_EXPORT(page_width)(void);

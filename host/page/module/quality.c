@@ -9,6 +9,7 @@
 #include "compare/compare.h"
 #include "compare/reference.h"
 #include "image/format.h"
+#include "mesh.h"
 #include "models/models.h"
 #include "page.h"
 #include "state.h"
@@ -50,6 +51,8 @@ static struct glint_box highlight_box(const struct glint_shader *shader)
 {
     const struct page_state *now = page_state();
     const struct scene *scene = now->scene;
+    if (!scene)
+        return (struct glint_box){0}; /* a mesh's is not told */
     const size_t line = format_line_bytes(now->shading.format, scene->width);
     struct glint_vec *normals = scene_normals_q15(scene);
     uint8_t *pixels = allocate(scene->height, line);
@@ -79,9 +82,9 @@ static struct glint_box highlight_box(const struct glint_shader *shader)
 static void mean_colour(const struct page_state *now, unsigned mean[3])
 {
     const struct scene *scene = now->scene;
-    const size_t pixels = (size_t)scene->width * scene->height;
+    const size_t pixels = (size_t)now->width * now->height;
     uint64_t sum[3] = {0}, count = 0;
-    for (size_t i = 0; scene->albedo && i < pixels; i++) {
+    for (size_t i = 0; scene && scene->albedo && i < pixels; i++) {
         if (scene->mask && !scene->mask[i])
             continue;
         for (unsigned k = 0; k < 3; k++)
@@ -110,13 +113,17 @@ const char *page_facts(void)
     fprintf(out, "albedo %u %u %u\n", m->albedo[0], m->albedo[1], m->albedo[2]);
     mean_colour(now, mean);
     fprintf(out, "colour %u %u %u\n", mean[0], mean[1], mean[2]);
-    fprintf(out, "has_albedo %d\nhas_gloss %d\nhas_mask %d\n", now->scene->albedo != NULL, now->scene->gloss != NULL,
-            now->scene->mask != NULL);
+    fprintf(out, "has_albedo %d\nhas_gloss %d\nhas_mask %d\n", now->scene && now->scene->albedo,
+            now->scene && now->scene->gloss, now->scene && now->scene->mask);
     /* as on a microcontroller: pointers have 32 bits here, too */
     fprintf(out, "prepared_bytes %zu\ncolour_bytes %u\nsmall_bytes %u\nalbedo_bytes %u\n",
             sizeof(struct glint_prepared),
             shading->dither ? (unsigned)GLINT_TABLES_DITHER_BYTES : (unsigned)GLINT_TABLES_COLOUR_BYTES,
             (unsigned)GLINT_TABLES_SMALL_BYTES, (unsigned)GLINT_TABLES_ALBEDO_BYTES);
+    if (page_mesh()) {
+        const struct view *view = &page_mesh()->view;
+        fprintf(out, "turn %.9g %.9g %.9g\nzoom %.9g\n", view->turn[0], view->turn[1], view->turn[2], view->zoom);
+    }
     fprintf(out, "cutoff_c_q16 %" PRId32 "\ncutoff_t_q30 %" PRIu32 "\n", cutoff,
             glint_cutoff_t(shading->model, shading->n, shading->q));
     fprintf(out, "cutoff_degrees %.6f\n", acos(cutoff / 65536.) * 180 / M_PI);
@@ -132,19 +139,18 @@ static uint8_t *error_rgba;
 static uint32_t error_times, bins[PAGE_BINS];
 
 /* Over what is drawn, each sample against the unrounded reference. */
-static void count(const struct page_state *now)
+static void count(const struct levels *levels, const struct scene *scene, const struct shading *shadings)
 {
-    const struct levels *levels = now->levels;
     const unsigned channels = levels->channels;
     const size_t samples = (size_t)levels->width * channels;
     double *line = allocate(samples, sizeof *line);
     for (unsigned i = 0; i < PAGE_BINS; i++)
         bins[i] = 0;
     for (uint32_t y = 0; y < levels->height; y++) {
-        reference_line(now->scene, &now->shading, now->shading.model, y, line);
+        reference_line(scene, shadings, shadings->model, y, line);
         for (size_t i = 0; i < samples; i++) {
             const size_t at = y * samples + i;
-            if (now->scene->mask && !now->scene->mask[at / channels])
+            if (scene->mask && !scene->mask[at / channels])
                 continue;
             const double off = 255 * fabs((double)levels->values[at] / levels->max[i % channels] - line[i]);
             bins[(unsigned)fmin(PAGE_BINS - 1, floor(4 * off + .5))]++;
@@ -157,15 +163,18 @@ const char *page_compare(void)
 {
     static struct text text;
     const struct page_state *now = page_state();
+    const struct shading *shadings;
+    struct scene *scene = page_scene(&shadings);
     struct comparison comparison;
-    compare(now->scene, &now->shading, now->levels, &comparison);
+    compare(scene, shadings, now->levels, &comparison);
     error_times = error_map_amplification(&comparison.unrounded);
-    struct picture *map = error_map(now->scene, &now->shading, now->levels, now->shading.model, error_times);
+    struct picture *map = error_map(scene, shadings, now->levels, shadings->model, error_times);
     free(error_rgba);
     error_rgba = rgba_of_picture(map);
     picture_free(map);
-    count(now);
-    comparison_print(&comparison, &now->shading, now->levels, text_open(&text));
+    count(now->levels, scene, shadings);
+    page_scene_done(scene);
+    comparison_print(&comparison, shadings, now->levels, text_open(&text));
     return text_close(&text);
 }
 

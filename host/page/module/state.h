@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * What the module holds between calls: the scene and the picture of the last page_draw. */
+ * What the module holds between calls: the scene or mesh, and the picture of the last page_draw. */
 #ifndef GLINT_PAGE_STATE_H
 #define GLINT_PAGE_STATE_H
 
@@ -9,9 +9,10 @@
 #include "scene/scene.h"
 
 struct page_state {
-    struct scene *scene;
-    struct shading shading;
+    struct scene *scene; /* NULL: a mesh */
     struct canvas *canvas;
+    uint32_t width, height;
+    struct shading shading; /* of a mesh: its first part's */
     uint8_t *pixels, *rgba;
     size_t pixels_bytes;
     struct levels *levels;

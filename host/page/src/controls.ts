@@ -29,6 +29,8 @@ interface Row {
     build: (id: string, line: HTMLElement) => (state: State, facts: Facts | undefined) => void
     number: (state: State, facts: Facts) => string
     meaning: (state: State, facts: Facts) => string
+    /** There is only something to set where a mesh is drawn. */
+    onlyMesh?: boolean
 }
 
 const set = (option: Option, text: string | undefined, kind = '') => change({ [option]: text } as Partial<State>, kind)
@@ -118,6 +120,17 @@ const size: Row['build'] = (id, line) => {
     }
 }
 
+/** Of a mesh. */
+const text = (option: Option, standard: (facts: Facts) => string): Row['build'] => (id, line) => {
+    const input = make('input', { type: 'text', id, spellcheck: false })
+    input.onchange = () => set(option, input.value.replace(/\s/g, '') || undefined)
+    line.append(input)
+    return (state, facts) => {
+        if (facts && document.activeElement !== input)
+            input.value = state[option] ?? standard(facts)
+    }
+}
+
 const view: Row['build'] = (id, line) => {
     const input = make('input', { type: 'text', id, spellcheck: false })
     input.onchange = () => set('view', input.value.replace(/\s/g, '') || undefined)
@@ -159,6 +172,9 @@ const table: Row[] = [
     { option: 'space', title: 'Space', build: choice('space', ['gamma', 'linear'], 'gamma'), number: s => constant(s.space ?? 'gamma'), meaning: s => s.space === 'linear' ? 'Light is summed linearly, then encoded as sRGB' : 'Light is summed as encoded: faster, and what most small renderers do' },
     { option: 'path', title: 'Path', build: choice('path', paths, 'exact'), number: s => s.path ? `--path ${s.path}` : 'glint_shade_rect', meaning: s => pathMeaning(s.path ?? 'exact') },
     { option: 'size', title: 'Panel size', build: size, number: s => s.size ?? 'the map\'s', meaning: s => s.height || s.normals ? 'A map is cut or repeated to this size, never scaled' : 'Width × height in pixels' },
+    { option: 'turn', title: 'Turn', onlyMesh: true, build: text('turn', f => f.turn?.join() ?? ''), number: (_, f) => `--turn ${f.turn}`, meaning: () => 'Degrees about x, y and z; the button below the picture lets you drag it' },
+    { option: 'zoom', title: 'Zoom', onlyMesh: true, build: text('zoom', f => String(f.zoom ?? '')), number: (_, f) => `--zoom ${f.zoom}`, meaning: () => '1: whatever its turn, the mesh fills the picture' },
+    { option: 'perspective', title: 'Perspective', onlyMesh: true, build: text('perspective', () => ''), number: s => s.perspective === undefined ? 'parallel' : `--perspective=${s.perspective || 4}`, meaning: () => 'The camera\'s distance in radii of the mesh, 1.5 to 100; empty: from infinitely far' },
     { option: 'view', title: 'Viewer', build: view, number: s => `to_viewer = ${s.view ?? '0,0,1'}`, meaning: () => 'The direction to you: x right, y up, z out of the panel' },
 ]
 
@@ -177,8 +193,10 @@ const updates: ((state: State, facts: Facts | undefined) => void)[] = table.map(
     const update = row.build(id, line)
     const number = make('output', { className: 'number' }), meaning = make('span', { className: 'meaning', id: `${id}-meaning` })
     line.querySelector(`#${id}`)?.setAttribute('aria-describedby', meaning.id)
-    byId('rows').append(make('div', { className: 'row' }, line, make('div', { className: 'note' }, number, meaning)))
+    const whole = make('div', { className: 'row' }, line, make('div', { className: 'note' }, number, meaning))
+    byId('rows').append(whole)
     return (state, facts) => {
+        whole.hidden = row.onlyMesh === true && !facts?.turn
         update(state, facts)
         if (!facts)
             return

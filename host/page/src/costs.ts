@@ -52,6 +52,8 @@ export function costs(state: State, facts: Facts, width: number, height: number)
     const pixel = row && value('pixel', row), frame = row && value('frame pixel', row)
     const asm = row && value('pixel', row, 'asm')
     const out: [string, string][] = []
+    if (facts.turn)
+        return [['Cycles', 'not in the table for meshes: glint bake --mesh tells them']]
     if (row && pixel && frame) {
         out.push(['Nearest measured case', `${row}, n = 60`])
         out.push(['Cycles a covered pixel', commas(pixel) + (asm ? ` (assembly ${commas(asm)})` : '')])

@@ -76,7 +76,7 @@ export class Engine {
         return this.guard(() => {
             const { call } = this.module
             const surface = words.filter(word => ofSurface.test(word)).join('\0') + words.some(word => word.startsWith('--color'))
-            const material = words.map(lightKind).join('\0')
+            const material = words.map(withoutMoves).join('\0')
             const keep = material === this.material ? keepCanvas : surface === this.surface ? keepScene : keepNothing
             this.surface = this.material = '' // until it is drawn
             this.module.takeWarnings()
@@ -249,7 +249,7 @@ function extentOf(before: Uint8Array, now: Uint8Array, height: number): Extent {
     return { changed: changed / now.length, box: right < 0 ? 0 : (right - left + 1) * (bottom - top + 1), lines, frame: now.length }
 }
 
-/** A light as what canvas_new looks at: its kind. */
-function lightKind(word: string): string {
-    return word.replace(/^(--(light|point|spot))=.*/, '$1')
+/** A word as what the canvas is made for: of a light its kind, of a mesh not where it stands. */
+function withoutMoves(word: string): string {
+    return word.replace(/^(--(light|point|spot|turn|zoom|perspective))\b.*/, '$1')
 }

@@ -6,10 +6,10 @@ import { redraw } from './picture'
 import { change, current, onChange } from './store'
 import type { Option, State } from './words'
 
-const scenes = ['sphere', 'watchface', 'coin', 'dial'] as const
+const scenes = ['sphere', 'watchface', 'coin', 'dial', 'teapot'] as const
 const kinds = ['height', 'normals', 'albedo', 'gloss', 'mask'] as const
 type Kind = typeof kinds[number]
-const without: Partial<State> = { height: undefined, normals: undefined, mask: undefined, albedo: undefined, gloss: undefined, scale: undefined, bevel: undefined, wrap: undefined, 'flip-y': undefined, color: undefined }
+const without: Partial<State> = { height: undefined, normals: undefined, mask: undefined, albedo: undefined, gloss: undefined, scale: undefined, bevel: undefined, wrap: undefined, 'flip-y': undefined, color: undefined, turn: undefined, zoom: undefined, perspective: undefined }
 
 const press = buttons(byId('scenes'), scenes, capital, scene => change({ ...without, scene, size: current().size ?? '240x240' }))
 

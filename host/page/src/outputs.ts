@@ -22,7 +22,7 @@ function save(name: string, bytes: Uint8Array<ArrayBuffer>): void {
 
 /** Without maps, which a shader has not; of a scene its finish counts. */
 const shader = (state: State) => wordsOf({ ...state, height: undefined, normals: undefined, albedo: undefined, gloss: undefined, mask: undefined,
-    bevel: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined })
+    bevel: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined, turn: undefined, zoom: undefined, perspective: undefined })
 const tables = (state: State, kind: string) => ['glint table', `--kind=${kind}`, ...shader({ ...state, lights: [] }), '-o', `${kind}_tables.c`]
 /** RGB565 colours go beside normals, not beside a palette's offsets. */
 const baked = (state: State, to: string, name: string) => ['glint bake', ...only(to.startsWith('palette') || name.endsWith('.uf2') ? scene : [...scene, 'albedo'], state), `--to=${to}`, '-o', name]

@@ -4,6 +4,7 @@ import { ask } from './client'
 import { byId, show, short } from './dom'
 import type { Facts } from './engine'
 import { change, current, onChange } from './store'
+import { isTurning, offerTurn, turnBy } from './turn'
 import { fragmentOf, wordsOf } from './words'
 import type { State } from './words'
 
@@ -55,6 +56,7 @@ export async function redraw(): Promise<void> {
             say('', picture.warnings)
             byId('status').textContent = `${picture.width} × ${picture.height}, ${state.format ?? 'rgb888'}${state.dither !== undefined ? ', dithered' : ''}; ${picture.kept ? 'drawn' : 'prepared and drawn'} in ${picture.milliseconds.toFixed(1)} ms`
             layOut()
+            offerTurn(picture.facts)
             listeners.forEach(listener => listener(picture))
         } catch (error) {
             say((error as Error).message, [])
@@ -161,14 +163,36 @@ panel.onpointerdown = event => {
         return
     panel.setPointerCapture(event.pointerId)
     handle.focus({ preventScroll: true })
-    follow(event)
+    last = [event.clientX, event.clientY]
+    if (!isTurning())
+        follow(event)
     event.preventDefault()
 }
 panel.onpointermove = event => {
-    if (panel.hasPointerCapture(event.pointerId))
+    if (!panel.hasPointerCapture(event.pointerId))
+        return
+    if (isTurning() && drawn)
+        turnAlong(event, drawn.facts)
+    else
         follow(event)
 }
+
+/** Where the pointer was when the mesh was drawn; half a turn is the picture's width. */
+let last = [0, 0]
+function turnAlong({ clientX, clientY }: PointerEvent, facts: Facts): void {
+    if (busy)
+        return
+    const degrees = 180 / canvas.clientWidth
+    turnBy((clientX - last[0]) * degrees, (clientY - last[1]) * degrees, facts)
+    last = [clientX, clientY]
+}
 handle.onkeydown = event => {
+    const turns: Record<string, [number, number]> = { ArrowLeft: [-5, 0], ArrowRight: [5, 0], ArrowUp: [0, -5], ArrowDown: [0, 5] }
+    if (isTurning() && turns[event.key] && drawn) {
+        turnBy(...turns[event.key], drawn.facts)
+        event.preventDefault()
+        return
+    }
     const step = event.shiftKey ? .1 : .02, [x, y] = place()
     const moves: Record<string, () => void> = {
         ArrowLeft: () => moveTo(x - step, y), ArrowRight: () => moveTo(x + step, y), ArrowUp: () => moveTo(x, y - step),

@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: MIT */
+#include "mesh.h"
+
+#include <stdlib.h>
+
+#include "compare/mesh_scene.h"
+#include "draw/mesh_canvas.h"
+#include "mesh/load.h"
+#include "page.h"
+#include "state.h"
+
+static struct page_mesh kept;
+
+const struct page_mesh *page_mesh(void)
+{
+    return kept.mesh ? &kept : NULL;
+}
+
+static void forget_canvas(void)
+{
+    mesh_canvas_free(kept.canvas);
+    free(kept.shadings);
+    free(kept.now);
+    kept.canvas = NULL;
+    kept.shadings = kept.now = NULL;
+}
+
+void mesh_forget(void)
+{
+    forget_canvas();
+    fitted_free(kept.fitted);
+    mesh_free(kept.mesh);
+    kept = (struct page_mesh){.mesh = NULL};
+}
+
+static struct shading *shadings_of(const struct shading_options *look)
+{
+    const struct shading shading = shading_of_options(look, look->shading.format, &plain_finish);
+    return mesh_shadings(kept.mesh, &shading, !look->has_color, !look->shading.n);
+}
+
+struct shading mesh_draw(const struct shading_options *look, uint32_t width, uint32_t height, uint32_t keep,
+                         uint8_t *pixels)
+{
+    if (keep < PAGE_KEEP_SCENE) {
+        mesh_forget();
+        kept.mesh = mesh_load(&look->scene.mesh);
+        kept.fitted = mesh_fit(kept.mesh, 0);
+    }
+    if (keep < PAGE_KEEP_CANVAS) {
+        forget_canvas();
+        kept.shadings = shadings_of(look);
+        kept.canvas = mesh_canvas_new(kept.fitted, kept.shadings);
+    }
+    free(kept.now);
+    kept.now = shadings_of(look);
+    kept.view = view_of_options(&look->view, width, height, look->scene.mesh.built_in);
+    mesh_draw_again(pixels);
+    return kept.now[0];
+}
+
+void mesh_draw_again(uint8_t *pixels)
+{
+    mesh_canvas_draw(kept.canvas, &kept.view, kept.now, pixels);
+}
+
+struct scene *page_scene(const struct shading **shadings)
+{
+    struct mesh_coverage coverage;
+    const struct page_state *now = page_state();
+    *shadings = kept.mesh ? kept.now : &now->shading;
+    return kept.mesh ? mesh_scene(kept.mesh, kept.fitted, &kept.view, &coverage) : now->scene;
+}
+
+void page_scene_done(struct scene *scene)
+{
+    if (kept.mesh)
+        scene_free(scene);
+}
