@@ -8,7 +8,7 @@
 
 #if !CONFORMANCE_MODELS_ONLY
 
-enum { VERTICES = 10, FACES = 14, WIDTH = 19, HEIGHT = 13, STRIP = 5, MEMORY = 1500 };
+enum { VERTICES = 10, FACES = 14, WIDTH = 19, HEIGHT = 9, STRIP = 5, MEMORY = 1500 };
 static int16_t places[3 * VERTICES], normals[3 * VERTICES];
 static uint16_t faces[3 * FACES];
 

@@ -6,7 +6,7 @@
 #include "conformance.h"
 #include "glint.h"
 
-enum { W = 13, H = 3, LINE = 4 * W + 2 }; /* of a rectangle */
+enum { W = 11, H = 3, LINE = 4 * W + 2 }; /* of a rectangle */
 
 void conform_random_shader(struct glint_shader *shader, unsigned model);
 void conform_random_normal(struct glint_vec *normal, const struct glint_light *light);

@@ -15,7 +15,7 @@ avr_CORE_atmega328p = atmega328p
 avr_FLAGS_atmega328p = -mmcu=atmega328p
 avr_SCRIPT_atmega328p = budget328p.ld
 avr_IMAGE_atmega328p = -DCONFORMANCE_MODELS_ONLY=1
-avr_SKIPS_atmega328p = 23
+avr_SKIPS_atmega328p = 26
 avr_PUSHED_atmega328p = 2
 $(eval $(call bare_port,avr))
 
