@@ -68,14 +68,14 @@ void checkpoint_read(const char *path, const struct search_options *options, uin
     json_t *wanted = search_of(options);
     const char *kind = json_string_value(json_object_get(root, "glint"));
     if (!kind || strcmp(kind, "joint search") != 0)
-        fail("search: --checkpoint: %s is not a checkpoint of glint search; name another file, or remove it", path);
+        fail("--checkpoint: %s is not a checkpoint of glint search; name another file, or remove it", path);
     if (!json_equal(search, wanted))
-        fail("search: --checkpoint: %s is of a search with other options; name another file, or remove it", path);
+        fail("--checkpoint: %s is of a search with other options; name another file, or remove it", path);
     const double sets = search_first_size(options);
     json_int_t done;
     if (json_unpack(root, "{s:I}", "sets_done", &done) != 0 || done < 0 || (double)done > sets ||
         !read_best(json_object_get(root, "best"), (uint64_t)(sets * fourth_power(options->coefficients.count)), best))
-        fail("search: --checkpoint: %s is damaged; remove it to search from the beginning", path);
+        fail("--checkpoint: %s is damaged; remove it to search from the beginning", path);
     *sets_done = (uint64_t)done;
     json_decref(wanted);
     json_decref(root);

@@ -226,7 +226,7 @@ static void read_config(void)
     if (!reader.stream)
         fail("--bus-config: %s: %s", config_path, strerror(errno));
     if (fstat(fileno(reader.stream), &status) == 0 && S_ISDIR(status.st_mode))
-        fail("--bus-config: %s: is a directory; name a file", config_path);
+        fail("--bus-config: %s: this is a folder; name a file", config_path);
     const int bad = ini_parse_stream(read_line, &reader, take, &reader);
     if (ferror(reader.stream))
         fail("--bus-config: %s: %s", config_path, strerror(errno));

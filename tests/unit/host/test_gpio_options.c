@@ -123,7 +123,7 @@ static void a_file_that_cannot_be_read_is_named(void **state)
 {
     (void)state;
     assert_fails("$GLINT stream coin --to gpio --bus-config none.ini", "--bus-config: none.ini: No such file");
-    assert_fails("$GLINT stream coin --to gpio --bus-config out", "--bus-config: out: is a directory; name a file");
+    assert_fails("$GLINT stream coin --to gpio --bus-config out", "--bus-config: out: this is a folder; name a file");
     assert_refused("$GLINT stream coin --to gpio --bus-config ''", "--bus-config: the file name is empty");
 }
 
