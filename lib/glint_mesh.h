@@ -22,15 +22,14 @@ struct glint_mesh {
     const int16_t *normals; /* x, y, z of each vertex in Q1.15, of about unit length; NULL where normals8 are given */
     const int8_t *normals8; /* the same in Q0.7: 127 counts as 1.0 */
     const uint16_t *faces;  /* three vertices of each triangle, counterclockwise as seen from outside */
-    const uint16_t *
-        ends; /* parts of different material: the face that each ends before, ascending, the last `faces`' number; NULL: one part */
+    /* Parts of different material: the face that each ends before, ascending, the last face_count; NULL: one part. */
+    const uint16_t *ends;
     uint16_t vertex_count;
     uint16_t face_count;
     uint8_t part_count; /* of ends */
 };
 /* GLINT_ERR_ARG: NULL, no vertex, an index beyond them, more than GLINT_MESH_FACES_MAX faces, -128 as a normal's, parts that do
- * not ascend to the last face. The other functions do not look
- * at indices: check a mesh once. */
+ * not ascend to the last face. The other functions do not look at indices: check a mesh once. */
 enum glint_err glint_mesh_check(const struct glint_mesh *mesh);
 
 /* Where a mesh stands. */
@@ -98,7 +97,7 @@ enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_
 
 /* Draws lines y..y + h - 1, where the nearer hides the farther; pixels without a surface are left as they are. *surface: where the
  * strip's first pixel goes. Where y is not the line after the last strip's, faces are sorted again. GLINT_ERR_ARG: NULL, lines
- * beyond the picture or more than glint_mesh_begin was told, a paint whose path cannot draw so. */
+ * beyond the picture or more than glint_mesh_begin was told, a paint whose path cannot draw there. */
 enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint16_t h,
                                 const struct glint_surface *surface);
 
