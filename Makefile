@@ -171,6 +171,7 @@ include $(sort $(wildcard firmware/ports/*/port.mk))
 include host/page/page.mk
 include tests/bench/bench.mk tests/bench/host/host.mk tests/bench/stream/stream.mk tests/bench/search/search.mk
 include $(sort $(wildcard tests/*/tier.mk))
+include tests/strength/strength.mk
 
 # A tier with a quick part that needs no set-up has a goal check-TIER.
 CHECKS = $(shell sed -n 's/^\(check-[a-z]*\):.*/\1/p' $(sort $(wildcard tests/*/tier.mk)))

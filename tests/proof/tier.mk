@@ -22,4 +22,20 @@ run-proof: $(PROOF_BUILD)/test_finite $(CONFORMANCE_EXPECTED)
 		TALLY_JOBS=2 tests/tally $(addprefix tests/proof/test_,lobes faults powers static msh pixel) \
 		$(PROOF_BUILD)/test_finite
 
+# Frama-C is 1.4 GB, and Eva takes minutes: not part of make test.
+PROOF_EVA_PACKAGES = frama-c-base gcc libc6-dev
+setup-proof-eva:
+	@.ci/need "make proof" $(PROOF_EVA_PACKAGES)
+
+proof: setup-proof setup-proof-eva ## check: tier proof, and Frama-C's Eva over functions of the library with all arguments
+	@+$(SUBMAKE) run-proof
+	@+$(SUBMAKE) run-proof-eva
+
+run-proof-eva:
+	@mkdir -p $(PROOF_BUILD)
+	@$(CC) -std=c11 -O2 $(OPENMP) -fsanitize=undefined -fno-sanitize-recover=all -Ilib tests/proof/eva_finite.c lib/lobe_*.c lib/math_*.c \
+		-o $(PROOF_BUILD)/eva_finite
+	@TALLY_TIMEOUT=3600 tests/tally $(PROOF_BUILD)/eva_finite tests/proof/eva
+
+.PHONY: proof setup-proof-eva run-proof-eva
 .PHONY: setup-proof test-proof run-proof

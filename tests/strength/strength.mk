@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+# How strong the tests are: what the quick ones execute (make coverage), and which faults they notice (make mutants).
+STRENGTH_PACKAGES = gcovr
+STRENGTH_COUNTED = BUILD=build/coverage CFLAGS='-O0 -g --coverage -fprofile-update=atomic'
+STRENGTH_PLAIN = BUILD=build/mutants CFLAGS='-O1 -fPIC'
+STRENGTH_EXACT = $(addprefix tests/exact/test_,eval cutoff pixel unit reach lights)
+# How many mutants, and which: another seed chooses others.
+STRENGTH_MUTANTS = $(or $(MUTANTS),440)
+STRENGTH_SEED = $(or $(SEED),1)
+
+setup-strength: setup-unit setup-exact
+	@.ci/need "make coverage" $(STRENGTH_PACKAGES)
+
+# For lines and branches a few arguments are as good as many.
+coverage: setup-strength ## check: which lines and branches of lib/, firmware/core/ and host/ the quick tests execute
+	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs $(STRENGTH_EXACT:%=build/coverage/%)
+	@find build/coverage -name '*.gcda' -delete
+	@+EXACT_EVERY=100 GLINT_PIXELS=1 tests/tally $(STRENGTH_EXACT:%=build/coverage/%)
+	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) run-check-unit
+	@tests/strength/covered build/coverage
+
+strength-programs: $(HOST_ARCHIVES) $(UNIT_TESTS:%=%.o) $(STRENGTH_EXACT:%=$(BUILD)/%.o) $(BUILD)/host/main.o \
+	$(patsubst %,$(BUILD)/tests/exact/%.o,oracle near cases reference_lights reference_pixel)
+
+mutants: setup-strength ## check: how many small faults in lib/ and firmware/core/ the quick tests notice (an hour); MUTANTS=440 SEED=1
+	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs $(STRENGTH_EXACT:%=build/coverage/%)
+	@+$(SUBMAKE) -s $(STRENGTH_PLAIN) strength-programs
+	@COMPILE="$(CC) -Ilib -Ifirmware/core -std=c99 -ffreestanding -O1 -fPIC" LINK="-lcmocka -lmpfr -lgmp $(HOST_LDLIBS)" GLINT_SOURCE="$(CURDIR)" \
+		tests/strength/mutants build/mutants build/coverage $(STRENGTH_MUTANTS) $(STRENGTH_SEED)
+
+.PHONY: setup-strength coverage strength-programs mutants
