@@ -184,6 +184,9 @@ run([
         check((await shownIsDrawn()).includes('--zoom=1.4'), 'no --zoom')
         await browser.until(() => document.querySelectorAll('#extent dt').length === 5)
         check((await browser.text('errors')).includes('msh in double'), 'no errors')
+        const saved = await browser.save('file-mesh', 2), expected = command.files(['bake', '--scene=teapot', '-o', 'mesh.c'])
+        check(Object.keys(expected).every(file => saved[file]?.equals(expected[file])), 'the saved mesh is not the command\'s')
+        check(await page.evaluate(() => document.getElementById('file-int8').hidden && !document.getElementById('file-material').hidden), 'files of a map are offered')
     }],
     ['the address restores the state, with controls that show it', async () => {
         const words = ['--scene=watchface', '--size=50x40', '--model=cayley', '-n77', '-q9', '--ambient=.3', '--format=rgb565', '--dither', '--light=.5,.5,1', '--point=10,20,30,90,1,.5,.25']

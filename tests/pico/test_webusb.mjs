@@ -20,7 +20,9 @@ engine.addWhite(white, width, height)
 
 // Where the package differs from WebUSB: a STALL is an error, not the transfer's status; and a transfer ends after a second, which the
 // emulated board may need, if not told otherwise.
-const TIMEOUT_MS = 20000
+const TIMEOUT_MS = 60000
+// Seconds for what the board does within one, emulated on a machine that does other things, too.
+const LONG = 120
 function conforming(device) {
   return new Proxy(device, { get(_, name) {
     const value = device[name]
@@ -34,17 +36,17 @@ function conforming(device) {
 }
 let pico, has
 async function connect() {
-  const device = await board.during(usb.requestDevice({ filters }), 30, 'requestDevice')
-  pico = await board.during(Pico.connect(usb, conforming(device), (bytes) => engine.deviceSize(bytes)), 60, 'connecting')
+  const device = await board.during(usb.requestDevice({ filters }), LONG, 'requestDevice')
+  pico = await board.during(Pico.connect(usb, conforming(device), (bytes) => engine.deviceSize(bytes), 1000 * LONG), LONG, 'connecting')
   has = { map: '', material: '' }
 }
 const words = (light, more = ['--scene=coin', '-n40']) => wordsOf(onDevice(stateOfWords([...more, `--light=${light}`]), width, height, '200,140,40'))
 // Draws in the module, sends what changed, and compares the panel with the module's picture. Returns what was sent.
 async function follow(list) {
   const { rgba } = engine.draw(list), scene = engine.device(width, height, has)
-  if (scene.map) await board.during(pico.sendMap(scene.map), 60, 'the map')
-  if (scene.material) await board.during(pico.sendMaterial(scene.material), 20, 'the material')
-  await board.during(pico.sendLight(scene.light), 20, 'the light')
+  if (scene.map) await board.during(pico.sendMap(scene.map), LONG, 'the map')
+  if (scene.material) await board.during(pico.sendMaterial(scene.material), LONG, 'the material')
+  await board.during(pico.sendLight(scene.light), LONG, 'the light')
   has = scene.has
   const rgb = Buffer.alloc(3 * width * height)
   for (let i = 0; i < width * height; i++) rgba.subarray(4 * i, 4 * i + 3).forEach((level, k) => { rgb[3 * i + k] = level })
@@ -52,7 +54,7 @@ async function follow(list) {
   return scene
 }
 async function trouble(promise) {
-  const error = await board.during(promise, 60, 'the trouble').then(() => undefined, (error) => error)
+  const error = await board.during(promise, LONG, 'the trouble').then(() => undefined, (error) => error)
   check(error, 'nothing went wrong')
   return error.message
 }
@@ -61,7 +63,7 @@ const has_display = () => existsSync('/dev/fb0')
 await run([
   ['WebUSB finds the board and has its light interface, while the kernel\'s driver keeps the display', async () => {
     await board.plug()
-    await board.serve(has_display, 60, '/dev/fb0')
+    await board.serve(has_display, LONG, '/dev/fb0')
     await connect()
     equal(`${pico.width}x${pico.height}`, `${width}x${height}`, 'its size')
     check(board.pico.uart.endsWith('a computer sends lights\r\n'), board.pico.uart)
@@ -98,17 +100,17 @@ await run([
     await follow(words('-.5,.5,1'))
   }],
   ['closed, the panel is the kernel\'s again', async () => {
-    await board.during(pico.close(), 20, 'closing')
-    await board.serve(() => /(a computer draws|relighting)\r\n$/.test(board.pico.uart), 20, 'the hand-over')
+    await board.during(pico.close(), LONG, 'closing')
+    await board.serve(() => /(a computer draws|relighting)\r\n$/.test(board.pico.uart), LONG, 'the hand-over')
   }],
   ['while another program has the board that is said, and afterwards connecting goes on', async () => {
     const other = board.start_command([glint, 'stream', '--height=tests/data/rockwall-height.png', `--size=${width}x${height}`, '--fps=0', '--to=usb', '--shade=device'])
     try {
-      await board.serve(() => board.pico.uart.endsWith('lights\r\n') || other.status !== undefined, 60, 'glint stream')
+      await board.serve(() => board.pico.uart.endsWith('lights\r\n') || other.status !== undefined, LONG, 'glint stream')
       equal(other.status, undefined, `glint stream says ${other.text}`)
       equal(await trouble(connect()), sentences.held, 'the sentence')
     } finally { other.child.kill('SIGINT') }
-    await board.serve(() => other.status !== undefined, 60, 'the end of glint stream')
+    await board.serve(() => other.status !== undefined, LONG, 'the end of glint stream')
     await connect()
     await follow(words('0,.5,1'))
   }],
@@ -117,9 +119,9 @@ await run([
     engine.draw(words('0,-.5,1'))
     equal(await trouble(pico.sendLight(engine.device(width, height, has).light)), sentences.unplugged, 'the sentence')
     await board.plug()
-    await board.serve(has_display, 60, '/dev/fb0')
+    await board.serve(has_display, LONG, '/dev/fb0')
     await connect()
     await follow(words('0,-.5,1'))
-    await board.during(pico.close(), 20, 'closing')
+    await board.during(pico.close(), LONG, 'closing')
   }],
 ])

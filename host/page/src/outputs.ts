@@ -27,17 +27,19 @@ const tables = (state: State, kind: string) => ['glint table', `--kind=${kind}`,
 /** RGB565 colours go beside normals, not beside a palette's offsets. */
 const baked = (state: State, to: string, name: string) => ['glint bake', ...only(to.startsWith('palette') || name.endsWith('.uf2') ? scene : [...scene, 'albedo'], state), `--to=${to}`, '-o', name]
 
-const files: { title: string, name: string, words: (state: State) => string[] }[] = [
+/** of: what the surface must be, a map or a mesh. */
+const files: { title: string, name: string, words: (state: State) => string[], of?: 'map' | 'mesh' }[] = [
     { title: 'Material, C', name: 'material', words: state => ['glint material', ...shader(state), '-o', 'material.h'] },
     { title: 'Tables, 20 KB', name: 'colour', words: state => tables(state, 'colour') },
     { title: 'Tables, 1 KB', name: 'small', words: state => tables(state, 'small') },
     { title: 'Tables over a map', name: 'albedo', words: state => tables(state, 'albedo') },
-    { title: 'Normals, 8 bits, C', name: 'int8', words: state => baked(state, 'int8', 'normals.c') },
-    { title: 'Normals, 10 bits, C', name: 'int10', words: state => baked(state, 'int10', 'normals.c') },
-    { title: 'Normals, 16 bits, C', name: 'int16', words: state => baked(state, 'int16', 'normals.c') },
-    { title: 'Palette, C', name: 'palette', words: state => baked(state, 'palette', 'normals.c') },
-    { title: 'Normals, raw', name: 'raw', words: state => baked(state, 'int8', 'normals.bin') },
-    { title: 'Normals, UF2', name: 'uf2', words: state => baked(state, 'int8', 'normals.uf2') },
+    { title: 'Normals, 8 bits, C', name: 'int8', words: state => baked(state, 'int8', 'normals.c'), of: 'map' },
+    { title: 'Normals, 10 bits, C', name: 'int10', words: state => baked(state, 'int10', 'normals.c'), of: 'map' },
+    { title: 'Normals, 16 bits, C', name: 'int16', words: state => baked(state, 'int16', 'normals.c'), of: 'map' },
+    { title: 'Palette, C', name: 'palette', words: state => baked(state, 'palette', 'normals.c'), of: 'map' },
+    { title: 'Normals, raw', name: 'raw', words: state => baked(state, 'int8', 'normals.bin'), of: 'map' },
+    { title: 'Normals, UF2', name: 'uf2', words: state => baked(state, 'int8', 'normals.uf2'), of: 'map' },
+    { title: 'Mesh, C', name: 'mesh', words: state => ['glint bake', ...only(['scene'], state), '-o', 'mesh.c'], of: 'mesh' },
 ]
 
 async function run(words: string[]): Promise<void> {
@@ -84,4 +86,8 @@ async function copy(text: string, button: HTMLElement): Promise<void> {
 byId('copy').onclick = event => void copy(line(), event.currentTarget as HTMLElement)
 byId('copy-link').onclick = event => void copy(link(), event.currentTarget as HTMLElement)
 
-onDrawn(() => { byId('command').textContent = line() })
+onDrawn(({ facts }) => {
+    byId('command').textContent = line()
+    for (const { name, of } of files)
+        byId(`file-${name}`).hidden = of !== undefined && of !== (facts.turn ? 'mesh' : 'map')
+})

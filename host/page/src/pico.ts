@@ -29,8 +29,8 @@ const refused = (what: string, status: number) => new Trouble(`The device refuse
 
 /** Pieces of a map: none takes long, however slow the bus. */
 const pieceBytes = 8192
-/** How long a transfer, or a frame, may take. */
-const patience = 10000
+/** How many milliseconds a transfer, or a frame, may take. */
+const usualPatience = 10000
 
 export class Pico {
     width = 0
@@ -38,11 +38,11 @@ export class Pico {
     private number = 0
     private endpoint = 0
 
-    private constructor(private usb: Usb, readonly device: UsbDevice) {}
+    private constructor(private usb: Usb, readonly device: UsbDevice, private patience: number) {}
 
     /** sizeOf: width << 16 | height of a descriptor, 0 where it is none. */
-    static async connect(usb: Usb, device: UsbDevice, sizeOf: (descriptor: Uint8Array) => number | Promise<number>): Promise<Pico> {
-        const it = new Pico(usb, device)
+    static async connect(usb: Usb, device: UsbDevice, sizeOf: (descriptor: Uint8Array) => number | Promise<number>, patience = usualPatience): Promise<Pico> {
+        const it = new Pico(usb, device, patience)
         try {
             await device.open().catch(() => { throw new Trouble(sentences.notOpened) })
             if (!device.configuration)
@@ -153,7 +153,7 @@ export class Pico {
 
     /** GUD_BUSY: a light waits or is drawn. */
     private async expectDone(what: string): Promise<void> {
-        const end = performance.now() + patience
+        const end = performance.now() + this.patience
         for (let status; (status = await this.status()) !== wire.GUD_OK;) {
             if (status !== wire.GUD_BUSY)
                 throw refused(what, status)
@@ -164,7 +164,7 @@ export class Pico {
 
     private within<T>(transfer: Promise<T>): Promise<T> {
         let timer: ReturnType<typeof setTimeout>
-        const late = new Promise<never>((_, reject) => { timer = setTimeout(() => reject(new Trouble(sentences.silent)), patience) })
+        const late = new Promise<never>((_, reject) => { timer = setTimeout(() => reject(new Trouble(sentences.silent)), this.patience) })
         return Promise.race([transfer, late]).finally(() => clearTimeout(timer))
     }
 
