@@ -184,7 +184,7 @@ check-format:
 	@tests/tally "tests/format $(sort $(FORMATTED))"
 
 # The packages of the tiers are installed while the first of them runs: a tier's own set-up then finds them, or says what is missing.
-TEST_LISTS = $(filter-out TEST_% DEMO_% BENCH_%,$(filter %_PACKAGES,$(.VARIABLES))) BENCH_EMULATOR_PACKAGES
+TEST_LISTS = $(filter-out TEST_% DEMO_% BENCH_% STRENGTH_% PROOF_EVA_%,$(filter %_PACKAGES,$(.VARIABLES))) BENCH_EMULATOR_PACKAGES
 TEST_PACKAGES = $(sort $(foreach list,$(TEST_LISTS),$($(list))))
 test: ## check: set up what is missing and run every tier; the last line is the sum
 	@+$(SUBMAKE) setup-$(firstword $(TIERS)); .ci/need "the other tiers" $(TEST_PACKAGES) & \
@@ -213,7 +213,7 @@ help: ## maintain: this list
 		for (i = 1; i <= n; i++) printf "%s\n%s", groups[i], lines[groups[i]] }' $(MAKEFILE_LIST)
 
 packages: ## maintain: the Debian packages of each set-up goal
-	@$(foreach list,$(sort $(filter %_PACKAGES,$(.VARIABLES))),echo '$(list:_PACKAGES=): $(strip $($(list)))';)
+	@$(foreach list,$(sort $(filter-out TEST_%,$(filter %_PACKAGES,$(.VARIABLES)))),echo '$(list:_PACKAGES=): $(strip $($(list)))';)
 
 clean: ## maintain: remove what was built
 	rm -rf build

@@ -25,6 +25,22 @@ static void the_descriptor_tells_size_buffer_and_compression(void **state)
     assert_int_equal(d.compression, 0);
 }
 
+static void a_mode_keeps_every_byte_on_the_wire(void **state)
+{
+    (void)state;
+    const struct gud_mode mode = {0x01020304, 0x0506, 0x0708, 0x090a, 0x0b0c,
+                                  0x0d0e,     0x0f10, 0x1112, 0x1314, 0x15161718};
+    uint8_t bytes[GUD_MODE_BYTES];
+    gud_mode_pack(bytes, &mode);
+    assert_memory_equal(bytes, "\4\3\2\1\6\5\x08\7\x0a\x09\x0c\x0b\x0e\x0d\x10\x0f\x12\x11\x14\x13\x18\x17\x16\x15",
+                        sizeof bytes);
+    struct gud_mode again;
+    gud_mode_unpack(&again, bytes);
+    assert_int_equal(again.flags, mode.flags);
+    assert_int_equal(again.clock_khz, mode.clock_khz);
+    assert_int_equal(again.vtotal, mode.vtotal);
+}
+
 static void the_mode_is_the_panel_at_its_rate(void **state)
 {
     (void)state;
@@ -311,6 +327,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         DEVICE_TEST(the_descriptor_tells_size_buffer_and_compression),
+        DEVICE_TEST(a_mode_keeps_every_byte_on_the_wire),
         DEVICE_TEST(the_mode_is_the_panel_at_its_rate),
         DEVICE_TEST(each_reply_has_its_length_cut_to_what_the_host_takes),
         DEVICE_TEST(each_reply_says_all_that_it_has_room_for),

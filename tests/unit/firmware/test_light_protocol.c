@@ -50,11 +50,30 @@ static void the_bytes_on_the_wire_are_those_documented(void **state)
     assert_false(light_descriptor_unpack(&descriptor, bytes));
 }
 
+static void a_material_is_taken_from_a_shader_whole(void **state)
+{
+    (void)state;
+    struct glint_shader shader = {.space = GLINT_LINEAR, .clamp_peak = 1, .material = material.material};
+    glint_lobe_init(&shader.lobe, GLINT_LYON, 300, 7);
+    struct light_material of_shader;
+    light_material_of(&of_shader, &shader);
+    assert_int_equal(of_shader.model, GLINT_LYON);
+    assert_int_equal(of_shader.n, 300);
+    assert_int_equal(of_shader.q, 7);
+    assert_int_equal(of_shader.space, GLINT_LINEAR);
+    assert_int_equal(of_shader.flags, LIGHT_CLAMP_PEAK);
+    assert_same(&of_shader.material, &material.material);
+    shader.clamp_peak = 0;
+    light_material_of(&of_shader, &shader);
+    assert_int_equal(of_shader.flags, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_packed_unpacks_to_the_same),
         cmocka_unit_test(the_bytes_on_the_wire_are_those_documented),
+        cmocka_unit_test(a_material_is_taken_from_a_shader_whole),
     };
     return cmocka_run_group_tests_name("light protocol", tests, NULL, NULL);
 }

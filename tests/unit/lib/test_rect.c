@@ -176,6 +176,66 @@ static void a_span_whose_t_dips_below_zero_shows_the_peak_there(void **state)
     assert_true(box.x == 0 && box.w == 3 && box.h == 1);
 }
 
+static const struct glint_shade_model *model_of(const struct glint_shader *shader)
+{
+#define MODEL_BY_NAME(number, name, function, use) [number] = &glint_shade_##name,
+    static const struct glint_shade_model *const models[] = {GLINT_MODELS(MODEL_BY_NAME)};
+#undef MODEL_BY_NAME
+    return models[shader->lobe.model];
+}
+
+static const struct glint_shade_format *format_of(const struct glint_shader *shader)
+{
+    static const struct glint_shade_format *const kinds[] = {
+        [GLINT_RGB565] = &glint_shade_rgb565,   [GLINT_RGB565_SWAPPED] = &glint_shade_rgb565,
+        [GLINT_RGB888] = &glint_shade_rgb888,   [GLINT_GREY8] = &glint_shade_grey,
+        [GLINT_MONO] = &glint_shade_grey,       [GLINT_BGR888] = &glint_shade_bgr888,
+        [GLINT_XRGB8888] = &glint_shade_bgr888, [GLINT_ARGB8888] = &glint_shade_bgr888,
+    };
+    return shader->space == GLINT_LINEAR ? &glint_shade_linear : kinds[shader->format];
+}
+
+static void a_shader_prepared_for_its_model_and_format_by_name_draws_the_same_pixels(void **state)
+{
+    (void)state;
+    static struct scene s;
+    static uint8_t before[sizeof s.out], wanted[sizeof s.out];
+    static struct glint_prepared prepared;
+    for (int i = 0; i < 300; i++) {
+        scene_init(&s, formats[i % FORMATS], i / FORMATS % 2 ? GLINT_LINEAR : GLINT_GAMMA);
+        memcpy(before, s.out, sizeof before);
+        assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+        memcpy(wanted, s.out, sizeof wanted);
+        memcpy(s.out, before, sizeof before);
+        const struct glint_light light = s.shader.light;
+        memset(&s.shader.light, 0, sizeof s.shader.light); /* as long as the light is not known */
+        assert_int_equal(glint_shade_prepare_for(&prepared, &s.shader, model_of(&s.shader), format_of(&s.shader)),
+                         GLINT_OK);
+        assert_int_equal(glint_shade_relight(&prepared, &light), GLINT_OK);
+        assert_int_equal(glint_shade_prepared_rect(&prepared, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+        assert_memory_equal(s.out, wanted, sizeof wanted);
+    }
+}
+
+static void a_shader_is_not_prepared_for_another_model_or_format(void **state)
+{
+    (void)state;
+    static struct glint_prepared prepared;
+    struct glint_shader shader = random_shader(GLINT_RGB565, GLINT_GAMMA);
+    const struct glint_shade_model *own = model_of(&shader);
+    const struct glint_shade_model *other = own == &glint_shade_msh ? &glint_shade_lyon : &glint_shade_msh;
+    assert_int_equal(glint_shade_prepare_for(&prepared, &shader, other, &glint_shade_rgb565), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_prepare_for(&prepared, &shader, own, &glint_shade_rgb888), GLINT_ERR_FORMAT);
+    assert_int_equal(glint_shade_prepare_for(&prepared, &shader, own, &glint_shade_linear), GLINT_ERR_FORMAT);
+    assert_int_equal(glint_shade_prepare_for(&prepared, &shader, own, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_prepare_for(&prepared, &shader, NULL, &glint_shade_rgb565), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_prepare_for(&prepared, NULL, own, &glint_shade_rgb565), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_prepare_for(NULL, &shader, own, &glint_shade_rgb565), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_relight(&prepared, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_relight(NULL, &shader.light), GLINT_ERR_ARG);
+    assert_int_equal(glint_eval((enum glint_model)GLINT_MODEL_COUNT, 10, 65536), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -185,6 +245,8 @@ int main(void)
         cmocka_unit_test(a_span_is_the_rectangle_sequence_at_its_own_t),
         cmocka_unit_test(a_span_by_c_is_the_span_at_the_nearest_multiple_of_two_to_the_minus_16),
         cmocka_unit_test(a_span_whose_t_dips_below_zero_shows_the_peak_there),
+        cmocka_unit_test(a_shader_prepared_for_its_model_and_format_by_name_draws_the_same_pixels),
+        cmocka_unit_test(a_shader_is_not_prepared_for_another_model_or_format),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
