@@ -26,7 +26,10 @@ static int length_of(uint8_t request, bool in)
     case LIGHT_SET_MATERIAL:
         return in ? GUD_STALL : LIGHT_MATERIAL_BYTES;
     case LIGHT_SET_MAP:
+    case LIGHT_SET_MESH:
         return in ? GUD_STALL : 0;
+    case LIGHT_GET_MESH:
+        return in ? LIGHT_MESH_BYTES : GUD_STALL;
     default:
         return GUD_STALL;
     }
@@ -36,7 +39,8 @@ int light_device_setup(struct light_device *d, const struct gud_setup *setup, ui
 {
     const bool in = setup->type == GUD_TYPE_IN;
     const int length = in || setup->type == GUD_TYPE_OUT ? length_of(setup->request, in) : GUD_STALL;
-    if (length == GUD_STALL || setup->index != d->interface)
+    const bool of_mesh = setup->request == LIGHT_GET_MESH || setup->request == LIGHT_SET_MESH;
+    if (length == GUD_STALL || (of_mesh && !d->mesh) || setup->index != d->interface)
         return refuse(d, GUD_UNSUPPORTED);
     if (in ? setup->length == 0 : setup->length != length)
         return refuse(d, GUD_PROTOCOL);
@@ -44,6 +48,8 @@ int light_device_setup(struct light_device *d, const struct gud_setup *setup, ui
         return refuse(d, GUD_PARAMETER);
     if (setup->request == LIGHT_GET_STATUS) {
         reply[0] = d->status == GUD_OK && (d->count || d->is_drawing) ? GUD_BUSY : d->status;
+    } else if (setup->request == LIGHT_GET_MESH) {
+        light_mesh_pack(reply, d->mesh);
     } else if (in) {
         const struct light_descriptor descriptor = {d->width, d->height};
         light_descriptor_pack(reply, &descriptor);
@@ -83,8 +89,20 @@ static enum gud_status begin_map(struct light_device *d)
     if (!d->enabled)
         return GUD_PROTOCOL;
     d->in_map = true;
-    d->has_map = false;
+    d->has_map = d->has_mesh = false;
     d->map_bytes = d->message_bytes = d->count = 0;
+    return GUD_OK;
+}
+
+static enum gud_status use_mesh(struct light_device *d)
+{
+    if (!d->mesh)
+        return GUD_UNSUPPORTED;
+    if (!d->enabled)
+        return GUD_PROTOCOL;
+    d->in_map = d->has_map = false;
+    d->has_mesh = d->is_new = true;
+    d->message_bytes = d->count = 0;
     return GUD_OK;
 }
 
@@ -97,13 +115,15 @@ bool light_device_set(struct light_device *d, const struct gud_setup *setup, con
         status = set_material(d, data);
     else if (setup->request == LIGHT_SET_MAP)
         status = begin_map(d);
+    else if (setup->request == LIGHT_SET_MESH)
+        status = use_mesh(d);
     d->status = (uint8_t)status;
     return status == GUD_OK;
 }
 
 void light_device_reset(struct light_device *d)
 {
-    d->enabled = d->has_material = d->has_map = d->in_map = d->is_new = false;
+    d->enabled = d->has_material = d->has_map = d->has_mesh = d->in_map = d->is_new = false;
     d->map_bytes = d->message_bytes = d->count = 0;
     d->status = GUD_OK;
 }
@@ -131,19 +151,29 @@ static void end_map(struct light_device *d)
 
 static void enqueue(struct light_device *d)
 {
-    int32_t *to_light = d->queue[(d->first + d->count) % LIGHT_QUEUE];
+    const unsigned place = (d->first + (unsigned)d->count) % LIGHT_QUEUE;
     d->message_bytes = 0;
-    if (!d->has_map || d->count == LIGHT_QUEUE) {
+    if (!light_device_has_scene(d) || d->count == LIGHT_QUEUE) {
         d->status = GUD_PROTOCOL;
         return;
     }
-    light_message_unpack(to_light, d->message);
+    if (!d->has_mesh) {
+        light_message_unpack(d->queue[place].to_light, d->message);
+    } else if (!light_pose_unpack(&d->queue[place].pose, d->message)) {
+        d->status = GUD_PARAMETER;
+        return;
+    }
     d->count++;
+}
+
+static unsigned message_bytes(const struct light_device *d)
+{
+    return d->has_mesh ? LIGHT_POSE_BYTES : LIGHT_MESSAGE_BYTES;
 }
 
 bool light_device_has_room(const struct light_device *d, size_t count)
 {
-    return d->in_map || (d->count + (d->message_bytes + count) / LIGHT_MESSAGE_BYTES) <= LIGHT_QUEUE;
+    return d->in_map || (d->count + (d->message_bytes + count) / message_bytes(d)) <= LIGHT_QUEUE;
 }
 
 void light_device_bulk(struct light_device *d, const uint8_t *bytes, size_t count)
@@ -155,7 +185,7 @@ void light_device_bulk(struct light_device *d, const uint8_t *bytes, size_t coun
     }
     for (; count; count--) {
         d->message[d->message_bytes++] = *bytes++;
-        if (d->message_bytes == LIGHT_MESSAGE_BYTES)
+        if (d->message_bytes == message_bytes(d))
             enqueue(d);
     }
 }
@@ -172,13 +202,27 @@ void light_device_shader(const struct light_device *d, struct glint_shader *shad
     glint_lobe_init(&shader->lobe, (enum glint_model)d->material.model, d->material.n, d->material.q);
 }
 
+static void drop_first(struct light_device *d)
+{
+    d->first = (uint8_t)((d->first + 1) % LIGHT_QUEUE);
+    d->count--;
+}
+
 bool light_device_next(struct light_device *d, int32_t to_light[3])
 {
     if (!d->count || !d->has_material || !d->has_map)
         return false;
     for (unsigned k = 0; k < 3; k++)
-        to_light[k] = d->queue[d->first][k];
-    d->first = (uint8_t)((d->first + 1) % LIGHT_QUEUE);
-    d->count--;
+        to_light[k] = d->queue[d->first].to_light[k];
+    drop_first(d);
+    return true;
+}
+
+bool light_device_next_pose(struct light_device *d, struct light_pose *pose)
+{
+    if (!d->count || !d->has_material || !d->has_mesh)
+        return false;
+    *pose = d->queue[d->first].pose;
+    drop_first(d);
     return true;
 }

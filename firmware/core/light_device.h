@@ -14,7 +14,8 @@ struct light_device {
     /* Config, set by you. */
     uint16_t width, height;
     uint8_t interface;
-    uint32_t *map; /* width x height words; NULL: maps are refused */
+    uint32_t *map;                 /* width x height words; NULL: maps are refused */
+    const struct light_mesh *mesh; /* that the board holds; NULL: none */
     const struct gud_device
         *gud; /* whose memory the map may share: no rectangle of it is open while the map is the host's */
 
@@ -22,6 +23,7 @@ struct light_device {
     bool enabled;      /* the host wants the panel */
     bool has_material; /* and the material below */
     bool has_map;      /* all of it, and all its words are normals */
+    bool has_mesh;     /* the mesh is what is drawn, by poses; no map */
     bool is_drawing;   /* yours to set: the last light's frame is not complete on the panel */
     bool is_new;       /* material or map have changed since you last set this to false */
     struct light_material material;
@@ -30,9 +32,12 @@ struct light_device {
     uint8_t status;
     bool in_map;        /* bulk bytes belong to the map */
     uint32_t map_bytes; /* that are there */
-    uint8_t message[LIGHT_MESSAGE_BYTES], message_bytes;
+    uint8_t message[LIGHT_POSE_BYTES], message_bytes;
     uint8_t first, count; /* of the queue */
-    int32_t queue[LIGHT_QUEUE][3];
+    union {
+        int32_t to_light[3];
+        struct light_pose pose; /* has_mesh */
+    } queue[LIGHT_QUEUE];
 };
 
 /* As gud_device_setup and gud_device_set. */
@@ -48,5 +53,12 @@ void light_device_reset(struct light_device *device);
 void light_device_shader(const struct light_device *device, struct glint_shader *shader);
 /* The next frame's light; false: no light waits, or material or map are missing. */
 bool light_device_next(struct light_device *device, int32_t to_light[3]);
+/* The next frame's pose; false: none waits, or the material is missing, or the mesh has not been asked for. */
+bool light_device_next_pose(struct light_device *device, struct light_pose *pose);
+/* A map or the mesh. */
+static inline bool light_device_has_scene(const struct light_device *device)
+{
+    return device->has_map || device->has_mesh;
+}
 
 #endif

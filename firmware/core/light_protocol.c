@@ -98,3 +98,53 @@ void light_message_unpack(int32_t to_light[3], const uint8_t in[LIGHT_MESSAGE_BY
     for (unsigned k = 0; k < 3; k++)
         to_light[k] = (int32_t)get(&in, 4);
 }
+
+void light_mesh_pack(uint8_t out[LIGHT_MESH_BYTES], const struct light_mesh *mesh)
+{
+    out = put(out, mesh->cksum, 4);
+    out = put(out, mesh->vertices, 2);
+    out = put(out, mesh->faces, 2);
+    out = put(out, mesh->split, 1);
+    put(out, 0, 3);
+}
+
+void light_mesh_unpack(struct light_mesh *mesh, const uint8_t in[LIGHT_MESH_BYTES])
+{
+    mesh->cksum = get(&in, 4);
+    mesh->vertices = (uint16_t)get(&in, 2);
+    mesh->faces = (uint16_t)get(&in, 2);
+    mesh->split = (uint8_t)get(&in, 1);
+}
+
+static uint8_t *put_all(uint8_t *at, const int16_t *values, unsigned count)
+{
+    for (unsigned i = 0; i < count; i++)
+        at = put(at, (uint16_t)values[i], 2);
+    return at;
+}
+
+static void get_all(const uint8_t **at, int16_t *values, unsigned count)
+{
+    for (unsigned i = 0; i < count; i++)
+        values[i] = (int16_t)get(at, 2);
+}
+
+void light_pose_pack(uint8_t out[LIGHT_POSE_BYTES], uint32_t tag, const struct light_pose *pose)
+{
+    out = put(out, tag, 4);
+    out = put_all(out, pose->pose.turn, 4);
+    out = put_all(out, pose->pose.position, 3);
+    out = put(out, pose->pose.scale, 2);
+    out = put_all(out, pose->to_light, 3);
+    put(out, 0, 2);
+}
+
+bool light_pose_unpack(struct light_pose *pose, const uint8_t in[LIGHT_POSE_BYTES])
+{
+    get(&in, 4);
+    get_all(&in, pose->pose.turn, 4);
+    get_all(&in, pose->pose.position, 3);
+    pose->pose.scale = (uint16_t)get(&in, 2);
+    get_all(&in, pose->to_light, 3);
+    return get(&in, 2) == 0;
+}

@@ -6,7 +6,8 @@
  *   LIGHT_SET_ENABLE 1   the panel is the host's; GUD hosts that draw meanwhile are refused as busy
  *   LIGHT_SET_MATERIAL   the device fills its tables (a tenth of a second on an RP2040)
  *   LIGHT_SET_MAP        then the map's words on bulk OUT: width x height normals, GLINT_NORMALS_INT8, lines from the top
- *   bulk OUT             light messages. Those that the device has no room for wait on the bus: it sets the pace
+ *   LIGHT_SET_MESH       instead of a map: the mesh that lies in the device, if it holds one (LIGHT_GET_MESH)
+ *   bulk OUT             light messages; poses, where it is the mesh. Those that the device has no room for wait on the bus: it sets the pace
  *   LIGHT_SET_ENABLE 0   or a bus reset: the panel is given back
  *
  * The interface has class ff and one bulk OUT endpoint, and answers to GUD's descriptor request with a STALL, so that no GUD
@@ -24,7 +25,10 @@ enum light_request {
     LIGHT_GET_DESCRIPTOR = 0xa0, /* struct light_descriptor */
     LIGHT_SET_ENABLE = 0xa1,     /* 1 byte: 0 or 1 */
     LIGHT_SET_MATERIAL = 0xa2,   /* struct light_material */
-    LIGHT_SET_MAP = 0xa3         /* empty */
+    LIGHT_SET_MAP = 0xa3,        /* empty */
+    /* Devices that hold no mesh, and older ones, refuse these two; so the version stays 1. */
+    LIGHT_GET_MESH = 0xa4, /* struct light_mesh */
+    LIGHT_SET_MESH = 0xa5  /* empty */
 };
 #define LIGHT_MAGIC ((uint32_t)0x746e6c67) /* "glnt" */
 enum {
@@ -32,11 +36,26 @@ enum {
     LIGHT_DESCRIPTOR_BYTES = 12,
     LIGHT_MATERIAL_BYTES = 48,
     LIGHT_MESSAGE_BYTES = 16, /* u32 of the host's own, then towards the light: 3 x i32 of any length */
-    LIGHT_CLAMP_PEAK = 1      /* in the material's flags */
+    LIGHT_MESH_BYTES = 12,
+    LIGHT_POSE_BYTES = 28, /* u32 of the host's own, then struct light_pose, and i16 0 */
+    LIGHT_CLAMP_PEAK = 1   /* in the material's flags */
 };
 
 struct light_descriptor {
     uint16_t width, height;
+};
+
+/* Which mesh it is: a host compares it with its own. */
+struct light_mesh {
+    uint32_t cksum; /* mesh_cksum.h */
+    uint16_t vertices, faces;
+    uint8_t split; /* degrees: `glint bake --split` */
+};
+
+/* A mesh's picture: parallel projection, a directional light, the distant viewer. */
+struct light_pose {
+    struct glint_pose pose;
+    int16_t to_light[3]; /* of any length */
 };
 
 /* What of a shader goes over the wire: the pixels are RGB565, undithered. */
@@ -55,5 +74,11 @@ void light_material_pack(uint8_t out[LIGHT_MATERIAL_BYTES], const struct light_m
 void light_material_unpack(struct light_material *material, const uint8_t in[LIGHT_MATERIAL_BYTES]);
 void light_message_pack(uint8_t out[LIGHT_MESSAGE_BYTES], uint32_t tag, const int32_t to_light[3]);
 void light_message_unpack(int32_t to_light[3], const uint8_t in[LIGHT_MESSAGE_BYTES]);
+
+void light_mesh_pack(uint8_t out[LIGHT_MESH_BYTES], const struct light_mesh *mesh);
+void light_mesh_unpack(struct light_mesh *mesh, const uint8_t in[LIGHT_MESH_BYTES]);
+void light_pose_pack(uint8_t out[LIGHT_POSE_BYTES], uint32_t tag, const struct light_pose *pose);
+/* False where the last number is not 0. */
+bool light_pose_unpack(struct light_pose *pose, const uint8_t in[LIGHT_POSE_BYTES]);
 
 #endif

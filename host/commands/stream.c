@@ -139,8 +139,6 @@ static void check(const struct argp_state *state, struct stream_options *o)
         o->period = 0;
         o->look.has_light = true; /* which stays where it is, also the one that nobody gave */
     }
-    if (is_mesh && o->shade_device)
-        refuse(state, "--shade device: no device draws meshes; leave it out");
     check_output(state, o);
     if (o->kind->wants_fps && !(o->fps > 0))
         refuse(state, "--fps: --to %s states the frame rate in what it writes; give one above 0", o->kind->name);

@@ -89,12 +89,19 @@ struct sink_pixels {
     void (*close)(struct sink *sink);
 };
 
+struct light_mesh; /* light_protocol.h */
+struct light_pose;
+
 /* A device that shades by itself gets the scene once, then a light a frame. */
 struct sink_shader {
     struct sink *(*open)(const struct sink_wish *wish); /* as above */
     /* Normals as GLINT_NORMALS_INT8; the shader's light does not matter. */
     enum sink_result (*send_scene)(struct sink *sink, const struct glint_shader *shader, const uint32_t *normals);
     enum sink_result (*send_light)(struct sink *sink, const int32_t to_light[3], size_t *bytes);
+    /* The mesh that lies in the device; false: there is none. Then its material, and poses instead of lights. */
+    bool (*find_mesh)(struct sink *sink, struct light_mesh *mesh);
+    enum sink_result (*send_mesh)(struct sink *sink, const struct glint_shader *shader);
+    enum sink_result (*send_pose)(struct sink *sink, const struct light_pose *pose, size_t *bytes);
     void (*close)(struct sink *sink); /* as above */
 };
 

@@ -93,6 +93,8 @@ static bool start(struct stream *stream)
     stream->shading =
         shading_of_options(&options->look, sink->format, stream->mesh ? &plain_finish : &stream->scene->finish);
     shading_options_check(NULL, &options->look, &stream->shading);
+    if (stream->mesh && sink->shades)
+        mesh_device_find(stream->mesh, open_sink);
     if (stream->mesh)
         mesh_stream_start(stream->mesh, &stream->shading, sink->width, sink->height);
     else
@@ -139,15 +141,18 @@ static bool find_again(struct stream *stream)
     return true;
 }
 
-/* To a device that shades: the scene if it does not have it yet, and the light. */
-static bool send_light(struct stream *stream)
+/* To a device that shades: the scene if it does not have it yet, and the light, or the mesh's pose. */
+static bool send_light(struct stream *stream, double seconds)
 {
     struct plan_result result;
     for (;;) {
-        enum sink_result sent =
-            stream->known ? SINK_SENT : device_send_scene(open_sink, stream->scene, &stream->shading);
+        enum sink_result sent = SINK_SENT;
+        if (!stream->known)
+            sent = stream->mesh ? mesh_device_send(stream->mesh, open_sink)
+                                : device_send_scene(open_sink, stream->scene, &stream->shading);
         if (sent == SINK_SENT)
-            sent = device_send_light(open_sink, &stream->shading, &result);
+            sent = stream->mesh ? mesh_device_send_pose(stream->mesh, open_sink, seconds, &stream->shading, &result)
+                                : device_send_light(open_sink, &stream->shading, &result);
         if (sent == SINK_SENT) {
             stream->known = true;
             stats_add(stream->stats, &result);
@@ -165,7 +170,7 @@ static bool send_frame(struct stream *stream, unsigned long index)
     if (stream_stopped() || !light_path_next(stream->path, (double)index / fps, &stream->shading) || stream_stopped())
         return false;
     if (stream->options->shade_device)
-        return send_light(stream);
+        return send_light(stream, (double)index / fps);
     uint8_t *pixels = stream->pixels[index % 2];
     if (stream->mesh)
         mesh_stream_draw(stream->mesh, (double)index / fps, &stream->shading, pixels);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Fuzzes the light device with what a host may send. Input: width, height (1 each), then steps: what (1), and what it needs. */
+ * Fuzzes the light device with what a host may send. Input: width, height (1 each; from 0x80 on it holds a mesh), then steps: what (1), and what it needs. */
 #include <string.h>
 
 #include "fuzz.h"
@@ -9,6 +9,7 @@ enum { INTERFACE = 1, SIDE_MAX = 16, WORD_BYTES = 4 };
 
 static struct gud_device gud;
 static struct light_device device;
+static const struct light_mesh mesh = {1, 2, 3, 180};
 
 static unsigned status(void)
 {
@@ -55,6 +56,9 @@ static void use(void)
         light_device_shader(&device, &shader);
     if (light_device_next(&device, to_light))
         check(device.has_material && device.has_map);
+    struct light_pose pose;
+    if (light_device_next_pose(&device, &pose))
+        check(device.has_material && device.has_mesh && !device.has_map && device.mesh);
 }
 
 static void step(struct input *input)
@@ -73,7 +77,7 @@ static void step(struct input *input)
         proper(LIGHT_SET_MATERIAL, LIGHT_MATERIAL_BYTES, input);
         break;
     case 3:
-        proper(LIGHT_SET_MAP, 0, input);
+        proper(what / 8 % 2 ? LIGHT_SET_MESH : LIGHT_SET_MAP, 0, input);
         break;
     case 4:
     case 5: {
@@ -99,8 +103,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     struct input input = {data, data + size};
     memset(&gud, 0, sizeof gud);
-    device = (struct light_device){.width = (uint16_t)(1 + next_byte(&input) % SIDE_MAX),
-                                   .height = (uint16_t)(1 + next_byte(&input) % SIDE_MAX),
+    const unsigned width = next_byte(&input), height = next_byte(&input);
+    device = (struct light_device){.width = (uint16_t)(1 + width % SIDE_MAX),
+                                   .height = (uint16_t)(1 + height % SIDE_MAX),
+                                   .mesh = height & 0x80 ? &mesh : NULL,
                                    .interface = INTERFACE,
                                    .gud = &gud};
     device.map = malloc(WORD_BYTES * (size_t)device.width * device.height);

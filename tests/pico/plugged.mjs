@@ -20,7 +20,7 @@ export class Plugged {
   }
   start() {
     const { pico, host } = this
-    check(pico.run(() => pico.uart.includes('relighting'), 3000), pico.uart)
+    check(pico.run(() => /relighting|turning a mesh/.test(pico.uart), 3000), pico.uart)
     check(pico.run(() => host.pulled_up, 100), 'the device does not pull up')
     host.reset()
   }
@@ -77,10 +77,10 @@ export class Plugged {
     child.on('close', (code) => { command.status = code })
     return command
   }
-  async command(words, seconds) {
+  async command(words, seconds, status = 0) {
     const command = this.start_command(words)
     try { await this.serve(() => command.status !== undefined, seconds, words.join(' ')) } finally { if (command.status === undefined) command.child.kill() }
-    equal(command.status, 0, `the exit status of ${words.join(' ')}, which says ${JSON.stringify(command.text)}`)
+    equal(command.status, status, `the exit status of ${words.join(' ')}, which says ${JSON.stringify(command.text)}`)
     return command.text
   }
 }

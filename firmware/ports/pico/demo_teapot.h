@@ -3,9 +3,10 @@
 #ifndef DEMO_TEAPOT_H
 #define DEMO_TEAPOT_H
 
-#include "glint.h"
+#include "light_protocol.h"
 
 extern const struct glint_mesh demo_teapot;
+extern const struct light_mesh demo_teapot_identity;
 bool demo_teapot_is_intact(void);
 
 #endif

@@ -191,7 +191,7 @@ static bool next_frame(void)
 {
     if (owner == DEMO)
         return shown_next_demo();
-    if (light.is_new && light.has_material && light.has_map) {
+    if (light.is_new && light.has_material && light_device_has_scene(&light)) {
         begin_drawing(shown_begin_light);
         light.is_new = false;
     }
@@ -201,7 +201,7 @@ static bool next_frame(void)
 /* Some lines at most; the display goes on with the first whole frame. */
 static void draw(void)
 {
-    if (drawn.in_frame && owner == LIGHT_HOST && !light.has_map) { /* it is being replaced */
+    if (drawn.in_frame && owner == LIGHT_HOST && !light_device_has_scene(&light)) { /* it is being replaced */
         shown_abandon();
         drawn.in_frame = false;
     }

@@ -67,6 +67,6 @@ $(PICO)/map/demo_mesh.h: $(BUILD)/glint
 	@mkdir -p $(@D)
 	@$< bake --scene teapot --split 180 --to int8 -o $(@D)/demo_mesh.bin >/dev/null
 	@$< bake --scene teapot --split 180 --to int8 --name demo_mesh --as c -o $@.tmp >/dev/null
-	@tail -c +9 $(@D)/demo_mesh.bin | head -c -6 | cksum | awk '{ print "#define DEMO_MESH_CKSUM " $$1 "u" }' >>$@.tmp && mv $@.tmp $@
+	@tail -c +9 $(@D)/demo_mesh.bin | head -c -6 | cksum | awk '{ print "#define DEMO_MESH_CKSUM " $$1 "u\n#define DEMO_MESH_SPLIT 180" }' >>$@.tmp && mv $@.tmp $@
 
 .PHONY: setup-firmware-pico firmware-pico

@@ -53,6 +53,7 @@ bool shown_is_intact(void)
 void shown_prepare(struct panel *panel, struct light_device *light)
 {
     turntable.pieces.panel = panel;
+    light->mesh = &demo_teapot_identity;
     lights = light;
 }
 
@@ -66,23 +67,35 @@ enum glint_err shown_begin_demo(void)
 
 enum glint_err shown_begin_light(void)
 {
-    return GLINT_OK;
+    struct glint_shader shader;
+    light_device_shader(lights, &shader);
+    turntable.background = lights->material.background;
+    return turntable_start(&turntable, &shader);
+}
+
+static bool begin_frame(const struct glint_pose *pose, const int32_t to_light[3])
+{
+    static const int32_t to_viewer[3] = {0, 0, 1};
+    struct glint_light light;
+    return glint_light_init(&light, to_light, to_viewer) == GLINT_OK &&
+           turntable_frame(&turntable, pose, &light) == GLINT_OK;
 }
 
 bool shown_next_demo(void)
 {
     static uint32_t frame;
-    static const int32_t to_viewer[3] = {0, 0, 1};
     struct glint_pose pose;
-    struct glint_light light;
     demo_pose(&pose, frame++, PANEL_WIDTH);
-    return glint_light_init(&light, demo_mesh_light, to_viewer) == GLINT_OK &&
-           turntable_frame(&turntable, &pose, &light) == GLINT_OK;
+    return begin_frame(&pose, demo_mesh_light);
 }
 
 bool shown_next_light(void)
 {
-    return false;
+    struct light_pose next;
+    if (!light_device_next_pose(lights, &next))
+        return false;
+    const int32_t to_light[3] = {next.to_light[0], next.to_light[1], next.to_light[2]};
+    return begin_frame(&next.pose, to_light);
 }
 
 enum shown_state shown_step(void)

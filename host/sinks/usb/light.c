@@ -18,7 +18,7 @@ struct light_sink {
     struct gud_link link;
     bool gone;
     uint32_t frames;
-    uint8_t messages[2][LIGHT_MESSAGE_BYTES]; /* one may be under way */
+    uint8_t messages[2][LIGHT_POSE_BYTES]; /* one may be under way */
     char name[48];
 };
 
@@ -164,17 +164,23 @@ static int send(struct light_sink *light, const uint8_t *data, size_t bytes)
     return fault ? fault : usb_bulk_wait(&light->port);
 }
 
+static int send_material(struct light_sink *light, const struct glint_shader *shader)
+{
+    struct light_material material;
+    uint8_t packed[LIGHT_MATERIAL_BYTES];
+    light_material_of(&material, shader);
+    light_material_pack(packed, &material);
+    return light->link.control(&light->port, false, LIGHT_SET_MATERIAL, 0, packed, sizeof packed);
+}
+
 static enum sink_result send_scene(struct sink *sink, const struct glint_shader *shader, const uint32_t *normals)
 {
     struct light_sink *light = of(sink);
     const size_t count = (size_t)sink->width * sink->height;
-    struct light_material material;
-    uint8_t packed[LIGHT_MATERIAL_BYTES], *map = allocate(count, 4);
+    uint8_t *map = allocate(count, 4);
     for (size_t i = 0; i < 4 * count; i++)
         map[i] = (uint8_t)(normals[i / 4] >> 8 * (i % 4));
-    light_material_of(&material, shader);
-    light_material_pack(packed, &material);
-    int fault = light->link.control(&light->port, false, LIGHT_SET_MATERIAL, 0, packed, sizeof packed);
+    int fault = send_material(light, shader);
     if (fault >= 0)
         fault = light->link.control(&light->port, false, LIGHT_SET_MAP, 0, NULL, 0);
     if (fault >= 0)
@@ -183,16 +189,49 @@ static enum sink_result send_scene(struct sink *sink, const struct glint_shader 
     return result_of(light, fault, "the scene");
 }
 
+static enum sink_result send_message(struct light_sink *light, const uint8_t *message, size_t bytes, const char *what)
+{
+    int fault = usb_bulk_wait(&light->port); /* the device takes a light when it has room: it sets the pace */
+    if (!fault)
+        fault = usb_bulk_start(&light->port, message, bytes);
+    return result_of(light, fault, what);
+}
+
 static enum sink_result send_light(struct sink *sink, const int32_t to_light[3], size_t *bytes)
 {
     struct light_sink *light = of(sink);
     uint8_t *message = light->messages[light->frames % 2];
     light_message_pack(message, light->frames++, to_light);
     *bytes = LIGHT_MESSAGE_BYTES;
-    int fault = usb_bulk_wait(&light->port); /* the device takes a light when it has room: it sets the pace */
-    if (!fault)
-        fault = usb_bulk_start(&light->port, message, LIGHT_MESSAGE_BYTES);
-    return result_of(light, fault, "a light");
+    return send_message(light, message, LIGHT_MESSAGE_BYTES, "a light");
+}
+
+static bool find_mesh(struct sink *sink, struct light_mesh *mesh)
+{
+    struct light_sink *light = of(sink);
+    uint8_t bytes[LIGHT_MESH_BYTES];
+    if (light->link.control(&light->port, true, LIGHT_GET_MESH, 0, bytes, sizeof bytes) != sizeof bytes)
+        return false;
+    light_mesh_unpack(mesh, bytes);
+    return true;
+}
+
+static enum sink_result send_mesh(struct sink *sink, const struct glint_shader *shader)
+{
+    struct light_sink *light = of(sink);
+    int fault = send_material(light, shader);
+    if (fault >= 0)
+        fault = light->link.control(&light->port, false, LIGHT_SET_MESH, 0, NULL, 0);
+    return result_of(light, fault < 0 ? fault : 0, "the mesh");
+}
+
+static enum sink_result send_pose(struct sink *sink, const struct light_pose *pose, size_t *bytes)
+{
+    struct light_sink *light = of(sink);
+    uint8_t *message = light->messages[light->frames % 2];
+    light_pose_pack(message, light->frames++, pose);
+    *bytes = LIGHT_POSE_BYTES;
+    return send_message(light, message, LIGHT_POSE_BYTES, "a pose");
 }
 
 /* Waits until the device has drawn the frames of the last lights. */
@@ -219,5 +258,10 @@ static void light_close(struct sink *sink)
     leave(light);
 }
 
-const struct sink_shader usb_shader = {
-    .open = open_shader, .send_scene = send_scene, .send_light = send_light, .close = light_close};
+const struct sink_shader usb_shader = {.open = open_shader,
+                                       .send_scene = send_scene,
+                                       .send_light = send_light,
+                                       .find_mesh = find_mesh,
+                                       .send_mesh = send_mesh,
+                                       .send_pose = send_pose,
+                                       .close = light_close};

@@ -70,8 +70,7 @@ static void options_that_do_not_fit_a_mesh_are_refused(void **state)
         {"render --scene teapot --axes z-up -o a.png", "--axes is for a mesh's file"},
         {"bake --scene teapot --to palette", "--to palette is for maps"},
         {"bake --scene teapot --size 9x9", "--size is for maps"},
-        {"bake --scene coin --unit 3", "--unit needs --mesh"},
-        {"stream teapot --to usb --shade device", "no device draws meshes"}};
+        {"bake --scene coin --unit 3", "--unit needs --mesh"}};
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
         char line[300];
         snprintf(line, sizeof line, "$GLINT %s", lines[i][0]);
