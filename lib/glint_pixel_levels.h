@@ -63,7 +63,8 @@ GLINT_INLINE uint32_t glint_levels_hold(uint32_t v, uint32_t most)
 /* Alpha of samples i.., where the format has one. */
 GLINT_INLINE void glint_levels_alpha(uint8_t format, const struct glint_run *run, unsigned i, unsigned count)
 {
-    glint_exact_alpha(format, run->line, run->x + i, count, run->mask);
+    if (format >= GLINT_XRGB8888)
+        glint_exact_alpha(format, run->line, run->x + i, count, run->mask);
 }
 
 enum glint_levels_order { GLINT_LEVELS_565, GLINT_LEVELS_RED_FIRST, GLINT_LEVELS_BLUE_FIRST };

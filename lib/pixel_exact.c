@@ -40,17 +40,20 @@ void glint_exact_store(uint8_t format, uint8_t *line, uint32_t x, const uint8_t 
         const bool swapped = format == GLINT_RGB565_SWAPPED;
         line[2 * x + swapped] = (uint8_t)pixel;
         line[2 * x + !swapped] = (uint8_t)(pixel >> 8);
-    } else if (!glint_format_is_grey(format)) {
-        const unsigned red = glint_format_is_blue_first(format) ? 2 : 0;
-        line += GLINT_FLASH_U8(glint_exact_formats[format].bytes) * x;
-        line[red] = levels[0];
-        line[1] = levels[1];
-        line[2 - red] = levels[2];
+    } else if (format == GLINT_RGB888) {
+        line[3 * x] = levels[0];
+        line[3 * x + 1] = levels[1];
+        line[3 * x + 2] = levels[2];
     } else if (format == GLINT_GREY8) {
         line[x] = levels[0];
-    } else {
+    } else if (format == GLINT_MONO) {
         const uint8_t bit = (uint8_t)(0x80 >> (x & 7));
         line[x >> 3] = (uint8_t)(levels[0] ? line[x >> 3] | bit : line[x >> 3] & ~bit);
+    } else { /* blue first */
+        line += (format == GLINT_BGR888 ? 3 : 4) * x;
+        line[0] = levels[2];
+        line[1] = levels[1];
+        line[2] = levels[0];
     }
 }
 
