@@ -184,10 +184,10 @@ check-format:
 	@tests/tally "tests/format $(sort $(FORMATTED))"
 
 # The packages of the tiers are installed while the first of them runs: a tier's own set-up then finds them, or says what is missing.
-TEST_LISTS = $(filter-out DEMO_% BENCH_% STRENGTH_% PROOF_EVA_%,$(filter %_PACKAGES,$(.VARIABLES))) BENCH_EMULATOR_PACKAGES
-TEST_NEEDS = $(sort $(foreach list,$(TEST_LISTS),$($(list))))
+TEST_LISTS = $(filter-out TEST_% DEMO_% BENCH_% STRENGTH_% PROOF_EVA_%,$(filter %_PACKAGES,$(.VARIABLES))) BENCH_EMULATOR_PACKAGES
+TEST_PACKAGES = $(sort $(foreach list,$(TEST_LISTS),$($(list))))
 test: ## check: set up what is missing and run every tier; the last line is the sum
-	@+$(SUBMAKE) setup-$(firstword $(TIERS)); .ci/need "the other tiers" $(TEST_NEEDS) & \
+	@+$(SUBMAKE) setup-$(firstword $(TIERS)); .ci/need "the other tiers" $(TEST_PACKAGES) & \
 	tests/sum "$(SUBMAKE)" $(TIERS:%=test-%)
 
 # What a release has. The bitstreams and the page are in it where they are built (make gateware, make page).
