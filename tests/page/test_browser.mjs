@@ -69,7 +69,7 @@ run([
         equal(await page.evaluate(() => document.querySelectorAll('#curve polyline').length), 3, 'curves')
         check((await browser.text('errors')).includes('msh in double'), 'no errors')
         const costs = await browser.text('costs')
-        check(/exact albedo, n = 60.*Cycles a covered pixel[\d,]+ \(assembly [\d,]+\)/.test(costs) && !/\D0 bytes|\D0,/.test(costs), costs)
+        check(/exact albedo, n = 60.*M0\+, cycles a covered pixel[\d,]+ \(assembly [\d,]+\)/.test(costs) && /M3[\d,]+ instructions/.test(costs) && !/\D0 bytes|\D0,/.test(costs), costs)
     }],
     ['every model, format, space and path gives the command\'s pixels on the canvas', async () => {
         await browser.go(start)

@@ -18,7 +18,8 @@ TARGETS_LINES = $(if $(or $(if $(BOARD),,all),$(findstring asm,$(BOARD))),"tests
 TARGETS_COSTS = $(if $(BOARD),,"tests/targets/test_costs $(BENCH)")
 TARGETS_COSTS_INPUTS = $(filter-out %-Os.elf,$(BENCH_ELFS)) $(BENCH_MESH_ELFS) $(BENCH_SCENE)/scene.json
 
-costs: $(TARGETS_COSTS_INPUTS) $(BOARDS) ## measure: write the table that tier targets compares cycles and sizes with (costs.tsv), and the READMEs' figures; ROWS=PATTERN
+costs: $(TARGETS_COSTS_INPUTS) $(BOARDS) $(BENCH_IMAGES) ## measure: write the table that tier targets compares cycles and sizes with (costs.tsv), and the READMEs' figures; ROWS=PATTERN
+	@.ci/need "make costs" $(BENCH_PACKAGES)
 	@+$(SUBMAKE) -s setup-rp2040js
 	@PYTHONDONTWRITEBYTECODE=1 tests/targets/test_costs $(BENCH) write '$(value ROWS)'
 	@tests/unit/house/test_figures write

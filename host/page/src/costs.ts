@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What the picture costs on a Cortex-M0+: the row of the committed table that is nearest to the state.
+// What the picture costs: the row of the committed table that is nearest to the state, emulated; frames/s are predicted from it.
 import table from 'glint:costs'
 import type { Facts } from './engine'
 import type { State } from './words'
 
 const clock = 125e6 // the RP2040's
+// Other cores: the table's name, a usual clock, and what was counted.
+const cores: [string, string, number, string][] = [['M3', 'cortex-m3', 72e6, 'instructions'], ['M4', 'cortex-m4f', 168e6, 'instructions'],
+    ['RV32', 'rv32imc', 160e6, 'instructions'], ['AVR', 'atmega2560', 16e6, 'cycles']]
 const paletteBytes = 8192 // 4096 colours
 const normalBytes: Record<string, number> = { int16: 6, int10: 4, int8: 4, span: 0 }
 
@@ -56,8 +59,13 @@ export function costs(state: State, facts: Facts, width: number, height: number)
         return [['Cycles', 'not in the table for meshes: glint bake --mesh tells them']]
     if (row && pixel && frame) {
         out.push(['Nearest measured case', `${row}, n = 60`])
-        out.push(['Cycles a covered pixel', commas(pixel) + (asm ? ` (assembly ${commas(asm)})` : '')])
-        out.push([`Frames/s, ${width}×${height} at 125 MHz`, (clock / (frame * width * height)).toPrecision(3)])
+        out.push(['M0+, cycles a covered pixel', `${commas(pixel)}${asm ? ` (assembly ${commas(asm)})` : ''} (emulated)`])
+        out.push([`M0+, frames/s, ${width}×${height} at 125 MHz`, `${(clock / (frame * width * height)).toPrecision(3)} (predicted)`])
+        for (const [title, core, hertz, unit] of cores) {
+            const one = value('counted', row, core), all = value('counted frame', row, core)
+            out.push([title, one && all ? `${commas(one)} ${unit} a covered pixel (emulated); ${unit === 'cycles' ? '' : 'at most '}` +
+                `${(hertz / (all * width * height)).toPrecision(3)} frames/s at ${hertz / 1e6} MHz (predicted)` : 'not counted for this case'])
+        }
         const fill = path === 'exact' ? undefined : value('fill', row)
         if (fill)
             out.push(['Filling the tables, once', `${commas(fill)} cycles`])
