@@ -3,58 +3,19 @@
 #ifndef GLINT_RELIGHT_BOARD_H
 #define GLINT_RELIGHT_BOARD_H
 
-#include <string.h>
-
-#include "hal.h"
-#include "unit.h"
-
 enum { WIDTH = 37, HEIGHT = 11 };
+#include "panel_board.h"
 
 static struct {
-    uint16_t screen[WIDTH * HEIGHT];
-    size_t at; /* pixels since the window */
-    const uint16_t *pixels;
-    size_t count;
-    void (*done)(void *);
-    void *argument;
     uint32_t *to;
     const uint32_t *from;
     size_t words;
-    unsigned windows, asked, waits; /* waits: so many more questions until a frame may begin */
-    unsigned polls;                 /* after so many questions the fetched words are there; 0: when the test says so */
-    bool broken;
-} board;
+    unsigned polls; /* after so many questions the fetched words are there; 0: when the test says so */
+} flash;
 
-static bool on_command(void *context, uint8_t command)
-{
-    (void)context;
-    if (command == PANEL_MEMORY_WRITE) {
-        assert_null(board.done); /* or pixels would go to the new window */
-        board.at = 0;
-        board.windows++;
-    }
-    return !board.broken;
-}
-
-static bool on_data(void *context, const uint8_t *bytes, size_t count)
-{
-    (void)context;
-    (void)bytes;
-    (void)count;
-    return true;
-}
-
-static void end_flush(void)
-{
-    void (*const done)(void *) = board.done;
-    if (!done)
-        return;
-    assert_true(board.at + board.count <= WIDTH * HEIGHT);
-    memcpy(board.screen + board.at, board.pixels, board.count * sizeof *board.pixels); /* as late as possible */
-    board.at += board.count;
-    board.done = NULL;
-    done(board.argument);
-}
+static struct {
+    unsigned asked, waits; /* waits: so many more questions until a frame may begin */
+} frames;
 
 static void on_wait(void *context, unsigned ms)
 {
@@ -62,54 +23,44 @@ static void on_wait(void *context, unsigned ms)
     (void)ms;
 }
 
-static void on_flush(void *context, const uint16_t *pixels, size_t count, void (*done)(void *), void *argument)
-{
-    (void)context;
-    assert_null(board.done);
-    board.pixels = pixels;
-    board.count = count;
-    board.argument = argument;
-    board.done = done;
-}
-
 static void end_fetch(void)
 {
-    if (board.to)
-        memcpy(board.to, board.from, board.words * sizeof *board.to);
-    board.to = NULL;
+    if (flash.to)
+        memcpy(flash.to, flash.from, flash.words * sizeof *flash.to);
+    flash.to = NULL;
 }
 
 static void on_fetch(void *context, uint32_t *to, const uint32_t *from, size_t words)
 {
     (void)context;
-    assert_null(board.to);
+    assert_null(flash.to);
     memset(to, 0x55, words * sizeof *to); /* the old words are gone from now on */
-    board.to = to;
-    board.from = from;
-    board.words = words;
+    flash.to = to;
+    flash.from = from;
+    flash.words = words;
 }
 
 /* At any time, where `waits` is 0. */
 static bool on_may_begin(void *context)
 {
     (void)context;
-    board.asked++;
-    return board.waits == 0 || --board.waits == 0;
+    frames.asked++;
+    return frames.waits == 0 || --frames.waits == 0;
 }
 
 static bool on_fetched(void *context)
 {
     (void)context;
-    if (board.polls && --board.polls == 0)
+    if (flash.polls && --flash.polls == 0)
         end_fetch();
-    return !board.to;
+    return !flash.to;
 }
 
 /* The window's command waits for pixels that are on their way, as on a real bus. */
 static bool on_command_waiting(void *context, uint8_t command)
 {
-    while (board.done)
-        end_flush();
+    while (end_flush())
+        ;
     return on_command(context, command);
 }
 

@@ -57,6 +57,8 @@ static void start(bool from_flash)
 {
     struct glint_shader shader;
     memset(&board, 0, sizeof board);
+    memset(&flash, 0, sizeof flash);
+    memset(&frames, 0, sizeof frames);
     make_map();
     demo_shader(&shader);
     relight = (struct relight){.hal = hal_in_use,
@@ -164,7 +166,7 @@ static void a_map_in_ram_is_read_where_it_is(void **state)
     for (unsigned seed = 1; seed < 20; seed++) {
         start(false);
         run_frames(seed);
-        assert_null(board.to);
+        assert_null(flash.to);
     }
 }
 
@@ -211,14 +213,14 @@ static void an_abandoned_frame_disturbs_no_other(void **state)
     relight_step(&relight); /* its first line is shaded; the second is being fetched, or the one after */
     end_fetch();
     relight_step(&relight);
-    assert_non_null(board.to);
+    assert_non_null(flash.to);
     while (board.done)
         end_flush();
     assert_int_equal(relight_start(&relight, &shader), GLINT_OK);
     assert_int_equal(relight_step(&relight), RELIGHT_DONE); /* no frame was begun */
-    board.polls = 5;
+    flash.polls = 5;
     assert_int_equal(relight_frame(&relight, to_light), GLINT_OK); /* waits for the abandoned frame's fetch */
-    assert_int_equal(board.polls, 0);
+    assert_int_equal(flash.polls, 0);
     end_fetch();
     run_frames(3);
 }
@@ -230,13 +232,13 @@ static void a_frame_begins_when_the_board_allows_it_and_asks_once(void **state)
     int32_t to_light[3];
     orbit_light(to_light, 0, ORBIT_FRAMES);
     assert_int_equal(relight_frame(&relight, to_light), GLINT_OK);
-    board.waits = 7;
+    frames.waits = 7;
     for (unsigned i = 0; i < 6; i++)
         assert_int_equal(relight_step(&relight), RELIGHT_BUSY);
-    assert_true(board.windows == 0 && !board.done && board.asked == 6);
+    assert_true(board.windows == 0 && !board.done && frames.asked == 6);
     while (relight_step(&relight) == RELIGHT_BUSY)
         end_flush();
-    assert_true(board.windows == 1 && board.asked == 7);
+    assert_true(board.windows == 1 && frames.asked == 7);
     check_screen(to_light);
 }
 

@@ -3,64 +3,11 @@
 #include "demo.h"
 #include "meshes.h"
 #include "turntable.h"
-#include "unit.h"
 
-enum { WIDTH = 37, HEIGHT = 69, STRIPS = 5, LOWER_Y = 32, BACKGROUND = 0x1234, CORE_BYTES = 16384 };
+enum { WIDTH = 37, HEIGHT = 69 };
+#include "panel_board.h"
 
-/* ---- a board whose transfers end when the test lets them ---- */
-
-static struct {
-    uint16_t screen[WIDTH * HEIGHT];
-    size_t at; /* pixels since the window */
-    const uint16_t *pixels;
-    size_t count;
-    void (*done)(void *);
-    void *argument;
-    unsigned windows;
-    bool broken;
-} board;
-
-static bool on_command(void *context, uint8_t command)
-{
-    (void)context;
-    assert_null(board.done); /* commands would go among pixels */
-    if (command == PANEL_MEMORY_WRITE) {
-        board.at = 0;
-        board.windows++;
-    }
-    return !board.broken;
-}
-
-static bool on_data(void *context, const uint8_t *bytes, size_t count)
-{
-    (void)context;
-    (void)bytes;
-    (void)count;
-    return true;
-}
-
-static void on_flush(void *context, const uint16_t *pixels, size_t count, void (*done)(void *), void *argument)
-{
-    (void)context;
-    assert_null(board.done);
-    board.pixels = pixels;
-    board.count = count;
-    board.argument = argument;
-    board.done = done;
-}
-
-static bool end_flush(void)
-{
-    void (*const done)(void *) = board.done;
-    if (!done)
-        return false;
-    assert_true(board.at + board.count <= WIDTH * HEIGHT);
-    memcpy(board.screen + board.at, board.pixels, board.count * sizeof *board.pixels); /* as late as possible */
-    board.at += board.count;
-    board.done = NULL;
-    done(board.argument);
-    return true;
-}
+enum { STRIPS = 5, LOWER_Y = 32, BACKGROUND = 0x1234, CORE_BYTES = 16384 };
 
 /* ---- another core, which runs as early or as late as it can ---- */
 
