@@ -24,7 +24,7 @@ BENCH_BOARDS = mps2-an385 mps2-an386 virt atmega2560
 BENCH_IMAGES = $(foreach board,$(BENCH_BOARDS),$(bare_image_$(board)))
 BENCH_INPUTS = $(BENCH_SOURCES) $(wildcard lib/*.h lib/*.inc tests/bench/*.h) tests/targets/targets.py tests/bench/m0plus.ld tests/bench/bench.mk
 
-setup-bench: setup-build setup-targets setup-bench-host setup-rp2040js
+setup-bench: setup-build setup-targets setup-bench-host setup-rp2040js setup-page-build
 	@.ci/need "make bench" $(BENCH_PACKAGES)
 	@tests/bench/fixmath-source $(BENCH)/fixmath
 
@@ -45,6 +45,7 @@ bench: ## measure: set up what is missing, measure cycles, instructions, code si
 	@+$(SUBMAKE) run-bench-host
 	@+$(SUBMAKE) run-bench-stream
 	@+$(SUBMAKE) run-bench-search
+	@+$(SUBMAKE) run-bench-page
 
 # Seconds instead of minutes: what one needs while making a loop faster.
 bench-cycles: $(BENCH_ELFS) $(BENCH_MESH_ELFS) $(BENCH_SCENE)/scene.json ## measure: cycles on the Cortex-M0+ alone, n = 60: ROWS=PATTERN (exact), N="5 1000"

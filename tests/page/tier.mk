@@ -17,19 +17,15 @@ $(PAGE_TEST_NPM)/done: tests/page/package.json tests/page/package-lock.json
 		{ tail -5 $(PAGE)/tests/npm.log >&2; echo "make: npm could not install what tier page needs" >&2; exit 1; }
 	@touch $@
 
-test-page: ## check: the page in Chromium and Firefox: pictures, files, messages, rate, against the command
+test-page: ## check: the page in Chromium and Firefox: pictures, files, messages, against the command
 	@+tests/tier page "$(SUBMAKE)"
 
-run-page: all $(PAGE)/index.html $(BUILD)/tests/page/native $(PAGE_CONFORMANCE) $(CONFORMANCE_EXPECTED)
+run-page: all $(PAGE)/index.html $(PAGE_CONFORMANCE) $(CONFORMANCE_EXPECTED)
 	@TALLY_JOBS=$$(nproc) tests/tally $(foreach browser,chromium firefox,"node tests/page/test_browser.mjs \
 		$(PAGE_TEST_NPM) $(PAGE) $(abspath $(BUILD)/glint) $(browser) $(PAGE_STATES_$(browser))") \
 		"node tests/page/test_device.mjs $(PAGE_TEST_NPM) $(PAGE) $(abspath $(BUILD)/glint)" \
 		"node tests/page/test_module.mjs $(PAGE) $(abspath $(BUILD)/glint)" \
-		"node tests/page/test_speed.mjs $(PAGE) $(BUILD)/tests/page/native $(PAGE_CONFORMANCE) $(CONFORMANCE_EXPECTED)"
-
-$(BUILD)/tests/page/native: tests/page/native.c $(HOST_ARCHIVES)
-	@mkdir -p $(@D)
-	@$(CC) $(filter-out -MMD -MP,$(HOST_CFLAGS)) $^ -o $@ $(HOST_LDFLAGS) $(HOST_LDLIBS)
+		"node tests/page/test_conformance.mjs $(PAGE_CONFORMANCE) $(CONFORMANCE_EXPECTED)"
 
 # The checks that boards run, over the module's own objects of the library.
 $(PAGE_CONFORMANCE): $(CONFORMANCE_INPUTS) firmware/conformance/expected.c $(filter $(PAGE)/objects/lib/%,$(PAGE_OBJECTS))
