@@ -52,7 +52,7 @@ static void report(const struct render_options *options, const struct drawn *dra
     struct comparison comparison;
     compare(scene, shading, levels, &comparison);
     if (options->json) {
-        comparison_print_json(&comparison, shading, levels, stream);
+        comparison_print_json(&comparison, shading, levels, drawn->is_mesh ? &drawn->coverage : NULL, stream);
     } else {
         if (options->output && !to_stdout) {
             text_print(stream, options->output);

@@ -9,6 +9,7 @@
 #include "base/parse.h"
 #include "commands/commands.h"
 #include "draw/shading.h"
+#include "options/drawing_options.h"
 #include "sinks/frames.h"
 #include "sinks/options.h"
 #include "sinks/sinks.h"
@@ -230,7 +231,7 @@ static char *describe(int key, const char *text, void *input)
 
 int command_stream(int argc, char **argv)
 {
-    static struct argp_child children[SINK_OPTIONS_MAX + 2] = {{&shading_options_argp, 0, NULL, 0}};
+    static struct argp_child children[SINK_OPTIONS_MAX + 2] = {{&drawing_options_argp, 0, NULL, 0}};
     sink_options_children(children + 1);
     const struct argp argp = {argp_options, parse_option, "[SCENE]", doc, children, describe, NULL};
     struct stream_options options = {.kind = sink_kinds[0], .fps = USUAL_FPS, .orbit = NAN, .period = NAN};

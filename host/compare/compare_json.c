@@ -19,7 +19,7 @@ static json_t *difference_json(const struct difference *d, unsigned channels)
 }
 
 void comparison_print_json(const struct comparison *c, const struct shading *shading, const struct levels *levels,
-                           FILE *stream)
+                           const struct mesh_coverage *coverage, FILE *stream)
 {
     const unsigned channels = levels->channels;
     json_t *root = json_pack(
@@ -30,7 +30,12 @@ void comparison_print_json(const struct comparison *c, const struct shading *sha
         difference_json(&c->unrounded, channels), "rounding_alone", difference_json(&c->rounding, channels), "blinn",
         "rounded", difference_json(&c->blinn_rounded, channels), "unrounded",
         difference_json(&c->blinn_unrounded, channels));
-    if (!root || json_dumpf(root, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) != 0)
+    bool good = root != NULL;
+    if (good && coverage)
+        good = json_object_set_new(root, "mesh",
+                                   json_pack("{s:I, s:I}", "covered", (json_int_t)coverage->drawn, "not_compared",
+                                             (json_int_t)coverage->different)) == 0;
+    if (!good || json_dumpf(root, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) != 0)
         fail("the comparison could not be written as JSON");
     fputc('\n', stream);
     json_decref(root);

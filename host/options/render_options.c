@@ -9,6 +9,7 @@
 #include "base/unknown.h"
 #include "image/format.h"
 #include "image/write.h"
+#include "options/drawing_options.h"
 #include "options/render_options.h"
 
 enum key { KEY_IMAGE = 384, KEY_COMPARE, KEY_JSON, KEY_ERROR_MAP, KEY_AGAINST, KEY_GOURAUD, KEY_REPLICATE };
@@ -152,7 +153,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
 
 void render_options_parse(struct render_options *options, int argc, char **argv)
 {
-    static const struct argp_child children[] = {{&shading_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
+    static const struct argp_child children[] = {{&drawing_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
     static const struct argp argp = {argp_options, parse_option, NULL, doc, children, NULL, NULL};
     *options = (struct render_options){.kind = IMAGE_KINDS};
     parse_command(&argp, 0, argc, argv, options);

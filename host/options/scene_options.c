@@ -10,24 +10,10 @@
 #include "options/scene_options.h"
 
 /* Beyond those of the commands, whose keys begin at 256. */
-enum key {
-    KEY_HEIGHT = 512,
-    KEY_NORMALS,
-    KEY_SCENE,
-    KEY_SCALE,
-    KEY_BEVEL,
-    KEY_WRAP,
-    KEY_FLIP_Y,
-    KEY_MASK,
-    KEY_SIZE,
-    KEY_MESH,
-    KEY_CREASE,
-    KEY_SPLIT,
-    KEY_AXES
-};
+enum key { KEY_HEIGHT = 512, KEY_NORMALS, KEY_SCENE, KEY_SCALE, KEY_BEVEL, KEY_WRAP, KEY_FLIP_Y, KEY_MASK, KEY_SIZE };
 
 static const struct argp_option argp_options[] = {
-    {NULL, 0, NULL, 0, "The surface (one of four):", 1},
+    {NULL, 0, NULL, 0, "The surface, from one of these:", 1},
     {"height", KEY_HEIGHT, "FILE", 0,
      "A height map: white near, black far; of colours the brightness counts. With --bevel a logo", 1},
     {"normals", KEY_NORMALS, "FILE", 0,
@@ -37,8 +23,6 @@ static const struct argp_option argp_options[] = {
      1},
     {"scene", KEY_SCENE, "NAME", 0,
      "A built-in scene: sphere, watchface, coin or dial (the watch without numerals), or the mesh teapot", 1},
-    {"mesh", KEY_MESH, "FILE", 0,
-     "A mesh of triangles: OBJ, STL, PLY or glTF. Its materials' colours are used, its textures are not", 1},
 
     {NULL, 0, NULL, 0, "The maps, PNG or SVG files of one size (- is standard input):", 2},
     {"mask", KEY_MASK, "FILE", 0,
@@ -59,17 +43,6 @@ static const struct argp_option argp_options[] = {
      "never scaled; an SVG is drawn at it (default: the map's own size)",
      2},
 
-    {NULL, 0, NULL, 0, "The mesh:", 7}, /* below the commands' own groups */
-    {"crease", KEY_CREASE, "DEGREES", 0,
-     "Normals are made from the mesh's faces, and edges that turn by more than this stay sharp (default: the file's "
-     "own normals; 60 where it has none, and for an STL)",
-     7},
-    {"split", KEY_SPLIT, "DEGREES", 0,
-     "Split a mesh's edges over which the normal turns by more than this, 1..180 (default 30): highlights lie better "
-     "on more triangles",
-     7},
-    {"axes", KEY_AXES, "NAME", 0,
-     "Which way is up in the mesh's file: y-up or z-up (default: z-up for an STL, else y-up)", 7},
     {NULL, 0, NULL, 0, NULL, 0}};
 
 /* ---- the options ---- */
@@ -109,37 +82,21 @@ void scene_options_choose(const struct argp_state *state, const char *option, co
         names[all] = mesh_names[all - scenes];
     const unsigned chosen = parse_choice(state, option, "scene", text, names);
     options->scene = names[chosen];
+    if (options->mesh.name && !options->mesh.built_in)
+        refuse(state, "give only one of --height, --normals, --scene and --mesh");
     if (chosen >= scenes) {
         options->mesh.name = names[chosen];
         options->mesh.built_in = true;
     }
 }
 
-static void check_mesh(const struct argp_state *state, const struct scene_options *o)
-{
-    const struct mesh_source *mesh = &o->mesh;
-    if (!mesh->name && (mesh->crease >= 0 || mesh->split > 0 || mesh->axes != AXES_USUAL))
-        refuse(state, "%s needs --mesh", mesh->crease >= 0 ? "--crease" : mesh->split > 0 ? "--split" : "--axes");
-    if (mesh->built_in && mesh->axes != AXES_USUAL)
-        refuse(state, "--axes is for a mesh's file; leave it out with a built-in mesh");
-    if (mesh->name && (o->albedo || o->gloss || o->mask))
-        refuse(state, "%s is for maps; it cannot be used with a mesh",
-               o->albedo ? "--albedo"
-               : o->mask ? "--mask"
-                         : "--gloss");
-    if (mesh->name && !mesh->built_in && strcmp(mesh->name, "-") == 0)
-        refuse(state, "--mesh: cannot come from standard input; name a file");
-}
-
 static void check(const struct argp_state *state, struct scene_options *o)
 {
     const int sources = !!o->heights + !!o->normals + !!o->scene + (o->mesh.name && !o->mesh.built_in);
-    if (sources > 1 || (sources == 0 && !o->optional))
-        refuse(state, sources ? "give only one of --height, --normals, --scene and --mesh"
-                              : "no surface; give --height FILE, --normals FILE, --scene NAME or --mesh FILE");
-    check_mesh(state, o);
-    if (!(o->mesh.split > 0))
-        o->mesh.split = SPLIT_USUAL;
+    if (sources > 1)
+        refuse(state, "give only one of --height, --normals%s", o->optional ? " and --scene" : ", --scene and --mesh");
+    if (sources == 0 && !o->optional)
+        refuse(state, "no surface; give --height FILE, --normals FILE, --scene NAME or --mesh FILE");
     if (scene_options_standard_input(o) > 1)
         refuse(state, "only one map can come from standard input");
     if (!o->heights && (o->wraps || !isnan(o->scale)))
@@ -169,19 +126,6 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case KEY_SCENE:
         scene_options_choose(state, "--scene", text, o);
-        return 0;
-    case KEY_MESH:
-        o->mesh.name = text;
-        o->mesh.built_in = false;
-        return 0;
-    case KEY_CREASE:
-        o->mesh.crease = parse_real(state, "--crease", text, 0, 180);
-        return 0;
-    case KEY_SPLIT:
-        o->mesh.split = parse_real(state, "--split", text, 1, 180);
-        return 0;
-    case KEY_AXES:
-        o->mesh.axes = (enum mesh_axes)parse_choice(state, "--axes", "axes", text, mesh_axes_names);
         return 0;
     case KEY_SCALE:
         o->scale = parse_real(state, "--scale", text, -10000, 10000);

@@ -187,7 +187,6 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->scene.optional = optional;
     }
         state->child_inputs[0] = &o->scene;
-        state->child_inputs[1] = &o->view;
         return 0;
     case KEY_ALBEDO:
         o->scene.albedo = text;
@@ -205,7 +204,6 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     case ARGP_KEY_END:
         if (o->scene.albedo && o->has_color)
             refuse(state, "give only one of --albedo and --color");
-        view_options_check(state, &o->view, o->scene.mesh.name);
         o->has_light = o->shading.lamp_count > 0;
         check_lamps(state, &o->shading);
         return 0;
@@ -214,8 +212,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = {
-    {&scene_options_argp, 0, NULL, 0}, {&view_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
+static const struct argp_child children[] = {{&scene_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
 const struct argp shading_options_argp = {argp_options, parse_option, NULL, NULL, children, NULL, NULL};
 
 void shading_options_check(const struct argp_state *state, const struct shading_options *options,

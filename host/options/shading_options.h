@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The options of the commands that draw: surface, maps, lights, material, pixels. */
+ * The options of the commands that draw or describe how: surface, maps, lights, material, pixels. */
 #ifndef GLINT_SHADING_OPTIONS_H
 #define GLINT_SHADING_OPTIONS_H
 
@@ -11,15 +11,15 @@
 
 struct shading_options {
     struct scene_options scene;
-    struct view_options view;
-    bool has_color;         /* instead of an albedo */
-    bool has_light;         /* of any kind; otherwise the default one */
-    bool has_format;        /* otherwise RGB888, or the device's */
-    struct shading shading; /* with gaps, which shading_of_options fills */
+    struct view_options view; /* of a mesh; drawing_options.h fills it */
+    bool has_color;           /* instead of an albedo */
+    bool has_light;           /* of any kind; otherwise the default one */
+    bool has_format;          /* otherwise RGB888, or the device's */
+    struct shading shading;   /* with gaps, which shading_of_options fills */
 };
 
 /* A child of a command's argp; its input is a struct shading_options, which it fills, but for scene.optional. It
- * refuses wrong values. */
+ * refuses wrong values, and has no options of meshes: a command that draws takes drawing_options_argp instead. */
 extern const struct argp shading_options_argp;
 /* Checks what depends on the format. */
 void shading_options_check(const struct argp_state *state, const struct shading_options *options,

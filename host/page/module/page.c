@@ -13,6 +13,7 @@
 #include "image/levels.h"
 #include "image/picture.h"
 #include "mesh.h"
+#include "options/drawing_options.h"
 #include "options/shading_options.h"
 #include "state.h"
 #include "words.h"
@@ -59,7 +60,7 @@ static error_t parse_option(int key, char *text, struct argp_state *argp_state)
 
 static struct shading_options parse(char *text, size_t bytes)
 {
-    static const struct argp_child children[] = {{&shading_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
+    static const struct argp_child children[] = {{&drawing_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
     static const struct argp argp = {NULL, parse_option, NULL, NULL, children, NULL, NULL};
     struct shading_options look = {.has_color = false};
     struct words words;

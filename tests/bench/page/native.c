@@ -8,6 +8,7 @@
 #include "base/argp.h"
 #include "draw/canvas.h"
 #include "image/format.h"
+#include "options/drawing_options.h"
 #include "options/shading_options.h"
 
 enum { ROUNDS = 25 };
@@ -23,7 +24,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
 
 int main(int argc, char **argv)
 {
-    static const struct argp_child children[] = {{&shading_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
+    static const struct argp_child children[] = {{&drawing_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
     static const struct argp argp = {NULL, parse_option, NULL, NULL, children, NULL, NULL};
     struct shading_options look = {.has_color = false};
     parse_command(&argp, 0, argc, argv, &look);

@@ -60,6 +60,7 @@ static void options_that_do_not_fit_a_mesh_are_refused(void **state)
         {"render --scene coin --turn 1,2,3 -o a.png", "need a mesh"},
         {"render --scene coin --split 3 -o a.png", "--split needs --mesh"},
         {"render --scene teapot --mesh a.obj -o a.png", "give only one of"},
+        {"render --mesh a.obj --scene teapot -o a.png", "give only one of"},
         {"render --scene coin --gouraud -o a.png", "--gouraud needs a mesh"},
         {"render --scene teapot --gouraud --image raw -o a", "cannot be used with --gouraud"},
         {"render --scene teapot --gloss a.png -o a.png", "--gloss is for maps"},

@@ -41,6 +41,24 @@ static void the_comparison_as_json_has_every_figure(void **state)
     json_decref(root);
 }
 
+static void the_comparison_of_a_mesh_as_json_has_its_coverage(void **state)
+{
+    (void)state;
+    const char *text = run("$GLINT render --scene teapot --size 60x60 --compare")->out, *line;
+    long long covered = 0, different = 0;
+    assert_non_null(line = strstr(text, "the mesh covers "));
+    assert_int_equal(sscanf(line, "the mesh covers %lld pixels; %lld,", &covered, &different), 2);
+    assert_in_range(covered, 500, 2000);
+    json_t *root = json_loads(run("$GLINT render --scene teapot --size 60x60 --json")->out, 0, NULL);
+    const json_t *mesh = json_object_get(root, "mesh");
+    assert_int_equal(json_integer_value(json_object_get(mesh, "covered")), covered);
+    assert_int_equal(json_integer_value(json_object_get(mesh, "not_compared")), different);
+    json_decref(root);
+    root = json_loads(run("$GLINT render --scene coin --size 20x20 --json")->out, 0, NULL);
+    assert_true(json_is_object(root) && !json_object_get(root, "mesh"));
+    json_decref(root);
+}
+
 static void the_comparison_as_text_names_both_references(void **state)
 {
     (void)state;
@@ -92,6 +110,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_comparison_as_json_has_every_figure),
+        cmocka_unit_test(the_comparison_of_a_mesh_as_json_has_its_coverage),
         cmocka_unit_test(the_comparison_as_text_names_both_references),
         cmocka_unit_test(a_picture_on_standard_output_is_not_mixed_with_words),
         cmocka_unit_test(the_error_map_is_a_picture_whose_factor_is_said),

@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: MIT
+ * The options of the commands that draw pictures: those of shading_options.h, and a mesh's. */
+#ifndef GLINT_DRAWING_OPTIONS_H
+#define GLINT_DRAWING_OPTIONS_H
+
+#include <argp.h>
+
+/* A child of a command's argp; its input is a struct shading_options. */
+extern const struct argp drawing_options_argp;
+
+#endif

@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT */
+#include <string.h>
+
+#include "base/argp.h"
+#include "base/parse.h"
+#include "options/mesh_options.h"
+#include "options/scene_options.h"
+
+/* Beyond those of scene_options.c. */
+enum key { KEY_MESH = 576, KEY_CREASE, KEY_SPLIT, KEY_AXES };
+
+static const struct argp_option argp_options[] = {
+    {"mesh", KEY_MESH, "FILE", 0,
+     "A mesh of triangles: OBJ, STL, PLY or glTF. Its materials' colours are used, its textures are not", 1},
+
+    {NULL, 0, NULL, 0, "The mesh:", 7}, /* below the commands' own groups */
+    {"crease", KEY_CREASE, "DEGREES", 0,
+     "Normals are made from the mesh's faces, and edges that turn by more than this stay sharp (default: the file's "
+     "own normals; 60 where it has none, and for an STL)",
+     7},
+    {"split", KEY_SPLIT, "DEGREES", 0,
+     "Split a mesh's edges over which the normal turns by more than this, 1..180 (default 30): highlights lie better "
+     "on more triangles",
+     7},
+    {"axes", KEY_AXES, "NAME", 0,
+     "Which way is up in the mesh's file: y-up or z-up (default: z-up for an STL, else y-up)", 7},
+    {NULL, 0, NULL, 0, NULL, 0}};
+
+static void check(const struct argp_state *state, struct scene_options *o)
+{
+    struct mesh_source *mesh = &o->mesh;
+    if (!mesh->name && (mesh->crease >= 0 || mesh->split > 0 || mesh->axes != AXES_USUAL))
+        refuse(state, "%s needs --mesh", mesh->crease >= 0 ? "--crease" : mesh->split > 0 ? "--split" : "--axes");
+    if (mesh->built_in && mesh->axes != AXES_USUAL)
+        refuse(state, "--axes is for a mesh's file; leave it out with a built-in mesh");
+    if (mesh->name && (o->albedo || o->gloss || o->mask))
+        refuse(state, "%s is for maps; it cannot be used with a mesh",
+               o->albedo ? "--albedo"
+               : o->mask ? "--mask"
+                         : "--gloss");
+    if (mesh->name && !mesh->built_in && strcmp(mesh->name, "-") == 0)
+        refuse(state, "--mesh: cannot come from standard input; name a file");
+    if (!(mesh->split > 0))
+        mesh->split = SPLIT_USUAL;
+}
+
+static error_t parse_option(int key, char *text, struct argp_state *state)
+{
+    struct scene_options *o = state->input;
+    switch (key) {
+    case KEY_MESH:
+        o->mesh.name = text;
+        o->mesh.built_in = false;
+        return 0;
+    case KEY_CREASE:
+        o->mesh.crease = parse_real(state, "--crease", text, 0, 180);
+        return 0;
+    case KEY_SPLIT:
+        o->mesh.split = parse_real(state, "--split", text, 1, 180);
+        return 0;
+    case KEY_AXES:
+        o->mesh.axes = (enum mesh_axes)parse_choice(state, "--axes", "axes", text, mesh_axes_names);
+        return 0;
+    case ARGP_KEY_END:
+        check(state, o);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+const struct argp mesh_options_argp = {argp_options, parse_option, NULL, NULL, NULL, NULL, NULL};
