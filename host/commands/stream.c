@@ -127,7 +127,7 @@ static void check(const struct argp_state *state, struct stream_options *o)
     if (!isnan(o->orbit) && !directional)
         refuse(state, "--orbit: is for a --light; points and spots keep their distance from the picture's middle");
     if (o->lights && strcmp(o->lights, "-") == 0 && scene_options_standard_input(&o->look.scene))
-        refuse(state, "--lights: only one of --lights and the maps can come from standard input");
+        refuse(state, "--lights: only one of --lights, the maps and the mesh can come from standard input");
     const bool is_mesh = o->look.scene.mesh.name, light_moves = !is_mesh || o->lights || !isnan(o->orbit);
     if (isnan(o->period))
         o->period = is_mesh ? usual_turn_period : usual_period;

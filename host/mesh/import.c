@@ -2,16 +2,7 @@
  * The child sends what it read through a pipe, and the parent believes nothing of it. */
 #include "mesh/import.h"
 
-#include <string.h>
-#include <strings.h>
-
 #include "base/message.h"
-
-bool import_is_stl(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && strcasecmp(dot, ".stl") == 0;
-}
 
 #if GLINT_WITH_MESH
 #include <errno.h>
@@ -20,8 +11,8 @@ bool import_is_stl(const char *path)
 #include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -29,33 +20,13 @@ bool import_is_stl(const char *path)
 #include "base/memory.h"
 #include "glint.h"
 #include "mesh/import_child.h"
+#include "mesh/import_source.h"
 
-static const char *const endings[] = {".obj", ".stl", ".ply", ".gltf", ".glb"};
-
-enum { SECONDS_MAX = 10, FILE_MAX_MB = 256, MEMORY_MAX_MB = 2048, PARTS_MAX = 4096 };
-
-static void check_file(const char *path)
-{
-    struct stat status;
-    bool known = false;
-    const char *dot = strrchr(path, '.');
-    for (size_t i = 0; dot && i < sizeof endings / sizeof *endings; i++)
-        known |= strcasecmp(dot, endings[i]) == 0;
-    if (!known)
-        fail("%s: a mesh's name ends in .obj, .stl, .ply, .gltf or .glb; rename it, or export it so", path);
-    if (stat(path, &status) != 0)
-        fail("%s: %s", path, strerror(errno));
-    if (!S_ISREG(status.st_mode))
-        fail("%s: this is not a regular file; name a mesh", path);
-    if (status.st_size == 0)
-        fail("%s: this file is empty; name a mesh", path);
-    if (status.st_size > (off_t)FILE_MAX_MB << 20)
-        fail("%s: this file has more than %d MB; simplify the mesh", path, FILE_MAX_MB);
-}
+enum { SECONDS_MAX = 10, MEMORY_MAX_MB = 2048, PARTS_MAX = 4096 };
 
 /* ---- the child ---- */
 
-static _Noreturn void run_child(const char *path, int out)
+static _Noreturn void run_child(const struct import_source *source, int out)
 {
     for (int i = 1; i < NSIG; i++)
         signal(i, SIG_DFL);
@@ -70,14 +41,14 @@ static _Noreturn void run_child(const char *path, int out)
     setrlimit(RLIMIT_AS, &(struct rlimit){memory, memory});
 #endif
     close(STDIN_FILENO);
-    import_child(path, out);
+    import_child(source, out);
     _exit(0);
 }
 
 /* ---- the parent ---- */
 
 struct reader {
-    const char *path;
+    const struct import_source *source;
     int in;
     pid_t child;
     double end; /* of its time */
@@ -93,11 +64,12 @@ static _Noreturn void fail_child(const struct reader *reader)
         ;
     if (late || (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)))
         fail("%s: libassimp did not read it within %d s; the file may be damaged: export it again, or simplify it",
-             reader->path, SECONDS_MAX);
+             reader->source->name, SECONDS_MAX);
     if (WIFSIGNALED(status))
         fail("%s: libassimp crashed on it (%s); the file may be damaged: export it again, or in another format",
-             reader->path, strsignal(WTERMSIG(status)));
-    fail("%s: libassimp broke off; the file may be damaged: export it again, or in another format", reader->path);
+             reader->source->name, strsignal(WTERMSIG(status)));
+    fail("%s: libassimp broke off; the file may be damaged: export it again, or in another format",
+         reader->source->name);
 }
 
 static void receive(const struct reader *reader, void *to, size_t bytes)
@@ -138,20 +110,21 @@ static struct soup *receive_soup(const struct reader *reader)
     receive(reader, &head, sizeof head);
     head.message[sizeof head.message - 1] = 0;
     if (head.message[0])
-        fail("%s: libassimp cannot read this mesh: %s", reader->path, head.message);
+        fail("%s: libassimp cannot read this mesh: %s", reader->source->name, head.message);
     if (head.face_count == 0)
-        fail("%s: has no triangles; name another mesh", reader->path);
+        fail("%s: has no triangles; name another mesh", reader->source->name);
     if (head.face_count > GLINT_MESH_FACES_MAX)
-        fail("%s: has %llu triangles, and at most %u can be drawn; simplify the mesh", reader->path,
+        fail("%s: has %llu triangles, and at most %u can be drawn; simplify the mesh", reader->source->name,
              (unsigned long long)head.face_count, GLINT_MESH_FACES_MAX);
     if (head.part_count == 0 || head.part_count > PARTS_MAX)
-        fail("%s: has %llu materials; at most %d can be read; join some", reader->path,
+        fail("%s: has %llu materials; at most %d can be read; join some", reader->source->name,
              (unsigned long long)head.part_count, PARTS_MAX);
     struct soup *soup = allocate(1, sizeof *soup);
-    *soup = (struct soup){.name = strdup(reader->path),
+    *soup = (struct soup){.name = strdup(reader->source->name),
                           .face_count = head.face_count,
                           .has_normals = head.has_normals,
                           .has_textures = head.has_textures,
+                          .is_stl = strcmp(reader->source->ending, ".stl") == 0,
                           .part_count = (unsigned)head.part_count};
     if (!soup->name)
         fail("out of memory");
@@ -166,23 +139,24 @@ static struct soup *receive_soup(const struct reader *reader)
 struct soup *import_soup(const char *path)
 {
     int ends[2];
-    check_file(path);
+    struct import_source *source = import_source_open(path);
     if (pipe2(ends, O_CLOEXEC) != 0)
-        fail("%s: no pipe for the import: %s", path, strerror(errno));
+        fail("%s: no pipe for the import: %s", source->name, strerror(errno));
     const pid_t child = fork();
     if (child < 0)
-        fail("%s: no process for the import: %s", path, strerror(errno));
+        fail("%s: no process for the import: %s", source->name, strerror(errno));
     if (child == 0) {
         close(ends[0]);
-        run_child(path, ends[1]);
+        run_child(source, ends[1]);
     }
     close(ends[1]);
-    const struct reader reader = {path, ends[0], child, seconds_now() + SECONDS_MAX};
+    const struct reader reader = {source, ends[0], child, seconds_now() + SECONDS_MAX};
     struct soup *soup = receive_soup(&reader);
     close(ends[0]);
     kill(child, SIGKILL); /* it has nothing more to say */
     while (waitpid(child, NULL, 0) < 0 && errno == EINTR)
         ;
+    import_source_free(source);
     return soup;
 }
 

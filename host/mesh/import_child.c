@@ -11,7 +11,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <unistd.h>
 
 #include "glint.h"
@@ -19,6 +18,7 @@
 /* Loaded here only: commands that read no mesh start without it. */
 #define FUNCTIONS(X)                                                                                                   \
     X(aiImportFile)                                                                                                    \
+    X(aiImportFileFromMemory)                                                                                          \
     X(aiGetErrorString)                                                                                                \
     X(aiGetMaterialColor)                                                                                              \
     X(aiGetMaterialFloatArray)                                                                                         \
@@ -123,19 +123,26 @@ static struct import_head head_of(const struct aiScene *scene)
     return head;
 }
 
-void import_child(const char *path, int out)
+static const struct aiScene *read_scene(const struct import_source *source)
 {
-    const char *dot = strrchr(path, '.');
-    const bool linear = dot && (strcasecmp(dot, ".gltf") == 0 || strcasecmp(dot, ".glb") == 0);
+    const unsigned steps = aiProcess_Triangulate | aiProcess_PreTransformVertices;
+    return source->path ? lib.aiImportFile(source->path, steps)
+                        : lib.aiImportFileFromMemory(source->bytes, (unsigned)source->len, steps, source->ending + 1);
+}
+
+void import_child(const struct import_source *source, int out)
+{
+    const bool linear = strcmp(source->ending, ".gltf") == 0 || strcmp(source->ending, ".glb") == 0;
     if (!load()) {
         send_message(out, LIBRARY " cannot be loaded; install libassimp5");
         return;
     }
     if (!freopen("/dev/null", "w", stderr) || !freopen("/dev/null", "w", stdout))
         _exit(1);
-    const struct aiScene *scene = lib.aiImportFile(path, aiProcess_Triangulate | aiProcess_PreTransformVertices);
+    const struct aiScene *scene = read_scene(source);
     if (!scene) {
-        send_message(out, lib.aiGetErrorString());
+        const char *text = lib.aiGetErrorString();
+        send_message(out, strstr(text, "$$$") ? "" : text); /* a name that libassimp gave to the bytes */
         return;
     }
     struct import_head head = head_of(scene);
@@ -152,9 +159,9 @@ void import_child(const char *path, int out)
 
 #else
 
-void import_child(const char *path, int out)
+void import_child(const struct import_source *source, int out)
 {
-    (void)path;
+    (void)source;
     (void)out;
 }
 

@@ -3,6 +3,7 @@
 #ifndef GLINT_MESH_IMPORT_CHILD_H
 #define GLINT_MESH_IMPORT_CHILD_H
 
+#include "mesh/import_source.h"
 #include "mesh/soup.h"
 
 /* Sent first; then, where there is no message, the materials and the faces. */
@@ -11,7 +12,7 @@ struct import_head {
     uint64_t face_count, part_count;
     bool has_normals, has_textures;
 };
-/* Reads the file and sends it to the descriptor, as a head, struct mesh_material's and struct soup_face's. */
-void import_child(const char *path, int out);
+/* Reads the mesh and sends it to the descriptor, as a head, struct mesh_material's and struct soup_face's. */
+void import_child(const struct import_source *source, int out);
 
 #endif

@@ -41,9 +41,8 @@ static void stand_up(double v[3])
 static struct soup *read_file(const struct mesh_source *source)
 {
     struct soup *soup = import_soup(source->name);
-    const bool stl = import_is_stl(source->name);
-    const enum mesh_axes axes = source->axes != AXES_USUAL ? source->axes : stl ? AXES_Z_UP : AXES_Y_UP;
-    soup->has_normals &= !stl; /* which has one for each facet */
+    const enum mesh_axes axes = source->axes != AXES_USUAL ? source->axes : soup->is_stl ? AXES_Z_UP : AXES_Y_UP;
+    soup->has_normals &= !soup->is_stl;
     for (size_t i = 0; axes == AXES_Z_UP && i < 3 * soup->face_count; i++) {
         stand_up(soup->faces[i / 3].places[i % 3]);
         stand_up(soup->faces[i / 3].normals[i % 3]);

@@ -1,6 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include <string.h>
-
 #include "base/argp.h"
 #include "base/parse.h"
 #include "options/mesh_options.h"
@@ -11,7 +9,9 @@ enum key { KEY_MESH = 576, KEY_CREASE, KEY_SPLIT, KEY_AXES };
 
 static const struct argp_option argp_options[] = {
     {"mesh", KEY_MESH, "FILE", 0,
-     "A mesh of triangles: OBJ, STL, PLY or glTF. Its materials' colours are used, its textures are not", 1},
+     "A mesh of triangles: OBJ, STL, PLY or glTF (- is standard input). Its materials' colours are used, its textures "
+     "are not",
+     1},
 
     {NULL, 0, NULL, 0, "The mesh:", 7}, /* below the commands' own groups */
     {"crease", KEY_CREASE, "DEGREES", 0,
@@ -38,8 +38,6 @@ static void check(const struct argp_state *state, struct scene_options *o)
                o->albedo ? "--albedo"
                : o->mask ? "--mask"
                          : "--gloss");
-    if (mesh->name && !mesh->built_in && strcmp(mesh->name, "-") == 0)
-        refuse(state, "--mesh: cannot come from standard input; name a file");
     if (!(mesh->split > 0))
         mesh->split = SPLIT_USUAL;
 }

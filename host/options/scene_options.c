@@ -64,7 +64,7 @@ static void parse_size(const struct argp_state *state, const char *text, struct 
 
 unsigned scene_options_standard_input(const struct scene_options *o)
 {
-    const char *const maps[] = {o->heights, o->normals, o->albedo, o->gloss, o->mask};
+    const char *const maps[] = {o->heights, o->normals, o->albedo, o->gloss, o->mask, o->mesh.name};
     unsigned count = 0;
     for (size_t i = 0; i < sizeof maps / sizeof *maps; i++)
         count += maps[i] && strcmp(maps[i], "-") == 0;

@@ -13,7 +13,7 @@ extern const struct argp scene_options_argp;
 /* A built-in scene or mesh; else refuses it. `option`: as it is named in messages, or NULL. */
 void scene_options_choose(const struct argp_state *state, const char *option, const char *text,
                           struct scene_options *options);
-/* How many of the maps come from standard input. */
+/* How many of the maps and the mesh come from standard input. */
 unsigned scene_options_standard_input(const struct scene_options *options);
 
 #endif

@@ -64,7 +64,8 @@ static void options_that_do_not_fit_a_mesh_are_refused(void **state)
         {"render --scene coin --gouraud -o a.png", "--gouraud needs a mesh"},
         {"render --scene teapot --gouraud --image raw -o a", "cannot be used with --gouraud"},
         {"render --scene teapot --gloss a.png -o a.png", "--gloss is for maps"},
-        {"render --mesh - -o a.png", "--mesh: cannot come from standard input"},
+        {"render --mesh - --height - -o a.png", "give only one of"},
+        {"stream --mesh - --lights - --to none", "only one of --lights, the maps and the mesh can come"},
         {"render --scene teapot --path span -o a.png", "--path span: cannot draw a mesh; choose"},
         {"render --scene teapot --point 1,2,3,4 -o a.png", "takes only one --light"},
         {"render --scene teapot --model phong -o a.png", "choose another --model"},
@@ -138,6 +139,84 @@ static void stl_ply_and_gltf_are_read_and_axes_turn_what_is_up(void **state)
     assert_false(same_file("stl.ppm", "y.ppm"));
 }
 
+static void write_bytes(FILE *file, const void *bytes, size_t len)
+{
+    assert_int_equal(fwrite(bytes, 1, len, file), len);
+}
+
+/* The pyramid again: a binary STL whose comment begins as a text STL does, and a.gltf in a binary glTF. */
+static void write_binary_meshes(void)
+{
+    char *text = whole_file("a.gltf"), *uri = strstr(text, ",\"uri\""), *rest = strstr(text, "}],\"bufferViews\"");
+    assert_true(uri && rest);
+    memmove(uri, rest, strlen(rest) + 1);
+    const uint32_t len = (uint32_t)strlen(text), whole = (len + 3) / 4 * 4, one = 1;
+    const uint32_t head[] = {0x46546c67, 2, 28 + whole + 36, whole, 0x4e4f534a}; /* "glTF", "JSON" */
+    const uint32_t part[] = {36, 0x004e4942};                                    /* "BIN" */
+    const float places[9] = {0, 0, 0, 2, 0, 0, 0, 1, 0};
+    const float facet[12] = {0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1};
+    FILE *glb = fopen("a.glb", "wb"), *stl = fopen("b.stl", "wb");
+    assert_true(glb && stl);
+    write_bytes(glb, head, sizeof head);
+    write_bytes(glb, text, len);
+    write_bytes(glb, "   ", whole - len);
+    write_bytes(glb, part, sizeof part);
+    write_bytes(glb, places, sizeof places);
+    assert_true(fprintf(stl, "%-80s", "solid b") == 80);
+    write_bytes(stl, &one, sizeof one);
+    write_bytes(stl, facet, sizeof facet);
+    write_bytes(stl, "\0", 2);
+    assert_int_equal(fclose(glb) | fclose(stl), 0);
+    free(text);
+}
+
+static void standard_input_is_known_by_its_bytes_and_read_as_a_file_is(void **state)
+{
+    (void)state;
+    write_binary_meshes();
+    write_text("b.obj", "\n# a comment\nv 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n");
+    const struct run *result =
+        run("for f in a.stl b.stl a.ply a.gltf a.glb b.obj; do "
+            "$GLINT render --mesh $f --turn 9,0,0 --color 9,99,199 --size 40x30 -o file.ppm && "
+            "$GLINT render --mesh - --turn 9,0,0 --color 9,99,199 --size 40x30 -o input.ppm <$f && "
+            "cmp file.ppm input.ppm || exit 1; "
+            "[ $f = a.stl ] || cmp file.ppm first.ppm || exit 1; cp file.ppm first.ppm; done");
+    assert_string_equal(result->err, "");
+    assert_string_equal(result->out, "");
+    assert_int_equal(result->status, 0);
+    result = run("cat a.ply | $GLINT bake --mesh - -o - 2>report && $GLINT bake --mesh a.ply -o a.c >/dev/null");
+    assert_int_equal(result->status, 0);
+    assert_contains(result->out, "static const struct glint_mesh baked");
+    assert_int_equal(
+        run("cat a.ply | $GLINT stream --mesh - --size 40x30 --frames 2 --fps 4 --to ppm -o t%d.ppm")->status, 0);
+    assert_false(same_file("t0.ppm", "t1.ppm"));
+}
+
+static void what_standard_input_holds_wrong_is_one_line(void **state)
+{
+    (void)state;
+    static const char *const inputs[][2] = {
+        {"</dev/null", "standard input: is empty; send a mesh"},
+        {"<&-", "standard input: could not be read: "},
+        {"<.", "standard input: could not be read: "},
+        {"</dev/zero", "standard input: has more than 256 MB; simplify the mesh"},
+        {"<$GLINT", "standard input: this is not an OBJ, STL, PLY or glTF"},
+        {"<<<'vertices, but no mesh'", "standard input: this is not an OBJ, STL, PLY or glTF"},
+        {"<<<'{}'", "standard input: libassimp cannot read this mesh: it is damaged"},
+        {"<<<'v 0 0 0'", "standard input: "},
+        {"< <(head -c 100 a.ply)", "standard input: libassimp "},
+        {"<nan.obj", "standard input: triangle 1 has a coordinate that is not a number below 10^30"}};
+    write_text("nan.obj", "v 0 0 0\nv nan 1 0\nv 1 1 0\nf 1 2 3\n");
+    for (size_t i = 0; i < sizeof inputs / sizeof *inputs; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "bash -c \"\\$GLINT bake --mesh - -o no.c %s\"", inputs[i][0]);
+        assert_fails(line, inputs[i][1]);
+    }
+    assert_fails("cp a.ply a.bin; $GLINT bake --mesh - -o a.bin <a.bin", "a.bin: ");
+    assert_same_file("a.ply", "a.bin");
+    assert_false(exists("no.c") || exists("no.h"));
+}
+
 static void a_mesh_that_faces_inwards_is_drawn_with_a_warning(void **state)
 {
     (void)state;
@@ -207,6 +286,8 @@ int main(void)
 #if GLINT_WITH_MESH
         cmocka_unit_test(an_obj_has_its_materials_and_its_textures_are_ignored_with_a_word),
         cmocka_unit_test(stl_ply_and_gltf_are_read_and_axes_turn_what_is_up),
+        cmocka_unit_test(standard_input_is_known_by_its_bytes_and_read_as_a_file_is),
+        cmocka_unit_test(what_standard_input_holds_wrong_is_one_line),
         cmocka_unit_test(a_mesh_that_faces_inwards_is_drawn_with_a_warning),
         cmocka_unit_test(hostile_files_are_one_line),
 #else

@@ -35,7 +35,7 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         {"sphere --to png -o out/x%d.png --lights l --period 3", "leave out --period"},
         {"sphere --to png -o out/x%d.png --lights l --point 1,1,1,9", "moves a --light"},
         {"sphere --to png -o out/x%d.png --orbit 9 --point 1,1,1,9", "--orbit: is for a --light"},
-        {"--height - --to png -o out/x%d.png --lights -", "only one of --lights and the maps"},
+        {"--height - --to png -o out/x%d.png --lights -", "only one of --lights, the maps"},
         {"sphere --to png -o out/x%d.png --path colour-int8 --format rgb888", "needs --format rgb565"},
         {"sphere --to png -o out/x%d.png --light 0,0,-1", "opposite"},
         {"sphere --to none --link-rate 0", "--link-rate: '0' is not a number from 0.001"},

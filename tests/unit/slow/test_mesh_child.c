@@ -55,6 +55,8 @@ static void the_childs_death_is_one_line_and_it_runs_with_limits(void **state)
         "const void *aiImportFile(const char *path, unsigned flags) { (void)flags;\n"
         "  if (strstr(path, \"crash\")) raise_it(); if (strstr(path, \"quit\")) exit(0); if (strstr(path, \"hang\")) "
         "pause(); return NULL; }\n"
+        "const void *aiImportFileFromMemory(const char *bytes, unsigned len, unsigned flags, const char *hint) {\n"
+        "  (void)len; (void)hint; return aiImportFile(bytes, flags); }\n"
         "const char *aiGetErrorString(void) { static char text[200]; struct rlimit cpu, file;\n"
         "  getrlimit(RLIMIT_CPU, &cpu); getrlimit(RLIMIT_FSIZE, &file);\n"
         "  snprintf(text, sizeof text, \"limits %d %d\\n and \\033 odd\", (int)cpu.rlim_cur, "
@@ -73,6 +75,10 @@ static void the_childs_death_is_one_line_and_it_runs_with_limits(void **state)
     assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh other.obj -o no.c", "cannot read this mesh: limits 10 0");
     write_text("hang.obj", triangle);
     assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh hang.obj -o no.c", "did not read it within 10 s");
+    assert_fails("(echo v crash; cat crash.obj) | LD_LIBRARY_PATH=$PWD $GLINT bake --mesh - -o no.c",
+                 "standard input: libassimp crashed on it (");
+    assert_fails("(echo v; cat crash.obj) | LD_LIBRARY_PATH=$PWD $GLINT bake --mesh - -o no.c",
+                 "standard input: libassimp cannot read this mesh: limits 10 0");
     assert_false(exists("no.c"));
     assert_contains(run("$GLINT --version")->out, import_library());
 }

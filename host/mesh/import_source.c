@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: MIT */
+#include "mesh/import_source.h"
+
+#if GLINT_WITH_MESH
+#include <ctype.h>
+#include <errno.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+
+#include "base/memory.h"
+#include "base/message.h"
+#include "base/output.h"
+
+enum { FILE_MAX_MB = 256, FIRST_BYTES = 1 << 16, STL_HEAD = 84, STL_FACET = 50 };
+static const char obj[] = ".obj", stl[] = ".stl", ply[] = ".ply", gltf[] = ".gltf", glb[] = ".glb";
+static const char *const endings[] = {obj, stl, ply, gltf, glb};
+
+/* ---- files ---- */
+
+static const char *ending_of(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    for (size_t i = 0; dot && i < sizeof endings / sizeof *endings; i++)
+        if (strcasecmp(dot, endings[i]) == 0)
+            return endings[i];
+    fail("%s: a mesh's name ends in .obj, .stl, .ply, .gltf or .glb; rename it, or export it so", path);
+}
+
+static void check_file(const char *path)
+{
+    struct stat status;
+    if (stat(path, &status) != 0)
+        fail("%s: %s", path, strerror(errno));
+    if (!S_ISREG(status.st_mode))
+        fail("%s: this is not a regular file; name a mesh", path);
+    if (status.st_size == 0)
+        fail("%s: this file is empty; name a mesh", path);
+    if (status.st_size > (off_t)FILE_MAX_MB << 20)
+        fail("%s: this file has more than %d MB; simplify the mesh", path, FILE_MAX_MB);
+}
+
+/* ---- standard input ---- */
+
+static void read_input(struct import_source *source)
+{
+    const size_t max = (size_t)FILE_MAX_MB << 20;
+    size_t room = FIRST_BYTES, got;
+    source->bytes = allocate(room, 1);
+    while ((got = fread(source->bytes + source->len, 1, room - source->len, stdin)) > 0) {
+        source->len += got;
+        if (source->len > max)
+            fail("%s: has more than %d MB; simplify the mesh", source->name, FILE_MAX_MB);
+        if (source->len < room)
+            continue;
+        room *= 2;
+        source->bytes = realloc(source->bytes, room);
+        if (!source->bytes)
+            fail("out of memory");
+    }
+    if (ferror(stdin))
+        fail("%s: could not be read: %s", source->name, strerror(errno));
+    if (source->len == 0)
+        fail("%s: is empty; send a mesh", source->name);
+}
+
+/* A binary STL has as many bytes as the count after its comment says. The comment may begin as a text STL does. */
+static bool is_binary_stl(const struct import_source *source)
+{
+    uint64_t count = 0;
+    for (int i = 3; source->len >= STL_HEAD && i >= 0; i--)
+        count = count << 8 | (uint8_t)source->bytes[STL_HEAD - 4 + i];
+    return source->len >= STL_HEAD && source->len == STL_HEAD + STL_FACET * count;
+}
+
+/* Whether a line begins with `word`, after blanks, and a blank follows. */
+static bool has_line(const struct import_source *source, const char *word)
+{
+    const char *at = source->bytes, *const end = at + source->len;
+    const size_t len = strlen(word);
+    while (at) {
+        while (at < end && isspace((unsigned char)*at))
+            at++;
+        if ((size_t)(end - at) > len && strncasecmp(at, word, len) == 0 && isspace((unsigned char)at[len]))
+            return true;
+        at = memchr(at, '\n', (size_t)(end - at));
+    }
+    return false;
+}
+
+/* By what each format's files begin with; an OBJ may begin with anything, but has a line of a vertex. */
+static const char *ending_by_bytes(const struct import_source *source)
+{
+    const char *at = source->bytes;
+    const size_t len = source->len;
+    if (len >= 4 && memcmp(at, "glTF", 4) == 0)
+        return glb;
+    if (len >= 4 && memcmp(at, "ply", 3) == 0 && isspace((unsigned char)at[3]))
+        return ply;
+    if (is_binary_stl(source) || (has_line(source, "facet") && has_line(source, "vertex")))
+        return stl;
+    if (memchr(at, 0, len) == NULL) {
+        size_t blanks = 0;
+        while (blanks < len && isspace((unsigned char)at[blanks]))
+            blanks++;
+        if (blanks < len && at[blanks] == '{')
+            return gltf;
+        if (has_line(source, "v"))
+            return obj;
+    }
+    fail("%s: this is not an OBJ, STL, PLY or glTF; send a mesh, or name its file", source->name);
+}
+
+/* ---- both ---- */
+
+struct import_source *import_source_open(const char *path)
+{
+    struct import_source *source = allocate(1, sizeof *source);
+    if (strcmp(path, "-") == 0) {
+        source->name = "standard input";
+        output_never(stdin);
+        read_input(source);
+        source->ending = ending_by_bytes(source);
+    } else {
+        *source = (struct import_source){.name = path, .path = path, .ending = ending_of(path)};
+        check_file(path);
+    }
+    return source;
+}
+
+void import_source_free(struct import_source *source)
+{
+    free(source->bytes);
+    free(source);
+}
+
+#endif

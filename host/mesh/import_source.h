@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT
+ * What is imported: a file, or what standard input held. */
+#ifndef GLINT_MESH_IMPORT_SOURCE_H
+#define GLINT_MESH_IMPORT_SOURCE_H
+
+#include <stddef.h>
+
+struct import_source {
+    const char *name;   /* for messages */
+    const char *path;   /* NULL: standard input, whose bytes are below */
+    const char *ending; /* ".obj", ".stl", ".ply", ".gltf" or ".glb": the format */
+    char *bytes;
+    size_t len;
+};
+/* From a path, "-" for standard input, which is read to its end and known by how it begins. Errors end the program through fail(). */
+struct import_source *import_source_open(const char *path);
+void import_source_free(struct import_source *source);
+
+#endif
