@@ -19,15 +19,8 @@ static const char *const names[CONFORMANCE_HELD] = {
 #if !CONFORMANCE_MODELS_ONLY
     "vectors and lights",
     "sRGB",
-    "rectangles and spans in RGB565",
-    "rectangles and spans in RGB565, bytes swapped",
-    "rectangles and spans in RGB888",
-    "rectangles and spans in grey",
-    "rectangles and spans in mono",
-    "rectangles and spans in BGR888",
-    "rectangles and spans in XRGB8888",
-    "rectangles and spans in ARGB8888",
-    "no such format",
+#define CONFORMANCE_FORMAT(number, name, bytes, channels, red, green, blue) "rectangles and spans in " name,
+    GLINT_FORMATS(CONFORMANCE_FORMAT) "no such format",
     "meshes",
     "SMALL tables, their loops",
     "COLOUR tables, their loops, palettes",
@@ -75,7 +68,7 @@ uint64_t conformance_hash(unsigned check, const struct conformance_size *size)
     else if (check == CONFORMANCE_SRGB)
         conform_srgb(size);
     else if (check <= CONFORMANCE_NO_FORMAT)
-        conform_scenes(check - CONFORMANCE_RGB565 + GLINT_RGB565, size);
+        conform_scenes(check - CONFORMANCE_FORMATS, size);
     else if (check == CONFORMANCE_MESHES)
         conform_meshes(size, false);
     else if (check == CONFORMANCE_SMALL)

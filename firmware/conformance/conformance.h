@@ -36,15 +36,8 @@ enum conformance_check {
     /* clang-format on */
     CONFORMANCE_VECTORS,
     CONFORMANCE_SRGB,
-    CONFORMANCE_RGB565, /* rectangles, rectangles under several lights, spans */
-    CONFORMANCE_RGB565_SWAPPED,
-    CONFORMANCE_RGB888,
-    CONFORMANCE_GREY8,
-    CONFORMANCE_MONO,
-    CONFORMANCE_BGR888,
-    CONFORMANCE_XRGB8888,
-    CONFORMANCE_ARGB8888,
-    CONFORMANCE_NO_FORMAT, /* one more than there are */
+    CONFORMANCE_FORMATS, /* one each: rectangles, rectangles under several lights, spans */
+    CONFORMANCE_NO_FORMAT = CONFORMANCE_FORMATS + GLINT_FORMAT_COUNT, /* one more than there are */
     CONFORMANCE_MESHES,
     CONFORMANCE_SMALL, /* tables as filled, and all their loops */
     CONFORMANCE_COLOURS,

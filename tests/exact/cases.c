@@ -68,7 +68,7 @@ struct glint_shader case_shader(uint64_t *seed)
     }
     s.format = (uint8_t)BELOW(5);
     if (s.format == GLINT_RGB888 && ONE_IN(2)) /* half of these: what is found in one of them is found in all */
-        s.format = (uint8_t)(GLINT_BGR888 + BELOW(3));
+        s.format = (uint8_t)(GLINT_BGR888 + BELOW(GLINT_FORMAT_COUNT - GLINT_BGR888));
     s.space = (uint8_t)ONE_IN(3);
     s.dither = ONE_IN(2);
     s.clamp_peak = ONE_IN(2);

@@ -180,7 +180,7 @@ static inline void stored_levels(enum glint_format format, const uint8_t *line, 
     case GLINT_GREY8:
         levels[0] = levels[1] = levels[2] = line[x];
         return;
-    default: /* GLINT_MONO */
+    case GLINT_MONO:
         levels[0] = levels[1] = levels[2] = line[x / 8] >> (7 - x % 8) & 1;
     }
 }
@@ -212,13 +212,18 @@ static inline void scene_init(struct scene *s, enum glint_format format, enum gl
 
 static inline unsigned bytes_of(enum glint_format format, unsigned w)
 {
-    static const uint8_t bytes[] = {2, 2, 3, 1, 0, 3, 4, 4};
+#define FORMAT_BYTES(number, name, bytes, channels, red, green, blue) bytes,
+    static const uint8_t bytes[] = {GLINT_FORMATS(FORMAT_BYTES)};
+#undef FORMAT_BYTES
     return format == GLINT_MONO ? (w + 7) / 8 : bytes[format] * w;
 }
 
-static const enum glint_format formats[] = {GLINT_RGB565, GLINT_RGB565_SWAPPED, GLINT_RGB888,   GLINT_GREY8,
-                                            GLINT_BGR888, GLINT_XRGB8888,       GLINT_ARGB8888, GLINT_MONO};
-enum { FORMATS = 8 };
+/* All of them, mono last: its lines start on bytes. */
+static inline enum glint_format format_number(int64_t i)
+{
+    const int64_t format = i % GLINT_FORMAT_COUNT;
+    return (enum glint_format)(format == GLINT_FORMAT_COUNT - 1 ? GLINT_MONO : format + (format >= GLINT_MONO));
+}
 
 /* All other bytes are GUARD still, of mono the bits past a line's last pixel, too. */
 static inline void assert_only_the_rectangle_is_written(const uint8_t *out, size_t size, size_t start, ptrdiff_t stride,

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "draw/paths.h"
+#include "image/format.h"
 #include "image/levels.h"
 #include "image/read.h"
 #include "files.h"
@@ -246,6 +247,8 @@ static void help_explains_every_option_and_fits_a_terminal(void **state)
         "--compare",    "--json",    "--error-map", "--against", "Examples:"};
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
         assert_contains(result->out, options[i]);
+    for (size_t i = 0; format_names[i]; i++)
+        assert_contains(result->out, format_names[i]);
     for (const char *line = result->out; *line;) {
         const size_t length = strcspn(line, "\n");
         assert_true(length < 80);

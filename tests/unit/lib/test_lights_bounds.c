@@ -7,12 +7,12 @@ static void parts_of_a_picture_join(void **state)
     (void)state;
     static struct scene a, b;
     for (int i = 0; i < 200; i++) {
-        scene_init(&a, formats[i % 4], (enum glint_space)below(2)); /* not mono, whose lines start on bytes */
+        scene_init(&a, format_number(i % 4), (enum glint_space)below(2)); /* not mono, whose lines start on bytes */
         b = a;
         struct glint_lamp lamps[GLINT_LAMPS_MAX];
         random_lamps(lamps);
         assert_int_equal(glint_shade_lights(&a.shader, lamps, 4, &a.source, W, H, &a.surface, NULL), GLINT_OK);
-        const unsigned left = below(W), top = below(H), pixel = bytes_of(formats[i % 4], 1);
+        const unsigned left = below(W), top = below(H), pixel = bytes_of(format_number(i % 4), 1);
         for (int part = 0; part < 4; part++) {
             const unsigned x = part & 1 ? left : 0, y = part & 2 ? top : 0, at = y * W + x;
             const uint16_t w = (uint16_t)(part & 1 ? W - left : left), h = (uint16_t)(part & 2 ? H - top : top);
@@ -76,7 +76,7 @@ static void nothing_outside_the_rectangle_is_written(void **state)
 {
     (void)state;
     for (int i = 0; i < 400; i++)
-        assert_draws_within(draw, formats[i % FORMATS], (enum glint_space)(i & 1), (uint16_t)(i / FORMATS % 4),
+        assert_draws_within(draw, format_number(i), (enum glint_space)(i & 1), (uint16_t)(i / GLINT_FORMAT_COUNT % 4),
                             (uint16_t)below(4), 65535, 65535);
 }
 

@@ -187,7 +187,7 @@ static void whatever_a_mesh_holds_nothing_outside_the_strip_is_written(void **st
     (void)state;
     static uint8_t out[MESH_H * MESH_W * 4 + 2];
     for (int i = 0; i < 300; i++) {
-        const enum glint_format format = formats[i % FORMATS];
+        const enum glint_format format = format_number(i);
         struct glint_shader shader = random_shader(format, (enum glint_space)(i & 1));
         struct glint_prepared prepared;
         if (shader.lobe.model == GLINT_PHONG)

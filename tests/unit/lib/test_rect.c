@@ -8,7 +8,7 @@ static void for_every_pixel(enum glint_space space,
 {
     static struct scene s;
     for (int i = 0; i < 1500; i++) {
-        const enum glint_format format = formats[i % FORMATS];
+        const enum glint_format format = format_number(i);
         scene_init(&s, format, space);
         s.source.mask = NULL;
         assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, NULL), GLINT_OK);
@@ -60,7 +60,7 @@ static void masked_pixels_keep_what_was_there(void **state)
     (void)state;
     static struct scene s, all;
     for (int i = 0; i < 200; i++) {
-        const enum glint_format format = formats[i % FORMATS];
+        const enum glint_format format = format_number(i);
         scene_init(&s, format, GLINT_GAMMA);
         all = s;
         s.surface.pixels = s.out + LINE;
@@ -84,7 +84,7 @@ static void a_span_is_the_rectangle_sequence_at_its_own_t(void **state)
 {
     (void)state;
     for (int i = 0; i < 500; i++) {
-        const enum glint_format format = formats[i % FORMATS];
+        const enum glint_format format = format_number(i);
         struct glint_shader shader = random_shader(format, (enum glint_space)below(2));
         if (shader.lobe.model == GLINT_PHONG)
             shader.lobe.model = GLINT_BLINN;
@@ -115,7 +115,8 @@ static void a_span_by_c_is_the_span_at_the_nearest_multiple_of_two_to_the_minus_
     (void)state;
     unsigned lit = 0, other = 0;
     for (int i = 0; i < 500; i++) {
-        struct glint_shader shader = random_shader(formats[i % (FORMATS - 1)], (enum glint_space)below(2));
+        struct glint_shader shader =
+            random_shader(format_number(i % (GLINT_FORMAT_COUNT - 1)), (enum glint_space)below(2));
         shader.dither = false; /* each pixel is drawn by itself below */
         const uint32_t scale = below(2) ? 1 << 22 : 1 << 30;
         const struct glint_span span = {below(scale),
@@ -202,7 +203,7 @@ static void a_shader_prepared_for_its_model_and_format_by_name_draws_the_same_pi
     static uint8_t before[sizeof s.out], wanted[sizeof s.out];
     static struct glint_prepared prepared;
     for (int i = 0; i < 300; i++) {
-        scene_init(&s, formats[i % FORMATS], i / FORMATS % 2 ? GLINT_LINEAR : GLINT_GAMMA);
+        scene_init(&s, format_number(i), i / GLINT_FORMAT_COUNT % 2 ? GLINT_LINEAR : GLINT_GAMMA);
         memcpy(before, s.out, sizeof before);
         assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, NULL), GLINT_OK);
         memcpy(wanted, s.out, sizeof wanted);

@@ -13,7 +13,7 @@ static void nothing_outside_the_rectangle_is_written(void **state)
     (void)state;
     static const uint16_t widths[] = {0, 1, 2, 3, 319};
     for (int i = 0; i < 400; i++)
-        assert_draws_within(draw, formats[i % FORMATS], (enum glint_space)(i & 1), widths[i / FORMATS % 5],
+        assert_draws_within(draw, format_number(i), (enum glint_space)(i & 1), widths[i / GLINT_FORMAT_COUNT % 5],
                             (uint16_t)below(4), 3, 1);
 }
 

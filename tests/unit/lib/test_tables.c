@@ -204,7 +204,7 @@ static void tables_write_their_rectangle_and_nothing_else_at_any_alignment(void 
     for (int i = 0; i < 300; i++) {
         const enum glint_tables_kind kind = (enum glint_tables_kind)(i & 1);
         const enum glint_format format =
-            kind == GLINT_TABLES_COLOUR ? (enum glint_format)below(2) : formats[below(FORMATS)];
+            kind == GLINT_TABLES_COLOUR ? (enum glint_format)below(2) : format_number(below(GLINT_FORMAT_COUNT));
         struct glint_shader shader = random_shader(format, GLINT_GAMMA);
         shader.dither = kind == GLINT_TABLES_SMALL && shader.dither;
         shader.lobe.model = GLINT_MSH;

@@ -162,7 +162,7 @@ static void small_tables_hold_what_their_sequence_says(void **state)
 {
     (void)state;
     for (int i = 0; i < 200; i++) {
-        const struct glint_shader s = tables_shader(formats[below(FORMATS)]);
+        const struct glint_shader s = tables_shader(format_number(below(GLINT_FORMAT_COUNT)));
         struct glint_tables t;
         struct glint_tables_light light;
         fill(&t, &light, GLINT_TABLES_SMALL, &s);
@@ -218,7 +218,7 @@ static void small_loops_have_the_pixels_of_their_sequence(void **state)
 {
     (void)state;
     for (int i = 0; i < 400; i++) {
-        struct glint_shader s = tables_shader(formats[i % FORMATS]);
+        struct glint_shader s = tables_shader(format_number(i));
         s.dither = below(2);
         struct glint_tables t;
         struct glint_tables_light light;
