@@ -30,7 +30,7 @@ test-exact: ## check: the library over its whole domain: 0 wrong
 
 # Several at a time, since some of them compile, and of the others not all use every core.
 run-exact: $(EXACT_TESTS)
-	@CC="$(CC)" OPENMP="$(OPENMP)" TALLY_JOBS=$$(nproc) OMP_WAIT_POLICY=passive \
+	@CC="$(CC)" OPENMP="$(OPENMP)" TALLY_TIMEOUT=2400 TALLY_JOBS=$$(nproc) OMP_WAIT_POLICY=passive \
 		tests/tally tests/exact/test_bounds $(EXACT_TESTS) tests/exact/test_tables
 
 # The quick part: a part of the arguments from c, every cutoff, the bounds of quick forms.
