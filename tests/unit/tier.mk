@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Tier unit: every tests/unit/*/test_*.c is a cmocka program, linked with all of the host but main.o; they run twice, the
-# second time with sanitizers. Every other tests/unit/*/test_* is a script that speaks TAP.
+# Tier unit: every tests/unit/*/test_*.c is a cmocka program, linked with all of the host but main.o, built with sanitizers or
+# plain. Every other tests/unit/*/test_* is a script that speaks TAP.
 # In the environment of each: GLINT, the command; GLINT_SOURCE, the source folder.
 # GMP and MPFR: model_added builds programs of tier exact.
 UNIT_PACKAGES = libopenmpi-dev openmpi-bin libcmocka-dev libgmp-dev libmpfr-dev g++ clang libomp-dev gnuplot-nox cmake groff-base zsh
@@ -32,16 +32,18 @@ test-unit: ## check: the library and the command: pictures, numbers, messages; s
 unit-programs: $(UNIT_TESTS) $(BUILD)/glint
 unit-quick-programs: $(UNIT_QUICK) $(BUILD)/glint
 
-# With TEST or SANITIZE only what they say; else everything, plain and, but for what is slow, with sanitizers. What takes
-# longest begins first, so that it does not end alone.
-run-unit: unit-programs
+# With TEST or SANITIZE only what they say; else everything with sanitizers but for what is slow, and plain what is slow and
+# what tests the library, which compilers optimize most. (make check runs everything quick as it is shipped.) What takes longest
+# begins first, so that it does not end alone.
+UNIT_PLAIN = $(filter $(BUILD)/tests/unit/slow/% $(BUILD)/tests/unit/lib/%,$(UNIT_TESTS))
+run-unit: $(if $(TEST)$(filter 1,$(SANITIZE)),$(UNIT_TESTS),$(UNIT_PLAIN)) $(BUILD)/glint
 ifneq ($(TEST)$(filter 1,$(SANITIZE)),)
 	@$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS)
 else
 	@+$(SUBMAKE) BUILD=$(UNIT_SANITIZED) SANITIZE=1 unit-quick-programs
 	@+$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally "tests/unit/compilers $(BUILD)/compilers $(BUILD)/libglint.a $(SUBMAKE)" \
 		"tests/unit/model_added $(BUILD)/model_added $(SUBMAKE)" $(sort $(UNIT_SCRIPTS)) \
-		$(patsubst $(BUILD)/%,"env GLINT=$(CURDIR)/$(UNIT_SANITIZED)/glint $(UNIT_SANITIZED)/%",$(UNIT_QUICK)) $(UNIT_TESTS)
+		$(patsubst $(BUILD)/%,"env GLINT=$(CURDIR)/$(UNIT_SANITIZED)/glint $(UNIT_SANITIZED)/%",$(UNIT_QUICK)) $(UNIT_PLAIN)
 endif
 
 # Without set-up and what takes long.
