@@ -48,6 +48,17 @@ struct glint_paint {
     const void *with;
 };
 
+/* The same over colours of the mesh in the place of the material's albedo, with a struct glint_mesh_albedo: glint_mesh_exact_albedo with
+ * a struct glint_prepared, glint_mesh_tables_albedo with a struct glint_tables of kind ALBEDO. COLOUR and SMALL tables hold one albedo
+ * and are refused: meshes of a few colours take a part and tables for each. */
+extern const struct glint_mesh_path glint_mesh_exact_albedo, glint_mesh_tables_albedo;
+/* One of the arrays is NULL. Yours, const: they may lie in flash. */
+struct glint_mesh_albedo {
+    const void *with;
+    const uint8_t *of_vertices; /* red, green, blue of each; between vertices linear on the screen, as normals are */
+    const uint8_t *of_faces;    /* red, green, blue of each */
+};
+
 #define GLINT_MESH_SIZE_MAX 2040u /* pixels, of a viewport's width and height */
 #define GLINT_MESH_FACES_MAX 65534u
 #define GLINT_MESH_BAND 16u /* lines: strips of whole bands cost least */

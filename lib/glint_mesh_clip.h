@@ -11,6 +11,7 @@
 struct glint_mesh_clipped {
     struct glint_mesh_place at;
     struct glint_vec normal;
+    uint16_t weight[2]; /* of the face's corners 1 and 2, Q15 */
 };
 /* A polygon in work: each plane clips from one list of corners to the other. */
 struct glint_mesh_polygon {

@@ -12,12 +12,15 @@ struct glint_mesh_target {
     uint16_t *depth; /* of its pixels: a smaller one is nearer and stays */
     int32_t w, y, end;
     struct glint_sample *samples; /* GLINT_RUN of them, to work with */
+    const struct glint_mesh_frame *frame;
+    const struct glint_mesh_drawn *drawn; /* the mesh at hand */
 };
 
 struct glint_mesh_path {
     bool (*can)(const void *with, const struct glint_surface *surface);
     uint32_t (*t_end)(const void *with); /* from there on nothing shines */
-    /* Draws a triangle's lines from its own, which is in the strip, to the strip's end, and brings it there. */
+    /* Draws a triangle's lines from its own, which is in the strip, to the strip's end, and brings it there. The triangle is that of a
+     * struct glint_mesh_kept, which knows its face. */
     void (*draw)(const void *with, struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target);
 };
 

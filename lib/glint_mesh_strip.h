@@ -6,19 +6,26 @@
 #include "glint_mesh_clip.h"
 #include "glint_mesh_path.h"
 
-/* What the work on one face takes, so that it is not on the stack. */
-struct glint_mesh_bench {
-    struct glint_mesh_polygon polygon;
-    struct glint_mesh_vertex vertex[3];
-    struct glint_mesh_triangle triangle;
-    struct glint_sample samples[GLINT_RUN];
-};
-
 /* A triangle at the line where the last strip ended, in its mesh's list, which ascends by face, or in that of free ones. */
 struct glint_mesh_kept {
     struct glint_mesh_triangle triangle;
     uint16_t face, next; /* GLINT_MESH_NONE: the last */
 };
+
+/* What the work on one face takes, so that it is not on the stack. */
+struct glint_mesh_bench {
+    struct glint_mesh_polygon polygon;
+    struct glint_mesh_vertex vertex[3];
+    struct glint_mesh_kept face; /* where no place is left, and of a face that is clipped */
+    struct glint_sample samples[GLINT_RUN];
+    uint8_t fan; /* of one that is clipped: vertex is the polygon's corners 0, fan - 1 and fan */
+};
+
+/* The number of the face of a triangle that a path draws. */
+static inline unsigned glint_mesh_face_of(const struct glint_mesh_triangle *triangle)
+{
+    return ((const struct glint_mesh_kept *)(const void *)triangle)->face;
+}
 
 /* Bytes of depths; what follows is aligned. */
 static inline uint32_t glint_mesh_depth_bytes(uint16_t w, uint16_t lines)

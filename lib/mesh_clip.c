@@ -19,7 +19,9 @@ static struct glint_mesh_clipped clip_crossing(const struct glint_mesh_clipped *
                                                  clip_between(in->at.z, out->at.z, part, whole)},
                                                 {(int16_t)clip_between(in->normal.x, out->normal.x, part, whole),
                                                  (int16_t)clip_between(in->normal.y, out->normal.y, part, whole),
-                                                 (int16_t)clip_between(in->normal.z, out->normal.z, part, whole)}};
+                                                 (int16_t)clip_between(in->normal.z, out->normal.z, part, whole)},
+                                                {(uint16_t)clip_between(in->weight[0], out->weight[0], part, whole),
+                                                 (uint16_t)clip_between(in->weight[1], out->weight[1], part, whole)}};
     return crossing;
 }
 
@@ -69,6 +71,8 @@ unsigned glint_mesh_clip(struct glint_mesh_polygon *polygon, const struct glint_
     for (unsigned i = 0; i < 3; i++) {
         corner[i].at = glint_mesh_place_of(drawn, face[i]);
         corner[i].normal = glint_mesh_normal(drawn->mesh, face[i]);
+        corner[i].weight[0] = i == 1 ? 32768 : 0;
+        corner[i].weight[1] = i == 2 ? 32768 : 0;
     }
     if (frame->distance)
         count = clip_plane(polygon, count, frame, GLINT_MESH_NEAR);

@@ -1,15 +1,10 @@
 /* SPDX-License-Identifier: MIT
  * A line of a triangle by the prepared shader: every format and space. */
-#include "glint_math_flash.h"
-#include "glint_mesh_path.h"
-#include "glint_pixel.h"
-#include "glint_pixel_prepared.h"
+#include "glint_mesh_samples.h"
 
 static bool exact_can(const void *with, const struct glint_surface *surface)
 {
-    const struct glint_prepared *prepared = (const struct glint_prepared *)with;
-    return prepared && surface->pixels &&
-           !GLINT_FLASH_POINTER(prepared->model->geometry); /* Phong's t is not of this form */
+    return glint_mesh_prepared_can((const struct glint_prepared *)with, surface);
 }
 
 static uint32_t exact_t_end(const void *with)
@@ -21,11 +16,7 @@ static void exact_row(const struct glint_prepared *prepared, struct glint_mesh_r
 {
     struct glint_run run = {row->line, 0, row->left, row->y, NULL, NULL, NULL};
     for (unsigned count; (count = glint_mesh_in_front(row, GLINT_RUN)) != 0; row->x += count) {
-        for (unsigned i = 0; i < count; i++, glint_mesh_step(row)) {
-            const uint32_t nl = glint_sample_nl((int32_t)row->nl);
-            samples[i].nl_q16 = nl;
-            samples[i].t_q30 = nl == 0 ? UINT32_MAX : row->t >= GLINT_NEGATIVE_T ? 0 : row->t;
-        }
+        glint_mesh_samples(row, samples, count);
         run.x = row->x;
         glint_prepared_run(prepared, &run, samples, count);
     }

@@ -25,14 +25,16 @@ static void draw(const struct strip *strip, struct glint_mesh_triangle *triangle
 }
 
 /* A face, clipped, as a fan. */
-static void draw_clipped(const struct strip *strip, const uint16_t face[3], const struct glint_paint *paint)
+static void draw_clipped(const struct strip *strip, uint16_t number, const struct glint_paint *paint)
 {
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)strip->frame->memory;
-    struct glint_mesh_triangle *triangle = &bench->triangle;
-    const unsigned count = glint_mesh_clip(&bench->polygon, strip->frame, strip->drawn, face);
+    struct glint_mesh_triangle *triangle = &bench->face.triangle;
+    const unsigned count =
+        glint_mesh_clip(&bench->polygon, strip->frame, strip->drawn, strip->drawn->mesh->faces + 3 * (size_t)number);
     const struct glint_mesh_clipped *at = bench->polygon.corner[bench->polygon.now];
     const uint32_t t_end = paint->path->t_end(paint->with);
     struct glint_mesh_vertex *const v = bench->vertex;
+    bench->face.face = number;
     for (unsigned i = 2; i < count; i++) {
         const struct glint_mesh_clipped *const of[3] = {&at[0], &at[i - 1], &at[i]};
         struct glint_mesh_corner corner[3];
@@ -43,8 +45,10 @@ static void draw_clipped(const struct strip *strip, const uint16_t face[3], cons
         }
         if (glint_mesh_area(&v[0], &v[1], &v[2]) < 0 &&
             glint_mesh_triangle_set(triangle, corner, glint_mesh_shine(corner, t_end), t_end) &&
-            triangle->y < strip->target->end)
+            triangle->y < strip->target->end) {
+            bench->fan = (uint8_t)i;
             draw(strip, triangle, paint);
+        }
     }
 }
 
@@ -85,21 +89,21 @@ static void strip_face(const struct strip *strip, uint16_t i, const struct glint
     const uint16_t *face = strip->drawn->mesh->faces + 3 * (size_t)i, place = frame->free;
     uint16_t *const link = &strip->drawn->links[i];
     if (glint_mesh_face_is_out(strip->drawn, face)) {
-        draw_clipped(strip, face, paint);
+        draw_clipped(strip, i, paint);
         add(later, i, link);
         return;
     }
-    struct glint_mesh_triangle *triangle =
-        place != GLINT_MESH_NONE ? &all[place].triangle : &((struct glint_mesh_bench *)frame->memory)->triangle;
-    if (!set_up(strip, face, paint, triangle) || !draw_on(strip, triangle, paint))
+    struct glint_mesh_kept *const kept =
+        place != GLINT_MESH_NONE ? &all[place] : &((struct glint_mesh_bench *)frame->memory)->face;
+    kept->face = i;
+    if (!set_up(strip, face, paint, &kept->triangle) || !draw_on(strip, &kept->triangle, paint))
         return;
     if (place == GLINT_MESH_NONE) {
         add(later, i, link);
         return;
     }
-    frame->free = all[place].next;
-    all[place].face = i;
-    add(keep, place, &all[place].next);
+    frame->free = kept->next;
+    add(keep, place, &kept->next);
 }
 
 static void strip_mesh(const struct strip *strip)
@@ -172,11 +176,12 @@ enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint
         !strip_can(frame, surface))
         return GLINT_ERR_ARG;
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)frame->memory;
-    const struct glint_mesh_target target = {surface,       (uint16_t *)(void *)(bench + 1), frame->w, y, y + h,
-                                             bench->samples};
+    struct glint_mesh_target target = {
+        surface, (uint16_t *)(void *)(bench + 1), frame->w, y, y + h, bench->samples, frame, NULL};
     clear_depth(target.depth, glint_mesh_depth_bytes(frame->w, h));
     for (struct glint_mesh_drawn *drawn = frame->first; drawn; drawn = drawn->next) {
         const struct strip strip = {frame, drawn, &target};
+        target.drawn = drawn;
         if (y != frame->y) {
             glint_mesh_forget(frame, drawn);
             glint_mesh_sort(frame, drawn, y);
