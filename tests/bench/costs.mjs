@@ -30,10 +30,11 @@ function evaluation(row, n) {
 }
 
 function loop(build, row, n) {
-  const { fill, frame, shade, pixels, covered, quality } = measureLoop(machines[build], scene, row, n, true)
+  const { fill, frame, shade, pixels, covered, flash, quality } = measureLoop(machines[build], scene, row, n, true)
   const figures = [['pixel', (shade / covered).toFixed(1)]]
   if (n !== 60) return figures
   figures.push(['frame pixel', (shade / pixels).toFixed(1)])
+  if (flash) figures.push(['tables in flash', flash.tables.toFixed(1)], ['maps in flash', flash.maps.toFixed(1)])
   if (build === 'asm') return figures
   if (fill) figures.push(['fill', fill])
   if (frame) figures.push(['frame', frame])

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Loops over pixels on the emulated Cortex-M0+: line by line over the scene, their cycles and their pictures.
 import { FORMATS, LINE_BYTES, MODELS, SPACES, levels } from './scene.mjs'
-import { FLASH_WORD } from './flash.mjs'
+import { FLASH_WORD, flashWaits } from './flash.mjs'
 import { line } from './print.mjs'
 
 const RGB888 = 2
@@ -34,7 +34,31 @@ function difference() {
   return { add, result }
 }
 
-// lean: without the words that flash would deliver.
+// The reads of a loop over tables, as if these and the maps lay in flash.
+const TABLES_BYTES = 20608
+const IN_FLASH = /^(colour int8( dither)?|colour span 16|albedo int8|small int16)$/ // showing each read takes time
+function flashReads(machine, scene, row) {
+  const mapLine = scene.maps[row.map].length / scene.height, [tables, maps] = [[], []]
+  const [memory, albedo] = ['bench_memory', 'bench_albedo_565'].map(machine.address)
+  const normals = machine.address(row.map === 0 ? 'bench_line' : 'bench_map'), data = Math.min(memory, normals, albedo)
+  let y = -1 // no line is shaded
+  const seen = (at) => {
+    if (at < data || y < 0) return // an instruction: most are
+    const inside = (from, length) => at >= from && at < from + length
+    if (inside(memory, TABLES_BYTES)) {
+      tables.push(at - memory)
+      maps.push(at - memory)
+    } else if (inside(normals, mapLine)) maps.push(0x10000 + y * mapLine + at - normals)
+    else if (inside(albedo, 2 * scene.width)) maps.push(0x100000 + 2 * y * scene.width + at - albedo)
+  }
+  const line = (number, run) => {
+    y = number
+    try { return run() } finally { y = -1 }
+  }
+  return { seen, line, waits: () => [tables, maps].map(flashWaits) }
+}
+
+// lean: without the words of code that flash would deliver.
 export function measureLoop(machine, scene, row, n, lean = false) {
   const { width, height } = scene
   const at = machine.address('bench_line')
@@ -49,6 +73,7 @@ export function measureLoop(machine, scene, row, n, lean = false) {
   machine.call('bench_begin', [row.at, n])
   scene.palette.copy(machine.bytes(machine.address('bench_palette'), scene.palette.length))
   const fill = cycles(row.fill)
+  const reads = n === 60 && IN_FLASH.test(row.name) ? flashReads(machine, scene, row) : null
   let frame = cycles(row.frame), shade = 0, pixels = 0, covered = 0
   const load = (y) => {
     scene.maps[0].copy(normals, 0, 6 * y * width)
@@ -56,19 +81,23 @@ export function measureLoop(machine, scene, row, n, lean = false) {
     machine.call('bench_line_begin', [y])
     cycles(row.pack)
   }
-  for (let y = row.step >> 1; y < height; y += row.step) {
-    load(y)
-    frame += row.step * cycles(row.prepare)
-    shade += cycles(row.shade)
-    for (let x = 0; x < width; x++) {
-      pixels++
-      if (!scene.covers(x, y)) continue
-      covered++
-      const found = levels(format, out, x)
-      same.add(found, levels(format, exact.subarray(y * stride), x))
-      if (found.length === 3) deep.add(found, levels(RGB888, exact888.subarray(3 * y * width), x))
+  const lines = () => {
+    for (let y = row.step >> 1; y < height; y += row.step) {
+      load(y)
+      frame += row.step * cycles(row.prepare)
+      shade += reads ? reads.line(y, () => cycles(row.shade)) : cycles(row.shade)
+      for (let x = 0; x < width; x++) {
+        pixels++
+        if (!scene.covers(x, y)) continue
+        covered++
+        const found = levels(format, out, x)
+        same.add(found, levels(format, exact.subarray(y * stride), x))
+        if (found.length === 3) deep.add(found, levels(RGB888, exact888.subarray(3 * y * width), x))
+      }
     }
   }
+  if (reads) machine.watched(reads.seen, lines)
+  else lines()
   const words = lean ? 0 : machine.touched((call) => {
     for (const y of [height / 3 | 0, height / 2]) { // through the highlight, and where it is not
       load(y)
@@ -77,10 +106,12 @@ export function measureLoop(machine, scene, row, n, lean = false) {
     }
   })
   if (machine.half(machine.address('bench_error'))) throw new Error(`${row.name}, n = ${n}: a call returned an error`)
-  return { fill, frame, shade, pixels, covered, words, quality: same.result(), rgb888_psnr: deep.result().psnr }
+  const [tablesWait, mapsWait] = reads?.waits() ?? [0, 0]
+  const flash = reads && { tables: (shade + tablesWait) / covered, maps: (shade + mapsWait) / covered }
+  return { fill, frame, shade, pixels, covered, words, flash, quality: same.result(), rgb888_psnr: deep.result().psnr }
 }
 
-function figuresOf(row, flags, n, scene, { fill, frame, shade, pixels, covered, words, quality, rgb888_psnr }) {
+function figuresOf(row, flags, n, scene, { fill, frame, shade, pixels, covered, words, flash, quality, rgb888_psnr }) {
   const [model, format, space, dither, albedo, gloss] = row.look
   const common = { loop: row.name, what: row.what, target: 'cortex-m0plus', flags, n, q: scene.q, model: MODELS[model],
     format: FORMATS[format], space: SPACES[space], albedo: !!albedo, gloss: !!gloss, dither: !!dither, unit: 'cycles' }
@@ -92,7 +123,8 @@ function figuresOf(row, flags, n, scene, { fill, frame, shade, pixels, covered, 
       fill_per_material: fill, per_frame: frame, lines: pixels / scene.width, quality, rgb888_psnr },
     { ...common, label: 'predicted', words, map_bytes: row.mapBytes, per_covered_pixel_code_in_flash: cold,
       per_frame_pixel_code_in_flash: shade / pixels + FLASH_WORD * words / frame_pixels,
-      per_covered_pixel_code_and_map_in_flash: cold + map }
+      per_covered_pixel_code_and_map_in_flash: cold + map,
+      ...flash && { per_covered_pixel_tables_in_flash: flash.tables, per_covered_pixel_tables_and_maps_in_flash: flash.maps } }
   ]
 }
 
@@ -135,6 +167,7 @@ export function printLoops(figures, scene) {
       px(flash.per_covered_pixel_code_in_flash), flash.map_bytes ? px(flash.per_covered_pixel_code_and_map_in_flash) : '-',
       quality.largest.toFixed(1), quality.mean.toFixed(2), db(quality.psnr), db(rgb888_psnr)], what)
   }
+  printFlash(figures)
   const off = new Set(figures.filter((x) => x.quality?.psnr).map((x) => x.loop))
   if (!off.size || !figures.some((x) => x.n !== 60)) return
   console.log('\nDifference from the exact picture, in levels of 255: largest, mean, PSNR in dB [emulated]; all other loops: same')
@@ -146,5 +179,18 @@ export function printLoops(figures, scene) {
       const { largest, mean, psnr } = found.quality
       return `${largest.toFixed(1)} ${mean.toFixed(2)} ${db(psnr)}`
     }), '', 20, 21)
+  }
+}
+
+function printFlash(figures) {
+  const rows = figures.filter((x) => x.per_covered_pixel_tables_in_flash && x.flags !== '-Os')
+  if (!rows.length) return
+  console.log('\nThe same, n = 60, tables filled by glint table: cycles a covered pixel with these in SRAM [emulated], in flash, and in flash')
+  console.log('with the normals and the albedo [predicted]')
+  line('', ['SRAM', 'flash', '+maps'], '', 7, 21)
+  for (const { loop, flags, ...flash } of rows) {
+    const { per_covered_pixel } = figures.find((x) => x.loop === loop && x.flags === flags && x.n === 60 && x.label === 'emulated')
+    const cells = [per_covered_pixel, flash.per_covered_pixel_tables_in_flash, flash.per_covered_pixel_tables_and_maps_in_flash]
+    line(flags === '-O2 asm' ? `${loop}, asm` : loop, cells.map((x) => x.toFixed(1)), '', 7, 21)
   }
 }

@@ -106,26 +106,29 @@ export function boot(packages, elf) {
     return { value: core.registers[0], cycles: core.cycles - before + missed - 2 }
   }
 
-  // The 32-bit words of code and constants that a call needs: what flash would have to deliver, were they there.
-  const [constants, end] = [RAM, address('constants_end')]
-  const words = new Set()
-  const call_traced = (name, args) => {
+  // run(), while seen() is shown the address of every read; instructions are read, too.
+  const watched = (seen, run) => {
     const plain = { readUint32: core.readUint32, readUint16: core.readUint16, readUint8: core.readUint8 }
     for (const [method, read] of Object.entries(plain)) {
       core[method] = (at) => {
-        if (at >= constants && at < end) words.add(at >>> 2)
-        return read.call(core, at) // instructions come this way, too
+        seen(at)
+        return read.call(core, at)
       }
     }
-    try { return call(name, args) } finally { Object.assign(core, plain) }
+    try { return run() } finally { Object.assign(core, plain) }
   }
+
+  // The 32-bit words of code and constants that a call needs: what flash would have to deliver, were they there.
+  const [constants, end] = [RAM, address('constants_end')]
+  const words = new Set()
+  const traced = (name, args) => watched((at) => { if (at >= constants && at < end) words.add(at >>> 2) }, () => call(name, args))
   const touched = (run) => {
     words.clear()
-    run(call_traced)
+    run(traced)
     return words.size
   }
   calibrate(call)
-  return { call, touched, address, word, half, byte, text, bytes }
+  return { call, watched, touched, address, word, half, byte, text, bytes }
 }
 
 function calibrate(call) {
