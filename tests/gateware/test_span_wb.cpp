@@ -79,13 +79,15 @@ static enum ending request(bool write, uint32_t offset, uint32_t value, uint32_t
 static uint32_t peek(uint32_t offset)
 {
     uint32_t value = 0;
-    orderly = orderly && request(false, offset, 0, &value) == ACK;
+    const enum ending end = request(false, offset, 0, &value);
+    orderly = orderly && end == ACK;
     return value;
 }
 
 void bus_write(uintptr_t address, uint32_t value)
 {
-    orderly = orderly && request(true, (uint32_t)address, value, NULL) == ACK;
+    const enum ending end = request(true, (uint32_t)address, value, NULL);
+    orderly = orderly && end == ACK;
 }
 
 uint32_t bus_read(uintptr_t address)
@@ -142,6 +144,28 @@ static bool what_may_not_be_written_ends_with_an_error()
         clock_edge();
     return good && pixels.size() == 43 && peek(GLINT_UNIT_STATUS) == GLINT_UNIT_IDLE &&
            request(true, GLINT_UNIT_N, 5, NULL) == ACK;
+}
+
+// A span that waits, one in the unit and their pixels.
+static bool a_reset_drops_all()
+{
+    reset();
+    take = 0;
+    for (const uint32_t value : {40u, 3u}) {
+        bus_write(GLINT_UNIT_T, value);
+        bus_write(GLINT_UNIT_W, value);
+        for (int i = 0; i < 60; i++)
+            clock_edge();
+    }
+    bool good = peek(GLINT_UNIT_STATUS) == GLINT_UNIT_WAITS;
+    reset();
+    good = good && top.idle;
+    take = 256;
+    for (int i = 0; i < 100; i++)
+        clock_edge();
+    for (const struct entry &r : list)
+        good = good && (!r.writable || peek(r.offset) == 0);
+    return good && pixels.empty() && peek(GLINT_UNIT_STATUS) == GLINT_UNIT_IDLE;
 }
 
 static struct glint_span random_span()
@@ -212,6 +236,7 @@ int main(int argc, char **argv)
                    what_may_not_be_written_ends_with_an_error());
         tap::check("spans and shaders written by the C header are the library's pixels",
                    spans_from_c_are_the_library_s_pixels());
+        tap::check("a reset drops the spans and pixels that wait, and registers are 0 after it", a_reset_drops_all());
     }
     printf("# %d clocks\n", latency());
     tap::check("behind a skid buffer the first pixel comes 21 clocks after its w", latency() == 21);
