@@ -216,6 +216,32 @@ static void whatever_a_mesh_holds_nothing_outside_the_strip_is_written(void **st
     }
 }
 
+static void normals_of_8_bits_draw_what_their_258_folds_draw(void **state)
+{
+    (void)state;
+    static int8_t normals8[MESH_VERTICES][3];
+    static uint8_t one[MESH_H][MESH_W][3], other[MESH_H][MESH_W][3];
+    struct glint_shader shader = random_shader(GLINT_RGB888, GLINT_GAMMA);
+    struct glint_prepared prepared;
+    glint_lobe_init(&shader.lobe, GLINT_MSH, 60, 8);
+    assert_int_equal(glint_shade_prepare(&prepared, &shader), GLINT_OK);
+    const struct glint_paint paint = {&glint_mesh_exact, &prepared};
+    mesh_ball(&mesh, 8, 9);
+    for (unsigned v = 0; v < mesh.mesh.vertex_count; v++)
+        for (int k = 0; k < 3; k++) {
+            normals8[v][k] = (int8_t)(mesh.normals[v][k] / 258);
+            mesh.normals[v][k] = (int16_t)(normals8[v][k] * 258);
+        }
+    memset(one, GUARD, sizeof one);
+    memset(other, GUARD, sizeof other);
+    mesh_picture(&mesh, &shader.light, &paint, &one[0][0][0], 3, whole, 1, false);
+    mesh.mesh.normals = NULL;
+    mesh.mesh.normals8 = &normals8[0][0];
+    assert_int_equal(glint_mesh_check(&mesh.mesh), GLINT_OK);
+    mesh_picture(&mesh, &shader.light, &paint, &other[0][0][0], 3, whole, 1, false);
+    assert_memory_equal(one, other, sizeof one);
+}
+
 static void wrong_arguments_are_refused_and_nothing_is_drawn(void **state)
 {
     (void)state;
@@ -249,6 +275,7 @@ static void wrong_arguments_are_refused_and_nothing_is_drawn(void **state)
     static const uint16_t face[3] = {0, 0, 0};
     const struct glint_mesh one = {mesh.mesh.places, NULL, lowest, face, NULL, 1, 1, 0};
     assert_int_equal(glint_mesh_check(&one), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_bytes(NULL, 90), 0);
 
     const size_t need = glint_mesh_frame_bytes(MESH_W, 16), mesh_need = glint_mesh_bytes(&mesh.mesh, MESH_H);
     assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, 16, 0, depths, need - 1), GLINT_ERR_ARG);
@@ -285,6 +312,7 @@ int main(void)
         cmocka_unit_test(dithered_tables_draw_the_same_picture_in_strips),
         cmocka_unit_test(the_nearer_hides_the_farther_and_the_first_of_two_stays),
         cmocka_unit_test(whatever_a_mesh_holds_nothing_outside_the_strip_is_written),
+        cmocka_unit_test(normals_of_8_bits_draw_what_their_258_folds_draw),
         cmocka_unit_test(wrong_arguments_are_refused_and_nothing_is_drawn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -153,6 +153,37 @@ static void dithered_lines_have_the_pixels_of_their_sequence_wherever_they_lie(v
     }
 }
 
+/* No surface is left out as in a line of a viewer in front. */
+static void dithered_lines_of_10_bits_are_those_of_their_vectors_for_a_viewer_aside(void **state)
+{
+    (void)state;
+    for (unsigned i = 0; i < 60; i++) {
+        struct glint_tables tables;
+        struct glint_tables_light light;
+        struct model m = model_of(&tables, &light);
+        const int32_t to_light[3] = {(int32_t)below(200) - 100, (int32_t)below(200) - 100, 100};
+        const int32_t to_viewer[3] = {40 + (int32_t)below(100), (int32_t)below(100), 100};
+        assert_int_equal(glint_light_init(&m.shader.light, to_light, to_viewer), GLINT_OK);
+        assert_int_equal(glint_tables_light_init(&light, &tables, &m.shader.light), GLINT_OK);
+        uint32_t words[LONG];
+        uint16_t pixels[LONG];
+        for (unsigned x = 0; x < LONG; x++) {
+            const struct glint_vec n = unit_normal(&m.shader.light);
+            words[x] = x % 10 == 9 ? 1u << 12 : glint_normals_pack(GLINT_NORMALS_INT10, &n); /* a gap of 1 */
+        }
+        memset(pixels, GUARD, sizeof pixels);
+        const uint16_t left = pixels[0];
+        const struct glint_surface surface = {pixels, 0, (uint16_t)below(320), (uint16_t)below(240)};
+        assert_int_equal(glint_tables_rect(&tables, &light, GLINT_NORMALS_INT10, words, 0, LONG, 1, &surface),
+                         GLINT_OK);
+        for (unsigned x = 0; x < LONG; x++)
+            assert_int_equal(pixels[x], x % 10 == 9
+                                            ? left
+                                            : by_vectors(&m, glint_normals_unpack(GLINT_NORMALS_INT10, words[x]),
+                                                         surface.x + x, surface.y));
+    }
+}
+
 static void a_dithered_span_has_the_pixels_of_its_sequence_wherever_it_lies(void **state)
 {
     (void)state;
@@ -240,6 +271,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(dithered_lines_have_the_pixels_of_their_sequence_wherever_they_lie),
+        cmocka_unit_test(dithered_lines_of_10_bits_are_those_of_their_vectors_for_a_viewer_aside),
         cmocka_unit_test(a_dithered_span_has_the_pixels_of_its_sequence_wherever_it_lies),
         cmocka_unit_test(garbage_reads_nothing_outside_the_dithered_tables),
         cmocka_unit_test(dithered_tables_need_their_bytes_and_gamma_space),

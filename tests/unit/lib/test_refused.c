@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: MIT
+ * Exact rectangles and spans, meshes and albedo spans: an argument that is not there is refused, and nothing is drawn. */
+#include "shading.h"
+
+static struct glint_shader shader;
+static struct glint_prepared prepared;
+static uint16_t pixels[4];
+static const struct glint_surface surface = {pixels, 8, 0, 0}, nowhere = {NULL, 8, 0, 0};
+static const struct glint_span span = {0, 0, 0, 1 << 30, 0, 4};
+
+static int set_up(void **state)
+{
+    (void)state;
+    shader = random_shader(GLINT_RGB565, GLINT_GAMMA);
+    glint_lobe_init(&shader.lobe, GLINT_MSH, 60, 8);
+    shader.dither = false;
+    memset(pixels, GUARD, sizeof pixels);
+    return glint_shade_prepare(&prepared, &shader);
+}
+
+static int nothing_drawn(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 4; i++)
+        if (pixels[i] != (GUARD << 8 | GUARD))
+            return 1;
+    return 0;
+}
+
+static void spans_without_an_argument_are_refused(void **state)
+{
+    (void)state;
+    assert_int_equal(glint_shade_span(NULL, &span, &surface, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_span(&shader, NULL, &surface, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_span(&shader, &span, NULL, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_span(&shader, &span, &nowhere, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_span_c16(NULL, &span, &surface, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_span_c16(&shader, NULL, &surface, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_span_c16(&shader, &span, NULL, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_span_c16(&shader, &span, &nowhere, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_prepared_span(NULL, &span, &surface, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_prepared_span(&prepared, NULL, &surface, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_prepared_span(&prepared, &span, NULL, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_prepared_span(&prepared, &span, &nowhere, NULL), GLINT_ERR_ARG);
+}
+
+static void a_span_by_c_of_an_unknown_format_is_refused(void **state)
+{
+    (void)state;
+    shader.format = (uint8_t)GLINT_FORMAT_COUNT;
+    assert_int_equal(glint_shade_span_c16(&shader, &span, &surface, NULL), GLINT_ERR_FORMAT);
+    assert_int_equal(glint_shade_span(&shader, &span, &surface, NULL), GLINT_ERR_FORMAT);
+}
+
+static void a_rectangle_without_a_prepared_shader_is_refused(void **state)
+{
+    (void)state;
+    static const struct glint_vec normals[4] = {{0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}};
+    struct glint_source source = {0};
+    source.normals = normals;
+    assert_int_equal(glint_shade_prepared_rect(NULL, &source, 4, 1, &surface, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_prepared_rect(&prepared, NULL, 4, 1, &surface, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_prepared_rect(&prepared, &source, 4, 1, &nowhere, NULL), GLINT_ERR_ARG);
+}
+
+static void an_albedo_span_without_an_argument_is_refused(void **state)
+{
+    (void)state;
+    static uint32_t memory[GLINT_TABLES_ALBEDO_BYTES / 4];
+    static const uint16_t albedo[5] = {1, 2, 3, 4, 5};
+    struct glint_tables tables;
+    for (int k = 0; k < 3; k++) { /* white, which those tables ask for */
+        shader.material.ambient_q16[k] = 6000;
+        shader.material.diffuse_q16[k] = shader.material.specular_q16[k] = 30000;
+    }
+    assert_int_equal(glint_tables_fill(&tables, GLINT_TABLES_ALBEDO, &shader, memory, sizeof memory), GLINT_OK);
+    assert_int_equal(glint_tables_albedo_span(NULL, &span, albedo, &surface), GLINT_ERR_ARG);
+    assert_int_equal(glint_tables_albedo_span(&tables, NULL, albedo, &surface), GLINT_ERR_ARG);
+    assert_int_equal(glint_tables_albedo_span(&tables, &span, NULL, &surface), GLINT_ERR_ARG);
+    assert_int_equal(glint_tables_albedo_span(&tables, &span, albedo, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_tables_albedo_span(&tables, &span, albedo, &nowhere), GLINT_ERR_ARG);
+    const void *const odd = (const char *)albedo + 1;
+    assert_int_equal(glint_tables_albedo_span(&tables, &span, odd, &surface), GLINT_ERR_ARG);
+    tables.kind = GLINT_TABLES_COLOUR;
+    assert_int_equal(glint_tables_albedo_span(&tables, &span, albedo, &surface), GLINT_ERR_ARG);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(spans_without_an_argument_are_refused, set_up, nothing_drawn),
+        cmocka_unit_test_setup_teardown(a_span_by_c_of_an_unknown_format_is_refused, set_up, nothing_drawn),
+        cmocka_unit_test_setup_teardown(a_rectangle_without_a_prepared_shader_is_refused, set_up, nothing_drawn),
+        cmocka_unit_test_setup_teardown(an_albedo_span_without_an_argument_is_refused, set_up, nothing_drawn),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
