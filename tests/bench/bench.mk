@@ -13,6 +13,8 @@ BENCH_FLAGS_asm = -O2 -DGLINT_CORTEX_M0PLUS_ASM=1
 BENCH_ELFS = $(patsubst %,$(BENCH)/m0plus-%.elf,O2 Os asm)
 # The teapot's frames, a program of their own.
 BENCH_MESH = $(BENCH)/mesh
+BENCH_MESH_SOURCES = tests/bench/mesh/mesh.c tests/bench/mesh/gouraud.c
+BENCH_MESH_INPUTS = $(wildcard tests/bench/mesh/*.h) $(BENCH_MESH)/teapot.h $(BENCH_MESH)/teapot_split.h
 BENCH_MESH_ELFS = $(patsubst %,$(BENCH)/mesh-%.elf,O2 asm)
 # libfixmath's source, where it could be fetched.
 BENCH_FIXMATH = $(wildcard $(addprefix $(BENCH)/fixmath/libfixmath/,fix16.c fix16_exp.c))
@@ -62,9 +64,9 @@ $(BENCH)/m0plus-%.elf: $(BENCH_INPUTS) tests/bench/calibrate.S
 	@arm-none-eabi-gcc -std=c99 -mcpu=cortex-m0plus -mthumb $(BENCH_FLAGS_$*) -ffunction-sections -fdata-sections $(BENCH_FLAGS) \
 		-nostartfiles -T tests/bench/m0plus.ld $(BENCH_SOURCES) tests/bench/calibrate.S -lm -o $@
 
-$(BENCH)/mesh-%.elf: tests/bench/mesh/mesh.c $(BENCH_MESH)/teapot.h $(BENCH_MESH)/teapot_split.h $(BENCH_INPUTS) tests/bench/calibrate.S
+$(BENCH)/mesh-%.elf: $(BENCH_MESH_SOURCES) $(BENCH_MESH_INPUTS) $(BENCH_INPUTS) tests/bench/calibrate.S
 	@arm-none-eabi-gcc -std=c99 -mcpu=cortex-m0plus -mthumb $(BENCH_FLAGS_$*) -ffunction-sections -fdata-sections -Ilib -I$(BENCH_MESH) \
-		-nostartfiles -T tests/bench/m0plus.ld $< $(wildcard lib/*.c lib/*.S) tests/bench/calibrate.S -o $@
+		-nostartfiles -T tests/bench/m0plus.ld $(BENCH_MESH_SOURCES) $(wildcard lib/*.c lib/*.S) tests/bench/calibrate.S -o $@
 
 # As shipped: no normals of it are 180 degrees apart.
 $(BENCH_MESH)/teapot.h: $(BUILD)/glint
@@ -78,7 +80,7 @@ $(BENCH)/sizes.txt: tests/bench/sizes $(BENCH_INPUTS) $(BOARDS)
 	@PYTHONDONTWRITEBYTECODE=1 $< $(BENCH) $(BENCH_BOARDS) >$@.tmp && mv $@.tmp $@
 
 $(BENCH)/counts.txt: tests/bench/count $(BENCH_INPUTS) $(wildcard tests/bench/machine/*) $(BENCH_SCENE)/scene.json \
-		$(BENCH_IMAGES) $(BOARDS)
+		$(BENCH_IMAGES) $(BOARDS) $(BENCH_MESH_SOURCES) $(BENCH_MESH_INPUTS)
 	@PYTHONDONTWRITEBYTECODE=1 $< $(BENCH) $(BENCH_BOARDS) >$@.tmp && mv $@.tmp $@
 
 $(BENCH_SCENE)/scene.json: $(BENCH_SCENE)/scene

@@ -18,6 +18,9 @@ RECTANGLES = ["glint_shade_prepare_for+glint_shade_prepared_rect+" + pair for pa
     "glint_shade_rgb565+glint_shade_msh", "glint_shade_rgb565+glint_shade_cayley", "glint_shade_rgb888+glint_shade_msh",
     "glint_shade_bgr888+glint_shade_msh",
     "glint_shade_linear+glint_shade_msh")]
+# Meshes by one path, without the set-up of light, lobe, tables and shader.
+MESHES = ["glint_mesh_begin+glint_mesh_add+glint_mesh_strip+" + path for path in (
+    "glint_mesh_tables", "glint_mesh_exact+glint_shade_rgb565+glint_shade_msh")]
 FIXMATH_FUNCTIONS = ["peer_blinn_fixmath", "peer_schlick_fixmath", "peer_msh_fixmath"]
 # Sections that are in flash; AVR's constants are in .data.
 TEXT = re.compile(r"^\.(?:text|rodata|srodata|data|sdata)\S*\s+(\d+)", re.M)

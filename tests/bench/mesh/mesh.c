@@ -1,16 +1,20 @@
 /* SPDX-License-Identifier: MIT
- * The teapot, as shipped and with its edges split, by COLOUR tables and exactly: what mesh.mjs calls, a strip at a time. */
+ * The teapot, as shipped and with its edges split, by COLOUR tables, exactly and by Gouraud shading. */
+#include "mesh.h"
 #include "glint.h"
+#include "gouraud.h"
 #include "teapot.h"
 #include "teapot_split.h"
 
-enum { WIDTH = 240, HEIGHT = 240, LINES = 16, KEPT = 100 };
+enum { WIDTH = MESH_WIDTH, HEIGHT = MESH_HEIGHT, LINES = MESH_LINES, KEPT = 100, KEPT_USUAL = 50 };
 static const struct glint_mesh *const meshes[] = {&teapot, &teapot_split};
 
 /* Aligned, and enough for the larger mesh; the second strip is the one that would be sent. */
 static uint32_t frame_memory[(2 * WIDTH * LINES + 1024 + KEPT * GLINT_MESH_KEPT_BYTES) / 4], mesh_memory[8000];
 static uint32_t tables_memory[GLINT_TABLES_COLOUR_BYTES / 4];
 uint32_t mesh_out[WIDTH * LINES / 2];
+
+static enum mesh_way chosen;
 
 static struct glint_shader shader;
 static struct glint_tables tables;
@@ -19,8 +23,7 @@ static struct glint_paint paint;
 static struct glint_mesh_frame frame;
 static struct glint_mesh_drawn drawn;
 
-/* Not counted: the material. Returns an error. */
-int mesh_begin(unsigned exact)
+int mesh_begin(enum mesh_way way)
 {
     static const struct glint_material clay = {.ambient_q16 = {6554, 3932, 2621},
                                                .diffuse_q16 = {40632, 22282, 9175},
@@ -31,23 +34,34 @@ int mesh_begin(unsigned exact)
     shader.format = GLINT_RGB565;
     shader.clamp_peak = true;
     glint_lobe_init(&shader.lobe, GLINT_MSH, 60, 8);
-    paint.path = exact ? &glint_mesh_exact : &glint_mesh_tables;
-    paint.with = exact ? (const void *)&prepared : (const void *)&tables;
+    chosen = way;
+    paint.path = way == MESH_GOURAUD ? &gouraud_path : way == MESH_EXACT ? &glint_mesh_exact : &glint_mesh_tables;
+    paint.with = way == MESH_BY_TABLES ? (const void *)&tables : (const void *)&prepared;
     return glint_light_init(&shader.light, to_light, to_viewer) |
            glint_shade_prepare_for(&prepared, &shader, &glint_shade_msh, &glint_shade_rgb565) |
            glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &shader, tables_memory, sizeof tables_memory);
 }
 
-/* Once a frame. */
 int mesh_frame(unsigned which)
 {
     const struct glint_pose pose = {{30895, 6849, -8278, -1835}, {0, 0, 0}, 2410};
-    return glint_mesh_begin(&frame, WIDTH, HEIGHT, LINES, 0, frame_memory, sizeof frame_memory) |
-           glint_mesh_add(&frame, &drawn, meshes[which], &pose, &shader.light, &paint, mesh_memory, sizeof mesh_memory);
+    const int error =
+        glint_mesh_begin(&frame, WIDTH, HEIGHT, LINES, 0, frame_memory, sizeof frame_memory) |
+        glint_mesh_add(&frame, &drawn, meshes[which], &pose, &shader.light, &paint, mesh_memory, sizeof mesh_memory);
+    if (chosen == MESH_GOURAUD)
+        gouraud_vertices(&drawn, &shader.lobe);
+    return error;
 }
 
 int mesh_strip(unsigned y)
 {
     const struct glint_surface surface = {mesh_out, 2 * WIDTH, 0, (uint16_t)y};
     return glint_mesh_strip(&frame, (uint16_t)y, LINES, &surface);
+}
+
+uint32_t mesh_memory_bytes(enum mesh_way way, unsigned which)
+{
+    return (uint32_t)(glint_mesh_frame_bytes(WIDTH, LINES) + KEPT_USUAL * GLINT_MESH_KEPT_BYTES +
+                      glint_mesh_bytes(meshes[which], HEIGHT) + 2 * sizeof mesh_out + sizeof frame + sizeof drawn +
+                      sizeof prepared + (way == MESH_BY_TABLES ? sizeof tables + sizeof tables_memory : 0));
 }
