@@ -3,6 +3,8 @@
 // specification. Numbers are those of the specifications; every byte has its field.
 import { check, equal } from './tap.mjs'
 
+// This interface's own, for ever: programs on Windows find it by that.
+const INTERFACE = '{431EE1A2-24A1-4FB2-9563-6735EF483444}'
 const WEBUSB = '3408b638-09a9-47a0-8bfd-a0768815b665', MICROSOFT = 'd8dd60df-4589-4cc7-9cd2-659d9e648a9f'
 
 // Takes fields from the front; a length that a descriptor states must be what its fields take.
@@ -95,4 +97,51 @@ export function microsoftSetOf(host, { vendorCode, bytes: expected }) {
   const name = utf16(set.word()), guids = utf16(set.word())
   set.done()
   return { firstInterface, compatible, sub, name, guids }
+}
+
+// All that a device with an interface for light says: Windows has WinUSB for that one alone, and browsers offer the address, if any.
+export function examineOffer(host, address = null) {
+  const { webusb, microsoft } = bosOf(host)
+  equal(webusb.vendorCode, 1, 'bVendorCode of WebUSB')
+  equal(webusb.landingPage, address === null ? 0 : 1, 'iLandingPage')
+  equal(landingPageOf(host, webusb.vendorCode, webusb.landingPage), address, 'the landing page')
+  equal(microsoft.vendorCode, 2, 'bMS_VendorCode')
+  const set = microsoftSetOf(host, microsoft)
+  equal(set.firstInterface, 1, 'bFirstInterface')
+  equal(set.compatible, 'WINUSB\0\0', 'the compatible ID')
+  equal(set.sub, '\0'.repeat(8), 'the sub-compatible ID')
+  equal(set.name, 'DeviceInterfaceGUIDs\0', 'the property')
+  equal(set.guids, `${INTERFACE}\0\0`, 'the GUIDs')
+}
+
+// A test of examineOffer: replays what the device answers with one fault each time. Returns the number of faults, and those that
+// it did not find: every bit of every answer, an answer that is a byte shorter, or refused.
+export function faultsInOffer(host, address = null) {
+  const answers = new Map(), request = (type, code, value, index) => [type, code, value, index].join(' ')
+  const replay = { control: (type, code, value, index, length) => answers.get(request(type, code, value, index))?.subarray(0, length) ?? null }
+  const finds = () => { try { examineOffer(replay, address); return false } catch { return true } }
+  examineOffer({ control(type, code, value, index, length) {
+    const bytes = host.control(type, code, value, index, length), key = request(type, code, value, index)
+    if (bytes !== null && bytes.length >= (answers.get(key)?.length ?? 0)) answers.set(key, Buffer.from(bytes))
+    return bytes
+  } }, address)
+  check(!finds(), 'what the device answered is not what is replayed')
+  let count = 0
+  const unseen = []
+  for (const [key, right] of [...answers]) {
+    const put = (what, wrong) => {
+      wrong === null ? answers.delete(key) : answers.set(key, wrong)
+      count++
+      if (!finds()) unseen.push(`${key}: ${what}`)
+      answers.set(key, right)
+    }
+    for (let bit = 0; bit < 8 * right.length; bit++) {
+      const wrong = Buffer.from(right)
+      wrong[bit >> 3] ^= 1 << (bit & 7)
+      put(`bit ${bit & 7} of byte ${bit >> 3}`, wrong)
+    }
+    put('a byte less', right.subarray(0, -1))
+    put('refused', null)
+  }
+  return { count, unseen }
 }

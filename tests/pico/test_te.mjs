@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_te.mjs PACKAGES FOLDER PANEL JUDGE PIN ADDRESS: the demo of an image that was built for a panel's tearing line (TE) on PIN,
 // with a panel that scans: 320 rows and 24 of blanking, 60 times a second; and for browsers to offer ADDRESS.
-import { bosOf, landingPageOf } from './descriptors.mjs'
+import { examineOffer, faultsInOffer, landingPageOf } from './descriptors.mjs'
 import { Judge } from './judge.mjs'
 import { Pico } from './pico.mjs'
 import { check, equal, run } from './tap.mjs'
@@ -102,10 +102,9 @@ run([
     const host = new UsbHost(pico)
     host.pulled_up = true
     host.enumerate()
-    const { webusb } = bosOf(host)
-    equal(webusb.landingPage, 1, 'iLandingPage')
-    equal(landingPageOf(host, webusb.vendorCode, 1), address, 'the address')
-    equal(landingPageOf(host, webusb.vendorCode, 2), null, 'the address of a second page')
+    examineOffer(host, address)
+    equal(landingPageOf(host, 1, 2), null, 'the address of a second page')
+    equal(faultsInOffer(host, address).unseen.join(', '), '', 'faults in the descriptors, with the address, that are not found')
   }],
   ['whatever happened, D/C never changed while a byte was sent', () => {
     equal(wires.faults.length, 0, `faults, the first: ${wires.faults[0]}`)
