@@ -38,6 +38,12 @@ static inline uint32_t glint_lights_color(const struct glint_lamp *lamp, unsigne
     return lamp->color_q16[k] < GLINT_LAMP_COLOR_MAX ? lamp->color_q16[k] : GLINT_LAMP_COLOR_MAX;
 }
 
+/* For single pixels: prepares *prepared and *lights, that keep pointers to it and to the lamps. Errors as glint_shade_lights. */
+enum glint_err glint_lights_init(struct glint_lights *lights, struct glint_prepared *prepared,
+                                 const struct glint_shader *shader, const struct glint_lamp *lamps, unsigned count);
+/* Draws pixel run.x of lights->run, which is set. */
+void glint_lights_pixel(struct glint_lights *lights, const struct glint_vec *normal);
+
 /* Steps 1 and 2 under lamp number `at` for pixels from the run's pixel `from` on. */
 void glint_lights_sample(struct glint_lights *lights, unsigned at, unsigned from, unsigned count,
                          struct glint_sample *sample);

@@ -15,6 +15,10 @@ struct glint_align_32 {
     char before;
     uint32_t at;
 };
+struct glint_align_pointer {
+    char before;
+    void *at;
+};
 #define GLINT_MISALIGNED(address_or_stride, bits)                                                                      \
     ((uintptr_t)(address_or_stride) % offsetof(struct glint_align_##bits, at) != 0)
 

@@ -59,6 +59,20 @@ struct glint_mesh_albedo {
     const uint8_t *of_faces;    /* red, green, blue of each */
 };
 
+/* The same under up to four lamps, as glint_shade_lights takes them, in the place of glint_mesh_add's light, with a struct
+ * glint_mesh_lights: every model, also Phong, format and space. Places of lamps are as those of meshes: from the viewport's middle, and
+ * under perspective before it. A pixel costs what glint_shade_lights takes, and more. */
+extern const struct glint_mesh_path glint_mesh_lit;
+struct glint_mesh_lights {
+    void *memory;
+    const uint8_t *of_vertices, *of_faces; /* yours to set: as above; both NULL: the material's albedo */
+};
+/* Memory: glint_mesh_lights_bytes, aligned as a pointer, yours until the picture is drawn. The lamps are copied. GLINT_ERR_ARG: NULL, too
+ * few bytes, misaligned; else errors as glint_shade_lights. */
+size_t glint_mesh_lights_bytes(void);
+enum glint_err glint_mesh_lights_init(struct glint_mesh_lights *lights, const struct glint_shader *shader,
+                                      const struct glint_lamp *lamps, unsigned count, void *memory, size_t bytes);
+
 #define GLINT_MESH_SIZE_MAX 2040u /* pixels, of a viewport's width and height */
 #define GLINT_MESH_FACES_MAX 65534u
 #define GLINT_MESH_BAND 16u /* lines: strips of whole bands cost least */

@@ -66,7 +66,8 @@ static GLINT_LIGHTS_ALONE bool lights_note(struct glint_lights *lights, unsigned
 }
 
 /* The sums of pixels from the run's pixel `from` on, with F or what the model's loop has of it; exact ones of a single pixel. */
-static inline void lights_sum(struct glint_lights *lights, unsigned from, unsigned count, bool exact)
+static inline __attribute__((always_inline)) void lights_sum(struct glint_lights *lights, unsigned from, unsigned count,
+                                                             bool exact)
 {
     const struct glint_prepared *p = lights->prepared;
     const struct glint_near *near = &p->near;
@@ -85,7 +86,7 @@ static inline void lights_sum(struct glint_lights *lights, unsigned from, unsign
 }
 
 /* Draws a run: all of it, then each pixel that this leaves open. */
-static inline void lights_draw(struct glint_lights *lights, unsigned count)
+static inline __attribute__((always_inline)) void lights_draw(struct glint_lights *lights, unsigned count)
 {
     const struct glint_prepared *p = lights->prepared;
     uint32_t open = ((uint32_t)1 << count) - 1;
@@ -269,4 +270,22 @@ enum glint_err glint_shade_lights(const struct glint_shader *shader, const struc
         return glint_shade_prepared_rect(&prepared, source, w, h, surface, highlight);
     lights_rect(&prepared, lamps, count, source, w, h, surface, highlight);
     return GLINT_OK;
+}
+
+enum glint_err glint_lights_init(struct glint_lights *lights, struct glint_prepared *prepared,
+                                 const struct glint_shader *shader, const struct glint_lamp *lamps, unsigned count)
+{
+    const int found = lights_begin(prepared, shader, lamps, count);
+    if (found < 0)
+        return (enum glint_err)found;
+    lights->prepared = prepared;
+    lights->boxed = false;
+    lights_prepare(lights, lamps, count);
+    return GLINT_OK;
+}
+
+void glint_lights_pixel(struct glint_lights *lights, const struct glint_vec *normal)
+{
+    lights->normals = normal;
+    lights_draw(lights, 1);
 }
