@@ -57,9 +57,8 @@ enum glint_err {
 
 /* ---- The lobe: how bright the highlight is ------------------------------------------------------------------- */
 
-/* The models: functions of the cosine c and the shininess n. This list is the one place that names them all:
- * X(number, name, function, use) has glint_FUNCTION below do the model's work, in lib/lobe_FUNCTION.c; use is own, or shared
- * where another model's functions are used. */
+/* The models: functions of the cosine c and the shininess n. This list is the one place that names them all: X(number, name, function, use)
+ * has glint_FUNCTION below do the model's work, in lib/lobe_FUNCTION.c; use is own, or shared where another model's functions are used. */
 #define GLINT_MODELS(X)                                                                                                \
     X(GLINT_MSH, msh, msh, own)             /* (5)  2c / (1.25 (n - nc + 1.25c)^2), modified Schlick; peak 1.024 */    \
     X(GLINT_SCHLICK, schlick, schlick, own) /* (2)  c / (n - nc + c) */                                                \
@@ -408,14 +407,20 @@ struct glint_tables_light {
 enum glint_err glint_tables_light_init(struct glint_tables_light *light, const struct glint_tables *tables,
                                        const struct glint_light *from);
 
-/* Shades w x h normals; pixels without a surface are left as they are. Normals are aligned (INT16 to 2 bytes, else to 4) and
- * of about unit length: others give some colour. GLINT_ERR_ARG: NULL, misaligned, ALBEDO tables, a light for another kind of
- * tables. GLINT_ERR_FORMAT: no such normals. GLINT_ERR_VECTOR: INT8 and a viewer not at (0, 0, 1), unless the tables are
- * SMALL; INT8, COLOUR and a light made by hand that is longer than 1.03 or has an h that is not its own. Nothing is written
- * then. */
+/* Shades w x h normals; pixels without a surface are left as they are. Normals are aligned (INT16 to 2 bytes, else to 4) and of about unit
+ * length: others give some colour. GLINT_ERR_ARG: NULL, misaligned, ALBEDO tables, a light for another kind of tables. GLINT_ERR_FORMAT: no
+ * such normals. GLINT_ERR_VECTOR: INT8 and a viewer not at (0, 0, 1), unless the tables are SMALL; INT8, COLOUR and a light made by hand
+ * that is longer than 1.03 or has an h that is not its own. Nothing is written then. */
 enum glint_err glint_tables_rect(const struct glint_tables *tables, const struct glint_tables_light *light,
                                  enum glint_normals format, const void *normals, ptrdiff_t stride, uint16_t w,
                                  uint16_t h, const struct glint_surface *surface);
+/* The normals of a window, from column x and line y of a map on, for the functions above and below; the stride stays the map's. */
+const void *glint_normals_window(enum glint_normals format, const void *map, ptrdiff_t stride, uint32_t x, uint32_t y);
+/* The highlight's box of a rectangle over tables of any kind, as glint_shade_rect returns it: the smallest that holds every pixel to which
+ * their loop for these normals adds a highlight. Looks again at each normal outside the box, at few inside. Errors as glint_tables_rect's. */
+enum glint_err glint_tables_box(const struct glint_tables *tables, const struct glint_tables_light *light,
+                                enum glint_normals format, const void *normals, ptrdiff_t stride, uint16_t w,
+                                uint16_t h, struct glint_box *highlight);
 /* Shades a span as one line. GLINT_ERR_ARG: NULL, ALBEDO tables. */
 enum glint_err glint_tables_span(const struct glint_tables *tables, const struct glint_span *span,
                                  const struct glint_surface *surface);

@@ -41,11 +41,8 @@ static void small_pixel(const struct glint_tables *tables, const struct glint_su
     const uint32_t last = GLINT_SMALL_DIFFUSE - 2, step = (uint32_t)nl_q30 >> GLINT_COLOUR_ROW_SHIFT;
     const uint32_t row = nl_q30 <= 0 ? 0 : 1 + (step < last ? step : last);
     uint32_t column = 0;
-    if (nl_q30 > 0 && t_q30 <= tables->t_max_q30) {
-        const uint32_t fine = t_q30 >> tables->shift;
-        column =
-            tables->columns[fine < GLINT_SMALL_SEGMENT ? fine : GLINT_SMALL_SEGMENT + (fine >> GLINT_SMALL_COARSER)];
-    }
+    if (nl_q30 > 0 && t_q30 <= tables->t_max_q30)
+        column = glint_small_column(tables, t_q30);
     const uint32_t b = tables->dither ? glint_pixel_bayer(surface->x + (uint32_t)x, surface->y + (uint32_t)y) : 8;
     const uint32_t raw = diffuse[row] + specular[column];
     uint8_t *line = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;

@@ -46,3 +46,8 @@ struct glint_vec glint_normals_unpack(enum glint_normals format, uint32_t word)
     }
     return n;
 }
+
+const void *glint_normals_window(enum glint_normals format, const void *map, ptrdiff_t stride, uint32_t x, uint32_t y)
+{
+    return (const uint8_t *)map + stride * (ptrdiff_t)y + glint_normals_size(format) * x;
+}
