@@ -122,8 +122,7 @@ struct glint_light {
     struct glint_vec v; /* towards the viewer */
     struct glint_vec h; /* the half vector (L + V) / |L + V| */
 };
-/* From directions of any length. GLINT_ERR_ARG: NULL. GLINT_ERR_VECTOR where one is 0, or the light straight behind: L
- * within 2^-27 of -V. */
+/* From directions of any length. GLINT_ERR_ARG: NULL. GLINT_ERR_VECTOR where one is 0, or the light straight behind: L within 2^-27 of -V. */
 enum glint_err glint_light_init(struct glint_light *light, const int32_t to_light[3], const int32_t to_viewer[3]);
 
 /* ---- The pixel ------------------------------------------------------------------------------------------------ *
@@ -188,8 +187,7 @@ struct glint_surface {
     uint16_t x, y;    /* where on the screen the rectangle starts: the phase of the dither */
 };
 
-/* A rectangle in pixels; w = 0 where empty. */
-struct glint_box {
+struct glint_box { /* a rectangle in pixels; w = 0 where empty */
     uint16_t x, y, w, h;
 };
 
@@ -230,8 +228,7 @@ enum glint_err glint_shade_rect(const struct glint_shader *shader, const struct 
 #define GLINT_LAMP_COLOR_MAX ((uint32_t)1 << 20) /* 16.0 */
 #define GLINT_LAMP_FAR ((int32_t)1 << 23)        /* how far a place may be from 0, and the longest range; 1/16 pixel */
 
-/* Stored as uint8_t. */
-enum glint_lamp_kind { GLINT_DIRECTIONAL, GLINT_POINT, GLINT_SPOT };
+enum glint_lamp_kind { GLINT_DIRECTIONAL, GLINT_POINT, GLINT_SPOT }; /* stored as uint8_t */
 
 /* Filled by one of the functions below, white; then the colour is yours to set. */
 struct glint_lamp {
@@ -272,8 +269,7 @@ extern const struct glint_shade_format glint_shade_rgb565, /* gamma, both orders
     glint_shade_grey,                                      /* GREY8 and MONO, gamma */
     glint_shade_linear;                                    /* every format in linear space */
 
-/* What a lobe folds to. */
-struct glint_near {
+struct glint_near { /* what a lobe folds to */
     uint32_t t_end; /* F > 0 exactly where t < t_end, <= 2^30 + 1 */
     uint32_t f_max; /* F is held to this */
     uint32_t n;     /* 1..1000 */
@@ -308,7 +304,6 @@ enum glint_err glint_shade_prepared_rect(const struct glint_prepared *prepared, 
 /* ---- A span: normals interpolated linearly, and no normal memory ---------------------------------------------- */
 
 #define GLINT_SPAN_MAX 4096u
-
 /* |N - H|^2 / 2 is exactly quadratic along a span: t takes two additions a pixel and nl one, Q2.30 modulo 2^32:
  *   t and nl are used (t >= 0xf8000000 is a little below 0 and counts as 0), then t += dt, dt += ddt, nl += dnl.
  * The rest of the pixel follows, with the material's albedo and gloss 255. */
