@@ -57,9 +57,10 @@ static void read_input(struct import_source *source)
         if (source->len < room)
             continue;
         room *= 2;
-        source->bytes = realloc(source->bytes, room);
-        if (!source->bytes)
+        char *const more = realloc(source->bytes, room);
+        if (!more)
             fail("out of memory");
+        source->bytes = more;
     }
     if (ferror(stdin))
         fail("%s: could not be read: %s", source->name, strerror(errno));
