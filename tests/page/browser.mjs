@@ -48,9 +48,9 @@ export class Browser {
 
     /** Until it holds in the page; puppeteer's own wait is text to eval there, which the page's policy refuses in Firefox before 150. */
     async until(condition, ...values) {
-        for (const end = Date.now() + 20000; !await this.page.evaluate(condition, ...values);) {
+        for (const end = Date.now() + 90000; !await this.page.evaluate(condition, ...values);) {
             if (Date.now() > end)
-                throw new Error(`waited 20 s for ${condition}`)
+                throw new Error(`waited 90 s for ${condition}`)
             await new Promise(resolve => setTimeout(resolve, 20))
         }
     }

@@ -22,25 +22,35 @@ MULTIPLY = re.compile(r"__aeabi_lmul|__u?mul\w+3")
 MULTIPLY_STACK = 32  # of a helper that multiplies: libgcc's push 20 bytes on Cortex-M0, 25 on AVR with what they call, 0 on RV32
 
 
+def by_file(text):
+    """What objdump says of several files: path, text."""
+    parts = re.split(r"^(\S.*): +file format .*$", text, flags=re.M)
+    return zip(parts[1::2], parts[2::2])
+
+
 def complaints(target, objects):
     """Why these objects are not integers only, without writable data."""
     found = []
-    for path in objects:
-        name = os.path.basename(path)
-        for line in target.tool("nm", "-u", path).split("\n"):
-            symbol = line.split()[-1] if line.split() else ""
-            if symbol and not ALLOWED.fullmatch(symbol):
-                found.append(f"{name} needs {symbol}")
-        for line in target.tool("nm", path).split("\n"):
-            fields = line.split()
-            if len(fields) == 3 and fields[1] in "CcDdBbGgSs":
-                found.append(f"{name} holds writable data: {fields[2]}")
-        for section, size in re.findall(r"^(\.(?:data|bss|sdata|sbss|tdata|tbss)\S*)\s+(\d+)", target.tool("size", "-A", path), re.M):
-            if int(size):
-                found.append(f"{name} has {size} bytes of {section}")
-        if target.prefix.startswith("arm"):
-            for mnemonic in set(re.findall(r"\t(v[a-z0-9.]+)\t", target.tool("objdump", "-d", path))):
-                found.append(f"{name} uses the floating-point unit: {mnemonic}")
+    for line in target.tool("nm", "-A", "-u", *objects).split("\n"):
+        path, _, symbol = line.rpartition(" ")
+        if symbol and not ALLOWED.fullmatch(symbol):
+            found.append(f"{os.path.basename(path.split(':')[0])} needs {symbol}")
+    for line in target.tool("nm", "-A", *objects).split("\n"):
+        path, _, symbol = line.rpartition(":")
+        fields = symbol.split()
+        if len(fields) == 3 and fields[1] in "CcDdBbGgSs":
+            found.append(f"{os.path.basename(path)} holds writable data: {fields[2]}")
+    name = ""
+    for line in target.tool("size", "-A", *objects).split("\n"):
+        fields = line.split()
+        if len(fields) == 2 and fields[1] == ":":
+            name = os.path.basename(fields[0])
+        elif re.match(r"\.(data|bss|sdata|sbss|tdata|tbss)", line) and int(fields[1]):
+            found.append(f"{name} has {fields[1]} bytes of {fields[0]}")
+    if target.prefix.startswith("arm"):
+        for path, text in by_file(target.tool("objdump", "-d", *objects)):
+            for mnemonic in set(re.findall(r"\t(v[a-z0-9.]+)\t", text)):
+                found.append(f"{os.path.basename(path)} uses the floating-point unit: {mnemonic}")
     return found
 
 
@@ -119,7 +129,10 @@ class Calls:
         self.taken, self.trouble, self.memory = set(), set(), {}
         for path in objects:
             self._read_frames(path)
-            self._read_code(path)
+        for path, text in by_file(target.tool("objdump", "-dr", *objects)):
+            self._read_code(path, text)
+        for path, text in by_file(target.tool("objdump", "-r", *objects)):
+            self._read_addresses(path, text)
         self.known = {}
         for file, function in self.edges:
             self.known.setdefault(function, (file, function))
@@ -135,9 +148,9 @@ class Calls:
                 if kind not in ("static", "dynamic,bounded"):
                     self.trouble.add(f"{function[1]}: its frame is {kind}")
 
-    def _read_code(self, path):
+    def _read_code(self, path, text):
         function, code = None, []
-        for line in self.target.tool("objdump", "-dr", path).split("\n") + ["0 <end>:"]:
+        for line in text.split("\n") + ["0 <end>:"]:
             match = FUNCTION.match(line)
             if not match:
                 code.append(line)
@@ -145,13 +158,12 @@ class Calls:
             if function:
                 self._read_function((path, function), code)
             function, code = match[1], []
-        self._read_addresses(path)
 
-    def _read_addresses(self, path):
+    def _read_addresses(self, path, text):
         """Functions whose address is taken, in code or in constants: any mention that is not a call nor a branch inside a
         function, which would have an offset."""
         section = ""
-        for line in self.target.tool("objdump", "-r", path).split("\n"):
+        for line in text.split("\n"):
             fields = line.split()
             if line.startswith("RELOCATION"):
                 section = fields[-1]

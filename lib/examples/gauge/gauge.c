@@ -56,7 +56,7 @@ static enum glint_err gauge_draw(uint8_t *pixels, int percent)
 int main(int argc, char **argv)
 {
     static uint8_t pixels[3 * WIDTH * HEIGHT];
-    char *end = "";
+    char none[] = "", *end = none;
     const long percent = argc > 1 ? strtol(argv[1], &end, 10) : 70;
     if (*end || percent < 0 || percent > 100) {
         fprintf(stderr, "gauge: %s: give a value from 0 to 100\n", argv[1]);
