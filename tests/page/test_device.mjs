@@ -37,10 +37,21 @@ const says = async text => {
         .catch(async () => { throw new Error(`it says ${await browser.text('device-status')}, not ${text}`) })
 }
 
+/** What the canvas shows, once that is the command's picture of the words that the state has; else what is wrong after 60 s: when a
+ *  board comes or goes, the state stays as it is, so that nothing else says when the next picture is drawn. */
+async function drawnAs(wordsOfState) {
+    for (const end = Date.now() + 60000;;) {
+        const now = await browser.now(), words = wordsOfState(stateOfFragment(now.fragment))
+        const wrong = difference(now.rgba, now.width, now.height, command.render(words))
+        if (!wrong || Date.now() > end)
+            return { words, wrong }
+        await new Promise(resolve => setTimeout(resolve, 100))
+    }
+}
+
 /** The canvas is the command's picture of what the board draws, and the board has what makes that. Returns the words. */
 async function follows() {
-    const now = await browser.now(), state = stateOfFragment(now.fragment), drawn = wordsOf(onDevice(state, width, height, colours[state.scene]))
-    const wrong = difference(now.rgba, now.width, now.height, command.render(drawn))
+    const { words: drawn, wrong } = await drawnAs(state => wordsOf(onDevice(state, width, height, colours[state.scene])))
     check(!wrong, `${drawn.join(' ')}: ${wrong}`)
     engine.draw(drawn)
     const { map, material, light } = engine.device(width, height, { map: '', material: '' })
@@ -54,8 +65,7 @@ async function follows() {
 }
 const isFree = async () => {
     equal(await browser.text('connect'), 'Connect a Pico', 'the button')
-    const now = await browser.now(), own = wordsOf(stateOfFragment(now.fragment))
-    const wrong = difference(now.rgba, now.width, now.height, command.render(own))
+    const { words: own, wrong } = await drawnAs(wordsOf)
     check(!wrong, `not connected, the picture is not the page's own: ${own.join(' ')}: ${wrong}`)
 }
 
@@ -77,7 +87,10 @@ run([
             await page.keyboard.press('ArrowRight')
         await follows()
         check((await board()).lights.length > before, 'no lights')
-        await says('frames/s')
+        for (const end = Date.now() + 60000; !(await browser.text('device-status')).includes('frames/s') && Date.now() < end;)
+            await page.keyboard.press('ArrowRight') // a rate needs two frames within a second
+        check((await browser.text('device-status')).includes('frames/s'), 'no rate')
+        await follows()
         await browser.set('control-n', '12')
         check((await follows()).includes('-n12'), 'another material')
         await page.evaluate(() => [...document.querySelectorAll('button')].find(button => button.textContent === 'Dial').click())

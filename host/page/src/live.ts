@@ -148,7 +148,7 @@ function tell(to: Pico): void {
     const now = performance.now()
     frames = frames.filter(time => time > now - 1000)
     const rate = frames.length > 1 ? (frames.length - 1) * 1000 / (frames[frames.length - 1] - frames[0]) : 0
-    say(`${to.name} draws ${to.width} × ${to.height}, RGB565: ${frames.length > 4 ? `${rate.toFixed(0)} frames/s, ` : ''}16 bytes a frame. The picture here is the same, bit for bit: one colour, full gloss, no dither.`)
+    say(`${to.name} draws ${to.width} × ${to.height}, RGB565: ${frames.length > 1 ? `${rate.toFixed(0)} frames/s, ` : ''}16 bytes a frame. The picture here is the same, bit for bit: one colour, full gloss, no dither.`)
 }
 
 onDrawn(() => void follow())
