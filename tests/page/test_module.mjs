@@ -125,6 +125,19 @@ run([
         same(engine, ['--scene=coin', '--size=40x40', '--color=9,90,200'])
         same(engine, ['--scene=coin', '--size=40x40'])
     }],
+    ['after a look at moving lights, the last picture is there for a board, and so it is where a step is refused', () => {
+        const engine = new Engine(program)
+        engine.addWhite('white', 60, 44)
+        const other = ['--scene=coin', '--size=40x30']
+        engine.draw(['--scene=coin', '--size=60x44', '--gloss=white', '--color=9,90,200', '--format=rgb565', '--path=colour-int8'])
+        const pixels = engine.pixels(), has = { map: '', material: '' }
+        const { changed } = engine.moving([other, [...other, '--light=1,0,1']])
+        check(changed > 0, 'the moving light changes nothing')
+        check(engine.device(60, 44, has), 'the board gets nothing')
+        check(Buffer.from(engine.pixels()).equals(Buffer.from(pixels)), 'another picture')
+        refusal(() => engine.moving([other, ['--scene=coin', '-n1001']]))
+        check(engine.device(60, 44, has), 'the board gets nothing after a refusal')
+    }],
     ['640 random states give the command\'s pictures or refusals', async () => {
         const engine = new Engine(program), random = randomly(3), width = 8
         for (let from = 0; from < 640; from += width) {

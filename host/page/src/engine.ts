@@ -129,17 +129,22 @@ export class Engine {
     }
 
     /** What changes between pictures that follow each other, in the mean: a share of the bytes; bytes of the rectangle, and of
-     *  the lines' pieces, that hold all changes; bytes of a frame. Afterwards `words` are drawn again. */
-    moving(steps: string[][], words: string[]): { changed: number, box: number, lines: number, frame: number } {
+     *  the lines' pieces, that hold all changes; bytes of a frame. Afterwards the last picture is drawn again, even where a step
+     *  is refused; it may be newer than the one that the asker saw. */
+    moving(steps: string[][]): { changed: number, box: number, lines: number, frame: number } {
+        const last = this.drawn
         let before: Uint8Array | undefined
         const sum = { changed: 0, box: 0, lines: 0, frame: 0 }
-        for (const step of steps) {
-            const { height } = this.draw(step), now = this.pixels()
-            if (before)
-                add(sum, extentOf(before, now, height), 1 / (steps.length - 1))
-            before = now
+        try {
+            for (const step of steps) {
+                const { height } = this.draw(step), now = this.pixels()
+                if (before)
+                    add(sum, extentOf(before, now, height), 1 / (steps.length - 1))
+                before = now
+            }
+        } finally {
+            this.draw(last)
         }
-        this.draw(words)
         return sum
     }
 

@@ -96,7 +96,7 @@ async function extent(state: State, drawn: Drawn): Promise<void> {
     ]
     rows(byId('extent'), entries)
     const steps = [0, 3, 6, 9, 12].map(degrees => turned(state, degrees, drawn))
-    const moving = await ask('moving', steps, wordsOf(state))
+    const moving = await ask('moving', steps)
     entries.push(['A light that turns by 3° changes', `${(100 * moving.changed).toFixed(0)} % of the bytes`],
         ['Sent as one rectangle a frame', `${commas(moving.box)} of ${commas(moving.frame)} bytes`],
         ['Sent as lines that changed', `${commas(moving.lines)} bytes`])

@@ -23,7 +23,7 @@ export const methods = {
     compare: () => engine.compare(),
     curve: (model: number, n: number, count: number, degrees: number) => engine.curve(model, n, count, degrees),
     run: (words: string[]) => engine.run(words),
-    moving: (steps: string[][], words: string[]) => engine.moving(steps, words),
+    moving: (steps: string[][]) => engine.moving(steps),
     /** The one colour that stands for the surface's. */
     colour(words: string[]) {
         other.draw(words)
