@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 # How strong the tests are: what the quick ones execute (make coverage), and which faults they notice (make mutants).
 STRENGTH_PACKAGES = gcovr
-STRENGTH_COUNTED = BUILD=build/coverage CFLAGS='-O0 -g --coverage -fprofile-update=atomic'
+STRENGTH_COUNTED = BUILD=build/coverage CFLAGS='-O0 -g --coverage -fprofile-update=atomic -Dalways_inline=unused'
 STRENGTH_PLAIN = BUILD=build/mutants CFLAGS='-O1 -fPIC'
+# What programs have to say about their counters goes there, not among the messages that tests read.
+STRENGTH_ERRORS = GCOV_ERROR_FILE="$(CURDIR)/build/coverage/errors.log"
 STRENGTH_EXACT = $(addprefix tests/exact/test_,eval cutoff pixel unit reach lights)
 # How many mutants, and which: another seed chooses others.
 STRENGTH_MUTANTS = $(or $(MUTANTS),440)
@@ -14,18 +16,19 @@ setup-strength: setup-unit setup-exact
 # For lines and branches a few arguments are as good as many.
 coverage: setup-strength ## check: which lines and branches of lib/, firmware/core/ and host/ the quick tests execute
 	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs $(STRENGTH_EXACT:%=build/coverage/%)
-	@find build/coverage -name '*.gcda' -delete
-	@+EXACT_EVERY=100 GLINT_PIXELS=1 tests/tally $(STRENGTH_EXACT:%=build/coverage/%)
-	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) run-check-unit
+	@find build/coverage -name '*.gcda' -delete; rm -f build/coverage/errors.log
+	@+$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 tests/tally $(STRENGTH_EXACT:%=build/coverage/%)
+	@+$(STRENGTH_ERRORS) COUNTED="$(CURDIR)/build/coverage/glint" $(SUBMAKE) -s $(STRENGTH_COUNTED) \
+		UNIT_ENV='GLINT="$(CURDIR)/tests/strength/counted" GLINT_SOURCE="$(CURDIR)"' run-check-unit
 	@tests/strength/covered build/coverage
 
 strength-programs: $(HOST_ARCHIVES) $(UNIT_TESTS:%=%.o) $(STRENGTH_EXACT:%=$(BUILD)/%.o) $(BUILD)/host/main.o \
 	$(patsubst %,$(BUILD)/tests/exact/%.o,oracle near cases reference_lights reference_pixel)
 
-mutants: setup-strength ## check: how many small faults in lib/ and firmware/core/ the quick tests notice (an hour); MUTANTS=440 SEED=1
+mutants: setup-strength ## check: how many small faults in lib/ and firmware/core/ the quick tests notice (an hour); MUTANTS=440 SEED=1; MINUTES=20: a piece, the next goes on; RETRY=1: survivors again
 	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs $(STRENGTH_EXACT:%=build/coverage/%)
 	@+$(SUBMAKE) -s $(STRENGTH_PLAIN) strength-programs
 	@COMPILE="$(CC) -Ilib -Ifirmware/core -std=c99 -ffreestanding -O1 -fPIC" LINK="-lcmocka -lmpfr -lgmp $(HOST_LDLIBS)" GLINT_SOURCE="$(CURDIR)" \
-		tests/strength/mutants build/mutants build/coverage $(STRENGTH_MUTANTS) $(STRENGTH_SEED)
+		tests/strength/mutants build/mutants build/coverage $(STRENGTH_MUTANTS) $(STRENGTH_SEED) $(MINUTES)
 
 .PHONY: setup-strength coverage strength-programs mutants

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "alarm.h"
 #include "cksum.h"
 #include "fault.h"
 #include "unit.h"
@@ -104,6 +105,29 @@ static void the_picture_is_on_the_panel_line_for_line(void **state)
     assert_false(fault_draw(&hal, &panel, line, FAULT_MAP));
 }
 
+static void flush_later(void *context, const uint16_t *pixels, size_t count, void (*done)(void *), void *argument)
+{
+    (void)context;
+    (void)pixels;
+    (void)count;
+    set_alarm(done, argument);
+}
+
+static void the_next_line_waits_until_the_one_before_is_sent(void **state)
+{
+    (void)state;
+    enum { WIDTH = 8, HEIGHT = 5 };
+    uint16_t line[WIDTH];
+    struct panel panel = {.bus = &bus, .width = WIDTH, .height = HEIGHT};
+    const struct virtual_glass glass = virtual_glass_of(&panel);
+    virtual_panel_init(&screen, &glass);
+    bus = virtual_panel_bus(&screen);
+    const struct hal hal = {.bus = bus, .flush = flush_later};
+    alarms.count = 0;
+    assert_true(fault_draw(&hal, &panel, line, FAULT_MAP));
+    assert_int_equal(alarms.count, HEIGHT);
+}
+
 /* ---- the checksum ---- */
 
 static uint32_t by_the_command(const uint8_t *bytes, size_t count)
@@ -141,6 +165,7 @@ int main(void)
         cmocka_unit_test(the_bar_has_as_many_blocks_as_the_faults_number),
         cmocka_unit_test(every_fault_has_a_text),
         cmocka_unit_test(the_picture_is_on_the_panel_line_for_line),
+        cmocka_unit_test(the_next_line_waits_until_the_one_before_is_sent),
         cmocka_unit_test(the_checksum_is_the_commands),
     };
     return cmocka_run_group_tests_name("fault", tests, NULL, NULL);

@@ -23,6 +23,11 @@ static void the_descriptor_tells_size_buffer_and_compression(void **state)
     assert_true(gud_descriptor_unpack(&d, reply));
     assert_int_equal(d.flags, GUD_FLAG_STATUS);
     assert_int_equal(d.compression, 0);
+    for (unsigned i = 0; i < 5; i++) { /* magic and version */
+        reply[i] ^= 1;
+        assert_false(gud_descriptor_unpack(&d, reply));
+        reply[i] ^= 1;
+    }
 }
 
 static void a_mode_keeps_every_byte_on_the_wire(void **state)
@@ -270,6 +275,17 @@ static void the_display_is_told_what_changes(void **state)
     assert_int_equal(board.displays, 5); /* the display has to be enabled again, too */
 }
 
+static void a_board_whose_display_is_always_on_is_not_told(void **state)
+{
+    (void)state;
+    struct gud_device_ops quiet = *board.config.ops;
+    quiet.display = NULL;
+    board.config.ops = &quiet;
+    go(GUD_RGB565);
+    gud_device_suspend(&board.device);
+    assert_int_equal(board.displays, 0);
+}
+
 static void brightness_is_full_until_a_host_sets_it_and_then_stays(void **state)
 {
     (void)state;
@@ -340,6 +356,7 @@ int main(void)
         DEVICE_TEST(a_check_changes_nothing_until_its_commit),
         DEVICE_TEST(a_commit_drops_the_rectangle_of_the_earlier_state),
         DEVICE_TEST(the_display_is_told_what_changes),
+        DEVICE_TEST(a_board_whose_display_is_always_on_is_not_told),
         DEVICE_TEST(brightness_is_full_until_a_host_sets_it_and_then_stays),
         DEVICE_TEST(a_disabled_controller_drops_its_rectangle),
         DEVICE_TEST(a_bus_reset_forgets_what_the_host_had_set),

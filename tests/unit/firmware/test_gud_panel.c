@@ -2,6 +2,7 @@
  * A GUD display on a panel: it shows what a host draws, whatever else the host asks for meanwhile. */
 #include <string.h>
 
+#include "alarm.h"
 #include "gud_panel.h"
 #include "unit.h"
 #include "sinks/panel/virtual_panel.h"
@@ -150,6 +151,53 @@ static void a_bus_that_fails_is_noticed(void **state)
     assert_true(gud_panel.has_failed);
 }
 
+static bool fails_to_go_on(void *context, uint8_t command)
+{
+    virtual_panel_command(context, command);
+    return command != PANEL_MEMORY_CONTINUE;
+}
+
+static void a_bus_that_fails_at_the_rest_of_a_rectangle_is_noticed(void **state)
+{
+    (void)state;
+    hal.bus.command = fails_to_go_on;
+    begin_rectangle();
+    gud_device_bulk(&device, pixels, 500);
+    assert_false(gud_panel.has_failed);
+    set(GUD_SET_DISPLAY_ENABLE, &(uint8_t){1}, 1);
+    assert_true(gud_panel.has_failed);
+}
+
+static void a_display_that_is_on_is_never_quite_dark(void **state)
+{
+    (void)state;
+    assert_int_equal(gud_panel_percent(true, 0), 1);
+    assert_int_equal(gud_panel_percent(true, PANEL_BRIGHTEST), PANEL_BRIGHTEST);
+    assert_int_equal(gud_panel_percent(false, PANEL_BRIGHTEST), PANEL_OFF);
+}
+
+static void flush_later(void *context, const uint16_t *line, size_t count, void (*done)(void *), void *argument)
+{
+    (void)context;
+    for (size_t i = 0; i < count; i++)
+        virtual_panel_data(&screen, (const uint8_t[]){(uint8_t)(line[i] >> 8), (uint8_t)line[i]}, 2);
+    set_alarm(done, argument);
+}
+
+static void a_line_waits_until_the_one_before_is_sent(void **state)
+{
+    (void)state;
+    alarms.count = 0;
+    hal.flush = flush_later;
+    set(GUD_SET_DISPLAY_ENABLE, &(uint8_t){1}, 1);
+    begin_rectangle();
+    gud_device_bulk(&device, pixels, BYTES);
+    assert_drawn();
+    set(GUD_SET_DISPLAY_ENABLE, &(uint8_t){0}, 1); /* waits for the last */
+    assert_int_equal(alarms.count, LINES);
+    assert_false(gud_panel.is_sending);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -157,6 +205,9 @@ int main(void)
         cmocka_unit_test_setup(a_display_that_is_switched_within_a_rectangle_gets_the_rest_of_it, start),
         cmocka_unit_test_setup(a_display_that_is_switched_at_a_rectangles_ends_shows_all_of_it, start),
         cmocka_unit_test_setup(a_bus_that_fails_is_noticed, start),
+        cmocka_unit_test_setup(a_bus_that_fails_at_the_rest_of_a_rectangle_is_noticed, start),
+        cmocka_unit_test(a_display_that_is_on_is_never_quite_dark),
+        cmocka_unit_test_setup(a_line_waits_until_the_one_before_is_sent, start),
     };
     return cmocka_run_group_tests_name("gud panel", tests, NULL, NULL);
 }

@@ -46,7 +46,8 @@ static void a_block_that_the_window_cannot_hold_is_refused(void **state)
     go(GUD_XRGB8888);
     assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, 1, 4 * WIDTH, 1, 50}), GUD_OK);
     assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, 2, 8 * WIDTH, 1, 50}), GUD_PARAMETER);
-    assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, 2, 8 * WIDTH, 0, 0}), GUD_OK); /* needs none */
+    assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, 2, 8 * WIDTH, 0, 0}), GUD_OK);        /* needs none */
+    assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, 1, 4 * WIDTH, 1, 0}), GUD_PARAMETER); /* an empty block */
 }
 
 static void compression_that_is_not_offered_is_refused(void **state)

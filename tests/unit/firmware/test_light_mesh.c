@@ -50,6 +50,35 @@ static void a_device_without_a_mesh_or_without_maps_refuses_them(void **state)
     device.map = NULL;
     assert_false(set(LIGHT_SET_MAP, "", 0));
     assert_int_equal(status(), GUD_UNSUPPORTED);
+    struct gud_setup setup = request(GUD_TYPE_OUT, LIGHT_SET_MESH, 0); /* a stack that did not ask first */
+    assert_false(light_device_set(&device, &setup, reply));
+    setup.request = LIGHT_GET_STATUS;
+    assert_int_equal(light_device_setup(&device, &setup, reply), GUD_STALL);
+    assert_false(light_device_set(&device, &setup, reply));
+    assert_int_equal(status(), GUD_UNSUPPORTED);
+}
+
+static void a_pose_waits_for_the_material_and_a_light_is_no_pose(void **state)
+{
+    (void)state;
+    static const struct light_mesh mesh = {1, 2, 3, 180};
+    struct light_pose pose = {{{1, 0, 0, 0}, {0, 0, 0}, 100}, {0, 0, 1}};
+    uint8_t message[LIGHT_POSE_BYTES], light[LIGHT_MESSAGE_BYTES];
+    device.mesh = &mesh;
+    assert_true(enable(1) && set(LIGHT_SET_MESH, "", 0));
+    light_pose_pack(message, 1, &pose);
+    light_device_bulk(&device, message, sizeof message);
+    assert_int_equal(device.count, 1);
+    assert_false(light_device_next_pose(&device, &pose));
+    assert_true(set_material(&material));
+    assert_true(light_device_next_pose(&device, &pose));
+    assert_true(set(LIGHT_SET_MAP, "", 0));
+    for (unsigned i = 0; i < PIXELS; i++)
+        light_device_bulk(&device, (const uint8_t[4]){0}, 4);
+    light_message_pack(light, 2, (const int32_t[3]){0, 0, 1});
+    light_device_bulk(&device, light, sizeof light);
+    assert_int_equal(device.count, 1);
+    assert_false(light_device_next_pose(&device, &pose));
 }
 
 int main(void)
@@ -57,6 +86,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(poses_of_28_bytes_turn_the_mesh_that_it_holds, begin, end),
         cmocka_unit_test_setup_teardown(a_device_without_a_mesh_or_without_maps_refuses_them, begin, end),
+        cmocka_unit_test_setup_teardown(a_pose_waits_for_the_material_and_a_light_is_no_pose, begin, end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

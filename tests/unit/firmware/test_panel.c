@@ -200,7 +200,8 @@ static void a_bus_that_fails_at_any_call_fails_the_panel(void **state)
 {
     (void)state;
     for (size_t i = 0; i < GLASSES; i++) {
-        const struct panel panel = made(&bus, (enum panel_controller)glasses[i][0], 0, glasses[i][1], glasses[i][2]);
+        struct panel panel = made(&bus, (enum panel_controller)glasses[i][0], 0, glasses[i][1], glasses[i][2]);
+        panel.tearing_line = i % 2;
         size_t whole = SIZE_MAX;
         for (size_t limit = 0; limit <= whole; limit++) {
             calls = happenings = 0;
@@ -246,6 +247,17 @@ static void a_panel_that_is_unknown_or_does_not_fit_is_refused(void **state)
     assert_false(panel_defaults(&panel, PANEL_ST7789, 4, 240, 320));
     assert_false(panel_fits(&panel));
     assert_false(panel_defaults(&panel, PANEL_CONTROLLERS, 0, 240, 320));
+    assert_false(panel_fits(&panel));
+    assert_true(panel_defaults(&panel, PANEL_ST7789, 0, 240, 240));
+    panel.y_offset = PANEL_ROWS - 240;
+    assert_true(panel_fits(&panel));
+    panel.y_offset++;
+    assert_false(panel_fits(&panel));
+    panel.y_offset = 0;
+    panel.width = 0;
+    assert_false(panel_fits(&panel));
+    panel.width = 240;
+    panel.height = 0;
     assert_false(panel_fits(&panel));
 }
 

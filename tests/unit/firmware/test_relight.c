@@ -2,6 +2,7 @@
  * The display loop draws what the library's rectangle draws, in whatever order bus and flash are ready. */
 #include <stdlib.h>
 
+#include "alarm.h"
 #include "demo.h"
 #include "orbit.h"
 #include "relight.h"
@@ -53,13 +54,12 @@ static void make_map(void)
 
 static const struct hal *hal_in_use = &hal;
 
-static void start(bool from_flash)
+static void start_with_map(bool from_flash)
 {
     struct glint_shader shader;
     memset(&board, 0, sizeof board);
     memset(&flash, 0, sizeof flash);
     memset(&frames, 0, sizeof frames);
-    make_map();
     demo_shader(&shader);
     relight = (struct relight){.hal = hal_in_use,
                                .panel = &panel,
@@ -72,6 +72,12 @@ static void start(bool from_flash)
     for (unsigned i = 0; i < 2 && from_flash; i++)
         relight.normals[i] = normals[i];
     assert_int_equal(relight_start(&relight, &shader), GLINT_OK);
+}
+
+static void start(bool from_flash)
+{
+    make_map();
+    start_with_map(from_flash);
 }
 
 /* One rectangle of the whole map. */
@@ -242,6 +248,43 @@ static void a_frame_begins_when_the_board_allows_it_and_asks_once(void **state)
     check_screen(to_light);
 }
 
+static void send_line(void *unused)
+{
+    (void)unused;
+    end_flush();
+}
+
+static void a_start_waits_for_the_interrupt_that_ends_the_last_line(void **state)
+{
+    (void)state;
+    int32_t to_light[3];
+    struct glint_shader shader;
+    demo_shader(&shader);
+    start(false);
+    orbit_light(to_light, 0, ORBIT_FRAMES);
+    assert_int_equal(relight_frame(&relight, to_light), GLINT_OK);
+    while (!board.done)
+        relight_step(&relight);
+    set_alarm(send_line, NULL);
+    assert_int_equal(relight_start(&relight, &shader), GLINT_OK);
+    assert_null(board.done);
+}
+
+static void a_map_without_gaps_is_drawn_without_the_background(void **state)
+{
+    (void)state;
+    for (unsigned y = 0; y < HEIGHT; y++)
+        for (unsigned x = 0; x < WIDTH; x++)
+            put_normal(x, y);
+    start_with_map(false);
+    assert_false(relight.has_gaps);
+    run_frames(5);
+    by_exact_pixels = true;
+    start_with_map(false);
+    run_frames(6);
+    by_exact_pixels = false;
+}
+
 static void an_impossible_light_is_refused_and_no_frame_begins(void **state)
 {
     (void)state;
@@ -274,6 +317,8 @@ int main(void)
         cmocka_unit_test(a_line_is_not_overwritten_while_it_is_sent),
         cmocka_unit_test(an_abandoned_frame_disturbs_no_other),
         cmocka_unit_test(a_frame_begins_when_the_board_allows_it_and_asks_once),
+        cmocka_unit_test(a_start_waits_for_the_interrupt_that_ends_the_last_line),
+        cmocka_unit_test(a_map_without_gaps_is_drawn_without_the_background),
         cmocka_unit_test(an_impossible_light_is_refused_and_no_frame_begins),
         cmocka_unit_test(a_bus_that_fails_is_reported),
     };

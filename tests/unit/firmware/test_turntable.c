@@ -5,6 +5,7 @@
 #include "turntable.h"
 
 enum { WIDTH = 37, HEIGHT = 69 };
+#include "alarm.h"
 #include "panel_board.h"
 
 enum { STRIPS = 5, LOWER_Y = 32, BACKGROUND = 0x1234, CORE_BYTES = 16384 };
@@ -19,9 +20,11 @@ static struct {
 } other;
 
 /* It waits for strips of the last picture, which are sent meanwhile. */
+static bool waits_by_itself;
+
 static void run_other(void)
 {
-    while (end_flush())
+    while (!waits_by_itself && end_flush())
         ;
     other.job(other.argument);
     other.jobs++;
@@ -173,6 +176,53 @@ static void a_stop_waits_for_the_other_core_and_the_bus(void **state)
     run_frames(3);
 }
 
+static void send_all(void *unused)
+{
+    (void)unused;
+    while (end_flush())
+        ;
+}
+
+static void a_stop_waits_for_the_interrupt_that_ends_the_last_transfer(void **state)
+{
+    (void)state;
+    struct glint_pose pose;
+    const struct glint_light light = light_of(demo_mesh_light);
+    start(&one_core);
+    demo_pose(&pose, 0, WIDTH);
+    assert_int_equal(turntable_frame(&turntable, &pose, &light), GLINT_OK);
+    while (turntable.pieces.added == 0)
+        turntable_step(&turntable);
+    assert_non_null(board.done);
+    set_alarm(send_all, NULL);
+    turntable_stop(&turntable);
+    assert_null(board.done);
+}
+
+/* As on the board, where the bus sends on while the other core waits for memory of the picture before. */
+static void the_other_core_waits_for_the_interrupt_that_ends_its_last_strip(void **state)
+{
+    (void)state;
+    struct glint_pose pose;
+    const struct glint_light light = light_of(demo_mesh_light);
+    start(&two_cores);
+    waits_by_itself = true;
+    for (uint32_t frame = 0; frame < 2; frame++) {
+        demo_pose(&pose, frame * 37, WIDTH);
+        assert_int_equal(turntable_frame(&turntable, &pose, &light), GLINT_OK);
+        while (turntable.in_frame) {
+            if (turntable.is_begun)
+                send_all(NULL); /* for the core that does not wait */
+            else if (frame)
+                set_alarm(send_all, NULL);
+            turntable_step(&turntable);
+        }
+    }
+    waits_by_itself = false;
+    send_all(NULL);
+    check_screen(&pose, &light);
+}
+
 static void a_quaternion_of_zero_leaves_the_last_picture(void **state)
 {
     (void)state;
@@ -204,6 +254,14 @@ static void what_it_cannot_draw_is_refused_at_the_start(void **state)
     set_up(&two_cores);
     turntable.strip_count = STRIPS - 1;
     assert_int_equal(turntable_start(&turntable, &shader), GLINT_ERR_ARG);
+    turntable.strip_count = TURNTABLE_STRIPS_MAX + 1;
+    assert_int_equal(turntable_start(&turntable, &shader), GLINT_ERR_ARG);
+    set_up(&two_cores);
+    turntable.core[1].memory = NULL;
+    assert_int_equal(turntable_start(&turntable, &shader), GLINT_ERR_ARG);
+    set_up(&two_cores);
+    turntable.pieces.hal = &one_core; /* half of the picture for a core that is not there */
+    assert_int_equal(turntable_start(&turntable, &shader), GLINT_ERR_ARG);
 }
 
 static void a_bus_that_fails_is_reported(void **state)
@@ -226,6 +284,8 @@ int main(void)
         cmocka_unit_test(frames_are_the_librarys_however_slow_the_bus_is),
         cmocka_unit_test(two_cores_draw_what_one_does_whichever_is_first),
         cmocka_unit_test(a_stop_waits_for_the_other_core_and_the_bus),
+        cmocka_unit_test(a_stop_waits_for_the_interrupt_that_ends_the_last_transfer),
+        cmocka_unit_test(the_other_core_waits_for_the_interrupt_that_ends_its_last_strip),
         cmocka_unit_test(a_quaternion_of_zero_leaves_the_last_picture),
         cmocka_unit_test(what_it_cannot_draw_is_refused_at_the_start),
         cmocka_unit_test(a_bus_that_fails_is_reported),

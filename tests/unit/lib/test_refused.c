@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Exact rectangles and spans, meshes and albedo spans: an argument that is not there is refused, and nothing is drawn. */
-#include "shading.h"
+#include "meshes.h"
 
 static struct glint_shader shader;
 static struct glint_prepared prepared;
@@ -85,6 +85,97 @@ static void an_albedo_span_without_an_argument_is_refused(void **state)
     assert_int_equal(glint_tables_albedo_span(&tables, &span, albedo, &surface), GLINT_ERR_ARG);
 }
 
+static void tables_without_an_argument_are_refused(void **state)
+{
+    (void)state;
+    static uint32_t memory[GLINT_TABLES_SMALL_BYTES / 4];
+    const enum glint_tables_kind small = GLINT_TABLES_SMALL;
+    struct glint_tables tables;
+    assert_int_equal(glint_tables_fill(NULL, small, &shader, memory, sizeof memory), GLINT_ERR_ARG);
+    assert_int_equal(glint_tables_fill(&tables, small, &shader, NULL, sizeof memory), GLINT_ERR_ARG);
+    shader.format = (uint8_t)GLINT_FORMAT_COUNT;
+    assert_int_equal(glint_tables_fill(&tables, small, &shader, memory, sizeof memory), GLINT_ERR_FORMAT);
+    assert_int_equal(glint_shade_prepare(NULL, &shader), GLINT_ERR_ARG);
+    assert_int_equal(glint_shade_prepare(&prepared, NULL), GLINT_ERR_ARG);
+}
+
+static struct made_mesh mesh;
+
+static void a_mesh_without_what_it_needs_is_refused(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 5; i++) {
+        mesh_ball(&mesh, 6, 8);
+        assert_int_equal(glint_mesh_check(&mesh.mesh), GLINT_OK);
+        if (i == 0)
+            mesh.mesh.places = NULL;
+        else if (i == 1)
+            mesh.mesh.faces = NULL;
+        else if (i == 2)
+            mesh.mesh.vertex_count = 0;
+        else if (i == 3)
+            mesh.mesh.face_count = UINT16_MAX;
+        else
+            mesh.mesh.part_count = 1; /* without its end */
+        assert_int_equal(glint_mesh_check(&mesh.mesh), GLINT_ERR_ARG);
+    }
+}
+
+static void a_mesh_picture_without_an_argument_is_refused(void **state)
+{
+    (void)state;
+    static uint32_t depths[8000], work[8000];
+    struct glint_mesh_frame frame;
+    struct glint_mesh_drawn drawn;
+    const struct glint_light *light = &shader.light;
+    struct glint_paint paint = {&glint_mesh_exact, &prepared};
+    const size_t all = sizeof depths;
+    mesh_ball(&mesh, 6, 8);
+    const struct glint_mesh *m = &mesh.mesh;
+    const struct glint_pose *pose = &mesh.pose;
+    assert_int_equal(glint_mesh_begin(NULL, 4, 8, 4, 0, depths, all), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_begin(&frame, 4, 8, 4, 0, NULL, all), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_begin(&frame, 4, 0, 4, 0, depths, all), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_begin(&frame, 4, 8, 0, 0, depths, all), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_begin(&frame, 4, GLINT_MESH_SIZE_MAX + 1, 4, 0, depths, all), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_begin(&frame, 4, 8, 4, 0, depths, all), GLINT_OK);
+    assert_int_equal(glint_mesh_add(NULL, &drawn, m, pose, light, &paint, work, sizeof work), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_add(&frame, NULL, m, pose, light, &paint, work, sizeof work), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_add(&frame, &drawn, NULL, pose, light, &paint, work, sizeof work), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_add(&frame, &drawn, m, NULL, light, &paint, work, sizeof work), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_add(&frame, &drawn, m, pose, NULL, &paint, work, sizeof work), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_add(&frame, &drawn, m, pose, light, NULL, work, sizeof work), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_add(&frame, &drawn, m, pose, light, &paint, NULL, sizeof work), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_add(&frame, &drawn, m, pose, light, &paint, (char *)work + 2, sizeof work - 4),
+                     GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_add(&frame, &drawn, m, pose, light, &paint, work, sizeof work), GLINT_OK);
+    assert_int_equal(glint_mesh_strip(NULL, 0, 1, &surface), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_strip(&frame, 0, 1, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_strip(&frame, 0, 1, &nowhere), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_strip(&frame, 8, 1, &surface), GLINT_ERR_ARG);
+}
+
+static void a_mesh_path_without_its_tables_or_its_shader_is_refused(void **state)
+{
+    (void)state;
+    static uint32_t depths[8000], work[8000], memory[GLINT_TABLES_SMALL_BYTES / 4];
+    struct glint_mesh_frame frame;
+    struct glint_mesh_drawn drawn;
+    struct glint_tables tables;
+    shader.format = GLINT_MONO; /* a span of a mesh starts on a byte */
+    assert_int_equal(glint_tables_fill(&tables, GLINT_TABLES_SMALL, &shader, memory, sizeof memory), GLINT_OK);
+    const struct glint_paint paints[] = {
+        {NULL, &prepared}, {&glint_mesh_exact, NULL}, {&glint_mesh_tables, NULL}, {&glint_mesh_tables, &tables}};
+    mesh_ball(&mesh, 6, 8);
+    for (int i = 0; i < 4; i++) {
+        assert_int_equal(glint_mesh_begin(&frame, 4, 8, 4, 0, depths, sizeof depths), GLINT_OK);
+        assert_int_equal(
+            glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &shader.light, &paints[i], work, sizeof work),
+            GLINT_OK);
+        assert_int_equal(glint_mesh_strip(&frame, 0, 1, &surface), GLINT_ERR_ARG);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -92,6 +183,10 @@ int main(void)
         cmocka_unit_test_setup_teardown(a_span_by_c_of_an_unknown_format_is_refused, set_up, nothing_drawn),
         cmocka_unit_test_setup_teardown(a_rectangle_without_a_prepared_shader_is_refused, set_up, nothing_drawn),
         cmocka_unit_test_setup_teardown(an_albedo_span_without_an_argument_is_refused, set_up, nothing_drawn),
+        cmocka_unit_test_setup_teardown(tables_without_an_argument_are_refused, set_up, nothing_drawn),
+        cmocka_unit_test(a_mesh_without_what_it_needs_is_refused),
+        cmocka_unit_test_setup_teardown(a_mesh_picture_without_an_argument_is_refused, set_up, nothing_drawn),
+        cmocka_unit_test_setup_teardown(a_mesh_path_without_its_tables_or_its_shader_is_refused, set_up, nothing_drawn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
