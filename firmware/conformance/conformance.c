@@ -3,6 +3,7 @@
 
 #include "conformance_lobes.h"
 #include "conformance_meshes.h"
+#include "conformance_paints.h"
 #include "conformance_random.h"
 #include "conformance_scenes.h"
 #include "conformance_tables.h"
@@ -22,10 +23,13 @@ static const char *const names[CONFORMANCE_HELD] = {
 #define CONFORMANCE_FORMAT(number, name, bytes, channels, red, green, blue) "rectangles and spans in " name,
     GLINT_FORMATS(CONFORMANCE_FORMAT) "no such format",
     "meshes",
+    "meshes with colours",
+    "meshes under lamps",
     "SMALL tables, their loops",
     "COLOUR tables, their loops, palettes",
     "COLOUR tables with dither, their loops",
     "meshes by COLOUR tables",
+    "meshes with colours, ALBEDO tables",
     "ALBEDO tables, their loops",
     "MSH and Schlick, every c, n = 1",
     "MSH and Schlick, every c, n = 2",
@@ -71,6 +75,10 @@ uint64_t conformance_hash(unsigned check, const struct conformance_size *size)
         conform_scenes(check - CONFORMANCE_FORMATS, size);
     else if (check == CONFORMANCE_MESHES)
         conform_meshes(size, false);
+    else if (check == CONFORMANCE_MESHES_ALBEDO)
+        conform_mesh_albedo(size, false);
+    else if (check == CONFORMANCE_MESHES_LIT)
+        conform_mesh_lamps(size);
     else if (check == CONFORMANCE_SMALL)
         conform_small(size);
     else if (check == CONFORMANCE_COLOURS)
@@ -79,6 +87,8 @@ uint64_t conformance_hash(unsigned check, const struct conformance_size *size)
         conform_dithered(size);
     else if (check == CONFORMANCE_MESHES_COLOUR)
         conform_meshes(size, true);
+    else if (check == CONFORMANCE_MESHES_ALBEDO_TABLES)
+        conform_mesh_albedo(size, true);
     else if (check == CONFORMANCE_ALBEDO)
         conform_albedo(size);
     else

@@ -39,10 +39,13 @@ enum conformance_check {
     CONFORMANCE_FORMATS, /* one each: rectangles, rectangles under several lights, spans */
     CONFORMANCE_NO_FORMAT = CONFORMANCE_FORMATS + GLINT_FORMAT_COUNT, /* one more than there are */
     CONFORMANCE_MESHES,
+    CONFORMANCE_MESHES_ALBEDO,
+    CONFORMANCE_MESHES_LIT,
     CONFORMANCE_SMALL, /* tables as filled, and all their loops */
     CONFORMANCE_COLOURS,
     CONFORMANCE_DITHERED,
     CONFORMANCE_MESHES_COLOUR,
+    CONFORMANCE_MESHES_ALBEDO_TABLES,
     CONFORMANCE_ALBEDO,
     CONFORMANCE_EVERY_C_1, /* MSH and Schlick at every c: n = 1, 2, 3, 5, 10, 60, 100, 317, 1000 */
     CONFORMANCE_CHECKS = CONFORMANCE_EVERY_C_1 + 9,

@@ -8,7 +8,14 @@
 
 #if !CONFORMANCE_MODELS_ONLY
 
-enum { VERTICES = 10, FACES = 14, WIDTH = 19, HEIGHT = 9, STRIP = 5, MEMORY = 1500 };
+enum {
+    VERTICES = CONFORM_VERTICES,
+    FACES = CONFORM_FACES,
+    WIDTH = CONFORM_WIDTH,
+    HEIGHT = 9,
+    STRIP = 5,
+    MEMORY = 1320 /* four triangles that go on have places */
+};
 static int16_t places[3 * VERTICES], normals[3 * VERTICES];
 static uint16_t faces[3 * FACES];
 
@@ -17,7 +24,7 @@ static int16_t any_q15(int32_t limit)
     return (int16_t)conform_random_within(limit);
 }
 
-/* 0: as random as can be; else a model of normals and a size as people have them. */
+/* 0: as random as can be; else normals and a size as people have them. */
 static void random_mesh(struct glint_pose *pose, unsigned kind, const struct glint_light *light)
 {
     for (uint8_t i = 0; i < VERTICES; i++) {
@@ -60,28 +67,32 @@ static void add_picture(const struct glint_mesh *mesh, const struct glint_pose *
     conform_add_bytes(bytes, 4 * WIDTH * HEIGHT);
 }
 
+void conform_mesh(unsigned kind, const struct glint_light *light, const struct glint_paint *paint, uint8_t stride)
+{
+    struct glint_pose pose;
+    const struct glint_mesh mesh = {places, normals, NULL, faces, NULL, VERTICES, FACES, 0};
+    random_mesh(&pose, kind, light);
+    const uint32_t distance = conform_random_bits() % 1000;
+    add_picture(&mesh, &pose, light, paint, (uint16_t)(kind % 3 ? distance : 0), stride);
+}
+
 /* tables: COLOUR, at an even address or not. */
 static void add_mesh(unsigned model, unsigned format, unsigned kind, bool tables)
 {
     struct glint_shader shader;
     struct glint_prepared prepared;
     struct glint_tables filled;
-    struct glint_pose pose;
-    const struct glint_mesh mesh = {places, normals, NULL, faces, NULL, VERTICES, FACES, 0};
     const struct glint_paint exact = {&glint_mesh_exact, &prepared}, by_tables = {&glint_mesh_tables, &filled};
     conform_random_shader(&shader, model);
     shader.format = (uint8_t)format;
     shader.space = tables ? 0 : kind & 1;
     shader.dither = tables ? kind % 5 == 4 : kind >> 1 & 1;
     shader.clamp_peak = kind >> 2 & 1;
-    random_mesh(&pose, kind, &shader.light);
-    const uint32_t distance = conform_random_bits() % 1000;
     if (tables && !conform_fill(&filled, GLINT_TABLES_COLOUR, &shader))
         return;
     if (!tables)
         conform_add((uint32_t)glint_shade_prepare(&prepared, &shader));
-    add_picture(&mesh, &pose, &shader.light, tables ? &by_tables : &exact, (uint16_t)(kind % 3 ? distance : 0),
-                tables && kind % 4 ? 2 * WIDTH + 2 : 4 * WIDTH);
+    conform_mesh(kind, &shader.light, tables ? &by_tables : &exact, tables && kind % 4 ? 2 * WIDTH + 2 : 4 * WIDTH);
 }
 
 void conform_meshes(const struct conformance_size *size, bool tables)

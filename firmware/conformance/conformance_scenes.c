@@ -63,11 +63,13 @@ static void add_box(const struct glint_box *box)
     conform_add(box->w | (uint32_t)box->h << 16);
 }
 
-/* A lamp of any kind near the rectangle; some calls are refused. */
-static void random_lamp(struct glint_lamp *lamp)
+/* Some calls are refused. */
+void conform_random_lamp(struct glint_lamp *lamp)
 {
     static const int32_t to_viewer[3] = {0, 0, 1};
+    static const int32_t above[3] = {100, 20, 150};
     int32_t a[3], b[3];
+    (void)glint_lamp_point(lamp, above, 1000);
     conform_random_vector(a, 400);
     conform_random_vector(b, 200);
     const int32_t inner = conform_random_within(INT32_C(0x40000000)),
@@ -123,11 +125,8 @@ static void add_scene(unsigned model, unsigned format, unsigned space, unsigned 
 
     struct glint_lamp lamps[GLINT_LAMPS_MAX];
     const unsigned lamp_count = flags % (GLINT_LAMPS_MAX + 1);
-    for (unsigned i = 0; i < lamp_count; i++) {
-        static const int32_t above[3] = {100, 20, 150};
-        (void)glint_lamp_point(&lamps[i], above, 1000); /* where random_lamp is refused */
-        random_lamp(&lamps[i]);
-    }
+    for (unsigned i = 0; i < lamp_count; i++)
+        conform_random_lamp(&lamps[i]);
     conform_add((uint32_t)glint_shade_lights(&shader, lamps, lamp_count, &source, W, H, &surface, &box));
     add_box(&box);
     conform_add_bytes(out, LINE * H);

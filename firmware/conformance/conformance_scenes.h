@@ -9,6 +9,8 @@
 enum { W = 11, H = 3, LINE = 4 * W + 2 }; /* of a rectangle */
 
 void conform_random_shader(struct glint_shader *shader, unsigned model);
+/* Of any kind, near the surface; one above it where the library refuses what was chosen. */
+void conform_random_lamp(struct glint_lamp *lamp);
 void conform_random_normal(struct glint_vec *normal, const struct glint_light *light);
 
 void conform_vectors(const struct conformance_size *size);

@@ -8,16 +8,25 @@
 #if !CONFORMANCE_MODELS_ONLY /* a part that is too small for these is refused at compile time */
 
 enum { TABLES_BYTES = CONFORMANCE_COLOUR ? GLINT_TABLES_DITHER_BYTES : GLINT_TABLES_SMALL_BYTES };
-static uint32_t memory[TABLES_BYTES / 4];
+static union {
+    uint32_t words[TABLES_BYTES / 4];
+    void *aligned;
+} memory;
+
+void *conform_memory(size_t *bytes)
+{
+    *bytes = sizeof memory;
+    return &memory;
+}
 
 bool conform_fill(struct glint_tables *tables, enum glint_tables_kind kind, const struct glint_shader *shader)
 {
     for (uint16_t i = 0; i < TABLES_BYTES / 4; i++)
-        memory[i] = 0;
-    const enum glint_err err = glint_tables_fill(tables, kind, shader, memory, sizeof memory);
+        memory.words[i] = 0;
+    const enum glint_err err = glint_tables_fill(tables, kind, shader, memory.words, sizeof memory.words);
     conform_add((uint32_t)err);
     if (!err)
-        conform_add_bytes((const uint8_t *)memory,
+        conform_add_bytes((const uint8_t *)memory.words,
                           (uint16_t)(kind == GLINT_TABLES_COLOUR && shader->dither ? GLINT_TABLES_DITHER_BYTES
                                                                                    : glint_tables_bytes(kind)));
     return !err;

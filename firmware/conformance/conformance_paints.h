@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT
+ * The checks of meshes with colours of their own, and of meshes under lamps. */
+#ifndef CONFORMANCE_PAINTS_H
+#define CONFORMANCE_PAINTS_H
+
+#include "conformance.h"
+
+/* Exact, or by ALBEDO tables. */
+void conform_mesh_albedo(const struct conformance_size *size, bool tables);
+void conform_mesh_lamps(const struct conformance_size *size);
+
+#endif
