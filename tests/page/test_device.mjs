@@ -80,6 +80,10 @@ run([
             check(drawn.includes(word), `${word} is not in ${drawn.join(' ')}`)
         equal((await board()).enabled, 1, 'enabled')
     }],
+    ['connected, what a moving light changes is counted in the board\'s picture, not in the page\'s own', async () => {
+        const frame = `of ${(2 * width * height).toLocaleString('en')} bytes`
+        await browser.until(frame => document.getElementById('extent').textContent.includes(frame), frame)
+    }],
     ['a light that moves is 16 bytes a frame; a material, or another scene, is sent when it changes', async () => {
         const before = (await board()).lights.length
         await page.focus('#handle')

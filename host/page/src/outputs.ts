@@ -59,12 +59,12 @@ async function savePicture(): Promise<void> {
     const drawn = lastDrawn()
     if (!drawn)
         return
-    const grey = /^(grey8|mono)$/.test(current().format ?? '')
+    const grey = /^(grey8|mono)$/.test(drawn.state.format ?? '')
     save('glint.png', await ask('png', drawn.width, drawn.height, drawn.rgba, grey))
-    status.textContent = `glint.png: the pixels of ${line()}`
+    status.textContent = `glint.png: the pixels of ${line(drawn.state)}`
 }
 
-const line = () => commandLine('glint render', [...wordsOf(current()), '-o', 'glint.png'])
+const line = (state = current()) => commandLine('glint render', [...wordsOf(state), '-o', 'glint.png'])
 
 byId('files').append(make('button', { type: 'button', textContent: 'Picture, PNG', id: 'file-png', onclick: () => void savePicture() }),
     ...files.map(({ title, name, words }) => make('button', { type: 'button', textContent: title, id: `file-${name}`, onclick: () => void run(words(current())) })))

@@ -14,6 +14,8 @@ export interface Drawn {
     height: number
     rgba: Uint8Array<ArrayBuffer>
     facts: Facts
+    /** What it is of: the page's own state, or what a device makes of it. */
+    state: State
 }
 let drawn: Drawn | undefined
 let zoom = 0 // 0: as large as fits
@@ -50,7 +52,7 @@ export async function redraw(): Promise<void> {
         const now = current()
         try {
             const state = await view(now)
-            const picture = await ask('draw', wordsOf(state))
+            const picture = { ...await ask('draw', wordsOf(state)), state }
             drawn = picture
             show(canvas, picture.width, picture.height, picture.rgba)
             say('', picture.warnings)

@@ -7,9 +7,7 @@ import { byId, make, rows, short, show } from './dom'
 import type { Curve } from './engine'
 import { onDrawn } from './picture'
 import type { Drawn } from './picture'
-import { current } from './store'
 import { wordsOf } from './words'
-import type { State } from './words'
 
 const commas = (x: number) => Math.round(x).toLocaleString('en')
 
@@ -38,8 +36,8 @@ function drawCurve(curve: Curve, reach: number, cutoff: number, model: string, n
         + `By the angle between N and H. Integers are within ${(worst * 65536).toFixed(2)} of 2⁻¹⁶ of the double here`
 }
 
-async function curve(state: State, drawn: Drawn): Promise<void> {
-    const n = drawn.facts.n[0], cutoff = drawn.facts.cutoff_degrees[0]
+async function curve({ facts, state }: Drawn): Promise<void> {
+    const n = facts.n[0], cutoff = facts.cutoff_degrees[0]
     const reach = Math.min(90, Math.max(4, Math.ceil(cutoff * 1.12)))
     const model = state.model ?? 'msh'
     const values = await ask('curve', models.indexOf(model as typeof models[number]), n, points, reach)
@@ -78,24 +76,24 @@ async function errors(drawn: Drawn): Promise<void> {
 // ---- extent ----
 
 /** The words with the first light turned by so many degrees. */
-function turned(state: State, degrees: number, drawn: Drawn): string[] {
+function turned({ state, width, height }: Drawn, degrees: number): string[] {
     const angle = degrees * Math.PI / 180, [light, ...others] = state.lights.length ? state.lights : [{ kind: 'light' as const, text: '-1,1,1' }]
     const values = light.text.split(',').map(Number)
-    const [cx, cy] = light.kind === 'light' ? [0, 0] : [drawn.width / 2, drawn.height / 2]
+    const [cx, cy] = light.kind === 'light' ? [0, 0] : [width / 2, height / 2]
     const dx = values[0] - cx, dy = values[1] - cy
     values[0] = Number(short(cx + dx * Math.cos(angle) - dy * Math.sin(angle), 5))
     values[1] = Number(short(cy + dx * Math.sin(angle) + dy * Math.cos(angle), 5))
     return wordsOf({ ...state, lights: [{ kind: light.kind, text: values.join(',') }, ...others] })
 }
 
-async function extent(state: State, drawn: Drawn): Promise<void> {
+async function extent(drawn: Drawn): Promise<void> {
     const { facts } = drawn, [x, y, w, h] = facts.box
     const entries: [string, string][] = [
         ['Cutoff', `${facts.cutoff_degrees[0].toFixed(3)}°, c_q16 ≥ ${facts.cutoff_c_q16[0]}`],
         ['The highlight\'s box', w ? `${w} × ${h} at ${x}, ${y}` : 'no highlight'],
     ]
     rows(byId('extent'), entries)
-    const steps = [0, 3, 6, 9, 12].map(degrees => turned(state, degrees, drawn))
+    const steps = [0, 3, 6, 9, 12].map(degrees => turned(drawn, degrees))
     const moving = await ask('moving', steps)
     entries.push(['A light that turns by 3° changes', `${(100 * moving.changed).toFixed(0)} % of the bytes`],
         ['Sent as one rectangle a frame', `${commas(moving.box)} of ${commas(moving.frame)} bytes`],
@@ -106,17 +104,16 @@ async function extent(state: State, drawn: Drawn): Promise<void> {
 let waiting: number | undefined
 let round = 0
 onDrawn(drawn => {
-    const state = current()
-    rows(byId('costs'), costs(state, drawn.facts, drawn.width, drawn.height))
+    rows(byId('costs'), costs(drawn.state, drawn.facts, drawn.width, drawn.height))
     const mine = ++round
     clearTimeout(waiting)
     waiting = window.setTimeout(async () => {
         try {
-            await curve(state, drawn)
+            await curve(drawn)
             if (mine === round)
                 await errors(drawn)
             if (mine === round)
-                await extent(state, drawn)
+                await extent(drawn)
         } catch { /* the picture's own message says why */ }
         if (mine === round)
             document.body.dataset.rested = String(mine)
