@@ -70,13 +70,15 @@ export class Browser {
         await this.until(() => document.body.dataset.drawn !== undefined)
     }
 
-    /** Draws each fragment in turn: { width, height, rgba, refusal }. */
-    async draw(fragments) {
-        const pictures = await this.page.evaluate(async fragments => {
+    /** Draws each fragment in turn: { width, height, rgba, refusal }. Told by the event alone, since to go there takes longer than to
+     *  draw; unseen also saves the browser's painting, which takes longer still: the canvas has the same pixels. */
+    async draw(fragments, unseen = false) {
+        const pictures = await this.page.evaluate(async (fragments, unseen) => {
             const out = []
+            document.body.style.display = unseen ? 'none' : ''
             for (const fragment of fragments) {
                 if (document.body.dataset.drawn !== fragment) {
-                    location.hash = fragment
+                    dispatchEvent(new HashChangeEvent('hashchange', { newURL: location.href.replace(/#.*/, '') + '#' + fragment }))
                     while (document.body.dataset.drawn !== fragment)
                         await new Promise(resolve => setTimeout(resolve, 1))
                 }
@@ -88,8 +90,9 @@ export class Browser {
                 const refusal = document.getElementById('refusal')
                 out.push({ width, height, base64: btoa(text), refusal: refusal.hidden ? '' : refusal.textContent })
             }
+            document.body.style.display = ''
             return out
-        }, fragments)
+        }, fragments, unseen)
         return pictures.map(({ base64, ...rest }) => ({ ...rest, rgba: Buffer.from(base64, 'base64') }))
     }
 

@@ -20,11 +20,11 @@ const isFirefox = name === 'firefox'
 const fragment = words => fragmentOf(stateOfWords(words))
 
 /** Draws all, and compares each with the command's picture or refusal. Returns how many were pictures. */
-async function same(list) {
+async function same(list, unseen = false) {
     let pictures = 0
     for (let from = 0; from < list.length; from += 25) {
         const part = list.slice(from, from + 25)
-        const [drawn, expected] = await Promise.all([browser.draw(part.map(fragment)), Promise.all(part.map(words =>
+        const [drawn, expected] = await Promise.all([browser.draw(part.map(fragment), unseen), Promise.all(part.map(words =>
             command.renderLater(words).catch(() => ({ refusal: command.refusal(['render', ...words, '-o', 'no.png']) }))))])
         part.forEach((words, i) => {
             equal(drawn[i].refusal, expected[i].refusal ?? '', words.join(' '))
@@ -51,7 +51,6 @@ const start = 'scene=coin&size=64x48&format=rgb565&light=-1,1,1.2'
 
 /** Sets a control and finds its word in the command line. */
 async function sets(id, value, word) {
-    await browser.go(start)
     const [before] = await browser.draw([start])
     await browser.set(id, value)
     const words = await shownIsDrawn()
@@ -83,8 +82,9 @@ run([
     }],
     ['dropped maps of every kind of PNG give the command\'s pixels', async () => {
         const some = Object.entries(surfaces).filter((_, i) => !isFirefox || i % 3 === 0)
+        await browser.go(start)
         for (const [file, { bytes, words }] of some) {
-            await browser.go(start)
+            await browser.draw([start])
             await browser.drop({ [words[0] === '--normals' ? `normals ${file}` : file]: bytes })
             const dropped = words[0] === '--normals' ? `normals ${file}` : file
             command.put(dropped, bytes)
@@ -117,6 +117,7 @@ run([
         await shownIsDrawn()
     }],
     ['every control sets its option, changes the picture and the command line', async () => {
+        await browser.go(start)
         for (const [id, value, word] of [['control-model', 'gauss', '--model=gauss'], ['control-n', '300', '-n300'], ['control-q', '2', '-q2'],
             ['control-color', '#3060c0', '--color=48,96,192'], ['control-ambient', '0.5', '--ambient=0.5'], ['control-diffuse', '0.3', '--diffuse=0.3'],
             ['control-specular', '0.1', '--specular=0.1,0.091,0.067'], ['control-format', 'rgb888', ''], ['control-format', 'mono', '--format=mono'],
@@ -194,6 +195,8 @@ run([
         equal((await shownIsDrawn()).join(' '), wordsOf(stateOfWords(words)).join(' '), 'the state')
         const shown = await page.evaluate(() => ['model', 'n', 'q', 'ambient', 'format', 'size'].map(option => document.getElementById(`control-${option}`).value).join(' ') + ' ' + document.getElementById('control-dither').checked)
         equal(shown, 'cayley 77 9 0.3 rgb565 50x40 true', 'the controls')
+        await page.evaluate(fragment => { location.hash = fragment }, start)
+        equal((await shownIsDrawn()).join(' '), wordsOf(stateOfFragment(start)).join(' '), 'the state of another address')
         await browser.go('scene=coins&n=5000')
         check((await browser.text('refusal')).startsWith('--scene: unknown scene \'coins\''), await browser.text('refusal'))
     }],
@@ -223,7 +226,7 @@ run([
     [`${count} random states give the command's pictures or refusals`, async () => {
         const random = randomly(isFirefox ? 2 : 1)
         await browser.go(start)
-        const pictures = await same(Array.from({ length: Number(count) }, () => randomWords(random)))
+        const pictures = await same(Array.from({ length: Number(count) }, () => randomWords(random)), true)
         check(pictures > count / 2, `only ${pictures} pictures`)
     }],
     ['it fits phones, laptops and 4K screens, light and dark, and axe finds nothing serious', async () => {

@@ -4,8 +4,8 @@ PAGE_TEST_PACKAGES = chromium firefox-esr
 PAGE_TEST_NPM = $(PAGE)/tests/npm
 PAGE_CONFORMANCE = $(PAGE)/tests/conformance.wasm
 # Random states, each compared with the command's picture.
-PAGE_STATES_chromium = 300
-PAGE_STATES_firefox = 60
+PAGE_STATES_chromium = 700
+PAGE_STATES_firefox = 300
 
 setup-page: setup-build setup-page-build
 	@.ci/need "tier page (browsers)" $(PAGE_TEST_PACKAGES)
