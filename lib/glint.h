@@ -279,13 +279,13 @@ struct glint_near { /* what a lobe folds to */
 /* State, ours; const once filled: shared by threads and interrupts. */
 struct glint_prepared {
     struct glint_near near;
-    uint32_t p[3], q[3], r[3], w;            /* the format's own: with the material's albedo, */
-    uint32_t ambient[3], diffuse[3], w_maps; /* and with maps */
-    uint32_t shift;
+    uint32_t p[3], q[3], r[3], w;                   /* the format's own: with the material's albedo, */
+    uint32_t ambient[3], diffuse[3], w_maps, shift; /* and with maps */
     const struct glint_shade_model *model;
     const struct glint_shade_format *format;
     struct glint_shader shader; /* as given */
-    uint16_t slack, apart; /* F may be low by so much; from a channel's samples to the next's, 0: they are the same */
+    uint16_t slack;             /* F may be low by so much; V high by 2^(shift - 15) high */
+    uint8_t high, apart;        /* apart: from a channel's samples to the next's; 0: they are the same */
 };
 
 /* GLINT_ERR_ARG: NULL. GLINT_ERR_FORMAT: no such format or space. Nothing is written then. */

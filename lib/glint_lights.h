@@ -38,6 +38,15 @@ static inline uint32_t glint_lights_color(const struct glint_lamp *lamp, unsigne
     return lamp->color_q16[k] < GLINT_LAMP_COLOR_MAX ? lamp->color_q16[k] : GLINT_LAMP_COLOR_MAX;
 }
 
+/* The brightest channel. */
+static inline uint32_t glint_lights_peak(const struct glint_lamp *lamp)
+{
+    uint32_t peak = 0;
+    for (unsigned k = 0; k < 3; k++)
+        peak = glint_lights_color(lamp, k) > peak ? glint_lights_color(lamp, k) : peak;
+    return peak;
+}
+
 /* For single pixels: prepares *prepared and *lights, that keep pointers to it and to the lamps. Errors as glint_shade_lights. */
 enum glint_err glint_lights_init(struct glint_lights *lights, struct glint_prepared *prepared,
                                  const struct glint_shader *shader, const struct glint_lamp *lamps, unsigned count);

@@ -4,6 +4,7 @@
  * this leaves open are summed again with exact F, and drawn by the 64-bit sequence. */
 #include "glint_lights.h"
 #include "glint_lights_apart.h"
+#include "glint_lights_fold.h"
 #include "glint_math_vector.h"
 #include "glint_pixel.h"
 
@@ -44,6 +45,15 @@ static GLINT_LIGHTS_ALONE bool lights_fit(const struct glint_lights *lights, uns
         }
     }
     return !(over >> 31);
+}
+
+/* A lone coloured lamp's channels are apart in exact sums only: else it is folded. */
+static inline void lights_part(struct glint_lights *lights, bool exact)
+{
+    if (lights->prepared->high) {
+        lights->channels = exact ? 3 : 1;
+        lights->length = exact ? GLINT_LIGHTS_SLOTS / 3 : GLINT_LIGHTS_SLOTS;
+    }
 }
 
 /* Notes which of the run's pixels shine, from `from` on. False where one does not, but might with exact F. */
@@ -93,6 +103,7 @@ static inline __attribute__((always_inline)) void lights_draw(struct glint_light
     unsigned i = 0, end = count;
     lights->shines = 0;
     for (bool exact = false;; exact = true) {
+        lights_part(lights, exact);
         lights_sum(lights, i, end - i, exact);
         const bool sure = !lights->boxed || lights_note(lights, i, end - i);
         if (exact) {
@@ -104,11 +115,12 @@ static inline __attribute__((always_inline)) void lights_draw(struct glint_light
                        : GLINT_FLASH_POINTER(p->format->levels)(p, &lights->run, lights->slots, count);
         }
         if (!open)
-            return;
+            break;
         for (i = 0; !(open >> i & 1);)
             i++;
         end = i + 1;
     }
+    lights_part(lights, false);
 }
 
 static bool lights_is_white(const struct glint_lamp *lamp)
@@ -121,12 +133,8 @@ static bool lights_is_white(const struct glint_lamp *lamp)
 static uint32_t lights_total(const struct glint_lamp *lamps, unsigned count, uint32_t x)
 {
     uint32_t sum = 0;
-    for (unsigned i = 0; i < count; i++) {
-        uint32_t most = 0;
-        for (unsigned k = 0; k < 3; k++)
-            most = glint_lights_color(&lamps[i], k) > most ? glint_lights_color(&lamps[i], k) : most;
-        sum += (uint32_t)(((uint64_t)x * most + 65535) >> 16);
-    }
+    for (unsigned i = 0; i < count; i++)
+        sum += (uint32_t)(((uint64_t)x * glint_lights_peak(&lamps[i]) + 65535) >> 16);
     return sum;
 }
 
@@ -174,6 +182,7 @@ static GLINT_LIGHTS_ALONE void lights_prepare(struct glint_lights *lights, const
     p->apart = lights->channels == 1 ? 0 : lights->length;
     if (p->apart && p->shader.space == GLINT_LINEAR && glint_format_is_grey(p->shader.format))
         lights->most = 0; /* no loop has channels of their own there: all but the dark is left to the 64 bits */
+    lights_part(lights, false);
 }
 
 /* Takes the next run of a line: false at its end. */
@@ -252,7 +261,10 @@ static GLINT_LIGHTS_ALONE int lights_begin(struct glint_prepared *p, const struc
         return LIGHTS_ALONE;
     }
     p->slack = (uint16_t)lights_total(lamps, count, p->slack);
-    GLINT_FLASH_POINTER(p->format->fold)(p);
+    if (count == 1 && p->shader.space == GLINT_GAMMA && !lights_is_white(lamps))
+        glint_lights_fold(p, lamps);
+    else
+        GLINT_FLASH_POINTER(p->format->fold)(p);
     return GLINT_OK;
 }
 

@@ -72,7 +72,9 @@ void glint_lights_add(struct glint_lights *lights, unsigned at, unsigned count, 
 {
     const uint32_t t_end = lights->prepared->near.t_end;
     for (unsigned k = lights->channels; k-- > 0;) {
-        const uint32_t color = glint_lights_color(&lights->lamps[at], k);
+        const struct glint_lamp *lamp = &lights->lamps[at];
+        const bool folded = lights->prepared->high && lights->channels == 1;
+        const uint32_t color = folded ? glint_lights_peak(lamp) : glint_lights_color(lamp, k);
         const uint16_t *arriving = lights->arriving;
         struct glint_sample *sum = lights->slots + k * lights->length;
         const struct glint_sample *sample = samples;

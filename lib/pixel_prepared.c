@@ -27,7 +27,7 @@ void glint_prepared_fill(struct glint_prepared *prepared, const struct glint_sha
     prepared->shader = *shader;
     prepared->model = model;
     prepared->slack = GLINT_FLASH_U8(model->slack);
-    prepared->apart = 0;
+    prepared->apart = prepared->high = 0;
     prepared->format = format;
     near->n = lobe->n < 1 ? 1 : lobe->n > GLINT_N_MAX ? GLINT_N_MAX : lobe->n;
     near->f_max = shader->clamp_peak ? 65536 : UINT32_MAX;

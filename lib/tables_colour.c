@@ -31,7 +31,7 @@ static void fill_colours(const struct glint_peak *peak, uint8_t *colours)
     struct glint_prepared prepared;
     prepared.shader = *shader;
     prepared.model = &exact_f;
-    prepared.slack = prepared.apart = 0;
+    prepared.slack = prepared.apart = prepared.high = 0;
     GLINT_FLASH_POINTER(format->fold)(&prepared);
     for (; run.x < GLINT_COLOUR_STEPS; run.x += FILL_RUN) {
         for (unsigned i = 0; i < FILL_RUN; i++)
