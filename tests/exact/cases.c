@@ -6,11 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-uint32_t case_below(uint64_t *seed, uint32_t limit)
-{
-    *seed = *seed * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-    return (uint32_t)((*seed >> 32) * limit >> 32);
-}
 static int16_t extreme(uint64_t *seed)
 {
     static const int16_t of[] = {-32768, -32767, 32767, 0, 1, -1};

@@ -6,7 +6,12 @@
 
 #include "glint.h"
 
-uint32_t case_below(uint64_t *seed, uint32_t limit);
+/* Here, since a case takes many. */
+static inline uint32_t case_below(uint64_t *seed, uint32_t limit)
+{
+    *seed = *seed * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+    return (uint32_t)((*seed >> 32) * limit >> 32);
+}
 #define BELOW(limit) case_below(seed, limit)
 #define ONE_IN(count) (case_below(seed, count) == 0)
 
