@@ -29,7 +29,7 @@ void fault_line(uint16_t *pixels, uint16_t width, uint16_t height, uint16_t y, e
 
 static void sent(void *argument)
 {
-    *(volatile bool *)argument = true;
+    *(volatile uint8_t *)argument = 1;
 }
 
 bool fault_draw(const struct hal *hal, const struct panel *panel, uint16_t *line, enum fault fault)
@@ -37,7 +37,7 @@ bool fault_draw(const struct hal *hal, const struct panel *panel, uint16_t *line
     if (!panel_window(panel, 0, 0, panel->width, panel->height))
         return false;
     for (uint16_t y = 0; y < panel->height; y++) {
-        volatile bool is_sent = false;
+        volatile uint8_t is_sent = 0; /* no bool: with -fsanitize=bool gcc 12 reads a volatile one once */
         fault_line(line, panel->width, panel->height, y, fault);
         hal->flush(hal->context, line, panel->width, sent, (void *)&is_sent);
         while (!is_sent)

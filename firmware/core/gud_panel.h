@@ -12,9 +12,9 @@ struct gud_panel {
     const struct hal *hal;
     const struct panel *panel;
     /* State. */
-    bool has_failed; /* the panel's bus */
-    bool is_open;    /* a rectangle is open: more lines follow */
-    volatile bool is_sending;
+    bool has_failed;             /* the panel's bus */
+    bool is_open;                /* a rectangle is open: more lines follow */
+    volatile uint8_t is_sending; /* yes or no; no bool: with -fsanitize=bool gcc 12 reads a volatile one once */
 };
 
 /* For panel_show. GUD states brightness as the eye sees it, and 0 is not dark: its square, at least 1; 0 if off. */

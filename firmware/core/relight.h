@@ -29,11 +29,12 @@ struct relight {
     struct glint_tables tables;
     struct glint_tables_light light;
     struct glint_light source;
-    bool has_gaps;                        /* pixels without a surface */
-    uint16_t line;                        /* that is to be shaded or sent */
-    uint8_t buffer;                       /* 0 or 1: that line's; they take turns */
-    bool in_frame;                        /* between relight_frame and the frame's last line */
-    volatile bool is_sending, is_waiting; /* a line is on its way; another is shaded, to follow at once */
+    bool has_gaps;               /* pixels without a surface */
+    uint16_t line;               /* that is to be shaded or sent */
+    uint8_t buffer;              /* 0 or 1: that line's; they take turns */
+    bool in_frame;               /* between relight_frame and the frame's last line */
+    volatile uint8_t is_sending; /* yes or no: a line is on its way; as in gud_panel.h no bool */
+    volatile bool is_waiting;    /* another is shaded, to follow at once */
     const uint16_t *volatile waiting;
 };
 

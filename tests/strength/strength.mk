@@ -3,6 +3,8 @@
 STRENGTH_PACKAGES = gcovr
 STRENGTH_COUNTED = BUILD=build/coverage CFLAGS='-O0 -g --coverage -fprofile-update=atomic -Dalways_inline=unused'
 STRENGTH_PLAIN = BUILD=build/mutants CFLAGS='-O1 -fPIC'
+# As the tests with sanitizers in tier unit: what C does not define ends the program.
+STRENGTH_TRAPS = -fsanitize=undefined -fsanitize-undefined-trap-on-error
 # What programs have to say about their counters goes there, not among the messages that tests read.
 STRENGTH_ERRORS = GCOV_ERROR_FILE="$(CURDIR)/build/coverage/errors.log"
 STRENGTH_EXACT = $(addprefix tests/exact/test_,eval cutoff pixel unit reach lights)
@@ -22,13 +24,13 @@ coverage: setup-strength ## check: which lines and branches of lib/, firmware/co
 		UNIT_ENV='GLINT="$(CURDIR)/tests/strength/counted" GLINT_SOURCE="$(CURDIR)"' run-check-unit
 	@tests/strength/covered build/coverage
 
-strength-programs: $(HOST_ARCHIVES) $(UNIT_TESTS:%=%.o) $(STRENGTH_EXACT:%=$(BUILD)/%.o) $(BUILD)/host/main.o \
+strength-programs: $(HOST_ARCHIVES) $(UNIT_TESTS:%=%.o) $(STRENGTH_EXACT:%=$(BUILD)/%.o) $(BUILD)/host/main.o $(BUILD)/tests/exact/test_near.o \
 	$(patsubst %,$(BUILD)/tests/exact/%.o,oracle near cases reference_lights reference_pixel)
 
 mutants: setup-strength ## check: how many small faults in lib/ and firmware/core/ the quick tests notice (an hour); MUTANTS=440 SEED=1; MINUTES=20: a piece, the next goes on; RETRY=1: survivors again
 	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs $(STRENGTH_EXACT:%=build/coverage/%)
 	@+$(SUBMAKE) -s $(STRENGTH_PLAIN) strength-programs
-	@COMPILE="$(CC) -Ilib -Ifirmware/core -std=c99 -ffreestanding -O1 -fPIC" LINK="-lcmocka -lmpfr -lgmp $(HOST_LDLIBS)" GLINT_SOURCE="$(CURDIR)" \
+	@COMPILE="$(CC) -Ilib -Ifirmware/core -std=c99 -ffreestanding -O1 -fPIC $(STRENGTH_TRAPS)" LINK="-lcmocka -lmpfr -lgmp $(HOST_LDLIBS)" GLINT_SOURCE="$(CURDIR)" \
 		tests/strength/mutants build/mutants build/coverage $(STRENGTH_MUTANTS) $(STRENGTH_SEED) $(MINUTES)
 
 .PHONY: setup-strength coverage strength-programs mutants

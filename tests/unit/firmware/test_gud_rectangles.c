@@ -235,6 +235,10 @@ static void an_impossible_config_is_refused(void **state)
     REFUSED(c.lines_bytes = GUD_DEVICE_LINE_BYTES(WIDTH, 4, 2) - 1);
     REFUSED(c.window_bytes = c.max_buffer - 1);
     c = good;
+    c.max_buffer = INT32_MAX;
+    c.window = NULL;
+    assert_true(gud_device_init(&device, &c));
+    c = good;
     c.max_buffer = 1 << 20;
     c.window_bytes = LZ4_BLOCK_REACH;
     assert_true(gud_device_init(&device, &c));

@@ -19,6 +19,16 @@ static void the_orbit_is_a_circle_of_thirty_degrees(void **state)
     }
 }
 
+static void the_sine_is_symmetric_about_its_peaks(void **state)
+{
+    (void)state;
+    for (uint32_t at = 0; at <= 0x4000; at++) {
+        assert_int_equal(orbit_sine_q15(0x4000 + at), orbit_sine_q15(0x4000 - at));
+        assert_int_equal(orbit_sine_q15(0x8000 + at), -orbit_sine_q15(at));
+    }
+    assert_int_equal(orbit_sine_q15(0x4000), 32768);
+}
+
 static void the_orbit_comes_back_after_its_frames(void **state)
 {
     (void)state;
@@ -32,6 +42,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_orbit_is_a_circle_of_thirty_degrees),
+        cmocka_unit_test(the_sine_is_symmetric_about_its_peaks),
         cmocka_unit_test(the_orbit_comes_back_after_its_frames),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -187,6 +187,37 @@ static void the_tearing_line_is_driven_where_it_is_wired(void **state)
     assert_true(record[at + 1].kind == DATA && record[at + 1].value == 0);
 }
 
+/* Command, bytes: what widely used drivers send, whatever their order; -1 ends each. */
+static void the_ili9341_gets_its_voltages_and_gamma_curves(void **state)
+{
+    (void)state;
+    static const int16_t values[][17] = {{0xcb, 0x39, 0x2c, 0, 0x34, 2, -1},
+                                         {0xcf, 0, 0xc1, 0x30, -1},
+                                         {0xe8, 0x85, 0, 0x78, -1},
+                                         {0xed, 0x64, 3, 0x12, 0x81, -1},
+                                         {0xea, 0, 0, -1},
+                                         {0xf7, 0x20, -1},
+                                         {0xc0, 0x23, -1},
+                                         {0xc1, 0x10, -1},
+                                         {0xc5, 0x3e, 0x28, -1},
+                                         {0xc7, 0x86, -1},
+                                         {0xb1, 0, 27, -1},
+                                         {0xb6, 8, 0x82, 0x27, -1},
+                                         {0xf2, 0, -1},
+                                         {0xe0, 15, 49, 43, 12, 14, 8, 78, 241, 55, 7, 16, 3, 14, 9, 0, -1},
+                                         {0xe1, 0, 14, 20, 3, 17, 7, 49, 193, 72, 8, 15, 12, 49, 54, 15, -1}};
+    const struct panel panel = made(&bus, PANEL_ILI9341, 0, 240, 320);
+    assert_true(panel_start(&panel));
+    for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+        size_t at = place_of(COMMAND, (unsigned)values[i][0]);
+        for (const int16_t *byte = values[i] + 1; *byte >= 0; byte++) {
+            assert_int_equal(record[++at].kind, DATA);
+            assert_int_equal(record[at].value, *byte);
+        }
+        assert_int_not_equal(record[at + 1].kind, DATA);
+    }
+}
+
 static void without_a_reset_line_the_command_resets(void **state)
 {
     (void)state;
@@ -282,6 +313,7 @@ int main(void)
         cmocka_unit_test(a_start_gives_the_controller_its_time_and_shows_nothing),
         cmocka_unit_test(the_backlight_is_on_only_while_the_display_is),
         cmocka_unit_test(the_tearing_line_is_driven_where_it_is_wired),
+        cmocka_unit_test(the_ili9341_gets_its_voltages_and_gamma_curves),
         cmocka_unit_test(without_a_reset_line_the_command_resets),
         cmocka_unit_test(a_bus_that_fails_at_any_call_fails_the_panel),
         cmocka_unit_test(windows_beyond_the_picture_are_refused_and_send_nothing),

@@ -232,6 +232,11 @@ static void a_quaternion_of_zero_leaves_the_last_picture(void **state)
     assert_int_equal(turntable_frame(&turntable, &none, &light), GLINT_ERR_VECTOR);
     assert_int_equal(turntable_step(&turntable), TURNTABLE_DONE);
     assert_int_equal(board.windows, 0);
+    for (int i = 0; i < 4; i++) {
+        struct glint_pose pose = none;
+        pose.turn[i] = 1;
+        assert_int_equal(turntable_frame(&turntable, &pose, &light), GLINT_OK);
+    }
 }
 
 static void what_it_cannot_draw_is_refused_at_the_start(void **state)

@@ -242,6 +242,34 @@ static void normals_of_8_bits_draw_what_their_258_folds_draw(void **state)
     assert_memory_equal(one, other, sizeof one);
 }
 
+/* At odd addresses they draw as spans do, two bytes at a time. */
+static void colour_tables_draw_lines_at_any_address(void **state)
+{
+    (void)state;
+    enum { STRIDE = 2 * MESH_W + 1 };
+    static uint32_t memory[GLINT_TABLES_COLOUR_BYTES / 4], depths[8000], work[8000];
+    static uint8_t even[MESH_H][2 * MESH_W], apart[MESH_H * STRIDE + 1];
+    struct glint_shader shader = random_shader(GLINT_RGB565, GLINT_GAMMA);
+    struct glint_tables tables;
+    struct glint_mesh_frame frame;
+    struct glint_mesh_drawn drawn;
+    glint_lobe_init(&shader.lobe, GLINT_MSH, 60, 8);
+    shader.dither = false;
+    assert_int_equal(glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &shader, memory, sizeof memory), GLINT_OK);
+    const struct glint_paint paint = {&glint_mesh_tables, &tables};
+    mesh_ball(&mesh, 6, 8);
+    memset(even, GUARD, sizeof even);
+    memset(apart, GUARD, sizeof apart);
+    mesh_picture(&mesh, &shader.light, &paint, &even[0][0], 2, whole, 1, false);
+    assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, MESH_H, 0, depths, sizeof depths), GLINT_OK);
+    assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &shader.light, &paint, work, sizeof work),
+                     GLINT_OK);
+    const struct glint_surface surface = {apart, STRIDE, 0, 0};
+    assert_int_equal(glint_mesh_strip(&frame, 0, MESH_H, &surface), GLINT_OK);
+    for (unsigned y = 0; y < MESH_H; y++)
+        assert_memory_equal(apart + y * STRIDE, even[y], sizeof even[y]);
+}
+
 static void wrong_arguments_are_refused_and_nothing_is_drawn(void **state)
 {
     (void)state;
@@ -313,6 +341,7 @@ int main(void)
         cmocka_unit_test(the_nearer_hides_the_farther_and_the_first_of_two_stays),
         cmocka_unit_test(whatever_a_mesh_holds_nothing_outside_the_strip_is_written),
         cmocka_unit_test(normals_of_8_bits_draw_what_their_258_folds_draw),
+        cmocka_unit_test(colour_tables_draw_lines_at_any_address),
         cmocka_unit_test(wrong_arguments_are_refused_and_nothing_is_drawn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

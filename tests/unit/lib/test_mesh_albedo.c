@@ -162,6 +162,38 @@ static struct glint_prepared bare(enum glint_format format)
     return prepared;
 }
 
+/* RGB565 levels as bits apart. */
+static int level565(uint16_t pixel, int k)
+{
+    return k == 0 ? pixel >> 11 : k == 1 ? pixel >> 5 & 63 : pixel & 31;
+}
+
+static void a_face_by_albedo_tables_has_its_colour_within_a_level(void **state)
+{
+    (void)state;
+    static uint32_t memory[GLINT_TABLES_ALBEDO_BYTES / 4];
+    static uint16_t out[MESH_H * MESH_W], exact[MESH_H * MESH_W];
+    const struct glint_prepared prepared = bare(GLINT_RGB565);
+    struct glint_tables tables;
+    assert_int_equal(glint_tables_fill(&tables, GLINT_TABLES_ALBEDO, &prepared.shader, memory, sizeof memory),
+                     GLINT_OK);
+    for (int i = 0; i < 20; i++) {
+        mesh_ball(&mesh, 4 + below(5), 5 + below(8)); /* no faces that meet: their depths depend on the path */
+        colour_at_random(MESH_FACES);
+        struct glint_mesh_albedo albedo = {&prepared, NULL, &colours[0][0]};
+        struct glint_paint paint = {&glint_mesh_exact_albedo, &albedo};
+        memset(out, GUARD, sizeof out);
+        memset(exact, GUARD, sizeof exact);
+        mesh_picture(&mesh, &prepared.shader.light, &paint, (uint8_t *)exact, 2, whole, 1, false);
+        paint.path = &glint_mesh_tables_albedo;
+        albedo.with = &tables;
+        mesh_picture(&mesh, &prepared.shader.light, &paint, (uint8_t *)out, 2, odd, 5, false);
+        for (unsigned p = 0; p < MESH_H * MESH_W; p++)
+            for (int k = 0; k < 3; k++)
+                assert_in_range(1 + level565(out[p], k) - level565(exact[p], k), 0, 2);
+    }
+}
+
 /* Where the library has a place that is not turned: 1/16 pixel from the middle. */
 static double on_screen(int32_t place, uint32_t scale)
 {
@@ -285,6 +317,7 @@ int main(void)
         cmocka_unit_test(a_picture_in_colours_is_the_same_in_strips_of_any_height_and_order),
         cmocka_unit_test(a_face_of_a_colour_has_the_pixels_of_that_albedo),
         cmocka_unit_test(vertices_of_one_colour_have_the_pixels_of_that_albedo),
+        cmocka_unit_test(a_face_by_albedo_tables_has_its_colour_within_a_level),
         cmocka_unit_test(colours_of_vertices_are_linear_between_them),
         cmocka_unit_test(colours_that_a_path_cannot_draw_are_refused_and_nothing_is_drawn),
     };

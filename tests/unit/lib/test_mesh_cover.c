@@ -37,6 +37,31 @@ static void count_pixels(uint8_t *count, const struct glint_mesh_vertex *const v
     }
 }
 
+static void a_triangle_without_area_has_no_lines(void **state)
+{
+    (void)state;
+    const struct glint_mesh_vertex a = vertex_at(16, 16), b = vertex_at(160, 160), c = vertex_at(320, 320);
+    const struct glint_mesh_vertex *const flat[3] = {&a, &b, &c};
+    uint8_t count[GRID * MESH_W] = {0};
+    count_pixels(count, flat, 0, GRID);
+    for (size_t i = 0; i < sizeof count; i++)
+        assert_int_equal(count[i], 0);
+}
+
+static void a_skip_by_no_line_changes_nothing(void **state)
+{
+    (void)state;
+    const struct glint_mesh_vertex a = vertex_at(16, 16), b = vertex_at(400, 100), c = vertex_at(50, 320);
+    const struct glint_vec up = {0, 0, 32767};
+    const struct glint_mesh_corner corner[3] = {{&a, up}, {&c, up}, {&b, up}};
+    struct glint_mesh_triangle triangle, before;
+    memset(&triangle, 0, sizeof triangle);
+    assert_true(glint_mesh_triangle_set(&triangle, corner, GLINT_MESH_GLOSSY, UINT32_MAX));
+    before = triangle;
+    glint_mesh_triangle_skip(&triangle, triangle.y);
+    assert_memory_equal(&triangle, &before, sizeof triangle);
+}
+
 static double unit_random(void)
 {
     return below(1 << 24) / (double)(1 << 24);
@@ -206,6 +231,8 @@ static void a_plane_through_the_camera_leaves_no_hole(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_triangle_without_area_has_no_lines),
+        cmocka_unit_test(a_skip_by_no_line_changes_nothing),
         cmocka_unit_test(triangles_that_share_edges_cover_each_pixel_once),
         cmocka_unit_test(t_and_nl_follow_the_interpolated_normal),
         cmocka_unit_test(a_plane_through_the_camera_leaves_no_hole),

@@ -37,6 +37,32 @@ static void gamma_pixels_are_the_correctly_rounded_sum_in_every_format(void **st
     for_every_pixel(GLINT_GAMMA, levels_are_equal);
 }
 
+/* Their N.L needs more than 32 bits. */
+static void a_light_longer_than_1_is_summed_without_overflow(void **state)
+{
+    (void)state;
+    static struct scene s;
+    for (int i = 0; i < 200; i++) {
+        const enum glint_format format = format_number(i);
+        scene_init(&s, format, GLINT_GAMMA);
+        s.source.mask = NULL;
+        s.shader.light.l = (struct glint_vec){(int16_t)(32767 - below(9000)), (int16_t)(below(65536) - 32768),
+                                              (int16_t)(below(2) ? 32767 : -32768)};
+        for (unsigned p = 0; p < W * H; p += 2) /* the longest */
+            s.normals[p] = (struct glint_vec){32767, (int16_t)(below(2) ? 32767 : -32768), -32768};
+        assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+        for (unsigned p = 0; p < W * H; p++) {
+            const unsigned x = p % W, y = p / W;
+            unsigned wanted[3], found[3];
+            double real[3];
+            expected_levels(&s.shader, s.normals[p], &s.albedo[3 * p], s.gloss[p], x + s.surface.x, y + s.surface.y,
+                            wanted, real);
+            stored_levels(format, s.out + LINE * (1 + y), x, found);
+            levels_are_equal(found, wanted, real);
+        }
+    }
+}
+
 static double worst;
 
 static void worst_is_noted(const unsigned found[3], const unsigned wanted[3], const double real[3])
@@ -241,6 +267,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gamma_pixels_are_the_correctly_rounded_sum_in_every_format),
+        cmocka_unit_test(a_light_longer_than_1_is_summed_without_overflow),
         cmocka_unit_test(linear_pixels_are_within_a_twentieth_of_a_level_of_the_real_sum),
         cmocka_unit_test(masked_pixels_keep_what_was_there),
         cmocka_unit_test(a_span_is_the_rectangle_sequence_at_its_own_t),

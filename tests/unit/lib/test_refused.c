@@ -99,7 +99,50 @@ static void tables_without_an_argument_are_refused(void **state)
     assert_int_equal(glint_shade_prepare(&prepared, NULL), GLINT_ERR_ARG);
 }
 
+static void an_unknown_model_gives_0(void **state)
+{
+    (void)state;
+    const enum glint_model unknown = (enum glint_model)GLINT_MODEL_COUNT;
+    struct glint_lobe lobe;
+    assert_int_equal(glint_eval(unknown, 60, 65536), 0);
+    assert_int_equal(glint_eval_t(unknown, 60, 0), 0);
+    assert_int_equal(glint_cutoff(unknown, 60, 8), 0);
+    assert_int_equal(glint_cutoff_t(unknown, 60, 8), 0);
+    glint_lobe_init(&lobe, unknown, 60, 8);
+    assert_int_equal(glint_lobe_eval_t(&lobe, 0), 0);
+}
+
+static void a_shininess_of_a_lobe_made_by_hand_is_held(void **state)
+{
+    (void)state;
+    static const uint16_t given[] = {0, GLINT_N_MAX + 1}, held[] = {1, GLINT_N_MAX};
+    for (int i = 0; i < 2; i++) {
+        uint16_t out[2][4];
+        const struct glint_surface to[] = {{out[0], 8, 0, 0}, {out[1], 8, 0, 0}};
+        shader.lobe.n = given[i];
+        assert_int_equal(glint_shade_prepare(&prepared, &shader), GLINT_OK);
+        assert_int_equal(glint_shade_prepared_span(&prepared, &span, &to[0], NULL), GLINT_OK);
+        shader.lobe.n = held[i];
+        assert_int_equal(glint_shade_prepare(&prepared, &shader), GLINT_OK);
+        assert_int_equal(glint_shade_prepared_span(&prepared, &span, &to[1], NULL), GLINT_OK);
+        assert_memory_equal(out[0], out[1], sizeof out[0]);
+    }
+}
+
 static struct made_mesh mesh;
+
+/* Places for more triangles than a mesh can have. */
+static void a_picture_takes_any_amount_of_memory(void **state)
+{
+    (void)state;
+    const size_t bytes = glint_mesh_frame_bytes(4, 4) + (GLINT_MESH_FACES_MAX + (size_t)9) * GLINT_MESH_KEPT_BYTES;
+    void *const depths = malloc(bytes);
+    struct glint_mesh_frame frame;
+    assert_non_null(depths);
+    assert_int_equal(glint_mesh_begin(&frame, 4, 8, 4, 0, depths, bytes), GLINT_OK);
+    assert_int_equal(glint_mesh_strip(&frame, 0, 1, &surface), GLINT_OK);
+    free(depths);
+}
 
 static void a_mesh_without_what_it_needs_is_refused(void **state)
 {
@@ -138,6 +181,7 @@ static void a_mesh_picture_without_an_argument_is_refused(void **state)
     assert_int_equal(glint_mesh_begin(&frame, 4, 0, 4, 0, depths, all), GLINT_ERR_ARG);
     assert_int_equal(glint_mesh_begin(&frame, 4, 8, 0, 0, depths, all), GLINT_ERR_ARG);
     assert_int_equal(glint_mesh_begin(&frame, 4, GLINT_MESH_SIZE_MAX + 1, 4, 0, depths, all), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_begin(&frame, GLINT_MESH_SIZE_MAX, GLINT_MESH_SIZE_MAX, 1, 0, depths, all), GLINT_OK);
     assert_int_equal(glint_mesh_begin(&frame, 4, 8, 4, 0, depths, all), GLINT_OK);
     assert_int_equal(glint_mesh_add(NULL, &drawn, m, pose, light, &paint, work, sizeof work), GLINT_ERR_ARG);
     assert_int_equal(glint_mesh_add(&frame, NULL, m, pose, light, &paint, work, sizeof work), GLINT_ERR_ARG);
@@ -184,6 +228,9 @@ int main(void)
         cmocka_unit_test_setup_teardown(a_rectangle_without_a_prepared_shader_is_refused, set_up, nothing_drawn),
         cmocka_unit_test_setup_teardown(an_albedo_span_without_an_argument_is_refused, set_up, nothing_drawn),
         cmocka_unit_test_setup_teardown(tables_without_an_argument_are_refused, set_up, nothing_drawn),
+        cmocka_unit_test(an_unknown_model_gives_0),
+        cmocka_unit_test_setup_teardown(a_shininess_of_a_lobe_made_by_hand_is_held, set_up, nothing_drawn),
+        cmocka_unit_test_setup_teardown(a_picture_takes_any_amount_of_memory, set_up, nothing_drawn),
         cmocka_unit_test(a_mesh_without_what_it_needs_is_refused),
         cmocka_unit_test_setup_teardown(a_mesh_picture_without_an_argument_is_refused, set_up, nothing_drawn),
         cmocka_unit_test_setup_teardown(a_mesh_path_without_its_tables_or_its_shader_is_refused, set_up, nothing_drawn),

@@ -39,6 +39,83 @@ static void what_tables_cannot_be_filled_for_is_refused_and_nothing_is_written(v
     assert_int_equal(glint_tables_fill(&tables, small, &shader, guard, sizeof guard), GLINT_ERR_FORMAT);
     for (size_t i = 0; i < sizeof guard / 4; i++)
         assert_int_equal(guard[i], GUARD * 0x01010101u);
+    static uint32_t more[GLINT_TABLES_DITHER_BYTES / 4];
+    shader.format = GLINT_RGB565;
+    shader.dither = true; /* in linear space */
+    assert_int_equal(glint_tables_fill(&tables, colour, &shader, more, sizeof more), GLINT_ERR_FORMAT);
+    shader = shader_for(GLINT_RGB565);
+    for (int k = 0; k < 3; k++) {
+        shader.material.ambient_q16[k] = 65537; /* an albedo is scaled by 1 at most */
+        shader.material.diffuse_q16[k] = 0;
+    }
+    assert_int_equal(glint_tables_fill(&tables, GLINT_TABLES_ALBEDO, &shader, more, sizeof more), GLINT_ERR_ARG);
+    assert_int_equal(more[0], 0);
+}
+
+/* A light by hand whose half vector has next to no length. */
+static void a_light_straight_behind_leaves_the_dark(void **state)
+{
+    (void)state;
+    static uint32_t albedo_memory[GLINT_TABLES_ALBEDO_BYTES / 4];
+    static const uint16_t albedo[4] = {0x1234, 0xffff, 0, 0x8410};
+    struct glint_shader shader = shader_for(GLINT_RGB565);
+    struct glint_tables of_albedo, of_colours;
+    uint16_t dark[4], unlit[4];
+    for (int k = 0; k < 3; k++)
+        shader.material.ambient_q16[k] = shader.material.diffuse_q16[k] = 20000;
+    assert_int_equal(glint_tables_fill(&of_colours, GLINT_TABLES_COLOUR, &shader, memory, sizeof memory), GLINT_OK);
+    assert_int_equal(glint_tables_fill(&of_albedo, GLINT_TABLES_ALBEDO, &shader, albedo_memory, sizeof albedo_memory),
+                     GLINT_OK);
+    for (int16_t x = 0; x < 4; x++) {
+        const struct glint_light behind = {{x, 0, -32768}, {0, 0, 32767}, {32767, 0, 0}};
+        struct glint_tables_light light;
+        uint16_t out[4] = {7, 7, 7, 7};
+        const struct glint_surface surface = {out, 4, 0, 0};
+        static const uint32_t normals[4] = {0x7fff0000, 0x7fff0000, 0x7fff0000, 0x7fff0000}; /* to the viewer */
+        assert_int_equal(glint_tables_light_init(&light, &of_colours, &behind), GLINT_OK);
+        assert_int_equal(glint_tables_rect(&of_colours, &light, GLINT_NORMALS_INT8, normals, 8, 2, 2, &surface),
+                         GLINT_OK);
+        if (x == 0)
+            memcpy(unlit, out, sizeof unlit);
+        assert_memory_equal(out, unlit, sizeof out);
+        assert_int_equal(glint_tables_light_init(&light, &of_albedo, &behind), GLINT_OK);
+        assert_int_equal(
+            glint_tables_albedo_rect(&of_albedo, &light, GLINT_NORMALS_INT8, normals, 8, albedo, 4, 2, 2, &surface),
+            GLINT_OK);
+        assert_in_range(out[1] >> 11, 9, 10); /* 31 times the ambient, 0.305 */
+        if (x == 0)
+            memcpy(dark, out, sizeof dark);
+        assert_memory_equal(out, dark, sizeof out);
+    }
+}
+
+/* The peak: t is 0, and of a row of nl the table has the middle. */
+static void colour_tables_of_linear_space_hold_its_pixels(void **state)
+{
+    (void)state;
+    struct glint_shader shader = shader_for(GLINT_RGB565);
+    shader.space = GLINT_LINEAR;
+    shader.light = (struct glint_light){{0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}};
+    const struct glint_vec normal = {0, 0, 32767};
+    for (int i = 0; i < 20; i++) {
+        struct glint_tables tables;
+        struct glint_tables_light light;
+        uint16_t found, exact;
+        const struct glint_source source = {.normals = &normal};
+        const struct glint_surface to_found = {&found, 2, 0, 0}, to_exact = {&exact, 2, 0, 0};
+        for (int k = 0; k < 3; k++) {
+            shader.material.albedo[k] = (uint8_t)below(256);
+            shader.material.specular_q16[k] = below(20000);
+        }
+        assert_int_equal(glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &shader, memory, sizeof memory), GLINT_OK);
+        assert_int_equal(glint_tables_light_init(&light, &tables, &shader.light), GLINT_OK);
+        assert_int_equal(glint_tables_rect(&tables, &light, GLINT_NORMALS_INT16, &normal, 6, 1, 1, &to_found),
+                         GLINT_OK);
+        assert_int_equal(glint_shade_rect(&shader, &source, 1, 1, &to_exact, NULL), GLINT_OK);
+        assert_in_range(1 + (found >> 11) - (exact >> 11), 0, 2);
+        assert_in_range(1 + (found >> 5 & 63) - (exact >> 5 & 63), 0, 2);
+        assert_in_range(1 + (found & 31) - (exact & 31), 0, 2);
+    }
 }
 
 /* COLOUR tables, a light for a viewer, and what is drawn on. */
@@ -202,6 +279,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_tables_cannot_be_filled_for_is_refused_and_nothing_is_written),
+        cmocka_unit_test(a_light_straight_behind_leaves_the_dark),
+        cmocka_unit_test(colour_tables_of_linear_space_hold_its_pixels),
         cmocka_unit_test(eight_bit_normals_require_the_viewer_in_front_except_with_small_tables),
         cmocka_unit_test(eight_bit_normals_require_a_light_of_length_1_and_its_own_half_vector),
         cmocka_unit_test(eight_bit_normals_take_every_light_of_glint_light_init),
