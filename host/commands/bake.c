@@ -23,6 +23,7 @@
 #include "compare/mesh_quality.h"
 #include "compare/quality_report.h"
 #include "image/picture.h"
+#include "options/map_options.h"
 #include "options/mesh_options.h"
 #include "options/scene_options.h"
 
@@ -190,7 +191,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     struct request *request = state->input;
     switch (key) {
     case ARGP_KEY_INIT:
-        state->child_inputs[0] = state->child_inputs[1] = &request->scene;
+        state->child_inputs[0] = state->child_inputs[1] = state->child_inputs[2] = &request->scene;
         return 0;
     case KEY_ALBEDO:
         request->scene.albedo = text;
@@ -329,8 +330,10 @@ static void bake_map(const struct request *request)
 
 int command_bake(int argc, char **argv)
 {
-    static const struct argp_child children[] = {
-        {&scene_options_argp, 0, NULL, 0}, {&mesh_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
+    static const struct argp_child children[] = {{&scene_options_argp, 0, NULL, 0},
+                                                 {&map_options_argp, 0, NULL, 0},
+                                                 {&mesh_options_argp, 0, NULL, 0},
+                                                 {NULL, 0, NULL, 0}};
     static const struct argp argp = {options, parse_option, NULL, doc, children, NULL, NULL};
     struct request request = {.format = BAKE_INT8, .entries = PALETTE_DEFAULT, .kind = BAKE_KINDS};
     parse_command(&argp, 0, argc, argv, &request);

@@ -141,7 +141,7 @@ int command_material(int argc, char **argv)
 {
     static const struct argp_child children[] = {{&shading_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
     static const struct argp argp = {options, parse_option, NULL, doc, children, NULL, NULL};
-    struct request request = {.look.scene.optional = true, .path = "-"};
+    struct request request = {.path = "-"};
     parse_command(&argp, 0, argc, argv, &request);
     const struct shading shading = shading_of_request(&request);
     struct output *output = output_open(request.path);

@@ -10,6 +10,7 @@
 #include "commands/commands.h"
 #include "draw/shading.h"
 #include "options/drawing_options.h"
+#include "options/map_options.h"
 #include "sinks/frames.h"
 #include "sinks/options.h"
 #include "sinks/sinks.h"
@@ -126,7 +127,7 @@ static void check(const struct argp_state *state, struct stream_options *o)
         refuse(state, "--lights: moves a --light, and there are only --point and --spot; add a --light");
     if (!isnan(o->orbit) && !directional)
         refuse(state, "--orbit: is for a --light; points and spots keep their distance from the picture's middle");
-    if (o->lights && strcmp(o->lights, "-") == 0 && scene_options_standard_input(&o->look.scene))
+    if (o->lights && strcmp(o->lights, "-") == 0 && map_options_standard_input(&o->look.scene))
         refuse(state, "--lights: only one of --lights, the maps and the mesh can come from standard input");
     const bool is_mesh = o->look.scene.mesh.name, light_moves = !is_mesh || o->lights || !isnan(o->orbit);
     if (isnan(o->period))

@@ -74,8 +74,7 @@ static bool has_look(const struct shading_options *look)
     const struct scene_options *scene = &look->scene;
     const struct shading *shading = &look->shading;
     return look->has_color || look->has_light || look->has_format || shading->space || shading->dither ||
-           shading->path || scene->heights || scene->normals || scene->scene || scene->albedo || scene->gloss ||
-           scene->mask || !isnan(shading->ambient[0]) || !isnan(shading->diffuse[0]) || !isnan(shading->specular[0]);
+           scene->scene || !isnan(shading->ambient[0]) || !isnan(shading->diffuse[0]) || !isnan(shading->specular[0]);
 }
 
 static void check(const struct argp_state *state, struct request *request)
@@ -208,7 +207,7 @@ int command_table(int argc, char **argv)
 {
     static const struct argp_child children[] = {{&shading_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
     static const struct argp argp = {options, parse_option, NULL, doc, children, NULL, NULL};
-    struct request request = {.kind = -1, .path = "-", .look.scene.optional = true};
+    struct request request = {.kind = -1, .path = "-"};
     request.table = (struct lobe_table){.of_t = true, .bits = 16, .count = 256};
     parse_command(&argp, 0, argc, argv, &request);
     const struct shading shading = shading_of_request(&request);

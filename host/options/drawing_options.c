@@ -1,20 +1,50 @@
 /* SPDX-License-Identifier: MIT */
 #include "options/drawing_options.h"
 
+#include "base/argp.h"
+#include "base/parse.h"
+#include "draw/paths.h"
+#include "options/map_options.h"
 #include "options/mesh_options.h"
 #include "options/shading_options.h"
 
+/* Beyond those of shading_options.c. */
+enum key { KEY_ALBEDO = 320, KEY_GLOSS, KEY_PATH };
+
+static const struct argp_option argp_options[] = {
+    {"albedo", KEY_ALBEDO, "FILE", 0, "The surface's colour; alpha is ignored", 2},
+    {"gloss", KEY_GLOSS, "FILE", 0, "A map that scales the highlight: white full, black none", 2},
+    {"path", KEY_PATH, "NAME", 0,
+     "The way through the library: exact (default) or span; span-c16, as the gateware draws; or by tables, of 20 KB "
+     "(rgb565 only; with --dither gamma space, too) from normals of 16, "
+     "10 or 8 bits or from spans: colour-int16, colour-int10, colour-int8, colour-span; of 1 KB: small-int16, "
+     "small-int10, small-int8, small-span; of 9 KB (rgb565) over an albedo map in RGB565: albedo-int16, albedo-int10, "
+     "albedo-int8, albedo-span; or by a palette of 4096 normals (rgb565): palette",
+     4},
+    {NULL, 0, NULL, 0, NULL, 0}};
+
 static error_t parse_option(int key, char *text, struct argp_state *state)
 {
-    (void)text;
     struct shading_options *o = state->input;
     switch (key) {
     case ARGP_KEY_INIT:
         state->child_inputs[0] = o;
         state->child_inputs[1] = &o->scene;
-        state->child_inputs[2] = &o->view;
+        state->child_inputs[2] = &o->scene;
+        state->child_inputs[3] = &o->view;
+        return 0;
+    case KEY_ALBEDO:
+        o->scene.albedo = text;
+        return 0;
+    case KEY_GLOSS:
+        o->scene.gloss = text;
+        return 0;
+    case KEY_PATH:
+        o->shading.path = parse_choice(state, "--path", "path", text, path_names);
         return 0;
     case ARGP_KEY_END:
+        if (o->scene.albedo && o->has_color)
+            refuse(state, "give only one of --albedo and --color");
         view_options_check(state, &o->view, o->scene.mesh.name);
         return 0;
     default:
@@ -23,7 +53,8 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
 }
 
 static const struct argp_child children[] = {{&shading_options_argp, 0, NULL, 0},
+                                             {&map_options_argp, 0, NULL, 0},
                                              {&mesh_options_argp, 0, NULL, 0},
                                              {&view_options_argp, 0, NULL, 0},
                                              {NULL, 0, NULL, 0}};
-const struct argp drawing_options_argp = {NULL, parse_option, NULL, NULL, children, NULL, NULL};
+const struct argp drawing_options_argp = {argp_options, parse_option, NULL, NULL, children, NULL, NULL};

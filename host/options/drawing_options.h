@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * The options of the commands that draw pictures: those of shading_options.h, and a mesh's. */
+ * The options of the commands that draw pictures: those of shading_options.h, maps, a
+ * mesh and the path through the library. */
 #ifndef GLINT_DRAWING_OPTIONS_H
 #define GLINT_DRAWING_OPTIONS_H
 

@@ -1,75 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "base/argp.h"
 #include "base/parse.h"
-#include "image/picture.h"
 #include "scene/scenes.h"
 #include "options/scene_options.h"
 
 /* Beyond those of the commands, whose keys begin at 256. */
-enum key { KEY_HEIGHT = 512, KEY_NORMALS, KEY_SCENE, KEY_SCALE, KEY_BEVEL, KEY_WRAP, KEY_FLIP_Y, KEY_MASK, KEY_SIZE };
+enum key { KEY_SCENE = 512 };
 
 static const struct argp_option argp_options[] = {
-    {NULL, 0, NULL, 0, "The surface, from one of these:", 1},
-    {"height", KEY_HEIGHT, "FILE", 0,
-     "A height map: white near, black far; of colours the brightness counts. With --bevel a logo", 1},
-    {"normals", KEY_NORMALS, "FILE", 0,
-     "A normal map with 8 or 16 bits a sample: red right, green up, blue towards the viewer. Vectors are renormalised; "
-     "z is reconstructed if blue is 0 everywhere, or if grey and alpha are x and y. Of RGB with alpha, pixels that are "
-     "transparent are left out, as by --mask",
-     1},
+    {NULL, 0, NULL, 0, "The surface:", 1},
     {"scene", KEY_SCENE, "NAME", 0,
      "A built-in scene: sphere, watchface, coin or dial (the watch without numerals), or the mesh teapot", 1},
-
-    {NULL, 0, NULL, 0, "The maps, PNG or SVG files of one size (- is standard input):", 2},
-    {"mask", KEY_MASK, "FILE", 0,
-     "What is drawn: black pixels have no surface, stay black and are not compared. Of a mask with transparent pixels "
-     "these count instead",
-     2},
-    {"scale", KEY_SCALE, "S", 0,
-     "The height of white above black in pixels; negative turns hills into hollows (default 8, or --bevel's WIDTH)", 2},
-    {"bevel", KEY_BEVEL, "WIDTH", 0,
-     "The picture of --height is a logo: a rounded edge rises over WIDTH pixels from the edge of its shape inwards. "
-     "The shape is what alpha covers, or in an opaque picture what differs in brightness from the picture's rim",
-     2},
-    {"wrap", KEY_WRAP, NULL, 0,
-     "The height map is seamless: take slopes across its edges (the default if --size repeats it)", 2},
-    {"flip-y", KEY_FLIP_Y, NULL, 0, "Green points down in the normal map, as in DirectX", 2},
-    {"size", KEY_SIZE, "WxH", 0,
-     "Draw a scene at this size (default 320x320; glint stream: see SCENE). A map is cut or repeated to this size, "
-     "never scaled; an SVG is drawn at it (default: the map's own size)",
-     2},
-
     {NULL, 0, NULL, 0, NULL, 0}};
-
-/* ---- the options ---- */
-
-static void parse_size(const struct argp_state *state, const char *text, struct scene_options *options)
-{
-    unsigned width, height;
-    int end = 0;
-    if (strspn(text, "0123456789x") == strlen(text) && sscanf(text, "%5ux%5u%n", &width, &height, &end) == 2 &&
-        !text[end] && width >= 1 && width <= SIDE_MAX && height >= 1 && height <= SIDE_MAX &&
-        width * height <= PIXELS_MAX) {
-        options->width = width;
-        options->height = height;
-        return;
-    }
-    refuse(state, "--size: '%s' is not WxH, two numbers from 1 to %d with at most %d pixels in all", text, SIDE_MAX,
-           PIXELS_MAX);
-}
-
-unsigned scene_options_standard_input(const struct scene_options *o)
-{
-    const char *const maps[] = {o->heights, o->normals, o->albedo, o->gloss, o->mask, o->mesh.name};
-    unsigned count = 0;
-    for (size_t i = 0; i < sizeof maps / sizeof *maps; i++)
-        count += maps[i] && strcmp(maps[i], "-") == 0;
-    return count;
-}
 
 void scene_options_choose(const struct argp_state *state, const char *option, const char *text,
                           struct scene_options *options)
@@ -90,63 +34,15 @@ void scene_options_choose(const struct argp_state *state, const char *option, co
     }
 }
 
-static void check(const struct argp_state *state, struct scene_options *o)
-{
-    const int sources = !!o->heights + !!o->normals + !!o->scene + (o->mesh.name && !o->mesh.built_in);
-    if (sources > 1)
-        refuse(state, "give only one of --height, --normals%s", o->optional ? " and --scene" : ", --scene and --mesh");
-    if (sources == 0 && !o->optional)
-        refuse(state, "no surface; give --height FILE, --normals FILE, --scene NAME or --mesh FILE");
-    if (scene_options_standard_input(o) > 1)
-        refuse(state, "only one map can come from standard input");
-    if (!o->heights && (o->wraps || !isnan(o->scale)))
-        refuse(state, "%s needs --height", o->wraps ? "--wrap" : "--scale");
-    if (o->bevel > 0 && !o->heights)
-        refuse(state, "--bevel needs --height");
-    if (o->bevel > 0 && o->wraps)
-        refuse(state, "--wrap cannot be used with --bevel: a logo has no seams");
-    if (!o->normals && o->flip_y)
-        refuse(state, "--flip-y needs --normals");
-    if (isnan(o->scale))
-        o->scale = o->bevel > 0 ? o->bevel : 8;
-}
-
 static error_t parse_option(int key, char *text, struct argp_state *state)
 {
     struct scene_options *o = state->input;
     switch (key) {
     case ARGP_KEY_INIT:
-        *o = (struct scene_options){.scale = NAN, .optional = o->optional, .mesh = {.crease = -1, .axes = AXES_USUAL}};
-        return 0;
-    case KEY_HEIGHT:
-        o->heights = text;
-        return 0;
-    case KEY_NORMALS:
-        o->normals = text;
+        *o = (struct scene_options){.scale = NAN, .mesh = {.crease = -1, .axes = AXES_USUAL}};
         return 0;
     case KEY_SCENE:
         scene_options_choose(state, "--scene", text, o);
-        return 0;
-    case KEY_SCALE:
-        o->scale = parse_real(state, "--scale", text, -10000, 10000);
-        return 0;
-    case KEY_BEVEL:
-        o->bevel = parse_real(state, "--bevel", text, 1, 10000);
-        return 0;
-    case KEY_WRAP:
-        o->wraps = true;
-        return 0;
-    case KEY_FLIP_Y:
-        o->flip_y = true;
-        return 0;
-    case KEY_MASK:
-        o->mask = text;
-        return 0;
-    case KEY_SIZE:
-        parse_size(state, text, o);
-        return 0;
-    case ARGP_KEY_END:
-        check(state, o);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

@@ -13,9 +13,7 @@
 
 /* The commands' own keys begin at 384. */
 enum key {
-    KEY_ALBEDO = 256,
-    KEY_COLOR,
-    KEY_GLOSS,
+    KEY_COLOR = 256,
     KEY_MODEL,
     KEY_LIGHT,
     KEY_POINT,
@@ -27,8 +25,7 @@ enum key {
     KEY_CLAMP_PEAK,
     KEY_FORMAT,
     KEY_SPACE,
-    KEY_DITHER,
-    KEY_PATH
+    KEY_DITHER
 };
 enum { Q_UNSET = 255 };
 
@@ -46,9 +43,8 @@ static const struct shading_options shading_options_default = {
 
 /* scene_options.c has the surface's. */
 static const struct argp_option argp_options[] = {
-    {"albedo", KEY_ALBEDO, "FILE", 0, "The surface's colour; alpha is ignored", 2},
-    {"color", KEY_COLOR, "R,G,B", 0, "One colour instead, 0..255 each (default 200,200,200, or the scene's own)", 2},
-    {"gloss", KEY_GLOSS, "FILE", 0, "A map that scales the highlight: white full, black none", 2},
+    {"color", KEY_COLOR, "R,G,B", 0, "The surface's one colour, 0..255 each (default 200,200,200, or the scene's own)",
+     1},
 
     {NULL, 0, NULL, 0, "The light and the material:", 3},
     {"model", KEY_MODEL, "NAME", 0, "The highlight: " MODEL_WORDS "default: msh", 3},
@@ -87,13 +83,6 @@ static const struct argp_option argp_options[] = {
     {"space", KEY_SPACE, "NAME", 0,
      "The space in which light is summed: gamma (default: as encoded) or linear (sRGB decoded and encoded)", 4},
     {"dither", KEY_DITHER, NULL, 0, "4x4 ordered dither; not with the albedo paths and palette of --path", 4},
-    {"path", KEY_PATH, "NAME", 0,
-     "The way through the library: exact (default) or span; span-c16, as the gateware draws; or by tables, of 20 KB "
-     "(rgb565 only; with --dither gamma space, too) from normals of 16, "
-     "10 or 8 bits or from spans: colour-int16, colour-int10, colour-int8, colour-span; of 1 KB: small-int16, "
-     "small-int10, small-int8, small-span; of 9 KB (rgb565) over an albedo map in RGB565: albedo-int16, albedo-int10, "
-     "albedo-int8, albedo-span; or by a palette of 4096 normals (rgb565): palette",
-     4},
     {NULL, 0, NULL, 0, NULL, 0}};
 
 static void parse_coefficients(const struct argp_state *state, const char *option, const char *text, double out[3])
@@ -169,9 +158,6 @@ static error_t parse_shading(int key, char *text, const struct argp_state *state
     case KEY_DITHER:
         shading->dither = true;
         return 0;
-    case KEY_PATH:
-        shading->path = parse_choice(state, "--path", "path", text, path_names);
-        return 0;
     default:
         return ARGP_ERR_UNKNOWN;
     }
@@ -181,29 +167,18 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
 {
     struct shading_options *o = state->input;
     switch (key) {
-    case ARGP_KEY_INIT: {
-        const bool optional = o->scene.optional;
+    case ARGP_KEY_INIT:
         *o = shading_options_default;
-        o->scene.optional = optional;
-    }
         state->child_inputs[0] = &o->scene;
-        return 0;
-    case KEY_ALBEDO:
-        o->scene.albedo = text;
         return 0;
     case KEY_COLOR:
         parse_color(state, text, o);
-        return 0;
-    case KEY_GLOSS:
-        o->scene.gloss = text;
         return 0;
     case KEY_FORMAT:
         o->shading.format = (enum glint_format)parse_choice(state, "--format", "format", text, format_names);
         o->has_format = true;
         return 0;
     case ARGP_KEY_END:
-        if (o->scene.albedo && o->has_color)
-            refuse(state, "give only one of --albedo and --color");
         o->has_light = o->shading.lamp_count > 0;
         check_lamps(state, &o->shading);
         return 0;

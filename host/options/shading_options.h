@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The options of the commands that draw or describe how: surface, maps, lights, material, pixels. */
+ * The options of the commands that draw or describe how: a built-in scene, lights, material, pixels. */
 #ifndef GLINT_SHADING_OPTIONS_H
 #define GLINT_SHADING_OPTIONS_H
 
@@ -18,8 +18,8 @@ struct shading_options {
     struct shading shading;   /* with gaps, which shading_of_options fills */
 };
 
-/* A child of a command's argp; its input is a struct shading_options, which it fills, but for scene.optional. It
- * refuses wrong values, and has no options of meshes: a command that draws takes drawing_options_argp instead. */
+/* A child of a command's argp; its input is a struct shading_options, which it fills. It refuses wrong values,
+ * and has no options of maps and meshes: a command that draws takes drawing_options_argp instead. */
 extern const struct argp shading_options_argp;
 /* Checks what depends on the format. */
 void shading_options_check(const struct argp_state *state, const struct shading_options *options,

@@ -11,7 +11,6 @@
 enum { SCENE_SIDE = 320 }; /* of built-in scenes and meshes where --size is not given */
 
 struct scene_options {
-    bool optional; /* set before the options are parsed: a surface is not required */
     /* one of four; a built-in mesh is one that `mesh` names */
     const char *heights, *normals, *scene;
     struct mesh_source mesh; /* its name is NULL where there is none */

@@ -20,7 +20,7 @@ function save(name: string, bytes: Uint8Array<ArrayBuffer>): void {
     setTimeout(() => URL.revokeObjectURL(url), 10000)
 }
 
-/** Without maps, which a shader has not; of a scene its finish counts. */
+/** Without maps and what else a shader has not; of a scene its finish counts. */
 const shader = (state: State) => wordsOf({ ...state, height: undefined, normals: undefined, albedo: undefined, gloss: undefined, mask: undefined,
     bevel: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined, turn: undefined, zoom: undefined, perspective: undefined })
 const tables = (state: State, kind: string) => ['glint table', `--kind=${kind}`, ...shader({ ...state, lights: [] }), '-o', `${kind}_tables.c`]

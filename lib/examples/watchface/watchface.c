@@ -3,7 +3,7 @@
  * shaded and sent one by one; the normals stay in flash. From any PNG to the two files that this includes:
  *
  *     glint bake --height face.png --bevel 10 --strip 16 -o face.c
- *     glint material --height face.png --bevel 10 --format rgb565 -o shader.h
+ *     glint material --format rgb565 -o shader.h
  *
  * You write display_send. The pixels are those of
  *

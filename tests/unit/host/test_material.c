@@ -118,12 +118,14 @@ static void what_a_shader_cannot_hold_is_refused(void **state)
     assert_refused("$GLINT render -o out/x.png", "no surface"); /* which material alone leaves out */
 }
 
-/* A mesh is no part of a shader or of tables, and options that change nothing are not offered. */
-static void commands_that_read_no_mesh_have_no_options_of_one(void **state)
+/* These are no part of a shader or of tables, and options that change nothing are not offered. */
+static void commands_that_draw_nothing_have_no_options_of_maps_meshes_and_paths(void **state)
 {
     (void)state;
     static const char *const commands[] = {"material", "table"};
-    static const char *const options[] = {"mesh", "crease", "split", "axes", "turn", "zoom", "perspective"};
+    static const char *const options[] = {"mesh",        "crease", "split",   "axes",   "turn",  "zoom",
+                                          "perspective", "height", "normals", "mask",   "scale", "bevel",
+                                          "wrap",        "flip-y", "size",    "albedo", "gloss", "path"};
     for (size_t c = 0; c < 2; c++)
         for (size_t i = 0; i < sizeof options / sizeof *options; i++) {
             char line[200], word[40];
@@ -145,7 +147,7 @@ int main(void)
         cmocka_unit_test(every_model_format_and_space_compiles),
         cmocka_unit_test(json_holds_the_same_numbers),
         cmocka_unit_test(what_a_shader_cannot_hold_is_refused),
-        cmocka_unit_test(commands_that_read_no_mesh_have_no_options_of_one),
+        cmocka_unit_test(commands_that_draw_nothing_have_no_options_of_maps_meshes_and_paths),
     };
     return cmocka_run_group_tests_name("material", tests, make_library, scratch_remove);
 }
