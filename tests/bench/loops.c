@@ -93,6 +93,13 @@ static void tables_int8(void)
     tables_rect(GLINT_NORMALS_INT8, bench_map);
 }
 
+/* A line's box alone; over a rectangle fewer normals are looked at, since its box is known from the lines above. */
+static void tables_int8_box(void)
+{
+    struct glint_box highlight;
+    bench_check(glint_tables_box(&tables, &tables_light, GLINT_NORMALS_INT8, bench_map, 0, SPHERE_W, 1, &highlight));
+}
+
 static void tables_span(void)
 {
     const struct glint_span *span = bench_spans;
@@ -200,6 +207,7 @@ const struct bench_loop bench_loops[] = {
     {"colour int10", "the same, 10-10-10 normals", colour_fill, tables_frame, .shade = tables_int10, INT10},
     {"colour int16", "the same, int16 normals", colour_fill, tables_frame, .shade = tables_int16, INT16},
     {"colour int8 dither", "colour int8, dithered", colour_fill, tables_frame, .shade = tables_int8, INT8, .look = {.dither = true}, .once = true},
+    {"colour int8 box", "colour int8, and glint_tables_box for each line", colour_fill, tables_frame, .prepare = tables_int8_box, .shade = tables_int8, INT8, .once = true},
     {"colour int10 dither", "colour int10, dithered", colour_fill, tables_frame, .shade = tables_int10, INT10, .look = {.dither = true}, .once = true},
     {"colour int16 dither", "colour int16, dithered", colour_fill, tables_frame, .shade = tables_int16, INT16, .look = {.dither = true}, .once = true},
     {"colour span 16 dither", "colour span 16, dithered", colour_fill, .prepare = bench_spans_16, .shade = tables_span, .look = {.dither = true}, .once = true},
