@@ -47,7 +47,7 @@ static inline uint32_t glint_lights_peak(const struct glint_lamp *lamp)
     return peak;
 }
 
-/* For single pixels: prepares *prepared and *lights, that keep pointers to it and to the lamps. Errors as glint_shade_lights. */
+/* For single pixels: prepares *prepared and *lights, which keeps pointers to it and to the lamps. Errors as glint_shade_lights. */
 enum glint_err glint_lights_init(struct glint_lights *lights, struct glint_prepared *prepared,
                                  const struct glint_shader *shader, const struct glint_lamp *lamps, unsigned count);
 /* Draws pixel run.x of lights->run, which is set. */

@@ -27,7 +27,8 @@ static const char *ending_of(const char *path)
     for (size_t i = 0; dot && i < sizeof endings / sizeof *endings; i++)
         if (strcasecmp(dot, endings[i]) == 0)
             return endings[i];
-    fail("%s: a mesh's name ends in .obj, .stl, .ply, .gltf or .glb; rename it, or export it so", path);
+    fail("%s: a mesh's name ends in .obj, .stl, .ply, .gltf or .glb; rename it, or export it in one of these formats",
+         path);
 }
 
 static void check_file(const char *path)
