@@ -321,4 +321,27 @@
     bhi 3b
     mov r6, t_max
     b 2b
+
+/* glint_mesh_clear(depth, bytes), as mesh_strip.c has it: 64 bytes at a time, then 4. */
+    function glint_mesh_clear
+    push {r4-r5, lr}
+    movs r2, #0
+    mvns r2, r2
+    movs r3, r2
+    movs r4, r2
+    movs r5, r2
+    subs r1, #64
+    blo 2f
+1:  stmia r0!, {r2-r5}
+    stmia r0!, {r2-r5}
+    stmia r0!, {r2-r5}
+    stmia r0!, {r2-r5}
+    subs r1, #64
+    bhs 1b
+2:  adds r1, #64
+    beq 4f
+3:  stmia r0!, {r2}
+    subs r1, #4
+    bne 3b
+4:  pop {r4-r5, pc}
 #endif

@@ -17,7 +17,7 @@ struct glint_mesh_place {
     int32_t x, y, z;
 };
 struct glint_mesh_place glint_mesh_place_of(const struct glint_mesh_drawn *drawn, unsigned vertex);
-struct glint_vec glint_mesh_normal(const struct glint_mesh *mesh, unsigned vertex);
+void glint_mesh_normal(struct glint_vec *normal, const struct glint_mesh *mesh, unsigned vertex);
 
 /* Beyond the near plane? */
 bool glint_mesh_is_near(const struct glint_mesh_frame *frame, int32_t z);
@@ -26,7 +26,8 @@ bool glint_mesh_is_near(const struct glint_mesh_frame *frame, int32_t z);
 struct glint_mesh_place glint_mesh_project(const struct glint_mesh_frame *frame, struct glint_mesh_place place);
 
 /* t and nl of a normal. */
-void glint_mesh_light(struct glint_mesh_vertex *vertex, const struct glint_mesh_drawn *drawn, struct glint_vec normal);
+void glint_mesh_light(struct glint_mesh_vertex *vertex, const struct glint_mesh_drawn *drawn,
+                      const struct glint_vec *normal);
 
 /* All vertices; `out` says by which planes they must be clipped. */
 void glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn);

@@ -33,6 +33,9 @@ static inline uint32_t glint_mesh_depth_bytes(uint16_t w, uint16_t lines)
     return (((uint32_t)w * lines + 1) & ~(uint32_t)1) * 2;
 }
 
+/* Makes all depths the farthest; bytes: of glint_mesh_depth_bytes. Has a twin in assembly. */
+void glint_mesh_clear(uint16_t *depth, uint32_t bytes);
+
 /* Frees what is kept of a mesh. */
 void glint_mesh_forget(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn);
 

@@ -70,7 +70,7 @@ unsigned glint_mesh_clip(struct glint_mesh_polygon *polygon, const struct glint_
     polygon->now = 0;
     for (unsigned i = 0; i < 3; i++) {
         corner[i].at = glint_mesh_place_of(drawn, face[i]);
-        corner[i].normal = glint_mesh_normal(drawn->mesh, face[i]);
+        glint_mesh_normal(&corner[i].normal, drawn->mesh, face[i]);
         corner[i].weight[0] = i == 1 ? 32768 : 0;
         corner[i].weight[1] = i == 2 ? 32768 : 0;
     }
@@ -91,5 +91,5 @@ void glint_mesh_clip_vertex(struct glint_mesh_vertex *vertex, const struct glint
     vertex->y = (int16_t)(clipped->at.y + 8 * frame->h);
     vertex->z = (uint16_t)clipped->at.z;
     vertex->out = 0;
-    glint_mesh_light(vertex, drawn, clipped->normal);
+    glint_mesh_light(vertex, drawn, &clipped->normal);
 }

@@ -68,8 +68,11 @@ static void lit_normals(struct glint_mesh_across *across, const struct glint_mes
     int16_t turned[3][3];
     glint_mesh_corners_of(&corners, target, glint_mesh_face_of(triangle));
     for (unsigned i = 0; i < 3; i++) {
-        const struct glint_vec n =
-            corners.clipped[i] ? corners.clipped[i]->normal : glint_mesh_normal(drawn->mesh, face[i]);
+        struct glint_vec n;
+        if (corners.clipped[i])
+            n = corners.clipped[i]->normal;
+        else
+            glint_mesh_normal(&n, drawn->mesh, face[i]);
         for (unsigned k = 0; k < 3; k++) {
             const int16_t *row = drawn->turn[k];
             turned[i][k] =

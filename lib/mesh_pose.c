@@ -67,21 +67,19 @@ struct glint_mesh_place glint_mesh_place_of(const struct glint_mesh_drawn *drawn
     return at;
 }
 
-struct glint_vec glint_mesh_normal(const struct glint_mesh *mesh, unsigned vertex)
+void glint_mesh_normal(struct glint_vec *normal, const struct glint_mesh *mesh, unsigned vertex)
 {
-    struct glint_vec normal;
     if (mesh->normals) {
         const int16_t *n = mesh->normals + 3 * vertex;
-        normal.x = n[0];
-        normal.y = n[1];
-        normal.z = n[2];
+        normal->x = n[0];
+        normal->y = n[1];
+        normal->z = n[2];
     } else { /* 127 to 32766 */
         const int8_t *n = mesh->normals8 + 3 * vertex;
-        normal.x = (int16_t)((int32_t)n[0] * 258);
-        normal.y = (int16_t)((int32_t)n[1] * 258);
-        normal.z = (int16_t)((int32_t)n[2] * 258);
+        normal->x = (int16_t)((int32_t)n[0] * 258);
+        normal->y = (int16_t)((int32_t)n[1] * 258);
+        normal->z = (int16_t)((int32_t)n[2] * 258);
     }
-    return normal;
 }
 
 bool glint_mesh_is_near(const struct glint_mesh_frame *frame, int32_t z)
@@ -106,14 +104,14 @@ struct glint_mesh_place glint_mesh_project(const struct glint_mesh_frame *frame,
 }
 
 /* 32 bits are enough: with |N|, |H| <= 1.0 t is at most 2^31; of others it is what is left modulo 2^32. */
-void glint_mesh_light(struct glint_mesh_vertex *vertex, const struct glint_mesh_drawn *drawn, struct glint_vec normal)
+void glint_mesh_light(struct glint_mesh_vertex *vertex, const struct glint_mesh_drawn *drawn,
+                      const struct glint_vec *normal)
 {
-    const int32_t x = (int32_t)normal.x - drawn->h.x, y = (int32_t)normal.y - drawn->h.y,
-                  z = (int32_t)normal.z - drawn->h.z;
+    const int32_t nx = normal->x, ny = normal->y, nz = normal->z;
+    const int32_t x = nx - drawn->h.x, y = ny - drawn->h.y, z = nz - drawn->h.z;
     const uint32_t xx = (uint32_t)x * (uint32_t)x, yy = (uint32_t)y * (uint32_t)y, zz = (uint32_t)z * (uint32_t)z;
     vertex->t_q30 = (xx >> 1) + (yy >> 1) + (zz >> 1);
-    vertex->nl_q30 = (int32_t)((uint32_t)((int32_t)normal.x * drawn->l.x) + (uint32_t)((int32_t)normal.y * drawn->l.y) +
-                               (uint32_t)((int32_t)normal.z * drawn->l.z));
+    vertex->nl_q30 = (int32_t)((uint32_t)(nx * drawn->l.x) + (uint32_t)(ny * drawn->l.y) + (uint32_t)(nz * drawn->l.z));
 }
 
 void glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn)
@@ -122,7 +120,9 @@ void glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glin
     struct glint_mesh_vertex *vertex = drawn->vertices;
     for (unsigned i = 0; i < drawn->mesh->vertex_count; i++, vertex++) {
         const struct glint_mesh_place place = glint_mesh_place_of(drawn, i);
-        glint_mesh_light(vertex, drawn, glint_mesh_normal(drawn->mesh, i));
+        struct glint_vec normal;
+        glint_mesh_normal(&normal, drawn->mesh, i);
+        glint_mesh_light(vertex, drawn, &normal);
         if (glint_mesh_is_near(frame, place.z)) {
             vertex->out = GLINT_MESH_NEAR;
             continue;

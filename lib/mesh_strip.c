@@ -3,6 +3,7 @@
  * depth the first stays, however the picture is cut. A triangle that goes on is kept, so that it is set up once; where there is no
  * place left its face goes into the next band's list and is set up again. */
 #include "glint_mesh_strip.h"
+#include "glint_math_assembly.h"
 #include "glint_mesh_lists.h"
 
 /* A strip in work: its mesh. */
@@ -62,7 +63,7 @@ static bool set_up(const struct strip *strip, const uint16_t face[3], const stru
         corner[i].v = &strip->drawn->vertices[face[i]];
     const enum glint_mesh_shine shine = glint_mesh_shine(corner, t_end);
     for (unsigned i = 0; shine == GLINT_MESH_GLOSSY && i < 3; i++)
-        corner[i].normal = glint_mesh_normal(strip->drawn->mesh, face[i]);
+        glint_mesh_normal(&corner[i].normal, strip->drawn->mesh, face[i]);
     return glint_mesh_triangle_set(triangle, corner, shine, t_end);
 }
 
@@ -161,13 +162,15 @@ static bool strip_can(const struct glint_mesh_frame *frame, const struct glint_s
     return true;
 }
 
-/* All of them the farthest, two at a time. */
-static void clear_depth(uint16_t *depth, uint32_t bytes)
+#if !GLINT_CORTEX_M0PLUS_ASM
+/* Two at a time. */
+void glint_mesh_clear(uint16_t *depth, uint32_t bytes)
 {
     uint32_t *at = (uint32_t *)(void *)depth;
     for (const uint32_t *const end = at + bytes / 4; at != end; at++)
         *at = UINT32_MAX;
 }
+#endif
 
 enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint16_t h,
                                 const struct glint_surface *surface)
@@ -178,7 +181,7 @@ enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)frame->memory;
     struct glint_mesh_target target = {
         surface, (uint16_t *)(void *)(bench + 1), frame->w, y, y + h, bench->samples, frame, NULL};
-    clear_depth(target.depth, glint_mesh_depth_bytes(frame->w, h));
+    glint_mesh_clear(target.depth, glint_mesh_depth_bytes(frame->w, h));
     for (struct glint_mesh_drawn *drawn = frame->first; drawn; drawn = drawn->next) {
         const struct strip strip = {frame, drawn, &target};
         target.drawn = drawn;

@@ -11,10 +11,11 @@ BENCH_FLAGS_O2 = -O2
 BENCH_FLAGS_Os = -Os
 BENCH_FLAGS_asm = -O2 -DGLINT_CORTEX_M0PLUS_ASM=1
 BENCH_ELFS = $(patsubst %,$(BENCH)/m0plus-%.elf,O2 Os asm)
-# The teapot's frames, a program of their own.
+# The frames of meshes, a program of their own; with the bunny where npm has installed it, to be read by libassimp.
 BENCH_MESH = $(BENCH)/mesh
 BENCH_MESH_SOURCES = tests/bench/mesh/mesh.c tests/bench/mesh/gouraud.c
 BENCH_MESH_INPUTS = $(wildcard tests/bench/mesh/*.h) $(BENCH_MESH)/teapot.h $(BENCH_MESH)/teapot_split.h
+BENCH_BUNNY = $(if $(WITH_MESH),$(wildcard $(BENCH_NPM)/node_modules/bunny/index.js))
 BENCH_MESH_ELFS = $(patsubst %,$(BENCH)/mesh-%.elf,O2 asm)
 # libfixmath's source, where it could be fetched.
 BENCH_FIXMATH = $(wildcard $(addprefix $(BENCH)/fixmath/libfixmath/,fix16.c fix16_exp.c))
@@ -64,8 +65,9 @@ $(BENCH)/m0plus-%.elf: $(BENCH_INPUTS) tests/bench/calibrate.S
 	@arm-none-eabi-gcc -std=c99 -mcpu=cortex-m0plus -mthumb $(BENCH_FLAGS_$*) -ffunction-sections -fdata-sections $(BENCH_FLAGS) \
 		-nostartfiles -T tests/bench/m0plus.ld $(BENCH_SOURCES) tests/bench/calibrate.S -lm -o $@
 
-$(BENCH)/mesh-%.elf: $(BENCH_MESH_SOURCES) $(BENCH_MESH_INPUTS) $(BENCH_INPUTS) tests/bench/calibrate.S
+$(BENCH)/mesh-%.elf: $(BENCH_MESH_SOURCES) $(BENCH_MESH_INPUTS) $(if $(BENCH_BUNNY),$(BENCH_MESH)/bunny.h) $(BENCH_INPUTS) tests/bench/calibrate.S
 	@arm-none-eabi-gcc -std=c99 -mcpu=cortex-m0plus -mthumb $(BENCH_FLAGS_$*) -ffunction-sections -fdata-sections -Ilib -I$(BENCH_MESH) \
+		-DMESH_BUNNY=$(if $(BENCH_BUNNY),1,0) \
 		-nostartfiles -T tests/bench/m0plus.ld $(BENCH_MESH_SOURCES) $(wildcard lib/*.c lib/*.S) tests/bench/calibrate.S -o $@
 
 # As shipped: no normals of it are 180 degrees apart.
@@ -75,6 +77,9 @@ $(BENCH_MESH)/teapot.h: $(BUILD)/glint
 $(BENCH_MESH)/teapot_split.h: $(BUILD)/glint
 	@mkdir -p $(@D)
 	@$< bake --scene teapot --split 30 --name teapot_split --as c -o $@ >/dev/null
+$(BENCH_MESH)/bunny.h: $(BUILD)/glint $(BENCH_BUNNY) tests/targets/test_bunny
+	@mkdir -p $(@D)
+	@PYTHONDONTWRITEBYTECODE=1 tests/targets/test_bunny $< obj | $< bake --mesh - --split 180 --name bunny --as c -o $@ >/dev/null
 
 $(BENCH)/sizes.txt: tests/bench/sizes $(BENCH_INPUTS) $(BOARDS)
 	@PYTHONDONTWRITEBYTECODE=1 $< $(BENCH) $(BENCH_BOARDS) >$@.tmp && mv $@.tmp $@

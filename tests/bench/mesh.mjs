@@ -5,13 +5,13 @@ const SIZE = 240, LINES = 16, EMPTY = 0x5a // no pixel of the material is 5a5a
 // Rows of costs.tsv: mesh.c's meshes and ways; the assembly is for tables.
 const TABLES = 0, EXACT = 1, GOURAUD = 2
 export const MESHES = [['mesh teapot', 0, TABLES], ['mesh teapot split', 1, TABLES], ['mesh teapot exact', 0, EXACT],
-  ['mesh teapot split exact', 1, EXACT], ['mesh teapot gouraud', 0, GOURAUD], ['mesh teapot split gouraud', 1, GOURAUD]]
+  ['mesh teapot split exact', 1, EXACT], ['mesh teapot gouraud', 0, GOURAUD], ['mesh teapot split gouraud', 1, GOURAUD], ['mesh bunny', 2, TABLES]]
 export const hasAssembly = ([, , way]) => way === TABLES
 
 export function measureMesh(machine, [name, which, way]) {
   const call = (step, argument) => {
     const { cycles, value } = machine.call(step, [argument])
-    if (value) throw new Error(`${name}: ${step} returned an error`)
+    if (value) throw new Error(`${name}: ${step} returned an error${which === 2 ? '; has make setup-rp2040js installed the bunny?' : ''}`)
     return cycles
   }
   const out = machine.bytes(machine.address('mesh_out'), 2 * SIZE * LINES)

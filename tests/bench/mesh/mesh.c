@@ -1,16 +1,25 @@
 /* SPDX-License-Identifier: MIT
- * The teapot, as shipped and with its edges split, by COLOUR tables, exactly and by Gouraud shading. */
+ * The teapot, as shipped and with its edges split, and the bunny, by COLOUR tables, exactly and by Gouraud shading. */
 #include "mesh.h"
 #include "glint.h"
 #include "gouraud.h"
 #include "teapot.h"
 #include "teapot_split.h"
+#if MESH_BUNNY
+#include "bunny.h"
+#endif
 
 enum { WIDTH = MESH_WIDTH, HEIGHT = MESH_HEIGHT, LINES = MESH_LINES, KEPT = 100, KEPT_USUAL = 50 };
-static const struct glint_mesh *const meshes[] = {&teapot, &teapot_split};
+static const struct glint_mesh *const meshes[] = {
+    &teapot,
+    &teapot_split,
+#if MESH_BUNNY
+    &bunny,
+#endif
+};
 
 /* Aligned, and enough for the larger mesh; the second strip is the one that would be sent. */
-static uint32_t frame_memory[(2 * WIDTH * LINES + 1024 + KEPT * GLINT_MESH_KEPT_BYTES) / 4], mesh_memory[8000];
+static uint32_t frame_memory[(2 * WIDTH * LINES + 1024 + KEPT * GLINT_MESH_KEPT_BYTES) / 4], mesh_memory[12000];
 static uint32_t tables_memory[GLINT_TABLES_COLOUR_BYTES / 4];
 uint32_t mesh_out[WIDTH * LINES / 2];
 
@@ -44,10 +53,13 @@ int mesh_begin(enum mesh_way way)
 
 int mesh_frame(unsigned which)
 {
-    const struct glint_pose pose = {{30895, 6849, -8278, -1835}, {0, 0, 0}, 2410};
-    const int error =
-        glint_mesh_begin(&frame, WIDTH, HEIGHT, LINES, 0, frame_memory, sizeof frame_memory) |
-        glint_mesh_add(&frame, &drawn, meshes[which], &pose, &shader.light, &paint, mesh_memory, sizeof mesh_memory);
+    static const struct glint_pose teapots = {{30895, 6849, -8278, -1835}, {0, 0, 0}, 2410},
+                                   bunnys = {{31651, 0, 8481, 0}, {0, 0, 0}, 2230};
+    if (which >= sizeof meshes / sizeof *meshes)
+        return 1;
+    const int error = glint_mesh_begin(&frame, WIDTH, HEIGHT, LINES, 0, frame_memory, sizeof frame_memory) |
+                      glint_mesh_add(&frame, &drawn, meshes[which], which < 2 ? &teapots : &bunnys, &shader.light,
+                                     &paint, mesh_memory, sizeof mesh_memory);
     if (chosen == MESH_GOURAUD)
         gouraud_vertices(&drawn, &shader.lobe);
     return error;

@@ -1,17 +1,22 @@
 /* SPDX-License-Identifier: MIT
- * Frames of the teapot, a strip at a time. Steps return an error, 0 for none. */
+ * Frames of the teapot and the bunny, a strip at a time. Steps return an error, 0 for none. */
 #ifndef GLINT_BENCH_MESH_H
 #define GLINT_BENCH_MESH_H
 
 #include <stdint.h>
 
 enum { MESH_WIDTH = 240, MESH_HEIGHT = 240, MESH_LINES = 16 };
+/* 1: with the bunny, which npm installs. */
+#ifndef MESH_BUNNY
+#define MESH_BUNNY 0
+#endif
+
 enum mesh_way { MESH_BY_TABLES, MESH_EXACT, MESH_GOURAUD };
 
 extern uint32_t mesh_out[MESH_WIDTH * MESH_LINES / 2]; /* a strip, RGB565 */
 
 int mesh_begin(enum mesh_way way); /* the material; not counted */
-int mesh_frame(unsigned which);    /* 0: as shipped; 1: split at 30 degrees */
+int mesh_frame(unsigned which);    /* 0: the teapot as shipped; 1: split at 30 degrees; 2: the bunny, of MESH_BUNNY */
 int mesh_strip(unsigned y);
 /* Bytes that a picture takes: the frame's and the mesh's memory with places for 50 triangles that go on, two strips, tables. */
 uint32_t mesh_memory_bytes(enum mesh_way way, unsigned which);
