@@ -15,11 +15,10 @@ struct glint_levels_kind {
     uint16_t part[3];
 };
 
-/* P, Q, R and W; with the threshold of an undithered level in P, where the loop adds none. What V may be high by is taken off
- * thresholds, which are more: 2^(shift - 5) or more, and it is < 2^(shift - 7). */
+/* P, Q, R and W; with the threshold of an undithered level in P, where the loop adds none. */
 void glint_levels_fold(struct glint_prepared *prepared, struct glint_levels_kind kind, bool threshold);
 
-/* The thresholds of four pixels side by side, times 2^shift. */
+/* The thresholds of four pixels side by side, times 2^shift, 2^(shift - 5) or more, less what V may be high by, < 2^(shift - 7). */
 void glint_levels_bias(uint32_t bias[4], const struct glint_prepared *prepared, const struct glint_run *run);
 
 /* Steps 4 to 6 of a sample, in 64 bits. */

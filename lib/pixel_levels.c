@@ -50,7 +50,7 @@ void glint_levels_fold(struct glint_prepared *p, struct glint_levels_kind kind, 
     const struct glint_material *m = &p->shader.material;
     const unsigned shift = levels_shift(m, kind);
     const bool grey = kind.part[0] < 256;
-    const uint32_t half = threshold ? ((uint32_t)16384 - p->high) << (shift - 15) : 0;
+    const uint32_t half = threshold ? (uint32_t)1 << (shift - 1) : 0;
     p->shift = shift;
     p->w = p->w_maps = 0;
     for (int k = 0; k < 3; k++) {
@@ -77,8 +77,12 @@ void glint_levels_fold(struct glint_prepared *p, struct glint_levels_kind kind, 
 
 void glint_levels_bias(uint32_t bias[4], const struct glint_prepared *p, const struct glint_run *run)
 {
-    for (unsigned i = 0; i < 4; i++)
-        bias[i] = ((glint_exact_weight(&p->shader, run->left + run->x + i, run->y) << 10) - p->high) << (p->shift - 15);
+    uint32_t weight = 16;
+    for (unsigned i = 0; i < 4; i++) {
+        if (p->shader.dither) /* else no call */
+            weight = 2 * glint_pixel_bayer(run->left + run->x + i, run->y) + 1;
+        bias[i] = ((weight << 10) - p->high) << (p->shift - 15);
+    }
 }
 
 void glint_levels_exact(uint64_t v[3], const struct glint_shader *shader, const struct glint_run *run, unsigned i,
