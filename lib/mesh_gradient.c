@@ -131,14 +131,13 @@ static void values_t(struct glint_mesh_values *values, const struct glint_mesh_c
     values->ty = gradient_sum(d, s->uy, s->vy, s->e, 1) + values->tyy / 2;
 }
 
-/* One value for all of it. */
+/* One light for all of it. */
 static void values_flat(struct glint_mesh_values *values, const struct glint_mesh_vertex *a,
                         const struct glint_mesh_vertex *b, const struct glint_mesh_vertex *c)
 {
     values->t = a->t_q30 / 4 + b->t_q30 / 2 + c->t_q30 / 4;
     values->nl = (uint32_t)((a->nl_q30 >> 2) + (b->nl_q30 >> 1) + (c->nl_q30 >> 2));
-    values->z = ((uint32_t)a->z + b->z + c->z) * 21845u; /* 65535 / 3 */
-    values->nlx = values->nly = values->zx = values->zy = 0;
+    values->nlx = values->nly = 0;
 }
 
 /* What is linear, in units of 2^-17 of p and q; these are -2^15..2^15, so that a sum of two products with slopes is below 2^31. */
@@ -160,7 +159,9 @@ enum glint_mesh_shine glint_mesh_values_set(struct glint_mesh_values *values,
 {
     const struct glint_mesh_vertex *a = corner[0]->v, *b = corner[1]->v, *c = corner[2]->v;
     const struct slopes s = gradient_slopes(a, b, c, area);
-    bool is_flat = s.e < 12; /* where u or v change by 8 a pixel or more, a value beyond the corners' might be met */
+    /* Where u or v change by 8 a pixel or more, a value beyond the corners' might be met. */
+    const bool is_steep = s.e < 12;
+    bool is_flat = is_steep;
     uint32_t pp = 0, qq = 0, rr = 0;
     values->x = a->x >> 4;
     if (shine == GLINT_MESH_GLOSSY) {
@@ -174,13 +175,19 @@ enum glint_mesh_shine glint_mesh_values_set(struct glint_mesh_values *values,
             shine = GLINT_MESH_MATT;
     }
     values->tx = values->ty = values->txx = values->txy = values->tyy = 0;
-    if (is_flat) {
-        values_flat(values, a, b, c);
+    /* The depth does not depend on the normals: each path and material hides the same. */
+    if (is_steep) {
+        values->z = ((uint32_t)a->z + b->z + c->z) * 21845u; /* 65535 / 3 */
+        values->zx = values->zy = 0;
     } else {
         const struct linear z = values_linear(&s, ((int32_t)b->z - a->z + 1) >> 1, ((int32_t)c->z - a->z + 1) >> 1);
         values->z = ((uint32_t)a->z << 16) + z.at;
         values->zx = z.x;
         values->zy = z.y;
+    }
+    if (is_flat) {
+        values_flat(values, a, b, c);
+    } else {
         if (shine == GLINT_MESH_GLOSSY)
             values_t(values, corner, &s, pp, qq, rr);
         if (shine != GLINT_MESH_DARK) { /* Q13, to nearest */
