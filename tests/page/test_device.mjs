@@ -151,4 +151,4 @@ run([
         await says(sentences.notChosen)
     }],
     ['nothing was written to the console as an error', () => equal(browser.wrong.join('\n'), '', 'errors')],
-], () => { server.kill(); browser.close() })
+], () => { server.kill(); return browser.close() })

@@ -12,7 +12,7 @@ export async function run(tests, at_the_end = () => {}) {
       console.log(`not ok ${i + 1} - ${name}\n# ${String(error.stack ?? error).split('\n').slice(0, 4).join('\n# ')}`)
     }
   }
-  at_the_end()
+  await Promise.race([at_the_end(), new Promise(resolve => setTimeout(resolve, 20_000))]) // a browser that does not end hides no result
   process.exit(failed ? 1 : 0)
 }
 
