@@ -2,25 +2,33 @@
  * The exact rectangle and span: the value of every pixel. */
 #include "shading.h"
 
-/* Shades random scenes and shows each pixel to `check`: the levels found, those wanted, and the real values. */
-static void for_every_pixel(enum glint_space space,
-                            void (*check)(const unsigned found[3], const unsigned wanted[3], const double real[3]))
+/* What a test says of a pixel: the levels found, those wanted, and the real values. */
+typedef void check_pixel(const unsigned found[3], const unsigned wanted[3], const double real[3]);
+
+/* Shades a scene without a mask and shows each pixel to `check`. */
+static void for_every_pixel_of(struct scene *s, enum glint_format format, check_pixel *check)
+{
+    assert_int_equal(glint_shade_rect(&s->shader, &s->source, W, H, &s->surface, NULL), GLINT_OK);
+    for (unsigned p = 0; p < W * H; p++) {
+        const unsigned x = p % W, y = p / W;
+        unsigned wanted[3], found[3];
+        double real[3];
+        expected_levels(&s->shader, s->normals[p], &s->albedo[3 * p], s->gloss[p], x + s->surface.x, y + s->surface.y,
+                        wanted, real);
+        stored_levels(format, s->out + LINE * (1 + y), x, found);
+        check(found, wanted, real);
+    }
+}
+
+/* The same of random scenes. */
+static void for_every_pixel(enum glint_space space, check_pixel *check)
 {
     static struct scene s;
     for (int i = 0; i < 1500; i++) {
         const enum glint_format format = format_number(i);
         scene_init(&s, format, space);
         s.source.mask = NULL;
-        assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, NULL), GLINT_OK);
-        for (unsigned p = 0; p < W * H; p++) {
-            const unsigned x = p % W, y = p / W;
-            unsigned wanted[3], found[3];
-            double real[3];
-            expected_levels(&s.shader, s.normals[p], &s.albedo[3 * p], s.gloss[p], x + s.surface.x, y + s.surface.y,
-                            wanted, real);
-            stored_levels(format, s.out + LINE * (1 + y), x, found);
-            check(found, wanted, real);
-        }
+        for_every_pixel_of(&s, format, check);
     }
 }
 
@@ -50,16 +58,7 @@ static void a_light_longer_than_1_is_summed_without_overflow(void **state)
                                               (int16_t)(below(2) ? 32767 : -32768)};
         for (unsigned p = 0; p < W * H; p += 2) /* the longest */
             s.normals[p] = (struct glint_vec){32767, (int16_t)(below(2) ? 32767 : -32768), -32768};
-        assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, NULL), GLINT_OK);
-        for (unsigned p = 0; p < W * H; p++) {
-            const unsigned x = p % W, y = p / W;
-            unsigned wanted[3], found[3];
-            double real[3];
-            expected_levels(&s.shader, s.normals[p], &s.albedo[3 * p], s.gloss[p], x + s.surface.x, y + s.surface.y,
-                            wanted, real);
-            stored_levels(format, s.out + LINE * (1 + y), x, found);
-            levels_are_equal(found, wanted, real);
-        }
+        for_every_pixel_of(&s, format, levels_are_equal);
     }
 }
 
