@@ -46,12 +46,12 @@ else
 		$(patsubst $(BUILD)/%,"env GLINT=$(CURDIR)/$(UNIT_SANITIZED)/glint $(UNIT_SANITIZED)/%",$(UNIT_QUICK)) $(UNIT_PLAIN)
 endif
 
-# Without set-up and what takes long.
+# Without set-up and what takes long. Some wait for a terminal or a frame's time: one more runs than there are processors.
 check-unit:
 	@+if pkg-config --exists cmocka; then $(SUBMAKE) run-check-unit; \
 	else tests/tally "echo ok 1 - tier unit # SKIP cmocka is not installed: make setup-unit"; fi
 
 run-check-unit: unit-quick-programs
-	@$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_QUICK) $(UNIT_QUICK_SCRIPTS)
+	@$(UNIT_ENV) TALLY_JOBS=$$(($$(nproc) + 1)) tests/tally $(UNIT_QUICK) $(UNIT_QUICK_SCRIPTS)
 
 .PHONY: setup-unit test-unit unit-programs unit-quick-programs run-unit check-unit run-check-unit
