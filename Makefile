@@ -184,6 +184,7 @@ check-format:
 	@tests/tally "tests/format $(sort $(FORMATTED))"
 
 # The packages of the tiers are installed while the first of them runs: a tier's own set-up then finds them, or says what is missing.
+# Then the lab's kernel is built, where it is not kept yet, in the time that other tiers wait for browsers and for each other.
 TEST_LISTS = $(filter-out TEST_% DEMO_% BENCH_% STRENGTH_% PROOF_EVA_%,$(filter %_PACKAGES,$(.VARIABLES))) BENCH_EMULATOR_PACKAGES
 TEST_PACKAGES = $(sort $(foreach list,$(TEST_LISTS),$($(list))))
 # The tiers compile much of the same: what one has compiled the next, and the next run, take from ccache.
@@ -191,7 +192,8 @@ CACHE_PACKAGES = ccache
 TEST_CACHE = PATH="/usr/lib/ccache:$$PATH" CCACHE_DIR="$${XDG_CACHE_HOME:-$$HOME/.cache}/glint/ccache" CCACHE_NOHASHDIR=1 CCACHE_MAXSIZE=2G
 test: ## check: set up what is missing and run every tier; the last line is the sum
 	@.ci/need "make test (it is slower without)" $(CACHE_PACKAGES) || true
-	@+$(SUBMAKE) setup-$(firstword $(TIERS)); .ci/need "the other tiers" $(TEST_PACKAGES) & \
+	@+$(SUBMAKE) setup-$(firstword $(TIERS)); \
+	{ .ci/need "the other tiers" $(TEST_PACKAGES) && env --default-signal=INT,QUIT nice -n 19 tests/lab/kernel >/dev/null; } & \
 	$(TEST_CACHE) tests/sum "$(SUBMAKE)" $(TIERS:%=test-%)
 
 # What a release has. The bitstreams and the page are in it where they are built (make gateware, make page).
