@@ -7,9 +7,6 @@
 
 #define GLINT_MESH_NONE 0xffffu /* no face */
 
-/* The lines that a face meets in the picture, first..last - 1; false where it shows its back, or none. */
-bool glint_mesh_face_lines(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn,
-                           const uint16_t face[3], int32_t *first, int32_t *last);
 /* Must it be clipped? */
 static inline bool glint_mesh_face_is_out(const struct glint_mesh_drawn *drawn, const uint16_t face[3])
 {

@@ -3,7 +3,7 @@
 #ifndef GLINT_MESH_POSE_H
 #define GLINT_MESH_POSE_H
 
-#include "glint_mesh.h"
+#include "glint_mesh_gradient.h"
 
 /* Places are held to these, 1/16 pixel: depths and the guard band around the viewport's middle. */
 #define GLINT_MESH_GUARD 16383
@@ -18,6 +18,10 @@ struct glint_mesh_place {
 };
 struct glint_mesh_place glint_mesh_place_of(const struct glint_mesh_drawn *drawn, unsigned vertex);
 void glint_mesh_normal(struct glint_vec *normal, const struct glint_mesh *mesh, unsigned vertex);
+
+/* What glint_mesh_corner calls a side. Of two normals; of a face's three, the one opposite each corner. */
+uint32_t glint_mesh_side(const struct glint_vec *a, const struct glint_vec *b);
+void glint_mesh_sides(struct glint_mesh_corner corner[3], const struct glint_mesh *mesh, const uint16_t face[3]);
 
 /* Beyond the near plane? */
 bool glint_mesh_is_near(const struct glint_mesh_frame *frame, int32_t z);

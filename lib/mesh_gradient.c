@@ -53,13 +53,6 @@ static uint32_t gradient_sum(struct pair pair, int32_t u, int32_t v, int e, int 
     return gradient_shift(pair.p * u + pair.q * v, e - (int)pair.shift - up);
 }
 
-/* |a - b|^2 / 2 in Q29, < 2^32. */
-static uint32_t gradient_distance(const struct glint_vec *a, const struct glint_vec *b)
-{
-    const int32_t x = (int32_t)a->x - b->x, y = (int32_t)a->y - b->y, z = (int32_t)a->z - b->z;
-    return ((uint32_t)x * (uint32_t)x >> 2) + ((uint32_t)y * (uint32_t)y >> 2) + ((uint32_t)z * (uint32_t)z >> 2);
-}
-
 /* The least t at the corners, from t_end on; 0 where it is less. */
 static uint32_t gradient_beyond(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b,
                                 const struct glint_mesh_vertex *c, uint32_t t_end)
@@ -166,9 +159,9 @@ enum glint_mesh_shine glint_mesh_values_set(struct glint_mesh_values *values,
     values->x = a->x >> 4;
     if (shine == GLINT_MESH_GLOSSY) {
         const uint32_t square = (uint32_t)1 << 29, beyond = gradient_beyond(a, b, c, t_end); /* 90 degrees */
-        pp = gradient_distance(&corner[1]->normal, &corner[0]->normal);
-        qq = gradient_distance(&corner[2]->normal, &corner[0]->normal);
-        rr = gradient_distance(&corner[2]->normal, &corner[1]->normal);
+        pp = corner[2]->side;
+        qq = corner[1]->side;
+        rr = corner[0]->side;
         if (pp > square || qq > square || rr > square) /* would overflow */
             is_flat = true;
         else if (beyond > pp && beyond > qq && beyond > rr)

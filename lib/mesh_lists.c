@@ -5,25 +5,26 @@
 #include "glint_mesh_lists.h"
 #include "glint_mesh_edges.h"
 
-bool glint_mesh_face_lines(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn,
-                           const uint16_t face[3], int32_t *first, int32_t *last)
+/* The line from y on where a face begins; -1 where it shows its back, or no line. */
+static int32_t lists_first(const struct glint_mesh_frame *frame, const struct glint_mesh_vertex *vertices,
+                           const uint16_t face[3], int32_t y)
 {
-    const struct glint_mesh_vertex *a = &drawn->vertices[face[0]], *b = &drawn->vertices[face[1]],
-                                   *c = &drawn->vertices[face[2]];
-    *first = 0;
-    *last = frame->h;
+    const struct glint_mesh_vertex *a = &vertices[face[0]], *b = &vertices[face[1]], *c = &vertices[face[2]];
     if (a->out | b->out | c->out) /* seen once it is clipped, unless one plane cuts all of it */
-        return (a->out & b->out & c->out) == 0;
+        return (a->out & b->out & c->out) == 0 ? y : -1;
     if (glint_mesh_area(a, b, c) >= 0)
-        return false;
-    int32_t low = a->y < b->y ? a->y : b->y, high = a->y < b->y ? b->y : a->y;
+        return -1;
+    int32_t low = a->y, high = b->y;
+    if (low > high) {
+        low = b->y;
+        high = a->y;
+    }
     low = c->y < low ? c->y : low;
     high = c->y > high ? c->y : high;
     low = glint_mesh_first(low);
     high = glint_mesh_first(high);
-    *first = low > 0 ? low : 0;
-    *last = high < frame->h ? high : frame->h;
-    return *first < *last;
+    low = low > y ? low : y;
+    return low < high && low < frame->h ? low : -1;
 }
 
 void glint_mesh_sort(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y)
@@ -33,11 +34,11 @@ void glint_mesh_sort(const struct glint_mesh_frame *frame, const struct glint_me
         drawn->bands[i] = GLINT_MESH_NONE;
     const uint16_t *face = drawn->mesh->faces + 3 * (size_t)drawn->mesh->face_count;
     for (unsigned i = drawn->mesh->face_count; i--;) {
-        int32_t first, last;
         face -= 3;
-        if (!glint_mesh_face_lines(frame, drawn, face, &first, &last) || last <= y)
+        const int32_t first = lists_first(frame, drawn->vertices, face, y);
+        if (first < 0)
             continue;
-        uint16_t *band = &drawn->bands[(uint32_t)(first > y ? first : y) / GLINT_MESH_BAND];
+        uint16_t *band = &drawn->bands[(uint32_t)first / GLINT_MESH_BAND];
         drawn->links[i] = *band;
         *band = (uint16_t)i;
     }

@@ -82,6 +82,38 @@ void glint_mesh_normal(struct glint_vec *normal, const struct glint_mesh *mesh, 
     }
 }
 
+uint32_t glint_mesh_side(const struct glint_vec *a, const struct glint_vec *b)
+{
+    const int32_t x = (int32_t)a->x - b->x, y = (int32_t)a->y - b->y, z = (int32_t)a->z - b->z;
+    return ((uint32_t)x * (uint32_t)x >> 2) + ((uint32_t)y * (uint32_t)y >> 2) + ((uint32_t)z * (uint32_t)z >> 2);
+}
+
+/* Of 8 bits: (258 d)^2 >> 2 is 129^2 d^2, so the squares are added first; |d| <= 254. */
+void glint_mesh_sides(struct glint_mesh_corner corner[3], const struct glint_mesh *mesh, const uint16_t face[3])
+{
+    if (mesh->normals) {
+        struct glint_vec normal[3];
+        for (unsigned i = 0; i < 3; i++)
+            glint_mesh_normal(&normal[i], mesh, face[i]);
+        corner[0].side = glint_mesh_side(&normal[2], &normal[1]);
+        corner[1].side = glint_mesh_side(&normal[2], &normal[0]);
+        corner[2].side = glint_mesh_side(&normal[1], &normal[0]);
+        return;
+    }
+    const int8_t *a = mesh->normals8 + 3 * face[0], *b = mesh->normals8 + 3 * face[1],
+                 *c = mesh->normals8 + 3 * face[2];
+    uint32_t ab = 0, bc = 0, ca = 0;
+    for (unsigned k = 0; k < 3; k++) {
+        const int32_t p = (int32_t)a[k] - b[k], q = (int32_t)b[k] - c[k], r = p + q;
+        ab += (uint32_t)(p * p);
+        bc += (uint32_t)(q * q);
+        ca += (uint32_t)(r * r);
+    }
+    corner[0].side = bc * (129 * 129);
+    corner[1].side = ca * (129 * 129);
+    corner[2].side = ab * (129 * 129);
+}
+
 bool glint_mesh_is_near(const struct glint_mesh_frame *frame, int32_t z)
 {
     return frame->distance && 8 * ((int32_t)frame->distance - z) < (int32_t)frame->distance;

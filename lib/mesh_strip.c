@@ -42,7 +42,7 @@ static void draw_clipped(const struct strip *strip, uint16_t number, const struc
         for (unsigned k = 0; k < 3; k++) {
             glint_mesh_clip_vertex(&v[k], strip->frame, strip->drawn, of[k]);
             corner[k].v = &v[k];
-            corner[k].normal = of[k]->normal;
+            corner[k].side = glint_mesh_side(&of[(k + 1) % 3]->normal, &of[(k + 2) % 3]->normal);
         }
         if (glint_mesh_area(&v[0], &v[1], &v[2]) < 0 &&
             glint_mesh_triangle_set(triangle, corner, glint_mesh_shine(corner, t_end), t_end) &&
@@ -62,8 +62,8 @@ static bool set_up(const struct strip *strip, const uint16_t face[3], const stru
     for (unsigned i = 0; i < 3; i++)
         corner[i].v = &strip->drawn->vertices[face[i]];
     const enum glint_mesh_shine shine = glint_mesh_shine(corner, t_end);
-    for (unsigned i = 0; shine == GLINT_MESH_GLOSSY && i < 3; i++)
-        glint_mesh_normal(&corner[i].normal, strip->drawn->mesh, face[i]);
+    if (shine == GLINT_MESH_GLOSSY)
+        glint_mesh_sides(corner, strip->drawn->mesh, face);
     return glint_mesh_triangle_set(triangle, corner, shine, t_end);
 }
 

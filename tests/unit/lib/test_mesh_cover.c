@@ -23,8 +23,7 @@ static bool triangle_columns(struct glint_mesh_triangle *triangle, int32_t w, in
 static void count_pixels(uint8_t *count, const struct glint_mesh_vertex *const v[3], int32_t from, int32_t to)
 {
     struct glint_mesh_triangle triangle;
-    const struct glint_vec up = {0, 0, 32767};
-    const struct glint_mesh_corner corner[3] = {{v[0], up}, {v[1], up}, {v[2], up}};
+    const struct glint_mesh_corner corner[3] = {{v[0], 0}, {v[1], 0}, {v[2], 0}};
     if (!glint_mesh_triangle_set(&triangle, corner, GLINT_MESH_GLOSSY, UINT32_MAX))
         return;
     if (triangle.y < from)
@@ -52,8 +51,7 @@ static void a_skip_by_no_line_changes_nothing(void **state)
 {
     (void)state;
     const struct glint_mesh_vertex a = vertex_at(16, 16), b = vertex_at(400, 100), c = vertex_at(50, 320);
-    const struct glint_vec up = {0, 0, 32767};
-    const struct glint_mesh_corner corner[3] = {{&a, up}, {&c, up}, {&b, up}};
+    const struct glint_mesh_corner corner[3] = {{&a, 0}, {&c, 0}, {&b, 0}};
     struct glint_mesh_triangle triangle, before;
     memset(&triangle, 0, sizeof triangle);
     assert_true(glint_mesh_triangle_set(&triangle, corner, GLINT_MESH_GLOSSY, UINT32_MAX));
@@ -130,15 +128,18 @@ static void t_and_nl_follow_the_interpolated_normal(void **state)
                      middle[3] = {v[0] / length, v[1] / length, v[2] / length};
         struct glint_mesh_corner c[3];
         struct glint_mesh_vertex vertex[3];
+        struct glint_vec normal[3];
         const struct glint_vec h = unit_near(middle, .5), l = unit_near(middle, 1.);
         for (int i = 0; i < 3; i++) {
             vertex[i] = vertex_at(unit_random() * size, unit_random() * size);
             c[i].v = &vertex[i];
-            c[i].normal = unit_near(middle, .25);
-            const double d[3] = {c[i].normal.x - h.x, c[i].normal.y - h.y, c[i].normal.z - h.z};
+            normal[i] = unit_near(middle, .25);
+            const double d[3] = {normal[i].x - h.x, normal[i].y - h.y, normal[i].z - h.z};
             vertex[i].t_q30 = (uint32_t)((d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / 2);
-            vertex[i].nl_q30 = (int32_t)dot(c[i].normal, l);
+            vertex[i].nl_q30 = (int32_t)dot(normal[i], l);
         }
+        for (int i = 0; i < 3; i++)
+            c[i].side = glint_mesh_side(&normal[(i + 1) % 3], &normal[(i + 2) % 3]);
         const double area = (double)(c[1].v->x - c[0].v->x) * (c[2].v->y - c[0].v->y) -
                             (double)(c[2].v->x - c[0].v->x) * (c[1].v->y - c[0].v->y);
         struct glint_mesh_triangle triangle;
@@ -160,10 +161,9 @@ static void t_and_nl_follow_the_interpolated_normal(void **state)
                 const double b2 =
                     ((c[1].v->x - c[0].v->x) * (py - c[0].v->y) - (px - c[0].v->x) * (c[1].v->y - c[0].v->y)) / area;
                 double t_true = 0, nl_true = 0;
-                const double n[3] = {
-                    c[0].normal.x + b1 * (c[1].normal.x - c[0].normal.x) + b2 * (c[2].normal.x - c[0].normal.x),
-                    c[0].normal.y + b1 * (c[1].normal.y - c[0].normal.y) + b2 * (c[2].normal.y - c[0].normal.y),
-                    c[0].normal.z + b1 * (c[1].normal.z - c[0].normal.z) + b2 * (c[2].normal.z - c[0].normal.z)};
+                const double n[3] = {normal[0].x + b1 * (normal[1].x - normal[0].x) + b2 * (normal[2].x - normal[0].x),
+                                     normal[0].y + b1 * (normal[1].y - normal[0].y) + b2 * (normal[2].y - normal[0].y),
+                                     normal[0].z + b1 * (normal[1].z - normal[0].z) + b2 * (normal[2].z - normal[0].z)};
                 t_true = ((n[0] - h.x) * (n[0] - h.x) + (n[1] - h.y) * (n[1] - h.y) + (n[2] - h.z) * (n[2] - h.z)) / 2;
                 nl_true = n[0] * l.x + n[1] * l.y + n[2] * l.z;
                 const double t_error = fabs((int32_t)(t - (uint32_t)llrint(t_true)) / 1073741824.);
