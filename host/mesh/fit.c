@@ -45,8 +45,10 @@ static double volume(const struct fitted *fitted)
 /* After everything that may fail, since a failure is one line. */
 static void say_what_looks_wrong(const struct mesh *mesh, const struct fitted *fitted, double unit)
 {
-    if (mesh->has_textures)
-        warn("%s: texture coordinates are ignored: each part has one colour", mesh->name);
+    if (mesh->has_textures || mesh->has_colors)
+        warn("%s: %s%s%s are ignored: each part has one colour", mesh->name,
+             mesh->has_textures ? "texture coordinates" : "", mesh->has_textures && mesh->has_colors ? " and " : "",
+             mesh->has_colors ? "vertex colours" : "");
     if (!(unit > 0) && volume(fitted) < -.05)
         warn("%s: most triangles seem to face inwards, and only those that face the viewer are drawn; flip them where "
              "the file was made",

@@ -124,6 +124,7 @@ static struct soup *receive_soup(const struct reader *reader)
                           .face_count = head.face_count,
                           .has_normals = head.has_normals,
                           .has_textures = head.has_textures,
+                          .has_colors = head.has_colors,
                           .is_stl = strcmp(reader->source->ending, ".stl") == 0,
                           .part_count = (unsigned)head.part_count};
     if (!soup->name)

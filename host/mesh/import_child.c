@@ -119,6 +119,7 @@ static struct import_head head_of(const struct aiScene *scene)
             head.face_count += mesh->mFaces[k].mNumIndices == 3;
         head.has_normals &= mesh->mNormals != NULL;
         head.has_textures |= mesh->mTextureCoords[0] != NULL;
+        head.has_colors |= mesh->mColors[0] != NULL;
     }
     return head;
 }

@@ -10,7 +10,7 @@
 struct import_head {
     char message[256];
     uint64_t face_count, part_count;
-    bool has_normals, has_textures;
+    bool has_normals, has_textures, has_colors;
 };
 /* Reads the mesh and sends it to the descriptor, as a head, struct mesh_material's and struct soup_face's. */
 void import_child(const struct import_source *source, int out);

@@ -24,7 +24,7 @@ struct mesh {
     unsigned part_count;                /* at least 1 */
     size_t *ends;                       /* the face that each part ends before */
     struct mesh_material *materials;    /* of each part */
-    bool has_textures;                  /* in the file; they are ignored */
+    bool has_textures, has_colors;      /* coordinates, and colours of vertices, in the file: they are ignored */
 };
 void mesh_free(struct mesh *mesh);
 unsigned mesh_part_of(const struct mesh *mesh, size_t face);

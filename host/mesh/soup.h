@@ -14,8 +14,8 @@ struct soup {
     size_t face_count;
     struct soup_face *faces;
     bool has_normals;
-    bool has_textures; /* which nothing here reads */
-    bool is_stl;       /* its normals are those of its facets, and its z axis points up */
+    bool has_textures, has_colors; /* which nothing here reads */
+    bool is_stl;                   /* its normals are those of its facets, and its z axis points up */
     unsigned part_count;
     struct mesh_material *materials; /* of each part */
 };
