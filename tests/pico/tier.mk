@@ -8,7 +8,7 @@ PICO_TOOLS = judge attach cores
 PICO_NOT_RUN = $(filter-out $(pico_EMULATED),$(pico_BOARDS))
 # The address in the image with TE: one image less to build.
 PICO_LANDING_TESTED = https://example.org/glint
-PICO_BUILT = $(PICO_PANELS_TESTED:%=PANEL=%) TE=$(PICO_TE_TESTED)+LANDING_PAGE=$(PICO_LANDING_TESTED) SECOND_CORE=1 PATH=exact DEMO=teapot DEMO=teapot+SECOND_CORE=1 $(PICO_NOT_RUN:%=BOARD=%)
+PICO_BUILT = $(PICO_NOT_RUN:%=BOARD=%) $(PICO_PANELS_TESTED:%=PANEL=%) TE=$(PICO_TE_TESTED)+LANDING_PAGE=$(PICO_LANDING_TESTED) SECOND_CORE=1 PATH=exact DEMO=teapot DEMO=teapot+SECOND_CORE=1
 PICO_TEST = node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel)$(2) $(panel) $(BUILD)/tests/pico/judge
 PICO_CORES = $(patsubst %,firmware/core/%.c,relight turntable pieces panel demo orbit) $(wildcard lib/*.c)
 
@@ -17,11 +17,12 @@ setup-pico: setup-build setup-firmware-pico setup-lab setup-rp2040js setup-page-
 test-pico: ## check: the Pico's firmware emulated: boot, panel, the demo's frames, USB, a real kernel's drivers; cycles
 	@+tests/tier pico "$(SUBMAKE)"
 
-# Two at a time, since half of CMake's work uses one core. The conformance image is built in the first one's folder.
+# Two at a time, since half of CMake's work uses one core. The conformance image is built in the first one's folder. Paths below
+# ours are relative for ccache, if that is there: the SDK's objects of one image are those of the next. Boards differ: one of each goes first.
 pico-images: $(BUILD)/glint $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
 	@firmware/ports/pico/fetch-sdk >/dev/null
-	@+printf '%s\n' $(PICO_BUILT) | tr + ' ' | xargs -P 2 -L 1 $(SUBMAKE) -s firmware-pico
-	@+$(SUBMAKE) -s firmware-pico IMAGE=conformance
+	@+printf '%s\n' $(PICO_BUILT) | tr + ' ' | CCACHE_BASEDIR="$(CURDIR)" xargs -P 2 -L 1 $(SUBMAKE) -s firmware-pico
+	@+CCACHE_BASEDIR="$(CURDIR)" $(SUBMAKE) -s firmware-pico IMAGE=conformance
 
 # What takes longest goes first. LAB_*: as in tier lab.
 run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $(addprefix $(BUILD)/tests/lab/,init spi.dtb)
