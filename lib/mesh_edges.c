@@ -2,7 +2,9 @@
  * A pixel belongs to a triangle if its middle does; a middle on an edge, to the triangle right of it or below. Each edge is stepped
  * from its upper corner on, so that the two triangles beside it see the same columns, whatever rounding does to them. */
 #include "glint_mesh_edges.h"
+#include "glint_math_assembly.h"
 
+#if !GLINT_CORTEX_M0PLUS_ASM
 /* The quotient by the inverse of dy: within 2^-16 of it or 2^-16 pixel a line. dx <= 2^15 - 2, so dx 2^16 < 2^31; the middle of the
  * first line is within dy of the corner where there is a line, so |step / 16| times that is at most 2^27. */
 static struct glint_mesh_edge edge_of(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b)
@@ -18,19 +20,25 @@ static struct glint_mesh_edge edge_of(const struct glint_mesh_vertex *a, const s
     return edge;
 }
 
+/* By y; equal ones stay. */
+static inline void edges_order(const struct glint_mesh_corner **upper, const struct glint_mesh_corner **lower)
+{
+    const struct glint_mesh_corner *const first = *upper;
+    if ((*lower)->v->y < first->v->y) {
+        *upper = *lower;
+        *lower = first;
+    }
+}
+
 bool glint_mesh_triangle_set(struct glint_mesh_triangle *triangle, const struct glint_mesh_corner corner[3],
                              enum glint_mesh_shine shine, uint32_t t_end)
 {
-    const struct glint_mesh_corner *c[3] = {&corner[0], &corner[1], &corner[2]}, *swap;
-    for (int i = 0; i < 3; i++) { /* by y; stable */
-        const int k = i & 1;
-        if (c[k + 1]->v->y < c[k]->v->y) {
-            swap = c[k];
-            c[k] = c[k + 1];
-            c[k + 1] = swap;
-        }
-    }
-    const struct glint_mesh_vertex *a = c[0]->v, *b = c[1]->v, *d = c[2]->v;
+    const struct glint_mesh_corner *first = corner, *second = corner + 1, *third = corner + 2;
+    edges_order(&first, &second);
+    edges_order(&second, &third);
+    edges_order(&first, &second);
+    const struct glint_mesh_corner *const c[3] = {first, second, third};
+    const struct glint_mesh_vertex *a = first->v, *b = second->v, *d = third->v;
     triangle->y = (int16_t)glint_mesh_first(a->y);
     triangle->y_middle = (int16_t)glint_mesh_first(b->y);
     triangle->y_end = (int16_t)glint_mesh_first(d->y);
@@ -46,6 +54,8 @@ bool glint_mesh_triangle_set(struct glint_mesh_triangle *triangle, const struct 
     triangle->shine = (uint8_t)glint_mesh_values_set(&triangle->values, c, area, shine, t_end);
     return true;
 }
+
+#endif
 
 static void edge_skip(struct glint_mesh_edge *edge, uint32_t lines)
 {

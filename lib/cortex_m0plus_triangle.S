@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: MIT
+ * glint_mesh_triangle_set(triangle, corner, shine, t_end), as mesh_edges.c has it: corners by y, then three edges by a routine that
+ * keeps all it needs in registers, the inverse of its height included. Its values are C's. */
+#if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
+#include "cortex_m0plus.inc"
+#include "glint_mesh_offsets.h"
+
+/* The frame: glint_mesh_values_set's last argument, its corners, and their vertices. */
+#define T_END 0
+#define CORNERS 4
+#define VERTICES 16
+#define SHINE 28
+#define TRIANGLE 32
+#define AREA 36
+#define FRAME 44 /* with r4-r7 and lr a multiple of 8 */
+
+/* The first line whose middle is at or beyond y. */
+.macro first line, y
+    adds \line, \y, #7
+    asrs \line, \line, #4
+.endm
+
+/* Of two corners that follow each other. */
+.macro exchange a, b, ya, yb
+    movs r7, \a
+    movs \a, \b
+    movs \b, r7
+    movs r7, \ya
+    movs \ya, \yb
+    movs \yb, r7
+.endm
+
+/* Shifts value up, whose highest bit is not among its upper ones, and takes as much from down. */
+.macro up_by bits, value, down, free
+    lsrs \free, \value, #32 - \bits
+    bne 1f
+    lsls \value, \value, #\bits
+    subs \down, #\bits
+1:
+.endm
+
+    function glint_mesh_triangle_set
+    push {r4-r7, lr}
+    sub sp, #FRAME
+    str r0, [sp, #TRIANGLE]
+    str r2, [sp, #SHINE]
+    str r3, [sp, #T_END]
+    movs r2, r1
+    adds r2, #8
+    movs r3, r1
+    adds r3, #16
+    movs r0, #2
+    ldr r7, [r1]
+    ldrsh r4, [r7, r0]
+    ldr r7, [r2]
+    ldrsh r5, [r7, r0]
+    ldr r7, [r3]
+    ldrsh r6, [r7, r0]
+    cmp r5, r4
+    bge 1f
+    exchange r1, r2, r4, r5
+1:  cmp r6, r5
+    bge 1f
+    exchange r2, r3, r5, r6
+    cmp r5, r4
+    bge 1f
+    exchange r1, r2, r4, r5
+1:  add r7, sp, #CORNERS
+    stmia r7!, {r1-r3}
+    ldr r1, [r1]
+    ldr r2, [r2]
+    ldr r3, [r3]
+    stmia r7!, {r1-r3}
+    ldr r0, [sp, #TRIANGLE]
+    adds r0, #GLINT_AT_TRIANGLE_Y
+    first r7, r5
+    strh r7, [r0, #GLINT_AT_TRIANGLE_Y_MIDDLE - GLINT_AT_TRIANGLE_Y]
+    first r7, r6
+    strh r7, [r0, #GLINT_AT_TRIANGLE_Y_END - GLINT_AT_TRIANGLE_Y]
+    subs r6, r6, r4 /* y2 */
+    subs r5, r5, r4 /* y1 */
+    first r4, r4
+    strh r4, [r0]
+    cmp r4, r7
+    bge .Lnothing
+    movs r4, #0
+    ldrsh r1, [r1, r4]
+    ldrsh r2, [r2, r4]
+    ldrsh r3, [r3, r4]
+    subs r2, r2, r1
+    subs r3, r3, r1
+    muls r2, r6
+    muls r3, r5
+    subs r2, r2, r3
+    beq .Lnothing
+    str r2, [sp, #AREA]
+    ble 1f
+    movs r4, #1
+1:  strb r4, [r0, #GLINT_AT_TRIANGLE_LONG_IS_LEFT - GLINT_AT_TRIANGLE_Y]
+    subs r0, #GLINT_AT_TRIANGLE_Y - GLINT_AT_TRIANGLE_LONG
+    ldr r1, [sp, #VERTICES]
+    ldr r2, [sp, #VERTICES + 8]
+    bl .Ledge
+    ldr r1, [sp, #VERTICES]
+    ldr r2, [sp, #VERTICES + 4]
+    bl .Ledge
+    ldr r1, [sp, #VERTICES + 4]
+    ldr r2, [sp, #VERTICES + 8]
+    bl .Ledge
+    ldr r4, [sp, #TRIANGLE]
+    movs r0, r4
+    add r1, sp, #CORNERS
+    ldr r2, [sp, #AREA]
+    ldr r3, [sp, #SHINE]
+    bl glint_mesh_values_set
+    adds r4, #GLINT_AT_TRIANGLE_SHINE
+    strb r0, [r4]
+    movs r0, #1
+    b 1f
+.Lnothing:
+    movs r0, #0
+1:  add sp, #FRAME
+    pop {r4-r7, pc}
+
+/* An edge from vertex r1 down to r2 to where r0 points, which moves on by it; r1-r7 and r12 are lost. */
+.Ledge:
+    movs r3, #2
+    ldrsh r4, [r1, r3]
+    ldrsh r5, [r2, r3]
+    first r6, r4
+    first r7, r5
+    cmp r6, r7
+    bge .Lno_line
+    movs r3, #0
+    ldrsh r1, [r1, r3]
+    ldrsh r2, [r2, r3]
+    subs r2, r2, r1 /* dx */
+    subs r5, r5, r4 /* dy, 15 bits */
+    lsls r6, r6, #4
+    adds r6, #8
+    subs r6, r6, r4 /* from the corner to the line's middle */
+    movs r3, #14    /* 31 - zeros(dy) */
+    lsls r5, r5, #17
+    up_by 8, r5, r3, r4
+    up_by 4, r5, r3, r4
+    up_by 2, r5, r3, r4
+    up_by 1, r5, r3, r4
+    mov r12, r3
+    ldr r4, =glint_reciprocals - 64
+    lsrs r7, r5, #25
+    ldrb r4, [r4, r7] /* y */
+    lsrs r5, r5, #4
+    muls r5, r4 /* e */
+    asrs r7, r5, #14 /* r */
+    asrs r5, r5, #6
+    movs r3, r7
+    muls r3, r7
+    lsrs r3, r3, #13
+    subs r5, r3, r5
+    lsrs r3, r3, #1
+    muls r3, r7
+    asrs r3, r3, #20
+    subs r5, r5, r3 /* c */
+    muls r5, r4
+    asrs r5, r5, #6
+    lsls r4, r4, #23
+    adds r5, r5, r4
+    lsrs r5, r5, #14
+    adds r5, #1
+    lsrs r5, r5, #1 /* the inverse */
+    muls r2, r5
+    mov r3, r12
+    asrs r2, r3 /* the step */
+    asrs r3, r2, #4
+    muls r3, r6
+    lsls r1, r1, #12
+    adds r1, r1, r3
+    ldr r3, =65535 - 32768
+    adds r1, r1, r3
+    stmia r0!, {r1, r2}
+    bx lr
+.Lno_line:
+    movs r1, #0
+    movs r2, #0
+    stmia r0!, {r1, r2}
+    bx lr
+    .ltorg
+#endif
