@@ -58,13 +58,18 @@ static int32_t pose_scaled(const int16_t row[3], const int16_t place[3], uint32_
     return scale < 16384 ? ((sum >> 14) * (int32_t)scale) >> 15 : ((sum >> 16) * (int32_t)scale) >> 13;
 }
 
-struct glint_mesh_place glint_mesh_place_of(const struct glint_mesh_drawn *drawn, unsigned vertex)
+static inline struct glint_mesh_place pose_place(const struct glint_mesh_drawn *drawn, unsigned vertex)
 {
     const int16_t *place = drawn->mesh->places + 3 * vertex;
     const struct glint_mesh_place at = {drawn->position[0] + pose_scaled(drawn->turn[0], place, drawn->scale),
                                         drawn->position[1] - pose_scaled(drawn->turn[1], place, drawn->scale),
                                         drawn->position[2] + pose_scaled(drawn->turn[2], place, drawn->scale)};
     return at;
+}
+
+struct glint_mesh_place glint_mesh_place_of(const struct glint_mesh_drawn *drawn, unsigned vertex)
+{
+    return pose_place(drawn, vertex);
 }
 
 void glint_mesh_normal(struct glint_vec *normal, const struct glint_mesh *mesh, unsigned vertex)
@@ -146,12 +151,23 @@ void glint_mesh_light(struct glint_mesh_vertex *vertex, const struct glint_mesh_
     vertex->nl_q30 = (int32_t)((uint32_t)(nx * drawn->l.x) + (uint32_t)(ny * drawn->l.y) + (uint32_t)(nz * drawn->l.z));
 }
 
+static uint16_t pose_out(const struct glint_mesh_place *at)
+{
+    const int32_t guard = GLINT_MESH_GUARD;
+    return (uint16_t)((at->x < -guard  ? GLINT_MESH_LEFT
+                       : at->x > guard ? GLINT_MESH_RIGHT
+                                       : 0) |
+                      (at->y < -guard  ? GLINT_MESH_ABOVE
+                       : at->y > guard ? GLINT_MESH_BELOW
+                                       : 0));
+}
+
 void glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn)
 {
     const int32_t guard = GLINT_MESH_GUARD;
     struct glint_mesh_vertex *vertex = drawn->vertices;
     for (unsigned i = 0; i < drawn->mesh->vertex_count; i++, vertex++) {
-        const struct glint_mesh_place place = glint_mesh_place_of(drawn, i);
+        const struct glint_mesh_place place = pose_place(drawn, i);
         struct glint_vec normal;
         glint_mesh_normal(&normal, drawn->mesh, i);
         glint_mesh_light(vertex, drawn, &normal);
@@ -160,12 +176,9 @@ void glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glin
             continue;
         }
         const struct glint_mesh_place at = glint_mesh_project(frame, place);
-        vertex->out = (uint16_t)((at.x < -guard  ? GLINT_MESH_LEFT
-                                  : at.x > guard ? GLINT_MESH_RIGHT
-                                                 : 0) |
-                                 (at.y < -guard  ? GLINT_MESH_ABOVE
-                                  : at.y > guard ? GLINT_MESH_BELOW
-                                                 : 0));
+        vertex->out = 0;
+        if (at.x < -guard || at.x > guard || at.y < -guard || at.y > guard) /* few are */
+            vertex->out = pose_out(&at);
         vertex->x = (int16_t)(at.x + 8 * frame->w); /* of use where it is not out */
         vertex->y = (int16_t)(at.y + 8 * frame->h);
         vertex->z = (uint16_t)at.z;

@@ -28,6 +28,16 @@ static void tables_row(const struct glint_tables *tables, struct glint_mesh_row 
     }
 }
 
+/* Alone, so that a triangle which needs none of it has no frame for a row. */
+static __attribute__((noinline)) void tables_rows(const struct glint_tables *tables,
+                                                  struct glint_mesh_triangle *triangle,
+                                                  const struct glint_mesh_target *target)
+{
+    struct glint_mesh_row row;
+    while (glint_mesh_row_next(&row, triangle, target))
+        tables_row(tables, &row);
+}
+
 static uint32_t tables_t_end(const void *with)
 {
     return ((const struct glint_tables *)with)->t_max_q30 + 1;
@@ -36,13 +46,11 @@ static uint32_t tables_t_end(const void *with)
 static void tables_draw(const void *with, struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target)
 {
     const struct glint_tables *tables = (const struct glint_tables *)with;
-    struct glint_mesh_row row;
     if (tables->kind == GLINT_TABLES_COLOUR && !tables->dither && !GLINT_MISALIGNED(target->surface->pixels, 16) &&
         !GLINT_MISALIGNED(target->surface->stride, 16))
         glint_mesh_colour(tables, triangle, target);
     else
-        while (glint_mesh_row_next(&row, triangle, target))
-            tables_row(tables, &row);
+        tables_rows(tables, triangle, target);
 }
 
 const struct glint_mesh_path glint_mesh_tables = {tables_can, tables_t_end, tables_draw};
