@@ -100,13 +100,13 @@
     subs r0, #GLINT_AT_TRIANGLE_Y - GLINT_AT_TRIANGLE_LONG
     ldr r1, [sp, #VERTICES]
     ldr r2, [sp, #VERTICES + 8]
-    bl .Ledge
+    bl triangle_edge
     ldr r1, [sp, #VERTICES]
     ldr r2, [sp, #VERTICES + 4]
-    bl .Ledge
+    bl triangle_edge
     ldr r1, [sp, #VERTICES + 4]
     ldr r2, [sp, #VERTICES + 8]
-    bl .Ledge
+    bl triangle_edge
     ldr r4, [sp, #TRIANGLE]
     movs r0, r4
     add r1, sp, #CORNERS
@@ -123,7 +123,11 @@
     pop {r4-r7, pc}
 
 /* An edge from vertex r1 down to r2 to where r0 points, which moves on by it; r1-r7 and r12 are lost. */
-.Ledge:
+    .section .text.triangle_edge, "ax", %progbits
+    .type triangle_edge, %function
+    .balign 4
+    .thumb_func
+triangle_edge:
     movs r3, #2
     ldrsh r4, [r1, r3]
     ldrsh r5, [r2, r3]
