@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * The quick forms of the lobes and their bounds: all mantissas of the reciprocal, a part of the other domains. The whole
- * domains: test_near_whole.c. */
+ * test_near [PATTERN]: the quick forms of the lobes and their bounds: all mantissas of the reciprocal, a part of the other
+ * domains. The whole domains: test_near_whole.c. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -43,8 +43,10 @@ static void every_quick_value_is_the_simple_forms(void **state)
     check_values(500);
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    if (argc > 1)
+        cmocka_set_test_filter(argv[1]);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(products_are_low_by_less_than_stated),
         cmocka_unit_test(reciprocals_are_within_their_bounds_for_every_mantissa),
