@@ -35,6 +35,7 @@ $$(foreach board,$$($(1)_BOARDS),$$(eval $$(call bare_board,$(1),$$(board),build
 .PHONY: firmware-$(1) $$($(1)_BOARDS:%=firmware-$(1)-%)
 endef
 
+# One source at a time, by words that tests/targets/targets.py has, too: ccache, if it is there, gives tests of the library these objects.
 # The linker's words stay beside the objects: tests link these again, with a fault.
 define bare_board
 bare_goal_$(2) = firmware-$(1)-$(2)
@@ -44,8 +45,8 @@ firmware-$(1)-$(2): $(3)/conformance.elf
 	@$$($(1)_TOOLS)size $$< | awk 'NR == 2 { printf "$$<: %d bytes of flash, %d of RAM without stack\n", $$$$1 + $$$$2, $$$$2 + $$$$3 }'
 $(3)/conformance.elf: $$($(1)_INPUTS) $$(BARE_INPUTS) $$(wildcard firmware/ports/$(1)/*)
 	@rm -rf $(3) && mkdir -p $(3)
-	@cd $(3) && $$($(1)_TOOLS)gcc $$(BARE_FLAGS) $$($(1)_FLAGS_$(2)) $$($(1)_IMAGE_$(2)) $$(addprefix -I,$$(abspath $$(BARE_INCLUDE))) -c \
-		$$(abspath $$($(1)_INPUTS) $$($(1)_ASSEMBLY_$(2)))
+	@cd $(3) && for source in $$(abspath $$($(1)_INPUTS) $$($(1)_ASSEMBLY_$(2))); do \
+		$$($(1)_TOOLS)gcc $$(BARE_FLAGS) $$($(1)_FLAGS_$(2)) $$($(1)_IMAGE_$(2)) $$(addprefix -I,$$(abspath $$(BARE_INCLUDE))) -c $$$$source || exit 1; done
 	@echo '$$($(1)_FLAGS_$(2)) -Wl,--gc-sections -L$$(abspath $$(BARE)) $$($(1)_LINK) $$(abspath firmware/ports/$(1)/$$($(1)_SCRIPT_$(2)))' >$(3)/link
 	@$$($(1)_TOOLS)gcc @$(3)/link $(3)/*.o -lgcc -o $$@
 endef
