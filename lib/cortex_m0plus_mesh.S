@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * glint_mesh_colour(tables, triangle, target), as mesh_colour.c has it, part by part. A line's columns and first values, then its
  * pixels, then the steps to the next line: three times, for dark, matt and glossy triangles. Pixels keep all they need in
- * registers, lines take it from the frame and the triangle. */
+ * registers; lines take it from the frame and the triangle, but where a triangle is dark or matt its edges stay in registers, too. */
 #if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus.inc"
 #include "glint_mesh_offsets.h"
@@ -38,6 +38,11 @@
 #define dnl r11
 #define ddt r12
 #define columns lr
+/* Of a dark or matt triangle. */
+#define left r8
+#define right r10
+#define left_step r12
+#define right_step lr
 
 /* A line's columns, held to 0..w: depth and end, r2: from the triangle's column, r7: the triangle. Steps the edges. */
 .macro line_begin skip
@@ -70,15 +75,15 @@
 .endm
 
 /* What is linear steps to the next line. */
-.macro step_line value, step
-    ldr r0, [r7, #\value]
-    ldr r1, [r7, #\step]
+.macro step_line triangle, value, step
+    ldr r0, [\triangle, #\value]
+    ldr r1, [\triangle, #\step]
     adds r0, r0, r1
-    str r0, [r7, #\value]
+    str r0, [\triangle, #\value]
 .endm
 
 .macro line_end again
-    step_line GLINT_AT_TRIANGLE_Z, GLINT_AT_TRIANGLE_ZY
+    step_line r7, GLINT_AT_TRIANGLE_Z, GLINT_AT_TRIANGLE_ZY
     add r6, sp, #DEPTH
     ldmia r6!, {r0-r3}
     adds r0, r0, r2
@@ -89,12 +94,64 @@
     cmp r0, r2
     bne \again
     ldr r0, [sp, #LEFT]
-    ldr r1, [sp, #LEFT_AT]
-    str r0, [r1]
-    ldr r0, [sp, #RIGHT]
-    ldr r1, [sp, #RIGHT_AT]
-    str r0, [r1]
-    b .Lpart
+    ldr r1, [sp, #RIGHT]
+    b .Ledges
+.endm
+
+/* The same for a dark or matt triangle, whose r3, r4 and r7 stay; r5: from the triangle's column, r6: the triangle. */
+.macro plain_begin skip
+    mov r5, left
+    asrs r5, r5, #16
+    mov r1, right
+    asrs r1, r1, #16
+    add left, left_step
+    add right, right_step
+    cmp r5, #0
+    bge 1f
+    movs r5, #0
+1:  ldr r6, [sp, #W]
+    cmp r1, r6
+    ble 1f
+    movs r1, r6
+1:  subs r1, r1, r5
+    ble \skip
+    ldr depth, [sp, #DEPTH]
+    lsls r6, r5, #1
+    adds depth, depth, r6
+    lsls r1, r1, #1
+    adds r1, r1, depth
+    mov end, r1
+    ldr r6, [sp, #TRIANGLE]
+    ldr r1, [r6, #GLINT_AT_TRIANGLE_X]
+    subs r5, r5, r1
+.endm
+
+.macro plain_end again
+    step_line r6, GLINT_AT_TRIANGLE_Z, GLINT_AT_TRIANGLE_ZY
+    ldr r0, [sp, #DEPTH]
+    ldr r1, [sp, #DEPTH_STEP]
+    adds r0, r0, r1
+    str r0, [sp, #DEPTH]
+    ldr r1, [sp, #OFF_STEP]
+    adds r4, r4, r1
+    ldr r1, [sp, #LAST]
+    cmp r0, r1
+    bne \again
+    str r4, [sp, #OFF]
+    mov r0, left
+    mov r1, right
+    b .Ledges
+.endm
+
+.macro plain_part constant
+    mov left, r2
+    mov right, r3
+    mov left_step, r4
+    mov right_step, r5
+    ldr r6, [sp, #TRIANGLE]
+    ldr r3, [sp, #\constant]
+    ldr r4, [sp, #OFF]
+    ldr r7, [r6, #GLINT_AT_TRIANGLE_ZX]
 .endm
 
 /* Is the pixel behind? Else its depth is entered. */
@@ -149,6 +206,12 @@
     ldrb r1, [r0, #GLINT_AT_TABLES_SHIFT]
     str r1, [sp, #SHIFT]
 
+    b .Lpart
+.Ledges:
+    ldr r2, [sp, #LEFT_AT]
+    str r0, [r2]
+    ldr r2, [sp, #RIGHT_AT]
+    str r1, [r2]
 .Lpart:
     ldr r0, [sp, #TRIANGLE]
     movs r1, r0
@@ -187,8 +250,6 @@
     str r5, [sp, #RIGHT_AT]
     ldmia r0!, {r2, r4}
     ldmia r5, {r3, r5}
-    mov r6, sp
-    stmia r6!, {r2-r5}
     cmp r1, #GLINT_SHINE_MATT
     beq .Lmatt
     blo .Ldark
@@ -197,37 +258,34 @@
     leave FRAME
 
 .Ldark: /* r3: dark, r4: off, r7: dz */
-    line_begin .Ldark_end
-    ldr r7, [r7, #GLINT_AT_TRIANGLE_ZX]
-    muls r2, r7
-    ldr r3, [sp, #TRIANGLE]
-    ldr z, [r3, #GLINT_AT_TRIANGLE_Z]
-    adds z, z, r2
-    ldr r3, [sp, #DARK]
-    ldr r4, [sp, #OFF]
-1:  in_front 2f
+    plain_part DARK
+.Ldark_line:
+    plain_begin 4f
+    ldr z, [r6, #GLINT_AT_TRIANGLE_Z]
+    muls r5, r7
+    adds z, z, r5
+2:  in_front 3f
     strh r3, [depth, r4]
-2:  adds depth, #2
+3:  adds depth, #2
     adds z, z, r7
     cmp depth, end
-    blo 1b
-.Ldark_end:
-    ldr r7, [sp, #TRIANGLE]
-    line_end .Ldark
+    blo 2b
+4:  ldr r6, [sp, #TRIANGLE]
+    plain_end .Ldark_line
 
 .Lmatt: /* r3: colours, r4: off, r7: dz */
-    line_begin .Lmatt_end
-    ldr r4, [r7, #GLINT_AT_TRIANGLE_NLX]
-    mov dnl, r4
-    muls r4, r2
-    ldr r5, [r7, #GLINT_AT_TRIANGLE_NL]
-    ldr z, [r7, #GLINT_AT_TRIANGLE_Z]
-    ldr r7, [r7, #GLINT_AT_TRIANGLE_ZX]
-    muls r2, r7
-    adds z, z, r2
-    adds nl, r4, r5
-    ldr r3, [sp, #COLOURS]
-    ldr r4, [sp, #OFF]
+    plain_part COLOURS
+    ldr r5, [r6, #GLINT_AT_TRIANGLE_NLX]
+    mov dnl, r5
+.Lmatt_line:
+    plain_begin 4f
+    ldr nl, [r6, #GLINT_AT_TRIANGLE_NLX]
+    muls nl, r5
+    ldr z, [r6, #GLINT_AT_TRIANGLE_NL]
+    adds nl, nl, z
+    ldr z, [r6, #GLINT_AT_TRIANGLE_Z]
+    muls r5, r7
+    adds z, z, r5
 1:  in_front 2f
     asrs r5, nl, #GLINT_COLOUR_ROW_SHIFT
     bmi 3f
@@ -239,15 +297,17 @@
     add nl, dnl
     cmp depth, end
     blo 1b
-.Lmatt_end:
-    ldr r7, [sp, #TRIANGLE]
-    step_line GLINT_AT_TRIANGLE_NL, GLINT_AT_TRIANGLE_NLY
-    line_end .Lmatt
+4:  ldr r6, [sp, #TRIANGLE]
+    step_line r6, GLINT_AT_TRIANGLE_NL, GLINT_AT_TRIANGLE_NLY
+    plain_end .Lmatt_line
 3:  ldr r5, [sp, #DARK]
     strh r5, [depth, r4]
     b 2b
 
-.Lglossy: /* r7: colours */
+.Lglossy: /* r7: the shift */
+    mov r6, sp
+    stmia r6!, {r2-r5}
+.Lglossy_line:
     line_begin .Lglossy_end
     movs r6, r7
     adds r6, #GLINT_AT_TRIANGLE_T
@@ -275,7 +335,7 @@
     muls r5, r2
     ldr nl, [r7, #GLINT_AT_TRIANGLE_NL]
     adds nl, nl, r5
-    ldr r7, [sp, #COLOURS]
+    ldr r7, [sp, #SHIFT]
 1:  in_front 4f
     asrs r5, nl, #GLINT_COLOUR_ROW_SHIFT
     bmi 5f
@@ -283,13 +343,12 @@
     movs r6, back
     cmp back, t_max
     bhi 6f
-2:  ldr r7, [sp, #SHIFT]
-    lsrs r6, r7
+2:  lsrs r6, r7
     add r6, columns
     ldrb r6, [r6]
     adds r5, r5, r6
-    ldr r7, [sp, #COLOURS]
-3:  ldrh r5, [r7, r5]
+3:  ldr r6, [sp, #COLOURS]
+    ldrh r5, [r6, r5]
     ldr r6, [sp, #OFF]
     strh r5, [depth, r6]
 4:  adds depth, #2
@@ -301,7 +360,7 @@
     blo 1b
 .Lglossy_end:
     ldr r7, [sp, #TRIANGLE]
-    step_line GLINT_AT_TRIANGLE_NL, GLINT_AT_TRIANGLE_NLY
+    step_line r7, GLINT_AT_TRIANGLE_NL, GLINT_AT_TRIANGLE_NLY
     movs r6, r7
     adds r6, #GLINT_AT_TRIANGLE_T
     ldmia r6!, {r0-r5} /* t, tx, txx, txy, ty, tyy */
@@ -311,7 +370,7 @@
     str r4, [r7, #GLINT_AT_TRIANGLE_TY]
     subs r6, #24
     stmia r6!, {r0, r1}
-    line_end .Lglossy
+    line_end .Lglossy_line
 5:  ldr r5, [sp, #DARK]
     ldr r6, [sp, #OFF]
     strh r5, [depth, r6]

@@ -53,20 +53,6 @@ static void draw_clipped(const struct strip *strip, uint16_t number, const struc
     }
 }
 
-/* Another face; false where there is no line in it. */
-static bool set_up(const struct strip *strip, const uint16_t face[3], const struct glint_paint *paint,
-                   struct glint_mesh_triangle *triangle)
-{
-    const uint32_t t_end = paint->path->t_end(paint->with);
-    struct glint_mesh_corner corner[3];
-    for (unsigned i = 0; i < 3; i++)
-        corner[i].v = &strip->drawn->vertices[face[i]];
-    const enum glint_mesh_shine shine = glint_mesh_shine(corner, t_end);
-    if (shine == GLINT_MESH_GLOSSY)
-        glint_mesh_sides(corner, strip->drawn->mesh, face);
-    return glint_mesh_triangle_set(triangle, corner, shine, t_end);
-}
-
 /* Draws it where its lines begin in the strip; does it go on after that? */
 static bool draw_on(const struct strip *strip, struct glint_mesh_triangle *triangle, const struct glint_paint *paint)
 {
@@ -89,15 +75,24 @@ static void strip_face(const struct strip *strip, uint16_t i, const struct glint
     struct glint_mesh_kept *const all = (struct glint_mesh_kept *)frame->kept;
     const uint16_t *face = strip->drawn->mesh->faces + 3 * (size_t)i, place = frame->free;
     uint16_t *const link = &strip->drawn->links[i];
-    if (glint_mesh_face_is_out(strip->drawn, face)) {
+    const struct glint_mesh_vertex *vertices = strip->drawn->vertices;
+    struct glint_mesh_corner corner[3];
+    corner[0].v = &vertices[face[0]];
+    corner[1].v = &vertices[face[1]];
+    corner[2].v = &vertices[face[2]];
+    if (corner[0].v->out | corner[1].v->out | corner[2].v->out) {
         draw_clipped(strip, i, paint);
         add(later, i, link);
         return;
     }
     struct glint_mesh_kept *const kept =
         place != GLINT_MESH_NONE ? &all[place] : &((struct glint_mesh_bench *)frame->memory)->face;
+    const uint32_t t_end = paint->path->t_end(paint->with);
+    const enum glint_mesh_shine shine = glint_mesh_shine(corner, t_end);
+    if (shine == GLINT_MESH_GLOSSY)
+        glint_mesh_sides(corner, strip->drawn->mesh, face);
     kept->face = i;
-    if (!set_up(strip, face, paint, &kept->triangle) || !draw_on(strip, &kept->triangle, paint))
+    if (!glint_mesh_triangle_set(&kept->triangle, corner, shine, t_end) || !draw_on(strip, &kept->triangle, paint))
         return;
     if (place == GLINT_MESH_NONE) {
         add(later, i, link);
