@@ -16,6 +16,8 @@ static inline bool glint_mesh_face_is_out(const struct glint_mesh_drawn *drawn, 
 
 /* Sorts the faces that show from line y on into the bands where they begin, or where y is; each list ascends. */
 void glint_mesh_sort(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y);
+/* Into bands that may have faces of higher numbers. Has a twin in assembly. */
+void glint_mesh_sort_faces(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y);
 
 /* Takes the lists of the bands from line y to end - 1 as one that ascends. */
 uint16_t glint_mesh_take(const struct glint_mesh_drawn *drawn, int32_t y, int32_t end);

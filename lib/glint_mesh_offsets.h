@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Internal. Where the assembly finds fields of a triangle, in bytes; mesh_offsets.c compares these with the compiler's. Macros only. */
+ * Internal. Where the assembly finds fields of a mesh and a triangle, in bytes; mesh_offsets.c compares these with the compiler's. Macros only. */
 #ifndef GLINT_MESH_OFFSETS_H
 #define GLINT_MESH_OFFSETS_H
 
@@ -18,6 +18,22 @@
 #define GLINT_AT_TRIANGLE_Y_END 80
 #define GLINT_AT_TRIANGLE_SHINE 82
 #define GLINT_AT_TRIANGLE_LONG_IS_LEFT 83
+
+#define GLINT_AT_FRAME_W 16 /* w, h */
+#define GLINT_AT_DRAWN_MESH 4
+#define GLINT_AT_DRAWN_VERTICES 12
+#define GLINT_AT_DRAWN_LINKS 16 /* links, bands */
+#define GLINT_AT_DRAWN_LIGHT 26 /* l, h, turn, position, scale */
+#define GLINT_AT_DRAWN_SCALE 62
+#define GLINT_AT_MESH_PLACES 0
+#define GLINT_AT_MESH_NORMALS8 8
+#define GLINT_AT_MESH_FACES 12
+#define GLINT_AT_MESH_VERTEX_COUNT 20 /* and of faces */
+
+#define GLINT_MESH_BAND_LOG 4
+
+/* Places are held to these, 1/16 pixel: depths and the guard band around the viewport's middle. */
+#define GLINT_MESH_GUARD 16383
 
 #define GLINT_SHINE_DARK 0
 #define GLINT_SHINE_MATT 1

@@ -4,9 +4,8 @@
 #define GLINT_MESH_POSE_H
 
 #include "glint_mesh_gradient.h"
+#include "glint_mesh_offsets.h"
 
-/* Places are held to these, 1/16 pixel: depths and the guard band around the viewport's middle. */
-#define GLINT_MESH_GUARD 16383
 enum { GLINT_MESH_LEFT = 1, GLINT_MESH_RIGHT = 2, GLINT_MESH_ABOVE = 4, GLINT_MESH_BELOW = 8, GLINT_MESH_NEAR = 16 };
 
 /* Turn, light and half vector from a pose; false where the quaternion is 0. */
@@ -19,9 +18,19 @@ struct glint_mesh_place {
 struct glint_mesh_place glint_mesh_place_of(const struct glint_mesh_drawn *drawn, unsigned vertex);
 void glint_mesh_normal(struct glint_vec *normal, const struct glint_mesh *mesh, unsigned vertex);
 
-/* What glint_mesh_corner calls a side. Of two normals; of a face's three, the one opposite each corner. */
+/* What glint_mesh_corner calls a side, of two normals. */
 uint32_t glint_mesh_side(const struct glint_vec *a, const struct glint_vec *b);
-void glint_mesh_sides(struct glint_mesh_corner corner[3], const struct glint_mesh *mesh, const uint16_t face[3]);
+/* Of a face's three, the one opposite each corner; that of 8 bits has a twin in assembly. */
+void glint_mesh_sides16(struct glint_mesh_corner corner[3], const struct glint_mesh *mesh, const uint16_t face[3]);
+void glint_mesh_sides8(struct glint_mesh_corner corner[3], const int8_t *normals, const uint16_t face[3]);
+static inline void glint_mesh_sides(struct glint_mesh_corner corner[3], const struct glint_mesh *mesh,
+                                    const uint16_t face[3])
+{
+    if (mesh->normals)
+        glint_mesh_sides16(corner, mesh, face);
+    else
+        glint_mesh_sides8(corner, mesh->normals8, face);
+}
 
 /* Beyond the near plane? */
 bool glint_mesh_is_near(const struct glint_mesh_frame *frame, int32_t z);
@@ -35,5 +44,8 @@ void glint_mesh_light(struct glint_mesh_vertex *vertex, const struct glint_mesh_
 
 /* All vertices; `out` says by which planes they must be clipped. */
 void glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn);
+
+/* The same without perspective for normals of 8 bits, in assembly alone. */
+void glint_mesh_vertices_parallel(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn);
 
 #endif

@@ -3,8 +3,10 @@
  * band after it. Lists ascend by the face's number, and faces are drawn in that order: of two at the same depth the first stays,
  * however the picture is cut into strips. */
 #include "glint_mesh_lists.h"
+#include "glint_math_assembly.h"
 #include "glint_mesh_edges.h"
 
+#if !GLINT_CORTEX_M0PLUS_ASM
 /* The line from y on where a face begins; -1 where it shows its back, or no line. */
 static int32_t lists_first(const struct glint_mesh_frame *frame, const struct glint_mesh_vertex *vertices,
                            const uint16_t face[3], int32_t y)
@@ -27,11 +29,8 @@ static int32_t lists_first(const struct glint_mesh_frame *frame, const struct gl
     return low < high && low < frame->h ? low : -1;
 }
 
-void glint_mesh_sort(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y)
+void glint_mesh_sort_faces(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y)
 {
-    const unsigned bands = (frame->h + GLINT_MESH_BAND - 1) / GLINT_MESH_BAND;
-    for (unsigned i = 0; i < bands; i++)
-        drawn->bands[i] = GLINT_MESH_NONE;
     const uint16_t *face = drawn->mesh->faces + 3 * (size_t)drawn->mesh->face_count;
     for (unsigned i = drawn->mesh->face_count; i--;) {
         face -= 3;
@@ -42,6 +41,15 @@ void glint_mesh_sort(const struct glint_mesh_frame *frame, const struct glint_me
         drawn->links[i] = *band;
         *band = (uint16_t)i;
     }
+}
+#endif
+
+void glint_mesh_sort(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y)
+{
+    const unsigned bands = (frame->h + GLINT_MESH_BAND - 1) / GLINT_MESH_BAND;
+    for (unsigned i = 0; i < bands; i++)
+        drawn->bands[i] = GLINT_MESH_NONE;
+    glint_mesh_sort_faces(frame, drawn, y);
 }
 
 /* Two lists that ascend as one. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * What the assembly takes for granted of a triangle: arrays of -1 where it is not so. */
+ * What the assembly takes for granted of a mesh and its triangles: arrays of -1 where it is not so. */
 #include "glint_mesh_offsets.h"
 #include "glint_math_assembly.h"
 #include "glint_mesh_colour.h"
@@ -27,6 +27,31 @@ typedef char
 typedef char glint_target_layout[AT(surface, 0) && AT(depth, 4) && AT(w, 8) && AT(y, 12) && AT(end, 16) &&
                                          offsetof(struct glint_surface, pixels) == 0 &&
                                          offsetof(struct glint_surface, stride) == 4
+                                     ? 1
+                                     : -1];
+#undef AT
+#define AT(field, offset) (offsetof(struct glint_mesh_drawn, field) == (offset))
+typedef char glint_drawn_layout[AT(mesh, GLINT_AT_DRAWN_MESH) && AT(vertices, GLINT_AT_DRAWN_VERTICES) &&
+                                        AT(links, GLINT_AT_DRAWN_LINKS) && AT(bands, GLINT_AT_DRAWN_LINKS + 4) &&
+                                        1u << GLINT_MESH_BAND_LOG == GLINT_MESH_BAND && AT(l, GLINT_AT_DRAWN_LIGHT) &&
+                                        AT(h, GLINT_AT_DRAWN_LIGHT + 6) && AT(turn, GLINT_AT_DRAWN_LIGHT + 12) &&
+                                        AT(position, GLINT_AT_DRAWN_LIGHT + 30) && AT(scale, GLINT_AT_DRAWN_SCALE) &&
+                                        offsetof(struct glint_mesh_frame, w) == GLINT_AT_FRAME_W &&
+                                        offsetof(struct glint_mesh_frame, h) == GLINT_AT_FRAME_W + 2
+                                    ? 1
+                                    : -1];
+#undef AT
+#define AT(field, offset) (offsetof(struct glint_mesh, field) == (offset))
+typedef char glint_mesh_layout[AT(places, GLINT_AT_MESH_PLACES) && AT(normals8, GLINT_AT_MESH_NORMALS8) &&
+                                       AT(faces, GLINT_AT_MESH_FACES) &&
+                                       AT(face_count, GLINT_AT_MESH_VERTEX_COUNT + 2) &&
+                                       AT(vertex_count, GLINT_AT_MESH_VERTEX_COUNT)
+                                   ? 1
+                                   : -1];
+#undef AT
+#define AT(field, offset) (offsetof(struct glint_mesh_vertex, field) == (offset))
+typedef char glint_vertex_layout[AT(x, 0) && AT(y, 2) && AT(z, 4) && AT(out, 6) && AT(t_q30, 8) && AT(nl_q30, 12) &&
+                                         sizeof(struct glint_mesh_vertex) == 16
                                      ? 1
                                      : -1];
 #undef AT

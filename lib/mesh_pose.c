@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * The light is turned into the mesh's directions once a picture, so that normals are never turned. */
 #include "glint_mesh_pose.h"
+#include "glint_math_assembly.h"
 
 /* The rotation of a quaternion of length s: its products of two components over s^2, no root. */
 static bool pose_rotation(int32_t m_q30[3][3], const int16_t q[4])
@@ -93,20 +94,11 @@ uint32_t glint_mesh_side(const struct glint_vec *a, const struct glint_vec *b)
     return ((uint32_t)x * (uint32_t)x >> 2) + ((uint32_t)y * (uint32_t)y >> 2) + ((uint32_t)z * (uint32_t)z >> 2);
 }
 
-/* Of 8 bits: (258 d)^2 >> 2 is 129^2 d^2, so the squares are added first; |d| <= 254. */
-void glint_mesh_sides(struct glint_mesh_corner corner[3], const struct glint_mesh *mesh, const uint16_t face[3])
+#if !GLINT_CORTEX_M0PLUS_ASM
+/* (258 d)^2 >> 2 is 129^2 d^2, so the squares are added first; |d| <= 254. */
+void glint_mesh_sides8(struct glint_mesh_corner corner[3], const int8_t *normals, const uint16_t face[3])
 {
-    if (mesh->normals) {
-        struct glint_vec normal[3];
-        for (unsigned i = 0; i < 3; i++)
-            glint_mesh_normal(&normal[i], mesh, face[i]);
-        corner[0].side = glint_mesh_side(&normal[2], &normal[1]);
-        corner[1].side = glint_mesh_side(&normal[2], &normal[0]);
-        corner[2].side = glint_mesh_side(&normal[1], &normal[0]);
-        return;
-    }
-    const int8_t *a = mesh->normals8 + 3 * face[0], *b = mesh->normals8 + 3 * face[1],
-                 *c = mesh->normals8 + 3 * face[2];
+    const int8_t *a = normals + 3 * face[0], *b = normals + 3 * face[1], *c = normals + 3 * face[2];
     uint32_t ab = 0, bc = 0, ca = 0;
     for (unsigned k = 0; k < 3; k++) {
         const int32_t p = (int32_t)a[k] - b[k], q = (int32_t)b[k] - c[k], r = p + q;
@@ -117,6 +109,16 @@ void glint_mesh_sides(struct glint_mesh_corner corner[3], const struct glint_mes
     corner[0].side = bc * (129 * 129);
     corner[1].side = ca * (129 * 129);
     corner[2].side = ab * (129 * 129);
+}
+#endif
+
+void glint_mesh_sides16(struct glint_mesh_corner corner[3], const struct glint_mesh *mesh, const uint16_t face[3])
+{
+    struct glint_vec normal[3];
+    for (unsigned i = 0; i < 3; i++)
+        glint_mesh_normal(&normal[i], mesh, face[i]);
+    for (unsigned i = 0; i < 3; i++)
+        corner[i].side = glint_mesh_side(&normal[(i + 1) % 3], &normal[(i + 2) % 3]);
 }
 
 bool glint_mesh_is_near(const struct glint_mesh_frame *frame, int32_t z)
@@ -166,6 +168,12 @@ void glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glin
 {
     const int32_t guard = GLINT_MESH_GUARD;
     struct glint_mesh_vertex *vertex = drawn->vertices;
+#if GLINT_CORTEX_M0PLUS_ASM
+    if (frame->distance == 0 && !drawn->mesh->normals) {
+        glint_mesh_vertices_parallel(frame, drawn);
+        return;
+    }
+#endif
     for (unsigned i = 0; i < drawn->mesh->vertex_count; i++, vertex++) {
         const struct glint_mesh_place place = pose_place(drawn, i);
         struct glint_vec normal;

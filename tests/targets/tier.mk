@@ -15,7 +15,7 @@ test-targets: ## check: cross-compiled: no floating point, no writable data, sta
 # Those with the library's assembly compare its lines with C's.
 TARGETS_LINES = $(if $(or $(if $(BOARD),,all),$(findstring asm,$(BOARD))),"tests/targets/test_lines $(BUILD)/targets $(BOARD)")
 # The table of costs is of all boards, so that one board's run leaves it; and the bunny, whose mesh lies beside rp2040js.
-TARGETS_COSTS = $(if $(BOARD),,"tests/targets/test_costs $(BENCH)" "tests/targets/test_bunny $(BUILD)/glint")
+TARGETS_COSTS = $(if $(BOARD),,"tests/targets/test_costs $(BENCH)" "tests/targets/test_twins $(BENCH)" "tests/targets/test_bunny $(BUILD)/glint")
 TARGETS_COSTS_INPUTS = $(filter-out %-Os.elf,$(BENCH_ELFS)) $(BENCH_MESH_ELFS) $(BENCH_SCENE)/scene.json
 
 costs: ## measure: write the table that tier targets compares cycles and sizes with (costs.tsv), and the READMEs' figures; ROWS=PATTERN

@@ -1,0 +1,237 @@
+/* SPDX-License-Identifier: MIT
+ * Vertices without perspective, with normals of 8 bits, and sides between such normals, as mesh_pose.c has them. What is the same
+ * for all vertices lies in the frame in the order in which it is read, so that three words take one load. */
+#if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
+#include "cortex_m0plus.inc"
+#include "glint_mesh_offsets.h"
+
+/* The frame: halfwords of the mesh drawn, as words; then 8 times the width and height, and where to go on and end. */
+#define LIGHT 0 /* l, then h */
+#define TURN 24
+#define POSITION 60
+#define ACROSS 72
+#define DOWN 76
+#define PLACES 80
+#define NORMALS 84
+#define END 88
+#define FRAME 92
+
+#define vertex r0
+#define first_down r8 /* a sum is shifted, multiplied by the scale, and shifted again */
+#define then_down r9
+#define scale r10
+#define guard r11
+#define guards r12 /* twice */
+#define out lr
+
+/* r4: the next row of the turn, at r7, times r1-r3, scaled. */
+.macro turned
+    ldmia r7!, {r4-r6}
+    muls r4, r1
+    muls r5, r2
+    adds r4, r4, r5
+    muls r6, r3
+    adds r4, r4, r6
+    mov r5, first_down
+    asrs r4, r5
+    mov r5, scale
+    muls r4, r5
+    mov r5, then_down
+    asrs r4, r5
+.endm
+
+/* To the screen's corner, or away to where its plane is noted. */
+.macro placed add, field, beyond
+    mov r5, guard
+    adds r5, r4, r5
+    cmp r5, guards
+    bhi \beyond
+\beyond\()_noted:
+    ldr r5, [sp, #\add]
+    adds r4, r4, r5
+    strh r4, [vertex, #\field]
+.endm
+
+/* The bit if it is below 0, and twice that if it is above. */
+.macro noted bit, beyond
+\beyond:
+    movs r5, #\bit
+    cmp r4, #0
+    blt 1f
+    lsls r5, r5, #1
+1:  mov r6, out
+    orrs r6, r5
+    mov out, r6
+    b \beyond\()_noted
+.endm
+
+    function glint_mesh_vertices_parallel
+    enter FRAME
+    mov r7, sp
+    movs r2, #GLINT_AT_DRAWN_LIGHT
+1:  ldrsh r3, [r1, r2]
+    stmia r7!, {r3}
+    adds r2, #2
+    cmp r2, #GLINT_AT_DRAWN_SCALE
+    bne 1b
+    ldrh r3, [r0, #GLINT_AT_FRAME_W]
+    lsls r3, r3, #3
+    ldrh r4, [r0, #GLINT_AT_FRAME_W + 2]
+    lsls r4, r4, #3
+    ldr r2, [r1, #GLINT_AT_DRAWN_MESH]
+    ldr r5, [r2, #GLINT_AT_MESH_PLACES]
+    ldr r6, [r2, #GLINT_AT_MESH_NORMALS8]
+    stmia r7!, {r3-r6}
+    ldr vertex, [r1, #GLINT_AT_DRAWN_VERTICES]
+    ldrh r3, [r2, #GLINT_AT_MESH_VERTEX_COUNT]
+    lsls r3, r3, #4
+    adds r3, r3, vertex
+    str r3, [r7]
+    ldrh r3, [r1, #GLINT_AT_DRAWN_SCALE]
+    mov scale, r3
+    movs r4, #14
+    movs r5, #15
+    lsrs r3, r3, #14
+    beq 1f
+    movs r4, #16
+    movs r5, #13
+1:  mov first_down, r4
+    mov then_down, r5
+    ldr r3, =GLINT_MESH_GUARD
+    mov guard, r3
+    lsls r3, r3, #1
+    mov guards, r3
+    b .Lvertices_test
+
+.Lvertices:
+    movs r5, #0
+    mov out, r5
+    ldr r6, [sp, #PLACES]
+    ldrsh r1, [r6, r5]
+    movs r5, #2
+    ldrsh r2, [r6, r5]
+    movs r5, #4
+    ldrsh r3, [r6, r5]
+    adds r6, #6
+    str r6, [sp, #PLACES]
+    add r7, sp, #TURN
+    turned
+    ldr r5, [sp, #POSITION]
+    adds r4, r4, r5
+    placed ACROSS, 0, .Lbeside
+    turned
+    ldr r5, [sp, #POSITION + 4]
+    subs r4, r5, r4
+    placed DOWN, 2, .Labove
+    turned
+    ldr r5, [sp, #POSITION + 8]
+    adds r4, r4, r5
+    ldr r5, =32767
+    subs r4, r5, r4
+    lsls r5, r5, #1
+    cmp r4, r5
+    bhi .Ldeep
+.Ldeep_held:
+    strh r4, [vertex, #4]
+    mov r5, out
+    strh r5, [vertex, #6]
+    ldr r1, [sp, #NORMALS]
+    movs r5, #0
+    ldrsb r2, [r1, r5]
+    movs r5, #1
+    ldrsb r3, [r1, r5]
+    movs r5, #2
+    ldrsb r4, [r1, r5]
+    adds r1, #3
+    str r1, [sp, #NORMALS]
+    ldr r5, =258
+    muls r2, r5
+    muls r3, r5
+    muls r4, r5
+    mov r7, sp
+    ldmia r7!, {r1, r5, r6}
+    muls r1, r2
+    muls r5, r3
+    muls r6, r4
+    adds r6, r6, r5
+    adds r6, r6, r1
+    str r6, [vertex, #12]
+    ldmia r7!, {r1, r5, r6}
+    subs r1, r2, r1
+    muls r1, r1
+    lsrs r1, r1, #1
+    subs r5, r3, r5
+    muls r5, r5
+    lsrs r5, r5, #1
+    subs r6, r4, r6
+    muls r6, r6
+    lsrs r6, r6, #1
+    adds r1, r1, r5
+    adds r1, r1, r6
+    str r1, [vertex, #8]
+    adds vertex, #16
+.Lvertices_test:
+    ldr r5, [sp, #END]
+    cmp vertex, r5
+    bne .Lvertices
+    leave FRAME
+
+    noted 1, .Lbeside
+    noted 4, .Labove
+.Ldeep: /* to 0..65534 */
+    cmp r4, #0
+    blt 1f
+    movs r4, r5
+    b .Ldeep_held
+1:  movs r4, #0
+    b .Ldeep_held
+    .ltorg
+
+/* glint_mesh_sides8(corner, normals8, face). */
+.macro difference at
+    movs r1, #\at
+    ldrsb r2, [r3, r1]
+    ldrsb r6, [r4, r1]
+    ldrsb r1, [r5, r1]
+    subs r2, r2, r6
+    subs r6, r6, r1
+    adds r1, r2, r6
+    muls r2, r2
+    muls r6, r6
+    muls r1, r1
+.endm
+
+.macro normal to, at
+    ldrh \to, [r2, #\at]
+    lsls r6, \to, #1
+    adds \to, \to, r6
+    adds \to, \to, r1
+.endm
+
+    function glint_mesh_sides8
+    push {r4-r7, lr}
+    normal r3, 0
+    normal r4, 2
+    normal r5, 4
+    difference 0
+    mov r12, r2
+    mov lr, r6
+    movs r7, r1
+    difference 1
+    add r12, r2
+    add lr, r6
+    adds r7, r7, r1
+    difference 2
+    add r2, r12
+    add r6, lr
+    adds r7, r7, r1
+    ldr r1, =129 * 129
+    muls r2, r1
+    muls r6, r1
+    muls r7, r1
+    str r6, [r0, #4]
+    str r7, [r0, #12]
+    str r2, [r0, #20]
+    pop {r4-r7, pc}
+    .ltorg
+#endif

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// twins.mjs FOLDER: a mesh's functions in assembly beside those of C, in FOLDER's programs mesh-asm.elf and mesh-O2.elf, on an
+// emulated Cortex-M0+. Random arguments, also at the ends of their ranges. A line each: name, calls, calls whose memory was unlike
+// C's; then the same where the assembly gets another argument than C.
+import { load, RAM, RETURN } from '../bench/m0plus.mjs'
+
+const folder = process.argv[2]
+const [c, assembly] = ['O2', 'asm'].map((build) => load(`${folder}/npm`, `${folder}/mesh-${build}.elf`))
+const AT = 0x20038000, SIZE = 0x1400 // arguments and results, beyond both programs' data
+let seed = 1
+function below(n) {
+  seed = (Math.imul(seed, 1103515245) + 12345) >>> 0
+  return Math.floor((seed >>> 8) / 16777216 * n)
+}
+const one = (...of) => of[below(of.length)]
+const int16 = () => one(below(65536) - 32768, below(65536) - 32768, 32767, -32768)
+
+function after(machine, name, args, bytes, fault) {
+  const at = AT - RAM
+  bytes.copy(machine.memory, at)
+  if (fault >= 0) machine.memory[at + fault] ^= 0x11
+  machine.enter(name, args)
+  while (machine.core.PC !== RETURN) machine.core.executeInstruction()
+  if (fault >= 0) machine.memory[at + fault] ^= 0x11
+  return `${name === 'glint_mesh_triangle_set' ? machine.core.registers[0] & 1 : ''} ${machine.memory.toString('latin1', at, at + SIZE)}`
+}
+
+// A triangle's corners, and what is set up.
+const V = 0x100, CORNERS = 0x200
+function triangle() {
+  const bytes = Buffer.alloc(SIZE), size = one(8, 40, 300, 4000, 32766), first = below(32767 - size)
+  for (let k = 0; k < 3; k++) {
+    const middle = below(3) ? (place) => place : (place) => place & ~15 | 8
+    bytes.writeInt16LE(middle(first + below(size)), V + 16 * k)
+    bytes.writeInt16LE(k && !below(8) ? bytes.readInt16LE(V + 2) : middle(first + below(size)), V + 16 * k + 2)
+    bytes.writeUInt16LE(below(65536), V + 16 * k + 4)
+    bytes.writeUInt32LE(below(2 ** one(20, 30)), V + 16 * k + 8)
+    bytes.writeInt32LE(below(2 ** 31) - 2 ** 30, V + 16 * k + 12)
+    bytes.writeUInt32LE(AT + V + 16 * k, CORNERS + 8 * k)
+    bytes.writeUInt32LE(below(2 ** one(20, 28, 32)), CORNERS + 8 * k + 4)
+  }
+  return [bytes, [AT, AT + CORNERS, below(3), below(2 ** 28)], V + 2]
+}
+
+// A frame, a mesh drawn, and the mesh, as lib/glint_mesh_offsets.h has them.
+const DRAWN = 0x40, MESH = 0xa0, FACES = 0x200, PLACES = 0x500, NORMALS = 0x700, VERTICES = 0x900, LINKS = 0xe00, BANDS = 0xf00
+function frame(height, vertices, faces) {
+  const bytes = Buffer.alloc(SIZE), address = (at, to) => bytes.writeUInt32LE(AT + to, at)
+  bytes.writeUInt16LE(1 + below(2040), 16)
+  bytes.writeUInt16LE(height, 18)
+  address(DRAWN + 4, MESH)
+  address(DRAWN + 12, VERTICES)
+  address(DRAWN + 16, LINKS)
+  address(DRAWN + 20, BANDS)
+  address(MESH, PLACES)
+  address(MESH + 8, NORMALS)
+  address(MESH + 12, FACES)
+  bytes.writeUInt16LE(vertices, MESH + 20)
+  bytes.writeUInt16LE(faces, MESH + 22)
+  for (let k = 0; k < 3 * faces; k++) bytes.writeUInt16LE(below(vertices), FACES + 2 * k)
+  for (let k = 0; k < 3 * vertices; k++) {
+    bytes.writeInt16LE(int16(), PLACES + 2 * k)
+    bytes.writeInt8(below(255) - 127, NORMALS + k)
+  }
+  return bytes
+}
+
+function vertices() {
+  const bytes = frame(1 + below(2040), 1 + below(20), 0)
+  for (let k = 0; k < 6; k++) bytes.writeInt16LE(below(65535) - 32767, DRAWN + 26 + 2 * k)
+  for (let k = 0; k < 9; k++) bytes.writeInt16LE(one(below(18919) - 9459, 0), DRAWN + 38 + 2 * k)
+  for (let k = 0; k < 3; k++) bytes.writeInt16LE(one(int16(), below(200)), DRAWN + 56 + 2 * k)
+  bytes.writeUInt16LE(one(below(65536), below(4000), 16383, 16384, 65535), DRAWN + 62)
+  return [bytes, [AT, AT + DRAWN], PLACES + 1]
+}
+
+function sides() {
+  return [frame(240, 20, 1), [AT + VERTICES, AT + NORMALS, AT + FACES], FACES]
+}
+
+function lists() {
+  const height = 1 + below(one(240, 2040)), count = 3 + below(40), size = Math.min(32766, one(32766, 16 * height + 200))
+  const bytes = frame(height, count, below(100)), clipped = below(2)
+  for (let k = 0; k < count; k++) {
+    bytes.writeInt16LE(below(size), VERTICES + 16 * k)
+    bytes.writeInt16LE(below(size) - (size === 32766 ? 0 : 100), VERTICES + 16 * k + 2)
+    bytes.writeUInt16LE(clipped && !below(4) ? one(1, 2, 4, 8, 16, 5, 9) : 0, VERTICES + 16 * k + 6)
+  }
+  return [bytes, [AT, AT + DRAWN, one(0, below(height))], VERTICES + 3]
+}
+
+const TWINS = [['glint_mesh_triangle_set', triangle, 5000], ['glint_mesh_vertices', vertices, 400], ['glint_mesh_sides8', sides, 500],
+  ['glint_mesh_sort', lists, 1000]]
+for (const [name, make, calls] of TWINS) {
+  const unlike = [0, 0]
+  for (let i = 0; i < calls; i++) {
+    const [bytes, args, fault] = make(), wanted = after(c, name, args, bytes, -1)
+    unlike[0] += after(assembly, name, args, bytes, -1) !== wanted
+    unlike[1] += i % 10 === 0 && after(assembly, name, args, bytes, fault) !== wanted
+  }
+  console.log(name, calls, ...unlike)
+}
