@@ -70,6 +70,18 @@ static void the_mode_is_the_panel_at_its_rate(void **state)
     }
 }
 
+static void a_buffer_may_have_31_bits_and_no_more(void **state)
+{
+    (void)state;
+    struct gud_device device;
+    struct gud_device_config config = board.config;
+    config.window = NULL;
+    config.max_buffer = INT32_MAX;
+    assert_true(gud_device_init(&device, &config));
+    config.max_buffer++;
+    assert_false(gud_device_init(&device, &config));
+}
+
 static const struct {
     uint8_t request;
     int bytes;
@@ -351,6 +363,7 @@ int main(void)
         DEVICE_TEST(wrong_lengths_are_protocol_errors),
         DEVICE_TEST(a_request_to_another_interface_is_refused_and_changes_nothing),
         DEVICE_TEST(the_display_has_one_connector),
+        DEVICE_TEST(a_buffer_may_have_31_bits_and_no_more),
         DEVICE_TEST(a_state_that_the_panel_lacks_is_refused),
         DEVICE_TEST(steps_out_of_order_are_protocol_errors),
         DEVICE_TEST(a_check_changes_nothing_until_its_commit),

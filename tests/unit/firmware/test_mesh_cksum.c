@@ -40,6 +40,20 @@ static void a_mesh_s_sum_is_that_of_its_file(void **state)
     assert_int_equal(mesh_cksum(&mesh), posix(file, sizeof file));
 }
 
+/* An even number of normals is followed by no byte of 0. */
+static void four_vertices_have_the_sum_of_their_file(void **state)
+{
+    (void)state;
+    static const int16_t four_places[12] = {0};
+    static const int8_t four_normals[12] = {0, 0, 127, 0, 0, 127, 0, 0, 127, 0, 0, 127};
+    static const struct glint_mesh four = {four_places, NULL, four_normals, faces, NULL, 4, 2, 0};
+    uint8_t file[12 * 2 + 12 + 6 * 2] = {0};
+    memcpy(file + 24, four_normals, 12);
+    for (int i = 0; i < 6; i++)
+        file[36 + 2 * i] = (uint8_t)faces[i];
+    assert_int_equal(mesh_cksum(&four), posix(file, sizeof file));
+}
+
 static void each_part_of_a_mesh_changes_its_sum(void **state)
 {
     (void)state;
@@ -68,6 +82,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_mesh_s_sum_is_that_of_its_file),
+        cmocka_unit_test(four_vertices_have_the_sum_of_their_file),
         cmocka_unit_test(each_part_of_a_mesh_changes_its_sum),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -2,6 +2,7 @@
  * The light that circles while no host sends one. */
 #include <math.h>
 
+#include "demo.h"
 #include "orbit.h"
 #include "unit.h"
 
@@ -38,12 +39,38 @@ static void the_orbit_comes_back_after_its_frames(void **state)
     assert_memory_equal(first, again, sizeof first);
 }
 
+/* x is a / 32768 without its fraction. */
+static void assert_is_whole_part(int16_t x, int32_t a)
+{
+    assert_true(a < 0 ? x * 32768 >= a && (x - 1) * 32768 < a : x * 32768 <= a && (x + 1) * 32768 > a);
+}
+
+/* Half angles: 10 degrees of tilt, and half of the turn. */
+static void the_demo_s_pose_is_its_turn_and_then_its_tilt(void **state)
+{
+    (void)state;
+    for (uint32_t frame = 0; frame < ORBIT_FRAMES; frame++) {
+        struct glint_pose pose;
+        demo_pose(&pose, frame, 240);
+        const uint32_t half = (frame << 15) / ORBIT_FRAMES;
+        const int32_t c = orbit_sine_q15(half + 0x4000), s = orbit_sine_q15(half);
+        const int32_t tilt_c = (int32_t)(32768 * cos(3.14159265358979323846 / 18)), /* 32270.2 */
+            tilt_s = (int32_t)(32768 * sin(3.14159265358979323846 / 18));           /* 5690.1 */
+        assert_is_whole_part(pose.turn[0], tilt_c * c);
+        assert_is_whole_part(pose.turn[1], tilt_s * c);
+        assert_is_whole_part(pose.turn[2], tilt_c * s);
+        assert_is_whole_part(pose.turn[3], tilt_s * s);
+        assert_int_equal(pose.scale, 8 * 240);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_orbit_is_a_circle_of_thirty_degrees),
         cmocka_unit_test(the_sine_is_symmetric_about_its_peaks),
         cmocka_unit_test(the_orbit_comes_back_after_its_frames),
+        cmocka_unit_test(the_demo_s_pose_is_its_turn_and_then_its_tilt),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

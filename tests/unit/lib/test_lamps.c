@@ -28,6 +28,9 @@ static void a_directional_lamp_has_the_light_of_glint_light_init(void **state)
         assert_int_equal(glint_light_init(&light, to_light, to_viewer), GLINT_OK);
         assert_int_equal(glint_lamp_directional(&lamp, to_light, to_viewer), GLINT_OK);
         assert_memory_equal(&lamp.light, &light, sizeof light);
+        for (int k = 0; k < 3; k++) /* what it has no use for is 0 */
+            assert_true(lamp.position[k] == 0 && lamp.axis_q30[k] == 0);
+        assert_true(lamp.range == 0 && lamp.cos_inner_q30 == 0 && lamp.cos_outer_q30 == 0);
     }
 }
 

@@ -309,6 +309,8 @@ static void wrong_arguments_are_refused_and_nothing_is_drawn(void **state)
     assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, 16, 0, depths, need - 1), GLINT_ERR_ARG);
     assert_int_equal(glint_mesh_begin(&frame, 0, MESH_H, 16, 0, depths, need), GLINT_ERR_ARG);
     assert_int_equal(glint_mesh_begin(&frame, GLINT_MESH_SIZE_MAX + 1, 1, 1, 0, depths, sizeof depths), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_begin(&frame, 1, GLINT_MESH_SIZE_MAX + 1, 1, 0, depths, sizeof depths), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_begin(&frame, 1, GLINT_MESH_SIZE_MAX, 1, 0, depths, sizeof depths), GLINT_OK);
     assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, 16, 0, (uint8_t *)depths + 1, need), GLINT_ERR_ARG);
     assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, 16, 0, depths, need), GLINT_OK);
     assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &shader.light, &paint, work, mesh_need - 1),

@@ -194,6 +194,37 @@ static void a_face_by_albedo_tables_has_its_colour_within_a_level(void **state)
     }
 }
 
+/* Full levels are bits apart, which a map in RGB565 holds exactly. */
+static void a_face_of_full_levels_has_them_in_light_that_is_ambient_alone(void **state)
+{
+    (void)state;
+    static uint32_t memory[GLINT_TABLES_ALBEDO_BYTES / 4];
+    static uint16_t out[MESH_H * MESH_W];
+    const struct glint_prepared prepared = bare(GLINT_RGB565);
+    struct glint_tables tables;
+    assert_int_equal(glint_tables_fill(&tables, GLINT_TABLES_ALBEDO, &prepared.shader, memory, sizeof memory),
+                     GLINT_OK);
+    mesh_ball(&mesh, 5, 9);
+    for (unsigned full = 0; full < 8; full++) {
+        const uint16_t wanted = (uint16_t)((full & 4 ? 0xf800 : 0) | (full & 2 ? 0x07e0 : 0) | (full & 1 ? 0x1f : 0));
+        const struct glint_mesh_albedo albedo = {&tables, NULL, &colours[0][0]};
+        const struct glint_paint paint = {&glint_mesh_tables_albedo, &albedo};
+        for (unsigned f = 0; f < MESH_FACES; f++)
+            for (int k = 0; k < 3; k++)
+                colours[f][k] = full >> (2 - k) & 1 ? 255 : 0;
+        memset(out, GUARD, sizeof out);
+        const uint16_t left = out[0];
+        unsigned drawn = 0;
+        mesh_picture(&mesh, &prepared.shader.light, &paint, (uint8_t *)out, 2, whole, 1, false);
+        for (unsigned p = 0; p < MESH_H * MESH_W; p++)
+            if (out[p] != left) {
+                assert_int_equal(out[p], wanted);
+                drawn++;
+            }
+        assert_true(drawn > 100);
+    }
+}
+
 /* Where the library has a place that is not turned: 1/16 pixel from the middle. */
 static double on_screen(int32_t place, uint32_t scale)
 {
@@ -318,6 +349,7 @@ int main(void)
         cmocka_unit_test(a_face_of_a_colour_has_the_pixels_of_that_albedo),
         cmocka_unit_test(vertices_of_one_colour_have_the_pixels_of_that_albedo),
         cmocka_unit_test(a_face_by_albedo_tables_has_its_colour_within_a_level),
+        cmocka_unit_test(a_face_of_full_levels_has_them_in_light_that_is_ambient_alone),
         cmocka_unit_test(colours_of_vertices_are_linear_between_them),
         cmocka_unit_test(colours_that_a_path_cannot_draw_are_refused_and_nothing_is_drawn),
     };

@@ -62,6 +62,43 @@ static void a_light_longer_than_1_is_summed_without_overflow(void **state)
     }
 }
 
+/* Of grey formats, too, whose maps are read in a loop of their own. */
+static void a_map_that_is_not_there_is_the_material_s(void **state)
+{
+    (void)state;
+    static struct scene s;
+    for (int i = 0; i < 200; i++) {
+        const enum glint_format format = format_number(i);
+        scene_init(&s, format, GLINT_GAMMA);
+        s.source.mask = NULL;
+        for (unsigned p = 0; p < W * H; p++)
+            memcpy(&s.albedo[3 * p], s.shader.material.albedo, 3);
+        s.source.albedo = NULL;
+        for_every_pixel_of(&s, format, levels_are_equal);
+    }
+}
+
+/* Also where F is far from 0 there, as a lobe made by hand may have it. */
+static void a_highlight_ends_with_the_lobe_s_last_t(void **state)
+{
+    (void)state;
+    static struct scene s;
+    for (int i = 0; i < 200; i++) {
+        const enum glint_format format = format_number(i);
+        scene_init(&s, format, GLINT_GAMMA);
+        s.source.mask = NULL;
+        glint_lobe_init(&s.shader.lobe, GLINT_MSH, 3, 16);
+        for (int k = 0; k < 3; k++)
+            s.shader.material.specular_q16[k] = 65536;
+        const struct glint_vec h = s.shader.light.h, n = s.normals[0];
+        const int64_t x = n.x - h.x, y = n.y - h.y, z = n.z - h.z, t = (x * x + y * y + z * z) / 2;
+        if (t > 1 && t < 1 << 28)
+            s.shader.lobe.t_max_q30 = (uint32_t)t - (i & 8 ? 1 : 0);
+        s.gloss[0] = 255;
+        for_every_pixel_of(&s, format, levels_are_equal);
+    }
+}
+
 static double worst;
 
 static void worst_is_noted(const unsigned found[3], const unsigned wanted[3], const double real[3])
@@ -267,6 +304,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gamma_pixels_are_the_correctly_rounded_sum_in_every_format),
         cmocka_unit_test(a_light_longer_than_1_is_summed_without_overflow),
+        cmocka_unit_test(a_map_that_is_not_there_is_the_material_s),
+        cmocka_unit_test(a_highlight_ends_with_the_lobe_s_last_t),
         cmocka_unit_test(linear_pixels_are_within_a_twentieth_of_a_level_of_the_real_sum),
         cmocka_unit_test(masked_pixels_keep_what_was_there),
         cmocka_unit_test(a_span_is_the_rectangle_sequence_at_its_own_t),

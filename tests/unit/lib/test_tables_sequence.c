@@ -264,8 +264,8 @@ static void for_a_viewer_aside_or_a_light_made_by_hand_10_bit_normals_are_shaded
         struct glint_vec normals[WIDE];
         uint16_t of_10[WIDE], of_16[WIDE];
         random_words(words, GLINT_NORMALS_INT10, &shader.light);
-        for (int x = 0; x < WIDE; x++) {
-            words[x] = words[x] << 20 ? words[x] : 0;
+        for (unsigned x = 0; x < WIDE; x++) {
+            words[x] = x % 32 < 4 ? (4u - x % 32) << 12 : words[x] << 20 ? words[x] : 0; /* a gap of 4 */
             normals[x] = glint_normals_unpack(GLINT_NORMALS_INT10, words[x]);
         }
         memset(of_10, GUARD, sizeof of_10);

@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: MIT
+ * Roots, reciprocals and rotations, within the bounds that stand beside them. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "glint_math_reciprocal.h"
+#include "glint_math_unit.h"
+#include "glint_mesh_pose.h"
+#include "shading.h"
+
+static void the_inverse_of_a_root_is_within_its_bound_for_every_argument(void **state)
+{
+    (void)state;
+    for (uint32_t t = 1u << 14; t < 1u << 16; t++) {
+        const double y = glint_root_inverse(t) / 32768.0;
+        assert_true(y < 2);
+        assert_true(fabs(1 - y * y * t / 65536) < 0.95 / 4096);
+        assert_true(fabs(1 - y * y * (t + 1) / 65536) < 0.95 / 4096);
+    }
+}
+
+/* How far y m / 2^35 may be from 1, in 2^-35, for the m whose upper bits are 64 + i. */
+static uint64_t farthest(unsigned i, uint64_t y)
+{
+    const uint64_t one = UINT64_C(1) << 35, low = y * (64 + i) << 21, high = y * (65 + i) << 21;
+    const uint64_t below_one = one > low ? one - low : 0, above_one = high > one ? high - one : 0;
+    return below_one > above_one ? below_one : above_one;
+}
+
+static void no_other_table_of_reciprocals_is_nearer(void **state)
+{
+    (void)state;
+    for (unsigned i = 0; i < 64; i++)
+        for (uint64_t y = 128; y < 256; y++)
+            assert_true(farthest(i, glint_reciprocals[i]) <= farthest(i, y));
+}
+
+static void a_vector_of_30_bits_has_no_unit_nearby(void **state)
+{
+    (void)state;
+    struct glint_unit unit;
+    for (int i = 0; i < 3; i++) {
+        int32_t v[3] = {0, 0, 0};
+        assert_false(glint_unit_near(&unit, v));
+        v[i] = 0x3fffffff;
+        assert_true(glint_unit_near(&unit, v));
+        assert_near(unit.unit_q30[i], 1073741824.0, 8);
+        v[i] = -0x3fffffff;
+        assert_true(glint_unit_near(&unit, v));
+        assert_near(unit.unit_q30[i], -1073741824.0, 8);
+        v[i] = 0x40000000;
+        assert_false(glint_unit_near(&unit, v));
+        v[i] = -0x40000000;
+        assert_false(glint_unit_near(&unit, v));
+    }
+}
+
+static void a_pose_turns_by_the_nearest_matrix_of_14_bits(void **state)
+{
+    (void)state;
+    static const struct glint_light light = {{0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}};
+    for (int i = 0; i < 1000; i++) {
+        struct glint_pose pose = {.scale = 100};
+        double q[4], s = 0;
+        for (int k = 0; k < 4; k++) {
+            pose.turn[k] = (int16_t)(below(65536) - 32768);
+            q[k] = pose.turn[k];
+            s += q[k] * q[k];
+        }
+        struct glint_mesh_drawn drawn;
+        assert_true(glint_pose_set(&drawn, &pose, &light));
+        assert_near(drawn.turn[0][0], (q[0] * q[0] + q[1] * q[1] - q[2] * q[2] - q[3] * q[3]) / s * 16384, 0.5001);
+        assert_near(drawn.turn[0][1], 2 * (q[1] * q[2] - q[0] * q[3]) / s * 16384, 0.5001);
+        assert_near(drawn.turn[1][2], 2 * (q[2] * q[3] - q[0] * q[1]) / s * 16384, 0.5001);
+        assert_near(drawn.turn[2][0], 2 * (q[1] * q[3] - q[0] * q[2]) / s * 16384, 0.5001);
+    }
+}
+
+/* Where r^4 is so near to the middle of two results that only all of its digits decide. */
+static void cayley_is_rounded_to_nearest_where_only_its_exact_power_decides(void **state)
+{
+    (void)state;
+    static const uint32_t known[][3] = {{811, 3195678, 5406}, {624, 22211, 64696},   {398, 3144877, 20223},
+                                        {388, 7559187, 3766}, {738, 1725770, 19820}, {399, 8539239, 2249}};
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        assert_int_equal(glint_cayley_t(known[i][0], known[i][1]), known[i][2]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_inverse_of_a_root_is_within_its_bound_for_every_argument),
+        cmocka_unit_test(no_other_table_of_reciprocals_is_nearer),
+        cmocka_unit_test(a_vector_of_30_bits_has_no_unit_nearby),
+        cmocka_unit_test(a_pose_turns_by_the_nearest_matrix_of_14_bits),
+        cmocka_unit_test(cayley_is_rounded_to_nearest_where_only_its_exact_power_decides),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
