@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # What the scripts of this folder share: sourced by them. After it $source is the project, $folder a scratch folder, $log what
-# the last step printed, $expected the values that example.c prints on the host.
+# the last step printed, $library the host's library, $expected the values that example.c prints on the host.
 source=$(cd "$(dirname "$0")/../.." && pwd)
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
@@ -16,8 +16,10 @@ result() { # STATUS NAME
 }
 finish() { echo "1..$number"; }
 
-# The host's values, from the sources as they are.
-"${CC:-cc}" -I"$source/lib" "$example" "$source"/lib/*.c -o "$folder/expected" || exit 1
+# The host's library and its values: what make all has built of the sources as they are, once for all scripts.
+library=$(dirname "${GLINT:-$source/build/host/glint}")/libglint.a
+[ -e "$library" ] || { echo "$0: there is no $library: run 'make' first" >&2; exit 1; }
+"${CC:-cc}" -I"$source/lib" "$example" "$library" -o "$folder/expected" || exit 1
 expected=$("$folder/expected")
 prints() { # COMMAND...: it succeeds and prints the host's values and nothing else
     found=$("$@" 2>>"$log") && [ "$found" = "$expected" ] && return
