@@ -35,6 +35,14 @@ static void no_other_table_of_reciprocals_is_nearer(void **state)
             assert_true(farthest(i, glint_reciprocals[i]) <= farthest(i, y));
 }
 
+/* To 2^-9 of its last bit, by which the reciprocal is off. */
+static void a_mesh_s_inverse_is_the_nearest(void **state)
+{
+    (void)state;
+    for (uint32_t m = 1u << 27; m < 1u << 28; m += 9999)
+        assert_near(glint_mesh_inverse(m), 8796093022208.0 / m, 0.501);
+}
+
 static void a_vector_of_30_bits_has_no_unit_nearby(void **state)
 {
     (void)state;
@@ -91,6 +99,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_inverse_of_a_root_is_within_its_bound_for_every_argument),
         cmocka_unit_test(no_other_table_of_reciprocals_is_nearer),
+        cmocka_unit_test(a_mesh_s_inverse_is_the_nearest),
         cmocka_unit_test(a_vector_of_30_bits_has_no_unit_nearby),
         cmocka_unit_test(a_pose_turns_by_the_nearest_matrix_of_14_bits),
         cmocka_unit_test(cayley_is_rounded_to_nearest_where_only_its_exact_power_decides),

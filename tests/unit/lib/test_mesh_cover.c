@@ -47,6 +47,22 @@ static void a_triangle_without_area_has_no_lines(void **state)
         assert_int_equal(count[i], 0);
 }
 
+/* Half of a 256th of a pixel, either way round: it may hold a pixel's middle. */
+static void the_least_triangle_is_one(void **state)
+{
+    (void)state;
+    const struct glint_mesh_vertex a = vertex_at(16, 16), b = vertex_at(17, 32), c = vertex_at(17, 33),
+                                   d = vertex_at(18, 49);
+    const struct glint_mesh_corner least[2][3] = {{{&a, 0}, {&b, 0}, {&c, 0}}, {{&b, 0}, {&c, 0}, {&d, 0}}};
+    bool is_left[2];
+    for (int i = 0; i < 2; i++) {
+        struct glint_mesh_triangle triangle;
+        assert_true(glint_mesh_triangle_set(&triangle, least[i], GLINT_MESH_GLOSSY, UINT32_MAX));
+        is_left[i] = triangle.long_is_left;
+    }
+    assert_true(is_left[0] != is_left[1]);
+}
+
 static void a_skip_by_no_line_changes_nothing(void **state)
 {
     (void)state;
@@ -232,6 +248,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_triangle_without_area_has_no_lines),
+        cmocka_unit_test(the_least_triangle_is_one),
         cmocka_unit_test(a_skip_by_no_line_changes_nothing),
         cmocka_unit_test(triangles_that_share_edges_cover_each_pixel_once),
         cmocka_unit_test(t_and_nl_follow_the_interpolated_normal),

@@ -112,6 +112,18 @@ static void an_unknown_model_gives_0(void **state)
     assert_int_equal(glint_lobe_eval_t(&lobe, 0), 0);
 }
 
+static void a_cutoff_s_shininess_is_held(void **state)
+{
+    (void)state;
+    for (int model = 0; model < GLINT_MODEL_COUNT; model++) {
+        const enum glint_model m = (enum glint_model)model;
+        assert_int_equal(glint_cutoff(m, 0, 6), glint_cutoff(m, 1, 6));
+        assert_int_equal(glint_cutoff(m, UINT32_MAX, 6), glint_cutoff(m, GLINT_N_MAX, 6));
+        assert_int_equal(glint_cutoff_t(m, 0, 6), glint_cutoff_t(m, 1, 6));
+        assert_int_equal(glint_cutoff_t(m, UINT32_MAX, 6), glint_cutoff_t(m, GLINT_N_MAX, 6));
+    }
+}
+
 static void a_shininess_of_a_lobe_made_by_hand_is_held(void **state)
 {
     (void)state;
@@ -229,6 +241,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(an_albedo_span_without_an_argument_is_refused, set_up, nothing_drawn),
         cmocka_unit_test_setup_teardown(tables_without_an_argument_are_refused, set_up, nothing_drawn),
         cmocka_unit_test(an_unknown_model_gives_0),
+        cmocka_unit_test_setup_teardown(a_cutoff_s_shininess_is_held, set_up, nothing_drawn),
         cmocka_unit_test_setup_teardown(a_shininess_of_a_lobe_made_by_hand_is_held, set_up, nothing_drawn),
         cmocka_unit_test_setup_teardown(a_picture_takes_any_amount_of_memory, set_up, nothing_drawn),
         cmocka_unit_test(a_mesh_without_what_it_needs_is_refused),
