@@ -33,18 +33,22 @@ static unsigned rect_case(uint64_t *seed, void *memory)
     struct scene *s = memory;
     const struct glint_shader sh = case_shader(seed);
     const int spread = 1 + (int)BELOW(UINT32_C(1) << BELOW(16));
-    for (int i = 0; i < W * H; i++) {
-        s->normals[i] = case_normal(seed, &sh.light, spread);
-        s->gloss[i] = (uint8_t)(ONE_IN(2) ? 255 : BELOW(256));
-        s->mask[i] = BELOW(5) != 0;
-        for (int k = 0; k < 3; k++)
-            s->albedo[3 * i + k] = (uint8_t)BELOW(256);
-    }
     const uint16_t w = (uint16_t)BELOW(W + 1), h = (uint16_t)BELOW(H + 1);
-    struct glint_source source = {s->normals, (ptrdiff_t)(6 * BELOW(W + 1)), NULL, 3 * W, NULL, W, NULL, W};
+    const int step = (int)BELOW(W + 1); /* of a line's normals; those of two lines may be shared */
+    struct glint_source source = {s->normals, (ptrdiff_t)sizeof *s->normals * step, NULL, 3 * W, NULL, W, NULL, W};
     source.albedo = ONE_IN(2) ? s->albedo : NULL;
     source.gloss = ONE_IN(3) ? s->gloss : NULL;
     source.mask = ONE_IN(3) ? s->mask : NULL;
+    /* What the rectangle reads, and no more. */
+    for (int i = 0; h && i < step * (h - 1) + w; i++)
+        s->normals[i] = case_normal(seed, &sh.light, spread);
+    for (int y = 0; y < h; y++)
+        for (int i = W * y; i < W * y + w; i++) {
+            s->gloss[i] = (uint8_t)(!source.gloss || ONE_IN(2) ? 255 : BELOW(256));
+            s->mask[i] = !source.mask || BELOW(5) != 0;
+            for (int k = 0; k < 3 && source.albedo; k++)
+                s->albedo[3 * i + k] = (uint8_t)BELOW(256);
+        }
     const bool up = ONE_IN(4);
     const ptrdiff_t start = (up ? H : 1) * LINE + (ptrdiff_t)BELOW(3), stride = up ? -LINE : LINE - (ptrdiff_t)BELOW(3);
     memset(s->out, GUARD, SIZE);
