@@ -99,7 +99,7 @@ struct glint_vec case_normal(uint64_t *seed, const struct glint_light *light, in
 static uint64_t pixels_of(unsigned share)
 {
     const char *set = getenv("GLINT_PIXELS");
-    return UINT64_C(1000) * share * (set ? strtoul(set, NULL, 10) : 300);
+    return UINT64_C(1000) * share * (set ? strtoul(set, NULL, 10) : 1000);
 }
 
 bool cases_pass(unsigned (*one)(uint64_t *seed, void *memory), size_t bytes, unsigned share)

@@ -22,7 +22,7 @@ struct glint_vec case_unit(const double v[3]);
 /* Of the whole sphere, near the half vector, or anything. */
 struct glint_vec case_normal(uint64_t *seed, const struct glint_light *light, int spread);
 
-/* Cases until `share` thousandths of GLINT_PIXELS million pixels are drawn, 300 where it is not set. `one` draws one case in so many
+/* Cases until `share` thousandths of GLINT_PIXELS million pixels are drawn, 1000 where it is not set. `one` draws one case in so many
  * bytes of memory of its own, and returns how many pixels; 0 where one differs: then the case's number is printed. */
 bool cases_pass(unsigned (*one)(uint64_t *seed, void *memory), size_t bytes, unsigned share);
 
