@@ -8,8 +8,7 @@
 /* A corner of a triangle. */
 struct glint_mesh_corner {
     const struct glint_mesh_vertex *v;
-    uint32_t
-        side; /* |a - b|^2 / 2 in Q29, < 2^32, of the normals of the other two; read where the triangle may be glossy */
+    uint32_t side; /* |a - b|^2 / 2 in Q29, < 2^32, of the other two's normals; read where the triangle may be glossy */
 };
 
 /* Dark: nl < 0 at all corners, and -1 all over. Matt: past the highlight, t is GLINT_MESH_FAR_T all over. */

@@ -27,7 +27,7 @@ static void a_baked_mesh_compiles_and_is_what_raw_holds(void **state)
     assert_contains(result->out, "\"triangles\": 2710");
     const char *cycles = strstr(result->out, "\"predicted_cycles\": ");
     assert_non_null(cycles);
-    assert_near(atof(cycles + 20), 5.7e6, .4e6); /* emulated: 5.9, 4.6 and 6.5 million */
+    assert_near(atof(cycles + 20), 5.3e6, .4e6); /* emulated, of 8-bit normals in one pose: 5.9 million */
     assert_int_equal(run("$GLINT bake --scene teapot --split 180 -o pot.uf2")->status, 0);
     struct stat status;
     assert_int_equal(stat("pot.uf2", &status), 0);
