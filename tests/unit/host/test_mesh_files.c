@@ -111,7 +111,6 @@ static void an_obj_has_its_materials_and_its_textures_are_ignored_with_a_word(vo
                     "rounded          no difference");
 }
 
-/* The same pyramid as STL, with z up, and as PLY and glTF. */
 static void colours_of_vertices_are_ignored_with_a_word(void **state)
 {
     (void)state;
@@ -126,6 +125,7 @@ static void colours_of_vertices_are_ignored_with_a_word(void **state)
     assert_contains(result->err, "bright.ply: vertex colours are ignored: each part has one colour");
 }
 
+/* The same pyramid as STL, with z up, and as PLY and glTF. */
 static void stl_ply_and_gltf_are_read_and_axes_turn_what_is_up(void **state)
 {
     (void)state;

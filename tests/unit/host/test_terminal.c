@@ -7,6 +7,7 @@
 
 #if GLINT_WITH_TERMINAL
 #define SPHERE "$GLINT stream sphere --size 60x40 --to png "
+#define COIN "$GLINT stream coin --size 40x30 --to terminal "
 #define IN_TERMINAL(command) "TERM=xterm-256color script -qec \"stty rows 24 cols 60; " command "\" typed >/dev/null"
 
 static void the_terminal_shows_it_and_gets_its_cursor_back(void **state)
@@ -16,30 +17,25 @@ static void the_terminal_shows_it_and_gets_its_cursor_back(void **state)
     assert_fails(SPHERE "--to terminal", "standard output is not a terminal");
     if (run("command -v script")->status != 0)
         skip();
-    assert_int_equal(run(IN_TERMINAL("$GLINT stream coin --size 40x30 --to terminal --frames 2 --fps 0"))->status, 0);
+    assert_int_equal(run(IN_TERMINAL(COIN "--frames 2 --fps 0"))->status, 0);
     read_text("typed", typed, sizeof typed);
     assert_contains(typed, "\033[?25l");
     assert_contains(typed, "\033[38;"); /* colours */
     assert_contains(strstr(typed, "\033[?25l"), "\033[?25h");
-    assert_int_equal(
-        run("export NO_COLOR=1; " IN_TERMINAL("$GLINT stream coin --size 40x30 --to terminal --frames 1"))->status, 0);
+    assert_int_equal(run("export NO_COLOR=1; " IN_TERMINAL(COIN "--frames 1"))->status, 0);
     read_text("typed", typed, sizeof typed);
     assert_null(strstr(typed, "\033[38;"));
     assert_contains(typed, "\033[?25h");
     assert_quiet("printf '1 1 1\\n1\\n' >lights.txt"); /* fails when it has begun */
-    assert_int_equal(run(IN_TERMINAL("$GLINT stream coin --size 40x30 --to terminal --lights lights.txt"))->status, 1);
+    assert_int_equal(run(IN_TERMINAL(COIN "--lights lights.txt"))->status, 1);
     read_text("typed", typed, sizeof typed);
     assert_contains(strstr(typed, "\033[?25l"), "\033[?25h");
     assert_contains(typed, "line 2");
-    const struct run *paced =
-        run(IN_TERMINAL("$GLINT stream coin --size 40x30 --to terminal --frames 4 --fps 10 --json 2>paced"));
+    const struct run *paced = run(IN_TERMINAL(COIN "--frames 4 --fps 10 --json 2>paced"));
     assert_int_equal(paced->status, 0);
     assert_true(strtod(run("grep '\"seconds\"' paced | tr -dc 0-9.")->out, NULL) >=
                 .3); /* and as slow as the machine */
-    assert_int_equal(
-        run(IN_TERMINAL("timeout -s INT 1 $GLINT stream coin --size 40x30 --to terminal --fps 4; test \\$? = 124"))
-            ->status,
-        0);
+    assert_int_equal(run(IN_TERMINAL("timeout -s INT 1 " COIN "--fps 4; test \\$? = 124"))->status, 0);
     read_text("typed", typed, sizeof typed);
     assert_contains(typed, "\033[?25h");
 }
@@ -55,8 +51,8 @@ static void every_signal_that_ends_it_gives_the_terminal_its_cursor_back(void **
     for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
         char line[700]; /* 25[l]: typed begins with this command, which must not match itself */
         snprintf(line, sizeof line,
-                 "rm -f typed; TERM=xterm-256color script -fqec \"stty rows 24 cols 60; env --default-signal=%s $GLINT "
-                 "stream coin --size 40x30 --to terminal --fps 4 & "
+                 "rm -f typed; TERM=xterm-256color script -fqec \"stty rows 24 cols 60; env --default-signal=%s " COIN
+                 "--fps 4 & "
                  "for i in \\$(seq 200); do grep -q 25[l] typed && break; sleep .05; done; kill -%s \\$!; wait \\$!; "
                  "echo ended \\$?\" typed >/dev/null",
                  signals[i], signals[i]);
@@ -77,8 +73,7 @@ static void a_stream_that_is_stopped_gives_the_cursor_back_and_takes_it_when_it_
     const struct run *result =
         run("rm -f typed; cat >job <<'EOF'\n"
             "set -m\nstty rows 24 cols 60\n"
-            "soon() { for i in $(seq 200); do eval \"$1\" && break; sleep .05; done; }\n"
-            "$GLINT stream coin --size 40x30 --to terminal --fps 4 &\n"
+            "soon() { for i in $(seq 200); do eval \"$1\" && break; sleep .05; done; }\n" COIN "--fps 4 &\n"
             "soon 'grep -q 25l typed'\n"
             "kill -TSTP $!\nsoon 'grep -q \"T (stopped)\" /proc/$!/status'\necho STOPPED\n"
             "kill -CONT $!\nsoon '[ $(grep -c 25l typed) -gt 1 ] || sed 1,/STOPPED/d typed | grep -q 25l'\n"

@@ -5,9 +5,10 @@
 /* What a test says of a pixel: the levels found, those wanted, and the real values. */
 typedef void check_pixel(const unsigned found[3], const unsigned wanted[3], const double real[3]);
 
-/* Shades a scene without a mask and shows each pixel to `check`. */
-static void for_every_pixel_of(struct scene *s, enum glint_format format, check_pixel *check)
+/* Shades a scene, without its mask, and shows each pixel to `check`. */
+static void for_every_pixel_of(struct scene *s, check_pixel *check)
 {
+    s->source.mask = NULL;
     assert_int_equal(glint_shade_rect(&s->shader, &s->source, W, H, &s->surface, NULL), GLINT_OK);
     for (unsigned p = 0; p < W * H; p++) {
         const unsigned x = p % W, y = p / W;
@@ -15,7 +16,7 @@ static void for_every_pixel_of(struct scene *s, enum glint_format format, check_
         double real[3];
         expected_levels(&s->shader, s->normals[p], &s->albedo[3 * p], s->gloss[p], x + s->surface.x, y + s->surface.y,
                         wanted, real);
-        stored_levels(format, s->out + LINE * (1 + y), x, found);
+        stored_levels((enum glint_format)s->shader.format, s->out + LINE * (1 + y), x, found);
         check(found, wanted, real);
     }
 }
@@ -25,10 +26,8 @@ static void for_every_pixel(enum glint_space space, check_pixel *check)
 {
     static struct scene s;
     for (int i = 0; i < 1500; i++) {
-        const enum glint_format format = format_number(i);
-        scene_init(&s, format, space);
-        s.source.mask = NULL;
-        for_every_pixel_of(&s, format, check);
+        scene_init(&s, format_number(i), space);
+        for_every_pixel_of(&s, check);
     }
 }
 
@@ -51,14 +50,12 @@ static void a_light_longer_than_1_is_summed_without_overflow(void **state)
     (void)state;
     static struct scene s;
     for (int i = 0; i < 200; i++) {
-        const enum glint_format format = format_number(i);
-        scene_init(&s, format, GLINT_GAMMA);
-        s.source.mask = NULL;
+        scene_init(&s, format_number(i), GLINT_GAMMA);
         s.shader.light.l = (struct glint_vec){(int16_t)(32767 - below(9000)), (int16_t)(below(65536) - 32768),
                                               (int16_t)(below(2) ? 32767 : -32768)};
         for (unsigned p = 0; p < W * H; p += 2) /* the longest */
             s.normals[p] = (struct glint_vec){32767, (int16_t)(below(2) ? 32767 : -32768), -32768};
-        for_every_pixel_of(&s, format, levels_are_equal);
+        for_every_pixel_of(&s, levels_are_equal);
     }
 }
 
@@ -68,13 +65,11 @@ static void a_map_that_is_not_there_is_the_material_s(void **state)
     (void)state;
     static struct scene s;
     for (int i = 0; i < 200; i++) {
-        const enum glint_format format = format_number(i);
-        scene_init(&s, format, GLINT_GAMMA);
-        s.source.mask = NULL;
+        scene_init(&s, format_number(i), GLINT_GAMMA);
         for (unsigned p = 0; p < W * H; p++)
             memcpy(&s.albedo[3 * p], s.shader.material.albedo, 3);
         s.source.albedo = NULL;
-        for_every_pixel_of(&s, format, levels_are_equal);
+        for_every_pixel_of(&s, levels_are_equal);
     }
 }
 
@@ -84,9 +79,7 @@ static void a_highlight_ends_with_the_lobe_s_last_t(void **state)
     (void)state;
     static struct scene s;
     for (int i = 0; i < 200; i++) {
-        const enum glint_format format = format_number(i);
-        scene_init(&s, format, GLINT_GAMMA);
-        s.source.mask = NULL;
+        scene_init(&s, format_number(i), GLINT_GAMMA);
         glint_lobe_init(&s.shader.lobe, GLINT_MSH, 3, 16);
         for (int k = 0; k < 3; k++)
             s.shader.material.specular_q16[k] = 65536;
@@ -95,7 +88,7 @@ static void a_highlight_ends_with_the_lobe_s_last_t(void **state)
         if (t > 1 && t < 1 << 28)
             s.shader.lobe.t_max_q30 = (uint32_t)t - (i & 8 ? 1 : 0);
         s.gloss[0] = 255;
-        for_every_pixel_of(&s, format, levels_are_equal);
+        for_every_pixel_of(&s, levels_are_equal);
     }
 }
 
