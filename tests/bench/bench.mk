@@ -84,7 +84,7 @@ $(BENCH_MESH)/teapot.h: $(BUILD)/glint
 $(BENCH_MESH)/teapot_split.h: $(BUILD)/glint
 	@mkdir -p $(@D)
 	@$< bake --scene teapot --split 30 --name teapot_split --as c -o $@ >/dev/null
-$(BENCH_MESH)/bunny.h: $(BUILD)/glint $(BENCH_BUNNY) tests/targets/test_bunny
+$(BENCH_MESH)/bunny.h: $(BUILD)/glint $(BENCH_BUNNY) tests/targets/test_bunny $(BOARDS)
 	@mkdir -p $(@D)
 	@PYTHONDONTWRITEBYTECODE=1 tests/targets/test_bunny $< obj | $< bake --mesh - --split 180 --name bunny --as c -o $@ >/dev/null
 
