@@ -2,7 +2,7 @@
  * glint_mesh_triangle_set(triangle, corner, shine, t_end), as mesh_edges.c has it: corners by y, then three edges by a routine that
  * keeps all it needs in registers, the inverse of its height included. Its values are C's. */
 #if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
-#include "cortex_m0plus.inc"
+#include "cortex_m0plus_gradient.inc"
 #include "glint_mesh_offsets.h"
 
 /* The frame: glint_mesh_values_set's last argument, its corners, and their vertices. */
@@ -28,15 +28,6 @@
     movs r7, \ya
     movs \ya, \yb
     movs \yb, r7
-.endm
-
-/* Shifts value up, whose highest bit is not among its upper ones, and takes as much from down. */
-.macro up_by bits, value, down, free
-    lsrs \free, \value, #32 - \bits
-    bne 1f
-    lsls \value, \value, #\bits
-    subs \down, #\bits
-1:
 .endm
 
     function glint_mesh_triangle_set
@@ -145,33 +136,9 @@ triangle_edge:
     subs r6, r6, r4 /* from the corner to the line's middle */
     movs r3, #14    /* 31 - zeros(dy) */
     lsls r5, r5, #17
-    up_by 8, r5, r3, r4
-    up_by 4, r5, r3, r4
-    up_by 2, r5, r3, r4
-    up_by 1, r5, r3, r4
+    up_by_15 r5, r3, r4
     mov r12, r3
-    ldr r4, =glint_reciprocals - 64
-    lsrs r7, r5, #25
-    ldrb r4, [r4, r7] /* y */
-    lsrs r5, r5, #4
-    muls r5, r4 /* e */
-    asrs r7, r5, #14 /* r */
-    asrs r5, r5, #6
-    movs r3, r7
-    muls r3, r7
-    lsrs r3, r3, #13
-    subs r5, r3, r5
-    lsrs r3, r3, #1
-    muls r3, r7
-    asrs r3, r3, #20
-    subs r5, r5, r3 /* c */
-    muls r5, r4
-    asrs r5, r5, #6
-    lsls r4, r4, #23
-    adds r5, r5, r4
-    lsrs r5, r5, #14
-    adds r5, #1
-    lsrs r5, r5, #1 /* the inverse */
+    inverse_of r5, r4, r7, r3
     muls r2, r5
     mov r3, r12
     asrs r2, r3 /* the step */

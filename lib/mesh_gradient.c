@@ -5,8 +5,27 @@
  * cut to 15 bits, too, so that a sum of two products fits 32 bits. Most triangles lie outside the highlight and need nl and the
  * depth alone. */
 #include "glint_mesh_gradient.h"
+#include "glint_math_assembly.h"
 #include "glint_math_reciprocal.h"
 
+/* The least t at the corners, from t_end on; 0 where it is less. */
+static uint32_t gradient_beyond(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b,
+                                const struct glint_mesh_vertex *c, uint32_t t_end)
+{
+    uint32_t least = a->t_q30 < b->t_q30 ? a->t_q30 : b->t_q30;
+    least = c->t_q30 < least ? c->t_q30 : least;
+    return least > t_end ? least - t_end : 0;
+}
+
+enum glint_mesh_shine glint_mesh_shine(const struct glint_mesh_corner corner[3], uint32_t t_end)
+{
+    const struct glint_mesh_vertex *a = corner[0].v, *b = corner[1].v, *c = corner[2].v;
+    if ((a->nl_q30 & b->nl_q30 & c->nl_q30) < 0)
+        return GLINT_MESH_DARK;
+    return gradient_beyond(a, b, c, t_end) >> 29 ? GLINT_MESH_MATT : GLINT_MESH_GLOSSY;
+}
+
+#if !GLINT_CORTEX_M0PLUS_ASM
 /* Bits of x, 0 for 0. */
 static inline unsigned gradient_bits(uint32_t x)
 {
@@ -51,23 +70,6 @@ static struct pair gradient_pair(int32_t p, int32_t q)
 static uint32_t gradient_sum(struct pair pair, int32_t u, int32_t v, int e, int up)
 {
     return gradient_shift(pair.p * u + pair.q * v, e - (int)pair.shift - up);
-}
-
-/* The least t at the corners, from t_end on; 0 where it is less. */
-static uint32_t gradient_beyond(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b,
-                                const struct glint_mesh_vertex *c, uint32_t t_end)
-{
-    uint32_t least = a->t_q30 < b->t_q30 ? a->t_q30 : b->t_q30;
-    least = c->t_q30 < least ? c->t_q30 : least;
-    return least > t_end ? least - t_end : 0;
-}
-
-enum glint_mesh_shine glint_mesh_shine(const struct glint_mesh_corner corner[3], uint32_t t_end)
-{
-    const struct glint_mesh_vertex *a = corner[0].v, *b = corner[1].v, *c = corner[2].v;
-    if ((a->nl_q30 & b->nl_q30 & c->nl_q30) < 0)
-        return GLINT_MESH_DARK;
-    return gradient_beyond(a, b, c, t_end) >> 29 ? GLINT_MESH_MATT : GLINT_MESH_GLOSSY;
 }
 
 /* How u and v change a pixel, times 2^e; and, times 2^(e - 1), from the upper corner to the pixel. */
@@ -199,3 +201,4 @@ enum glint_mesh_shine glint_mesh_values_set(struct glint_mesh_values *values,
         values->t = GLINT_MESH_FAR_T;
     return shine;
 }
+#endif

@@ -2,7 +2,7 @@
 // twins.mjs FOLDER: a mesh's functions in assembly beside those of C, in FOLDER's programs mesh-asm.elf and mesh-O2.elf, on an
 // emulated Cortex-M0+. Random arguments, also at the ends of their ranges. A line each: name, calls, calls whose memory was unlike
 // C's; then the same where the assembly gets another argument than C.
-import { load, RAM, RETURN } from '../bench/m0plus.mjs'
+import { load, RAM, RETURN, STACK } from '../bench/m0plus.mjs'
 
 const folder = process.argv[2]
 const [c, assembly] = ['O2', 'asm'].map((build) => load(`${folder}/npm`, `${folder}/mesh-${build}.elf`))
@@ -15,18 +15,21 @@ function below(n) {
 const one = (...of) => of[below(of.length)]
 const int16 = () => one(below(65536) - 32768, below(65536) - 32768, 32767, -32768)
 
+// What each returns, as a mask: nothing, but for a bool and an enum.
+const RETURNED = { glint_mesh_triangle_set: 1, glint_mesh_values_set: 0xff }
 function after(machine, name, args, bytes, fault) {
   const at = AT - RAM
   bytes.copy(machine.memory, at)
   if (fault >= 0) machine.memory[at + fault] ^= 0x11
-  machine.enter(name, args)
+  machine.enter(name, args.slice(0, 4))
+  machine.memory.writeUInt32LE(args[4] ?? 0, STACK - RAM)
   while (machine.core.PC !== RETURN) machine.core.executeInstruction()
   if (fault >= 0) machine.memory[at + fault] ^= 0x11
-  return `${name === 'glint_mesh_triangle_set' ? machine.core.registers[0] & 1 : ''} ${machine.memory.toString('latin1', at, at + SIZE)}`
+  return `${RETURNED[name] & machine.core.registers[0]} ${machine.memory.toString('latin1', at, at + SIZE)}`
 }
 
 // A triangle's corners, and what is set up.
-const V = 0x100, CORNERS = 0x200
+const V = 0x100, CORNERS = 0x200, ORDER = 0x240
 function triangle() {
   const bytes = Buffer.alloc(SIZE), size = one(8, 40, 300, 4000, 32766), first = below(32767 - size)
   for (let k = 0; k < 3; k++) {
@@ -37,9 +40,18 @@ function triangle() {
     bytes.writeUInt32LE(below(2 ** one(20, 30)), V + 16 * k + 8)
     bytes.writeInt32LE(below(2 ** 31) - 2 ** 30, V + 16 * k + 12)
     bytes.writeUInt32LE(AT + V + 16 * k, CORNERS + 8 * k)
-    bytes.writeUInt32LE(below(2 ** one(20, 28, 32)), CORNERS + 8 * k + 4)
+    bytes.writeUInt32LE(one(below(2 ** one(20, 28, 32)), below(2 ** 24), 2 ** 29), CORNERS + 8 * k + 4)
   }
   return [bytes, [AT, AT + CORNERS, below(3), below(2 ** 28)], V + 2]
+}
+
+// Its corners in order, the upper one first, and the area that belongs to them; normals up to 90 degrees apart, and beyond.
+function values() {
+  const [bytes, [at, corners, shine]] = triangle(), place = (k) => [0, 2].map((field) => bytes.readInt16LE(V + 16 * k + field))
+  const order = [0, 1, 2].sort((k, l) => place(k)[1] - place(l)[1]), [a, b, c] = order.map(place)
+  const area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+  order.forEach((k, i) => bytes.writeUInt32LE(corners + 8 * k, ORDER + 4 * i))
+  return area ? [bytes, [at, AT + ORDER, area, shine, below(2 ** one(28, 31))], V + 2] : values()
 }
 
 // A frame, a mesh drawn, and the mesh, as lib/glint_mesh_offsets.h has them.
@@ -89,7 +101,7 @@ function lists() {
   return [bytes, [AT, AT + DRAWN, one(0, below(height))], VERTICES + 3]
 }
 
-const TWINS = [['glint_mesh_triangle_set', triangle, 5000], ['glint_mesh_vertices', vertices, 400], ['glint_mesh_sides8', sides, 500],
+const TWINS = [['glint_mesh_triangle_set', triangle, 5000], ['glint_mesh_values_set', values, 8000], ['glint_mesh_vertices', vertices, 400], ['glint_mesh_sides8', sides, 500],
   ['glint_mesh_sort', lists, 1000]]
 for (const [name, make, calls] of TWINS) {
   const unlike = [0, 0]
