@@ -23,8 +23,8 @@
 #define T_OF 8 /* of a vertex */
 #define NL_OF 12
 
-/* values_linear of p in r1 and q in r2, r7 pointing to the slopes: at, x, y in r3-r5; the base in r0 is added. To values at field. */
-.macro linear field
+/* values_linear of p in r1 and q in r2, r7 pointing to the slopes: at, x, y in r3-r5; the base in r0 is added. To three values; r7 is these then. */
+.macro linear at, x, y
     ldmia r7!, {r3, r4}
     muls r3, r1
     muls r4, r2
@@ -39,7 +39,6 @@
     adds r5, r5, r6
     ldr r6, [r7, #E - SLOPES - 24]
     ldr r7, [sp, #VALUES]
-    adds r7, #\field
     cmp r6, #0
     blt 1f
     asrs r3, r6
@@ -53,7 +52,9 @@
     lsls r4, r6
     lsls r5, r6
 2:  adds r3, r3, r0
-    stmia r7!, {r3-r5}
+    str r3, [r7, #\at]
+    str r4, [r7, #\x]
+    str r5, [r7, #\y]
 .endm
 
     function glint_mesh_values_set
@@ -171,7 +172,7 @@
     adds r2, #1
     asrs r2, r2, #1
     lsls r0, r0, #16
-    linear GLINT_AT_TRIANGLE_Z
+    linear GLINT_AT_TRIANGLE_Z, GLINT_AT_TRIANGLE_ZX, GLINT_AT_TRIANGLE_ZY
 
     ldr r0, [sp, #SHINE]
     cmp r0, #FLAT
@@ -193,30 +194,30 @@
     asrs r2, r2, #2
     subs r2, r2, r3
     asrs r2, r2, #15
-    linear GLINT_AT_TRIANGLE_NL
+    linear GLINT_AT_TRIANGLE_NL, GLINT_AT_TRIANGLE_NLX, GLINT_AT_TRIANGLE_NLY
     ldr r0, [sp, #SHINE]
     cmp r0, #GLINT_SHINE_MATT
     bne .Lt
 .Lfar: /* r0: what is returned */
     movs r1, #1
     lsls r1, r1, #31
-.Lt_stays: /* r7: to t, r1 */
+.Lt_stays: /* t is r1; r7: values */
     movs r2, #0
     movs r3, #0
-    movs r4, #0
-    movs r5, #0
-    movs r6, #0
-    stmia r7!, {r1-r6}
+    str r2, [r7, #GLINT_AT_TRIANGLE_TXX]
+    str r2, [r7, #GLINT_AT_TRIANGLE_TXY]
+    str r2, [r7, #GLINT_AT_TRIANGLE_TYY]
+    adds r7, #GLINT_AT_TRIANGLE_T
+    stmia r7!, {r1-r3}
     add sp, #FRAME
     pop {r4-r7, pc}
 
 .Ldark:
-    ldr r7, [sp, #VALUES]
-    adds r7, #GLINT_AT_TRIANGLE_NL
     movs r1, #0
-    movs r2, #0
     mvns r0, r1
-    stmia r7!, {r0-r2}
+    str r0, [r7, #GLINT_AT_TRIANGLE_NL]
+    str r1, [r7, #GLINT_AT_TRIANGLE_NLX]
+    str r1, [r7, #GLINT_AT_TRIANGLE_NLY]
     movs r0, #GLINT_SHINE_DARK
     b .Lfar
 
@@ -226,11 +227,11 @@
     ldr r1, =65535 / 3
     muls r0, r1
     movs r1, #0
-    movs r2, #0
     ldr r7, [sp, #VALUES]
-    adds r7, #GLINT_AT_TRIANGLE_Z
-    stmia r7!, {r0-r2}
-.Lflat: /* one light, r7 pointing to nl */
+    str r0, [r7, #GLINT_AT_TRIANGLE_Z]
+    str r1, [r7, #GLINT_AT_TRIANGLE_ZX]
+    str r1, [r7, #GLINT_AT_TRIANGLE_ZY]
+.Lflat: /* one light */
     ldr r0, [sp, #SHINE]
     cmp r0, #GLINT_SHINE_DARK
     beq .Ldark
@@ -245,8 +246,9 @@
     asrs r3, r3, #2
     adds r2, r2, r3
     movs r3, #0
-    movs r6, #0
-    stmia r7!, {r2, r3, r6}
+    str r2, [r7, #GLINT_AT_TRIANGLE_NL]
+    str r3, [r7, #GLINT_AT_TRIANGLE_NLX]
+    str r3, [r7, #GLINT_AT_TRIANGLE_NLY]
     cmp r0, #GLINT_SHINE_MATT
     beq .Lfar
     ldr r1, [r1, #T_OF]
@@ -427,10 +429,10 @@
     lsrs r0, r4, #1
     add r12, r0
     ldr r7, [sp, #VALUES]
-    str r4, [r7, #GLINT_AT_TRIANGLE_T + 8]
-    str r1, [r7, #GLINT_AT_TRIANGLE_T + 12]
+    str r4, [r7, #GLINT_AT_TRIANGLE_TXX]
+    str r1, [r7, #GLINT_AT_TRIANGLE_TXY]
     mov r0, r12
-    str r0, [r7, #GLINT_AT_TRIANGLE_T + 4]
+    str r0, [r7, #GLINT_AT_TRIANGLE_TX]
     change_of UY
     muls r4, r6
     muls r5, r7
@@ -440,7 +442,7 @@
     add r0, lr
     ldr r7, [sp, #VALUES]
     str r0, [r7, #GLINT_AT_TRIANGLE_TY]
-    str r4, [r7, #GLINT_AT_TRIANGLE_TY + 4]
+    str r4, [r7, #GLINT_AT_TRIANGLE_TYY]
     movs r0, #GLINT_SHINE_MATT + 1
     add sp, #FRAME
     pop {r4-r7, pc}

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * glint_mesh_sort_faces(frame, drawn, y), as mesh_lists.c has it: from the last face to the first. Half of them show their backs, which
- * is known as soon as the corners are loaded. */
+ * is known as soon as the corners are loaded. And glint_mesh_clear(depth, bytes), as mesh_strip.c has it. */
 #if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus.inc"
 #include "glint_mesh_offsets.h"
@@ -106,4 +106,30 @@
     b .Lband
 .Lsorted:
     leave 0
+
+/* 112 bytes at a time, then 4. */
+    function glint_mesh_clear
+    push {r4-r7, lr}
+    movs r2, #0
+    mvns r2, r2
+    movs r3, r2
+    movs r4, r2
+    movs r5, r2
+    movs r6, r2
+    movs r7, r2
+    subs r1, #112
+    blo 2f
+1:  stmia r0!, {r2-r7}
+    stmia r0!, {r2-r7}
+    stmia r0!, {r2-r7}
+    stmia r0!, {r2-r7}
+    stmia r0!, {r2-r5}
+    subs r1, #112
+    bhs 1b
+2:  adds r1, #112
+    beq 4f
+3:  stmia r0!, {r2}
+    subs r1, #4
+    bne 3b
+4:  pop {r4-r7, pc}
 #endif

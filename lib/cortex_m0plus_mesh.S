@@ -1,22 +1,24 @@
 /* SPDX-License-Identifier: MIT
  * glint_mesh_colour(tables, triangle, target), as mesh_colour.c has it, part by part. A line's columns and first values, then its
- * pixels, then the steps to the next line: three times, for dark, matt and glossy triangles. Pixels keep all they need in
- * registers; lines take it from the frame and the triangle, but where a triangle is dark or matt its edges stay in registers, too. */
+ * pixels, then the steps to the next line: three times, for dark, matt and glossy triangles; a glossy one's line that misses the highlight
+ * is drawn as a matt one. Pixels keep all they need in registers; lines take it from the frame and the triangle, but where a triangle is
+ * dark or matt its edges stay in registers, too. */
 #if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus.inc"
 #include "glint_mesh_offsets.h"
 
-/* The frame. OFF: what out is beyond depth; behind it the steps of both from line to line. LAST: depth after the part's last line. */
+/* The frame. OFF: what out is beyond depth; behind both their steps from line to line. LAST: depth after the part's last line. LONGEST: columns
+ * after the first of a line that may be drawn as if it were matt. */
 #define LEFT 0
 #define RIGHT 4
 #define LEFT_STEP 8
 #define RIGHT_STEP 12
-#define DEPTH 16
-#define OFF 20
+#define OFF 16
+#define DEPTH 20
 #define DEPTH_STEP 24
 #define OFF_STEP 28
-#define W 32
-#define LAST 36
+#define LAST 32
+#define W 36
 #define TRIANGLE 40
 #define LEFT_AT 44
 #define RIGHT_AT 48
@@ -25,7 +27,8 @@
 #define SHIFT 60
 #define LIMIT 64 /* of t_max - t: t is up to t_max, or a little below 0 */
 #define END 68
-#define FRAME 72
+#define LONGEST 72
+#define FRAME 76
 
 #define depth r0
 #define z r1
@@ -44,81 +47,40 @@
 #define left_step r12
 #define right_step lr
 
-/* A line's columns, held to 0..w: depth and end, r2: from the triangle's column, r7: the triangle. Steps the edges. */
-.macro line_begin skip
-    mov r7, sp
-    ldmia r7!, {r0, r1, r4, r5}
-    asrs r2, r0, #16
-    asrs r3, r1, #16
-    adds r0, r0, r4
-    adds r1, r1, r5
-    subs r7, #16
-    stmia r7!, {r0, r1}
-    cmp r2, #0
+/* Columns from..to - 1 of a line, n of them, are held to 0..w. */
+.macro hold from, to, n, back, skip
+    cmp \from, #0
     bge 1f
-    movs r2, #0
-1:  ldr r4, [sp, #W]
-    cmp r3, r4
+    movs \from, #0
+1:  ldr \n, [sp, #W]
+    cmp \to, \n
     ble 1f
-    movs r3, r4
-1:  subs r3, r3, r2
-    ble \skip
-    ldr depth, [sp, #DEPTH]
-    lsls r4, r2, #1
-    adds depth, depth, r4
-    lsls r3, r3, #1
-    adds r3, r3, depth
-    mov end, r3
-    ldr r7, [sp, #TRIANGLE]
-    ldr r1, [r7, #GLINT_AT_TRIANGLE_X]
-    subs r2, r2, r1
+    movs \to, \n
+1:  subs \n, \to, \from
+    bgt \back
+    b \skip
 .endm
 
-/* What is linear steps to the next line. */
-.macro step_line triangle, value, step
-    ldr r0, [\triangle, #\value]
-    ldr r1, [\triangle, #\step]
-    adds r0, r0, r1
-    str r0, [\triangle, #\value]
-.endm
-
-.macro line_end again
-    step_line r7, GLINT_AT_TRIANGLE_Z, GLINT_AT_TRIANGLE_ZY
-    add r6, sp, #DEPTH
-    ldmia r6!, {r0-r3}
-    adds r0, r0, r2
-    adds r1, r1, r3
-    subs r6, #16
-    stmia r6!, {r0, r1}
-    ldr r2, [sp, #LAST]
-    cmp r0, r2
-    bne \again
-    ldr r0, [sp, #LEFT]
-    ldr r1, [sp, #RIGHT]
-    b .Ledges
-.endm
-
-/* The same for a dark or matt triangle, whose r3, r4 and r7 stay; r5: from the triangle's column, r6: the triangle. */
-.macro plain_begin skip
+/* A line of a dark or matt triangle, whose r3, r4 and r7 stay: depth and end, r5: from the triangle's column, r6: the triangle. Steps
+ * the edges. */
+.macro plain_begin hold, skip
     mov r5, left
     asrs r5, r5, #16
     mov r1, right
     asrs r1, r1, #16
     add left, left_step
     add right, right_step
-    cmp r5, #0
-    bge 1f
-    movs r5, #0
-1:  ldr r6, [sp, #W]
-    cmp r1, r6
-    ble 1f
-    movs r1, r6
-1:  subs r1, r1, r5
+    subs r0, r1, r5
     ble \skip
+    ldr r6, [sp, #W]
+    subs r6, r6, r1
+    orrs r6, r5
+    bmi \hold
+\hold\()_held:
+    lsls r1, r0, #1
     ldr depth, [sp, #DEPTH]
     lsls r6, r5, #1
     adds depth, depth, r6
-    lsls r1, r1, #1
     adds r1, r1, depth
     mov end, r1
     ldr r6, [sp, #TRIANGLE]
@@ -127,15 +89,12 @@
 .endm
 
 .macro plain_end again
-    step_line r6, GLINT_AT_TRIANGLE_Z, GLINT_AT_TRIANGLE_ZY
-    ldr r0, [sp, #DEPTH]
-    ldr r1, [sp, #DEPTH_STEP]
+    add r6, sp, #DEPTH
+    ldmia r6!, {r0-r2, r5}
     adds r0, r0, r1
     str r0, [sp, #DEPTH]
-    ldr r1, [sp, #OFF_STEP]
-    adds r4, r4, r1
-    ldr r1, [sp, #LAST]
-    cmp r0, r1
+    adds r4, r4, r2
+    cmp r0, r5
     bne \again
     str r4, [sp, #OFF]
     mov r0, left
@@ -161,6 +120,29 @@
     cmp r5, r6
     bhs \behind
     strh r5, [depth]
+.endm
+
+/* Pixels of a matt line, or of one that is as if it were: r3: colours, r4: off, r7: dz. Where nl is below 0 they go to dark. */
+.macro matt_pixels dark
+1:  in_front \dark\()_next
+    asrs r5, nl, #GLINT_COLOUR_ROW_SHIFT
+    bmi \dark
+    lsls r5, r5, #GLINT_COLOUR_ROW_BYTES_LOG
+    ldrh r5, [r3, r5]
+    strh r5, [depth, r4]
+\dark\()_next:
+    adds depth, #2
+    adds z, z, r7
+    add nl, dnl
+    cmp depth, end
+    blo 1b
+.endm
+
+.macro matt_dark dark
+\dark:
+    ldr r5, [sp, #DARK]
+    strh r5, [depth, r4]
+    b \dark\()_next
 .endm
 
     function glint_mesh_colour
@@ -260,7 +242,7 @@
 .Ldark: /* r3: dark, r4: off, r7: dz */
     plain_part DARK
 .Ldark_line:
-    plain_begin 4f
+    plain_begin .Ldark_hold, 4f
     ldr z, [r6, #GLINT_AT_TRIANGLE_Z]
     muls r5, r7
     adds z, z, r5
@@ -271,70 +253,109 @@
     cmp depth, end
     blo 2b
 4:  ldr r6, [sp, #TRIANGLE]
+    ldr r0, [r6, #GLINT_AT_TRIANGLE_Z]
+    ldr r1, [r6, #GLINT_AT_TRIANGLE_ZY]
+    adds r0, r0, r1
+    str r0, [r6, #GLINT_AT_TRIANGLE_Z]
     plain_end .Ldark_line
+.Ldark_hold:
+    hold r5, r1, r0, .Ldark_hold_held, 4b
 
 .Lmatt: /* r3: colours, r4: off, r7: dz */
     plain_part COLOURS
     ldr r5, [r6, #GLINT_AT_TRIANGLE_NLX]
     mov dnl, r5
 .Lmatt_line:
-    plain_begin 4f
-    ldr nl, [r6, #GLINT_AT_TRIANGLE_NLX]
-    muls nl, r5
-    ldr z, [r6, #GLINT_AT_TRIANGLE_NL]
-    adds nl, nl, z
-    ldr z, [r6, #GLINT_AT_TRIANGLE_Z]
+    plain_begin .Lmatt_hold, .Lmatt_end
+    ldmia r6!, {r1, r2} /* z, nl */
+    mov r6, dnl
+    muls r6, r5
+    adds nl, nl, r6
     muls r5, r7
     adds z, z, r5
-1:  in_front 2f
-    asrs r5, nl, #GLINT_COLOUR_ROW_SHIFT
-    bmi 3f
-    lsls r5, r5, #GLINT_COLOUR_ROW_BYTES_LOG
-    ldrh r5, [r3, r5]
-    strh r5, [depth, r4]
-2:  adds depth, #2
-    adds z, z, r7
-    add nl, dnl
-    cmp depth, end
-    blo 1b
-4:  ldr r6, [sp, #TRIANGLE]
-    step_line r6, GLINT_AT_TRIANGLE_NL, GLINT_AT_TRIANGLE_NLY
+    matt_pixels .Lmatt_dark
+.Lmatt_end:
+    ldr r6, [sp, #TRIANGLE]
+    ldmia r6!, {r0, r1}
+    ldr r2, [r6, #GLINT_AT_TRIANGLE_ZY - 8]
+    adds r0, r0, r2
+    ldr r2, [r6, #GLINT_AT_TRIANGLE_NLY - 8]
+    adds r1, r1, r2
+    subs r6, #8
+    stmia r6!, {r0, r1}
     plain_end .Lmatt_line
-3:  ldr r5, [sp, #DARK]
-    strh r5, [depth, r4]
-    b 2b
+    matt_dark .Lmatt_dark
+.Lmatt_hold:
+    hold r5, r1, r0, .Lmatt_hold_held, .Lmatt_end
 
-.Lglossy: /* r7: the shift */
+.Lglossy_hold:
+    hold r2, r3, r6, .Lglossy_held, .Lglossy_end
+
+.Lglossy:
     mov r6, sp
     stmia r6!, {r2-r5}
+    ldr r7, [sp, #TRIANGLE]
+    ldr r0, [r7, #GLINT_AT_TRIANGLE_ZX]
+    mov dz, r0
+    ldr r0, [r7, #GLINT_AT_TRIANGLE_NLX]
+    mov dnl, r0
+    ldr r0, [r7, #GLINT_AT_TRIANGLE_TXX]
+    mov ddt, r0
+    asrs r1, r0, #31
+    eors r0, r1
+    movs r1, #31
+    lsrs r0, r0, #26
+    beq 1f
+    movs r1, #0
+1:  str r1, [sp, #LONGEST]
 .Lglossy_line:
-    line_begin .Lglossy_end
-    movs r6, r7
-    adds r6, #GLINT_AT_TRIANGLE_T
-    ldmia r6!, {r3-r5} /* t, tx, txx */
-    mov ddt, r5
-    subs r1, r2, #1
-    muls r1, r2
-    asrs r1, r1, #1
-    muls r1, r5
-    adds r3, r3, r1
-    movs r1, r2
-    muls r1, r4
-    adds r3, r3, r1
-    mov r1, t_max
-    subs back, r1, r3
-    muls r5, r2
-    adds dt, r4, r5
-    ldr r5, [r7, #GLINT_AT_TRIANGLE_ZX]
-    mov dz, r5
-    muls r5, r2
-    ldr z, [r7, #GLINT_AT_TRIANGLE_Z]
-    adds z, z, r5
-    ldr r5, [r7, #GLINT_AT_TRIANGLE_NLX]
-    mov dnl, r5
-    muls r5, r2
-    ldr nl, [r7, #GLINT_AT_TRIANGLE_NL]
-    adds nl, nl, r5
+    mov r7, sp
+    ldmia r7!, {r0, r1, r4, r5}
+    asrs r2, r0, #16
+    asrs r3, r1, #16
+    adds r0, r0, r4
+    adds r1, r1, r5
+    subs r7, #16
+    stmia r7!, {r0, r1}
+    subs r6, r3, r2
+    ble .Lglossy_end
+    ldr r4, [sp, #W]
+    subs r4, r4, r3
+    orrs r4, r2
+    bmi .Lglossy_hold
+.Lglossy_held:
+    ldr depth, [sp, #DEPTH]
+    lsls r4, r2, #1
+    adds depth, depth, r4
+    lsls r3, r6, #1
+    adds r3, r3, depth
+    mov end, r3
+    ldr r7, [sp, #TRIANGLE]
+    ldr r1, [r7, #GLINT_AT_TRIANGLE_X]
+    subs r5, r2, r1 /* k, from the triangle's column */
+    ldmia r7!, {r1-r4} /* z, nl, t, tx */
+    mov r7, dz
+    muls r7, r5
+    adds z, z, r7
+    mov r7, dnl
+    muls r7, r5
+    adds nl, nl, r7
+    movs r7, r4
+    muls r7, r5
+    adds r3, r3, r7
+    mov r7, ddt
+    muls r7, r5
+    adds dt, dt, r7
+    subs r7, r5, #1
+    muls r7, r5
+    asrs r7, r7, #1
+    mov r5, ddt
+    muls r7, r5
+    adds r3, r3, r7
+    mov r7, t_max
+    subs back, r7, r3
+    bmi .Lmay_miss
+.Lhits:
     ldr r7, [sp, #SHIFT]
 1:  in_front 4f
     asrs r5, nl, #GLINT_COLOUR_ROW_SHIFT
@@ -359,18 +380,28 @@
     cmp depth, end
     blo 1b
 .Lglossy_end:
-    ldr r7, [sp, #TRIANGLE]
-    step_line r7, GLINT_AT_TRIANGLE_NL, GLINT_AT_TRIANGLE_NLY
-    movs r6, r7
-    adds r6, #GLINT_AT_TRIANGLE_T
-    ldmia r6!, {r0-r5} /* t, tx, txx, txy, ty, tyy */
-    adds r0, r0, r4
-    adds r1, r1, r3
-    adds r4, r4, r5
-    str r4, [r7, #GLINT_AT_TRIANGLE_TY]
-    subs r6, #24
+    ldr r6, [sp, #TRIANGLE]
+    ldmia r6!, {r0-r4} /* z, nl, t, tx, ty */
+    adds r2, r2, r4
+    ldmia r6!, {r5, r7} /* zy, nly */
+    adds r0, r0, r5
+    adds r1, r1, r7
+    ldmia r6!, {r5, r7} /* txy, tyy */
+    adds r3, r3, r5
+    adds r4, r4, r7
+    subs r6, #36
+    stmia r6!, {r0-r4}
+    add r6, sp, #OFF
+    ldmia r6!, {r0-r4} /* off, depth, their steps the other way round, last */
+    adds r0, r0, r3
+    adds r1, r1, r2
+    subs r6, #20
     stmia r6!, {r0, r1}
-    line_end .Lglossy_line
+    cmp r1, r4
+    bne .Lglossy_line
+    ldr r0, [sp, #LEFT]
+    ldr r1, [sp, #RIGHT]
+    b .Ledges
 5:  ldr r5, [sp, #DARK]
     ldr r6, [sp, #OFF]
     strh r5, [depth, r6]
@@ -381,26 +412,34 @@
     mov r6, t_max
     b 2b
 
-/* glint_mesh_clear(depth, bytes), as mesh_strip.c has it: 64 bytes at a time, then 4. */
-    function glint_mesh_clear
-    push {r4-r5, lr}
-    movs r2, #0
-    mvns r2, r2
-    movs r3, r2
-    movs r4, r2
-    movs r5, r2
-    subs r1, #64
-    blo 2f
-1:  stmia r0!, {r2-r5}
-    stmia r0!, {r2-r5}
-    stmia r0!, {r2-r5}
-    stmia r0!, {r2-r5}
-    subs r1, #64
-    bhs 1b
-2:  adds r1, #64
-    beq 4f
-3:  stmia r0!, {r2}
-    subs r1, #4
-    bne 3b
-4:  pop {r4-r5, pc}
+/* back is below 0 at the line's first pixel: t is past t_max, and not below 0, since LIMIT < 2^31. So it is at the m pixels behind it if it is
+ * at the last one and t only grows or only falls: if its first step and that after the last pixel have one sign. r5: ddt, r6: m + 1.
+ * With m < 32 and |ddt| <= 2^26 the latter is exact; with both below 2^26 t changes by less than 2^31, so that no sign is wrong. */
+.Lmay_miss:
+    subs r6, #1
+    ldr r7, [sp, #LONGEST]
+    cmp r6, r7
+    bhi .Lhits
+    subs r7, r6, #1
+    muls r7, r6
+    asrs r7, r7, #1
+    muls r7, r5
+    muls r5, r6
+    adds r5, r5, dt
+    muls r6, r4
+    adds r7, r7, r6
+    subs r7, back, r7
+    bpl .Lhits
+    asrs r6, dt, #31
+    eors r5, r6
+    eors r6, dt
+    orrs r5, r6
+    lsrs r5, r5, #26
+    bne .Lhits
+    ldr r3, [sp, #COLOURS]
+    ldr r4, [sp, #OFF]
+    mov r7, dz
+    matt_pixels .Lmiss_dark
+    b .Lglossy_end
+    matt_dark .Lmiss_dark
 #endif

@@ -18,10 +18,10 @@ enum glint_mesh_shine { GLINT_MESH_DARK, GLINT_MESH_MATT, GLINT_MESH_GLOSSY };
 /* Values at the middle of a pixel, in column x, and their steps; all modulo 2^32. A pixel to the right adds tx to t, then txx to tx; a line
  * down adds ty to t, tyy to ty and txy to tx. nl and z are linear; z is Q16.16. */
 struct glint_mesh_values {
+    uint32_t z, nl, t, tx, ty;  /* in the order in which assembly takes them: what changes from line to line */
+    uint32_t zy, nly, txy, tyy; /* and by how much */
+    uint32_t zx, nlx, txx;
     int32_t x;
-    uint32_t z, zx, zy;
-    uint32_t nl, nlx, nly;
-    uint32_t t, tx, txx, txy, ty, tyy;
 };
 
 /* Twice the area in square 1/16 pixels, positive where the corners are clockwise on the screen (y down): 2 (2^15 - 2)^2 at

@@ -3,15 +3,19 @@
 #ifndef GLINT_MESH_OFFSETS_H
 #define GLINT_MESH_OFFSETS_H
 
-#define GLINT_AT_TRIANGLE_X 0
-#define GLINT_AT_TRIANGLE_Z 4 /* z, zx, zy */
-#define GLINT_AT_TRIANGLE_ZX 8
-#define GLINT_AT_TRIANGLE_ZY 12
-#define GLINT_AT_TRIANGLE_NL 16 /* nl, nlx, nly */
-#define GLINT_AT_TRIANGLE_NLX 20
+#define GLINT_AT_TRIANGLE_Z 0 /* z, nl, t, tx, ty, zy, nly, txy, tyy */
+#define GLINT_AT_TRIANGLE_NL 4
+#define GLINT_AT_TRIANGLE_T 8
+#define GLINT_AT_TRIANGLE_TX 12
+#define GLINT_AT_TRIANGLE_TY 16
+#define GLINT_AT_TRIANGLE_ZY 20
 #define GLINT_AT_TRIANGLE_NLY 24
-#define GLINT_AT_TRIANGLE_T 28 /* t, tx, txx, txy, ty, tyy */
-#define GLINT_AT_TRIANGLE_TY 44
+#define GLINT_AT_TRIANGLE_TXY 28
+#define GLINT_AT_TRIANGLE_TYY 32
+#define GLINT_AT_TRIANGLE_ZX 36
+#define GLINT_AT_TRIANGLE_NLX 40
+#define GLINT_AT_TRIANGLE_TXX 44
+#define GLINT_AT_TRIANGLE_X 48
 #define GLINT_AT_TRIANGLE_LONG 52 /* long_edge, upper, lower */
 #define GLINT_AT_TRIANGLE_Y 76
 #define GLINT_AT_TRIANGLE_Y_MIDDLE 78

@@ -13,9 +13,9 @@ typedef char
                                   AT(values.zx, GLINT_AT_TRIANGLE_ZX) && AT(values.zy, GLINT_AT_TRIANGLE_ZY) &&
                                   AT(values.nl, GLINT_AT_TRIANGLE_NL) && AT(values.nlx, GLINT_AT_TRIANGLE_NLX) &&
                                   AT(values.nly, GLINT_AT_TRIANGLE_NLY) && AT(values.t, GLINT_AT_TRIANGLE_T) &&
-                                  AT(values.tx, GLINT_AT_TRIANGLE_T + 4) && AT(values.txx, GLINT_AT_TRIANGLE_T + 8) &&
-                                  AT(values.txy, GLINT_AT_TRIANGLE_T + 12) && AT(values.ty, GLINT_AT_TRIANGLE_TY) &&
-                                  AT(values.tyy, GLINT_AT_TRIANGLE_TY + 4) && AT(long_edge, GLINT_AT_TRIANGLE_LONG) &&
+                                  AT(values.tx, GLINT_AT_TRIANGLE_TX) && AT(values.txx, GLINT_AT_TRIANGLE_TXX) &&
+                                  AT(values.txy, GLINT_AT_TRIANGLE_TXY) && AT(values.ty, GLINT_AT_TRIANGLE_TY) &&
+                                  AT(values.tyy, GLINT_AT_TRIANGLE_TYY) && AT(long_edge, GLINT_AT_TRIANGLE_LONG) &&
                                   AT(upper, GLINT_AT_TRIANGLE_LONG + 8) && AT(lower, GLINT_AT_TRIANGLE_LONG + 16) &&
                                   AT(y, GLINT_AT_TRIANGLE_Y) && AT(y_middle, GLINT_AT_TRIANGLE_Y_MIDDLE) &&
                                   AT(y_end, GLINT_AT_TRIANGLE_Y_END) && AT(shine, GLINT_AT_TRIANGLE_SHINE) &&

@@ -6,13 +6,14 @@ import { load, RAM, RETURN, STACK } from '../bench/m0plus.mjs'
 
 const folder = process.argv[2]
 const [c, assembly] = ['O2', 'asm'].map((build) => load(`${folder}/npm`, `${folder}/mesh-${build}.elf`))
-const AT = 0x20038000, SIZE = 0x1400 // arguments and results, beyond both programs' data
+const AT = 0x20030000 // arguments and results: in arrays that frames of meshes need and these functions do not
 let seed = 1
 function below(n) {
   seed = (Math.imul(seed, 1103515245) + 12345) >>> 0
   return Math.floor((seed >>> 8) / 16777216 * n)
 }
 const one = (...of) => of[below(of.length)]
+const bits = (n) => below(2 ** Math.min(n, 16)) + 65536 * below(2 ** Math.max(n - 16, 0)) - 2 ** (n - 1) // signed
 const int16 = () => one(below(65536) - 32768, below(65536) - 32768, 32767, -32768)
 
 // What each returns, as a mask: nothing, but for a bool and an enum.
@@ -25,13 +26,13 @@ function after(machine, name, args, bytes, fault) {
   machine.memory.writeUInt32LE(args[4] ?? 0, STACK - RAM)
   while (machine.core.PC !== RETURN) machine.core.executeInstruction()
   if (fault >= 0) machine.memory[at + fault] ^= 0x11
-  return `${RETURNED[name] & machine.core.registers[0]} ${machine.memory.toString('latin1', at, at + SIZE)}`
+  return `${RETURNED[name] & machine.core.registers[0]} ${machine.memory.toString('latin1', at, at + bytes.length)}`
 }
 
 // A triangle's corners, and what is set up.
 const V = 0x100, CORNERS = 0x200, ORDER = 0x240
 function triangle() {
-  const bytes = Buffer.alloc(SIZE), size = one(8, 40, 300, 4000, 32766), first = below(32767 - size)
+  const bytes = Buffer.alloc(0x1400), size = one(8, 40, 300, 4000, 32766), first = below(32767 - size)
   for (let k = 0; k < 3; k++) {
     const middle = below(3) ? (place) => place : (place) => place & ~15 | 8
     bytes.writeInt16LE(middle(first + below(size)), V + 16 * k)
@@ -57,7 +58,7 @@ function values() {
 // A frame, a mesh drawn, and the mesh, as lib/glint_mesh_offsets.h has them.
 const DRAWN = 0x40, MESH = 0xa0, FACES = 0x200, PLACES = 0x500, NORMALS = 0x700, VERTICES = 0x900, LINKS = 0xe00, BANDS = 0xf00
 function frame(height, vertices, faces) {
-  const bytes = Buffer.alloc(SIZE), address = (at, to) => bytes.writeUInt32LE(AT + to, at)
+  const bytes = Buffer.alloc(0x1400), address = (at, to) => bytes.writeUInt32LE(AT + to, at)
   bytes.writeUInt16LE(1 + below(2040), 16)
   bytes.writeUInt16LE(height, 18)
   address(DRAWN + 4, MESH)
@@ -101,7 +102,39 @@ function lists() {
   return [bytes, [AT, AT + DRAWN, one(0, below(height))], VERTICES + 3]
 }
 
-const TWINS = [['glint_mesh_triangle_set', triangle, 5000], ['glint_mesh_values_set', values, 8000], ['glint_mesh_vertices', vertices, 400], ['glint_mesh_sides8', sides, 500],
+// A triangle's lines, or a part of them, in a strip of w by 8, by tables: edges in and around it, t anywhere and near t_max. Values as
+// lib/glint_mesh_offsets.h has them; steps of all sizes, since it is by these that a line is known to miss the highlight; and steps by
+// which t wraps between the ends of a line that are past t_max.
+const SURFACE = 0x20, TARGET = 0x30, TRIANGLE = 0x60, DEPTH = 0x100, OUT = 0x400, COLUMNS = 0x800, COLOURS = 0x1800, COLOURS_END = 0x5800
+const tables = Uint8Array.from({ length: COLOURS_END - COLUMNS }, (_, i) => below(256) & (i < COLOURS - COLUMNS ? 0x7e : 0xff))
+function colours() {
+  const bytes = Buffer.alloc(COLOURS_END), word = (at, ...values) => values.forEach((value, k) => bytes.writeInt32LE(value | 0, at + 4 * k))
+  const wraps = !below(8), shift = wraps ? 18 : below(19), tMax = 2 ** (shift + 12) - 1 - below(2 ** (shift + 10))
+  const w = 1 + below(40), y = below(100), shine = wraps ? 2 : one(0, 1, 2, 2), size = one(8, 16, 20, 22, 24, 26, 27, 28, 30, 32)
+  const step = () => bits(one(size, size, Math.max(8, size - 3)))
+  bytes.set(tables, COLUMNS)
+  word(0, AT + COLUMNS, AT + COLOURS, tMax, 0x1234, shift)
+  word(SURFACE, AT + OUT, one(2 * w, 80 + 2 * below(10)))
+  word(TARGET, AT + SURFACE, AT + DEPTH, w, y, y + 8)
+  for (let i = 0; i < 320; i++) bytes.writeUInt16LE(one(65535, 65535, below(65536)), DEPTH + 2 * i)
+  const z = below(2) ? below(65536) * 65536 : bits(32), nl = shine === 0 ? -1 : below(8) ? below(2 ** 31) : bits(32)
+  const nlSteps = [0, 0].map(() => shine && bits(one(20, 28)))
+  word(TRIANGLE, z, nl, below(3) ? tMax + bits(size) : bits(32), step(), step(), bits(20), nlSteps[0], step(), step(), bits(24), nlSteps[1],
+    step() >> below(8), below(w))
+  for (let k = 0; k < 3; k++) word(TRIANGLE + 52 + 8 * k, below(65536 * (w + 8)) - 65536 * 4, bits(20))
+  if (wraps) { // t, its step and that one's; long edges left and right of all
+    const [past, first, second] = one([1 + below(1000), below(100), 2 ** one(29, 30, 31)], [2 ** 31 - below(100), 2 ** 26 - 1 - below(2 ** 20), 0])
+    word(TRIANGLE + 8, tMax + past, first)
+    word(TRIANGLE + 44, second, 0, w * 65536, 0, 0, 0, 0, 0)
+  }
+  const lines = [below(8), below(10), below(10)].sort((a, b) => a - b)
+  lines.forEach((line, k) => bytes.writeUInt16LE(y + line, TRIANGLE + 76 + 2 * k))
+  bytes.writeUInt8(shine, TRIANGLE + 82)
+  bytes.writeUInt8(wraps ? 0 : below(2), TRIANGLE + 83)
+  return [bytes, [AT, AT + TRIANGLE, AT + TARGET], TRIANGLE + 3]
+}
+
+const TWINS = [['glint_mesh_colour', colours, 6000], ['glint_mesh_triangle_set', triangle, 5000], ['glint_mesh_values_set', values, 8000], ['glint_mesh_vertices', vertices, 400], ['glint_mesh_sides8', sides, 500],
   ['glint_mesh_sort', lists, 1000]]
 for (const [name, make, calls] of TWINS) {
   const unlike = [0, 0]
