@@ -1,23 +1,11 @@
 /* SPDX-License-Identifier: MIT
- * glint_mesh_values_set(values, corner, area, shine, t_end), as mesh_gradient.c has it: slopes, the depth, nl, and t where it may shine.
- * The slopes lie in the frame in the order in which sums of two products take them; e is kept 18 less, so that its sign tells
- * how what is linear is shifted. */
+ * The end of glint_mesh_triangle_set, whose frame it takes over: glint_mesh_values_set, as mesh_gradient.c has it: slopes, the depth, nl, and t
+ * where it may shine. The slopes lie in the frame in the order in which sums of two products take them; e is kept 18 less, so that
+ * its sign tells how what is linear is shifted. */
 #if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus_gradient.inc"
-#include "glint_mesh_offsets.h"
 
-/* The frame. */
-#define VERTICES 0
-#define SLOPES 12 /* u, v, ux, vx, uy, vy */
-#define UX 20
-#define UY 28
-#define E 36     /* e - 18 */
-#define SIDES 40 /* rr, qq, pp; then B, C, A: P.Q, Q.Q, P.P of 15 bits */
-#define VALUES 52
-#define SHINE 56 /* flat and glossy: FLAT */
-#define DOWN 56  /* once it is known to be glossy: P.P, Q.Q and P.Q are shifted by it */
-#define FRAME 60
-#define T_END 80 /* the argument on the stack: beyond the frame, r4-r7 and lr */
+#define DOWN SHINE /* once it is known to be glossy: P.P, Q.Q and P.Q are shifted by it */
 
 #define FLAT 3
 #define T_OF 8 /* of a vertex */
@@ -38,7 +26,7 @@
     muls r6, r2
     adds r5, r5, r6
     ldr r6, [r7, #E - SLOPES - 24]
-    ldr r7, [sp, #VALUES]
+    ldr r7, [sp, #TRIANGLE]
     cmp r6, #0
     blt 1f
     asrs r3, r6
@@ -57,22 +45,13 @@
     str r5, [r7, #\y]
 .endm
 
-    function glint_mesh_values_set
-    push {r4-r7, lr}
-    sub sp, #FRAME
-    str r0, [sp, #VALUES]
-    ldmia r1!, {r4-r6}
+    function glint_mesh_triangle_values
+    ldr r3, [sp, #SHINE]
     cmp r3, #GLINT_SHINE_MATT
     bls .Lshine_known
     b .Lmay_shine
 .Lshine_known:
-    str r3, [sp, #SHINE]
-    ldr r4, [r4]
-    ldr r5, [r5]
-    ldr r6, [r6]
-    mov r7, sp
-    stmia r7!, {r4-r6}
-
+    ldr r2, [sp, #AREA]
     /* The inverse of the area, and its sign. */
     asrs r3, r2, #31
     eors r2, r3
@@ -87,36 +66,29 @@
     subs r2, r2, r3
 
     /* r3: ux, r5: vx, r6: uy, r7: vy; from the corner to the pixel, r12: fx, lr: fy = 15 - (a->y + 7) % 16. */
-    movs r7, #2
-    ldrsh r0, [r4, r7]
-    ldrsh r3, [r6, r7]
-    ldrsh r7, [r5, r7]
-    subs r3, r3, r0
+    add r4, sp, #UX
+    ldmia r4!, {r3, r5-r7}
     muls r3, r2
-    subs r7, r0, r7
+    muls r5, r2
+    muls r6, r2
     muls r7, r2
+    ldr r4, [sp, #VERTICES]
+    ldr r0, [r4] /* x, y */
+    sxth r2, r0
+    asrs r2, r2, #4
+    ldr r4, [sp, #TRIANGLE]
+    str r2, [r4, #GLINT_AT_TRIANGLE_X]
+    lsls r2, r0, #28
+    lsrs r2, r2, #28
+    movs r4, #8
+    subs r4, r4, r2
+    mov r12, r4
+    asrs r0, r0, #16
     adds r0, #7
     mvns r0, r0
     lsls r0, r0, #28
     lsrs r0, r0, #28
     mov lr, r0
-    movs r0, #0
-    ldrsh r4, [r4, r0]
-    ldrsh r6, [r6, r0]
-    ldrsh r0, [r5, r0]
-    subs r6, r4, r6
-    muls r6, r2
-    movs r5, r7
-    subs r7, r0, r4
-    muls r7, r2
-    ldr r2, [sp, #VALUES]
-    asrs r0, r4, #4
-    str r0, [r2, #GLINT_AT_TRIANGLE_X]
-    lsls r4, r4, #28
-    lsrs r4, r4, #28
-    movs r0, #8
-    subs r0, r0, r4
-    mov r12, r0
     size_of r0, r3
     size_of r2, r5
     orrs r0, r2
@@ -198,7 +170,7 @@
     ldr r0, [sp, #SHINE]
     cmp r0, #GLINT_SHINE_MATT
     bne .Lt
-.Lfar: /* r0: what is returned */
+.Lfar: /* r0: the shine */
     movs r1, #1
     lsls r1, r1, #31
 .Lt_stays: /* t is r1; r7: values */
@@ -209,6 +181,10 @@
     str r2, [r7, #GLINT_AT_TRIANGLE_TYY]
     adds r7, #GLINT_AT_TRIANGLE_T
     stmia r7!, {r1-r3}
+    adds r7, #GLINT_AT_TRIANGLE_SHINE - GLINT_AT_TRIANGLE_ZY
+.Lset: /* r0: the shine, r7: to it */
+    strb r0, [r7]
+    movs r0, #1
     add sp, #FRAME
     pop {r4-r7, pc}
 
@@ -227,7 +203,7 @@
     ldr r1, =65535 / 3
     muls r0, r1
     movs r1, #0
-    ldr r7, [sp, #VALUES]
+    ldr r7, [sp, #TRIANGLE]
     str r0, [r7, #GLINT_AT_TRIANGLE_Z]
     str r1, [r7, #GLINT_AT_TRIANGLE_ZX]
     str r1, [r7, #GLINT_AT_TRIANGLE_ZY]
@@ -264,7 +240,8 @@
     .ltorg
 
 .Lmay_shine: /* Matt if t, which is lower between the corners by a side at most, stays beyond t_end. */
-    mov r12, r2
+    add r7, sp, #CORNERS
+    ldmia r7!, {r4-r6}
     ldr r0, [r4, #4]
     ldr r1, [r5, #4]
     ldr r2, [r6, #4]
@@ -280,15 +257,14 @@
     lsls r1, r1, #29
     cmp r0, r1
     bhi .Lwide
-    ldr r1, [r4]
-    ldr r1, [r1, #T_OF]
-    ldr r2, [r5]
-    ldr r2, [r2, #T_OF]
+    mov r7, sp
+    ldmia r7!, {r4-r6}
+    ldr r1, [r4, #T_OF]
+    ldr r2, [r5, #T_OF]
     cmp r1, r2
     bls 1f
     movs r1, r2
-1:  ldr r2, [r6]
-    ldr r2, [r2, #T_OF]
+1:  ldr r2, [r6, #T_OF]
     cmp r1, r2
     bls 1f
     movs r1, r2
@@ -298,11 +274,12 @@
     cmp r1, r0
     bls 1f
     movs r3, #GLINT_SHINE_MATT
-1:  mov r2, r12
-    b .Lshine_known
+    str r3, [sp, #SHINE]
+1:  b .Lshine_known
 .Lwide:
     movs r3, #FLAT
-    b 1b
+    str r3, [sp, #SHINE]
+    b .Lshine_known
 
 .Lt:
     mov r7, sp
@@ -373,7 +350,7 @@
     ldr r0, [sp, #VERTICES]
     ldr r0, [r0, #T_OF]
     adds r0, r0, r4
-    ldr r7, [sp, #VALUES]
+    ldr r7, [sp, #TRIANGLE]
     str r0, [r7, #GLINT_AT_TRIANGLE_T]
 
     mov r0, r12
@@ -428,7 +405,7 @@
     shift_to_nearest r0, r4, r1
     lsrs r0, r4, #1
     add r12, r0
-    ldr r7, [sp, #VALUES]
+    ldr r7, [sp, #TRIANGLE]
     str r4, [r7, #GLINT_AT_TRIANGLE_TXX]
     str r1, [r7, #GLINT_AT_TRIANGLE_TXY]
     mov r0, r12
@@ -440,10 +417,10 @@
     shift_to_nearest r0, r4
     lsrs r0, r4, #1
     add r0, lr
-    ldr r7, [sp, #VALUES]
+    ldr r7, [sp, #TRIANGLE]
     str r0, [r7, #GLINT_AT_TRIANGLE_TY]
     str r4, [r7, #GLINT_AT_TRIANGLE_TYY]
     movs r0, #GLINT_SHINE_MATT + 1
-    add sp, #FRAME
-    pop {r4-r7, pc}
+    adds r7, #GLINT_AT_TRIANGLE_SHINE
+    b .Lset
 #endif

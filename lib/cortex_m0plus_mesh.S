@@ -4,148 +4,29 @@
  * is drawn as a matt one. Pixels keep all they need in registers; lines take it from the frame and the triangle, but where a triangle is
  * dark or matt its edges stay in registers, too. */
 #if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
-#include "cortex_m0plus.inc"
-#include "glint_mesh_offsets.h"
+#include "cortex_m0plus_mesh.inc"
 
-/* The frame. OFF: what out is beyond depth; behind both their steps from line to line. LAST: depth after the part's last line. LONGEST: columns
- * after the first of a line that may be drawn as if it were matt. */
-#define LEFT 0
-#define RIGHT 4
-#define LEFT_STEP 8
-#define RIGHT_STEP 12
-#define OFF 16
-#define DEPTH 20
-#define DEPTH_STEP 24
-#define OFF_STEP 28
-#define LAST 32
-#define W 36
-#define TRIANGLE 40
-#define LEFT_AT 44
-#define RIGHT_AT 48
-#define COLOURS 52
-#define DARK 56
-#define SHIFT 60
-#define LIMIT 64 /* of t_max - t: t is up to t_max, or a little below 0 */
-#define END 68
-#define LONGEST 72
-#define FRAME 76
+/* glint_mesh_tables_draw: on to the other where tables and surface are such. */
+    function glint_mesh_tables_draw
+    ldrb r3, [r0, #GLINT_AT_TABLES_KIND]
+    cmp r3, #0
+    bne 1f
+    ldrb r3, [r0, #GLINT_AT_TABLES_DITHER]
+    cmp r3, #0
+    bne 1f
+    ldr r3, [r2]
+    mov r12, r4
+    ldmia r3!, {r4} /* pixels */
+    ldr r3, [r3]    /* stride */
+    orrs r3, r4
+    mov r4, r12
+    lsls r3, r3, #31
+    beq glint_mesh_colour
+1:  push {r4, lr}
+    bl glint_mesh_tables_rows
+    pop {r4, pc}
 
-#define depth r0
-#define z r1
-#define nl r2
-#define back r3
-#define dt r4
-#define dz r8
-#define end r9
-#define t_max r10
-#define dnl r11
-#define ddt r12
-#define columns lr
-/* Of a dark or matt triangle. */
-#define left r8
-#define right r10
-#define left_step r12
-#define right_step lr
-
-/* Columns from..to - 1 of a line, n of them, are held to 0..w. */
-.macro hold from, to, n, back, skip
-    cmp \from, #0
-    bge 1f
-    movs \from, #0
-1:  ldr \n, [sp, #W]
-    cmp \to, \n
-    ble 1f
-    movs \to, \n
-1:  subs \n, \to, \from
-    bgt \back
-    b \skip
-.endm
-
-/* A line of a dark or matt triangle, whose r3, r4 and r7 stay: depth and end, r5: from the triangle's column, r6: the triangle. Steps
- * the edges. */
-.macro plain_begin hold, skip
-    mov r5, left
-    asrs r5, r5, #16
-    mov r1, right
-    asrs r1, r1, #16
-    add left, left_step
-    add right, right_step
-    subs r0, r1, r5
-    ble \skip
-    ldr r6, [sp, #W]
-    subs r6, r6, r1
-    orrs r6, r5
-    bmi \hold
-\hold\()_held:
-    lsls r1, r0, #1
-    ldr depth, [sp, #DEPTH]
-    lsls r6, r5, #1
-    adds depth, depth, r6
-    adds r1, r1, depth
-    mov end, r1
-    ldr r6, [sp, #TRIANGLE]
-    ldr r1, [r6, #GLINT_AT_TRIANGLE_X]
-    subs r5, r5, r1
-.endm
-
-.macro plain_end again
-    add r6, sp, #DEPTH
-    ldmia r6!, {r0-r2, r5}
-    adds r0, r0, r1
-    str r0, [sp, #DEPTH]
-    adds r4, r4, r2
-    cmp r0, r5
-    bne \again
-    str r4, [sp, #OFF]
-    mov r0, left
-    mov r1, right
-    b .Ledges
-.endm
-
-.macro plain_part constant
-    mov left, r2
-    mov right, r3
-    mov left_step, r4
-    mov right_step, r5
-    ldr r6, [sp, #TRIANGLE]
-    ldr r3, [sp, #\constant]
-    ldr r4, [sp, #OFF]
-    ldr r7, [r6, #GLINT_AT_TRIANGLE_ZX]
-.endm
-
-/* Is the pixel behind? Else its depth is entered. */
-.macro in_front behind
-    lsrs r5, z, #16
-    ldrh r6, [depth]
-    cmp r5, r6
-    bhs \behind
-    strh r5, [depth]
-.endm
-
-/* Pixels of a matt line, or of one that is as if it were: r3: colours, r4: off, r7: dz. Where nl is below 0 they go to dark. */
-.macro matt_pixels dark
-1:  in_front \dark\()_next
-    asrs r5, nl, #GLINT_COLOUR_ROW_SHIFT
-    bmi \dark
-    lsls r5, r5, #GLINT_COLOUR_ROW_BYTES_LOG
-    ldrh r5, [r3, r5]
-    strh r5, [depth, r4]
-\dark\()_next:
-    adds depth, #2
-    adds z, z, r7
-    add nl, dnl
-    cmp depth, end
-    blo 1b
-.endm
-
-.macro matt_dark dark
-\dark:
-    ldr r5, [sp, #DARK]
-    strh r5, [depth, r4]
-    b \dark\()_next
-.endm
-
-    function glint_mesh_colour
+    entry glint_mesh_colour
     enter FRAME
     str r1, [sp, #TRIANGLE]
     ldmia r2!, {r3-r7} /* surface, depth, w, y, end */
@@ -168,26 +49,19 @@
     muls r6, r2
     adds r1, r1, r6
     subs r1, r1, r4
-    subs r2, r2, r5
-    str r4, [sp, #DEPTH]
-    str r1, [sp, #OFF]
-    str r5, [sp, #DEPTH_STEP]
-    str r2, [sp, #OFF_STEP]
-    ldr r1, [r0, #GLINT_AT_TABLES_COLOUR]
-    str r1, [sp, #COLOURS]
-    ldrh r1, [r0, #GLINT_AT_TABLES_DARK]
-    str r1, [sp, #DARK]
-    ldr r1, [r0, #GLINT_AT_TABLES_COLUMNS]
+    subs r6, r2, r5
+    add r7, sp, #OFF
+    stmia r7!, {r1, r4-r6} /* off, depth, their steps the other way round */
+    ldmia r0!, {r1-r3} /* columns, colours, t_max */
     mov columns, r1
-    ldr r1, [r0, #GLINT_AT_TABLES_T_MAX]
-    mov t_max, r1
-    movs r2, #1
-    lsls r2, r2, #GLINT_NEGATIVE_T_LOG
-    adds r1, r1, r2
-    str r1, [sp, #LIMIT]
-    ldrb r1, [r0, #GLINT_AT_TABLES_SHIFT]
-    str r1, [sp, #SHIFT]
-
+    mov t_max, r3
+    ldrh r4, [r0, #GLINT_AT_TABLES_DARK - 12]
+    ldrb r5, [r0, #GLINT_AT_TABLES_SHIFT - 12]
+    movs r6, #1
+    lsls r6, r6, #GLINT_NEGATIVE_T_LOG
+    adds r6, r6, r3
+    adds r7, #4
+    stmia r7!, {r2, r4-r6}
     b .Lpart
 .Ledges:
     ldr r2, [sp, #LEFT_AT]
@@ -392,7 +266,7 @@
     subs r6, #36
     stmia r6!, {r0-r4}
     add r6, sp, #OFF
-    ldmia r6!, {r0-r4} /* off, depth, their steps the other way round, last */
+    ldmia r6!, {r0-r4} /* and last */
     adds r0, r0, r3
     adds r1, r1, r2
     subs r6, #20

@@ -1,18 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * glint_mesh_triangle_set(triangle, corner, shine, t_end), as mesh_edges.c has it: corners by y, then three edges by a routine that
- * keeps all it needs in registers, the inverse of its height included. Its values are C's. */
+ * keeps all it needs in registers, the inverse of its height included; then its values, by cortex_m0plus_gradient.S. */
 #if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus_gradient.inc"
-#include "glint_mesh_offsets.h"
-
-/* The frame: glint_mesh_values_set's last argument, its corners, and their vertices. */
-#define T_END 0
-#define CORNERS 4
-#define VERTICES 16
-#define SHINE 28
-#define TRIANGLE 32
-#define AREA 36
-#define FRAME 44 /* with r4-r7 and lr a multiple of 8 */
 
 /* The first line whose middle is at or beyond y. */
 .macro first line, y
@@ -61,6 +51,7 @@
     ldr r1, [r1]
     ldr r2, [r2]
     ldr r3, [r3]
+    mov r7, sp
     stmia r7!, {r1-r3}
     ldr r0, [sp, #TRIANGLE]
     adds r0, #GLINT_AT_TRIANGLE_Y
@@ -78,13 +69,19 @@
     ldrsh r1, [r1, r4]
     ldrsh r2, [r2, r4]
     ldrsh r3, [r3, r4]
-    subs r2, r2, r1
-    subs r3, r3, r1
-    muls r2, r6
-    muls r3, r5
-    subs r2, r2, r3
+    subs r4, r2, r1 /* x1 */
+    subs r3, r1, r3 /* -x2 */
+    movs r1, r6
+    negs r2, r5
+    muls r6, r4
+    muls r5, r3
+    adds r5, r5, r6
     beq .Lnothing
-    str r2, [sp, #AREA]
+    str r5, [sp, #AREA]
+    add r7, sp, #UX
+    stmia r7!, {r1-r4}
+    movs r4, #0
+    cmp r5, #0
     ble 1f
     movs r4, #1
 1:  strb r4, [r0, #GLINT_AT_TRIANGLE_LONG_IS_LEFT - GLINT_AT_TRIANGLE_Y]
@@ -98,19 +95,10 @@
     ldr r1, [sp, #VERTICES + 4]
     ldr r2, [sp, #VERTICES + 8]
     bl triangle_edge
-    ldr r4, [sp, #TRIANGLE]
-    movs r0, r4
-    add r1, sp, #CORNERS
-    ldr r2, [sp, #AREA]
-    ldr r3, [sp, #SHINE]
-    bl glint_mesh_values_set
-    adds r4, #GLINT_AT_TRIANGLE_SHINE
-    strb r0, [r4]
-    movs r0, #1
-    b 1f
+    bl glint_mesh_triangle_values /* does not return here */
 .Lnothing:
     movs r0, #0
-1:  add sp, #FRAME
+    add sp, #FRAME
     pop {r4-r7, pc}
 
 /* An edge from vertex r1 down to r2 to where r0 points, which moves on by it; r1-r7 and r12 are lost. */

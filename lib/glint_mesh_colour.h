@@ -9,4 +9,10 @@
 void glint_mesh_colour(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
                        const struct glint_mesh_target *target);
 
+/* A triangle by tables: as above where that is possible, else by glint_mesh_tables_rows, line by line. */
+void glint_mesh_tables_draw(const void *with, struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_target *target);
+void glint_mesh_tables_rows(const void *with, struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_target *target);
+
 #endif

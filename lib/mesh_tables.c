@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * A line of a triangle by tables: pixels side by side that are in front are a span. COLOUR tables have loops of their own. */
 #include "glint_math_align.h"
+#include "glint_math_assembly.h"
 #include "glint_mesh_colour.h"
 #include "glint_tables_geometry.h"
 #include "glint_mesh_path.h"
@@ -29,10 +30,10 @@ static void tables_row(const struct glint_tables *tables, struct glint_mesh_row 
 }
 
 /* Alone, so that a triangle which needs none of it has no frame for a row. */
-static __attribute__((noinline)) void tables_rows(const struct glint_tables *tables,
-                                                  struct glint_mesh_triangle *triangle,
-                                                  const struct glint_mesh_target *target)
+__attribute__((noinline)) void glint_mesh_tables_rows(const void *with, struct glint_mesh_triangle *triangle,
+                                                      const struct glint_mesh_target *target)
 {
+    const struct glint_tables *tables = (const struct glint_tables *)with;
     struct glint_mesh_row row;
     while (glint_mesh_row_next(&row, triangle, target))
         tables_row(tables, &row);
@@ -43,14 +44,17 @@ static uint32_t tables_t_end(const void *with)
     return ((const struct glint_tables *)with)->t_max_q30 + 1;
 }
 
-static void tables_draw(const void *with, struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target)
+#if !GLINT_CORTEX_M0PLUS_ASM
+void glint_mesh_tables_draw(const void *with, struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_target *target)
 {
     const struct glint_tables *tables = (const struct glint_tables *)with;
     if (tables->kind == GLINT_TABLES_COLOUR && !tables->dither && !GLINT_MISALIGNED(target->surface->pixels, 16) &&
         !GLINT_MISALIGNED(target->surface->stride, 16))
         glint_mesh_colour(tables, triangle, target);
     else
-        tables_rows(tables, triangle, target);
+        glint_mesh_tables_rows(tables, triangle, target);
 }
+#endif
 
-const struct glint_mesh_path glint_mesh_tables = {tables_can, tables_t_end, tables_draw};
+const struct glint_mesh_path glint_mesh_tables = {tables_can, tables_t_end, glint_mesh_tables_draw};

@@ -7,7 +7,7 @@ import { KNOWN } from './calibrate.mjs'
 
 export const RAM = 0x20000000
 export const RETURN = 0x20041000 // a call is over when it comes here
-export const STACK = RETURN
+const STACK = RETURN
 
 // The parts of a 32-bit little-endian ELF file: what to load where, and the global symbols.
 function parseElf(file) {

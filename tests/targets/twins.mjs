@@ -2,7 +2,7 @@
 // twins.mjs FOLDER: a mesh's functions in assembly beside those of C, in FOLDER's programs mesh-asm.elf and mesh-O2.elf, on an
 // emulated Cortex-M0+. Random arguments, also at the ends of their ranges. A line each: name, calls, calls whose memory was unlike
 // C's; then the same where the assembly gets another argument than C.
-import { load, RAM, RETURN, STACK } from '../bench/m0plus.mjs'
+import { load, RAM, RETURN } from '../bench/m0plus.mjs'
 
 const folder = process.argv[2]
 const [c, assembly] = ['O2', 'asm'].map((build) => load(`${folder}/npm`, `${folder}/mesh-${build}.elf`))
@@ -16,21 +16,18 @@ const one = (...of) => of[below(of.length)]
 const bits = (n) => below(2 ** Math.min(n, 16)) + 65536 * below(2 ** Math.max(n - 16, 0)) - 2 ** (n - 1) // signed
 const int16 = () => one(below(65536) - 32768, below(65536) - 32768, 32767, -32768)
 
-// What each returns, as a mask: nothing, but for a bool and an enum.
-const RETURNED = { glint_mesh_triangle_set: 1, glint_mesh_values_set: 0xff }
 function after(machine, name, args, bytes, fault) {
   const at = AT - RAM
   bytes.copy(machine.memory, at)
   if (fault >= 0) machine.memory[at + fault] ^= 0x11
-  machine.enter(name, args.slice(0, 4))
-  machine.memory.writeUInt32LE(args[4] ?? 0, STACK - RAM)
+  machine.enter(name, args)
   while (machine.core.PC !== RETURN) machine.core.executeInstruction()
   if (fault >= 0) machine.memory[at + fault] ^= 0x11
-  return `${RETURNED[name] & machine.core.registers[0]} ${machine.memory.toString('latin1', at, at + bytes.length)}`
+  return `${name === 'glint_mesh_triangle_set' ? machine.core.registers[0] & 1 : ''} ${machine.memory.toString('latin1', at, at + bytes.length)}`
 }
 
 // A triangle's corners, and what is set up.
-const V = 0x100, CORNERS = 0x200, ORDER = 0x240
+const V = 0x100, CORNERS = 0x200
 function triangle() {
   const bytes = Buffer.alloc(0x1400), size = one(8, 40, 300, 4000, 32766), first = below(32767 - size)
   for (let k = 0; k < 3; k++) {
@@ -43,16 +40,7 @@ function triangle() {
     bytes.writeUInt32LE(AT + V + 16 * k, CORNERS + 8 * k)
     bytes.writeUInt32LE(one(below(2 ** one(20, 28, 32)), below(2 ** 24), 2 ** 29), CORNERS + 8 * k + 4)
   }
-  return [bytes, [AT, AT + CORNERS, below(3), below(2 ** 28)], V + 2]
-}
-
-// Its corners in order, the upper one first, and the area that belongs to them; normals up to 90 degrees apart, and beyond.
-function values() {
-  const [bytes, [at, corners, shine]] = triangle(), place = (k) => [0, 2].map((field) => bytes.readInt16LE(V + 16 * k + field))
-  const order = [0, 1, 2].sort((k, l) => place(k)[1] - place(l)[1]), [a, b, c] = order.map(place)
-  const area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
-  order.forEach((k, i) => bytes.writeUInt32LE(corners + 8 * k, ORDER + 4 * i))
-  return area ? [bytes, [at, AT + ORDER, area, shine, below(2 ** one(28, 31))], V + 2] : values()
+  return [bytes, [AT, AT + CORNERS, below(3), below(2 ** one(28, 31))], V + 2]
 }
 
 // A frame, a mesh drawn, and the mesh, as lib/glint_mesh_offsets.h has them.
@@ -114,7 +102,7 @@ function colours() {
   const step = () => bits(one(size, size, Math.max(8, size - 3)))
   bytes.set(tables, COLUMNS)
   word(0, AT + COLUMNS, AT + COLOURS, tMax, 0x1234, shift)
-  word(SURFACE, AT + OUT, one(2 * w, 80 + 2 * below(10)))
+  word(SURFACE, AT + OUT + !below(20), one(2 * w, 80 + 2 * below(10), 80 + below(20)))
   word(TARGET, AT + SURFACE, AT + DEPTH, w, y, y + 8)
   for (let i = 0; i < 320; i++) bytes.writeUInt16LE(one(65535, 65535, below(65536)), DEPTH + 2 * i)
   const z = below(2) ? below(65536) * 65536 : bits(32), nl = shine === 0 ? -1 : below(8) ? below(2 ** 31) : bits(32)
@@ -134,7 +122,7 @@ function colours() {
   return [bytes, [AT, AT + TRIANGLE, AT + TARGET], TRIANGLE + 3]
 }
 
-const TWINS = [['glint_mesh_colour', colours, 6000], ['glint_mesh_triangle_set', triangle, 5000], ['glint_mesh_values_set', values, 8000], ['glint_mesh_vertices', vertices, 400], ['glint_mesh_sides8', sides, 500],
+const TWINS = [['glint_mesh_tables_draw', colours, 6000], ['glint_mesh_triangle_set', triangle, 10000], ['glint_mesh_vertices', vertices, 400], ['glint_mesh_sides8', sides, 500],
   ['glint_mesh_sort', lists, 1000]]
 for (const [name, make, calls] of TWINS) {
   const unlike = [0, 0]
