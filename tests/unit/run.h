@@ -57,6 +57,14 @@ static inline struct run *run(const char *command)
     return &result;
 }
 
+/* lib.a, plain, in the current folder: the one that is built, or one made here. */
+static inline int library_make(void)
+{
+    return run("cp \"$GLINT_LIBRARY\" lib.a 2>/dev/null || "
+               "{ mkdir -p o && cd o && gcc -O1 -std=c99 -c \"$GLINT_SOURCE\"/lib/*.c && ar rc ../lib.a *.o; }")
+        ->status;
+}
+
 static inline void assert_contains(const char *text, const char *part)
 {
     if (!strstr(text, part))

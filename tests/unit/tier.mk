@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Tier unit: every tests/unit/*/test_*.c is a cmocka program, linked with all of the host but main.o, built with sanitizers or
 # plain. Every other tests/unit/*/test_* is a script that speaks TAP.
-# In the environment of each: GLINT, the command; GLINT_SOURCE, the source folder.
+# In the environment of each: GLINT, the command; GLINT_SOURCE, the source folder; GLINT_LIBRARY, the library, but for one with
+# sanitizers, with which programs that a test compiles do not link. Threads that wait leave the processor to other tests.
 # GMP and MPFR: model_added builds programs of tier exact.
 UNIT_PACKAGES = libopenmpi-dev openmpi-bin libcmocka-dev libgmp-dev libmpfr-dev g++ clang libomp-dev gnuplot-nox cmake groff-base zsh
 UNIT_CHOSEN = $(wildcard tests/unit/*/test_*.c)
@@ -13,7 +14,8 @@ UNIT_TESTS = $(patsubst tests/unit/%.c,$(BUILD)/tests/unit/%,$(UNIT_CHOSEN))
 UNIT_QUICK = $(filter-out $(BUILD)/tests/unit/slow/%,$(UNIT_TESTS))
 UNIT_SCRIPTS = $(filter-out %.c,$(wildcard tests/unit/*/test_*))
 UNIT_QUICK_SCRIPTS = $(filter-out tests/unit/slow/%,$(UNIT_SCRIPTS))
-UNIT_ENV = GLINT="$$(realpath $(BUILD)/glint)" GLINT_SOURCE="$(CURDIR)"
+UNIT_ENV = GLINT="$$(realpath $(BUILD)/glint)" GLINT_SOURCE="$(CURDIR)" \
+	GLINT_LIBRARY="$(if $(SANITIZERS),,$$(realpath $(BUILD)/libglint.a))" OMP_WAIT_POLICY=passive
 UNIT_SANITIZED = build/sanitized
 
 $(BUILD)/tests/unit/%.o: tests/unit/%.c $(BUILD)/flags | $(BUILD)/packages
@@ -52,6 +54,6 @@ check-unit:
 	else tests/tally "echo ok 1 - tier unit # SKIP cmocka is not installed: make setup-unit"; fi
 
 run-check-unit: unit-quick-programs
-	@$(UNIT_ENV) TALLY_JOBS=$$(($$(nproc) + 1)) tests/tally $(UNIT_QUICK) $(UNIT_QUICK_SCRIPTS)
+	@$(UNIT_ENV) TALLY_JOBS=$$(($$(nproc) + 1)) tests/tally $(UNIT_QUICK_SCRIPTS) $(UNIT_QUICK)
 
 .PHONY: setup-unit test-unit unit-programs unit-quick-programs run-unit check-unit run-check-unit

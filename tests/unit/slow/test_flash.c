@@ -8,9 +8,7 @@ enum { WIDTH = 12, HEIGHT = 8, PIXELS = WIDTH * HEIGHT };
 
 static int make_library(void **state)
 {
-    if (make_maps(state) != 0)
-        return -1;
-    return run("mkdir -p o && cd o && gcc -O1 -std=c99 -c \"$GLINT_SOURCE\"/lib/*.c && ar rc ../lib.a *.o")->status;
+    return make_maps(state) == 0 ? library_make() : -1;
 }
 
 /* Compiles out/t.c, sources beside it and the library as C and as C++; what it writes is the file `wanted`. */
