@@ -17,7 +17,7 @@ struct glint_mesh_target {
 };
 
 struct glint_mesh_path {
-    bool (*can)(const void *with, const struct glint_surface *surface);
+    bool (*can)(const void *with);       /* false: a strip with it is refused */
     uint32_t (*t_end)(const void *with); /* from there on nothing shines */
     /* Draws a triangle's lines from its own, which is in the strip, to the strip's end, and brings it there. The triangle is that of a
      * struct glint_mesh_kept, which knows its face. */

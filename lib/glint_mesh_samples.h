@@ -7,11 +7,10 @@
 #include "glint_pixel.h"
 #include "glint_pixel_prepared.h"
 
-/* Can it draw there? */
-static inline bool glint_mesh_prepared_can(const struct glint_prepared *prepared, const struct glint_surface *surface)
+/* Can it draw? */
+static inline bool glint_mesh_prepared_can(const struct glint_prepared *prepared)
 {
-    return prepared && surface->pixels &&
-           !GLINT_FLASH_POINTER(prepared->model->geometry); /* Phong's t is not of this form */
+    return prepared && !GLINT_FLASH_POINTER(prepared->model->geometry); /* Phong's t is not of this form */
 }
 
 /* The next count of them; row goes on after these. */

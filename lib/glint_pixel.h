@@ -27,9 +27,7 @@ enum { GLINT_LUMA_RED = 54, GLINT_LUMA_GREEN = 183, GLINT_LUMA_BLUE = 19 };
 /* Can this shader draw? GLINT_OK or GLINT_ERR_FORMAT. */
 enum glint_err glint_pixel_check(const struct glint_shader *shader);
 
-/* Step 1, in the geometry of the lobe's model. */
-uint32_t glint_pixel_t(const struct glint_lobe *lobe, const struct glint_light *light, const struct glint_vec *normal);
-
+/* Step 1 in Phong's geometry. */
 uint32_t glint_phong_t(const struct glint_vec *normal, const struct glint_light *light);
 
 /* Step 3's last words. */

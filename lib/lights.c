@@ -143,7 +143,7 @@ static uint32_t lights_total(const struct glint_lamp *lamps, unsigned count, uin
 static GLINT_LIGHTS_ALONE uint32_t lights_most(struct glint_prepared *p, uint32_t total)
 {
     uint32_t most = total < 131072 ? total : 131072;
-    if (p->shader.space == GLINT_LINEAR || most < 65536)
+    if (p->shader.space == GLINT_LINEAR)
         return 65536;
     for (int k = 0; k < 3; k++) { /* P <= 2 ambient and a threshold, Q <= 2 diffuse, with maps, too */
         const uint32_t room = UINT32_C(0xfff00000) - ((uint32_t)1 << p->shift) - 2 * p->ambient[k];

@@ -30,11 +30,10 @@ void glint_mesh_albedo_get(const struct glint_mesh_across *across, int32_t x, in
             out[k] = (uint8_t)glint_mesh_across_next(&across->of[k], &now[k]);
 }
 
-static bool albedo_can(const void *with, const struct glint_surface *surface)
+static bool albedo_can(const void *with)
 {
     const struct glint_mesh_albedo *albedo = (const struct glint_mesh_albedo *)with;
-    return glint_mesh_albedo_can(albedo) &&
-           glint_mesh_prepared_can((const struct glint_prepared *)albedo->with, surface);
+    return glint_mesh_albedo_can(albedo) && glint_mesh_prepared_can((const struct glint_prepared *)albedo->with);
 }
 
 static uint32_t albedo_t_end(const void *with)

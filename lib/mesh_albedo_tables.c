@@ -10,11 +10,10 @@ static uint32_t albedo_level(uint32_t colour, uint32_t most)
     return (x + (x >> 8)) >> 8;
 }
 
-static bool albedo_tables_can(const void *with, const struct glint_surface *surface)
+static bool albedo_tables_can(const void *with)
 {
     const struct glint_mesh_albedo *albedo = (const struct glint_mesh_albedo *)with;
-    return glint_mesh_albedo_can(albedo) && surface->pixels &&
-           ((const struct glint_tables *)albedo->with)->kind == GLINT_TABLES_ALBEDO;
+    return glint_mesh_albedo_can(albedo) && ((const struct glint_tables *)albedo->with)->kind == GLINT_TABLES_ALBEDO;
 }
 
 static const struct glint_tables *albedo_tables(const void *with)

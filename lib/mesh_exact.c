@@ -2,9 +2,9 @@
  * A line of a triangle by the prepared shader: every format and space. */
 #include "glint_mesh_samples.h"
 
-static bool exact_can(const void *with, const struct glint_surface *surface)
+static bool exact_can(const void *with)
 {
-    return glint_mesh_prepared_can((const struct glint_prepared *)with, surface);
+    return glint_mesh_prepared_can((const struct glint_prepared *)with);
 }
 
 static uint32_t exact_t_end(const void *with)

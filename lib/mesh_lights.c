@@ -40,10 +40,10 @@ enum glint_err glint_mesh_lights_init(struct glint_mesh_lights *lights, const st
     return GLINT_OK;
 }
 
-static bool lit_can(const void *with, const struct glint_surface *surface)
+static bool lit_can(const void *with)
 {
     const struct glint_mesh_lights *lights = (const struct glint_mesh_lights *)with;
-    return lights && lights->memory && surface->pixels && !(lights->of_vertices && lights->of_faces);
+    return lights && lights->memory && !(lights->of_vertices && lights->of_faces);
 }
 
 /* The light of glint_mesh_add is not this one: t is not asked for. */

@@ -148,11 +148,11 @@ void glint_mesh_forget(struct glint_mesh_frame *frame, struct glint_mesh_drawn *
     }
 }
 
-static bool strip_can(const struct glint_mesh_frame *frame, const struct glint_surface *surface)
+static bool strip_can(const struct glint_mesh_frame *frame)
 {
     for (const struct glint_mesh_drawn *drawn = frame->first; drawn; drawn = drawn->next)
         for (unsigned i = 0; i == 0 || i < drawn->mesh->part_count; i++)
-            if (!drawn->paints[i].path || !drawn->paints[i].path->can(drawn->paints[i].with, surface))
+            if (!drawn->paints[i].path || !drawn->paints[i].path->can(drawn->paints[i].with))
                 return false;
     return true;
 }
@@ -171,7 +171,7 @@ enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint
                                 const struct glint_surface *surface)
 {
     if (!frame || !surface || !surface->pixels || y >= frame->h || h == 0 || h > frame->lines || h > frame->h - y ||
-        !strip_can(frame, surface))
+        !strip_can(frame))
         return GLINT_ERR_ARG;
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)frame->memory;
     struct glint_mesh_target target = {

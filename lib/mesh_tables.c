@@ -8,10 +8,10 @@
 #include "glint_pixel_exact.h"
 
 /* A span starts on a byte. */
-static bool tables_can(const void *with, const struct glint_surface *surface)
+static bool tables_can(const void *with)
 {
     const struct glint_tables *tables = (const struct glint_tables *)with;
-    return tables && surface->pixels && tables->format != GLINT_MONO &&
+    return tables && tables->format != GLINT_MONO &&
            (tables->kind == GLINT_TABLES_COLOUR || tables->kind == GLINT_TABLES_SMALL);
 }
 

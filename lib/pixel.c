@@ -7,13 +7,6 @@ enum glint_err glint_pixel_check(const struct glint_shader *shader)
     return shader->format < GLINT_FORMAT_COUNT && shader->space <= GLINT_LINEAR ? GLINT_OK : GLINT_ERR_FORMAT;
 }
 
-/* Step 1, Blinn: t = |N - H|^2 / 2. Unlike 1 - N.H it loses nothing near the peak. */
-static uint32_t blinn_t(const struct glint_vec *n, const struct glint_vec *h)
-{
-    const uint64_t sum = glint_distance_squared(n, h);
-    return sum >> 32 ? (uint32_t)1 << 31 : (uint32_t)(sum >> 1);
-}
-
 /* One component of L + V - 2(N.L)N = V - R in Q24. |p| <= 3 * 2^30, so |2pN| < 2^48. */
 static int64_t off_mirror(int16_t l, int16_t v, int64_t p, int16_t n)
 {
@@ -28,11 +21,6 @@ uint32_t glint_phong_t(const struct glint_vec *n, const struct glint_light *ligh
     const int64_t z = off_mirror(light->l.z, light->v.z, p, n->z);
     const uint64_t sum = (uint64_t)(x * x) + (uint64_t)(y * y) + (uint64_t)(z * z); /* < 2^58 */
     return sum >> 50 ? (uint32_t)1 << 31 : (uint32_t)(sum >> 19);
-}
-
-uint32_t glint_pixel_t(const struct glint_lobe *lobe, const struct glint_light *light, const struct glint_vec *normal)
-{
-    return lobe->model == GLINT_PHONG ? glint_phong_t(normal, light) : blinn_t(normal, &light->h);
 }
 
 uint64_t glint_pixel_value(const struct glint_shader *shader, int k, uint8_t albedo, uint32_t nl_q16, uint64_t shine)

@@ -165,9 +165,10 @@ LINEAR_ALONE uint32_t linear_encode(union linear_pixel *at, const struct glint_s
             const uint32_t found = linear_level(encoded, max, t);
             at[i].levels[k] = (uint8_t)(found >> 16);
             if (__builtin_expect(((found ^ (found + margin)) >> 16) != 0, 0)) {
-                uint32_t most = x + steps < LINEAR_ONE ? x + steps : LINEAR_ONE;
-                if (samples[i].nl_q16 == 0 && !run->albedo && !glint_format_is_grey(p->shader.format))
-                    most = linear_x(p->p[k] + LINEAR_HALF + 1); /* all of V, low by less than 1 */
+                /* V is P alone, rounded down by less than 1, and so x is exact. Not in grey, which sums parts of P. */
+                if (samples[i].nl_q16 == 0 && !glint_format_is_grey(p->shader.format))
+                    continue;
+                const uint32_t most = x + steps < LINEAR_ONE ? x + steps : LINEAR_ONE;
                 struct glint_chords chords;
                 glint_srgb_chords(&chords, most);
                 if ((linear_level(glint_srgb_by(&chords, most), max, t) ^ found) >> 16)

@@ -33,9 +33,14 @@ uint32_t worst_count(void)
     return count;
 }
 
+/* Step 1, in the geometry of the lobe's model. */
 uint32_t worst_t(uint32_t x)
 {
-    return glint_pixel_t(&bench_shader.lobe, &bench_shader.light, &bench_line.normals[x]);
+    const struct glint_vec *normal = &bench_line.normals[x];
+    if (bench_shader.lobe.model == GLINT_PHONG)
+        return glint_phong_t(normal, &bench_shader.light);
+    const uint64_t sum = glint_distance_squared(normal, &bench_shader.light.h);
+    return sum >> 32 ? (uint32_t)1 << 31 : (uint32_t)(sum >> 1);
 }
 
 /* F as the sequence of a pixel that is open finds it. */

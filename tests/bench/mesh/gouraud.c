@@ -16,9 +16,9 @@ void gouraud_vertices(struct glint_mesh_drawn *drawn, const struct glint_lobe *l
     }
 }
 
-static bool gouraud_can(const void *with, const struct glint_surface *surface)
+static bool gouraud_can(const void *with)
 {
-    return with && surface->pixels;
+    return with;
 }
 
 static uint32_t gouraud_t_end(const void *with)
