@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: MIT
+ * A triangle's values beside lib/sequence.md, step by step; where the near plane lies, and how what it cuts is lit. */
+#include "meshes.h"
+
+#include "glint_mesh_edges.h"
+#include "glint_mesh_gradient.h"
+
+static unsigned bits_of(uint64_t x)
+{
+    unsigned bits = 0;
+    for (; x; x >>= 1)
+        bits++;
+    return bits;
+}
+
+/* `slopes` of sequence.md, of corners from the upper one down. */
+struct slopes {
+    int64_t x[2], y[2],
+        at[2]; /* of u and v: a pixel to the right, a line down, times 2^e; at the first pixel, times 2^(e - 1) */
+    int e;
+};
+static struct slopes slopes_of(const struct glint_mesh_vertex *const v[3])
+{
+    const int64_t x1 = v[1]->x - v[0]->x, y1 = v[1]->y - v[0]->y, x2 = v[2]->x - v[0]->x, y2 = v[2]->y - v[0]->y;
+    const int64_t area = x1 * y2 - x2 * y1, size = llabs(area);
+    const unsigned left = 32 - bits_of((uint64_t)size);
+    const int64_t i = (int64_t)glint_mesh_inverse((uint32_t)(size << left >> 4)) * (area < 0 ? -1 : 1);
+    struct slopes s = {{y2 * i, -y1 * i}, {-x2 * i, x1 * i}, {0, 0}, 0};
+    uint64_t most = 0;
+    for (int k = 0; k < 2; k++)
+        most |= (uint64_t)(s.x[k] < 0 ? -s.x[k] - 1 : s.x[k]) | (uint64_t)(s.y[k] < 0 ? -s.y[k] - 1 : s.y[k]);
+    const unsigned bits = bits_of(most + (most >> 14)), down = bits > 15 ? bits - 15 : 0; /* room to round up */
+    const int64_t half = ((int64_t)1 << down) >> 1, fx = 8 - (v[0]->x & 15),
+                  fy = 16 * ((v[0]->y + 7) >> 4) + 8 - v[0]->y;
+    for (int k = 0; k < 2; k++) {
+        s.x[k] = (s.x[k] + half) >> down;
+        s.y[k] = (s.y[k] + half) >> down;
+        s.at[k] = (s.x[k] * fx + s.y[k] * fy + 16) >> 5;
+    }
+    s.e = 43 - (int)left - (int)down;
+    return s;
+}
+
+/* `linear`: p u + q v, u and v times 2^e, in units of 2^-17. */
+static uint32_t linear(int64_t p, int64_t q, const int64_t uv[2], int e)
+{
+    const int64_t sum = p * uv[0] + q * uv[1];
+    return (uint32_t)(e > 17 ? sum >> (e - 17) : sum * ((int64_t)1 << (17 - e)));
+}
+
+/* Of triangles from a sixteenth of a pixel up: where their sides are below 3/16, slopes have 15 bits, too. */
+static void nl_and_depth_of_a_triangle_are_the_sequence_s(void **state)
+{
+    (void)state;
+    unsigned steep = 0, slivers = 0;
+    for (int round = 0; round < 200000; round++) {
+        const uint32_t size = round & 1 ? 5 : 2 + below(4000);
+        struct glint_mesh_vertex vertex[3];
+        const struct glint_mesh_vertex *v[3] = {&vertex[0], &vertex[1], &vertex[2]};
+        for (int i = 0; i < 3; i++)
+            vertex[i] = (struct glint_mesh_vertex){(int16_t)(103 + below(size)),
+                                                   (int16_t)(103 + below(size)),
+                                                   (uint16_t)below(65536),
+                                                   0,
+                                                   0,
+                                                   (int32_t)(below(65536) << 15) - (1 << 30)};
+        const struct glint_mesh_corner corner[3] = {{v[0], 0}, {v[1], 0}, {v[2], 0}};
+        struct glint_mesh_triangle triangle;
+        if (!glint_mesh_triangle_set(&triangle, corner, GLINT_MESH_MATT, 0))
+            continue;
+        for (int i = 0; i < 3; i++) /* from the upper one down, of equal ones the earlier first */
+            for (int k = 0; k < 2; k++)
+                if (v[k + 1]->y < v[k]->y) {
+                    const struct glint_mesh_vertex *const upper = v[k + 1];
+                    v[k + 1] = v[k];
+                    v[k] = upper;
+                }
+        const struct slopes s = slopes_of(v);
+        const struct glint_mesh_values *found = &triangle.values;
+        if (s.e < 12) {
+            assert_int_equal((int32_t)found->nl, (v[0]->nl_q30 >> 2) + (v[1]->nl_q30 >> 1) + (v[2]->nl_q30 >> 2));
+            assert_int_equal(found->z, (v[0]->z + (uint32_t)v[1]->z + v[2]->z) * 21845);
+            assert_true(found->nlx == 0 && found->nly == 0 && found->zx == 0 && found->zy == 0);
+            steep++;
+            continue;
+        }
+        const int64_t nl = (v[0]->nl_q30 >> 2) - (1 << 14), z = v[0]->z - 1;
+        const int64_t p = ((v[1]->nl_q30 >> 2) - nl) >> 15, q = ((v[2]->nl_q30 >> 2) - nl) >> 15;
+        const int64_t zp = (v[1]->z - z) >> 1, zq = (v[2]->z - z) >> 1;
+        assert_int_equal(found->nl, (uint32_t)v[0]->nl_q30 + linear(p, q, s.at, s.e - 1));
+        assert_int_equal(found->nlx, linear(p, q, s.x, s.e));
+        assert_int_equal(found->nly, linear(p, q, s.y, s.e));
+        assert_int_equal(found->z, ((uint32_t)v[0]->z << 16) + linear(zp, zq, s.at, s.e - 1));
+        assert_int_equal(found->zx, linear(zp, zq, s.x, s.e));
+        assert_int_equal(found->zy, linear(zp, zq, s.y, s.e));
+        slivers += size == 5;
+    }
+    assert_true(steep > 100 && slivers > 1000);
+}
+
+static struct made_mesh mesh;
+
+/* One face whose corners have the normal n, drawn with a prepared shader over pixels of 0. */
+static void draw_face(const struct glint_shader *shader, const int16_t places[3][3], struct glint_vec n, int16_t z,
+                      uint16_t scale, uint16_t distance, uint8_t *out)
+{
+    static const unsigned whole[] = {MESH_H};
+    struct glint_prepared prepared;
+    const struct glint_paint paint = {&glint_mesh_exact, &prepared};
+    assert_int_equal(glint_shade_prepare(&prepared, shader), GLINT_OK);
+    mesh_made(&mesh, 3, 1);
+    for (int i = 0; i < 3; i++) {
+        const int16_t normal[3] = {n.x, n.y, n.z};
+        memcpy(mesh.places[i], places[i], sizeof mesh.places[i]);
+        memcpy(mesh.normals[i], normal, sizeof normal);
+        mesh.faces[0][i] = (uint16_t)i;
+    }
+    mesh.pose.position[2] = z;
+    mesh.pose.scale = scale;
+    mesh.distance = distance;
+    memset(out, 0, 3 * MESH_W * MESH_H);
+    mesh_picture(&mesh, &shader->light, &paint, out, 3, whole, 1, false);
+}
+
+/* 8 (distance - z) >= distance: of a face with a corner at the last such z nothing is left if the others are a sixteenth of a pixel
+ * nearer to the camera, as the sides are cut where they begin. */
+static void the_near_plane_lies_an_eighth_of_the_distance_before_the_camera(void **state)
+{
+    (void)state;
+    static const int16_t at[3][3] = {{-160, -160, 0}, {160, -160, 0}, {0, 160, 0}},
+                         nearer[3][3] = {{-160, -160, 0}, {160, -160, 4}, {0, 160, 4}};
+    static uint8_t out[3 * MESH_W * MESH_H];
+    const struct glint_vec n = {0, 0, 32767};
+    struct glint_shader shader = random_shader(GLINT_RGB888, GLINT_GAMMA);
+    glint_lobe_init(&shader.lobe, GLINT_MSH, 10, 6);
+    shader.material.ambient_q16[1] = 65536;
+    shader.material.albedo[1] = 255;
+    for (int round = 0; round < 64; round++) {
+        const uint16_t distance = (uint16_t)(400 + round);
+        int16_t last = (int16_t)distance;
+        while (8 * (distance - last) < distance)
+            last--;
+        draw_face(&shader, at, n, last, 8192, distance, out);
+        assert_int_equal(out[3 * (MESH_W * (MESH_H / 2) + MESH_W / 2) + 1], 255);
+        draw_face(&shader, nearer, n, last, 8192, distance, out);
+        for (size_t i = 0; i < sizeof out; i++)
+            assert_int_equal(out[i], 0);
+    }
+}
+
+/* Corners beyond the guard band, of one normal: each pixel is that of a span with the corners' t and nl. */
+static void what_is_clipped_is_lit_by_its_normals(void **state)
+{
+    (void)state;
+    static const int16_t places[3][3] = {{-32767, -32767, 0}, {32767, -32767, 0}, {0, 32767, 0}};
+    static uint8_t out[3 * MESH_W * MESH_H], line[3 * MESH_W];
+    for (int round = 0; round < 200; round++) {
+        struct glint_shader shader = random_shader(GLINT_RGB888, GLINT_GAMMA);
+        if (shader.lobe.model == GLINT_PHONG)
+            glint_lobe_init(&shader.lobe, GLINT_MSH, 60, 8);
+        shader.dither = false;
+        const struct glint_vec n = random_normal(&shader.light), h = shader.light.h;
+        const int64_t x = n.x - h.x, y = n.y - h.y, z = n.z - h.z;
+        const struct glint_span span = {
+            (uint32_t)((x * x >> 1) + (y * y >> 1) + (z * z >> 1)), 0, 0, (int32_t)dot(n, shader.light.l), 0, MESH_W};
+        if (dot(n, shader.light.l) > INT32_MAX || span.t_q30 >= UINT32_C(1) << 31)
+            continue;
+        const struct glint_surface surface = {line, sizeof line, 0, 0};
+        assert_int_equal(glint_shade_span(&shader, &span, &surface, NULL), GLINT_OK);
+        draw_face(&shader, places, n, 0, 32768, round & 1 ? 2000 : 0, out);
+        for (size_t i = 0; i < MESH_H; i++)
+            assert_memory_equal(out + i * sizeof line, line, sizeof line);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nl_and_depth_of_a_triangle_are_the_sequence_s),
+        cmocka_unit_test(the_near_plane_lies_an_eighth_of_the_distance_before_the_camera),
+        cmocka_unit_test(what_is_clipped_is_lit_by_its_normals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
