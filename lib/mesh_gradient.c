@@ -87,8 +87,9 @@ static struct slopes gradient_slopes(const struct glint_mesh_vertex *a, const st
     const int32_t inverse = (int32_t)glint_mesh_inverse(size << left >> 4), one = area < 0 ? -inverse : inverse;
     const int32_t ux = y2 * one, uy = -x2 * one, vx = -y1 * one, vy = x1 * one; /* <= (2^15 - 2) 2^16 < 2^31 */
     const uint32_t most = gradient_size(ux) | gradient_size(uy) | gradient_size(vx) | gradient_size(vy);
-    const unsigned bits = gradient_bits(most + (most >> 14)), down = bits > 15 ? bits - 15 : 0; /* room to round up */
-    const int32_t half = (int32_t)(((uint32_t)1 << down) >> 1);
+    /* Room to round up. 17 bits or more: where no side is above 1, the inverse is 2^16. */
+    const unsigned down = gradient_bits(most + (most >> 14)) - 15;
+    const int32_t half = (int32_t)1 << (down - 1);
     struct slopes s = {(ux + half) >> down,       (uy + half) >> down, (vx + half) >> down, (vy + half) >> down, 0, 0,
                        43 - (int)left - (int)down}; /* 16 / size = inverse 2^(left - 43) */
     /* -8..8 and 0..15 sixteenths of a pixel: < 2^15 (8 + 15) / 32 */

@@ -29,8 +29,8 @@ static struct slopes slopes_of(const struct glint_mesh_vertex *const v[3])
     uint64_t most = 0;
     for (int k = 0; k < 2; k++)
         most |= (uint64_t)(s.x[k] < 0 ? -s.x[k] - 1 : s.x[k]) | (uint64_t)(s.y[k] < 0 ? -s.y[k] - 1 : s.y[k]);
-    const unsigned bits = bits_of(most + (most >> 14)), down = bits > 15 ? bits - 15 : 0; /* room to round up */
-    const int64_t half = ((int64_t)1 << down) >> 1, fx = 8 - (v[0]->x & 15),
+    const unsigned down = bits_of(most + (most >> 14)) - 15; /* room to round up */
+    const int64_t half = (int64_t)1 << (down - 1), fx = 8 - (v[0]->x & 15),
                   fy = 16 * ((v[0]->y + 7) >> 4) + 8 - v[0]->y;
     for (int k = 0; k < 2; k++) {
         s.x[k] = (s.x[k] + half) >> down;
@@ -48,7 +48,7 @@ static uint32_t linear(int64_t p, int64_t q, const int64_t uv[2], int e)
     return (uint32_t)(e > 17 ? sum >> (e - 17) : sum * ((int64_t)1 << (17 - e)));
 }
 
-/* Of triangles from a sixteenth of a pixel up: where their sides are below 3/16, slopes have 15 bits, too. */
+/* Of triangles from a sixteenth of a pixel up: with sides of 1/16, too. */
 static void nl_and_depth_of_a_triangle_are_the_sequence_s(void **state)
 {
     (void)state;
