@@ -2,6 +2,8 @@
  * Several lights: what they may touch, what they report, what they refuse. */
 #include "lamps.h"
 
+#include "glint_lights.h"
+
 static void parts_of_a_picture_join(void **state)
 {
     (void)state;
@@ -62,6 +64,77 @@ static void the_highlight_box_is_what_single_pixels_report(void **state)
         assert_true(box.x == left && box.y == top && box.w == right - left && box.h == bottom - top);
     }
     assert_in_range(empty, 10, 190);
+}
+
+/* Where F is 2^-16 for it is half of that and a little, which the quick sequence does not see: of lobes made by hand. */
+static void the_highlight_box_ends_with_the_last_pixel_that_shines_by_a_unit(void **state)
+{
+    (void)state;
+    static const struct glint_vec l = {0, 0, 32767};
+    const int32_t above[3] = {0, 0, 1};
+    unsigned dim = 0, none = 0;
+    for (int i = 0; i < 60; i++) {
+        struct glint_shader shader = random_shader(GLINT_RGB565, GLINT_GAMMA);
+        const enum glint_model model = (enum glint_model)(i % GLINT_MODEL_COUNT);
+        glint_lobe_init(&shader.lobe, model == GLINT_PHONG ? GLINT_BLINN : model, 5 + below(996), 16);
+        struct glint_lamp lamps[2];
+        for (int k = 0; k < 2; k++)
+            assert_int_equal(glint_lamp_directional(&lamps[k], above, above), GLINT_OK);
+        shader.lobe.t_max_q30 = 1 << 30;
+        uint32_t last = 0; /* t of the last F that is not 0 */
+        for (uint32_t bit = 1 << 29; bit; bit /= 2)
+            if (glint_eval_t((enum glint_model)shader.lobe.model, shader.lobe.n, last + bit))
+                last += bit;
+        const int32_t middle = (int32_t)sqrt(2. * last * (1 - last / 4294967296.));
+        for (int32_t x = middle - 30; x < middle + 30; x++) {
+            const struct glint_vec n = {(int16_t)x, 0, (int16_t)sqrt(32767. * 32767 - (double)x * x)};
+            const int64_t z = n.z - l.z, t = ((int64_t)x * x + z * z) / 2;
+            const uint32_t f = glint_eval_t((enum glint_model)shader.lobe.model, shader.lobe.n, (uint32_t)t);
+            const struct glint_source source = {.normals = &n};
+            uint16_t out;
+            const struct glint_surface surface = {&out, 2, 0, 0};
+            struct glint_box box;
+            assert_int_equal(glint_shade_lights(&shader, lamps, 2, &source, 1, 1, &surface, &box), GLINT_OK);
+            assert_int_equal(box.w, f > 0);
+            dim += f == 1;
+            none += f == 0;
+        }
+    }
+    assert_true(dim > 100 && none > 100);
+}
+
+/* `most` and the slack of F of a shader under `count` lamps of this colour. */
+static void assert_sums(const struct glint_shader *shader, unsigned count, uint32_t color, uint32_t most,
+                        unsigned slack)
+{
+    struct glint_lamp lamps[GLINT_LAMPS_MAX];
+    struct glint_lights lights;
+    struct glint_prepared prepared;
+    const int32_t above[3] = {0, 0, 1};
+    for (unsigned i = 0; i < count; i++) {
+        assert_int_equal(glint_lamp_directional(&lamps[i], above, above), GLINT_OK);
+        for (int k = 0; k < 3; k++)
+            lamps[i].color_q16[k] = color;
+    }
+    assert_int_equal(glint_lights_init(&lights, &prepared, shader, lamps, count), GLINT_OK);
+    assert_int_equal(lights.most, most);
+    assert_int_equal(prepared.slack, slack);
+}
+
+static void sums_reach_what_the_lamps_send_up_to_twice_of_one_and_f_is_low_by_as_much(void **state)
+{
+    (void)state;
+    struct glint_shader shader = random_shader(GLINT_RGB888, GLINT_GAMMA);
+    glint_lobe_init(&shader.lobe, GLINT_MSH, 60, 8);
+    for (int k = 0; k < 3; k++)
+        shader.material.ambient_q16[k] = shader.material.diffuse_q16[k] = shader.material.specular_q16[k] = 9000;
+    assert_sums(&shader, 2, 20000, 65536, 2);
+    assert_sums(&shader, 2, 49152, 98304, 2);
+    assert_sums(&shader, 3, 30000, 90000, 3);
+    assert_sums(&shader, 4, 65536, 131072, 4);
+    assert_sums(&shader, 4, 16 * 65536, 131072, 64);
+    shader.space = GLINT_LINEAR;
+    assert_sums(&shader, 4, 65536, 65536, 4);
 }
 
 static enum glint_err draw(const struct glint_shader *shader, const struct glint_source *source, uint16_t w, uint16_t h,
@@ -174,6 +247,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(parts_of_a_picture_join),
         cmocka_unit_test(the_highlight_box_is_what_single_pixels_report),
+        cmocka_unit_test(the_highlight_box_ends_with_the_last_pixel_that_shines_by_a_unit),
+        cmocka_unit_test(sums_reach_what_the_lamps_send_up_to_twice_of_one_and_f_is_low_by_as_much),
         cmocka_unit_test(nothing_outside_the_rectangle_is_written),
         cmocka_unit_test(lamps_at_the_limits_are_shaded_without_overflow),
         cmocka_unit_test(wrong_lamps_are_refused_and_nothing_is_written),
