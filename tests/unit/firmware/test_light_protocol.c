@@ -48,6 +48,9 @@ static void the_bytes_on_the_wire_are_those_documented(void **state)
     assert_memory_equal(bytes, "glnt\1\0\0\0\2\1\4\3", LIGHT_DESCRIPTOR_BYTES);
     bytes[3]++;
     assert_false(light_descriptor_unpack(&descriptor, bytes));
+    const struct light_mesh mesh = {.cksum = 0x01020304, .vertices = 0x0506, .faces = 0x0708, .split = 9};
+    light_mesh_pack(bytes, &mesh);
+    assert_memory_equal(bytes, "\x04\x03\x02\x01\x06\x05\x08\x07\x09\0\0\0", LIGHT_MESH_BYTES);
 }
 
 static void a_material_is_taken_from_a_shader_whole(void **state)

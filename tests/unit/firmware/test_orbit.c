@@ -64,6 +64,20 @@ static void the_demo_s_pose_is_its_turn_and_then_its_tilt(void **state)
     }
 }
 
+/* So a pixel's hue is the metal's: of gold red, then green, then blue. */
+static void the_demo_s_light_is_white_and_its_coin_of_gold(void **state)
+{
+    (void)state;
+    struct glint_shader shader;
+    demo_shader(&shader);
+    const struct glint_material *m = &shader.material;
+    for (int k = 1; k < 3; k++) {
+        assert_int_equal(m->ambient_q16[k], m->ambient_q16[0]);
+        assert_int_equal(m->diffuse_q16[k], m->diffuse_q16[0]);
+        assert_true(m->albedo[k] < m->albedo[k - 1] && m->specular_q16[k] < m->specular_q16[k - 1]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -71,6 +85,7 @@ int main(void)
         cmocka_unit_test(the_sine_is_symmetric_about_its_peaks),
         cmocka_unit_test(the_orbit_comes_back_after_its_frames),
         cmocka_unit_test(the_demo_s_pose_is_its_turn_and_then_its_tilt),
+        cmocka_unit_test(the_demo_s_light_is_white_and_its_coin_of_gold),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

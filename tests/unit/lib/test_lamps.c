@@ -3,6 +3,7 @@
 #include "lamps.h"
 
 #include "glint_lamp.h"
+#include "glint_math_multiply.h"
 #include "glint_math_vector.h"
 
 static uint32_t reach_of(const struct glint_lamp *lamp, int32_t x, int32_t y, const int32_t v_q30[3],
@@ -198,6 +199,54 @@ static void a_light_goes_with_what_arrives(void **state)
     assert_memory_equal(&light, &wanted, sizeof light);
 }
 
+/* part = 2^31 (c - outer) / (inner - outer), as lamp_cone finds it from a c that may be 20 units higher. */
+static void a_spot_s_blur_covers_its_cosine_s_error_and_its_quotient_s(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 200000; i++) {
+        const uint32_t width = 21 + below(UINT32_C(1) << (6 + below(25)));
+        struct glint_lamp lamp = {.kind = GLINT_SPOT, .range = 1000, .axis_q30 = {0, 0, -ONE_Q30}};
+        lamp.cos_outer_q30 = -ONE_Q30;
+        lamp.cos_inner_q30 = (int32_t)((int64_t)width - ONE_Q30);
+        struct glint_reach reach;
+        glint_reach_init(&reach, &lamp);
+        const uint32_t above = below(width - 20), scaled = above << -reach.width_exponent;
+        const uint32_t part = glint_mulhi_near(scaled, reach.width_inverse);
+        assert_true((u128)part * width <= (u128)above << 31);
+        assert_true(((u128)part + reach.blur + 1) * width > (u128)(above + 20) << 31);
+    }
+}
+
+/* And where its axis is longer than 1 to none: the sums of its cosine might not fit. */
+static void thirty_two_bits_decide_nearly_every_spot_of_an_axis_of_length_1(void **state)
+{
+    (void)state;
+    const int32_t above[3] = {1000, 1000, 1000};
+    unsigned open = 0, lit = 0;
+    for (int i = 0; i < 20000; i++) {
+        const int32_t target[3] = {within(3000), within(3000), 0};
+        struct glint_lamp lamp;
+        struct glint_light light;
+        struct glint_reach reach;
+        assert_int_equal(glint_lamp_spot(&lamp, above, target, 8000, cosine(10), cosine(50)), GLINT_OK);
+        glint_reach_init(&reach, &lamp);
+        const struct glint_sight sight = {{0, 0, ONE_Q30}, {within(500), within(500), 1000}};
+        const uint32_t att = glint_reach_near(&reach, &lamp, &sight, &light);
+        open += att == GLINT_REACH_OPEN;
+        lit += att != 0;
+        for (int k = 0; k < 3; k++)
+            lamp.axis_q30[k] = k == i % 3 ? ONE_Q30 + 65 : 0;
+        glint_reach_init(&reach, &lamp);
+        assert_int_equal(reach.blur, 0);
+        for (int k = 0; k < 3; k++) /* 1.75 in all, and a unit */
+            lamp.axis_q30[k] = k == i % 3 ? (1 << 29) + 1 + (1 << 28) : 1 << 29;
+        glint_reach_init(&reach, &lamp);
+        assert_int_equal(reach.blur, 0);
+    }
+    print_message("%u of %u are open\n", open, lit);
+    assert_true(lit > 3000 && open < lit / 50);
+}
+
 static void a_lamp_that_cannot_be_is_refused_and_not_written(void **state)
 {
     (void)state;
@@ -240,6 +289,8 @@ int main(void)
         cmocka_unit_test(a_light_is_what_its_sequence_says),
         cmocka_unit_test(what_arrives_of_a_spot_is_its_cones_part_of_that_bit_by_bit),
         cmocka_unit_test(a_light_goes_with_what_arrives),
+        cmocka_unit_test(a_spot_s_blur_covers_its_cosine_s_error_and_its_quotient_s),
+        cmocka_unit_test(thirty_two_bits_decide_nearly_every_spot_of_an_axis_of_length_1),
         cmocka_unit_test(a_lamp_that_cannot_be_is_refused_and_not_written),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

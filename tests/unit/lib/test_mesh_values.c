@@ -2,6 +2,7 @@
  * A triangle's values beside lib/sequence.md, step by step; where the near plane lies, and how what it cuts is lit. */
 #include "meshes.h"
 
+#include "glint_mesh_clip.h"
 #include "glint_mesh_edges.h"
 #include "glint_mesh_gradient.h"
 
@@ -98,6 +99,37 @@ static void nl_and_depth_of_a_triangle_are_the_sequence_s(void **state)
     assert_true(steep > 100 && slivers > 1000);
 }
 
+/* Where every corner's t is beyond t_end by more than each side, t cannot dip as low between them. */
+static void t_of_a_triangle_is_2_where_nothing_of_it_can_shine(void **state)
+{
+    (void)state;
+    unsigned matt = 0, glossy = 0;
+    for (int round = 0; round < 20000; round++) {
+        const struct glint_mesh_vertex at[3] = {{100, 100, 5, 0, 0, 1}, {900, 150, 5, 0, 0, 1}, {300, 800, 5, 0, 0, 1}};
+        struct glint_mesh_vertex vertex[3];
+        struct glint_mesh_corner corner[3];
+        const uint32_t t_end = below(1 << 20);
+        uint32_t least = UINT32_MAX, side = 0;
+        for (int i = 0; i < 3; i++) {
+            vertex[i] = at[i];
+            vertex[i].t_q30 = below(1 << 22);
+            corner[i] = (struct glint_mesh_corner){&vertex[i], below(1 << 21)};
+            least = vertex[i].t_q30 < least ? vertex[i].t_q30 : least;
+            side = corner[i].side > side ? corner[i].side : side;
+        }
+        struct glint_mesh_triangle triangle;
+        assert_true(glint_mesh_triangle_set(&triangle, corner, GLINT_MESH_GLOSSY, t_end));
+        if (least > t_end && least - t_end > side) {
+            assert_true(triangle.values.t == UINT32_C(1) << 31 && triangle.values.tx == 0 && triangle.values.ty == 0);
+            matt++;
+        } else {
+            assert_true(triangle.values.t < UINT32_C(1) << 31 || triangle.values.t >= UINT32_C(0xf8000000));
+            glossy++;
+        }
+    }
+    assert_true(matt > 1000 && glossy > 1000);
+}
+
 static struct made_mesh mesh;
 
 /* One face whose corners have the normal n, drawn with a prepared shader over pixels of 0. */
@@ -173,12 +205,91 @@ static void what_is_clipped_is_lit_by_its_normals(void **state)
     }
 }
 
+/* w1 and w2 of sequence.md: what is not cut keeps all of its own, and of the two others nothing. */
+static void a_corner_that_is_not_cut_is_wholly_itself(void **state)
+{
+    (void)state;
+    static const int16_t places[3][3] = {{-40, -40, 0}, {32767, -40, 0}, {0, 40, 0}};
+    static uint8_t out[3 * MESH_W * MESH_H];
+    static uint32_t depths[8000], work[100];
+    struct glint_shader shader = random_shader(GLINT_RGB888, GLINT_GAMMA);
+    const struct glint_vec n = {0, 0, 32767};
+    glint_lobe_init(&shader.lobe, GLINT_MSH, 10, 6);
+    for (uint16_t first = 0; first < 3; first++) {
+        struct glint_mesh_frame frame;
+        struct glint_mesh_drawn drawn;
+        struct glint_mesh_polygon polygon;
+        const struct glint_paint paint = {&glint_mesh_exact, NULL};
+        draw_face(&shader, places, n, 0, 32768, 0, out);
+        for (uint16_t i = 0; i < 3; i++)
+            mesh.faces[0][i] = (uint16_t)((i + first) % 3);
+        assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, 16, 0, depths, sizeof depths), GLINT_OK);
+        assert_int_equal(
+            glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &shader.light, &paint, work, sizeof work), GLINT_OK);
+        const unsigned count = glint_mesh_clip(&polygon, &frame, &drawn, mesh.faces[0]);
+        assert_int_equal(count, 4);
+        for (unsigned i = 0; i < count; i++) {
+            const struct glint_mesh_clipped *at = &polygon.corner[polygon.now][i];
+            if (at->at.x < GLINT_MESH_GUARD) {
+                const unsigned number = (at->at.x < 0 ? 0 : 2) + 3u - first;
+                assert_int_equal(at->weight[0], number % 3 == 1 ? 32768 : 0);
+                assert_int_equal(at->weight[1], number % 3 == 2 ? 32768 : 0);
+            }
+        }
+    }
+}
+
+/* Whichever corner that is, in strips, too: the same pixels, and the same colours between the corners. */
+static void any_one_corner_of_a_face_may_be_beyond_the_guard_band(void **state)
+{
+    (void)state;
+    static const int16_t low[3][3] = {{0, -600, 0}, {30, -600, 0}, {0, -500, 0}},
+                         places[3][3] = {{32767, -300, 0}, {-600, 600, 0}, {-600, -600, 0}};
+    static const uint8_t colours[3][3] = {{255, 40, 20}, {30, 255, 10}, {50, 15, 255}};
+    static const unsigned heights[] = {MESH_H, 5, 1};
+    static uint8_t out[2][3 * MESH_W * MESH_H];
+    struct glint_shader shader = random_shader(GLINT_RGB888, GLINT_GAMMA);
+    struct glint_prepared prepared;
+    const struct glint_mesh_albedo albedo = {&prepared, &colours[0][0], NULL};
+    const struct glint_paint paint = {&glint_mesh_exact_albedo, &albedo};
+    glint_lobe_init(&shader.lobe, GLINT_MSH, 10, 6);
+    shader.dither = false;
+    for (int k = 0; k < 3; k++) {
+        shader.material.ambient_q16[k] = 65536;
+        shader.material.diffuse_q16[k] = shader.material.specular_q16[k] = 0;
+    }
+    assert_int_equal(glint_shade_prepare(&prepared, &shader), GLINT_OK);
+    for (uint16_t first = 0; first < 3; first++)
+        for (int height = 0; height < 3; height++) {
+            unsigned drawn = 0, other = 0;
+            draw_face(&shader, low, (struct glint_vec){0, 0, 32767}, 0, 32768, 0,
+                      out[0]); /* whose places stay in memory */
+            draw_face(&shader, places, (struct glint_vec){0, 0, 32767}, 0, 32768, 0, out[0]);
+            for (int turned = 0; turned < 2; turned++) {
+                for (uint16_t i = 0; i < 3; i++)
+                    mesh.faces[0][i] = (uint16_t)((i + first * turned) % 3);
+                memset(out[turned], 0, sizeof out[turned]);
+                mesh_picture(&mesh, &shader.light, &paint, out[turned], 3, &heights[turned ? height : 0], 1,
+                             height & 1);
+            }
+            for (size_t i = 0; i < sizeof out[0]; i++) {
+                drawn += out[0][i] != 0;
+                other += abs(out[0][i] - out[1][i]) > 2;
+            }
+            assert_true(drawn > 3 * 500);
+            assert_in_range(other, 0, 9); /* another fan may round a side another way */
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nl_and_depth_of_a_triangle_are_the_sequence_s),
+        cmocka_unit_test(t_of_a_triangle_is_2_where_nothing_of_it_can_shine),
         cmocka_unit_test(the_near_plane_lies_an_eighth_of_the_distance_before_the_camera),
         cmocka_unit_test(what_is_clipped_is_lit_by_its_normals),
+        cmocka_unit_test(a_corner_that_is_not_cut_is_wholly_itself),
+        cmocka_unit_test(any_one_corner_of_a_face_may_be_beyond_the_guard_band),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

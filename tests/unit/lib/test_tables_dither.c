@@ -169,7 +169,7 @@ static void dithered_lines_of_10_bits_are_those_of_their_vectors_for_a_viewer_as
         uint16_t pixels[LONG];
         for (unsigned x = 0; x < LONG; x++) {
             const struct glint_vec n = unit_normal(&m.shader.light);
-            words[x] = x % 10 == 9 ? 1u << 12 : glint_normals_pack(GLINT_NORMALS_INT10, &n); /* a gap of 1 */
+            words[x] = x % 10 > 6 ? (10 - x % 10) << 12 : glint_normals_pack(GLINT_NORMALS_INT10, &n); /* a gap of 3 */
         }
         memset(pixels, GUARD, sizeof pixels);
         const uint16_t left = pixels[0];
@@ -177,11 +177,28 @@ static void dithered_lines_of_10_bits_are_those_of_their_vectors_for_a_viewer_as
         assert_int_equal(glint_tables_rect(&tables, &light, GLINT_NORMALS_INT10, words, 0, LONG, 1, &surface),
                          GLINT_OK);
         for (unsigned x = 0; x < LONG; x++)
-            assert_int_equal(pixels[x], x % 10 == 9
-                                            ? left
-                                            : by_vectors(&m, glint_normals_unpack(GLINT_NORMALS_INT10, words[x]),
-                                                         surface.x + x, surface.y));
+            assert_int_equal(pixels[x], x % 10 > 6 ? left
+                                                   : by_vectors(&m, glint_normals_unpack(GLINT_NORMALS_INT10, words[x]),
+                                                                surface.x + x, surface.y));
     }
+}
+
+/* No surface is a normal of which all is 0. */
+static void dithered_normals_along_an_axis_are_surfaces(void **state)
+{
+    (void)state;
+    static const struct glint_vec normals[] = {{32767, 0, 0}, {0, 32767, 0}, {0, 0, 32767}, {-32767, 0, 0}, {0, 0, 0}};
+    enum { COUNT = sizeof normals / sizeof *normals };
+    struct glint_tables tables;
+    struct glint_tables_light light;
+    const struct model m = model_of(&tables, &light);
+    uint16_t pixels[COUNT];
+    const struct glint_surface surface = {pixels, 0, 1, 2};
+    memset(pixels, GUARD, sizeof pixels);
+    const uint16_t left = pixels[0];
+    assert_int_equal(glint_tables_rect(&tables, &light, GLINT_NORMALS_INT16, normals, 0, COUNT, 1, &surface), GLINT_OK);
+    for (unsigned x = 0; x < COUNT; x++)
+        assert_int_equal(pixels[x], x + 1 == COUNT ? left : by_vectors(&m, normals[x], surface.x + x, surface.y));
 }
 
 static void a_dithered_span_has_the_pixels_of_its_sequence_wherever_it_lies(void **state)
@@ -272,6 +289,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(dithered_lines_have_the_pixels_of_their_sequence_wherever_they_lie),
         cmocka_unit_test(dithered_lines_of_10_bits_are_those_of_their_vectors_for_a_viewer_aside),
+        cmocka_unit_test(dithered_normals_along_an_axis_are_surfaces),
         cmocka_unit_test(a_dithered_span_has_the_pixels_of_its_sequence_wherever_it_lies),
         cmocka_unit_test(garbage_reads_nothing_outside_the_dithered_tables),
         cmocka_unit_test(dithered_tables_need_their_bytes_and_gamma_space),

@@ -278,12 +278,33 @@ static void for_a_viewer_aside_or_a_light_made_by_hand_10_bit_normals_are_shaded
     }
 }
 
+/* nl 0: in each channel the ambient part is 2^-16 of a level below the next one. */
+static void what_faces_away_has_the_ambient_light_alone(void **state)
+{
+    (void)state;
+    struct glint_shader shader = random_shader(GLINT_RGB565, GLINT_GAMMA);
+    glint_lobe_init(&shader.lobe, GLINT_MSH, 10, 6);
+    shader.dither = false;
+    for (unsigned level = 0; level < 31; level++) {
+        static const uint32_t max[3] = {31, 63, 31};
+        for (int k = 0; k < 3; k++) {
+            shader.material.albedo[k] = 255;
+            shader.material.ambient_q16[k] = ((2 * level + 1) * 65536 - 1) / (2 * max[k]); /* (level + 1/2) / max */
+            shader.material.diffuse_q16[k] = 65536;
+        }
+        struct glint_tables tables;
+        assert_int_equal(glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &shader, memory, sizeof memory), GLINT_OK);
+        assert_int_equal(tables.dark, level << 11 | level << 5 | level);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_span_has_the_pixels_of_its_sequence_whatever_its_steps_and_width),
         cmocka_unit_test(packed_normals_have_the_pixels_of_their_sequence_at_every_width),
         cmocka_unit_test(for_a_viewer_aside_or_a_light_made_by_hand_10_bit_normals_are_shaded_as_16_bit_ones),
+        cmocka_unit_test(what_faces_away_has_the_ambient_light_alone),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
