@@ -92,7 +92,8 @@ static void strip_face(const struct strip *strip, uint16_t i, const struct glint
     if (shine == GLINT_MESH_GLOSSY)
         glint_mesh_sides(corner, strip->drawn->mesh, face);
     kept->face = i;
-    if (!glint_mesh_triangle_set(&kept->triangle, corner, shine, t_end) || !draw_on(strip, &kept->triangle, paint))
+    (void)glint_mesh_triangle_set(&kept->triangle, corner, shine, t_end); /* a face in a list has an area and lines */
+    if (!draw_on(strip, &kept->triangle, paint))
         return;
     if (place == GLINT_MESH_NONE) {
         add(later, i, link);

@@ -32,7 +32,7 @@ void glint_prepared_fill(struct glint_prepared *prepared, const struct glint_sha
     near->n = lobe->n < 1 ? 1 : lobe->n > GLINT_N_MAX ? GLINT_N_MAX : lobe->n;
     near->f_max = shader->clamp_peak ? 65536 : UINT32_MAX;
     near->t_end = prepared_find_t_end(model, near->n, lobe->t_max_q30);
-    if (GLINT_FLASH_POINTER(model->fold) && near->t_end)
+    if (GLINT_FLASH_POINTER(model->fold)) /* of a model whose F(0) > 0: t_end > 0 */
         GLINT_FLASH_POINTER(model->fold)(near);
     GLINT_FLASH_POINTER(format->fold)(prepared);
 }

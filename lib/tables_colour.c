@@ -104,9 +104,10 @@ void glint_colour_light(struct glint_tables_light *light, const struct glint_tab
     while (reach >> a >= 32768)
         a++;
     const unsigned columns_log = tables->dither ? GLINT_DITHER_COLUMNS_LOG : GLINT_COLOUR_COLUMNS_LOG;
-    const unsigned scale = 30 + 32 - columns_log + a - tables->shift; /* e 2^30 / peak >> s */
+    /* e 2^30 / peak >> s: where a = 0 <= 2^31, as s >= 5 (6 if dithered) and peak >= 2^14; else < 2^18 */
+    const unsigned scale = 30 + 32 - columns_log + a - tables->shift;
     const uint64_t r = peak && tables->kind == GLINT_TABLES_COLOUR ? ((uint64_t)1 << scale) / peak : 0;
     light->frontal = light->frontal && is_consistent(light);
     light->a = (uint8_t)a;
-    light->r = r > UINT32_MAX ? UINT32_MAX : (uint32_t)r;
+    light->r = (uint32_t)r;
 }

@@ -39,6 +39,12 @@ static void rectangles_that_do_not_fit_are_parameter_errors(void **state)
     assert_int_equal(ask(&(struct gud_rectangle){3, 0, 2, 1, 1, 0, 0}), GUD_PARAMETER);
 }
 
+static void window_of_any_size(void *context, uint16_t x, uint16_t y, uint16_t width, uint16_t height)
+{
+    (void)context;
+    assert_true(x == 0 && y == 0 && width == 200 && height == 200);
+}
+
 static void a_block_that_the_window_cannot_hold_is_refused(void **state)
 {
     (void)state;
@@ -48,6 +54,14 @@ static void a_block_that_the_window_cannot_hold_is_refused(void **state)
     assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, 2, 8 * WIDTH, 1, 50}), GUD_PARAMETER);
     assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, 2, 8 * WIDTH, 0, 0}), GUD_OK);        /* needs none */
     assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, 1, 4 * WIDTH, 1, 0}), GUD_PARAMETER); /* an empty block */
+    board.config.width = board.config.height = 200; /* a window that reaches as far as LZ4 does is enough for any */
+    board.config.window_bytes = LZ4_BLOCK_REACH;
+    struct gud_device_ops large = ops;
+    large.window = window_of_any_size;
+    board.config.ops = &large;
+    assert_int_equal(ask(&(struct gud_rectangle){0, 0, 200, 200, 160000, 1, 50}), GUD_OK);
+    board.config.window_bytes--;
+    assert_int_equal(ask(&(struct gud_rectangle){0, 0, 200, 200, 160000, 1, 50}), GUD_PARAMETER);
 }
 
 static void compression_that_is_not_offered_is_refused(void **state)

@@ -240,6 +240,13 @@ static void a_viewer_is_wanted_only_where_a_lamp_has_a_place(void **state)
     assert_int_equal(glint_lamp_directional(&lamp, up, up), GLINT_OK);
     s.shader.light.v = (struct glint_vec){0, 0, 0};
     assert_int_equal(glint_shade_lights(&s.shader, &lamp, 1, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+    static uint8_t without[sizeof s.out]; /* two directional lamps have viewers of their own */
+    const struct glint_lamp two[2] = {lamp, lamp};
+    assert_int_equal(glint_shade_lights(&s.shader, two, 2, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+    memcpy(without, s.out, sizeof without);
+    s.shader.light.v = (struct glint_vec){0, 23170, 23170};
+    assert_int_equal(glint_shade_lights(&s.shader, two, 2, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+    assert_memory_equal(s.out, without, sizeof without);
 }
 
 int main(void)

@@ -298,6 +298,30 @@ static void what_faces_away_has_the_ambient_light_alone(void **state)
     }
 }
 
+/* r of `light`: of a highlight of few columns under a light from behind. */
+static void a_light_s_factor_is_held_to_32_bits(void **state)
+{
+    (void)state;
+    struct glint_shader shader = random_shader(GLINT_RGB565, GLINT_GAMMA);
+    glint_lobe_init(&shader.lobe, GLINT_MSH, 10, 6);
+    shader.lobe.t_max_q30 = 100;
+    shader.light = (struct glint_light){.l = {1, 0, -32768}, .v = {0, 0, 32767}, .h = {32767, 0, 0}};
+    shader.dither = false;
+    for (int k = 0; k < 3; k++) {
+        shader.material.ambient_q16[k] = 6000;
+        shader.material.diffuse_q16[k] = 40000;
+        shader.material.specular_q16[k] = 65536;
+    }
+    for (int i = 0; i < 2; i++) {
+        const enum glint_tables_kind kind = i ? GLINT_TABLES_ALBEDO : GLINT_TABLES_COLOUR;
+        struct glint_tables tables;
+        struct glint_tables_light light;
+        assert_int_equal(glint_tables_fill(&tables, kind, &shader, memory, sizeof memory), GLINT_OK);
+        assert_int_equal(glint_tables_light_init(&light, &tables, &shader.light), GLINT_OK);
+        assert_int_equal(light.r, i ? UINT32_MAX : UINT32_C(1) << 31);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -305,6 +329,7 @@ int main(void)
         cmocka_unit_test(packed_normals_have_the_pixels_of_their_sequence_at_every_width),
         cmocka_unit_test(for_a_viewer_aside_or_a_light_made_by_hand_10_bit_normals_are_shaded_as_16_bit_ones),
         cmocka_unit_test(what_faces_away_has_the_ambient_light_alone),
+        cmocka_unit_test(a_light_s_factor_is_held_to_32_bits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
