@@ -65,7 +65,7 @@ static void dithered_run(const struct glint_dither_look *look, const struct glin
         else
             dithered_inside(look, at, out, out + w, phase, false);
         break;
-    case GLINT_RUN_MIXED:
+    default: /* GLINT_RUN_MIXED */
         run_any(look, at, bytes, w, phase, swapped);
     }
 }

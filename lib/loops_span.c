@@ -86,7 +86,7 @@ static void run(const struct glint_tables *tables, const struct glint_span *at, 
     case GLINT_RUN_INSIDE:
         run_inside(tables, at, out, out + w);
         break;
-    case GLINT_RUN_MIXED:
+    default: /* GLINT_RUN_MIXED */
         run_mixed(tables, at, out, out + w);
     }
 }

@@ -94,6 +94,33 @@ static void cayley_is_rounded_to_nearest_where_only_its_exact_power_decides(void
         assert_int_equal(glint_cayley_t(known[i][0], known[i][1]), known[i][2]);
 }
 
+/* 5 (2f - 1) e^2 of the F that is next exceeds U 2^54 by less than 2^-34 of it: not in the first of the library's digits. */
+static void msh_is_rounded_down_below_a_half_however_near(void **state)
+{
+    (void)state;
+    static const uint32_t near[] = {1065760886, 987702400, 978704478, 903801080, 841438330, 746291280, 500890097};
+    for (size_t i = 0; i < sizeof near / sizeof *near; i++) {
+        const u128 e = (UINT64_C(5) << 30) - near[i], left = (u128)((1 << 30) - near[i]) << 54; /* n = 1 */
+        uint32_t f = 0;
+        while (left >= 5 * (2 * (u128)f + 1) * e * e)
+            f++;
+        assert_int_equal(glint_msh_t(1, near[i]), f);
+        assert_true(5 * (2 * (u128)f + 1) * e * e - left < left >> 34);
+    }
+}
+
+static void a_cosine_beyond_1_counts_as_1_and_a_negative_one_as_none(void **state)
+{
+    (void)state;
+    for (int model = 0; model < GLINT_MODEL_COUNT; model++) {
+        const enum glint_model m = (enum glint_model)model;
+        assert_int_equal(glint_eval(m, 60, 65537), glint_eval(m, 60, 65536));
+        assert_int_equal(glint_eval(m, 60, INT32_MAX), glint_eval(m, 60, 65536));
+        assert_int_equal(glint_eval(m, 60, -1), 0);
+        assert_int_equal(glint_eval(m, 60, INT32_MIN), 0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -103,6 +130,8 @@ int main(void)
         cmocka_unit_test(a_vector_of_30_bits_has_no_unit_nearby),
         cmocka_unit_test(a_pose_turns_by_the_nearest_matrix_of_14_bits),
         cmocka_unit_test(cayley_is_rounded_to_nearest_where_only_its_exact_power_decides),
+        cmocka_unit_test(msh_is_rounded_down_below_a_half_however_near),
+        cmocka_unit_test(a_cosine_beyond_1_counts_as_1_and_a_negative_one_as_none),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,8 +3,10 @@
 #include "meshes.h"
 
 #include "glint_mesh_clip.h"
+#include "glint_mesh_across.h"
 #include "glint_mesh_edges.h"
 #include "glint_mesh_gradient.h"
+#include "glint_mesh_samples.h"
 
 static unsigned bits_of(uint64_t x)
 {
@@ -205,6 +207,38 @@ static void what_is_clipped_is_lit_by_its_normals(void **state)
     }
 }
 
+/* (it + 2^13) >> 14, held between the least and the most of the corners, modulo 2^32. */
+static void a_number_across_a_triangle_is_held_between_its_corners(void **state)
+{
+    (void)state;
+    const struct glint_mesh_slope slope = {0, 5 << 14, 0, -3, 7};
+    static const struct {
+        int32_t now;
+        int16_t held;
+    } cases[] = {{-4 * 16384, -3}, {-3 * 16384, -3}, {-8193, -1},   {-8192, 0},
+                 {6 * 16384, 6},   {7 * 16384, 7},   {8 * 16384, 7}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        uint32_t now = (uint32_t)cases[i].now;
+        assert_int_equal(glint_mesh_across_next(&slope, &now), cases[i].held);
+        assert_int_equal(now, (uint32_t)cases[i].now + (5 << 14));
+    }
+}
+
+static void t_a_little_below_0_is_0_and_nothing_shines_in_the_dark(void **state)
+{
+    (void)state;
+    static const uint32_t t[] = {0, 1, UINT32_C(0xf7ffffff), UINT32_C(0xf8000000), UINT32_MAX},
+                          wanted[] = {0, 1, UINT32_C(0xf7ffffff), 0, 0};
+    for (int i = 0; i < 5; i++)
+        for (int dark = 0; dark < 2; dark++) {
+            struct glint_mesh_row row = {.t = t[i], .nl = dark ? 0 - (1u << 20) : 1u << 20};
+            struct glint_sample sample;
+            glint_mesh_samples(&row, &sample, 1);
+            assert_int_equal(sample.t_q30, dark ? UINT32_MAX : wanted[i]);
+            assert_int_equal(sample.nl_q16, dark ? 0 : 64);
+        }
+}
+
 /* w1 and w2 of sequence.md: what is not cut keeps all of its own, and of the two others nothing. */
 static void a_corner_that_is_not_cut_is_wholly_itself(void **state)
 {
@@ -288,6 +322,8 @@ int main(void)
         cmocka_unit_test(t_of_a_triangle_is_2_where_nothing_of_it_can_shine),
         cmocka_unit_test(the_near_plane_lies_an_eighth_of_the_distance_before_the_camera),
         cmocka_unit_test(what_is_clipped_is_lit_by_its_normals),
+        cmocka_unit_test(a_number_across_a_triangle_is_held_between_its_corners),
+        cmocka_unit_test(t_a_little_below_0_is_0_and_nothing_shines_in_the_dark),
         cmocka_unit_test(a_corner_that_is_not_cut_is_wholly_itself),
         cmocka_unit_test(any_one_corner_of_a_face_may_be_beyond_the_guard_band),
     };
