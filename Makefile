@@ -196,13 +196,12 @@ test: ## check: set up what is missing and run every tier; the last line is the 
 	{ .ci/need "the other tiers" $(TEST_PACKAGES) && env --default-signal=INT,QUIT nice -n 19 tests/lab/kernel >/dev/null; } & \
 	$(TEST_CACHE) tests/sum "$(SUBMAKE)" $(TIERS:%=test-%)
 
-# What a release has. The bitstreams and the page are in it where they are built (make gateware, make page).
+# What a release has.
 DIST = build/dist
 DIST_PANELS = $(foreach panel,$(PICO_PANELS),build/firmware/pico-$(panel)/glint.uf2=glint-VERSION-pico-$(panel).uf2)
-DIST_BUILT = $(foreach file,$(wildcard build/gateware/*.bin),$(file)=glint-VERSION-$(notdir $(file))) \
-	$(foreach file,$(wildcard build/page/index.html),$(file)=glint-VERSION-page.html)
+DIST_BUILT = $(foreach board,$(GATEWARE_BOARDS),$(GATEWARE)/$(board).bin=glint-VERSION-$(board).bin) $(PAGE)/index.html=glint-VERSION-page.html
 
-dist: all $(BUILD)/man ## maintain: what a release has, into build/dist: archives, an image for each Pico panel, man pages, SHA256SUMS
+dist: all $(BUILD)/man gateware page ## maintain: what a release has, into build/dist: archives, an image for each Pico panel, bitstreams, the page, man pages, SHA256SUMS
 	@+for panel in $(PICO_PANELS); do $(SUBMAKE) -s firmware PORT=pico PANEL=$$panel || exit 1; done
 	@.ci/dist $(DIST) $(DIST_PANELS) $(DIST_BUILT) "$$(echo $(BUILD)/man/*.1)=glint-VERSION-man.tar.gz"
 	@cat $(DIST)/SHA256SUMS
