@@ -8,8 +8,6 @@
 #define DOWN SHINE /* once it is known to be glossy: P.P, Q.Q and P.Q are shifted by it */
 
 #define FLAT 3
-#define T_OF 8 /* of a vertex */
-#define NL_OF 12
 
 /* values_linear of p in r1 and q in r2, r7 pointing to the slopes: at, x, y in r3-r5; the base in r0 is added. To three values; r7 is these then. */
 .macro linear at, x, y
@@ -257,20 +255,7 @@
     lsls r1, r1, #29
     cmp r0, r1
     bhi .Lwide
-    mov r7, sp
-    ldmia r7!, {r4-r6}
-    ldr r1, [r4, #T_OF]
-    ldr r2, [r5, #T_OF]
-    cmp r1, r2
-    bls 1f
-    movs r1, r2
-1:  ldr r2, [r6, #T_OF]
-    cmp r1, r2
-    bls 1f
-    movs r1, r2
-1:  ldr r2, [sp, #T_END]
-    subs r1, r1, r2
-    bls 1f
+    ldr r1, [sp, #BEYOND]
     cmp r1, r0
     bls 1f
     movs r3, #GLINT_SHINE_MATT

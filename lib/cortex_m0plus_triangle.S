@@ -25,7 +25,15 @@
     sub sp, #FRAME
     str r0, [sp, #TRIANGLE]
     str r2, [sp, #SHINE]
-    str r3, [sp, #T_END]
+    ldr r4, [r1]
+    ldr r5, [r1, #8]
+    ldr r6, [r1, #16]
+    least_t r0, r4, r5, r6
+    subs r0, r0, r3
+    bhs 1f
+    movs r0, #0
+1:  str r0, [sp, #BEYOND]
+.Lcorners: /* r1 */
     movs r2, r1
     adds r2, #8
     movs r3, r1
@@ -101,22 +109,78 @@
     add sp, #FRAME
     pop {r4-r7, pc}
 
+/* glint_mesh_face_set(triangle, drawn, face, t_end), as mesh_strip.c has it. */
+    entry glint_mesh_face_set
+    push {r4-r7, lr}
+    sub sp, #FRAME
+    str r0, [sp, #TRIANGLE]
+    ldr r7, [r1, #GLINT_AT_DRAWN_VERTICES]
+    ldrh r4, [r2]
+    ldrh r5, [r2, #2]
+    ldrh r6, [r2, #4]
+    lsls r4, r4, #4
+    lsls r5, r5, #4
+    lsls r6, r6, #4
+    adds r4, r4, r7
+    adds r5, r5, r7
+    adds r6, r6, r7
+    str r4, [sp, #FACE]
+    str r5, [sp, #FACE + 8]
+    str r6, [sp, #FACE + 16]
+    ldrh r0, [r4, #6]
+    ldrh r7, [r5, #6]
+    orrs r0, r7
+    ldrh r7, [r6, #6]
+    orrs r0, r7
+    bne .Lnothing
+    ldr r0, [r4, #NL_OF]
+    ldr r7, [r5, #NL_OF]
+    ands r0, r7
+    ldr r7, [r6, #NL_OF]
+    ands r0, r7
+    bmi 4f
+    least_t r0, r4, r5, r6
+    subs r0, r0, r3
+    bhs 1f
+    movs r0, #0
+1:  str r0, [sp, #BEYOND]
+    lsrs r0, r0, #29
+    bne 3f
+    ldr r1, [r1, #GLINT_AT_DRAWN_MESH]
+    add r0, sp, #FACE
+    ldr r3, [r1, #GLINT_AT_MESH_NORMALS]
+    cmp r3, #0
+    bne 2f
+    ldr r1, [r1, #GLINT_AT_MESH_NORMALS8]
+    bl glint_mesh_sides8
+    movs r2, #GLINT_SHINE_MATT + 1
+    b 5f
+2:  bl glint_mesh_sides16
+    movs r2, #GLINT_SHINE_MATT + 1
+    b 5f
+3:  movs r2, #GLINT_SHINE_MATT
+    b 5f
+4:  movs r2, #GLINT_SHINE_DARK
+5:  str r2, [sp, #SHINE]
+    add r1, sp, #FACE
+    b .Lcorners
+
 /* An edge from vertex r1 down to r2 to where r0 points, which moves on by it; r1-r7 and r12 are lost. */
     .section .text.triangle_edge, "ax", %progbits
     .type triangle_edge, %function
     .balign 4
     .thumb_func
 triangle_edge:
-    movs r3, #2
-    ldrsh r4, [r1, r3]
-    ldrsh r5, [r2, r3]
+    ldr r1, [r1] /* x, y */
+    ldr r2, [r2]
+    asrs r4, r1, #16
+    asrs r5, r2, #16
     first r6, r4
     first r7, r5
     cmp r6, r7
     bge .Lno_line
-    movs r3, #0
-    ldrsh r1, [r1, r3]
-    ldrsh r2, [r2, r3]
+    sxth r1, r1
+    sxth r2, r2
     subs r2, r2, r1 /* dx */
     subs r5, r5, r4 /* dy, 15 bits */
     lsls r6, r6, #4

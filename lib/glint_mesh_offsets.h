@@ -30,6 +30,7 @@
 #define GLINT_AT_DRAWN_LIGHT 26 /* l, h, turn, position, scale */
 #define GLINT_AT_DRAWN_SCALE 62
 #define GLINT_AT_MESH_PLACES 0
+#define GLINT_AT_MESH_NORMALS 4
 #define GLINT_AT_MESH_NORMALS8 8
 #define GLINT_AT_MESH_FACES 12
 #define GLINT_AT_MESH_VERTEX_COUNT 20 /* and of faces */

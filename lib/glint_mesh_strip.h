@@ -36,6 +36,11 @@ static inline uint32_t glint_mesh_depth_bytes(uint16_t w, uint16_t lines)
 /* Makes all depths the farthest; bytes: of glint_mesh_depth_bytes. Has a twin in assembly. */
 void glint_mesh_clear(uint16_t *depth, uint32_t bytes);
 
+/* Sets the triangle of a face in a list, which has an area and lines; false, and nothing is done, where it must be clipped first. t_end: as
+ * for glint_mesh_shine. Has a twin in assembly. */
+bool glint_mesh_face_set(struct glint_mesh_triangle *triangle, const struct glint_mesh_drawn *drawn,
+                         const uint16_t face[3], uint32_t t_end);
+
 /* Frees what is kept of a mesh. */
 void glint_mesh_forget(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn);
 

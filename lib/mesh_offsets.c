@@ -42,8 +42,8 @@ typedef char glint_drawn_layout[AT(mesh, GLINT_AT_DRAWN_MESH) && AT(vertices, GL
                                     : -1];
 #undef AT
 #define AT(field, offset) (offsetof(struct glint_mesh, field) == (offset))
-typedef char glint_mesh_layout[AT(places, GLINT_AT_MESH_PLACES) && AT(normals8, GLINT_AT_MESH_NORMALS8) &&
-                                       AT(faces, GLINT_AT_MESH_FACES) &&
+typedef char glint_mesh_layout[AT(places, GLINT_AT_MESH_PLACES) && AT(normals, GLINT_AT_MESH_NORMALS) &&
+                                       AT(normals8, GLINT_AT_MESH_NORMALS8) && AT(faces, GLINT_AT_MESH_FACES) &&
                                        AT(face_count, GLINT_AT_MESH_VERTEX_COUNT + 2) &&
                                        AT(vertex_count, GLINT_AT_MESH_VERTEX_COUNT)
                                    ? 1

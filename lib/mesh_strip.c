@@ -18,6 +18,21 @@ struct tail {
     uint16_t first, *last;
 };
 
+/* Faces before `end`, and what paints them. */
+struct part {
+    const struct glint_paint *paint;
+    uint32_t t_end;
+    uint16_t end, number; /* end: GLINT_MESH_NONE, which is above all faces, of the last one */
+};
+
+static void part_set(struct part *part, const struct glint_mesh_drawn *drawn, unsigned number)
+{
+    part->number = (uint16_t)number;
+    part->paint = &drawn->paints[number];
+    part->t_end = part->paint->path->t_end(part->paint->with);
+    part->end = number + 1 < drawn->mesh->part_count ? drawn->mesh->ends[number] : GLINT_MESH_NONE;
+}
+
 static void draw(const struct strip *strip, struct glint_mesh_triangle *triangle, const struct glint_paint *paint)
 {
     if (triangle->y < strip->target->y)
@@ -67,36 +82,40 @@ static void add(struct tail *tail, uint16_t entry, uint16_t *next)
     tail->last = next;
 }
 
+#if !GLINT_CORTEX_M0PLUS_ASM
+bool glint_mesh_face_set(struct glint_mesh_triangle *triangle, const struct glint_mesh_drawn *drawn,
+                         const uint16_t face[3], uint32_t t_end)
+{
+    struct glint_mesh_corner corner[3];
+    for (unsigned k = 0; k < 3; k++)
+        corner[k].v = &drawn->vertices[face[k]];
+    if (corner[0].v->out | corner[1].v->out | corner[2].v->out)
+        return false;
+    const enum glint_mesh_shine shine = glint_mesh_shine(corner, t_end);
+    if (shine == GLINT_MESH_GLOSSY)
+        glint_mesh_sides(corner, drawn->mesh, face);
+    (void)glint_mesh_triangle_set(triangle, corner, shine, t_end); /* a face in a list has an area and lines */
+    return true;
+}
+#endif
+
 /* A face that has not been kept. */
-static void strip_face(const struct strip *strip, uint16_t i, const struct glint_paint *paint, struct tail *keep,
+static void strip_face(const struct strip *strip, uint16_t i, const struct part *part, struct tail *keep,
                        struct tail *later)
 {
     struct glint_mesh_frame *frame = strip->frame;
-    struct glint_mesh_kept *const all = (struct glint_mesh_kept *)frame->kept;
-    const uint16_t *face = strip->drawn->mesh->faces + 3 * (size_t)i, place = frame->free;
-    uint16_t *const link = &strip->drawn->links[i];
-    const struct glint_mesh_vertex *vertices = strip->drawn->vertices;
-    struct glint_mesh_corner corner[3];
-    corner[0].v = &vertices[face[0]];
-    corner[1].v = &vertices[face[1]];
-    corner[2].v = &vertices[face[2]];
-    if (corner[0].v->out | corner[1].v->out | corner[2].v->out) {
-        draw_clipped(strip, i, paint);
-        add(later, i, link);
-        return;
-    }
-    struct glint_mesh_kept *const kept =
-        place != GLINT_MESH_NONE ? &all[place] : &((struct glint_mesh_bench *)frame->memory)->face;
-    const uint32_t t_end = paint->path->t_end(paint->with);
-    const enum glint_mesh_shine shine = glint_mesh_shine(corner, t_end);
-    if (shine == GLINT_MESH_GLOSSY)
-        glint_mesh_sides(corner, strip->drawn->mesh, face);
+    const uint16_t place = frame->free;
+    struct glint_mesh_kept *const kept = place != GLINT_MESH_NONE ? &((struct glint_mesh_kept *)frame->kept)[place]
+                                                                  : &((struct glint_mesh_bench *)frame->memory)->face;
+    const bool is_set =
+        glint_mesh_face_set(&kept->triangle, strip->drawn, strip->drawn->mesh->faces + 3 * (size_t)i, part->t_end);
     kept->face = i;
-    (void)glint_mesh_triangle_set(&kept->triangle, corner, shine, t_end); /* a face in a list has an area and lines */
-    if (!draw_on(strip, &kept->triangle, paint))
+    if (!is_set)
+        draw_clipped(strip, i, part->paint);
+    else if (!draw_on(strip, &kept->triangle, part->paint))
         return;
-    if (place == GLINT_MESH_NONE) {
-        add(later, i, link);
+    if (!is_set || place == GLINT_MESH_NONE) {
+        add(later, i, &strip->drawn->links[i]);
         return;
     }
     frame->free = kept->next;
@@ -110,17 +129,22 @@ static void strip_mesh(const struct strip *strip)
     struct glint_mesh_kept *const all = (struct glint_mesh_kept *)frame->kept;
     struct tail keep = {GLINT_MESH_NONE, &keep.first}, later = {GLINT_MESH_NONE, &later.first};
     uint16_t face = glint_mesh_take(drawn, strip->target->y, strip->target->end), place = drawn->kept;
-    unsigned part = 0;
-    while (face != GLINT_MESH_NONE || place != GLINT_MESH_NONE) {
-        const bool is_kept = place != GLINT_MESH_NONE && all[place].face < face; /* GLINT_MESH_NONE is above all */
-        const uint16_t i = is_kept ? all[place].face : face;
-        while (part + 1 < drawn->mesh->part_count && i >= drawn->mesh->ends[part])
-            part++;
+    uint16_t kept_face = place == GLINT_MESH_NONE ? GLINT_MESH_NONE : all[place].face;
+    struct part part;
+    part_set(&part, drawn, 0);
+    for (;;) {
+        const bool is_kept = kept_face < face;
+        const uint16_t i = is_kept ? kept_face : face;
+        if (i == GLINT_MESH_NONE)
+            break;
+        while (i >= part.end)
+            part_set(&part, drawn, part.number + 1u);
         if (is_kept) {
             struct glint_mesh_kept *const kept = &all[place];
             const uint16_t at = place;
             place = kept->next;
-            if (draw_on(strip, &kept->triangle, &drawn->paints[part])) {
+            kept_face = place == GLINT_MESH_NONE ? GLINT_MESH_NONE : all[place].face;
+            if (draw_on(strip, &kept->triangle, part.paint)) {
                 add(&keep, at, &kept->next);
             } else {
                 kept->next = frame->free;
@@ -128,7 +152,7 @@ static void strip_mesh(const struct strip *strip)
             }
         } else {
             face = drawn->links[i];
-            strip_face(strip, i, &drawn->paints[part], &keep, &later);
+            strip_face(strip, i, &part, &keep, &later);
         }
     }
     *keep.last = *later.last = GLINT_MESH_NONE;

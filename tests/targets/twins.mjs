@@ -16,6 +16,7 @@ const one = (...of) => of[below(of.length)]
 const bits = (n) => below(2 ** Math.min(n, 16)) + 65536 * below(2 ** Math.max(n - 16, 0)) - 2 ** (n - 1) // signed
 const int16 = () => one(below(65536) - 32768, below(65536) - 32768, 32767, -32768)
 
+const RETURNS = /_set$/ // a bool
 function after(machine, name, args, bytes, fault) {
   const at = AT - RAM
   bytes.copy(machine.memory, at)
@@ -23,7 +24,7 @@ function after(machine, name, args, bytes, fault) {
   machine.enter(name, args)
   while (machine.core.PC !== RETURN) machine.core.executeInstruction()
   if (fault >= 0) machine.memory[at + fault] ^= 0x11
-  return `${name === 'glint_mesh_triangle_set' ? machine.core.registers[0] & 1 : ''} ${machine.memory.toString('latin1', at, at + bytes.length)}`
+  return `${RETURNS.test(name) ? machine.core.registers[0] & 1 : ''} ${machine.memory.toString('latin1', at, at + bytes.length)}`
 }
 
 // A triangle's corners, and what is set up.
@@ -44,7 +45,7 @@ function triangle() {
 }
 
 // A frame, a mesh drawn, and the mesh, as lib/glint_mesh_offsets.h has them.
-const DRAWN = 0x40, MESH = 0xa0, FACES = 0x200, PLACES = 0x500, NORMALS = 0x700, VERTICES = 0x900, LINKS = 0xe00, BANDS = 0xf00
+const DRAWN = 0x40, MESH = 0xa0, FACES = 0x200, PLACES = 0x500, NORMALS = 0x700, VERTICES = 0x900, LINKS = 0xe00, BANDS = 0xf00, NORMALS16 = 0x1000
 function frame(height, vertices, faces) {
   const bytes = Buffer.alloc(0x1400), address = (at, to) => bytes.writeUInt32LE(AT + to, at)
   bytes.writeUInt16LE(1 + below(2040), 16)
@@ -77,6 +78,24 @@ function vertices() {
 
 function sides() {
   return [frame(240, 20, 1), [AT + VERTICES, AT + NORMALS, AT + FACES], FACES]
+}
+
+// Faces that have lines and an area, as those in lists have; a few must be clipped, some are of 16-bit normals.
+function faces() {
+  const bytes = frame(240, 20, 1), size = one(40, 300, 4000), first = below(4000), out = !below(10)
+  bytes.writeUInt32LE(below(2) && AT + NORMALS16, MESH + 4)
+  for (let k = 0; k < 60; k++) bytes.writeInt16LE(below(65535) - 32767, NORMALS16 + 2 * k)
+  for (let k = 0; k < 20; k++) {
+    bytes.writeInt16LE(first + below(size), VERTICES + 16 * k)
+    bytes.writeInt16LE(first + below(size), VERTICES + 16 * k + 2)
+    bytes.writeUInt16LE(below(65536), VERTICES + 16 * k + 4)
+    bytes.writeUInt16LE(out && one(0, 1, 32), VERTICES + 16 * k + 6)
+    bytes.writeUInt32LE(below(2 ** one(20, 30)), VERTICES + 16 * k + 8)
+    bytes.writeInt32LE(below(2 ** 31) - 2 ** 30, VERTICES + 16 * k + 12)
+  }
+  const [a, b, c] = [0, 1, 2].map((k) => [0, 2].map((field) => bytes.readInt16LE(VERTICES + 16 * bytes.readUInt16LE(FACES + 2 * k) + field)))
+  const lines = new Set([a, b, c].map(([, y]) => (y + 7) >> 4)).size, area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+  return lines < 2 || area === 0 ? faces() : [bytes, [AT + NORMALS16 + 0x80, AT + DRAWN, AT + FACES, below(2 ** one(20, 28, 30))], VERTICES + 16 * bytes.readUInt16LE(FACES) + 2]
 }
 
 function lists() {
@@ -122,7 +141,7 @@ function colours() {
   return [bytes, [AT, AT + TRIANGLE, AT + TARGET], TRIANGLE + 3]
 }
 
-const TWINS = [['glint_mesh_tables_draw', colours, 6000], ['glint_mesh_triangle_set', triangle, 10000], ['glint_mesh_vertices', vertices, 400], ['glint_mesh_sides8', sides, 500],
+const TWINS = [['glint_mesh_tables_draw', colours, 6000], ['glint_mesh_triangle_set', triangle, 10000], ['glint_mesh_face_set', faces, 5000], ['glint_mesh_vertices', vertices, 400], ['glint_mesh_sides8', sides, 500],
   ['glint_mesh_sort', lists, 1000]]
 for (const [name, make, calls] of TWINS) {
   const unlike = [0, 0]
