@@ -8,12 +8,21 @@ STRENGTH_TRAPS = -fsanitize=undefined -fsanitize-undefined-trap-on-error
 # What programs have to say about their counters goes there, not among the messages that tests read.
 STRENGTH_ERRORS = GCOV_ERROR_FILE="$(CURDIR)/build/coverage/errors.log"
 STRENGTH_EXACT = $(addprefix tests/exact/test_,eval cutoff pixel unit reach lights)
+STRENGTH_UNIT = $(patsubst %.c,%,$(wildcard tests/unit/lib/test_*.c tests/unit/firmware/test_*.c))
 # How many mutants, and which: another seed chooses others.
 STRENGTH_MUTANTS = $(or $(MUTANTS),440)
 STRENGTH_SEED = $(or $(SEED),1)
 
 setup-strength: setup-unit setup-exact
 	@.ci/need "make coverage" $(STRENGTH_PACKAGES)
+
+# What the programs of the library and portable firmware execute, without the command's tests and those of scripts.
+coverage-lib: setup-strength ## check: the same of lib/ and firmware/core/ by their own tests alone (two minutes)
+	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs $(STRENGTH_EXACT:%=build/coverage/%)
+	@find build/coverage -name '*.gcda' -delete; rm -f build/coverage/errors.log
+	@+$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 TALLY_JOBS=$$(nproc) COUNTED="$(CURDIR)/build/coverage/glint" \
+		GLINT="$(CURDIR)/tests/strength/counted" GLINT_SOURCE="$(CURDIR)" tests/tally $(addprefix build/coverage/,$(STRENGTH_EXACT) $(STRENGTH_UNIT))
+	@tests/strength/covered build/coverage
 
 # For lines and branches a few arguments are as good as many.
 coverage: setup-strength ## check: which lines and branches of lib/, firmware/core/ and host/ the quick tests execute
@@ -34,4 +43,4 @@ mutants: setup-strength ## check: how many small faults in lib/ and firmware/cor
 	@COMPILE="$(CC) -Ilib -Ifirmware/core -std=c99 -ffreestanding -O1 -fPIC $(STRENGTH_TRAPS)" LINK="-lcmocka -lmpfr -lgmp $(HOST_LDLIBS)" GLINT_SOURCE="$(CURDIR)" \
 		tests/strength/mutants build/mutants build/coverage $(STRENGTH_MUTANTS) $(STRENGTH_SEED) $(MINUTES)
 
-.PHONY: setup-strength coverage strength-programs mutants
+.PHONY: setup-strength coverage coverage-lib strength-programs mutants

@@ -4,6 +4,8 @@
 
 #include "glint_mesh_clip.h"
 #include "glint_mesh_edges.h"
+#include "glint_mesh_lists.h"
+#include "glint_mesh_strip.h"
 
 enum { GRID = 40 };
 
@@ -244,6 +246,49 @@ static void a_plane_through_the_camera_leaves_no_hole(void **state)
     }
 }
 
+static unsigned free_places(const struct glint_mesh_frame *frame)
+{
+    const struct glint_mesh_kept *const kept = (const struct glint_mesh_kept *)frame->kept;
+    unsigned count = 0;
+    for (uint16_t at = frame->free; at != GLINT_MESH_NONE && count < 1000; at = kept[at].next)
+        count++;
+    return count;
+}
+
+/* Each place is used for one triangle after the other: GLINT_MESH_KEPT_BYTES a triangle that goes on are enough. */
+static void places_for_triangles_that_go_on_are_free_again_where_these_end(void **state)
+{
+    (void)state;
+    enum { PLACES = 50 };
+    static struct made_mesh mesh;
+    static uint32_t memory[8000], work[4000];
+    static uint8_t out[3 * MESH_W * MESH_H];
+    struct glint_shader shader = random_shader(GLINT_RGB888, GLINT_GAMMA);
+    struct glint_prepared prepared;
+    struct glint_mesh_frame frame;
+    struct glint_mesh_drawn drawn;
+    const struct glint_paint paint = {&glint_mesh_exact, &prepared};
+    glint_lobe_init(&shader.lobe, GLINT_MSH, 10, 6);
+    assert_int_equal(glint_shade_prepare(&prepared, &shader), GLINT_OK);
+    mesh_ball(&mesh, 8, 12);
+    mesh.pose.scale = 16 * 40; /* all of it in the picture */
+    const size_t bytes = glint_mesh_frame_bytes(MESH_W, 4) + PLACES * GLINT_MESH_KEPT_BYTES;
+    assert_true(bytes <= sizeof memory);
+    assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, 4, 0, memory, bytes), GLINT_OK);
+    const unsigned places = free_places(&frame);
+    assert_in_range(places, PLACES, 999);
+    assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &shader.light, &paint, work, sizeof work),
+                     GLINT_OK);
+    unsigned least = places;
+    for (uint16_t y = 0; y < MESH_H; y = (uint16_t)(y + 4)) {
+        const struct glint_surface surface = {out, 3 * MESH_W, 0, y};
+        assert_int_equal(glint_mesh_strip(&frame, y, (uint16_t)(MESH_H - y < 4 ? MESH_H - y : 4), &surface), GLINT_OK);
+        least = free_places(&frame) < least ? free_places(&frame) : least;
+    }
+    assert_in_range(least, 1, places - 10);
+    assert_int_equal(free_places(&frame), places);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -253,6 +298,7 @@ int main(void)
         cmocka_unit_test(triangles_that_share_edges_cover_each_pixel_once),
         cmocka_unit_test(t_and_nl_follow_the_interpolated_normal),
         cmocka_unit_test(a_plane_through_the_camera_leaves_no_hole),
+        cmocka_unit_test(places_for_triangles_that_go_on_are_free_again_where_these_end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -132,6 +132,20 @@ static void t_of_a_triangle_is_2_where_nothing_of_it_can_shine(void **state)
     assert_true(matt > 1000 && glossy > 1000);
 }
 
+static void a_triangle_is_matt_from_2_to_the_29_beyond_the_highlight_and_dark_behind(void **state)
+{
+    (void)state;
+    const uint32_t t_end = 1000, far = (UINT32_C(1) << 29) + t_end;
+    struct glint_mesh_vertex v[3] = {{0, 0, 5, 0, far, 1}, {90, 0, 5, 0, far, -1}, {0, 90, 5, 0, far + 7, -1}};
+    const struct glint_mesh_corner corner[3] = {{&v[0], 0}, {&v[1], 0}, {&v[2], 0}};
+    assert_int_equal(glint_mesh_shine(corner, t_end), GLINT_MESH_MATT);
+    assert_int_equal(glint_mesh_shine(corner, t_end + 1), GLINT_MESH_GLOSSY);
+    v[1].t_q30--;
+    assert_int_equal(glint_mesh_shine(corner, t_end), GLINT_MESH_GLOSSY);
+    v[0].nl_q30 = -1;
+    assert_int_equal(glint_mesh_shine(corner, t_end), GLINT_MESH_DARK);
+}
+
 static struct made_mesh mesh;
 
 /* One face whose corners have the normal n, drawn with a prepared shader over pixels of 0. */
@@ -320,6 +334,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nl_and_depth_of_a_triangle_are_the_sequence_s),
         cmocka_unit_test(t_of_a_triangle_is_2_where_nothing_of_it_can_shine),
+        cmocka_unit_test(a_triangle_is_matt_from_2_to_the_29_beyond_the_highlight_and_dark_behind),
         cmocka_unit_test(the_near_plane_lies_an_eighth_of_the_distance_before_the_camera),
         cmocka_unit_test(what_is_clipped_is_lit_by_its_normals),
         cmocka_unit_test(a_number_across_a_triangle_is_held_between_its_corners),

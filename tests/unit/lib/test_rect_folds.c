@@ -87,6 +87,22 @@ static void v_is_low_by_at_most_w_in_gamma_space(void **state)
     assert_true(worst > -5); /* else the search has seen nothing */
 }
 
+/* An albedo of 255 is 1.0: then nothing is cut off in RGB. */
+static void a_white_albedo_leaves_the_coefficients_as_they_are(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 1000; i++) {
+        struct glint_shader shader = random_shader(GLINT_RGB888, GLINT_GAMMA);
+        struct glint_prepared p;
+        memset(shader.material.albedo, 255, sizeof shader.material.albedo);
+        assert_int_equal(glint_shade_prepare(&p, &shader), GLINT_OK);
+        for (int k = 0; k < 3; k++) {
+            assert_int_equal(p.p[k], shader.material.ambient_q16[k] * 255 << (p.shift - 16));
+            assert_int_equal(p.q[k], shader.material.diffuse_q16[k] * 255 >> (32 - p.shift));
+        }
+    }
+}
+
 static void shade_pixel(const struct glint_shader *shader, struct glint_vec normal, uint8_t out[4])
 {
     const struct glint_source source = {.normals = &normal, .normals_stride = sizeof normal};
@@ -200,6 +216,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(v_is_low_by_at_most_w_in_gamma_space),
+        cmocka_unit_test(a_white_albedo_leaves_the_coefficients_as_they_are),
         cmocka_unit_test(a_pixel_a_unit_below_a_level_is_below_it),
         cmocka_unit_test(in_linear_space_a_dark_pixel_is_its_ambient_light_encoded),
         cmocka_unit_test(phong_shows_nothing_where_the_mirrored_light_is_far),

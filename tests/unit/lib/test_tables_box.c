@@ -215,12 +215,58 @@ static void a_box_is_refused_what_a_rectangle_is(void **state)
     assert_true(!(box.x | box.y | box.w | box.h));
 }
 
+/* INT10's d of sequence.md, and v. */
+static int64_t grazing(const struct glint_tables_light *light, int32_t x, int32_t y, int32_t z, int64_t *v)
+{
+    const int64_t dx = 32 * x - ((light->h.x + 1) >> 1), dy = 32 * y - ((light->h.y + 1) >> 1);
+    const int64_t dz = 8 * z - ((light->h.z + 1) >> 1);
+    *v = dx * dx + dy * dy + dz * dz;
+    return light->peak - (light->peak >> 15) * (*v >> 14) - ((int64_t)z << 18);
+}
+
+/* d < 0 is dark, so d = 0 is not; words of which it is 0 are few. Of x and y the z where d, which falls, changes its sign. */
+static void the_box_holds_what_the_light_grazes(void **state)
+{
+    (void)state;
+    struct glint_shader shader = tables_shader(GLINT_RGB565);
+    struct glint_tables tables;
+    struct glint_tables_light light;
+    shader.dither = false;
+    glint_lobe_init(&shader.lobe, GLINT_MSH, 1, 6);
+    for (int k = 0; k < 3; k++)
+        shader.material.specular_q16[k] = 65536;
+    unsigned found = 0;
+    for (int32_t lz = 100; lz < 600; lz += 10) {
+        assert_int_equal(glint_light_init(&shader.light, (int32_t[]){1000, 0, lz}, (int32_t[]){0, 0, 1}), GLINT_OK);
+        assert_int_equal(glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &shader, memory[0], sizeof memory[0]),
+                         GLINT_OK);
+        assert_int_equal(glint_tables_light_init(&light, &tables, &shader.light), GLINT_OK);
+        for (int32_t i = 0; i < 256 * 511; i++) {
+            const int32_t x = i % 511 - 255, y = i / 511;
+            int32_t z = 0;
+            int64_t v;
+            for (int32_t bit = 1024; bit; bit /= 2)
+                z += grazing(&light, x, y, z + bit, &v) >= 0 ? bit : 0;
+            const int64_t d = grazing(&light, x, y, z, &v);
+            if (z == 0 || d != 0 || v > tables.t_max_q30 >> 1)
+                continue;
+            const uint32_t word = (uint32_t)x << 22 | (uint32_t)y << 12 | (uint32_t)z;
+            struct glint_box box;
+            assert_int_equal(glint_tables_box(&tables, &light, GLINT_NORMALS_INT10, &word, 4, 1, 1, &box), GLINT_OK);
+            assert_int_equal(box.w, 1);
+            found++;
+        }
+    }
+    assert_true(found > 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_window_of_a_map_is_that_part_of_the_picture),
         cmocka_unit_test(beyond_the_box_the_picture_does_not_depend_on_the_highlight),
         cmocka_unit_test(the_box_is_the_smallest_that_holds_the_tables_highlight),
+        cmocka_unit_test(the_box_holds_what_the_light_grazes),
         cmocka_unit_test(a_box_is_refused_what_a_rectangle_is),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
