@@ -2,6 +2,7 @@
  * What a prepared shader folds to: by how much V may be low is at most W. And pixels where a unit of V, or of t, would show. */
 #include "shading.h"
 
+#include "glint_lobe_msh_near.h"
 #include "glint_pixel_prepared.h"
 
 static const double luma[3] = {54 / 256., 183 / 256., 19 / 256.};
@@ -85,6 +86,30 @@ static void v_is_low_by_at_most_w_in_gamma_space(void **state)
     }
     print_message("V + W is never low, and high by %.3f of 2^(shift - 16) at the least\n", -worst);
     assert_true(worst > -5); /* else the search has seen nothing */
+}
+
+/* f <= F <= f + slack, by how much ever E is shifted up, while m < 2^28: the fold chooses what is quickest. */
+static void msh_is_low_by_at_most_its_slack_however_it_is_scaled(void **state)
+{
+    (void)state;
+    for (uint32_t n = 1; n <= 1000; n++) {
+        const int64_t k = 4 * (int64_t)n - 5;
+        for (int up = 0; up < 9 && k << up < 1 << 17; up++) {
+            struct glint_near near = {.n = (uint16_t)n, .t_end = 1 << 30, .f_max = UINT32_MAX};
+            near.k[GLINT_MSH_FACTOR] = (int32_t)(k * (1 << up));
+            near.k[GLINT_MSH_ADDEND] = 5 * 65536 << up;
+            near.k[GLINT_MSH_SHIFT] = 32 - 2 * up;
+            for (int i = 0; i < 300; i++) {
+                struct glint_sample sample = {below(UINT32_C(1) << below(31)), 65536, 0};
+                const int64_t m = (k * (1 << up) * sample.t_q30 >> 14) + ((int64_t)5 * 65536 << up);
+                const uint32_t f = glint_msh_t(n, sample.t_q30);
+                if (m >= 1 << 28 || f == 0)
+                    continue;
+                glint_shade_msh.run(&near, &sample, 1);
+                assert_in_range(f - sample.f_q16, 0, glint_shade_msh.slack);
+            }
+        }
+    }
 }
 
 /* An albedo of 255 is 1.0: then nothing is cut off in RGB. */
@@ -216,6 +241,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(v_is_low_by_at_most_w_in_gamma_space),
+        cmocka_unit_test(msh_is_low_by_at_most_its_slack_however_it_is_scaled),
         cmocka_unit_test(a_white_albedo_leaves_the_coefficients_as_they_are),
         cmocka_unit_test(a_pixel_a_unit_below_a_level_is_below_it),
         cmocka_unit_test(in_linear_space_a_dark_pixel_is_its_ambient_light_encoded),
