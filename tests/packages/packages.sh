@@ -36,3 +36,44 @@ bare_link="-nostdlib -L$source/firmware/ports/bare -T$source/firmware/ports/cort
 run_arm() { # IMAGE
     timeout 60 qemu-system-arm -M mps2-an385 -display none -semihosting-config enable=on,target=native -kernel "$1" 2>&1
 }
+
+# Arduino: Debian's builder and core. What its package of the whole IDE would add: the builder's settings beside the core, and where the tools are.
+arduino_is_there() { command -v arduino-builder >/dev/null && [ -d /usr/share/arduino/hardware/arduino/avr ] && command -v simavr >/dev/null; }
+arduino_build() { # BOARD SKETCH LIBRARIES BUILD
+    hardware=$folder/hardware
+    [ -d "$hardware" ] || { mkdir -p "$hardware/tools/avr" &&
+        ln -s /usr/share/arduino/hardware/arduino /usr/share/arduino-builder/platform*.txt "$hardware" && ln -s /usr/bin "$hardware/tools/avr/bin"; } || return
+    rm -rf "$4" && mkdir "$4" && cp -r "$2" "$folder/" || return
+    # Debian's core names a macro that its compiler does not define.
+    timeout 300 arduino-builder -compile -hardware "$hardware" -tools "$hardware/tools" -libraries "$3" -fqbn "arduino:avr:$1" \
+        -prefs=compiler.c.extra_flags=-DDECIMAL_DIG=__DECIMAL_DIG__ -prefs=compiler.cpp.extra_flags=-DDECIMAL_DIG=__DECIMAL_DIG__ \
+        -build-path "$4" "$folder/$(basename "$2")/$(basename "$2").ino"
+}
+# What an example prints in hexadecimal on a board: simavr colours it and prints dots.
+arduino_run() { # PART IMAGE
+    timeout 15 simavr -m "$1" -f 16000000 "$2" 2>&1 | tr -d '\033\r' | sed -n 's/^[^0-9A-F]*\(\[[0-9]*m\)*\([0-9A-F]\{1,4\}\)\.*$/\2/p'
+}
+line_pixels() { # FILE: what the example Line prints, from the host
+    stubs=$source/tests/packages/stubs
+    "${CXX:-c++}" -I"$source/lib" -I"$stubs" -include Arduino.h -x c++ "$source/lib/examples/Line/Line.ino" "$stubs/arduino.cpp" -x none "$library" \
+        -o "$folder/line_on_host" && "$folder/line_on_host" >"$1" && [ "$(wc -l <"$1")" = 64 ]
+}
+
+# Projects of Zephyr's and ESP-IDF's users, for the stand-ins that stubs/ has of their build systems.
+export ZEPHYR_BASE="$source/tests/packages/stubs/zephyr" IDF_PATH="$source/tests/packages/stubs/idf"
+zephyr_project() { # FOLDER PROGRAM; prj.conf is the caller's
+    cat >"$1/CMakeLists.txt" <<END
+cmake_minimum_required(VERSION 3.20.0)
+find_package(Zephyr REQUIRED HINTS \$ENV{ZEPHYR_BASE})
+project(program LANGUAGES C)
+target_sources(app PRIVATE $2)
+END
+}
+idf_project() { # FOLDER PROGRAM; main/ and components/ are there
+    cat >"$1/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.16)
+include($ENV{IDF_PATH}/tools/cmake/project.cmake)
+project(program)
+END
+    echo "idf_component_register(SRCS $2)" >"$1/main/CMakeLists.txt"
+}
