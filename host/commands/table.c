@@ -185,7 +185,7 @@ static void write_tables(const struct request *request, struct shading shading, 
     struct flash_tables flash;
     const struct glint_shader shader = shading_shader(&shading);
     if (flash_tables_fill(&flash, kind, &shader) != GLINT_OK)
-        fail("--kind %s: needs --ambient and --diffuse of one number each, which together are at most 1",
+        fail("--kind %s: needs a grey --ambient and --diffuse of at most 1 together, as --ambient .1 --diffuse .9",
              tables_kind_names[kind]);
     if (asprintf(&flash.about, "%s, n = %u, q = %u, %s, %s", model_names[shading.model], shading.n, shading.q,
                  format_names[shading.format], space_names[shading.space]) < 0)

@@ -154,12 +154,16 @@ static void tables_that_cannot_be_are_refused_with_the_reason(void **state)
     assert_fails("$GLINT table --kind colour --format grey8 -o out/no.c", "--kind colour: needs --format rgb565");
     assert_fails("$GLINT table --kind small --space linear -o out/no.c", "--kind small: needs --space gamma");
     assert_fails("$GLINT table --kind small --model phong -o out/no.c", "cannot draw phong");
-    assert_fails("$GLINT table --kind albedo -o out/no.c", "--kind albedo: needs --ambient and --diffuse");
+    /* The defaults are too bright for it: the line shows what to write instead, and that is taken, below. */
+    assert_fails(
+        "$GLINT table --kind albedo -o out/no.c",
+        "--kind albedo: needs a grey --ambient and --diffuse of at most 1 together, as --ambient .1 --diffuse .9");
     assert_refused("$GLINT table --kind grey -o out/no.c", "colour, small, albedo");
     assert_refused("$GLINT table --kind small --entries 9 -o out/no.c", "--entries");
     assert_refused("$GLINT table --kind small --raw -o out/no.bin", "--raw");
     assert_refused("$GLINT table --ambient .3 -o out/no.c", "need --kind");
     assert_int_equal(files_in("out"), before);
+    assert_quiet("$GLINT table --kind albedo --ambient .1 --diffuse .9 -o out/yes.c");
 }
 
 /* The look-ups of the header are those of the single file. */
