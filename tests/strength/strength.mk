@@ -37,7 +37,7 @@ coverage: setup-strength ## check: which lines and branches of lib/, firmware/co
 strength-programs: $(HOST_ARCHIVES) $(UNIT_TESTS:%=%.o) $(STRENGTH_EXACT:%=$(BUILD)/%.o) $(BUILD)/host/main.o $(BUILD)/tests/exact/test_near.o \
 	$(patsubst %,$(BUILD)/tests/exact/%.o,oracle near cases reference_lights reference_pixel)
 
-mutants: setup-strength ## check: how many small faults in lib/ and firmware/core/ the quick tests notice (an hour); MUTANTS=440 SEED=1; MINUTES=20: a piece, the next goes on; RETRY=1: survivors again; ONLY=pattern: of these names
+mutants: setup-strength ## check: how many small faults in lib/ and firmware/core/ the quick tests notice (20 minutes); MUTANTS=440 SEED=1; MINUTES=20: a piece, the next goes on; RETRY=1: survivors again; ONLY=pattern: of these names
 	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs $(STRENGTH_EXACT:%=build/coverage/%)
 	@+$(SUBMAKE) -s $(STRENGTH_PLAIN) strength-programs
 	@COMPILE="$(CC) -Ilib -Ifirmware/core -std=c99 -ffreestanding -O1 -fPIC $(STRENGTH_TRAPS)" LINK="-lcmocka -lmpfr -lgmp $(HOST_LDLIBS)" GLINT_SOURCE="$(CURDIR)" \

@@ -185,6 +185,7 @@ static void the_display_has_one_connector(void **state)
     }
     assert_int_equal(get(GUD_GET_CONNECTOR_STATUS, 1), 1);
     assert_int_equal(reply[0], GUD_CONNECTED);
+    assert_int_equal(set(GUD_SET_CONNECTOR_FORCE_DETECT, NULL, 0), GUD_OK); /* it is always there */
 }
 
 /* ---- the state ---- */

@@ -255,7 +255,7 @@ static void an_impossible_config_is_refused(void **state)
     c = good;
     c.max_buffer = 1 << 20;
     c.window_bytes = LZ4_BLOCK_REACH;
-    c.output = GLINT_RGB565;
+    c.output = GLINT_RGB888;
     assert_true(gud_device_init(&device, &c));
 }
 
