@@ -94,7 +94,7 @@ static void msh_is_low_by_at_most_its_slack_however_it_is_scaled(void **state)
     (void)state;
     for (uint32_t n = 1; n <= 1000; n++) {
         const int64_t k = 4 * (int64_t)n - 5;
-        for (int up = 0; up < 9 && k << up < 1 << 17; up++) {
+        for (int up = 0; up < 9 && k * (1 << up) < 1 << 17; up++) {
             struct glint_near near = {.n = (uint16_t)n, .t_end = 1 << 30, .f_max = UINT32_MAX};
             near.k[GLINT_MSH_FACTOR] = (int32_t)(k * (1 << up));
             near.k[GLINT_MSH_ADDEND] = 5 * 65536 << up;
