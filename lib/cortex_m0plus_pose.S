@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Vertices without perspective, with normals of 8 bits, and sides between such normals, as mesh_pose.c has them. What is the same
+ * Vertices without perspective, with normals of 8 bits, as mesh_pose.c has them. What is the same
  * for all vertices lies in the frame in the order in which it is read, so that three words take one load. */
 #if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus.inc"
@@ -185,53 +185,5 @@
     b .Ldeep_held
 1:  movs r4, #0
     b .Ldeep_held
-    .ltorg
-
-/* glint_mesh_sides8(corner, normals8, face). */
-.macro difference at
-    movs r1, #\at
-    ldrsb r2, [r3, r1]
-    ldrsb r6, [r4, r1]
-    ldrsb r1, [r5, r1]
-    subs r2, r2, r6
-    subs r6, r6, r1
-    adds r1, r2, r6
-    muls r2, r2
-    muls r6, r6
-    muls r1, r1
-.endm
-
-.macro normal to, at
-    ldrh \to, [r2, #\at]
-    lsls r6, \to, #1
-    adds \to, \to, r6
-    adds \to, \to, r1
-.endm
-
-    function glint_mesh_sides8
-    push {r4-r7, lr}
-    normal r3, 0
-    normal r4, 2
-    normal r5, 4
-    difference 0
-    mov r12, r2
-    mov lr, r6
-    movs r7, r1
-    difference 1
-    add r12, r2
-    add lr, r6
-    adds r7, r7, r1
-    difference 2
-    add r2, r12
-    add r6, lr
-    adds r7, r7, r1
-    ldr r1, =129 * 129
-    muls r2, r1
-    muls r6, r1
-    muls r7, r1
-    str r6, [r0, #4]
-    str r7, [r0, #12]
-    str r2, [r0, #20]
-    pop {r4-r7, pc}
     .ltorg
 #endif

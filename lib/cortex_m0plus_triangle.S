@@ -109,7 +109,28 @@
     add sp, #FRAME
     pop {r4-r7, pc}
 
-/* glint_mesh_face_set(triangle, drawn, face, t_end), as mesh_strip.c has it. */
+/* r3-r5: a face's normals of 8 bits from r1 on; r2: the face. The differences' squares: r2, r6, r1. */
+.macro normal to, at
+    ldrh \to, [r2, #\at]
+    lsls r6, \to, #1
+    adds \to, \to, r6
+    adds \to, \to, r1
+.endm
+
+.macro difference at
+    movs r1, #\at
+    ldrsb r2, [r3, r1]
+    ldrsb r6, [r4, r1]
+    ldrsb r1, [r5, r1]
+    subs r2, r2, r6
+    subs r6, r6, r1
+    adds r1, r2, r6
+    muls r2, r2
+    muls r6, r6
+    muls r1, r1
+.endm
+
+/* glint_mesh_face_set(triangle, drawn, face, t_end), as mesh_strip.c has it; sides between normals of 8 bits as glint_mesh_sides8 has them. */
     entry glint_mesh_face_set
     push {r4-r7, lr}
     sub sp, #FRAME
@@ -147,15 +168,36 @@
     lsrs r0, r0, #29
     bne 3f
     ldr r1, [r1, #GLINT_AT_DRAWN_MESH]
-    add r0, sp, #FACE
     ldr r3, [r1, #GLINT_AT_MESH_NORMALS]
     cmp r3, #0
     bne 2f
     ldr r1, [r1, #GLINT_AT_MESH_NORMALS8]
-    bl glint_mesh_sides8
+    normal r3, 0
+    normal r4, 2
+    normal r5, 4
+    difference 0
+    mov r12, r2
+    mov lr, r6
+    movs r7, r1
+    difference 1
+    add r12, r2
+    add lr, r6
+    adds r7, r7, r1
+    difference 2
+    add r2, r12
+    add r6, lr
+    adds r7, r7, r1
+    ldr r1, =129 * 129
+    muls r6, r1
+    str r6, [sp, #FACE + 4]
+    muls r7, r1
+    str r7, [sp, #FACE + 12]
+    muls r2, r1
+    str r2, [sp, #FACE + 20]
     movs r2, #GLINT_SHINE_MATT + 1
     b 5f
-2:  bl glint_mesh_sides16
+2:  add r0, sp, #FACE
+    bl glint_mesh_sides16
     movs r2, #GLINT_SHINE_MATT + 1
     b 5f
 3:  movs r2, #GLINT_SHINE_MATT

@@ -20,7 +20,7 @@ void glint_mesh_normal(struct glint_vec *normal, const struct glint_mesh *mesh, 
 
 /* What glint_mesh_corner calls a side, of two normals. */
 uint32_t glint_mesh_side(const struct glint_vec *a, const struct glint_vec *b);
-/* Of a face's three, the one opposite each corner; that of 8 bits has a twin in assembly. */
+/* Of a face's three, the one opposite each corner. */
 void glint_mesh_sides16(struct glint_mesh_corner corner[3], const struct glint_mesh *mesh, const uint16_t face[3]);
 void glint_mesh_sides8(struct glint_mesh_corner corner[3], const int8_t *normals, const uint16_t face[3]);
 static inline void glint_mesh_sides(struct glint_mesh_corner corner[3], const struct glint_mesh *mesh,

@@ -95,7 +95,7 @@ uint32_t glint_mesh_side(const struct glint_vec *a, const struct glint_vec *b)
 }
 
 #if !GLINT_CORTEX_M0PLUS_ASM
-/* (258 d)^2 >> 2 is 129^2 d^2, so the squares are added first; |d| <= 254. */
+/* In assembly a part of glint_mesh_face_set. (258 d)^2 >> 2 is 129^2 d^2, so the squares are added first; |d| <= 254. */
 void glint_mesh_sides8(struct glint_mesh_corner corner[3], const int8_t *normals, const uint16_t face[3])
 {
     const int8_t *a = normals + 3 * face[0], *b = normals + 3 * face[1], *c = normals + 3 * face[2];

@@ -25,7 +25,8 @@ struct part {
     uint16_t end, number; /* end: GLINT_MESH_NONE, which is above all faces, of the last one */
 };
 
-static void part_set(struct part *part, const struct glint_mesh_drawn *drawn, unsigned number)
+/* Alone, since the loop over a strip's faces has no register left for what this needs. */
+static __attribute__((noinline)) void part_set(struct part *part, const struct glint_mesh_drawn *drawn, unsigned number)
 {
     part->number = (uint16_t)number;
     part->paint = &drawn->paints[number];

@@ -76,10 +76,6 @@ function vertices() {
   return [bytes, [AT, AT + DRAWN], PLACES + 1]
 }
 
-function sides() {
-  return [frame(240, 20, 1), [AT + VERTICES, AT + NORMALS, AT + FACES], FACES]
-}
-
 // Faces that have lines and an area, as those in lists have; a few must be clipped, some are of 16-bit normals.
 function faces() {
   const bytes = frame(240, 20, 1), size = one(40, 300, 4000), first = below(4000), out = !below(10)
@@ -141,8 +137,8 @@ function colours() {
   return [bytes, [AT, AT + TRIANGLE, AT + TARGET], TRIANGLE + 3]
 }
 
-const TWINS = [['glint_mesh_tables_draw', colours, 6000], ['glint_mesh_triangle_set', triangle, 10000], ['glint_mesh_face_set', faces, 5000], ['glint_mesh_vertices', vertices, 400], ['glint_mesh_sides8', sides, 500],
-  ['glint_mesh_sort', lists, 1000]]
+const TWINS = [['glint_mesh_tables_draw', colours, 6000], ['glint_mesh_triangle_set', triangle, 10000], ['glint_mesh_face_set', faces, 5000],
+  ['glint_mesh_vertices', vertices, 400], ['glint_mesh_sort', lists, 1000]]
 for (const [name, make, calls] of TWINS) {
   const unlike = [0, 0]
   for (let i = 0; i < calls; i++) {
