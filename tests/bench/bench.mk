@@ -51,9 +51,9 @@ bench: ## measure: set up what is missing, measure cycles, instructions, code si
 	@+$(SUBMAKE) run-bench-page
 
 # Seconds instead of minutes: what one needs while making a loop faster.
-bench-cycles: $(BENCH_ELFS) $(BENCH_MESH_ELFS) $(BENCH_SCENE)/scene.json ## measure: cycles on the Cortex-M0+ alone, n = 60: ROWS=PATTERN (exact), N="5 1000"
+bench-cycles: $(BENCH_ELFS) $(BENCH_MESH_ELFS) $(BENCH_SCENE)/scene.json ## measure: cycles on the Cortex-M0+ alone, n = 60: ROWS=PATTERN (exact), N="5 1000"; PROFILE=1: by function
 	@+$(SUBMAKE) -s setup-rp2040js
-	@node tests/bench/bench.mjs $(BENCH) '$(value ROWS)' $(N)
+	@node tests/bench/$(if $(PROFILE),profile,bench).mjs $(BENCH) '$(value ROWS)' $(N)
 
 run-bench: bench-programs
 	@node tests/bench/bench.mjs $(BENCH)

@@ -84,7 +84,7 @@ export function load(packages, elf) {
 }
 
 export function boot(packages, elf) {
-  const { core, memory, halves, address, enter } = load(packages, elf)
+  const { core, memory, halves, symbols, address, enter } = load(packages, elf)
   const forgetful = halves.map(forgets) // by address; code does not change
   const word = (at) => memory.readUInt32LE(at - RAM)
   const half = (at) => memory.readInt16LE(at - RAM)
@@ -93,17 +93,30 @@ export function boot(packages, elf) {
   const bytes = (at, length) => memory.subarray(at - RAM, at - RAM + length)
 
   // Runs a function, by its name or address. The cycles are those of its body: an empty function's, the 2 of its return, are
-  // taken off.
-  const call = (name, args = []) => {
+  // taken off. spent: by address, gains the cycles of each instruction.
+  const call = (name, args = [], spent = null) => {
     enter(name, args)
     const before = core.cycles
     let missed = 0
     while (core.PC !== RETURN) {
-      missed += forgetful[(core.PC - RAM) >> 1]
+      const at = (core.PC - RAM) >> 1, start = core.cycles
+      missed += forgetful[at]
       core.executeInstruction()
+      if (spent) spent[at] += core.cycles - start + forgetful[at]
       if (core.cycles - before > 1e9) throw new Error(`${name} does not return`)
     }
     return { value: core.registers[0], cycles: core.cycles - before + missed - 2 }
+  }
+
+  // The same; found, a Map, gains the cycles spent in each function. Functions have odd addresses, as Thumb code does.
+  const functions = [...symbols].filter(([, at]) => at & 1).map(([symbol, at]) => [symbol, (at - RAM) >> 1]).sort((a, b) => a[1] - b[1])
+  const profiled = (found, name, args) => {
+    const spent = new Float64Array(halves.length), result = call(name, args, spent)
+    functions.forEach(([symbol, at], i) => {
+      const cycles = spent.subarray(at, functions[i + 1]?.[1]).reduce((sum, x) => sum + x, 0)
+      if (cycles) found.set(symbol, (found.get(symbol) ?? 0) + cycles)
+    })
+    return result
   }
 
   // run(), while seen() is shown the address of every read; instructions are read, too.
@@ -128,7 +141,7 @@ export function boot(packages, elf) {
     return words.size
   }
   calibrate(call)
-  return { call, watched, touched, address, word, half, byte, text, bytes }
+  return { call, profiled, watched, touched, address, word, half, byte, text, bytes }
 }
 
 function calibrate(call) {
