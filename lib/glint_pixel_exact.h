@@ -31,10 +31,23 @@ static inline bool glint_format_is_blue_first(uint8_t format)
 }
 /* Stores the levels of pixel x of a line; all are the same in grey. Not alpha. */
 void glint_exact_store(uint8_t format, uint8_t *line, uint32_t x, const uint8_t levels[3]);
+/* Those of pixels x..: 4 bytes a pixel, in grey 1; not of those whose bits are set in open, the first pixel's the lowest. */
+void glint_exact_store_run(uint8_t format, uint8_t *line, uint32_t x, const uint8_t *levels, unsigned count,
+                           uint32_t open);
 /* Alpha or X of pixels x.. of a line, where the format has one; mask: the line's, or NULL. */
 void glint_exact_alpha(uint8_t format, uint8_t *line, uint32_t x, unsigned count, const uint8_t *mask);
-/* The ordered dither's weight b, 0..15, at a place on the screen. */
-uint32_t glint_pixel_bayer(uint32_t x, uint32_t y);
+/* The Bayer matrix's rows, 4 bits an entry, the first one the lowest. */
+extern const uint16_t glint_pixel_bayer_rows[4];
+/* The ordered dither's weights b, 0..15, of four or more places on the screen from x to the right, 4 bits each, the first the lowest. */
+static inline uint32_t glint_pixel_bayer_row(uint32_t x, uint32_t y)
+{
+    const uint32_t row = GLINT_FLASH_U16(glint_pixel_bayer_rows[y & 3]);
+    return (row | row << 16) >> 4 * (x & 3);
+}
+static inline uint32_t glint_pixel_bayer(uint32_t x, uint32_t y)
+{
+    return glint_pixel_bayer_row(x, y) & 15;
+}
 /* That of a shader: 2b + 1, or 16. */
 uint32_t glint_exact_weight(const struct glint_shader *shader, uint32_t x, uint32_t y);
 

@@ -21,6 +21,9 @@ void glint_levels_fold(struct glint_prepared *prepared, struct glint_levels_kind
 /* The thresholds of four pixels side by side, times 2^shift, 2^(shift - 5) or more, less what V may be high by, < 2^(shift - 7). */
 void glint_levels_bias(uint32_t bias[4], const struct glint_prepared *prepared, const struct glint_run *run);
 
+/* P of the channels of four pixels side by side, each with its pixel's threshold. */
+void glint_levels_base(uint32_t base[12], const struct glint_prepared *prepared, const struct glint_run *run);
+
 /* Steps 4 to 6 of a sample, in 64 bits. */
 void glint_levels_exact(uint64_t v[3], const struct glint_shader *shader, const struct glint_run *run, unsigned i,
                         uint32_t nl_q16, uint32_t f_q16);
@@ -33,9 +36,10 @@ GLINT_INLINE uint32_t glint_by_255(uint32_t x)
     return (x + (x >> 8) + (x >> 16)) >> 8;
 }
 
-/* V of a sample's channels. What the compiler is told of maps decides what is left of it. */
-GLINT_INLINE void glint_levels_sum(uint32_t v[3], const struct glint_prepared *p, const struct glint_sample *sample,
-                                   const uint8_t *albedo, const uint8_t *gloss, bool maps)
+/* V of a sample's channels, without maps from `base`. What the compiler is told of maps decides what is left of it. */
+GLINT_INLINE void glint_levels_sum(uint32_t v[3], const struct glint_prepared *p, const uint32_t base[3],
+                                   const struct glint_sample *sample, const uint8_t *albedo, const uint8_t *gloss,
+                                   bool maps)
 {
     const uint32_t nl = sample->nl_q16;
     uint32_t f = sample->f_q16;
@@ -46,9 +50,9 @@ GLINT_INLINE void glint_levels_sum(uint32_t v[3], const struct glint_prepared *p
         v[1] = (albedo[1] * ((p->ambient[1] + p->diffuse[1] * nl) >> 7)) + p->r[1] * f;
         v[2] = (albedo[2] * ((p->ambient[2] + p->diffuse[2] * nl) >> 7)) + p->r[2] * f;
     } else {
-        v[0] = p->p[0] + p->q[0] * nl + p->r[0] * f;
-        v[1] = p->p[1] + p->q[1] * nl + p->r[1] * f;
-        v[2] = p->p[2] + p->q[2] * nl + p->r[2] * f;
+        v[0] = base[0] + p->q[0] * nl + p->r[0] * f;
+        v[1] = base[1] + p->q[1] * nl + p->r[1] * f;
+        v[2] = base[2] + p->q[2] * nl + p->r[2] * f;
     }
 }
 
@@ -85,15 +89,21 @@ GLINT_INLINE uint32_t glint_levels_rgb(const struct glint_prepared *p, const str
     const unsigned bytes = !deep ? 2 : order == GLINT_LEVELS_BLUE_FIRST && p->shader.format != GLINT_BGR888 ? 4 : 3;
     uint8_t *out = run->line + bytes * run->x + (swapped ? 1 : 0);
     const ptrdiff_t other = swapped ? -1 : 1;
-    uint32_t bias[4], open = 0;
-    if (dither)
+    uint32_t bias[4], bases[12], open = 0;
+    const uint32_t *base = p->p;
+    const bool turns = deep ? p->shader.dither : dither;
+    if (maps) {
         glint_levels_bias(bias, p, run);
+    } else if (dither && turns) {
+        glint_levels_base(bases, p, run);
+        base = bases;
+    }
     const struct glint_sample *const first = sample, *const end = sample + count;
     for (unsigned next = 0; sample != end; sample++, out += bytes) {
-        const unsigned i = maps || dither ? next++ : 0; /* else it is found where a pixel stays open */
+        const unsigned i = maps ? next++ : 0; /* else it is found where a pixel stays open */
         uint32_t v[3];
-        glint_levels_sum(v, p, sample, albedo, gloss ? gloss + i : gloss, maps);
-        const uint32_t threshold = dither ? bias[i & 3] : 0;
+        glint_levels_sum(v, p, base, sample, albedo, gloss ? gloss + i : gloss, maps);
+        const uint32_t threshold = maps ? bias[i & 3] : 0;
         const uint32_t red = glint_levels_hold(v[0] + threshold, most);
         const uint32_t green = glint_levels_hold(v[1] + threshold, most_green);
         const uint32_t blue = glint_levels_hold(v[2] + threshold, most);
@@ -108,6 +118,11 @@ GLINT_INLINE uint32_t glint_levels_rgb(const struct glint_prepared *p, const str
             const uint32_t pixel = red >> shift << 11 | green >> shift << 5 | blue >> shift;
             out[0] = (uint8_t)pixel;
             out[other] = (uint8_t)(pixel >> 8);
+        }
+        if (dither && !maps && turns) {
+            base += 3;
+            if (base == bases + 12)
+                base = bases;
         }
     }
     return open;

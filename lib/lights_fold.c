@@ -36,7 +36,7 @@ void glint_lights_fold(struct glint_prepared *p, const struct glint_lamp *lamp)
     p->high = (uint8_t)(high ? high : 1);              /* 0: this was not done */
     GLINT_FLASH_POINTER(p->format->fold)(p);
     const uint32_t w = 4 * (uint32_t)p->high + 4 * max + (max >> 3) + 1; /* of 2^(shift - 16): < 2^12 */
-    if (glint_format_is_565(p->shader.format) && !p->shader.dither)      /* P has the threshold, if there are no maps */
+    if (!glint_format_is_grey(p->shader.format) && !p->shader.dither)    /* P has the threshold, if there are no maps */
         for (unsigned k = 0; k < 3; k++)
             p->p[k] -= (uint32_t)p->high << (p->shift - 15);
     p->w += w << (p->shift - 16);

@@ -3,12 +3,7 @@
 
 #define ONE ((uint64_t)65535 << 32) /* a value of 1.0 */
 
-static const uint8_t bayer[4][4] GLINT_FLASH = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
-
-uint32_t glint_pixel_bayer(uint32_t x, uint32_t y)
-{
-    return GLINT_FLASH_U8(bayer[y & 3][x & 3]);
-}
+const uint16_t glint_pixel_bayer_rows[4] GLINT_FLASH = {0xa280, 0x6e4c, 0x91b3, 0x5d7f};
 
 uint32_t glint_exact_weight(const struct glint_shader *shader, uint32_t x, uint32_t y)
 {
@@ -33,28 +28,61 @@ uint32_t glint_exact_level(uint64_t x, uint32_t max, uint32_t weight)
 #define EXACT_TRAITS(number, name, bytes, channels, red, green, blue) {bytes, channels, {red, green, blue}},
 const struct glint_format_traits glint_exact_formats[GLINT_FORMAT_COUNT] GLINT_FLASH = {GLINT_FORMATS(EXACT_TRAITS)};
 
+static void exact_store_565(uint8_t *low, uint8_t *high, const uint8_t *levels, unsigned count, uint32_t open)
+{
+    for (const uint8_t *end = levels + 4 * count; levels != end; levels += 4, low += 2, high += 2, open >>= 1) {
+        const uint32_t pixel = (uint32_t)levels[0] << 11 | (uint32_t)levels[1] << 5 | levels[2];
+        if (!(open & 1)) {
+            *low = (uint8_t)pixel;
+            *high = (uint8_t)(pixel >> 8);
+        }
+    }
+}
+
+static void exact_store_rgb(uint8_t *red, int blue, unsigned bytes, const uint8_t *levels, unsigned count,
+                            uint32_t open)
+{
+    for (const uint8_t *end = levels + 4 * count; levels != end; levels += 4, red += bytes, open >>= 1) {
+        if (!(open & 1)) {
+            red[0] = levels[0];
+            red[blue / 2] = levels[1];
+            red[blue] = levels[2];
+        }
+    }
+}
+
+static void exact_store_mono(uint8_t *line, uint32_t x, const uint8_t *levels, unsigned count, uint32_t open)
+{
+    for (; count--; levels++, x++, open >>= 1) {
+        const uint8_t bit = (uint8_t)(0x80 >> (x & 7));
+        if (!(open & 1))
+            line[x >> 3] = (uint8_t)(*levels ? line[x >> 3] | bit : line[x >> 3] & ~bit);
+    }
+}
+
+void glint_exact_store_run(uint8_t format, uint8_t *line, uint32_t x, const uint8_t *levels, unsigned count,
+                           uint32_t open)
+{
+    const unsigned bytes = GLINT_FLASH_U8(glint_exact_formats[format].bytes);
+    uint8_t *out = line + bytes * x;
+    if (bytes == 2) {
+        const bool swapped = format == GLINT_RGB565_SWAPPED;
+        exact_store_565(out + swapped, out + !swapped, levels, count, open);
+    } else if (bytes > 2) {
+        const bool blue_first = glint_format_is_blue_first(format);
+        exact_store_rgb(blue_first ? out + 2 : out, blue_first ? -2 : 2, bytes, levels, count, open);
+    } else if (bytes) {
+        for (; count--; out++, levels++, open >>= 1)
+            if (!(open & 1))
+                *out = *levels;
+    } else {
+        exact_store_mono(line, x, levels, count, open);
+    }
+}
+
 void glint_exact_store(uint8_t format, uint8_t *line, uint32_t x, const uint8_t levels[3])
 {
-    if (glint_format_is_565(format)) {
-        const uint32_t pixel = (uint32_t)levels[0] << 11 | (uint32_t)levels[1] << 5 | levels[2];
-        const bool swapped = format == GLINT_RGB565_SWAPPED;
-        line[2 * x + swapped] = (uint8_t)pixel;
-        line[2 * x + !swapped] = (uint8_t)(pixel >> 8);
-    } else if (format == GLINT_RGB888) {
-        line[3 * x] = levels[0];
-        line[3 * x + 1] = levels[1];
-        line[3 * x + 2] = levels[2];
-    } else if (format == GLINT_GREY8) {
-        line[x] = levels[0];
-    } else if (format == GLINT_MONO) {
-        const uint8_t bit = (uint8_t)(0x80 >> (x & 7));
-        line[x >> 3] = (uint8_t)(levels[0] ? line[x >> 3] | bit : line[x >> 3] & ~bit);
-    } else { /* blue first */
-        line += (format == GLINT_BGR888 ? 3 : 4) * x;
-        line[0] = levels[2];
-        line[1] = levels[1];
-        line[2] = levels[0];
-    }
+    glint_exact_store_run(format, line, x, levels, 1, 0);
 }
 
 void glint_exact_alpha(uint8_t format, uint8_t *line, uint32_t x, unsigned count, const uint8_t *mask)

@@ -21,12 +21,6 @@ static void grey_fold(struct glint_prepared *prepared)
     glint_levels_fold(prepared, kind, false);
 }
 
-static void grey_put(const struct glint_shader *shader, uint8_t *line, uint32_t x, uint32_t level)
-{
-    const uint8_t levels[3] = {(uint8_t)level, (uint8_t)level, (uint8_t)level};
-    glint_exact_store(shader->format, line, x, levels);
-}
-
 GLINT_INLINE uint32_t grey_loop(const struct glint_prepared *p, const struct glint_run *run,
                                 const struct glint_sample *sample, unsigned count, bool maps)
 {
@@ -37,19 +31,20 @@ GLINT_INLINE uint32_t grey_loop(const struct glint_prepared *p, const struct gli
     const uint8_t *albedo = maps && run->albedo ? run->albedo : p->shader.material.albedo, *gloss = run->gloss;
     const unsigned step = maps && run->albedo ? 3 : 0;
     uint32_t bias[4], open = 0;
+    uint8_t levels[GLINT_RUN];
     glint_levels_bias(bias, p, run);
     for (unsigned i = 0; i < count; i++, sample++, albedo += maps ? step : 0) {
         uint32_t v[3];
-        glint_levels_sum(v, p, sample, albedo, gloss ? gloss + i : gloss, maps);
+        glint_levels_sum(v, p, p->p, sample, albedo, gloss ? gloss + i : gloss, maps);
         /* Step 6 rounds down: by less than 1 here, which is taken off */
         const uint32_t sum = bias[i & 3] - 1 + glint_levels_hold(v[0], red) + glint_levels_hold(v[1], green) +
                              glint_levels_hold(v[2], blue);
         const uint32_t held = glint_levels_hold(sum, most);
+        levels[i] = (uint8_t)(held >> shift);
         if ((held ^ (held + w)) >> shift)
             open |= (uint32_t)1 << i;
-        else
-            grey_put(&p->shader, run->line, run->x + i, held >> shift);
     }
+    glint_exact_store_run(p->shader.format, run->line, run->x, levels, count, open);
     return open;
 }
 
@@ -79,7 +74,8 @@ static void grey_exact(const struct glint_shader *shader, const struct glint_run
     uint64_t v[3];
     glint_levels_exact(v, shader, run, i, nl_q16, f_q16);
     const uint64_t sum = (GREY_RED * v[0] + GREY_GREEN * v[1] + GREY_BLUE * v[2]) >> 8;
-    grey_put(shader, run->line, x, glint_exact_level(sum, grey_max(shader), weight));
+    const uint8_t levels[3] = {(uint8_t)glint_exact_level(sum, grey_max(shader), weight), 0, 0};
+    glint_exact_store(shader->format, run->line, x, levels);
 }
 
 const struct glint_shade_format glint_shade_grey GLINT_FLASH = {grey_draws, grey_fold, grey_levels, grey_exact, NULL};

@@ -1,18 +1,21 @@
 /* SPDX-License-Identifier: MIT */
 #include "glint_pixel_levels.h"
 
+/* Called, not inlined, for less code: it is only set-up. */
+#define LEVELS_CALLED __attribute__((noinline)) static
+
 /* n / 2^bits, rounded down, and by how much that times 2^16 is low where n is low by less than 2. bits <= 16. */
 struct levels_cut {
     uint32_t value, low; /* low <= 2^16 + 2^12 */
 };
-static struct levels_cut levels_cut_of(uint32_t n, unsigned bits)
+LEVELS_CALLED struct levels_cut levels_cut_of(uint32_t n, unsigned bits)
 {
     const struct levels_cut cut = {n >> bits, ((n & (((uint32_t)1 << bits) - 1)) + 2) << (16 - bits)};
     return cut;
 }
 
 /* A coefficient in levels of channel k, Q16: low by < 1, in RGB exact. 2^16 255 256 < 2^32. */
-static uint32_t levels_scaled(uint32_t q16, struct glint_levels_kind kind, int k)
+LEVELS_CALLED uint32_t levels_scaled(uint32_t q16, struct glint_levels_kind kind, int k)
 {
     return glint_coefficient(q16) * kind.max[k] * kind.part[k] >> 8;
 }
@@ -75,13 +78,30 @@ void glint_levels_fold(struct glint_prepared *p, struct glint_levels_kind kind, 
     }
 }
 
+/* The threshold of b, the lowest 4 bits of row, times 2^shift: 2b + 1 of 32, or 16. one: 2^15 / 32, or 16 times that, less
+ * prepared->high. */
+static inline uint32_t levels_threshold(uint32_t row, uint32_t one, uint32_t shift)
+{
+    return ((row << 28 >> 17) + one) << (shift - 15);
+}
+
 void glint_levels_bias(uint32_t bias[4], const struct glint_prepared *p, const struct glint_run *run)
 {
-    uint32_t weight = 16;
-    for (unsigned i = 0; i < 4; i++) {
-        if (p->shader.dither) /* else no call */
-            weight = 2 * glint_pixel_bayer(run->left + run->x + i, run->y) + 1;
-        bias[i] = ((weight << 10) - p->high) << (p->shift - 15);
+    const bool dither = p->shader.dither;
+    const uint32_t shift = p->shift, one = (dither ? 1024u : 16384u) - p->high;
+    uint32_t row = dither ? glint_pixel_bayer_row(run->left + run->x, run->y) : 0;
+    for (unsigned i = 0; i < 4; i++, row >>= 4)
+        bias[i] = levels_threshold(row, one, shift);
+}
+
+void glint_levels_base(uint32_t base[12], const struct glint_prepared *p, const struct glint_run *run)
+{
+    const uint32_t shift = p->shift, one = 1024u - p->high;
+    uint32_t row = glint_pixel_bayer_row(run->left + run->x, run->y);
+    for (const uint32_t *end = base + 12; base != end; base += 3, row >>= 4) {
+        const uint32_t threshold = levels_threshold(row, one, shift);
+        for (unsigned k = 0; k < 3; k++)
+            base[k] = p->p[k] + threshold;
     }
 }
 

@@ -61,7 +61,12 @@ static inline struct linear_parts linear_parts_of(uint32_t p, uint32_t q, uint32
 /* V + 1/2. Lower products: < 2^14 (2^16 + 67109) < 2^32 - 2^30. V <= 3.03 65535 2^14 < 2^32 - 2^26. */
 static inline uint32_t linear_v(const struct linear_parts *v, uint32_t nl, uint32_t f)
 {
-    return v->p + v->q * nl + v->r * f + ((v->q_low * nl + v->r_low * f) >> LINEAR_BITS);
+    uint32_t upper = v->p + v->q * nl, lower = v->q_low * nl;
+    if (f) {
+        upper += v->r * f;
+        lower += v->r_low * f;
+    }
+    return upper + (lower >> LINEAR_BITS);
 }
 
 /* Step 7's argument: V rounded, at most 1.0. */
@@ -71,26 +76,20 @@ static inline uint16_t linear_x(uint32_t v)
     return (uint16_t)(x < LINEAR_ONE ? x : LINEAR_ONE);
 }
 
-/* A pixel's three levels; in the last one's place the argument of the channel at hand, until that is found. */
+/* A pixel's three levels; in the last one's place the argument of the channel at hand, until that is found. In grey the argument's
+ * sum before. */
 union linear_pixel {
     uint8_t levels[4];
     uint16_t x[2];
+    uint32_t sum;
 };
 
-/* Arguments of channel k for a run, without maps. */
-LINEAR_ALONE void linear_sum(union linear_pixel *at, const struct glint_prepared *p, int k,
-                             const struct glint_sample *sample, unsigned count)
+/* What channel k adds to a run: its argument, or in grey, held to 1.0, its parts of 256 to the sum. */
+GLINT_INLINE void linear_sum(union linear_pixel *at, const struct glint_prepared *p, int k, const struct glint_run *run,
+                             const struct glint_sample *sample, unsigned count, bool maps, bool grey)
 {
-    const struct linear_parts parts = linear_parts_of(p->p[k], p->q[k], p->r[k]);
-    for (union linear_pixel *end = at + count; at != end; at++, sample++)
-        at->x[1] = linear_x(linear_v(&parts, sample->nl_q16, sample->f_q16));
-}
-
-/* The same over maps. */
-LINEAR_ALONE void linear_sum_maps(union linear_pixel *at, const struct glint_prepared *p, int k,
-                                  const struct glint_run *run, const struct glint_sample *sample, unsigned count)
-{
-    const uint8_t *map = run->albedo ? run->albedo + k : NULL, *gloss = run->gloss;
+    const uint8_t *map = maps && run->albedo ? run->albedo + k : NULL, *gloss = maps ? run->gloss : NULL;
+    const uint32_t part = linear_part(k);
     struct linear_parts parts = linear_parts_of(p->p[k], p->q[k], p->r[k]);
     for (union linear_pixel *end = at + count; at != end; at++, sample++) {
         if (map) {
@@ -102,30 +101,38 @@ LINEAR_ALONE void linear_sum_maps(union linear_pixel *at, const struct glint_pre
             parts.q_low = here.q_low;
             map += 3;
         }
-        at->x[1] =
-            linear_x(linear_v(&parts, sample->nl_q16, gloss ? glint_by_255(sample->f_q16 * *gloss++) : sample->f_q16));
+        const uint32_t f = gloss ? glint_by_255(sample->f_q16 * *gloss++) : sample->f_q16;
+        const uint32_t v = linear_v(&parts, sample->nl_q16, f);
+        if (grey)
+            at->sum += part * (glint_levels_hold(v - LINEAR_HALF, LINEAR_ONE << LINEAR_BITS) >> 8);
+        else
+            at->x[1] = linear_x(v);
     }
 }
 
-/* Of grey, with maps or without: parts of 256 of what is held to 1.0. */
-LINEAR_ALONE void linear_sum_grey(union linear_pixel *at, const struct glint_prepared *p, const struct glint_run *run,
+LINEAR_ALONE void linear_sum_rgb(union linear_pixel *at, const struct glint_prepared *p, int k,
+                                 const struct glint_sample *sample, unsigned count)
+{
+    linear_sum(at, p, k, NULL, sample, count, false, false);
+}
+
+LINEAR_ALONE void linear_sum_grey(union linear_pixel *at, const struct glint_prepared *p, int k,
                                   const struct glint_sample *sample, unsigned count)
 {
-    const uint8_t *map = run->albedo, *gloss = run->gloss;
-    for (union linear_pixel *end = at + count; at != end; at++, sample++) {
-        const uint32_t nl = sample->nl_q16, f = gloss ? glint_by_255(sample->f_q16 * *gloss++) : sample->f_q16;
-        uint32_t sum = LINEAR_HALF;
-        for (int k = 0; k < 3; k++) {
-            struct linear_parts parts = linear_parts_of(p->p[k], p->q[k], p->r[k]);
-            if (map) {
-                const uint32_t albedo = glint_srgb_decode(*map++);
-                parts = linear_parts_of(albedo * p->ambient[k] >> 2, albedo * p->diffuse[k] >> 4, p->r[k]);
-            }
-            const uint32_t v = glint_levels_hold(linear_v(&parts, nl, f) - LINEAR_HALF, LINEAR_ONE << LINEAR_BITS);
-            sum += linear_part(k) * (v >> 8);
-        }
-        at->x[1] = linear_x(sum);
-    }
+    linear_sum(at, p, k, NULL, sample, count, false, true);
+}
+
+LINEAR_ALONE void linear_sum_maps(union linear_pixel *at, const struct glint_prepared *p, int k,
+                                  const struct glint_run *run, const struct glint_sample *sample, unsigned count)
+{
+    linear_sum(at, p, k, run, sample, count, true, glint_format_is_grey(p->shader.format));
+}
+
+/* Arguments from grey's sums. */
+LINEAR_ALONE void linear_argue(union linear_pixel *at, unsigned count)
+{
+    for (const union linear_pixel *end = at + count; at != end; at++)
+        at->x[1] = linear_x(at->sum);
 }
 
 /* Step 8 by its level times 2^16: z / 65535 without a division. */
@@ -135,21 +142,36 @@ GLINT_INLINE uint32_t linear_level(uint32_t encoded, uint32_t max, uint32_t thre
     return z + (z >> 16) + 1;
 }
 
-/* Steps 7 and 8 for a run: levels; the bits of those that are open. The last pixel's chords mostly serve the next. From V to V + W
- * the argument rises by at most `steps`, and step 8's sum by less than margin, as no chord is steeper than its octave's first.
- * Dithered, every fourth pixel has the same threshold. */
-LINEAR_ALONE uint32_t linear_encode(union linear_pixel *at, const struct glint_sample *samples, unsigned count,
-                                    const struct glint_prepared *p, const struct glint_run *run, int k)
+/* From V to V + W the argument of step 7 rises by at most so much. */
+static inline uint32_t linear_steps(const struct glint_prepared *p, const struct glint_run *run)
 {
-    const uint32_t max = GLINT_FLASH_U8(glint_exact_formats[p->shader.format].max[k]);
-    const uint32_t steps = ((run->gloss ? p->w_maps : p->w) >> LINEAR_BITS) + 1;
+    return ((run->gloss ? p->w_maps : p->w) >> LINEAR_BITS) + 1;
+}
+
+/* Step 8's threshold, and the largest level of channel k. */
+static inline uint32_t linear_threshold(const struct glint_prepared *p, const struct glint_run *run, unsigned i)
+{
+    return LINEAR_ONE * glint_exact_weight(&p->shader, run->left + run->x + i, run->y) >> 5;
+}
+static inline uint32_t linear_max(const struct glint_prepared *p, int k)
+{
+    return GLINT_FLASH_U8(glint_exact_formats[p->shader.format].max[k]);
+}
+
+/* Steps 7 and 8 for a run: levels; the bits of those that may be another at V + W, whose arguments stay. The last pixel's chords
+ * mostly serve the next. Step 8's sum rises by less than margin, as no chord is steeper than its octave's first. Dithered, every
+ * fourth pixel has the same threshold. */
+LINEAR_ALONE uint32_t linear_encode(union linear_pixel *pixels, unsigned count, const struct glint_prepared *p,
+                                    const struct glint_run *run, int k)
+{
+    const uint32_t max = linear_max(p, k), steps = linear_steps(p, run);
     const unsigned stride = p->shader.dither ? 4 : 1;
     const uint16_t *entry = NULL;
-    uint32_t open = 0, margin = 0, bits = 31;
+    uint32_t near = 0, margin = 0, bits = 31;
     for (unsigned phase = 0; phase < stride; phase++) {
-        const uint32_t t = LINEAR_ONE * glint_exact_weight(&p->shader, run->left + run->x + phase, run->y) >> 5;
-        for (unsigned i = phase; i < count; i += stride) {
-            const uint32_t x = at[i].x[1], chord = x >> bits, n = chord - 32;
+        const uint32_t t = linear_threshold(p, run, phase);
+        for (union linear_pixel *at = pixels + phase, *end = pixels + count; at < end; at += stride) {
+            const uint32_t x = at->x[1], chord = x >> bits, n = chord - 32;
             uint32_t encoded;
             if (__builtin_expect(n < 32, 1)) {
                 encoded = glint_srgb_bright(entry + n, x - (chord << bits), bits);
@@ -163,40 +185,79 @@ LINEAR_ALONE uint32_t linear_encode(union linear_pixel *at, const struct glint_s
                 margin = (steps * ((rise >> bits) + 1) + 1) * max + 2;
             }
             const uint32_t found = linear_level(encoded, max, t);
-            at[i].levels[k] = (uint8_t)(found >> 16);
-            if (__builtin_expect(((found ^ (found + margin)) >> 16) != 0, 0)) {
-                /* V is P alone, rounded down by less than 1, and so x is exact. Not in grey, which sums parts of P. */
-                if (samples[i].nl_q16 == 0 && !glint_format_is_grey(p->shader.format))
-                    continue;
-                const uint32_t most = x + steps < LINEAR_ONE ? x + steps : LINEAR_ONE;
-                struct glint_chords chords;
-                glint_srgb_chords(&chords, most);
-                if ((linear_level(glint_srgb_by(&chords, most), max, t) ^ found) >> 16)
-                    open |= (uint32_t)1 << i;
-            }
+            if (__builtin_expect(((found ^ (found + margin)) >> 16) == 0, 1))
+                at->levels[k] = (uint8_t)(found >> 16);
+            else
+                near |= (uint32_t)1 << (at - pixels);
         }
     }
+    return near;
+}
+
+/* The same for those alone: the bits of what is another level at V + W. */
+LINEAR_ALONE uint32_t linear_settle(union linear_pixel *at, uint32_t near, const struct glint_sample *sample,
+                                    const struct glint_prepared *p, const struct glint_run *run, int k)
+{
+    const uint32_t max = linear_max(p, k), steps = linear_steps(p, run);
+    const bool grey = glint_format_is_grey(p->shader.format);
+    uint32_t open = 0;
+    for (unsigned i = 0; near >> i; i++, at++, sample++) {
+        if (!(near >> i & 1))
+            continue;
+        const uint32_t x = at->x[1], most = x + steps < LINEAR_ONE ? x + steps : LINEAR_ONE,
+                       t = linear_threshold(p, run, i);
+        const uint32_t found = linear_level(glint_srgb_encode((uint16_t)x), max, t) >> 16;
+        /* With nl = 0 V is P alone, rounded down by less than 1, and so x is exact. Not in grey, which sums parts of P. */
+        if ((sample->nl_q16 || grey) && linear_level(glint_srgb_encode((uint16_t)most), max, t) >> 16 != found)
+            open |= (uint32_t)1 << i;
+        at->levels[k] = (uint8_t)found;
+    }
     return open;
+}
+
+/* Both. */
+static inline uint32_t linear_decide(union linear_pixel *pixels, const struct glint_sample *samples, unsigned count,
+                                     const struct glint_prepared *p, const struct glint_run *run, int k)
+{
+    const uint32_t near = linear_encode(pixels, count, p, run, k);
+    return near ? linear_settle(pixels, near, samples, p, run, k) : 0;
+}
+
+/* Grey's levels side by side. */
+static inline void linear_close(union linear_pixel *pixels, unsigned count)
+{
+    uint8_t *const levels = (uint8_t *)pixels;
+    for (unsigned i = 1; i < count; i++)
+        levels[i] = levels[4 * i];
 }
 
 static uint32_t linear_levels(const struct glint_prepared *p, const struct glint_run *run,
                               const struct glint_sample *samples, unsigned count)
 {
-    const bool grey = glint_format_is_grey(p->shader.format);
+    const bool grey = glint_format_is_grey(p->shader.format), maps = run->albedo || run->gloss;
     union linear_pixel pixels[GLINT_RUN];
     uint32_t open = 0;
-    for (int k = 0; k < (grey ? 1 : 3); k++, samples += p->apart) {
-        if (grey)
-            linear_sum_grey(pixels, p, run, samples, count);
-        else if (run->albedo || run->gloss)
-            linear_sum_maps(pixels, p, k, run, samples, count);
-        else
-            linear_sum(pixels, p, k, samples, count);
-        open |= linear_encode(pixels, samples, count, p, run, k);
+    if (grey) {
+        for (unsigned i = 0; i < count; i++)
+            pixels[i].sum = LINEAR_HALF;
+        for (int k = 0; k < 3; k++)
+            if (maps)
+                linear_sum_maps(pixels, p, k, run, samples, count);
+            else
+                linear_sum_grey(pixels, p, k, samples, count);
+        linear_argue(pixels, count);
+        open = linear_decide(pixels, samples, count, p, run, 0);
+        linear_close(pixels, count);
+    } else {
+        for (int k = 0; k < 3; k++, samples += p->apart) {
+            if (maps)
+                linear_sum_maps(pixels, p, k, run, samples, count);
+            else
+                linear_sum_rgb(pixels, p, k, samples, count);
+            open |= linear_decide(pixels, samples, count, p, run, k);
+        }
     }
-    for (unsigned i = 0; i < count; i++)
-        if (!(open >> i & 1))
-            glint_exact_store(p->shader.format, run->line, run->x + i, pixels[i].levels);
+    glint_exact_store_run(p->shader.format, run->line, run->x, (const uint8_t *)pixels, count, open);
     glint_levels_alpha(p->shader.format, run, 0, count);
     return open;
 }

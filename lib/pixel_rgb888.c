@@ -10,7 +10,7 @@ static bool rgb888_draws(const struct glint_shader *shader)
 static void rgb888_fold(struct glint_prepared *prepared)
 {
     const struct glint_levels_kind kind = {{255, 255, 255}, {256, 256, 256}};
-    glint_levels_fold(prepared, kind, false);
+    glint_levels_fold(prepared, kind, !prepared->shader.dither);
 }
 
 static uint32_t rgb888_dithered(const struct glint_prepared *prepared, const struct glint_run *run,
