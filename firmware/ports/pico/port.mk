@@ -34,8 +34,8 @@ setup-firmware-pico: setup-build
 	@.ci/need "firmware for the Pico" $(pico_PACKAGES)
 	@firmware/ports/pico/fetch-sdk >/dev/null
 
-# CMake knows what depends on what within.
-firmware-pico: $(PICO)/map/$(if $(filter 1,$(PICO_TEAPOT)),demo_mesh.h,demo_map.h) $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
+# Before anything is made of them.
+have-pico-choices:
 	@$(if $(filter $(pico_BOARDS),$(PICO_BOARD)),,echo "make: port pico has no board $(PICO_BOARD); choose from $(pico_BOARDS)" >&2; exit 1)
 	@$(if $(filter $(PICO_PANELS),$(PANEL)),,echo "make: PANEL=$(PANEL): the panels are $(PICO_PANELS)" >&2; exit 1)
 	@$(if $(filter-out $(PICO_FREE_PINS),$(TE)),echo "make: TE=$(TE): the pins that are free are $(PICO_FREE_PINS)" >&2; exit 1)
@@ -43,6 +43,9 @@ firmware-pico: $(PICO)/map/$(if $(filter 1,$(PICO_TEAPOT)),demo_mesh.h,demo_map.
 	@$(if $(filter-out https://% http://localhost http://localhost/% http://localhost:%,$(LANDING_PAGE)),echo "make: LANDING_PAGE=$(LANDING_PAGE): browsers take https://... or http://localhost..." >&2; exit 1)
 	@$(if $(filter $(PICO_DEMOS),$(DEMO)),,echo "make: DEMO=$(DEMO): the demos are $(PICO_DEMOS)" >&2; exit 1)
 	@$(if $(filter teapot,$(DEMO)),$(if $(filter pico.st7789-240x240.0.glint,$(PICO_BOARD).$(PANEL).$(PICO_EXACT)$(TE).$(IMAGE)),,echo "make: DEMO=teapot: is for a Pico with PANEL=st7789-240x240; leave TE, PATH and IMAGE out" >&2; exit 1))
+
+# CMake knows what depends on what within.
+firmware-pico: have-pico-choices $(PICO)/map/$(if $(filter 1,$(PICO_TEAPOT)),demo_mesh.h,demo_map.h) $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
 	@sdk=$$(firmware/ports/pico/fetch-sdk) && \
 	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DPICO_BOARD=$(PICO_BOARD) -DPICO_NO_PICOTOOL=1 \
 		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_PANEL=$(PANEL) -DGLINT_TE=$(or $(TE),-1) -DGLINT_SECOND_CORE=$(SECOND_CORE) -DGLINT_EXACT=$(PICO_EXACT) -DGLINT_TEAPOT=$(PICO_TEAPOT) '-DGLINT_LANDING_PAGE=$(LANDING_PAGE)' \
@@ -56,17 +59,17 @@ firmware-pico: $(PICO)/map/$(if $(filter 1,$(PICO_TEAPOT)),demo_mesh.h,demo_map.
 $(BUILD)/bin2uf2: firmware/ports/pico/tools/bin2uf2.c $(BUILD)/host/bake/uf2.o
 	@$(CC) $(filter-out -MMD -MP,$(HOST_CFLAGS)) $^ -o $@
 
-$(PICO)/map/demo_map.h: $(BUILD)/glint
+$(PICO)/map/demo_map.h: $(BUILD)/glint | have-pico-choices
 	@mkdir -p $(@D)
 	@$< bake --scene coin --size $(PICO_SIZE) --to int8 -o $(@D)/demo_map.bin >/dev/null
 	@$< bake --scene coin --size $(PICO_SIZE) --to int8 --name demo_map --as c -o $@.tmp >/dev/null
 	@cksum <$(@D)/demo_map.bin | awk '{ print "#define DEMO_MAP_CKSUM " $$1 "u" }' >>$@.tmp && mv $@.tmp $@
 
 # The teapot as it is, unsplit: what turns hides where its highlights break. Its checksum: without the head of 8 bytes and the 6 of its part.
-$(PICO)/map/demo_mesh.h: $(BUILD)/glint
+$(PICO)/map/demo_mesh.h: $(BUILD)/glint | have-pico-choices
 	@mkdir -p $(@D)
 	@$< bake --scene teapot --split 180 --to int8 -o $(@D)/demo_mesh.bin >/dev/null
 	@$< bake --scene teapot --split 180 --to int8 --name demo_mesh --as c -o $@.tmp >/dev/null
 	@tail -c +9 $(@D)/demo_mesh.bin | head -c -6 | cksum | awk '{ print "#define DEMO_MESH_CKSUM " $$1 "u\n#define DEMO_MESH_SPLIT 180" }' >>$@.tmp && mv $@.tmp $@
 
-.PHONY: setup-firmware-pico firmware-pico
+.PHONY: setup-firmware-pico firmware-pico have-pico-choices
