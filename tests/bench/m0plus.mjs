@@ -50,12 +50,16 @@ function strict({ chip, core }) {
   aligned('readUint16', 1)
   aligned('writeUint16', 1)
   aligned('writeUint32', 3)
-  // Instructions come this way, so it had better be fast.
-  const halves = new Uint16Array(chip.sram.buffer, chip.sram.byteOffset, chip.sram.length / 2)
-  const slow = core.readUint16
-  core.readUint16 = (address) => {
-    const at = address - RAM
-    return at & 1 || at < 0 || at >= 2 * halves.length ? slow(address) : halves[at >> 1]
+  // Instructions and most data come this way, so it had better be fast: rp2040js looks among its peripherals first.
+  const { buffer, byteOffset, length } = chip.sram
+  const halves = new Uint16Array(buffer, byteOffset, length / 2), words = new Uint32Array(buffer, byteOffset, length / 4)
+  const { readUint16, readUint32, writeUint32 } = core
+  const elsewhere = (at, mask) => at & mask || at < 0 || at >= length
+  core.readUint16 = (address) => elsewhere(address - RAM, 1) ? readUint16(address) : halves[(address - RAM) >> 1]
+  core.readUint32 = (address) => elsewhere(address - RAM, 3) ? readUint32.call(core, address) : words[(address - RAM) >> 2]
+  core.writeUint32 = (address, value) => {
+    if (elsewhere(address - RAM, 3)) writeUint32(address, value)
+    else words[(address - RAM) >> 2] = value
   }
   return halves
 }

@@ -11,7 +11,11 @@ for (const [name, at] of symbols) if (name.startsWith('glint_')) names.set(at & 
 const begins = new Uint8Array(memory.length / 2)
 for (const at of names.keys()) begins[(at - RAM) >> 1] = 1
 
-const kept = () => [...core.registers.subarray(4, 12), core.SP]
+const kept = () => { // r4 to r11, and sp
+  const registers = core.registers.slice(4, 13)
+  registers[8] = core.SP
+  return registers
+}
 const calls = [] // under way: name, where it returns, and what is to be as it was then
 let back = 0 // where the last of them returns
 
@@ -29,13 +33,14 @@ function leave() {
 }
 
 function run() {
+  const { registers } = core
   for (;;) {
-    let at = calls.length
-    while (core.PC === back && at--) leave() // a function that ends by calling another returns for it, too
-    if (begins[(core.PC - RAM) >> 1]) {
-      if (core.SP & 7) stop(names.get(core.PC), 'is called with a stack that is not aligned to 8')
+    const pc = registers[15]
+    if (pc === back) for (let at = calls.length; pc === back && at--;) leave() // a function that ends by calling another returns for it, too
+    if (begins[(pc - RAM) >> 1]) {
+      if (core.SP & 7) stop(names.get(pc), 'is called with a stack that is not aligned to 8')
       back = core.LR & ~1
-      calls.push({ name: names.get(core.PC), back, before: kept() })
+      calls.push({ name: names.get(pc), back, before: kept() })
     }
     core.executeInstruction()
   }
