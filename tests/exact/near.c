@@ -59,24 +59,49 @@ static void check_range(const char *what, struct range found, double low, double
     assert_true(found.low < low / 16 || found.high > high / 16);
 }
 
+enum { COUNT = 256 };
+/* 2^32 times the errors of upper halves, which integers hold exactly; and how many whole products are wrong. */
+struct errors {
+    int64_t low, high, square_low, square_high, wrong;
+};
+WIDE static struct errors errors_of_products(const uint32_t *a, const uint32_t *b) /* and of the squares of a */
+{
+    struct errors e = {0, 0, 0, 0, 0};
+    for (int i = 0; i < COUNT; i++) {
+        const uint64_t product = (uint64_t)a[i] * b[i], square = (uint64_t)a[i] * a[i];
+        const int64_t error = (int64_t)(((uint64_t)glint_mulhi_near(a[i], b[i]) << 32) - product);
+        const int64_t of_square = (int64_t)(((uint64_t)glint_squarehi_near(a[i]) << 32) - square);
+        e.low = error < e.low ? error : e.low;
+        e.high = error > e.high ? error : e.high;
+        e.square_low = of_square < e.square_low ? of_square : e.square_low;
+        e.square_high = of_square > e.square_high ? of_square : e.square_high;
+        e.wrong += glint_multiply(a[i], b[i]) != product;
+    }
+    return e;
+}
+
 /* The lower halves decide what is cut: all of them beside the largest upper halves, and mixed words. */
 void check_products(uint32_t step)
 {
     struct range product = {0, 0}, square = {0, 0};
-    long wrong = 0;
+    int64_t wrong = 0;
 #pragma omp parallel for reduction(hull : product, square) reduction(+ : wrong)
-    for (uint64_t i = 0; i < (uint64_t)1 << 32; i += step) {
-        const uint64_t r = mix(i);
-        const uint32_t pairs[][2] = {{(uint32_t)(i >> 16) | 0xffff0000, (uint32_t)i | 0xffff0000},
-                                     {(uint32_t)r, (uint32_t)(r >> 32)}};
-        for (int k = 0; k < 2; k++) {
-            const uint64_t exact = (uint64_t)pairs[k][0] * pairs[k][1];
-            const double error = glint_mulhi_near(pairs[k][0], pairs[k][1]) - (double)exact * 0x1p-32;
-            product = met(product, error, error);
-            wrong += glint_multiply(pairs[k][0], pairs[k][1]) != exact;
+    for (uint64_t first = 0; first < (uint64_t)1 << 32; first += COUNT * (uint64_t)step) {
+        uint32_t a[3][COUNT], b[3][COUNT];
+        for (uint32_t k = 0; k < COUNT; k++) {
+            const uint64_t i = first + (uint64_t)step * k, r = mix(i);
+            a[0][k] = (uint32_t)(i >> 16) | 0xffff0000;
+            b[0][k] = (uint32_t)i | 0xffff0000;
+            a[1][k] = (uint32_t)r;
+            a[2][k] = (uint32_t)i;
+            b[1][k] = b[2][k] = (uint32_t)(r >> 32);
         }
-        const double error = glint_squarehi_near((uint32_t)i) - (double)(i * i) * 0x1p-32;
-        square = met(square, error, error);
+        for (int k = 0; k < 3; k++) {
+            const struct errors e = errors_of_products(a[k], b[k]);
+            product = met(product, (double)e.low * 0x1p-32, (double)e.high * 0x1p-32);
+            square = met(square, (double)e.square_low * 0x1p-32, (double)e.square_high * 0x1p-32);
+            wrong += e.wrong;
+        }
     }
     check_range("upper half of a product", product, -3, 0x1p-20);
     check_range("upper half of a square", square, -2, 0x1p-20);
