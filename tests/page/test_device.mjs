@@ -10,7 +10,7 @@ import { fakeUsb } from './fake_usb.mjs'
 import { Command, difference } from './glint.mjs'
 
 const [packages, folder, glint] = process.argv.slice(2)
-const { Engine, fragmentOf, onDevice, sentences, stateOfFragment, stateOfWords, white, wordsOf, writePng } = await import(`${process.cwd()}/${folder}/engine.mjs`)
+const { Engine, fragmentOf, onDevice, readPng, sentences, stateOfFragment, stateOfWords, white, wordsOf, writePng } = await import(`${process.cwd()}/${folder}/engine.mjs`)
 const engine = new Engine(new WebAssembly.Module(readFileSync(`${folder}/module.wasm`)))
 const command = new Command(glint)
 const width = 60, height = 44
@@ -67,6 +67,8 @@ const isFree = async () => {
     equal(await browser.text('connect'), 'Connect a Pico', 'the button')
     const { words: own, wrong } = await drawnAs(wordsOf)
     check(!wrong, `not connected, the picture is not the page's own: ${own.join(' ')}: ${wrong}`)
+    equal(await browser.text('command'), ['glint', 'render', ...own, '-o', 'glint.png'].join(' '), 'the command line')
+    check(await page.evaluate(() => document.getElementById('file-gloss')?.hidden), 'a map of full gloss is offered')
 }
 
 run([
@@ -79,6 +81,23 @@ run([
         for (const word of ['--size=60x44', '--format=rgb565', '--path=colour-int8', '--model=cayley'])
             check(drawn.includes(word), `${word} is not in ${drawn.join(' ')}`)
         equal((await board()).enabled, 1, 'enabled')
+    }],
+    ['connected, the command line, saved files and the picture\'s file are of what the board draws', async () => {
+        const drawn = await follows(), shown = (await browser.text('command')).split(' ')
+        equal(shown.join(' '), ['glint', 'render', ...drawn, '-o', 'glint.png'].join(' '), 'the command line')
+        const { [white]: gloss } = await browser.save('file-gloss', 1)
+        check(gloss, 'the map by which the surface has full gloss is not saved')
+        command.put(white, gloss) // what the user has; the picture is the command's by that file
+        await follows()
+        const { 'glint.png': file } = await browser.save('file-png', 1), { samples } = command.render(shown.slice(2, -2))
+        check(samples.every((value, i) => readPng('glint.png', file).samples[i] === 257 * value), 'the PNG has other pixels')
+        for (const [id, count, word] of [['material', 1, '--format=rgb565'], ['colour', 2, '--color=' + colours.coin], ['int8', 2, '--size=60x44']]) {
+            const saved = await browser.save(`file-${id}`, count)
+            const line = (await browser.text('file-status')).match(/as (glint .*) writes them/)[1]
+            check(line.includes(word) && !line.includes('--dither'), line)
+            const expected = command.files(line.split(' ').slice(1))
+            check(Object.keys(expected).every(file => saved[file]?.equals(expected[file])), `${line}: other files`)
+        }
     }],
     ['connected, what a moving light changes is counted in the board\'s picture, not in the page\'s own', async () => {
         const frame = `of ${(2 * width * height).toLocaleString('en')} bytes`

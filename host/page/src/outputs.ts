@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What is taken along: files as the command writes them, and the command line.
+// What is taken along: files as the command writes them, and the command line; of what a board draws, while one is connected.
 import { ask } from './client'
 import { byId, make } from './dom'
-import { lastDrawn, onDrawn } from './picture'
-import { current, link } from './store'
-import { commandLine, wordsOf } from './words'
+import { lastDrawn, onDrawn, viewed } from './picture'
+import { link } from './store'
+import { commandLine, white, wordsOf } from './words'
 import type { Option, State } from './words'
 
 const status = byId('file-status')
@@ -42,9 +42,10 @@ const files: { title: string, name: string, words: (state: State) => string[], o
     { title: 'Mesh, C', name: 'mesh', words: state => ['glint bake', ...only(['scene'], state), '-o', 'mesh.c'], of: 'mesh' },
 ]
 
-async function run(words: string[]): Promise<void> {
+async function run(wordsFor: (state: State) => string[]): Promise<void> {
     status.textContent = 'Working…'
     try {
+        const words = wordsFor(await viewed())
         const { files, warnings } = await ask('run', words)
         for (const { name, bytes } of files)
             save(name, bytes)
@@ -64,10 +65,20 @@ async function savePicture(): Promise<void> {
     status.textContent = `glint.png: the pixels of ${line(drawn.state)}`
 }
 
-const line = (state = current()) => commandLine('glint render', [...wordsOf(state), '-o', 'glint.png'])
+/** The map that the command line of a board's picture names. */
+async function saveGloss(): Promise<void> {
+    const drawn = lastDrawn()
+    if (!drawn)
+        return
+    save(white, await ask('png', drawn.width, drawn.height, new Uint8Array(4 * drawn.width * drawn.height).fill(255), true))
+    status.textContent = `${white}: the map by which all of the surface has full gloss, as on the board; the command line above reads it`
+}
+
+const line = (state: State) => commandLine('glint render', [...wordsOf(state), '-o', 'glint.png'])
 
 byId('files').append(make('button', { type: 'button', textContent: 'Picture, PNG', id: 'file-png', onclick: () => void savePicture() }),
-    ...files.map(({ title, name, words }) => make('button', { type: 'button', textContent: title, id: `file-${name}`, onclick: () => void run(words(current())) })))
+    make('button', { type: 'button', textContent: 'Full gloss, PNG', id: 'file-gloss', hidden: true, onclick: () => void saveGloss() }),
+    ...files.map(({ title, name, words }) => make('button', { type: 'button', textContent: title, id: `file-${name}`, onclick: () => void run(words) })))
 
 async function copy(text: string, button: HTMLElement): Promise<void> {
     const title = button.textContent
@@ -83,11 +94,12 @@ async function copy(text: string, button: HTMLElement): Promise<void> {
     }
     setTimeout(() => { button.textContent = title }, 1500)
 }
-byId('copy').onclick = event => void copy(line(), event.currentTarget as HTMLElement)
+byId('copy').onclick = event => void copy(byId('command').textContent ?? '', event.currentTarget as HTMLElement)
 byId('copy-link').onclick = event => void copy(link(), event.currentTarget as HTMLElement)
 
-onDrawn(({ facts }) => {
-    byId('command').textContent = line()
+onDrawn(({ facts, state }) => {
+    byId('command').textContent = line(state)
+    byId('file-gloss').hidden = state.gloss !== white
     for (const { name, of } of files)
         byId(`file-${name}`).hidden = of !== undefined && of !== (facts.turn ? 'mesh' : 'map')
 })

@@ -34,6 +34,8 @@ export function onDrawn(listener: (drawn: Drawn) => void): void {
 type View = (state: State) => State | Promise<State>
 const itself: View = state => state
 let view = itself
+/** What is drawn, or would be, of the state that the page has now. */
+export const viewed = () => view(current())
 export function setView(next = itself): void {
     view = next
 }

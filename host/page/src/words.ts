@@ -41,8 +41,8 @@ export function stateOfWords(words: string[]): State {
     return state
 }
 
-/** A map by which all of a built-in scene has full gloss. */
-export const white = 'white'
+/** A map by which all of a built-in scene has full gloss; the command line that a board is shown with names it, so it can be saved. */
+export const white = 'full-gloss.png'
 
 /** The same as a device draws it that shades by itself: in one colour, with full gloss. */
 export function onDevice(state: State, width: number, height: number, color: string): State {
