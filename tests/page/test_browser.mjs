@@ -144,6 +144,13 @@ run([
         await press('Redo')
         equal((await shownIsDrawn()).join(' '), words[2], 'done again')
         await press('Reset')
+        const materials = []
+        for (const text of ['Satin', 'Plastic', 'Steel', 'Gold', 'Glass']) {
+            await press(text)
+            materials.push((await shownIsDrawn()).join(' '))
+        }
+        equal(new Set(materials).size, 5, 'materials')
+        await press('Reset')
         equal((await shownIsDrawn()).join(' '), '--scene=coin --size=240x240 --format=rgb565 --light=-1,1,1.2', 'reset')
     }],
     ['the light moves by dragging and by arrow keys', async () => {
@@ -159,6 +166,16 @@ run([
         await page.keyboard.press('ArrowUp')
         const [, up] = (await shownIsDrawn()).find(word => word.startsWith('--light=')).slice(8).split(',').map(Number)
         check(up > y + .02, `an arrow key moves it from ${y} to ${up}`)
+    }],
+    ['the light moves by a finger', async () => {
+        await browser.go(start)
+        const box = await (await page.$('#canvas')).boundingBox()
+        await page.touchscreen.touchStart(box.x + box.width / 2, box.y + box.height / 2)
+        await page.touchscreen.touchMove(box.x + box.width / 2, box.y + box.height * .4)
+        await page.touchscreen.touchMove(box.x + box.width / 2, box.y + box.height / 4)
+        await page.touchscreen.touchEnd()
+        const [x, y] = (await shownIsDrawn()).find(word => word.startsWith('--light=')).slice(8).split(',').map(Number)
+        check(Math.abs(x) < .02 && Math.abs(y - .5) < .02, `dragged to ${x}, ${y}`)
     }],
     ['the teapot turns by dragging and by arrow keys, while the button is pressed', async () => {
         const turn = async () => (await shownIsDrawn()).find(word => word.startsWith('--turn='))?.slice(7).split(',').map(Number)
@@ -236,7 +253,8 @@ run([
             if (!isFirefox)
                 await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }])
             await browser.go()
-            await browser.until(() => document.body.dataset.rested !== undefined && document.querySelectorAll('#extent dt').length === 5)
+            await browser.until(() => document.body.dataset.rested !== undefined && document.querySelectorAll('#extent dt').length === 5 &&
+                [...document.querySelectorAll('#beside figcaption')].every(caption => caption.textContent))
             const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)
             check(wide <= 0, `${screen}: ${wide} pixels too wide`)
             await page.screenshot({ path: `${folder}/${name}-${screen}.png`, fullPage: true })
