@@ -84,11 +84,11 @@ union linear_pixel {
     uint32_t sum;
 };
 
-/* What channel k adds to a run: its argument, or in grey, held to 1.0, its parts of 256 to the sum. */
-GLINT_INLINE void linear_sum(union linear_pixel *at, const struct glint_prepared *p, int k, const struct glint_run *run,
-                             const struct glint_sample *sample, unsigned count, bool maps, bool grey)
+/* What channel k adds to a run: its argument, or in grey, held to 1.0, its parts of 256 to the sum. map: the channel's bytes of the
+ * albedo map, or NULL. */
+GLINT_INLINE void linear_sum(union linear_pixel *at, const struct glint_prepared *p, int k, const uint8_t *map,
+                             const uint8_t *gloss, const struct glint_sample *sample, unsigned count, bool grey)
 {
-    const uint8_t *map = maps && run->albedo ? run->albedo + k : NULL, *gloss = maps ? run->gloss : NULL;
     const uint32_t part = linear_part(k);
     struct linear_parts parts = linear_parts_of(p->p[k], p->q[k], p->r[k]);
     for (union linear_pixel *end = at + count; at != end; at++, sample++) {
@@ -113,19 +113,20 @@ GLINT_INLINE void linear_sum(union linear_pixel *at, const struct glint_prepared
 LINEAR_ALONE void linear_sum_rgb(union linear_pixel *at, const struct glint_prepared *p, int k,
                                  const struct glint_sample *sample, unsigned count)
 {
-    linear_sum(at, p, k, NULL, sample, count, false, false);
+    linear_sum(at, p, k, NULL, NULL, sample, count, false);
 }
 
 LINEAR_ALONE void linear_sum_grey(union linear_pixel *at, const struct glint_prepared *p, int k,
                                   const struct glint_sample *sample, unsigned count)
 {
-    linear_sum(at, p, k, NULL, sample, count, false, true);
+    linear_sum(at, p, k, NULL, NULL, sample, count, true);
 }
 
 LINEAR_ALONE void linear_sum_maps(union linear_pixel *at, const struct glint_prepared *p, int k,
                                   const struct glint_run *run, const struct glint_sample *sample, unsigned count)
 {
-    linear_sum(at, p, k, run, sample, count, true, glint_format_is_grey(p->shader.format));
+    const uint8_t *map = run->albedo ? run->albedo + k : NULL;
+    linear_sum(at, p, k, map, run->gloss, sample, count, glint_format_is_grey(p->shader.format));
 }
 
 /* Arguments from grey's sums. */
