@@ -17,6 +17,9 @@ UNIT_QUICK_SCRIPTS = $(filter-out tests/unit/slow/%,$(UNIT_SCRIPTS))
 UNIT_ENV = GLINT="$$(realpath $(BUILD)/glint)" GLINT_SOURCE="$(CURDIR)" \
 	GLINT_LIBRARY="$(if $(SANITIZERS),,$$(realpath $(BUILD)/libglint.a))" OMP_WAIT_POLICY=passive
 UNIT_SANITIZED = build/sanitized
+# Scripts that build: what they are given.
+UNIT_BUILDERS = "tests/unit/compilers $(BUILD)/compilers $(BUILD)/libglint.a $(SUBMAKE) TEST=" \
+	"tests/unit/model_added $(BUILD)/model_added $(SUBMAKE) TEST="
 
 $(BUILD)/tests/unit/%.o: tests/unit/%.c $(BUILD)/flags | $(BUILD)/packages
 	@mkdir -p $(@D)
@@ -40,11 +43,10 @@ unit-quick-programs: $(UNIT_QUICK) $(BUILD)/glint
 UNIT_PLAIN = $(filter $(BUILD)/tests/unit/slow/% $(BUILD)/tests/unit/lib/%,$(UNIT_TESTS))
 run-unit: $(if $(TEST)$(filter 1,$(SANITIZE)),$(UNIT_TESTS),$(UNIT_PLAIN)) $(BUILD)/glint
 ifneq ($(TEST)$(filter 1,$(SANITIZE)),)
-	@$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS)
+	@+$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS) $(if $(TEST),$(UNIT_BUILDERS))
 else
 	@+$(SUBMAKE) BUILD=$(UNIT_SANITIZED) SANITIZE=1 unit-quick-programs
-	@+$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally "tests/unit/compilers $(BUILD)/compilers $(BUILD)/libglint.a $(SUBMAKE)" \
-		"tests/unit/model_added $(BUILD)/model_added $(SUBMAKE)" $(sort $(UNIT_SCRIPTS)) \
+	@+$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_BUILDERS) $(sort $(UNIT_SCRIPTS)) \
 		$(patsubst $(BUILD)/%,"env GLINT=$(CURDIR)/$(UNIT_SANITIZED)/glint $(UNIT_SANITIZED)/%",$(UNIT_QUICK)) $(UNIT_PLAIN)
 endif
 
