@@ -130,7 +130,7 @@ LINEAR_ALONE void linear_sum_maps(union linear_pixel *at, const struct glint_pre
 }
 
 /* Arguments from grey's sums. */
-LINEAR_ALONE void linear_argue(union linear_pixel *at, unsigned count)
+LINEAR_ALONE void linear_arguments(union linear_pixel *at, unsigned count)
 {
     for (const union linear_pixel *end = at + count; at != end; at++)
         at->x[1] = linear_x(at->sum);
@@ -195,7 +195,7 @@ LINEAR_ALONE uint32_t linear_encode(union linear_pixel *pixels, unsigned count, 
     return near;
 }
 
-/* The same for those alone: the bits of what is another level at V + W. */
+/* The levels of those alone: the bits of what is another level at V + W. */
 LINEAR_ALONE uint32_t linear_settle(union linear_pixel *at, uint32_t near, const struct glint_sample *sample,
                                     const struct glint_prepared *p, const struct glint_run *run, int k)
 {
@@ -216,7 +216,7 @@ LINEAR_ALONE uint32_t linear_settle(union linear_pixel *at, uint32_t near, const
     return open;
 }
 
-/* Both. */
+/* Levels of a run: the bits of those that are open. */
 static inline uint32_t linear_decide(union linear_pixel *pixels, const struct glint_sample *samples, unsigned count,
                                      const struct glint_prepared *p, const struct glint_run *run, int k)
 {
@@ -225,7 +225,7 @@ static inline uint32_t linear_decide(union linear_pixel *pixels, const struct gl
 }
 
 /* Grey's levels side by side. */
-static inline void linear_close(union linear_pixel *pixels, unsigned count)
+static inline void linear_pack(union linear_pixel *pixels, unsigned count)
 {
     uint8_t *const levels = (uint8_t *)pixels;
     for (unsigned i = 1; i < count; i++)
@@ -246,9 +246,9 @@ static uint32_t linear_levels(const struct glint_prepared *p, const struct glint
                 linear_sum_maps(pixels, p, k, run, samples, count);
             else
                 linear_sum_grey(pixels, p, k, samples, count);
-        linear_argue(pixels, count);
+        linear_arguments(pixels, count);
         open = linear_decide(pixels, samples, count, p, run, 0);
-        linear_close(pixels, count);
+        linear_pack(pixels, count);
     } else {
         for (int k = 0; k < 3; k++, samples += p->apart) {
             if (maps)
