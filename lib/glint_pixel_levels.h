@@ -91,10 +91,10 @@ GLINT_INLINE uint32_t glint_levels_rgb(const struct glint_prepared *p, const str
     const ptrdiff_t other = swapped ? -1 : 1;
     uint32_t bias[4], bases[12], open = 0;
     const uint32_t *base = p->p;
-    const bool turns = deep ? p->shader.dither : dither;
+    const bool turns = !maps && dither && (!deep || p->shader.dither); /* from a pixel's base to the next's */
     if (maps) {
         glint_levels_bias(bias, p, run);
-    } else if (dither && turns) {
+    } else if (turns) {
         glint_levels_base(bases, p, run);
         base = bases;
     }
@@ -119,7 +119,7 @@ GLINT_INLINE uint32_t glint_levels_rgb(const struct glint_prepared *p, const str
             out[0] = (uint8_t)pixel;
             out[other] = (uint8_t)(pixel >> 8);
         }
-        if (dither && !maps && turns) {
+        if (turns) {
             base += 3;
             if (base == bases + 12)
                 base = bases;

@@ -35,9 +35,11 @@ static struct rgb fetch(const uint8_t *in, enum gud_format from, uint32_t x)
     }
     case GUD_RGB888:
         return (struct rgb){in[3 * x + 2], in[3 * x + 1], in[3 * x]};
-    default: /* GUD_XRGB8888, GUD_ARGB8888 */
-        return (struct rgb){in[4 * x + 2], in[4 * x + 1], in[4 * x]};
+    case GUD_XRGB8888:
+    case GUD_ARGB8888:
+        break;
     }
+    return (struct rgb){in[4 * x + 2], in[4 * x + 1], in[4 * x]};
 }
 
 void gud_pixels_convert(uint8_t *out, enum glint_format to, const uint8_t *in, enum gud_format from, uint32_t width)
