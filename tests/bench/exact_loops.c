@@ -20,11 +20,10 @@ static struct glint_surface line_from(uint16_t x)
 
 static struct glint_source source(void)
 {
-    struct glint_source from = {.normals = bench_line.normals, .mask = bench_line.mask};
-#ifndef __AVR__
-    from.albedo = bench_loop->look.albedo ? bench_albedo[0] : NULL;
-    from.gloss = bench_loop->look.gloss ? bench_gloss : NULL;
-#endif
+    const struct glint_source from = {.normals = bench_line.normals,
+                                      .mask = bench_line.mask,
+                                      .albedo = bench_loop->look.albedo ? bench_albedo[0] : NULL,
+                                      .gloss = bench_loop->look.gloss ? bench_gloss : NULL};
     return from;
 }
 
@@ -47,7 +46,6 @@ void exact_call(void)
     bench_check(glint_shade_rect(&bench_shader, &from, SPHERE_W, 1, &to, NULL));
 }
 
-#ifndef __AVR__
 /* ---- spans: the line's by pieces of at most so many pixels ---- */
 
 static void spans_prepare(uint16_t width)
@@ -106,4 +104,3 @@ void exact_lights(void)
     const struct glint_surface to = line_from(0);
     bench_check(glint_shade_lights(&bench_shader, lamps, (unsigned)lamp_count, &from, SPHERE_W, 1, &to, NULL));
 }
-#endif

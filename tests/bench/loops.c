@@ -43,10 +43,12 @@ void bench_line_begin(uint16_t y)
             line->from = line->to ? line->from : x;
             line->to = (uint16_t)(x + 1);
         }
+        if (bench_loop->look.albedo)
+            sphere_expand(bench_albedo[x], sphere_albedo(x, y));
+        if (bench_loop->look.gloss)
+            bench_gloss[x] = sphere_gloss(x, y);
 #ifndef __AVR__
         bench_albedo_565[x] = sphere_albedo(x, y);
-        sphere_expand(bench_albedo[x], bench_albedo_565[x]);
-        bench_gloss[x] = sphere_gloss(x, y);
 #endif
     }
 }
@@ -142,7 +144,7 @@ static void albedo_span(void)
 }
 
 /* After the tables. */
-#define COLOURS ((uint16_t *)(void *)(bench_memory + BENCH_TABLES / 4))
+#define COLOURS ((uint16_t *)BENCH_AFTER_TABLES)
 
 static void palette_frame(void)
 {
@@ -161,6 +163,11 @@ static void palette(void)
 
 /* ---- the table ---- */
 
+#ifdef __AVR__
+#define WHAT(text) NULL /* constants take RAM */
+#else
+#define WHAT(text) text
+#endif
 #define INT16 .map_bytes = sizeof(struct glint_vec)
 #define INT10 .map = MAP_INT10, .map_bytes = 4
 #define INT8 .map = MAP_INT8, .map_bytes = 4
@@ -170,63 +177,63 @@ static void palette(void)
 
 /* clang-format off */
 const struct bench_loop bench_loops[] = {
-    {"exact rect", "glint_shade_prepared_rect, int16 normals", EXACT, INT16},
-    {"small int16", "under 1 KB of RAM, int16 normals", small_fill, tables_frame, .shade = tables_int16, INT16},
-    {"exact dither", "exact rect, dithered", EXACT, INT16, .look = {.dither = true}, .once = true},
-    {"exact rgb888", "exact rect", EXACT, INT16, .look = {.format = GLINT_RGB888}, .once = true},
-    {"exact grey", "exact rect", EXACT, INT16, .look = {.format = GLINT_GREY8}, .once = true},
-    {"exact mono", "exact rect", EXACT, INT16, .look = {.format = GLINT_MONO}, .once = true},
-    {"exact linear", "exact rect, linear space", EXACT, INT16, .look = {.space = GLINT_LINEAR}, .once = true},
-    {"exact linear 888", "the same, RGB888", EXACT, INT16, .look = {.format = GLINT_RGB888, .space = GLINT_LINEAR}, .once = true},
-    {"exact linear grey", "the same, GREY8", EXACT, INT16, .look = {.format = GLINT_GREY8, .space = GLINT_LINEAR}, .once = true},
-    {"exact schlick", "exact rect", EXACT, INT16, .look = {.model = GLINT_SCHLICK}, .once = true},
-    {"exact cayley", "exact rect", EXACT, INT16, .look = {.model = GLINT_CAYLEY}, .once = true},
-    {"exact lyon", "exact rect", EXACT, INT16, .look = {.model = GLINT_LYON}, .once = true},
-    {"exact blinn", "exact rect", EXACT, INT16, .look = {.model = GLINT_BLINN}, .once = true},
-    {"exact gauss", "exact rect", EXACT, INT16, .look = {.model = GLINT_GAUSS}, .once = true},
-    {"exact phong", "exact rect", EXACT, INT16, .look = {.model = GLINT_PHONG}, .once = true},
-#ifndef __AVR__
-    {"exact rect, call", "glint_shade_rect, which prepares: a line a call", .shade = exact_call, INT16, .step = 4, .once = true},
-    {"exact albedo", "exact rect, albedo in RGB888, white light", EXACT, .look = {.albedo = true}, .map_bytes = 9},
-    {"exact albedo 888", "the same, RGB888", EXACT, .look = {.format = GLINT_RGB888, .albedo = true}, .map_bytes = 9, .once = true},
-    {"exact gloss", "exact rect, gloss", EXACT, .look = {.gloss = true}, .map_bytes = 7, .once = true},
-    {"exact span 16", "glint_shade_prepared_span, spans of 16",
+    {"exact rect", WHAT("glint_shade_prepared_rect, int16 normals"), EXACT, INT16},
+    {"small int16", WHAT("under 1 KB of RAM, int16 normals"), small_fill, tables_frame, .shade = tables_int16, INT16},
+    {"exact dither", WHAT("exact rect, dithered"), EXACT, INT16, .look = {.dither = true}, .once = true},
+    {"exact rgb888", WHAT("exact rect"), EXACT, INT16, .look = {.format = GLINT_RGB888}, .once = true},
+    {"exact grey", WHAT("exact rect"), EXACT, INT16, .look = {.format = GLINT_GREY8}, .once = true},
+    {"exact mono", WHAT("exact rect"), EXACT, INT16, .look = {.format = GLINT_MONO}, .once = true},
+    {"exact linear", WHAT("exact rect, linear space"), EXACT, INT16, .look = {.space = GLINT_LINEAR}, .once = true},
+    {"exact linear 888", WHAT("the same, RGB888"), EXACT, INT16, .look = {.format = GLINT_RGB888, .space = GLINT_LINEAR}, .once = true},
+    {"exact linear grey", WHAT("the same, GREY8"), EXACT, INT16, .look = {.format = GLINT_GREY8, .space = GLINT_LINEAR}, .once = true},
+    {"exact schlick", WHAT("exact rect"), EXACT, INT16, .look = {.model = GLINT_SCHLICK}, .once = true},
+    {"exact cayley", WHAT("exact rect"), EXACT, INT16, .look = {.model = GLINT_CAYLEY}, .once = true},
+    {"exact lyon", WHAT("exact rect"), EXACT, INT16, .look = {.model = GLINT_LYON}, .once = true},
+    {"exact blinn", WHAT("exact rect"), EXACT, INT16, .look = {.model = GLINT_BLINN}, .once = true},
+    {"exact gauss", WHAT("exact rect"), EXACT, INT16, .look = {.model = GLINT_GAUSS}, .once = true},
+    {"exact phong", WHAT("exact rect"), EXACT, INT16, .look = {.model = GLINT_PHONG}, .once = true},
+    {"exact rect, call", WHAT("glint_shade_rect, which prepares: a line a call"), .shade = exact_call, INT16, .step = 4, .once = true},
+    {"exact albedo", WHAT("exact rect, albedo in RGB888, white light"), EXACT, .look = {.albedo = true}, .map_bytes = 9},
+    {"exact albedo 888", WHAT("the same, RGB888"), EXACT, .look = {.format = GLINT_RGB888, .albedo = true}, .map_bytes = 9, .once = true},
+    {"exact gloss", WHAT("exact rect, gloss"), EXACT, .look = {.gloss = true}, .map_bytes = 7, .once = true},
+    {"exact span 16", WHAT("glint_shade_prepared_span, spans of 16"),
      exact_fill, exact_frame, .prepare = bench_spans_16, .shade = exact_span, .step = 4},
-    {"exact span 64", "the same, spans of 64",
+    {"exact span 64", WHAT("the same, spans of 64"),
      exact_fill, exact_frame, .prepare = bench_spans_64, .shade = exact_span, .step = 4},
-    {"exact span 16, call", "glint_shade_span, which prepares", .prepare = bench_spans_16, .shade = exact_span_call, .step = 4, .once = true},
-    {"exact directional", "glint_shade_lights, one directional light", LIGHTS, .look = {.lamps = LAMPS_DIRECTIONAL}},
-    {"exact point", "the same, one white point", LIGHTS, .look = {.lamps = LAMPS_POINT}},
-    {"exact point coloured", "the same, one coloured point", LIGHTS, .look = {.lamps = LAMPS_COLOURED}},
-    {"exact spot", "the same, one white spot", LIGHTS, .look = {.lamps = LAMPS_SPOT}},
-    {"exact narrow spot", "the same, a spot so narrow that most of its edge is drawn in 64 bits", LIGHTS, .look = {.lamps = LAMPS_NARROW}},
-    {"exact four points", "the same, four white points, near", LIGHTS, .look = {.lamps = LAMPS_FOUR}},
-    {"colour span 16", "glint_tables_span, spans of 16", colour_fill, .prepare = bench_spans_16, .shade = tables_span},
-    {"colour span 64", "the same, spans of 64", colour_fill, .prepare = bench_spans_64, .shade = tables_span},
-    {"colour int8", "glint_tables_rect, int8 normals", colour_fill, tables_frame, .shade = tables_int8, INT8},
-    {"colour int10", "the same, 10-10-10 normals", colour_fill, tables_frame, .shade = tables_int10, INT10},
-    {"colour int16", "the same, int16 normals", colour_fill, tables_frame, .shade = tables_int16, INT16},
-    {"colour int8 dither", "colour int8, dithered", colour_fill, tables_frame, .shade = tables_int8, INT8, .look = {.dither = true}, .once = true},
-    {"colour int8 box", "colour int8, and glint_tables_box for each line", colour_fill, tables_frame, .prepare = tables_int8_box, .shade = tables_int8, INT8, .once = true},
-    {"colour int10 dither", "colour int10, dithered", colour_fill, tables_frame, .shade = tables_int10, INT10, .look = {.dither = true}, .once = true},
-    {"colour int16 dither", "colour int16, dithered", colour_fill, tables_frame, .shade = tables_int16, INT16, .look = {.dither = true}, .once = true},
-    {"colour span 16 dither", "colour span 16, dithered", colour_fill, .prepare = bench_spans_16, .shade = tables_span, .look = {.dither = true}, .once = true},
-    {"albedo int8", "glint_tables_albedo_rect, int8 normals, RGB565 albedo",
+    {"exact span 16, call", WHAT("glint_shade_span, which prepares"), .prepare = bench_spans_16, .shade = exact_span_call, .step = 4, .once = true},
+    {"exact directional", WHAT("glint_shade_lights, one directional light"), LIGHTS, .look = {.lamps = LAMPS_DIRECTIONAL}},
+    {"exact point", WHAT("the same, one white point"), LIGHTS, .look = {.lamps = LAMPS_POINT}},
+    {"exact point coloured", WHAT("the same, one coloured point"), LIGHTS, .look = {.lamps = LAMPS_COLOURED}},
+    {"exact spot", WHAT("the same, one white spot"), LIGHTS, .look = {.lamps = LAMPS_SPOT}},
+    {"exact narrow spot", WHAT("the same, a spot so narrow that most of its edge is drawn in 64 bits"), LIGHTS, .look = {.lamps = LAMPS_NARROW}},
+    {"exact four points", WHAT("the same, four white points, near"), LIGHTS, .look = {.lamps = LAMPS_FOUR}},
+#ifndef __AVR__
+    {"colour span 16", WHAT("glint_tables_span, spans of 16"), colour_fill, .prepare = bench_spans_16, .shade = tables_span},
+    {"colour span 64", WHAT("the same, spans of 64"), colour_fill, .prepare = bench_spans_64, .shade = tables_span},
+    {"colour int8", WHAT("glint_tables_rect, int8 normals"), colour_fill, tables_frame, .shade = tables_int8, INT8},
+    {"colour int10", WHAT("the same, 10-10-10 normals"), colour_fill, tables_frame, .shade = tables_int10, INT10},
+    {"colour int16", WHAT("the same, int16 normals"), colour_fill, tables_frame, .shade = tables_int16, INT16},
+    {"colour int8 dither", WHAT("colour int8, dithered"), colour_fill, tables_frame, .shade = tables_int8, INT8, .look = {.dither = true}, .once = true},
+    {"colour int8 box", WHAT("colour int8, and glint_tables_box for each line"), colour_fill, tables_frame, .prepare = tables_int8_box, .shade = tables_int8, INT8, .once = true},
+    {"colour int10 dither", WHAT("colour int10, dithered"), colour_fill, tables_frame, .shade = tables_int10, INT10, .look = {.dither = true}, .once = true},
+    {"colour int16 dither", WHAT("colour int16, dithered"), colour_fill, tables_frame, .shade = tables_int16, INT16, .look = {.dither = true}, .once = true},
+    {"colour span 16 dither", WHAT("colour span 16, dithered"), colour_fill, .prepare = bench_spans_16, .shade = tables_span, .look = {.dither = true}, .once = true},
+    {"albedo int8", WHAT("glint_tables_albedo_rect, int8 normals, RGB565 albedo"),
      albedo_fill, tables_frame, .shade = albedo_int8, .look = {.albedo = true}, .map = MAP_INT8, .map_bytes = 6},
-    {"albedo int16", "the same, int16 normals",
+    {"albedo int16", WHAT("the same, int16 normals"),
      albedo_fill, tables_frame, .shade = albedo_int16, .look = {.albedo = true}, .map_bytes = 8},
-    {"albedo span 16", "glint_tables_albedo_span, spans of 16",
+    {"albedo span 16", WHAT("glint_tables_albedo_span, spans of 16"),
      albedo_fill, .prepare = bench_spans_16, .shade = albedo_span, .look = {.albedo = true}, .map_bytes = 2},
-    {"palette", "glint_palette_rect, 4096 entries by colour int16", colour_fill, palette_frame, .shade = palette, PALETTE},
+    {"palette", WHAT("glint_palette_rect, 4096 entries by colour int16"), colour_fill, palette_frame, .shade = palette, PALETTE},
 #endif
-    {"integer power", "int16 normals, Q15, powers by squaring",
+    {"integer power", WHAT("int16 normals, Q15, powers by squaring"),
      .shade = peer_integer_power, INT16, .look = {.model = GLINT_BLINN}},
-    {"table power", "int16 normals, Q15, 256 powers, nearest below",
+    {"table power", WHAT("int16 normals, Q15, 256 powers, nearest below"),
      peer_fill, .shade = peer_table_power, INT16, .look = {.model = GLINT_BLINN}},
-    {"int8 table power", "int8 normals, 128 powers, nearest below",
+    {"int8 table power", WHAT("int8 normals, 128 powers, nearest below"),
      peer_int8_fill, .pack = peer_int8_pack, .shade = peer_int8_table_power, .map_bytes = 3, .look = {.model = GLINT_BLINN}},
-    {"float MSH", "float, the whole pixel", .shade = peer_float_msh, INT16, .step = 16},
-    {"float powf", "float, the whole pixel, the C library's powf",
+    {"float MSH", WHAT("float, the whole pixel"), .shade = peer_float_msh, INT16, .step = 16},
+    {"float powf", WHAT("float, the whole pixel, the C library's powf"),
      .shade = peer_float_powf, INT16, .look = {.model = GLINT_BLINN}, .step = 32},
     {.name = NULL},
 };

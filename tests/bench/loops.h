@@ -21,20 +21,29 @@ enum bench_map { MAP_INT16 /* bench_line.normals */, MAP_INT10, MAP_INT8, MAP_PA
 #ifndef __AVR__
 extern uint32_t bench_map[SPHERE_W];
 extern struct glint_vec bench_palette[SPHERE_PALETTE];
-extern uint8_t bench_albedo[SPHERE_W][3], bench_gloss[SPHERE_W];
 extern uint16_t bench_albedo_565[SPHERE_W];
 #endif
 
 /* Its light, material, lobe and format: set before fill. */
 extern struct glint_shader bench_shader;
 
-/* A scratch for what the loop at hand needs: its packed line, its tables. One loop is measured after another. */
+/* A scratch for what the loop at hand needs: its tables or its prepared shader, then its packed line, spans, albedo or gloss. One loop
+ * is measured after another. On AVR all of it must leave 1 KB of 8 for the stack: only the smallest tables have room. */
 #ifdef __AVR__
-enum { BENCH_MEMORY = 1024, BENCH_TABLES = 0 };
+enum { BENCH_TABLES = (sizeof(struct glint_prepared) + 3) / 4 * 4, BENCH_MEMORY = BENCH_TABLES + 3 * SPHERE_W };
 #else
 enum { BENCH_MEMORY = 128 * 1024, BENCH_TABLES = GLINT_TABLES_DITHER_BYTES /* the largest */ };
 #endif
 extern uint32_t bench_memory[BENCH_MEMORY / 4];
+#define BENCH_AFTER_TABLES ((void *)(bench_memory + BENCH_TABLES / 4))
+
+/* The line's maps beside its normals, in RGB888: a loop reads one of them. */
+#ifdef __AVR__
+#define bench_albedo ((uint8_t(*)[3])BENCH_AFTER_TABLES)
+#define bench_gloss ((uint8_t *)BENCH_AFTER_TABLES)
+#else
+extern uint8_t bench_albedo[SPHERE_W][3], bench_gloss[SPHERE_W];
+#endif
 
 /* The first error of the loop at hand, else 0: then the harness takes no figure for one. */
 extern int16_t bench_error;
@@ -72,7 +81,7 @@ bench_step exact_fill, exact_frame, exact_rect, exact_call, exact_span, exact_sp
 void exact_line(const struct glint_prepared *prepared);
 #define exact_prepared (*(struct glint_prepared *)(void *)bench_memory) /* no tables beside it: AVR has no room */
 bench_step bench_spans_16, bench_spans_64;                              /* the line's spans, at bench_spans */
-#define bench_spans ((struct glint_span *)(void *)(bench_memory + BENCH_TABLES / 4))
+#define bench_spans ((struct glint_span *)BENCH_AFTER_TABLES)
 
 /* peer_loops.c: whole pixels as people write them. */
 bench_step peer_fill, peer_integer_power, peer_table_power;

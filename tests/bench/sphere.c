@@ -23,7 +23,7 @@ void sphere_shader(struct glint_shader *shader, const struct sphere_look *look, 
  * is smooth over all of it. Four points are nearer, around the sphere. */
 int sphere_lamps(struct glint_lamp lamps[GLINT_LAMPS_MAX], enum sphere_lamps which)
 {
-    enum { AWAY = 1 << 21, NEAR = 1 << 13, MIDDLE_X = 16 * SPHERE_W / 2, MIDDLE_Y = 16 * SPHERE_H / 2, ONE = 1 << 30 };
+    enum { AWAY = 2097152, NEAR = 8192, MIDDLE_X = 16 * SPHERE_W / 2, MIDDLE_Y = 16 * SPHERE_H / 2, ONE = 1073741824 };
     static const int32_t to_light[3] = {1, 1, 1}, to_viewer[3] = {0, 0, 1}, middle[3] = {MIDDLE_X, MIDDLE_Y, 0};
     static const int32_t desk[3] = {MIDDLE_X + 2000, MIDDLE_Y - 2000, 3000};
     static const int32_t far_place[3] = {MIDDLE_X + AWAY, MIDDLE_Y - AWAY, AWAY};
@@ -36,7 +36,7 @@ int sphere_lamps(struct glint_lamp lamps[GLINT_LAMPS_MAX], enum sphere_lamps whi
         return glint_lamp_directional(lamps, to_light, to_viewer) ? GLINT_ERR_ARG : 1;
     if (which == LAMPS_FOUR) {
         for (unsigned i = 0; i < GLINT_LAMPS_MAX; i++)
-            if (glint_lamp_point(&lamps[i], near_places[i], 1 << 15))
+            if (glint_lamp_point(&lamps[i], near_places[i], 32768))
                 return GLINT_ERR_ARG;
         return GLINT_LAMPS_MAX;
     }
