@@ -3,16 +3,13 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/memory.h"
 #include "base/message.h"
 #include "draw/mesh_canvas.h"
-#include "draw/shading_device.h"
+#include "draw/mesh_in_device.h"
 #include "image/format.h"
-#include "light_protocol.h"
 #include "mesh/load.h"
-#include "mesh_cksum.h"
 
 struct mesh_stream {
     const struct stream_options *options;
@@ -67,13 +64,6 @@ void mesh_stream_draw(struct mesh_stream *stream, double seconds, const struct s
 
 /* ---- a device that holds the mesh ---- */
 
-static bool is_there(const struct mesh_stream *stream, const struct light_mesh *there)
-{
-    const struct glint_mesh *mesh = &stream->fitted->mesh;
-    return mesh->vertex_count == there->vertices && mesh->face_count == there->faces && mesh->part_count <= 1 &&
-           mesh_cksum(mesh) == there->cksum;
-}
-
 /* As it was baked for the device, whatever --split says. */
 static void split_as(struct mesh_stream *stream, unsigned degrees)
 {
@@ -90,53 +80,28 @@ void mesh_device_find(struct mesh_stream *stream, struct sink *sink)
     struct light_mesh there;
     if (!sink->kind->shader->find_mesh(sink, &there))
         fail("--shade device: %s holds no mesh; leave it out", sink->name);
-    if (!is_there(stream, &there) && !stream->canvas && there.split >= 1 && there.split <= 180)
+    if (!mesh_in_device(&there, stream->fitted) && !stream->canvas && there.split >= 1 && there.split <= 180)
         split_as(stream, there.split);
-    if (!is_there(stream, &there))
+    if (!mesh_in_device(&there, stream->fitted))
         fail("--shade device: %s holds another mesh, of %u vertices and %u triangles; leave it out", sink->name,
              there.vertices, there.faces);
 }
 
 enum sink_result mesh_device_send(struct mesh_stream *stream, struct sink *sink)
 {
-    const struct scene plain = {0};
     struct glint_shader shader;
-    const char *refusal = device_refusal(&plain, &stream->shadings[0], &shader);
-    if (!refusal && stream->view.distance > 0)
-        refusal = "the device draws by parallel projection; leave out --perspective";
+    const char *refusal = mesh_in_device_refusal(&stream->view, &stream->shadings[0], &shader);
     if (refusal)
         fail("--shade device: %s", refusal);
     mesh_device_find(stream, sink); /* it may be another one by now */
     return sink->kind->shader->send_mesh(sink, &shader);
 }
 
-/* Of 16 bits, scaled so that the device comes to the light that is drawn by here; where no scale does, to a neighbour of it. */
-static void light_numbers(int16_t out[3], const double direction[3], const struct glint_light *wanted)
-{
-    static const int32_t to_viewer[3] = {0, 0, 1};
-    const double longest = fmax(fabs(direction[0]), fmax(fabs(direction[1]), fabs(direction[2])));
-    for (int scale = 32767; scale > 8192; scale--) {
-        int32_t to_light[3];
-        struct glint_light light;
-        for (unsigned k = 0; k < 3; k++)
-            to_light[k] = (int32_t)lround(direction[k] / longest * scale);
-        const bool good = glint_light_init(&light, to_light, to_viewer) == GLINT_OK &&
-                          memcmp(&light.l, &wanted->l, sizeof light.l) == 0 &&
-                          memcmp(&light.h, &wanted->h, sizeof light.h) == 0;
-        for (unsigned k = 0; k < 3 && (good || scale == 32767); k++)
-            out[k] = (int16_t)to_light[k];
-        if (good)
-            return;
-    }
-}
-
 enum sink_result mesh_device_send_pose(struct mesh_stream *stream, struct sink *sink, double seconds,
                                        const struct shading *shading, struct plan_result *result)
 {
     const struct view view = view_at(stream, seconds);
-    const struct glint_light light = shading_shader(shading).light;
-    struct light_pose pose = {.pose = view_pose(&view)};
-    light_numbers(pose.to_light, shading->lamps[0].direction, &light);
+    const struct light_pose pose = mesh_in_device_pose(&view, shading);
     *result = (struct plan_result){.count = 1,
                                    .changed = (size_t)sink->width * sink->height,
                                    .whole_bytes = format_line_bytes(sink->format, sink->width) * sink->height};
