@@ -10,7 +10,7 @@ PAGE_HOST = $(filter-out %_json.c,$(wildcard host/compare/*.c host/draw/*.c host
 	$(patsubst %,host/base/%.c,c_names closest memory message output_pair parse text unknown)
 # Whose numbers and layouts the page speaks over USB.
 PAGE_WIRE = firmware/core/light_protocol firmware/core/gud_protocol
-PAGE_C = $(wildcard lib/*.c host/page/module/*.c) $(PAGE_HOST) firmware/core/light_protocol.c
+PAGE_C = $(wildcard lib/*.c host/page/module/*.c) $(PAGE_HOST) $(patsubst %,firmware/core/%.c,light_protocol mesh_cksum cksum)
 PAGE_OBJECTS = $(PAGE_C:%.c=$(PAGE)/objects/%.o)
 PAGE_CFLAGS = --target=wasm32-wasi -O2 -std=c11 -D_GNU_SOURCE -DGLINT_WITH_MESH=0 $(WARNINGS) -MMD -MP \
 	-Ihost/page/module/include -Ihost/page/module -Ilib -Ihost -Ifirmware/core

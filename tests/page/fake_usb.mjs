@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // navigator.usb with one board in it, for pages in a browser that has no device: fakeUsb runs in the page, and keeps what it is sent in
-// globalThis.board. A real board, or the firmware, is in tests/pico.
+// globalThis.board; with board.mesh it holds a mesh, whose poses are kept as lights are. A real board, or the firmware, is in tests/pico.
 export function fakeUsb(width, height) {
     const gone = () => { throw new DOMException('A transfer error has occurred.', 'NetworkError') }
-    const board = globalThis.board = { isPlugged: true, isHeld: false, isBusy: false, stalls: false, isChosen: true, enabled: 0, material: [], map: [], lights: [], reports: 0 }
+    const board = globalThis.board = { isPlugged: true, isHeld: false, isBusy: false, stalls: false, isChosen: true, mesh: null, takesMaps: true, inMesh: false, enabled: 0, material: [], map: [], lights: [], reports: 0 }
     const listeners = { connect: [], disconnect: [] }
     const answer = status => ({ status })
     const device = {
@@ -19,6 +19,8 @@ export function fakeUsb(width, height) {
             board.isPlugged || gone()
             if (request === 0xa0)
                 return { status: 'ok', data: new DataView(Uint8Array.of(0x67, 0x6c, 0x6e, 0x74, 1, 0, 0, 0, width, width >> 8, height, height >> 8).buffer) }
+            if (request === 0xa4)
+                return board.mesh ? { status: 'ok', data: new DataView(Uint8Array.from(board.mesh).buffer) } : answer('stall')
             return { status: 'ok', data: new DataView(Uint8Array.of(board.isBusy || board.reports++ % 2 ? 1 : 0).buffer) }
         },
         async controlTransferOut({ request }, data) {
@@ -29,15 +31,19 @@ export function fakeUsb(width, height) {
                 board.enabled = data[0]
             if (request === 0xa2)
                 board.material = [...data]
+            if (request === 0xa3 && !board.takesMaps || request === 0xa5 && !board.mesh)
+                return answer('stall')
             if (request === 0xa3)
                 board.map = []
+            if (request === 0xa3 || request === 0xa5)
+                board.inMesh = request === 0xa5
             return answer('ok')
         },
         async transferOut(endpoint, data) {
             board.isPlugged || gone()
             if (board.stalls)
                 return answer('stall')
-            if (board.map.length < 4 * width * height)
+            if (!board.inMesh && board.map.length < 4 * width * height)
                 board.map.push(...data)
             else
                 board.lights.push([...data])

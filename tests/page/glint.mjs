@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The command, to compare with.
-import { execFile, spawnSync } from 'node:child_process'
+import { execFile, execFileSync, spawnSync } from 'node:child_process'
 import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
@@ -33,6 +33,18 @@ export class Command {
     raw(words) {
         const { stdout } = spawnSync(this.glint, ['render', ...words, '--image', 'raw', '-o', '-'], { cwd: this.folder, maxBuffer: 1 << 28 })
         return stdout
+    }
+
+    /** What a board says of the teapot that it holds: its cksum, vertices and triangles, and at how many degrees edges are split. */
+    teapotHeld() {
+        const { 'teapot.bin': raw } = this.files(['bake', '--scene=teapot', '--split=180', '--to=int8', '-o', 'teapot.bin'])
+        const [vertices, triangles] = [raw.readUInt16LE(0), raw.readUInt16LE(2)]
+        const summed = raw.subarray(8, 8 + 6 * vertices + 3 * vertices + 3 * vertices % 2 + 6 * triangles)
+        const held = Buffer.from([0, 0, 0, 0, 0, 0, 0, 0, 180, 0, 0, 0])
+        held.writeUInt32LE(Number(execFileSync('cksum', { input: summed, encoding: 'utf8' }).split(' ')[0]))
+        held.writeUInt16LE(vertices, 4)
+        held.writeUInt16LE(triangles, 6)
+        return held
     }
 
     /** What it says when it fails, without its name and where its help is. */

@@ -28,7 +28,7 @@ export function randomWords(random) {
         : random() < .5 ? `--point=${real(0, width, 1)},${real(0, height, 1)},${real(2, 60, 1)},${real(20, 200, 1)}${color()}`
             : `--spot=${real(0, width, 1)},${real(0, height, 1)},${real(20, 90, 1)},${real(0, width, 1)},${real(0, height, 1)},${real(40, 300, 1)},${real(0, 20, 1)},${real(20, 60, 1)}${color()}`
     const scene = one(['sphere', 'watchface', 'coin', 'dial', 'teapot'])
-    const stands = scene === 'teapot' ? [...maybe(.7, `--turn=${real(-180, 180, 1)},${real(-180, 180, 1)},${real(-180, 180, 1)}`), ...maybe(.4, `--zoom=${real(.5, 3)}`), ...maybe(.4, `--perspective=${real(1.5, 9)}`)] : []
+    const stands = scene === 'teapot' ? [...maybe(.7, `--turn=${real(-180, 180, 1)},${real(-180, 180, 1)},${real(-180, 180, 1)}`), ...maybe(.4, `--zoom=${real(.5, 3)}`), ...maybe(.4, `--perspective=${real(1.5, 9)}`), ...maybe(.2, `--split=${real(8, 180, 1)}`)] : []
     return [`--scene=${scene}`, ...stands, `--size=${width}x${height}`, `--model=${one(models)}`, `--format=${one(formats)}`,
         ...maybe(.6, `-n${Math.round(1000 ** random())}`), ...maybe(.4, `-q${Math.floor(random() * 17)}`), ...maybe(.3, '--space=linear'), ...maybe(.4, '--dither'),
         ...maybe(.2, '--clamp-peak'), ...maybe(.5, `--ambient=${coefficient()}`), ...maybe(.5, `--diffuse=${coefficient()}`), ...maybe(.5, `--specular=${coefficient()}`),

@@ -8,9 +8,10 @@ import { check, equal, run } from '../pico/tap.mjs'
 import { Browser } from './browser.mjs'
 import { fakeUsb } from './fake_usb.mjs'
 import { Command, difference } from './glint.mjs'
+import { png } from './maps.mjs'
 
 const [packages, folder, glint] = process.argv.slice(2)
-const { Engine, fragmentOf, onDevice, readPng, sentences, stateOfFragment, stateOfWords, white, wordsOf, writePng } = await import(`${process.cwd()}/${folder}/engine.mjs`)
+const { Engine, fragmentOf, meshOnDevice, onDevice, readPng, sentences, stateOfFragment, stateOfWords, white, wordsOf, writePng } = await import(`${process.cwd()}/${folder}/engine.mjs`)
 const engine = new Engine(new WebAssembly.Module(readFileSync(`${folder}/module.wasm`)))
 const command = new Command(glint)
 const width = 60, height = 44
@@ -32,6 +33,12 @@ const colours = Object.fromEntries(['coin', 'dial'].map(scene => {
 }))
 const board = change => page.evaluate(change => Object.assign(globalThis.board, change), change ?? {})
 const connect = () => page.click('#connect')
+const press = text => page.evaluate(text => [...document.querySelectorAll('button')].find(button => button.textContent === text).click(), text)
+const refuses = async sentence => {
+    await browser.until(sentence => !document.getElementById('refusal').hidden && document.getElementById('refusal').textContent.startsWith(sentence), sentence)
+        .catch(async () => { throw new Error(`it says ${await browser.text('refusal')}, not ${sentence}`) })
+}
+const isSaid = () => page.evaluate(() => !document.getElementById('out-board').hidden)
 const says = async text => {
     await browser.until(text => document.getElementById('device-status').textContent.includes(text), text)
         .catch(async () => { throw new Error(`it says ${await browser.text('device-status')}, not ${text}`) })
@@ -50,9 +57,10 @@ async function drawnAs(wordsOfState) {
 }
 
 /** The canvas is the command's picture of what the board draws, and the board has what makes that. Returns the words. */
-async function follows() {
-    const { words: drawn, wrong } = await drawnAs(state => wordsOf(onDevice(state, width, height, colours[state.scene])))
+async function follows(gloss = white) {
+    const { words: drawn, wrong } = await drawnAs(state => wordsOf(onDevice(state, width, height, colours[state.scene], gloss)))
     check(!wrong, `${drawn.join(' ')}: ${wrong}`)
+    check(await isSaid(), 'it is not said whose picture the command line and the files are of')
     engine.draw(drawn)
     const { map, material, light } = engine.device(width, height, { map: '', material: '' })
     const tail = JSON.stringify([...light.subarray(4)])
@@ -63,12 +71,27 @@ async function follows() {
     check(sent.lights.every(bytes => bytes.length === 16), 'a light is not 16 bytes')
     return drawn
 }
+/** The same of the mesh that the board holds, split at so many degrees. */
+async function turnsWith(degrees) {
+    const { words: drawn, wrong } = await drawnAs(state => wordsOf(meshOnDevice(state, width, height, degrees)))
+    check(!wrong, `${drawn.join(' ')}: ${wrong}`)
+    engine.draw(drawn)
+    const { material, pose } = engine.device(width, height, { map: '', material: '' })
+    const tail = JSON.stringify([...pose.subarray(4)])
+    await browser.until(tail => JSON.stringify(board.lights.at(-1)?.slice(4)) === tail, tail)
+    const sent = await board()
+    check(Buffer.from(sent.material).equals(Buffer.from(material)), 'the material is another one')
+    check(sent.inMesh && sent.lights.every(bytes => bytes.length === 28), 'a pose is not 28 bytes, or not of the mesh')
+    equal(await browser.text('command'), ['glint', 'render', ...drawn, '-o', 'glint.png'].join(' '), 'the command line')
+    return drawn
+}
 const isFree = async () => {
     equal(await browser.text('connect'), 'Connect a Pico', 'the button')
     const { words: own, wrong } = await drawnAs(wordsOf)
     check(!wrong, `not connected, the picture is not the page's own: ${own.join(' ')}: ${wrong}`)
     equal(await browser.text('command'), ['glint', 'render', ...own, '-o', 'glint.png'].join(' '), 'the command line')
     check(await page.evaluate(() => document.getElementById('file-gloss')?.hidden), 'a map of full gloss is offered')
+    check(!await isSaid(), 'it is said that the command line is of a board')
 }
 
 run([
@@ -116,16 +139,20 @@ run([
         await follows()
         await browser.set('control-n', '12')
         check((await follows()).includes('-n12'), 'another material')
-        await page.evaluate(() => [...document.querySelectorAll('button')].find(button => button.textContent === 'Dial').click())
+        await press('Dial')
         check((await follows()).includes('--scene=dial'), 'another scene')
     }],
     ['what the board cannot draw is said, and it keeps its picture', async () => {
         const { length } = (await board()).lights
         await page.evaluate(() => document.getElementById('add-light').click())
-        await browser.until(() => !document.getElementById('refusal').hidden)
+        await refuses('--path colour-int8')
         equal((await board()).lights.length, length, 'lights')
-        check((await browser.text('refusal')).startsWith('--path colour-int8'), await browser.text('refusal'))
-        await page.evaluate(() => document.getElementById('undo').click())
+        await press('Undo')
+        await follows()
+        await press('Teapot')
+        await refuses(sentences.noMesh)
+        equal((await board()).inMesh, false, 'the board is told to draw a mesh')
+        await press('Undo')
         await follows()
     }],
     ['disconnected, the panel is given back and the picture is the page\'s own', async () => {
@@ -168,6 +195,99 @@ run([
         await board({ isChosen: false })
         await connect()
         await says(sentences.notChosen)
+    }],
+    ['a board that holds the teapot turns it by 28 bytes a frame, and says that it takes no maps', async () => {
+        await board({ isChosen: true, mesh: [...command.teapotHeld()], takesMaps: false, lights: [], map: [], material: [] })
+        await connect()
+        await refuses(sentences.onlyMesh)
+        equal((await board()).lights.length, 0, 'lights')
+        await press('Teapot')
+        await says('28 bytes a frame')
+        check((await turnsWith(180)).includes('--split=180'), 'no --split')
+        await browser.until(() => !document.getElementById('turn').hidden)
+        await page.click('#turn')
+        await page.focus('#handle')
+        for (let i = 0; i < 4; i++)
+            await page.keyboard.press('ArrowRight')
+        check((await turnsWith(180)).some(word => word.startsWith('--turn=')), 'it does not turn')
+        await browser.set('control-perspective', '3')
+        check(!(await turnsWith(180)).some(word => word.startsWith('--perspective')), 'the board draws no perspective')
+        await browser.set('control-n', '9')
+        await turnsWith(180)
+        await press('Coin')
+        await refuses(sentences.onlyMesh)
+        await press('Undo')
+        await turnsWith(180)
+        await connect()
+        await says('Disconnected')
+        await isFree()
+    }],
+    ['a board that takes maps and holds a mesh draws both, and one that holds another mesh is told apart', async () => {
+        await board({ takesMaps: true, lights: [] })
+        await connect()
+        await says('28 bytes a frame')
+        await turnsWith(180)
+        await board({ lights: [] })
+        await press('Coin')
+        await follows()
+        await connect()
+        await says('Disconnected')
+        const [, ...rest] = (await board()).mesh
+        await board({ mesh: [rest[0] ^ 255, ...rest] })
+        await connect()
+        await follows()
+        await press('Teapot')
+        await refuses(sentences.otherMesh)
+        await connect()
+        await says('Disconnected')
+        await board({ mesh: null })
+        await press('Coin')
+        await isFree()
+    }],
+    ['a map of the user\'s that is called as the map of full gloss is stays the user\'s', async () => {
+        const own = png({ width: 50, height: 50, type: 0, depth: 8, sample: (x, y) => 4 * x + y }), other = 'full-gloss-2.png'
+        command.put(other, writePng(width, height, Buffer.alloc(4 * width * height, 255), true))
+        engine.addWhite(other, width, height)
+        const drop = async () => {
+            command.put(white, own)
+            await browser.drop({ [white]: own })
+            await browser.until(name => document.body.dataset.drawn?.includes(name), white)
+        }
+        await drop()
+        await isFree()
+        await connect()
+        check((await follows(other)).includes(`--gloss=${other}`), 'another name')
+        equal(Object.keys(await browser.save('file-gloss', 1)).join(), other, 'what is saved')
+        await connect()
+        await says('Disconnected')
+        await isFree()
+        await browser.go(fragmentOf(stateOfWords(words))) // and dropped while connected
+        command.put(white, writePng(width, height, Buffer.alloc(4 * width * height, 255), true))
+        await connect()
+        await follows()
+        await drop()
+        check((await follows(other)).includes(`--gloss=${other}`), 'another name')
+        await connect()
+        await says('Disconnected')
+        await isFree()
+    }],
+    ['an address that is refused sends nothing, before and after connecting, and what follows is drawn', async () => {
+        const wrong = 'scene=coins&n=5000'
+        await browser.go(wrong)
+        await refuses('--scene: unknown scene \'coins\'')
+        await connect()
+        await browser.until(() => document.getElementById('connect').textContent === 'Disconnect' && !document.getElementById('connect').disabled)
+        await refuses('--scene: unknown scene \'coins\'')
+        equal((await board()).lights.length, 0, 'lights')
+        await press('Reset')
+        command.put(white, writePng(width, height, Buffer.alloc(4 * width * height, 255), true))
+        await follows()
+        const { length } = (await board()).lights
+        await page.evaluate(() => { location.hash = 'scene=coins&n=4000' })
+        await refuses('--scene: unknown scene \'coins\'')
+        equal((await board()).lights.length, length, 'lights after a wrong address')
+        await press('Undo')
+        await follows()
     }],
     ['nothing was written to the console as an error', () => equal(browser.wrong.join('\n'), '', 'errors')],
 ], () => { server.kill(); return browser.close() })

@@ -10,7 +10,7 @@ import { extras, png, surfaces } from './maps.mjs'
 import { randomly, randomWords } from './states.mjs'
 
 const [folder, glint] = process.argv.slice(2)
-const { Engine, readPng, commandLine, stateOfWords, wordsOf } = await import(`${process.cwd()}/${folder}/engine.mjs`)
+const { Engine, readPng, commandLine, stateOfWords, whiteName, wordsOf } = await import(`${process.cwd()}/${folder}/engine.mjs`)
 const program = new WebAssembly.Module(readFileSync(`${folder}/module.wasm`))
 const command = new Command(glint)
 const models = ['msh', 'schlick', 'blinn', 'phong', 'gauss', 'cayley', 'lyon']
@@ -95,7 +95,7 @@ run([
         for (const path of ['exact', 'colour-int16', 'colour-int8', 'small-int16', 'small-int8'])
             for (const turn of ['25,-30,0', '-70,140,10'])
                 same(engine, ['--scene=teapot', '--size=90x70', `--turn=${turn}`, '--format=rgb565', '--ambient=.1', '--diffuse=.8', `--path=${path}`])
-        for (const more of [[], ['--perspective=3'], ['--perspective=3', '--zoom=1.5'], ['--light=1,1,1'], ['-n9', '--color=30,90,200', '--space=linear'], ['--dither', '--format=mono']])
+        for (const more of [[], ['--perspective=3'], ['--perspective=3', '--zoom=1.5'], ['--light=1,1,1'], ['-n9', '--color=30,90,200', '--space=linear'], ['--split=180'], ['--split=12'], ['--dither', '--format=mono']])
             same(engine, ['--scene=teapot', '--size=61x47', ...more])
         check(engine.draw(['--scene=teapot', '--size=61x47', '--turn=1,2,3']).kept === false, 'kept, though the format is another')
         check(engine.draw(['--scene=teapot', '--size=61x47', '--turn=4,5,6']).kept, 'a turn is not drawn from what was kept')
@@ -138,6 +138,33 @@ run([
         refusal(() => engine.moving([other, ['--scene=coin', '-n1001']]))
         check(engine.device(60, 44, has), 'the board gets nothing after a refusal')
     }],
+    ['of a mesh that a board holds it is told whether that is the teapot, and a pose a frame is what the board is sent', () => {
+        const engine = new Engine(program)
+        const held = command.teapotHeld()
+        equal(engine.deviceMesh(held), 180, 'the teapot')
+        for (const at of [0, 4, 6, 8]) {
+            const other = Buffer.from(held)
+            other[at] ^= 1
+            equal(engine.deviceMesh(other), 0, `the teapot, but for byte ${at}`)
+        }
+        const words = ['--scene=teapot', '--split=180', '--size=60x44', '--format=rgb565', '--path=colour-int8']
+        const sent = (has, ...more) => {
+            engine.draw([...words, ...more])
+            return engine.device(60, 44, has)
+        }
+        const first = sent({ map: '', material: '' })
+        equal(`${first.mesh} ${first.map} ${first.light} ${first.material.length} ${first.pose.length}`, 'true undefined undefined 48 28', 'at first')
+        const second = sent(first.has, '--turn=3,4,5')
+        equal(`${second.mesh} ${second.material} ${second.pose.length}`, 'undefined undefined 28', 'as it turns')
+        check(!second.pose.subarray(4).every((byte, i) => byte === first.pose[4 + i]), 'the same pose')
+        const map = ['--scene=sphere', '--size=60x44', '--gloss=white', '--color=9,90,200', '--format=rgb565', '--path=colour-int8']
+        engine.addWhite('white', 60, 44)
+        engine.draw(map)
+        const third = engine.device(60, 44, second.has)
+        equal(`${third.mesh} ${third.map.length} ${third.light.length} ${third.pose}`, `undefined ${4 * 60 * 44} 16 undefined`, 'a map after the mesh')
+        equal(sent(third.has).mesh, true, 'the mesh after a map')
+        equal(refusal(() => sent(third.has, '--perspective=3')), 'the device draws by parallel projection; leave out --perspective', 'in perspective')
+    }],
     ['60 random states give the command\'s pictures or refusals', async () => {
         const engine = new Engine(program), random = randomly(3), width = 8
         for (let from = 0; from < 60; from += width) {
@@ -164,6 +191,7 @@ run([
         same(engine, ['--scene=dial', '--size=40x40'])
     }],
     ['a wrong file gives a sentence', () => {
+        equal(refusal(() => readPng('bunny.ply', Buffer.from('ply\n'))), 'bunny.ply: the page draws no files of meshes; glint render --mesh and glint bake --mesh do', 'a mesh')
         const good = surfaces['rgb16.png'].bytes
         const damaged = Buffer.from(good)
         damaged[good.length - 20] ^= 255
@@ -196,6 +224,8 @@ run([
         equal(refusal(() => engine.run(['glint bake', '--scene=dial', '--json'])), '--json: only the command writes JSON', '--json')
     }],
     ['words, state and command line say the same', () => {
+        equal([[], ['full-gloss.png'], ['a.png', 'full-gloss.png', 'full-gloss-2.png']].map(taken => whiteName(new Set(taken))).join(),
+            'full-gloss.png,full-gloss-2.png,full-gloss-3.png', 'names beside the user\'s')
         const words = ['--scene=coin', '--size=64x48', '-n60', '--clamp-peak', '--dither', '--light=-1,1,1', '--point=1,2,3,4']
         equal(wordsOf(stateOfWords(words)).sort().join(' '), [...words].sort().join(' '), 'there and back')
         equal(commandLine('glint render', ['--height=my map.png', '-n60']), 'glint render \'--height=my map.png\' -n60', 'quoted')

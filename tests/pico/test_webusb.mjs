@@ -2,38 +2,21 @@
 // test_webusb.mjs PACKAGES FOLDER PANEL JUDGE GLINT PAGE, run under the lab's kernel: the page's own transport and module, in node,
 // reach the emulated board by WebUSB (the package usb, on the kernel's usbfs), beside the kernel's driver for its display.
 import { existsSync, readFileSync } from 'node:fs'
-import { createRequire } from 'node:module'
 import { resolve } from 'node:path'
 import { Judge } from './judge.mjs'
 import { Plugged } from './plugged.mjs'
 import { check, equal, run } from './tap.mjs'
+import { LONG, asRgb, conforming, webUsb } from './web_usb.mjs'
 
 const [packages, folder, panel, program, glint, page] = process.argv.slice(2)
-const { WebUSB } = createRequire(resolve(packages, 'x'))('usb')
 const { Engine, filters, onDevice, Pico, sentences, stateOfWords, white, wordsOf } = await import(resolve(page, 'engine.mjs'))
 const engine = new Engine(new WebAssembly.Module(readFileSync(`${page}/module.wasm`)))
 const judge = new Judge(program, panel)
 const { width, height } = judge
 const board = new Plugged(packages, folder, judge)
-const usb = new WebUSB({ allowAllDevices: true })
+const usb = webUsb(packages)
 engine.addWhite(white, width, height)
 
-// Where the package differs from WebUSB: a STALL is an error, not the transfer's status; and a transfer ends after a second, which the
-// emulated board may need, if not told otherwise.
-const TIMEOUT_MS = 60000
-// Seconds for what the board does within one, emulated on a machine that does other things, too.
-const LONG = 120
-function conforming(device) {
-  return new Proxy(device, { get(_, name) {
-    const value = device[name]
-    if (typeof value !== 'function') return value
-    if (!/ransfer(In|Out)$/.test(name)) return value.bind(device)
-    return (...args) => value.apply(device, [...args, TIMEOUT_MS]).catch((error) => {
-      if (/stall(ed)?$/i.test(error.message)) return { status: 'stall' }
-      throw error
-    })
-  } })
-}
 let pico, has
 async function connect() {
   const device = await board.during(usb.requestDevice({ filters }), LONG, 'requestDevice')
@@ -48,9 +31,7 @@ async function follow(list) {
   if (scene.material) await board.during(pico.sendMaterial(scene.material), LONG, 'the material')
   await board.during(pico.sendLight(scene.light), LONG, 'the light')
   has = scene.has
-  const rgb = Buffer.alloc(3 * width * height)
-  for (let i = 0; i < width * height; i++) rgba.subarray(4 * i, 4 * i + 3).forEach((level, k) => { rgb[3 * i + k] = level })
-  judge.same(board.look(), rgb, list.join(' '))
+  judge.same(board.look(), asRgb(rgba), list.join(' '))
   return scene
 }
 async function trouble(promise) {

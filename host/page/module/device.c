@@ -4,8 +4,11 @@
 
 #include "bake/bake.h"
 #include "base/message.h"
+#include "draw/mesh_in_device.h"
 #include "draw/shading_device.h"
 #include "light_protocol.h"
+#include "mesh.h"
+#include "mesh/load.h"
 #include "page.h"
 #include "state.h"
 
@@ -24,7 +27,7 @@ const uint8_t *page_device_material(void)
     struct light_material material;
     struct glint_shader shader;
     const char *refusal = now->scene ? device_refusal(now->scene, &now->shading, &shader)
-                                     : "the device draws maps; a mesh is drawn here alone";
+                                     : mesh_in_device_refusal(&page_mesh()->view, &now->shading, &shader);
     if (refusal)
         fail("%s", refusal);
     light_material_of(&material, &shader);
@@ -46,5 +49,37 @@ const uint8_t *page_device_light(uint32_t tag)
     int32_t to_light[3];
     direction_integers(page_state()->shading.lamps[0].direction, to_light);
     light_message_pack(bytes, tag, to_light);
+    return bytes;
+}
+
+/* ---- the mesh that it holds ---- */
+
+uint32_t page_device_mesh(const uint8_t *bytes)
+{
+    struct mesh_source source = {.name = mesh_names[0], .built_in = true, .crease = -1, .axes = AXES_USUAL};
+    struct light_mesh there;
+    light_mesh_unpack(&there, bytes);
+    free((void *)(uintptr_t)bytes);
+    if (there.split < 1 || there.split > 180)
+        return 0;
+    source.split = there.split;
+    struct mesh *mesh = mesh_load(&source);
+    struct fitted *fitted = mesh_fit(mesh, 0);
+    const bool is_ours = mesh_in_device(&there, fitted);
+    fitted_free(fitted);
+    mesh_free(mesh);
+    return is_ours ? there.split : 0;
+}
+
+uint32_t page_draws_mesh(void)
+{
+    return page_mesh() != NULL;
+}
+
+const uint8_t *page_device_pose(uint32_t tag)
+{
+    static uint8_t bytes[LIGHT_POSE_BYTES];
+    const struct light_pose pose = mesh_in_device_pose(&page_mesh()->view, &page_state()->shading);
+    light_pose_pack(bytes, tag, &pose);
     return bytes;
 }

@@ -60,6 +60,11 @@ uint32_t PAGE_EXPORT(page_device_size)(const uint8_t *bytes);
 const uint8_t *PAGE_EXPORT(page_device_material)(void);
 const uint8_t *PAGE_EXPORT(page_device_map)(void);
 const uint8_t *PAGE_EXPORT(page_device_light)(uint32_t tag);
+/* Of a mesh that it holds, LIGHT_MESH_BYTES: the built-in mesh, whose edges are split at so many degrees; 0: another one. */
+uint32_t PAGE_EXPORT(page_device_mesh)(const uint8_t *bytes);
+/* Is the last picture of a mesh? Then it is sent in the place of a map and lights: LIGHT_POSE_BYTES. */
+uint32_t PAGE_EXPORT(page_draws_mesh)(void);
+const uint8_t *PAGE_EXPORT(page_device_pose)(uint32_t tag);
 
 /* ---- files ---- */
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures, numbers and files by command lines: what the worker does, without being one.
-import { LIGHT_DESCRIPTOR_BYTES, LIGHT_MATERIAL_BYTES, LIGHT_MESSAGE_BYTES, PAGE_BINS } from './exports'
+import { LIGHT_DESCRIPTOR_BYTES, LIGHT_MATERIAL_BYTES, LIGHT_MESH_BYTES, LIGHT_MESSAGE_BYTES, LIGHT_POSE_BYTES, PAGE_BINS } from './exports'
 import { Module } from './module'
 import type { Map16 } from './png'
 
@@ -30,7 +30,7 @@ export interface File {
     name: string
     bytes: Uint8Array<ArrayBuffer>
 }
-/** Names of what a device has. */
+/** Names of what a device has: of its map, or of the mesh, and of the material. */
 export interface Had {
     map: string
     material: string
@@ -38,14 +38,20 @@ export interface Had {
 export interface ForDevice {
     has: Had
     map?: Uint8Array<ArrayBuffer>
+    /** In the place of a map: the device is to draw the mesh that it holds. */
+    mesh?: true
     material?: Uint8Array<ArrayBuffer>
-    light: Uint8Array<ArrayBuffer>
+    /** A frame: of a map a light, of a mesh a pose. */
+    light?: Uint8Array<ArrayBuffer>
+    pose?: Uint8Array<ArrayBuffer>
 }
 export type Facts = Record<string, number[]>
 
 const keepNothing = 0, keepScene = 1, keepCanvas = 2
 /** Options that make the surface; --color takes a built-in scene's own away. */
-const ofSurface = /^--(height|normals|scene|mask|scale|bevel|wrap|flip-y|size|albedo|gloss)\b/
+const ofSurface = /^--(height|normals|scene|mask|scale|bevel|wrap|flip-y|size|albedo|gloss|split)\b/
+/** Where a mesh stands, for which no canvas is made. */
+const standsBy = /^--(turn|zoom|perspective)\b/
 
 export class Engine {
     private module: Module
@@ -54,7 +60,7 @@ export class Engine {
     private material = ''
     private surfaceWarnings: string[] = []
     private drawn: string[] = []
-    private lights = 0
+    private frames = 0
 
     constructor(private program: WebAssembly.Module) {
         this.module = new Module(program)
@@ -76,7 +82,7 @@ export class Engine {
         return this.guard(() => {
             const { call } = this.module
             const surface = words.filter(word => ofSurface.test(word)).join('\0') + words.some(word => word.startsWith('--color'))
-            const material = words.map(withoutMoves).join('\0')
+            const material = words.filter(word => !standsBy.test(word)).map(withoutNumbers).join('\0')
             const keep = material === this.material ? keepCanvas : surface === this.surface ? keepScene : keepNothing
             this.surface = this.material = '' // until it is drawn
             this.module.takeWarnings()
@@ -172,18 +178,29 @@ export class Engine {
         return this.module.call.page_device_size(this.module.put(bytes)) >>> 0
     }
 
+    /** Of a mesh that a device holds: the built-in one, split at so many degrees; 0: another one. */
+    deviceMesh(held: Uint8Array): number {
+        const bytes = new Uint8Array(LIGHT_MESH_BYTES)
+        bytes.set(held.subarray(0, bytes.length))
+        return this.guard(() => this.module.call.page_device_mesh(this.module.put(bytes)))
+    }
+
     /** What a device of that size, which has a map and a material already, is sent to draw the last picture; nothing if that has another size. */
     device(width: number, height: number, has: Had): ForDevice | undefined {
         return this.guard(() => {
             const { call } = this.module, { surface, material } = this
             if (!material || call.page_width() !== width || call.page_height() !== height)
                 return undefined
-            const packed = this.module.copy(call.page_device_material(), LIGHT_MATERIAL_BYTES)
-            return {
-                has: { map: surface, material },
-                map: has.map === surface ? undefined : this.module.copy(call.page_device_map(), 4 * width * height),
-                material: has.material === material ? undefined : packed,
-                light: this.module.copy(call.page_device_light(this.lights++), LIGHT_MESSAGE_BYTES),
+            const packed = this.module.copy(call.page_device_material(), LIGHT_MATERIAL_BYTES), isNew = has.map !== surface
+            const scene = { has: { map: surface, material }, material: has.material === material ? undefined : packed }
+            return call.page_draws_mesh() ? {
+                ...scene,
+                mesh: isNew || undefined,
+                pose: this.module.copy(call.page_device_pose(this.frames++), LIGHT_POSE_BYTES),
+            } : {
+                ...scene,
+                map: isNew ? this.module.copy(call.page_device_map(), 4 * width * height) : undefined,
+                light: this.module.copy(call.page_device_light(this.frames++), LIGHT_MESSAGE_BYTES),
             }
         })
     }
@@ -254,7 +271,7 @@ function extentOf(before: Uint8Array, now: Uint8Array, height: number): Extent {
     return { changed: changed / now.length, box: right < 0 ? 0 : (right - left + 1) * (bottom - top + 1), lines, frame: now.length }
 }
 
-/** A word as what the canvas is made for: of a light its kind, of a mesh not where it stands. */
-function withoutMoves(word: string): string {
-    return word.replace(/^(--(light|point|spot|turn|zoom|perspective))\b.*/, '$1')
+/** A word as what the canvas is made for: of a light its kind. */
+function withoutNumbers(word: string): string {
+    return word.replace(/^(--(light|point|spot))\b.*/, '$1')
 }

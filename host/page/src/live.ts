@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // A Pico on the desk that follows the page. While one is connected the picture is what it draws: its size, RGB565 without dither, by
-// its tables from 8-bit normals.
+// its tables from 8-bit normals; or the mesh that it holds.
 import { ask } from './client'
 import { byId } from './dom'
+import type { ForDevice } from './engine'
+import { mapNames } from './maps'
 import { onDrawn, redraw, setView } from './picture'
+import type { Viewed } from './picture'
 import { filters, Pico, sentences, Trouble } from './pico'
 import type { Usb, UsbDevice } from './webusb'
-import { onDevice, white, wordsOf } from './words'
+import { isMesh, meshOnDevice, onDevice, whiteName, wordsOf } from './words'
 import type { State } from './words'
 
 const button = byId<HTMLButtonElement>('connect'), status = byId('device-status')
@@ -16,6 +19,8 @@ let pico: Pico | undefined
 let has = { map: '', material: '' }
 let frames: number[] = []
 let isLost = false
+/** At how many degrees the edges of the mesh that it holds are split, if that is the page's; else 0. */
+let split = 0
 
 function say(text: string): void {
     status.textContent = text
@@ -52,15 +57,32 @@ async function connect(device: UsbDevice): Promise<void> {
         isLost = false
         has = { map: '', material: '' }
         frames = []
-        const { width, height } = pico
-        await ask('white', white, width, height)
-        setView(async state => onDevice(state, width, height, await colourOf(state)))
+        split = pico.mesh ? await ask('deviceMesh', pico.mesh) : 0
+        const { width, height, mesh, takesMaps } = pico
+        setView(async state => {
+            if (isMesh(state) && !split)
+                throw new Error(mesh ? sentences.otherMesh : sentences.noMesh)
+            if (isMesh(state))
+                return { state: meshOnDevice(state, width, height, split), isBoards: true }
+            if (!takesMaps)
+                throw new Error(split ? sentences.onlyMesh : sentences.otherMesh)
+            return mapOnDevice(state, width, height)
+        })
         button.textContent = 'Disconnect'
         void redraw()
     } catch (error) {
         lose(error as Error)
     }
     button.disabled = false
+}
+
+let white = ''
+async function mapOnDevice(state: State, width: number, height: number): Promise<Viewed> {
+    const name = whiteName(mapNames), size = `${name} ${width}x${height}`, color = await colourOf(state)
+    if (size !== white)
+        await ask('white', name, width, height)
+    white = size
+    return { state: onDevice(state, width, height, color, name), isBoards: true, white: state.scene === undefined ? undefined : name }
 }
 
 let colour = { surface: '', text: '' }
@@ -138,17 +160,25 @@ async function send(to: Pico): Promise<void> {
         await to.sendMap(scene.map)
     if (scene.material)
         await to.sendMaterial(scene.material)
+    if (scene.mesh)
+        await to.useMesh()
     has = scene.has
-    await to.sendLight(scene.light)
+    if (scene.light)
+        await to.sendLight(scene.light)
+    if (scene.pose)
+        await to.sendPose(scene.pose)
     frames.push(performance.now())
-    tell(to)
+    tell(to, scene)
 }
 
-function tell(to: Pico): void {
+function tell(to: Pico, { pose, light }: ForDevice): void {
     const now = performance.now()
     frames = frames.filter(time => time > now - 1000)
     const rate = frames.length > 1 ? (frames.length - 1) * 1000 / (frames[frames.length - 1] - frames[0]) : 0
-    say(`${to.name} draws ${to.width} × ${to.height}, RGB565: ${frames.length > 1 ? `${rate.toFixed(0)} frames/s, ` : ''}16 bytes a frame. The picture here is the same, bit for bit: one colour, full gloss, no dither.`)
+    say(`${to.name} draws ${to.width} × ${to.height}, RGB565: ${frames.length > 1 ? `${rate.toFixed(0)} frames/s, ` : ''}${(pose ?? light)!.length} bytes a frame. The picture here is the same, bit for bit: ${pose ? 'parallel projection' : 'one colour, full gloss'}, no dither.`)
 }
 
-onDrawn(() => void follow())
+onDrawn(({ isBoards }) => {
+    if (isBoards)
+        void follow()
+})

@@ -9,14 +9,18 @@ import type { Option, State } from './words'
 const scenes = ['sphere', 'watchface', 'coin', 'dial', 'teapot'] as const
 const kinds = ['height', 'normals', 'albedo', 'gloss', 'mask'] as const
 type Kind = typeof kinds[number]
-const without: Partial<State> = { height: undefined, normals: undefined, mask: undefined, albedo: undefined, gloss: undefined, scale: undefined, bevel: undefined, wrap: undefined, 'flip-y': undefined, color: undefined, turn: undefined, zoom: undefined, perspective: undefined }
+const without: Partial<State> = { height: undefined, normals: undefined, mask: undefined, albedo: undefined, gloss: undefined, scale: undefined, bevel: undefined, wrap: undefined, 'flip-y': undefined, color: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined }
 
 const press = buttons(byId('scenes'), scenes, capital, scene => change({ ...without, scene, size: current().size ?? '240x240' }))
+
+/** Of the user's maps so far. */
+export const mapNames = new Set<string>()
 
 /** The name in the command line, which must not look like a path. */
 async function take(file: File, kind: Kind): Promise<void> {
     try {
         const name = file.name.replace(/[/\\]/g, '_')
+        mapNames.add(name)
         await ask('map', name, new Uint8Array(await file.arrayBuffer()))
         const surface: Partial<State> = kind === 'height' || kind === 'normals' ? { ...without, scene: undefined, size: undefined } : {}
         if (kind === 'albedo')

@@ -3,4 +3,4 @@
 export { Engine } from './engine'
 export { filters, Pico, sentences } from './pico'
 export { readPng, writePng } from './png'
-export { commandLine, fragmentOf, onDevice, stateOfFragment, stateOfWords, white, wordsOf } from './words'
+export { commandLine, fragmentOf, meshOnDevice, onDevice, stateOfFragment, stateOfWords, white, whiteName, wordsOf } from './words'

@@ -4,7 +4,7 @@ import { ask } from './client'
 import { byId, make } from './dom'
 import { lastDrawn, onDrawn, viewed } from './picture'
 import { link } from './store'
-import { commandLine, white, wordsOf } from './words'
+import { commandLine, wordsOf } from './words'
 import type { Option, State } from './words'
 
 const status = byId('file-status')
@@ -22,7 +22,7 @@ function save(name: string, bytes: Uint8Array<ArrayBuffer>): void {
 
 /** Without maps and what else a shader has not; of a scene its finish counts. */
 const shader = (state: State) => wordsOf({ ...state, height: undefined, normals: undefined, albedo: undefined, gloss: undefined, mask: undefined,
-    bevel: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined, turn: undefined, zoom: undefined, perspective: undefined })
+    bevel: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined })
 const tables = (state: State, kind: string) => ['glint table', `--kind=${kind}`, ...shader({ ...state, lights: [] }), '-o', `${kind}_tables.c`]
 /** RGB565 colours go beside normals, not beside a palette's offsets. */
 const baked = (state: State, to: string, name: string) => ['glint bake', ...only(to.startsWith('palette') || name.endsWith('.uf2') ? scene : [...scene, 'albedo'], state), `--to=${to}`, '-o', name]
@@ -39,13 +39,13 @@ const files: { title: string, name: string, words: (state: State) => string[], o
     { title: 'Palette, C', name: 'palette', words: state => baked(state, 'palette', 'normals.c'), of: 'map' },
     { title: 'Normals, raw', name: 'raw', words: state => baked(state, 'int8', 'normals.bin'), of: 'map' },
     { title: 'Normals, UF2', name: 'uf2', words: state => baked(state, 'int8', 'normals.uf2'), of: 'map' },
-    { title: 'Mesh, C', name: 'mesh', words: state => ['glint bake', ...only(['scene'], state), '-o', 'mesh.c'], of: 'mesh' },
+    { title: 'Mesh, C', name: 'mesh', words: state => ['glint bake', ...only(['scene', 'split'], state), '-o', 'mesh.c'], of: 'mesh' },
 ]
 
 async function run(wordsFor: (state: State) => string[]): Promise<void> {
     status.textContent = 'Working…'
     try {
-        const words = wordsFor(await viewed())
+        const words = wordsFor((await viewed()).state)
         const { files, warnings } = await ask('run', words)
         for (const { name, bytes } of files)
             save(name, bytes)
@@ -68,10 +68,10 @@ async function savePicture(): Promise<void> {
 /** The map that the command line of a board's picture names. */
 async function saveGloss(): Promise<void> {
     const drawn = lastDrawn()
-    if (!drawn)
+    if (!drawn?.white)
         return
-    save(white, await ask('png', drawn.width, drawn.height, new Uint8Array(4 * drawn.width * drawn.height).fill(255), true))
-    status.textContent = `${white}: the map by which all of the surface has full gloss, as on the board; the command line above reads it`
+    save(drawn.white, await ask('png', drawn.width, drawn.height, new Uint8Array(4 * drawn.width * drawn.height).fill(255), true))
+    status.textContent = `${drawn.white}: the map by which all of the surface has full gloss, as on the board; the command line above reads it`
 }
 
 const line = (state: State) => commandLine('glint render', [...wordsOf(state), '-o', 'glint.png'])
@@ -97,9 +97,10 @@ async function copy(text: string, button: HTMLElement): Promise<void> {
 byId('copy').onclick = event => void copy(byId('command').textContent ?? '', event.currentTarget as HTMLElement)
 byId('copy-link').onclick = event => void copy(link(), event.currentTarget as HTMLElement)
 
-onDrawn(({ facts, state }) => {
+onDrawn(({ facts, state, isBoards, white }) => {
     byId('command').textContent = line(state)
-    byId('file-gloss').hidden = state.gloss !== white
+    byId('out-board').hidden = !isBoards
+    byId('file-gloss').hidden = !white
     for (const { name, of } of files)
         byId(`file-${name}`).hidden = of !== undefined && of !== (facts.turn ? 'mesh' : 'map')
 })

@@ -15,6 +15,9 @@ export const sentences = {
     notOpened: 'The device could not be opened. Stop other programs that use it; on Linux install glint\'s udev rule (70-glint.rules), plug the device in again, then connect again.',
     held: 'Another program or tab has the device. Stop it, then connect again.',
     noShader: 'This device does not shade by itself. Glint\'s firmware for a Pico with a 240x240 panel does.',
+    noMesh: 'The board holds no mesh and keeps its picture. Choose another surface, or disconnect to see the teapot here.',
+    otherMesh: 'The board holds a mesh that is not the page\'s teapot, and keeps its picture. Disconnect to see this one here.',
+    onlyMesh: 'The board draws the mesh that it holds, and no maps: it keeps its picture. Choose Teapot to turn it.',
     busy: 'The device is busy with a picture that another program sends. Connect again.',
     unplugged: 'The device was unplugged. Plug it in, then connect again.',
     silent: 'The device does not answer. Unplug it, plug it in, then connect again.',
@@ -35,6 +38,9 @@ const usualPatience = 10000
 export class Pico {
     width = 0
     height = 0
+    /** What it says of the mesh that it holds, if it holds one. */
+    mesh?: Uint8Array
+    takesMaps = true
     private number = 0
     private endpoint = 0
 
@@ -49,6 +55,7 @@ export class Pico {
                 await device.selectConfiguration(1)
             await it.findInterface(sizeOf)
             await it.enable()
+            await it.findMesh()
             return it
         } catch (error) {
             const trouble = await it.troubleOf(error)
@@ -78,12 +85,25 @@ export class Pico {
         })
     }
 
+    /** In the place of a map: poses follow. */
+    async useMesh(): Promise<void> {
+        await this.guard(async () => {
+            if (!await this.set(wire.LIGHT_SET_MESH))
+                throw refused('the mesh', await this.status())
+        })
+    }
+
     /** Until its frame is on the panel. */
-    async sendLight(bytes: Uint8Array<ArrayBuffer>): Promise<void> {
+    async sendLight(bytes: Uint8Array<ArrayBuffer>, what = 'the light'): Promise<void> {
         await this.guard(async () => {
             await this.bulk(bytes)
-            await this.expectDone('the light')
+            await this.expectDone(what)
         })
+    }
+
+    /** Of the mesh, the same. */
+    sendPose(bytes: Uint8Array<ArrayBuffer>): Promise<void> {
+        return this.sendLight(bytes, 'the pose')
     }
 
     /** Gives the panel back. */
@@ -128,6 +148,15 @@ export class Pico {
                 throw new Trouble(sentences.busy)
             await new Promise(resolve => setTimeout(resolve, 100))
         }
+    }
+
+    /** Boards that hold none refuse the question; of those that hold one, some have no room for a map. */
+    private async findMesh(): Promise<void> {
+        const { status, data } = await this.within(this.device.controlTransferIn(this.setup(wire.LIGHT_GET_MESH), wire.LIGHT_MESH_BYTES))
+        if (status !== 'ok' || data?.byteLength !== wire.LIGHT_MESH_BYTES)
+            return
+        this.mesh = new Uint8Array(data.buffer, data.byteOffset, data.byteLength)
+        this.takesMaps = await this.set(wire.LIGHT_SET_MAP) // a map would follow; what is drawn first ends that
     }
 
     private setup(request: number) {

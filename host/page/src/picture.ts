@@ -9,13 +9,18 @@ import { fragmentOf, wordsOf } from './words'
 import type { State } from './words'
 
 const canvas = byId<HTMLCanvasElement>('canvas'), panel = byId('panel'), stage = byId('stage'), handle = byId<HTMLButtonElement>('handle')
-export interface Drawn {
+/** What is drawn of a state: the page's own, or what a device makes of it. */
+export interface Viewed {
+    state: State
+    isBoards?: boolean
+    /** The map by which a board's surface has full gloss, where its command line names it. */
+    white?: string
+}
+export interface Drawn extends Viewed {
     width: number
     height: number
     rgba: Uint8Array<ArrayBuffer>
     facts: Facts
-    /** What it is of: the page's own state, or what a device makes of it. */
-    state: State
 }
 let drawn: Drawn | undefined
 let zoom = 0 // 0: as large as fits
@@ -30,9 +35,8 @@ export function onDrawn(listener: (drawn: Drawn) => void): void {
 
 // ---- drawing ----
 
-/** What is drawn of a state: itself, or what a device makes of it. */
-type View = (state: State) => State | Promise<State>
-const itself: View = state => state
+type View = (state: State) => Viewed | Promise<Viewed>
+const itself: View = state => ({ state })
 let view = itself
 /** What is drawn, or would be, of the state that the page has now. */
 export const viewed = () => view(current())
@@ -53,8 +57,8 @@ export async function redraw(): Promise<void> {
         again = false
         const now = current()
         try {
-            const state = await view(now)
-            const picture = { ...await ask('draw', wordsOf(state)), state }
+            const seen = await view(now), { state } = seen
+            const picture = { ...await ask('draw', wordsOf(state)), ...seen }
             drawn = picture
             show(canvas, picture.width, picture.height, picture.rgba)
             say('', picture.warnings)

@@ -5,7 +5,7 @@
 /** In the order in which the command line has them. true: the option takes no value. */
 const options = {
     height: false, normals: false, scene: false, bevel: false, scale: false, wrap: true, 'flip-y': true, mask: false,
-    albedo: false, color: false, gloss: false, size: false, turn: false, zoom: false, perspective: false, model: false, n: false, q: false, view: false, ambient: false,
+    albedo: false, color: false, gloss: false, size: false, split: false, turn: false, zoom: false, perspective: false, model: false, n: false, q: false, view: false, ambient: false,
     diffuse: false, specular: false, 'clamp-peak': true, format: false, space: false, dither: true, path: false,
 } as const
 export type Option = keyof typeof options
@@ -41,13 +41,31 @@ export function stateOfWords(words: string[]): State {
     return state
 }
 
-/** A map by which all of a built-in scene has full gloss; the command line that a board is shown with names it, so it can be saved. */
-export const white = 'full-gloss.png'
+/** A map by which all of a built-in scene has full gloss; the command line that a board is shown with names it, so it can be saved, and
+ *  no map of the user's may have that name. */
+export function whiteName(taken?: ReadonlySet<string>): string {
+    let name = 'full-gloss.png'
+    for (let i = 2; taken?.has(name); i++)
+        name = `full-gloss-${i}.png`
+    return name
+}
+export const white = whiteName()
+
+const asBoardsDraw = (width: number, height: number) => ({ size: `${width}x${height}`, format: 'rgb565', path: 'colour-int8' })
 
 /** The same as a device draws it that shades by itself: in one colour, with full gloss. */
-export function onDevice(state: State, width: number, height: number, color: string): State {
-    const { dither, albedo, gloss, ...rest } = state
-    return { ...rest, ...state.scene === undefined ? {} : { gloss: white }, color: state.color ?? color, size: `${width}x${height}`, format: 'rgb565', path: 'colour-int8' }
+export function onDevice(state: State, width: number, height: number, color: string, gloss = white): State {
+    const { dither, albedo, gloss: own, ...rest } = state
+    return { ...rest, ...state.scene === undefined ? {} : { gloss }, color: state.color ?? color, ...asBoardsDraw(width, height) }
+}
+
+/** The built-in mesh. */
+export const isMesh = (state: State) => state.scene === 'teapot'
+
+/** A mesh as a device draws it that holds it, split at so many degrees. */
+export function meshOnDevice(state: State, width: number, height: number, split: number): State {
+    const { dither, perspective, ...rest } = state
+    return { ...rest, split: String(split), ...asBoardsDraw(width, height) }
 }
 
 /** For a shell. */

@@ -31,6 +31,7 @@ export const methods = {
     },
     white: (name: string, width: number, height: number) => engine.addWhite(name, width, height),
     deviceSize: (descriptor: Uint8Array) => engine.deviceSize(descriptor),
+    deviceMesh: (held: Uint8Array) => engine.deviceMesh(held),
     device: (width: number, height: number, has: Had) => engine.device(width, height, has),
     raw: () => engine.pixels(),
     again: (times: number) => engine.again(times),
