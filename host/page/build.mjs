@@ -13,7 +13,7 @@ const { build } = createRequire(`${npm}/package.json`)('esbuild')
 
 const costs = readFileSync(`${here}/../../tests/bench/costs.tsv`, 'utf8').split('\n')
     .filter(line => line && !line.startsWith('#')).map(line => line.split('\t'))
-    .filter(([kind]) => ['pixel', 'frame pixel', 'linked', 'library', 'fill', 'stack', 'counted', 'counted frame'].includes(kind))
+    .filter(([kind]) => ['pixel', 'frame pixel', 'linked', 'library', 'fill', 'frame', 'memory', 'stack', 'counted', 'counted frame', 'counted picture'].includes(kind))
 const version = readFileSync(`${here}/../../lib/glint.h`, 'utf8').match(/GLINT_VERSION_STRING "(.*)"/)[1]
 const values = {
     module: () => deflateRawSync(readFileSync(`${folder}/module.wasm`), { level: 9 }).toString('base64'),

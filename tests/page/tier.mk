@@ -23,6 +23,7 @@ test-page: ## check: the page in Chromium and Firefox: pictures, files, messages
 run-page: all $(PAGE)/index.html $(PAGE_CONFORMANCE) $(CONFORMANCE_EXPECTED)
 	@TALLY_JOBS=$$(nproc) tests/tally $(foreach browser,chromium firefox,"node tests/page/test_browser.mjs \
 		$(PAGE_TEST_NPM) $(PAGE) $(abspath $(BUILD)/glint) $(browser) $(PAGE_STATES_$(browser))") \
+		$(foreach browser,chromium firefox,"node tests/page/test_controls.mjs $(PAGE_TEST_NPM) $(PAGE) $(abspath $(BUILD)/glint) $(browser)") \
 		"node tests/page/test_device.mjs $(PAGE_TEST_NPM) $(PAGE) $(abspath $(BUILD)/glint)" \
 		"node tests/page/test_module.mjs $(PAGE) $(abspath $(BUILD)/glint)" \
 		"node tests/page/test_conformance.mjs $(PAGE_CONFORMANCE) $(CONFORMANCE_EXPECTED)"

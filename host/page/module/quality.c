@@ -3,13 +3,17 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "base/message.h"
 #include "compare/compare.h"
 #include "compare/reference.h"
+#include "draw/paths.h"
 #include "image/format.h"
 #include "mesh.h"
+#include "mesh/fit.h"
+#include "mesh/mesh.h"
 #include "models/models.h"
 #include "page.h"
 #include "state.h"
@@ -122,6 +126,8 @@ const char *page_facts(void)
             (unsigned)GLINT_TABLES_SMALL_BYTES, (unsigned)GLINT_TABLES_ALBEDO_BYTES);
     if (page_mesh()) {
         const struct view *view = &page_mesh()->view;
+        fprintf(out, "faces %zu\nmesh_bytes %zu\n", page_mesh()->mesh->face_count,
+                fitted_bytes(page_mesh()->fitted, strstr(path_names[shading->path], "int8")));
         fprintf(out, "turn %.9g %.9g %.9g\nzoom %.9g\n", view->turn[0], view->turn[1], view->turn[2], view->zoom);
     }
     fprintf(out, "cutoff_c_q16 %" PRId32 "\ncutoff_t_q30 %" PRIu32 "\n", cutoff,

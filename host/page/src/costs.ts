@@ -6,8 +6,9 @@ import type { State } from './words'
 
 const clock = 125e6 // the RP2040's
 // Other cores: the table's name, a usual clock, and what was counted.
+const coreOfAvr = 'atmega2560', avrRam = 8192
 const cores: [string, string, number, string][] = [['M3', 'cortex-m3', 72e6, 'instructions'], ['M4', 'cortex-m4f', 168e6, 'instructions'],
-    ['RV32', 'rv32imc', 160e6, 'instructions'], ['AVR', 'atmega2560', 16e6, 'cycles']]
+    ['RV32', 'rv32imc', 160e6, 'instructions'], ['AVR', coreOfAvr, 16e6, 'cycles']]
 const paletteBytes = 8192 // 4096 colours
 const normalBytes: Record<string, number> = { int16: 6, int10: 4, int8: 4, span: 0 }
 
@@ -43,20 +44,54 @@ function rowOf(state: State, facts: Facts): string | undefined {
         return `exact albedo${deep ? ' 888' : ''}`
     if (deep)
         return 'exact rgb888'
+    if (facts.has_gloss?.[0])
+        return 'exact gloss'
     if (model !== 'msh')
         return `exact ${model}`
     return dither ? 'exact dither' : 'exact rect'
 }
 
+/** Of a mesh; the rows are of the teapot. */
+function meshRow(state: State): string | undefined {
+    const path = state.path ?? 'exact', split = Number(state.split ?? 30)
+    if (path !== 'exact' && path !== 'colour-int8')
+        return undefined
+    return `mesh teapot${split < 180 ? ' split' : ''}${path === 'exact' ? ' exact' : ''}`
+}
+
+function meshCosts(state: State, facts: Facts): [string, string][] {
+    const row = meshRow(state), picture = row ? value('frame', row) : undefined
+    if (!row || !picture)
+        return [['Cycles', 'not in the table for this path']]
+    const asm = value('frame', row, 'asm')
+    const split = row.includes('split') ? '30°' : 'none'
+    const best = asm ?? picture
+    const out: [string, string][] = [['Nearest measured case', `the teapot, 240×240, RGB565, ${row.includes('exact') ? 'exact' : 'colour-int8'}, n = 60, split ${split}`],
+        ['M0+, cycles a picture', `${commas(picture)}${asm ? ` (assembly ${commas(asm)})` : ''} (emulated)`],
+        ['M0+, frames/s at 125 MHz', `${(clock / best).toPrecision(3)}${asm ? ', in assembly' : ''} (predicted)`]]
+    for (const [title, core, hertz, unit] of cores) {
+        const all = value('counted picture', row, core)
+        out.push([title, all ? `${commas(all)} ${unit} a picture (emulated); at most ${(hertz / all).toPrecision(3)} frames/s at ${hertz / 1e6} MHz (predicted)`
+            : core === coreOfAvr ? 'a strip of the picture takes more than its 8 KB of RAM' : 'not counted for this case'])
+    }
+    out.push(['RAM', `${commas(value('memory', row) ?? 0)} bytes, in strips of 16 lines`])
+    out.push(['Flash, the mesh', `${commas(facts.mesh_bytes[0])} bytes`])
+    const parts = 'glint_mesh_begin+glint_mesh_add+glint_mesh_strip+glint_mesh_'
+    const linked = value('linked', parts + (row.includes('exact') ? 'exact+glint_shade_rgb565+glint_shade_msh' : 'tables'), 'Os', '')
+    out.push(['Flash, code', `${commas(linked ?? 0)} bytes`])
+    return out
+}
+
 const commas = (x: number) => Math.round(x).toLocaleString('en')
 
 export function costs(state: State, facts: Facts, width: number, height: number): [string, string][] {
+    if (facts.turn)
+        return meshCosts(state, facts)
     const row = rowOf(state, facts), path = state.path ?? 'exact'
     const pixel = row && value('pixel', row), frame = row && value('frame pixel', row)
     const asm = row && value('pixel', row, 'asm')
     const out: [string, string][] = []
-    if (facts.turn)
-        return [['Cycles', 'not in the table for meshes: glint bake --mesh tells them']]
+    const tables = path === 'palette' ? paletteBytes : facts[`${path.split('-')[0]}_bytes`]?.[0]
     if (row && pixel && frame) {
         out.push(['Nearest measured case', `${row}, n = 60`])
         out.push(['M0+, cycles a covered pixel', `${commas(pixel)}${asm ? ` (assembly ${commas(asm)})` : ''} (emulated)`])
@@ -64,7 +99,8 @@ export function costs(state: State, facts: Facts, width: number, height: number)
         for (const [title, core, hertz, unit] of cores) {
             const one = value('counted', row, core), all = value('counted frame', row, core)
             out.push([title, one && all ? `${commas(one)} ${unit} a covered pixel (emulated); ${unit === 'cycles' ? '' : 'at most '}` +
-                `${(hertz / (all * width * height)).toPrecision(3)} frames/s at ${hertz / 1e6} MHz (predicted)` : 'not counted for this case'])
+                `${(hertz / (all * width * height)).toPrecision(3)} frames/s at ${hertz / 1e6} MHz (predicted)`
+                : core === coreOfAvr && tables && tables > avrRam ? 'its tables take more than the 8 KB of RAM' : 'not counted for this case'])
         }
         const fill = path === 'exact' ? undefined : value('fill', row)
         if (fill)
@@ -73,7 +109,6 @@ export function costs(state: State, facts: Facts, width: number, height: number)
         out.push(['Cycles', 'not in the table for this path'])
     }
     const normals = path.match(/int16|int10|int8|span/)?.[0] ?? 'int16'
-    const tables = path === 'palette' ? paletteBytes : facts[`${path.split('-')[0]}_bytes`]?.[0]
     out.push(['RAM', tables ? `${commas(tables)} bytes of tables` : `${facts.prepared_bytes[0]} bytes, prepared`])
     out.push(['Normals', path === 'palette' ? `${commas(2 * width * height)} bytes` : `${commas(normalBytes[normals] * width * height)} bytes`])
     const parts = 'glint_shade_prepare_for+glint_shade_prepared_rect+glint_shade_'
@@ -81,7 +116,7 @@ export function costs(state: State, facts: Facts, width: number, height: number)
     const linked = path === 'exact' ? value('linked', `${parts}${format}+glint_shade_${state.model ?? 'msh'}`, 'Os', '') : undefined
     out.push(linked ? ['Flash, this model and format', `${commas(linked)} bytes`]
         : ['Flash, the whole library', `${commas(value('library', 'cortex-m0plus', 'Os', '') ?? 0)} bytes`])
-    const others = { M3: 'cortex-m3', RV32: 'rv32imc', ESP8266: 'lx106', AVR: 'atmega2560' }
+    const others = { M3: 'cortex-m3', RV32: 'rv32imc', ESP8266: 'lx106', AVR: coreOfAvr }
     out.push(['The library on other cores', Object.entries(others).map(([title, core]) => `${title} ${commas(value('library', core, 'Os', '') ?? 0)}`).join(', ')])
     out.push(['Stack', `${commas(value('stack', 'cortex-m0plus', 'Os', '') ?? 0)} bytes`])
     return out

@@ -4,12 +4,16 @@ import { ask } from './client'
 import { byId, make, show } from './dom'
 import { onDrawn } from './picture'
 
-const titles = { msh: 'MSH', cayley: 'Cayley', blinn: 'Blinn' }
+const models = {
+    msh: { title: 'MSH', formula: '2c ⁄ (1.25 (n − nc + 1.25c)²)' },
+    cayley: { title: 'Cayley', formula: '((4(1 + c) − n(1 − c)) ⁄ (4(1 + c) + n(1 − c)))⁴; cⁿ for n ≤ 4' },
+    blinn: { title: 'Blinn', formula: 'cⁿ' },
+}
 const side = 200
-const places = Object.entries(titles).map(([model, title]) => {
+const places = Object.entries(models).map(([model, { title, formula }]) => {
     const canvas = make('canvas', { width: side, height: side, role: 'img', aria: { label: `A sphere under ${title}` } })
     const caption = make('figcaption')
-    byId('beside').append(make('figure', {}, canvas, caption))
+    byId('beside').append(make('figure', {}, canvas, caption, make('p', { className: 'of-model', textContent: formula })))
     return { model, title, canvas, caption }
 })
 

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// test_controls.mjs PACKAGES PAGE GLINT BROWSER: what a user does with the page in a browser, by mouse, finger and keyboard, and what is
+// told there.
+import { readFileSync } from 'node:fs'
+import { check, equal, run } from '../pico/tap.mjs'
+import { browser, command, folder, fragment, isFirefox, name, packages, page, press, shownIsDrawn, start, stateOfFragment, stateOfWords, wordsOf } from './beside.mjs'
+import { difference } from './glint.mjs'
+import { extras, surfaces } from './maps.mjs'
+
+/** Sets a control and finds its word in the command line. */
+async function sets(id, value, word) {
+    const [before] = await browser.draw([start])
+    await browser.set(id, value)
+    const words = await shownIsDrawn()
+    check(words.includes(word), `${id} = ${value} gives ${words.join(' ')}, not ${word}`)
+    check((await browser.text('command')).includes(word.replace(/^(--[a-z-]+)$/, '$1')), `the command line lacks ${word}: ${await browser.text('command')}`)
+    const { rgba } = await browser.now()
+    check(!rgba.equals(before.rgba), `${id} = ${value} does not change the picture`)
+}
+
+run([
+    ['a logo rises by Bevel, a height map is seamless, green is flipped, and a map is taken away, by their controls; warnings are listed', async () => {
+        const changes = async (id, value, word) => {
+            const { rgba } = await browser.now()
+            await browser.set(id, value)
+            const words = await shownIsDrawn()
+            check(words.includes(word), `${id} gives ${words.join(' ')}`)
+            check(!(await browser.now()).rgba.equals(rgba), `${id} changes nothing`)
+        }
+        const drop = async file => {
+            const bytes = surfaces[file.replace(/^normals /, '')].bytes
+            command.put(file, bytes)
+            await browser.drop({ [file]: bytes })
+            await browser.until(file => document.body.dataset.drawn?.includes(encodeURIComponent(file)), file)
+        }
+        const shown = () => page.evaluate(() => ['scale', 'bevel', 'wrap', 'flip-y'].filter(option => document.getElementById(`map-${option}`).closest('.row').checkVisibility()).join())
+        await browser.go(start)
+        await drop('a-logo.png')
+        equal(await shown(), 'scale,bevel,wrap', 'controls of a height map')
+        await changes('map-bevel', '6', '--bevel=6')
+        equal(await shown(), 'scale,bevel', 'controls of a logo')
+        await drop('grey16.png')
+        check(!(await shownIsDrawn()).includes('--bevel=6'), 'another map keeps the bevel')
+        await changes('map-wrap', true, '--wrap')
+        await drop('normals rgba8.png')
+        equal(await shown(), 'flip-y', 'controls of a normal map')
+        check(/its alpha is the mask/.test(await browser.text('warnings')), `the warnings are ${await browser.text('warnings')}`)
+        await changes('map-flip-y', true, '--flip-y')
+        await browser.drop({ 'albedo.png': extras['albedo.png'] })
+        await browser.until(() => document.body.dataset.drawn?.includes('albedo.png'))
+        await shownIsDrawn()
+        await page.evaluate(() => document.querySelector('[aria-label="Albedo: remove"]').click())
+        check(!(await shownIsDrawn()).some(word => word.startsWith('--albedo')), 'the albedo stays')
+        await press('Coin')
+        equal(await shown(), '', 'controls of a map for a scene')
+    }],
+    ['every control sets its option, changes the picture and the command line', async () => {
+        await browser.go(start)
+        for (const [id, value, word] of [['control-model', 'gauss', '--model=gauss'], ['control-n', '300', '-n300'], ['control-q', '2', '-q2'],
+            ['control-color', '#3060c0', '--color=48,96,192'], ['control-ambient', '0.5', '--ambient=0.5'], ['control-diffuse', '0.3', '--diffuse=0.3'],
+            ['control-specular', '0.1', '--specular=0.1,0.091,0.067'], ['control-format', 'rgb888', ''], ['control-format', 'mono', '--format=mono'],
+            ['control-dither', true, '--dither'], ['control-space', 'linear', '--space=linear'], ['control-path', 'span', '--path=span'],
+            ['control-size', '61x47', '--size=61x47'], ['control-view', '.2,.1,1', '--view=.2,.1,1']])
+            await (word ? sets(id, value, word) : Promise.resolve())
+        await browser.go(start.replace('coin', 'sphere'))
+        await browser.set('control-clamp-peak', true)
+        check((await shownIsDrawn()).includes('--clamp-peak'), 'no --clamp-peak')
+    }],
+    ['presets, scenes, lights, undo and redo do what they say', async () => {
+        await browser.go(start)
+        const words = []
+        for (const text of ['Dial', 'Gold', 'Steel', 'Add a light']) {
+            await press(text)
+            words.push((await shownIsDrawn()).join(' '))
+        }
+        check(words[0].includes('--scene=dial') && words[1].includes('--specular=1,.86,.55') && words[2].includes('--model=cayley') && words[3].includes('--point='), words.join('\n'))
+        await press('Undo')
+        equal((await shownIsDrawn()).join(' '), words[2], 'undone')
+        await press('Undo')
+        equal((await shownIsDrawn()).join(' '), words[1], 'undone twice')
+        await press('Redo')
+        equal((await shownIsDrawn()).join(' '), words[2], 'done again')
+        await press('Reset')
+        const materials = []
+        for (const text of ['Satin', 'Plastic', 'Steel', 'Gold', 'Glass']) {
+            await press(text)
+            materials.push((await shownIsDrawn()).join(' '))
+        }
+        equal(new Set(materials).size, 5, 'materials')
+        await press('Reset')
+        equal((await shownIsDrawn()).join(' '), '--scene=coin --size=240x240 --format=rgb565 --light=-1,1,1.2', 'reset')
+        await page.keyboard.down('Control')
+        await page.keyboard.press('z')
+        equal((await shownIsDrawn()).join(' '), materials[4], 'undone by Ctrl-Z')
+        await page.keyboard.press('y')
+        await page.keyboard.up('Control')
+        equal((await shownIsDrawn()).join(' '), '--scene=coin --size=240x240 --format=rgb565 --light=-1,1,1.2', 'done again by Ctrl-Y')
+    }],
+    ['each control shows the number that C gets, and says what it means', async () => {
+        await browser.go(start)
+        const rows = await page.evaluate(() => [...document.querySelectorAll('#rows .row')].filter(row => !row.hidden).map(row => [row.querySelector('.number').value, row.querySelector('.meaning').textContent]))
+        check(rows.length === 14 && rows.every(([number, meaning]) => number && meaning), JSON.stringify(rows))
+        const numbers = rows.map(([number]) => number)
+        for (const number of ['GLINT_MSH', 'n = 30', 'ambient_q16 = {9830, 9830, 9830}', 'GLINT_RGB565', 'clamp_peak = false'])
+            check(numbers.includes(number), `${number} is not in ${numbers.join('; ')}`)
+        check(/^l = \{-?\d+, .* in Q1\.15$/.test(await page.evaluate(() => document.querySelector('#lights .number').value)), 'the light')
+    }],
+    ['pixels are zoomed by whole numbers of the screen\'s', async () => {
+        await browser.go(start)
+        const zoom = async () => [Number((await browser.text('zoom')).replace('×', '')), await page.evaluate(() => {
+            const { width } = document.getElementById('canvas').getBoundingClientRect()
+            return width * devicePixelRatio / document.getElementById('canvas').width
+        })]
+        const [fit] = await zoom()
+        for (const [id, expected] of [['zoom-in', fit + 1], ['zoom-out', fit], ['zoom-out', fit - 1], ['zoom-fit', fit]]) {
+            await page.click(`#${id}`)
+            const [said, real] = await zoom()
+            check(said === expected && Math.abs(real - expected) < 1e-3, `${id}: it says ${said}, draws ${real}, not ${expected}`)
+        }
+    }],
+    ['the explanation has N, L, H and t in a picture, and MSH, Cayley and Blinn at the picture\'s n with their formulas', async () => {
+        await browser.go(start + '&n=77')
+        await browser.until(() => [...document.querySelectorAll('#beside figcaption')].every(caption => caption.textContent.endsWith('n = 77')))
+        const [names, formulas] = await page.evaluate(() => ['.diagram .names text', '#beside .of-model'].map(of => [...document.querySelectorAll(of)].map(element => element.textContent)))
+        check(['N', 'L', 'H', 't'].every(name => names.includes(name)), names.join())
+        equal(new Set(formulas.filter(formula => formula)).size, 3, 'formulas')
+        for (const [i, model] of ['msh', 'cayley', 'blinn'].entries()) {
+            const drawn = await page.evaluate(i => {
+                const canvas = document.querySelectorAll('#beside canvas')[i]
+                return [...canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data]
+            }, i)
+            const wrong = difference(drawn, 200, 200, command.render(['--scene=sphere', '--size=200x200', `--model=${model}`, '-n77', '--light=-1,1,1.5']))
+            check(!wrong, `${model}: ${wrong}`)
+        }
+    }],
+    ...[[800, 600], [1366, 768]].map(([width, height]) => [`by the keyboard alone every control is reached, in the order in which it stands, and its focus is seen, at ${width}x${height}`, async () => {
+        await browser.resize(width, height)
+        await browser.go(start)
+        await page.evaluate(() => {
+            document.getElementById('maps').open = true
+            document.activeElement.blur()
+        })
+        const all = await page.evaluate(() => {
+            const list = [...document.querySelectorAll('button, input, select, a[href], summary')].filter(control => !control.disabled && control.checkVisibility())
+            list.forEach((control, i) => { control.dataset.place = i })
+            return list.length
+        })
+        const reached = []
+        while (reached.length < all) {
+            await page.keyboard.press('Tab')
+            if (await page.evaluate(() => document.activeElement.matches('section'))) // Firefox stops at what scrolls
+                continue
+            const [place, ring, name] = await page.evaluate(() => {
+                const control = document.activeElement, seen = control.classList.contains('hidden') ? control.nextElementSibling : control
+                const { outlineStyle, outlineWidth } = getComputedStyle(seen), box = seen.getBoundingClientRect()
+                return [Number(control.dataset.place), outlineStyle === 'solid' && parseFloat(outlineWidth) >= 2 && box.width > 8 && box.height > 8 && box.top >= 0 && box.bottom <= innerHeight, `${control.outerHTML.slice(0, 90)}: ${outlineStyle} ${outlineWidth}, ${box.top} to ${box.bottom} of ${innerHeight}`]
+            })
+            check(ring, `the focus is not seen on ${name}`)
+            reached.push(place)
+        }
+        equal(reached.join(), Array.from({ length: all }, (_, i) => i).join(), 'places in the order of Tab')
+    }]),
+    ['nothing moves by itself, and with reduced motion no control fades', async () => {
+        await browser.go(start)
+        const { rgba } = await browser.now()
+        await new Promise(resolve => setTimeout(resolve, 400))
+        check((await browser.now()).rgba.equals(rgba), 'the picture moves')
+        await page.click('#orbit')
+        await browser.until(before => document.body.dataset.drawn !== before, start)
+        await page.click('#orbit')
+        await shownIsDrawn()
+        if (isFirefox) // which cannot be told so by puppeteer
+            return
+        const fades = () => page.evaluate(() => getComputedStyle(document.getElementById('orbit')).transitionDuration)
+        await page.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'no-preference' }])
+        check(parseFloat(await fades()) > 0, 'nothing fades otherwise')
+        await page.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'reduce' }])
+        equal(parseFloat(await fades()), 0, 'seconds')
+    }],
+    ['the light moves by dragging and by arrow keys', async () => {
+        await browser.go(start)
+        const box = await (await page.$('#canvas')).boundingBox()
+        await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2)
+        await page.mouse.down()
+        await page.mouse.move(box.x + box.width * .75, box.y + box.height * .5, { steps: 4 })
+        await page.mouse.up()
+        const [x, y] = (await shownIsDrawn()).find(word => word.startsWith('--light=')).slice(8).split(',').map(Number)
+        check(Math.abs(x - .667) < .02 && Math.abs(y) < .02, `dragged to ${x}, ${y}`)
+        await page.focus('#handle')
+        await page.keyboard.press('ArrowUp')
+        const [, up] = (await shownIsDrawn()).find(word => word.startsWith('--light=')).slice(8).split(',').map(Number)
+        check(up > y + .02, `an arrow key moves it from ${y} to ${up}`)
+    }],
+    ['the light moves by a finger', async () => {
+        await browser.go(start)
+        const box = await (await page.$('#canvas')).boundingBox()
+        await page.touchscreen.touchStart(box.x + box.width / 2, box.y + box.height / 2)
+        await page.touchscreen.touchMove(box.x + box.width / 2, box.y + box.height * .4)
+        await page.touchscreen.touchMove(box.x + box.width / 2, box.y + box.height / 4)
+        await page.touchscreen.touchEnd()
+        const [x, y] = (await shownIsDrawn()).find(word => word.startsWith('--light=')).slice(8).split(',').map(Number)
+        check(Math.abs(x) < .02 && Math.abs(y - .5) < .02, `dragged to ${x}, ${y}`)
+    }],
+    ['the teapot turns by dragging and by arrow keys, while the button is pressed', async () => {
+        const turn = async () => (await shownIsDrawn()).find(word => word.startsWith('--turn='))?.slice(7).split(',').map(Number)
+        await browser.go(start)
+        check(await page.evaluate(() => document.getElementById('turn').hidden), 'the coin can be turned')
+        await page.evaluate(() => [...document.querySelectorAll('button')].find(button => button.textContent === 'Teapot').click())
+        equal(await turn(), undefined, 'its turn')
+        await browser.until(() => !document.getElementById('turn').hidden)
+        await page.click('#turn')
+        const box = await (await page.$('#canvas')).boundingBox()
+        await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2)
+        await page.mouse.down()
+        await page.mouse.move(box.x + box.width * .75, box.y + box.height / 2)
+        await page.mouse.up()
+        const [x, y] = await turn()
+        check(Math.abs(x - 25) < 3 && Math.abs(y - 15) < 3, `dragged to ${x}, ${y}`)
+        await page.keyboard.press('ArrowDown')
+        equal((await turn())[0], Math.round(10 * (x + 5)) / 10, 'x after an arrow key')
+        await page.click('#turn')
+        await page.focus('#handle')
+        await page.keyboard.press('ArrowUp')
+        equal((await turn())[0], Math.round(10 * (x + 5)) / 10, 'x after an arrow key for the light')
+        await browser.set('control-zoom', '1.4')
+        check((await shownIsDrawn()).includes('--zoom=1.4'), 'no --zoom')
+        await browser.until(() => document.querySelectorAll('#extent dt').length === 5)
+        check((await browser.text('errors')).includes('msh in double'), 'no errors')
+        const saved = await browser.save('file-mesh', 2), expected = command.files(['bake', '--scene=teapot', '-o', 'mesh.c'])
+        check(Object.keys(expected).every(file => saved[file]?.equals(expected[file])), 'the saved mesh is not the command\'s')
+        check(await page.evaluate(() => document.getElementById('file-int8').hidden && !document.getElementById('file-material').hidden), 'files of a map are offered')
+    }],
+    ['the address restores the state, with controls that show it', async () => {
+        const words = ['--scene=watchface', '--size=50x40', '--model=cayley', '-n77', '-q9', '--ambient=.3', '--format=rgb565', '--dither', '--light=.5,.5,1', '--point=10,20,30,90,1,.5,.25']
+        await browser.go(fragment(words))
+        equal((await shownIsDrawn()).join(' '), wordsOf(stateOfWords(words)).join(' '), 'the state')
+        const shown = await page.evaluate(() => ['model', 'n', 'q', 'ambient', 'format', 'size'].map(option => document.getElementById(`control-${option}`).value).join(' ') + ' ' + document.getElementById('control-dither').checked)
+        equal(shown, 'cayley 77 9 0.3 rgb565 50x40 true', 'the controls')
+        await page.evaluate(fragment => { location.hash = fragment }, start)
+        equal((await shownIsDrawn()).join(' '), wordsOf(stateOfFragment(start)).join(' '), 'the state of another address')
+        await browser.go('scene=coins&n=5000')
+        check((await browser.text('refusal')).startsWith('--scene: unknown scene \'coins\''), await browser.text('refusal'))
+    }],
+    ['the Connect button says why a page from a file reaches no device, and where one does', async () => {
+        await browser.go(start)
+        await page.click('#connect')
+        equal(await browser.text('device-status'), isFirefox ? 'This browser does not reach USB devices. Open the page in Chrome, Edge or Opera on a computer.'
+            : 'Chrome loses a device that is chosen in a page from a file. Run "glint page", open http://localhost:8016/ and connect there.', 'the sentence')
+        await shownIsDrawn()
+    }],
+    ['it fits phones, laptops and 4K screens, light and dark, and axe finds nothing serious', async () => {
+        const axe = readFileSync(`${packages}/node_modules/axe-core/axe.min.js`, 'utf8')
+        for (const [screen, width, height, dark] of [['phone', 360, 740, true], ['laptop', 1366, 768, false], ['4k', 3840, 2160, true]]) {
+            await browser.resize(width, height)
+            if (!isFirefox)
+                await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }])
+            await browser.go()
+            await browser.until(() => document.body.dataset.rested !== undefined && document.querySelectorAll('#extent dt').length === 5 &&
+                [...document.querySelectorAll('#beside figcaption')].every(caption => caption.textContent))
+            const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)
+            check(wide <= 0, `${screen}: ${wide} pixels too wide`)
+            await page.screenshot({ path: `${folder}/${name}-${screen}.png`, fullPage: true })
+            await page.addScriptTag({ content: axe }) // no eval, which the page's policy refuses
+            const found = await page.evaluate(async () => (await axe.run()).violations.filter(({ impact }) => impact === 'serious' || impact === 'critical').map(({ id, nodes }) => `${id}: ${nodes[0].html}`))
+            equal(found.join('\n'), '', `${screen}: axe`)
+        }
+    }],
+    ['nothing was written to the console as an error', () => equal(browser.wrong.join('\n'), '', 'errors')],
+], () => browser.close())
