@@ -222,11 +222,16 @@ run([
         await page.focus('#handle')
         await page.keyboard.press('ArrowUp')
         equal((await turn())[0], Math.round(10 * (x + 5)) / 10, 'x after an arrow key for the light')
-        await browser.set('control-zoom', '1.4')
-        check((await shownIsDrawn()).includes('--zoom=1.4'), 'no --zoom')
+        for (const [id, value, word] of [['control-zoom', '1.4', '--zoom=1.4'], ['control-turn', '10,20,30', '--turn=10,20,30'], ['control-perspective', '3', '--perspective=3'], ['control-split', '180', '--split=180']]) {
+            const { rgba } = await browser.now()
+            await browser.set(id, value)
+            check((await shownIsDrawn()).includes(word), `no ${word}`)
+            check(!(await browser.now()).rgba.equals(rgba), `${word} changes nothing`)
+        }
+        check(/exact, n = 60, split none.*M0\+, cycles a picture9,\d{3},\d{3} \(emulated\)/.test(await browser.text('costs')), `the costs are ${await browser.text('costs')}`)
         await browser.until(() => document.querySelectorAll('#extent dt').length === 5)
         check((await browser.text('errors')).includes('msh in double'), 'no errors')
-        const saved = await browser.save('file-mesh', 2), expected = command.files(['bake', '--scene=teapot', '-o', 'mesh.c'])
+        const saved = await browser.save('file-mesh', 2), expected = command.files(['bake', '--scene=teapot', '--split=180', '-o', 'mesh.c'])
         check(Object.keys(expected).every(file => saved[file]?.equals(expected[file])), 'the saved mesh is not the command\'s')
         check(await page.evaluate(() => document.getElementById('file-int8').hidden && !document.getElementById('file-material').hidden), 'files of a map are offered')
     }],
@@ -238,8 +243,32 @@ run([
         equal(shown, 'cayley 77 9 0.3 rgb565 50x40 true', 'the controls')
         await page.evaluate(fragment => { location.hash = fragment }, start)
         equal((await shownIsDrawn()).join(' '), wordsOf(stateOfFragment(start)).join(' '), 'the state of another address')
+        await page.evaluate(() => { navigator.clipboard.writeText = async text => { globalThis.copied = text } })
+        for (const [id, expected] of [['copy-link', (await page.url()).replace(/#.*/, '') + '#' + start], ['copy', await browser.text('command')]]) {
+            await page.click(`#${id}`)
+            equal(await page.evaluate(() => globalThis.copied), expected, id)
+        }
         await browser.go('scene=coins&n=5000')
         check((await browser.text('refusal')).startsWith('--scene: unknown scene \'coins\''), await browser.text('refusal'))
+    }],
+    ['an address that names a map asks for it, and draws it as the address says when it comes; so does a newer file of that name', async () => {
+        const words = ['--height=a-logo.png', '--bevel=5', '--color=90,140,200', '--size=40x30', '-n50']
+        await browser.go(fragment(words))
+        equal(await browser.text('refusal'), 'a-logo.png: this map is not here; drop or choose the file', 'what it says')
+        const drawnAgain = async (bytes, { rgba } = { rgba: Buffer.alloc(0) }) => {
+            command.put('a-logo.png', bytes)
+            await browser.drop({ 'a-logo.png': bytes })
+            for (const end = Date.now() + 60000; (await browser.now()).rgba.equals(rgba) || await browser.text('refusal');)
+                check(Date.now() < end, 'it is not drawn')
+            equal((await shownIsDrawn()).join(' '), wordsOf(stateOfWords(words)).join(' '), 'the state')
+        }
+        await drawnAgain(surfaces['a-logo.png'].bytes)
+        await drawnAgain(surfaces['grey1.png'].bytes, await browser.now())
+        command.put('a-logo.png', surfaces['a-logo.png'].bytes)
+        await browser.go('normals=rgb8.png&flip-y') // whose name does not tell what it is
+        await browser.drop({ 'rgb8.png': surfaces['rgb8.png'].bytes })
+        await browser.until(() => document.getElementById('refusal').hidden)
+        equal((await shownIsDrawn()).join(' '), '--normals=rgb8.png --flip-y', 'the state')
     }],
     ['the Connect button says why a page from a file reaches no device, and where one does', async () => {
         await browser.go(start)

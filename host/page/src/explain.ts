@@ -6,7 +6,7 @@ import { onDrawn } from './picture'
 
 const models = {
     msh: { title: 'MSH', formula: '2c ⁄ (1.25 (n − nc + 1.25c)²)' },
-    cayley: { title: 'Cayley', formula: '((4(1 + c) − n(1 − c)) ⁄ (4(1 + c) + n(1 − c)))⁴; cⁿ for n ≤ 4' },
+    cayley: { title: 'Cayley', formula: 'max(0, (4(1 + c) − n(1 − c)) ⁄ (4(1 + c) + n(1 − c)))⁴; for n ≤ 4 cⁿ' },
     blinn: { title: 'Blinn', formula: 'cⁿ' },
 }
 const side = 200

@@ -22,23 +22,24 @@ async function take(file: File, kind: Kind): Promise<void> {
         const name = file.name.replace(/[/\\]/g, '_')
         mapNames.add(name)
         await ask('map', name, new Uint8Array(await file.arrayBuffer()))
+        if (current()[kind] === name) { // an address asked for it, or it is a newer one: what is set stays
+            void redraw()
+            return
+        }
         const surface: Partial<State> = kind === 'height' || kind === 'normals' ? { ...without, scene: undefined, size: undefined } : {}
         if (kind === 'albedo')
             surface.color = undefined
-        const before = current()[kind]
         change({ ...surface, [kind]: name })
-        if (before === name)
-            void redraw()
     } catch (error) {
         byId('refusal').textContent = (error as Error).message
         byId('refusal').hidden = false
     }
 }
 
-/** By its name, as artists call them. */
+/** What the state names it for, or by its name, as artists call them. */
 function kindOf(name: string): Kind {
     const words: [RegExp, Kind][] = [[/norm|nrm|_n\b/i, 'normals'], [/gloss|rough|spec/i, 'gloss'], [/mask|opacity/i, 'mask'], [/albedo|colou?r|diff|base/i, 'albedo']]
-    return words.find(([pattern]) => pattern.test(name))?.[1] ?? 'height'
+    return kinds.find(kind => current()[kind] === name) ?? words.find(([pattern]) => pattern.test(name))?.[1] ?? 'height'
 }
 
 const updates: (() => void)[] = []
