@@ -83,9 +83,16 @@ run([
         }
         await shownIsDrawn()
     }],
-    ['saved files are the command\'s, and the PNG has its pixels', async () => {
-        const words = ['--scene=dial', '--size=60x60', '--format=rgb565', '-n50', '--ambient=.2', '--diffuse=.7', '--light=-1,1,1.2']
+    ...[[['--scene=dial', '--size=60x60', '--format=rgb565', '-n50', '--ambient=.2', '--diffuse=.7', '--light=-1,1,1.2'], {}],
+        [['--height=grey16.png', '--scale=9', '--mask=mask.png', '--albedo=albedo.png', '--gloss=gloss.png', '--size=40x30', '--format=rgb565', '--ambient=.2', '--diffuse=.7'],
+            { 'grey16.png': surfaces['grey16.png'].bytes, 'mask.png': extras['mask.png'], 'albedo.png': extras['albedo.png'], 'gloss.png': extras['gloss.png'] }],
+    ].map(([words, maps]) => [`saved files are the command's, and the PNG has its pixels: ${words[0]}`, async () => {
         await browser.go(fragment(words))
+        for (const [file, bytes] of Object.entries(maps)) {
+            await browser.drop({ [file]: bytes })
+            await browser.until(file => !document.getElementById('refusal').textContent.startsWith(file), file)
+        }
+        await browser.until(() => document.getElementById('refusal').hidden)
         await shownIsDrawn()
         for (const [id, count] of [['material', 1], ['colour', 2], ['small', 2], ['albedo', 2], ['int8', 2], ['int10', 2], ['int16', 2], ['palette', 2], ['raw', 1], ['uf2', 1]]) {
             const saved = await browser.save(`file-${id}`, count)
@@ -98,7 +105,7 @@ run([
         const { 'glint.png': file } = await browser.save('file-png', 1)
         const png = readPng('glint.png', file), { samples } = command.render(words)
         check(samples.every((value, i) => png.samples[i] === 257 * value), 'the PNG has other pixels')
-    }],
+    }]),
     [`${count} random states give the command's pictures or refusals`, async () => {
         const random = randomly(isFirefox ? 2 : 1)
         await browser.go(start)
