@@ -7,7 +7,6 @@
 #if GLINT_WITH_MESH
 #include <errno.h>
 #include <fcntl.h>
-#include <math.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -18,7 +17,6 @@
 
 #include "base/clock.h"
 #include "base/memory.h"
-#include "glint.h"
 #include "mesh/import_child.h"
 #include "mesh/import_source.h"
 
@@ -91,19 +89,6 @@ static void receive(const struct reader *reader, void *to, size_t bytes)
     }
 }
 
-static void check_faces(const struct soup *soup)
-{
-    for (size_t i = 0; i < soup->face_count; i++) {
-        const struct soup_face *face = &soup->faces[i];
-        for (int k = 0; k < 9; k++)
-            if (!(fabs(face->places[k / 3][k % 3]) < 1e30))
-                fail("%s: triangle %zu has a coordinate that is not a number below 10^30; repair the mesh", soup->name,
-                     i + 1);
-        if (face->part >= soup->part_count)
-            fail("%s: triangle %zu has no material; repair the mesh", soup->name, i + 1);
-    }
-}
-
 static struct soup *receive_soup(const struct reader *reader)
 {
     struct import_head head;
@@ -111,11 +96,7 @@ static struct soup *receive_soup(const struct reader *reader)
     head.message[sizeof head.message - 1] = 0;
     if (head.message[0])
         fail("%s: libassimp cannot read this mesh: %s", reader->source->name, head.message);
-    if (head.face_count == 0)
-        fail("%s: has no triangles; name another mesh", reader->source->name);
-    if (head.face_count > GLINT_MESH_FACES_MAX)
-        fail("%s: has %llu triangles, and at most %u can be drawn; simplify the mesh", reader->source->name,
-             (unsigned long long)head.face_count, GLINT_MESH_FACES_MAX);
+    soup_check_count(reader->source->name, head.face_count);
     if (head.part_count == 0 || head.part_count > PARTS_MAX)
         fail("%s: has %llu materials; at most %d can be read; join some", reader->source->name,
              (unsigned long long)head.part_count, PARTS_MAX);
@@ -133,7 +114,7 @@ static struct soup *receive_soup(const struct reader *reader)
     soup->faces = allocate(soup->face_count, sizeof *soup->faces);
     receive(reader, soup->materials, soup->part_count * sizeof *soup->materials);
     receive(reader, soup->faces, soup->face_count * sizeof *soup->faces);
-    check_faces(soup);
+    soup_check_faces(soup);
     return soup;
 }
 

@@ -21,4 +21,8 @@ struct soup {
 };
 void soup_free(struct soup *soup);
 
+/* Of what was read: these end the program through fail() where no mesh is made of it. */
+void soup_check_count(const char *name, uint64_t face_count);
+void soup_check_faces(const struct soup *soup);
+
 #endif

@@ -4,7 +4,7 @@ PAGE_PACKAGES = clang lld wasi-libc libclang-rt-dev-wasm32
 PAGE = build/page
 PAGE_NPM = $(PAGE)/npm
 # Of the host what needs no files, libraries or signals; host/page/module has those in memory.
-PAGE_HOST = $(filter-out %_json.c,$(wildcard host/compare/*.c host/draw/*.c host/bake/*.c host/mesh/*.c host/scene/*.c)) \
+PAGE_HOST = $(filter-out %_json.c host/mesh/import%.c,$(wildcard host/compare/*.c host/draw/*.c host/bake/*.c host/mesh/*.c host/scene/*.c)) \
 	$(patsubst %,host/options/%_options.c,drawing shading scene map mesh view light) $(patsubst %,host/commands/%.c,bake material table) \
 	$(patsubst %,host/image/%.c,format image levels picture) host/models/models.c \
 	$(patsubst %,host/base/%.c,c_names closest memory message output_pair parse text unknown)

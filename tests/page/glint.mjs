@@ -37,10 +37,14 @@ export class Command {
 
     /** What a board says of the teapot that it holds: its cksum, vertices and triangles, and at how many degrees edges are split. */
     teapotHeld() {
-        const { 'teapot.bin': raw } = this.files(['bake', '--scene=teapot', '--split=180', '--to=int8', '-o', 'teapot.bin'])
+        return this.held(this.files(['bake', '--scene=teapot', '--split=180', '--to=int8', '-o', 'teapot.bin'])['teapot.bin'], 180)
+    }
+
+    /** The same of a mesh that is baked so. */
+    held(raw, split) {
         const [vertices, triangles] = [raw.readUInt16LE(0), raw.readUInt16LE(2)]
         const summed = raw.subarray(8, 8 + 6 * vertices + 3 * vertices + 3 * vertices % 2 + 6 * triangles)
-        const held = Buffer.from([0, 0, 0, 0, 0, 0, 0, 0, 180, 0, 0, 0])
+        const held = Buffer.from([0, 0, 0, 0, 0, 0, 0, 0, split, 0, 0, 0])
         held.writeUInt32LE(Number(execFileSync('cksum', { input: summed, encoding: 'utf8' }).split(' ')[0]))
         held.writeUInt16LE(vertices, 4)
         held.writeUInt16LE(triangles, 6)

@@ -6,6 +6,7 @@ import { check, equal, run } from '../pico/tap.mjs'
 import { browser, command, folder, fragment, isFirefox, name, packages, page, press, shownIsDrawn, start, stateOfFragment, stateOfWords, wordsOf } from './beside.mjs'
 import { difference } from './glint.mjs'
 import { extras, surfaces } from './maps.mjs'
+import { meshes } from './meshes.mjs'
 
 /** Sets a control and finds its word in the command line. */
 async function sets(id, value, word) {
@@ -234,6 +235,31 @@ run([
         const saved = await browser.save('file-mesh', 2), expected = command.files(['bake', '--scene=teapot', '--split=180', '-o', 'mesh.c'])
         check(Object.keys(expected).every(file => saved[file]?.equals(expected[file])), 'the saved mesh is not the command\'s')
         check(await page.evaluate(() => document.getElementById('file-int8').hidden && !document.getElementById('file-material').hidden), 'files of a map are offered')
+    }],
+    ['a dropped STL is drawn, turned, set and baked as the command does', async () => {
+        const name = 'ring.stl', bytes = meshes[name]
+        command.put(name, bytes)
+        await browser.go(start)
+        await browser.drop({ [name]: bytes })
+        await browser.until(name => document.body.dataset.drawn?.includes(name), name)
+        equal((await shownIsDrawn()).join(' '), '--mesh=ring.stl --size=64x48 --format=rgb565 --light=-1,1,1.2', 'the state')
+        await page.click('#turn')
+        await page.focus('#handle')
+        await page.keyboard.press('ArrowDown')
+        for (const [id, value, word] of [['control-split', '7', '--split=7'], ['control-axes', 'y-up', '--axes=y-up'], ['control-crease', '10', '--crease=10']]) {
+            const { rgba } = await browser.now()
+            await browser.set(id, value)
+            const words = await shownIsDrawn()
+            check(words.includes(word) && words.includes('--turn=5,0,0'), words.join(' '))
+            check(!(await browser.now()).rgba.equals(rgba), `${word} changes nothing`)
+        }
+        const saved = await browser.save('file-mesh', 2), expected = command.files(['bake', '--mesh=ring.stl', '--crease=10', '--axes=y-up', '--split=7', '-o', 'mesh.c'])
+        check(Object.keys(expected).every(file => saved[file]?.equals(expected[file])), 'the saved mesh is not the command\'s')
+        check(/such a picture takes a Cortex-M0\+ [\d.]+ million cycles/.test(await browser.text('file-status')), await browser.text('file-status'))
+        await press('Coin')
+        equal((await shownIsDrawn()).join(' '), '--scene=coin --size=64x48 --format=rgb565 --light=-1,1,1.2', 'the coin after it')
+        await press('Undo')
+        check((await shownIsDrawn()).includes('--mesh=ring.stl'), 'undone')
     }],
     ['the address restores the state, with controls that show it', async () => {
         const words = ['--scene=watchface', '--size=50x40', '--model=cayley', '-n77', '-q9', '--ambient=.3', '--format=rgb565', '--dither', '--light=.5,.5,1', '--point=10,20,30,90,1,.5,.25']

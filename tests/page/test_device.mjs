@@ -9,6 +9,7 @@ import { Browser } from './browser.mjs'
 import { fakeUsb } from './fake_usb.mjs'
 import { Command, difference } from './glint.mjs'
 import { png } from './maps.mjs'
+import { meshes } from './meshes.mjs'
 
 const [packages, folder, glint] = process.argv.slice(2)
 const { Engine, fragmentOf, meshOnDevice, onDevice, readPng, sentences, stateOfFragment, stateOfWords, white, wordsOf, writePng } = await import(`${process.cwd()}/${folder}/engine.mjs`)
@@ -240,7 +241,19 @@ run([
         await refuses(sentences.otherMesh)
         await connect()
         await says('Disconnected')
-        await board({ mesh: null })
+        const name = 'ring.stl', { 'mesh.bin': raw } = (command.put(name, meshes[name]), command.files(['bake', `--mesh=${name}`, '--split=90', '--to=int8', '-o', 'mesh.bin']))
+        await board({ mesh: [...command.held(raw, 90)], lights: [] })
+        await connect()
+        await refuses(sentences.otherMesh)
+        engine.addMesh(name, meshes[name])
+        await browser.drop({ [name]: meshes[name] })
+        await says('28 bytes a frame')
+        check((await turnsWith(90)).includes(`--mesh=${name}`), 'another mesh')
+        await browser.drop({ [name]: meshes['coloured.stl'] }) // a newer file of that name
+        await refuses(sentences.otherMesh)
+        await connect()
+        await says('Disconnected')
+        await board({ mesh: null, lights: [] })
         await press('Coin')
         await isFree()
     }],

@@ -7,6 +7,7 @@ import { inflateRawSync } from 'node:zlib'
 import { check, equal, run } from '../pico/tap.mjs'
 import { Command, difference } from './glint.mjs'
 import { extras, png, surfaces } from './maps.mjs'
+import { meshes, ring, stl } from './meshes.mjs'
 import { randomly, randomWords } from './states.mjs'
 
 const [folder, glint] = process.argv.slice(2)
@@ -138,14 +139,61 @@ run([
         refusal(() => engine.moving([other, ['--scene=coin', '-n1001']]))
         check(engine.device(60, 44, has), 'the board gets nothing after a refusal')
     }],
+    ['meshes of binary STL files are drawn and baked as the command does, by every path that draws meshes', () => {
+        const engine = new Engine(program)
+        for (const [name, bytes] of Object.entries(meshes)) {
+            command.put(name, bytes)
+            engine.addMesh(name, bytes)
+        }
+        const words = ['--mesh=ring.stl', '--size=90x70', '--turn=25,-30,0']
+        for (const path of ['exact', 'colour-int16', 'colour-int8', 'small-int16', 'small-int8'])
+            same(engine, [...words, '--format=rgb565', '--ambient=.1', '--diffuse=.8', `--path=${path}`])
+        for (const more of [[], ['--crease=10'], ['--crease=120'], ['--axes=y-up'], ['--split=8'], ['--color=30,90,200'], ['--zoom=2', '--perspective=2']])
+            same(engine, [...words, ...more])
+        for (const name of ['coloured.stl', 'facets.stl'])
+            same(engine, [`--mesh=${name}`, '--size=61x47'])
+        for (const list of [['bake', '--mesh=ring.stl', '-o', 'mesh.c'], ['bake', '--mesh=ring.stl', '--crease=20', '--split=9', '--to=int16', '-o', 'mesh.bin']]) {
+            const expected = command.files(list), { files } = engine.run([`glint ${list[0]}`, ...list.slice(1)])
+            equal(files.map(file => file.name).sort().join(), Object.keys(expected).sort().join(), `${list.join(' ')}: names`)
+            for (const { name, bytes } of files)
+                check(expected[name].equals(bytes), `${list.join(' ')}: ${name} differs`)
+        }
+        const { 'mesh.bin': raw } = command.files(['bake', '--mesh=ring.stl', '--split=90', '--to=int8', '-o', 'mesh.bin'])
+        equal(engine.deviceMesh(command.held(raw, 90), ['--mesh=ring.stl']), 90, 'a board that holds it')
+        equal(engine.deviceMesh(command.held(raw, 90), ['--mesh=coloured.stl']), 0, 'a board that holds another one')
+    }],
+    ['a wrong mesh gives a sentence, where the command has one the same', () => {
+        const engine = new Engine(program), whole = meshes['ring.stl']
+        const nan = Buffer.from(whole)
+        nan.writeFloatLE(NaN, 84 + 12)
+        const says = (bytes, ...more) => {
+            engine.addMesh('a.stl', bytes)
+            return refusal(() => engine.draw(['--mesh=a.stl', '--size=20x20', ...more]))
+        }
+        const part = 'a.stl: this is not a whole binary STL; export the mesh as one, or use glint render --mesh'
+        for (const bytes of [Buffer.alloc(0), whole.subarray(0, 83), whole.subarray(0, 200), Buffer.concat([whole, Buffer.of(0)]), Buffer.from('solid a\n'.repeat(30))])
+            equal(says(bytes), part, `${bytes.length} bytes`)
+        equal(says(stl([])), 'a.stl: has no triangles; name another mesh', 'none')
+        const many = stl(Array.from({ length: 65535 }, (_, i) => [[i, 0, 0], [i, 1, 0], [i, 0, 1]]))
+        for (const bytes of [many, nan]) {
+            command.put('a.stl', bytes)
+            equal(says(bytes), command.refusal(['render', '--mesh=a.stl', '--size=20x20', '-o', 'no.png']), `${bytes.length} bytes`)
+        }
+        equal(refusal(() => engine.draw(['--mesh=none.stl', '--size=20x20'])), 'none.stl: this mesh is not here; drop or choose the file', 'a file that is not there')
+        command.put('a.stl', whole)
+        equal(says(whole, '--gloss=white.png'), command.refusal(['render', '--mesh=a.stl', '--size=20x20', '--gloss=white.png', '-o', 'no.png']), 'a map on a mesh')
+        check(engine.draw(['--mesh=a.stl', '--size=20x20']).width === 20, 'the next mesh')
+    }],
     ['of a mesh that a board holds it is told whether that is the teapot, and a pose a frame is what the board is sent', () => {
         const engine = new Engine(program)
         const held = command.teapotHeld()
-        equal(engine.deviceMesh(held), 180, 'the teapot')
+        const teapot = ['--scene=teapot']
+        equal(engine.deviceMesh(held, teapot), 180, 'the teapot')
+        equal(engine.deviceMesh(held, ['--scene=coin']), 0, 'the coin')
         for (const at of [0, 4, 6, 8]) {
             const other = Buffer.from(held)
             other[at] ^= 1
-            equal(engine.deviceMesh(other), 0, `the teapot, but for byte ${at}`)
+            equal(engine.deviceMesh(other, teapot), 0, `the teapot, but for byte ${at}`)
         }
         const words = ['--scene=teapot', '--split=180', '--size=60x44', '--format=rgb565', '--path=colour-int8']
         const sent = (has, ...more) => {
@@ -191,7 +239,6 @@ run([
         same(engine, ['--scene=dial', '--size=40x40'])
     }],
     ['a wrong file gives a sentence', () => {
-        equal(refusal(() => readPng('bunny.ply', Buffer.from('ply\n'))), 'bunny.ply: the page draws no files of meshes; glint render --mesh and glint bake --mesh do', 'a mesh')
         const good = surfaces['rgb16.png'].bytes
         const damaged = Buffer.from(good)
         damaged[good.length - 20] ^= 255

@@ -20,7 +20,7 @@ let pico, split, has
 async function connect() {
   const device = await board.during(usb.requestDevice({ filters }), LONG, 'requestDevice')
   pico = await board.during(Pico.connect(usb, conforming(device), (bytes) => engine.deviceSize(bytes), 1000 * LONG), LONG, 'connecting')
-  split = pico.mesh ? engine.deviceMesh(pico.mesh) : 0
+  split = pico.mesh ? engine.deviceMesh(pico.mesh, ['--scene=teapot']) : 0
   has = { map: '', material: '' }
 }
 // Draws in the module, sends what changed, and compares the panel with the module's picture. Returns what was sent.

@@ -54,21 +54,23 @@ const uint8_t *page_device_light(uint32_t tag)
 
 /* ---- the mesh that it holds ---- */
 
-uint32_t page_device_mesh(const uint8_t *bytes)
+uint32_t page_device_mesh(const uint8_t *held, char *words, size_t bytes)
 {
-    struct mesh_source source = {.name = mesh_names[0], .built_in = true, .crease = -1, .axes = AXES_USUAL};
+    struct mesh_source source = page_parse(words, bytes).scene.mesh;
     struct light_mesh there;
-    light_mesh_unpack(&there, bytes);
-    free((void *)(uintptr_t)bytes);
-    if (there.split < 1 || there.split > 180)
-        return 0;
+    bool is_this = false;
+    light_mesh_unpack(&there, held);
+    free((void *)(uintptr_t)held);
     source.split = there.split;
-    struct mesh *mesh = mesh_load(&source);
-    struct fitted *fitted = mesh_fit(mesh, 0);
-    const bool is_ours = mesh_in_device(&there, fitted);
-    fitted_free(fitted);
-    mesh_free(mesh);
-    return is_ours ? there.split : 0;
+    if (source.name && there.split >= 1 && there.split <= 180) {
+        struct mesh *mesh = mesh_load(&source);
+        struct fitted *fitted = mesh_fit(mesh, 0);
+        is_this = mesh_in_device(&there, fitted);
+        fitted_free(fitted);
+        mesh_free(mesh);
+    }
+    free(words);
+    return is_this ? there.split : 0;
 }
 
 uint32_t page_draws_mesh(void)

@@ -63,6 +63,45 @@ struct image *image_read(const char *path)
     return image_read_sized(path, 0, 0);
 }
 
+/* ---- meshes that are read ---- */
+
+static struct held_mesh {
+    char *name;
+    uint8_t *bytes;
+    size_t len;
+    struct held_mesh *next;
+} * meshes;
+
+static struct held_mesh *find_mesh(const char *name)
+{
+    struct held_mesh *at = meshes;
+    while (at && strcmp(at->name, name) != 0)
+        at = at->next;
+    return at;
+}
+
+void files_add_mesh(const char *name, uint8_t *bytes, size_t len)
+{
+    struct held_mesh *place = find_mesh(name);
+    if (!place) {
+        place = allocate(1, sizeof *place);
+        *place = (struct held_mesh){.name = strdup(name), .next = meshes};
+        if (!place->name)
+            fail("out of memory");
+        meshes = place;
+    }
+    free(place->bytes);
+    place->bytes = bytes;
+    place->len = len;
+}
+
+const uint8_t *files_mesh(const char *name, size_t *len)
+{
+    const struct held_mesh *place = find_mesh(name);
+    *len = place ? place->len : 0;
+    return place ? place->bytes : NULL;
+}
+
 /* ---- files that are written ---- */
 
 enum { WRITTEN_MAX = 4 };

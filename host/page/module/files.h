@@ -11,6 +11,10 @@
 /* A picture to be read under its name; takes the samples. One of the same name is replaced. */
 void files_add_image(const char *name, const struct image *image);
 
+/* A mesh's file; takes the bytes. One of the same name is replaced. */
+void files_add_mesh(const char *name, uint8_t *bytes, size_t len);
+const uint8_t *files_mesh(const char *name, size_t *len); /* NULL: there is none */
+
 /* What was written and closed, in that order. */
 struct file {
     char *name, *bytes;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The mesh of the page: the built-in one, since files of meshes are read by a library that is not here. */
+ * The mesh of the page: the built-in one, or a file's. */
 #ifndef GLINT_PAGE_MESH_H
 #define GLINT_PAGE_MESH_H
 

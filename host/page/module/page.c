@@ -38,6 +38,12 @@ void page_image(char *name, uint32_t width, uint32_t height, uint32_t channels, 
     free(name);
 }
 
+void page_mesh_file(char *name, uint8_t *bytes, size_t len)
+{
+    files_add_mesh(name, bytes, len);
+    free(name);
+}
+
 /* ---- the options of glint render, but for its outputs ---- */
 
 static error_t parse_option(int key, char *text, struct argp_state *argp_state)
@@ -49,8 +55,6 @@ static error_t parse_option(int key, char *text, struct argp_state *argp_state)
         argp_state->child_inputs[0] = look;
         return 0;
     case ARGP_KEY_END:
-        if (look->scene.mesh.name && !look->scene.mesh.built_in)
-            refuse(argp_state, "the page draws no files of meshes; glint render does");
         shading_options_check(argp_state, look, &look->shading);
         return 0;
     default:
@@ -58,7 +62,7 @@ static error_t parse_option(int key, char *text, struct argp_state *argp_state)
     }
 }
 
-static struct shading_options parse(char *text, size_t bytes)
+struct shading_options page_parse(char *text, size_t bytes)
 {
     static const struct argp_child children[] = {{&drawing_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
     static const struct argp argp = {NULL, parse_option, NULL, NULL, children, NULL, NULL};
@@ -148,7 +152,7 @@ static void draw_mesh(const struct shading_options *look, uint32_t keep)
 
 void page_draw(char *text, size_t bytes, uint32_t keep)
 {
-    const struct shading_options look = parse(text, bytes);
+    const struct shading_options look = page_parse(text, bytes);
     if (keep < PAGE_KEEP_CANVAS)
         forget_canvas();
     (look.scene.mesh.name ? draw_mesh : draw_scene)(&look, keep);

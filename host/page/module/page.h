@@ -18,6 +18,9 @@ void *PAGE_EXPORT(page_allocate)(size_t bytes);
 void PAGE_EXPORT(page_image)(char *name, uint32_t width, uint32_t height, uint32_t channels, uint32_t bits,
                              uint32_t palette, uint16_t *samples);
 
+/* A mesh's file. */
+void PAGE_EXPORT(page_mesh_file)(char *name, uint8_t *bytes, size_t len);
+
 /* ---- the picture ---- */
 
 /* Draws by the words of `glint render`, the first being the command's name. What did not change since the call before is
@@ -60,8 +63,9 @@ uint32_t PAGE_EXPORT(page_device_size)(const uint8_t *bytes);
 const uint8_t *PAGE_EXPORT(page_device_material)(void);
 const uint8_t *PAGE_EXPORT(page_device_map)(void);
 const uint8_t *PAGE_EXPORT(page_device_light)(uint32_t tag);
-/* Of a mesh that it holds, LIGHT_MESH_BYTES: the built-in mesh, whose edges are split at so many degrees; 0: another one. */
-uint32_t PAGE_EXPORT(page_device_mesh)(const uint8_t *bytes);
+/* Of a mesh that it holds, LIGHT_MESH_BYTES: that of the words of `glint render`, whose edges are split at so many degrees; 0:
+ * another one. */
+uint32_t PAGE_EXPORT(page_device_mesh)(const uint8_t *held, char *words, size_t bytes);
 /* Is the last picture of a mesh? Then it is sent in the place of a map and lights: LIGHT_POSE_BYTES. */
 uint32_t PAGE_EXPORT(page_draws_mesh)(void);
 const uint8_t *PAGE_EXPORT(page_device_pose)(uint32_t tag);

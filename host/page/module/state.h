@@ -6,6 +6,7 @@
 #include "draw/canvas.h"
 #include "image/levels.h"
 #include "image/picture.h"
+#include "options/shading_options.h"
 #include "scene/scene.h"
 
 struct page_state {
@@ -18,6 +19,9 @@ struct page_state {
     struct levels *levels;
 };
 const struct page_state *page_state(void);
+
+/* By the words of `glint render`, into which it points. */
+struct shading_options page_parse(char *text, size_t bytes);
 
 uint8_t *rgba_of_picture(const struct picture *picture); /* malloc'd */
 

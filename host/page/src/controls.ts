@@ -29,8 +29,8 @@ interface Row {
     build: (id: string, line: HTMLElement) => (state: State, facts: Facts | undefined) => void
     number: (state: State, facts: Facts) => string
     meaning: (state: State, facts: Facts) => string
-    /** There is only something to set where a mesh is drawn. */
-    onlyMesh?: boolean
+    /** There is only something to set where a mesh is drawn, or one of a file. */
+    onlyMesh?: true | 'file'
 }
 
 const set = (option: Option, text: string | undefined, kind = '') => change({ [option]: text } as Partial<State>, kind)
@@ -172,6 +172,8 @@ const table: Row[] = [
     { option: 'space', title: 'Space', build: choice('space', ['gamma', 'linear'], 'gamma'), number: s => constant(s.space ?? 'gamma'), meaning: s => s.space === 'linear' ? 'Light is summed linearly, then encoded as sRGB' : 'Light is summed as encoded: faster, and what most small renderers do' },
     { option: 'path', title: 'Path', build: choice('path', paths, 'exact'), number: s => s.path ? `--path ${s.path}` : 'glint_shade_rect', meaning: s => pathMeaning(s.path ?? 'exact') },
     { option: 'size', title: 'Panel size', build: size, number: s => s.size ?? 'the map\'s', meaning: s => s.height || s.normals ? 'A map is cut or repeated to this size, never scaled' : 'Width × height in pixels' },
+    { option: 'crease', title: 'Crease', onlyMesh: true, build: text('crease', () => ''), number: s => s.crease === undefined ? 'the usual one' : `--crease ${s.crease}`, meaning: s => `Edges that turn by more degrees stay sharp; empty: ${s.mesh ? '60' : 'none'}` },
+    { option: 'axes', title: 'Up', onlyMesh: 'file', build: choice('axes', ['z-up', 'y-up'], 'z-up'), number: s => `--axes ${s.axes ?? 'z-up'}`, meaning: () => 'Which axis of the file points up: z in most STL files' },
     { option: 'split', title: 'Split', onlyMesh: true, build: text('split', () => '30'), number: (s, f) => `--split ${s.split ?? 30}, ${f.faces} triangles`, meaning: () => 'Edges over which the normal turns by more degrees are cut in half: highlights lie better on more triangles' },
     { option: 'turn', title: 'Turn', onlyMesh: true, build: text('turn', f => f.turn?.join() ?? ''), number: (_, f) => `--turn ${f.turn}`, meaning: () => 'Degrees about x, y and z; the button below the picture lets you drag it' },
     { option: 'zoom', title: 'Zoom', onlyMesh: true, build: text('zoom', f => String(f.zoom ?? '')), number: (_, f) => `--zoom ${f.zoom}`, meaning: () => '1: whatever its turn, the mesh fills the picture' },
@@ -197,7 +199,7 @@ const updates: ((state: State, facts: Facts | undefined) => void)[] = table.map(
     const whole = make('div', { className: 'row' }, line, make('div', { className: 'note' }, number, meaning))
     byId('rows').append(whole)
     return (state, facts) => {
-        whole.hidden = row.onlyMesh === true && !facts?.turn
+        whole.hidden = row.onlyMesh !== undefined && (!facts?.turn || row.onlyMesh === 'file' && !state.mesh)
         update(state, facts)
         if (!facts)
             return

@@ -53,6 +53,8 @@ function rowOf(state: State, facts: Facts): string | undefined {
 
 /** Of a mesh; the rows are of the teapot. */
 function meshRow(state: State): string | undefined {
+    if (state.mesh)
+        return undefined
     const path = state.path ?? 'exact', split = Number(state.split ?? 30)
     if (path !== 'exact' && path !== 'colour-int8')
         return undefined
@@ -62,7 +64,7 @@ function meshRow(state: State): string | undefined {
 function meshCosts(state: State, facts: Facts): [string, string][] {
     const row = meshRow(state), picture = row ? value('frame', row) : undefined
     if (!row || !picture)
-        return [['Cycles', 'not in the table for this path']]
+        return [['Cycles', state.mesh ? 'of a mesh of yours are told when it is saved' : 'not in the table for this path'], ['Flash, the mesh', `${commas(facts.mesh_bytes[0])} bytes`]]
     const asm = value('frame', row, 'asm')
     const split = row.includes('split') ? '30°' : 'none'
     const best = asm ?? picture

@@ -49,13 +49,14 @@ export type Facts = Record<string, number[]>
 
 const keepNothing = 0, keepScene = 1, keepCanvas = 2
 /** Options that make the surface; --color takes a built-in scene's own away. */
-const ofSurface = /^--(height|normals|scene|mask|scale|bevel|wrap|flip-y|size|albedo|gloss|split)\b/
+const ofSurface = /^--(height|normals|scene|mask|scale|bevel|wrap|flip-y|size|albedo|gloss|mesh|crease|axes|split)\b/
 /** Where a mesh stands, for which no canvas is made. */
 const standsBy = /^--(turn|zoom|perspective)\b/
 
 export class Engine {
     private module: Module
     private maps = new Map<string, Map16>()
+    private meshes = new Map<string, Uint8Array>()
     private surface = ''
     private material = ''
     private surfaceWarnings: string[] = []
@@ -70,6 +71,13 @@ export class Engine {
         this.maps.set(name, map)
         this.surface = this.material = ''
         this.guard(() => this.hand(name, map))
+    }
+
+    /** A file of a mesh. */
+    addMesh(name: string, bytes: Uint8Array): void {
+        this.meshes.set(name, bytes)
+        this.surface = this.material = ''
+        this.guard(() => this.handMesh(name, bytes))
     }
 
     /** A map without anything on it. */
@@ -178,11 +186,11 @@ export class Engine {
         return this.module.call.page_device_size(this.module.put(bytes)) >>> 0
     }
 
-    /** Of a mesh that a device holds: the built-in one, split at so many degrees; 0: another one. */
-    deviceMesh(held: Uint8Array): number {
+    /** Of a mesh that a device holds: that of the words, split at so many degrees; 0: another one. */
+    deviceMesh(held: Uint8Array, words: string[]): number {
         const bytes = new Uint8Array(LIGHT_MESH_BYTES)
         bytes.set(held.subarray(0, bytes.length))
-        return this.guard(() => this.module.call.page_device_mesh(this.module.put(bytes)))
+        return this.guard(() => this.give(['glint render', ...words], (at, length) => this.module.call.page_device_mesh(this.module.put(bytes), at, length)))
     }
 
     /** What a device of that size, which has a map and a material already, is sent to draw the last picture; nothing if that has another size. */
@@ -212,9 +220,14 @@ export class Engine {
         return (performance.now() - start) / times
     }
 
-    private give(words: string[], call: (at: number, bytes: number) => void): void {
+    private give<T>(words: string[], call: (at: number, bytes: number) => T): T {
         const bytes = new TextEncoder().encode(words.map(word => word + '\0').join(''))
-        call(this.module.put(bytes), bytes.length)
+        return call(this.module.put(bytes), bytes.length)
+    }
+
+    private handMesh(name: string, bytes: Uint8Array): void {
+        const at = this.module.put(new TextEncoder().encode(name + '\0'))
+        this.module.call.page_mesh_file(at, this.module.put(bytes), bytes.length)
     }
 
     private hand(name: string, map: Map16): void {
@@ -233,6 +246,8 @@ export class Engine {
             this.surface = this.material = ''
             for (const [name, map] of this.maps)
                 this.hand(name, map)
+            for (const [name, bytes] of this.meshes)
+                this.handMesh(name, bytes)
             if (this.drawn.length)
                 this.give(['glint render', ...this.drawn], (at, bytes) => this.module.call.page_draw(at, bytes, keepNothing))
             if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)

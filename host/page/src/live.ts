@@ -4,7 +4,7 @@
 import { ask } from './client'
 import { byId } from './dom'
 import type { ForDevice } from './engine'
-import { mapNames } from './maps'
+import { mapNames, meshVersion } from './maps'
 import { onDrawn, redraw, setView } from './picture'
 import type { Viewed } from './picture'
 import { filters, Pico, sentences, Trouble } from './pico'
@@ -19,8 +19,6 @@ let pico: Pico | undefined
 let has = { map: '', material: '' }
 let frames: number[] = []
 let isLost = false
-/** At how many degrees the edges of the mesh that it holds are split, if that is the page's; else 0. */
-let split = 0
 
 function say(text: string): void {
     status.textContent = text
@@ -57,15 +55,18 @@ async function connect(device: UsbDevice): Promise<void> {
         isLost = false
         has = { map: '', material: '' }
         frames = []
-        split = pico.mesh ? await ask('deviceMesh', pico.mesh) : 0
         const { width, height, mesh, takesMaps } = pico
         setView(async state => {
-            if (isMesh(state) && !split)
-                throw new Error(mesh ? sentences.otherMesh : sentences.noMesh)
-            if (isMesh(state))
+            if (isMesh(state)) {
+                if (!mesh)
+                    throw new Error(sentences.noMesh)
+                const split = await splitOf(mesh, state)
+                if (!split)
+                    throw new Error(sentences.otherMesh)
                 return { state: meshOnDevice(state, width, height, split), isBoards: true }
+            }
             if (!takesMaps)
-                throw new Error(split ? sentences.onlyMesh : sentences.otherMesh)
+                throw new Error(sentences.onlyMesh)
             return mapOnDevice(state, width, height)
         })
         button.textContent = 'Disconnect'
@@ -74,6 +75,15 @@ async function connect(device: UsbDevice): Promise<void> {
         lose(error as Error)
     }
     button.disabled = false
+}
+
+let held = { of: '', split: 0 }
+/** At how many degrees the edges of the mesh that the board holds are split, if that is the state's; else 0. */
+async function splitOf(mesh: Uint8Array, { scene, mesh: file, crease, axes }: State): Promise<number> {
+    const words = wordsOf({ scene, mesh: file, crease, axes, lights: [] }), of = [mesh.join(), meshVersion(), ...words].join('\0')
+    if (of !== held.of)
+        held = { of, split: await ask('deviceMesh', mesh, words) }
+    return held.split
 }
 
 let white = ''

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The surface: built-in scenes, and PNG files that are chosen or dropped.
+// The surface: built-in scenes, and PNG files, or the mesh of an STL, that are chosen or dropped.
 import { ask } from './client'
 import { buttons, byId, capital, make } from './dom'
 import { redraw } from './picture'
@@ -7,26 +7,42 @@ import { change, current, onChange } from './store'
 import type { Option, State } from './words'
 
 const scenes = ['sphere', 'watchface', 'coin', 'dial', 'teapot'] as const
-const kinds = ['height', 'normals', 'albedo', 'gloss', 'mask'] as const
+const kinds = ['height', 'normals', 'mesh', 'albedo', 'gloss', 'mask'] as const
 type Kind = typeof kinds[number]
-const without: Partial<State> = { height: undefined, normals: undefined, mask: undefined, albedo: undefined, gloss: undefined, scale: undefined, bevel: undefined, wrap: undefined, 'flip-y': undefined, color: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined }
+const without: Partial<State> = { height: undefined, normals: undefined, mesh: undefined, crease: undefined, axes: undefined, mask: undefined, albedo: undefined, gloss: undefined, scale: undefined, bevel: undefined, wrap: undefined, 'flip-y': undefined, color: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined }
 
 const press = buttons(byId('scenes'), scenes, capital, scene => change({ ...without, scene, size: current().size ?? '240x240' }))
 
 /** Of the user's maps so far. */
 export const mapNames = new Set<string>()
+let meshesSoFar = 0
+/** Another one where a mesh may have another content under its name. */
+export const meshVersion = () => meshesSoFar
+
+async function read(file: File, name: string, kind: Kind): Promise<void> {
+    const bytes = new Uint8Array(await file.arrayBuffer())
+    if (kind === 'mesh') {
+        if (!/\.stl$/i.test(name))
+            throw new Error(`${name}: the page reads meshes from binary STL files alone; glint render --mesh reads others, too`)
+        await ask('mesh', name, bytes)
+        meshesSoFar++
+        return
+    }
+    mapNames.add(name)
+    await ask('map', name, bytes)
+}
 
 /** The name in the command line, which must not look like a path. */
 async function take(file: File, kind: Kind): Promise<void> {
     try {
         const name = file.name.replace(/[/\\]/g, '_')
-        mapNames.add(name)
-        await ask('map', name, new Uint8Array(await file.arrayBuffer()))
+        await read(file, name, kind)
         if (current()[kind] === name) { // an address asked for it, or it is a newer one: what is set stays
             void redraw()
             return
         }
-        const surface: Partial<State> = kind === 'height' || kind === 'normals' ? { ...without, scene: undefined, size: undefined } : {}
+        const surface: Partial<State> = !isSurface(kind) ? {}
+            : { ...without, scene: undefined, size: kind === 'mesh' ? current().size ?? '240x240' : undefined }
         if (kind === 'albedo')
             surface.color = undefined
         change({ ...surface, [kind]: name })
@@ -38,14 +54,17 @@ async function take(file: File, kind: Kind): Promise<void> {
 
 /** What the state names it for, or by its name, as artists call them. */
 function kindOf(name: string): Kind {
+    if (/\.(stl|obj|ply|gltf|glb)$/i.test(name))
+        return 'mesh'
     const words: [RegExp, Kind][] = [[/norm|nrm|_n\b/i, 'normals'], [/gloss|rough|spec/i, 'gloss'], [/mask|opacity/i, 'mask'], [/albedo|colou?r|diff|base/i, 'albedo']]
     return kinds.find(kind => current()[kind] === name) ?? words.find(([pattern]) => pattern.test(name))?.[1] ?? 'height'
 }
 
 const updates: (() => void)[] = []
-const titles: Record<Kind, string> = { height: 'Height', normals: 'Normals', albedo: 'Albedo', gloss: 'Gloss', mask: 'Mask' }
+const isSurface = (kind: Kind) => kind === 'height' || kind === 'normals' || kind === 'mesh'
+const titles: Record<Kind, string> = { height: 'Height', normals: 'Normals', mesh: 'Mesh', albedo: 'Albedo', gloss: 'Gloss', mask: 'Mask' }
 for (const kind of kinds) {
-    const input = make('input', { type: 'file', accept: 'image/png,.png', className: 'hidden', id: `map-${kind}` })
+    const input = make('input', { type: 'file', accept: kind === 'mesh' ? '.stl' : 'image/png,.png', className: 'hidden', id: `map-${kind}` })
     input.onchange = () => {
         if (input.files?.[0])
             void take(input.files[0], kind)
@@ -56,7 +75,7 @@ for (const kind of kinds) {
     const clear = make('button', { type: 'button', textContent: '×', aria: { label: `${titles[kind]}: remove` }, onclick: () => change({ [kind]: undefined }) })
     updates.push(() => {
         name.textContent = current()[kind] ?? '—'
-        clear.hidden = current()[kind] === undefined || kind === 'height' || kind === 'normals'
+        clear.hidden = current()[kind] === undefined || isSurface(kind)
     })
     byId('map-rows').append(make('div', { className: 'map' }, make('span', { textContent: titles[kind] }), name,
         make('span', { className: 'group' }, make('span', {}, input, label), clear)))

@@ -22,7 +22,7 @@ function save(name: string, bytes: Uint8Array<ArrayBuffer>): void {
 
 /** Without maps and what else a shader has not; of a scene its finish counts. */
 const shader = (state: State) => wordsOf({ ...state, height: undefined, normals: undefined, albedo: undefined, gloss: undefined, mask: undefined,
-    bevel: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined })
+    bevel: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined, mesh: undefined, crease: undefined, axes: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined })
 const tables = (state: State, kind: string) => ['glint table', `--kind=${kind}`, ...shader({ ...state, lights: [] }), '-o', `${kind}_tables.c`]
 /** RGB565 colours go beside normals, not beside a palette's offsets. */
 const baked = (state: State, to: string, name: string) => ['glint bake', ...only(to.startsWith('palette') || name.endsWith('.uf2') ? scene : [...scene, 'albedo'], state), `--to=${to}`, '-o', name]
@@ -39,18 +39,18 @@ const files: { title: string, name: string, words: (state: State) => string[], o
     { title: 'Palette, C', name: 'palette', words: state => baked(state, 'palette', 'normals.c'), of: 'map' },
     { title: 'Normals, raw', name: 'raw', words: state => baked(state, 'int8', 'normals.bin'), of: 'map' },
     { title: 'Normals, UF2', name: 'uf2', words: state => baked(state, 'int8', 'normals.uf2'), of: 'map' },
-    { title: 'Mesh, C', name: 'mesh', words: state => ['glint bake', ...only(['scene', 'split'], state), '-o', 'mesh.c'], of: 'mesh' },
+    { title: 'Mesh, C', name: 'mesh', words: state => ['glint bake', ...only(['scene', 'mesh', 'crease', 'axes', 'split'], state), '-o', 'mesh.c'], of: 'mesh' },
 ]
 
 async function run(wordsFor: (state: State) => string[]): Promise<void> {
     status.textContent = 'Working…'
     try {
         const words = wordsFor((await viewed()).state)
-        const { files, warnings } = await ask('run', words)
+        const { files, printed, warnings } = await ask('run', words)
         for (const { name, bytes } of files)
             save(name, bytes)
         const [first, ...rest] = words
-        status.textContent = `${files.map(file => file.name).join(' and ')}: as ${commandLine(first, rest)} writes them. ${warnings.join(' ')}`
+        status.textContent = `${files.map(file => file.name).join(' and ')}: as ${commandLine(first, rest)} writes them. ${[...warnings, ...printed.split('\n').filter(line => line.startsWith('such a picture'))].join(' ')}`
     } catch (error) {
         status.textContent = (error as Error).message
     }

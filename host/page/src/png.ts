@@ -29,8 +29,6 @@ export function readPng(name: string, bytes: Uint8Array): Map16 {
     if (!bytes.length)
         throw new Error(`${name}: this file is empty; choose a PNG picture`)
     if (head !== signature) {
-        if (/\.(obj|stl|ply|gltf|glb)$/i.test(name))
-            throw new Error(`${name}: the page draws no files of meshes; glint render --mesh and glint bake --mesh do`)
         const other = others.find(([magic]) => head.startsWith(magic))
         throw new Error(`${name}: this is ${other ? other[1] + ', not a PNG' : 'not a PNG picture'}; convert it to PNG`)
     }

@@ -4,8 +4,8 @@
 
 /** In the order in which the command line has them. true: the option takes no value. */
 const options = {
-    height: false, normals: false, scene: false, bevel: false, scale: false, wrap: true, 'flip-y': true, mask: false,
-    albedo: false, color: false, gloss: false, size: false, split: false, turn: false, zoom: false, perspective: false, model: false, n: false, q: false, view: false, ambient: false,
+    height: false, normals: false, scene: false, mesh: false, bevel: false, scale: false, wrap: true, 'flip-y': true, mask: false,
+    albedo: false, color: false, gloss: false, size: false, crease: false, axes: false, split: false, turn: false, zoom: false, perspective: false, model: false, n: false, q: false, view: false, ambient: false,
     diffuse: false, specular: false, 'clamp-peak': true, format: false, space: false, dither: true, path: false,
 } as const
 export type Option = keyof typeof options
@@ -59,8 +59,7 @@ export function onDevice(state: State, width: number, height: number, color: str
     return { ...rest, ...state.scene === undefined ? {} : { gloss }, color: state.color ?? color, ...asBoardsDraw(width, height) }
 }
 
-/** The built-in mesh. */
-export const isMesh = (state: State) => state.scene === 'teapot'
+export const isMesh = (state: State) => state.scene === 'teapot' || state.mesh !== undefined
 
 /** A mesh as a device draws it that holds it, split at so many degrees. */
 export function meshOnDevice(state: State, width: number, height: number, split: number): State {

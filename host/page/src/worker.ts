@@ -18,6 +18,7 @@ export const methods = {
         other.addMap(name, map)
         return { width: map.width, height: map.height, channels: map.channels, bits: map.bits }
     },
+    mesh: (name: string, bytes: Uint8Array) => engine.addMesh(name, bytes),
     draw: (words: string[]) => ({ ...engine.draw(words), facts: engine.facts() }),
     aside: (words: string[]) => other.draw(words),
     compare: () => engine.compare(),
@@ -31,7 +32,7 @@ export const methods = {
     },
     white: (name: string, width: number, height: number) => engine.addWhite(name, width, height),
     deviceSize: (descriptor: Uint8Array) => engine.deviceSize(descriptor),
-    deviceMesh: (held: Uint8Array) => engine.deviceMesh(held),
+    deviceMesh: (held: Uint8Array, words: string[]) => engine.deviceMesh(held, words),
     device: (width: number, height: number, has: Had) => engine.device(width, height, has),
     raw: () => engine.pixels(),
     again: (times: number) => engine.again(times),

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT
+ * Meshes of the page: binary STL files, read as libassimp reads them for the command. Other formats have numbers as texts, or files
+ * beside them, and are the command's alone. */
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/message.h"
+#include "files.h"
+#include "glint.h"
+#include "mesh/import.h"
+
+enum { COMMENT = 80, HEAD = 84, FACET = 50, HAS_COLOR = 0x8000 };
+
+static uint32_t get(const uint8_t *at, unsigned bytes)
+{
+    uint32_t value = 0;
+    for (unsigned i = bytes; i-- > 0;)
+        value = value << 8 | at[i];
+    return value;
+}
+
+static double number(const uint8_t *at)
+{
+    const uint32_t bits = get(at, 4);
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return (double)value;
+}
+
+/* White, or what the comment says: COLOR= and four bytes; colours of facets are in its place. */
+static struct mesh_material material_of(const uint8_t *stl, bool has_colors)
+{
+    static const char word[] = "COLOR=";
+    enum { WORD = sizeof word - 1 };
+    struct mesh_material material = {.has_color = true, .color = {255, 255, 255}};
+    for (unsigned i = 0; !has_colors && i + WORD + 4 <= COMMENT; i++)
+        if (memcmp(stl + i, word, WORD) == 0) {
+            memcpy(material.color, stl + i + WORD, sizeof material.color);
+            break;
+        }
+    return material;
+}
+
+static uint32_t count_of(const char *path, const uint8_t *stl, size_t len)
+{
+    const uint32_t count = len >= HEAD ? get(stl + COMMENT, 4) : 0;
+    if (len < HEAD || len != HEAD + (uint64_t)FACET * count)
+        fail("%s: this is not a whole binary STL; export the mesh as one, or use glint render --mesh", path);
+    return count;
+}
+
+struct soup *import_soup(const char *path)
+{
+    size_t len;
+    const uint8_t *stl = files_mesh(path, &len);
+    if (!stl)
+        fail("%s: this mesh is not here; drop or choose the file", path);
+    struct soup *soup = allocate(1, sizeof *soup);
+    *soup =
+        (struct soup){.name = strdup(path), .face_count = count_of(path, stl, len), .is_stl = true, .part_count = 1};
+    if (!soup->name)
+        fail("out of memory");
+    soup_check_count(soup->name, soup->face_count);
+    soup->faces = allocate(soup->face_count, sizeof *soup->faces);
+    for (size_t i = 0; i < soup->face_count; i++) {
+        const uint8_t *facet = stl + HEAD + FACET * i;
+        for (unsigned k = 0; k < 9; k++) /* after the facet's normal */
+            soup->faces[i].places[k / 3][k % 3] = number(facet + 12 + 4 * k);
+        soup->has_colors |= (get(facet + FACET - 2, 2) & HAS_COLOR) != 0;
+    }
+    soup->materials = allocate(1, sizeof *soup->materials);
+    *soup->materials = material_of(stl, soup->has_colors);
+    soup_check_faces(soup);
+    return soup;
+}
