@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "glint_math_reciprocal.h"
+#include "glint_math_root.h"
 #include "glint_math_unit.h"
 #include "glint_mesh_pose.h"
 #include "shading.h"
@@ -16,6 +17,28 @@ static void the_inverse_of_a_root_is_within_its_bound_for_every_argument(void **
         assert_true(y < 2);
         assert_true(fabs(1 - y * y * t / 65536) < 0.95 / 4096);
         assert_true(fabs(1 - y * y * (t + 1) / 65536) < 0.95 / 4096);
+    }
+}
+
+/* All squares whose root is r, the first and the last. */
+static void assert_root(uint32_t r)
+{
+    const uint64_t square = (uint64_t)r * r;
+    assert_int_equal(glint_root(square), r);
+    assert_int_equal(glint_root(square + 2 * (uint64_t)r), r);
+}
+
+static void a_root_is_rounded_down_at_squares_and_below_them(void **state)
+{
+    (void)state;
+    for (uint32_t r = 0; r < 1u << 17; r++) {
+        assert_root(r);
+        assert_root(INT32_MAX - r);
+        assert_root(r << 14 | 0x3fff);
+    }
+    for (int bit = 0; bit < 31; bit++) {
+        assert_root(1u << bit);
+        assert_root((1u << bit) - 1);
     }
 }
 
@@ -125,6 +148,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_inverse_of_a_root_is_within_its_bound_for_every_argument),
+        cmocka_unit_test(a_root_is_rounded_down_at_squares_and_below_them),
         cmocka_unit_test(no_other_table_of_reciprocals_is_nearer),
         cmocka_unit_test(a_mesh_s_inverse_is_the_nearest),
         cmocka_unit_test(a_vector_of_30_bits_has_no_unit_nearby),
