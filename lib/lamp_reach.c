@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * How much of a lamp reaches a pixel, and from where. In 32 bits all is known but for a few units of 2^-30; where that leaves open
- * to what something is rounded, for one pixel in 250, the sequence follows in 64 bits. */
+ * to what something is rounded, for one pixel in 200, the sequence follows in 64 bits. */
 #include "glint_lamp.h"
 #include "glint_math_multiply.h"
 #include "glint_math_unit.h"
