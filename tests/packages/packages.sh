@@ -33,30 +33,49 @@ ports=$source/firmware/ports
 bare="$ports/cortex-m/start.c $ports/cortex-m/machine.c $ports/bare/run.c $ports/bare/memory.c"
 bare_flags="-DBARE -ffreestanding -I$source/firmware/ports/bare"
 bare_link="-nostdlib -L$source/firmware/ports/bare -T$source/firmware/ports/cortex-m/mps2.ld"
-run_arm() { # IMAGE
-    timeout 60 qemu-system-arm -M mps2-an385 -display none -semihosting-config enable=on,target=native -kernel "$1" 2>&1
+run_arm() { # IMAGE [MACHINE]
+    timeout 100 qemu-system-arm -M "${2:-mps2-an385}" -display none -semihosting-config enable=on,target=native -kernel "$1" 2>&1
 }
+# An STM32F2 with 64 KB of RAM: run_arm IMAGE netduino2.
+stm32_link="-nostdlib -L$source/firmware/ports/bare -T$source/tests/packages/netduino2.ld"
 
-# Arduino: Debian's builder and core. What its package of the whole IDE would add: the builder's settings beside the core, and where the tools are.
+# Arduino: Debian's builder and core, with the libraries in stubs/. What its package of the whole IDE would add: the builder's settings beside the
+# core, and where the tools are. Beside that core lies stubs/hardware: a bare STM32F2 (board stub:arm:stm32), since Debian has a core for AVR alone.
+stubs=$source/tests/packages/stubs core=$source/tests/packages/stubs/hardware/stub/arm/cores/stub
+stub_includes="-I$core -I$stubs/libraries/Adafruit_GFX_Library -I$stubs/libraries/TFT_eSPI"
 arduino_is_there() { command -v arduino-builder >/dev/null && [ -d /usr/share/arduino/hardware/arduino/avr ] && command -v simavr >/dev/null; }
 arduino_build() { # BOARD SKETCH LIBRARIES BUILD
     hardware=$folder/hardware
-    [ -d "$hardware" ] || { mkdir -p "$hardware/tools/avr" &&
+    [ -d "$hardware" ] || { mkdir -p "$hardware/tools/avr" "$folder/cores" && cp -r "$stubs/hardware/stub" "$hardware/" &&
+        cp "$ports"/bare/*.[ch] "$ports/cortex-m/start.c" "$ports/cortex-m/machine.c" "$hardware/stub/arm/cores/stub/" &&
         ln -s /usr/share/arduino/hardware/arduino /usr/share/arduino-builder/platform*.txt "$hardware" && ln -s /usr/bin "$hardware/tools/avr/bin"; } || return
     rm -rf "$4" && mkdir "$4" && cp -r "$2" "$folder/" || return
     # Debian's core names a macro that its compiler does not define.
-    timeout 300 arduino-builder -compile -hardware "$hardware" -tools "$hardware/tools" -libraries "$3" -fqbn "arduino:avr:$1" \
+    timeout 300 arduino-builder -compile -hardware "$hardware" -tools "$hardware/tools" -libraries "$3" -libraries "$stubs/libraries" -fqbn "$1" \
         -prefs=compiler.c.extra_flags=-DDECIMAL_DIG=__DECIMAL_DIG__ -prefs=compiler.cpp.extra_flags=-DDECIMAL_DIG=__DECIMAL_DIG__ \
-        -build-path "$4" "$folder/$(basename "$2")/$(basename "$2").ino"
+        -prefs=bare.flags="$bare_flags" -prefs=bare.link="$stm32_link" \
+        -build-path "$4" -build-cache "$folder/cores" "$folder/$(basename "$2")/$(basename "$2").ino"
 }
-# What an example prints in hexadecimal on a board: simavr colours it and prints dots.
-arduino_run() { # PART IMAGE
-    timeout 15 simavr -m "$1" -f 16000000 "$2" 2>&1 | tr -d '\033\r' | sed -n 's/^[^0-9A-F]*\(\[[0-9]*m\)*\([0-9A-F]\{1,4\}\)\.*$/\2/p'
+# What a sketch prints on a board, the lines that match the PATTERN, until there are LINES of them: simavr colours them, prints dots, and does not
+# end by itself.
+arduino_run() { # PART IMAGE LINES [PATTERN]
+    pattern=${4:-'[0-9A-F]\{1,4\}'}
+    timeout 60 stdbuf -oL simavr -m "$1" -f 16000000 "$2" >"$folder/serial" 2>&1 &
+    simulator=$!
+    while kill -0 $simulator 2>/dev/null; do
+        [ "$(arduino_printed | wc -l)" -lt "$3" ] || kill $simulator
+        sleep .2
+    done
+    arduino_printed
+}
+arduino_printed() { tr -d '\033\r' <"$folder/serial" | sed -n "s/^[^0-9A-F]*\(\[[0-9]*m\)*\($pattern\)\.*\$/\2/p"; }
+sketch_on_host() { # NAME PROGRAM: an example, with stubs/
+    # shellcheck disable=SC2086 # words
+    "${CXX:-c++}" -Wall -Wextra -Werror -I"$source/lib" $stub_includes -include Arduino.h -x c++ "$1" "$core/arduino.cpp" "$stubs"/libraries/*/*.cpp \
+        -x none "$library" -o "$2"
 }
 line_pixels() { # FILE: what the example Line prints, from the host
-    stubs=$source/tests/packages/stubs
-    "${CXX:-c++}" -I"$source/lib" -I"$stubs" -include Arduino.h -x c++ "$source/lib/examples/Line/Line.ino" "$stubs/arduino.cpp" -x none "$library" \
-        -o "$folder/line_on_host" && "$folder/line_on_host" >"$1" && [ "$(wc -l <"$1")" = 64 ]
+    sketch_on_host "$source/lib/examples/Line/Line.ino" "$folder/line_on_host" && "$folder/line_on_host" >"$1" && [ "$(wc -l <"$1")" = 64 ]
 }
 
 # Projects of Zephyr's and ESP-IDF's users, for the stand-ins that stubs/ has of their build systems.

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * The part of Adafruit GFX 1.12.6 that the examples call, with its signatures. */
+ * The part of Adafruit GFX 1.12.6 that the examples call, with its signatures. As in the library, the canvas lies on the heap, and
+ * getBuffer is NULL where that had too little room. */
 #ifndef STUB_ADAFRUIT_GFX_H
 #define STUB_ADAFRUIT_GFX_H
 
