@@ -137,10 +137,15 @@ void output_never(FILE *input)
     struct stat status;
     if (fstat(fileno(input), &status) != 0 || !S_ISREG(status.st_mode))
         return; /* pipes and devices are not replaced */
+    output_never_number(status.st_dev, status.st_ino);
+}
+
+void output_never_number(dev_t device, ino_t file)
+{
     struct input *kept = malloc(sizeof *kept);
     if (!kept)
         fail("out of memory");
-    *kept = (struct input){status.st_dev, status.st_ino, inputs};
+    *kept = (struct input){device, file, inputs};
     inputs = kept;
 }
 

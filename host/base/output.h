@@ -6,6 +6,7 @@
 
 #include <stdbool.h>
 #include <stdio.h>
+#include <sys/types.h>
 
 /* One of several that may be open at once. */
 struct output {
@@ -17,6 +18,7 @@ struct output {
 struct output *output_open(const char *path);
 /* No output may replace this file, which is read: output_open of it fails, by whatever name or link. */
 void output_never(FILE *input);
+void output_never_number(dev_t device, ino_t file); /* the same of one that another process read */
 /* Refuses a name that output_open would refuse because it leads to an input. */
 void output_check(const char *path);
 bool output_same(const char *a, const char *b); /* do two names lead to one file, whether it exists or not? */

@@ -17,7 +17,9 @@
 
 #include "base/clock.h"
 #include "base/memory.h"
+#include "base/output.h"
 #include "mesh/import_child.h"
+#include "mesh/import_files.h"
 #include "mesh/import_source.h"
 
 enum { SECONDS_MAX = 10, MEMORY_MAX_MB = 2048, PARTS_MAX = 4096 };
@@ -89,6 +91,18 @@ static void receive(const struct reader *reader, void *to, size_t bytes)
     }
 }
 
+static void receive_files(const struct reader *reader, uint64_t count)
+{
+    struct import_file file;
+    if (count > IMPORT_FILES_MAX)
+        fail("%s: libassimp read more than %d files; export it again, in one file", reader->source->name,
+             IMPORT_FILES_MAX);
+    for (uint64_t i = 0; i < count; i++) {
+        receive(reader, &file, sizeof file);
+        output_never_number(file.device, file.number);
+    }
+}
+
 static struct soup *receive_soup(const struct reader *reader)
 {
     struct import_head head;
@@ -96,6 +110,7 @@ static struct soup *receive_soup(const struct reader *reader)
     head.message[sizeof head.message - 1] = 0;
     if (head.message[0])
         fail("%s: libassimp cannot read this mesh: %s", reader->source->name, head.message);
+    receive_files(reader, head.file_count);
     soup_check_count(reader->source->name, head.face_count);
     if (head.part_count == 0 || head.part_count > PARTS_MAX)
         fail("%s: has %llu materials; at most %d can be read; join some", reader->source->name,

@@ -14,11 +14,11 @@
 #include <unistd.h>
 
 #include "glint.h"
+#include "mesh/import_files.h"
 
 /* Loaded here only: commands that read no mesh start without it. */
 #define FUNCTIONS(X)                                                                                                   \
-    X(aiImportFile)                                                                                                    \
-    X(aiImportFileFromMemory)                                                                                          \
+    X(aiImportFileEx)                                                                                                  \
     X(aiGetErrorString)                                                                                                \
     X(aiGetMaterialColor)                                                                                              \
     X(aiGetMaterialFloatArray)                                                                                         \
@@ -127,8 +127,9 @@ static struct import_head head_of(const struct aiScene *scene)
 static const struct aiScene *read_scene(const struct import_source *source)
 {
     const unsigned steps = aiProcess_Triangulate | aiProcess_PreTransformVertices;
-    return source->path ? lib.aiImportFile(source->path, steps)
-                        : lib.aiImportFileFromMemory(source->bytes, (unsigned)source->len, steps, source->ending + 1);
+    char input[32];
+    snprintf(input, sizeof input, "%s%s", import_files_input, source->ending);
+    return lib.aiImportFileEx(source->path ? source->path : input, steps, import_files(source));
 }
 
 void import_child(const struct import_source *source, int out)
@@ -143,11 +144,15 @@ void import_child(const struct import_source *source, int out)
     const struct aiScene *scene = read_scene(source);
     if (!scene) {
         const char *text = lib.aiGetErrorString();
-        send_message(out, strstr(text, "$$$") ? "" : text); /* a name that libassimp gave to the bytes */
+        send_message(out,
+                     !source->path && strstr(text, import_files_input) ? "" : text); /* the message names it already */
         return;
     }
     struct import_head head = head_of(scene);
+    const struct import_file *files;
+    head.file_count = import_files_read(&files);
     send(out, &head, sizeof head);
+    send(out, files, head.file_count * sizeof *files);
     if (head.face_count > GLINT_MESH_FACES_MAX)
         return; /* the parent says so */
     for (unsigned i = 0; i < scene->mNumMaterials; i++) {

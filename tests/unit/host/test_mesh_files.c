@@ -231,6 +231,34 @@ static void what_standard_input_holds_wrong_is_one_line(void **state)
     assert_false(exists("no.c") || exists("no.h"));
 }
 
+/* A mesh may lie in several files, of which the user names one. */
+static void an_output_that_is_a_file_of_the_mesh_is_refused_and_kept(void **state)
+{
+    (void)state;
+    static const char *const lines[][2] = {{"bake --mesh m.obj --as raw -o m.obj", "m.obj"},
+                                           {"bake --mesh m.obj --as c -o m.mtl", "m.mtl"},
+                                           {"bake --mesh m.obj --as raw -o hard.mtl", "hard.mtl"},
+                                           {"bake --mesh - --as raw -o m.mtl <m.obj", "m.mtl"},
+                                           {"render --mesh m.obj --size 9x9 --image ppm -o m.mtl", "m.mtl"},
+                                           {"bake --mesh m.gltf -o m.bin", "m.bin"},
+                                           {"stream --mesh m.gltf --size 9x9 --frames 1 --to y4m -o m.bin", "m.bin"}};
+    write_text("m.obj", "mtllib m.mtl\nv 0 0 0\nv 2 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
+    write_text("m.mtl", "newmtl red\nKd 1 0 0\n");
+    assert_quiet("tail -c 36 a.glb >m.bin && ln m.mtl hard.mtl && "
+                 "sed 's|data:application/octet-stream;base64,[^\"]*|m.bin|' a.gltf >m.gltf && grep -q m.bin m.gltf && "
+                 "mkdir kept && cp m.obj m.mtl m.gltf m.bin kept");
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        char line[200], message[100];
+        snprintf(line, sizeof line, "$GLINT %s", lines[i][0]);
+        snprintf(message, sizeof message, "%s: this file is also an input; name another for the output", lines[i][1]);
+        assert_fails(line, message);
+        assert_quiet("for f in m.obj m.mtl m.gltf m.bin; do cmp $f kept/$f || exit 1; done");
+    }
+    assert_int_equal(run("$GLINT bake --mesh m.gltf -o other.bin")->status, 0);
+    /* A pipe in the place of the materials is not waited for: the mesh has none. */
+    assert_quiet("rm m.mtl && mkfifo m.mtl && $GLINT render --mesh m.obj --size 9x9 -o pipe.ppm");
+}
+
 static void a_mesh_that_faces_inwards_is_drawn_with_a_warning(void **state)
 {
     (void)state;
@@ -303,6 +331,7 @@ int main(void)
         cmocka_unit_test(stl_ply_and_gltf_are_read_and_axes_turn_what_is_up),
         cmocka_unit_test(standard_input_is_known_by_its_bytes_and_read_as_a_file_is),
         cmocka_unit_test(what_standard_input_holds_wrong_is_one_line),
+        cmocka_unit_test(an_output_that_is_a_file_of_the_mesh_is_refused_and_kept),
         cmocka_unit_test(a_mesh_that_faces_inwards_is_drawn_with_a_warning),
         cmocka_unit_test(hostile_files_are_one_line),
 #else

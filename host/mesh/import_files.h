@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT
+ * Inside the child process: the files that libassimp reads, which are more than the one that the user names: an OBJ has its
+ * materials elsewhere, a glTF its numbers. The parent is told of each, so that no output replaces it. */
+#ifndef GLINT_MESH_IMPORT_FILES_H
+#define GLINT_MESH_IMPORT_FILES_H
+
+#include <stdint.h>
+
+#include "mesh/import_source.h"
+
+enum { IMPORT_FILES_MAX = 1024 };
+
+struct import_file {
+    uint64_t device, number; /* as stat() has them */
+};
+
+struct aiFileIO; /* libassimp's */
+/* Opens regular files to read, at most IMPORT_FILES_MAX different ones; of `import_files_input` the source's bytes. */
+struct aiFileIO *import_files(const struct import_source *source);
+extern const char import_files_input[]; /* how libassimp's name of standard input begins; the format's ending follows */
+/* Those opened so far. */
+unsigned import_files_read(const struct import_file **files);
+
+#endif
