@@ -120,6 +120,8 @@ static void check_joint(const struct argp_state *state, struct settings *setting
                JOINT_COEFFICIENTS_MAX);
     if (settings->checkpoint && strcmp(settings->checkpoint, "-") == 0)
         refuse(state, "--checkpoint: a checkpoint is a file, not standard output");
+    if (settings->checkpoint && output_same(settings->checkpoint, settings->output))
+        refuse(state, "--checkpoint: this is the file of -o, too; name another");
 }
 
 static error_t parse_option(int key, char *argument, struct argp_state *state)

@@ -215,6 +215,9 @@ static void options_that_do_not_go_together_are_refused(void **state)
     assert_refused("$GLINT search --joint --exponents -4:4:0.01", "at most 200");
     assert_refused("$GLINT search --joint --coefficients 1:21", "at most 20");
     assert_refused("$GLINT search --joint --checkpoint -", "not standard output");
+    assert_refused("ln -s new.json link.json; $GLINT search --joint --checkpoint new.json -o link.json",
+                   "--checkpoint: this is the file of -o, too; name another");
+    assert_int_equal(access("new.json", F_OK), -1);
     assert_refused("OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=0 $GLINT search", "only --joint is spread");
 }
 
