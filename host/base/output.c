@@ -232,21 +232,29 @@ static void free_output(struct output *output)
     free(output);
 }
 
+static const char *name_of(const struct output *output)
+{
+    return strcmp(output->path, "-") == 0 ? "standard output" : output->path;
+}
+
+void output_check_written(struct output *output)
+{
+    errno = 0;
+    if (fflush(output->stream) == 0 && !ferror(output->stream))
+        return;
+    const int reason = errno;
+    stop_if_interrupted(reason);
+    fail("%s: could not be written: %s", name_of(output), reason ? strerror(reason) : "write error");
+}
+
 void output_close(struct output *output)
 {
-    const char *name = strcmp(output->path, "-") == 0 ? "standard output" : output->path;
-    errno = 0;
-    const bool bad = fflush(output->stream) != 0 || ferror(output->stream);
-    const int reason = errno;
-    if (output->stream != stdout && fclose(output->stream) != 0 && !bad)
-        fail("%s: could not be written: %s", name, strerror(errno));
-    if (bad)
-        stop_if_interrupted(reason);
-    if (bad)
-        fail("%s: could not be written: %s", name, reason ? strerror(reason) : "write error");
+    output_check_written(output);
+    if (output->stream != stdout && fclose(output->stream) != 0)
+        fail("%s: could not be written: %s", name_of(output), strerror(errno));
     if (output->temporary) {
         if (rename(output->temporary, output->target) != 0)
-            fail("%s: %s", name, strerror(errno));
+            fail("%s: %s", name_of(output), strerror(errno));
         forget(output->temporary);
     }
     free_output(output);

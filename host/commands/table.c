@@ -10,7 +10,7 @@
 #include "base/argp.h"
 #include "base/c_names.h"
 #include "base/message.h"
-#include "base/output.h"
+#include "base/output_pair.h"
 #include "base/parse.h"
 #include "commands/commands.h"
 #include "draw/paths.h"
@@ -157,18 +157,17 @@ static void write_lobe(struct request *request, const struct shading *shading, c
     glint_lobe_init(&table->lobe, shading->model, shading->n, shading->q);
     table->clamp_peak = shading->clamp_peak;
     lobe_table_fill(table);
-    struct output *output = output_open(request->path);
-    struct output *header = request->files.header ? output_open(request->files.header) : NULL;
+    struct output_pair outputs = output_pair_open(request->path, request->files.header);
+    FILE *const stream = outputs.source->stream;
     if (request->raw) {
-        lobe_table_write_raw(table, output->stream);
-    } else if (header) {
-        lobe_table_write_header(table, name, header->stream);
-        lobe_table_write_definition(table, name, request->files.within, output->stream);
-        output_close(header);
+        lobe_table_write_raw(table, stream);
+    } else if (outputs.header) {
+        lobe_table_write_header(table, name, outputs.header->stream);
+        lobe_table_write_definition(table, name, request->files.within, stream);
     } else {
-        lobe_table_write_c(table, name, output->stream);
+        lobe_table_write_c(table, name, stream);
     }
-    output_close(output);
+    output_pair_close(&outputs);
     free(table->entries);
 }
 
@@ -190,16 +189,15 @@ static void write_tables(const struct request *request, struct shading shading, 
     if (asprintf(&flash.about, "%s, n = %u, q = %u, %s, %s", model_names[shading.model], shading.n, shading.q,
                  format_names[shading.format], space_names[shading.space]) < 0)
         fail("out of memory");
-    struct output *output = output_open(request->path);
-    struct output *header = request->files.header ? output_open(request->files.header) : NULL;
-    if (header) {
-        flash_tables_write_header(&flash, name, header->stream);
-        flash_tables_write_definition(&flash, name, request->files.within, output->stream);
-        output_close(header);
+    struct output_pair outputs = output_pair_open(request->path, request->files.header);
+    FILE *const stream = outputs.source->stream;
+    if (outputs.header) {
+        flash_tables_write_header(&flash, name, outputs.header->stream);
+        flash_tables_write_definition(&flash, name, request->files.within, stream);
     } else {
-        flash_tables_write_c(&flash, name, output->stream);
+        flash_tables_write_c(&flash, name, stream);
     }
-    output_close(output);
+    output_pair_close(&outputs);
     flash_tables_free(&flash);
 }
 

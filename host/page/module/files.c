@@ -146,6 +146,17 @@ struct output *output_open(const char *path)
     fail("%s: more than %d files are open", path, WRITTEN_MAX);
 }
 
+/* Memory does not fail at the end. */
+void output_check_written(struct output *output)
+{
+    (void)output;
+}
+
+bool output_same(const char *a, const char *b)
+{
+    return strcmp(a, b) == 0;
+}
+
 void output_close(struct output *output)
 {
     struct opened *file = (struct opened *)output;

@@ -66,6 +66,16 @@ static void a_frame_that_would_replace_an_input_is_refused_before_the_first_one(
     assert_quiet("$GLINT stream --height out/frame-0012.png --to png --frames 12 -o out/frame-%04d.png");
 }
 
+static void a_source_and_a_header_that_are_one_file_are_refused(void **state)
+{
+    (void)state;
+    assert_quiet("ln -s one.h out/one.c && echo old >out/two.c && ln out/two.c out/two.h");
+    assert_fails("$GLINT bake --scene coin -o out/one.c", "out/one.h: leads to the same file as out/one.c; remove the");
+    assert_fails("$GLINT table --kind colour -o out/two.c", "out/two.h: leads to the same file as out/two.c");
+    assert_fails("$GLINT bake --scene teapot -o out/two.c", "out/two.h: leads to the same file as out/two.c");
+    assert_quiet("test ! -e out/one.h && test \"$(cat out/two.h)\" = old && rm out/two.*");
+}
+
 /* ---- texts ---- */
 
 static void texts_lose_control_characters_and_what_is_not_utf_8(void **state)
@@ -140,6 +150,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_output_that_is_also_an_input_is_refused_and_kept),
         cmocka_unit_test(a_frame_that_would_replace_an_input_is_refused_before_the_first_one),
+        cmocka_unit_test(a_source_and_a_header_that_are_one_file_are_refused),
         cmocka_unit_test(texts_lose_control_characters_and_what_is_not_utf_8),
         cmocka_unit_test(file_names_do_not_reach_the_terminal_as_they_are),
         cmocka_unit_test(a_signal_at_a_pipe_without_a_reader_ends_a_stream_with_its_status),

@@ -150,6 +150,22 @@ static void a_limit_on_the_size_of_files_is_a_failure_that_leaves_nothing(void *
     assert_int_equal(files_in("out"), 0);
 }
 
+static void a_header_is_not_there_without_its_source(void **state)
+{
+    (void)state;
+    static const char *const commands[] = {"bake --scene coin", "bake --scene teapot", "table --kind colour",
+                                           "table --entries 9999"};
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "(ulimit -f 8; exec $GLINT %s -o out/half.c)", commands[i]);
+        const struct run *result = run(line);
+        assert_int_equal(result->status, 1);
+        assert_one_line(result->err);
+        assert_contains(result->err, "out/half.c: could not be written: ");
+        assert_int_equal(files_in("out"), 0);
+    }
+}
+
 static int empty_folder(void **state)
 {
     (void)state;
@@ -166,6 +182,7 @@ int main(void)
         TEST(a_signal_that_ends_the_command_leaves_nothing),
         TEST(a_signal_that_is_ignored_stays_so),
         TEST(a_limit_on_the_size_of_files_is_a_failure_that_leaves_nothing),
+        TEST(a_header_is_not_there_without_its_source),
     };
     return cmocka_run_group_tests_name("output", tests, scratch_make, scratch_remove);
 }
