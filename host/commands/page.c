@@ -1,27 +1,29 @@
 /* SPDX-License-Identifier: MIT
  * glint page: the web page, served to browsers of this machine.
  *
- * A file is opened by any browser, but some give a page from a file less (links that can be shared, devices). One
- * connection at a time, one request each, from memory, on the loopback address alone. */
+ * A file is opened by any browser, but some give a page from a file less (links that can be shared, devices). A
+ * connection has one request, which is answered from memory, on the loopback address alone. */
 #include <arpa/inet.h>
 #include <errno.h>
 #include <limits.h>
 #include <netinet/in.h>
+#include <poll.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
-#include <sys/time.h>
 #include <unistd.h>
 
 #include "base/argp.h"
+#include "base/clock.h"
 #include "base/memory.h"
 #include "base/message.h"
 #include "base/parse.h"
 #include "commands/commands.h"
 
 enum { KEY_PORT = 256, KEY_FILE };
-enum { PORT_DEFAULT = 8016, REQUEST_MAX = 8192, WAIT_SECONDS = 5, PAGE_MAX = 1 << 24 };
+enum { PORT_DEFAULT = 8016, REQUEST_LINE = 1024, REQUEST_MAX = 1 << 20, CLIENTS_MAX = 16, WAIT_SECONDS = 10 };
+enum { PAGE_MAX = 1 << 24 };
 
 struct request {
     long port;
@@ -111,31 +113,18 @@ static void find_page(const char *path, struct page *page)
 
 /* ---- the server ---- */
 
-static void send_all(int client, const char *bytes, size_t len)
-{
-    while (len) {
-        const ssize_t sent = send(client, bytes, len, MSG_NOSIGNAL);
-        if (sent <= 0)
-            return; /* the browser went away */
-        bytes += sent;
-        len -= (size_t)sent;
-    }
-}
-
-static void answer(int client, const char *status, const struct page *page, bool with_page)
-{
-    static const char nothing[] = "This server has one page: /\n";
-    const bool good = status[0] == '2';
-    const size_t len = good ? page->len : strlen(nothing);
+/* A browser's connection: its request is read to the end, then the answer is sent. Browsers open some ahead of need, which
+ * say nothing for long: so several are served at once. */
+struct client {
+    int socket;
+    double end; /* of its time: it is closed when nothing was sent or taken until then */
+    char line[REQUEST_LINE];
+    size_t line_len, request_len;
+    unsigned newlines; /* one after the other at the request's end: two end it */
     char head[256];
-    const int head_len = snprintf(head, sizeof head,
-                                  "HTTP/1.1 %s\r\nContent-Type: text/%s; charset=utf-8\r\nContent-Length: %zu\r\n"
-                                  "Cache-Control: no-cache\r\nConnection: close\r\n\r\n",
-                                  status, good ? "html" : "plain", len);
-    send_all(client, head, (size_t)head_len);
-    if (with_page)
-        send_all(client, good ? page->bytes : nothing, len);
-}
+    const char *body;
+    size_t head_len, body_len, sent;
+};
 
 /* What follows the path, a query, does not matter. */
 static bool asks_for(const char *line, const char *path)
@@ -144,28 +133,103 @@ static bool asks_for(const char *line, const char *path)
     return strncmp(line, path, len) == 0 && (line[len] == ' ' || line[len] == '?');
 }
 
-static void serve(int client, const struct page *page)
+static void answer(struct client *client, const struct page *page)
 {
-    char text[REQUEST_MAX + 1];
-    size_t len = 0;
-    const struct timeval patience = {WAIT_SECONDS, 0};
-    setsockopt(client, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
-    setsockopt(client, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
-    do {
-        const ssize_t got = recv(client, text + len, REQUEST_MAX - len, 0);
-        if (got <= 0)
-            return; /* closed, or silent for too long */
-        len += (size_t)got;
-        text[len] = '\0';
-    } while (!strstr(text, "\r\n\r\n") && len < REQUEST_MAX);
-    const bool get = strncmp(text, "GET ", 4) == 0, head = strncmp(text, "HEAD ", 5) == 0;
-    const char *path = text + (head ? 5 : 4);
+    static const char nothing[] = "This server has one page: /\n";
+    const bool get = strncmp(client->line, "GET ", 4) == 0, head = strncmp(client->line, "HEAD ", 5) == 0;
+    const char *path = client->line + (head ? 5 : 4), *status = "404 Not Found";
     if (!get && !head)
-        answer(client, "405 Method Not Allowed", page, true);
+        status = "405 Method Not Allowed";
     else if (asks_for(path, "/") || asks_for(path, "/index.html"))
-        answer(client, "200 OK", page, get);
-    else
-        answer(client, "404 Not Found", page, get);
+        status = "200 OK";
+    const bool good = status[0] == '2';
+    const size_t len = good ? page->len : strlen(nothing);
+    client->body = good ? page->bytes : nothing;
+    client->body_len = head ? 0 : len;
+    client->head_len = (size_t)snprintf(client->head, sizeof client->head,
+                                        "HTTP/1.1 %s\r\nContent-Type: text/%s; charset=utf-8\r\nContent-Length: %zu\r\n"
+                                        "Cache-Control: no-cache\r\nConnection: close\r\n\r\n",
+                                        status, good ? "html" : "plain", len);
+}
+
+/* Of the request the line counts; what follows it is read, and may be long: cookies of other servers on this machine. */
+static bool read_some(struct client *client, const struct page *page)
+{
+    char bytes[4096];
+    const ssize_t got = recv(client->socket, bytes, sizeof bytes, MSG_DONTWAIT);
+    if (got < 0)
+        return errno == EAGAIN || errno == EINTR;
+    client->request_len += (size_t)got;
+    for (ssize_t i = 0; i < got && client->newlines < 2; i++) {
+        if (client->line_len < REQUEST_LINE - 1)
+            client->line[client->line_len++] = bytes[i];
+        if (bytes[i] == '\n')
+            client->newlines++;
+        else if (bytes[i] != '\r')
+            client->newlines = 0;
+    }
+    if (client->newlines == 2)
+        answer(client, page);
+    return got > 0 && client->request_len <= REQUEST_MAX;
+}
+
+static bool send_some(struct client *client)
+{
+    const bool in_head = client->sent < client->head_len;
+    const size_t at = in_head ? client->sent : client->sent - client->head_len;
+    const ssize_t sent = send(client->socket, (in_head ? client->head : client->body) + at,
+                              (in_head ? client->head_len : client->body_len) - at, MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent < 0)
+        return errno == EAGAIN || errno == EINTR;
+    client->sent += (size_t)sent;
+    client->end = seconds_now() + WAIT_SECONDS;
+    return client->sent < client->head_len + client->body_len;
+}
+
+/* Where all places are taken, the connection that has been silent for longest makes room. */
+static void greet(struct client *clients, int socket)
+{
+    struct client *place = clients;
+    for (int i = 0; i < CLIENTS_MAX && place->socket >= 0; i++)
+        if (clients[i].socket < 0 || clients[i].end < place->end)
+            place = &clients[i];
+    if (place->socket >= 0)
+        close(place->socket);
+    *place = (struct client){.socket = socket, .end = seconds_now() + WAIT_SECONDS};
+}
+
+/* Waits for what comes next, and does it. */
+static void serve(int listener, struct client *clients, const struct page *page)
+{
+    struct pollfd waits[CLIENTS_MAX + 1];
+    double end = seconds_now() + 3600;
+    for (int i = 0; i < CLIENTS_MAX; i++) {
+        waits[i] =
+            (struct pollfd){clients[i].socket, clients[i].head_len ? POLLOUT : POLLIN, 0}; /* below 0: passed over */
+        if (clients[i].socket >= 0 && clients[i].end < end)
+            end = clients[i].end;
+    }
+    waits[CLIENTS_MAX] = (struct pollfd){listener, POLLIN, 0};
+    const double left = end - seconds_now();
+    if (poll(waits, CLIENTS_MAX + 1, left > 0 ? (int)(1000 * left) + 1 : 0) < 0)
+        return; /* a signal */
+    for (int i = 0; i < CLIENTS_MAX; i++) {
+        struct client *client = &clients[i];
+        bool stays = client->end > seconds_now();
+        if (client->socket >= 0 && waits[i].revents)
+            stays = client->head_len ? send_some(client) : read_some(client, page);
+        if (client->socket < 0 || stays)
+            continue;
+        close(client->socket);
+        client->socket = -1;
+    }
+    if (!waits[CLIENTS_MAX].revents)
+        return;
+    const int socket = accept4(listener, NULL, NULL, SOCK_CLOEXEC);
+    if (socket >= 0)
+        greet(clients, socket);
+    else if (errno != EINTR && errno != ECONNABORTED && errno != EAGAIN)
+        fail("no connection: %s", strerror(errno));
 }
 
 static int listen_at(long port)
@@ -173,7 +237,7 @@ static int listen_at(long port)
     struct sockaddr_in address = {
         .sin_family = AF_INET, .sin_port = htons((uint16_t)port), .sin_addr.s_addr = htonl(INADDR_LOOPBACK)};
     socklen_t len = sizeof address;
-    const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0), yes = 1;
+    const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0), yes = 1;
     if (listener < 0)
         fail("no socket: %s", strerror(errno));
     setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
@@ -195,13 +259,9 @@ int command_page(int argc, char **argv)
     struct page page;
     find_page(request.file, &page);
     const int listener = listen_at(request.port);
-    for (;;) { /* a signal ends the program */
-        const int client = accept4(listener, NULL, NULL, SOCK_CLOEXEC);
-        if (client < 0 && errno != EINTR && errno != ECONNABORTED)
-            fail("port %ld: %s", request.port, strerror(errno));
-        if (client < 0)
-            continue;
-        serve(client, &page);
-        close(client);
-    }
+    struct client clients[CLIENTS_MAX];
+    for (int i = 0; i < CLIENTS_MAX; i++)
+        clients[i] = (struct client){.socket = -1};
+    for (;;) /* a signal ends the program */
+        serve(listener, clients, &page);
 }

@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: MIT
+ * glint page as a server: what browsers ask, and connections that say nothing. */
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <sys/socket.h>
+
+#include "run.h"
+
+enum { PAGE_LEN = 300000 }; /* more than a socket holds */
+static pid_t server;
+static uint16_t port;
+
+static int server_start(void **state)
+{
+    if (scratch_make(state) != 0)
+        return -1;
+    FILE *page = fopen("page.html", "w");
+    int ends[2];
+    if (!page || fprintf(page, "<html>%*s", PAGE_LEN - 6, "</html>") != PAGE_LEN || fclose(page) != 0 ||
+        pipe(ends) != 0)
+        return -1;
+    server = fork();
+    if (server == 0) {
+        alarm(60); /* where the test was killed */
+        dup2(ends[1], STDOUT_FILENO);
+        execlp(getenv("GLINT"), "glint", "page", "--port", "0", "--file", "page.html", (char *)NULL);
+        _exit(127);
+    }
+    close(ends[1]);
+    FILE *out = fdopen(ends[0], "r");
+    const int found = fscanf(out, "http://localhost:%hu/", &port);
+    fclose(out);
+    return found == 1 ? 0 : -1;
+}
+
+static int server_stop(void **state)
+{
+    int status;
+    kill(server, SIGTERM);
+    const bool ended = waitpid(server, &status, 0) == server && WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM;
+    return scratch_remove(state) == 0 && ended ? 0 : -1;
+}
+
+static int connected(void)
+{
+    const struct sockaddr_in address = {
+        .sin_family = AF_INET, .sin_port = htons(port), .sin_addr.s_addr = htonl(INADDR_LOOPBACK)};
+    const struct timeval patience = {30, 0}; /* a server that hangs fails the test */
+    const int client = socket(AF_INET, SOCK_STREAM, 0);
+    assert_true(client >= 0);
+    setsockopt(client, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    assert_int_equal(connect(client, (const struct sockaddr *)&address, sizeof address), 0);
+    return client;
+}
+
+static void say(int client, const char *text)
+{
+    assert_int_equal(send(client, text, strlen(text), MSG_NOSIGNAL), strlen(text));
+}
+
+/* All that comes until the server closes. */
+static const char *heard(int client)
+{
+    static char text[PAGE_LEN + 1000];
+    size_t len = 0;
+    ssize_t got;
+    while ((got = recv(client, text + len, sizeof text - 1 - len, 0)) > 0)
+        len += (size_t)got;
+    text[len] = '\0';
+    close(client);
+    return text;
+}
+
+static void assert_page(int client)
+{
+    const char *text = heard(client), *body = strstr(text, "\r\n\r\n");
+    assert_memory_equal(text, "HTTP/1.1 200 OK\r\n", 17);
+    assert_contains(text, "Content-Length: 300000\r\n");
+    assert_non_null(body);
+    assert_int_equal(strlen(body + 4), PAGE_LEN);
+}
+
+static const char *asked(const char *request)
+{
+    const int client = connected();
+    say(client, request);
+    return heard(client);
+}
+
+static void requests_get_the_page_or_a_status(void **state)
+{
+    (void)state;
+    static const char *const good[] = {"GET / HTTP/1.1\r\n\r\n", "GET /index.html?light=1,0,1 HTTP/1.1\r\nA: b\r\n\r\n",
+                                       "GET / HTTP/1.0\n\n"};
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+        const int client = connected();
+        say(client, good[i]);
+        assert_page(client);
+    }
+    assert_contains(asked("GET /../page.html HTTP/1.1\r\n\r\n"), "HTTP/1.1 404 Not Found\r\n");
+    assert_contains(asked("GET /index HTTP/1.1\r\n\r\n"), "\r\n\r\nThis server has one page: /\n");
+    assert_contains(asked("POST / HTTP/1.1\r\n\r\n"), "HTTP/1.1 405 Method Not Allowed\r\n");
+    assert_contains(asked("\n\n"), "HTTP/1.1 405 ");
+    const char *head = asked("HEAD / HTTP/1.1\r\n\r\n");
+    assert_contains(head, "HTTP/1.1 200 OK\r\n");
+    assert_string_equal(strstr(head, "\r\n\r\n"), "\r\n\r\n");
+}
+
+/* Cookies of every server on this machine come with a request to any of them. */
+static void a_request_with_long_headers_gets_the_page(void **state)
+{
+    (void)state;
+    char line[4100];
+    memset(line, 'c', sizeof line);
+    memcpy(line, "Cookie: ", 8);
+    strcpy(&line[4096], "\r\n");
+    const int client = connected();
+    say(client, "GET / HTTP/1.1\r\n");
+    for (int i = 0; i < 8; i++)
+        say(client, line);
+    say(client, "\r\n");
+    assert_page(client);
+}
+
+/* Browsers open connections ahead of need; whoever is slow waits alone. */
+static void connections_that_say_nothing_hold_nobody_up(void **state)
+{
+    (void)state;
+    const int silent = connected(), slow = connected(), deaf = connected(), quick = connected();
+    say(slow, "GET / HT");
+    say(deaf, "GET / HTTP/1.1\r\n\r\n"); /* and does not read yet */
+    say(quick, "GET / HTTP/1.1\r\n\r\n");
+    assert_page(quick);
+    say(slow, "TP/1.1\r\n\r\n"); /* each is still served */
+    assert_page(slow);
+    assert_page(deaf);
+    say(silent, "GET / HTTP/1.1\r\n\r\n");
+    assert_page(silent);
+}
+
+static void however_many_say_nothing_the_next_gets_the_page(void **state)
+{
+    (void)state;
+    int silent[40];
+    for (int i = 0; i < 40; i++)
+        silent[i] = connected();
+    const int client = connected();
+    say(client, "GET / HTTP/1.1\r\n\r\n");
+    assert_page(client);
+    for (int i = 0; i < 40; i++)
+        close(silent[i]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(requests_get_the_page_or_a_status),
+        cmocka_unit_test(a_request_with_long_headers_gets_the_page),
+        cmocka_unit_test(connections_that_say_nothing_hold_nobody_up),
+        cmocka_unit_test(however_many_say_nothing_the_next_gets_the_page),
+    };
+    return cmocka_run_group_tests_name("page", tests, server_start, server_stop);
+}
