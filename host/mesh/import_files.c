@@ -113,7 +113,7 @@ static struct aiFile *open_any(struct aiFileIO *io, const char *path, const char
                                    .FileSizeProc = size_of_opened,
                                    .SeekProc = seek_opened,
                                    .FlushProc = flush_opened};
-    return &opened->file;
+    return (struct aiFile *)opened;
 }
 
 static void close_opened(struct aiFileIO *io, struct aiFile *file)

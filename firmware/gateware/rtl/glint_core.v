@@ -226,6 +226,9 @@ module glint_core #(
         if (USER < 1) begin : range
             USER_must_be_1_or_more stop ();
         end
+        if (LUT_RAM < 0 || LUT_RAM > 1 || ROW_AND < 0 || ROW_AND > 1) begin : flags
+            LUT_RAM_and_ROW_AND_must_be_0_or_1 stop ();
+        end
     endgenerate
 
     wire unused = &{1'b0, w2_high[31:26], zero[12], y4[0], y3_next[27], y3_next[7:0], low2[0], carry10[7:0],

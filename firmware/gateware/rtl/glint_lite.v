@@ -124,6 +124,9 @@ module glint_lite #(
         if (USER < 1) begin : range
             USER_must_be_1_or_more stop ();
         end
+        if (LUT_RAM < 0 || LUT_RAM > 1 || ROW_AND < 0 || ROW_AND > 1) begin : flags
+            LUT_RAM_and_ROW_AND_must_be_0_or_1 stop ();
+        end
     endgenerate
 
     wire unused = &{1'b0, zero[6], u3[2:0], entry5[14:12], sum0[0], sum1[0], sum2[0], sum4[0], was5[0], sum5[0],

@@ -111,6 +111,13 @@ module glint_span #(
         .m_last(m_last),
         .idle(shade_idle)
     );
+
+    generate
+        if (WHITE < 0 || WHITE > 1 || ROWS < 0 || ROWS > 1 || LUT_RAM < 0 || LUT_RAM > 1 ||
+            ROW_AND < 0 || ROW_AND > 1) begin : flags
+            WHITE_ROWS_LUT_RAM_and_ROW_AND_must_be_0_or_1 stop ();
+        end
+    endgenerate
 endmodule
 
 `default_nettype wire

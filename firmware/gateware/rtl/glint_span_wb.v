@@ -146,6 +146,13 @@ module glint_span_wb #(
             assign skid_idle = 1'b1;
         end
     endgenerate
+
+    generate
+        if (WHITE < 0 || WHITE > 1 || ROWS < 0 || ROWS > 1 || LUT_RAM < 0 || LUT_RAM > 1 ||
+            ROW_AND < 0 || ROW_AND > 1 || SKID < 0 || SKID > 1) begin : flags
+            WHITE_ROWS_LUT_RAM_ROW_AND_and_SKID_must_be_0_or_1 stop ();
+        end
+    endgenerate
 endmodule
 
 `default_nettype wire
