@@ -189,7 +189,8 @@ static bool spans_from_c_are_the_library_s_pixels()
         }
         shader.clamp_peak = i / 2 % 2;
         take = i % 3 ? 256 : 60;
-        unit_set_shader(&shader); // waits for the spans before
+        if (unit_set_shader(&shader) != GLINT_OK) // waits for the spans before
+            return false;
         pixels.clear();
         std::vector<uint32_t> wanted;
         for (int j = 0; j < 12; j++) {
@@ -200,7 +201,8 @@ static bool spans_from_c_are_the_library_s_pixels()
                 return false;
             for (unsigned x = 0; x < span.w; x++)
                 wanted.push_back((uint32_t)(line[2 * x] | line[2 * x + 1] << 8) << 1 | (x + 1u == span.w));
-            unit_shade_span(&span);
+            if (unit_shade_span(&span) != GLINT_OK)
+                return false;
         }
         while (!(peek(GLINT_UNIT_STATUS) & GLINT_UNIT_IDLE)) {
         }
@@ -210,6 +212,34 @@ static bool spans_from_c_are_the_library_s_pixels()
         }
     }
     return true;
+}
+
+static bool what_the_unit_does_not_draw_is_refused_in_c()
+{
+    reset();
+    struct glint_shader shader;
+    memset(&shader, 0, sizeof shader);
+    glint_lobe_init(&shader.lobe, GLINT_SCHLICK, 60, 6);
+    memset(shader.material.albedo, 255, 3);
+    bool good = unit_set_shader(&shader) == GLINT_OK && peek(GLINT_UNIT_N) == 60;
+    shader.lobe.n = 70; // none of these is written
+    const auto refused = [&](enum glint_err reason, void (*change)(struct glint_shader &)) {
+        struct glint_shader other = shader;
+        change(other);
+        good = good && unit_set_shader(&other) == reason && peek(GLINT_UNIT_N) == 60;
+    };
+    refused(GLINT_ERR_ARG, [](struct glint_shader &s) { s.lobe.model = GLINT_BLINN; });
+    refused(GLINT_ERR_ARG, [](struct glint_shader &s) { s.lobe.model = GLINT_LYON + 1; });
+    refused(GLINT_ERR_ARG, [](struct glint_shader &s) { s.material.albedo[1] = 254; });
+    refused(GLINT_ERR_FORMAT, [](struct glint_shader &s) { s.format = GLINT_RGB888; });
+    refused(GLINT_ERR_FORMAT, [](struct glint_shader &s) { s.space = GLINT_LINEAR; });
+    refused(GLINT_ERR_FORMAT, [](struct glint_shader &s) { s.dither = true; });
+    struct glint_span span = random_span();
+    span.w = 4097;
+    good = good && unit_shade_span(&span) == GLINT_ERR_VECTOR && peek(GLINT_UNIT_STATUS) == GLINT_UNIT_IDLE;
+    span.w = 4096;
+    return good && unit_shade_span(&span) == GLINT_OK && unit_set_shader(&shader) == GLINT_OK &&
+           peek(GLINT_UNIT_N) == 70 && pixels.size() == 4096;
 }
 
 // From the clock that takes the write of w to the one in which its pixel is there.
@@ -236,6 +266,8 @@ int main(int argc, char **argv)
                    what_may_not_be_written_ends_with_an_error());
         tap::check("spans and shaders written by the C header are the library's pixels",
                    spans_from_c_are_the_library_s_pixels());
+        tap::check("what the unit does not draw is refused in C, and nothing of it is written",
+                   what_the_unit_does_not_draw_is_refused_in_c());
         tap::check("a reset drops the spans and pixels that wait, and registers are 0 after it", a_reset_drops_all());
     }
     printf("# %d clocks\n", latency());

@@ -6,12 +6,12 @@
 #define GLINT_UNIT_READ(unit, offset) bus_read((unit) + (offset))
 #include "glint_span_unit.h"
 
-void unit_set_shader(const struct glint_shader *shader)
+enum glint_err unit_set_shader(const struct glint_shader *shader)
 {
-    glint_unit_set_shader(0, shader);
+    return glint_unit_set_shader(0, shader);
 }
 
-void unit_shade_span(const struct glint_span *span)
+enum glint_err unit_shade_span(const struct glint_span *span)
 {
-    glint_unit_shade_span(0, span);
+    return glint_unit_shade_span(0, span);
 }

@@ -12,8 +12,8 @@ extern "C" {
 void bus_write(uintptr_t address, uint32_t value);
 uint32_t bus_read(uintptr_t address);
 
-void unit_set_shader(const struct glint_shader *shader);
-void unit_shade_span(const struct glint_span *span);
+enum glint_err unit_set_shader(const struct glint_shader *shader);
+enum glint_err unit_shade_span(const struct glint_span *span);
 
 #ifdef __cplusplus
 }

@@ -64,9 +64,16 @@ enum {
 #define GLINT_UNIT_READ(unit, offset) (*(volatile uint32_t *)((unit) + (offset)))
 #endif
 
-/* Waits until the unit is idle, since its registers belong to all pixels inside; pixels must be taken meanwhile. */
-static inline void glint_unit_set_shader(uintptr_t unit, const struct glint_shader *shader)
+/* Waits until the unit is idle, since its registers belong to all pixels inside; pixels must be taken meanwhile.
+ * What it does not draw is refused, and nothing is written: GLINT_ERR_ARG: another model than MSH and Schlick, an albedo that is
+ * not 255; GLINT_ERR_FORMAT: another format than RGB565, linear space, dither. */
+static inline enum glint_err glint_unit_set_shader(uintptr_t unit, const struct glint_shader *shader)
 {
+    const uint8_t *const albedo = shader->material.albedo;
+    if ((shader->lobe.model != GLINT_MSH && shader->lobe.model != GLINT_SCHLICK) || (albedo[0] & albedo[1] & albedo[2]) != 255)
+        return GLINT_ERR_ARG;
+    if (shader->format != GLINT_RGB565 || shader->space != GLINT_GAMMA || shader->dither)
+        return GLINT_ERR_FORMAT;
     while (!(GLINT_UNIT_READ(unit, GLINT_UNIT_STATUS) & GLINT_UNIT_IDLE)) {
     }
     GLINT_UNIT_WRITE(unit, GLINT_UNIT_MODEL, (uint32_t)(shader->lobe.model == GLINT_SCHLICK));
@@ -82,11 +89,14 @@ static inline void glint_unit_set_shader(uintptr_t unit, const struct glint_shad
     GLINT_UNIT_WRITE(unit, GLINT_UNIT_SPECULAR_RED, (uint32_t)(shader->material.specular_q16[0]));
     GLINT_UNIT_WRITE(unit, GLINT_UNIT_SPECULAR_GREEN, (uint32_t)(shader->material.specular_q16[1]));
     GLINT_UNIT_WRITE(unit, GLINT_UNIT_SPECULAR_BLUE, (uint32_t)(shader->material.specular_q16[2]));
+    return GLINT_OK;
 }
 
-/* Waits until the span before is taken, and offers this one. */
-static inline void glint_unit_shade_span(uintptr_t unit, const struct glint_span *span)
+/* Waits until the span before is taken, and offers this one. GLINT_ERR_VECTOR, and nothing is written: of more than 4096 pixels. */
+static inline enum glint_err glint_unit_shade_span(uintptr_t unit, const struct glint_span *span)
 {
+    if (span->w > 4096)
+        return GLINT_ERR_VECTOR;
     while (GLINT_UNIT_READ(unit, GLINT_UNIT_STATUS) & GLINT_UNIT_WAITS) {
     }
     GLINT_UNIT_WRITE(unit, GLINT_UNIT_T, (uint32_t)(span->t_q30));
@@ -95,6 +105,7 @@ static inline void glint_unit_shade_span(uintptr_t unit, const struct glint_span
     GLINT_UNIT_WRITE(unit, GLINT_UNIT_NL, (uint32_t)(span->nl_q30));
     GLINT_UNIT_WRITE(unit, GLINT_UNIT_DNL, (uint32_t)(span->dnl_q30));
     GLINT_UNIT_WRITE(unit, GLINT_UNIT_W, (uint32_t)(span->w));
+    return GLINT_OK;
 }
 
 #endif
