@@ -37,10 +37,25 @@ void mesh_cross(const double a[3], const double b[3], double out[3])
         out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
 
+/* By a power of two, near 1, so that squares neither vanish nor overflow. */
+static void scale(double v[3])
+{
+    const double largest = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
+    int exponent = 0;
+    if (largest < INFINITY)
+        frexp(largest, &exponent);
+    for (int k = 0; k < 3; k++)
+        v[k] = ldexp(v[k], -exponent);
+}
+
 bool mesh_normalize(double v[3])
 {
-    const double length = sqrt(mesh_dot(v, v));
-    if (!(length > 1e-30 && length < 1e30))
+    double length = sqrt(mesh_dot(v, v));
+    if (!(length > 1e-30 && length < 1e30)) {
+        scale(v);
+        length = sqrt(mesh_dot(v, v));
+    }
+    if (!(length > 0 && length < INFINITY))
         return false;
     for (int k = 0; k < 3; k++)
         v[k] /= length;

@@ -24,6 +24,40 @@ static struct mesh *teapot_split(double degrees)
     return mesh_load(&(struct mesh_source){"teapot", true, -1, degrees, AXES_USUAL});
 }
 
+/* As small and as large as a file's numbers, which are floats, can be: below 10^30. */
+static void a_mesh_of_any_size_has_the_same_normals(void **state)
+{
+    (void)state;
+    static const int exponents[] = {-126, -60, 60, 99};
+    struct mesh *wanted = cube_with(89);
+    for (int i = 0; i < 4; i++) {
+        struct soup *soup = soup_cube();
+        for (size_t k = 0; k < 9 * soup->face_count; k++)
+            soup->faces[k / 9].places[k / 3 % 3][k % 3] *= ldexp(1, exponents[i]);
+        struct mesh *mesh = mesh_weld(soup, 89);
+        assert_int_equal(mesh->place_count, 8);
+        assert_int_equal(mesh->vertex_count, 24);
+        assert_memory_equal(mesh->normals, wanted->normals, 24 * sizeof *mesh->normals);
+        mesh_free(mesh);
+        soup_free(soup);
+    }
+    mesh_free(wanted);
+}
+
+static void a_vector_without_a_direction_is_told(void **state)
+{
+    (void)state;
+    double none[][3] = {{0, 0, 0}, {NAN, 1, 1}, {NAN, 0, 0}, {INFINITY, 0, 0}, {1, -INFINITY, NAN}};
+    for (size_t i = 0; i < sizeof none / sizeof *none; i++)
+        assert_false(mesh_normalize(none[i]));
+    double some[][3] = {{3e-300, 0, 4e-300}, {3e300, 0, 4e300}, {3, 0, 4}};
+    for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
+        assert_true(mesh_normalize(some[i]));
+        assert_near(some[i][0], .6, 1e-15);
+        assert_near(some[i][2], .8, 1e-15);
+    }
+}
+
 static void corners_at_one_place_are_joined_and_a_crease_parts_their_normals(void **state)
 {
     (void)state;
@@ -220,6 +254,8 @@ static void the_teapot_is_48_db_from_normalised_normals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_mesh_of_any_size_has_the_same_normals),
+        cmocka_unit_test(a_vector_without_a_direction_is_told),
         cmocka_unit_test(corners_at_one_place_are_joined_and_a_crease_parts_their_normals),
         cmocka_unit_test(corners_a_little_apart_are_joined_wherever_cells_end),
         cmocka_unit_test(triangles_without_an_area_are_left_out),
