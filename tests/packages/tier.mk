@@ -8,8 +8,19 @@ PACKAGES_PACKAGES = cmake gcc g++ libc6-dev make pkg-config python3 python3-yaml
 PACKAGES_TESTS = $(sort $(wildcard tests/packages/test_*))
 PACKAGES_LONG = tests/packages/test_arduino tests/packages/test_readme
 
+PACKAGES_NPM = build/packages/npm
+
 setup-packages: setup-build
 	@.ci/need "tier packages (build systems, a cross compiler, an emulator)" $(PACKAGES_PACKAGES)
+	@command -v npm >/dev/null || .ci/need "the parser of GitHub's workflows" $(BENCH_EMULATOR_PACKAGES)
+	@+$(SUBMAKE) -s $(PACKAGES_NPM)/done || echo "setup: without @actions/workflow-parser its test is skipped" >&2
+
+# What package-lock.json says, checked by its hashes.
+$(PACKAGES_NPM)/done: tests/packages/package.json tests/packages/package-lock.json
+	@rm -rf $(@D) && mkdir -p $(@D) && cp $^ $(@D)
+	@npm ci --prefix $(@D) --ignore-scripts --no-audit --no-fund --loglevel=error >$(@D)/npm.log 2>&1 || \
+		{ tail -5 $(@D)/npm.log >&2; echo "make: npm could not install @actions/workflow-parser" >&2; exit 1; }
+	@touch $@
 
 test-packages: ## check: lib/ by CMake, make install-lib and others, on the host and for a Cortex-M3 in QEMU
 	@+tests/tier packages "$(SUBMAKE)"
