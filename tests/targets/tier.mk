@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Tier targets: the library by cross compilers (integers only, no writable data, bounded stack), and run by emulators.
-TARGETS_PACKAGES = $(sort gcc libc6-dev make python3-minimal simavr qemu-system-arm qemu-system-misc libnewlib-arm-none-eabi \
+TARGETS_PACKAGES = $(sort gcc libc6-dev libcmocka-dev make python3-minimal simavr qemu-system-arm qemu-system-misc libnewlib-arm-none-eabi \
 	$(foreach port,$(BARE_PORTS),$($(port)_PACKAGES)))
 # BOARD=NAME: that board alone.
 TARGETS_FIRMWARE = $(if $(BOARD),$(bare_goal_$(BOARD)),$(BARE_PORTS:%=firmware-%))
@@ -15,7 +15,8 @@ test-targets: ## check: cross-compiled: no floating point, no writable data, sta
 # Those with the library's assembly compare its lines with C's.
 TARGETS_LINES = $(if $(or $(if $(BOARD),,all),$(findstring asm,$(BOARD))),"tests/targets/test_lines $(BUILD)/targets $(BOARD)")
 # The table of costs is of all boards, so that one board's run leaves it; and the bunny, whose mesh lies beside rp2040js.
-TARGETS_COSTS = $(if $(BOARD),,"tests/targets/test_costs $(BENCH)" "tests/targets/test_twins $(BENCH)" "tests/targets/test_bunny $(BUILD)/glint")
+TARGETS_COSTS = $(if $(BOARD),,"tests/targets/test_costs $(BENCH)" "tests/targets/test_twins $(BENCH)" "tests/targets/test_bunny $(BUILD)/glint $(TARGETS_VIEWS)")
+TARGETS_VIEWS = $(BUILD)/tests/unit/slow/test_mesh_views
 TARGETS_COSTS_INPUTS = $(filter-out %-Os.elf,$(BENCH_ELFS)) $(BENCH_MESH_ELFS) $(BENCH_SCENE)/scene.json
 
 costs: ## measure: write the table that tier targets compares cycles and sizes with (costs.tsv), and the READMEs' figures; ROWS=PATTERN
@@ -27,7 +28,7 @@ write-costs: $(TARGETS_COSTS_INPUTS) $(BOARDS) $(BENCH_IMAGES)
 	@PYTHONDONTWRITEBYTECODE=1 tests/targets/test_costs $(BENCH) write '$(value ROWS)'
 	@tests/unit/house/test_figures write
 
-run-targets: $(if $(BOARD),,$(TARGETS_COSTS_INPUTS)) $(TARGETS_FIRMWARE) $(BOARDS) $(CONFORMANCE_EXPECTED)
+run-targets: $(if $(BOARD),,$(TARGETS_COSTS_INPUTS) $(TARGETS_VIEWS)) $(TARGETS_FIRMWARE) $(BOARDS) $(CONFORMANCE_EXPECTED)
 	@$(if $(TARGETS_FIRMWARE),,echo "make: there is no board $(BOARD); choose from $(BARE_BOARDS)" >&2; exit 1)
 	@PYTHONDONTWRITEBYTECODE=1 TALLY_JOBS=$$(nproc) tests/tally $(TARGETS_COSTS) tests/targets/test_boards "tests/targets/test_objects $(BUILD)/targets $(BOARD)" \
 		"tests/targets/test_conformance $(BUILD)/targets $(CONFORMANCE_EXPECTED) $(BOARD)" $(TARGETS_LINES)

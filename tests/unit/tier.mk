@@ -6,6 +6,7 @@
 # GMP and MPFR: model_added builds programs of tier exact.
 UNIT_PACKAGES = libopenmpi-dev openmpi-bin libcmocka-dev libgmp-dev libmpfr-dev g++ clang libomp-dev gnuplot-nox cmake groff-base zsh
 UNIT_CHOSEN = $(wildcard tests/unit/*/test_*.c)
+UNIT_ALL := $(UNIT_CHOSEN:tests/unit/%.c=$(BUILD)/tests/unit/%)
 ifneq ($(TEST),)
 UNIT_CHOSEN := $(filter $(wildcard tests/unit/*/*$(TEST)*),$(UNIT_CHOSEN))
 endif
@@ -25,7 +26,7 @@ $(BUILD)/tests/unit/%.o: tests/unit/%.c $(BUILD)/flags | $(BUILD)/packages
 	@mkdir -p $(@D)
 	$(CC) $(HOST_CFLAGS) -Itests/unit -c $< -o $@
 
-$(UNIT_TESTS): %: %.o $(HOST_ARCHIVES)
+$(UNIT_ALL): %: %.o $(HOST_ARCHIVES)
 	$(CC) $(HOST_LDFLAGS) $< $(HOST_ARCHIVES) -o $@ -lcmocka $(HOST_LDLIBS)
 
 setup-unit: setup-build
