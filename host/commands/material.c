@@ -28,7 +28,7 @@ struct request {
 
 static const struct argp_option options[] = {
     {NULL, 'o', "FILE", 0, "Where it goes; default: standard output", 4},
-    {"name", KEY_NAME, "NAME", 0, "The function's name in C and C++; default material", 4},
+    {"name", KEY_NAME, "NAME", 0, "The function's name in C and C++; default: material", 4},
     {"json", KEY_JSON, NULL, 0, "JSON instead of C source", 4},
     {0}};
 

@@ -35,7 +35,7 @@ static const struct argp_option argp_options[] = {
      2},
     {"wrap", KEY_WRAP, NULL, 0,
      "The height map is seamless: take slopes across its edges (the default if --size repeats it)", 2},
-    {"flip-y", KEY_FLIP_Y, NULL, 0, "Green points down in the normal map, as in DirectX", 2},
+    {"flip-y", KEY_FLIP_Y, NULL, 0, "The normal map's green points down, as in DirectX", 2},
     {"size", KEY_SIZE, "WxH", 0,
      "Draw a scene at this size (default 320x320; glint stream: see SCENE). A map is cut or repeated to this size, "
      "never scaled; an SVG is drawn at it (default: the map's own size)",
