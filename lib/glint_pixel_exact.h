@@ -30,7 +30,7 @@ static inline bool glint_format_is_blue_first(uint8_t format)
     return format >= GLINT_BGR888 && format <= GLINT_ARGB8888;
 }
 /* Stores the levels of pixel x of a line; all are the same in grey. Not alpha. */
-void glint_exact_store(uint8_t format, uint8_t *line, uint32_t x, const uint8_t levels[3]);
+void glint_exact_store(uint8_t format, uint8_t *line, uint32_t x, const uint8_t levels[4]);
 /* Those of pixels x..: 4 bytes a pixel, in grey 1; not of those whose bits are set in open, the first pixel's the lowest. */
 void glint_exact_store_run(uint8_t format, uint8_t *line, uint32_t x, const uint8_t *levels, unsigned count,
                            uint32_t open);

@@ -20,7 +20,7 @@ static GLINT_LIGHTS_ALONE void lights_store(const struct glint_lights *lights, u
     const bool grey = glint_format_is_grey(shader->format);
     const struct glint_sample *sum = lights->slots;
     uint64_t parts = 0;
-    uint8_t levels[3];
+    uint8_t levels[4];
     for (int k = 0; k < 3; k++, sum += lights->prepared->apart) {
         const uint64_t v = glint_pixel_value(shader, k, albedo[k], sum->nl_q16, (uint64_t)gloss * sum->f_q16);
         parts = grey ? parts + v * GLINT_FLASH_U8(luma[k]) : v << 8;

@@ -18,7 +18,7 @@ uint32_t glint_apart_levels(const struct glint_prepared *p, const struct glint_r
     for (unsigned i = 0; i < count; i++, albedo += run->albedo ? 3 : 0) {
         const struct glint_sample *sample = samples + i;
         uint32_t sum = bias[i & 3] - grey, undecided = 0;
-        uint8_t levels[3];
+        uint8_t levels[4];
         for (unsigned k = 0; k < 3; k++, sample += p->apart) {
             const uint32_t most = (uint32_t)GLINT_FLASH_U8(glint_exact_formats[p->shader.format].max[k]) << shift;
             const uint32_t f = run->gloss ? glint_by_255(sample->f_q16 * run->gloss[i]) : sample->f_q16;

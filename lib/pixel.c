@@ -53,7 +53,7 @@ void glint_pixel_put(const struct glint_shader *shader, const struct glint_surfa
 {
     const uint32_t weight = glint_exact_weight(shader, surface->x + (uint32_t)x, surface->y + (uint32_t)y);
     const bool grey = glint_format_is_grey(shader->format);
-    uint8_t levels[3];
+    uint8_t levels[4];
     for (int k = 0; k < 3; k++) {
         const uint64_t value =
             grey ? (GLINT_LUMA_RED * v[0] + GLINT_LUMA_GREEN * v[1] + GLINT_LUMA_BLUE * v[2]) >> 8 : v[k];

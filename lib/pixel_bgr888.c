@@ -38,7 +38,7 @@ static void bgr888_exact(const struct glint_shader *shader, const struct glint_r
 {
     const uint32_t x = run->x + i, weight = glint_exact_weight(shader, run->left + x, run->y);
     uint64_t v[3];
-    uint8_t levels[3];
+    uint8_t levels[4];
     glint_levels_exact(v, shader, run, i, nl_q16, f_q16);
     for (int k = 0; k < 3; k++)
         levels[k] = (uint8_t)glint_exact_level(v[k], 255, weight);

@@ -80,7 +80,7 @@ void glint_exact_store_run(uint8_t format, uint8_t *line, uint32_t x, const uint
     }
 }
 
-void glint_exact_store(uint8_t format, uint8_t *line, uint32_t x, const uint8_t levels[3])
+void glint_exact_store(uint8_t format, uint8_t *line, uint32_t x, const uint8_t levels[4])
 {
     glint_exact_store_run(format, line, x, levels, 1, 0);
 }

@@ -74,7 +74,7 @@ static void grey_exact(const struct glint_shader *shader, const struct glint_run
     uint64_t v[3];
     glint_levels_exact(v, shader, run, i, nl_q16, f_q16);
     const uint64_t sum = (GREY_RED * v[0] + GREY_GREEN * v[1] + GREY_BLUE * v[2]) >> 8;
-    const uint8_t levels[3] = {(uint8_t)glint_exact_level(sum, grey_max(shader), weight), 0, 0};
+    const uint8_t levels[4] = {(uint8_t)glint_exact_level(sum, grey_max(shader), weight), 0, 0, 0};
     glint_exact_store(shader->format, run->line, x, levels);
 }
 

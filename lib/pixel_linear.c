@@ -236,7 +236,7 @@ static uint32_t linear_levels(const struct glint_prepared *p, const struct glint
                               const struct glint_sample *samples, unsigned count)
 {
     const bool grey = glint_format_is_grey(p->shader.format), maps = run->albedo || run->gloss;
-    union linear_pixel pixels[GLINT_RUN];
+    union linear_pixel pixels[GLINT_RUN + 3]; /* a step of 4 may end 3 past the last */
     uint32_t open = 0;
     if (grey) {
         for (unsigned i = 0; i < count; i++)
@@ -272,7 +272,7 @@ static void linear_exact(const struct glint_shader *shader, const struct glint_r
     const uint32_t weight = glint_exact_weight(shader, run->left + run->x + i, run->y);
     const bool grey = glint_format_is_grey(shader->format);
     uint64_t sum = 0;
-    uint8_t levels[3];
+    uint8_t levels[4];
     for (int k = 0; k < 3; k++) {
         const uint64_t v =
             glint_exact_value(&shader->material, k, glint_srgb_decode(albedo[k]), nl_q16, (uint64_t)gloss * f_q16);
