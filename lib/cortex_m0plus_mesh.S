@@ -1,117 +1,101 @@
 /* SPDX-License-Identifier: MIT
- * glint_mesh_colour(tables, triangle, target), as mesh_colour.c has it, part by part. A line's columns and first values, then its
+ * glint_mesh_colour(tables, triangle, target), as mesh_colour.c has it, part by part; a strip calls the routine in it by itself. A line's columns and first values, then its
  * pixels, then the steps to the next line: three times, for dark, matt and glossy triangles; a glossy one's line that misses the highlight
  * is drawn as a matt one. Pixels keep all they need in registers; lines take it from the frame and the triangle, but where a triangle is
  * dark or matt its edges stay in registers, too. */
 #if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus_mesh.inc"
 
-/* glint_mesh_tables_draw: on to the other where tables and surface are such. */
-    function glint_mesh_tables_draw
-    ldrb r3, [r0, #GLINT_AT_TABLES_KIND]
-    cmp r3, #0
-    bne 1f
-    ldrb r3, [r0, #GLINT_AT_TABLES_DITHER]
-    cmp r3, #0
-    bne 1f
-    ldr r3, [r2]
-    mov r12, r4
-    ldmia r3!, {r4} /* pixels */
-    ldr r3, [r3]    /* stride */
-    orrs r3, r4
-    mov r4, r12
-    lsls r3, r3, #31
-    beq glint_mesh_colour
-1:  push {r4, lr}
-    bl glint_mesh_tables_rows
-    pop {r4, pc}
+    function glint_mesh_colour
+    enter LINES_FRAME
+    movs r4, r1
+    movs r1, r2
+    add r2, sp, #LINES
+    bl glint_mesh_colour_begin
+    movs r0, r4
+    bl glint_mesh_colour_lines
+    leave LINES_FRAME
 
-    entry glint_mesh_colour
-    enter FRAME
-    str r1, [sp, #TRIANGLE]
-    ldmia r2!, {r3-r7} /* surface, depth, w, y, end */
-    str r5, [sp, #W]
-    adds r1, #GLINT_AT_TRIANGLE_Y
-    movs r2, #GLINT_AT_TRIANGLE_Y_END - GLINT_AT_TRIANGLE_Y
-    ldrsh r2, [r1, r2]
-    cmp r2, r7
-    bge 1f
-    movs r7, r2
-1:  str r7, [sp, #END]
-    movs r2, #0
-    ldrsh r2, [r1, r2]
-    subs r6, r2, r6 /* the line in the strip */
-    ldmia r3!, {r1, r2} /* pixels, stride */
-    lsls r5, r5, #1
-    movs r7, r5
-    muls r7, r6
-    adds r4, r4, r7
+/* The triangle in r0; sp: to the frame, whose lines glint_mesh_colour_begin has set. All other registers are lost. */
+    entry glint_mesh_colour_lines
+    mov r1, lr
+    str r0, [sp, #TRIANGLE]
+    str r1, [sp, #BACK]
+    adds r0, #GLINT_AT_TRIANGLE_Y
+    ldmia r0!, {r3, r4} /* y, y_middle; y_end, shine, long_is_left */
+    sxth r2, r3
+    sxth r5, r4
+    ldr r6, [sp, #END]
+    cmp r5, r6
+    ble 1f
+    movs r5, r6
+1:  cmp r2, r5
+    bge .Ldone
+    subs r0, #8
+    strh r5, [r0]
+    lsrs r4, r4, #16
+    str r4, [sp, #SIDES]
+    asrs r3, r3, #16
+    cmp r3, r5
+    ble 1f
+    movs r3, r5
+1:  add r7, sp, #OFF_FIRST
+    ldmia r7!, {r0, r1}
+    ldr r6, [r7, #OFF_STEP - OFF]
     muls r6, r2
-    adds r1, r1, r6
-    subs r1, r1, r4
-    subs r6, r2, r5
-    add r7, sp, #OFF
-    stmia r7!, {r1, r4-r6} /* off, depth, their steps the other way round */
-    ldmia r0!, {r1-r3} /* columns, colours, t_max */
-    mov columns, r1
-    mov t_max, r3
-    ldrh r4, [r0, #GLINT_AT_TABLES_DARK - 12]
-    ldrb r5, [r0, #GLINT_AT_TABLES_SHIFT - 12]
-    movs r6, #1
-    lsls r6, r6, #GLINT_NEGATIVE_T_LOG
-    adds r6, r6, r3
-    adds r7, #4
-    stmia r7!, {r2, r4-r6}
-    b .Lpart
+    adds r0, r0, r6
+    ldr r6, [r7, #DEPTH_STEP - OFF]
+    muls r5, r6
+    adds r5, r5, r1
+    str r5, [sp, #TRIANGLE_LAST]
+    movs r4, r6
+    muls r4, r2
+    muls r6, r3
+    adds r6, r6, r1
+    adds r1, r1, r4
+    stmia r7!, {r0, r1} /* off, depth */
+    ldr r0, [sp, #TRIANGLE]
+    adds r0, #GLINT_AT_TRIANGLE_LONG
+    movs r1, r0
+    adds r1, #8 /* the upper edge */
+    cmp r2, r3
+    blt .Lpart
+    movs r6, r5
+.Llower:
+    adds r1, #8
+.Lpart: /* r0: the long edge, r1: the other; r6: the last line */
+    str r6, [sp, #LAST]
+    ldr r4, [sp, #SIDES]
+    lsrs r5, r4, #8
+    bne 1f
+    movs r5, r0
+    movs r0, r1
+    movs r1, r5
+1:  str r0, [sp, #LEFT_AT]
+    str r1, [sp, #RIGHT_AT]
+    lsls r6, r4, #24
+    ldmia r0!, {r2, r4}
+    ldmia r1!, {r3, r5}
+    beq .Ldark
+    lsrs r6, r6, #24 + 1
+    beq .Lmatt
+    b .Lglossy
 .Ledges:
     ldr r2, [sp, #LEFT_AT]
     str r0, [r2]
     ldr r2, [sp, #RIGHT_AT]
     str r1, [r2]
-.Lpart:
-    ldr r0, [sp, #TRIANGLE]
-    movs r1, r0
-    adds r1, #GLINT_AT_TRIANGLE_Y
-    movs r2, #0
-    ldrsh r2, [r1, r2]
-    ldr r3, [sp, #END]
-    cmp r2, r3
-    bge .Ldone
-    adds r0, #GLINT_AT_TRIANGLE_LONG
-    movs r5, r0
-    adds r5, #16 /* the lower edge */
-    movs r4, #GLINT_AT_TRIANGLE_Y_MIDDLE - GLINT_AT_TRIANGLE_Y
-    ldrsh r4, [r1, r4]
-    cmp r2, r4
-    bge 1f
-    subs r5, #8 /* the upper one */
-    cmp r4, r3
-    bge 1f
-    movs r3, r4
-1:  strh r3, [r1]
-    subs r3, r3, r2
-    ldr r2, [sp, #DEPTH_STEP]
-    muls r3, r2
     ldr r2, [sp, #DEPTH]
-    adds r3, r3, r2
-    str r3, [sp, #LAST]
-    ldrb r2, [r1, #GLINT_AT_TRIANGLE_LONG_IS_LEFT - GLINT_AT_TRIANGLE_Y]
-    ldrb r1, [r1, #GLINT_AT_TRIANGLE_SHINE - GLINT_AT_TRIANGLE_Y]
-    cmp r2, #0
-    bne 1f
-    movs r4, r0
-    movs r0, r5
-    movs r5, r4
-1:  str r0, [sp, #LEFT_AT]
-    str r5, [sp, #RIGHT_AT]
-    ldmia r0!, {r2, r4}
-    ldmia r5, {r3, r5}
-    cmp r1, #GLINT_SHINE_MATT
-    beq .Lmatt
-    blo .Ldark
-    b .Lglossy
+    ldr r6, [sp, #TRIANGLE_LAST]
+    ldr r0, [sp, #TRIANGLE]
+    adds r0, #GLINT_AT_TRIANGLE_LONG
+    movs r1, r0
+    adds r1, #8
+    cmp r2, r6
+    bne .Llower
 .Ldone:
-    leave FRAME
+    ldr r0, [sp, #BACK]
+    bx r0
 
 .Ldark: /* r3: dark, r4: off, r7: dz */
     plain_part DARK
@@ -168,6 +152,10 @@
 .Lglossy:
     mov r6, sp
     stmia r6!, {r2-r5}
+    ldr r0, [sp, #COLUMNS]
+    mov columns, r0
+    ldr r0, [sp, #T_MAX]
+    mov t_max, r0
     ldr r7, [sp, #TRIANGLE]
     ldr r0, [r7, #GLINT_AT_TRIANGLE_ZX]
     mov dz, r0

@@ -4,8 +4,7 @@
 #define GLINT_MESH_LISTS_H
 
 #include "glint_mesh.h"
-
-#define GLINT_MESH_NONE 0xffffu /* no face */
+#include "glint_mesh_offsets.h"
 
 /* Must it be clipped? */
 static inline bool glint_mesh_face_is_out(const struct glint_mesh_drawn *drawn, const uint16_t face[3])

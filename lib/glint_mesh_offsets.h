@@ -23,10 +23,24 @@
 #define GLINT_AT_TRIANGLE_SHINE 82
 #define GLINT_AT_TRIANGLE_LONG_IS_LEFT 83
 
+#define GLINT_MESH_KEPT_SIZE 88 /* of a struct glint_mesh_kept, whose first is the triangle */
+#define GLINT_AT_KEPT_FACE 84 /* face, next */
+
+#define GLINT_AT_FACES_PAINT 0 /* paint, t_end, end, number */
+#define GLINT_AT_FACES_LINES 16
+#define GLINT_AT_LINES_DRAW 0 /* draw, off_first, line_first, off, line, line_step, off_step, last */
+#define GLINT_AT_LINES_COLOURS 32 /* colours, dark, shift, limit, w, end, columns, t_max */
+
+#define GLINT_AT_TARGET_Y 12 /* y, end */
+#define GLINT_AT_PATH_DRAW 8
+#define GLINT_AT_BENCH_FACE 436
+#define GLINT_AT_FRAME_KEPT 12
 #define GLINT_AT_FRAME_W 16 /* w, h */
+#define GLINT_AT_FRAME_FREE 26
 #define GLINT_AT_DRAWN_MESH 4
 #define GLINT_AT_DRAWN_VERTICES 12
 #define GLINT_AT_DRAWN_LINKS 16 /* links, bands */
+#define GLINT_AT_DRAWN_KEPT 24
 #define GLINT_AT_DRAWN_LIGHT 26 /* l, h, turn, position, scale */
 #define GLINT_AT_DRAWN_SCALE 62
 #define GLINT_AT_MESH_PLACES 0
@@ -35,6 +49,7 @@
 #define GLINT_AT_MESH_FACES 12
 #define GLINT_AT_MESH_VERTEX_COUNT 20 /* and of faces */
 
+#define GLINT_MESH_NONE 0xffff /* no face */
 #define GLINT_MESH_BAND_LOG 4
 
 /* Places are held to these, 1/16 pixel: depths and the guard band around the viewport's middle. */

@@ -16,12 +16,28 @@ struct glint_mesh_target {
     const struct glint_mesh_drawn *drawn; /* the mesh at hand */
 };
 
+/* What assembly that draws lines needs of a strip, in the frame where it takes it from; cortex_m0plus_mesh.inc has the rest. */
+struct glint_mesh_lines {
+    void (*draw)(void);             /* a triangle's lines, called as cortex_m0plus_mesh.inc says; NULL: the path's draw */
+    uint32_t off_first, line_first; /* of line 0 of the picture: what out is beyond the depths, and these */
+    uint32_t off, line;             /* of the line at hand */
+    uint32_t line_step, off_step;
+    uint32_t last; /* the line after the last one */
+    const void *colours;
+    uint32_t dark, shift, limit;
+    int32_t w, end;
+    const void *columns;
+    uint32_t t_max;
+};
+
 struct glint_mesh_path {
     bool (*can)(const void *with);       /* false: a strip with it is refused */
     uint32_t (*t_end)(const void *with); /* from there on nothing shines */
     /* Draws a triangle's lines from its own, which is in the strip, to the strip's end, and brings it there. The triangle is that of a
      * struct glint_mesh_kept, which knows its face. */
     void (*draw)(const void *with, struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target);
+    /* For the assembly of a strip: lines where these are drawn in assembly, too. NULL: not this path's. */
+    void (*begin)(const void *with, const struct glint_mesh_target *target, struct glint_mesh_lines *lines);
 };
 
 /* Pixels x..end - 1 of a line, with the values at x and their steps. */

@@ -41,6 +41,29 @@ void glint_mesh_clear(uint16_t *depth, uint32_t bytes);
 bool glint_mesh_face_set(struct glint_mesh_triangle *triangle, const struct glint_mesh_drawn *drawn,
                          const uint16_t face[3], uint32_t t_end);
 
+/* A strip in work: its mesh. */
+struct glint_mesh_work {
+    struct glint_mesh_frame *frame;
+    struct glint_mesh_drawn *drawn;
+    const struct glint_mesh_target *target;
+};
+
+/* Faces before `end`, and what paints them. */
+struct glint_mesh_faces {
+    const struct glint_paint *paint;
+    uint32_t t_end;
+    uint32_t end, number; /* end: GLINT_MESH_NONE, which is above all faces, of the last one */
+    struct glint_mesh_lines lines;
+};
+void glint_mesh_faces_set(struct glint_mesh_faces *faces, const struct glint_mesh_drawn *drawn,
+                          const struct glint_mesh_target *target, unsigned number);
+
+/* Draws a mesh's faces and keeps those that go on. Has a twin in assembly. */
+void glint_mesh_strip_of(const struct glint_mesh_work *strip);
+
+/* A face, clipped, as a fan. */
+void glint_mesh_draw_clipped(const struct glint_mesh_work *strip, unsigned number, const struct glint_paint *paint);
+
 /* Frees what is kept of a mesh. */
 void glint_mesh_forget(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn);
 

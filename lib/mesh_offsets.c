@@ -3,6 +3,8 @@
 #include "glint_mesh_offsets.h"
 #include "glint_math_assembly.h"
 #include "glint_mesh_colour.h"
+#include "glint_mesh_lists.h"
+#include "glint_mesh_strip.h"
 
 typedef char glint_shine_order[GLINT_MESH_DARK == GLINT_SHINE_DARK && GLINT_MESH_MATT == GLINT_SHINE_MATT ? 1 : -1];
 
@@ -24,7 +26,8 @@ typedef char
                               : -1];
 #undef AT
 #define AT(field, offset) (offsetof(struct glint_mesh_target, field) == (offset))
-typedef char glint_target_layout[AT(surface, 0) && AT(depth, 4) && AT(w, 8) && AT(y, 12) && AT(end, 16) &&
+typedef char glint_target_layout[AT(surface, 0) && AT(depth, 4) && AT(w, 8) && AT(y, GLINT_AT_TARGET_Y) &&
+                                         AT(end, GLINT_AT_TARGET_Y + 4) &&
                                          offsetof(struct glint_surface, pixels) == 0 &&
                                          offsetof(struct glint_surface, stride) == 4
                                      ? 1
@@ -36,10 +39,51 @@ typedef char glint_drawn_layout[AT(mesh, GLINT_AT_DRAWN_MESH) && AT(vertices, GL
                                         1u << GLINT_MESH_BAND_LOG == GLINT_MESH_BAND && AT(l, GLINT_AT_DRAWN_LIGHT) &&
                                         AT(h, GLINT_AT_DRAWN_LIGHT + 6) && AT(turn, GLINT_AT_DRAWN_LIGHT + 12) &&
                                         AT(position, GLINT_AT_DRAWN_LIGHT + 30) && AT(scale, GLINT_AT_DRAWN_SCALE) &&
-                                        offsetof(struct glint_mesh_frame, w) == GLINT_AT_FRAME_W &&
-                                        offsetof(struct glint_mesh_frame, h) == GLINT_AT_FRAME_W + 2
+                                        AT(kept, GLINT_AT_DRAWN_KEPT)
                                     ? 1
                                     : -1];
+#undef AT
+#define AT(field, offset) (offsetof(struct glint_mesh_frame, field) == (offset))
+typedef char glint_frame_layout[AT(memory, GLINT_AT_FRAME_KEPT - 4) && AT(kept, GLINT_AT_FRAME_KEPT) &&
+                                        AT(w, GLINT_AT_FRAME_W) && AT(h, GLINT_AT_FRAME_W + 2) &&
+                                        AT(free, GLINT_AT_FRAME_FREE)
+                                    ? 1
+                                    : -1];
+#undef AT
+#define AT(field, offset) (offsetof(struct glint_mesh_kept, field) == (offset))
+typedef char glint_kept_layout[AT(triangle, 0) && AT(face, GLINT_AT_KEPT_FACE) && AT(next, GLINT_AT_KEPT_FACE + 2) &&
+                                       sizeof(struct glint_mesh_kept) == GLINT_MESH_KEPT_SIZE &&
+                                       offsetof(struct glint_mesh_bench, face) == GLINT_AT_BENCH_FACE
+                                   ? 1
+                                   : -1];
+#undef AT
+#define AT(field, offset) (offsetof(struct glint_mesh_faces, field) == (offset))
+typedef char glint_faces_layout[AT(paint, GLINT_AT_FACES_PAINT) && AT(t_end, GLINT_AT_FACES_PAINT + 4) &&
+                                        AT(end, GLINT_AT_FACES_PAINT + 8) && AT(number, GLINT_AT_FACES_PAINT + 12) &&
+                                        AT(lines, GLINT_AT_FACES_LINES)
+                                    ? 1
+                                    : -1];
+#undef AT
+#define AT(field, offset) (offsetof(struct glint_mesh_lines, field) == (offset))
+typedef char
+    glint_lines_layout[AT(draw, GLINT_AT_LINES_DRAW) && AT(off_first, GLINT_AT_LINES_DRAW + 4) &&
+                               AT(line_first, GLINT_AT_LINES_DRAW + 8) && AT(off, GLINT_AT_LINES_DRAW + 12) &&
+                               AT(line, GLINT_AT_LINES_DRAW + 16) && AT(line_step, GLINT_AT_LINES_DRAW + 20) &&
+                               AT(off_step, GLINT_AT_LINES_DRAW + 24) && AT(last, GLINT_AT_LINES_DRAW + 28) &&
+                               AT(colours, GLINT_AT_LINES_COLOURS) && AT(dark, GLINT_AT_LINES_COLOURS + 4) &&
+                               AT(shift, GLINT_AT_LINES_COLOURS + 8) && AT(limit, GLINT_AT_LINES_COLOURS + 12) &&
+                               AT(w, GLINT_AT_LINES_COLOURS + 16) && AT(end, GLINT_AT_LINES_COLOURS + 20) &&
+                               AT(columns, GLINT_AT_LINES_COLOURS + 24) && AT(t_max, GLINT_AT_LINES_COLOURS + 28)
+                           ? 1
+                           : -1];
+#undef AT
+#define AT(field, offset) (offsetof(struct glint_mesh_work, field) == (offset))
+typedef char glint_work_layout[AT(frame, 0) && AT(drawn, 4) && AT(target, 8) &&
+                                       offsetof(struct glint_mesh_path, draw) == GLINT_AT_PATH_DRAW &&
+                                       offsetof(struct glint_paint, path) == 0 &&
+                                       offsetof(struct glint_paint, with) == 4
+                                   ? 1
+                                   : -1];
 #undef AT
 #define AT(field, offset) (offsetof(struct glint_mesh, field) == (offset))
 typedef char glint_mesh_layout[AT(places, GLINT_AT_MESH_PLACES) && AT(normals, GLINT_AT_MESH_NORMALS) &&

@@ -6,43 +6,33 @@
 #include "glint_math_assembly.h"
 #include "glint_mesh_lists.h"
 
-/* A strip in work: its mesh. */
-struct strip {
-    struct glint_mesh_frame *frame;
-    struct glint_mesh_drawn *drawn;
-    const struct glint_mesh_target *target;
-};
-
-/* A list to which entries are added at its end. */
-struct tail {
-    uint16_t first, *last;
-};
-
-/* Faces before `end`, and what paints them. */
-struct part {
-    const struct glint_paint *paint;
-    uint32_t t_end;
-    uint16_t end, number; /* end: GLINT_MESH_NONE, which is above all faces, of the last one */
-};
-
 /* Alone, since the loop over a strip's faces has no register left for what this needs. */
-static __attribute__((noinline)) void part_set(struct part *part, const struct glint_mesh_drawn *drawn, unsigned number)
+__attribute__((noinline)) void glint_mesh_faces_set(struct glint_mesh_faces *faces, const struct glint_mesh_drawn *drawn,
+                                                    const struct glint_mesh_target *target, unsigned number)
 {
-    part->number = (uint16_t)number;
-    part->paint = &drawn->paints[number];
-    part->t_end = part->paint->path->t_end(part->paint->with);
-    part->end = number + 1 < drawn->mesh->part_count ? drawn->mesh->ends[number] : GLINT_MESH_NONE;
+    const struct glint_paint *paint = &drawn->paints[number];
+    faces->number = (uint16_t)number;
+    faces->paint = paint;
+    faces->t_end = paint->path->t_end(paint->with);
+    faces->end = number + 1 < drawn->mesh->part_count ? drawn->mesh->ends[number] : GLINT_MESH_NONE;
+#if GLINT_CORTEX_M0PLUS_ASM
+    faces->lines.draw = NULL;
+    if (paint->path->begin)
+        paint->path->begin(paint->with, target, &faces->lines);
+#else
+    (void)target;
+#endif
 }
 
-static void draw(const struct strip *strip, struct glint_mesh_triangle *triangle, const struct glint_paint *paint)
+static void draw(const struct glint_mesh_work *strip, struct glint_mesh_triangle *triangle,
+                 const struct glint_paint *paint)
 {
     if (triangle->y < strip->target->y)
         glint_mesh_triangle_skip(triangle, strip->target->y);
     paint->path->draw(paint->with, triangle, strip->target);
 }
 
-/* A face, clipped, as a fan. */
-static void draw_clipped(const struct strip *strip, uint16_t number, const struct glint_paint *paint)
+void glint_mesh_draw_clipped(const struct glint_mesh_work *strip, unsigned number, const struct glint_paint *paint)
 {
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)strip->frame->memory;
     struct glint_mesh_triangle *triangle = &bench->face.triangle;
@@ -51,7 +41,7 @@ static void draw_clipped(const struct strip *strip, uint16_t number, const struc
     const struct glint_mesh_clipped *at = bench->polygon.corner[bench->polygon.now];
     const uint32_t t_end = paint->path->t_end(paint->with);
     struct glint_mesh_vertex *const v = bench->vertex;
-    bench->face.face = number;
+    bench->face.face = (uint16_t)number;
     for (unsigned i = 2; i < count; i++) {
         const struct glint_mesh_clipped *const of[3] = {&at[0], &at[i - 1], &at[i]};
         struct glint_mesh_corner corner[3];
@@ -69,20 +59,6 @@ static void draw_clipped(const struct strip *strip, uint16_t number, const struc
     }
 }
 
-/* Draws it where its lines begin in the strip; does it go on after that? */
-static bool draw_on(const struct strip *strip, struct glint_mesh_triangle *triangle, const struct glint_paint *paint)
-{
-    if (triangle->y < strip->target->end)
-        draw(strip, triangle, paint);
-    return triangle->y_end > strip->target->end;
-}
-
-static void add(struct tail *tail, uint16_t entry, uint16_t *next)
-{
-    *tail->last = entry;
-    tail->last = next;
-}
-
 #if !GLINT_CORTEX_M0PLUS_ASM
 bool glint_mesh_face_set(struct glint_mesh_triangle *triangle, const struct glint_mesh_drawn *drawn,
                          const uint16_t face[3], uint32_t t_end)
@@ -98,11 +74,30 @@ bool glint_mesh_face_set(struct glint_mesh_triangle *triangle, const struct glin
     (void)glint_mesh_triangle_set(triangle, corner, shine, t_end); /* a face in a list has an area and lines */
     return true;
 }
-#endif
+
+/* A list to which entries are added at its end. */
+struct tail {
+    uint16_t first, *last;
+};
+
+/* Draws it where its lines begin in the strip; does it go on after that? */
+static bool draw_on(const struct glint_mesh_work *strip, struct glint_mesh_triangle *triangle,
+                    const struct glint_paint *paint)
+{
+    if (triangle->y < strip->target->end)
+        draw(strip, triangle, paint);
+    return triangle->y_end > strip->target->end;
+}
+
+static void add(struct tail *tail, uint16_t entry, uint16_t *next)
+{
+    *tail->last = entry;
+    tail->last = next;
+}
 
 /* A face that has not been kept. */
-static void strip_face(const struct strip *strip, uint16_t i, const struct part *part, struct tail *keep,
-                       struct tail *later)
+static void strip_face(const struct glint_mesh_work *strip, uint16_t i, const struct glint_mesh_faces *part,
+                       struct tail *keep, struct tail *later)
 {
     struct glint_mesh_frame *frame = strip->frame;
     const uint16_t place = frame->free;
@@ -112,7 +107,7 @@ static void strip_face(const struct strip *strip, uint16_t i, const struct part 
         glint_mesh_face_set(&kept->triangle, strip->drawn, strip->drawn->mesh->faces + 3 * (size_t)i, part->t_end);
     kept->face = i;
     if (!is_set)
-        draw_clipped(strip, i, part->paint);
+        glint_mesh_draw_clipped(strip, i, part->paint);
     else if (!draw_on(strip, &kept->triangle, part->paint))
         return;
     if (!is_set || place == GLINT_MESH_NONE) {
@@ -123,7 +118,7 @@ static void strip_face(const struct strip *strip, uint16_t i, const struct part 
     add(keep, place, &kept->next);
 }
 
-static void strip_mesh(const struct strip *strip)
+void glint_mesh_strip_of(const struct glint_mesh_work *strip)
 {
     struct glint_mesh_frame *frame = strip->frame;
     struct glint_mesh_drawn *drawn = strip->drawn;
@@ -131,15 +126,15 @@ static void strip_mesh(const struct strip *strip)
     struct tail keep = {GLINT_MESH_NONE, &keep.first}, later = {GLINT_MESH_NONE, &later.first};
     uint16_t face = glint_mesh_take(drawn, strip->target->y, strip->target->end), place = drawn->kept;
     uint16_t kept_face = place == GLINT_MESH_NONE ? GLINT_MESH_NONE : all[place].face;
-    struct part part;
-    part_set(&part, drawn, 0);
+    struct glint_mesh_faces part;
+    glint_mesh_faces_set(&part, drawn, strip->target, 0);
     for (;;) {
         const bool is_kept = kept_face < face;
         const uint16_t i = is_kept ? kept_face : face;
         if (i == GLINT_MESH_NONE)
             break;
         while (i >= part.end)
-            part_set(&part, drawn, part.number + 1u);
+            glint_mesh_faces_set(&part, drawn, strip->target, part.number + 1u);
         if (is_kept) {
             struct glint_mesh_kept *const kept = &all[place];
             const uint16_t at = place;
@@ -161,6 +156,7 @@ static void strip_mesh(const struct strip *strip)
     if (strip->target->end < frame->h)
         glint_mesh_give(drawn, later.first, strip->target->end);
 }
+#endif
 
 void glint_mesh_forget(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn)
 {
@@ -193,6 +189,15 @@ void glint_mesh_clear(uint16_t *depth, uint32_t bytes)
 }
 #endif
 
+/* Has the mesh no face there? */
+static bool strip_is_empty(const struct glint_mesh_drawn *drawn, const struct glint_mesh_target *target)
+{
+    uint32_t band = (uint32_t)target->y / GLINT_MESH_BAND;
+    while (band * GLINT_MESH_BAND < (uint32_t)target->end && drawn->bands[band] == GLINT_MESH_NONE)
+        band++;
+    return drawn->kept == GLINT_MESH_NONE && band * GLINT_MESH_BAND >= (uint32_t)target->end;
+}
+
 enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint16_t h,
                                 const struct glint_surface *surface)
 {
@@ -202,15 +207,20 @@ enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)frame->memory;
     struct glint_mesh_target target = {
         surface, (uint16_t *)(void *)(bench + 1), frame->w, y, y + h, bench->samples, frame, NULL};
-    glint_mesh_clear(target.depth, glint_mesh_depth_bytes(frame->w, h));
+    bool is_clear = false;
     for (struct glint_mesh_drawn *drawn = frame->first; drawn; drawn = drawn->next) {
-        const struct strip strip = {frame, drawn, &target};
+        const struct glint_mesh_work strip = {frame, drawn, &target};
         target.drawn = drawn;
         if (y != frame->y) {
             glint_mesh_forget(frame, drawn);
             glint_mesh_sort(frame, drawn, y);
         }
-        strip_mesh(&strip);
+        if (strip_is_empty(drawn, &target))
+            continue;
+        if (!is_clear)
+            glint_mesh_clear(target.depth, glint_mesh_depth_bytes(frame->w, h));
+        is_clear = true;
+        glint_mesh_strip_of(&strip);
     }
     frame->y = (uint16_t)(y + h);
     return GLINT_OK;

@@ -44,17 +44,34 @@ static uint32_t tables_t_end(const void *with)
     return ((const struct glint_tables *)with)->t_max_q30 + 1;
 }
 
-#if !GLINT_CORTEX_M0PLUS_ASM
+/* Two bytes a pixel at even places, without dither. */
+static bool tables_are_plain(const struct glint_tables *tables, const struct glint_mesh_target *target)
+{
+    return tables->kind == GLINT_TABLES_COLOUR && !tables->dither &&
+           !GLINT_MISALIGNED(target->surface->pixels, 16) && !GLINT_MISALIGNED(target->surface->stride, 16);
+}
+
 void glint_mesh_tables_draw(const void *with, struct glint_mesh_triangle *triangle,
                             const struct glint_mesh_target *target)
 {
     const struct glint_tables *tables = (const struct glint_tables *)with;
-    if (tables->kind == GLINT_TABLES_COLOUR && !tables->dither && !GLINT_MISALIGNED(target->surface->pixels, 16) &&
-        !GLINT_MISALIGNED(target->surface->stride, 16))
+    if (tables_are_plain(tables, target))
         glint_mesh_colour(tables, triangle, target);
     else
         glint_mesh_tables_rows(tables, triangle, target);
 }
+
+#if GLINT_CORTEX_M0PLUS_ASM
+static void tables_begin(const void *with, const struct glint_mesh_target *target, struct glint_mesh_lines *lines)
+{
+    const struct glint_tables *tables = (const struct glint_tables *)with;
+    if (tables_are_plain(tables, target))
+        glint_mesh_colour_begin(tables, target, lines);
+}
+#define TABLES_BEGIN tables_begin
+#else
+#define TABLES_BEGIN NULL
 #endif
 
-const struct glint_mesh_path glint_mesh_tables = {tables_can, tables_t_end, glint_mesh_tables_draw};
+const struct glint_mesh_path glint_mesh_tables = {tables_can, tables_t_end, glint_mesh_tables_draw, TABLES_BEGIN};
+#undef TABLES_BEGIN

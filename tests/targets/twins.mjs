@@ -17,14 +17,25 @@ const bits = (n) => below(2 ** Math.min(n, 16)) + 65536 * below(2 ** Math.max(n 
 const int16 = () => one(below(65536) - 32768, below(65536) - 32768, 32767, -32768)
 
 const RETURNS = /_set$/ // a bool
-function after(machine, name, args, bytes, fault) {
+function run(machine, name, args) {
+  machine.enter(name, args.slice(0, 4))
+  args.slice(4).forEach((value, i) => machine.memory.writeUInt32LE(value >>> 0, machine.core.SP - RAM + 4 * i))
+  while (machine.core.PC !== RETURN) machine.core.executeInstruction()
+  return machine.core.registers[0]
+}
+
+// symbols: what lies at other addresses in each program. before: calls that have to return 0. padded: from and to where structs have padding.
+function after(machine, name, args, bytes, fault, { before = [], symbols = [], padded = [0, 0] } = {}) {
   const at = AT - RAM
   bytes.copy(machine.memory, at)
+  for (const [offset, symbol] of symbols) machine.memory.writeUInt32LE(machine.address(symbol), at + offset)
   if (fault >= 0) machine.memory[at + fault] ^= 0x11
-  machine.enter(name, args)
-  while (machine.core.PC !== RETURN) machine.core.executeInstruction()
+  for (const call of before) if (run(machine, ...call)) throw new Error(`${call[0]} returned an error`)
+  const value = run(machine, name, args)
   if (fault >= 0) machine.memory[at + fault] ^= 0x11
-  return `${RETURNS.test(name) ? machine.core.registers[0] & 1 : ''} ${machine.memory.toString('latin1', at, at + bytes.length)}`
+  for (const [offset] of symbols) machine.memory.writeUInt32LE(0, at + offset)
+  machine.memory.fill(0, at + padded[0], at + padded[1])
+  return `${RETURNS.test(name) ? value & 1 : ''} ${machine.memory.toString('latin1', at, at + bytes.length)}`
 }
 
 // A triangle's corners, and what is set up.
@@ -137,14 +148,44 @@ function colours() {
   return [bytes, [AT, AT + TRIANGLE, AT + TARGET], TRIANGLE + 3]
 }
 
+// A picture of a mesh in strips of all heights, a part of it by tables and one exactly, with places for few triangles that go on. The program's
+// mesh_begin has made its tables and its prepared shader.
+const POSE = 0x140, LIGHT = 0x160, PAINTS = 0x180, PARTS = 0x1a0, SURFACES = 0x1100, PICTURE = 0x1400, MESH_MEMORY = 0x3000, FRAME_MEMORY = 0x4000, POLYGON = 388
+function strips() {
+  const w = 1 + below(40), h = 1 + below(64), odd = !below(10), lines = one(16, 16, 1 + below(20)), vertices = 3 + below(30), faces = 1 + below(64)
+  const bytes = Buffer.concat([frame(h, vertices, faces), Buffer.alloc(0x4c00)]), word = (at, ...values) => values.forEach((value, k) => bytes.writeUInt32LE(value, at + 4 * k))
+  bytes.fill(0, 0, MESH)
+  for (let k = 0; k < 4; k++) bytes.writeInt16LE(bits(16) || 1, POSE + 2 * k)
+  for (let k = 0; k < 2; k++) bytes.writeInt16LE(bits(one(6, 9)), POSE + 8 + 2 * k)
+  bytes.writeUInt16LE(one(16 * w, 16 * w, below(4000), 65535), POSE + 14)
+  for (let k = 0; k < 6; k++) bytes.writeInt16LE(bits(15), LIGHT + 2 * k)
+  const symbols = [[PAINTS, 'glint_mesh_tables'], [PAINTS + 4, 'tables'], [PAINTS + 8, 'glint_mesh_exact'], [PAINTS + 12, 'prepared']]
+  if (below(2)) {
+    bytes.writeUInt32LE(AT + PARTS, MESH + 16)
+    bytes.writeUInt16LE(below(faces), PARTS)
+    bytes.writeUInt16LE(faces, PARTS + 2)
+    bytes.writeUInt8(2, MESH + 24)
+  }
+  const calls = [['glint_mesh_begin', [AT, w, h, lines, one(0, 0, 2000 + below(8000)), AT + FRAME_MEMORY, 4 * below(400) + 2 * w * lines + 800]],
+    ['glint_mesh_add', [AT, AT + DRAWN, AT + MESH, AT + POSE, AT + LIGHT, AT + PAINTS, AT + MESH_MEMORY, 0x1000]]]
+  for (let y = below(4) ? 0 : below(h), count = 0; y < h; count++) {
+    const height = Math.min(h - y, one(lines, lines, 1 + below(lines))), surface = SURFACES + 12 * count
+    calls.push(['glint_mesh_strip', [AT, y, height, AT + surface]])
+    word(surface, AT + PICTURE + 2 * w * y + odd, 2 * w)
+    y += height
+  }
+  return [bytes, calls.at(-1)[1], PLACES + 1, { before: calls.slice(0, -1), symbols, padded: [FRAME_MEMORY, FRAME_MEMORY + POLYGON] }]
+}
+
 const TWINS = [['glint_mesh_tables_draw', colours, 6000], ['glint_mesh_triangle_set', triangle, 10000], ['glint_mesh_face_set', faces, 5000],
-  ['glint_mesh_vertices', vertices, 400], ['glint_mesh_sort', lists, 1000]]
+  ['glint_mesh_vertices', vertices, 400], ['glint_mesh_sort', lists, 1000], ['glint_mesh_strip', strips, 400]]
+for (const machine of [c, assembly]) run(machine, 'mesh_begin', [0])
 for (const [name, make, calls] of TWINS) {
   const unlike = [0, 0]
   for (let i = 0; i < calls; i++) {
-    const [bytes, args, fault] = make(), wanted = after(c, name, args, bytes, -1)
-    unlike[0] += after(assembly, name, args, bytes, -1) !== wanted
-    unlike[1] += i % 10 === 0 && after(assembly, name, args, bytes, fault) !== wanted
+    const [bytes, args, fault, more] = make(), wanted = after(c, name, args, bytes, -1, more)
+    unlike[0] += after(assembly, name, args, bytes, -1, more) !== wanted
+    unlike[1] += i % 10 === 0 && after(assembly, name, args, bytes, fault, more) !== wanted
   }
   console.log(name, calls, ...unlike)
 }

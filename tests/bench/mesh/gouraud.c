@@ -70,4 +70,4 @@ static void gouraud_draw(const void *with, struct glint_mesh_triangle *triangle,
     }
 }
 
-const struct glint_mesh_path gouraud_path = {gouraud_can, gouraud_t_end, gouraud_draw};
+const struct glint_mesh_path gouraud_path = {gouraud_can, gouraud_t_end, gouraud_draw, NULL};

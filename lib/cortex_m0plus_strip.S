@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: MIT
+ * glint_mesh_strip_of(strip), as mesh_strip.c has it: new faces and kept triangles by number. Its state is in the frame, since the routines
+ * that draw lines leave no register as it was; they use the frame, too. */
+#if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
+#include "cortex_m0plus_mesh.inc"
+
+#define NONE GLINT_MESH_NONE
+
+/* The frame behind that of lines. */
+#define FRAME_AT (LINES_FRAME + 0)
+#define DRAWN_AT (LINES_FRAME + 4)
+#define TARGET_AT (LINES_FRAME + 8)
+#define Y_OF_STRIP (LINES_FRAME + 12)
+#define END_OF_STRIP (LINES_FRAME + 16)
+#define KEPT_AT (LINES_FRAME + 20)
+#define LINKS_AT (LINES_FRAME + 24)
+#define FACES_AT (LINES_FRAME + 28)
+#define NEW_FACE (LINES_FRAME + 32) /* the first of those not kept */
+#define KEPT_FACE (LINES_FRAME + 36) /* and of those kept, and its place */
+#define KEPT_PLACE (LINES_FRAME + 40)
+#define NOW (LINES_FRAME + 44)   /* the face in work */
+#define PLACE (LINES_FRAME + 48) /* and its triangle's place */
+#define KEEP (LINES_FRAME + 52)  /* lists, and their ends */
+#define LATER (LINES_FRAME + 56)
+#define KEEP_LAST (LINES_FRAME + 60)
+#define LATER_LAST (LINES_FRAME + 64)
+#define WORK (LINES_FRAME + 68)
+#define STRIP_FRAME (LINES_FRAME + 72)
+
+/* to: the triangle of place r4. */
+.macro place_at to, free
+    movs \to, #GLINT_MESH_KEPT_SIZE
+    muls \to, r4
+    ldr \free, [sp, #KEPT_AT]
+    adds \to, \to, \free
+.endm
+
+/* Notes the kept triangle in place r4 as the next one. */
+.macro kept_is_next
+    str r4, [sp, #KEPT_PLACE]
+    ldr r0, =NONE
+    cmp r4, r0
+    beq 1f
+    place_at r0, r1
+    adds r0, #GLINT_AT_KEPT_FACE
+    ldrh r0, [r0]
+1:  str r0, [sp, #KEPT_FACE]
+.endm
+
+/* The triangle in r0, which is to be TRIANGLE, if it begins in the strip, r2: its line; else to `below`. Then r1: its end, r2: the strip's. */
+.macro draw_here below
+    ldr r3, [sp, #END_OF_STRIP]
+    cmp r2, r3
+    bge \below
+    ldr r3, [sp, #DRAW]
+    cmp r3, #0
+    beq 1f
+    blx r3
+    b 2f
+1:  ldr r3, [sp, #PAINT]
+    movs r1, r0
+    ldmia r3!, {r0}
+    ldr r0, [r0, #GLINT_AT_PATH_DRAW]
+    mov r12, r0
+    ldr r0, [r3]
+    ldr r2, [sp, #TARGET_AT]
+    blx r12
+2:  ldr r1, [sp, #TRIANGLE]
+    adds r1, #GLINT_AT_TRIANGLE_Y_END
+    ldrh r1, [r1]
+    sxth r1, r1
+    ldr r2, [sp, #END_OF_STRIP]
+    cmp r1, r2
+.endm
+
+    function glint_mesh_strip_of
+    enter STRIP_FRAME
+    str r0, [sp, #WORK]
+    ldmia r0!, {r4-r6} /* frame, drawn, target */
+    add r7, sp, #FRAME_AT
+    ldr r1, [r6, #GLINT_AT_TARGET_Y]
+    ldr r2, [r6, #GLINT_AT_TARGET_Y + 4]
+    ldr r3, [r4, #GLINT_AT_FRAME_KEPT]
+    stmia r7!, {r4-r6}
+    stmia r7!, {r1-r3}
+    ldr r3, [r5, #GLINT_AT_DRAWN_LINKS]
+    ldr r4, [r5, #GLINT_AT_DRAWN_MESH]
+    ldr r4, [r4, #GLINT_AT_MESH_FACES]
+    stmia r7!, {r3, r4}
+    movs r0, r5
+    bl glint_mesh_take
+    str r0, [sp, #NEW_FACE]
+    ldrh r4, [r5, #GLINT_AT_DRAWN_KEPT]
+    kept_is_next
+    movs r3, #0
+    add r0, sp, #KEEP
+    str r3, [r0]
+    str r0, [sp, #KEEP_LAST]
+    adds r0, #4
+    str r3, [r0]
+    str r0, [sp, #LATER_LAST]
+    b .Lfaces
+
+.Lbeyond: /* r0, r1: the next faces, of which the lower one is the next part's; or NONE both */
+    ldr r3, =NONE
+    cmp r0, r3
+    bne 1f
+    cmp r1, r3
+    bne 1f
+    b .Lall
+1:  ldr r3, [sp, #NUMBER]
+    adds r3, #1
+.Lfaces: /* r3: the number of a part */
+    add r0, sp, #FACES
+    ldr r1, [sp, #DRAWN_AT]
+    ldr r2, [sp, #TARGET_AT]
+    bl glint_mesh_faces_set
+
+.Lnext:
+    ldr r2, [sp, #FACES_END]
+    ldr r0, [sp, #KEPT_FACE]
+    ldr r1, [sp, #NEW_FACE]
+    cmp r0, r1
+    blo .Lkept
+    cmp r1, r2
+    bhs .Lbeyond
+    lsls r3, r1, #1
+    ldr r2, [sp, #LINKS_AT]
+    ldrh r2, [r2, r3]
+    str r2, [sp, #NEW_FACE]
+    str r1, [sp, #NOW]
+    adds r3, r3, r1
+    lsls r3, r3, #1
+    ldr r2, [sp, #FACES_AT]
+    adds r2, r2, r3
+    ldr r6, [sp, #FRAME_AT]
+    ldrh r4, [r6, #GLINT_AT_FRAME_FREE]
+    str r4, [sp, #PLACE]
+    adds r3, r4, #1
+    lsrs r3, r3, #16
+    bne .Lno_place
+    place_at r0, r5
+.Lplaced:
+    str r0, [sp, #TRIANGLE]
+    movs r5, r0
+    adds r5, #GLINT_AT_KEPT_FACE
+    strh r1, [r5]
+    ldr r1, [sp, #DRAWN_AT]
+    ldr r3, [sp, #T_END]
+    bl glint_mesh_face_set
+    cmp r0, #0
+    beq .Lclipped
+    ldr r0, [sp, #TRIANGLE]
+    movs r2, #GLINT_AT_TRIANGLE_Y
+    ldrsh r2, [r0, r2]
+    ldr r1, [sp, #Y_OF_STRIP]
+    cmp r2, r1
+    blt .Lskip
+.Lskipped:
+    draw_here .Lgoes_on
+    ble .Lnext
+.Lgoes_on:
+    ldr r4, [sp, #PLACE]
+    adds r0, r4, #1
+    lsrs r0, r0, #16
+    bne .Llater
+    ldr r6, [sp, #FRAME_AT]
+    ldr r5, [sp, #TRIANGLE]
+    adds r5, #GLINT_AT_KEPT_FACE + 2
+    ldrh r3, [r5]
+    strh r3, [r6, #GLINT_AT_FRAME_FREE]
+.Lkeep: /* r4: its place, r5: its link */
+    ldr r7, [sp, #KEEP_LAST]
+    strh r4, [r7]
+    str r5, [sp, #KEEP_LAST]
+    b .Lnext
+
+.Lkept: /* r0 */
+    cmp r0, r2
+    bhs .Lbeyond
+    ldr r4, [sp, #KEPT_PLACE]
+    str r4, [sp, #PLACE]
+    place_at r5, r1
+    str r5, [sp, #TRIANGLE]
+    movs r2, r5
+    adds r2, #GLINT_AT_KEPT_FACE + 2
+    ldrh r4, [r2]
+    kept_is_next
+    movs r0, r5
+    movs r2, #GLINT_AT_TRIANGLE_Y
+    ldrsh r2, [r0, r2]
+    draw_here .Lstays
+    ble .Lended
+.Lstays:
+    ldr r4, [sp, #PLACE]
+    ldr r5, [sp, #TRIANGLE]
+    adds r5, #GLINT_AT_KEPT_FACE + 2
+    b .Lkeep
+.Lended:
+    ldr r4, [sp, #PLACE]
+    ldr r5, [sp, #TRIANGLE]
+    adds r5, #GLINT_AT_KEPT_FACE + 2
+    ldr r6, [sp, #FRAME_AT]
+    ldrh r3, [r6, #GLINT_AT_FRAME_FREE]
+    strh r3, [r5]
+    strh r4, [r6, #GLINT_AT_FRAME_FREE]
+    b .Lnext
+
+.Lno_place:
+    ldr r0, [r6, #GLINT_AT_FRAME_KEPT - 4]
+    ldr r5, =GLINT_AT_BENCH_FACE
+    adds r0, r0, r5
+    b .Lplaced
+.Lskip: /* r1: to this line */
+    bl glint_mesh_triangle_skip
+    ldr r0, [sp, #TRIANGLE]
+    ldr r2, [sp, #Y_OF_STRIP]
+    b .Lskipped
+.Lclipped:
+    ldr r0, [sp, #WORK]
+    ldr r1, [sp, #NOW]
+    ldr r2, [sp, #PAINT]
+    bl glint_mesh_draw_clipped
+.Llater:
+    ldr r1, [sp, #NOW]
+    lsls r2, r1, #1
+    ldr r3, [sp, #LINKS_AT]
+    adds r3, r3, r2
+    ldr r7, [sp, #LATER_LAST]
+    strh r1, [r7]
+    str r3, [sp, #LATER_LAST]
+    b .Lnext
+
+.Lall:
+    ldr r0, [sp, #KEEP_LAST]
+    strh r3, [r0]
+    ldr r0, [sp, #LATER_LAST]
+    strh r3, [r0]
+    ldr r0, [sp, #DRAWN_AT]
+    ldr r1, [sp, #KEEP]
+    strh r1, [r0, #GLINT_AT_DRAWN_KEPT]
+    ldr r2, [sp, #END_OF_STRIP]
+    ldr r3, [sp, #FRAME_AT]
+    ldrh r3, [r3, #GLINT_AT_FRAME_W + 2]
+    cmp r2, r3
+    bge 1f
+    ldr r1, [sp, #LATER]
+    bl glint_mesh_give
+1:  leave STRIP_FRAME
+    .ltorg
+#endif
