@@ -12,6 +12,7 @@
 #define height r10
 #define bands r11
 #define links r12
+#define is_cut lr
 
     function glint_mesh_sort_faces
     enter 0
@@ -24,6 +25,10 @@
     mov links, r5
     ldr r6, [r1, #GLINT_AT_DRAWN_LINKS + 4]
     mov bands, r6
+    movs r5, r1
+    adds r5, #GLINT_AT_DRAWN_IS_CUT
+    ldrb r5, [r5]
+    mov is_cut, r5
     ldr r1, [r1, #GLINT_AT_DRAWN_MESH]
     ldrh number, [r1, #GLINT_AT_MESH_VERTEX_COUNT + 2]
     ldr face, [r1, #GLINT_AT_MESH_FACES]
@@ -44,12 +49,10 @@
     add r1, vertices
     add r2, vertices
     add r3, vertices
-    ldrh r4, [r1, #6]
-    ldrh r5, [r2, #6]
-    ldrh r6, [r3, #6]
-    orrs r5, r4
-    orrs r5, r6
-    bne .Lout
+    mov r5, is_cut
+    cmp r5, #0
+    bne .Lmay_be_out
+.Lin: /* r5: 0 */
     ldrsh r4, [r2, r5]
     ldrsh r6, [r3, r5]
     ldrsh r5, [r1, r5]
@@ -97,7 +100,15 @@
     add r3, links
     strh r2, [r3]
     b .Lface
-.Lout: /* seen once it is clipped, unless one plane cuts all of it */
+
+.Lmay_be_out:
+    ldrh r4, [r1, #6]
+    ldrh r5, [r2, #6]
+    ldrh r6, [r3, #6]
+    orrs r5, r4
+    orrs r5, r6
+    beq .Lin
+    /* Seen once it is clipped, unless one plane cuts all of it. */
     ldrh r5, [r2, #6]
     ands r4, r5
     tst r4, r6

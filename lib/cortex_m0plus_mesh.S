@@ -6,21 +6,35 @@
 #if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus_mesh.inc"
 
+#define COLOUR_FRAME (FACES_BYTES + 8)
+
     function glint_mesh_colour
-    enter LINES_FRAME
+    enter COLOUR_FRAME
     movs r4, r1
     movs r1, r2
-    add r2, sp, #LINES
+    add r2, sp, #GLINT_AT_FACES_LINES
     bl glint_mesh_colour_begin
     movs r0, r4
-    bl glint_mesh_colour_lines
-    leave LINES_FRAME
+    bl colour_lines
+    leave COLOUR_FRAME
 
-/* The triangle in r0; sp: to the frame, whose lines glint_mesh_colour_begin has set. All other registers are lost. */
-    entry glint_mesh_colour_lines
-    mov r1, lr
+    function glint_mesh_colour_begin
+    push {r4, lr}
+    ldr r3, =colour_lines
+    str r3, [r2, #GLINT_AT_LINES_DRAW]
+    bl glint_mesh_colour_set
+    pop {r4, pc}
+    .ltorg
+
+/* The triangle in r0; sp: to the struct glint_mesh_faces. Registers are lost. */
+    .section .text.colour_lines, "ax", %progbits
+    .type colour_lines, %function
+    .balign 4
+    .thumb_func
+colour_lines:
+    push {lr}
+    sub sp, #LINES_FRAME
     str r0, [sp, #TRIANGLE]
-    str r1, [sp, #BACK]
     adds r0, #GLINT_AT_TRIANGLE_Y
     ldmia r0!, {r3, r4} /* y, y_middle; y_end, shine, long_is_left */
     sxth r2, r3
@@ -94,8 +108,8 @@
     cmp r2, r6
     bne .Llower
 .Ldone:
-    ldr r0, [sp, #BACK]
-    bx r0
+    add sp, #LINES_FRAME
+    pop {pc}
 
 .Ldark: /* r3: dark, r4: off, r7: dz */
     plain_part DARK

@@ -14,7 +14,8 @@
 #define PLACES 80
 #define NORMALS 84
 #define END 88
-#define FRAME 92
+#define ANY 92 /* is there one that is out? */
+#define FRAME 100
 
 #define vertex r0
 #define first_down r8 /* a sum is shifted, multiplied by the scale, and shifted again */
@@ -62,6 +63,8 @@
 1:  mov r6, out
     orrs r6, r5
     mov out, r6
+    movs r5, #1
+    str r5, [sp, #ANY]
     b \beyond\()_noted
 .endm
 
@@ -87,6 +90,8 @@
     lsls r3, r3, #4
     adds r3, r3, vertex
     str r3, [r7]
+    movs r3, #0
+    str r3, [sp, #ANY]
     ldrh r3, [r1, #GLINT_AT_DRAWN_SCALE]
     mov scale, r3
     movs r4, #14
@@ -174,6 +179,7 @@
     ldr r5, [sp, #END]
     cmp vertex, r5
     bne .Lvertices
+    ldr r0, [sp, #ANY]
     leave FRAME
 
     noted 1, .Lbeside

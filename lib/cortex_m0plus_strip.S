@@ -1,31 +1,35 @@
 /* SPDX-License-Identifier: MIT
- * glint_mesh_strip_of(strip), as mesh_strip.c has it: new faces and kept triangles by number. Its state is in the frame, since the routines
- * that draw lines leave no register as it was; they use the frame, too. */
+ * glint_mesh_strip_lines(strip): what mesh_strip.c does with a mesh, new faces and kept triangles by number. Its state is in the frame, since
+ * the routine that draws a triangle's lines, a void (*draw)(void) to C, leaves no register as it was; it uses the frame, too. */
 #if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus_mesh.inc"
 
 #define NONE GLINT_MESH_NONE
 
-/* The frame behind that of lines. */
-#define FRAME_AT (LINES_FRAME + 0)
-#define DRAWN_AT (LINES_FRAME + 4)
-#define TARGET_AT (LINES_FRAME + 8)
-#define Y_OF_STRIP (LINES_FRAME + 12)
-#define END_OF_STRIP (LINES_FRAME + 16)
-#define KEPT_AT (LINES_FRAME + 20)
-#define LINKS_AT (LINES_FRAME + 24)
-#define FACES_AT (LINES_FRAME + 28)
-#define NEW_FACE (LINES_FRAME + 32) /* the first of those not kept */
-#define KEPT_FACE (LINES_FRAME + 36) /* and of those kept, and its place */
-#define KEPT_PLACE (LINES_FRAME + 40)
-#define NOW (LINES_FRAME + 44)   /* the face in work */
-#define PLACE (LINES_FRAME + 48) /* and its triangle's place */
-#define KEEP (LINES_FRAME + 52)  /* lists, and their ends */
-#define LATER (LINES_FRAME + 56)
-#define KEEP_LAST (LINES_FRAME + 60)
-#define LATER_LAST (LINES_FRAME + 64)
-#define WORK (LINES_FRAME + 68)
-#define STRIP_FRAME (LINES_FRAME + 72)
+/* The frame: a struct glint_mesh_faces first. */
+#define T_END 0
+#define FACES_END 4
+#define NUMBER 8
+#define DRAW (GLINT_AT_FACES_LINES + GLINT_AT_LINES_DRAW)
+#define FRAME_AT (FACES_BYTES + 0)
+#define DRAWN_AT (FACES_BYTES + 4)
+#define TARGET_AT (FACES_BYTES + 8)
+#define Y_OF_STRIP (FACES_BYTES + 12)
+#define END_OF_STRIP (FACES_BYTES + 16)
+#define KEPT_AT (FACES_BYTES + 20)
+#define LINKS_AT (FACES_BYTES + 24)
+#define FACES_AT (FACES_BYTES + 28)
+#define NEW_FACE (FACES_BYTES + 32) /* the first of those not kept */
+#define KEPT_FACE (FACES_BYTES + 36) /* and of those kept, and its place */
+#define KEPT_PLACE (FACES_BYTES + 40)
+#define NOW (FACES_BYTES + 44) /* the face in work */
+#define TRIANGLE_NOW (FACES_BYTES + 48) /* its triangle, and the place of that */
+#define PLACE (FACES_BYTES + 52)
+#define KEEP (FACES_BYTES + 56) /* lists, and their ends */
+#define LATER (FACES_BYTES + 60)
+#define KEEP_LAST (FACES_BYTES + 64)
+#define LATER_LAST (FACES_BYTES + 68)
+#define STRIP_FRAME (FACES_BYTES + 72)
 
 /* to: the triangle of place r4. */
 .macro place_at to, free
@@ -47,25 +51,14 @@
 1:  str r0, [sp, #KEPT_FACE]
 .endm
 
-/* The triangle in r0, which is to be TRIANGLE, if it begins in the strip, r2: its line; else to `below`. Then r1: its end, r2: the strip's. */
+/* The triangle in r0, which is TRIANGLE_NOW, if it begins in the strip, r2: its line; else to `below`. Then flags: its end to the strip's. */
 .macro draw_here below
     ldr r3, [sp, #END_OF_STRIP]
     cmp r2, r3
     bge \below
     ldr r3, [sp, #DRAW]
-    cmp r3, #0
-    beq 1f
     blx r3
-    b 2f
-1:  ldr r3, [sp, #PAINT]
-    movs r1, r0
-    ldmia r3!, {r0}
-    ldr r0, [r0, #GLINT_AT_PATH_DRAW]
-    mov r12, r0
-    ldr r0, [r3]
-    ldr r2, [sp, #TARGET_AT]
-    blx r12
-2:  ldr r1, [sp, #TRIANGLE]
+    ldr r1, [sp, #TRIANGLE_NOW]
     adds r1, #GLINT_AT_TRIANGLE_Y_END
     ldrh r1, [r1]
     sxth r1, r1
@@ -73,9 +66,8 @@
     cmp r1, r2
 .endm
 
-    function glint_mesh_strip_of
+    function glint_mesh_strip_lines
     enter STRIP_FRAME
-    str r0, [sp, #WORK]
     ldmia r0!, {r4-r6} /* frame, drawn, target */
     add r7, sp, #FRAME_AT
     ldr r1, [r6, #GLINT_AT_TARGET_Y]
@@ -111,7 +103,7 @@
 1:  ldr r3, [sp, #NUMBER]
     adds r3, #1
 .Lfaces: /* r3: the number of a part */
-    add r0, sp, #FACES
+    mov r0, sp
     ldr r1, [sp, #DRAWN_AT]
     ldr r2, [sp, #TARGET_AT]
     bl glint_mesh_faces_set
@@ -141,16 +133,14 @@
     bne .Lno_place
     place_at r0, r5
 .Lplaced:
-    str r0, [sp, #TRIANGLE]
+    str r0, [sp, #TRIANGLE_NOW]
     movs r5, r0
     adds r5, #GLINT_AT_KEPT_FACE
     strh r1, [r5]
     ldr r1, [sp, #DRAWN_AT]
     ldr r3, [sp, #T_END]
     bl glint_mesh_face_set
-    cmp r0, #0
-    beq .Lclipped
-    ldr r0, [sp, #TRIANGLE]
+    ldr r0, [sp, #TRIANGLE_NOW]
     movs r2, #GLINT_AT_TRIANGLE_Y
     ldrsh r2, [r0, r2]
     ldr r1, [sp, #Y_OF_STRIP]
@@ -165,7 +155,7 @@
     lsrs r0, r0, #16
     bne .Llater
     ldr r6, [sp, #FRAME_AT]
-    ldr r5, [sp, #TRIANGLE]
+    ldr r5, [sp, #TRIANGLE_NOW]
     adds r5, #GLINT_AT_KEPT_FACE + 2
     ldrh r3, [r5]
     strh r3, [r6, #GLINT_AT_FRAME_FREE]
@@ -181,7 +171,7 @@
     ldr r4, [sp, #KEPT_PLACE]
     str r4, [sp, #PLACE]
     place_at r5, r1
-    str r5, [sp, #TRIANGLE]
+    str r5, [sp, #TRIANGLE_NOW]
     movs r2, r5
     adds r2, #GLINT_AT_KEPT_FACE + 2
     ldrh r4, [r2]
@@ -193,12 +183,12 @@
     ble .Lended
 .Lstays:
     ldr r4, [sp, #PLACE]
-    ldr r5, [sp, #TRIANGLE]
+    ldr r5, [sp, #TRIANGLE_NOW]
     adds r5, #GLINT_AT_KEPT_FACE + 2
     b .Lkeep
 .Lended:
     ldr r4, [sp, #PLACE]
-    ldr r5, [sp, #TRIANGLE]
+    ldr r5, [sp, #TRIANGLE_NOW]
     adds r5, #GLINT_AT_KEPT_FACE + 2
     ldr r6, [sp, #FRAME_AT]
     ldrh r3, [r6, #GLINT_AT_FRAME_FREE]
@@ -213,14 +203,9 @@
     b .Lplaced
 .Lskip: /* r1: to this line */
     bl glint_mesh_triangle_skip
-    ldr r0, [sp, #TRIANGLE]
+    ldr r0, [sp, #TRIANGLE_NOW]
     ldr r2, [sp, #Y_OF_STRIP]
     b .Lskipped
-.Lclipped:
-    ldr r0, [sp, #WORK]
-    ldr r1, [sp, #NOW]
-    ldr r2, [sp, #PAINT]
-    bl glint_mesh_draw_clipped
 .Llater:
     ldr r1, [sp, #NOW]
     lsls r2, r1, #1

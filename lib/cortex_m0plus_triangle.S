@@ -148,12 +148,6 @@
     str r4, [sp, #FACE]
     str r5, [sp, #FACE + 8]
     str r6, [sp, #FACE + 16]
-    ldrh r0, [r4, #6]
-    ldrh r7, [r5, #6]
-    orrs r0, r7
-    ldrh r7, [r6, #6]
-    orrs r0, r7
-    bne .Lnothing
     ldr r0, [r4, #NL_OF]
     ldr r7, [r5, #NL_OF]
     ands r0, r7

@@ -95,6 +95,7 @@ struct glint_mesh_drawn {
     int16_t turn[3][3];      /* Q14 */
     int16_t position[3];
     uint16_t scale;
+    bool is_cut; /* by a plane: a vertex is beyond it */
 };
 struct glint_mesh_frame {
     struct glint_mesh_drawn *first, **last;

@@ -9,10 +9,11 @@
 void glint_mesh_colour(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
                        const struct glint_mesh_target *target);
 
-/* In assembly alone: what its routine needs of a strip. */
+/* In assembly alone: its routine, and what that needs of a strip; the latter by itself, in C. */
 void glint_mesh_colour_begin(const struct glint_tables *tables, const struct glint_mesh_target *target,
                              struct glint_mesh_lines *lines);
-void glint_mesh_colour_lines(void);
+void glint_mesh_colour_set(const struct glint_tables *tables, const struct glint_mesh_target *target,
+                           struct glint_mesh_lines *lines);
 
 /* A triangle by tables: as above where that is possible, else by glint_mesh_tables_rows, line by line. */
 void glint_mesh_tables_draw(const void *with, struct glint_mesh_triangle *triangle,

@@ -26,13 +26,11 @@
 #define GLINT_MESH_KEPT_SIZE 88 /* of a struct glint_mesh_kept, whose first is the triangle */
 #define GLINT_AT_KEPT_FACE 84 /* face, next */
 
-#define GLINT_AT_FACES_PAINT 0 /* paint, t_end, end, number */
-#define GLINT_AT_FACES_LINES 16
+#define GLINT_AT_FACES_LINES 12 /* t_end, end, number, lines */
 #define GLINT_AT_LINES_DRAW 0 /* draw, off_first, line_first, off, line, line_step, off_step, last */
 #define GLINT_AT_LINES_COLOURS 32 /* colours, dark, shift, limit, w, end, columns, t_max */
 
 #define GLINT_AT_TARGET_Y 12 /* y, end */
-#define GLINT_AT_PATH_DRAW 8
 #define GLINT_AT_BENCH_FACE 436
 #define GLINT_AT_FRAME_KEPT 12
 #define GLINT_AT_FRAME_W 16 /* w, h */
@@ -43,6 +41,7 @@
 #define GLINT_AT_DRAWN_KEPT 24
 #define GLINT_AT_DRAWN_LIGHT 26 /* l, h, turn, position, scale */
 #define GLINT_AT_DRAWN_SCALE 62
+#define GLINT_AT_DRAWN_IS_CUT 64
 #define GLINT_AT_MESH_PLACES 0
 #define GLINT_AT_MESH_NORMALS 4
 #define GLINT_AT_MESH_NORMALS8 8

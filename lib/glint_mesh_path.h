@@ -18,7 +18,7 @@ struct glint_mesh_target {
 
 /* What assembly that draws lines needs of a strip, in the frame where it takes it from; cortex_m0plus_mesh.inc has the rest. */
 struct glint_mesh_lines {
-    void (*draw)(void);             /* a triangle's lines, called as cortex_m0plus_mesh.inc says; NULL: the path's draw */
+    void (*draw)(void);             /* a triangle's lines, called as cortex_m0plus_mesh.inc says */
     uint32_t off_first, line_first; /* of line 0 of the picture: what out is beyond the depths, and these */
     uint32_t off, line;             /* of the line at hand */
     uint32_t line_step, off_step;
@@ -36,8 +36,9 @@ struct glint_mesh_path {
     /* Draws a triangle's lines from its own, which is in the strip, to the strip's end, and brings it there. The triangle is that of a
      * struct glint_mesh_kept, which knows its face. */
     void (*draw)(const void *with, struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target);
-    /* For the assembly of a strip: lines where these are drawn in assembly, too. NULL: not this path's. */
-    void (*begin)(const void *with, const struct glint_mesh_target *target, struct glint_mesh_lines *lines);
+    /* For the assembly of a strip, where lines are drawn in assembly, too: can it draw them there? lines: NULL, or what it needs for that.
+     * NULL: it cannot. */
+    bool (*begin)(const void *with, const struct glint_mesh_target *target, struct glint_mesh_lines *lines);
 };
 
 /* Pixels x..end - 1 of a line, with the values at x and their steps. */

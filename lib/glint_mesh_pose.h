@@ -42,10 +42,10 @@ struct glint_mesh_place glint_mesh_project(const struct glint_mesh_frame *frame,
 void glint_mesh_light(struct glint_mesh_vertex *vertex, const struct glint_mesh_drawn *drawn,
                       const struct glint_vec *normal);
 
-/* All vertices; `out` says by which planes they must be clipped. */
-void glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn);
+/* All vertices; `out` says by which planes they must be clipped. Is there one? */
+bool glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn);
 
 /* The same without perspective for normals of 8 bits, in assembly alone. */
-void glint_mesh_vertices_parallel(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn);
+bool glint_mesh_vertices_parallel(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn);
 
 #endif

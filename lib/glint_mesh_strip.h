@@ -17,7 +17,6 @@ struct glint_mesh_bench {
     struct glint_mesh_polygon polygon;
     struct glint_mesh_vertex vertex[3];
     struct glint_mesh_kept face; /* where no place is left, and of a face that is clipped */
-    struct glint_sample samples[GLINT_RUN];
     uint8_t fan; /* of one that is clipped: vertex is the polygon's corners 0, fan - 1 and fan */
 };
 
@@ -36,9 +35,9 @@ static inline uint32_t glint_mesh_depth_bytes(uint16_t w, uint16_t lines)
 /* Makes all depths the farthest; bytes: of glint_mesh_depth_bytes. Has a twin in assembly. */
 void glint_mesh_clear(uint16_t *depth, uint32_t bytes);
 
-/* Sets the triangle of a face in a list, which has an area and lines; false, and nothing is done, where it must be clipped first. t_end: as
- * for glint_mesh_shine. Has a twin in assembly. */
-bool glint_mesh_face_set(struct glint_mesh_triangle *triangle, const struct glint_mesh_drawn *drawn,
+/* Sets the triangle of a face in a list, which has an area and lines and is not clipped. t_end: as for glint_mesh_shine. Has a twin in
+ * assembly. */
+void glint_mesh_face_set(struct glint_mesh_triangle *triangle, const struct glint_mesh_drawn *drawn,
                          const uint16_t face[3], uint32_t t_end);
 
 /* A strip in work: its mesh. */
@@ -48,21 +47,15 @@ struct glint_mesh_work {
     const struct glint_mesh_target *target;
 };
 
-/* Faces before `end`, and what paints them. */
+/* In assembly alone, of a mesh whose parts' paths all have lines and of which nothing is clipped. What has to do with a part, and its lines. */
 struct glint_mesh_faces {
-    const struct glint_paint *paint;
-    uint32_t t_end;
-    uint32_t end, number; /* end: GLINT_MESH_NONE, which is above all faces, of the last one */
+    uint32_t t_end, end, number; /* end: the face it ends before, or GLINT_MESH_NONE, which is above all */
     struct glint_mesh_lines lines;
 };
 void glint_mesh_faces_set(struct glint_mesh_faces *faces, const struct glint_mesh_drawn *drawn,
                           const struct glint_mesh_target *target, unsigned number);
-
-/* Draws a mesh's faces and keeps those that go on. Has a twin in assembly. */
-void glint_mesh_strip_of(const struct glint_mesh_work *strip);
-
-/* A face, clipped, as a fan. */
-void glint_mesh_draw_clipped(const struct glint_mesh_work *strip, unsigned number, const struct glint_paint *paint);
+/* Draws the mesh's faces and keeps those that go on. */
+void glint_mesh_strip_lines(const struct glint_mesh_work *strip);
 
 /* Frees what is kept of a mesh. */
 void glint_mesh_forget(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn);

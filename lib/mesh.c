@@ -79,7 +79,7 @@ enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_
     drawn->vertices = (struct glint_mesh_vertex *)memory;
     drawn->links = (uint16_t *)(void *)(drawn->vertices + mesh->vertex_count);
     drawn->bands = drawn->links + mesh->face_count;
-    glint_mesh_vertices(frame, drawn);
+    drawn->is_cut = glint_mesh_vertices(frame, drawn);
     glint_mesh_sort(frame, drawn, frame->y);
     *frame->last = drawn;
     frame->last = &drawn->next;

@@ -19,7 +19,7 @@ void glint_mesh_corners_of(struct glint_mesh_corners *corners, const struct glin
         return;
     }
     const struct glint_mesh_bench *bench = (const struct glint_mesh_bench *)target->frame->memory;
-    const struct glint_mesh_clipped *polygon = bench->polygon.corner[bench->polygon.now];
+    const struct glint_mesh_clipped *polygon = bench->polygon.list[bench->polygon.now].corner;
     for (unsigned i = 0; i < 3; i++) {
         corners->at[i] = &bench->vertex[i];
         corners->clipped[i] = &polygon[i == 0 ? 0 : bench->fan + i - 2u];

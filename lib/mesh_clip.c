@@ -47,8 +47,8 @@ static int32_t clip_inside(const struct glint_mesh_frame *frame, unsigned plane,
 static unsigned clip_plane(struct glint_mesh_polygon *polygon, unsigned count, const struct glint_mesh_frame *frame,
                            unsigned plane)
 {
-    const struct glint_mesh_clipped *from = polygon->corner[polygon->now];
-    struct glint_mesh_clipped *to = polygon->corner[1 - polygon->now];
+    const struct glint_mesh_clipped *from = polygon->list[polygon->now].corner;
+    struct glint_mesh_clipped *to = polygon->list[1 - polygon->now].corner;
     unsigned found = 0;
     for (unsigned i = 0; i < count; i++) {
         const struct glint_mesh_clipped *a = &from[i], *b = &from[i + 1 < count ? i + 1 : 0];
@@ -65,7 +65,7 @@ static unsigned clip_plane(struct glint_mesh_polygon *polygon, unsigned count, c
 unsigned glint_mesh_clip(struct glint_mesh_polygon *polygon, const struct glint_mesh_frame *frame,
                          const struct glint_mesh_drawn *drawn, const uint16_t face[3])
 {
-    struct glint_mesh_clipped *corner = polygon->corner[0];
+    struct glint_mesh_clipped *corner = polygon->list[0].corner;
     unsigned count = 3;
     polygon->now = 0;
     for (unsigned i = 0; i < 3; i++) {
@@ -76,7 +76,7 @@ unsigned glint_mesh_clip(struct glint_mesh_polygon *polygon, const struct glint_
     }
     if (frame->distance)
         count = clip_plane(polygon, count, frame, GLINT_MESH_NEAR);
-    corner = polygon->corner[polygon->now];
+    corner = polygon->list[polygon->now].corner;
     for (unsigned i = 0; i < count; i++)
         corner[i].at = glint_mesh_project(frame, corner[i].at);
     for (unsigned plane = GLINT_MESH_LEFT; plane <= GLINT_MESH_BELOW && count; plane <<= 1)

@@ -97,12 +97,11 @@ void glint_mesh_colour(const struct glint_tables *tables, struct glint_mesh_tria
     }
 }
 #else
-void glint_mesh_colour_begin(const struct glint_tables *tables, const struct glint_mesh_target *target,
-                             struct glint_mesh_lines *lines)
+void glint_mesh_colour_set(const struct glint_tables *tables, const struct glint_mesh_target *target,
+                           struct glint_mesh_lines *lines)
 {
     const struct glint_look look = glint_look_up(tables);
     const uint32_t y = (uint32_t)target->y, line = (uint32_t)target->depth;
-    lines->draw = glint_mesh_colour_lines;
     lines->line_step = 2 * (uint32_t)target->w;
     lines->off_step = (uint32_t)target->surface->stride - lines->line_step;
     lines->line_first = line - y * lines->line_step;

@@ -39,6 +39,7 @@ typedef char glint_drawn_layout[AT(mesh, GLINT_AT_DRAWN_MESH) && AT(vertices, GL
                                         1u << GLINT_MESH_BAND_LOG == GLINT_MESH_BAND && AT(l, GLINT_AT_DRAWN_LIGHT) &&
                                         AT(h, GLINT_AT_DRAWN_LIGHT + 6) && AT(turn, GLINT_AT_DRAWN_LIGHT + 12) &&
                                         AT(position, GLINT_AT_DRAWN_LIGHT + 30) && AT(scale, GLINT_AT_DRAWN_SCALE) &&
+                                        AT(is_cut, GLINT_AT_DRAWN_IS_CUT) &&
                                         AT(kept, GLINT_AT_DRAWN_KEPT)
                                     ? 1
                                     : -1];
@@ -58,9 +59,9 @@ typedef char glint_kept_layout[AT(triangle, 0) && AT(face, GLINT_AT_KEPT_FACE) &
                                    : -1];
 #undef AT
 #define AT(field, offset) (offsetof(struct glint_mesh_faces, field) == (offset))
-typedef char glint_faces_layout[AT(paint, GLINT_AT_FACES_PAINT) && AT(t_end, GLINT_AT_FACES_PAINT + 4) &&
-                                        AT(end, GLINT_AT_FACES_PAINT + 8) && AT(number, GLINT_AT_FACES_PAINT + 12) &&
-                                        AT(lines, GLINT_AT_FACES_LINES)
+typedef char glint_faces_layout[AT(t_end, 0) && AT(end, 4) && AT(number, 8) &&
+                                        AT(lines, GLINT_AT_FACES_LINES) &&
+                                        sizeof(struct glint_mesh_lines) == 64
                                     ? 1
                                     : -1];
 #undef AT
@@ -78,12 +79,7 @@ typedef char
                            : -1];
 #undef AT
 #define AT(field, offset) (offsetof(struct glint_mesh_work, field) == (offset))
-typedef char glint_work_layout[AT(frame, 0) && AT(drawn, 4) && AT(target, 8) &&
-                                       offsetof(struct glint_mesh_path, draw) == GLINT_AT_PATH_DRAW &&
-                                       offsetof(struct glint_paint, path) == 0 &&
-                                       offsetof(struct glint_paint, with) == 4
-                                   ? 1
-                                   : -1];
+typedef char glint_work_layout[AT(frame, 0) && AT(drawn, 4) && AT(target, 8) ? 1 : -1];
 #undef AT
 #define AT(field, offset) (offsetof(struct glint_mesh, field) == (offset))
 typedef char glint_mesh_layout[AT(places, GLINT_AT_MESH_PLACES) && AT(normals, GLINT_AT_MESH_NORMALS) &&

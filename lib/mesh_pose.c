@@ -164,15 +164,14 @@ static uint16_t pose_out(const struct glint_mesh_place *at)
                                        : 0));
 }
 
-void glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn)
+bool glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn)
 {
     const int32_t guard = GLINT_MESH_GUARD;
     struct glint_mesh_vertex *vertex = drawn->vertices;
+    unsigned any = 0;
 #if GLINT_CORTEX_M0PLUS_ASM
-    if (frame->distance == 0 && !drawn->mesh->normals) {
-        glint_mesh_vertices_parallel(frame, drawn);
-        return;
-    }
+    if (frame->distance == 0 && !drawn->mesh->normals)
+        return glint_mesh_vertices_parallel(frame, drawn);
 #endif
     for (unsigned i = 0; i < drawn->mesh->vertex_count; i++, vertex++) {
         const struct glint_mesh_place place = pose_place(drawn, i);
@@ -180,15 +179,16 @@ void glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glin
         glint_mesh_normal(&normal, drawn->mesh, i);
         glint_mesh_light(vertex, drawn, &normal);
         if (glint_mesh_is_near(frame, place.z)) {
-            vertex->out = GLINT_MESH_NEAR;
+            any = vertex->out = GLINT_MESH_NEAR;
             continue;
         }
         const struct glint_mesh_place at = glint_mesh_project(frame, place);
         vertex->out = 0;
         if (at.x < -guard || at.x > guard || at.y < -guard || at.y > guard) /* few are */
-            vertex->out = pose_out(&at);
+            any = vertex->out = pose_out(&at);
         vertex->x = (int16_t)(at.x + 8 * frame->w); /* of use where it is not out */
         vertex->y = (int16_t)(at.y + 8 * frame->h);
         vertex->z = (uint16_t)at.z;
     }
+    return any != 0;
 }

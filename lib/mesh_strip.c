@@ -6,22 +6,25 @@
 #include "glint_math_assembly.h"
 #include "glint_mesh_lists.h"
 
+/* A list to which entries are added at its end. */
+struct tail {
+    uint16_t first, *last;
+};
+
+/* Faces before `end`, and what paints them. */
+struct part {
+    const struct glint_paint *paint;
+    uint32_t t_end;
+    uint16_t end, number; /* end: GLINT_MESH_NONE, which is above all faces, of the last one */
+};
+
 /* Alone, since the loop over a strip's faces has no register left for what this needs. */
-__attribute__((noinline)) void glint_mesh_faces_set(struct glint_mesh_faces *faces, const struct glint_mesh_drawn *drawn,
-                                                    const struct glint_mesh_target *target, unsigned number)
+static __attribute__((noinline)) void part_set(struct part *part, const struct glint_mesh_drawn *drawn, unsigned number)
 {
-    const struct glint_paint *paint = &drawn->paints[number];
-    faces->number = (uint16_t)number;
-    faces->paint = paint;
-    faces->t_end = paint->path->t_end(paint->with);
-    faces->end = number + 1 < drawn->mesh->part_count ? drawn->mesh->ends[number] : GLINT_MESH_NONE;
-#if GLINT_CORTEX_M0PLUS_ASM
-    faces->lines.draw = NULL;
-    if (paint->path->begin)
-        paint->path->begin(paint->with, target, &faces->lines);
-#else
-    (void)target;
-#endif
+    part->number = (uint16_t)number;
+    part->paint = &drawn->paints[number];
+    part->t_end = part->paint->path->t_end(part->paint->with);
+    part->end = number + 1 < drawn->mesh->part_count ? drawn->mesh->ends[number] : GLINT_MESH_NONE;
 }
 
 static void draw(const struct glint_mesh_work *strip, struct glint_mesh_triangle *triangle,
@@ -32,16 +35,17 @@ static void draw(const struct glint_mesh_work *strip, struct glint_mesh_triangle
     paint->path->draw(paint->with, triangle, strip->target);
 }
 
-void glint_mesh_draw_clipped(const struct glint_mesh_work *strip, unsigned number, const struct glint_paint *paint)
+/* A face, clipped, as a fan. */
+static void draw_clipped(const struct glint_mesh_work *strip, uint16_t number, const struct glint_paint *paint)
 {
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)strip->frame->memory;
     struct glint_mesh_triangle *triangle = &bench->face.triangle;
     const unsigned count =
         glint_mesh_clip(&bench->polygon, strip->frame, strip->drawn, strip->drawn->mesh->faces + 3 * (size_t)number);
-    const struct glint_mesh_clipped *at = bench->polygon.corner[bench->polygon.now];
+    const struct glint_mesh_clipped *at = bench->polygon.list[bench->polygon.now].corner;
     const uint32_t t_end = paint->path->t_end(paint->with);
     struct glint_mesh_vertex *const v = bench->vertex;
-    bench->face.face = (uint16_t)number;
+    bench->face.face = number;
     for (unsigned i = 2; i < count; i++) {
         const struct glint_mesh_clipped *const of[3] = {&at[0], &at[i - 1], &at[i]};
         struct glint_mesh_corner corner[3];
@@ -59,27 +63,6 @@ void glint_mesh_draw_clipped(const struct glint_mesh_work *strip, unsigned numbe
     }
 }
 
-#if !GLINT_CORTEX_M0PLUS_ASM
-bool glint_mesh_face_set(struct glint_mesh_triangle *triangle, const struct glint_mesh_drawn *drawn,
-                         const uint16_t face[3], uint32_t t_end)
-{
-    struct glint_mesh_corner corner[3];
-    for (unsigned k = 0; k < 3; k++)
-        corner[k].v = &drawn->vertices[face[k]];
-    if (corner[0].v->out | corner[1].v->out | corner[2].v->out)
-        return false;
-    const enum glint_mesh_shine shine = glint_mesh_shine(corner, t_end);
-    if (shine == GLINT_MESH_GLOSSY)
-        glint_mesh_sides(corner, drawn->mesh, face);
-    (void)glint_mesh_triangle_set(triangle, corner, shine, t_end); /* a face in a list has an area and lines */
-    return true;
-}
-
-/* A list to which entries are added at its end. */
-struct tail {
-    uint16_t first, *last;
-};
-
 /* Draws it where its lines begin in the strip; does it go on after that? */
 static bool draw_on(const struct glint_mesh_work *strip, struct glint_mesh_triangle *triangle,
                     const struct glint_paint *paint)
@@ -95,21 +78,38 @@ static void add(struct tail *tail, uint16_t entry, uint16_t *next)
     tail->last = next;
 }
 
+#if !GLINT_CORTEX_M0PLUS_ASM
+void glint_mesh_face_set(struct glint_mesh_triangle *triangle, const struct glint_mesh_drawn *drawn,
+                         const uint16_t face[3], uint32_t t_end)
+{
+    struct glint_mesh_corner corner[3];
+    for (unsigned k = 0; k < 3; k++)
+        corner[k].v = &drawn->vertices[face[k]];
+    const enum glint_mesh_shine shine = glint_mesh_shine(corner, t_end);
+    if (shine == GLINT_MESH_GLOSSY)
+        glint_mesh_sides(corner, drawn->mesh, face);
+    (void)glint_mesh_triangle_set(triangle, corner, shine, t_end); /* it has an area and lines */
+}
+#endif
+
 /* A face that has not been kept. */
-static void strip_face(const struct glint_mesh_work *strip, uint16_t i, const struct glint_mesh_faces *part,
+static void strip_face(const struct glint_mesh_work *strip, uint16_t i, const struct part *part,
                        struct tail *keep, struct tail *later)
 {
     struct glint_mesh_frame *frame = strip->frame;
     const uint16_t place = frame->free;
     struct glint_mesh_kept *const kept = place != GLINT_MESH_NONE ? &((struct glint_mesh_kept *)frame->kept)[place]
                                                                   : &((struct glint_mesh_bench *)frame->memory)->face;
-    const bool is_set =
-        glint_mesh_face_set(&kept->triangle, strip->drawn, strip->drawn->mesh->faces + 3 * (size_t)i, part->t_end);
+    const uint16_t *const face = strip->drawn->mesh->faces + 3 * (size_t)i;
+    const bool is_set = !glint_mesh_face_is_out(strip->drawn, face);
     kept->face = i;
-    if (!is_set)
-        glint_mesh_draw_clipped(strip, i, part->paint);
-    else if (!draw_on(strip, &kept->triangle, part->paint))
-        return;
+    if (!is_set) {
+        draw_clipped(strip, i, part->paint);
+    } else {
+        glint_mesh_face_set(&kept->triangle, strip->drawn, face, part->t_end);
+        if (!draw_on(strip, &kept->triangle, part->paint))
+            return;
+    }
     if (!is_set || place == GLINT_MESH_NONE) {
         add(later, i, &strip->drawn->links[i]);
         return;
@@ -118,7 +118,7 @@ static void strip_face(const struct glint_mesh_work *strip, uint16_t i, const st
     add(keep, place, &kept->next);
 }
 
-void glint_mesh_strip_of(const struct glint_mesh_work *strip)
+static void strip_mesh(const struct glint_mesh_work *strip)
 {
     struct glint_mesh_frame *frame = strip->frame;
     struct glint_mesh_drawn *drawn = strip->drawn;
@@ -126,15 +126,15 @@ void glint_mesh_strip_of(const struct glint_mesh_work *strip)
     struct tail keep = {GLINT_MESH_NONE, &keep.first}, later = {GLINT_MESH_NONE, &later.first};
     uint16_t face = glint_mesh_take(drawn, strip->target->y, strip->target->end), place = drawn->kept;
     uint16_t kept_face = place == GLINT_MESH_NONE ? GLINT_MESH_NONE : all[place].face;
-    struct glint_mesh_faces part;
-    glint_mesh_faces_set(&part, drawn, strip->target, 0);
+    struct part part;
+    part_set(&part, drawn, 0);
     for (;;) {
         const bool is_kept = kept_face < face;
         const uint16_t i = is_kept ? kept_face : face;
         if (i == GLINT_MESH_NONE)
             break;
         while (i >= part.end)
-            glint_mesh_faces_set(&part, drawn, strip->target, part.number + 1u);
+            part_set(&part, drawn, part.number + 1u);
         if (is_kept) {
             struct glint_mesh_kept *const kept = &all[place];
             const uint16_t at = place;
@@ -156,7 +156,6 @@ void glint_mesh_strip_of(const struct glint_mesh_work *strip)
     if (strip->target->end < frame->h)
         glint_mesh_give(drawn, later.first, strip->target->end);
 }
-#endif
 
 void glint_mesh_forget(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn)
 {
@@ -189,6 +188,30 @@ void glint_mesh_clear(uint16_t *depth, uint32_t bytes)
 }
 #endif
 
+#if GLINT_CORTEX_M0PLUS_ASM
+void glint_mesh_faces_set(struct glint_mesh_faces *faces, const struct glint_mesh_drawn *drawn,
+                          const struct glint_mesh_target *target, unsigned number)
+{
+    struct part part;
+    part_set(&part, drawn, number);
+    faces->t_end = part.t_end;
+    faces->end = part.end;
+    faces->number = number;
+    (void)part.paint->path->begin(part.paint->with, target, &faces->lines);
+}
+
+/* Can the assembly draw the mesh? */
+static bool strip_has_lines(const struct glint_mesh_drawn *drawn, const struct glint_mesh_target *target)
+{
+    for (unsigned i = 0; i == 0 || i < drawn->mesh->part_count; i++) {
+        const struct glint_paint *paint = &drawn->paints[i];
+        if (!paint->path->begin || !paint->path->begin(paint->with, target, NULL))
+            return false;
+    }
+    return !drawn->is_cut;
+}
+#endif
+
 /* Has the mesh no face there? */
 static bool strip_is_empty(const struct glint_mesh_drawn *drawn, const struct glint_mesh_target *target)
 {
@@ -196,6 +219,17 @@ static bool strip_is_empty(const struct glint_mesh_drawn *drawn, const struct gl
     while (band * GLINT_MESH_BAND < (uint32_t)target->end && drawn->bands[band] == GLINT_MESH_NONE)
         band++;
     return drawn->kept == GLINT_MESH_NONE && band * GLINT_MESH_BAND >= (uint32_t)target->end;
+}
+
+static void strip_draw(const struct glint_mesh_work *strip)
+{
+#if GLINT_CORTEX_M0PLUS_ASM
+    if (strip_has_lines(strip->drawn, strip->target)) {
+        glint_mesh_strip_lines(strip);
+        return;
+    }
+#endif
+    strip_mesh(strip);
 }
 
 enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint16_t h,
@@ -206,7 +240,8 @@ enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint
         return GLINT_ERR_ARG;
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)frame->memory;
     struct glint_mesh_target target = {
-        surface, (uint16_t *)(void *)(bench + 1), frame->w, y, y + h, bench->samples, frame, NULL};
+        surface, (uint16_t *)(void *)(bench + 1), frame->w, y, y + h, glint_mesh_polygon_samples(&bench->polygon, frame),
+        frame,   NULL};
     bool is_clear = false;
     for (struct glint_mesh_drawn *drawn = frame->first; drawn; drawn = drawn->next) {
         const struct glint_mesh_work strip = {frame, drawn, &target};
@@ -220,7 +255,7 @@ enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint
         if (!is_clear)
             glint_mesh_clear(target.depth, glint_mesh_depth_bytes(frame->w, h));
         is_clear = true;
-        glint_mesh_strip_of(&strip);
+        strip_draw(&strip);
     }
     frame->y = (uint16_t)(y + h);
     return GLINT_OK;

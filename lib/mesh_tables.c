@@ -62,11 +62,13 @@ void glint_mesh_tables_draw(const void *with, struct glint_mesh_triangle *triang
 }
 
 #if GLINT_CORTEX_M0PLUS_ASM
-static void tables_begin(const void *with, const struct glint_mesh_target *target, struct glint_mesh_lines *lines)
+static bool tables_begin(const void *with, const struct glint_mesh_target *target, struct glint_mesh_lines *lines)
 {
     const struct glint_tables *tables = (const struct glint_tables *)with;
-    if (tables_are_plain(tables, target))
+    const bool can = tables_are_plain(tables, target);
+    if (can && lines)
         glint_mesh_colour_begin(tables, target, lines);
+    return can;
 }
 #define TABLES_BEGIN tables_begin
 #else

@@ -113,6 +113,8 @@ class Sources:
     def may_call(self, path, target, function):
         """Where nothing is known of either, yes."""
         caller, callee = (os.path.basename(each)[:-2] + ".c" for each in (path, target))
+        if not self.text(caller):  # assembly, whose comments say which pointers it calls by
+            caller = caller[:-2] + ".S"
         defined = re.search(r"\b" + re.escape(function.split(".")[0]) + r"\(([^()]*)\)\s*\{", self.text(callee))
         seen = self.pointers(caller, set())
         return not defined or not self.text(caller) or parameters(defined[1]) in seen

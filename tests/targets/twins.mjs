@@ -16,7 +16,7 @@ const one = (...of) => of[below(of.length)]
 const bits = (n) => below(2 ** Math.min(n, 16)) + 65536 * below(2 ** Math.max(n - 16, 0)) - 2 ** (n - 1) // signed
 const int16 = () => one(below(65536) - 32768, below(65536) - 32768, 32767, -32768)
 
-const RETURNS = /_set$/ // a bool
+const RETURNS = /_set$|_vertices$/ // a bool
 function run(machine, name, args) {
   machine.enter(name, args.slice(0, 4))
   args.slice(4).forEach((value, i) => machine.memory.writeUInt32LE(value >>> 0, machine.core.SP - RAM + 4 * i))
@@ -87,16 +87,15 @@ function vertices() {
   return [bytes, [AT, AT + DRAWN], PLACES + 1]
 }
 
-// Faces that have lines and an area, as those in lists have; a few must be clipped, some are of 16-bit normals.
+// Faces that have lines and an area, as those in lists have; some are of 16-bit normals.
 function faces() {
-  const bytes = frame(240, 20, 1), size = one(40, 300, 4000), first = below(4000), out = !below(10)
+  const bytes = frame(240, 20, 1), size = one(40, 300, 4000), first = below(4000)
   bytes.writeUInt32LE(below(2) && AT + NORMALS16, MESH + 4)
   for (let k = 0; k < 60; k++) bytes.writeInt16LE(below(65535) - 32767, NORMALS16 + 2 * k)
   for (let k = 0; k < 20; k++) {
     bytes.writeInt16LE(first + below(size), VERTICES + 16 * k)
     bytes.writeInt16LE(first + below(size), VERTICES + 16 * k + 2)
     bytes.writeUInt16LE(below(65536), VERTICES + 16 * k + 4)
-    bytes.writeUInt16LE(out && one(0, 1, 32), VERTICES + 16 * k + 6)
     bytes.writeUInt32LE(below(2 ** one(20, 30)), VERTICES + 16 * k + 8)
     bytes.writeInt32LE(below(2 ** 31) - 2 ** 30, VERTICES + 16 * k + 12)
   }
@@ -108,6 +107,7 @@ function faces() {
 function lists() {
   const height = 1 + below(one(240, 2040)), count = 3 + below(40), size = Math.min(32766, one(32766, 16 * height + 200))
   const bytes = frame(height, count, below(100)), clipped = below(2)
+  bytes.writeUInt8(clipped, DRAWN + 64)
   for (let k = 0; k < count; k++) {
     bytes.writeInt16LE(below(size), VERTICES + 16 * k)
     bytes.writeInt16LE(below(size) - (size === 32766 ? 0 : 100), VERTICES + 16 * k + 2)
@@ -159,7 +159,7 @@ function strips() {
   for (let k = 0; k < 2; k++) bytes.writeInt16LE(bits(one(6, 9)), POSE + 8 + 2 * k)
   bytes.writeUInt16LE(one(16 * w, 16 * w, below(4000), 65535), POSE + 14)
   for (let k = 0; k < 6; k++) bytes.writeInt16LE(bits(15), LIGHT + 2 * k)
-  const symbols = [[PAINTS, 'glint_mesh_tables'], [PAINTS + 4, 'tables'], [PAINTS + 8, 'glint_mesh_exact'], [PAINTS + 12, 'prepared']]
+  const symbols = [[PAINTS, 'glint_mesh_tables'], [PAINTS + 4, 'tables'], ...one([[PAINTS + 8, 'glint_mesh_exact'], [PAINTS + 12, 'prepared']], [[PAINTS + 8, 'glint_mesh_tables'], [PAINTS + 12, 'tables']])]
   if (below(2)) {
     bytes.writeUInt32LE(AT + PARTS, MESH + 16)
     bytes.writeUInt16LE(below(faces), PARTS)

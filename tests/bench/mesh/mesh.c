@@ -75,5 +75,5 @@ uint32_t mesh_memory_bytes(enum mesh_way way, unsigned which)
 {
     return (uint32_t)(glint_mesh_frame_bytes(WIDTH, LINES) + KEPT_USUAL * GLINT_MESH_KEPT_BYTES +
                       glint_mesh_bytes(meshes[which], HEIGHT) + 2 * sizeof mesh_out + sizeof frame + sizeof drawn +
-                      sizeof prepared + (way == MESH_BY_TABLES ? sizeof tables + sizeof tables_memory : 0));
+                      (way == MESH_BY_TABLES ? sizeof tables + sizeof tables_memory : sizeof prepared));
 }

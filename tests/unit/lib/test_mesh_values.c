@@ -276,14 +276,20 @@ static void a_corner_that_is_not_cut_is_wholly_itself(void **state)
             glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &shader.light, &paint, work, sizeof work), GLINT_OK);
         const unsigned count = glint_mesh_clip(&polygon, &frame, &drawn, mesh.faces[0]);
         assert_int_equal(count, 4);
+        assert_ptr_not_equal(glint_mesh_polygon_samples(&polygon, &frame), polygon.list[polygon.now].samples);
         for (unsigned i = 0; i < count; i++) {
-            const struct glint_mesh_clipped *at = &polygon.corner[polygon.now][i];
+            const struct glint_mesh_clipped *at = &polygon.list[polygon.now].corner[i];
             if (at->at.x < GLINT_MESH_GUARD) {
                 const unsigned number = (at->at.x < 0 ? 0 : 2) + 3u - first;
                 assert_int_equal(at->weight[0], number % 3 == 1 ? 32768 : 0);
                 assert_int_equal(at->weight[1], number % 3 == 2 ? 32768 : 0);
             }
         }
+        assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, 16, 60000, depths, sizeof depths), GLINT_OK);
+        assert_int_equal(
+            glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &shader.light, &paint, work, sizeof work), GLINT_OK);
+        assert_int_not_equal(glint_mesh_clip(&polygon, &frame, &drawn, mesh.faces[0]), 0);
+        assert_ptr_not_equal(glint_mesh_polygon_samples(&polygon, &frame), polygon.list[polygon.now].samples);
     }
 }
 
