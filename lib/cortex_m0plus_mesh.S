@@ -6,13 +6,13 @@
 #if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus_mesh.inc"
 
-#define COLOUR_FRAME (FACES_BYTES + 8)
+#define COLOUR_FRAME (GLINT_MESH_LINES_BYTES + 4)
 
     function glint_mesh_colour
     enter COLOUR_FRAME
     movs r4, r1
     movs r1, r2
-    add r2, sp, #GLINT_AT_FACES_LINES
+    mov r2, sp
     bl glint_mesh_colour_begin
     movs r0, r4
     bl colour_lines
@@ -26,7 +26,7 @@
     pop {r4, pc}
     .ltorg
 
-/* The triangle in r0; sp: to the struct glint_mesh_faces. Registers are lost. */
+/* The triangle in r0; sp: to the struct glint_mesh_lines. Registers are lost. */
     .section .text.colour_lines, "ax", %progbits
     .type colour_lines, %function
     .balign 4

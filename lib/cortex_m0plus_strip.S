@@ -1,35 +1,37 @@
 /* SPDX-License-Identifier: MIT
  * glint_mesh_strip_lines(strip): what mesh_strip.c does with a mesh, new faces and kept triangles by number. Its state is in the frame, since
- * the routine that draws a triangle's lines, a void (*draw)(void) to C, leaves no register as it was; it uses the frame, too. */
+ * the routine that draws a triangle's lines leaves no register as it was; it uses the frame, too. Called through pointers are: that, a
+ * void (*draw)(void); a path's uint32_t (*t_end)(const void *with); and its
+ * bool (*begin)(const void *with, const struct glint_mesh_target *target, struct glint_mesh_lines *lines). */
 #if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus_mesh.inc"
 
 #define NONE GLINT_MESH_NONE
 
-/* The frame: a struct glint_mesh_faces first. */
-#define T_END 0
-#define FACES_END 4
-#define NUMBER 8
-#define DRAW (GLINT_AT_FACES_LINES + GLINT_AT_LINES_DRAW)
-#define FRAME_AT (FACES_BYTES + 0)
-#define DRAWN_AT (FACES_BYTES + 4)
-#define TARGET_AT (FACES_BYTES + 8)
-#define Y_OF_STRIP (FACES_BYTES + 12)
-#define END_OF_STRIP (FACES_BYTES + 16)
-#define KEPT_AT (FACES_BYTES + 20)
-#define LINKS_AT (FACES_BYTES + 24)
-#define FACES_AT (FACES_BYTES + 28)
-#define NEW_FACE (FACES_BYTES + 32) /* the first of those not kept */
-#define KEPT_FACE (FACES_BYTES + 36) /* and of those kept, and its place */
-#define KEPT_PLACE (FACES_BYTES + 40)
-#define NOW (FACES_BYTES + 44) /* the face in work */
-#define TRIANGLE_NOW (FACES_BYTES + 48) /* its triangle, and the place of that */
-#define PLACE (FACES_BYTES + 52)
-#define KEEP (FACES_BYTES + 56) /* lists, and their ends */
-#define LATER (FACES_BYTES + 60)
-#define KEEP_LAST (FACES_BYTES + 64)
-#define LATER_LAST (FACES_BYTES + 68)
-#define STRIP_FRAME (FACES_BYTES + 72)
+/* The frame: a struct glint_mesh_lines first. */
+#define DRAW GLINT_AT_LINES_DRAW
+#define T_END (GLINT_MESH_LINES_BYTES + 0) /* of the part at hand; the face it ends before; its number */
+#define FACES_END (GLINT_MESH_LINES_BYTES + 4)
+#define NUMBER (GLINT_MESH_LINES_BYTES + 8)
+#define FRAME_AT (GLINT_MESH_LINES_BYTES + 12)
+#define DRAWN_AT (GLINT_MESH_LINES_BYTES + 16)
+#define TARGET_AT (GLINT_MESH_LINES_BYTES + 20)
+#define Y_OF_STRIP (GLINT_MESH_LINES_BYTES + 24)
+#define END_OF_STRIP (GLINT_MESH_LINES_BYTES + 28)
+#define KEPT_AT (GLINT_MESH_LINES_BYTES + 32)
+#define LINKS_AT (GLINT_MESH_LINES_BYTES + 36)
+#define FACES_AT (GLINT_MESH_LINES_BYTES + 40)
+#define NEW_FACE (GLINT_MESH_LINES_BYTES + 44) /* the first of those not kept */
+#define KEPT_FACE (GLINT_MESH_LINES_BYTES + 48) /* and of those kept, and its place */
+#define KEPT_PLACE (GLINT_MESH_LINES_BYTES + 52)
+#define NOW (GLINT_MESH_LINES_BYTES + 56) /* the face in work */
+#define TRIANGLE_NOW (GLINT_MESH_LINES_BYTES + 60) /* its triangle, and the place of that */
+#define PLACE (GLINT_MESH_LINES_BYTES + 64)
+#define KEEP (GLINT_MESH_LINES_BYTES + 68) /* lists, and their ends */
+#define LATER (GLINT_MESH_LINES_BYTES + 72)
+#define KEEP_LAST (GLINT_MESH_LINES_BYTES + 76)
+#define LATER_LAST (GLINT_MESH_LINES_BYTES + 80)
+#define STRIP_FRAME (GLINT_MESH_LINES_BYTES + 84)
 
 /* to: the triangle of place r4. */
 .macro place_at to, free
@@ -103,10 +105,32 @@
 1:  ldr r3, [sp, #NUMBER]
     adds r3, #1
 .Lfaces: /* r3: the number of a part */
-    mov r0, sp
-    ldr r1, [sp, #DRAWN_AT]
-    ldr r2, [sp, #TARGET_AT]
-    bl glint_mesh_faces_set
+    str r3, [sp, #NUMBER]
+    ldr r4, [sp, #DRAWN_AT]
+    ldr r5, [r4, #GLINT_AT_DRAWN_MESH + 4]
+    lsls r3, r3, #3
+    adds r5, r5, r3
+    ldmia r5!, {r6, r7} /* path, with */
+    movs r0, r7
+    ldr r3, [r6, #GLINT_AT_PATH_T_END]
+    blx r3
+    str r0, [sp, #T_END]
+    movs r0, r7
+    ldr r1, [sp, #TARGET_AT]
+    mov r2, sp
+    ldr r3, [r6, #GLINT_AT_PATH_BEGIN]
+    blx r3
+    ldr r4, [r4, #GLINT_AT_DRAWN_MESH]
+    ldr r0, [sp, #NUMBER]
+    adds r1, r0, #1
+    ldr r2, =NONE
+    ldrb r3, [r4, #GLINT_AT_MESH_VERTEX_COUNT + 4]
+    cmp r1, r3
+    bhs 1f
+    ldr r3, [r4, #GLINT_AT_MESH_FACES + 4]
+    lsls r0, r0, #1
+    ldrh r2, [r3, r0]
+1:  str r2, [sp, #FACES_END]
 
 .Lnext:
     ldr r2, [sp, #FACES_END]

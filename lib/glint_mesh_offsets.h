@@ -26,7 +26,9 @@
 #define GLINT_MESH_KEPT_SIZE 88 /* of a struct glint_mesh_kept, whose first is the triangle */
 #define GLINT_AT_KEPT_FACE 84 /* face, next */
 
-#define GLINT_AT_FACES_LINES 12 /* t_end, end, number, lines */
+#define GLINT_AT_PATH_T_END 4
+#define GLINT_AT_PATH_BEGIN 12
+#define GLINT_MESH_LINES_BYTES 64 /* a struct glint_mesh_lines */
 #define GLINT_AT_LINES_DRAW 0 /* draw, off_first, line_first, off, line, line_step, off_step, last */
 #define GLINT_AT_LINES_COLOURS 32 /* colours, dark, shift, limit, w, end, columns, t_max */
 
@@ -35,7 +37,7 @@
 #define GLINT_AT_FRAME_KEPT 12
 #define GLINT_AT_FRAME_W 16 /* w, h */
 #define GLINT_AT_FRAME_FREE 26
-#define GLINT_AT_DRAWN_MESH 4
+#define GLINT_AT_DRAWN_MESH 4 /* mesh, paints */
 #define GLINT_AT_DRAWN_VERTICES 12
 #define GLINT_AT_DRAWN_LINKS 16 /* links, bands */
 #define GLINT_AT_DRAWN_KEPT 24
@@ -45,8 +47,8 @@
 #define GLINT_AT_MESH_PLACES 0
 #define GLINT_AT_MESH_NORMALS 4
 #define GLINT_AT_MESH_NORMALS8 8
-#define GLINT_AT_MESH_FACES 12
-#define GLINT_AT_MESH_VERTEX_COUNT 20 /* and of faces */
+#define GLINT_AT_MESH_FACES 12 /* faces, ends */
+#define GLINT_AT_MESH_VERTEX_COUNT 20 /* and of faces, of parts */
 
 #define GLINT_MESH_NONE 0xffff /* no face */
 #define GLINT_MESH_BAND_LOG 4

@@ -47,14 +47,7 @@ struct glint_mesh_work {
     const struct glint_mesh_target *target;
 };
 
-/* In assembly alone, of a mesh whose parts' paths all have lines and of which nothing is clipped. What has to do with a part, and its lines. */
-struct glint_mesh_faces {
-    uint32_t t_end, end, number; /* end: the face it ends before, or GLINT_MESH_NONE, which is above all */
-    struct glint_mesh_lines lines;
-};
-void glint_mesh_faces_set(struct glint_mesh_faces *faces, const struct glint_mesh_drawn *drawn,
-                          const struct glint_mesh_target *target, unsigned number);
-/* Draws the mesh's faces and keeps those that go on. */
+/* In assembly alone: draws a mesh's faces and keeps those that go on, where all paths have lines and nothing is clipped. */
 void glint_mesh_strip_lines(const struct glint_mesh_work *strip);
 
 /* Frees what is kept of a mesh. */

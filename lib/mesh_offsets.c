@@ -34,7 +34,8 @@ typedef char glint_target_layout[AT(surface, 0) && AT(depth, 4) && AT(w, 8) && A
                                      : -1];
 #undef AT
 #define AT(field, offset) (offsetof(struct glint_mesh_drawn, field) == (offset))
-typedef char glint_drawn_layout[AT(mesh, GLINT_AT_DRAWN_MESH) && AT(vertices, GLINT_AT_DRAWN_VERTICES) &&
+typedef char glint_drawn_layout[AT(mesh, GLINT_AT_DRAWN_MESH) &&
+                                        AT(paints, GLINT_AT_DRAWN_MESH + 4) && AT(vertices, GLINT_AT_DRAWN_VERTICES) &&
                                         AT(links, GLINT_AT_DRAWN_LINKS) && AT(bands, GLINT_AT_DRAWN_LINKS + 4) &&
                                         1u << GLINT_MESH_BAND_LOG == GLINT_MESH_BAND && AT(l, GLINT_AT_DRAWN_LIGHT) &&
                                         AT(h, GLINT_AT_DRAWN_LIGHT + 6) && AT(turn, GLINT_AT_DRAWN_LIGHT + 12) &&
@@ -58,12 +59,12 @@ typedef char glint_kept_layout[AT(triangle, 0) && AT(face, GLINT_AT_KEPT_FACE) &
                                    ? 1
                                    : -1];
 #undef AT
-#define AT(field, offset) (offsetof(struct glint_mesh_faces, field) == (offset))
-typedef char glint_faces_layout[AT(t_end, 0) && AT(end, 4) && AT(number, 8) &&
-                                        AT(lines, GLINT_AT_FACES_LINES) &&
-                                        sizeof(struct glint_mesh_lines) == 64
-                                    ? 1
-                                    : -1];
+#define AT(field, offset) (offsetof(struct glint_mesh_path, field) == (offset))
+typedef char glint_path_layout[AT(t_end, GLINT_AT_PATH_T_END) && AT(begin, GLINT_AT_PATH_BEGIN) &&
+                                       offsetof(struct glint_paint, path) == 0 &&
+                                       offsetof(struct glint_paint, with) == 4 && sizeof(struct glint_paint) == 8
+                                   ? 1
+                                   : -1];
 #undef AT
 #define AT(field, offset) (offsetof(struct glint_mesh_lines, field) == (offset))
 typedef char
@@ -74,7 +75,8 @@ typedef char
                                AT(colours, GLINT_AT_LINES_COLOURS) && AT(dark, GLINT_AT_LINES_COLOURS + 4) &&
                                AT(shift, GLINT_AT_LINES_COLOURS + 8) && AT(limit, GLINT_AT_LINES_COLOURS + 12) &&
                                AT(w, GLINT_AT_LINES_COLOURS + 16) && AT(end, GLINT_AT_LINES_COLOURS + 20) &&
-                               AT(columns, GLINT_AT_LINES_COLOURS + 24) && AT(t_max, GLINT_AT_LINES_COLOURS + 28)
+                               AT(columns, GLINT_AT_LINES_COLOURS + 24) && AT(t_max, GLINT_AT_LINES_COLOURS + 28) &&
+                               sizeof(struct glint_mesh_lines) == GLINT_MESH_LINES_BYTES
                            ? 1
                            : -1];
 #undef AT
@@ -84,7 +86,9 @@ typedef char glint_work_layout[AT(frame, 0) && AT(drawn, 4) && AT(target, 8) ? 1
 #define AT(field, offset) (offsetof(struct glint_mesh, field) == (offset))
 typedef char glint_mesh_layout[AT(places, GLINT_AT_MESH_PLACES) && AT(normals, GLINT_AT_MESH_NORMALS) &&
                                        AT(normals8, GLINT_AT_MESH_NORMALS8) && AT(faces, GLINT_AT_MESH_FACES) &&
+                                       AT(ends, GLINT_AT_MESH_FACES + 4) &&
                                        AT(face_count, GLINT_AT_MESH_VERTEX_COUNT + 2) &&
+                                       AT(part_count, GLINT_AT_MESH_VERTEX_COUNT + 4) &&
                                        AT(vertex_count, GLINT_AT_MESH_VERTEX_COUNT)
                                    ? 1
                                    : -1];

@@ -189,17 +189,6 @@ void glint_mesh_clear(uint16_t *depth, uint32_t bytes)
 #endif
 
 #if GLINT_CORTEX_M0PLUS_ASM
-void glint_mesh_faces_set(struct glint_mesh_faces *faces, const struct glint_mesh_drawn *drawn,
-                          const struct glint_mesh_target *target, unsigned number)
-{
-    struct part part;
-    part_set(&part, drawn, number);
-    faces->t_end = part.t_end;
-    faces->end = part.end;
-    faces->number = number;
-    (void)part.paint->path->begin(part.paint->with, target, &faces->lines);
-}
-
 /* Can the assembly draw the mesh? */
 static bool strip_has_lines(const struct glint_mesh_drawn *drawn, const struct glint_mesh_target *target)
 {
