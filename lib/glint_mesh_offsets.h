@@ -24,12 +24,12 @@
 #define GLINT_AT_TRIANGLE_LONG_IS_LEFT 83
 
 #define GLINT_MESH_KEPT_SIZE 88 /* of a struct glint_mesh_kept, whose first is the triangle */
-#define GLINT_AT_KEPT_FACE 84 /* face, next */
+#define GLINT_AT_KEPT_FACE 84   /* face, next */
 
 #define GLINT_AT_PATH_T_END 4
 #define GLINT_AT_PATH_BEGIN 12
 #define GLINT_MESH_LINES_BYTES 64 /* a struct glint_mesh_lines */
-#define GLINT_AT_LINES_DRAW 0 /* draw, off_first, line_first, off, line, line_step, off_step, last */
+#define GLINT_AT_LINES_DRAW 0     /* draw, off_first, line_first, off, line, line_step, off_step, last */
 #define GLINT_AT_LINES_COLOURS 32 /* colours, dark, shift, limit, w, end, columns, t_max */
 
 #define GLINT_AT_TARGET_Y 12 /* y, end */
@@ -47,7 +47,7 @@
 #define GLINT_AT_MESH_PLACES 0
 #define GLINT_AT_MESH_NORMALS 4
 #define GLINT_AT_MESH_NORMALS8 8
-#define GLINT_AT_MESH_FACES 12 /* faces, ends */
+#define GLINT_AT_MESH_FACES 12        /* faces, ends */
 #define GLINT_AT_MESH_VERTEX_COUNT 20 /* and of faces, of parts */
 
 #define GLINT_MESH_NONE 0xffff /* no face */

@@ -17,7 +17,7 @@ struct glint_mesh_bench {
     struct glint_mesh_polygon polygon;
     struct glint_mesh_vertex vertex[3];
     struct glint_mesh_kept face; /* where no place is left, and of a face that is clipped */
-    uint8_t fan; /* of one that is clipped: vertex is the polygon's corners 0, fan - 1 and fan */
+    uint8_t fan;                 /* of one that is clipped: vertex is the polygon's corners 0, fan - 1 and fan */
 };
 
 /* The number of the face of a triangle that a path draws. */

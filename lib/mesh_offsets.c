@@ -34,14 +34,13 @@ typedef char glint_target_layout[AT(surface, 0) && AT(depth, 4) && AT(w, 8) && A
                                      : -1];
 #undef AT
 #define AT(field, offset) (offsetof(struct glint_mesh_drawn, field) == (offset))
-typedef char glint_drawn_layout[AT(mesh, GLINT_AT_DRAWN_MESH) &&
-                                        AT(paints, GLINT_AT_DRAWN_MESH + 4) && AT(vertices, GLINT_AT_DRAWN_VERTICES) &&
-                                        AT(links, GLINT_AT_DRAWN_LINKS) && AT(bands, GLINT_AT_DRAWN_LINKS + 4) &&
+typedef char glint_drawn_layout[AT(mesh, GLINT_AT_DRAWN_MESH) && AT(paints, GLINT_AT_DRAWN_MESH + 4) &&
+                                        AT(vertices, GLINT_AT_DRAWN_VERTICES) && AT(links, GLINT_AT_DRAWN_LINKS) &&
+                                        AT(bands, GLINT_AT_DRAWN_LINKS + 4) &&
                                         1u << GLINT_MESH_BAND_LOG == GLINT_MESH_BAND && AT(l, GLINT_AT_DRAWN_LIGHT) &&
                                         AT(h, GLINT_AT_DRAWN_LIGHT + 6) && AT(turn, GLINT_AT_DRAWN_LIGHT + 12) &&
                                         AT(position, GLINT_AT_DRAWN_LIGHT + 30) && AT(scale, GLINT_AT_DRAWN_SCALE) &&
-                                        AT(is_cut, GLINT_AT_DRAWN_IS_CUT) &&
-                                        AT(kept, GLINT_AT_DRAWN_KEPT)
+                                        AT(is_cut, GLINT_AT_DRAWN_IS_CUT) && AT(kept, GLINT_AT_DRAWN_KEPT)
                                     ? 1
                                     : -1];
 #undef AT

@@ -93,8 +93,8 @@ void glint_mesh_face_set(struct glint_mesh_triangle *triangle, const struct glin
 #endif
 
 /* A face that has not been kept. */
-static void strip_face(const struct glint_mesh_work *strip, uint16_t i, const struct part *part,
-                       struct tail *keep, struct tail *later)
+static void strip_face(const struct glint_mesh_work *strip, uint16_t i, const struct part *part, struct tail *keep,
+                       struct tail *later)
 {
     struct glint_mesh_frame *frame = strip->frame;
     const uint16_t place = frame->free;
@@ -228,9 +228,10 @@ enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint
         !strip_can(frame))
         return GLINT_ERR_ARG;
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)frame->memory;
-    struct glint_mesh_target target = {
-        surface, (uint16_t *)(void *)(bench + 1), frame->w, y, y + h, glint_mesh_polygon_samples(&bench->polygon, frame),
-        frame,   NULL};
+    struct glint_mesh_target target = {surface,  (uint16_t *)(void *)(bench + 1),
+                                       frame->w, y,
+                                       y + h,    glint_mesh_polygon_samples(&bench->polygon, frame),
+                                       frame,    NULL};
     bool is_clear = false;
     for (struct glint_mesh_drawn *drawn = frame->first; drawn; drawn = drawn->next) {
         const struct glint_mesh_work strip = {frame, drawn, &target};

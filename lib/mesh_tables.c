@@ -47,8 +47,8 @@ static uint32_t tables_t_end(const void *with)
 /* Two bytes a pixel at even places, without dither. */
 static bool tables_are_plain(const struct glint_tables *tables, const struct glint_mesh_target *target)
 {
-    return tables->kind == GLINT_TABLES_COLOUR && !tables->dither &&
-           !GLINT_MISALIGNED(target->surface->pixels, 16) && !GLINT_MISALIGNED(target->surface->stride, 16);
+    return tables->kind == GLINT_TABLES_COLOUR && !tables->dither && !GLINT_MISALIGNED(target->surface->pixels, 16) &&
+           !GLINT_MISALIGNED(target->surface->stride, 16);
 }
 
 void glint_mesh_tables_draw(const void *with, struct glint_mesh_triangle *triangle,
