@@ -70,7 +70,9 @@
 
     function glint_mesh_strip_lines
     enter STRIP_FRAME
-    ldmia r0!, {r4-r6} /* frame, drawn, target */
+    movs r6, r0 /* the target */
+    ldr r4, [r6, #GLINT_AT_TARGET_FRAME]
+    ldr r5, [r6, #GLINT_AT_TARGET_FRAME + 4]
     add r7, sp, #FRAME_AT
     ldr r1, [r6, #GLINT_AT_TARGET_Y]
     ldr r2, [r6, #GLINT_AT_TARGET_Y + 4]

@@ -32,7 +32,8 @@
 #define GLINT_AT_LINES_DRAW 0     /* draw, off_first, line_first, off, line, line_step, off_step, last */
 #define GLINT_AT_LINES_COLOURS 32 /* colours, dark, shift, limit, w, end, columns, t_max */
 
-#define GLINT_AT_TARGET_Y 12 /* y, end */
+#define GLINT_AT_TARGET_Y 12     /* y, end */
+#define GLINT_AT_TARGET_FRAME 24 /* frame, drawn */
 #define GLINT_AT_BENCH_FACE 436
 #define GLINT_AT_FRAME_KEPT 12
 #define GLINT_AT_FRAME_W 16 /* w, h */

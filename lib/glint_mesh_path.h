@@ -12,8 +12,8 @@ struct glint_mesh_target {
     uint16_t *depth; /* of its pixels: a smaller one is nearer and stays */
     int32_t w, y, end;
     struct glint_sample *samples; /* GLINT_RUN of them, to work with */
-    const struct glint_mesh_frame *frame;
-    const struct glint_mesh_drawn *drawn; /* the mesh at hand */
+    struct glint_mesh_frame *frame;
+    struct glint_mesh_drawn *drawn; /* the mesh at hand */
 };
 
 /* What assembly that draws lines needs of a strip, in the frame where it takes it from; cortex_m0plus_mesh.inc has the rest. */

@@ -40,15 +40,8 @@ void glint_mesh_clear(uint16_t *depth, uint32_t bytes);
 void glint_mesh_face_set(struct glint_mesh_triangle *triangle, const struct glint_mesh_drawn *drawn,
                          const uint16_t face[3], uint32_t t_end);
 
-/* A strip in work: its mesh. */
-struct glint_mesh_work {
-    struct glint_mesh_frame *frame;
-    struct glint_mesh_drawn *drawn;
-    const struct glint_mesh_target *target;
-};
-
 /* In assembly alone: draws a mesh's faces and keeps those that go on, where all paths have lines and nothing is clipped. */
-void glint_mesh_strip_lines(const struct glint_mesh_work *strip);
+void glint_mesh_strip_lines(const struct glint_mesh_target *strip);
 
 /* Frees what is kept of a mesh. */
 void glint_mesh_forget(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn);

@@ -27,7 +27,8 @@ typedef char
 #undef AT
 #define AT(field, offset) (offsetof(struct glint_mesh_target, field) == (offset))
 typedef char glint_target_layout[AT(surface, 0) && AT(depth, 4) && AT(w, 8) && AT(y, GLINT_AT_TARGET_Y) &&
-                                         AT(end, GLINT_AT_TARGET_Y + 4) &&
+                                         AT(end, GLINT_AT_TARGET_Y + 4) && AT(frame, GLINT_AT_TARGET_FRAME) &&
+                                         AT(drawn, GLINT_AT_TARGET_FRAME + 4) &&
                                          offsetof(struct glint_surface, pixels) == 0 &&
                                          offsetof(struct glint_surface, stride) == 4
                                      ? 1
@@ -78,9 +79,6 @@ typedef char
                                sizeof(struct glint_mesh_lines) == GLINT_MESH_LINES_BYTES
                            ? 1
                            : -1];
-#undef AT
-#define AT(field, offset) (offsetof(struct glint_mesh_work, field) == (offset))
-typedef char glint_work_layout[AT(frame, 0) && AT(drawn, 4) && AT(target, 8) ? 1 : -1];
 #undef AT
 #define AT(field, offset) (offsetof(struct glint_mesh, field) == (offset))
 typedef char glint_mesh_layout[AT(places, GLINT_AT_MESH_PLACES) && AT(normals, GLINT_AT_MESH_NORMALS) &&

@@ -27,16 +27,16 @@ static __attribute__((noinline)) void part_set(struct part *part, const struct g
     part->end = number + 1 < drawn->mesh->part_count ? drawn->mesh->ends[number] : GLINT_MESH_NONE;
 }
 
-static void draw(const struct glint_mesh_work *strip, struct glint_mesh_triangle *triangle,
+static void draw(const struct glint_mesh_target *strip, struct glint_mesh_triangle *triangle,
                  const struct glint_paint *paint)
 {
-    if (triangle->y < strip->target->y)
-        glint_mesh_triangle_skip(triangle, strip->target->y);
-    paint->path->draw(paint->with, triangle, strip->target);
+    if (triangle->y < strip->y)
+        glint_mesh_triangle_skip(triangle, strip->y);
+    paint->path->draw(paint->with, triangle, strip);
 }
 
 /* A face, clipped, as a fan. */
-static void draw_clipped(const struct glint_mesh_work *strip, uint16_t number, const struct glint_paint *paint)
+static void draw_clipped(const struct glint_mesh_target *strip, uint16_t number, const struct glint_paint *paint)
 {
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)strip->frame->memory;
     struct glint_mesh_triangle *triangle = &bench->face.triangle;
@@ -56,7 +56,7 @@ static void draw_clipped(const struct glint_mesh_work *strip, uint16_t number, c
         }
         if (glint_mesh_area(&v[0], &v[1], &v[2]) < 0 &&
             glint_mesh_triangle_set(triangle, corner, glint_mesh_shine(corner, t_end), t_end) &&
-            triangle->y < strip->target->end) {
+            triangle->y < strip->end) {
             bench->fan = (uint8_t)i;
             draw(strip, triangle, paint);
         }
@@ -64,12 +64,12 @@ static void draw_clipped(const struct glint_mesh_work *strip, uint16_t number, c
 }
 
 /* Draws it where its lines begin in the strip; does it go on after that? */
-static bool draw_on(const struct glint_mesh_work *strip, struct glint_mesh_triangle *triangle,
+static bool draw_on(const struct glint_mesh_target *strip, struct glint_mesh_triangle *triangle,
                     const struct glint_paint *paint)
 {
-    if (triangle->y < strip->target->end)
+    if (triangle->y < strip->end)
         draw(strip, triangle, paint);
-    return triangle->y_end > strip->target->end;
+    return triangle->y_end > strip->end;
 }
 
 static void add(struct tail *tail, uint16_t entry, uint16_t *next)
@@ -93,7 +93,7 @@ void glint_mesh_face_set(struct glint_mesh_triangle *triangle, const struct glin
 #endif
 
 /* A face that has not been kept. */
-static void strip_face(const struct glint_mesh_work *strip, uint16_t i, const struct part *part, struct tail *keep,
+static void strip_face(const struct glint_mesh_target *strip, uint16_t i, const struct part *part, struct tail *keep,
                        struct tail *later)
 {
     struct glint_mesh_frame *frame = strip->frame;
@@ -118,13 +118,13 @@ static void strip_face(const struct glint_mesh_work *strip, uint16_t i, const st
     add(keep, place, &kept->next);
 }
 
-static void strip_mesh(const struct glint_mesh_work *strip)
+static void strip_mesh(const struct glint_mesh_target *strip)
 {
     struct glint_mesh_frame *frame = strip->frame;
     struct glint_mesh_drawn *drawn = strip->drawn;
     struct glint_mesh_kept *const all = (struct glint_mesh_kept *)frame->kept;
     struct tail keep = {GLINT_MESH_NONE, &keep.first}, later = {GLINT_MESH_NONE, &later.first};
-    uint16_t face = glint_mesh_take(drawn, strip->target->y, strip->target->end), place = drawn->kept;
+    uint16_t face = glint_mesh_take(drawn, strip->y, strip->end), place = drawn->kept;
     uint16_t kept_face = place == GLINT_MESH_NONE ? GLINT_MESH_NONE : all[place].face;
     struct part part;
     part_set(&part, drawn, 0);
@@ -153,8 +153,8 @@ static void strip_mesh(const struct glint_mesh_work *strip)
     }
     *keep.last = *later.last = GLINT_MESH_NONE;
     drawn->kept = keep.first;
-    if (strip->target->end < frame->h)
-        glint_mesh_give(drawn, later.first, strip->target->end);
+    if (strip->end < frame->h)
+        glint_mesh_give(drawn, later.first, strip->end);
 }
 
 void glint_mesh_forget(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn)
@@ -210,10 +210,10 @@ static bool strip_is_empty(const struct glint_mesh_drawn *drawn, const struct gl
     return drawn->kept == GLINT_MESH_NONE && band * GLINT_MESH_BAND >= (uint32_t)target->end;
 }
 
-static void strip_draw(const struct glint_mesh_work *strip)
+static void strip_draw(const struct glint_mesh_target *strip)
 {
 #if GLINT_CORTEX_M0PLUS_ASM
-    if (strip_has_lines(strip->drawn, strip->target)) {
+    if (strip_has_lines(strip->drawn, strip)) {
         glint_mesh_strip_lines(strip);
         return;
     }
@@ -234,7 +234,6 @@ enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint
                                        frame,    NULL};
     bool is_clear = false;
     for (struct glint_mesh_drawn *drawn = frame->first; drawn; drawn = drawn->next) {
-        const struct glint_mesh_work strip = {frame, drawn, &target};
         target.drawn = drawn;
         if (y != frame->y) {
             glint_mesh_forget(frame, drawn);
@@ -245,7 +244,7 @@ enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint
         if (!is_clear)
             glint_mesh_clear(target.depth, glint_mesh_depth_bytes(frame->w, h));
         is_clear = true;
-        strip_draw(&strip);
+        strip_draw(&target);
     }
     frame->y = (uint16_t)(y + h);
     return GLINT_OK;

@@ -24,17 +24,19 @@ function run(machine, name, args) {
   return machine.core.registers[0]
 }
 
-// symbols: what lies at other addresses in each program. before: calls that have to return 0. padded: from and to where structs have padding.
-function after(machine, name, args, bytes, fault, { before = [], symbols = [], padded = [0, 0] } = {}) {
+// symbols: what lies at other addresses in each program. before: calls that have to return 0. unread: parts that need not be alike, from and
+// to. change: of the memory, at last.
+function after(machine, name, args, bytes, fault, { before = [], symbols = [], unread = [], change = () => {} } = {}) {
   const at = AT - RAM
   bytes.copy(machine.memory, at)
   for (const [offset, symbol] of symbols) machine.memory.writeUInt32LE(machine.address(symbol), at + offset)
+  change(machine, at)
   if (fault >= 0) machine.memory[at + fault] ^= 0x11
   for (const call of before) if (run(machine, ...call)) throw new Error(`${call[0]} returned an error`)
   const value = run(machine, name, args)
   if (fault >= 0) machine.memory[at + fault] ^= 0x11
   for (const [offset] of symbols) machine.memory.writeUInt32LE(0, at + offset)
-  machine.memory.fill(0, at + padded[0], at + padded[1])
+  for (const [from, to] of unread) machine.memory.fill(0, at + from, at + to)
   return `${RETURNS.test(name) ? value & 1 : ''} ${machine.memory.toString('latin1', at, at + bytes.length)}`
 }
 
@@ -149,8 +151,8 @@ function colours() {
 }
 
 // A picture of a mesh in strips of all heights, a part of it by tables and one exactly, with places for few triangles that go on. The program's
-// mesh_begin has made its tables and its prepared shader.
-const POSE = 0x140, LIGHT = 0x160, PAINTS = 0x180, PARTS = 0x1a0, SURFACES = 0x1100, PICTURE = 0x1400, MESH_MEMORY = 0x3000, FRAME_MEMORY = 0x4000, POLYGON = 388
+// mesh_begin has made its tables and its prepared shader; other tables have a smaller highlight and other dark pixels.
+const OTHER = 0x1c0, OTHER_END = 0x1d4, POSE = 0x140, LIGHT = 0x160, PAINTS = 0x180, PARTS = 0x1a0, SURFACES = 0x1100, PICTURE = 0x1400, MESH_MEMORY = 0x3000, FRAME_MEMORY = 0x4000, POLYGON = 388 // with padding
 function strips() {
   const w = 1 + below(40), h = 1 + below(64), odd = !below(10), lines = one(16, 16, 1 + below(20)), vertices = 3 + below(30), faces = 1 + below(64)
   const bytes = Buffer.concat([frame(h, vertices, faces), Buffer.alloc(0x4c00)]), word = (at, ...values) => values.forEach((value, k) => bytes.writeUInt32LE(value, at + 4 * k))
@@ -159,7 +161,13 @@ function strips() {
   for (let k = 0; k < 2; k++) bytes.writeInt16LE(bits(one(6, 9)), POSE + 8 + 2 * k)
   bytes.writeUInt16LE(one(16 * w, 16 * w, below(4000), 65535), POSE + 14)
   for (let k = 0; k < 6; k++) bytes.writeInt16LE(bits(15), LIGHT + 2 * k)
-  const symbols = [[PAINTS, 'glint_mesh_tables'], [PAINTS + 4, 'tables'], ...one([[PAINTS + 8, 'glint_mesh_exact'], [PAINTS + 12, 'prepared']], [[PAINTS + 8, 'glint_mesh_tables'], [PAINTS + 12, 'tables']])]
+  const symbols = [[PAINTS, 'glint_mesh_tables'], [PAINTS + 4, 'tables'], ...one([[PAINTS + 8, 'glint_mesh_exact'], [PAINTS + 12, 'prepared']], [[PAINTS + 8, 'glint_mesh_tables']])]
+  bytes.writeUInt32LE(AT + OTHER, PAINTS + 12)
+  const change = (machine, at) => {
+    machine.memory.copy(machine.memory, at + OTHER, machine.address('tables') - RAM, machine.address('tables') - RAM + OTHER_END - OTHER)
+    machine.memory.writeUInt32LE(machine.memory.readUInt32LE(at + OTHER + 8) >>> 1, at + OTHER + 8)
+    machine.memory.writeUInt16LE(0x1234, at + OTHER + 12)
+  }
   if (below(2)) {
     bytes.writeUInt32LE(AT + PARTS, MESH + 16)
     bytes.writeUInt16LE(below(faces), PARTS)
@@ -174,7 +182,7 @@ function strips() {
     word(surface, AT + PICTURE + 2 * w * y + odd, 2 * w)
     y += height
   }
-  return [bytes, calls.at(-1)[1], PLACES + 1, { before: calls.slice(0, -1), symbols, padded: [FRAME_MEMORY, FRAME_MEMORY + POLYGON] }]
+  return [bytes, calls.at(-1)[1], PLACES + 1, { before: calls.slice(0, -1), symbols, change, unread: [[OTHER, OTHER_END], [FRAME_MEMORY, FRAME_MEMORY + POLYGON]] }]
 }
 
 const TWINS = [['glint_mesh_tables_draw', colours, 6000], ['glint_mesh_triangle_set', triangle, 10000], ['glint_mesh_face_set', faces, 5000],
