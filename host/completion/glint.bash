@@ -3,7 +3,8 @@
 # a command, --_choices the names that an option or an argument takes.
 _glint()
 {
-    local glint=${COMP_WORDS[0]} command= current=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} options taken
+    local glint=${COMP_WORDS[0]} current=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}
+    local command=() names=() taken= line choices= files=
     COMPREPLY=()
     # bash breaks words at =, so --model=ms are three.
     if [ "$current" = = ]; then
@@ -12,35 +13,49 @@ _glint()
         before=${COMP_WORDS[COMP_CWORD - 2]}
     fi
     if [ "$COMP_CWORD" -gt 1 ]; then
-        command=${COMP_WORDS[1]}
+        command=("${COMP_WORDS[1]}")
     fi
-    options=$("$glint" $command --_options 2>/dev/null | cut -f 1)
-    taken=$(printf '%s\n' "$options" | sed -n "s/^$before=//p")
+    # Words of the line are compared, never made part of a program: a file's name may hold anything.
+    while IFS=$'\t' read -r line _; do
+        if [[ $line == "$before="* ]]; then
+            taken=${line#"$before="}
+        fi
+        case $line in
+        --*=*) names+=("${line%%=*}=") ;;
+        *) names+=("${line%%=*}") ;;
+        esac
+    done < <("$glint" ${command[0]+"${command[@]}"} --_options 2>/dev/null)
     case $taken in
     ?*FILE* | FILE* | PATH)
-        COMPREPLY=($(compgen -f -- "$current"))
-        compopt -o filenames 2>/dev/null
+        files=-f
         ;;
     DIR*)
-        COMPREPLY=($(compgen -d -- "$current"))
-        compopt -o filenames 2>/dev/null
+        files=-d
         ;;
     ?*)
-        COMPREPLY=($(compgen -W '$("$glint" $command --_choices "$before=" 2>/dev/null)' -- "$current"))
+        choices=$("$glint" ${command[0]+"${command[@]}"} --_choices "$before=" 2>/dev/null)
         ;;
     *)
         case $current in
         -*)
-            COMPREPLY=($(compgen -W '$(printf "%s\n" "$options" | sed "s/\(--.*=\).*/\1/; s/^\(-.\)=.*/\1/")' -- "$current"))
-            case ${COMPREPLY[0]} in
-            *=) compopt -o nospace 2>/dev/null ;;
-            esac
+            choices=${names[*]}
             ;;
         *)
-            COMPREPLY=($(compgen -W '$("$glint" $command --_choices "" 2>/dev/null)' -- "$current"))
+            choices=$("$glint" ${command[0]+"${command[@]}"} --_choices "" 2>/dev/null)
             ;;
         esac
         ;;
     esac
+    if [ "$files" ]; then
+        while IFS= read -r line; do
+            COMPREPLY+=("$line")
+        done < <(compgen $files -- "$current")
+        compopt -o filenames 2>/dev/null
+    else
+        COMPREPLY=($(compgen -W '$choices' -- "$current"))
+        if [[ ${COMPREPLY[0]} == *= ]]; then
+            compopt -o nospace 2>/dev/null
+        fi
+    fi
 }
 complete -F _glint glint
