@@ -15,6 +15,8 @@
 
 static const double usual_orbit = 30; /* degrees */
 
+enum { LINE_MAX_BYTES = 1000 };
+
 struct light_path {
     unsigned lamp; /* the one that moves */
     /* an orbit: middle + cos(turn) across + sin(turn) along */
@@ -23,8 +25,7 @@ struct light_path {
     /* lines */
     FILE *file;
     const char *name;
-    char *line;
-    size_t room;
+    char line[LINE_MAX_BYTES + 1];
     unsigned long number; /* of the line */
     bool any;             /* a direction was read */
 };
@@ -134,11 +135,22 @@ static bool read_direction(char *text, double direction[3])
     return at[strspn(at, " \t\r")] == '\0';
 }
 
+/* Up to its newline; longer than LINE_MAX_BYTES it is cut, which is refused. Negative: there is none. */
+static ssize_t read_line(struct light_path *path)
+{
+    size_t length = 0;
+    int byte = 0;
+    while (length < LINE_MAX_BYTES && byte != '\n' && (byte = getc(path->file)) != EOF)
+        path->line[length++] = (char)byte;
+    path->line[length] = '\0';
+    return length && !ferror(path->file) ? (ssize_t)length : -1;
+}
+
 static bool next_line(struct light_path *path, struct shading *shading)
 {
     for (;;) {
         errno = 0;
-        const ssize_t length = getline(&path->line, &path->room, path->file);
+        const ssize_t length = stream_stopped() ? -1 : read_line(path); /* blank lines may never end */
         if (length < 0) {
             if (ferror(path->file) && errno != EINTR)
                 fail("%s: cannot be read: %s", path->name, strerror(errno));
@@ -147,6 +159,9 @@ static bool next_line(struct light_path *path, struct shading *shading)
             return false;
         }
         path->number++;
+        if (length == LINE_MAX_BYTES)
+            fail("%s, line %lu: has more than %d bytes; write three numbers, \"X Y Z\" or \"X,Y,Z\"", path->name,
+                 path->number, LINE_MAX_BYTES - 1);
         char *text = path->number == 1 ? after_byte_order_mark(path->line) : path->line;
         text[strcspn(text, "\n")] = '\0';
         const size_t blank = strspn(text, " \t\r");
@@ -186,6 +201,5 @@ void light_path_free(struct light_path *path)
         return;
     if (path->file && path->file != stdin)
         fclose(path->file);
-    free(path->line);
     free(path);
 }

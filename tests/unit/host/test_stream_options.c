@@ -51,6 +51,14 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
     assert_int_equal(files_in("out"), 0);
 }
 
+static void a_signal_ends_lines_of_lights_that_never_end(void **state)
+{
+    (void)state;
+    const struct run *result = run("yes '' | timeout --preserve-status -k 9 -s INT .5 " SPHERE "--to none --lights -");
+    assert_int_equal(result->status, 130);
+    assert_string_equal(result->err, "");
+}
+
 static void a_wrong_line_of_lights_is_named_by_its_number(void **state)
 {
     (void)state;
@@ -77,6 +85,7 @@ static void a_wrong_line_of_lights_is_named_by_its_number(void **state)
         assert_fails(line, wrong[i].about);
     }
     assert_fails(SPHERE "--to raw --lights - </dev/null", "standard input: holds no direction");
+    assert_fails("printf %01000d 1 | " SPHERE "--to raw --lights -", "standard input, line 1: has more than 999");
     assert_fails(SPHERE "--to raw --lights none.txt >frames", "none.txt: cannot be read: No such file");
     assert_fails(SPHERE "--to raw --lights . >frames", ".: cannot be read: Is a directory");
 }
@@ -140,6 +149,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(wrong_usage_is_said_with_what_is_allowed_and_ends_with_2),
+        cmocka_unit_test(a_signal_ends_lines_of_lights_that_never_end),
         cmocka_unit_test(a_wrong_line_of_lights_is_named_by_its_number),
         cmocka_unit_test(options_of_another_sink_are_refused),
         cmocka_unit_test(panels_take_no_format_but_their_own),
