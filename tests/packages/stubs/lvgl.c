@@ -166,15 +166,17 @@ static void refresh(lv_area_t area)
         memcpy(&shown[y][area.x1], &part[w * (y - area.y1)], 2 * (size_t)w);
 }
 
-/* A pixel of 8 bits a channel in a canvas of each format: LVGL's lv_color_t and lv_color32_t are blue, green, red[, alpha]. Returns how
- * many differ. */
-static unsigned deep_canvases(void)
+/* A pixel in a canvas of each format: LVGL's lv_color_t and lv_color32_t are blue, green, red[, alpha]. Returns how many differ. */
+static unsigned other_canvases(void)
 {
     static const struct {
-        uint8_t format, cf, bytes, red, alpha;
-    } of[] = {{GLINT_BGR888, LV_COLOR_FORMAT_RGB888, 3, 2, 0},
-              {GLINT_XRGB8888, LV_COLOR_FORMAT_XRGB8888, 4, 2, 255},
-              {GLINT_ARGB8888, LV_COLOR_FORMAT_ARGB8888, 4, 2, 77}};
+        uint8_t format, cf, bytes, albedo[3], wanted[4];
+    } of[] = {{GLINT_RGB565, LV_COLOR_FORMAT_RGB565, 2, {200, 0, 100}, {12, 192, 0, 0}},
+              {GLINT_RGB565_SWAPPED, LV_COLOR_FORMAT_RGB565_SWAPPED, 2, {200, 0, 100}, {192, 12, 0, 0}},
+              {GLINT_GREY8, LV_COLOR_FORMAT_L8, 1, {200, 200, 200}, {200, 0, 0, 0}},
+              {GLINT_BGR888, LV_COLOR_FORMAT_RGB888, 3, {200, 0, 100}, {100, 0, 200, 0}},
+              {GLINT_XRGB8888, LV_COLOR_FORMAT_XRGB8888, 4, {200, 0, 100}, {100, 0, 200, 255}},
+              {GLINT_ARGB8888, LV_COLOR_FORMAT_ARGB8888, 4, {200, 0, 100}, {100, 0, 200, 77}}};
     static const struct glint_vec normal = {0, 0, 32767};
     static const uint8_t half = 77;
     static const int32_t to_viewer[3] = {0, 0, 1};
@@ -189,8 +191,10 @@ static unsigned deep_canvases(void)
         memset(&source, 0, sizeof source);
         lv_canvas_set_buffer(&canvas, pixel, 1, 1, (lv_color_format_t)of[i].cf);
         shader.format = of[i].format;
-        shader.material.albedo[0] = 200;
-        shader.material.ambient_q16[0] = 65536;
+        for (unsigned k = 0; k < 3; k++) {
+            shader.material.albedo[k] = of[i].albedo[k];
+            shader.material.ambient_q16[k] = 65536;
+        }
         glint_lobe_init(&shader.lobe, GLINT_MSH, 60, 8);
         wrong += glint_light_init(&shader.light, to_viewer, to_viewer) != GLINT_OK;
         source.normals = &normal;
@@ -200,7 +204,7 @@ static unsigned deep_canvases(void)
         wrong += surface.stride != of[i].bytes;
         wrong += glint_shade_rect(&shader, &source, 1, 1, &surface, NULL) != GLINT_OK;
         for (unsigned b = 0; b < 4; b++)
-            wrong += pixel[b] != (b == of[i].red ? 200 : b == 3 ? of[i].alpha : 0);
+            wrong += pixel[b] != of[i].wanted[b];
     }
     return wrong;
 }
@@ -218,7 +222,7 @@ int main(void)
     for (int32_t y = odd.y1; y <= odd.y2; y++)
         memset(&shown[y][odd.x1], 0, 2 * (size_t)(odd.x2 - odd.x1 + 1));
     refresh(odd);
-    unsigned wrong = deep_canvases();
+    unsigned wrong = other_canvases();
     for (int32_t y = 0; y < 64; y++)
         for (int32_t x = 0; x < 64; x++)
             wrong +=
