@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * glint-gadget with faults, for tests of hosts: the same device, and what is between it and the bus goes wrong. */
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
