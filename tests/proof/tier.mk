@@ -19,7 +19,7 @@ test-proof: ## check: the library for every argument: values from t, proved
 
 run-proof: $(PROOF_BUILD)/test_finite $(CONFORMANCE_EXPECTED)
 	@HOST_FLAGS="$(filter -std=% -I% -D% -f%,$(HOST_CFLAGS))" HOST_SOURCES="$(HOST_SOURCES)" EXPECTED=$(CONFORMANCE) \
-		TALLY_JOBS=2 tests/tally $(addprefix tests/proof/test_,lobes faults powers static msh pixel) \
+		TALLY_JOBS=2 tests/tally $(addprefix tests/proof/test_,lobes faults powers static msh pixel words) \
 		$(PROOF_BUILD)/test_finite
 
 # Frama-C is 1.4 GB, and Eva takes minutes: not part of make test.
@@ -33,7 +33,7 @@ proof: setup-proof setup-proof-eva ## check: tier proof, and Frama-C's Eva over 
 
 run-proof-eva:
 	@mkdir -p $(PROOF_BUILD)
-	@$(CC) -std=c11 -O2 $(OPENMP) -fsanitize=undefined -fno-sanitize-recover=all -Ilib tests/proof/eva_finite.c lib/lobe_*.c lib/math_*.c \
+	@$(CC) -std=c11 -O2 $(OPENMP) -fsanitize=undefined -fno-sanitize-recover=all -Ilib tests/proof/eva_finite.c lib/*.c \
 		-o $(PROOF_BUILD)/eva_finite
 	@TALLY_TIMEOUT=3600 tests/tally $(PROOF_BUILD)/eva_finite tests/proof/eva
 
