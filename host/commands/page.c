@@ -71,12 +71,14 @@ struct page {
 
 static bool read_page(const char *path, struct page *page)
 {
-    FILE *stream = fopen(path, "rb");
     struct stat status;
+    if (stat(path, &status) != 0)
+        return false;
+    if (!S_ISREG(status.st_mode) || !status.st_size || status.st_size > PAGE_MAX) /* a pipe would be waited for */
+        fail("%s: this is not a page; name the one that `make page` builds", path);
+    FILE *stream = fopen(path, "rb");
     if (!stream)
         return false;
-    if (fstat(fileno(stream), &status) != 0 || !S_ISREG(status.st_mode) || !status.st_size || status.st_size > PAGE_MAX)
-        fail("%s: this is not a page; name the one that `make page` builds", path);
     page->len = (size_t)status.st_size;
     page->bytes = allocate(page->len, 1);
     if (fread(page->bytes, 1, page->len, stream) != page->len)

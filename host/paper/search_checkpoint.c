@@ -4,7 +4,7 @@
 #include <jansson.h>
 #include <math.h>
 #include <string.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
 #include "base/message.h"
 #include "base/output.h"
@@ -61,10 +61,13 @@ static bool read_best(const json_t *rows, uint64_t functions, struct best *best)
 
 void checkpoint_read(const char *path, const struct search_options *options, uint64_t *sets_done, struct best *best)
 {
-    if (access(path, F_OK) != 0 && errno == ENOENT)
+    struct stat status;
+    const bool there = stat(path, &status) == 0;
+    if (!there && errno == ENOENT)
         return;
     json_error_t error;
-    json_t *root = json_load_file(path, 0, &error), *search = json_object_get(root, "search");
+    const bool is_file = there && S_ISREG(status.st_mode); /* a pipe would be waited for */
+    json_t *root = is_file ? json_load_file(path, 0, &error) : NULL, *search = json_object_get(root, "search");
     json_t *wanted = search_of(options);
     const char *kind = json_string_value(json_object_get(root, "glint"));
     if (!kind || strcmp(kind, "joint search") != 0)

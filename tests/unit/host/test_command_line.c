@@ -168,6 +168,7 @@ static void what_is_no_page_is_not_served(void **state)
     (void)state;
     assert_fails("$GLINT page --port 0 --file no-page.html", "no-page.html: No such file");
     assert_fails("$GLINT page --port 0 --file .", ".: this is not a page; name the one that `make page` builds");
+    assert_fails("mkfifo pipe.html; timeout 9 $GLINT page --port 0 --file pipe.html", "pipe.html: this is not a page");
     assert_fails(">empty.html; $GLINT page --port 0 --file empty.html", "empty.html: this is not a page; name the one");
 }
 
