@@ -66,7 +66,7 @@ struct soup *import_soup(const char *path)
     soup->faces = allocate(soup->face_count, sizeof *soup->faces);
     for (size_t i = 0; i < soup->face_count; i++) {
         const uint8_t *facet = stl + HEAD + FACET * i;
-        for (unsigned k = 0; k < 9; k++) /* after the facet's normal */
+        for (size_t k = 0; k < 9; k++) /* after the facet's normal */
             soup->faces[i].places[k / 3][k % 3] = number(facet + 12 + 4 * k);
         soup->has_colors |= (get(facet + FACET - 2, 2) & HAS_COLOR) != 0;
     }
