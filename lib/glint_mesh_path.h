@@ -3,6 +3,7 @@
 #ifndef GLINT_MESH_PATH_H
 #define GLINT_MESH_PATH_H
 
+#include "glint_math_flash.h"
 #include "glint_lobe_near.h"
 #include "glint_mesh_edges.h"
 

@@ -59,4 +59,4 @@ static void albedo_draw(const void *with, struct glint_mesh_triangle *triangle, 
     }
 }
 
-const struct glint_mesh_path glint_mesh_exact_albedo = {albedo_can, albedo_t_end, albedo_draw, NULL};
+const struct glint_mesh_path glint_mesh_exact_albedo GLINT_FLASH = {albedo_can, albedo_t_end, albedo_draw, NULL};

@@ -51,5 +51,5 @@ static void albedo_tables_draw(const void *with, struct glint_mesh_triangle *tri
         }
 }
 
-const struct glint_mesh_path glint_mesh_tables_albedo = {albedo_tables_can, albedo_tables_t_end, albedo_tables_draw,
-                                                         NULL};
+const struct glint_mesh_path glint_mesh_tables_albedo GLINT_FLASH = {albedo_tables_can, albedo_tables_t_end,
+                                                                     albedo_tables_draw, NULL};

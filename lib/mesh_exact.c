@@ -29,4 +29,4 @@ static void exact_draw(const void *with, struct glint_mesh_triangle *triangle, c
         exact_row((const struct glint_prepared *)with, &row, target->samples);
 }
 
-const struct glint_mesh_path glint_mesh_exact = {exact_can, exact_t_end, exact_draw, NULL};
+const struct glint_mesh_path glint_mesh_exact GLINT_FLASH = {exact_can, exact_t_end, exact_draw, NULL};

@@ -159,4 +159,4 @@ static void lit_draw(const void *with, struct glint_mesh_triangle *triangle, con
     }
 }
 
-const struct glint_mesh_path glint_mesh_lit = {lit_can, lit_t_end, lit_draw, NULL};
+const struct glint_mesh_path glint_mesh_lit GLINT_FLASH = {lit_can, lit_t_end, lit_draw, NULL};

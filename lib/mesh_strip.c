@@ -23,7 +23,7 @@ static __attribute__((noinline)) void part_set(struct part *part, const struct g
 {
     part->number = (uint16_t)number;
     part->paint = &drawn->paints[number];
-    part->t_end = part->paint->path->t_end(part->paint->with);
+    part->t_end = GLINT_FLASH_POINTER(part->paint->path->t_end)(part->paint->with);
     part->end = number + 1 < drawn->mesh->part_count ? drawn->mesh->ends[number] : GLINT_MESH_NONE;
 }
 
@@ -32,7 +32,7 @@ static void draw(const struct glint_mesh_target *strip, struct glint_mesh_triang
 {
     if (triangle->y < strip->y)
         glint_mesh_triangle_skip(triangle, strip->y);
-    paint->path->draw(paint->with, triangle, strip);
+    GLINT_FLASH_POINTER(paint->path->draw)(paint->with, triangle, strip);
 }
 
 /* A face, clipped, as a fan. */
@@ -43,7 +43,7 @@ static void draw_clipped(const struct glint_mesh_target *strip, uint16_t number,
     const unsigned count =
         glint_mesh_clip(&bench->polygon, strip->frame, strip->drawn, strip->drawn->mesh->faces + 3 * (size_t)number);
     const struct glint_mesh_clipped *at = bench->polygon.list[bench->polygon.now].corner;
-    const uint32_t t_end = paint->path->t_end(paint->with);
+    const uint32_t t_end = GLINT_FLASH_POINTER(paint->path->t_end)(paint->with);
     struct glint_mesh_vertex *const v = bench->vertex;
     bench->face.face = number;
     for (unsigned i = 2; i < count; i++) {
@@ -173,7 +173,7 @@ static bool strip_can(const struct glint_mesh_frame *frame)
 {
     for (const struct glint_mesh_drawn *drawn = frame->first; drawn; drawn = drawn->next)
         for (unsigned i = 0; i == 0 || i < drawn->mesh->part_count; i++)
-            if (!drawn->paints[i].path || !drawn->paints[i].path->can(drawn->paints[i].with))
+            if (!drawn->paints[i].path || !GLINT_FLASH_POINTER(drawn->paints[i].path->can)(drawn->paints[i].with))
                 return false;
     return true;
 }
@@ -194,7 +194,8 @@ static bool strip_has_lines(const struct glint_mesh_drawn *drawn, const struct g
 {
     for (unsigned i = 0; i == 0 || i < drawn->mesh->part_count; i++) {
         const struct glint_paint *paint = &drawn->paints[i];
-        if (!paint->path->begin || !paint->path->begin(paint->with, target, NULL))
+        if (!GLINT_FLASH_POINTER(paint->path->begin) ||
+            !GLINT_FLASH_POINTER(paint->path->begin)(paint->with, target, NULL))
             return false;
     }
     return !drawn->is_cut;

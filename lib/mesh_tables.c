@@ -75,5 +75,6 @@ static bool tables_begin(const void *with, const struct glint_mesh_target *targe
 #define TABLES_BEGIN NULL
 #endif
 
-const struct glint_mesh_path glint_mesh_tables = {tables_can, tables_t_end, glint_mesh_tables_draw, TABLES_BEGIN};
+const struct glint_mesh_path glint_mesh_tables GLINT_FLASH = {tables_can, tables_t_end, glint_mesh_tables_draw,
+                                                              TABLES_BEGIN};
 #undef TABLES_BEGIN
