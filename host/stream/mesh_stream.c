@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "stream/mesh_stream.h"
 
+#include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "base/message.h"
@@ -75,16 +78,31 @@ static void split_as(struct mesh_stream *stream, unsigned degrees)
     stream->fitted = mesh_fit(stream->mesh, 0);
 }
 
+/* What has a board hold the mesh. */
+static const char *held_by(const struct mesh_stream *stream)
+{
+    static char text[PATH_MAX + 8];
+    const struct mesh_source *source = &stream->options->look.scene.mesh;
+    snprintf(text, sizeof text, source->built_in ? "DEMO=%s" : "MESH=%s",
+             strcmp(source->name, "-") == 0 ? "FILE" : source->name);
+    return text;
+}
+
 void mesh_device_find(struct mesh_stream *stream, struct sink *sink)
 {
     struct light_mesh there;
+    if (stream->fitted->mesh.part_count > 1)
+        fail("--shade device: a device draws a mesh in one material, and this one has %u; leave it out",
+             (unsigned)stream->fitted->mesh.part_count);
     if (!sink->kind->shader->find_mesh(sink, &there))
         fail("--shade device: %s holds no mesh; leave it out", sink->name);
     if (!mesh_in_device(&there, stream->fitted) && !stream->canvas && there.split >= 1 && there.split <= 180)
         split_as(stream, there.split);
     if (!mesh_in_device(&there, stream->fitted))
-        fail("--shade device: %s holds another mesh, of %u vertices and %u triangles; leave it out", sink->name,
-             there.vertices, there.faces);
+        fail("--shade device: %s holds another mesh, of %u vertices and %u triangles; leave it out, or build the "
+             "board's "
+             "firmware with %s",
+             sink->name, there.vertices, there.faces, held_by(stream));
 }
 
 enum sink_result mesh_device_send(struct mesh_stream *stream, struct sink *sink)

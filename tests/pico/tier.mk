@@ -8,7 +8,8 @@ PICO_TOOLS = judge attach cores
 PICO_NOT_RUN = $(filter-out $(pico_EMULATED),$(pico_BOARDS))
 # The address in the image with TE: one image less to build.
 PICO_LANDING_TESTED = https://example.org/glint
-PICO_BUILT = $(PICO_NOT_RUN:%=BOARD=%) $(PICO_PANELS_TESTED:%=PANEL=%) TE=$(PICO_TE_TESTED)+LANDING_PAGE=$(PICO_LANDING_TESTED) SECOND_CORE=1 PATH=exact DEMO=teapot DEMO=teapot+SECOND_CORE=1
+PICO_MESH_TESTED = $(BUILD)/tests/pico/bunny.obj
+PICO_BUILT = $(PICO_NOT_RUN:%=BOARD=%) $(PICO_PANELS_TESTED:%=PANEL=%) TE=$(PICO_TE_TESTED)+LANDING_PAGE=$(PICO_LANDING_TESTED) SECOND_CORE=1 PATH=exact DEMO=teapot DEMO=teapot+SECOND_CORE=1 MESH=$(PICO_MESH_TESTED)+SPLIT=180
 PICO_TEST = node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel)$(2) $(panel) $(BUILD)/tests/pico/judge
 PICO_CORES = $(patsubst %,firmware/core/%.c,relight turntable pieces panel demo orbit) $(wildcard lib/*.c)
 
@@ -19,7 +20,7 @@ test-pico: ## check: the Pico's firmware emulated: boot, panel, the demo's frame
 
 # Two at a time, since half of CMake's work uses one core. The conformance image is built in the first one's folder. Paths below
 # ours are relative for ccache, if that is there: the SDK's objects of one image are those of the next. Boards differ: one of each goes first.
-pico-images: $(BUILD)/glint $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
+pico-images: $(BUILD)/glint $(PICO_MESH_TESTED) $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
 	@firmware/ports/pico/fetch-sdk >/dev/null
 	@+printf '%s\n' $(PICO_BUILT) | tr + ' ' | CCACHE_BASEDIR="$(CURDIR)" xargs -P 2 -L 1 $(SUBMAKE) -s firmware-pico
 	@+CCACHE_BASEDIR="$(CURDIR)" $(SUBMAKE) -s firmware-pico IMAGE=conformance
@@ -31,6 +32,7 @@ run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $
 		$(foreach panel,st7789-240x240,"$(call PICO_TEST,faults)" \
 		"tests/lab/guest --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,end_to_end) $(BUILD)/glint" \
 		"tests/lab/guest --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,pose,-teapot) $(BUILD)/glint" \
+		"tests/lab/guest --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,pose,-mesh-bunny) $(BUILD)/glint $(PICO_MESH_TESTED)" \
 		"tests/lab/guest --seconds 600 --memory 1024 $(call PICO_TEST,webusb) $(BUILD)/glint $(PAGE)" \
 		"tests/lab/guest --memory 1024 $(call PICO_TEST,webusb_pose,-teapot) $(PAGE)" \
 		"$(call PICO_TEST,light)" "$(call PICO_TEST,te,-te$(PICO_TE_TESTED)-landing) $(PICO_TE_TESTED) $(PICO_LANDING_TESTED)" \
@@ -40,6 +42,11 @@ run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $
 		$(foreach panel,$(PICO_PANELS_TESTED),"$(call PICO_TEST,demo)" "$(call PICO_TEST,usb)") \
 		"tests/pico/test_cores $(BUILD)/tests/pico/cores" \
 		"tests/pico/test_image build/firmware/pico-st7789-240x240/glint.uf2 st7789-240x240" $(foreach board,$(PICO_NOT_RUN),"echo ok 1 - $(board) # SKIP nothing emulates it")
+
+# The bunny that npm installs beside the emulator.
+$(PICO_MESH_TESTED): $(BENCH_NPM)/done tests/targets/test_bunny $(BOARDS)
+	@mkdir -p $(@D)
+	@PYTHONDONTWRITEBYTECODE=1 tests/targets/test_bunny $(BUILD)/glint obj >$@.tmp && mv $@.tmp $@
 
 $(BUILD)/tests/pico/judge: tests/pico/judge.c $(HOST_ARCHIVES)
 	@mkdir -p $(@D)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The Raspberry Pi Pico with a panel: make firmware PORT=pico [PANEL=st7789-240x240] [TE=21] [SECOND_CORE=1] [PATH=exact] [DEMO=teapot] [LANDING_PAGE=https://...] [IMAGE=conformance] [BOARD=pico2]
+# The Raspberry Pi Pico with a panel: make firmware PORT=pico [PANEL=st7789-240x240] [TE=21] [SECOND_CORE=1] [PATH=exact] [DEMO=teapot] [MESH=FILE [SPLIT=30] [AXES=NAME]] [LANDING_PAGE=https://...] [IMAGE=conformance] [BOARD=pico2]
 PANEL ?= st7789-240x240
 pico_BOARDS = pico pico2
 # Those that an emulator runs; make test-pico reports the others as skipped.
@@ -24,9 +24,17 @@ LANDING_PAGE ?=
 # What the board shows by itself: coin, a map under a light, or teapot, a mesh that turns.
 DEMO ?= coin
 PICO_DEMOS = coin teapot
-PICO_TEAPOT = $(if $(filter teapot,$(DEMO)),1,0)
+# Instead of it a mesh of your own, as glint bake takes it by --mesh, --split and --axes.
+MESH ?=
+SPLIT ?= 30
+AXES ?=
+COMMA := ,
+PICO_MESH = $(if $(MESH),mesh-$(basename $(notdir $(firstword $(MESH)))),$(filter teapot,$(DEMO)))
+PICO_MESH_SOURCE = $(if $(MESH),--mesh '$(MESH)' --split $(SPLIT) $(AXES:%=--axes %),--scene teapot --split 180)
+# Up to here it is in RAM, where it is drawn in fewer cycles.
+PICO_MESH_RAM = 12288
 PICO_FREE_PINS = 1 2 3 4 5 6 7 14 15 16 17 18 19 20 21 22 26 27 28
-PICO = build/firmware/$(PICO_BOARD)-$(PANEL)$(TE:%=-te%)$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(if $(filter 1,$(PICO_TEAPOT)),-teapot)$(if $(LANDING_PAGE),-landing)
+PICO = build/firmware/$(PICO_BOARD)-$(PANEL)$(TE:%=-te%)$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(PICO_MESH:%=-%)$(if $(LANDING_PAGE),-landing)
 PICO_SIZE = $(lastword $(subst -, ,$(PANEL)))
 
 pico_PACKAGES = cmake make python3-minimal gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib
@@ -42,15 +50,17 @@ have-pico-choices:
 	@$(if $(filter 11,$(SECOND_CORE)$(PICO_EXACT)),echo "make: PATH=exact: draws with one core; leave SECOND_CORE=1 out" >&2; exit 1)
 	@$(if $(filter-out https://% http://localhost http://localhost/% http://localhost:%,$(LANDING_PAGE)),echo "make: LANDING_PAGE=$(LANDING_PAGE): browsers take https://... or http://localhost..." >&2; exit 1)
 	@$(if $(filter $(PICO_DEMOS),$(DEMO)),,echo "make: DEMO=$(DEMO): the demos are $(PICO_DEMOS)" >&2; exit 1)
-	@$(if $(filter teapot,$(DEMO)),$(if $(filter pico.st7789-240x240.0.glint,$(PICO_BOARD).$(PANEL).$(PICO_EXACT)$(TE).$(IMAGE)),,echo "make: DEMO=teapot: is for a Pico with PANEL=st7789-240x240; leave TE, PATH and IMAGE out" >&2; exit 1))
+	@$(if $(PICO_MESH),$(if $(filter pico.st7789-240x240.0.glint,$(PICO_BOARD).$(PANEL).$(PICO_EXACT)$(TE).$(IMAGE)),,echo "make: $(if $(MESH),MESH=$(MESH),DEMO=teapot): is for a Pico with PANEL=st7789-240x240; leave TE, PATH and IMAGE out" >&2; exit 1))
+	@$(if $(word 2,$(MESH)),echo "make: MESH=$(MESH): make takes no file whose name has a blank; rename it" >&2; exit 1)
+	@$(if $(filter-out $(shell seq 180),$(SPLIT))$(word 2,$(SPLIT)),echo "make: SPLIT=$(SPLIT): say whole degrees from 1 to 180" >&2; exit 1)
 
 # CMake knows what depends on what within.
-firmware-pico: have-pico-choices $(PICO)/map/$(if $(filter 1,$(PICO_TEAPOT)),demo_mesh.h,demo_map.h) $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
+firmware-pico: have-pico-choices $(PICO)/map/$(if $(PICO_MESH),demo_mesh.h,demo_map.h) $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
 	@sdk=$$(firmware/ports/pico/fetch-sdk) && \
 	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DPICO_BOARD=$(PICO_BOARD) -DPICO_NO_PICOTOOL=1 \
-		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_PANEL=$(PANEL) -DGLINT_TE=$(or $(TE),-1) -DGLINT_SECOND_CORE=$(SECOND_CORE) -DGLINT_EXACT=$(PICO_EXACT) -DGLINT_TEAPOT=$(PICO_TEAPOT) '-DGLINT_LANDING_PAGE=$(LANDING_PAGE)' \
+		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_PANEL=$(PANEL) -DGLINT_TE=$(or $(TE),-1) -DGLINT_SECOND_CORE=$(SECOND_CORE) -DGLINT_EXACT=$(PICO_EXACT) -DGLINT_TURNS_MESH=$(if $(PICO_MESH),1,0) -DGLINT_MESH_IN_RAM=$$(find $(PICO)/map/demo_mesh.bin -size -$(PICO_MESH_RAM)c 2>/dev/null | wc -l) '-DGLINT_LANDING_PAGE=$(LANDING_PAGE)' \
 		-DGLINT_MAP="$(CURDIR)/$(PICO)/map" -DGLINT_EXPECTED="$(abspath $(CONFORMANCE))" >$(PICO)/log 2>&1 && \
-	MAKEFLAGS= cmake --build $(PICO)/cmake --target $(IMAGE) $(PARALLEL) >>$(PICO)/log 2>&1 || { grep -E 'rror|glint:' $(PICO)/log >&2; \
+	MAKEFLAGS= cmake --build $(PICO)/cmake --target $(IMAGE) $(PARALLEL) >>$(PICO)/log 2>&1 || { grep -o 'glint: over.*' $(PICO)/log >&2 && $(if $(MESH),echo "make: MESH=$(MESH): a mesh takes 16 bytes of RAM a vertex and 2 a triangle$(if $(filter 1,$(SECOND_CORE)),$(COMMA) for each core): simplify it$(COMMA) or leave its edges whole by SPLIT=180",:) >&2 || grep rror $(PICO)/log >&2; \
 		echo "make: the Pico's firmware was not built; the whole log is $(PICO)/log" >&2; exit 1; }
 	@grep -A 3 'warning:' $(PICO)/log || true
 	@cp $(PICO)/cmake/$(IMAGE).elf $(PICO)/ && $(BUILD)/bin2uf2 $(PICO_BOARD) $(PICO)/cmake/$(IMAGE).bin $(PICO)/$(IMAGE).uf2
@@ -65,11 +75,16 @@ $(PICO)/map/demo_map.h: $(BUILD)/glint | have-pico-choices
 	@$< bake --scene coin --size $(PICO_SIZE) --to int8 --name demo_map --as c -o $@.tmp >/dev/null
 	@cksum <$(@D)/demo_map.bin | awk '{ print "#define DEMO_MAP_CKSUM " $$1 "u" }' >>$@.tmp && mv $@.tmp $@
 
-# The teapot as it is, unsplit: what turns hides where its highlights break. Its checksum: without the head of 8 bytes and the 6 of its part.
-$(PICO)/map/demo_mesh.h: $(BUILD)/glint | have-pico-choices
+# The teapot as it is, unsplit: what turns hides where its highlights break. A file's each time, since MESH, SPLIT and AXES may be others
+# by now. The head of 8 bytes has the counts; the checksum is without it and the 6 of each part, with which the picture is drawn in one material.
+$(PICO)/map/demo_mesh.h: $(BUILD)/glint $(if $(MESH),always) | have-pico-choices
 	@mkdir -p $(@D)
-	@$< bake --scene teapot --split 180 --to int8 -o $(@D)/demo_mesh.bin >/dev/null
-	@$< bake --scene teapot --split 180 --to int8 --name demo_mesh --as c -o $@.tmp >/dev/null
-	@tail -c +9 $(@D)/demo_mesh.bin | head -c -6 | cksum | awk '{ print "#define DEMO_MESH_CKSUM " $$1 "u\n#define DEMO_MESH_SPLIT 180" }' >>$@.tmp && mv $@.tmp $@
+	@$< bake $(PICO_MESH_SOURCE) --to int8 -o $(@D)/demo_mesh.bin >/dev/null
+	@$< bake $(PICO_MESH_SOURCE) --to int8 --name demo_mesh --as c -o $@.tmp >/dev/null
+	@set -- $$(od -An -tu2 -N6 $(@D)/demo_mesh.bin); [ $$3 = 1 ] || echo "make: MESH=$(MESH): has $$3 materials; the board draws it in one" >&2; \
+		cksum=$$(tail -c +9 $(@D)/demo_mesh.bin | head -c -$$(($$3 * 6)) | cksum | cut -d ' ' -f 1); \
+		printf '#define DEMO_MESH_%s\n' "VERTICES $$1" "FACES $$2" "CKSUM $${cksum}u" "SPLIT $(if $(MESH),$(SPLIT),180)" >$(@D)/demo_mesh_sizes.h.tmp
+	@cmp -s $(@D)/demo_mesh_sizes.h.tmp $(@D)/demo_mesh_sizes.h || mv $(@D)/demo_mesh_sizes.h.tmp $(@D)/demo_mesh_sizes.h
+	@cmp -s $@.tmp $@ || mv $@.tmp $@
 
 .PHONY: setup-firmware-pico firmware-pico have-pico-choices

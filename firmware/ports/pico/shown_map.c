@@ -2,7 +2,7 @@
  * A baked normal map, relit. */
 #include "shown.h"
 
-#if !TEAPOT
+#if !TURNS_MESH
 #include "cksum.h"
 #include "demo.h"
 #include "demo_map.h"
