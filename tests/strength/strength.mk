@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # How strong the tests are: what the quick ones execute (make coverage), and which faults they notice (make mutants).
 STRENGTH_PACKAGES = gcovr
-STRENGTH_COUNTED = BUILD=build/coverage CFLAGS='-O0 -g --coverage -fprofile-update=atomic -Dalways_inline=unused'
+STRENGTH_COUNTED = BUILD=build/coverage CFLAGS='-O0 -g --coverage -fprofile-update=atomic -Dalways_inline=unused' \
+	LDFLAGS='$(CURDIR)/build/ends.o -Wl,--wrap=_exit,--wrap=setrlimit,--wrap=kill'
 STRENGTH_PLAIN = BUILD=build/mutants CFLAGS='-O1 -fPIC'
 # As the tests with sanitizers in tier unit: what C does not define ends the program.
 STRENGTH_TRAPS = -fsanitize=undefined -fsanitize-undefined-trap-on-error
@@ -16,8 +17,13 @@ STRENGTH_SEED = $(or $(SEED),1)
 setup-strength: setup-unit setup-exact
 	@.ci/need "make coverage" $(STRENGTH_PACKAGES)
 
+# Not in the folder of what is counted, since it is not.
+build/ends.o: tests/strength/ends.c
+	@mkdir -p $(@D)
+	@$(CC) -std=c11 -D_GNU_SOURCE $(WARNINGS) -O1 -c $< -o $@
+
 # What the programs of the library and portable firmware execute, without the command's tests and those of scripts.
-coverage-lib: setup-strength ## check: the same of lib/ and firmware/core/ by their own tests alone (two minutes)
+coverage-lib: setup-strength build/ends.o ## check: the same of lib/ and firmware/core/ by their own tests alone (two minutes)
 	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs $(STRENGTH_EXACT:%=build/coverage/%)
 	@find build/coverage -name '*.gcda' -delete; rm -f build/coverage/errors.log
 	@+$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 TALLY_JOBS=$$(nproc) COUNTED="$(CURDIR)/build/coverage/glint" \
@@ -25,7 +31,7 @@ coverage-lib: setup-strength ## check: the same of lib/ and firmware/core/ by th
 	@tests/strength/covered build/coverage
 
 # For lines and branches a few arguments are as good as many.
-coverage: setup-strength ## check: which lines and branches of lib/, firmware/core/ and host/ the quick tests execute
+coverage: setup-strength build/ends.o ## check: which lines and branches of lib/, firmware/core/ and host/ the quick tests execute
 	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs $(STRENGTH_EXACT:%=build/coverage/%)
 	@find build/coverage -name '*.gcda' -delete; rm -f build/coverage/errors.log
 	@+$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 tests/tally $(STRENGTH_EXACT:%=build/coverage/%)
@@ -34,13 +40,26 @@ coverage: setup-strength ## check: which lines and branches of lib/, firmware/co
 		echo "coverage: what failed in this build was counted as far as it went"
 	@tests/strength/covered build/coverage
 
+# With slow tests, and what the lab's and the Pico's tests run of the command; one test at a time there, since counters that several kernels
+# write would be lost. The Pico's images are built first: they are not counted.
+coverage-whole: setup-strength setup-exact setup-lab setup-pico build/ends.o ## check: the same with slow tests, and the lab's and the Pico's (30 minutes)
+	@+$(SUBMAKE) -s pico-images
+	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs lab-programs $(STRENGTH_EXACT:%=build/coverage/%)
+	@find build/coverage -name '*.gcda' -delete; rm -f build/coverage/errors.log
+	@+$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 tests/tally $(STRENGTH_EXACT:%=build/coverage/%)
+	@+for goal in "TEST=test_ run-unit" run-lab "TEST=test_[ep][no][ds]* run-pico"; do \
+		$(STRENGTH_ERRORS) COUNTED="$(CURDIR)/build/coverage/glint" $(SUBMAKE) -s $(STRENGTH_COUNTED) LAB_JOBS=1 \
+		UNIT_ENV='GLINT="$(CURDIR)/tests/strength/counted" GLINT_SOURCE="$(CURDIR)"' $$goal || \
+		echo "coverage: what failed in this build was counted as far as it went"; done
+	@tests/strength/covered build/coverage
+
 strength-programs: $(HOST_ARCHIVES) $(UNIT_TESTS:%=%.o) $(STRENGTH_EXACT:%=$(BUILD)/%.o) $(BUILD)/host/main.o $(BUILD)/tests/exact/test_near.o \
 	$(patsubst %,$(BUILD)/tests/exact/%.o,oracle near cases reference_lights reference_pixel)
 
-mutants: setup-strength ## check: how many small faults in lib/ and firmware/core/ the quick tests notice (20 minutes); MUTANTS=440 SEED=1; MINUTES=20: a piece, the next goes on; RETRY=1: survivors again; ONLY=pattern: of these names
+mutants: setup-strength build/ends.o ## check: how many small faults in lib/ and firmware/core/ the quick tests notice (20 minutes); MUTANTS=440 SEED=1; MINUTES=20: a piece, the next goes on; RETRY=1: survivors again; ONLY=pattern: of these names
 	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs $(STRENGTH_EXACT:%=build/coverage/%)
 	@+$(SUBMAKE) -s $(STRENGTH_PLAIN) strength-programs
 	@COMPILE="$(CC) -Ilib -Ifirmware/core -std=c99 -ffreestanding -O1 -fPIC $(STRENGTH_TRAPS)" LINK="-lcmocka -lmpfr -lgmp $(HOST_LDLIBS)" GLINT_SOURCE="$(CURDIR)" \
 		tests/strength/mutants build/mutants build/coverage $(STRENGTH_MUTANTS) $(STRENGTH_SEED) $(MINUTES)
 
-.PHONY: setup-strength coverage coverage-lib strength-programs mutants
+.PHONY: setup-strength coverage coverage-lib coverage-whole strength-programs mutants
