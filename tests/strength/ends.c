@@ -6,13 +6,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-void __gcov_dump(void) __attribute__((weak)); /* libgcov's */
+void __gcov_dump(void) __attribute__((weak)); /* libgcov's, taken by -u */
 void __real__exit(int status) __attribute__((noreturn));
 int __real_setrlimit(int resource, const struct rlimit *limit);
 int __real_kill(pid_t pid, int number);
 void __wrap__exit(int status) __attribute__((noreturn));
 int __wrap_setrlimit(int resource, const struct rlimit *limit);
 int __wrap_kill(pid_t pid, int number);
+int __real_raise(int number);
+int __wrap_raise(int number);
 
 static void write_counters(void)
 {
@@ -43,9 +45,14 @@ int __wrap_kill(pid_t pid, int number)
     return __real_kill(pid, number);
 }
 
-static void end(int number)
+int __wrap_raise(int number)
 {
     write_counters();
+    return __real_raise(number);
+}
+
+static void end(int number)
+{
     signal(number, SIG_DFL);
     raise(number);
 }

@@ -2,7 +2,7 @@
 # How strong the tests are: what the quick ones execute (make coverage), and which faults they notice (make mutants).
 STRENGTH_PACKAGES = gcovr
 STRENGTH_COUNTED = BUILD=build/coverage CFLAGS='-O0 -g --coverage -fprofile-update=atomic -Dalways_inline=unused' \
-	LDFLAGS='$(CURDIR)/build/ends.o -Wl,--wrap=_exit,--wrap=setrlimit,--wrap=kill'
+	LDFLAGS='$(CURDIR)/build/ends.o -Wl,-u,__gcov_dump,--wrap=_exit,--wrap=setrlimit,--wrap=kill,--wrap=raise'
 STRENGTH_PLAIN = BUILD=build/mutants CFLAGS='-O1 -fPIC'
 # As the tests with sanitizers in tier unit: what C does not define ends the program.
 STRENGTH_TRAPS = -fsanitize=undefined -fsanitize-undefined-trap-on-error
