@@ -11,8 +11,8 @@
 enum {
     STRIPS = SECOND_CORE ? PANEL_HEIGHT / TURNTABLE_LINES : 2,
     LOWER_Y = SECOND_CORE ? 112 : PANEL_HEIGHT,
-    /* As glint_mesh_bytes and glint_mesh_frame_bytes count, which turntable_start compares it with. Of the teapot's triangles 40 go on
-     * from a strip to the next one at most; there is room for more. */
+    /* As glint_mesh_bytes and glint_mesh_frame_bytes count, which turntable_start compares it with. There are places for 56 triangles
+     * that go on, and for more in a larger mesh. */
     BANDS = (PANEL_HEIGHT + TURNTABLE_LINES - 1) / TURNTABLE_LINES,
     CORE_BYTES = (16 * DEMO_MESH_VERTICES + 2 * (DEMO_MESH_FACES + BANDS) + 2 * PANEL_WIDTH * TURNTABLE_LINES +
                   (56 + DEMO_MESH_FACES / 128) * (int)GLINT_MESH_KEPT_BYTES + 3) /

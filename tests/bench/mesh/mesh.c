@@ -9,17 +9,24 @@
 #include "bunny.h"
 #endif
 
-enum { WIDTH = MESH_WIDTH, HEIGHT = MESH_HEIGHT, LINES = MESH_LINES, KEPT = 100, KEPT_USUAL = 50 };
-static const struct glint_mesh *const meshes[] = {
-    &teapot,
-    &teapot_split,
+enum { WIDTH = MESH_WIDTH, HEIGHT = MESH_HEIGHT, LINES = MESH_LINES, KEPT = 50, KEPT_FEW = 18 };
+/* And places for triangles that go on. */
+static const struct {
+    const struct glint_mesh *mesh;
+    unsigned kept;
+} drawings[] = {
+    {&teapot, KEPT},
+    {&teapot_split, KEPT},
+    {&teapot, KEPT_FEW},
 #if MESH_BUNNY
-    &bunny,
+    {&bunny, KEPT},
 #endif
 };
 
 /* Aligned, and enough for the larger mesh; the second strip is the one that would be sent. */
-static uint32_t frame_memory[(2 * WIDTH * LINES + 1024 + KEPT * GLINT_MESH_KEPT_BYTES) / 4], mesh_memory[12000];
+static uint32_t
+    frame_memory[(2 * WIDTH * LINES + 1024 /* what glint_mesh_frame_bytes adds */ + KEPT * GLINT_MESH_KEPT_BYTES) / 4],
+    mesh_memory[12000];
 static uint32_t tables_memory[GLINT_TABLES_COLOUR_BYTES / 4];
 uint32_t mesh_out[WIDTH * LINES / 2];
 
@@ -51,15 +58,20 @@ int mesh_begin(enum mesh_way way)
            glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &shader, tables_memory, sizeof tables_memory);
 }
 
+static size_t frame_bytes(unsigned which)
+{
+    return glint_mesh_frame_bytes(WIDTH, LINES) + drawings[which].kept * GLINT_MESH_KEPT_BYTES;
+}
+
 int mesh_frame(unsigned which)
 {
     static const struct glint_pose teapots = {{30895, 6849, -8278, -1835}, {0, 0, 0}, 2410},
                                    bunnys = {{31651, 0, 8481, 0}, {0, 0, 0}, 2230};
-    if (which >= sizeof meshes / sizeof *meshes)
+    if (which >= sizeof drawings / sizeof *drawings)
         return 1;
-    const int error = glint_mesh_begin(&frame, WIDTH, HEIGHT, LINES, 0, frame_memory, sizeof frame_memory) |
-                      glint_mesh_add(&frame, &drawn, meshes[which], which < 2 ? &teapots : &bunnys, &shader.light,
-                                     &paint, mesh_memory, sizeof mesh_memory);
+    const int error = glint_mesh_begin(&frame, WIDTH, HEIGHT, LINES, 0, frame_memory, frame_bytes(which)) |
+                      glint_mesh_add(&frame, &drawn, drawings[which].mesh, which < 3 ? &teapots : &bunnys,
+                                     &shader.light, &paint, mesh_memory, sizeof mesh_memory);
     if (chosen == MESH_GOURAUD)
         gouraud_vertices(&drawn, &shader.lobe);
     return error;
@@ -73,7 +85,7 @@ int mesh_strip(unsigned y)
 
 uint32_t mesh_memory_bytes(enum mesh_way way, unsigned which)
 {
-    return (uint32_t)(glint_mesh_frame_bytes(WIDTH, LINES) + KEPT_USUAL * GLINT_MESH_KEPT_BYTES +
-                      glint_mesh_bytes(meshes[which], HEIGHT) + 2 * sizeof mesh_out + sizeof frame + sizeof drawn +
+    return (uint32_t)(frame_bytes(which) + glint_mesh_bytes(drawings[which].mesh, HEIGHT) + 2 * sizeof mesh_out +
+                      sizeof frame + sizeof drawn +
                       (way == MESH_BY_TABLES ? sizeof tables + sizeof tables_memory : sizeof prepared));
 }
