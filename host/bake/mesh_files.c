@@ -75,6 +75,11 @@ static int corner_at(const struct baked_mesh *baked, size_t i)
     return mesh_of(baked)->faces[i];
 }
 
+static int color_at(const struct baked_mesh *baked, size_t i)
+{
+    return baked->fitted->colors[i / 3][i % 3];
+}
+
 static int end_at(const struct baked_mesh *baked, size_t i)
 {
     return mesh_of(baked)->ends[i];
@@ -116,6 +121,8 @@ static void write_all(const struct baked_mesh *baked, const char *storage, const
     write_array(baked, "static ", "uint16_t", name, "_faces", (size_t)3 * mesh->face_count, corner_at, out);
     if (parts)
         write_array(baked, "static ", "uint16_t", name, "_ends", mesh->part_count, end_at, out);
+    if (baked->fitted->colors)
+        write_array(baked, storage, "uint8_t", name, "_colors", (size_t)3 * mesh->vertex_count, color_at, out);
     write_materials(baked, storage, name, out);
     fprintf(out, "\n%sconst struct glint_mesh %s = {\n    %s_places, %s%s%s, %s_faces, ", storage, name, name,
             baked->normals8 ? "NULL, " : "", name, baked->normals8 ? "_normals" : "_normals, NULL", name);
@@ -149,6 +156,9 @@ void bake_mesh_write_header(const struct baked_mesh *baked, const char *name, FI
     c_begin_externs(out);
     fprintf(out, "extern const struct glint_mesh %s;\nextern const struct glint_material %s_materials[%s_PARTS];\n",
             name, name, macro);
+    if (baked->fitted->colors)
+        fprintf(out, "extern const uint8_t %s_colors[3 * %s_VERTICES]; /* of_vertices of struct glint_mesh_albedo */\n",
+                name, macro);
     c_end_externs(out);
     c_end_header(out);
 }
@@ -176,18 +186,21 @@ static uint8_t *put_all(uint8_t *at, const struct baked_mesh *baked, size_t coun
     return at;
 }
 
+enum { RAW_COLORS = 256 };
+
 uint8_t *bake_mesh_raw(const struct baked_mesh *baked, size_t *len)
 {
     const struct glint_mesh *mesh = mesh_of(baked);
     const size_t vertices = (size_t)3 * mesh->vertex_count, corners = (size_t)3 * mesh->face_count;
     const unsigned normal = baked->normals8 ? 1 : 2;
-    const bool odd = (vertices * normal) % 2;
-    *len = 8 + 2 * vertices + normal * vertices + odd + 2 * corners + (size_t)6 * mesh->part_count;
+    const bool odd = (vertices * normal) % 2, has_colors = baked->fitted->colors != NULL;
+    *len = 8 + 2 * vertices + normal * vertices + odd + 2 * corners + (size_t)6 * mesh->part_count +
+           (has_colors ? vertices : 0);
     uint8_t *bytes = allocate(*len, 1), *at = bytes;
     at = put(at, mesh->vertex_count, 2);
     at = put(at, mesh->face_count, 2);
     at = put(at, mesh->part_count, 2);
-    at = put(at, normal, 2);
+    at = put(at, normal + (has_colors ? RAW_COLORS : 0), 2);
     at = put_all(at, baked, vertices, place_at, 2);
     at = put_all(at, baked, vertices, normal_at, normal);
     at = put(at, 0, odd);
@@ -198,5 +211,7 @@ uint8_t *bake_mesh_raw(const struct baked_mesh *baked, size_t *len)
             at = put(at, baked->materials[i].albedo[k], 1);
         at = put(at, baked->mesh->materials[i].unlit, 1);
     }
+    if (has_colors)
+        put_all(at, baked, vertices, color_at, 1);
     return bytes;
 }

@@ -55,6 +55,7 @@ void mesh_quality(const struct mesh *mesh, const struct fitted *fitted, bool nor
                   struct quality rows[QUALITY_ROWS])
 {
     struct fitted chosen = *fitted;
+    chosen.colors = NULL; /* the shading's one colour */
     if (normals8)
         chosen.mesh.normals = NULL;
     for (int i = 0; i < QUALITY_ROWS; i++)

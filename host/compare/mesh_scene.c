@@ -22,6 +22,29 @@ static double (*turned_normals(const struct mesh *mesh, const struct view *view)
     return normals;
 }
 
+/* Each face's corners' colours, 0..1. */
+static double (*corner_colors(const struct mesh *mesh))[3]
+{
+    double(*colors)[3] = allocate(3 * mesh->face_count, sizeof *colors);
+    for (size_t i = 0; i < 9 * mesh->face_count; i++)
+        colors[i / 3][i % 3] = mesh->colors[mesh->faces[i / 9][i / 3 % 3]][i % 3] / 255.;
+    return colors;
+}
+
+/* Of each pixel. */
+static uint8_t *albedo_of(const struct mesh *mesh, const struct fitted *fitted, const struct view *view)
+{
+    const size_t values = (size_t)3 * view->width * view->height;
+    uint8_t *albedo = allocate(values, 1);
+    double(*colors)[3] = corner_colors(mesh);
+    struct mesh_raster *raster = mesh_raster(mesh, fitted, view, colors);
+    for (size_t i = 0; i < values; i++)
+        albedo[i] = (uint8_t)lround(255 * raster->values[i / 3][i % 3]);
+    mesh_raster_free(raster);
+    free(colors);
+    return albedo;
+}
+
 struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
                          struct mesh_coverage *coverage)
 {
@@ -32,6 +55,8 @@ struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, c
     struct scene *scene = scene_new(view->width, view->height);
     scene->mask = allocate(pixels, 1);
     scene->parts = allocate(pixels, 1);
+    if (fitted->colors)
+        scene->albedo = albedo_of(mesh, fitted, view);
     *coverage = (struct mesh_coverage){0, 0};
     for (size_t i = 0; i < pixels; i++) {
         const uint32_t number = raster->numbers[i];
@@ -61,8 +86,12 @@ struct levels *mesh_gouraud(const struct mesh *mesh, const struct fitted *fitted
     *levels = (struct levels){.width = view->width, .height = view->height, .channels = channels};
     levels->values = allocate(pixels, channels);
     line.parts = allocate(corners, 1);
-    for (size_t i = 0; i < corners; i++)
+    line.albedo = fitted->colors ? allocate(corners, 3) : NULL;
+    for (size_t i = 0; i < corners; i++) {
         line.parts[i] = (uint8_t)mesh_part_of(mesh, i / 3);
+        if (line.albedo)
+            memcpy(&line.albedo[3 * i], fitted->colors[mesh->faces[i / 3][i % 3]], 3);
+    }
     reference_line(&line, shadings, shadings->model, 0, values);
     for (size_t i = 0; i < corners * channels; i++)
         colors[i / channels][i % channels] = values[i];
@@ -81,5 +110,6 @@ struct levels *mesh_gouraud(const struct mesh *mesh, const struct fitted *fitted
     free(colors);
     free(line.normals);
     free(line.parts);
+    free(line.albedo);
     return levels;
 }

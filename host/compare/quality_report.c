@@ -37,14 +37,14 @@ void quality_print_mesh(const struct baked_mesh *baked, const struct quality row
                         struct mesh_cycles cycles, FILE *stream)
 {
     const struct glint_mesh *mesh = &baked->fitted->mesh;
-    fprintf(stream, "%u vertices, %u triangles, %u part%s, normals as %s: %zu bytes\n", mesh->vertex_count,
-            mesh->face_count, mesh->part_count, mesh->part_count > 1 ? "s" : "", baked->normals8 ? "int8" : "int16",
-            baked_mesh_bytes(baked));
+    fprintf(stream, "%u vertices%s, %u triangles, %u part%s, normals as %s: %zu bytes\n", mesh->vertex_count,
+            baked->fitted->colors ? " with colours" : "", mesh->face_count, mesh->part_count,
+            mesh->part_count > 1 ? "s" : "", baked->normals8 ? "int8" : "int16", baked_mesh_bytes(baked));
     print_rows(rows, "pictures of 240x240 from three sides", stream);
     fprintf(
         stream,
-        "such a picture takes a Cortex-M0+ %.1f million cycles by COLOUR tables in C, %.1f in assembly (predicted)\n",
-        cycles.c / 1e6, cycles.assembly / 1e6);
+        "such a picture takes a Cortex-M0+ %.1f million cycles by COLOUR tables%s in C, %.1f in assembly (predicted)\n",
+        cycles.c / 1e6, baked->fitted->colors ? " in one colour" : "", cycles.assembly / 1e6);
 }
 
 void quality_printed(FILE *stream)

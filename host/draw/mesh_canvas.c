@@ -12,7 +12,8 @@
 struct mesh_canvas {
     struct glint_mesh mesh;
     const struct shading *shadings;
-    struct glint_paint *paints; /* of each part */
+    struct glint_paint *paints;        /* of each part */
+    struct glint_mesh_albedo *albedos; /* for colours of vertices */
     struct glint_prepared *prepared;
     struct glint_tables *tables;
     uint32_t (*memory)[GLINT_TABLES_DITHER_BYTES / 4];
@@ -43,26 +44,40 @@ struct mesh_canvas *mesh_canvas_new(const struct fitted *fitted, const struct sh
     struct mesh_path path;
     *canvas = (struct mesh_canvas){.mesh = fitted->mesh, .shadings = shadings};
     canvas->paints = allocate(count, sizeof *canvas->paints);
+    canvas->albedos = allocate(count, sizeof *canvas->albedos);
     canvas->prepared = allocate(count, sizeof *canvas->prepared);
     canvas->tables = allocate(count, sizeof *canvas->tables);
     canvas->memory = allocate(count, sizeof *canvas->memory);
-    if (path_of_mesh(&shadings[0], &path))
-        fail("--path %s: %s", path_names[shadings[0].path], path_of_mesh(&shadings[0], &path));
+    const char *refusal = path_of_mesh(&shadings[0], fitted->colors != NULL, &path);
+    if (refusal)
+        fail("--path %s: %s", path_names[shadings[0].path], refusal);
     if (path.normals8)
         canvas->mesh.normals = NULL;
     for (unsigned i = 0; i < count; i++) {
         const struct glint_shader shader = shading_shader(&shadings[i]);
+        struct glint_mesh_albedo *albedo = &canvas->albedos[i];
         enum glint_err error;
+        if (fitted->colors)
+            albedo->of_vertices = fitted->colors[0];
         if (path.by_tables) {
             error =
                 glint_tables_fill(&canvas->tables[i], path.kind, &shader, canvas->memory[i], sizeof *canvas->memory);
             canvas->paints[i] = (struct glint_paint){&glint_mesh_tables, &canvas->tables[i]};
+            albedo->with = &canvas->tables[i];
         } else {
             error = glint_shade_prepare(&canvas->prepared[i], &shader);
             canvas->paints[i] = (struct glint_paint){&glint_mesh_exact, &canvas->prepared[i]};
+            albedo->with = &canvas->prepared[i];
         }
+        if (fitted->colors)
+            canvas->paints[i] =
+                (struct glint_paint){path.by_tables ? &glint_mesh_tables_albedo : &glint_mesh_exact_albedo, albedo};
         if (error != GLINT_OK)
-            fail("--path %s: the library refused the material (error %d)", path_names[shadings[0].path], error);
+            fail(path.kind == GLINT_TABLES_ALBEDO && path.by_tables
+                     ? "--path %s: needs a grey --ambient and --diffuse of at most 1 together, as --ambient .1 "
+                       "--diffuse .9"
+                     : "--path %s: the library refused the material",
+                 path_names[shadings[0].path]);
     }
     return canvas;
 }
@@ -72,6 +87,7 @@ void mesh_canvas_free(struct mesh_canvas *canvas)
     if (!canvas)
         return;
     free(canvas->paints);
+    free(canvas->albedos);
     free(canvas->prepared);
     free(canvas->tables);
     free(canvas->memory);

@@ -81,23 +81,34 @@ const char *path_refusal(const struct shading *shading)
     return NULL;
 }
 
-const char *path_of_mesh(const struct shading *shading, struct mesh_path *of_mesh)
+const char *path_of_mesh(const struct shading *shading, bool has_colors, struct mesh_path *of_mesh)
 {
     const struct path *path = &paths[shading->path];
     *of_mesh = (struct mesh_path){path->by != EXACT, path->normals == GLINT_NORMALS_INT8,
-                                  path->by == SMALL ? GLINT_TABLES_SMALL : GLINT_TABLES_COLOUR};
+                                  path->by == SMALL    ? GLINT_TABLES_SMALL
+                                  : path->by == ALBEDO ? GLINT_TABLES_ALBEDO
+                                                       : GLINT_TABLES_COLOUR};
     if (!shading_is_plain(shading))
         return "a mesh takes only one --light, without a colour";
     if (shading->model == GLINT_PHONG)
         return "cannot draw a mesh by phong; choose another --model";
-    if (path->unit != RECT || path->by == ALBEDO || path->by == PALETTE || path->normals == GLINT_NORMALS_INT10)
-        return "cannot draw a mesh; choose exact, colour-int16, colour-int8, small-int16 or small-int8";
+    if (path->unit != RECT || path->by == PALETTE || path->normals == GLINT_NORMALS_INT10)
+        return "cannot draw a mesh; choose exact, colour-int16, colour-int8, small-int16 or small-int8, or where its "
+               "vertices have colours albedo-int16 or albedo-int8";
     if (of_mesh->by_tables && shading->format == GLINT_MONO)
         return "cannot draw a mesh in mono; choose another --format, or --path exact";
-    if (path->by == COLOUR && !format_is_565(shading->format))
+    if ((path->by == COLOUR || path->by == ALBEDO) && !format_is_565(shading->format))
         return "needs --format rgb565 or rgb565-swapped";
-    if (of_mesh->by_tables && shading->space != GLINT_GAMMA && (path->by == SMALL || shading->dither))
-        return path->by == SMALL ? "needs --space gamma" : "needs --space gamma with --dither";
+    if (path->by == ALBEDO && shading->dither)
+        return "cannot draw with --dither";
+    if (of_mesh->by_tables && shading->space != GLINT_GAMMA && (path->by != COLOUR || shading->dither))
+        return path->by != COLOUR ? "needs --space gamma" : "needs --space gamma with --dither";
+    if (path->by == ALBEDO && !has_colors)
+        return "is for colours of vertices, which this mesh has not; choose exact, colour-int16, colour-int8, "
+               "small-int16 or small-int8";
+    if (has_colors && (path->by == COLOUR || path->by == SMALL))
+        return "holds one colour, and the mesh has its vertices'; choose exact, albedo-int16 or albedo-int8, or give "
+               "one colour by --color";
     return NULL;
 }
 

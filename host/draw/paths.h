@@ -17,7 +17,7 @@ struct mesh_path {
     bool by_tables, normals8;
     enum glint_tables_kind kind;
 };
-const char *path_of_mesh(const struct shading *shading, struct mesh_path *of_mesh);
+const char *path_of_mesh(const struct shading *shading, bool has_colors, struct mesh_path *of_mesh);
 
 /* A path other than [0], made ready for a scene. It draws over what the exact path has drawn; pixels that it cannot draw
  * keep the exact path's values, and a warning says so. Scene and normals must outlive it. */

@@ -113,25 +113,39 @@ void corner_normals_made(double (*places)[3], uint32_t (*faces)[3], size_t count
 
 /* ---- vertices ---- */
 
-void corner_normals_join(struct mesh *mesh, double (*places)[3], uint32_t (*faces)[3], double (*normals)[3][3])
+/* Where the mesh has no colours they are all the same. */
+static bool is_vertex(const struct mesh *mesh, uint32_t vertex, const double normal[3], double same,
+                      const uint8_t color[3])
+{
+    return mesh_dot(mesh->normals[vertex], normal) >= same &&
+           (!mesh->colors || memcmp(mesh->colors[vertex], color, sizeof *mesh->colors) == 0);
+}
+
+void corner_normals_join(struct mesh *mesh, const struct soup *soup, const size_t *from, double (*places)[3],
+                         uint32_t (*faces)[3], double (*normals)[3][3])
 {
     const double same = mesh_cosine(.5);
     const size_t corners = 3 * mesh->face_count;
     uint32_t *first = allocate(mesh->place_count, sizeof *first), *next = allocate(corners, sizeof *next);
     mesh->places = allocate(corners, sizeof *mesh->places);
     mesh->normals = allocate(corners, sizeof *mesh->normals);
+    if (soup->has_colors)
+        mesh->colors = allocate(corners, sizeof *mesh->colors);
     mesh->at = allocate(corners, sizeof *mesh->at);
     mesh->faces = allocate(mesh->face_count, sizeof *mesh->faces);
     for (size_t i = 0; i < corners; i++) {
         const uint32_t place = faces[i / 3][i % 3];
         const double *normal = normals[i / 3][i % 3];
+        const uint8_t *color = soup->faces[from[i / 3]].colors[i % 3];
         uint32_t vertex = first[place];
-        while (vertex && mesh_dot(mesh->normals[vertex - 1], normal) < same)
+        while (vertex && !is_vertex(mesh, vertex - 1, normal, same, color))
             vertex = next[vertex - 1];
         if (!vertex) {
             vertex = (uint32_t)++mesh->vertex_count;
             memcpy(mesh->places[vertex - 1], places[place], sizeof *places);
             memcpy(mesh->normals[vertex - 1], normal, sizeof *mesh->normals);
+            if (mesh->colors)
+                memcpy(mesh->colors[vertex - 1], color, sizeof *mesh->colors);
             mesh->at[vertex - 1] = place;
             next[vertex - 1] = first[place];
             first[place] = vertex;

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "base/message.h"
@@ -45,10 +46,9 @@ static double volume(const struct fitted *fitted)
 /* After everything that may fail, since a failure is one line. */
 static void say_what_looks_wrong(const struct mesh *mesh, const struct fitted *fitted, double unit)
 {
-    if (mesh->has_textures || mesh->has_colors)
-        warn("%s: %s%s%s are ignored: each part has one colour", mesh->name,
-             mesh->has_textures ? "texture coordinates" : "", mesh->has_textures && mesh->has_colors ? " and " : "",
-             mesh->has_colors ? "vertex colours" : "");
+    if (mesh->has_textures || mesh->has_facet_colors)
+        warn("%s: %s are ignored: %s", mesh->name, mesh->has_textures ? "texture coordinates" : "an STL's colours",
+             mesh->colors ? "colours are the vertices'" : "each part has one colour");
     if (!(unit > 0) && volume(fitted) < -.05)
         warn("%s: most triangles seem to face inwards, and only those that face the viewer are drawn; flip them where "
              "the file was made",
@@ -133,6 +133,10 @@ struct fitted *mesh_fit(const struct mesh *mesh, double unit)
             fitted->normals8[i][k] = (int8_t)held(mesh->normals[i][k] * length[i] * 127, 127);
         }
     free(length);
+    if (mesh->colors) {
+        fitted->colors = allocate(mesh->vertex_count, sizeof *fitted->colors);
+        memcpy(fitted->colors, mesh->colors, mesh->vertex_count * sizeof *fitted->colors);
+    }
     for (size_t i = 0; i < 3 * mesh->face_count; i++)
         fitted->faces[i / 3][i % 3] = (uint16_t)mesh->faces[i / 3][i % 3];
     for (unsigned i = 0; i < mesh->part_count; i++)
@@ -151,8 +155,15 @@ struct fitted *mesh_fit(const struct mesh *mesh, double unit)
     return fitted;
 }
 
+void fitted_forget_colors(struct fitted *fitted)
+{
+    free(fitted->colors);
+    fitted->colors = NULL;
+}
+
 void fitted_free(struct fitted *fitted)
 {
+    free(fitted->colors);
     free(fitted->places);
     free(fitted->normals);
     free(fitted->normals8);
@@ -163,7 +174,8 @@ void fitted_free(struct fitted *fitted)
 
 size_t fitted_bytes(const struct fitted *fitted, bool normals8)
 {
-    const size_t vertex = sizeof *fitted->places + (normals8 ? sizeof *fitted->normals8 : sizeof *fitted->normals);
+    const size_t vertex = sizeof *fitted->places + (normals8 ? sizeof *fitted->normals8 : sizeof *fitted->normals) +
+                          (fitted->colors ? sizeof *fitted->colors : 0);
     return fitted->mesh.vertex_count * vertex + fitted->mesh.face_count * sizeof *fitted->faces +
            (fitted->mesh.part_count > 1 ? 2u * fitted->mesh.part_count : 0);
 }

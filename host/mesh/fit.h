@@ -12,12 +12,14 @@ struct fitted {
     int16_t (*places)[3], (*normals)[3];
     int8_t (*normals8)[3];
     uint16_t (*faces)[3], *ends;
-    double middle[3]; /* of the places in double: 0, 0, 0 here */
-    double unit;      /* how many units of the places here 1 there is */
+    uint8_t (*colors)[3]; /* of each vertex, for struct glint_mesh_albedo; NULL: each part has one */
+    double middle[3];     /* of the places in double: 0, 0, 0 here */
+    double unit;          /* how many units of the places here 1 there is */
 };
 /* unit 0: the mesh's middle becomes 0, 0, 0 and what is farthest from it 32767 away; else places are times `unit`, about their own
  * origin. Ends the program through fail() where they do not fit. */
 struct fitted *mesh_fit(const struct mesh *mesh, double unit);
+void fitted_forget_colors(struct fitted *fitted); /* each part has one */
 void fitted_free(struct fitted *fitted);
 size_t fitted_bytes(const struct fitted *fitted, bool normals8);
 

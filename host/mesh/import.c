@@ -121,6 +121,7 @@ static struct soup *receive_soup(const struct reader *reader)
                           .has_normals = head.has_normals,
                           .has_textures = head.has_textures,
                           .has_colors = head.has_colors,
+                          .has_facet_colors = head.has_facet_colors,
                           .is_stl = strcmp(reader->source->ending, ".stl") == 0,
                           .part_count = (unsigned)head.part_count};
     if (!soup->name)

@@ -60,9 +60,9 @@ static void send_message(int out, const char *text)
 }
 
 /* glTF's colours are linear, the others' as encoded. */
-static uint8_t level(float part, bool linear)
+static uint8_t level(double part, bool linear)
 {
-    double value = fmax(0, fmin(1, (double)part)); /* of NaN 0 */
+    double value = fmin(1, fmax(0, part)); /* of NaN 0 */
     if (linear)
         value = value <= .0031308 ? 12.92 * value : 1.055 * pow(value, 1 / 2.4) - .055;
     return (uint8_t)lround(255 * value);
@@ -79,7 +79,7 @@ static struct mesh_material material_of(const struct aiMaterial *from, bool line
         const float parts[3] = {color.r, color.g, color.b};
         material.has_color = true;
         for (int k = 0; k < 3; k++)
-            material.color[k] = level(parts[k], linear);
+            material.color[k] = level((double)parts[k], linear);
     }
     if (!linear && lib.aiGetMaterialFloatArray(from, AI_MATKEY_SHININESS, &n, &one) == aiReturn_SUCCESS && n >= 1)
         material.n = (unsigned)fmin(1000, (double)n); /* an OBJ's Ns; a glTF has another model */
@@ -89,7 +89,34 @@ static struct mesh_material material_of(const struct aiMaterial *from, bool line
     return material;
 }
 
-static void send_faces(int out, const struct aiMesh *mesh, bool has_normals)
+/* What colours of vertices are times: glTF's base colour; else they stand in the place of the material's. */
+static struct aiColor4D base_of(const struct aiMaterial *material, bool linear)
+{
+    struct aiColor4D color = {1, 1, 1, 1};
+    if (linear)
+        lib.aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &color);
+    return color;
+}
+
+/* Where this mesh has no colours and another one has: its material's. */
+static void set_color(uint8_t out[3], const struct aiMesh *mesh, unsigned vertex, const struct aiMaterial *material,
+                      bool linear)
+{
+    const struct mesh_material own = material_of(material, linear);
+    memset(out, 255, 3);
+    if (mesh->mColors[0]) {
+        const struct aiColor4D *color = &mesh->mColors[0][vertex], base = base_of(material, linear);
+        const double parts[3] = {(double)color->r * (double)base.r, (double)color->g * (double)base.g,
+                                 (double)color->b * (double)base.b};
+        for (int k = 0; k < 3; k++)
+            out[k] = level(parts[k], linear);
+    } else if (own.has_color) {
+        memcpy(out, own.color, 3);
+    }
+}
+
+static void send_faces(int out, const struct aiScene *scene, const struct aiMesh *mesh, const struct import_head *head,
+                       bool linear)
 {
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
         const struct aiFace *from = &mesh->mFaces[i];
@@ -100,7 +127,9 @@ static void send_faces(int out, const struct aiMesh *mesh, bool has_normals)
             const struct aiVector3D *place = &mesh->mVertices[from->mIndices[k]];
             const double at[3] = {(double)place->x, (double)place->y, (double)place->z};
             memcpy(face.places[k], at, sizeof at);
-            if (!has_normals)
+            if (head->has_colors)
+                set_color(face.colors[k], mesh, from->mIndices[k], scene->mMaterials[mesh->mMaterialIndex], linear);
+            if (!head->has_normals)
                 continue;
             const struct aiVector3D *normal = &mesh->mNormals[from->mIndices[k]];
             const double points[3] = {(double)normal->x, (double)normal->y, (double)normal->z};
@@ -110,7 +139,8 @@ static void send_faces(int out, const struct aiMesh *mesh, bool has_normals)
     }
 }
 
-static struct import_head head_of(const struct aiScene *scene)
+/* What libassimp makes of an STL's colours of facets is not what is in the file. */
+static struct import_head head_of(const struct aiScene *scene, bool is_stl)
 {
     struct import_head head = {.has_normals = true, .part_count = scene->mNumMaterials};
     for (unsigned i = 0; i < scene->mNumMeshes; i++) {
@@ -119,7 +149,8 @@ static struct import_head head_of(const struct aiScene *scene)
             head.face_count += mesh->mFaces[k].mNumIndices == 3;
         head.has_normals &= mesh->mNormals != NULL;
         head.has_textures |= mesh->mTextureCoords[0] != NULL;
-        head.has_colors |= mesh->mColors[0] != NULL;
+        head.has_colors |= mesh->mColors[0] != NULL && !is_stl;
+        head.has_facet_colors |= mesh->mColors[0] != NULL && is_stl;
     }
     return head;
 }
@@ -148,7 +179,7 @@ void import_child(const struct import_source *source, int out)
                      !source->path && strstr(text, import_files_input) ? "" : text); /* the message names it already */
         return;
     }
-    struct import_head head = head_of(scene);
+    struct import_head head = head_of(scene, strcmp(source->ending, ".stl") == 0);
     const struct import_file *files;
     head.file_count = import_files_read(&files);
     send(out, &head, sizeof head);
@@ -160,7 +191,7 @@ void import_child(const struct import_source *source, int out)
         send(out, &material, sizeof material);
     }
     for (unsigned i = 0; i < scene->mNumMeshes; i++)
-        send_faces(out, scene->mMeshes[i], head.has_normals);
+        send_faces(out, scene, scene->mMeshes[i], &head, linear);
 }
 
 #else

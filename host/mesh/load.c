@@ -55,7 +55,7 @@ struct mesh *mesh_load(const struct mesh_source *source)
     struct soup *soup = source->built_in ? teapot() : read_file(source);
     struct mesh *mesh = mesh_weld(soup, source->built_in && source->crease < 0 ? 180 : source->crease);
     mesh->has_textures = soup->has_textures;
-    mesh->has_colors = soup->has_colors;
+    mesh->has_facet_colors = soup->has_facet_colors;
     soup_free(soup);
     mesh_split(mesh, source->split);
     mesh_order(mesh);

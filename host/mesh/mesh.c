@@ -11,6 +11,7 @@ void mesh_free(struct mesh *mesh)
     free(mesh->name);
     free(mesh->places);
     free(mesh->normals);
+    free(mesh->colors);
     free(mesh->at);
     free(mesh->faces);
     free(mesh->ends);

@@ -14,17 +14,18 @@ struct mesh_material {
     unsigned n; /* 0: not said */
 };
 
-/* x right, y up, z to the viewer. Vertices of one place differ by their normals: the surface has a crease there. */
+/* x right, y up, z to the viewer. Vertices of one place differ by their normals, where the surface has a crease, or by their colours. */
 struct mesh {
     char *name; /* for messages */
     size_t vertex_count, face_count, place_count;
-    double (*places)[3], (*normals)[3]; /* of each vertex; normals have length 1 */
-    uint32_t *at;                       /* the number of each vertex's place */
-    uint32_t (*faces)[3];               /* counterclockwise from outside; by part */
-    unsigned part_count;                /* at least 1 */
-    size_t *ends;                       /* the face that each part ends before */
-    struct mesh_material *materials;    /* of each part */
-    bool has_textures, has_colors;      /* coordinates, and colours of vertices, in the file: they are ignored */
+    double (*places)[3], (*normals)[3];  /* of each vertex; normals have length 1 */
+    uint8_t (*colors)[3];                /* of each vertex, as encoded; NULL: each part has one */
+    uint32_t *at;                        /* the number of each vertex's place */
+    uint32_t (*faces)[3];                /* counterclockwise from outside; by part */
+    unsigned part_count;                 /* at least 1 */
+    size_t *ends;                        /* the face that each part ends before */
+    struct mesh_material *materials;     /* of each part */
+    bool has_textures, has_facet_colors; /* in the file: they are ignored */
 };
 void mesh_free(struct mesh *mesh);
 unsigned mesh_part_of(const struct mesh *mesh, size_t face);

@@ -104,6 +104,8 @@ static void order_vertices(struct mesh *mesh)
             to[i] = count++;
     mesh->places = moved(mesh->places, to, mesh->vertex_count, sizeof *mesh->places);
     mesh->normals = moved(mesh->normals, to, mesh->vertex_count, sizeof *mesh->normals);
+    if (mesh->colors)
+        mesh->colors = moved(mesh->colors, to, mesh->vertex_count, sizeof *mesh->colors);
     mesh->at = moved(mesh->at, to, mesh->vertex_count, sizeof *mesh->at);
     free(to);
 }

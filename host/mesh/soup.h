@@ -7,15 +7,16 @@
 
 struct soup_face {
     double places[3][3], normals[3][3];
+    uint8_t colors[3][3]; /* as encoded */
     uint32_t part;
 };
 struct soup {
     char *name; /* for messages */
     size_t face_count;
     struct soup_face *faces;
-    bool has_normals;
-    bool has_textures, has_colors; /* which nothing here reads */
-    bool is_stl;                   /* its normals are those of its facets, and its z axis points up */
+    bool has_normals, has_colors;
+    bool has_textures, has_facet_colors; /* which nothing here reads */
+    bool is_stl;                         /* its normals are those of its facets, and its z axis points up */
     unsigned part_count;
     struct mesh_material *materials; /* of each part */
 };

@@ -66,6 +66,8 @@ static uint32_t middle(struct mesh *mesh, const struct edge *edge, uint32_t plac
     }
     if (!mesh_normalize(normal))
         memcpy(normal, a, sizeof *mesh->normals);
+    for (int k = 0; mesh->colors && k < 3; k++)
+        mesh->colors[i][k] = (uint8_t)((mesh->colors[edge->from][k] + mesh->colors[edge->to][k] + 1) / 2);
     mesh->at[i] = place;
     return (uint32_t)i;
 }
@@ -79,6 +81,8 @@ static size_t choose(struct mesh *mesh, double least, uint32_t (*middles)[3])
     memset(middles, 0xff, mesh->face_count * sizeof *middles);
     mesh->places = grown(mesh->places, mesh->vertex_count + count, sizeof *mesh->places);
     mesh->normals = grown(mesh->normals, mesh->vertex_count + count, sizeof *mesh->normals);
+    if (mesh->colors)
+        mesh->colors = grown(mesh->colors, mesh->vertex_count + count, sizeof *mesh->colors);
     mesh->at = grown(mesh->at, mesh->vertex_count + count, sizeof *mesh->at);
     for (size_t i = 0, end; i < count; i = end) {
         bool cut = false;

@@ -129,7 +129,7 @@ struct mesh *mesh_weld(const struct soup *soup, double crease)
         corner_normals_given(soup, from, grid->places, faces, mesh->face_count, normals);
     else
         corner_normals_made(grid->places, faces, mesh->face_count, crease < 0 ? CREASE_USUAL : crease, normals);
-    corner_normals_join(mesh, grid->places, faces, normals);
+    corner_normals_join(mesh, soup, from, grid->places, faces, normals);
     free(normals);
     free(faces);
     free(from);

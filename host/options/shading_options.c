@@ -193,8 +193,11 @@ const struct argp shading_options_argp = {argp_options, parse_option, NULL, NULL
 void shading_options_check(const struct argp_state *state, const struct shading_options *options,
                            const struct shading *shading)
 {
+    const struct mesh_source *mesh = &options->scene.mesh;
     struct mesh_path of_mesh;
-    const char *refusal = options->scene.mesh.name ? path_of_mesh(shading, &of_mesh) : path_refusal(shading);
+    const char *refusal = mesh->name ? path_of_mesh(shading, false, &of_mesh) : path_refusal(shading);
+    if (refusal && mesh->name && !mesh->built_in && !options->has_color && !path_of_mesh(shading, true, &of_mesh))
+        return; /* the file tells */
     if (refusal)
         refuse(state, "--path %s: %s", path_names[shading->path], refusal);
 }

@@ -29,6 +29,8 @@ struct mesh_stream *mesh_stream_new(const struct stream_options *options)
     stream->options = options;
     stream->mesh = mesh_load(&options->look.scene.mesh);
     stream->fitted = mesh_fit(stream->mesh, 0);
+    if (options->look.has_color)
+        fitted_forget_colors(stream->fitted);
     return stream;
 }
 
@@ -76,6 +78,8 @@ static void split_as(struct mesh_stream *stream, unsigned degrees)
     mesh_free(stream->mesh);
     stream->mesh = mesh_load(&source);
     stream->fitted = mesh_fit(stream->mesh, 0);
+    if (stream->options->look.has_color)
+        fitted_forget_colors(stream->fitted);
 }
 
 /* What has a board hold the mesh. */
@@ -94,6 +98,10 @@ void mesh_device_find(struct mesh_stream *stream, struct sink *sink)
     if (stream->fitted->mesh.part_count > 1)
         fail("--shade device: a device draws a mesh in one material, and this one has %u; leave it out",
              (unsigned)stream->fitted->mesh.part_count);
+    if (stream->fitted->colors)
+        fail("--shade device: a device draws a mesh in one colour, and this one has its vertices'; leave it out, or "
+             "give "
+             "one by --color");
     if (!sink->kind->shader->find_mesh(sink, &there))
         fail("--shade device: %s holds no mesh; leave it out", sink->name);
     if (!mesh_in_device(&there, stream->fitted) && !stream->canvas && there.split >= 1 && there.split <= 180)

@@ -82,13 +82,15 @@ $(PICO)/map/demo_map.h: $(BUILD)/glint $(if $(HEIGHT),always) | have-pico-choice
 	@cmp -s $@.tmp $@ || mv $@.tmp $@
 
 # The teapot as it is, unsplit: what turns hides where its highlights break. A file's each time, since MESH, SPLIT and AXES may be others
-# by now. The head of 8 bytes has the counts; the checksum is without it and the 6 of each part, with which the picture is drawn in one material.
+# by now. The head of 8 bytes has the counts; the checksum is without it and what follows the triangles: 6 bytes of each part and 3 of each vertex that
+# has a colour.
 $(PICO)/map/demo_mesh.h: $(BUILD)/glint $(if $(MESH),always) | have-pico-choices
 	@mkdir -p $(@D)
 	@$< bake $(PICO_MESH_SOURCE) --to int8 -o $(@D)/demo_mesh.bin >/dev/null
 	@$< bake $(PICO_MESH_SOURCE) --to int8 --name demo_mesh --as c -o $@.tmp >/dev/null
-	@set -- $$(od -An -tu2 -N6 $(@D)/demo_mesh.bin); [ $$3 = 1 ] || echo "make: MESH=$(MESH): has $$3 materials; the board draws it in one" >&2; \
-		cksum=$$(tail -c +9 $(@D)/demo_mesh.bin | head -c -$$(($$3 * 6)) | cksum | cut -d ' ' -f 1); \
+	@set -- $$(od -An -tu2 -N8 $(@D)/demo_mesh.bin); [ $$3 = 1 ] || echo "make: MESH=$(MESH): has $$3 materials; the board draws it in one" >&2; \
+		[ $$4 -lt 256 ] || echo "make: MESH=$(MESH): its vertices have colours; the board draws it in one" >&2; \
+		cksum=$$(tail -c +9 $(@D)/demo_mesh.bin | head -c -$$(($$3 * 6 + $$4 / 256 * $$1 * 3)) | cksum | cut -d ' ' -f 1); \
 		printf '#define DEMO_MESH_%s\n' "VERTICES $$1" "FACES $$2" "CKSUM $${cksum}u" "SPLIT $(if $(MESH),$(SPLIT),180)" >$(@D)/demo_mesh_sizes.h.tmp
 	@cmp -s $(@D)/demo_mesh_sizes.h.tmp $(@D)/demo_mesh_sizes.h || mv $(@D)/demo_mesh_sizes.h.tmp $(@D)/demo_mesh_sizes.h
 	@cmp -s $@.tmp $@ || mv $@.tmp $@

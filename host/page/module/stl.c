@@ -68,10 +68,10 @@ struct soup *import_soup(const char *path)
         const uint8_t *facet = stl + HEAD + FACET * i;
         for (size_t k = 0; k < 9; k++) /* after the facet's normal */
             soup->faces[i].places[k / 3][k % 3] = number(facet + 12 + 4 * k);
-        soup->has_colors |= (get(facet + FACET - 2, 2) & HAS_COLOR) != 0;
+        soup->has_facet_colors |= (get(facet + FACET - 2, 2) & HAS_COLOR) != 0;
     }
     soup->materials = allocate(1, sizeof *soup->materials);
-    *soup->materials = material_of(stl, soup->has_colors);
+    *soup->materials = material_of(stl, soup->has_facet_colors);
     soup_check_faces(soup);
     return soup;
 }

@@ -111,20 +111,6 @@ static void an_obj_has_its_materials_and_its_textures_are_ignored_with_a_word(vo
                     "rounded          no difference");
 }
 
-static void colours_of_vertices_are_ignored_with_a_word(void **state)
-{
-    (void)state;
-    write_text(
-        "bright.ply",
-        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-        "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n"
-        "property list uchar int vertex_indices\nend_header\n0 0 0 255 0 0\n2 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n");
-    const struct run *result = run("$GLINT bake --mesh bright.ply -o bright.c");
-    assert_int_equal(result->status, 0);
-    assert_one_line(result->err);
-    assert_contains(result->err, "bright.ply: vertex colours are ignored: each part has one colour");
-}
-
 /* The same pyramid as STL, with z up, and as PLY and glTF. */
 static void stl_ply_and_gltf_are_read_and_axes_turn_what_is_up(void **state)
 {
@@ -327,7 +313,6 @@ int main(void)
         cmocka_unit_test(options_that_do_not_fit_a_mesh_are_refused),
 #if GLINT_WITH_MESH
         cmocka_unit_test(an_obj_has_its_materials_and_its_textures_are_ignored_with_a_word),
-        cmocka_unit_test(colours_of_vertices_are_ignored_with_a_word),
         cmocka_unit_test(stl_ply_and_gltf_are_read_and_axes_turn_what_is_up),
         cmocka_unit_test(standard_input_is_known_by_its_bytes_and_read_as_a_file_is),
         cmocka_unit_test(what_standard_input_holds_wrong_is_one_line),

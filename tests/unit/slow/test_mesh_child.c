@@ -45,6 +45,35 @@ static void write_text(const char *path, const char *text)
 
 static const char triangle[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
+/* Read as C and as C++, drawn by hand at the pose of glint render. */
+static void baked_colours_draw_the_pixels_of_render(void **state)
+{
+    (void)state;
+    write_text("a.obj", "v 0 0 0 1 0 0\nv 2 0 0 0 1 0\nv 0 1 0 0 0 1\nv 1 -1 0 1 1 0\nf 1 2 3\nf 1 4 2\n");
+    assert_int_equal(library_make(), 0);
+    const struct run *result = run(
+        "$GLINT bake --mesh a.obj --to int16 -o a.c >/dev/null && $GLINT material --format rgb888 -o look.h && "
+        "$GLINT render --mesh a.obj --size 40x40 --image raw -o wanted.raw && "
+        "cat >t.c <<E\n#include <stdio.h>\n#include \"a.h\"\n#include \"look.h\"\n"
+        "static uint32_t frame_memory[4096], mesh_memory[2048];\nstatic uint8_t pixels[40 * 120];\n"
+        "int main(void) {\n  const struct glint_pose pose = {{32767, 0, 0, 0}, {0, 0, 0}, 320};\n"
+        "  const struct glint_surface surface = {pixels, 120, 0, 0};\n"
+        "  struct glint_prepared prepared; struct glint_mesh_frame frame; struct glint_mesh_drawn drawn;\n"
+        "  const struct glint_mesh_albedo albedo = {&prepared, a_colors, NULL};\n"
+        "  const struct glint_paint paint = {&glint_mesh_exact_albedo, &albedo};\n"
+        "  struct glint_shader shader; material(&shader);\n"
+        "  return glint_shade_prepare(&prepared, &shader) ||\n"
+        "    glint_mesh_begin(&frame, 40, 40, 40, 0, frame_memory, sizeof frame_memory) ||\n"
+        "    glint_mesh_add(&frame, &drawn, &a, &pose, &shader.light, &paint, mesh_memory, sizeof mesh_memory) ||\n"
+        "    glint_mesh_strip(&frame, 0, 40, &surface) || fwrite(pixels, 1, sizeof pixels, stdout) != sizeof pixels; "
+        "}\nE\n"
+        "for l in 'gcc -std=c99' 'g++ -std=c++11 -x c++'; do $l -Wall -Wextra -Werror -I\"$GLINT_SOURCE\"/lib t.c a.c "
+        "-x none lib.a -o t && ./t | cmp - wanted.raw || exit 1; done");
+    assert_string_equal(result->err, "");
+    assert_string_equal(result->out, "");
+    assert_int_equal(result->status, 0);
+}
+
 /* A library that does what the file's name says, in place of libassimp. */
 static void the_childs_death_is_one_line_and_it_runs_with_limits(void **state)
 {
@@ -90,6 +119,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_baked_mesh_compiles_and_is_what_raw_holds),
 #if GLINT_WITH_MESH
+        cmocka_unit_test(baked_colours_draw_the_pixels_of_render),
         cmocka_unit_test(the_childs_death_is_one_line_and_it_runs_with_limits),
 #endif
     };
