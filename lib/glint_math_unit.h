@@ -2,7 +2,8 @@
  * Internal. A vector's direction, nearly that of glint_unit_q30, from products of 32 bits.
  *
  * Sizes come shifted up, the largest to 2^29 .. 2^30. The sum of their squares has a mantissa of 32 bits, whose root is inverted
- * by two steps of Newton in 16 bits and one of the third order in 32. tests/exact/test_unit checks what is said of each step. */
+ * by two steps of Newton in 16 bits and one of the third order in 32. tests/proof shows what is said of SLACK and GROWS, and tests/exact/test_unit
+ * checks each step. */
 #ifndef GLINT_MATH_UNIT_H
 #define GLINT_MATH_UNIT_H
 
@@ -16,7 +17,7 @@ enum { GLINT_UNIT_SLACK = 4, GLINT_UNIT_GROWS = 4 };
 struct glint_unit {
     int32_t unit_q30[3];
     unsigned up;     /* by how much sizes were shifted */
-    uint32_t square; /* |v|^2 = (square + d) 2^exponent, 0 <= d <= 1 + 2^-14; >= 2^30 */
+    uint32_t square; /* |v|^2 = (square + d) 2^exponent, 0 <= d < 1; >= 2^30 */
     int32_t exponent;
 };
 

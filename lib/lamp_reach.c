@@ -70,8 +70,8 @@ static uint32_t lamp_falloff(uint32_t u)
     return rest >> 16 ? rest : (rest * rest + 32768) >> 16;
 }
 
-/* x = |e|^2 / range^2: u = floor(x 2^16 + 1/2). square and inverse multiply to x 2^30 2^shift 2^32. The square is low by < 2, the
- * inverse by 2^-31 of it or high by as much, and the product's upper half, < 2^32, by < 3 of its own: together -7.1 .. 2. */
+/* x = |e|^2 / range^2: u = floor(x 2^16 + 1/2). square and inverse multiply to x 2^30 2^shift 2^32. The square is low by < 1, the
+ * inverse by 2^-31 of it or high by as much, and the product's upper half, < 2^32, by < 3 of its own, the shift's floor by 1: together -7 .. 2. */
 enum { LAMP_FALLOFF_LOW = 8, LAMP_FALLOFF_HIGH = 3 };
 
 static uint32_t lamp_falloff_near(const struct glint_reach *reach, const struct glint_unit *e)

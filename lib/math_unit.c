@@ -35,8 +35,8 @@ static inline void unit_square(struct unit_squares *squares, uint32_t size)
 }
 
 /* size r 2^-30, with the sign of v. x r0 < 2^30, w r1 < 2^31; low by < 2. With r's errors, of which size / 2^30 <= 1 arrives, it is
- * -4.2 .. 1 from the true one before 2 are added. glint_unit_q30 is -0.51 .. 2.51 from it, as its length is low by < 1 of 2^29.
- * Whole numbers that differ by -4.8 .. 3.6 differ by at most 4. */
+ * -4.2 .. 2 from the true one before 2 are added. glint_unit_q30 is -0.5 .. 2.5 from it, as its length is low by < 1 of 2^29.
+ * Whole numbers that differ by -4.7 .. 4.5 differ by at most 4. */
 static inline int32_t unit_part(int32_t v, uint32_t size, uint32_t r)
 {
     const uint32_t x = size >> 15, w = size & 0x7fff, r1 = r >> 15, r0 = r & 0x7fff;
@@ -64,7 +64,7 @@ bool glint_unit_near(struct glint_unit *out, const int32_t v[3])
     unit_square(&sum, x);
     unit_square(&sum, y);
     unit_square(&sum, z);
-    sum.mixed += sum.rests >> 16; /* < 2^32; low by < 1, of which the square holds 2^-12 */
+    sum.mixed += sum.rests >> 16; /* < 2^32; what is left out is less than 1, and the square is rounded down */
     const bool small = !((sum.ones + (sum.mixed >> 14)) >> 30);
     const uint32_t square = small ? (sum.ones << 2) + (sum.mixed >> 12) : sum.ones + (sum.mixed >> 14);
     out->up = up;

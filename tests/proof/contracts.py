@@ -99,6 +99,7 @@ def cayley_ratio(n, t):
 
 QUOTIENT_ERROR = 2400
 QUOTIENT_P = 19300  # |p|
+INVERSE_LOW, INVERSE_HIGH = Fraction("2.2"), Fraction(2)  # of unit_inverse, in units of its result
 QUOTIENT_DOMAIN = WORD - 6000  # 2^62 u / m^2 is at most this: the sums stay within 32 bits
 MSH_QUOTIENT = Contract("glint_msh_quotient", [(0, 2**24), (1 << 27, (1 << 28) - 1)], (0, 1720000000),
                         before=lambda u, m: [QUOTIENT_DOMAIN * m * m - 2**62 * u],

@@ -59,6 +59,8 @@ if __name__ == "__main__":
     found, taken = slice_of(compiled(f"{sys.argv[1]}/lib/lobe_msh.c", f"{sys.argv[1]}/lib"))
     for name in ("RECIPROCAL_LOW", "RECIPROCAL_HIGH", "QUOTIENT_P", "FRACTION_LOW", "FRACTION_HIGH"):
         print(f"#define {name} INT64_C({getattr(contracts, name)})")
+    for name in ("INVERSE_LOW", "INVERSE_HIGH"):
+        print(f"#define {name} {float(getattr(contracts, name))}")
     print("/* 2^-(j / 512) in Q0.64, rounded down, j = 1..512. */")
     print("static const uint64_t root_powers[512] = {" + ", ".join(f"UINT64_C({root_power(j)})" for j in range(1, 513)) + "};")
     print("/* Printed by cut.py from what clang makes of glint_msh_quotient: y, p. */")

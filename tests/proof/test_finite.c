@@ -1,17 +1,22 @@
 /* SPDX-License-Identifier: MIT
- * What is finite is run whole: every mantissa of the reciprocal and of MSH's quotient, every fraction of Gauss's power. The bounds are those
- * of contracts.py, from which the proofs show the rest; finite.h is printed by cut.py. */
+ * What is finite is run whole: every mantissa of the reciprocal, of MSH's quotient and of the root's inverse, every fraction of Gauss's power.
+ * The bounds are those of contracts.py, from which the proofs show the rest; finite.h is printed by cut.py. */
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 
+#include <stdlib.h>
+
 #include <cmocka.h>
 
 #include "lobe_gauss.c"
+#include "math_unit.c"
 
 #include "glint_math_reciprocal.h"
+#include "glint_math_vector.h"
 
 #include "finite.h"
 
@@ -67,12 +72,60 @@ static void fractions_of_gausss_power_are_within_their_bounds_for_every_argument
     assert_int_equal(wrong, 0);
 }
 
-int main(void)
+/* Of a mantissa A whose floor is a, 2^46 / sqrt(A) is between those of a and a + 1; double is good to 2^-20 of what is asked. */
+static void inverses_of_the_root_of_every_mantissa_are_within_their_bounds(void **state)
+{
+    (void)state;
+    const double one = 0x1p46, margin = 0x1p-10;
+    long wrong = 0;
+#pragma omp parallel for reduction(+ : wrong)
+    for (uint32_t top = UINT32_C(1) << 14; top < UINT32_C(1) << 16; top++) {
+        double root = sqrt((double)(top << 16));
+        for (uint32_t rest = 0; rest <= 0xffff; rest++) {
+            const uint32_t a = top << 16 | rest, r = unit_inverse(a);
+            const double next = sqrt((double)a + 1);
+            wrong += r < UINT32_C(1) << 30 || r >= UINT32_C(1) << 31 ||
+                     (r + INVERSE_LOW) * root <= one + margin * root ||
+                     (r - INVERSE_HIGH) * next >= one - margin * next;
+            root = next;
+        }
+    }
+    assert_int_equal(wrong, 0);
+}
+
+/* Longer ones are the words' claim of GLINT_UNIT_GROWS. */
+static void short_vectors_that_are_off_by_1_are_off_by_what_grows(void **state)
+{
+    (void)state;
+    enum { LONGEST = 7, SIDE = 2 * LONGEST + 1 };
+    long checked = 0;
+    for (int i = 0; i < SIDE * SIDE * SIDE * 27; i++) {
+        const int32_t v[3] = {i % SIDE - LONGEST, i / SIDE % SIDE - LONGEST, i / SIDE / SIDE % SIDE - LONGEST};
+        const int off = i / (SIDE * SIDE * SIDE);
+        const int32_t w[3] = {v[0] + off % 3 - 1, v[1] + off / 3 % 3 - 1, v[2] + off / 9 - 1};
+        struct glint_unit unit;
+        int32_t other[3];
+        if (!glint_unit_near(&unit, v) || !glint_unit_q30(other, w))
+            continue;
+        for (int k = 0; k < 3; k++)
+            assert_true(llabs((int64_t)unit.unit_q30[k] - other[k]) <=
+                        GLINT_UNIT_SLACK + ((int64_t)GLINT_UNIT_GROWS << unit.up));
+        checked++;
+    }
+    assert_true(checked > 90000);
+}
+
+/* With an argument, the tests of that name: wildcards may be in it. */
+int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(reciprocals_of_every_mantissa_are_within_their_bounds),
         cmocka_unit_test(fractions_of_gausss_power_are_within_their_bounds_for_every_argument),
+        cmocka_unit_test(inverses_of_the_root_of_every_mantissa_are_within_their_bounds),
+        cmocka_unit_test(short_vectors_that_are_off_by_1_are_off_by_what_grows),
         cmocka_unit_test(factors_of_mshs_quotient_are_within_their_bounds_for_every_mantissa),
     };
+    if (argc > 1)
+        cmocka_set_test_filter(argv[1]);
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
