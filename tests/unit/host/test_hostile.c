@@ -135,10 +135,10 @@ static void a_signal_at_a_pipe_without_a_reader_ends_a_stream_with_its_status(vo
     } signals[] = {{"INT", 130}, {"TERM", 143}};
     for (int i = 0; i < 2; i++) {
         char line[200];
-        snprintf(
-            line, sizeof line,
-            "timeout --preserve-status -s %s 1 $GLINT stream sphere --size 16x16 --to png --frames 1 -o out/pipe.png",
-            signals[i].signal);
+        snprintf(line, sizeof line,
+                 "timeout --foreground --preserve-status -s %s 1 $GLINT stream sphere --size 16x16 --to png --frames 1 "
+                 "-o out/pipe.png",
+                 signals[i].signal);
         const struct run *result = run(line);
         assert_string_equal(result->err, "");
         assert_int_equal(result->status, signals[i].status);

@@ -227,7 +227,7 @@ static void an_interrupted_search_leaves_no_file(void **state)
     (void)state;
     /* 2.1e8 exponent sets: hours, were it not stopped; 124 is how timeout tells that it had to. */
     const struct run *result =
-        run("timeout -s INT 1 $GLINT search --exponents -3:3:0.05 -o stopped.txt; echo status $?; ls");
+        run("timeout --foreground -s INT 1 $GLINT search --exponents -3:3:0.05 -o stopped.txt; echo status $?; ls");
     assert_contains(result->out, "status 124");
     assert_null(strstr(result->out, "stopped"));
 }

@@ -292,7 +292,7 @@ static void a_signal_ends_it_while_a_file_is_waited_for(void **state)
     };
     for (size_t i = 0; i < sizeof waits / sizeof *waits; i++) {
         char line[200];
-        snprintf(line, sizeof line, "timeout -k 5 -s INT --preserve-status 1 $GLINT stream %s", waits[i]);
+        snprintf(line, sizeof line, "timeout --foreground -k 5 -s INT --preserve-status 1 $GLINT stream %s", waits[i]);
         const struct run *result = run(line);
         assert_int_equal(result->status, 130);
         assert_string_equal(result->err, "");

@@ -54,7 +54,8 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
 static void a_signal_ends_lines_of_lights_that_never_end(void **state)
 {
     (void)state;
-    const struct run *result = run("yes '' | timeout --preserve-status -k 9 -s INT .5 " SPHERE "--to none --lights -");
+    const struct run *result =
+        run("yes '' | timeout --foreground --preserve-status -k 9 -s INT .5 " SPHERE "--to none --lights -");
     assert_int_equal(result->status, 130);
     assert_string_equal(result->err, "");
 }

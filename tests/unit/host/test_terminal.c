@@ -35,7 +35,7 @@ static void the_terminal_shows_it_and_gets_its_cursor_back(void **state)
     assert_int_equal(paced->status, 0);
     assert_true(strtod(run("grep '\"seconds\"' paced | tr -dc 0-9.")->out, NULL) >=
                 .3); /* and as slow as the machine */
-    assert_int_equal(run(IN_TERMINAL("timeout -s INT 1 " COIN "--fps 4; test \\$? = 124"))->status, 0);
+    assert_int_equal(run(IN_TERMINAL("timeout --foreground -s INT 1 " COIN "--fps 4; test \\$? = 124"))->status, 0);
     read_text("typed", typed, sizeof typed);
     assert_contains(typed, "\033[?25h");
 }
