@@ -26,8 +26,9 @@ static double (*turned_normals(const struct mesh *mesh, const struct view *view)
 static double (*corner_colors(const struct mesh *mesh))[3]
 {
     double(*colors)[3] = allocate(3 * mesh->face_count, sizeof *colors);
-    for (size_t i = 0; i < 9 * mesh->face_count; i++)
-        colors[i / 3][i % 3] = mesh->colors[mesh->faces[i / 9][i / 3 % 3]][i % 3] / 255.;
+    for (size_t i = 0; i < 3 * mesh->face_count; i++)
+        for (int k = 0; k < 3; k++)
+            colors[i][k] = (double)mesh->colors[mesh->faces[i / 3][i % 3]][k] / 255;
     return colors;
 }
 

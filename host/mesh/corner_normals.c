@@ -118,7 +118,7 @@ static bool is_vertex(const struct mesh *mesh, uint32_t vertex, const double nor
                       const uint8_t color[3])
 {
     return mesh_dot(mesh->normals[vertex], normal) >= same &&
-           (!mesh->colors || memcmp(mesh->colors[vertex], color, sizeof *mesh->colors) == 0);
+           (!mesh->colors || memcmp(mesh->colors[vertex], color, 3) == 0);
 }
 
 void corner_normals_join(struct mesh *mesh, const struct soup *soup, const size_t *from, double (*places)[3],
@@ -145,7 +145,7 @@ void corner_normals_join(struct mesh *mesh, const struct soup *soup, const size_
             memcpy(mesh->places[vertex - 1], places[place], sizeof *places);
             memcpy(mesh->normals[vertex - 1], normal, sizeof *mesh->normals);
             if (mesh->colors)
-                memcpy(mesh->colors[vertex - 1], color, sizeof *mesh->colors);
+                memcpy(mesh->colors[vertex - 1], color, 3);
             mesh->at[vertex - 1] = place;
             next[vertex - 1] = first[place];
             first[place] = vertex;
