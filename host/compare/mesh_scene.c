@@ -26,21 +26,24 @@ static double (*turned_normals(const struct mesh *mesh, const struct view *view)
 static double (*corner_colors(const struct mesh *mesh))[3]
 {
     double(*colors)[3] = allocate(3 * mesh->face_count, sizeof *colors);
-    for (size_t i = 0; i < 3 * mesh->face_count; i++)
+    for (size_t i = 0; i < 3 * mesh->face_count; i++) {
+        const uint8_t *color = mesh->colors[mesh->faces[i / 3][i % 3]];
         for (int k = 0; k < 3; k++)
-            colors[i][k] = (double)mesh->colors[mesh->faces[i / 3][i % 3]][k] / 255;
+            colors[i][k] = color[k] / 255.;
+    }
     return colors;
 }
 
 /* Of each pixel. */
 static uint8_t *albedo_of(const struct mesh *mesh, const struct fitted *fitted, const struct view *view)
 {
-    const size_t values = (size_t)3 * view->width * view->height;
-    uint8_t *albedo = allocate(values, 1);
+    const size_t pixels = (size_t)view->width * view->height;
+    uint8_t *albedo = allocate(pixels, 3);
     double(*colors)[3] = corner_colors(mesh);
     struct mesh_raster *raster = mesh_raster(mesh, fitted, view, colors);
-    for (size_t i = 0; i < values; i++)
-        albedo[i] = (uint8_t)lround(255 * raster->values[i / 3][i % 3]);
+    for (size_t i = 0; i < pixels; i++)
+        for (int k = 0; k < 3; k++)
+            albedo[3 * i + (size_t)k] = (uint8_t)lround(255 * raster->values[i][k]);
     mesh_raster_free(raster);
     free(colors);
     return albedo;
