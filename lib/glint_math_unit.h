@@ -2,8 +2,8 @@
  * Internal. A vector's direction, nearly that of glint_unit_q30, from products of 32 bits.
  *
  * Sizes come shifted up, the largest to 2^29 .. 2^30. The sum of their squares has a mantissa of 32 bits, whose root is inverted
- * by two steps of Newton in 16 bits and one of the third order in 32. tests/proof shows what is said of SLACK and GROWS, and tests/exact/test_unit
- * checks each step. */
+ * by two steps of Newton in 16 bits and one of the third order in 32. tests/proof shows what is said of
+ * directions; tests/exact/test_unit checks each step. */
 #ifndef GLINT_MATH_UNIT_H
 #define GLINT_MATH_UNIT_H
 
@@ -25,7 +25,7 @@ struct glint_unit {
 bool glint_unit_near(struct glint_unit *unit, const int32_t v[3]);
 
 /* h, the direction of half of l + (0, 0, 1), for an l of glint_unit_near with l_z >= 0: off that of glint_unit_q30 from its own l by
- * no more than GLINT_UNIT_FRONT. math_unit.c has the sum. */
+ * no more than GLINT_UNIT_FRONT. math_unit.c has the sum, tests/proof shows it. */
 enum { GLINT_UNIT_FRONT = 20 };
 void glint_unit_front(int32_t h_q30[3], const int32_t l_q30[3]);
 

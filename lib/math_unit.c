@@ -78,10 +78,9 @@ bool glint_unit_near(struct glint_unit *out, const int32_t v[3])
 }
 
 /* As l is of length 1, |l + (0, 0, 1)|^2 / 4 = (1 + l_z) / 2, which is the mantissa: h = (l + (0, 0, 1)) / 2 over its root r.
- * In units of 2^-30: l is off its own by up to 4, that by 2.51, so |l|^2 is off 1 by up to 2 sqrt(3) 6.51 = 22.6, and h by a quarter of
- * it, 5.7 (an l_z above 1 counts as 1, where a quarter of less is added: 22.6 / 8 + 7 / 4). The other l turns h by up to
- * 4 sqrt(3) / sqrt(2) = 4.9, the floor of its half by 1.3. A part is -6.4 .. 1 from the true one before 2 are added, as r is low by
- * 2.2 and the size < 2^31; glint_unit_q30 is -.51 .. 2.51 from it: 7. In all less than 19. */
+ * In units of 2^-30, from the h of the true l: l is off by up to 4, so its half over the root by 4.26, and 1 + l_z over it by 4.61 (an
+ * l_z above 1 counts as 1). A part is off that by -3.3 .. 4.1, as r is -1.6 .. 1 from the true one and the size < 2^31 + 8. The sequence
+ * turns h by up to 6.75 with what it rounds before, and rounds a part by -.5 .. 2.5. In all at most 17: tests/proof. */
 void glint_unit_front(int32_t h[3], const int32_t l[3])
 {
     const uint32_t z = (uint32_t)l[2], one = (uint32_t)1 << 30;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * For Eva: lights and lamps of any direction and place, over what is said of directions (glint_unit_q30, glint_unit_near), which
- * eva_vectors.c and test_words show.
+ * For Eva: lights and lamps of any direction and place, over what is said of directions, which eva_vectors.c and test_words show: parts
+ * of glint_unit_near end at 2^30 + 4 and those of glint_unit_front at 2^30 + 8; square and shift are those of its words.
  * eva: -eva-precision 3 -eva-slevel 60 -eva-split-return auto -eva-use-spec glint_unit_q30,glint_unit_near,glint_unit_front */
 #include "eva.h"
 #include "glint_lamp.h"
