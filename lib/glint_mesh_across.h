@@ -37,10 +37,10 @@ static inline void glint_mesh_across_at(const struct glint_mesh_across *across, 
                  (uint32_t)(y - across->y) * across->of[k].y;
 }
 
-/* A number as it is at a pixel, and on to the one right of it. */
+/* A number as it is at a pixel, and on to the one right of it. Of a sliver it may be any word: so the sum is modulo 2^32, too. */
 static inline int16_t glint_mesh_across_next(const struct glint_mesh_slope *slope, uint32_t *now)
 {
-    const int32_t nearest = ((int32_t)*now + (1 << 13)) >> 14;
+    const int32_t nearest = (int32_t)(*now + (1 << 13)) >> 14;
     *now += slope->x;
     return (int16_t)(nearest < slope->least ? slope->least : nearest > slope->most ? slope->most : nearest);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Meshes under several lights. */
 #include "lamps.h"
+#include "glint_mesh_across.h"
 #include "meshes.h"
 
 static struct made_mesh mesh;
@@ -243,6 +244,21 @@ static void wrong_lamps_and_memory_are_refused(void **state)
     assert_int_equal(strip_with(&lights), GLINT_ERR_ARG);
 }
 
+/* A sliver's slopes are coarse, so that its sum may come to any word: also to those to which half a unit adds up beyond 2^31. */
+static void a_number_of_a_sliver_is_held_between_its_corners_whatever_its_sum_is(void **state)
+{
+    (void)state;
+    static const uint32_t sums[] = {0,         INT32_MAX - 8192u,   INT32_MAX - 8191u,
+                                    INT32_MAX, (uint32_t)INT32_MIN, UINT32_MAX};
+    static const int16_t held[] = {3, 200, 3, 3, 3, 3};
+    const struct glint_mesh_slope slope = {0, 1 << 14, 0, 3, 200};
+    for (unsigned i = 0; i < sizeof sums / sizeof *sums; i++) {
+        uint32_t now = sums[i];
+        assert_int_equal(glint_mesh_across_next(&slope, &now), held[i]);
+        assert_int_equal(now, sums[i] + (1 << 14));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -250,6 +266,7 @@ int main(void)
         cmocka_unit_test(a_pixel_is_that_of_glint_shade_lights_for_its_normal_and_place),
         cmocka_unit_test(one_white_directional_lamp_is_near_the_path_of_one_light),
         cmocka_unit_test(wrong_lamps_and_memory_are_refused),
+        cmocka_unit_test(a_number_of_a_sliver_is_held_between_its_corners_whatever_its_sum_is),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
