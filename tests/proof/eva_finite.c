@@ -6,6 +6,7 @@
 #include "glint.h"
 #include "glint_lobe_msh.h"
 #include "glint_math_reciprocal.h"
+#include "glint_mesh_gradient.h"
 
 /* Their static functions, too: the sources under names of their own. */
 #define glint_unit_near finite_unit_near
@@ -55,6 +56,18 @@ static uint32_t inverses(void)
     return beyond;
 }
 
+/* Is a mesh's inverse 2^15..2^16, 2^16 for a power of two, and the reciprocal that it is cut from 2^30..2^31 + 15? */
+static uint32_t mesh_inverses(void)
+{
+    uint32_t beyond = glint_mesh_inverse((uint32_t)1 << 27) != 65536;
+#pragma omp parallel for reduction(+ : beyond)
+    for (uint32_t m = (uint32_t)1 << 27; m < (uint32_t)1 << 28; m++) {
+        const uint32_t inverse = glint_mesh_inverse(m), whole = glint_reciprocal(m);
+        beyond += inverse < 32768 || inverse > 65536 || whole < (uint32_t)1 << 30 || whole > ((uint32_t)1 << 31) + 15;
+    }
+    return beyond;
+}
+
 /* MSH from below with every n: as the shift grows with 1 - t_end, of each shift the first and last t_end; as m grows with t, 0,
  * t_end - 1, and t whose lower 14 bits are greatest or least beside them. m outside 2^27 .. 2^28 would be an index beyond the table. */
 static uint32_t below_of(uint32_t n, uint32_t t_end)
@@ -99,9 +112,11 @@ static uint32_t below(void)
 
 int main(void)
 {
-    const uint32_t sums[] = {mantissas(), cosines(), bytes(), below()}, beyond = inverses();
+    const uint32_t sums[] = {mantissas(), cosines(), bytes(), below()}, beyond = inverses(), outside = mesh_inverses();
     printf("%s 1 - no inverse of a root is high by more than 2\n", beyond ? "not ok" : "ok");
-    printf("ok 2 - what Eva leaves open and is finite has no undefined behaviour: sums %u %u %u %u\n1..2\n",
+    printf("%s 2 - a mesh's inverses are 2^15 to 2^16, and their reciprocals 2^30 to 2^31 + 15\n",
+           outside ? "not ok" : "ok");
+    printf("ok 3 - what Eva leaves open and is finite has no undefined behaviour: sums %u %u %u %u\n1..3\n",
            (unsigned)sums[0], (unsigned)sums[1], (unsigned)sums[2], (unsigned)sums[3]);
-    return beyond != 0;
+    return beyond || outside;
 }

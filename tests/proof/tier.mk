@@ -19,7 +19,7 @@ test-proof: ## check: the library for every argument: values from t, proved
 
 run-proof: $(PROOF_BUILD)/test_finite $(CONFORMANCE_EXPECTED)
 	@HOST_FLAGS="$(filter -std=% -I% -D% -f%,$(HOST_CFLAGS))" HOST_SOURCES="$(HOST_SOURCES)" EXPECTED=$(CONFORMANCE) \
-		TALLY_JOBS=2 tests/tally $(addprefix tests/proof/test_,lobes faults powers static msh pixel words) \
+		TALLY_JOBS=2 tests/tally $(addprefix tests/proof/test_,lobes faults powers static msh pixel words mesh_words) \
 		$(PROOF_BUILD)/test_finite
 
 # Frama-C is 1.4 GB, and Eva takes minutes: not part of make test.

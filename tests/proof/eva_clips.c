@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT
+ * For Eva: any face clipped by all planes, with or without perspective, and what its corners' colours and normals are across it. A crossing
+ * lies between its corners (test_mesh_words).
+ * eva: -eva-precision 1 -eva-min-loop-unroll 8 -eva-slevel 60 -split-zeros -eva-use-spec of_between */
+#include "eva_meshes.h"
+#include "glint_mesh_lists.h"
+#define glint_mesh_clip of_clip
+#define glint_mesh_clip_vertex of_clip_vertex
+#define clip_between of_between
+/*@ requires 0 < whole; assigns \result \from a, b, part, whole; ensures \result <= \max(a, b); ensures \result >= \min(a, b); */
+static int32_t clip_between(int32_t a, int32_t b, int32_t part, int32_t whole);
+#include "mesh_clip.c"
+
+static struct glint_mesh_frame frame;
+static struct glint_mesh_drawn drawn;
+static struct glint_mesh_polygon polygon;
+
+static int32_t within(int32_t most)
+{
+    const int32_t v = any_signed;
+    return v > most ? most : v < -most ? -most : v;
+}
+
+static void prepare(uint16_t distance)
+{
+    frame.w = (uint16_t)(1 + any % GLINT_MESH_SIZE_MAX);
+    frame.h = (uint16_t)(1 + any % GLINT_MESH_SIZE_MAX);
+    frame.distance = distance;
+    drawn.l = any_vector();
+    drawn.h = any_vector();
+}
+
+/* A plane after the other, in the order of glint_mesh_clip: places before the projection are below 2^18, after it below 2^22. */
+static void plane(unsigned plane, unsigned count, int32_t most)
+{
+    for (polygon.now = 0; polygon.now < 2; polygon.now++) {
+        for (unsigned i = 0; i < count; i++) {
+            const struct glint_mesh_clipped corner = {{within(most), within(most), within(most)},
+                                                      any_vector(),
+                                                      {(uint16_t)(any % 32769), (uint16_t)(any % 32769)}};
+            polygon.list[polygon.now].corner[i] = corner;
+        }
+        const uint8_t now = polygon.now;
+        (void)clip_plane(&polygon, count, &frame, plane);
+        polygon.now = now;
+    }
+}
+void eva_mesh_clip_planes(void)
+{
+    prepare((uint16_t)any);
+    for (unsigned count = 3; count <= GLINT_MESH_POLYGON; count++) {
+        plane(GLINT_MESH_NEAR, count, (1 << 18) - 1);
+        for (unsigned at = GLINT_MESH_LEFT; at <= GLINT_MESH_BELOW; at <<= 1)
+            plane(at, count, (1 << 22) - 1);
+    }
+}
+
+void eva_mesh_clip_vertex(void)
+{
+    struct glint_mesh_vertex vertex;
+    const int32_t guard = GLINT_MESH_GUARD;
+    const struct glint_mesh_clipped corner = {{within(guard), within(guard), any % 65536}, any_vector(), {0, 0}};
+    prepare((uint16_t)any);
+    glint_mesh_clip_vertex(&vertex, &frame, &drawn, &corner);
+}
