@@ -4,9 +4,10 @@
  * is as fast as white.
  *
  * In units of 2^-16, with c <= C: N = c x + a and n = C x + b, |a|, |b| <= 1/2; D' = D c / C - e, 0 <= e < 1 + 2^-7. So
- * D N - D' n = D (a - b c / C) + e n, from -D to D + (1 + 2^-7) 2, as n <= 2; and of S and F, which is up to 33/16, likewise. With M
- * levels V is high by at most M (D + S) units of 2^(shift - 16), which is taken off thresholds, and W grows by twice that and by
- * 33/8 M. Albedo and gloss, <= 1, only lessen this; in grey the channels' parts of M add up to M. */
+ * D N - D' n = D (a - b c / C) + e n, from -D to D + (1 + 2^-7) 2, as n <= 2; and of S and F, which is up to 33/16 and its slack,
+ * likewise. With M levels V is high by at most M (D + S) units of 2^(shift - 16), which is taken off thresholds, and W grows by
+ * twice that and by 33/8 M. Albedo and gloss, <= 1, only lessen this; in grey the channels' parts of M add up to M. tests/proof
+ * shows it. */
 #include "glint_lights_fold.h"
 #include "glint_lights.h"
 #include "glint_pixel_exact.h"
