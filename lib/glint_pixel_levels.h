@@ -30,7 +30,7 @@ void glint_levels_exact(uint64_t v[3], const struct glint_shader *shader, const 
 
 #define GLINT_INLINE static inline __attribute__((always_inline))
 
-/* x / 255 for x < 2^25: low by < 1 + 2^-6, never high. 1 / 255 = 2^-8 + 2^-16 + 2^-24 + .. */
+/* x / 255 for x <= 33/16 2^16 255, as lights sum to: low by < 1 + 2^-6, never high (tests/proof). 1 / 255 = 2^-8 + 2^-16 + 2^-24 + .. */
 GLINT_INLINE uint32_t glint_by_255(uint32_t x)
 {
     return (x + (x >> 8) + (x >> 16)) >> 8;

@@ -139,7 +139,7 @@ static uint32_t lights_total(const struct glint_lamp *lamps, unsigned count, uin
 }
 
 /* Sums may reach so much, <= 2.0: where the lamps do, and V < 2^32 - 2^20 remains. W, <= 2^(shift - 1) at 1.0, grows no more than
- * they. Linear space has less room. */
+ * they, and enough (tests/proof). Linear space has less room. */
 static GLINT_LIGHTS_ALONE uint32_t lights_most(struct glint_prepared *p, uint32_t total)
 {
     uint32_t most = total < 131072 ? total : 131072;
