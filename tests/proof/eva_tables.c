@@ -28,6 +28,11 @@ void eva_fill_albedo(void)
     fill(GLINT_TABLES_ALBEDO, GLINT_GAMMA, false);
 }
 
+void eva_fill_colour_dithered(void)
+{
+    fill(GLINT_TABLES_COLOUR, GLINT_GAMMA, true);
+}
+
 /* SMALL tables as they are filled. */
 static void small(struct glint_tables *tables, uint8_t format, uint8_t shift)
 {
