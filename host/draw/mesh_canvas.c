@@ -55,29 +55,20 @@ struct mesh_canvas *mesh_canvas_new(const struct fitted *fitted, const struct sh
         canvas->mesh.normals = NULL;
     for (unsigned i = 0; i < count; i++) {
         const struct glint_shader shader = shading_shader(&shadings[i]);
-        struct glint_mesh_albedo *albedo = &canvas->albedos[i];
-        enum glint_err error;
-        if (fitted->colors)
-            albedo->of_vertices = fitted->colors[0];
-        if (path.by_tables) {
-            error =
-                glint_tables_fill(&canvas->tables[i], path.kind, &shader, canvas->memory[i], sizeof *canvas->memory);
-            canvas->paints[i] = (struct glint_paint){&glint_mesh_tables, &canvas->tables[i]};
-            albedo->with = &canvas->tables[i];
-        } else {
-            error = glint_shade_prepare(&canvas->prepared[i], &shader);
-            canvas->paints[i] = (struct glint_paint){&glint_mesh_exact, &canvas->prepared[i]};
-            albedo->with = &canvas->prepared[i];
-        }
-        if (fitted->colors)
-            canvas->paints[i] =
-                (struct glint_paint){path.by_tables ? &glint_mesh_tables_albedo : &glint_mesh_exact_albedo, albedo};
+        const void *with = path.by_tables ? (const void *)&canvas->tables[i] : (const void *)&canvas->prepared[i];
+        const enum glint_err error = path.by_tables ? glint_tables_fill(&canvas->tables[i], path.kind, &shader,
+                                                                        canvas->memory[i], sizeof *canvas->memory)
+                                                    : glint_shade_prepare(&canvas->prepared[i], &shader);
+        if (error == GLINT_ERR_ARG && path.kind == GLINT_TABLES_ALBEDO)
+            fail("--path %s: %s", path_names[shadings[0].path], path_needs_grey);
         if (error != GLINT_OK)
-            fail(path.kind == GLINT_TABLES_ALBEDO && path.by_tables
-                     ? "--path %s: needs a grey --ambient and --diffuse of at most 1 together, as --ambient .1 "
-                       "--diffuse .9"
-                     : "--path %s: the library refused the material",
-                 path_names[shadings[0].path]);
+            fail("--path %s: the library refused the material (error %d)", path_names[shadings[0].path], error);
+        canvas->paints[i] = (struct glint_paint){path.by_tables ? &glint_mesh_tables : &glint_mesh_exact, with};
+        if (!fitted->colors)
+            continue;
+        canvas->albedos[i] = (struct glint_mesh_albedo){with, fitted->colors[0], NULL};
+        canvas->paints[i] = (struct glint_paint){path.by_tables ? &glint_mesh_tables_albedo : &glint_mesh_exact_albedo,
+                                                 &canvas->albedos[i]};
     }
     return canvas;
 }

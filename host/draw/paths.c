@@ -55,6 +55,9 @@ struct way {
 
 enum { SPAN_PIXELS = 16 }; /* a curve is cut into spans of at most so many */
 
+const char path_needs_grey[] =
+    "needs a grey --ambient and --diffuse of at most 1 together, as --ambient .1 --diffuse .9";
+
 const char *path_refusal(const struct shading *shading)
 {
     const struct path *path = &paths[shading->path];
@@ -211,8 +214,7 @@ static void fill(struct way *way, const char *name)
     const enum glint_err error =
         glint_tables_fill(&way->tables, kinds[way->path->by], &way->shader, way->memory, sizeof way->memory);
     if (error == GLINT_ERR_ARG && way->path->by == ALBEDO)
-        fail("--path %s: needs a grey --ambient and --diffuse of at most 1 together, as --ambient .1 --diffuse .9",
-             name);
+        fail("--path %s: %s", name, path_needs_grey);
     if (error != GLINT_OK)
         fail("--path %s: the library refused the tables", name);
 }

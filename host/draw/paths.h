@@ -17,6 +17,7 @@ struct mesh_path {
     bool by_tables, normals8;
     enum glint_tables_kind kind;
 };
+extern const char path_needs_grey[]; /* where ALBEDO tables refuse a material */
 const char *path_of_mesh(const struct shading *shading, bool has_colors, struct mesh_path *of_mesh);
 
 /* A path other than [0], made ready for a scene. It draws over what the exact path has drawn; pixels that it cannot draw

@@ -89,34 +89,45 @@ static struct mesh_material material_of(const struct aiMaterial *from, bool line
     return material;
 }
 
-/* What colours of vertices are times: glTF's base colour; else they stand in the place of the material's. */
-static struct aiColor4D base_of(const struct aiMaterial *material, bool linear)
-{
-    struct aiColor4D color = {1, 1, 1, 1};
-    if (linear)
-        lib.aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &color);
-    return color;
-}
+/* Of a mesh with its material: the colours of its vertices, which a glTF's base colour is times and which else stand in the place of the
+ * material's; without them the material's. */
+struct colors {
+    const struct aiColor4D *of_vertices;
+    double times[3];
+    uint8_t own[3];
+    bool linear;
+};
 
-/* Where this mesh has no colours and another one has: its material's. */
-static void set_color(uint8_t out[3], const struct aiMesh *mesh, unsigned vertex, const struct aiMaterial *material,
-                      bool linear)
+static struct colors colors_of(const struct aiScene *scene, const struct aiMesh *mesh, bool linear)
 {
-    const struct mesh_material own = material_of(material, linear);
-    memset(out, 255, 3);
-    if (mesh->mColors[0]) {
-        const struct aiColor4D *color = &mesh->mColors[0][vertex], base = base_of(material, linear);
-        const double parts[3] = {(double)color->r * (double)base.r, (double)color->g * (double)base.g,
-                                 (double)color->b * (double)base.b};
-        for (int k = 0; k < 3; k++)
-            out[k] = level(parts[k], linear);
-    } else if (own.has_color) {
-        memcpy(out, own.color, 3);
+    struct colors colors = {mesh->mColors[0], {1, 1, 1}, {255, 255, 255}, linear};
+    struct aiColor4D base;
+    if (mesh->mMaterialIndex >= scene->mNumMaterials)
+        return colors; /* the parent refuses it */
+    const struct aiMaterial *from = scene->mMaterials[mesh->mMaterialIndex];
+    const struct mesh_material material = material_of(from, linear);
+    if (material.has_color)
+        memcpy(colors.own, material.color, sizeof colors.own);
+    if (linear && lib.aiGetMaterialColor(from, AI_MATKEY_COLOR_DIFFUSE, &base) == aiReturn_SUCCESS) {
+        colors.times[0] = (double)base.r;
+        colors.times[1] = (double)base.g;
+        colors.times[2] = (double)base.b;
     }
+    return colors;
 }
 
-static void send_faces(int out, const struct aiScene *scene, const struct aiMesh *mesh, const struct import_head *head,
-                       bool linear)
+static void set_color(uint8_t out[3], const struct colors *colors, unsigned vertex)
+{
+    memcpy(out, colors->own, sizeof colors->own);
+    if (!colors->of_vertices)
+        return;
+    const struct aiColor4D *color = &colors->of_vertices[vertex];
+    const double parts[3] = {(double)color->r, (double)color->g, (double)color->b};
+    for (int k = 0; k < 3; k++)
+        out[k] = level(parts[k] * colors->times[k], colors->linear);
+}
+
+static void send_faces(int out, const struct aiMesh *mesh, const struct import_head *head, const struct colors *colors)
 {
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
         const struct aiFace *from = &mesh->mFaces[i];
@@ -128,7 +139,7 @@ static void send_faces(int out, const struct aiScene *scene, const struct aiMesh
             const double at[3] = {(double)place->x, (double)place->y, (double)place->z};
             memcpy(face.places[k], at, sizeof at);
             if (head->has_colors)
-                set_color(face.colors[k], mesh, from->mIndices[k], scene->mMaterials[mesh->mMaterialIndex], linear);
+                set_color(face.colors[k], colors, from->mIndices[k]);
             if (!head->has_normals)
                 continue;
             const struct aiVector3D *normal = &mesh->mNormals[from->mIndices[k]];
@@ -190,8 +201,10 @@ void import_child(const struct import_source *source, int out)
         const struct mesh_material material = material_of(scene->mMaterials[i], linear);
         send(out, &material, sizeof material);
     }
-    for (unsigned i = 0; i < scene->mNumMeshes; i++)
-        send_faces(out, scene, scene->mMeshes[i], &head, linear);
+    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+        const struct colors colors = colors_of(scene, scene->mMeshes[i], linear);
+        send_faces(out, scene->mMeshes[i], &head, &colors);
+    }
 }
 
 #else

@@ -10,8 +10,7 @@ enum key { KEY_MESH = 576, KEY_CREASE, KEY_SPLIT, KEY_AXES };
 static const struct argp_option argp_options[] = {
     {"mesh", KEY_MESH, "FILE", 0,
      "A mesh of triangles: OBJ, STL, PLY or glTF (- is standard input). Its colours, of materials or vertices, are "
-     "used, its textures "
-     "are not",
+     "used, its textures are not",
      1},
 
     {NULL, 0, NULL, 0, "The mesh:", 7}, /* below the commands' own groups */

@@ -23,14 +23,19 @@ struct mesh_stream {
     struct view view; /* at the start */
 };
 
+static void load(struct mesh_stream *stream, const struct mesh_source *source)
+{
+    stream->mesh = mesh_load(source);
+    stream->fitted = mesh_fit(stream->mesh, 0);
+    if (stream->options->look.has_color)
+        fitted_forget_colors(stream->fitted);
+}
+
 struct mesh_stream *mesh_stream_new(const struct stream_options *options)
 {
     struct mesh_stream *stream = allocate(1, sizeof *stream);
     stream->options = options;
-    stream->mesh = mesh_load(&options->look.scene.mesh);
-    stream->fitted = mesh_fit(stream->mesh, 0);
-    if (options->look.has_color)
-        fitted_forget_colors(stream->fitted);
+    load(stream, &options->look.scene.mesh);
     return stream;
 }
 
@@ -76,10 +81,7 @@ static void split_as(struct mesh_stream *stream, unsigned degrees)
     source.split = degrees;
     fitted_free(stream->fitted);
     mesh_free(stream->mesh);
-    stream->mesh = mesh_load(&source);
-    stream->fitted = mesh_fit(stream->mesh, 0);
-    if (stream->options->look.has_color)
-        fitted_forget_colors(stream->fitted);
+    load(stream, &source);
 }
 
 /* What has a board hold the mesh. */
@@ -99,17 +101,15 @@ void mesh_device_find(struct mesh_stream *stream, struct sink *sink)
         fail("--shade device: a device draws a mesh in one material, and this one has %u; leave it out",
              (unsigned)stream->fitted->mesh.part_count);
     if (stream->fitted->colors)
-        fail("--shade device: a device draws a mesh in one colour, and this one has its vertices'; leave it out, or "
-             "give "
-             "one by --color");
+        fail("--shade device: a device draws a mesh in one colour, and this one has its vertices'; leave it "
+             "out, or give one by --color");
     if (!sink->kind->shader->find_mesh(sink, &there))
         fail("--shade device: %s holds no mesh; leave it out", sink->name);
     if (!mesh_in_device(&there, stream->fitted) && !stream->canvas && there.split >= 1 && there.split <= 180)
         split_as(stream, there.split);
     if (!mesh_in_device(&there, stream->fitted))
-        fail("--shade device: %s holds another mesh, of %u vertices and %u triangles; leave it out, or build the "
-             "board's "
-             "firmware with %s",
+        fail("--shade device: %s holds another mesh, of %u vertices and %u triangles; leave it out, or "
+             "build the board's firmware with %s",
              sink->name, there.vertices, there.faces, held_by(stream));
 }
 

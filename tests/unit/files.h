@@ -18,6 +18,14 @@ static inline size_t read_file(const char *path, uint8_t *bytes, size_t room)
     return len;
 }
 
+static inline void write_text(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    assert_int_equal(fclose(file), 0);
+}
+
 /* With a 0 at its end; the caller frees it. */
 static inline char *whole_file(const char *path)
 {

@@ -64,14 +64,6 @@ static void a_split_edges_middle_has_the_mean_of_its_ends_and_ordering_keeps_col
 }
 
 #if GLINT_WITH_MESH
-static void write_text(const char *path, const char *text)
-{
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
-}
-
 #define GLTF(attributes, material, accessors)                                                                          \
     "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"              \
     "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0" attributes "}" material "}]}],"                     \

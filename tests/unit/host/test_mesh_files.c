@@ -4,14 +4,6 @@
 
 #include "mesh/import.h"
 
-static void write_text(const char *path, const char *text)
-{
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
-}
-
 static void the_teapot_is_drawn_baked_and_streamed_without_a_file(void **state)
 {
     (void)state;

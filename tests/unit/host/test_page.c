@@ -124,7 +124,7 @@ static void a_request_with_long_headers_gets_the_page(void **state)
     assert_page(client);
 }
 
-/* Browsers open connections ahead of need; whoever is slow waits alone. */
+/* A browser may open a connection before it has anything to ask. It must not delay the others. */
 static void connections_that_say_nothing_hold_nobody_up(void **state)
 {
     (void)state;

@@ -35,14 +35,6 @@ static void a_baked_mesh_compiles_and_is_what_raw_holds(void **state)
 }
 
 #if GLINT_WITH_MESH
-static void write_text(const char *path, const char *text)
-{
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
-}
-
 static const char triangle[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 /* Read as C and as C++, drawn by hand at the pose of glint render. */
