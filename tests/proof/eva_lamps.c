@@ -3,17 +3,9 @@
  * of glint_unit_near end at 2^30 + 4 and those of glint_unit_front at 2^30 + 8; square and shift are those of its words.
  * eva: -eva-precision 3 -eva-slevel 60 -eva-split-return auto -eva-use-spec glint_unit_q30,glint_unit_near,glint_unit_front */
 #include "eva.h"
+#include "eva_directions.h"
 #include "glint_lamp.h"
 #include "glint_math_unit.h"
-#include "glint_math_vector.h"
-
-/*@ assigns out[0 .. 2], \result \from v[0 .. 2];
-    ensures \result == 0 || \result == 1;
-    ensures \initialized(out + (0 .. 2));
-    ensures -0x40000000 <= out[0] <= 0x40000000;
-    ensures -0x40000000 <= out[1] <= 0x40000000;
-    ensures -0x40000000 <= out[2] <= 0x40000000; */
-bool glint_unit_q30(int32_t out[3], const int32_t v[3]);
 
 /*@ assigns *unit, \result \from v[0 .. 2];
     ensures \result == 0 || \result == 1;

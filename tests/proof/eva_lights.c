@@ -3,9 +3,9 @@
  * runs of every length, any normals, colours and places. What of a lamp reaches a pixel: eva_lamps.c; levels from sums: eva_pixels.c.
  * eva: -eva-precision 1 -eva-min-loop-unroll 9 -eva-slevel 12 -eva-use-spec glint_msh_t,glint_schlick_t,glint_blinn_t,glint_gauss_t,glint_cayley_t,glint_lyon_t,glint_reach_init,glint_reach_near,glint_reach_exact,glint_unit_q30 */
 #include "eva.h"
+#include "eva_directions.h"
 #include "glint_lamp.h"
 #include "glint_lights_fold.h"
-#include "glint_math_vector.h"
 
 /*@ assigns *reach \from lamp->kind; ensures \initialized(reach); */
 void glint_reach_init(struct glint_reach *reach, const struct glint_lamp *lamp);
@@ -15,13 +15,6 @@ uint32_t glint_reach_near(const struct glint_reach *reach, const struct glint_la
 /*@ assigns light->l, light->h, \result \from lamp->kind; ensures \result <= 65536; */
 uint32_t glint_reach_exact(const struct glint_reach *reach, const struct glint_lamp *lamp,
                            const struct glint_sight *sight, struct glint_light *light);
-/*@ assigns out[0 .. 2], \result \from v[0 .. 2];
-    ensures \result == 0 || \result == 1;
-    ensures \initialized(out + (0 .. 2));
-    ensures -0x40000000 <= out[0] <= 0x40000000;
-    ensures -0x40000000 <= out[1] <= 0x40000000;
-    ensures -0x40000000 <= out[2] <= 0x40000000; */
-bool glint_unit_q30(int32_t out[3], const int32_t v[3]);
 
 /* The library's, with its static functions. */
 #define glint_shade_lights of_shade_lights
