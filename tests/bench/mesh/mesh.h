@@ -16,9 +16,8 @@ enum mesh_way { MESH_BY_TABLES, MESH_EXACT, MESH_GOURAUD };
 extern uint32_t mesh_out[MESH_WIDTH * MESH_LINES / 2]; /* a strip, RGB565 */
 
 int mesh_begin(enum mesh_way way); /* the material; not counted */
-int mesh_frame(
-    unsigned
-        which); /* 0: the teapot as shipped; 1: split at 30 degrees; 2: as 0, with fewer places; 3: the bunny, of MESH_BUNNY */
+/* 0: the teapot as shipped; 1: split at 30 degrees; 2: as 0, with fewer places; 3: the bunny, of MESH_BUNNY. */
+int mesh_frame(unsigned which);
 int mesh_strip(unsigned y);
 /* Bytes that a picture takes: the frame's and the mesh's memory, two strips, tables or a prepared shader. */
 uint32_t mesh_memory_bytes(enum mesh_way way, unsigned which);
