@@ -17,7 +17,7 @@ TIERS = unit exact proof targets packages page lab pico gateware
 # A TMPDIR that cannot be written to would stop compilers and tests.
 export TMPDIR := $(shell test -d "$$TMPDIR" && test -w "$$TMPDIR" && echo "$$TMPDIR" || echo /tmp)
 
-# Flags. Those that ask pkg-config are recursive (=) and silent: before set-up it may have no answer.
+# Flags. Those that ask pkg-config do so when they are wanted, and are silent: before set-up it may have no answer.
 # What users include: glint.h, which includes the others.
 LIB_HEADERS = glint.h glint_mesh.h
 VERSION := $(shell sed -n 's/.*GLINT_VERSION_STRING "\(.*\)"/\1/p' lib/glint.h)
@@ -44,10 +44,12 @@ SINK_FLAGS = -DGLINT_WITH_USB=$(if $(WITH_USB),1,0) -DGLINT_WITH_GPIO=$(if $(WIT
 LEFT_OUT = host/page/% $(if $(WITH_USB),,host/sinks/usb/%) $(if $(WITH_TERMINAL),,host/sinks/terminal%) \
 	$(if $(WITH_GPIO),host/sinks/wires/chip_v$(if $(filter 1,$(WITH_GPIO)),2,1).c,host/sinks/wires/%)
 HOST_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ifirmware/core -Ihost $(OPENMP) \
-	$(SINK_FLAGS) -DGLINT_WITH_SVG=$(if $(WITH_SVG),1,0) -DGLINT_WITH_MESH=$(or $(WITH_MESH),0) \
-	$(shell pkg-config --cflags $(HOST_LIBS) $(SINK_LIBS) $(if $(WITH_SVG),librsvg-2.0) 2>/dev/null) $(CFLAGS) $(SANITIZERS)
+	$(SINK_FLAGS) -DGLINT_WITH_SVG=$(if $(WITH_SVG),1,0) -DGLINT_WITH_MESH=$(or $(WITH_MESH),0) $(HOST_INCLUDES) $(CFLAGS) $(SANITIZERS) $(HOST_MORE)
 HOST_LDFLAGS = $(CFLAGS) $(SANITIZERS) $(OPENMP) $(LDFLAGS)
-HOST_LDLIBS = $(shell pkg-config --libs $(HOST_LIBS) $(SINK_LIBS) 2>/dev/null) -lm
+HOST_LDLIBS = $(HOST_FOUND) -lm
+# Asked once a make, when first wanted.
+HOST_INCLUDES = $(eval HOST_INCLUDES := $$(shell pkg-config --cflags $(HOST_LIBS) $(SINK_LIBS) $(if $(WITH_SVG),librsvg-2.0) 2>/dev/null))$(HOST_INCLUDES)
+HOST_FOUND = $(eval HOST_FOUND := $$(shell pkg-config --libs $(HOST_LIBS) $(SINK_LIBS) 2>/dev/null))$(HOST_FOUND)
 
 # What is built of what.
 LIB_OBJECTS = $(patsubst lib/%.c,$(BUILD)/lib/%.o,$(wildcard lib/*.c))
@@ -173,11 +175,25 @@ include tests/bench/bench.mk tests/bench/host/host.mk tests/bench/stream/stream.
 include $(sort $(wildcard tests/*/tier.mk))
 include tests/strength/strength.mk
 
-# A tier with a quick part that needs no set-up has a goal check-TIER.
+# A tier with a quick part that needs no set-up has a goal check-TIER. What it needs of what need not be installed: PACKAGE:PROBE (tests/missing).
 CHECKS = $(shell sed -n 's/^\(check-[a-z]*\):.*/\1/p' $(sort $(wildcard tests/*/tier.mk)))
-CHECK_MAKE = $(SUBMAKE) BUILD=$(if $(filter 1,$(SANITIZE)),build/check-sanitized,build/check) WERROR=-Werror
-check: ## check: in under a minute, with what is installed: warnings, format, and each tier's quick part
-	@+$(CHECK_MAKE) all && tests/sum "$(CHECK_MAKE)" check-format $(CHECKS)
+FORMAT_CHECK = clang-format-14:clang-format-14
+CHECK_PACKAGES = $(sort $(foreach need,$(FORMAT_CHECK) $(EXACT_CHECK) $(GATEWARE_CHECK) $(UNIT_CHECK) $(UNIT_CHECK_PART),$(firstword $(subst :, ,$(need)))))
+# The library as it is shipped, at -O2. Debug information, and the command and the tests as optimized, would take a third of the time.
+CHECK_MAKE = $(SUBMAKE) -s BUILD=$(if $(filter 1,$(SANITIZE)),build/check-sanitized,build/check) WERROR=-Werror \
+	$(if $(filter file0,$(origin CFLAGS)$(SANITIZE)),CFLAGS=-O2 HOST_MORE=-O1 UNIT_CFLAGS=-O0)
+check: missing ## check: in about a minute, with what is installed: warnings, format, and each tier's quick part
+	@+echo "== all" && $(CHECK_MAKE) all \
+		$$(tests/missing "$(CC)" "" "" $(UNIT_CHECK) >/dev/null && echo unit-quick-programs) \
+		$$(tests/missing "$(CC)" "" "" $(EXACT_CHECK) >/dev/null && echo exact-quick-programs) && tests/sum "$(CHECK_MAKE)" check-format $(CHECKS)
+
+# What make check skips.
+missing:
+	@tests/missing "$(CC)" "make setup-check" "the format" $(FORMAT_CHECK) "tier exact" $(EXACT_CHECK) "tier gateware" $(GATEWARE_CHECK) \
+		"tier unit" $(UNIT_CHECK) "a part of tier unit" $(UNIT_CHECK_PART) || true
+
+setup-check:
+	@.ci/need "make check" $(CHECK_PACKAGES)
 
 FORMATTED = $(filter %.c %.h %.cpp,$(shell find lib firmware host tests -name '*.[ch]' -o -name '*.cpp'))
 check-format:
@@ -202,15 +218,18 @@ DIST_PANELS = $(foreach panel,$(PICO_PANELS),build/firmware/pico-$(panel)/glint.
 	build/firmware/pico-st7789-240x240-two-cores-teapot/glint.uf2=glint-VERSION-pico-teapot.uf2
 DIST_BUILT = $(foreach board,$(GATEWARE_BOARDS),$(GATEWARE)/$(board).bin=glint-VERSION-$(board).bin) $(PAGE)/index.html=glint-VERSION-page.html
 
-dist: all $(BUILD)/man gateware page ## maintain: what a release has, into build/dist: archives, an image for each Pico panel and one that turns a teapot, bitstreams, the page, man pages, SHA256SUMS
+dist: all $(BUILD)/man gateware page ## maintain: what a release has, into build/dist: archives, the library as two files, an image for each Pico panel and one that turns a teapot, bitstreams, the page, man pages, SHA256SUMS
 	@+for panel in $(PICO_PANELS); do $(SUBMAKE) -s firmware PORT=pico PANEL=$$panel || exit 1; done
 	@+$(SUBMAKE) -s firmware PORT=pico DEMO=teapot SECOND_CORE=1
-	@.ci/dist $(DIST) $(DIST_PANELS) $(DIST_BUILT) "$$(echo $(BUILD)/man/*.1)=glint-VERSION-man.tar.gz"
+	@.ci/dist $(DIST) "$(LIB_HEADERS)" $(DIST_PANELS) $(DIST_BUILT) "$$(echo $(BUILD)/man/*.1)=glint-VERSION-man.tar.gz"
 	@cat $(DIST)/SHA256SUMS
 
-# Without firmware: the archives alone need git and python3.
+# Without firmware: the archives and the two files need git and python3.
 dist-archives:
-	@.ci/dist $(DIST)
+	@.ci/dist $(DIST) "$(LIB_HEADERS)"
+
+dist-two-files: ## use: the library as two files to copy, build/dist/glint.c and glint.h, needs python3 only
+	@.ci/two-files lib $(DIST) $(LIB_HEADERS)
 
 # A goal with a line here bears "## GROUP: what it does".
 help: ## maintain: this list
@@ -226,7 +245,7 @@ clean: ## maintain: remove what was built
 	rm -rf build
 
 always:
-.PHONY: all always have-compiler dist dist-archives firmware setup setup-build test check check-format demo run-demo help packages clean install install-lib run-install-lib uninstall
+.PHONY: all always have-compiler dist dist-archives dist-two-files firmware setup setup-build setup-check test check missing check-format demo run-demo help packages clean install install-lib run-install-lib uninstall
 .DEFAULT:
 	$(error there is no goal or file '$@'; 'make help' lists the goals)
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

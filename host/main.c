@@ -69,20 +69,28 @@ static void print_version(FILE *stream)
 struct call {
     const struct command *command;
     int first; /* of its own words in argv */
+    bool help; /* glint help, or glint help COMMAND: as --help */
 };
 
 static error_t parse_option(int key, char *argument, struct argp_state *state)
 {
     if (key == ARGP_KEY_NO_ARGS)
         refuse(state, "no command; choose one");
+    struct call *call = state->input;
+    if (key == ARGP_KEY_ARG && strcmp(argument, "help") == 0 && !call->command) {
+        call->help = true;
+        return 0;
+    }
+    if (key == ARGP_KEY_ARG && call->command)
+        refuse(state, "unexpected argument '%s'; `glint help` takes one command", argument);
     if (key == ARGP_KEY_ARG) {
         const char *names[COMMAND_COUNT + 1] = {NULL};
         for (int i = 0; i < COMMAND_COUNT; i++)
             names[i] = commands[i].name;
-        struct call *call = state->input;
         call->command = &commands[parse_choice(state, NULL, "command", argument, names)];
         call->first = state->next - 1;
-        state->next = state->argc; /* the command parses the rest */
+        if (!call->help)
+            state->next = state->argc; /* the command parses the rest */
         return 0;
     }
     return ARGP_ERR_UNKNOWN;
@@ -93,7 +101,7 @@ static void print_help(FILE *stream)
     fputs("Commands:\n", stream); /* argp would break longer lines */
     for (int i = 0; i < COMMAND_COUNT; i++)
         fprintf(stream, "  %-8s %s\n", commands[i].name, commands[i].summary);
-    fputs("\n`glint COMMAND --help` explains each.\n"
+    fputs("\n`glint COMMAND --help` and `glint help COMMAND` explain each.\n"
           "Exit status: 0 good, 1 failed, 2 wrong usage.\n"
           "\nExamples:\n"
           "  glint render --scene watchface -o dial.png --model msh -n 60\n"
@@ -136,13 +144,17 @@ int main(int argc, char **argv)
     static const struct argp argp = {
         NULL,     parse_option, "COMMAND [OPTION...]", "glint: specular highlights with integers only.\vCommands", NULL,
         describe, NULL};
-    static char own_name[] = "glint";
-    struct call call;
+    static char own_name[] = "glint", help[] = "--help", *asked[] = {own_name, help, NULL};
+    struct call call = {NULL, 0, false};
     version_print = print_version;
     argv[0] = own_name; /* without its folder, in messages */
     parse_command(&argp, ARGP_IN_ORDER, argc, argv, &call);
+    if (call.help && !call.command)
+        parse_command(&argp, ARGP_IN_ORDER, 2, asked, &call);
     static char name[32];
     snprintf(name, sizeof name, "glint %s", call.command->name);
-    argv[call.first] = name; /* so that help and errors name the subcommand */
+    asked[0] = argv[call.first] = name; /* so that help and errors name the subcommand */
+    if (call.help)
+        return call.command->run(2, asked);
     return call.command->run(argc - call.first, argv + call.first);
 }

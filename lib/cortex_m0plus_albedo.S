@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: MIT
- * glint_albedo_int8 and glint_albedo_int8_swapped(tables, light, words, albedo, w, out): a line of 8-bit normals over ALBEDO
+ * glint_albedo_int8 and glint_albedo_int8_swapped(paint, words, albedo, w, out): a line of 8-bit normals over ALBEDO
  * tables.
  *
  * As in cortex_m0plus_int8.S each kind of pixel has a row, here of six, and where the next pixel is of another kind, it is in
  * that kind's row, at the same place, that the code goes on. Rows are longer than a conditional branch reaches: those lead
- * to islands before and behind. */
-#if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
+ * to islands before and behind.
+ *
+ * And glint_palette_line(colours, offsets, w, out): a load for the offset, one for the colour. */
+#include "glint_port.h"
+#if GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus.inc"
 
 /* Ours, from sp. */
@@ -159,13 +162,12 @@
     full .L\name\()_stored_\at
 .endm
 
-/* (tables, light, words, albedo, w, out) */
+/* (paint, words, albedo, w, out) */
 .macro albedo_int8 name, swapped
     function \name
     enter OURS
-    ldr r4, [sp, #OURS + SAVED]
-    ldr r5, [sp, #OURS + SAVED + 4] /* out */
-    lsls r4, r4, #1
+    ldr r5, [sp, #OURS + SAVED] /* out */
+    lsls r4, r3, #1
     adds r4, r4, r5
     str r4, [sp, #OUR_END]
     subs r4, #2 * ROW
@@ -174,24 +176,24 @@
     mov base, r4
     ldrh r4, [r0, #GLINT_AT_TABLES_DARK]
     str r4, [sp, #OUR_DARK]
-    ldr r4, [r1, #GLINT_AT_LIGHT_X + 8]
+    ldr r4, [r0, #GLINT_AT_PAINT_X + 8]
     mov lz, r4
-    ldr r4, [r1, #GLINT_AT_LIGHT_CUT]
+    ldr r4, [r0, #GLINT_AT_PAINT_CUT]
     rsbs r4, r4, #0
     mov minus_cut, r4
-    ldr r4, [r1, #GLINT_AT_LIGHT_R]
+    ldr r4, [r0, #GLINT_AT_PAINT_R]
     mov factor, r4
     ldr r4, 2f
     mov gaps, r4
     ldr r4, 2f + 4
     mov half, r4
-    mov r0, r2
-    movs albedo, r3
-    mov r2, r5
-    ldr lx, [r1, #GLINT_AT_LIGHT_X]
-    ldr ly, [r1, #GLINT_AT_LIGHT_X + 4]
+    movs albedo, r2
+    mov r3, r5
+    ldr lx, [r0, #GLINT_AT_PAINT_X]
+    ldr ly, [r0, #GLINT_AT_PAINT_X + 4]
     str lx, [sp, #OUR_LX]
-    mov r1, r2
+    mov r0, r1
+    mov r1, r3
     b .L\name\()_rest
     .balign 4
 2:  .word 0xf81f07e0, 0x02008010
@@ -289,4 +291,35 @@
 
     albedo_int8 glint_albedo_int8, 0
     albedo_int8 glint_albedo_int8_swapped, 1
+
+/* ---- a palette ---- */
+
+.macro palette at
+    ldrh r4, [r1, #2 * \at]
+    ldrh r4, [r0, r4]
+    strh r4, [r3, #2 * \at]
+.endm
+
+    function glint_palette_line
+    push {r4, lr}
+    lsls r2, r2, #1
+    adds r2, r2, r3 /* the end of out */
+    subs r2, #32
+    b 2f
+1:
+.irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
+    palette \at
+.endr
+    adds r1, #32
+    adds r3, #32
+2:  cmp r3, r2
+    bls 1b
+    adds r2, #32
+    b 4f
+3:  palette 0
+    adds r1, #2
+    adds r3, #2
+4:  cmp r3, r2
+    blo 3b
+    pop {r4, pc}
 #endif

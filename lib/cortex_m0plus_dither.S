@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
- * glint_dither_int8_plain and _swapped(tables, light, words, w, out, phase, y): a line of 8-bit normals over COLOUR tables with dither.
+ * glint_dither_int8_plain and _swapped(paint, words, w, out, phase, y): a line of 8-bit normals over COLOUR tables with dither.
  *
  * Rows of four as in cortex_m0plus_int8.S, which begin where x mod 4 is 0: a pixel's place in the row is then its place in the
  * tables. Rows are longer than a conditional branch reaches, so some lead to islands, as in cortex_m0plus_albedo.S. */
-#if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
+#include "glint_port.h"
+#if GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus.inc"
 
 /* Ours, from sp. */
@@ -172,20 +173,19 @@
 .macro dither_int8 name, swapped
     function \name
     enter OURS
-    ldr r4, [sp, #OURS + SAVED] /* out */
-    lsls r5, r3, #1
-    adds r5, r5, r4
+    lsls r5, r2, #1
+    adds r5, r5, r3
     str r5, [sp, #OUR_END]
     subs r5, #8
     str r5, [sp, #OUR_LAST]
-    ldr r5, [sp, #OURS + SAVED + 4]
-    subs r5, r4, r5
+    ldr r5, [sp, #OURS + SAVED]
+    subs r5, r3, r5
     str r5, [sp, #OUR_START]
     ldr r5, 2f
     str r5, [sp, #OUR_GUARDS]
     ldr r5, 2f + 4
     str r5, [sp, #OUR_FIELDS]
-    ldr r5, [sp, #OURS + SAVED + 8]
+    ldr r5, [sp, #OURS + SAVED + 4]
     lsls r5, r5, #30
     lsrs r5, r5, #30 /* y mod 4 */
     ldr r6, [r0, #GLINT_AT_TABLES_COLUMNS]
@@ -208,18 +208,18 @@
     lsls r6, r6, #28
     lsrs r6, r6, #32 - GLINT_DITHER_ROW_SHIFT /* 4 bits, to the eighths of a row in Q29 */
     mov nudge, r6
-    mov r0, r2
-    ldr r5, [r1, #GLINT_AT_LIGHT_CUT]
+    ldr r5, [r0, #GLINT_AT_PAINT_CUT]
     rsbs r5, r5, #0
     mov minus_cut, r5
-    ldr r5, [r1, #GLINT_AT_LIGHT_R]
+    ldr r5, [r0, #GLINT_AT_PAINT_R]
     mov factor, r5
-    adds r1, #GLINT_AT_LIGHT_X
-    ldrb r5, [r1, #GLINT_AT_LIGHT_A - GLINT_AT_LIGHT_X]
+    adds r0, #GLINT_AT_PAINT_X
+    ldrb r5, [r0, #GLINT_AT_PAINT_A - GLINT_AT_PAINT_X]
     str r5, [sp, #OUR_EXPONENT]
-    ldmia r1!, {lx, ly, lz}
+    ldmia r0!, {lx, ly, lz}
     str lx, [sp, #OUR_LX]
-    mov r1, r4
+    mov r0, r1
+    mov r1, r3
     b .L\name\()_rest
     .balign 4
 2:  .word 0x00200800, 0xf81f07e0, GLINT_DITHER_PIXELS_PART, GLINT_DITHER_SUMS_PART, GLINT_DITHER_SUMS, 0x3157

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
- * glint_colour_int8(tables, light, words, w, out): a line of 8-bit normals over COLOUR tables.
+ * glint_colour_int8(paint, words, w, out): a line of 8-bit normals over COLOUR tables.
  *
  * Neighbours are alike: each kind of pixel has a row of four, and where the next pixel is of the other kind, it is in the
  * other kind's row, at the same place, that the code goes on. So no pixel pays for a loop and few for a branch. */
-#if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
+#include "glint_port.h"
+#if GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus.inc"
 
 /* words in r0, out in r1 */
@@ -87,27 +88,26 @@
     enter 8
     ldrh r4, [r0, #GLINT_AT_TABLES_DARK]
     str r4, [sp]
-    ldr r4, [sp, #SAVED + 8]
-    lsls r3, r3, #1
-    adds r3, r3, r4
-    str r3, [sp, #4] /* the end of out */
-    subs r3, #8
-    mov last, r3
-    ldr r3, [r0, #GLINT_AT_TABLES_COLUMNS]
-    mov columns, r3
-    ldr r3, [r0, #GLINT_AT_TABLES_COLOUR]
-    mov colours, r3
-    mov r0, r2
-    ldr r5, [r1, #GLINT_AT_LIGHT_CUT]
+    lsls r2, r2, #1
+    adds r2, r2, r3
+    str r2, [sp, #4] /* the end of out */
+    subs r2, #8
+    mov last, r2
+    ldr r2, [r0, #GLINT_AT_TABLES_COLUMNS]
+    mov columns, r2
+    ldr r2, [r0, #GLINT_AT_TABLES_COLOUR]
+    mov colours, r2
+    ldr r5, [r0, #GLINT_AT_PAINT_CUT]
     rsbs r5, r5, #0
     mov minus_cut, r5
-    ldr r5, [r1, #GLINT_AT_LIGHT_R]
+    ldr r5, [r0, #GLINT_AT_PAINT_R]
     mov factor, r5
-    adds r1, #GLINT_AT_LIGHT_X
-    ldrb r5, [r1, #GLINT_AT_LIGHT_A - GLINT_AT_LIGHT_X]
+    adds r0, #GLINT_AT_PAINT_X
+    ldrb r5, [r0, #GLINT_AT_PAINT_A - GLINT_AT_PAINT_X]
     mov exponent, r5
-    ldmia r1!, {lx, ly, lz}
-    mov r1, r4
+    ldmia r0!, {lx, ly, lz}
+    mov r0, r1
+    mov r1, r3
     b .Lint8_rest
 
 .Lint8_gap: /* v is the word, r0 past it */

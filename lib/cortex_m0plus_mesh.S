@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
- * glint_mesh_colour(tables, triangle, target), as mesh_colour.c has it, part by part; a strip calls the routine in it by itself. A line's columns and first values, then its
+ * glint_mesh_colour(tables, triangle, target), as fused_mesh.c has it, part by part; a strip calls the routine in it by itself. A line's columns and first values, then its
  * pixels, then the steps to the next line: three times, for dark, matt and glossy triangles; a glossy one's line that misses the highlight
  * is drawn as a matt one. Pixels keep all they need in registers; lines take it from the frame and the triangle, but where a triangle is
  * dark or matt its edges stay in registers, too. */
-#if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
+#include "glint_port.h"
+#if GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus_mesh.inc"
 
 #define COLOUR_FRAME (GLINT_MESH_LINES_BYTES + 4)

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
  * Vertices without perspective, with normals of 8 bits, as mesh_pose.c has them. What is the same
  * for all vertices lies in the frame in the order in which it is read, so that three words take one load. */
-#if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
+#include "glint_port.h"
+#if GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus.inc"
-#include "glint_mesh_offsets.h"
+#include "glint_offsets.h"
 
 /* The frame: halfwords of the mesh drawn, as words; then 8 times the width and height, and where to go on and end. */
 #define LIGHT 0 /* l, then h */

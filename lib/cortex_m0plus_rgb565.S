@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT
  * glint_line_rgb565(loop, x), _swapped, _albedo, _albedo_swapped: the exact line of RGB565 under MSH, from pixel x on.
  *
- * The stages of glint_prepared_run in one loop: t and N.L from the normal (rect.c), where t is within the lobe F (lobe_msh_near.c),
- * then V and its levels (glint_pixel_levels.h), in the same steps. Pixels without light, and pixels without highlight, leave the
+ * The stages of an exact run in one loop: t and N.L from the normal (sample.c), where t is within the lobe F (lobe_msh.c),
+ * then V and its levels (pixel_rgb.c), in the same steps. Pixels without light, and pixels without highlight, leave the
  * rest out. One whose levels V + W does not decide ends the call: C draws it, and calls again. */
-#if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
+#include "glint_port.h"
+#if GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus.inc"
-#include "glint_lobe_msh_near.h"
-#include "glint_pixel_offsets.h"
+#include "glint_lobe.h"
+#include "glint_offsets.h"
 
 /* normals past the pixel in r0, its place in out in r1; constants in r2, in their order */
 #define constants r2
@@ -137,7 +138,7 @@
     adds \value, \value, \spare
 .endm
 
-/* F in constants, from 2t in x; all but nl and the places are changed. msh_near and glint_msh_quotient, step by step. */
+/* F in constants, from 2t in x; all but nl and the places are changed. msh_near and msh_quotient, step by step. */
 .macro msh name
     lsrs x, x, #1
     ldr y, [sp, #GLINT_AT_LINE_K + 4 * GLINT_MSH_FACTOR]

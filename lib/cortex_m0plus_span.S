@@ -1,35 +1,18 @@
 /* SPDX-License-Identifier: MIT
- * glint_tables_span(tables, span, surface), where all is as it mostly is; else it calls glint_span_any.
- * Run by run as loops_span.c has it. Loops over a run are unrolled whole, and entered so that they end after w pixels. */
-#if defined GLINT_CORTEX_M0PLUS_ASM && GLINT_CORTEX_M0PLUS_ASM
+ * glint_colour_span(tables, span, out), run by run as fused_tables.c has it. Loops over a run are unrolled whole, and entered so that they end after w pixels. */
+#include "glint_port.h"
+#if GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus.inc"
 
-    function glint_tables_span
+    function glint_colour_span
     push {r4-r7, lr}
-    cmp r0, #0
-    beq 1f
-    cmp r1, #0
-    beq 1f
-    cmp r2, #0
-    beq 1f
-    ldr r3, [r2] /* surface->pixels */
-    cmp r3, #0
-    beq 1f
-    ldrb r4, [r0, #GLINT_AT_TABLES_KIND]
-    ldrb r5, [r0, #GLINT_AT_TABLES_DITHER]
-    orrs r4, r5
-    lsls r5, r3, #31
-    orrs r5, r4
-    bne 1f
+    movs r3, r2 /* the pixels */
     ldrh r4, [r1, #GLINT_AT_SPAN_W]
     subs r4, #1
     cmp r4, #GLINT_SPAN_RUN - 1
     bls .Lrun
     adds r4, #1
     bne .Llong
-1:  sub sp, #4 /* C wants it in eights */
-    bl glint_span_any
-    add sp, #4
     pop {r4-r7, pc}
 
 .Llong: /* run by run: at sp t, dt, ddt, nl, dnl, tables, out, how many are left */

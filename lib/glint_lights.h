@@ -1,62 +1,88 @@
 /* SPDX-License-Identifier: MIT
- * Internal. Several lights: the run of pixels at hand, and what lamps add to it. */
+ * Internal. Kinds of light, and what several of them, or one that has a place, add to a run of pixels. */
 #ifndef GLINT_LIGHTS_H
 #define GLINT_LIGHTS_H
 
-#include "glint_lamp.h"
-#include "glint_pixel_prepared.h"
-#include "glint_rect.h"
+#include "glint_draw.h"
+
+/* A point or spot for many pixels: its divisors, range^2 and s_inner - s_outer, as 2^63 / (divisor 2^-exponent) rounded down,
+ * that in 2^31 .. 2^32. */
+struct glint_reach {
+    uint32_t range_inverse, width_inverse;
+    uint32_t blur; /* what place_cone does not know of its quotient, of 2^31; 0: the cone is left to the 64 bits */
+    int8_t range_exponent, width_exponent;
+};
+
+/* From a pixel. */
+struct glint_sight {
+    int32_t v_q30[3]; /* to the viewer */
+    int32_t e[3];     /* to the light, as sequence.md has it */
+};
+#define GLINT_REACH_OPEN UINT32_MAX
+
+/* A kind of light. One with a place names what draws with it. */
+struct glint_light_kind {
+    bool is_spot;
+    const struct glint_use_lights *several; /* NULL: directional */
+    enum glint_err (*check)(const struct glint_light *light);
+    /* Of a light that has a place: prepares it, and steps 1a and 1b: att; L and H of *view only where it is not 0. GLINT_REACH_OPEN where 32
+     * bits do not tell: then `exact` does. V is there already. */
+    void (*begin)(struct glint_reach *reach, const struct glint_light *light);
+    uint32_t (*near)(const struct glint_reach *reach, const struct glint_light *light, const struct glint_sight *sight,
+                     struct glint_view *view);
+    uint32_t (*exact)(const struct glint_light *light, const struct glint_sight *sight, struct glint_view *view);
+};
+
+static inline uint32_t glint_light_color(const struct glint_light *light, unsigned k)
+{
+    return light->color_q16[k] < GLINT_LIGHT_COLOR_MAX ? light->color_q16[k] : GLINT_LIGHT_COLOR_MAX;
+}
+
+/* The brightest channel. */
+static inline uint32_t glint_light_peak(const struct glint_light *light)
+{
+    uint32_t peak = 0;
+    for (unsigned k = 0; k < 3; k++)
+        peak = glint_light_color(light, k) > peak ? glint_light_color(light, k) : peak;
+    return peak;
+}
+
+/* H of unit vectors L and V; false where the light is straight behind. */
+bool glint_light_half(struct glint_vec *h, const int32_t l_q30[3], const int32_t v_q30[3]);
 
 /* Samples in all: fewer than might be, for the stack. */
 enum { GLINT_LIGHTS_SLOTS = 8 };
 
-/* So that what two functions hold is not on the stack together. */
-#define GLINT_LIGHTS_ALONE __attribute__((noinline))
-
+/* Several lights at work. */
 struct glint_lights {
-    struct glint_prepared *prepared; /* its light: of a lamp that has a place, at the pixel at hand */
-    const struct glint_lamp *lamps;
-    uint8_t count, channels; /* channels = 1: all lamps are white */
-    uint8_t length;          /* pixels in a run, and from a channel's sums to the next's */
-    bool boxed;              /* is the highlight's box asked for? */
-    uint32_t most;           /* the format takes sums of nl to this, and of F to 33/32 of it */
-    struct glint_reach reach[GLINT_LAMPS_MAX];
+    const struct glint_paint *paint;
+    uint8_t channels; /* 1: all lights are white; else 3 */
+    bool is_folded;   /* the one light's colour is in the paint */
+    uint8_t length;   /* pixels in a run, at most, and from a channel's sums to the next's */
+    bool is_boxed;    /* is the highlight's box asked for? */
+    uint8_t count;    /* pixels in the run */
+    uint32_t shines;  /* which of them do */
+    struct glint_reach reach[GLINT_LIGHTS_MAX];
     struct glint_sight sight;
-    struct glint_run run; /* the one at hand */
+    struct glint_vec v;     /* to the viewer, of lights that have a place */
+    struct glint_view view; /* of the light at hand */
+    struct glint_run *run;  /* the one at hand */
     const struct glint_vec *normals;
-    struct glint_bounds bounds;
-    uint8_t pixels;                        /* in the run; here it fills a gap */
-    uint32_t shines;                       /* which pixels of the run do */
-    uint16_t arriving[GLINT_LIGHTS_SLOTS]; /* of the lamp at hand: att - 1 */
-    /* Sums, channel by channel, then the lamp's samples; of one lamp red's sums are both. A sum's t is UINT32_MAX where F is 0
-     * under every lamp, else 0. */
+    const int32_t (*places)[3];            /* of its pixels, 1/16 pixel on the screen; NULL: on the surface */
+    uint16_t arriving[GLINT_LIGHTS_SLOTS]; /* of the light at hand: att - 1 */
+    /* Sums, channel by channel, then the light's samples; of one light red's sums are both. A sum's t is UINT32_MAX where F is 0
+     * under every light, else 0. */
     struct glint_sample slots[GLINT_LIGHTS_SLOTS];
 };
 
-static inline uint32_t glint_lights_color(const struct glint_lamp *lamp, unsigned k)
-{
-    return lamp->color_q16[k] < GLINT_LAMP_COLOR_MAX ? lamp->color_q16[k] : GLINT_LAMP_COLOR_MAX;
-}
-
-/* The brightest channel. */
-static inline uint32_t glint_lights_peak(const struct glint_lamp *lamp)
-{
-    uint32_t peak = 0;
-    for (unsigned k = 0; k < 3; k++)
-        peak = glint_lights_color(lamp, k) > peak ? glint_lights_color(lamp, k) : peak;
-    return peak;
-}
-
-/* For single pixels: prepares *prepared and *lights, which keeps pointers to it and to the lamps. Errors as glint_shade_lights. */
-enum glint_err glint_lights_init(struct glint_lights *lights, struct glint_prepared *prepared,
-                                 const struct glint_shader *shader, const struct glint_lamp *lamps, unsigned count);
-/* Draws pixel run.x of lights->run, which is set. */
-void glint_lights_pixel(struct glint_lights *lights, const struct glint_vec *normal);
-
-/* Steps 1 and 2 under lamp number `at` for pixels from the run's pixel `from` on. */
-void glint_lights_sample(struct glint_lights *lights, unsigned at, unsigned from, unsigned count,
-                         struct glint_sample *sample);
-/* Adds what the lamp sends to the sums; the first lamp's are the sums. */
-void glint_lights_add(struct glint_lights *lights, unsigned at, unsigned count, const struct glint_sample *sample);
+/* What draws under several lights. */
+struct glint_use_lights {
+    enum glint_err (*light)(struct glint_paint *paint, const struct glint_light *lights, unsigned count,
+                            const int32_t v_q30[3]);
+    void (*draw)(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h, struct glint_box *highlight);
+    /* Of a mesh: prepares for *lights->run, and draws count pixels of it, up to lights->length, by normals and places, which are set. */
+    void (*begin)(struct glint_lights *lights, const struct glint_paint *paint, bool is_boxed);
+    void (*run)(struct glint_lights *lights, unsigned count);
+};
 
 #endif

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT
- * Internal. What a frame's memory holds: the bench, the depths of a strip, and triangles that go on in the next strip. */
+ * Internal. A strip: what a frame's memory holds, which faces a strip meets, and triangles that go on in the next strip. */
 #ifndef GLINT_MESH_STRIP_H
 #define GLINT_MESH_STRIP_H
 
-#include "glint_mesh_clip.h"
-#include "glint_mesh_path.h"
+#include "glint_mesh_pose.h"
+#include "glint_mesh_rows.h"
+#include "glint_mesh.h"
+#include "glint_offsets.h"
 
 /* A triangle at the line where the last strip ended, in its mesh's list, which ascends by face, or in that of free ones. */
 struct glint_mesh_kept {
@@ -16,8 +18,13 @@ struct glint_mesh_kept {
 struct glint_mesh_bench {
     struct glint_mesh_polygon polygon;
     struct glint_mesh_vertex vertex[3];
-    struct glint_mesh_kept face; /* where no place is left, and of a face that is clipped */
-    uint8_t fan;                 /* of one that is clipped: vertex is the polygon's corners 0, fan - 1 and fan */
+    struct glint_mesh_kept face;     /* where no place is left, and of a face that is clipped */
+    uint8_t fan;                     /* of one that is clipped: vertex is the polygon's corners 0, fan - 1 and fan */
+    struct glint_mesh_across across; /* the mesh's colours over the triangle at hand, and those of a run */
+    union {
+        uint32_t aligned;
+        uint8_t bytes[3 * GLINT_MESH_RUN];
+    } colours;
 };
 
 /* The number of the face of a triangle that a path draws. */
@@ -40,10 +47,31 @@ void glint_mesh_clear(uint16_t *depth, uint32_t bytes);
 void glint_mesh_face_set(struct glint_mesh_triangle *triangle, const struct glint_mesh_drawn *drawn,
                          const uint16_t face[3], uint32_t t_end);
 
-/* In assembly alone: draws a mesh's faces and keeps those that go on, where all paths have lines and nothing is clipped. */
+/* In assembly alone: draws a mesh's faces and keeps those that go on, where all paints have fused lines and nothing is clipped. It takes from
+ * glint_mesh_part_lines what a part's lines need: from which t on nothing shines, and *lines. */
 void glint_mesh_strip_lines(const struct glint_mesh_target *strip);
+uint32_t glint_mesh_part_lines(const struct glint_mesh_target *strip, unsigned part, struct glint_mesh_lines *lines);
 
 /* Frees what is kept of a mesh. */
 void glint_mesh_forget(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn);
+
+/* Which faces a strip meets. */
+
+/* Must it be clipped? */
+static inline bool glint_mesh_face_is_out(const struct glint_mesh_drawn *drawn, const uint16_t face[3])
+{
+    const struct glint_mesh_vertex *v = drawn->vertices;
+    return (v[face[0]].out | v[face[1]].out | v[face[2]].out) != 0;
+}
+
+/* Sorts the faces that show from line y on into the bands where they begin, or where y is; each list ascends. */
+void glint_mesh_sort(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y);
+/* Into bands that may have faces of higher numbers. Has a twin in assembly. */
+void glint_mesh_sort_faces(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y);
+
+/* Takes the lists of the bands from line y to end - 1 as one that ascends. */
+uint16_t glint_mesh_take(const struct glint_mesh_drawn *drawn, int32_t y, int32_t end);
+/* Gives a list that ascends to the band of line y. */
+void glint_mesh_give(const struct glint_mesh_drawn *drawn, uint16_t list, int32_t y);
 
 #endif

@@ -1,65 +1,134 @@
 /* SPDX-License-Identifier: MIT
- * The exact rectangle under several lights, in runs of pixels. Each lamp fills samples as one light does, and adds what it sends
- * to the run's sums. Those are samples of their own, whose F is low by more: the format's loop decides their levels. Pixels that
- * this leaves open are summed again with exact F, and drawn by the 64-bit sequence. */
+ * The exact paint under several lights, or under one that has a place, in runs of pixels. Each light fills samples as one light does, and
+ * adds what it sends to the run's sums. Those are samples of their own, whose F is low by more: the format's loop decides their levels.
+ * Pixels that this leaves open are summed again with exact F, and drawn by the 64-bit sequence. */
 #include "glint_lights.h"
-#include "glint_lights_apart.h"
-#include "glint_lights_fold.h"
-#include "glint_math_vector.h"
 #include "glint_pixel.h"
+#include "glint_math_vector.h"
 
-/* Draws pixel i of the run, whose sums are the first ones, by the 64-bit sequence; channel by channel, to keep the stack low. */
-static GLINT_LIGHTS_ALONE void lights_store(const struct glint_lights *lights, unsigned i)
+/* So that what two functions hold is not on the stack together. */
+#define LIGHTS_ALONE __attribute__((noinline)) static
+
+/* ---- What a light adds ---- */
+
+/* (color att x + 2^31) >> 32; color <= 2^20, att <= 2^16, x <= 67109. Where att x = 2^16 p1 + p0 fits 32 bits, color = 2^16 high + low:
+ * s = floor(low att x / 2^16) fits, too, and high p0 < 2^20. */
+static inline uint32_t lights_scale(uint32_t color, uint32_t att, uint32_t x)
 {
-    static const uint8_t luma[3] GLINT_FLASH = {GLINT_LUMA_RED, GLINT_LUMA_GREEN, GLINT_LUMA_BLUE};
-    const struct glint_shader *shader = &lights->prepared->shader;
-    const struct glint_run *run = &lights->run;
-    const uint8_t *albedo = run->albedo ? run->albedo + 3 * i : shader->material.albedo;
-    const uint32_t gloss = (run->gloss ? run->gloss[i] : 255) * 257u;
-    const uint32_t weight = glint_exact_weight(shader, run->left + run->x + i, run->y);
-    const bool grey = glint_format_is_grey(shader->format);
-    const struct glint_sample *sum = lights->slots;
-    uint64_t parts = 0;
-    uint8_t levels[4];
-    for (int k = 0; k < 3; k++, sum += lights->prepared->apart) {
-        const uint64_t v = glint_pixel_value(shader, k, albedo[k], sum->nl_q16, (uint64_t)gloss * sum->f_q16);
-        parts = grey ? parts + v * GLINT_FLASH_U8(luma[k]) : v << 8;
-        levels[k] = glint_pixel_level(shader, parts >> 8, k, weight);
-    }
-    levels[0] = levels[grey ? 2 : 0];
-    glint_exact_store(shader->format, run->line, run->x + i, levels);
-    glint_exact_alpha(shader->format, run->line, run->x + i, 1, run->mask);
+    if (x >> 16)
+        return (uint32_t)(((uint64_t)color * att * x + ((uint64_t)1 << 31)) >> 32);
+    const uint32_t p = att * x, p1 = p >> 16, p0 = p & 0xffff, high = color >> 16, low = color & 0xffff;
+    if (color == 65536)
+        return p1 + (p0 >> 15);
+    const uint32_t s = low * p1 + (low * p0 >> 16);
+    return high * p1 + (s >> 16) + ((high * p0 + (s & 0xffff) + 32768) >> 16);
 }
 
-/* Do formats take the run's sums? Not where nl is 0 and F is not, as under one light. */
-static GLINT_LIGHTS_ALONE bool lights_fit(const struct glint_lights *lights, unsigned count)
+static bool lights_has_place(const struct glint_light *light)
 {
-    const uint32_t most = lights->most, most_f = most + (most >> 5);
-    uint32_t over = 0; /* its upper bit; sums are < 2^31 */
-    for (unsigned k = 0; k < lights->channels; k++) {
-        const struct glint_sample *sum = lights->slots + k * lights->length;
-        for (const struct glint_sample *end = sum + count; sum != end; sum++) {
-            over |= (most - sum->nl_q16) | (most_f - sum->f_q16);
-            if (sum->nl_q16 == 0 && !sum->t_q30)
-                return false;
+    return GLINT_FLASH_POINTER(light->kind->several) != NULL;
+}
+
+static glint_geometry *lights_geometry(const struct glint_lights *lights)
+{
+    glint_geometry *const own = GLINT_FLASH_POINTER(lights->paint->model->geometry);
+    return own ? own : glint_samples_half;
+}
+
+/* Steps 1 and 2 under light number `at` for pixels from the run's pixel `from` on. */
+LIGHTS_ALONE void lights_sample(struct glint_lights *lights, unsigned at, unsigned from, unsigned count,
+                                struct glint_sample *sample)
+{
+    const struct glint_light *light = &lights->paint->lights[at];
+    const struct glint_vec *normal = lights->normals + from;
+    glint_geometry *const geometry = lights_geometry(lights);
+    uint16_t *arriving = lights->arriving;
+    struct glint_view *const view = &lights->view;
+    view->v = lights->v;
+    if (!lights_has_place(light)) {
+        view->v = lights->paint->v;
+        (void)glint_vec_of_q30(&view->l, light->direction_q30, 0);
+        view->h = lights->paint->of.exact.halves[at];
+        geometry(&view->l, &view->v, &view->h, normal, sample, count);
+        while (count--)
+            *arriving++ = UINT16_MAX;
+        return;
+    }
+    struct glint_sight *const sight = &lights->sight;
+    const int32_t *position = light->position;
+    sight->e[0] = position[0] - 16 * (int32_t)(lights->run->left + lights->run->x + from) - 8;
+    sight->e[1] = 16 * (int32_t)lights->run->y + 8 - position[1];
+    sight->e[2] = position[2];
+    for (unsigned i = from; i < from + count; i++, sample++, normal++) {
+        if (lights->places) {
+            sight->e[0] = position[0] - lights->places[i][0];
+            sight->e[1] = lights->places[i][1] - position[1];
+            sight->e[2] = position[2] - lights->places[i][2];
+        }
+        uint32_t att = GLINT_FLASH_POINTER(light->kind->near)(&lights->reach[at], light, sight, view);
+        if (att == GLINT_REACH_OPEN)
+            att = GLINT_FLASH_POINTER(light->kind->exact)(light, sight, view);
+        *arriving++ = (uint16_t)(att - 1);
+        sight->e[0] -= 16;
+        if (att) {
+            geometry(&view->l, &view->v, &view->h, normal, sample, 1);
+        } else {
+            sample->t_q30 = UINT32_MAX;
+            sample->nl_q16 = 0;
         }
     }
-    return !(over >> 31);
 }
 
-/* A lone coloured lamp's channels are apart in exact sums only: else it is folded. */
-static inline void lights_part(struct glint_lights *lights, bool exact)
+/* Adds what light number `at` sends to the sums; the first light's are the sums. The last channel first: red's sums may be the samples. */
+LIGHTS_ALONE void lights_add(struct glint_lights *lights, unsigned at, unsigned count,
+                             const struct glint_sample *samples)
 {
-    if (lights->prepared->high) {
-        lights->channels = exact ? 3 : 1;
-        lights->length = exact ? GLINT_LIGHTS_SLOTS / 3 : GLINT_LIGHTS_SLOTS;
+    const uint32_t t_end = lights->paint->of.exact.t_end;
+    for (unsigned k = lights->channels; k-- > 0;) {
+        const uint32_t color = lights->is_folded ? 65536 : glint_light_color(&lights->paint->lights[at], k);
+        const uint16_t *arriving = lights->arriving;
+        struct glint_sample *sum = lights->slots + k * lights->length;
+        const struct glint_sample *sample = samples;
+        for (const struct glint_sample *end = sum + count; sum != end; sum++, sample++) {
+            const uint32_t att = *arriving++ + UINT32_C(1), nl = sample->nl_q16, f = sample->f_q16;
+            struct glint_sample part = {UINT32_MAX, 0, 0};
+            if (nl) {
+                part.t_q30 = sample->t_q30 < t_end && color ? 0 : UINT32_MAX;
+                part.nl_q16 = lights_scale(color, att, nl);
+                if (f)
+                    part.f_q16 = lights_scale(color, att, f);
+            }
+            if (at) {
+                part.t_q30 &= sum->t_q30;
+                part.nl_q16 += sum->nl_q16;
+                part.f_q16 += sum->f_q16;
+            }
+            *sum = part;
+        }
+    }
+}
+
+/* ---- A run ---- */
+
+/* The sums of pixels from the run's pixel `from` on, with F as the model's loop has it, a little low; exact ones of a single pixel. */
+LIGHTS_ALONE void lights_sum(struct glint_lights *lights, unsigned from, unsigned count, bool exact)
+{
+    const struct glint_paint *p = lights->paint;
+    struct glint_sample *const samples = lights->slots + (p->light_count > 1 ? lights->channels * lights->length : 0);
+    for (unsigned at = 0; at < p->light_count; at++) {
+        lights_sample(lights, at, from, count, samples);
+        if (exact)
+            samples->f_q16 = glint_paint_f(p, samples->t_q30);
+        else
+            GLINT_FLASH_POINTER(p->model->run)(p, samples, count);
+        lights_add(lights, at, count, samples);
     }
 }
 
 /* Notes which of the run's pixels shine, from `from` on. False where one does not, but might with exact F. */
-static GLINT_LIGHTS_ALONE bool lights_note(struct glint_lights *lights, unsigned from, unsigned count)
+LIGHTS_ALONE bool lights_note(struct glint_lights *lights, unsigned from, unsigned count)
 {
-    const uint8_t *gloss = lights->run.gloss;
+    const uint8_t *gloss = lights->run->gloss;
     bool sure = true;
     for (unsigned i = 0; i < count; i++) {
         const struct glint_sample *sum = lights->slots + i;
@@ -68,6 +137,10 @@ static GLINT_LIGHTS_ALONE bool lights_note(struct glint_lights *lights, unsigned
             f |= sum->f_q16;
             none &= sum->t_q30;
         }
+        if (lights->is_folded) { /* of a colour below 1.0 F may round to 0, and 1 may come of rounding twice */
+            f = (uint32_t)(((uint64_t)glint_paint_peak(lights->paint) * f + 32768) >> 16);
+            sure = sure && (f > 1 || none);
+        }
         sure = sure && (f || none);
         if (f && (!gloss || gloss[from + i])) /* now: gloss may be the output */
             lights->shines |= (uint32_t)1 << (from + i);
@@ -75,44 +148,57 @@ static GLINT_LIGHTS_ALONE bool lights_note(struct glint_lights *lights, unsigned
     return sure;
 }
 
-/* The sums of pixels from the run's pixel `from` on, with F or what the model's loop has of it; exact ones of a single pixel. */
-static inline __attribute__((always_inline)) void lights_sum(struct glint_lights *lights, unsigned from, unsigned count,
-                                                             bool exact)
+/* Brings the sums to what the format folded for. Does it take them? Where nl comes to 0 it was, and F is, as under one light. */
+LIGHTS_ALONE bool lights_fit(struct glint_lights *lights, unsigned count)
 {
-    const struct glint_prepared *p = lights->prepared;
-    const struct glint_near *near = &p->near;
-    struct glint_sample *const samples = lights->slots + (lights->count > 1 ? lights->channels * lights->length : 0);
-    for (unsigned at = 0; at < lights->count; at++) {
-        glint_lights_sample(lights, at, from, count, samples);
-        if (!exact) {
-            GLINT_FLASH_POINTER(p->model->run)(near, samples, count);
-        } else {
-            const uint32_t f =
-                samples->t_q30 < near->t_end ? GLINT_FLASH_POINTER(p->model->exact)(near->n, samples->t_q30) : 0;
-            samples->f_q16 = f < near->f_max ? f : near->f_max;
+    const struct glint_paint *p = lights->paint;
+    const unsigned nl_down = p->of.exact.nl_down, f_down = p->of.exact.f_down;
+    const uint32_t most = p->of.exact.most, most_f = most + (most >> 5);
+    uint32_t over = 0; /* its upper bit; sums are < 2^31 */
+    for (unsigned k = 0; k < lights->channels; k++) {
+        struct glint_sample *sum = lights->slots + k * lights->length;
+        for (const struct glint_sample *end = sum + count; sum != end; sum++) {
+            const uint32_t nl = sum->nl_q16 >> nl_down;
+            if (nl == 0 && (sum->nl_q16 || !sum->t_q30))
+                return false;
+            sum->nl_q16 = nl;
+            sum->f_q16 >>= f_down;
+            over |= (most - sum->nl_q16) | (most_f - sum->f_q16);
         }
-        glint_lights_add(lights, at, count, samples);
+    }
+    return !(over >> 31);
+}
+
+/* The channels of one coloured light, which is folded, are apart in exact sums only. */
+static inline void lights_part(struct glint_lights *lights, bool exact)
+{
+    if (lights->paint->of.exact.high) {
+        lights->is_folded = !exact;
+        lights->channels = exact ? 3 : 1;
+        lights->length = (uint8_t)(GLINT_LIGHTS_SLOTS / lights->channels);
+        lights->run->apart = exact ? lights->length : 0;
     }
 }
 
 /* Draws a run: all of it, then each pixel that this leaves open. */
-static inline __attribute__((always_inline)) void lights_draw(struct glint_lights *lights, unsigned count)
+static void lights_run(struct glint_lights *lights, unsigned count)
 {
-    const struct glint_prepared *p = lights->prepared;
+    const struct glint_paint *p = lights->paint;
     uint32_t open = ((uint32_t)1 << count) - 1;
     unsigned i = 0, end = count;
     lights->shines = 0;
     for (bool exact = false;; exact = true) {
         lights_part(lights, exact);
         lights_sum(lights, i, end - i, exact);
-        const bool sure = !lights->boxed || lights_note(lights, i, end - i);
+        const bool sure = !lights->is_boxed || lights_note(lights, i, end - i);
         if (exact) {
-            lights_store(lights, i);
+            GLINT_FLASH_POINTER(p->format->exact)(p, lights->run, i, lights->slots, lights->run->apart);
+            glint_store_alpha(p->output.format, lights->run->line, lights->run->x + i, 1, lights->run->coverage);
             open &= ~((uint32_t)1 << i);
         } else if (sure && lights_fit(lights, count)) {
-            open = lights->channels > 1 && p->shader.space == GLINT_GAMMA
-                       ? glint_apart_levels(p, &lights->run, lights->slots, count)
-                       : GLINT_FLASH_POINTER(p->format->levels)(p, &lights->run, lights->slots, count);
+            open = lights->channels > 1 && p->output.space == GLINT_GAMMA
+                       ? glint_levels_apart(p, lights->run, lights->slots, count)
+                       : GLINT_FLASH_POINTER(p->format->levels)(p, lights->run, lights->slots, count);
         }
         if (!open)
             break;
@@ -123,181 +209,131 @@ static inline __attribute__((always_inline)) void lights_draw(struct glint_light
     lights_part(lights, false);
 }
 
-static bool lights_is_white(const struct glint_lamp *lamp)
+static bool lights_are_white(const struct glint_light *lights, unsigned count)
 {
-    const uint32_t red = glint_lights_color(lamp, 0);
-    return glint_lights_color(lamp, 1) == red && glint_lights_color(lamp, 2) == red;
+    for (unsigned i = 0; i < count; i++)
+        for (unsigned k = 1; k < 3; k++)
+            if (glint_light_color(&lights[i], k) != glint_light_color(&lights[i], 0))
+                return false;
+    return true;
 }
 
-/* The lamps' colours times x, each rounded up to a whole: <= 64 x. */
-static uint32_t lights_total(const struct glint_lamp *lamps, unsigned count, uint32_t x)
+static void lights_begin(struct glint_lights *lights, const struct glint_paint *paint, bool is_boxed)
+{
+    const int32_t viewer[3] = {paint->v.x, paint->v.y, paint->v.z};
+    lights->paint = paint;
+    lights->is_boxed = is_boxed;
+    lights->channels = lights_are_white(paint->lights, paint->light_count) ? 1 : 3;
+    lights->length = (uint8_t)(GLINT_LIGHTS_SLOTS / (lights->channels + (paint->light_count > 1)));
+    lights->run->apart = lights->channels == 1 ? 0 : lights->length;
+    lights->is_folded = false;
+    lights_part(lights, false);
+    lights->normals = NULL;
+    lights->places = NULL;
+    (void)glint_unit_q30(lights->sight.v_q30, viewer);
+    lights->v = paint->v;
+    for (unsigned i = 0; i < paint->light_count; i++)
+        if (lights_has_place(&paint->lights[i])) {
+            (void)glint_vec_of_q30(&lights->v, lights->sight.v_q30, 0);
+            GLINT_FLASH_POINTER(paint->lights[i].kind->begin)(&lights->reach[i], &paint->lights[i]);
+        }
+}
+
+LIGHTS_ALONE void lights_draw(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
+                              struct glint_box *highlight)
+{
+    struct glint_lights lights;
+    struct glint_vec unpacked[GLINT_LIGHTS_SLOTS];
+    struct glint_bounds bounds = {0, 0, 0, 0, false};
+    lights.run = &lines->run;
+    lights_begin(&lights, paint, highlight != NULL);
+    lines->most = lights.length;
+    for (uint32_t y = 0; y < h; y++) {
+        for (glint_lines_set(lines, y); glint_lines_next(lines); lines->run.x += lines->count) {
+            lights.normals = glint_lines_normals(lines, unpacked);
+            lights_run(&lights, lines->count);
+            for (uint32_t i = 0; lights.shines >> i; i++)
+                if (lights.shines >> i & 1)
+                    glint_bounds_add(&bounds, lines->run.x + i, y);
+        }
+    }
+    glint_bounds_box(&bounds, highlight);
+}
+
+/* ---- A paint is lit ---- */
+
+/* The lights' colours times x, each rounded up to a whole: <= 64 x. */
+static uint32_t lights_total(const struct glint_light *lights, unsigned count, uint32_t x)
 {
     uint32_t sum = 0;
     for (unsigned i = 0; i < count; i++)
-        sum += (uint32_t)(((uint64_t)x * glint_lights_peak(&lamps[i]) + 65535) >> 16);
+        sum += (uint32_t)(((uint64_t)x * glint_light_peak(&lights[i]) + 65535) >> 16);
     return sum;
 }
 
-/* Sums may reach so much, <= 2.0: where the lamps do, and V < 2^32 - 2^20 remains. W, <= 2^(shift - 1) at 1.0, grows no more than
- * they, and enough (tests/proof). Linear space has less room. */
-static GLINT_LIGHTS_ALONE uint32_t lights_most(struct glint_prepared *p, uint32_t total)
+/* How often a coefficient can be doubled, and sums halved instead: the pixels of a material that is dark under lights that are bright have sums
+ * as those of a bright one under dim lights. Sums are left at 1.0 at least. */
+static uint8_t lights_down(const uint32_t q16[3], uint32_t total)
+{
+    uint32_t most = 1;
+    for (unsigned k = 0; k < 3; k++)
+        most = glint_coefficient(q16[k]) > most ? glint_coefficient(q16[k]) : most;
+    unsigned down = 0;
+    while (most << (down + 1) <= 65536 && total >> (down + 1) >= 65536)
+        down++;
+    return (uint8_t)down;
+}
+
+/* Sums, shifted down, may reach so much, <= 2.0: where the lights do, and V < 2^32 - 2^20 remains. W, <= 2^(shift - 1) at 1.0, grows no more
+ * than they, and enough (tests/proof). Linear space has less room. */
+static uint32_t lights_most(struct glint_paint *p, uint32_t total)
 {
     uint32_t most = total < 131072 ? total : 131072;
-    if (p->shader.space == GLINT_LINEAR)
+    if (p->output.space == GLINT_LINEAR)
         return 65536;
     for (int k = 0; k < 3; k++) { /* P <= 2 ambient and a threshold, Q <= 2 diffuse, with maps, too */
-        const uint32_t room = UINT32_C(0xfff00000) - ((uint32_t)1 << p->shift) - 2 * p->ambient[k];
-        const uint32_t unit = 2 * p->diffuse[k] + p->r[k] + (p->r[k] >> 5) + 1;
+        const uint32_t room = UINT32_C(0xfff00000) - ((uint32_t)1 << p->of.exact.shift) - 2 * p->of.exact.ambient[k];
+        const uint32_t unit = 2 * p->of.exact.diffuse[k] + p->of.exact.r[k] + (p->of.exact.r[k] >> 5) + 1;
         most = room / unit < most ? room / unit : most;
     }
     if (most <= 65536)
         return 65536; /* for which there always is room */
-    p->w += (p->w >> 16) * (most - 65536) + most;
-    p->w_maps += (p->w_maps >> 16) * (most - 65536) + most;
+    p->of.exact.w += (p->of.exact.w >> 16) * (most - 65536) + most;
+    p->of.exact.w_maps += (p->of.exact.w_maps >> 16) * (most - 65536) + most;
     return most;
 }
 
-/* What the lamps are for all pixels. */
-static GLINT_LIGHTS_ALONE void lights_prepare(struct glint_lights *lights, const struct glint_lamp *lamps,
-                                              unsigned count)
+static enum glint_err lights_light(struct glint_paint *paint, const struct glint_light *lights, unsigned count,
+                                   const int32_t v_q30[3])
 {
-    struct glint_prepared *const p = lights->prepared;
-    const struct glint_vec v = p->shader.light.v;
-    const int32_t viewer[3] = {v.x, v.y, v.z};
-    const struct glint_sample none = {UINT32_MAX, 0, 0};
-    lights->most = lights_most(p, lights_total(lamps, count, 65536));
-    lights->lamps = lamps;
-    lights->count = (uint8_t)count;
-    lights->channels = 1;
-    for (unsigned i = 0; i < count; i++) {
-        if (!lights_is_white(&lamps[i]))
-            lights->channels = 3;
-        glint_reach_init(&lights->reach[i], &lamps[i]);
-    }
-    lights->length = (uint8_t)(GLINT_LIGHTS_SLOTS / (lights->channels + (count > 1)));
-    for (unsigned i = 0; i < GLINT_LIGHTS_SLOTS; i++)
-        lights->slots[i] = none;                     /* as they stay without lamps */
-    if (glint_unit_q30(lights->sight.v_q30, viewer)) /* else no lamp has a place */
-        (void)glint_vec_of_q30(&p->shader.light.v, lights->sight.v_q30, 0);
-    p->apart = lights->channels == 1 ? 0 : lights->length;
-    if (p->apart && p->shader.space == GLINT_LINEAR && glint_format_is_grey(p->shader.format))
-        lights->most = 0; /* no loop has channels of their own there: all but the dark is left to the 64 bits */
-    lights_part(lights, false);
-}
-
-/* Takes the next run of a line: false at its end. */
-static GLINT_LIGHTS_ALONE bool lights_next(struct glint_lights *lights, const struct glint_source *source, uint16_t w,
-                                           uint16_t y)
-{
-    struct glint_run *const run = &lights->run;
-    const struct glint_line line = glint_line_at(source, y);
-    uint32_t x = run->x;
-    while (line.mask && x < w && !line.mask[x])
-        x++;
-    run->x = x;
-    if (x >= w)
-        return false;
-    lights->pixels = (uint8_t)glint_rect_length(line.mask, x, w, lights->length);
-    lights->normals = line.normals + x;
-    run->albedo = line.albedo ? line.albedo + 3 * x : NULL;
-    run->gloss = line.gloss ? line.gloss + x : NULL;
-    run->mask = line.mask;
-    return true;
-}
-
-static void lights_lines(struct glint_lights *lights, const struct glint_source *source, uint16_t w, uint16_t h,
-                         const struct glint_surface *surface)
-{
-    struct glint_run *const run = &lights->run;
-    run->left = surface->x;
-    for (uint16_t y = 0; y < h; y++) {
-        run->line = (uint8_t *)surface->pixels + surface->stride * (ptrdiff_t)y;
-        run->y = (uint32_t)surface->y + y;
-        for (run->x = 0; lights_next(lights, source, w, y); run->x += lights->pixels) {
-            lights_draw(lights, lights->pixels);
-            for (uint32_t i = 0; lights->shines >> i; i++)
-                if (lights->shines >> i & 1)
-                    glint_bounds_add(&lights->bounds, (uint16_t)(run->x + i), y);
-        }
-    }
-}
-
-static GLINT_LIGHTS_ALONE void lights_rect(struct glint_prepared *prepared, const struct glint_lamp *lamps,
-                                           unsigned count, const struct glint_source *source, uint16_t w, uint16_t h,
-                                           const struct glint_surface *surface, struct glint_box *highlight)
-{
-    struct glint_lights lights;
-    lights.prepared = prepared;
-    lights.boxed = highlight != NULL;
-    lights.bounds.any = false;
-    lights_prepare(&lights, lamps, count);
-    lights_lines(&lights, source, w, h, surface);
-    glint_bounds_box(&lights.bounds, highlight);
-}
-
-enum { LIGHTS_ALONE = 1 };
-
-/* Prepares for sums: GLINT_OK; for one white directional lamp as for its light: LIGHTS_ALONE. Else what is wrong: lamps that have a
- * place need a viewer. */
-static GLINT_LIGHTS_ALONE int lights_begin(struct glint_prepared *p, const struct glint_shader *shader,
-                                           const struct glint_lamp *lamps, unsigned count)
-{
-    const enum glint_err err = glint_shade_prepare(p, shader);
-    if (err)
-        return err;
-    if (count > GLINT_LAMPS_MAX || (count && !lamps))
-        return GLINT_ERR_ARG;
-    const struct glint_vec v = shader->light.v;
-    for (unsigned i = 0; i < count; i++) {
-        const enum glint_err wrong = glint_lamp_check(&lamps[i]);
-        if (wrong)
-            return wrong;
-        if (lamps[i].kind != GLINT_DIRECTIONAL && !(v.x | v.y | v.z))
+    struct glint_vec halves[GLINT_LIGHTS_MAX];
+    for (unsigned i = 0; i < count; i++)
+        if (!lights_has_place(&lights[i]) && !glint_light_half(&halves[i], lights[i].direction_q30, v_q30))
             return GLINT_ERR_VECTOR;
+    const uint32_t total = lights_total(lights, count, 65536);
+    const uint32_t slack = lights_total(lights, count, GLINT_FLASH_U8(paint->model->slack));
+    /* One light's colour folds, so that it is as fast as a white one. */
+    const bool is_one = count == 1 && total <= 4 * 65536 && !lights_are_white(lights, count);
+    unsigned nl_down = 0, f_down = 0;
+    if (!is_one) {
+        nl_down = lights_down(paint->material.diffuse_q16, total);
+        f_down = lights_down(paint->material.specular_q16, total);
     }
-    if (count == 1 && lamps->kind == GLINT_DIRECTIONAL && glint_lights_color(lamps, 0) == 65536 &&
-        lights_is_white(lamps)) {
-        p->shader.light = lamps->light;
-        return LIGHTS_ALONE;
-    }
-    p->slack = (uint16_t)lights_total(lamps, count, p->slack);
-    if (count == 1 && p->shader.space == GLINT_GAMMA && !lights_is_white(lamps))
-        glint_lights_fold(p, lamps);
-    else
-        GLINT_FLASH_POINTER(p->format->fold)(p);
+    paint->of.exact.nl_down = (uint8_t)nl_down;
+    paint->of.exact.f_down = (uint8_t)f_down;
+    paint->of.exact.slack = (uint16_t)(is_one   ? GLINT_FLASH_U8(paint->model->slack)
+                                       : f_down ? (slack >> f_down) + 2
+                                                : slack);
+    for (unsigned k = 0; k < 3; k++)
+        paint->color_q16[k] = is_one ? glint_light_color(lights, k) : 65536;
+    glint_paint_fold(paint, is_one);
+    paint->of.exact.most = is_one ? 65536 : lights_most(paint, total >> (nl_down < f_down ? nl_down : f_down));
+    for (unsigned i = 0; i < count; i++)
+        paint->of.exact.halves[i] = halves[i];
+    (void)glint_vec_of_q30(&paint->v, v_q30, 0);
+    paint->several = &glint_use_lights;
+    paint->lights = lights;
     return GLINT_OK;
 }
 
-enum glint_err glint_shade_lights(const struct glint_shader *shader, const struct glint_lamp *lamps, unsigned count,
-                                  const struct glint_source *source, uint16_t w, uint16_t h,
-                                  const struct glint_surface *surface, struct glint_box *highlight)
-{
-    struct glint_prepared prepared;
-    if (!glint_rect_can(source, surface))
-        return GLINT_ERR_ARG;
-    const int found = lights_begin(&prepared, shader, lamps, count);
-    if (found < 0)
-        return (enum glint_err)found;
-    if (found == LIGHTS_ALONE)
-        return glint_shade_prepared_rect(&prepared, source, w, h, surface, highlight);
-    lights_rect(&prepared, lamps, count, source, w, h, surface, highlight);
-    return GLINT_OK;
-}
-
-enum glint_err glint_lights_init(struct glint_lights *lights, struct glint_prepared *prepared,
-                                 const struct glint_shader *shader, const struct glint_lamp *lamps, unsigned count)
-{
-    const int found = lights_begin(prepared, shader, lamps, count);
-    if (found < 0)
-        return (enum glint_err)found;
-    lights->prepared = prepared;
-    lights->boxed = false;
-    lights_prepare(lights, lamps, count);
-    return GLINT_OK;
-}
-
-void glint_lights_pixel(struct glint_lights *lights, const struct glint_vec *normal)
-{
-    lights->normals = normal;
-    lights_draw(lights, 1);
-}
+const struct glint_use_lights glint_use_lights GLINT_FLASH = {lights_light, lights_draw, lights_begin, lights_run};

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Blinn and Phong, eq. (1): F = c^n. */
-#include "glint_lobe_domain.h"
-#include "glint_lobe_largest_t.h"
-#include "glint_math_power.h"
+#include "glint_lobe.h"
+#include "glint_math.h"
 
 static uint64_t blinn_power(uint32_t n, uint32_t t)
 {
@@ -45,3 +44,19 @@ uint32_t glint_blinn_cutoff(uint32_t n, unsigned q)
 {
     return glint_c_of_cutoff_t(glint_blinn_cutoff_t(n, q));
 }
+
+/* ---- from below, over a run of samples ---- */
+
+/* The power is f 2^-32 or up to 3n - 2 < 2^12 more of 2^-32: F is this or 1 more. */
+static inline uint32_t blinn_near(const struct glint_paint *paint, uint32_t t)
+{
+    return t == 0 ? 65536 : ((glint_power_near((GLINT_T_ONE - t) << 2, paint->of.exact.n) >> 15) + 1) >> 1;
+}
+
+void glint_blinn_run(const struct glint_paint *paint, struct glint_sample *samples, unsigned count)
+{
+    glint_near_run(paint, samples, count, blinn_near);
+}
+
+const struct glint_use_model glint_use_blinn GLINT_FLASH = {
+    GLINT_BLINN, 1, NULL, NULL, glint_blinn_run, glint_blinn_t, glint_blinn_cutoff_t};

@@ -4,9 +4,33 @@
  *
  * With T = 2^30 t: r = p / s, p = 2^33 - (n + 4) T, s = 2^33 + (n - 4) T. Where p > 0, s < 2 * 2^33. An approximation in
  * 32 bits decides the rounding but for one t in 108; there an exact comparison of p^4 and s^4 does. */
-#include "glint_lobe_cayley.h"
-#include "glint_lobe_domain.h"
-#include "glint_lobe_largest_t.h"
+#include "glint_lobe.h"
+#include "glint_math.h"
+
+enum { CAYLEY_LOW = 21, CAYLEY_HIGH = 17 };
+
+/* f with f - HIGH < 2^28 F < f + LOW for 4 < n <= 1000, 0 < t < 1; 0 where F = 0.
+ *
+ * F = r^4, r = p / s, p = 2^33 - (n + 4) T, s = 2^33 + (n - 4) T, T = 2^30 t; where p > 0, 2^33 <= s < 2^34.
+ * Errors, each in units of its value's last place, and what they make of 2^28 F = 2^28 r^4:
+ *   p / 2        high by <= 1/2, as v is rounded down: of r by < 1/4            high < 1/8
+ *   reciprocal   2^-30 (-16.1 .. 16.4), four times in r^4                       low < 16.1, high < 16.4
+ *   r            low by < 3 2^-31, four times                                   low < 3/2
+ *   r^2          low by < 2 2^-30, twice                                        low < 1
+ *   r^4          low by < 2 2^-28                                               low < 2
+ * and the squares of these, less than 2^-20 of them. */
+static inline uint32_t cayley_near_t(uint32_t n, uint32_t t)
+{
+    const uint32_t fall = (n + 4) * (t >> 14), rest = (n + 4) * (t & 0x3fff) >> 1; /* < 2^26, < 2^23 */
+    if (fall >> 19)
+        return 0;
+    const uint32_t v = (fall << 13) + rest; /* (n + 4) T / 2, rounded down */
+    if (v < rest)
+        return 0;
+    const uint32_t m = ((uint32_t)1 << 27) + ((v - (t << 2)) >> 5);  /* s / 2^6, rounded down */
+    const uint32_t r = glint_mulhi_near(0 - v, glint_reciprocal(m)); /* Q31 */
+    return glint_squarehi_near(glint_squarehi_near(r));              /* Q30, Q28 */
+}
 
 enum { CAYLEY_LIMBS = 5 }; /* of 32 bits, least significant first */
 
@@ -57,8 +81,8 @@ uint32_t glint_cayley_t(uint32_t n, uint32_t t)
         return (uint32_t)GLINT_C_ONE;
     if (t >= GLINT_T_ONE)
         return 0;
-    const uint32_t f = glint_cayley_near_t(n, t) + 2048;
-    const uint32_t low = (f - GLINT_CAYLEY_HIGH) >> 12, high = (f + GLINT_CAYLEY_LOW) >> 12;
+    const uint32_t f = cayley_near_t(n, t) + 2048;
+    const uint32_t low = (f - CAYLEY_HIGH) >> 12, high = (f + CAYLEY_LOW) >> 12;
     return low == high || !cayley_at_least(n, t, 2 * high - 1) ? low : high;
 }
 
@@ -81,3 +105,22 @@ uint32_t glint_cayley_cutoff(uint32_t n, unsigned q)
 {
     return glint_c_of_cutoff_t(glint_cayley_cutoff_t(n, q));
 }
+
+/* ---- from below, over a run of samples ---- */
+
+/* 2^28 F < f + CAYLEY_LOW, and the two bounds together are less than 2^12: F is this or 1 more. */
+__attribute__((flatten)) static inline uint32_t cayley_near(const struct glint_paint *paint, uint32_t t)
+{
+    return t == 0 ? 65536 : (cayley_near_t(paint->of.exact.n, t) + 2048 - CAYLEY_HIGH) >> 12;
+}
+
+static void cayley_run(const struct glint_paint *paint, struct glint_sample *samples, unsigned count)
+{
+    if (paint->of.exact.n > 4)
+        glint_near_run(paint, samples, count, cayley_near);
+    else
+        glint_blinn_run(paint, samples, count);
+}
+
+const struct glint_use_model glint_use_cayley GLINT_FLASH = {
+    GLINT_CAYLEY, 1, NULL, NULL, cayley_run, glint_cayley_t, glint_cayley_cutoff_t};

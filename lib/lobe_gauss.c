@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Gauss, eq. (1): F = exp(-n x^2 / 2), x = acos c. One function of c suffices: F = g^n, g = exp(-acos(c)^2 / 2). */
-#include "glint_lobe_domain.h"
-#include "glint_lobe_gauss.h"
-#include "glint_lobe_largest_t.h"
-#include "glint_math_flash.h"
-#include "glint_math_multiply.h"
-#include "glint_math_power.h"
+#include "glint_lobe.h"
+#include "glint_math.h"
 
 /* g as a polynomial in t = 1 - c, Q1.62, off by < 2^-63 on 0..1; printed by tests/exact/gauss_coefficients.py. */
 /* clang-format off */
@@ -86,7 +82,19 @@ static inline uint32_t gauss_fraction(uint32_t x)
     return f - glint_mulhi_near(f, (z >> 5) - (square >> 11) + (cube >> 15));
 }
 
-uint32_t glint_gauss_near_t(uint32_t n, uint32_t t)
+enum { GAUSS_LOW = 7, GAUSS_HIGH = 9 };
+
+/* f with f - HIGH < 2^28 F < f + LOW for 0 < n <= 1000, 0 < t < 1; or 0 where 2^28 F < 31.
+ *
+ * F = 2^-X, X = n t b. Errors, each in units of its value's last place, and what they make of 2^28 F, L = -ln F:
+ *   b       2^-28 (-15 .. 13.5) of it: of X as much  high < 15 F L, low < 13.5 F L
+ *   n t     Q28, low by <= 3/4: of X by < 0.67       high < 0.93 F
+ *   X       Q27, low by < 3                          high < 4.16 F
+ *   2^-x    2^-32 (-34 .. 24) of it                  high < 1.5 F, low < 2.13 F
+ *   shifts  low by < 1                               low < 1
+ * High: F (15 L + 6.6) <= 8.6, where L = 0.56. Low: F (13.5 L + 2.13) + 1 <= 6.9, where L = 0.84. Proved: tests/proof.
+ * Of the model's function and of its loop, so not inlined. */
+__attribute__((noinline)) static uint32_t gauss_near_t(uint32_t n, uint32_t t)
 {
     const uint32_t whole = n * (t >> 14); /* < 2^26 */
     if (whole >= ((uint32_t)1 << 20) - 1024)
@@ -104,9 +112,9 @@ uint32_t glint_gauss_t(uint32_t n, uint32_t t)
         return (uint32_t)GLINT_C_ONE; /* 1.0 has no place in Q0.64 */
     n = glint_clamp_n(n);
     if (t < GLINT_T_ONE) {
-        const uint32_t f = glint_gauss_near_t(n, t) + 2048;
-        const uint32_t low = (f - GLINT_GAUSS_HIGH) >> 12;
-        if (low == (f + GLINT_GAUSS_LOW) >> 12)
+        const uint32_t f = gauss_near_t(n, t) + 2048;
+        const uint32_t low = (f - GAUSS_HIGH) >> 12;
+        if (low == (f + GAUSS_LOW) >> 12)
             return low;
     }
     return glint_power_round(gauss_power(n, t));
@@ -131,3 +139,29 @@ uint32_t glint_gauss_cutoff(uint32_t n, unsigned q)
 {
     return glint_c_of_cutoff_t(glint_gauss_cutoff_t(n, q));
 }
+
+/* ---- from below, over a run of samples ---- */
+
+/* Where there is no quick form. (A call of glint_gauss_t would have compilers split that in two.) */
+__attribute__((noinline)) static uint32_t gauss_end(uint32_t n, uint32_t t)
+{
+    return t == 0 ? 65536 : glint_power_round(gauss_power(n, t));
+}
+
+/* 2^28 F < f + GAUSS_LOW, and the two bounds together are less than 2^12: F is this or 1 more. F > 0 at t = 1, too,
+ * where n is small. */
+static inline uint32_t gauss_near(const struct glint_paint *paint, uint32_t t)
+{
+    if (t == 0 || t == GLINT_T_ONE)
+        return gauss_end(paint->of.exact.n, t);
+    const uint32_t f = gauss_near_t(paint->of.exact.n, t) + 2048;
+    return (f - GAUSS_HIGH) >> 12;
+}
+
+static void gauss_run(const struct glint_paint *paint, struct glint_sample *samples, unsigned count)
+{
+    glint_near_run(paint, samples, count, gauss_near);
+}
+
+const struct glint_use_model glint_use_gauss GLINT_FLASH = {
+    GLINT_GAUSS, 1, NULL, NULL, gauss_run, glint_gauss_t, glint_gauss_cutoff_t};

@@ -3,9 +3,8 @@
  * Apple Technical Report 43, 1993: (1 - x/k)^k nears e^-x, and k = 4 takes two squarings. No division, no table.
  *
  * With T = 2^30 t:  F = (p / 2^32)^4, p = 2^32 - nT. There are no ties: p^4 = (2k + 1) 2^111 has no solution. */
-#include "glint_lobe_domain.h"
-#include "glint_math_flash.h"
-#include "glint_math_multiply.h"
+#include "glint_lobe.h"
+#include "glint_math.h"
 
 /* p, modulo 2^32, for 0 < p <= 2^32; 0 else, which for t > 0 can only be that. */
 static inline uint32_t lyon_base(uint32_t n, uint32_t t)
@@ -25,8 +24,9 @@ static uint32_t lyon_exactly(uint32_t p)
     return (uint32_t)(((fourth >> 47) + 1) >> 1);
 }
 
-/* y = F 2^32 is low by less than 2 of the square, which count twice, and 2: by less than 6. */
-uint32_t glint_lyon_t(uint32_t n, uint32_t t)
+/* y = F 2^32 is low by less than 2 of the square, which count twice, and 2: by less than 6. Inlined into its loop, too, it would be
+ * there twice, or be split in two. */
+__attribute__((noinline)) uint32_t glint_lyon_t(uint32_t n, uint32_t t)
 {
     if (t > GLINT_T_ONE)
         return 0;
@@ -58,3 +58,18 @@ uint32_t glint_lyon_cutoff(uint32_t n, unsigned q)
 {
     return glint_c_of_cutoff_t(glint_lyon_cutoff_t(n, q));
 }
+
+/* ---- from below, over a run of samples ---- */
+
+static inline uint32_t lyon_near(const struct glint_paint *paint, uint32_t t)
+{
+    return glint_lyon_t(paint->of.exact.n, t);
+}
+
+static void lyon_run(const struct glint_paint *paint, struct glint_sample *samples, unsigned count)
+{
+    glint_near_run(paint, samples, count, lyon_near);
+}
+
+const struct glint_use_model glint_use_lyon GLINT_FLASH = {GLINT_LYON,         0, NULL, NULL, lyon_run, glint_lyon_t,
+                                                           glint_lyon_cutoff_t};

@@ -4,9 +4,25 @@
  * With C = 2^16 c and E = 2^16 (4n(1 - c) + 5c), 2^18 <= E < 2^28:  F 2^16 = 2^39 C / (5 E^2). Small cores divide slowly or
  * not at all, so F comes from an approximate reciprocal, and where that does not settle the rounding, from an exact
  * comparison of products. There are no ties for integer n. */
-#include "glint_lobe_domain.h"
-#include "glint_lobe_largest_t.h"
-#include "glint_lobe_msh.h"
+#include "glint_lobe.h"
+#include "glint_math.h"
+
+/* 2^71 C / (5 m^2) for C = u / 2^8 <= 2^16, within 2400; less than 0.4 * 2^32. With y m = 2^35 (1 + r),
+ * 1 / m^2 = y^2 2^-70 (1 + p), p = -2r + 3r^2 - 4r^3 + .. Products of 32 bits only, and all that fits is kept. */
+static inline uint32_t msh_quotient(uint32_t u_q24, uint32_t m)
+{
+    const uint32_t y = GLINT_FLASH_U8(glint_reciprocals[(m >> 21) - 64]);
+    const int32_t r = (int32_t)(m * y) >> 14;                  /* Q21, |r| < 18960: 2^35 is 0 modulo 2^32. Low by < 1 */
+    const int32_t p = (r * (3 * r - (r * r >> 19)) >> 22) - r; /* Q20, |p| < 19300, within 1.1: r and >> err apart */
+    const uint32_t b = (u_q24 * y >> 8) * y;                   /* y^2 C < 254^2 2^16 < 2^32. Low by < 254 */
+    /* 2^70 C / m^2, off by 1.1 * 2^12 of p + 19300 / 2^4 of b >> 16 + 254 of b + 1 < 5970; less than 2^32: m is near
+     * 1.25 * 2^27 where C is near 2^16, elsewhere the whole steps of C missing leave 2^16 each */
+    const uint32_t x = b + (uint32_t)((int32_t)(b >> 16) * p >> 4);
+    uint32_t q = (x >> 2) + (x >> 3); /* 2/5 x = 3/8 x (1 + 1/16) (1 + 1/256) (1 + 1/65536). Low by < 6 */
+    q += q >> 4;
+    q += q >> 8;
+    return q + (q >> 16);
+}
 
 /* E = 2^-s m, 2^27 <= m < 2^28: then F 2^16 = 2^(2s - 32) times the quotient. */
 struct scaled {
@@ -46,7 +62,7 @@ enum { SLACK = 2560 }; /* 2400, and from t, where u and m are cut by < 1 each, 2
 
 static inline struct range candidates(uint32_t u_q24, struct scaled a)
 {
-    const uint32_t q = glint_msh_quotient(u_q24, a.m) + ((uint32_t)1 << (a.shift - 1));
+    const uint32_t q = msh_quotient(u_q24, a.m) + ((uint32_t)1 << (a.shift - 1));
     const struct range f = {(q - SLACK) >> a.shift, (q + SLACK) >> a.shift};
     return f;
 }
@@ -138,3 +154,47 @@ uint32_t glint_msh_cutoff_t(uint32_t n, unsigned q)
 {
     return glint_largest_t(msh_reaches, n, q);
 }
+
+/* ---- from below, over a run of samples ---- */
+
+/* E = 2^16 (4n(1 - c) + 5c) comes scaled by 2^up, such that m, the largest, is just below 2^28: most of a
+ * highlight is dim, so most pixels need no shift more. */
+
+/* m = FACTOR t 2^-14 + ADDEND, < 2^28 for t < t_end, where F > 0 and so E < 2^27: up >= 1. FACTOR < 2^17. */
+static void msh_fold(struct glint_paint *paint)
+{
+    const int32_t k = 4 * (int32_t)paint->of.exact.n - 5;
+    const uint32_t t = paint->of.exact.t_end - 1;
+    uint32_t largest = (uint32_t)5 << 16; /* E + 1, or at t = 0 where n = 1 */
+    if (k > 0)
+        largest += (uint32_t)k * (t >> 14) + ((uint32_t)k * (t & 0x3fff) >> 14) + 1;
+    unsigned up = 0;
+    while (largest << up < (uint32_t)1 << 27 && k * ((int32_t)1 << up) < (int32_t)1 << 16)
+        up++;
+    paint->of.exact.k[GLINT_MSH_FACTOR] = k * ((int32_t)1 << up);
+    paint->of.exact.k[GLINT_MSH_ADDEND] = (int32_t)((uint32_t)5 << 16 << up);
+    paint->of.exact.k[GLINT_MSH_SHIFT] = 32 - 2 * (int32_t)up;
+}
+
+__attribute__((flatten)) static inline uint32_t msh_near(const struct glint_paint *paint, uint32_t t)
+{
+    const int32_t k = paint->of.exact.k[GLINT_MSH_FACTOR];
+    uint32_t m = (uint32_t)(k * (int32_t)(t >> 14) + (k * (int32_t)(t & 0x3fff) >> 14)) +
+                 (uint32_t)paint->of.exact.k[GLINT_MSH_ADDEND];
+    unsigned shift = (unsigned)paint->of.exact.k[GLINT_MSH_SHIFT];
+    while (!(m >> 27)) {
+        m <<= 1;
+        shift -= 2;
+    }
+    const uint32_t f =
+        (msh_quotient((GLINT_T_ONE - t) >> 6, m) + ((uint32_t)1 << shift >> 1) - GLINT_MSH_HIGH) >> shift;
+    return f < paint->of.exact.f_max ? f : paint->of.exact.f_max;
+}
+
+static void msh_run(const struct glint_paint *paint, struct glint_sample *samples, unsigned count)
+{
+    glint_near_run(paint, samples, count, msh_near);
+}
+
+const struct glint_use_model glint_use_msh GLINT_FLASH = {GLINT_MSH,         1, NULL, msh_fold, msh_run, glint_msh_t,
+                                                          glint_msh_cutoff_t};

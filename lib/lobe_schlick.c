@@ -1,7 +1,41 @@
 /* SPDX-License-Identifier: MIT
  * Schlick, eq. (2): F = c / (n - nc + c). */
-#include "glint_lobe_domain.h"
-#include "glint_lobe_schlick.h"
+#include "glint_lobe.h"
+#include "glint_math.h"
+
+enum { SCHLICK_LOW = 6, SCHLICK_HIGH = 5 };
+
+/* f with f - HIGH < 2^28 F < f + LOW for 0 < n <= 1000, 0 < t < 1.
+ *
+ * F = u / d, u = 2^30 - T, d = 2^30 + (n - 1) T = 2^(14 - up) m, T = 2^30 t, 2^27 <= m < 2^28.
+ * Errors of 2^28 F <= 2^28:
+ *   reciprocal   2^-30 (-16.1 .. 16.4) of F        low < 4.1, high < 4.1
+ *   product      low by < 3 2^-(42 - up) of F, up <= 11        low < 3/8
+ *   shift        low by < 1 */
+static inline uint32_t schlick_near_t(uint32_t n, uint32_t t)
+{
+    const uint32_t rest = (n - 1) * (t & 0x3fff);                                 /* < 2^24 */
+    uint32_t m = (((uint32_t)1 << 16) + (n - 1) * (t >> 14) + (rest >> 14)) << 2; /* 2^18 .. 2^28: up = 2 */
+    unsigned down = 12;                                                           /* 14 - up */
+    if (m >> 23 == 0) {
+        m <<= 5;
+        down -= 5;
+    }
+    if (m >> 25 == 0) {
+        m <<= 2;
+        down -= 2;
+    }
+    if (m >> 26 == 0) {
+        m <<= 1;
+        down--;
+    }
+    if (m >> 27 == 0) {
+        m <<= 1;
+        down--;
+    }
+    m |= (rest & 0x3fff) >> down;
+    return glint_mulhi_near((((uint32_t)1 << 30) - t) << 2, glint_reciprocal(m)) >> down;
+}
 
 /* With C = 2^16 c: F 2^16 = C 2^16 / D, D = n(2^16 - C) + C <= 2^26; C 2^16 + D/2 < 2^32 for C < 2^16.
  * One tie: C = 32896, n = 513. */
@@ -25,9 +59,9 @@ uint32_t glint_schlick_t(uint32_t n, uint32_t t)
     if (t == 0)
         return (uint32_t)GLINT_C_ONE;
     n = glint_clamp_n(n);
-    const uint32_t f = glint_schlick_near_t(n, t) + 2048;
-    const uint32_t low = (f - GLINT_SCHLICK_HIGH) >> 12;
-    if (low == (f + GLINT_SCHLICK_LOW) >> 12)
+    const uint32_t f = schlick_near_t(n, t) + 2048;
+    const uint32_t low = (f - SCHLICK_HIGH) >> 12;
+    if (low == (f + SCHLICK_LOW) >> 12)
         return low;
     const uint64_t d = GLINT_T_ONE + (uint64_t)(n - 1) * t;
     return (uint32_t)((((uint64_t)(GLINT_T_ONE - t) << 17) + d) / (2 * d));
@@ -44,3 +78,19 @@ uint32_t glint_schlick_cutoff(uint32_t n, unsigned q)
 {
     return glint_c_of_cutoff_t(glint_schlick_cutoff_t(n, q));
 }
+
+/* ---- from below, over a run of samples ---- */
+
+/* 2^28 F < f + SCHLICK_LOW, and the two bounds together are less than 2^12: F is this or 1 more. */
+__attribute__((flatten)) static inline uint32_t schlick_near(const struct glint_paint *paint, uint32_t t)
+{
+    return t == 0 ? 65536 : (schlick_near_t(paint->of.exact.n, t) + 2048 - SCHLICK_HIGH) >> 12;
+}
+
+static void schlick_run(const struct glint_paint *paint, struct glint_sample *samples, unsigned count)
+{
+    glint_near_run(paint, samples, count, schlick_near);
+}
+
+const struct glint_use_model glint_use_schlick GLINT_FLASH = {
+    GLINT_SCHLICK, 1, NULL, NULL, schlick_run, glint_schlick_t, glint_schlick_cutoff_t};

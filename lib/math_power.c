@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "glint_math_power.h"
-#include "glint_math_multiply.h"
+#include "glint_math.h"
 
 /* The upper half of a 64 x 64 bit product, from 32 x 32 bit ones. Inlined it would take stack and code twice. */
 __attribute__((noinline)) static uint64_t mulhi(uint64_t a, uint64_t b)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * The sRGB transfer function, IEC 61966-2-1. The tables are printed by tests/exact/srgb_tables.py. */
-#include "glint_math_srgb.h"
+#include "glint_math.h"
 
 /* clang-format off */
 static const uint16_t decoded[256] GLINT_FLASH = {

@@ -1,11 +1,31 @@
 /* SPDX-License-Identifier: MIT
- * A picture of meshes: its memory. */
-#include "glint_math_align.h"
-#include "glint_mesh_lists.h"
-#include "glint_mesh_pose.h"
+ * A mesh, checked; a picture of meshes: its memory, and what is drawn in it. */
+#include "glint_port.h"
 #include "glint_mesh_strip.h"
+#include "glint_mesh_pose.h"
+#include "glint_tables.h"
 
 typedef char kept_fits[sizeof(struct glint_mesh_kept) <= GLINT_MESH_KEPT_BYTES ? 1 : -1];
+
+enum glint_err glint_mesh_check(const struct glint_mesh *mesh)
+{
+    if (!mesh || !mesh->places || !mesh->faces || !(mesh->normals || mesh->normals8) || mesh->vertex_count == 0 ||
+        mesh->face_count > GLINT_MESH_FACES_MAX || (mesh->part_count && !mesh->ends) ||
+        (mesh->of_vertices && mesh->of_faces))
+        return GLINT_ERR_ARG;
+    for (size_t i = 0; i < (size_t)3 * mesh->face_count; i++)
+        if (mesh->faces[i] >= mesh->vertex_count)
+            return GLINT_ERR_ARG;
+    for (size_t i = 0; !mesh->normals && i < (size_t)3 * mesh->vertex_count; i++)
+        if (mesh->normals8[i] == INT8_MIN)
+            return GLINT_ERR_ARG;
+    for (unsigned i = 1; i < mesh->part_count; i++)
+        if (mesh->ends[i] < mesh->ends[i - 1])
+            return GLINT_ERR_ARG;
+    if (mesh->part_count && mesh->ends[mesh->part_count - 1] != mesh->face_count)
+        return GLINT_ERR_ARG;
+    return GLINT_OK;
+}
 
 /* More than an AVR can address is more than it can have. */
 static size_t mesh_size(uint32_t bytes)
@@ -18,16 +38,30 @@ size_t glint_mesh_frame_bytes(uint16_t w, uint16_t lines)
     return mesh_size((uint32_t)sizeof(struct glint_mesh_bench) + glint_mesh_depth_bytes(w, lines));
 }
 
-/* What is left of the memory, as free places. */
-static void begin_kept(struct glint_mesh_frame *frame, uint8_t *memory, size_t bytes)
+/* Places for triangles that go on, in a list of free ones. */
+static void mesh_places(struct glint_mesh_frame *frame, uint16_t count)
 {
-    const size_t room = bytes / sizeof(struct glint_mesh_kept);
-    const uint16_t count = (uint16_t)(room < GLINT_MESH_FACES_MAX ? room : GLINT_MESH_FACES_MAX);
-    struct glint_mesh_kept *const kept = (struct glint_mesh_kept *)(void *)memory;
-    frame->kept = kept;
+    struct glint_mesh_kept *const kept = (struct glint_mesh_kept *)frame->kept;
+    frame->places = count;
     frame->free = (uint16_t)(count ? 0 : GLINT_MESH_NONE);
     for (uint16_t i = 0; i < count; i++)
         kept[i].next = (uint16_t)(i + 1u < count ? i + 1u : GLINT_MESH_NONE);
+}
+
+/* The last places become the work memory of lights; false where there are too few, or some may be in use. */
+static bool mesh_light(struct glint_mesh_frame *frame)
+{
+    enum { PLACES = GLINT_MESH_LIGHTS_BYTES / GLINT_MESH_KEPT_BYTES };
+    if (frame->lit)
+        return true;
+    if (frame->places < PLACES || frame->y)
+        return false;
+    mesh_places(frame, (uint16_t)(frame->places - PLACES));
+    uint8_t *memory = (uint8_t *)frame->kept + (size_t)frame->places * sizeof(struct glint_mesh_kept);
+    while (GLINT_MISALIGNED(memory, pointer))
+        memory++;
+    frame->lit = memory;
+    return true;
 }
 
 enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint16_t h, uint16_t lines,
@@ -44,8 +78,10 @@ enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint
     frame->lines = lines;
     frame->distance = distance;
     frame->y = 0;
-    const size_t used = glint_mesh_frame_bytes(w, lines);
-    begin_kept(frame, (uint8_t *)memory + used, bytes - used);
+    frame->lit = NULL;
+    const size_t used = glint_mesh_frame_bytes(w, lines), room = (bytes - used) / sizeof(struct glint_mesh_kept);
+    frame->kept = (uint8_t *)memory + used;
+    mesh_places(frame, (uint16_t)(room < GLINT_MESH_FACES_MAX ? room : GLINT_MESH_FACES_MAX));
     return GLINT_OK;
 }
 
@@ -62,15 +98,47 @@ size_t glint_mesh_bytes(const struct glint_mesh *mesh, uint16_t h)
                      2 * ((uint32_t)mesh->face_count + frame_bands(h)));
 }
 
+static __attribute__((noinline)) bool mesh_is_same(const struct glint_vec *a, const struct glint_vec *b)
+{
+    return a->x == b->x && a->y == b->y && a->z == b->z;
+}
+
+/* Are paints lit by the same lights? */
+static bool mesh_are_alike(const struct glint_paint *a, const struct glint_paint *b)
+{
+    if (a->light_count != b->light_count || a->several != b->several || !mesh_is_same(&a->v, &b->v))
+        return false;
+    if (a->several)
+        return a->lights == b->lights;
+    return mesh_is_same(&a->l, &b->l) && mesh_is_same(&a->h, &b->h) && a->color_q16[0] == b->color_q16[0] &&
+           a->color_q16[1] == b->color_q16[1] && a->color_q16[2] == b->color_q16[2];
+}
+
+/* Can the parts be drawn with these paints? */
+static bool mesh_can(struct glint_mesh_frame *frame, const struct glint_mesh *mesh, const struct glint_paint *paints)
+{
+    const bool coloured = mesh->of_vertices || mesh->of_faces;
+    for (unsigned i = 0; i == 0 || i < mesh->part_count; i++) {
+        const struct glint_paint *paint = &paints[i];
+        if (!glint_paint_is_lit(paint) || !mesh_are_alike(paint, paints) ||
+            paint->output.format != paints->output.format)
+            return false;
+        if (!glint_paint_is_exact(paint) && coloured != (bool)GLINT_FLASH_U8(paint->of.tables.filled.use->takes_albedo))
+            return false;
+        if (glint_mesh_is_lit(paint) && !mesh_light(frame))
+            return false;
+    }
+    return true;
+}
+
 enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn,
                               const struct glint_mesh *mesh, const struct glint_pose *pose,
-                              const struct glint_light *light, const struct glint_paint *paints, void *memory,
-                              size_t bytes)
+                              const struct glint_paint *paints, void *memory, size_t bytes)
 {
-    if (!frame || !drawn || !mesh || !pose || !light || !paints || !memory || GLINT_MISALIGNED(memory, 32) ||
-        bytes < glint_mesh_bytes(mesh, frame->h))
+    if (!frame || !drawn || !mesh || !pose || !paints || !memory || GLINT_MISALIGNED(memory, 32) ||
+        bytes < glint_mesh_bytes(mesh, frame->h) || !mesh_can(frame, mesh, paints))
         return GLINT_ERR_ARG;
-    if (!glint_pose_set(drawn, pose, light))
+    if (!glint_pose_set(drawn, pose, paints))
         return GLINT_ERR_VECTOR;
     drawn->next = NULL;
     drawn->mesh = mesh;
@@ -80,6 +148,8 @@ enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_
     drawn->links = (uint16_t *)(void *)(drawn->vertices + mesh->vertex_count);
     drawn->bands = drawn->links + mesh->face_count;
     drawn->is_cut = glint_mesh_vertices(frame, drawn);
+    for (unsigned i = 0; paints->light_count == 0 && i < mesh->vertex_count; i++)
+        drawn->vertices[i].nl_q30 = -1; /* dark */
     glint_mesh_sort(frame, drawn, frame->y);
     *frame->last = drawn;
     frame->last = &drawn->next;

@@ -2,9 +2,8 @@
  * A number is linear over a triangle: a step to the right or down is a sum of products of sides and differences, over twice the area.
  * One reciprocal of that, of 31 bits, serves all six steps. Where a sliver is so thin that this is too coarse, a pixel still has
  * something between its corners. */
-#include "glint_mesh_across.h"
-#include "glint_math_reciprocal.h"
-#include "glint_mesh_lists.h"
+#include "glint_mesh_rows.h"
+#include "glint_math.h"
 #include "glint_mesh_strip.h"
 
 void glint_mesh_corners_of(struct glint_mesh_corners *corners, const struct glint_mesh_target *target, unsigned face)

@@ -3,8 +3,8 @@
  * depth the first stays, however the picture is cut. A triangle that goes on is kept, so that it is set up once; where there is no
  * place left its face goes into the next band's list and is set up again. */
 #include "glint_mesh_strip.h"
-#include "glint_math_assembly.h"
-#include "glint_mesh_lists.h"
+#include "glint_port.h"
+#include "glint_mesh_triangle.h"
 
 /* A list to which entries are added at its end. */
 struct tail {
@@ -23,42 +23,41 @@ static __attribute__((noinline)) void part_set(struct part *part, const struct g
 {
     part->number = (uint16_t)number;
     part->paint = &drawn->paints[number];
-    part->t_end = GLINT_FLASH_POINTER(part->paint->path->t_end)(part->paint->with);
+    part->t_end = glint_mesh_t_end(part->paint);
     part->end = number + 1 < drawn->mesh->part_count ? drawn->mesh->ends[number] : GLINT_MESH_NONE;
 }
 
-static void draw(const struct glint_mesh_target *strip, struct glint_mesh_triangle *triangle,
-                 const struct glint_paint *paint)
+/* Corner k of a polygon's triangle i: 0, i - 1 and i. */
+static inline const struct glint_mesh_clipped *fan_corner(const struct glint_mesh_clipped *at, unsigned i, unsigned k)
 {
-    if (triangle->y < strip->y)
-        glint_mesh_triangle_skip(triangle, strip->y);
-    GLINT_FLASH_POINTER(paint->path->draw)(paint->with, triangle, strip);
+    return k == 0 ? at : &at[i - 2 + k];
 }
 
-/* A face, clipped, as a fan. */
-static void draw_clipped(const struct glint_mesh_target *strip, uint16_t number, const struct glint_paint *paint)
+/* A face, clipped, as a fan. Alone, for the stack of what draws other faces. */
+static __attribute__((noinline)) void draw_clipped(const struct glint_mesh_target *strip, uint16_t number,
+                                                   const struct glint_paint *paint)
 {
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)strip->frame->memory;
     struct glint_mesh_triangle *triangle = &bench->face.triangle;
     const unsigned count =
         glint_mesh_clip(&bench->polygon, strip->frame, strip->drawn, strip->drawn->mesh->faces + 3 * (size_t)number);
     const struct glint_mesh_clipped *at = bench->polygon.list[bench->polygon.now].corner;
-    const uint32_t t_end = GLINT_FLASH_POINTER(paint->path->t_end)(paint->with);
+    const uint32_t t_end = glint_mesh_t_end(paint);
     struct glint_mesh_vertex *const v = bench->vertex;
+    struct glint_mesh_corner corner[3];
     bench->face.face = number;
     for (unsigned i = 2; i < count; i++) {
-        const struct glint_mesh_clipped *const of[3] = {&at[0], &at[i - 1], &at[i]};
-        struct glint_mesh_corner corner[3];
         for (unsigned k = 0; k < 3; k++) {
-            glint_mesh_clip_vertex(&v[k], strip->frame, strip->drawn, of[k]);
+            glint_mesh_clip_vertex(&v[k], strip->frame, strip->drawn, fan_corner(at, i, k));
             corner[k].v = &v[k];
-            corner[k].side = glint_mesh_side(&of[(k + 1) % 3]->normal, &of[(k + 2) % 3]->normal);
+            corner[k].side = glint_mesh_side(&fan_corner(at, i, k == 2 ? 0 : k + 1)->normal,
+                                             &fan_corner(at, i, k == 0 ? 2 : k - 1)->normal);
         }
         if (glint_mesh_area(&v[0], &v[1], &v[2]) < 0 &&
             glint_mesh_triangle_set(triangle, corner, glint_mesh_shine(corner, t_end), t_end) &&
             triangle->y < strip->end) {
             bench->fan = (uint8_t)i;
-            draw(strip, triangle, paint);
+            glint_mesh_rows(paint, triangle, strip);
         }
     }
 }
@@ -68,7 +67,7 @@ static bool draw_on(const struct glint_mesh_target *strip, struct glint_mesh_tri
                     const struct glint_paint *paint)
 {
     if (triangle->y < strip->end)
-        draw(strip, triangle, paint);
+        glint_mesh_rows(paint, triangle, strip);
     return triangle->y_end > strip->end;
 }
 
@@ -169,15 +168,6 @@ void glint_mesh_forget(struct glint_mesh_frame *frame, struct glint_mesh_drawn *
     }
 }
 
-static bool strip_can(const struct glint_mesh_frame *frame)
-{
-    for (const struct glint_mesh_drawn *drawn = frame->first; drawn; drawn = drawn->next)
-        for (unsigned i = 0; i == 0 || i < drawn->mesh->part_count; i++)
-            if (!drawn->paints[i].path || !GLINT_FLASH_POINTER(drawn->paints[i].path->can)(drawn->paints[i].with))
-                return false;
-    return true;
-}
-
 #if !GLINT_CORTEX_M0PLUS_ASM
 /* Two at a time. */
 void glint_mesh_clear(uint16_t *depth, uint32_t bytes)
@@ -192,13 +182,17 @@ void glint_mesh_clear(uint16_t *depth, uint32_t bytes)
 /* Can the assembly draw the mesh? */
 static bool strip_has_lines(const struct glint_mesh_drawn *drawn, const struct glint_mesh_target *target)
 {
-    for (unsigned i = 0; i == 0 || i < drawn->mesh->part_count; i++) {
-        const struct glint_paint *paint = &drawn->paints[i];
-        if (!GLINT_FLASH_POINTER(paint->path->begin) ||
-            !GLINT_FLASH_POINTER(paint->path->begin)(paint->with, target, NULL))
+    for (unsigned i = 0; i == 0 || i < drawn->mesh->part_count; i++)
+        if (!glint_mesh_is_colour(&drawn->paints[i], target))
             return false;
-    }
     return !drawn->is_cut;
+}
+
+uint32_t glint_mesh_part_lines(const struct glint_mesh_target *strip, unsigned part, struct glint_mesh_lines *lines)
+{
+    const struct glint_paint *paint = &strip->drawn->paints[part];
+    glint_mesh_colour_begin(&paint->of.tables.filled, strip, lines);
+    return glint_mesh_t_end(paint);
 }
 #endif
 
@@ -222,31 +216,120 @@ static void strip_draw(const struct glint_mesh_target *strip)
     strip_mesh(strip);
 }
 
-enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint16_t h,
-                                const struct glint_surface *surface)
+/* Does the picture's line fit the stride? */
+static bool strip_fits(const struct glint_mesh_frame *frame, const struct glint_surface *target, uint16_t h)
 {
-    if (!frame || !surface || !surface->pixels || y >= frame->h || h == 0 || h > frame->lines || h > frame->h - y ||
-        !strip_can(frame))
+    uint32_t bytes = 0;
+    for (const struct glint_mesh_drawn *drawn = frame->first; drawn; drawn = drawn->next)
+        bytes = glint_line_bytes(drawn->paints->output.format, frame->w);
+    return h == 1 || glint_stride_fits(target->stride, bytes);
+}
+
+enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint16_t h,
+                                const struct glint_surface *target)
+{
+    if (!frame || !target || !target->pixels || y >= frame->h || h == 0 || h > frame->lines || h > frame->h - y ||
+        !strip_fits(frame, target, h))
         return GLINT_ERR_ARG;
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)frame->memory;
-    struct glint_mesh_target target = {surface,  (uint16_t *)(void *)(bench + 1),
-                                       frame->w, y,
-                                       y + h,    glint_mesh_polygon_samples(&bench->polygon, frame),
-                                       frame,    NULL};
+    struct glint_mesh_target strip = {target,   (uint16_t *)(void *)(bench + 1),
+                                      frame->w, y,
+                                      y + h,    glint_mesh_polygon_samples(&bench->polygon, frame),
+                                      frame,    NULL};
     bool is_clear = false;
     for (struct glint_mesh_drawn *drawn = frame->first; drawn; drawn = drawn->next) {
-        target.drawn = drawn;
+        strip.drawn = drawn;
         if (y != frame->y) {
             glint_mesh_forget(frame, drawn);
             glint_mesh_sort(frame, drawn, y);
         }
-        if (strip_is_empty(drawn, &target))
+        if (strip_is_empty(drawn, &strip))
             continue;
         if (!is_clear)
-            glint_mesh_clear(target.depth, glint_mesh_depth_bytes(frame->w, h));
+            glint_mesh_clear(strip.depth, glint_mesh_depth_bytes(frame->w, h));
         is_clear = true;
-        strip_draw(&target);
+        strip_draw(&strip);
     }
     frame->y = (uint16_t)(y + h);
     return GLINT_OK;
+}
+
+/* Each band has a list of the faces that begin in it. A strip takes the lists of its bands, and gives those that go on to the
+ * band after it. Lists ascend by the face's number, and faces are drawn in that order: of two at the same depth the first stays,
+ * however the picture is cut into strips. */
+
+#if !GLINT_CORTEX_M0PLUS_ASM
+/* The line from y on where a face begins; -1 where it shows its back, or no line. */
+static int32_t lists_first(const struct glint_mesh_frame *frame, const struct glint_mesh_vertex *vertices,
+                           const uint16_t face[3], int32_t y)
+{
+    const struct glint_mesh_vertex *a = &vertices[face[0]], *b = &vertices[face[1]], *c = &vertices[face[2]];
+    if (a->out | b->out | c->out) /* seen once it is clipped, unless one plane cuts all of it */
+        return (a->out & b->out & c->out) == 0 ? y : -1;
+    if (glint_mesh_area(a, b, c) >= 0)
+        return -1;
+    int32_t low = a->y, high = b->y;
+    if (low > high) {
+        low = b->y;
+        high = a->y;
+    }
+    low = c->y < low ? c->y : low;
+    high = c->y > high ? c->y : high;
+    low = glint_mesh_first(low);
+    high = glint_mesh_first(high);
+    low = low > y ? low : y;
+    return low < high && low < frame->h ? low : -1;
+}
+
+void glint_mesh_sort_faces(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y)
+{
+    const uint16_t *face = drawn->mesh->faces + 3 * (size_t)drawn->mesh->face_count;
+    for (unsigned i = drawn->mesh->face_count; i--;) {
+        face -= 3;
+        const int32_t first = lists_first(frame, drawn->vertices, face, y);
+        if (first < 0)
+            continue;
+        uint16_t *band = &drawn->bands[(uint32_t)first / GLINT_MESH_BAND];
+        drawn->links[i] = *band;
+        *band = (uint16_t)i;
+    }
+}
+#endif
+
+void glint_mesh_sort(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y)
+{
+    const unsigned bands = (frame->h + GLINT_MESH_BAND - 1) / GLINT_MESH_BAND;
+    for (unsigned i = 0; i < bands; i++)
+        drawn->bands[i] = GLINT_MESH_NONE;
+    glint_mesh_sort_faces(frame, drawn, y);
+}
+
+/* Two lists that ascend as one. */
+static uint16_t lists_merged(uint16_t *links, uint16_t a, uint16_t b)
+{
+    uint16_t first = GLINT_MESH_NONE, *at = &first;
+    while (a != GLINT_MESH_NONE && b != GLINT_MESH_NONE) {
+        uint16_t *const lower = a < b ? &a : &b;
+        *at = *lower;
+        at = &links[*lower];
+        *lower = *at;
+    }
+    *at = a != GLINT_MESH_NONE ? a : b;
+    return first;
+}
+
+uint16_t glint_mesh_take(const struct glint_mesh_drawn *drawn, int32_t y, int32_t end)
+{
+    uint16_t list = GLINT_MESH_NONE;
+    for (uint32_t band = (uint32_t)y / GLINT_MESH_BAND; band * GLINT_MESH_BAND < (uint32_t)end; band++) {
+        list = lists_merged(drawn->links, list, drawn->bands[band]);
+        drawn->bands[band] = GLINT_MESH_NONE;
+    }
+    return list;
+}
+
+void glint_mesh_give(const struct glint_mesh_drawn *drawn, uint16_t list, int32_t y)
+{
+    uint16_t *band = &drawn->bands[(uint32_t)y / GLINT_MESH_BAND];
+    *band = lists_merged(drawn->links, list, *band);
 }

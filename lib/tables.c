@@ -1,61 +1,192 @@
 /* SPDX-License-Identifier: MIT
- * Tables from exact values, and lights for the loops that read them (glint.h): what all kinds have in common. */
-#include "glint_math_align.h"
-#include "glint_pixel.h"
-#include "glint_tables_albedo.h"
-#include "glint_tables_colour.h"
-#include "glint_tables_dither.h"
-#include "glint_tables_small.h"
+ * Paints of tables: made, and any source drawn with them. */
+#include "glint_tables.h"
+#include "glint_math.h"
 
-size_t glint_tables_bytes(enum glint_tables_kind kind)
+size_t glint_tables_bytes(enum glint_tables_kind kind, bool dither)
 {
-    return kind == GLINT_TABLES_COLOUR   ? GLINT_TABLES_COLOUR_BYTES
-           : kind == GLINT_TABLES_SMALL  ? GLINT_TABLES_SMALL_BYTES
-           : kind == GLINT_TABLES_ALBEDO ? GLINT_TABLES_ALBEDO_BYTES
-                                         : 0;
+    return kind == GLINT_TABLES_COLOUR              ? dither ? GLINT_TABLES_DITHER_BYTES : GLINT_TABLES_COLOUR_BYTES
+           : kind == GLINT_TABLES_ALBEDO && !dither ? GLINT_TABLES_ALBEDO_BYTES
+                                                    : 0;
 }
 
-enum glint_err glint_tables_fill(struct glint_tables *tables, enum glint_tables_kind kind,
-                                 const struct glint_shader *shader, void *memory, size_t bytes)
+/* ---- Made ---- */
+
+enum glint_err glint_paint_tables_for(struct glint_paint *paint, const struct glint_use_tables *kind,
+                                      const struct glint_material *material, const struct glint_output *output,
+                                      void *memory, size_t bytes, const struct glint_use_model *model,
+                                      const struct glint_use_format *format)
 {
-    const bool dithered = kind == GLINT_TABLES_COLOUR && shader && shader->dither;
-    const size_t needed = dithered ? GLINT_TABLES_DITHER_BYTES : glint_tables_bytes(kind);
-    if (!tables || !shader || !memory || needed == 0 || bytes < needed || GLINT_MISALIGNED(memory, 32) ||
-        shader->lobe.model == GLINT_PHONG || (kind == GLINT_TABLES_ALBEDO && !glint_albedo_can(&shader->material)))
+    if (!paint || !kind || !memory || bytes < GLINT_FLASH_U16(kind->bytes) || GLINT_MISALIGNED(memory, 32) || !model ||
+        GLINT_FLASH_POINTER(model->geometry)) /* Phong's is not |N - H|^2 */
         return GLINT_ERR_ARG;
-    if (glint_pixel_check(shader) || (kind != GLINT_TABLES_SMALL && !glint_format_is_565(shader->format)) ||
-        (kind == GLINT_TABLES_ALBEDO && shader->dither) || (shader->space && (kind != GLINT_TABLES_COLOUR || dithered)))
+    enum glint_err err = glint_paint_check(material, output);
+    if (!err)
+        err = GLINT_FLASH_POINTER(kind->can)(material, output);
+    if (!err) /* what fills the tables, in their paint's own place, for the stack */
+        err = glint_paint_exact_for(paint, material, output, model, format);
+    if (err)
+        return err;
+    struct glint_tables tables;
+    tables.kind = GLINT_FLASH_U8(kind->kind);
+    tables.format = output->format;
+    tables.dither = output->dither;
+    tables.dark = 0;
+    tables.use = kind;
+    GLINT_FLASH_POINTER(kind->fill)(&tables, paint, memory);
+    return glint_paint_tables_filled(paint, &tables, output);
+}
+
+enum glint_err glint_paint_tables_filled(struct glint_paint *paint, const struct glint_tables *filled,
+                                         const struct glint_output *output)
+{
+    if (!paint || !filled || !filled->use || !output)
+        return GLINT_ERR_ARG;
+    if (filled->format != output->format || filled->dither != output->dither || output->space > GLINT_LINEAR)
         return GLINT_ERR_FORMAT;
-    const struct glint_peak peak = {shader, glint_pixel_lobe(shader, 0)};
-    if (peak.f0 == 0) /* no such model */
-        return GLINT_ERR_ARG;
-    tables->kind = (uint8_t)kind;
-    tables->format = shader->format;
-    tables->dither = shader->dither;
-    tables->dark = 0;
-    if (dithered)
-        glint_dither_fill(tables, shader, memory);
-    else if (kind == GLINT_TABLES_COLOUR)
-        glint_colour_fill(tables, &peak, memory);
-    else if (kind == GLINT_TABLES_ALBEDO)
-        glint_albedo_fill(tables, shader, memory);
-    else
-        glint_small_fill(tables, &peak, memory);
+    const struct glint_tables tables = *filled; /* may be a part of the paint */
+    paint->of.tables.filled = tables;
+    paint->model = NULL;
+    paint->format = NULL;
+    glint_paint_unlit(paint, output);
     return GLINT_OK;
 }
 
-enum glint_err glint_tables_light_init(struct glint_tables_light *light, const struct glint_tables *tables,
-                                       const struct glint_light *from)
+/* ---- Filled: the axes ---- */
+
+enum { COLUMNS_SPARE = 16 };
+#define COLUMNS_GAP ((uint32_t)1 << 16) /* how far below 0 t may come, Q2.30, by rounding */
+
+unsigned glint_columns_shift(uint32_t t_max_q30, uint32_t columns)
 {
-    if (!light || !tables || !from)
+    unsigned s = 0;
+    while ((t_max_q30 >> s) + (COLUMNS_GAP >> s) >= columns - COLUMNS_SPARE)
+        s++;
+    return s;
+}
+
+/* By bisection, bit by bit from the top. */
+uint32_t glint_last_t(const struct glint_paint *exact, bool (*shows)(const struct glint_paint *exact, uint32_t f))
+{
+    uint32_t t = 0;
+    for (uint32_t bit = (uint32_t)1 << 30; bit; bit >>= 1)
+        if ((t | bit) < exact->of.exact.t_end && shows(exact, glint_paint_f(exact, t | bit)))
+            t |= bit;
+    return t;
+}
+
+/* A value is 65535 * 2^32 = 1.0; one < 2^10, so the product is below 2^58. */
+uint32_t glint_field_level(const struct glint_paint *exact, struct glint_field field, unsigned k, uint8_t albedo,
+                           uint32_t nl_q16, uint32_t f)
+{
+    const uint64_t value = glint_exact_value(&exact->material, k, albedo * 257u, nl_q16, (uint64_t)65535 * f);
+    return (uint32_t)((value * field.one + ((uint64_t)65535 << 31)) >> 32) / 65535;
+}
+
+/* ---- Drawn ---- */
+
+enum glint_err glint_tables_check(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t h,
+                                  bool normals)
+{
+    const bool takes_albedo = GLINT_FLASH_U8(paint->of.tables.filled.use->takes_albedo);
+    const uint8_t *albedo = maps ? maps->albedo : NULL;
+    if (!albedo != !takes_albedo || (maps && maps->gloss))
         return GLINT_ERR_ARG;
-    light->l = from->l;
-    light->h = from->h;
-    light->kind = tables->kind;
-    light->frontal = from->v.x == 0 && from->v.y == 0 && from->v.z == 32767;
-    if (tables->kind == GLINT_TABLES_ALBEDO)
-        glint_albedo_light(light, tables);
-    else
-        glint_colour_light(light, tables);
-    return GLINT_OK;
+    if (albedo && maps->albedo_format != GLINT_RGB565)
+        return GLINT_ERR_FORMAT;
+    if (albedo && (GLINT_MISALIGNED(albedo, 16) || (h > 1 && GLINT_MISALIGNED(maps->albedo_stride, 16))))
+        return GLINT_ERR_ARG;
+    return normals && maps && maps->normals_format == GLINT_NORMALS_INT8 && !paint->of.tables.is_frontal
+               ? GLINT_ERR_VECTOR
+               : GLINT_OK;
+}
+
+/* Alone, for the registers. */
+static __attribute__((noinline)) void tables_raws_int16(const struct glint_vec *n, const struct glint_vec *l_of,
+                                                        const struct glint_vec *h_of, uint32_t t_max,
+                                                        struct glint_raw *raw, unsigned count)
+{
+    const struct glint_vec l = {l_of->x, l_of->y, l_of->z}, h = {h_of->x, h_of->y, h_of->z}; /* no call of memcpy */
+    for (const struct glint_raw *end = raw + count; raw != end; raw++, n++)
+        *raw = glint_raw_of(n, &l, &h, t_max);
+}
+
+/* The raws of a run. */
+static void tables_raws(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
+                        struct glint_raw *raws)
+{
+    const uint32_t t_max = paint->of.tables.filled.t_max_q30;
+    const unsigned count = lines->count;
+    if (at) {
+        glint_raws_walk(at, t_max, raws, count);
+    } else if (lines->maps->normals_format == GLINT_NORMALS_INT8) {
+        const uint32_t *words = (const uint32_t *)(const void *)lines->normals + lines->run.x;
+        GLINT_FLASH_POINTER(paint->of.tables.filled.use->raws)(paint, words, raws, count);
+    } else {
+        const struct glint_vec *n = (const struct glint_vec *)(const void *)lines->normals + lines->run.x;
+        tables_raws_int16(n, &paint->l, &paint->h, t_max, raws, count);
+    }
+    for (unsigned i = 0; paint->light_count == 0 && i < count; i++)
+        if (raws[i].nl_q30 != GLINT_RAW_NOTHING)
+            raws[i].nl_q30 = -1;
+}
+
+static void tables_note(struct glint_bounds *bounds, const struct glint_run *run, const struct glint_raw *raws,
+                        unsigned count, uint32_t y)
+{
+    for (unsigned i = 0; i < count; i++)
+        if (glint_raw_shines(&raws[i]))
+            glint_bounds_add(bounds, run->x + i, y);
+}
+
+/* Runs of a line, drawn or not; their highlight goes to the bounds, unless these are NULL. What is not drawn is not looked at where the box
+ * has it already. Alone, as the fused loops do not need its raws on the stack. */
+static __attribute__((noinline)) void tables_line(const struct glint_paint *paint, struct glint_lines *lines,
+                                                  struct glint_span *at, struct glint_bounds *bounds, uint32_t y,
+                                                  bool draws)
+{
+    struct glint_raw raws[GLINT_RUN];
+    struct glint_run *const run = &lines->run;
+    uint32_t walked = 0;
+    lines->most = GLINT_RUN;
+    for (glint_lines_set(lines, y); glint_lines_next(lines); run->x += lines->count) {
+        if (!draws && bounds->any && bounds->bottom == y && run->x >= bounds->left &&
+            run->x + lines->count <= bounds->right + 1u)
+            continue;
+        if (at && run->x != walked)
+            glint_span_skip(at, run->x - walked);
+        tables_raws(paint, lines, at, raws);
+        walked = run->x + lines->count;
+        if (bounds)
+            tables_note(bounds, run, raws, lines->count, y);
+        if (draws)
+            GLINT_FLASH_POINTER(paint->of.tables.filled.use->pixels)(paint, run, raws, lines->count);
+    }
+}
+
+/* A line by the kind's fused loops: what is covered side by side at a time. */
+static void tables_fused(const struct glint_paint *paint, struct glint_lines *lines, uint32_t y)
+{
+    struct glint_run *const run = &lines->run;
+    lines->most = UINT16_MAX;
+    for (glint_lines_set(lines, y); glint_lines_next(lines); run->x += lines->count)
+        GLINT_FLASH_POINTER(paint->of.tables.filled.use->line)(paint, lines, run->x, run->x + lines->count);
+}
+
+void glint_tables_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
+                       struct glint_box *highlight)
+{
+    const struct glint_surface *target = lines->target;
+    const bool is_fused = GLINT_FUSED && !at && paint->light_count > 0 && !GLINT_MISALIGNED(target->pixels, 16) &&
+                          (h < 2 || !GLINT_MISALIGNED(target->stride, 16));
+    struct glint_bounds bounds;
+    bounds.any = false;
+    lines->marks_gaps = true;
+    for (uint32_t y = 0; y < h; y++) {
+        if (is_fused)
+            tables_fused(paint, lines, y);
+        if (!is_fused || highlight)
+            tables_line(paint, lines, at, highlight ? &bounds : NULL, y, !is_fused);
+    }
+    glint_bounds_box(&bounds, highlight);
 }

@@ -20,17 +20,16 @@ static const char *const names[CONFORMANCE_HELD] = {
 #if !CONFORMANCE_MODELS_ONLY
     "vectors and lights",
     "sRGB",
-#define CONFORMANCE_FORMAT(number, name, bytes, channels, red, green, blue) "rectangles and spans in " name,
+#define CONFORMANCE_FORMAT(number, name, bytes, channels, red, green, blue) "exact, exact-int8, span in " name,
     GLINT_FORMATS(CONFORMANCE_FORMAT) "no such format",
-    "meshes",
-    "meshes with colours",
-    "meshes under lamps",
-    "SMALL tables, their loops",
-    "COLOUR tables, their loops, palettes",
-    "COLOUR tables with dither, their loops",
-    "meshes by COLOUR tables",
-    "meshes with colours, ALBEDO tables",
-    "ALBEDO tables, their loops",
+    "exact of meshes",
+    "exact of meshes with colours",
+    "exact of meshes under several lights",
+    "colour-int16, colour-int8, colour-span, palette",
+    "colour-int16, colour-int8, colour-span, dithered",
+    "colour of meshes",
+    "albedo of meshes with colours",
+    "albedo-int16, albedo-int8, albedo-span",
     "MSH and Schlick, every c, n = 1",
     "MSH and Schlick, every c, n = 2",
     "MSH and Schlick, every c, n = 3",
@@ -53,7 +52,7 @@ bool conformance_fits(unsigned check)
     if (check >= CONFORMANCE_HELD)
         return false;
     if (check >= CONFORMANCE_COLOURS && check <= CONFORMANCE_ALBEDO)
-        return CONFORMANCE_COLOUR;
+        return CONFORMANCE_TABLES;
     return check < CONFORMANCE_EVERY_C_1 || CONFORMANCE_EVERY_C;
 }
 
@@ -78,9 +77,7 @@ uint64_t conformance_hash(unsigned check, const struct conformance_size *size)
     else if (check == CONFORMANCE_MESHES_ALBEDO)
         conform_mesh_albedo(size, false);
     else if (check == CONFORMANCE_MESHES_LIT)
-        conform_mesh_lamps(size);
-    else if (check == CONFORMANCE_SMALL)
-        conform_small(size);
+        conform_mesh_lights(size);
     else if (check == CONFORMANCE_COLOURS)
         conform_colours(size);
     else if (check == CONFORMANCE_DITHERED)

@@ -11,9 +11,9 @@
 
 #include "glint.h"
 
-/* 0: without the COLOUR and ALBEDO tables, for machines whose RAM is less than their 20 KB. */
-#ifndef CONFORMANCE_COLOUR
-#define CONFORMANCE_COLOUR 1
+/* 0: without tables, for machines whose RAM is less than the 20 KB of COLOUR's. */
+#ifndef CONFORMANCE_TABLES
+#define CONFORMANCE_TABLES 1
 #endif
 /* 0: without MSH and Schlick at every c, for machines that would take minutes. */
 #ifndef CONFORMANCE_EVERY_C
@@ -36,13 +36,12 @@ enum conformance_check {
     /* clang-format on */
     CONFORMANCE_VECTORS,
     CONFORMANCE_SRGB,
-    CONFORMANCE_FORMATS, /* one each: rectangles, rectangles under several lights, spans */
+    CONFORMANCE_FORMATS, /* one each: rectangles of both kinds of normals, under one light and several, and spans */
     CONFORMANCE_NO_FORMAT = CONFORMANCE_FORMATS + GLINT_FORMAT_COUNT, /* one more than there are */
     CONFORMANCE_MESHES,
     CONFORMANCE_MESHES_ALBEDO,
     CONFORMANCE_MESHES_LIT,
-    CONFORMANCE_SMALL, /* tables as filled, and all their loops */
-    CONFORMANCE_COLOURS,
+    CONFORMANCE_COLOURS, /* tables as filled, and every source that they draw */
     CONFORMANCE_DITHERED,
     CONFORMANCE_MESHES_COLOUR,
     CONFORMANCE_MESHES_ALBEDO_TABLES,

@@ -16,6 +16,8 @@ enum {
     STRIP = 5,
     MEMORY = 1320 /* four triangles that go on have places */
 };
+typedef char
+    conform_mesh_fits[4 * CONFORM_WORDS >= 16 * VERTICES + 2 * FACES + 8 && CONFORM_PIXELS == WIDTH * HEIGHT ? 1 : -1];
 static int16_t places[3 * VERTICES], normals[3 * VERTICES];
 static uint16_t faces[3 * FACES];
 
@@ -25,11 +27,11 @@ static int16_t any_q15(int32_t limit)
 }
 
 /* 0: as random as can be; else normals and a size as people have them. */
-static void random_mesh(struct glint_pose *pose, unsigned kind, const struct glint_light *light)
+static void random_mesh(struct glint_pose *pose, unsigned kind, const struct glint_vec *h)
 {
     for (uint8_t i = 0; i < VERTICES; i++) {
         struct glint_vec normal;
-        conform_random_normal(&normal, light);
+        conform_random_normal(&normal, h);
         normals[3 * i] = normal.x;
         normals[3 * i + 1] = normal.y;
         normals[3 * i + 2] = normal.z;
@@ -47,18 +49,22 @@ static void random_mesh(struct glint_pose *pose, unsigned kind, const struct gli
 }
 
 /* Draws it in strips over numbers, lines of `stride` bytes. */
-static void add_picture(const struct glint_mesh *mesh, const struct glint_pose *pose, const struct glint_light *light,
-                        const struct glint_paint *paint, uint16_t distance, uint8_t stride)
+static void add_picture(const struct glint_mesh *mesh, const struct glint_pose *pose, const struct conform_look *look,
+                        uint16_t distance, uint8_t stride)
 {
-    static uint32_t depths[MEMORY / 4], work[(16 * VERTICES + 2 * FACES + 8) / 4], out[WIDTH * HEIGHT];
-    uint8_t *const bytes = (uint8_t *)out;
+    static union {
+        uint32_t words[(MEMORY + GLINT_MESH_LIGHTS_BYTES) / 4];
+        void *aligned;
+    } memory;
+    uint8_t *const bytes = (uint8_t *)conform_pixels;
     struct glint_mesh_frame frame;
     struct glint_mesh_drawn drawn;
-    for (uint16_t i = 0; i < sizeof out; i++)
+    for (uint16_t i = 0; i < sizeof conform_pixels; i++)
         bytes[i] = (uint8_t)i;
     conform_add((uint32_t)glint_mesh_check(mesh));
-    conform_add((uint32_t)glint_mesh_begin(&frame, WIDTH, HEIGHT, STRIP, distance, depths, MEMORY));
-    conform_add((uint32_t)glint_mesh_add(&frame, &drawn, mesh, pose, light, paint, work, sizeof work));
+    conform_add((uint32_t)glint_mesh_begin(&frame, WIDTH, HEIGHT, STRIP, distance, &memory,
+                                           look->has_lights ? sizeof memory : (size_t)MEMORY));
+    conform_add((uint32_t)glint_mesh_add(&frame, &drawn, mesh, pose, look->paint, conform_words, sizeof conform_words));
     for (uint16_t y = 0; y < HEIGHT; y += STRIP) {
         const struct glint_surface surface = {bytes + stride * y, stride, 0, y};
         conform_add(
@@ -67,32 +73,31 @@ static void add_picture(const struct glint_mesh *mesh, const struct glint_pose *
     conform_add_bytes(bytes, 4 * WIDTH * HEIGHT);
 }
 
-void conform_mesh(unsigned kind, const struct glint_light *light, const struct glint_paint *paint, uint8_t stride)
+void conform_mesh(unsigned kind, const struct conform_look *look, uint8_t stride)
 {
     struct glint_pose pose;
-    const struct glint_mesh mesh = {places, normals, NULL, faces, NULL, VERTICES, FACES, 0};
-    random_mesh(&pose, kind, light);
+    const struct glint_mesh mesh = {places, normals,           NULL,          faces, NULL, VERTICES, FACES,
+                                    0,      look->of_vertices, look->of_faces};
+    random_mesh(&pose, kind, &look->h);
     const uint32_t distance = conform_random_bits() % 1000;
-    add_picture(&mesh, &pose, light, paint, (uint16_t)(kind % 3 ? distance : 0), stride);
+    add_picture(&mesh, &pose, look, (uint16_t)(kind % 3 ? distance : 0), stride);
 }
 
-/* tables: COLOUR, at an even address or not. */
+/* tables: COLOUR, at an even address or not. Phong's geometry takes the lights' memory; every second time it has none, and is refused. */
 static void add_mesh(unsigned model, unsigned format, unsigned kind, bool tables)
 {
-    struct glint_shader shader;
-    struct glint_prepared prepared;
-    struct glint_tables filled;
-    const struct glint_paint exact = {&glint_mesh_exact, &prepared}, by_tables = {&glint_mesh_tables, &filled};
-    conform_random_shader(&shader, model);
-    shader.format = (uint8_t)format;
-    shader.space = tables ? 0 : kind & 1;
-    shader.dither = tables ? kind % 5 == 4 : kind >> 1 & 1;
-    shader.clamp_peak = kind >> 2 & 1;
-    if (tables && !conform_fill(&filled, GLINT_TABLES_COLOUR, &shader))
+    struct glint_material material;
+    struct glint_light light;
+    const struct glint_output output = {(uint8_t)format, tables ? 0 : kind & 1, tables ? kind % 5 == 4 : kind >> 1 & 1};
+    conform_random_material(&material, &light, model);
+    material.clamp_peak = kind >> 2 & 1;
+    if (tables && !conform_fill(&conform_paint, GLINT_TABLES_COLOUR, &material, &output))
         return;
     if (!tables)
-        conform_add((uint32_t)glint_shade_prepare(&prepared, &shader));
-    conform_mesh(kind, &shader.light, tables ? &by_tables : &exact, tables && kind % 4 ? 2 * WIDTH + 2 : 4 * WIDTH);
+        conform_add((uint32_t)glint_paint_exact(&conform_paint, &material, &output));
+    conform_light(&conform_paint, &light);
+    const struct conform_look look = {&conform_paint, conform_paint.h, NULL, NULL, model == GLINT_PHONG && kind & 1};
+    conform_mesh(kind, &look, tables && kind % 4 ? 2 * WIDTH + 2 : 4 * WIDTH);
 }
 
 void conform_meshes(const struct conformance_size *size, bool tables)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Random meshes whose faces or vertices have colours, and under up to four lamps. A pixel of these costs thousands of cycles, so that
+ * Random meshes whose faces or vertices have colours, and under up to four lights. A pixel of these costs thousands of cycles, so that
  * models share formats and spaces between them: one picture each. */
 #include "conformance_paints.h"
 
@@ -19,46 +19,57 @@ static void random_colours(void)
         colours[i] = (uint8_t)conform_random_bits();
 }
 
-static void random_shader(struct glint_shader *shader, unsigned model, unsigned kind)
+static void random_look(struct glint_material *material, struct glint_light *light, struct glint_output *output,
+                        unsigned model, unsigned kind)
 {
-    conform_random_shader(shader, model);
-    shader->format = (uint8_t)(kind % GLINT_FORMAT_COUNT);
-    shader->space = kind >> 1 & 1;
-    shader->dither = kind & 1;
-    shader->clamp_peak = kind >> 2 & 1;
+    conform_random_material(material, light, model);
+    material->clamp_peak = kind >> 2 & 1;
+    output->format = (uint8_t)(kind % GLINT_FORMAT_COUNT);
+    output->space = kind >> 1 & 1;
+    output->dither = kind & 1;
     random_colours();
+}
+
+/* Of vertices, of faces, or none. */
+static struct conform_look look_of(bool vertices, bool faces, bool has_lights)
+{
+    const struct conform_look look = {&conform_paint, conform_paint.h, vertices ? colours : NULL,
+                                      faces ? colours : NULL, has_lights};
+    return look;
 }
 
 static void add_exact(unsigned model, unsigned kind)
 {
-    struct glint_shader shader;
-    struct glint_prepared prepared;
-    random_shader(&shader, model, kind);
-    const struct glint_mesh_albedo albedo = {&prepared, kind % 3 ? NULL : colours, kind % 3 ? colours : NULL};
-    const struct glint_paint paint = {&glint_mesh_exact_albedo, &albedo};
-    conform_add((uint32_t)glint_shade_prepare(&prepared, &shader));
-    conform_mesh(kind, &shader.light, &paint, 4 * CONFORM_WIDTH);
+    struct glint_material material;
+    struct glint_light light;
+    struct glint_output output;
+    random_look(&material, &light, &output, model, kind);
+    conform_add((uint32_t)glint_paint_exact(&conform_paint, &material, &output));
+    conform_light(&conform_paint, &light);
+    const struct conform_look look = look_of(kind % 3 == 0, kind % 3 != 0, model == GLINT_PHONG);
+    conform_mesh(kind, &look, 4 * CONFORM_WIDTH);
 }
 
 /* One fill for as many pictures: by vertices, by faces, clipped, at an even address or not. */
 static void add_tables(unsigned model, unsigned format)
 {
-    struct glint_shader shader;
-    struct glint_tables tables;
-    random_shader(&shader, model, format);
-    shader.space = GLINT_GAMMA;
-    shader.dither = false;
+    struct glint_material material;
+    struct glint_light light;
+    struct glint_output output;
+    random_look(&material, &light, &output, model, format);
+    output.space = GLINT_GAMMA;
+    output.dither = false;
     for (uint8_t k = 0; k < 3; k++) {
-        shader.material.ambient_q16[k] = shader.material.ambient_q16[0];
-        shader.material.diffuse_q16[k] = 45000;
+        material.ambient_q16[k] = material.ambient_q16[0];
+        material.diffuse_q16[k] = 45000;
     }
-    if (!conform_fill(&tables, GLINT_TABLES_ALBEDO, &shader))
+    if (!conform_fill(&conform_paint, GLINT_TABLES_ALBEDO, &material, &output))
         return;
+    conform_light(&conform_paint, &light);
     for (uint8_t kind = 0; kind < 6; kind++) {
         const bool faces = (kind + format) & 1;
-        const struct glint_mesh_albedo albedo = {&tables, faces ? NULL : colours, faces ? colours : NULL};
-        const struct glint_paint paint = {&glint_mesh_tables_albedo, &albedo};
-        conform_mesh(kind, &shader.light, &paint, (uint8_t)(2 * CONFORM_WIDTH + kind % 3));
+        const struct conform_look look = look_of(!faces, faces, false);
+        conform_mesh(kind, &look, (uint8_t)(2 * CONFORM_WIDTH + kind % 3));
     }
 }
 
@@ -73,26 +84,23 @@ void conform_mesh_albedo(const struct conformance_size *size, bool tables)
                 add_exact(model, model + scene);
 }
 
-/* The memory of tables is free here. */
 static void add_lit(unsigned model, unsigned kind)
 {
-    struct glint_shader shader;
-    struct glint_mesh_lights lights = {NULL, NULL, NULL};
-    struct glint_lamp lamps[GLINT_LAMPS_MAX];
-    const struct glint_paint paint = {&glint_mesh_lit, &lights};
-    const unsigned count = kind % (GLINT_LAMPS_MAX + 1);
-    size_t bytes;
-    random_shader(&shader, model, kind);
+    struct glint_material material;
+    struct glint_light light;
+    struct glint_output output;
+    const unsigned count = kind % (GLINT_LIGHTS_MAX + 1);
+    random_look(&material, &light, &output, model, kind);
     for (unsigned i = 0; i < count; i++)
-        conform_random_lamp(&lamps[i]);
-    void *const memory = conform_memory(&bytes);
-    conform_add((uint32_t)glint_mesh_lights_init(&lights, &shader, lamps, count, memory, bytes));
-    lights.of_vertices = kind % 3 == 1 ? colours : NULL;
-    lights.of_faces = kind % 3 == 2 ? colours : NULL;
-    conform_mesh(kind, &shader.light, &paint, 4 * CONFORM_WIDTH);
+        conform_random_light(&conform_lights[i]);
+    conform_add((uint32_t)glint_paint_exact(&conform_paint, &material, &output));
+    conform_light(&conform_paint, &light);
+    const struct conform_look look = look_of(kind % 3 == 1, kind % 3 == 2, true);
+    conform_add((uint32_t)glint_paint_light(&conform_paint, conform_lights, count, conform_to_viewer));
+    conform_mesh(kind, &look, 4 * CONFORM_WIDTH);
 }
 
-void conform_mesh_lamps(const struct conformance_size *size)
+void conform_mesh_lights(const struct conformance_size *size)
 {
     for (uint8_t scene = 0; scene < size->scenes; scene++)
         for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The checks of meshes with colours of their own, and of meshes under lamps. */
+ * The checks of meshes with colours of their own, and of meshes under several lights. */
 #ifndef CONFORMANCE_PAINTS_H
 #define CONFORMANCE_PAINTS_H
 
@@ -7,6 +7,6 @@
 
 /* Exact, or by ALBEDO tables. */
 void conform_mesh_albedo(const struct conformance_size *size, bool tables);
-void conform_mesh_lamps(const struct conformance_size *size);
+void conform_mesh_lights(const struct conformance_size *size);
 
 #endif

@@ -1,38 +1,25 @@
 /* SPDX-License-Identifier: MIT
- * Tables and their loops. */
+ * Tables, and what they draw. */
 #include "conformance_tables.h"
 
 #include "conformance_random.h"
 #include "conformance_scenes.h"
 
-#if !CONFORMANCE_MODELS_ONLY /* a part that is too small for these is refused at compile time */
+#if CONFORMANCE_TABLES && !CONFORMANCE_MODELS_ONLY
 
-enum { TABLES_BYTES = CONFORMANCE_COLOUR ? GLINT_TABLES_DITHER_BYTES : GLINT_TABLES_SMALL_BYTES };
-static union {
-    uint32_t words[TABLES_BYTES / 4];
-    void *aligned;
-} memory;
-
-void *conform_memory(size_t *bytes)
+bool conform_fill(struct glint_paint *paint, enum glint_tables_kind kind, const struct glint_material *material,
+                  const struct glint_output *output)
 {
-    *bytes = sizeof memory;
-    return &memory;
-}
-
-bool conform_fill(struct glint_tables *tables, enum glint_tables_kind kind, const struct glint_shader *shader)
-{
-    for (uint16_t i = 0; i < TABLES_BYTES / 4; i++)
-        memory.words[i] = 0;
-    const enum glint_err err = glint_tables_fill(tables, kind, shader, memory.words, sizeof memory.words);
+    static uint32_t memory[GLINT_TABLES_DITHER_BYTES / 4];
+    for (uint16_t i = 0; i < sizeof memory / sizeof *memory; i++)
+        memory[i] = 0;
+    const enum glint_err err = glint_paint_tables(paint, kind, material, output, memory, sizeof memory);
     conform_add((uint32_t)err);
     if (!err)
-        conform_add_bytes((const uint8_t *)memory.words,
-                          (uint16_t)(kind == GLINT_TABLES_COLOUR && shader->dither ? GLINT_TABLES_DITHER_BYTES
-                                                                                   : glint_tables_bytes(kind)));
+        conform_add_bytes((const uint8_t *)memory, (uint16_t)glint_tables_bytes(kind, output->dither));
     return !err;
 }
 
-#if CONFORMANCE_COLOUR
 enum { WIDE = 319 };
 static uint16_t wide_out[WIDE + 1];
 
@@ -67,156 +54,120 @@ static void tricky_span(struct glint_span *span, uint32_t t_max, uint8_t kind)
         span->t_q30 = (kind == 6 ? 3 * one : UINT32_C(0xf8000000) + one) - to_k;
 }
 
+/* The paint's tables with a highlight that ends elsewhere. */
+static void end_at(struct glint_paint *paint, const struct glint_paint *of, uint32_t t_max,
+                   const struct glint_light *light)
+{
+    struct glint_tables tables = of->of.tables.filled;
+    if (t_max < tables.t_max_q30)
+        tables.t_max_q30 = t_max;
+    conform_add((uint32_t)glint_paint_tables_filled(paint, &tables, &of->output));
+    conform_light(paint, light);
+}
+
+static uint32_t t_of(const struct glint_vec *n, const struct glint_vec *h)
+{
+    const int32_t x = n->x - h->x, y = n->y - h->y, z = n->z - h->z;
+    return ((uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z)) / 2;
+}
+
 /* Spans, packed normals and a palette, wider than what a loop takes at once, at every width where it might turn. */
-static void add_wide(const struct glint_tables *tables, const struct glint_tables_light *light,
-                     const struct glint_light *from)
+static void add_wide(const struct glint_paint *paint, const struct glint_light *light)
 {
     static const uint16_t widths[] = {0, 1, 2, 3, 4, 5, 15, 16, 17, 31, 32, 33, 64, 65, 96, WIDE};
+    static struct glint_paint at;
     static uint32_t words[WIDE];
     static uint16_t offsets[WIDE];
-    struct glint_surface line = {wide_out, sizeof wide_out, 0, 0};
+    struct glint_surface line = {wide_out, 0, 0, 0};
     for (uint16_t i = 0; i < 512; i++) {
         line.x = i & 3;
         line.y = i >> 2 & 3;
         struct glint_span span = {0, 0, 0, 0, 0, widths[i / 32u]};
-        tricky_span(&span, tables->t_max_q30, i % 8u);
-        add_wide_out((uint32_t)glint_tables_span(tables, &span, &line));
+        tricky_span(&span, paint->of.tables.filled.t_max_q30, i % 8u);
+        add_wide_out((uint32_t)glint_draw_span(paint, &span, 0, &line, 0));
     }
     for (uint8_t i = 0; i < 32; i++) {
         line.x = i >> 1 & 3;
         line.y = i >> 3 & 3;
-        const enum glint_normals held = i & 1 ? GLINT_NORMALS_INT8 : GLINT_NORMALS_INT10;
         for (uint16_t x = 0; x < WIDE; x++) {
             struct glint_vec normal;
-            conform_random_normal(&normal, from);
-            words[x] = x % 11u == 10 ? conform_random_bits() : glint_normals_pack(held, &normal);
+            conform_random_normal(&normal, &paint->h);
+            words[x] = x % 11u == 10 ? conform_random_bits() : glint_normals_pack(GLINT_NORMALS_INT8, &normal);
             if (x % 17u == 16) /* without surface */
-                words[x] = conform_random_bits() % 9 << (i & 1 ? 0 : 12);
+                words[x] = conform_random_bits() % 9;
         }
-        struct glint_tables at = *tables; /* t_max at a pixel's t, to the unit */
-        const struct glint_vec n = glint_normals_unpack(GLINT_NORMALS_INT10, words[i & 6]);
-        const int32_t x = (n.x >> 1) - ((light->h.x + 1) >> 1), y = (n.y >> 1) - ((light->h.y + 1) >> 1),
-                      z = (n.z >> 1) - ((light->h.z + 1) >> 1);
-        const uint32_t t = 2 * ((uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z));
-        if ((i & 1) == 0 && t < at.t_max_q30)
-            at.t_max_q30 = t;
-        add_wide_out((uint32_t)glint_tables_rect(&at, light, held, words, 0, widths[i / 2u], 1, &line));
+        const struct glint_vec n = glint_normals_unpack(GLINT_NORMALS_INT8, words[i & 6]);
+        end_at(&at, paint, i & 1 ? UINT32_MAX : t_of(&n, &paint->h), light);
+        const struct glint_maps maps = {.normals = words, .normals_format = GLINT_NORMALS_INT8};
+        add_wide_out((uint32_t)glint_draw_rect(&at, &maps, widths[i / 2u], 1, &line, 0));
     }
     for (uint16_t i = 0; i < WIDE; i++)
         offsets[i] = (uint16_t)(conform_random_bits() & 0x3ffe);
     for (uint8_t i = 0; i < 16; i++)
-        add_wide_out((uint32_t)glint_palette_rect(tables->colour.colours, offsets, 0, widths[i], 1, &line));
+        add_wide_out(
+            (uint32_t)glint_draw_palette(paint->of.tables.filled.colour.colours, offsets, 0, widths[i], 1, &line));
 }
 
-/* Every kind of normals over a map, in rows longer than the loops unroll, and a span; where the map is the output, too. */
-static void add_albedo(unsigned model, unsigned flags)
+/* Both kinds of normals, side by side and with holes, at an even address and not, with the box and without. */
+static void add_rects(const struct glint_paint *paint, const struct glint_vec *normals)
 {
-    enum { LONG = 75 };
-    static uint32_t words[LONG];
-    static struct glint_vec normals[LONG];
-    static uint16_t map[LONG], pixels[LONG + 1];
-    struct glint_shader shader;
-    conform_random_shader(&shader, model);
-    shader.format = flags & 1;
-    shader.space = GLINT_GAMMA;
-    shader.dither = false;
-    shader.clamp_peak = flags >> 1 & 1;
-    for (uint8_t k = 0; k < 3; k++) {
-        shader.material.ambient_q16[k] = shader.material.ambient_q16[0];
-        shader.material.diffuse_q16[k] = 45000;
-    }
-    struct glint_tables tables;
-    struct glint_tables_light light;
-    if (!conform_fill(&tables, GLINT_TABLES_ALBEDO, &shader))
-        return;
-    conform_add((uint32_t)glint_tables_light_init(&light, &tables, &shader.light));
-    for (unsigned held = GLINT_NORMALS_INT16; held <= GLINT_NORMALS_INT8; held++) {
-        struct glint_vec near = {0, 0, 0};
-        for (uint8_t i = 0; i < LONG; i++) {
-            if (conform_random_bits() % 4 == 0) /* runs of the like: in the lobe, out of it, dark */
-                conform_random_normal(&near, &shader.light);
-            normals[i] = near;
-            if (conform_random_bits() % 8 == 0)
-                normals[i].z = (int16_t)-near.z;
-            words[i] = conform_random_bits() % 16 ? glint_normals_pack((enum glint_normals)held, &near)
-                                                  : conform_random_bits() % 5;
-            map[i] = (uint16_t)conform_random_bits();
-            pixels[i] = i;
-        }
-        const bool packed = held != GLINT_NORMALS_INT16, in_place = flags & 4;
-        const struct glint_surface line = {in_place ? (uint8_t *)map : (uint8_t *)pixels + (held & flags & 1), 0, 0, 0};
-        conform_add((uint32_t)glint_tables_albedo_rect(&tables, &light, (enum glint_normals)held,
-                                                       packed ? (const void *)words : (const void *)normals, 0, map, 0,
-                                                       (uint16_t)(LONG - flags % 8), 1, &line));
-        conform_add_bytes(in_place ? (const uint8_t *)map : (const uint8_t *)pixels, sizeof map);
-    }
-    struct glint_span span = {0, 0, 0, 0, 0, 0};
-    conform_add((uint32_t)glint_span_init(&span, &shader.light, &normals[0], &normals[1], LONG));
-    const struct glint_surface line = {pixels, 0, 0, 0};
-    conform_add((uint32_t)glint_tables_albedo_span(&tables, &span, map, &line));
-    conform_add_bytes((const uint8_t *)pixels, sizeof map);
-}
-#endif
-
-/* dither: of COLOUR tables, whose space is then gamma. */
-static void add_tables(unsigned kind, unsigned model, unsigned format, unsigned flags, bool dither)
-{
-    static uint32_t words[W * H];
-    static struct glint_vec normals[W * H];
-    static uint8_t out[LINE * H];
-    struct glint_shader shader;
-    conform_random_shader(&shader, model);
-    shader.format = (uint8_t)format;
-    shader.space = kind == GLINT_TABLES_COLOUR && !dither ? flags >> 1 & 1 : 0;
-    shader.dither = kind == GLINT_TABLES_SMALL ? flags & 1 : dither;
-    shader.clamp_peak = flags & 1;
-    struct glint_tables tables;
-    struct glint_tables_light light;
-    if (!conform_fill(&tables, (enum glint_tables_kind)kind, &shader))
-        return;
-    conform_add((uint32_t)glint_tables_light_init(&light, &tables, &shader.light));
+    static uint8_t coverage[W * H];
+    uint32_t *const words = conform_words;
+    uint8_t *const out = (uint8_t *)conform_pixels;
     for (uint8_t i = 0; i < W * H; i++)
-        conform_random_normal(&normals[i], &shader.light);
-    for (unsigned held = GLINT_NORMALS_INT16; held <= GLINT_NORMALS_INT8; held++) {
+        coverage[i] = conform_random_bits() % 4 ? 255 : 0;
+    for (uint8_t kind = 0; kind < 4; kind++) {
+        const bool packed = kind & 1, plain = kind & 2;
         for (uint8_t i = 0; i < W * H; i++)
-            words[i] = i % 7 == 6 ? conform_random_bits() : glint_normals_pack((enum glint_normals)held, &normals[i]);
+            words[i] = i % 7 == 6 ? conform_random_bits() : glint_normals_pack(GLINT_NORMALS_INT8, &normals[i]);
         for (uint8_t i = 0; i < LINE * H; i++)
             out[i] = i;
-        const struct glint_surface surface = {out + (held & 1), LINE, 1, 2};
-        const bool packed = held != GLINT_NORMALS_INT16;
-        conform_add((uint32_t)glint_tables_rect(
-            &tables, &light, (enum glint_normals)held, packed ? (const void *)words : (const void *)normals,
-            (ptrdiff_t)(W * (packed ? sizeof *words : sizeof *normals)), W - 1, H, &surface));
+        struct glint_box box = {0, 0, 0, 0};
+        struct glint_maps maps = {.normals = normals, .normals_stride = W * sizeof *normals, .coverage_stride = W};
+        if (packed) {
+            maps.normals = words;
+            maps.normals_stride = W * sizeof *words;
+            maps.normals_format = GLINT_NORMALS_INT8;
+        }
+        maps.coverage = plain ? 0 : coverage;
+        const struct glint_surface surface = {out + (plain ? 0 : packed), LINE, 1, 2};
+        conform_add((uint32_t)glint_draw_rect(paint, &maps, W - 1, H, &surface, plain ? 0 : &box));
+        conform_add_box(&box);
         conform_add_bytes(out, LINE * H);
     }
     struct glint_span span = {0, 0, 0, 0, 0, 0};
-    conform_add((uint32_t)glint_span_init(&span, &shader.light, &normals[0], &normals[1], W));
-    const struct glint_surface line = {out, LINE, 0, 0};
-    conform_add((uint32_t)glint_tables_span(&tables, &span, &line));
-    conform_add_bytes(out, LINE);
-#if CONFORMANCE_COLOUR
-    if (kind == GLINT_TABLES_COLOUR)
-        add_wide(&tables, &light, &shader.light);
-#endif
-}
-
-void conform_small(const struct conformance_size *size)
-{
-    unsigned flags = 0;
-    for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
-        for (unsigned format = GLINT_RGB565; format < GLINT_FORMAT_COUNT; format++)
-            for (uint8_t scene = 0; scene < size->scenes; scene++)
-                add_tables(GLINT_TABLES_SMALL, model, format, flags++, false);
+    struct glint_box box = {0, 0, 0, 0};
+    const struct glint_maps maps = {.coverage = coverage};
+    const struct glint_surface even = {out, 0, 0, 0}, odd = {out + LINE + 1, 0, 1, 1};
+    conform_add((uint32_t)glint_span_init(&span, paint, &normals[0], &normals[1], W));
+    conform_add((uint32_t)glint_draw_span(paint, &span, 0, &even, 0));
+    conform_add((uint32_t)glint_draw_span(paint, &span, &maps, &odd, &box));
+    conform_add_box(&box);
+    conform_add_bytes(out, LINE * H);
 }
 
 /* A fill takes seconds in an emulator, so each has one of the two formats; the sum of bits makes it another one for models that have
  * the other flags alike. */
 static void add_colours(const struct conformance_size *size, bool dither)
 {
+    struct glint_paint *const paint = &conform_paint;
+    static struct glint_vec normals[W * H];
     for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
         for (uint8_t scene = 0; scene < size->scenes; scene++) {
             const unsigned flags = model + scene, odd = (flags ^ flags >> 1 ^ flags >> 2 ^ scene) & 1;
-            add_tables(GLINT_TABLES_COLOUR, model, odd ? GLINT_RGB565_SWAPPED : GLINT_RGB565, flags, dither);
+            struct glint_material material;
+            struct glint_light light;
+            conform_random_material(&material, &light, model);
+            material.clamp_peak = flags & 1;
+            const struct glint_output output = {odd ? GLINT_RGB565_SWAPPED : GLINT_RGB565, dither ? 0 : flags >> 1 & 1,
+                                                dither};
+            if (!conform_fill(paint, GLINT_TABLES_COLOUR, &material, &output))
+                continue;
+            conform_light(paint, &light);
+            for (uint8_t i = 0; i < W * H; i++)
+                conform_random_normal(&normals[i], &paint->h);
+            add_rects(paint, normals);
+            add_wide(paint, &light);
         }
 }
 
@@ -230,16 +181,95 @@ void conform_dithered(const struct conformance_size *size)
     add_colours(size, true);
 }
 
+/* Both kinds of normals over a map, in rows longer than the loops unroll, and a span; where the map is the output, too. */
+static void add_albedo(unsigned model, unsigned flags)
+{
+    enum { LONG = 75 };
+    struct glint_paint *const paint = &conform_paint;
+    static uint32_t words[LONG];
+    static struct glint_vec normals[LONG];
+    static uint16_t map[LONG], pixels[LONG + 1];
+    static uint8_t coverage[LONG];
+    struct glint_material material;
+    struct glint_light light;
+    const struct glint_output output = {flags & 1, GLINT_GAMMA, false};
+    conform_random_material(&material, &light, model);
+    material.clamp_peak = flags >> 1 & 1;
+    for (uint8_t k = 0; k < 3; k++) {
+        material.ambient_q16[k] = material.ambient_q16[0];
+        material.diffuse_q16[k] = 45000;
+    }
+    if (!conform_fill(paint, GLINT_TABLES_ALBEDO, &material, &output))
+        return;
+    conform_light(paint, &light);
+    const bool in_place = flags & 4;
+    struct glint_maps maps = {.albedo = (const uint8_t *)map, .albedo_format = GLINT_RGB565};
+    struct glint_box box = {0, 0, 0, 0};
+    for (uint8_t kind = 0; kind < 4; kind++) {
+        const bool packed = kind & 1, plain = kind & 2;
+        struct glint_vec near = {0, 0, 0};
+        for (uint8_t i = 0; i < LONG; i++) {
+            if (conform_random_bits() % 4 == 0) /* runs of the like: in the lobe, out of it, dark */
+                conform_random_normal(&near, &paint->h);
+            normals[i] = near;
+            if (conform_random_bits() % 8 == 0)
+                normals[i].z = (int16_t)-near.z;
+            words[i] =
+                conform_random_bits() % 16 ? glint_normals_pack(GLINT_NORMALS_INT8, &near) : conform_random_bits() % 5;
+            map[i] = (uint16_t)conform_random_bits();
+            coverage[i] = conform_random_bits() % 4 ? 255 : 0;
+            pixels[i] = i;
+        }
+        maps.normals = packed ? (const void *)words : (const void *)normals;
+        maps.normals_format = packed ? GLINT_NORMALS_INT8 : GLINT_NORMALS_INT16;
+        maps.coverage = plain ? 0 : coverage;
+        const struct glint_surface line = {
+            in_place ? (uint8_t *)map : (uint8_t *)pixels + (plain ? 0 : kind & flags & 1), 0, 0, 0};
+        conform_add((uint32_t)glint_draw_rect(paint, &maps, (uint16_t)(LONG - flags % 8), 1, &line, plain ? 0 : &box));
+        conform_add_box(&box);
+        conform_add_bytes(in_place ? (const uint8_t *)map : (const uint8_t *)pixels, sizeof map);
+    }
+    struct glint_span span = {0, 0, 0, 0, 0, 0};
+    const struct glint_surface line = {pixels, 0, 0, 0};
+    conform_add((uint32_t)glint_span_init(&span, paint, &normals[0], &normals[1], LONG));
+    for (uint8_t kind = 0; kind < 2; kind++) {
+        maps.coverage = kind ? coverage : 0;
+        conform_add((uint32_t)glint_draw_span(paint, &span, &maps, &line, kind ? &box : 0));
+        conform_add_box(&box);
+        conform_add_bytes((const uint8_t *)pixels, sizeof map);
+    }
+}
+
 void conform_albedo(const struct conformance_size *size)
 {
-#if CONFORMANCE_COLOUR
     unsigned flags = 0;
     for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
         for (uint8_t scene = 0; scene < 2 * size->scenes; scene++)
             add_albedo(model, flags++);
-#else
+}
+
+#elif !CONFORMANCE_MODELS_ONLY
+
+bool conform_fill(struct glint_paint *paint, enum glint_tables_kind kind, const struct glint_material *material,
+                  const struct glint_output *output)
+{
+    (void)paint, (void)kind, (void)material, (void)output;
+    return false;
+}
+
+void conform_colours(const struct conformance_size *size)
+{
     (void)size;
-#endif
+}
+
+void conform_dithered(const struct conformance_size *size)
+{
+    (void)size;
+}
+
+void conform_albedo(const struct conformance_size *size)
+{
+    (void)size;
 }
 
 #endif

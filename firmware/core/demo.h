@@ -5,10 +5,10 @@
 #ifndef DEMO_H
 #define DEMO_H
 
-#include "glint.h"
+#include "glint_mesh.h"
 
-/* The material, into RGB565 in the machine's order; the light is not set. */
-void demo_shader(struct glint_shader *shader);
+extern const struct glint_material demo_gold;
+extern const struct glint_output demo_output; /* RGB565 in the machine's order */
 
 /* A mesh that turns about its upright axis, tilted towards the viewer; a turn takes ORBIT_FRAMES. It is as large as the panel's shorter
  * side, `size` pixels, up to 1023. */

@@ -65,17 +65,19 @@ static enum gud_status enable(struct light_device *d, uint8_t value)
         return GUD_BUSY;
     light_device_reset(d);
     d->enabled = value;
+    d->was_enabled |= value;
     return GUD_OK;
 }
 
 static enum gud_status set_material(struct light_device *d, const uint8_t *data)
 {
     struct light_material material;
-    light_material_unpack(&material, data);
+    const bool is_known = light_material_unpack(&material, data);
+    const struct glint_material *m = &material.material;
     if (!d->enabled)
         return GUD_PROTOCOL;
-    if (material.model >= GLINT_MODEL_COUNT || material.model == GLINT_PHONG || material.space > GLINT_LINEAR ||
-        material.flags & ~LIGHT_CLAMP_PEAK)
+    if (!is_known || m->model >= GLINT_MODEL_COUNT || m->model == GLINT_PHONG || m->n == 0 ||
+        material.space > GLINT_LINEAR)
         return GUD_PARAMETER;
     d->material = material;
     d->has_material = d->is_new = true;
@@ -191,16 +193,6 @@ void light_device_bulk(struct light_device *d, const uint8_t *bytes, size_t coun
 }
 
 /* ---- for the board ---- */
-
-void light_device_shader(const struct light_device *d, struct glint_shader *shader)
-{
-    const struct glint_shader wanted = {.material = d->material.material,
-                                        .format = GLINT_RGB565,
-                                        .space = d->material.space,
-                                        .clamp_peak = d->material.flags & LIGHT_CLAMP_PEAK};
-    *shader = wanted;
-    glint_lobe_init(&shader->lobe, (enum glint_model)d->material.model, d->material.n, d->material.q);
-}
 
 static void drop_first(struct light_device *d)
 {

@@ -21,6 +21,7 @@ struct light_device {
 
     /* State: read it. */
     bool enabled;      /* the host wants the panel */
+    bool was_enabled;  /* some host wanted it since you last set this to false: the map's memory may be written */
     bool has_material; /* and the material below */
     bool has_map;      /* all of it, and all its words are normals */
     bool has_mesh;     /* the mesh is what is drawn, by poses; no map */
@@ -49,8 +50,6 @@ void light_device_bulk(struct light_device *device, const uint8_t *bytes, size_t
 /* Bus reset, disconnect. */
 void light_device_reset(struct light_device *device);
 
-/* The shader that the material asks for; its light is not set. */
-void light_device_shader(const struct light_device *device, struct glint_shader *shader);
 /* The next frame's light; false: no light waits, or material or map are missing. */
 bool light_device_next(struct light_device *device, int32_t to_light[3]);
 /* The next frame's pose; false: none waits, or the material is missing, or the mesh has not been asked for. */

@@ -34,25 +34,28 @@ bool light_descriptor_unpack(struct light_descriptor *descriptor, const uint8_t 
     return magic == LIGHT_MAGIC && version == LIGHT_VERSION;
 }
 
-void light_material_of(struct light_material *material, const struct glint_shader *shader)
+void light_material_of(struct light_material *material, const struct glint_material *from,
+                       const struct glint_output *output)
 {
-    const struct light_material of_shader = {.model = shader->lobe.model,
-                                             .q = shader->lobe.q,
-                                             .n = shader->lobe.n,
-                                             .space = shader->space,
-                                             .flags = shader->clamp_peak ? LIGHT_CLAMP_PEAK : 0,
-                                             .material = shader->material};
-    *material = of_shader;
+    const struct light_material of_both = {.material = *from, .space = output->space};
+    *material = of_both;
+    material->material.n_across = 0;
+}
+
+void light_material_output(struct glint_output *output, const struct light_material *material)
+{
+    const struct glint_output of_wire = {.format = GLINT_RGB565, .space = material->space};
+    *output = of_wire;
 }
 
 void light_material_pack(uint8_t out[LIGHT_MATERIAL_BYTES], const struct light_material *material)
 {
     const struct glint_material *m = &material->material;
-    out = put(out, material->model, 1);
-    out = put(out, material->q, 1);
-    out = put(out, material->n, 2);
+    out = put(out, m->model, 1);
+    out = put(out, m->q, 1);
+    out = put(out, m->n, 2);
     out = put(out, material->space, 1);
-    out = put(out, material->flags, 1);
+    out = put(out, m->clamp_peak ? LIGHT_CLAMP_PEAK : 0, 1);
     out = put(out, material->background, 2);
     for (unsigned k = 0; k < 3; k++)
         out = put(out, m->albedo[k], 1);
@@ -65,14 +68,16 @@ void light_material_pack(uint8_t out[LIGHT_MATERIAL_BYTES], const struct light_m
         out = put(out, m->specular_q16[k], 4);
 }
 
-void light_material_unpack(struct light_material *material, const uint8_t in[LIGHT_MATERIAL_BYTES])
+bool light_material_unpack(struct light_material *material, const uint8_t in[LIGHT_MATERIAL_BYTES])
 {
     struct glint_material *m = &material->material;
-    material->model = (uint8_t)get(&in, 1);
-    material->q = (uint8_t)get(&in, 1);
-    material->n = (uint16_t)get(&in, 2);
+    m->model = (uint8_t)get(&in, 1);
+    m->q = (uint8_t)get(&in, 1);
+    m->n = (uint16_t)get(&in, 2);
+    m->n_across = 0;
     material->space = (uint8_t)get(&in, 1);
-    material->flags = (uint8_t)get(&in, 1);
+    const uint32_t flags = get(&in, 1);
+    m->clamp_peak = (flags & LIGHT_CLAMP_PEAK) != 0;
     material->background = (uint16_t)get(&in, 2);
     for (unsigned k = 0; k < 3; k++)
         m->albedo[k] = (uint8_t)get(&in, 1);
@@ -83,6 +88,7 @@ void light_material_unpack(struct light_material *material, const uint8_t in[LIG
         m->diffuse_q16[k] = get(&in, 4);
     for (unsigned k = 0; k < 3; k++)
         m->specular_q16[k] = get(&in, 4);
+    return (flags & ~(uint32_t)LIGHT_CLAMP_PEAK) == 0;
 }
 
 void light_message_pack(uint8_t out[LIGHT_MESSAGE_BYTES], uint32_t tag, const int32_t to_light[3])

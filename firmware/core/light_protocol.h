@@ -15,7 +15,7 @@
 #ifndef LIGHT_PROTOCOL_H
 #define LIGHT_PROTOCOL_H
 
-#include "glint.h"
+#include "glint_mesh.h"
 
 /* Control requests: bmRequestType c1 (in) or 41 (out), wValue 0, wIndex = the interface. The first number is GUD's, too, and
  * means the same; the others are none of GUD's. */
@@ -58,20 +58,24 @@ struct light_pose {
     int16_t to_light[3]; /* of any length */
 };
 
-/* What of a shader goes over the wire: the pixels are RGB565, undithered. */
+/* A material over the wire: the pixels are RGB565, undithered. */
 struct light_material {
-    uint8_t model, q, space, flags;
-    uint16_t n, background; /* the pixel where the map has no surface */
-    struct glint_material material;
+    struct glint_material material; /* n_across does not go over the wire: it is 0 */
+    uint8_t space;
+    uint16_t background; /* the pixel where the map has no surface */
 };
 
 void light_descriptor_pack(uint8_t out[LIGHT_DESCRIPTOR_BYTES], const struct light_descriptor *descriptor);
 /* False where magic or version are wrong. */
 bool light_descriptor_unpack(struct light_descriptor *descriptor, const uint8_t in[LIGHT_DESCRIPTOR_BYTES]);
-/* Of a shader, what goes over the wire; the background is 0. */
-void light_material_of(struct light_material *material, const struct glint_shader *shader);
+/* What goes over the wire of a material and an output; the background is 0. */
+void light_material_of(struct light_material *material, const struct glint_material *from,
+                       const struct glint_output *output);
+/* What the material is drawn to. */
+void light_material_output(struct glint_output *output, const struct light_material *material);
 void light_material_pack(uint8_t out[LIGHT_MATERIAL_BYTES], const struct light_material *material);
-void light_material_unpack(struct light_material *material, const uint8_t in[LIGHT_MATERIAL_BYTES]);
+/* False where a flag is set that there is not. */
+bool light_material_unpack(struct light_material *material, const uint8_t in[LIGHT_MATERIAL_BYTES]);
 void light_message_pack(uint8_t out[LIGHT_MESSAGE_BYTES], uint32_t tag, const int32_t to_light[3]);
 void light_message_unpack(int32_t to_light[3], const uint8_t in[LIGHT_MESSAGE_BYTES]);
 

@@ -27,24 +27,17 @@ static struct relight_extent find_extent(const uint32_t *words, uint16_t w, bool
     return end ? extent : none;
 }
 
-enum glint_err relight_material(struct relight *relight, const struct glint_shader *shader)
-{
-    if (relight->exact)
-        return glint_shade_prepare(relight->exact, shader);
-    return glint_tables_fill(&relight->tables, GLINT_TABLES_COLOUR, shader, relight->tables_memory,
-                             GLINT_TABLES_COLOUR_BYTES);
-}
-
-enum glint_err relight_start(struct relight *relight, const struct glint_shader *shader)
+void relight_start(struct relight *relight)
 {
     while (relight->is_sending) /* the last lines of the picture before */
         ;
     relight->in_frame = false;
     relight->has_gaps = false;
     relight->buffer = 0;
+    for (unsigned part = 0; part < 2; part++)
+        relight->maps[part].normals_format = GLINT_NORMALS_INT8;
     for (uint16_t y = 0; y < relight->panel->height; y++)
         relight->extents[y] = find_extent(map_line(relight, y), relight->panel->width, &relight->has_gaps);
-    return relight_material(relight, shader);
 }
 
 static void fetch(const struct relight *relight, uint16_t y, unsigned buffer)
@@ -63,11 +56,12 @@ static bool is_fetched(const struct relight *relight)
 enum glint_err relight_frame(struct relight *relight, const int32_t to_light[3])
 {
     static const int32_t to_viewer[3] = {0, 0, 1};
-    enum glint_err error = glint_light_init(&relight->source, to_light, to_viewer);
-    if (error == GLINT_OK && relight->exact)
-        error = glint_shade_relight(relight->exact, &relight->source);
-    else if (error == GLINT_OK)
-        error = glint_tables_light_init(&relight->light, &relight->tables, &relight->source);
+    struct glint_light light;
+    enum glint_err error = glint_light_directional(&light, to_light);
+    if (error == GLINT_OK && relight->paint->output.format > GLINT_RGB565_SWAPPED)
+        error = GLINT_ERR_FORMAT;
+    if (error == GLINT_OK)
+        error = glint_paint_light(relight->paint, &light, 1, to_viewer);
     if (error != GLINT_OK)
         return error;
     while (!is_fetched(relight)) /* of a frame that was abandoned */
@@ -78,26 +72,11 @@ enum glint_err relight_frame(struct relight *relight, const int32_t to_light[3])
     return GLINT_OK;
 }
 
-/* The exact pixel takes unpacked normals: pieces of the line at a time, which end where there is no surface. */
-static void shade_exact(const struct relight *relight, const uint32_t *words, uint16_t *pixels, unsigned count)
-{
-    enum { PIECE = 48 };
-    struct glint_vec normals[PIECE];
-    const struct glint_source source = {.normals = normals};
-    for (unsigned x = 0, w; x < count; x += w ? w : 1) {
-        for (w = 0; w < PIECE && x + w < count && is_surface(words[x + w]); w++)
-            normals[w] = glint_normals_unpack(GLINT_NORMALS_INT8, words[x + w]);
-        const struct glint_surface surface = {pixels + x, 0, 0, 0};
-        glint_shade_prepared_rect(relight->exact, &source, (uint16_t)w, 1, &surface, NULL);
-    }
-}
-
 /* Pixels first..end - 1 of the line; nothing else is written. */
-static void shade_part(const struct relight *relight, unsigned first, unsigned end)
+static void shade_part(struct relight *relight, struct glint_maps *maps, unsigned first, unsigned end)
 {
     const uint16_t y = relight->line;
     uint16_t *const pixels = relight->pixels[relight->buffer];
-    const unsigned w = relight->panel->width;
     const struct relight_extent extent = relight->extents[y];
     if (relight->has_gaps)
         for (unsigned x = first; x < end; x++)
@@ -107,15 +86,10 @@ static void shade_part(const struct relight *relight, unsigned first, unsigned e
     end = end < extent_end ? end : extent_end;
     if (first >= end)
         return;
-    const uint32_t *normals =
+    maps->normals =
         relight->normals[0] ? relight->normals[relight->buffer] + (first - extent.first) : map_line(relight, y) + first;
-    if (relight->exact) {
-        shade_exact(relight, normals, pixels + first, end - first);
-        return;
-    }
-    const struct glint_surface surface = {pixels + first, 2 * (ptrdiff_t)w, 0, 0};
-    glint_tables_rect(&relight->tables, &relight->light, GLINT_NORMALS_INT8, normals, 4 * (ptrdiff_t)w,
-                      (uint16_t)(end - first), 1, &surface);
+    const struct glint_surface surface = {pixels + first, 0, (uint16_t)first, y};
+    glint_draw_rect(relight->paint, maps, (uint16_t)(end - first), 1, &surface, NULL);
 }
 
 static unsigned middle(const struct relight *relight)
@@ -124,9 +98,10 @@ static unsigned middle(const struct relight *relight)
     return extent.first + extent.count / 2u;
 }
 
-static void shade_right(void *relight)
+static void shade_right(void *argument)
 {
-    shade_part(relight, middle(relight), ((const struct relight *)relight)->panel->width);
+    struct relight *relight = argument;
+    shade_part(relight, &relight->maps[1], middle(relight), relight->panel->width);
 }
 
 /* With two cores each shades half of the surface: neither reads what the other writes before the join. */
@@ -134,11 +109,11 @@ static void shade(struct relight *relight)
 {
     const struct hal *hal = relight->hal;
     if (!hal->fork) {
-        shade_part(relight, 0, relight->panel->width);
+        shade_part(relight, &relight->maps[0], 0, relight->panel->width);
         return;
     }
     hal->fork(hal->context, shade_right, relight);
-    shade_part(relight, 0, middle(relight));
+    shade_part(relight, &relight->maps[0], 0, middle(relight));
     hal->join(hal->context);
 }
 

@@ -19,31 +19,27 @@ struct relight {
     const struct panel *panel;
     const uint32_t *map;            /* GLINT_NORMALS_INT8, as large as the panel */
     uint16_t background;            /* the pixel where there is no surface */
-    struct glint_prepared *exact;   /* draw by the exact pixel; NULL: by tables */
-    void *tables_memory;            /* GLINT_TABLES_COLOUR_BYTES, aligned to 4; not needed by the exact pixel */
+    struct glint_paint *paint;      /* of RGB565; each frame lights it. Between frames it may become another */
     uint16_t *pixels[2];            /* a line each */
     uint32_t *normals[2];           /* a line each; NULL: the map is in RAM */
     struct relight_extent *extents; /* one a line of the panel */
 
     /* State, ours; zeros at first. */
-    struct glint_tables tables;
-    struct glint_tables_light light;
-    struct glint_light source;
-    bool has_gaps;               /* pixels without a surface */
-    uint16_t line;               /* that is to be shaded or sent */
-    uint8_t buffer;              /* 0 or 1: that line's; they take turns */
-    bool in_frame;               /* between relight_frame and the frame's last line */
+    struct glint_maps
+        maps[2];    /* of a line's left part and its right one: here, as they would cost cycles a line and stack */
+    bool has_gaps;  /* pixels without a surface */
+    uint16_t line;  /* that is to be shaded or sent */
+    uint8_t buffer; /* 0 or 1: that line's; they take turns */
+    bool in_frame;  /* between relight_frame and the frame's last line */
     volatile uint8_t is_sending; /* yes or no: a line is on its way; as in gud_panel.h no bool */
     volatile bool is_waiting;    /* another is shaded, to follow at once */
     const uint16_t *volatile waiting;
 };
 
-/* Fills the tables (2.4 million cycles on a Cortex-M0+) or prepares the shader, and finds the extents. Errors as
- * glint_tables_fill or glint_shade_prepare. */
-enum glint_err relight_start(struct relight *relight, const struct glint_shader *shader);
-/* Another material for the frames to come; between frames. */
-enum glint_err relight_material(struct relight *relight, const struct glint_shader *shader);
-/* Begins a frame after the one before is done. GLINT_ERR_VECTOR: the light is invalid; the one before stays. */
+/* Of a map: finds its extents, after the lines of the picture before are sent. */
+void relight_start(struct relight *relight);
+/* Begins a frame after the one before is done. GLINT_ERR_VECTOR: the light is invalid; the one before stays. GLINT_ERR_ARG: a paint of
+ * zeros. GLINT_ERR_FORMAT: one that is not of RGB565. */
 enum glint_err relight_frame(struct relight *relight, const int32_t to_light[3]);
 
 enum relight_step { RELIGHT_DONE, RELIGHT_BUSY, RELIGHT_BUS_FAILED };

@@ -25,26 +25,28 @@ static bool has_memory(const struct turntable *turntable)
            (one_core || (turntable->core[1].memory && turntable->pieces.hal->fork));
 }
 
-enum glint_err turntable_start(struct turntable *turntable, const struct glint_shader *shader)
+enum glint_err turntable_start(struct turntable *turntable)
 {
-    enum glint_err error = glint_mesh_check(turntable->mesh);
+    const enum glint_err error = glint_mesh_check(turntable->mesh);
     if (error == GLINT_OK && (turntable->mesh->part_count > 1 || !has_memory(turntable)))
-        error = GLINT_ERR_ARG;
-    if (error == GLINT_OK)
-        error = glint_tables_fill(&turntable->tables, GLINT_TABLES_COLOUR, shader, turntable->tables_memory,
-                                  GLINT_TABLES_COLOUR_BYTES);
-    const struct glint_paint paint = {&glint_mesh_tables, &turntable->tables};
-    turntable->paint = paint;
+        return GLINT_ERR_ARG;
     return error;
 }
 
-enum glint_err turntable_frame(struct turntable *turntable, const struct glint_pose *pose,
-                               const struct glint_light *light)
+enum glint_err turntable_frame(struct turntable *turntable, const struct glint_pose *pose, const int32_t to_light[3])
 {
+    static const int32_t to_viewer[3] = {0, 0, 1};
+    struct glint_light light;
     if (!(pose->turn[0] | pose->turn[1] | pose->turn[2] | pose->turn[3]))
         return GLINT_ERR_VECTOR;
+    if (turntable->paint->output.format > GLINT_RGB565_SWAPPED)
+        return GLINT_ERR_FORMAT;
+    enum glint_err error = glint_light_directional(&light, to_light);
+    if (error == GLINT_OK) /* here, before both cores draw with it */
+        error = glint_paint_light(turntable->paint, &light, 1, to_viewer);
+    if (error != GLINT_OK)
+        return error;
     turntable->pose = *pose;
-    turntable->light = *light;
     turntable->line = 0;
     turntable->is_begun = false;
     turntable->in_frame = true;
@@ -58,8 +60,8 @@ static void begin(const struct turntable *turntable, struct turntable_core *core
     const size_t bytes = mesh_bytes(turntable);
     glint_mesh_begin(&core->frame, panel->width, panel->height, TURNTABLE_LINES, 0, core->memory + bytes / 4,
                      turntable->memory_bytes - bytes);
-    glint_mesh_add(&core->frame, &core->drawn, turntable->mesh, &turntable->pose, &turntable->light, &turntable->paint,
-                   core->memory, bytes);
+    glint_mesh_add(&core->frame, &core->drawn, turntable->mesh, &turntable->pose, turntable->paint, core->memory,
+                   bytes);
 }
 
 static unsigned strip_lines(unsigned y, unsigned end)

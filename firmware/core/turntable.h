@@ -5,7 +5,7 @@
 #ifndef TURNTABLE_H
 #define TURNTABLE_H
 
-#include "glint.h"
+#include "glint_mesh.h"
 #include "pieces.h"
 
 enum { TURNTABLE_LINES = 16, TURNTABLE_STRIPS_MAX = (PANEL_ROWS + TURNTABLE_LINES - 1) / TURNTABLE_LINES };
@@ -21,7 +21,7 @@ struct turntable {
     /* Config, set by you. Memory is yours. */
     struct pieces pieces;          /* its hal and panel */
     const struct glint_mesh *mesh; /* of one part */
-    void *tables_memory;           /* GLINT_TABLES_COLOUR_BYTES, aligned to 4 */
+    struct glint_paint *paint;     /* of RGB565; each frame lights it. Between frames it may become another */
     uint32_t memory_bytes;         /* of each core's */
     uint32_t *strips;              /* TURNTABLE_LINES lines each, used in turn */
     uint8_t strip_count;           /* 2 at least; with two cores as many as the picture has */
@@ -30,22 +30,18 @@ struct turntable {
     struct turntable_core core[2];
 
     /* State, ours; zeros at first. */
-    struct glint_tables tables;
-    struct glint_paint paint;
     struct glint_pose pose;
-    struct glint_light light;
     uint32_t sent[TURNTABLE_STRIPS_MAX]; /* of each strip's memory, as pieces_add says */
     uint8_t strip;                       /* the next one's */
     uint16_t line;                       /* its first line */
     bool in_frame, is_begun, is_forked;
 };
 
-/* Checks the mesh and fills the tables. GLINT_ERR_ARG: as glint_mesh_check, several parts, too little memory, no strips; else as
- * glint_tables_fill. */
-enum glint_err turntable_start(struct turntable *turntable, const struct glint_shader *shader);
-/* Begins a frame after the one before is done. GLINT_ERR_VECTOR: a quaternion of 0; nothing is begun. */
-enum glint_err turntable_frame(struct turntable *turntable, const struct glint_pose *pose,
-                               const struct glint_light *light);
+/* Checks the mesh. GLINT_ERR_ARG: as glint_mesh_check, several parts, too little memory, no strips. */
+enum glint_err turntable_start(struct turntable *turntable);
+/* Lights the paint and begins a frame after the one before is done. GLINT_ERR_VECTOR: a quaternion of 0, or the light is invalid;
+ * GLINT_ERR_ARG: a paint of zeros; GLINT_ERR_FORMAT: one that is not of RGB565. Nothing is begun then. */
+enum glint_err turntable_frame(struct turntable *turntable, const struct glint_pose *pose, const int32_t to_light[3]);
 /* Ends the frame and waits until nothing is drawn or sent any more. */
 void turntable_stop(struct turntable *turntable);
 

@@ -6,7 +6,7 @@
 
 #include "base/memory.h"
 
-const char *const bake_format_names[] = {"int16", "int10", "int8", "palette", NULL};
+const char *const bake_format_names[] = {"int16", "int8", "palette", NULL};
 
 static bool has_surface(const struct scene *scene, size_t pixel)
 {
@@ -15,22 +15,15 @@ static bool has_surface(const struct scene *scene, size_t pixel)
 
 static const struct glint_vec no_surface = {0, 0, 0};
 
-static enum glint_normals packing(enum bake_format format)
-{
-    return format == BAKE_INT8 ? GLINT_NORMALS_INT8 : GLINT_NORMALS_INT10;
-}
-
-/* A pixel without surface says how many there are from it to the right, so that a loop steps over them: above INT10's z,
- * below INT8's. */
+/* A pixel without surface says how many there are from it to the right, so that a loop steps over them. */
 static void add_runs(struct baked *baked)
 {
-    const unsigned shift = baked->format == BAKE_INT10 ? 12 : 0;
     for (uint32_t y = 0; y < baked->height; y++) {
         uint32_t *line = &baked->words[(size_t)y * baked->width];
         uint32_t run = 0;
         for (uint32_t x = baked->width; x-- > 0;) {
             run = line[x] ? 0 : run + 1; /* at most SIDE_MAX */
-            line[x] |= run << shift;
+            line[x] |= run;
         }
     }
 }
@@ -39,7 +32,7 @@ static void bake_words(struct baked *baked, const struct glint_vec *normals, siz
 {
     baked->words = allocate(pixels, sizeof *baked->words);
     for (size_t i = 0; i < pixels; i++)
-        baked->words[i] = glint_normals_pack(packing(baked->format), &normals[i]);
+        baked->words[i] = glint_normals_pack(GLINT_NORMALS_INT8, &normals[i]);
     add_runs(baked);
 }
 
@@ -124,6 +117,6 @@ struct glint_vec baked_normal(const struct baked *baked, size_t pixel)
     case BAKE_PALETTE:
         return baked->normals[baked->offsets[pixel] / 2];
     default:
-        return glint_normals_unpack(packing(baked->format), baked->words[pixel]);
+        return glint_normals_unpack(GLINT_NORMALS_INT8, baked->words[pixel]);
     }
 }

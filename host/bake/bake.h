@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * A scene's normals as the table loops read them. */
+ * A scene's normals as the library draws them. */
 #ifndef GLINT_BAKE_BAKE_H
 #define GLINT_BAKE_BAKE_H
 
@@ -7,7 +7,7 @@
 #include "glint.h"
 #include "scene/scene.h"
 
-enum bake_format { BAKE_INT16, BAKE_INT10, BAKE_INT8, BAKE_PALETTE, BAKE_FORMATS };
+enum bake_format { BAKE_INT16, BAKE_INT8, BAKE_PALETTE, BAKE_FORMATS };
 extern const char *const bake_format_names[]; /* "int16" ..., by enum bake_format; ends with NULL */
 
 /* Of one allocation a pointer; those of other formats are NULL. */
@@ -15,7 +15,7 @@ struct baked {
     enum bake_format format;
     uint32_t width, height;
     struct glint_vec *normals; /* int16: a pixel each; palette: an entry each */
-    uint32_t *words;           /* int10, int8 */
+    uint32_t *words;           /* int8 */
     uint16_t *offsets;         /* palette: 2 x entry */
     uint32_t entries;          /* palette */
     uint16_t *albedo;          /* RGB565, for ALBEDO tables; NULL where bake_albedo was not called */
@@ -25,7 +25,7 @@ struct baked *bake(const struct scene *scene, enum bake_format format, uint32_t 
 void bake_albedo(struct baked *baked, const struct scene *scene); /* the scene has an albedo */
 void baked_free(struct baked *baked);
 size_t baked_bytes(const struct baked *baked);
-/* The normal that the loops see; 0, 0, 0 where there is no surface. */
+/* The normal that the library sees; 0, 0, 0 where there is no surface. */
 struct glint_vec baked_normal(const struct baked *baked, size_t pixel);
 
 #endif

@@ -8,15 +8,18 @@
 #include "bake/c_source.h"
 #include "base/memory.h"
 
-const char *const tables_kind_names[] = {"colour", "small", "albedo", NULL};
+const char *const tables_kind_names[] = {"colour", "albedo", NULL};
 
 enum glint_err flash_tables_fill(struct flash_tables *flash, enum glint_tables_kind kind,
-                                 const struct glint_shader *shader)
+                                 const struct glint_material *material, const struct glint_output *output)
 {
-    const bool dithered = kind == GLINT_TABLES_COLOUR && shader->dither;
-    *flash = (struct flash_tables){.bytes = dithered ? GLINT_TABLES_DITHER_BYTES : glint_tables_bytes(kind)};
+    struct glint_paint paint;
+    *flash = (struct flash_tables){.bytes = glint_tables_bytes(kind, output->dither)};
     flash->memory = allocate(flash->bytes / 4, sizeof *flash->memory);
-    return glint_tables_fill(&flash->tables, kind, shader, flash->memory, flash->bytes);
+    const enum glint_err error = glint_paint_tables(&paint, kind, material, output, flash->memory, flash->bytes);
+    if (error == GLINT_OK)
+        flash->tables = paint.of.tables.filled;
+    return error;
 }
 
 void flash_tables_free(struct flash_tables *flash)
@@ -29,7 +32,7 @@ static void write_note(const struct flash_tables *flash, FILE *out)
 {
     fprintf(out,
             "/* Written by glint table, version " GLINT_VERSION_STRING ": %s tables, %zu bytes%s%s.\n"
-            " * For glint_tables_light_init and the functions over tables; nothing is to be filled. */\n",
+            " * For glint_paint_tables_filled; nothing is to be filled. */\n",
             tables_kind_names[flash->tables.kind], flash->bytes, flash->about ? ": " : "",
             flash->about ? flash->about : "");
 }
@@ -37,6 +40,13 @@ static void write_note(const struct flash_tables *flash, FILE *out)
 static size_t offset(const struct flash_tables *flash, const void *at)
 {
     return (size_t)((const uint8_t *)at - (const uint8_t *)flash->memory);
+}
+
+static const char *use_name(const struct glint_tables *tables)
+{
+    if (tables->kind == GLINT_TABLES_ALBEDO)
+        return "glint_use_albedo";
+    return tables->dither ? "glint_use_colour_dithered" : "glint_use_colour";
 }
 
 /* The memory as words of this machine, which has the low byte first, and the struct that points into it. */
@@ -56,10 +66,10 @@ static void write_tables(const struct flash_tables *flash, const char *name, con
             "    (const uint8_t *)%s_memory + %zu,    /* columns */\n"
             "    {(const uint16_t *)(const void *)((const uint8_t *)%s_memory + %zu)},\n"
             "    %" PRIu32 "u, /* t_max_q30 */\n    %u, /* dark */\n    %u, /* kind */\n    %u, /* format */\n"
-            "    %u, /* shift */\n    %s /* dither */\n};\n",
+            "    %u, /* shift */\n    %s, /* dither */\n    &%s /* use */\n};\n",
             storage, name, name, offset(flash, tables->columns), name, offset(flash, tables->colour.colours),
             tables->t_max_q30, tables->dark, tables->kind, tables->format, tables->shift,
-            tables->dither ? "true" : "false");
+            tables->dither ? "true" : "false", use_name(tables));
 }
 
 void flash_tables_write_c(const struct flash_tables *flash, const char *name, FILE *out)

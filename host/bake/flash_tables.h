@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * COLOUR, SMALL and ALBEDO tables, filled here for a program that has them in flash. */
+ * COLOUR and ALBEDO tables, filled here for a program that has them in flash. */
 #ifndef GLINT_BAKE_FLASH_TABLES_H
 #define GLINT_BAKE_FLASH_TABLES_H
 
@@ -15,9 +15,9 @@ struct flash_tables {
     size_t bytes;
     char *about; /* the material, for a comment; may be NULL */
 };
-/* As glint_tables_fill, whose errors it returns. */
+/* As glint_paint_tables, whose errors it returns. */
 enum glint_err flash_tables_fill(struct flash_tables *flash, enum glint_tables_kind kind,
-                                 const struct glint_shader *shader);
+                                 const struct glint_material *material, const struct glint_output *output);
 void flash_tables_free(struct flash_tables *flash);
 
 /* All in one file to include, or a header and a source to link, whose file name `header` is. */

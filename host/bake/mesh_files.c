@@ -28,7 +28,7 @@ static void set_all(uint32_t out[3], const double values[3], double times)
         out[k] = (uint32_t)(65536 * times * values[k] + .5);
 }
 
-/* The plain finish, in the file's colours. */
+/* The plain finish, in the file's colours and with its shininess. */
 struct glint_material *mesh_materials(const struct mesh *mesh)
 {
     static const double all[3] = {1, 1, 1};
@@ -36,6 +36,8 @@ struct glint_material *mesh_materials(const struct mesh *mesh)
     struct glint_material *materials = allocate(mesh->part_count, sizeof *materials);
     for (unsigned i = 0; i < mesh->part_count; i++) {
         const struct mesh_material *from = &mesh->materials[i];
+        materials[i].model = GLINT_MSH;
+        materials[i].n = (uint16_t)(from->n ? from->n : plain_finish.n);
         set_all(materials[i].ambient_q16, from->unlit ? all : plain_finish.ambient, 1);
         set_all(materials[i].diffuse_q16, plain_finish.diffuse, !from->unlit);
         set_all(materials[i].specular_q16, plain_finish.specular, !from->unlit);
@@ -100,12 +102,10 @@ static void write_materials(const struct baked_mesh *baked, const char *storage,
     for (unsigned i = 0; i < mesh_of(baked)->part_count; i++) {
         const struct glint_material *m = &baked->materials[i];
         const uint32_t *const sums[3] = {m->ambient_q16, m->diffuse_q16, m->specular_q16};
-        fputs("\n    {", out);
+        fprintf(out, "\n    {GLINT_MSH, 0, %u, 0, ", m->n);
         for (int j = 0; j < 3; j++)
             fprintf(out, "{%" PRIu32 ", %" PRIu32 ", %" PRIu32 "}, ", sums[j][0], sums[j][1], sums[j][2]);
-        fprintf(out, "{%u, %u, %u}},", m->albedo[0], m->albedo[1], m->albedo[2]);
-        if (baked->mesh->materials[i].n)
-            fprintf(out, " /* in the file n = %u */", baked->mesh->materials[i].n);
+        fprintf(out, "{%u, %u, %u}, false},", m->albedo[0], m->albedo[1], m->albedo[2]);
     }
     fputs("\n};\n", out);
 }
@@ -122,7 +122,7 @@ static void write_all(const struct baked_mesh *baked, const char *storage, const
     if (parts)
         write_array(baked, "static ", "uint16_t", name, "_ends", mesh->part_count, end_at, out);
     if (baked->fitted->colors)
-        write_array(baked, storage, "uint8_t", name, "_colors", (size_t)3 * mesh->vertex_count, color_at, out);
+        write_array(baked, "static ", "uint8_t", name, "_colors", (size_t)3 * mesh->vertex_count, color_at, out);
     write_materials(baked, storage, name, out);
     fprintf(out, "\n%sconst struct glint_mesh %s = {\n    %s_places, %s%s%s, %s_faces, ", storage, name, name,
             baked->normals8 ? "NULL, " : "", name, baked->normals8 ? "_normals" : "_normals, NULL", name);
@@ -130,13 +130,17 @@ static void write_all(const struct baked_mesh *baked, const char *storage, const
         fprintf(out, "%s_ends, ", name);
     else
         fputs("NULL, ", out);
-    fprintf(out, "%u, %u, %u};\n", mesh->vertex_count, mesh->face_count, parts ? mesh->part_count : 0u);
+    fprintf(out, "%u, %u, %u, ", mesh->vertex_count, mesh->face_count, parts ? mesh->part_count : 0u);
+    if (baked->fitted->colors)
+        fprintf(out, "%s_colors, NULL};\n", name);
+    else
+        fputs("NULL, NULL};\n", out);
 }
 
 void bake_mesh_write_c(const struct baked_mesh *baked, const char *name, FILE *out)
 {
     write_note(baked, out);
-    fputs("#include <stddef.h>\n\n#include \"glint.h\"\n", out);
+    fputs("#include <stddef.h>\n\n#include \"glint_mesh.h\"\n", out);
     fprintf(out, "\nenum { %s_parts = %u };\n", name, mesh_of(baked)->part_count);
     write_all(baked, "static ", name, out);
 }
@@ -147,7 +151,7 @@ void bake_mesh_write_header(const struct baked_mesh *baked, const char *name, FI
     const char *macro = capitals.text;
     const struct glint_mesh *mesh = mesh_of(baked);
     write_note(baked, out);
-    c_begin_header(name, "<stddef.h>\n\n#include \"glint.h\"", out);
+    c_begin_header(name, "<stddef.h>\n\n#include \"glint_mesh.h\"", out);
     fprintf(
         out,
         "\n#define %s_VERTICES %u\n#define %s_FACES %u\n#define %s_PARTS %u /* each with a material, and a paint of "
@@ -156,9 +160,6 @@ void bake_mesh_write_header(const struct baked_mesh *baked, const char *name, FI
     c_begin_externs(out);
     fprintf(out, "extern const struct glint_mesh %s;\nextern const struct glint_material %s_materials[%s_PARTS];\n",
             name, name, macro);
-    if (baked->fitted->colors)
-        fprintf(out, "extern const uint8_t %s_colors[3 * %s_VERTICES]; /* of_vertices of struct glint_mesh_albedo */\n",
-                name, macro);
     c_end_externs(out);
     c_end_header(out);
 }

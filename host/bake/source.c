@@ -16,19 +16,17 @@ static void write_vectors(FILE *out, const struct glint_vec *vectors, size_t cou
 
 static const char *const notes[] = {
     [BAKE_INT16] =
-        "For glint_shade_rect, or glint_tables_rect with GLINT_NORMALS_INT16; 0, 0, 0 where there is no surface",
-    [BAKE_INT10] =
-        "For glint_tables_rect with GLINT_NORMALS_INT10; z = 0 where there is no surface, with how many pixels to the "
-        "right",
-    [BAKE_INT8] = "For glint_tables_rect with GLINT_NORMALS_INT8; z = 0 where there is no surface, with how many "
+        "For struct glint_maps with GLINT_NORMALS_INT16; 0, 0, 0 where there is no surface: tables leave these "
+        "pixels,\n * the exact paint needs coverage for that",
+    [BAKE_INT8] = "For struct glint_maps with GLINT_NORMALS_INT8; z = 0 where there is no surface, with how many "
                   "pixels to the right",
     [BAKE_PALETTE] =
-        ("A palette of normals, to be shaded once a frame as one line, and for each pixel twice its entry, for\n"
-         " * glint_palette_rect. Entry 0 is no surface: after shading, give it the background's colour")};
+        ("A palette of normals, to be drawn once a frame as one line, and for each pixel twice its entry, for\n"
+         " * glint_draw_palette. Entry 0 is no surface: after drawing, give it the background's colour")};
 
 static const char albedo_note[] =
-    "For glint_tables_albedo_rect and ALBEDO tables; a normal is 0 where there is no surface, the "
-    "albedo\n * is RGB565 in the machine's order";
+    "For struct glint_maps and a paint of ALBEDO tables; a normal is 0 where there is no surface, the "
+    "albedo\n * is GLINT_RGB565 in the machine's order";
 
 static size_t pixels_of(const struct baked *baked)
 {
@@ -114,11 +112,9 @@ static void write_strip_macros(const char *name, const char *macro, uint32_t hei
 
 void bake_write_header(const struct baked *baked, const char *name, uint32_t strip, FILE *out)
 {
-    static const char *const formats[] = {[BAKE_INT16] = "GLINT_NORMALS_INT16",
-                                          [BAKE_INT10] = "GLINT_NORMALS_INT10",
-                                          [BAKE_INT8] = "GLINT_NORMALS_INT8",
-                                          [BAKE_PALETTE] = NULL};
-    static const int bytes[] = {[BAKE_INT16] = 6, [BAKE_INT10] = 4, [BAKE_INT8] = 4, [BAKE_PALETTE] = 2};
+    static const char *const formats[] = {
+        [BAKE_INT16] = "GLINT_NORMALS_INT16", [BAKE_INT8] = "GLINT_NORMALS_INT8", [BAKE_PALETTE] = NULL};
+    static const int bytes[] = {[BAKE_INT16] = 6, [BAKE_INT8] = 4, [BAKE_PALETTE] = 2};
     const struct c_capitals capitals = c_capitals(name);
     const char *macro = capitals.text;
     write_note(baked, out);

@@ -8,6 +8,7 @@
 #include <strings.h>
 
 #include "base/argp.h"
+#include "base/c_library.h"
 #include "base/c_names.h"
 #include "base/message.h"
 
@@ -62,6 +63,8 @@ const char *parse_c_name(const struct argp_state *state, const char *text)
                text);
     if (is_taken_c_name(text))
         refuse(state, "--name: '%s' has a meaning in C or C++; choose another", text);
+    if (is_c_library_name(text))
+        refuse(state, "--name: '%s' is a name of the C library, which compilers know; choose another", text);
     if (strncasecmp(text, "glint_", 6) == 0)
         refuse(state, "--name: '%s' may be a name of glint.h; choose another", text);
     return text;

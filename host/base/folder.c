@@ -16,15 +16,13 @@
 #include "base/message.h"
 #include "base/stop.h"
 
-enum { FILES_MAX = 64 };
-
 struct folder {
-    char *path;                                 /* as the user named it */
-    char *target;                               /* the first folder of the path that does not exist; NULL: all exist */
-    char *top;                                  /* the work folder */
-    char *work;                                 /* where the files lie: top, or folders within it */
-    char *files[FILES_MAX], *finals[FILES_MAX]; /* each file's path in the work folder, and in the end */
-    int count;
+    char *path;             /* as the user named it */
+    char *target;           /* the first folder of the path that does not exist; NULL: all exist */
+    char *top;              /* the work folder */
+    char *work;             /* where the files lie: top, or folders within it */
+    char **files, **finals; /* each file's path in the work folder, and in the end */
+    size_t count, room;
 };
 
 static struct folder *volatile unfinished; /* read by the signal handler */
@@ -36,7 +34,7 @@ static void discard(void)
     unfinished = NULL;
     if (!folder)
         return;
-    for (int i = 0; i < folder->count; i++)
+    for (size_t i = 0; i < folder->count; i++)
         unlink(folder->files[i]);
     /* From `work` up to `top`: each is empty then. */
     for (size_t length = strlen(folder->work), least = strlen(folder->top); length >= least; length--)
@@ -155,15 +153,39 @@ const char *folder_work(const struct folder *folder)
     return folder->work;
 }
 
+static char **longer(char **list, size_t count, size_t room)
+{
+    char **copy = allocate(room, sizeof *copy);
+    if (count)
+        memcpy(copy, list, count * sizeof *copy);
+    return copy;
+}
+
+/* A signal's handler finds one list or the other. */
+static void make_room(struct folder *folder)
+{
+    const size_t room = folder->room ? 2 * folder->room : 16;
+    char **files = longer(folder->files, folder->count, room), **finals = longer(folder->finals, folder->count, room);
+    char **const old_files = folder->files, **const old_finals = folder->finals;
+    sigset_t before;
+    signals_hold(&before);
+    folder->files = files;
+    folder->finals = finals;
+    folder->room = room;
+    signals_release(&before);
+    free(old_files);
+    free(old_finals);
+}
+
 char *folder_file(struct folder *folder, const char *name)
 {
     char *file = joined(folder->work, name), *path = strdup(file), *final = joined(folder->path, name);
     if (!path)
         fail("out of memory");
-    if (folder->count == FILES_MAX)
-        fail("%s: more than %d files", folder->path, FILES_MAX);
     if (is_folder(final))
         fail("%s: is a folder; move it away, or name another folder", final);
+    if (folder->count == folder->room)
+        make_room(folder);
     sigset_t before;
     signals_hold(&before);
     folder->files[folder->count] = file;
@@ -178,7 +200,7 @@ static void rename_all(const struct folder *folder)
         fail("%s: cannot get its name: %s", folder->target, strerror(errno));
     if (folder->target)
         return;
-    for (int i = 0; i < folder->count; i++)
+    for (size_t i = 0; i < folder->count; i++)
         if (rename(folder->files[i], folder->finals[i]) != 0)
             fail("%s: cannot get its name: %s", folder->finals[i], strerror(errno));
     rmdir(folder->top);
@@ -191,10 +213,12 @@ void folder_close(struct folder *folder)
     rename_all(folder);
     unfinished = NULL;
     signals_release(&before);
-    for (int i = 0; i < folder->count; i++) {
+    for (size_t i = 0; i < folder->count; i++) {
         free(folder->files[i]);
         free(folder->finals[i]);
     }
+    free(folder->files);
+    free(folder->finals);
     free(folder->path);
     free(folder->target);
     free(folder->top);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * glint bake: normals for the table loops, as C source, raw or UF2, and what they cost in quality. */
+ * glint bake: normals as the library draws them, as C source, raw or UF2, and what they cost in quality. */
 #include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
@@ -51,7 +51,7 @@ static const struct argp_option options[] = {
      7},
     {NULL, 0, NULL, 0, "The output:", 3},
     {"to", KEY_TO, "FORMAT", 0,
-     "int16 (6 bytes a pixel), int10 or int8 (4 bytes; default int8), or palette or "
+     "int16 (6 bytes a pixel) or int8 (4 bytes; default), or palette or "
      "palette:ENTRIES (2 bytes, and 6 an entry; 2..32767, default 4096). A mesh's normals: int16 (6 bytes a vertex) or "
      "int8 (3 bytes; default)",
      3},
@@ -66,14 +66,15 @@ static const struct argp_option options[] = {
     {0}};
 
 static const char doc[] =
-    "Turns a height map, a normal map or a built-in scene into the normals that the library's table loops read, or a "
+    "Turns a height map, a normal map or a built-in scene into the normals that glint_draw_rect takes, or a "
     "mesh into what glint_mesh_add takes, and prints what that costs in quality."
     "\v"
-    "Pixels without a surface (mask): int16 has 0, 0, 0; int10 and int8 have z = 0, and the other bits count the "
-    "pixels without a surface from this one on in its line; a palette has entry 0, with the normal 0, 0, 0: give it "
-    "the background's colour after shading the palette.\n"
+    "Pixels without a surface (mask): int16 has 0, 0, 0, which tables leave undrawn (the exact paint needs coverage "
+    "for "
+    "that); int8 has z = 0, and the other bits count the pixels without a surface from this one on in its line; a "
+    "palette has entry 0, with the normal 0, 0, 0: give it the background's colour after drawing the palette.\n"
     "FILE.c defines the array NAME, lines from the top, and FILE.h beside it declares it, with macros (NAME in "
-    "capitals): _WIDTH, _HEIGHT, _STRIDE in bytes, and _FORMAT for glint_tables_rect; for a palette _ENTRIES and the "
+    "capitals): _WIDTH, _HEIGHT, _STRIDE in bytes, and _FORMAT for struct glint_maps; for a palette _ENTRIES and the "
     "array NAME_normals, NAME being the offsets; with --strip also _STRIP, _STRIPS, _STRIP_LINES(i) and "
     "_STRIP_START(i). With --albedo there is an array NAME_albedo, too, _ALBEDO_STRIDE and _STRIP_ALBEDO(i). FILE.h "
     "alone and - hold a static array and the enumerators NAME_width and NAME_height.\n"
@@ -82,7 +83,7 @@ static const char doc[] =
     "address beyond the program's "
     "last one.\n"
     "Of a mesh, FILE.c defines the struct glint_mesh NAME and NAME_materials, a struct glint_material for each of its "
-    "parts, and where its vertices have colours NAME_colors, for a struct glint_mesh_albedo; FILE.h has the macros "
+    "parts (q = 0: what the output needs), and where its vertices have colours of_vertices; FILE.h has the macros "
     "NAME_VERTICES, NAME_FACES and NAME_PARTS. Raw has four numbers of 16 bits (vertices, "
     "triangles, parts, bytes of a normal's number, and 256 more with colours of vertices), then x, y, z of each vertex "
     "in 16 bits, its normal, a 0 where "
@@ -101,7 +102,7 @@ static const char doc[] =
     "  glint bake --height wall.png --albedo wall-color.png -o wall.c\n"
     "  glint bake --normals brick.png --to palette:1000 -o brick.c\n"
     "  glint bake --scene watchface --size 240x240 --to int8 -o dial.uf2\n"
-    "  glint bake --scene coin --to int10 --json\n"
+    "  glint bake --scene coin --to int16 --json\n"
     "  glint bake --mesh part.stl --split 20 -o part.c\n";
 
 /* ---- options ---- */

@@ -155,19 +155,7 @@ static void print_text(const json_t *all)
 
 static const char *output_word(const struct sink_kind *kind)
 {
-    switch (kind->output) {
-    case SINK_FILE_A_FRAME:
-        return "a file a frame";
-    case SINK_ONE_FILE:
-        return "one file";
-    case SINK_STANDARD_OUTPUT:
-        return "standard output";
-    case SINK_TERMINAL:
-        return "terminal";
-    case SINK_DEVICE:
-        break;
-    }
-    return kind->list ? "device" : "none";
+    return kind->output ? kind->output->word : kind->list ? "device" : "none";
 }
 
 /* Those that have devices get their array, too, which is empty where the search was not answered in time. */

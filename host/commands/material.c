@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * glint material: the shader that glint render's options describe, for a program that fills it in itself. */
+ * glint material: the material, the output and the lights that glint render's options describe, for a program of one's own. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <string.h>
@@ -28,22 +28,26 @@ struct request {
 
 static const struct argp_option options[] = {
     {NULL, 'o', "FILE", 0, "Where it goes; default: standard output", 4},
-    {"name", KEY_NAME, "NAME", 0, "The function's name in C and C++; default: material", 4},
+    {"name", KEY_NAME, "NAME", 0, "The material's name in C and C++; default: material", 4},
     {"json", KEY_JSON, NULL, 0, "JSON instead of C source", 4},
     {0}};
 
 static const char doc[] =
-    "Prints a material, a light and a pixel format as a C function that fills a struct glint_shader: the shader with "
-    "which glint render draws under the same options."
+    "Prints a material, a pixel format and lights as C source: the struct glint_material and struct glint_output by "
+    "which "
+    "glint render draws under the same options, and a function that lights a paint so."
     "\v"
-    "No surface is needed; --scene NAME takes the material of a built-in scene. Maps are not part of a shader: hand "
-    "them to glint_shade_rect in a struct glint_source.\n"
-    "The light must be one --light without a colour; points, spots and colours are lamps of glint_shade_lights.\n"
-    "In JSON, numbers are those of glint.h: _q16 is 65536 for 1.0; directions are whole numbers of any length.\n"
+    "No surface is needed; --scene NAME takes the material of a built-in scene. Maps are not part of a material: hand "
+    "them to glint_draw_rect in a struct glint_maps.\n"
+    "The source defines NAME, a struct glint_material, NAME_output and NAME_light(paint, lights), which takes "
+    "NAME_light_count lights to fill.\n"
+    "In JSON, numbers are those of glint.h: _q16 is 65536 for 1.0; directions are whole numbers of any length. Its "
+    "light "
+    "must be one --light without a colour.\n"
     "\n"
     "Examples:\n"
     "  glint material --model cayley -n 60 --ambient .2 --format rgb565\n"
-    "  glint material --scene coin --name coin_init -o coin-material.h\n"
+    "  glint material --scene coin --name coin -o coin-material.h\n"
     "  glint material -n 200 --specular .8,.7,.5 --json\n";
 
 static error_t parse_option(int key, char *text, struct argp_state *state)
@@ -67,8 +71,8 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     case ARGP_KEY_END:
         if (request->name && request->json)
             refuse(state, "--name is for C source; leave it out with --json");
-        if (!shading_is_plain(&request->look.shading))
-            refuse(state, "a shader has one --light without a colour; others are lamps of glint_shade_lights");
+        if (request->json && !shading_is_plain(&request->look.shading))
+            refuse(state, "--json: has one --light without a colour; leave --json out for other lights");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -85,48 +89,119 @@ static void put_constant(FILE *out, const char *name)
         fputc(*name == '-' ? '_' : toupper((unsigned char)*name), out);
 }
 
-static void put_direction(FILE *out, const char *name, const double direction[3])
+static void put_channels(FILE *out, const uint32_t values[3], const char *name)
 {
+    fprintf(out, "    {%" PRIu32 ", %" PRIu32 ", %" PRIu32 "}, /* %s */\n", values[0], values[1], values[2], name);
+}
+
+static void write_material(FILE *out, const struct shading *shading, const char *name)
+{
+    const struct glint_material m = shading_material(shading);
+    fprintf(out, "static const struct glint_material %s = {\n    ", name);
+    put_constant(out, model_names[shading->model]);
+    fprintf(out, ", %u, %u, 0, /* model, q, n, n_across */\n", m.q, m.n);
+    put_channels(out, m.ambient_q16, "ambient");
+    put_channels(out, m.diffuse_q16, "diffuse");
+    put_channels(out, m.specular_q16, "specular");
+    fprintf(out, "    {%u, %u, %u}, /* albedo */\n    %s /* clamp_peak */\n};\n", m.albedo[0], m.albedo[1], m.albedo[2],
+            m.clamp_peak ? "true" : "false");
+    fprintf(out, "static const struct glint_output %s_output = {", name);
+    put_constant(out, format_names[shading->format]);
+    fputs(", ", out);
+    put_constant(out, space_names[shading->space]);
+    fprintf(out, ", %s /* dither */};\n\n", shading->dither ? "true" : "false");
+}
+
+static void put_numbers(FILE *out, const char *name, unsigned i, const int32_t values[3])
+{
+    fprintf(out, "    static const int32_t %s_%u_[3] = {%" PRId32 ", %" PRId32 ", %" PRId32 "};\n", name, i, values[0],
+            values[1], values[2]);
+}
+
+/* What a light's function takes. */
+static void put_light_data(FILE *out, const struct lamp *lamp, unsigned i)
+{
+    int32_t to_light[3];
+    direction_integers(lamp->direction, to_light);
+    if (lamp->kind == LAMP_DIRECTIONAL) {
+        put_numbers(out, "to_light", i, to_light);
+        return;
+    }
+    const double target[3] = {lamp->target[0], lamp->target[1], 0};
     int32_t whole[3];
-    direction_integers(direction, whole);
-    fprintf(out, "    static const int32_t %s[3] = {%" PRId32 ", %" PRId32 ", %" PRId32 "};\n", name, whole[0],
-            whole[1], whole[2]);
+    place_integers(lamp->position, whole);
+    put_numbers(out, "position", i, whole);
+    place_integers(target, whole);
+    if (lamp->kind == LAMP_SPOT)
+        put_numbers(out, "target", i, whole);
 }
 
-static void put_channels(FILE *out, const char *name, const uint32_t values[3])
+static void put_light(FILE *out, const struct lamp *lamp, const struct glint_light *light, unsigned i)
 {
-    for (int k = 0; k < 3; k++)
-        fprintf(out, "    shader_->material.%s[%d] = %" PRIu32 ";\n", name, k, values[k]);
+    fputs("    if (error_ == GLINT_OK)\n        error_ = ", out);
+    if (lamp->kind == LAMP_DIRECTIONAL)
+        fprintf(out, "glint_light_directional(&lights_[%u], to_light_%u_);\n", i, i);
+    else if (lamp->kind == LAMP_POINT)
+        fprintf(out, "glint_light_point(&lights_[%u], position_%u_, %" PRIu32 "u);\n", i, i, light->range);
+    else
+        fprintf(out,
+                "glint_light_spot(&lights_[%u], position_%u_, target_%u_, %" PRIu32 "u, %" PRId32 ", %" PRId32 ");\n",
+                i, i, i, light->range, light->cos_inner_q30, light->cos_outer_q30);
+    for (unsigned k = 0; k < 3; k++)
+        if (light->color_q16[k] != 65536)
+            fprintf(out, "    lights_[%u].color_q16[%u] = %" PRIu32 "u;\n", i, k, light->color_q16[k]);
 }
 
-/* Assignments, not an initialiser with names, which C++11 has not; names end in _, as the function's name does not. */
+/* Names of locals end in _, as the material's name does not. */
+static void write_lights(FILE *out, const struct shading *shading, const char *name)
+{
+    struct glint_light lights[GLINT_LIGHTS_MAX];
+    int32_t to_viewer[3];
+    shading_lights(shading, lights);
+    direction_integers(shading->view, to_viewer);
+    fprintf(out,
+            "enum { %s_light_count = %u };\n\n"
+            "/* Lights a paint. The lights stay as they are until the drawing is done; one --light is copied. */\n"
+            "static inline enum glint_err %s_light(struct glint_paint *paint_, struct glint_light *lights_)\n{\n",
+            name, shading->lamp_count, name);
+    for (unsigned i = 0; i < shading->lamp_count; i++)
+        put_light_data(out, &shading->lamps[i], i);
+    fprintf(out, "    static const int32_t to_viewer_[3] = {%" PRId32 ", %" PRId32 ", %" PRId32 "};\n", to_viewer[0],
+            to_viewer[1], to_viewer[2]);
+    fputs("    enum glint_err error_ = GLINT_OK;\n", out);
+    for (unsigned i = 0; i < shading->lamp_count; i++)
+        put_light(out, &shading->lamps[i], &lights[i], i);
+    fprintf(out,
+            "    return error_ == GLINT_OK ? glint_paint_light(paint_, lights_, %s_light_count, to_viewer_) : error_;\n"
+            "}\n",
+            name);
+}
+
+/* Of enum glint_use_format's names: which makes the exact paint of this output. */
+static const char *use_of_format(const struct shading *shading)
+{
+    if (shading->space == GLINT_LINEAR)
+        return "linear";
+    if (format_channels(shading->format) == 1)
+        return "grey";
+    return format_is_565(shading->format) ? "rgb565" : "rgb888";
+}
+
 static void write_source(FILE *out, const struct shading *shading, const char *name)
 {
-    const struct glint_shader shader = shading_shader(shading);
-    const uint32_t albedo[3] = {shader.material.albedo[0], shader.material.albedo[1], shader.material.albedo[2]};
     fprintf(out,
-            "/* Written by glint material, version " GLINT_VERSION_STRING ": %s, n = %u, q = %u, %s%s, %s. */\n"
-            "#include \"glint.h\"\n\n"
-            "/* Fills the whole shader. A light that moves: glint_light_init(&shader->light, ...) again. */\n"
-            "static inline void %s(struct glint_shader *shader_)\n{\n",
+            "/* Written by glint material, version " GLINT_VERSION_STRING ": %s, n = %u, q = %u, %s%s, %s.\n"
+            " *\n"
+            " *   struct glint_light lights[%s_light_count];\n"
+            " *   glint_paint_exact_for(&paint, &%s, &%s_output, &glint_use_%s, &glint_use_%s);\n"
+            " *   %s_light(&paint, lights);\n"
+            " */\n"
+            "#include \"glint.h\"\n\n",
             model_names[shading->model], shading->n, shading->q, format_names[shading->format],
-            shading->dither ? " dithered" : "", space_names[shading->space], name);
-    put_direction(out, "to_light_", shading->lamps[0].direction);
-    put_direction(out, "to_viewer_", shading->view);
-    fputs("    glint_lobe_init(&shader_->lobe, ", out);
-    put_constant(out, model_names[shading->model]);
-    fprintf(out, ", %u, %u);\n    (void)glint_light_init(&shader_->light, to_light_, to_viewer_);\n", shading->n,
-            shading->q);
-    put_channels(out, "ambient_q16", shader.material.ambient_q16);
-    put_channels(out, "diffuse_q16", shader.material.diffuse_q16);
-    put_channels(out, "specular_q16", shader.material.specular_q16);
-    put_channels(out, "albedo", albedo);
-    fputs("    shader_->format = ", out);
-    put_constant(out, format_names[shading->format]);
-    fputs(";\n    shader_->space = ", out);
-    put_constant(out, space_names[shading->space]);
-    fprintf(out, ";\n    shader_->dither = %s;\n    shader_->clamp_peak = %s;\n}\n", shading->dither ? "true" : "false",
-            shading->clamp_peak ? "true" : "false");
+            shading->dither ? " dithered" : "", space_names[shading->space], name, name, name,
+            model_names[shading->model], use_of_format(shading), name);
+    write_material(out, shading, name);
+    write_lights(out, shading, name);
 }
 
 /* ---- the command ---- */

@@ -11,7 +11,6 @@
 #include "draw/shading.h"
 #include "options/drawing_options.h"
 #include "options/map_options.h"
-#include "sinks/frames.h"
 #include "sinks/options.h"
 #include "sinks/sinks.h"
 #include "stream/stream.h"
@@ -37,8 +36,8 @@ static const struct argp_option argp_options[] = {
 
     {NULL, 0, NULL, 0, "The stream:", 6},
     {"to", KEY_TO, "SINK", 0, "Where the frames go: see below", 6},
-    {NULL, 'o', "NAME", 0,
-     "For sinks that write files, their name. Where each frame is a file, its number replaces %d or %04d in NAME", 6},
+    {NULL, 'o', "FILE", 0,
+     "For sinks that write files, their name. Where each frame is a file, its number replaces %d or %04d in FILE", 6},
     {"fps", KEY_FPS, "F", 0,
      "Frames a second (default 30), by which the light moves; displays are paced by it. 0: as fast as they take them",
      6},
@@ -84,34 +83,31 @@ static bool shades(const struct sink_kind *kind)
 
 static bool writes_standard_output(const struct sink_kind *kind)
 {
-    return kind->output == SINK_STANDARD_OUTPUT || kind->output == SINK_ONE_FILE;
+    return kind->output && (kind->output->piped || kind->output->dash);
 }
 
 /* -o as the sink takes it; its usual name where none is given. */
 static void check_output(const struct argp_state *state, struct stream_options *o)
 {
+    static const struct sink_output nowhere;
     const struct sink_kind *kind = o->kind;
-    const bool files = kind->output == SINK_FILE_A_FRAME || kind->output == SINK_ONE_FILE;
-    if (o->output && !files)
+    const struct sink_output *to = kind->output ? kind->output : &nowhere;
+    if (o->output && !to->written)
         refuse(state, "-o: --to %s writes no files; leave it out", kind->name);
     if (!o->output)
         o->output = kind->usual_output;
-    if (files && !o->output)
-        refuse(state, "-o: --to %s writes %s; name %s: -o %s.%s", kind->name,
-               kind->output == SINK_ONE_FILE ? "a file" : "files", kind->output == SINK_ONE_FILE ? "it" : "them",
-               kind->output == SINK_ONE_FILE ? "FILE" : "frame-%04d", kind->name);
-    if (kind->output != SINK_TERMINAL && sink_takes_standard_output(kind, o->output) && isatty(STDOUT_FILENO))
+    if (!o->output && to->written) {
+        const size_t length = strlen(to->example);
+        refuse(state, "-o: --to %s writes %s; name it: -o %s%s", kind->name, to->written, to->example,
+               length && to->example[length - 1] == '.' ? kind->name : "");
+    }
+    if (!to->shown && sink_takes_standard_output(kind, o->output) && isatty(STDOUT_FILENO))
         refuse(state, "--to %s: standard output is a terminal; pipe or redirect it", kind->name);
-    if (kind->output != SINK_FILE_A_FRAME)
-        return;
-    if (strcmp(o->output, "-") == 0)
-        refuse(state, "-o -: --to %s writes a file for each frame; for standard output choose --to %s", kind->name,
+    if (o->output && !to->dash && strcmp(o->output, "-") == 0)
+        refuse(state, "-o -: --to %s writes %s; for standard output choose --to %s", kind->name, to->written,
                sink_names(writes_standard_output));
-    if (!frame_pattern(state, "-o", o->output) && o->frames != 1 && !kind->usual_output)
-        refuse(state,
-               "-o: '%s' names one file for all frames; write %%04d where the frame's number goes (frame-%%04d.%s), or "
-               "give --frames 1",
-               o->output, kind->name);
+    if (to->check)
+        to->check(state, kind, o->output, o->frames);
 }
 
 static void check(const struct argp_state *state, struct stream_options *o)
@@ -119,7 +115,7 @@ static void check(const struct argp_state *state, struct stream_options *o)
     const struct shading *shading = &o->look.shading;
     bool directional = false;
     for (unsigned i = 0; i < shading->lamp_count; i++)
-        directional |= shading->lamps[i].kind == GLINT_DIRECTIONAL;
+        directional |= shading->lamps[i].kind == LAMP_DIRECTIONAL;
     if (o->lights && (!isnan(o->orbit) || !isnan(o->period)))
         refuse(state, "--lights: gives each direction of the light; leave out %s",
                isnan(o->orbit) ? "--period" : "--orbit");

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * glint table: a lobe as a table, or tables for the loops of the library, as C source for flash or raw. */
+ * glint table: a lobe as a table, or the tables of a paint, as C source for flash or raw. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,14 +34,16 @@ struct request {
 static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "The table:", 5},
     {"kind", KEY_KIND, "KIND", 0,
-     "Not the highlight alone but tables for glint_tables_rect and its like, which draw as glint render --path does: "
-     "colour (20,480 bytes, with --dither 20,608), small (904) or albedo (8,584)",
+     "Not the highlight alone but tables for glint_paint_tables_filled, which draw as glint render --path does: "
+     "colour (20,480 bytes, with --dither 20,608) or albedo (8,584)",
      5},
     {"of", KEY_OF, "c|t", 0, "The argument: the cosine c, or t = 1 - c (default), which is finer near the peak", 5},
     {"entries", KEY_ENTRIES, "COUNT", 0, "Entries, 2 to 65536; default 256", 5},
     {"bits", KEY_BITS, "BITS", 0, "Bits an entry: 8 (1.0 is 255), 16 (1.0 is 32768; default) or 32 (1.0 is 65536)", 5},
     {"shininess", KEY_SHININESS, "N", 0, "The same as -n", 5},
-    {"cutoff", KEY_CUTOFF, "Q", 0, "The same as -q: the table ends where the highlight falls below 2^-Q", 5},
+    {"cutoff", KEY_CUTOFF, "Q", 0,
+     "The same as -q: the table ends where the highlight falls below 2^-Q; of the highlight alone 0 is a cutoff at 1",
+     5},
     {"name", KEY_NAME, "NAME", 0,
      "The array's name in C and C++ (default: FILE's for FILE.c, else from the material, such as msh_n60_q8)", 6},
     {"raw", KEY_RAW, NULL, 0, "Write only the entries, low byte first", 6},
@@ -49,8 +51,8 @@ static const struct argp_option options[] = {
     {0}};
 
 static const char doc[] =
-    "Writes a material's highlight as a table: C source for flash, with its look-up functions, or raw; or its tables "
-    "for the loops of the library."
+    "Writes a material's highlight as a table: C source for flash, with its look-up functions, or raw; or the tables "
+    "of a paint."
     "\v"
     "FILE.c defines the array NAME, and FILE.h beside it declares it, with NAME_ENTRIES and NAME_SHIFT in capitals. "
     "Any other FILE and - hold a static array.\n"
@@ -58,7 +60,7 @@ static const char doc[] =
     "x = i 2^SHIFT; SHIFT is the smallest for which the last entry lies beyond the cutoff and is 0. The C source "
     "states SHIFT and the largest measured errors of the nearest entry and of linear interpolation. Of the options of "
     "glint render only --model, -n, -q and --clamp-peak count.\n"
-    "With --kind, NAME is a struct glint_tables in constant memory, as glint_tables_fill would have filled it for the "
+    "With --kind, NAME is a struct glint_tables in constant memory, as glint_paint_tables would have filled it for the "
     "material, colours and format that the options describe (--format: default rgb565). Lights are not part of it.\n"
     "\n"
     "Examples:\n"
@@ -151,10 +153,16 @@ static struct shading shading_of_request(const struct request *request)
                               scene_finish(request->look.scene.scene));
 }
 
+/* Of the highlight alone -q 0 is a cutoff at 1, not the usual one. */
+static unsigned cutoff_of(const struct request *request, const struct shading *shading)
+{
+    return request->kind < 0 && request->look.shading.q == 0 ? 0 : shading->q;
+}
+
 static void write_lobe(struct request *request, const struct shading *shading, const char *name)
 {
     struct lobe_table *table = &request->table;
-    glint_lobe_init(&table->lobe, shading->model, shading->n, shading->q);
+    glint_lobe_init(&table->lobe, shading->model, shading->n, cutoff_of(request, shading));
     table->clamp_peak = shading->clamp_peak;
     lobe_table_fill(table);
     struct output_pair outputs = output_pair_open(request->path, request->files.header);
@@ -182,8 +190,9 @@ static void write_tables(const struct request *request, struct shading shading, 
     if (path_refusal(&shading))
         fail("--kind %s: %s", tables_kind_names[kind], path_refusal(&shading));
     struct flash_tables flash;
-    const struct glint_shader shader = shading_shader(&shading);
-    if (flash_tables_fill(&flash, kind, &shader) != GLINT_OK)
+    const struct glint_material material = shading_material(&shading);
+    const struct glint_output output = shading_output(&shading);
+    if (flash_tables_fill(&flash, kind, &material, &output) != GLINT_OK)
         fail("--kind %s: needs a grey --ambient and --diffuse of at most 1 together, as --ambient .1 --diffuse .9",
              tables_kind_names[kind]);
     if (asprintf(&flash.about, "%s, n = %u, q = %u, %s, %s", model_names[shading.model], shading.n, shading.q,
@@ -210,7 +219,8 @@ int command_table(int argc, char **argv)
     parse_command(&argp, 0, argc, argv, &request);
     const struct shading shading = shading_of_request(&request);
     char plain_name[64];
-    snprintf(plain_name, sizeof plain_name, "%s_n%u_q%u", model_names[shading.model], shading.n, shading.q);
+    snprintf(plain_name, sizeof plain_name, "%s_n%u_q%u", model_names[shading.model], shading.n,
+             cutoff_of(&request, &shading));
     const char *name = request.name ? request.name : plain_name;
     if (request.kind < 0)
         write_lobe(&request, &shading, name);

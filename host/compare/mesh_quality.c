@@ -22,7 +22,7 @@ static struct shading shading_with(unsigned n)
                               .n = n,
                               .q = 8,
                               .view = {0, 0, 1},
-                              .lamps = {{.kind = GLINT_DIRECTIONAL, .direction = {-1, 1, 1}, .color = {1, 1, 1}}},
+                              .lamps = {{.kind = LAMP_DIRECTIONAL, .direction = {-1, 1, 1}, .color = {1, 1, 1}}},
                               .lamp_count = 1,
                               .color = {200, 200, 200},
                               .format = GLINT_RGB888};

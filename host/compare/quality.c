@@ -28,7 +28,7 @@ static void add_light(const struct scene *exact, const struct scene *lossy, unsi
                               .n = n,
                               .q = 8,
                               .view = {0, 0, 1},
-                              .lamps = {{.kind = GLINT_DIRECTIONAL, .color = {1, 1, 1}}},
+                              .lamps = {{.kind = LAMP_DIRECTIONAL, .color = {1, 1, 1}}},
                               .lamp_count = 1,
                               .specular = {1, 1, 1},
                               .color = {255, 255, 255},

@@ -48,7 +48,7 @@ static double attenuation(const struct lamp *lamp, double e[3], uint32_t x, uint
     if (u == 0 || u >= 1)
         return 0;
     double all = (1 - u) * (1 - u);
-    if (lamp->kind == GLINT_SPOT) {
+    if (lamp->kind == LAMP_SPOT) {
         const double axis[3] = {lamp->target[0] - lamp->position[0], lamp->position[1] - lamp->target[1],
                                 -lamp->position[2]};
         const double c = -dot(axis, e) / sqrt(dot(axis, axis) * dot(e, e));
@@ -64,7 +64,7 @@ static struct geometry geometry_of(const struct shading *shading, const struct l
         g.l[k] = lamp->direction[k];
         g.v[k] = shading->view[k];
     }
-    if (lamp->kind != GLINT_DIRECTIONAL)
+    if (lamp->kind != LAMP_DIRECTIONAL)
         g.arrives = attenuation(lamp, g.l, x, y);
     if (g.arrives == 0)
         return g;

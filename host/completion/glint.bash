@@ -26,7 +26,7 @@ _glint()
         esac
     done < <("$glint" ${command[0]+"${command[@]}"} --_options 2>/dev/null)
     case $taken in
-    ?*FILE* | FILE* | PATH)
+    *FILE*)
         files=-f
         ;;
     DIR*)

@@ -13,7 +13,7 @@ struct canvas *canvas_new(const struct scene *scene, const struct shading *shadi
 void canvas_free(struct canvas *canvas);
 /* The lamps may have changed since canvas_new, but not their kinds. All cores draw. Lines are packed; pixels outside the
  * scene's mask keep their values. */
-void canvas_draw(const struct canvas *canvas, const struct shading *shading, uint8_t *pixels);
+void canvas_draw(struct canvas *canvas, const struct shading *shading, uint8_t *pixels);
 
 /* One picture, black outside the mask: as the library wrote it, lines packed (malloc'd), or in levels. */
 uint8_t *shade_pixels(const struct scene *scene, const struct shading *shading);

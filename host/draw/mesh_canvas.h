@@ -15,7 +15,7 @@ struct mesh_canvas;
 struct mesh_canvas *mesh_canvas_new(const struct fitted *fitted, const struct shading *shadings);
 void mesh_canvas_free(struct mesh_canvas *canvas);
 /* The whole picture, black behind the mesh, lines packed. `light`: the shading whose light counts; NULL: as it was. */
-void mesh_canvas_draw(const struct mesh_canvas *canvas, const struct view *view, const struct shading *light,
+void mesh_canvas_draw(struct mesh_canvas *canvas, const struct view *view, const struct shading *light,
                       uint8_t *pixels);
 
 /* The number of the face that the library draws at each pixel, plus 1; 0: none. malloc'd. */

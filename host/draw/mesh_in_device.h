@@ -10,7 +10,8 @@
 
 bool mesh_in_device(const struct light_mesh *there, const struct fitted *fitted);
 /* Why a device cannot draw a mesh so, as device_refusal. */
-const char *mesh_in_device_refusal(const struct view *view, const struct shading *shading, struct glint_shader *shader);
+const char *mesh_in_device_refusal(const struct view *view, const struct shading *shading,
+                                   struct light_material *material);
 /* The shading's first light, which is directional, and the view. */
 struct light_pose mesh_in_device_pose(const struct view *view, const struct shading *shading);
 

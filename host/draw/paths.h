@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The ways through the library that --path names. */
+ * The ways through the library that --path names: a source of pixels and a paint. */
 #ifndef GLINT_DRAW_PATHS_H
 #define GLINT_DRAW_PATHS_H
 
@@ -8,7 +8,7 @@
 #include "draw/shading.h"
 #include "scene/scene.h"
 
-extern const char *const path_names[]; /* [0] is the exact rectangle; ends with NULL */
+extern const char *const path_names[]; /* [0] is the exact paint over 16-bit normals; ends with NULL */
 /* Why the path cannot draw with this shading, as the end of "--path NAME ..."; NULL where it can. */
 const char *path_refusal(const struct shading *shading);
 
@@ -20,15 +20,15 @@ struct mesh_path {
 extern const char path_needs_grey[]; /* where ALBEDO tables refuse a material */
 const char *path_of_mesh(const struct shading *shading, bool has_colors, struct mesh_path *of_mesh);
 
-/* A path other than [0], made ready for a scene. It draws over what the exact path has drawn; pixels that it cannot draw
- * keep the exact path's values, and a warning says so. Scene and normals must outlive it. */
+/* A path made ready for a scene. Some leave pixels of the scene undrawn, and a warning says so: the exact paint is to
+ * draw below them. Scene and normals must outlive it. */
 struct way;
-struct way *way_new(const struct scene *scene, const struct shading *shading, const struct glint_shader *shader,
-                    const struct glint_vec *normals);
+struct way *way_new(const struct scene *scene, const struct shading *shading, const struct glint_vec *normals);
 void way_free(struct way *way);
-bool way_is_whole(const struct way *way); /* or does it need the exact path below it? */
+bool way_is_whole(const struct way *way); /* does it draw the whole scene? */
+/* Before lines are drawn: the lights and the viewer as the shading has them now. */
+void way_light(struct way *way, const struct shading *shading);
 /* Some lines from y on; the surface starts at the first of them. */
-enum glint_err way_draw(const struct way *way, const struct glint_light *light, uint32_t y, uint32_t lines,
-                        const struct glint_surface *surface);
+enum glint_err way_draw(const struct way *way, uint32_t y, uint32_t lines, const struct glint_surface *surface);
 
 #endif

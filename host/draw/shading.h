@@ -7,9 +7,11 @@
 
 #include "glint.h"
 
+enum lamp_kind { LAMP_DIRECTIONAL, LAMP_POINT, LAMP_SPOT };
+
 /* A light of the scene. */
 struct lamp {
-    enum glint_lamp_kind kind;
+    enum lamp_kind kind;
     double direction[3]; /* directional: towards it, any length, y up */
     double position[3];  /* point and spot, in pixels from the picture's upper left corner: x right, y down, z to you */
     double target[2];    /* spot: the pixel on the surface it is aimed at */
@@ -21,8 +23,8 @@ struct lamp {
 /* As the user gave it: in doubles, so that the reference has nothing of the library's rounding. */
 struct shading {
     enum glint_model model;
-    unsigned n, q;
-    struct lamp lamps[GLINT_LAMPS_MAX];
+    unsigned n, q; /* q: 1..16 once shading_of_options has filled it in */
+    struct lamp lamps[GLINT_LIGHTS_MAX];
     unsigned lamp_count;
     double view[3]; /* towards the viewer, any length */
     double ambient[3], diffuse[3], specular[3];
@@ -35,13 +37,24 @@ struct shading {
 
 /* A direction in whole numbers, as the library is given it: the longest part becomes 2^30. */
 void direction_integers(const double direction[3], int32_t out[3]);
-/* Lamp i as the library takes it, or the error with which the library refuses it. */
-enum glint_err shading_lamp(const struct shading *shading, unsigned i, struct glint_lamp *lamp);
+/* A place in 1/16 pixel. */
+void place_integers(const double pixels[3], int32_t out[3]);
+
+/* As the library takes them. */
+struct glint_material shading_material(const struct shading *shading);
+struct glint_output shading_output(const struct shading *shading);
+/* Light i, or the error with which the library refuses it alone: GLINT_ERR_VECTOR where it is straight behind. */
+enum glint_err shading_light(const struct shading *shading, unsigned i, struct glint_light *light);
 /* All of them; ends the program where the library refuses one. */
-void shading_lamps(const struct shading *shading, struct glint_lamp lamps[GLINT_LAMPS_MAX]);
+void shading_lights(const struct shading *shading, struct glint_light lights[GLINT_LIGHTS_MAX]);
+
+/* Lights a paint, which may keep a pointer to the lights. Ends the program where the library refuses. */
+void shading_light_paint(const struct shading *shading, struct glint_paint *paint,
+                         struct glint_light lights[GLINT_LIGHTS_MAX]);
+/* An exact paint, lit so. */
+struct glint_paint shading_paint(const struct shading *shading, struct glint_light lights[GLINT_LIGHTS_MAX]);
+
 /* Is it lit by one white directional light, which every path can draw? */
 bool shading_is_plain(const struct shading *shading);
-/* As the library takes it. The light is the first one where shading_is_plain; otherwise only the viewer is set. */
-struct glint_shader shading_shader(const struct shading *shading);
 
 #endif

@@ -25,7 +25,7 @@ static const char *colour_refusal(const struct scene *scene, uint8_t albedo[3])
     return NULL;
 }
 
-const char *device_refusal(const struct scene *scene, const struct shading *shading, struct glint_shader *shader)
+const char *device_refusal(const struct scene *scene, const struct shading *shading, struct light_material *material)
 {
     struct shading by_tables = *shading;
     unsigned path = 0;
@@ -38,6 +38,9 @@ const char *device_refusal(const struct scene *scene, const struct shading *shad
     by_tables.path = path;
     if (path_refusal(&by_tables))
         return path_refusal(&by_tables);
-    *shader = shading_shader(&by_tables);
-    return colour_refusal(scene, shader->material.albedo);
+    struct glint_material of_shading = shading_material(&by_tables);
+    const struct glint_output output = shading_output(&by_tables);
+    const char *refusal = colour_refusal(scene, of_shading.albedo);
+    light_material_of(material, &of_shading, &output);
+    return refusal;
 }

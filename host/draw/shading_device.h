@@ -4,10 +4,11 @@
 #define GLINT_DRAW_SHADING_DEVICE_H
 
 #include "draw/shading.h"
+#include "light_protocol.h"
 #include "scene/scene.h"
 
-/* Why a device cannot shade so: the end of "--shade device: ...", or NULL where it can. Sets the shader, with the one
- * colour there is. */
-const char *device_refusal(const struct scene *scene, const struct shading *shading, struct glint_shader *shader);
+/* Why a device cannot shade so: the end of "--shade device: ...", or NULL where it can. Sets the material, with the one
+ * colour there is, as it goes over the wire. */
+const char *device_refusal(const struct scene *scene, const struct shading *shading, struct light_material *material);
 
 #endif

@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "glint.h"
+#include "glint_mesh.h"
 
 struct view {
     uint32_t width, height;

@@ -10,6 +10,29 @@ static const struct {
     uint8_t bytes, channels, max[3];
 } format_traits[] = {GLINT_FORMATS(FORMAT_TRAITS)};
 
+const char *format_meaning(enum glint_format format)
+{
+    switch (format) {
+    case GLINT_RGB565:
+        return "The usual small panel: 32, 64 and 32 levels";
+    case GLINT_RGB565_SWAPPED:
+        return "The same as RGB565, high byte first, as SPI panels take it";
+    case GLINT_RGB888:
+        return "256 levels a channel";
+    case GLINT_GREY8:
+        return "256 greys";
+    case GLINT_MONO:
+        return "Black and white, 8 pixels a byte: try dither";
+    case GLINT_BGR888:
+        return "256 levels a channel, blue first: LVGL's RGB888";
+    case GLINT_XRGB8888:
+        return "Blue first, and a byte of 255: LVGL's XRGB8888";
+    case GLINT_ARGB8888:
+        return "Blue first, and the mask as alpha: LVGL's ARGB8888";
+    }
+    return "";
+}
+
 unsigned format_channels(enum glint_format format)
 {
     return format_traits[format].channels;

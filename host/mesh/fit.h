@@ -3,7 +3,7 @@
 #ifndef GLINT_MESH_FIT_H
 #define GLINT_MESH_FIT_H
 
-#include "glint.h"
+#include "glint_mesh.h"
 #include "mesh/mesh.h"
 
 /* The library's mesh points into the arrays. */
@@ -12,7 +12,7 @@ struct fitted {
     int16_t (*places)[3], (*normals)[3];
     int8_t (*normals8)[3];
     uint16_t (*faces)[3], *ends;
-    uint8_t (*colors)[3]; /* of each vertex, for struct glint_mesh_albedo; NULL: each part has one */
+    uint8_t (*colors)[3]; /* of each vertex, of_vertices of the mesh; NULL: each part has one */
     double middle[3];     /* of the places in double: 0, 0, 0 here */
     double unit;          /* how many units of the places here 1 there is */
 };

@@ -13,7 +13,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "glint.h"
+#include "glint_mesh.h"
 #include "mesh/import_files.h"
 
 /* Loaded here only: commands that read no mesh start without it. */

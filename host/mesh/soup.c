@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "base/message.h"
-#include "glint.h"
+#include "glint_mesh.h"
 
 void soup_free(struct soup *soup)
 {

@@ -9,7 +9,7 @@
 
 #include "base/memory.h"
 #include "base/message.h"
-#include "glint.h"
+#include "glint_mesh.h"
 
 enum { NONE = UINT32_MAX, PASSES = 10 };
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * The models by name, and their formulas in double precision, as the paper prints them. */
+ * What is known of the library's models besides its functions, a file a model: lobe_NAME.c has model_NAME, which the command's
+ * comparisons, the paper's table and the page take from here. */
 #ifndef GLINT_MODELS_MODELS_H
 #define GLINT_MODELS_MODELS_H
 
@@ -8,8 +9,28 @@
 
 #include "glint.h"
 
-double model_double(enum glint_model model, double n, double c); /* c in 0..1 */
-extern const char *const model_names[];                          /* "msh" ..., by enum glint_model; NULL at the end */
+/* Arithmetic for one c where all that depends on n alone is prepared. */
+struct model_operations {
+    int multiply, add, divide;
+    const char *more; /* what is not elementary arithmetic; NULL: nothing */
+};
+
+struct model_facts {
+    const char *title, *long_title;      /* "Cayley", "Cayley (ours)"; NULL: the same */
+    const char *formula;                 /* in ASCII, c^n for a power */
+    const char *meaning;                 /* for who chooses: half a sentence */
+    const char *source;                  /* where it was published; NULL: in the paper, or here */
+    double (*value)(double n, double c); /* in double precision, as the formula is printed; c in 0..1 */
+    struct model_operations operations;  /* all 0: not counted */
+};
+
+/* One for each line of GLINT_MODELS. */
+#define MODEL_FACTS(number, name, function, use) extern const struct model_facts model_##name;
+GLINT_MODELS(MODEL_FACTS)
+extern const struct model_facts *const model_facts[]; /* by enum glint_model */
+extern const char *const model_names[];               /* "msh" ..., by enum glint_model; NULL at the end */
+
+double model_double(enum glint_model model, double n, double c); /* its value; 0 for an unknown model */
 
 /* "msh, schlick, ..., ", for help. */
 #define MODEL_WORD(number, name, function, use) #name ", "

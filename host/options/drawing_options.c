@@ -15,11 +15,10 @@ static const struct argp_option argp_options[] = {
     {"albedo", KEY_ALBEDO, "FILE", 0, "The surface's colour; alpha is ignored", 2},
     {"gloss", KEY_GLOSS, "FILE", 0, "A map that scales the highlight: white full, black none", 2},
     {"path", KEY_PATH, "NAME", 0,
-     "The way through the library: exact (default) or span; span-c16, as the gateware draws; or by tables, of 20 KB "
-     "(rgb565 only; with --dither gamma space, too) from normals of 16, "
-     "10 or 8 bits or from spans: colour-int16, colour-int10, colour-int8, colour-span; of 1 KB: small-int16, "
-     "small-int10, small-int8, small-span; of 9 KB (rgb565) over an albedo map in RGB565: albedo-int16, albedo-int10, "
-     "albedo-int8, albedo-span; or by a palette of 4096 normals (rgb565): palette",
+     "The way through the library: exact (default), from normals of 8 bits exact-int8, from spans span; by tables of "
+     "20 KB (rgb565 only; with --dither gamma space, too) from normals of 16 or 8 bits or from spans: colour-int16, "
+     "colour-int8, colour-span; by tables of 9 KB (rgb565) over an albedo map in RGB565: albedo-int16, albedo-int8, "
+     "albedo-span; or by a palette of 4096 normals (rgb565): palette",
      4},
     {NULL, 0, NULL, 0, NULL, 0}};
 

@@ -7,8 +7,8 @@
 #include "base/parse.h"
 #include "options/light_options.h"
 
-static const double farthest = GLINT_LAMP_FAR / 16., widest = 1e6; /* pixels; the parts of a direction */
-enum { BRIGHTEST = GLINT_LAMP_COLOR_MAX / 65536 };
+static const double farthest = GLINT_LIGHT_FAR / 16., widest = 1e6; /* pixels; the parts of a direction */
+enum { BRIGHTEST = GLINT_LIGHT_COLOR_MAX / 65536 };
 
 void check_direction(const struct argp_state *state, const char *option, const double direction[3])
 {
@@ -24,11 +24,11 @@ static double sixteenths(double pixels)
 
 /* The next lamp. Its option has `count` numbers, and three more if it has a colour. */
 static struct lamp *add_lamp(const struct argp_state *state, const char *option, const char *text, int count,
-                             struct shading *shading, enum glint_lamp_kind kind, double *values)
+                             struct shading *shading, enum lamp_kind kind, double *values)
 {
-    if (shading->lamp_count == GLINT_LAMPS_MAX)
+    if (shading->lamp_count == GLINT_LIGHTS_MAX)
         refuse(state, "%s: more than %u lights; give --light, --point and --spot at most %u times in all", option,
-               GLINT_LAMPS_MAX, GLINT_LAMPS_MAX);
+               GLINT_LIGHTS_MAX, GLINT_LIGHTS_MAX);
     int commas = 0;
     for (const char *at = text; *at; at++)
         commas += *at == ',';
@@ -50,7 +50,7 @@ static struct lamp *add_lamp(const struct argp_state *state, const char *option,
 void parse_light(const struct argp_state *state, const char *text, struct shading *shading)
 {
     double values[6];
-    struct lamp *lamp = add_lamp(state, "--light", text, 3, shading, GLINT_DIRECTIONAL, values);
+    struct lamp *lamp = add_lamp(state, "--light", text, 3, shading, LAMP_DIRECTIONAL, values);
     memcpy(lamp->direction, values, sizeof lamp->direction);
     check_direction(state, "--light", lamp->direction);
 }
@@ -71,14 +71,14 @@ static void set_place(const struct argp_state *state, const char *option, const 
 void parse_point(const struct argp_state *state, const char *text, struct shading *shading)
 {
     double values[7];
-    struct lamp *lamp = add_lamp(state, "--point", text, 4, shading, GLINT_POINT, values);
+    struct lamp *lamp = add_lamp(state, "--point", text, 4, shading, LAMP_POINT, values);
     set_place(state, "--point", text, lamp, values, values[3]);
 }
 
 void parse_spot(const struct argp_state *state, const char *text, struct shading *shading)
 {
     double values[11];
-    struct lamp *lamp = add_lamp(state, "--spot", text, 8, shading, GLINT_SPOT, values);
+    struct lamp *lamp = add_lamp(state, "--spot", text, 8, shading, LAMP_SPOT, values);
     set_place(state, "--spot", text, lamp, values, values[5]);
     for (int k = 0; k < 2; k++) {
         lamp->target[k] = sixteenths(values[3 + k]);
@@ -97,8 +97,8 @@ void check_lamps(const struct argp_state *state, struct shading *shading)
     if (shading->lamp_count == 0)
         parse_light(state, "-1,1,1", shading);
     for (unsigned i = 0; i < shading->lamp_count; i++) {
-        struct glint_lamp lamp;
-        if (shading_lamp(shading, i, &lamp) != GLINT_OK)
+        struct glint_light light;
+        if (shading_light(shading, i, &light) != GLINT_OK)
             refuse(state, "--light: must not be opposite to --view: there is no half vector");
     }
 }

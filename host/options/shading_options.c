@@ -50,7 +50,7 @@ static const struct argp_option argp_options[] = {
     {"model", KEY_MODEL, "NAME", 0, "The highlight: " MODEL_WORDS "default: msh", 3},
     {NULL, 'n', "N", 0, "Shininess, 1..1000 (default 60; watchface 40, coin 30)", 3},
     {NULL, 'q', "Q", 0,
-     "A highlight under 2^-Q counts as 0; 0..16 (default 12 for --space linear, else 6 for rgb565 "
+     "A highlight under 2^-Q counts as 0; 1..16 (default, and 0: 12 for --space linear, else 6 for rgb565 "
      "and mono undithered, else 8)",
      3},
     {"light", KEY_LIGHT, "X,Y,Z[,R,G,B]", 0,
@@ -77,8 +77,9 @@ static const struct argp_option argp_options[] = {
 
     {NULL, 0, NULL, 0, "The picture:", 4},
     {"format", KEY_FORMAT, "NAME", 0,
-     "The display's pixels: rgb888, rgb565, rgb565-swapped, grey8, mono; with blue first, as LVGL has them, bgr888, "
-     "xrgb8888 or argb8888, whose alpha is the mask (default: rgb888, or the device's)",
+     "The display's pixels: " FORMAT_WORDS
+     "default: rgb888, or the device's. As LVGL has them bgr888, xrgb8888 and argb8888 have blue first; the alpha of "
+     "argb8888 is the mask",
      4},
     {"space", KEY_SPACE, "NAME", 0,
      "The space in which light is summed: gamma (default: as encoded) or linear (sRGB decoded and encoded)", 4},
@@ -218,7 +219,7 @@ struct shading shading_of_options(const struct shading_options *options, enum gl
 {
     struct shading shading = options->shading;
     shading.format = format;
-    if (shading.q == Q_UNSET)
+    if (shading.q == Q_UNSET || shading.q == 0)
         shading.q = default_q(&shading);
     if (!shading.n)
         shading.n = finish->n;

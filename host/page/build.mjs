@@ -15,7 +15,21 @@ const costs = readFileSync(`${here}/../../tests/bench/costs.tsv`, 'utf8').split(
     .filter(line => line && !line.startsWith('#')).map(line => line.split('\t'))
     .filter(([kind]) => ['pixel', 'frame pixel', 'linked', 'library', 'fill', 'frame', 'memory', 'stack', 'counted', 'counted frame', 'counted picture'].includes(kind))
 const version = readFileSync(`${here}/../../lib/glint.h`, 'utf8').match(/GLINT_VERSION_STRING "(.*)"/)[1]
+
+/** What the module says that can be chosen by name. */
+function lists() {
+    const { exports } = new WebAssembly.Instance(new WebAssembly.Module(readFileSync(`${folder}/module.wasm`)), { wasi_snapshot_preview1: new Proxy({}, { get: () => () => 0 }) })
+    exports._initialize()
+    const bytes = new Uint8Array(exports.memory.buffer), at = exports.page_lists(), found = {}
+    for (const line of new TextDecoder().decode(bytes.subarray(at, bytes.indexOf(0, at))).split('\n').slice(0, -1)) {
+        const [list, name, title, meaning, formula] = line.split('\t')
+        found[list] = [...found[list] ?? [], { name, title, meaning, formula }]
+    }
+    return found
+}
+
 const values = {
+    lists,
     module: () => deflateRawSync(readFileSync(`${folder}/module.wasm`), { level: 9 }).toString('base64'),
     costs: () => costs,
     version: () => version,

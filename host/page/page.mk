@@ -6,8 +6,8 @@ PAGE_NPM = $(PAGE)/npm
 # Of the host what needs no files, libraries or signals; host/page/module has those in memory.
 PAGE_HOST = $(filter-out %_json.c host/mesh/import%.c,$(wildcard host/compare/*.c host/draw/*.c host/bake/*.c host/mesh/*.c host/scene/*.c)) \
 	$(patsubst %,host/options/%_options.c,drawing shading scene map mesh view light) $(patsubst %,host/commands/%.c,bake material table) \
-	$(patsubst %,host/image/%.c,format image levels picture) host/models/models.c \
-	$(patsubst %,host/base/%.c,c_names closest memory message output_pair parse text unknown)
+	$(patsubst %,host/image/%.c,format image levels picture) host/models/models.c $(wildcard host/models/lobe_*.c) \
+	$(patsubst %,host/base/%.c,c_library c_names closest memory message output_pair parse text unknown)
 # Whose numbers and layouts the page speaks over USB.
 PAGE_WIRE = firmware/core/light_protocol firmware/core/gud_protocol
 PAGE_C = $(wildcard lib/*.c host/page/module/*.c) $(PAGE_HOST) $(patsubst %,firmware/core/%.c,light_protocol mesh_cksum cksum)

@@ -9,59 +9,35 @@
 #include "models/models.h"
 #include "paper/q16.h"
 
-/* Arithmetic for one c with all that depends on n alone prepared. */
-struct operations {
-    int multiply, add, divide;
-    const char *more; /* what is not elementary arithmetic, or "" */
-};
-
 /* A row of the table. */
 struct entry {
-    const char *name, *key, *formula; /* key: in the names of numbers */
-    int model;                        /* of the library; -1: double only */
-    struct operations operations;     /* all 0: not counted */
+    const struct model_facts *facts;
+    const char *key; /* in the names of numbers */
+    int model;       /* of the library; -1: double only */
 };
 
-/* How the table presents models of the library: those of the paper, and others that were counted. A model without such a
- * line appears under its name alone. */
-static const struct entry presented[] = {
-    {"Schlick", "schlick", "c / (n - nc + c)", GLINT_SCHLICK, {1, 1, 1, ""}},
-    {"MSH", "msh", "2c / (1.25 (n - nc + 1.25c)^2)", GLINT_MSH, {3, 1, 1, ""}},
-    {"Gauss", "gauss", "exp(-n x^2 / 2)", GLINT_GAUSS, {2, 0, 0, "acos, exp"}},
-    {"Cayley (ours)",
-     "cayley",
-     "(max(0, 4(1+c) - n(1-c)) / (4(1+c) + n(1-c)))^4; c^n for n <= 4",
-     GLINT_CAYLEY,
-     {4, 2, 1, "max"}},
-    {"Lyon 1993, gamma 4", "lyon", "max(0, 1 - n(1-c)/4)^4", GLINT_LYON, {3, 1, 0, "max"}},
+/* Fitted to c^n, to compare with. */
+static const struct model_facts spherical_gaussian = {
+    .title = "Spherical Gaussian, fitted",
+    .formula = "exp(-(n + .775)(1-c))",
+    .value = spherical_gaussian_double,
+    .operations = {.multiply = 1, .add = 1, .more = "exp"},
 };
-enum { PRESENTED = sizeof presented / sizeof *presented };
 
-static const struct entry spherical_gaussian = {
-    "Spherical Gaussian", "spherical_gaussian", "exp(-(n + .775)(1-c))", -1, {1, 1, 0, "exp"}};
-
-enum { ENTRIES = GLINT_MODEL_COUNT - 2 + 1 }; /* without Blinn and Phong, which are c^n; with the spherical Gaussian */
-
-static struct entry entry_of(enum glint_model model)
-{
-    for (int i = 0; i < PRESENTED; i++)
-        if (presented[i].model == (int)model)
-            return presented[i];
-    return (struct entry){model_names[model], model_names[model], "-", (int)model, {0, 0, 0, ""}};
-}
+enum { ENTRIES = GLINT_MODEL_COUNT - 2 + 1 }; /* without Blinn and Phong, which are c^n; with the fitted one */
 
 static void list_entries(struct entry entries[ENTRIES])
 {
     int count = 0;
-    for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
+    for (int model = 0; model < GLINT_MODEL_COUNT; model++)
         if (model != GLINT_BLINN && model != GLINT_PHONG)
-            entries[count++] = entry_of((enum glint_model)model);
-    entries[count] = spherical_gaussian;
+            entries[count++] = (struct entry){model_facts[model], model_names[model], model};
+    entries[count] = (struct entry){&spherical_gaussian, "spherical_gaussian", -1};
 }
 
-static double value_of(const struct entry *entry, double n, double c)
+static const char *title_of(const struct entry *entry)
 {
-    return entry->model < 0 ? spherical_gaussian_double(n, c) : model_double((enum glint_model)entry->model, n, c);
+    return entry->facts->long_title ? entry->facts->long_title : entry->facts->title;
 }
 
 struct measured {
@@ -79,7 +55,7 @@ static void measure_grid(const struct entry *entry, struct measured *m)
     for (int n = 1; n <= 1000; n++)
         for (int angle = 0; angle <= 90; angle++) {
             const double x = angle * PI / 180, c = cos(x), blinn = model_double(GLINT_BLINN, n, c);
-            const double f = value_of(entry, n, c), error = absolute_error(f, blinn);
+            const double f = entry->facts->value(n, c), error = absolute_error(f, blinn);
             m->mean += error / (91.0 * 1000);
             m->largest = fmax(m->largest, error);
             if (n >= 2)
@@ -100,7 +76,7 @@ static double cutoff_by_bisection(const struct entry *entry, double n, double q)
     double low = 0, high = PI / 2;
     for (int i = 0; i < 60; i++) {
         const double middle = (low + high) / 2;
-        *(value_of(entry, n, cos(middle)) >= exp2(-q) ? &low : &high) = middle;
+        *(entry->facts->value(n, cos(middle)) >= exp2(-q) ? &low : &high) = middle;
     }
     return low;
 }
@@ -118,14 +94,14 @@ static struct measured measure(const struct entry *entry)
         const double c = cos(epicentre_angle(n));
         if (n >= 2)
             m.epicentre =
-                fmax(m.epicentre, relative_error_percent(value_of(entry, n, c), model_double(GLINT_BLINN, n, c)));
+                fmax(m.epicentre, relative_error_percent(entry->facts->value(n, c), model_double(GLINT_BLINN, n, c)));
     }
     m.spot_60 = cutoff_by_bisection(entry, 60, 8) / blinn_cutoff_angle(60, 8);
-    m.peak = value_of(entry, 60, 1);
+    m.peak = entry->facts->value(60, 1);
     return m;
 }
 
-static int operation_count(const struct operations *operations)
+static int operation_count(const struct model_operations *operations)
 {
     return operations->multiply + operations->add + operations->divide;
 }
@@ -141,8 +117,7 @@ static int power_by_squaring(unsigned n)
 
 static void operations_claim(struct paper *paper)
 {
-    const struct entry msh = entry_of(GLINT_MSH);
-    const int prepared = operation_count(&msh.operations), printed = 8; /* 5 x, 2 +, 1 / in (5) */
+    const int prepared = operation_count(&model_msh.operations), printed = 8; /* 5 x, 2 +, 1 / in (5) */
     int fewer_squaring = 0, fewer_repeated = 0, most = 0;
     for (unsigned n = 1; n <= 1000; n++) {
         fewer_squaring += prepared < power_by_squaring(n);
@@ -166,15 +141,33 @@ static void operations_claim(struct paper *paper)
 
 static void write_row(FILE *stream, const struct entry *entry, const struct measured *m)
 {
-    fprintf(stream, "\"%s\",\"%s\",%.9f,%.9f,%.9f,%.6f,%.6f,%d,%.6f,%.6f,%d,%d,%d,%s,", entry->name, entry->formula,
-            m->mean, m->largest, m->largest_from_2, m->epicentre, m->spot, m->spot_n, m->spot_60, m->peak,
-            entry->operations.multiply, entry->operations.add, entry->operations.divide,
-            *entry->operations.more ? "yes" : "no");
+    fprintf(stream, "\"%s\",\"%s\",%.9f,%.9f,%.9f,%.6f,%.6f,%d,%.6f,%.6f,%d,%d,%d,%s,", title_of(entry),
+            entry->facts->formula, m->mean, m->largest, m->largest_from_2, m->epicentre, m->spot, m->spot_n, m->spot_60,
+            m->peak, entry->facts->operations.multiply, entry->facts->operations.add, entry->facts->operations.divide,
+            entry->facts->operations.more ? "yes" : "no");
     if (entry->model >= 0)
         fprintf(stream, "%.9f,%.9f,%.6f", m->mean_q16, m->largest_q16, m->apart_q16);
     else
         fputs(",,", stream);
     fputc('\n', stream);
+}
+
+static json_t *note_of(const struct entry entries[ENTRIES], int nearer)
+{
+    json_t *note =
+        json_sprintf("Errors are |F - c^n| on the paper's grid: whole degrees 0 to 90, n = 1..1000. %d of the other %d "
+                     "models are nearer to Blinn's than MSH in the mean. 1 ulp = 2^-16. Operations: for one c, "
+                     "constants of n prepared.",
+                     nearer, ENTRIES - 1);
+    for (int i = 0; i < ENTRIES; i++) {
+        if (!entries[i].facts->source)
+            continue;
+        json_t *longer =
+            json_sprintf("%s %s: %s.", json_string_value(note), entries[i].facts->title, entries[i].facts->source);
+        json_decref(note);
+        note = longer;
+    }
+    return note;
 }
 
 void paper_models(struct paper *paper)
@@ -207,15 +200,15 @@ void paper_models(struct paper *paper)
         write_row(csv->stream, &entries[i], &m[i]);
         if (entries[i].model == GLINT_MSH)
             msh_mean = m[i].mean;
-        const struct operations *o = &entries[i].operations;
+        const struct model_operations *o = &entries[i].facts->operations;
         const bool fixed = entries[i].model >= 0;
-        paper_table_row(table, 12, json_string(entries[i].name), json_string(entries[i].formula),
+        paper_table_row(table, 12, json_string(title_of(&entries[i])), json_string(entries[i].facts->formula),
                         json_sprintf("%.5f", m[i].mean), json_sprintf("%.4f", m[i].largest),
                         json_sprintf("%.4f", m[i].largest_from_2), json_sprintf("%.1f %%", m[i].epicentre),
                         json_sprintf("%.2f", m[i].spot_60), json_sprintf("%.2f at n = %d", m[i].spot, m[i].spot_n),
                         json_sprintf("%.3f", m[i].peak),
                         operation_count(o) ? json_sprintf("%d x, %d +, %d /%s%s", o->multiply, o->add, o->divide,
-                                                          *o->more ? ", " : "", o->more)
+                                                          o->more ? ", " : "", o->more ? o->more : "")
                                            : json_string("-"),
                         fixed ? json_sprintf("%.5f, %.4f", m[i].mean_q16, m[i].largest_q16) : json_string("-"),
                         fixed ? json_sprintf("%.3f ulp", m[i].apart_q16) : json_string("-"));
@@ -230,13 +223,7 @@ void paper_models(struct paper *paper)
     output_close(csv);
     for (int i = 0; i < ENTRIES; i++)
         nearer += m[i].mean < msh_mean;
-    json_object_set_new(
-        table, "note",
-        json_sprintf("Errors are |F - c^n| on the paper's grid: whole degrees 0 to 90, n = 1..1000. %d of "
-                     "the other %d models are nearer to Blinn's than MSH in the mean. 1 ulp = 2^-16. "
-                     "Lyon: R. F. Lyon, Apple Technical Report 43, 1993. Operations: for one c, constants "
-                     "of n prepared.",
-                     nearer, ENTRIES - 1));
+    json_object_set_new(table, "note", note_of(entries, nearer));
     const double printed_angle = 20 * PI / 180; /* between H and L where the light is 40 degrees from the viewer */
     paper_choice(
         paper, "models", "Gauss's angle x, printed as between H and L", json_sprintf("between N and H, as for Blinn's"),

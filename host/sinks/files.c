@@ -7,6 +7,7 @@
 #include "image/picture.h"
 #include "image/write.h"
 #include "sinks/frames.h"
+#include "sinks/outputs.h"
 
 struct files {
     struct sink sink;
@@ -63,7 +64,7 @@ static void close_files(struct sink *sink)
 const struct sink_kind sink_png = {
     .name = "png",
     .summary = "PNG files, one a frame: -o frame-%04d.png",
-    .output = SINK_FILE_A_FRAME,
+    .output = &output_file_a_frame,
     .every_frame = true,
     .examples = "  glint stream dial --to png -o dial-%03d.png --fps 10\n",
     .pixels = {.open = open_png, .send = send_file, .close = close_files},
@@ -72,7 +73,7 @@ const struct sink_kind sink_png = {
 const struct sink_kind sink_ppm = {
     .name = "ppm",
     .summary = "the same as PPM (PGM and PBM for grey8 and mono)",
-    .output = SINK_FILE_A_FRAME,
+    .output = &output_file_a_frame,
     .every_frame = true,
     .examples = "  glint stream --height wall.png --to ppm -o wall-%d.ppm --lights light.txt\n",
     .pixels = {.open = open_ppm, .send = send_file, .close = close_files},

@@ -74,7 +74,6 @@ static const struct argp *const options[] = {&argp, NULL};
 const struct sink_kind sink_none = {
     .name = "none",
     .summary = "nowhere: --stats tells what a USB display would be sent",
-    .output = SINK_DEVICE,
     .options = options,
     .examples = "  glint stream dial --to none --json --link-rate 600\n",
     .pixels = {.open = open_none, .send = send_none, .close = close_none},

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "base/memory.h"
+#include "sinks/outputs.h"
 #include "sinks/sink.h"
 #include "sinks/write.h"
 
@@ -37,7 +38,7 @@ static void close_raw(struct sink *sink)
 const struct sink_kind sink_raw = {
     .name = "raw",
     .summary = "pixels to standard output, frame after frame, lines packed",
-    .output = SINK_STANDARD_OUTPUT,
+    .output = &output_standard,
     .examples = "  glint stream sphere --to raw --format rgb888 | ffplay -f rawvideo \\\n"
                 "      -pixel_format rgb24 -video_size 320x240 -\n",
     .pixels = {.open = open_raw, .send = send_raw, .close = close_raw},

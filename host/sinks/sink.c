@@ -39,15 +39,6 @@ bool sink_size_fits(uint32_t width, uint32_t height)
 
 bool sink_takes_standard_output(const struct sink_kind *kind, const char *output)
 {
-    switch (kind->output) {
-    case SINK_STANDARD_OUTPUT:
-    case SINK_TERMINAL:
-        return true;
-    case SINK_ONE_FILE:
-        return output && strcmp(output, "-") == 0;
-    case SINK_DEVICE:
-    case SINK_FILE_A_FRAME:
-        break;
-    }
-    return false;
+    const struct sink_output *to = kind->output;
+    return to && (to->piped || to->shown || (to->dash && output && strcmp(output, "-") == 0));
 }

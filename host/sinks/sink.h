@@ -37,7 +37,7 @@ struct sink_wish {
     int format;                             /* enum glint_format, or -1 */
     uint16_t default_width, default_height; /* the scene's own, for sinks that take any size */
     double fps;                             /* frames a second; 0: as fast as the sink takes them */
-    const char *output;                     /* -o as enum sink_output says, or NULL */
+    const char *output;                     /* -o; NULL only where the sink's output has none */
 };
 
 enum sink_result {
@@ -47,6 +47,19 @@ enum sink_result {
 };
 
 struct sink_kind;
+
+/* Where the bytes go, which decides what -o means. sinks/outputs.h has the usual kinds. */
+struct sink_output {
+    const char *word;    /* as glint list --json has it */
+    const char *written; /* what -o names: "a file"; NULL: there is no -o */
+    const char *example; /* of -o; where it ends with a dot, the sink's name follows */
+    bool dash;           /* -o - is standard output */
+    bool piped, shown;   /* frames go to standard output, which is no terminal; or which is one */
+    /* More checks of -o, as a part of the command line's, and before anything is done to a device. NULL: none. */
+    void (*check)(const struct argp_state *state, const struct sink_kind *kind, const char *output,
+                  unsigned long frames);
+    void (*begin)(const char *output, unsigned long frames);
+};
 
 /* An open sink. Each sink embeds it as its first member. */
 struct sink {
@@ -60,15 +73,6 @@ struct sink {
     size_t max_bytes;         /* of a piece uncompressed; at least a line; SIZE_MAX: no limit */
     struct sink_cost cost;
     const char *name; /* of the device, for messages: "usb 1-3.1", "gpiochip0" */
-};
-
-/* Where the bytes go, which decides what -o means. */
-enum sink_output {
-    SINK_DEVICE,          /* a device, or nowhere: no -o */
-    SINK_FILE_A_FRAME,    /* files named by -o, which has a place for the frame's number */
-    SINK_ONE_FILE,        /* all frames in the file that -o names; -: standard output */
-    SINK_STANDARD_OUTPUT, /* bytes for another program, so not for a terminal; no -o */
-    SINK_TERMINAL         /* standard output, which must be a terminal; no -o */
 };
 
 /* Frames as pixels. */
@@ -89,27 +93,28 @@ struct sink_pixels {
     void (*close)(struct sink *sink);
 };
 
-struct light_mesh; /* light_protocol.h */
+struct light_material; /* light_protocol.h */
+struct light_mesh;
 struct light_pose;
 
 /* A device that shades by itself gets the scene once, then a light a frame. */
 struct sink_shader {
     struct sink *(*open)(const struct sink_wish *wish); /* as above */
-    /* Normals as GLINT_NORMALS_INT8; the shader's light does not matter. */
-    enum sink_result (*send_scene)(struct sink *sink, const struct glint_shader *shader, const uint32_t *normals);
+    /* Normals as GLINT_NORMALS_INT8. */
+    enum sink_result (*send_scene)(struct sink *sink, const struct light_material *material, const uint32_t *normals);
     enum sink_result (*send_light)(struct sink *sink, const int32_t to_light[3], size_t *bytes);
     /* The mesh that lies in the device; false: there is none. Then its material, and poses instead of lights. */
     bool (*find_mesh)(struct sink *sink, struct light_mesh *mesh);
-    enum sink_result (*send_mesh)(struct sink *sink, const struct glint_shader *shader);
+    enum sink_result (*send_mesh)(struct sink *sink, const struct light_material *material);
     enum sink_result (*send_pose)(struct sink *sink, const struct light_pose *pose, size_t *bytes);
     void (*close)(struct sink *sink); /* as above */
 };
 
 /* What a kind of sink is and can do. */
 struct sink_kind {
-    const char *name;    /* as --to takes it */
-    const char *summary; /* one line for the help and the list */
-    enum sink_output output;
+    const char *name;                 /* as --to takes it */
+    const char *summary;              /* one line for the help and the list */
+    const struct sink_output *output; /* NULL: a device, or nowhere; no -o */
     const char
         *usual_output; /* -o where none is given; then a name without a number is one picture, the last. NULL: none */
     bool paced;        /* --fps sets the pace, and frames go on until stopped; else one turn of the light, unpaced */

@@ -13,6 +13,7 @@
 #include "base/stop.h"
 #include "image/picture.h"
 #include "sinks/frames.h"
+#include "sinks/outputs.h"
 #include "sinks/write.h"
 
 static const char name[] = "the terminal";
@@ -183,7 +184,7 @@ static char *library(void)
 const struct sink_kind sink_terminal = {
     .name = "terminal",
     .summary = "this terminal, in pixels (kitty, sixel) or symbols; obeys NO_COLOR",
-    .output = SINK_TERMINAL,
+    .output = &output_terminal,
     .paced = true,
     .examples = "  glint stream coin --to terminal --point 240,80,60,300,1,.7,.3\n",
     .pixels = {.open = open_terminal, .send = send_terminal, .close = close_terminal},

@@ -11,6 +11,7 @@
 #include "base/output.h"
 #include "image/picture.h"
 #include "sinks/frames.h"
+#include "sinks/outputs.h"
 #include "sinks/write.h"
 
 static const char frame_head[] = "FRAME\n";
@@ -125,7 +126,7 @@ static void close_y4m(struct sink *sink)
 const struct sink_kind sink_y4m = {
     .name = "y4m",
     .summary = "a YUV4MPEG2 video for ffmpeg and mpv: -o FILE; - is a pipe",
-    .output = SINK_ONE_FILE,
+    .output = &output_one_file,
     .every_frame = true,
     .wants_fps = true,
     .examples = "  glint stream coin --to y4m --fps 60 -o coin.y4m\n"

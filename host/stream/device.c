@@ -8,12 +8,12 @@
 
 enum sink_result device_send_scene(struct sink *sink, const struct scene *scene, const struct shading *shading)
 {
-    struct glint_shader shader;
-    const char *refusal = device_refusal(scene, shading, &shader);
+    struct light_material material;
+    const char *refusal = device_refusal(scene, shading, &material);
     if (refusal)
         fail("--shade device: %s", refusal);
     struct baked *baked = bake(scene, BAKE_INT8, 0);
-    const enum sink_result result = sink->kind->shader->send_scene(sink, &shader, baked->words);
+    const enum sink_result result = sink->kind->shader->send_scene(sink, &material, baked->words);
     baked_free(baked);
     return result;
 }

@@ -100,7 +100,7 @@ struct light_path *light_path_new(const struct stream_options *options)
 void light_path_start(struct light_path *path, const struct stream_options *options, const struct shading *shading,
                       uint32_t width, uint32_t height)
 {
-    while (path->lamp < shading->lamp_count && shading->lamps[path->lamp].kind != GLINT_DIRECTIONAL)
+    while (path->lamp < shading->lamp_count && shading->lamps[path->lamp].kind != LAMP_DIRECTIONAL)
         path->lamp++;
     const bool directional = path->lamp < shading->lamp_count;
     if (!directional)
@@ -171,8 +171,8 @@ static bool next_line(struct light_path *path, struct shading *shading)
         if (text + strlen(text) + 1 < path->line + length || !read_direction(text, lamp->direction))
             fail("%s, line %lu: '%s' is not a direction; write three numbers, \"X Y Z\" or \"X,Y,Z\"", path->name,
                  path->number, text);
-        struct glint_lamp unused;
-        if (shading_lamp(shading, path->lamp, &unused) != GLINT_OK)
+        struct glint_light unused;
+        if (shading_light(shading, path->lamp, &unused) != GLINT_OK)
             fail("%s, line %lu: '%s' %s", path->name, path->number, text,
                  dot(lamp->direction, lamp->direction) > 0 ? "is straight opposite to --view: there is no half vector"
                                                            : "has no direction; it must not be 0,0,0");
@@ -188,7 +188,7 @@ bool light_path_next(struct light_path *path, double seconds, struct shading *sh
     if (path->file)
         return next_line(path, shading);
     struct lamp *lamp = &shading->lamps[path->lamp];
-    double *at = lamp->kind == GLINT_DIRECTIONAL ? lamp->direction : lamp->position;
+    double *at = lamp->kind == LAMP_DIRECTIONAL ? lamp->direction : lamp->position;
     const double turn = path->period > 0 ? 2 * M_PI * fmod(seconds / path->period, 1) : 0;
     for (unsigned k = 0; k < 3; k++)
         at[k] = path->middle[k] + cos(turn) * path->across[k] + sin(turn) * path->along[k];

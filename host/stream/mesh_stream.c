@@ -115,12 +115,12 @@ void mesh_device_find(struct mesh_stream *stream, struct sink *sink)
 
 enum sink_result mesh_device_send(struct mesh_stream *stream, struct sink *sink)
 {
-    struct glint_shader shader;
-    const char *refusal = mesh_in_device_refusal(&stream->view, &stream->shadings[0], &shader);
+    struct light_material material;
+    const char *refusal = mesh_in_device_refusal(&stream->view, &stream->shadings[0], &material);
     if (refusal)
         fail("--shade device: %s", refusal);
     mesh_device_find(stream, sink); /* it may be another one by now */
-    return sink->kind->shader->send_mesh(sink, &shader);
+    return sink->kind->shader->send_mesh(sink, &material);
 }
 
 enum sink_result mesh_device_send_pose(struct mesh_stream *stream, struct sink *sink, double seconds,

@@ -14,7 +14,6 @@
 #include "image/format.h"
 #include "image/picture.h"
 #include "plan/plan.h"
-#include "sinks/frames.h"
 #include "stream/device.h"
 #include "stream/light.h"
 #include "stream/mesh_stream.h"
@@ -80,8 +79,8 @@ static bool start(struct stream *stream)
     stream->mesh = options->look.scene.mesh.name ? mesh_stream_new(options) : NULL;
     stream->path = light_path_new(options); /* files are opened before anything is done to a device */
     choose_size(stream, maps);
-    if (options->kind->output == SINK_FILE_A_FRAME)
-        frames_check(options->output, options->frames);
+    if (options->kind->output && options->kind->output->begin)
+        options->kind->output->begin(options->output, options->frames);
     stop_when_asked(); /* until here a signal ends the program at once */
     open_sink = open_wished(stream);
     if (!open_sink)

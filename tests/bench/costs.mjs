@@ -6,7 +6,7 @@
 import { boot } from './m0plus.mjs'
 import { readScene } from './scene.mjs'
 import { evaluationRows, measureEvaluation } from './evaluations.mjs'
-import { loopRows, measureLoop } from './loops.mjs'
+import { SIDES, loopRows, measureLoop, measureSides } from './loops.mjs'
 import { MESHES, hasAssembly, measureMesh } from './mesh.mjs'
 import { measureOpen, measureWorst, readWorst, worstRows } from './worst.mjs'
 
@@ -16,7 +16,7 @@ process.on('uncaughtException', (error) => {
 })
 
 // What the library has assembly for, and of which loops other n than 60 are stated.
-const ASSEMBLY = /^(exact (rect|albedo|span 16|span 64)|colour (int8|int10|span 16|span 64)( dither)?|albedo (int8|span 16)|palette)$/
+const ASSEMBLY = /^(exact (rect|albedo|span 16|span 64)|colour (int8|span 16|span 64)( dither)?|albedo (int8|span 16)|palette)$/
 const SHININESSES = { 'exact rect': [5, 1000], 'albedo int8': [5] }
 
 const [folder, part, parts, match] = [process.argv[2], Number(process.argv[3]), Number(process.argv[4]), new RegExp(process.argv[5] ?? '')]
@@ -34,6 +34,10 @@ function loop(build, row, n) {
   const figures = [['pixel', (shade / covered).toFixed(1)]]
   if (n !== 60) return figures
   figures.push(['frame pixel', (shade / pixels).toFixed(1)])
+  if (SIDES.test(row.name)) {
+    const { outside, inside } = measureSides(machines[build], scene, row, n)
+    figures.push(['outside', outside.toFixed(1)], ['inside', inside.toFixed(1)])
+  }
   if (flash) figures.push(['tables in flash', flash.tables.toFixed(1)], ['maps in flash', flash.maps.toFixed(1)])
   if (build === 'asm') return figures
   if (fill) figures.push(['fill', fill])

@@ -26,20 +26,14 @@ void evaluation_begin(uint32_t n)
 #function, what, 0, 0, function, TAKES_FLOAT, model                                                            \
     }
 
+#define MODEL_ROWS_own(function, number)                                                                               \
+    FROM_C(glint_##function, number, "exact"), FROM_T(glint_##function##_t, number, "from t"),
+#define MODEL_ROWS_shared(function, number)
+#define MODEL_ROWS(number, name, function, use) MODEL_ROWS_##use(function, number)
+
 const struct evaluation evaluations[] = {
-    FROM_C(glint_msh, GLINT_MSH, "exact"),
-    FROM_T(glint_msh_t, GLINT_MSH, "exact"),
-    FROM_C(glint_schlick, GLINT_SCHLICK, "exact"),
-    FROM_T(glint_schlick_t, GLINT_SCHLICK, "exact"),
-    FROM_C(glint_cayley, GLINT_CAYLEY, "exact"),
-    FROM_T(glint_cayley_t, GLINT_CAYLEY, "exact"),
-    FROM_C(glint_lyon, GLINT_LYON, "exact"),
-    FROM_T(glint_lyon_t, GLINT_LYON, "exact"),
-    FROM_C(glint_blinn, GLINT_BLINN, "exact"),
-    FROM_T(glint_blinn_t, GLINT_BLINN, "within .501 ulp"),
-    FROM_C(glint_gauss, GLINT_GAUSS, "exact"),
-    FROM_T(glint_gauss_t, GLINT_GAUSS, "within .501 ulp"),
-    {"glint_lobe_eval_t", "MSH, with its cutoff", 0, glint_lobe_eval_t, 0, TAKES_LOBE, GLINT_MSH},
+    GLINT_MODELS(MODEL_ROWS){"glint_lobe_eval_t", "MSH, with its cutoff", 0, glint_lobe_eval_t, 0, TAKES_LOBE,
+                             GLINT_MSH},
     FLOAT(peer_msh_float, GLINT_MSH, "float"),
     FLOAT(peer_schlick_float, GLINT_SCHLICK, "float"),
     FLOAT(peer_blinn_powf, GLINT_BLINN, "float, the C library's powf"),

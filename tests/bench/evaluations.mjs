@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Single evaluations on the emulated Cortex-M0+: cycles over the pixels of a highlight, and the largest error.
-import { MODELS } from './scene.mjs'
 import { FLASH_WORD } from './flash.mjs'
-import { real } from './real.mjs'
 import { line } from './print.mjs'
 
 const TAKES = ['c', 't', 'lobe', 'float'] // enum evaluation_takes
@@ -17,30 +15,29 @@ export function evaluationRows(machine) {
   for (let at = machine.address('evaluations'); machine.word(at); at += 24) {
     const [name, what] = [0, 4].map((i) => machine.text(machine.word(at + i)))
     const run = [8, 12, 16].map((i) => machine.word(at + i)).find((x) => x)
-    list.push({ name, what, run, takes: TAKES[machine.byte(at + 20)], model: MODELS[machine.byte(at + 21)] })
+    list.push({ name, what, run, takes: TAKES[machine.byte(at + 20)], model: machine.byte(at + 21) })
   }
   return list
 }
 
 // lean: without the words that flash would deliver.
-export function measureEvaluation(machine, { run, takes, model }, n, samples, lean = false) {
+export function measureEvaluation(machine, { run, takes }, n, samples, lean = false) {
   const first = takes === 'float' ? floatBits(n) : takes === 'lobe' ? machine.address('evaluation_lobe') : n
   const second = ({ c, t }) => takes === 'float' ? floatBits(c / 65536) : takes === 'c' ? c : t
   const few = machine.call(run, [first, second(samples[0])]).cycles * samples.length / CYCLES
   const step = Math.max(1, Math.ceil(few))
   const cycles = []
-  let worst = 0
+  const [values, ts] = [[], []]
   for (const sample of samples.filter((_, i) => i % step === 0)) {
     const result = machine.call(run, [first, second(sample)])
     cycles.push(result.cycles)
-    const value = takes === 'float' ? 65536 * floatOf(result.value) : result.value | 0
-    const t = takes === 'c' || takes === 'float' ? 1 - sample.c / 65536 : sample.t / 2 ** 30
-    worst = Math.max(worst, Math.abs(value - 65536 * real[model](n, t)))
+    values.push(takes === 'float' ? 65536 * floatOf(result.value) : result.value | 0)
+    ts.push(takes === 'c' || takes === 'float' ? 1 - sample.c / 65536 : sample.t / 2 ** 30)
   }
   const mean = cycles.reduce((sum, x) => sum + x, 0) / cycles.length
   const middle = samples[samples.length >> 1]
   const words = lean ? 0 : machine.touched((call) => call(run, [first, second(middle)]))
-  return { mean, min: Math.min(...cycles), max: Math.max(...cycles), samples: cycles.length, worst_ulp: worst, words }
+  return { mean, min: Math.min(...cycles), max: Math.max(...cycles), samples: cycles.length, values, ts, words }
 }
 
 // Functions whose name matches.
@@ -50,7 +47,9 @@ export function evaluations(machines, scene, match = /./, wanted = scene.n) {
     for (const n of wanted.filter((n) => flags === '-O2' || n === 60)) {
       machine.call('evaluation_begin', [n])
       for (const row of evaluationRows(machine).filter(({ name }) => match.test(name))) {
-        const { words, ...figure } = measureEvaluation(machine, row, n, scene.samples.get(n))
+        const { words, values, ts, ...measured } = measureEvaluation(machine, row, n, scene.samples.get(n))
+        const worst_ulp = Math.max(...scene.real(n, row.model, ts).map((real, i) => Math.abs(values[i] - 65536 * real)))
+        const figure = { ...measured, worst_ulp }
         const common = { function: row.name, what: row.what, target: 'cortex-m0plus', flags, n, q: scene.q, unit: 'cycles' }
         figures.push({ ...common, label: 'emulated', ...figure })
         figures.push({ ...common, label: 'predicted', words, mean: figure.mean + FLASH_WORD * words })

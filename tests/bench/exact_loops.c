@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: MIT
- * Loops over the exact paths: rectangles and spans, prepared or not, and lights. */
+ * Loops over the line by bench_paint: rectangles and spans. */
 #include "loops.h"
 
 void exact_fill(void)
 {
-    bench_check(glint_shade_prepare(&exact_prepared, &bench_shader));
+    bench_check(glint_paint_exact(&bench_paint, &bench_material, &bench_output));
 }
 
-void exact_frame(void)
+void bench_light(void)
 {
-    bench_check(glint_shade_relight(&exact_prepared, &bench_shader.light));
+    const int count = sphere_lights(bench_lights, (enum sphere_lights)bench_loop->look.lights);
+    bench_check(count < 0 ? (enum glint_err)count
+                          : glint_paint_light(&bench_paint, bench_lights, (unsigned)count, sphere_viewer));
 }
 
 static struct glint_surface line_from(uint16_t x)
@@ -18,32 +20,44 @@ static struct glint_surface line_from(uint16_t x)
     return surface;
 }
 
-static struct glint_source source(void)
+/* The line's maps: albedo as the paint takes it. */
+static struct glint_maps maps_of(const struct glint_paint *paint, enum bench_map map)
 {
-    const struct glint_source from = {.normals = bench_line.normals,
-                                      .mask = bench_line.mask,
-                                      .albedo = bench_loop->look.albedo ? bench_albedo[0] : NULL,
-                                      .gloss = bench_loop->look.gloss ? bench_gloss : NULL};
-    return from;
+    const bool exact = paint->format != NULL;
+    struct glint_maps maps = {.normals = bench_line.normals,
+                              .coverage = exact ? bench_line.mask : NULL,
+                              .albedo = exact && bench_loop->look.albedo ? bench_albedo[0] : NULL,
+                              .albedo_format = GLINT_RGB888,
+                              .gloss = bench_loop->look.gloss ? bench_gloss : NULL};
+#ifndef __AVR__
+    if (map == MAP_INT8) {
+        maps.normals = bench_map;
+        maps.normals_format = GLINT_NORMALS_INT8;
+    }
+    if (!exact && bench_loop->look.albedo) {
+        maps.albedo = (const uint8_t *)bench_albedo_565;
+        maps.albedo_format = GLINT_RGB565;
+    }
+#else
+    (void)map;
+#endif
+    return maps;
 }
 
-void exact_line(const struct glint_prepared *prepared)
+void bench_rect_by(const struct glint_paint *paint, enum bench_map map, struct glint_box *highlight)
 {
-    const struct glint_source from = source();
+    static struct glint_maps maps; /* as a program has them: set for the map at hand alone */
+    static const struct bench_loop *of;
     const struct glint_surface to = line_from(0);
-    bench_check(glint_shade_prepared_rect(prepared, &from, SPHERE_W, 1, &to, NULL));
+    if (of != bench_loop)
+        maps = maps_of(paint, map);
+    of = bench_loop;
+    bench_check(glint_draw_rect(paint, &maps, SPHERE_W, 1, &to, highlight));
 }
 
-void exact_rect(void)
+void bench_rect(void)
 {
-    exact_line(&exact_prepared);
-}
-
-void exact_call(void)
-{
-    const struct glint_source from = source();
-    const struct glint_surface to = line_from(0);
-    bench_check(glint_shade_rect(&bench_shader, &from, SPHERE_W, 1, &to, NULL));
+    bench_rect_by(&bench_paint, (enum bench_map)bench_loop->map, NULL);
 }
 
 /* ---- spans: the line's by pieces of at most so many pixels ---- */
@@ -53,8 +67,7 @@ static void spans_prepare(uint16_t width)
     struct glint_span *span = bench_spans;
     for (uint16_t x = bench_line.from; x < bench_line.to; x = (uint16_t)(x + width), span++) {
         const uint16_t left = (uint16_t)(bench_line.to - x), w = left < width ? left : width;
-        bench_check(
-            glint_span_init(span, &bench_shader.light, &bench_line.normals[x], &bench_line.normals[x + w - 1], w));
+        bench_check(glint_span_init(span, &bench_paint, &bench_line.normals[x], &bench_line.normals[x + w - 1], w));
     }
 }
 
@@ -68,39 +81,20 @@ void bench_spans_64(void)
     spans_prepare(64);
 }
 
-void exact_span(void)
+void bench_span(void)
 {
     const struct glint_span *span = bench_spans;
+    struct glint_maps maps;
+    const uint8_t *albedo = NULL;
+    if (bench_loop->look.albedo) {
+        maps = maps_of(&bench_paint, MAP_INT16);
+        maps.coverage = NULL;
+        albedo = maps.albedo;
+    }
     for (uint16_t x = bench_line.from; x < bench_line.to; x = (uint16_t)(x + span->w), span++) {
         const struct glint_surface to = line_from(x);
-        bench_check(glint_shade_prepared_span(&exact_prepared, span, &to, NULL));
+        if (albedo)
+            maps.albedo = albedo + 2 * x;
+        bench_check(glint_draw_span(&bench_paint, span, albedo ? &maps : NULL, &to, NULL));
     }
-}
-
-void exact_span_call(void)
-{
-    const struct glint_span *span = bench_spans;
-    for (uint16_t x = bench_line.from; x < bench_line.to; x = (uint16_t)(x + span->w), span++) {
-        const struct glint_surface to = line_from(x);
-        bench_check(glint_shade_span(&bench_shader, span, &to, NULL));
-    }
-}
-
-/* ---- lights ---- */
-
-static struct glint_lamp lamps[GLINT_LAMPS_MAX];
-static int lamp_count;
-
-void exact_lights_frame(void)
-{
-    lamp_count = sphere_lamps(lamps, (enum sphere_lamps)bench_loop->look.lamps);
-    if (lamp_count < 0)
-        bench_check((enum glint_err)lamp_count);
-}
-
-void exact_lights(void)
-{
-    const struct glint_source from = source();
-    const struct glint_surface to = line_from(0);
-    bench_check(glint_shade_lights(&bench_shader, lamps, (unsigned)lamp_count, &from, SPHERE_W, 1, &to, NULL));
 }

@@ -8,19 +8,24 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "targets"))
 from targets import SOURCE, library_sources  # noqa: E402
 
-FUNCTIONS = """glint_msh glint_msh_t glint_msh+glint_msh_cutoff glint_msh_t+glint_msh_cutoff_t glint_schlick glint_schlick_t
-glint_blinn glint_blinn_t glint_gauss glint_gauss_t glint_cayley glint_cayley_t glint_lyon glint_lyon_t glint_lobe_init+glint_lobe_eval_t
-glint_light_init+glint_shade_rect glint_light_init+glint_span_init+glint_shade_span glint_light_init+glint_shade_lights
-glint_tables_fill+glint_tables_light_init+glint_tables_rect glint_tables_fill+glint_span_init+glint_tables_span glint_palette_rect
+with open(os.path.join(SOURCE, "lib/glint.h")) as header: # the models that have functions of their own
+    OWN = re.findall(r"^ +X\(GLINT_\w+, (\w+), \w+, own\)", header.read(), re.M)
+FUNCTIONS = [f"glint_{model}{end}" for model in OWN for end in ("", "_t")] + """
+glint_msh+glint_msh_cutoff glint_msh_t+glint_msh_cutoff_t glint_lobe_init+glint_lobe_eval_t
+glint_paint_exact+glint_light_directional+glint_paint_light_by+glint_draw_rect
+glint_paint_exact+glint_light_directional+glint_paint_light_by+glint_span_init+glint_draw_span
+glint_paint_exact+glint_light_point+glint_light_spot+glint_paint_light_by+glint_draw_rect
+glint_paint_tables+glint_light_directional+glint_paint_light_by+glint_draw_rect glint_draw_palette
 peer_blinn_powf peer_schlick_float peer_msh_float""".split()
-# A rectangle of one model and one kind of pixel, without the set-up of light and lobe.
-RECTANGLES = ["glint_shade_prepare_for+glint_shade_prepared_rect+" + pair for pair in (
-    "glint_shade_rgb565+glint_shade_msh", "glint_shade_rgb565+glint_shade_cayley", "glint_shade_rgb888+glint_shade_msh",
-    "glint_shade_bgr888+glint_shade_msh",
-    "glint_shade_linear+glint_shade_msh")]
-# Meshes by one path, without the set-up of light, lobe, tables and shader.
-MESHES = ["glint_mesh_begin+glint_mesh_add+glint_mesh_strip+" + path for path in (
-    "glint_mesh_tables", "glint_mesh_exact+glint_shade_rgb565+glint_shade_msh")]
+# Rectangles of one model and one kind of pixel, or one kind of tables, under a directional light, with all set-up.
+_DIRECTIONAL = "+glint_light_directional+glint_paint_light_by+glint_draw_rect+"
+RECTANGLES = ["glint_paint_exact_for" + _DIRECTIONAL + pair for pair in (
+    "glint_use_rgb565+glint_use_msh", "glint_use_rgb565+glint_use_cayley", "glint_use_rgb888+glint_use_msh",
+    "glint_use_linear+glint_use_msh")] + ["glint_paint_tables_for" + _DIRECTIONAL + names for names in (
+    "glint_use_colour+glint_use_rgb565+glint_use_msh", "glint_use_albedo+glint_use_rgb565+glint_use_msh")]
+# Meshes by one paint, with all set-up.
+MESHES = ["glint_mesh_begin+glint_mesh_add+glint_mesh_strip+glint_light_directional+glint_paint_light_by+" + names for names in (
+    "glint_paint_tables_for+glint_use_colour+glint_use_rgb565+glint_use_msh", "glint_paint_exact_for+glint_use_rgb565+glint_use_msh")]
 FIXMATH_FUNCTIONS = ["peer_blinn_fixmath", "peer_schlick_fixmath", "peer_msh_fixmath"]
 # Sections that are in flash; AVR's constants are in .data.
 TEXT = re.compile(r"^\.(?:text|rodata|srodata|data|sdata)\S*\s+(\d+)", re.M)

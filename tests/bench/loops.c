@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: MIT
  * The loops that are measured. A loop is a row of bench_loops and the functions it names: they take bench_line and
- * bench_shader, keep what they need in bench_memory, and leave pixels in bench_line.out. */
+ * bench_paint, keep what they need in bench_memory, and leave pixels in bench_line.out. */
 #include "loops.h"
 
 #include "peers.h"
 
 /* Aligned as the library wants it of 8-bit machines, too, whose compilers do not care. */
 __attribute__((aligned(4))) struct bench_line bench_line;
-struct glint_shader bench_shader;
+struct glint_material bench_material;
+struct glint_output bench_output;
+struct glint_light bench_lights[GLINT_LIGHTS_MAX];
+struct glint_paint bench_paint;
 __attribute__((aligned(4))) uint32_t bench_memory[BENCH_MEMORY / 4];
 int16_t bench_error;
 const struct bench_loop *bench_loop;
@@ -28,7 +31,9 @@ void bench_begin(const struct bench_loop *loop, uint32_t n)
 {
     bench_error = 0;
     bench_loop = loop;
-    sphere_shader(&bench_shader, &loop->look, n);
+    sphere_material(&bench_material, &bench_output, &loop->look, n);
+    exact_fill();
+    bench_light();
 }
 
 void bench_line_begin(uint16_t y)
@@ -55,92 +60,26 @@ void bench_line_begin(uint16_t y)
 
 /* ---- table loops ---- */
 
-static struct glint_tables tables;
-static struct glint_tables_light tables_light;
-
-static void small_fill(void)
-{
-    bench_check(glint_tables_fill(&tables, GLINT_TABLES_SMALL, &bench_shader, bench_memory, GLINT_TABLES_SMALL_BYTES));
-}
-
-static void tables_frame(void)
-{
-    bench_check(glint_tables_light_init(&tables_light, &tables, &bench_shader.light));
-}
-
-static void tables_rect(enum glint_normals format, const void *normals)
-{
-    const struct glint_surface surface = {bench_line.out, 0, 0, bench_line.y};
-    bench_check(glint_tables_rect(&tables, &tables_light, format, normals, 0, SPHERE_W, 1, &surface));
-}
-
-static void tables_int16(void)
-{
-    tables_rect(GLINT_NORMALS_INT16, bench_line.normals);
-}
-
 #ifndef __AVR__
 static void colour_fill(void)
 {
-    bench_check(glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &bench_shader, bench_memory, BENCH_TABLES));
-}
-
-static void tables_int10(void)
-{
-    tables_rect(GLINT_NORMALS_INT10, bench_map);
-}
-
-static void tables_int8(void)
-{
-    tables_rect(GLINT_NORMALS_INT8, bench_map);
-}
-
-/* A line's box alone; over a rectangle fewer normals are looked at, since its box is known from the lines above. */
-static void tables_int8_box(void)
-{
-    struct glint_box highlight;
-    bench_check(glint_tables_box(&tables, &tables_light, GLINT_NORMALS_INT8, bench_map, 0, SPHERE_W, 1, &highlight));
-}
-
-static void tables_span(void)
-{
-    const struct glint_span *span = bench_spans;
-    for (uint16_t x = bench_line.from; x < bench_line.to; x = (uint16_t)(x + span->w), span++) {
-        const struct glint_surface surface = {bench_line.out + x, 0, x, bench_line.y};
-        bench_check(glint_tables_span(&tables, span, &surface));
-    }
+    bench_check(glint_paint_tables(&bench_paint, GLINT_TABLES_COLOUR, &bench_material, &bench_output, bench_memory,
+                                   BENCH_TABLES));
+    bench_light();
 }
 
 static void albedo_fill(void)
 {
-    bench_check(
-        glint_tables_fill(&tables, GLINT_TABLES_ALBEDO, &bench_shader, bench_memory, GLINT_TABLES_ALBEDO_BYTES));
+    bench_check(glint_paint_tables(&bench_paint, GLINT_TABLES_ALBEDO, &bench_material, &bench_output, bench_memory,
+                                   GLINT_TABLES_ALBEDO_BYTES));
+    bench_light();
 }
 
-static void albedo_rect(enum glint_normals format, const void *normals)
+/* With the line's box; over a rectangle fewer normals are looked at, since its box is known from the lines above. */
+static void box_rect(void)
 {
-    const struct glint_surface surface = {bench_line.out, 0, 0, bench_line.y};
-    bench_check(glint_tables_albedo_rect(&tables, &tables_light, format, normals, 0, bench_albedo_565, 0, SPHERE_W, 1,
-                                         &surface));
-}
-
-static void albedo_int8(void)
-{
-    albedo_rect(GLINT_NORMALS_INT8, bench_map);
-}
-
-static void albedo_int16(void)
-{
-    albedo_rect(GLINT_NORMALS_INT16, bench_line.normals);
-}
-
-static void albedo_span(void)
-{
-    const struct glint_span *span = bench_spans;
-    for (uint16_t x = bench_line.from; x < bench_line.to; x = (uint16_t)(x + span->w), span++) {
-        const struct glint_surface surface = {bench_line.out + x, 0, x, bench_line.y};
-        bench_check(glint_tables_albedo_span(&tables, span, bench_albedo_565 + x, &surface));
-    }
+    struct glint_box highlight;
+    bench_rect_by(&bench_paint, MAP_INT8, &highlight);
 }
 
 /* After the tables. */
@@ -149,15 +88,15 @@ static void albedo_span(void)
 static void palette_frame(void)
 {
     const struct glint_surface colours = {COLOURS, 0, 0, 0};
-    tables_frame();
-    bench_check(
-        glint_tables_rect(&tables, &tables_light, GLINT_NORMALS_INT16, bench_palette, 0, SPHERE_PALETTE, 1, &colours));
+    const struct glint_maps maps = {.normals = bench_palette};
+    bench_light();
+    bench_check(glint_draw_rect(&bench_paint, &maps, SPHERE_PALETTE, 1, &colours, NULL));
 }
 
 static void palette(void)
 {
     const struct glint_surface surface = {bench_line.out, 0, 0, bench_line.y};
-    bench_check(glint_palette_rect(COLOURS, (const uint16_t *)(const void *)bench_map, 0, SPHERE_W, 1, &surface));
+    bench_check(glint_draw_palette(COLOURS, (const uint16_t *)(const void *)bench_map, 0, SPHERE_W, 1, &surface));
 }
 #endif
 
@@ -169,16 +108,22 @@ static void palette(void)
 #define WHAT(text) text
 #endif
 #define INT16 .map_bytes = sizeof(struct glint_vec)
-#define INT10 .map = MAP_INT10, .map_bytes = 4
 #define INT8 .map = MAP_INT8, .map_bytes = 4
 #define PALETTE .map = MAP_PALETTE, .map_bytes = 2
-#define EXACT exact_fill, exact_frame, .shade = exact_rect, .step = 4
-#define LIGHTS .frame = exact_lights_frame, .shade = exact_lights, INT16, .step = 48, .once = true
+#define EXACT exact_fill, bench_light, .shade = bench_rect, .step = 4
+#define LIGHTS exact_fill, bench_light, .shade = bench_rect, INT16, .step = 48, .once = true
+/* A row for each model; but MSH is "exact rect". */
+#define ROW_YES(number, name)                                                                                          \
+    {"exact " #name, WHAT("exact rect"), EXACT, INT16, .look = {.model = number}, .once = true},
+#define ROW_NO(number, name)
+#define IS_RECT_msh ,
+#define THIRD(a, b, third, ...) third
+#define CHOOSE(...) THIRD(__VA_ARGS__, )
+#define MODEL_ROW(number, name, function, use) CHOOSE(IS_RECT_##name, ROW_NO, ROW_YES)(number, name)
 
 /* clang-format off */
 const struct bench_loop bench_loops[] = {
-    {"exact rect", WHAT("glint_shade_prepared_rect, int16 normals"), EXACT, INT16},
-    {"small int16", WHAT("under 1 KB of RAM, int16 normals"), small_fill, tables_frame, .shade = tables_int16, INT16},
+    {"exact rect", WHAT("glint_draw_rect by an exact paint, int16 normals"), EXACT, INT16},
     {"exact dither", WHAT("exact rect, dithered"), EXACT, INT16, .look = {.dither = true}, .once = true},
     {"exact rgb888", WHAT("exact rect"), EXACT, INT16, .look = {.format = GLINT_RGB888}, .once = true},
     {"exact grey", WHAT("exact rect"), EXACT, INT16, .look = {.format = GLINT_GREY8}, .once = true},
@@ -186,45 +131,40 @@ const struct bench_loop bench_loops[] = {
     {"exact linear", WHAT("exact rect, linear space"), EXACT, INT16, .look = {.space = GLINT_LINEAR}, .once = true},
     {"exact linear 888", WHAT("the same, RGB888"), EXACT, INT16, .look = {.format = GLINT_RGB888, .space = GLINT_LINEAR}, .once = true},
     {"exact linear grey", WHAT("the same, GREY8"), EXACT, INT16, .look = {.format = GLINT_GREY8, .space = GLINT_LINEAR}, .once = true},
-    {"exact schlick", WHAT("exact rect"), EXACT, INT16, .look = {.model = GLINT_SCHLICK}, .once = true},
-    {"exact cayley", WHAT("exact rect"), EXACT, INT16, .look = {.model = GLINT_CAYLEY}, .once = true},
-    {"exact lyon", WHAT("exact rect"), EXACT, INT16, .look = {.model = GLINT_LYON}, .once = true},
-    {"exact blinn", WHAT("exact rect"), EXACT, INT16, .look = {.model = GLINT_BLINN}, .once = true},
-    {"exact gauss", WHAT("exact rect"), EXACT, INT16, .look = {.model = GLINT_GAUSS}, .once = true},
-    {"exact phong", WHAT("exact rect"), EXACT, INT16, .look = {.model = GLINT_PHONG}, .once = true},
-    {"exact rect, call", WHAT("glint_shade_rect, which prepares: a line a call"), .shade = exact_call, INT16, .step = 4, .once = true},
+    GLINT_MODELS(MODEL_ROW)
     {"exact albedo", WHAT("exact rect, albedo in RGB888, white light"), EXACT, .look = {.albedo = true}, .map_bytes = 9},
     {"exact albedo 888", WHAT("the same, RGB888"), EXACT, .look = {.format = GLINT_RGB888, .albedo = true}, .map_bytes = 9, .once = true},
     {"exact gloss", WHAT("exact rect, gloss"), EXACT, .look = {.gloss = true}, .map_bytes = 7, .once = true},
-    {"exact span 16", WHAT("glint_shade_prepared_span, spans of 16"),
-     exact_fill, exact_frame, .prepare = bench_spans_16, .shade = exact_span, .step = 4},
+    {"exact span 16", WHAT("glint_draw_span by an exact paint, spans of 16"),
+     exact_fill, bench_light, .prepare = bench_spans_16, .shade = bench_span, .step = 4},
     {"exact span 64", WHAT("the same, spans of 64"),
-     exact_fill, exact_frame, .prepare = bench_spans_64, .shade = exact_span, .step = 4},
-    {"exact span 16, call", WHAT("glint_shade_span, which prepares"), .prepare = bench_spans_16, .shade = exact_span_call, .step = 4, .once = true},
-    {"exact directional", WHAT("glint_shade_lights, one directional light"), LIGHTS, .look = {.lamps = LAMPS_DIRECTIONAL}},
-    {"exact point", WHAT("the same, one white point"), LIGHTS, .look = {.lamps = LAMPS_POINT}},
-    {"exact point coloured", WHAT("the same, one coloured point"), LIGHTS, .look = {.lamps = LAMPS_COLOURED}},
-    {"exact spot", WHAT("the same, one white spot"), LIGHTS, .look = {.lamps = LAMPS_SPOT}},
-    {"exact narrow spot", WHAT("the same, a spot so narrow that most of its edge is drawn in 64 bits"), LIGHTS, .look = {.lamps = LAMPS_NARROW}},
-    {"exact four points", WHAT("the same, four white points, near"), LIGHTS, .look = {.lamps = LAMPS_FOUR}},
+     exact_fill, bench_light, .prepare = bench_spans_64, .shade = bench_span, .step = 4},
+    {"exact directional coloured", WHAT("exact rect, one coloured directional light"), LIGHTS, .look = {.lights = LIGHTS_DIRECTIONAL_COLOURED}},
+    {"exact point", WHAT("the same, one white point"), LIGHTS, .look = {.lights = LIGHTS_POINT}},
+    {"exact point coloured", WHAT("the same, one coloured point"), LIGHTS, .look = {.lights = LIGHTS_COLOURED}},
+    {"exact spot", WHAT("the same, one white spot"), LIGHTS, .look = {.lights = LIGHTS_SPOT}},
+    {"exact narrow spot", WHAT("the same, a spot so narrow that most of its edge is drawn in 64 bits"), LIGHTS, .look = {.lights = LIGHTS_NARROW}},
+    {"exact four points", WHAT("the same, four white points, near"), LIGHTS, .look = {.lights = LIGHTS_FOUR}},
+    {"exact four points 2", WHAT("the same, of colour 2 over a material half as bright"), LIGHTS, .look = {.lights = LIGHTS_FOUR_2}},
+    {"exact four points 4", WHAT("the same, 4"), LIGHTS, .look = {.lights = LIGHTS_FOUR_4}},
+    {"exact four points 16", WHAT("the same, 16"), LIGHTS, .look = {.lights = LIGHTS_FOUR_16}},
 #ifndef __AVR__
-    {"colour span 16", WHAT("glint_tables_span, spans of 16"), colour_fill, .prepare = bench_spans_16, .shade = tables_span},
-    {"colour span 64", WHAT("the same, spans of 64"), colour_fill, .prepare = bench_spans_64, .shade = tables_span},
-    {"colour int8", WHAT("glint_tables_rect, int8 normals"), colour_fill, tables_frame, .shade = tables_int8, INT8},
-    {"colour int10", WHAT("the same, 10-10-10 normals"), colour_fill, tables_frame, .shade = tables_int10, INT10},
-    {"colour int16", WHAT("the same, int16 normals"), colour_fill, tables_frame, .shade = tables_int16, INT16},
-    {"colour int8 dither", WHAT("colour int8, dithered"), colour_fill, tables_frame, .shade = tables_int8, INT8, .look = {.dither = true}, .once = true},
-    {"colour int8 box", WHAT("colour int8, and glint_tables_box for each line"), colour_fill, tables_frame, .prepare = tables_int8_box, .shade = tables_int8, INT8, .once = true},
-    {"colour int10 dither", WHAT("colour int10, dithered"), colour_fill, tables_frame, .shade = tables_int10, INT10, .look = {.dither = true}, .once = true},
-    {"colour int16 dither", WHAT("colour int16, dithered"), colour_fill, tables_frame, .shade = tables_int16, INT16, .look = {.dither = true}, .once = true},
-    {"colour span 16 dither", WHAT("colour span 16, dithered"), colour_fill, .prepare = bench_spans_16, .shade = tables_span, .look = {.dither = true}, .once = true},
-    {"albedo int8", WHAT("glint_tables_albedo_rect, int8 normals, RGB565 albedo"),
-     albedo_fill, tables_frame, .shade = albedo_int8, .look = {.albedo = true}, .map = MAP_INT8, .map_bytes = 6},
+    {"exact int8", WHAT("exact rect, int8 normals"), EXACT, INT8},
+    {"colour span 16", WHAT("glint_draw_span by COLOUR tables, spans of 16"), colour_fill, .prepare = bench_spans_16, .shade = bench_span},
+    {"colour span 64", WHAT("the same, spans of 64"), colour_fill, .prepare = bench_spans_64, .shade = bench_span},
+    {"colour int8", WHAT("glint_draw_rect by COLOUR tables, int8 normals"), colour_fill, bench_light, .shade = bench_rect, INT8},
+    {"colour int16", WHAT("the same, int16 normals"), colour_fill, bench_light, .shade = bench_rect, INT16},
+    {"colour int8 dither", WHAT("colour int8, dithered"), colour_fill, bench_light, .shade = bench_rect, INT8, .look = {.dither = true}, .once = true},
+    {"colour int8 box", WHAT("colour int8, with the highlight's box of each line"), colour_fill, bench_light, .shade = box_rect, INT8, .once = true},
+    {"colour int16 dither", WHAT("colour int16, dithered"), colour_fill, bench_light, .shade = bench_rect, INT16, .look = {.dither = true}, .once = true},
+    {"colour span 16 dither", WHAT("colour span 16, dithered"), colour_fill, .prepare = bench_spans_16, .shade = bench_span, .look = {.dither = true}, .once = true},
+    {"albedo int8", WHAT("glint_draw_rect by ALBEDO tables, int8 normals, RGB565 albedo"),
+     albedo_fill, bench_light, .shade = bench_rect, .look = {.albedo = true}, .map = MAP_INT8, .map_bytes = 6},
     {"albedo int16", WHAT("the same, int16 normals"),
-     albedo_fill, tables_frame, .shade = albedo_int16, .look = {.albedo = true}, .map_bytes = 8},
-    {"albedo span 16", WHAT("glint_tables_albedo_span, spans of 16"),
-     albedo_fill, .prepare = bench_spans_16, .shade = albedo_span, .look = {.albedo = true}, .map_bytes = 2},
-    {"palette", WHAT("glint_palette_rect, 4096 entries by colour int16"), colour_fill, palette_frame, .shade = palette, PALETTE},
+     albedo_fill, bench_light, .shade = bench_rect, .look = {.albedo = true}, .map_bytes = 8},
+    {"albedo span 16", WHAT("glint_draw_span by ALBEDO tables, spans of 16"),
+     albedo_fill, .prepare = bench_spans_16, .shade = bench_span, .look = {.albedo = true}, .map_bytes = 2},
+    {"palette", WHAT("glint_draw_palette, 4096 entries by colour int16"), colour_fill, palette_frame, .shade = palette, PALETTE},
 #endif
     {"integer power", WHAT("int16 normals, Q15, powers by squaring"),
      .shade = peer_integer_power, INT16, .look = {.model = GLINT_BLINN}},

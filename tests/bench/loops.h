@@ -17,20 +17,23 @@ struct bench_line {
 extern struct bench_line bench_line;
 
 /* The line's normals as the loop's map has them, from `glint bake`. Not on AVR, which has no room. */
-enum bench_map { MAP_INT16 /* bench_line.normals */, MAP_INT10, MAP_INT8, MAP_PALETTE, MAP_COUNT };
+enum bench_map { MAP_INT16 /* bench_line.normals */, MAP_INT8, MAP_PALETTE, MAP_COUNT };
 #ifndef __AVR__
 extern uint32_t bench_map[SPHERE_W];
 extern struct glint_vec bench_palette[SPHERE_PALETTE];
 extern uint16_t bench_albedo_565[SPHERE_W];
 #endif
 
-/* Its light, material, lobe and format: set before fill. */
-extern struct glint_shader bench_shader;
+/* Its material, output and lights: set before fill; and its paint, exact and lit until a loop makes another of it. */
+extern struct glint_material bench_material;
+extern struct glint_output bench_output;
+extern struct glint_light bench_lights[GLINT_LIGHTS_MAX];
+extern struct glint_paint bench_paint;
 
-/* A scratch for what the loop at hand needs: its tables or its prepared shader, then its packed line, spans, albedo or gloss. One loop
+/* A scratch for what the loop at hand needs: its tables, then its packed line, spans, albedo or gloss. One loop
  * is measured after another. On AVR all of it must leave 1 KB of 8 for the stack: only the smallest tables have room. */
 #ifdef __AVR__
-enum { BENCH_TABLES = (sizeof(struct glint_prepared) + 3) / 4 * 4, BENCH_MEMORY = BENCH_TABLES + 3 * SPHERE_W };
+enum { BENCH_TABLES = 0, BENCH_MEMORY = 3 * SPHERE_W };
 #else
 enum { BENCH_MEMORY = 128 * 1024, BENCH_TABLES = GLINT_TABLES_DITHER_BYTES /* the largest */ };
 #endif
@@ -66,7 +69,7 @@ extern const struct bench_loop bench_loops[]; /* loops.c; the last one's name is
 
 /* The one at hand. */
 extern const struct bench_loop *bench_loop;
-/* Sets it and bench_shader. */
+/* Sets it, and what it draws with. */
 void bench_begin(const struct bench_loop *loop, uint32_t n);
 /* Finds the rest of bench_line, and the albedo, from the normals. */
 void bench_line_begin(uint16_t y);
@@ -76,11 +79,9 @@ void bench_check(enum glint_err err);
 
 typedef void bench_step(void);
 /* exact_loops.c */
-bench_step exact_fill, exact_frame, exact_rect, exact_call, exact_span, exact_span_call, exact_lights_frame,
-    exact_lights;
-void exact_line(const struct glint_prepared *prepared);
-#define exact_prepared (*(struct glint_prepared *)(void *)bench_memory) /* no tables beside it: AVR has no room */
-bench_step bench_spans_16, bench_spans_64;                              /* the line's spans, at bench_spans */
+bench_step exact_fill, bench_light, bench_rect, bench_span;
+void bench_rect_by(const struct glint_paint *paint, enum bench_map map, struct glint_box *highlight);
+bench_step bench_spans_16, bench_spans_64; /* the line's spans, at bench_spans */
 #define bench_spans ((struct glint_span *)BENCH_AFTER_TABLES)
 
 /* peer_loops.c: whole pixels as people write them. */

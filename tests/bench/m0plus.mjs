@@ -9,7 +9,7 @@ export const RAM = 0x20000000
 export const RETURN = 0x20041000 // a call is over when it comes here
 const STACK = RETURN
 
-// The parts of a 32-bit little-endian ELF file: what to load where, and the global symbols.
+// The parts of a 32-bit little-endian ELF file: what to load where, and the symbols and their sizes.
 function parseElf(file) {
   const bytes = readFileSync(file)
   const section = (i) => {
@@ -18,17 +18,18 @@ function parseElf(file) {
     return { type: word(1), flags: word(2), address: word(3), offset: word(4), size: word(5), link: word(6) }
   }
   const sections = Array.from({ length: bytes.readUInt16LE(48) }, (_, i) => section(i))
-  const symbols = new Map()
+  const symbols = new Map(), sizes = new Map()
   for (const { type, offset, size, link } of sections) {
     if (type !== 2) continue // SHT_SYMTAB
     for (let at = offset; at < offset + size; at += 16) {
       const start = sections[link].offset + bytes.readUInt32LE(at)
       const name = bytes.toString('latin1', start, bytes.indexOf(0, start))
       symbols.set(name, bytes.readUInt32LE(at + 4))
+      sizes.set(name, bytes.readUInt32LE(at + 8))
     }
   }
   const loaded = sections.filter(({ type, flags }) => type === 1 && flags & 2) // SHT_PROGBITS, SHF_ALLOC
-  return { symbols, images: loaded.map((s) => [s.address, bytes.subarray(s.offset, s.offset + s.size)]) }
+  return { symbols, sizes, images: loaded.map((s) => [s.address, bytes.subarray(s.offset, s.offset + s.size)]) }
 }
 
 // rp2040js 1.4.1 counts a push of N registers 1 + N, a pop into pc 3 + N, as the manual does, but for lr and pc themselves.
@@ -69,13 +70,14 @@ export function load(packages, elf) {
   const { RP2040 } = createRequire(resolve(packages, 'x'))('rp2040js')
   const chip = new RP2040()
   const { core } = chip
-  const { symbols, images } = parseElf(elf)
+  const { symbols, sizes, images } = parseElf(elf)
   for (const [address, image] of images) chip.sram.set(image, address - RAM)
   const halves = strict({ chip, core })
   const address = (name) => {
     if (!symbols.has(name)) throw new Error(`${elf} has no symbol ${name}`)
     return symbols.get(name)
   }
+  const size = (name) => address(name) && sizes.get(name)
   const memory = Buffer.from(chip.sram.buffer, chip.sram.byteOffset, chip.sram.length)
   // Where a function begins: it has its arguments, and returns to RETURN.
   const enter = (name, args) => {
@@ -84,7 +86,7 @@ export function load(packages, elf) {
     core.LR = RETURN | 1
     core.PC = (typeof name === 'string' ? address(name) : name) & ~1
   }
-  return { core, memory, halves, symbols, address, enter }
+  return { core, memory, halves, symbols, address, size, enter }
 }
 
 export function boot(packages, elf) {

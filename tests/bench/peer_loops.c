@@ -12,7 +12,7 @@ struct colour {
 
 static struct colour colour_of(int k)
 {
-    const struct glint_material *m = &bench_shader.material;
+    const struct glint_material *m = &bench_material;
     const struct colour c = {(int32_t)(m->ambient_q16[k] >> 8), (int32_t)(m->diffuse_q16[k] >> 8),
                              (int32_t)(m->specular_q16[k] >> 8)};
     return c;
@@ -48,7 +48,7 @@ static inline int32_t dot_q15(const struct glint_vec *a, const struct glint_vec 
     void name(void)                                                                                                    \
     {                                                                                                                  \
         const struct colour c[3] = {colour_of(0), colour_of(1), colour_of(2)};                                         \
-        const struct glint_vec l = bench_shader.light.l, h = bench_shader.light.h;                                     \
+        const struct glint_vec l = bench_paint.l, h = bench_paint.h;                                                   \
         uint16_t *out = bench_line.out;                                                                                \
         for (int x = 0; x < SPHERE_W; x++) {                                                                           \
             if (!bench_line.mask[x])                                                                                   \
@@ -62,7 +62,7 @@ static inline int32_t dot_q15(const struct glint_vec *a, const struct glint_vec 
 static inline int32_t power_by_squaring(int32_t nh)
 {
     int32_t f = 32767;
-    for (uint32_t n = bench_shader.lobe.n; n; n >>= 1) {
+    for (uint32_t n = bench_material.n; n; n >>= 1) {
         if (n & 1)
             f = f * nh >> 15;
         nh = nh * nh >> 15;
@@ -72,7 +72,7 @@ static inline int32_t power_by_squaring(int32_t nh)
 
 void peer_fill(void)
 {
-    peer_table_fill(bench_shader.lobe.n);
+    peer_table_fill(bench_material.n);
 }
 
 static inline int32_t power_from_table(int32_t nh)
@@ -95,7 +95,7 @@ static int8_t (*packed(void))[3]
 void peer_int8_fill(void)
 {
     for (uint32_t i = 0; i < 128; i++)
-        table128[i] = (uint8_t)((glint_blinn(bench_shader.lobe.n, (int32_t)(i * GLINT_C_ONE / 127)) * 255) >> 16);
+        table128[i] = (uint8_t)((glint_blinn(bench_material.n, (int32_t)(i * GLINT_C_ONE / 127)) * 255) >> 16);
 }
 
 static int8_t to_int8(int16_t x)
@@ -122,7 +122,7 @@ static inline int32_t dot_q7(const int8_t a[3], const int8_t b[3])
 void peer_int8_table_power(void)
 {
     const struct colour c[3] = {colour_of(0), colour_of(1), colour_of(2)};
-    const struct glint_light *light = &bench_shader.light;
+    const struct glint_paint *light = &bench_paint;
     const int8_t l[3] = {to_int8(light->l.x), to_int8(light->l.y), to_int8(light->l.z)};
     const int8_t h[3] = {to_int8(light->h.x), to_int8(light->h.y), to_int8(light->h.z)};
     uint16_t *out = bench_line.out;
@@ -153,15 +153,15 @@ static void to_float(float out[3], const struct glint_vec *v)
 static inline void float_loop(float (*highlight)(float n, float c))
 {
     float l[3], h[3], ambient[3], diffuse[3], specular[3];
-    to_float(l, &bench_shader.light.l);
-    to_float(h, &bench_shader.light.h);
+    to_float(l, &bench_paint.l);
+    to_float(h, &bench_paint.h);
     for (int k = 0; k < 3; k++) {
-        const struct glint_material *m = &bench_shader.material;
+        const struct glint_material *m = &bench_material;
         ambient[k] = (float)m->ambient_q16[k] * (255 / 65536.f);
         diffuse[k] = (float)m->diffuse_q16[k] * (255 / 65536.f);
         specular[k] = (float)m->specular_q16[k] * (255 / 65536.f);
     }
-    const float n = bench_shader.lobe.n;
+    const float n = bench_material.n;
     uint16_t *out = bench_line.out;
     for (int x = 0; x < SPHERE_W; x++) {
         if (!bench_line.mask[x])

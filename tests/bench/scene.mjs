@@ -8,7 +8,7 @@ const header = readFileSync(new URL('../../lib/glint.h', import.meta.url), 'utf8
 export const MODELS = [...header.matchAll(/^ +X\(GLINT_\w+, (\w+), /mg)].map((match) => match[1])
 export const SPACES = ['gamma', 'linear']
 export const FORMATS = ['rgb565', 'rgb565 swapped', 'rgb888', 'grey8', 'mono']
-const MAPS = ['int16', 'int10', 'int8', 'palette-offsets'] // enum bench_map
+const MAPS = ['int16', 'int8', 'palette-offsets'] // enum bench_map
 export const LINE_BYTES = [2, 2, 3, 1, 1 / 8]
 
 export function readScene(folder) {
@@ -27,7 +27,11 @@ export function readScene(folder) {
     if (!pictures.has(key)) pictures.set(key, execFileSync(`${folder}/scene`, ['exact', ...choice.map(String)]))
     return pictures.get(key)
   }
-  return { width, height, q, covered, n, maps, palette, samples, covers, exact }
+  const real = (n, model, ts) => { // the model's place in the list; in double precision, at each t
+    const input = ts.map((t) => `${t * 2 ** 30}\n`).join('')
+    return execFileSync(`${folder}/scene`, ['real', n, model].map(String), { input, encoding: 'utf8' }).trim().split('\n').map(Number)
+  }
+  return { width, height, q, covered, n, maps, palette, samples, covers, exact, real }
 }
 
 // A pixel's levels of 255: three, or one.

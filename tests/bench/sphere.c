@@ -3,51 +3,74 @@
 
 const uint16_t sphere_n[SPHERE_N_COUNT] = {5, 10, 60, 200, 1000};
 
-void sphere_shader(struct glint_shader *shader, const struct sphere_look *look, uint32_t n)
+const int32_t sphere_viewer[3] = {0, 0, 1};
+
+/* What the lights' colour is divided out by. */
+static uint32_t sphere_darker(uint8_t lights)
 {
-    static const int32_t to_light[3] = {1, 1, 1}, to_viewer[3] = {0, 0, 1};
-    static const struct glint_material material = {
-        {3000, 3000, 3000}, {45000, 9000, 9000}, {60000, 60000, 60000}, {255, 255, 255}};
-    glint_lobe_init(&shader->lobe, (enum glint_model)look->model, n, SPHERE_Q);
-    glint_light_init(&shader->light, to_light, to_viewer);
-    shader->material = material;
-    for (int k = 0; look->albedo && k < 3; k++)
-        shader->material.diffuse_q16[k] = material.diffuse_q16[0];
-    shader->format = look->format;
-    shader->space = look->space;
-    shader->dither = look->dither;
-    shader->clamp_peak = false;
+    return lights == LIGHTS_FOUR_2 ? 2 : lights == LIGHTS_FOUR_4 ? 4 : lights == LIGHTS_FOUR_16 ? 16 : 1;
+}
+
+void sphere_material(struct glint_material *material, struct glint_output *output, const struct sphere_look *look,
+                     uint32_t n)
+{
+    static const struct glint_material clay = {.ambient_q16 = {3000, 3000, 3000},
+                                               .diffuse_q16 = {45000, 9000, 9000},
+                                               .specular_q16 = {60000, 60000, 60000},
+                                               .albedo = {255, 255, 255}};
+    *material = clay;
+    material->model = look->model;
+    material->q = SPHERE_Q;
+    material->n = (uint16_t)n;
+    for (int k = 0; k < 3; k++) {
+        if (look->albedo)
+            material->diffuse_q16[k] = clay.diffuse_q16[0];
+        material->diffuse_q16[k] /= sphere_darker(look->lights);
+        material->specular_q16[k] /= sphere_darker(look->lights);
+    }
+    output->format = look->format;
+    output->space = look->space;
+    output->dither = look->dither;
 }
 
 /* A point as far away as may be gives much the same picture as the light; so does a narrow spot there, whose cone holds the sphere and
  * is smooth over all of it. Four points are nearer, around the sphere. */
-int sphere_lamps(struct glint_lamp lamps[GLINT_LAMPS_MAX], enum sphere_lamps which)
+int sphere_lights(struct glint_light lights[GLINT_LIGHTS_MAX], enum sphere_lights which)
 {
     enum { AWAY = 2097152, NEAR = 8192, MIDDLE_X = 16 * SPHERE_W / 2, MIDDLE_Y = 16 * SPHERE_H / 2, ONE = 1073741824 };
-    static const int32_t to_light[3] = {1, 1, 1}, to_viewer[3] = {0, 0, 1}, middle[3] = {MIDDLE_X, MIDDLE_Y, 0};
+    static const int32_t to_light[3] = {1, 1, 1}, middle[3] = {MIDDLE_X, MIDDLE_Y, 0};
     static const int32_t desk[3] = {MIDDLE_X + 2000, MIDDLE_Y - 2000, 3000};
     static const int32_t far_place[3] = {MIDDLE_X + AWAY, MIDDLE_Y - AWAY, AWAY};
-    static const int32_t near_places[GLINT_LAMPS_MAX][3] = {{MIDDLE_X + NEAR, MIDDLE_Y - NEAR, NEAR},
-                                                            {MIDDLE_X - NEAR, MIDDLE_Y - NEAR, NEAR},
-                                                            {MIDDLE_X + NEAR, MIDDLE_Y + NEAR, NEAR},
-                                                            {MIDDLE_X - NEAR, MIDDLE_Y + NEAR, NEAR}};
+    static const int32_t near_places[GLINT_LIGHTS_MAX][3] = {{MIDDLE_X + NEAR, MIDDLE_Y - NEAR, NEAR},
+                                                             {MIDDLE_X - NEAR, MIDDLE_Y - NEAR, NEAR},
+                                                             {MIDDLE_X + NEAR, MIDDLE_Y + NEAR, NEAR},
+                                                             {MIDDLE_X - NEAR, MIDDLE_Y + NEAR, NEAR}};
     static const uint32_t arriving = 99273, coloured[3] = {99273, 70000, 40000}; /* of it .66 arrive: (1 - 3 / 16)^2 */
-    if (which == LAMPS_DIRECTIONAL)
-        return glint_lamp_directional(lamps, to_light, to_viewer) ? GLINT_ERR_ARG : 1;
-    if (which == LAMPS_FOUR) {
-        for (unsigned i = 0; i < GLINT_LAMPS_MAX; i++)
-            if (glint_lamp_point(&lamps[i], near_places[i], 32768))
-                return GLINT_ERR_ARG;
-        return GLINT_LAMPS_MAX;
+    if (which == LIGHTS_WHITE || which == LIGHTS_DIRECTIONAL_COLOURED) {
+        if (glint_light_directional(lights, to_light))
+            return GLINT_ERR_ARG;
+        for (unsigned k = 0; which == LIGHTS_DIRECTIONAL_COLOURED && k < 3; k++)
+            lights->color_q16[k] = coloured[k];
+        return 1;
     }
-    if (which == LAMPS_SPOT) /* as of a desk lamp, 258 pixels away: full within 15 degrees, 0 from 25 on */
-        return glint_lamp_spot(lamps, desk, middle, 1 << 14, 1037154959, 973141969) ? GLINT_ERR_ARG : 1;
-    const uint32_t range = (uint32_t)GLINT_LAMP_FAR;
+    if (which >= LIGHTS_FOUR) {
+        for (unsigned i = 0; i < GLINT_LIGHTS_MAX; i++) {
+            if (glint_light_point(&lights[i], near_places[i], 32768))
+                return GLINT_ERR_ARG;
+            for (unsigned k = 0; k < 3; k++)
+                lights[i].color_q16[k] *= sphere_darker((uint8_t)which);
+        }
+        return GLINT_LIGHTS_MAX;
+    }
+    if (which == LIGHTS_SPOT) /* as of a desk lamp, 258 pixels away: full within 15 degrees, 0 from 25 on */
+        return glint_light_spot(lights, desk, middle, 1 << 14, 1037154959, 973141969) ? GLINT_ERR_ARG : 1;
+    const uint32_t range = (uint32_t)GLINT_LIGHT_FAR;
     /* the sphere's edge is 1934 / (sqrt(3) AWAY) from the axis: the cosine there is 1 - 1.4e-7, 152 below 2^30 */
-    const enum glint_err err = which == LAMPS_NARROW ? glint_lamp_spot(lamps, far_place, middle, range, ONE, ONE - 400)
-                                                     : glint_lamp_point(lamps, far_place, range);
+    const enum glint_err err = which == LIGHTS_NARROW
+                                   ? glint_light_spot(lights, far_place, middle, range, ONE, ONE - 400)
+                                   : glint_light_point(lights, far_place, range);
     for (unsigned k = 0; k < 3; k++)
-        lamps->color_q16[k] = which == LAMPS_COLOURED ? coloured[k] : arriving;
+        lights->color_q16[k] = which == LIGHTS_COLOURED ? coloured[k] : arriving;
     return err ? err : 1;
 }
 

@@ -16,7 +16,19 @@ enum {
 };
 extern const uint16_t sphere_n[SPHERE_N_COUNT];
 
-enum sphere_lamps { LAMPS_NONE, LAMPS_DIRECTIONAL, LAMPS_POINT, LAMPS_COLOURED, LAMPS_SPOT, LAMPS_NARROW, LAMPS_FOUR };
+/* One directional white light; other kinds; four points, also of colours 2, 4 and 16, over a material so much darker. */
+enum sphere_lights {
+    LIGHTS_WHITE,
+    LIGHTS_DIRECTIONAL_COLOURED,
+    LIGHTS_POINT,
+    LIGHTS_COLOURED,
+    LIGHTS_SPOT,
+    LIGHTS_NARROW,
+    LIGHTS_FOUR,
+    LIGHTS_FOUR_2,
+    LIGHTS_FOUR_4,
+    LIGHTS_FOUR_16
+};
 
 /* How it looks, but for n: what a loop draws, and the exact picture to which that is compared. */
 struct sphere_look {
@@ -24,13 +36,15 @@ struct sphere_look {
     uint8_t format; /* enum glint_format */
     uint8_t space;  /* enum glint_space */
     bool dither, albedo, gloss;
-    uint8_t lamps; /* enum sphere_lamps: in the place of the light */
+    uint8_t lights; /* enum sphere_lights */
 };
 
-/* Its light and material. Under an albedo map the light is white: the diffuse part is grey. */
-void sphere_shader(struct glint_shader *shader, const struct sphere_look *look, uint32_t n);
-/* Fills the lamps; how many there are, negative: enum glint_err. */
-int sphere_lamps(struct glint_lamp lamps[GLINT_LAMPS_MAX], enum sphere_lamps which);
+/* Its material and output. Under an albedo map the light is white: the diffuse part is grey. */
+void sphere_material(struct glint_material *material, struct glint_output *output, const struct sphere_look *look,
+                     uint32_t n);
+/* Fills the lights; how many there are, negative: enum glint_err. The viewer: */
+int sphere_lights(struct glint_light lights[GLINT_LIGHTS_MAX], enum sphere_lights which);
+extern const int32_t sphere_viewer[3];
 
 /* Maps over it: a smooth pattern in RGB565, and that in RGB888; and of gloss. */
 uint16_t sphere_albedo(uint16_t x, uint16_t y);

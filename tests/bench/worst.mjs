@@ -9,12 +9,15 @@ import { loopRows } from './loops.mjs'
 const N = 60, WIDTH = 320, SLOWEST = 80, MATERIALS = 2000
 const phasesOf = (row) => row.look[3] ? 4 : 1 // dithered, a pixel's threshold is one of four in a line
 
-export const worstRows = (machine) => loopRows(machine).filter((row) => row.shade === (machine.address('exact_rect') | 1))
+// Exact rectangles of INT16 normals under the one white light.
+export const worstRows = (machine) => loopRows(machine).filter(({ fill, shade, map, look }) =>
+  fill === (machine.address('exact_fill') | 1) && shade === (machine.address('bench_rect') | 1) && map === 0 && look[6] === 0)
 
 function begin(machine, row) {
   machine.call('bench_begin', [row.at, N])
   machine.call('worst_begin')
   machine.call('exact_fill')
+  machine.call('bench_light')
 }
 
 const normalsOf = (machine) => machine.bytes(machine.address('bench_line'), 6 * WIDTH)

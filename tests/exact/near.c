@@ -14,6 +14,7 @@
 #include "../../lib/lobe_cayley.c"
 #include "../../lib/lobe_gauss.c"
 #include "../../lib/lobe_schlick.c"
+#include "chosen.h"
 #include "wide.h"
 
 enum { N = 1000 };
@@ -221,18 +222,17 @@ static struct range error_of(uint32_t (*near)(uint32_t n, uint32_t t), double (*
 
 void check_cayley(uint32_t per_n)
 {
-    check_range("cayley, 2^-28", error_of(glint_cayley_near_t, cayley, 5, per_n), -GLINT_CAYLEY_LOW, GLINT_CAYLEY_HIGH);
+    check_range("cayley, 2^-28", error_of(cayley_near_t, cayley, 5, per_n), -CAYLEY_LOW, CAYLEY_HIGH);
 }
 
 void check_schlick(uint32_t per_n)
 {
-    check_range("schlick, 2^-28", error_of(glint_schlick_near_t, schlick, 1, per_n), -GLINT_SCHLICK_LOW,
-                GLINT_SCHLICK_HIGH);
+    check_range("schlick, 2^-28", error_of(schlick_near_t, schlick, 1, per_n), -SCHLICK_LOW, SCHLICK_HIGH);
 }
 
 void check_gauss(uint32_t per_n)
 {
-    check_range("gauss, 2^-28", error_of(glint_gauss_near_t, gauss, 1, per_n), -GLINT_GAUSS_LOW, GLINT_GAUSS_HIGH);
+    check_range("gauss, 2^-28", error_of(gauss_near_t, gauss, 1, per_n), -GAUSS_LOW, GAUSS_HIGH);
 }
 
 /* ---- values ---- */
@@ -276,17 +276,17 @@ static bool open_between(uint32_t f, uint32_t low, uint32_t high)
 
 static bool gauss_is_open(uint32_t n, uint32_t t)
 {
-    return open_between(glint_gauss_near_t(n, t), GLINT_GAUSS_LOW, GLINT_GAUSS_HIGH);
+    return open_between(gauss_near_t(n, t), GAUSS_LOW, GAUSS_HIGH);
 }
 
 static bool schlick_is_open(uint32_t n, uint32_t t)
 {
-    return open_between(glint_schlick_near_t(n, t), GLINT_SCHLICK_LOW, GLINT_SCHLICK_HIGH);
+    return open_between(schlick_near_t(n, t), SCHLICK_LOW, SCHLICK_HIGH);
 }
 
 static bool cayley_is_open(uint32_t n, uint32_t t)
 {
-    return n > 4 ? open_between(glint_cayley_near_t(n, t), GLINT_CAYLEY_LOW, GLINT_CAYLEY_HIGH) : blinn_is_open(n, t);
+    return n > 4 ? open_between(cayley_near_t(n, t), CAYLEY_LOW, CAYLEY_HIGH) : blinn_is_open(n, t);
 }
 
 static const struct model {
@@ -338,6 +338,8 @@ static void count(struct counts *counts, const struct model *model, uint32_t n, 
 void check_values(uint32_t per_n)
 {
     for (size_t k = 0; k < sizeof models / sizeof *models; k++) {
+        if (only_model() >= 0 && strcmp(models[k].name, model_functions[only_model()]))
+            continue;
         struct counts counts = {0, 0, 0, 0, 0};
 #pragma omp parallel for schedule(dynamic)
         for (uint32_t n = 1; n <= N; n++) {

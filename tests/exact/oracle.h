@@ -34,12 +34,25 @@ struct oracle {
     void (*chain)(struct oracle_chain *chain, uint32_t u);
     bool (*reaches)(uint32_t n, uint32_t u, unsigned q);
 };
-/* By enum glint_model, from lib's list: for each model with functions of its own a NAME_oracle. */
+/* For each model with functions of its own a NAME_oracle, in oracle_NAME.c. By enum glint_model: */
+#define ORACLE_DECLARED(number, name, function, use) extern const struct oracle function##_oracle;
+GLINT_MODELS(ORACLE_DECLARED)
 extern const struct oracle *const oracles[GLINT_MODEL_COUNT];
 
 /* c = u / 2^30; and F of a rational model. */
 void oracle_printed(mpq_t f, enum glint_model model, uint32_t n, uint32_t u);
 /* Is F(model, n, c = u / 2^30) >= 2^-q? */
 bool oracle_reaches(enum glint_model model, uint32_t n, uint32_t u, unsigned q);
+
+/* ---- for oracles ---- */
+
+#define ORACLE_ONE_U ((uint64_t)1 << 30)
+/* num / den rounds to f: (2f - 1) den <= 2 num < (2f + 1) den. */
+static inline bool oracle_rounds(u128 num, u128 den, uint32_t f)
+{
+    return 2 * num + den >= 2 * (u128)f * den && 2 * num < (2 * (u128)f + 1) * den;
+}
+void oracle_fall(mpq_t f, uint32_t n, const mpq_t c); /* n (1 - c) */
+void oracle_fourth_power(mpq_t f);                    /* max(0, f)^4, in place */
 
 #endif

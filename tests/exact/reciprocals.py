@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Prints the table in lib/math_reciprocal.c: for each 64th of 2^27 <= m < 2^28 the integer y for which y m / 2^35 stays nearest to 1."""
+"""Prints the table in lib/math_root.c: for each 64th of 2^27 <= m < 2^28 the integer y for which y m / 2^35 stays nearest to 1."""
 from fractions import Fraction
 
 

@@ -1,16 +1,26 @@
 /* SPDX-License-Identifier: MIT
- * glint_shade_lights as sequence.md has it, in 64 bits. */
+ * Any source by the exact paint under any lights, as sequence.md has it, in 64 bits. */
 #ifndef REFERENCE_LIGHTS_H
 #define REFERENCE_LIGHTS_H
 
-#include "glint.h"
+#include "reference_pixel.h"
 
 /* x / |x|; false where it does not exist. |v| < 2^62. */
 bool reference_unit(int64_t out[3], const int64_t v[3]);
 
-/* Good arguments only; highlight may be NULL. */
-void reference_lights(const struct glint_shader *shader, const struct glint_lamp *lamps, unsigned count,
-                      const struct glint_source *source, uint16_t w, uint16_t h, const struct glint_surface *surface,
-                      struct glint_box *highlight);
+enum reference_kind { REFERENCE_DIRECTIONAL, REFERENCE_POINT, REFERENCE_SPOT };
+enum reference_kind reference_kind(const struct glint_light *light);
+
+/* L, V, H of a directional light; false where it is straight behind, or there is no viewer. */
+bool reference_directions(const struct reference *look, const struct glint_light *light, struct glint_vec lvh[3]);
+
+/* The library's paint, lit: what that says. */
+enum glint_err reference_paint(struct glint_paint *paint, const struct reference *look);
+
+/* As glint_draw_rect and glint_draw_span, of good arguments only; highlight may be NULL. */
+void reference_rect(const struct reference *look, const struct glint_maps *maps, uint16_t w, uint16_t h,
+                    const struct glint_surface *target, struct glint_box *highlight);
+void reference_span(const struct reference *look, const struct glint_span *span, const struct glint_maps *maps,
+                    const struct glint_surface *target, struct glint_box *highlight);
 
 #endif

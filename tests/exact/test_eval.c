@@ -5,21 +5,13 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include <cmocka.h>
 
+#include "chosen.h"
 #include "oracle.h"
 
 enum { ONE = 65536, N = 1000 };
-
-static uint32_t every(void)
-{
-    const char *text = getenv("EXACT_EVERY");
-    const int step = text ? atoi(text) : 1;
-    assert_in_range(step, 1, 100);
-    return (uint32_t)step;
-}
 
 static void report(const char *model, long values, long wrong, long unlike)
 {
@@ -30,7 +22,7 @@ static void report(const char *model, long values, long wrong, long unlike)
 
 static void check_rational(const char *name, enum glint_model model)
 {
-    const uint32_t step = every();
+    const uint32_t step = exact_every();
     long values = 0, wrong = 0, unlike = 0;
 #pragma omp parallel for schedule(dynamic) reduction(+ : values, wrong, unlike)
     for (uint32_t n = 1; n <= N; n += step) {
@@ -46,7 +38,7 @@ static void check_rational(const char *name, enum glint_model model)
 
 static void check_power(const char *name, enum glint_model model)
 {
-    const uint32_t step = every();
+    const uint32_t step = exact_every();
     long values = N, wrong = 0, unlike = 0;
     for (uint32_t n = 1; n <= N; n++) /* 1.0 has no place in a chain */
         wrong += glint_eval(model, n, ONE) != ONE;
@@ -115,7 +107,6 @@ int main(int argc, char **argv)
 #define MODEL_ENTRY(number, name, function, use) cmocka_unit_test(name##_is_correctly_rounded_from_the_cosine),
     const struct CMUnitTest tests[] = {cmocka_unit_test(the_oracles_agree_with_the_printed_formulas),
                                        GLINT_MODELS(MODEL_ENTRY)};
-    if (argc > 1)
-        cmocka_set_test_filter(argv[1]);
+    cmocka_set_test_filter(argc > 1 ? argv[1] : chosen_tests(model_names));
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -11,6 +11,7 @@
 
 #include <cmocka.h>
 
+#include "chosen.h"
 #include "oracle.h"
 
 enum { N = 1000 };
@@ -177,12 +178,14 @@ static void arguments_out_of_range_are_clamped_or_give_zero(void **state)
     assert_int_equal(glint_lobe_eval(&lobe, 65536) + glint_lobe_eval_t(&lobe, 0), 0);
 }
 
-int main(void)
+/* test_eval_t [PATTERN]: the tests whose names fit, such as lyon*. */
+int main(int argc, char **argv)
 {
 #define MODEL_ENTRY_own(name) cmocka_unit_test(name##_is_what_the_header_promises_from_t),
 #define MODEL_ENTRY_shared(name)
 #define MODEL_ENTRY(number, name, function, use) MODEL_ENTRY_##use(name)
     const struct CMUnitTest tests[] = {cmocka_unit_test(arguments_out_of_range_are_clamped_or_give_zero),
                                        GLINT_MODELS(MODEL_ENTRY)};
+    cmocka_set_test_filter(argc > 1 ? argv[1] : chosen_tests(model_functions));
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

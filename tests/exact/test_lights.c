@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * glint_shade_lights beside the reference: the same bytes and box for up to four lamps, likely or hostile. GLINT_PIXELS: as
+ * The exact paint under up to four lights beside the reference: the same bytes and box for lights that are likely or hostile. GLINT_PIXELS: as
  * cases.h has it. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -9,14 +9,8 @@
 #include <cmocka.h>
 
 #include "cases.h"
-#include "reference_lights.h"
 
-enum { W = 37, H = 5, LINE = 4 * W + 13, SIZE = (H + 2) * LINE, GUARD = 0xa5, FAR = GLINT_LAMP_FAR };
-
-struct scene {
-    struct glint_vec normals[W * H];
-    uint8_t albedo[3 * W * H], gloss[W * H], mask[W * H], out[SIZE], expected[SIZE];
-};
+enum { FAR = GLINT_LIGHT_FAR };
 
 static int32_t within(uint64_t *seed, int32_t limit)
 {
@@ -26,7 +20,8 @@ static int32_t within(uint64_t *seed, int32_t limit)
 /* A place: a pixel's own, near it, over it, on the viewer's side far away, or at the limits. */
 static void place(uint64_t *seed, const struct glint_surface *surface, int32_t at[3])
 {
-    const int32_t x = 16 * (int32_t)(surface->x + BELOW(W)) + 8, y = 16 * (int32_t)(surface->y + BELOW(H)) + 8;
+    const int32_t x = 16 * (int32_t)(surface->x + BELOW(CASE_W)) + 8,
+                  y = 16 * (int32_t)(surface->y + BELOW(CASE_H)) + 8;
     const int32_t size = (int32_t)(UINT32_C(2) << BELOW(21));
     at[0] = x;
     at[1] = y;
@@ -58,144 +53,133 @@ static int32_t cosine(uint64_t *seed)
                        : within(seed, one);
 }
 
-static void point_or_spot(uint64_t *seed, struct glint_lamp *lamp, const struct glint_surface *surface)
+static void point_or_spot(uint64_t *seed, struct glint_light *light, const struct glint_surface *target)
 {
     const uint32_t far = (uint32_t)FAR;
-    lamp->kind = (uint8_t)(GLINT_POINT + BELOW(2));
-    place(seed, surface, lamp->position);
-    lamp->range = 1 + BELOW(ONE_IN(2) ? far : UINT32_C(1) << BELOW(24));
-    int32_t target[3];
-    place(seed, surface, target);
+    int32_t position[3], aim[3];
+    place(seed, target, position);
+    place(seed, target, aim);
+    const uint32_t range = 1 + BELOW(ONE_IN(2) ? far : UINT32_C(1) << BELOW(24));
     int32_t a = cosine(seed), b = ONE_IN(8) ? a : ONE_IN(4) ? a - (int32_t)BELOW(100) : cosine(seed);
     b = b < -(1 << 30) ? -(1 << 30) : b;
-    lamp->cos_inner_q30 = a > b ? a : b;
-    lamp->cos_outer_q30 = a > b ? b : a;
-    struct glint_lamp spot;
-    if (glint_lamp_spot(&spot, lamp->position, target, lamp->range, lamp->cos_inner_q30, lamp->cos_outer_q30) ==
-        GLINT_OK)
-        memcpy(lamp->axis_q30, spot.axis_q30, sizeof spot.axis_q30);
-    if (ONE_IN(16)) /* filled by hand */
+    if (ONE_IN(2) || glint_light_spot(light, position, aim, range, a > b ? a : b, a > b ? b : a))
+        (void)glint_light_point(light, position, range);
+    else if (ONE_IN(16)) /* an axis filled by hand */
         for (int i = 0; i < 3; i++)
-            lamp->axis_q30[i] = ONE_IN(4) ? INT32_MIN : (int32_t)(BELOW(UINT32_MAX) >> BELOW(8)) * (ONE_IN(2) ? 1 : -1);
+            light->direction_q30[i] =
+                ONE_IN(4) ? INT32_MIN : (int32_t)(BELOW(UINT32_MAX) >> BELOW(8)) * (ONE_IN(2) ? 1 : -1);
 }
 
-static struct glint_lamp lamp_of(uint64_t *seed, const struct glint_shader *shader, const struct glint_surface *surface)
+static struct glint_light light_of(uint64_t *seed, const struct reference *look, const struct glint_surface *target)
 {
-    static const uint32_t colors[] = {0, 1, 65535, 65536, 65537, 1 << 20, UINT32_MAX, 32768};
-    struct glint_lamp lamp;
-    memset(&lamp, 0, sizeof lamp);
-    lamp.light = shader->light;
+    struct glint_light light = look->lights[0];
+    struct glint_vec lvh[3];
     if (ONE_IN(4)) {
-        lamp.light.l = case_vector(seed);
-        lamp.light.h = case_vector(seed);
+        const int32_t to_light[3] = {within(seed, 100), within(seed, 100), within(seed, 100)};
+        struct glint_light other;
+        if (!glint_light_directional(&other, to_light) && reference_directions(look, &other, lvh))
+            light = other;
     }
     if (BELOW(4))
-        point_or_spot(seed, &lamp, surface);
-    const bool white = ONE_IN(2);
-    const unsigned bits = 14 + BELOW(7);
-    for (int k = 0; k < 3; k++) {
-        lamp.color_q16[k] = ONE_IN(3) ? colors[BELOW(8)] : BELOW(UINT32_C(1) << bits);
-        if (white)
-            lamp.color_q16[k] = lamp.color_q16[0];
-    }
-    return lamp;
+        point_or_spot(seed, &light, target);
+    case_color(seed, &light);
+    return light;
 }
 
-/* Near the half vector of a lamp at a pixel, so that it shines there. */
-static struct glint_vec towards(uint64_t *seed, const struct glint_lamp *lamp, const struct glint_shader *shader,
-                                const struct glint_surface *surface, int pixel)
+/* Near the half vector of a light at a pixel, so that it shines there. */
+static struct glint_vec towards(uint64_t *seed, const struct glint_light *light, const struct reference *look,
+                                const struct glint_surface *target, int pixel)
 {
-    struct glint_light light = lamp->light;
-    if (lamp->kind != GLINT_DIRECTIONAL) {
+    struct glint_vec lvh[3] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 32767}};
+    if (reference_kind(light) == REFERENCE_DIRECTIONAL) {
+        (void)reference_directions(look, light, lvh);
+    } else {
         const struct glint_vec l = case_unit(
-            (const double[3]){(double)lamp->position[0] - 16 * (surface->x + pixel % W) - 8,
-                              16 * (surface->y + pixel / W) + 8 - (double)lamp->position[1], lamp->position[2]});
+            (const double[3]){(double)light->position[0] - 16 * (target->x + pixel % CASE_W) - 8,
+                              16 * (target->y + pixel / CASE_W) + 8 - (double)light->position[1], light->position[2]});
         const struct glint_vec v =
-            case_unit((const double[3]){shader->light.v.x, shader->light.v.y, shader->light.v.z});
-        light.h = case_unit((const double[3]){l.x + v.x, l.y + v.y, l.z + v.z});
+            case_unit((const double[3]){look->to_viewer[0], look->to_viewer[1], look->to_viewer[2]});
+        lvh[2] = case_unit((const double[3]){l.x + v.x, l.y + v.y, l.z + v.z});
     }
-    return case_normal(seed, &light, 1 + (int)BELOW(UINT32_C(1) << BELOW(15)));
+    return case_normal(seed, lvh[2], 1 + (int)BELOW(UINT32_C(1) << BELOW(15)));
+}
+
+/* Lights, and normals that they make shine. */
+static void light_scene(uint64_t *seed, struct case_scene *s, struct reference *look, unsigned count,
+                        const struct glint_surface *target)
+{
+    const struct reference one = *look;
+    look->count = count;
+    for (unsigned i = 0; i < count; i++)
+        look->lights[i] = light_of(seed, &one, target);
+    for (int i = 0; i < CASE_W * CASE_H; i++) {
+        s->normals[i] = count ? towards(seed, &look->lights[BELOW(count)], look, target, i) : case_vector(seed);
+        s->words[i] = ONE_IN(30) ? 0 : glint_normals_pack(GLINT_NORMALS_INT8, &s->normals[i]);
+    }
 }
 
 static unsigned lights_case(uint64_t *seed, void *memory)
 {
-    struct scene *s = memory;
-    struct glint_shader sh = case_shader(seed);
-    struct glint_lamp lamps[GLINT_LAMPS_MAX];
-    const unsigned count = ONE_IN(2) ? 1 : BELOW(5);
-    const bool up = ONE_IN(4);
-    const ptrdiff_t start = (up ? H : 1) * LINE + (ptrdiff_t)BELOW(3), stride = up ? -LINE : LINE - (ptrdiff_t)BELOW(3);
-    struct glint_surface surface = {s->out + start, stride, (uint16_t)BELOW(65536), (uint16_t)BELOW(65536)};
+    struct case_scene *s = memory;
+    struct glint_vec lvh[3];
+    struct reference look = case_look(seed, lvh);
+    const uint16_t w = (uint16_t)BELOW(CASE_W + 1), h = (uint16_t)BELOW(CASE_H + 1);
+    struct glint_surface target = case_target(seed, s);
     if (BELOW(4))
-        surface.x = (uint16_t)BELOW(400), surface.y = (uint16_t)BELOW(400);
-    if (sh.light.v.x == 0 && sh.light.v.y == 0 && sh.light.v.z == 0)
-        sh.light.v.z = 1;
-    for (unsigned i = 0; i < count; i++)
-        lamps[i] = lamp_of(seed, &sh, &surface);
-    for (int i = 0; i < W * H; i++) {
-        s->normals[i] = count ? towards(seed, &lamps[BELOW(count)], &sh, &surface, i) : case_vector(seed);
-        s->gloss[i] = (uint8_t)(ONE_IN(2) ? 255 : BELOW(256));
-        s->mask[i] = BELOW(5) != 0;
-        for (int k = 0; k < 3; k++)
-            s->albedo[3 * i + k] = (uint8_t)BELOW(256);
-    }
-    const uint16_t w = (uint16_t)BELOW(W + 1), h = (uint16_t)BELOW(H + 1);
-    struct glint_source source = {s->normals, 6 * W, NULL, 3 * W, NULL, W, NULL, W};
-    source.albedo = ONE_IN(2) ? s->albedo : NULL;
-    source.gloss = ONE_IN(3) ? s->gloss : NULL;
-    source.mask = ONE_IN(3) ? s->mask : NULL;
-    memset(s->out, GUARD, SIZE);
-    memset(s->expected, GUARD, SIZE);
+        target.x = (uint16_t)BELOW(400), target.y = (uint16_t)BELOW(400);
+    light_scene(seed, s, &look, ONE_IN(2) ? 1 : BELOW(5), &target);
+    struct glint_maps maps = case_maps(seed, s, w, h);
+    const bool is_8 = ONE_IN(4);
+    maps.normals = is_8 ? (const void *)s->words : s->normals;
+    maps.normals_format = is_8 ? GLINT_NORMALS_INT8 : GLINT_NORMALS_INT16;
+    maps.normals_stride = CASE_W * (is_8 ? 4 : 6);
+    const struct glint_surface wanted = case_expected(s, &target);
     struct glint_box box = {0, 0, 0, 0}, expected = {0, 0, 0, 0};
     const bool boxed = ONE_IN(2);
-    if (glint_shade_lights(&sh, lamps, count, &source, w, h, &surface, boxed ? &box : NULL))
+    struct glint_paint paint;
+    if (case_paint(&paint, &look) || glint_draw_rect(&paint, &maps, w, h, &target, boxed ? &box : NULL))
         return 0;
-    surface.pixels = s->expected + start;
-    reference_lights(&sh, lamps, count, &source, w, h, &surface, boxed ? &expected : NULL);
-    return !memcmp(s->out, s->expected, SIZE) && !memcmp(&box, &expected, sizeof box) ? (unsigned)w * h + 1 : 0;
+    reference_rect(&look, &maps, w, h, &wanted, boxed ? &expected : NULL);
+    return case_same(s, &box, &expected) ? (unsigned)w * h + 1 : 0;
 }
 
 static void several_lights_have_the_reference_pixels_and_box(void **state)
 {
     (void)state;
-    assert_true(cases_pass(lights_case, sizeof(struct scene), 30));
+    assert_true(cases_pass(lights_case, sizeof(struct case_scene), 30));
 }
 
 /* The output is the albedo map or the gloss map: read before it is written. */
 static unsigned shared_case(uint64_t *seed, void *memory)
 {
-    struct scene *s = memory;
-    struct glint_shader sh = case_shader(seed);
-    struct glint_lamp lamps[2];
-    struct glint_surface surface = {s->out, 3 * W, (uint16_t)BELOW(400), (uint16_t)BELOW(400)};
+    struct case_scene *s = memory;
+    struct glint_vec lvh[3];
+    struct reference look = case_look(seed, lvh);
+    struct glint_surface target = {s->out, 3 * CASE_W, (uint16_t)BELOW(400), (uint16_t)BELOW(400)};
     const bool gloss = ONE_IN(2);
-    sh.format = gloss ? GLINT_GREY8 : GLINT_RGB888;
-    sh.light.v.z |= 1;
-    for (int i = 0; i < 2; i++) {
-        lamps[i] = lamp_of(seed, &sh, &surface);
-        point_or_spot(seed, &lamps[i], &surface);
-    }
-    for (int i = 0; i < SIZE; i++)
-        s->out[i] = s->expected[i] = (uint8_t)(ONE_IN(3) ? 0 : BELOW(256));
-    for (int i = 0; i < W * H; i++)
-        s->normals[i] = towards(seed, &lamps[BELOW(2)], &sh, &surface, i);
-    struct glint_source source = {s->normals, 6 * W, NULL, 3 * W, NULL, 3 * W, NULL, W};
+    look.output.format = gloss ? GLINT_GREY8 : GLINT_RGB888;
+    light_scene(seed, s, &look, 1 + BELOW(2), &target);
+    for (int i = 0; i < CASE_SIZE; i++)
+        s->out[i] = s->expected[i] = (uint8_t)(ONE_IN(4) ? 0 : BELOW(256));
     struct glint_box box, expected;
-    source.albedo = gloss ? NULL : s->out;
-    source.gloss = gloss ? s->out : NULL;
-    if (glint_shade_lights(&sh, lamps, 2, &source, W, H, &surface, &box))
+    struct glint_maps maps = {.normals = s->normals, .normals_stride = 6 * CASE_W, .albedo_format = GLINT_RGB888};
+    maps.albedo_stride = maps.gloss_stride = 3 * CASE_W;
+    maps.albedo = gloss ? NULL : s->out;
+    maps.gloss = gloss ? s->out : NULL;
+    struct glint_paint paint;
+    if (case_paint(&paint, &look) || glint_draw_rect(&paint, &maps, CASE_W, CASE_H, &target, &box))
         return 0;
-    surface.pixels = s->expected;
-    source.albedo = gloss ? NULL : s->expected;
-    source.gloss = gloss ? s->expected : NULL;
-    reference_lights(&sh, lamps, 2, &source, W, H, &surface, &expected);
-    return !memcmp(s->out, s->expected, SIZE) && !memcmp(&box, &expected, sizeof box) ? W * H : 0;
+    target.pixels = s->expected;
+    maps.albedo = gloss ? NULL : s->expected;
+    maps.gloss = gloss ? s->expected : NULL;
+    reference_rect(&look, &maps, CASE_W, CASE_H, &target, &expected);
+    return case_same(s, &box, &expected) ? CASE_W * CASE_H : 0;
 }
 
 static void a_map_may_be_the_output_itself(void **state)
 {
     (void)state;
-    assert_true(cases_pass(shared_case, sizeof(struct scene), 2));
+    assert_true(cases_pass(shared_case, sizeof(struct case_scene), 2));
 }
 
 int main(void)

@@ -34,8 +34,8 @@ WIDE static double worst_of(uint32_t first, int s)
     for (int32_t i = 0; i < COUNT; i++) {
         const uint32_t m = first + (uint32_t)i;
         const double per_u = 0x1p63 / (5.0 * (int32_t)m * (int32_t)m);
-        const double at_most = (int32_t)glint_msh_quotient((uint32_t)most[i], m) - most[i] * per_u; /* q < 2^31 */
-        const double at_any = (int32_t)glint_msh_quotient((uint32_t)any[i], m) - any[i] * per_u;
+        const double at_most = (int32_t)msh_quotient((uint32_t)most[i], m) - most[i] * per_u; /* q < 2^31 */
+        const double at_any = (int32_t)msh_quotient((uint32_t)any[i], m) - any[i] * per_u;
         error[i] = fabs(at_most) > fabs(at_any) ? fabs(at_most) : fabs(at_any);
     }
     double worst = 0;

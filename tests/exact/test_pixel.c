@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * The exact rectangle and span beside the reference pixel: the same bytes for every shader, map, normal and stride, likely or
- * hostile. GLINT_PIXELS: how many million pixels, 1000 where not set: two minutes on two cores. */
+ * The exact paint under one directional light, or none, beside the reference pixel: the same bytes for every material, output, colour, map, source
+ * and stride, likely or hostile. GLINT_PIXELS: how many million pixels, 1000 where not set: two minutes on two cores. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,65 +11,61 @@
 #include <cmocka.h>
 
 #include "cases.h"
-#include "glint_math_srgb.h"
-#include "glint_pixel_prepared.h"
-#include "reference_pixel.h"
+#include "glint_lobe.h"
+#include "glint_math.h"
 
-enum { W = 61, H = 8, LINE = 4 * W + 13, SIZE = (H + 2) * LINE, GUARD = 0xa5 };
-
-struct scene {
-    struct glint_vec normals[W * H];
-    uint8_t albedo[3 * W * H], gloss[W * H], mask[W * H], out[SIZE], expected[SIZE];
-};
-
-static bool same(const struct scene *s, const struct glint_box *a, const struct glint_box *b)
+/* Normals of a line, as vectors or words; some runs of words without surface say how long they are. */
+static void line_of_normals(uint64_t *seed, struct case_scene *s, unsigned from, unsigned w, bool is_8,
+                            struct glint_vec h, int spread)
 {
-    return !memcmp(s->out, s->expected, SIZE) && !memcmp(a, b, sizeof *a);
+    for (unsigned i = from, none = 0; i < from + w; i++) {
+        const struct glint_vec n = case_normal(seed, h, spread);
+        s->normals[i] = n;
+        if (!is_8)
+            continue;
+        s->words[i] = ONE_IN(9) ? BELOW(UINT32_MAX) | 1 << 16 : glint_normals_pack(GLINT_NORMALS_INT8, &n);
+        if (none == 0 && ONE_IN(20))
+            none = 1 + BELOW(30);
+        if (none) {
+            s->words[i] = ONE_IN(2) ? none : BELOW(none);
+            none--;
+        }
+    }
 }
 
 /* Returns how many pixels; 0 where one differs. */
 static unsigned rect_case(uint64_t *seed, void *memory)
 {
-    struct scene *s = memory;
-    const struct glint_shader sh = case_shader(seed);
+    struct case_scene *s = memory;
+    struct glint_vec lvh[3];
+    struct reference look = case_look(seed, lvh);
+    look.count = !ONE_IN(20);
     const int spread = 1 + (int)BELOW(UINT32_C(1) << BELOW(16));
-    const uint16_t w = (uint16_t)BELOW(W + 1), h = (uint16_t)BELOW(H + 1);
-    const int step = (int)BELOW(W + 1); /* of a line's normals; those of two lines may be shared */
-    struct glint_source source = {s->normals, (ptrdiff_t)sizeof *s->normals * step, NULL, 3 * W, NULL, W, NULL, W};
-    source.albedo = ONE_IN(2) ? s->albedo : NULL;
-    source.gloss = ONE_IN(3) ? s->gloss : NULL;
-    source.mask = ONE_IN(3) ? s->mask : NULL;
-    /* What the rectangle reads, and no more. */
-    for (int i = 0; h && i < step * (h - 1) + w; i++)
-        s->normals[i] = case_normal(seed, &sh.light, spread);
-    for (int y = 0; y < h; y++)
-        for (int i = W * y; i < W * y + w; i++) {
-            s->gloss[i] = (uint8_t)(!source.gloss || ONE_IN(2) ? 255 : BELOW(256));
-            s->mask[i] = !source.mask || BELOW(5) != 0;
-            for (int k = 0; k < 3 && source.albedo; k++)
-                s->albedo[3 * i + k] = (uint8_t)BELOW(256);
-        }
-    const bool up = ONE_IN(4);
-    const ptrdiff_t start = (up ? H : 1) * LINE + (ptrdiff_t)BELOW(3), stride = up ? -LINE : LINE - (ptrdiff_t)BELOW(3);
-    memset(s->out, GUARD, SIZE);
-    memset(s->expected, GUARD, SIZE);
-    struct glint_surface surface = {s->out + start, stride, (uint16_t)BELOW(65536), (uint16_t)BELOW(65536)};
+    const uint16_t w = (uint16_t)BELOW(CASE_W + 1), h = (uint16_t)BELOW(CASE_H + 1);
+    const bool is_8 = ONE_IN(4);
+    const unsigned step = w + BELOW(CASE_W - w + 1u), size = is_8 ? 4 : 6; /* of a line's normals */
+    struct glint_maps maps = case_maps(seed, s, w, h);
+    maps.normals = is_8 ? (const void *)s->words : s->normals;
+    maps.normals_format = is_8 ? GLINT_NORMALS_INT8 : GLINT_NORMALS_INT16;
+    maps.normals_stride = (ptrdiff_t)(size * step);
+    for (unsigned y = 0; y < h; y++)
+        line_of_normals(seed, s, step * y, w, is_8, lvh[2], spread);
+    const struct glint_surface target = case_target(seed, s), wanted = case_expected(s, &target);
     struct glint_box box = {0, 0, 0, 0}, expected = {0, 0, 0, 0};
     const bool boxed = ONE_IN(2);
-    if (glint_shade_rect(&sh, &source, w, h, &surface, boxed ? &box : NULL))
+    struct glint_paint paint;
+    if (case_paint(&paint, &look) || glint_draw_rect(&paint, &maps, w, h, &target, boxed ? &box : NULL))
         return 0;
-    surface.pixels = s->expected + start;
-    reference_rect(&sh, &source, w, h, &surface, boxed ? &expected : NULL);
-    return same(s, &box, &expected) ? (unsigned)w * h + 1 : 0;
+    reference_rect(&look, &maps, w, h, &wanted, boxed ? &expected : NULL);
+    return case_same(s, &box, &expected) ? (unsigned)w * h + 1 : 0;
 }
 
 /* nl_q30 at which a channel's level without highlight changes. */
-static int32_t boundary(uint64_t *seed, const struct glint_shader *s)
+static int32_t boundary(uint64_t *seed, const struct reference *s)
 {
-    const unsigned k = BELOW(3),
-                   max = s->format == GLINT_RGB565 || s->format == GLINT_RGB565_SWAPPED ? (k == 1 ? 63 : 31) : 255;
+    const unsigned k = BELOW(3), max = s->output.format <= GLINT_RGB565_SWAPPED ? (k == 1 ? 63 : 31) : 255;
     const double a = s->material.albedo[k] / 255.0, d = s->material.diffuse_q16[k] / 65536.0;
-    const double threshold = s->dither ? (2 * BELOW(16) + 1) / 32.0 : 0.5,
+    const double threshold = s->output.dither ? (2 * BELOW(16) + 1) / 32.0 : 0.5,
                  ambient = s->material.ambient_q16[k] / 65536.0;
     const double nl = ((1 + BELOW(max) - threshold) / max / (a > 0 ? a : 1) - ambient) / (d > 0 ? d : 1);
     return nl > 0 && nl < 1.9 ? (int32_t)(nl * 1073741824.0) : 0;
@@ -77,19 +73,21 @@ static int32_t boundary(uint64_t *seed, const struct glint_shader *s)
 
 static unsigned span_case(uint64_t *seed, void *memory)
 {
-    struct scene *s = memory;
-    struct glint_shader sh = case_shader(seed);
+    struct case_scene *s = memory;
+    struct glint_vec lvh[3];
+    struct reference look = case_look(seed, lvh);
+    look.count = !ONE_IN(20);
     struct glint_span span = {BELOW(UINT32_MAX),       BELOW(1 << 20),
                               BELOW(1 << 16),          (int32_t)BELOW(UINT32_C(1) << 31),
-                              (int32_t)BELOW(1 << 26), W};
-    const uint32_t t_end = sh.lobe.t_max_q30;
+                              (int32_t)BELOW(1 << 26), CASE_W};
+    const uint32_t t_last = reference_t_last(&look);
     switch (BELOW(4)) {
     case 0: /* slowly over a level's boundary */
-        span.nl_q30 = boundary(seed, &sh) - (W / 2 << 14) * (int32_t)BELOW(2);
+        span.nl_q30 = boundary(seed, &look) - (CASE_W / 2 << 14) * (int32_t)BELOW(2);
         span.dnl_q30 = (int32_t)BELOW(1 << 15);
         break;
     case 1: /* about the cutoff */
-        span.t_q30 = t_end - BELOW(W);
+        span.t_q30 = t_last - BELOW(CASE_W);
         span.dt_q30 = 1;
         span.ddt_q30 = 0;
         break;
@@ -101,30 +99,31 @@ static unsigned span_case(uint64_t *seed, void *memory)
     default: /* N.L about 0 and 1 */
         span.nl_q30 = (int32_t)(ONE_IN(2) ? 0u : UINT32_C(1) << 30) - (int32_t)BELOW(1 << 16);
         span.dnl_q30 = (int32_t)BELOW(1 << 12);
-        span.t_q30 = BELOW(t_end + 1);
+        span.t_q30 = BELOW(t_last + 1);
     }
-    memset(s->out, GUARD, SIZE);
-    memset(s->expected, GUARD, SIZE);
-    struct glint_surface surface = {s->out + BELOW(3), 0, (uint16_t)BELOW(65536), (uint16_t)BELOW(65536)};
+    span.w = (uint16_t)(ONE_IN(4) ? BELOW(CASE_W + 1) : CASE_W);
+    const struct glint_maps maps = case_maps(seed, s, span.w, 1), *const some = ONE_IN(2) ? &maps : NULL;
+    struct glint_surface target = case_target(seed, s);
+    target.stride = 0; /* it is not looked at */
+    const struct glint_surface wanted = case_expected(s, &target);
     struct glint_box box, expected;
-    const ptrdiff_t start = (uint8_t *)surface.pixels - s->out;
-    if (glint_shade_span(&sh, &span, &surface, &box))
+    struct glint_paint paint;
+    if (case_paint(&paint, &look) || glint_draw_span(&paint, &span, some, &target, &box))
         return 0;
-    surface.pixels = s->expected + start;
-    reference_span(&sh, &span, &surface, &expected);
-    return same(s, &box, &expected) ? W : 0;
+    reference_span(&look, &span, some, &wanted, &expected);
+    return case_same(s, &box, &expected) ? CASE_W : 0;
 }
 
 static void rectangles_have_the_reference_pixels(void **state)
 {
     (void)state;
-    assert_true(cases_pass(rect_case, sizeof(struct scene), 500));
+    assert_true(cases_pass(rect_case, sizeof(struct case_scene), 500));
 }
 
 static void spans_have_the_reference_pixels_at_boundaries_cutoffs_and_ends(void **state)
 {
     (void)state;
-    assert_true(cases_pass(span_case, sizeof(struct scene), 500));
+    assert_true(cases_pass(span_case, sizeof(struct case_scene), 500));
 }
 
 /* For t of any size, 4 million a model. */
@@ -134,18 +133,22 @@ static void quick_models_are_below_the_exact_ones_by_at_most_their_slack(void **
     for (int model = 0; model < GLINT_MODEL_COUNT; model++) {
         uint64_t random = (uint64_t)model + 1, *seed = &random;
         for (int i = 0; i < 4000000 / (int)GLINT_RUN / 100; i++) {
-            struct glint_shader s = case_shader(seed);
-            struct glint_prepared p;
-            glint_lobe_init(&s.lobe, (enum glint_model)model, 1 + BELOW(ONE_IN(2) ? 1000 : 8), BELOW(17));
-            s.clamp_peak = false;
-            assert_int_equal(glint_shade_prepare(&p, &s), GLINT_OK);
+            struct glint_vec lvh[3];
+            struct reference look = case_look(seed, lvh);
+            struct glint_paint p;
+            look.material.model = (uint8_t)model;
+            look.material.n = (uint16_t)(1 + BELOW(ONE_IN(2) ? 1000 : 8));
+            look.material.n_across = 0;
+            look.material.q = (uint8_t)BELOW(17);
+            look.material.clamp_peak = false;
+            assert_int_equal(case_paint(&p, &look), GLINT_OK);
             for (int run = 0; run < 100; run++) {
                 struct glint_sample samples[GLINT_RUN];
                 for (unsigned k = 0; k < GLINT_RUN; k++)
-                    samples[k].t_q30 = BELOW(p.near.t_end) >> BELOW(ONE_IN(2) ? 20 : 1);
-                p.model->run(&p.near, samples, GLINT_RUN);
+                    samples[k].t_q30 = BELOW(p.of.exact.t_end) >> BELOW(ONE_IN(2) ? 20 : 1);
+                p.model->run(&p, samples, GLINT_RUN);
                 for (unsigned k = 0; k < GLINT_RUN; k++)
-                    assert_in_range(p.model->exact(p.near.n, samples[k].t_q30), samples[k].f_q16,
+                    assert_in_range(p.model->exact(p.of.exact.n, samples[k].t_q30), samples[k].f_q16,
                                     samples[k].f_q16 + p.model->slack);
             }
         }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * What 32 bits decide of a lamp at a pixel is what 64 bits find: the bounds of falloff, cone, L and H. Random lamps, and cones whose
- * edges lie about the pixel. GLINT_PIXELS: thousands of lamps, 2000 unless set. */
+ * edges lie about the pixel. GLINT_PIXELS: thousands of lamps, 2000 unless set.
+ * GLINT_FAULT, blur or range: a quotient that is farther off than its bound, which is to be found (test_bounds). */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,10 +13,10 @@
 #include <cmocka.h>
 
 #include "cases.h"
-#include "glint_lamp.h"
+#include "glint_lights.h"
 #include "glint_math_vector.h"
 
-enum { FAR = GLINT_LAMP_FAR, ONE = 1 << 30 };
+enum { FAR = GLINT_LIGHT_FAR, ONE = 1 << 30 };
 
 static int32_t within(uint64_t *seed, uint32_t limit)
 {
@@ -35,14 +36,18 @@ static void direction(uint64_t *seed, int32_t v_q30[3])
 }
 
 /* A lamp e away, whose range is near |e|, or any. */
-static void lamp_at(uint64_t *seed, struct glint_lamp *lamp, const struct glint_sight *sight)
+static void lamp_at(uint64_t *seed, struct glint_light *lamp, const struct glint_sight *sight)
 {
     double square = 0;
     for (int i = 0; i < 3; i++)
         square += (double)sight->e[i] * sight->e[i];
     const double range = sqrt(square) * (1 + BELOW(65536) / 40000.0);
-    lamp->range = ONE_IN(4) ? 1 + BELOW((uint32_t)FAR) : 1 + (uint32_t)fmin(range, FAR - 1.0);
-    lamp->kind = (uint8_t)(ONE_IN(2) ? GLINT_SPOT : GLINT_POINT);
+    static const int32_t above[3] = {0, 0, 1}, below[3] = {0, 0, 0};
+    const uint32_t reach = ONE_IN(4) ? 1 + BELOW((uint32_t)FAR) : 1 + (uint32_t)fmin(range, FAR - 1.0);
+    if (ONE_IN(2))
+        (void)glint_light_spot(lamp, above, below, reach, 0, 0);
+    else
+        (void)glint_light_point(lamp, above, reach);
     int32_t l[3], turned[3];
     if (!glint_unit_q30(l, sight->e))
         return;
@@ -52,7 +57,7 @@ static void lamp_at(uint64_t *seed, struct glint_lamp *lamp, const struct glint_
         return;
     double cosine = 0;
     for (int i = 0; i < 3; i++) {
-        lamp->axis_q30[i] = -turned[i];
+        lamp->direction_q30[i] = -turned[i];
         cosine += (double)l[i] * turned[i] / ONE;
     }
     const double width = ldexp(1 + BELOW(1024) / 1024.0, (int)BELOW(30)), part = BELOW(65536) / 65536.0;
@@ -63,7 +68,8 @@ static void lamp_at(uint64_t *seed, struct glint_lamp *lamp, const struct glint_
 static void what_32_bits_decide_of_a_lamp_is_what_64_bits_find(void **state)
 {
     (void)state;
-    const char *set = getenv("GLINT_PIXELS");
+    const char *set = getenv("GLINT_PIXELS"), *fault = getenv("GLINT_FAULT");
+    const bool blurs = fault && !strcmp(fault, "blur"), falls = fault && !strcmp(fault, "range");
     const int batches = set ? atoi(set) : 2000;
     int wrong = 0;
     long open = 0;
@@ -71,25 +77,28 @@ static void what_32_bits_decide_of_a_lamp_is_what_64_bits_find(void **state)
     for (int batch = 0; batch < batches; batch++) {
         uint64_t random = (uint64_t)batch * UINT64_C(0x9e3779b97f4a7c15) + 1, *seed = &random;
         for (int i = 0; i < 1000; i++) {
-            struct glint_lamp lamp;
+            struct glint_light lamp;
             struct glint_sight sight;
             struct glint_reach reach;
-            struct glint_light near, exact;
-            memset(&lamp, 0, sizeof lamp);
+            struct glint_view near, exact;
             direction(seed, sight.v_q30);
             const uint32_t size = UINT32_C(1) << (4 + BELOW(21));
             for (int k = 0; k < 3; k++)
                 sight.e[k] = within(seed, ONE_IN(4) ? size >> BELOW(8) : size);
             lamp_at(seed, &lamp, &sight);
-            glint_reach_init(&reach, &lamp);
+            lamp.kind->begin(&reach, &lamp);
+            if (blurs && reach.blur)
+                reach.blur = 1;
+            if (falls)
+                reach.range_inverse -= reach.range_inverse >> 26; /* 16 of 2^30 */
             memset(&near, 0, sizeof near);
             memset(&exact, 0, sizeof exact);
-            const uint32_t found = glint_reach_near(&reach, &lamp, &sight, &near);
+            const uint32_t found = lamp.kind->near(&reach, &lamp, &sight, &near);
             if (found == GLINT_REACH_OPEN) {
                 open++;
                 continue;
             }
-            const uint32_t att = glint_reach_exact(&reach, &lamp, &sight, &exact);
+            const uint32_t att = lamp.kind->exact(&lamp, &sight, &exact);
             wrong += found != att || (att && memcmp(&near, &exact, sizeof near));
         }
     }

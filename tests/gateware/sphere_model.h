@@ -7,20 +7,20 @@
 
 #include <vector>
 
-#include "glint.h"
 extern "C" {
 #include "orbit.h"
 }
 #include "sphere.h"
+#include "span_model.h"
 
-static inline struct glint_light orbit_frame(unsigned frame)
+/* A paint under the frame's light: its L and H, and what spans are made under. */
+static inline struct glint_paint orbit_frame(unsigned frame)
 {
-    static const int32_t viewer[3] = {0, 0, 1};
     int32_t to[3];
-    struct glint_light light = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    struct glint_paint paint = {};
     orbit_light(to, frame, ORBIT_FRAMES);
-    (void)glint_light_init(&light, to, viewer);
-    return light;
+    (void)span_model_light(&paint, to);
+    return paint;
 }
 
 static inline struct glint_vec sphere_normal(int32_t i, int32_t j)
@@ -31,7 +31,7 @@ static inline struct glint_vec sphere_normal(int32_t i, int32_t j)
     return n;
 }
 
-static inline std::vector<glint_span> sphere_row(int row, const struct glint_light &light)
+static inline std::vector<glint_span> sphere_row(int row, const struct glint_paint &light)
 {
     const int32_t j = SPHERE_Y - row, half = sphere_half_width(j);
     std::vector<glint_span> spans;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The demo's picture and its timing: what a monitor would see, against the library. Writes the frames as PNG files into
+// The demo's picture and its timing: what a monitor would see, against the model of spans. Writes the frames as PNG files into
 // GATEWARE_BUILD. Between the frames that are looked at the counter is set on: only its step and its wrap are waited for.
 #include <png.h>
 #include <stdlib.h>
@@ -9,6 +9,7 @@
 
 #include "Vtop.h"
 #include "Vtop___024root.h"
+#include "span_model.h"
 #include "sphere_model.h"
 #include "tap.h"
 #include "verilated.h"
@@ -27,23 +28,27 @@ static void clock_edge()
 
 typedef std::vector<uint16_t> picture;
 
-static picture drawn_by_the_library(unsigned frame, enum glint_model model)
+static picture drawn_by_the_model(unsigned frame, enum glint_model model)
 {
-    struct glint_shader shader;
-    memset(&shader, 0, sizeof shader);
-    glint_lobe_init(&shader.lobe, model, 60, 6);
-    shader.light = orbit_frame(frame);
-    shader.material = {{7000, 2200, 1800}, {52000, 13000, 9000}, {50000, 50000, 50000}, {255, 255, 255}};
+    struct glint_material material = {};
+    static const uint32_t ambient[] = {7000, 2200, 1800}, diffuse[] = {52000, 13000, 9000};
+    material.model = (uint8_t)model;
+    material.n = 60;
+    for (int k = 0; k < 3; k++) {
+        material.ambient_q16[k] = ambient[k];
+        material.diffuse_q16[k] = diffuse[k];
+        material.specular_q16[k] = 50000;
+    }
+    const struct glint_paint light = orbit_frame(frame);
     picture pixels(WIDTH * HEIGHT);
     for (int row = SPHERE_Y - SPHERE_ROWS; row <= SPHERE_Y + SPHERE_ROWS; row++) {
         int column = SPHERE_X - sphere_half_width(SPHERE_Y - row);
-        for (const struct glint_span &span : sphere_row(row, shader.light)) {
-            const struct glint_surface surface = {&pixels[(size_t)(row * WIDTH + column)], 0, 0, 0};
-            (void)glint_shade_span_c16(&shader, &span, &surface, NULL);
+        for (const struct glint_span &span : sphere_row(row, light)) {
+            span_model(&material, span_model_c_min(&material), &span, &pixels[(size_t)(row * WIDTH + column)]);
             column += span.w;
         }
     }
-    return pixels; // low byte first, as this machine has it
+    return pixels;
 }
 
 // From a frame's first visible pixel to the next frame's. The timing, as a monitor counts it, into *good. Below the picture the
@@ -103,7 +108,7 @@ int main(int argc, char **argv)
         const unsigned frame = frames[i], next = frames[schlick ? 0 : i + 1];
         top.choose_schlick = i + 2 >= count;
         const picture found = shown(&timing, next == (frame + 1) % ORBIT_FRAMES ? STEP : (int)next);
-        const bool equal = found == drawn_by_the_library(frame, schlick ? GLINT_SCHLICK : GLINT_MSH);
+        const bool equal = found == drawn_by_the_model(frame, schlick ? GLINT_SCHLICK : GLINT_MSH);
         (schlick ? other_model : same) &= equal;
         if (!equal)
             printf("# frame %u differs\n", frame);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The span unit against glint_shade_span_c16.
+// The span unit against span_model.h.
 #include <cstdint>
 #include <cstring>
 #include <vector>
 
 #include "Vtop.h"
-#include "glint.h"
+#include "span_model.h"
 #include "tap.h"
 #include "verilated.h"
 
@@ -47,32 +47,43 @@ static uint64_t packed(const uint32_t k[3])
     return (uint64_t)k[0] << 34 | (uint64_t)k[1] << 17 | k[2];
 }
 
-static void set_registers(const struct glint_shader &shader)
+// What the unit's registers hold.
+struct registers {
+    struct glint_material material;
+    uint32_t c_min;
+};
+
+static void set_registers(const struct registers &r)
 {
-    top.model = shader.lobe.model;
-    top.n = shader.lobe.n;
-    top.c_min = shader.lobe.c_min_q16;
-    top.clamp_peak = shader.clamp_peak;
-    top.ambient = packed(shader.material.ambient_q16);
-    top.diffuse = packed(shader.material.diffuse_q16);
-    top.specular = packed(shader.material.specular_q16);
+    top.model = r.material.model;
+    top.n = r.material.n;
+    top.c_min = r.c_min;
+    top.clamp_peak = r.material.clamp_peak;
+    top.ambient = packed(r.material.ambient_q16);
+    top.diffuse = packed(r.material.diffuse_q16);
+    top.specular = packed(r.material.specular_q16);
 }
 
-static struct glint_shader random_shader()
+static struct registers of_material(enum glint_model model, uint32_t n, unsigned q)
+{
+    struct registers r = {};
+    r.material.model = (uint8_t)model;
+    r.material.n = (uint16_t)n;
+    r.c_min = glint_cutoff(model, n, q);
+    for (int k = 0; k < 3; k++) {
+        r.material.ambient_q16[k] = below(4) ? below(20000) : 65536 * below(2);
+        r.material.diffuse_q16[k] = below(4) ? below(65537) : 65536 * below(2);
+        r.material.specular_q16[k] = below(4) ? below(65537) : 65536 * below(2);
+    }
+    r.material.clamp_peak = below(2);
+    return r;
+}
+
+static struct registers random_registers()
 {
     static const uint32_t shininess[] = {1, 2, 10, 60, 200, 1000};
-    struct glint_shader s;
-    memset(&s, 0, sizeof s);
     const uint32_t n = below(4) ? shininess[below(6)] : 1 + below(1000);
-    glint_lobe_init(&s.lobe, below(2) ? GLINT_MSH : GLINT_SCHLICK, n, below(17));
-    for (int k = 0; k < 3; k++) {
-        s.material.ambient_q16[k] = below(4) ? below(20000) : 65536 * below(2);
-        s.material.diffuse_q16[k] = below(4) ? below(65537) : 65536 * below(2);
-        s.material.specular_q16[k] = below(4) ? below(65537) : 65536 * below(2);
-        s.material.albedo[k] = 255;
-    }
-    s.clamp_peak = below(2);
-    return s;
+    return of_material(below(2) ? GLINT_MSH : GLINT_SCHLICK, n, below(17));
 }
 
 struct pixel {
@@ -80,16 +91,14 @@ struct pixel {
     bool last;
 };
 
-static std::vector<pixel> drawn_by_the_library(const struct glint_shader &shader, const std::vector<glint_span> &spans)
+static std::vector<pixel> drawn_by_the_model(const struct registers &r, const std::vector<glint_span> &spans)
 {
     std::vector<pixel> pixels;
     for (const struct glint_span &span : spans) {
-        uint8_t line[2 * GLINT_SPAN_MAX];
-        const struct glint_surface surface = {line, sizeof line, 0, 0};
-        if (glint_shade_span_c16(&shader, &span, &surface, NULL) != GLINT_OK)
-            held = false;
+        uint16_t line[GLINT_SPAN_MAX];
+        span_model(&r.material, r.c_min, &span, line);
         for (unsigned x = 0; x < span.w; x++)
-            pixels.push_back({(uint16_t)(line[2 * x] | line[2 * x + 1] << 8), x + 1u == span.w});
+            pixels.push_back({line[x], x + 1u == span.w});
     }
     return pixels;
 }
@@ -137,11 +146,11 @@ static std::vector<pixel> drawn_by_the_unit(const std::vector<glint_span> &spans
     return pixels;
 }
 
-static bool same(const struct glint_shader &shader, const std::vector<glint_span> &spans, uint32_t offer, uint32_t take,
+static bool same(const struct registers &r, const std::vector<glint_span> &spans, uint32_t offer, uint32_t take,
                  unsigned *gaps)
 {
-    const std::vector<pixel> wanted = drawn_by_the_library(shader, spans);
-    set_registers(shader);
+    const std::vector<pixel> wanted = drawn_by_the_model(r, spans);
+    set_registers(r);
     const std::vector<pixel> found = drawn_by_the_unit(spans, wanted.size(), offer, take, gaps);
     if (found.size() != wanted.size()) {
         printf("# %zu pixels, not %zu\n", found.size(), wanted.size());
@@ -150,17 +159,17 @@ static bool same(const struct glint_shader &shader, const std::vector<glint_span
     for (size_t i = 0; i < wanted.size(); i++)
         if (found[i].rgb565 != wanted[i].rgb565 || found[i].last != wanted[i].last) {
             printf("# pixel %zu is %04x%s, not %04x%s (model %d, n = %d)\n", i, found[i].rgb565,
-                   found[i].last ? " last" : "", wanted[i].rgb565, wanted[i].last ? " last" : "", shader.lobe.model,
-                   shader.lobe.n);
+                   found[i].last ? " last" : "", wanted[i].rgb565, wanted[i].last ? " last" : "", r.material.model,
+                   r.material.n);
             return false;
         }
     return true;
 }
 
-static bool same(const struct glint_shader &shader, const std::vector<glint_span> &spans)
+static bool same(const struct registers &r, const std::vector<glint_span> &spans)
 {
     unsigned gaps;
-    return same(shader, spans, 256, 256, &gaps);
+    return same(r, spans, 256, 256, &gaps);
 }
 
 // Half of them anything, half between normals about the half vector.
@@ -169,11 +178,10 @@ static struct glint_span random_span(uint16_t w)
     struct glint_span span = {bits(), bits(), bits(), (int32_t)bits(), (int32_t)bits(), w};
     if (below(2))
         return span;
-    struct glint_light light;
+    struct glint_paint light;
     struct glint_vec ends[2];
-    const int32_t view[3] = {0, 0, 1},
-                  to[3] = {(int32_t)below(200) - 100, (int32_t)below(200) - 100, (int32_t)below(100)};
-    if (glint_light_init(&light, to, view) != GLINT_OK)
+    const int32_t to[3] = {(int32_t)below(200) - 100, (int32_t)below(200) - 100, (int32_t)below(100)};
+    if (span_model_light(&light, to) != GLINT_OK)
         return span;
     const int32_t spread = 1 << below(16);
     for (int i = 0; i < 2; i++) {
@@ -199,7 +207,7 @@ static bool random_spans_match()
     for (int i = 0; i < 400; i++) {
         unsigned gaps;
         static const uint32_t chances[] = {256, 200, 60, 10};
-        if (!same(random_shader(), random_spans(80), chances[below(4)], chances[below(3)], &gaps))
+        if (!same(random_registers(), random_spans(80), chances[below(4)], chances[below(3)], &gaps))
             return false;
     }
     return true;
@@ -211,7 +219,7 @@ static bool the_shortest_and_the_longest_match()
     for (const uint16_t w : {1, 1, 0, 0, 1, 4096, 0, 1, 4095, 2, 4096, 4096})
         spans.push_back(random_span(w));
     for (int i = 0; i < 4; i++)
-        if (!same(random_shader(), spans))
+        if (!same(random_registers(), spans))
             return false;
     return true;
 }
@@ -246,33 +254,32 @@ static bool the_limits_match()
                     spans.push_back({at, 0, 0, (int32_t)nl_at, 0, 1});
                     spans.push_back({at - dt, dt, bits(), (int32_t)(nl_at - dnl), (int32_t)dnl, 3});
                 }
-        struct glint_shader shader = random_shader();
+        struct registers r = random_registers();
         for (int k = 0; k < 3; k++) // all that lights a pixel is there
-            shader.material.diffuse_q16[k] = 20000 + 9000 * (uint32_t)k, shader.material.specular_q16[k] = 30000;
-        if (!same(shader, spans))
+            r.material.diffuse_q16[k] = 20000 + 9000 * (uint32_t)k, r.material.specular_q16[k] = 30000;
+        if (!same(r, spans))
             return false;
     }
     return true;
 }
 
 // Sums at 1, one unit beside, and far above; the peak of 1.024 raw and clamped, for each model and q.
-static bool sums_saturate_as_in_the_library()
+static bool sums_saturate_as_in_the_model()
 {
     for (unsigned q = 0; q <= 16; q++)
         for (unsigned flags = 0; flags < 16; flags++) {
-            struct glint_shader shader = random_shader();
-            glint_lobe_init(&shader.lobe, flags & 1 ? GLINT_MSH : GLINT_SCHLICK, 60, q);
-            shader.clamp_peak = flags >> 1 & 1;
+            struct registers r = of_material(flags & 1 ? GLINT_MSH : GLINT_SCHLICK, 60, q);
+            r.material.clamp_peak = flags >> 1 & 1;
             for (int k = 0; k < 3; k++) {
-                shader.material.specular_q16[k] = flags & 4 ? 65536 : 32767 + (uint32_t)k;
-                shader.material.diffuse_q16[k] = flags & 8 ? 65536 : 0;
-                shader.material.ambient_q16[k] = flags & 8 ? 65536 * (uint32_t)(k == 1) : 32768;
+                r.material.specular_q16[k] = flags & 4 ? 65536 : 32767 + (uint32_t)k;
+                r.material.diffuse_q16[k] = flags & 8 ? 65536 : 0;
+                r.material.ambient_q16[k] = flags & 8 ? 65536 * (uint32_t)(k == 1) : 32768;
             }
             std::vector<glint_span> spans;
             for (int i = 0; i < 8; i++) // from the peak outwards, through the cutoff
                 spans.push_back(
                     {UINT32_C(0) - below(1 << 20), below(1 << 20), 1 << (8 + i), 1 << (30 - i), 1 << 20, 64});
-            if (!same(shader, spans))
+            if (!same(r, spans))
                 return false;
         }
     return true;
@@ -285,7 +292,7 @@ static bool there_are_no_gaps()
         for (int j = 0; j < 200; j++)
             spans.push_back(random_span((uint16_t)(1 + below(3))));
         unsigned gaps;
-        if (!same(random_shader(), spans, 256, 256, &gaps) || gaps) {
+        if (!same(random_registers(), spans, 256, 256, &gaps) || gaps) {
             printf("# %u gaps\n", gaps);
             return false;
         }
@@ -314,10 +321,10 @@ static bool a_reset_empties_it()
     unsigned gaps;
     const std::vector<glint_span> before = {random_span(4096)};
     for (size_t pixels = 1; pixels < 60; pixels += 7) {
-        set_registers(random_shader());
+        set_registers(random_registers());
         drawn_by_the_unit(before, pixels, 256, 128, &gaps, pixels);
         reset();
-        if (!same(random_shader(), random_spans(5)))
+        if (!same(random_registers(), random_spans(5)))
             return false;
     }
     return true;
@@ -327,11 +334,11 @@ int main(int argc, char **argv)
 {
     Verilated::commandArgs(argc, argv);
     reset();
-    tap::check("random spans of both models are the library's pixels under random back-pressure", random_spans_match());
-    tap::check("spans of 0, 1, 4095 and 4096 pixels are the library's pixels", the_shortest_and_the_longest_match());
-    tap::check("at and beside every limit of t and N.L pixels are the library's", the_limits_match());
-    tap::check("sums at and above 1 and the peak, raw and clamped, are the library's for every q",
-               sums_saturate_as_in_the_library());
+    tap::check("random spans of both models are the model's pixels under random back-pressure", random_spans_match());
+    tap::check("spans of 0, 1, 4095 and 4096 pixels are the model's pixels", the_shortest_and_the_longest_match());
+    tap::check("at and beside every limit of t and N.L pixels are the model's", the_limits_match());
+    tap::check("sums at and above 1 and the peak, raw and clamped, are the model's for every q",
+               sums_saturate_as_in_the_model());
     tap::check("spans follow each other without a gap", there_are_no_gaps());
     tap::check("a reset in the middle of a span empties the unit", a_reset_empties_it());
     tap::check("a pixel that is offered stays until it is taken", held);

@@ -6,6 +6,7 @@
 
 #include "Vtop.h"
 #include "glint_span_unit.h"
+#include "span_model.h"
 #include "tap.h"
 #include "unit_registers.h"
 #include "verilated.h"
@@ -174,33 +175,40 @@ static struct glint_span random_span()
     return {t, below(1u << 20), below(1u << 12), (int32_t)nl, (int32_t)below(1u << 20), (uint16_t)below(40)};
 }
 
-static bool spans_from_c_are_the_library_s_pixels()
+static const struct glint_output rgb565 = {};
+
+static struct glint_material random_material(enum glint_model model)
+{
+    struct glint_material material = {};
+    material.model = (uint8_t)model;
+    material.n = (uint16_t)(1 + below(1000));
+    material.q = (uint8_t)below(17);
+    for (int k = 0; k < 3; k++) {
+        material.ambient_q16[k] = below(20000);
+        material.diffuse_q16[k] = below(65537);
+        material.specular_q16[k] = below(65537);
+        material.albedo[k] = 255;
+    }
+    return material;
+}
+
+static bool spans_from_c_are_the_model_s_pixels()
 {
     reset();
     for (int i = 0; i < 60; i++) {
-        struct glint_shader shader;
-        memset(&shader, 0, sizeof shader);
-        glint_lobe_init(&shader.lobe, i % 2 ? GLINT_MSH : GLINT_SCHLICK, 1 + below(1000), below(17));
-        for (int k = 0; k < 3; k++) {
-            shader.material.ambient_q16[k] = below(20000);
-            shader.material.diffuse_q16[k] = below(65537);
-            shader.material.specular_q16[k] = below(65537);
-            shader.material.albedo[k] = 255;
-        }
-        shader.clamp_peak = i / 2 % 2;
+        struct glint_material material = random_material(i % 2 ? GLINT_MSH : GLINT_SCHLICK);
+        material.clamp_peak = i / 2 % 2;
         take = i % 3 ? 256 : 60;
-        if (unit_set_shader(&shader) != GLINT_OK) // waits for the spans before
+        if (unit_set_material(&material, &rgb565) != GLINT_OK) // waits for the spans before
             return false;
         pixels.clear();
         std::vector<uint32_t> wanted;
         for (int j = 0; j < 12; j++) {
             const struct glint_span span = random_span();
-            uint8_t line[2 * 64];
-            const struct glint_surface surface = {line, sizeof line, 0, 0};
-            if (glint_shade_span_c16(&shader, &span, &surface, NULL) != GLINT_OK)
-                return false;
+            uint16_t line[64];
+            span_model(&material, span_model_c_min(&material), &span, line);
             for (unsigned x = 0; x < span.w; x++)
-                wanted.push_back((uint32_t)(line[2 * x] | line[2 * x + 1] << 8) << 1 | (x + 1u == span.w));
+                wanted.push_back((uint32_t)line[x] << 1 | (x + 1u == span.w));
             if (unit_shade_span(&span) != GLINT_OK)
                 return false;
         }
@@ -217,28 +225,30 @@ static bool spans_from_c_are_the_library_s_pixels()
 static bool what_the_unit_does_not_draw_is_refused_in_c()
 {
     reset();
-    struct glint_shader shader;
-    memset(&shader, 0, sizeof shader);
-    glint_lobe_init(&shader.lobe, GLINT_SCHLICK, 60, 6);
-    memset(shader.material.albedo, 255, 3);
-    bool good = unit_set_shader(&shader) == GLINT_OK && peek(GLINT_UNIT_N) == 60;
-    shader.lobe.n = 70; // none of these is written
-    const auto refused = [&](enum glint_err reason, void (*change)(struct glint_shader &)) {
-        struct glint_shader other = shader;
-        change(other);
-        good = good && unit_set_shader(&other) == reason && peek(GLINT_UNIT_N) == 60;
+    struct glint_material material = random_material(GLINT_SCHLICK);
+    material.n = 60;
+    bool good = unit_set_material(&material, &rgb565) == GLINT_OK && peek(GLINT_UNIT_N) == 60;
+    material.n = 70; // none of these is written
+    const auto refused = [&](enum glint_err reason, void (*change)(struct glint_material &, struct glint_output &)) {
+        struct glint_material other = material;
+        struct glint_output output = rgb565;
+        change(other, output);
+        good = good && unit_set_material(&other, &output) == reason && peek(GLINT_UNIT_N) == 60;
     };
-    refused(GLINT_ERR_ARG, [](struct glint_shader &s) { s.lobe.model = GLINT_BLINN; });
-    refused(GLINT_ERR_ARG, [](struct glint_shader &s) { s.lobe.model = GLINT_LYON + 1; });
-    refused(GLINT_ERR_ARG, [](struct glint_shader &s) { s.material.albedo[1] = 254; });
-    refused(GLINT_ERR_FORMAT, [](struct glint_shader &s) { s.format = GLINT_RGB888; });
-    refused(GLINT_ERR_FORMAT, [](struct glint_shader &s) { s.space = GLINT_LINEAR; });
-    refused(GLINT_ERR_FORMAT, [](struct glint_shader &s) { s.dither = true; });
+    refused(GLINT_ERR_ARG, [](struct glint_material &m, struct glint_output &) { m.model = GLINT_BLINN; });
+    refused(GLINT_ERR_ARG, [](struct glint_material &m, struct glint_output &) { m.model = GLINT_MODEL_COUNT; });
+    refused(GLINT_ERR_ARG, [](struct glint_material &m, struct glint_output &) { m.albedo[1] = 254; });
+    refused(GLINT_ERR_ARG, [](struct glint_material &m, struct glint_output &) { m.n = 0; });
+    refused(GLINT_ERR_ARG, [](struct glint_material &m, struct glint_output &) { m.n_across = 71; });
+    refused(GLINT_ERR_FORMAT, [](struct glint_material &, struct glint_output &o) { o.format = GLINT_RGB888; });
+    refused(GLINT_ERR_FORMAT, [](struct glint_material &, struct glint_output &o) { o.space = GLINT_LINEAR; });
+    refused(GLINT_ERR_FORMAT, [](struct glint_material &, struct glint_output &o) { o.dither = true; });
     struct glint_span span = random_span();
     span.w = 4097;
     good = good && unit_shade_span(&span) == GLINT_ERR_VECTOR && peek(GLINT_UNIT_STATUS) == GLINT_UNIT_IDLE;
     span.w = 4096;
-    return good && unit_shade_span(&span) == GLINT_OK && unit_set_shader(&shader) == GLINT_OK &&
+    material.n_across = 70;
+    return good && unit_shade_span(&span) == GLINT_OK && unit_set_material(&material, &rgb565) == GLINT_OK &&
            peek(GLINT_UNIT_N) == 70 && pixels.size() == 4096;
 }
 
@@ -264,8 +274,8 @@ int main(int argc, char **argv)
         tap::check("registers keep what is written, cut to their largest value", registers_keep_what_is_written());
         tap::check("what may not be written now, or at all, ends with an error and changes nothing",
                    what_may_not_be_written_ends_with_an_error());
-        tap::check("spans and shaders written by the C header are the library's pixels",
-                   spans_from_c_are_the_library_s_pixels());
+        tap::check("spans and materials written by the C header are the model's pixels",
+                   spans_from_c_are_the_model_s_pixels());
         tap::check("what the unit does not draw is refused in C, and nothing of it is written",
                    what_the_unit_does_not_draw_is_refused_in_c());
         tap::check("a reset drops the spans and pixels that wait, and registers are 0 after it", a_reset_drops_all());

@@ -15,7 +15,7 @@ static void clock_edge()
     top.eval();
 }
 
-static void set_light(const struct glint_light &light)
+static void set_light(const struct glint_paint &light)
 {
     const struct glint_vec l = light.l, h = light.h;
     const int64_t hh = (int64_t)h.x * h.x + (int64_t)h.y * h.y + (int64_t)h.z * h.z;
@@ -40,7 +40,7 @@ static int longest; // clocks of a row
 /* hold: clocks that each span waits. */
 static bool row_matches(int row, unsigned frame, int hold)
 {
-    const struct glint_light light = orbit_frame(frame);
+    const struct glint_paint light = orbit_frame(frame);
     const std::vector<glint_span> wanted = sphere_row(row, light);
     set_light(light);
     top.row = row;

@@ -3,6 +3,7 @@
 # glint_NAME (of rtl or demo) and with the library; every other tests/gateware/test_* is a script that speaks TAP. Both run with
 # GATEWARE_BUILD, a folder of their own to write to, in the environment.
 GATEWARE_TEST_PACKAGES = gcc g++ libc6-dev make libpng-dev verilator iverilog z3 python3-yaml
+GATEWARE_CHECK = verilator:verilator
 GATEWARE_TESTS = $(patsubst tests/gateware/test_%.cpp,$(BUILD)/tests/gateware/test_%,$(wildcard tests/gateware/test_*.cpp))
 # The longest first.
 GATEWARE_LONG = $(addprefix tests/gateware/test_,faults handshake span_faults flat netlist)
@@ -52,7 +53,7 @@ run-gateware: $(GATEWARE_TESTS) $(BUILD)/tests/gateware/vectors $(GATEWARE_TABLE
 
 # The quick part: lint, with what is installed.
 check-gateware:
-	@if command -v verilator >/dev/null; then tests/tally tests/gateware/test_lint; \
+	@if tests/missing "$(CC)" "" "" $(GATEWARE_CHECK) >/dev/null; then tests/tally tests/gateware/test_lint; \
 	else tests/tally "echo ok 1 - tier gateware # SKIP verilator is not installed: make setup-gateware"; fi
 
 .PHONY: setup-gateware test-gateware run-gateware check-gateware

@@ -6,9 +6,9 @@
 #define GLINT_UNIT_READ(unit, offset) bus_read((unit) + (offset))
 #include "glint_span_unit.h"
 
-enum glint_err unit_set_shader(const struct glint_shader *shader)
+enum glint_err unit_set_material(const struct glint_material *material, const struct glint_output *output)
 {
-    return glint_unit_set_shader(0, shader);
+    return glint_unit_set_material(0, material, output);
 }
 
 enum glint_err unit_shade_span(const struct glint_span *span)

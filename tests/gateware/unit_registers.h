@@ -12,7 +12,7 @@ extern "C" {
 void bus_write(uintptr_t address, uint32_t value);
 uint32_t bus_read(uintptr_t address);
 
-enum glint_err unit_set_shader(const struct glint_shader *shader);
+enum glint_err unit_set_material(const struct glint_material *material, const struct glint_output *output);
 enum glint_err unit_shade_span(const struct glint_span *span);
 
 #ifdef __cplusplus

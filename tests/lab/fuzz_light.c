@@ -47,18 +47,36 @@ static void proper(uint8_t number, uint16_t length, struct input *input)
     request(&setup, input);
 }
 
+/* As boards do: what the device takes can be painted with, and lit where the light is a direction. By an exact paint, as filling tables
+ * takes long. */
+static void paint(const int32_t to_light[3])
+{
+    static const int32_t to_viewer[3] = {0, 0, 1};
+    struct glint_output output;
+    struct glint_paint paint;
+    struct glint_light light;
+    light_material_output(&output, &device.material);
+    check(glint_paint_exact(&paint, &device.material.material, &output) == GLINT_OK);
+    if (glint_light_directional(&light, to_light) == GLINT_OK) {
+        const enum glint_err error = glint_paint_light(&paint, &light, 1, to_viewer);
+        check(error == GLINT_OK || error == GLINT_ERR_VECTOR); /* straight behind */
+    }
+}
+
 static void use(void)
 {
-    int32_t to_light[3];
-    struct glint_shader shader;
+    int32_t to_light[3] = {0, 0, 1};
+    struct light_pose pose;
     check(device.count <= LIGHT_QUEUE);
-    if (device.has_material)
-        light_device_shader(&device, &shader);
     if (light_device_next(&device, to_light))
         check(device.has_material && device.has_map);
-    struct light_pose pose;
-    if (light_device_next_pose(&device, &pose))
+    if (light_device_next_pose(&device, &pose)) {
         check(device.has_material && device.has_mesh && !device.has_map && device.mesh);
+        for (int i = 0; i < 3; i++)
+            to_light[i] = pose.to_light[i];
+    }
+    if (device.has_material)
+        paint(to_light);
 }
 
 static void step(struct input *input)

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
- * Fuzzes meshes: any vertices, faces, parts, pose and light that glint_mesh_check lets through are drawn within their memory, and in
- * strips as at once. Input: see next_mesh, next_look and draw; then strips: y, height (1 each). */
+ * Fuzzes meshes: any vertices, faces, parts, colours, pose and lights that glint_mesh_check lets through are drawn within their memory, by
+ * any paint, and in strips as at once. Input: see next_mesh, next_look and draw; then strips: y, height (1 each). */
 #include <string.h>
 
 #include "fuzz.h"
-#include "glint.h"
+#include "glint_mesh.h"
 
-enum { VERTICES_MAX = 32, FACES_MAX = 64, PARTS_MAX = 3, SIDE_MAX = 48, BYTES = 3 };
+enum { VERTICES_MAX = 32, FACES_MAX = 64, PARTS_MAX = 3, SIDE_MAX = 48 };
 
 /* Each array in a block of its own, so that reading beyond it is noticed. */
 struct made {
@@ -14,6 +14,7 @@ struct made {
     int16_t *places, *normals;
     int8_t *normals8;
     uint16_t *faces, *ends;
+    uint8_t *of_vertices, *of_faces;
 };
 
 static void *block(size_t bytes)
@@ -21,6 +22,14 @@ static void *block(size_t bytes)
     void *memory = calloc(1, bytes ? bytes : 1);
     check(memory);
     return memory;
+}
+
+static uint8_t *next_colours(struct input *input, unsigned count)
+{
+    uint8_t *const colours = block(3 * count);
+    for (unsigned i = 0; i < 3 * count; i++)
+        colours[i] = (uint8_t)next_byte(input);
+    return colours;
 }
 
 static struct made next_mesh(struct input *input)
@@ -49,6 +58,10 @@ static struct made next_mesh(struct input *input)
         m.faces[i] = (uint16_t)(next_byte(input) % (VERTICES_MAX + 1));
     for (unsigned i = 0; i < parts; i++)
         m.ends[i] = (uint16_t)(i + 1 < parts || how / 8 % 2 ? next_byte(input) : faces);
+    if (how / 16 % 2)
+        m.mesh.of_vertices = m.of_vertices = next_colours(input, vertices);
+    if (how / 32 % 2)
+        m.mesh.of_faces = m.of_faces = next_colours(input, faces);
     return m;
 }
 
@@ -59,11 +72,13 @@ static void made_free(struct made *m)
     free(m->normals8);
     free(m->faces);
     free(m->ends);
+    free(m->of_vertices);
+    free(m->of_faces);
 }
 
 static bool is_good(const struct glint_mesh *mesh)
 {
-    bool good = mesh->vertex_count > 0;
+    bool good = mesh->vertex_count > 0 && !(mesh->of_vertices && mesh->of_faces);
     for (unsigned i = 0; i < 3u * mesh->face_count; i++)
         good = good && mesh->faces[i] < mesh->vertex_count;
     for (unsigned i = 0; !mesh->normals && i < 3u * mesh->vertex_count; i++)
@@ -73,26 +88,69 @@ static bool is_good(const struct glint_mesh *mesh)
     return good && (mesh->part_count == 0 || mesh->ends[mesh->part_count - 1] == mesh->face_count);
 }
 
+enum { LIGHTS_MAX = 4 };
+static const int32_t to_viewer[3] = {0, 0, 1};
+
 struct look {
     struct glint_pose pose;
-    struct glint_light light;
+    struct glint_light lights[LIGHTS_MAX];
     uint16_t w, h, distance;
     unsigned bytes; /* a pixel */
-    struct glint_prepared prepared;
-    struct glint_tables tables;
+    size_t more;    /* bytes of a frame, for lights */
     uint32_t memory[GLINT_TABLES_DITHER_BYTES / 4];
     struct glint_paint paints[PARTS_MAX];
 };
 
-static int32_t next_direction(struct input *input)
+static void next_directions(int32_t direction[3], struct input *input)
 {
-    return (int32_t)(next_word(input) << 16 | 1);
+    for (int i = 0; i < 3; i++)
+        direction[i] = (int32_t)(next_word(input) << 16 | 1);
 }
 
-static void next_look(struct look *look, struct input *input)
+static void next_place(int32_t place[3], struct input *input)
 {
-    static const uint8_t formats[] = {GLINT_RGB888, GLINT_RGB565, GLINT_RGB565, GLINT_GREY8};
+    for (int i = 0; i < 3; i++)
+        place[i] = (int16_t)next_word(input);
+}
+
+/* One of any kind. */
+static enum glint_err next_light(struct glint_light *light, struct input *input)
+{
+    const unsigned kind = next_byte(input);
+    int32_t at[3], target[3];
+    if (kind % 4 == 0) {
+        next_directions(at, input);
+        return glint_light_directional(light, at);
+    }
+    next_place(at, input);
+    const uint32_t range = 1 + next_word(input);
+    if (kind % 4 == 1)
+        return glint_light_point(light, at, range);
+    next_place(target, input);
+    const int32_t inner = (int16_t)next_word(input), outer = (int16_t)next_word(input); /* cosines, Q15 */
+    return glint_light_spot(light, at, target, range, inner * 32768, outer * 32768);
+}
+
+/* At most `count` lights, 0: a directional one; up to the first that the library refuses. */
+static unsigned next_lights(struct look *look, unsigned count, struct input *input)
+{
+    int32_t to_light[3];
+    unsigned good = 0;
+    if (count == 0) {
+        next_directions(to_light, input);
+        return glint_light_directional(look->lights, to_light) == GLINT_OK;
+    }
+    while (good < count && next_light(&look->lights[good], input) == GLINT_OK)
+        good++;
+    return good;
+}
+
+/* Paints of the parts: exact, or by tables and the second one exact. coloured: the mesh has colours of its own. */
+static void next_look(struct look *look, bool coloured, struct input *input)
+{
+    static const uint8_t formats[] = {GLINT_RGB888, GLINT_RGB565_SWAPPED, GLINT_RGB565, GLINT_GREY8};
     const unsigned how = next_byte(input);
+    const bool several = how / 128 % 2, tables = !several && how / 4 % 4 && how % 4 % 3;
     look->w = (uint16_t)(1 + next_byte(input) % SIDE_MAX);
     look->h = (uint16_t)(1 + next_byte(input) % SIDE_MAX);
     look->distance = (uint16_t)(how / 16 % 2 ? next_word(input) : 0);
@@ -101,27 +159,30 @@ static void next_look(struct look *look, struct input *input)
     for (int i = 0; i < 3; i++)
         look->pose.position[i] = (int16_t)next_word(input);
     look->pose.scale = (uint16_t)next_word(input);
-    int32_t to_light[3], to_viewer[3] = {0, 0, 1};
-    for (int i = 0; i < 3; i++)
-        to_light[i] = next_direction(input);
-    if (glint_light_init(&look->light, to_light, to_viewer) != GLINT_OK)
-        memset(&look->light, 0, sizeof look->light);
-    struct glint_shader shader = {.light = look->light, .format = formats[how % 4], .dither = how / 32 % 2};
-    glint_lobe_init(&shader.lobe, (enum glint_model)(how / 64 % 2 ? GLINT_BLINN : GLINT_MSH),
-                    1 + next_word(input) % 1000, 6);
+    const unsigned which = several ? next_byte(input) : 0;
+    struct glint_material material = {.model = how / 64 % 2    ? GLINT_BLINN
+                                               : which / 4 % 2 ? GLINT_PHONG
+                                                               : GLINT_MSH,
+                                      .n = (uint16_t)(1 + next_word(input) % 1000),
+                                      .q = 6};
+    const struct glint_output output = {.format = formats[how % 4], .dither = how / 32 % 2 && !(tables && coloured)};
     for (int k = 0; k < 3; k++) {
-        shader.material.ambient_q16[k] = 13000;
-        shader.material.diffuse_q16[k] = 40000;
-        shader.material.specular_q16[k] = 30000;
-        shader.material.albedo[k] = 200;
+        material.ambient_q16[k] = 13000;
+        material.diffuse_q16[k] = 40000;
+        material.specular_q16[k] = 30000;
+        material.albedo[k] = 200;
     }
     look->bytes = how % 4 == 0 ? 3 : how % 4 == 3 ? 1 : 2;
-    const enum glint_tables_kind kind = how % 4 == 2 ? GLINT_TABLES_COLOUR : GLINT_TABLES_SMALL;
-    check(glint_shade_prepare(&look->prepared, &shader) == GLINT_OK);
-    check(glint_tables_fill(&look->tables, kind, &shader, look->memory, sizeof look->memory) == GLINT_OK);
-    for (int i = 0; i < PARTS_MAX; i++)
-        look->paints[i] = how / 4 % 4 == 0 ? (struct glint_paint){&glint_mesh_exact, &look->prepared}
-                                           : (struct glint_paint){&glint_mesh_tables, &look->tables};
+    look->more = several ? GLINT_MESH_LIGHTS_BYTES : 0;
+    const unsigned lights = next_lights(look, several ? 1 + which % LIGHTS_MAX : 0, input);
+    for (int i = 0; i < PARTS_MAX; i++) {
+        struct glint_paint *paint = &look->paints[i];
+        check((tables && i != 1 ? glint_paint_tables(paint, coloured ? GLINT_TABLES_ALBEDO : GLINT_TABLES_COLOUR,
+                                                     &material, &output, look->memory, sizeof look->memory)
+                                : glint_paint_exact(paint, &material, &output)) == GLINT_OK);
+        if (glint_paint_light(paint, look->lights, lights, to_viewer) != GLINT_OK) /* straight behind */
+            check(glint_paint_light(paint, NULL, 0, to_viewer) == GLINT_OK);
+    }
 }
 
 /* A picture with its memory, of which `more` bytes are beyond what it needs. False where the library refused the quaternion. */
@@ -133,12 +194,13 @@ struct picture {
 
 static bool picture_begin(struct picture *p, const struct made *m, const struct look *look, uint16_t lines, size_t more)
 {
-    const size_t bytes = glint_mesh_frame_bytes(look->w, lines) + more, work = glint_mesh_bytes(&m->mesh, look->h);
+    const size_t bytes = glint_mesh_frame_bytes(look->w, lines) + look->more + more,
+                 work = glint_mesh_bytes(&m->mesh, look->h);
     p->memory = block(bytes);
     p->work = block(work);
     check(glint_mesh_begin(&p->frame, look->w, look->h, lines, look->distance, p->memory, bytes) == GLINT_OK);
     const enum glint_err error =
-        glint_mesh_add(&p->frame, &p->drawn, &m->mesh, &look->pose, &look->light, look->paints, p->work, work);
+        glint_mesh_add(&p->frame, &p->drawn, &m->mesh, &look->pose, look->paints, p->work, work);
     const int16_t *q = look->pose.turn;
     check(error == (q[0] || q[1] || q[2] || q[3] ? GLINT_OK : GLINT_ERR_VECTOR));
     return error == GLINT_OK;
@@ -187,7 +249,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const bool good = glint_mesh_check(&m.mesh) == GLINT_OK;
     check(good == is_good(&m.mesh));
     if (good) {
-        next_look(&look, &input);
+        next_look(&look, m.of_vertices || m.of_faces, &input);
         draw(&m, &look, &input);
     }
     made_free(&m);

@@ -118,7 +118,8 @@ static void what_a_device_says_of_itself_reaches_the_terminal_without_control_ch
     usb_display_unplug(&display);
 }
 
-/* Also where the kernel's own driver waits for the same device, which holds back everybody who opens it. */
+/* In the guest's time, which no other program takes. Also where the kernel's own driver waits for the same device, which holds
+ * back everybody who opens it. */
 static void the_list_answers_in_time_whatever_a_device_does(void **state)
 {
     (void)state;

@@ -16,8 +16,9 @@ LAB_USB_TESTS = $(patsubst tests/lab/%.c,$(BUILD)/tests/lab/%,$(wildcard tests/l
 LAB_USB_DISPLAY = $(patsubst %,$(BUILD)/tests/lab/%.o,usb_display usb_function)
 LAB_GADGET = $(CURDIR)/$(linux)/glint-gadget
 LAB_FAULTY_GADGET = $(CURDIR)/$(linux)/faulty-gadget
+# In virtual time, so that what waits and what has a time limit does so on any machine: not what measures rates.
 LAB_USB_GUEST = env GLINT=$(CURDIR)/$(BUILD)/glint GADGET=$(LAB_GADGET) tests/lab/guest
-LAB_GADGET_GUEST = env GADGET=$(LAB_GADGET) tests/lab/guest
+LAB_GADGET_GUEST = env GADGET=$(LAB_GADGET) tests/lab/guest --time inf
 LAB_LIBGPIOD2 = PKG_CONFIG_PATH="$$(tests/lab/libgpiod2)"
 # The command with libgpiod as installed, and with its version 2.
 LAB_BOTH_BUILDS = $(BUILD) build/gpiod2
@@ -67,7 +68,7 @@ test-lab: ## check: under a Linux kernel as a process: GPIO lines captured and d
 
 usb-programs: $(LAB_USB_TESTS) $(BUILD)/glint firmware-linux $(LAB_GUEST_FILES)
 
-lab-programs: usb-programs $(LAB_TESTS) $(addprefix $(BUILD)/tests/lab/,bitbang1 bitbang2) $(LAB_FUZZERS) $(linux)/faulty-gadget
+lab-programs: usb-programs $(LAB_TESTS) $(addprefix $(BUILD)/tests/lab/,bitbang1 bitbang2) $(LAB_FUZZERS) $(LAB_SEEDS) $(linux)/faulty-gadget
 
 # The command with libgpiod 2.
 glint-gpiod2:
@@ -81,12 +82,12 @@ run-lab: $(BUILD)/tests/lab/spi.dtb $(BUILD)/glint glint-gpiod2 lab-programs
 		export LAB_KERNEL LAB_BUILD TALLY_JOBS && tests/tally \
 		$(foreach build,$(LAB_BOTH_BUILDS),"env GLINT=$(CURDIR)/$(build)/glint tests/lab/guest --memory 768 \
 			$(BUILD)/tests/lab/test_gpio_stream") tests/lab/test_fuzz \
-		"env GADGET=$(LAB_GADGET) FAULTY=$(LAB_FAULTY_GADGET) tests/lab/guest $(BUILD)/tests/lab/test_gud_drm" \
+		"env GADGET=$(LAB_GADGET) FAULTY=$(LAB_FAULTY_GADGET) tests/lab/guest --time inf $(BUILD)/tests/lab/test_gud_drm" \
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang1 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang2 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
 		$(filter-out %.c tests/lab/test_fuzz,$(wildcard tests/lab/test_*)) \
-		$(patsubst %,"$(LAB_USB_GUEST) %",$(filter $(BUILD)/tests/lab/test_%,$(LAB_USB_TESTS))) \
-		$(foreach build,$(LAB_BOTH_BUILDS),"env GLINT=$(CURDIR)/$(build)/glint tests/lab/guest $(BUILD)/tests/lab/test_gpio_faults") \
+		$(patsubst %,"$(LAB_USB_GUEST) --time inf %",$(filter $(BUILD)/tests/lab/test_%,$(LAB_USB_TESTS))) \
+		$(foreach build,$(LAB_BOTH_BUILDS),"env GLINT=$(CURDIR)/$(build)/glint tests/lab/guest --time basic $(BUILD)/tests/lab/test_gpio_faults") \
 		"env GLINT=$(CURDIR)/$(BUILD)/glint tests/lab/guest --spi $(BUILD)/tests/lab/test_spidev" \
 		$(patsubst %,"$(LAB_GADGET_GUEST) $(BUILD)/tests/lab/test_gud_%",kernel ends host)
 

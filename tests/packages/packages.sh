@@ -40,7 +40,8 @@ run_arm() { # IMAGE [MACHINE]
 stm32_link="-nostdlib -L$source/firmware/ports/bare -T$source/tests/packages/netduino2.ld"
 
 # Arduino: Debian's builder and core, with the libraries in stubs/. What its package of the whole IDE would add: the builder's settings beside the
-# core, and where the tools are. Beside that core lies stubs/hardware: a bare STM32F2 (board stub:arm:stm32), since Debian has a core for AVR alone.
+# core, and where the tools are. Beside that core lies stubs/hardware, since Debian has a core for AVR alone: bare Cortex-M3s
+# and M0+s (stub:arm:stm32, zero, feather), all run on an STM32F2.
 stubs=$source/tests/packages/stubs core=$source/tests/packages/stubs/hardware/stub/arm/cores/stub
 stub_includes="-I$core -I$stubs/libraries/Adafruit_GFX_Library -I$stubs/libraries/TFT_eSPI"
 arduino_is_there() { command -v arduino-builder >/dev/null && [ -d /usr/share/arduino/hardware/arduino/avr ] && command -v simavr >/dev/null; }

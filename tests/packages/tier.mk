@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 # Tier packages: lib/ as each build system takes it, built and, where something runs the result, run. Every
 # tests/packages/test_* is a script that speaks TAP.
-PACKAGES_PACKAGES = cmake gcc g++ libc6-dev make pkg-config python3 python3-yaml python3-kconfiglib gcc-arm-none-eabi \
+PACKAGES_PACKAGES = cmake gcc g++ clang libc6-dev make pkg-config python3 python3-yaml python3-kconfiglib gcc-arm-none-eabi \
 	gcc-riscv64-unknown-elf gcc-xtensa-lx106 gcc-avr avr-libc qemu-system-arm arduino-builder \
 	arduino-core-avr simavr
 # The longest first.
 PACKAGES_TESTS = $(sort $(wildcard tests/packages/test_*))
-PACKAGES_LONG = tests/packages/test_arduino tests/packages/test_readme
+PACKAGES_LONG = tests/packages/test_arduino tests/packages/test_readme tests/packages/test_two_files
 
 PACKAGES_NPM = build/packages/npm
 

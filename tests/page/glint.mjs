@@ -9,8 +9,14 @@ import { join } from 'node:path'
 export class Command {
     constructor(glint) {
         this.glint = glint
+        this.lists = {}
         this.folder = mkdtempSync(join(tmpdir(), 'glint-page-'))
         process.on('exit', () => rmSync(this.folder, { recursive: true, force: true }))
+    }
+
+    /** What an option of `glint render` takes by name, as completion gets it: the command's own list. */
+    choices(option) {
+        return this.lists[option] ??= execFileSync(this.glint, ['render', '--_choices', `${option}=`], { encoding: 'utf8' }).trimEnd().split('\n')
     }
 
     put(name, bytes) {

@@ -11,13 +11,9 @@ export function randomly(seed) {
     }
 }
 
-const models = ['msh', 'schlick', 'blinn', 'phong', 'gauss', 'cayley', 'lyon']
-const formats = ['rgb565', 'rgb565-swapped', 'rgb888', 'grey8', 'mono', 'bgr888', 'xrgb8888', 'argb8888']
-export const paths = ['exact', 'span', 'span-c16', 'colour-int16', 'colour-int10', 'colour-int8', 'colour-span', 'small-int16', 'small-int10',
-    'small-int8', 'small-span', 'albedo-int16', 'albedo-int10', 'albedo-int8', 'albedo-span', 'palette']
-
-/** Some are refused, by the command, too. */
-export function randomWords(random) {
+/** Some are refused, by the command, too; a Command says what there is to choose from. */
+export function randomWords(random, command) {
+    const [models, formats, paths] = ['--model', '--format', '--path'].map(option => command.choices(option))
     const one = list => list[Math.floor(random() * list.length)]
     const real = (low, high, decimals = 3) => String(Number((low + random() * (high - low)).toFixed(decimals)))
     const maybe = (chance, word) => random() < chance ? [word] : []

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_module.mjs PAGE GLINT: the page's module and engine in node, against the command.
-import { spawn, spawnSync } from 'node:child_process'
+import { execFileSync, spawn, spawnSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { request } from 'node:http'
 import { inflateRawSync } from 'node:zlib'
@@ -11,13 +11,10 @@ import { meshes, ring, stl } from './meshes.mjs'
 import { randomly, randomWords } from './states.mjs'
 
 const [folder, glint] = process.argv.slice(2)
-const { Engine, readPng, commandLine, stateOfWords, whiteName, wordsOf } = await import(`${process.cwd()}/${folder}/engine.mjs`)
+const { Engine, lists, readPng, commandLine, stateOfWords, whiteName, wordsOf } = await import(`${process.cwd()}/${folder}/engine.mjs`)
 const program = new WebAssembly.Module(readFileSync(`${folder}/module.wasm`))
 const command = new Command(glint)
-const models = ['msh', 'schlick', 'blinn', 'phong', 'gauss', 'cayley', 'lyon']
-const formats = ['rgb565', 'rgb565-swapped', 'rgb888', 'grey8', 'mono', 'bgr888', 'xrgb8888', 'argb8888']
-const paths = ['span', 'span-c16', 'colour-int16', 'colour-int10', 'colour-int8', 'colour-span', 'small-int16', 'small-int10',
-    'small-int8', 'small-span', 'albedo-int16', 'albedo-int10', 'albedo-int8', 'albedo-span', 'palette']
+const [models, formats, paths] = ['--model', '--format', '--path'].map(option => command.choices(option))
 
 function same(engine, words) {
     const picture = engine.draw(words)
@@ -54,6 +51,25 @@ function refusal(work) {
 }
 
 run([
+    ['the page offers the models, formats and paths that the command takes, with a title and, but for paths, what it means', () => {
+        for (const [list, names] of Object.entries({ models, formats, paths })) {
+            equal(lists[list].map(({ name }) => name).join(), names.join(), list)
+            for (const { name, title, meaning } of lists[list])
+                check(title && (meaning || list === 'paths'), `${name}: '${title}', '${meaning}'`)
+        }
+    }],
+    ['the curve of every model, asked for by its name, is what the command prints', () => {
+        const engine = new Engine(program), angles = [0, 5, 10, 15, 20]
+        for (const model of models) {
+            const { library, double } = engine.curve(model, 60, angles.length, 20)
+            const printed = execFileSync(glint, ['eval', '--csv', `--model=${model}`, '-n60', ...angles.map(x => String(Math.cos(x * Math.PI / 180)))], { encoding: 'utf8' })
+            const rows = printed.trimEnd().split('\n').slice(1).map(row => row.split(',').map(Number))
+            rows.forEach((row, i) => {
+                check(Math.abs(library[i] - row[5]) < 2e-3 && Math.abs(double[i] - row[6]) < 2e-3, `${model} at ${angles[i]} degrees: ${library[i]}, ${double[i]}; the command: ${row}`)
+            })
+        }
+        check(refusal(() => engine.curve('none', 60, 5, 20)).includes('unknown model'), 'a model that there is not')
+    }],
     ['every model, format and space, dithered or not, gives the command\'s pixels', () => {
         const engine = new Engine(program)
         for (const model of models)
@@ -68,7 +84,7 @@ run([
         for (const [words, colour] of [[[], 'COLOUR'], [['--dither'], 'DITHER']]) {
             engine.draw(['--scene=coin', '--size=9x9', ...words])
             const facts = engine.facts()
-            equal([facts.colour_bytes, facts.small_bytes, facts.albedo_bytes].join(), [colour, 'SMALL', 'ALBEDO'].map(stated).join(), colour)
+            equal([facts.colour_bytes, facts.albedo_bytes].join(), [colour, 'ALBEDO'].map(stated).join(), colour)
         }
     }],
     ['every path gives the command\'s pixels, with the same warning', () => {
@@ -82,8 +98,8 @@ run([
         // Filled from memory that was not set, once: a fresh module, where that is seldom 0.
         for (const space of ['gamma', 'linear'])
             same(new Engine(program), ['--scene=watchface', '--size=51x26', '--model=blinn', '--format=rgb565', `--space=${space}`, '--path=colour-int16'])
-        const { warnings } = engine.draw(['--scene=coin', '--size=64x48', '--path=small-int8'])
-        check(/^--path small-int8: draws one colour at full gloss, \d+ of \d+ pixels/.test(warnings[0]), `it says ${warnings[0]}`)
+        const { warnings } = engine.draw(['--scene=coin', '--size=64x48', '--format=rgb565', '--path=colour-int8'])
+        check(/^--path colour-int8: draws one colour at full gloss, \d+ of \d+ pixels/.test(warnings[0]), `it says ${warnings[0]}`)
     }],
     ['every built-in scene is the command\'s, at several sizes', () => {
         const engine = new Engine(program)
@@ -93,7 +109,7 @@ run([
     }],
     ['the teapot is the command\'s, by every path that draws meshes, and as it turns from what was kept', () => {
         const engine = new Engine(program)
-        for (const path of ['exact', 'colour-int16', 'colour-int8', 'small-int16', 'small-int8'])
+        for (const path of ['exact', 'exact-int8', 'colour-int16', 'colour-int8'])
             for (const turn of ['25,-30,0', '-70,140,10'])
                 same(engine, ['--scene=teapot', '--size=90x70', `--turn=${turn}`, '--format=rgb565', '--ambient=.1', '--diffuse=.8', `--path=${path}`])
         for (const more of [[], ['--perspective=3'], ['--perspective=3', '--zoom=1.5'], ['--light=1,1,1'], ['-n9', '--color=30,90,200', '--space=linear'], ['--split=180'], ['--split=12'], ['--dither', '--format=mono']])
@@ -146,7 +162,7 @@ run([
             engine.addMesh(name, bytes)
         }
         const words = ['--mesh=ring.stl', '--size=90x70', '--turn=25,-30,0']
-        for (const path of ['exact', 'colour-int16', 'colour-int8', 'small-int16', 'small-int8'])
+        for (const path of ['exact', 'exact-int8', 'colour-int16', 'colour-int8'])
             same(engine, [...words, '--format=rgb565', '--ambient=.1', '--diffuse=.8', `--path=${path}`])
         for (const more of [[], ['--crease=10'], ['--crease=120'], ['--axes=y-up'], ['--split=8'], ['--color=30,90,200'], ['--zoom=2', '--perspective=2']])
             same(engine, [...words, ...more])
@@ -216,7 +232,7 @@ run([
     ['60 random states give the command\'s pictures or refusals', async () => {
         const engine = new Engine(program), random = randomly(3), width = 8
         for (let from = 0; from < 60; from += width) {
-            const list = Array.from({ length: width }, () => randomWords(random))
+            const list = Array.from({ length: width }, () => randomWords(random, command))
             const expected = list.map(words => command.renderLater(words).catch(() => undefined))
             for (const [i, words] of list.entries()) {
                 const picture = await expected[i]
@@ -256,9 +272,10 @@ run([
         const look = ['--ambient=.3', '--diffuse=.6', '--format=rgb565', '-n90']
         for (const words of [
             ['material', '--scene=coin', '--name=coin_init', '-o', 'look.h'], ['material', ...look, '--model=cayley', '-o', 'look.h'],
+            ['material', '--point=9,8,30,90,1,.5,.25', '--light=1,1,1', '--spot=9,8,30,20,20,90,10,30', '-o', 'lights.h'],
             ['table', '--kind=colour', ...look, '-o', 'look_tables.c'], ['table', '--kind=albedo', ...look, '-o', 'look_tables.h'],
-            ['table', '--kind=small', '--format=rgb888', '-o', 'small.c'], ['table', '--model=gauss', '-n', '200', '--of=c', '--bits=8', '-o', 'shine.c'],
-            ['bake', '--scene=dial', '--size=64x64', '--strip=16', '-o', 'dial.c'], ['bake', '--height=grey16.png', '--albedo=albedo.png', '--to=int10', '-o', 'wall.c'],
+            ['table', '--kind=albedo', '--ambient=.1', '-o', 'albedo.c'], ['table', '--model=gauss', '-n', '200', '--of=c', '--bits=8', '-o', 'shine.c'],
+            ['bake', '--scene=dial', '--size=64x64', '--strip=16', '-o', 'dial.c'], ['bake', '--height=grey16.png', '--albedo=albedo.png', '--to=int16', '-o', 'wall.c'],
             ['bake', '--normals=rgba8.png', '--to=palette:300', '-o', 'map.c'], ['bake', '--height=a-logo.png', '--bevel=5', '--to=int16', '-o', 'map.bin'],
             ['bake', '--scene=dial', '--size=64x64', '-o', 'dial.uf2']]) {
             const expected = command.files(words)

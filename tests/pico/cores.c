@@ -79,11 +79,12 @@ static const struct panel panel = {.bus = &hal.bus, .controller = PANEL_ST7789, 
 static uint32_t map[WIDTH * HEIGHT], tables[GLINT_TABLES_COLOUR_BYTES / 4];
 static uint16_t pixels[2][WIDTH];
 static struct relight_extent extents[HEIGHT];
+static struct glint_paint paint;
 static struct relight relight = {.hal = &hal,
                                  .panel = &panel,
                                  .map = map,
                                  .background = 0x1234,
-                                 .tables_memory = tables,
+                                 .paint = &paint,
                                  .pixels = {pixels[0], pixels[1]},
                                  .extents = extents};
 
@@ -104,8 +105,8 @@ static bool is_right(void)
     for (unsigned i = 0; i < WIDTH * HEIGHT; i++)
         wanted[i] = relight.background;
     const struct glint_surface surface = {wanted, 2 * WIDTH, 0, 0};
-    return glint_tables_rect(&relight.tables, &relight.light, GLINT_NORMALS_INT8, map, 4 * WIDTH, WIDTH, HEIGHT,
-                             &surface) == GLINT_OK &&
+    const struct glint_maps maps = {.normals = map, .normals_stride = 4 * WIDTH, .normals_format = GLINT_NORMALS_INT8};
+    return glint_draw_rect(&paint, &maps, WIDTH, HEIGHT, &surface, NULL) == GLINT_OK &&
            memcmp(screen, wanted, sizeof wanted) == 0;
 }
 
@@ -115,12 +116,13 @@ static const int16_t places[6][3] = {{32767, 0, 0},  {-32767, 0, 0}, {0, 32767, 
                                      {0, -32767, 0}, {0, 0, 32767},  {0, 0, -32767}};
 static const uint16_t faces[8][3] = {{4, 0, 2}, {4, 2, 1}, {4, 1, 3}, {4, 3, 0},
                                      {5, 2, 0}, {5, 1, 2}, {5, 3, 1}, {5, 0, 3}};
-static const struct glint_mesh mesh = {places[0], places[0], NULL, faces[0], NULL, 6, 8, 0};
+static const struct glint_mesh mesh = {
+    .places = places[0], .normals = places[0], .faces = faces[0], .vertex_count = 6, .face_count = 8};
 enum { MESH_BYTES = 16384, MESH_STRIPS = HEIGHT / TURNTABLE_LINES };
 static uint32_t strips[MESH_STRIPS * TURNTABLE_LINES * WIDTH / 2], memory[2][MESH_BYTES / 4];
 static struct turntable turntable = {.pieces = {.hal = &hal, .panel = &panel},
                                      .mesh = &mesh,
-                                     .tables_memory = tables,
+                                     .paint = &paint,
                                      .memory_bytes = MESH_BYTES,
                                      .strips = strips,
                                      .strip_count = MESH_STRIPS,
@@ -129,23 +131,20 @@ static struct turntable turntable = {.pieces = {.hal = &hal, .panel = &panel},
 
 static void turn(uint16_t lower_y, uint32_t frame, uint16_t picture[WIDTH * HEIGHT])
 {
-    static const int32_t to_viewer[3] = {0, 0, 1};
-    struct glint_light light;
     struct glint_pose pose;
     turntable.lower_y = lower_y;
     demo_pose(&pose, frame * 12, HEIGHT);
-    if (glint_light_init(&light, demo_mesh_light, to_viewer) == GLINT_OK)
-        turntable_frame(&turntable, &pose, &light);
+    turntable_frame(&turntable, &pose, demo_mesh_light);
     while (turntable_step(&turntable) == TURNTABLE_BUSY)
         ;
     memcpy(picture, screen, sizeof screen);
 }
 
 /* With both cores as with one. */
-static int wrong_turns(const struct glint_shader *shader)
+static int wrong_turns(void)
 {
     static uint16_t by_one[WIDTH * HEIGHT], by_two[WIDTH * HEIGHT];
-    int wrong = turntable_start(&turntable, shader) != GLINT_OK;
+    int wrong = turntable_start(&turntable) != GLINT_OK;
     for (uint32_t frame = 0; frame < FRAMES; frame++) {
         turn(HEIGHT, frame, by_one);
         turn(HEIGHT / 2, frame, by_two);
@@ -157,13 +156,13 @@ static int wrong_turns(const struct glint_shader *shader)
 int main(int argc, char **argv)
 {
     pthread_t other;
-    struct glint_shader shader;
     int wrong = 0;
     is_hasty = argc > 1 && strcmp(argv[1], "hasty") == 0;
     make_map();
-    demo_shader(&shader);
-    if (pthread_create(&other, NULL, serve, NULL) != 0 || relight_start(&relight, &shader) != GLINT_OK)
+    if (pthread_create(&other, NULL, serve, NULL) != 0 ||
+        glint_paint_tables(&paint, GLINT_TABLES_COLOUR, &demo_gold, &demo_output, tables, sizeof tables) != GLINT_OK)
         return 2;
+    relight_start(&relight);
     for (uint32_t frame = 0; frame < FRAMES; frame++) {
         int32_t to_light[3];
         orbit_light(to_light, frame * 12, ORBIT_FRAMES);
@@ -172,7 +171,7 @@ int main(int argc, char **argv)
             ;
         wrong += !is_right();
     }
-    wrong += wrong_turns(&shader);
+    wrong += wrong_turns();
     on_fork(NULL, NULL, NULL); /* the end */
     pthread_join(other, NULL);
     printf("%d frames of %d are wrong\n", wrong, 2 * FRAMES);

@@ -21,6 +21,7 @@
 #include "base/parse.h"
 #include "demo.h"
 #include "fault.h"
+#include "glint_mesh.h"
 #include "light_protocol.h"
 #include "mesh/fit.h"
 #include "mesh/load.h"
@@ -84,50 +85,33 @@ static void draw_fault(unsigned width, unsigned height, unsigned fault)
     }
 }
 
-static bool draw_tables(const struct glint_shader *shader, const struct baked *baked, unsigned width, unsigned height,
-                        const struct glint_surface *surface)
+/* The demo's gold, exact or by COLOUR tables, under a light. */
+static void make_paint(struct glint_paint *paint, bool exact, const int32_t to_light[3])
 {
+    static const int32_t to_viewer[3] = {0, 0, 1};
     static uint32_t memory[GLINT_TABLES_COLOUR_BYTES / 4];
-    struct glint_tables tables;
-    struct glint_tables_light light;
-    return glint_tables_fill(&tables, GLINT_TABLES_COLOUR, shader, memory, sizeof memory) == GLINT_OK &&
-           glint_tables_light_init(&light, &tables, &shader->light) == GLINT_OK &&
-           glint_tables_rect(&tables, &light, GLINT_NORMALS_INT8, baked->words, 4 * (ptrdiff_t)width, (uint16_t)width,
-                             (uint16_t)height, surface) == GLINT_OK;
-}
-
-static bool draw_exact(const struct glint_shader *shader, const struct baked *baked, unsigned width, unsigned height,
-                       const struct glint_surface *surface)
-{
-    struct glint_vec *normals = allocate((size_t)width * height, sizeof *normals);
-    uint8_t *mask = allocate((size_t)width * height, 1);
-    for (size_t i = 0; i < (size_t)width * height; i++) {
-        normals[i] = glint_normals_unpack(GLINT_NORMALS_INT8, baked->words[i]);
-        mask[i] = baked->words[i] >> 16 ? 255 : 0;
-    }
-    const struct glint_source source = {.normals = normals,
-                                        .normals_stride = (ptrdiff_t)(width * sizeof *normals),
-                                        .mask = mask,
-                                        .mask_stride = (ptrdiff_t)width};
-    const bool drawn = glint_shade_rect(shader, &source, (uint16_t)width, (uint16_t)height, surface, NULL) == GLINT_OK;
-    free(normals);
-    free(mask);
-    return drawn;
+    struct glint_light light;
+    const enum glint_err error =
+        exact ? glint_paint_exact(paint, &demo_gold, &demo_output)
+              : glint_paint_tables(paint, GLINT_TABLES_COLOUR, &demo_gold, &demo_output, memory, sizeof memory);
+    if (error != GLINT_OK || glint_light_directional(&light, to_light) != GLINT_OK ||
+        glint_paint_light(paint, &light, 1, to_viewer) != GLINT_OK)
+        fail("judge: the library refused the paint");
 }
 
 static void draw_demo(unsigned width, unsigned height, unsigned frame, bool exact)
 {
-    static const int32_t to_viewer[3] = {0, 0, 1};
     struct scene *scene = scene_draw("coin", width, height);
     struct baked *baked = bake(scene, BAKE_INT8, 0);
     uint16_t *pixels = allocate((size_t)width * height, sizeof *pixels);
     const struct glint_surface surface = {pixels, 2 * (ptrdiff_t)width, 0, 0};
-    struct glint_shader shader;
+    const struct glint_maps maps = {
+        .normals = baked->words, .normals_stride = 4 * (ptrdiff_t)width, .normals_format = GLINT_NORMALS_INT8};
+    struct glint_paint paint;
     int32_t to_light[3];
-    demo_shader(&shader);
     orbit_light(to_light, frame, ORBIT_FRAMES);
-    if (glint_light_init(&shader.light, to_light, to_viewer) != GLINT_OK ||
-        !(exact ? draw_exact : draw_tables)(&shader, baked, width, height, &surface))
+    make_paint(&paint, exact, to_light);
+    if (glint_draw_rect(&paint, &maps, (uint16_t)width, (uint16_t)height, &surface, NULL) != GLINT_OK)
         fail("judge: the library refused the demo");
     write_shown(pixels, (size_t)width * height);
     free(pixels);
@@ -135,13 +119,9 @@ static void draw_demo(unsigned width, unsigned height, unsigned frame, bool exac
     scene_free(scene);
 }
 
-static void draw_mesh(const struct glint_mesh *mesh, const struct glint_pose *pose, const struct glint_light *light,
-                      unsigned width, unsigned height)
+static void draw_mesh(const struct glint_mesh *mesh, const struct glint_pose *pose, unsigned width, unsigned height)
 {
-    static uint32_t memory[GLINT_TABLES_COLOUR_BYTES / 4];
-    struct glint_shader shader;
-    struct glint_tables tables;
-    const struct glint_paint paint = {&glint_mesh_tables, &tables};
+    struct glint_paint paint;
     struct glint_mesh_frame frame;
     struct glint_mesh_drawn drawn;
     const uint16_t w = (uint16_t)width, h = (uint16_t)height;
@@ -149,10 +129,9 @@ static void draw_mesh(const struct glint_mesh *mesh, const struct glint_pose *po
     uint16_t *pixels = allocate((size_t)width * height, sizeof *pixels);
     void *of_frame = allocate(frame_bytes, 1), *of_mesh = allocate(mesh_bytes, 1);
     const struct glint_surface surface = {pixels, 2 * (ptrdiff_t)width, 0, 0};
-    demo_shader(&shader);
-    if (glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &shader, memory, sizeof memory) != GLINT_OK ||
-        glint_mesh_begin(&frame, w, h, h, 0, of_frame, frame_bytes) != GLINT_OK ||
-        glint_mesh_add(&frame, &drawn, mesh, pose, light, &paint, of_mesh, mesh_bytes) != GLINT_OK ||
+    make_paint(&paint, false, demo_mesh_light);
+    if (glint_mesh_begin(&frame, w, h, h, 0, of_frame, frame_bytes) != GLINT_OK ||
+        glint_mesh_add(&frame, &drawn, mesh, pose, &paint, of_mesh, mesh_bytes) != GLINT_OK ||
         glint_mesh_strip(&frame, 0, h, &surface) != GLINT_OK)
         fail("judge: the library refused the mesh");
     write_shown(pixels, (size_t)width * height);
@@ -163,18 +142,14 @@ static void draw_mesh(const struct glint_mesh *mesh, const struct glint_pose *po
 
 static void draw_teapot(unsigned width, unsigned height, unsigned frame)
 {
-    static const int32_t to_viewer[3] = {0, 0, 1};
     const struct mesh_source source = {
         .name = "teapot", .built_in = true, .crease = -1, .split = 180, .axes = AXES_USUAL};
     struct mesh *mesh = mesh_load(&source);
     struct fitted *fitted = mesh_fit(mesh, 0);
     struct glint_pose pose;
-    struct glint_light light;
     fitted->mesh.normals = NULL;
     demo_pose(&pose, frame, (uint16_t)width);
-    if (glint_light_init(&light, demo_mesh_light, to_viewer) != GLINT_OK)
-        fail("judge: the library refused the light");
-    draw_mesh(&fitted->mesh, &pose, &light, width, height);
+    draw_mesh(&fitted->mesh, &pose, width, height);
     fitted_free(fitted);
     mesh_free(mesh);
 }
@@ -197,11 +172,9 @@ static void pack_map(unsigned width, unsigned height)
 
 static void pack_material(void)
 {
-    struct glint_shader shader;
     struct light_material material;
     uint8_t bytes[LIGHT_MATERIAL_BYTES];
-    demo_shader(&shader);
-    light_material_of(&material, &shader);
+    light_material_of(&material, &demo_gold, &demo_output);
     light_material_pack(bytes, &material);
     fwrite(bytes, 1, sizeof bytes, stdout);
 }

@@ -82,7 +82,7 @@ def schlick_after(n, t, f):
     return [2**28 * u - (f - SCHLICK_HIGH) * d - 1, (f + SCHLICK_LOW) * d - 2**28 * u - 1]
 
 
-SCHLICK_NEAR = Contract("glint_schlick_near_t", [(1, 1000), (1, ONE - 1)], (0, 2**28 + 4), after=schlick_after)
+SCHLICK_NEAR = Contract("schlick_near_t", [(1, 1000), (1, ONE - 1)], (0, 2**28 + 4), after=schlick_after)
 
 
 # ---- Cayley, n > 4 ----
@@ -101,7 +101,7 @@ QUOTIENT_ERROR = 2400
 QUOTIENT_P = 19300  # |p|
 INVERSE_LOW, INVERSE_HIGH = Fraction("2.2"), Fraction(2)  # of unit_inverse, in units of its result
 QUOTIENT_DOMAIN = WORD - 6000  # 2^62 u / m^2 is at most this: the sums stay within 32 bits
-MSH_QUOTIENT = Contract("glint_msh_quotient", [(0, 2**24), (1 << 27, (1 << 28) - 1)], (0, 1720000000),
+MSH_QUOTIENT = Contract("msh_quotient", [(0, 2**24), (1 << 27, (1 << 28) - 1)], (0, 1720000000),
                         before=lambda u, m: [QUOTIENT_DOMAIN * m * m - 2**62 * u],
                         after=lambda u, m, q: [2**63 * u - 5 * m * m * (q - QUOTIENT_ERROR), 5 * m * m * (q + QUOTIENT_ERROR) - 2**63 * u])
 

@@ -4,12 +4,11 @@
 the rest is proved with these values unknown but for the bounds that are found there."""
 import math
 import re
-import sys
 
 import contracts
-from paths import compiled
+from library import library
 
-NAME, MANTISSA = "glint_msh_quotient", "%1"
+NAME, MANTISSA = "msh_quotient", "%1"
 
 
 def slice_of(functions):
@@ -56,14 +55,14 @@ def in_c(line):
 
 
 if __name__ == "__main__":
-    found, taken = slice_of(compiled(f"{sys.argv[1]}/lib/lobe_msh.c", f"{sys.argv[1]}/lib"))
+    found, taken = slice_of(library())
     for name in ("RECIPROCAL_LOW", "RECIPROCAL_HIGH", "QUOTIENT_P", "FRACTION_LOW", "FRACTION_HIGH"):
         print(f"#define {name} INT64_C({getattr(contracts, name)})")
     for name in ("INVERSE_LOW", "INVERSE_HIGH"):
         print(f"#define {name} {float(getattr(contracts, name))}")
     print("/* 2^-(j / 512) in Q0.64, rounded down, j = 1..512. */")
     print("static const uint64_t root_powers[512] = {" + ", ".join(f"UINT64_C({root_power(j)})" for j in range(1, 513)) + "};")
-    print("/* Printed by cut.py from what clang makes of glint_msh_quotient: y, p. */")
+    print("/* Printed by cut.py from what clang makes of msh_quotient: y, p. */")
     print("static inline void cut(uint32_t v1, uint32_t *y, int32_t *p)\n{")
     print("\n".join(in_c(line) for line in found))
     y, p = (r.replace("%", "v") for r in taken)

@@ -5,7 +5,7 @@
 volatile uint32_t any;
 volatile int32_t any_signed;
 
-#define MODEL(name)                                                                                                    \
+#define MODEL_own(name)                                                                                                \
     uint32_t eva_##name(void)                                                                                          \
     {                                                                                                                  \
         return glint_##name(any, any_signed);                                                                          \
@@ -22,12 +22,9 @@ volatile int32_t any_signed;
     {                                                                                                                  \
         return glint_##name##_cutoff_t(any, any);                                                                      \
     }
-MODEL(msh)
-MODEL(schlick)
-MODEL(blinn)
-MODEL(gauss)
-MODEL(cayley)
-MODEL(lyon)
+#define MODEL_shared(name)
+#define MODEL(number, name, function, use) MODEL_##use(name)
+GLINT_MODELS(MODEL)
 
 static struct glint_vec vector(void)
 {
@@ -35,12 +32,18 @@ static struct glint_vec vector(void)
     return v;
 }
 
+/* Of an exact paint, lit or not, by one light or several. */
 enum glint_err eva_span_init(void)
 {
-    const struct glint_light light = {vector(), vector(), vector()};
+    struct glint_paint paint;
     const struct glint_vec first = vector(), last = vector();
     struct glint_span span;
-    return glint_span_init(&span, &light, &first, &last, (uint16_t)any);
+    paint.format = &glint_use_rgb565;
+    paint.several = any & 1 ? &glint_use_lights : NULL;
+    paint.l = vector();
+    paint.h = vector();
+    paint.light_count = (uint8_t)any;
+    return glint_span_init(&span, &paint, &first, &last, (uint16_t)any);
 }
 
 uint32_t eva_normals_pack(void)
@@ -65,9 +68,8 @@ uint16_t eva_srgb_encode(void)
     return glint_srgb_encode((uint16_t)any);
 }
 
-enum glint_err eva_lamp_point(void)
+uint32_t eva_lobe_eval(void)
 {
-    const int32_t at[3] = {any_signed, any_signed, any_signed};
-    struct glint_lamp lamp;
-    return glint_lamp_point(&lamp, at, any);
+    const struct glint_lobe lobe = {(uint8_t)any, (uint8_t)any, (uint16_t)any, any, any};
+    return glint_lobe_eval(&lobe, any_signed) + glint_lobe_eval_t(&lobe, any);
 }

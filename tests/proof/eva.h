@@ -1,23 +1,12 @@
 /* SPDX-License-Identifier: MIT
- * What the drivers of Eva share: values that are not known, and what is said of values from t, which the proofs from t show
- * (test_msh, test_lobes, test_powers) and where a driver asks for it stands for their code. */
+ * What the drivers of Eva share: values that are not known, and what is said of values from t (eva_values.h, which eva writes for
+ * each model), which the proofs from t show (test_msh, test_lobes, test_powers) and where a driver asks for it stands for their code. */
 #ifndef PROOF_EVA_H
 #define PROOF_EVA_H
 
+#include "eva_values.h"
 #include "glint.h"
-
-/*@ assigns \result \from n, t_q30; ensures \result <= 67109; ensures t_q30 == 0 ==> \result >= 65536; */
-uint32_t glint_msh_t(uint32_t n, uint32_t t_q30);
-/*@ assigns \result \from n, t_q30; ensures \result <= 65536; ensures t_q30 == 0 ==> \result >= 65536; */
-uint32_t glint_schlick_t(uint32_t n, uint32_t t_q30);
-/*@ assigns \result \from n, t_q30; ensures \result <= 65536; ensures t_q30 == 0 ==> \result >= 65536; */
-uint32_t glint_blinn_t(uint32_t n, uint32_t t_q30);
-/*@ assigns \result \from n, t_q30; ensures \result <= 65536; ensures t_q30 == 0 ==> \result >= 65536; */
-uint32_t glint_gauss_t(uint32_t n, uint32_t t_q30);
-/*@ assigns \result \from n, t_q30; ensures \result <= 65536; ensures t_q30 == 0 ==> \result >= 65536; */
-uint32_t glint_cayley_t(uint32_t n, uint32_t t_q30);
-/*@ assigns \result \from n, t_q30; ensures \result <= 65536; ensures t_q30 == 0 ==> \result >= 65536; */
-uint32_t glint_lyon_t(uint32_t n, uint32_t t_q30);
+#include "glint_sample.h"
 
 static volatile uint32_t any;
 static volatile int32_t any_signed;
@@ -33,24 +22,34 @@ static inline struct glint_vec any_vector(void)
     return v;
 }
 
-static inline struct glint_light any_light(void)
+static inline struct glint_view any_view(void)
 {
-    const struct glint_light light = {any_vector(), any_vector(), any_vector()};
+    const struct glint_view view = {any_vector(), any_vector(), any_vector()};
+    return view;
+}
+
+/* A light of any colour, which no kind has made yet. */
+static inline struct glint_light any_light(const struct glint_light_kind *kind)
+{
+    const struct glint_light light = {
+        kind,       {any, any, any}, {any_signed, any_signed, any_signed}, {any_signed, any_signed, any_signed}, any,
+        any_signed, any_signed};
     return light;
 }
 
-/* Any but for what Eva follows better one by one. */
-static inline struct glint_shader any_shader(uint8_t format, uint8_t space, bool dither)
+/* Any of a model that can be drawn. */
+static inline struct glint_material any_material(uint8_t model)
 {
-    const struct glint_shader shader = {
-        .lobe = {(uint8_t)any, (uint8_t)any, (uint16_t)any, any, any},
-        .light = any_light(),
-        .material = {{any, any, any}, {any, any, any}, {any, any, any}, {(uint8_t)any, (uint8_t)any, (uint8_t)any}},
-        .format = format,
-        .space = space,
-        .dither = dither,
-        .clamp_peak = any & 1};
-    return shader;
+    const struct glint_material material = {model,
+                                            (uint8_t)any,
+                                            (uint16_t)(1 + any % 65535),
+                                            0,
+                                            {any, any, any},
+                                            {any, any, any},
+                                            {any, any, any},
+                                            {(uint8_t)any, (uint8_t)any, (uint8_t)any},
+                                            any & 1};
+    return material;
 }
 
 #endif

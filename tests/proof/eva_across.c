@@ -2,8 +2,9 @@
  * For Eva: what a triangle's corners have, at any pixel: any three numbers of each of any three corners, clipped or not.
  * eva: -eva-precision 1 -eva-min-loop-unroll 8 -eva-slevel 60 -split-zeros -eva-use-spec of_reciprocal,of_area */
 #include "eva_meshes.h"
-#include "glint_math_reciprocal.h"
-#include "glint_mesh_across.h"
+#include "glint_math.h"
+#include "glint_mesh_rows.h"
+#include "glint_mesh_strip.h"
 #define glint_mesh_corners_of of_corners_of
 #define glint_mesh_corners_weigh of_corners_weigh
 #define glint_mesh_across_set of_across_set

@@ -3,13 +3,23 @@
  * lies between its corners (test_mesh_words).
  * eva: -eva-precision 1 -eva-min-loop-unroll 8 -eva-slevel 60 -split-zeros -eva-use-spec of_between */
 #include "eva_meshes.h"
-#include "glint_mesh_lists.h"
+#include "glint_mesh_pose.h"
+#define glint_pose_set of_pose_set
+#define glint_mesh_place_of of_place_of
+#define glint_mesh_normal of_normal
+#define glint_mesh_side of_side
+#define glint_mesh_sides8 of_sides8
+#define glint_mesh_sides16 of_sides16
+#define glint_mesh_is_near of_is_near
+#define glint_mesh_project of_project
+#define glint_mesh_light of_light
+#define glint_mesh_vertices of_vertices
 #define glint_mesh_clip of_clip
 #define glint_mesh_clip_vertex of_clip_vertex
 #define clip_between of_between
 /*@ requires 0 < whole; assigns \result \from a, b, part, whole; ensures \result <= \max(a, b); ensures \result >= \min(a, b); */
 static int32_t clip_between(int32_t a, int32_t b, int32_t part, int32_t whole);
-#include "mesh_clip.c"
+#include "mesh_pose.c"
 
 static struct glint_mesh_frame frame;
 static struct glint_mesh_drawn drawn;
@@ -57,9 +67,12 @@ void eva_mesh_clip_planes(void)
 
 void eva_mesh_clip_vertex(void)
 {
+    static struct glint_paint paint;
     struct glint_mesh_vertex vertex;
     const int32_t guard = GLINT_MESH_GUARD;
     const struct glint_mesh_clipped corner = {{within(guard), within(guard), any % 65536}, any_vector(), {0, 0}};
     prepare((uint16_t)any);
+    drawn.paints = &paint;
+    paint.light_count = (uint8_t)any;
     glint_mesh_clip_vertex(&vertex, &frame, &drawn, &corner);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * What eva_vectors.c shows of a direction, taken for given by the drivers of lamps and lights. */
+ * What eva_vectors.c shows of a direction, taken for given by the drivers of lights. */
 #ifndef EVA_DIRECTIONS_H
 #define EVA_DIRECTIONS_H
 

@@ -4,16 +4,25 @@
 #include <stdio.h>
 
 #include "glint.h"
-#include "glint_lobe_msh.h"
-#include "glint_math_reciprocal.h"
-#include "glint_mesh_gradient.h"
+#include "glint_lobe.h"
+#include "glint_math.h"
+#include "glint_mesh_triangle.h"
 
 /* Their static functions, too: the sources under names of their own. */
+#define glint_unit_q30 finite_unit_q30
+#define glint_vec_of_q30 finite_vec_of_q30
+#define glint_vec_normalize finite_vec_normalize
+#define glint_half_q30 finite_half_q30
 #define glint_unit_near finite_unit_near
 #define glint_unit_front finite_unit_front
-#include "math_unit.c"
-#define glint_shade_msh finite_shade_msh
-#include "lobe_msh_near.c"
+#include "math_vector.c"
+#define glint_use_msh finite_use_msh
+#define glint_msh finite_msh
+#define glint_msh_t finite_msh_t
+#define glint_msh_cutoff finite_msh_cutoff
+#define glint_msh_cutoff_t finite_msh_cutoff_t
+extern const struct glint_use_model glint_use_msh;
+#include "lobe_msh.c"
 
 /* A product in MSH's quotient grows with u, so that the largest u stands for all. */
 static uint32_t mantissas(void)
@@ -21,7 +30,7 @@ static uint32_t mantissas(void)
     uint32_t sum = 0;
 #pragma omp parallel for reduction(+ : sum)
     for (uint32_t m = (uint32_t)1 << 27; m < (uint32_t)1 << 28; m++)
-        sum += glint_reciprocal(m) + glint_msh_quotient((uint32_t)1 << 24, m);
+        sum += glint_reciprocal(m) + msh_quotient((uint32_t)1 << 24, m);
     return sum;
 }
 
@@ -68,25 +77,33 @@ static uint32_t mesh_inverses(void)
     return beyond;
 }
 
+static void fold(struct glint_paint *paint, uint32_t n, uint32_t t_end)
+{
+    paint->of.exact.t_end = t_end;
+    paint->of.exact.f_max = UINT32_MAX;
+    paint->of.exact.n = n;
+    msh_fold(paint);
+}
+
 /* MSH from below with every n: as the shift grows with 1 - t_end, of each shift the first and last t_end; as m grows with t, 0,
  * t_end - 1, and t whose lower 14 bits are greatest or least beside them. m outside 2^27 .. 2^28 would be an index beyond the table. */
 static uint32_t below_of(uint32_t n, uint32_t t_end)
 {
-    struct glint_near near = {t_end, UINT32_MAX, n, {0, 0, 0}};
-    msh_fold(&near);
+    struct glint_paint paint;
+    fold(&paint, n, t_end);
     uint32_t sum = 0;
     const uint32_t last = t_end - 1, ts[] = {0, 1, 0x3fff, last & ~UINT32_C(0x3fff), (last | 0x3fff) - 0x4000, last};
     for (unsigned i = 0; i < sizeof ts / sizeof *ts; i++)
         if (ts[i] < t_end)
-            sum += msh_near(&near, ts[i]);
+            sum += msh_near(&paint, ts[i]);
     return sum;
 }
 
 static int32_t shift_of(uint32_t n, uint32_t t_end)
 {
-    struct glint_near near = {t_end, UINT32_MAX, n, {0, 0, 0}};
-    msh_fold(&near);
-    return near.k[GLINT_MSH_SHIFT];
+    struct glint_paint paint;
+    fold(&paint, n, t_end);
+    return paint.of.exact.k[GLINT_MSH_SHIFT];
 }
 
 static uint32_t below(void)

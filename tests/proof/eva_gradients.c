@@ -5,9 +5,11 @@
 #define glint_mesh_shine(corner, t_end) of_shine(corner, t_end)
 #define glint_mesh_values_set of_values_set
 #define glint_mesh_inverse of_inverse
+#define glint_mesh_triangle_set of_triangle_set
+#define glint_mesh_triangle_skip of_triangle_skip
 #define gradient_slopes of_slopes
 #define gradient_pair of_pair
-#include "mesh_gradient.c"
+#include "mesh_triangle.c"
 
 /*@ assigns \result \from p, q; ensures -32768 <= \result.p <= 32767 && -32768 <= \result.q <= 32767 && \result.shift <= 16; */
 static struct pair of_pair(int32_t p, int32_t q);

@@ -1,149 +1,190 @@
 /* SPDX-License-Identifier: MIT
- * For Eva: loops over COLOUR and ALBEDO tables as they are filled, of any colours, lights, normals and spans, for every shift. Normals of
- * INT8, and of INT10 with the viewer in front, are left to tests: their row rests on lengths.
+ * For Eva: loops over COLOUR and ALBEDO tables as they are filled, of any colours, lights, normals, coverage and spans, for every shift. The fused
+ * loops of INT8 normals are left to tests: their row rests on lengths.
  * eva: -eva-precision 1 -eva-min-loop-unroll 24 -eva-slevel 8 */
 #include "eva.h"
-#include "glint_tables_geometry.h"
+#include "glint_tables.h"
 
-enum { WIDE = 5, HIGH = 2, COLUMNS = 1 << GLINT_COLOUR_COLUMNS_LOG, SHINES = 1 << GLINT_ALBEDO_COLUMNS_LOG };
-static uint16_t colours[GLINT_COLOUR_ROWS * GLINT_COLOUR_STEPS + COLUMNS / 2], albedo[WIDE * HIGH];
-static uint32_t levels[GLINT_ALBEDO_LEVELS / 4 + SHINES], pixels[WIDE * HIGH], words[2 * WIDE * HIGH];
+enum { WIDE = 5, HIGH = 2 };
+static uint32_t memory[GLINT_TABLES_DITHER_BYTES / 4], pixels[WIDE * HIGH], words[2 * WIDE * HIGH];
+static uint16_t albedo[WIDE * HIGH];
+static uint8_t coverage[WIDE * HIGH];
+static struct glint_paint paint;
 
-/* Columns hold t_max 2^-shift; t is at most 1. */
-static uint32_t any_end(uint8_t shift, uint32_t columns)
+/* As glint_paint_tables_filled and glint_paint_light leave it: t_max is at most 1, and below what the columns of its shift hold; x is
+ * at most 128 times a component, and y half one. */
+static void lit(const struct glint_use_tables *use, unsigned columns_log, uint8_t shift, uint8_t format)
 {
-    const uint32_t t_max = any % (GLINT_T_ONE + 1), most = (columns << shift) - 1;
-    return t_max > most ? most : t_max;
+    const uint32_t t_max = any % (GLINT_T_ONE + 1), most = (((uint32_t)1 << columns_log) << shift) - 1;
+    struct glint_tables *const tables = &paint.of.tables.filled;
+    ANY_BYTES(memory);
+    ANY_BYTES(words);
+    ANY_BYTES(albedo);
+    ANY_BYTES(coverage);
+    tables->colour.sums = memory;
+    tables->t_max_q30 = t_max > most ? most : t_max;
+    tables->dark = (uint16_t)any;
+    tables->kind = use->kind;
+    tables->format = format;
+    tables->shift = shift;
+    tables->dither = use->dither;
+    tables->use = use;
+    paint.output.format = format;
+    paint.light_count = 1;
+    paint.l = any_vector();
+    paint.v = any_vector();
+    paint.h = any_vector();
+    paint.of.tables.x = any_signed % 4210689;
+    paint.of.tables.y = any_signed % 16385;
+    paint.of.tables.z = any_signed % 16385;
+    paint.of.tables.cut = any_signed;
+    paint.of.tables.peak = any_signed;
+    paint.of.tables.r = any;
+    paint.of.tables.a = any % 32;
+    paint.of.tables.is_frontal = false;
 }
 
-static struct glint_tables of_colours(uint8_t shift)
+static void of_colours(uint8_t shift)
 {
-    uint8_t *const columns = (uint8_t *)(colours + GLINT_COLOUR_ROWS * GLINT_COLOUR_STEPS);
-    ANY_BYTES(colours);
-    for (unsigned i = 0; i < COLUMNS; i++)
+    uint8_t *const columns = (uint8_t *)memory + 2 * GLINT_COLOUR_ROWS * GLINT_COLOUR_STEPS;
+    lit(&glint_use_colour, GLINT_COLOUR_COLUMNS_LOG, shift, GLINT_RGB565);
+    for (unsigned i = 0; i < 1 << GLINT_COLOUR_COLUMNS_LOG; i++)
         columns[i] = (uint8_t)(2 * (any % GLINT_COLOUR_STEPS));
-    const struct glint_tables tables = {
-        columns, {colours}, any_end(shift, COLUMNS), (uint16_t)any, GLINT_TABLES_COLOUR, GLINT_RGB565, shift, false};
-    return tables;
+    paint.of.tables.filled.columns = columns;
+}
+static void of_dither(uint8_t shift)
+{
+    lit(&glint_use_colour_dithered, GLINT_DITHER_COLUMNS_LOG, shift, shift & 1 ? GLINT_RGB565 : GLINT_RGB565_SWAPPED);
+    paint.of.tables.filled.columns = (const uint8_t *)memory + GLINT_DITHER_SHINES;
+}
+static void of_levels(uint8_t shift)
+{
+    lit(&glint_use_albedo, GLINT_ALBEDO_COLUMNS_LOG, shift, shift & 1 ? GLINT_RGB565 : GLINT_RGB565_SWAPPED);
+    paint.of.tables.filled.columns = (const uint8_t *)memory + GLINT_ALBEDO_LEVELS;
+    paint.of.tables.filled.colour.sums = memory + GLINT_ALBEDO_LEVELS / 4;
 }
 
-static struct glint_tables of_levels(uint8_t shift, uint8_t format)
+static struct glint_maps maps_of(bool has_albedo)
 {
-    ANY_BYTES(levels);
-    const struct glint_tables tables = {(const uint8_t *)levels + GLINT_ALBEDO_LEVELS,
-                                        {.sums = levels + GLINT_ALBEDO_LEVELS / 4},
-                                        any_end(shift, SHINES),
-                                        (uint16_t)any,
-                                        GLINT_TABLES_ALBEDO,
-                                        format,
-                                        shift,
-                                        false};
-    return tables;
+    const struct glint_maps maps = {.normals = words,
+                                    .normals_stride = 6 * WIDE,
+                                    .albedo = has_albedo ? (const uint8_t *)albedo : NULL,
+                                    .albedo_stride = 2 * WIDE,
+                                    .normals_format = GLINT_NORMALS_INT16,
+                                    .albedo_format = GLINT_RGB565};
+    return maps;
 }
 
-/* As glint_tables_light_init leaves it: x is at most 128 times a component, and y half one. */
-static struct glint_tables_light any_turned(uint8_t kind, bool frontal)
+/* INT16 normals, with the highlight's box and without. */
+static void rect(bool has_albedo)
 {
-    const int32_t x = any_signed % 4210689, y = any_signed % 16385, z = any_signed % 16385;
-    const struct glint_tables_light light = {any_vector(), any_vector(), x,        y,    z,      any_signed,
-                                             any_signed,   any,          any % 32, kind, frontal};
-    return light;
+    const struct glint_maps maps = maps_of(has_albedo);
+    const struct glint_surface surface = {pixels, 2 * WIDE, (uint16_t)any, (uint16_t)any};
+    struct glint_box box;
+    (void)glint_draw_rect(&paint, &maps, WIDE, HIGH, &surface, NULL);
+    (void)glint_draw_rect(&paint, &maps, WIDE, HIGH, &surface, &box);
 }
-
-void eva_colour_spans(void)
-{
-    for (uint8_t shift = 0; shift <= 19; shift++) {
-        const struct glint_tables tables = of_colours(shift);
-        const struct glint_surface surface = {pixels, 0, (uint16_t)any, (uint16_t)any};
-        for (uint16_t w = 1; w <= WIDE; w++) {
-            const struct glint_span span = {any, any, any, any_signed, any_signed, w};
-            (void)glint_tables_span(&tables, &span, &surface);
-        }
-    }
-}
-
-static void rect(enum glint_normals format)
-{
-    for (unsigned i = 0; i < sizeof words / sizeof *words; i++)
-        words[i] = any;
-    for (uint8_t shift = 0; shift <= 19; shift++) {
-        const struct glint_tables tables = of_colours(shift);
-        const struct glint_tables_light light = any_turned(GLINT_TABLES_COLOUR, false);
-        const struct glint_surface surface = {pixels, 2 * WIDE, (uint16_t)any, (uint16_t)any};
-        (void)glint_tables_rect(&tables, &light, format, words, 4 * WIDE, WIDE, HIGH, &surface);
-    }
-}
+#define SHIFTS(columns_log) (uint8_t shift = 0; shift <= 31 - (columns_log); shift++)
 void eva_colour_int16(void)
 {
-    rect(GLINT_NORMALS_INT16);
+    for
+        SHIFTS(GLINT_COLOUR_COLUMNS_LOG)
+        {
+            of_colours(shift);
+            rect(false);
+        }
 }
-void eva_colour_int10_aside(void)
+void eva_dither_int16(void)
 {
-    rect(GLINT_NORMALS_INT10);
-}
-
-void eva_albedo_spans(void)
-{
-    ANY_BYTES(albedo);
-    for (uint8_t shift = 0; shift <= 19; shift++) {
-        const struct glint_tables tables = of_levels(shift, GLINT_RGB565_SWAPPED);
-        const struct glint_surface surface = {pixels, 0, (uint16_t)any, (uint16_t)any};
-        const struct glint_span span = {any, any, any, any_signed, any_signed, WIDE};
-        (void)glint_tables_albedo_span(&tables, &span, albedo, &surface);
-    }
-}
-
-static void albedo_rect(enum glint_normals format)
-{
-    ANY_BYTES(albedo);
-    for (unsigned i = 0; i < sizeof words / sizeof *words; i++)
-        words[i] = any;
-    for (uint8_t shift = 0; shift <= 19; shift++) {
-        const struct glint_tables tables = of_levels(shift, GLINT_RGB565);
-        const struct glint_tables_light light = any_turned(GLINT_TABLES_ALBEDO, true);
-        const struct glint_surface surface = {pixels, 2 * WIDE, (uint16_t)any, (uint16_t)any};
-        (void)glint_tables_albedo_rect(&tables, &light, format, words, 4 * WIDE, albedo, 2 * WIDE, WIDE, HIGH,
-                                       &surface);
-    }
+    for
+        SHIFTS(GLINT_DITHER_COLUMNS_LOG)
+        {
+            of_dither(shift);
+            rect(false);
+        }
 }
 void eva_albedo_int16(void)
 {
-    albedo_rect(GLINT_NORMALS_INT16);
-}
-void eva_albedo_int10(void)
-{
-    albedo_rect(GLINT_NORMALS_INT10);
+    for
+        SHIFTS(GLINT_ALBEDO_COLUMNS_LOG)
+        {
+            of_levels(shift);
+            rect(true);
+        }
 }
 
-/* The box, over tables of every kind. */
-static void box(uint8_t kind, enum glint_normals format)
+/* The general way of INT8: samples of any words, and their pixels. */
+static void words_as_pixels(void)
 {
-    struct glint_box highlight;
-    for (unsigned i = 0; i < sizeof words / sizeof *words; i++)
-        words[i] = any;
-    for (uint8_t shift = 0; shift <= 19; shift++) {
-        const uint32_t columns = GLINT_SMALL_SEGMENT << GLINT_SMALL_COARSER,
-                       most = kind == GLINT_TABLES_SMALL ? (columns << shift) - 1 : UINT32_MAX, end = any,
-                       t_max = end > most ? most : end;
-        const struct glint_tables tables = {
-            (const uint8_t *)levels, {colours}, t_max, 0, kind, GLINT_RGB565, shift, any & 1};
-        const struct glint_tables_light light = any_turned(kind, true), aside = any_turned(kind, false);
-        (void)glint_tables_box(&tables, &light, format, words, 4 * WIDE, WIDE, HIGH, &highlight);
-        (void)glint_tables_box(&tables, &aside, format, words, 4 * WIDE, WIDE, HIGH, &highlight);
-    }
+    const struct glint_use_tables *use = paint.of.tables.filled.use;
+    const struct glint_run run = {(uint8_t *)pixels, any % 4, any % 65536, any, (const uint8_t *)albedo, NULL, NULL, 0};
+    struct glint_raw raws[WIDE];
+    use->raws(&paint, words, raws, WIDE);
+    use->pixels(&paint, &run, raws, WIDE);
 }
-void eva_box_int8(void)
+void eva_colour_int8(void)
 {
-    for (uint8_t kind = 0; kind <= GLINT_TABLES_ALBEDO; kind++)
-        box(kind, GLINT_NORMALS_INT8);
+    for
+        SHIFTS(GLINT_COLOUR_COLUMNS_LOG)
+        {
+            of_colours(shift);
+            words_as_pixels();
+        }
 }
-void eva_box_int10(void)
+void eva_dither_int8(void)
 {
-    for (uint8_t kind = 0; kind <= GLINT_TABLES_ALBEDO; kind++)
-        box(kind, GLINT_NORMALS_INT10);
+    for
+        SHIFTS(GLINT_DITHER_COLUMNS_LOG)
+        {
+            of_dither(shift);
+            words_as_pixels();
+        }
 }
-void eva_box_int16(void)
+void eva_albedo_int8(void)
 {
-    for (uint8_t kind = 0; kind <= GLINT_TABLES_ALBEDO; kind++)
-        box(kind, GLINT_NORMALS_INT16);
+    for
+        SHIFTS(GLINT_ALBEDO_COLUMNS_LOG)
+        {
+            of_levels(shift);
+            words_as_pixels();
+        }
+}
+
+/* Spans: by the fused loop where there is one, and by samples, with a highlight's box. */
+static void span(uint16_t w, bool has_albedo)
+{
+    const struct glint_maps maps = maps_of(has_albedo);
+    const struct glint_surface surface = {pixels, 0, (uint16_t)any, (uint16_t)any};
+    const struct glint_span at = {any, any, any, any_signed, any_signed, w};
+    struct glint_box box;
+    (void)glint_draw_span(&paint, &at, has_albedo ? &maps : NULL, &surface, NULL);
+    (void)glint_draw_span(&paint, &at, has_albedo ? &maps : NULL, &surface, &box);
+}
+void eva_colour_spans(void)
+{
+    for
+        SHIFTS(GLINT_COLOUR_COLUMNS_LOG)
+        {
+            of_colours(shift);
+            for (uint16_t w = 1; w <= WIDE; w++)
+                span(w, false);
+        }
+}
+void eva_dither_spans(void)
+{
+    for
+        SHIFTS(GLINT_DITHER_COLUMNS_LOG)
+        {
+            of_dither(shift);
+            span(WIDE, false);
+        }
+}
+void eva_albedo_spans(void)
+{
+    for
+        SHIFTS(GLINT_ALBEDO_COLUMNS_LOG)
+        {
+            of_levels(shift);
+            span(WIDE, true);
+        }
 }

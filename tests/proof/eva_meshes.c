@@ -3,8 +3,8 @@
  * three faces or fewer, in a picture of any size.
  * eva: -eva-precision 1 -eva-min-loop-unroll 16 -eva-slevel 40 -eva-split-return auto */
 #include "eva.h"
-#include "glint_mesh_lists.h"
 #include "glint_mesh_pose.h"
+#include "glint_mesh_strip.h"
 
 enum { VERTICES = 4, FACES = 3, PARTS = 3 };
 static int16_t places[3 * VERTICES], normals[3 * VERTICES];
@@ -22,7 +22,7 @@ static struct glint_mesh mesh(bool is_wide)
     for (unsigned i = 0; i < 3 * FACES; i++)
         faces[i] = (uint16_t)(any % VERTICES);
     const struct glint_mesh of = {
-        places, is_wide ? normals : NULL, is_wide ? NULL : normals8, faces, NULL, VERTICES, FACES, 0};
+        places, is_wide ? normals : NULL, is_wide ? NULL : normals8, faces, NULL, VERTICES, FACES, 0, NULL, NULL};
     return of;
 }
 
@@ -53,8 +53,10 @@ enum glint_err eva_mesh_pose_set(void)
     const struct glint_pose pose = {{(int16_t)any, (int16_t)any, (int16_t)any, (int16_t)any},
                                     {(int16_t)any, (int16_t)any, (int16_t)any},
                                     (uint16_t)any};
-    const struct glint_light light = any_light();
-    return glint_pose_set(&drawn, &pose, &light) ? GLINT_OK : GLINT_ERR_VECTOR;
+    static struct glint_paint paint;
+    paint.l = any_vector();
+    paint.h = any_vector();
+    return glint_pose_set(&drawn, &pose, &paint) ? GLINT_OK : GLINT_ERR_VECTOR;
 }
 
 /* As glint_pose_set leaves it: |turn| <= 2^14 (test_mesh_words). */
@@ -85,7 +87,9 @@ static struct glint_mesh_frame frame(uint16_t distance)
                                         1,
                                         distance,
                                         0,
-                                        0};
+                                        0,
+                                        0,
+                                        NULL};
     return of;
 }
 
@@ -126,16 +130,6 @@ uint32_t eva_mesh_bytes(void)
     return (uint32_t)(glint_mesh_bytes(&of, (uint16_t)any) + glint_mesh_frame_bytes((uint16_t)any, (uint16_t)any));
 }
 
-/* A crossing of any sides: what eva_clips.c takes for granted of it is shown by test_mesh_words. */
-#define glint_mesh_clip of_clip
-#define glint_mesh_clip_vertex of_clip_vertex
-#include "mesh_clip.c"
-int eva_mesh_between(void)
-{
-    const int32_t size = 1 << 23, a = any_signed % size, b = any_signed % size;
-    return clip_between(a, b, (int32_t)(any % (2 * size)), (int32_t)(1 + any % (2 * size)));
-}
-
 /* Lists of any faces that lists may hold. */
 static uint16_t any_face(void)
 {
@@ -168,4 +162,24 @@ void eva_mesh_lists(void)
             glint_mesh_give(&drawn, any_face(), last);
         }
     }
+}
+
+/* A crossing of any sides: what eva_clips.c takes for granted of it is shown by test_mesh_words. */
+#define glint_pose_set of_pose_set
+#define glint_mesh_place_of of_place_of
+#define glint_mesh_normal of_normal
+#define glint_mesh_side of_side
+#define glint_mesh_sides8 of_sides8
+#define glint_mesh_sides16 of_sides16
+#define glint_mesh_is_near of_is_near
+#define glint_mesh_project of_project
+#define glint_mesh_light of_light
+#define glint_mesh_vertices of_vertices
+#define glint_mesh_clip of_clip
+#define glint_mesh_clip_vertex of_clip_vertex
+#include "mesh_pose.c"
+int eva_mesh_between(void)
+{
+    const int32_t size = 1 << 23, a = any_signed % size, b = any_signed % size;
+    return clip_between(a, b, (int32_t)(any % (2 * size)), (int32_t)(1 + any % (2 * size)));
 }

@@ -4,7 +4,7 @@
 #define PROOF_EVA_MESHES_H
 
 #include "eva.h"
-#include "glint_mesh_edges.h"
+#include "glint_mesh_triangle.h"
 
 /* All m, by eva_finite. */
 /*@ requires 0x8000000 <= m <= 0xfffffff; assigns \result \from m; ensures 32768 <= \result <= 65536; */

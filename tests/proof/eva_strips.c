@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * For Eva: strips of a picture with any kept triangles and lists of faces, of up to three faces in two parts, and rows of any triangle.
- * What paints is a path that draws nothing; paths: eva_paths.c. Vertices, triangles and what is clipped: eva_meshes.c, eva_triangles.c,
- * eva_clips.c.
- * eva: -eva-precision 1 -eva-min-loop-unroll 8 -eva-slevel 60 -eva-split-return auto -eva-use-spec glint_mesh_triangle_set,glint_mesh_clip,glint_mesh_clip_vertex,glint_mesh_side,glint_pose_set,glint_mesh_vertices */
+ * What draws rows is left out. Vertices, triangles and what is clipped: eva_meshes.c, eva_triangles.c, eva_clips.c.
+ * eva: -eva-precision 1 -eva-min-loop-unroll 8 -eva-slevel 60 -eva-split-return auto -eva-use-spec glint_mesh_triangle_set,glint_mesh_clip,glint_mesh_clip_vertex,glint_mesh_side,glint_pose_set,glint_mesh_vertices,glint_mesh_rows,glint_mesh_t_end */
 #include "eva_meshes.h"
-#include "glint_mesh_lists.h"
 #include "glint_mesh_strip.h"
 
 /*@ assigns *triangle, \result \from shine, t_end;
@@ -26,11 +24,18 @@ void glint_mesh_clip_vertex(struct glint_mesh_vertex *vertex, const struct glint
 /*@ assigns \result \from *a, *b; */
 uint32_t glint_mesh_side(const struct glint_vec *a, const struct glint_vec *b);
 
-/*@ assigns drawn->l, drawn->h, drawn->turn[0 .. 2][0 .. 2], drawn->position[0 .. 2], drawn->scale, \result \from *pose, *light; ensures \result == 0 || \result == 1; */
-bool glint_pose_set(struct glint_mesh_drawn *drawn, const struct glint_pose *pose, const struct glint_light *light);
+/*@ assigns drawn->l, drawn->h, drawn->turn[0 .. 2][0 .. 2], drawn->position[0 .. 2], drawn->scale, \result \from *pose, *paint; ensures \result == 0 || \result == 1; */
+bool glint_pose_set(struct glint_mesh_drawn *drawn, const struct glint_pose *pose, const struct glint_paint *paint);
 /*@ assigns drawn->vertices[0 .. 3], \result \from frame->w, frame->h, frame->distance; ensures \result == 0 || \result == 1;
     ensures \initialized(drawn->vertices + (0 .. 3)); */
 bool glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn);
+
+/* It stands where the strip or the triangle ends. */
+/*@ assigns *triangle \from *triangle, target->end; ensures \initialized(triangle); */
+void glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                     const struct glint_mesh_target *target);
+/*@ assigns \result \from paint->light_count; */
+uint32_t glint_mesh_t_end(const struct glint_paint *paint);
 
 enum { FACES = 3, VERTICES = 4, HIGH = 20, WIDE = 5, KEPT = 3 };
 static struct {
@@ -45,41 +50,6 @@ static uint16_t faces[3 * FACES], links[FACES], bands[2], ends[2];
 static int8_t normals8[3 * VERTICES];
 static uint8_t pixels[WIDE * HIGH];
 
-/* Rows. */
-void eva_mesh_rows(void)
-{
-    struct glint_mesh_triangle triangle;
-    struct glint_mesh_row row;
-    ANY_BYTES(memory.depth);
-    for (int32_t y = 0; y < 3; y++) {
-        const struct glint_mesh_values values = {
-            any, any, any, any, any, any, any, any, any, any, any, any, any_signed % 2048};
-        triangle.values = values;
-        triangle.long_edge.x = any_signed;
-        triangle.long_edge.step = any_signed;
-        triangle.upper = triangle.lower = triangle.long_edge;
-        triangle.y = (int16_t)y;
-        triangle.y_middle = (int16_t)any;
-        triangle.y_end = (int16_t)any;
-        triangle.shine = (uint8_t)(any % 3);
-        triangle.long_is_left = any & 1;
-        const struct glint_surface surface = {pixels, WIDE, (uint16_t)any, (uint16_t)any};
-        const struct glint_mesh_target target = {&surface, memory.depth, WIDE, 0, 3, NULL, NULL, NULL};
-        (void)glint_mesh_row_next(&row, &triangle, &target);
-        glint_mesh_triangle_skip(&triangle, any_signed % 2048);
-    }
-}
-/* Pixels in front, from each to each. */
-void eva_mesh_in_front(void)
-{
-    for (uint32_t end = 0; end <= WIDE; end++)
-        for (uint32_t x = 0; x <= end; x++) {
-            struct glint_mesh_row row = {pixels, memory.depth, x, end, any, any, any, any, any, any, any, any, any};
-            ANY_BYTES(memory.depth);
-            (void)glint_mesh_in_front(&row, 1 + any % GLINT_SPAN_MAX);
-        }
-}
-
 /* A strip. */
 static uint16_t any_of(uint16_t count)
 {
@@ -87,24 +57,7 @@ static uint16_t any_of(uint16_t count)
     return number == count ? GLINT_MESH_NONE : number;
 }
 
-static bool can(const void *with)
-{
-    (void)with;
-    return any & 1;
-}
-static uint32_t t_end(const void *with)
-{
-    (void)with;
-    return any;
-}
-static void draw(const void *with, struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target)
-{
-    (void)with;
-    (void)glint_mesh_face_of(triangle);
-    (void)target;
-}
-static const struct glint_mesh_path nothing = {can, t_end, draw, NULL};
-static const struct glint_paint paints[2] = {{&nothing, &nothing}, {&nothing, &nothing}};
+static struct glint_paint paints[2];
 
 static struct glint_mesh_triangle any_lines(void)
 {
@@ -124,7 +77,7 @@ static struct glint_mesh_triangle any_lines(void)
 
 static void strip(uint8_t parts, uint16_t y, uint16_t h)
 {
-    const struct glint_mesh mesh = {NULL, NULL, normals8, faces, ends, VERTICES, FACES, parts};
+    const struct glint_mesh mesh = {NULL, NULL, normals8, faces, ends, VERTICES, FACES, parts, NULL, NULL};
     ANY_BYTES(normals8);
     ANY_BYTES(vertices);
     for (unsigned i = 0; i < 3 * FACES; i++)
@@ -172,8 +125,11 @@ void eva_mesh_strip(void)
 void eva_mesh_add(void)
 {
     static uint32_t picture_memory[1500], mesh_memory[64];
-    static struct glint_mesh_frame picture = {NULL, &picture.first, NULL, NULL, 1, 1, 1, 0, 0, 0};
-    const struct glint_mesh mesh = {NULL, NULL, normals8, faces, NULL, VERTICES, FACES, 0};
+    static struct glint_mesh_frame picture = {NULL, &picture.first, NULL, NULL, 1, 1, 1, 0, 0, 0, 0, NULL};
+    paints[0].format = &glint_use_rgb565;
+    paints[0].model = &glint_use_lyon;
+    paints[0].light_count = (uint8_t)any;
+    const struct glint_mesh mesh = {NULL, NULL, normals8, faces, NULL, VERTICES, FACES, 0, NULL, NULL};
     for (unsigned i = 0; i < 3 * FACES; i++)
         faces[i] = (uint16_t)(any % VERTICES);
     for (uint16_t w = 1; w <= 64; w = (uint16_t)(4 * w))
@@ -181,9 +137,49 @@ void eva_mesh_add(void)
             const struct glint_pose pose = {{(int16_t)any, (int16_t)any, (int16_t)any, (int16_t)any},
                                             {(int16_t)any, (int16_t)any, (int16_t)any},
                                             (uint16_t)any};
-            const struct glint_light light = any_light();
             (void)glint_mesh_begin(&picture, w, lines, lines, (uint16_t)any, picture_memory, sizeof picture_memory);
-            (void)glint_mesh_add(&picture, &drawn, &mesh, &pose, &light, paints, mesh_memory, sizeof mesh_memory);
+            (void)glint_mesh_add(&picture, &drawn, &mesh, &pose, paints, mesh_memory, sizeof mesh_memory);
             (void)glint_mesh_begin(&picture, (uint16_t)any, (uint16_t)any, (uint16_t)any, (uint16_t)any, NULL, 0);
+        }
+}
+
+/* Rows, by the library's static functions. */
+#define glint_mesh_lit_bytes of_lit_bytes
+#define glint_mesh_t_end of_t_end
+#define glint_mesh_is_colour of_is_colour
+#define glint_mesh_rows of_rows
+#include "mesh_rows.c"
+void eva_mesh_rows(void)
+{
+    struct glint_mesh_triangle triangle;
+    struct glint_mesh_row row;
+    ANY_BYTES(memory.depth);
+    for (int32_t y = 0; y < 3; y++) {
+        const struct glint_mesh_values values = {
+            any, any, any, any, any, any, any, any, any, any, any, any, any_signed % 2048};
+        triangle.values = values;
+        triangle.long_edge.x = any_signed;
+        triangle.long_edge.step = any_signed;
+        triangle.upper = triangle.lower = triangle.long_edge;
+        triangle.y = (int16_t)y;
+        triangle.y_middle = (int16_t)any;
+        triangle.y_end = (int16_t)any;
+        triangle.shine = (uint8_t)(any % 3);
+        triangle.long_is_left = any & 1;
+        const struct glint_surface surface = {pixels, WIDE, (uint16_t)any, (uint16_t)any};
+        const struct glint_mesh_target target = {&surface, memory.depth, WIDE, 0, 3, NULL, NULL, NULL};
+        (void)row_next(&row, &triangle, &target);
+        glint_mesh_triangle_skip(&triangle, any_signed % 2048);
+    }
+}
+/* Pixels in front, from each to each. */
+void eva_mesh_in_front(void)
+{
+    for (uint32_t end = 0; end <= WIDE; end++)
+        for (uint32_t x = 0; x <= end; x++) {
+            struct glint_mesh_row row = {{pixels, x, any, any, NULL, NULL, NULL, 0}, memory.depth, end, any, any,
+                                         {any, any, any, any_signed, any_signed, 0}};
+            ANY_BYTES(memory.depth);
+            (void)row_in_front(&row, 1 + any % GLINT_RUN);
         }
 }

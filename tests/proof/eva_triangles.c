@@ -22,7 +22,9 @@ void eva_mesh_triangle(void)
 #define glint_mesh_shine(corner, t_end) of_shine(corner, t_end)
 #define glint_mesh_values_set of_values_set
 #define glint_mesh_inverse of_inverse
-#include "mesh_gradient.c"
+#define glint_mesh_triangle_set of_triangle_set
+#define glint_mesh_triangle_skip of_triangle_skip
+#include "mesh_triangle.c"
 /*@ requires 0x8000000 <= m <= 0xfffffff; assigns \result \from m; ensures 32768 <= \result <= 65536; */
 uint32_t glint_mesh_inverse(uint32_t m);
 

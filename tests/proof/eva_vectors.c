@@ -2,7 +2,6 @@
  * For Eva: directions. Of every vector but 0 one component is the largest, and lies in 2^k .. 2^(k + 1) for one k: shifts follow from k.
  * eva: -eva-precision 3 -eva-slevel 40 */
 #include "eva.h"
-#include "glint_math_unit.h"
 #include "glint_math_vector.h"
 
 static int32_t within(int64_t most)

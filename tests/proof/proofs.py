@@ -1,34 +1,82 @@
 # SPDX-License-Identifier: MIT
-"""What the proofs share: their list, their arguments, the step from a bound to a rounded value. Usage of each: [FOLDER [WORD]]: of the
-sources in FOLDER, those proofs that have WORD in their names. TAP."""
+"""What the proofs share: their list, their arguments, the step from a bound to a rounded value. Usage of each: [WORD]: those proofs
+that have WORD in their names. With FAULTS=1 each is instead done with faults in what it ran, and has to break. TAP."""
+import os
 import subprocess
 import sys
+import time
 import traceback
 
+import bits as of_bits
+import poly as of_poly
 from contracts import ONE
-from paths import Broken, compiled, paths
+from library import library, with_faults
+from paths import paths
+from run import Broken, ran
 
-ROOT = __file__.rsplit("/", 3)[0] if len(sys.argv) < 2 else sys.argv[1]
 counts = {"number": 0, "failed": 0}
+MOST_FAULTS, ENOUGH = 12, 2
 
 
-def source(name):
-    return compiled(f"{ROOT}/lib/{name}", f"{ROOT}/lib")
+def ok(holds, name, *notes):
+    counts["number"] += 1
+    counts["failed"] += not holds
+    print(f"{'ok' if holds else 'not ok'} {counts['number']} - {name}", *[f"# {line}" for note in notes for line in str(note).splitlines()],
+          sep="\n", flush=True)
 
 
 def result(name, proof):
-    if len(sys.argv) > 2 and sys.argv[2] not in name:
+    if len(sys.argv) > 1 and sys.argv[1] not in name:
         return
-    counts["number"] += 1
+    ran.clear()
+    start = time.monotonic()
     try:
         count = proof()
-        print(f"ok {counts['number']} - {name}" + (f" ({count} paths)" if count else ""), flush=True)
     except Broken as what:
-        counts["failed"] += 1
-        print(f"not ok {counts['number']} - {name}\n# {what}", flush=True)
+        return ok(False, name, what)
     except Exception:
-        counts["failed"] += 1
-        print(f"not ok {counts['number']} - {name}\n# " + traceback.format_exc().replace("\n", "\n# "), flush=True)
+        return ok(False, name, traceback.format_exc())
+    if os.environ.get("FAULTS"):
+        if ran:
+            ok(*broken_by_faults(name, proof, 5 + 3 * (time.monotonic() - start)))
+    else:
+        ok(True, name + (f" ({count} paths)" if count else ""))
+
+
+def breaks(proof, seconds):
+    """The proof in a process of its own: True where it does not go through; None where it ends otherwise, or takes long."""
+    child = os.fork()
+    if child == 0:
+        of_poly.solver.clear()
+        of_bits.solver.clear()
+        try:
+            proof()
+            os._exit(0)
+        except Broken:
+            os._exit(1)
+        except BaseException:
+            os._exit(2)
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        done, status = os.waitpid(child, os.WNOHANG)
+        if done:
+            return {0: False, 1: True}.get(os.waitstatus_to_exitcode(status))
+        time.sleep(0.01)
+    os.kill(child, 9)
+    os.waitpid(child, 0)
+    return None
+
+
+def broken_by_faults(name, proof, seconds):
+    """Of a proof that goes through: is it broken by faults in what it ran? One at least has to."""
+    tried, found, notes = 0, 0, []
+    for what in with_faults(library(), set(ran), name):
+        answer = breaks(proof, seconds)
+        tried, found = tried + 1, found + (answer is True)
+        notes += [] if answer else [f"{'it holds' if answer is False else 'nothing is shown'} with {what}"]
+        if found == ENOUGH or tried == MOST_FAULTS:
+            break
+    return found > 0, f"{found} of {tried} faults break: {name}", *notes
 
 
 def known(*contracts):

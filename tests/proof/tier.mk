@@ -4,12 +4,17 @@
 PROOF_PACKAGES = gcc libc6-dev make libcmocka-dev clang clang-tidy cppcheck z3 python3
 PROOF_BUILD = $(BUILD)/tests/proof
 
-$(PROOF_BUILD)/finite.h: $(wildcard tests/proof/*.py) lib/lobe_msh.c lib/glint_lobe_msh.h
+# All of lib/ as one source.
+$(PROOF_BUILD)/library.h: tests/proof/library.py lib $(wildcard lib/*.[ch])
 	@mkdir -p $(@D)
-	tests/proof/cut.py . >$@.part && mv $@.part $@
+	tests/proof/library.py >$@.part && mv $@.part $@
 
-$(PROOF_BUILD)/test_finite: tests/proof/test_finite.c $(PROOF_BUILD)/finite.h lib/lobe_gauss.c $(BUILD)/libglint.a
-	$(CC) -std=c11 -D_GNU_SOURCE $(WARNINGS) -Ilib -I$(PROOF_BUILD) $(OPENMP) $(CFLAGS) $< $(BUILD)/libglint.a -o $@ -lcmocka -lm
+$(PROOF_BUILD)/finite.h: $(wildcard tests/proof/*.py lib/*.[ch])
+	@mkdir -p $(@D)
+	tests/proof/cut.py >$@.part && mv $@.part $@
+
+$(PROOF_BUILD)/test_finite: tests/proof/test_finite.c $(PROOF_BUILD)/finite.h $(PROOF_BUILD)/library.h
+	$(CC) -std=c11 -D_GNU_SOURCE $(WARNINGS) -Ilib -I$(PROOF_BUILD) $(OPENMP) $(CFLAGS) $< -o $@ -lcmocka -lm
 
 setup-proof: setup-build
 	@.ci/need "tier proof" $(PROOF_PACKAGES)
@@ -19,8 +24,9 @@ test-proof: ## check: the library for every argument: values from t, proved
 
 run-proof: $(PROOF_BUILD)/test_finite $(CONFORMANCE_EXPECTED)
 	@HOST_FLAGS="$(filter -std=% -I% -D% -f%,$(HOST_CFLAGS))" HOST_SOURCES="$(HOST_SOURCES)" EXPECTED=$(CONFORMANCE) \
-		TALLY_JOBS=2 tests/tally $(addprefix tests/proof/test_,lobes faults powers static msh pixel words mesh_words) \
-		$(PROOF_BUILD)/test_finite
+		TALLY_JOBS=2 tests/tally $(addprefix tests/proof/test_,lobes powers static msh directions claims pixel words mesh_words) \
+		$(addprefix "env FAULTS=1 tests/proof/test_,$(addsuffix ",lobes powers msh directions claims pixel)) \
+		"tests/proof/test_faults $(PROOF_BUILD)" $(PROOF_BUILD)/test_finite
 
 # Frama-C is 1.4 GB, and Eva takes minutes: not part of make test.
 PROOF_EVA_PACKAGES = frama-c-base gcc libc6-dev

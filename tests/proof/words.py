@@ -4,14 +4,7 @@
 A value is a polynomial congruent to its word modulo 2^width; a shift adds its quotient as an atom; a comparison that the facts leave
 open is a decision."""
 from poly import Facts, Poly, poly
-
-
-class Broken(Exception):
-    """A proof that does not go through: what, where."""
-
-
-class Infeasible(Exception):
-    """A path that nothing takes."""
+from run import Broken, Infeasible, Pointer
 
 
 class Words:
@@ -171,3 +164,153 @@ class Words:
             if bits and self.facts.follows(y) and self.facts.follows((1 << bits) - 1 - y):
                 return x + y
         raise Broken("an or of numbers that may share bits")
+
+    # ---- what run.py asks for ----
+
+    def constant(self, p):
+        return p.constant()
+
+    def number(self, _, n):
+        return poly(n)
+
+    def any(self, width, name):
+        return self.facts.atom(name, 0, (1 << width) - 1)
+
+    def branch(self, condition):
+        return bool(condition.constant() % 2)
+
+    def kept(self, p, width):
+        return self.word(p, width)
+
+    def choice(self, p, width):
+        """A number where it is known, or one of a few, each a path of its own."""
+        p = self.word(p, width, True)
+        if p.constant() is not None:
+            return p.constant()
+        low, high = self.facts.interval(p)
+        if high - low > 64:
+            raise Broken("an index that may be any of many")
+        return low + self.choose([[p - k, k - p] for k in range(low, high + 1)])
+
+    def part(self, p, width, low, bits):
+        if isinstance(p, Pointer):
+            raise Broken("a part of a pointer")
+        p = self.shifted(self.word(p, width), low)
+        return p if low + bits == width else self.rest(p, bits)
+
+    def of_parts(self, parts):
+        total, at = poly(0), 0
+        for bits, value in parts:
+            total, at = total + self.word(value, bits) * (1 << at), at + bits
+        return total
+
+    def zext(self, p, width, _):
+        return self.word(p, width)
+
+    def sext(self, p, width, _):
+        return self.word(p, width, True)
+
+    def trunc(self, p, _, width):
+        return self.reduced(p, width)
+
+    def compare(self, how, width, a, b):
+        if isinstance(a, tuple):
+            return self.differ_only_below(a, how, b.constant())
+        a, b = (self.word(v, width, how[0] == "s") for v in (a, b))
+        if how in ("eq", "ne"):
+            below, above = self.facts.decided(a - b - 1), self.facts.decided(b - a - 1)
+            same = a.key() == b.key() or (below is not True and above is not True and
+                                          self.choose([[a - b, b - a], [a - b - 1], [b - a - 1]]) == 0)
+            return poly(int(same == (how == "eq")))
+        low, high = (a, b) if how[1] == "l" else (b, a)
+        return poly(int(self.is_true(high - low - how.endswith("t"))))
+
+    def differ_only_below(self, words, how, limit):
+        """a ^ b < 2^k: their quotients by 2^k are the same."""
+        if how != "ult" or limit & (limit - 1):
+            raise Broken("a comparison of an exclusive or that is not with a power of two")
+        a, b = (self.shifted(w, limit.bit_length() - 1) for w in words)
+        return poly(int(self.choose([[a - b, b - a], [a - b - 1], [b - a - 1]]) == 0))
+
+    def exclusive(self, width, a, b):
+        """a ^ b: of numbers; of a sign, 0 or -1, and a word; else both, for what compares it with a power of two."""
+        words = [self.word(v, width) for v in (a, b)]
+        numbers = [w.constant() for w in words]
+        if None not in numbers:
+            return poly(numbers[0] ^ numbers[1])
+        for sign, other in ((a, b), (b, a)):
+            sign = self.word(sign, width, True)
+            low, high = self.facts.interval(sign)
+            if -1 <= low and high <= 0:
+                is_zero = sign.constant() == 0 or sign.constant() is None and self.choose([[sign], [-1 - sign]]) == 0
+                return other if is_zero else -1 - other
+        return tuple(words)
+
+    def binary(self, op, flags, width, a, b):
+        if width == 1:
+            a, b = a.constant() % 2, b.constant() % 2
+            return poly({"and": a & b, "or": a | b, "xor": a ^ b}[op])
+        if op == "xor":
+            return self.exclusive(width, a, b)
+        if op in ("lshr", "ashr"):
+            return self.shifted(self.word(a, width, op == "ashr"), self.amount(b, width))
+        if op == "and":
+            a, b = (a, b) if b.constant() is not None else (b, a)
+            if b.constant() is None:
+                raise Broken("an and of two words")
+            mask = b.constant() % (1 << width)
+            if a.constant() is not None:
+                return poly(a.constant() & mask)
+            return self.rest(a, mask.bit_length()) if mask & (mask + 1) == 0 else self.masked(self.word(a, width), mask)
+        if op == "or":
+            return self.joined(self.word(a, width), self.word(b, width))
+        if op in ("udiv", "sdiv"):
+            return self.quotient(*(self.word(v, width, op == "sdiv") for v in (a, b)))
+        if op not in ("add", "sub", "mul", "shl"):
+            raise Broken(f"the operation {op}")
+        for flag, signed in (("nuw", False), ("nsw", True)):
+            if flag in flags:
+                a, b = self.word(a, width, signed), self.word(b, width, signed and op != "shl")
+        if op == "shl":
+            op, b = "mul", poly(1 << self.amount(b, width))
+        result = {"add": lambda: a + b, "sub": lambda: a - b, "mul": lambda: a * b}[op]()
+        for flag, signed in (("nuw", False), ("nsw", True)):
+            if flag in flags:
+                bottom = -(1 << (width - 1)) if signed else 0
+                self.prove(result - bottom, f"{op} {a.key()} {b.key()} does not overflow downwards")
+                self.prove(bottom + (1 << width) - 1 - result, f"{op} {a.key()} {b.key()} does not overflow")
+        return result
+
+    def amount(self, b, width):
+        bits = self.word(b, width).constant()
+        if bits is None:
+            word = self.word(b, width)
+            low, high = self.facts.interval(word)
+            if low >= 0 and high < min(width, 65):
+                bits = low + self.choose([[word - k, k - word] for k in range(low, high + 1)])
+        if bits is None or bits >= width:
+            raise Broken(f"a shift by {'an unknown number of' if bits is None else bits} bits")
+        return bits
+
+    def quotient(self, a, b):
+        """a / b towards 0, where b is at least 1."""
+        self.prove(b - 1, "a divisor is above 0")
+        if a.constant() is not None and b.constant() is not None:
+            return poly(abs(a.constant()) // b.constant() * (1 if a.constant() >= 0 else -1))
+        if self.is_true(a):
+            return self.floor(a, b)
+        return -self.floor(-a, b)
+
+    def floor(self, a, b):
+        q = self.facts.atom("quotient", 0, self.facts.interval(a)[1])
+        self.facts.add(a - q * b)
+        self.facts.add(q * b + b - 1 - a)
+        return q
+
+    def call_fshl(self, width, a, b, by):
+        return self.joined(self.word(a * (1 << by.constant()), width), self.shifted(b, width - by.constant()))
+
+    def call_ctlz(self, width, a, _):
+        """Zero bits above the highest, each a path of its own."""
+        word = self.word(a, width)
+        return poly(width - self.choose([[-word], *([word - (1 << k), (2 << k) - 1 - word] for k in range(width))]))

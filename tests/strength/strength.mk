@@ -36,7 +36,7 @@ coverage: setup-strength build/ends.o ## check: which lines and branches of lib/
 	@find build/coverage -name '*.gcda' -delete; rm -f build/coverage/errors.log
 	@+$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 tests/tally $(STRENGTH_EXACT:%=build/coverage/%)
 	@+$(STRENGTH_ERRORS) COUNTED="$(CURDIR)/build/coverage/glint" $(SUBMAKE) -s $(STRENGTH_COUNTED) \
-		UNIT_ENV='GLINT="$(CURDIR)/tests/strength/counted" GLINT_SOURCE="$(CURDIR)"' run-check-unit || \
+		UNIT_ENV='GLINT="$(CURDIR)/tests/strength/counted" GLINT_SOURCE="$(CURDIR)"' UNIT_LONG= run-check-unit || \
 		echo "coverage: what failed in this build was counted as far as it went"
 	@tests/strength/covered build/coverage
 
@@ -54,7 +54,7 @@ coverage-whole: setup-strength setup-exact setup-lab setup-pico build/ends.o ## 
 	@tests/strength/covered build/coverage
 
 strength-programs: $(HOST_ARCHIVES) $(UNIT_TESTS:%=%.o) $(STRENGTH_EXACT:%=$(BUILD)/%.o) $(BUILD)/host/main.o $(BUILD)/tests/exact/test_near.o \
-	$(patsubst %,$(BUILD)/tests/exact/%.o,oracle near cases reference_lights reference_pixel)
+	$(EXACT_ORACLES) $(patsubst %,$(BUILD)/tests/exact/%.o,near cases reference_lights reference_pixel)
 
 mutants: setup-strength build/ends.o ## check: how many small faults in lib/ and firmware/core/ the quick tests notice (20 minutes); MUTANTS=440 SEED=1; MINUTES=20: a piece, the next goes on; RETRY=1: survivors again; ONLY=pattern: of these names
 	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs $(STRENGTH_EXACT:%=build/coverage/%)

@@ -2,7 +2,7 @@
  * For cores with the assembly: rectangles that it draws, beside the same ones by the stages in C, byte for byte. An output at an
  * odd address is what leads to C in the same program. The linker's --wrap=glint_line_begin leads here, where calls are counted.
  * LINES_FAULT: the loop takes W for 1 / LINES_FAULT of what it is, which must show. */
-#include "glint_pixel_line.h"
+#include "glint_fused.h"
 #include "machine.h"
 
 #ifndef LINES_FAULT
@@ -10,14 +10,14 @@
 #endif
 enum { CASES = 2000, W = 95, H = 2, STRIDE = 2 * W + 4, GUARD = 0x5a };
 
-bool __real_glint_line_begin(struct glint_line_loop *loop, const struct glint_prepared *prepared, bool albedo);
-bool __wrap_glint_line_begin(struct glint_line_loop *loop, const struct glint_prepared *prepared, bool albedo);
+bool __real_glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
+bool __wrap_glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
 
 static uint32_t taken; /* rectangles that the assembly drew */
 
-bool __wrap_glint_line_begin(struct glint_line_loop *loop, const struct glint_prepared *prepared, bool albedo)
+bool __wrap_glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo)
 {
-    const bool whole = __real_glint_line_begin(loop, prepared, albedo);
+    const bool whole = __real_glint_line_begin(loop, paint, albedo);
     if (whole)
         loop->limit = 0 - (0 - loop->limit) / LINES_FAULT;
     taken += whole;
@@ -74,25 +74,30 @@ static void make_material(struct glint_material *m)
     }
 }
 
-static void make_shader(struct glint_shader *s)
+/* A paint of any light: as the library makes it, or, once in a while, with any vectors, N.L of which fits. */
+static bool make_paint(struct glint_paint *paint)
 {
     static const uint16_t shininess[] = {1, 2, 3, 5, 10, 60, 200, 1000};
-    glint_lobe_init(&s->lobe, GLINT_MSH, below(3) ? shininess[below(8)] : 1 + below(1000), below(17));
-    if (below(8) == 0)
-        s->lobe.t_max_q30 = below(65536) << below(17);
-    const int32_t l[3] = {(int32_t)below(201) - 100, (int32_t)below(201) - 100, (int32_t)below(120)}, v[3] = {0, 0, 1};
-    if (glint_light_init(&s->light, l, v) || below(16) == 0) {
-        s->light.v = s->light.h = any_vector();
-        s->light.l = any_vector();
-        s->light.l.x = (int16_t)(s->light.l.x / 3); /* not wide: C would draw it */
-        s->light.l.y = (int16_t)(s->light.l.y / 3);
-        s->light.l.z = (int16_t)(s->light.l.z / 3);
+    static const int32_t v[3] = {0, 0, 1};
+    const int32_t l[3] = {(int32_t)below(201) - 100, (int32_t)below(201) - 100, (int32_t)below(120)};
+    struct glint_material m = {.model = GLINT_MSH};
+    const struct glint_output output = {.format = (uint8_t)below(2)};
+    struct glint_light light;
+    m.n = (uint16_t)(below(3) ? shininess[below(8)] : 1 + below(1000));
+    m.q = (uint8_t)(1 + below(16));
+    m.clamp_peak = below(2);
+    make_material(&m);
+    if (glint_paint_exact(paint, &m, &output) || glint_light_directional(&light, l))
+        return false;
+    if (glint_paint_light(paint, &light, 1, v) || below(16) == 0) {
+        paint->light_count = 1;
+        paint->v = paint->h = any_vector();
+        paint->l = any_vector();
+        paint->l.x = (int16_t)(paint->l.x / 3);
+        paint->l.y = (int16_t)(paint->l.y / 3);
+        paint->l.z = (int16_t)(paint->l.z / 3);
     }
-    make_material(&s->material);
-    s->format = (uint8_t)below(2);
-    s->space = GLINT_GAMMA;
-    s->dither = false;
-    s->clamp_peak = below(2);
+    return true;
 }
 
 static struct glint_vec normals[W * H];
@@ -100,7 +105,7 @@ static uint8_t albedo[3 * W * H + 4], mask[(W + 1) * H + 4];
 static uint16_t out[2][STRIDE * H / 2 + 2]; /* by the assembly, and in C */
 
 /* Runs of the like: near the half vector, away from the light, anything. */
-static void make_normals(const struct glint_light *light)
+static void make_normals(const struct glint_paint *light)
 {
     const int32_t spread = 1 << below(15);
     struct glint_vec n = any_vector();
@@ -133,15 +138,14 @@ static void make_maps(uint32_t mask_kind)
 }
 
 /* As the case says, into out[c]. */
-static struct glint_box draw(const struct glint_prepared *prepared, const struct glint_source *source, uint16_t w,
-                             uint8_t c)
+static struct glint_box draw(const struct glint_paint *paint, const struct glint_maps *maps, uint16_t w, uint8_t c)
 {
     struct glint_box box = {0, 0, 0, 0};
     uint8_t *bytes = (uint8_t *)out[c];
     for (uint16_t i = 0; i < sizeof out[c]; i++)
         bytes[i] = GUARD;
     const struct glint_surface surface = {bytes + 2 + c, STRIDE, 3, 5};
-    if (glint_shade_prepared_rect(prepared, source, w, H, &surface, &box))
+    if (glint_draw_rect(paint, maps, w, H, &surface, &box))
         say("# refused\n");
     return box;
 }
@@ -158,18 +162,20 @@ static bool same(const struct glint_box *a, const struct glint_box *b)
 static bool case_is_same(uint32_t number)
 {
     static const uint8_t widths[] = {0, 1, 2, 3, 15, 16, 17, W};
-    struct glint_shader shader;
-    struct glint_prepared prepared;
-    make_shader(&shader);
-    make_normals(&shader.light);
+    struct glint_paint paint;
+    if (!make_paint(&paint))
+        return true; /* a light of length 0 */
+    make_normals(&paint);
     make_maps(number % 5);
-    if (glint_shade_prepare(&prepared, &shader))
-        return false;
-    struct glint_source source = {normals, sizeof normals / H, 0, 3 * W, 0, 0, 0, W + 1};
-    source.albedo = number & 1 ? albedo + below(4) : 0;
-    source.mask = number % 5 ? mask + below(4) : 0;
+    const struct glint_maps maps = {.normals = normals,
+                                    .normals_stride = sizeof normals / H,
+                                    .albedo = number & 1 ? albedo + below(4) : 0,
+                                    .albedo_stride = 3 * W,
+                                    .albedo_format = GLINT_RGB888,
+                                    .coverage = number % 5 ? mask + below(4) : 0,
+                                    .coverage_stride = W + 1};
     const uint16_t w = widths[number / 2 % 8];
-    const struct glint_box box = draw(&prepared, &source, w, 0), expected = draw(&prepared, &source, w, 1);
+    const struct glint_box box = draw(&paint, &maps, w, 0), expected = draw(&paint, &maps, w, 1);
     if (same(&box, &expected))
         return true;
     say("# case ");

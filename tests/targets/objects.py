@@ -85,14 +85,27 @@ def parameters(text):
     return tuple(re.sub(r"\bconst\b|\b\w+(\[\d*\])?$|\s", "", part.strip()) for part in text.split(","))
 
 
-class Sources:
-    """Which functions a call through a pointer may reach, from the C of the library: those whose parameters are those of a pointer
-    to a function that the caller's file declares or includes."""
+def arguments(text):
+    """How many a call has, from what follows its parenthesis on."""
+    count, depth = 1, 0
+    for letter in text:
+        depth += (letter in "([{") - (letter in ")]}")
+        count += letter == "," and depth == 0
+        if depth < 0:
+            break
+    return count
 
-    POINTER = re.compile(r"\(\*(?:const )?\w+(?:\[\])?\)\(([^()]*)\)")
+
+class Sources:
+    """Which functions a call through a pointer may reach, from the C of the library: those whose parameters are those of a pointer to a
+    function by whose name the caller, or what is inlined into it, calls."""
+
+    DECLARED = re.compile(r"\(\*(?:const )?(\w+)(?:\[\])?\)\(([^()]*)\)")
+    NAMED = re.compile(r"\btypedef [\w ]+?\**(\w+)\(([^()]*)\);")
+    FUNCTION = re.compile(r"\b(\w+)\(((?:[^(){};]|\([^()]*\))*)\)\s*\{(.*?)\n\}", re.S)
 
     def __init__(self, folder):
-        self.folder, self.texts = folder, {}
+        self.folder, self.texts, self.read = folder, {}, {}
 
     def text(self, name):
         if name not in self.texts:
@@ -100,24 +113,50 @@ class Sources:
             self.texts[name] = open(path).read() if os.path.exists(path) else ""
         return self.texts[name]
 
-    def pointers(self, name, seen):
-        """The parameters of all pointers to functions that a file sees."""
-        if name in seen:
-            return set()
-        seen.add(name)
-        found = {parameters(match) for match in self.POINTER.findall(self.text(name))}
-        for include in re.findall(r'#include "(\w+\.h)"', self.text(name)):
-            found |= self.pointers(include, seen)
+    def seen(self, name):
+        """What a file sees, by its includes: the parameters of pointers to functions by name, those of types of functions, and the
+        parameters and bodies of functions."""
+        if name in self.read:
+            return self.read[name]
+        files, pointers = [name], {}
+        for file in files:
+            files += [include for include in re.findall(r'#include "([\w.]+)"', self.text(file)) if include not in files]
+        text = "\n".join(map(self.text, files))
+        for pointer, of in self.DECLARED.findall(text):
+            pointers.setdefault(pointer, set()).add(parameters(of))
+        kinds = {kind: parameters(of) for kind, of in self.NAMED.findall(text)}
+        for kind, pointer in re.findall(r"\b(" + "|".join(kinds or ["-"]) + r") \*(\w+);", text):
+            pointers.setdefault(pointer, set()).add(kinds[kind])
+        functions = {name: (of, body) for name, of, body in self.FUNCTION.findall(re.sub(r"/\*.*?\*/", "", text, flags=re.S))}
+        self.read[name] = pointers, kinds, functions
+        return self.read[name]
+
+    def called(self, name, function, apart):
+        """The parameters of the pointers that a function calls by: members of structs, and its own; apart: what is not inlined."""
+        pointers, kinds, functions = self.seen(name)
+        if function not in functions:  # assembly, whose comments say which pointers it calls by
+            return set().union(*pointers.values())
+        found, inlined = set(), [function]
+        for each in inlined:
+            text = " ".join(functions[each])
+            for call in re.finditer(r"(?:->|\.)(\w+)\)?\s*\(", text):
+                count = arguments(text[call.end():])
+                found |= {of for of in pointers.get(call[1], ()) if len(of) == count}
+            found |= {parameters(of) for _, of in self.DECLARED.findall(text)}
+            found |= {kinds[kind] for kind in kinds if re.search(rf"\b{kind} \*", text)}
+            inlined += {word for word in re.findall(r"\w+", text) if word in functions} - {*inlined, *apart}
         return found
 
-    def may_call(self, path, target, function):
+    def may_call(self, caller, apart, target):
         """Where nothing is known of either, yes."""
-        caller, callee = (os.path.basename(each)[:-2] + ".c" for each in (path, target))
-        if not self.text(caller):  # assembly, whose comments say which pointers it calls by
-            caller = caller[:-2] + ".S"
-        defined = re.search(r"\b" + re.escape(function.split(".")[0]) + r"\(([^()]*)\)\s*\{", self.text(callee))
-        seen = self.pointers(caller, set())
-        return not defined or not self.text(caller) or parameters(defined[1]) in seen
+        (path, function), (to, name) = caller, target
+        file, callee = (os.path.basename(each)[:-2] + ".c" for each in (path, to))
+        if not self.text(file):
+            file = file[:-2] + ".S"
+        functions = self.seen(callee)[2]
+        name = re.split("[.$]", name)[0]
+        return name not in functions or not self.text(file) or \
+            parameters(functions[name][0]) in self.called(file, re.split("[.$]", function)[0], apart)
 
 
 class Calls:
@@ -204,8 +243,9 @@ class Calls:
         if function not in self.memory:
             below = {(name, self._find(function[0], name)) for name in self.edges[function]}
             if function in self.indirect:
-                below |= {(name, self._find(path, name)) for path, name in self.taken
-                          if self._find(path, name) and self.sources.may_call(function[0], path, name)}
+                apart = {name for name in self.edges[function] if self._find(function[0], name)}
+                reached = {self._find(path, name) for path, name in self.taken} - {None}
+                below |= {(at[1], at) for at in reached if self.sources.may_call(function, apart, at)}
             chains = [self.depth(at, (*above, function)) if at else
                       (MULTIPLY_STACK if MULTIPLY.fullmatch(name) else HELPER_STACK, [name]) for name, at in below]
             deepest = max(chains, default=(0, []))

@@ -51,17 +51,6 @@ def library_files(ending):
     return tuple(os.path.relpath(path, SOURCE) for path in sorted(glob.glob(os.path.join(SOURCE, "lib", "*" + ending))))
 
 
-def stated_stack(core):
-    """Bytes as the header promises for this core: "At most 800 bytes on Cortex-M, 900 on RV32, AVR and Xtensa, for any call"."""
-    with open(os.path.join(SOURCE, "lib", "glint.h")) as header:
-        statement = re.search(r"\* Stack +At most (.*?), for any call", header.read(), re.DOTALL)
-    begins = {"AVR": "at", "Xtensa": "lx"}  # cores are not called as their family is
-    for limit, families in re.findall(r"(\d+) (?:bytes )?on ((?:[\w-]+(?:, (?!\d)| and )?)+)", statement[1] if statement else ""):
-        if any(core.startswith(begins.get(family, family.lower())) for family in re.split(", | and ", families)):
-            return int(limit)
-    raise SystemExit(f"{sys.argv[0]}: core {core}: glint.h states no stack for it; add its family there, under Stack")
-
-
 NPM = os.path.join(SOURCE, "build/bench/npm")  # where make installs rp2040js
 
 
@@ -114,7 +103,7 @@ def read_boards():
     machines, cores = [], {}
     with open(path) as lines:
         for row in csv.DictReader(lines, delimiter="|"):
-            target = Target(row["core"], row["tools"], row["flags"], stated_stack(row["core"]), int(row["pushed"]),
+            target = Target(row["core"], row["tools"], row["flags"], int(row["stack"]), int(row["pushed"]),
                             tuple(row["assembly"].split()))
             if cores.setdefault(target.name, target) != target:
                 raise SystemExit(f"{sys.argv[0]}: board {row['board']}: another board gives the core {target.name} other flags")

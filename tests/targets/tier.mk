@@ -19,18 +19,18 @@ TARGETS_COSTS = $(if $(BOARD),,"tests/targets/test_costs $(BENCH)" "tests/target
 TARGETS_VIEWS = $(BUILD)/tests/unit/slow/test_mesh_views
 TARGETS_COSTS_INPUTS = $(filter-out %-Os.elf,$(BENCH_ELFS)) $(BENCH_MESH_ELFS) $(BENCH_SCENE)/scene.json
 
-costs: ## measure: write the table that tier targets compares cycles and sizes with (costs.tsv), and the READMEs' figures; ROWS=PATTERN
+costs: ## measure: write the table that tier targets compares cycles and sizes with (costs.tsv), and the documents' tables of it; ROWS=PATTERN
 	@.ci/need "make costs" $(BENCH_PACKAGES)
 	@+$(SUBMAKE) -s setup-rp2040js && $(SUBMAKE) write-costs ROWS='$(value ROWS)'
 
 # By a make of its own, which sees what is installed.
 write-costs: $(TARGETS_COSTS_INPUTS) $(BOARDS) $(BENCH_IMAGES)
-	@PYTHONDONTWRITEBYTECODE=1 tests/targets/test_costs $(BENCH) write '$(value ROWS)'
-	@tests/unit/house/test_figures write
+	@PYTHONDONTWRITEBYTECODE=1 BENCH_BOARDS="$(BENCH_BOARDS)" tests/targets/test_costs $(BENCH) write '$(value ROWS)'
+	@tests/bench/tables write
 
 run-targets: $(if $(BOARD),,$(TARGETS_COSTS_INPUTS) $(TARGETS_VIEWS)) $(TARGETS_FIRMWARE) $(BOARDS) $(CONFORMANCE_EXPECTED)
 	@$(if $(TARGETS_FIRMWARE),,echo "make: there is no board $(BOARD); choose from $(BARE_BOARDS)" >&2; exit 1)
-	@PYTHONDONTWRITEBYTECODE=1 TALLY_JOBS=$$(nproc) tests/tally $(TARGETS_COSTS) tests/targets/test_boards "tests/targets/test_objects $(BUILD)/targets $(BOARD)" \
+	@PYTHONDONTWRITEBYTECODE=1 BENCH_BOARDS="$(BENCH_BOARDS)" TALLY_JOBS=$$(nproc) tests/tally $(TARGETS_COSTS) tests/targets/test_boards "tests/targets/test_objects $(BUILD)/targets $(BOARD)" \
 		"tests/targets/test_conformance $(BUILD)/targets $(CONFORMANCE_EXPECTED) $(BOARD)" $(TARGETS_LINES)
 
 .PHONY: costs write-costs setup-targets test-targets run-targets

@@ -2,11 +2,16 @@
 // twins.mjs FOLDER: a mesh's functions in assembly beside those of C, in FOLDER's programs mesh-asm.elf and mesh-O2.elf, on an
 // emulated Cortex-M0+. Random arguments, also at the ends of their ranges. A line each: name, calls, calls whose memory was unlike
 // C's; then the same where the assembly gets another argument than C.
+import { readFileSync } from 'node:fs'
 import { load, RAM, RETURN } from '../bench/m0plus.mjs'
 
 const folder = process.argv[2]
 const [c, assembly] = ['O2', 'asm'].map((build) => load(`${folder}/npm`, `${folder}/mesh-${build}.elf`))
-const AT = 0x20030000 // arguments and results: in arrays that frames of meshes need and these functions do not
+// Arguments and results: in an array that frames of meshes need and these functions do not, at one address in both programs.
+const AT = Math.max(...[c, assembly].map((machine) => machine.address('mesh_memory'))) + 15 & ~15
+// Where structs have their fields: GLINT_AT_DRAWN_MESH is FIELD.DRAWN_MESH.
+const OFFSETS = readFileSync(new URL('../../lib/glint_offsets.h', import.meta.url), 'latin1')
+const FIELD = Object.fromEntries([...OFFSETS.matchAll(/^#define GLINT_AT_(\w+) (\d+)\b/gm)].map(([, name, at]) => [name, +at]))
 let seed = 1
 function below(n) {
   seed = (Math.imul(seed, 1103515245) + 12345) >>> 0
@@ -16,26 +21,29 @@ const one = (...of) => of[below(of.length)]
 const bits = (n) => below(2 ** Math.min(n, 16)) + 65536 * below(2 ** Math.max(n - 16, 0)) - 2 ** (n - 1) // signed
 const int16 = () => one(below(65536) - 32768, below(65536) - 32768, 32767, -32768)
 
-const RETURNS = /_set$|_vertices$/ // a bool
+const RETURNS = /_triangle_set$|_vertices$|_strip$/ // a bool, or an error
 function run(machine, name, args) {
   machine.enter(name, args.slice(0, 4))
   args.slice(4).forEach((value, i) => machine.memory.writeUInt32LE(value >>> 0, machine.core.SP - RAM + 4 * i))
-  while (machine.core.PC !== RETURN) machine.core.executeInstruction()
+  const end = machine.core.cycles + 1e8
+  while (machine.core.PC !== RETURN) {
+    machine.core.executeInstruction()
+    if (machine.core.cycles > end) throw new Error(`${name} does not return`)
+  }
   return machine.core.registers[0]
 }
 
-// symbols: what lies at other addresses in each program. before: calls that have to return 0. unread: parts that need not be alike, from and
-// to. change: of the memory, at last.
-function after(machine, name, args, bytes, fault, { before = [], symbols = [], unread = [], change = () => {} } = {}) {
+// before: calls that have to return 0. unread: parts that need not be alike, from and to. change: of the memory, what is other in each
+// program.
+function after(machine, name, args, bytes, fault, { before = [], unread = [], change = () => {} } = {}) {
+  if (AT + bytes.length > machine.address('mesh_memory') + machine.size('mesh_memory')) throw new Error('mesh_memory is too small')
   const at = AT - RAM
   bytes.copy(machine.memory, at)
-  for (const [offset, symbol] of symbols) machine.memory.writeUInt32LE(machine.address(symbol), at + offset)
   change(machine, at)
   if (fault >= 0) machine.memory[at + fault] ^= 0x11
   for (const call of before) if (run(machine, ...call)) throw new Error(`${call[0]} returned an error`)
   const value = run(machine, name, args)
   if (fault >= 0) machine.memory[at + fault] ^= 0x11
-  for (const [offset] of symbols) machine.memory.writeUInt32LE(0, at + offset)
   for (const [from, to] of unread) machine.memory.fill(0, at + from, at + to)
   return `${RETURNS.test(name) ? value & 1 : ''} ${machine.memory.toString('latin1', at, at + bytes.length)}`
 }
@@ -57,21 +65,21 @@ function triangle() {
   return [bytes, [AT, AT + CORNERS, below(3), below(2 ** one(28, 31))], V + 2]
 }
 
-// A frame, a mesh drawn, and the mesh, as lib/glint_mesh_offsets.h has them.
+// A frame, a mesh drawn, and the mesh.
 const DRAWN = 0x40, MESH = 0xa0, FACES = 0x200, PLACES = 0x500, NORMALS = 0x700, VERTICES = 0x900, LINKS = 0xe00, BANDS = 0xf00, NORMALS16 = 0x1000
 function frame(height, vertices, faces) {
   const bytes = Buffer.alloc(0x1400), address = (at, to) => bytes.writeUInt32LE(AT + to, at)
-  bytes.writeUInt16LE(1 + below(2040), 16)
-  bytes.writeUInt16LE(height, 18)
-  address(DRAWN + 4, MESH)
-  address(DRAWN + 12, VERTICES)
-  address(DRAWN + 16, LINKS)
-  address(DRAWN + 20, BANDS)
-  address(MESH, PLACES)
-  address(MESH + 8, NORMALS)
-  address(MESH + 12, FACES)
-  bytes.writeUInt16LE(vertices, MESH + 20)
-  bytes.writeUInt16LE(faces, MESH + 22)
+  bytes.writeUInt16LE(1 + below(2040), FIELD.FRAME_W)
+  bytes.writeUInt16LE(height, FIELD.FRAME_W + 2)
+  address(DRAWN + FIELD.DRAWN_MESH, MESH)
+  address(DRAWN + FIELD.DRAWN_VERTICES, VERTICES)
+  address(DRAWN + FIELD.DRAWN_LINKS, LINKS)
+  address(DRAWN + FIELD.DRAWN_LINKS + 4, BANDS)
+  address(MESH + FIELD.MESH_PLACES, PLACES)
+  address(MESH + FIELD.MESH_NORMALS8, NORMALS)
+  address(MESH + FIELD.MESH_FACES, FACES)
+  bytes.writeUInt16LE(vertices, MESH + FIELD.MESH_VERTEX_COUNT)
+  bytes.writeUInt16LE(faces, MESH + FIELD.MESH_VERTEX_COUNT + 2)
   for (let k = 0; k < 3 * faces; k++) bytes.writeUInt16LE(below(vertices), FACES + 2 * k)
   for (let k = 0; k < 3 * vertices; k++) {
     bytes.writeInt16LE(int16(), PLACES + 2 * k)
@@ -82,17 +90,17 @@ function frame(height, vertices, faces) {
 
 function vertices() {
   const bytes = frame(1 + below(2040), 1 + below(20), 0)
-  for (let k = 0; k < 6; k++) bytes.writeInt16LE(below(65535) - 32767, DRAWN + 26 + 2 * k)
-  for (let k = 0; k < 9; k++) bytes.writeInt16LE(one(below(18919) - 9459, 0), DRAWN + 38 + 2 * k)
-  for (let k = 0; k < 3; k++) bytes.writeInt16LE(one(int16(), below(200)), DRAWN + 56 + 2 * k)
-  bytes.writeUInt16LE(one(below(65536), below(4000), 16383, 16384, 65535), DRAWN + 62)
+  for (let k = 0; k < 6; k++) bytes.writeInt16LE(below(65535) - 32767, DRAWN + FIELD.DRAWN_LIGHT + 2 * k)
+  for (let k = 0; k < 9; k++) bytes.writeInt16LE(one(below(18919) - 9459, 0), DRAWN + FIELD.DRAWN_LIGHT + 12 + 2 * k)
+  for (let k = 0; k < 3; k++) bytes.writeInt16LE(one(int16(), below(200)), DRAWN + FIELD.DRAWN_LIGHT + 30 + 2 * k)
+  bytes.writeUInt16LE(one(below(65536), below(4000), 16383, 16384, 65535), DRAWN + FIELD.DRAWN_SCALE)
   return [bytes, [AT, AT + DRAWN], PLACES + 1]
 }
 
 // Faces that have lines and an area, as those in lists have; some are of 16-bit normals.
 function faces() {
   const bytes = frame(240, 20, 1), size = one(40, 300, 4000), first = below(4000)
-  bytes.writeUInt32LE(below(2) && AT + NORMALS16, MESH + 4)
+  bytes.writeUInt32LE(below(2) && AT + NORMALS16, MESH + FIELD.MESH_NORMALS)
   for (let k = 0; k < 60; k++) bytes.writeInt16LE(below(65535) - 32767, NORMALS16 + 2 * k)
   for (let k = 0; k < 20; k++) {
     bytes.writeInt16LE(first + below(size), VERTICES + 16 * k)
@@ -109,7 +117,7 @@ function faces() {
 function lists() {
   const height = 1 + below(one(240, 2040)), count = 3 + below(40), size = Math.min(32766, one(32766, 16 * height + 200))
   const bytes = frame(height, count, below(100)), clipped = below(2)
-  bytes.writeUInt8(clipped, DRAWN + 64)
+  bytes.writeUInt8(clipped, DRAWN + FIELD.DRAWN_IS_CUT)
   for (let k = 0; k < count; k++) {
     bytes.writeInt16LE(below(size), VERTICES + 16 * k)
     bytes.writeInt16LE(below(size) - (size === 32766 ? 0 : 100), VERTICES + 16 * k + 2)
@@ -118,9 +126,9 @@ function lists() {
   return [bytes, [AT, AT + DRAWN, one(0, below(height))], VERTICES + 3]
 }
 
-// A triangle's lines, or a part of them, in a strip of w by 8, by tables: edges in and around it, t anywhere and near t_max. Values as
-// lib/glint_mesh_offsets.h has them; steps of all sizes, since it is by these that a line is known to miss the highlight; and steps by
-// which t wraps between the ends of a line that are past t_max.
+// A triangle's lines, or a part of them, in a strip of w by 8, by tables: edges in and around it, t anywhere and near t_max. Steps of all
+// sizes, since it is by these that a line is known to miss the highlight; and steps by which t wraps between the ends of a line that are past
+// t_max. Pixels are aligned, as these lines need them.
 const SURFACE = 0x20, TARGET = 0x30, TRIANGLE = 0x60, DEPTH = 0x100, OUT = 0x400, COLUMNS = 0x800, COLOURS = 0x1800, COLOURS_END = 0x5800
 const tables = Uint8Array.from({ length: COLOURS_END - COLUMNS }, (_, i) => below(256) & (i < COLOURS - COLUMNS ? 0x7e : 0xff))
 function colours() {
@@ -129,65 +137,82 @@ function colours() {
   const w = 1 + below(40), y = below(100), shine = wraps ? 2 : one(0, 1, 2, 2), size = one(8, 16, 20, 22, 24, 26, 27, 28, 30, 32)
   const step = () => bits(one(size, size, Math.max(8, size - 3)))
   bytes.set(tables, COLUMNS)
-  word(0, AT + COLUMNS, AT + COLOURS, tMax, 0x1234, shift)
-  word(SURFACE, AT + OUT + !below(20), one(2 * w, 80 + 2 * below(10), 80 + below(20)))
+  word(FIELD.TABLES_COLUMNS, AT + COLUMNS, AT + COLOURS, tMax)
+  bytes.writeUInt16LE(0x1234, FIELD.TABLES_DARK)
+  bytes.writeUInt8(shift, FIELD.TABLES_SHIFT)
+  const stride = one(1, 1, -1) * one(2 * w, 80 + 2 * below(20))
+  word(SURFACE, AT + OUT + 2 * below(2) - Math.min(0, 7 * stride), stride)
   word(TARGET, AT + SURFACE, AT + DEPTH, w, y, y + 8)
   for (let i = 0; i < 320; i++) bytes.writeUInt16LE(one(65535, 65535, below(65536)), DEPTH + 2 * i)
   const z = below(2) ? below(65536) * 65536 : bits(32), nl = shine === 0 ? -1 : below(8) ? below(2 ** 31) : bits(32)
   const nlSteps = [0, 0].map(() => shine && bits(one(20, 28)))
   word(TRIANGLE, z, nl, below(3) ? tMax + bits(size) : bits(32), step(), step(), bits(20), nlSteps[0], step(), step(), bits(24), nlSteps[1],
     step() >> below(8), below(w))
-  for (let k = 0; k < 3; k++) word(TRIANGLE + 52 + 8 * k, below(65536 * (w + 8)) - 65536 * 4, bits(20))
+  for (let k = 0; k < 3; k++) word(TRIANGLE + FIELD.TRIANGLE_LONG + 8 * k, below(65536 * (w + 8)) - 65536 * 4, bits(20))
   if (wraps) { // t, its step and that one's; long edges left and right of all
     const [past, first, second] = one([1 + below(1000), below(100), 2 ** one(29, 30, 31)], [2 ** 31 - below(100), 2 ** 26 - 1 - below(2 ** 20), 0])
-    word(TRIANGLE + 8, tMax + past, first)
-    word(TRIANGLE + 44, second, 0, w * 65536, 0, 0, 0, 0, 0)
+    word(TRIANGLE + FIELD.TRIANGLE_T, tMax + past, first)
+    word(TRIANGLE + FIELD.TRIANGLE_TXX, second, 0, w * 65536, 0, 0, 0, 0, 0)
   }
   const lines = [below(8), below(10), below(10)].sort((a, b) => a - b)
-  lines.forEach((line, k) => bytes.writeUInt16LE(y + line, TRIANGLE + 76 + 2 * k))
-  bytes.writeUInt8(shine, TRIANGLE + 82)
-  bytes.writeUInt8(wraps ? 0 : below(2), TRIANGLE + 83)
+  lines.forEach((line, k) => bytes.writeUInt16LE(y + line, TRIANGLE + FIELD.TRIANGLE_Y + 2 * k))
+  bytes.writeUInt8(shine, TRIANGLE + FIELD.TRIANGLE_SHINE)
+  bytes.writeUInt8(wraps ? 0 : below(2), TRIANGLE + FIELD.TRIANGLE_LONG_IS_LEFT)
   return [bytes, [AT, AT + TRIANGLE, AT + TARGET], TRIANGLE + 3]
 }
 
-// A picture of a mesh in strips of all heights, a part of it by tables and one exactly, with places for few triangles that go on. The program's
-// mesh_begin has made its tables and its prepared shader; other tables have a smaller highlight and other dark pixels.
-const OTHER = 0x1c0, OTHER_END = 0x1d4, POSE = 0x140, LIGHT = 0x160, PAINTS = 0x180, PARTS = 0x1a0, SURFACES = 0x1100, PICTURE = 0x1400, MESH_MEMORY = 0x3000, FRAME_MEMORY = 0x4000, POLYGON = 388 // with padding
+// What mesh_begin paints with: by tables and exactly, and by tables of a smaller highlight and other dark pixels. Of each program its own,
+// since a paint has addresses.
+function paints(machine) {
+  const [tables, exact] = [0, 1].map((way) => {
+    if (run(machine, 'mesh_begin', [way])) throw new Error('mesh_begin returned an error')
+    return Buffer.from(machine.memory.subarray(machine.address('paint') - RAM, machine.address('paint') - RAM + machine.size('paint')))
+  })
+  const other = Buffer.from(tables)
+  other.writeUInt32LE(tables.readUInt32LE(FIELD.TABLES_T_MAX) >>> 1, FIELD.TABLES_T_MAX)
+  other.writeUInt16LE(0x1234, FIELD.TABLES_DARK)
+  return { tables, exact, other }
+}
+const PAINTS_OF = new Map([c, assembly].map((machine) => [machine, paints(machine)])), PAINT_SIZE = c.size('paint')
+
+// A picture of a mesh in strips of all heights, a part of it by tables and one exactly, or both by tables, with places for few triangles that
+// go on. Lines of pixels that are not aligned are drawn, too.
+const POSE = 0x140, TO_LIGHT = 0x150, TO_VIEWER = 0x160, LIGHT = 0x170, LIGHT_END = 0x1b0, PARTS = 0x1b0, SURFACES = 0x1100, PICTURE = 0x1400
+const MESH_MEMORY = 0x3000, FRAME_MEMORY = 0x4000, POLYGON = FIELD.BENCH_FACE - 3 * 16 /* with padding */, PAINTS = 0x6000
 function strips() {
   const w = 1 + below(40), h = 1 + below(64), odd = !below(10), lines = one(16, 16, 1 + below(20)), vertices = 3 + below(30), faces = 1 + below(64)
-  const bytes = Buffer.concat([frame(h, vertices, faces), Buffer.alloc(0x4c00)]), word = (at, ...values) => values.forEach((value, k) => bytes.writeUInt32LE(value, at + 4 * k))
+  const stride = 2 * w + (below(10) ? 2 * below(2) : 1), bytes = Buffer.concat([frame(h, vertices, faces), Buffer.alloc(0x4c00 + 2 * PAINT_SIZE)])
+  const word = (at, ...values) => values.forEach((value, k) => bytes.writeInt32LE(value | 0, at + 4 * k))
   bytes.fill(0, 0, MESH)
   for (let k = 0; k < 4; k++) bytes.writeInt16LE(bits(16) || 1, POSE + 2 * k)
   for (let k = 0; k < 2; k++) bytes.writeInt16LE(bits(one(6, 9)), POSE + 8 + 2 * k)
   bytes.writeUInt16LE(one(16 * w, 16 * w, below(4000), 65535), POSE + 14)
-  for (let k = 0; k < 6; k++) bytes.writeInt16LE(bits(15), LIGHT + 2 * k)
-  const symbols = [[PAINTS, 'glint_mesh_tables'], [PAINTS + 4, 'tables'], ...one([[PAINTS + 8, 'glint_mesh_exact'], [PAINTS + 12, 'prepared']], [[PAINTS + 8, 'glint_mesh_tables']])]
-  bytes.writeUInt32LE(AT + OTHER, PAINTS + 12)
-  const change = (machine, at) => {
-    machine.memory.copy(machine.memory, at + OTHER, machine.address('tables') - RAM, machine.address('tables') - RAM + OTHER_END - OTHER)
-    machine.memory.writeUInt32LE(machine.memory.readUInt32LE(at + OTHER + 8) >>> 1, at + OTHER + 8)
-    machine.memory.writeUInt16LE(0x1234, at + OTHER + 12)
-  }
+  word(TO_LIGHT, bits(15), bits(15), bits(15))
+  word(TO_VIEWER, bits(15), bits(15), bits(15))
+  const painted = one(['tables', 'exact'], ['exact', 'tables'], ['tables', 'other'], ['tables', 'other'])
+  const change = (machine, at) => painted.forEach((name, k) => PAINTS_OF.get(machine)[name].copy(machine.memory, at + PAINTS + PAINT_SIZE * k))
   if (below(2)) {
-    bytes.writeUInt32LE(AT + PARTS, MESH + 16)
+    word(MESH + FIELD.MESH_FACES + 4, AT + PARTS)
     bytes.writeUInt16LE(below(faces), PARTS)
     bytes.writeUInt16LE(faces, PARTS + 2)
-    bytes.writeUInt8(2, MESH + 24)
+    bytes.writeUInt8(2, MESH + FIELD.MESH_VERTEX_COUNT + 4)
   }
-  const calls = [['glint_mesh_begin', [AT, w, h, lines, one(0, 0, 2000 + below(8000)), AT + FRAME_MEMORY, 4 * below(400) + 2 * w * lines + 800]],
-    ['glint_mesh_add', [AT, AT + DRAWN, AT + MESH, AT + POSE, AT + LIGHT, AT + PAINTS, AT + MESH_MEMORY, 0x1000]]]
+  const calls = [['glint_light_directional', [AT + LIGHT, AT + TO_LIGHT]],
+    ...painted.map((_, k) => ['glint_paint_light_by', [AT + PAINTS + PAINT_SIZE * k, AT + LIGHT, 1, AT + TO_VIEWER, 0]]),
+    ['glint_mesh_begin', [AT, w, h, lines, one(0, 0, 2000 + below(8000)), AT + FRAME_MEMORY, 4 * below(400) + 2 * w * lines + 800]],
+    ['glint_mesh_add', [AT, AT + DRAWN, AT + MESH, AT + POSE, AT + PAINTS, AT + MESH_MEMORY, 0x1000]]]
   for (let y = below(4) ? 0 : below(h), count = 0; y < h; count++) {
     const height = Math.min(h - y, one(lines, lines, 1 + below(lines))), surface = SURFACES + 12 * count
     calls.push(['glint_mesh_strip', [AT, y, height, AT + surface]])
-    word(surface, AT + PICTURE + 2 * w * y + odd, 2 * w)
+    word(surface, AT + PICTURE + stride * y + odd, stride)
     y += height
   }
-  return [bytes, calls.at(-1)[1], PLACES + 1, { before: calls.slice(0, -1), symbols, change, unread: [[OTHER, OTHER_END], [FRAME_MEMORY, FRAME_MEMORY + POLYGON]] }]
+  const unread = [[LIGHT, LIGHT_END], [PAINTS, PAINTS + 2 * PAINT_SIZE], [FRAME_MEMORY, FRAME_MEMORY + POLYGON]]
+  return [bytes, calls.at(-1)[1], PLACES + 1, { before: calls.slice(0, -1), change, unread }]
 }
 
-const TWINS = [['glint_mesh_tables_draw', colours, 6000], ['glint_mesh_triangle_set', triangle, 10000], ['glint_mesh_face_set', faces, 5000],
+const TWINS = [['glint_mesh_colour', colours, 6000], ['glint_mesh_triangle_set', triangle, 10000], ['glint_mesh_face_set', faces, 5000],
   ['glint_mesh_vertices', vertices, 400], ['glint_mesh_sort', lists, 1000], ['glint_mesh_strip', strips, 400]]
-for (const machine of [c, assembly]) run(machine, 'mesh_begin', [0])
 for (const [name, make, calls] of TWINS) {
   const unlike = [0, 0]
   for (let i = 0; i < calls; i++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Random lamps about the random scenes. */
+ * Random lights about the random scenes: directional, with a place, and white. */
 #ifndef GLINT_UNIT_LAMPS_H
 #define GLINT_UNIT_LAMPS_H
 
@@ -17,36 +17,72 @@ static inline int32_t cosine(double degrees)
     return (int32_t)lround(ONE_Q30 * cos(degrees * M_PI / 180));
 }
 
-static inline struct glint_lamp random_lamp(void)
+/* Which one a light is. */
+enum kind { DIRECTIONAL, POINT, SPOT };
+static inline enum kind kind_of(const struct glint_light *light)
 {
-    struct glint_lamp lamp;
+    static const int32_t here[3] = {0, 0, 1};
+    struct glint_light directional, point;
+    assert_int_equal(glint_light_directional(&directional, here), GLINT_OK);
+    assert_int_equal(glint_light_point(&point, here, 1), GLINT_OK);
+    return light->kind == directional.kind ? DIRECTIONAL : light->kind == point.kind ? POINT : SPOT;
+}
+
+static inline struct glint_light random_light(void)
+{
+    struct glint_light light;
     enum glint_err err;
     do {
         const int32_t a[3] = {(int32_t)below(W * PIXEL), (int32_t)below(H * PIXEL), within(600)};
         const int32_t b[3] = {(int32_t)below(W * PIXEL), (int32_t)below(H * PIXEL), within(100)};
-        const int32_t direction[3] = {within(100), within(100), within(100) + 50}, viewer[3] = {0, 0, 1};
+        const int32_t direction[3] = {within(100), within(100), within(100) + 50};
         const uint32_t range = 1 + below(1500);
         const double inner = below(9000) / 100., outer = inner + below(3000) / 100.;
         switch (below(3)) {
-        case GLINT_DIRECTIONAL:
-            err = glint_lamp_directional(&lamp, direction, viewer);
+        case DIRECTIONAL:
+            err = direction[0] | direction[1] || direction[2] > 0 ? glint_light_directional(&light, direction)
+                                                                  : GLINT_ERR_VECTOR; /* not straight behind */
             break;
-        case GLINT_POINT:
-            err = glint_lamp_point(&lamp, a, range);
+        case POINT:
+            err = glint_light_point(&light, a, range);
             break;
         default:
-            err = glint_lamp_spot(&lamp, a, b, range, cosine(inner), cosine(outer));
+            err = glint_light_spot(&light, a, b, range, cosine(inner), cosine(outer));
         }
     } while (err != GLINT_OK);
     for (int k = 0; k < 3; k++)
-        lamp.color_q16[k] = below(4) ? below(65537) : 65536;
-    return lamp;
+        light.color_q16[k] = below(4) ? below(65537) : 65536;
+    return light;
 }
 
-static inline void random_lamps(struct glint_lamp lamps[GLINT_LAMPS_MAX])
+static inline void random_lights(struct glint_light lights[GLINT_LIGHTS_MAX])
 {
-    for (unsigned i = 0; i < GLINT_LAMPS_MAX; i++)
-        lamps[i] = random_lamp();
+    for (unsigned i = 0; i < GLINT_LIGHTS_MAX; i++)
+        lights[i] = random_light();
+}
+
+static inline void white(struct glint_light *light)
+{
+    for (int k = 0; k < 3; k++)
+        light->color_q16[k] = 65536;
+}
+
+/* An exact paint of the look under these, seen from the look's viewer. */
+static inline enum glint_err draw_under(const struct look *look, const struct glint_light *lights, unsigned count,
+                                        const struct glint_maps *maps, uint16_t w, uint16_t h,
+                                        const struct glint_surface *target, struct glint_box *highlight)
+{
+    struct glint_paint paint;
+    assert_int_equal(glint_paint_exact(&paint, &look->material, &look->output), GLINT_OK);
+    const enum glint_err err = glint_paint_light(&paint, lights, count, look->to_viewer);
+    return err ? err : glint_draw_rect(&paint, maps, w, h, target, highlight);
+}
+
+/* The same of a scene. */
+static inline void draw_scene_under(struct scene *s, const struct glint_light *lights, unsigned count,
+                                    struct glint_box *highlight)
+{
+    assert_int_equal(draw_under(&s->look, lights, count, &s->maps, W, H, &s->surface, highlight), GLINT_OK);
 }
 
 #endif

@@ -5,6 +5,8 @@
 
 #include "shading.h"
 
+#include "glint_mesh.h"
+
 enum { MESH_W = 120, MESH_H = 90, MESH_VERTICES = 2000, MESH_FACES = 4000 };
 
 /* A mesh that can be changed, and its view. */
@@ -18,8 +20,11 @@ struct made_mesh {
 
 static inline void mesh_made(struct made_mesh *m, unsigned vertices, unsigned faces)
 {
-    const struct glint_mesh mesh = {&m->places[0][0],   &m->normals[0][0], NULL, &m->faces[0][0], NULL,
-                                    (uint16_t)vertices, (uint16_t)faces,   0};
+    const struct glint_mesh mesh = {.places = &m->places[0][0],
+                                    .normals = &m->normals[0][0],
+                                    .faces = &m->faces[0][0],
+                                    .vertex_count = (uint16_t)vertices,
+                                    .face_count = (uint16_t)faces};
     const struct glint_pose pose = {{32767, 0, 0, 0}, {0, 0, 0}, 16 * 60};
     m->mesh = mesh;
     m->pose = pose;
@@ -72,25 +77,26 @@ static inline void mesh_noise(struct made_mesh *m, unsigned vertices, unsigned f
 }
 
 /* Draws a picture in strips: heights[i % count] lines each, in turn from the top, or backwards from the bottom. */
-static inline void mesh_picture(const struct made_mesh *m, const struct glint_light *light,
-                                const struct glint_paint *paints, uint8_t *pixels, unsigned pixel_bytes,
-                                const unsigned *heights, unsigned count, bool backwards)
+static inline void mesh_picture(const struct made_mesh *m, const struct glint_paint *paints, uint8_t *pixels,
+                                unsigned pixel_bytes, const unsigned *heights, unsigned count, bool backwards)
 {
-    static uint32_t depths[(MESH_W * MESH_H * 2 + 4096 + 50 * GLINT_MESH_KEPT_BYTES) / 4],
-        work[(MESH_VERTICES * 16 + MESH_FACES * 2 + 64) / 4];
+    static _Alignas(8)
+        uint8_t memory[MESH_W * MESH_H * 2 + 4096 + 50 * GLINT_MESH_KEPT_BYTES + GLINT_MESH_LIGHTS_BYTES];
+    static uint32_t work[(MESH_VERTICES * 16 + MESH_FACES * 2 + 64) / 4];
     struct glint_mesh_frame frame;
     struct glint_mesh_drawn drawn;
     static unsigned turn;
     static const size_t kept[] = {0, 1, 5, 50}; /* places for triangles that go on */
-    const size_t bytes =
-        glint_mesh_frame_bytes(MESH_W, MESH_H) + GLINT_MESH_KEPT_BYTES * kept[turn++ % (sizeof kept / sizeof *kept)];
+    const size_t bytes = glint_mesh_frame_bytes(MESH_W, MESH_H) + GLINT_MESH_LIGHTS_BYTES +
+                         GLINT_MESH_KEPT_BYTES * kept[turn++ % (sizeof kept / sizeof *kept)];
     unsigned starts[MESH_H + 1], strips = 0;
+    assert_true(bytes <= sizeof memory);
     for (starts[0] = 0; starts[strips] < MESH_H; strips++) {
         const unsigned end = starts[strips] + heights[strips % count];
         starts[strips + 1] = end < MESH_H ? end : MESH_H;
     }
-    assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, MESH_H, m->distance, depths, bytes), GLINT_OK);
-    assert_int_equal(glint_mesh_add(&frame, &drawn, &m->mesh, &m->pose, light, paints, work, sizeof work), GLINT_OK);
+    assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, MESH_H, m->distance, memory, bytes), GLINT_OK);
+    assert_int_equal(glint_mesh_add(&frame, &drawn, &m->mesh, &m->pose, paints, work, sizeof work), GLINT_OK);
     for (unsigned i = 0; i < strips; i++) {
         const unsigned strip = backwards ? strips - 1 - i : i, y = starts[strip];
         const struct glint_surface surface = {pixels + (size_t)pixel_bytes * MESH_W * y,

@@ -3,7 +3,7 @@
 #ifndef GLINT_RELIGHT_BOARD_H
 #define GLINT_RELIGHT_BOARD_H
 
-enum { WIDTH = 67, HEIGHT = 11 }; /* wider than the exact pixel's pieces */
+enum { WIDTH = 67, HEIGHT = 11 }; /* wider than the library's runs */
 #include "panel_board.h"
 
 static struct {

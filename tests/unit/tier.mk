@@ -5,14 +5,22 @@
 # sanitizers, with which programs that a test compiles do not link. Threads that wait leave the processor to other tests.
 # GMP and MPFR: model_added builds programs of tier exact.
 UNIT_PACKAGES = libopenmpi-dev openmpi-bin libcmocka-dev libgmp-dev libmpfr-dev g++ clang libomp-dev gnuplot-nox cmake groff-base zsh
+# What make check runs needs these, and a part of it those.
+UNIT_CHECK = libcmocka-dev:cmocka.h
+UNIT_CHECK_PART = libusb-1.0-0-dev:libusb-1.0/libusb.h libgpiod-dev:gpiod.h libinih-dev:ini.h libchafa-dev:chafa/chafa.h \
+	librsvg2-dev:librsvg-2.0/librsvg/rsvg.h libassimp-dev:assimp/version.h g++:g++ groff-base:groff zsh:zsh
+# Flags of the tests' own code, after those of all.
+UNIT_CFLAGS ?=
 UNIT_CHOSEN = $(wildcard tests/unit/*/test_*.c)
 UNIT_ALL := $(UNIT_CHOSEN:tests/unit/%.c=$(BUILD)/tests/unit/%)
 ifneq ($(TEST),)
 UNIT_CHOSEN := $(filter $(wildcard tests/unit/*/*$(TEST)*),$(UNIT_CHOSEN))
 endif
 UNIT_TESTS = $(patsubst tests/unit/%.c,$(BUILD)/tests/unit/%,$(UNIT_CHOSEN))
-# What make check leaves to make test-unit.
-UNIT_QUICK = $(filter-out $(BUILD)/tests/unit/slow/%,$(UNIT_TESTS))
+# What make check leaves to make test-unit: slow/, and of what also runs with sanitizers these, of two seconds or more each.
+UNIT_LONG = $(addprefix $(BUILD)/tests/unit/host/test_,bake material mesh_files output paper reference search stream terminal)
+UNIT_SANITIZABLE = $(filter-out $(BUILD)/tests/unit/slow/%,$(UNIT_TESTS))
+UNIT_QUICK = $(filter-out $(UNIT_LONG),$(UNIT_SANITIZABLE))
 UNIT_SCRIPTS = $(filter-out %.c,$(wildcard tests/unit/*/test_*))
 UNIT_QUICK_SCRIPTS = $(filter-out tests/unit/slow/%,$(UNIT_SCRIPTS))
 UNIT_ENV = GLINT="$$(realpath $(BUILD)/glint)" GLINT_SOURCE="$(CURDIR)" \
@@ -24,7 +32,7 @@ UNIT_BUILDERS = "tests/unit/compilers $(BUILD)/compilers $(BUILD)/libglint.a $(S
 
 $(BUILD)/tests/unit/%.o: tests/unit/%.c $(BUILD)/flags | $(BUILD)/packages
 	@mkdir -p $(@D)
-	$(CC) $(HOST_CFLAGS) -Itests/unit -c $< -o $@
+	$(CC) $(HOST_CFLAGS) -Itests/unit $(UNIT_CFLAGS) -c $< -o $@
 
 $(UNIT_ALL): %: %.o $(HOST_ARCHIVES)
 	$(CC) $(HOST_LDFLAGS) $< $(HOST_ARCHIVES) -o $@ -lcmocka $(HOST_LDLIBS)
@@ -36,27 +44,27 @@ test-unit: ## check: the library and the command: pictures, numbers, messages; s
 	@+tests/tier unit "$(SUBMAKE)"
 
 unit-programs: $(UNIT_TESTS) $(BUILD)/glint
+unit-sanitizable-programs: $(UNIT_SANITIZABLE) $(BUILD)/glint
 unit-quick-programs: $(UNIT_QUICK) $(BUILD)/glint
 
-# With TEST or SANITIZE only what they say; else everything with sanitizers but for what is slow, and plain what is slow and
-# what tests the library, which compilers optimize most. (make check runs everything quick as it is shipped.) What takes longest
-# begins first, so that it does not end alone.
-UNIT_PLAIN = $(filter $(BUILD)/tests/unit/slow/% $(BUILD)/tests/unit/lib/%,$(UNIT_TESTS))
+# With TEST or SANITIZE only what they say; else everything with sanitizers but for what is slow, and plain what make check leaves
+# out and what tests the library, which compilers optimize most. What takes longest begins first, so that it does not end alone.
+UNIT_PLAIN = $(filter $(BUILD)/tests/unit/slow/% $(BUILD)/tests/unit/lib/% $(UNIT_LONG),$(UNIT_TESTS))
 run-unit: $(if $(TEST)$(filter 1,$(SANITIZE)),$(UNIT_TESTS),$(UNIT_PLAIN)) $(BUILD)/glint
 ifneq ($(TEST)$(filter 1,$(SANITIZE)),)
 	@+$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS) $(if $(TEST),$(UNIT_BUILDERS))
 else
-	@+$(SUBMAKE) BUILD=$(UNIT_SANITIZED) SANITIZE=1 unit-quick-programs
+	@+$(SUBMAKE) BUILD=$(UNIT_SANITIZED) SANITIZE=1 unit-sanitizable-programs
 	@+$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_BUILDERS) $(sort $(UNIT_SCRIPTS)) \
-		$(patsubst $(BUILD)/%,"env GLINT=$(CURDIR)/$(UNIT_SANITIZED)/glint $(UNIT_SANITIZED)/%",$(UNIT_QUICK)) $(UNIT_PLAIN)
+		$(patsubst $(BUILD)/%,"env GLINT=$(CURDIR)/$(UNIT_SANITIZED)/glint $(UNIT_SANITIZED)/%",$(UNIT_SANITIZABLE)) $(UNIT_PLAIN)
 endif
 
 # Without set-up and what takes long. Some wait for a terminal or a frame's time: one more runs than there are processors.
 check-unit:
-	@+if pkg-config --exists cmocka; then $(SUBMAKE) run-check-unit; \
+	@+if tests/missing "$(CC)" "" "" $(UNIT_CHECK) >/dev/null; then $(SUBMAKE) run-check-unit; \
 	else tests/tally "echo ok 1 - tier unit # SKIP cmocka is not installed: make setup-unit"; fi
 
 run-check-unit: unit-quick-programs
 	@$(UNIT_ENV) TALLY_JOBS=$$(($$(nproc) + 1)) tests/tally $(UNIT_QUICK_SCRIPTS) $(UNIT_QUICK)
 
-.PHONY: setup-unit test-unit unit-programs unit-quick-programs run-unit check-unit run-check-unit
+.PHONY: setup-unit test-unit unit-programs unit-sanitizable-programs unit-quick-programs run-unit check-unit run-check-unit

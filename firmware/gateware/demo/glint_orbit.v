@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Written by tables.c: the light's orbit, by glint_light_init for a viewer at (0, 0, 1), in Q1.15: 164 L.x, 164 L.y
+// Written by tables.c: the light's orbit, as a paint is lit for a viewer at (0, 0, 1), in Q1.15: 164 L.x, 164 L.y
 // (24 bits each), L.z, 164 H.x, 164 H.y, H.z, and 2^30 + |H|^2.
 `default_nettype none
 

@@ -8,7 +8,7 @@
 #include "sphere.h"
 
 static const char orbit_head[] = "// SPDX-License-Identifier: MIT\n"
-                                 "// Written by tables.c: the light's orbit, by glint_light_init for a viewer at (0, "
+                                 "// Written by tables.c: the light's orbit, as a paint is lit for a viewer at (0, "
                                  "0, 1), in Q1.15: 164 L.x, 164 L.y\n"
                                  "// (24 bits each), L.z, 164 H.x, 164 H.y, H.z, and 2^30 + |H|^2.\n"
                                  "`default_nettype none\n\n"
@@ -42,15 +42,20 @@ static unsigned bits(int32_t value, unsigned width)
 
 static int write_orbit(void)
 {
+    static const int32_t viewer[3] = {0, 0, 1};
+    const struct glint_material material = {.n = 60};
+    const struct glint_output output = {0};
+    struct glint_paint paint;
+    if (glint_paint_exact_for(&paint, &material, &output, &glint_use_msh, &glint_use_rgb565) != GLINT_OK)
+        return 1;
     fputs(orbit_head, stdout);
     for (unsigned i = 0; i < 256; i++) { /* all of the memory, so that no entry is unknown */
-        static const int32_t viewer[3] = {0, 0, 1};
         int32_t to[3];
         struct glint_light light;
         orbit_light(to, i, ORBIT_FRAMES);
-        if (glint_light_init(&light, to, viewer) != GLINT_OK)
+        if (glint_light_directional(&light, to) != GLINT_OK || glint_paint_light(&paint, &light, 1, viewer) != GLINT_OK)
             return 1;
-        const struct glint_vec l = light.l, h = light.h;
+        const struct glint_vec l = paint.l, h = paint.h;
         const int64_t one_hh = SPHERE_ONE + ((int64_t)h.x * h.x + (int64_t)h.y * h.y + (int64_t)h.z * h.z);
         printf("        memory[%u] = 160'h%06x%06x%04x%06x%06x%04x%08llx;\n", i, bits(SPHERE_STEP * l.x, 24),
                bits(SPHERE_STEP * l.y, 24), bits(l.z, 16), bits(SPHERE_STEP * h.x, 24), bits(SPHERE_STEP * h.y, 24),

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Written by firmware/gateware/registers/generate from registers.tsv.
- * The registers of glint_span_wb, and a shader and a span written to them. Define GLINT_UNIT_WRITE and GLINT_UNIT_READ before
+ * The registers of glint_span_wb, and a material and a span written to them. Define GLINT_UNIT_WRITE and GLINT_UNIT_READ before
  * where registers are not reached by a plain volatile access. */
 /* clang-format off */
 #ifndef GLINT_SPAN_UNIT_H
@@ -65,30 +65,34 @@ enum {
 #endif
 
 /* Waits until the unit is idle, since its registers belong to all pixels inside; pixels must be taken meanwhile.
- * What it does not draw is refused, and nothing is written: GLINT_ERR_ARG: another model than MSH and Schlick, an albedo that is
- * not 255; GLINT_ERR_FORMAT: another format than RGB565, linear space, dither. */
-static inline enum glint_err glint_unit_set_shader(uintptr_t unit, const struct glint_shader *shader)
+ * What it does not draw is refused, and nothing is written: GLINT_ERR_ARG: another model than MSH and Schlick, n = 0, an n_across that
+ * is neither 0 nor n, an albedo that is not 255; GLINT_ERR_FORMAT: another format than RGB565, linear space, dither. */
+static inline enum glint_err glint_unit_set_material(uintptr_t unit, const struct glint_material *material,
+                                                     const struct glint_output *output)
 {
-    const uint8_t *const albedo = shader->material.albedo;
-    if ((shader->lobe.model != GLINT_MSH && shader->lobe.model != GLINT_SCHLICK) || (albedo[0] & albedo[1] & albedo[2]) != 255)
+    const uint8_t *const albedo = material->albedo;
+    const uint32_t n = material->n < GLINT_N_MAX ? material->n : GLINT_N_MAX, q = material->q ? material->q : 6;
+    if ((material->model != GLINT_MSH && material->model != GLINT_SCHLICK) || n == 0 ||
+        (material->n_across && material->n_across != material->n) || (albedo[0] & albedo[1] & albedo[2]) != 255)
         return GLINT_ERR_ARG;
-    if (shader->format != GLINT_RGB565 || shader->space != GLINT_GAMMA || shader->dither)
+    if (output->format != GLINT_RGB565 || output->space != GLINT_GAMMA || output->dither)
         return GLINT_ERR_FORMAT;
+    const uint32_t c_min = material->model == GLINT_MSH ? glint_msh_cutoff(n, q) : glint_schlick_cutoff(n, q);
     while (!(GLINT_UNIT_READ(unit, GLINT_UNIT_STATUS) & GLINT_UNIT_IDLE)) {
     }
-    GLINT_UNIT_WRITE(unit, GLINT_UNIT_MODEL, (uint32_t)(shader->lobe.model == GLINT_SCHLICK));
-    GLINT_UNIT_WRITE(unit, GLINT_UNIT_N, (uint32_t)(shader->lobe.n));
-    GLINT_UNIT_WRITE(unit, GLINT_UNIT_C_MIN, (uint32_t)(shader->lobe.c_min_q16));
-    GLINT_UNIT_WRITE(unit, GLINT_UNIT_CLAMP_PEAK, (uint32_t)(shader->clamp_peak));
-    GLINT_UNIT_WRITE(unit, GLINT_UNIT_AMBIENT_RED, (uint32_t)(shader->material.ambient_q16[0]));
-    GLINT_UNIT_WRITE(unit, GLINT_UNIT_AMBIENT_GREEN, (uint32_t)(shader->material.ambient_q16[1]));
-    GLINT_UNIT_WRITE(unit, GLINT_UNIT_AMBIENT_BLUE, (uint32_t)(shader->material.ambient_q16[2]));
-    GLINT_UNIT_WRITE(unit, GLINT_UNIT_DIFFUSE_RED, (uint32_t)(shader->material.diffuse_q16[0]));
-    GLINT_UNIT_WRITE(unit, GLINT_UNIT_DIFFUSE_GREEN, (uint32_t)(shader->material.diffuse_q16[1]));
-    GLINT_UNIT_WRITE(unit, GLINT_UNIT_DIFFUSE_BLUE, (uint32_t)(shader->material.diffuse_q16[2]));
-    GLINT_UNIT_WRITE(unit, GLINT_UNIT_SPECULAR_RED, (uint32_t)(shader->material.specular_q16[0]));
-    GLINT_UNIT_WRITE(unit, GLINT_UNIT_SPECULAR_GREEN, (uint32_t)(shader->material.specular_q16[1]));
-    GLINT_UNIT_WRITE(unit, GLINT_UNIT_SPECULAR_BLUE, (uint32_t)(shader->material.specular_q16[2]));
+    GLINT_UNIT_WRITE(unit, GLINT_UNIT_MODEL, (uint32_t)(material->model == GLINT_SCHLICK));
+    GLINT_UNIT_WRITE(unit, GLINT_UNIT_N, (uint32_t)(n));
+    GLINT_UNIT_WRITE(unit, GLINT_UNIT_C_MIN, (uint32_t)(c_min));
+    GLINT_UNIT_WRITE(unit, GLINT_UNIT_CLAMP_PEAK, (uint32_t)(material->clamp_peak));
+    GLINT_UNIT_WRITE(unit, GLINT_UNIT_AMBIENT_RED, (uint32_t)(material->ambient_q16[0]));
+    GLINT_UNIT_WRITE(unit, GLINT_UNIT_AMBIENT_GREEN, (uint32_t)(material->ambient_q16[1]));
+    GLINT_UNIT_WRITE(unit, GLINT_UNIT_AMBIENT_BLUE, (uint32_t)(material->ambient_q16[2]));
+    GLINT_UNIT_WRITE(unit, GLINT_UNIT_DIFFUSE_RED, (uint32_t)(material->diffuse_q16[0]));
+    GLINT_UNIT_WRITE(unit, GLINT_UNIT_DIFFUSE_GREEN, (uint32_t)(material->diffuse_q16[1]));
+    GLINT_UNIT_WRITE(unit, GLINT_UNIT_DIFFUSE_BLUE, (uint32_t)(material->diffuse_q16[2]));
+    GLINT_UNIT_WRITE(unit, GLINT_UNIT_SPECULAR_RED, (uint32_t)(material->specular_q16[0]));
+    GLINT_UNIT_WRITE(unit, GLINT_UNIT_SPECULAR_GREEN, (uint32_t)(material->specular_q16[1]));
+    GLINT_UNIT_WRITE(unit, GLINT_UNIT_SPECULAR_BLUE, (uint32_t)(material->specular_q16[2]));
     return GLINT_OK;
 }
 

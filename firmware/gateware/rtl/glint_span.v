@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Purpose: the span unit. One prepared span in (struct glint_span), its pixels out in RGB565: those of
-// glint_shade_span_c16 for a material with albedo 255 in gamma space, undithered.
+// a material with albedo 255 in gamma space, undithered, by the sequence that README.md states.
 // Parameters: WHITE, 1 where red's specular coefficient is that of all (two products less); ROWS, 1 where those two are
 // made of logic cells, 0 of multiplier blocks; LUT_RAM and ROW_AND as glint_core's.
 // Latency: a pixel a clock, the first 19 clocks later; spans follow each other without a gap.

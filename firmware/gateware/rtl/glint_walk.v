@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a span to its pixels: second-order differences and the reductions to Q16, as glint_shade_span_c16 does them. A
+// From a span to its pixels: second-order differences and the reductions to Q16 (../README.md). A
 // pixel a clock, spans back to back; a span of w = 0 is taken and gives none.
 `default_nettype none
 

@@ -5,12 +5,13 @@ cortex-m_SOURCES = $(BARE_START)
 cortex-m_LINK = -nostdlib -T
 cortex-m_RUN = qemu-system-arm -display none -semihosting-config enable=on,target=native -M % -kernel
 cortex-m_RP2040JS = node tests/targets/rp2040.mjs build/bench/npm
+cortex-m_STACK = 800
 cortex-m_BOARDS = microbit rp2040 rp2040-asm mps2-an385 mps2-an386 mps2-an500 mps2-an505
 
 cortex-m_CORE_microbit = cortex-m0
 cortex-m_FLAGS_microbit = -mcpu=cortex-m0 -mthumb
 cortex-m_SCRIPT_microbit = microbit.ld
-cortex-m_IMAGE_microbit = -DCONFORMANCE_COLOUR=0
+cortex-m_IMAGE_microbit = -DCONFORMANCE_TABLES=0
 cortex-m_SKIPS_microbit = 5
 
 cortex-m_CORE_rp2040 = cortex-m0plus

@@ -266,3 +266,8 @@ void board_alive(void)
 {
     watchdog_update();
 }
+
+uint32_t board_us(void)
+{
+    return time_us_32();
+}

@@ -23,5 +23,6 @@ void board_fail(enum fault fault);
 extern const struct hal board_hal;
 void board_say(const char *text); /* over the UART; waits while its FIFO is full */
 void board_alive(void);           /* call it at least every WATCHDOG_MS */
+uint32_t board_us(void);          /* since the start, modulo 2^32 */
 
 #endif

@@ -7,8 +7,11 @@
 #include "mesh_cksum.h"
 
 /* All of it is drawn with one material, whatever parts the file has. */
-const struct glint_mesh held_mesh = {
-    demo_mesh_places, NULL, demo_mesh_normals, demo_mesh_faces, NULL, DEMO_MESH_VERTICES, DEMO_MESH_FACES, 0};
+const struct glint_mesh held_mesh = {.places = demo_mesh_places,
+                                     .normals8 = demo_mesh_normals,
+                                     .faces = demo_mesh_faces,
+                                     .vertex_count = DEMO_MESH_VERTICES,
+                                     .face_count = DEMO_MESH_FACES};
 
 const struct light_mesh held_mesh_identity = {DEMO_MESH_CKSUM, DEMO_MESH_VERTICES, DEMO_MESH_FACES, DEMO_MESH_SPLIT};
 

@@ -6,9 +6,6 @@
 #include "shown.h"
 #include "usb.h"
 
-#include <hardware/timer.h>
-#include <pico.h>
-
 /* ---- what there is ---- */
 
 static struct panel panel = {.bus = &board_hal.bus};
@@ -47,10 +44,22 @@ static bool gud_is_busy(void *context)
     return has_lights();
 }
 
+/* Panel or memory are not as their owner left them, and nor is the display. Of a host that came and went within one usb_poll nothing
+ * else tells. */
+static bool is_disturbed;
+
 static void gud_display(void *context, bool on, uint8_t brightness)
 {
-    if (!has_lights())
-        gud_panel_ops.display(context, on, brightness);
+    if (has_lights())
+        return;
+    is_disturbed = true;
+    gud_panel_ops.display(context, on, brightness);
+}
+
+static void gud_window(void *context, uint16_t x, uint16_t y, uint16_t width, uint16_t height)
+{
+    is_disturbed = true;
+    gud_panel_ops.window(context, x, y, width, height);
 }
 
 /* ---- faults ---- */
@@ -95,7 +104,7 @@ static void find_faults(enum fault before)
 
 static bool has_fault_to_show(void)
 {
-    if (wrong.fault && !wrong.stays && time_us_32() - wrong.since_us > FAULT_SHOWN_US)
+    if (wrong.fault && !wrong.stays && board_us() - wrong.since_us > FAULT_SHOWN_US)
         wrong.fault = FAULT_NONE;
     return wrong.fault;
 }
@@ -108,6 +117,7 @@ static void start(void)
     gud_ops = gud_panel_ops;
     gud_ops.busy = gud_is_busy;
     gud_ops.display = gud_display;
+    gud_ops.window = gud_window;
     struct shown_gud_memory *const memory = shown_gud_memory();
     gud_config.lines = (uint8_t *)memory->lines;
     gud_config.lines_bytes = sizeof memory->lines;
@@ -128,7 +138,7 @@ static void start(void)
 #endif
     if (!panel_start(&panel))
         fail(FAULT_BUS);
-    wrong.since_us = time_us_32();
+    wrong.since_us = board_us();
 }
 
 static void show(uint8_t percent)
@@ -181,9 +191,16 @@ static void hand_over(enum owner to)
             fail(FAULT_BUS);
         show(PANEL_BRIGHTEST);
     }
+    is_disturbed = light.was_enabled = false;
     owner = to;
     board_say(names[to]);
     board_say("\r\n");
+}
+
+/* Has a host come and gone that is not the owner? */
+static bool must_restart(void)
+{
+    return (is_disturbed && owner != GUD_HOST) || (light.was_enabled && owner != LIGHT_HOST);
 }
 
 /* Begins it; false: there is none yet. */
@@ -233,9 +250,8 @@ int main(void)
         if (gud_panel.has_failed)
             fail(FAULT_BUS);
         const enum owner next = wanted();
-        if (next != owner) {
+        if (next != owner || must_restart())
             hand_over(next);
-        }
         if (owner == DEMO || owner == LIGHT_HOST)
             draw();
     }

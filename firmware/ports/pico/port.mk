@@ -12,7 +12,7 @@ PICO_PANELS = st7789-240x240 st7789-240x320 st7789-135x240 ili9341-240x320 ili93
 TE ?=
 # 1: both cores shade.
 SECOND_CORE ?= 0
-# PATH=exact: every pixel by glint_shade_prepared_rect, not by tables; one core. Where commands are looked up is left as it was.
+# PATH=exact: every pixel by an exact paint, not by tables; one core. Where commands are looked up is left as it was.
 PICO_PATH := $(filter tables exact,$(PATH))
 ifneq ($(PICO_PATH),)
 override PATH := $(filter-out $(PICO_PATH),$(shell echo "$$PATH"))

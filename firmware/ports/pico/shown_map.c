@@ -24,9 +24,6 @@ static struct {
     uint16_t pixels[2][PANEL_WIDTH];
     struct relight_extent extents[PANEL_HEIGHT];
 } lines LINES_BANK;
-#if EXACT
-static struct glint_prepared prepared;
-#endif
 static struct {
 #if !EXACT
     uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4];
@@ -42,12 +39,9 @@ static struct {
 } memory;
 
 static struct light_device *lights;
+static struct glint_paint paint;
 static struct relight relight = {.hal = &board_hal,
-#if EXACT
-                                 .exact = &prepared,
-#else
-                                 .tables_memory = memory.tables,
-#endif
+                                 .paint = &paint,
                                  .pixels = {lines.pixels[0], lines.pixels[1]},
 #if !OFFERS_LIGHT /* the map stays in flash */
                                  .normals = {lines.normals[0], lines.normals[1]},
@@ -78,32 +72,36 @@ void shown_prepare(struct panel *panel, struct light_device *light)
     lights = light;
 }
 
-static enum glint_err begin(const uint32_t *map, const struct glint_shader *shader, uint16_t background)
+static enum glint_err begin(const uint32_t *map, const struct glint_material *material,
+                            const struct glint_output *output, uint16_t background)
 {
     relight.map = map;
     relight.background = background;
-    return relight_start(&relight, shader);
+    relight_start(&relight);
+#if EXACT
+    return glint_paint_exact(&paint, material, output);
+#else
+    return glint_paint_tables(&paint, GLINT_TABLES_COLOUR, material, output, memory.tables, sizeof memory.tables);
+#endif
 }
 
 enum glint_err shown_begin_demo(void)
 {
-    struct glint_shader shader;
-    demo_shader(&shader);
 #if OFFERS_LIGHT /* a map fits into RAM, from where it is faster */
     board_hal.fetch(board_hal.context, memory.host.map, demo_map, PANEL_WIDTH * PANEL_HEIGHT);
     while (!board_hal.fetched(board_hal.context))
         ;
-    return begin(memory.host.map, &shader, 0);
+    return begin(memory.host.map, &demo_gold, &demo_output, 0);
 #else
-    return begin(demo_map, &shader, 0);
+    return begin(demo_map, &demo_gold, &demo_output, 0);
 #endif
 }
 
 enum glint_err shown_begin_light(void)
 {
-    struct glint_shader shader;
-    light_device_shader(lights, &shader);
-    return begin(lights->map, &shader, lights->material.background);
+    struct glint_output output;
+    light_material_output(&output, &lights->material);
+    return begin(lights->map, &lights->material.material, &output, lights->material.background);
 }
 
 bool shown_next_demo(void)

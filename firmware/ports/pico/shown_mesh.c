@@ -27,9 +27,10 @@ static union {
 static uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4], work[1 + SECOND_CORE][CORE_BYTES / 4];
 
 static struct light_device *lights;
+static struct glint_paint paint;
 static struct turntable turntable = {.pieces.hal = &board_hal,
                                      .mesh = &held_mesh,
-                                     .tables_memory = tables,
+                                     .paint = &paint,
                                      .memory_bytes = CORE_BYTES,
                                      .strips = memory.strips,
                                      .strip_count = STRIPS,
@@ -63,28 +64,24 @@ void shown_prepare(struct panel *panel, struct light_device *light)
     lights = light;
 }
 
+static enum glint_err begin(const struct glint_material *material, const struct glint_output *output,
+                            uint16_t background)
+{
+    turntable.background = background;
+    const enum glint_err error = turntable_start(&turntable);
+    return error ? error : glint_paint_tables(&paint, GLINT_TABLES_COLOUR, material, output, tables, sizeof tables);
+}
+
 enum glint_err shown_begin_demo(void)
 {
-    struct glint_shader shader;
-    demo_shader(&shader);
-    turntable.background = 0;
-    return turntable_start(&turntable, &shader);
+    return begin(&demo_gold, &demo_output, 0);
 }
 
 enum glint_err shown_begin_light(void)
 {
-    struct glint_shader shader;
-    light_device_shader(lights, &shader);
-    turntable.background = lights->material.background;
-    return turntable_start(&turntable, &shader);
-}
-
-static bool begin_frame(const struct glint_pose *pose, const int32_t to_light[3])
-{
-    static const int32_t to_viewer[3] = {0, 0, 1};
-    struct glint_light light;
-    return glint_light_init(&light, to_light, to_viewer) == GLINT_OK &&
-           turntable_frame(&turntable, pose, &light) == GLINT_OK;
+    struct glint_output output;
+    light_material_output(&output, &lights->material);
+    return begin(&lights->material.material, &output, lights->material.background);
 }
 
 bool shown_next_demo(void)
@@ -92,7 +89,7 @@ bool shown_next_demo(void)
     static uint32_t frame;
     struct glint_pose pose;
     demo_pose(&pose, frame++, PANEL_WIDTH);
-    return begin_frame(&pose, demo_mesh_light);
+    return turntable_frame(&turntable, &pose, demo_mesh_light) == GLINT_OK;
 }
 
 bool shown_next_light(void)
@@ -101,7 +98,7 @@ bool shown_next_light(void)
     if (!light_device_next_pose(lights, &next))
         return false;
     const int32_t to_light[3] = {next.to_light[0], next.to_light[1], next.to_light[2]};
-    return begin_frame(&next.pose, to_light);
+    return turntable_frame(&turntable, &next.pose, to_light) == GLINT_OK;
 }
 
 enum shown_state shown_step(void)

@@ -25,12 +25,10 @@ const uint8_t *page_device_material(void)
     static uint8_t bytes[LIGHT_MATERIAL_BYTES];
     const struct page_state *now = page_state();
     struct light_material material;
-    struct glint_shader shader;
-    const char *refusal = now->scene ? device_refusal(now->scene, &now->shading, &shader)
-                                     : mesh_in_device_refusal(&page_mesh()->view, &now->shading, &shader);
+    const char *refusal = now->scene ? device_refusal(now->scene, &now->shading, &material)
+                                     : mesh_in_device_refusal(&page_mesh()->view, &now->shading, &material);
     if (refusal)
         fail("%s", refusal);
-    light_material_of(&material, &shader);
     light_material_pack(bytes, &material);
     return bytes;
 }

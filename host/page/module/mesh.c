@@ -3,11 +3,9 @@
 
 #include <stdlib.h>
 
-#include "compare/mesh_scene.h"
 #include "draw/mesh_canvas.h"
 #include "mesh/load.h"
 #include "page.h"
-#include "state.h"
 
 static struct page_mesh kept;
 
@@ -62,18 +60,4 @@ struct shading mesh_draw(const struct shading_options *look, uint32_t width, uin
 void mesh_draw_again(uint8_t *pixels)
 {
     mesh_canvas_draw(kept.canvas, &kept.view, kept.now, pixels);
-}
-
-struct scene *page_scene(const struct shading **shadings)
-{
-    struct mesh_coverage coverage;
-    const struct page_state *now = page_state();
-    *shadings = kept.mesh ? kept.now : &now->shading;
-    return kept.mesh ? mesh_scene(kept.mesh, kept.fitted, &kept.view, &coverage) : now->scene;
-}
-
-void page_scene_done(struct scene *scene)
-{
-    if (kept.mesh)
-        scene_free(scene);
 }

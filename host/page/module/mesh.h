@@ -7,7 +7,6 @@
 
 #include "draw/mesh_canvas.h"
 #include "options/shading_options.h"
-#include "scene/scene.h"
 
 /* The mesh, where there is one: kept as the scene and its canvas are. */
 struct page_mesh {
@@ -19,11 +18,6 @@ struct page_mesh {
     struct view view;
 };
 const struct page_mesh *page_mesh(void);
-
-/* The scene that double precision draws: the scene, or what the mesh shows, for the caller to free by page_scene_done. Its
- * parts have the shadings. */
-struct scene *page_scene(const struct shading **shadings);
-void page_scene_done(struct scene *scene);
 
 /* As page_draw: `keep` is its own. Returns the shading of the first part. */
 struct shading mesh_draw(const struct shading_options *look, uint32_t width, uint32_t height, uint32_t keep,

@@ -21,6 +21,10 @@ void PAGE_EXPORT(page_image)(char *name, uint32_t width, uint32_t height, uint32
 /* A mesh's file. */
 void PAGE_EXPORT(page_mesh_file)(char *name, uint8_t *bytes, size_t len);
 
+/* What options take by name: lines of a list (models, formats, paths), a name, its title, what it means, its formula, with tabs
+ * between. */
+const char *PAGE_EXPORT(page_lists)(void);
+
 /* ---- the picture ---- */
 
 /* Draws by the words of `glint render`, the first being the command's name. What did not change since the call before is
@@ -51,8 +55,9 @@ uint32_t PAGE_EXPORT(page_error_times)(void);
 enum { PAGE_BINS = 65 };
 const uint32_t *PAGE_EXPORT(page_histogram)(void);
 
-/* The lobe at `count` angles from 0 to `degrees`: rows of the library's value, the same in double, Blinn in double. */
-const double *PAGE_EXPORT(page_curve)(uint32_t model, uint32_t n, uint32_t count, double degrees);
+/* The lobe of a model, by its name, at `count` angles from 0 to `degrees`: rows of the library's value, the same in double, Blinn in
+ * double. */
+const double *PAGE_EXPORT(page_curve)(char *model, uint32_t n, uint32_t count, double degrees);
 
 /* ---- a device that shades by itself (firmware/core/light_protocol.h) ---- */
 

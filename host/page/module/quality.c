@@ -8,6 +8,7 @@
 #include "base/memory.h"
 #include "base/message.h"
 #include "compare/compare.h"
+#include "compare/mesh_scene.h"
 #include "compare/reference.h"
 #include "draw/paths.h"
 #include "image/format.h"
@@ -51,7 +52,7 @@ static void put3(FILE *out, const char *name, const uint32_t values[3])
 }
 
 /* The box in which the library says that the highlight lies; w = 0: there is none. */
-static struct glint_box highlight_box(const struct glint_shader *shader)
+static struct glint_box highlight_box(const struct glint_paint *paint)
 {
     const struct page_state *now = page_state();
     const struct scene *scene = now->scene;
@@ -60,21 +61,16 @@ static struct glint_box highlight_box(const struct glint_shader *shader)
     const size_t line = format_line_bytes(now->shading.format, scene->width);
     struct glint_vec *normals = scene_normals_q15(scene);
     uint8_t *pixels = allocate(scene->height, line);
-    struct glint_lamp lamps[GLINT_LAMPS_MAX];
-    shading_lamps(&now->shading, lamps);
-    const struct glint_source source = {.normals = normals,
-                                        .normals_stride = (ptrdiff_t)(scene->width * sizeof *normals),
-                                        .gloss = scene->gloss,
-                                        .gloss_stride = (ptrdiff_t)scene->width,
-                                        .mask = scene->mask,
-                                        .mask_stride = (ptrdiff_t)scene->width};
-    const struct glint_surface surface = {pixels, (ptrdiff_t)line, 0, 0};
-    const uint16_t w = (uint16_t)scene->width, h = (uint16_t)scene->height;
+    const struct glint_maps maps = {.normals = normals,
+                                    .normals_stride = (ptrdiff_t)(scene->width * sizeof *normals),
+                                    .gloss = scene->gloss,
+                                    .gloss_stride = (ptrdiff_t)scene->width,
+                                    .coverage = scene->mask,
+                                    .coverage_stride = (ptrdiff_t)scene->width};
+    const struct glint_surface target = {pixels, (ptrdiff_t)line, 0, 0};
     struct glint_box box = {0};
     const enum glint_err error =
-        shading_is_plain(&now->shading)
-            ? glint_shade_rect(shader, &source, w, h, &surface, &box)
-            : glint_shade_lights(shader, lamps, now->shading.lamp_count, &source, w, h, &surface, &box);
+        glint_draw_rect(paint, &maps, (uint16_t)scene->width, (uint16_t)scene->height, &target, &box);
     if (error != GLINT_OK)
         fail("the library refused the rectangle (error %d)", error);
     free(normals);
@@ -104,10 +100,11 @@ const char *page_facts(void)
     static struct text text;
     const struct page_state *now = page_state();
     const struct shading *shading = &now->shading;
-    const struct glint_shader shader = shading_shader(shading);
-    const struct glint_material *m = &shader.material;
+    struct glint_light lights[GLINT_LIGHTS_MAX];
+    const struct glint_paint paint = shading_paint(shading, lights);
+    const struct glint_material *m = &paint.material;
     const int32_t cutoff = (int32_t)glint_cutoff(shading->model, shading->n, shading->q);
-    const struct glint_box box = highlight_box(&shader);
+    const struct glint_box box = highlight_box(&paint);
     unsigned mean[3];
     FILE *out = text_open(&text);
     fprintf(out, "n %u\nq %u\n", shading->n, shading->q);
@@ -120,10 +117,8 @@ const char *page_facts(void)
     fprintf(out, "has_albedo %d\nhas_gloss %d\nhas_mask %d\n", now->scene && now->scene->albedo,
             now->scene && now->scene->gloss, now->scene && now->scene->mask);
     /* as on a microcontroller: pointers have 32 bits here, too */
-    fprintf(out, "prepared_bytes %zu\ncolour_bytes %u\nsmall_bytes %u\nalbedo_bytes %u\n",
-            sizeof(struct glint_prepared),
-            shading->dither ? (unsigned)GLINT_TABLES_DITHER_BYTES : (unsigned)GLINT_TABLES_COLOUR_BYTES,
-            (unsigned)GLINT_TABLES_SMALL_BYTES, (unsigned)GLINT_TABLES_ALBEDO_BYTES);
+    fprintf(out, "paint_bytes %zu\ncolour_bytes %zu\nalbedo_bytes %zu\n", sizeof paint,
+            glint_tables_bytes(GLINT_TABLES_COLOUR, shading->dither), glint_tables_bytes(GLINT_TABLES_ALBEDO, false));
     if (page_mesh()) {
         const struct view *view = &page_mesh()->view;
         fprintf(out, "faces %zu\nmesh_bytes %zu\n", page_mesh()->mesh->face_count,
@@ -133,8 +128,7 @@ const char *page_facts(void)
     fprintf(out, "cutoff_c_q16 %" PRId32 "\ncutoff_t_q30 %" PRIu32 "\n", cutoff,
             glint_cutoff_t(shading->model, shading->n, shading->q));
     fprintf(out, "cutoff_degrees %.6f\n", acos(cutoff / 65536.) * 180 / M_PI);
-    fprintf(out, "l_q15 %d %d %d\nh_q15 %d %d %d\n", shader.light.l.x, shader.light.l.y, shader.light.l.z,
-            shader.light.h.x, shader.light.h.y, shader.light.h.z);
+    fprintf(out, "l_q15 %d %d %d\nh_q15 %d %d %d\n", paint.l.x, paint.l.y, paint.l.z, paint.h.x, paint.h.y, paint.h.z);
     fprintf(out, "box %u %u %u %u\n", box.x, box.y, box.w, box.h);
     return text_close(&text);
 }
@@ -165,12 +159,22 @@ static void count(const struct levels *levels, const struct scene *scene, const 
     free(line);
 }
 
+/* What double precision draws: the scene, or what the mesh shows, to be freed then. Its parts have the shadings. */
+static struct scene *scene_in_double(const struct shading **shadings)
+{
+    struct mesh_coverage coverage;
+    const struct page_state *now = page_state();
+    const struct page_mesh *mesh = page_mesh();
+    *shadings = mesh ? mesh->now : &now->shading;
+    return mesh ? mesh_scene(mesh->mesh, mesh->fitted, &mesh->view, &coverage) : now->scene;
+}
+
 const char *page_compare(void)
 {
     static struct text text;
     const struct page_state *now = page_state();
     const struct shading *shadings;
-    struct scene *scene = page_scene(&shadings);
+    struct scene *scene = scene_in_double(&shadings);
     struct comparison comparison;
     compare(scene, shadings, now->levels, &comparison);
     error_times = error_map_amplification(&comparison.unrounded);
@@ -179,7 +183,8 @@ const char *page_compare(void)
     error_rgba = rgba_of_picture(map);
     picture_free(map);
     count(now->levels, scene, shadings);
-    page_scene_done(scene);
+    if (page_mesh())
+        scene_free(scene);
     comparison_print(&comparison, shadings, now->levels, text_open(&text));
     return text_close(&text);
 }
@@ -201,16 +206,26 @@ const uint32_t *page_histogram(void)
 
 /* ---- the curve ---- */
 
-const double *page_curve(uint32_t model, uint32_t n, uint32_t count, double degrees)
+static enum glint_model model_of(const char *name)
+{
+    for (unsigned i = 0; model_names[i]; i++)
+        if (strcmp(name, model_names[i]) == 0)
+            return (enum glint_model)i;
+    fail("unknown model '%s'", name);
+}
+
+const double *page_curve(char *name, uint32_t n, uint32_t count, double degrees)
 {
     static double *rows;
+    const enum glint_model model = model_of(name);
+    free(name);
     free(rows);
     rows = allocate(3 * (size_t)count, sizeof *rows);
     for (uint32_t i = 0; i < count; i++) {
         const double c = cos(degrees * i / (count - 1) * M_PI / 180);
         const uint32_t t = (uint32_t)lround((1 - c) * (double)GLINT_T_ONE);
-        rows[i] = glint_eval_t((enum glint_model)model, n, t) / 65536.;
-        rows[count + i] = model_double((enum glint_model)model, n, c);
+        rows[i] = glint_eval_t(model, n, t) / 65536.;
+        rows[count + i] = model_double(model, n, c);
         rows[2 * count + i] = model_double(GLINT_BLINN, n, c);
     }
     return rows;

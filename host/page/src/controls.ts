@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The material's controls: a table. Each sets one option of the command line; it shows the number that C gets and says
 // what it means. To add one: its option in words.ts, a line here.
-import { byId, capital, make, short } from './dom'
+import lists from 'glint:lists'
+import { byId, capital, make, short, typeset } from './dom'
 import type { Facts } from './engine'
 import { onDrawn } from './picture'
 import { canRedo, canUndo, change, current, onChange, redo, reset, undo } from './store'
 import type { Option, State } from './words'
-
-export const models = ['msh', 'schlick', 'blinn', 'phong', 'gauss', 'cayley', 'lyon'] as const
-const modelTitles: Record<string, string> = { msh: 'MSH', schlick: 'Schlick', blinn: 'Blinn', phong: 'Phong', gauss: 'Gauss', cayley: 'Cayley', lyon: 'Lyon' }
-const modelMeanings: Record<string, string> = {
-    msh: 'The paper\'s function (5): one division; its peak is 1.024',
-    schlick: 'c / (n − nc + c): the cheapest fraction, with a wide skirt',
-    blinn: 'cosⁿ of the angle between N and H, exactly',
-    phong: 'cosⁿ of the angle between V and the reflected light: a smaller spot at the same n',
-    gauss: 'exp(−n x² / 2) of the angle x',
-    cayley: 'A fraction to the fourth power: closest to Blinn, and 0 beyond its foot',
-    lyon: '(1 − n(1 − c)/4)⁴: Lyon 1993, the fewest cycles',
-}
-const formats = ['rgb565', 'rgb565-swapped', 'rgb888', 'grey8', 'mono', 'bgr888', 'xrgb8888', 'argb8888'] as const
-const paths = ['exact', 'span', 'span-c16', 'colour-int16', 'colour-int10', 'colour-int8', 'colour-span', 'small-int16', 'small-int10', 'small-int8',
-    'small-span', 'albedo-int16', 'albedo-int10', 'albedo-int8', 'albedo-span', 'palette'] as const
 
 interface Row {
     option: Option
@@ -37,8 +23,10 @@ const set = (option: Option, text: string | undefined, kind = '') => change({ [o
 
 // ---- kinds of inputs ----
 
-const choice = (option: Option, values: readonly string[], standard: string, title = (value: string) => value): Row['build'] => (id, line) => {
-    const input = make('select', { id }, ...values.map(value => make('option', { value, textContent: title(value) })))
+const named = (names: readonly string[]) => names.map(name => ({ name, title: name }))
+
+const choice = (option: Option, choices: readonly { name: string, title: string }[], standard: string): Row['build'] => (id, line) => {
+    const input = make('select', { id }, ...choices.map(({ name, title }) => make('option', { value: name, textContent: title })))
     input.onchange = () => set(option, input.value === standard ? undefined : input.value)
     line.append(input)
     return state => { input.value = state[option] ?? standard }
@@ -143,20 +131,21 @@ const view: Row['build'] = (id, line) => {
 
 // ---- the table ----
 
-const constant = (text: string) => `GLINT_${text.toUpperCase().replace('-', '_')}`
+const meaningOf = (list: typeof lists.models, name: string) => typeset(list.find(one => one.name === name)?.meaning ?? '')
+const constant = (text: string) => `GLINT_${text.toUpperCase().replaceAll('-', '_')}`
 const q16 = (facts: Facts, name: string) => `${name}_q16 = {${facts[`${name}_q16`].join(', ')}}`
 const degrees = (radians: number) => `${(radians * 180 / Math.PI).toFixed(1)}°`
 /** Where Blinn's highlight has fallen to half. */
 const half = (n: number) => Math.acos(2 ** (-1 / n))
 
 const table: Row[] = [
-    { option: 'model', title: 'Model', build: choice('model', models, 'msh', m => modelTitles[m]), number: s => constant(s.model ?? 'msh'), meaning: s => modelMeanings[s.model ?? 'msh'] ?? '' },
+    { option: 'model', title: 'Model', build: choice('model', lists.models, 'msh'), number: s => constant(s.model ?? 'msh'), meaning: s => meaningOf(lists.models, s.model ?? 'msh') },
     {
         option: 'n', title: 'Shininess', build: slider('n', 1, 1000, 300, step => Math.round(1000 ** (step / 300)), n => Math.round(300 * Math.log(n) / Math.log(1000))),
         number: (_, f) => `n = ${f.n}`, meaning: (_, f) => `A cosine to the power ${f.n} falls to half at ${degrees(half(f.n[0]))}`,
     },
     {
-        option: 'q', title: 'Cutoff', build: slider('q', 0, 16, 16, v => v, v => v), number: (_, f) => `q = ${f.q}, t_q30 ≤ ${f.cutoff_t_q30}`,
+        option: 'q', title: 'Cutoff', build: slider('q', 1, 16, 15, step => step + 1, q => q - 1), number: (_, f) => `q = ${f.q}, t_q30 ≤ ${f.cutoff_t_q30}`,
         meaning: (_, f) => `Below 2⁻${[...String(f.q)].map(d => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(d)]).join('')} a highlight counts as 0: beyond ${f.cutoff_degrees[0].toFixed(2)}°`,
     },
     {
@@ -167,13 +156,13 @@ const table: Row[] = [
     { option: 'diffuse', title: 'Diffuse', build: coefficient('diffuse'), number: (_, f) => q16(f, 'diffuse'), meaning: () => 'What the surface scatters, by N·L' },
     { option: 'specular', title: 'Specular', build: coefficient('specular'), number: (_, f) => q16(f, 'specular'), meaning: () => 'How strong the highlight is; metals tint it' },
     { option: 'clamp-peak', title: 'Clamp peak', build: flag('clamp-peak'), number: s => `clamp_peak = ${s['clamp-peak'] !== undefined}`, meaning: () => 'Holds the highlight to 1: MSH reaches 1.024' },
-    { option: 'format', title: 'Pixels', build: choice('format', formats, 'rgb888'), number: s => constant(s.format ?? 'rgb888'), meaning: s => ({ rgb565: 'The usual small panel: 32, 64 and 32 levels', 'rgb565-swapped': 'The same, high byte first, as SPI panels take it', rgb888: '256 levels a channel', grey8: '256 greys', mono: 'Black and white, 8 pixels a byte: try dither', bgr888: 'The same, blue first: LVGL’s RGB888', xrgb8888: 'Blue first, and a byte of 255: LVGL’s XRGB8888', argb8888: 'Blue first, and the mask as alpha: LVGL’s ARGB8888' })[s.format ?? 'rgb888'] ?? '' },
+    { option: 'format', title: 'Pixels', build: choice('format', lists.formats, 'rgb888'), number: s => constant(s.format ?? 'rgb888'), meaning: s => meaningOf(lists.formats, s.format ?? 'rgb888') },
     { option: 'dither', title: 'Dither', build: flag('dither'), number: s => `dither = ${s.dither !== undefined}`, meaning: () => 'Ordered, 4 × 4: hides the steps of few levels' },
-    { option: 'space', title: 'Space', build: choice('space', ['gamma', 'linear'], 'gamma'), number: s => constant(s.space ?? 'gamma'), meaning: s => s.space === 'linear' ? 'Light is summed linearly, then encoded as sRGB' : 'Light is summed as encoded: faster, and what most small renderers do' },
-    { option: 'path', title: 'Path', build: choice('path', paths, 'exact'), number: s => s.path ? `--path ${s.path}` : 'glint_shade_rect', meaning: s => pathMeaning(s.path ?? 'exact') },
+    { option: 'space', title: 'Space', build: choice('space', named(['gamma', 'linear']), 'gamma'), number: s => constant(s.space ?? 'gamma'), meaning: s => s.space === 'linear' ? 'Light is summed linearly, then encoded as sRGB' : 'Light is summed as encoded: faster, and what most small renderers do' },
+    { option: 'path', title: 'Path', build: choice('path', lists.paths, 'exact'), number: s => s.path ? `--path ${s.path}` : 'glint_paint_exact', meaning: s => pathMeaning(s.path ?? 'exact') },
     { option: 'size', title: 'Panel size', build: size, number: s => s.size ?? 'the map\'s', meaning: s => s.height || s.normals ? 'A map is cut or repeated to this size, never scaled' : 'Width × height in pixels' },
     { option: 'crease', title: 'Crease', onlyMesh: true, build: text('crease', () => ''), number: s => s.crease === undefined ? 'the usual one' : `--crease ${s.crease}`, meaning: s => `Edges that turn by more degrees stay sharp; empty: ${s.mesh ? '60' : 'none'}` },
-    { option: 'axes', title: 'Up', onlyMesh: 'file', build: choice('axes', ['z-up', 'y-up'], 'z-up'), number: s => `--axes ${s.axes ?? 'z-up'}`, meaning: () => 'Which axis of the file points up: z in most STL files' },
+    { option: 'axes', title: 'Up', onlyMesh: 'file', build: choice('axes', named(['z-up', 'y-up']), 'z-up'), number: s => `--axes ${s.axes ?? 'z-up'}`, meaning: () => 'Which axis of the file points up: z in most STL files' },
     { option: 'split', title: 'Split', onlyMesh: true, build: text('split', () => '30'), number: (s, f) => `--split ${s.split ?? 30}, ${f.faces} triangles`, meaning: () => 'Edges over which the normal turns by more degrees are cut in half: highlights lie better on more triangles' },
     { option: 'turn', title: 'Turn', onlyMesh: true, build: text('turn', f => f.turn?.join() ?? ''), number: (_, f) => `--turn ${f.turn}`, meaning: () => 'Degrees about x, y and z; the button below the picture lets you drag it' },
     { option: 'zoom', title: 'Zoom', onlyMesh: true, build: text('zoom', f => String(f.zoom ?? '')), number: (_, f) => `--zoom ${f.zoom}`, meaning: () => '1: whatever its turn, the mesh fills the picture' },
@@ -185,9 +174,9 @@ function pathMeaning(path: string): string {
     const [by, normals] = path.split('-')
     const how: Record<string, string> = {
         exact: 'Every pixel by the function itself: right to the last bit', span: 'Normals between the ends of spans: two additions a pixel',
-        colour: '20 KB of finished pixels in tables (RGB565)', small: 'Under 1 KB of tables, any format', albedo: '9 KB of tables over a colour map (RGB565)', palette: '4096 normals shaded once a frame, one load a pixel',
+        colour: '20 KB of finished pixels in tables (RGB565)', albedo: '9 KB of tables over a colour map (RGB565)', palette: '4096 normals drawn once a frame, one load a pixel',
     }
-    return (how[by] ?? '') + (/int\d/.test(normals ?? '') ? `; normals of ${normals.slice(3)} bits` : normals === 'span' ? '; along spans' : normals === 'c16' ? ', as the gateware draws' : '')
+    return (how[by] ?? '') + (/int\d/.test(normals ?? '') ? `; normals of ${normals.slice(3)} bits` : normals === 'span' ? '; along spans' : '')
 }
 
 const updates: ((state: State, facts: Facts | undefined) => void)[] = table.map(row => {

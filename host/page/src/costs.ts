@@ -10,22 +10,28 @@ const coreOfAvr = 'atmega2560', avrRam = 8192
 const cores: [string, string, number, string][] = [['M3', 'cortex-m3', 72e6, 'instructions'], ['M4', 'cortex-m4f', 168e6, 'instructions'],
     ['RV32', 'rv32imc', 160e6, 'instructions'], ['AVR', coreOfAvr, 16e6, 'cycles']]
 const paletteBytes = 8192 // 4096 colours
-const normalBytes: Record<string, number> = { int16: 6, int10: 4, int8: 4, span: 0 }
+const normalBytes: Record<string, number> = { int16: 6, int8: 4, span: 0 }
 
 function value(kind: string, name: string, build = 'O2', n = '60'): number | undefined {
     const row = table.find(([k, what, b, at]) => k === kind && what === name && b === build && (at === n || at === ''))
     return row && Number(row[4])
 }
 
+/** Of a program that links these functions and constants, among others: the smallest there is. */
+function linked(...parts: string[]): number | undefined {
+    const sizes = table.filter(([kind, what, build]) => kind === 'linked' && build === 'Os' && parts.every(part => what.split('+').includes(part))).map(row => Number(row[4]))
+    return sizes.length ? Math.min(...sizes) : undefined
+}
+
 /** The table's name for the state, or why there is none. */
 function rowOf(state: State, facts: Facts): string | undefined {
     const path = state.path ?? 'exact', model = state.model ?? 'msh', format = state.format ?? 'rgb888'
     const dither = state.dither !== undefined ? ' dither' : ''
-    if (path === 'span' || path === 'span-c16')
-        return path === 'span' ? 'exact span 16' : undefined
+    if (path === 'span')
+        return 'exact span 16'
     if (path === 'palette')
         return 'palette'
-    if (path !== 'exact')
+    if (!path.startsWith('exact'))
         return path.replace('-', ' ').replace(/span$/, 'span 16') + dither
     const kinds = state.lights.map(light => light.kind)
     const coloured = state.lights.some(({ kind, text }) => kind === 'light' && text.split(',').length > 3)
@@ -55,7 +61,7 @@ function rowOf(state: State, facts: Facts): string | undefined {
 function meshRow(state: State): string | undefined {
     if (state.mesh)
         return undefined
-    const path = state.path ?? 'exact', split = Number(state.split ?? 30)
+    const path = (state.path ?? 'exact').replace('exact-int8', 'exact'), split = Number(state.split ?? 30)
     if (path !== 'exact' && path !== 'colour-int8')
         return undefined
     return `mesh teapot${split < 180 ? ' split' : ''}${path === 'exact' ? ' exact' : ''}`
@@ -78,9 +84,9 @@ function meshCosts(state: State, facts: Facts): [string, string][] {
     }
     out.push(['RAM', `${commas(value('memory', row) ?? 0)} bytes, in strips of 16 lines`])
     out.push(['Flash, the mesh', `${commas(facts.mesh_bytes[0])} bytes`])
-    const parts = 'glint_mesh_begin+glint_mesh_add+glint_mesh_strip+glint_mesh_'
-    const linked = value('linked', parts + (row.includes('exact') ? 'exact+glint_shade_rgb565+glint_shade_msh' : 'tables'), 'Os', '')
-    out.push(['Flash, code', `${commas(linked ?? 0)} bytes`])
+    const code = linked('glint_mesh_strip', ...row.includes('exact') ? ['glint_paint_exact_for', 'glint_use_rgb565', 'glint_use_msh'] : ['glint_use_colour'])
+    if (code)
+        out.push(['Flash, code', `${commas(code)} bytes`])
     return out
 }
 
@@ -104,19 +110,19 @@ export function costs(state: State, facts: Facts, width: number, height: number)
                 `${(hertz / (all * width * height)).toPrecision(3)} frames/s at ${hertz / 1e6} MHz (predicted)`
                 : core === coreOfAvr && tables && tables > avrRam ? 'its tables take more than the 8 KB of RAM' : 'not counted for this case'])
         }
-        const fill = path === 'exact' ? undefined : value('fill', row)
+        const fill = path.startsWith('exact') ? undefined : value('fill', row)
         if (fill)
             out.push(['Filling the tables, once', `${commas(fill)} cycles`])
     } else {
         out.push(['Cycles', 'not in the table for this path'])
     }
-    const normals = path.match(/int16|int10|int8|span/)?.[0] ?? 'int16'
-    out.push(['RAM', tables ? `${commas(tables)} bytes of tables` : `${facts.prepared_bytes[0]} bytes, prepared`])
+    const normals = path.match(/int16|int8|span/)?.[0] ?? 'int16'
+    out.push(['RAM', tables ? `${commas(tables)} bytes of tables` : `${facts.paint_bytes[0]} bytes, the paint`])
     out.push(['Normals', path === 'palette' ? `${commas(2 * width * height)} bytes` : `${commas(normalBytes[normals] * width * height)} bytes`])
-    const parts = 'glint_shade_prepare_for+glint_shade_prepared_rect+glint_shade_'
-    const format = state.space === 'linear' ? 'linear' : (state.format ?? 'rgb888').replace('-swapped', '').replace(/.rgb8888/, 'bgr888')
-    const linked = path === 'exact' ? value('linked', `${parts}${format}+glint_shade_${state.model ?? 'msh'}`, 'Os', '') : undefined
-    out.push(linked ? ['Flash, this model and format', `${commas(linked)} bytes`]
+    const format = state.format ?? 'rgb888'
+    const group = state.space === 'linear' ? 'linear' : /565/.test(format) ? 'rgb565' : /888/.test(format) ? 'rgb888' : 'grey'
+    const code = path.startsWith('exact') ? linked('glint_draw_rect', 'glint_paint_exact_for', `glint_use_${group}`, `glint_use_${state.model ?? 'msh'}`) : undefined
+    out.push(code ? ['Flash, this model and format', `${commas(code)} bytes`]
         : ['Flash, the whole library', `${commas(value('library', 'cortex-m0plus', 'Os', '') ?? 0)} bytes`])
     const others = { M3: 'cortex-m3', RV32: 'rv32imc', ESP8266: 'lx106', AVR: coreOfAvr }
     out.push(['The library on other cores', Object.entries(others).map(([title, core]) => `${title} ${commas(value('library', core, 'Os', '') ?? 0)}`).join(', ')])

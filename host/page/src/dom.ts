@@ -36,6 +36,10 @@ export function show(canvas: HTMLCanvasElement, width: number, height: number, r
     canvas.getContext('2d')!.putImageData(new ImageData(new Uint8ClampedArray(rgba.buffer, rgba.byteOffset, rgba.length), width, height), 0, 0)
 }
 
+const raised: Record<string, string> = { n: 'ⁿ', 2: '²', 4: '⁴' }
+/** A formula, or words with one, that C has in ASCII. */
+export const typeset = (text: string) => text.replace(/\^([n24])/g, (_, power: string) => raised[power]).replace(/ \/ /g, ' ⁄ ').replaceAll('<=', '≤')
+    .replace(/(?<=[ (])-(?=[ n\d])|(?<=[\dn)])-(?=[\dcn(])/g, '−').replaceAll("'", '’')
 export const capital = (text: string) => text[0].toUpperCase() + text.slice(1)
 /** At most so many decimals, as people write options. */
 export const short = (value: number, decimals = 3) => String(Number(value.toFixed(decimals)))

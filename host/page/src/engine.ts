@@ -136,8 +136,8 @@ export class Engine {
         })
     }
 
-    curve(model: number, n: number, count: number, degrees: number): Curve {
-        const rows = this.module.copy(this.module.call.page_curve(model, n, count, degrees), 24 * count)
+    curve(model: string, n: number, count: number, degrees: number): Curve {
+        const rows = this.module.copy(this.module.call.page_curve(this.module.put(new TextEncoder().encode(`${model}\0`)), n, count, degrees), 24 * count)
         const row = (i: number) => [...new Float64Array(rows.buffer, 8 * count * i, count)]
         return { library: row(0), double: row(1), blinn: row(2) }
     }

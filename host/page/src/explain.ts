@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
 // MSH, Cayley and Blinn beside each other, at the n of the picture.
 import { ask } from './client'
-import { byId, make, show } from './dom'
+import lists from 'glint:lists'
+import { byId, make, show, typeset } from './dom'
 import { onDrawn } from './picture'
 
-const models = {
-    msh: { title: 'MSH', formula: '2c ⁄ (1.25 (n − nc + 1.25c)²)' },
-    cayley: { title: 'Cayley', formula: 'max(0, (4(1 + c) − n(1 − c)) ⁄ (4(1 + c) + n(1 − c)))⁴; for n ≤ 4 cⁿ' },
-    blinn: { title: 'Blinn', formula: 'cⁿ' },
-}
 const side = 200
-const places = Object.entries(models).map(([model, { title, formula }]) => {
+const places = ['msh', 'cayley', 'blinn'].map(model => lists.models.find(({ name }) => name === model)!).map(({ name, title, formula }) => {
     const canvas = make('canvas', { width: side, height: side, role: 'img', aria: { label: `A sphere under ${title}` } })
     const caption = make('figcaption')
-    byId('beside').append(make('figure', {}, canvas, caption, make('p', { className: 'of-model', textContent: formula })))
-    return { model, title, canvas, caption }
+    byId('beside').append(make('figure', {}, canvas, caption, make('p', { className: 'of-model', textContent: typeset(formula) })))
+    return { model: name, title, canvas, caption }
 })
 
 let drawnN = 0

@@ -15,6 +15,12 @@ declare module 'glint:costs' {
     const rows: [string, string, string, string, string][]
     export default rows
 }
+/** What options take by name, from page_lists in module/page.h. */
+declare module 'glint:lists' {
+    interface Choice { name: string, title: string, meaning: string, formula: string }
+    const lists: { models: Choice[], formats: Choice[], paths: Choice[] }
+    export default lists
+}
 declare module 'glint:version' {
     const version: string
     export default version

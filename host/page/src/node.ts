@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the tests run in node.
+export { default as lists } from 'glint:lists'
 export { Engine } from './engine'
 export { filters, Pico, sentences } from './pico'
 export { readPng, writePng } from './png'

@@ -20,21 +20,19 @@ function save(name: string, bytes: Uint8Array<ArrayBuffer>): void {
     setTimeout(() => URL.revokeObjectURL(url), 10000)
 }
 
-/** Without maps and what else a shader has not; of a scene its finish counts. */
-const shader = (state: State) => wordsOf({ ...state, height: undefined, normals: undefined, albedo: undefined, gloss: undefined, mask: undefined,
+/** Without maps and what else a material has not; of a scene its finish counts. */
+const look = (state: State) => wordsOf({ ...state, height: undefined, normals: undefined, albedo: undefined, gloss: undefined, mask: undefined,
     bevel: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined, mesh: undefined, crease: undefined, axes: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined })
-const tables = (state: State, kind: string) => ['glint table', `--kind=${kind}`, ...shader({ ...state, lights: [] }), '-o', `${kind}_tables.c`]
+const tables = (state: State, kind: string) => ['glint table', `--kind=${kind}`, ...look({ ...state, lights: [] }), '-o', `${kind}_tables.c`]
 /** RGB565 colours go beside normals, not beside a palette's offsets. */
 const baked = (state: State, to: string, name: string) => ['glint bake', ...only(to.startsWith('palette') || name.endsWith('.uf2') ? scene : [...scene, 'albedo'], state), `--to=${to}`, '-o', name]
 
 /** of: what the surface must be, a map or a mesh. */
 const files: { title: string, name: string, words: (state: State) => string[], of?: 'map' | 'mesh' }[] = [
-    { title: 'Material, C', name: 'material', words: state => ['glint material', ...shader(state), '-o', 'material.h'] },
+    { title: 'Material, C', name: 'material', words: state => ['glint material', ...look(state), '-o', 'material.h'] },
     { title: 'Tables, 20 KB', name: 'colour', words: state => tables(state, 'colour') },
-    { title: 'Tables, 1 KB', name: 'small', words: state => tables(state, 'small') },
     { title: 'Tables over a map', name: 'albedo', words: state => tables(state, 'albedo') },
     { title: 'Normals, 8 bits, C', name: 'int8', words: state => baked(state, 'int8', 'normals.c'), of: 'map' },
-    { title: 'Normals, 10 bits, C', name: 'int10', words: state => baked(state, 'int10', 'normals.c'), of: 'map' },
     { title: 'Normals, 16 bits, C', name: 'int16', words: state => baked(state, 'int16', 'normals.c'), of: 'map' },
     { title: 'Palette, C', name: 'palette', words: state => baked(state, 'palette', 'normals.c'), of: 'map' },
     { title: 'Normals, raw', name: 'raw', words: state => baked(state, 'int8', 'normals.bin'), of: 'map' },

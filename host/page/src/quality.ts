@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The right side: curve, errors, costs, extent. What takes long waits until the picture rests.
 import { ask } from './client'
-import { models } from './controls'
 import { costs } from './costs'
 import { byId, make, rows, short, show } from './dom'
 import type { Curve } from './engine'
@@ -40,7 +39,7 @@ async function curve({ facts, state }: Drawn): Promise<void> {
     const n = facts.n[0], cutoff = facts.cutoff_degrees[0]
     const reach = Math.min(90, Math.max(4, Math.ceil(cutoff * 1.12)))
     const model = state.model ?? 'msh'
-    const values = await ask('curve', models.indexOf(model as typeof models[number]), n, points, reach)
+    const values = await ask('curve', model, n, points, reach)
     drawCurve(values, reach, cutoff, model, n)
 }
 

@@ -22,7 +22,7 @@ export const methods = {
     draw: (words: string[]) => ({ ...engine.draw(words), facts: engine.facts() }),
     aside: (words: string[]) => other.draw(words),
     compare: () => engine.compare(),
-    curve: (model: number, n: number, count: number, degrees: number) => engine.curve(model, n, count, degrees),
+    curve: (model: string, n: number, count: number, degrees: number) => engine.curve(model, n, count, degrees),
     run: (words: string[]) => engine.run(words),
     moving: (steps: string[][]) => engine.moving(steps),
     /** The one colour that stands for the surface's. */

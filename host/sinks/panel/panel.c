@@ -10,6 +10,7 @@
 #include "image/picture.h"
 #include "image/write.h"
 #include "sinks/frames.h"
+#include "sinks/outputs.h"
 #include "sinks/panel/options.h"
 #include "sinks/panel/virtual_panel.h"
 
@@ -88,7 +89,7 @@ static const struct argp *const options[] = {&panel_options_argp, NULL};
 const struct sink_kind sink_panel = {
     .name = "panel",
     .summary = "a virtual panel: what it shows goes to PNG files",
-    .output = SINK_FILE_A_FRAME,
+    .output = &output_file_a_frame,
     .usual_output = "panel.png",
     .every_frame = true,
     .options = options,

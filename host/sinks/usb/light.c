@@ -164,23 +164,21 @@ static int send(struct light_sink *light, const uint8_t *data, size_t bytes)
     return fault ? fault : usb_bulk_wait(&light->port);
 }
 
-static int send_material(struct light_sink *light, const struct glint_shader *shader)
+static int send_material(struct light_sink *light, const struct light_material *material)
 {
-    struct light_material material;
     uint8_t packed[LIGHT_MATERIAL_BYTES];
-    light_material_of(&material, shader);
-    light_material_pack(packed, &material);
+    light_material_pack(packed, material);
     return light->link.control(&light->port, false, LIGHT_SET_MATERIAL, 0, packed, sizeof packed);
 }
 
-static enum sink_result send_scene(struct sink *sink, const struct glint_shader *shader, const uint32_t *normals)
+static enum sink_result send_scene(struct sink *sink, const struct light_material *material, const uint32_t *normals)
 {
     struct light_sink *light = of(sink);
     const size_t count = (size_t)sink->width * sink->height;
     uint8_t *map = allocate(count, 4);
     for (size_t i = 0; i < 4 * count; i++)
         map[i] = (uint8_t)(normals[i / 4] >> 8 * (i % 4));
-    int fault = send_material(light, shader);
+    int fault = send_material(light, material);
     if (fault >= 0)
         fault = light->link.control(&light->port, false, LIGHT_SET_MAP, 0, NULL, 0);
     if (fault >= 0)
@@ -216,10 +214,10 @@ static bool find_mesh(struct sink *sink, struct light_mesh *mesh)
     return true;
 }
 
-static enum sink_result send_mesh(struct sink *sink, const struct glint_shader *shader)
+static enum sink_result send_mesh(struct sink *sink, const struct light_material *material)
 {
     struct light_sink *light = of(sink);
-    int fault = send_material(light, shader);
+    int fault = send_material(light, material);
     if (fault >= 0)
         fault = light->link.control(&light->port, false, LIGHT_SET_MESH, 0, NULL, 0);
     return result_of(light, fault < 0 ? fault : 0, "the mesh");

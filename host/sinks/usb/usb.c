@@ -290,7 +290,6 @@ static const struct argp *const usb_argps[] = {&usb_options_argp, NULL};
 const struct sink_kind sink_usb = {
     .name = "usb",
     .summary = "a USB display that speaks GUD, by libusb",
-    .output = SINK_DEVICE,
     .paced = true,
     .options = usb_argps,
     .examples = "  glint stream dial --to usb --stats\n"

@@ -42,7 +42,6 @@ static const char help[] =
 const struct sink_kind sink_gpio = {
     .name = "gpio",
     .summary = "a panel (ST7789, ILI9341) on GPIO lines, SPI or 8080",
-    .output = SINK_DEVICE,
     .paced = true,
     .options = options,
     .help = help,

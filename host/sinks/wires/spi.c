@@ -14,7 +14,6 @@ static const struct argp *const options[] = {&panel_options_argp, &gpio_options_
 const struct sink_kind sink_spi = {
     .name = "spi",
     .summary = "the same on the kernel's SPI device, D/C on a GPIO line",
-    .output = SINK_DEVICE,
     .paced = true,
     .options = options,
     .examples = "  glint stream coin --to spi --spidev /dev/spidev0.0 --spi-hz 40000000 \\\n"

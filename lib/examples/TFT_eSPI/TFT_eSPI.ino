@@ -5,15 +5,17 @@
 #include <glint.h>
 
 static TFT_eSPI tft;
-static struct glint_shader shader;
-static struct glint_tables tables;
+static struct glint_paint paint;
+static struct glint_maps maps;
 static uint32_t memory[GLINT_TABLES_COLOUR_BYTES / 4], normals[64 * 64];
 static uint16_t pixels[64 * 64];
 
 void setup()
 {
+    /* model, q, n, n_across, ambient, diffuse, specular, albedo, clamp_peak */
     static const struct glint_material red = {
-        {3000, 3000, 3000}, {45000, 9000, 9000}, {60000, 60000, 60000}, {255, 255, 255}};
+        GLINT_MSH, 0, 60, 0, {3000, 3000, 3000}, {45000, 9000, 9000}, {60000, 60000, 60000}, {255, 255, 255}, false};
+    static const struct glint_output output = {GLINT_RGB565_SWAPPED, GLINT_GAMMA, false};
     tft.init();
     tft.fillScreen(TFT_BLACK);
     tft.setSwapBytes(false);
@@ -23,10 +25,11 @@ void setup()
         glint_vec_normalize(&normal, slope);
         normals[i] = glint_normals_pack(GLINT_NORMALS_INT8, &normal);
     }
-    shader.material = red;
-    shader.format = GLINT_RGB565_SWAPPED;
-    glint_lobe_init(&shader.lobe, GLINT_MSH, 60, 6);
-    glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &shader, memory, sizeof memory);
+    maps.normals = normals;
+    maps.normals_stride = sizeof normals / 64;
+    maps.normals_format = GLINT_NORMALS_INT8;
+    glint_paint_tables_for(&paint, &glint_use_colour, &red, &output, memory, sizeof memory, &glint_use_msh,
+                           &glint_use_rgb565);
 }
 
 void loop()
@@ -37,9 +40,9 @@ void loop()
     const int8_t *at = circle[frame++ % 8];
     const int32_t to_light[3] = {at[0], at[1], 3};
     const struct glint_surface surface = {pixels, 128, 0, 0};
-    struct glint_tables_light light;
-    glint_light_init(&shader.light, to_light, to_viewer);
-    glint_tables_light_init(&light, &tables, &shader.light);
-    glint_tables_rect(&tables, &light, GLINT_NORMALS_INT8, normals, 256, 64, 64, &surface);
+    struct glint_light light;
+    glint_light_directional(&light, to_light);
+    glint_paint_light(&paint, &light, 1, to_viewer);
+    glint_draw_rect(&paint, &maps, 64, 64, &surface, NULL);
     tft.pushImage(0, 0, 64, 64, pixels);
 }

@@ -55,9 +55,27 @@ static int32_t smaller(int32_t a, int32_t b)
     return a < b ? a : b;
 }
 
+/* A map of so many bytes a pixel, from column x and line y on. */
+static const uint8_t *window(const uint8_t *map, ptrdiff_t stride, int32_t x, int32_t y, int32_t bytes)
+{
+    return map ? map + y * stride + x * bytes : NULL;
+}
+
+static struct glint_maps maps_window(const struct glint_maps *maps, int32_t x, int32_t y)
+{
+    struct glint_maps part = *maps;
+    if (maps->normals)
+        part.normals = glint_normals_window((enum glint_normals)maps->normals_format, maps->normals,
+                                            maps->normals_stride, (uint32_t)x, (uint32_t)y);
+    part.albedo = window(maps->albedo, maps->albedo_stride, x, y, maps->albedo_format == GLINT_RGB888 ? 3 : 2);
+    part.gloss = window(maps->gloss, maps->gloss_stride, x, y, 1);
+    part.coverage = window(maps->coverage, maps->coverage_stride, x, y, 1);
+    part.grain = window(maps->grain, maps->grain_stride, x, y, 1);
+    return part;
+}
+
 static enum glint_err draw(const struct glint_lvgl *map, lv_obj_t *object, lv_layer_t *layer)
 {
-    const int32_t size = map->normals_format == GLINT_NORMALS_INT16 ? 6 : 4;
     lv_area_t at;
     lv_obj_get_coords(object, &at);
     /* the part of the map that is in the object, in what is redrawn and in the layer's buffer */
@@ -67,17 +85,17 @@ static enum glint_err draw(const struct glint_lvgl *map, lv_obj_t *object, lv_la
     const int32_t bottom = smaller(smaller(at.y2, at.y1 + map->h - 1), smaller(clip->y2, buffer->y2));
     if (left > right || top > bottom)
         return GLINT_OK;
-    if (!is_format(map->tables->format, layer->color_format))
+    if (!is_format(map->paint->output.format, layer->color_format))
         return GLINT_ERR_FORMAT;
     if (!layer->draw_buf && !lv_draw_layer_alloc_buf(layer))
         return GLINT_ERR_ARG; /* LVGL is out of memory */
     finish_below(object, layer);
     const int32_t x = left - at.x1, y = top - at.y1;
-    const uint8_t *normals = (const uint8_t *)map->normals + (ptrdiff_t)y * map->stride + x * size;
+    const struct glint_maps maps = maps_window(&map->maps, x, y);
     const struct glint_surface surface = {lv_draw_layer_go_to_xy(layer, left - buffer->x1, top - buffer->y1),
                                           (ptrdiff_t)layer->draw_buf->header.stride, (uint16_t)x, (uint16_t)y};
-    return glint_tables_rect(map->tables, map->light, (enum glint_normals)map->normals_format, normals, map->stride,
-                             (uint16_t)(right - left + 1), (uint16_t)(bottom - top + 1), &surface);
+    return glint_draw_rect(map->paint, &maps, (uint16_t)(right - left + 1), (uint16_t)(bottom - top + 1), &surface,
+                           NULL);
 }
 
 void glint_lvgl_draw(lv_event_t *event)

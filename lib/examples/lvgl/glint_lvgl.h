@@ -12,17 +12,15 @@ extern "C" {
 #endif
 
 /* A canvas's pixels as a surface, without a copy. Afterwards lv_obj_invalidate(canvas). GLINT_ERR_ARG: the canvas has no buffer;
- * GLINT_ERR_FORMAT: its format is not that of the tables or the shader that is to draw there. */
+ * GLINT_ERR_FORMAT: its format is not that of the output that is to be drawn there. */
 enum glint_err glint_lvgl_canvas(lv_obj_t *canvas, uint8_t format, struct glint_surface *surface);
 
 /* What glint_lvgl_draw draws, from the object's upper left corner on; yours, and must outlive the object. */
 struct glint_lvgl {
-    const struct glint_tables *tables;
-    const struct glint_tables_light *light; /* another light: prepare it, then lv_obj_invalidate(object) */
-    const void *normals; /* as glint bake writes them: NAME, NAME_FORMAT, NAME_STRIDE, NAME_WIDTH, NAME_HEIGHT */
-    uint8_t normals_format;
-    uint16_t stride, w, h;
-    enum glint_err err; /* of the last call; GLINT_OK, or nothing was drawn */
+    const struct glint_paint *paint; /* under another light: glint_paint_light, then lv_obj_invalidate(object) */
+    struct glint_maps maps;          /* normals as glint bake writes them: NAME, NAME_FORMAT, NAME_STRIDE */
+    uint16_t w, h;                   /* NAME_WIDTH, NAME_HEIGHT */
+    enum glint_err err;              /* of the last call; GLINT_OK, or nothing was drawn */
 };
 
 /* Draws straight into the layer, only what LVGL is redrawing of the object:

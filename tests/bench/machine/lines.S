@@ -13,7 +13,6 @@
 .endm
     stored lines_int16 lines-int16.bin
 #ifndef __AVR__
-    stored lines_int10 lines-int10.bin
     stored lines_int8 lines-int8.bin
     stored lines_palette_offsets lines-palette-offsets.bin
     stored stored_palette palette.bin

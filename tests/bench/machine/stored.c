@@ -5,14 +5,12 @@
 #include "clock.h"
 
 extern const struct glint_vec lines_int16[SPHERE_LINES][SPHERE_W], stored_palette[], stored_palette_end[];
-extern const uint32_t lines_int10[SPHERE_LINES][SPHERE_W], lines_int8[SPHERE_LINES][SPHERE_W];
+extern const uint32_t lines_int8[SPHERE_LINES][SPHERE_W];
 extern const uint16_t lines_palette_offsets[SPHERE_LINES][SPHERE_W];
 
 void sphere_line(enum bench_map map, unsigned k)
 {
     memcpy(bench_line.normals, lines_int16[k], sizeof lines_int16[k]);
-    if (map == MAP_INT10)
-        memcpy(bench_map, lines_int10[k], sizeof lines_int10[k]);
     if (map == MAP_INT8)
         memcpy(bench_map, lines_int8[k], sizeof lines_int8[k]);
     if (map == MAP_PALETTE) {

@@ -1,30 +1,22 @@
 /* SPDX-License-Identifier: MIT
  * A vertex's brightness takes the place of its N.L, which the rasterizer interpolates; t is past every highlight. */
 #include "gouraud.h"
-#include "glint_mesh_path.h"
+#include "glint_mesh_strip.h"
 
-void gouraud_vertices(struct glint_mesh_drawn *drawn, const struct glint_lobe *lobe)
+const struct glint_paint *gouraud_paint;
+
+void gouraud_vertices(struct glint_mesh_drawn *drawn, uint32_t n, unsigned q)
 {
+    const uint32_t t_max = glint_msh_cutoff_t(n, q);
     for (unsigned i = 0; i < drawn->mesh->vertex_count; i++) {
         struct glint_mesh_vertex *v = &drawn->vertices[i];
         const uint32_t one = (uint32_t)1 << 30, nl = v->nl_q30 < 0 ? 0 : (uint32_t)v->nl_q30;
-        uint32_t f = nl ? glint_lobe_eval_t(lobe, v->t_q30) : 0;
+        uint32_t f = nl && v->t_q30 <= t_max ? glint_msh_t(n, v->t_q30) : 0;
         f = f > 65536 ? 65536 : f;
         const uint32_t light = one / 5 + (nl < one ? nl : one) / 2 + f * (one / 65536 / 10 * 3);
         v->nl_q30 = (int32_t)(light < one ? light : one - 1);
         v->t_q30 = GLINT_MESH_FAR_T;
     }
-}
-
-static bool gouraud_can(const void *with)
-{
-    return with;
-}
-
-static uint32_t gouraud_t_end(const void *with)
-{
-    (void)with;
-    return 0;
 }
 
 /* Lines of a part of a triangle: as the library's COLOUR tables draw what has no highlight, but for the colour. */
@@ -60,14 +52,27 @@ static void gouraud_part(struct glint_mesh_triangle *triangle, const struct glin
     *part->right = right;
 }
 
-static void gouraud_draw(const void *with, struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target)
+static void gouraud_draw(struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target)
 {
     const int32_t end = triangle->y_end < target->end ? triangle->y_end : target->end;
-    (void)with;
+    if (triangle->y < target->y)
+        glint_mesh_triangle_skip(triangle, target->y);
     while (triangle->y < end) {
         const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);
         gouraud_part(triangle, &part, target);
     }
 }
 
-const struct glint_mesh_path gouraud_path = {gouraud_can, gouraud_t_end, gouraud_draw, NULL};
+/* In the place of the library's, by the linker's --wrap. */
+void __real_glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_target *target);
+void __wrap_glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_target *target);
+void __wrap_glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_target *target)
+{
+    if (paint == gouraud_paint)
+        gouraud_draw(triangle, target);
+    else
+        __real_glint_mesh_rows(paint, triangle, target);
+}

@@ -4,11 +4,11 @@
 #ifndef GLINT_BENCH_GOURAUD_H
 #define GLINT_BENCH_GOURAUD_H
 
-#include "glint.h"
+#include "glint_mesh.h"
 
-/* A path of RGB565; its paint is with anything but NULL. */
-extern const struct glint_mesh_path gouraud_path;
-/* After glint_mesh_add: shades each vertex, which has 0.2 ambient, 0.5 diffuse and 0.3 specular light then. */
-void gouraud_vertices(struct glint_mesh_drawn *drawn, const struct glint_lobe *lobe);
+/* Exact, RGB565: its triangles are drawn so. NULL: none. Link with --wrap=glint_mesh_rows. */
+extern const struct glint_paint *gouraud_paint;
+/* After glint_mesh_add: shades each vertex, which has 0.2 ambient, 0.5 diffuse and 0.3 specular light (MSH) then. */
+void gouraud_vertices(struct glint_mesh_drawn *drawn, uint32_t n, unsigned q);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * The teapot, as shipped and with its edges split, and the bunny, by COLOUR tables, exactly and by Gouraud shading. */
 #include "mesh.h"
-#include "glint.h"
+#include "glint_mesh.h"
 #include "gouraud.h"
 #include "teapot.h"
 #include "teapot_split.h"
@@ -32,30 +32,29 @@ uint32_t mesh_out[WIDTH * LINES / 2];
 
 static enum mesh_way chosen;
 
-static struct glint_shader shader;
-static struct glint_tables tables;
-static struct glint_prepared prepared;
 static struct glint_paint paint;
 static struct glint_mesh_frame frame;
 static struct glint_mesh_drawn drawn;
 
 int mesh_begin(enum mesh_way way)
 {
-    static const struct glint_material clay = {.ambient_q16 = {6554, 3932, 2621},
+    static const struct glint_material clay = {.model = GLINT_MSH,
+                                               .q = 8,
+                                               .n = 60,
+                                               .ambient_q16 = {6554, 3932, 2621},
                                                .diffuse_q16 = {40632, 22282, 9175},
                                                .specular_q16 = {52429, 52429, 52429},
-                                               .albedo = {255, 255, 255}};
-    const int32_t to_light[3] = {-4, 6, 8}, to_viewer[3] = {0, 0, 1};
-    shader.material = clay;
-    shader.format = GLINT_RGB565;
-    shader.clamp_peak = true;
-    glint_lobe_init(&shader.lobe, GLINT_MSH, 60, 8);
+                                               .albedo = {255, 255, 255},
+                                               .clamp_peak = true};
+    static const struct glint_output output = {.format = GLINT_RGB565};
+    static const int32_t to_light[3] = {-4, 6, 8}, to_viewer[3] = {0, 0, 1};
+    struct glint_light light;
     chosen = way;
-    paint.path = way == MESH_GOURAUD ? &gouraud_path : way == MESH_EXACT ? &glint_mesh_exact : &glint_mesh_tables;
-    paint.with = way == MESH_BY_TABLES ? (const void *)&tables : (const void *)&prepared;
-    return glint_light_init(&shader.light, to_light, to_viewer) |
-           glint_shade_prepare_for(&prepared, &shader, &glint_shade_msh, &glint_shade_rgb565) |
-           glint_tables_fill(&tables, GLINT_TABLES_COLOUR, &shader, tables_memory, sizeof tables_memory);
+    gouraud_paint = way == MESH_GOURAUD ? &paint : NULL;
+    return (way == MESH_BY_TABLES ? glint_paint_tables_for(&paint, &glint_use_colour, &clay, &output, tables_memory,
+                                                           sizeof tables_memory, &glint_use_msh, &glint_use_rgb565)
+                                  : glint_paint_exact_for(&paint, &clay, &output, &glint_use_msh, &glint_use_rgb565)) |
+           glint_light_directional(&light, to_light) | glint_paint_light(&paint, &light, 1, to_viewer);
 }
 
 static size_t frame_bytes(unsigned which)
@@ -70,10 +69,10 @@ int mesh_frame(unsigned which)
     if (which >= sizeof drawings / sizeof *drawings)
         return 1;
     const int error = glint_mesh_begin(&frame, WIDTH, HEIGHT, LINES, 0, frame_memory, frame_bytes(which)) |
-                      glint_mesh_add(&frame, &drawn, drawings[which].mesh, which < 3 ? &teapots : &bunnys,
-                                     &shader.light, &paint, mesh_memory, sizeof mesh_memory);
+                      glint_mesh_add(&frame, &drawn, drawings[which].mesh, which < 3 ? &teapots : &bunnys, &paint,
+                                     mesh_memory, sizeof mesh_memory);
     if (chosen == MESH_GOURAUD)
-        gouraud_vertices(&drawn, &shader.lobe);
+        gouraud_vertices(&drawn, 60, 8);
     return error;
 }
 
@@ -86,6 +85,5 @@ int mesh_strip(unsigned y)
 uint32_t mesh_memory_bytes(enum mesh_way way, unsigned which)
 {
     return (uint32_t)(frame_bytes(which) + glint_mesh_bytes(drawings[which].mesh, HEIGHT) + 2 * sizeof mesh_out +
-                      sizeof frame + sizeof drawn +
-                      (way == MESH_BY_TABLES ? sizeof tables + sizeof tables_memory : sizeof prepared));
+                      sizeof frame + sizeof drawn + sizeof paint + (way == MESH_BY_TABLES ? sizeof tables_memory : 0));
 }

@@ -13,7 +13,7 @@ const PICTURES = [
     ['exact RGB888, linear space', ['--scene=sphere', '--format=rgb888', '--space=linear']],
     ['exact RGB565, Gauss', ['--scene=coin', '--format=rgb565', '--model=gauss']],
     ['COLOUR tables, INT8', [...BY_TABLES, '--path=colour-int8']],
-    ['SMALL tables, INT16', [...BY_TABLES, '--path=small-int16']],
+    ['Exact, INT8', [...BY_TABLES, '--path=exact-int8']],
     ['ALBEDO tables, INT8', [...BY_TABLES, '--path=albedo-int8']],
     ['COLOUR spans', [...BY_TABLES, '--path=colour-span']],
 ]

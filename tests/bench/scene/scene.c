@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
- * scene write FOLDER: what the measurements take: the sphere's normals as `glint bake` makes them (int16.bin, int10.bin,
+ * scene write FOLDER: what the measurements take: the sphere's normals as `glint bake` makes them (int16.bin,
  *     int8.bin, palette.bin and palette-offsets.bin, and lines-*.bin, one line in SPHERE_STEP), samples.txt (n, c, t of
  *     pixels of the highlight), samples.h (fewer of them, as C), scene.json.
+ * scene real N MODEL: the model in double precision, a line for each t_q30 of a line on standard input, which may be a fraction.
  * scene exact N MODEL FORMAT SPACE DITHER ALBEDO GLOSS LAMPS: the exact path's picture on stdout; what follows N is a look as
  *     sphere.h has it. */
 #include <math.h>
@@ -12,6 +13,7 @@
 #include "../sphere.h"
 #include "bake/bake.h"
 #include "base/memory.h"
+#include "models/models.h"
 
 static const double RADIUS = 120.9;
 enum { SAMPLES = 2000, FEW = 24, LOOK_WORDS = 7 };
@@ -75,7 +77,6 @@ static void write_map(const char *folder, const char *name, const void *pixels, 
 static void write_maps(const char *folder)
 {
     write_map(folder, "int16", normals, sizeof *normals);
-    write_map(folder, "int10", bake(scene, BAKE_INT10, 0)->words, sizeof(uint32_t));
     write_map(folder, "int8", bake(scene, BAKE_INT8, 0)->words, sizeof(uint32_t));
     const struct baked *palette = bake(scene, BAKE_PALETTE, SPHERE_PALETTE);
     write_bytes(folder, "palette.bin", palette->normals, palette->entries * sizeof *normals, 0, 1);
@@ -87,20 +88,34 @@ struct sample {
 };
 static struct sample samples[SPHERE_W * SPHERE_H];
 
+static struct glint_light lights[GLINT_LIGHTS_MAX];
+
+static bool paint_of(struct glint_paint *paint, const struct sphere_look *look, uint32_t n)
+{
+    struct glint_material material;
+    struct glint_output output;
+    sphere_material(&material, &output, look, n);
+    const int count = sphere_lights(lights, (enum sphere_lights)look->lights);
+    return count < 0 || glint_paint_exact(paint, &material, &output) ||
+           glint_paint_light(paint, lights, (unsigned)count, sphere_viewer);
+}
+
 /* c and t as lib/sequence.md forms them, of the pixels inside MSH's lobe; returns how many. */
 static unsigned find_samples(uint32_t n)
 {
-    struct glint_shader shader;
     const struct sphere_look look = {.model = GLINT_MSH};
-    sphere_shader(&shader, &look, n);
-    const struct glint_vec *h = &shader.light.h;
+    const int64_t c_min = glint_msh_cutoff(n, SPHERE_Q);
+    struct glint_paint paint;
+    if (paint_of(&paint, &look, n))
+        return 0;
+    const struct glint_vec *h = &paint.h;
     unsigned count = 0;
     for (int i = 0; i < SPHERE_W * SPHERE_H; i++) {
         const struct glint_vec *v = &normals[i];
         const int64_t dot = (int64_t)v->x * h->x + (int64_t)v->y * h->y + (int64_t)v->z * h->z;
         const int64_t x = v->x - h->x, y = v->y - h->y, z = v->z - h->z;
         const int64_t c = (dot + (1 << 13)) >> 14;
-        if (scene->mask[i] && c >= shader.lobe.c_min_q16)
+        if (scene->mask[i] && c >= c_min)
             samples[count++] =
                 (struct sample){c < 65536 ? (uint32_t)c : 65536, (uint32_t)((x * x + y * y + z * z) / 2)};
     }
@@ -162,28 +177,35 @@ static int write_exact(char **words)
         gloss[i] = sphere_gloss(x, y);
     }
     const size_t line[] = {SPHERE_W * 2, SPHERE_W * 2, SPHERE_W * 3, SPHERE_W, SPHERE_W / 8};
-    struct glint_shader shader;
-    sphere_shader(&shader, &look, (uint32_t)atoi(words[0]));
-    struct glint_lamp lamps[GLINT_LAMPS_MAX];
-    const int count = look.lamps ? sphere_lamps(lamps, (enum sphere_lamps)look.lamps) : 0;
-    const struct glint_source source = {.normals = normals,
-                                        .normals_stride = SPHERE_W * sizeof *normals,
-                                        .albedo = look.albedo ? albedo[0] : NULL,
-                                        .albedo_stride = SPHERE_W * sizeof *albedo,
-                                        .gloss = look.gloss ? gloss : NULL,
-                                        .gloss_stride = SPHERE_W,
-                                        .mask = scene->mask,
-                                        .mask_stride = SPHERE_W};
+    struct glint_paint paint;
+    const struct glint_maps maps = {.normals = normals,
+                                    .normals_stride = SPHERE_W * sizeof *normals,
+                                    .albedo = look.albedo ? albedo[0] : NULL,
+                                    .albedo_stride = SPHERE_W * sizeof *albedo,
+                                    .albedo_format = GLINT_RGB888,
+                                    .gloss = look.gloss ? gloss : NULL,
+                                    .gloss_stride = SPHERE_W,
+                                    .coverage = scene->mask,
+                                    .coverage_stride = SPHERE_W};
     const struct glint_surface surface = {picture, (ptrdiff_t)line[look.format], 0, 0};
-    if (count < 0 ||
-        (count ? glint_shade_lights(&shader, lamps, (unsigned)count, &source, SPHERE_W, SPHERE_H, &surface, NULL)
-               : glint_shade_rect(&shader, &source, SPHERE_W, SPHERE_H, &surface, NULL)))
+    if (paint_of(&paint, &look, (uint32_t)atoi(words[0])) ||
+        glint_draw_rect(&paint, &maps, SPHERE_W, SPHERE_H, &surface, NULL))
         return 1;
     return fwrite(picture, line[look.format], SPHERE_H, stdout) != SPHERE_H;
 }
 
+static int write_real(double n, enum glint_model model)
+{
+    double t_q30;
+    while (scanf("%lf", &t_q30) == 1)
+        printf("%.17g\n", model_double(model, n, 1 - ldexp(t_q30, -30)));
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
+    if (argc == 4 && strcmp(argv[1], "real") == 0)
+        return write_real(atof(argv[2]), (enum glint_model)atoi(argv[3]));
     const unsigned covered = draw();
     if (argc == 3 && strcmp(argv[1], "write") == 0)
         write_scene(argv[2], covered);

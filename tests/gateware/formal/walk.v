@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The walk under any spans and any taking, for ever: each span's pixels come out, in order, by the recurrences and
-// reductions of glint_shade_span_c16, the last one marked; what is offered stays; idle says that nothing is inside.
+// reductions of the unit's sequence, the last one marked; what is offered stays; idle says that nothing is inside.
 `default_nettype none
 
 module walk (

@@ -182,27 +182,31 @@ static unsigned other_canvases(void)
     static const int32_t to_viewer[3] = {0, 0, 1};
     unsigned wrong = 0;
     for (unsigned i = 0; i < sizeof of / sizeof *of; i++) {
-        struct glint_shader shader;
-        struct glint_source source;
+        struct glint_material material;
+        struct glint_maps maps;
+        struct glint_paint paint;
+        struct glint_light light;
         struct glint_surface surface;
+        const struct glint_output output = {of[i].format, GLINT_GAMMA, false};
         uint8_t pixel[4] = {0, 0, 0, 0};
         lv_obj_t canvas;
-        memset(&shader, 0, sizeof shader);
-        memset(&source, 0, sizeof source);
+        memset(&material, 0, sizeof material);
+        memset(&maps, 0, sizeof maps);
         lv_canvas_set_buffer(&canvas, pixel, 1, 1, (lv_color_format_t)of[i].cf);
-        shader.format = of[i].format;
+        material.n = 60;
         for (unsigned k = 0; k < 3; k++) {
-            shader.material.albedo[k] = of[i].albedo[k];
-            shader.material.ambient_q16[k] = 65536;
+            material.albedo[k] = of[i].albedo[k];
+            material.ambient_q16[k] = 65536;
         }
-        glint_lobe_init(&shader.lobe, GLINT_MSH, 60, 8);
-        wrong += glint_light_init(&shader.light, to_viewer, to_viewer) != GLINT_OK;
-        source.normals = &normal;
-        source.mask = &half;
+        wrong += glint_paint_exact(&paint, &material, &output) != GLINT_OK;
+        wrong += glint_light_directional(&light, to_viewer) != GLINT_OK;
+        wrong += glint_paint_light(&paint, &light, 1, to_viewer) != GLINT_OK;
+        maps.normals = &normal;
+        maps.coverage = &half;
         wrong += glint_lvgl_canvas(&canvas, GLINT_RGB888, &surface) != GLINT_ERR_FORMAT;
         wrong += glint_lvgl_canvas(&canvas, of[i].format, &surface) != GLINT_OK;
         wrong += surface.stride != of[i].bytes;
-        wrong += glint_shade_rect(&shader, &source, 1, 1, &surface, NULL) != GLINT_OK;
+        wrong += glint_draw_rect(&paint, &maps, 1, 1, &surface, NULL) != GLINT_OK;
         for (unsigned b = 0; b < 4; b++)
             wrong += pixel[b] != of[i].wanted[b];
     }

@@ -46,18 +46,18 @@ static void material_and_map_in_pieces_of_any_size_make_it_ready(void **state)
     }
 }
 
-static void the_shader_is_what_the_material_says(void **state)
+static void the_board_draws_the_material_to_the_space_that_came_with_it(void **state)
 {
     (void)state;
-    struct glint_shader shader;
+    struct glint_output output;
+    struct glint_paint paint;
     assert_true(enable(1) && set_material(&material));
-    light_device_shader(&device, &shader);
-    assert_int_equal(shader.lobe.n, 60);
-    assert_int_equal(shader.lobe.q, 6);
-    assert_int_equal(shader.format, GLINT_RGB565);
-    assert_int_equal(shader.space, GLINT_LINEAR);
-    assert_true(shader.clamp_peak);
-    assert_same(&shader.material, &material.material);
+    light_material_output(&output, &device.material);
+    assert_int_equal(output.format, GLINT_RGB565);
+    assert_int_equal(output.space, GLINT_LINEAR);
+    assert_false(output.dither);
+    assert_same(&device.material.material, &material.material);
+    assert_int_equal(glint_paint_exact(&paint, &device.material.material, &output), GLINT_OK);
 }
 
 static void a_request_with_anything_wrong_is_refused(void **state)
@@ -90,14 +90,42 @@ static void a_request_with_anything_wrong_is_refused(void **state)
     assert_int_equal(status(), GUD_PARAMETER);
     assert_true(device.enabled);
     struct light_material wrong[4] = {material, material, material, material};
-    wrong[0].model = GLINT_PHONG;
-    wrong[1].model = GLINT_MODEL_COUNT;
-    wrong[2].space = GLINT_LINEAR + 1;
-    wrong[3].flags = LIGHT_CLAMP_PEAK << 1;
+    wrong[0].material.model = GLINT_PHONG;
+    wrong[1].material.model = GLINT_MODEL_COUNT;
+    wrong[2].material.n = 0; /* of which the library makes no paint */
+    wrong[3].space = GLINT_LINEAR + 1;
     for (unsigned i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         assert_false(set_material(&wrong[i]));
         assert_int_equal(status(), GUD_PARAMETER);
         assert_false(device.has_material);
+    }
+    light_material_pack(bytes, &material);
+    bytes[5] |= LIGHT_CLAMP_PEAK << 1; /* a flag that there is not */
+    assert_false(set(LIGHT_SET_MATERIAL, bytes, LIGHT_MATERIAL_BYTES));
+    assert_int_equal(status(), GUD_PARAMETER);
+    assert_false(device.has_material);
+}
+
+static void any_other_material_makes_a_paint(void **state)
+{
+    (void)state;
+    assert_true(enable(1));
+    srand(3);
+    for (unsigned round = 0; round < 20000; round++) {
+        uint8_t bytes[LIGHT_MATERIAL_BYTES];
+        for (unsigned i = 0; i < sizeof bytes; i++)
+            bytes[i] = (uint8_t)rand();
+        bytes[0] %= 8; /* model, space and flags, or most would be refused */
+        bytes[4] %= 3;
+        bytes[5] %= 2;
+        device.has_material = false;
+        if (!set(LIGHT_SET_MATERIAL, bytes, sizeof bytes))
+            continue;
+        struct glint_output output;
+        struct glint_paint paint;
+        light_material_output(&output, &device.material);
+        assert_int_equal(glint_paint_exact(&paint, &device.material.material, &output), GLINT_OK);
+        assert_true(paint.model && device.material.material.model != GLINT_PHONG);
     }
 }
 
@@ -162,16 +190,14 @@ static void a_new_map_drops_lights_for_the_old_one(void **state)
 static void the_board_learns_of_another_material(void **state)
 {
     (void)state;
-    struct glint_shader shader;
     struct light_material other = material;
     assert_true(enable(1) && set_material(&material));
     send_map(64);
     device.is_new = false;
-    other.flags = 0;
+    other.material.clamp_peak = false;
     assert_true(set_material(&other));
     assert_true(device.is_new);
-    light_device_shader(&device, &shader);
-    assert_false(shader.clamp_peak);
+    assert_false(device.material.material.clamp_peak);
 }
 
 static void it_cannot_be_enabled_within_a_rectangle_of_gud(void **state)
@@ -270,6 +296,20 @@ static void a_reset_forgets_everything(void **state)
     assert_false(light_device_next(&device, to_light));
 }
 
+/* So that a board knows of a host that came and went at once. */
+static void that_it_was_enabled_outlives_a_reset(void **state)
+{
+    (void)state;
+    assert_true(enable(0));
+    assert_false(device.was_enabled);
+    assert_true(enable(1));
+    light_device_reset(&device);
+    assert_true(device.was_enabled && !device.enabled);
+    device.was_enabled = false;
+    light_device_reset(&device);
+    assert_false(device.was_enabled);
+}
+
 static void whatever_arrives_only_the_map_is_written(void **state)
 {
     (void)state;
@@ -294,7 +334,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(material_and_map_in_pieces_of_any_size_make_it_ready, begin, end),
-        cmocka_unit_test_setup_teardown(the_shader_is_what_the_material_says, begin, end),
+        cmocka_unit_test_setup_teardown(the_board_draws_the_material_to_the_space_that_came_with_it, begin, end),
         cmocka_unit_test_setup_teardown(a_request_with_anything_wrong_is_refused, begin, end),
         cmocka_unit_test_setup_teardown(before_it_is_enabled_it_takes_nothing, begin, end),
         cmocka_unit_test_setup_teardown(enabled_again_it_forgets_map_and_material, begin, end),
@@ -307,6 +347,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(lights_queue_up_and_wait_where_there_is_no_room, begin, end),
         cmocka_unit_test_setup_teardown(the_status_is_busy_until_the_last_frame_is_drawn, begin, end),
         cmocka_unit_test_setup_teardown(a_reset_forgets_everything, begin, end),
+        cmocka_unit_test_setup_teardown(any_other_material_makes_a_paint, begin, end),
+        cmocka_unit_test_setup_teardown(that_it_was_enabled_outlives_a_reset, begin, end),
         cmocka_unit_test_setup_teardown(whatever_arrives_only_the_map_is_written, begin, end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -10,8 +10,10 @@ static void what_is_packed_unpacks_to_the_same(void **state)
     uint8_t bytes[LIGHT_MATERIAL_BYTES];
     struct light_material again;
     light_material_pack(bytes, &material);
-    light_material_unpack(&again, bytes);
-    assert_int_equal(again.model, material.model);
+    memset(&again, 0xee, sizeof again);
+    assert_true(light_material_unpack(&again, bytes));
+    assert_int_equal(again.material.n_across, 0);
+    assert_int_equal(again.space, material.space);
     assert_int_equal(again.background, material.background);
     assert_same(&again.material, &material.material);
     struct light_descriptor descriptor = {240, 320};
@@ -53,22 +55,33 @@ static void the_bytes_on_the_wire_are_those_documented(void **state)
     assert_memory_equal(bytes, "\x04\x03\x02\x01\x06\x05\x08\x07\x09\0\0\0", LIGHT_MESH_BYTES);
 }
 
-static void a_material_is_taken_from_a_shader_whole(void **state)
+static void what_goes_over_the_wire_is_taken_from_a_material_and_an_output(void **state)
 {
     (void)state;
-    struct glint_shader shader = {.space = GLINT_LINEAR, .clamp_peak = 1, .material = material.material};
-    glint_lobe_init(&shader.lobe, GLINT_LYON, 300, 7);
-    struct light_material of_shader;
-    light_material_of(&of_shader, &shader);
-    assert_int_equal(of_shader.model, GLINT_LYON);
-    assert_int_equal(of_shader.n, 300);
-    assert_int_equal(of_shader.q, 7);
-    assert_int_equal(of_shader.space, GLINT_LINEAR);
-    assert_int_equal(of_shader.flags, LIGHT_CLAMP_PEAK);
-    assert_same(&of_shader.material, &material.material);
-    shader.clamp_peak = 0;
-    light_material_of(&of_shader, &shader);
-    assert_int_equal(of_shader.flags, 0);
+    struct glint_material from = material.material;
+    const struct glint_output output = {.format = GLINT_RGB565, .space = GLINT_LINEAR};
+    from.model = GLINT_LYON;
+    from.n = from.n_across = 300;
+    from.q = 7;
+    struct light_material of_both;
+    light_material_of(&of_both, &from, &output);
+    assert_same(&of_both.material, &from);
+    assert_int_equal(of_both.material.n_across, 0);
+    assert_int_equal(of_both.space, GLINT_LINEAR);
+    assert_int_equal(of_both.background, 0);
+}
+
+static void flags_that_there_are_not_are_told(void **state)
+{
+    (void)state;
+    uint8_t bytes[LIGHT_MATERIAL_BYTES];
+    struct light_material again;
+    light_material_pack(bytes, &material);
+    bytes[5] = 0;
+    assert_true(light_material_unpack(&again, bytes));
+    assert_false(again.material.clamp_peak);
+    bytes[5] = LIGHT_CLAMP_PEAK << 1;
+    assert_false(light_material_unpack(&again, bytes));
 }
 
 int main(void)
@@ -76,7 +89,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_packed_unpacks_to_the_same),
         cmocka_unit_test(the_bytes_on_the_wire_are_those_documented),
-        cmocka_unit_test(a_material_is_taken_from_a_shader_whole),
+        cmocka_unit_test(what_goes_over_the_wire_is_taken_from_a_material_and_an_output),
+        cmocka_unit_test(flags_that_there_are_not_are_told),
     };
     return cmocka_run_group_tests_name("light protocol", tests, NULL, NULL);
 }

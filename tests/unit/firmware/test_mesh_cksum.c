@@ -9,7 +9,8 @@
 static const int16_t places[9] = {1, -2, 300, -400, 32767, -32768, 0, 7, 256};
 static const int8_t normals[9] = {0, 0, 127, -127, 1, -1, 5, 6, 7};
 static const uint16_t faces[6] = {0, 1, 2, 2, 1, 0};
-static const struct glint_mesh mesh = {places, NULL, normals, faces, NULL, 3, 2, 0};
+static const struct glint_mesh mesh = {
+    .places = places, .normals8 = normals, .faces = faces, .vertex_count = 3, .face_count = 2};
 
 static uint32_t posix(const uint8_t *bytes, size_t count)
 {
@@ -46,7 +47,8 @@ static void four_vertices_have_the_sum_of_their_file(void **state)
     (void)state;
     static const int16_t four_places[12] = {0};
     static const int8_t four_normals[12] = {0, 0, 127, 0, 0, 127, 0, 0, 127, 0, 0, 127};
-    static const struct glint_mesh four = {four_places, NULL, four_normals, faces, NULL, 4, 2, 0};
+    static const struct glint_mesh four = {
+        .places = four_places, .normals8 = four_normals, .faces = faces, .vertex_count = 4, .face_count = 2};
     uint8_t file[12 * 2 + 12 + 6 * 2] = {0};
     memcpy(file + 24, four_normals, 12);
     for (int i = 0; i < 6; i++)

@@ -19,7 +19,7 @@ static uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4], normals[2][WIDTH];
 static uint16_t pixels[2][WIDTH];
 static struct relight_extent extents[HEIGHT];
 static struct relight relight;
-static struct glint_prepared prepared;
+static struct glint_paint paint;
 static bool by_exact_pixels;
 
 static void put_normal(unsigned x, unsigned y)
@@ -54,24 +54,30 @@ static void make_map(void)
 
 static const struct hal *hal_in_use = &hal;
 
+static void make_paint(struct glint_paint *made, void *memory)
+{
+    assert_int_equal(by_exact_pixels ? glint_paint_exact(made, &demo_gold, &demo_output)
+                                     : glint_paint_tables(made, GLINT_TABLES_COLOUR, &demo_gold, &demo_output, memory,
+                                                          GLINT_TABLES_COLOUR_BYTES),
+                     GLINT_OK);
+}
+
 static void start_with_map(bool from_flash)
 {
-    struct glint_shader shader;
     memset(&board, 0, sizeof board);
     memset(&flash, 0, sizeof flash);
     memset(&frames, 0, sizeof frames);
-    demo_shader(&shader);
+    make_paint(&paint, tables);
     relight = (struct relight){.hal = hal_in_use,
                                .panel = &panel,
                                .map = map,
                                .background = BACKGROUND,
-                               .exact = by_exact_pixels ? &prepared : NULL,
-                               .tables_memory = by_exact_pixels ? NULL : tables,
+                               .paint = &paint,
                                .pixels = {pixels[0], pixels[1]},
                                .extents = extents};
     for (unsigned i = 0; i < 2 && from_flash; i++)
         relight.normals[i] = normals[i];
-    assert_int_equal(relight_start(&relight, &shader), GLINT_OK);
+    relight_start(&relight);
 }
 
 static void start(bool from_flash)
@@ -80,43 +86,22 @@ static void start(bool from_flash)
     start_with_map(from_flash);
 }
 
-/* One rectangle of the whole map. */
-static void draw_exact(uint16_t *wanted, const struct glint_light *light)
-{
-    struct glint_vec unpacked[WIDTH * HEIGHT];
-    uint8_t mask[WIDTH * HEIGHT];
-    struct glint_shader shader;
-    demo_shader(&shader);
-    shader.light = *light;
-    for (unsigned i = 0; i < WIDTH * HEIGHT; i++) {
-        unpacked[i] = glint_normals_unpack(GLINT_NORMALS_INT8, map[i]);
-        mask[i] = map[i] >> 16 ? 255 : 0;
-    }
-    const struct glint_source source = {
-        .normals = unpacked, .normals_stride = WIDTH * sizeof *unpacked, .mask = mask, .mask_stride = WIDTH};
-    assert_int_equal(
-        glint_shade_rect(&shader, &source, WIDTH, HEIGHT, &(struct glint_surface){wanted, 2 * WIDTH, 0, 0}, NULL),
-        GLINT_OK);
-}
-
+/* One rectangle of the whole map, by a paint of its own. */
 static void check_screen(const int32_t to_light[3])
 {
     static const int32_t to_viewer[3] = {0, 0, 1};
+    static uint32_t own_tables[GLINT_TABLES_COLOUR_BYTES / 4];
     uint16_t wanted[WIDTH * HEIGHT];
-    struct glint_light source;
-    struct glint_tables_light light;
+    struct glint_paint own;
+    struct glint_light light;
+    const struct glint_maps maps = {.normals = map, .normals_stride = 4 * WIDTH, .normals_format = GLINT_NORMALS_INT8};
     for (unsigned i = 0; i < WIDTH * HEIGHT; i++)
         wanted[i] = BACKGROUND;
-    assert_int_equal(glint_light_init(&source, to_light, to_viewer), GLINT_OK);
-    if (by_exact_pixels) {
-        draw_exact(wanted, &source);
-        assert_memory_equal(board.screen, wanted, sizeof wanted);
-        return;
-    }
-    assert_int_equal(glint_tables_light_init(&light, &relight.tables, &source), GLINT_OK);
-    assert_int_equal(glint_tables_rect(&relight.tables, &light, GLINT_NORMALS_INT8, map, 4 * WIDTH, WIDTH, HEIGHT,
-                                       &(struct glint_surface){wanted, 2 * WIDTH, 0, 0}),
-                     GLINT_OK);
+    make_paint(&own, own_tables);
+    assert_int_equal(glint_light_directional(&light, to_light), GLINT_OK);
+    assert_int_equal(glint_paint_light(&own, &light, 1, to_viewer), GLINT_OK);
+    assert_int_equal(
+        glint_draw_rect(&own, &maps, WIDTH, HEIGHT, &(struct glint_surface){wanted, 2 * WIDTH, 0, 0}, NULL), GLINT_OK);
     assert_memory_equal(board.screen, wanted, sizeof wanted);
 }
 
@@ -209,9 +194,7 @@ static void a_line_is_not_overwritten_while_it_is_sent(void **state)
 static void an_abandoned_frame_disturbs_no_other(void **state)
 {
     (void)state;
-    struct glint_shader shader;
     int32_t to_light[3];
-    demo_shader(&shader);
     orbit_light(to_light, 7, ORBIT_FRAMES);
     start(true);
     assert_int_equal(relight_frame(&relight, to_light), GLINT_OK);
@@ -222,7 +205,7 @@ static void an_abandoned_frame_disturbs_no_other(void **state)
     assert_non_null(flash.to);
     while (board.done)
         end_flush();
-    assert_int_equal(relight_start(&relight, &shader), GLINT_OK);
+    relight_start(&relight);
     assert_int_equal(relight_step(&relight), RELIGHT_DONE); /* no frame was begun */
     flash.polls = 5;
     assert_int_equal(relight_frame(&relight, to_light), GLINT_OK); /* waits for the abandoned frame's fetch */
@@ -258,15 +241,13 @@ static void a_start_waits_for_the_interrupt_that_ends_the_last_line(void **state
 {
     (void)state;
     int32_t to_light[3];
-    struct glint_shader shader;
-    demo_shader(&shader);
     start(false);
     orbit_light(to_light, 0, ORBIT_FRAMES);
     assert_int_equal(relight_frame(&relight, to_light), GLINT_OK);
     while (!board.done)
         relight_step(&relight);
     set_alarm(send_line, NULL);
-    assert_int_equal(relight_start(&relight, &shader), GLINT_OK);
+    relight_start(&relight);
     assert_null(board.done);
 }
 
@@ -296,6 +277,48 @@ static void an_impossible_light_is_refused_and_no_frame_begins(void **state)
     assert_int_equal(board.windows, 0);
 }
 
+static void a_paint_that_is_none_or_of_another_format_is_refused_and_no_frame_begins(void **state)
+{
+    (void)state;
+    const struct glint_output grey = {.format = GLINT_GREY8};
+    int32_t to_light[3];
+    orbit_light(to_light, 0, ORBIT_FRAMES);
+    start(false);
+    paint = (struct glint_paint){0};
+    assert_int_equal(relight_frame(&relight, to_light), GLINT_ERR_ARG);
+    assert_int_equal(glint_paint_exact(&paint, &demo_gold, &grey), GLINT_OK);
+    assert_int_equal(relight_frame(&relight, to_light), GLINT_ERR_FORMAT);
+    assert_int_equal(relight_step(&relight), RELIGHT_DONE);
+    assert_int_equal(board.windows, 0);
+}
+
+/* The pattern goes by the place on the screen, of which each line draws a part. */
+static void a_dithered_paint_is_dithered_across_lines_and_cores(void **state)
+{
+    (void)state;
+    const struct glint_output dithered = {.format = GLINT_RGB565_SWAPPED, .dither = true};
+    const struct glint_maps maps = {.normals = map, .normals_stride = 4 * WIDTH, .normals_format = GLINT_NORMALS_INT8};
+    uint16_t wanted[WIDTH * HEIGHT];
+    int32_t to_light[3];
+    hal_in_use = &two_cores;
+    start(true);
+    hal_in_use = &hal;
+    assert_int_equal(glint_paint_exact(&paint, &demo_gold, &dithered), GLINT_OK);
+    orbit_light(to_light, 99, ORBIT_FRAMES);
+    assert_int_equal(relight_frame(&relight, to_light), GLINT_OK);
+    for (unsigned steps = 0; relight_step(&relight) == RELIGHT_BUSY; steps++) {
+        end_flush();
+        end_fetch();
+        assert_true(steps < 1000);
+    }
+    for (unsigned i = 0; i < WIDTH * HEIGHT; i++)
+        wanted[i] = BACKGROUND;
+    assert_int_equal(
+        glint_draw_rect(&paint, &maps, WIDTH, HEIGHT, &(struct glint_surface){wanted, 2 * WIDTH, 0, 0}, NULL),
+        GLINT_OK);
+    assert_memory_equal(board.screen, wanted, sizeof wanted);
+}
+
 static void a_bus_that_fails_is_reported(void **state)
 {
     (void)state;
@@ -320,6 +343,8 @@ int main(void)
         cmocka_unit_test(a_start_waits_for_the_interrupt_that_ends_the_last_line),
         cmocka_unit_test(a_map_without_gaps_is_drawn_without_the_background),
         cmocka_unit_test(an_impossible_light_is_refused_and_no_frame_begins),
+        cmocka_unit_test(a_paint_that_is_none_or_of_another_format_is_refused_and_no_frame_begins),
+        cmocka_unit_test(a_dithered_paint_is_dithered_across_lines_and_cores),
         cmocka_unit_test(a_bus_that_fails_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -62,6 +62,7 @@ static struct made_mesh ball;
 static uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4], memory[2][CORE_BYTES / 4],
     strips[STRIPS * WIDTH * TURNTABLE_LINES / 2];
 static struct panel panel = {.controller = PANEL_ST7789, .width = WIDTH, .height = HEIGHT};
+static struct glint_paint paint;
 static struct turntable turntable;
 
 static void set_up(const struct hal *hal)
@@ -72,7 +73,7 @@ static void set_up(const struct hal *hal)
     panel.bus = &hal->bus;
     turntable = (struct turntable){.pieces = {.hal = hal, .panel = &panel},
                                    .mesh = &ball.mesh,
-                                   .tables_memory = tables,
+                                   .paint = &paint,
                                    .memory_bytes = CORE_BYTES,
                                    .strips = strips,
                                    .strip_count = hal->fork ? STRIPS : 2,
@@ -81,47 +82,49 @@ static void set_up(const struct hal *hal)
                                    .core = {{.memory = memory[0]}, {.memory = memory[1]}}};
 }
 
-static struct glint_light light_of(const int32_t to_light[3])
+static void make_paint(struct glint_paint *made, void *at)
 {
-    static const int32_t to_viewer[3] = {0, 0, 1};
-    struct glint_light light;
-    assert_int_equal(glint_light_init(&light, to_light, to_viewer), GLINT_OK);
-    return light;
+    assert_int_equal(
+        glint_paint_tables(made, GLINT_TABLES_COLOUR, &demo_gold, &demo_output, at, GLINT_TABLES_COLOUR_BYTES),
+        GLINT_OK);
 }
 
-static void check_screen(const struct glint_pose *pose, const struct glint_light *light)
+/* By a paint of its own. */
+static void check_screen(const struct glint_pose *pose)
 {
-    static uint32_t of_frame[8192], of_mesh[4096];
+    static const int32_t to_viewer[3] = {0, 0, 1};
+    static uint32_t of_frame[8192], of_mesh[4096], own_tables[GLINT_TABLES_COLOUR_BYTES / 4];
     uint16_t wanted[WIDTH * HEIGHT];
     struct glint_mesh_frame frame;
     struct glint_mesh_drawn drawn;
-    const struct glint_paint paint = {&glint_mesh_tables, &turntable.tables};
+    struct glint_paint own;
+    struct glint_light light;
     for (unsigned i = 0; i < WIDTH * HEIGHT; i++)
         wanted[i] = BACKGROUND;
+    make_paint(&own, own_tables);
+    assert_int_equal(glint_light_directional(&light, demo_mesh_light), GLINT_OK);
+    assert_int_equal(glint_paint_light(&own, &light, 1, to_viewer), GLINT_OK);
     assert_int_equal(glint_mesh_begin(&frame, WIDTH, HEIGHT, HEIGHT, 0, of_frame, sizeof of_frame), GLINT_OK);
-    assert_int_equal(glint_mesh_add(&frame, &drawn, &ball.mesh, pose, light, &paint, of_mesh, sizeof of_mesh),
-                     GLINT_OK);
+    assert_int_equal(glint_mesh_add(&frame, &drawn, &ball.mesh, pose, &own, of_mesh, sizeof of_mesh), GLINT_OK);
     assert_int_equal(glint_mesh_strip(&frame, 0, HEIGHT, &(struct glint_surface){wanted, 2 * WIDTH, 0, 0}), GLINT_OK);
     assert_memory_equal(board.screen, wanted, sizeof wanted);
 }
 
 static void start(const struct hal *hal)
 {
-    struct glint_shader shader;
     set_up(hal);
-    demo_shader(&shader);
-    assert_int_equal(turntable_start(&turntable, &shader), GLINT_OK);
+    make_paint(&paint, tables);
+    assert_int_equal(turntable_start(&turntable), GLINT_OK);
 }
 
 /* Frames back to back; transfers end at random. At the end of each its picture is complete. */
 static void run_frames(unsigned run)
 {
-    const struct glint_light light = light_of(demo_mesh_light);
     srand(run);
     for (uint32_t frame = 0; frame < 6; frame++) {
         struct glint_pose pose;
         demo_pose(&pose, frame * 37 + run, WIDTH);
-        assert_int_equal(turntable_frame(&turntable, &pose, &light), GLINT_OK);
+        assert_int_equal(turntable_frame(&turntable, &pose, demo_mesh_light), GLINT_OK);
         for (unsigned steps = 0; turntable.in_frame; steps++) {
             assert_int_equal(turntable_step(&turntable), TURNTABLE_BUSY);
             if (rand() % 3 == 0)
@@ -132,7 +135,7 @@ static void run_frames(unsigned run)
             continue;
         while (turntable_step(&turntable) == TURNTABLE_BUSY)
             end_flush();
-        check_screen(&pose, &light);
+        check_screen(&pose);
     }
 }
 
@@ -163,10 +166,9 @@ static void a_stop_waits_for_the_other_core_and_the_bus(void **state)
 {
     (void)state;
     struct glint_pose pose;
-    const struct glint_light light = light_of(demo_mesh_light);
     start(&two_cores);
     demo_pose(&pose, 0, WIDTH);
-    assert_int_equal(turntable_frame(&turntable, &pose, &light), GLINT_OK);
+    assert_int_equal(turntable_frame(&turntable, &pose, demo_mesh_light), GLINT_OK);
     turntable_step(&turntable);
     assert_true(other.is_forked);
     turntable_stop(&turntable);
@@ -187,10 +189,9 @@ static void a_stop_waits_for_the_interrupt_that_ends_the_last_transfer(void **st
 {
     (void)state;
     struct glint_pose pose;
-    const struct glint_light light = light_of(demo_mesh_light);
     start(&one_core);
     demo_pose(&pose, 0, WIDTH);
-    assert_int_equal(turntable_frame(&turntable, &pose, &light), GLINT_OK);
+    assert_int_equal(turntable_frame(&turntable, &pose, demo_mesh_light), GLINT_OK);
     while (turntable.pieces.added == 0)
         turntable_step(&turntable);
     assert_non_null(board.done);
@@ -204,12 +205,11 @@ static void the_other_core_waits_for_the_interrupt_that_ends_its_last_strip(void
 {
     (void)state;
     struct glint_pose pose;
-    const struct glint_light light = light_of(demo_mesh_light);
     start(&two_cores);
     waits_by_itself = true;
     for (uint32_t frame = 0; frame < 2; frame++) {
         demo_pose(&pose, frame * 37, WIDTH);
-        assert_int_equal(turntable_frame(&turntable, &pose, &light), GLINT_OK);
+        assert_int_equal(turntable_frame(&turntable, &pose, demo_mesh_light), GLINT_OK);
         while (turntable.in_frame) {
             if (turntable.is_begun)
                 send_all(NULL); /* for the core that does not wait */
@@ -220,64 +220,78 @@ static void the_other_core_waits_for_the_interrupt_that_ends_its_last_strip(void
     }
     waits_by_itself = false;
     send_all(NULL);
-    check_screen(&pose, &light);
+    check_screen(&pose);
 }
 
 static void a_quaternion_of_zero_leaves_the_last_picture(void **state)
 {
     (void)state;
     const struct glint_pose none = {{0, 0, 0, 0}, {0, 0, 0}, 100};
-    const struct glint_light light = light_of(demo_mesh_light);
     start(&one_core);
-    assert_int_equal(turntable_frame(&turntable, &none, &light), GLINT_ERR_VECTOR);
+    assert_int_equal(turntable_frame(&turntable, &none, demo_mesh_light), GLINT_ERR_VECTOR);
     assert_int_equal(turntable_step(&turntable), TURNTABLE_DONE);
     assert_int_equal(board.windows, 0);
     for (int i = 0; i < 4; i++) {
         struct glint_pose pose = none;
         pose.turn[i] = 1;
-        assert_int_equal(turntable_frame(&turntable, &pose, &light), GLINT_OK);
+        assert_int_equal(turntable_frame(&turntable, &pose, demo_mesh_light), GLINT_OK);
     }
 }
 
 static void what_it_cannot_draw_is_refused_at_the_start(void **state)
 {
     (void)state;
-    struct glint_shader shader;
     uint16_t ends[2] = {1, 0};
-    demo_shader(&shader);
     set_up(&one_core);
     ball.faces[7][1] = ball.mesh.vertex_count;
-    assert_int_equal(turntable_start(&turntable, &shader), GLINT_ERR_ARG);
+    assert_int_equal(turntable_start(&turntable), GLINT_ERR_ARG);
     set_up(&one_core);
     ends[1] = ball.mesh.face_count;
     ball.mesh.ends = ends;
     ball.mesh.part_count = 2;
-    assert_int_equal(turntable_start(&turntable, &shader), GLINT_ERR_ARG);
+    assert_int_equal(turntable_start(&turntable), GLINT_ERR_ARG);
     set_up(&one_core);
     turntable.memory_bytes = 2048;
-    assert_int_equal(turntable_start(&turntable, &shader), GLINT_ERR_ARG);
+    assert_int_equal(turntable_start(&turntable), GLINT_ERR_ARG);
     set_up(&two_cores);
     turntable.strip_count = STRIPS - 1;
-    assert_int_equal(turntable_start(&turntable, &shader), GLINT_ERR_ARG);
+    assert_int_equal(turntable_start(&turntable), GLINT_ERR_ARG);
     turntable.strip_count = TURNTABLE_STRIPS_MAX + 1;
-    assert_int_equal(turntable_start(&turntable, &shader), GLINT_ERR_ARG);
+    assert_int_equal(turntable_start(&turntable), GLINT_ERR_ARG);
     set_up(&two_cores);
     turntable.core[1].memory = NULL;
-    assert_int_equal(turntable_start(&turntable, &shader), GLINT_ERR_ARG);
+    assert_int_equal(turntable_start(&turntable), GLINT_ERR_ARG);
     set_up(&two_cores);
     turntable.pieces.hal = &one_core; /* half of the picture for a core that is not there */
-    assert_int_equal(turntable_start(&turntable, &shader), GLINT_ERR_ARG);
+    assert_int_equal(turntable_start(&turntable), GLINT_ERR_ARG);
+}
+
+static void a_light_or_a_paint_that_cannot_be_is_refused_and_nothing_begins(void **state)
+{
+    (void)state;
+    static const int32_t none[3] = {0, 0, 0}, behind[3] = {0, 0, -1};
+    const struct glint_output grey = {.format = GLINT_GREY8};
+    struct glint_pose pose;
+    start(&one_core);
+    demo_pose(&pose, 0, WIDTH);
+    assert_int_equal(turntable_frame(&turntable, &pose, none), GLINT_ERR_VECTOR);
+    assert_int_equal(turntable_frame(&turntable, &pose, behind), GLINT_ERR_VECTOR);
+    paint = (struct glint_paint){0};
+    assert_int_equal(turntable_frame(&turntable, &pose, demo_mesh_light), GLINT_ERR_ARG);
+    assert_int_equal(glint_paint_exact(&paint, &demo_gold, &grey), GLINT_OK);
+    assert_int_equal(turntable_frame(&turntable, &pose, demo_mesh_light), GLINT_ERR_FORMAT);
+    assert_int_equal(turntable_step(&turntable), TURNTABLE_DONE);
+    assert_int_equal(board.windows, 0);
 }
 
 static void a_bus_that_fails_is_reported(void **state)
 {
     (void)state;
     struct glint_pose pose;
-    const struct glint_light light = light_of(demo_mesh_light);
     start(&one_core);
     board.broken = true;
     demo_pose(&pose, 0, WIDTH);
-    assert_int_equal(turntable_frame(&turntable, &pose, &light), GLINT_OK);
+    assert_int_equal(turntable_frame(&turntable, &pose, demo_mesh_light), GLINT_OK);
     assert_int_equal(turntable_step(&turntable), TURNTABLE_BUSY);
     assert_int_equal(turntable_step(&turntable), TURNTABLE_BUSY);
     assert_int_equal(turntable_step(&turntable), TURNTABLE_BUS_FAILED);
@@ -293,6 +307,7 @@ int main(void)
         cmocka_unit_test(the_other_core_waits_for_the_interrupt_that_ends_its_last_strip),
         cmocka_unit_test(a_quaternion_of_zero_leaves_the_last_picture),
         cmocka_unit_test(what_it_cannot_draw_is_refused_at_the_start),
+        cmocka_unit_test(a_light_or_a_paint_that_cannot_be_is_refused_and_nothing_begins),
         cmocka_unit_test(a_bus_that_fails_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

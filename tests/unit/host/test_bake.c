@@ -48,14 +48,10 @@ static void words_are_what_packing_gives(void **state)
     struct glint_vec normals[PIXELS];
     static uint8_t bytes[4 * PIXELS + 1];
     read_normals("--height heights.png", normals);
-    static const char *const names[] = {"int10", "int8"};
-    static const enum glint_normals formats[] = {GLINT_NORMALS_INT10, GLINT_NORMALS_INT8};
-    for (int f = 0; f < 2; f++) {
-        bake_to("--height heights.png", names[f], "out/words.bin");
-        assert_int_equal(read_file("out/words.bin", bytes, sizeof bytes), 4 * PIXELS);
-        for (int i = 0; i < PIXELS; i++)
-            assert_int_equal(word_at(bytes + 4 * i, 4), glint_normals_pack(formats[f], &normals[i]));
-    }
+    bake_to("--height heights.png", "int8", "out/words.bin");
+    assert_int_equal(read_file("out/words.bin", bytes, sizeof bytes), 4 * PIXELS);
+    for (int i = 0; i < PIXELS; i++)
+        assert_int_equal(word_at(bytes + 4 * i, 4), glint_normals_pack(GLINT_NORMALS_INT8, &normals[i]));
 }
 
 static void a_word_without_surface_counts_those_up_to_the_next_surface_in_its_line(void **state)
@@ -64,21 +60,18 @@ static void a_word_without_surface_counts_those_up_to_the_next_surface_in_its_li
     struct glint_vec normals[PIXELS];
     static uint8_t bytes[4 * PIXELS + 1];
     read_normals(MASKED, normals);
-    for (int is_8 = 0; is_8 < 2; is_8++) {
-        const enum glint_normals format = is_8 ? GLINT_NORMALS_INT8 : GLINT_NORMALS_INT10;
-        bake_to(MASKED, is_8 ? "int8" : "int10", "out/words.bin");
-        read_file("out/words.bin", bytes, sizeof bytes);
-        int longest = 0;
-        for (int i = 0; i < PIXELS; i++) {
-            int run = 0;
-            while (i % WIDTH + run < WIDTH && normals[i + run].z == 0)
-                run++;
-            const uint32_t word = word_at(bytes + 4 * i, 4);
-            assert_int_equal(word, run ? (uint32_t)run << (is_8 ? 0 : 12) : glint_normals_pack(format, &normals[i]));
-            longest = run > longest ? run : longest;
-        }
-        assert_true(longest > 1 && longest < WIDTH);
+    bake_to(MASKED, "int8", "out/words.bin");
+    read_file("out/words.bin", bytes, sizeof bytes);
+    int longest = 0;
+    for (int i = 0; i < PIXELS; i++) {
+        int run = 0;
+        while (i % WIDTH + run < WIDTH && normals[i + run].z == 0)
+            run++;
+        const uint32_t word = word_at(bytes + 4 * i, 4);
+        assert_int_equal(word, run ? (uint32_t)run : glint_normals_pack(GLINT_NORMALS_INT8, &normals[i]));
+        longest = run > longest ? run : longest;
     }
+    assert_true(longest > 1 && longest < WIDTH);
 }
 
 static void a_palette_with_room_for_all_is_exact_and_its_first_entry_is_no_surface(void **state)
@@ -109,7 +102,6 @@ static void c_source_compiles_in_c_and_cxx_and_holds_the_raw_bytes(void **state)
         const char *format, *writes;
     } cases[] = {
         {"int16", "put(stone, sizeof stone);"},
-        {"int10", "put(stone, sizeof stone);"},
         {"int8", "put(stone, sizeof stone);"},
         {"palette:9", "put(stone_normals, sizeof stone_normals); put(stone, sizeof stone);"},
     };
@@ -138,7 +130,6 @@ static void a_source_and_its_header_link_in_c_and_cxx_and_hold_the_raw_bytes(voi
         const char *format, *writes, *macro;
     } cases[] = {
         {"int16", "put(stone, sizeof stone)", "STONE_FORMAT == GLINT_NORMALS_INT16 && STONE_STRIDE == 6 * STONE_WIDTH"},
-        {"int10", "put(stone, sizeof stone)", "STONE_FORMAT == GLINT_NORMALS_INT10 && STONE_STRIDE == 4 * STONE_WIDTH"},
         {"int8", "put(stone, sizeof stone)", "STONE_FORMAT == GLINT_NORMALS_INT8 && STONE_STRIDE == 4 * STONE_WIDTH"},
         {"palette:9", "put(stone_normals, sizeof stone_normals), put(stone, sizeof stone)",
          "STONE_ENTRIES == 9 && STONE_STRIDE == 2 * STONE_WIDTH"},
@@ -188,8 +179,8 @@ static void uf2_blocks_are_well_formed_and_hold_the_raw_bytes(void **state)
 {
     (void)state;
     static uint8_t uf2[1 << 16], raw[1 << 14];
-    bake_to(MASKED " --address 0x10200000", "int10", "out/words.uf2");
-    bake_to(MASKED, "int10", "out/words.bin");
+    bake_to(MASKED " --address 0x10200000", "int8", "out/words.uf2");
+    bake_to(MASKED, "int8", "out/words.bin");
     const size_t len = read_file("out/words.bin", raw, sizeof raw), blocks = (len + 255) / 256;
     assert_true(len % 256 != 0); /* the last block is not full */
     assert_int_equal(read_file("out/words.uf2", uf2, sizeof uf2), 512 * blocks);
@@ -203,7 +194,7 @@ static void uf2_blocks_are_well_formed_and_hold_the_raw_bytes(void **state)
         for (uint32_t k = 0; k < 476; k++)
             assert_int_equal(block[32 + k], k < 256 && 256 * i + k < len ? raw[256 * i + k] : 0);
     }
-    bake_to(MASKED, "int10", "out/default.uf2");
+    bake_to(MASKED, "int8", "out/default.uf2");
     assert_int_equal(read_file("out/default.uf2", uf2, sizeof uf2), 512 * blocks);
     assert_int_equal(word_at(uf2 + 12, 4), 0x10100000);
 }

@@ -11,7 +11,7 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         {"-o out/u.h", "--scene NAME"},
         {"--scene sphere --height heights.png -o out/u.h", "only one of"},
         {"--scene ball -o out/u.h", "sphere, watchface, coin"},
-        {"--scene sphere --to int12 -o out/u.h", "int16, int10, int8, palette"},
+        {"--scene sphere --to int12 -o out/u.h", "int16, int8, palette"},
         {"--scene sphere --to palette: -o out/u.h", "2 to 32767"},
         {"--scene sphere --to palette:1 -o out/u.h", "2 to 32767"},
         {"--scene sphere --to palette:32768 -o out/u.h", "2 to 32767"},

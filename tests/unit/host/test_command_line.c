@@ -28,6 +28,21 @@ static void help_of_every_command_has_an_example_and_exits_0(void **state)
     }
 }
 
+static void help_and_a_command_give_what_its_option_gives(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < COMMANDS; i++) {
+        char command[128];
+        snprintf(command, sizeof command, "$GLINT %s --help >asked; $GLINT help %s | cmp - asked && test -s asked",
+                 commands[i], commands[i]);
+        assert_int_equal(run(command)->status, 0);
+    }
+    assert_contains(run("$GLINT help help")->out, "\nExamples:\n  glint render");
+    assert_contains(run("$GLINT help foo")->err, "glint: unknown command 'foo'; choose from render, ");
+    assert_contains(run("$GLINT help render stream")->err, "glint: unexpected argument 'stream'");
+    assert_int_equal(run("$GLINT help render stream")->status, 2);
+}
+
 /* argp breaks what is longer than a line, and what it breaks cannot be copied into a shell. */
 static void no_example_and_no_list_in_help_is_broken(void **state)
 {
@@ -293,6 +308,7 @@ static void an_output_that_cannot_be_is_named(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(help_and_a_command_give_what_its_option_gives),
         cmocka_unit_test(help_of_every_command_has_an_example_and_exits_0),
         cmocka_unit_test(no_example_and_no_list_in_help_is_broken),
         cmocka_unit_test(no_heading_in_help_comes_twice),

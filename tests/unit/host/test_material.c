@@ -4,19 +4,23 @@
 
 #include "files.h"
 #include "glint.h"
+#include "image/format.h"
 #include "models/models.h"
 
 enum { WIDTH = 12, HEIGHT = 8 };
 #define WARN "-Wall -Wextra -Wconversion -pedantic -Werror -I\"$GLINT_SOURCE/lib\" "
 
-/* A program that draws the baked height map with the printed shader, and writes a PPM's bytes after its head. */
+/* A program that draws the baked height map with what is printed, and writes a PPM's bytes after its head. */
 static const char program[] = "printf '#include <stdio.h>\n#include \"stone.h\"\n#include \"look.h\"\n"
                               "static unsigned char pixels[3 * 96];\n"
                               "int main(void) {\n"
-                              "struct glint_shader shader; material(&shader);\n"
-                              "struct glint_source source = {stone, 6 * 12, NULL, 0, NULL, 0, NULL, 0};\n"
-                              "struct glint_surface surface = {pixels, 3 * 12, 0, 0};\n"
-                              "if (glint_shade_rect(&shader, &source, 12, 8, &surface, NULL) != GLINT_OK) return 1;\n"
+                              "struct glint_paint paint;\n"
+                              "struct glint_light lights[look_light_count];\n"
+                              "struct glint_maps maps = {stone, 6 * 12, NULL, 0, NULL, 0, NULL, 0, NULL, 0, 0, 0};\n"
+                              "struct glint_surface target = {pixels, 3 * 12, 0, 0};\n"
+                              "if (glint_paint_exact(&paint, &look, &look_output) != GLINT_OK) return 1;\n"
+                              "if (look_light(&paint, lights) != GLINT_OK) return 2;\n"
+                              "if (glint_draw_rect(&paint, &maps, 12, 8, &target, NULL) != GLINT_OK) return 3;\n"
                               "fwrite(pixels, 1, sizeof pixels, stdout); return 0; }\n' >out/t.c && cd out && "
                               "gcc -std=c99 " WARN "t.c ../lib.a -o t && ./t >c.ppm && "
                               "g++ -std=c++11 " WARN "-x c++ t.c -x none ../lib.a -o t && ./t >cxx.ppm";
@@ -26,18 +30,20 @@ static int make_library(void **state)
     return make_maps(state) == 0 ? library_make() : -1;
 }
 
-static void the_printed_shader_draws_the_pixels_of_render(void **state)
+static void the_printed_material_draws_the_pixels_of_render(void **state)
 {
     (void)state;
     static const char *const looks[] = {
         "--model cayley -n 60 --ambient .2",
         "--model phong -n 9 -q 3 --space linear --light 1,2,3 --view .1,0,1 --color 255,0,17",
         "--ambient 0,.5,1 --diffuse .3,.2,.1 --specular 1,0,.7 --dither --clamp-peak --light=-3,0,1",
+        "--light 1,1,2,.5,1,2",
+        "--point 3,4,5,30,1,.5,.25 --light 1,2,1 --spot 2,2,9,6,4,40,10,30.5 --spot 2,7,9,6,4,40,10,30,0,0,3",
     };
     for (size_t i = 0; i < sizeof looks / sizeof *looks; i++) {
         char line[400];
         assert_quiet("$GLINT bake --height heights.png --to int16 --name stone -o out/stone.h >out/log");
-        snprintf(line, sizeof line, "$GLINT material %s -o out/look.h", looks[i]);
+        snprintf(line, sizeof line, "$GLINT material %s --name look -o out/look.h", looks[i]);
         assert_quiet(line);
         snprintf(line, sizeof line,
                  "$GLINT render --height heights.png %s -o out/r.ppm && tail -c %d out/r.ppm >out/w.ppm", looks[i],
@@ -49,18 +55,21 @@ static void the_printed_shader_draws_the_pixels_of_render(void **state)
     }
 }
 
-static void every_model_format_and_space_compiles(void **state)
+/* The lines in the comment on top name what is linked. */
+static void the_example_on_top_compiles_for_every_model_format_and_space(void **state)
 {
     (void)state;
-    static const char *const formats[] = {"rgb565", "rgb565-swapped", "rgb888", "grey8", "mono"};
-    for (int i = 0; i < GLINT_MODEL_COUNT || i < 5; i++) {
-        char line[500];
-        snprintf(
-            line, sizeof line,
-            "$GLINT material --model %s --format %s --space %s --name look_%d | sed '1!b;s/^/#include <stddef.h>\\n/' "
-            ">out/l.c && echo 'int main(void) { return (size_t)&look_%d == 0; }' >>out/l.c && "
-            "gcc -std=c99 " WARN "-Wno-unused-function -c out/l.c -o out/l.o",
-            model_names[i % GLINT_MODEL_COUNT], formats[i % 5], i % 2 ? "linear" : "gamma", i, i);
+    for (int i = 0; i < 2 * GLINT_FORMAT_COUNT || i < GLINT_MODEL_COUNT; i++) {
+        char line[900];
+        snprintf(line, sizeof line,
+                 "$GLINT material --model %s --format %s --space %s --name look -o out/look.h && "
+                 "{ echo '#include \"look.h\"'; echo 'int main(void) { struct glint_paint paint; int error;'; "
+                 "sed -n 's/^ [*]   //; /^struct\\|^glint\\|^look/p' out/look.h | sed 's/^glint/error = (int)&/; "
+                 "s/^look/error += (int)&/'; echo 'return error; }'; } >out/l.c && "
+                 "cd out && gcc -std=c99 " WARN "l.c ../lib.a -o l && ./l && g++ -std=c++11 " WARN
+                 "-c -x c++ l.c -o l.o",
+                 model_names[i % GLINT_MODEL_COUNT], format_names[i % GLINT_FORMAT_COUNT],
+                 space_names[i / GLINT_FORMAT_COUNT % 2]);
         assert_quiet(line);
     }
 }
@@ -93,15 +102,15 @@ static void json_holds_the_same_numbers(void **state)
     json_decref(root);
 }
 
-static void what_a_shader_cannot_hold_is_refused(void **state)
+static void wrong_values_are_refused(void **state)
 {
     (void)state;
     static const struct {
         const char *options, *part;
     } wrong[] = {
-        {"--point 1,2,3,4", "lamps of glint_shade_lights"},
-        {"--light 1,1,1 --light 1,2,1", "lamps of glint_shade_lights"},
-        {"--light 1,1,1,.5,.5,.5", "lamps of glint_shade_lights"},
+        {"--json --point 1,2,3,4", "--json: has one --light without a colour"},
+        {"--json --light 1,1,1 --light 1,2,1", "--json: has one --light without a colour"},
+        {"--json --light 1,1,1,.5,.5,.5", "--json: has one --light without a colour"},
         {"--json --name x", "--name is for C source"},
         {"--name int", "--name: 'int'"},
         {"out.h", "unexpected argument 'out.h'"},
@@ -124,7 +133,7 @@ static int lines_with(const char *text, const char *start)
     return count;
 }
 
-/* These are no part of a shader or of tables, and options that change nothing are not offered. */
+/* These are no part of a material or of tables, and options that change nothing are not offered. */
 static void commands_that_draw_nothing_have_no_options_of_maps_meshes_and_paths(void **state)
 {
     (void)state;
@@ -156,10 +165,10 @@ static void commands_that_draw_nothing_have_no_options_of_maps_meshes_and_paths(
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_printed_shader_draws_the_pixels_of_render),
-        cmocka_unit_test(every_model_format_and_space_compiles),
+        cmocka_unit_test(the_printed_material_draws_the_pixels_of_render),
+        cmocka_unit_test(the_example_on_top_compiles_for_every_model_format_and_space),
         cmocka_unit_test(json_holds_the_same_numbers),
-        cmocka_unit_test(what_a_shader_cannot_hold_is_refused),
+        cmocka_unit_test(wrong_values_are_refused),
         cmocka_unit_test(commands_that_draw_nothing_have_no_options_of_maps_meshes_and_paths),
     };
     return cmocka_run_group_tests_name("material", tests, make_library, scratch_remove);

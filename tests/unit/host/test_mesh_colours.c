@@ -129,6 +129,7 @@ static void colours_are_near_double_precision_by_every_path_that_takes_them(void
                  {"--format rgb888 --perspective --turn 10,50,0", 39}, /* linear on the screen, there in space */
                  {"--format grey8 --space linear", 46},
                  {"--format argb8888", 48},
+                 {"--format rgb888 --path exact-int8", 45},
                  {"--format rgb565 --path albedo-int16 --ambient .1 --diffuse .9", 34},
                  {"--format rgb565-swapped --path albedo-int8 --ambient .1 --diffuse .9", 34}};
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
@@ -150,7 +151,8 @@ static void paths_of_one_colour_refuse_them_unless_one_is_given(void **state)
     assert_fails("$GLINT render --mesh a.ply --format rgb565 --path colour-int8 -o no.png",
                  "--path colour-int8: holds one colour, and the mesh has its vertices'; choose exact, albedo-int16 or "
                  "albedo-int8, or give one colour by --color");
-    assert_fails("$GLINT stream --mesh a.ply --path small-int16 --to none --frames 1", "holds one colour");
+    assert_fails("$GLINT stream --mesh a.ply --path colour-int16 --format rgb565 --to none --frames 1",
+                 "holds one colour");
     assert_fails("$GLINT render --mesh a.ply --format rgb565 --path albedo-int8 --ambient .9 --diffuse .9 -o no.png",
                  "needs a grey --ambient and --diffuse of at most 1 together");
     assert_refused("$GLINT render --mesh a.ply --path albedo-int8 -o no.png", "needs --format rgb565");

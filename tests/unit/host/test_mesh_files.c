@@ -30,8 +30,8 @@ static void every_path_that_draws_meshes_is_near_double_precision(void **state)
                                         "--format grey8 --space linear",
                                         "--format rgb565 --path colour-int16",
                                         "--format rgb565-swapped --path colour-int8 --dither",
-                                        "--path small-int16",
-                                        "--format grey8 --path small-int8",
+                                        "--path exact-int8",
+                                        "--format grey8 --path exact-int8",
                                         "--perspective --model schlick -n 20",
                                         "--perspective=2 --zoom .7 --model gauss"};
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
@@ -91,8 +91,9 @@ static void an_obj_has_its_materials_and_its_textures_are_ignored_with_a_word(vo
     assert_one_line(result->err);
     assert_contains(result->err, "cube.obj: texture coordinates are ignored");
     assert_contains(result->out, "24 vertices, 12 triangles, 2 parts");
-    assert_contains(result->out, "{32768, 32768, 32768}, {255, 0, 0}}, /* in the file n = 90 */");
-    assert_contains(result->out, "{65536, 65536, 65536}, {0, 0, 0}, {0, 0, 0}, {0, 0, 255}}"); /* unlit */
+    assert_contains(result->out, "{GLINT_MSH, 0, 90, 0, {13107, 13107, 13107}, {58982, 58982, 58982}, {32768, 32768, "
+                                 "32768}, {255, 0, 0}, false},");
+    assert_contains(result->out, "{65536, 65536, 65536}, {0, 0, 0}, {0, 0, 0}, {0, 0, 255}, false}"); /* unlit */
     assert_contains(result->out, "#define CUBE_PARTS 2");
     /* Straight at its front, the unlit one. */
     assert_int_equal(run("$GLINT render --mesh cube.obj --size 9x9 -o cube.ppm")->status, 0);

@@ -7,7 +7,9 @@
 
 #include "files.h"
 
+#include "base/folder.h"
 #include "base/output.h"
+#include "base/stop.h"
 
 /* ---- in a process of its own, linked in ---- */
 
@@ -166,6 +168,64 @@ static void a_header_is_not_there_without_its_source(void **state)
     }
 }
 
+/* ---- folders ---- */
+
+enum { FILES = 300 };
+
+static void write_files(bool whole)
+{
+    static struct folder *folder; /* what is not closed is not lost for LeakSanitizer */
+    folder = folder_open("out/many");
+    for (int i = 0; i < FILES; i++) {
+        char name[16];
+        snprintf(name, sizeof name, "%d.txt", i);
+        char *path = folder_file(folder, name);
+        struct output *output = output_open(path);
+        fprintf(output->stream, "%d", i);
+        output_close(output);
+        free(path);
+    }
+    if (whole)
+        folder_close(folder);
+}
+
+static void write_whole_folder(void)
+{
+    write_files(true);
+}
+
+static void write_half_a_folder(void)
+{
+    write_files(false);
+    exit(3);
+}
+
+static void write_folder_until_a_signal(void)
+{
+    stop_at_signals();
+    write_files(false);
+    raise(SIGTERM);
+}
+
+static void a_folder_takes_any_number_of_files(void **state)
+{
+    (void)state;
+    assert_int_equal(status_of(write_whole_folder), 0);
+    assert_int_equal(files_in("out/many"), FILES);
+    assert_int_equal(status_of(write_whole_folder), 0); /* one that exists */
+    assert_int_equal(files_in("out/many"), FILES);
+    assert_int_equal(files_in("out"), 1);
+}
+
+static void a_folder_that_is_not_closed_leaves_nothing(void **state)
+{
+    (void)state;
+    assert_int_equal(WEXITSTATUS(status_of(write_half_a_folder)), 3);
+    assert_int_equal(files_in("out"), 0);
+    assert_int_equal(WTERMSIG(status_of(write_folder_until_a_signal)), SIGTERM);
+    assert_int_equal(files_in("out"), 0);
+}
+
 static int empty_folder(void **state)
 {
     (void)state;
@@ -182,6 +242,8 @@ int main(void)
         TEST(a_signal_that_ends_the_command_leaves_nothing),
         TEST(a_signal_that_is_ignored_stays_so),
         TEST(a_limit_on_the_size_of_files_is_a_failure_that_leaves_nothing),
+        TEST(a_folder_takes_any_number_of_files),
+        TEST(a_folder_that_is_not_closed_leaves_nothing),
         TEST(a_header_is_not_there_without_its_source),
     };
     return cmocka_run_group_tests_name("output", tests, scratch_make, scratch_remove);

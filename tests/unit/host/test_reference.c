@@ -257,15 +257,15 @@ static void gloss_dims_the_highlight_alike(void **state)
 }
 
 static const struct lamp lamps[] = {
-    {.kind = GLINT_POINT, .position = {30, 20, 40}, .range = 150, .color = {1.5, .7, .3}},
-    {.kind = GLINT_SPOT,
+    {.kind = LAMP_POINT, .position = {30, 20, 40}, .range = 150, .color = {1.5, .7, .3}},
+    {.kind = LAMP_SPOT,
      .position = {90, 90, 60},
      .target = {48, 40},
      .range = 200,
      .cone = {10, 25},
      .color = {1, 1, 1}},
     {.direction = {1, -1, .5}, .color = {.2, .3, .5}},
-    {.kind = GLINT_SPOT,
+    {.kind = LAMP_SPOT,
      .position = {48, 48, 100},
      .target = {60, 60},
      .range = 150,

@@ -112,8 +112,8 @@ static void wrong_lights_are_refused_with_what_is_allowed(void **state)
         const char *options, *about;
     } wrong[] = {
         {"--path span --point 1,2,3,4",
-         "--path span: takes only one --light without a colour; other lights need --path exact"},
-        {"--path small-int16 --light 1,1,1 --light 1,2,1", "takes only one --light"},
+         "--path span: takes only one --light without a colour; other lights need --path exact or exact-int8"},
+        {"--path colour-int16 --format rgb565 --light 1,1,1 --light 1,2,1", "takes only one --light"},
         {"--point 1,2,3", "--point: '1,2,3' is not 4 numbers separated by commas, or 7 with a colour"},
         {"--point 1,2,3,4,5", "or 7"},
         {"--point 1,2,3,x", "--point: '1,2,3,x'"},

@@ -22,7 +22,7 @@ static void the_first_frame_is_what_render_draws(void **state)
         "--light 1,1,1,.5,1,2 --point 20,20,30,50",
         "--point 20,20,30,50",
         "--light=-1,2,3 --format rgb565 --path colour-int8 2>/dev/null",
-        "--light=-1,2,3 --path small-int16 --dither 2>/dev/null",
+        "--light=-1,2,3 --path exact-int8 --dither",
         "--light=-1,2,3 --path span 2>/dev/null",
         "--light 1,1,1 --format mono --dither --space linear --model gauss",
         "--light 1,1,1 --format grey8 --view 1,0,2",

@@ -2,6 +2,8 @@
  * What `glint stream` refuses, in which words, and its help. */
 #include "files.h"
 
+#include "sinks/sinks.h"
+
 #define SPHERE "$GLINT stream sphere --size 60x40 --to png "
 
 static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **state)
@@ -15,8 +17,8 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         {"--scene sphere coin --to png -o out/x%d.png", "unexpected argument 'coin'; one scene is enough"},
         {"wall.png --to png -o out/x%d.png", "unknown scene 'wall.png'; choose from sphere, "},
         {"sphere --to tv -o out/x%d.png", "--to: unknown sink 'tv'; choose from"},
-        {"sphere --to png", "name them: -o frame-%04d.png"},
-        {"sphere --to ppm", "name them: -o frame-%04d.ppm"},
+        {"sphere --to png", "name it: -o frame-%04d.png"},
+        {"sphere --to ppm", "name it: -o frame-%04d.ppm"},
         {"sphere --to png -o ''", "the file name is empty"},
         {"sphere --to png -o -", "a file for each frame; for standard output choose --to raw"},
         {"sphere --to png -o out/x.png", "--frames 1"},
@@ -146,6 +148,20 @@ static void the_help_has_one_block_of_examples_that_fit_a_line(void **state)
     free(lines);
 }
 
+/* --help and `glint list` print these, and refusals are made of them. */
+static void every_sink_says_what_it_is_and_what_o_means(void **state)
+{
+    (void)state;
+    for (unsigned i = 0; sink_kinds[i]; i++) {
+        const struct sink_kind *kind = sink_kinds[i];
+        const struct sink_output *to = kind->output;
+        assert_true(kind->name && kind->summary && kind->pixels.open && kind->pixels.send && kind->pixels.close);
+        assert_true(!to || to->word);
+        assert_int_equal(to && to->written, to && to->example);
+        assert_true(!kind->usual_output || (to && to->written));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -154,6 +170,7 @@ int main(void)
         cmocka_unit_test(a_wrong_line_of_lights_is_named_by_its_number),
         cmocka_unit_test(options_of_another_sink_are_refused),
         cmocka_unit_test(panels_take_no_format_but_their_own),
+        cmocka_unit_test(every_sink_says_what_it_is_and_what_o_means),
         cmocka_unit_test(the_help_has_one_block_of_examples_that_fit_a_line),
     };
     return cmocka_run_group_tests(tests, make_maps, scratch_remove);

@@ -23,7 +23,7 @@ static int begin(void **state)
     shading = (struct shading){.model = GLINT_MSH,
                                .n = 60,
                                .q = 6,
-                               .lamps = {{.kind = GLINT_DIRECTIONAL, .direction = {-1, .5, 2}, .color = {1, 1, 1}}},
+                               .lamps = {{.kind = LAMP_DIRECTIONAL, .direction = {-1, .5, 2}, .color = {1, 1, 1}}},
                                .lamp_count = 1,
                                .view = {0, 0, 1},
                                .ambient = {.1, .1, .1},
@@ -43,22 +43,22 @@ static int end(void **state)
 
 static void assert_unfit(const char *part)
 {
-    struct glint_shader shader;
-    const char *refusal = device_refusal(scene, &shading, &shader);
+    struct light_material material;
+    const char *refusal = device_refusal(scene, &shading, &material);
     assert_non_null(refusal);
     assert_contains(refusal, part);
 }
 
 /* ---- a device ---- */
 
-static struct glint_shader got;
+static struct light_material got;
 static uint32_t words[PIXELS];
 static int32_t to[3];
 
-static enum sink_result take_scene(struct sink *sink, const struct glint_shader *shader, const uint32_t *normals)
+static enum sink_result take_scene(struct sink *sink, const struct light_material *material, const uint32_t *normals)
 {
     (void)sink;
-    got = *shader;
+    got = *material;
     memcpy(words, normals, sizeof words);
     return SINK_SENT;
 }
@@ -85,9 +85,10 @@ static void a_device_gets_the_normals_the_material_and_the_light(void **state)
     struct baked *baked = bake(scene, BAKE_INT8, 0);
     assert_memory_equal(words, baked->words, sizeof words);
     baked_free(baked);
-    assert_int_equal(got.lobe.n, 60);
+    assert_int_equal(got.material.n, 60);
     assert_int_equal(got.material.specular_q16[0], 16384);
     assert_int_equal(got.material.albedo[2], 3);
+    assert_int_equal(got.space, GLINT_GAMMA);
     assert_int_equal(device_send_light(&device, &shading, &result), SINK_SENT);
     assert_int_equal(to[0], -(1 << 29));
     assert_int_equal(to[1], 1 << 28);
@@ -100,7 +101,7 @@ static void one_colour_may_come_from_the_albedo(void **state)
 {
     (void)state;
     static uint8_t albedo[3 * PIXELS], mask[PIXELS];
-    struct glint_shader shader;
+    struct light_material material;
     for (size_t i = 0; i < PIXELS; i++) {
         const bool drawn = i % 3 != 0;
         mask[i] = drawn;
@@ -108,14 +109,14 @@ static void one_colour_may_come_from_the_albedo(void **state)
     }
     scene->albedo = albedo;
     scene->mask = mask;
-    const char *refusal = device_refusal(scene, &shading, &shader);
+    const char *refusal = device_refusal(scene, &shading, &material);
     albedo[3 * 4] = 6;
-    struct glint_shader unused;
+    struct light_material unused;
     const char *other = device_refusal(scene, &shading, &unused);
     scene->albedo = NULL; /* not the scene's to free */
     scene->mask = NULL;
     assert_null(refusal);
-    assert_memory_equal(shader.material.albedo, ((uint8_t[]){7, 8, 9}), 3);
+    assert_memory_equal(material.material.albedo, ((uint8_t[]){7, 8, 9}), 3);
     assert_non_null(other);
     assert_contains(other, "one colour");
 }
@@ -124,12 +125,12 @@ static void a_gloss_map_is_refused_unless_it_is_white(void **state)
 {
     (void)state;
     static uint8_t gloss[PIXELS];
-    struct glint_shader shader;
+    struct light_material material;
     memset(gloss, 255, sizeof gloss);
     scene->gloss = gloss;
-    const char *white = device_refusal(scene, &shading, &shader);
+    const char *white = device_refusal(scene, &shading, &material);
     gloss[PIXELS - 1] = 254;
-    const char *grey = device_refusal(scene, &shading, &shader);
+    const char *grey = device_refusal(scene, &shading, &material);
     scene->gloss = NULL;
     assert_null(white);
     assert_non_null(grey);

@@ -1,28 +1,33 @@
 /* SPDX-License-Identifier: MIT
  * Several lights: what they may touch, what they report, what they refuse. */
-#include "lamps.h"
+#include <limits.h>
 
-#include "glint_lights.h"
+#include "lamps.h"
 
 static void parts_of_a_picture_join(void **state)
 {
     (void)state;
     static struct scene a, b;
     for (int i = 0; i < 200; i++) {
-        scene_init(&a, format_number(i % 4), (enum glint_space)below(2)); /* not mono, whose lines start on bytes */
-        b = a;
-        struct glint_lamp lamps[GLINT_LAMPS_MAX];
-        random_lamps(lamps);
-        assert_int_equal(glint_shade_lights(&a.shader, lamps, 4, &a.source, W, H, &a.surface, NULL), GLINT_OK);
-        const unsigned left = below(W), top = below(H), pixel = bytes_of(format_number(i % 4), 1);
+        const enum glint_format format =
+            format_number(i % (GLINT_FORMAT_COUNT - 1)); /* not mono, whose lines start on bytes */
+        scene_init(&a, format, (enum glint_space)below(2));
+        scene_copy(&b, &a);
+        struct glint_light lights[GLINT_LIGHTS_MAX];
+        random_lights(lights);
+        draw_scene_under(&a, lights, 4, NULL);
+        const unsigned left = below(W), top = below(H), pixel = bytes_of(format, 1);
         for (int part = 0; part < 4; part++) {
             const unsigned x = part & 1 ? left : 0, y = part & 2 ? top : 0, at = y * W + x;
             const uint16_t w = (uint16_t)(part & 1 ? W - left : left), h = (uint16_t)(part & 2 ? H - top : top);
             const struct glint_surface surface = {b.out + LINE * (1 + y) + x * pixel, LINE, (uint16_t)(a.surface.x + x),
                                                   (uint16_t)(a.surface.y + y)};
-            const struct glint_source source = {
-                a.normals + at, W * sizeof *a.normals, a.albedo + 3 * at, 3 * W, a.gloss + at, W, a.mask + at, W};
-            assert_int_equal(glint_shade_lights(&a.shader, lamps, 4, &source, w, h, &surface, NULL), GLINT_OK);
+            struct glint_maps maps = a.maps;
+            maps.normals = a.normals + at;
+            maps.albedo = a.albedo + 3 * at;
+            maps.gloss = a.gloss + at;
+            maps.coverage = a.coverage + at;
+            assert_int_equal(draw_under(&a.look, lights, 4, &maps, w, h, &surface, NULL), GLINT_OK);
         }
         assert_memory_equal(a.out, b.out, sizeof a.out);
     }
@@ -35,22 +40,22 @@ static void the_highlight_box_is_what_single_pixels_report(void **state)
     int empty = 0;
     for (int i = 0; i < 200; i++) {
         scene_init(&s, GLINT_RGB888, GLINT_GAMMA);
-        struct glint_lamp lamps[GLINT_LAMPS_MAX];
-        random_lamps(lamps);
+        struct glint_light lights[GLINT_LIGHTS_MAX];
+        random_lights(lights);
         const unsigned count = i % 8 == 0 ? 4 : 1;
         for (int p = 0; p < W * H; p++)
             s.gloss[p] = below(40) ? 0 : 255;
         if (i % 3 == 0)
-            memset(lamps[0].color_q16, 0, sizeof lamps[0].color_q16);
+            memset(lights[0].color_q16, 0, sizeof lights[0].color_q16);
         struct glint_box box, one;
-        assert_int_equal(glint_shade_lights(&s.shader, lamps, count, &s.source, W, H, &s.surface, &box), GLINT_OK);
+        draw_scene_under(&s, lights, count, &box);
         unsigned left = W, right = 0, top = H, bottom = 0;
         for (unsigned p = 0; p < W * H; p++) {
             const unsigned x = p % W, y = p / W;
-            const struct glint_source source = {s.normals + p, 6, NULL, 0, s.gloss + p, 0, s.mask + p, 0};
+            const struct glint_maps maps = {.normals = s.normals + p, .gloss = s.gloss + p, .coverage = s.coverage + p};
             const struct glint_surface surface = {s.out, LINE, (uint16_t)(s.surface.x + x),
                                                   (uint16_t)(s.surface.y + y)};
-            assert_int_equal(glint_shade_lights(&s.shader, lamps, count, &source, 1, 1, &surface, &one), GLINT_OK);
+            assert_int_equal(draw_under(&s.look, lights, count, &maps, 1, 1, &surface, &one), GLINT_OK);
             if (!one.w)
                 continue;
             left = x < left ? x : left;
@@ -66,35 +71,29 @@ static void the_highlight_box_is_what_single_pixels_report(void **state)
     assert_in_range(empty, 10, 190);
 }
 
-/* Where F is 2^-16 for it is half of that and a little, which the quick sequence does not see: of lobes made by hand. */
+/* Where F is a unit, of 2^-16, the quick sequence may see none: the last normal on a great circle from H that shines, and those about it. */
 static void the_highlight_box_ends_with_the_last_pixel_that_shines_by_a_unit(void **state)
 {
     (void)state;
-    static const struct glint_vec l = {0, 0, 32767};
-    const int32_t above[3] = {0, 0, 1};
     unsigned dim = 0, none = 0;
     for (int i = 0; i < 60; i++) {
-        struct glint_shader shader = random_shader(GLINT_RGB565, GLINT_GAMMA);
+        struct look look = random_look(GLINT_RGB565, GLINT_GAMMA);
         const enum glint_model model = (enum glint_model)(i % GLINT_MODEL_COUNT);
-        glint_lobe_init(&shader.lobe, model == GLINT_PHONG ? GLINT_BLINN : model, 5 + below(996), 16);
-        struct glint_lamp lamps[2];
-        for (int k = 0; k < 2; k++)
-            assert_int_equal(glint_lamp_directional(&lamps[k], above, above), GLINT_OK);
-        shader.lobe.t_max_q30 = 1 << 30;
-        uint32_t last = 0; /* t of the last F that is not 0 */
-        for (uint32_t bit = 1 << 29; bit; bit /= 2)
-            if (glint_eval_t((enum glint_model)shader.lobe.model, shader.lobe.n, last + bit))
-                last += bit;
+        set_model(&look, model == GLINT_PHONG ? GLINT_BLINN : model, (uint16_t)(5 + below(996)), 16);
+        assert_int_equal(look_light(&look, in_front, in_front), GLINT_OK);
+        const struct glint_light lights[2] = {look.light, look.light};
+        const uint32_t last = last_t_of(&look);
         const int32_t middle = (int32_t)sqrt(2. * last * (1 - last / 4294967296.));
         for (int32_t x = middle - 30; x < middle + 30; x++) {
-            const struct glint_vec n = {(int16_t)x, 0, (int16_t)sqrt(32767. * 32767 - (double)x * x)};
-            const int64_t z = n.z - l.z, t = ((int64_t)x * x + z * z) / 2;
-            const uint32_t f = glint_eval_t((enum glint_model)shader.lobe.model, shader.lobe.n, (uint32_t)t);
-            const struct glint_source source = {.normals = &n};
+            const double rest = 32767. * 32767 - (double)x * x;
+            const struct glint_vec n = {(int16_t)x, 0, (int16_t)sqrt(fmax(rest, 0))};
+            uint32_t nl;
+            const uint32_t f = lobe_at(&look, n, &nl);
+            const struct glint_maps maps = {.normals = &n};
             uint16_t out;
             const struct glint_surface surface = {&out, 2, 0, 0};
             struct glint_box box;
-            assert_int_equal(glint_shade_lights(&shader, lamps, 2, &source, 1, 1, &surface, &box), GLINT_OK);
+            assert_int_equal(draw_under(&look, lights, 2, &maps, 1, 1, &surface, &box), GLINT_OK);
             assert_int_equal(box.w, f > 0);
             dim += f == 1;
             none += f == 0;
@@ -103,46 +102,48 @@ static void the_highlight_box_ends_with_the_last_pixel_that_shines_by_a_unit(voi
     assert_true(dim > 100 && none > 100);
 }
 
-/* `most` and the slack of F of a shader under `count` lamps of this colour. */
-static void assert_sums(const struct glint_shader *shader, unsigned count, uint32_t color, uint32_t most,
-                        unsigned slack)
+/* What the paint of `count` lights of this colour takes: the most that a sum may be, and the slack of F. */
+static void assert_sums(const struct look *look, unsigned count, uint32_t color, uint32_t most, unsigned slack)
 {
-    struct glint_lamp lamps[GLINT_LAMPS_MAX];
-    struct glint_lights lights;
-    struct glint_prepared prepared;
-    const int32_t above[3] = {0, 0, 1};
+    struct glint_light lights[GLINT_LIGHTS_MAX];
+    struct glint_paint paint;
+    assert_int_equal(glint_paint_exact(&paint, &look->material, &look->output), GLINT_OK);
     for (unsigned i = 0; i < count; i++) {
-        assert_int_equal(glint_lamp_directional(&lamps[i], above, above), GLINT_OK);
+        assert_int_equal(glint_light_directional(&lights[i], in_front), GLINT_OK);
         for (int k = 0; k < 3; k++)
-            lamps[i].color_q16[k] = color;
+            lights[i].color_q16[k] = color;
     }
-    assert_int_equal(glint_lights_init(&lights, &prepared, shader, lamps, count), GLINT_OK);
-    assert_int_equal(lights.most, most);
-    assert_int_equal(prepared.slack, slack);
+    assert_int_equal(glint_paint_light(&paint, lights, count, in_front), GLINT_OK);
+    const uint32_t nl = paint.of.exact.most << paint.of.exact.nl_down;
+    assert_in_range(nl, most, most + (1u << paint.of.exact.nl_down));
+    assert_int_equal(paint.of.exact.slack, paint.of.exact.f_down ? (slack >> paint.of.exact.f_down) + 2 : slack);
 }
 
-static void sums_reach_what_the_lamps_send_up_to_twice_of_one_and_f_is_low_by_as_much(void **state)
+/* In units of 2^-16: twice what a white light sends, or all that the lights do where the material is dark enough for it. */
+static void sums_reach_what_the_lights_send_and_f_is_low_by_as_much(void **state)
 {
     (void)state;
-    struct glint_shader shader = random_shader(GLINT_RGB888, GLINT_GAMMA);
-    glint_lobe_init(&shader.lobe, GLINT_MSH, 60, 8);
-    for (int k = 0; k < 3; k++)
-        shader.material.ambient_q16[k] = shader.material.diffuse_q16[k] = shader.material.specular_q16[k] = 9000;
-    assert_sums(&shader, 2, 20000, 65536, 2);
-    assert_sums(&shader, 2, 49152, 98304, 2);
-    assert_sums(&shader, 3, 30000, 90000, 3);
-    assert_sums(&shader, 4, 65536, 131072, 4);
-    assert_sums(&shader, 4, 16 * 65536, 131072, 64);
-    shader.space = GLINT_LINEAR;
-    assert_sums(&shader, 4, 65536, 65536, 4);
+    struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
+    set_model(&look, GLINT_MSH, 60, 8);
+    for (int k = 0; k < 3; k++) {
+        look.material.ambient_q16[k] = 9000;
+        look.material.diffuse_q16[k] = look.material.specular_q16[k] = 40000;
+    }
+    assert_sums(&look, 2, 20000, 65536, 2);
+    assert_sums(&look, 2, 49152, 98304, 2);
+    assert_sums(&look, 3, 30000, 90000, 3);
+    for (int k = 0; k < 3; k++) /* 1 / 16 */
+        look.material.diffuse_q16[k] = look.material.specular_q16[k] = 4096;
+    assert_sums(&look, 4, 65536, 4 * 65536, 4);
+    assert_sums(&look, 4, 4 * 65536, 16 * 65536, 16);
 }
 
-static enum glint_err draw(const struct glint_shader *shader, const struct glint_source *source, uint16_t w, uint16_t h,
+static enum glint_err draw(const struct look *look, const struct glint_maps *maps, uint16_t w, uint16_t h,
                            const struct glint_surface *surface)
 {
-    struct glint_lamp lamps[GLINT_LAMPS_MAX];
-    random_lamps(lamps);
-    return glint_shade_lights(shader, lamps, 4, source, w, h, surface, NULL);
+    struct glint_light lights[GLINT_LIGHTS_MAX];
+    random_lights(lights);
+    return draw_under(look, lights, 4, maps, w, h, surface, NULL);
 }
 
 static void nothing_outside_the_rectangle_is_written(void **state)
@@ -153,7 +154,7 @@ static void nothing_outside_the_rectangle_is_written(void **state)
                             (uint16_t)below(4), 65535, 65535);
 }
 
-static void lamps_at_the_limits_are_shaded_without_overflow(void **state)
+static void lights_at_the_limits_are_drawn_without_overflow(void **state)
 {
     (void)state;
     static struct scene s;
@@ -161,92 +162,155 @@ static void lamps_at_the_limits_are_shaded_without_overflow(void **state)
     s.surface.x = s.surface.y = 65535;
     for (int i = 0; i < 64; i++) {
         int32_t position[3];
-        struct glint_lamp lamps[2];
+        struct glint_light lights[2];
         for (int k = 0; k < 3; k++)
-            position[k] = i >> k & 1 ? GLINT_LAMP_FAR : -GLINT_LAMP_FAR;
+            position[k] = i >> k & 1 ? GLINT_LIGHT_FAR : -GLINT_LIGHT_FAR;
         const int32_t target[3] = {-position[0], -position[1], -position[2]};
-        const uint32_t range = i & 8 ? (uint32_t)GLINT_LAMP_FAR : 1;
-        assert_int_equal(glint_lamp_point(&lamps[0], position, range), GLINT_OK);
-        assert_int_equal(glint_lamp_spot(&lamps[1], position, target, range, i & 16 ? ONE_Q30 : -ONE_Q30, -ONE_Q30),
+        const uint32_t range = i & 8 ? (uint32_t)GLINT_LIGHT_FAR : 1;
+        assert_int_equal(glint_light_point(&lights[0], position, range), GLINT_OK);
+        assert_int_equal(glint_light_spot(&lights[1], position, target, range, i & 16 ? ONE_Q30 : -ONE_Q30, -ONE_Q30),
                          GLINT_OK);
-        assert_int_equal(glint_shade_lights(&s.shader, lamps, 2, &s.source, W, H, &s.surface, NULL), GLINT_OK);
+        for (int k = 0; k < 3; k++)
+            lights[i & 1].color_q16[k] = UINT32_MAX;
+        draw_scene_under(&s, lights, 2, NULL);
     }
 }
 
-/* Shades with this lamp as the last of four; nothing may be written. */
-static enum glint_err refusal(struct scene *s, const struct glint_lamp *lamp)
+/* ---- What a paint is lit by, and keeps ---- */
+
+/* The scene by the paint, lit. */
+static const uint8_t *drawn_by(struct scene *s, const struct glint_paint *paint, struct glint_box *box)
 {
-    static uint8_t before[sizeof s->out];
-    struct glint_lamp lamps[GLINT_LAMPS_MAX];
-    random_lamps(lamps);
-    lamps[GLINT_LAMPS_MAX - 1] = *lamp;
-    struct glint_box box = {9, 9, 9, 9};
-    memcpy(before, s->out, sizeof before);
-    const enum glint_err err = glint_shade_lights(&s->shader, lamps, 4, &s->source, W, H, &s->surface, &box);
-    assert_memory_equal(s->out, before, sizeof before);
-    assert_true(box.x == 9 && box.h == 9);
-    return err;
+    memset(s->out, GUARD, sizeof s->out);
+    assert_int_equal(glint_draw_rect(paint, &s->maps, W, H, &s->surface, box), GLINT_OK);
+    return s->out;
 }
 
-static void wrong_lamps_are_refused_and_nothing_is_written(void **state)
-{
-    (void)state;
-    static struct scene s, bad;
-    scene_init(&s, GLINT_RGB888, GLINT_GAMMA);
-    const int32_t up[3] = {0, 0, 100}, aside[3] = {1, 2, 0};
-    struct glint_lamp good, lamp;
-    assert_int_equal(glint_lamp_spot(&good, up, aside, 1000, ONE_Q30, 0), GLINT_OK);
-    lamp = good;
-    lamp.kind = GLINT_SPOT + 1;
-    assert_int_equal(refusal(&s, &lamp), GLINT_ERR_ARG);
-    lamp = good;
-    lamp.range = 0;
-    assert_int_equal(refusal(&s, &lamp), GLINT_ERR_ARG);
-    lamp = good;
-    lamp.position[2] = INT32_MIN;
-    assert_int_equal(refusal(&s, &lamp), GLINT_ERR_ARG);
-    lamp = good;
-    lamp.cos_outer_q30 = ONE_Q30 + 1;
-    assert_int_equal(refusal(&s, &lamp), GLINT_ERR_ARG);
-    lamp = good;
-    lamp.cos_inner_q30 = -1;
-    assert_int_equal(refusal(&s, &lamp), GLINT_ERR_ARG);
-    bad = s;
-    bad.shader.light.v = (struct glint_vec){0, 0, 0};
-    assert_int_equal(refusal(&bad, &good), GLINT_ERR_VECTOR);
-    bad = s;
-    bad.shader.format = GLINT_FORMAT_COUNT;
-    assert_int_equal(refusal(&bad, &good), GLINT_ERR_FORMAT);
-    bad = s;
-    bad.source.normals_stride = 7;
-    assert_int_equal(refusal(&bad, &good), GLINT_ERR_ARG);
-    const struct glint_lamp five[] = {good, good, good, good, good};
-    assert_int_equal(glint_shade_lights(&s.shader, five, 5, &s.source, W, H, &s.surface, NULL), GLINT_ERR_ARG);
-    assert_int_equal(glint_shade_lights(&s.shader, NULL, 1, &s.source, W, H, &s.surface, NULL), GLINT_ERR_ARG);
-    assert_int_equal(glint_shade_lights(NULL, five, 1, &s.source, W, H, &s.surface, NULL), GLINT_ERR_ARG);
-    assert_int_equal(glint_shade_lights(&s.shader, five, 1, NULL, W, H, &s.surface, NULL), GLINT_ERR_ARG);
-    assert_int_equal(glint_shade_lights(&s.shader, five, 1, &s.source, W, H, NULL, NULL), GLINT_ERR_ARG);
-    for (unsigned i = 0; i < sizeof s.out; i++)
-        assert_int_equal(s.out[i], GUARD);
-}
-
-static void a_viewer_is_wanted_only_where_a_lamp_has_a_place(void **state)
+static void after_an_error_a_paint_keeps_its_light(void **state)
 {
     (void)state;
     static struct scene s;
-    scene_init(&s, GLINT_RGB888, GLINT_GAMMA);
-    const int32_t up[3] = {0, 0, 100};
-    struct glint_lamp lamp;
-    assert_int_equal(glint_lamp_directional(&lamp, up, up), GLINT_OK);
-    s.shader.light.v = (struct glint_vec){0, 0, 0};
-    assert_int_equal(glint_shade_lights(&s.shader, &lamp, 1, &s.source, W, H, &s.surface, NULL), GLINT_OK);
-    static uint8_t without[sizeof s.out]; /* two directional lamps have viewers of their own */
-    const struct glint_lamp two[2] = {lamp, lamp};
-    assert_int_equal(glint_shade_lights(&s.shader, two, 2, &s.source, W, H, &s.surface, NULL), GLINT_OK);
-    memcpy(without, s.out, sizeof without);
-    s.shader.light.v = (struct glint_vec){0, 23170, 23170};
-    assert_int_equal(glint_shade_lights(&s.shader, two, 2, &s.source, W, H, &s.surface, NULL), GLINT_OK);
-    assert_memory_equal(s.out, without, sizeof without);
+    static uint8_t before[sizeof s.out];
+    static const int32_t zero[3] = {0, 0, 0}, behind[3] = {0, 0, -1}, up[3] = {0, 0, 100}, aside[3] = {1, 2, 0};
+    struct glint_light good, bad[12];
+    assert_int_equal(glint_light_spot(&good, up, aside, 1000, ONE_Q30, 0), GLINT_OK);
+    for (unsigned i = 0; i < 12; i++)
+        bad[i] = good;
+    memset(&bad[0], 0, sizeof bad[0]);
+    bad[1].range = 0;
+    bad[2].range = GLINT_LIGHT_FAR + 1;
+    bad[3].position[0] = INT32_MIN;
+    bad[4].position[1] = GLINT_LIGHT_FAR + 1;
+    bad[5].position[2] = -GLINT_LIGHT_FAR - 1;
+    bad[6].cos_outer_q30 = ONE_Q30 + 1;
+    bad[7].cos_inner_q30 = -1;
+    bad[8].cos_outer_q30 = -ONE_Q30 - 1;
+    bad[9].cos_inner_q30 = ONE_Q30 + 1;
+    assert_int_equal(glint_light_directional(&bad[10], up), GLINT_OK);
+    bad[10].direction_q30[0] = bad[10].direction_q30[1] = ONE_Q30; /* 1.7 long */
+    assert_int_equal(glint_light_directional(&bad[11], up), GLINT_OK);
+    bad[11].direction_q30[2] = INT32_MIN;
+    for (int kind = 0; kind < 3; kind++) { /* lit by one, by none, by several */
+        scene_init(&s, format_number(kind), (enum glint_space)(kind & 1));
+        struct glint_light lights[GLINT_LIGHTS_MAX], five[5];
+        struct glint_box box, after;
+        struct glint_paint paint;
+        random_lights(lights);
+        assert_int_equal(glint_paint_exact(&paint, &s.look.material, &s.look.output), GLINT_OK);
+        assert_int_equal(glint_paint_light(&paint,
+                                           kind == 1   ? NULL
+                                           : kind == 0 ? &s.look.light
+                                                       : lights,
+                                           kind == 1   ? 0
+                                           : kind == 0 ? 1
+                                                       : 4,
+                                           s.look.to_viewer),
+                         GLINT_OK);
+        memcpy(before, drawn_by(&s, &paint, &box), sizeof before);
+        for (unsigned i = 0; i < 12; i++)
+            for (unsigned count = 1; count <= 4; count++) {
+                for (unsigned k = 0; k < 5; k++)
+                    five[k] = good;
+                five[below(count)] = bad[i];
+                assert_int_equal(glint_paint_light(&paint, five, count, in_front), GLINT_ERR_ARG);
+                assert_memory_equal(drawn_by(&s, &paint, &after), before, sizeof before);
+                assert_true(same_box(&box, &after));
+            }
+        for (unsigned k = 0; k < 5; k++)
+            five[k] = good;
+        assert_int_equal(glint_paint_light(&paint, five, 5, in_front), GLINT_ERR_ARG);
+        assert_int_equal(glint_paint_light(&paint, five, UINT_MAX, in_front), GLINT_ERR_ARG);
+        assert_int_equal(glint_paint_light(&paint, NULL, 1, in_front), GLINT_ERR_ARG);
+        assert_int_equal(glint_paint_light(&paint, five, 1, NULL), GLINT_ERR_ARG);
+        assert_int_equal(glint_paint_light(&paint, five, 1, zero), GLINT_ERR_VECTOR);
+        assert_int_equal(glint_paint_light(&paint, NULL, 0, zero), GLINT_ERR_VECTOR);
+        assert_int_equal(glint_paint_light(&paint, &s.look.light, 1, zero), GLINT_ERR_VECTOR);
+        assert_int_equal(glint_light_directional(&five[0], behind), GLINT_OK);
+        assert_int_equal(glint_paint_light(&paint, five, 1, in_front), GLINT_ERR_VECTOR);
+        assert_int_equal(glint_paint_light(&paint, five, 3, in_front), GLINT_ERR_VECTOR);
+        assert_int_equal(glint_light_directional(&five[1], up), GLINT_OK);
+        five[2] = five[1]; /* two, and nothing named that sums them */
+        assert_int_equal(glint_paint_light_by(&paint, five + 1, 2, in_front, NULL), GLINT_ERR_ARG);
+        assert_memory_equal(drawn_by(&s, &paint, &after), before, sizeof before);
+        assert_true(same_box(&box, &after));
+    }
+    struct glint_paint none = {0};
+    assert_int_equal(glint_paint_light(&none, &good, 1, in_front), GLINT_ERR_ARG);
+    assert_int_equal(glint_paint_light(NULL, &good, 1, in_front), GLINT_ERR_ARG);
+}
+
+/* Whatever lit it before: one light, white or not, several, none. */
+static void a_paint_that_is_lit_again_draws_what_a_new_one_does(void **state)
+{
+    (void)state;
+    static struct scene a, b;
+    static struct glint_light kept[4][GLINT_LIGHTS_MAX];
+    for (int i = 0; i < 150; i++) {
+        scene_init(&a, format_number(i), (enum glint_space)below(2));
+        scene_copy(&b, &a);
+        struct glint_paint paint;
+        assert_int_equal(glint_paint_exact(&paint, &a.look.material, &a.look.output), GLINT_OK);
+        for (int turn = 0; turn < 6; turn++) {
+            struct glint_light *const lights = kept[turn % 4];
+            struct glint_box box_a, box_b;
+            const unsigned count = below(GLINT_LIGHTS_MAX + 1);
+            const int32_t to_viewer[3] = {within(9), within(9), 20};
+            random_lights(lights);
+            if (below(2)) {
+                lights[0] = a.look.light;
+                for (int k = 0; k < 3; k++)
+                    lights[0].color_q16[k] = below(3) ? 65536 : below(1 << 20);
+            }
+            memcpy(b.look.to_viewer, to_viewer, sizeof to_viewer);
+            memset(b.out, GUARD, sizeof b.out);
+            assert_int_equal(glint_paint_light(&paint, lights, count, to_viewer), GLINT_OK);
+            draw_scene_under(&b, lights, count, &box_b);
+            assert_memory_equal(drawn_by(&a, &paint, &box_a), b.out, sizeof b.out);
+            assert_true(same_box(&box_a, &box_b));
+        }
+    }
+}
+
+/* The one directional light is copied; the viewer's direction has any length. */
+static void one_directional_light_may_go_and_the_viewer_s_distance_does_not_matter(void **state)
+{
+    (void)state;
+    static struct scene a, b;
+    static const int32_t lengths[] = {1, 3, 1000, 1 << 28};
+    for (int i = 0; i < 100; i++) {
+        scene_init(&a, format_number(i), GLINT_GAMMA);
+        scene_copy(&b, &a);
+        const int32_t times = lengths[below(4)], to_viewer[3] = {0, 0, times};
+        struct glint_light light = a.look.light;
+        struct glint_paint paint;
+        for (int k = 0; k < 3; k++)
+            light.color_q16[k] = a.look.light.color_q16[k] = b.look.light.color_q16[k] = below(1 << 18);
+        assert_int_equal(glint_paint_exact(&paint, &a.look.material, &a.look.output), GLINT_OK);
+        assert_int_equal(glint_paint_light(&paint, &light, 1, to_viewer), GLINT_OK);
+        memset(&light, GUARD, sizeof light);
+        assert_int_equal(draw_scene(&b, NULL), GLINT_OK);
+        assert_memory_equal(drawn_by(&a, &paint, NULL), b.out, sizeof b.out);
+    }
 }
 
 int main(void)
@@ -255,11 +319,12 @@ int main(void)
         cmocka_unit_test(parts_of_a_picture_join),
         cmocka_unit_test(the_highlight_box_is_what_single_pixels_report),
         cmocka_unit_test(the_highlight_box_ends_with_the_last_pixel_that_shines_by_a_unit),
-        cmocka_unit_test(sums_reach_what_the_lamps_send_up_to_twice_of_one_and_f_is_low_by_as_much),
+        cmocka_unit_test(sums_reach_what_the_lights_send_and_f_is_low_by_as_much),
         cmocka_unit_test(nothing_outside_the_rectangle_is_written),
-        cmocka_unit_test(lamps_at_the_limits_are_shaded_without_overflow),
-        cmocka_unit_test(wrong_lamps_are_refused_and_nothing_is_written),
-        cmocka_unit_test(a_viewer_is_wanted_only_where_a_lamp_has_a_place),
+        cmocka_unit_test(lights_at_the_limits_are_drawn_without_overflow),
+        cmocka_unit_test(after_an_error_a_paint_keeps_its_light),
+        cmocka_unit_test(a_paint_that_is_lit_again_draws_what_a_new_one_does),
+        cmocka_unit_test(one_directional_light_may_go_and_the_viewer_s_distance_does_not_matter),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

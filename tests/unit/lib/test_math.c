@@ -3,9 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "glint_math_reciprocal.h"
-#include "glint_math_root.h"
-#include "glint_math_unit.h"
+#include "glint_math.h"
+#include "glint_math_vector.h"
 #include "glint_mesh_pose.h"
 #include "shading.h"
 
@@ -89,7 +88,9 @@ static void a_vector_of_30_bits_has_no_unit_nearby(void **state)
 static void a_pose_turns_by_the_nearest_matrix_of_14_bits(void **state)
 {
     (void)state;
-    static const struct glint_light light = {{0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}};
+    const struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
+    struct glint_paint paint;
+    paint_of(&paint, &look);
     for (int i = 0; i < 1000; i++) {
         struct glint_pose pose = {.scale = 100};
         double q[4], s = 0;
@@ -99,7 +100,7 @@ static void a_pose_turns_by_the_nearest_matrix_of_14_bits(void **state)
             s += q[k] * q[k];
         }
         struct glint_mesh_drawn drawn;
-        assert_true(glint_pose_set(&drawn, &pose, &light));
+        assert_true(glint_pose_set(&drawn, &pose, &paint));
         assert_near(drawn.turn[0][0], (q[0] * q[0] + q[1] * q[1] - q[2] * q[2] - q[3] * q[3]) / s * 16384, 0.5001);
         assert_near(drawn.turn[0][1], 2 * (q[1] * q[2] - q[0] * q[3]) / s * 16384, 0.5001);
         assert_near(drawn.turn[1][2], 2 * (q[2] * q[3] - q[0] * q[1]) / s * 16384, 0.5001);

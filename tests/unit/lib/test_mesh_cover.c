@@ -2,9 +2,6 @@
  * A triangle's pixels: which they are, how well t and nl follow the definition, and what clipping leaves. */
 #include "meshes.h"
 
-#include "glint_mesh_clip.h"
-#include "glint_mesh_edges.h"
-#include "glint_mesh_lists.h"
 #include "glint_mesh_strip.h"
 
 enum { GRID = 40 };
@@ -201,16 +198,15 @@ static void a_plane_through_the_camera_leaves_no_hole(void **state)
     (void)state;
     static struct made_mesh mesh;
     static uint8_t out[MESH_H][MESH_W];
-    struct glint_shader shader = random_shader(GLINT_GREY8, GLINT_GAMMA);
-    struct glint_prepared prepared;
+    struct look look = random_look(GLINT_GREY8, GLINT_GAMMA);
+    struct glint_paint paint;
     static const unsigned whole[] = {MESH_H};
-    glint_lobe_init(&shader.lobe, GLINT_MSH, 10, 6);
+    set_model(&look, GLINT_MSH, 10, 6);
     for (int k = 0; k < 3; k++) {
-        shader.material.ambient_q16[k] = 65536;
-        shader.material.albedo[k] = 255;
+        look.material.ambient_q16[k] = 65536;
+        look.material.albedo[k] = 255;
     }
-    assert_int_equal(glint_shade_prepare(&prepared, &shader), GLINT_OK);
-    const struct glint_paint paint = {&glint_mesh_exact, &prepared};
+    paint_of(&paint, &look);
     for (int round = 0; round < 20; round++) {
         mesh_made(&mesh, 441, 800);
         for (int j = 0; j <= 20; j++)
@@ -233,7 +229,7 @@ static void a_plane_through_the_camera_leaves_no_hole(void **state)
         mesh.pose.position[1] = (int16_t)(200 + below(1000)); /* below the eye */
         mesh.distance = (uint16_t)(1500 + below(1500));
         memset(out, 0, sizeof out);
-        mesh_picture(&mesh, &shader.light, &paint, &out[0][0], 1, whole, 1, false);
+        mesh_picture(&mesh, &paint, &out[0][0], 1, whole, 1, false);
         for (unsigned x = 0; x < MESH_W; x++) {
             unsigned top = 0;
             while (top < MESH_H && !out[top][x])
@@ -263,13 +259,12 @@ static void places_for_triangles_that_go_on_are_free_again_where_these_end(void 
     static struct made_mesh mesh;
     static uint32_t memory[8000], work[4000];
     static uint8_t out[3 * MESH_W * MESH_H];
-    struct glint_shader shader = random_shader(GLINT_RGB888, GLINT_GAMMA);
-    struct glint_prepared prepared;
+    struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
     struct glint_mesh_frame frame;
     struct glint_mesh_drawn drawn;
-    const struct glint_paint paint = {&glint_mesh_exact, &prepared};
-    glint_lobe_init(&shader.lobe, GLINT_MSH, 10, 6);
-    assert_int_equal(glint_shade_prepare(&prepared, &shader), GLINT_OK);
+    struct glint_paint paint;
+    set_model(&look, GLINT_MSH, 10, 6);
+    paint_of(&paint, &look);
     mesh_ball(&mesh, 8, 12);
     mesh.pose.scale = 16 * 40; /* all of it in the picture */
     const size_t bytes = glint_mesh_frame_bytes(MESH_W, 4) + PLACES * GLINT_MESH_KEPT_BYTES;
@@ -277,8 +272,7 @@ static void places_for_triangles_that_go_on_are_free_again_where_these_end(void 
     assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, 4, 0, memory, bytes), GLINT_OK);
     const unsigned places = free_places(&frame);
     assert_in_range(places, PLACES, 999);
-    assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &shader.light, &paint, work, sizeof work),
-                     GLINT_OK);
+    assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &paint, work, sizeof work), GLINT_OK);
     unsigned least = places;
     for (uint16_t y = 0; y < MESH_H; y = (uint16_t)(y + 4)) {
         const struct glint_surface surface = {out, 3 * MESH_W, 0, y};

@@ -1,49 +1,47 @@
 /* SPDX-License-Identifier: MIT
- * Meshes under several lights. */
+ * Meshes under points, spots and several lights, and those with Phong's model: normals are interpolated, and a pixel has a place. */
 #include "lamps.h"
-#include "glint_mesh_across.h"
 #include "meshes.h"
+
+#include "glint_mesh_rows.h"
 
 static struct made_mesh mesh;
 static uint8_t colours[MESH_FACES][3];
-static _Alignas(16) uint8_t memory[4096];
 static const unsigned whole[] = {MESH_H}, bands[] = {16}, odd[] = {1, 7, 16, 3, 40};
 
-/* Lamps about the mesh, whose middle is at 0, 0. */
-static unsigned lamps_about(struct glint_lamp lamps[GLINT_LAMPS_MAX])
+/* Lights about the mesh, whose middle is that of the picture. */
+static unsigned lights_about(struct glint_light lights[GLINT_LIGHTS_MAX])
 {
-    const unsigned count = below(GLINT_LAMPS_MAX + 1);
-    random_lamps(lamps);
+    const unsigned count = below(GLINT_LIGHTS_MAX + 1);
+    random_lights(lights);
     for (unsigned i = 0; i < count; i++) {
-        lamps[i].position[0] -= 8 * W;
-        lamps[i].position[1] -= 8 * H;
-        lamps[i].position[2] += (int32_t)below(1500);
-        lamps[i].range += 600;
+        if (kind_of(&lights[i]) == DIRECTIONAL)
+            continue;
+        lights[i].position[0] += 8 * (MESH_W - W);
+        lights[i].position[1] += 8 * (MESH_H - H);
+        lights[i].position[2] += (int32_t)below(1500);
+        lights[i].range += 600;
     }
     return count;
 }
 
-/* One colour, or those of vertices or of faces. */
-static struct glint_mesh_lights lit_by(const struct glint_shader *shader, const struct glint_lamp *lamps,
-                                       unsigned count, unsigned kind)
+static void paint_under(struct glint_paint *paint, const struct look *look, const struct glint_light *lights,
+                        unsigned count)
 {
-    struct glint_mesh_lights lights;
-    assert_true(glint_mesh_lights_bytes() <= sizeof memory);
-    assert_int_equal(glint_mesh_lights_init(&lights, shader, lamps, count, memory, sizeof memory), GLINT_OK);
-    lights.of_vertices = kind == 1 ? &colours[0][0] : NULL;
-    lights.of_faces = kind == 2 ? &colours[0][0] : NULL;
-    return lights;
+    assert_int_equal(glint_paint_exact(paint, &look->material, &look->output), GLINT_OK);
+    assert_int_equal(glint_paint_light(paint, lights, count, look->to_viewer), GLINT_OK);
 }
 
-static void a_picture_under_lamps_is_the_same_in_strips_of_any_height_and_order(void **state)
+static void a_picture_under_lights_is_the_same_in_strips_of_any_height_and_order(void **state)
 {
     (void)state;
     static uint8_t one[MESH_H * MESH_W * 4], other[MESH_H * MESH_W * 4];
     for (int i = 0; i < 24; i++) {
         const enum glint_format format = format_number(i);
         const unsigned bytes = bytes_of(format, MESH_W) / MESH_W;
-        const struct glint_shader shader = random_shader(format, (enum glint_space)(i / GLINT_FORMAT_COUNT & 1));
-        struct glint_lamp lamps[GLINT_LAMPS_MAX];
+        const struct look look = random_look(format, (enum glint_space)(i / GLINT_FORMAT_COUNT & 1));
+        struct glint_light lights[GLINT_LIGHTS_MAX];
+        struct glint_paint paint;
         if (!bytes)
             continue;
         if (i % 3)
@@ -53,13 +51,13 @@ static void a_picture_under_lamps_is_the_same_in_strips_of_any_height_and_order(
         for (unsigned f = 0; f < MESH_FACES; f++)
             for (int k = 0; k < 3; k++)
                 colours[f][k] = (uint8_t)below(256);
-        const unsigned count = lamps_about(lamps);
-        const struct glint_mesh_lights lights = lit_by(&shader, lamps, count, (unsigned)i % 3);
-        const struct glint_paint paint = {&glint_mesh_lit, &lights};
-        for (int way = 0; way < 4; way++) {
+        mesh.mesh.of_vertices = i % 3 == 1 ? &colours[0][0] : NULL;
+        mesh.mesh.of_faces = i % 3 == 2 ? &colours[0][0] : NULL;
+        paint_under(&paint, &look, lights, lights_about(lights));
+        for (int way = 0; way < 5; way++) {
             uint8_t *const out = way ? other : one;
             memset(out, GUARD, sizeof one);
-            mesh_picture(&mesh, &shader.light, &paint, out, bytes,
+            mesh_picture(&mesh, &paint, out, bytes,
                          way & 1 ? bands
                          : way   ? odd
                                  : whole,
@@ -90,58 +88,70 @@ static void upright_square(struct glint_vec normal, int16_t z)
     }
 }
 
-/* The place of a pixel, by sequence.md. */
+/* The place of a pixel on the screen, by sequence.md. */
 static void place_of(int32_t place[3], int x, int y, int32_t depth)
 {
     const int64_t r = ((int64_t)65535 - depth) << 16, d = mesh.distance;
     place[0] = 16 * x + 8 - 8 * MESH_W;
     place[1] = 16 * y + 8 - 8 * MESH_H;
     place[2] = 32767 - depth;
-    if (!d)
-        return;
-    const int64_t q = ((int64_t)1 << 61) / r;
-    place[0] = (int32_t)((place[0] * q) >> 32);
-    place[1] = (int32_t)((place[1] * q) >> 32);
-    place[2] = (int32_t)(d - ((d * q) >> 32));
+    if (d) {
+        const int64_t q = ((int64_t)1 << 61) / r;
+        place[0] = (int32_t)((place[0] * q) >> 32);
+        place[1] = (int32_t)((place[1] * q) >> 32);
+        place[2] = (int32_t)(d - ((d * q) >> 32));
+    }
+    place[0] += 8 * MESH_W;
+    place[1] += 8 * MESH_H;
 }
 
-/* Each pixel is a rectangle of one pixel, seen by lamps that are moved as far as its place is from the surface. */
-static void a_pixel_is_that_of_glint_shade_lights_for_its_normal_and_place(void **state)
+/* Each pixel is a rectangle of one pixel, seen by lights that are moved as far as its place is from the surface. */
+static void a_pixel_is_that_of_a_rectangle_for_its_normal_and_place(void **state)
 {
     (void)state;
     static uint8_t out[MESH_H * MESH_W * 4];
     unsigned compared = 0;
-    for (int i = 0; i < 60; i++) {
+    for (int i = 0; i < 80; i++) {
         const enum glint_format format = format_number(i);
         const unsigned bytes = bytes_of(format, MESH_W) / MESH_W;
-        const struct glint_shader shader = random_shader(format, (enum glint_space)(i / GLINT_FORMAT_COUNT & 1));
-        struct glint_lamp lamps[GLINT_LAMPS_MAX], moved[GLINT_LAMPS_MAX];
-        const struct glint_vec normal = random_normal(&shader.light);
+        struct look look = random_look(format, (enum glint_space)(i / GLINT_FORMAT_COUNT & 1));
+        struct glint_light lights[GLINT_LIGHTS_MAX], moved[GLINT_LIGHTS_MAX];
+        struct glint_paint paint;
+        const struct glint_vec normal = random_normal(&look);
         if (!bytes || normal.x == INT16_MIN || normal.y == INT16_MIN || normal.z == INT16_MIN)
             continue;
         upright_square(normal, (int16_t)((int)below(2000) - 1000));
         mesh.distance = (uint16_t)(below(2) ? 0 : 2000 + below(9000));
-        const unsigned count = lamps_about(lamps);
-        const struct glint_mesh_lights lights = lit_by(&shader, lamps, count, 0);
-        const struct glint_paint paint = {&glint_mesh_lit, &lights};
+        unsigned count = lights_about(lights);
+        if (i % 4 == 0) { /* one directional one: only Phong's way has its normals */
+            look.material.model = GLINT_PHONG;
+            lights[0] = look.light;
+            count = 1;
+        } else if (count < 2) {
+            lights[1] = look.light;
+            count = 2;
+        }
+        paint_under(&paint, &look, lights, count);
         memset(out, GUARD, sizeof out);
-        mesh_picture(&mesh, &shader.light, &paint, out, bytes, odd, 5, false);
+        mesh_picture(&mesh, &paint, out, bytes, odd, 5, false);
         const int32_t z = mesh.pose.position[2], d = mesh.distance;
         const int32_t depth = d ? 65535 - (((d << 14) / (d - z) + 1) >> 1) : 32767 - z;
         for (int p = 0; p < 200; p++) {
             const int x = 20 + (int)below(MESH_W - 40), y = 20 + (int)below(MESH_H - 40);
-            const struct glint_source source = {&normal, 6, NULL, 0, NULL, 0, NULL, 0};
+            const struct glint_maps maps = {.normals = &normal};
             uint8_t expected[4];
             int32_t place[3];
             place_of(place, x, y, depth);
-            memcpy(moved, lamps, sizeof moved);
+            memcpy(moved, lights, sizeof moved);
             for (unsigned k = 0; k < count; k++) {
+                if (kind_of(&moved[k]) == DIRECTIONAL)
+                    continue;
                 moved[k].position[0] += 16 * x + 8 - place[0];
                 moved[k].position[1] += 16 * y + 8 - place[1];
                 moved[k].position[2] -= place[2];
             }
             const struct glint_surface surface = {expected, 4, (uint16_t)x, (uint16_t)y};
-            assert_int_equal(glint_shade_lights(&shader, moved, count, &source, 1, 1, &surface, NULL), GLINT_OK);
+            assert_int_equal(draw_under(&look, moved, count, &maps, 1, 1, &surface, NULL), GLINT_OK);
             if (memcmp(expected, out + bytes * ((size_t)MESH_W * (unsigned)y + (unsigned)x), bytes) != 0)
                 fail_msg("round %d, pixel %d, %d", i, x, y);
             compared++;
@@ -150,31 +160,75 @@ static void a_pixel_is_that_of_glint_shade_lights_for_its_normal_and_place(void 
     assert_true(compared > 5000);
 }
 
+/* Lights have places on the screen, and so has a picture: surface.x, y of its first pixel. A picture that moves with its lights is the same. */
+static void a_picture_that_moves_with_its_lights_over_the_screen_stays_the_same(void **state)
+{
+    (void)state;
+    enum { BYTES = 3 * MESH_W * MESH_H };
+    static uint8_t out[2][BYTES];
+    static _Alignas(8) uint8_t memory[MESH_W * 16 * 2 + 4096 + GLINT_MESH_LIGHTS_BYTES];
+    static uint32_t work[8000];
+    unsigned lit = 0;
+    for (int i = 0; i < 10; i++) {
+        struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
+        struct glint_light lights[GLINT_LIGHTS_MAX];
+        struct glint_paint paint;
+        const unsigned count = lights_about(lights);
+        mesh_ball(&mesh, 8, 9);
+        mesh.distance = (uint16_t)(i & 1 ? 4000 : 0);
+        for (int moved = 0; moved < 2; moved++) {
+            const uint16_t left = (uint16_t)(moved ? 4 * below(1000) : 0),
+                           top = (uint16_t)(moved ? 4 * below(1000) : 0);
+            struct glint_mesh_frame frame;
+            struct glint_mesh_drawn drawn;
+            for (unsigned k = 0; k < count; k++)
+                if (kind_of(&lights[k]) != DIRECTIONAL) {
+                    lights[k].position[0] += 16 * left;
+                    lights[k].position[1] += 16 * top;
+                }
+            paint_under(&paint, &look, lights, count);
+            memset(out[moved], GUARD, BYTES);
+            assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, 16, mesh.distance, memory,
+                                              glint_mesh_frame_bytes(MESH_W, 16) + GLINT_MESH_LIGHTS_BYTES),
+                             GLINT_OK);
+            assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &paint, work, sizeof work),
+                             GLINT_OK);
+            for (uint16_t y = 0; y < MESH_H; y = (uint16_t)(y + 15)) {
+                const struct glint_surface surface = {out[moved] + 3 * MESH_W * y, 3 * MESH_W, left,
+                                                      (uint16_t)(top + y)};
+                assert_int_equal(glint_mesh_strip(&frame, y, 15, &surface), GLINT_OK);
+            }
+        }
+        assert_memory_equal(out[0], out[1], BYTES);
+        lit += count > 0;
+    }
+    assert_true(lit > 4);
+}
+
 /* Not the same: t is of the rounded normal here, and a last bit decides where the light ends. */
-static void one_white_directional_lamp_is_near_the_path_of_one_light(void **state)
+static void interpolated_normals_are_near_the_quadratic_of_one_light(void **state)
 {
     (void)state;
     static uint8_t lit[MESH_H * MESH_W * 3], exact[MESH_H * MESH_W * 3];
-    const int32_t to_light[3] = {-4, 6, 8}, to_viewer[3] = {0, 0, 1};
+    const int32_t to_light[3] = {-4, 6, 8};
     for (int i = 0; i < 10; i++) {
-        struct glint_shader shader = random_shader(GLINT_RGB888, GLINT_GAMMA);
-        struct glint_prepared prepared;
-        struct glint_lamp lamp;
-        shader.dither = false;
-        glint_lobe_init(&shader.lobe, GLINT_MSH, 60, 8);
-        assert_int_equal(glint_lamp_directional(&lamp, to_light, to_viewer), GLINT_OK);
-        shader.light = lamp.light;
+        struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
+        struct glint_paint paint, plain;
+        look.output.dither = false;
+        set_model(&look, GLINT_MSH, 60, 8);
+        assert_int_equal(look_light(&look, to_light, in_front), GLINT_OK);
+        struct glint_light lights[2] = {look.light, look.light};
+        memset(lights[1].color_q16, 0, sizeof lights[1].color_q16); /* two of them, one black */
         mesh_ball(&mesh, 12, 16);
         for (int k = 0; k < 4; k++)
             mesh.pose.turn[k] = (int16_t)((int)below(65535) - 32767);
         mesh.distance = (uint16_t)(i & 1 ? 4000 : 0);
-        assert_int_equal(glint_shade_prepare(&prepared, &shader), GLINT_OK);
-        const struct glint_mesh_lights lights = lit_by(&shader, &lamp, 1, 0);
-        const struct glint_paint paint = {&glint_mesh_lit, &lights}, plain = {&glint_mesh_exact, &prepared};
+        paint_of(&plain, &look);
+        paint_under(&paint, &look, lights, 2);
         memset(lit, GUARD, sizeof lit);
         memset(exact, GUARD, sizeof exact);
-        mesh_picture(&mesh, &shader.light, &paint, lit, 3, odd, 5, false);
-        mesh_picture(&mesh, &shader.light, &plain, exact, 3, whole, 1, false);
+        mesh_picture(&mesh, &paint, lit, 3, odd, 5, false);
+        mesh_picture(&mesh, &plain, exact, 3, whole, 1, false);
         unsigned differ = 0, most = 0;
         for (unsigned p = 0; p < sizeof lit; p++) {
             const unsigned off = (unsigned)abs(lit[p] - exact[p]);
@@ -186,62 +240,48 @@ static void one_white_directional_lamp_is_near_the_path_of_one_light(void **stat
     }
 }
 
-static enum glint_err strip_with(const struct glint_mesh_lights *lights)
-{
-    static uint32_t depths[8000], work[8000];
-    static uint8_t out[16 * MESH_W * 4];
-    const struct glint_shader shader = random_shader(GLINT_RGB888, GLINT_GAMMA);
-    const struct glint_paint paint = {&glint_mesh_lit, lights};
-    const struct glint_surface surface = {out, 4 * MESH_W, 0, 40};
-    struct glint_mesh_frame frame;
-    struct glint_mesh_drawn drawn;
-    mesh_ball(&mesh, 6, 8);
-    assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, 16, 0, depths, sizeof depths), GLINT_OK);
-    assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &shader.light, &paint, work, sizeof work),
-                     GLINT_OK);
-    memset(out, GUARD, sizeof out);
-    const enum glint_err err = glint_mesh_strip(&frame, 40, 16, &surface);
-    for (size_t i = 0; err && i < sizeof out; i++)
-        assert_int_equal(out[i], GUARD);
-    return err;
-}
-
-static void wrong_lamps_and_memory_are_refused(void **state)
+/* A picture of two meshes, of which the second needs the lights' memory: taken once, for both. */
+static void meshes_of_a_picture_share_the_memory_of_lights_whoever_comes_first(void **state)
 {
     (void)state;
-    struct glint_shader shader = random_shader(GLINT_RGB888, GLINT_GAMMA);
-    struct glint_lamp lamps[GLINT_LAMPS_MAX];
-    struct glint_mesh_lights lights;
-    const size_t need = glint_mesh_lights_bytes();
-    const int32_t middle[3] = {0, 0, 500};
-    random_lamps(lamps);
-    assert_int_equal(glint_lamp_point(&lamps[0], middle, 1000), GLINT_OK);
-    assert_int_equal(glint_mesh_lights_init(NULL, &shader, lamps, 1, memory, need), GLINT_ERR_ARG);
-    assert_int_equal(glint_mesh_lights_init(&lights, NULL, lamps, 1, memory, need), GLINT_ERR_ARG);
-    assert_int_equal(glint_mesh_lights_init(&lights, &shader, NULL, 1, memory, need), GLINT_ERR_ARG);
-    assert_int_equal(glint_mesh_lights_init(&lights, &shader, lamps, 5, memory, need), GLINT_ERR_ARG);
-    assert_int_equal(glint_mesh_lights_init(&lights, &shader, lamps, 1, NULL, need), GLINT_ERR_ARG);
-    assert_int_equal(glint_mesh_lights_init(&lights, &shader, lamps, 1, memory, need - 1), GLINT_ERR_ARG);
-    assert_int_equal(glint_mesh_lights_init(&lights, &shader, lamps, 1, memory + 1, need), GLINT_ERR_ARG);
-    const struct glint_vec v = shader.light.v;
-    shader.light.v = (struct glint_vec){0, 0, 0};
-    assert_int_equal(glint_mesh_lights_init(&lights, &shader, lamps, 1, memory, need), GLINT_ERR_VECTOR);
-    shader.light.v = v;
-    shader.format = 99;
-    assert_int_equal(glint_mesh_lights_init(&lights, &shader, lamps, 1, memory, need), GLINT_ERR_FORMAT);
-    shader.format = GLINT_RGB888;
-    lamps[0].range = 0;
-    assert_int_equal(glint_mesh_lights_init(&lights, &shader, lamps, 1, memory, need), GLINT_ERR_ARG);
-    lamps[0].range = 1000;
-    assert_int_equal(glint_mesh_lights_init(&lights, &shader, lamps, 1, memory, need), GLINT_OK);
-    assert_int_equal(strip_with(&lights), GLINT_OK);
-    assert_int_equal(strip_with(NULL), GLINT_ERR_ARG);
-    lights.of_vertices = lights.of_faces = &colours[0][0]; /* one of them at most */
-    assert_int_equal(strip_with(&lights), GLINT_ERR_ARG);
-    lights.of_faces = NULL;
-    assert_int_equal(strip_with(&lights), GLINT_OK);
-    lights.memory = NULL;
-    assert_int_equal(strip_with(&lights), GLINT_ERR_ARG);
+    enum { BYTES = 3 * MESH_W * MESH_H, PLACES = 7 };
+    static uint8_t out[2][BYTES];
+    static _Alignas(8)
+        uint8_t memory[MESH_W * MESH_H * 2 + 4096 + GLINT_MESH_LIGHTS_BYTES + 50 * GLINT_MESH_KEPT_BYTES];
+    static uint32_t work[2][8000];
+    for (int i = 0; i < 12; i++) {
+        struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
+        struct glint_light lights[GLINT_LIGHTS_MAX];
+        struct glint_paint paints[2];
+        random_lights(lights);
+        if (look.material.model == GLINT_PHONG)
+            look.material.model = GLINT_MSH;
+        paint_of(&paints[0], &look);
+        paint_under(&paints[1], &look, lights, 4);
+        mesh_ball(&mesh, 8, 9);
+        for (int height = 0; height < 2; height++) {
+            struct glint_mesh_frame frame;
+            struct glint_mesh_drawn drawn[2];
+            const uint16_t lines = height ? 6 : MESH_H;
+            memset(out[height], GUARD, BYTES);
+            assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, lines, 0, memory,
+                                              glint_mesh_frame_bytes(MESH_W, lines) + GLINT_MESH_LIGHTS_BYTES +
+                                                  PLACES * GLINT_MESH_KEPT_BYTES * (unsigned)(i & 2)),
+                             GLINT_OK);
+            for (int which = 0; which < 2; which++) {
+                struct glint_pose pose = mesh.pose;
+                pose.position[0] = (int16_t)(which ? 300 : -300);
+                assert_int_equal(glint_mesh_add(&frame, &drawn[which], &mesh.mesh, &pose, &paints[which ^ (i & 1)],
+                                                work[which], sizeof work[which]),
+                                 GLINT_OK);
+            }
+            for (uint16_t y = 0; y < MESH_H; y = (uint16_t)(y + lines)) {
+                const struct glint_surface surface = {out[height] + 3 * MESH_W * y, 3 * MESH_W, 0, y};
+                assert_int_equal(glint_mesh_strip(&frame, y, lines, &surface), GLINT_OK);
+            }
+        }
+        assert_memory_equal(out[0], out[1], BYTES);
+    }
 }
 
 /* A sliver's slopes are coarse, so that its sum may come to any word: also to those to which half a unit adds up beyond 2^31. */
@@ -262,10 +302,11 @@ static void a_number_of_a_sliver_is_held_between_its_corners_whatever_its_sum_is
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_picture_under_lamps_is_the_same_in_strips_of_any_height_and_order),
-        cmocka_unit_test(a_pixel_is_that_of_glint_shade_lights_for_its_normal_and_place),
-        cmocka_unit_test(one_white_directional_lamp_is_near_the_path_of_one_light),
-        cmocka_unit_test(wrong_lamps_and_memory_are_refused),
+        cmocka_unit_test(a_picture_under_lights_is_the_same_in_strips_of_any_height_and_order),
+        cmocka_unit_test(a_pixel_is_that_of_a_rectangle_for_its_normal_and_place),
+        cmocka_unit_test(a_picture_that_moves_with_its_lights_over_the_screen_stays_the_same),
+        cmocka_unit_test(interpolated_normals_are_near_the_quadratic_of_one_light),
+        cmocka_unit_test(meshes_of_a_picture_share_the_memory_of_lights_whoever_comes_first),
         cmocka_unit_test(a_number_of_a_sliver_is_held_between_its_corners_whatever_its_sum_is),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -2,11 +2,7 @@
  * A triangle's values beside lib/sequence.md, step by step; where the near plane lies, and how what it cuts is lit. */
 #include "meshes.h"
 
-#include "glint_mesh_clip.h"
-#include "glint_mesh_across.h"
-#include "glint_mesh_edges.h"
-#include "glint_mesh_gradient.h"
-#include "glint_mesh_samples.h"
+#include "glint_mesh_strip.h"
 
 static unsigned bits_of(uint64_t x)
 {
@@ -148,14 +144,13 @@ static void a_triangle_is_matt_from_2_to_the_29_beyond_the_highlight_and_dark_be
 
 static struct made_mesh mesh;
 
-/* One face whose corners have the normal n, drawn with a prepared shader over pixels of 0. */
-static void draw_face(const struct glint_shader *shader, const int16_t places[3][3], struct glint_vec n, int16_t z,
+/* One face whose corners have the normal n, drawn with the look over pixels of 0. */
+static void draw_face(const struct look *look, const int16_t places[3][3], struct glint_vec n, int16_t z,
                       uint16_t scale, uint16_t distance, uint8_t *out)
 {
     static const unsigned whole[] = {MESH_H};
-    struct glint_prepared prepared;
-    const struct glint_paint paint = {&glint_mesh_exact, &prepared};
-    assert_int_equal(glint_shade_prepare(&prepared, shader), GLINT_OK);
+    struct glint_paint paint;
+    paint_of(&paint, look);
     mesh_made(&mesh, 3, 1);
     for (int i = 0; i < 3; i++) {
         const int16_t normal[3] = {n.x, n.y, n.z};
@@ -167,7 +162,7 @@ static void draw_face(const struct glint_shader *shader, const int16_t places[3]
     mesh.pose.scale = scale;
     mesh.distance = distance;
     memset(out, 0, 3 * MESH_W * MESH_H);
-    mesh_picture(&mesh, &shader->light, &paint, out, 3, whole, 1, false);
+    mesh_picture(&mesh, &paint, out, 3, whole, 1, false);
 }
 
 /* 8 (distance - z) >= distance: of a face with a corner at the last such z nothing is left if the others are a sixteenth of a pixel
@@ -179,18 +174,18 @@ static void the_near_plane_lies_an_eighth_of_the_distance_before_the_camera(void
                          nearer[3][3] = {{-160, -160, 0}, {160, -160, 4}, {0, 160, 4}};
     static uint8_t out[3 * MESH_W * MESH_H];
     const struct glint_vec n = {0, 0, 32767};
-    struct glint_shader shader = random_shader(GLINT_RGB888, GLINT_GAMMA);
-    glint_lobe_init(&shader.lobe, GLINT_MSH, 10, 6);
-    shader.material.ambient_q16[1] = 65536;
-    shader.material.albedo[1] = 255;
+    struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
+    set_model(&look, GLINT_MSH, 10, 6);
+    look.material.ambient_q16[1] = 65536;
+    look.material.albedo[1] = 255;
     for (int round = 0; round < 64; round++) {
         const uint16_t distance = (uint16_t)(400 + round);
         int16_t last = (int16_t)distance;
         while (8 * (distance - last) < distance)
             last--;
-        draw_face(&shader, at, n, last, 8192, distance, out);
+        draw_face(&look, at, n, last, 8192, distance, out);
         assert_int_equal(out[3 * (MESH_W * (MESH_H / 2) + MESH_W / 2) + 1], 255);
-        draw_face(&shader, nearer, n, last, 8192, distance, out);
+        draw_face(&look, nearer, n, last, 8192, distance, out);
         for (size_t i = 0; i < sizeof out; i++)
             assert_int_equal(out[i], 0);
     }
@@ -203,19 +198,19 @@ static void what_is_clipped_is_lit_by_its_normals(void **state)
     static const int16_t places[3][3] = {{-32767, -32767, 0}, {32767, -32767, 0}, {0, 32767, 0}};
     static uint8_t out[3 * MESH_W * MESH_H], line[3 * MESH_W];
     for (int round = 0; round < 200; round++) {
-        struct glint_shader shader = random_shader(GLINT_RGB888, GLINT_GAMMA);
-        if (shader.lobe.model == GLINT_PHONG)
-            glint_lobe_init(&shader.lobe, GLINT_MSH, 60, 8);
-        shader.dither = false;
-        const struct glint_vec n = random_normal(&shader.light), h = shader.light.h;
+        struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
+        if (look.material.model == GLINT_PHONG)
+            set_model(&look, GLINT_MSH, 60, 8);
+        look.output.dither = false;
+        const struct glint_vec n = random_normal(&look), h = look.h;
         const int64_t x = n.x - h.x, y = n.y - h.y, z = n.z - h.z;
         const struct glint_span span = {
-            (uint32_t)((x * x >> 1) + (y * y >> 1) + (z * z >> 1)), 0, 0, (int32_t)dot(n, shader.light.l), 0, MESH_W};
-        if (dot(n, shader.light.l) > INT32_MAX || span.t_q30 >= UINT32_C(1) << 31)
+            (uint32_t)((x * x >> 1) + (y * y >> 1) + (z * z >> 1)), 0, 0, (int32_t)dot(n, look.l), 0, MESH_W};
+        if (span.t_q30 >= UINT32_C(1) << 31)
             continue;
         const struct glint_surface surface = {line, sizeof line, 0, 0};
-        assert_int_equal(glint_shade_span(&shader, &span, &surface, NULL), GLINT_OK);
-        draw_face(&shader, places, n, 0, 32768, round & 1 ? 2000 : 0, out);
+        assert_int_equal(draw_span(&look, &span, &surface, NULL), GLINT_OK);
+        draw_face(&look, places, n, 0, 32768, round & 1 ? 2000 : 0, out);
         for (size_t i = 0; i < MESH_H; i++)
             assert_memory_equal(out + i * sizeof line, line, sizeof line);
     }
@@ -238,21 +233,6 @@ static void a_number_across_a_triangle_is_held_between_its_corners(void **state)
     }
 }
 
-static void t_a_little_below_0_is_0_and_nothing_shines_in_the_dark(void **state)
-{
-    (void)state;
-    static const uint32_t t[] = {0, 1, UINT32_C(0xf7ffffff), UINT32_C(0xf8000000), UINT32_MAX},
-                          wanted[] = {0, 1, UINT32_C(0xf7ffffff), 0, 0};
-    for (int i = 0; i < 5; i++)
-        for (int dark = 0; dark < 2; dark++) {
-            struct glint_mesh_row row = {.t = t[i], .nl = dark ? 0 - (1u << 20) : 1u << 20};
-            struct glint_sample sample;
-            glint_mesh_samples(&row, &sample, 1);
-            assert_int_equal(sample.t_q30, dark ? UINT32_MAX : wanted[i]);
-            assert_int_equal(sample.nl_q16, dark ? 0 : 64);
-        }
-}
-
 /* w1 and w2 of sequence.md: what is not cut keeps all of its own, and of the two others nothing. */
 static void a_corner_that_is_not_cut_is_wholly_itself(void **state)
 {
@@ -260,20 +240,20 @@ static void a_corner_that_is_not_cut_is_wholly_itself(void **state)
     static const int16_t places[3][3] = {{-40, -40, 0}, {32767, -40, 0}, {0, 40, 0}};
     static uint8_t out[3 * MESH_W * MESH_H];
     static uint32_t depths[8000], work[100];
-    struct glint_shader shader = random_shader(GLINT_RGB888, GLINT_GAMMA);
+    struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
+    struct glint_paint paint;
     const struct glint_vec n = {0, 0, 32767};
-    glint_lobe_init(&shader.lobe, GLINT_MSH, 10, 6);
+    set_model(&look, GLINT_MSH, 10, 6);
+    paint_of(&paint, &look);
     for (uint16_t first = 0; first < 3; first++) {
         struct glint_mesh_frame frame;
         struct glint_mesh_drawn drawn;
         struct glint_mesh_polygon polygon;
-        const struct glint_paint paint = {&glint_mesh_exact, NULL};
-        draw_face(&shader, places, n, 0, 32768, 0, out);
+        draw_face(&look, places, n, 0, 32768, 0, out);
         for (uint16_t i = 0; i < 3; i++)
             mesh.faces[0][i] = (uint16_t)((i + first) % 3);
         assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, 16, 0, depths, sizeof depths), GLINT_OK);
-        assert_int_equal(
-            glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &shader.light, &paint, work, sizeof work), GLINT_OK);
+        assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &paint, work, sizeof work), GLINT_OK);
         const unsigned count = glint_mesh_clip(&polygon, &frame, &drawn, mesh.faces[0]);
         assert_int_equal(count, 4);
         assert_ptr_not_equal(glint_mesh_polygon_samples(&polygon, &frame), polygon.list[polygon.now].samples);
@@ -286,8 +266,7 @@ static void a_corner_that_is_not_cut_is_wholly_itself(void **state)
             }
         }
         assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, 16, 60000, depths, sizeof depths), GLINT_OK);
-        assert_int_equal(
-            glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &shader.light, &paint, work, sizeof work), GLINT_OK);
+        assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &paint, work, sizeof work), GLINT_OK);
         assert_int_not_equal(glint_mesh_clip(&polygon, &frame, &drawn, mesh.faces[0]), 0);
         assert_ptr_not_equal(glint_mesh_polygon_samples(&polygon, &frame), polygon.list[polygon.now].samples);
     }
@@ -302,29 +281,27 @@ static void any_one_corner_of_a_face_may_be_beyond_the_guard_band(void **state)
     static const uint8_t colours[3][3] = {{255, 40, 20}, {30, 255, 10}, {50, 15, 255}};
     static const unsigned heights[] = {MESH_H, 5, 1};
     static uint8_t out[2][3 * MESH_W * MESH_H];
-    struct glint_shader shader = random_shader(GLINT_RGB888, GLINT_GAMMA);
-    struct glint_prepared prepared;
-    const struct glint_mesh_albedo albedo = {&prepared, &colours[0][0], NULL};
-    const struct glint_paint paint = {&glint_mesh_exact_albedo, &albedo};
-    glint_lobe_init(&shader.lobe, GLINT_MSH, 10, 6);
-    shader.dither = false;
+    struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
+    struct glint_paint paint;
+    set_model(&look, GLINT_MSH, 10, 6);
+    look.output.dither = false;
     for (int k = 0; k < 3; k++) {
-        shader.material.ambient_q16[k] = 65536;
-        shader.material.diffuse_q16[k] = shader.material.specular_q16[k] = 0;
+        look.material.ambient_q16[k] = 65536;
+        look.material.diffuse_q16[k] = look.material.specular_q16[k] = 0;
     }
-    assert_int_equal(glint_shade_prepare(&prepared, &shader), GLINT_OK);
+    paint_of(&paint, &look);
     for (uint16_t first = 0; first < 3; first++)
         for (int height = 0; height < 3; height++) {
             unsigned drawn = 0, other = 0;
-            draw_face(&shader, low, (struct glint_vec){0, 0, 32767}, 0, 32768, 0,
+            draw_face(&look, low, (struct glint_vec){0, 0, 32767}, 0, 32768, 0,
                       out[0]); /* whose places stay in memory */
-            draw_face(&shader, places, (struct glint_vec){0, 0, 32767}, 0, 32768, 0, out[0]);
+            draw_face(&look, places, (struct glint_vec){0, 0, 32767}, 0, 32768, 0, out[0]);
+            mesh.mesh.of_vertices = &colours[0][0];
             for (int turned = 0; turned < 2; turned++) {
                 for (uint16_t i = 0; i < 3; i++)
                     mesh.faces[0][i] = (uint16_t)((i + first * turned) % 3);
                 memset(out[turned], 0, sizeof out[turned]);
-                mesh_picture(&mesh, &shader.light, &paint, out[turned], 3, &heights[turned ? height : 0], 1,
-                             height & 1);
+                mesh_picture(&mesh, &paint, out[turned], 3, &heights[turned ? height : 0], 1, height & 1);
             }
             for (size_t i = 0; i < sizeof out[0]; i++) {
                 drawn += out[0][i] != 0;
@@ -344,7 +321,6 @@ int main(void)
         cmocka_unit_test(the_near_plane_lies_an_eighth_of_the_distance_before_the_camera),
         cmocka_unit_test(what_is_clipped_is_lit_by_its_normals),
         cmocka_unit_test(a_number_across_a_triangle_is_held_between_its_corners),
-        cmocka_unit_test(t_a_little_below_0_is_0_and_nothing_shines_in_the_dark),
         cmocka_unit_test(a_corner_that_is_not_cut_is_wholly_itself),
         cmocka_unit_test(any_one_corner_of_a_face_may_be_beyond_the_guard_band),
     };

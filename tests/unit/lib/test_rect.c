@@ -1,22 +1,22 @@
 /* SPDX-License-Identifier: MIT
- * The exact rectangle and span: the value of every pixel. */
+ * Rectangles and spans by the exact paint: the value of every pixel. */
 #include "shading.h"
 
 /* What a test says of a pixel: the levels found, those wanted, and the real values. */
 typedef void check_pixel(const unsigned found[3], const unsigned wanted[3], const double real[3]);
 
-/* Shades a scene, without its mask, and shows each pixel to `check`. */
+/* Draws a scene, without its coverage, and shows each pixel to `check`. */
 static void for_every_pixel_of(struct scene *s, check_pixel *check)
 {
-    s->source.mask = NULL;
-    assert_int_equal(glint_shade_rect(&s->shader, &s->source, W, H, &s->surface, NULL), GLINT_OK);
+    s->maps.coverage = NULL;
+    assert_int_equal(draw_scene(s, NULL), GLINT_OK);
     for (unsigned p = 0; p < W * H; p++) {
         const unsigned x = p % W, y = p / W;
         unsigned wanted[3], found[3];
         double real[3];
-        expected_levels(&s->shader, s->normals[p], &s->albedo[3 * p], s->gloss[p], x + s->surface.x, y + s->surface.y,
+        expected_levels(&s->look, s->normals[p], &s->albedo[3 * p], s->gloss[p], x + s->surface.x, y + s->surface.y,
                         wanted, real);
-        stored_levels((enum glint_format)s->shader.format, s->out + LINE * (1 + y), x, found);
+        stored_levels((enum glint_format)s->look.output.format, s->out + LINE * (1 + y), x, found);
         check(found, wanted, real);
     }
 }
@@ -44,17 +44,31 @@ static void gamma_pixels_are_the_correctly_rounded_sum_in_every_format(void **st
     for_every_pixel(GLINT_GAMMA, levels_are_equal);
 }
 
-/* Their N.L needs more than 32 bits. */
-static void a_light_longer_than_1_is_summed_without_overflow(void **state)
+/* Their N.L and t are the largest that there are. */
+static void the_longest_normals_are_summed_without_overflow(void **state)
 {
     (void)state;
     static struct scene s;
+    static const int32_t corners[][3] = {{1, 1, 1}, {-1, 1, 1}, {1, -1, -1}, {1, 0, 0}, {0, -1, 0}, {-2, -2, 1}};
     for (int i = 0; i < 200; i++) {
         scene_init(&s, format_number(i), GLINT_GAMMA);
-        s.shader.light.l = (struct glint_vec){(int16_t)(32767 - below(9000)), (int16_t)(below(65536) - 32768),
-                                              (int16_t)(below(2) ? 32767 : -32768)};
-        for (unsigned p = 0; p < W * H; p += 2) /* the longest */
-            s.normals[p] = (struct glint_vec){32767, (int16_t)(below(2) ? 32767 : -32768), -32768};
+        assert_int_equal(look_light(&s.look, corners[below(6)], i & 1 ? corners[0] : in_front), GLINT_OK);
+        for (unsigned p = 0; p < W * H; p += 2)
+            s.normals[p] =
+                (struct glint_vec){(int16_t)(below(2) ? 32767 : -32768), (int16_t)(below(2) ? 32767 : -32768),
+                                   (int16_t)(below(2) ? 32767 : -32768)};
+        for_every_pixel_of(&s, levels_are_equal);
+    }
+}
+
+static void a_light_has_its_colour_in_every_format(void **state)
+{
+    (void)state;
+    static struct scene s;
+    for (int i = 0; i < 1500; i++) {
+        scene_init(&s, format_number(i), GLINT_GAMMA);
+        for (int k = 0; k < 3; k++)
+            s.look.light.color_q16[k] = below(9) ? below(UINT32_C(1) << (12 + below(11))) : UINT32_MAX;
         for_every_pixel_of(&s, levels_are_equal);
     }
 }
@@ -67,28 +81,95 @@ static void a_map_that_is_not_there_is_the_material_s(void **state)
     for (int i = 0; i < 200; i++) {
         scene_init(&s, format_number(i), GLINT_GAMMA);
         for (unsigned p = 0; p < W * H; p++)
-            memcpy(&s.albedo[3 * p], s.shader.material.albedo, 3);
-        s.source.albedo = NULL;
+            memcpy(&s.albedo[3 * p], s.look.material.albedo, 3);
+        s.maps.albedo = NULL;
         for_every_pixel_of(&s, levels_are_equal);
     }
 }
 
-/* Also where F is far from 0 there, as a lobe made by hand may have it. */
-static void a_highlight_ends_with_the_lobe_s_last_t(void **state)
+/* A normal whose |N - H|^2 / 2 is t; false where none was found. */
+static bool normal_at(struct glint_vec *n, struct glint_vec h, uint32_t t)
+{
+    const uint32_t size = (uint32_t)root_of(2 * (uint64_t)t);
+    for (int tries = 0; tries < 100000; tries++) {
+        const int64_t x = (int64_t)below(2 * size) - size, y = (int64_t)below(2 * size) - size;
+        const int64_t rest = 2 * (int64_t)t + below(2) - x * x - y * y;
+        const int64_t z = rest < 0 ? 0 : (int64_t)root_of((uint64_t)rest);
+        if (rest != z * z || llabs(h.x + x) > INT16_MAX || llabs(h.y + y) > INT16_MAX || h.z - z < INT16_MIN)
+            continue;
+        *n = (struct glint_vec){(int16_t)(h.x + x), (int16_t)(h.y + y), (int16_t)(h.z - z)};
+        return true;
+    }
+    return false;
+}
+
+/* Also where F is far from 0 there. */
+static void a_highlight_ends_with_the_last_t_of_the_cutoff(void **state)
 {
     (void)state;
     static struct scene s;
-    for (int i = 0; i < 200; i++) {
+    unsigned last = 0, beyond = 0;
+    for (int i = 0; i < 400; i++) {
         scene_init(&s, format_number(i), GLINT_GAMMA);
-        glint_lobe_init(&s.shader.lobe, GLINT_MSH, 3, 16);
+        set_model(&s.look, GLINT_MSH, 3, (uint8_t)(1 + below(3)));
         for (int k = 0; k < 3; k++)
-            s.shader.material.specular_q16[k] = 65536;
-        const struct glint_vec h = s.shader.light.h, n = s.normals[0];
-        const int64_t x = n.x - h.x, y = n.y - h.y, z = n.z - h.z, t = (x * x + y * y + z * z) / 2;
-        if (t > 1 && t < 1 << 28)
-            s.shader.lobe.t_max_q30 = (uint32_t)t - (i & 8 ? 1 : 0);
-        s.gloss[0] = 255;
+            s.look.material.specular_q16[k] = 65536;
+        for (unsigned p = 0; p < 8; p++) {
+            uint32_t nl;
+            s.gloss[p] = 255;
+            if (!normal_at(&s.normals[p], s.look.h, last_t_of(&s.look) + p % 2))
+                continue;
+            const uint32_t f = lobe_at(&s.look, s.normals[p], &nl);
+            last += nl && f;
+            beyond += nl && !f;
+        }
         for_every_pixel_of(&s, levels_are_equal);
+    }
+    assert_true(last > 50 && beyond > 50);
+}
+
+/* 6 for RGB565, 8 for others or dithered, 12 in linear space; more than 16 counts as 16. */
+static void a_cutoff_of_0_is_what_the_output_needs(void **state)
+{
+    (void)state;
+    static struct scene s;
+    unsigned last = 0;
+    for (int i = 0; i < 400; i++) {
+        scene_init(&s, format_number(i), (enum glint_space)(i / GLINT_FORMAT_COUNT & 1));
+        set_model(&s.look, GLINT_MSH, (uint16_t)(20 + below(100)), 0);
+        const uint8_t meant = i % 3 ? (uint8_t)q_of(&s.look) : 16;
+        const uint8_t qs[3] = {i % 3 ? 0 : (uint8_t)(17 + below(239)), meant, (uint8_t)(meant - 1)};
+        struct glint_box box;
+        s.look.material.q = meant;
+        if (!normal_at(&s.normals[0], s.look.h, last_t_of(&s.look)))
+            continue;
+        uint32_t nl;
+        const bool shines = lobe_at(&s.look, s.normals[0], &nl) > 0;
+        for (int k = 0; k < 3; k++) {
+            s.look.material.q = qs[k];
+            assert_int_equal(draw_rect(&s.look, &(struct glint_maps){.normals = s.normals}, 1, 1, &s.surface, &box),
+                             GLINT_OK);
+            assert_int_equal(box.w, shines && k < 2);
+        }
+        last += shines;
+    }
+    assert_true(last > 100);
+}
+
+static void a_shininess_beyond_1000_counts_as_1000(void **state)
+{
+    (void)state;
+    static struct scene a, b;
+    for (int i = 0; i < 40; i++) {
+        scene_init(&a, format_number(i), GLINT_GAMMA);
+        a.look.material.n = (uint16_t)(i & 1 ? UINT16_MAX : 1001);
+        a.look.material.n_across = (uint16_t)(i & 2 ? a.look.material.n : 0);
+        scene_copy(&b, &a);
+        b.look.material.n = 1000;
+        b.look.material.n_across = 0;
+        assert_int_equal(draw_scene(&a, NULL), GLINT_OK);
+        assert_int_equal(draw_scene(&b, NULL), GLINT_OK);
+        assert_memory_equal(a.out, b.out, sizeof a.out);
     }
 }
 
@@ -110,26 +191,23 @@ static void linear_pixels_are_within_a_twentieth_of_a_level_of_the_real_sum(void
     assert_true(worst <= 0.05);
 }
 
-static void masked_pixels_keep_what_was_there(void **state)
+static void pixels_without_coverage_keep_what_was_there_and_any_other_is_drawn(void **state)
 {
     (void)state;
     static struct scene s, all;
     for (int i = 0; i < 200; i++) {
         const enum glint_format format = format_number(i);
         scene_init(&s, format, GLINT_GAMMA);
-        all = s;
-        s.surface.pixels = s.out + LINE;
-        all.surface.pixels = all.out + LINE;
-        all.source =
-            (struct glint_source){all.normals, W * sizeof *all.normals, all.albedo, 3 * W, all.gloss, W, NULL, 0};
-        assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, NULL), GLINT_OK);
-        assert_int_equal(glint_shade_rect(&all.shader, &all.source, W, H, &all.surface, NULL), GLINT_OK);
+        scene_copy(&all, &s);
+        all.maps.coverage = NULL;
+        assert_int_equal(draw_scene(&s, NULL), GLINT_OK);
+        assert_int_equal(draw_scene(&all, NULL), GLINT_OK);
         static uint8_t untouched[LINE];
         memset(untouched, GUARD, sizeof untouched);
         for (unsigned p = 0; p < W * H; p++) {
             unsigned found[3], wanted[3];
             stored_levels(format, s.out + LINE * (1 + p / W), p % W, found);
-            stored_levels(format, s.mask[p] ? all.out + LINE * (1 + p / W) : untouched, p % W, wanted);
+            stored_levels(format, s.coverage[p] ? all.out + LINE * (1 + p / W) : untouched, p % W, wanted);
             assert_memory_equal(found, wanted, sizeof found);
         }
     }
@@ -140,172 +218,155 @@ static void a_span_is_the_rectangle_sequence_at_its_own_t(void **state)
     (void)state;
     for (int i = 0; i < 500; i++) {
         const enum glint_format format = format_number(i);
-        struct glint_shader shader = random_shader(format, (enum glint_space)below(2));
-        if (shader.lobe.model == GLINT_PHONG)
-            shader.lobe.model = GLINT_BLINN;
+        struct look look = random_look(format, (enum glint_space)below(2));
+        struct glint_paint paint;
+        if (look.material.model == GLINT_PHONG)
+            look.material.model = GLINT_BLINN;
+        paint_of(&paint, &look);
         /* Along a constant normal the span has the rectangle's t and nl in every pixel. */
         struct glint_vec n;
         struct glint_vec normals[W];
         struct glint_span span;
         do
-            n = random_normal(&shader.light);
-        while (glint_span_init(&span, &shader.light, &n, &n, W) != GLINT_OK); /* garbage may be out of its range */
+            n = random_normal(&look);
+        while (glint_span_init(&span, &paint, &n, &n, W) != GLINT_OK); /* garbage may be out of its range */
         for (int x = 0; x < W; x++)
             normals[x] = n;
         uint8_t rect[LINE], span_out[LINE];
         memset(rect, GUARD, sizeof rect);
         memset(span_out, GUARD, sizeof span_out);
         const struct glint_surface to_rect = {rect + 1, LINE, 2, 3}, to_span = {span_out + 1, LINE, 2, 3};
-        const struct glint_source source = {.normals = normals};
+        const struct glint_maps maps = {.normals = normals};
         struct glint_box a, b;
-        assert_int_equal(glint_shade_rect(&shader, &source, W, 1, &to_rect, &a), GLINT_OK);
-        assert_int_equal(glint_shade_span(&shader, &span, &to_span, &b), GLINT_OK);
+        assert_int_equal(glint_draw_rect(&paint, &maps, W, 1, &to_rect, &a), GLINT_OK);
+        assert_int_equal(glint_draw_span(&paint, &span, NULL, &to_span, &b), GLINT_OK);
         assert_memory_equal(rect, span_out, sizeof rect);
-        assert_memory_equal(&a, &b, sizeof a);
+        assert_true(same_box(&a, &b));
     }
-}
-
-static void a_span_by_c_is_the_span_at_the_nearest_multiple_of_two_to_the_minus_16(void **state)
-{
-    (void)state;
-    unsigned lit = 0, other = 0;
-    for (int i = 0; i < 500; i++) {
-        struct glint_shader shader =
-            random_shader(format_number(i % (GLINT_FORMAT_COUNT - 1)), (enum glint_space)below(2));
-        shader.dither = false; /* each pixel is drawn by itself below */
-        const uint32_t scale = below(2) ? 1 << 22 : 1 << 30;
-        const struct glint_span span = {below(scale),
-                                        below(scale) / W - scale / W / 2,
-                                        below(scale) / (W * W),
-                                        (int32_t)(below(1u << 31) - (1u << 29)),
-                                        (int32_t)below(1 << 26) - (1 << 25),
-                                        W};
-        uint8_t out[LINE], by_t[LINE], wanted[LINE];
-        memset(out, GUARD, sizeof out);
-        memset(by_t, GUARD, sizeof by_t);
-        memset(wanted, GUARD, sizeof wanted);
-        const struct glint_surface surface = {out, LINE, 0, 0}, exact = {by_t, LINE, 0, 0};
-        struct glint_box box, expected = {0, 0, 0, 0};
-        assert_int_equal(glint_shade_span_c16(&shader, &span, &surface, &box), GLINT_OK);
-        assert_int_equal(glint_shade_span(&shader, &span, &exact, NULL), GLINT_OK);
-        const unsigned bytes = bytes_of((enum glint_format)shader.format, 1);
-        for (int64_t k = 0; k < W; k++) {
-            int64_t t = (span.t_q30 + k * span.dt_q30 + k * (k - 1) / 2 * span.ddt_q30) % (INT64_C(1) << 32);
-            t = t >= INT64_C(0xf8000000) ? 0 : (t + 8192) / 16384 * 16384;
-            const struct glint_span pixel = {(uint32_t)t, 0, 0, (int32_t)(span.nl_q30 + k * span.dnl_q30), 0, 1};
-            const struct glint_surface at = {wanted + k * bytes, LINE, 0, 0};
-            struct glint_box here;
-            assert_int_equal(glint_shade_span(&shader, &pixel, &at, &here), GLINT_OK);
-            if (here.w) {
-                expected.x = expected.w ? expected.x : (uint16_t)k;
-                expected.w = (uint16_t)(k + 1 - expected.x);
-                expected.h = 1;
-            }
-        }
-        assert_memory_equal(out, wanted, sizeof out);
-        assert_memory_equal(&box, &expected, sizeof box);
-        lit += box.w > 0;
-        other += memcmp(out, by_t, sizeof out) != 0;
-    }
-    assert_in_range(lit, 100, 500);  /* the spans do meet highlights, ... */
-    assert_in_range(other, 20, 500); /* ... and it is not the path by t */
 }
 
 static void a_span_whose_t_dips_below_zero_shows_the_peak_there(void **state)
 {
     (void)state;
-    struct glint_shader shader = random_shader(GLINT_GREY8, GLINT_GAMMA);
-    glint_lobe_init(&shader.lobe, GLINT_BLINN, 60, 8);
-    shader.dither = false;
+    struct look look = random_look(GLINT_GREY8, GLINT_GAMMA);
+    set_model(&look, GLINT_BLINN, 60, 8);
+    look.output.dither = false;
     for (int k = 0; k < 3; k++) {
-        shader.material.ambient_q16[k] = shader.material.diffuse_q16[k] = 0;
-        shader.material.specular_q16[k] = 65536;
+        look.material.ambient_q16[k] = look.material.diffuse_q16[k] = 0;
+        look.material.specular_q16[k] = 65536;
     }
     const struct glint_span span = {1u << 24, 0u - (1u << 25), 0, 1 << 30, 0, 3}; /* t = 2^24, -2^24, -3 * 2^24 */
     uint8_t out[3];
     const struct glint_surface surface = {out, 3, 0, 0};
     struct glint_box box;
-    assert_int_equal(glint_shade_span(&shader, &span, &surface, &box), GLINT_OK);
+    assert_int_equal(draw_span(&look, &span, &surface, &box), GLINT_OK);
     assert_in_range(out[0], 90, 110); /* exp(-60 / 64) */
     assert_int_equal(out[1], 255);
     assert_int_equal(out[2], 255);
     assert_true(box.x == 0 && box.w == 3 && box.h == 1);
 }
 
-static const struct glint_shade_model *model_of(const struct glint_shader *shader)
-{
-#define MODEL_BY_NAME(number, name, function, use) [number] = &glint_shade_##name,
-    static const struct glint_shade_model *const models[] = {GLINT_MODELS(MODEL_BY_NAME)};
-#undef MODEL_BY_NAME
-    return models[shader->lobe.model];
-}
-
-static const struct glint_shade_format *format_of(const struct glint_shader *shader)
-{
-    static const struct glint_shade_format *const kinds[] = {
-        [GLINT_RGB565] = &glint_shade_rgb565,   [GLINT_RGB565_SWAPPED] = &glint_shade_rgb565,
-        [GLINT_RGB888] = &glint_shade_rgb888,   [GLINT_GREY8] = &glint_shade_grey,
-        [GLINT_MONO] = &glint_shade_grey,       [GLINT_BGR888] = &glint_shade_bgr888,
-        [GLINT_XRGB8888] = &glint_shade_bgr888, [GLINT_ARGB8888] = &glint_shade_bgr888,
-    };
-    return shader->space == GLINT_LINEAR ? &glint_shade_linear : kinds[shader->format];
-}
-
-static void a_shader_prepared_for_its_model_and_format_by_name_draws_the_same_pixels(void **state)
+/* Rounding leads a span's t a little below 0, which modulo 2^32 is from 0xf8000000 on. */
+static void t_a_little_below_0_is_0_and_nothing_shines_in_the_dark(void **state)
 {
     (void)state;
-    static struct scene s;
-    static uint8_t before[sizeof s.out], wanted[sizeof s.out];
-    static struct glint_prepared prepared;
-    for (int i = 0; i < 300; i++) {
-        scene_init(&s, format_number(i), i / GLINT_FORMAT_COUNT % 2 ? GLINT_LINEAR : GLINT_GAMMA);
-        memcpy(before, s.out, sizeof before);
-        assert_int_equal(glint_shade_rect(&s.shader, &s.source, W, H, &s.surface, NULL), GLINT_OK);
-        memcpy(wanted, s.out, sizeof wanted);
-        memcpy(s.out, before, sizeof before);
-        const struct glint_light light = s.shader.light;
-        memset(&s.shader.light, 0, sizeof s.shader.light); /* as long as the light is not known */
-        assert_int_equal(glint_shade_prepare_for(&prepared, &s.shader, model_of(&s.shader), format_of(&s.shader)),
-                         GLINT_OK);
-        assert_int_equal(glint_shade_relight(&prepared, &light), GLINT_OK);
-        assert_int_equal(glint_shade_prepared_rect(&prepared, &s.source, W, H, &s.surface, NULL), GLINT_OK);
-        assert_memory_equal(s.out, wanted, sizeof wanted);
+    static const uint32_t t[] = {0, 1, UINT32_C(0xf7ffffff), UINT32_C(0xf8000000), UINT32_MAX};
+    static const bool shines[] = {true, true, false, true, true};
+    for (int i = 0; i < 100; i++) {
+        struct look look = random_look(format_number(i), GLINT_GAMMA);
+        uint8_t peak[4] = {0};
+        for (int k = 0; k < 5; k++)
+            for (int dark = 0; dark < 2; dark++) {
+                const struct glint_span span = {t[k], 0, 0, dark ? -(1 << 20) : 1 << 20, 0, 1};
+                uint8_t out[4] = {0};
+                const struct glint_surface surface = {out, 4, 0, 0};
+                struct glint_box box;
+                assert_int_equal(draw_span(&look, &span, &surface, &box), GLINT_OK);
+                assert_int_equal(box.w, shines[k] && !dark);
+                if (k == 0 && !dark)
+                    memcpy(peak, out, sizeof peak);
+                if (k > 2 && !dark)
+                    assert_memory_equal(out, peak, sizeof out);
+            }
     }
 }
 
-static void a_shader_is_not_prepared_for_another_model_or_format(void **state)
+static const struct glint_use_model *model_named(const struct look *look)
+{
+#define MODEL_BY_NAME(number, name, function, use) [number] = &glint_use_##name,
+    static const struct glint_use_model *const models[] = {GLINT_MODELS(MODEL_BY_NAME)};
+#undef MODEL_BY_NAME
+    return models[look->material.model];
+}
+
+static const struct glint_use_format *format_named(const struct look *look)
+{
+    static const struct glint_use_format *const groups[] = {
+        [GLINT_RGB565] = &glint_use_rgb565,   [GLINT_RGB565_SWAPPED] = &glint_use_rgb565,
+        [GLINT_RGB888] = &glint_use_rgb888,   [GLINT_GREY8] = &glint_use_grey,
+        [GLINT_MONO] = &glint_use_grey,       [GLINT_BGR888] = &glint_use_rgb888,
+        [GLINT_XRGB8888] = &glint_use_rgb888, [GLINT_ARGB8888] = &glint_use_rgb888,
+    };
+    return look->output.space == GLINT_LINEAR ? &glint_use_linear : groups[look->output.format];
+}
+
+static void a_paint_of_a_model_and_format_by_name_draws_the_same_pixels(void **state)
 {
     (void)state;
-    static struct glint_prepared prepared;
-    struct glint_shader shader = random_shader(GLINT_RGB565, GLINT_GAMMA);
-    const struct glint_shade_model *own = model_of(&shader);
-    const struct glint_shade_model *other = own == &glint_shade_msh ? &glint_shade_lyon : &glint_shade_msh;
-    assert_int_equal(glint_shade_prepare_for(&prepared, &shader, other, &glint_shade_rgb565), GLINT_ERR_ARG);
-    assert_int_equal(glint_shade_prepare_for(&prepared, &shader, own, &glint_shade_rgb888), GLINT_ERR_FORMAT);
-    assert_int_equal(glint_shade_prepare_for(&prepared, &shader, own, &glint_shade_linear), GLINT_ERR_FORMAT);
-    assert_int_equal(glint_shade_prepare_for(&prepared, &shader, own, NULL), GLINT_ERR_ARG);
-    assert_int_equal(glint_shade_prepare_for(&prepared, &shader, NULL, &glint_shade_rgb565), GLINT_ERR_ARG);
-    assert_int_equal(glint_shade_prepare_for(&prepared, NULL, own, &glint_shade_rgb565), GLINT_ERR_ARG);
-    assert_int_equal(glint_shade_prepare_for(NULL, &shader, own, &glint_shade_rgb565), GLINT_ERR_ARG);
-    assert_int_equal(glint_shade_relight(&prepared, NULL), GLINT_ERR_ARG);
-    assert_int_equal(glint_shade_relight(NULL, &shader.light), GLINT_ERR_ARG);
-    assert_int_equal(glint_eval((enum glint_model)GLINT_MODEL_COUNT, 10, 65536), 0);
+    static struct scene s, named;
+    for (int i = 0; i < 300; i++) {
+        struct glint_paint paint;
+        scene_init(&s, format_number(i), i / GLINT_FORMAT_COUNT % 2 ? GLINT_LINEAR : GLINT_GAMMA);
+        scene_copy(&named, &s);
+        assert_int_equal(draw_scene(&s, NULL), GLINT_OK);
+        assert_int_equal(glint_paint_exact_for(&paint, &s.look.material, &s.look.output, model_named(&s.look),
+                                               format_named(&s.look)),
+                         GLINT_OK);
+        assert_int_equal(glint_paint_light_by(&paint, &s.look.light, 1, s.look.to_viewer, NULL), GLINT_OK);
+        assert_int_equal(glint_draw_rect(&paint, &named.maps, W, H, &named.surface, NULL), GLINT_OK);
+        assert_memory_equal(s.out, named.out, sizeof s.out);
+    }
+}
+
+static void a_paint_is_not_made_for_another_model_or_format(void **state)
+{
+    (void)state;
+    struct glint_paint paint;
+    const struct look look = random_look(GLINT_RGB565, GLINT_GAMMA);
+    const struct glint_material *m = &look.material;
+    const struct glint_output *o = &look.output;
+    const struct glint_use_model *own = model_named(&look);
+    const struct glint_use_model *other = own == &glint_use_msh ? &glint_use_lyon : &glint_use_msh;
+    memset(&paint, GUARD, sizeof paint);
+    const struct glint_paint before = paint;
+    assert_int_equal(glint_paint_exact_for(&paint, m, o, other, &glint_use_rgb565), GLINT_ERR_ARG);
+    assert_int_equal(glint_paint_exact_for(&paint, m, o, own, &glint_use_rgb888), GLINT_ERR_FORMAT);
+    assert_int_equal(glint_paint_exact_for(&paint, m, o, own, &glint_use_linear), GLINT_ERR_FORMAT);
+    assert_int_equal(glint_paint_exact_for(&paint, m, o, own, NULL), GLINT_ERR_ARG);
+    assert_int_equal(glint_paint_exact_for(&paint, m, o, NULL, &glint_use_rgb565), GLINT_ERR_ARG);
+    assert_int_equal(glint_paint_exact_for(&paint, m, NULL, own, &glint_use_rgb565), GLINT_ERR_ARG);
+    assert_int_equal(glint_paint_exact_for(&paint, NULL, o, own, &glint_use_rgb565), GLINT_ERR_ARG);
+    assert_int_equal(glint_paint_exact_for(NULL, m, o, own, &glint_use_rgb565), GLINT_ERR_ARG);
+    assert_memory_equal(&paint, &before, sizeof paint);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gamma_pixels_are_the_correctly_rounded_sum_in_every_format),
-        cmocka_unit_test(a_light_longer_than_1_is_summed_without_overflow),
+        cmocka_unit_test(the_longest_normals_are_summed_without_overflow),
+        cmocka_unit_test(a_light_has_its_colour_in_every_format),
         cmocka_unit_test(a_map_that_is_not_there_is_the_material_s),
-        cmocka_unit_test(a_highlight_ends_with_the_lobe_s_last_t),
+        cmocka_unit_test(a_highlight_ends_with_the_last_t_of_the_cutoff),
+        cmocka_unit_test(a_cutoff_of_0_is_what_the_output_needs),
+        cmocka_unit_test(a_shininess_beyond_1000_counts_as_1000),
         cmocka_unit_test(linear_pixels_are_within_a_twentieth_of_a_level_of_the_real_sum),
-        cmocka_unit_test(masked_pixels_keep_what_was_there),
+        cmocka_unit_test(pixels_without_coverage_keep_what_was_there_and_any_other_is_drawn),
         cmocka_unit_test(a_span_is_the_rectangle_sequence_at_its_own_t),
-        cmocka_unit_test(a_span_by_c_is_the_span_at_the_nearest_multiple_of_two_to_the_minus_16),
         cmocka_unit_test(a_span_whose_t_dips_below_zero_shows_the_peak_there),
-        cmocka_unit_test(a_shader_prepared_for_its_model_and_format_by_name_draws_the_same_pixels),
-        cmocka_unit_test(a_shader_is_not_prepared_for_another_model_or_format),
+        cmocka_unit_test(t_a_little_below_0_is_0_and_nothing_shines_in_the_dark),
+        cmocka_unit_test(a_paint_of_a_model_and_format_by_name_draws_the_same_pixels),
+        cmocka_unit_test(a_paint_is_not_made_for_another_model_or_format),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -33,7 +33,7 @@ static void normals_and_albedo_in_strips_draw_the_pixels_of_render(void **state)
                  "$GLINT bake --height heights.png --albedo colors.png --strip %d -o out/stone.c >out/log", strip);
         assert_quiet(line);
         assert_quiet("$GLINT material " LOOK
-                     "-o out/look.h && $GLINT render --height heights.png --albedo colors.png " LOOK
+                     "--name look -o out/look.h && $GLINT render --height heights.png --albedo colors.png " LOOK
                      "--path albedo-int8 --image raw -o out/wanted.raw");
         assert_quiet(
             "cat >out/t.c <<'END'\n"
@@ -41,16 +41,15 @@ static void normals_and_albedo_in_strips_draw_the_pixels_of_render(void **state)
             "static uint32_t memory[GLINT_TABLES_ALBEDO_BYTES / 4];\n"
             "static unsigned char pixels[2 * STONE_WIDTH * STONE_STRIP];\n"
             "int main(void) {\n"
-            "struct glint_shader shader; struct glint_tables tables; struct glint_tables_light light;\n"
-            "material(&shader);\n"
-            "if (glint_tables_fill(&tables, GLINT_TABLES_ALBEDO, &shader, memory, sizeof memory) != GLINT_OK ||\n"
-            "    glint_tables_light_init(&light, &tables, &shader.light) != GLINT_OK) return 1;\n"
+            "struct glint_paint paint; struct glint_light lights[look_light_count];\n"
+            "if (glint_paint_tables(&paint, GLINT_TABLES_ALBEDO, &look, &look_output, memory, sizeof memory) || "
+            "look_light(&paint, lights)) return 1;\n"
             "for (int i = 0; i < STONE_STRIPS; i++) {\n"
-            "struct glint_surface surface = {pixels, 2 * STONE_WIDTH, 0, 0};\n"
-            "if (glint_tables_albedo_rect(&tables, &light, STONE_FORMAT, STONE_STRIP_START(i), STONE_STRIDE,\n"
-            "    STONE_STRIP_ALBEDO(i), STONE_ALBEDO_STRIDE, STONE_WIDTH, STONE_STRIP_LINES(i), &surface) != "
-            "GLINT_OK)\n"
-            "    return 1;\n"
+            "const struct glint_surface target = {pixels, 2 * STONE_WIDTH, 0, 0};\n"
+            "const struct glint_maps maps = {STONE_STRIP_START(i), STONE_STRIDE, (const uint8_t "
+            "*)STONE_STRIP_ALBEDO(i),\n"
+            "    STONE_ALBEDO_STRIDE, NULL, 0, NULL, 0, NULL, 0, STONE_FORMAT, GLINT_RGB565};\n"
+            "if (glint_draw_rect(&paint, &maps, STONE_WIDTH, STONE_STRIP_LINES(i), &target, NULL)) return 1;\n"
             "fwrite(pixels, 2 * STONE_WIDTH, STONE_STRIP_LINES(i), stdout); }\n"
             "return 0; }\nEND");
         assert_draws("stone.c", "out/wanted.raw");
@@ -91,15 +90,13 @@ static const char tables_program[] =
     "#include <stdio.h>\n#include \"stone.h\"\n#include \"look.h\"\n#include \"shine.h\"\n"
     "static unsigned char pixels[2 * STONE_WIDTH * STONE_HEIGHT];\n"
     "int main(void) {\n"
-    "struct glint_shader shader; struct glint_tables_light light;\n"
-    "struct glint_surface surface = {pixels, 2 * STONE_WIDTH, 0, 0};\n"
-    "material(&shader);\n"
-    "if (glint_tables_light_init(&light, &shine, &shader.light) != GLINT_OK) return 1;\n"
-    "if ((shine.kind == GLINT_TABLES_ALBEDO\n"
-    "     ? glint_tables_albedo_rect(&shine, &light, STONE_FORMAT, stone, STONE_STRIDE, stone_albedo,\n"
-    "                                STONE_ALBEDO_STRIDE, STONE_WIDTH, STONE_HEIGHT, &surface)\n"
-    "     : glint_tables_rect(&shine, &light, STONE_FORMAT, stone, STONE_STRIDE, STONE_WIDTH, STONE_HEIGHT,\n"
-    "                         &surface)) != GLINT_OK) return 1;\n"
+    "struct glint_paint paint; struct glint_light lights[look_light_count];\n"
+    "const struct glint_surface target = {pixels, 2 * STONE_WIDTH, 0, 0};\n"
+    "struct glint_maps maps = {stone, STONE_STRIDE, NULL, 0, NULL, 0, NULL, 0, NULL, 0, STONE_FORMAT, GLINT_RGB565};\n"
+    "if (glint_paint_tables_filled(&paint, &shine, &look_output) || look_light(&paint, lights)) return 1;\n"
+    "if (shine.kind == GLINT_TABLES_ALBEDO) {\n"
+    "maps.albedo = (const uint8_t *)stone_albedo; maps.albedo_stride = STONE_ALBEDO_STRIDE; }\n"
+    "if (glint_draw_rect(&paint, &maps, STONE_WIDTH, STONE_HEIGHT, &target, NULL)) return 1;\n"
     "fwrite(pixels, 1, sizeof pixels, stdout);\n"
     "return 0; }\nEND";
 
@@ -112,21 +109,42 @@ static void tables_in_flash_draw_what_tables_filled_at_run_time_draw(void **stat
         {"colour", "-n 20 --color 200,90,20 --format rgb565", ""},
         {"colour", "--model cayley -n 300 -q 9 --space linear --specular 1,.5,.2 --format rgb565-swapped", ""},
         {"colour", "-n 40 --dither --color 20,190,220 --format rgb565", ""},
-        {"small", "--model schlick -n 5 --color 0,250,99 --ambient .1,.2,.3 --format rgb565", ""},
-        {"small", "-n 100 --dither --format rgb565-swapped", ""},
+        {"colour", "--model schlick -n 5 --color 0,250,99 --ambient .1,.2,.3 --format rgb565", ""},
+        {"colour", "-n 100 --dither --format rgb565-swapped", ""},
         {"albedo", "-n 20 --ambient .3 --diffuse .6 --specular .8,.7,.1 --format rgb565", "--albedo colors.png"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char line[900];
         snprintf(line, sizeof line,
                  "$GLINT bake --height heights.png --albedo colors.png -o out/stone.c >out/log && "
-                 "$GLINT material %s -o out/look.h && $GLINT table --kind %s %s -o out/shine.%s && "
+                 "$GLINT material %s --name look -o out/look.h && $GLINT table --kind %s %s -o out/shine.%s && "
                  "$GLINT render --height heights.png %s %s --path %s-int8 --image raw -o out/wanted.raw",
                  cases[i].look, cases[i].kind, cases[i].look, i == 0 ? "h --name shine" : "c", cases[i].look,
                  cases[i].maps, cases[i].kind);
         assert_quiet(line);
         assert_quiet(tables_program);
         assert_draws(i == 0 ? "stone.c" : "stone.c shine.c", "out/wanted.raw");
+    }
+}
+
+/* What the tables name is all that is linked of loops. */
+static void tables_in_flash_name_what_is_linked(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *options, *use;
+    } cases[] = {{"--kind colour", "glint_use_colour"},
+                 {"--kind colour --dither", "glint_use_colour_dithered"},
+                 {"--kind albedo --ambient .1 --diffuse .9", "glint_use_albedo"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char line[300];
+        snprintf(line, sizeof line,
+                 "$GLINT table %s --name shine -o out/shine.c && cd out && gcc -std=c99 " WARN
+                 "-c shine.c -o shine.o && nm -u shine.o | tr -d ' U'",
+                 cases[i].options);
+        const struct run *result = run(line);
+        assert_int_equal(strncmp(result->out, cases[i].use, strlen(cases[i].use)), 0);
+        assert_string_equal(result->out + strlen(cases[i].use), "\n");
     }
 }
 
@@ -152,15 +170,16 @@ static void tables_that_cannot_be_are_refused_with_the_reason(void **state)
     (void)state;
     const int before = files_in("out");
     assert_fails("$GLINT table --kind colour --format grey8 -o out/no.c", "--kind colour: needs --format rgb565");
-    assert_fails("$GLINT table --kind small --space linear -o out/no.c", "--kind small: needs --space gamma");
-    assert_fails("$GLINT table --kind small --model phong -o out/no.c", "cannot draw phong");
+    assert_fails("$GLINT table --kind albedo --space linear -o out/no.c", "--kind albedo: needs --space gamma");
+    assert_fails("$GLINT table --kind albedo --dither -o out/no.c", "--kind albedo: cannot draw with --dither");
+    assert_fails("$GLINT table --kind colour --model phong -o out/no.c", "cannot draw phong");
     /* The defaults are too bright for it: the line shows what to write instead, and that is taken, below. */
     assert_fails(
         "$GLINT table --kind albedo -o out/no.c",
         "--kind albedo: needs a grey --ambient and --diffuse of at most 1 together, as --ambient .1 --diffuse .9");
-    assert_refused("$GLINT table --kind grey -o out/no.c", "colour, small, albedo");
-    assert_refused("$GLINT table --kind small --entries 9 -o out/no.c", "--entries");
-    assert_refused("$GLINT table --kind small --raw -o out/no.bin", "--raw");
+    assert_refused("$GLINT table --kind grey -o out/no.c", "colour, albedo");
+    assert_refused("$GLINT table --kind colour --entries 9 -o out/no.c", "--entries");
+    assert_refused("$GLINT table --kind colour --raw -o out/no.bin", "--raw");
     assert_refused("$GLINT table --ambient .3 -o out/no.c", "need --kind");
     assert_int_equal(files_in("out"), before);
     assert_quiet("$GLINT table --kind albedo --ambient .1 --diffuse .9 -o out/yes.c");
@@ -187,6 +206,7 @@ int main(void)
         cmocka_unit_test(normals_and_albedo_in_strips_draw_the_pixels_of_render),
         cmocka_unit_test(raw_has_the_albedo_after_the_normals),
         cmocka_unit_test(tables_in_flash_draw_what_tables_filled_at_run_time_draw),
+        cmocka_unit_test(tables_in_flash_name_what_is_linked),
         cmocka_unit_test(tables_in_flash_take_no_ram),
         cmocka_unit_test(tables_that_cannot_be_are_refused_with_the_reason),
         cmocka_unit_test(a_highlight_in_flash_links_and_looks_up_the_same),

@@ -229,7 +229,7 @@ static struct shading shading_with(unsigned n)
                               .n = n,
                               .q = 8,
                               .view = {0, 0, 1},
-                              .lamps = {{.kind = GLINT_DIRECTIONAL, .direction = {-1, 1, 1}, .color = {1, 1, 1}}},
+                              .lamps = {{.kind = LAMP_DIRECTIONAL, .direction = {-1, 1, 1}, .color = {1, 1, 1}}},
                               .lamp_count = 1,
                               .color = {200, 200, 200},
                               .format = GLINT_RGB888};
@@ -239,7 +239,7 @@ static struct shading shading_with(unsigned n)
     return shading;
 }
 
-static size_t wrong_in_view(struct sight *sight, const struct fitted *fitted, const struct mesh_canvas *canvas,
+static size_t wrong_in_view(struct sight *sight, const struct fitted *fitted, struct mesh_canvas *canvas,
                             const struct view *view, size_t *drawn)
 {
     size_t wrong = 0;

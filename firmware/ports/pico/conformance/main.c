@@ -34,10 +34,11 @@ static struct {
     struct relight_extent extents[PANEL_HEIGHT];
 } memory;
 static struct panel panel = {.bus = &board_hal.bus};
+static struct glint_paint paint;
 static struct relight relight = {.hal = &board_hal,
                                  .panel = &panel,
                                  .map = demo_map,
-                                 .tables_memory = memory.tables,
+                                 .paint = &paint,
                                  .pixels = {memory.pixels[0], memory.pixels[1]},
                                  .normals = {memory.normals[0], memory.normals[1]},
                                  .extents = memory.extents};
@@ -57,12 +58,13 @@ static bool draw(uint32_t frame)
 static void measure_frames(void)
 {
     enum { FRAMES = 8, ROTATION = PANEL_WIDTH > PANEL_HEIGHT };
-    struct glint_shader shader;
-    demo_shader(&shader);
     bool good = panel_defaults(&panel, PANEL_CONTROLLER, ROTATION, PANEL_WIDTH, PANEL_HEIGHT);
     panel.tearing_line = HAS_TE;
-    good = good && panel_start(&panel) && relight_start(&relight, &shader) == GLINT_OK && draw(0) &&
-           panel_show(&panel, PANEL_BRIGHTEST);
+    relight_start(&relight);
+    good = good && panel_start(&panel) &&
+           glint_paint_tables_for(&paint, &glint_use_colour, &demo_gold, &demo_output, memory.tables,
+                                  sizeof memory.tables, &glint_use_msh, &glint_use_rgb565) == GLINT_OK &&
+           draw(0) && panel_show(&panel, PANEL_BRIGHTEST);
     const uint32_t begin = time_us_32();
     for (uint32_t frame = 1; good && frame <= FRAMES; frame++)
         good = draw(frame);

@@ -1,0 +1,295 @@
+/* SPDX-License-Identifier: MIT
+ * A rectangle, a span, a palette: lines of a source, in runs of the pixels that are drawn, given to the paint. */
+#include "glint_draw.h"
+#include "glint_fused.h"
+#include "glint_lights.h"
+#include "glint_math.h"
+#include "glint_port.h"
+#include "glint_sample.h"
+
+void glint_bounds_add(struct glint_bounds *b, uint32_t x, uint32_t y)
+{
+    if (!b->any) {
+        b->left = b->right = (uint16_t)x;
+        b->top = (uint16_t)y;
+        b->any = true;
+    }
+    b->left = x < b->left ? (uint16_t)x : b->left;
+    b->right = x > b->right ? (uint16_t)x : b->right;
+    b->bottom = (uint16_t)y;
+}
+
+void glint_bounds_box(const struct glint_bounds *b, struct glint_box *box)
+{
+    if (!box)
+        return;
+    const struct glint_box none = {0, 0, 0, 0};
+    *box = none;
+    if (b->any) {
+        box->x = b->left;
+        box->y = b->top;
+        box->w = (uint16_t)(b->right - b->left + 1);
+        box->h = (uint16_t)(b->bottom - b->top + 1);
+    }
+}
+
+/* ---- What can be drawn ---- */
+
+/* No map, or one whose lines fit the stride; a line of so many bytes. Called, for less code. */
+static __attribute__((noinline)) bool draw_fits(const void *map, ptrdiff_t stride, uint32_t bytes)
+{
+    return !map || glint_stride_fits(stride, bytes);
+}
+
+enum glint_err glint_draw_check(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t w, uint32_t h,
+                                const struct glint_surface *target, bool normals)
+{
+    const void *const map = normals && maps ? maps->normals : NULL;
+    if (!glint_paint_is_lit(paint) || !target || !target->pixels || (normals && !map) || (maps && maps->grain))
+        return GLINT_ERR_ARG;
+    if (map && maps->normals_format > GLINT_NORMALS_INT8)
+        return GLINT_ERR_FORMAT;
+    const uint32_t size = map ? (uint32_t)glint_normals_size(maps->normals_format) : 1;
+    const uintptr_t bits = (uintptr_t)map | (map && h > 1 ? (uintptr_t)maps->normals_stride : 0);
+    if (bits & (size == 4 ? 3 : size == 6))
+        return GLINT_ERR_ARG;
+    if (h > 1 && !(draw_fits(target, target->stride, glint_line_bytes(paint->output.format, w)) &&
+                   draw_fits(map, maps->normals_stride, size * w) && draw_fits(maps->gloss, maps->gloss_stride, w) &&
+                   draw_fits(maps->coverage, maps->coverage_stride, w) &&
+                   draw_fits(maps->albedo, maps->albedo_stride, (maps->albedo_format == GLINT_RGB888 ? 3u : 2u) * w)))
+        return GLINT_ERR_ARG;
+    if (!glint_paint_is_exact(paint))
+        return GLINT_FLASH_POINTER(paint->of.tables.filled.use->check)(paint, maps, h, normals);
+    return maps && maps->albedo && maps->albedo_format != GLINT_RGB888 ? GLINT_ERR_FORMAT : GLINT_OK;
+}
+
+/* ---- Lines as runs ---- */
+
+static const uint8_t *lines_of(const uint8_t *map, ptrdiff_t stride, uint32_t y)
+{
+    return map ? map + stride * (ptrdiff_t)y : NULL;
+}
+
+void glint_lines_set(struct glint_lines *lines, uint32_t y)
+{
+    const struct glint_maps *maps = lines->maps;
+    const struct glint_surface *target = lines->target;
+    struct glint_run *run = &lines->run;
+    run->line = (uint8_t *)target->pixels + target->stride * (ptrdiff_t)y;
+    run->x = 0;
+    run->left = target->x;
+    run->y = target->y + y;
+    run->albedo = run->gloss = NULL;
+    run->coverage = NULL;
+    lines->normals = lines->albedo = lines->gloss = NULL;
+    lines->has_gaps = false;
+    if (!maps)
+        return;
+    run->coverage = lines_of(maps->coverage, maps->coverage_stride, y);
+    lines->albedo = lines_of(maps->albedo, maps->albedo_stride, y);
+    lines->gloss = lines_of(maps->gloss, maps->gloss_stride, y);
+    if (lines->are_normals) {
+        lines->normals = lines_of((const uint8_t *)maps->normals, maps->normals_stride, y);
+        lines->has_gaps = !lines->marks_gaps && maps->normals_format == GLINT_NORMALS_INT8;
+    }
+}
+
+/* The first pixel from x on, and before end, that is drawn, or not: covered, and of a surface. Loops of their own, as this costs cycles at
+ * every pixel. */
+static inline __attribute__((always_inline)) uint32_t lines_find(const struct glint_lines *lines, uint32_t x,
+                                                                 uint32_t end, bool drawn)
+{
+    const uint8_t *const coverage = lines->run.coverage;
+    if (lines->has_gaps) {
+        const uint32_t *word = (const uint32_t *)(const void *)lines->normals + x;
+        for (; x < end && ((!coverage || coverage[x]) && *word >> 16) != drawn; word++)
+            x++;
+        return x;
+    }
+    if (!coverage)
+        return drawn ? x : end;
+    const uint8_t *at = coverage + x, *const stop = coverage + end;
+    if (drawn)
+        while (at != stop && !*at)
+            at++;
+    else
+        while (at != stop && *at)
+            at++;
+    return (uint32_t)(at - coverage);
+}
+
+bool glint_lines_next(struct glint_lines *lines)
+{
+    struct glint_run *const run = &lines->run;
+    const uint32_t w = lines->w, x = lines_find(lines, run->x, w, true);
+    run->x = x;
+    if (x >= w)
+        return false;
+    const uint32_t most = w - x < lines->most ? w : x + lines->most;
+    lines->count = (uint16_t)(lines_find(lines, x, most, false) - x);
+    if (lines->albedo)
+        run->albedo = lines->albedo + (lines->maps->albedo_format == GLINT_RGB888 ? 3 : 2) * x;
+    if (lines->gloss)
+        run->gloss = lines->gloss + x;
+    return true;
+}
+
+const struct glint_vec *glint_lines_normals(const struct glint_lines *lines, struct glint_vec *unpacked)
+{
+    if (lines->maps->normals_format == GLINT_NORMALS_INT16)
+        return (const struct glint_vec *)(const void *)lines->normals + lines->run.x;
+    const uint32_t *words = (const uint32_t *)(const void *)lines->normals + lines->run.x;
+    for (unsigned i = 0; i < lines->count; i++)
+        unpacked[i] = glint_int8_normal(words[i]);
+    return unpacked;
+}
+
+/* ---- The exact paint under one light ---- */
+
+/* The samples that are lit go to the bounds. Not inlined, for the stack of what is called beside it. */
+static __attribute__((noinline)) void draw_note(struct glint_bounds *bounds, const struct glint_paint *paint,
+                                                const struct glint_run *run, const struct glint_sample *sample,
+                                                unsigned count, uint32_t y)
+{
+    for (unsigned i = 0; i < count; i++)
+        if (sample[i].t_q30 < paint->of.exact.t_end && (!run->gloss || run->gloss[i]))
+            glint_bounds_add(bounds, run->x + i, y);
+}
+
+/* A source's next run of samples. */
+typedef void draw_source(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
+                         struct glint_sample *samples);
+
+/* Alone, as tables do not need its samples on the stack. */
+static __attribute__((noinline)) void draw_exactly(const struct glint_paint *paint, struct glint_lines *lines,
+                                                   draw_source *source, struct glint_span *at, uint32_t h,
+                                                   struct glint_box *highlight)
+{
+    struct glint_bounds bounds;
+    struct glint_sample samples[GLINT_RUN];
+    bounds.any = false;
+    lines->most = GLINT_RUN;
+    for (uint32_t y = 0; y < h; y++)
+        for (glint_lines_set(lines, y); glint_lines_next(lines); lines->run.x += lines->count) {
+            source(paint, lines, at, samples);
+            if (highlight) /* before gloss is drawn over, where it is the output */
+                draw_note(&bounds, paint, &lines->run, samples, lines->count, y);
+            glint_paint_run(paint, &lines->run, samples, lines->count);
+        }
+    glint_bounds_box(&bounds, highlight);
+}
+
+static void draw_normals(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
+                         struct glint_sample *samples)
+{
+    glint_geometry *const own = GLINT_FLASH_POINTER(paint->model->geometry);
+    struct glint_vec unpacked[GLINT_RUN];
+    (void)at;
+    (own ? own : glint_samples_half)(&paint->l, &paint->v, &paint->h, glint_lines_normals(lines, unpacked), samples,
+                                     lines->count);
+}
+
+/* Source and surface of lines; the rest is set by what draws them. */
+static void draw_lines(struct glint_lines *lines, const struct glint_maps *maps, uint32_t w,
+                       const struct glint_surface *target, bool are_normals)
+{
+    lines->maps = maps;
+    lines->target = target;
+    lines->w = w;
+    lines->are_normals = are_normals;
+    lines->marks_gaps = false;
+    lines->run.apart = 0;
+}
+
+enum glint_err glint_draw_rect(const struct glint_paint *paint, const struct glint_maps *maps, uint16_t w, uint16_t h,
+                               const struct glint_surface *target, struct glint_box *highlight)
+{
+    struct glint_lines lines;
+    const enum glint_err err = glint_draw_check(paint, maps, w, h, target, true);
+    if (err)
+        return err;
+    draw_lines(&lines, maps, w, target, true);
+    if (!glint_paint_is_exact(paint)) {
+        GLINT_FLASH_POINTER(paint->of.tables.filled.use->draw)(paint, &lines, NULL, h, highlight);
+    } else if (paint->several) {
+        GLINT_FLASH_POINTER(paint->several->draw)(paint, &lines, h, highlight);
+    } else if (!glint_fused_lines(paint, &lines, h, highlight)) {
+        draw_exactly(paint, &lines, draw_normals, NULL, h, highlight);
+    }
+    return GLINT_OK;
+}
+
+/* Along the span, over what is not drawn, too: at->w is how many are left from *at on. */
+static void draw_walk(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
+                      struct glint_sample *samples)
+{
+    const uint32_t left = lines->w - lines->run.x;
+    (void)paint;
+    if (at->w != left)
+        glint_span_skip(at, at->w - left);
+    glint_samples_walk(at, samples, lines->count);
+    at->w = (uint16_t)(left - lines->count);
+}
+
+static __attribute__((noinline)) enum glint_err draw_span(const struct glint_paint *paint,
+                                                          const struct glint_span *span, const struct glint_maps *maps,
+                                                          const struct glint_surface *target,
+                                                          struct glint_box *highlight)
+{
+    struct glint_lines lines;
+    const enum glint_err err = glint_draw_check(paint, maps, span->w, 1, target, false);
+    if (err || paint->several)
+        return err ? err : GLINT_ERR_ARG;
+    struct glint_span at = *span;
+    if (paint->light_count == 0) { /* dark, whatever the span was made for */
+        at.nl_q30 = -1;
+        at.dnl_q30 = 0;
+    }
+    draw_lines(&lines, maps, span->w, target, false);
+    if (glint_paint_is_exact(paint))
+        draw_exactly(paint, &lines, draw_walk, &at, 1, highlight);
+    else
+        GLINT_FLASH_POINTER(paint->of.tables.filled.use->draw)(paint, &lines, &at, 1, highlight);
+    return GLINT_OK;
+}
+
+/* A picture of few normals: they are shaded once, as a palette; each pixel then holds 2 x its place there, as an offset in
+ * bytes, so that a pixel costs one load of the offset and one of the colour. */
+
+/* A line; with a twin in assembly. */
+void glint_palette_line(const uint16_t *colours, const uint16_t *offsets, uint16_t w, uint16_t *out);
+
+#if !(GLINT_CORTEX_M0PLUS_ASM && GLINT_FUSED)
+void glint_palette_line(const uint16_t *colours, const uint16_t *offsets, uint16_t w, uint16_t *out)
+{
+    for (const uint16_t *end = offsets + w; offsets != end; offsets++, out++)
+        *out = *(const uint16_t *)(const void *)((const uint8_t *)colours + *offsets);
+}
+#endif
+
+enum glint_err glint_draw_palette(const uint16_t *colours, const uint16_t *offsets, ptrdiff_t stride, uint16_t w,
+                                  uint16_t h, const struct glint_surface *target)
+{
+    if (!colours || !offsets || !target || !target->pixels || GLINT_MISALIGNED(colours, 16) ||
+        GLINT_MISALIGNED(offsets, 16) || GLINT_MISALIGNED(target->pixels, 16) ||
+        (h > 1 && (GLINT_MISALIGNED(stride, 16) || GLINT_MISALIGNED(target->stride, 16) ||
+                   !glint_stride_fits(stride, 2u * w) || !glint_stride_fits(target->stride, 2u * w))))
+        return GLINT_ERR_ARG;
+    for (uint16_t y = 0; y < h; y++) {
+        const uint16_t *in = (const uint16_t *)(const void *)((const uint8_t *)offsets + stride * (ptrdiff_t)y);
+        uint16_t *out = (uint16_t *)(void *)((uint8_t *)target->pixels + target->stride * (ptrdiff_t)y);
+        glint_palette_line(colours, in, w, out);
+    }
+    return GLINT_OK;
+}
+
+enum glint_err glint_draw_span(const struct glint_paint *paint, const struct glint_span *span,
+                               const struct glint_maps *maps, const struct glint_surface *target,
+                               struct glint_box *highlight)
+{
+    if (!span)
+        return GLINT_ERR_ARG;
+    if (!maps && !highlight && glint_fused_span(paint, span, target))
+        return GLINT_OK;
+    return draw_span(paint, span, maps, target, highlight);
+}

@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: MIT
+ * What a rectangle folds to for the line in assembly (cortex_m0plus_rgb565.S). */
+#include "glint_fused.h"
+
+#if GLINT_CORTEX_M0PLUS_ASM && GLINT_FUSED
+#include "glint_math.h"
+#include "glint_offsets.h"
+
+#define LINE_AT(field, offset) (offsetof(struct glint_line_loop, field) == (offset))
+typedef char glint_line_layout[LINE_AT(l, GLINT_AT_LINE_L) && LINE_AT(t_end, GLINT_AT_LINE_T_END) &&
+                                       LINE_AT(base, GLINT_AT_LINE_BASE) && LINE_AT(r, GLINT_AT_LINE_R) &&
+                                       LINE_AT(k, GLINT_AT_LINE_K) && LINE_AT(reciprocals, GLINT_AT_LINE_RECIPROCALS) &&
+                                       LINE_AT(f_max, GLINT_AT_LINE_F_MAX) && LINE_AT(dark, GLINT_AT_LINE_DARK) &&
+                                       LINE_AT(minus_h, GLINT_AT_LINE_MINUS_H) &&
+                                       LINE_AT(limit, GLINT_AT_LINE_MINUS_H + 12) && LINE_AT(out, GLINT_AT_LINE_OUT) &&
+                                       LINE_AT(w, GLINT_AT_LINE_OUT + 4) && LINE_AT(mask, GLINT_AT_LINE_OUT + 8) &&
+                                       LINE_AT(normals, GLINT_AT_LINE_OUT + 12) &&
+                                       LINE_AT(albedo, GLINT_AT_LINE_OUT + 16) && LINE_AT(first, GLINT_AT_LINE_LIT) &&
+                                       LINE_AT(last, GLINT_AT_LINE_LIT + 4) && sizeof(struct glint_vec) == 6
+                                   ? 1
+                                   : -1];
+#undef LINE_AT
+
+bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *p, bool albedo)
+{
+    if (GLINT_FLASH_U8(p->model->model) != GLINT_MSH || p->of.exact.shift != GLINT_LINE_SHIFT || p->output.dither)
+        return false;
+    const struct glint_vec l = p->l, h = p->h;
+    loop->l[0] = l.x, loop->l[1] = l.y, loop->l[2] = l.z;
+    loop->minus_h[0] = -h.x, loop->minus_h[1] = -h.y, loop->minus_h[2] = -h.z;
+    loop->t_end = 2 * p->of.exact.t_end;
+    loop->f_max = p->of.exact.f_max;
+    for (int k = 0; k < 3; k++) {
+        loop->base[k].nl = albedo ? p->of.exact.diffuse[k] : p->of.exact.q[k];
+        loop->base[k].one = albedo ? p->of.exact.ambient[k] : p->of.exact.p[k];
+        loop->r[k] = p->of.exact.r[k];
+        loop->k[k] = p->of.exact.k[k];
+    }
+    loop->k[2]--;
+    loop->reciprocals = glint_reciprocals;
+    loop->limit = 0 - ((albedo ? p->of.exact.w_maps : p->of.exact.w) << (32 - GLINT_LINE_SHIFT));
+    const bool swapped = p->output.format == GLINT_RGB565_SWAPPED;
+    loop->draw = albedo    ? swapped ? glint_line_rgb565_albedo_swapped : glint_line_rgb565_albedo
+                 : swapped ? glint_line_rgb565_swapped
+                           : glint_line_rgb565;
+    return true;
+}
+
+/* A line by the loop; pixels that this leaves open by the 64-bit sequence. */
+static void fused_line(struct glint_line_loop *loop, const struct glint_paint *paint, struct glint_lines *lines,
+                       struct glint_bounds *bounds, uint32_t y)
+{
+    struct glint_run *const run = &lines->run;
+    const struct glint_vec *normals = (const struct glint_vec *)(const void *)lines->normals;
+    loop->out = run->line;
+    loop->w = lines->w;
+    loop->mask = run->coverage;
+    loop->normals = normals;
+    loop->albedo = lines->albedo;
+    loop->first = (const uint8_t *)UINTPTR_MAX;
+    loop->last = NULL;
+    for (uint32_t x = 0; (x = loop->draw(loop, x)) < lines->w; x++) {
+        run->x = x;
+        run->albedo = lines->albedo ? lines->albedo + 3 * x : NULL;
+        glint_samples_half(&paint->l, &paint->v, &paint->h, normals + x, &loop->sample, 1);
+        glint_paint_exactly(paint, run, 0, &loop->sample);
+    }
+    if (loop->last) {
+        glint_bounds_add(bounds, (uint32_t)(loop->first - run->line) / 2, y);
+        glint_bounds_add(bounds, (uint32_t)(loop->last - run->line) / 2, y);
+    }
+}
+
+bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
+                       struct glint_box *highlight)
+{
+    const struct glint_use_format *format = paint->format;
+    const struct glint_surface *target = lines->target;
+    struct glint_line_loop loop;
+    if (!format->begin || lines->maps->gloss || lines->maps->normals_format != GLINT_NORMALS_INT16 ||
+        (paint->of.exact.high && lines->maps->albedo) || GLINT_MISALIGNED(target->pixels, 16) ||
+        (h > 1 && GLINT_MISALIGNED(target->stride, 16)) || !format->begin(&loop, paint, lines->maps->albedo != NULL))
+        return false;
+    struct glint_bounds bounds = {0, 0, 0, 0, false};
+    struct glint_run dark = {(uint8_t *)&loop.dark, 0, 0, 0, NULL, NULL, NULL, 0}; /* the pixel where N.L <= 0 */
+    loop.sample.t_q30 = UINT32_MAX;
+    loop.sample.nl_q16 = loop.sample.f_q16 = 0;
+    if (format->levels(paint, &dark, &loop.sample, 1))
+        glint_paint_exactly(paint, &dark, 0, &loop.sample);
+    for (uint32_t y = 0; y < h; y++) {
+        glint_lines_set(lines, y);
+        fused_line(&loop, paint, lines, &bounds, y);
+    }
+    glint_bounds_box(&bounds, highlight);
+    return true;
+}
+#endif

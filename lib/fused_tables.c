@@ -1,0 +1,353 @@
+/* SPDX-License-Identifier: MIT
+ * Loops over tables that are source and paint in one: lines of INT8 normals, the viewer at (0, 0, 1), and spans. */
+#include "glint_tables.h"
+
+#if GLINT_FUSED && !GLINT_CORTEX_M0PLUS_ASM
+/* 8 bits, the viewer at (0, 0, 1). H lies between L and the viewer, so N.H |L + V| = N.L + z: one product d (Q29) gives the
+ * row, and with z the place e (Q29) from the last column on, to which r brings a column's number. Three multiplications
+ * for the vectors, and one inside the highlight. */
+void glint_colour_int8(const struct glint_paint *paint, const uint32_t *words, uint32_t w, uint16_t *out)
+{
+    const struct glint_look look = glint_look_up(&paint->of.tables.filled);
+    const int32_t lx = paint->of.tables.x, ly = paint->of.tables.y, lz = paint->of.tables.z;
+    const uint32_t cut = (uint32_t)paint->of.tables.cut, r = paint->of.tables.r;
+    const unsigned a = paint->of.tables.a;
+    for (const uint16_t *end = out + w; out < end; words++, out++) {
+        const uint32_t word = *words;
+        const int32_t z = (int32_t)word >> 16;
+        if (z == 0) {
+            const uint32_t skip = glint_gap(word, (uint32_t)(end - out)) - 1;
+            words += skip;
+            out += skip;
+            continue;
+        }
+        const int32_t d =
+            (int32_t)((uint32_t)((int8_t)word * lx) + (uint32_t)((int16_t)word * ly) + (uint32_t)(z * lz));
+        if (d < 0) {
+            *out = look.dark;
+            continue;
+        }
+        uint32_t at = (uint32_t)d >> (GLINT_COLOUR_ROW_SHIFT - 1) << GLINT_COLOUR_ROW_BYTES_LOG;
+        const uint32_t e = (uint32_t)d + ((uint32_t)z << 14) - cut;
+        if ((int32_t)e >= 0)
+            at += look.columns[((e >> a) * r) >> (32 - GLINT_COLOUR_COLUMNS_LOG)];
+        *out = glint_look_colour(&look, at);
+    }
+}
+
+/* COLOUR, dithered. The viewer at (0, 0, 1): rows and columns as above. */
+static inline void fused_dither(const struct glint_paint *paint, const uint32_t *words, uint32_t w, uint16_t *out,
+                                uint32_t phase, uint32_t y, bool swapped)
+{
+    const struct glint_dither_look look = glint_dither_look_up(&paint->of.tables.filled, y);
+    const int32_t lx = paint->of.tables.x, ly = paint->of.tables.y, lz = paint->of.tables.z;
+    const uint32_t cut = (uint32_t)paint->of.tables.cut, r = paint->of.tables.r;
+    const uint32_t nudge = look.nudge >> 1;
+    const unsigned a = paint->of.tables.a;
+    for (const uint16_t *end = out + w; out < end; words++, out++, phase = glint_dither_next(phase)) {
+        const uint32_t word = *words;
+        const int32_t z = (int32_t)word >> 16;
+        if (z == 0) {
+            const uint32_t skip = glint_gap(word, (uint32_t)(end - out)) - 1;
+            words += skip;
+            out += skip;
+            phase += 2 * skip;
+            continue;
+        }
+        const int32_t d =
+            (int32_t)((uint32_t)((int8_t)word * lx) + (uint32_t)((int16_t)word * ly) + (uint32_t)(z * lz));
+        if (d < 0) {
+            *out = glint_dither_past(&look, -1, phase);
+            continue;
+        }
+        const int32_t row = (int32_t)(((uint32_t)d + nudge) >> (GLINT_DITHER_ROW_SHIFT - 1));
+        const uint32_t e = (uint32_t)d + ((uint32_t)z << 14) - cut;
+        *out = (int32_t)e < 0 ? glint_dither_past(&look, row, phase)
+                              : glint_dither_within(&look, (uint32_t)row, phase,
+                                                    ((e >> a) * r) >> (32 - GLINT_DITHER_COLUMNS_LOG), swapped);
+    }
+}
+
+void glint_dither_int8_plain(const struct glint_paint *paint, const uint32_t *words, uint32_t w, uint16_t *out,
+                             uint32_t phase, uint32_t y)
+{
+    fused_dither(paint, words, w, out, phase, y, false);
+}
+
+void glint_dither_int8_swapped(const struct glint_paint *paint, const uint32_t *words, uint32_t w, uint16_t *out,
+                               uint32_t phase, uint32_t y)
+{
+    fused_dither(paint, words, w, out, phase, y, true);
+}
+
+/* ALBEDO. */
+static inline void fused_albedo(const struct glint_paint *paint, const uint32_t *words, const uint16_t *albedo,
+                                uint32_t w, uint16_t *out, bool swapped)
+{
+    const struct glint_tables *tables = &paint->of.tables.filled;
+    const uint32_t *const shine = tables->colour.sums;
+    const uint8_t *const levels = tables->columns;
+    const int32_t lx = paint->of.tables.x, ly = paint->of.tables.y, lz = paint->of.tables.z;
+    const uint32_t cut = (uint32_t)paint->of.tables.cut, dark = tables->dark, r = paint->of.tables.r;
+    for (uint32_t i = 0; i < w; i++) {
+        const uint32_t word = words[i];
+        const int32_t z = (int32_t)word >> 16;
+        if (z == 0) {
+            i += glint_gap(word, w - i) - 1;
+            continue;
+        }
+        /* Q25, negative where lit: the level is behind its table's end, and e needs no other address */
+        const int32_t d = (int8_t)word * lx + (int16_t)word * ly + z * lz;
+        if (d >= 0) {
+            out[i] = glint_packed(glint_albedo_lit(albedo[i], dark), swapped);
+            continue;
+        }
+        uint32_t sum = glint_albedo_lit(albedo[i], levels[d >> (GLINT_ALBEDO_LEVEL_SHIFT - 5)]);
+        const uint32_t e = ((uint32_t)z << 10) - cut - (uint32_t)d;
+        if ((int32_t)e >= 0)
+            sum = glint_albedo_full(sum + shine[(e * r) >> (32 - GLINT_ALBEDO_COLUMNS_LOG)]);
+        out[i] = glint_packed(sum, swapped);
+    }
+}
+
+void glint_albedo_int8(const struct glint_paint *paint, const uint32_t *words, const uint16_t *albedo, uint32_t w,
+                       uint16_t *out)
+{
+    fused_albedo(paint, words, albedo, w, out, false);
+}
+
+void glint_albedo_int8_swapped(const struct glint_paint *paint, const uint32_t *words, const uint16_t *albedo,
+                               uint32_t w, uint16_t *out)
+{
+    fused_albedo(paint, words, albedo, w, out, true);
+}
+#endif
+
+#if GLINT_FUSED
+/* ---- Lines: INT8, and INT16 with t and nl by a product of vectors each ---- */
+
+static const uint32_t *fused_words(const struct glint_lines *lines)
+{
+    return lines->maps->normals_format == GLINT_NORMALS_INT8 ? (const uint32_t *)(const void *)lines->normals : NULL;
+}
+
+void glint_colour_line(const struct glint_paint *paint, const struct glint_lines *lines, uint32_t x, uint32_t end)
+{
+    const uint32_t *words = fused_words(lines);
+    uint16_t *out = (uint16_t *)(void *)lines->run.line + x;
+    if (words) {
+        glint_colour_int8(paint, words + x, end - x, out);
+        return;
+    }
+    const struct glint_look look = glint_look_up(&paint->of.tables.filled);
+    const struct glint_vec l = paint->l, h = paint->h, *n = (const struct glint_vec *)(const void *)lines->normals + x;
+    for (const uint16_t *stop = out + (end - x); out != stop; n++, out++) {
+        const struct glint_raw raw = glint_raw_of(n, &l, &h, look.t_max);
+        if (raw.nl_q30 != GLINT_RAW_NOTHING)
+            *out = glint_look_pixel(&look, &raw);
+    }
+}
+
+void glint_dither_line(const struct glint_paint *paint, const struct glint_lines *lines, uint32_t x, uint32_t end)
+{
+    const struct glint_tables *tables = &paint->of.tables.filled;
+    const uint32_t *words = fused_words(lines), y = lines->run.y;
+    const bool swapped = glint_is_swapped(tables);
+    uint16_t *out = (uint16_t *)(void *)lines->run.line + x;
+    uint32_t phase = 2 * ((lines->run.left + x) & 3);
+    if (words) {
+        (swapped ? glint_dither_int8_swapped : glint_dither_int8_plain)(paint, words + x, end - x, out, phase, y);
+        return;
+    }
+    const struct glint_dither_look look = glint_dither_look_up(tables, y);
+    const struct glint_vec l = paint->l, h = paint->h, *n = (const struct glint_vec *)(const void *)lines->normals + x;
+    for (const uint16_t *stop = out + (end - x); out != stop; n++, out++, phase = glint_dither_next(phase)) {
+        const struct glint_raw raw = glint_raw_of(n, &l, &h, tables->t_max_q30);
+        if (raw.nl_q30 != GLINT_RAW_NOTHING)
+            *out = glint_dither_pixel(&look, &raw, phase, swapped);
+    }
+}
+
+void glint_albedo_line(const struct glint_paint *paint, const struct glint_lines *lines, uint32_t x, uint32_t end)
+{
+    const struct glint_tables *tables = &paint->of.tables.filled;
+    const uint32_t *words = fused_words(lines);
+    const uint16_t *albedo = (const uint16_t *)(const void *)lines->albedo + x;
+    const bool swapped = glint_is_swapped(tables);
+    uint16_t *out = (uint16_t *)(void *)lines->run.line + x;
+    if (words) {
+        (swapped ? glint_albedo_int8_swapped : glint_albedo_int8)(paint, words + x, albedo, end - x, out);
+        return;
+    }
+    const struct glint_vec l = paint->l, h = paint->h, *n = (const struct glint_vec *)(const void *)lines->normals + x;
+    for (const uint16_t *stop = out + (end - x); out != stop; n++, out++, albedo++) {
+        const struct glint_raw raw = glint_raw_of(n, &l, &h, tables->t_max_q30);
+        if (raw.nl_q30 != GLINT_RAW_NOTHING)
+            *out = glint_albedo_pixel(tables, &raw, *albedo, swapped);
+    }
+}
+
+/* ---- Spans ---- */
+
+void glint_colour_fused(const struct glint_paint *paint, const struct glint_span *span,
+                        const struct glint_surface *target)
+{
+    glint_colour_span(&paint->of.tables.filled, span, (uint16_t *)target->pixels);
+}
+
+void glint_dither_fused(const struct glint_paint *paint, const struct glint_span *span,
+                        const struct glint_surface *target)
+{
+    const struct glint_tables *tables = &paint->of.tables.filled;
+    const struct glint_dither_look look = glint_dither_look_up(tables, target->y);
+    const bool swapped = glint_is_swapped(tables);
+    uint32_t t = span->t_q30, dt = span->dt_q30, nl = (uint32_t)span->nl_q30, phase = 2 * (target->x & 3u);
+    uint16_t *out = (uint16_t *)target->pixels;
+    for (const uint16_t *stop = out + span->w; out != stop; out++, phase = glint_dither_next(phase)) {
+        const struct glint_raw raw = glint_raw_at(t, (int32_t)nl, tables->t_max_q30);
+        *out = glint_dither_pixel(&look, &raw, phase, swapped);
+        t += dt;
+        dt += span->ddt_q30;
+        nl += (uint32_t)span->dnl_q30;
+    }
+}
+#endif
+
+/* Spans over COLOUR tables, GLINT_SPAN_RUN pixels at a time: a run. Of a run it is cheap to know that all its pixels are alike,
+ * as t is convex and nl linear: three loops for three kinds take only the additions that their kind needs, and a fourth
+ * takes any run. */
+
+#if GLINT_FUSED && !GLINT_CORTEX_M0PLUS_ASM
+/* nl < 0 throughout; lit, and past t_max throughout; lit, and t = 0..t_max throughout; any. */
+enum span_kind { SPAN_DARK, SPAN_OUTSIDE, SPAN_INSIDE, SPAN_MIXED };
+
+/* Modulo 2^32 t is convex and nl linear only where no sum wraps: with steps below 2^25 and ddt below 2^20, 31 steps
+ * change nl by less than 2^30, and t by -2^30 .. 3 * 2^29. */
+#define SPAN_BIG ((uint32_t)1 << 25)
+
+static inline bool span_is_big(uint32_t step)
+{
+    return (step + SPAN_BIG) >> 26 != 0;
+}
+
+/* w = 1..GLINT_SPAN_RUN. */
+static inline enum span_kind span_kind(const struct glint_span *at, uint32_t w, uint32_t t_max_q30)
+{
+    const uint32_t m = w - 1u;
+    const uint32_t last_nl = (uint32_t)at->nl_q30 + m * (uint32_t)at->dnl_q30;
+    if (span_is_big((uint32_t)at->dnl_q30) || span_is_big(at->dt_q30) || at->ddt_q30 >> 20)
+        return SPAN_MIXED;
+    if ((int32_t)((uint32_t)at->nl_q30 | last_nl | at->t_q30) < 0)
+        return (at->nl_q30 & (int32_t)last_nl) < 0 ? SPAN_DARK : SPAN_MIXED;
+    const int32_t t_max = (int32_t)t_max_q30, back = t_max - (int32_t)at->t_q30;
+    const int32_t fall = (int32_t)(m * at->dt_q30);
+    const int32_t highest = fall < 0 ? back - fall : back; /* t is not below the tangent at the start */
+    if (highest < 0)
+        return SPAN_OUTSIDE;
+    return back >= 0 && highest <= t_max && back - fall - (int32_t)((m * (m - 1) >> 1) * at->ddt_q30) >= 0 ? SPAN_INSIDE
+                                                                                                           : SPAN_MIXED;
+}
+
+/* The span from the next run on: t is quadratic in the pixel's number. */
+static inline void span_next(struct glint_span *at)
+{
+    const uint32_t n = GLINT_SPAN_RUN;
+    at->t_q30 += n * at->dt_q30 + n * (n - 1) / 2 * at->ddt_q30;
+    at->dt_q30 += n * at->ddt_q30;
+    at->nl_q30 = (int32_t)((uint32_t)at->nl_q30 + n * (uint32_t)at->dnl_q30);
+}
+
+/* nl < 0 throughout. */
+static void span_dark(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out,
+                      const uint16_t *end)
+{
+    (void)at;
+    const uint16_t pixel = tables->dark;
+    while (out != end)
+        *out++ = pixel;
+}
+
+/* Lit, and past the last column: nl alone. Unrolled by hand, as compilers do not at -O2. */
+static void span_outside(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out,
+                         const uint16_t *end)
+{
+    const struct glint_look look = glint_look_up(tables);
+    const uint32_t dnl = (uint32_t)at->dnl_q30;
+    uint32_t nl = (uint32_t)at->nl_q30;
+    for (; end - out >= 4; out += 4) {
+        out[0] = glint_look_colour(&look, glint_look_row(nl));
+        nl += dnl;
+        out[1] = glint_look_colour(&look, glint_look_row(nl));
+        nl += dnl;
+        out[2] = glint_look_colour(&look, glint_look_row(nl));
+        nl += dnl;
+        out[3] = glint_look_colour(&look, glint_look_row(nl));
+        nl += dnl;
+    }
+    for (; out != end; out++) {
+        *out = glint_look_colour(&look, glint_look_row(nl));
+        nl += dnl;
+    }
+}
+
+/* Lit, and all columns: back = t_max - t, so that a column is back >> shift; here scaled, so that the shift is a constant. */
+static void span_inside(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out,
+                        const uint16_t *end)
+{
+    const struct glint_look look = glint_look_up(tables);
+    const unsigned top = 32 - GLINT_COLOUR_COLUMNS_LOG, scale = top - tables->shift; /* a column takes the rest */
+    uint32_t back = (tables->t_max_q30 - at->t_q30) << scale, dback = (0 - at->dt_q30) << scale;
+    uint32_t nl = (uint32_t)at->nl_q30;
+    const uint32_t ddback = (0 - at->ddt_q30) << scale, dnl = (uint32_t)at->dnl_q30;
+    for (; out != end; out++) {
+        *out = glint_look_colour(&look, glint_look_row(nl) + look.columns[back >> top]);
+        back += dback;
+        dback += ddback;
+        nl += dnl;
+    }
+}
+
+/* Anything: each pixel is asked. */
+static void span_mixed(const struct glint_tables *tables, const struct glint_span *at, uint16_t *out,
+                       const uint16_t *end)
+{
+    const struct glint_look look = glint_look_up(tables);
+    uint32_t back = look.t_max - at->t_q30, dt = at->dt_q30, nl = (uint32_t)at->nl_q30;
+    const uint32_t ddt = at->ddt_q30, dnl = (uint32_t)at->dnl_q30;
+    for (; out != end; out++) {
+        glint_look_store(&look, back, nl, out);
+        back -= dt;
+        dt += ddt;
+        nl += dnl;
+    }
+}
+
+static void span_run(const struct glint_tables *tables, const struct glint_span *at, uint32_t w, uint16_t *out)
+{
+    switch (span_kind(at, w, tables->t_max_q30)) {
+    case SPAN_DARK:
+        span_dark(tables, at, out, out + w);
+        break;
+    case SPAN_OUTSIDE:
+        span_outside(tables, at, out, out + w);
+        break;
+    case SPAN_INSIDE:
+        span_inside(tables, at, out, out + w);
+        break;
+    default: /* SPAN_MIXED */
+        span_mixed(tables, at, out, out + w);
+    }
+}
+
+void glint_colour_span(const struct glint_tables *tables, const struct glint_span *span, uint16_t *out)
+{
+    struct glint_span at = *span;
+    uint32_t left = at.w;
+    for (; left > GLINT_SPAN_RUN; left -= GLINT_SPAN_RUN, out += GLINT_SPAN_RUN) {
+        span_run(tables, &at, GLINT_SPAN_RUN, out);
+        span_next(&at);
+    }
+    if (left)
+        span_run(tables, &at, left, out);
+}
+#endif

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT
+ * Internal. Lines of a source as runs of pixels that are drawn, and the highlight's box. */
+#ifndef GLINT_DRAW_H
+#define GLINT_DRAW_H
+
+#include "glint_pixel.h"
+
+/* The smallest box that holds what has been added, lines from the top. */
+struct glint_bounds {
+    uint16_t left, right, top, bottom;
+    bool any;
+};
+void glint_bounds_add(struct glint_bounds *b, uint32_t x, uint32_t y);
+void glint_bounds_box(const struct glint_bounds *b, struct glint_box *box); /* box may be NULL */
+
+/* Can the maps be drawn so? normals: of a rectangle. GLINT_OK or what glint_draw_rect answers. */
+enum glint_err glint_draw_check(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t w, uint32_t h,
+                                const struct glint_surface *target, bool normals);
+
+/* A source's lines. Set by whoever draws: the first group. */
+struct glint_lines {
+    const struct glint_maps *maps; /* NULL: none */
+    const struct glint_surface *target;
+    uint32_t w;
+    uint16_t most;                           /* pixels in a run; where it is of samples, up to GLINT_RUN */
+    bool are_normals;                        /* a rectangle's */
+    bool marks_gaps;                         /* samples say themselves where there is no surface: tables */
+    bool has_gaps;                           /* else runs end there */
+    struct glint_run run;                    /* the one at hand */
+    uint16_t count;                          /* its pixels */
+    const uint8_t *normals, *albedo, *gloss; /* of the line, or NULL */
+};
+
+/* Begins line y. */
+void glint_lines_set(struct glint_lines *lines, uint32_t y);
+/* The next run, of what is drawn side by side; run.x is to stand where the one before ended. false: the line is done. */
+bool glint_lines_next(struct glint_lines *lines);
+/* The run's normals; those of INT8 unpacked, which takes room for lines->most. */
+const struct glint_vec *glint_lines_normals(const struct glint_lines *lines, struct glint_vec *unpacked);
+
+#endif

@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT
+ * Internal. Fast loops that fuse a source and a paint: what they draw is what the general way draws, bit for bit, and GLINT_FUSED=0 leaves
+ * them out. The exact line of RGB565 under MSH is in assembly alone. */
+#ifndef GLINT_FUSED_H
+#define GLINT_FUSED_H
+
+#include "glint_tables.h"
+
+#if GLINT_CORTEX_M0PLUS_ASM && GLINT_FUSED
+struct glint_line_base {
+    uint32_t nl, one; /* V = nl N.L + one, or with a map (albedo (nl N.L + one) >> 7) + 2^24 */
+};
+
+struct glint_line_loop {
+    /* of the rectangle: glint_line_begin */
+    int32_t l[3];
+    uint32_t t_end; /* twice the prepared one */
+    struct glint_line_base base[3];
+    uint32_t r[3];
+    int32_t k[3]; /* MSH's; the shift less 1 */
+    const uint8_t *reciprocals;
+    uint32_t f_max;
+    uint32_t dark;      /* without a map: the pixel where N.L <= 0, in memory order; the caller's to set */
+    int32_t minus_h[3]; /* added to a normal */
+    uint32_t limit;     /* 2^32 - 2^7 W: from here on a fraction of a level, times 2^32, leaves it open */
+    /* of the line: the caller */
+    uint8_t *out; /* of pixel 0; aligned to 2 */
+    uint32_t w;
+    const uint8_t *mask; /* NULL: every pixel is drawn */
+    const struct glint_vec *normals;
+    const uint8_t *albedo;
+    const uint8_t *first,
+        *last;                  /* where in out pixels are lit: the caller sets first to the end of memory, last to 0 */
+    struct glint_sample sample; /* of one that is left open: the caller's */
+    /* Draws from pixel x on, up to one that the bound leaves open: its number, or w. */
+    uint32_t (*draw)(struct glint_line_loop *loop, uint32_t x);
+};
+
+/* The rectangle's fields but dark; false where this loop does not draw it. */
+bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
+
+/* Draws a rectangle by it; false where it cannot, and nothing is drawn. */
+bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
+                       struct glint_box *highlight);
+
+/* cortex_m0plus_rgb565.S */
+uint32_t glint_line_rgb565(struct glint_line_loop *loop, uint32_t x);
+uint32_t glint_line_rgb565_swapped(struct glint_line_loop *loop, uint32_t x);
+uint32_t glint_line_rgb565_albedo(struct glint_line_loop *loop, uint32_t x);
+uint32_t glint_line_rgb565_albedo_swapped(struct glint_line_loop *loop, uint32_t x);
+#define GLINT_LINE_BEGIN glint_line_begin
+#else
+#define GLINT_LINE_BEGIN NULL
+static inline bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
+                                     struct glint_box *highlight)
+{
+    (void)paint, (void)lines, (void)h, (void)highlight;
+    return false;
+}
+#endif
+
+/* Draws a span without maps by tables; false where it cannot, and nothing is drawn. This comes before all checks, as a short span costs
+ * little more than they do. */
+static inline bool glint_fused_span(const struct glint_paint *paint, const struct glint_span *span,
+                                    const struct glint_surface *target)
+{
+#if GLINT_FUSED
+    if (!paint || paint->format || !paint->of.tables.filled.use || paint->light_count - 1u >= GLINT_LIGHTS_MAX ||
+        !target || !target->pixels || GLINT_MISALIGNED(target->pixels, 16))
+        return false;
+    const struct glint_use_tables *use = paint->of.tables.filled.use;
+    if (!GLINT_FLASH_POINTER(use->span))
+        return false;
+    GLINT_FLASH_POINTER(use->span)(paint, span, target);
+    return true;
+#else
+    (void)paint, (void)span, (void)target;
+    return false;
+#endif
+}
+
+#endif

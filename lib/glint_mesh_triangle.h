@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: MIT
+ * Internal. A triangle: which pixels it covers, and what changes linearly or quadratically over it, as steps from pixel to pixel and line to
+ * line. */
+#ifndef GLINT_MESH_TRIANGLE_H
+#define GLINT_MESH_TRIANGLE_H
+
+#include "glint_mesh.h"
+
+/* A corner of a triangle. */
+struct glint_mesh_corner {
+    const struct glint_mesh_vertex *v;
+    uint32_t side; /* |a - b|^2 / 2 in Q29, < 2^32, of the other two's normals; read where the triangle may be glossy */
+};
+
+/* Dark: nl < 0 at all corners, and -1 all over. Matt: past the highlight, t is GLINT_MESH_FAR_T all over. */
+enum glint_mesh_shine { GLINT_MESH_DARK, GLINT_MESH_MATT, GLINT_MESH_GLOSSY };
+#define GLINT_MESH_FAR_T ((uint32_t)1 << 31)
+
+/* Values at the middle of a pixel, in column x, and their steps; all modulo 2^32. A pixel to the right adds tx to t, then txx to tx; a line
+ * down adds ty to t, tyy to ty and txy to tx. nl and z are linear; z is Q16.16. */
+struct glint_mesh_values {
+    uint32_t z, nl, t, tx, ty;  /* in the order in which assembly takes them: what changes from line to line */
+    uint32_t zy, nly, txy, tyy; /* and by how much */
+    uint32_t zx, nlx, txx;
+    int32_t x;
+};
+
+/* Twice the area in square 1/16 pixels, positive where the corners are clockwise on the screen (y down): 2 (2^15 - 2)^2 at
+ * most. */
+static inline int32_t glint_mesh_area(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b,
+                                      const struct glint_mesh_vertex *c)
+{
+    return (int32_t)(b->x - a->x) * (c->y - a->y) - (int32_t)(c->x - a->x) * (b->y - a->y);
+}
+
+/* From t and nl at the corners alone. t is at most so much lower between corners that are 90 degrees apart: half the square of their
+ * distance. From t_end on nothing shines. */
+enum glint_mesh_shine glint_mesh_shine(const struct glint_mesh_corner corner[3], uint32_t t_end);
+
+/* From three corners, the upper one first, in the first line whose middle is at or below it; area is not 0. shine as above; returns what it
+ * is, since from the normals a glossy one may turn out to be matt. */
+enum glint_mesh_shine glint_mesh_values_set(struct glint_mesh_values *values,
+                                            const struct glint_mesh_corner *const corner[3], int32_t area,
+                                            enum glint_mesh_shine shine, uint32_t t_end);
+
+/* Zero bits above the highest of x, which is not 0. */
+static inline unsigned glint_mesh_zeros(uint32_t x)
+{
+    return (unsigned)(sizeof(int) >= sizeof x ? __builtin_clz((unsigned)x) : __builtin_clzl(x));
+}
+
+/* 2^43 / m to nearest, nearly: 2^15..2^16, for m = 2^27..2^28 - 1 of which the lower bits may be cut. */
+uint32_t glint_mesh_inverse(uint32_t m);
+
+/* Which pixels a triangle covers, and their values line by line. */
+
+/* Lines y..y_end - 1 from the first corner down; up to y_middle its short edge is the upper one. */
+struct glint_mesh_edge {
+    int32_t x, step; /* Q16.16: the first column whose middle is at or beyond the edge, and a line */
+};
+struct glint_mesh_triangle {
+    struct glint_mesh_values values; /* at line y */
+    struct glint_mesh_edge long_edge, upper, lower;
+    int16_t y, y_middle, y_end;
+    uint8_t shine; /* enum glint_mesh_shine */
+    bool long_is_left;
+};
+
+/* The first line or column whose middle is at or beyond a place in 1/16 pixel. */
+static inline int32_t glint_mesh_first(int32_t place)
+{
+    return (place + 7) >> 4;
+}
+
+/* Three corners in any order, and what glint_mesh_shine says of them; false where no line's middle lies between them. */
+bool glint_mesh_triangle_set(struct glint_mesh_triangle *triangle, const struct glint_mesh_corner corner[3],
+                             enum glint_mesh_shine shine, uint32_t t_end);
+
+/* To line y, at or after the triangle's. */
+void glint_mesh_triangle_skip(struct glint_mesh_triangle *triangle, int32_t y);
+
+/* The columns of its line, those from 0 on before w: *left..*right - 1; false where there is none. */
+static inline bool glint_mesh_columns(const struct glint_mesh_edge *left_edge, const struct glint_mesh_edge *right_edge,
+                                      int32_t w, int32_t *left, int32_t *right)
+{
+    const int32_t from = left_edge->x >> 16, to = right_edge->x >> 16;
+    *left = from < 0 ? 0 : from;
+    *right = to > w ? w : to;
+    return *left < *right;
+}
+
+/* A part of a triangle, lines y..end - 1, whose left and right edge stay the same. */
+struct glint_mesh_part {
+    struct glint_mesh_edge *left, *right;
+    int32_t end;
+};
+
+/* The part that begins at its line; end: y_end or before. */
+static inline struct glint_mesh_part glint_mesh_triangle_part(struct glint_mesh_triangle *triangle, int32_t end)
+{
+    const bool is_upper = triangle->y < triangle->y_middle;
+    struct glint_mesh_edge *const edge = is_upper ? &triangle->upper : &triangle->lower;
+    const struct glint_mesh_part part = {triangle->long_is_left ? &triangle->long_edge : edge,
+                                         triangle->long_is_left ? edge : &triangle->long_edge,
+                                         is_upper && triangle->y_middle < end ? triangle->y_middle : end};
+    return part;
+}
+
+static inline void glint_mesh_edge_next(struct glint_mesh_edge *edge)
+{
+    edge->x = (int32_t)((uint32_t)edge->x + (uint32_t)edge->step);
+}
+
+/* To the next line. */
+static inline void glint_mesh_values_next(struct glint_mesh_values *v)
+{
+    v->t += v->ty;
+    v->ty += v->tyy;
+    v->tx += v->txy;
+    v->nl += v->nly;
+    v->z += v->zy;
+}
+
+#endif

@@ -1,0 +1,306 @@
+/* SPDX-License-Identifier: MIT
+ * Lines of a triangle as pixels of any paint: those side by side that are in front are a run. Mostly t and nl are there, as along a span;
+ * under points, spots and several lights, and for Phong, normals are interpolated, and a pixel has a place, from its depth. */
+#include "glint_mesh_rows.h"
+#include "glint_math.h"
+#include "glint_mesh_pose.h"
+#include "glint_mesh_strip.h"
+#include "glint_tables.h"
+
+/* So that what two functions hold is not on the stack together. */
+#define ROWS_ALONE __attribute__((noinline)) static
+
+/* The triangle's line; false where it has no pixel. */
+static bool row_set(struct glint_mesh_row *row, const struct glint_mesh_triangle *triangle,
+                    const struct glint_mesh_part *part, const struct glint_mesh_target *target)
+{
+    const struct glint_mesh_values *v = &triangle->values;
+    const struct glint_surface *surface = target->surface;
+    const int32_t line = triangle->y - target->y;
+    int32_t left, right;
+    if (!glint_mesh_columns(part->left, part->right, target->w, &left, &right))
+        return false;
+    const int32_t k = left - v->x; /* |k| < 2^12 */
+    const uint32_t n = (uint32_t)k, pairs = (uint32_t)(k * (k - 1) / 2);
+    row->run.line = (uint8_t *)surface->pixels + surface->stride * line;
+    row->depth = target->depth + (size_t)target->w * (size_t)line;
+    row->run.x = (uint32_t)left;
+    row->end = (uint32_t)right;
+    row->run.left = surface->x;
+    row->run.y = (uint32_t)surface->y + (uint32_t)line;
+    row->at.t_q30 = v->t + n * v->tx + pairs * v->txx;
+    row->at.dt_q30 = v->tx + n * v->txx;
+    row->at.ddt_q30 = v->txx;
+    row->at.nl_q30 = (int32_t)(v->nl + n * v->nlx);
+    row->at.dnl_q30 = (int32_t)v->nlx;
+    row->z = v->z + n * v->zx;
+    row->dz = v->zx;
+    return true;
+}
+
+/* The triangle's next row; the triangle goes on to the line after it. false: there is none before the end of it or of the strip. */
+ROWS_ALONE bool row_next(struct glint_mesh_row *row, struct glint_mesh_triangle *triangle,
+                         const struct glint_mesh_target *target)
+{
+    const int32_t end = triangle->y_end < target->end ? triangle->y_end : target->end;
+    bool found = false;
+    while (!found && triangle->y < end) {
+        const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);
+        found = row_set(row, triangle, &part, target);
+        glint_mesh_edge_next(part.left);
+        glint_mesh_edge_next(part.right);
+        glint_mesh_values_next(&triangle->values);
+        triangle->y++;
+    }
+    return found;
+}
+
+/* t and nl to another pixel. */
+static inline void row_step(struct glint_mesh_row *row)
+{
+    row->at.t_q30 += row->at.dt_q30;
+    row->at.dt_q30 += row->at.ddt_q30;
+    row->at.nl_q30 = (int32_t)((uint32_t)row->at.nl_q30 + (uint32_t)row->at.dnl_q30);
+}
+
+/* The next pixels side by side that are in front, at most `most`: enters their depths and returns how many they are; row stands at the
+ * first of them. 0: there is none. */
+static unsigned row_in_front(struct glint_mesh_row *row, unsigned most)
+{
+    uint16_t *depth = row->depth + row->run.x;
+    uint32_t z = row->z;
+    for (; row->run.x < row->end && z >> 16 >= *depth; row->run.x++, depth++, z += row->dz)
+        row_step(row);
+    const uint32_t left = row->end - row->run.x;
+    unsigned count = 0;
+    for (most = left < most ? (unsigned)left : most; count < most && z >> 16 < *depth; count++, depth++, z += row->dz)
+        *depth = (uint16_t)(z >> 16);
+    row->z = z;
+    return count;
+}
+
+/* ---- Colours of the mesh: run by run they become an albedo map ---- */
+
+static bool colours_are(const struct glint_mesh *mesh)
+{
+    return mesh->of_vertices || mesh->of_faces;
+}
+
+ROWS_ALONE void colours_set(struct glint_mesh_across *across, const struct glint_mesh_target *target,
+                            const struct glint_mesh_triangle *triangle)
+{
+    const struct glint_mesh *mesh = target->drawn->mesh;
+    struct glint_mesh_corners corners;
+    int16_t colours[3][3];
+    const unsigned face = glint_mesh_face_of(triangle);
+    glint_mesh_corners_of(&corners, target, face);
+    for (unsigned i = 0; i < 3; i++) {
+        const uint8_t *colour = mesh->of_faces ? mesh->of_faces + 3 * (size_t)face
+                                               : mesh->of_vertices + 3 * (size_t)mesh->faces[3 * (size_t)face + i];
+        for (unsigned k = 0; k < 3; k++)
+            colours[i][k] = colour[k];
+    }
+    glint_mesh_corners_weigh(&corners, colours);
+    glint_mesh_across_set(across, &corners, colours);
+}
+
+/* Those of count pixels from x on: red, green, blue. */
+static void colours_get(const struct glint_mesh_across *across, int32_t x, int32_t y, uint8_t *out, unsigned count)
+{
+    uint32_t now[3];
+    glint_mesh_across_at(across, x, y, now);
+    for (const uint8_t *const end = out + 3 * count; out != end; out += 3)
+        for (unsigned k = 0; k < 3; k++)
+            out[k] = (uint8_t)glint_mesh_across_next(&across->of[k], &now[k]);
+}
+
+/* The nearest of 31 or 63 levels. x / 255 to nearest, x < 2^16, without a division. */
+static uint32_t colours_level(uint32_t colour, uint32_t most)
+{
+    const uint32_t x = colour * most + 128;
+    return (x + (x >> 8)) >> 8;
+}
+
+/* In RGB565, in their own place. */
+static void colours_pack(uint8_t *colours, unsigned count)
+{
+    uint16_t *const out = (uint16_t *)(void *)colours;
+    for (unsigned i = 0; i < count; i++) {
+        const uint8_t *colour = colours + 3 * i;
+        const uint32_t rgb =
+            colours_level(colour[0], 31) << 11 | colours_level(colour[1], 63) << 5 | colours_level(colour[2], 31);
+        out[i] = (uint16_t)rgb;
+    }
+}
+
+/* ---- From normals ---- */
+
+/* In the frame's memory, as it would take stack. */
+struct mesh_lit {
+    struct glint_lights lights;
+    struct glint_mesh_across across;
+    struct glint_vec normals[GLINT_MESH_RUN];
+    int32_t places[GLINT_MESH_RUN][3];
+};
+typedef char mesh_lit_fits[sizeof(struct mesh_lit) + sizeof(void *) <= GLINT_MESH_LIGHTS_BYTES ? 1 : -1];
+
+size_t glint_mesh_lit_bytes(void)
+{
+    return sizeof(struct mesh_lit);
+}
+
+static int16_t lit_hold(int32_t x)
+{
+    return (int16_t)(x > INT16_MAX ? INT16_MAX : x < -INT16_MAX ? -INT16_MAX : x);
+}
+
+/* The corners' normals, turned as the mesh is: |sum| <= 3 2^29. */
+ROWS_ALONE void lit_normals(struct glint_mesh_across *across, const struct glint_mesh_target *target,
+                            const struct glint_mesh_triangle *triangle)
+{
+    const struct glint_mesh_drawn *drawn = target->drawn;
+    const uint16_t *face = drawn->mesh->faces + 3 * (size_t)glint_mesh_face_of(triangle);
+    struct glint_mesh_corners corners;
+    int16_t turned[3][3];
+    glint_mesh_corners_of(&corners, target, glint_mesh_face_of(triangle));
+    for (unsigned i = 0; i < 3; i++) {
+        struct glint_vec n;
+        if (corners.clipped[i])
+            n = corners.clipped[i]->normal;
+        else
+            glint_mesh_normal(&n, drawn->mesh, face[i]);
+        for (unsigned k = 0; k < 3; k++) {
+            const int16_t *row = drawn->turn[k];
+            turned[i][k] =
+                lit_hold(((int32_t)row[0] * n.x + (int32_t)row[1] * n.y + (int32_t)row[2] * n.z + 8192) >> 14);
+        }
+    }
+    glint_mesh_across_set(across, &corners, turned);
+}
+
+/* Places are held to this, 1/16 pixel. */
+static int32_t lit_place(int64_t x)
+{
+    const int32_t far = (int32_t)1 << 20;
+    return x > far ? far : x < -far ? -far : (int32_t)x;
+}
+
+/* The place of a pixel of the picture, from the viewport's middle; z: its depth, Q16.16. Under perspective 1 / r = 2^29 / R = q 2^-32. */
+static void lit_at(int32_t place[3], const struct glint_mesh_frame *frame, int32_t x, int32_t y, uint32_t z)
+{
+    place[0] = 16 * x + 8 - 8 * (int32_t)frame->w;
+    place[1] = 16 * y + 8 - 8 * (int32_t)frame->h;
+    place[2] = 32767 - (int32_t)(z >> 16);
+    if (frame->distance == 0)
+        return;
+    const uint32_t most = (uint32_t)65535 << 16, r = z < most - 65536 ? most - z : 65536;
+    const uint64_t q = ((uint64_t)1 << 61) / r; /* <= 2^45 */
+    place[0] = lit_place((place[0] * (int64_t)q) >> 32);
+    place[1] = lit_place((place[1] * (int64_t)q) >> 32);
+    place[2] = lit_place(frame->distance - (int64_t)((frame->distance * q) >> 32));
+}
+
+/* Normals, and places on the screen, of count pixels; z: of the first. left, top: of the viewport on the screen. */
+ROWS_ALONE void lit_fill(struct mesh_lit *lit, const struct glint_mesh_frame *frame, const struct glint_mesh_row *row,
+                         int32_t line, uint32_t z, unsigned count)
+{
+    const int32_t left = 8 * (int32_t)frame->w + 16 * (int32_t)row->run.left;
+    const int32_t top = 8 * (int32_t)frame->h + 16 * ((int32_t)row->run.y - line);
+    uint32_t now[3];
+    glint_mesh_across_at(&lit->across, (int32_t)row->run.x, line, now);
+    for (unsigned i = 0; i < count; i++, z += row->dz) {
+        lit->normals[i].x = glint_mesh_across_next(&lit->across.of[0], &now[0]);
+        lit->normals[i].y = glint_mesh_across_next(&lit->across.of[1], &now[1]);
+        lit->normals[i].z = glint_mesh_across_next(&lit->across.of[2], &now[2]);
+        lit_at(lit->places[i], frame, (int32_t)(row->run.x + i), line, z);
+        lit->places[i][0] += left;
+        lit->places[i][1] += top;
+    }
+}
+
+/* Before a triangle's lines; returns how many pixels a run may have. */
+ROWS_ALONE unsigned lit_begin(struct mesh_lit *lit, const struct glint_paint *paint, struct glint_run *run)
+{
+    lit->lights.run = run;
+    if (!paint->several)
+        return GLINT_MESH_RUN;
+    GLINT_FLASH_POINTER(paint->several->begin)(&lit->lights, paint, false);
+    lit->lights.normals = lit->normals;
+    lit->lights.places = (const int32_t(*)[3])lit->places;
+    return lit->lights.length;
+}
+
+/* ---- Any ---- */
+
+uint32_t glint_mesh_t_end(const struct glint_paint *paint)
+{
+    return glint_mesh_is_lit(paint)      ? 0 /* t is not asked for */
+           : glint_paint_is_exact(paint) ? paint->of.exact.t_end
+                                         : paint->of.tables.filled.t_max_q30 + 1;
+}
+
+bool glint_mesh_is_colour(const struct glint_paint *paint, const struct glint_mesh_target *target)
+{
+    return GLINT_FUSED && !glint_paint_is_exact(paint) && paint->of.tables.filled.kind == GLINT_TABLES_COLOUR &&
+           !paint->of.tables.filled.dither && !GLINT_MISALIGNED(target->surface->pixels, 16) &&
+           !GLINT_MISALIGNED(target->surface->stride, 16);
+}
+
+/* By any paint. */
+ROWS_ALONE void rows_draw(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                          const struct glint_mesh_target *target)
+{
+    struct glint_mesh_bench *const bench = (struct glint_mesh_bench *)target->frame->memory;
+    struct mesh_lit *const lit = glint_mesh_is_lit(paint) ? (struct mesh_lit *)target->frame->lit : NULL;
+    struct glint_sample *const samples = target->samples;
+    struct glint_raw *const raws = (struct glint_raw *)(void *)samples;
+    uint8_t *const colours = colours_are(target->drawn->mesh) ? bench->colours.bytes : NULL;
+    const bool exact = glint_paint_is_exact(paint);
+    struct glint_mesh_row row;
+    struct glint_run *const run = &row.run;
+    unsigned most = GLINT_MESH_RUN;
+    run->albedo = colours;
+    run->gloss = run->coverage = NULL;
+    run->apart = 0;
+    if (lit) {
+        most = lit_begin(lit, paint, run);
+        lit_normals(&lit->across, target, triangle);
+    }
+    if (colours)
+        colours_set(&bench->across, target, triangle);
+    while (row_next(&row, triangle, target)) {
+        const int32_t line = triangle->y - 1; /* the picture's */
+        for (unsigned count; (count = row_in_front(&row, most)) != 0; run->x += count) {
+            if (colours)
+                colours_get(&bench->across, (int32_t)run->x, line, colours, count);
+            if (lit) {
+                lit_fill(lit, target->frame, &row, line, row.z - count * row.dz, count);
+                if (paint->several)
+                    GLINT_FLASH_POINTER(paint->several->run)(&lit->lights, count);
+                else
+                    GLINT_FLASH_POINTER(paint->model->geometry)
+                (&paint->l, &paint->v, &paint->h, lit->normals, samples, count);
+            } else if (exact) {
+                glint_samples_walk(&row.at, samples, count);
+            } else {
+                if (colours)
+                    colours_pack(colours, count);
+                glint_raws_walk(&row.at, paint->of.tables.filled.t_max_q30, raws, count);
+                GLINT_FLASH_POINTER(paint->of.tables.filled.use->pixels)(paint, run, raws, count);
+            }
+            if (exact && !paint->several)
+                glint_paint_run(paint, run, samples, count);
+        }
+    }
+}
+
+void glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                     const struct glint_mesh_target *target)
+{
+    if (triangle->y < target->y)
+        glint_mesh_triangle_skip(triangle, target->y);
+    if (glint_mesh_is_colour(paint, target))
+        glint_mesh_colour(&paint->of.tables.filled, triangle, target);
+    else
+        rows_draw(paint, triangle, target);
+}

@@ -1,0 +1,285 @@
+/* SPDX-License-Identifier: MIT
+ * With P and Q the differences of the normals along two sides, and u, v the place in the triangle in these units, N = N0 + u P + v Q.
+ * So t = |N - H|^2 / 2 needs no vector: D.P and D.Q, D = N - H, follow from the corners' t, and P.P, Q.Q, P.Q from the sides'
+ * lengths. u and v change by constants a pixel, held as 15-bit mantissas with one exponent; what they are multiplied by is
+ * cut to 15 bits, too, so that a sum of two products fits 32 bits. Most triangles lie outside the highlight and need nl and the
+ * depth alone. */
+#include "glint_mesh_triangle.h"
+#include "glint_port.h"
+#include "glint_math.h"
+
+/* The least t at the corners, from t_end on; 0 where it is less. */
+static uint32_t gradient_beyond(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b,
+                                const struct glint_mesh_vertex *c, uint32_t t_end)
+{
+    uint32_t least = a->t_q30 < b->t_q30 ? a->t_q30 : b->t_q30;
+    least = c->t_q30 < least ? c->t_q30 : least;
+    return least > t_end ? least - t_end : 0;
+}
+
+enum glint_mesh_shine glint_mesh_shine(const struct glint_mesh_corner corner[3], uint32_t t_end)
+{
+    const struct glint_mesh_vertex *a = corner[0].v, *b = corner[1].v, *c = corner[2].v;
+    if ((a->nl_q30 & b->nl_q30 & c->nl_q30) < 0)
+        return GLINT_MESH_DARK;
+    return gradient_beyond(a, b, c, t_end) >> 29 ? GLINT_MESH_MATT : GLINT_MESH_GLOSSY;
+}
+
+#if !GLINT_CORTEX_M0PLUS_ASM
+/* Bits of x, 0 for 0. */
+static inline unsigned gradient_bits(uint32_t x)
+{
+    return x ? 32u - glint_mesh_zeros(x) : 0;
+}
+
+/* |x| or one less. */
+static inline uint32_t gradient_size(int32_t x)
+{
+    return (uint32_t)(x ^ (x >> 31));
+}
+
+uint32_t glint_mesh_inverse(uint32_t m)
+{
+    return (glint_reciprocal(m) + (1 << 14)) >> 15;
+}
+
+/* r 2^-down to nearest, modulo 2^32. */
+static uint32_t gradient_shift(int32_t r, int down)
+{
+    if (down <= 0)
+        return down > -32 ? (uint32_t)r << -down : 0;
+    if (down > 31)
+        return 0;
+    return (uint32_t)(((r >> (down - 1)) + 1) >> 1); /* |r| < 2^31 - 1, or down > 1 */
+}
+
+/* A pair that is multiplied by others, each of 15 bits: p 2^shift, q 2^shift. */
+struct pair {
+    int32_t p, q;
+    unsigned shift;
+};
+
+static struct pair gradient_pair(int32_t p, int32_t q)
+{
+    const unsigned bits = gradient_bits(gradient_size(p) | gradient_size(q)), shift = bits > 15 ? bits - 15 : 0;
+    const struct pair pair = {p >> shift, q >> shift, shift};
+    return pair;
+}
+
+/* p u + q v, where u and v have e fraction bits, times 2^up: p, q from -2^15 to 2^15 - 1, u, v below 2^15. */
+static uint32_t gradient_sum(struct pair pair, int32_t u, int32_t v, int e, int up)
+{
+    return gradient_shift(pair.p * u + pair.q * v, e - (int)pair.shift - up);
+}
+
+/* How u and v change a pixel, times 2^e; and, times 2^(e - 1), from the upper corner to the pixel. */
+struct slopes {
+    int32_t ux, uy, vx, vy, u, v; /* < 2^15 */
+    int e;
+};
+
+static struct slopes gradient_slopes(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b,
+                                     const struct glint_mesh_vertex *c, int32_t area)
+{
+    const int32_t x1 = b->x - a->x, y1 = b->y - a->y, x2 = c->x - a->x, y2 = c->y - a->y;
+    const uint32_t size = area < 0 ? 0 - (uint32_t)area : (uint32_t)area;
+    const unsigned left = glint_mesh_zeros(size);
+    const int32_t inverse = (int32_t)glint_mesh_inverse(size << left >> 4), one = area < 0 ? -inverse : inverse;
+    const int32_t ux = y2 * one, uy = -x2 * one, vx = -y1 * one, vy = x1 * one; /* <= (2^15 - 2) 2^16 < 2^31 */
+    const uint32_t most = gradient_size(ux) | gradient_size(uy) | gradient_size(vx) | gradient_size(vy);
+    /* Room to round up. 17 bits or more: where no side is above 1, the inverse is 2^16. */
+    const unsigned down = gradient_bits(most + (most >> 14)) - 15;
+    const int32_t half = (int32_t)1 << (down - 1);
+    struct slopes s = {(ux + half) >> down,       (uy + half) >> down, (vx + half) >> down, (vy + half) >> down, 0, 0,
+                       43 - (int)left - (int)down}; /* 16 / size = inverse 2^(left - 43) */
+    /* -8..8 and 0..15 sixteenths of a pixel: < 2^15 (8 + 15) / 32 */
+    const int32_t fx = 8 - (a->x & 15), fy = 16 * ((a->y + 7) >> 4) + 8 - a->y;
+    s.u = (s.ux * fx + s.uy * fy + 16) >> 5;
+    s.v = (s.vx * fx + s.vy * fy + 16) >> 5;
+    return s;
+}
+
+/* t and its steps, from half the squares of the sides, Q29: P.P / 2, Q.Q / 2, R.R / 2 <= 2^29, R = Q - P. */
+static void values_t(struct glint_mesh_values *values, const struct glint_mesh_corner *const corner[3],
+                     const struct slopes *s, uint32_t pp, uint32_t qq, uint32_t rr)
+{
+    const uint32_t t = corner[0]->v->t_q30, t0 = t / 2, t1 = corner[1]->v->t_q30 / 2, t2 = corner[2]->v->t_q30 / 2;
+    const int32_t p2 = 2 * (int32_t)pp, q2 = 2 * (int32_t)qq, pq = (int32_t)(pp + qq - rr); /* |.| <= 2^30 */
+    const int32_t dp = (int32_t)(t1 - t0 - pp), dq = (int32_t)(t2 - t0 - qq);               /* D.P at the corner, D.Q */
+    /* P.P, Q.Q, P.Q of 15 bits, with one shift. */
+    const unsigned bits = gradient_bits((uint32_t)p2 | (uint32_t)q2 | gradient_size(pq)),
+                   down = bits > 15 ? bits - 15 : 0;
+    const struct pair to_p = {p2 >> down, pq >> down, down}, to_q = {pq >> down, q2 >> down, down};
+    /* At the pixel. What t gains on the way is u, v times the mean of D.P, D.Q at both. */
+    const int32_t dp_here = (int32_t)((uint32_t)dp + gradient_sum(to_p, s->u, s->v, s->e - 1, 0));
+    const int32_t dq_here = (int32_t)((uint32_t)dq + gradient_sum(to_q, s->u, s->v, s->e - 1, 0));
+    const struct pair mean = gradient_pair((dp >> 1) + (dp_here >> 1), (dq >> 1) + (dq_here >> 1));
+    values->t = t + gradient_sum(mean, s->u, s->v, s->e - 1, 1);
+    /* The change a pixel of D.P, D.Q: P.Nx and so on, times 2^(e - down); cut once more. */
+    const struct pair x = gradient_pair(to_p.p * s->ux + to_p.q * s->vx, to_q.p * s->ux + to_q.q * s->vx);
+    const struct pair y = gradient_pair(to_p.p * s->uy + to_p.q * s->vy, to_q.p * s->uy + to_q.q * s->vy);
+    const int e = 2 * s->e - (int)down;
+    values->txx = gradient_sum(x, s->ux, s->vx, e, 1);
+    values->txy = gradient_sum(x, s->uy, s->vy, e, 1);
+    values->tyy = gradient_sum(y, s->uy, s->vy, e, 1);
+    const struct pair d = gradient_pair(dp_here, dq_here);
+    values->tx = gradient_sum(d, s->ux, s->vx, s->e, 1) + values->txx / 2;
+    values->ty = gradient_sum(d, s->uy, s->vy, s->e, 1) + values->tyy / 2;
+}
+
+/* One light for all of it. */
+static void values_flat(struct glint_mesh_values *values, const struct glint_mesh_vertex *a,
+                        const struct glint_mesh_vertex *b, const struct glint_mesh_vertex *c)
+{
+    values->t = a->t_q30 / 4 + b->t_q30 / 2 + c->t_q30 / 4;
+    values->nl = (uint32_t)((a->nl_q30 >> 2) + (b->nl_q30 >> 1) + (c->nl_q30 >> 2));
+    values->nlx = values->nly = 0;
+}
+
+/* What is linear, in units of 2^-17 of p and q; these are -2^15..2^15, so that a sum of two products with slopes is below 2^31. */
+struct linear {
+    uint32_t at, x, y;
+};
+static inline struct linear values_linear(const struct slopes *s, int32_t p, int32_t q)
+{
+    const int up = s->e < 18 ? 18 - s->e : 0, down = s->e > 17 ? s->e - 17 : 0; /* 12 <= e <= 42 */
+    const struct linear linear = {(uint32_t)((p * s->u + q * s->v) >> (down ? down - 1 : 0)) << up,
+                                  (uint32_t)((p * s->ux + q * s->vx) >> down) << (up ? up - 1 : 0),
+                                  (uint32_t)((p * s->uy + q * s->vy) >> down) << (up ? up - 1 : 0)};
+    return linear;
+}
+
+enum glint_mesh_shine glint_mesh_values_set(struct glint_mesh_values *values,
+                                            const struct glint_mesh_corner *const corner[3], int32_t area,
+                                            enum glint_mesh_shine shine, uint32_t t_end)
+{
+    const struct glint_mesh_vertex *a = corner[0]->v, *b = corner[1]->v, *c = corner[2]->v;
+    const struct slopes s = gradient_slopes(a, b, c, area);
+    /* Where u or v change by 8 a pixel or more, a value beyond the corners' might be met. */
+    const bool is_steep = s.e < 12;
+    bool is_flat = is_steep;
+    uint32_t pp = 0, qq = 0, rr = 0;
+    values->x = a->x >> 4;
+    if (shine == GLINT_MESH_GLOSSY) {
+        const uint32_t square = (uint32_t)1 << 29, beyond = gradient_beyond(a, b, c, t_end); /* 90 degrees */
+        pp = corner[2]->side;
+        qq = corner[1]->side;
+        rr = corner[0]->side;
+        if (pp > square || qq > square || rr > square) /* would overflow */
+            is_flat = true;
+        else if (beyond > pp && beyond > qq && beyond > rr)
+            shine = GLINT_MESH_MATT;
+    }
+    values->tx = values->ty = values->txx = values->txy = values->tyy = 0;
+    /* The depth does not depend on the normals: each path and material hides the same. */
+    if (is_steep) {
+        values->z = ((uint32_t)a->z + b->z + c->z) * 21845u; /* 65535 / 3 */
+        values->zx = values->zy = 0;
+    } else {
+        const struct linear z = values_linear(&s, ((int32_t)b->z - a->z + 1) >> 1, ((int32_t)c->z - a->z + 1) >> 1);
+        values->z = ((uint32_t)a->z << 16) + z.at;
+        values->zx = z.x;
+        values->zy = z.y;
+    }
+    if (is_flat) {
+        values_flat(values, a, b, c);
+    } else {
+        if (shine == GLINT_MESH_GLOSSY)
+            values_t(values, corner, &s, pp, qq, rr);
+        if (shine != GLINT_MESH_DARK) { /* Q13, to nearest */
+            const int32_t nl = (a->nl_q30 >> 2) - (1 << 14);
+            const struct linear l = values_linear(&s, ((b->nl_q30 >> 2) - nl) >> 15, ((c->nl_q30 >> 2) - nl) >> 15);
+            values->nl = (uint32_t)a->nl_q30 + l.at;
+            values->nlx = l.x;
+            values->nly = l.y;
+        }
+    }
+    if (shine == GLINT_MESH_DARK) {
+        values->nl = UINT32_MAX;
+        values->nlx = values->nly = 0;
+    }
+    if (shine != GLINT_MESH_GLOSSY)
+        values->t = GLINT_MESH_FAR_T;
+    return shine;
+}
+#endif
+
+/* A pixel belongs to a triangle if its middle does; a middle on an edge, to the triangle right of it or below. Each edge is stepped
+ * from its upper corner on, so that the two triangles beside it see the same columns, whatever rounding does to them. */
+
+#if !GLINT_CORTEX_M0PLUS_ASM
+/* The quotient by the inverse of dy: within 2^-16 of it or 2^-16 pixel a line. dx <= 2^15 - 2, so dx 2^16 < 2^31; the middle of the
+ * first line is within dy of the corner where there is a line, so |step / 16| times that is at most 2^27. */
+static struct glint_mesh_edge edge_of(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b)
+{
+    struct glint_mesh_edge edge = {0, 0};
+    const int32_t first = glint_mesh_first(a->y);
+    if (first >= glint_mesh_first(b->y))
+        return edge;
+    const uint32_t dy = (uint32_t)(b->y - a->y); /* 1..2^15 - 2 */
+    const unsigned up = glint_mesh_zeros(dy);    /* 17..31 */
+    edge.step = (b->x - a->x) * (int32_t)glint_mesh_inverse(dy << up >> 4) >> (31 - up);
+    edge.x = (int32_t)a->x * 4096 + (edge.step >> 4) * (16 * first + 8 - a->y) - 32768 + 65535;
+    return edge;
+}
+
+/* By y; equal ones stay. */
+static inline void edges_order(const struct glint_mesh_corner **upper, const struct glint_mesh_corner **lower)
+{
+    const struct glint_mesh_corner *const first = *upper;
+    if ((*lower)->v->y < first->v->y) {
+        *upper = *lower;
+        *lower = first;
+    }
+}
+
+bool glint_mesh_triangle_set(struct glint_mesh_triangle *triangle, const struct glint_mesh_corner corner[3],
+                             enum glint_mesh_shine shine, uint32_t t_end)
+{
+    const struct glint_mesh_corner *first = corner, *second = corner + 1, *third = corner + 2;
+    edges_order(&first, &second);
+    edges_order(&second, &third);
+    edges_order(&first, &second);
+    const struct glint_mesh_corner *const c[3] = {first, second, third};
+    const struct glint_mesh_vertex *a = first->v, *b = second->v, *d = third->v;
+    triangle->y = (int16_t)glint_mesh_first(a->y);
+    triangle->y_middle = (int16_t)glint_mesh_first(b->y);
+    triangle->y_end = (int16_t)glint_mesh_first(d->y);
+    if (triangle->y >= triangle->y_end)
+        return false;
+    const int32_t area = glint_mesh_area(a, b, d);
+    if (area == 0)
+        return false;
+    triangle->long_is_left = area > 0; /* the middle corner is right of the long edge */
+    triangle->long_edge = edge_of(a, d);
+    triangle->upper = edge_of(a, b);
+    triangle->lower = edge_of(b, d);
+    triangle->shine = (uint8_t)glint_mesh_values_set(&triangle->values, c, area, shine, t_end);
+    return true;
+}
+
+#endif
+
+static void edge_skip(struct glint_mesh_edge *edge, uint32_t lines)
+{
+    edge->x = (int32_t)((uint32_t)edge->x + lines * (uint32_t)edge->step);
+}
+
+/* n steps at once: what grows by constants grows by n (n - 1) / 2 of its own step. */
+void glint_mesh_triangle_skip(struct glint_mesh_triangle *triangle, int32_t y)
+{
+    struct glint_mesh_values *v = &triangle->values;
+    const uint32_t n = (uint32_t)(y - triangle->y), pairs = n * (n - 1) / 2; /* n <= 2^12 */
+    v->t += n * v->ty + (n ? pairs * v->tyy : 0);
+    v->ty += n * v->tyy;
+    v->tx += n * v->txy;
+    v->nl += n * v->nly;
+    v->z += n * v->zy;
+    edge_skip(&triangle->long_edge, n);
+    if (triangle->y < triangle->y_middle)
+        edge_skip(&triangle->upper, n); /* may go past its end: it is read no more */
+    if (y > triangle->y_middle)
+        edge_skip(&triangle->lower,
+                  (uint32_t)(y - (triangle->y > triangle->y_middle ? triangle->y : triangle->y_middle)));
+    triangle->y = (int16_t)y;
+}

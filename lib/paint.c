@@ -1,0 +1,216 @@
+/* SPDX-License-Identifier: MIT
+ * A paint: what material, output and the one light's colour fold to, and runs of samples by it. */
+#include "glint_lights.h"
+#include "glint_math_vector.h"
+#include "glint_tables.h"
+
+typedef char
+    glint_paint_bytes[sizeof(void *) > 4 || sizeof(struct glint_paint) <= 240 ? 1 : -1]; /* it lies on stacks */
+
+enum glint_err glint_paint_check(const struct glint_material *material, const struct glint_output *output)
+{
+    if (!material || !output || material->n == 0 || (material->n_across && material->n_across != material->n))
+        return GLINT_ERR_ARG;
+    return output->format < GLINT_FORMAT_COUNT && output->space <= GLINT_LINEAR ? GLINT_OK : GLINT_ERR_FORMAT;
+}
+
+/* The cutoff 2^-q that an output needs where the material names none. */
+static unsigned paint_q(const struct glint_material *material, const struct glint_output *output)
+{
+    if (material->q)
+        return material->q;
+    return output->space == GLINT_LINEAR ? 12 : glint_format_is_565(output->format) && !output->dither ? 6 : 8;
+}
+
+/* A coloured light folds into the material's coefficients, so that it is as fast as a white one. The sequence takes D N and S F of a channel with
+ * N = round(c x), x = nl; here D' 2^up x takes the place of D N: D' = floor(D c' / 2^15), c' = floor(c / 2^(up + 1)) <= 2^15.
+ *
+ * In units of 2^-16, N = c x + a, |a| <= 1/2, and D' 2^up = D c - e, 0 <= e < 3 2^up. So D N - D' 2^up x = D a + e x: from -D / 2 to
+ * D / 2 + 3 2^up, as x <= 1; and of S and F, which is up to 33/32, likewise. With M levels V is high by at most M (D + S) / 2 units of
+ * 2^(shift - 16), which is taken off thresholds, and W grows by twice that and by 3 65/32 M 2^up. Albedo and gloss, <= 1, only
+ * lessen this; in grey the channels' parts of M add up to M. In linear space a unit is 2^shift, and D + S at most 2 of them. */
+static void paint_fold_high(struct glint_paint *p, uint32_t max, unsigned up)
+{
+    const uint32_t high = p->of.exact.high, shift = p->of.exact.shift & 255;
+    uint32_t w = (2 * high + 1 + ((uint32_t)7 << up)) << shift;
+    if (p->output.space == GLINT_GAMMA) {
+        w = (4 * high + (max * 25 >> 2 << up) + ((uint32_t)1 << up) + 1) << (shift - 16);
+        if (!glint_format_is_grey(p->output.format) &&
+            !p->output.dither) /* P has the threshold, if there are no maps */
+            for (unsigned k = 0; k < 3; k++)
+                p->of.exact.p[k] -= high << (shift - 15);
+    }
+    p->of.exact.w += w;
+    p->of.exact.w_maps += w;
+}
+
+void glint_paint_fold(struct glint_paint *p, bool rounds)
+{
+    const struct glint_material *const m = &p->material;
+    struct glint_coefficients c;
+    const uint32_t peak = glint_paint_peak(p), max = GLINT_FLASH_U8(glint_formats[p->output.format].max[1]);
+    unsigned up = 0;
+    uint32_t most = 0, tint = 0; /* most: D + S, <= 2^17 */
+    while (peak > (uint32_t)65536 << up)
+        up++;
+    for (unsigned k = 0; k < 3; k++) {
+        const uint32_t color = p->color_q16[k], half = color >> up >> 1; /* of 1.0 it leaves D and S as they are */
+        const uint32_t d = glint_coefficient(m->diffuse_q16[k]), s = glint_coefficient(m->specular_q16[k]);
+        tint |= color ^ 65536;
+        most = d + s + 1 > most ? d + s + 1 : most;
+        c.d[k] = (d * half >> 15) << p->of.exact.nl_down;
+        c.s[k] = (s * half >> 15) << p->of.exact.f_down;
+    }
+    /* 1..640; 0: the light is white. Of a light that has a place x = att nl + b, |b| <= 1/2, is rounded, too: D a - D c b */
+    uint32_t high = rounds ? 1 + ((uint32_t)1 << up) : 1;
+    if (p->output.space == GLINT_GAMMA)
+        high = (max * most * high + 262143) >> 18;
+    p->of.exact.high = (uint16_t)(tint ? high : 0);
+    GLINT_FLASH_POINTER(p->format->fold)(p, &c, up);
+    if (tint)
+        paint_fold_high(p, max, up);
+}
+
+/* For one light, or none. */
+static void paint_fold_one(struct glint_paint *p)
+{
+    p->of.exact.slack = GLINT_FLASH_U8(p->model->slack);
+    p->of.exact.nl_down = p->of.exact.f_down = 0;
+    glint_paint_fold(p, false);
+}
+
+void glint_paint_unlit(struct glint_paint *paint, const struct glint_output *output)
+{
+    paint->output.format = output->format; /* by fields: no call of memcpy */
+    paint->output.space = output->space;
+    paint->output.dither = output->dither;
+    paint->several = NULL;
+    paint->lights = NULL;
+    paint->light_count = 255;
+    paint->color_q16[0] = paint->color_q16[1] = paint->color_q16[2] = 65536;
+}
+
+enum glint_err glint_paint_exact_for(struct glint_paint *paint, const struct glint_material *material,
+                                     const struct glint_output *output, const struct glint_use_model *model,
+                                     const struct glint_use_format *format)
+{
+    const enum glint_err err = glint_paint_check(material, output);
+    if (!paint || !model || !format || err == GLINT_ERR_ARG || material->model != GLINT_FLASH_U8(model->model))
+        return GLINT_ERR_ARG;
+    if (err || !GLINT_FLASH_POINTER(format->draws)(output))
+        return GLINT_ERR_FORMAT;
+    const uint32_t n = material->n < GLINT_N_MAX ? material->n : GLINT_N_MAX;
+    paint->material = *material;
+    paint->model = model;
+    paint->format = format;
+    glint_paint_unlit(paint, output);
+    paint->of.exact.n = n;
+    paint->of.exact.f_max = paint->material.clamp_peak ? 65536 : UINT32_MAX;
+    paint->of.exact.t_end = GLINT_FLASH_POINTER(model->cutoff_t)(n, paint_q(&paint->material, &paint->output)) + 1;
+    if (GLINT_FLASH_POINTER(model->fold))
+        GLINT_FLASH_POINTER(model->fold)(paint);
+    paint_fold_one(paint);
+    return GLINT_OK;
+}
+
+/* ---- Lit ---- */
+
+/* One directional light, or none: NULL, as a white one of direction 0, where N.L is 0. */
+static enum glint_err paint_light_one(struct glint_paint *paint, const struct glint_light *light,
+                                      const int32_t v_q30[3])
+{
+    struct glint_vec h;
+    int32_t l_q30[3] = {0, 0, 0};
+    uint32_t color[3] = {65536, 65536, 65536}, tint = 0, change = paint->several ? 1 : 0;
+    for (unsigned k = 0; k < 3; k++) {
+        if (light) {
+            l_q30[k] = light->direction_q30[k];
+            color[k] = glint_light_color(light, k);
+        }
+        tint |= color[k] ^ 65536;
+        change |= color[k] ^ paint->color_q16[k];
+    }
+    const bool exact = glint_paint_is_exact(paint);
+    if (tint && !exact)
+        return GLINT_ERR_ARG;
+    if (!glint_light_half(&h, l_q30, v_q30))
+        return GLINT_ERR_VECTOR;
+    paint->h = h;
+    (void)glint_vec_of_q30(&paint->l, l_q30, 0);
+    (void)glint_vec_of_q30(&paint->v, v_q30, 0);
+    paint->several = NULL;
+    for (unsigned k = 0; k < 3; k++)
+        paint->color_q16[k] = color[k];
+    if (!exact)
+        GLINT_FLASH_POINTER(paint->of.tables.filled.use->light)(paint);
+    else if (change) /* else the material is folded as it is to be */
+        paint_fold_one(paint);
+    return GLINT_OK;
+}
+
+enum glint_err glint_paint_light_by(struct glint_paint *paint, const struct glint_light *lights, unsigned count,
+                                    const int32_t to_viewer[3], const struct glint_use_lights *several)
+{
+    int32_t v_q30[3];
+    if (!paint || !(paint->format || paint->of.tables.filled.use) || !to_viewer || count > GLINT_LIGHTS_MAX ||
+        (count && !lights))
+        return GLINT_ERR_ARG;
+    bool are_several = count > 1;
+    for (unsigned i = 0; i < count; i++) {
+        const struct glint_light_kind *kind = lights[i].kind;
+        if (!kind || GLINT_FLASH_POINTER(kind->check)(&lights[i]))
+            return GLINT_ERR_ARG;
+        if (GLINT_FLASH_POINTER(kind->several)) {
+            several = GLINT_FLASH_POINTER(kind->several);
+            are_several = true;
+        }
+    }
+    if (are_several && !(several && glint_paint_is_exact(paint)))
+        return GLINT_ERR_ARG;
+    if (!glint_unit_q30(v_q30, to_viewer))
+        return GLINT_ERR_VECTOR;
+    const enum glint_err err = are_several ? GLINT_FLASH_POINTER(several->light)(paint, lights, count, v_q30)
+                                           : paint_light_one(paint, count ? lights : NULL, v_q30);
+    if (!err)
+        paint->light_count = (uint8_t)count;
+    return err;
+}
+
+/* ---- Runs ---- */
+
+/* Step 3a of one light. */
+static __attribute__((noinline)) uint32_t paint_scale(uint32_t color, uint32_t x)
+{
+    return (uint32_t)(((uint64_t)color * x + 32768) >> 16);
+}
+
+/* From exact nl and F. Alone, for the stack of what finds F. */
+static __attribute__((noinline)) void paint_exact_sums(const struct glint_paint *paint, const struct glint_run *run,
+                                                       unsigned i, uint32_t nl, uint32_t f)
+{
+    const bool apart = paint->of.exact.high != 0; /* of a white light channels are the same */
+    struct glint_sample sums[3];
+    sums[0].nl_q16 = nl;
+    sums[0].f_q16 = f;
+    for (unsigned k = 0; apart && k < 3; k++) {
+        sums[k].nl_q16 = paint_scale(paint->color_q16[k], nl);
+        sums[k].f_q16 = paint_scale(paint->color_q16[k], f);
+    }
+    GLINT_FLASH_POINTER(paint->format->exact)(paint, run, i, sums, apart);
+}
+
+void glint_paint_exactly(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
+                         const struct glint_sample *sample)
+{
+    paint_exact_sums(paint, run, i, sample->nl_q16, glint_paint_f(paint, sample->t_q30));
+}
+
+void glint_paint_run(const struct glint_paint *paint, const struct glint_run *run, struct glint_sample *samples,
+                     unsigned count)
+{
+    GLINT_FLASH_POINTER(paint->model->run)(paint, samples, count);
+    uint32_t open = GLINT_FLASH_POINTER(paint->format->levels)(paint, run, samples, count);
+    for (unsigned i = 0; open; i++, open >>= 1) /* the pixels that the bound leaves open */
+        if (open & 1)
+            glint_paint_exactly(paint, run, i, samples + i);
+}

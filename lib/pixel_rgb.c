@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: MIT
+ * RGB565 in either order, and RGB888, BGR888, XRGB8888 and ARGB8888, in gamma space. */
+#include "glint_fused.h"
+#include "glint_pixel.h"
+
+static bool rgb565_draws(const struct glint_output *output)
+{
+    return glint_format_is_565(output->format) && output->space == GLINT_GAMMA;
+}
+
+/* Loops of their own, so that each has the registers to itself. */
+#define RGB_LOOP(name, kind, maps, dither)                                                                             \
+    static uint32_t name(const struct glint_paint *paint, const struct glint_run *run,                                 \
+                         const struct glint_sample *samples, unsigned count)                                           \
+    {                                                                                                                  \
+        return glint_levels_rgb(paint, run, samples, count, kind, maps, dither);                                       \
+    }
+RGB_LOOP(rgb565_plain, GLINT_LEVELS_565, false, false)
+RGB_LOOP(rgb565_dithered, GLINT_LEVELS_565, false, true)
+RGB_LOOP(rgb565_mapped, GLINT_LEVELS_565, true, true)
+RGB_LOOP(rgb888_plain, GLINT_LEVELS_888, false, true)
+RGB_LOOP(rgb888_mapped, GLINT_LEVELS_888, true, true)
+#undef RGB_LOOP
+
+static uint32_t rgb565_levels(const struct glint_paint *paint, const struct glint_run *run,
+                              const struct glint_sample *samples, unsigned count)
+{
+    return run->albedo || run->gloss ? rgb565_mapped(paint, run, samples, count)
+           : paint->output.dither    ? rgb565_dithered(paint, run, samples, count)
+                                     : rgb565_plain(paint, run, samples, count);
+}
+
+static void rgb565_exact(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
+                         const struct glint_sample *sums, unsigned apart)
+{
+    uint8_t levels[4];
+    glint_exact_levels(levels, paint, run, i, sums, apart);
+    const uint32_t rgb = (uint32_t)levels[0] << 11 | (uint32_t)levels[1] << 5 | levels[2];
+    const bool swapped = paint->output.format == GLINT_RGB565_SWAPPED;
+    uint8_t *out = run->line + 2 * (run->x + i);
+    out[swapped] = (uint8_t)rgb;
+    out[!swapped] = (uint8_t)(rgb >> 8);
+}
+
+const struct glint_use_format glint_use_rgb565 GLINT_FLASH = {rgb565_draws, glint_levels_fold, rgb565_levels,
+                                                              rgb565_exact, GLINT_LINE_BEGIN};
+
+static bool rgb888_draws(const struct glint_output *output)
+{
+    return (output->format == GLINT_RGB888 || glint_format_is_blue_first(output->format)) &&
+           output->space == GLINT_GAMMA;
+}
+
+static uint32_t rgb888_levels(const struct glint_paint *paint, const struct glint_run *run,
+                              const struct glint_sample *samples, unsigned count)
+{
+    glint_levels_alpha(paint->output.format, run, 0, count);
+    return run->albedo || run->gloss ? rgb888_mapped(paint, run, samples, count)
+                                     : rgb888_plain(paint, run, samples, count);
+}
+
+static void rgb888_exact(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
+                         const struct glint_sample *sums, unsigned apart)
+{
+    uint8_t levels[4];
+    glint_exact_levels(levels, paint, run, i, sums, apart);
+    glint_store_run(paint->output.format, run->line, run->x + i, levels, 1, 0);
+}
+
+const struct glint_use_format glint_use_rgb888 GLINT_FLASH = {rgb888_draws, glint_levels_fold, rgb888_levels,
+                                                              rgb888_exact, NULL};
