@@ -200,8 +200,10 @@ check-format:
 	@tests/tally "tests/format $(sort $(FORMATTED))"
 
 # The packages of the tiers are installed while the first of them runs: a tier's own set-up then finds them, or says what is missing.
+# npm is left out where there is one: Debian's conflicts with that of NodeSource, and nothing would be installed.
 # Then the lab's kernel is built, where it is not kept yet, in the time that other tiers wait for browsers and for each other.
-TEST_LISTS = $(filter-out TEST_% DEMO_% BENCH_% STRENGTH_% PROOF_EVA_%,$(filter %_PACKAGES,$(.VARIABLES))) BENCH_EMULATOR_PACKAGES
+TEST_LISTS = $(filter-out TEST_% DEMO_% BENCH_% STRENGTH_% PROOF_EVA_%,$(filter %_PACKAGES,$(.VARIABLES))) \
+	$(if $(shell command -v npm),,BENCH_EMULATOR_PACKAGES)
 TEST_PACKAGES = $(sort $(foreach list,$(TEST_LISTS),$($(list))))
 # The tiers compile much of the same: what one has compiled the next, and the next run, take from ccache.
 CACHE_PACKAGES = ccache

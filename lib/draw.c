@@ -51,7 +51,7 @@ enum glint_err glint_draw_check(const struct glint_paint *paint, const struct gl
         return GLINT_ERR_FORMAT;
     const uint32_t size = map ? (uint32_t)glint_normals_size(maps->normals_format) : 1;
     const uintptr_t bits = (uintptr_t)map | (map && h > 1 ? (uintptr_t)maps->normals_stride : 0);
-    if (bits & (size == 4 ? 3 : size == 6))
+    if (size == 4 ? GLINT_MISALIGNED(bits, 32) : size == 6 && GLINT_MISALIGNED(bits, 16))
         return GLINT_ERR_ARG;
     if (h > 1 && !(draw_fits(target, target->stride, glint_line_bytes(paint->output.format, w)) &&
                    draw_fits(map, maps->normals_stride, size * w) && draw_fits(maps->gloss, maps->gloss_stride, w) &&
