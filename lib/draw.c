@@ -65,7 +65,8 @@ enum glint_err glint_draw_check(const struct glint_paint *paint, const struct gl
 
 /* ---- Lines as runs ---- */
 
-static const uint8_t *lines_of(const uint8_t *map, ptrdiff_t stride, uint32_t y)
+/* Where the map has line y, or NULL. Inlined in one place only. */
+static inline const uint8_t *lines_of(const uint8_t *map, ptrdiff_t stride, uint32_t y)
 {
     return map ? map + stride * (ptrdiff_t)y : NULL;
 }
@@ -74,24 +75,15 @@ void glint_lines_set(struct glint_lines *lines, uint32_t y)
 {
     const struct glint_maps *maps = lines->maps;
     const struct glint_surface *target = lines->target;
-    struct glint_run *run = &lines->run;
-    run->line = (uint8_t *)target->pixels + target->stride * (ptrdiff_t)y;
-    run->x = 0;
-    run->left = target->x;
-    run->y = target->y + y;
-    run->albedo = run->gloss = NULL;
-    run->coverage = NULL;
-    lines->normals = lines->albedo = lines->gloss = NULL;
-    lines->has_gaps = false;
+    lines->run.line = (uint8_t *)target->pixels + target->stride * (ptrdiff_t)y;
+    lines->run.x = 0;
+    lines->run.y = target->y + y;
     if (!maps)
         return;
-    run->coverage = lines_of(maps->coverage, maps->coverage_stride, y);
+    lines->run.coverage = lines_of(maps->coverage, maps->coverage_stride, y);
     lines->albedo = lines_of(maps->albedo, maps->albedo_stride, y);
     lines->gloss = lines_of(maps->gloss, maps->gloss_stride, y);
-    if (lines->are_normals) {
-        lines->normals = lines_of((const uint8_t *)maps->normals, maps->normals_stride, y);
-        lines->has_gaps = !lines->marks_gaps && maps->normals_format == GLINT_NORMALS_INT8;
-    }
+    lines->normals = lines_of((const uint8_t *)maps->normals, maps->normals_stride, y); /* not read of a span's */
 }
 
 /* The first pixel from x on, and before end, that is drawn, or not: covered, and of a surface. Loops of their own, as this costs cycles at
@@ -189,16 +181,18 @@ static void draw_normals(const struct glint_paint *paint, struct glint_lines *li
                                      lines->count);
 }
 
-/* Source and surface of lines; the rest is set by what draws them. */
+/* Source and surface of lines, and what they have no map for; the rest is set by what draws them. */
 static void draw_lines(struct glint_lines *lines, const struct glint_maps *maps, uint32_t w,
                        const struct glint_surface *target, bool are_normals)
 {
     lines->maps = maps;
     lines->target = target;
     lines->w = w;
-    lines->are_normals = are_normals;
-    lines->marks_gaps = false;
+    lines->has_gaps = are_normals && maps->normals_format == GLINT_NORMALS_INT8;
+    lines->albedo = lines->gloss = NULL;
+    lines->run.left = target->x;
     lines->run.apart = 0;
+    lines->run.albedo = lines->run.gloss = lines->run.coverage = NULL;
 }
 
 enum glint_err glint_draw_rect(const struct glint_paint *paint, const struct glint_maps *maps, uint16_t w, uint16_t h,

@@ -23,9 +23,7 @@ struct glint_lines {
     const struct glint_surface *target;
     uint32_t w;
     uint16_t most;                           /* pixels in a run; where it is of samples, up to GLINT_RUN */
-    bool are_normals;                        /* a rectangle's */
-    bool marks_gaps;                         /* samples say themselves where there is no surface: tables */
-    bool has_gaps;                           /* else runs end there */
+    bool has_gaps;                           /* runs end where there is no surface; for tables samples say so */
     struct glint_run run;                    /* the one at hand */
     uint16_t count;                          /* its pixels */
     const uint8_t *normals, *albedo, *gloss; /* of the line, or NULL */

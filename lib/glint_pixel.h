@@ -240,7 +240,7 @@ GLINT_INLINE uint32_t glint_levels_rgb(const struct glint_paint *paint, const st
     const ptrdiff_t other = swapped ? -1 : 1;
     uint32_t bias[4], bases[12], open = 0;
     const uint32_t *base = paint->of.exact.p;
-    const bool turns = !maps && dither && (!deep || paint->output.dither); /* from a pixel's base to the next's */
+    const bool turns = !maps && dither && paint->output.dither; /* from a pixel's base to the next's */
     if (maps) {
         glint_levels_bias(bias, paint, run);
     } else if (turns) {

@@ -5,7 +5,7 @@
 
 #include "glint.h"
 
-#define GLINT_RUN 19u /* samples at most: pixels side by side that are drawn together; what the stack allows */
+#define GLINT_RUN 20u /* samples at most: pixels side by side that are drawn together; what the stack allows */
 
 /* For the exact paint. */
 struct glint_sample {

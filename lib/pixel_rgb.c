@@ -15,7 +15,11 @@ static bool rgb565_draws(const struct glint_output *output)
     {                                                                                                                  \
         return glint_levels_rgb(paint, run, samples, count, kind, maps, dither);                                       \
     }
+#ifdef __OPTIMIZE_SIZE__ /* one loop for both */
+#define rgb565_plain rgb565_dithered
+#else
 RGB_LOOP(rgb565_plain, GLINT_LEVELS_565, false, false)
+#endif
 RGB_LOOP(rgb565_dithered, GLINT_LEVELS_565, false, true)
 RGB_LOOP(rgb565_mapped, GLINT_LEVELS_565, true, true)
 RGB_LOOP(rgb888_plain, GLINT_LEVELS_888, false, true)

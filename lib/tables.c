@@ -139,37 +139,46 @@ static void tables_note(struct glint_bounds *bounds, const struct glint_run *run
             glint_bounds_add(bounds, run->x + i, y);
 }
 
-/* Runs of a line, drawn or not; their highlight goes to the bounds, unless these are NULL. What is not drawn is not looked at where the box
- * has it already. Alone, as the fused loops do not need its raws on the stack. */
-static __attribute__((noinline)) void tables_line(const struct glint_paint *paint, struct glint_lines *lines,
-                                                  struct glint_span *at, struct glint_bounds *bounds, uint32_t y,
+/* Draws in runs, or not; their highlight goes to the box, unless that is NULL. What is not drawn is not looked at where the box has it
+ * already. Alone, as the fused loops do not need its raws on the stack. */
+static __attribute__((noinline)) void tables_runs(const struct glint_paint *paint, struct glint_lines *lines,
+                                                  struct glint_span *at, uint32_t h, struct glint_box *highlight,
                                                   bool draws)
 {
     struct glint_raw raws[GLINT_RUN];
     struct glint_run *const run = &lines->run;
+    struct glint_bounds bounds;
     uint32_t walked = 0;
+    bounds.any = false;
     lines->most = GLINT_RUN;
-    for (glint_lines_set(lines, y); glint_lines_next(lines); run->x += lines->count) {
-        if (!draws && bounds->any && bounds->bottom == y && run->x >= bounds->left &&
-            run->x + lines->count <= bounds->right + 1u)
-            continue;
-        if (at && run->x != walked)
-            glint_span_skip(at, run->x - walked);
-        tables_raws(paint, lines, at, raws);
-        walked = run->x + lines->count;
-        if (bounds)
-            tables_note(bounds, run, raws, lines->count, y);
-        if (draws)
-            GLINT_FLASH_POINTER(paint->of.tables.filled.use->pixels)(paint, run, raws, lines->count);
-    }
+    for (uint32_t y = 0; y < h; y++)
+        for (glint_lines_set(lines, y); glint_lines_next(lines); run->x += lines->count) {
+            if (!draws && bounds.any && bounds.bottom == y && run->x >= bounds.left &&
+                run->x + lines->count <= bounds.right + 1u)
+                continue;
+            if (at && run->x != walked)
+                glint_span_skip(at, run->x - walked);
+            tables_raws(paint, lines, at, raws);
+            walked = run->x + lines->count;
+            if (highlight)
+                tables_note(&bounds, run, raws, lines->count, y);
+            if (draws)
+                GLINT_FLASH_POINTER(paint->of.tables.filled.use->pixels)(paint, run, raws, lines->count);
+        }
+    glint_bounds_box(&bounds, highlight);
 }
 
-/* A line by the kind's fused loops: what is covered side by side at a time. */
+/* Draws a line by the kind's fused loops: what is covered side by side at a time. */
 static void tables_fused(const struct glint_paint *paint, struct glint_lines *lines, uint32_t y)
 {
     struct glint_run *const run = &lines->run;
     lines->most = UINT16_MAX;
-    for (glint_lines_set(lines, y); glint_lines_next(lines); run->x += lines->count)
+    glint_lines_set(lines, y);
+    if (!run->coverage) {
+        GLINT_FLASH_POINTER(paint->of.tables.filled.use->line)(paint, lines, 0, lines->w);
+        return;
+    }
+    for (; glint_lines_next(lines); run->x += lines->count)
         GLINT_FLASH_POINTER(paint->of.tables.filled.use->line)(paint, lines, run->x, run->x + lines->count);
 }
 
@@ -179,14 +188,9 @@ void glint_tables_draw(const struct glint_paint *paint, struct glint_lines *line
     const struct glint_surface *target = lines->target;
     const bool is_fused = GLINT_FUSED && !at && paint->light_count > 0 && !GLINT_MISALIGNED(target->pixels, 16) &&
                           (h < 2 || !GLINT_MISALIGNED(target->stride, 16));
-    struct glint_bounds bounds;
-    bounds.any = false;
-    lines->marks_gaps = true;
-    for (uint32_t y = 0; y < h; y++) {
-        if (is_fused)
-            tables_fused(paint, lines, y);
-        if (!is_fused || highlight)
-            tables_line(paint, lines, at, highlight ? &bounds : NULL, y, !is_fused);
-    }
-    glint_bounds_box(&bounds, highlight);
+    lines->has_gaps = false;
+    if (!is_fused || highlight)
+        tables_runs(paint, lines, at, h, highlight, !is_fused);
+    for (uint32_t y = 0; is_fused && y < h; y++)
+        tables_fused(paint, lines, y);
 }
