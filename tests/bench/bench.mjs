@@ -7,7 +7,7 @@ import { boot } from './m0plus.mjs'
 import { readScene } from './scene.mjs'
 import { evaluations, printEvaluations } from './evaluations.mjs'
 import { loops, printLoops } from './loops.mjs'
-import { MESHES, printMeshes } from './mesh.mjs'
+import { LIT_MESHES, MESHES, printLitMeshes, printMeshes } from './mesh.mjs'
 import { printCounts, printSizes, readCounts, readSizes } from './counts.mjs'
 import { FLASH_FOOT } from './flash.mjs'
 
@@ -21,14 +21,19 @@ const scene = readScene(`${folder}/scene`)
 const machines = Object.fromEntries(Object.entries({ '-O2': 'O2', '-Os': 'Os', '-O2 asm': 'asm' }).map(([flags, name]) =>
   [flags, boot(`${folder}/npm`, `${folder}/m0plus-${name}.elf`)]))
 const meshMachines = () => Object.fromEntries(['O2', 'asm'].map((name) => [name, boot(`${folder}/npm`, `${folder}/mesh-${name}.elf`)]))
+const showMeshes = (meshes, lit) => {
+  const builds = meshMachines()
+  if (meshes.length) printMeshes(builds, meshes)
+  if (lit.length) printLitMeshes(builds.O2, lit)
+}
 if (pattern !== undefined) {
   const match = new RegExp(pattern), wanted = [...new Set([60, ...shininesses.map(Number)])]
   const cycles = evaluations(machines, scene, match, wanted), pixels = loops(machines, scene, match, wanted)
-  const meshes = MESHES.filter(([name]) => match.test(name))
-  if (!cycles.length && !pixels.length && !meshes.length) throw new Error(`no row's name matches ${pattern}`)
+  const [meshes, lit] = [MESHES, LIT_MESHES].map((rows) => rows.filter(([name]) => match.test(name)))
+  if (!cycles.length && !pixels.length && !meshes.length && !lit.length) throw new Error(`no row's name matches ${pattern}`)
   if (cycles.length) printEvaluations(cycles, scene)
   if (pixels.length) printLoops(pixels, scene)
-  if (meshes.length) printMeshes(meshMachines(), meshes)
+  if (meshes.length || lit.length) showMeshes(meshes, lit)
   process.exit(0)
 }
 const write = (name, data) => writeFileSync(`${folder}/${name}.json`, JSON.stringify(data, null, 1) + '\n')
@@ -41,7 +46,7 @@ const pixels = loops(machines, scene)
 write('loops', pixels)
 printLoops(pixels, scene)
 console.log('\n' + FLASH_FOOT)
-printMeshes(meshMachines(), MESHES)
+showMeshes(MESHES, LIT_MESHES)
 const counts = readCounts(`${folder}/counts.txt`, scene.q)
 write('counts', counts)
 printCounts(counts)

@@ -7,7 +7,7 @@ import { boot } from './m0plus.mjs'
 import { readScene } from './scene.mjs'
 import { evaluationRows, measureEvaluation } from './evaluations.mjs'
 import { SIDES, loopRows, measureLoop, measureSides } from './loops.mjs'
-import { MESHES, hasAssembly, measureMesh } from './mesh.mjs'
+import { LIT_MESHES, MESHES, hasAssembly, measureLitMesh, measureMesh } from './mesh.mjs'
 import { measureOpen, measureWorst, readWorst, worstRows } from './worst.mjs'
 
 process.on('uncaughtException', (error) => {
@@ -65,6 +65,12 @@ for (const build of ['O2', 'asm']) {
     jobs.push(['mesh', row[0], build, 60, () => {
       const { cycles, memory } = measureMesh(machine, row)
       return build === 'O2' ? [['frame', cycles], ['memory', memory]] : [['frame', cycles]]
+    }])
+  }
+  for (const row of build === 'O2' ? LIT_MESHES : []) {
+    jobs.push(['mesh', row[0], build, 60, () => {
+      const { light, rect } = measureLitMesh(machine, row)
+      return [['light', light.toFixed(1)], ['rect', rect.toFixed(1)]]
     }])
   }
 }

@@ -3,18 +3,23 @@
 const SIZE = 240, LINES = 16, EMPTY = 0x5a // no pixel of the material is 5a5a
 
 // Rows of costs.tsv: mesh.c's meshes and ways; the assembly is for tables.
-const TABLES = 0, EXACT = 1, GOURAUD = 2
+const TABLES = 0, EXACT = 1, GOURAUD = 2, DARK = 3, POINT = 4, FOUR_POINTS = 5
 export const MESHES = [['mesh teapot', 0, TABLES], ['mesh teapot split', 1, TABLES], ['mesh teapot exact', 0, EXACT],
   ['mesh teapot split exact', 1, EXACT], ['mesh teapot gouraud', 0, GOURAUD], ['mesh teapot split gouraud', 1, GOURAUD], ['mesh bunny', 3, TABLES],
   ['mesh teapot, 18 kept', 2, TABLES], ['mesh teapot exact, 18 kept', 2, EXACT]]
+// Under points: beside no light, and beside rectangles of the same normals.
+export const LIT_MESHES = [['mesh teapot point', 0, POINT], ['mesh teapot four points', 0, FOUR_POINTS],
+  ['mesh teapot split point', 1, POINT]]
 export const hasAssembly = ([, , way]) => way === TABLES
 
+const caller = (machine, name, which) => (step, argument) => {
+  const { cycles, value } = machine.call(step, [argument])
+  if (value) throw new Error(`${name}: ${step} returned an error${which === 3 ? '; has make setup-rp2040js installed the bunny?' : ''}`)
+  return cycles
+}
+
 export function measureMesh(machine, [name, which, way]) {
-  const call = (step, argument) => {
-    const { cycles, value } = machine.call(step, [argument])
-    if (value) throw new Error(`${name}: ${step} returned an error${which === 3 ? '; has make setup-rp2040js installed the bunny?' : ''}`)
-    return cycles
-  }
+  const call = caller(machine, name, which)
   const out = machine.bytes(machine.address('mesh_out'), 2 * SIZE * LINES)
   call('mesh_begin', way)
   let cycles = call('mesh_frame', which), covered = 0
@@ -24,6 +29,20 @@ export function measureMesh(machine, [name, which, way]) {
     for (let i = 0; i < out.length; i += 2) covered += out[i] !== EMPTY || out[i + 1] !== EMPTY
   }
   return { cycles, covered: covered / SIZE / SIZE, memory: machine.call('mesh_memory_bytes', [way, which]).value }
+}
+
+// Cycles a covered pixel: what a frame takes more under the lights than under none, and glint_draw_rect under them for the same normals.
+export function measureLitMesh(machine, [name, which, way]) {
+  const call = caller(machine, name, which)
+  const dark = measureMesh(machine, [name, which, DARK]), lit = measureMesh(machine, [name, which, way])
+  const pixels = lit.covered * SIZE * SIZE
+  call('mesh_frame', which)
+  let rect = 0
+  for (let y = 0; y < SIZE; y += LINES) {
+    call('mesh_normals', y)
+    rect += call('mesh_rect', y)
+  }
+  return { light: (lit.cycles - dark.cycles) / pixels, rect: rect / pixels }
 }
 
 export function printMeshes(machines, rows) {
@@ -36,4 +55,13 @@ export function printMeshes(machines, rows) {
       const name = build === 'asm' ? `${row[0]}, asm` : row[0]
       console.log(`${name.padEnd(30)} ${(cycles / 1000).toFixed(0).padStart(7)} ${(125e6 / cycles).toFixed(1).padStart(6)}   on ${(100 * covered).toFixed(0)} %, ${(memory / 1000).toFixed(1)} KB`)
     }
+}
+
+export function printLitMeshes(machine, rows) {
+  console.log('\nMeshes under lights, exactly, -O2: cycles a covered pixel that a frame takes more than under no light, beside those of')
+  console.log('glint_draw_rect for the same normals and lights, over a coverage map.')
+  for (const row of rows) {
+    const { light, rect } = measureLitMesh(machine, row)
+    console.log(`${row[0].padEnd(30)} ${light.toFixed(0).padStart(7)} ${rect.toFixed(0).padStart(7)}   ${(light / rect).toFixed(2)}`)
+  }
 }

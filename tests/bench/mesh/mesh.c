@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: MIT
- * The teapot, as shipped and with its edges split, and the bunny, by COLOUR tables, exactly and by Gouraud shading. */
+ * The teapot, as shipped and with its edges split, and the bunny, by COLOUR tables, exactly, by Gouraud shading and under points; and its
+ * normals as a rectangle's. */
+#include <string.h>
+
 #include "mesh.h"
+#include "glint_lights.h"
 #include "glint_mesh.h"
 #include "gouraud.h"
 #include "teapot.h"
@@ -24,10 +28,15 @@ static const struct {
 };
 
 /* Aligned, and enough for the larger mesh; the second strip is the one that would be sent. */
-static uint32_t
-    frame_memory[(2 * WIDTH * LINES + 1024 /* what glint_mesh_frame_bytes adds */ + KEPT * GLINT_MESH_KEPT_BYTES) / 4],
+static uint32_t frame_memory[(2 * WIDTH * LINES + 1024 /* what glint_mesh_frame_bytes adds */ +
+                              KEPT * GLINT_MESH_KEPT_BYTES + GLINT_MESH_LIGHTS_BYTES) /
+                             4],
     mesh_memory[12000];
-static uint32_t tables_memory[GLINT_TABLES_COLOUR_BYTES / 4];
+/* Tables, or the strip's normals: mesh_normals. */
+static union {
+    uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4];
+    struct glint_vec normals[LINES][WIDTH];
+} either;
 uint32_t mesh_out[WIDTH * LINES / 2];
 
 static enum mesh_way chosen;
@@ -35,6 +44,29 @@ static enum mesh_way chosen;
 static struct glint_paint paint;
 static struct glint_mesh_frame frame;
 static struct glint_mesh_drawn drawn;
+
+/* How many. A point is 512 pixels from the picture's middle in x, in y and towards the viewer; four are around it. */
+static int lights_of(enum mesh_way way, struct glint_light lights[GLINT_LIGHTS_MAX])
+{
+    enum {
+        AWAY = 8192,
+        LEFT = 8 * WIDTH - AWAY,
+        RIGHT = 8 * WIDTH + AWAY,
+        TOP = 8 * HEIGHT - AWAY,
+        BOTTOM = 8 * HEIGHT + AWAY,
+        RANGE = 32768
+    };
+    static const int32_t to_light[3] = {-4, 6, 8};
+    static const int32_t places[GLINT_LIGHTS_MAX][3] = {
+        {LEFT, TOP, AWAY}, {RIGHT, TOP, AWAY}, {LEFT, BOTTOM, AWAY}, {RIGHT, BOTTOM, AWAY}};
+    const int count = way == MESH_DARK ? 0 : way == MESH_FOUR_POINTS ? 4 : 1;
+    if (way < MESH_DARK)
+        return glint_light_directional(lights, to_light) ? -1 : 1;
+    for (int i = 0; i < count; i++)
+        if (glint_light_point(&lights[i], places[i], RANGE))
+            return -1;
+    return count;
+}
 
 int mesh_begin(enum mesh_way way)
 {
@@ -47,19 +79,22 @@ int mesh_begin(enum mesh_way way)
                                                .albedo = {255, 255, 255},
                                                .clamp_peak = true};
     static const struct glint_output output = {.format = GLINT_RGB565};
-    static const int32_t to_light[3] = {-4, 6, 8}, to_viewer[3] = {0, 0, 1};
-    struct glint_light light;
+    static const int32_t to_viewer[3] = {0, 0, 1};
+    static struct glint_light lights[GLINT_LIGHTS_MAX];
+    const int count = lights_of(way, lights);
     chosen = way;
     gouraud_paint = way == MESH_GOURAUD ? &paint : NULL;
-    return (way == MESH_BY_TABLES ? glint_paint_tables_for(&paint, &glint_use_colour, &clay, &output, tables_memory,
-                                                           sizeof tables_memory, &glint_use_msh, &glint_use_rgb565)
-                                  : glint_paint_exact_for(&paint, &clay, &output, &glint_use_msh, &glint_use_rgb565)) |
-           glint_light_directional(&light, to_light) | glint_paint_light(&paint, &light, 1, to_viewer);
+    return count < 0 ||
+           (way == MESH_BY_TABLES ? glint_paint_tables_for(&paint, &glint_use_colour, &clay, &output, either.tables,
+                                                           sizeof either.tables, &glint_use_msh, &glint_use_rgb565)
+                                  : glint_paint_exact_for(&paint, &clay, &output, &glint_use_msh, &glint_use_rgb565)) ||
+           glint_paint_light(&paint, lights, (unsigned)count, to_viewer);
 }
 
 static size_t frame_bytes(unsigned which)
 {
-    return glint_mesh_frame_bytes(WIDTH, LINES) + drawings[which].kept * GLINT_MESH_KEPT_BYTES;
+    return glint_mesh_frame_bytes(WIDTH, LINES) + drawings[which].kept * GLINT_MESH_KEPT_BYTES +
+           (chosen > MESH_DARK ? GLINT_MESH_LIGHTS_BYTES : 0);
 }
 
 int mesh_frame(unsigned which)
@@ -85,5 +120,39 @@ int mesh_strip(unsigned y)
 uint32_t mesh_memory_bytes(enum mesh_way way, unsigned which)
 {
     return (uint32_t)(frame_bytes(which) + glint_mesh_bytes(drawings[which].mesh, HEIGHT) + 2 * sizeof mesh_out +
-                      sizeof frame + sizeof drawn + sizeof paint + (way == MESH_BY_TABLES ? sizeof tables_memory : 0));
+                      sizeof frame + sizeof drawn + sizeof paint + (way == MESH_BY_TABLES ? sizeof either.tables : 0));
+}
+
+/* ---- The same normals as a rectangle's ---- */
+
+static uint8_t coverage[LINES][WIDTH];
+
+/* In the place of what draws a run under points. */
+static void keep_normals(struct glint_lights *lights, unsigned count)
+{
+    const size_t at = lights->run->y % LINES * WIDTH + lights->run->x;
+    memcpy(either.normals[0] + at, lights->normals, count * sizeof *lights->normals);
+    memset(coverage[0] + at, 1, count);
+}
+
+int mesh_normals(unsigned y)
+{
+    const struct glint_use_lights *const several = paint.several;
+    struct glint_use_lights keeping = *several;
+    keeping.run = keep_normals;
+    memset(coverage, 0, sizeof coverage);
+    paint.several = &keeping;
+    const int error = mesh_strip(y);
+    paint.several = several;
+    return error;
+}
+
+int mesh_rect(unsigned y)
+{
+    static const struct glint_maps maps = {.normals = either.normals,
+                                           .normals_stride = sizeof *either.normals,
+                                           .coverage = coverage[0],
+                                           .coverage_stride = sizeof *coverage};
+    const struct glint_surface surface = {mesh_out, 2 * WIDTH, 0, (uint16_t)y};
+    return glint_draw_rect(&paint, &maps, WIDTH, LINES, &surface, NULL);
 }

@@ -11,7 +11,8 @@ enum { MESH_WIDTH = 240, MESH_HEIGHT = 240, MESH_LINES = 16 };
 #define MESH_BUNNY 0
 #endif
 
-enum mesh_way { MESH_BY_TABLES, MESH_EXACT, MESH_GOURAUD };
+/* From MESH_DARK on exactly: under no light, one white point, four. */
+enum mesh_way { MESH_BY_TABLES, MESH_EXACT, MESH_GOURAUD, MESH_DARK, MESH_POINT, MESH_FOUR_POINTS };
 
 extern uint32_t mesh_out[MESH_WIDTH * MESH_LINES / 2]; /* a strip, RGB565 */
 
@@ -19,7 +20,11 @@ int mesh_begin(enum mesh_way way); /* the material; not counted */
 /* 0: the teapot as shipped; 1: split at 30 degrees; 2: as 0, with fewer places; 3: the bunny, of MESH_BUNNY. */
 int mesh_frame(unsigned which);
 int mesh_strip(unsigned y);
-/* Bytes that a picture takes: the frame's and the mesh's memory, two strips, tables or a prepared shader. */
+/* Under points, in the place of mesh_strip: keeps the strip's normals, as they are drawn, and which pixels have one; not counted. Then draws
+ * them, as a rectangle. */
+int mesh_normals(unsigned y);
+int mesh_rect(unsigned y);
+/* Bytes that a picture takes: the frame's and the mesh's memory, two strips, the paint and its tables. */
 uint32_t mesh_memory_bytes(enum mesh_way way, unsigned which);
 
 #endif
