@@ -75,6 +75,12 @@ struct glint_lights {
     struct glint_sample slots[GLINT_LIGHTS_SLOTS];
 };
 
+/* From a channel's sums to the next's: 0 where they are the same. */
+static inline uint8_t glint_lights_apart(const struct glint_lights *lights)
+{
+    return lights->channels == 1 ? 0 : lights->length;
+}
+
 /* What draws under several lights. */
 struct glint_use_lights {
     enum glint_err (*light)(struct glint_paint *paint, const struct glint_light *lights, unsigned count,

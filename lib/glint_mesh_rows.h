@@ -39,8 +39,8 @@ static inline bool glint_mesh_is_lit(const struct glint_paint *paint)
 {
     return paint->several || (glint_paint_is_exact(paint) && GLINT_FLASH_POINTER(paint->model->geometry));
 }
-/* The bytes that this takes, in the frame's memory. */
-size_t glint_mesh_lit_bytes(void);
+/* Before the first of a picture: GLINT_MESH_LIGHTS_BYTES of the frame's memory, aligned, that know no paint yet. */
+void glint_mesh_lit_begin(void *memory);
 
 /* Draws a triangle's lines from the first in the strip up to where the triangle or the strip ends; it then stands there. The triangle is
  * that of a struct glint_mesh_kept, which knows its face. */

@@ -225,7 +225,7 @@ static void lights_begin(struct glint_lights *lights, const struct glint_paint *
     lights->is_boxed = is_boxed;
     lights->channels = lights_are_white(paint->lights, paint->light_count) ? 1 : 3;
     lights->length = (uint8_t)(GLINT_LIGHTS_SLOTS / (lights->channels + (paint->light_count > 1)));
-    lights->run->apart = lights->channels == 1 ? 0 : lights->length;
+    lights->run->apart = glint_lights_apart(lights);
     lights->is_folded = false;
     lights_part(lights, false);
     lights->normals = NULL;

@@ -144,9 +144,9 @@ struct mesh_lit {
 };
 typedef char mesh_lit_fits[sizeof(struct mesh_lit) + sizeof(void *) <= GLINT_MESH_LIGHTS_BYTES ? 1 : -1];
 
-size_t glint_mesh_lit_bytes(void)
+void glint_mesh_lit_begin(void *memory)
 {
-    return sizeof(struct mesh_lit);
+    ((struct mesh_lit *)memory)->lights.paint = NULL;
 }
 
 static int16_t lit_hold(int32_t x)
@@ -185,36 +185,41 @@ static int32_t lit_place(int64_t x)
     return x > far ? far : x < -far ? -far : (int32_t)x;
 }
 
-/* The place of a pixel of the picture, from the viewport's middle; z: its depth, Q16.16. Under perspective 1 / r = 2^29 / R = q 2^-32. */
+/* The place of a pixel of the picture under perspective, from the viewport's middle; z: its depth, Q16.16. 1 / r = 2^29 / R = q 2^-32. */
 static void lit_at(int32_t place[3], const struct glint_mesh_frame *frame, int32_t x, int32_t y, uint32_t z)
 {
-    place[0] = 16 * x + 8 - 8 * (int32_t)frame->w;
-    place[1] = 16 * y + 8 - 8 * (int32_t)frame->h;
-    place[2] = 32767 - (int32_t)(z >> 16);
-    if (frame->distance == 0)
-        return;
     const uint32_t most = (uint32_t)65535 << 16, r = z < most - 65536 ? most - z : 65536;
     const uint64_t q = ((uint64_t)1 << 61) / r; /* <= 2^45 */
-    place[0] = lit_place((place[0] * (int64_t)q) >> 32);
-    place[1] = lit_place((place[1] * (int64_t)q) >> 32);
+    place[0] = lit_place(((16 * x + 8 - 8 * (int32_t)frame->w) * (int64_t)q) >> 32);
+    place[1] = lit_place(((16 * y + 8 - 8 * (int32_t)frame->h) * (int64_t)q) >> 32);
     place[2] = lit_place(frame->distance - (int64_t)((frame->distance * q) >> 32));
 }
 
-/* Normals, and places on the screen, of count pixels; z: of the first. left, top: of the viewport on the screen. */
+/* Normals, and places on the screen, of count pixels; z: of the first. A component after the other, as cores have few registers. */
 ROWS_ALONE void lit_fill(struct mesh_lit *lit, const struct glint_mesh_frame *frame, const struct glint_mesh_row *row,
                          int32_t line, uint32_t z, unsigned count)
 {
-    const int32_t left = 8 * (int32_t)frame->w + 16 * (int32_t)row->run.left;
-    const int32_t top = 8 * (int32_t)frame->h + 16 * ((int32_t)row->run.y - line);
+    const int32_t left = 16 * (int32_t)row->run.left, top = 16 * ((int32_t)row->run.y - line);
+    int32_t x = 16 * (int32_t)row->run.x + 8 + left;
     uint32_t now[3];
     glint_mesh_across_at(&lit->across, (int32_t)row->run.x, line, now);
-    for (unsigned i = 0; i < count; i++, z += row->dz) {
-        lit->normals[i].x = glint_mesh_across_next(&lit->across.of[0], &now[0]);
-        lit->normals[i].y = glint_mesh_across_next(&lit->across.of[1], &now[1]);
-        lit->normals[i].z = glint_mesh_across_next(&lit->across.of[2], &now[2]);
-        lit_at(lit->places[i], frame, (int32_t)(row->run.x + i), line, z);
-        lit->places[i][0] += left;
-        lit->places[i][1] += top;
+    for (unsigned k = 0; k < 3; k++) {
+        const struct glint_mesh_slope slope = lit->across.of[k];
+        int16_t *out = &lit->normals[0].x + k;
+        for (unsigned i = 0; i < count; i++, out += 3)
+            *out = glint_mesh_across_next(&slope, &now[k]);
+    }
+    for (unsigned i = 0; i < count; i++, z += row->dz, x += 16) {
+        int32_t *const place = lit->places[i];
+        if (frame->distance == 0) { /* what lit_at has, without the way to the viewport's middle and back */
+            place[0] = x;
+            place[1] = 16 * line + 8 + top;
+            place[2] = 32767 - (int32_t)(z >> 16);
+        } else {
+            lit_at(place, frame, (int32_t)(row->run.x + i), line, z);
+            place[0] += left + 8 * (int32_t)frame->w;
+            place[1] += top + 8 * (int32_t)frame->h;
+        }
     }
 }
 
@@ -224,7 +229,9 @@ ROWS_ALONE unsigned lit_begin(struct mesh_lit *lit, const struct glint_paint *pa
     lit->lights.run = run;
     if (!paint->several)
         return GLINT_MESH_RUN;
-    GLINT_FLASH_POINTER(paint->several->begin)(&lit->lights, paint, false);
+    if (lit->lights.paint != paint)
+        GLINT_FLASH_POINTER(paint->several->begin)(&lit->lights, paint, false);
+    run->apart = glint_lights_apart(&lit->lights);
     lit->lights.normals = lit->normals;
     lit->lights.places = (const int32_t(*)[3])lit->places;
     return lit->lights.length;
