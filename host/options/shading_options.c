@@ -109,14 +109,6 @@ static void parse_view(const struct argp_state *state, const char *text, double 
     check_direction(state, "--view", view);
 }
 
-static unsigned default_q(const struct shading *shading)
-{
-    if (shading->space == GLINT_LINEAR)
-        return 12;
-    const bool coarse = format_max(shading->format, 0) < 255;
-    return coarse && !shading->dither ? 6 : 8;
-}
-
 static error_t parse_shading(int key, char *text, const struct argp_state *state, struct shading *shading)
 {
     switch (key) {
@@ -219,8 +211,6 @@ struct shading shading_of_options(const struct shading_options *options, enum gl
 {
     struct shading shading = options->shading;
     shading.format = format;
-    if (shading.q == Q_UNSET || shading.q == 0)
-        shading.q = default_q(&shading);
     if (!shading.n)
         shading.n = finish->n;
     for (unsigned k = 0; k < 3; k++) {
@@ -231,5 +221,8 @@ struct shading shading_of_options(const struct shading_options *options, enum gl
         if (isnan(shading.specular[k]))
             shading.specular[k] = finish->specular[k];
     }
+    if (shading.q == Q_UNSET)
+        shading.q = 0;
+    shading.q = shading_q(&shading);
     return shading;
 }
