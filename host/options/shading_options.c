@@ -62,7 +62,9 @@ static const struct argp_option argp_options[] = {
      "falls to 0 at RANGE pixels",
      3},
     {"spot", KEY_SPOT, "X,Y,Z,TX,TY,RANGE,INNER,OUTER[,R,G,B]", 0,
-     "A --point aimed at TX,TY on the surface: full within INNER degrees of its axis, 0 beyond OUTER", 3},
+     "A --point aimed at TX,TY on the surface, or as deep as a mesh's middle: full within INNER degrees of its "
+     "axis, 0 beyond OUTER",
+     3},
     {"view", KEY_VIEW, "X,Y,Z", 0, "The direction to the viewer (default 0,0,1)", 3},
     {"ambient", KEY_AMBIENT, "A", 0, "Light from everywhere, 0..1: one number or R,G,B (default .2; sphere, coin .15)",
      3},
