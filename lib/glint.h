@@ -132,8 +132,10 @@ enum glint_err glint_vec_normalize(struct glint_vec *out, const int32_t v[3]);
 /* A material. Coefficients are Q16.16, 0..65536; more counts as 65536. Red, green, blue. */
 struct glint_material {
     uint8_t model; /* enum glint_model */
-    uint8_t q;  /* the highlight ends at 2^-q, 1..16. 0: 6 for RGB565, 8 for others or dithered, 12 in linear space */
-    uint16_t n; /* shininess, 1..1000; 0 is an error, more counts as 1000 */
+    /* The highlight ends at 2^-q, 1..16. 0: 6 for RGB565 and MONO, 8 for others or dithered, 12 in linear space; an exact paint's
+     * material tells which. */
+    uint8_t q;
+    uint16_t n;        /* shininess, 1..1000; 0 is an error, more counts as 1000 */
     uint16_t n_across; /* 0 or n; others are an error */
     uint32_t ambient_q16[3];
     uint32_t diffuse_q16[3];

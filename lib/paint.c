@@ -15,11 +15,12 @@ enum glint_err glint_paint_check(const struct glint_material *material, const st
 }
 
 /* The cutoff 2^-q that an output needs where the material names none. */
-static unsigned paint_q(const struct glint_material *material, const struct glint_output *output)
+static uint8_t paint_q(const struct glint_material *material, const struct glint_output *output)
 {
+    const bool is_coarse = glint_format_is_565(output->format) || output->format == GLINT_MONO;
     if (material->q)
         return material->q;
-    return output->space == GLINT_LINEAR ? 12 : glint_format_is_565(output->format) && !output->dither ? 6 : 8;
+    return output->space == GLINT_LINEAR ? 12 : is_coarse && !output->dither ? 6 : 8;
 }
 
 /* A coloured light folds into the material's coefficients, so that it is as fast as a white one. The sequence takes D N and S F of a channel with
@@ -101,12 +102,13 @@ enum glint_err glint_paint_exact_for(struct glint_paint *paint, const struct gli
         return GLINT_ERR_FORMAT;
     const uint32_t n = material->n < GLINT_N_MAX ? material->n : GLINT_N_MAX;
     paint->material = *material;
+    paint->material.q = paint_q(material, output);
     paint->model = model;
     paint->format = format;
     glint_paint_unlit(paint, output);
     paint->of.exact.n = n;
     paint->of.exact.f_max = paint->material.clamp_peak ? 65536 : UINT32_MAX;
-    paint->of.exact.t_end = GLINT_FLASH_POINTER(model->cutoff_t)(n, paint_q(&paint->material, &paint->output)) + 1;
+    paint->of.exact.t_end = GLINT_FLASH_POINTER(model->cutoff_t)(n, paint->material.q) + 1;
     if (GLINT_FLASH_POINTER(model->fold))
         GLINT_FLASH_POINTER(model->fold)(paint);
     paint_fold_one(paint);

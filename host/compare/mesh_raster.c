@@ -12,20 +12,30 @@ struct corner {
     double x, y, near, weight;
 };
 
-static void project(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
-                    struct corner *corners)
+double (*mesh_turned_places(const struct mesh *mesh, const struct fitted *fitted, const struct view *view))[3]
 {
-    const double radius = view_radius(view), distance = radius * view->distance;
-    double m[3][3];
+    double(*places)[3] = allocate(mesh->vertex_count, sizeof *places), m[3][3];
     view_rotation(view, m);
     for (size_t i = 0; i < mesh->vertex_count; i++) {
         double at[3];
         for (int k = 0; k < 3; k++)
-            at[k] = (mesh->places[i][k] - fitted->middle[k]) * fitted->unit / 32767 * radius;
-        const double x = mesh_dot(m[0], at), y = mesh_dot(m[1], at), z = mesh_dot(m[2], at);
-        const double r = distance > 0 ? distance / (distance - z) : 1;
-        corners[i] = (struct corner){x * r, y * r, distance > 0 ? r : z, r};
+            at[k] = (mesh->places[i][k] - fitted->middle[k]) * fitted->unit / 32767 * view_radius(view);
+        for (int k = 0; k < 3; k++)
+            places[i][k] = mesh_dot(m[k], at);
     }
+    return places;
+}
+
+static void project(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
+                    struct corner *corners)
+{
+    const double distance = view_radius(view) * view->distance;
+    double(*places)[3] = mesh_turned_places(mesh, fitted, view);
+    for (size_t i = 0; i < mesh->vertex_count; i++) {
+        const double *at = places[i], r = distance > 0 ? distance / (distance - at[2]) : 1;
+        corners[i] = (struct corner){at[0] * r, at[1] * r, distance > 0 ? r : at[2], r};
+    }
+    free(places);
 }
 
 static double area(const struct corner *a, const struct corner *b, double x, double y)

@@ -12,6 +12,8 @@ struct mesh_raster {
     size_t faces, lines,
         pixels; /* seen from the front with a pixel at all, their lines, their pixels; hidden ones, too */
 };
+/* Where each vertex stands before it is projected: in pixels from the picture's middle, x right, y up, z to you. malloc'd. */
+double (*mesh_turned_places(const struct mesh *mesh, const struct fitted *fitted, const struct view *view))[3];
 /* `corners`: the values of each face's three. Places are those before they were fitted, so that nothing of the library's rounding is in
  * the picture. */
 struct mesh_raster *mesh_raster(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,

@@ -22,6 +22,33 @@ static double (*turned_normals(const struct mesh *mesh, const struct view *view)
     return normals;
 }
 
+/* Each face's corners' places, as a scene's. */
+static double (*corner_places(const struct mesh *mesh, const struct fitted *fitted, const struct view *view))[3]
+{
+    double(*corners)[3] = allocate(3 * mesh->face_count, sizeof *corners);
+    double(*places)[3] = mesh_turned_places(mesh, fitted, view);
+    for (size_t i = 0; i < 3 * mesh->face_count; i++) {
+        const double *place = places[mesh->faces[i / 3][i % 3]];
+        corners[i][0] = view->width / 2. + place[0];
+        corners[i][1] = view->height / 2. - place[1];
+        corners[i][2] = place[2];
+    }
+    free(places);
+    return corners;
+}
+
+/* Of each pixel. */
+static double (*places_of(const struct mesh *mesh, const struct fitted *fitted, const struct view *view))[3]
+{
+    double(*corners)[3] = corner_places(mesh, fitted, view);
+    struct mesh_raster *raster = mesh_raster(mesh, fitted, view, corners);
+    double(*places)[3] = raster->values;
+    raster->values = NULL;
+    mesh_raster_free(raster);
+    free(corners);
+    return places;
+}
+
 /* Each face's corners' colours, 0..1. */
 static double (*corner_colors(const struct mesh *mesh))[3]
 {
@@ -59,6 +86,7 @@ struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, c
     struct scene *scene = scene_new(view->width, view->height);
     scene->mask = allocate(pixels, 1);
     scene->parts = allocate(pixels, 1);
+    scene->places = places_of(mesh, fitted, view);
     if (fitted->colors)
         scene->albedo = albedo_of(mesh, fitted, view);
     *coverage = (struct mesh_coverage){0, 0};
@@ -84,7 +112,10 @@ struct levels *mesh_gouraud(const struct mesh *mesh, const struct fitted *fitted
 {
     const size_t corners = 3 * mesh->face_count, pixels = (size_t)view->width * view->height;
     const unsigned channels = format_channels(shadings->format);
-    struct scene line = {.width = (uint32_t)corners, .height = 1, .normals = turned_normals(mesh, view)};
+    struct scene line = {.width = (uint32_t)corners,
+                         .height = 1,
+                         .normals = turned_normals(mesh, view),
+                         .places = corner_places(mesh, fitted, view)};
     double *values = allocate(corners, channels * sizeof *values), (*colors)[3] = allocate(corners, sizeof *colors);
     struct levels *levels = allocate(1, sizeof *levels);
     *levels = (struct levels){.width = view->width, .height = view->height, .channels = channels};
@@ -113,6 +144,7 @@ struct levels *mesh_gouraud(const struct mesh *mesh, const struct fitted *fitted
     free(values);
     free(colors);
     free(line.normals);
+    free(line.places);
     free(line.parts);
     free(line.albedo);
     return levels;

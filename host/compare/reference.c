@@ -38,12 +38,12 @@ static double degrees_cosine(double degrees)
     return cos(degrees * M_PI / 180);
 }
 
-/* How much of a point or spot arrives at the middle of pixel x, y; `e` leads from there to the lamp. */
-static double attenuation(const struct lamp *lamp, double e[3], uint32_t x, uint32_t y)
+/* How much of a point or spot arrives at a place; `e` leads from there to the lamp. */
+static double attenuation(const struct lamp *lamp, double e[3], const double place[3])
 {
-    e[0] = lamp->position[0] - (x + .5);
-    e[1] = (y + .5) - lamp->position[1];
-    e[2] = lamp->position[2];
+    e[0] = lamp->position[0] - place[0];
+    e[1] = place[1] - lamp->position[1];
+    e[2] = lamp->position[2] - place[2];
     const double u = dot(e, e) / (lamp->range * lamp->range);
     if (u == 0 || u >= 1)
         return 0;
@@ -57,7 +57,7 @@ static double attenuation(const struct lamp *lamp, double e[3], uint32_t x, uint
     return all;
 }
 
-static struct geometry geometry_of(const struct shading *shading, const struct lamp *lamp, uint32_t x, uint32_t y)
+static struct geometry geometry_of(const struct shading *shading, const struct lamp *lamp, const double place[3])
 {
     struct geometry g = {.arrives = 1};
     for (unsigned k = 0; k < 3; k++) {
@@ -65,7 +65,7 @@ static struct geometry geometry_of(const struct shading *shading, const struct l
         g.v[k] = shading->view[k];
     }
     if (lamp->kind != LAMP_DIRECTIONAL)
-        g.arrives = attenuation(lamp, g.l, x, y);
+        g.arrives = attenuation(lamp, g.l, place);
     if (g.arrives == 0)
         return g;
     normalize(g.l);
@@ -99,9 +99,9 @@ static double highlight(const struct geometry *g, const struct shading *shading,
 
 /* What a lamp adds to what a surface that scatters all, and one that mirrors all, would send. */
 static void add_lamp(const struct shading *shading, const struct lamp *lamp, enum glint_model model,
-                     const double normal[3], uint32_t x, uint32_t y, double lit[3], double shine[3])
+                     const double normal[3], const double place[3], double lit[3], double shine[3])
 {
-    const struct geometry g = geometry_of(shading, lamp, x, y);
+    const struct geometry g = geometry_of(shading, lamp, place);
     const double nl = dot(normal, g.l);
     if (g.arrives == 0 || nl <= 0)
         return;
@@ -132,9 +132,10 @@ void reference_line(const struct scene *scene, const struct shading *shading, en
     for (uint32_t x = 0; x < scene->width; x++) {
         const size_t i = (size_t)y * scene->width + x;
         const struct shading *own = &shading[scene->parts ? scene->parts[i] : 0];
+        const double middle[3] = {x + .5, y + .5, 0}, *place = scene->places ? scene->places[i] : middle;
         double lit[3] = {0}, shine[3] = {0};
         for (unsigned lamp = 0; lamp < own->lamp_count; lamp++)
-            add_lamp(own, &own->lamps[lamp], model, scene->normals[i], x, y, lit, shine);
+            add_lamp(own, &own->lamps[lamp], model, scene->normals[i], place, lit, shine);
         const double gloss = scene->gloss ? scene->gloss[i] / 255. : 1;
         double value[3];
         for (unsigned k = 0; k < 3; k++) {

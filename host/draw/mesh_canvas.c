@@ -80,7 +80,7 @@ static void draw(const struct glint_mesh *meshes, const struct glint_paint *cons
                  const struct view *view, uint8_t *pixels, size_t line_bytes)
 {
     const uint16_t w = (uint16_t)view->width, h = (uint16_t)view->height;
-    const size_t bytes = glint_mesh_frame_bytes(w, h);
+    const size_t bytes = glint_mesh_frame_bytes(w, h) + GLINT_MESH_LIGHTS_BYTES;
     const struct glint_pose pose = view_pose(view);
     const struct glint_surface target = {pixels, (ptrdiff_t)line_bytes, 0, 0};
     struct glint_mesh_frame frame;

@@ -85,15 +85,21 @@ static const char *tables_refusal(const struct path *path, const struct shading 
     return NULL;
 }
 
+/* Of all but the exact paints over normals. */
+static const char *lights_refusal(const struct shading *shading)
+{
+    if (!shading_is_plain(shading))
+        return "takes only one --light without a colour; other lights need --path exact or exact-int8";
+    return shading->model == GLINT_PHONG ? "cannot draw phong" : NULL;
+}
+
 const char *path_refusal(const struct shading *shading)
 {
     const struct path *path = &paths[shading->path];
     if (draws_all(path))
         return NULL;
-    if (!shading_is_plain(shading))
-        return "takes only one --light without a colour; other lights need --path exact or exact-int8";
-    if (shading->model == GLINT_PHONG)
-        return "cannot draw phong";
+    if (lights_refusal(shading))
+        return lights_refusal(shading);
     if (path->paint != EXACT && tables_refusal(path, shading))
         return tables_refusal(path, shading);
     if (path->source == PALETTE && !format_is_565(shading->format))
@@ -112,13 +118,11 @@ const char *path_of_mesh(const struct shading *shading, bool has_colors, struct 
     const struct path *path = &paths[shading->path];
     *of_mesh = (struct mesh_path){path->paint != EXACT, path->source == INT8,
                                   path->paint == ALBEDO ? GLINT_TABLES_ALBEDO : GLINT_TABLES_COLOUR};
-    if (!shading_is_plain(shading))
-        return "a mesh takes only one --light, without a colour";
-    if (shading->model == GLINT_PHONG)
-        return "cannot draw a mesh by phong; choose another --model";
     if (path->source != INT16 && path->source != INT8)
         return "cannot draw a mesh; choose exact, exact-int8, colour-int16 or colour-int8, or where its vertices have "
                "colours albedo-int16 or albedo-int8";
+    if (of_mesh->by_tables && lights_refusal(shading))
+        return lights_refusal(shading);
     if (of_mesh->by_tables && tables_refusal(path, shading))
         return tables_refusal(path, shading);
     if (path->paint == ALBEDO && !has_colors)

@@ -59,6 +59,17 @@ struct glint_output shading_output(const struct shading *shading)
     return (struct glint_output){(uint8_t)shading->format, (uint8_t)shading->space, shading->dither};
 }
 
+unsigned shading_q(const struct shading *shading)
+{
+    const struct glint_material material = shading_material(shading);
+    const struct glint_output output = shading_output(shading);
+    struct glint_paint paint;
+    const enum glint_err error = glint_paint_exact(&paint, &material, &output);
+    if (error)
+        fail("the library refused the material (error %d)", (int)error);
+    return paint.material.q;
+}
+
 /* ---- lights ---- */
 
 static enum glint_err light_of(const struct lamp *lamp, struct glint_light *out)

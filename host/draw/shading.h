@@ -43,6 +43,8 @@ void place_integers(const double pixels[3], int32_t out[3]);
 /* As the library takes them. */
 struct glint_material shading_material(const struct shading *shading);
 struct glint_output shading_output(const struct shading *shading);
+/* Its q, or where that is 0 the library's for this output. */
+unsigned shading_q(const struct shading *shading);
 /* Light i, or the error with which the library refuses it alone: GLINT_ERR_VECTOR where it is straight behind. */
 enum glint_err shading_light(const struct shading *shading, unsigned i, struct glint_light *light);
 /* All of them; ends the program where the library refuses one. */

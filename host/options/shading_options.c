@@ -62,7 +62,9 @@ static const struct argp_option argp_options[] = {
      "falls to 0 at RANGE pixels",
      3},
     {"spot", KEY_SPOT, "X,Y,Z,TX,TY,RANGE,INNER,OUTER[,R,G,B]", 0,
-     "A --point aimed at TX,TY on the surface: full within INNER degrees of its axis, 0 beyond OUTER", 3},
+     "A --point aimed at TX,TY on the surface, or as deep as a mesh's middle: full within INNER degrees of its "
+     "axis, 0 beyond OUTER",
+     3},
     {"view", KEY_VIEW, "X,Y,Z", 0, "The direction to the viewer (default 0,0,1)", 3},
     {"ambient", KEY_AMBIENT, "A", 0, "Light from everywhere, 0..1: one number or R,G,B (default .2; sphere, coin .15)",
      3},
@@ -107,14 +109,6 @@ static void parse_view(const struct argp_state *state, const char *text, double 
 {
     parse_reals(state, "--view", text, view, 3, -1e6, 1e6);
     check_direction(state, "--view", view);
-}
-
-static unsigned default_q(const struct shading *shading)
-{
-    if (shading->space == GLINT_LINEAR)
-        return 12;
-    const bool coarse = format_max(shading->format, 0) < 255;
-    return coarse && !shading->dither ? 6 : 8;
 }
 
 static error_t parse_shading(int key, char *text, const struct argp_state *state, struct shading *shading)
@@ -219,8 +213,6 @@ struct shading shading_of_options(const struct shading_options *options, enum gl
 {
     struct shading shading = options->shading;
     shading.format = format;
-    if (shading.q == Q_UNSET || shading.q == 0)
-        shading.q = default_q(&shading);
     if (!shading.n)
         shading.n = finish->n;
     for (unsigned k = 0; k < 3; k++) {
@@ -231,5 +223,8 @@ struct shading shading_of_options(const struct shading_options *options, enum gl
         if (isnan(shading.specular[k]))
             shading.specular[k] = finish->specular[k];
     }
+    if (shading.q == Q_UNSET)
+        shading.q = 0;
+    shading.q = shading_q(&shading);
     return shading;
 }

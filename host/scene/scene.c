@@ -30,6 +30,7 @@ void scene_free(struct scene *scene)
     free(scene->gloss);
     free(scene->mask);
     free(scene->parts);
+    free(scene->places);
     free(scene);
 }
 

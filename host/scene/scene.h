@@ -20,6 +20,9 @@ struct scene {
     uint8_t *gloss;       /* or NULL */
     uint8_t *mask;        /* 0: not drawn; or NULL */
     uint8_t *parts;       /* of a mesh: by which of its parts' shadings; or NULL: by the only one */
+    double (*places)
+        [3]; /* of a mesh: in pixels from the picture's upper left corner, x right, y down, z to you; or NULL: each pixel's
+                           * middle, at z = 0 */
     struct finish finish;
 };
 

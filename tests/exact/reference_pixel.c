@@ -52,7 +52,9 @@ static unsigned q_of(const struct reference *s)
         return s->material.q;
     if (s->output.space == GLINT_LINEAR)
         return 12;
-    return (s->output.format == GLINT_RGB565 || s->output.format == GLINT_RGB565_SWAPPED) && !s->output.dither ? 6 : 8;
+    const bool is_coarse =
+        s->output.format == GLINT_RGB565 || s->output.format == GLINT_RGB565_SWAPPED || s->output.format == GLINT_MONO;
+    return is_coarse && !s->output.dither ? 6 : 8;
 }
 
 uint32_t reference_t_last(const struct reference *s)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * What 32 bits decide of a lamp at a pixel is what 64 bits find: the bounds of falloff, cone, L and H. Random lamps, and cones whose
  * edges lie about the pixel. GLINT_PIXELS: thousands of lamps, 2000 unless set.
- * GLINT_FAULT, blur or range: a quotient that is farther off than its bound, which is to be found (test_bounds). */
+ * GLINT_FAULT: what 32 bits see wrongly, and test_bounds is to find. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -65,11 +65,47 @@ static void lamp_at(uint64_t *seed, struct glint_light *lamp, const struct glint
     lamp->cos_inner_q30 = (int32_t)fmin(lamp->cos_outer_q30 + width, ONE);
 }
 
+/* By light_place.c a cosine may be so much low or high, of 2^30, and a falloff's quotient so much low. Faults that take up all of
+ * that leave a bound of 0 on that side. */
+enum { COSINE_LOW = 8, COSINE_HIGH = 12, FALLOFF_LOW = 8 };
+
+static void lower_falloff(struct glint_reach *reach, const struct glint_light *lamp, const struct glint_sight *sight)
+{
+    double square = 0;
+    for (int i = 0; i < 3; i++)
+        square += (double)sight->e[i] * sight->e[i];
+    const double quotient = square / ((double)lamp->range * lamp->range);
+    if (quotient > 0x1p-20)
+        reach->range_inverse -= (uint32_t)(FALLOFF_LOW * 0x1p-30 / quotient * reach->range_inverse);
+}
+
+static void move_cones(struct glint_light *lamp, int32_t by)
+{
+    if (abs(lamp->cos_outer_q30) < ONE - COSINE_HIGH && abs(lamp->cos_inner_q30) < ONE - COSINE_HIGH) {
+        lamp->cos_outer_q30 += by;
+        lamp->cos_inner_q30 += by;
+    }
+}
+
+static void make_fault(const char *fault, struct glint_reach *reach, struct glint_light *lamp,
+                       const struct glint_sight *sight)
+{
+    if (!strcmp(fault, "blur") && reach->blur)
+        reach->blur = 1;
+    else if (!strcmp(fault, "range"))
+        reach->range_inverse -= reach->range_inverse >> 26; /* 16 of 2^30 */
+    else if (!strcmp(fault, "falloff-low"))
+        lower_falloff(reach, lamp, sight);
+    else if (!strcmp(fault, "cosine-low"))
+        move_cones(lamp, COSINE_LOW);
+    else if (!strcmp(fault, "cosine-high"))
+        move_cones(lamp, -COSINE_HIGH);
+}
+
 static void what_32_bits_decide_of_a_lamp_is_what_64_bits_find(void **state)
 {
     (void)state;
     const char *set = getenv("GLINT_PIXELS"), *fault = getenv("GLINT_FAULT");
-    const bool blurs = fault && !strcmp(fault, "blur"), falls = fault && !strcmp(fault, "range");
     const int batches = set ? atoi(set) : 2000;
     int wrong = 0;
     long open = 0;
@@ -87,13 +123,12 @@ static void what_32_bits_decide_of_a_lamp_is_what_64_bits_find(void **state)
                 sight.e[k] = within(seed, ONE_IN(4) ? size >> BELOW(8) : size);
             lamp_at(seed, &lamp, &sight);
             lamp.kind->begin(&reach, &lamp);
-            if (blurs && reach.blur)
-                reach.blur = 1;
-            if (falls)
-                reach.range_inverse -= reach.range_inverse >> 26; /* 16 of 2^30 */
+            struct glint_light seen = lamp;
+            if (fault)
+                make_fault(fault, &reach, &seen, &sight);
             memset(&near, 0, sizeof near);
             memset(&exact, 0, sizeof exact);
-            const uint32_t found = lamp.kind->near(&reach, &lamp, &sight, &near);
+            const uint32_t found = lamp.kind->near(&reach, &seen, &sight, &near);
             if (found == GLINT_REACH_OPEN) {
                 open++;
                 continue;

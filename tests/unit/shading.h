@@ -185,7 +185,8 @@ static inline unsigned q_of(const struct look *look)
         return look->material.q;
     if (look->output.space == GLINT_LINEAR)
         return 12;
-    return look->output.format <= GLINT_RGB565_SWAPPED && !look->output.dither ? 6 : 8;
+    const bool is_coarse = look->output.format <= GLINT_RGB565_SWAPPED || look->output.format == GLINT_MONO;
+    return is_coarse && !look->output.dither ? 6 : 8;
 }
 
 static inline uint32_t last_t_of(const struct look *look)

@@ -59,8 +59,6 @@ static void options_that_do_not_fit_a_mesh_are_refused(void **state)
         {"render --mesh - --height - -o a.png", "give only one of"},
         {"stream --mesh - --lights - --to none", "only one of --lights, the maps and the mesh can come"},
         {"render --scene teapot --path span -o a.png", "--path span: cannot draw a mesh; choose"},
-        {"render --scene teapot --point 1,2,3,4 -o a.png", "takes only one --light"},
-        {"render --scene teapot --model phong -o a.png", "choose another --model"},
         {"render --scene teapot --axes z-up -o a.png", "--axes is for a mesh's file"},
         {"bake --scene teapot --to palette", "--to palette is for maps"},
         {"bake --scene teapot --size 9x9", "--size is for maps"},

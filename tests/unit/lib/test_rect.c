@@ -128,7 +128,7 @@ static void a_highlight_ends_with_the_last_t_of_the_cutoff(void **state)
     assert_true(last > 50 && beyond > 50);
 }
 
-/* 6 for RGB565, 8 for others or dithered, 12 in linear space; more than 16 counts as 16. */
+/* 6 for RGB565 and MONO, 8 for others or dithered, 12 in linear space; more than 16 counts as 16. */
 static void a_cutoff_of_0_is_what_the_output_needs(void **state)
 {
     (void)state;
@@ -154,6 +154,20 @@ static void a_cutoff_of_0_is_what_the_output_needs(void **state)
         last += shines;
     }
     assert_true(last > 100);
+}
+
+static void a_paint_tells_by_which_cutoff_it_draws(void **state)
+{
+    (void)state;
+    static struct scene s;
+    for (int i = 0; i < 8 * GLINT_FORMAT_COUNT; i++) {
+        scene_init(&s, format_number(i), (enum glint_space)(i / GLINT_FORMAT_COUNT & 1));
+        s.look.output.dither = i / GLINT_FORMAT_COUNT & 2;
+        s.look.material.q = i / GLINT_FORMAT_COUNT & 4 ? 9 : 0;
+        struct glint_paint paint;
+        assert_int_equal(glint_paint_exact(&paint, &s.look.material, &s.look.output), GLINT_OK);
+        assert_int_equal(paint.material.q, q_of(&s.look));
+    }
 }
 
 static void a_shininess_beyond_1000_counts_as_1000(void **state)
@@ -359,6 +373,7 @@ int main(void)
         cmocka_unit_test(a_map_that_is_not_there_is_the_material_s),
         cmocka_unit_test(a_highlight_ends_with_the_last_t_of_the_cutoff),
         cmocka_unit_test(a_cutoff_of_0_is_what_the_output_needs),
+        cmocka_unit_test(a_paint_tells_by_which_cutoff_it_draws),
         cmocka_unit_test(a_shininess_beyond_1000_counts_as_1000),
         cmocka_unit_test(linear_pixels_are_within_a_twentieth_of_a_level_of_the_real_sum),
         cmocka_unit_test(pixels_without_coverage_keep_what_was_there_and_any_other_is_drawn),
