@@ -23,8 +23,7 @@ void glint_bounds_box(const struct glint_bounds *b, struct glint_box *box)
 {
     if (!box)
         return;
-    const struct glint_box none = {0, 0, 0, 0};
-    *box = none;
+    box->x = box->y = box->w = box->h = 0;
     if (b->any) {
         box->x = b->left;
         box->y = b->top;
@@ -41,26 +40,40 @@ static __attribute__((noinline)) bool draw_fits(const void *map, ptrdiff_t strid
     return !map || glint_stride_fits(stride, bytes);
 }
 
-enum glint_err glint_draw_check(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t w, uint32_t h,
-                                const struct glint_surface *target, bool normals)
+static bool draw_is_ready(const struct glint_paint *paint, const struct glint_surface *target)
 {
-    const void *const map = normals && maps ? maps->normals : NULL;
-    if (!glint_paint_is_lit(paint) || !target || !target->pixels || (normals && !map) || (maps && maps->grain))
-        return GLINT_ERR_ARG;
-    if (map && maps->normals_format > GLINT_NORMALS_INT8)
-        return GLINT_ERR_FORMAT;
-    const uint32_t size = map ? (uint32_t)glint_normals_size(maps->normals_format) : 1;
-    const uintptr_t bits = (uintptr_t)map | (map && h > 1 ? (uintptr_t)maps->normals_stride : 0);
-    if (size == 4 ? GLINT_MISALIGNED(bits, 32) : size == 6 && GLINT_MISALIGNED(bits, 16))
-        return GLINT_ERR_ARG;
-    if (h > 1 && !(draw_fits(target, target->stride, glint_line_bytes(paint->output.format, w)) &&
-                   draw_fits(map, maps->normals_stride, size * w) && draw_fits(maps->gloss, maps->gloss_stride, w) &&
-                   draw_fits(maps->coverage, maps->coverage_stride, w) &&
-                   draw_fits(maps->albedo, maps->albedo_stride, (maps->albedo_format == GLINT_RGB888 ? 3u : 2u) * w)))
+    return glint_paint_is_lit(paint) && target && target->pixels;
+}
+
+/* Does the paint take the maps? */
+static enum glint_err draw_takes(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t h,
+                                 bool normals)
+{
+    if (maps && maps->grain)
         return GLINT_ERR_ARG;
     if (!glint_paint_is_exact(paint))
         return GLINT_FLASH_POINTER(paint->of.tables.filled.use->check)(paint, maps, h, normals);
     return maps && maps->albedo && maps->albedo_format != GLINT_RGB888 ? GLINT_ERR_FORMAT : GLINT_OK;
+}
+
+static enum glint_err draw_check(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t w, uint32_t h,
+                                 const struct glint_surface *target)
+{
+    if (!draw_is_ready(paint, target) || !maps || !maps->normals)
+        return GLINT_ERR_ARG;
+    if (maps->normals_format > GLINT_NORMALS_INT8)
+        return GLINT_ERR_FORMAT;
+    const bool is_int8 = maps->normals_format == GLINT_NORMALS_INT8;
+    const uintptr_t bits = (uintptr_t)maps->normals | (h > 1 ? (uintptr_t)maps->normals_stride : 0);
+    if (is_int8 ? GLINT_MISALIGNED(bits, 32) : GLINT_MISALIGNED(bits, 16))
+        return GLINT_ERR_ARG;
+    if (h > 1 &&
+        !(draw_fits(target, target->stride, glint_line_bytes(paint->output.format, w)) &&
+          draw_fits(maps, maps->normals_stride, (is_int8 ? 4 : (uint32_t)sizeof(struct glint_vec)) * w) &&
+          draw_fits(maps->gloss, maps->gloss_stride, w) && draw_fits(maps->coverage, maps->coverage_stride, w) &&
+          draw_fits(maps->albedo, maps->albedo_stride, (maps->albedo_format == GLINT_RGB888 ? 3u : 2u) * w)))
+        return GLINT_ERR_ARG;
+    return draw_takes(paint, maps, h, true);
 }
 
 /* ---- Lines as runs ---- */
@@ -199,7 +212,7 @@ enum glint_err glint_draw_rect(const struct glint_paint *paint, const struct gli
                                const struct glint_surface *target, struct glint_box *highlight)
 {
     struct glint_lines lines;
-    const enum glint_err err = glint_draw_check(paint, maps, w, h, target, true);
+    const enum glint_err err = draw_check(paint, maps, w, h, target);
     if (err)
         return err;
     draw_lines(&lines, maps, w, target, true);
@@ -231,9 +244,11 @@ static __attribute__((noinline)) enum glint_err draw_span(const struct glint_pai
                                                           struct glint_box *highlight)
 {
     struct glint_lines lines;
-    const enum glint_err err = glint_draw_check(paint, maps, span->w, 1, target, false);
-    if (err || paint->several)
-        return err ? err : GLINT_ERR_ARG;
+    if (!draw_is_ready(paint, target) || paint->several)
+        return GLINT_ERR_ARG;
+    const enum glint_err err = draw_takes(paint, maps, 1, false);
+    if (err)
+        return err;
     struct glint_span at = *span;
     if (paint->light_count == 0) { /* dark, whatever the span was made for */
         at.nl_q30 = -1;

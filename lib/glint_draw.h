@@ -13,10 +13,6 @@ struct glint_bounds {
 void glint_bounds_add(struct glint_bounds *b, uint32_t x, uint32_t y);
 void glint_bounds_box(const struct glint_bounds *b, struct glint_box *box); /* box may be NULL */
 
-/* Can the maps be drawn so? normals: of a rectangle. GLINT_OK or what glint_draw_rect answers. */
-enum glint_err glint_draw_check(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t w, uint32_t h,
-                                const struct glint_surface *target, bool normals);
-
 /* A source's lines. Set by whoever draws: the first group. */
 struct glint_lines {
     const struct glint_maps *maps; /* NULL: none */

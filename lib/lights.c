@@ -228,7 +228,6 @@ static void lights_begin(struct glint_lights *lights, const struct glint_paint *
     lights->run->apart = glint_lights_apart(lights);
     lights->is_folded = false;
     lights_part(lights, false);
-    lights->normals = NULL;
     lights->places = NULL;
     (void)glint_unit_q30(lights->sight.v_q30, viewer);
     lights->v = paint->v;

@@ -185,22 +185,23 @@ static int32_t lit_place(int64_t x)
     return x > far ? far : x < -far ? -far : (int32_t)x;
 }
 
-/* The place of a pixel of the picture under perspective, from the viewport's middle; z: its depth, Q16.16. 1 / r = 2^29 / R = q 2^-32. */
-static void lit_at(int32_t place[3], const struct glint_mesh_frame *frame, int32_t x, int32_t y, uint32_t z)
+/* A place in perspective, from the viewport's middle as all here; z: its depth, Q16.16. 1 / r = 2^29 / R = q 2^-32. */
+static void lit_far(int32_t place[3], uint16_t distance, uint32_t z)
 {
     const uint32_t most = (uint32_t)65535 << 16, r = z < most - 65536 ? most - z : 65536;
     const uint64_t q = ((uint64_t)1 << 61) / r; /* <= 2^45 */
-    place[0] = lit_place(((16 * x + 8 - 8 * (int32_t)frame->w) * (int64_t)q) >> 32);
-    place[1] = lit_place(((16 * y + 8 - 8 * (int32_t)frame->h) * (int64_t)q) >> 32);
-    place[2] = lit_place(frame->distance - (int64_t)((frame->distance * q) >> 32));
+    place[0] = lit_place((place[0] * (int64_t)q) >> 32);
+    place[1] = lit_place((place[1] * (int64_t)q) >> 32);
+    place[2] = lit_place(distance - (int64_t)((distance * q) >> 32));
 }
 
 /* Normals, and places on the screen, of count pixels; z: of the first. A component after the other, as cores have few registers. */
 ROWS_ALONE void lit_fill(struct mesh_lit *lit, const struct glint_mesh_frame *frame, const struct glint_mesh_row *row,
                          int32_t line, uint32_t z, unsigned count)
 {
-    const int32_t left = 16 * (int32_t)row->run.left, top = 16 * ((int32_t)row->run.y - line);
-    int32_t x = 16 * (int32_t)row->run.x + 8 + left;
+    const int32_t middle_x = 8 * (int32_t)frame->w, middle_y = 8 * (int32_t)frame->h;
+    const int32_t left = middle_x + 16 * (int32_t)row->run.left, top = middle_y + 16 * ((int32_t)row->run.y - line);
+    int32_t x = 16 * (int32_t)row->run.x + 8 - middle_x;
     uint32_t now[3];
     glint_mesh_across_at(&lit->across, (int32_t)row->run.x, line, now);
     for (unsigned k = 0; k < 3; k++) {
@@ -211,15 +212,13 @@ ROWS_ALONE void lit_fill(struct mesh_lit *lit, const struct glint_mesh_frame *fr
     }
     for (unsigned i = 0; i < count; i++, z += row->dz, x += 16) {
         int32_t *const place = lit->places[i];
-        if (frame->distance == 0) { /* what lit_at has, without the way to the viewport's middle and back */
-            place[0] = x;
-            place[1] = 16 * line + 8 + top;
-            place[2] = 32767 - (int32_t)(z >> 16);
-        } else {
-            lit_at(place, frame, (int32_t)(row->run.x + i), line, z);
-            place[0] += left + 8 * (int32_t)frame->w;
-            place[1] += top + 8 * (int32_t)frame->h;
-        }
+        place[0] = x;
+        place[1] = 16 * line + 8 - middle_y;
+        place[2] = 32767 - (int32_t)(z >> 16);
+        if (frame->distance)
+            lit_far(place, frame->distance, z);
+        place[0] += left;
+        place[1] += top;
     }
 }
 

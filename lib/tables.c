@@ -44,8 +44,7 @@ enum glint_err glint_paint_tables_filled(struct glint_paint *paint, const struct
         return GLINT_ERR_ARG;
     if (filled->format != output->format || filled->dither != output->dither || output->space > GLINT_LINEAR)
         return GLINT_ERR_FORMAT;
-    const struct glint_tables tables = *filled; /* may be a part of the paint */
-    paint->of.tables.filled = tables;
+    paint->of.tables.filled = *filled; /* it may be the paint's own */
     paint->model = NULL;
     paint->format = NULL;
     glint_paint_unlit(paint, output);

@@ -144,7 +144,7 @@ void eva_mesh_add(void)
 }
 
 /* Rows, by the library's static functions. */
-#define glint_mesh_lit_bytes of_lit_bytes
+#define glint_mesh_lit_begin of_lit_begin
 #define glint_mesh_t_end of_t_end
 #define glint_mesh_is_colour of_is_colour
 #define glint_mesh_rows of_rows
