@@ -9,13 +9,9 @@
 
 void glint_bounds_add(struct glint_bounds *b, uint32_t x, uint32_t y)
 {
-    if (!b->any) {
-        b->left = b->right = (uint16_t)x;
-        b->top = (uint16_t)y;
-        b->any = true;
-    }
     b->left = x < b->left ? (uint16_t)x : b->left;
     b->right = x > b->right ? (uint16_t)x : b->right;
+    b->top = y < b->top ? (uint16_t)y : b->top;
     b->bottom = (uint16_t)y;
 }
 
@@ -24,7 +20,7 @@ void glint_bounds_box(const struct glint_bounds *b, struct glint_box *box)
     if (!box)
         return;
     box->x = box->y = box->w = box->h = 0;
-    if (b->any) {
+    if (b->left <= b->right) {
         box->x = b->left;
         box->y = b->top;
         box->w = (uint16_t)(b->right - b->left + 1);
@@ -172,7 +168,7 @@ static __attribute__((noinline)) void draw_exactly(const struct glint_paint *pai
 {
     struct glint_bounds bounds;
     struct glint_sample samples[GLINT_RUN];
-    bounds.any = false;
+    glint_bounds_begin(&bounds);
     lines->most = GLINT_RUN;
     for (uint32_t y = 0; y < h; y++)
         for (glint_lines_set(lines, y); glint_lines_next(lines); lines->run.x += lines->count) {

@@ -81,8 +81,9 @@ bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *line
         (paint->of.exact.high && lines->maps->albedo) || GLINT_MISALIGNED(target->pixels, 16) ||
         (h > 1 && GLINT_MISALIGNED(target->stride, 16)) || !format->begin(&loop, paint, lines->maps->albedo != NULL))
         return false;
-    struct glint_bounds bounds = {0, 0, 0, 0, false};
+    struct glint_bounds bounds;
     struct glint_run dark = {(uint8_t *)&loop.dark, 0, 0, 0, NULL, NULL, NULL, 0}; /* the pixel where N.L <= 0 */
+    glint_bounds_begin(&bounds);
     loop.sample.t_q30 = UINT32_MAX;
     loop.sample.nl_q16 = loop.sample.f_q16 = 0;
     if (format->levels(paint, &dark, &loop.sample, 1))

@@ -5,11 +5,15 @@
 
 #include "glint_pixel.h"
 
-/* The smallest box that holds what has been added, lines from the top. */
+/* The smallest box that holds what has been added, lines from the top; x and y < 65535. */
 struct glint_bounds {
-    uint16_t left, right, top, bottom;
-    bool any;
+    uint16_t left, right, top, bottom; /* empty: left > right */
 };
+static inline void glint_bounds_begin(struct glint_bounds *b) /* by fields: no call of memset */
+{
+    b->left = b->top = UINT16_MAX;
+    b->right = b->bottom = 0;
+}
 void glint_bounds_add(struct glint_bounds *b, uint32_t x, uint32_t y);
 void glint_bounds_box(const struct glint_bounds *b, struct glint_box *box); /* box may be NULL */
 

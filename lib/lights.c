@@ -243,7 +243,8 @@ LIGHTS_ALONE void lights_draw(const struct glint_paint *paint, struct glint_line
 {
     struct glint_lights lights;
     struct glint_vec unpacked[GLINT_LIGHTS_SLOTS];
-    struct glint_bounds bounds = {0, 0, 0, 0, false};
+    struct glint_bounds bounds;
+    glint_bounds_begin(&bounds);
     lights.run = &lines->run;
     lights_begin(&lights, paint, highlight != NULL);
     lines->most = lights.length;

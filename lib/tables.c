@@ -148,12 +148,11 @@ static __attribute__((noinline)) void tables_runs(const struct glint_paint *pain
     struct glint_run *const run = &lines->run;
     struct glint_bounds bounds;
     uint32_t walked = 0;
-    bounds.any = false;
+    glint_bounds_begin(&bounds);
     lines->most = GLINT_RUN;
     for (uint32_t y = 0; y < h; y++)
         for (glint_lines_set(lines, y); glint_lines_next(lines); run->x += lines->count) {
-            if (!draws && bounds.any && bounds.bottom == y && run->x >= bounds.left &&
-                run->x + lines->count <= bounds.right + 1u)
+            if (!draws && bounds.bottom == y && run->x >= bounds.left && run->x + lines->count <= bounds.right + 1u)
                 continue;
             if (at && run->x != walked)
                 glint_span_skip(at, run->x - walked);

@@ -124,7 +124,7 @@ void eva_bounds_one(void)
 {
     struct glint_bounds bounds;
     struct glint_box box;
-    bounds.any = false;
+    glint_bounds_begin(&bounds);
     glint_bounds_box(&bounds, &box);
     for (unsigned i = 0; i < 2; i++) {
         glint_bounds_add(&bounds, any, any);
