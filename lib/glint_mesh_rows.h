@@ -39,7 +39,7 @@ static inline bool glint_mesh_is_lit(const struct glint_paint *paint)
 {
     return paint->several || (glint_paint_is_exact(paint) && GLINT_FLASH_POINTER(paint->model->geometry));
 }
-/* Before the first of a picture: GLINT_MESH_LIGHTS_BYTES of the frame's memory, aligned, that know no paint yet. */
+/* Before a strip: it has no paint's lights at hand, as paints may have been lit again. Its memory is the frame's. */
 void glint_mesh_lit_begin(void *memory);
 
 /* Draws a triangle's lines from the first in the strip up to where the triangle or the strip ends; it then stands there. The triangle is

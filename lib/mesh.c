@@ -60,7 +60,6 @@ static bool mesh_light(struct glint_mesh_frame *frame)
     uint8_t *memory = (uint8_t *)frame->kept + (size_t)frame->places * sizeof(struct glint_mesh_kept);
     while (GLINT_MISALIGNED(memory, pointer))
         memory++;
-    glint_mesh_lit_begin(memory);
     frame->lit = memory;
     return true;
 }

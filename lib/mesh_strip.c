@@ -237,6 +237,8 @@ enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint
                                       y + h,    glint_mesh_polygon_samples(&bench->polygon, frame),
                                       frame,    NULL};
     bool is_clear = false;
+    if (frame->lit)
+        glint_mesh_lit_begin(frame->lit);
     for (struct glint_mesh_drawn *drawn = frame->first; drawn; drawn = drawn->next) {
         strip.drawn = drawn;
         if (y != frame->y) {

@@ -284,6 +284,50 @@ static void meshes_of_a_picture_share_the_memory_of_lights_whoever_comes_first(v
     }
 }
 
+/* As an LCD's next frame may be: the mesh stays, a lamp moves or becomes red. */
+static void a_picture_drawn_again_is_under_the_lights_that_its_paint_then_has(void **state)
+{
+    (void)state;
+    enum { BYTES = 3 * MESH_W * MESH_H };
+    static const unsigned counts[] = {4, 1, 2, 3};
+    static uint8_t out[2][BYTES];
+    static _Alignas(8) uint8_t memory[2][MESH_W * MESH_H * 2 + 4096 + GLINT_MESH_LIGHTS_BYTES];
+    static uint32_t work[2][8000];
+    for (int i = 0; i < 16; i++) {
+        const struct look look = random_look(GLINT_RGB888, (enum glint_space)(i & 1));
+        struct glint_light lights[4][GLINT_LIGHTS_MAX];
+        struct glint_mesh_frame frames[2];
+        struct glint_mesh_drawn drawn[2];
+        struct glint_paint paint;
+        mesh_ball(&mesh, 8, 9);
+        for (int k = 0; k < 4; k++) {
+            (void)lights_about(lights[k]);
+            assert_int_equal(glint_light_point(&lights[k][0], (int32_t[3]){8 * MESH_W, 8 * MESH_H, 1500}, 3000),
+                             GLINT_OK);
+            lights[k][0].color_q16[1] = below(65536);
+        }
+        paint_under(&paint, &look, lights[0], 4);
+        for (int which = 0; which < 2; which++) {
+            assert_int_equal(glint_mesh_begin(&frames[which], MESH_W, MESH_H, MESH_H, 0, memory[which],
+                                              glint_mesh_frame_bytes(MESH_W, MESH_H) + GLINT_MESH_LIGHTS_BYTES),
+                             GLINT_OK);
+            assert_int_equal(glint_mesh_add(&frames[which], &drawn[which], &mesh.mesh, &mesh.pose, &paint, work[which],
+                                            sizeof work[which]),
+                             GLINT_OK);
+        }
+        for (int k = 0; k < 4;
+             k++) { /* the first frame goes on from lights to lights; the second sees the last ones alone */
+            assert_int_equal(glint_paint_light(&paint, lights[k], counts[k], look.to_viewer), GLINT_OK);
+            for (int which = k < 3 ? 0 : 1; which >= 0; which--) {
+                const struct glint_surface surface = {out[which], 3 * MESH_W, 0, 0};
+                memset(out[which], GUARD, BYTES);
+                assert_int_equal(glint_mesh_strip(&frames[which], 0, MESH_H, &surface), GLINT_OK);
+            }
+        }
+        assert_memory_equal(out[0], out[1], BYTES);
+    }
+}
+
 /* A sliver's slopes are coarse, so that its sum may come to any word: also to those to which half a unit adds up beyond 2^31. */
 static void a_number_of_a_sliver_is_held_between_its_corners_whatever_its_sum_is(void **state)
 {
@@ -307,6 +351,7 @@ int main(void)
         cmocka_unit_test(a_picture_that_moves_with_its_lights_over_the_screen_stays_the_same),
         cmocka_unit_test(interpolated_normals_are_near_the_quadratic_of_one_light),
         cmocka_unit_test(meshes_of_a_picture_share_the_memory_of_lights_whoever_comes_first),
+        cmocka_unit_test(a_picture_drawn_again_is_under_the_lights_that_its_paint_then_has),
         cmocka_unit_test(a_number_of_a_sliver_is_held_between_its_corners_whatever_its_sum_is),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
