@@ -45,7 +45,7 @@ static bool draw_is_ready(const struct glint_paint *paint, const struct glint_su
 static enum glint_err draw_takes(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t h,
                                  bool normals)
 {
-    if (maps && maps->grain)
+    if (maps && (maps->grain || maps->shininess))
         return GLINT_ERR_ARG;
     if (!glint_paint_is_exact(paint))
         return GLINT_FLASH_POINTER(paint->of.tables.filled.use->check)(paint, maps, h, normals);

@@ -357,6 +357,13 @@ struct glint_vec glint_normals_unpack(enum glint_normals format, uint32_t word);
 /* Where a window of a map begins: at column x of line y. Its stride is the map's. */
 const void *glint_normals_window(enum glint_normals format, const void *map, ptrdiff_t stride, uint32_t x, uint32_t y);
 
+/* Which way the grain runs, where a material has n_across. Stored as uint8_t. */
+enum glint_grain {
+    GLINT_GRAIN_BRUSHED, /* one way over the whole surface */
+    GLINT_GRAIN_SPUN,    /* round a point */
+    GLINT_GRAIN_SUNRAY   /* away from it */
+};
+
 /* What each pixel has. A map that is NULL counts as 255 everywhere, albedo as the material's. Strides are in bytes, and ignored where there is
  * one line. A map may be the output itself where pixels have one size (albedo in RGB888, a byte map in GREY8). Which paint takes which:
  *
@@ -380,6 +387,11 @@ struct glint_maps {
     ptrdiff_t grain_stride;
     uint8_t normals_format; /* enum glint_normals */
     uint8_t albedo_format;  /* GLINT_RGB888 or GLINT_RGB565 */
+    uint8_t grain_kind;     /* enum glint_grain; not used where there is a map of grain */
+    /* Brushed: the direction, x right, y up, of any length; 0, 0 is 1, 0. Spun, sunray: the centre, on the screen as places of lights are. */
+    int32_t grain_at[2];
+    const uint8_t *shininess; /* must be NULL */
+    ptrdiff_t shininess_stride;
 };
 
 /* Draws w x h pixels; w or h = 0 draws nothing. In GLINT_MONO the bits past w in a line's last byte are kept. *highlight, unless it is NULL,

@@ -17,6 +17,17 @@
 extern "C" {
 #endif
 
+/* A picture that faces wear. Yours, const: it may lie in flash. It repeats in both directions. */
+struct glint_texture {
+    const void
+        *pixels; /* line after line, v = 0 first: RGB565, machine's order, aligned to 2; or bytes, indices of palette */
+    const uint16_t *palette; /* RGB565 of each index; NULL: pixels are RGB565 */
+    uint16_t w, h;           /* 1..2048, any */
+    uint8_t
+        levels; /* pictures that follow one another in memory, each of half the width and height before (rounded down, at least 1): 1..12 */
+    bool is_smooth; /* bilinear; else the nearest pixel */
+};
+
 /* Yours, const: it may lie in flash. */
 struct glint_mesh {
     const int16_t *places;  /* x, y, z of each vertex, y up */
@@ -32,7 +43,20 @@ struct glint_mesh {
      * hold one albedo: give a mesh of a few colours a part, and tables, for each. */
     const uint8_t *of_vertices; /* red, green, blue of each; linear on the screen between them, as normals are */
     const uint8_t *of_faces;    /* red, green, blue of each */
+    /* Textures in place of the material's albedo: one for each part (a part without has pixels NULL), and u, v of each vertex. NULL: none. */
+    const struct glint_texture *textures;
+    const uint16_t *uv; /* 1.0, a texture's width or height, is 2^uv_bits; v down */
+    uint8_t uv_bits;    /* 8..15 */
+    /* Of each face the three beyond its edges (corners 0 to 1, 1 to 2, 2 to 0), for smooth outlines; GLINT_MESH_RIM: none there,
+     * GLINT_MESH_SEAM: none, but no outline either. NULL: outlines are stepped. */
+    const uint16_t *neighbours;
+    /* Which way the grain runs, where a material has n_across: of each vertex a direction of any length (x, y, z, y up), or of all one
+     * axis, which is projected on the surface. */
+    const int8_t *grains;
+    int16_t grain_axis[3];
 };
+#define GLINT_MESH_RIM 65535u
+#define GLINT_MESH_SEAM 65534u
 /* GLINT_ERR_ARG: NULL, no vertex, an index beyond them, more than GLINT_MESH_FACES_MAX faces, a normal of -128 in normals8, parts
  * that do not ascend to the last face, colours of both vertices and faces. The other functions do not look at indices: check a mesh once. */
 enum glint_err glint_mesh_check(const struct glint_mesh *mesh);
@@ -72,8 +96,10 @@ struct glint_mesh_frame {
     struct glint_mesh_drawn *first, **last;
     void *memory, *kept;
     uint16_t w, h, lines, distance, y, free;
-    uint16_t places; /* in kept */
-    void *lit;       /* the work memory of lights; NULL: none yet */
+    uint16_t places;      /* in kept */
+    void *lit;            /* the work memory of lights; NULL: none yet */
+    bool outlines;        /* yours to set after glint_mesh_begin: smooth outlines of meshes that have neighbours */
+    struct glint_box box; /* after glint_mesh_strip: what it may have drawn, in pixels of the picture */
 };
 
 /* Begins a picture of w x h pixels in strips of at most `lines` lines. distance: of the camera from z = 0, 1/16 pixel; 0: parallel
