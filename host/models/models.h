@@ -25,7 +25,7 @@ struct model_facts {
 };
 
 /* One for each line of GLINT_MODELS. */
-#define MODEL_FACTS(number, name, function, use) extern const struct model_facts model_##name;
+#define MODEL_FACTS(number, name, function, use, grain) extern const struct model_facts model_##name;
 GLINT_MODELS(MODEL_FACTS)
 extern const struct model_facts *const model_facts[]; /* by enum glint_model */
 extern const char *const model_names[];               /* "msh" ..., by enum glint_model; NULL at the end */
@@ -33,7 +33,7 @@ extern const char *const model_names[];               /* "msh" ..., by enum glin
 double model_double(enum glint_model model, double n, double c); /* its value; 0 for an unknown model */
 
 /* "msh, schlick, ..., ", for help. */
-#define MODEL_WORD(number, name, function, use) #name ", "
+#define MODEL_WORD(number, name, function, use, grain) #name ", "
 #define MODEL_WORDS GLINT_MODELS(MODEL_WORD)
 
 enum glint_model parse_model(const struct argp_state *state, const char *option, const char *text);
