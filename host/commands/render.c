@@ -84,14 +84,14 @@ static void draw_mesh(const struct render_options *options, struct drawn *drawn)
     const struct shading_options *look = &options->look;
     struct mesh *mesh = mesh_load(&look->scene.mesh);
     struct fitted *fitted = mesh_fit(mesh, 0);
-    if (look->has_color)
+    if (shading_options_one_color(look))
         fitted_forget_colors(fitted);
     const uint32_t width = look->scene.width ? look->scene.width : SCENE_SIDE;
     const uint32_t height = look->scene.width ? look->scene.height : SCENE_SIDE;
     const struct view view = view_of_options(&look->view, width, height, look->scene.mesh.built_in);
     const struct shading shading = shading_of_options(look, look->shading.format, &plain_finish);
     *drawn = (struct drawn){.is_mesh = true, .width = width, .height = height};
-    drawn->shadings = mesh_shadings(mesh, &shading, !look->has_color, !look->shading.n);
+    drawn->shadings = mesh_shadings(mesh, &shading, !shading_options_one_color(look), !look->shading.n);
     struct mesh_canvas *canvas = mesh_canvas_new(fitted, drawn->shadings);
     drawn->pixels = allocate(height, format_line_bytes(shading.format, width));
     mesh_canvas_draw(canvas, &view, NULL, drawn->pixels);

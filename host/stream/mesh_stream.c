@@ -27,7 +27,7 @@ static void load(struct mesh_stream *stream, const struct mesh_source *source)
 {
     stream->mesh = mesh_load(source);
     stream->fitted = mesh_fit(stream->mesh, 0);
-    if (stream->options->look.has_color)
+    if (shading_options_one_color(&stream->options->look))
         fitted_forget_colors(stream->fitted);
 }
 
@@ -54,7 +54,7 @@ void mesh_stream_start(struct mesh_stream *stream, const struct shading *shading
 {
     const struct shading_options *look = &stream->options->look;
     stream->view = view_of_options(&look->view, width, height, look->scene.mesh.built_in);
-    stream->shadings = mesh_shadings(stream->mesh, shading, !look->has_color, !look->shading.n);
+    stream->shadings = mesh_shadings(stream->mesh, shading, !shading_options_one_color(look), !look->shading.n);
     stream->canvas = mesh_canvas_new(stream->fitted, stream->shadings);
 }
 
