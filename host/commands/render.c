@@ -91,7 +91,7 @@ static void draw_mesh(const struct render_options *options, struct drawn *drawn)
     const struct view view = view_of_options(&look->view, width, height, look->scene.mesh.built_in);
     const struct shading shading = shading_of_options(look, look->shading.format, &plain_finish);
     *drawn = (struct drawn){.is_mesh = true, .width = width, .height = height};
-    drawn->shadings = mesh_shadings(mesh, &shading, !look->has_color, !look->shading.n);
+    drawn->shadings = mesh_shadings(mesh, &shading, shading_options_own(look));
     struct mesh_canvas *canvas = mesh_canvas_new(fitted, drawn->shadings);
     drawn->pixels = allocate(height, format_line_bytes(shading.format, width));
     mesh_canvas_draw(canvas, &view, NULL, drawn->pixels);

@@ -56,6 +56,7 @@ void mesh_quality(const struct mesh *mesh, const struct fitted *fitted, bool nor
 {
     struct fitted chosen = *fitted;
     chosen.colors = NULL; /* the shading's one colour */
+    chosen.mesh.textures = NULL;
     if (normals8)
         chosen.mesh.normals = NULL;
     for (int i = 0; i < QUALITY_ROWS; i++)

@@ -17,20 +17,18 @@ struct mesh_canvas {
     uint32_t (*memory)[GLINT_TABLES_DITHER_BYTES / 4]; /* of each part's tables; NULL: exact */
 };
 
-struct shading *mesh_shadings(const struct mesh *mesh, const struct shading *shading, bool own_color, bool own_n)
+struct shading *mesh_shadings(const struct mesh *mesh, const struct shading *shading, struct mesh_own own)
 {
     struct shading *all = allocate(mesh->part_count, sizeof *all);
     for (unsigned i = 0; i < mesh->part_count; i++) {
         const struct mesh_material *material = &mesh->materials[i];
         all[i] = *shading;
-        if (material->has_color && own_color)
+        if (material->has_color && own.color)
             memcpy(all[i].color, material->color, sizeof all[i].color);
-        if (material->n && own_n)
+        if (material->n && own.n)
             all[i].n = material->n;
-        for (unsigned k = 0; material->unlit && k < 3; k++) {
-            all[i].ambient[k] = 1;
-            all[i].diffuse[k] = all[i].specular[k] = 0;
-        }
+        if (own.look || material->unlit)
+            mesh_material_look(material, all[i].ambient, all[i].diffuse, all[i].specular);
     }
     return all;
 }
@@ -41,7 +39,7 @@ struct mesh_canvas *mesh_canvas_new(const struct fitted *fitted, const struct sh
     const unsigned count = fitted->mesh.part_count;
     struct mesh_path path;
     *canvas = (struct mesh_canvas){.mesh = fitted->mesh, .shadings = shadings};
-    const char *name = path_names[shadings[0].path], *refusal = path_of_mesh(&shadings[0], fitted->colors, &path);
+    const char *name = path_names[shadings[0].path], *refusal = path_of_mesh(&shadings[0], fitted->colors || fitted->mesh.textures, &path);
     if (refusal)
         fail("--path %s: %s", name, refusal);
     if (path.normals8)
@@ -152,6 +150,7 @@ uint32_t *mesh_faces_drawn(const struct fitted *fitted, const struct view *view)
         meshes[i].faces = fitted->faces[i * PARTS];
         meshes[i].face_count = meshes[i].part_count = (uint8_t)(left < PARTS ? left : PARTS);
         meshes[i].ends = ends;
+        meshes[i].textures = NULL;
     }
     for (size_t i = 0; i < faces; i++)
         paint_number(&paints[i], i + 1);

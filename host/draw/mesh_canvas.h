@@ -7,8 +7,12 @@
 #include "draw/view.h"
 #include "mesh/fit.h"
 
-/* The shading of each part: as it is given, but for what the mesh's materials say and the user does not. */
-struct shading *mesh_shadings(const struct mesh *mesh, const struct shading *shading, bool own_color, bool own_n);
+/* The shading of each part: as it is given, but for what the mesh's materials say and the user does not: their colour, shininess, and light
+ * from everywhere, diffuse and mirrored. */
+struct mesh_own {
+    bool color, n, look;
+};
+struct shading *mesh_shadings(const struct mesh *mesh, const struct shading *shading, struct mesh_own own);
 
 /* A mesh made ready for its parts' shadings, to be drawn again and again as it turns or the light moves. */
 struct mesh_canvas;

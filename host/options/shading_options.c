@@ -228,3 +228,10 @@ struct shading shading_of_options(const struct shading_options *options, enum gl
     shading.q = shading_q(&shading);
     return shading;
 }
+
+struct mesh_own shading_options_own(const struct shading_options *options)
+{
+    const struct shading *shading = &options->shading;
+    return (struct mesh_own){!options->has_color, !shading->n,
+                             isnan(shading->ambient[0]) && isnan(shading->diffuse[0]) && isnan(shading->specular[0])};
+}

@@ -7,6 +7,7 @@
 
 #include "options/scene_options.h"
 #include "options/view_options.h"
+#include "draw/mesh_canvas.h"
 #include "draw/shading.h"
 
 struct shading_options {
@@ -24,6 +25,9 @@ extern const struct argp shading_options_argp;
 /* Checks what depends on the format. */
 void shading_options_check(const struct argp_state *state, const struct shading_options *options,
                            const struct shading *shading);
+
+/* What the options leave to a mesh's materials. */
+struct mesh_own shading_options_own(const struct shading_options *options);
 
 /* The scene of maps that were read; width = 0: at its own size. */
 struct scene *scene_of_shading_options(const struct shading_options *options, const struct scene_maps *maps,

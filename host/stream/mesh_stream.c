@@ -54,7 +54,7 @@ void mesh_stream_start(struct mesh_stream *stream, const struct shading *shading
 {
     const struct shading_options *look = &stream->options->look;
     stream->view = view_of_options(&look->view, width, height, look->scene.mesh.built_in);
-    stream->shadings = mesh_shadings(stream->mesh, shading, !look->has_color, !look->shading.n);
+    stream->shadings = mesh_shadings(stream->mesh, shading, shading_options_own(look));
     stream->canvas = mesh_canvas_new(stream->fitted, stream->shadings);
 }
 
