@@ -201,7 +201,8 @@ static void write_all(const struct baked_mesh *baked, const char *storage, const
         fprintf(out, "%s_textures, %s_uv, %u, ", name, name, mesh->uv_bits);
     else
         fputs("NULL, NULL, 0, ", out);
-    fputs("NULL, NULL, {0, 0, 0}};\n", out);
+    fprintf(out, "%s, NULL, NULL, {0, 0, 0}};\n",
+            mesh->textures || baked->fitted->colors ? "&glint_use_mesh_albedo" : "NULL");
 }
 
 void bake_mesh_write_c(const struct baked_mesh *baked, const char *name, FILE *out)

@@ -98,7 +98,7 @@ static void draw_mesh(const struct render_options *options, struct drawn *drawn)
     if (options->gouraud)
         drawn->levels = mesh_gouraud(mesh, fitted, &view, drawn->shadings);
     if (options->compare)
-        drawn->scene = mesh_scene(mesh, fitted, &view, &drawn->coverage);
+        drawn->scene = mesh_scene(mesh, fitted, &view, drawn->shadings, &drawn->coverage);
     mesh_canvas_free(canvas);
     fitted_free(fitted);
     mesh_free(mesh);

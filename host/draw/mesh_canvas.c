@@ -53,8 +53,11 @@ struct mesh_canvas *mesh_canvas_new(const struct fitted *fitted, const struct sh
     for (unsigned i = 0; i < count; i++) {
         const struct glint_material material = shading_material(&shadings[i]);
         const struct glint_output output = shading_output(&shadings[i]);
+        /* Of a textured mesh the other parts have one colour. */
+        const bool is_plain = fitted->mesh.textures && !fitted->mesh.textures[i].pixels;
+        const enum glint_tables_kind kind = is_plain ? GLINT_TABLES_COLOUR : path.kind;
         const enum glint_err error = path.by_tables
-                                         ? glint_paint_tables(&canvas->paints[i], path.kind, &material, &output,
+                                         ? glint_paint_tables(&canvas->paints[i], kind, &material, &output,
                                                               canvas->memory[i], sizeof *canvas->memory)
                                          : glint_paint_exact(&canvas->paints[i], &material, &output);
         if (error == GLINT_ERR_ARG && path.by_tables && path.kind == GLINT_TABLES_ALBEDO)

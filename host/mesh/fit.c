@@ -191,7 +191,8 @@ struct fitted *mesh_fit(const struct mesh *mesh, double unit)
                                        .ends = fitted->ends,
                                        .vertex_count = (uint16_t)mesh->vertex_count,
                                        .face_count = (uint16_t)mesh->face_count,
-                                       .part_count = (uint8_t)mesh->part_count};
+                                       .part_count = (uint8_t)mesh->part_count,
+                                       .use = &glint_use_mesh_albedo};
     if (mesh->uv)
         fit_textures(mesh, fitted);
     if (glint_mesh_check(&fitted->mesh) != GLINT_OK)

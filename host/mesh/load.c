@@ -18,10 +18,10 @@
 const char *const mesh_names[] = {"teapot", NULL};
 const char *const mesh_axes_names[] = {"y-up", "z-up", NULL};
 
-/* A picture four times around the axis, and twice from the bottom to the top. Corners of a face are on one side of the seam. */
+/* A picture four times around the axis, and once from the bottom to the top. Corners of a face are on one side of the seam. */
 static void wrap_around(struct soup *soup)
 {
-    const double times = 4, height = 8, middle = -1.070312, top = 7;
+    const double times = 4, height = 14, middle = -1.070312, top = 7;
     soup->has_uv = true;
     for (size_t i = 0; i < 3 * soup->face_count; i++) {
         struct soup_face *face = &soup->faces[i / 3];

@@ -167,6 +167,30 @@ static void multiply_pictures(struct soup *soup)
     free(from);
 }
 
+/* Pictures that no part has any more go. */
+static void forget_pictures(struct soup *soup)
+{
+    unsigned kept = 0;
+    for (unsigned i = 0; i < soup->picture_count; i++) {
+        bool is_used = false;
+        for (unsigned j = 0; j < soup->part_count; j++)
+            is_used |= soup->materials[j].picture == i + 1;
+        if (!is_used) {
+            mesh_picture_clear(&soup->pictures[i]);
+            continue;
+        }
+        for (unsigned j = 0; j < soup->part_count && kept < i; j++)
+            if (soup->materials[j].picture == i + 1)
+                soup->materials[j].picture = kept + 1;
+        if (kept < i) {
+            soup->pictures[kept] = soup->pictures[i];
+            soup->pictures[i] = (struct mesh_picture){.name = NULL};
+        }
+        kept++;
+    }
+    soup->picture_count = kept;
+}
+
 /* ---- materials ---- */
 
 static void mean_of(const struct mesh_picture *picture, uint8_t color[3])
@@ -214,6 +238,7 @@ void mesh_surface_begin(struct soup *soup, const struct mesh_source *source)
             fold_colors(soup);
         multiply_pictures(soup);
     }
+    forget_pictures(soup);
     settle_materials(soup);
 }
 
