@@ -161,7 +161,8 @@ static void write_textures(const struct baked_mesh *baked, const char *name, FIL
             fprintf(out, "%s_palette%u, ", name, number);
         else
             fputs("NULL, ", out);
-        fprintf(out, "%u, %u, %u, %s},", of_part->w, of_part->h, of_part->levels, of_part->is_smooth ? "true" : "false");
+        fprintf(out, "%u, %u, %u, %s},", of_part->w, of_part->h, of_part->levels,
+                of_part->is_smooth ? "true" : "false");
     }
     fputs("\n};\n", out);
 }

@@ -95,6 +95,8 @@ static void draw_mesh(const struct render_options *options, struct drawn *drawn)
     struct mesh_canvas *canvas = mesh_canvas_new(fitted, drawn->shadings);
     drawn->pixels = allocate(height, format_line_bytes(shading.format, width));
     mesh_canvas_draw(canvas, &view, NULL, drawn->pixels);
+    if (options->gouraud && fitted->mesh.textures)
+        fail("%s: --gouraud draws no textures; give --no-textures", mesh->name);
     if (options->gouraud)
         drawn->levels = mesh_gouraud(mesh, fitted, &view, drawn->shadings);
     if (options->compare)

@@ -114,7 +114,8 @@ static void sample(const struct glint_texture *texture, unsigned level, const do
     memset(rgb, 0, 3 * sizeof *rgb);
     for (int i = 0; i < 4; i++) {
         double one[3];
-        const double share = (i & 1 ? x - (double)left : 1 - x + (double)left) * (i & 2 ? y - (double)top : 1 - y + (double)top);
+        const double share =
+            (i & 1 ? x - (double)left : 1 - x + (double)left) * (i & 2 ? y - (double)top : 1 - y + (double)top);
         texture_color(texture, level, left + (i & 1), top + (i >> 1), one);
         for (int k = 0; k < 3; k++)
             rgb[k] += share * one[k];

@@ -39,14 +39,14 @@ struct mesh_canvas *mesh_canvas_new(const struct fitted *fitted, const struct sh
     const unsigned count = fitted->mesh.part_count;
     struct mesh_path path;
     *canvas = (struct mesh_canvas){.mesh = fitted->mesh, .shadings = shadings};
-    const char *name = path_names[shadings[0].path], *refusal = path_of_mesh(&shadings[0], fitted->colors || fitted->mesh.textures, &path);
+    const char *name = path_names[shadings[0].path],
+               *refusal = path_of_mesh(&shadings[0], fitted->colors || fitted->mesh.textures, &path);
     if (refusal)
         fail("--path %s: %s", name, refusal);
     if (path.normals8)
         canvas->mesh.normals = NULL;
     if (fitted->colors)
         canvas->mesh.of_vertices = fitted->colors[0];
-    canvas->mesh.use = &glint_use_mesh_albedo;
     canvas->paints = allocate(count, sizeof *canvas->paints);
     if (path.by_tables)
         canvas->memory = allocate(count, sizeof *canvas->memory);
@@ -56,10 +56,9 @@ struct mesh_canvas *mesh_canvas_new(const struct fitted *fitted, const struct sh
         /* Of a textured mesh the other parts have one colour. */
         const bool is_plain = fitted->mesh.textures && !fitted->mesh.textures[i].pixels;
         const enum glint_tables_kind kind = is_plain ? GLINT_TABLES_COLOUR : path.kind;
-        const enum glint_err error = path.by_tables
-                                         ? glint_paint_tables(&canvas->paints[i], kind, &material, &output,
-                                                              canvas->memory[i], sizeof *canvas->memory)
-                                         : glint_paint_exact(&canvas->paints[i], &material, &output);
+        const enum glint_err error = path.by_tables ? glint_paint_tables(&canvas->paints[i], kind, &material, &output,
+                                                                         canvas->memory[i], sizeof *canvas->memory)
+                                                    : glint_paint_exact(&canvas->paints[i], &material, &output);
         if (error == GLINT_ERR_ARG && path.by_tables && path.kind == GLINT_TABLES_ALBEDO)
             fail("--path %s: %s", name, path_needs_grey);
         if (error != GLINT_OK)

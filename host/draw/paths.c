@@ -126,7 +126,8 @@ const char *path_of_mesh(const struct shading *shading, bool has_colors, struct 
     if (of_mesh->by_tables && tables_refusal(path, shading))
         return tables_refusal(path, shading);
     if (path->paint == ALBEDO && !has_colors)
-        return "is for textures and colours of vertices, which this mesh has not; choose exact, exact-int8, colour-int16 or "
+        return "is for textures and colours of vertices, which this mesh has not; choose exact, exact-int8, "
+               "colour-int16 or "
                "colour-int8";
     if (path->paint == COLOUR && has_colors)
         return "holds one colour, and the mesh has more; choose exact, albedo-int16 or albedo-int8, or give one by "

@@ -56,8 +56,7 @@ static void receive_pictures(struct reader *reader, struct soup *soup)
         bytes_left -= head.len;
         uint8_t *bytes = allocate(head.len + 1, 1);
         receive(reader, bytes, head.len);
-        const char *wrong =
-            head.message[0] ? head.message : import_picture_decode(picture, head.name, bytes, head.len);
+        const char *wrong = head.message[0] ? head.message : import_picture_decode(picture, head.name, bytes, head.len);
         free(bytes);
         if (wrong)
             warn("%s: texture %s is left out: %s", soup->name, head.name, wrong);

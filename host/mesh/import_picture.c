@@ -157,8 +157,8 @@ const char *import_picture_decode(struct mesh_picture *picture, const char *name
         import_process_end(&process);
         return head.message[0] ? head.message : "has no pixels";
     }
-    *picture = (struct mesh_picture){strdup(name), head.width, head.height,
-                                     allocate((size_t)head.width * head.height, 3)};
+    *picture =
+        (struct mesh_picture){strdup(name), head.width, head.height, allocate((size_t)head.width * head.height, 3)};
     if (!picture->name)
         fail("out of memory");
     wrong = import_process_receive(&process, picture->rgb, (size_t)3 * head.width * head.height);

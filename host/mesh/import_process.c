@@ -89,8 +89,8 @@ static const char *what_became(const struct import_process *process)
                  "%s crashed on it (%s); the file may be damaged: export it again, or in another format",
                  process->reader, strsignal(WTERMSIG(status)));
     else
-        snprintf(text, sizeof text,
-                 "%s broke off; the file may be damaged: export it again, or in another format", process->reader);
+        snprintf(text, sizeof text, "%s broke off; the file may be damaged: export it again, or in another format",
+                 process->reader);
     return text;
 }
 

@@ -31,7 +31,8 @@ static void take_held(const struct aiScene *scene, struct import_found *found)
     const struct aiTexture *held = i < scene->mNumTextures ? scene->mTextures[i] : NULL;
     snprintf(found->head.name, sizeof found->head.name, "%lu", i + 1);
     if (held && held->mFilename.length)
-        snprintf(found->head.name, sizeof found->head.name, "%.*s", (int)sizeof found->head.name - 1, held->mFilename.data);
+        snprintf(found->head.name, sizeof found->head.name, "%.*s", (int)sizeof found->head.name - 1,
+                 held->mFilename.data);
     if (!held || held->mHeight) /* pixels as they are, which no format here has */
         refuse(found, "the mesh does not hold it");
     else if (held->mWidth > IMPORT_PICTURE_BYTES)

@@ -20,8 +20,7 @@ struct mesh_material {
     double factor[3];           /* of the picture, in linear light */
 };
 /* What the material says in the place of what a command has, 0..1: of a glTF's roughness and metal what one lobe can show. */
-void mesh_material_look(const struct mesh_material *material, double ambient[3], double diffuse[3],
-                        double specular[3]);
+void mesh_material_look(const struct mesh_material *material, double ambient[3], double diffuse[3], double specular[3]);
 
 /* A picture that faces wear, as read. */
 struct mesh_picture {
@@ -34,8 +33,8 @@ void mesh_pictures_free(struct mesh_picture *pictures, unsigned count);
 
 /* How pictures become textures. */
 struct texture_wish {
-    size_t bytes; /* all of them together at most, with their chains of halves */
-    bool palette; /* of 8 bits; else RGB565 */
+    size_t bytes;               /* all of them together at most, with their chains of halves */
+    bool palette;               /* of 8 bits; else RGB565 */
     bool is_nearest, is_smooth; /* neither: as the file says */
 };
 
@@ -44,14 +43,14 @@ struct texture_wish {
 struct mesh {
     char *name; /* for messages */
     size_t vertex_count, face_count, place_count;
-    double (*places)[3], (*normals)[3];  /* of each vertex; normals have length 1 */
-    uint8_t (*colors)[3];                /* of each vertex, as encoded; NULL: each part has one */
-    double (*uv)[2];                     /* of each vertex, in its part's picture; NULL: no part has one */
-    uint32_t *at;                        /* the number of each vertex's place */
-    uint32_t (*faces)[3];                /* counterclockwise from outside; by part */
-    unsigned part_count;                 /* at least 1 */
-    size_t *ends;                        /* the face that each part ends before */
-    struct mesh_material *materials;     /* of each part */
+    double (*places)[3], (*normals)[3]; /* of each vertex; normals have length 1 */
+    uint8_t (*colors)[3];               /* of each vertex, as encoded; NULL: each part has one */
+    double (*uv)[2];                    /* of each vertex, in its part's picture; NULL: no part has one */
+    uint32_t *at;                       /* the number of each vertex's place */
+    uint32_t (*faces)[3];               /* counterclockwise from outside; by part */
+    unsigned part_count;                /* at least 1 */
+    size_t *ends;                       /* the face that each part ends before */
+    struct mesh_material *materials;    /* of each part */
     unsigned picture_count;
     struct mesh_picture *pictures;
     struct texture_wish wish;

@@ -35,8 +35,7 @@ static bool find_pictures(struct soup *soup)
     bool any = false, unplaced = false;
     for (unsigned i = 0; i < soup->part_count; i++) {
         struct mesh_material *material = &soup->materials[i];
-        if (material->picture > soup->picture_count || !material->picture ||
-            !soup->pictures[material->picture - 1].rgb)
+        if (material->picture > soup->picture_count || !material->picture || !soup->pictures[material->picture - 1].rgb)
             material->picture = 0;
         unplaced |= material->picture && !soup->has_uv;
         any |= material->picture && soup->has_uv;
@@ -157,8 +156,8 @@ static void multiply_pictures(struct soup *soup)
         from[i] = material->picture;
         if (!material->picture || is_white(material->factor))
             continue;
-        while (same < i && (from[same] != from[i] || memcmp(soup->materials[same].factor, material->factor,
-                                                            sizeof material->factor) != 0))
+        while (same < i && (from[same] != from[i] ||
+                            memcmp(soup->materials[same].factor, material->factor, sizeof material->factor) != 0))
             same++;
         if (same == i)
             all[soup->picture_count++] = multiplied(&all[material->picture - 1], material->factor);

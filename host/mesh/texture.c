@@ -152,7 +152,8 @@ static float *shrink_picture(const struct mesh_picture *picture, uint32_t w, uin
     float decoded[256];
     for (int i = 0; i < 256; i++)
         decoded[i] = (float)texture_decode(i / 255.);
-    float *line = allocate(picture->width, 3 * sizeof *line), *lines = allocate((size_t)w * picture->height, 3 * sizeof *lines);
+    float *line = allocate(picture->width, 3 * sizeof *line),
+          *lines = allocate((size_t)w * picture->height, 3 * sizeof *lines);
     for (size_t y = 0; y < picture->height; y++) {
         for (size_t i = 0; i < (size_t)3 * picture->width; i++)
             line[i] = decoded[picture->rgb[3 * y * picture->width + i]];
@@ -261,8 +262,8 @@ void texture_color(const struct glint_texture *texture, unsigned level, long x, 
     texture_size(texture, level, size);
     const long w = (long)size[0], h = (long)size[1];
     at += (size_t)(((y % h + h) % h) * w + (x % w + w) % w);
-    const uint16_t color =
-        texture->palette ? texture->palette[((const uint8_t *)texture->pixels)[at]] : ((const uint16_t *)texture->pixels)[at];
+    const uint16_t color = texture->palette ? texture->palette[((const uint8_t *)texture->pixels)[at]]
+                                            : ((const uint16_t *)texture->pixels)[at];
     rgb[0] = (color >> 11) * (255. / 31);
     rgb[1] = (color >> 5 & 63) * (255. / 63);
     rgb[2] = (color & 31) * (255. / 31);

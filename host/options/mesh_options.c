@@ -7,7 +7,18 @@
 #include "options/scene_options.h"
 
 /* Beyond those of scene_options.c. */
-enum key { KEY_MESH = 576, KEY_CREASE, KEY_SPLIT, KEY_AXES, KEY_TEXTURE, KEY_NO_TEXTURES, KEY_NEAREST, KEY_SMOOTH, KEY_TEXTURE_BYTES, KEY_TEXTURE_TO };
+enum key {
+    KEY_MESH = 576,
+    KEY_CREASE,
+    KEY_SPLIT,
+    KEY_AXES,
+    KEY_TEXTURE,
+    KEY_NO_TEXTURES,
+    KEY_NEAREST,
+    KEY_SMOOTH,
+    KEY_TEXTURE_BYTES,
+    KEY_TEXTURE_TO
+};
 
 static const char *const texture_formats[] = {"rgb565", "palette", NULL};
 
@@ -46,13 +57,13 @@ static const struct argp_option argp_options[] = {
 /* An option of textures that was given; NULL: none. */
 static const char *texture_option(const struct mesh_source *mesh)
 {
-    return mesh->texture              ? "--texture"
-           : mesh->no_textures        ? "--no-textures"
-           : mesh->wish.is_nearest    ? "--nearest"
-           : mesh->wish.is_smooth     ? "--smooth"
-           : mesh->wish.bytes         ? "--texture-bytes"
-           : mesh->wish.palette       ? "--texture-to"
-                                      : NULL;
+    return mesh->texture           ? "--texture"
+           : mesh->no_textures     ? "--no-textures"
+           : mesh->wish.is_nearest ? "--nearest"
+           : mesh->wish.is_smooth  ? "--smooth"
+           : mesh->wish.bytes      ? "--texture-bytes"
+           : mesh->wish.palette    ? "--texture-to"
+                                   : NULL;
 }
 
 static void check(const struct argp_state *state, struct scene_options *o)

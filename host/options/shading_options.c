@@ -191,7 +191,8 @@ void shading_options_check(const struct argp_state *state, const struct shading_
     const struct mesh_source *mesh = &options->scene.mesh;
     struct mesh_path of_mesh;
     const char *refusal = mesh->name ? path_of_mesh(shading, false, &of_mesh) : path_refusal(shading);
-    if (refusal && mesh->name && !mesh->built_in && !options->has_color && !path_of_mesh(shading, true, &of_mesh))
+    if (refusal && mesh->name && (!mesh->built_in || mesh->texture) && !options->has_color &&
+        !path_of_mesh(shading, true, &of_mesh))
         return; /* the file tells */
     if (refusal)
         refuse(state, "--path %s: %s", path_names[shading->path], refusal);
