@@ -39,6 +39,9 @@ static void print_coverage(const struct drawn *drawn, FILE *stream)
         stream,
         "the mesh covers %zu pixels; %zu, at edges, are not compared: there the double render has another triangle\n",
         drawn->coverage.drawn, drawn->coverage.different);
+    if (drawn->coverage.texels)
+        fprintf(stream, "%zu more show the next pixel of a texture, and are not compared either\n",
+                drawn->coverage.texels);
 }
 
 static void report(const struct render_options *options, const struct drawn *drawn, const struct levels *levels,

@@ -33,8 +33,9 @@ void comparison_print_json(const struct comparison *c, const struct shading *sha
     bool good = root != NULL;
     if (good && coverage)
         good = json_object_set_new(root, "mesh",
-                                   json_pack("{s:I, s:I}", "covered", (json_int_t)coverage->drawn, "not_compared",
-                                             (json_int_t)coverage->different)) == 0;
+                                   json_pack("{s:I, s:I, s:I}", "covered", (json_int_t)coverage->drawn, "not_compared",
+                                             (json_int_t)coverage->different, "other_texel",
+                                             (json_int_t)coverage->texels)) == 0;
     if (!good || json_dumpf(root, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) != 0)
         fail("the comparison could not be written as JSON");
     fputc('\n', stream);

@@ -122,14 +122,25 @@ static void sample(const struct glint_texture *texture, unsigned level, const do
     }
 }
 
-/* Of each pixel; parts without a texture have the colour of their shading. */
-static uint8_t *textured_albedo(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
-                                const struct shading *shadings)
+/* Where a texture's pixel is that of a place in it; x and y of the texel. */
+static uint32_t texel_at(const struct glint_texture *texture, unsigned level, const double uv[3])
+{
+    uint32_t size[2], at[2];
+    texture_size(texture, level, size);
+    for (int k = 0; k < 2; k++)
+        at[k] = (uint32_t)((uv[k] - floor(uv[k])) * size[k]) % size[k];
+    return mesh_texel(level, at[0], at[1]);
+}
+
+/* The albedo of each pixel; parts without a texture have the colour of their shading. Masks what shows another texel. */
+static void set_textured(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
+                         const struct shading *shadings, struct scene *scene, struct mesh_coverage *coverage)
 {
     const size_t pixels = (size_t)view->width * view->height;
-    uint8_t *albedo = allocate(pixels, 3);
     double(*corners)[3] = corner_uv(mesh);
     struct mesh_raster *raster = mesh_raster(mesh, fitted, view, corners);
+    uint32_t *drawn = mesh_texels_drawn(fitted, view);
+    scene->albedo = allocate(pixels, 3);
     for (size_t i = 0; i < pixels; i++) {
         if (!raster->numbers[i])
             continue;
@@ -139,14 +150,20 @@ static uint8_t *textured_albedo(const struct mesh *mesh, const struct fitted *fi
         double rgb[3];
         for (int k = 0; k < 3; k++)
             rgb[k] = shadings[part].color[k];
-        if (texture->pixels)
-            sample(texture, level_of(texture, &corners[3 * face], raster->areas[face]), raster->values[i], rgb);
+        if (texture->pixels) {
+            const unsigned level = level_of(texture, &corners[3 * face], raster->areas[face]);
+            sample(texture, level, raster->values[i], rgb);
+            if (!texture->is_smooth && scene->mask[i] && drawn[i] != texel_at(texture, level, raster->values[i])) {
+                scene->mask[i] = 0;
+                coverage->texels++;
+            }
+        }
         for (int k = 0; k < 3; k++)
-            albedo[3 * i + (size_t)k] = (uint8_t)lround(rgb[k]);
+            scene->albedo[3 * i + (size_t)k] = (uint8_t)lround(rgb[k]);
     }
+    free(drawn);
     mesh_raster_free(raster);
     free(corners);
-    return albedo;
 }
 
 struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
@@ -162,9 +179,7 @@ struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, c
     scene->places = places_of(mesh, fitted, view);
     if (fitted->colors)
         scene->albedo = albedo_of(mesh, fitted, view);
-    if (fitted->mesh.textures)
-        scene->albedo = textured_albedo(mesh, fitted, view, shadings);
-    *coverage = (struct mesh_coverage){0, 0};
+    *coverage = (struct mesh_coverage){0};
     for (size_t i = 0; i < pixels; i++) {
         const uint32_t number = raster->numbers[i];
         coverage->drawn += number || drawn[i];
@@ -175,6 +190,8 @@ struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, c
         if (number && mesh_normalize(raster->values[i]))
             memcpy(scene->normals[i], raster->values[i], sizeof *scene->normals);
     }
+    if (fitted->mesh.textures)
+        set_textured(mesh, fitted, view, shadings, scene, coverage);
     free(drawn);
     mesh_raster_free(raster);
     free(normals);

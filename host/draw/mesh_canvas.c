@@ -166,3 +166,70 @@ uint32_t *mesh_faces_drawn(const struct fitted *fitted, const struct view *view)
     free(rgb);
     return numbers;
 }
+
+/* The texture's chain, where each pixel is the picture's number and its own x or y. */
+static uint16_t *numbered(const struct glint_texture *texture, bool by_y)
+{
+    size_t count = 0;
+    uint32_t size[2];
+    for (unsigned level = 0; level < texture->levels; level++) {
+        texture_size(texture, level, size);
+        count += (size_t)size[0] * size[1];
+    }
+    uint16_t *numbers = allocate(count, sizeof *numbers), *to = numbers;
+    for (unsigned level = 0; level < texture->levels; level++) {
+        texture_size(texture, level, size);
+        for (uint32_t i = 0; i < size[0] * size[1]; i++)
+            *to++ = (uint16_t)(level << 11 | (by_y ? i / size[0] : i % size[0]));
+    }
+    return numbers;
+}
+
+/* The texture's place in the colour of each pixel: RGB565 has 16 bits, of which a light from everywhere changes none. */
+static uint16_t *draw_numbers(const struct fitted *fitted, const struct view *view, bool by_y)
+{
+    static const struct glint_material flat = {.model = GLINT_MSH, .n = 1, .ambient_q16 = {65536, 65536, 65536}};
+    static const struct glint_output output = {.format = GLINT_RGB565};
+    static const int32_t to_viewer[3] = {0, 0, 1};
+    const unsigned parts = fitted->mesh.part_count;
+    struct glint_mesh mesh = fitted->mesh;
+    struct glint_texture *textures = allocate(parts, sizeof *textures);
+    struct glint_paint *paints = allocate(parts, sizeof *paints);
+    uint16_t **numbers = allocate(parts, sizeof *numbers);
+    uint16_t *pixels = allocate((size_t)view->width * view->height, sizeof *pixels);
+    enum glint_err error = GLINT_OK;
+    for (unsigned i = 0; i < parts; i++) {
+        textures[i] = mesh.textures[i];
+        textures[i].palette = NULL;
+        textures[i].is_smooth = false;
+        if (textures[i].pixels)
+            textures[i].pixels = numbers[i] = numbered(&textures[i], by_y);
+        if (error == GLINT_OK)
+            error = glint_paint_exact(&paints[i], &flat, &output);
+        if (error == GLINT_OK)
+            error = glint_paint_light(&paints[i], NULL, 0, to_viewer);
+    }
+    if (error != GLINT_OK)
+        fail("the library refused the numbers of texels (error %d)", error);
+    mesh.textures = textures;
+    draw(&mesh, (const struct glint_paint *const[]){paints}, 1, view, (uint8_t *)pixels,
+         (size_t)view->width * sizeof *pixels);
+    for (unsigned i = 0; i < parts; i++)
+        free(numbers[i]);
+    free(numbers);
+    free(textures);
+    free(paints);
+    return pixels;
+}
+
+uint32_t *mesh_texels_drawn(const struct fitted *fitted, const struct view *view)
+{
+    const size_t pixels = (size_t)view->width * view->height;
+    uint16_t *xs = draw_numbers(fitted, view, false), *ys = draw_numbers(fitted, view, true);
+    uint32_t *texels = allocate(pixels, sizeof *texels);
+    for (size_t i = 0; i < pixels; i++)
+        texels[i] = mesh_texel(xs[i] >> 11, xs[i] & 2047, ys[i] & 2047);
+    free(xs);
+    free(ys);
+    return texels;
+}

@@ -24,5 +24,11 @@ void mesh_canvas_draw(struct mesh_canvas *canvas, const struct view *view, const
 
 /* The number of the face that the library draws at each pixel, plus 1; 0: none. malloc'd. */
 uint32_t *mesh_faces_drawn(const struct fitted *fitted, const struct view *view);
+/* Of a mesh with textures, the one that it takes the nearest pixel of at each pixel: its number in the chain, y and x, as one number. malloc'd. */
+uint32_t *mesh_texels_drawn(const struct fitted *fitted, const struct view *view);
+static inline uint32_t mesh_texel(unsigned level, uint32_t x, uint32_t y)
+{
+    return level << 22 | y << 11 | x;
+}
 
 #endif

@@ -145,10 +145,40 @@ static void set_color(uint8_t out[3], const struct colors *colors, unsigned vert
         out[k] = level(parts[k] * colors->times[k], colors->linear);
 }
 
-static void send_faces(int out, const struct aiMesh *mesh, const struct import_head *head, const struct colors *colors,
-                       unsigned channel)
+/* Which of the coordinates are a picture's, and how they lead to it: v down, turned and scaled about 0, 0, then moved. */
+struct placing {
+    unsigned channel;
+    double move[2], scale[2], cosine, sine;
+};
+static const struct placing plain_placing = {0, {0, 0}, {1, 1}, 1, 0};
+
+/* A glTF's KHR_texture_transform, which libassimp keeps with v up and about other places, but does not carry out right. */
+static void set_placing(const struct aiMaterial *from, enum aiTextureType type, struct placing *placing)
 {
-    const struct aiVector3D *uv = channel < AI_MAX_NUMBER_OF_TEXTURECOORDS ? mesh->mTextureCoords[channel] : NULL;
+    float t[5]; /* a move, a scale, a turn */
+    unsigned count = 5;
+    if (lib.aiGetMaterialFloatArray(from, AI_MATKEY_UVTRANSFORM(type, 0), t, &count) != aiReturn_SUCCESS || count != 5)
+        return;
+    const double sx = (double)t[2], sy = (double)t[3], c = cos((double)t[4]), s = -sin((double)t[4]);
+    *placing = (struct placing){placing->channel,
+                                {(double)t[0] - sx * (1 + s - c) / 2, 1 - sy + sy * (s + c - 1) / 2 - (double)t[1]},
+                                {sx, sy},
+                                c,
+                                s};
+}
+
+static void lead(const struct placing *placing, const struct aiVector3D *from, double uv[2])
+{
+    const double u = placing->scale[0] * (double)from->x, v = placing->scale[1] * (1 - (double)from->y);
+    uv[0] = placing->move[0] + placing->cosine * u + placing->sine * v;
+    uv[1] = placing->move[1] - placing->sine * u + placing->cosine * v;
+}
+
+static void send_faces(int out, const struct aiMesh *mesh, const struct import_head *head, const struct colors *colors,
+                       const struct placing *placing)
+{
+    const struct aiVector3D *uv =
+        placing->channel < AI_MAX_NUMBER_OF_TEXTURECOORDS ? mesh->mTextureCoords[placing->channel] : NULL;
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
         const struct aiFace *from = &mesh->mFaces[i];
         struct soup_face face = {.part = mesh->mMaterialIndex};
@@ -158,10 +188,8 @@ static void send_faces(int out, const struct aiMesh *mesh, const struct import_h
             const struct aiVector3D *place = &mesh->mVertices[from->mIndices[k]];
             const double at[3] = {(double)place->x, (double)place->y, (double)place->z};
             memcpy(face.places[k], at, sizeof at);
-            if (uv) {
-                face.uv[k][0] = (double)uv[from->mIndices[k]].x;
-                face.uv[k][1] = 1 - (double)uv[from->mIndices[k]].y;
-            }
+            if (uv)
+                lead(placing, &uv[from->mIndices[k]], face.uv[k]);
             if (head->has_colors)
                 set_color(face.colors[k], colors, from->mIndices[k]);
             if (!head->has_normals)
@@ -190,9 +218,9 @@ static struct import_head head_of(const struct aiScene *scene, bool is_stl)
     return head;
 }
 
-/* The picture of a material's colour, if it has one. Returns which of the coordinates are its. */
-static unsigned set_texture(const struct aiMaterial *from, bool linear, struct import_pictures *pictures,
-                            struct mesh_material *material)
+/* The picture of a material's colour, if it has one. */
+static void set_texture(const struct aiMaterial *from, bool linear, struct import_pictures *pictures,
+                        struct mesh_material *material, struct placing *placing)
 {
     static const enum aiTextureType types[] = {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR};
     struct aiString name;
@@ -217,14 +245,16 @@ static unsigned set_texture(const struct aiMaterial *from, bool linear, struct i
         /* Programs write any colour beside a picture: black, too. */
         for (int k = 0; k < 3 && !linear && memcmp(material->color, "\0\0", 3) == 0; k++)
             material->factor[k] = 1;
-        return (unsigned)channel;
+        placing->channel = (unsigned)channel;
+        if (linear)
+            set_placing(from, type, placing);
+        return;
     }
-    return 0;
 }
 
 static const struct aiScene *read_scene(const struct import_source *source)
 {
-    const unsigned steps = aiProcess_Triangulate | aiProcess_PreTransformVertices | aiProcess_TransformUVCoords;
+    const unsigned steps = aiProcess_Triangulate | aiProcess_PreTransformVertices;
     char input[32];
     snprintf(input, sizeof input, "%s%s", import_files_input, source->ending);
     return lib.aiImportFileEx(source->path ? source->path : input, steps, import_files(source));
@@ -248,12 +278,13 @@ void import_child(const struct import_source *source, int out)
     }
     struct import_head head = head_of(scene, strcmp(source->ending, ".stl") == 0);
     struct mesh_material *materials = allocate(scene->mNumMaterials, sizeof *materials);
-    unsigned *channels = allocate(scene->mNumMaterials, sizeof *channels);
+    struct placing *placings = allocate(scene->mNumMaterials + 1, sizeof *placings);
     struct import_pictures pictures = {scene, source, 0, allocate(scene->mNumMaterials, sizeof *pictures.of)};
     for (unsigned i = 0; i < scene->mNumMaterials; i++) {
         materials[i] = material_of(scene->mMaterials[i], linear);
+        placings[i] = plain_placing;
         if (source->textures)
-            channels[i] = set_texture(scene->mMaterials[i], linear, &pictures, &materials[i]);
+            set_texture(scene->mMaterials[i], linear, &pictures, &materials[i], &placings[i]);
     }
     const struct import_file *files;
     head.file_count = import_files_read(&files);
@@ -267,7 +298,8 @@ void import_child(const struct import_source *source, int out)
     for (unsigned i = 0; i < scene->mNumMeshes; i++) {
         const struct colors colors = colors_of(scene, scene->mMeshes[i], linear);
         const unsigned part = scene->mMeshes[i]->mMaterialIndex;
-        send_faces(out, scene->mMeshes[i], &head, &colors, part < scene->mNumMaterials ? channels[part] : 0);
+        send_faces(out, scene->mMeshes[i], &head, &colors,
+                   part < scene->mNumMaterials ? &placings[part] : &plain_placing);
     }
 }
 
