@@ -66,8 +66,11 @@ static uint32_t gradient_sum(struct glint_mesh_pair pair, int32_t u, int32_t v, 
     return gradient_shift(pair.p * u + pair.q * v, e - (int)pair.shift - up);
 }
 
-static struct glint_mesh_slopes gradient_slopes(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b,
-                                                const struct glint_mesh_vertex *c, int32_t area)
+/* In each of the two that call it. */
+static inline __attribute__((always_inline)) struct glint_mesh_slopes gradient_slopes(const struct glint_mesh_vertex *a,
+                                                                                      const struct glint_mesh_vertex *b,
+                                                                                      const struct glint_mesh_vertex *c,
+                                                                                      int32_t area)
 {
     const int32_t x1 = b->x - a->x, y1 = b->y - a->y, x2 = c->x - a->x, y2 = c->y - a->y;
     const uint32_t size = area < 0 ? 0 - (uint32_t)area : (uint32_t)area;

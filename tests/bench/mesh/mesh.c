@@ -32,20 +32,24 @@ static uint32_t frame_memory[(2 * WIDTH * LINES + 1024 /* what glint_mesh_frame_
                               KEPT * GLINT_MESH_KEPT_BYTES + GLINT_MESH_LIGHTS_BYTES) /
                              4],
     mesh_memory[12000];
-/* Tables, or the strip's normals: mesh_normals. */
+enum { SIDE = 64, VERTICES = 600 /* as the teapot has */ };
+/* Tables, with a texture or not, or the strip's normals: mesh_normals. */
 static union {
     uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4];
     struct glint_vec normals[LINES][WIDTH];
+    struct {
+        uint32_t tables[GLINT_TABLES_ALBEDO_BYTES / 4];
+        uint16_t texels[SIDE * SIDE];
+    } albedo;
 } either;
 uint32_t mesh_out[WIDTH * LINES / 2];
 
 static enum mesh_way chosen;
 
 /* A texture of 64 by 64 from the front, repeated, and a colour of each vertex; the mesh that has them. */
-enum { SIDE = 64, VERTICES = 1600 };
-static uint16_t texels[SIDE * SIDE], uv[VERTICES][2];
+static uint16_t uv[VERTICES][2];
 static uint8_t colours[VERTICES][3];
-static struct glint_texture texture = {.pixels = texels, .w = SIDE, .h = SIDE, .levels = 1};
+static struct glint_texture texture = {.pixels = either.albedo.texels, .w = SIDE, .h = SIDE, .levels = 1};
 static struct glint_mesh clothed;
 
 static const struct glint_mesh *clothe(const struct glint_mesh *mesh)
@@ -55,7 +59,7 @@ static const struct glint_mesh *clothe(const struct glint_mesh *mesh)
     clothed = *mesh;
     clothed.use = &glint_use_mesh_albedo;
     for (uint32_t i = 0; i < SIDE * SIDE; i++)
-        texels[i] = (uint16_t)(i * 0x9e37u);
+        either.albedo.texels[i] = (uint16_t)(i * 0x9e37u);
     for (unsigned i = 0; i < mesh->vertex_count; i++)
         for (unsigned k = 0; k < 3; k++) {
             colours[i][k] = (uint8_t)((mesh->places[3 * i + k] >> 8) + 128);
