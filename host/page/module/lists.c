@@ -5,6 +5,7 @@
 #include "base/message.h"
 #include "draw/paths.h"
 #include "image/format.h"
+#include "mesh/load.h"
 #include "models/models.h"
 #include "page.h"
 #include "scene/materials.h"
@@ -33,6 +34,8 @@ const char *page_lists(void)
     }
     for (unsigned i = 0; scene_names[i]; i++)
         fprintf(out, "scenes\t%s\t%s\t\t\n", scene_names[i], scene_names[i]);
+    for (unsigned i = 0; mesh_names[i]; i++)
+        fprintf(out, "scenes\t%s\t%s\t\t\n", mesh_names[i], mesh_names[i]);
     if (fclose(out) != 0)
         fail("out of memory");
     return text;
