@@ -133,18 +133,19 @@ const char *path_of_mesh(const struct shading *shading, bool has_colors, struct 
     *of_mesh = (struct mesh_path){path->paint != EXACT, path->source == INT8,
                                   path->paint == ALBEDO ? GLINT_TABLES_ALBEDO : GLINT_TABLES_COLOUR};
     if (path->source != INT16 && path->source != INT8)
-        return "cannot draw a mesh; choose exact, exact-int8, colour-int16 or colour-int8, or where its vertices have "
-               "colours albedo-int16 or albedo-int8";
+        return "cannot draw a mesh; choose exact, exact-int8, colour-int16 or colour-int8, or where it has "
+               "textures or its vertices colours albedo-int16 or albedo-int8";
     if (of_mesh->by_tables && lights_refusal(shading))
         return lights_refusal(shading);
     if (of_mesh->by_tables && tables_refusal(path, shading))
         return tables_refusal(path, shading);
     if (path->paint == ALBEDO && !has_colors)
-        return "is for colours of vertices, which this mesh has not; choose exact, exact-int8, colour-int16 or "
+        return "is for textures and colours of vertices, which this mesh has not; choose exact, exact-int8, "
+               "colour-int16 or "
                "colour-int8";
     if (path->paint == COLOUR && has_colors)
-        return "holds one colour, and the mesh has its vertices'; choose exact, albedo-int16 or albedo-int8, or give "
-               "one colour by --color";
+        return "holds one colour, and the mesh has more; choose exact, albedo-int16 or albedo-int8, or give one by "
+               "--color";
     return NULL;
 }
 

@@ -250,7 +250,7 @@ void shading_options_check(const struct argp_state *state, const struct shading_
     const struct mesh_source *mesh = &options->scene.mesh;
     struct mesh_path of_mesh;
     const char *refusal = mesh->name ? path_of_mesh(shading, false, &of_mesh) : path_refusal(shading);
-    if (refusal && mesh->name && !mesh->built_in && !shading_options_one_color(options) &&
+    if (refusal && mesh->name && (!mesh->built_in || mesh->texture) && !shading_options_one_color(options) &&
         !path_of_mesh(shading, true, &of_mesh))
         return; /* the file tells */
     if (refusal)
@@ -291,4 +291,12 @@ struct shading shading_of_options(const struct shading_options *options, enum gl
         shading.q = 0;
     shading.q = shading_q(&shading);
     return shading;
+}
+
+struct mesh_own shading_options_own(const struct shading_options *options)
+{
+    const struct shading *shading = &options->shading;
+    return (struct mesh_own){!shading_options_one_color(options), !shading->n,
+                             !options->has_material && isnan(shading->ambient[0]) && isnan(shading->diffuse[0]) &&
+                                 isnan(shading->specular[0])};
 }

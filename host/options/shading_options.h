@@ -7,6 +7,7 @@
 
 #include "options/scene_options.h"
 #include "options/view_options.h"
+#include "draw/mesh_canvas.h"
 #include "draw/shading.h"
 
 struct shading_options {
@@ -29,6 +30,8 @@ void shading_options_check(const struct argp_state *state, const struct shading_
 
 /* Is all of a mesh drawn in one colour, that of --color or of the material? */
 bool shading_options_one_color(const struct shading_options *options);
+/* What the options leave to a mesh's materials. */
+struct mesh_own shading_options_own(const struct shading_options *options);
 
 /* The scene of maps that were read; width = 0: at its own size. */
 struct scene *scene_of_shading_options(const struct shading_options *options, const struct scene_maps *maps,

@@ -170,7 +170,7 @@ static struct scene *scene_in_double(const struct shading **shadings)
     const struct page_state *now = page_state();
     const struct page_mesh *mesh = page_mesh();
     *shadings = mesh ? mesh->now : &now->shading;
-    return mesh ? mesh_scene(mesh->mesh, mesh->fitted, &mesh->view, &coverage) : now->scene;
+    return mesh ? mesh_scene(mesh->mesh, mesh->fitted, &mesh->view, *shadings, &coverage) : now->scene;
 }
 
 const char *page_compare(void)
