@@ -3,7 +3,7 @@
  * glint: specular shading with integers only. This header is the manual.
  *
  * ONE ANSWER. Every value is the correctly rounded value of the real function at the argument given: nearest, ties up,
- * in Q16.16, the same on every machine and compiler. (From t, powers and Gauss promise 0.501 ulp instead.)
+ * in Q16.16, the same on every machine and compiler. (From t, powers and both Gaussians promise 0.501 ulp instead.)
  *
  * Units        Q16.16: 1.0 = 65536.   Q2.30: 1.0 = 2^30.   Q1.15 in an int16_t: 1.0 = 32768, held as 32767.
  * Arguments    c: the cosine, N.H (V.R for Phong), Q16.16.   t = 1 - c, Q2.30. Prefer t: at n = 1000 one step of c moves a
@@ -67,7 +67,9 @@ enum glint_err {
     X(GLINT_GAUSS, gauss, gauss, own)       /* (1)  exp(-n x^2 / 2), x = acos c */                                     \
     X(GLINT_CAYLEY, cayley, cayley, own)    /* ours: c^n for n <= 4, else r^4, r =                                  */ \
                                             /* max(0, 4(1+c) - n(1-c)) / (4(1+c) + n(1-c)) */                          \
-    X(GLINT_LYON, lyon, lyon, own)          /* Lyon 1993, gamma 4: max(0, 1 - n(1-c)/4)^4 */
+    X(GLINT_LYON, lyon, lyon, own)          /* Lyon 1993, gamma 4: max(0, 1 - n(1-c)/4)^4 */                           \
+    X(GLINT_GGX, ggx, ggx, own)             /* 1 / (1 + n (1 - c^2) / 2)^2: at c = 0 more than 0, then a step to 0 */  \
+    X(GLINT_SG, sg, sg, own)                /* the spherical Gaussian, exp(-n (1 - c)) */
 
 /* GLINT_MSH = 0, ... Stored as uint8_t in structs. */
 #define GLINT_MODEL_NUMBER(number, name, function, use) number,
@@ -75,7 +77,7 @@ enum glint_err {
 enum glint_model { GLINT_MODELS(GLINT_MODEL_NUMBER) };
 enum { GLINT_MODEL_COUNT = 0 GLINT_MODELS(GLINT_MODEL_ONE) };
 
-/* F in Q16.16, 0..67109. From c correctly rounded; from t correctly rounded, too, but for powers and Gauss, which
+/* F in Q16.16, 0..67109. From c correctly rounded; from t correctly rounded, too, but for powers, Gauss and SG, which
  * are within 0.501 ulp. Monotone: F never rises with t. Both agree where t is a multiple of 2^-16. */
 uint32_t glint_eval(enum glint_model model, uint32_t n, int32_t c_q16);
 uint32_t glint_eval_t(enum glint_model model, uint32_t n, uint32_t t_q30);
@@ -86,7 +88,7 @@ uint32_t glint_cutoff(enum glint_model model, uint32_t n, unsigned q);
 uint32_t glint_cutoff_t(enum glint_model model, uint32_t n, unsigned q);
 
 /* The same, one model a file, so that a program links only what it calls: glint_msh, glint_msh_t, glint_msh_cutoff,
- * glint_msh_cutoff_t, and so on for schlick, blinn, gauss, cayley and lyon. */
+ * glint_msh_cutoff_t, and so on for schlick, blinn, gauss, cayley, lyon, ggx and sg. */
 #define GLINT_MODEL_FUNCTIONS(number, name, function, use)                                                             \
     uint32_t glint_##function(uint32_t n, int32_t c_q16);                                                              \
     uint32_t glint_##function##_t(uint32_t n, uint32_t t_q30);                                                         \

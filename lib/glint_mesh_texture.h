@@ -52,7 +52,16 @@ struct glint_use_mesh {
     /* Albedo of count pixels from x on, RGB888 or, aligned to 2, RGB565; x does not go back in a line. */
     void (*rgb888)(struct glint_mesh_over *over, int32_t x, uint8_t *out, unsigned count);
     void (*rgb565)(struct glint_mesh_over *over, int32_t x, uint8_t *out, unsigned count);
+    /* The part of the line after the one at hand. */
+    void (*next)(struct glint_mesh_over *over);
+    /* Fused, behind GLINT_FUSED, or NULL: a triangle's lines, set, by ALBEDO tables at even places. */
+    void (*lines)(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                  const struct glint_mesh_target *target, struct glint_mesh_over *over);
 };
+
+/* fused_mesh.c */
+void glint_mesh_albedo(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                       const struct glint_mesh_target *target, struct glint_mesh_over *over);
 
 static inline uint16_t glint_mesh_texel(const struct glint_mesh_picture *picture, uint32_t at)
 {

@@ -79,7 +79,7 @@ static void over_far(struct glint_mesh_over *over, unsigned k, const struct glin
 }
 
 static void over_set(struct glint_mesh_over *over, const struct glint_mesh_target *target, unsigned face,
-                         const struct glint_texture *texture)
+                     const struct glint_texture *texture)
 {
     const struct glint_mesh *mesh = target->drawn->mesh;
     const uint16_t *const vertex = mesh->faces + 3 * (size_t)face;
@@ -90,7 +90,7 @@ static void over_set(struct glint_mesh_over *over, const struct glint_mesh_targe
     glint_mesh_corners_of(&corners, target, face);
     for (unsigned i = 0; i < 3; i++)
         for (unsigned k = 0; k < 3; k++)
-            of[i][k] = texture ? (int16_t)(k < 2 ? (int32_t)mesh->uv[2 * (size_t)vertex[i] + k] - 32768 : 0)
+            of[i][k] = texture          ? (int16_t)(k < 2 ? (int32_t)mesh->uv[2 * (size_t)vertex[i] + k] - 32768 : 0)
                        : mesh->of_faces ? (int16_t)mesh->of_faces[3 * (size_t)face + k]
                                         : (int16_t)mesh->of_vertices[3 * (size_t)vertex[i] + k];
     glint_mesh_corners_weigh(&corners, of);
@@ -300,5 +300,5 @@ static void over_rgb565(struct glint_mesh_over *over, int32_t x, uint8_t *bytes,
     }
 }
 
-const struct glint_use_mesh glint_use_mesh_albedo GLINT_FLASH = {over_can, over_set, over_line, over_rgb888,
-                                                                 over_rgb565};
+const struct glint_use_mesh glint_use_mesh_albedo GLINT_FLASH = {
+    over_can, over_set, over_line, over_rgb888, over_rgb565, over_next, GLINT_TABLES_FUSED(glint_mesh_albedo)};

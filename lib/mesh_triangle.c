@@ -66,8 +66,11 @@ static uint32_t gradient_sum(struct glint_mesh_pair pair, int32_t u, int32_t v, 
     return gradient_shift(pair.p * u + pair.q * v, e - (int)pair.shift - up);
 }
 
-static struct glint_mesh_slopes gradient_slopes(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b,
-                                     const struct glint_mesh_vertex *c, int32_t area)
+/* In each of the two that call it. */
+static inline __attribute__((always_inline)) struct glint_mesh_slopes gradient_slopes(const struct glint_mesh_vertex *a,
+                                                                                      const struct glint_mesh_vertex *b,
+                                                                                      const struct glint_mesh_vertex *c,
+                                                                                      int32_t area)
 {
     const int32_t x1 = b->x - a->x, y1 = b->y - a->y, x2 = c->x - a->x, y2 = c->y - a->y;
     const uint32_t size = area < 0 ? 0 - (uint32_t)area : (uint32_t)area;
@@ -78,8 +81,9 @@ static struct glint_mesh_slopes gradient_slopes(const struct glint_mesh_vertex *
     /* Room to round up. 17 bits or more: where no side is above 1, the inverse is 2^16. */
     const unsigned down = gradient_bits(most + (most >> 14)) - 15;
     const int32_t half = (int32_t)1 << (down - 1);
-    struct glint_mesh_slopes s = {(ux + half) >> down,       (uy + half) >> down, (vx + half) >> down, (vy + half) >> down, 0, 0,
-                       43 - (int)left - (int)down}; /* 16 / size = inverse 2^(left - 43) */
+    struct glint_mesh_slopes s = {
+        (ux + half) >> down,       (uy + half) >> down, (vx + half) >> down, (vy + half) >> down, 0, 0,
+        43 - (int)left - (int)down}; /* 16 / size = inverse 2^(left - 43) */
     /* -8..8 and 0..15 sixteenths of a pixel: < 2^15 (8 + 15) / 32 */
     const int32_t fx = 8 - (a->x & 15), fy = 16 * ((a->y + 7) >> 4) + 8 - a->y;
     s.u = (s.ux * fx + s.uy * fy + 16) >> 5;

@@ -87,7 +87,7 @@ static void draw_mesh(const struct render_options *options, struct drawn *drawn)
     const struct shading_options *look = &options->look;
     struct mesh *mesh = mesh_load(&look->scene.mesh);
     struct fitted *fitted = mesh_fit(mesh, 0);
-    if (look->has_color)
+    if (shading_options_one_color(look))
         fitted_forget_colors(fitted);
     const uint32_t width = look->scene.width ? look->scene.width : SCENE_SIDE;
     const uint32_t height = look->scene.width ? look->scene.height : SCENE_SIDE;

@@ -72,13 +72,14 @@ static double star(double x, double y, unsigned arms, double turn, double outer,
     return inside > 0 ? steep * inside : 0;
 }
 
-struct relief relief_coin(double x, double y, double pixel)
+struct relief relief_coin(double x, double y, double pixel, const double body[3])
 {
     const double r = hypot(x, y);
     struct relief point = cloth;
     if (r > coin_radius + pixel)
         return point;
-    struct relief coin = {.05 * r * r, {gold[0], gold[1], gold[2]}, 1}; /* the field is hollow */
+    const double *metal = body ? body : gold;
+    struct relief coin = {.05 * r * r, {metal[0], metal[1], metal[2]}, 1}; /* the field is hollow */
     const double soft = fmax(.012, 1.5 * pixel);
     double relief = fmax(beads(x, y), .05 * rise(r - rim_radius + soft, soft * 2));
     relief -= .03 * rise(r - coin_radius + 2 * soft, 2 * soft) * (r > rim_radius);

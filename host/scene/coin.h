@@ -4,6 +4,6 @@
 
 #include "scene/shapes.h"
 
-struct relief relief_coin(double x, double y, double pixel);
+struct relief relief_coin(double x, double y, double pixel, const double body[3]);
 
 #endif

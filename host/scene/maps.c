@@ -138,7 +138,8 @@ struct scene *scene_of_maps(const struct scene_maps *maps, uint32_t width, uint3
         scene = scene_from_normals(surface, options->flip_y, fits ? drawn : NULL);
         what = "the normal map";
     } else {
-        scene = scene_draw(options->scene, width ? width : SCENE_SIDE, width ? height : SCENE_SIDE);
+        scene = scene_draw_in(options->scene, width ? width : SCENE_SIDE, width ? height : SCENE_SIDE,
+                              options->has_body ? options->body : NULL);
         what = "the scene (see --size)";
     }
     if (maps->albedo) {

@@ -19,6 +19,8 @@ struct scene_options {
     const char *mask;
     uint32_t width, height;     /* 0: the map's own */
     const char *albedo, *gloss; /* for commands that take them to set; NULL: the scene's own */
+    bool has_body;
+    uint8_t body[3]; /* what a built-in scene is made of; else its own colour */
 };
 
 /* All of these are for maps and scenes, not for meshes, and end the program through fail() where something is wrong. */

@@ -7,7 +7,7 @@
 
 #include "base/memory.h"
 
-const struct finish plain_finish = {60, {.2, .2, .2}, {.9, .9, .9}, {.5, .5, .5}};
+const struct finish plain_finish = {60, 0, {.2, .2, .2}, {.9, .9, .9}, {.5, .5, .5}};
 
 struct scene *scene_new(uint32_t width, uint32_t height)
 {

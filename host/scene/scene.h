@@ -9,7 +9,7 @@
 
 /* A scene's own material, for what the user leaves out. */
 struct finish {
-    unsigned n;
+    unsigned n, n_across; /* n_across: 0 without grain */
     double ambient[3], diffuse[3], specular[3];
 };
 

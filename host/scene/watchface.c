@@ -75,11 +75,13 @@ static void add_hand(struct relief *point, double x, double y, double turn, doub
     relief_cover(point, &hand, coverage(-inside, pixel));
 }
 
-static void add_bezel(struct relief *point, double r, double pixel)
+static void add_bezel(struct relief *point, double r, double pixel, const double body[3])
 {
     const double middle = (case_radius + bezel_radius) / 2, half = (case_radius - bezel_radius) / 2;
     const double s = (r - middle) / half;
     struct relief ring = steel;
+    for (unsigned k = 0; body && k < 3; k++)
+        ring.albedo[k] = body[k];
     if (r < bezel_radius) { /* the flange that leads down to the dial */
         ring.height = mix(-.10, -.02, smooth_step(dial_radius, bezel_radius, r));
         relief_cover(point, &ring, coverage(dial_radius - r, 2 * pixel));
@@ -89,7 +91,7 @@ static void add_bezel(struct relief *point, double r, double pixel)
     relief_cover(point, &ring, coverage(r - case_radius, pixel));
 }
 
-static struct relief watch(double x, double y, double pixel, bool plain)
+static struct relief watch(double x, double y, double pixel, const double body[3], bool plain)
 {
     const double r = hypot(x, y);
     struct relief point = wall;
@@ -97,7 +99,7 @@ static struct relief watch(double x, double y, double pixel, bool plain)
         return point;
     add_dial(&point, x, y, pixel, plain);
     if (r > dial_radius - 2 * pixel)
-        add_bezel(&point, r, pixel);
+        add_bezel(&point, r, pixel, body);
     if (r < .7) { /* 10:09, as in advertisements */
         add_hand(&point, x, y, 10.15 * (M_PI / 6), .34, .042, .02, pixel);
         add_hand(&point, x, y, 9 * (M_PI / 30), .53, .034, .03, pixel);
@@ -106,12 +108,12 @@ static struct relief watch(double x, double y, double pixel, bool plain)
     return point;
 }
 
-struct relief relief_watchface(double x, double y, double pixel)
+struct relief relief_watchface(double x, double y, double pixel, const double body[3])
 {
-    return watch(x, y, pixel, false);
+    return watch(x, y, pixel, body, false);
 }
 
-struct relief relief_dial(double x, double y, double pixel)
+struct relief relief_dial(double x, double y, double pixel, const double body[3])
 {
-    return watch(x, y, pixel, true);
+    return watch(x, y, pixel, body, true);
 }

@@ -4,7 +4,8 @@
 
 #include "scene/shapes.h"
 
-struct relief relief_watchface(double x, double y, double pixel);
-struct relief relief_dial(double x, double y, double pixel); /* the same without numerals and minutes */
+struct relief relief_watchface(double x, double y, double pixel, const double body[3]);
+struct relief relief_dial(double x, double y, double pixel,
+                          const double body[3]); /* the same without numerals and minutes */
 
 #endif

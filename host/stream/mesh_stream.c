@@ -27,7 +27,7 @@ static void load(struct mesh_stream *stream, const struct mesh_source *source)
 {
     stream->mesh = mesh_load(source);
     stream->fitted = mesh_fit(stream->mesh, 0);
-    if (stream->options->look.has_color)
+    if (shading_options_one_color(&stream->options->look))
         fitted_forget_colors(stream->fitted);
 }
 

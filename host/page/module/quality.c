@@ -107,7 +107,7 @@ const char *page_facts(void)
     const struct glint_box box = highlight_box(&paint);
     unsigned mean[3];
     FILE *out = text_open(&text);
-    fprintf(out, "n %u\nq %u\n", shading->n, shading->q);
+    fprintf(out, "n %u\nacross %u\nq %u\n", shading->n, shading->n_across ? shading->n_across : shading->n, shading->q);
     put3(out, "ambient_q16", m->ambient_q16);
     put3(out, "diffuse_q16", m->diffuse_q16);
     put3(out, "specular_q16", m->specular_q16);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The surface: built-in scenes, and PNG files, or the mesh of an STL, that are chosen or dropped.
+import lists from 'glint:lists'
 import { ask } from './client'
 import { buttons, byId, capital, make } from './dom'
 import { redraw } from './picture'
 import { change, current, onChange } from './store'
 import type { Option, State } from './words'
 
-const scenes = ['sphere', 'watchface', 'coin', 'dial', 'teapot'] as const
+const scenes = lists.scenes.map(({ name }) => name)
 const kinds = ['height', 'normals', 'mesh', 'albedo', 'gloss', 'mask'] as const
 type Kind = typeof kinds[number]
 const without: Partial<State> = { height: undefined, normals: undefined, mesh: undefined, crease: undefined, axes: undefined, mask: undefined, albedo: undefined, gloss: undefined, scale: undefined, bevel: undefined, wrap: undefined, 'flip-y': undefined, color: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined }
