@@ -268,6 +268,7 @@ ROWS_ALONE void rows_draw(const struct glint_paint *paint, struct glint_mesh_tri
     run->albedo = colours;
     run->gloss = run->coverage = NULL;
     run->apart = 0;
+    run->soft = NULL;
     if (lit) {
         most = lit_begin(lit, paint, run);
         lit_normals(&lit->across, target, triangle);
@@ -292,7 +293,7 @@ ROWS_ALONE void rows_draw(const struct glint_paint *paint, struct glint_mesh_tri
                 if (colours)
                     colours_pack(colours, count);
                 glint_raws_walk(&row.at, paint->of.tables.filled.t_max_q30, raws, count);
-                GLINT_FLASH_POINTER(paint->of.tables.filled.use->pixels)(paint, run, raws, count);
+                glint_tables_pixels(paint, run, raws, count);
             }
             if (exact && !paint->several)
                 glint_paint_run(paint, run, samples, count);
