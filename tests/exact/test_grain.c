@@ -84,6 +84,21 @@ static double lyon_m(double f, double c)
     return 4 * (1 - sqrt(sqrt(f)));
 }
 
+static void ggx(mpz_t p, mpz_t s, uint64_t m, uint64_t u)
+{
+    (void)u;
+    set(p, UINT64_C(1) << 22);
+    set(s, (UINT64_C(1) << 22) + m);
+    mpz_mul(p, p, p);
+    mpz_mul(s, s, s);
+}
+
+static double ggx_m(double f, double c)
+{
+    (void)c;
+    return sqrt(1 / f) - 1;
+}
+
 struct model {
     const char *name;
     const struct glint_use_model *use;
@@ -95,6 +110,7 @@ static const struct model models[] = {
     {"schlick", &glint_use_schlick_grain, schlick, schlick_m},
     {"cayley", &glint_use_cayley_grain, cayley, cayley_m},
     {"lyon", &glint_use_lyon_grain, lyon, lyon_m},
+    {"ggx", &glint_use_ggx_grain, ggx, ggx_m},
 };
 enum { MODELS = sizeof models / sizeof *models };
 
