@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "models/models.h"
 
+#include <math.h>
+
 #include "base/parse.h"
 
 #define FACTS(number, name, function, use) &model_##name,
@@ -12,6 +14,17 @@ const char *const model_names[] = {GLINT_MODELS(NAME) NULL};
 double model_double(enum glint_model model, double n, double c)
 {
     return (unsigned)model < GLINT_MODEL_COUNT ? model_facts[model]->value(n, c) : 0;
+}
+
+double shininess_of_roughness(double roughness)
+{
+    const double alpha = roughness * roughness;
+    return 2 / (alpha * alpha) - 2;
+}
+
+unsigned shininess_held(double n)
+{
+    return (unsigned)fmin(fmax(round(n), 1), GLINT_N_MAX);
 }
 
 enum glint_model parse_model(const struct argp_state *state, const char *option, const char *text)

@@ -32,6 +32,10 @@ extern const char *const model_names[];               /* "msh" ..., by enum glin
 
 double model_double(enum glint_model model, double n, double c); /* its value; 0 for an unknown model */
 
+/* glTF's roughness r as a shininess, by GGX's alpha: r^4 = alpha^2 = 2 / (n + 2). Infinite for 0. */
+double shininess_of_roughness(double roughness);
+unsigned shininess_held(double n); /* to nearest, 1..1000 */
+
 /* "msh, schlick, ..., ", for help. */
 #define MODEL_WORD(number, name, function, use) #name ", "
 #define MODEL_WORDS GLINT_MODELS(MODEL_WORD)
