@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
- * A triangle by COLOUR tables. Its lines are short, so each pixel is asked for its depth and drawn at once; three loops take what
- * dark, matt and glossy pixels need and no more. */
+ * A triangle by COLOUR tables, and by ALBEDO tables with a texture or colours of vertices. Its lines are short, so each pixel is asked for its
+ * depth and drawn at once; loops take what dark, matt and glossy pixels need and no more. */
 #include "glint_mesh_rows.h"
+#include "glint_mesh_texture.h"
 #include "glint_tables.h"
 
 #if !GLINT_CORTEX_M0PLUS_ASM
@@ -113,5 +114,138 @@ void glint_mesh_colour_set(const struct glint_tables *tables, const struct glint
     lines->end = target->end;
     lines->columns = look.columns;
     lines->t_max = look.t_max;
+}
+#endif
+
+/* ---- ALBEDO ---- */
+
+#if GLINT_FUSED
+#define FUSED_INLINE static inline __attribute__((always_inline))
+
+/* A line's part: values at its first pixel, and where its pixels are. */
+struct albedo_line {
+    uint32_t z, nl, back, dt, now[3];
+    uint16_t *depth, *out;
+    const uint16_t *end; /* of depth */
+};
+
+enum albedo_of { ALBEDO_NEAREST, ALBEDO_SMOOTH, ALBEDO_COLOURS };
+
+/* The pixels of a part. Dark ones are matt with nl below 0. */
+FUSED_INLINE void albedo_pixels_of(const struct glint_tables *tables, const struct glint_mesh_values *values,
+                                   const struct glint_mesh_over *over, const struct albedo_line *line,
+                                   enum albedo_of of, bool is_glossy)
+{
+    const uint32_t dz = values->zx, dnl = values->nlx, ddt = values->txx, limit = tables->t_max_q30 - GLINT_NEGATIVE_T;
+    const uint8_t *const levels = tables->columns;
+    const bool swapped = glint_is_swapped(tables);
+    const struct glint_mesh_picture *const picture = &over->picture;
+    const uint32_t step0 = over->step[0], step1 = over->step[1], step2 = over->step[2];
+    uint32_t z = line->z, nl = line->nl, back = line->back, dt = line->dt;
+    uint32_t first = line->now[0], second = line->now[1], third = line->now[2];
+    uint16_t *depth = line->depth, *out = line->out;
+    for (const uint16_t *const end = line->end; depth != end; depth++, out++) {
+        if (z >> 16 < *depth) {
+            uint32_t word;
+            *depth = (uint16_t)(z >> 16);
+            if (of == ALBEDO_COLOURS) {
+                word = glint_mesh_colour_fields(first, second, third);
+            } else if (of == ALBEDO_SMOOTH) {
+                word = glint_mesh_smooth_fields(picture, first, second);
+            } else {
+                word = glint_mesh_texel(picture, glint_mesh_nearest(picture, first, second));
+                word = (word | word << 16) & GLINT_ALBEDO_FIELDS;
+            }
+            if ((int32_t)nl < 0) {
+                word = (word * tables->dark + GLINT_ALBEDO_HALF) >> 5 & GLINT_ALBEDO_FIELDS;
+            } else {
+                word = (word * levels[-1 - (int32_t)(nl >> GLINT_ALBEDO_LEVEL_SHIFT)] + GLINT_ALBEDO_HALF) >> 5 &
+                       GLINT_ALBEDO_FIELDS;
+                if (is_glossy && back <= limit)
+                    word = glint_albedo_full(
+                        word +
+                        tables->colour.sums[(back <= tables->t_max_q30 ? back : tables->t_max_q30) >> tables->shift]);
+            }
+            *out = glint_packed(word, swapped);
+        }
+        z += dz;
+        nl += dnl;
+        first += step0;
+        second += step1;
+        if (of == ALBEDO_COLOURS)
+            third += step2;
+        if (is_glossy) {
+            back -= dt;
+            dt += ddt;
+        }
+    }
+}
+
+/* Each alone, for the registers. */
+#define ALBEDO_PIXELS(name, of, is_glossy)                                                                             \
+    static __attribute__((noinline)) void name(const struct glint_tables *tables,                                      \
+                                               const struct glint_mesh_values *values,                                 \
+                                               const struct glint_mesh_over *over, const struct albedo_line *line)     \
+    {                                                                                                                  \
+        albedo_pixels_of(tables, values, over, line, of, is_glossy);                                                   \
+    }
+ALBEDO_PIXELS(albedo_nearest_matt, ALBEDO_NEAREST, false)
+ALBEDO_PIXELS(albedo_nearest_glossy, ALBEDO_NEAREST, true)
+ALBEDO_PIXELS(albedo_smooth_matt, ALBEDO_SMOOTH, false)
+ALBEDO_PIXELS(albedo_smooth_glossy, ALBEDO_SMOOTH, true)
+ALBEDO_PIXELS(albedo_colours_matt, ALBEDO_COLOURS, false)
+ALBEDO_PIXELS(albedo_colours_glossy, ALBEDO_COLOURS, true)
+typedef void albedo_pixels(const struct glint_tables *tables, const struct glint_mesh_values *values,
+                           const struct glint_mesh_over *over, const struct albedo_line *line);
+
+/* Pixels from..to - 1 of the triangle's line, part by part: in perspective u and v bend between these. */
+static void albedo_row(const struct glint_tables *tables, const struct glint_mesh_values *v,
+                       const struct glint_mesh_target *target, struct glint_mesh_over *over, int32_t line, int32_t from,
+                       int32_t to, albedo_pixels *pixels)
+{
+    const struct glint_use_mesh *const use = target->drawn->mesh->use;
+    const uint32_t n = (uint32_t)(from - v->x); /* |k| < 2^12 */
+    struct albedo_line at;
+    uint16_t *const depth = target->depth + target->w * line;
+    uint16_t *const out = (uint16_t *)(void *)((uint8_t *)target->surface->pixels + target->surface->stride * line);
+    GLINT_FLASH_POINTER(use->line)(over, line + target->y, from, to, v->z + n * v->zx, v->zx);
+    for (;;) {
+        const int32_t k = over->from - v->x, end = over->to;
+        at.z = v->z + (uint32_t)k * v->zx;
+        at.nl = v->nl + (uint32_t)k * v->nlx;
+        at.back = tables->t_max_q30 - v->t - (uint32_t)k * v->tx - (uint32_t)(k * (k - 1) / 2) * v->txx;
+        at.dt = v->tx + (uint32_t)k * v->txx;
+        at.now[0] = over->now[0];
+        at.now[1] = over->now[1];
+        at.now[2] = over->now[2];
+        at.depth = depth + over->from;
+        at.out = out + over->from;
+        at.end = depth + end;
+        pixels(tables, v, over, &at);
+        if (end == to)
+            return;
+        GLINT_FLASH_POINTER(use->next)(over);
+    }
+}
+
+void glint_mesh_albedo(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                       const struct glint_mesh_target *target, struct glint_mesh_over *over)
+{
+    static albedo_pixels *const all[3][2] = {{albedo_nearest_matt, albedo_nearest_glossy},
+                                             {albedo_smooth_matt, albedo_smooth_glossy},
+                                             {albedo_colours_matt, albedo_colours_glossy}};
+    const int32_t end = triangle->y_end < target->end ? triangle->y_end : target->end;
+    albedo_pixels *const pixels = all[over->count == 3 ? 2 : over->is_smooth][triangle->shine == GLINT_MESH_GLOSSY];
+    while (triangle->y < end) {
+        const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);
+        for (; triangle->y < part.end; triangle->y++) {
+            int32_t from, to;
+            if (glint_mesh_columns(part.left, part.right, target->w, &from, &to))
+                albedo_row(tables, &triangle->values, target, over, triangle->y - target->y, from, to, pixels);
+            glint_mesh_edge_next(part.left);
+            glint_mesh_edge_next(part.right);
+            glint_mesh_values_next(&triangle->values);
+        }
+    }
 }
 #endif
