@@ -21,7 +21,8 @@ static struct mesh *cube_with(double crease)
 
 static struct mesh *teapot_split(double degrees)
 {
-    return mesh_load(&(struct mesh_source){"teapot", true, -1, degrees, AXES_USUAL});
+    return mesh_load(
+        &(struct mesh_source){.name = "teapot", .built_in = true, .crease = -1, .split = degrees, .axes = AXES_USUAL});
 }
 
 /* As small and as large as a file's numbers, which are floats, can be: below 10^30. */
