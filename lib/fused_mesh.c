@@ -209,19 +209,23 @@ struct albedo {
     void (*words)(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words, const uint32_t *end);
     void (*pixels)(const struct glint_mesh_shade *shade);
     uint32_t *memory;
+    bool is_glossy;
 };
 
-/* Pixels of a line up to `to`, from where over is at hand, with these numbers there. */
-static inline void albedo_row(struct albedo *a, const struct glint_mesh_values *v, struct glint_mesh_over *over,
-                              uint32_t now[3], uint16_t *depth, int32_t from, int32_t to)
+/* Pixels of a line up to `to`, from where over has these numbers. */
+static inline __attribute__((always_inline)) void albedo_row(struct albedo *a, const struct glint_mesh_values *v,
+                                                             struct glint_mesh_over *over, uint32_t now[3],
+                                                             uint16_t *depth, int32_t from, int32_t to)
 {
     for (;;) {
         const int32_t k = from - v->x, most = (int32_t)GLINT_MESH_RUN, count = to - from < most ? to - from : most;
         const uint32_t n = (uint32_t)k;
-        a->shade.z = v->z + n * v->zx;
-        a->shade.nl = v->nl + n * v->nlx;
-        a->shade.dt = v->tx + n * v->txx;
-        a->shade.back = a->shade.t_max - v->t - n * v->tx - (uint32_t)(k * (k - 1) / 2) * v->txx;
+        a->shade.z = v->z + n * a->shade.dz;
+        a->shade.nl = v->nl + n * a->shade.dnl;
+        if (a->is_glossy) {
+            a->shade.dt = v->tx + n * a->shade.ddt;
+            a->shade.back = a->shade.t_max - v->t - n * v->tx - (uint32_t)(k * (k - 1) / 2) * a->shade.ddt;
+        }
         a->shade.depth = depth + from;
         a->shade.end = depth + from + count;
         a->words(over, now, a->memory, a->memory + count);
@@ -234,6 +238,28 @@ static inline void albedo_row(struct albedo *a, const struct glint_mesh_values *
     }
 }
 
+/* Does no colour leave its range on a line? */
+static inline bool albedo_is_held(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t n)
+{
+    const uint32_t red = now[0] | (now[0] + n * over->step[0]), green = now[1] | (now[1] + n * over->step[1]),
+                   blue = now[2] | (now[2] + n * over->step[2]);
+    return ((red | blue) >> 26 | green >> 27) == 0;
+}
+
+/* A line in perspective, or of colours one of which is held. Alone, as few are. */
+static __attribute__((noinline)) void albedo_parts(struct albedo *a, const struct glint_mesh_triangle *triangle,
+                                                   const struct glint_mesh_target *target, struct glint_mesh_over *over,
+                                                   uint16_t *depth, int32_t from, int32_t to)
+{
+    const struct glint_use_mesh *const use = target->drawn->mesh->use;
+    const struct glint_mesh_values *const v = &triangle->values;
+    GLINT_FLASH_POINTER(use->line)(over, triangle->y, from, to, v->z + (uint32_t)(from - v->x) * v->zx, v->zx);
+    for (; albedo_row(a, v, over, over->now, depth, over->from, over->to), over->to != to;)
+        GLINT_FLASH_POINTER(use->next)(over);
+    for (unsigned k = 0; k < over->count && !over->is_far; k++)
+        over->step[k] = over->of[k].x;
+}
+
 /* Lines of a part. */
 static __attribute__((noinline)) void albedo_part(struct albedo *a, struct glint_mesh_triangle *triangle,
                                                   const struct glint_mesh_part *part,
@@ -244,32 +270,37 @@ static __attribute__((noinline)) void albedo_part(struct albedo *a, struct glint
     struct glint_mesh_values *const v = &triangle->values;
     struct glint_mesh_edge left = *part->left, right = *part->right;
     uint16_t *depth = target->depth + target->w * line;
-    const bool is_plain = over->count == 2 && !over->is_far;
+    const bool has_colours = over->count == 3, is_far = over->is_far;
+    const ptrdiff_t off_step = surface->stride - 2 * (ptrdiff_t)target->w;
     a->shade.off = (ptrdiff_t)((uintptr_t)surface->pixels + (uintptr_t)(surface->stride * line) - (uintptr_t)depth);
     for (; triangle->y < part->end; triangle->y++) {
         int32_t from, to;
         if (glint_mesh_columns(&left, &right, target->w, &from, &to)) {
             uint32_t now[3];
-            if (is_plain) {
-                const uint32_t n = (uint32_t)(from - over->x);
-                now[0] = over->line[0] + n * over->step[0];
-                now[1] = over->line[1] + n * over->step[1];
+            const uint32_t n = (uint32_t)(from - over->x);
+            now[0] = over->line[0] + n * over->step[0];
+            now[1] = over->line[1] + n * over->step[1];
+            now[2] = over->line[2] + n * over->step[2];
+            if (is_far || (has_colours && !albedo_is_held(over, now, (uint32_t)(to - from - 1))))
+                albedo_parts(a, triangle, target, over, depth, from, to);
+            else
                 albedo_row(a, v, over, now, depth, from, to);
-            } else {
-                const struct glint_use_mesh *const use = target->drawn->mesh->use;
-                GLINT_FLASH_POINTER(use->line)
-                (over, triangle->y, from, to, v->z + (uint32_t)(from - v->x) * v->zx, v->zx);
-                for (; albedo_row(a, v, over, over->now, depth, over->from, over->to), over->to != to;)
-                    GLINT_FLASH_POINTER(use->next)(over);
-            }
         }
         glint_mesh_edge_next(&left);
         glint_mesh_edge_next(&right);
         depth += target->w;
-        a->shade.off += surface->stride - 2 * (ptrdiff_t)target->w;
-        over->line[0] += over->of[0].y;
-        over->line[1] += over->of[1].y;
-        glint_mesh_values_next(v);
+        a->shade.off += off_step;
+        if (!is_far) {
+            over->line[0] += over->of[0].y;
+            over->line[1] += over->of[1].y;
+            over->line[2] += over->of[2].y;
+        }
+        if (a->is_glossy) {
+            glint_mesh_values_next(v);
+        } else {
+            v->nl += v->nly;
+            v->z += v->zy;
+        }
     }
     *part->left = left;
     *part->right = right;
@@ -281,6 +312,7 @@ void glint_mesh_albedo(const struct glint_tables *tables, struct glint_mesh_tria
     const int32_t end = triangle->y_end < target->end ? triangle->y_end : target->end;
     const bool is_glossy = triangle->shine == GLINT_MESH_GLOSSY;
     struct albedo a;
+    a.is_glossy = is_glossy;
     a.shade.words = a.memory = ((struct glint_mesh_bench *)target->frame->memory)->colours.words;
     a.shade.dz = triangle->values.zx;
     a.shade.dnl = triangle->values.nlx;
@@ -300,7 +332,7 @@ void glint_mesh_albedo(const struct glint_tables *tables, struct glint_mesh_tria
         a.pixels = is_glossy ? glint_mesh_shade_glossy : glint_mesh_shade_matt;
     if (!over->is_far) {
         const uint32_t lines = (uint32_t)(triangle->y - over->y);
-        for (unsigned k = 0; k < 2; k++) {
+        for (unsigned k = 0; k < over->count; k++) {
             over->line[k] = over->of[k].at + lines * over->of[k].y;
             over->step[k] = over->of[k].x;
         }

@@ -26,7 +26,7 @@ struct glint_mesh_over {
     uint32_t base[2];
     /* Of the line at hand. */
     uint32_t now[3], step[3]; /* at pixel from; good up to pixel to - 1 */
-    uint32_t line[2];         /* the numerators at pixel left */
+    uint32_t line[3];         /* the numerators at pixel left; of fused loops the numbers at column x of a line */
     uint32_t z, dz;           /* at left */
     int32_t from, to, left, right;
     int32_t off[2]; /* at from */
