@@ -165,7 +165,7 @@ static void pack(struct way *way)
             way->packed[i] = glint_normals_pack(GLINT_NORMALS_INT8, &way->normals[i]);
 }
 
-/* Most paths are drawn here with full gloss, alpha 255 and one colour, which becomes that of the first pixel with full gloss.
+/* Most paths are drawn here with full gloss, full coverage and one colour, which becomes that of the first pixel with full gloss.
  * `by_path` marks the pixels that the path draws. Returns how many are marked. */
 static size_t choose(const struct scene *scene, bool any_color, bool takes_coverage, struct glint_material *material,
                      uint8_t *by_path)

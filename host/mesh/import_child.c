@@ -242,8 +242,9 @@ static void set_texture(const struct aiMaterial *from, bool linear, struct impor
             for (int k = 0; k < 3; k++)
                 material->factor[k] = linear ? fmin(1, fmax(0, (double)parts[k])) : linear_of(material->color[k]);
         }
-        /* Programs write any colour beside a picture: black, too. */
-        for (int k = 0; k < 3 && !linear && memcmp(material->color, "\0\0", 3) == 0; k++)
+        /* Beside a picture programs write any colour, black, too; where there is none libassimp says .6. */
+        const bool is_said = memcmp(material->color, "\0\0", 3) != 0 && memcmp(material->color, "\x99\x99\x99", 3) != 0;
+        for (int k = 0; k < 3 && !linear && !is_said; k++)
             material->factor[k] = 1;
         placing->channel = (unsigned)channel;
         if (linear)
