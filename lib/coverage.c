@@ -128,13 +128,21 @@ static uint32_t coverage_any(const struct glint_paint *p, const struct glint_run
     return open;
 }
 
+/* A channel's V, blended over a level, and its threshold. */
+GLINT_INLINE uint32_t coverage_channel(const struct glint_paint *p, unsigned k, const uint32_t fixed[3], uint32_t m_q16,
+                                       uint32_t nl, uint32_t f, uint32_t most)
+{
+    return glint_levels_hold(fixed[k] * m_q16 + p->of.exact.q[k] * nl + p->of.exact.r[k] * f, most);
+}
+
 /* RGB565 without maps, under one light: N.L <= 2^16, F < 33/32 2^16. With a of 2^16, low by a of a unit, N.L is low by < 2, F by < 3 1/16,
- * what is without them by < 2^17. */
+ * what is without them by < 2^17; 1 - a by 255 2^-shift. */
 static uint32_t coverage_565(const struct glint_paint *p, const struct glint_run *run,
                              const struct glint_sample *sample, unsigned count)
 {
     const unsigned shift = (unsigned)p->of.exact.shift, swapped = p->output.format == GLINT_RGB565_SWAPPED;
-    const uint32_t w = p->of.exact.w + coverage_w(p, p->of.exact.q, 2, 4, 2 << 16);
+    const uint32_t unit = shift < 24 ? (uint32_t)0x10101 >> (24 - shift) : (uint32_t)0x10101 << (shift - 24);
+    const uint32_t w = p->of.exact.w + coverage_w(p, p->of.exact.q, 2, 4, 2 << 16) + (63 << 8);
     const uint8_t *coverage = run->coverage + run->x;
     uint8_t *out = run->line + 2 * run->x;
     uint32_t bias[4], fixed[3], open = 0;
@@ -142,24 +150,27 @@ static uint32_t coverage_565(const struct glint_paint *p, const struct glint_run
     for (unsigned k = 0; k < 3; k++)
         fixed[k] = (p->of.exact.p[k] - (p->output.dither ? 0 : bias[0])) >> 16;
     const struct glint_sample *const first = sample, *const end = sample + count;
-    for (unsigned phase = 0; sample != end; sample++, out += 2, phase++) {
-        const uint32_t m = *coverage++, m_q16 = 257 * m, rest = coverage_rest(m, shift);
-        const uint32_t one = ((uint32_t)1 << shift) - rest, most = (one << 5) - one;
+    const uint32_t *threshold = bias;
+    for (; sample != end; sample++, out += 2) {
+        const uint32_t m = *coverage++, m_q16 = (m << 8) + m, rest = (255 - m) * unit, one = m * unit;
         const uint32_t nl = sample->nl_q16 * m_q16 >> 16, f = sample->f_q16 * (m_q16 >> 1) >> 15;
-        const uint32_t under = (uint32_t)out[1 - swapped] << 8 | out[swapped], threshold = bias[phase & 3];
-        uint32_t red = fixed[0] * m_q16 + p->of.exact.q[0] * nl + p->of.exact.r[0] * f;
-        uint32_t green = fixed[1] * m_q16 + p->of.exact.q[1] * nl + p->of.exact.r[1] * f;
-        uint32_t blue = fixed[2] * m_q16 + p->of.exact.q[2] * nl + p->of.exact.r[2] * f;
-        red = glint_levels_hold(red, most) + rest * (under >> 11) + threshold;
-        green = glint_levels_hold(green, 2 * most + one) + rest * (under >> 5 & 63) + threshold;
-        blue = glint_levels_hold(blue, most) + rest * (under & 31) + threshold;
-        if (((red ^ (red + w)) | (green ^ (green + w)) | (blue ^ (blue + w))) >> shift) {
+        const uint32_t under = (uint32_t)out[1 - swapped] << 8 | out[swapped];
+        uint32_t v = coverage_channel(p, 0, fixed, m_q16, nl, f, 31 * one) + rest * (under >> 11) + *threshold;
+        uint32_t undecided = v ^ (v + w), pixel = v >> shift << 6;
+        v = coverage_channel(p, 1, fixed, m_q16, nl, f, 63 * one) + rest * (under >> 5 & 63) + *threshold;
+        undecided |= v ^ (v + w);
+        pixel = (pixel | v >> shift) << 5;
+        v = coverage_channel(p, 2, fixed, m_q16, nl, f, 31 * one) + rest * (under & 31) + *threshold;
+        undecided |= v ^ (v + w);
+        pixel |= v >> shift;
+        if (undecided >> shift) {
             open |= (uint32_t)1 << (sample - first);
         } else {
-            const uint32_t pixel = red >> shift << 11 | green >> shift << 5 | blue >> shift;
             out[swapped] = (uint8_t)pixel;
             out[1 - swapped] = (uint8_t)(pixel >> 8);
         }
+        if (++threshold == bias + 4)
+            threshold = bias;
     }
     return open;
 }
