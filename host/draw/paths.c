@@ -165,7 +165,7 @@ static void pack(struct way *way)
             way->packed[i] = glint_normals_pack(GLINT_NORMALS_INT8, &way->normals[i]);
 }
 
-/* Most paths are drawn here with full gloss, alpha 255 and one colour, which becomes that of the first pixel with full gloss.
+/* Most paths are drawn here with full gloss, full coverage and one colour, which becomes that of the first pixel with full gloss.
  * `by_path` marks the pixels that the path draws. Returns how many are marked. */
 static size_t choose(const struct scene *scene, bool any_color, bool takes_coverage, struct glint_material *material,
                      uint8_t *by_path)
@@ -267,6 +267,15 @@ void way_free(struct way *way)
 bool way_is_whole(const struct way *way)
 {
     return way->whole;
+}
+
+uint8_t *way_rest(const struct way *way, const struct scene *scene)
+{
+    const size_t pixels = (size_t)scene->width * scene->height;
+    uint8_t *rest = allocate(pixels, 1);
+    for (size_t i = 0; i < pixels; i++)
+        rest[i] = way->chosen && way->chosen[i] ? 0 : scene->mask ? scene->mask[i] : 255;
+    return rest;
 }
 
 void way_light(struct way *way, const struct shading *shading)

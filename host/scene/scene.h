@@ -25,7 +25,7 @@ struct scene {
     double (*normals)[3]; /* length 1; x right, y up, z towards the viewer; lines from the top */
     uint8_t *albedo;      /* RGB888, or NULL */
     uint8_t *gloss;       /* or NULL */
-    uint8_t *mask;        /* 0: not drawn; or NULL */
+    uint8_t *mask;        /* coverage: 0 is not drawn, below 255 in part; or NULL */
     uint8_t *grain_map;   /* 256 a half turn, counterclockwise from the right; or NULL: as `grain` says everywhere */
     struct grain grain;
     uint8_t *backdrop; /* RGB888: what is drawn over; or NULL: black */
