@@ -113,7 +113,7 @@ static const char doc[] =
     "  glint bake --scene watchface --size 240x240 --to int8 -o dial.uf2\n"
     "  glint bake --scene coin --to int16 --json\n"
     "  glint bake --mesh part.stl --split 20 -o part.c\n"
-    "  glint bake --mesh crate.gltf --texture-bytes 65536 --texture-to palette -o crate.c\n";
+    "  glint bake --mesh crate.gltf --texture-bytes 65536 -o crate.c\n";
 
 /* ---- options ---- */
 
