@@ -36,8 +36,11 @@ struct glint_mesh_over {
 static inline const struct glint_texture *glint_mesh_texture_of(const struct glint_mesh_drawn *drawn,
                                                                 const struct glint_paint *paint)
 {
-    const struct glint_texture *textures = drawn->mesh->textures, *texture = textures + (paint - drawn->paints);
-    return textures && texture->pixels ? texture : NULL;
+    const struct glint_texture *texture = drawn->mesh->textures;
+    if (!texture)
+        return NULL;
+    texture += paint - drawn->paints;
+    return texture->pixels ? texture : NULL;
 }
 
 /* What a mesh uses for it, const. */
