@@ -134,7 +134,8 @@ static void write_numbers(const char *name, const char *suffix, unsigned number,
     c_begin_array("static ", words ? "uint16_t" : "uint8_t", name, whole, out);
     for (size_t i = 0; i < count; i++)
         fprintf(out, "%s%u%s", i % 18 ? " " : "\n    ",
-                words ? ((const uint16_t *)values)[i] : ((const uint8_t *)values)[i], i + 1 < count ? "," : "");
+                words ? (unsigned)((const uint16_t *)values)[i] : (unsigned)((const uint8_t *)values)[i],
+                i + 1 < count ? "," : "");
     fputs("\n};\n", out);
 }
 
