@@ -69,6 +69,7 @@ SUBMAKE = $(MAKE) --no-print-directory $(PARALLEL)
 BUILD_PACKAGES = gcc libc6-dev make pkg-config libpng-dev libjansson-dev libqoi-dev liblz4-dev libusb-1.0-0-dev \
 	libgpiod-dev libinih-dev libchafa-dev libglib2.0-dev librsvg2-dev libassimp-dev libjpeg-dev
 DEMO_PACKAGES = chafa gnuplot-nox
+GALLERY_PACKAGES = python3-minimal
 
 all: $(BUILD)/libglint.a $(BUILD)/glint ## use: the library and the glint command, in build/host (after make setup)
 
@@ -123,6 +124,12 @@ run-demo: all
 	@chafa --size 80x30 build/demo/rockwall.png build/demo/watchface.png
 	@echo "demo: rockwall.png, watchface.png, coin.png and sphere.png are in build/demo"
 	@echo "demo: to tune them in a browser: make page, then open build/page/index.html"
+
+gallery: setup-build ## use: what it can draw, before and after, as it is and four times as large: build/gallery/index.html, needs python3 only
+	@.ci/need "the gallery" $(GALLERY_PACKAGES)
+	@+$(SUBMAKE) -s all
+	@tests/golden/gallery $(BUILD)/glint build/gallery
+	@echo "gallery: open build/gallery/index.html in a browser"
 
 # A page for glint and one for each command, from the tables of options behind --help.
 COMMAND_PAGES = $(patsubst host/commands/%.c,glint-%.1,$(wildcard host/commands/*.c))
@@ -250,7 +257,7 @@ clean: ## maintain: remove what was built
 	rm -rf build
 
 always:
-.PHONY: all always have-compiler dist dist-archives dist-two-files firmware setup setup-build setup-check test check missing check-format demo run-demo help packages clean install install-lib run-install-lib uninstall
+.PHONY: all always have-compiler dist dist-archives dist-two-files firmware setup setup-build setup-check test check missing check-format demo run-demo gallery help packages clean install install-lib run-install-lib uninstall
 .DEFAULT:
 	$(error there is no goal or file '$@'; 'make help' lists the goals)
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

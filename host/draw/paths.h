@@ -20,6 +20,9 @@ struct mesh_path {
 extern const char path_needs_grey[]; /* where ALBEDO tables refuse a material */
 const char *path_of_mesh(const struct shading *shading, bool has_colors, struct mesh_path *of_mesh);
 
+/* The grain of the scene from pixel `first` on, where the shading has one. */
+void scene_add_grain(const struct scene *scene, const struct shading *shading, size_t first, struct glint_maps *maps);
+
 /* A path made ready for a scene. Some leave pixels of the scene undrawn, and a warning says so: the exact paint is to
  * draw below them. Scene and normals must outlive it. */
 struct way;

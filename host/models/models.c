@@ -14,6 +14,19 @@ double model_double(enum glint_model model, double n, double c)
     return (unsigned)model < GLINT_MODEL_COUNT ? model_facts[model]->value(n, c) : 0;
 }
 
+bool model_has_grain(enum glint_model model)
+{
+    return model == GLINT_MSH || model == GLINT_SCHLICK || model == GLINT_CAYLEY || model == GLINT_LYON;
+}
+
+/* n t becomes n_across t + (n - n_across) (H.T)^2 / 2; at t = 0 there is no (H.T)^2 either. */
+double model_grained(enum glint_model model, double n, double n_across, double c, double h_t_square)
+{
+    (void)model;
+    const double t = 1 - c;
+    return t > 0 ? n_across + (n - n_across) * h_t_square / (2 * t) : n;
+}
+
 enum glint_model parse_model(const struct argp_state *state, const char *option, const char *text)
 {
     return (enum glint_model)parse_choice(state, option, "model", text, model_names);

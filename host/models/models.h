@@ -32,6 +32,12 @@ extern const char *const model_names[];               /* "msh" ..., by enum glin
 
 double model_double(enum glint_model model, double n, double c); /* its value; 0 for an unknown model */
 
+/* Can it have a grain, that is, n_across? */
+bool model_has_grain(enum glint_model model);
+/* The shininess by which its formula has the value of a grain at c: so much along it and across it; h_t_square: (H.T)^2, T the unit
+ * direction of the grain. */
+double model_grained(enum glint_model model, double n, double n_across, double c, double h_t_square);
+
 /* "msh, schlick, ..., ", for help. */
 #define MODEL_WORD(number, name, function, use) #name ", "
 #define MODEL_WORDS GLINT_MODELS(MODEL_WORD)

@@ -177,13 +177,26 @@ static void default_to(double values[3], const double defaults[3])
             values[k] = defaults[k];
 }
 
+static void check_grain(const struct argp_state *state, const struct shading *shading)
+{
+    char names[200] = "";
+    if (!shading->n_across || shading->n_across == shading->n || model_has_grain(shading->model))
+        return;
+    for (unsigned i = 0; model_names[i]; i++)
+        if (model_has_grain((enum glint_model)i)) {
+            strcat(names, *names ? ", " : "");
+            strcat(names, model_names[i]);
+        }
+    refuse(state, "--across: %s has no grain; choose one of %s", model_names[shading->model], names);
+}
+
 /* The material's values where no option gave one. A metal keeps the grain of a scene that has one. */
 static void take_material(struct shading_options *o, const struct preset *preset)
 {
     struct shading *shading = &o->shading;
     if (!shading->n)
         shading->n = preset->finish.n;
-    if (!shading->n_across)
+    if (!shading->n_across && model_has_grain(shading->model))
         shading->n_across = preset->finish.n_across ? preset->finish.n_across : preset->is_metal ? 0 : shading->n;
     default_to(shading->ambient, preset->finish.ambient);
     default_to(shading->diffuse, preset->finish.diffuse);
@@ -216,6 +229,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case ARGP_KEY_END:
         o->has_light = o->shading.lamp_count > 0;
+        check_grain(state, &o->shading);
         if (o->has_material) {
             const struct preset preset = preset_of(o->material);
             take_material(o, &preset);
@@ -266,7 +280,7 @@ struct shading shading_of_options(const struct shading_options *options, enum gl
     shading.format = format;
     if (!shading.n)
         shading.n = finish->n;
-    if (!shading.n_across)
+    if (!shading.n_across && model_has_grain(shading.model))
         shading.n_across = finish->n_across;
     if (shading.n_across == shading.n)
         shading.n_across = 0;

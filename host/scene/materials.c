@@ -25,7 +25,7 @@ struct recipe {
     const char *meaning, *source;
     const struct indices *metal; /* NULL: the two below */
     double color[3];             /* reflectance, linear; as it is encoded where is_encoded */
-    bool is_encoded;
+    bool is_encoded, is_metal;
     double times; /* how often what a metal scatters has met it */
     unsigned n, n_across;
     double ambient, diffuse, mirror; /* mirror: of a metal times its colour, of others white */
@@ -42,7 +42,7 @@ static const struct recipe gold = {.meaning = "polished gold",
 static const struct recipe brass = {.meaning = "polished brass",
                                     .source = INDICES "brass",
                                     .metal = &of_brass,
-                                    .times = 3,
+                                    .times = 2.4,
                                     .n = 34,
                                     .ambient = 0.25,
                                     .diffuse = 0.62,
@@ -84,7 +84,8 @@ static const struct recipe gunmetal = {
     .meaning = "blued steel",
     .source = "magnetite, about .20 throughout: Criddle and Stanley, Quantitative Data File for Ore Minerals, 1993",
     .color = {.196, .201, .212},
-    .n = 24,
+    .is_metal = true,
+    .n = 40,
     .ambient = 0.25,
     .diffuse = 0.5,
     .mirror = 0.38};
@@ -148,8 +149,8 @@ static double reflectance(const struct indices *metal, unsigned k)
 struct preset preset_of(unsigned place)
 {
     const struct recipe *r = recipes[place];
-    struct preset preset = {preset_names[place], r->meaning, r->source, {.n = r->n, .n_across = r->n_across}, {0},
-                            r->metal != NULL};
+    struct preset preset = {preset_names[place],    r->meaning, r->source, {.n = r->n, .n_across = r->n_across}, {0},
+                            r->metal || r->is_metal};
     for (unsigned k = 0; k < 3; k++) {
         const double mirrored = r->metal ? reflectance(r->metal, k) : 1;
         const double scattered = r->metal ? pow(mirrored, r->times) : r->color[k];

@@ -59,7 +59,7 @@ run([
     }],
     ['every control sets its option, changes the picture and the command line', async () => {
         await browser.go(start)
-        for (const [id, value, word] of [['control-material', 'jade', '--material=jade'], ['control-model', 'gauss', '--model=gauss'], ['control-across', '5', '--across=5'], ['control-n', '300', '-n300'], ['control-q', '2', '-q2'],
+        for (const [id, value, word] of [['control-material', 'jade', '--material=jade'], ['control-model', 'gauss', '--model=gauss'], ['control-across', '5', '--across=5'], ['control-background', '#30c060', '--background=48,192,96'], ['control-n', '300', '-n300'], ['control-q', '2', '-q2'],
             ['control-color', '#3060c0', '--color=48,96,192'], ['control-ambient', '0.5', '--ambient=0.5'], ['control-diffuse', '0.3', '--diffuse=0.3'],
             ['control-specular', '0.1', '--specular=0.1,0.091,0.067'], ['control-format', 'rgb888', ''], ['control-format', 'mono', '--format=mono'],
             ['control-dither', true, '--dither'], ['control-space', 'linear', '--space=linear'], ['control-path', 'span', '--path=span'],
@@ -101,10 +101,21 @@ run([
         await page.keyboard.up('Control')
         equal((await shownIsDrawn()).join(' '), '--scene=coin --size=240x240 --format=rgb565 --light=-1,1,1.2', 'done again by Ctrl-Y')
     }],
+    ['grain is set by its kind, and by an angle or a point', async () => {
+        await browser.go(start + '&across=4')
+        for (const [id, value, word] of [['control-grain', 'spun', '--grain=spun'], ['control-grain-at', '20, 10', '--grain=spun:20,10'], ['control-grain', 'brushed', '--grain=brushed'], ['control-grain-at', '60', '--grain=brushed:60']]) {
+            const { rgba } = await browser.now()
+            await browser.set(id, value)
+            check((await shownIsDrawn()).includes(word), `no ${word}`)
+            check(word === '--grain=brushed' || !(await browser.now()).rgba.equals(rgba), `${word} changes nothing`)
+        }
+        await browser.set('control-grain', '')
+        check(!(await shownIsDrawn()).some(word => word.startsWith('--grain')), 'the grain stays')
+    }],
     ['each control shows the number that C gets, and says what it means', async () => {
         await browser.go(start)
         const rows = await page.evaluate(() => [...document.querySelectorAll('#rows .row')].filter(row => !row.hidden).map(row => [row.querySelector('.number').value, row.querySelector('.meaning').textContent]))
-        check(rows.length === 16 && rows.every(([number, meaning]) => number && meaning), JSON.stringify(rows))
+        check(rows.length === 18 && rows.every(([number, meaning]) => number && meaning), JSON.stringify(rows))
         const numbers = rows.map(([number]) => number)
         for (const number of ['GLINT_MSH', 'n = 30', 'ambient_q16 = {9830, 9830, 9830}', 'GLINT_RGB565', 'clamp_peak = false'])
             check(numbers.includes(number), `${number} is not in ${numbers.join('; ')}`)

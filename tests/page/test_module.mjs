@@ -138,6 +138,17 @@ run([
                     await sameAnswer(engine, [surface, '--size=45x33', `--material=${material}`, ...more])
         check(!engine.draw(['--scene=coin', '--size=45x33', '--material=gold']).kept && !engine.draw(['--scene=coin', '--size=45x33', '--material=jade']).kept, 'kept, though the material is another')
     }],
+    ['grain of every kind, backgrounds and what is cut out give the command\'s pixels', () => {
+        const engine = engineWithMaps()
+        for (const grain of ['brushed:30', 'spun', 'spun:10,20', 'sunray', 'sunray:10,20.5'])
+            for (const surface of [['--scene=dial'], ['--scene=coin', '--cut-out'], ['--scene=coin', '--background=200,10,90'], ['--normals=rgba8.png', '--background=0,90,200']])
+                same(engine, [...surface, '--size=45x33', '-n90', '--across=8', `--grain=${grain}`])
+        same(engine, ['--height=grey16.png', '--grain=grain.png', '-n90', '--across=8'])
+        same(engine, ['--height=a-logo.png', '--bevel=6', '--cut-out', '--format=rgb565'])
+        same(engine, ['--height=a-logo.png', '--bevel=6', '--background=9,200,90', '--format=mono', '--dither'])
+        same(engine, ['--scene=teapot', '--size=45x33', '--background=9,200,90'])
+        same(engine, ['--scene=teapot', '--size=45x33', '-n90', '--across=8', '--grain=brushed:90'])
+    }],
     ['points, spots and coloured lights give the command\'s pixels', () => {
         const engine = new Engine(program)
         same(engine, ['--scene=coin', '--size=96x96', '--light=-1,1,2,.5,.5,.5', '--point=80,20,30,120,1,.7,.3', '--spot=10,90,60,48,48,200,20,40,.2,.4,1'])

@@ -6,6 +6,7 @@ import { byId, capital, make, short, typeset } from './dom'
 import type { Facts } from './engine'
 import { onDrawn } from './picture'
 import { canRedo, canUndo, change, current, onChange, redo, reset, undo } from './store'
+import { isGrainMap } from './words'
 import type { Option, State } from './words'
 
 interface Row {
@@ -94,6 +95,46 @@ const coefficient = (option: 'ambient' | 'diffuse' | 'specular'): Row['build'] =
     }
 }
 
+const background: Row['build'] = (id, line) => {
+    const input = make('input', { type: 'color', id })
+    const none = make('button', { type: 'button', textContent: 'None' })
+    input.oninput = () => change({ background: ofHex(input.value).join(',') }, 'background')
+    none.onclick = () => set('background', undefined)
+    line.append(input, none)
+    return state => {
+        const values = state.background?.split(',').map(Number) ?? [0, 0, 0]
+        if (document.activeElement !== input && values.length === 3)
+            input.value = hex(values)
+        none.setAttribute('aria-pressed', String(state.background === undefined))
+    }
+}
+
+const grainKinds = [['', 'The surface\'s own'], ['brushed', 'Brushed one way'], ['spun', 'Spun about a point'], ['sunray', 'Rays from a point']]
+/** A kind, and its angle or centre; a map of directions is dropped. */
+const grain: Row['build'] = (id, line) => {
+    const input = make('select', { id }, ...grainKinds.map(([value, textContent]) => make('option', { value, textContent })))
+    const map = make('option', { value: 'map', textContent: 'A map' })
+    const at = make('input', { type: 'text', id: `${id}-at`, spellcheck: false })
+    const put = () => set('grain', input.value ? input.value + (at.value.trim() && `:${at.value.replace(/\s/g, '')}`) : undefined)
+    input.append(map)
+    input.onchange = () => {
+        at.value = ''
+        put()
+    }
+    at.onchange = put
+    line.append(input, at)
+    return ({ grain = '' }) => {
+        const isMap = grain !== '' && isGrainMap(grain), [kind, where = ''] = isMap ? ['map'] : grain.split(':')
+        input.value = kind
+        map.hidden = map.disabled = !isMap
+        at.hidden = isMap || kind === ''
+        at.placeholder = kind === 'brushed' ? 'degrees' : 'x,y in pixels'
+        at.setAttribute('aria-label', kind === 'brushed' ? 'Grain: degrees from the right' : 'Grain: the point, x,y')
+        if (document.activeElement !== at)
+            at.value = where
+    }
+}
+
 const color: Row['build'] = (id, line) => {
     const input = make('input', { type: 'color', id })
     const own = make('button', { type: 'button', textContent: 'The surface\'s own' })
@@ -165,6 +206,10 @@ const table: Row[] = [
         number: (_, f) => `n_across = ${hasGrain(f) ? f.across : 0}`, meaning: (_, f) => hasGrain(f) ? 'Shininess across the grain; the one above is along it' : 'As along the grain: there is none. Brushed metal has a lower one',
     },
     {
+        option: 'grain', title: 'Grain', build: grain, number: (s, f) => !hasGrain(f) ? 'none' : s.grain && isGrainMap(s.grain) ? 'maps.grain' : `grain_kind = GLINT_GRAIN_${['BRUSHED', 'SPUN', 'SUNRAY'][f.grain[0]]}`,
+        meaning: (_, f) => hasGrain(f) ? 'Which way the scratches run; empty: to the right, or about the middle' : 'Which way scratches run; it shows where Across differs from Shininess',
+    },
+    {
         option: 'q', title: 'Cutoff', build: slider('q', 1, 16, 15, step => step + 1, q => q - 1), number: (_, f) => `q = ${f.q}, t_q30 ≤ ${f.cutoff_t_q30}`,
         meaning: (_, f) => `Below 2⁻${[...String(f.q)].map(d => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(d)]).join('')} a highlight counts as 0: beyond ${f.cutoff_degrees[0].toFixed(2)}°`,
     },
@@ -172,6 +217,7 @@ const table: Row[] = [
         option: 'color', title: 'Colour', build: color, number: (_, f) => `albedo = {${f.albedo.join(', ')}}`,
         meaning: (s, f) => f.has_albedo[0] ? s.albedo ? `From ${s.albedo}, pixel for pixel` : 'The scene has colours of its own; choose one instead' : 'The same everywhere',
     },
+    { option: 'background', title: 'Background', build: background, number: s => s.background === undefined ? 'none' : `{${s.background.replaceAll(',', ', ')}}`, meaning: s => s.background === undefined ? 'What soft edges are drawn over; with one a scene is cut out of its wall' : 'What the buffer holds before: soft edges are mixed with it' },
     { option: 'ambient', title: 'Ambient', build: coefficient('ambient'), number: (_, f) => q16(f, 'ambient'), meaning: () => 'Light from everywhere; 65536 is 1.0' },
     { option: 'diffuse', title: 'Diffuse', build: coefficient('diffuse'), number: (_, f) => q16(f, 'diffuse'), meaning: () => 'What the surface scatters, by N·L' },
     { option: 'specular', title: 'Specular', build: coefficient('specular'), number: (_, f) => q16(f, 'specular'), meaning: () => 'How strong the highlight is; metals tint it' },

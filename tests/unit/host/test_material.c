@@ -13,19 +13,20 @@ enum { WIDTH = 12, HEIGHT = 8 };
 #define WARN "-Wall -Wextra -Wconversion -pedantic -Werror -I\"$GLINT_SOURCE/lib\" "
 
 /* A program that draws the baked height map with what is printed, and writes a PPM's bytes after its head. */
-static const char program[] = "printf '#include <stdio.h>\n#include \"stone.h\"\n#include \"look.h\"\n"
-                              "static unsigned char pixels[3 * 96];\n"
-                              "int main(void) {\n"
-                              "struct glint_paint paint;\n"
-                              "struct glint_light lights[look_light_count];\n"
-                              "struct glint_maps maps = {stone, 6 * 12, NULL, 0, NULL, 0, NULL, 0, NULL, 0, 0, 0, 0, {0, 0}, NULL, 0};\n"
-                              "struct glint_surface target = {pixels, 3 * 12, 0, 0};\n"
-                              "if (glint_paint_exact(&paint, &look, &look_output) != GLINT_OK) return 1;\n"
-                              "if (look_light(&paint, lights) != GLINT_OK) return 2;\n"
-                              "if (glint_draw_rect(&paint, &maps, 12, 8, &target, NULL) != GLINT_OK) return 3;\n"
-                              "fwrite(pixels, 1, sizeof pixels, stdout); return 0; }\n' >out/t.c && cd out && "
-                              "gcc -std=c99 " WARN "t.c ../lib.a -o t && ./t >c.ppm && "
-                              "g++ -std=c++11 " WARN "-x c++ t.c -x none ../lib.a -o t && ./t >cxx.ppm";
+static const char program[] =
+    "printf '#include <stdio.h>\n#include \"stone.h\"\n#include \"look.h\"\n"
+    "static unsigned char pixels[3 * 96];\n"
+    "int main(void) {\n"
+    "struct glint_paint paint;\n"
+    "struct glint_light lights[look_light_count];\n"
+    "struct glint_maps maps = {stone, 6 * 12, NULL, 0, NULL, 0, NULL, 0, NULL, 0, 0, 0, 0, {0, 0}, NULL, 0};\n"
+    "struct glint_surface target = {pixels, 3 * 12, 0, 0};\n"
+    "if (glint_paint_exact(&paint, &look, &look_output) != GLINT_OK) return 1;\n"
+    "if (look_light(&paint, lights) != GLINT_OK) return 2;\n"
+    "if (glint_draw_rect(&paint, &maps, 12, 8, &target, NULL) != GLINT_OK) return 3;\n"
+    "fwrite(pixels, 1, sizeof pixels, stdout); return 0; }\n' >out/t.c && cd out && "
+    "gcc -std=c99 " WARN "t.c ../lib.a -o t && ./t >c.ppm && "
+    "g++ -std=c++11 " WARN "-x c++ t.c -x none ../lib.a -o t && ./t >cxx.ppm";
 
 static int make_library(void **state)
 {
@@ -161,7 +162,8 @@ static void options_beside_a_material_override_it(void **state)
 static void a_scene_is_made_of_the_material(void **state)
 {
     (void)state;
-    struct scene *own = scene_draw("sphere", 64, 64), *jade = scene_draw_in("sphere", 64, 64, preset_of(11).color);
+    struct scene *own = scene_draw("sphere", 64, 64),
+                 *jade = scene_draw_in("sphere", 64, 64, preset_of(11).color, false);
     assert_memory_equal(own->albedo, jade->albedo, 3);
     assert_memory_equal(&jade->albedo[3 * (32 * 64 + 32)], preset_of(11).color, 3);
     scene_free(own);
