@@ -29,6 +29,23 @@ static void use_one_picture(struct soup *soup, const char *path)
     }
 }
 
+/* A picture of roughness and metal becomes its mean: a part has one shininess. */
+static void take_look(const struct soup *soup, struct mesh_material *material)
+{
+    double sum[3] = {0};
+    if (!material->look_picture || material->look_picture > soup->picture_count)
+        return;
+    const struct mesh_picture *picture = &soup->pictures[material->look_picture - 1];
+    const size_t pixels = (size_t)picture->width * picture->height;
+    if (!picture->rgb)
+        return;
+    for (size_t i = 0; i < 3 * pixels; i++)
+        sum[i % 3] += picture->rgb[i];
+    material->has_roughness = true;
+    material->roughness *= sum[1] / (255 * (double)pixels);
+    material->metallic *= sum[2] / (255 * (double)pixels);
+}
+
 /* Parts whose picture is not there have none. Returns whether any has. */
 static bool find_pictures(struct soup *soup)
 {
@@ -227,6 +244,9 @@ void mesh_surface_begin(struct soup *soup, const struct mesh_source *source)
 {
     if (source->texture)
         use_one_picture(soup, source->texture);
+    else
+        for (unsigned i = 0; i < soup->part_count; i++)
+            take_look(soup, &soup->materials[i]);
     soup->has_uv = find_pictures(soup);
     if (soup->has_uv) {
         soup_check_uv(soup);
