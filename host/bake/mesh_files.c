@@ -257,7 +257,7 @@ static uint8_t *put_all(uint8_t *at, const struct baked_mesh *baked, size_t coun
     return at;
 }
 
-enum { RAW_COLORS = 256, RAW_TEXTURES = 512 };
+enum { RAW_COLORS = 256, RAW_TEXTURES = 1024 };
 
 /* Of all textures with their numbers. */
 static size_t raw_texture_bytes(const struct baked_mesh *baked)
