@@ -427,7 +427,7 @@ static inline bool same_box(const struct glint_box *a, const struct glint_box *b
     return a->x == b->x && a->y == b->y && a->w == b->w && a->h == b->h;
 }
 
-static inline unsigned bits_of(enum glint_format format)
+static inline unsigned pixel_bits(enum glint_format format)
 {
 #define FORMAT_BITS(number, name, bits, channels, red, green, blue) bits,
     static const uint8_t bits[] = {GLINT_FORMATS(FORMAT_BITS)};
@@ -437,7 +437,7 @@ static inline unsigned bits_of(enum glint_format format)
 
 static inline unsigned bytes_of(enum glint_format format, unsigned w)
 {
-    return (bits_of(format) * w + 7) / 8;
+    return (pixel_bits(format) * w + 7) / 8;
 }
 
 /* All of them, those last whose lines start on bytes. */
@@ -454,7 +454,7 @@ static inline enum glint_format format_number(int64_t i)
 static inline void assert_only_the_rectangle_is_written(const uint8_t *out, size_t size, size_t start, ptrdiff_t stride,
                                                         enum glint_format format, uint16_t w, uint16_t h)
 {
-    const unsigned bits = bits_of(format);
+    const unsigned bits = pixel_bits(format);
     for (size_t b = 0; b < size; b++) {
         const ptrdiff_t at = (ptrdiff_t)b - (ptrdiff_t)start;
         const bool inside = at >= 0 && at < stride * h && at % stride < (ptrdiff_t)bytes_of(format, w);

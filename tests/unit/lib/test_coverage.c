@@ -23,8 +23,8 @@ static void square(enum glint_format format)
                 const unsigned pixel = r << 11 | g << 5 | r, swapped = format == GLINT_RGB565_SWAPPED;
                 before[2 * i + swapped] = (uint8_t)pixel;
                 before[2 * i + !swapped] = (uint8_t)(pixel >> 8);
-            } else if (bits_of(format) < 8) {
-                const unsigned bits = bits_of(format), level = q & ((1u << bits) - 1);
+            } else if (pixel_bits(format) < 8) {
+                const unsigned bits = pixel_bits(format), level = q & ((1u << bits) - 1);
                 before[i * bits / 8] = (uint8_t)(level * (255 / ((1u << bits) - 1)));
             } else {
                 const unsigned bytes = bytes_of(format, 1);
