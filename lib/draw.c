@@ -103,26 +103,32 @@ void glint_lines_set(struct glint_lines *lines, uint32_t y)
 
 /* The first pixel from x on, and before end, that is drawn, or not: covered, and of a surface. Loops of their own, as this costs cycles at
  * every pixel. */
-static inline __attribute__((always_inline)) uint32_t lines_find(const struct glint_lines *lines, uint32_t x,
-                                                                 uint32_t end, bool drawn)
+static inline __attribute__((always_inline)) uint32_t lines_find(struct glint_lines *lines, uint32_t x, uint32_t end,
+                                                                 bool drawn)
 {
     const uint8_t *const coverage = lines->run.coverage;
+    uint32_t all = 255, m = 255; /* bits of all that is drawn */
     if (lines->has_gaps) {
         const uint32_t *word = (const uint32_t *)(const void *)lines->normals + x;
-        for (; x < end && ((!coverage || coverage[x]) && *word >> 16) != drawn; word++)
+        for (; x < end && ((!coverage || (m = coverage[x]) != 0) && *word >> 16) != drawn; word++) {
+            all &= m;
             x++;
-        return x;
-    }
-    if (!coverage)
+        }
+    } else if (!coverage) {
         return drawn ? x : end;
-    const uint8_t *at = coverage + x, *const stop = coverage + end;
-    if (drawn)
-        while (at != stop && !*at)
-            at++;
-    else
-        while (at != stop && *at)
-            at++;
-    return (uint32_t)(at - coverage);
+    } else {
+        const uint8_t *at = coverage + x, *const stop = coverage + end;
+        if (drawn)
+            while (at != stop && !*at)
+                at++;
+        else
+            for (; at != stop && (m = *at) != 0; at++)
+                all &= m;
+        x = (uint32_t)(at - coverage);
+    }
+    if (!drawn)
+        lines->run.soft = all == 255 ? NULL : lines->soft;
+    return x;
 }
 
 bool glint_lines_next(struct glint_lines *lines)
@@ -219,7 +225,8 @@ static void draw_lines(struct glint_lines *lines, const struct glint_maps *maps,
     lines->run.left = target->x;
     lines->run.apart = 0;
     lines->run.albedo = lines->run.gloss = lines->run.coverage = NULL;
-    lines->run.soft = soft;
+    lines->soft = soft;
+    lines->run.soft = NULL;
 }
 
 enum glint_err glint_draw_rect_by(const struct glint_paint *paint, const struct glint_maps *maps, uint16_t w,

@@ -21,6 +21,7 @@ void glint_bounds_box(const struct glint_bounds *b, struct glint_box *box); /* b
 struct glint_lines {
     const struct glint_maps *maps; /* NULL: none */
     const struct glint_surface *target;
+    const struct glint_use_coverage *soft; /* of runs that are not covered in full, unless it is NULL */
     uint32_t w;
     uint16_t most;        /* pixels in a run; where it is of samples, up to GLINT_RUN */
     bool has_gaps;        /* runs end where there is no surface; for tables samples say so */

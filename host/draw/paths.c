@@ -120,8 +120,8 @@ const char *path_refusal(const struct shading *shading)
         return "needs --format rgb565 or rgb565-swapped";
     if (path->source == PALETTE && shading->dither)
         return "cannot draw with --dither";
-    if (path->source == SPAN && shading->format == GLINT_MONO)
-        return "cannot draw mono, whose spans would have to start on a byte";
+    if (path->source == SPAN && format_byte_pixels(shading->format) > 1)
+        return "cannot draw mono, grey2 and grey4, whose spans would have to start on a byte";
     if (path->source == INT8 && !is_frontal(shading))
         return "needs --view 0,0,1";
     return NULL;
@@ -267,6 +267,15 @@ void way_free(struct way *way)
 bool way_is_whole(const struct way *way)
 {
     return way->whole;
+}
+
+uint8_t *way_rest(const struct way *way, const struct scene *scene)
+{
+    const size_t pixels = (size_t)scene->width * scene->height;
+    uint8_t *rest = allocate(pixels, 1);
+    for (size_t i = 0; i < pixels; i++)
+        rest[i] = way->chosen && way->chosen[i] ? 0 : scene->mask ? scene->mask[i] : 255;
+    return rest;
 }
 
 void way_light(struct way *way, const struct shading *shading)

@@ -5,8 +5,9 @@
 
 #include "glint_mesh.h"
 #include "mesh/mesh.h"
+#include "mesh/texture_palette.h"
 
-enum { TEXTURE_BYTES_USUAL = 192 << 10, TEXTURE_COLORS = 256 };
+enum { TEXTURE_BYTES_USUAL = 192 << 10 };
 
 /* Of one picture; the library's texture points into the arrays. */
 struct texture {
@@ -27,9 +28,6 @@ void textures_free(struct texture *textures, unsigned count);
 void texture_color(const struct glint_texture *texture, unsigned level, long x, long y, double rgb[3]);
 /* The width and height of one of its pictures. */
 void texture_size(const struct glint_texture *texture, unsigned level, uint32_t size[2]);
-
-/* Colours of RGB565 into at most TEXTURE_COLORS; returns how many. */
-unsigned texture_palette(const uint16_t *pixels, size_t count, uint16_t *palette, uint8_t *indices);
 
 /* Encoded sRGB, 0..1, and linear light. */
 double texture_decode(double encoded);

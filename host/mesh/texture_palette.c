@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT
  * Median cut: the box of colours with the largest sum of squares is cut where its mean lies, until there are enough; then some rounds of
  * k-means. */
+#include "mesh/texture_palette.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"
-#include "mesh/texture.h"
 
 enum { ALL = 1 << 16, ROUNDS = 6 };
 

@@ -45,7 +45,7 @@ static const struct argp_option argp_options[] = {
      7},
     {"no-textures", KEY_NO_TEXTURES, NULL, 0, "Leave a mesh's textures out: each part has its colour", 7},
     {"nearest", KEY_NEAREST, NULL, 0,
-     "Draw the nearest pixel of a texture, which is faster than --smooth (default: what the file says)", 7},
+     "Draw the nearest pixel of a texture, faster than --smooth (default: as the file says)", 7},
     {"smooth", KEY_SMOOTH, NULL, 0, "Blend the four pixels around (the default where the file says nothing)", 7},
     {"texture-bytes", KEY_TEXTURE_BYTES, "N", 0,
      "Scale textures down until all of them, each with its halves, quarters and so on, fit in N bytes (default 196608)",

@@ -80,6 +80,8 @@ void bench_check(enum glint_err err);
 typedef void bench_step(void);
 /* exact_loops.c */
 bench_step exact_fill, bench_light, bench_rect, bench_span;
+/* As `pack`: two pixels at each end of the line are blended, or all. */
+bench_step bench_soft_edges, bench_soft_all;
 void bench_rect_by(const struct glint_paint *paint, enum bench_map map, struct glint_box *highlight);
 bench_step bench_spans_16, bench_spans_64; /* the line's spans, at bench_spans */
 #define bench_spans ((struct glint_span *)BENCH_AFTER_TABLES)

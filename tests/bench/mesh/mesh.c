@@ -31,7 +31,7 @@ static const struct {
 static uint32_t frame_memory[(2 * WIDTH * LINES + 1024 /* what glint_mesh_frame_bytes adds */ +
                               KEPT * GLINT_MESH_KEPT_BYTES + GLINT_MESH_LIGHTS_BYTES) /
                              4],
-    mesh_memory[12000];
+    mesh_memory[9400];
 enum { SIDE = 64, VERTICES = 600 /* as the teapot has */ };
 /* Tables, with a texture or not, or the strip's normals: mesh_normals. */
 static union {
