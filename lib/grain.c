@@ -300,52 +300,40 @@ uint32_t glint_grain_f(const struct glint_paint *paint, uint32_t m, uint32_t t)
     return f < paint->of.exact.f_max ? f : paint->of.exact.f_max;
 }
 
-/* m of the run's samples from `from` on; span: whose t and N.L are there, or NULL. */
+enum { GRAIN_RUN = 14 }; /* what the stack allows */
+
+/* m of the run's samples; span: whose t and N.L are there, or NULL. Kept, too, as the model's loop puts F in its place. */
 static __attribute__((noinline)) void grain_source(const struct glint_paint *paint, const struct glint_lines *lines,
                                                    const struct glint_span *span, struct glint_sample *samples,
-                                                   unsigned from, unsigned count)
+                                                   uint32_t *kept)
 {
     const struct glint_use_grain *use = GLINT_FLASH_POINTER(paint->model->grain);
-    struct glint_vec unpacked[GLINT_RUN];
+    struct glint_vec unpacked[GRAIN_RUN];
     struct glint_view view;
     view.l.x = paint->l.x, view.l.y = paint->l.y, view.l.z = paint->l.z;
     view.h.x = paint->h.x, view.h.y = paint->h.y, view.h.z = paint->h.z;
-    const struct glint_vec *normals = span ? NULL : glint_lines_normals(lines, unpacked) + from;
-    GLINT_FLASH_POINTER(use->sample)(paint, lines, span, &view, normals, samples, from, count);
-}
-
-/* A pixel that stays open: its m again, since F has taken its place. before: the span before the run, or NULL. */
-static __attribute__((noinline)) void grain_exactly(const struct glint_paint *paint, const struct glint_lines *lines,
-                                                    const struct glint_span *before, unsigned i)
-{
-    struct glint_sample sample;
-    if (before) {
-        struct glint_span at = *before;
-        glint_span_skip(&at, at.w - (lines->w - lines->run.x) + i);
-        glint_samples_walk(&at, &sample, 1);
-    }
-    grain_source(paint, lines, before, &sample, i, 1);
-    glint_paint_sums(paint, &lines->run, i, sample.nl_q16, glint_grain_f(paint, sample.f_q16, sample.t_q30));
+    const struct glint_vec *normals = span ? NULL : glint_lines_normals(lines, unpacked);
+    GLINT_FLASH_POINTER(use->sample)(paint, lines, span, &view, normals, samples, 0, lines->count);
+    for (const struct glint_sample *end = samples + lines->count; samples != end; samples++)
+        *kept++ = samples->f_q16;
 }
 
 void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
                       struct glint_box *highlight)
 {
     struct glint_bounds bounds;
-    struct glint_sample samples[GLINT_RUN];
-    struct glint_span before;
+    struct glint_sample samples[GRAIN_RUN];
+    uint32_t kept[GRAIN_RUN];
     struct glint_run *const run = &lines->run;
     const struct glint_use_grain *use = GLINT_FLASH_POINTER(paint->model->grain);
     glint_bounds_begin(&bounds);
-    lines->most = GLINT_RUN;
+    lines->most = GRAIN_RUN;
     glint_grain_begin(lines);
     for (uint32_t y = 0; y < h; y++)
         for (glint_lines_set(lines, y); glint_lines_next(lines); run->x += lines->count) {
-            if (at) {
-                before = *at;
+            if (at)
                 glint_lines_walk(paint, lines, at, samples);
-            }
-            grain_source(paint, lines, at, samples, 0, lines->count);
+            grain_source(paint, lines, at, samples, kept);
             GLINT_FLASH_POINTER(use->run)(paint, samples, lines->count);
             for (unsigned i = 0; highlight && i < lines->count; i++) /* before gloss is drawn over */
                 if (samples[i].f_q16 && (!run->gloss || run->gloss[i]))
@@ -353,7 +341,7 @@ void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines
             uint32_t open = glint_run_levels(paint, run)(paint, run, samples, lines->count);
             for (unsigned i = 0; open; i++, open >>= 1)
                 if (open & 1)
-                    grain_exactly(paint, lines, at ? &before : NULL, i);
+                    glint_paint_sums(paint, run, i, samples[i].nl_q16, glint_grain_f(paint, kept[i], samples[i].t_q30));
         }
     glint_bounds_box(&bounds, highlight);
 }

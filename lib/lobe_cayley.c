@@ -172,7 +172,7 @@ static uint32_t cayley_grain(uint32_t m, uint32_t t)
     return low == high || !cayley_ratio_at_least(p, cayley_grain_s(m, t), 2 * high - 1) ? low : high;
 }
 
-static bool cayley_grain_reaches(uint32_t m, uint32_t t, unsigned q)
+static __attribute__((noinline)) bool cayley_grain_reaches(uint32_t m, uint32_t t, unsigned q)
 {
     const uint64_t p = cayley_grain_p(m, t);
     return (int64_t)p > 0 && cayley_ratio_at_least(p, cayley_grain_s(m, t), (uint32_t)1 << (17 - q));

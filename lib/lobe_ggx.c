@@ -173,7 +173,7 @@ static uint32_t ggx_grain(uint32_t m, uint32_t t)
     return (uint32_t)f + (rest >= square - rest);
 }
 
-static bool ggx_grain_reaches(uint32_t m, uint32_t t, unsigned q)
+static __attribute__((noinline)) bool ggx_grain_reaches(uint32_t m, uint32_t t, unsigned q)
 {
     const uint64_t d = ((uint32_t)1 << GLINT_GRAIN_BITS) + m;
     (void)t;

@@ -87,7 +87,7 @@ static uint32_t lyon_grain(uint32_t m, uint32_t t)
     return ((y + 32768) & 0xffff) > 65536 - 6 ? lyon_exactly(p) : ((y >> 15) + 1) >> 1;
 }
 
-static bool lyon_grain_reaches(uint32_t m, uint32_t t, unsigned q)
+static __attribute__((noinline)) bool lyon_grain_reaches(uint32_t m, uint32_t t, unsigned q)
 {
     (void)t;
     return m >> 24 == 0 && (m == 0 || 0 - (m << 8) > GLINT_FLASH_U32(lyon_root[q & 3]) >> (q >> 2));

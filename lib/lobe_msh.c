@@ -222,7 +222,7 @@ static uint32_t msh_grain(uint32_t m, uint32_t t)
     return f.low == f.high || !msh_at_least(u, d, 2 * f.high - 1) ? f.low : f.high;
 }
 
-static bool msh_grain_reaches(uint32_t m, uint32_t t, unsigned q)
+static __attribute__((noinline)) bool msh_grain_reaches(uint32_t m, uint32_t t, unsigned q)
 {
     const uint32_t u = GLINT_T_ONE - t;
     return u && msh_at_least(u, denominator_of_m(m, u), (uint32_t)1 << (17 - q));

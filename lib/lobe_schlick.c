@@ -108,7 +108,7 @@ static uint32_t schlick_grain(uint32_t m, uint32_t t)
     return u ? (uint32_t)(((u << 17) + d) / (2 * d)) : 0;
 }
 
-static bool schlick_grain_reaches(uint32_t m, uint32_t t, unsigned q)
+static __attribute__((noinline)) bool schlick_grain_reaches(uint32_t m, uint32_t t, unsigned q)
 {
     const uint64_t u = GLINT_T_ONE - t;
     return u && u << q >= schlick_grain_divisor(m, t);
