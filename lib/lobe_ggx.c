@@ -7,7 +7,7 @@
 #include "glint_grain.h"
 #include "glint_math.h"
 
-/* t (2 - t) in Q32, 0 < t <= 1; low by less than 2, never high. (1 is taken for 1 - 2^-30, where that is 2^-60 less.) */
+/* t (2 - t) in Q32, 0 < t <= 1; low by at most 2, never high. (1 is taken for 1 - 2^-30, where that is 2^-60 less.) */
 static inline uint32_t ggx_sine(uint32_t t)
 {
     t -= t >> 30;
@@ -23,7 +23,7 @@ static inline uint32_t ggx_high(uint32_t n)
 /* f with f - ggx_high(n) < 2^28 F < f + LOW for 0 < n <= 1000, 0 < t <= 1.
  *
  * e = 2^(18 - up) 2^-36 m, 2^27 <= m < 2^28. Errors of 2^28 F <= 2^28:
- *   t (2 - t)    low by < 2 2^-32: of e by < n 2^-32, twice in F     high < n / 8
+ *   t (2 - t)    low by <= 2 2^-32: of e by <= n 2^-32, twice in F  high <= n / 8
  *   reciprocal   2^-30 (-16.1 .. 16.4) of 1 / e, twice               low < 8.1, high < 8.3
  *   square       low by < 2 2^-30 of at most 1                       low < 1/2
  *   shift        low by < 1 */

@@ -14,6 +14,7 @@ struct canvas {
     const struct scene *scene;
     struct glint_vec *normals;
     struct way *way, *below; /* below: what draws the pixels that the way does not; NULL: there are none */
+    struct scene rest;       /* those pixels alone */
     uint8_t *behind;         /* what the picture is drawn over; NULL: nothing is seen of it */
 };
 
@@ -63,8 +64,11 @@ struct canvas *canvas_new(const struct scene *scene, const struct shading *shadi
     canvas->scene = scene;
     canvas->normals = scene_normals_q15(scene);
     canvas->way = way_new(scene, shading, canvas->normals);
-    if (!way_is_whole(canvas->way))
-        canvas->below = way_new(scene, &exact, canvas->normals);
+    if (!way_is_whole(canvas->way)) {
+        canvas->rest = *scene;
+        canvas->rest.mask = way_rest(canvas->way, scene);
+        canvas->below = way_new(&canvas->rest, &exact, canvas->normals);
+    }
     if (scene->mask)
         canvas->behind = backdrop_pixels(scene->backdrop, scene->width, scene->height, shading);
     if (!canvas->behind && has_soft_edges(scene))
@@ -80,6 +84,7 @@ void canvas_free(struct canvas *canvas)
     way_free(canvas->below);
     free(canvas->normals);
     free(canvas->behind);
+    free(canvas->rest.mask);
     free(canvas);
 }
 

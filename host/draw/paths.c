@@ -269,6 +269,15 @@ bool way_is_whole(const struct way *way)
     return way->whole;
 }
 
+uint8_t *way_rest(const struct way *way, const struct scene *scene)
+{
+    const size_t pixels = (size_t)scene->width * scene->height;
+    uint8_t *rest = allocate(pixels, 1);
+    for (size_t i = 0; i < pixels; i++)
+        rest[i] = way->chosen && way->chosen[i] ? 0 : scene->mask ? scene->mask[i] : 255;
+    return rest;
+}
+
 void way_light(struct way *way, const struct shading *shading)
 {
     shading_light_paint(shading, &way->paint, way->lights);

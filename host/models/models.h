@@ -32,6 +32,9 @@ extern const char *const model_names[];               /* "msh" ..., by enum glin
 
 double model_double(enum glint_model model, double n, double c); /* its value; 0 for an unknown model */
 
+/* glTF's roughness r as a shininess, by GGX's alpha: r^4 = alpha^2 = 2 / (n + 2). Infinite for 0. */
+double shininess_of_roughness(double roughness);
+unsigned shininess_held(double n); /* to nearest, 1..1000 */
 /* Can it have a grain, that is, n_across? */
 bool model_has_grain(enum glint_model model);
 /* The shininess by which its formula has the value of a grain at c: so much along it and across it; h_t_square: (H.T)^2, T the unit

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/argp.h"
+#include "base/message.h"
 #include "base/parse.h"
 #include "draw/paths.h"
 #include "image/format.h"
@@ -16,6 +17,7 @@
 enum key {
     KEY_COLOR = 256,
     KEY_MODEL,
+    KEY_ROUGHNESS,
     KEY_LIGHT,
     KEY_POINT,
     KEY_SPOT,
@@ -54,6 +56,10 @@ static const struct argp_option argp_options[] = {
      PRESET_WORDS "each with its shininess, colour, --ambient, --diffuse and --specular where no option gives them", 3},
     {"model", KEY_MODEL, "NAME", 0, "The highlight: " MODEL_WORDS "default: msh", 3},
     {NULL, 'n', "N", 0, "Shininess, 1..1000 (default 60; watchface 40, coin 30)", 3},
+    {"roughness", KEY_ROUGHNESS, "R", 0,
+     "In the place of -n: glTF's roughness, 0..1. n = 2 / R^4 - 2, the GGX lobe's; below .211 it counts as .211, n = "
+     "1000",
+     3},
     {"across", KEY_ACROSS, "N", 0,
      "Shininess across the grain, 1..1000; -n is along it. Metal has a lower one (default: no grain, or the scene's or "
      "the material's)",
@@ -114,6 +120,15 @@ static void parse_color(const struct argp_state *state, const char *text, struct
     options->has_color = true;
 }
 
+static unsigned parse_roughness(const struct argp_state *state, const char *text)
+{
+    const double roughness = parse_real(state, "--roughness", text, 0, 1), n = shininess_of_roughness(roughness);
+    const unsigned held = shininess_held(n);
+    if (fabs(held - n) > 0.5)
+        warn("--roughness %g: n = %.0f is beyond 1..%u; drawn with %u", roughness, n, GLINT_N_MAX, held);
+    return held;
+}
+
 static void parse_view(const struct argp_state *state, const char *text, double view[3])
 {
     parse_reals(state, "--view", text, view, 3, -1e6, 1e6);
@@ -125,6 +140,9 @@ static error_t parse_shading(int key, char *text, const struct argp_state *state
     switch (key) {
     case 'n':
         shading->n = (unsigned)parse_integer(state, "-n", text, 1, GLINT_N_MAX);
+        return 0;
+    case KEY_ROUGHNESS:
+        shading->n = parse_roughness(state, text);
         return 0;
     case KEY_ACROSS:
         shading->n_across = (unsigned)parse_integer(state, "--across", text, 1, GLINT_N_MAX);

@@ -105,6 +105,27 @@ static void json_holds_the_same_numbers(void **state)
     json_decref(root);
 }
 
+static void roughness_is_the_shininess_of_gltf(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        unsigned n;
+        bool says; /* what it was held to */
+    } wanted[] = {{".5", 30, false},  {".22", 852, false}, {".212", 988, false},
+                  {".2", 1000, true}, {"0", 1000, true},   {"1", 1, true}};
+    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++) {
+        char line[160], n[32];
+        snprintf(line, sizeof line, "$GLINT material --roughness %s --model ggx --json", wanted[i].text);
+        const struct run *made = run(line);
+        snprintf(n, sizeof n, "\"n\": %u,", wanted[i].n);
+        assert_int_equal(made->status, 0);
+        assert_contains(made->out, n);
+        assert_int_equal(strstr(made->err, "is beyond 1..1000") != NULL, wanted[i].says);
+    }
+    assert_int_equal(run("$GLINT material --roughness 1.1")->status, 2);
+}
+
 static int lines_with(const char *text, const char *start)
 {
     int count = 0;
@@ -241,6 +262,7 @@ int main(void)
         cmocka_unit_test(the_printed_material_draws_the_pixels_of_render),
         cmocka_unit_test(the_example_on_top_compiles_for_every_model_format_and_space),
         cmocka_unit_test(json_holds_the_same_numbers),
+        cmocka_unit_test(roughness_is_the_shininess_of_gltf),
         cmocka_unit_test(the_header_of_materials_is_what_the_command_writes),
         cmocka_unit_test(each_material_is_listed_with_the_source_of_its_colour),
         cmocka_unit_test(options_beside_a_material_override_it),
