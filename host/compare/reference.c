@@ -87,14 +87,16 @@ struct pixel {
     double grain[3]; /* its direction, not yet in the surface */
 };
 
-/* With a grain or a map of shininess; T is the grain's direction in the surface. Where it has none there, n counts. */
+/* With a grain or a map of shininess; T is the grain's direction in the surface. Where it has none there, the mean of n and n_across
+ * counts: that over all directions. */
 static double grained(enum glint_model model, const struct pixel *pixel, const double h[3], double c, double n_across)
 {
     const double *grain = pixel->grain, off = dot(pixel->normal, grain);
     const double square = dot(grain, grain) - off * off, along = dot(h, grain) - c * off;
     if (n_across > 0 && square > 1e-12)
         return model_grained(model, pixel->n, n_across, c, along * along / square);
-    return model_grained(model, pixel->n, pixel->n, c, 0);
+    const double n = n_across > 0 ? (pixel->n + n_across) / 2 : pixel->n;
+    return model_grained(model, n, n, c, 0);
 }
 
 static double highlight(const struct geometry *g, const struct shading *shading, enum glint_model model,
