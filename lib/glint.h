@@ -133,7 +133,7 @@ enum glint_err glint_vec_normalize(struct glint_vec *out, const int32_t v[3]);
  *
  *   t = |N - H|^2 / 2 = 1 - N.H      nl = max(0, N.L)      F = the lobe at t; 0 where nl = 0 or F < 2^-q
  *   value_k = albedo_k (ambient_k + diffuse_k nl) + specular_k gloss F
- *   out_k   = floor(min(1, value_k) max_k + 1/2), max_k = 255, 63, 31 or 1; dithered: a threshold in place of 1/2
+ *   out_k   = floor(min(1, value_k) max_k + 1/2), max_k = 255, 63, 31, 15, 3 or 1; dithered: a threshold in place of 1/2
  *
  * Under several lights nl and F are sums over the lights, each times its colour. In gamma space there is one rounding, after the sum; in
  * linear space the sum is encoded to sRGB first. sequence.md has the integers, step by step: the same on every path, target and
@@ -143,7 +143,7 @@ enum glint_err glint_vec_normalize(struct glint_vec *out, const int32_t v[3]);
 /* A material. Coefficients are Q16.16, 0..65536; more counts as 65536. Red, green, blue. */
 struct glint_material {
     uint8_t model; /* enum glint_model */
-    /* The highlight ends at 2^-q, 1..16. 0: 6 for RGB565 and MONO, 8 for others or dithered, 12 in linear space; an exact paint's
+    /* The highlight ends at 2^-q, 1..16. 0: 6 for RGB565, GREY4, GREY2 and MONO, 8 for others or dithered, 12 in linear space; an exact paint's
      * material tells which. */
     uint8_t q;
     uint16_t n;        /* shininess, 1..1000; 0 is an error, more counts as 1000 */
@@ -155,20 +155,22 @@ struct glint_material {
     bool clamp_peak;   /* F at most 1.0; else MSH reaches 1.024 */
 };
 
-/* Pixel formats. This list alone names them all. X(number, name, bytes, channels, red, green, blue): a pixel's bytes (0: one bit), its
- * channels, and the largest level of each. GLINT_RGB565 = 0, ... Stored as uint8_t. */
+/* Pixel formats. This list alone names them all. X(number, name, bits, channels, red, green, blue): a pixel's bits (below 8: the most
+ * significant first, each line starts on a byte), its channels, and the largest level of each. GLINT_RGB565 = 0, ... Stored as uint8_t. */
 #define GLINT_FORMATS(X)                                                                                               \
-    X(GLINT_RGB565, "rgb565", 2, 3, 31, 63, 31)                 /* red in the top 5 bits, low byte first */            \
-    X(GLINT_RGB565_SWAPPED, "rgb565-swapped", 2, 3, 31, 63, 31) /* high byte first: the order of most panels */        \
-    X(GLINT_RGB888, "rgb888", 3, 3, 255, 255, 255)              /* red, green, blue */                                 \
-    X(GLINT_GREY8, "grey8", 1, 1, 255, 255, 255)                                                                       \
-    X(GLINT_MONO, "mono", 0, 1, 1, 1, 1)               /* most significant bit first; each line starts on a byte */    \
-    X(GLINT_BGR888, "bgr888", 3, 3, 255, 255, 255)     /* blue, green, red, as LVGL has all of these */                \
-    X(GLINT_XRGB8888, "xrgb8888", 4, 3, 255, 255, 255) /* blue, green, red, 255 */                                     \
-    X(GLINT_ARGB8888, "argb8888", 4, 3, 255, 255, 255) /* blue, green, red, the coverage: 255 where there is none */
+    X(GLINT_RGB565, "rgb565", 16, 3, 31, 63, 31)                 /* red in the top 5 bits, low byte first */           \
+    X(GLINT_RGB565_SWAPPED, "rgb565-swapped", 16, 3, 31, 63, 31) /* high byte first: the order of most panels */       \
+    X(GLINT_RGB888, "rgb888", 24, 3, 255, 255, 255)              /* red, green, blue */                                \
+    X(GLINT_GREY8, "grey8", 8, 1, 255, 255, 255)                                                                       \
+    X(GLINT_MONO, "mono", 1, 1, 1, 1, 1)                                                                               \
+    X(GLINT_BGR888, "bgr888", 24, 3, 255, 255, 255)     /* blue, green, red, as LVGL has all of these */               \
+    X(GLINT_XRGB8888, "xrgb8888", 32, 3, 255, 255, 255) /* blue, green, red, 255 */                                    \
+    X(GLINT_ARGB8888, "argb8888", 32, 3, 255, 255, 255) /* blue, green, red, the coverage: 255 where there is none */  \
+    X(GLINT_GREY4, "grey4", 4, 1, 15, 15, 15)           /* e-paper, OLED */                                            \
+    X(GLINT_GREY2, "grey2", 2, 1, 3, 3, 3)
 
-#define GLINT_FORMAT_NUMBER(number, name, bytes, channels, red, green, blue) number,
-#define GLINT_FORMAT_ONE(number, name, bytes, channels, red, green, blue) +1
+#define GLINT_FORMAT_NUMBER(number, name, bits, channels, red, green, blue) number,
+#define GLINT_FORMAT_ONE(number, name, bits, channels, red, green, blue) +1
 enum glint_format { GLINT_FORMATS(GLINT_FORMAT_NUMBER) };
 enum { GLINT_FORMAT_COUNT = 0 GLINT_FORMATS(GLINT_FORMAT_ONE) };
 
@@ -235,7 +237,7 @@ struct glint_use_coverage; /* what blends soft edges, const */
 GLINT_MODELS(GLINT_MODEL_USE)                          /* glint_use_msh, glint_use_msh_grain and so on */
 extern const struct glint_use_format glint_use_rgb565, /* gamma, both orders */
     glint_use_rgb888,                                  /* gamma: RGB888, BGR888, XRGB8888, ARGB8888 */
-    glint_use_grey,                                    /* gamma: GREY8, MONO */
+    glint_use_grey,                                    /* gamma: GREY8, GREY4, GREY2, MONO */
     glint_use_linear;                                  /* every format in linear space */
 extern const struct glint_use_tables glint_use_colour, glint_use_colour_dithered, glint_use_albedo;
 extern const struct glint_use_lights glint_use_lights;
@@ -419,7 +421,7 @@ struct glint_maps {
 enum glint_err glint_draw_rect_by(const struct glint_paint *paint, const struct glint_maps *maps, uint16_t w,
                                   uint16_t h, const struct glint_surface *target, struct glint_box *highlight,
                                   const struct glint_use_coverage *soft);
-/* Draws w x h pixels; w or h = 0 draws nothing. In GLINT_MONO the bits past w in a line's last byte are kept. *highlight, unless it is NULL,
+/* Draws w x h pixels; w or h = 0 draws nothing. Of pixels below a byte the bits past w in a line's last byte are kept. *highlight, unless it is NULL,
  * becomes the smallest box, relative to the rectangle, of the drawn pixels with a highlight (F > 0 and gloss > 0; by tables: t within their
  * columns). Outside of it the picture is the same without the highlight. Paints of tables look at the normals outside of it twice then.
  * GLINT_ERR_ARG: NULL, a paint of zeros or never lit, a map that the paint does not take, or one that it needs (ALBEDO without albedo), a

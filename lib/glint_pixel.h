@@ -84,15 +84,14 @@ static inline glint_exact *glint_run_exact(const struct glint_paint *paint, cons
 
 /* What GLINT_FORMATS says of a format. */
 struct glint_format_traits {
-    uint8_t bytes, channels, max[3];
+    uint8_t bits, channels, max[3];
 };
 extern const struct glint_format_traits glint_formats[GLINT_FORMAT_COUNT]; /* GLINT_FLASH */
 
 /* Bytes of a line. */
 static inline uint32_t glint_line_bytes(uint8_t format, uint32_t w)
 {
-    const uint32_t bytes = GLINT_FLASH_U8(glint_formats[format].bytes);
-    return bytes ? bytes * w : (w + 7) / 8;
+    return (GLINT_FLASH_U8(glint_formats[format].bits) * w + 7) / 8;
 }
 /* The same where the loops ask for it, without a load. */
 static inline bool glint_format_is_565(uint8_t format)
@@ -101,7 +100,7 @@ static inline bool glint_format_is_565(uint8_t format)
 }
 static inline bool glint_format_is_grey(uint8_t format)
 {
-    return format == GLINT_GREY8 || format == GLINT_MONO;
+    return format == GLINT_GREY8 || format == GLINT_MONO || format >= GLINT_GREY4;
 }
 static inline bool glint_format_is_blue_first(uint8_t format)
 {

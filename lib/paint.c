@@ -17,7 +17,7 @@ enum glint_err glint_paint_check(const struct glint_material *material, const st
 /* The cutoff 2^-q that an output needs where the material names none. */
 static uint8_t paint_q(const struct glint_material *material, const struct glint_output *output)
 {
-    const bool is_coarse = glint_format_is_565(output->format) || output->format == GLINT_MONO;
+    const bool is_coarse = GLINT_FLASH_U8(glint_formats[output->format].max[0]) < 255;
     if (material->q)
         return material->q;
     return output->space == GLINT_LINEAR ? 12 : is_coarse && !output->dither ? 6 : 8;

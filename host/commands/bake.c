@@ -86,7 +86,7 @@ static const char doc[] =
     "parts (q = 0: what the output needs), where its vertices have colours of_vertices, and where it has textures "
     "these, with each vertex's u and v; FILE.h has "
     "the macros NAME_VERTICES, NAME_FACES and NAME_PARTS. Raw has four numbers of 16 bits (vertices, "
-    "triangles, parts, bytes of a normal's number, and 256 more with colours of vertices, 512 with textures), then x, "
+    "triangles, parts, bytes of a normal's number, and 256 more with colours of vertices, 1024 with textures), then x, "
     "y, z of each vertex "
     "in 16 bits, its normal, a 0 where "
     "these are an odd number of bytes, three vertices of each triangle and the triangle each part ends before in 16 "

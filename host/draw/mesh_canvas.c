@@ -212,6 +212,7 @@ static uint16_t *draw_numbers(const struct fitted *fitted, const struct view *vi
     if (error != GLINT_OK)
         fail("the library refused the numbers of texels (error %d)", error);
     mesh.textures = textures;
+    mesh.neighbours = NULL; /* outlines blend */
     draw(&mesh, (const struct glint_paint *const[]){paints}, 1, view, (uint8_t *)pixels,
          (size_t)view->width * sizeof *pixels);
     for (unsigned i = 0; i < parts; i++)

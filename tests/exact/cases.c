@@ -111,7 +111,9 @@ struct reference case_look(uint64_t *seed, struct glint_vec lvh[3])
     }
     s.output.format = (uint8_t)BELOW(5);
     if (s.output.format == GLINT_RGB888 && ONE_IN(2)) /* half of these: what is found in one of them is found in all */
-        s.output.format = (uint8_t)(GLINT_BGR888 + BELOW(GLINT_FORMAT_COUNT - GLINT_BGR888));
+        s.output.format = (uint8_t)(GLINT_BGR888 + BELOW(GLINT_GREY4 - GLINT_BGR888));
+    if (s.output.format == GLINT_MONO && ONE_IN(2))
+        s.output.format = (uint8_t)(GLINT_GREY4 + BELOW(2));
     s.output.space = (uint8_t)ONE_IN(3);
     s.output.dither = ONE_IN(2);
     s.material.clamp_peak = ONE_IN(2);
@@ -265,8 +267,8 @@ enum glint_err case_paint(struct glint_paint *paint, const struct reference *loo
     if (!is_gamma && !strcmp(fault, "linear-w"))
         *w = *w_maps = 0;
     if (!strcmp(fault, "high") && paint->of.exact.high && is_gamma) {
-        const bool has_threshold =
-            look->output.format != GLINT_GREY8 && look->output.format != GLINT_MONO && !look->output.dither;
+        const bool has_threshold = look->output.format != GLINT_GREY8 && look->output.format != GLINT_MONO &&
+                                   look->output.format < GLINT_GREY4 && !look->output.dither;
         for (int k = 0; k < 3 && has_threshold; k++)
             paint->of.exact.p[k] += (uint32_t)paint->of.exact.high << (paint->of.exact.shift - 15);
         paint->of.exact.high = 0;

@@ -70,9 +70,16 @@ static unsigned q_of(const struct reference *s)
         return s->material.q;
     if (s->output.space == GLINT_LINEAR)
         return 12;
-    const bool is_coarse =
-        s->output.format == GLINT_RGB565 || s->output.format == GLINT_RGB565_SWAPPED || s->output.format == GLINT_MONO;
-    return is_coarse && !s->output.dither ? 6 : 8;
+    switch ((enum glint_format)s->output.format) {
+    case GLINT_RGB565:
+    case GLINT_RGB565_SWAPPED:
+    case GLINT_GREY4:
+    case GLINT_GREY2:
+    case GLINT_MONO:
+        return s->output.dither ? 8 : 6;
+    default:
+        return 8;
+    }
 }
 
 uint32_t reference_t_last(const struct reference *s)
@@ -242,6 +249,14 @@ uint32_t reference_span_f(const struct reference_lines *lines, const struct glin
     return grained(lines, t, nl, m_of(lines, s, half_square(turned(along, h.x * u[0] + h.y * u[1], t), d, s)));
 }
 
+/* Bits of a byte, from bit `at` on. */
+static void put_bits(const struct reference *s, uint8_t *out, uint32_t at, uint32_t max, uint64_t x, uint32_t weight,
+                     uint8_t coverage)
+{
+    const uint32_t there = (uint32_t)*out >> at & max;
+    *out = (uint8_t)(*out - (there << at) + (level(s, x, max, weight, coverage, there) << at));
+}
+
 /* Steps 4 to 9. */
 static void pixel(const struct reference *s, uint8_t *line, uint32_t x, uint32_t left, uint32_t y,
                   const uint64_t lit[3], const uint64_t shine[3], const uint8_t *albedo, uint8_t gloss,
@@ -286,11 +301,14 @@ static void pixel(const struct reference *s, uint8_t *line, uint32_t x, uint32_t
     case GLINT_GREY8:
         put(s, line + x, grey, weight, coverage);
         break;
-    case GLINT_MONO: {
-        const uint8_t bit = (uint8_t)(0x80 >> (x & 7));
-        line[x >> 3] = (uint8_t)(level(s, grey, 1, weight, coverage, line[x >> 3] & bit ? 1 : 0) ? line[x >> 3] | bit
-                                                                                                 : line[x >> 3] & ~bit);
-    }
+    case GLINT_GREY4:
+        put_bits(s, line + x / 2, 4 * (1 - x % 2), 15, grey, weight, coverage);
+        break;
+    case GLINT_GREY2:
+        put_bits(s, line + x / 4, 2 * (3 - x % 4), 3, grey, weight, coverage);
+        break;
+    case GLINT_MONO:
+        put_bits(s, line + x / 8, 7 - x % 8, 1, grey, weight, coverage);
     }
 }
 

@@ -143,9 +143,7 @@ static void a_format_named_with_the_paint_refuses_the_others(void **state)
         for (unsigned space = GLINT_GAMMA; space <= GLINT_LINEAR + 1; space++) {
             struct look look = random_look((enum glint_format)format, (enum glint_space)space);
             look.material.model = GLINT_MSH;
-            const unsigned own = format <= GLINT_RGB565_SWAPPED                  ? 0
-                                 : format == GLINT_GREY8 || format == GLINT_MONO ? 2
-                                                                                 : 1;
+            const unsigned own = format <= GLINT_RGB565_SWAPPED ? 0 : is_grey((enum glint_format)format) ? 2 : 1;
             const bool is_there = format < GLINT_FORMAT_COUNT;
             struct glint_paint paint;
             for (unsigned group = 0; group < 3; group++)

@@ -323,6 +323,7 @@ static const struct glint_use_format *format_named(const struct look *look)
         [GLINT_RGB888] = &glint_use_rgb888,   [GLINT_GREY8] = &glint_use_grey,
         [GLINT_MONO] = &glint_use_grey,       [GLINT_BGR888] = &glint_use_rgb888,
         [GLINT_XRGB8888] = &glint_use_rgb888, [GLINT_ARGB8888] = &glint_use_rgb888,
+        [GLINT_GREY4] = &glint_use_grey,      [GLINT_GREY2] = &glint_use_grey,
     };
     return look->output.space == GLINT_LINEAR ? &glint_use_linear : groups[look->output.format];
 }
