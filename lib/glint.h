@@ -374,7 +374,7 @@ struct glint_vec glint_normals_unpack(enum glint_normals format, uint32_t word);
 /* Where a window of a map begins: at column x of line y. Its stride is the map's. */
 const void *glint_normals_window(enum glint_normals format, const void *map, ptrdiff_t stride, uint32_t x, uint32_t y);
 
-/* A map of shininess, a byte a pixel, is logarithmic: 25.6 codes an octave, n = 1 at 0, 996 at 255. And the code whose n is nearest. */
+/* A map of shininess, a byte a pixel, is logarithmic: 25.6 codes an octave, n = 1 at 0, 997 at 255. And the code whose n is nearest. */
 uint32_t glint_shininess_n(uint8_t code);
 uint8_t glint_shininess_code(uint32_t n);
 
