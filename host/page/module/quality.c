@@ -66,7 +66,9 @@ static struct glint_box highlight_box(const struct glint_paint *paint)
                               .gloss = scene->gloss,
                               .gloss_stride = (ptrdiff_t)scene->width,
                               .coverage = scene->mask,
-                              .coverage_stride = (ptrdiff_t)scene->width};
+                              .coverage_stride = (ptrdiff_t)scene->width,
+                              .shininess = scene->shininess,
+                              .shininess_stride = (ptrdiff_t)scene->width};
     scene_add_grain(scene, &now->shading, 0, &maps);
     const struct glint_surface target = {pixels, (ptrdiff_t)line, 0, 0};
     struct glint_box box = {0};
