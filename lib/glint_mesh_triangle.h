@@ -52,6 +52,30 @@ static inline unsigned glint_mesh_zeros(uint32_t x)
 /* 2^43 / m to nearest, nearly: 2^15..2^16, for m = 2^27..2^28 - 1 of which the lower bits may be cut. */
 uint32_t glint_mesh_inverse(uint32_t m);
 
+/* What is linear over a triangle, from corner a on: how u and v, the places in it, change a pixel, times 2^e; and, times 2^(e - 1), from the
+ * corner to the middle of pixel a.x >> 4 in the first line whose middle is at or below it. The triangle has an area. */
+struct glint_mesh_slopes {
+    int32_t ux, uy, vx, vy, u, v; /* < 2^15 */
+    int e;
+};
+#define GLINT_MESH_STEEP 12 /* where e is less, u or v change by 8 a pixel or more */
+void glint_mesh_slopes_set(struct glint_mesh_slopes *slopes, const struct glint_mesh_vertex *a,
+                           const struct glint_mesh_vertex *b, const struct glint_mesh_vertex *c);
+
+/* Two differences, to corners b and c, cut to 15 bits and a sign: p 2^shift, q 2^shift. */
+struct glint_mesh_pair {
+    int32_t p, q;
+    unsigned shift;
+};
+struct glint_mesh_pair glint_mesh_pair_of(int32_t p, int32_t q);
+
+/* What they add to the number at a, at that pixel, and a pixel to the right or down; times 2^up, modulo 2^32. */
+struct glint_mesh_linear {
+    uint32_t at, x, y;
+};
+void glint_mesh_linear_set(struct glint_mesh_linear *linear, const struct glint_mesh_slopes *slopes,
+                           struct glint_mesh_pair pair, int up);
+
 /* Which pixels a triangle covers, and their values line by line. */
 
 /* Lines y..y_end - 1 from the first corner down; up to y_middle its short edge is the upper one. */

@@ -25,7 +25,6 @@ enum glint_mesh_shine glint_mesh_shine(const struct glint_mesh_corner corner[3],
     return gradient_beyond(a, b, c, t_end) >> 29 ? GLINT_MESH_MATT : GLINT_MESH_GLOSSY;
 }
 
-#if !GLINT_CORTEX_M0PLUS_ASM
 /* Bits of x, 0 for 0. */
 static inline unsigned gradient_bits(uint32_t x)
 {
@@ -53,32 +52,21 @@ static uint32_t gradient_shift(int32_t r, int down)
     return (uint32_t)(((r >> (down - 1)) + 1) >> 1); /* |r| < 2^31 - 1, or down > 1 */
 }
 
-/* A pair that is multiplied by others, each of 15 bits: p 2^shift, q 2^shift. */
-struct pair {
-    int32_t p, q;
-    unsigned shift;
-};
-
-static struct pair gradient_pair(int32_t p, int32_t q)
+/* A pair that is multiplied by others, each of 15 bits. */
+static struct glint_mesh_pair gradient_pair(int32_t p, int32_t q)
 {
     const unsigned bits = gradient_bits(gradient_size(p) | gradient_size(q)), shift = bits > 15 ? bits - 15 : 0;
-    const struct pair pair = {p >> shift, q >> shift, shift};
+    const struct glint_mesh_pair pair = {p >> shift, q >> shift, shift};
     return pair;
 }
 
 /* p u + q v, where u and v have e fraction bits, times 2^up: p, q from -2^15 to 2^15 - 1, u, v below 2^15. */
-static uint32_t gradient_sum(struct pair pair, int32_t u, int32_t v, int e, int up)
+static uint32_t gradient_sum(struct glint_mesh_pair pair, int32_t u, int32_t v, int e, int up)
 {
     return gradient_shift(pair.p * u + pair.q * v, e - (int)pair.shift - up);
 }
 
-/* How u and v change a pixel, times 2^e; and, times 2^(e - 1), from the upper corner to the pixel. */
-struct slopes {
-    int32_t ux, uy, vx, vy, u, v; /* < 2^15 */
-    int e;
-};
-
-static struct slopes gradient_slopes(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b,
+static struct glint_mesh_slopes gradient_slopes(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b,
                                      const struct glint_mesh_vertex *c, int32_t area)
 {
     const int32_t x1 = b->x - a->x, y1 = b->y - a->y, x2 = c->x - a->x, y2 = c->y - a->y;
@@ -90,7 +78,7 @@ static struct slopes gradient_slopes(const struct glint_mesh_vertex *a, const st
     /* Room to round up. 17 bits or more: where no side is above 1, the inverse is 2^16. */
     const unsigned down = gradient_bits(most + (most >> 14)) - 15;
     const int32_t half = (int32_t)1 << (down - 1);
-    struct slopes s = {(ux + half) >> down,       (uy + half) >> down, (vx + half) >> down, (vy + half) >> down, 0, 0,
+    struct glint_mesh_slopes s = {(ux + half) >> down,       (uy + half) >> down, (vx + half) >> down, (vy + half) >> down, 0, 0,
                        43 - (int)left - (int)down}; /* 16 / size = inverse 2^(left - 43) */
     /* -8..8 and 0..15 sixteenths of a pixel: < 2^15 (8 + 15) / 32 */
     const int32_t fx = 8 - (a->x & 15), fy = 16 * ((a->y + 7) >> 4) + 8 - a->y;
@@ -99,9 +87,38 @@ static struct slopes gradient_slopes(const struct glint_mesh_vertex *a, const st
     return s;
 }
 
+/* ---- What is linear, for numbers that are not in glint_mesh_values ---- */
+
+void glint_mesh_slopes_set(struct glint_mesh_slopes *slopes, const struct glint_mesh_vertex *a,
+                           const struct glint_mesh_vertex *b, const struct glint_mesh_vertex *c)
+{
+    *slopes = gradient_slopes(a, b, c, glint_mesh_area(a, b, c));
+}
+
+struct glint_mesh_pair glint_mesh_pair_of(int32_t p, int32_t q)
+{
+    return gradient_pair(p, q);
+}
+
+void glint_mesh_linear_set(struct glint_mesh_linear *linear, const struct glint_mesh_slopes *s,
+                           struct glint_mesh_pair pair, int up)
+{
+    if (s->e < GLINT_MESH_STEEP) { /* one for all of it: of the corners the mean, with the second one counted twice */
+        const int32_t sum = 2 * pair.p + pair.q;
+        const int left = up + (int)pair.shift - 2;
+        linear->at = left < 0 ? (uint32_t)(sum >> -left) : (uint32_t)sum << left;
+        linear->x = linear->y = 0;
+        return;
+    }
+    linear->at = gradient_sum(pair, s->u, s->v, s->e - 1, up);
+    linear->x = gradient_sum(pair, s->ux, s->vx, s->e, up);
+    linear->y = gradient_sum(pair, s->uy, s->vy, s->e, up);
+}
+
+#if !GLINT_CORTEX_M0PLUS_ASM
 /* t and its steps, from half the squares of the sides, Q29: P.P / 2, Q.Q / 2, R.R / 2 <= 2^29, R = Q - P. */
 static void values_t(struct glint_mesh_values *values, const struct glint_mesh_corner *const corner[3],
-                     const struct slopes *s, uint32_t pp, uint32_t qq, uint32_t rr)
+                     const struct glint_mesh_slopes *s, uint32_t pp, uint32_t qq, uint32_t rr)
 {
     const uint32_t t = corner[0]->v->t_q30, t0 = t / 2, t1 = corner[1]->v->t_q30 / 2, t2 = corner[2]->v->t_q30 / 2;
     const int32_t p2 = 2 * (int32_t)pp, q2 = 2 * (int32_t)qq, pq = (int32_t)(pp + qq - rr); /* |.| <= 2^30 */
@@ -109,20 +126,20 @@ static void values_t(struct glint_mesh_values *values, const struct glint_mesh_c
     /* P.P, Q.Q, P.Q of 15 bits, with one shift. */
     const unsigned bits = gradient_bits((uint32_t)p2 | (uint32_t)q2 | gradient_size(pq)),
                    down = bits > 15 ? bits - 15 : 0;
-    const struct pair to_p = {p2 >> down, pq >> down, down}, to_q = {pq >> down, q2 >> down, down};
+    const struct glint_mesh_pair to_p = {p2 >> down, pq >> down, down}, to_q = {pq >> down, q2 >> down, down};
     /* At the pixel. What t gains on the way is u, v times the mean of D.P, D.Q at both. */
     const int32_t dp_here = (int32_t)((uint32_t)dp + gradient_sum(to_p, s->u, s->v, s->e - 1, 0));
     const int32_t dq_here = (int32_t)((uint32_t)dq + gradient_sum(to_q, s->u, s->v, s->e - 1, 0));
-    const struct pair mean = gradient_pair((dp >> 1) + (dp_here >> 1), (dq >> 1) + (dq_here >> 1));
+    const struct glint_mesh_pair mean = gradient_pair((dp >> 1) + (dp_here >> 1), (dq >> 1) + (dq_here >> 1));
     values->t = t + gradient_sum(mean, s->u, s->v, s->e - 1, 1);
     /* The change a pixel of D.P, D.Q: P.Nx and so on, times 2^(e - down); cut once more. */
-    const struct pair x = gradient_pair(to_p.p * s->ux + to_p.q * s->vx, to_q.p * s->ux + to_q.q * s->vx);
-    const struct pair y = gradient_pair(to_p.p * s->uy + to_p.q * s->vy, to_q.p * s->uy + to_q.q * s->vy);
+    const struct glint_mesh_pair x = gradient_pair(to_p.p * s->ux + to_p.q * s->vx, to_q.p * s->ux + to_q.q * s->vx);
+    const struct glint_mesh_pair y = gradient_pair(to_p.p * s->uy + to_p.q * s->vy, to_q.p * s->uy + to_q.q * s->vy);
     const int e = 2 * s->e - (int)down;
     values->txx = gradient_sum(x, s->ux, s->vx, e, 1);
     values->txy = gradient_sum(x, s->uy, s->vy, e, 1);
     values->tyy = gradient_sum(y, s->uy, s->vy, e, 1);
-    const struct pair d = gradient_pair(dp_here, dq_here);
+    const struct glint_mesh_pair d = gradient_pair(dp_here, dq_here);
     values->tx = gradient_sum(d, s->ux, s->vx, s->e, 1) + values->txx / 2;
     values->ty = gradient_sum(d, s->uy, s->vy, s->e, 1) + values->tyy / 2;
 }
@@ -140,7 +157,7 @@ static void values_flat(struct glint_mesh_values *values, const struct glint_mes
 struct linear {
     uint32_t at, x, y;
 };
-static inline struct linear values_linear(const struct slopes *s, int32_t p, int32_t q)
+static inline struct linear values_linear(const struct glint_mesh_slopes *s, int32_t p, int32_t q)
 {
     const int up = s->e < 18 ? 18 - s->e : 0, down = s->e > 17 ? s->e - 17 : 0; /* 12 <= e <= 42 */
     const struct linear linear = {(uint32_t)((p * s->u + q * s->v) >> (down ? down - 1 : 0)) << up,
@@ -154,9 +171,9 @@ enum glint_mesh_shine glint_mesh_values_set(struct glint_mesh_values *values,
                                             enum glint_mesh_shine shine, uint32_t t_end)
 {
     const struct glint_mesh_vertex *a = corner[0]->v, *b = corner[1]->v, *c = corner[2]->v;
-    const struct slopes s = gradient_slopes(a, b, c, area);
+    const struct glint_mesh_slopes s = gradient_slopes(a, b, c, area);
     /* Where u or v change by 8 a pixel or more, a value beyond the corners' might be met. */
-    const bool is_steep = s.e < 12;
+    const bool is_steep = s.e < GLINT_MESH_STEEP;
     bool is_flat = is_steep;
     uint32_t pp = 0, qq = 0, rr = 0;
     values->x = a->x >> 4;

@@ -48,6 +48,7 @@ struct mesh_canvas *mesh_canvas_new(const struct fitted *fitted, const struct sh
         canvas->mesh.normals = NULL;
     if (fitted->colors)
         canvas->mesh.of_vertices = fitted->colors[0];
+    canvas->mesh.use = &glint_use_mesh_albedo;
     canvas->paints = allocate(count, sizeof *canvas->paints);
     if (path.by_tables)
         canvas->memory = allocate(count, sizeof *canvas->memory);
