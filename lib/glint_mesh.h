@@ -115,6 +115,10 @@ struct glint_mesh_frame {
     struct glint_box box; /* after glint_mesh_strip: what it may have drawn, in pixels of the picture */
 };
 
+/* Smooth outlines: where a face that shows its front meets one that does not, pixels that the edge cuts are blended. */
+struct glint_use_outlines; /* const */
+extern const struct glint_use_outlines glint_outlines;
+
 /* Begins a picture of w x h pixels in strips of at most `lines` lines. distance: of the camera from z = 0, 1/16 pixel; 0: parallel
  * projection. Memory: glint_mesh_frame_bytes, aligned to 4 (to a pointer with GLINT_MESH_LIGHTS_BYTES), until the picture is drawn.
  * GLINT_MESH_KEPT_BYTES more for each triangle that goes on from one strip to the next spare setting it up again: with room for 18 the

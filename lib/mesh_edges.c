@@ -15,6 +15,7 @@ enum {
     THIN = 32,   /* but so narrow that it counts as back, and is not drawn */
     CLIPPED = 64 /* front or back is not known: there is no outline beside it */
 };
+typedef char edges_ask[(EDGES | BESIDE | THIN) == GLINT_EDGES_ASK ? 1 : -1];
 
 enum { UNLISTED = 0xfffe }; /* in links: no face has this number */
 
@@ -248,8 +249,6 @@ static bool hide_edge(const struct glint_mesh_target *strip, struct glint_mesh_h
         hidden->at[count] = at;
         hidden->depth[count++] = strip->depth[at];
         strip->depth[at] = 0;
-        if (left == 1)
-            break;
     }
     hidden->count = (uint16_t)count;
     return count < GLINT_MESH_HIDDEN;
@@ -267,7 +266,7 @@ static bool hide_outlines(const struct glint_mesh_target *strip, unsigned face, 
     return true;
 }
 
-static void show(const struct glint_mesh_target *strip)
+void glint_mesh_show(const struct glint_mesh_target *strip)
 {
     struct glint_mesh_hidden *const hidden = strip->drawn->hidden;
     for (unsigned i = hidden->count; i--;) /* a cell of two edges was hidden twice */
@@ -285,7 +284,7 @@ static bool hide(const struct glint_mesh_target *strip, unsigned face, const str
         if (beside[k] < drawn->mesh->face_count && drawn->edges[beside[k]] & FRONT)
             fits = hide_outlines(strip, beside[k], window);
     if (!fits)
-        show(strip);
+        glint_mesh_show(strip);
     return fits;
 }
 
@@ -316,6 +315,14 @@ static void face_window(struct window *window, const struct glint_mesh_target *s
     window->top = top > window->top ? top : window->top;
     window->right = right < window->right ? right : window->right;
     window->bottom = bottom < window->bottom ? bottom : window->bottom;
+}
+
+/* What paints a face; part: up to its own, to begin with. */
+static const struct glint_paint *edges_paint(const struct glint_mesh_drawn *drawn, unsigned face, unsigned part)
+{
+    while (part + 1u < drawn->mesh->part_count && face >= drawn->mesh->ends[part])
+        part++;
+    return &drawn->paints[part];
 }
 
 /* A face of more cells than there is room for: a piece of a line after the other, each with room for all of its cells. Alone, for the stack. */
@@ -350,29 +357,47 @@ static __attribute__((noinline)) void rows_in_pieces(const struct glint_paint *p
             part.right->x = to * 65536;
             (void)hide(strip, face, &window);
             glint_mesh_rows(paint, &piece.triangle, strip);
-            show(strip);
+            glint_mesh_show(strip);
         }
     }
+}
+
+bool glint_mesh_hide(struct glint_mesh_triangle *triangle, const struct glint_mesh_target *strip)
+{
+    const struct glint_mesh_drawn *drawn = strip->drawn;
+    const unsigned face = glint_mesh_face_of(triangle);
+    struct window window;
+    if (drawn->edges[face] & THIN)
+        return false;
+    face_window(&window, strip, face);
+    if (hide(strip, face, &window))
+        return true;
+    rows_in_pieces(edges_paint(drawn, face, 0), triangle, strip, &window);
+    return false;
 }
 
 static void edges_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
                        const struct glint_mesh_target *strip)
 {
-    const unsigned face = glint_mesh_face_of(triangle), edges = strip->drawn->edges[face];
-    struct window window;
-    if (edges & THIN)
+    const bool asks = (strip->drawn->edges[glint_mesh_face_of(triangle)] & GLINT_EDGES_ASK) != 0;
+    if (asks && !glint_mesh_hide(triangle, strip))
         return;
-    if (edges & (EDGES | BESIDE)) {
-        face_window(&window, strip, face);
-        if (!hide(strip, face, &window)) {
-            rows_in_pieces(paint, triangle, strip, &window);
-            return;
-        }
-    }
     glint_mesh_rows(paint, triangle, strip);
-    if (edges & (EDGES | BESIDE))
-        show(strip);
+    if (asks)
+        glint_mesh_show(strip);
 }
+
+#if GLINT_CORTEX_M0PLUS_ASM
+static void edges_lines(const struct glint_mesh_target *strip, struct glint_mesh_lines *lines)
+{
+    (void)strip;
+    *(void (**)(void))(void *)((uint8_t *)lines + GLINT_AT_STRIP_INNER) = lines->draw;
+    lines->draw = glint_mesh_outlined;
+}
+#define EDGES_LINES edges_lines
+#else
+#define EDGES_LINES NULL
+#endif
 
 /* ---- Cells that edges blend ---- */
 
@@ -464,7 +489,7 @@ static __attribute__((noinline)) unsigned cells_shared(const struct glint_mesh_d
     return left;
 }
 
-struct cells {
+struct glint_mesh_cells {
     const struct glint_mesh_target *strip;
     struct walk walk;
     struct glint_mesh_cell cell;
@@ -472,7 +497,7 @@ struct cells {
     bool is_alone; /* no other edge of the face is an outline */
 };
 
-static inline void cells_next(struct cells *cells)
+static inline void cells_next(struct glint_mesh_cells *cells)
 {
     struct glint_mesh_cell *const cell = &cells->cell;
     cells->walk.at++;
@@ -484,7 +509,7 @@ static inline void cells_next(struct cells *cells)
 }
 
 /* Sets the place and the part of the next cell that is in front, and goes on; false: there is none. */
-static bool cells_find(struct cells *cells, struct glint_mesh_cell *found)
+bool glint_mesh_cell_next(struct glint_mesh_cells *cells, struct glint_mesh_cell *found)
 {
     const struct glint_mesh_target *const strip = cells->strip;
     struct walk *const walk = &cells->walk;
@@ -509,11 +534,6 @@ static bool cells_find(struct cells *cells, struct glint_mesh_cell *found)
     return false;
 }
 
-bool glint_mesh_cell_next(struct cells *cells, struct glint_mesh_cell *found)
-{
-    return cells_find(cells, found);
-}
-
 /* p over q in `part` of 255, of levels: as tables' pixels under a coverage map. */
 static uint32_t colour_channel(uint32_t p, uint32_t q, uint32_t part)
 {
@@ -535,13 +555,13 @@ static void colour_blend(uint16_t *out, uint32_t pixel, uint32_t part, bool swap
 }
 
 /* By COLOUR tables. */
-static void colour_cells(struct cells *cells, const struct glint_paint *paint)
+static void colour_cells(struct glint_mesh_cells *cells, const struct glint_paint *paint)
 {
     const struct glint_look look = glint_look_up(&paint->of.tables.filled);
     const struct glint_surface *surface = cells->strip->surface;
     const bool swapped = paint->output.format == GLINT_RGB565_SWAPPED;
     struct glint_mesh_cell cell;
-    while (cells_find(cells, &cell)) {
+    while (glint_mesh_cell_next(cells, &cell)) {
         uint16_t pixel;
         glint_look_store(&look, look.t_max - cell.t, cell.nl, &pixel);
         colour_blend((uint16_t *)(void *)((uint8_t *)surface->pixels + surface->stride * cell.line) + cell.x, pixel,
@@ -554,7 +574,7 @@ static void edges_draw_face(const struct glint_mesh_target *strip, unsigned face
     const struct window window = {0, strip->y, strip->w, strip->end};
     const struct glint_mesh_drawn *drawn = strip->drawn;
     const unsigned edges = drawn->edges[face] & EDGES;
-    struct cells cells;
+    struct glint_mesh_cells cells;
     cells.strip = strip;
     cells.face = face;
     cells.is_alone = (edges & (edges - 1)) == 0;
@@ -566,8 +586,11 @@ static void edges_draw_face(const struct glint_mesh_target *strip, unsigned face
         cells_set(&cells.cell, &cells.walk, drawn, face, k, glint_mesh_t_end(paint));
         if (glint_mesh_is_colour(paint, strip))
             colour_cells(&cells, paint);
-        else
-            glint_mesh_cells(paint, &cells, face, strip);
+        else {
+            struct glint_mesh_bench *bench = (struct glint_mesh_bench *)strip->frame->memory;
+            bench->face.face = (uint16_t)face;
+            glint_mesh_cells(paint, &cells, &bench->face.triangle, strip);
+        }
     }
 }
 
@@ -588,11 +611,10 @@ static void edges_draw(const struct glint_mesh_target *strip)
     lists.links = drawn->rims;
     lists.bands = drawn->rim_bands;
     uint16_t later = GLINT_MESH_NONE, *last = &later, i = glint_mesh_take(&lists, strip->y, strip->end);
-    unsigned part = 0;
+    const struct glint_paint *paint = drawn->paints;
     while (i != GLINT_MESH_NONE) {
-        while (part + 1u < drawn->mesh->part_count && i >= drawn->mesh->ends[part])
-            part++;
-        edges_draw_face(strip, i, &drawn->paints[part]);
+        paint = edges_paint(drawn, i, (unsigned)(paint - drawn->paints));
+        edges_draw_face(strip, i, paint);
         const uint16_t next = drawn->rims[i];
         if (edges_last(drawn, i) >= strip->end) {
             *last = i;
@@ -605,4 +627,4 @@ static void edges_draw(const struct glint_mesh_target *strip)
         glint_mesh_give(&lists, later, strip->end);
 }
 
-const struct glint_use_outlines glint_outlines GLINT_FLASH = {edges_add, edges_sort, edges_rows, edges_draw};
+const struct glint_use_outlines glint_outlines GLINT_FLASH = {edges_add, edges_sort, edges_rows, edges_draw, EDGES_LINES};
