@@ -77,6 +77,11 @@ static int corner_at(const struct baked_mesh *baked, size_t i)
     return mesh_of(baked)->faces[i];
 }
 
+static int neighbour_at(const struct baked_mesh *baked, size_t i)
+{
+    return mesh_of(baked)->neighbours[i];
+}
+
 static int color_at(const struct baked_mesh *baked, size_t i)
 {
     return baked->fitted->colors[i / 3][i % 3];
@@ -119,6 +124,8 @@ static void write_all(const struct baked_mesh *baked, const char *storage, const
     write_array(baked, "static ", baked->normals8 ? "int8_t" : "int16_t", name, "_normals",
                 (size_t)3 * mesh->vertex_count, normal_at, out);
     write_array(baked, "static ", "uint16_t", name, "_faces", (size_t)3 * mesh->face_count, corner_at, out);
+    if (mesh->neighbours)
+        write_array(baked, "static ", "uint16_t", name, "_neighbours", (size_t)3 * mesh->face_count, neighbour_at, out);
     if (parts)
         write_array(baked, "static ", "uint16_t", name, "_ends", mesh->part_count, end_at, out);
     if (baked->fitted->colors)
@@ -132,9 +139,12 @@ static void write_all(const struct baked_mesh *baked, const char *storage, const
         fputs("NULL, ", out);
     fprintf(out, "%u, %u, %u, ", mesh->vertex_count, mesh->face_count, parts ? mesh->part_count : 0u);
     if (baked->fitted->colors)
-        fprintf(out, "%s_colors, NULL};\n", name);
+        fprintf(out, "%s_colors, NULL", name);
     else
-        fputs("NULL, NULL};\n", out);
+        fputs("NULL, NULL", out);
+    if (mesh->neighbours)
+        fprintf(out, ", NULL, NULL, 0, NULL, %s_neighbours", name);
+    fputs("};\n", out);
 }
 
 void bake_mesh_write_c(const struct baked_mesh *baked, const char *name, FILE *out)
@@ -187,7 +197,7 @@ static uint8_t *put_all(uint8_t *at, const struct baked_mesh *baked, size_t coun
     return at;
 }
 
-enum { RAW_COLORS = 256 };
+enum { RAW_COLORS = 256, RAW_NEIGHBOURS = 512 };
 
 uint8_t *bake_mesh_raw(const struct baked_mesh *baked, size_t *len)
 {
@@ -195,17 +205,19 @@ uint8_t *bake_mesh_raw(const struct baked_mesh *baked, size_t *len)
     const size_t vertices = (size_t)3 * mesh->vertex_count, corners = (size_t)3 * mesh->face_count;
     const unsigned normal = baked->normals8 ? 1 : 2;
     const bool odd = (vertices * normal) % 2, has_colors = baked->fitted->colors != NULL;
-    *len = 8 + 2 * vertices + normal * vertices + odd + 2 * corners + (size_t)6 * mesh->part_count +
+    const size_t neighbours = mesh->neighbours ? corners : 0;
+    *len = 8 + 2 * vertices + normal * vertices + odd + 2 * corners + 2 * neighbours + (size_t)6 * mesh->part_count +
            (has_colors ? vertices : 0);
     uint8_t *bytes = allocate(*len, 1), *at = bytes;
     at = put(at, mesh->vertex_count, 2);
     at = put(at, mesh->face_count, 2);
     at = put(at, mesh->part_count, 2);
-    at = put(at, normal + (has_colors ? RAW_COLORS : 0), 2);
+    at = put(at, normal + (has_colors ? RAW_COLORS : 0) + (neighbours ? RAW_NEIGHBOURS : 0), 2);
     at = put_all(at, baked, vertices, place_at, 2);
     at = put_all(at, baked, vertices, normal_at, normal);
     at = put(at, 0, odd);
     at = put_all(at, baked, corners, corner_at, 2);
+    at = put_all(at, baked, neighbours, neighbour_at, 2);
     at = put_all(at, baked, mesh->part_count, end_at, 2);
     for (unsigned i = 0; i < mesh->part_count; i++) {
         for (int k = 0; k < 3; k++)

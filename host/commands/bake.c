@@ -83,11 +83,11 @@ static const char doc[] =
     "address beyond the program's "
     "last one.\n"
     "Of a mesh, FILE.c defines the struct glint_mesh NAME and NAME_materials, a struct glint_material for each of its "
-    "parts (q = 0: what the output needs), and where its vertices have colours of_vertices; FILE.h has the macros "
+    "parts (q = 0: what the output needs), and where its vertices have colours of_vertices, and neighbours for smooth outlines, but for --no-outlines; FILE.h has the macros "
     "NAME_VERTICES, NAME_FACES and NAME_PARTS. Raw has four numbers of 16 bits (vertices, "
-    "triangles, parts, bytes of a normal's number, and 256 more with colours of vertices), then x, y, z of each vertex "
+    "triangles, parts, bytes of a normal's number, 256 more with colours of vertices, and 512 more with neighbours), then x, y, z of each vertex "
     "in 16 bits, its normal, a 0 where "
-    "these are an odd number of bytes, three vertices of each triangle and the triangle each part ends before in 16 "
+    "these are an odd number of bytes, three vertices of each triangle, the three triangles beside it, and the triangle each part ends before in 16 "
     "bits, and of each part red, green, blue and 1 where it is unlit, and the vertices' red, green, blue. Its quality "
     "is that of whole pictures of 240x240 "
     "from three sides, exact, against double precision with normals normalised at each pixel.\n"
@@ -286,6 +286,8 @@ static void bake_mesh(const struct request *request)
 {
     struct mesh *mesh = mesh_load(&request->scene.mesh);
     struct fitted *fitted = mesh_fit(mesh, request->unit);
+    if (request->scene.mesh.stepped)
+        fitted_forget_neighbours(fitted);
     struct glint_material *materials = mesh_materials(mesh);
     const struct baked_mesh baked = {mesh, fitted, materials, request->format == BAKE_INT8};
     struct mesh_cycles cycles = {0, 0};

@@ -116,6 +116,14 @@ void mesh_canvas_draw(struct mesh_canvas *canvas, const struct view *view, const
     draw(&canvas->mesh, &paints, 1, view, pixels, line_bytes);
 }
 
+void mesh_canvas_draw_stepped(struct mesh_canvas *canvas, const struct view *view, uint8_t *pixels)
+{
+    const uint16_t *const neighbours = canvas->mesh.neighbours;
+    canvas->mesh.neighbours = NULL;
+    mesh_canvas_draw(canvas, view, NULL, pixels);
+    canvas->mesh.neighbours = neighbours;
+}
+
 /* Flat, in a colour that is the number. */
 static void paint_number(struct glint_paint *paint, size_t number)
 {

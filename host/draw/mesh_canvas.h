@@ -18,6 +18,9 @@ void mesh_canvas_free(struct mesh_canvas *canvas);
 void mesh_canvas_draw(struct mesh_canvas *canvas, const struct view *view, const struct shading *light,
                       uint8_t *pixels);
 
+/* The same with stepped outlines: what is compared pixel by pixel. */
+void mesh_canvas_draw_stepped(struct mesh_canvas *canvas, const struct view *view, uint8_t *pixels);
+
 /* The number of the face that the library draws at each pixel, plus 1; 0: none. malloc'd. */
 uint32_t *mesh_faces_drawn(const struct fitted *fitted, const struct view *view);
 

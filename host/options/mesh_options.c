@@ -5,7 +5,7 @@
 #include "options/scene_options.h"
 
 /* Beyond those of scene_options.c. */
-enum key { KEY_MESH = 576, KEY_CREASE, KEY_SPLIT, KEY_AXES };
+enum key { KEY_MESH = 576, KEY_CREASE, KEY_SPLIT, KEY_AXES, KEY_NO_OUTLINES };
 
 static const struct argp_option argp_options[] = {
     {"mesh", KEY_MESH, "FILE", 0,
@@ -24,13 +24,21 @@ static const struct argp_option argp_options[] = {
      7},
     {"axes", KEY_AXES, "NAME", 0,
      "Which way is up in the mesh's file: y-up or z-up (default: z-up for an STL, else y-up)", 7},
+    {"no-outlines", KEY_NO_OUTLINES, NULL, 0,
+     "Leave a mesh's outlines stepped, and out of what is baked the triangles beside each triangle (6 bytes each), by "
+     "which outlines become smooth",
+     7},
     {NULL, 0, NULL, 0, NULL, 0}};
 
 static void check(const struct argp_state *state, struct scene_options *o)
 {
     struct mesh_source *mesh = &o->mesh;
-    if (!mesh->name && (mesh->crease >= 0 || mesh->split > 0 || mesh->axes != AXES_USUAL))
-        refuse(state, "%s needs --mesh", mesh->crease >= 0 ? "--crease" : mesh->split > 0 ? "--split" : "--axes");
+    if (!mesh->name && (mesh->crease >= 0 || mesh->split > 0 || mesh->axes != AXES_USUAL || mesh->stepped))
+        refuse(state, "%s needs --mesh",
+               mesh->crease >= 0            ? "--crease"
+               : mesh->split > 0            ? "--split"
+               : mesh->axes != AXES_USUAL ? "--axes"
+                                            : "--no-outlines");
     if (mesh->built_in && mesh->axes != AXES_USUAL)
         refuse(state, "--axes is for a mesh's file; leave it out with a built-in mesh");
     if (mesh->name && (o->albedo || o->gloss || o->mask))
@@ -58,6 +66,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case KEY_AXES:
         o->mesh.axes = (enum mesh_axes)parse_choice(state, "--axes", "axes", text, mesh_axes_names);
+        return 0;
+    case KEY_NO_OUTLINES:
+        o->mesh.stepped = true;
         return 0;
     case ARGP_KEY_END:
         check(state, o);

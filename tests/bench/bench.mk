@@ -63,6 +63,9 @@ bench-programs: $(BENCH_ELFS) $(BENCH_MESH_ELFS) $(BENCH_SCENE)/scene.json $(BEN
 # The library, once for the two programs of a variant; one source at a time, since ccache knows only such compilations.
 BENCH_COMPILE = arm-none-eabi-gcc -std=c99 -mcpu=cortex-m0plus -mthumb $(BENCH_FLAGS_$*) -ffunction-sections -fdata-sections
 BENCH_LIB = $(patsubst lib/%,$(BENCH)/lib-$*/%,$(addsuffix .o,$(basename $(wildcard lib/*.c lib/*.S))))
+# Without what draws meshes, as all of it is in RAM.
+BENCH_LIB_NO_MESH = $(filter-out $(BENCH)/lib-$*/mesh% $(addprefix $(BENCH)/lib-$*/,fused_mesh.o $(addprefix \
+	cortex_m0plus_,mesh.o strip.o triangle.o pose.o)),$(BENCH_LIB))
 $(BENCH)/lib-%/done: $(wildcard lib/*) tests/bench/bench.mk
 	@rm -rf $(@D) && mkdir -p $(@D)
 	@cd $(@D) && for source in $(abspath $(wildcard lib/*.c lib/*.S)); do $(BENCH_COMPILE) -c $$source || exit 1; done
@@ -71,7 +74,7 @@ $(BENCH)/lib-%/done: $(wildcard lib/*) tests/bench/bench.mk
 
 $(BENCH)/m0plus-%.elf: $(BENCH)/lib-%/done $(BENCH_INPUTS) tests/bench/calibrate.S
 	@$(BENCH_COMPILE) $(BENCH_FLAGS) \
-		-nostartfiles -T tests/bench/m0plus.ld $(BENCH_LIB) $(filter-out lib/%,$(BENCH_SOURCES)) tests/bench/calibrate.S -lm -o $@
+		-nostartfiles -T tests/bench/m0plus.ld $(BENCH_LIB_NO_MESH) $(filter-out lib/%,$(BENCH_SOURCES)) tests/bench/calibrate.S -lm -o $@
 
 $(BENCH)/mesh-%.elf: $(BENCH)/lib-%/done $(BENCH_MESH_SOURCES) $(BENCH_MESH_INPUTS) $(if $(BENCH_BUNNY),$(BENCH_MESH)/bunny.h) $(BENCH_INPUTS) tests/bench/calibrate.S
 	@$(BENCH_COMPILE) -Ilib -I$(BENCH_MESH) -DMESH_BUNNY=$(if $(BENCH_BUNNY),1,0) \
