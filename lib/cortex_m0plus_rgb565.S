@@ -274,8 +274,8 @@
 3:  cmp x, y
     beq .L\name\()_masked
     ldrb nl, [x]
-    cmp nl, #0
-    bne 4f
+    cmp nl, #255 /* others are for C to blend */
+    beq 4f
     adds x, #1
     b 1b
 4:  subs z, x, v
@@ -298,8 +298,8 @@
 7:  cmp x, y
     beq 8f
     ldrb nl, [x]
-    cmp nl, #0
-    beq 8f
+    cmp nl, #255
+    bne 8f
     adds x, #1
     b 5b
 8:  subs x, x, v

@@ -192,7 +192,7 @@ static void draw_normals(const struct glint_paint *paint, struct glint_lines *li
 
 /* Source and surface of lines, and what they have no map for; the rest is set by what draws them. */
 static void draw_lines(struct glint_lines *lines, const struct glint_maps *maps, uint32_t w,
-                       const struct glint_surface *target, bool are_normals)
+                       const struct glint_surface *target, bool are_normals, const struct glint_use_coverage *soft)
 {
     lines->maps = maps;
     lines->target = target;
@@ -202,16 +202,18 @@ static void draw_lines(struct glint_lines *lines, const struct glint_maps *maps,
     lines->run.left = target->x;
     lines->run.apart = 0;
     lines->run.albedo = lines->run.gloss = lines->run.coverage = NULL;
+    lines->run.soft = soft;
 }
 
-enum glint_err glint_draw_rect(const struct glint_paint *paint, const struct glint_maps *maps, uint16_t w, uint16_t h,
-                               const struct glint_surface *target, struct glint_box *highlight)
+enum glint_err glint_draw_rect_by(const struct glint_paint *paint, const struct glint_maps *maps, uint16_t w,
+                                  uint16_t h, const struct glint_surface *target, struct glint_box *highlight,
+                                  const struct glint_use_coverage *soft)
 {
     struct glint_lines lines;
     const enum glint_err err = draw_check(paint, maps, w, h, target);
     if (err)
         return err;
-    draw_lines(&lines, maps, w, target, true);
+    draw_lines(&lines, maps, w, target, true, soft);
     if (!glint_paint_is_exact(paint)) {
         GLINT_FLASH_POINTER(paint->of.tables.filled.use->draw)(paint, &lines, NULL, h, highlight);
     } else if (paint->several) {
@@ -234,10 +236,9 @@ static void draw_walk(const struct glint_paint *paint, struct glint_lines *lines
     at->w = (uint16_t)(left - lines->count);
 }
 
-static __attribute__((noinline)) enum glint_err draw_span(const struct glint_paint *paint,
-                                                          const struct glint_span *span, const struct glint_maps *maps,
-                                                          const struct glint_surface *target,
-                                                          struct glint_box *highlight)
+static __attribute__((noinline)) enum glint_err
+draw_span(const struct glint_paint *paint, const struct glint_span *span, const struct glint_maps *maps,
+          const struct glint_surface *target, struct glint_box *highlight, const struct glint_use_coverage *soft)
 {
     struct glint_lines lines;
     if (!draw_is_ready(paint, target) || paint->several)
@@ -250,7 +251,7 @@ static __attribute__((noinline)) enum glint_err draw_span(const struct glint_pai
         at.nl_q30 = -1;
         at.dnl_q30 = 0;
     }
-    draw_lines(&lines, maps, span->w, target, false);
+    draw_lines(&lines, maps, span->w, target, false, soft);
     if (glint_paint_is_exact(paint))
         draw_exactly(paint, &lines, draw_walk, &at, 1, highlight);
     else
@@ -288,13 +289,13 @@ enum glint_err glint_draw_palette(const uint16_t *colours, const uint16_t *offse
     return GLINT_OK;
 }
 
-enum glint_err glint_draw_span(const struct glint_paint *paint, const struct glint_span *span,
-                               const struct glint_maps *maps, const struct glint_surface *target,
-                               struct glint_box *highlight)
+enum glint_err glint_draw_span_by(const struct glint_paint *paint, const struct glint_span *span,
+                                  const struct glint_maps *maps, const struct glint_surface *target,
+                                  struct glint_box *highlight, const struct glint_use_coverage *soft)
 {
     if (!span)
         return GLINT_ERR_ARG;
     if (!maps && !highlight && glint_fused_span(paint, span, target))
         return GLINT_OK;
-    return draw_span(paint, span, maps, target, highlight);
+    return draw_span(paint, span, maps, target, highlight, soft);
 }

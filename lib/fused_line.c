@@ -65,6 +65,8 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
         glint_samples_half(&paint->l, &paint->v, &paint->h, normals + x, &loop->sample, 1);
         glint_paint_exactly(paint, run, 0, &loop->sample);
     }
+    if (run->soft)
+        GLINT_FLASH_POINTER(run->soft->edges)(paint, lines, bounds, y);
     if (loop->last) {
         glint_bounds_add(bounds, (uint32_t)(loop->first - run->line) / 2, y);
         glint_bounds_add(bounds, (uint32_t)(loop->last - run->line) / 2, y);
@@ -82,7 +84,7 @@ bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *line
         (h > 1 && GLINT_MISALIGNED(target->stride, 16)) || !format->begin(&loop, paint, lines->maps->albedo != NULL))
         return false;
     struct glint_bounds bounds;
-    struct glint_run dark = {(uint8_t *)&loop.dark, 0, 0, 0, NULL, NULL, NULL, 0}; /* the pixel where N.L <= 0 */
+    struct glint_run dark = {(uint8_t *)&loop.dark, 0, 0, 0, NULL, NULL, NULL, 0, NULL}; /* the pixel where N.L <= 0 */
     glint_bounds_begin(&bounds);
     loop.sample.t_q30 = UINT32_MAX;
     loop.sample.nl_q16 = loop.sample.f_q16 = 0;

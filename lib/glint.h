@@ -33,6 +33,13 @@
 #define GLINT_LARGE(instead)
 #endif
 
+/* Of functions that name what they link: inlined, or a linker that optimizes would see the name. */
+#if defined(__GNUC__)
+#define GLINT_USES __attribute__((always_inline))
+#else
+#define GLINT_USES
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -210,10 +217,11 @@ enum glint_err glint_light_spot(struct glint_light *light, const int32_t positio
  * A function that names neither model nor format links them all; with `_for` a program links what it names: &glint_use_msh,
  * &glint_use_rgb565.
  */
-struct glint_use_model;  /* one for each model, const */
-struct glint_use_format; /* one for each group of formats, const */
-struct glint_use_tables; /* one for each kind of tables, const */
-struct glint_use_lights; /* what sums several lights, const */
+struct glint_use_model;    /* one for each model, const */
+struct glint_use_format;   /* one for each group of formats, const */
+struct glint_use_tables;   /* one for each kind of tables, const */
+struct glint_use_lights;   /* what sums several lights, const */
+struct glint_use_coverage; /* what blends soft edges, const */
 #define GLINT_MODEL_USE(number, name, function, use) extern const struct glint_use_model glint_use_##name;
 GLINT_MODELS(GLINT_MODEL_USE)                          /* glint_use_msh and so on */
 extern const struct glint_use_format glint_use_rgb565, /* gamma, both orders */
@@ -222,6 +230,7 @@ extern const struct glint_use_format glint_use_rgb565, /* gamma, both orders */
     glint_use_linear;                                  /* every format in linear space */
 extern const struct glint_use_tables glint_use_colour, glint_use_colour_dithered, glint_use_albedo;
 extern const struct glint_use_lights glint_use_lights;
+extern const struct glint_use_coverage glint_use_coverage;
 
 /* Tables: what the exact paint draws, at a fraction of its cycles. They are filled from exact values, on the device or before; only their
  * arguments are quantised (sequence.md). They take one white directional light or none, every model but Phong, and no gloss map.
@@ -320,12 +329,9 @@ enum glint_err glint_paint_light_by(struct glint_paint *paint, const struct glin
  * to_viewer: a direction of any length. After an error the paint keeps the light that it had.
  * GLINT_ERR_ARG: NULL, a paint of zeros, more than four lights, a light of zeros or out of bounds, lights that tables do not take.
  * GLINT_ERR_VECTOR: to_viewer is 0; a directional light straight behind (L within 2^-27 of -V). */
-#if defined(__GNUC__)
-__attribute__((always_inline)) /* or a linker that optimizes would see the name */
-#endif
-static inline enum glint_err
-glint_paint_light(struct glint_paint *paint, const struct glint_light *lights, unsigned count,
-                  const int32_t to_viewer[3])
+GLINT_USES
+static inline enum glint_err glint_paint_light(struct glint_paint *paint, const struct glint_light *lights,
+                                               unsigned count, const int32_t to_viewer[3])
 {
     return glint_paint_light_by(paint, lights, count, to_viewer, count > 1 ? &glint_use_lights : NULL);
 }
@@ -381,7 +387,9 @@ struct glint_maps {
     ptrdiff_t albedo_stride;
     const uint8_t *gloss; /* scales the highlight */
     ptrdiff_t gloss_stride;
-    const uint8_t *coverage; /* 0: the pixel is left as it is; any other draws it. ARGB8888 takes it as alpha */
+    /* 0..255: how much of the pixel is drawn over what the buffer holds; 0 leaves it as it is, 255 draws it. ARGB8888 is not blended: where it
+     * is not 0, the pixel is drawn, with the coverage as alpha. */
+    const uint8_t *coverage;
     ptrdiff_t coverage_stride;
     const uint8_t *grain; /* must be NULL */
     ptrdiff_t grain_stride;
@@ -394,14 +402,24 @@ struct glint_maps {
     ptrdiff_t shininess_stride;
 };
 
+/* What glint_draw_rect calls. It names what blends only where there may be coverage, so that others do not link that. */
+enum glint_err glint_draw_rect_by(const struct glint_paint *paint, const struct glint_maps *maps, uint16_t w,
+                                  uint16_t h, const struct glint_surface *target, struct glint_box *highlight,
+                                  const struct glint_use_coverage *soft);
 /* Draws w x h pixels; w or h = 0 draws nothing. In GLINT_MONO the bits past w in a line's last byte are kept. *highlight, unless it is NULL,
  * becomes the smallest box, relative to the rectangle, of the drawn pixels with a highlight (F > 0 and gloss > 0; by tables: t within their
  * columns). Outside of it the picture is the same without the highlight. Paints of tables look at the normals outside of it twice then.
  * GLINT_ERR_ARG: NULL, a paint of zeros or never lit, a map that the paint does not take, or one that it needs (ALBEDO without albedo), a
  * stride smaller than its line, misaligned. GLINT_ERR_FORMAT: no such format of normals, or of albedo for this paint. GLINT_ERR_VECTOR: a paint
  * of tables, INT8, and a viewer not at (0, 0, 1). Nothing is drawn then. */
-enum glint_err glint_draw_rect(const struct glint_paint *paint, const struct glint_maps *maps, uint16_t w, uint16_t h,
-                               const struct glint_surface *target, struct glint_box *highlight);
+GLINT_USES
+static inline enum glint_err glint_draw_rect(const struct glint_paint *paint, const struct glint_maps *maps, uint16_t w,
+                                             uint16_t h, const struct glint_surface *target,
+                                             struct glint_box *highlight)
+{
+    return glint_draw_rect_by(paint, maps, w, h, target, highlight,
+                              maps && maps->coverage ? &glint_use_coverage : NULL);
+}
 
 /* A span: normals interpolated linearly, and no normal memory. |N - H|^2 / 2 is exactly quadratic along it: t takes two additions a pixel and
  * nl one, Q2.30 modulo 2^32: t and nl are used (t >= 0xf8000000 is a little below 0 and counts as 0), then t += dt, dt += ddt, nl += dnl. */
@@ -417,11 +435,19 @@ struct glint_span {
  * GLINT_ERR_VECTOR: t > 3.75 or |nl| > 2 - 2^-17 (normals far from unit length). */
 enum glint_err glint_span_init(struct glint_span *span, const struct glint_paint *paint, const struct glint_vec *first,
                                const struct glint_vec *last, uint16_t w);
+enum glint_err glint_draw_span_by(const struct glint_paint *paint, const struct glint_span *span,
+                                  const struct glint_maps *maps, const struct glint_surface *target,
+                                  struct glint_box *highlight, const struct glint_use_coverage *soft);
 /* Draws the span's pixels as one line. maps: NULL, or albedo, gloss and coverage of these pixels. A span takes one directional light or none;
  * with GLINT_PHONG, too, its t is |N - H|^2 / 2. Errors as glint_draw_rect, and GLINT_ERR_ARG: a paint lit by a point, a spot or several lights. */
-enum glint_err glint_draw_span(const struct glint_paint *paint, const struct glint_span *span,
-                               const struct glint_maps *maps, const struct glint_surface *target,
-                               struct glint_box *highlight);
+GLINT_USES
+static inline enum glint_err glint_draw_span(const struct glint_paint *paint, const struct glint_span *span,
+                                             const struct glint_maps *maps, const struct glint_surface *target,
+                                             struct glint_box *highlight)
+{
+    return glint_draw_span_by(paint, span, maps, target, highlight,
+                              maps && maps->coverage ? &glint_use_coverage : NULL);
+}
 
 /* Draws from a palette, with one load a pixel. Once a frame draw the normals of the palette, by any paint, as a rectangle of h = 1 into
  * pixels of 2 bytes: these are the colours. offsets: of each pixel 2 x the index of its normal; they are not checked.

@@ -26,7 +26,7 @@ struct glint_line_loop {
     /* of the line: the caller */
     uint8_t *out; /* of pixel 0; aligned to 2 */
     uint32_t w;
-    const uint8_t *mask; /* NULL: every pixel is drawn */
+    const uint8_t *mask; /* NULL: every pixel is drawn; else those of 255 */
     const struct glint_vec *normals;
     const uint8_t *albedo;
     const uint8_t *first,

@@ -18,32 +18,67 @@ struct glint_run {
     uint32_t left, y;        /* on the screen, of the line's first pixel */
     const uint8_t *albedo;   /* of the first sample, RGB888; NULL: the material's */
     const uint8_t *gloss;    /* of the first sample; NULL: 255 */
-    const uint8_t *coverage; /* of the line's first pixel: alpha; NULL: 255 */
+    const uint8_t *coverage; /* of the line's first pixel; NULL: 255 */
     uint8_t apart;           /* from a channel's samples to the next's; 0: they are the same */
+    /* What blends the samples' pixels by their coverage. NULL: they are drawn in full. ARGB8888 has coverage as alpha, in full. */
+    const struct glint_use_coverage *soft;
 };
 
 /* ---- A group of formats ---- */
 
 struct glint_line_loop;
+struct glint_lines;
+struct glint_bounds;
 
 /* Diffuse and specular, with the light's colour, <= 65536. */
 struct glint_coefficients {
     uint32_t d[3], s[3];
 };
 
+/* Stores the samples' pixels; not those that stay open: their bits, the first sample's the lowest. */
+typedef uint32_t glint_levels(const struct glint_paint *paint, const struct glint_run *run,
+                              const struct glint_sample *samples, unsigned count);
+
 struct glint_use_format {
     bool (*draws)(const struct glint_output *output);
     /* The format's own from the material's ambient and albedo and these coefficients, times 2^up: glint_paint_fold. */
     void (*fold)(struct glint_paint *paint, const struct glint_coefficients *c, unsigned up);
-    /* Stores the samples' pixels; not those that stay open: their bits, the first sample's the lowest. */
-    uint32_t (*levels)(const struct glint_paint *paint, const struct glint_run *run, const struct glint_sample *samples,
-                       unsigned count);
+    glint_levels *levels; /* in full; in linear space, blended where the run is */
     /* Stores pixel i of the run by the 64-bit sequence, from three samples with exact nl and F, one a channel, apart after one another. */
     void (*exact)(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
                   const struct glint_sample *sums, unsigned apart);
     /* Prepares lines in one loop, over an albedo map or not; false where the paint has none. NULL: there is none. */
     bool (*begin)(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
 };
+
+/* ---- Coverage ----
+ *
+ * Whoever has a run with coverage that blends sets its `soft`. glint_paint_run and several lights draw by these then in the place of the
+ * format's functions, and glint_tables_pixels in the place of the table's. */
+typedef void glint_exact(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
+                         const struct glint_sample *sums, unsigned apart);
+struct glint_use_coverage {
+    glint_levels *levels;
+    glint_exact *exact;
+    /* Step 8 for channel k of pixel i: what the formats in linear space do not do themselves. */
+    uint8_t (*level)(const struct glint_paint *paint, const struct glint_run *run, unsigned i, unsigned k, uint64_t x);
+    /* Of tables: draws raws, count <= GLINT_RUN; draws the run of a line of normals by the kind's fused loop. */
+    void (*pixels)(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raws,
+                   unsigned count);
+    void (*line)(const struct glint_paint *paint, const struct glint_lines *lines);
+    /* Of a line of normals by an exact paint under one light: what is covered in part, and notes what of it shines. */
+    void (*edges)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds, uint32_t y);
+};
+
+/* What draws a run's levels, and one pixel by the 64-bit sequence. */
+static inline glint_levels *glint_run_levels(const struct glint_paint *paint, const struct glint_run *run)
+{
+    return run->soft ? GLINT_FLASH_POINTER(run->soft->levels) : GLINT_FLASH_POINTER(paint->format->levels);
+}
+static inline glint_exact *glint_run_exact(const struct glint_paint *paint, const struct glint_run *run)
+{
+    return run->soft ? GLINT_FLASH_POINTER(run->soft->exact) : GLINT_FLASH_POINTER(paint->format->exact);
+}
 
 /* ---- The sequence itself, in 64 bits ---- */
 
@@ -171,8 +206,7 @@ void glint_levels_bias(uint32_t bias[4], const struct glint_paint *paint, const 
 void glint_levels_base(uint32_t base[12], const struct glint_paint *paint, const struct glint_run *run);
 
 /* Levels of every format in gamma space where each channel has samples of its own, run->apart after those of the channel before. */
-uint32_t glint_levels_apart(const struct glint_paint *paint, const struct glint_run *run,
-                            const struct glint_sample *samples, unsigned count);
+glint_levels glint_levels_apart;
 
 #define GLINT_INLINE static inline __attribute__((always_inline))
 

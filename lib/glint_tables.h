@@ -37,6 +37,16 @@ enum glint_err glint_tables_check(const struct glint_paint *paint, const struct 
 void glint_tables_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
                        struct glint_box *highlight);
 
+/* The general way, blended where the run is. */
+static inline void glint_tables_pixels(const struct glint_paint *paint, const struct glint_run *run,
+                                       const struct glint_raw *raws, unsigned count)
+{
+    if (run->soft)
+        GLINT_FLASH_POINTER(run->soft->pixels)(paint, run, raws, count);
+    else
+        GLINT_FLASH_POINTER(paint->of.tables.filled.use->pixels)(paint, run, raws, count);
+}
+
 /* Does a pixel in the format's order differ from this machine's? */
 static inline bool glint_is_swapped(const struct glint_tables *tables)
 {

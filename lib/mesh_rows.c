@@ -276,6 +276,7 @@ static inline __attribute__((always_inline)) void rows_of(const struct glint_pai
     run->albedo = texture || has_colours ? bench->colours.bytes : NULL;
     run->gloss = run->coverage = NULL;
     run->apart = 0;
+    run->soft = NULL;
     if (lit) {
         most = lit_begin(lit, paint, run);
         lit_normals(&lit->across, target, triangle);
@@ -306,7 +307,7 @@ static inline __attribute__((always_inline)) void rows_of(const struct glint_pai
                 glint_samples_walk(&row.at, samples, count);
             } else {
                 glint_raws_walk(&row.at, paint->of.tables.filled.t_max_q30, raws, count);
-                GLINT_FLASH_POINTER(paint->of.tables.filled.use->pixels)(paint, run, raws, count);
+                glint_tables_pixels(paint, run, raws, count);
             }
             if (exact && !paint->several)
                 glint_paint_run(paint, run, samples, count);

@@ -223,22 +223,31 @@ LINEAR_ALONE uint32_t linear_encode(union linear_pixel *pixels, unsigned count, 
     return near;
 }
 
+/* Steps 7 and 8 from an argument. */
+LINEAR_ALONE uint32_t linear_found(const struct glint_paint *p, const struct glint_run *run, unsigned i, unsigned k,
+                                   uint32_t x)
+{
+    const uint32_t encoded = glint_srgb_encode((uint16_t)x);
+    if (run->soft)
+        return GLINT_FLASH_POINTER(run->soft->level)(p, run, i, k, (uint64_t)encoded << 32);
+    return linear_level(encoded, linear_max(p, k), linear_threshold(p, run, i)) >> 16;
+}
+
 /* The levels of those alone: the bits of what is another level at V + W. */
 LINEAR_ALONE uint32_t linear_settle(union linear_pixel *at, uint32_t near, const struct glint_sample *sample,
                                     const struct glint_paint *p, const struct glint_run *run, unsigned k)
 {
-    const uint32_t max = linear_max(p, k), steps = linear_steps(p, run);
+    const uint32_t steps = linear_steps(p, run);
     const bool grey = glint_format_is_grey(p->output.format);
     uint32_t open = 0;
     for (unsigned i = 0; near >> i; i++, at++, sample++) {
         if (!(near >> i & 1))
             continue;
-        const uint32_t x = at->x[1], most = x + steps < LINEAR_ONE ? x + steps : LINEAR_ONE,
-                       t = linear_threshold(p, run, i);
-        const uint32_t found = linear_level(glint_srgb_encode((uint16_t)x), max, t) >> 16;
+        const uint32_t x = at->x[1], most = x + steps < LINEAR_ONE ? x + steps : LINEAR_ONE;
+        const uint32_t found = linear_found(p, run, i, k, x);
         /* With nl = 0 V is P alone, rounded down by less than 1, and so x is exact. Not in grey, which sums parts of P (and whose
          * samples lie before). */
-        if ((grey || sample->nl_q16) && linear_level(glint_srgb_encode((uint16_t)most), max, t) >> 16 != found)
+        if ((grey || sample->nl_q16) && linear_found(p, run, i, k, most) != found)
             open |= (uint32_t)1 << i;
         at->levels[k] = (uint8_t)found;
     }
@@ -249,7 +258,7 @@ LINEAR_ALONE uint32_t linear_settle(union linear_pixel *at, uint32_t near, const
 static inline uint32_t linear_decide(union linear_pixel *pixels, const struct glint_sample *samples, unsigned count,
                                      const struct glint_paint *p, const struct glint_run *run, unsigned k)
 {
-    const uint32_t near = linear_encode(pixels, count, p, run, k);
+    const uint32_t near = run->soft ? ((uint32_t)1 << count) - 1 : linear_encode(pixels, count, p, run, k);
     return near ? linear_settle(pixels, near, samples, p, run, k) : 0;
 }
 
@@ -299,7 +308,7 @@ static void linear_exact(const struct glint_paint *paint, const struct glint_run
 {
     const uint8_t format = paint->output.format;
     const uint8_t *albedo = run->albedo ? run->albedo + 3 * i : paint->material.albedo;
-    const uint32_t gloss = (run->gloss ? run->gloss[i] : 255) * 257u, weight = glint_weight(paint, run, i);
+    const uint32_t gloss = (run->gloss ? run->gloss[i] : 255) * 257u;
     const bool grey = glint_format_is_grey(format);
     uint64_t parts = 0;
     uint8_t levels[4];
@@ -308,8 +317,8 @@ static void linear_exact(const struct glint_paint *paint, const struct glint_run
                                              (uint64_t)gloss * sample->f_q16);
         parts = grey ? parts + v * glint_luma(k) : v << 8;
         const uint16_t x = (uint16_t)(((parts >> 8) + ((uint64_t)1 << 31)) >> 32);
-        levels[k] = (uint8_t)glint_exact_level((uint64_t)glint_srgb_encode(x) << 32,
-                                               GLINT_FLASH_U8(glint_formats[format].max[k]), weight);
+        if (!grey || k == 2)
+            levels[k] = (uint8_t)linear_found(paint, run, i, grey ? 0 : k, x);
     }
     levels[0] = levels[grey ? 2 : 0];
     glint_store_run(format, run->line, run->x + i, levels, 1, 0);

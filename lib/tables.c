@@ -161,7 +161,7 @@ static __attribute__((noinline)) void tables_runs(const struct glint_paint *pain
             if (highlight)
                 tables_note(&bounds, run, raws, lines->count, y);
             if (draws)
-                GLINT_FLASH_POINTER(paint->of.tables.filled.use->pixels)(paint, run, raws, lines->count);
+                glint_tables_pixels(paint, run, raws, lines->count);
         }
     glint_bounds_box(&bounds, highlight);
 }
@@ -177,7 +177,10 @@ static void tables_fused(const struct glint_paint *paint, struct glint_lines *li
         return;
     }
     for (; glint_lines_next(lines); run->x += lines->count)
-        GLINT_FLASH_POINTER(paint->of.tables.filled.use->line)(paint, lines, run->x, run->x + lines->count);
+        if (run->soft)
+            GLINT_FLASH_POINTER(run->soft->line)(paint, lines);
+        else
+            GLINT_FLASH_POINTER(paint->of.tables.filled.use->line)(paint, lines, run->x, run->x + lines->count);
 }
 
 void glint_tables_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,

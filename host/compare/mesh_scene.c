@@ -94,7 +94,7 @@ struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, c
         const uint32_t number = raster->numbers[i];
         coverage->drawn += number || drawn[i];
         coverage->different += number != drawn[i];
-        scene->mask[i] = number && number == drawn[i];
+        scene->mask[i] = number && number == drawn[i] ? 255 : 0;
         if (number)
             scene->parts[i] = (uint8_t)mesh_part_of(mesh, number - 1);
         if (number && mesh_normalize(raster->values[i]))

@@ -150,22 +150,21 @@ static void pack(struct way *way)
             way->packed[i] = glint_normals_pack(GLINT_NORMALS_INT8, &way->normals[i]);
 }
 
-/* Most paths are drawn here with full gloss, alpha 255 and one colour, which becomes that of the first pixel with full gloss.
+/* Most paths are drawn here with full gloss, full coverage and one colour, which becomes that of the first pixel with full gloss.
  * `by_path` marks the pixels that the path draws. Returns how many are marked. */
-static size_t choose(const struct scene *scene, bool any_color, const struct glint_output *output,
-                     struct glint_material *material, uint8_t *by_path)
+static size_t choose(const struct scene *scene, bool any_color, struct glint_material *material, uint8_t *by_path)
 {
     const size_t pixels = (size_t)scene->width * scene->height;
     const uint8_t *color = NULL;
     size_t count = 0;
     for (size_t i = 0; i < pixels; i++) {
         const uint8_t *here = scene->albedo ? &scene->albedo[3 * i] : material->albedo;
-        const bool solid = output->format != GLINT_ARGB8888 || !scene->mask || scene->mask[i] == 255;
+        const bool solid = !scene->mask || scene->mask[i] == 255;
         const bool full = drawn(scene, i) && solid && (!scene->gloss || scene->gloss[i] == 255);
         if (full && !color)
             color = here;
-        by_path[i] = full && (any_color || memcmp(color, here, 3) == 0);
-        count += by_path[i];
+        by_path[i] = full && (any_color || memcmp(color, here, 3) == 0) ? 255 : 0;
+        count += by_path[i] != 0;
     }
     if (color)
         memcpy(material->albedo, color, 3);
@@ -183,7 +182,7 @@ static char *narrow(struct way *way, struct glint_material *material)
     for (size_t i = 0; i < pixels; i++)
         wanted += drawn(&scene, i);
     way->scene.mask = way->chosen = allocate(pixels, 1);
-    const size_t chosen = choose(&scene, any_color, &way->output, material, way->chosen);
+    const size_t chosen = choose(&scene, any_color, material, way->chosen);
     way->whole = chosen == wanted;
     if (chosen == pixels)
         way->scene.mask = NULL;

@@ -18,7 +18,7 @@ struct scene {
     double (*normals)[3]; /* length 1; x right, y up, z towards the viewer; lines from the top */
     uint8_t *albedo;      /* RGB888, or NULL */
     uint8_t *gloss;       /* or NULL */
-    uint8_t *mask;        /* 0: not drawn; or NULL */
+    uint8_t *mask;        /* coverage: 0 is not drawn, below 255 in part; or NULL */
     uint8_t *parts;       /* of a mesh: by which of its parts' shadings; or NULL: by the only one */
     double (*places)
         [3]; /* of a mesh: in pixels from the picture's upper left corner, x right, y down, z to you; or NULL: each pixel's

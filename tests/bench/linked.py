@@ -12,13 +12,13 @@ with open(os.path.join(SOURCE, "lib/glint.h")) as header: # the models that have
     OWN = re.findall(r"^ +X\(GLINT_\w+, (\w+), \w+, own\)", header.read(), re.M)
 FUNCTIONS = [f"glint_{model}{end}" for model in OWN for end in ("", "_t")] + """
 glint_msh+glint_msh_cutoff glint_msh_t+glint_msh_cutoff_t glint_lobe_init+glint_lobe_eval_t
-glint_paint_exact+glint_light_directional+glint_paint_light_by+glint_draw_rect
-glint_paint_exact+glint_light_directional+glint_paint_light_by+glint_span_init+glint_draw_span
-glint_paint_exact+glint_light_point+glint_light_spot+glint_paint_light_by+glint_draw_rect
-glint_paint_tables+glint_light_directional+glint_paint_light_by+glint_draw_rect glint_draw_palette
+glint_paint_exact+glint_light_directional+glint_paint_light_by+glint_draw_rect_by
+glint_paint_exact+glint_light_directional+glint_paint_light_by+glint_span_init+glint_draw_span_by
+glint_paint_exact+glint_light_point+glint_light_spot+glint_paint_light_by+glint_draw_rect_by
+glint_paint_tables+glint_light_directional+glint_paint_light_by+glint_draw_rect_by glint_draw_palette
 peer_blinn_powf peer_schlick_float peer_msh_float""".split()
 # Rectangles of one model and one kind of pixel, or one kind of tables, under a directional light, with all set-up.
-_DIRECTIONAL = "+glint_light_directional+glint_paint_light_by+glint_draw_rect+"
+_DIRECTIONAL = "+glint_light_directional+glint_paint_light_by+glint_draw_rect_by+"
 RECTANGLES = ["glint_paint_exact_for" + _DIRECTIONAL + pair for pair in (
     "glint_use_rgb565+glint_use_msh", "glint_use_rgb565+glint_use_cayley", "glint_use_rgb888+glint_use_msh",
     "glint_use_linear+glint_use_msh")] + ["glint_paint_tables_for" + _DIRECTIONAL + names for names in (

@@ -138,11 +138,11 @@ struct glint_maps case_maps(uint64_t *seed, struct case_scene *s, unsigned w, un
     maps.albedo = ONE_IN(2) ? s->albedo : NULL;
     maps.gloss = ONE_IN(3) ? s->gloss : NULL;
     maps.coverage = ONE_IN(3) ? s->coverage : NULL;
-    const unsigned empty = ONE_IN(4) ? 2 : 5;
+    const unsigned empty = ONE_IN(4) ? 2 : 5, full = 1 + BELOW(3);
     for (unsigned y = 0; y < h; y++)
         for (unsigned i = CASE_W * y; i < CASE_W * y + w; i++) {
             s->gloss[i] = (uint8_t)(!maps.gloss || ONE_IN(2) ? 255 : BELOW(256));
-            s->coverage[i] = (uint8_t)(!maps.coverage ? 255 : ONE_IN(empty) ? 0 : 1 + BELOW(255));
+            s->coverage[i] = (uint8_t)(!maps.coverage ? 255 : ONE_IN(empty) ? 0 : ONE_IN(full) ? 255 : 1 + BELOW(255));
             for (unsigned k = 0; k < 3 && maps.albedo; k++)
                 s->albedo[3 * i + k] = (uint8_t)BELOW(256);
         }
@@ -155,8 +155,9 @@ struct glint_surface case_target(uint64_t *seed, struct case_scene *s)
     const ptrdiff_t start = (up ? CASE_H : 1) * CASE_LINE + (ptrdiff_t)BELOW(3);
     const struct glint_surface target = {s->out + start, up ? -CASE_LINE : CASE_LINE - (ptrdiff_t)BELOW(3),
                                          (uint16_t)BELOW(65536), (uint16_t)BELOW(65536)};
-    memset(s->out, CASE_GUARD, CASE_SIZE);
-    memset(s->expected, CASE_GUARD, CASE_SIZE);
+    for (unsigned i = 0; i < CASE_SIZE; i++)
+        s->out[i] = (uint8_t)BELOW(256);
+    memcpy(s->expected, s->out, CASE_SIZE);
     return target;
 }
 

@@ -38,11 +38,23 @@ static uint64_t held(uint32_t q16)
     return q16 > 65536 ? 65536 : q16;
 }
 
-static uint32_t level(const struct reference *s, uint64_t x, uint32_t max, uint32_t weight)
+/* Over a level that is there, where not all is covered. */
+static uint32_t level(const struct reference *s, uint64_t x, uint32_t max, uint32_t weight, uint32_t coverage,
+                      uint32_t there)
 {
     if (s->output.space == GLINT_LINEAR)
         x = (uint64_t)glint_srgb_encode((uint16_t)((x + (UINT64_C(1) << 31)) >> 32)) << 32;
-    return (uint32_t)((x * max + (UINT64_C(65535) << 27) * weight) >> 32) / 65535;
+    if (s->output.format == GLINT_ARGB8888)
+        coverage = 255;
+    const unsigned __int128 over = (unsigned __int128)x * max * coverage,
+                            under = (255 - coverage) * there * (unsigned __int128)ONE;
+    return (uint32_t)((over + under + (unsigned __int128)(255 * ONE / 32) * weight) / (255 * ONE));
+}
+
+/* A channel of a byte. */
+static void put(const struct reference *s, uint8_t *out, uint64_t x, uint32_t weight, uint8_t coverage)
+{
+    *out = (uint8_t)level(s, x, 255, weight, coverage, *out);
 }
 
 /* 0 is what the output needs. */
@@ -87,33 +99,36 @@ static void pixel(const struct reference *s, uint8_t *line, uint32_t x, uint32_t
     switch ((enum glint_format)s->output.format) {
     case GLINT_RGB565:
     case GLINT_RGB565_SWAPPED: {
-        const uint32_t rgb =
-            level(s, v[0], 31, weight) << 11 | level(s, v[1], 63, weight) << 5 | level(s, v[2], 31, weight);
         const bool swapped = s->output.format == GLINT_RGB565_SWAPPED;
+        const uint32_t there = (uint32_t)line[2 * x + !swapped] << 8 | line[2 * x + swapped];
+        const uint32_t rgb = level(s, v[0], 31, weight, coverage, there >> 11) << 11 |
+                             level(s, v[1], 63, weight, coverage, there >> 5 & 63) << 5 |
+                             level(s, v[2], 31, weight, coverage, there & 31);
         line[2 * x + swapped] = (uint8_t)rgb;
         line[2 * x + !swapped] = (uint8_t)(rgb >> 8);
         break;
     }
     case GLINT_RGB888:
         for (uint32_t k = 0; k < 3; k++)
-            line[3 * x + k] = (uint8_t)level(s, v[k], 255, weight);
+            put(s, line + 3 * x + k, v[k], weight, coverage);
         break;
     case GLINT_BGR888:
         for (uint32_t k = 0; k < 3; k++)
-            line[3 * x + 2 - k] = (uint8_t)level(s, v[k], 255, weight);
+            put(s, line + 3 * x + 2 - k, v[k], weight, coverage);
         break;
     case GLINT_XRGB8888:
     case GLINT_ARGB8888:
         for (uint32_t k = 0; k < 3; k++)
-            line[4 * x + 2 - k] = (uint8_t)level(s, v[k], 255, weight);
+            put(s, line + 4 * x + 2 - k, v[k], weight, coverage);
         line[4 * x + 3] = s->output.format == GLINT_ARGB8888 ? coverage : 255;
         break;
     case GLINT_GREY8:
-        line[x] = (uint8_t)level(s, grey, 255, weight);
+        put(s, line + x, grey, weight, coverage);
         break;
     case GLINT_MONO: {
         const uint8_t bit = (uint8_t)(0x80 >> (x & 7));
-        line[x >> 3] = (uint8_t)(level(s, grey, 1, weight) ? line[x >> 3] | bit : line[x >> 3] & ~bit);
+        line[x >> 3] = (uint8_t)(level(s, grey, 1, weight, coverage, line[x >> 3] & bit ? 1 : 0) ? line[x >> 3] | bit
+                                                                                                 : line[x >> 3] & ~bit);
     }
     }
 }

@@ -380,7 +380,7 @@ static inline void scene_init(struct scene *s, enum glint_format format, enum gl
     for (int i = 0; i < W * H; i++) {
         s->normals[i] = random_normal(&s->look);
         s->gloss[i] = (uint8_t)(below(3) ? 255 : below(256));
-        s->coverage[i] = (uint8_t)(below(4) ? 1 + below(255) : 0);
+        s->coverage[i] = (uint8_t)(below(4) ? below(3) ? 255 : 1 + below(255) : 0);
         for (int k = 0; k < 3; k++)
             s->albedo[3 * i + k] = (uint8_t)below(256);
     }

@@ -144,7 +144,7 @@ static void keep_normals(struct glint_lights *lights, unsigned count)
 {
     const size_t at = lights->run->y % LINES * WIDTH + lights->run->x;
     memcpy(either.normals[0] + at, lights->normals, count * sizeof *lights->normals);
-    memset(coverage[0] + at, 1, count);
+    memset(coverage[0] + at, 255, count);
 }
 
 int mesh_normals(unsigned y)

@@ -202,7 +202,7 @@ static unsigned other_canvases(void)
         wrong += glint_light_directional(&light, to_viewer) != GLINT_OK;
         wrong += glint_paint_light(&paint, &light, 1, to_viewer) != GLINT_OK;
         maps.normals = &normal;
-        maps.coverage = &half;
+        maps.coverage = of[i].format == GLINT_ARGB8888 ? &half : NULL;
         wrong += glint_lvgl_canvas(&canvas, GLINT_RGB888, &surface) != GLINT_ERR_FORMAT;
         wrong += glint_lvgl_canvas(&canvas, of[i].format, &surface) != GLINT_OK;
         wrong += surface.stride != of[i].bytes;

@@ -1,0 +1,329 @@
+/* SPDX-License-Identifier: MIT
+ * Coverage: pixels that are blended over what the buffer holds, as step 8 of sequence.md has it.
+ *
+ * In gamma space the level of a blended pixel is found as those of other pixels are (glint_pixel.h): V and the threshold, low by at
+ * most W, and the level that the buffer holds are mixed in units of 2^(shift - 8). */
+#include "glint_tables.h"
+
+#ifdef __GNUC__
+typedef uint32_t __attribute__((may_alias)) coverage_word;
+#else
+typedef uint32_t coverage_word;
+#endif
+
+/* ---- Step 8 ---- */
+
+/* Level k of pixel x of a line. */
+static uint32_t coverage_under(uint8_t format, const uint8_t *line, uint32_t x, unsigned k)
+{
+    const unsigned bytes = GLINT_FLASH_U8(glint_formats[format].bytes);
+    const uint8_t *at = line + bytes * x;
+    if (bytes == 2) {
+        const bool swapped = format == GLINT_RGB565_SWAPPED;
+        const uint32_t pixel = (uint32_t)at[!swapped] << 8 | at[swapped];
+        return k == 0 ? pixel >> 11 : k == 1 ? pixel >> 5 & 63 : pixel & 31;
+    }
+    if (bytes == 0)
+        return line[x >> 3] >> (7 - (x & 7)) & 1;
+    return at[glint_format_is_blue_first(format) ? 2 - k : k];
+}
+
+/* z / (255 65535), z <= 255 (255 65535 + 65535): < 2^32 */
+static uint32_t coverage_divide(uint32_t z)
+{
+    const uint32_t y = (z + (z >> 16) + 1) >> 16; /* z / 65535, as glint_exact_level has it */
+    return (y + (y >> 8) + 1) >> 8;               /* y / 255, y < 65535 */
+}
+
+/* ARGB8888 is drawn in full: its alpha is the coverage. */
+static uint32_t coverage_of(const struct glint_paint *paint, const struct glint_run *run, unsigned i)
+{
+    return paint->output.format == GLINT_ARGB8888 ? 255 : run->coverage[run->x + i];
+}
+
+static uint8_t coverage_level(const struct glint_paint *paint, const struct glint_run *run, unsigned i, unsigned k,
+                              uint64_t x)
+{
+    const uint8_t format = paint->output.format;
+    const uint32_t m = coverage_of(paint, run, i);
+    const uint32_t under = 65535u * (255 - m) * coverage_under(format, run->line, run->x + i, k);
+    const uint64_t over = x * (m * GLINT_FLASH_U8(glint_formats[format].max[k])); /* < 2^64 */
+    const uint64_t threshold = (uint64_t)(255 * 65535u) * glint_weight(paint, run, i) << 27;
+    return (uint8_t)coverage_divide((uint32_t)((over + ((uint64_t)under << 32) + threshold) >> 32));
+}
+
+/* ---- The same by 32 bits, in gamma space ----
+ *
+ * With T = V + threshold, low by less than W, and U = the buffer's level and the threshold, which is low by no more than T's (by
+ * paint->of.exact.high), B = m T / 2^8 + (255 - m) U / 2^8 is low by less than 255 (W / 2^8 + 1), and B / 255 by less than 3 more. */
+#define COVERAGE_W(w) (((w) >> 8) + 6)
+
+/* B / 255; B <= 255 2^24 */
+static inline uint32_t coverage_by_255(uint32_t b)
+{
+    return (b + (b >> 8) + (b >> 16)) >> 8;
+}
+
+static inline uint32_t coverage_mix(uint32_t t, uint32_t m, uint32_t level, uint32_t threshold, unsigned shift)
+{
+    return coverage_by_255(m * (t >> 8) + (255 - m) * ((level << (shift - 8)) + (threshold >> 8)));
+}
+
+/* Every format, maps, and channels apart: V as glint_levels_apart has it. */
+static uint32_t coverage_any(const struct glint_paint *p, const struct glint_run *run,
+                             const struct glint_sample *samples, unsigned count)
+{
+    const uint8_t format = p->output.format;
+    const unsigned shift = (unsigned)p->of.exact.shift;
+    const bool grey = glint_format_is_grey(format);
+    const uint32_t w = COVERAGE_W(p->of.exact.w_maps);
+    const uint8_t *albedo = run->albedo ? run->albedo : p->material.albedo;
+    uint32_t bias[4], open = 0;
+    glint_levels_bias(bias, p, run);
+    glint_levels_alpha(format, run, 0, count);
+    for (unsigned i = 0; i < count; i++, albedo += run->albedo ? 3 : 0) {
+        const struct glint_sample *sample = samples + i;
+        const uint32_t threshold = bias[i & 3] - grey, m = coverage_of(p, run, i);
+        uint32_t sum = threshold, undecided = 0;
+        uint8_t levels[4];
+        for (unsigned k = 0; k < 3; k++, sample += run->apart) {
+            const uint32_t most = (uint32_t)GLINT_FLASH_U8(glint_formats[format].max[k]) << shift;
+            const uint32_t f = run->gloss ? glint_by_255(sample->f_q16 * run->gloss[i]) : sample->f_q16;
+            uint32_t v = (albedo[k] * ((p->of.exact.ambient[k] + p->of.exact.diffuse[k] * sample->nl_q16) >> 7)) +
+                         p->of.exact.r[k] * f;
+            if (grey)
+                v = sum += glint_levels_hold(v, (most >> 8) * glint_luma(k));
+            else
+                v = glint_levels_hold(v, most) + sum;
+            if (!grey || k == 2) {
+                const unsigned at = grey ? 0 : k;
+                const uint32_t c =
+                    coverage_mix(v, m, coverage_under(format, run->line, run->x + i, at), threshold, shift);
+                undecided |= c ^ (c + w);
+                levels[at] = (uint8_t)(c >> (shift - 8));
+            }
+        }
+        if (undecided >> (shift - 8))
+            open |= (uint32_t)1 << i;
+        else
+            glint_store_run(format, run->line, run->x + i, levels, 1, 0);
+    }
+    return open;
+}
+
+/* RGB565 without maps. */
+static uint32_t coverage_565(const struct glint_paint *p, const struct glint_run *run,
+                             const struct glint_sample *sample, unsigned count)
+{
+    const unsigned shift = (unsigned)p->of.exact.shift;
+    const bool swapped = p->output.format == GLINT_RGB565_SWAPPED;
+    const uint32_t w = COVERAGE_W(p->of.exact.w), most = (uint32_t)31 << shift, most_green = (uint32_t)63 << shift;
+    const uint8_t *coverage = run->coverage + run->x;
+    uint8_t *out = run->line + 2 * run->x;
+    uint32_t bias[4], open = 0;
+    glint_levels_bias(bias, p, run);
+    for (unsigned i = 0; i < count; i++, sample++, out += 2) {
+        const uint32_t threshold = bias[i & 3], m = coverage[i], adds = p->output.dither ? threshold : 0;
+        const uint32_t under = (uint32_t)out[!swapped] << 8 | out[swapped];
+        uint32_t v[3];
+        glint_levels_sum(v, p, p->of.exact.p, sample, NULL, NULL, false);
+        const uint32_t red =
+            coverage_mix(glint_levels_hold(v[0] + adds, most + threshold), m, under >> 11, threshold, shift);
+        const uint32_t green =
+            coverage_mix(glint_levels_hold(v[1] + adds, most_green + threshold), m, under >> 5 & 63, threshold, shift);
+        const uint32_t blue =
+            coverage_mix(glint_levels_hold(v[2] + adds, most + threshold), m, under & 31, threshold, shift);
+        if (((red ^ (red + w)) | (green ^ (green + w)) | (blue ^ (blue + w))) >> (shift - 8)) {
+            open |= (uint32_t)1 << i;
+        } else {
+            const uint32_t pixel = red >> (shift - 8) << 11 | green >> (shift - 8) << 5 | blue >> (shift - 8);
+            out[swapped] = (uint8_t)pixel;
+            out[!swapped] = (uint8_t)(pixel >> 8);
+        }
+    }
+    return open;
+}
+
+/* The first that is not 255, from at on and before stop: four at a time. */
+static const uint8_t *coverage_full(const uint8_t *at, const uint8_t *stop)
+{
+    while (at != stop && *at == 255) {
+        at++;
+        if (((uintptr_t)at & 3) == 0)
+            while (stop - at >= 4 && *(const coverage_word *)(const void *)at == UINT32_MAX)
+                at += 4;
+    }
+    return at;
+}
+/* The first that is. */
+static const uint8_t *coverage_soft(const uint8_t *at, const uint8_t *stop)
+{
+    while (at != stop && *at != 255)
+        at++;
+    return at;
+}
+
+/* The first that is neither 0 nor 255. */
+static const uint8_t *coverage_plain(const uint8_t *at, const uint8_t *stop)
+{
+    while (at != stop && (uint8_t)(*at - 1) >= 254) {
+        at++;
+        if (((uintptr_t)at & 3) == 0)
+            while (stop - at >= 4 && *(const coverage_word *)(const void *)at + 1 < 2)
+                at += 4;
+    }
+    return at;
+}
+
+/* A run without maps or channels of their own, in RGB565? */
+static bool coverage_is_plain(const struct glint_paint *paint, const struct glint_run *run)
+{
+    return glint_format_is_565(paint->output.format) && !run->albedo && !run->gloss;
+}
+
+/* Pixels side by side that are full, or that are not. */
+static __attribute__((noinline)) uint32_t coverage_parts(const struct glint_paint *paint, const struct glint_run *run,
+                                                         const struct glint_sample *samples, unsigned count)
+{
+    glint_levels *const full = GLINT_FLASH_POINTER(paint->format->levels);
+    glint_levels *const soft = paint->output.space != GLINT_GAMMA ? full
+                               : coverage_is_plain(paint, run)    ? coverage_565
+                                                                  : coverage_any;
+    const uint8_t *const coverage = run->coverage + run->x;
+    struct glint_run part = *run;
+    uint32_t open = 0;
+    for (unsigned i = 0, end; i < count; i = end) {
+        const bool is_full = coverage[i] == 255;
+        end = (unsigned)((is_full ? coverage_full : coverage_soft)(coverage + i, coverage + count) - coverage);
+        part.x = run->x + i;
+        part.albedo = run->albedo ? run->albedo + 3 * i : NULL;
+        part.gloss = run->gloss ? run->gloss + i : NULL;
+        part.soft = is_full ? NULL : run->soft;
+        open |= (is_full ? full : soft)(paint, &part, samples + i, end - i) << i;
+    }
+    return open;
+}
+
+static uint32_t coverage_levels(const struct glint_paint *paint, const struct glint_run *run,
+                                const struct glint_sample *samples, unsigned count)
+{
+    const uint8_t *const coverage = run->coverage + run->x, *const stop = coverage + count;
+    const bool is_gamma = paint->output.space == GLINT_GAMMA;
+    if (is_gamma && run->apart)
+        return coverage_any(paint, run, samples, count);
+    if (is_gamma && (paint->output.format == GLINT_ARGB8888 || coverage_full(coverage, stop) == stop))
+        return GLINT_FLASH_POINTER(paint->format->levels)(paint, run, samples, count);
+    return coverage_parts(paint, run, samples, count);
+}
+
+static void coverage_exact(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
+                           const struct glint_sample *sums, unsigned apart)
+{
+    const uint8_t format = paint->output.format;
+    const bool grey = glint_format_is_grey(format);
+    uint8_t levels[4];
+    uint64_t parts = 0;
+    if (paint->output.space != GLINT_GAMMA) { /* it blends by coverage_level */
+        GLINT_FLASH_POINTER(paint->format->exact)(paint, run, i, sums, apart);
+        return;
+    }
+    for (unsigned k = 0; k < 3; k++, sums += apart) {
+        const uint64_t x = glint_exact_channel(paint, run, i, k, sums);
+        parts += x * glint_luma(k);
+        if (!grey)
+            levels[k] = coverage_level(paint, run, i, k, x);
+    }
+    if (grey)
+        levels[0] = coverage_level(paint, run, i, 0, parts >> 8);
+    glint_store_run(format, run->line, run->x + i, levels, 1, 0);
+}
+
+/* ---- From finished levels: tables, in RGB565 ---- */
+
+/* v = m p + (255 - m) q + 128 of each channel, (v + (v >> 8)) >> 8; red and blue side by side. */
+static void coverage_over(const struct glint_paint *paint, const struct glint_run *run, const uint8_t *old,
+                          unsigned count)
+{
+    const bool swapped = paint->output.format == GLINT_RGB565_SWAPPED;
+    const uint8_t *coverage = run->coverage + run->x;
+    uint8_t *low = run->line + 2 * run->x + swapped, *high = run->line + 2 * run->x + !swapped;
+    for (old += swapped; count--; coverage++, low += 2, high += 2, old += 2) {
+        const uint32_t m = *coverage, rest = 255 - m;
+        if (!rest)
+            continue;
+        const uint32_t p = (uint32_t)*high << 8 | *low, q = (uint32_t)(swapped ? old[-1] : old[1]) << 8 | *old;
+        uint32_t both = m * ((p >> 11) << 16 | (p & 31)) + rest * ((q >> 11) << 16 | (q & 31)) + 0x00800080;
+        uint32_t green = m * (p >> 5 & 63) + rest * (q >> 5 & 63) + 128;
+        both = (both + (both >> 8 & 0x00ff00ff)) >> 8;
+        green = (green + (green >> 8)) >> 8;
+        const uint32_t pixel = (both >> 16 << 11) | green << 5 | (both & 31);
+        *low = (uint8_t)pixel;
+        *high = (uint8_t)(pixel >> 8);
+    }
+}
+
+static void coverage_keep(uint8_t old[2 * GLINT_RUN], const uint8_t *pixels, unsigned count)
+{
+    for (unsigned i = 0; i < 2 * count; i++)
+        old[i] = pixels[i];
+}
+
+static void coverage_pixels(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raws,
+                            unsigned count)
+{
+    uint8_t old[2 * GLINT_RUN];
+    coverage_keep(old, run->line + 2 * run->x, count);
+    GLINT_FLASH_POINTER(paint->of.tables.filled.use->pixels)(paint, run, raws, count);
+    coverage_over(paint, run, old, count);
+}
+
+/* What is full, and what is not behind it, at a time. */
+static void coverage_line(const struct glint_paint *paint, const struct glint_lines *lines)
+{
+    const uint8_t *const coverage = lines->run.coverage, *const stop = coverage + lines->run.x + lines->count;
+    struct glint_run run = lines->run;
+    uint8_t old[2 * GLINT_RUN];
+    for (const uint8_t *at = coverage + run.x; at != stop;) {
+        const uint8_t *const soft = coverage_full(at, stop);
+        const uint8_t *end = coverage_soft(soft, stop - soft > (ptrdiff_t)GLINT_RUN ? soft + GLINT_RUN : stop);
+        run.x = (uint32_t)(soft - coverage);
+        coverage_keep(old, run.line + 2 * run.x, (unsigned)(end - soft));
+        GLINT_FLASH_POINTER(paint->of.tables.filled.use->line)
+        (paint, lines, (uint32_t)(at - coverage), (uint32_t)(end - coverage));
+        coverage_over(paint, &run, old, (unsigned)(end - soft));
+        at = end;
+    }
+}
+
+/* ---- Beside the line in assembly, which draws what is full ---- */
+
+static __attribute__((noinline)) void coverage_edge(const struct glint_paint *paint, struct glint_lines *lines,
+                                                    struct glint_bounds *bounds, unsigned count, uint32_t y)
+{
+    struct glint_sample samples[GLINT_RUN];
+    struct glint_run *const run = &lines->run;
+    run->albedo = lines->albedo ? lines->albedo + 3 * run->x : NULL;
+    glint_samples_half(&paint->l, &paint->v, &paint->h, (const struct glint_vec *)(const void *)lines->normals + run->x,
+                       samples, count);
+    for (unsigned i = 0; i < count; i++)
+        if (samples[i].t_q30 < paint->of.exact.t_end)
+            glint_bounds_add(bounds, run->x + i, y);
+    glint_paint_run(paint, run, samples, count);
+}
+
+static void coverage_edges(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
+                           uint32_t y)
+{
+    const uint8_t *const coverage = lines->run.coverage, *const stop = coverage + lines->w;
+    for (const uint8_t *at = coverage; (at = coverage_plain(at, stop)) != stop;) {
+        const uint8_t *end = at + 1;
+        while (end != stop && end - at < (ptrdiff_t)GLINT_RUN && (uint8_t)(*end - 1) < 254)
+            end++;
+        lines->run.x = (uint32_t)(at - coverage);
+        coverage_edge(paint, lines, bounds, (unsigned)(end - at), y);
+        at = end;
+    }
+}
+
+const struct glint_use_coverage glint_use_coverage GLINT_FLASH = {coverage_levels, coverage_exact, coverage_level,
+                                                                  coverage_pixels, coverage_line,  coverage_edges};
