@@ -276,7 +276,7 @@ static inline __attribute__((always_inline)) void rows_of(const struct glint_pai
     run->albedo = texture || has_colours ? bench->colours.bytes : NULL;
     run->gloss = run->coverage = NULL;
     run->apart = 0;
-    run->soft = NULL;
+    run->soft = cells ? &glint_use_coverage : NULL;
     if (lit) {
         most = lit_begin(lit, paint, run);
         lit_normals(&lit->across, target, triangle);

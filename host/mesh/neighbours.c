@@ -135,7 +135,7 @@ uint16_t (*mesh_neighbours(const struct mesh *mesh))[3]
     uint16_t(*neighbours)[3] = allocate(mesh->face_count, sizeof *neighbours);
     for (size_t i = 0; i < count; i++) {
         const uint32_t *face = mesh->faces[i / 3];
-        edges[i] = (struct edge){mesh->at[face[i % 3]], mesh->at[face[(i + 1) % 3]], (uint32_t)(i / 3), i % 3};
+        edges[i] = (struct edge){mesh->at[face[i % 3]], mesh->at[face[(i + 1) % 3]], (uint32_t)(i / 3), (unsigned)(i % 3)};
         neighbours[i / 3][i % 3] = GLINT_MESH_RIM;
     }
     qsort(edges, count, sizeof *edges, by_places);
