@@ -99,7 +99,7 @@ struct glint_mesh_drawn {
     int16_t turn[3][3];      /* Q14 */
     int16_t position[3];
     uint16_t scale;
-    bool is_cut; /* by a plane: a vertex is beyond it */
+    bool is_cut;                      /* by a plane: a vertex is beyond it */
     struct glint_mesh_hidden *hidden; /* of outlines */
     uint16_t *rims, *rim_bands;       /* as links and bands, of faces with outlines */
     uint8_t *edges;                   /* of each face what outlines ask; NULL: there are none */
@@ -109,8 +109,8 @@ struct glint_mesh_frame {
     struct glint_mesh_drawn *first, **last;
     void *memory, *kept;
     uint16_t w, h, lines, distance, y, free;
-    uint16_t places;      /* in kept */
-    void *lit;            /* the work memory of lights; NULL: none yet */
+    uint16_t places;                           /* in kept */
+    void *lit;                                 /* the work memory of lights; NULL: none yet */
     const struct glint_use_outlines *outlines; /* yours to set after glint_mesh_begin: &glint_outlines, or NULL */
     struct glint_box box; /* after glint_mesh_strip: what it may have drawn, in pixels of the picture */
 };

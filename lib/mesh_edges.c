@@ -233,7 +233,8 @@ static bool hide_edge(const struct glint_mesh_target *strip, struct glint_mesh_h
     struct walk walk;
     if (!walk_set(&walk, a, b, window))
         return true;
-    const int32_t least = walk.is_flat ? window->top : window->left, most = walk.is_flat ? window->bottom : window->right;
+    const int32_t least = walk.is_flat ? window->top : window->left,
+                  most = walk.is_flat ? window->bottom : window->right;
     const uint32_t room = (uint32_t)(most - least), w = (uint32_t)strip->w;
     const uint32_t along = walk.is_flat ? 1 : w, across = walk.is_flat ? w : 1;
     uint32_t line = walk.is_flat ? (uint32_t)walk.at : (uint32_t)(walk.at - strip->y) * w;
@@ -627,4 +628,5 @@ static void edges_draw(const struct glint_mesh_target *strip)
         glint_mesh_give(&lists, later, strip->end);
 }
 
-const struct glint_use_outlines glint_outlines GLINT_FLASH = {edges_add, edges_sort, edges_rows, edges_draw, EDGES_LINES};
+const struct glint_use_outlines glint_outlines GLINT_FLASH = {edges_add, edges_sort, edges_rows, edges_draw,
+                                                              EDGES_LINES};

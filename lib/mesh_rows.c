@@ -289,8 +289,8 @@ static inline __attribute__((always_inline)) void rows_of(const struct glint_pai
         const int32_t line = cells ? target->y + cell.line : triangle->y - 1; /* the picture's */
         if (use)
             GLINT_FLASH_POINTER(use->line)(&bench->of.over, line, (int32_t)run->x, (int32_t)row.end, row.z, row.dz);
-        for (unsigned count;
-             (count = cells ? (unsigned)(row.end - run->x) : row_in_front(&row, most)) != 0; run->x += count) {
+        for (unsigned count; (count = cells ? (unsigned)(row.end - run->x) : row_in_front(&row, most)) != 0;
+             run->x += count) {
             if (use)
                 (exact ? GLINT_FLASH_POINTER(use->rgb888) : GLINT_FLASH_POINTER(use->rgb565))(
                     &bench->of.over, (int32_t)run->x, bench->colours.bytes, count);

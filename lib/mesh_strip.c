@@ -260,10 +260,11 @@ enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint
         !strip_fits(frame, target, h))
         return GLINT_ERR_ARG;
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)frame->memory;
-    struct glint_mesh_target strip = {target,   (uint16_t *)(void *)(bench + 1),
-                                      frame->w, y,
-                                      y + h,    glint_mesh_polygon_samples(&bench->polygon, frame),
-                                      frame,    NULL, glint_mesh_rows};
+    struct glint_mesh_target strip = {target,         (uint16_t *)(void *)(bench + 1),
+                                      frame->w,       y,
+                                      y + h,          glint_mesh_polygon_samples(&bench->polygon, frame),
+                                      frame,          NULL,
+                                      glint_mesh_rows};
     bool is_clear = false, has_outlines = false;
     frame->box.x = frame->box.y = frame->box.w = frame->box.h = 0;
     if (frame->lit)

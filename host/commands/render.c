@@ -30,7 +30,7 @@ struct drawn {
     bool is_mesh;
     uint32_t width, height;
     uint8_t *pixels;
-    struct levels *levels; /* of the pixels, where they are not drawn otherwise */
+    struct levels *levels;   /* of the pixels, where they are not drawn otherwise */
     struct levels *compared; /* what is compared, where it is not the picture: a mesh's with stepped outlines */
 };
 

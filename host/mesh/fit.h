@@ -13,9 +13,9 @@ struct fitted {
     int8_t (*normals8)[3];
     uint16_t (*faces)[3], *ends;
     uint16_t (*neighbours)[3]; /* of each face, for smooth outlines; NULL: stepped ones */
-    uint8_t (*colors)[3]; /* of each vertex, of_vertices of the mesh; NULL: each part has one */
-    double middle[3];     /* of the places in double: 0, 0, 0 here */
-    double unit;          /* how many units of the places here 1 there is */
+    uint8_t (*colors)[3];      /* of each vertex, of_vertices of the mesh; NULL: each part has one */
+    double middle[3];          /* of the places in double: 0, 0, 0 here */
+    double unit;               /* how many units of the places here 1 there is */
 };
 /* unit 0: the mesh's middle becomes 0, 0, 0 and what is farthest from it 32767 away; else places are times `unit`, about their own
  * origin. Ends the program through fail() where they do not fit. */

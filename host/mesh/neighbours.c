@@ -67,7 +67,8 @@ static bool is_beside(const struct open *a, const struct open *b, double toleran
 {
     double from_off, to_off;
     const double from = place_along(a, b->from, &from_off), to = place_along(a, b->to, &to_off);
-    return from_off <= tolerance && to_off <= tolerance && from > to && fmin(from, 1) - fmax(to, 0) > 1e-3 * (from - to);
+    return from_off <= tolerance && to_off <= tolerance && from > to &&
+           fmin(from, 1) - fmax(to, 0) > 1e-3 * (from - to);
 }
 
 static bool is_seam(const struct open *a, const struct open *b, double tolerance)
@@ -135,7 +136,8 @@ uint16_t (*mesh_neighbours(const struct mesh *mesh))[3]
     uint16_t(*neighbours)[3] = allocate(mesh->face_count, sizeof *neighbours);
     for (size_t i = 0; i < count; i++) {
         const uint32_t *face = mesh->faces[i / 3];
-        edges[i] = (struct edge){mesh->at[face[i % 3]], mesh->at[face[(i + 1) % 3]], (uint32_t)(i / 3), (unsigned)(i % 3)};
+        edges[i] =
+            (struct edge){mesh->at[face[i % 3]], mesh->at[face[(i + 1) % 3]], (uint32_t)(i / 3), (unsigned)(i % 3)};
         neighbours[i / 3][i % 3] = GLINT_MESH_RIM;
     }
     qsort(edges, count, sizeof *edges, by_places);

@@ -35,10 +35,10 @@ static void check(const struct argp_state *state, struct scene_options *o)
     struct mesh_source *mesh = &o->mesh;
     if (!mesh->name && (mesh->crease >= 0 || mesh->split > 0 || mesh->axes != AXES_USUAL || mesh->stepped))
         refuse(state, "%s needs --mesh",
-               mesh->crease >= 0            ? "--crease"
-               : mesh->split > 0            ? "--split"
+               mesh->crease >= 0          ? "--crease"
+               : mesh->split > 0          ? "--split"
                : mesh->axes != AXES_USUAL ? "--axes"
-                                            : "--no-outlines");
+                                          : "--no-outlines");
     if (mesh->built_in && mesh->axes != AXES_USUAL)
         refuse(state, "--axes is for a mesh's file; leave it out with a built-in mesh");
     if (mesh->name && (o->albedo || o->gloss || o->mask))

@@ -17,8 +17,8 @@ enum mesh_way { MESH_BY_TABLES, MESH_EXACT, MESH_GOURAUD, MESH_DARK, MESH_POINT,
 extern uint32_t mesh_out[MESH_WIDTH * MESH_LINES / 2]; /* a strip, RGB565 */
 
 int mesh_begin(enum mesh_way way); /* the material; not counted */
-/* 0: the teapot as shipped; 1: split at 30 degrees; 2: as 0, with fewer places; 3: the bunny, of MESH_BUNNY; 4, 5: as 0
- * and 1, with smooth outlines. */
+/* 0: the teapot as shipped; 1: split at 30 degrees; 2: as 0, with fewer places; 3: the bunny, of MESH_BUNNY; 4: as 0, with
+ * smooth outlines. */
 int mesh_frame(unsigned which);
 int mesh_strip(unsigned y);
 /* Under points, in the place of mesh_strip: keeps the strip's normals, as they are drawn, and which pixels have one; not counted. Then draws

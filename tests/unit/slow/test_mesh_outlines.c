@@ -128,8 +128,10 @@ static struct mesh *boxes(void)
 {
     static const struct {
         double middle[3], half[3], turn;
-    } all[] = {{{0, 0, 0}, {.6, .12, .2}, .3},           {{0, .1, 0}, {.1, .65, .12}, .1},
-               {{.1, -.3, .1}, {.4, .25, .35}, -.5},     {{-.5, .4, 0}, {.015, .3, .2}, .6}, /* 3.4 pixels */
+    } all[] = {{{0, 0, 0}, {.6, .12, .2}, .3},
+               {{0, .1, 0}, {.1, .65, .12}, .1},
+               {{.1, -.3, .1}, {.4, .25, .35}, -.5},
+               {{-.5, .4, 0}, {.015, .3, .2}, .6}, /* 3.4 pixels */
                {{.5, .5, .1}, {.25, .004, .2}, .4} /* 0.9 */};
     struct mesh *mesh = mesh_empty(24 * 12, 12 * 12);
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
@@ -332,8 +334,9 @@ static void shade(const struct sight *sight, unsigned face, double x, double y, 
     const double f =
         nl > 0 ? fmin(1, glint_eval_t(GLINT_MSH, material.n, (uint32_t)fmin(4e9, t * 1073741824)) / 65536.) : 0;
     for (unsigned k = 0; k < 3; k++)
-        out[k] = fmin(255, material.albedo[k] * (material.ambient_q16[k] + material.diffuse_q16[k] * fmax(0, nl)) / 65536. +
-                               255 * f * material.specular_q16[k] / 65536.);
+        out[k] =
+            fmin(255, material.albedo[k] * (material.ambient_q16[k] + material.diffuse_q16[k] * fmax(0, nl)) / 65536. +
+                          255 * f * material.specular_q16[k] / 65536.);
 }
 
 struct error {
@@ -400,9 +403,10 @@ static void measure(const struct fitted *fitted, const char *name, double least_
     free(sight.work);
     for (int dark = 0; dark < 2; dark++) {
         const struct error *stepped = &errors[0][dark], *smooth = &errors[1][dark];
-        print_message("%s, %s ground: stepped %.2f dB (mean %.2f, at most %.0f), smooth %.2f dB (mean %.2f, at most %.0f)\n",
-                      name, dark ? "dark" : "light", decibels(stepped), stepped->sum / (double)stepped->count,
-                      stepped->most, decibels(smooth), smooth->sum / (double)smooth->count, smooth->most);
+        print_message(
+            "%s, %s ground: stepped %.2f dB (mean %.2f, at most %.0f), smooth %.2f dB (mean %.2f, at most %.0f)\n",
+            name, dark ? "dark" : "light", decibels(stepped), stepped->sum / (double)stepped->count, stepped->most,
+            decibels(smooth), smooth->sum / (double)smooth->count, smooth->most);
     }
     assert_true(decibels(&errors[1][0]) >= least_light);
     assert_true(decibels(&errors[1][1]) >= least_dark);
