@@ -226,33 +226,34 @@ static inline unsigned walk_part(const struct walk *walk, int32_t e)
 
 /* ---- Cells that faces leave out ---- */
 
-/* false: there is no room for all. */
+/* false: there may be no room for all. */
 static bool hide_edge(const struct glint_mesh_target *strip, struct glint_mesh_hidden *hidden,
                       const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b, const struct window *window)
 {
     struct walk walk;
     if (!walk_set(&walk, a, b, window))
         return true;
-    const int32_t least = walk.is_flat ? window->top : window->left,
-                  most = walk.is_flat ? window->bottom : window->right;
-    const uint32_t room = (uint32_t)(most - least), w = (uint32_t)strip->w;
-    const uint32_t along = walk.is_flat ? 1 : w, across = walk.is_flat ? w : 1;
-    uint32_t line = walk.is_flat ? (uint32_t)walk.at : (uint32_t)(walk.at - strip->y) * w;
-    unsigned count = hidden->count;
-    const int32_t origin = walk.is_flat ? strip->y : 0;
-    for (int32_t left = walk.end - walk.at, e = walk.e; left; left--, line += along, e += walk.step) {
-        const int32_t cell = e >> 16;
-        if ((uint32_t)(cell - least) >= room || (e & 0xff00) == 0)
+    const uint32_t w = (uint32_t)strip->w, least = (uint32_t)(walk.is_flat ? window->top : window->left),
+                   room = (uint32_t)(walk.is_flat ? window->bottom : window->right) - least,
+                   along = walk.is_flat ? 1 : w, across = walk.is_flat ? w : 1, count = hidden->count;
+    uint32_t *at = hidden->at + count, first;
+    uint16_t *depth = hidden->depth + count, *const depths = strip->depth;
+    int32_t left = walk.end - walk.at, e = walk.e;
+    if (count + (uint32_t)left > GLINT_MESH_HIDDEN)
+        return false;
+    first = walk.is_flat ? (uint32_t)walk.at + (least - (uint32_t)strip->y) * w
+                         : (uint32_t)(walk.at - strip->y) * w + least;
+    for (; left; left--, first += along, e += walk.step) {
+        const uint32_t cell = (uint32_t)(e >> 16) - least;
+        if (cell >= room || (e & 0xff00) == 0)
             continue;
-        if (count == GLINT_MESH_HIDDEN)
-            break;
-        const uint32_t at = line + (uint32_t)(cell - origin) * across;
-        hidden->at[count] = at;
-        hidden->depth[count++] = strip->depth[at];
-        strip->depth[at] = 0;
+        uint16_t *const place = depths + (first + cell * across);
+        *at++ = first + cell * across;
+        *depth++ = *place;
+        *place = 0;
     }
-    hidden->count = (uint16_t)count;
-    return count < GLINT_MESH_HIDDEN;
+    hidden->count = (uint16_t)(at - hidden->at);
+    return true;
 }
 
 /* Those of the face's outlines. */
@@ -270,8 +271,11 @@ static bool hide_outlines(const struct glint_mesh_target *strip, unsigned face, 
 void glint_mesh_show(const struct glint_mesh_target *strip)
 {
     struct glint_mesh_hidden *const hidden = strip->drawn->hidden;
-    for (unsigned i = hidden->count; i--;) /* a cell of two edges was hidden twice */
-        strip->depth[hidden->at[i]] = hidden->depth[i];
+    const uint32_t *at = hidden->at + hidden->count;
+    const uint16_t *depth = hidden->depth + hidden->count;
+    uint16_t *const depths = strip->depth;
+    while (at != hidden->at) /* a cell of two edges was hidden twice */
+        depths[*--at] = *--depth;
 }
 
 /* And those of its neighbours, which reach it where it is narrow. false: there was no room, and nothing is hidden. */
@@ -280,6 +284,8 @@ static bool hide(const struct glint_mesh_target *strip, unsigned face, const str
     const struct glint_mesh_drawn *drawn = strip->drawn;
     const uint16_t *const beside = drawn->mesh->neighbours + 3 * (size_t)face;
     drawn->hidden->count = 0;
+    if (window->left >= window->right || window->top >= window->bottom)
+        return true;
     bool fits = hide_outlines(strip, face, window);
     for (unsigned k = 0; fits && drawn->edges[face] & BESIDE && k < 3; k++)
         if (beside[k] < drawn->mesh->face_count && drawn->edges[beside[k]] & FRONT)
@@ -555,18 +561,38 @@ static void colour_blend(uint16_t *out, uint32_t pixel, uint32_t part, bool swap
     *out = (uint16_t)(swapped ? colour_swap(rgb) : rgb);
 }
 
-/* By COLOUR tables. */
+/* By COLOUR tables: what glint_mesh_cell_next finds, in one loop. */
 static void colour_cells(struct glint_mesh_cells *cells, const struct glint_paint *paint)
 {
     const struct glint_look look = glint_look_up(&paint->of.tables.filled);
-    const struct glint_surface *surface = cells->strip->surface;
+    const struct glint_mesh_target *const strip = cells->strip;
+    const struct walk *const walk = &cells->walk;
     const bool swapped = paint->output.format == GLINT_RGB565_SWAPPED;
-    struct glint_mesh_cell cell;
-    while (glint_mesh_cell_next(cells, &cell)) {
-        uint16_t pixel;
-        glint_look_store(&look, look.t_max - cell.t, cell.nl, &pixel);
-        colour_blend((uint16_t *)(void *)((uint8_t *)surface->pixels + surface->stride * cell.line) + cell.x, pixel,
-                     cell.part, swapped);
+    const uint32_t w = (uint32_t)strip->w, lines = (uint32_t)(strip->end - strip->y),
+                   least = walk->is_flat ? (uint32_t)strip->y : 0, room = walk->is_flat ? lines : w;
+    uint32_t z = cells->cell.z, nl = cells->cell.nl, back = look.t_max - cells->cell.t, dt = cells->cell.dt;
+    int32_t e = walk->e;
+    for (int32_t at = walk->at; at != walk->end; at++) {
+        const uint32_t cell = (uint32_t)(e >> 16) - least, x = walk->is_flat ? (uint32_t)at : cell,
+                       line = walk->is_flat ? cell : (uint32_t)(at - strip->y);
+        if (cell < room && (e & 0xff00) && z >> 16 < strip->depth[line * w + x]) {
+            unsigned part = walk_part(walk, e);
+            uint16_t pixel;
+            if (!cells->is_alone)
+                part = cells_shared(strip->drawn, cells->face, cells->k, (int32_t)x, (int32_t)line + strip->y, part);
+            if (part) {
+                uint16_t *out =
+                    (uint16_t *)(void *)((uint8_t *)strip->surface->pixels + strip->surface->stride * (ptrdiff_t)line) +
+                    x;
+                glint_look_store(&look, back, nl, &pixel);
+                colour_blend(out, pixel, part > 255 ? 255 : part, swapped);
+            }
+        }
+        e += walk->step;
+        z += cells->cell.dz;
+        nl += cells->cell.dnl;
+        back -= dt;
+        dt += cells->cell.ddt;
     }
 }
 
