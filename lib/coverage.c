@@ -1,8 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Coverage: pixels that are blended over what the buffer holds, as step 8 of sequence.md has it.
- *
- * In gamma space the level of a blended pixel is found as those of other pixels are (glint_pixel.h): V and the threshold, low by at
- * most W, and the level that the buffer holds are mixed in units of 2^(shift - 8). */
+ * Coverage: pixels that are blended over what the buffer holds, step 8 of sequence.md. */
 #include "glint_tables.h"
 
 #ifdef __GNUC__
@@ -16,15 +13,15 @@ typedef uint32_t coverage_word;
 /* Level k of pixel x of a line. */
 static uint32_t coverage_under(uint8_t format, const uint8_t *line, uint32_t x, unsigned k)
 {
-    const unsigned bytes = GLINT_FLASH_U8(glint_formats[format].bytes);
-    const uint8_t *at = line + bytes * x;
-    if (bytes == 2) {
+    const unsigned bits = GLINT_FLASH_U8(glint_formats[format].bits);
+    const uint8_t *at = line + (bits * x >> 3);
+    if (bits == 16) {
         const bool swapped = format == GLINT_RGB565_SWAPPED;
         const uint32_t pixel = (uint32_t)at[!swapped] << 8 | at[swapped];
         return k == 0 ? pixel >> 11 : k == 1 ? pixel >> 5 & 63 : pixel & 31;
     }
-    if (bytes == 0)
-        return line[x >> 3] >> (7 - (x & 7)) & 1;
+    if (bits < 8)
+        return (uint32_t)*at >> ((8 - bits) & ~(bits * x)) & ((1u << bits) - 1);
     return at[glint_format_is_blue_first(format) ? 2 - k : k];
 }
 
@@ -54,19 +51,35 @@ static uint8_t coverage_level(const struct glint_paint *paint, const struct glin
 
 /* ---- The same by 32 bits, in gamma space ----
  *
- * With T = V + threshold, low by less than W, and U = the buffer's level and the threshold, which is low by no more than T's (by
- * paint->of.exact.high), B = m T / 2^8 + (255 - m) U / 2^8 is low by less than 255 (W / 2^8 + 1), and B / 255 by less than 3 more. */
-#define COVERAGE_W(w) (((w) >> 8) + 6)
+ * With a = m / 255 a blended level is the upper bits of a V + (1 - a) q 2^shift + threshold. V is linear in N.L and F: these, and what V has
+ * without them, are scaled by a, rounded down. So the sum is low by no more than W and what that rounding takes; and V was high by no more
+ * than what thresholds lack for it (paint->of.exact.high). */
 
-/* B / 255; B <= 255 2^24 */
-static inline uint32_t coverage_by_255(uint32_t b)
+/* 1 - a in units of 2^-shift: low by < 2^(shift - 24) + 1. */
+static inline uint32_t coverage_rest(uint32_t m, unsigned shift)
 {
-    return (b + (b >> 8) + (b >> 16)) >> 8;
+    const uint32_t rest = (255 - m) * 0x10101; /* of 2^24 - 1 */
+    return shift < 24 ? rest >> (24 - shift) : rest << (shift - 24);
 }
 
-static inline uint32_t coverage_mix(uint32_t t, uint32_t m, uint32_t level, uint32_t threshold, unsigned shift)
+/* a x of any x, low by < 2^8 + 2^10. */
+static inline uint32_t coverage_part(uint32_t x, uint32_t m)
 {
-    return coverage_by_255(m * (t >> 8) + (255 - m) * ((level << (shift - 8)) + (threshold >> 8)));
+    const uint32_t b = (x >> 8) * m; /* < 255 2^24 */
+    return (b + (b >> 8) + (b >> 16)) >> 8 << 8;
+}
+
+/* What W grows by, for the largest factors: of N.L, which is low by < nl units, of F, and of what is without. */
+static uint32_t coverage_w(const struct glint_paint *p, const uint32_t of_nl[3], uint32_t nl, uint32_t f,
+                           uint32_t fixed)
+{
+    uint32_t most = 0, sum = 0;
+    for (unsigned k = 0; k < 3; k++) {
+        const uint32_t w = nl * of_nl[k] + f * p->of.exact.r[k] + fixed;
+        most = w > most ? w : most;
+        sum += w;
+    }
+    return (glint_format_is_grey(p->output.format) ? sum : most) + (255u << 5); /* 255 times what coverage_rest lacks */
 }
 
 /* Every format, maps, and channels apart: V as glint_levels_apart has it. */
@@ -76,34 +89,38 @@ static uint32_t coverage_any(const struct glint_paint *p, const struct glint_run
     const uint8_t format = p->output.format;
     const unsigned shift = (unsigned)p->of.exact.shift;
     const bool grey = glint_format_is_grey(format);
-    const uint32_t w = COVERAGE_W(p->of.exact.w_maps);
+    /* Factors of N.L and of what is without it come times 255 / 2^7; N.L and F are low by < 1 + 2^-6 */
+    uint32_t of_nl[3];
+    for (unsigned k = 0; k < 3; k++)
+        of_nl[k] = 2 * p->of.exact.diffuse[k];
+    const uint32_t w = p->of.exact.w_maps + coverage_w(p, of_nl, 2, 2, 2 * 5 << 8);
     const uint8_t *albedo = run->albedo ? run->albedo : p->material.albedo;
     uint32_t bias[4], open = 0;
     glint_levels_bias(bias, p, run);
     glint_levels_alpha(format, run, 0, count);
     for (unsigned i = 0; i < count; i++, albedo += run->albedo ? 3 : 0) {
         const struct glint_sample *sample = samples + i;
-        const uint32_t threshold = bias[i & 3] - grey, m = coverage_of(p, run, i);
-        uint32_t sum = threshold, undecided = 0;
+        const uint32_t m = coverage_of(p, run, i), rest = coverage_rest(m, shift), one = ((uint32_t)1 << shift) - rest;
+        uint32_t sum = bias[i & 3] - grey, undecided = 0;
         uint8_t levels[4];
         for (unsigned k = 0; k < 3; k++, sample += run->apart) {
-            const uint32_t most = (uint32_t)GLINT_FLASH_U8(glint_formats[format].max[k]) << shift;
-            const uint32_t f = run->gloss ? glint_by_255(sample->f_q16 * run->gloss[i]) : sample->f_q16;
-            uint32_t v = (albedo[k] * ((p->of.exact.ambient[k] + p->of.exact.diffuse[k] * sample->nl_q16) >> 7)) +
+            const uint32_t max = GLINT_FLASH_U8(glint_formats[format].max[k]);
+            const uint32_t nl = glint_by_255(sample->nl_q16 * m);
+            const uint32_t f =
+                glint_by_255((run->gloss ? glint_by_255(sample->f_q16 * run->gloss[i]) : sample->f_q16) * m);
+            uint32_t v = (albedo[k] * ((coverage_part(p->of.exact.ambient[k], m) + p->of.exact.diffuse[k] * nl) >> 7)) +
                          p->of.exact.r[k] * f;
+            v = sum + glint_levels_hold(v, grey ? (max * one >> 8) * glint_luma(k) : max * one);
             if (grey)
-                v = sum += glint_levels_hold(v, (most >> 8) * glint_luma(k));
-            else
-                v = glint_levels_hold(v, most) + sum;
+                sum = v;
             if (!grey || k == 2) {
                 const unsigned at = grey ? 0 : k;
-                const uint32_t c =
-                    coverage_mix(v, m, coverage_under(format, run->line, run->x + i, at), threshold, shift);
-                undecided |= c ^ (c + w);
-                levels[at] = (uint8_t)(c >> (shift - 8));
+                v += rest * coverage_under(format, run->line, run->x + i, at);
+                undecided |= v ^ (v + w);
+                levels[at] = (uint8_t)(v >> shift);
             }
         }
-        if (undecided >> (shift - 8))
+        if (undecided >> shift)
             open |= (uint32_t)1 << i;
         else
             glint_store_run(format, run->line, run->x + i, levels, 1, 0);
@@ -111,35 +128,49 @@ static uint32_t coverage_any(const struct glint_paint *p, const struct glint_run
     return open;
 }
 
-/* RGB565 without maps. */
+/* A channel's V, blended over a level, and its threshold. */
+GLINT_INLINE uint32_t coverage_channel(const struct glint_paint *p, unsigned k, const uint32_t fixed[3], uint32_t m_q16,
+                                       uint32_t nl, uint32_t f, uint32_t most)
+{
+    return glint_levels_hold(fixed[k] * m_q16 + p->of.exact.q[k] * nl + p->of.exact.r[k] * f, most);
+}
+
+/* RGB565 without maps, under one light: N.L <= 2^16, F < 33/32 2^16. With a of 2^16, low by a of a unit, N.L is low by < 2, F by < 3 1/16,
+ * what is without them by < 2^17; 1 - a by 255 2^-shift. */
 static uint32_t coverage_565(const struct glint_paint *p, const struct glint_run *run,
                              const struct glint_sample *sample, unsigned count)
 {
-    const unsigned shift = (unsigned)p->of.exact.shift;
-    const bool swapped = p->output.format == GLINT_RGB565_SWAPPED;
-    const uint32_t w = COVERAGE_W(p->of.exact.w), most = (uint32_t)31 << shift, most_green = (uint32_t)63 << shift;
+    const unsigned shift = (unsigned)p->of.exact.shift, swapped = p->output.format == GLINT_RGB565_SWAPPED;
+    const uint32_t unit = shift < 24 ? (uint32_t)0x10101 >> (24 - shift) : (uint32_t)0x10101 << (shift - 24);
+    const uint32_t w = p->of.exact.w + coverage_w(p, p->of.exact.q, 2, 4, 2 << 16) + (63 << 8);
     const uint8_t *coverage = run->coverage + run->x;
     uint8_t *out = run->line + 2 * run->x;
-    uint32_t bias[4], open = 0;
+    uint32_t bias[4], fixed[3], open = 0;
     glint_levels_bias(bias, p, run);
-    for (unsigned i = 0; i < count; i++, sample++, out += 2) {
-        const uint32_t threshold = bias[i & 3], m = coverage[i], adds = p->output.dither ? threshold : 0;
-        const uint32_t under = (uint32_t)out[!swapped] << 8 | out[swapped];
-        uint32_t v[3];
-        glint_levels_sum(v, p, p->of.exact.p, sample, NULL, NULL, false);
-        const uint32_t red =
-            coverage_mix(glint_levels_hold(v[0] + adds, most + threshold), m, under >> 11, threshold, shift);
-        const uint32_t green =
-            coverage_mix(glint_levels_hold(v[1] + adds, most_green + threshold), m, under >> 5 & 63, threshold, shift);
-        const uint32_t blue =
-            coverage_mix(glint_levels_hold(v[2] + adds, most + threshold), m, under & 31, threshold, shift);
-        if (((red ^ (red + w)) | (green ^ (green + w)) | (blue ^ (blue + w))) >> (shift - 8)) {
-            open |= (uint32_t)1 << i;
+    for (unsigned k = 0; k < 3; k++)
+        fixed[k] = (p->of.exact.p[k] - (p->output.dither ? 0 : bias[0])) >> 16;
+    const struct glint_sample *const first = sample, *const end = sample + count;
+    const uint32_t *threshold = bias;
+    for (; sample != end; sample++, out += 2) {
+        const uint32_t m = *coverage++, m_q16 = (m << 8) + m, rest = (255 - m) * unit, one = m * unit;
+        const uint32_t nl = sample->nl_q16 * m_q16 >> 16, f = sample->f_q16 * (m_q16 >> 1) >> 15;
+        const uint32_t under = (uint32_t)out[1 - swapped] << 8 | out[swapped];
+        uint32_t v = coverage_channel(p, 0, fixed, m_q16, nl, f, 31 * one) + rest * (under >> 11) + *threshold;
+        uint32_t undecided = v ^ (v + w), pixel = v >> shift << 6;
+        v = coverage_channel(p, 1, fixed, m_q16, nl, f, 63 * one) + rest * (under >> 5 & 63) + *threshold;
+        undecided |= v ^ (v + w);
+        pixel = (pixel | v >> shift) << 5;
+        v = coverage_channel(p, 2, fixed, m_q16, nl, f, 31 * one) + rest * (under & 31) + *threshold;
+        undecided |= v ^ (v + w);
+        pixel |= v >> shift;
+        if (undecided >> shift) {
+            open |= (uint32_t)1 << (sample - first);
         } else {
-            const uint32_t pixel = red >> (shift - 8) << 11 | green >> (shift - 8) << 5 | blue >> (shift - 8);
             out[swapped] = (uint8_t)pixel;
-            out[!swapped] = (uint8_t)(pixel >> 8);
+            out[1 - swapped] = (uint8_t)(pixel >> 8);
         }
+        if (++threshold == bias + 4)
+            threshold = bias;
     }
     return open;
 }
@@ -178,7 +209,7 @@ static const uint8_t *coverage_plain(const uint8_t *at, const uint8_t *stop)
 /* A run without maps or channels of their own, in RGB565? */
 static bool coverage_is_plain(const struct glint_paint *paint, const struct glint_run *run)
 {
-    return glint_format_is_565(paint->output.format) && !run->albedo && !run->gloss;
+    return glint_format_is_565(paint->output.format) && !run->albedo && !run->gloss && !paint->several;
 }
 
 /* Pixels side by side that are full, or that are not. */
@@ -315,6 +346,7 @@ static void coverage_edges(const struct glint_paint *paint, struct glint_lines *
                            uint32_t y)
 {
     const uint8_t *const coverage = lines->run.coverage, *const stop = coverage + lines->w;
+    lines->run.soft = lines->soft;
     for (const uint8_t *at = coverage; (at = coverage_plain(at, stop)) != stop;) {
         const uint8_t *end = at + 1;
         while (end != stop && end - at < (ptrdiff_t)GLINT_RUN && (uint8_t)(*end - 1) < 254)
@@ -323,6 +355,7 @@ static void coverage_edges(const struct glint_paint *paint, struct glint_lines *
         coverage_edge(paint, lines, bounds, (unsigned)(end - at), y);
         at = end;
     }
+    lines->run.soft = NULL;
 }
 
 const struct glint_use_coverage glint_use_coverage GLINT_FLASH = {coverage_levels, coverage_exact, coverage_level,

@@ -65,8 +65,8 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
         glint_samples_half(&paint->l, &paint->v, &paint->h, normals + x, &loop->sample, 1);
         glint_paint_exactly(paint, run, 0, &loop->sample);
     }
-    if (run->soft)
-        GLINT_FLASH_POINTER(run->soft->edges)(paint, lines, bounds, y);
+    if (lines->soft)
+        GLINT_FLASH_POINTER(lines->soft->edges)(paint, lines, bounds, y);
     if (loop->last) {
         glint_bounds_add(bounds, (uint32_t)(loop->first - run->line) / 2, y);
         glint_bounds_add(bounds, (uint32_t)(loop->last - run->line) / 2, y);

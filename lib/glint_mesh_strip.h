@@ -26,8 +26,8 @@ struct glint_mesh_bench {
         struct glint_mesh_over over;
     } of;
     union {
-        uint32_t aligned;
         uint8_t bytes[3 * GLINT_MESH_RUN];
+        uint32_t words[GLINT_MESH_RUN];
     } colours;
 };
 

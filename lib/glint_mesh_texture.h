@@ -26,7 +26,7 @@ struct glint_mesh_over {
     uint32_t base[2];
     /* Of the line at hand. */
     uint32_t now[3], step[3]; /* at pixel from; good up to pixel to - 1 */
-    uint32_t line[2];         /* the numerators at pixel left */
+    uint32_t line[3];         /* the numerators at pixel left; of fused loops the numbers at column x of a line */
     uint32_t z, dz;           /* at left */
     int32_t from, to, left, right;
     int32_t off[2]; /* at from */
@@ -36,8 +36,11 @@ struct glint_mesh_over {
 static inline const struct glint_texture *glint_mesh_texture_of(const struct glint_mesh_drawn *drawn,
                                                                 const struct glint_paint *paint)
 {
-    const struct glint_texture *textures = drawn->mesh->textures, *texture = textures + (paint - drawn->paints);
-    return textures && texture->pixels ? texture : NULL;
+    const struct glint_texture *texture = drawn->mesh->textures;
+    if (!texture)
+        return NULL;
+    texture += paint - drawn->paints;
+    return texture->pixels ? texture : NULL;
 }
 
 /* What a mesh uses for it, const. */
@@ -52,7 +55,58 @@ struct glint_use_mesh {
     /* Albedo of count pixels from x on, RGB888 or, aligned to 2, RGB565; x does not go back in a line. */
     void (*rgb888)(struct glint_mesh_over *over, int32_t x, uint8_t *out, unsigned count);
     void (*rgb565)(struct glint_mesh_over *over, int32_t x, uint8_t *out, unsigned count);
+    /* The part of the line after the one at hand. */
+    void (*next)(struct glint_mesh_over *over);
+    /* Fused, behind GLINT_FUSED, or NULL: a triangle's lines, set, by ALBEDO tables at even places. */
+    void (*lines)(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                  const struct glint_mesh_target *target, struct glint_mesh_over *over);
 };
+
+/* Pixels side by side on a line, GLINT_MESH_RUN of them at most, in two steps: their albedo as words of fields (glint_tables.h), then
+ * whether they are in front, their light, and their pixels. In assembly, too. */
+struct glint_mesh_shade {
+    uint32_t z, nl, back, dt; /* at the first one; back: t_max - t */
+    uint16_t *depth;
+    const uint16_t *end; /* of depth */
+    ptrdiff_t off;       /* bytes from a depth to its pixel */
+    const uint32_t *words;
+    uint32_t dz, dnl, ddt; /* of the triangle */
+    const uint8_t *levels; /* of the tables */
+    const uint32_t *sums;
+    uint32_t t_max, limit, shift, dark;
+};
+/* From the numbers at the first one. */
+void glint_mesh_words_nearest(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words,
+                              const uint32_t *end);
+void glint_mesh_words_smooth(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words,
+                             const uint32_t *end);
+void glint_mesh_words_colours(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words,
+                              const uint32_t *end);
+/* Dark ones are matt with nl below 0. */
+void glint_mesh_shade_matt(const struct glint_mesh_shade *shade);
+void glint_mesh_shade_glossy(const struct glint_mesh_shade *shade);
+void glint_mesh_shade_matt_swapped(const struct glint_mesh_shade *shade);
+void glint_mesh_shade_glossy_swapped(const struct glint_mesh_shade *shade);
+
+/* What is the same for a triangle's lines. */
+struct glint_mesh_albedo {
+    struct glint_mesh_shade shade;
+    void (*words)(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words, const uint32_t *end);
+    void (*pixels)(const struct glint_mesh_shade *shade);
+    uint32_t *memory;
+    bool is_glossy, is_swapped;
+};
+/* Lines of a part without perspective; a line of colours one of which is held. The former has a twin in assembly, which calls the latter. */
+void glint_mesh_albedo_part(struct glint_mesh_albedo *a, struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_part *part, const struct glint_mesh_target *target,
+                            struct glint_mesh_over *over);
+void glint_mesh_albedo_held(struct glint_mesh_albedo *a, const struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_target *target, struct glint_mesh_over *over, uint16_t *depth,
+                            int32_t from, int32_t to, int32_t y);
+
+/* fused_mesh.c */
+void glint_mesh_albedo(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                       const struct glint_mesh_target *target, struct glint_mesh_over *over);
 
 static inline uint16_t glint_mesh_texel(const struct glint_mesh_picture *picture, uint32_t at)
 {

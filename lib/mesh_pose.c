@@ -225,8 +225,7 @@ static struct glint_mesh_clipped clip_crossing(const struct glint_mesh_clipped *
         whole = (int32_t)all;
     }
     for (unsigned i = 0; i < 2; i++)
-        crossing.weight[i] =
-            whole ? (uint16_t)clip_between(in->weight[i], out->weight[i], part, whole) : in->weight[i];
+        crossing.weight[i] = whole ? (uint16_t)clip_between(in->weight[i], out->weight[i], part, whole) : in->weight[i];
     return crossing;
 }
 

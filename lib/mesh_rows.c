@@ -327,6 +327,21 @@ void glint_mesh_cells(const struct glint_paint *paint, struct glint_mesh_cells *
     rows_of(paint, triangle, target, cells);
 }
 
+/* By ALBEDO tables, where the fused loops can; they do colours and textures in one. */
+static bool rows_albedo(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                        const struct glint_mesh_target *target)
+{
+    const struct glint_use_mesh *const use = target->drawn->mesh->use;
+    if (!GLINT_FUSED || !use || glint_paint_is_exact(paint) || paint->of.tables.filled.kind != GLINT_TABLES_ALBEDO ||
+        GLINT_MISALIGNED(target->surface->pixels, 16) || GLINT_MISALIGNED(target->surface->stride, 16))
+        return false;
+    struct glint_mesh_over *const over = &((struct glint_mesh_bench *)target->frame->memory)->of.over;
+    GLINT_FLASH_POINTER(use->set)
+    (over, target, glint_mesh_face_of(triangle), glint_mesh_texture_of(target->drawn, paint));
+    GLINT_FLASH_POINTER(use->lines)(&paint->of.tables.filled, triangle, target, over);
+    return true;
+}
+
 void glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
                      const struct glint_mesh_target *target)
 {
@@ -334,6 +349,6 @@ void glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle
         glint_mesh_triangle_skip(triangle, target->y);
     if (glint_mesh_is_colour(paint, target))
         glint_mesh_colour(&paint->of.tables.filled, triangle, target);
-    else
+    else if (!rows_albedo(paint, triangle, target))
         rows_draw(paint, triangle, target);
 }

@@ -78,52 +78,73 @@ static void over_far(struct glint_mesh_over *over, unsigned k, const struct glin
     over->down[k] = (uint8_t)(33 - far.shift - of.shift); /* >= 16: shifts are at most 16 and 1 */
 }
 
+/* A corner's u and v, or red, green and blue. */
+static void over_corner(int16_t of[3], const struct glint_mesh *mesh, unsigned face, unsigned vertex, bool has_texture)
+{
+    if (has_texture) {
+        const uint16_t *uv = mesh->uv + 2 * (size_t)vertex;
+        of[0] = (int16_t)(uv[0] - 32768);
+        of[1] = (int16_t)(uv[1] - 32768);
+    } else {
+        const uint8_t *colour =
+            mesh->of_faces ? mesh->of_faces + 3 * (size_t)face : mesh->of_vertices + 3 * (size_t)vertex;
+        of[0] = colour[0];
+        of[1] = colour[1];
+        of[2] = colour[2];
+    }
+}
+
+/* 2^21 levels of 255. */
+static void over_colours(struct glint_mesh_over *over, const struct glint_mesh_slopes *slopes, int16_t of[3][3])
+{
+    over->count = 3;
+    for (unsigned k = 0; k < 3; k++) {
+        const int32_t one = k == 1 ? 518127 : 254952, first = of[0][k];
+        glint_mesh_linear_set(&over->of[k], slopes,
+                              glint_mesh_pair_of((of[1][k] - first) * one, (of[2][k] - first) * one), 0);
+        over->of[k].at += (uint32_t)(first * one + (1 << 20));
+    }
+}
+
 static void over_set(struct glint_mesh_over *over, const struct glint_mesh_target *target, unsigned face,
-                         const struct glint_texture *texture)
+                     const struct glint_texture *texture)
 {
     const struct glint_mesh *mesh = target->drawn->mesh;
     const uint16_t *const vertex = mesh->faces + 3 * (size_t)face;
     struct glint_mesh_corners corners;
     struct glint_mesh_slopes slopes;
-    struct glint_mesh_pair pair[2];
     int16_t of[3][3];
     glint_mesh_corners_of(&corners, target, face);
-    for (unsigned i = 0; i < 3; i++)
-        for (unsigned k = 0; k < 3; k++)
-            of[i][k] = texture ? (int16_t)(k < 2 ? (int32_t)mesh->uv[2 * (size_t)vertex[i] + k] - 32768 : 0)
-                       : mesh->of_faces ? (int16_t)mesh->of_faces[3 * (size_t)face + k]
-                                        : (int16_t)mesh->of_vertices[3 * (size_t)vertex[i] + k];
-    glint_mesh_corners_weigh(&corners, of);
-    glint_mesh_slopes_set(&slopes, corners.at[0], corners.at[1], corners.at[2]);
-    over->x = corners.at[0]->x >> 4;
-    over->y = glint_mesh_first(corners.at[0]->y);
+    over_corner(of[0], mesh, face, vertex[0], texture);
+    over_corner(of[1], mesh, face, vertex[1], texture);
+    over_corner(of[2], mesh, face, vertex[2], texture);
+    if (corners.clipped[0]) {
+        for (unsigned i = 0; texture && i < 3; i++)
+            of[i][2] = 0;
+        glint_mesh_corners_weigh(&corners, of);
+    }
+    const struct glint_mesh_vertex *const a = corners.at[0], *const b = corners.at[1], *const c = corners.at[2];
+    glint_mesh_slopes_set(&slopes, a, b, c);
+    over->x = a->x >> 4;
+    over->y = glint_mesh_first(a->y);
     over->is_far = false;
-    over->count = 3;
     if (!texture) {
-        for (unsigned k = 0; k < 3; k++) {
-            const int32_t one = k == 1 ? 518127 : 254952; /* 2^21 levels of 255 */
-            const int32_t first = of[0][k];
-            glint_mesh_linear_set(&over->of[k], &slopes,
-                                  glint_mesh_pair_of((of[1][k] - first) * one, (of[2][k] - first) * one), 0);
-            over->of[k].at += (uint32_t)(first * one + (1 << 20));
-        }
+        over_colours(over, &slopes, of);
         return;
     }
     const unsigned bits = mesh->uv_bits;
-    for (unsigned k = 0; k < 2; k++)
-        pair[k] = glint_mesh_pair_of(of[1][k] - of[0][k], of[2][k] - of[0][k]);
+    const struct glint_mesh_pair pair[2] = {glint_mesh_pair_of(of[1][0] - of[0][0], of[2][0] - of[0][0]),
+                                            glint_mesh_pair_of(of[1][1] - of[0][1], of[2][1] - of[0][1])};
     over_picture(&over->picture, texture,
-                 texture->levels < 2
-                     ? 0
-                     : over_level(texture, pair, bits,
-                                  0 - (uint32_t)glint_mesh_area(corners.at[0], corners.at[1], corners.at[2])));
+                 texture->levels < 2 ? 0 : over_level(texture, pair, bits, 0 - (uint32_t)glint_mesh_area(a, b, c)));
     over->is_smooth = texture->is_smooth;
     over->count = 2;
     over->is_far = target->frame->distance != 0;
     over->up = (uint8_t)(19 - bits);
     for (unsigned k = 0; k < 2; k++) {
-        const uint32_t half = texture->is_smooth ? UINT32_C(0x80000000) / (k ? over->picture.h : over->picture.w) : 0;
-        const uint32_t first = ((uint32_t)(of[0][k] + 32768) << (32 - bits)) - half;
+        uint32_t first = (uint32_t)(of[0][k] + 32768) << (32 - bits);
+        if (texture->is_smooth) /* the middle of the first texel */
+            first -= UINT32_C(0x80000000) / (k ? over->picture.h : over->picture.w);
         if (over->is_far) {
             over_far(over, k, &slopes, &corners, pair[k]);
             over->base[k] = first;
@@ -300,5 +321,5 @@ static void over_rgb565(struct glint_mesh_over *over, int32_t x, uint8_t *bytes,
     }
 }
 
-const struct glint_use_mesh glint_use_mesh_albedo GLINT_FLASH = {over_can, over_set, over_line, over_rgb888,
-                                                                 over_rgb565};
+const struct glint_use_mesh glint_use_mesh_albedo GLINT_FLASH = {
+    over_can, over_set, over_line, over_rgb888, over_rgb565, over_next, GLINT_TABLES_FUSED(glint_mesh_albedo)};

@@ -20,12 +20,18 @@ static struct glint_surface line_from(uint16_t x)
     return surface;
 }
 
+/* Is the line to be blended? */
+static bool is_soft(void)
+{
+    return bench_loop->pack == bench_soft_edges || bench_loop->pack == bench_soft_all;
+}
+
 /* The line's maps: albedo as the paint takes it. */
 static struct glint_maps maps_of(const struct glint_paint *paint, enum bench_map map)
 {
     const bool exact = paint->format != NULL;
     struct glint_maps maps = {.normals = bench_line.normals,
-                              .coverage = exact ? bench_line.mask : NULL,
+                              .coverage = exact || is_soft() ? bench_line.mask : NULL,
                               .albedo = exact && bench_loop->look.albedo ? bench_albedo[0] : NULL,
                               .albedo_format = GLINT_RGB888,
                               .gloss = bench_loop->look.gloss ? bench_gloss : NULL};
@@ -41,6 +47,7 @@ static struct glint_maps maps_of(const struct glint_paint *paint, enum bench_map
 #else
     (void)map;
 #endif
+    sphere_grain(&maps, &bench_loop->look, bench_gloss, 0);
     return maps;
 }
 
@@ -58,6 +65,22 @@ void bench_rect_by(const struct glint_paint *paint, enum bench_map map, struct g
 void bench_rect(void)
 {
     bench_rect_by(&bench_paint, (enum bench_map)bench_loop->map, NULL);
+}
+
+/* What is blended lies on what it is itself, so that the picture stays near the exact one. */
+void bench_soft_edges(void)
+{
+    static const uint8_t edge[] = {60, 200};
+    bench_rect();
+    for (int i = 0; i < 2 && 2 * i < bench_line.to - bench_line.from; i++)
+        bench_line.mask[bench_line.from + i] = bench_line.mask[bench_line.to - 1 - i] = edge[i];
+}
+
+void bench_soft_all(void)
+{
+    bench_rect();
+    for (int x = bench_line.from; x < bench_line.to; x++)
+        bench_line.mask[x] = (uint8_t)(1 + x % 254);
 }
 
 /* ---- spans: the line's by pieces of at most so many pixels ---- */

@@ -35,7 +35,7 @@ extern struct glint_paint bench_paint;
 #ifdef __AVR__
 enum { BENCH_TABLES = 0, BENCH_MEMORY = 3 * SPHERE_W };
 #else
-enum { BENCH_MEMORY = 128 * 1024, BENCH_TABLES = GLINT_TABLES_DITHER_BYTES /* the largest */ };
+enum { BENCH_MEMORY = 96 * 1024, BENCH_TABLES = GLINT_TABLES_DITHER_BYTES /* the largest */ };
 #endif
 extern uint32_t bench_memory[BENCH_MEMORY / 4];
 #define BENCH_AFTER_TABLES ((void *)(bench_memory + BENCH_TABLES / 4))
@@ -80,6 +80,8 @@ void bench_check(enum glint_err err);
 typedef void bench_step(void);
 /* exact_loops.c */
 bench_step exact_fill, bench_light, bench_rect, bench_span;
+/* As `pack`: two pixels at each end of the line are blended, or all. */
+bench_step bench_soft_edges, bench_soft_all;
 void bench_rect_by(const struct glint_paint *paint, enum bench_map map, struct glint_box *highlight);
 bench_step bench_spans_16, bench_spans_64; /* the line's spans, at bench_spans */
 #define bench_spans ((struct glint_span *)BENCH_AFTER_TABLES)
