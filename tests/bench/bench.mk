@@ -63,18 +63,18 @@ bench-programs: $(BENCH_ELFS) $(BENCH_MESH_ELFS) $(BENCH_SCENE)/scene.json $(BEN
 # The library, once for the two programs of a variant; one source at a time, since ccache knows only such compilations.
 BENCH_COMPILE = arm-none-eabi-gcc -std=c99 -mcpu=cortex-m0plus -mthumb $(BENCH_FLAGS_$*) -ffunction-sections -fdata-sections
 BENCH_LIB = $(patsubst lib/%,$(BENCH)/lib-$*/%,$(addsuffix .o,$(basename $(wildcard lib/*.c lib/*.S))))
-# Without what draws meshes, as all of it is in RAM.
-BENCH_LIB_NO_MESH = $(filter-out $(BENCH)/lib-$*/mesh% $(addprefix $(BENCH)/lib-$*/,fused_mesh.o $(addprefix \
-	cortex_m0plus_,mesh.o strip.o triangle.o pose.o)),$(BENCH_LIB))
 $(BENCH)/lib-%/done: $(wildcard lib/*) tests/bench/bench.mk
 	@rm -rf $(@D) && mkdir -p $(@D)
 	@cd $(@D) && for source in $(abspath $(wildcard lib/*.c lib/*.S)); do $(BENCH_COMPILE) -c $$source || exit 1; done
 	@touch $@
 .PRECIOUS: $(BENCH)/lib-%/done
+# What the program of loops has no room for.
+BENCH_OF_MESHES = $(addprefix %/,mesh.o mesh_across.o mesh_edges.o mesh_pose.o mesh_rows.o mesh_strip.o mesh_texture.o mesh_triangle.o fused_mesh.o \
+	cortex_m0plus_mesh.o cortex_m0plus_pose.o cortex_m0plus_strip.o cortex_m0plus_texture.o cortex_m0plus_triangle.o)
 
 $(BENCH)/m0plus-%.elf: $(BENCH)/lib-%/done $(BENCH_INPUTS) tests/bench/calibrate.S
 	@$(BENCH_COMPILE) $(BENCH_FLAGS) \
-		-nostartfiles -T tests/bench/m0plus.ld $(BENCH_LIB_NO_MESH) $(filter-out lib/%,$(BENCH_SOURCES)) tests/bench/calibrate.S -lm -o $@
+		-nostartfiles -T tests/bench/m0plus.ld $(filter-out $(BENCH_OF_MESHES),$(BENCH_LIB)) $(filter-out lib/%,$(BENCH_SOURCES)) tests/bench/calibrate.S -lm -o $@
 
 # Code and meshes are in RAM: what is not called is left out.
 BENCH_MESH_ROOTS = -Wl,--gc-sections $(addprefix -u ,mesh_begin mesh_frame mesh_strip mesh_memory_bytes mesh_normals mesh_rect \
