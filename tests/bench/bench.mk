@@ -69,7 +69,7 @@ $(BENCH)/lib-%/done: $(wildcard lib/*) tests/bench/bench.mk
 	@touch $@
 .PRECIOUS: $(BENCH)/lib-%/done
 # What the program of loops has no room for.
-BENCH_OF_MESHES = $(addprefix %/,mesh.o mesh_across.o mesh_edges.o mesh_pose.o mesh_rows.o mesh_strip.o mesh_texture.o mesh_triangle.o fused_mesh.o \
+BENCH_OF_MESHES = $(addprefix %/,mesh.o mesh_across.o mesh_edges.o mesh_edges.o mesh_pose.o mesh_rows.o mesh_strip.o mesh_texture.o mesh_triangle.o fused_mesh.o \
 	cortex_m0plus_mesh.o cortex_m0plus_pose.o cortex_m0plus_strip.o cortex_m0plus_texture.o cortex_m0plus_triangle.o)
 
 $(BENCH)/m0plus-%.elf: $(BENCH)/lib-%/done $(BENCH_INPUTS) tests/bench/calibrate.S
