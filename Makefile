@@ -37,6 +37,9 @@ WITH_MPI := $(call has,ompi-c)
 WITH_SVG := $(call has,librsvg-2.0)
 # Meshes are read by libassimp, which a child process loads: the number of its version is in the library's name.
 WITH_MESH := $(firstword $(subst ., ,$(shell pkg-config --modversion assimp 2>/dev/null)))
+# JPEG pictures for them are read by libjpeg.
+WITH_JPEG := $(call has,libjpeg)
+READ_LIBS = $(if $(WITH_JPEG),libjpeg)
 SINK_LIBS = $(if $(WITH_MPI),ompi-c) $(if $(WITH_USB),libusb-1.0) $(if $(WITH_GPIO),libgpiod inih) $(if $(WITH_TERMINAL),chafa)
 SINK_FLAGS = -DGLINT_WITH_USB=$(if $(WITH_USB),1,0) -DGLINT_WITH_GPIO=$(if $(WITH_GPIO),$(WITH_GPIO),0) \
 	-DGLINT_WITH_TERMINAL=$(if $(WITH_TERMINAL),1,0) -DGLINT_WITH_MPI=$(if $(WITH_MPI),1,0)
@@ -44,12 +47,12 @@ SINK_FLAGS = -DGLINT_WITH_USB=$(if $(WITH_USB),1,0) -DGLINT_WITH_GPIO=$(if $(WIT
 LEFT_OUT = host/page/% $(if $(WITH_USB),,host/sinks/usb/%) $(if $(WITH_TERMINAL),,host/sinks/terminal%) \
 	$(if $(WITH_GPIO),host/sinks/wires/chip_v$(if $(filter 1,$(WITH_GPIO)),2,1).c,host/sinks/wires/%)
 HOST_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ifirmware/core -Ihost $(OPENMP) \
-	$(SINK_FLAGS) -DGLINT_WITH_SVG=$(if $(WITH_SVG),1,0) -DGLINT_WITH_MESH=$(or $(WITH_MESH),0) $(HOST_INCLUDES) $(CFLAGS) $(SANITIZERS) $(HOST_MORE)
+	$(SINK_FLAGS) -DGLINT_WITH_SVG=$(if $(WITH_SVG),1,0) -DGLINT_WITH_MESH=$(or $(WITH_MESH),0) -DGLINT_WITH_JPEG=$(if $(WITH_JPEG),1,0) $(HOST_INCLUDES) $(CFLAGS) $(SANITIZERS) $(HOST_MORE)
 HOST_LDFLAGS = $(CFLAGS) $(SANITIZERS) $(OPENMP) $(LDFLAGS)
 HOST_LDLIBS = $(HOST_FOUND) -lm
 # Asked once a make, when first wanted.
-HOST_INCLUDES = $(eval HOST_INCLUDES := $$(shell pkg-config --cflags $(HOST_LIBS) $(SINK_LIBS) $(if $(WITH_SVG),librsvg-2.0) 2>/dev/null))$(HOST_INCLUDES)
-HOST_FOUND = $(eval HOST_FOUND := $$(shell pkg-config --libs $(HOST_LIBS) $(SINK_LIBS) 2>/dev/null))$(HOST_FOUND)
+HOST_INCLUDES = $(eval HOST_INCLUDES := $$(shell pkg-config --cflags $(HOST_LIBS) $(READ_LIBS) $(SINK_LIBS) $(if $(WITH_SVG),librsvg-2.0) 2>/dev/null))$(HOST_INCLUDES)
+HOST_FOUND = $(eval HOST_FOUND := $$(shell pkg-config --libs $(HOST_LIBS) $(READ_LIBS) $(SINK_LIBS) 2>/dev/null))$(HOST_FOUND)
 
 # What is built of what.
 LIB_OBJECTS = $(patsubst lib/%.c,$(BUILD)/lib/%.o,$(wildcard lib/*.c))
@@ -64,8 +67,9 @@ SUBMAKE = $(MAKE) --no-print-directory $(PARALLEL)
 
 # Debian packages of each set-up goal: NAME_PACKAGES is the one place of that fact; `make packages` prints them all.
 BUILD_PACKAGES = gcc libc6-dev make pkg-config libpng-dev libjansson-dev libqoi-dev liblz4-dev libusb-1.0-0-dev \
-	libgpiod-dev libinih-dev libchafa-dev libglib2.0-dev librsvg2-dev libassimp-dev
+	libgpiod-dev libinih-dev libchafa-dev libglib2.0-dev librsvg2-dev libassimp-dev libjpeg-dev
 DEMO_PACKAGES = chafa gnuplot-nox
+GALLERY_PACKAGES = python3-minimal
 
 all: $(BUILD)/libglint.a $(BUILD)/glint ## use: the library and the glint command, in build/host (after make setup)
 
@@ -120,6 +124,12 @@ run-demo: all
 	@chafa --size 80x30 build/demo/rockwall.png build/demo/watchface.png
 	@echo "demo: rockwall.png, watchface.png, coin.png and sphere.png are in build/demo"
 	@echo "demo: to tune them in a browser: make page, then open build/page/index.html"
+
+gallery: setup-build ## use: what it can draw, before and after, as it is and four times as large: build/gallery/index.html, needs python3 only
+	@.ci/need "the gallery" $(GALLERY_PACKAGES)
+	@+$(SUBMAKE) -s all
+	@tests/golden/gallery $(BUILD)/glint build/gallery
+	@echo "gallery: open build/gallery/index.html in a browser"
 
 # A page for glint and one for each command, from the tables of options behind --help.
 COMMAND_PAGES = $(patsubst host/commands/%.c,glint-%.1,$(wildcard host/commands/*.c))
@@ -247,7 +257,7 @@ clean: ## maintain: remove what was built
 	rm -rf build
 
 always:
-.PHONY: all always have-compiler dist dist-archives dist-two-files firmware setup setup-build setup-check test check missing check-format demo run-demo help packages clean install install-lib run-install-lib uninstall
+.PHONY: all always have-compiler dist dist-archives dist-two-files firmware setup setup-build setup-check test check missing check-format demo run-demo gallery help packages clean install install-lib run-install-lib uninstall
 .DEFAULT:
 	$(error there is no goal or file '$@'; 'make help' lists the goals)
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

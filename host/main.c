@@ -16,6 +16,7 @@
 #include "commands/commands.h"
 #include "image/svg.h"
 #include "mesh/import.h"
+#include "mesh/import_picture.h"
 #include "paper/ranks.h"
 #include "sinks/sinks.h"
 
@@ -42,10 +43,10 @@ enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 static void print_version(FILE *stream)
 {
     char *mpi = ranks_library();
-    const char *svg = svg_library(), *mesh = import_library();
-    fprintf(stream, "glint %s\nlibpng %s, liblz4 %s, jansson %s%s%s%s%s%s%s\nsinks:", GLINT_VERSION_STRING,
+    const char *svg = svg_library(), *mesh = import_library(), *jpeg = import_picture_library();
+    fprintf(stream, "glint %s\nlibpng %s, liblz4 %s, jansson %s%s%s%s%s%s%s%s%s\nsinks:", GLINT_VERSION_STRING,
             png_get_libpng_ver(NULL), LZ4_versionString(), JANSSON_VERSION, svg ? ", " : "", svg ? svg : "",
-            mesh ? ", " : "", mesh ? mesh : "", mpi ? ", " : "", mpi ? mpi : "");
+            mesh ? ", " : "", mesh ? mesh : "", jpeg ? ", " : "", jpeg ? jpeg : "", mpi ? ", " : "", mpi ? mpi : "");
     free(mpi);
     for (unsigned i = 0; sink_kinds[i]; i++) {
         char *library = sink_kinds[i]->library ? sink_kinds[i]->library() : NULL;
@@ -61,8 +62,12 @@ static void print_version(FILE *stream)
         fprintf(stream, "%sSVG", before);
         before = ", ";
     }
-    if (!mesh)
+    if (!mesh) {
         fprintf(stream, "%smesh files", before);
+        before = ", ";
+    }
+    if (!jpeg)
+        fprintf(stream, "%sJPEG", before);
     fputc('\n', stream);
 }
 

@@ -3,7 +3,7 @@
  * glint: specular shading with integers only. This header is the manual.
  *
  * ONE ANSWER. Every value is the correctly rounded value of the real function at the argument given: nearest, ties up,
- * in Q16.16, the same on every machine and compiler. (From t, powers and Gauss promise 0.501 ulp instead.)
+ * in Q16.16, the same on every machine and compiler. (From t, powers and both Gaussians promise 0.501 ulp instead.)
  *
  * Units        Q16.16: 1.0 = 65536.   Q2.30: 1.0 = 2^30.   Q1.15 in an int16_t: 1.0 = 32768, held as 32767.
  * Arguments    c: the cosine, N.H (V.R for Phong), Q16.16.   t = 1 - c, Q2.30. Prefer t: at n = 1000 one step of c moves a
@@ -64,25 +64,29 @@ enum glint_err {
 
 /* ---- The lobe: how bright the highlight is ------------------------------------------------------------------- */
 
-/* The models: functions of the cosine c and the shininess n. This list alone names them all. X(number, name, function, use): glint_FUNCTION
- * below does the model's work (lib/lobe_FUNCTION.c); use is own, or shared where the functions are another model's. */
+/* The models: functions of the cosine c and the shininess n. This list alone names them all. X(number, name, function, use, grain): glint_FUNCTION
+ * below does the model's work (lib/lobe_FUNCTION.c); use is own, or shared where the functions are another model's; grain is grained where
+ * a material may have n_across, else plain. */
 #define GLINT_MODELS(X)                                                                                                \
-    X(GLINT_MSH, msh, msh, own)             /* (5)  2c / (1.25 (n - nc + 1.25c)^2), modified Schlick; peak 1.024 */    \
-    X(GLINT_SCHLICK, schlick, schlick, own) /* (2)  c / (n - nc + c) */                                                \
-    X(GLINT_BLINN, blinn, blinn, own)       /* (1)  c^n, c = N.H */                                                    \
-    X(GLINT_PHONG, phong, blinn, shared)    /* (1)  c^n, c = V.R: the same power, other geometry */                    \
-    X(GLINT_GAUSS, gauss, gauss, own)       /* (1)  exp(-n x^2 / 2), x = acos c */                                     \
-    X(GLINT_CAYLEY, cayley, cayley, own)    /* ours: c^n for n <= 4, else r^4, r =                                  */ \
+    X(GLINT_MSH, msh, msh, own, grained) /* (5)  2c / (1.25 (n - nc + 1.25c)^2), modified Schlick; peak 1.024 */       \
+    X(GLINT_SCHLICK, schlick, schlick, own, grained) /* (2)  c / (n - nc + c) */                                       \
+    X(GLINT_BLINN, blinn, blinn, own, plain)         /* (1)  c^n, c = N.H */                                           \
+    X(GLINT_PHONG, phong, blinn, shared, plain)      /* (1)  c^n, c = V.R: the same power, other geometry */           \
+    X(GLINT_GAUSS, gauss, gauss, own, plain)         /* (1)  exp(-n x^2 / 2), x = acos c */                            \
+    X(GLINT_CAYLEY, cayley, cayley, own,                                                                               \
+      grained)                              /* ours: c^n for n <= 4, else r^4, r =                                  */ \
                                             /* max(0, 4(1+c) - n(1-c)) / (4(1+c) + n(1-c)) */                          \
-    X(GLINT_LYON, lyon, lyon, own)          /* Lyon 1993, gamma 4: max(0, 1 - n(1-c)/4)^4 */
+    X(GLINT_LYON, lyon, lyon, own, grained) /* Lyon 1993, gamma 4: max(0, 1 - n(1-c)/4)^4 */                           \
+    X(GLINT_GGX, ggx, ggx, own, grained)    /* 1 / (1 + n (1 - c^2) / 2)^2: at c = 0 more than 0, then a step to 0 */  \
+    X(GLINT_SG, sg, sg, own, plain)         /* the spherical Gaussian, exp(-n (1 - c)) */
 
 /* GLINT_MSH = 0, ... Stored as uint8_t in structs. */
-#define GLINT_MODEL_NUMBER(number, name, function, use) number,
-#define GLINT_MODEL_ONE(number, name, function, use) +1
+#define GLINT_MODEL_NUMBER(number, name, function, use, grain) number,
+#define GLINT_MODEL_ONE(number, name, function, use, grain) +1
 enum glint_model { GLINT_MODELS(GLINT_MODEL_NUMBER) };
 enum { GLINT_MODEL_COUNT = 0 GLINT_MODELS(GLINT_MODEL_ONE) };
 
-/* F in Q16.16, 0..67109. From c correctly rounded; from t correctly rounded, too, but for powers and Gauss, which
+/* F in Q16.16, 0..67109. From c correctly rounded; from t correctly rounded, too, but for powers, Gauss and SG, which
  * are within 0.501 ulp. Monotone: F never rises with t. Both agree where t is a multiple of 2^-16. */
 uint32_t glint_eval(enum glint_model model, uint32_t n, int32_t c_q16);
 uint32_t glint_eval_t(enum glint_model model, uint32_t n, uint32_t t_q30);
@@ -93,8 +97,8 @@ uint32_t glint_cutoff(enum glint_model model, uint32_t n, unsigned q);
 uint32_t glint_cutoff_t(enum glint_model model, uint32_t n, unsigned q);
 
 /* The same, one model a file, so that a program links only what it calls: glint_msh, glint_msh_t, glint_msh_cutoff,
- * glint_msh_cutoff_t, and so on for schlick, blinn, gauss, cayley and lyon. */
-#define GLINT_MODEL_FUNCTIONS(number, name, function, use)                                                             \
+ * glint_msh_cutoff_t, and so on for schlick, blinn, gauss, cayley, lyon, ggx and sg. */
+#define GLINT_MODEL_FUNCTIONS(number, name, function, use, grain)                                                      \
     uint32_t glint_##function(uint32_t n, int32_t c_q16);                                                              \
     uint32_t glint_##function##_t(uint32_t n, uint32_t t_q30);                                                         \
     uint32_t glint_##function##_cutoff(uint32_t n, unsigned q);                                                        \
@@ -224,8 +228,13 @@ struct glint_use_format;   /* one for each group of formats, const */
 struct glint_use_tables;   /* one for each kind of tables, const */
 struct glint_use_lights;   /* what sums several lights, const */
 struct glint_use_coverage; /* what blends soft edges, const */
-#define GLINT_MODEL_USE(number, name, function, use) extern const struct glint_use_model glint_use_##name;
-GLINT_MODELS(GLINT_MODEL_USE)                          /* glint_use_msh and so on */
+/* A model without a plain struct's name ending in _grain is an error with n_across: glint_use_msh_grain is what takes n_across. */
+#define GLINT_IF_grained(x) x
+#define GLINT_IF_plain(x)
+#define GLINT_MODEL_USE(number, name, function, use, grain)                                                            \
+    extern const struct glint_use_model glint_use_##name;                                                              \
+    GLINT_IF_##grain(extern const struct glint_use_model glint_use_##name##_grain;)
+GLINT_MODELS(GLINT_MODEL_USE)                          /* glint_use_msh, glint_use_msh_grain and so on */
 extern const struct glint_use_format glint_use_rgb565, /* gamma, both orders */
     glint_use_rgb888,                                  /* gamma: RGB888, BGR888, XRGB8888, ARGB8888 */
     glint_use_grey,                                    /* gamma: GREY8, GREY4, GREY2, MONO */
@@ -365,6 +374,10 @@ struct glint_vec glint_normals_unpack(enum glint_normals format, uint32_t word);
 /* Where a window of a map begins: at column x of line y. Its stride is the map's. */
 const void *glint_normals_window(enum glint_normals format, const void *map, ptrdiff_t stride, uint32_t x, uint32_t y);
 
+/* A map of shininess, a byte a pixel, is logarithmic: 25.6 codes an octave, n = 1 at 0, 996 at 255. And the code whose n is nearest. */
+uint32_t glint_shininess_n(uint8_t code);
+uint8_t glint_shininess_code(uint32_t n);
+
 /* Which way the grain runs, where a material has n_across. Stored as uint8_t. */
 enum glint_grain {
     GLINT_GRAIN_BRUSHED, /* one way over the whole surface */
@@ -430,6 +443,7 @@ struct glint_span {
     uint32_t t_q30, dt_q30, ddt_q30;
     int32_t nl_q30, dnl_q30;
     uint16_t w;
+    int16_t ends[2][2]; /* x and y of the first and the last normal; of grain alone */
 };
 /* From the normals of the first and last pixel, under the paint's light. The ends are exact to (w + 2) 2^-31, the middle to
  * (w^2 / 16 + w + 1) 2^-30. Subdivide where the normals are more than 20 degrees apart: between them N is not renormalised.

@@ -66,6 +66,24 @@ static inline uint32_t glint_power_round(uint64_t power)
     return (uint32_t)(((power >> 47) + 1) >> 1); /* Q0.64 -> Q16.16, nearest, ties up */
 }
 
+/* p^n in Q0.64 of a polynomial p, 0 <= p < 1, of 0 < t <= 1: coefficients in Q1.62, the constant first. */
+enum { GLINT_SERIES_DEGREE = 20 };
+uint64_t glint_series_power(const int64_t coefficient[GLINT_SERIES_DEGREE + 1], uint32_t n, uint32_t t_q30);
+
+extern const uint32_t glint_exp2_fractions[32]; /* GLINT_FLASH */
+
+/* 2^-(x / 2^27) in Q32 for x < 2^27, off by -32 .. 20: e^-z by three terms, z < 0.0217, and the third a little smaller, for
+ * the fourth. Its product is low by < 3; z^2 / 2, from 16 bits of z, is off by < 23. */
+static inline uint32_t glint_exp2_near(uint32_t x)
+{
+    const uint32_t d = x & 0x3fffff;
+    const uint32_t z = (d >> 6) * 45426 + ((d & 63) * 45426 >> 6) + (3 * d >> 11); /* d ln 2 in Q37 */
+    const uint32_t h = (z + 32768) >> 16, square = h * h;                          /* Q21, Q42 */
+    const uint32_t cube = (square >> 16) * (h * 10880 >> 16);                      /* a sixth of it, Q47 */
+    const uint32_t f = GLINT_FLASH_U32(glint_exp2_fractions[x >> 22]);
+    return f - glint_mulhi_near(f, (z >> 5) - (square >> 11) + (cube >> 15));
+}
+
 /* ---- the sRGB encoding in pieces: chords of one width from an entry of a table to the next ---- */
 
 /* The 32 chords of an octave: v with 32 <= v >> bits < 64 lies beyond entry[(v >> bits) - 32]. */

@@ -23,10 +23,14 @@ struct glint_texture {
         *pixels; /* line after line, v = 0 first: RGB565, machine's order, aligned to 2; or bytes, indices of palette */
     const uint16_t *palette; /* RGB565 of each index; NULL: pixels are RGB565 */
     uint16_t w, h;           /* 1..2048, any */
-    uint8_t
-        levels; /* pictures that follow one another in memory, each of half the width and height before (rounded down, at least 1): 1..12 */
+    /* Pictures that follow one another in memory, each of half the width and height before (rounded down, at least 1): 1..12. A triangle
+     * takes the first of less than two texels a pixel. */
+    uint8_t levels;
     bool is_smooth; /* bilinear; else the nearest pixel */
 };
+
+struct glint_use_mesh; /* const */
+extern const struct glint_use_mesh glint_use_mesh_albedo;
 
 /* Yours, const: it may lie in flash. */
 struct glint_mesh {
@@ -43,10 +47,14 @@ struct glint_mesh {
      * hold one albedo: give a mesh of a few colours a part, and tables, for each. */
     const uint8_t *of_vertices; /* red, green, blue of each; linear on the screen between them, as normals are */
     const uint8_t *of_faces;    /* red, green, blue of each */
-    /* Textures in place of the material's albedo: one for each part (a part without has pixels NULL), and u, v of each vertex. NULL: none. */
+    /* Textures in place of the material's albedo: one for each part (a part without has pixels NULL), and u, v of each vertex. NULL: none. Exact
+     * paints and ALBEDO tables take them; a mesh has textures or colours, not both. In perspective u and v are right at every eighth pixel of
+     * a line and linear between: off by at most d (sqrt(q) - 1) / (sqrt(q) + 1), where they change by d and nearness by q between two of these. */
     const struct glint_texture *textures;
     const uint16_t *uv; /* 1.0, a texture's width or height, is 2^uv_bits; v down */
     uint8_t uv_bits;    /* 8..15 */
+    /* &glint_use_mesh_albedo where there are textures, and for colours by ALBEDO tables, so that other programs do not link it; else NULL. */
+    const struct glint_use_mesh *use;
     /* Of each face the three beyond its edges (corners 0 to 1, 1 to 2, 2 to 0), for smooth outlines; GLINT_MESH_RIM: none there,
      * GLINT_MESH_SEAM: none, but no outline either. NULL: outlines are stepped. */
     const uint16_t *neighbours;
@@ -58,7 +66,8 @@ struct glint_mesh {
 #define GLINT_MESH_RIM 65535u
 #define GLINT_MESH_SEAM 65534u
 /* GLINT_ERR_ARG: NULL, no vertex, an index beyond them, more than GLINT_MESH_FACES_MAX faces, a normal of -128 in normals8, parts
- * that do not ascend to the last face, colours of both vertices and faces. The other functions do not look at indices: check a mesh once. */
+ * that do not ascend to the last face, colours of both vertices and faces; textures beside colours, without uv or use, of other sizes, levels or
+ * uv_bits than above, misaligned. The other functions do not look at indices or textures: check a mesh once. */
 enum glint_err glint_mesh_check(const struct glint_mesh *mesh);
 
 /* Where a mesh stands. */
@@ -118,7 +127,7 @@ enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint
  * Phong, normals are interpolated instead, and a pixel's place is that of the surface before projection. The viewer is distant, also under
  * perspective.
  * GLINT_ERR_ARG: NULL, too few bytes, misaligned, a paint of zeros or never lit, paints of different lights or formats, COLOUR tables and
- * colours of the mesh, ALBEDO tables and no colours, no room for lights. GLINT_ERR_VECTOR: a quaternion of 0. */
+ * colours of the mesh or a texture, ALBEDO tables and neither, either of them by ALBEDO tables or a texture without use, no room for lights. GLINT_ERR_VECTOR: a quaternion of 0. */
 size_t glint_mesh_bytes(const struct glint_mesh *mesh, uint16_t h);
 enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn,
                               const struct glint_mesh *mesh, const struct glint_pose *pose,

@@ -5,6 +5,7 @@
 
 #include "glint_mesh_pose.h"
 #include "glint_mesh_rows.h"
+#include "glint_mesh_texture.h"
 #include "glint_mesh.h"
 #include "glint_offsets.h"
 
@@ -18,12 +19,15 @@ struct glint_mesh_kept {
 struct glint_mesh_bench {
     struct glint_mesh_polygon polygon;
     struct glint_mesh_vertex vertex[3];
-    struct glint_mesh_kept face;     /* where no place is left, and of a face that is clipped */
-    uint8_t fan;                     /* of one that is clipped: vertex is the polygon's corners 0, fan - 1 and fan */
-    struct glint_mesh_across across; /* the mesh's colours over the triangle at hand, and those of a run */
+    struct glint_mesh_kept face; /* where no place is left, and of a face that is clipped */
+    uint8_t fan;                 /* of one that is clipped: vertex is the polygon's corners 0, fan - 1 and fan */
+    union {                      /* the mesh's colours or texture over the triangle at hand, and colours of a run */
+        struct glint_mesh_across across;
+        struct glint_mesh_over over;
+    } of;
     union {
-        uint32_t aligned;
         uint8_t bytes[3 * GLINT_MESH_RUN];
+        uint32_t words[GLINT_MESH_RUN];
     } colours;
 };
 

@@ -43,14 +43,86 @@ enum glint_mesh_shine glint_mesh_values_set(struct glint_mesh_values *values,
                                             const struct glint_mesh_corner *const corner[3], int32_t area,
                                             enum glint_mesh_shine shine, uint32_t t_end);
 
+/* 2^43 / m to nearest, nearly: 2^15..2^16, for m = 2^27..2^28 - 1 of which the lower bits may be cut. */
+uint32_t glint_mesh_inverse(uint32_t m);
+
 /* Zero bits above the highest of x, which is not 0. */
 static inline unsigned glint_mesh_zeros(uint32_t x)
 {
     return (unsigned)(sizeof(int) >= sizeof x ? __builtin_clz((unsigned)x) : __builtin_clzl(x));
 }
 
-/* 2^43 / m to nearest, nearly: 2^15..2^16, for m = 2^27..2^28 - 1 of which the lower bits may be cut. */
-uint32_t glint_mesh_inverse(uint32_t m);
+/* What is linear over a triangle, from corner a on: how u and v, the places in it, change a pixel, times 2^e; and, times 2^(e - 1), from the
+ * corner to the middle of pixel a.x >> 4 in the first line whose middle is at or below it. The triangle has an area. */
+struct glint_mesh_slopes {
+    int32_t ux, uy, vx, vy, u, v; /* < 2^15 */
+    int e;
+};
+#define GLINT_MESH_STEEP 12 /* where e is less, u or v change by 8 a pixel or more */
+void glint_mesh_slopes_set(struct glint_mesh_slopes *slopes, const struct glint_mesh_vertex *a,
+                           const struct glint_mesh_vertex *b, const struct glint_mesh_vertex *c);
+
+/* Two differences, to corners b and c, cut to 15 bits and a sign: p 2^shift, q 2^shift. */
+struct glint_mesh_pair {
+    int32_t p, q;
+    unsigned shift;
+};
+/* ---- Numbers of 15 bits ---- */
+
+/* Bits of x, 0 for 0. */
+static inline unsigned glint_mesh_bits(uint32_t x)
+{
+    return x ? 32u - glint_mesh_zeros(x) : 0;
+}
+
+/* |x| or one less. */
+static inline uint32_t glint_mesh_size(int32_t x)
+{
+    return (uint32_t)(x ^ (x >> 31));
+}
+
+/* r 2^-down to nearest, modulo 2^32. */
+static inline uint32_t glint_mesh_shift(int32_t r, int down)
+{
+    if (down <= 0)
+        return down > -32 ? (uint32_t)r << -down : 0;
+    if (down > 31)
+        return 0;
+    return (uint32_t)(((r >> (down - 1)) + 1) >> 1); /* |r| < 2^31 - 1, or down > 1 */
+}
+
+/* A pair that is multiplied by others, each of 15 bits. */
+static inline struct glint_mesh_pair glint_mesh_pair_of(int32_t p, int32_t q)
+{
+    const unsigned bits = glint_mesh_bits(glint_mesh_size(p) | glint_mesh_size(q)), shift = bits > 15 ? bits - 15 : 0;
+    const struct glint_mesh_pair pair = {p >> shift, q >> shift, shift};
+    return pair;
+}
+
+/* p u + q v, where u and v have e fraction bits, times 2^up: p, q from -2^15 to 2^15 - 1, u, v below 2^15. */
+static inline uint32_t glint_mesh_sum(struct glint_mesh_pair pair, int32_t u, int32_t v, int e, int up)
+{
+    return glint_mesh_shift(pair.p * u + pair.q * v, e - (int)pair.shift - up);
+}
+
+/* What they add to the number at a, at that pixel, and a pixel to the right or down; times 2^up, modulo 2^32. */
+struct glint_mesh_linear {
+    uint32_t at, x, y;
+};
+static inline void glint_mesh_linear_set(struct glint_mesh_linear *linear, const struct glint_mesh_slopes *s,
+                                         struct glint_mesh_pair pair, int up)
+{
+    if (s->e < GLINT_MESH_STEEP) { /* one for all of it: of the corners the mean, with the second one counted twice */
+        const int32_t sum = 2 * pair.p + pair.q;
+        const int left = up + (int)pair.shift - 2;
+        linear->at = left < 0 ? (uint32_t)(sum >> -left) : (uint32_t)sum << left;
+        linear->x = linear->y = 0;
+        return;
+    }
+    linear->at = glint_mesh_sum(pair, s->u, s->v, s->e - 1, up);
+    linear->x = glint_mesh_sum(pair, s->ux, s->vx, s->e, up);
+    linear->y = glint_mesh_sum(pair, s->uy, s->vy, s->e, up);
+}
 
 /* Which pixels a triangle covers, and their values line by line. */
 

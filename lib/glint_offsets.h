@@ -99,6 +99,12 @@
 #define GLINT_AT_MESH_FACES 12        /* faces, ends */
 #define GLINT_AT_MESH_VERTEX_COUNT 20 /* and of faces, of parts */
 
+#define GLINT_AT_OVER_PICTURE 44 /* pixels, palette, w, h */
+#define GLINT_AT_OVER_STEP 88
+#define GLINT_AT_SHADE_DZ 32     /* before it: z, nl, back, dt, depth, end, off, words; dz, dnl, ddt */
+#define GLINT_AT_SHADE_LEVELS 44 /* levels, sums, t_max, limit, shift */
+#define GLINT_AT_SHADE_DARK 64
+
 #define GLINT_MESH_NONE 0xffff /* no face */
 #define GLINT_MESH_BAND_LOG 4
 

@@ -206,6 +206,9 @@ void glint_paint_run(const struct glint_paint *paint, const struct glint_run *ru
 /* The same for sample i of the run, whose t and nl are those of *sample, by the 64-bit sequence. */
 void glint_paint_exactly(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
                          const struct glint_sample *sample);
+/* The same from exact nl and F. */
+void glint_paint_sums(const struct glint_paint *paint, const struct glint_run *run, unsigned i, uint32_t nl,
+                      uint32_t f);
 
 /* The brightest channel of the one light. */
 static inline uint32_t glint_paint_peak(const struct glint_paint *paint)
@@ -213,6 +216,14 @@ static inline uint32_t glint_paint_peak(const struct glint_paint *paint)
     const uint32_t *c = paint->color_q16;
     const uint32_t most = c[0] > c[1] ? c[0] : c[1];
     return most > c[2] ? most : c[2];
+}
+
+/* n_across where a material has grain, else 0. */
+static inline uint32_t glint_material_across(const struct glint_material *material)
+{
+    const uint32_t n = material->n < GLINT_N_MAX ? material->n : GLINT_N_MAX;
+    const uint32_t across = material->n_across < GLINT_N_MAX ? material->n_across : GLINT_N_MAX;
+    return across == n ? 0 : across;
 }
 
 /* Checks a material and an output. */

@@ -5,7 +5,7 @@
 
 /* g as a polynomial in t = 1 - c, Q1.62, off by < 2^-63 on 0..1; printed by tests/exact/gauss_coefficients.py. */
 /* clang-format off */
-static const int64_t gauss_coefficient[] GLINT_FLASH = {
+static const int64_t gauss_coefficient[GLINT_SERIES_DEGREE + 1] GLINT_FLASH = {
     INT64_C(4611686018427387904),
     INT64_C(-4611686018427387904),
     INT64_C(1537228672809129187),
@@ -29,32 +29,20 @@ static const int64_t gauss_coefficient[] GLINT_FLASH = {
     INT64_C(-164032749236),
 };
 /* clang-format on */
-enum { GAUSS_DEGREE = sizeof gauss_coefficient / sizeof *gauss_coefficient - 1 };
 
-/* g^n in Q0.64, 0 < t <= 1. Each Horner step truncates by < 2^-61 and is then multiplied by t <= 1: g is good to 2^-57,
- * g^n to 2^-48 = 2^-32 ulp. As g' <= -0.29 a step of t moves g by 2^-32 at the least: monotone. */
+/* g^n in Q0.64, 0 < t <= 1; g is good to 2^-57. As g' <= -0.29 a step of t moves g by 2^-32 at the least: monotone. */
 static uint64_t gauss_power(uint32_t n, uint32_t t)
 {
-    int64_t g = GLINT_FLASH_I64(gauss_coefficient[GAUSS_DEGREE]); /* |g| <= 1 */
-    for (int k = GAUSS_DEGREE - 1; k >= 0; k--)
-        g = GLINT_FLASH_I64(gauss_coefficient[k]) + (g >> 32) * (int64_t)t * 4 +
-            (int64_t)((uint64_t)(uint32_t)g * t >> 30);
-    return glint_power((uint64_t)g << 2, n);
+    return glint_series_power(gauss_coefficient, n, t);
 }
 
 /* ---- quickly: F = 2^-(n t b), b(t) = log2(e) acos(1 - t)^2 / (2 t), 1.44 .. 1.78 ---- */
 
-/* b in Q31, off by < 2^-24.2 of it on 0..1; only the coefficient of t^6 is negative. And 2^-(i / 32) in
- * Q32. Printed by tests/exact/gauss_near.py. */
+/* b in Q31, off by < 2^-24.2 of it on 0..1; only the coefficient of t^6 is negative. Printed by
+ * tests/exact/gauss_near.py. */
 /* clang-format off */
 static const uint32_t gauss_exponents[8] GLINT_FLASH = {
     3098163907, 516373763, 137426014, 46347971, 7983879, 21050881, 12874301, 7734345,
-};
-static const uint32_t gauss_fractions[32] GLINT_FLASH = {
-    4294967295, 4202935003, 4112874773, 4024744348, 3938502376, 3854108391, 3771522796, 3690706840,
-    3611622603, 3534232978, 3458501653, 3384393094, 3311872529, 3240905930, 3171459999, 3103502151,
-    3037000500, 2971923842, 2908241642, 2845924021, 2784941738, 2725266179, 2666869345, 2609723834,
-    2553802834, 2499080105, 2445529972, 2393127307, 2341847524, 2291666561, 2242560872, 2194507417,
 };
 /* clang-format on */
 
@@ -68,18 +56,6 @@ static inline uint32_t gauss_exponent(uint32_t t)
     for (int k = 4; k >= 0; k--)
         b = GLINT_FLASH_U32(gauss_exponents[k]) + glint_mulhi_near(b, x);
     return b;
-}
-
-/* 2^-(x / 2^27) in Q32 for x < 2^27, off by -32 .. 20: e^-z by three terms, z < 0.0217, and the third a little smaller, for
- * the fourth. Its product is low by < 3; z^2 / 2, from 16 bits of z, is off by < 23. */
-static inline uint32_t gauss_fraction(uint32_t x)
-{
-    const uint32_t d = x & 0x3fffff;
-    const uint32_t z = (d >> 6) * 45426 + ((d & 63) * 45426 >> 6) + (3 * d >> 11); /* d ln 2 in Q37 */
-    const uint32_t h = (z + 32768) >> 16, square = h * h;                          /* Q21, Q42 */
-    const uint32_t cube = (square >> 16) * (h * 10880 >> 16);                      /* a sixth of it, Q47 */
-    const uint32_t f = GLINT_FLASH_U32(gauss_fractions[x >> 22]);
-    return f - glint_mulhi_near(f, (z >> 5) - (square >> 11) + (cube >> 15));
 }
 
 enum { GAUSS_LOW = 7, GAUSS_HIGH = 9 };
@@ -100,7 +76,7 @@ __attribute__((noinline)) static uint32_t gauss_near_t(uint32_t n, uint32_t t)
     if (whole >= ((uint32_t)1 << 20) - 1024)
         return 0; /* n t > 15.98: 2^28 F < 31. Below, the sum stays under 2^32: n 2^14 < 1024 2^14 */
     const uint32_t x = glint_mulhi_near((whole << 12) + (n * (t & 0x3fff) >> 2), gauss_exponent(t)); /* Q27 */
-    return gauss_fraction(x & 0x7ffffff) >> 4 >> (x >> 27);
+    return glint_exp2_near(x & 0x7ffffff) >> 4 >> (x >> 27);
 }
 
 /* The normative sequence is gauss_power's; the quick form decides its rounding but for one t in 256. */
@@ -164,4 +140,4 @@ static void gauss_run(const struct glint_paint *paint, struct glint_sample *samp
 }
 
 const struct glint_use_model glint_use_gauss GLINT_FLASH = {
-    GLINT_GAUSS, 1, NULL, NULL, gauss_run, glint_gauss_t, glint_gauss_cutoff_t};
+    GLINT_GAUSS, 1, NULL, NULL, gauss_run, glint_gauss_t, glint_gauss_cutoff_t, NULL};

@@ -40,3 +40,23 @@ uint32_t glint_power_near(uint32_t x, uint32_t n)
     }
     return power;
 }
+
+/* Each Horner step truncates by < 2^-61 and is then multiplied by t <= 1: where |p| <= 1 and the steps are, too, p is good to 2^-57, p^n to
+ * 2^-48. */
+uint64_t glint_series_power(const int64_t coefficient[GLINT_SERIES_DEGREE + 1], uint32_t n, uint32_t t)
+{
+    int64_t p = GLINT_FLASH_I64(coefficient[GLINT_SERIES_DEGREE]);
+    for (int k = GLINT_SERIES_DEGREE - 1; k >= 0; k--)
+        p = GLINT_FLASH_I64(coefficient[k]) + (p >> 32) * (int64_t)t * 4 + (int64_t)((uint64_t)(uint32_t)p * t >> 30);
+    return glint_power((uint64_t)p << 2, n);
+}
+
+/* 2^-(i / 32) in Q32, the first held to 32 bits; printed by tests/exact/exponential.py. */
+/* clang-format off */
+const uint32_t glint_exp2_fractions[32] GLINT_FLASH = {
+    4294967295, 4202935003, 4112874773, 4024744348, 3938502376, 3854108391, 3771522796, 3690706840,
+    3611622603, 3534232978, 3458501653, 3384393094, 3311872529, 3240905930, 3171459999, 3103502151,
+    3037000500, 2971923842, 2908241642, 2845924021, 2784941738, 2725266179, 2666869345, 2609723834,
+    2553802834, 2499080105, 2445529972, 2393127307, 2341847524, 2291666561, 2242560872, 2194507417,
+};
+/* clang-format on */

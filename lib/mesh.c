@@ -3,6 +3,7 @@
 #include "glint_port.h"
 #include "glint_mesh_strip.h"
 #include "glint_mesh_pose.h"
+#include "glint_mesh_texture.h"
 #include "glint_tables.h"
 
 typedef char kept_fits[sizeof(struct glint_mesh_kept) <= GLINT_MESH_KEPT_BYTES ? 1 : -1];
@@ -24,7 +25,7 @@ enum glint_err glint_mesh_check(const struct glint_mesh *mesh)
             return GLINT_ERR_ARG;
     if (mesh->part_count && mesh->ends[mesh->part_count - 1] != mesh->face_count)
         return GLINT_ERR_ARG;
-    return GLINT_OK;
+    return !mesh->textures || (mesh->use && GLINT_FLASH_POINTER(mesh->use->can)(mesh)) ? GLINT_OK : GLINT_ERR_ARG;
 }
 
 /* More than an AVR can address is more than it can have. */
@@ -123,7 +124,13 @@ static bool mesh_can(struct glint_mesh_frame *frame, const struct glint_mesh *me
         if (!glint_paint_is_lit(paint) || !mesh_are_alike(paint, paints) ||
             paint->output.format != paints->output.format)
             return false;
-        if (!glint_paint_is_exact(paint) && coloured != (bool)GLINT_FLASH_U8(paint->of.tables.filled.use->takes_albedo))
+        if (glint_paint_is_exact(paint) && paint->material.n_across)
+            return false;
+        const bool has_albedo = coloured || (mesh->textures && mesh->textures[i].pixels);
+        if (!glint_paint_is_exact(paint) &&
+            has_albedo != (bool)GLINT_FLASH_U8(paint->of.tables.filled.use->takes_albedo))
+            return false;
+        if (has_albedo && !mesh->use && !(coloured && glint_paint_is_exact(paint)))
             return false;
         if (glint_mesh_is_lit(paint) && !mesh_light(frame))
             return false;

@@ -204,17 +204,28 @@ static int32_t clip_between(int32_t a, int32_t b, int32_t part, int32_t whole)
     return a + (int32_t)(x < 0 ? -((-x + whole - 1) / whole) : x / whole);
 }
 
+/* in_space: weights are to be linear in space, as textures are, and this is on the screen, where depth is 65535 - r: there it is part r_out of
+ * part r_out + (whole - part) r_in; both are halved until they fit. */
 static struct glint_mesh_clipped clip_crossing(const struct glint_mesh_clipped *in,
-                                               const struct glint_mesh_clipped *out, int32_t part, int32_t whole)
+                                               const struct glint_mesh_clipped *out, int32_t part, int32_t whole,
+                                               bool in_space)
 {
-    const struct glint_mesh_clipped crossing = {{clip_between(in->at.x, out->at.x, part, whole),
-                                                 clip_between(in->at.y, out->at.y, part, whole),
-                                                 clip_between(in->at.z, out->at.z, part, whole)},
-                                                {(int16_t)clip_between(in->normal.x, out->normal.x, part, whole),
-                                                 (int16_t)clip_between(in->normal.y, out->normal.y, part, whole),
-                                                 (int16_t)clip_between(in->normal.z, out->normal.z, part, whole)},
-                                                {(uint16_t)clip_between(in->weight[0], out->weight[0], part, whole),
-                                                 (uint16_t)clip_between(in->weight[1], out->weight[1], part, whole)}};
+    struct glint_mesh_clipped crossing = {{clip_between(in->at.x, out->at.x, part, whole),
+                                           clip_between(in->at.y, out->at.y, part, whole),
+                                           clip_between(in->at.z, out->at.z, part, whole)},
+                                          {(int16_t)clip_between(in->normal.x, out->normal.x, part, whole),
+                                           (int16_t)clip_between(in->normal.y, out->normal.y, part, whole),
+                                           (int16_t)clip_between(in->normal.z, out->normal.z, part, whole)},
+                                          {0, 0}};
+    if (in_space) {
+        int64_t near = (int64_t)part * (65535 - out->at.z), all = near + (int64_t)(whole - part) * (65535 - in->at.z);
+        for (; all >> 24; all >>= 1)
+            near >>= 1;
+        part = (int32_t)near;
+        whole = (int32_t)all;
+    }
+    for (unsigned i = 0; i < 2; i++)
+        crossing.weight[i] = whole ? (uint16_t)clip_between(in->weight[i], out->weight[i], part, whole) : in->weight[i];
     return crossing;
 }
 
@@ -238,7 +249,7 @@ static int32_t clip_inside(const struct glint_mesh_frame *frame, unsigned plane,
 /* From one list to the other. A convex polygon gains one corner at most; where rounding made it something
  * else, what exceeds the place for it is left out. */
 static unsigned clip_plane(struct glint_mesh_polygon *polygon, unsigned count, const struct glint_mesh_frame *frame,
-                           unsigned plane)
+                           unsigned plane, bool in_space)
 {
     const struct glint_mesh_clipped *from = polygon->list[polygon->now].corner;
     struct glint_mesh_clipped *to = polygon->list[1 - polygon->now].corner;
@@ -249,7 +260,8 @@ static unsigned clip_plane(struct glint_mesh_polygon *polygon, unsigned count, c
         if (a_in >= 0 && found < GLINT_MESH_POLYGON)
             to[found++] = *a;
         if ((a_in >= 0) != (b_in >= 0) && found < GLINT_MESH_POLYGON)
-            to[found++] = a_in >= 0 ? clip_crossing(a, b, a_in, a_in - b_in) : clip_crossing(b, a, b_in, b_in - a_in);
+            to[found++] = a_in >= 0 ? clip_crossing(a, b, a_in, a_in - b_in, in_space)
+                                    : clip_crossing(b, a, b_in, b_in - a_in, in_space);
     }
     polygon->now = (uint8_t)(1 - polygon->now);
     return found < 3 ? 0 : found;
@@ -268,12 +280,12 @@ unsigned glint_mesh_clip(struct glint_mesh_polygon *polygon, const struct glint_
         corner[i].weight[1] = i == 2 ? 32768 : 0;
     }
     if (frame->distance)
-        count = clip_plane(polygon, count, frame, GLINT_MESH_NEAR);
+        count = clip_plane(polygon, count, frame, GLINT_MESH_NEAR, false);
     corner = polygon->list[polygon->now].corner;
     for (unsigned i = 0; i < count; i++)
         corner[i].at = glint_mesh_project(frame, corner[i].at);
     for (unsigned plane = GLINT_MESH_LEFT; plane <= GLINT_MESH_BELOW && count; plane <<= 1)
-        count = clip_plane(polygon, count, frame, plane);
+        count = clip_plane(polygon, count, frame, plane, frame->distance && drawn->mesh->textures);
     return count;
 }
 

@@ -5,6 +5,7 @@
 #include "glint_math.h"
 #include "glint_mesh_pose.h"
 #include "glint_mesh_strip.h"
+#include "glint_mesh_texture.h"
 #include "glint_tables.h"
 
 /* So that what two functions hold is not on the stack together. */
@@ -79,7 +80,7 @@ static unsigned row_in_front(struct glint_mesh_row *row, unsigned most)
     return count;
 }
 
-/* ---- Colours of the mesh: run by run they become an albedo map ---- */
+/* ---- Colours of the mesh and textures: run by run they become an albedo map ---- */
 
 static bool colours_are(const struct glint_mesh *mesh)
 {
@@ -112,25 +113,6 @@ static void colours_get(const struct glint_mesh_across *across, int32_t x, int32
     for (const uint8_t *const end = out + 3 * count; out != end; out += 3)
         for (unsigned k = 0; k < 3; k++)
             out[k] = (uint8_t)glint_mesh_across_next(&across->of[k], &now[k]);
-}
-
-/* The nearest of 31 or 63 levels. x / 255 to nearest, x < 2^16, without a division. */
-static uint32_t colours_level(uint32_t colour, uint32_t most)
-{
-    const uint32_t x = colour * most + 128;
-    return (x + (x >> 8)) >> 8;
-}
-
-/* In RGB565, in their own place. */
-static void colours_pack(uint8_t *colours, unsigned count)
-{
-    uint16_t *const out = (uint16_t *)(void *)colours;
-    for (unsigned i = 0; i < count; i++) {
-        const uint8_t *colour = colours + 3 * i;
-        const uint32_t rgb =
-            colours_level(colour[0], 31) << 11 | colours_level(colour[1], 63) << 5 | colours_level(colour[2], 31);
-        out[i] = (uint16_t)rgb;
-    }
 }
 
 /* ---- From normals ---- */
@@ -260,12 +242,13 @@ ROWS_ALONE void rows_draw(const struct glint_paint *paint, struct glint_mesh_tri
     struct mesh_lit *const lit = glint_mesh_is_lit(paint) ? (struct mesh_lit *)target->frame->lit : NULL;
     struct glint_sample *const samples = target->samples;
     struct glint_raw *const raws = (struct glint_raw *)(void *)samples;
-    uint8_t *const colours = colours_are(target->drawn->mesh) ? bench->colours.bytes : NULL;
-    const bool exact = glint_paint_is_exact(paint);
+    const struct glint_texture *const texture = glint_mesh_texture_of(target->drawn, paint);
+    const bool exact = glint_paint_is_exact(paint), has_colours = colours_are(target->drawn->mesh);
+    const struct glint_use_mesh *const use = texture || (has_colours && !exact) ? target->drawn->mesh->use : NULL;
     struct glint_mesh_row row;
     struct glint_run *const run = &row.run;
     unsigned most = GLINT_MESH_RUN;
-    run->albedo = colours;
+    run->albedo = texture || has_colours ? bench->colours.bytes : NULL;
     run->gloss = run->coverage = NULL;
     run->apart = 0;
     run->soft = NULL;
@@ -273,13 +256,20 @@ ROWS_ALONE void rows_draw(const struct glint_paint *paint, struct glint_mesh_tri
         most = lit_begin(lit, paint, run);
         lit_normals(&lit->across, target, triangle);
     }
-    if (colours)
-        colours_set(&bench->across, target, triangle);
+    if (use)
+        GLINT_FLASH_POINTER(use->set)(&bench->of.over, target, glint_mesh_face_of(triangle), texture);
+    else if (run->albedo)
+        colours_set(&bench->of.across, target, triangle);
     while (row_next(&row, triangle, target)) {
         const int32_t line = triangle->y - 1; /* the picture's */
+        if (use)
+            GLINT_FLASH_POINTER(use->line)(&bench->of.over, line, (int32_t)run->x, (int32_t)row.end, row.z, row.dz);
         for (unsigned count; (count = row_in_front(&row, most)) != 0; run->x += count) {
-            if (colours)
-                colours_get(&bench->across, (int32_t)run->x, line, colours, count);
+            if (use)
+                (exact ? GLINT_FLASH_POINTER(use->rgb888) : GLINT_FLASH_POINTER(use->rgb565))(
+                    &bench->of.over, (int32_t)run->x, bench->colours.bytes, count);
+            else if (run->albedo)
+                colours_get(&bench->of.across, (int32_t)run->x, line, bench->colours.bytes, count);
             if (lit) {
                 lit_fill(lit, target->frame, &row, line, row.z - count * row.dz, count);
                 if (paint->several)
@@ -290,8 +280,6 @@ ROWS_ALONE void rows_draw(const struct glint_paint *paint, struct glint_mesh_tri
             } else if (exact) {
                 glint_samples_walk(&row.at, samples, count);
             } else {
-                if (colours)
-                    colours_pack(colours, count);
                 glint_raws_walk(&row.at, paint->of.tables.filled.t_max_q30, raws, count);
                 glint_tables_pixels(paint, run, raws, count);
             }
@@ -301,6 +289,21 @@ ROWS_ALONE void rows_draw(const struct glint_paint *paint, struct glint_mesh_tri
     }
 }
 
+/* By ALBEDO tables, where the fused loops can; they do colours and textures in one. */
+static bool rows_albedo(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                        const struct glint_mesh_target *target)
+{
+    const struct glint_use_mesh *const use = target->drawn->mesh->use;
+    if (!GLINT_FUSED || !use || glint_paint_is_exact(paint) || paint->of.tables.filled.kind != GLINT_TABLES_ALBEDO ||
+        GLINT_MISALIGNED(target->surface->pixels, 16) || GLINT_MISALIGNED(target->surface->stride, 16))
+        return false;
+    struct glint_mesh_over *const over = &((struct glint_mesh_bench *)target->frame->memory)->of.over;
+    GLINT_FLASH_POINTER(use->set)
+    (over, target, glint_mesh_face_of(triangle), glint_mesh_texture_of(target->drawn, paint));
+    GLINT_FLASH_POINTER(use->lines)(&paint->of.tables.filled, triangle, target, over);
+    return true;
+}
+
 void glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
                      const struct glint_mesh_target *target)
 {
@@ -308,6 +311,6 @@ void glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle
         glint_mesh_triangle_skip(triangle, target->y);
     if (glint_mesh_is_colour(paint, target))
         glint_mesh_colour(&paint->of.tables.filled, triangle, target);
-    else
+    else if (!rows_albedo(paint, triangle, target))
         rows_draw(paint, triangle, target);
 }

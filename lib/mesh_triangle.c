@@ -25,73 +25,29 @@ enum glint_mesh_shine glint_mesh_shine(const struct glint_mesh_corner corner[3],
     return gradient_beyond(a, b, c, t_end) >> 29 ? GLINT_MESH_MATT : GLINT_MESH_GLOSSY;
 }
 
-#if !GLINT_CORTEX_M0PLUS_ASM
-/* Bits of x, 0 for 0. */
-static inline unsigned gradient_bits(uint32_t x)
-{
-    return x ? 32u - glint_mesh_zeros(x) : 0;
-}
-
-/* |x| or one less. */
-static inline uint32_t gradient_size(int32_t x)
-{
-    return (uint32_t)(x ^ (x >> 31));
-}
-
 uint32_t glint_mesh_inverse(uint32_t m)
 {
     return (glint_reciprocal(m) + (1 << 14)) >> 15;
 }
 
-/* r 2^-down to nearest, modulo 2^32. */
-static uint32_t gradient_shift(int32_t r, int down)
-{
-    if (down <= 0)
-        return down > -32 ? (uint32_t)r << -down : 0;
-    if (down > 31)
-        return 0;
-    return (uint32_t)(((r >> (down - 1)) + 1) >> 1); /* |r| < 2^31 - 1, or down > 1 */
-}
-
-/* A pair that is multiplied by others, each of 15 bits: p 2^shift, q 2^shift. */
-struct pair {
-    int32_t p, q;
-    unsigned shift;
-};
-
-static struct pair gradient_pair(int32_t p, int32_t q)
-{
-    const unsigned bits = gradient_bits(gradient_size(p) | gradient_size(q)), shift = bits > 15 ? bits - 15 : 0;
-    const struct pair pair = {p >> shift, q >> shift, shift};
-    return pair;
-}
-
-/* p u + q v, where u and v have e fraction bits, times 2^up: p, q from -2^15 to 2^15 - 1, u, v below 2^15. */
-static uint32_t gradient_sum(struct pair pair, int32_t u, int32_t v, int e, int up)
-{
-    return gradient_shift(pair.p * u + pair.q * v, e - (int)pair.shift - up);
-}
-
-/* How u and v change a pixel, times 2^e; and, times 2^(e - 1), from the upper corner to the pixel. */
-struct slopes {
-    int32_t ux, uy, vx, vy, u, v; /* < 2^15 */
-    int e;
-};
-
-static struct slopes gradient_slopes(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b,
-                                     const struct glint_mesh_vertex *c, int32_t area)
+/* In each of the two that call it. */
+static inline __attribute__((always_inline)) struct glint_mesh_slopes gradient_slopes(const struct glint_mesh_vertex *a,
+                                                                                      const struct glint_mesh_vertex *b,
+                                                                                      const struct glint_mesh_vertex *c,
+                                                                                      int32_t area)
 {
     const int32_t x1 = b->x - a->x, y1 = b->y - a->y, x2 = c->x - a->x, y2 = c->y - a->y;
     const uint32_t size = area < 0 ? 0 - (uint32_t)area : (uint32_t)area;
     const unsigned left = glint_mesh_zeros(size);
     const int32_t inverse = (int32_t)glint_mesh_inverse(size << left >> 4), one = area < 0 ? -inverse : inverse;
     const int32_t ux = y2 * one, uy = -x2 * one, vx = -y1 * one, vy = x1 * one; /* <= (2^15 - 2) 2^16 < 2^31 */
-    const uint32_t most = gradient_size(ux) | gradient_size(uy) | gradient_size(vx) | gradient_size(vy);
+    const uint32_t most = glint_mesh_size(ux) | glint_mesh_size(uy) | glint_mesh_size(vx) | glint_mesh_size(vy);
     /* Room to round up. 17 bits or more: where no side is above 1, the inverse is 2^16. */
-    const unsigned down = gradient_bits(most + (most >> 14)) - 15;
+    const unsigned down = glint_mesh_bits(most + (most >> 14)) - 15;
     const int32_t half = (int32_t)1 << (down - 1);
-    struct slopes s = {(ux + half) >> down,       (uy + half) >> down, (vx + half) >> down, (vy + half) >> down, 0, 0,
-                       43 - (int)left - (int)down}; /* 16 / size = inverse 2^(left - 43) */
+    struct glint_mesh_slopes s = {
+        (ux + half) >> down,       (uy + half) >> down, (vx + half) >> down, (vy + half) >> down, 0, 0,
+        43 - (int)left - (int)down}; /* 16 / size = inverse 2^(left - 43) */
     /* -8..8 and 0..15 sixteenths of a pixel: < 2^15 (8 + 15) / 32 */
     const int32_t fx = 8 - (a->x & 15), fy = 16 * ((a->y + 7) >> 4) + 8 - a->y;
     s.u = (s.ux * fx + s.uy * fy + 16) >> 5;
@@ -99,32 +55,43 @@ static struct slopes gradient_slopes(const struct glint_mesh_vertex *a, const st
     return s;
 }
 
+/* ---- What is linear, for numbers that are not in glint_mesh_values ---- */
+
+void glint_mesh_slopes_set(struct glint_mesh_slopes *slopes, const struct glint_mesh_vertex *a,
+                           const struct glint_mesh_vertex *b, const struct glint_mesh_vertex *c)
+{
+    *slopes = gradient_slopes(a, b, c, glint_mesh_area(a, b, c));
+}
+
+#if !GLINT_CORTEX_M0PLUS_ASM
 /* t and its steps, from half the squares of the sides, Q29: P.P / 2, Q.Q / 2, R.R / 2 <= 2^29, R = Q - P. */
 static void values_t(struct glint_mesh_values *values, const struct glint_mesh_corner *const corner[3],
-                     const struct slopes *s, uint32_t pp, uint32_t qq, uint32_t rr)
+                     const struct glint_mesh_slopes *s, uint32_t pp, uint32_t qq, uint32_t rr)
 {
     const uint32_t t = corner[0]->v->t_q30, t0 = t / 2, t1 = corner[1]->v->t_q30 / 2, t2 = corner[2]->v->t_q30 / 2;
     const int32_t p2 = 2 * (int32_t)pp, q2 = 2 * (int32_t)qq, pq = (int32_t)(pp + qq - rr); /* |.| <= 2^30 */
     const int32_t dp = (int32_t)(t1 - t0 - pp), dq = (int32_t)(t2 - t0 - qq);               /* D.P at the corner, D.Q */
     /* P.P, Q.Q, P.Q of 15 bits, with one shift. */
-    const unsigned bits = gradient_bits((uint32_t)p2 | (uint32_t)q2 | gradient_size(pq)),
+    const unsigned bits = glint_mesh_bits((uint32_t)p2 | (uint32_t)q2 | glint_mesh_size(pq)),
                    down = bits > 15 ? bits - 15 : 0;
-    const struct pair to_p = {p2 >> down, pq >> down, down}, to_q = {pq >> down, q2 >> down, down};
+    const struct glint_mesh_pair to_p = {p2 >> down, pq >> down, down}, to_q = {pq >> down, q2 >> down, down};
     /* At the pixel. What t gains on the way is u, v times the mean of D.P, D.Q at both. */
-    const int32_t dp_here = (int32_t)((uint32_t)dp + gradient_sum(to_p, s->u, s->v, s->e - 1, 0));
-    const int32_t dq_here = (int32_t)((uint32_t)dq + gradient_sum(to_q, s->u, s->v, s->e - 1, 0));
-    const struct pair mean = gradient_pair((dp >> 1) + (dp_here >> 1), (dq >> 1) + (dq_here >> 1));
-    values->t = t + gradient_sum(mean, s->u, s->v, s->e - 1, 1);
+    const int32_t dp_here = (int32_t)((uint32_t)dp + glint_mesh_sum(to_p, s->u, s->v, s->e - 1, 0));
+    const int32_t dq_here = (int32_t)((uint32_t)dq + glint_mesh_sum(to_q, s->u, s->v, s->e - 1, 0));
+    const struct glint_mesh_pair mean = glint_mesh_pair_of((dp >> 1) + (dp_here >> 1), (dq >> 1) + (dq_here >> 1));
+    values->t = t + glint_mesh_sum(mean, s->u, s->v, s->e - 1, 1);
     /* The change a pixel of D.P, D.Q: P.Nx and so on, times 2^(e - down); cut once more. */
-    const struct pair x = gradient_pair(to_p.p * s->ux + to_p.q * s->vx, to_q.p * s->ux + to_q.q * s->vx);
-    const struct pair y = gradient_pair(to_p.p * s->uy + to_p.q * s->vy, to_q.p * s->uy + to_q.q * s->vy);
+    const struct glint_mesh_pair x =
+        glint_mesh_pair_of(to_p.p * s->ux + to_p.q * s->vx, to_q.p * s->ux + to_q.q * s->vx);
+    const struct glint_mesh_pair y =
+        glint_mesh_pair_of(to_p.p * s->uy + to_p.q * s->vy, to_q.p * s->uy + to_q.q * s->vy);
     const int e = 2 * s->e - (int)down;
-    values->txx = gradient_sum(x, s->ux, s->vx, e, 1);
-    values->txy = gradient_sum(x, s->uy, s->vy, e, 1);
-    values->tyy = gradient_sum(y, s->uy, s->vy, e, 1);
-    const struct pair d = gradient_pair(dp_here, dq_here);
-    values->tx = gradient_sum(d, s->ux, s->vx, s->e, 1) + values->txx / 2;
-    values->ty = gradient_sum(d, s->uy, s->vy, s->e, 1) + values->tyy / 2;
+    values->txx = glint_mesh_sum(x, s->ux, s->vx, e, 1);
+    values->txy = glint_mesh_sum(x, s->uy, s->vy, e, 1);
+    values->tyy = glint_mesh_sum(y, s->uy, s->vy, e, 1);
+    const struct glint_mesh_pair d = glint_mesh_pair_of(dp_here, dq_here);
+    values->tx = glint_mesh_sum(d, s->ux, s->vx, s->e, 1) + values->txx / 2;
+    values->ty = glint_mesh_sum(d, s->uy, s->vy, s->e, 1) + values->tyy / 2;
 }
 
 /* One light for all of it. */
@@ -140,7 +107,7 @@ static void values_flat(struct glint_mesh_values *values, const struct glint_mes
 struct linear {
     uint32_t at, x, y;
 };
-static inline struct linear values_linear(const struct slopes *s, int32_t p, int32_t q)
+static inline struct linear values_linear(const struct glint_mesh_slopes *s, int32_t p, int32_t q)
 {
     const int up = s->e < 18 ? 18 - s->e : 0, down = s->e > 17 ? s->e - 17 : 0; /* 12 <= e <= 42 */
     const struct linear linear = {(uint32_t)((p * s->u + q * s->v) >> (down ? down - 1 : 0)) << up,
@@ -154,9 +121,9 @@ enum glint_mesh_shine glint_mesh_values_set(struct glint_mesh_values *values,
                                             enum glint_mesh_shine shine, uint32_t t_end)
 {
     const struct glint_mesh_vertex *a = corner[0]->v, *b = corner[1]->v, *c = corner[2]->v;
-    const struct slopes s = gradient_slopes(a, b, c, area);
+    const struct glint_mesh_slopes s = gradient_slopes(a, b, c, area);
     /* Where u or v change by 8 a pixel or more, a value beyond the corners' might be met. */
-    const bool is_steep = s.e < 12;
+    const bool is_steep = s.e < GLINT_MESH_STEEP;
     bool is_flat = is_steep;
     uint32_t pp = 0, qq = 0, rr = 0;
     values->x = a->x >> 4;

@@ -121,4 +121,29 @@ typedef char glint_vertex_layout[AT(x, 0) && AT(y, 2) && AT(z, 4) && AT(out, 6) 
                                      ? 1
                                      : -1];
 #undef AT
+#define AT(type, field, offset) (offsetof(struct type, field) == (offset))
+typedef char glint_over_layout
+    [AT(glint_mesh_over, picture, GLINT_AT_OVER_PICTURE) && AT(glint_mesh_over, step, GLINT_AT_OVER_STEP) &&
+             offsetof(struct glint_mesh_picture, pixels) == 0 && offsetof(struct glint_mesh_picture, palette) == 4 &&
+             offsetof(struct glint_mesh_picture, w) == 8 && offsetof(struct glint_mesh_picture, h) == 12 &&
+             AT(glint_mesh_shade, z, 0) && AT(glint_mesh_shade, nl, 4) && AT(glint_mesh_shade, back, 8) &&
+             AT(glint_mesh_shade, dt, 12) && AT(glint_mesh_shade, depth, 16) && AT(glint_mesh_shade, end, 20) &&
+             AT(glint_mesh_shade, off, 24) && AT(glint_mesh_shade, words, 28) &&
+             AT(glint_mesh_shade, dz, GLINT_AT_SHADE_DZ) && AT(glint_mesh_shade, dnl, GLINT_AT_SHADE_DZ + 4) &&
+             AT(glint_mesh_shade, ddt, GLINT_AT_SHADE_DZ + 8) && AT(glint_mesh_shade, levels, GLINT_AT_SHADE_LEVELS) &&
+             AT(glint_mesh_shade, sums, GLINT_AT_SHADE_LEVELS + 4) &&
+             AT(glint_mesh_shade, t_max, GLINT_AT_SHADE_LEVELS + 8) &&
+             AT(glint_mesh_shade, limit, GLINT_AT_SHADE_LEVELS + 12) &&
+             AT(glint_mesh_shade, shift, GLINT_AT_SHADE_LEVELS + 16) &&
+             AT(glint_mesh_shade, dark, GLINT_AT_SHADE_DARK) && AT(glint_mesh_over, of, 0) &&
+             AT(glint_mesh_over, x, GLINT_AT_OVER_PICTURE - 8) &&
+             AT(glint_mesh_over, count, GLINT_AT_OVER_PICTURE + 16) &&
+             AT(glint_mesh_over, is_smooth, GLINT_AT_OVER_PICTURE + 17) &&
+             AT(glint_mesh_over, line, GLINT_AT_OVER_STEP + 12) &&
+             AT(glint_mesh_albedo, memory, GLINT_AT_SHADE_DARK + 12) &&
+             AT(glint_mesh_albedo, is_glossy, GLINT_AT_SHADE_DARK + 16) &&
+             AT(glint_mesh_albedo, is_swapped, GLINT_AT_SHADE_DARK + 17)
+         ? 1
+         : -1];
+#undef AT
 #endif

@@ -76,8 +76,14 @@ static void add_picture(const struct glint_mesh *mesh, const struct glint_pose *
 void conform_mesh(unsigned kind, const struct conform_look *look, uint8_t stride)
 {
     struct glint_pose pose;
-    const struct glint_mesh mesh = {places, normals,           NULL,          faces, NULL, VERTICES, FACES,
-                                    0,      look->of_vertices, look->of_faces};
+    const struct glint_mesh mesh = {.places = places,
+                                    .normals = normals,
+                                    .faces = faces,
+                                    .vertex_count = VERTICES,
+                                    .face_count = FACES,
+                                    .of_vertices = look->of_vertices,
+                                    .of_faces = look->of_faces,
+                                    .use = &glint_use_mesh_albedo};
     random_mesh(&pose, kind, &look->h);
     const uint32_t distance = conform_random_bits() % 1000;
     add_picture(&mesh, &pose, look, (uint16_t)(kind % 3 ? distance : 0), stride);

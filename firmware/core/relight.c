@@ -12,6 +12,11 @@ static bool is_surface(uint32_t word)
     return word >> 16 != 0;
 }
 
+static const uint8_t *coverage_line(const struct relight *relight, uint16_t y)
+{
+    return relight->coverage ? relight->coverage + (size_t)y * relight->panel->width : NULL;
+}
+
 static struct relight_extent find_extent(const uint32_t *words, uint16_t w, bool *has_gaps)
 {
     uint16_t first = w, end = 0;
@@ -23,8 +28,27 @@ static struct relight_extent find_extent(const uint32_t *words, uint16_t w, bool
         first = first < x ? first : x;
         end = (uint16_t)(x + 1);
     }
-    const struct relight_extent none = {0, 0}, extent = {first, (uint16_t)(end - first)};
-    return end ? extent : none;
+    const uint16_t count = end ? (uint16_t)(end - first) : 0;
+    const struct relight_extent extent = {first, count, first, count};
+    return extent;
+}
+
+/* Gaps are no soft edges: a rectangle skips them. */
+static bool find_solid(struct relight_extent *extent, const uint8_t *coverage)
+{
+    uint16_t run = 0;
+    bool is_soft = false;
+    extent->solid_count = 0;
+    for (uint16_t x = extent->first; x < extent->first + extent->count; x++) {
+        const bool is_edge = coverage[x] != 0 && coverage[x] != 255;
+        is_soft = is_soft || is_edge;
+        run = is_edge ? 0 : (uint16_t)(run + 1);
+        if (run > extent->solid_count) {
+            extent->solid = (uint16_t)(x + 1 - run);
+            extent->solid_count = run;
+        }
+    }
+    return is_soft;
 }
 
 void relight_start(struct relight *relight)
@@ -36,8 +60,11 @@ void relight_start(struct relight *relight)
     relight->buffer = 0;
     for (unsigned part = 0; part < 2; part++)
         relight->maps[part].normals_format = GLINT_NORMALS_INT8;
-    for (uint16_t y = 0; y < relight->panel->height; y++)
+    for (uint16_t y = 0; y < relight->panel->height; y++) {
         relight->extents[y] = find_extent(map_line(relight, y), relight->panel->width, &relight->has_gaps);
+        if (relight->coverage && find_solid(&relight->extents[y], coverage_line(relight, y)))
+            relight->has_gaps = true; /* the background shines through */
+    }
 }
 
 static void fetch(const struct relight *relight, uint16_t y, unsigned buffer)
@@ -72,6 +99,29 @@ enum glint_err relight_frame(struct relight *relight, const int32_t to_light[3])
     return GLINT_OK;
 }
 
+/* Pixels of the line that are drawn at once: first..end - 1. */
+struct run {
+    unsigned first, end;
+    const uint8_t *coverage; /* of the line, or NULL */
+};
+
+/* What of it lies in first..end - 1. */
+static void shade_run(struct relight *relight, struct glint_maps *maps, const struct run *run, unsigned first,
+                      unsigned end)
+{
+    const uint16_t y = relight->line;
+    first = first > run->first ? first : run->first;
+    end = end < run->end ? end : run->end;
+    if (first >= end)
+        return;
+    const unsigned extent_first = relight->extents[y].first;
+    maps->normals =
+        relight->normals[0] ? relight->normals[relight->buffer] + (first - extent_first) : map_line(relight, y) + first;
+    const struct glint_surface surface = {relight->pixels[relight->buffer] + first, 0, (uint16_t)first, y};
+    maps->coverage = run->coverage ? run->coverage + first : NULL;
+    glint_draw_rect(relight->paint, maps, (uint16_t)(end - first), 1, &surface, NULL);
+}
+
 /* Pixels first..end - 1 of the line; nothing else is written. */
 static void shade_part(struct relight *relight, struct glint_maps *maps, unsigned first, unsigned end)
 {
@@ -81,15 +131,13 @@ static void shade_part(struct relight *relight, struct glint_maps *maps, unsigne
     if (relight->has_gaps)
         for (unsigned x = first; x < end; x++)
             pixels[x] = relight->background;
-    const unsigned extent_end = extent.first + extent.count;
-    first = first > extent.first ? first : extent.first;
-    end = end < extent_end ? end : extent_end;
-    if (first >= end)
-        return;
-    maps->normals =
-        relight->normals[0] ? relight->normals[relight->buffer] + (first - extent.first) : map_line(relight, y) + first;
-    const struct glint_surface surface = {pixels + first, 0, (uint16_t)first, y};
-    glint_draw_rect(relight->paint, maps, (uint16_t)(end - first), 1, &surface, NULL);
+    const uint8_t *coverage = coverage_line(relight, y);
+    const unsigned solid_end = extent.solid + extent.solid_count;
+    const struct run runs[] = {{extent.solid, solid_end, NULL},
+                               {extent.first, extent.solid, coverage},
+                               {solid_end, extent.first + extent.count, coverage}};
+    for (unsigned i = 0; i < sizeof runs / sizeof *runs; i++)
+        shade_run(relight, maps, &runs[i], first, end);
 }
 
 static unsigned middle(const struct relight *relight)

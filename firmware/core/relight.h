@@ -8,9 +8,9 @@
 #include "glint.h"
 #include "hal.h"
 
-/* The part of a line that has a surface. */
+/* The part of a line that has a surface, and the longest part of that without soft edges: it is drawn without coverage, faster. */
 struct relight_extent {
-    uint16_t first, count;
+    uint16_t first, count, solid, solid_count;
 };
 
 struct relight {
@@ -18,7 +18,8 @@ struct relight {
     const struct hal *hal;
     const struct panel *panel;
     const uint32_t *map;            /* GLINT_NORMALS_INT8, as large as the panel */
-    uint16_t background;            /* the pixel where there is no surface */
+    const uint8_t *coverage;        /* of each pixel of the map, lines without gaps; NULL: 255 */
+    uint16_t background;            /* the pixel where there is no surface, and behind soft edges */
     struct glint_paint *paint;      /* of RGB565; each frame lights it. Between frames it may become another */
     uint16_t *pixels[2];            /* a line each */
     uint32_t *normals[2];           /* a line each; NULL: the map is in RAM */

@@ -83,14 +83,23 @@ static const char doc[] =
     "address beyond the program's "
     "last one.\n"
     "Of a mesh, FILE.c defines the struct glint_mesh NAME and NAME_materials, a struct glint_material for each of its "
-    "parts (q = 0: what the output needs), and where its vertices have colours of_vertices; FILE.h has the macros "
-    "NAME_VERTICES, NAME_FACES and NAME_PARTS. Raw has four numbers of 16 bits (vertices, "
-    "triangles, parts, bytes of a normal's number, and 256 more with colours of vertices), then x, y, z of each vertex "
+    "parts (q = 0: what the output needs), where its vertices have colours of_vertices, and where it has textures "
+    "these, with each vertex's u and v; FILE.h has "
+    "the macros NAME_VERTICES, NAME_FACES and NAME_PARTS. Raw has four numbers of 16 bits (vertices, "
+    "triangles, parts, bytes of a normal's number, and 256 more with colours of vertices, 1024 with textures), then x, "
+    "y, z of each vertex "
     "in 16 bits, its normal, a 0 where "
     "these are an odd number of bytes, three vertices of each triangle and the triangle each part ends before in 16 "
-    "bits, and of each part red, green, blue and 1 where it is unlit, and the vertices' red, green, blue. Its quality "
+    "bits, and of each part red, green, blue and 1 where it is unlit, and the vertices' red, green, blue. Textures "
+    "follow, all in 16 bits but for what is said, "
+    "after a 0 where that many bytes are odd: uv_bits and the number of pictures; u and v of each vertex; of each part "
+    "its picture's number "
+    "from 1 on, or 0, and 1 where it is smooth; of each picture its width, height, levels and the number of its "
+    "palette's colours, these, and the "
+    "pixels of all levels, in 8 bits where there is a palette, and then a 0 where they are an odd number. A mesh's "
+    "quality "
     "is that of whole pictures of 240x240 "
-    "from three sides, exact, against double precision with normals normalised at each pixel.\n"
+    "from three sides, exact and without textures, against double precision with normals normalised at each pixel.\n"
     "The quality of the others compares the highlight alone, at full strength on white (msh, q = 8, grey8, exact "
     "path), with that of "
     "the 16-bit normals, in levels of 255, over nine lights. It is printed to standard output, or to standard error "
@@ -103,7 +112,8 @@ static const char doc[] =
     "  glint bake --normals brick.png --to palette:1000 -o brick.c\n"
     "  glint bake --scene watchface --size 240x240 --to int8 -o dial.uf2\n"
     "  glint bake --scene coin --to int16 --json\n"
-    "  glint bake --mesh part.stl --split 20 -o part.c\n";
+    "  glint bake --mesh part.stl --split 20 -o part.c\n"
+    "  glint bake --mesh crate.gltf --texture-bytes 65536 -o crate.c\n";
 
 /* ---- options ---- */
 

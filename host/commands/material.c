@@ -16,20 +16,24 @@
 #include "models/models.h"
 #include "options/shading_options.h"
 #include "scene/maps.h"
+#include "scene/materials.h"
 #include "scene/scenes.h"
 
-enum { KEY_NAME = 384, KEY_JSON };
+enum { KEY_NAME = 384, KEY_JSON, KEY_PRESET, KEY_LIST, KEY_ALL };
 
 struct request {
     struct shading_options look;
     const char *name, *path;
-    bool json;
+    bool json, list, all;
 };
 
 static const struct argp_option options[] = {
+    {"preset", KEY_PRESET, "NAME", 0, "The same as --material", 3},
     {NULL, 'o', "FILE", 0, "Where it goes; default: standard output", 4},
     {"name", KEY_NAME, "NAME", 0, "The material's name in C and C++; default: material", 4},
     {"json", KEY_JSON, NULL, 0, "JSON instead of C source", 4},
+    {"list", KEY_LIST, NULL, 0, "Instead: list the materials that have names, and where their colours are from", 4},
+    {"all", KEY_ALL, NULL, 0, "Instead: all of them as one C header (lib/examples/materials.h)", 4},
     {0}};
 
 static const char doc[] =
@@ -47,6 +51,8 @@ static const char doc[] =
     "\n"
     "Examples:\n"
     "  glint material --model cayley -n 60 --ambient .2 --format rgb565\n"
+    "  glint material --list\n"
+    "  glint material --preset brushed-steel --name steel -o steel.h\n"
     "  glint material --scene coin --name coin -o coin-material.h\n"
     "  glint material -n 200 --specular .8,.7,.5 --json\n";
 
@@ -63,12 +69,27 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     case KEY_JSON:
         request->json = true;
         return 0;
+    case KEY_PRESET:
+        request->look.material = parse_choice(state, "--preset", "material", text, preset_names);
+        request->look.has_material = true;
+        return 0;
+    case KEY_LIST:
+        request->list = true;
+        return 0;
+    case KEY_ALL:
+        request->all = true;
+        return 0;
     case 'o':
         request->path = parse_output(state, "-o", text);
         return 0;
     case ARGP_KEY_ARG:
         refuse(state, "unexpected argument '%s'; -o names a file", text);
     case ARGP_KEY_END:
+        if (request->list + request->all + request->json > 1)
+            refuse(state, "give only one of --list, --all and --json");
+        if ((request->list || request->all) && (request->name || request->look.has_material))
+            refuse(state, "%s is of all materials; leave out %s", request->list ? "--list" : "--all",
+                   request->name ? "--name" : "--material and --preset");
         if (request->name && request->json)
             refuse(state, "--name is for C source; leave it out with --json");
         if (request->json && !shading_is_plain(&request->look.shading))
@@ -94,17 +115,23 @@ static void put_channels(FILE *out, const uint32_t values[3], const char *name)
     fprintf(out, "    {%" PRIu32 ", %" PRIu32 ", %" PRIu32 "}, /* %s */\n", values[0], values[1], values[2], name);
 }
 
-static void write_material(FILE *out, const struct shading *shading, const char *name)
+static void put_material(FILE *out, const struct glint_material *material, const char *name)
 {
-    const struct glint_material m = shading_material(shading);
+    const struct glint_material m = *material;
     fprintf(out, "static const struct glint_material %s = {\n    ", name);
-    put_constant(out, model_names[shading->model]);
-    fprintf(out, ", %u, %u, 0, /* model, q, n, n_across */\n", m.q, m.n);
+    put_constant(out, model_names[m.model]);
+    fprintf(out, ", %u, %u, %u, /* model, q, n, n_across */\n", m.q, m.n, m.n_across);
     put_channels(out, m.ambient_q16, "ambient");
     put_channels(out, m.diffuse_q16, "diffuse");
     put_channels(out, m.specular_q16, "specular");
     fprintf(out, "    {%u, %u, %u}, /* albedo */\n    %s /* clamp_peak */\n};\n", m.albedo[0], m.albedo[1], m.albedo[2],
             m.clamp_peak ? "true" : "false");
+}
+
+static void write_material(FILE *out, const struct shading *shading, const char *name)
+{
+    const struct glint_material material = shading_material(shading);
+    put_material(out, &material, name);
     fprintf(out, "static const struct glint_output %s_output = {", name);
     put_constant(out, format_names[shading->format]);
     fputs(", ", out);
@@ -204,6 +231,55 @@ static void write_source(FILE *out, const struct shading *shading, const char *n
     write_lights(out, shading, name);
 }
 
+/* ---- all that have names ---- */
+
+static void write_list(FILE *out)
+{
+    for (unsigned i = 0; preset_names[i]; i++) {
+        const struct preset preset = preset_of(i);
+        fprintf(out, "%-14s %s\n%-14s   %s\n", preset.name, preset.meaning, "", preset.source);
+    }
+}
+
+/* material_brushed_steel */
+static void name_in_c(const char *name, char *out, size_t size)
+{
+    snprintf(out, size, "material_%s", name);
+    for (; *out; out++)
+        if (*out == '-')
+            *out = '_';
+}
+
+/* q = 0: what the output needs. */
+static struct glint_material material_of_preset(const struct preset *preset)
+{
+    struct shading shading = {.model = GLINT_MSH, .n = preset->finish.n, .n_across = preset->finish.n_across};
+    memcpy(shading.ambient, preset->finish.ambient, sizeof shading.ambient);
+    memcpy(shading.diffuse, preset->finish.diffuse, sizeof shading.diffuse);
+    memcpy(shading.specular, preset->finish.specular, sizeof shading.specular);
+    memcpy(shading.color, preset->color, sizeof shading.color);
+    return shading_material(&shading);
+}
+
+static void write_all(FILE *out)
+{
+    fputs("/* SPDX-License-Identifier: MIT\n"
+          " * Materials by name, written by `glint material --all`, version " GLINT_VERSION_STRING
+          ": make a paint of one by glint_paint_exact.\n"
+          " * One with n_across has a grain: say its direction in struct glint_maps. */\n"
+          "#ifndef GLINT_EXAMPLES_MATERIALS_H\n#define GLINT_EXAMPLES_MATERIALS_H\n\n#include \"glint.h\"\n",
+          out);
+    for (unsigned i = 0; preset_names[i]; i++) {
+        const struct preset preset = preset_of(i);
+        char name[64];
+        name_in_c(preset.name, name, sizeof name);
+        const struct glint_material material = material_of_preset(&preset);
+        fprintf(out, "\n/* %s: %s. */\n", preset.meaning, preset.source);
+        put_material(out, &material, name);
+    }
+    fputs("\n#endif\n", out);
+}
+
 /* ---- the command ---- */
 
 /* What suits the scene where the user says nothing; the plain finish without one. */
@@ -212,18 +288,28 @@ static struct shading shading_of_request(const struct request *request)
     return shading_of_options(&request->look, request->look.shading.format, scene_finish(request->look.scene.scene));
 }
 
+static void write_one(const struct request *request, FILE *out)
+{
+    const struct shading shading = shading_of_request(request);
+    if (request->json)
+        shading_print_json(&shading, out);
+    else
+        write_source(out, &shading, request->name ? request->name : "material");
+}
+
 int command_material(int argc, char **argv)
 {
     static const struct argp_child children[] = {{&shading_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
     static const struct argp argp = {options, parse_option, NULL, doc, children, NULL, NULL};
     struct request request = {.path = "-"};
     parse_command(&argp, 0, argc, argv, &request);
-    const struct shading shading = shading_of_request(&request);
     struct output *output = output_open(request.path);
-    if (request.json)
-        shading_print_json(&shading, output->stream);
+    if (request.list)
+        write_list(output->stream);
+    else if (request.all)
+        write_all(output->stream);
     else
-        write_source(output->stream, &shading, request.name ? request.name : "material");
+        write_one(&request, output->stream);
     output_close(output);
     return EXIT_GOOD;
 }

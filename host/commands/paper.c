@@ -10,6 +10,7 @@
 #include "base/output.h"
 #include "base/parse.h"
 #include "commands/commands.h"
+#include "paper/grain.h"
 #include "paper/joint.h"
 #include "paper/lobes.h"
 #include "paper/models.h"
@@ -38,6 +39,7 @@ static const struct part {
     {"fig7a", "figure 7 A", paper_figure7a},
     {"fig7b", "figure 7 B", paper_figure7b},
     {"fig9", "figure 9", paper_figure9},
+    {"grain", "grain", paper_grain},
 };
 enum { PART_COUNT = sizeof parts / sizeof *parts };
 
@@ -50,7 +52,8 @@ struct settings {
 static const struct argp_option option_list[] = {
     {"output", 'o', "DIR", 0, "The folder to write to; it is created, and files of the same name are replaced", 0},
     {"only", OPTION_ONLY, "PARTS", 0,
-     "Only these, separated by commas: table1 wider joint models fig3 fig4 fig5 fig6 fig7a fig7b fig9 (default: all)",
+     "Only these, separated by commas: table1 wider joint models fig3 fig4 fig5 fig6 fig7a fig7b fig9 grain (default: "
+     "all)",
      0},
     {"no-plots", OPTION_NO_PLOTS, NULL, 0, "Write CSV files and a report without plots; this does not need gnuplot", 0},
     {"json", OPTION_JSON, NULL, 0, "Print claims.json instead of the lines", 0},
@@ -58,7 +61,7 @@ static const struct argp_option option_list[] = {
 
 static const char documentation[] =
     "Computes the results of the modified Schlick paper again: table 1, figures 3 4 5 6 7A 7B 9, every claim with a "
-    "verdict, our choices where the paper is silent, wider searches, and a comparison of the models."
+    "verdict, our choices where the paper is silent, wider searches, a comparison of the models, and what grain adds."
     "\v"
     "DIR receives report.html (everything in one file, with plots), claims.json (claims, verdicts and every quoted "
     "number at full precision), and for each part NAME.csv, NAME.gp (the gnuplot script) and NAME.png. The CSV has "

@@ -39,6 +39,9 @@ static void print_coverage(const struct drawn *drawn, FILE *stream)
         stream,
         "the mesh covers %zu pixels; %zu, at edges, are not compared: there the double render has another triangle\n",
         drawn->coverage.drawn, drawn->coverage.different);
+    if (drawn->coverage.texels)
+        fprintf(stream, "%zu more show the next pixel of a texture, and are not compared either\n",
+                drawn->coverage.texels);
 }
 
 static void report(const struct render_options *options, const struct drawn *drawn, const struct levels *levels,
@@ -84,21 +87,23 @@ static void draw_mesh(const struct render_options *options, struct drawn *drawn)
     const struct shading_options *look = &options->look;
     struct mesh *mesh = mesh_load(&look->scene.mesh);
     struct fitted *fitted = mesh_fit(mesh, 0);
-    if (look->has_color)
+    if (shading_options_one_color(look))
         fitted_forget_colors(fitted);
     const uint32_t width = look->scene.width ? look->scene.width : SCENE_SIDE;
     const uint32_t height = look->scene.width ? look->scene.height : SCENE_SIDE;
     const struct view view = view_of_options(&look->view, width, height, look->scene.mesh.built_in);
     const struct shading shading = shading_of_options(look, look->shading.format, &plain_finish);
     *drawn = (struct drawn){.is_mesh = true, .width = width, .height = height};
-    drawn->shadings = mesh_shadings(mesh, &shading, !look->has_color, !look->shading.n);
+    drawn->shadings = mesh_shadings(mesh, &shading, shading_options_own(look));
     struct mesh_canvas *canvas = mesh_canvas_new(fitted, drawn->shadings);
     drawn->pixels = allocate(height, format_line_bytes(shading.format, width));
     mesh_canvas_draw(canvas, &view, NULL, drawn->pixels);
+    if (options->gouraud && fitted->mesh.textures)
+        fail("%s: --gouraud draws no textures; give --no-textures", mesh->name);
     if (options->gouraud)
         drawn->levels = mesh_gouraud(mesh, fitted, &view, drawn->shadings);
     if (options->compare)
-        drawn->scene = mesh_scene(mesh, fitted, &view, &drawn->coverage);
+        drawn->scene = mesh_scene(mesh, fitted, &view, drawn->shadings, &drawn->coverage);
     mesh_canvas_free(canvas);
     fitted_free(fitted);
     mesh_free(mesh);

@@ -8,6 +8,7 @@
 #include "base/memory.h"
 #include "base/message.h"
 #include "compare/reference.h"
+#include "draw/canvas.h"
 #include "image/format.h"
 #include "image/levels.h"
 #include "image/picture.h"
@@ -18,16 +19,45 @@ static double rounded(double value, unsigned max, const struct shading *shading,
     return (double)reference_level(value, max, shading->dither, x, y) / max;
 }
 
+struct levels *levels_behind(const struct scene *scene, const struct shading *shading)
+{
+    if (!scene->mask || shading->format == GLINT_ARGB8888) /* which has coverage in its alpha */
+        return NULL;
+    const uint32_t width = scene->width, height = scene->height;
+    uint8_t *pixels = backdrop_pixels(scene->backdrop, width, height, shading);
+    if (!pixels)
+        pixels = allocate(height, format_line_bytes(shading->format, width));
+    struct levels *levels = levels_of_pixels(width, height, shading->format, pixels);
+    free(pixels);
+    return levels;
+}
+
+void wanted_line(const struct scene *scene, const struct shading *shading, enum glint_model model,
+                 const struct levels *behind, uint32_t y, double *values)
+{
+    reference_line(scene, shading, model, y, values);
+    for (uint32_t x = 0; behind && x < scene->width; x++) {
+        const size_t pixel = (size_t)y * scene->width + x;
+        const double covered = scene->mask[pixel] / 255.;
+        for (unsigned k = 0; k < behind->channels; k++) {
+            double *value = &values[behind->channels * x + k];
+            *value = covered * fmin(1, *value) +
+                     (1 - covered) * behind->values[behind->channels * pixel + k] / behind->max[k];
+        }
+    }
+}
+
 void compare(const struct scene *scene, const struct shading *shading, const struct levels *levels,
              struct comparison *out)
 {
+    struct levels *behind = levels_behind(scene, shading);
     *out = (struct comparison){0};
     const unsigned channels = levels->channels;
     double *same = allocate((size_t)levels->width * channels, sizeof *same);
     double *blinn = allocate((size_t)levels->width * channels, sizeof *blinn);
     for (uint32_t y = 0; y < levels->height; y++) {
-        reference_line(scene, shading, shading->model, y, same);
-        reference_line(scene, shading, GLINT_BLINN, y, blinn);
+        wanted_line(scene, shading, shading->model, behind, y, same);
+        wanted_line(scene, shading, GLINT_BLINN, behind, y, blinn);
         const uint8_t *line = &levels->values[(size_t)y * levels->width * channels];
         for (uint32_t i = 0; i < levels->width * channels; i++) {
             const uint32_t x = i / channels;
@@ -45,6 +75,7 @@ void compare(const struct scene *scene, const struct shading *shading, const str
     }
     free(same);
     free(blinn);
+    levels_free(behind);
 }
 
 /* ---- the error map ---- */
@@ -65,8 +96,9 @@ struct picture *error_map(const struct scene *scene, const struct shading *shadi
     struct picture *map = allocate(1, sizeof *map);
     *map = (struct picture){levels->width, levels->height, channels, false, allocate(samples, levels->height)};
     double *line = allocate(samples, sizeof *line);
+    struct levels *behind = levels_behind(scene, shading);
     for (uint32_t y = 0; y < levels->height; y++) {
-        reference_line(scene, shading, model, y, line);
+        wanted_line(scene, shading, model, behind, y, line);
         for (size_t i = 0; i < samples; i++) {
             const size_t at = y * samples + i;
             if (scene->mask && !scene->mask[at / channels])
@@ -76,6 +108,7 @@ struct picture *error_map(const struct scene *scene, const struct shading *shadi
         }
     }
     free(line);
+    levels_free(behind);
     return map;
 }
 

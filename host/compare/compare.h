@@ -18,6 +18,12 @@ struct comparison {
     struct difference rounding;                       /* the same model's reference, rounded, against its true values */
 };
 
+/* What the picture was drawn over, where something is seen through it; NULL elsewhere. */
+struct levels *levels_behind(const struct scene *scene, const struct shading *shading);
+/* Line y of the reference (reference.h), over what is behind it. */
+void wanted_line(const struct scene *scene, const struct shading *shading, enum glint_model model,
+                 const struct levels *behind, uint32_t y, double *values);
+
 /* `shading`: of each of the scene's parts, which agree in all but the material and n. */
 void compare(const struct scene *scene, const struct shading *shading, const struct levels *levels,
              struct comparison *comparison);

@@ -33,8 +33,9 @@ void comparison_print_json(const struct comparison *c, const struct shading *sha
     bool good = root != NULL;
     if (good && coverage)
         good = json_object_set_new(root, "mesh",
-                                   json_pack("{s:I, s:I}", "covered", (json_int_t)coverage->drawn, "not_compared",
-                                             (json_int_t)coverage->different)) == 0;
+                                   json_pack("{s:I, s:I, s:I}", "covered", (json_int_t)coverage->drawn, "not_compared",
+                                             (json_int_t)coverage->different, "other_texel",
+                                             (json_int_t)coverage->texels)) == 0;
     if (!good || json_dumpf(root, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) != 0)
         fail("the comparison could not be written as JSON");
     fputc('\n', stream);
@@ -68,13 +69,29 @@ void quality_print_json(const struct baked *baked, const struct quality rows[QUA
     print_rows(root, rows, stream);
 }
 
+static json_t *textures_json(const struct fitted *fitted)
+{
+    json_t *all = json_array();
+    for (unsigned i = 0; all && i < fitted->texture_count; i++) {
+        const struct texture *texture = &fitted->textures[i];
+        if (texture->name)
+            json_array_append_new(all, json_pack("{s:s, s:s, s:i, s:i, s:i, s:I}", "picture", texture->name, "format",
+                                                 texture->colors ? "palette" : "rgb565", "width", texture->texture.w,
+                                                 "height", texture->texture.h, "levels", texture->texture.levels,
+                                                 "bytes", (json_int_t)texture_bytes(texture)));
+    }
+    return all;
+}
+
 void quality_print_mesh_json(const struct baked_mesh *baked, const struct quality rows[QUALITY_ROWS],
                              struct mesh_cycles cycles, FILE *stream)
 {
     const struct glint_mesh *mesh = &baked->fitted->mesh;
-    print_rows(json_pack("{s:s, s:i, s:i, s:i, s:I, s:f, s:f}", "format", baked->normals8 ? "int8" : "int16",
-                         "vertices", (int)mesh->vertex_count, "triangles", (int)mesh->face_count, "parts",
-                         (int)mesh->part_count, "bytes", (json_int_t)baked_mesh_bytes(baked), "predicted_cycles",
-                         cycles.c, "predicted_cycles_assembly", cycles.assembly),
-               rows, stream);
+    json_t *root = json_pack("{s:s, s:i, s:i, s:i, s:I, s:f, s:f}", "format", baked->normals8 ? "int8" : "int16",
+                             "vertices", (int)mesh->vertex_count, "triangles", (int)mesh->face_count, "parts",
+                             (int)mesh->part_count, "bytes", (json_int_t)baked_mesh_bytes(baked), "predicted_cycles",
+                             cycles.c, "predicted_cycles_assembly", cycles.assembly);
+    if (root && mesh->textures)
+        json_object_set_new(root, "textures", textures_json(baked->fitted));
+    print_rows(root, rows, stream);
 }

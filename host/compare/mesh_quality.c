@@ -56,13 +56,14 @@ void mesh_quality(const struct mesh *mesh, const struct fitted *fitted, bool nor
 {
     struct fitted chosen = *fitted;
     chosen.colors = NULL; /* the shading's one colour */
+    chosen.mesh.textures = NULL;
     if (normals8)
         chosen.mesh.normals = NULL;
     for (int i = 0; i < QUALITY_ROWS; i++)
         rows[i] = (struct quality){.n = shininess[i]};
     for (int v = 0; v < MESH_VIEWS; v++) {
         struct mesh_coverage coverage;
-        struct scene *scene = mesh_scene(mesh, &chosen, &mesh_views[v], &coverage);
+        struct scene *scene = mesh_scene(mesh, &chosen, &mesh_views[v], NULL, &coverage);
         for (int i = 0; i < QUALITY_ROWS; i++)
             add_view(&chosen, &mesh_views[v], scene, mesh->part_count, &rows[i]);
         scene_free(scene);

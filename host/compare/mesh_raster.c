@@ -77,6 +77,7 @@ static void draw_face(struct target *t, uint32_t face, const struct corner *corn
     const uint32_t *vertices = t->mesh->faces[face];
     const struct corner *const c[3] = {&corners[vertices[0]], &corners[vertices[1]], &corners[vertices[2]]};
     const double all = area(c[0], c[1], c[2]->x, c[2]->y), w = t->view->width, h = t->view->height;
+    t->raster->areas[face] = fabs(all) / 2;
     if (all <= 0)
         return; /* seen from behind */
     const double left = fmin(c[0]->x, fmin(c[1]->x, c[2]->x)), right = fmax(c[0]->x, fmax(c[1]->x, c[2]->x));
@@ -107,6 +108,7 @@ struct mesh_raster *mesh_raster(const struct mesh *mesh, const struct fitted *fi
     struct mesh_raster *raster = allocate(1, sizeof *raster);
     raster->values = allocate(pixels, sizeof *raster->values);
     raster->numbers = allocate(pixels, sizeof *raster->numbers);
+    raster->areas = allocate(mesh->face_count, sizeof *raster->areas);
     struct corner *projected = allocate(mesh->vertex_count, sizeof *projected);
     struct target target = {mesh, view, corners, raster, allocate(pixels, sizeof *target.near)};
     project(mesh, fitted, view, projected);
@@ -121,5 +123,6 @@ void mesh_raster_free(struct mesh_raster *raster)
 {
     free(raster->values);
     free(raster->numbers);
+    free(raster->areas);
     free(raster);
 }

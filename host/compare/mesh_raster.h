@@ -9,6 +9,7 @@
 struct mesh_raster {
     double (*values)[3]; /* of each pixel, interpolated in space over the triangle in front */
     uint32_t *numbers;   /* of that triangle, plus 1; 0: none */
+    double *areas;       /* of each face on the screen, in pixels */
     size_t faces, lines,
         pixels; /* seen from the front with a pixel at all, their lines, their pixels; hidden ones, too */
 };

@@ -76,8 +76,100 @@ static uint8_t *albedo_of(const struct mesh *mesh, const struct fitted *fitted, 
     return albedo;
 }
 
+/* Each face's corners' places in its part's texture. */
+static double (*corner_uv(const struct mesh *mesh))[3]
+{
+    double(*uv)[3] = allocate(3 * mesh->face_count, sizeof *uv);
+    for (size_t i = 0; i < 3 * mesh->face_count; i++)
+        memcpy(uv[i], mesh->uv[mesh->faces[i / 3][i % 3]], sizeof *mesh->uv);
+    return uv;
+}
+
+/* The picture of the chain that the library takes: the first of less than two texels a pixel. */
+static unsigned level_of(const struct glint_texture *texture, double (*corners)[3], double area)
+{
+    double p[2], q[2];
+    unsigned level = 0;
+    for (int k = 0; k < 2; k++) {
+        p[k] = corners[1][k] - corners[0][k];
+        q[k] = corners[2][k] - corners[0][k];
+    }
+    double texels = fabs(p[0] * q[1] - p[1] * q[0]) / 2 * texture->w * texture->h;
+    while (level + 1u < texture->levels && texels >= 2 * area) {
+        texels /= 4;
+        level++;
+    }
+    return level;
+}
+
+/* In levels of 255. */
+static void sample(const struct glint_texture *texture, unsigned level, const double uv[3], double rgb[3])
+{
+    uint32_t size[2];
+    texture_size(texture, level, size);
+    const double half = texture->is_smooth ? .5 : 0, x = uv[0] * size[0] - half, y = uv[1] * size[1] - half;
+    const long left = (long)floor(x), top = (long)floor(y);
+    if (!texture->is_smooth) {
+        texture_color(texture, level, left, top, rgb);
+        return;
+    }
+    memset(rgb, 0, 3 * sizeof *rgb);
+    for (int i = 0; i < 4; i++) {
+        double one[3];
+        const double share =
+            (i & 1 ? x - (double)left : 1 - x + (double)left) * (i & 2 ? y - (double)top : 1 - y + (double)top);
+        texture_color(texture, level, left + (i & 1), top + (i >> 1), one);
+        for (int k = 0; k < 3; k++)
+            rgb[k] += share * one[k];
+    }
+}
+
+/* Where a texture's pixel is that of a place in it; x and y of the texel. */
+static uint32_t texel_at(const struct glint_texture *texture, unsigned level, const double uv[3])
+{
+    uint32_t size[2], at[2];
+    texture_size(texture, level, size);
+    for (int k = 0; k < 2; k++)
+        at[k] = (uint32_t)((uv[k] - floor(uv[k])) * size[k]) % size[k];
+    return mesh_texel(level, at[0], at[1]);
+}
+
+/* The albedo of each pixel; parts without a texture have the colour of their shading. Masks what shows another texel. */
+static void set_textured(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
+                         const struct shading *shadings, struct scene *scene, struct mesh_coverage *coverage)
+{
+    const size_t pixels = (size_t)view->width * view->height;
+    double(*corners)[3] = corner_uv(mesh);
+    struct mesh_raster *raster = mesh_raster(mesh, fitted, view, corners);
+    uint32_t *drawn = mesh_texels_drawn(fitted, view);
+    scene->albedo = allocate(pixels, 3);
+    for (size_t i = 0; i < pixels; i++) {
+        if (!raster->numbers[i])
+            continue;
+        const size_t face = raster->numbers[i] - 1;
+        const unsigned part = mesh_part_of(mesh, face);
+        const struct glint_texture *texture = &fitted->mesh.textures[part];
+        double rgb[3];
+        for (int k = 0; k < 3; k++)
+            rgb[k] = shadings[part].color[k];
+        if (texture->pixels) {
+            const unsigned level = level_of(texture, &corners[3 * face], raster->areas[face]);
+            sample(texture, level, raster->values[i], rgb);
+            if (!texture->is_smooth && scene->mask[i] && drawn[i] != texel_at(texture, level, raster->values[i])) {
+                scene->mask[i] = 0;
+                coverage->texels++;
+            }
+        }
+        for (int k = 0; k < 3; k++)
+            scene->albedo[3 * i + (size_t)k] = (uint8_t)lround(rgb[k]);
+    }
+    free(drawn);
+    mesh_raster_free(raster);
+    free(corners);
+}
+
 struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
-                         struct mesh_coverage *coverage)
+                         const struct shading *shadings, struct mesh_coverage *coverage)
 {
     const size_t pixels = (size_t)view->width * view->height;
     double(*normals)[3] = turned_normals(mesh, view);
@@ -89,7 +181,7 @@ struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, c
     scene->places = places_of(mesh, fitted, view);
     if (fitted->colors)
         scene->albedo = albedo_of(mesh, fitted, view);
-    *coverage = (struct mesh_coverage){0, 0};
+    *coverage = (struct mesh_coverage){0};
     for (size_t i = 0; i < pixels; i++) {
         const uint32_t number = raster->numbers[i];
         coverage->drawn += number || drawn[i];
@@ -100,6 +192,8 @@ struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, c
         if (number && mesh_normalize(raster->values[i]))
             memcpy(scene->normals[i], raster->values[i], sizeof *scene->normals);
     }
+    if (fitted->mesh.textures)
+        set_textured(mesh, fitted, view, shadings, scene, coverage);
     free(drawn);
     mesh_raster_free(raster);
     free(normals);

@@ -13,11 +13,13 @@
  * bring together. */
 struct mesh_coverage {
     size_t drawn, different;
+    size_t texels; /* where they draw the same triangle, but of its texture the nearest pixel is another */
 };
 /* A scene of the picture's size: normals interpolated over the triangle in front, in space, and normalised; its parts are the
- * mesh's, its albedo is the vertices' where they have colours; its mask is where both draw the same triangle. */
+ * mesh's, its albedo is the vertices' where they have colours, and textures' where there are such; its mask is where both draw the same triangle, and of a texture that is
+ * not blended the same pixel. */
 struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
-                         struct mesh_coverage *coverage);
+                         const struct shading *shadings, struct mesh_coverage *coverage);
 
 /* The same mesh as Gouraud shading draws it, for comparison: colours in double precision at the corners, and between them interpolated. */
 struct levels *mesh_gouraud(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/message.h"
+#include "base/text.h"
 
 static void print_rows(const struct quality *rows, const char *what, FILE *stream)
 {
@@ -33,6 +34,21 @@ void quality_print(const struct baked *baked, const struct quality rows[QUALITY_
         print_rows(rows, "the highlight alone", stream);
 }
 
+static void print_texture(const struct texture *texture, FILE *stream)
+{
+    if (!texture->name)
+        return;
+    fputs("texture ", stream);
+    text_print(stream, texture->name);
+    fprintf(stream, ": %ux%u, ", texture->texture.w, texture->texture.h);
+    if (texture->colors)
+        fprintf(stream, "palette of %u colours", texture->colors);
+    else
+        fputs("rgb565", stream);
+    fprintf(stream, ", %u pictures, each of half the size: %zu bytes of these\n", texture->texture.levels,
+            texture_bytes(texture));
+}
+
 void quality_print_mesh(const struct baked_mesh *baked, const struct quality rows[QUALITY_ROWS],
                         struct mesh_cycles cycles, FILE *stream)
 {
@@ -40,11 +56,16 @@ void quality_print_mesh(const struct baked_mesh *baked, const struct quality row
     fprintf(stream, "%u vertices%s, %u triangles, %u part%s, normals as %s: %zu bytes\n", mesh->vertex_count,
             baked->fitted->colors ? " with colours" : "", mesh->face_count, mesh->part_count,
             mesh->part_count > 1 ? "s" : "", baked->normals8 ? "int8" : "int16", baked_mesh_bytes(baked));
-    print_rows(rows, "pictures of 240x240 from three sides", stream);
+    for (unsigned i = 0; i < baked->fitted->texture_count && mesh->textures; i++)
+        print_texture(&baked->fitted->textures[i], stream);
+    print_rows(rows,
+               mesh->textures ? "pictures of 240x240 from three sides, without textures"
+                              : "pictures of 240x240 from three sides",
+               stream);
     fprintf(
         stream,
         "such a picture takes a Cortex-M0+ %.1f million cycles by COLOUR tables%s in C, %.1f in assembly (predicted)\n",
-        cycles.c / 1e6, baked->fitted->colors ? " in one colour" : "", cycles.assembly / 1e6);
+        cycles.c / 1e6, baked->fitted->colors || mesh->textures ? " in one colour" : "", cycles.assembly / 1e6);
 }
 
 void quality_printed(FILE *stream)

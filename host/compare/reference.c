@@ -79,9 +79,25 @@ static struct geometry geometry_of(const struct shading *shading, const struct l
     return g;
 }
 
-static double highlight(const struct geometry *g, const struct shading *shading, enum glint_model model,
-                        const double normal[3], double nl)
+/* What a pixel has besides its light. */
+struct pixel {
+    const double *normal, *place;
+    double n;        /* shininess, along the grain where there is one */
+    double grain[3]; /* its direction, not yet in the surface */
+};
+
+/* (H.T)^2, T the grain's direction in the surface; 0 where it has none there. */
+static double along_grain(const double h[3], const double normal[3], const double grain[3], double c)
 {
+    const double off = dot(normal, grain), square = dot(grain, grain) - off * off;
+    const double along = dot(h, grain) - c * off;
+    return square > 0 ? along * along / square : 0;
+}
+
+static double highlight(const struct geometry *g, const struct shading *shading, enum glint_model model,
+                        const struct pixel *pixel, double nl)
+{
+    const double *normal = pixel->normal;
     double c = dot(normal, g->h);
     if (model == GLINT_PHONG) {
         double r[3];
@@ -91,7 +107,11 @@ static double highlight(const struct geometry *g, const struct shading *shading,
     }
     if (c < 0)
         return 0;
-    const double f = model_double(model, shading->n, fmin(1, c));
+    c = fmin(1, c);
+    const double n = shading->n_across ? model_grained(model, pixel->n, shading->n_across, c,
+                                                       along_grain(g->h, normal, pixel->grain, c))
+                                       : pixel->n;
+    const double f = model_double(model, n, c);
     if (f < ldexp(1, -(int)shading->q))
         return 0;
     return shading->clamp_peak ? fmin(1, f) : f;
@@ -99,16 +119,36 @@ static double highlight(const struct geometry *g, const struct shading *shading,
 
 /* What a lamp adds to what a surface that scatters all, and one that mirrors all, would send. */
 static void add_lamp(const struct shading *shading, const struct lamp *lamp, enum glint_model model,
-                     const double normal[3], const double place[3], double lit[3], double shine[3])
+                     const struct pixel *pixel, double lit[3], double shine[3])
 {
-    const struct geometry g = geometry_of(shading, lamp, place);
-    const double nl = dot(normal, g.l);
+    const struct geometry g = geometry_of(shading, lamp, pixel->place);
+    const double nl = dot(pixel->normal, g.l);
     if (g.arrives == 0 || nl <= 0)
         return;
-    const double f = highlight(&g, shading, model, normal, nl);
+    const double f = highlight(&g, shading, model, pixel, nl);
     for (unsigned k = 0; k < 3; k++) {
         lit[k] += lamp->color[k] * g.arrives * nl;
         shine[k] += lamp->color[k] * g.arrives * f;
+    }
+}
+
+/* x, y: the pixel's middle. */
+static void grain_at(const struct scene *scene, size_t i, double x, double y, double grain[3])
+{
+    const double *at = scene->grain.at;
+    const double right = x - at[0], up = at[1] - y;
+    grain[0] = at[0];
+    grain[1] = at[1];
+    grain[2] = 0;
+    if (scene->grain_map) {
+        grain[0] = cos(scene->grain_map[i] * M_PI / 256);
+        grain[1] = sin(scene->grain_map[i] * M_PI / 256);
+    } else if (scene->grain.kind != GLINT_GRAIN_BRUSHED) {
+        const bool spun = scene->grain.kind == GLINT_GRAIN_SPUN;
+        grain[0] = spun ? -up : right;
+        grain[1] = spun ? right : up;
+    } else if (at[0] == 0 && at[1] == 0) {
+        grain[0] = 1;
     }
 }
 
@@ -132,10 +172,12 @@ void reference_line(const struct scene *scene, const struct shading *shading, en
     for (uint32_t x = 0; x < scene->width; x++) {
         const size_t i = (size_t)y * scene->width + x;
         const struct shading *own = &shading[scene->parts ? scene->parts[i] : 0];
-        const double middle[3] = {x + .5, y + .5, 0}, *place = scene->places ? scene->places[i] : middle;
+        const double middle[3] = {x + .5, y + .5, 0};
+        struct pixel pixel = {scene->normals[i], scene->places ? scene->places[i] : middle, own->n, {0}};
+        grain_at(scene, i, middle[0], middle[1], pixel.grain);
         double lit[3] = {0}, shine[3] = {0};
         for (unsigned lamp = 0; lamp < own->lamp_count; lamp++)
-            add_lamp(own, &own->lamps[lamp], model, scene->normals[i], place, lit, shine);
+            add_lamp(own, &own->lamps[lamp], model, &pixel, lit, shine);
         const double gloss = scene->gloss ? scene->gloss[i] / 255. : 1;
         double value[3];
         for (unsigned k = 0; k < 3; k++) {

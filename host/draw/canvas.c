@@ -2,6 +2,7 @@
 #include "draw/canvas.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "base/message.h"
@@ -13,7 +14,47 @@ struct canvas {
     const struct scene *scene;
     struct glint_vec *normals;
     struct way *way, *below; /* below: what draws the pixels that the way does not; NULL: there are none */
+    struct scene rest;       /* those pixels alone */
+    uint8_t *behind;         /* what the picture is drawn over; NULL: nothing is seen of it */
 };
+
+/* What is flat and lit by ambient light alone has its albedo. */
+uint8_t *backdrop_pixels(const uint8_t *backdrop, uint32_t width, uint32_t height, const struct shading *shading)
+{
+    if (!backdrop)
+        return NULL;
+    const size_t bytes = format_line_bytes(shading->format, width);
+    const struct glint_output output = {(uint8_t)shading->format, GLINT_GAMMA, shading->dither};
+    const struct shading flat = {.model = GLINT_MSH, .n = 1, .ambient = {1, 1, 1}};
+    const struct glint_material material = shading_material(&flat);
+    static const int32_t to_viewer[3] = {0, 0, 1};
+    struct glint_vec *normals = allocate(width, sizeof *normals);
+    uint8_t *pixels = allocate(height, bytes);
+    struct glint_paint paint;
+    enum glint_err error = glint_paint_exact(&paint, &material, &output);
+    if (error == GLINT_OK)
+        error = glint_paint_light(&paint, NULL, 0, to_viewer);
+    for (size_t x = 0; x < width; x++)
+        normals[x].z = INT16_MAX;
+    for (uint32_t y = 0; y < height && error == GLINT_OK; y++) {
+        const struct glint_maps maps = {
+            .normals = normals, .albedo = &backdrop[(size_t)3 * width * y], .albedo_format = GLINT_RGB888};
+        const struct glint_surface line = {&pixels[y * bytes], 0, 0, (uint16_t)y};
+        error = glint_draw_rect(&paint, &maps, (uint16_t)width, 1, &line, NULL);
+    }
+    free(normals);
+    if (error != GLINT_OK)
+        fail("the library refused the background (error %d)", error);
+    return pixels;
+}
+
+static bool has_soft_edges(const struct scene *scene)
+{
+    for (size_t i = 0; scene->mask && i < (size_t)scene->width * scene->height; i++)
+        if (scene->mask[i] && scene->mask[i] < 255)
+            return true;
+    return false;
+}
 
 struct canvas *canvas_new(const struct scene *scene, const struct shading *shading)
 {
@@ -23,8 +64,15 @@ struct canvas *canvas_new(const struct scene *scene, const struct shading *shadi
     canvas->scene = scene;
     canvas->normals = scene_normals_q15(scene);
     canvas->way = way_new(scene, shading, canvas->normals);
-    if (!way_is_whole(canvas->way))
-        canvas->below = way_new(scene, &exact, canvas->normals);
+    if (!way_is_whole(canvas->way)) {
+        canvas->rest = *scene;
+        canvas->rest.mask = way_rest(canvas->way, scene);
+        canvas->below = way_new(&canvas->rest, &exact, canvas->normals);
+    }
+    if (scene->mask)
+        canvas->behind = backdrop_pixels(scene->backdrop, scene->width, scene->height, shading);
+    if (!canvas->behind && has_soft_edges(scene))
+        canvas->behind = allocate(scene->height, format_line_bytes(shading->format, scene->width));
     return canvas;
 }
 
@@ -35,6 +83,8 @@ void canvas_free(struct canvas *canvas)
     way_free(canvas->way);
     way_free(canvas->below);
     free(canvas->normals);
+    free(canvas->behind);
+    free(canvas->rest.mask);
     free(canvas);
 }
 
@@ -60,6 +110,8 @@ void canvas_draw(struct canvas *canvas, const struct shading *shading, uint8_t *
     way_light(canvas->way, shading);
     if (canvas->below)
         way_light(canvas->below, shading);
+    if (canvas->behind)
+        memcpy(pixels, canvas->behind, height * format_line_bytes(shading->format, canvas->scene->width));
     signals_hold(&before); /* so that only the first thread takes them: they end its waiting */
 #pragma omp parallel for schedule(dynamic) reduction(min : worst)
     for (uint32_t y = 0; y < height; y += BAND) {
@@ -75,8 +127,7 @@ void canvas_draw(struct canvas *canvas, const struct shading *shading, uint8_t *
 uint8_t *shade_pixels(const struct scene *scene, const struct shading *shading)
 {
     struct canvas *canvas = canvas_new(scene, shading);
-    uint8_t *pixels =
-        allocate(scene->height, format_line_bytes(shading->format, scene->width)); /* black where a mask leaves it */
+    uint8_t *pixels = allocate(scene->height, format_line_bytes(shading->format, scene->width));
     canvas_draw(canvas, shading, pixels);
     canvas_free(canvas);
     return pixels;

@@ -17,20 +17,18 @@ struct mesh_canvas {
     uint32_t (*memory)[GLINT_TABLES_DITHER_BYTES / 4]; /* of each part's tables; NULL: exact */
 };
 
-struct shading *mesh_shadings(const struct mesh *mesh, const struct shading *shading, bool own_color, bool own_n)
+struct shading *mesh_shadings(const struct mesh *mesh, const struct shading *shading, struct mesh_own own)
 {
     struct shading *all = allocate(mesh->part_count, sizeof *all);
     for (unsigned i = 0; i < mesh->part_count; i++) {
         const struct mesh_material *material = &mesh->materials[i];
         all[i] = *shading;
-        if (material->has_color && own_color)
+        if (material->has_color && own.color)
             memcpy(all[i].color, material->color, sizeof all[i].color);
-        if (material->n && own_n)
+        if (material->n && own.n)
             all[i].n = material->n;
-        for (unsigned k = 0; material->unlit && k < 3; k++) {
-            all[i].ambient[k] = 1;
-            all[i].diffuse[k] = all[i].specular[k] = 0;
-        }
+        if (own.look || material->unlit)
+            mesh_material_look(material, all[i].ambient, all[i].diffuse, all[i].specular);
     }
     return all;
 }
@@ -41,7 +39,8 @@ struct mesh_canvas *mesh_canvas_new(const struct fitted *fitted, const struct sh
     const unsigned count = fitted->mesh.part_count;
     struct mesh_path path;
     *canvas = (struct mesh_canvas){.mesh = fitted->mesh, .shadings = shadings};
-    const char *name = path_names[shadings[0].path], *refusal = path_of_mesh(&shadings[0], fitted->colors, &path);
+    const char *name = path_names[shadings[0].path],
+               *refusal = path_of_mesh(&shadings[0], fitted->colors || fitted->mesh.textures, &path);
     if (refusal)
         fail("--path %s: %s", name, refusal);
     if (path.normals8)
@@ -54,10 +53,12 @@ struct mesh_canvas *mesh_canvas_new(const struct fitted *fitted, const struct sh
     for (unsigned i = 0; i < count; i++) {
         const struct glint_material material = shading_material(&shadings[i]);
         const struct glint_output output = shading_output(&shadings[i]);
-        const enum glint_err error = path.by_tables
-                                         ? glint_paint_tables(&canvas->paints[i], path.kind, &material, &output,
-                                                              canvas->memory[i], sizeof *canvas->memory)
-                                         : glint_paint_exact(&canvas->paints[i], &material, &output);
+        /* Of a textured mesh the other parts have one colour. */
+        const bool is_plain = fitted->mesh.textures && !fitted->mesh.textures[i].pixels;
+        const enum glint_tables_kind kind = is_plain ? GLINT_TABLES_COLOUR : path.kind;
+        const enum glint_err error = path.by_tables ? glint_paint_tables(&canvas->paints[i], kind, &material, &output,
+                                                                         canvas->memory[i], sizeof *canvas->memory)
+                                                    : glint_paint_exact(&canvas->paints[i], &material, &output);
         if (error == GLINT_ERR_ARG && path.by_tables && path.kind == GLINT_TABLES_ALBEDO)
             fail("--path %s: %s", name, path_needs_grey);
         if (error != GLINT_OK)
@@ -152,6 +153,7 @@ uint32_t *mesh_faces_drawn(const struct fitted *fitted, const struct view *view)
         meshes[i].faces = fitted->faces[i * PARTS];
         meshes[i].face_count = meshes[i].part_count = (uint8_t)(left < PARTS ? left : PARTS);
         meshes[i].ends = ends;
+        meshes[i].textures = NULL;
     }
     for (size_t i = 0; i < faces; i++)
         paint_number(&paints[i], i + 1);
@@ -163,4 +165,72 @@ uint32_t *mesh_faces_drawn(const struct fitted *fitted, const struct view *view)
     free(first);
     free(rgb);
     return numbers;
+}
+
+/* The texture's chain, where each pixel is the picture's number and its own x or y. */
+static uint16_t *numbered(const struct glint_texture *texture, bool by_y)
+{
+    size_t count = 0;
+    uint32_t size[2];
+    for (unsigned level = 0; level < texture->levels; level++) {
+        texture_size(texture, level, size);
+        count += (size_t)size[0] * size[1];
+    }
+    uint16_t *numbers = allocate(count, sizeof *numbers), *to = numbers;
+    for (unsigned level = 0; level < texture->levels; level++) {
+        texture_size(texture, level, size);
+        for (uint32_t i = 0; i < size[0] * size[1]; i++)
+            *to++ = (uint16_t)(level << 11 | (by_y ? i / size[0] : i % size[0]));
+    }
+    return numbers;
+}
+
+/* The texture's place in the colour of each pixel: RGB565 has 16 bits, of which a light from everywhere changes none. */
+static uint16_t *draw_numbers(const struct fitted *fitted, const struct view *view, bool by_y)
+{
+    static const struct glint_material flat = {.model = GLINT_MSH, .n = 1, .ambient_q16 = {65536, 65536, 65536}};
+    static const struct glint_output output = {.format = GLINT_RGB565};
+    static const int32_t to_viewer[3] = {0, 0, 1};
+    const unsigned parts = fitted->mesh.part_count;
+    struct glint_mesh mesh = fitted->mesh;
+    struct glint_texture *textures = allocate(parts, sizeof *textures);
+    struct glint_paint *paints = allocate(parts, sizeof *paints);
+    uint16_t **numbers = allocate(parts, sizeof *numbers);
+    uint16_t *pixels = allocate((size_t)view->width * view->height, sizeof *pixels);
+    enum glint_err error = GLINT_OK;
+    for (unsigned i = 0; i < parts; i++) {
+        textures[i] = mesh.textures[i];
+        textures[i].palette = NULL;
+        textures[i].is_smooth = false;
+        if (textures[i].pixels)
+            textures[i].pixels = numbers[i] = numbered(&textures[i], by_y);
+        if (error == GLINT_OK)
+            error = glint_paint_exact(&paints[i], &flat, &output);
+        if (error == GLINT_OK)
+            error = glint_paint_light(&paints[i], NULL, 0, to_viewer);
+    }
+    if (error != GLINT_OK)
+        fail("the library refused the numbers of texels (error %d)", error);
+    mesh.textures = textures;
+    mesh.neighbours = NULL; /* outlines blend */
+    draw(&mesh, (const struct glint_paint *const[]){paints}, 1, view, (uint8_t *)pixels,
+         (size_t)view->width * sizeof *pixels);
+    for (unsigned i = 0; i < parts; i++)
+        free(numbers[i]);
+    free(numbers);
+    free(textures);
+    free(paints);
+    return pixels;
+}
+
+uint32_t *mesh_texels_drawn(const struct fitted *fitted, const struct view *view)
+{
+    const size_t pixels = (size_t)view->width * view->height;
+    uint16_t *xs = draw_numbers(fitted, view, false), *ys = draw_numbers(fitted, view, true);
+    uint32_t *texels = allocate(pixels, sizeof *texels);
+    for (size_t i = 0; i < pixels; i++)
+        texels[i] = mesh_texel(xs[i] >> 11, xs[i] & 2047, ys[i] & 2047);
+    free(xs);
+    free(ys);
+    return texels;
 }

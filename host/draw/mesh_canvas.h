@@ -7,8 +7,12 @@
 #include "draw/view.h"
 #include "mesh/fit.h"
 
-/* The shading of each part: as it is given, but for what the mesh's materials say and the user does not. */
-struct shading *mesh_shadings(const struct mesh *mesh, const struct shading *shading, bool own_color, bool own_n);
+/* The shading of each part: as it is given, but for what the mesh's materials say and the user does not: their colour, shininess, and light
+ * from everywhere, diffuse and mirrored. */
+struct mesh_own {
+    bool color, n, look;
+};
+struct shading *mesh_shadings(const struct mesh *mesh, const struct shading *shading, struct mesh_own own);
 
 /* A mesh made ready for its parts' shadings, to be drawn again and again as it turns or the light moves. */
 struct mesh_canvas;
@@ -20,5 +24,11 @@ void mesh_canvas_draw(struct mesh_canvas *canvas, const struct view *view, const
 
 /* The number of the face that the library draws at each pixel, plus 1; 0: none. malloc'd. */
 uint32_t *mesh_faces_drawn(const struct fitted *fitted, const struct view *view);
+/* Of a mesh with textures, the one that it takes the nearest pixel of at each pixel: its number in the chain, y and x, as one number. malloc'd. */
+uint32_t *mesh_texels_drawn(const struct fitted *fitted, const struct view *view);
+static inline uint32_t mesh_texel(unsigned level, uint32_t x, uint32_t y)
+{
+    return level << 22 | y << 11 | x;
+}
 
 #endif

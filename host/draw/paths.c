@@ -2,6 +2,7 @@
  * The ways through the library that --path names: what makes samples, and what paints them. */
 #include "draw/paths.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -39,6 +40,7 @@ struct way {
     struct scene scene; /* its mask holds what this path draws */
     const struct glint_vec *normals;
     bool whole; /* draws all that is to be drawn */
+    struct shading shading;
     struct glint_output output;
     struct glint_paint paint;
     struct glint_light lights[GLINT_LIGHTS_MAX];
@@ -93,9 +95,21 @@ static const char *lights_refusal(const struct shading *shading)
     return shading->model == GLINT_PHONG ? "cannot draw phong" : NULL;
 }
 
+static bool has_grain(const struct shading *shading)
+{
+    return shading->n_across && shading->n_across != shading->n;
+}
+
+static const char *grain_refusal(const struct path *path, const struct shading *shading)
+{
+    return has_grain(shading) && !draws_all(path) ? "has no grain; that needs --path exact or exact-int8" : NULL;
+}
+
 const char *path_refusal(const struct shading *shading)
 {
     const struct path *path = &paths[shading->path];
+    if (grain_refusal(path, shading))
+        return grain_refusal(path, shading);
     if (draws_all(path))
         return NULL;
     if (lights_refusal(shading))
@@ -119,18 +133,19 @@ const char *path_of_mesh(const struct shading *shading, bool has_colors, struct 
     *of_mesh = (struct mesh_path){path->paint != EXACT, path->source == INT8,
                                   path->paint == ALBEDO ? GLINT_TABLES_ALBEDO : GLINT_TABLES_COLOUR};
     if (path->source != INT16 && path->source != INT8)
-        return "cannot draw a mesh; choose exact, exact-int8, colour-int16 or colour-int8, or where its vertices have "
-               "colours albedo-int16 or albedo-int8";
+        return "cannot draw a mesh; choose exact, exact-int8, colour-int16 or colour-int8, or where it has "
+               "textures or its vertices colours albedo-int16 or albedo-int8";
     if (of_mesh->by_tables && lights_refusal(shading))
         return lights_refusal(shading);
     if (of_mesh->by_tables && tables_refusal(path, shading))
         return tables_refusal(path, shading);
     if (path->paint == ALBEDO && !has_colors)
-        return "is for colours of vertices, which this mesh has not; choose exact, exact-int8, colour-int16 or "
+        return "is for textures and colours of vertices, which this mesh has not; choose exact, exact-int8, "
+               "colour-int16 or "
                "colour-int8";
     if (path->paint == COLOUR && has_colors)
-        return "holds one colour, and the mesh has its vertices'; choose exact, albedo-int16 or albedo-int8, or give "
-               "one colour by --color";
+        return "holds one colour, and the mesh has more; choose exact, albedo-int16 or albedo-int8, or give one by "
+               "--color";
     return NULL;
 }
 
@@ -152,18 +167,19 @@ static void pack(struct way *way)
 
 /* Most paths are drawn here with full gloss, full coverage and one colour, which becomes that of the first pixel with full gloss.
  * `by_path` marks the pixels that the path draws. Returns how many are marked. */
-static size_t choose(const struct scene *scene, bool any_color, struct glint_material *material, uint8_t *by_path)
+static size_t choose(const struct scene *scene, bool any_color, bool takes_coverage, struct glint_material *material,
+                     uint8_t *by_path)
 {
     const size_t pixels = (size_t)scene->width * scene->height;
     const uint8_t *color = NULL;
     size_t count = 0;
     for (size_t i = 0; i < pixels; i++) {
         const uint8_t *here = scene->albedo ? &scene->albedo[3 * i] : material->albedo;
-        const bool solid = !scene->mask || scene->mask[i] == 255;
+        const bool solid = takes_coverage || !scene->mask || scene->mask[i] == 255;
         const bool full = drawn(scene, i) && solid && (!scene->gloss || scene->gloss[i] == 255);
         if (full && !color)
             color = here;
-        by_path[i] = full && (any_color || memcmp(color, here, 3) == 0) ? 255 : 0;
+        by_path[i] = full && (any_color || memcmp(color, here, 3) == 0) ? (scene->mask ? scene->mask[i] : 255) : 0;
         count += by_path[i] != 0;
     }
     if (color)
@@ -178,13 +194,14 @@ static char *narrow(struct way *way, struct glint_material *material)
     const struct scene scene = way->scene;
     const size_t pixels = (size_t)scene.width * scene.height;
     const bool any_color = way->path->paint == ALBEDO;
+    const bool takes_coverage = way->path->source == INT16 || way->path->source == INT8;
     size_t wanted = 0;
     for (size_t i = 0; i < pixels; i++)
         wanted += drawn(&scene, i);
     way->scene.mask = way->chosen = allocate(pixels, 1);
-    const size_t chosen = choose(&scene, any_color, material, way->chosen);
+    const size_t chosen = choose(&scene, any_color, takes_coverage, material, way->chosen);
     way->whole = chosen == wanted;
-    if (chosen == pixels)
+    if (chosen == pixels && !scene.mask)
         way->scene.mask = NULL;
     if (!way->whole && asprintf(&warning, "draws %s full gloss, %zu of %zu pixels; the exact path drew the rest",
                                 any_color ? "pixels of" : "one colour at", chosen, wanted) < 0)
@@ -208,12 +225,15 @@ static void make_paint(struct way *way, const struct glint_material *material, c
 struct way *way_new(const struct scene *scene, const struct shading *shading, const struct glint_vec *normals)
 {
     const char *name = path_names[shading->path];
+    if (path_refusal(shading)) /* which may have a scene's own grain */
+        fail("--path %s: %s", name, path_refusal(shading));
     struct glint_material material = shading_material(shading);
     struct way *way = allocate(1, sizeof *way);
     way->path = &paths[shading->path];
     way->scene = *scene;
     way->normals = normals;
     way->whole = true;
+    way->shading = *shading;
     way->output = shading_output(shading);
     char *warning = draws_all(way->path) ? NULL : narrow(way, &material);
     make_paint(way, &material, name);
@@ -247,6 +267,15 @@ void way_free(struct way *way)
 bool way_is_whole(const struct way *way)
 {
     return way->whole;
+}
+
+uint8_t *way_rest(const struct way *way, const struct scene *scene)
+{
+    const size_t pixels = (size_t)scene->width * scene->height;
+    uint8_t *rest = allocate(pixels, 1);
+    for (size_t i = 0; i < pixels; i++)
+        rest[i] = way->chosen && way->chosen[i] ? 0 : scene->mask ? scene->mask[i] : 255;
+    return rest;
 }
 
 void way_light(struct way *way, const struct shading *shading)
@@ -324,6 +353,19 @@ static enum glint_err draw_palette(const struct way *way, uint32_t y, uint32_t l
     return error;
 }
 
+/* A direction of any length, or a place in 1/16 pixel. */
+void scene_add_grain(const struct scene *scene, const struct shading *shading, size_t first, struct glint_maps *maps)
+{
+    const double scale = scene->grain.kind == GLINT_GRAIN_BRUSHED ? 1 << 14 : 16;
+    if (!has_grain(shading))
+        return;
+    maps->grain = scene->grain_map ? &scene->grain_map[first] : NULL;
+    maps->grain_stride = (ptrdiff_t)scene->width;
+    maps->grain_kind = scene->grain.kind;
+    for (unsigned k = 0; k < 2; k++)
+        maps->grain_at[k] = (int32_t)lround(scale * scene->grain.at[k]);
+}
+
 /* What a paint over normals takes of the scene from pixel `first` on. */
 static struct glint_maps maps_of(const struct way *way, size_t first)
 {
@@ -353,7 +395,8 @@ static struct glint_maps maps_of(const struct way *way, size_t first)
         maps.albedo_stride = 2 * width;
         maps.albedo_format = GLINT_RGB565;
     }
-    if (scene->mask && (is_exact || !way->packed)) { /* packed normals say it themselves, but for alpha */
+    scene_add_grain(scene, &way->shading, first, &maps);
+    if (scene->mask) {
         maps.coverage = &scene->mask[first];
         maps.coverage_stride = width;
     }

@@ -20,12 +20,17 @@ struct mesh_path {
 extern const char path_needs_grey[]; /* where ALBEDO tables refuse a material */
 const char *path_of_mesh(const struct shading *shading, bool has_colors, struct mesh_path *of_mesh);
 
+/* The grain of the scene from pixel `first` on, where the shading has one. */
+void scene_add_grain(const struct scene *scene, const struct shading *shading, size_t first, struct glint_maps *maps);
+
 /* A path made ready for a scene. Some leave pixels of the scene undrawn, and a warning says so: the exact paint is to
- * draw below them. Scene and normals must outlive it. */
+ * draw these. Scene and normals must outlive it. */
 struct way;
 struct way *way_new(const struct scene *scene, const struct shading *shading, const struct glint_vec *normals);
 void way_free(struct way *way);
 bool way_is_whole(const struct way *way); /* does it draw the whole scene? */
+/* The scene's mask without what it draws, which another is to draw: each pixel once, as edges are blended. malloc'd. */
+uint8_t *way_rest(const struct way *way, const struct scene *scene);
 /* Before lines are drawn: the lights and the viewer as the shading has them now. */
 void way_light(struct way *way, const struct shading *shading);
 /* Some lines from y on; the surface starts at the first of them. */

@@ -46,6 +46,7 @@ struct glint_material shading_material(const struct shading *shading)
     struct glint_material material = {.model = (uint8_t)shading->model,
                                       .q = (uint8_t)shading->q,
                                       .n = (uint16_t)shading->n,
+                                      .n_across = (uint16_t)shading->n_across,
                                       .clamp_peak = shading->clamp_peak};
     to_channels(material.ambient_q16, shading->ambient);
     to_channels(material.diffuse_q16, shading->diffuse);

@@ -23,7 +23,8 @@ struct lamp {
 /* As the user gave it: in doubles, so that the reference has nothing of the library's rounding. */
 struct shading {
     enum glint_model model;
-    unsigned n, q; /* q: 1..16 once shading_of_options has filled it in */
+    unsigned n, q;     /* q: 1..16 once shading_of_options has filled it in */
+    unsigned n_across; /* across the grain; 0: there is none */
     struct lamp lamps[GLINT_LIGHTS_MAX];
     unsigned lamp_count;
     double view[3]; /* towards the viewer, any length */

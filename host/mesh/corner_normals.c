@@ -113,12 +113,15 @@ void corner_normals_made(double (*places)[3], uint32_t (*faces)[3], size_t count
 
 /* ---- vertices ---- */
 
-/* Where the mesh has no colours they are all the same. */
 static bool is_vertex(const struct mesh *mesh, uint32_t vertex, const double normal[3], double same,
-                      const uint8_t color[3])
+                      const struct soup_face *face, size_t corner)
 {
-    return mesh_dot(mesh->normals[vertex], normal) >= same &&
-           (!mesh->colors || memcmp(mesh->colors[vertex], color, 3) == 0);
+    const double near = 1. / 65536; /* of a picture */
+    if (mesh_dot(mesh->normals[vertex], normal) < same ||
+        (mesh->colors && memcmp(mesh->colors[vertex], face->colors[corner], 3) != 0))
+        return false;
+    return !mesh->uv || (fabs(mesh->uv[vertex][0] - face->uv[corner][0]) < near &&
+                         fabs(mesh->uv[vertex][1] - face->uv[corner][1]) < near);
 }
 
 void corner_normals_join(struct mesh *mesh, const struct soup *soup, const size_t *from, double (*places)[3],
@@ -131,21 +134,25 @@ void corner_normals_join(struct mesh *mesh, const struct soup *soup, const size_
     mesh->normals = allocate(corners, sizeof *mesh->normals);
     if (soup->has_colors)
         mesh->colors = allocate(corners, sizeof *mesh->colors);
+    if (soup->has_uv)
+        mesh->uv = allocate(corners, sizeof *mesh->uv);
     mesh->at = allocate(corners, sizeof *mesh->at);
     mesh->faces = allocate(mesh->face_count, sizeof *mesh->faces);
     for (size_t i = 0; i < corners; i++) {
         const uint32_t place = faces[i / 3][i % 3];
         const double *normal = normals[i / 3][i % 3];
-        const uint8_t *color = soup->faces[from[i / 3]].colors[i % 3];
+        const struct soup_face *face = &soup->faces[from[i / 3]];
         uint32_t vertex = first[place];
-        while (vertex && !is_vertex(mesh, vertex - 1, normal, same, color))
+        while (vertex && !is_vertex(mesh, vertex - 1, normal, same, face, i % 3))
             vertex = next[vertex - 1];
         if (!vertex) {
             vertex = (uint32_t)++mesh->vertex_count;
             memcpy(mesh->places[vertex - 1], places[place], sizeof *places);
             memcpy(mesh->normals[vertex - 1], normal, sizeof *mesh->normals);
             if (mesh->colors)
-                memcpy(mesh->colors[vertex - 1], color, 3);
+                memcpy(mesh->colors[vertex - 1], face->colors[i % 3], 3);
+            if (mesh->uv)
+                memcpy(mesh->uv[vertex - 1], face->uv[i % 3], sizeof *mesh->uv);
             mesh->at[vertex - 1] = place;
             next[vertex - 1] = first[place];
             first[place] = vertex;

@@ -13,7 +13,7 @@ void corner_normals_given(const struct soup *soup, const size_t *from, double (*
 /* From the faces around, up to creases. */
 void corner_normals_made(double (*places)[3], uint32_t (*faces)[3], size_t count, double crease,
                          double (*normals)[3][3]);
-/* Fills the mesh: corners of one place, one normal and one colour become one vertex. `from` as above. */
+/* Fills the mesh: corners of one place, normal, colour and place in the picture become one vertex. `from` as above. */
 void corner_normals_join(struct mesh *mesh, const struct soup *soup, const size_t *from, double (*places)[3],
                          uint32_t (*faces)[3], double (*normals)[3][3]);
 

@@ -46,9 +46,8 @@ static double volume(const struct fitted *fitted)
 /* After everything that may fail, since a failure is one line. */
 static void say_what_looks_wrong(const struct mesh *mesh, const struct fitted *fitted, double unit)
 {
-    if (mesh->has_textures || mesh->has_facet_colors)
-        warn("%s: %s are ignored: %s", mesh->name, mesh->has_textures ? "texture coordinates" : "an STL's colours",
-             mesh->colors ? "colours are the vertices'" : "each part has one colour");
+    if (mesh->has_facet_colors)
+        warn("%s: an STL's colours are ignored: each part has one colour", mesh->name);
     if (!(unit > 0) && volume(fitted) < -.05)
         warn("%s: most triangles seem to face inwards, and only those that face the viewer are drawn; flip them where "
              "the file was made",
@@ -113,6 +112,50 @@ static double held(double value, double most)
     return fmax(-most, fmin(most, round(value)));
 }
 
+/* As fine as fits the largest of them: 1.0 is 2^uv_bits. */
+static void fit_uv(const struct mesh *mesh, struct fitted *fitted)
+{
+    enum { BITS_MIN = 8, BITS_MAX = 15 };
+    double most = 0;
+    unsigned bits = BITS_MAX;
+    for (size_t i = 0; i < 2 * mesh->vertex_count; i++)
+        most = fmax(most, mesh->uv[i / 2][i % 2]);
+    while (bits > BITS_MIN && round(ldexp(most, (int)bits)) > UINT16_MAX)
+        bits--;
+    if (round(ldexp(most, (int)bits)) > UINT16_MAX)
+        fail("%s: a texture repeats more than 255 times over a part that hangs together; let it repeat less, or give "
+             "--no-textures",
+             mesh->name);
+    fitted->uv = allocate(mesh->vertex_count, sizeof *fitted->uv);
+    for (size_t i = 0; i < 2 * mesh->vertex_count; i++)
+        fitted->uv[i / 2][i % 2] = (uint16_t)fmax(0, round(ldexp(mesh->uv[i / 2][i % 2], (int)bits)));
+    fitted->mesh.uv = fitted->uv[0];
+    fitted->mesh.uv_bits = (uint8_t)bits;
+}
+
+static void fit_textures(const struct mesh *mesh, struct fitted *fitted)
+{
+    bool *is_used = allocate(mesh->picture_count, sizeof *is_used), any = false;
+    for (unsigned i = 0; i < mesh->part_count; i++)
+        if (mesh->materials[i].picture)
+            is_used[mesh->materials[i].picture - 1] = any = true;
+    if (any) {
+        fit_uv(mesh, fitted);
+        fitted->texture_count = mesh->picture_count;
+        fitted->textures = textures_of(mesh, is_used);
+        fitted->of_parts = allocate(mesh->part_count, sizeof *fitted->of_parts);
+        fitted->mesh.textures = fitted->of_parts;
+    }
+    for (unsigned i = 0; i < mesh->part_count && any; i++) {
+        const struct mesh_material *material = &mesh->materials[i];
+        if (!material->picture)
+            continue;
+        fitted->of_parts[i] = fitted->textures[material->picture - 1].texture;
+        fitted->of_parts[i].is_smooth = mesh->wish.is_smooth || !(mesh->wish.is_nearest || material->is_nearest);
+    }
+    free(is_used);
+}
+
 struct fitted *mesh_fit(const struct mesh *mesh, double unit)
 {
     struct fitted *fitted = allocate(1, sizeof *fitted);
@@ -148,7 +191,10 @@ struct fitted *mesh_fit(const struct mesh *mesh, double unit)
                                        .ends = fitted->ends,
                                        .vertex_count = (uint16_t)mesh->vertex_count,
                                        .face_count = (uint16_t)mesh->face_count,
-                                       .part_count = (uint8_t)mesh->part_count};
+                                       .part_count = (uint8_t)mesh->part_count,
+                                       .use = &glint_use_mesh_albedo};
+    if (mesh->uv)
+        fit_textures(mesh, fitted);
     if (glint_mesh_check(&fitted->mesh) != GLINT_OK)
         fail("%s: the library refused the mesh", mesh->name);
     say_what_looks_wrong(mesh, fitted, unit);
@@ -159,10 +205,18 @@ void fitted_forget_colors(struct fitted *fitted)
 {
     free(fitted->colors);
     fitted->colors = NULL;
+    fitted->mesh.textures = NULL;
+    fitted->mesh.uv = NULL;
+    fitted->mesh.uv_bits = 0;
 }
 
 void fitted_free(struct fitted *fitted)
 {
+    if (!fitted)
+        return;
+    free(fitted->uv);
+    free(fitted->of_parts);
+    textures_free(fitted->textures, fitted->texture_count);
     free(fitted->colors);
     free(fitted->places);
     free(fitted->normals);
@@ -172,10 +226,20 @@ void fitted_free(struct fitted *fitted)
     free(fitted);
 }
 
+size_t fitted_texture_bytes(const struct fitted *fitted)
+{
+    size_t sum = 0;
+    for (unsigned i = 0; i < fitted->texture_count && fitted->mesh.textures; i++)
+        if (fitted->textures[i].name)
+            sum += texture_bytes(&fitted->textures[i]);
+    return sum;
+}
+
 size_t fitted_bytes(const struct fitted *fitted, bool normals8)
 {
     const size_t vertex = sizeof *fitted->places + (normals8 ? sizeof *fitted->normals8 : sizeof *fitted->normals) +
-                          (fitted->colors ? sizeof *fitted->colors : 0);
+                          (fitted->colors ? sizeof *fitted->colors : 0) +
+                          (fitted->mesh.textures ? sizeof *fitted->uv : 0);
     return fitted->mesh.vertex_count * vertex + fitted->mesh.face_count * sizeof *fitted->faces +
-           (fitted->mesh.part_count > 1 ? 2u * fitted->mesh.part_count : 0);
+           (fitted->mesh.part_count > 1 ? 2u * fitted->mesh.part_count : 0) + fitted_texture_bytes(fitted);
 }

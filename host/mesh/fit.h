@@ -5,6 +5,7 @@
 
 #include "glint_mesh.h"
 #include "mesh/mesh.h"
+#include "mesh/texture.h"
 
 /* The library's mesh points into the arrays. */
 struct fitted {
@@ -12,15 +13,20 @@ struct fitted {
     int16_t (*places)[3], (*normals)[3];
     int8_t (*normals8)[3];
     uint16_t (*faces)[3], *ends;
-    uint8_t (*colors)[3]; /* of each vertex, of_vertices of the mesh; NULL: each part has one */
-    double middle[3];     /* of the places in double: 0, 0, 0 here */
-    double unit;          /* how many units of the places here 1 there is */
+    uint8_t (*colors)[3];           /* of each vertex, of_vertices of the mesh; NULL: each part has one */
+    uint16_t (*uv)[2];              /* NULL: no part has a texture */
+    struct glint_texture *of_parts; /* of the mesh */
+    struct texture *textures;       /* of the mesh's pictures, of which not all are used */
+    unsigned texture_count;
+    double middle[3]; /* of the places in double: 0, 0, 0 here */
+    double unit;      /* how many units of the places here 1 there is */
 };
 /* unit 0: the mesh's middle becomes 0, 0, 0 and what is farthest from it 32767 away; else places are times `unit`, about their own
  * origin. Ends the program through fail() where they do not fit. */
 struct fitted *mesh_fit(const struct mesh *mesh, double unit);
-void fitted_forget_colors(struct fitted *fitted); /* each part has one */
+void fitted_forget_colors(struct fitted *fitted); /* and textures: each part has one colour */
 void fitted_free(struct fitted *fitted);
-size_t fitted_bytes(const struct fitted *fitted, bool normals8);
+size_t fitted_bytes(const struct fitted *fitted, bool normals8); /* with its textures */
+size_t fitted_texture_bytes(const struct fitted *fitted);
 
 #endif

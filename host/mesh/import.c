@@ -5,93 +5,32 @@
 #include "base/message.h"
 
 #if GLINT_WITH_MESH
-#include <errno.h>
-#include <fcntl.h>
-#include <poll.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include "base/clock.h"
 #include "base/memory.h"
 #include "base/output.h"
 #include "mesh/import_child.h"
 #include "mesh/import_files.h"
+#include "mesh/import_picture.h"
+#include "mesh/import_process.h"
 #include "mesh/import_source.h"
 
-enum { SECONDS_MAX = 10, MEMORY_MAX_MB = 2048, PARTS_MAX = 4096 };
-
-/* ---- the child ---- */
-
-static _Noreturn void run_child(const struct import_source *source, int out)
-{
-    for (int i = 1; i < NSIG; i++)
-        signal(i, SIG_DFL);
-    sigset_t none;
-    sigemptyset(&none);
-    sigprocmask(SIG_SETMASK, &none, NULL);
-    setrlimit(RLIMIT_CORE, &(struct rlimit){0, 0});
-    setrlimit(RLIMIT_FSIZE, &(struct rlimit){0, 0});
-    setrlimit(RLIMIT_CPU, &(struct rlimit){SECONDS_MAX, SECONDS_MAX});
-#if !defined(__SANITIZE_ADDRESS__) /* whose shadow is larger */
-    const rlim_t memory = (rlim_t)MEMORY_MAX_MB << 20;
-    setrlimit(RLIMIT_AS, &(struct rlimit){memory, memory});
-#endif
-    close(STDIN_FILENO);
-    import_child(source, out);
-    _exit(0);
-}
-
-/* ---- the parent ---- */
+enum { PARTS_MAX = 4096, PICTURES_BYTES_MAX = 1 << 28, PICTURES_PIXELS_MAX = 1 << 26 };
 
 struct reader {
     const struct import_source *source;
-    int in;
-    pid_t child;
-    double end; /* of its time */
+    struct import_process process;
 };
 
-static _Noreturn void fail_child(const struct reader *reader)
+static void receive(struct reader *reader, void *to, size_t bytes)
 {
-    int status = 0;
-    const bool late = seconds_now() >= reader->end;
-    if (late)
-        kill(reader->child, SIGKILL);
-    while (waitpid(reader->child, &status, 0) < 0 && errno == EINTR)
-        ;
-    if (late || (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)))
-        fail("%s: libassimp did not read it within %d s; the file may be damaged: export it again, or simplify it",
-             reader->source->name, SECONDS_MAX);
-    if (WIFSIGNALED(status))
-        fail("%s: libassimp crashed on it (%s); the file may be damaged: export it again, or in another format",
-             reader->source->name, strsignal(WTERMSIG(status)));
-    fail("%s: libassimp broke off; the file may be damaged: export it again, or in another format",
-         reader->source->name);
+    const char *wrong = import_process_receive(&reader->process, to, bytes);
+    if (wrong)
+        fail("%s: %s", reader->source->name, wrong);
 }
 
-static void receive(const struct reader *reader, void *to, size_t bytes)
-{
-    for (uint8_t *at = to; bytes;) {
-        struct pollfd ready = {reader->in, POLLIN, 0};
-        const double left = reader->end - seconds_now();
-        if (left <= 0)
-            fail_child(reader);
-        if (poll(&ready, 1, (int)(1000 * left) + 1) <= 0)
-            continue;
-        const ssize_t got = read(reader->in, at, bytes);
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got <= 0)
-            fail_child(reader);
-        at += got;
-        bytes -= (size_t)got;
-    }
-}
-
-static void receive_files(const struct reader *reader, uint64_t count)
+static void receive_files(struct reader *reader, uint64_t count)
 {
     struct import_file file;
     if (count > IMPORT_FILES_MAX)
@@ -103,7 +42,36 @@ static void receive_files(const struct reader *reader, uint64_t count)
     }
 }
 
-static struct soup *receive_soup(const struct reader *reader)
+/* A texture that cannot be drawn leaves the mesh, in the material's colour. */
+static void receive_pictures(struct reader *reader, struct soup *soup)
+{
+    struct import_picture_head head;
+    size_t bytes_left = PICTURES_BYTES_MAX, pixels_left = PICTURES_PIXELS_MAX;
+    for (unsigned i = 0; i < soup->picture_count; i++) {
+        struct mesh_picture *picture = &soup->pictures[i];
+        receive(reader, &head, sizeof head);
+        head.message[sizeof head.message - 1] = head.name[sizeof head.name - 1] = 0;
+        if (head.len > bytes_left)
+            fail("%s: its textures have more than %d MB; save smaller ones", soup->name, PICTURES_BYTES_MAX >> 20);
+        bytes_left -= head.len;
+        uint8_t *bytes = allocate(head.len + 1, 1);
+        receive(reader, bytes, head.len);
+        const char *wrong = head.message[0] ? head.message : import_picture_decode(picture, head.name, bytes, head.len);
+        free(bytes);
+        if (wrong)
+            warn("%s: texture %s is left out: %s", soup->name, head.name, wrong);
+        if (wrong) {
+            mesh_picture_clear(picture);
+            continue;
+        }
+        const size_t pixels = (size_t)picture->width * picture->height;
+        if (pixels > pixels_left)
+            fail("%s: its textures have more than %d pixels; save smaller ones", soup->name, PICTURES_PIXELS_MAX);
+        pixels_left -= pixels;
+    }
+}
+
+static struct soup *receive_soup(struct reader *reader)
 {
     struct import_head head;
     receive(reader, &head, sizeof head);
@@ -119,41 +87,39 @@ static struct soup *receive_soup(const struct reader *reader)
     *soup = (struct soup){.name = strdup(reader->source->name),
                           .face_count = head.face_count,
                           .has_normals = head.has_normals,
-                          .has_textures = head.has_textures,
+                          .has_uv = head.has_uv,
                           .has_colors = head.has_colors,
                           .has_facet_colors = head.has_facet_colors,
                           .is_stl = strcmp(reader->source->ending, ".stl") == 0,
                           .part_count = (unsigned)head.part_count};
     if (!soup->name)
         fail("out of memory");
+    if (head.picture_count > 2 * (uint64_t)soup->part_count)
+        fail("%s: has more than two textures a material; export it again", soup->name);
+    soup->picture_count = (unsigned)head.picture_count;
     soup->materials = allocate(soup->part_count, sizeof *soup->materials);
+    soup->pictures = allocate(soup->picture_count + 1, sizeof *soup->pictures);
     soup->faces = allocate(soup->face_count, sizeof *soup->faces);
     receive(reader, soup->materials, soup->part_count * sizeof *soup->materials);
+    receive_pictures(reader, soup);
     receive(reader, soup->faces, soup->face_count * sizeof *soup->faces);
     soup_check_faces(soup);
     return soup;
 }
 
-struct soup *import_soup(const char *path)
+static void run_child(const void *source, int out)
 {
-    int ends[2];
+    import_child(source, out);
+}
+
+struct soup *import_soup(const char *path, bool textures)
+{
     struct import_source *source = import_source_open(path);
-    if (pipe2(ends, O_CLOEXEC) != 0)
-        fail("%s: no pipe for the import: %s", source->name, strerror(errno));
-    const pid_t child = fork();
-    if (child < 0)
-        fail("%s: no process for the import: %s", source->name, strerror(errno));
-    if (child == 0) {
-        close(ends[0]);
-        run_child(source, ends[1]);
-    }
-    close(ends[1]);
-    const struct reader reader = {source, ends[0], child, seconds_now() + SECONDS_MAX};
+    source->textures = textures;
+    struct reader reader = {.source = source};
+    import_process_start(&reader.process, source->name, "libassimp", run_child, source);
     struct soup *soup = receive_soup(&reader);
-    close(ends[0]);
-    kill(child, SIGKILL); /* it has nothing more to say */
-    while (waitpid(child, NULL, 0) < 0 && errno == EINTR)
-        ;
+    import_process_end(&reader.process);
     import_source_free(source);
     return soup;
 }
@@ -167,8 +133,9 @@ const char *import_library(void)
 
 #else
 
-struct soup *import_soup(const char *path)
+struct soup *import_soup(const char *path, bool textures)
 {
+    (void)textures;
     fail("%s: glint was built without libassimp, which reads meshes; install libassimp-dev and build glint again",
          path);
 }

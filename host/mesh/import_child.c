@@ -2,6 +2,7 @@
 #include "mesh/import_child.h"
 
 #if GLINT_WITH_MESH
+#include <assimp/GltfMaterial.h>
 #include <assimp/cimport.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
@@ -13,8 +14,12 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/memory.h"
 #include "glint_mesh.h"
 #include "mesh/import_files.h"
+#include "mesh/import_picture.h"
+#include "mesh/import_process.h"
+#include "mesh/import_texture.h"
 
 /* Loaded here only: commands that read no mesh start without it. */
 #define FUNCTIONS(X)                                                                                                   \
@@ -22,7 +27,9 @@
     X(aiGetErrorString)                                                                                                \
     X(aiGetMaterialColor)                                                                                              \
     X(aiGetMaterialFloatArray)                                                                                         \
-    X(aiGetMaterialIntegerArray)
+    X(aiGetMaterialIntegerArray)                                                                                       \
+    X(aiGetMaterialString)
+enum { GLTF_NEAREST = 9728 };
 #define POINTER(name) __typeof__(name) *name;
 static struct {
     FUNCTIONS(POINTER)
@@ -40,23 +47,11 @@ static bool load(void)
     return good;
 }
 
-/* The parent may be gone: then there is nobody to tell. */
-static void send(int out, const void *from, size_t bytes)
-{
-    for (const uint8_t *at = from; bytes;) {
-        const ssize_t sent = write(out, at, bytes);
-        if (sent <= 0)
-            _exit(1);
-        at += sent;
-        bytes -= (size_t)sent;
-    }
-}
-
 static void send_message(int out, const char *text)
 {
     struct import_head head = {.face_count = 0};
     snprintf(head.message, sizeof head.message, "%s", text[0] ? text : "it is damaged");
-    send(out, &head, sizeof head);
+    import_process_send(out, &head, sizeof head);
 }
 
 /* glTF's colours are linear, the others' as encoded. */
@@ -68,9 +63,30 @@ static uint8_t level(double part, bool linear)
     return (uint8_t)lround(255 * value);
 }
 
+/* Both are 1 where the file says nothing. */
+static void set_roughness(const struct aiMaterial *from, struct mesh_material *material)
+{
+    float metallic = 1, roughness = 1;
+    unsigned one = 1;
+    if (lib.aiGetMaterialFloatArray(from, AI_MATKEY_METALLIC_FACTOR, &metallic, &one) != aiReturn_SUCCESS)
+        metallic = 1;
+    one = 1;
+    if (lib.aiGetMaterialFloatArray(from, AI_MATKEY_ROUGHNESS_FACTOR, &roughness, &one) != aiReturn_SUCCESS)
+        roughness = 1;
+    material->metallic = fmin(1, fmax(0, (double)metallic));
+    material->roughness = fmin(1, fmax(0, (double)roughness));
+    material->has_roughness = material->metallic < 1 || material->roughness < 1;
+}
+
+static double linear_of(uint8_t encoded)
+{
+    const double value = encoded / 255.;
+    return value <= .04045 ? value / 12.92 : pow((value + .055) / 1.055, 2.4);
+}
+
 static struct mesh_material material_of(const struct aiMaterial *from, bool linear)
 {
-    struct mesh_material material = {.has_color = false};
+    struct mesh_material material = {.factor = {1, 1, 1}};
     struct aiColor4D color;
     float n = 0;
     int shading = 0;
@@ -83,6 +99,8 @@ static struct mesh_material material_of(const struct aiMaterial *from, bool line
     }
     if (!linear && lib.aiGetMaterialFloatArray(from, AI_MATKEY_SHININESS, &n, &one) == aiReturn_SUCCESS && n >= 1)
         material.n = (unsigned)fmin(1000, (double)n); /* an OBJ's Ns; a glTF has another model */
+    if (linear)
+        set_roughness(from, &material);
     one = 1;
     if (lib.aiGetMaterialIntegerArray(from, AI_MATKEY_SHADING_MODEL, &shading, &one) == aiReturn_SUCCESS)
         material.unlit = shading == aiShadingMode_NoShading; /* glTF's unlit, too */
@@ -127,8 +145,40 @@ static void set_color(uint8_t out[3], const struct colors *colors, unsigned vert
         out[k] = level(parts[k] * colors->times[k], colors->linear);
 }
 
-static void send_faces(int out, const struct aiMesh *mesh, const struct import_head *head, const struct colors *colors)
+/* Which of the coordinates are a picture's, and how they lead to it: v down, turned and scaled about 0, 0, then moved. */
+struct placing {
+    unsigned channel;
+    double move[2], scale[2], cosine, sine;
+};
+static const struct placing plain_placing = {0, {0, 0}, {1, 1}, 1, 0};
+
+/* A glTF's KHR_texture_transform, which libassimp keeps with v up and about other places, but does not carry out right. */
+static void set_placing(const struct aiMaterial *from, enum aiTextureType type, struct placing *placing)
 {
+    float t[5]; /* a move, a scale, a turn */
+    unsigned count = 5;
+    if (lib.aiGetMaterialFloatArray(from, AI_MATKEY_UVTRANSFORM(type, 0), t, &count) != aiReturn_SUCCESS || count != 5)
+        return;
+    const double sx = (double)t[2], sy = (double)t[3], c = cos((double)t[4]), s = -sin((double)t[4]);
+    *placing = (struct placing){placing->channel,
+                                {(double)t[0] - sx * (1 + s - c) / 2, 1 - sy + sy * (s + c - 1) / 2 - (double)t[1]},
+                                {sx, sy},
+                                c,
+                                s};
+}
+
+static void lead(const struct placing *placing, const struct aiVector3D *from, double uv[2])
+{
+    const double u = placing->scale[0] * (double)from->x, v = placing->scale[1] * (1 - (double)from->y);
+    uv[0] = placing->move[0] + placing->cosine * u + placing->sine * v;
+    uv[1] = placing->move[1] - placing->sine * u + placing->cosine * v;
+}
+
+static void send_faces(int out, const struct aiMesh *mesh, const struct import_head *head, const struct colors *colors,
+                       const struct placing *placing)
+{
+    const struct aiVector3D *uv =
+        placing->channel < AI_MAX_NUMBER_OF_TEXTURECOORDS ? mesh->mTextureCoords[placing->channel] : NULL;
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
         const struct aiFace *from = &mesh->mFaces[i];
         struct soup_face face = {.part = mesh->mMaterialIndex};
@@ -138,6 +188,8 @@ static void send_faces(int out, const struct aiMesh *mesh, const struct import_h
             const struct aiVector3D *place = &mesh->mVertices[from->mIndices[k]];
             const double at[3] = {(double)place->x, (double)place->y, (double)place->z};
             memcpy(face.places[k], at, sizeof at);
+            if (uv)
+                lead(placing, &uv[from->mIndices[k]], face.uv[k]);
             if (head->has_colors)
                 set_color(face.colors[k], colors, from->mIndices[k]);
             if (!head->has_normals)
@@ -146,7 +198,7 @@ static void send_faces(int out, const struct aiMesh *mesh, const struct import_h
             const double points[3] = {(double)normal->x, (double)normal->y, (double)normal->z};
             memcpy(face.normals[k], points, sizeof points);
         }
-        send(out, &face, sizeof face);
+        import_process_send(out, &face, sizeof face);
     }
 }
 
@@ -159,11 +211,55 @@ static struct import_head head_of(const struct aiScene *scene, bool is_stl)
         for (unsigned k = 0; k < mesh->mNumFaces; k++)
             head.face_count += mesh->mFaces[k].mNumIndices == 3;
         head.has_normals &= mesh->mNormals != NULL;
-        head.has_textures |= mesh->mTextureCoords[0] != NULL;
+        head.has_uv |= mesh->mTextureCoords[0] != NULL;
         head.has_colors |= mesh->mColors[0] != NULL && !is_stl;
         head.has_facet_colors |= mesh->mColors[0] != NULL && is_stl;
     }
     return head;
+}
+
+/* The picture of a material's colour, if it has one. */
+static void set_texture(const struct aiMaterial *from, bool linear, struct import_pictures *pictures,
+                        struct mesh_material *material, struct placing *placing)
+{
+    static const enum aiTextureType types[] = {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR};
+    struct aiString name;
+    for (size_t i = 0; i < sizeof types / sizeof *types; i++) {
+        const enum aiTextureType type = types[i];
+        int channel = 0, wrap[2] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap}, filter = 0;
+        struct aiColor4D color;
+        if (lib.aiGetMaterialString(from, AI_MATKEY_TEXTURE(type, 0), &name) != aiReturn_SUCCESS || !name.length)
+            continue;
+        lib.aiGetMaterialIntegerArray(from, AI_MATKEY_UVWSRC(type, 0), &channel, NULL);
+        lib.aiGetMaterialIntegerArray(from, AI_MATKEY_MAPPINGMODE_U(type, 0), &wrap[0], NULL);
+        lib.aiGetMaterialIntegerArray(from, AI_MATKEY_MAPPINGMODE_V(type, 0), &wrap[1], NULL);
+        lib.aiGetMaterialIntegerArray(from, AI_MATKEY_GLTF_MAPPINGFILTER_MAG(type, 0), &filter, NULL);
+        material->picture = import_pictures_find(pictures, name.data) + 1;
+        material->clamps = wrap[0] != aiTextureMapMode_Wrap || wrap[1] != aiTextureMapMode_Wrap;
+        material->is_nearest = filter == GLTF_NEAREST;
+        if (material->has_color && lib.aiGetMaterialColor(from, AI_MATKEY_COLOR_DIFFUSE, &color) == aiReturn_SUCCESS) {
+            const float parts[3] = {color.r, color.g, color.b};
+            for (int k = 0; k < 3; k++)
+                material->factor[k] = linear ? fmin(1, fmax(0, (double)parts[k])) : linear_of(material->color[k]);
+        }
+        /* Beside a picture programs write any colour, black, too; where there is none libassimp says .6. */
+        const bool is_said = memcmp(material->color, "\0\0", 3) != 0 && memcmp(material->color, "\x99\x99\x99", 3) != 0;
+        for (int k = 0; k < 3 && !linear && !is_said; k++)
+            material->factor[k] = 1;
+        placing->channel = (unsigned)channel;
+        if (linear)
+            set_placing(from, type, placing);
+        return;
+    }
+}
+
+/* The picture of a glTF's roughness and metal. */
+static void set_look(const struct aiMaterial *from, struct import_pictures *pictures, struct mesh_material *material)
+{
+    struct aiString name;
+    if (lib.aiGetMaterialString(from, AI_MATKEY_TEXTURE(aiTextureType_UNKNOWN, 0), &name) == aiReturn_SUCCESS &&
+        name.length)
+        material->look_picture = import_pictures_find(pictures, name.data) + 1;
 }
 
 static const struct aiScene *read_scene(const struct import_source *source)
@@ -191,19 +287,31 @@ void import_child(const struct import_source *source, int out)
         return;
     }
     struct import_head head = head_of(scene, strcmp(source->ending, ".stl") == 0);
+    struct mesh_material *materials = allocate(scene->mNumMaterials, sizeof *materials);
+    struct placing *placings = allocate(scene->mNumMaterials + 1, sizeof *placings);
+    struct import_pictures pictures = {scene, source, 0, allocate(scene->mNumMaterials, 2 * sizeof *pictures.of)};
+    for (unsigned i = 0; i < scene->mNumMaterials; i++) {
+        materials[i] = material_of(scene->mMaterials[i], linear);
+        placings[i] = plain_placing;
+        if (source->textures && linear)
+            set_look(scene->mMaterials[i], &pictures, &materials[i]);
+        if (source->textures)
+            set_texture(scene->mMaterials[i], linear, &pictures, &materials[i], &placings[i]);
+    }
     const struct import_file *files;
     head.file_count = import_files_read(&files);
-    send(out, &head, sizeof head);
-    send(out, files, head.file_count * sizeof *files);
+    head.picture_count = pictures.count;
+    import_process_send(out, &head, sizeof head);
+    import_process_send(out, files, head.file_count * sizeof *files);
     if (head.face_count > GLINT_MESH_FACES_MAX)
         return; /* the parent says so */
-    for (unsigned i = 0; i < scene->mNumMaterials; i++) {
-        const struct mesh_material material = material_of(scene->mMaterials[i], linear);
-        send(out, &material, sizeof material);
-    }
+    import_process_send(out, materials, scene->mNumMaterials * sizeof *materials);
+    import_pictures_send(&pictures, out);
     for (unsigned i = 0; i < scene->mNumMeshes; i++) {
         const struct colors colors = colors_of(scene, scene->mMeshes[i], linear);
-        send_faces(out, scene->mMeshes[i], &head, &colors);
+        const unsigned part = scene->mMeshes[i]->mMaterialIndex;
+        send_faces(out, scene->mMeshes[i], &head, &colors,
+                   part < scene->mNumMaterials ? &placings[part] : &plain_placing);
     }
 }
 

@@ -35,7 +35,7 @@ static bool remember(const struct stat *status)
 }
 
 /* A pipe would be waited for, a device might never end. */
-static FILE *open_file(const char *path, size_t *len)
+FILE *import_files_open(const char *path, size_t *len)
 {
     struct stat status;
     const int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
@@ -101,7 +101,7 @@ static struct aiFile *open_any(struct aiFileIO *io, const char *path, const char
         opened->stream = fmemopen(source->bytes, source->len, "rb");
         opened->len = source->len;
     } else {
-        opened->stream = open_file(path, &opened->len);
+        opened->stream = import_files_open(path, &opened->len);
     }
     if (!opened->stream) {
         free(opened);

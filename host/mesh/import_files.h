@@ -5,6 +5,7 @@
 #define GLINT_MESH_IMPORT_FILES_H
 
 #include <stdint.h>
+#include <stdio.h>
 
 #include "mesh/import_source.h"
 
@@ -18,6 +19,8 @@ struct aiFileIO; /* libassimp's */
 /* Opens regular files to read, at most IMPORT_FILES_MAX different ones; of `import_files_input` the source's bytes. */
 struct aiFileIO *import_files(const struct import_source *source);
 extern const char import_files_input[]; /* how libassimp's name of standard input begins; the format's ending follows */
+/* A regular file that the mesh names, counted among those opened; NULL: it is none, or there are too many. */
+FILE *import_files_open(const char *path, size_t *len);
 /* Those opened so far. */
 unsigned import_files_read(const struct import_file **files);
 

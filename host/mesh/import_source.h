@@ -3,6 +3,7 @@
 #ifndef GLINT_MESH_IMPORT_SOURCE_H
 #define GLINT_MESH_IMPORT_SOURCE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 struct import_source {
@@ -11,6 +12,7 @@ struct import_source {
     const char *ending; /* ".obj", ".stl", ".ply", ".gltf" or ".glb": the format */
     char *bytes;
     size_t len;
+    bool textures; /* are its pictures wanted? */
 };
 /* From a path, "-" for standard input, which is read to its end and known by how it begins. Errors end the program through fail(). */
 struct import_source *import_source_open(const char *path);

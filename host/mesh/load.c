@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "mesh/load.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,11 +11,28 @@
 #include "mesh/order.h"
 #include "mesh/soup.h"
 #include "mesh/split.h"
+#include "mesh/surface.h"
 #include "mesh/teapot_data.h"
 #include "mesh/weld.h"
 
 const char *const mesh_names[] = {"teapot", NULL};
 const char *const mesh_axes_names[] = {"y-up", "z-up", NULL};
+
+/* A picture four times around the axis, and once from the bottom to the top. Corners of a face are on one side of the seam. */
+static void wrap_around(struct soup *soup)
+{
+    const double times = 4, height = 14, middle = -1.070312, top = 7;
+    soup->has_uv = true;
+    for (size_t i = 0; i < 3 * soup->face_count; i++) {
+        struct soup_face *face = &soup->faces[i / 3];
+        const double *place = face->places[i % 3];
+        double turn = atan2(place[0] - middle, place[2]) / (2 * M_PI);
+        if (i % 3)
+            turn -= round(turn - face->uv[0][0] / times);
+        face->uv[i % 3][0] = times * turn;
+        face->uv[i % 3][1] = (top - place[1]) / height;
+    }
+}
 
 static struct soup *teapot(void)
 {
@@ -27,6 +45,7 @@ static struct soup *teapot(void)
         fail("out of memory");
     for (int i = 0; i < 3 * TEAPOT_FACES; i++)
         memcpy(soup->faces[i / 3].places[i % 3], teapot_places[teapot_faces[i / 3][i % 3]], sizeof *teapot_places);
+    wrap_around(soup);
     return soup;
 }
 
@@ -40,7 +59,7 @@ static void stand_up(double v[3])
 
 static struct soup *read_file(const struct mesh_source *source)
 {
-    struct soup *soup = import_soup(source->name);
+    struct soup *soup = import_soup(source->name, !source->no_textures && !source->texture);
     const enum mesh_axes axes = source->axes != AXES_USUAL ? source->axes : soup->is_stl ? AXES_Z_UP : AXES_Y_UP;
     soup->has_normals &= !soup->is_stl;
     for (size_t i = 0; axes == AXES_Z_UP && i < 3 * soup->face_count; i++) {
@@ -53,8 +72,9 @@ static struct soup *read_file(const struct mesh_source *source)
 struct mesh *mesh_load(const struct mesh_source *source)
 {
     struct soup *soup = source->built_in ? teapot() : read_file(source);
+    mesh_surface_begin(soup, source);
     struct mesh *mesh = mesh_weld(soup, source->built_in && source->crease < 0 ? 180 : source->crease);
-    mesh->has_textures = soup->has_textures;
+    mesh_surface_end(mesh, soup, source);
     mesh->has_facet_colors = soup->has_facet_colors;
     soup_free(soup);
     mesh_split(mesh, source->split);

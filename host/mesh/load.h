@@ -17,6 +17,9 @@ struct mesh_source {
     double crease;       /* degrees; below 0: the file's normals, or CREASE_USUAL */
     double split;        /* degrees */
     enum mesh_axes axes; /* of the file; AXES_USUAL: z up in an STL */
+    bool no_textures;
+    const char *texture;      /* the picture of all parts, in the place of those that the file names; or NULL */
+    struct texture_wish wish; /* bytes 0: TEXTURE_BYTES_USUAL */
 };
 /* Welded, split and ordered. Errors end the program through fail(). */
 struct mesh *mesh_load(const struct mesh_source *source);

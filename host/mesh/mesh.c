@@ -4,6 +4,20 @@
 #include <math.h>
 #include <stdlib.h>
 
+void mesh_picture_clear(struct mesh_picture *picture)
+{
+    free(picture->name);
+    free(picture->rgb);
+    *picture = (struct mesh_picture){.name = NULL};
+}
+
+void mesh_pictures_free(struct mesh_picture *pictures, unsigned count)
+{
+    for (unsigned i = 0; i < count; i++)
+        mesh_picture_clear(&pictures[i]);
+    free(pictures);
+}
+
 void mesh_free(struct mesh *mesh)
 {
     if (!mesh)
@@ -16,6 +30,8 @@ void mesh_free(struct mesh *mesh)
     free(mesh->faces);
     free(mesh->ends);
     free(mesh->materials);
+    free(mesh->uv);
+    mesh_pictures_free(mesh->pictures, mesh->picture_count);
     free(mesh);
 }
 
@@ -25,6 +41,24 @@ unsigned mesh_part_of(const struct mesh *mesh, size_t face)
     while (part + 1 < mesh->part_count && face >= mesh->ends[part])
         part++;
     return part;
+}
+
+/* A metal scatters nothing, but mirrors what is around it, of which nothing is known here: the part of its diffuse light that stays stands for
+ * that. The highlight's peak is that of a microfacet surface under one light, F0 (n + 2) / 8 where n = 2 / r^4 - 2. */
+void mesh_material_look(const struct mesh_material *material, double ambient[3], double diffuse[3], double specular[3])
+{
+    const double metal_diffuse = .5, plastic_f0 = .04, r = fmax(material->roughness, .1);
+    for (int k = 0; k < 3; k++) {
+        if (material->has_roughness) {
+            const double metal = material->metallic, f0 = plastic_f0 * (1 - metal) + metal * material->tint[k] / 255.;
+            diffuse[k] *= 1 - metal * (1 - metal_diffuse);
+            specular[k] = fmin(1, f0 / (4 * r * r * r * r));
+        }
+        if (material->unlit) {
+            ambient[k] = 1;
+            diffuse[k] = specular[k] = 0;
+        }
+    }
 }
 
 double mesh_dot(const double a[3], const double b[3])

@@ -106,6 +106,8 @@ static void order_vertices(struct mesh *mesh)
     mesh->normals = moved(mesh->normals, to, mesh->vertex_count, sizeof *mesh->normals);
     if (mesh->colors)
         mesh->colors = moved(mesh->colors, to, mesh->vertex_count, sizeof *mesh->colors);
+    if (mesh->uv)
+        mesh->uv = moved(mesh->uv, to, mesh->vertex_count, sizeof *mesh->uv);
     mesh->at = moved(mesh->at, to, mesh->vertex_count, sizeof *mesh->at);
     free(to);
 }

@@ -14,6 +14,7 @@ void soup_free(struct soup *soup)
     free(soup->name);
     free(soup->faces);
     free(soup->materials);
+    mesh_pictures_free(soup->pictures, soup->picture_count);
     free(soup);
 }
 
@@ -37,4 +38,13 @@ void soup_check_faces(const struct soup *soup)
         if (face->part >= soup->part_count)
             fail("%s: triangle %zu has no material; repair the mesh", soup->name, i + 1);
     }
+}
+
+void soup_check_uv(const struct soup *soup)
+{
+    for (size_t i = 0; i < 6 * soup->face_count; i++)
+        if (!(fabs(soup->faces[i / 6].uv[i / 2 % 3][i % 2]) < 1e6))
+            fail("%s: triangle %zu has a texture coordinate that is not a number below 10^6; repair the mesh, or give "
+                 "--no-textures",
+                 soup->name, i / 6 + 1);
 }

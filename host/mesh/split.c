@@ -68,6 +68,8 @@ static uint32_t middle(struct mesh *mesh, const struct edge *edge, uint32_t plac
         memcpy(normal, a, sizeof *mesh->normals);
     for (int k = 0; mesh->colors && k < 3; k++)
         mesh->colors[i][k] = (uint8_t)((mesh->colors[edge->from][k] + mesh->colors[edge->to][k] + 1) / 2);
+    for (int k = 0; mesh->uv && k < 2; k++)
+        mesh->uv[i][k] = (mesh->uv[edge->from][k] + mesh->uv[edge->to][k]) / 2;
     mesh->at[i] = place;
     return (uint32_t)i;
 }
@@ -83,6 +85,8 @@ static size_t choose(struct mesh *mesh, double least, uint32_t (*middles)[3])
     mesh->normals = grown(mesh->normals, mesh->vertex_count + count, sizeof *mesh->normals);
     if (mesh->colors)
         mesh->colors = grown(mesh->colors, mesh->vertex_count + count, sizeof *mesh->colors);
+    if (mesh->uv)
+        mesh->uv = grown(mesh->uv, mesh->vertex_count + count, sizeof *mesh->uv);
     mesh->at = grown(mesh->at, mesh->vertex_count + count, sizeof *mesh->at);
     for (size_t i = 0, end; i < count; i = end) {
         bool cut = false;

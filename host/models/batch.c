@@ -9,11 +9,11 @@
 
 const struct batch_loops batch_loops[] = {
 #if GLINT_BATCH_AVX2
-    {"avx2", batch_runs_avx2, batch_msh_avx2, batch_schlick_avx2, batch_cayley_avx2, batch_lyon_avx2, batch_power_avx2,
-     batch_lookup_avx2},
+    {"avx2", batch_runs_avx2, batch_msh_avx2, batch_schlick_avx2, batch_cayley_avx2, batch_lyon_avx2, batch_ggx_avx2,
+     batch_power_avx2, batch_lookup_avx2},
 #endif
     {"portable", batch_runs_portable, batch_msh_portable, batch_schlick_portable, batch_cayley_portable,
-     batch_lyon_portable, NULL, batch_lookup_portable},
+     batch_lyon_portable, batch_ggx_portable, NULL, batch_lookup_portable},
 };
 const size_t batch_loops_count = sizeof batch_loops / sizeof *batch_loops;
 
@@ -56,6 +56,8 @@ static batch_loop *loop_of(const struct batch_loops *loops, enum glint_model mod
         return n > 4 ? loops->cayley : loops->power;
     case GLINT_LYON:
         return loops->lyon;
+    case GLINT_GGX:
+        return loops->ggx;
     }
     return NULL;
 }

@@ -21,7 +21,7 @@ typedef void batch_lookup(const uint32_t *table, const int32_t *c_q16, uint32_t 
 struct batch_loops {
     const char *name;
     bool (*runs)(void);
-    batch_loop *msh, *schlick, *cayley, *lyon, *power; /* power: Blinn's and Phong's */
+    batch_loop *msh, *schlick, *cayley, *lyon, *ggx, *power; /* power: Blinn's and Phong's */
     batch_lookup *lookup;
 };
 extern const struct batch_loops batch_loops[];

@@ -163,6 +163,39 @@ AVX2 void batch_lyon_avx2(uint32_t n, const int32_t *c_q16, uint32_t *f_q16, siz
     batch_lyon_portable(n, c_q16 + i, f_q16 + i, count - i);
 }
 
+AVX2 static inline __m256d ggx_d(double d_at_0, double k, __m256d c)
+{
+    return _mm256_fnmadd_pd(_mm256_set1_pd(k), _mm256_mul_pd(c, c), _mm256_set1_pd(d_at_0));
+}
+
+AVX2 static inline __m256d square_rounded(__m256d r)
+{
+    return _mm256_fmadd_pd(r, r, _mm256_set1_pd(0x1p52));
+}
+
+AVX2 static inline __m256i ggx_8(double k, __m256i c)
+{
+    const struct doubles of = linear(0, 1, c);
+    const double d_at_0 = 0x1p33 + k * 0x1p32;
+    const struct doubles d = {ggx_d(d_at_0, k, of.low), ggx_d(d_at_0, k, of.high)};
+    const __m256d quotient = _mm256_mul_pd(_mm256_set1_pd(0x1p41), joint_quotient(d));
+    return lower_halves(square_rounded(_mm256_mul_pd(quotient, d.high)),
+                        square_rounded(_mm256_mul_pd(quotient, d.low)));
+}
+
+AVX2 void batch_ggx_avx2(uint32_t n, const int32_t *c_q16, uint32_t *f_q16, size_t count)
+{
+    size_t i = 0;
+    for (; i + 16 <= count; i += 16) {
+        const __m256i back0 = back_facing(c_q16 + i), back1 = back_facing(c_q16 + i + 8);
+        const __m256i f0 = ggx_8(n, load_c(c_q16 + i)), f1 = ggx_8(n, load_c(c_q16 + i + 8));
+        store_f(f_q16 + i, _mm256_andnot_si256(back0, f0));
+        store_f(f_q16 + i + 8, _mm256_andnot_si256(back1, f1));
+    }
+    _mm256_zeroupper();
+    batch_ggx_portable(n, c_q16 + i, f_q16 + i, count - i);
+}
+
 /* ---- c^n in Q0.32 by binary powering: each product is cut by less than 1, so that the power is low by less than n. Where
  * that does not decide the rounding, glint_blinn does. Even and odd elements are apart in 64 bits. ---- */
 

@@ -60,6 +60,16 @@ void batch_lyon_portable(uint32_t n, const int32_t *c_q16, uint32_t *f_q16, size
     }
 }
 
+void batch_ggx_portable(uint32_t n, const int32_t *c_q16, uint32_t *f_q16, size_t count)
+{
+    const double k = n, d_at_0 = 0x1p33 + k * 0x1p32;
+#pragma omp simd
+    for (size_t i = 0; i < count; i++) {
+        const double c = batch_clamp_c(c_q16[i]), root = 0x1p41 / (d_at_0 - k * (c * c));
+        f_q16[i] = c_q16[i] < 0 ? 0 : (uint32_t)(int32_t)(root * root + 0.5);
+    }
+}
+
 void batch_lookup_portable(const uint32_t *table, const int32_t *c_q16, uint32_t *f_q16, size_t count)
 {
     for (size_t i = 0; i < count; i++)

@@ -22,10 +22,10 @@ struct batch_msh {
 struct batch_msh batch_msh_of(uint32_t n);
 
 /* Cayley, n > 4: with D = 2^16 - C, F 2^16 = (16 p / s)^4, p = 8 2^16 - (n + 4) D, or 0 where that is negative, s = 8 2^16 +
- * (n - 4) D: integers below 2^27. Lyon: F 2^16 = ((4 2^16 - n D) / 2^14)^4 or 0. Roundings, at most 12 of
+ * (n - 4) D: integers below 2^27. Lyon: F 2^16 = ((4 2^16 - n D) / 2^14)^4 or 0. GGX: F 2^16 = (2^41 / D)^2, D = 2^33 + n (2^32 - C^2), an integer below 2^43. Roundings, at most 12 of
  * 2^-53 of F, are below the distance of every value from the nearest tie, as tests/exact/test_batch.c shows. */
 bool batch_runs_portable(void);
-batch_loop batch_msh_portable, batch_schlick_portable, batch_cayley_portable, batch_lyon_portable;
+batch_loop batch_msh_portable, batch_schlick_portable, batch_cayley_portable, batch_lyon_portable, batch_ggx_portable;
 batch_lookup batch_lookup_portable;
 
 #endif

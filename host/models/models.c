@@ -1,17 +1,43 @@
 /* SPDX-License-Identifier: MIT */
 #include "models/models.h"
 
+#include <math.h>
+
 #include "base/parse.h"
 
-#define FACTS(number, name, function, use) &model_##name,
+#define FACTS(number, name, function, use, grain) &model_##name,
 const struct model_facts *const model_facts[] = {GLINT_MODELS(FACTS)};
 
-#define NAME(number, name, function, use) #name,
+#define NAME(number, name, function, use, grain) #name,
 const char *const model_names[] = {GLINT_MODELS(NAME) NULL};
 
 double model_double(enum glint_model model, double n, double c)
 {
     return (unsigned)model < GLINT_MODEL_COUNT ? model_facts[model]->value(n, c) : 0;
+}
+
+double shininess_of_roughness(double roughness)
+{
+    const double alpha = roughness * roughness;
+    return 2 / (alpha * alpha) - 2;
+}
+
+unsigned shininess_held(double n)
+{
+    return (unsigned)fmin(fmax(round(n), 1), GLINT_N_MAX);
+}
+
+bool model_has_grain(enum glint_model model)
+{
+    return model == GLINT_MSH || model == GLINT_SCHLICK || model == GLINT_CAYLEY || model == GLINT_LYON ||
+           model == GLINT_GGX;
+}
+
+/* n t becomes n_across t + (n - n_across) (H.T)^2 / 2, and GGX's n (1 - c^2) n_across (1 - c^2) + (n - n_across) (H.T)^2; at t = 0 there is no (H.T)^2 either. */
+double model_grained(enum glint_model model, double n, double n_across, double c, double h_t_square)
+{
+    const double of = model == GLINT_GGX ? 1 - c * c : 2 * (1 - c);
+    return of > 0 ? n_across + (n - n_across) * h_t_square / of : n;
 }
 
 enum glint_model parse_model(const struct argp_state *state, const char *option, const char *text)

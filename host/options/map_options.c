@@ -11,7 +11,18 @@
 #include "scene/maps.h"
 
 /* Beyond those of scene_options.c. */
-enum key { KEY_HEIGHT = 544, KEY_NORMALS, KEY_SCALE, KEY_BEVEL, KEY_WRAP, KEY_FLIP_Y, KEY_MASK, KEY_SIZE };
+enum key {
+    KEY_HEIGHT = 544,
+    KEY_NORMALS,
+    KEY_SCALE,
+    KEY_BEVEL,
+    KEY_WRAP,
+    KEY_FLIP_Y,
+    KEY_MASK,
+    KEY_SIZE,
+    KEY_GRAIN,
+    KEY_CUT_OUT
+};
 
 static const struct argp_option argp_options[] = {
     {"height", KEY_HEIGHT, "FILE", 0,
@@ -24,8 +35,9 @@ static const struct argp_option argp_options[] = {
 
     {NULL, 0, NULL, 0, "The maps, PNG or SVG files of one size (- is standard input):", 2},
     {"mask", KEY_MASK, "FILE", 0,
-     "What is drawn: black pixels have no surface, stay black and are not compared. Of a mask with transparent pixels "
-     "these count instead",
+     "What is drawn: black pixels have no surface, show the background and are not compared; greys are soft edges. Of "
+     "a "
+     "mask with transparent pixels these count instead",
      2},
     {"scale", KEY_SCALE, "S", 0,
      "The height of white above black in pixels; negative turns hills into hollows (default 8, or --bevel's WIDTH)", 2},
@@ -36,6 +48,15 @@ static const struct argp_option argp_options[] = {
     {"wrap", KEY_WRAP, NULL, 0,
      "The height map is seamless: take slopes across its edges (the default if --size repeats it)", 2},
     {"flip-y", KEY_FLIP_Y, NULL, 0, "The normal map's green points down, as in DirectX", 2},
+    {"cut-out", KEY_CUT_OUT, NULL, 0,
+     "Leave out the wall behind a built-in scene, or with --bevel what is not the logo, with a soft edge", 2},
+    {"grain", KEY_GRAIN, "KIND", 0,
+     "Which way the scratches of brushed metal run, for a material with --across: brushed:ANGLE, degrees "
+     "counterclockwise "
+     "from the right (default brushed:0); spun, round the picture's middle, or spun:X,Y, round a pixel; sunray, away "
+     "from "
+     "it, or sunray:X,Y; or a grey FILE: 256 a half turn",
+     2},
     {"size", KEY_SIZE, "WxH", 0,
      "Draw a scene at this size (default 320x320; glint stream: see SCENE). A map is cut or repeated to this size, "
      "never scaled; an SVG is drawn at it (default: the map's own size)",
@@ -62,15 +83,50 @@ static void parse_size(const struct argp_state *state, const char *text, struct 
 
 unsigned map_options_standard_input(const struct scene_options *o)
 {
-    const char *const maps[] = {o->heights, o->normals, o->albedo, o->gloss, o->mask, o->mesh.name};
+    const char *const maps[] = {
+        o->heights,  o->normals, o->albedo, o->gloss, o->mask, o->grain_map, o->has_backdrop ? o->backdrop : NULL,
+        o->mesh.name};
     unsigned count = 0;
     for (size_t i = 0; i < sizeof maps / sizeof *maps; i++)
         count += maps[i] && strcmp(maps[i], "-") == 0;
     return count;
 }
 
+/* Where a kind is named, what follows its colon, "" where nothing does; else NULL. */
+static const char *after_kind(const char *text, const char *kind)
+{
+    const size_t length = strlen(kind);
+    if (strncmp(text, kind, length) != 0 || (text[length] && text[length] != ':'))
+        return NULL;
+    return text[length] ? text + length + 1 : "";
+}
+
+static void parse_grain(const struct argp_state *state, const char *text, struct scene_options *o)
+{
+    const char *spun = after_kind(text, "spun"), *sunray = after_kind(text, "sunray");
+    const char *brushed = after_kind(text, "brushed"), *centre = spun ? spun : sunray;
+    o->has_grain = true;
+    o->grain_map = NULL;
+    o->grain = (struct grain){.kind = spun ? GLINT_GRAIN_SPUN : sunray ? GLINT_GRAIN_SUNRAY : GLINT_GRAIN_BRUSHED};
+    if (centre && !*centre) {
+        o->grain.at[0] = o->grain.at[1] = NAN;
+    } else if (centre) {
+        parse_reals(state, "--grain", centre, o->grain.at, 2, -SIDE_MAX, 2 * SIDE_MAX);
+    } else if (brushed) {
+        const double turn = *brushed ? parse_real(state, "--grain", brushed, -360, 360) * M_PI / 180 : 0;
+        o->grain.at[0] = cos(turn);
+        o->grain.at[1] = sin(turn);
+    } else {
+        o->grain_map = text;
+    }
+}
+
 static void check(const struct argp_state *state, struct scene_options *o)
 {
+    if (o->cut_out && !(o->scene && !o->mesh.name) && !(o->bevel > 0))
+        refuse(state, "--cut-out needs a built-in scene, or a logo with --bevel");
+    if (o->mesh.name && o->has_grain && (o->grain_map || o->grain.kind != GLINT_GRAIN_BRUSHED))
+        refuse(state, "--grain: a mesh takes brushed:ANGLE");
     const int sources = !!o->heights + !!o->normals + !!o->scene + (o->mesh.name && !o->mesh.built_in);
     if (sources > 1)
         refuse(state, "give only one of --height, --normals, --scene and --mesh");
@@ -114,6 +170,12 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case KEY_MASK:
         o->mask = text;
+        return 0;
+    case KEY_GRAIN:
+        parse_grain(state, text, o);
+        return 0;
+    case KEY_CUT_OUT:
+        o->cut_out = true;
         return 0;
     case KEY_SIZE:
         parse_size(state, text, o);

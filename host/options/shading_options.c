@@ -4,17 +4,20 @@
 #include <string.h>
 
 #include "base/argp.h"
+#include "base/message.h"
 #include "base/parse.h"
 #include "draw/paths.h"
 #include "image/format.h"
 #include "models/models.h"
 #include "options/light_options.h"
 #include "options/shading_options.h"
+#include "scene/materials.h"
 
 /* The commands' own keys begin at 384. */
 enum key {
     KEY_COLOR = 256,
     KEY_MODEL,
+    KEY_ROUGHNESS,
     KEY_LIGHT,
     KEY_POINT,
     KEY_SPOT,
@@ -25,7 +28,9 @@ enum key {
     KEY_CLAMP_PEAK,
     KEY_FORMAT,
     KEY_SPACE,
-    KEY_DITHER
+    KEY_DITHER,
+    KEY_MATERIAL,
+    KEY_ACROSS
 };
 enum { Q_UNSET = 255 };
 
@@ -47,8 +52,18 @@ static const struct argp_option argp_options[] = {
      1},
 
     {NULL, 0, NULL, 0, "The light and the material:", 3},
+    {"material", KEY_MATERIAL, "NAME", 0,
+     PRESET_WORDS "each with its shininess, colour, --ambient, --diffuse and --specular where no option gives them", 3},
     {"model", KEY_MODEL, "NAME", 0, "The highlight: " MODEL_WORDS "default: msh", 3},
     {NULL, 'n', "N", 0, "Shininess, 1..1000 (default 60; watchface 40, coin 30)", 3},
+    {"roughness", KEY_ROUGHNESS, "R", 0,
+     "In the place of -n: glTF's roughness, 0..1. n = 2 / R^4 - 2, the GGX lobe's; below .211 it counts as .211, n = "
+     "1000",
+     3},
+    {"across", KEY_ACROSS, "N", 0,
+     "Shininess across the grain, 1..1000; -n is along it. Metal has a lower one (default: no grain, or the scene's or "
+     "the material's)",
+     3},
     {NULL, 'q', "Q", 0,
      "A highlight under 2^-Q counts as 0; 1..16 (default, and 0: 12 for --space linear, else 6 for rgb565 "
      "and mono undithered, else 8)",
@@ -105,6 +120,15 @@ static void parse_color(const struct argp_state *state, const char *text, struct
     options->has_color = true;
 }
 
+static unsigned parse_roughness(const struct argp_state *state, const char *text)
+{
+    const double roughness = parse_real(state, "--roughness", text, 0, 1), n = shininess_of_roughness(roughness);
+    const unsigned held = shininess_held(n);
+    if (fabs(held - n) > 0.5)
+        warn("--roughness %g: n = %.0f is beyond 1..%u; drawn with %u", roughness, n, GLINT_N_MAX, held);
+    return held;
+}
+
 static void parse_view(const struct argp_state *state, const char *text, double view[3])
 {
     parse_reals(state, "--view", text, view, 3, -1e6, 1e6);
@@ -116,6 +140,12 @@ static error_t parse_shading(int key, char *text, const struct argp_state *state
     switch (key) {
     case 'n':
         shading->n = (unsigned)parse_integer(state, "-n", text, 1, GLINT_N_MAX);
+        return 0;
+    case KEY_ROUGHNESS:
+        shading->n = parse_roughness(state, text);
+        return 0;
+    case KEY_ACROSS:
+        shading->n_across = (unsigned)parse_integer(state, "--across", text, 1, GLINT_N_MAX);
         return 0;
     case 'q':
         shading->q = (unsigned)parse_integer(state, "-q", text, 0, GLINT_Q_MAX);
@@ -158,6 +188,44 @@ static error_t parse_shading(int key, char *text, const struct argp_state *state
     }
 }
 
+static void default_to(double values[3], const double defaults[3])
+{
+    for (unsigned k = 0; k < 3; k++)
+        if (isnan(values[k]))
+            values[k] = defaults[k];
+}
+
+static void check_grain(const struct argp_state *state, const struct shading *shading)
+{
+    char names[200] = "";
+    if (!shading->n_across || shading->n_across == shading->n || model_has_grain(shading->model))
+        return;
+    for (unsigned i = 0; model_names[i]; i++)
+        if (model_has_grain((enum glint_model)i)) {
+            strcat(names, *names ? ", " : "");
+            strcat(names, model_names[i]);
+        }
+    refuse(state, "--across: %s has no grain; choose one of %s", model_names[shading->model], names);
+}
+
+/* The material's values where no option gave one. A metal keeps the grain of a scene that has one. */
+static void take_material(struct shading_options *o, const struct preset *preset)
+{
+    struct shading *shading = &o->shading;
+    if (!shading->n)
+        shading->n = preset->finish.n;
+    if (!shading->n_across && model_has_grain(shading->model))
+        shading->n_across = preset->finish.n_across ? preset->finish.n_across : preset->is_metal ? 0 : shading->n;
+    default_to(shading->ambient, preset->finish.ambient);
+    default_to(shading->diffuse, preset->finish.diffuse);
+    default_to(shading->specular, preset->finish.specular);
+    if (o->has_color)
+        return;
+    memcpy(shading->color, preset->color, sizeof shading->color);
+    memcpy(o->scene.body, preset->color, sizeof o->scene.body);
+    o->scene.has_body = true;
+}
+
 static error_t parse_option(int key, char *text, struct argp_state *state)
 {
     struct shading_options *o = state->input;
@@ -165,6 +233,10 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     case ARGP_KEY_INIT:
         *o = shading_options_default;
         state->child_inputs[0] = &o->scene;
+        return 0;
+    case KEY_MATERIAL:
+        o->material = parse_choice(state, "--material", "material", text, preset_names);
+        o->has_material = true;
         return 0;
     case KEY_COLOR:
         parse_color(state, text, o);
@@ -175,6 +247,11 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case ARGP_KEY_END:
         o->has_light = o->shading.lamp_count > 0;
+        check_grain(state, &o->shading);
+        if (o->has_material) {
+            const struct preset preset = preset_of(o->material);
+            take_material(o, &preset);
+        }
         check_lamps(state, &o->shading);
         return 0;
     default:
@@ -191,10 +268,16 @@ void shading_options_check(const struct argp_state *state, const struct shading_
     const struct mesh_source *mesh = &options->scene.mesh;
     struct mesh_path of_mesh;
     const char *refusal = mesh->name ? path_of_mesh(shading, false, &of_mesh) : path_refusal(shading);
-    if (refusal && mesh->name && !mesh->built_in && !options->has_color && !path_of_mesh(shading, true, &of_mesh))
+    if (refusal && mesh->name && (!mesh->built_in || mesh->texture) && !shading_options_one_color(options) &&
+        !path_of_mesh(shading, true, &of_mesh))
         return; /* the file tells */
     if (refusal)
         refuse(state, "--path %s: %s", path_names[shading->path], refusal);
+}
+
+bool shading_options_one_color(const struct shading_options *options)
+{
+    return options->has_color || options->has_material;
 }
 
 struct scene *scene_of_shading_options(const struct shading_options *options, const struct scene_maps *maps,
@@ -215,16 +298,23 @@ struct shading shading_of_options(const struct shading_options *options, enum gl
     shading.format = format;
     if (!shading.n)
         shading.n = finish->n;
-    for (unsigned k = 0; k < 3; k++) {
-        if (isnan(shading.ambient[k]))
-            shading.ambient[k] = finish->ambient[k];
-        if (isnan(shading.diffuse[k]))
-            shading.diffuse[k] = finish->diffuse[k];
-        if (isnan(shading.specular[k]))
-            shading.specular[k] = finish->specular[k];
-    }
+    if (!shading.n_across && model_has_grain(shading.model))
+        shading.n_across = finish->n_across;
+    if (shading.n_across == shading.n)
+        shading.n_across = 0;
+    default_to(shading.ambient, finish->ambient);
+    default_to(shading.diffuse, finish->diffuse);
+    default_to(shading.specular, finish->specular);
     if (shading.q == Q_UNSET)
         shading.q = 0;
     shading.q = shading_q(&shading);
     return shading;
+}
+
+struct mesh_own shading_options_own(const struct shading_options *options)
+{
+    const struct shading *shading = &options->shading;
+    return (struct mesh_own){!shading_options_one_color(options), !shading->n,
+                             !options->has_material && isnan(shading->ambient[0]) && isnan(shading->diffuse[0]) &&
+                                 isnan(shading->specular[0])};
 }

@@ -7,12 +7,15 @@
 
 #include "options/scene_options.h"
 #include "options/view_options.h"
+#include "draw/mesh_canvas.h"
 #include "draw/shading.h"
 
 struct shading_options {
     struct scene_options scene;
     struct view_options view; /* of a mesh; drawing_options.h fills it */
     bool has_color;           /* instead of an albedo */
+    bool has_material;        /* whose values are in `shading` where no option says otherwise */
+    unsigned material;        /* its place in preset_names */
     bool has_light;           /* of any kind; otherwise the default one */
     bool has_format;          /* otherwise RGB888, or the device's */
     struct shading shading;   /* with gaps, which shading_of_options fills */
@@ -24,6 +27,11 @@ extern const struct argp shading_options_argp;
 /* Checks what depends on the format. */
 void shading_options_check(const struct argp_state *state, const struct shading_options *options,
                            const struct shading *shading);
+
+/* Is all of a mesh drawn in one colour, that of --color or of the material? */
+bool shading_options_one_color(const struct shading_options *options);
+/* What the options leave to a mesh's materials. */
+struct mesh_own shading_options_own(const struct shading_options *options);
 
 /* The scene of maps that were read; width = 0: at its own size. */
 struct scene *scene_of_shading_options(const struct shading_options *options, const struct scene_maps *maps,

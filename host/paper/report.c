@@ -121,26 +121,73 @@ static void put_table(FILE *stream, const json_t *table)
     }
 }
 
-static void put_figures(FILE *stream, const struct paper *paper)
+static void put_figure(FILE *stream, const json_t *figure)
+{
+    fprintf(stream, "<figure id=\"%s\">\n", value(figure, "part"));
+    if (value(figure, "data")) {
+        fprintf(stream, "<img src=\"%s\" alt=\"", value(figure, "data"));
+        put(stream, value(figure, "title"));
+        fputs("\">\n", stream);
+    }
+    fputs("<figcaption><b>", stream);
+    put(stream, value(figure, "title"));
+    fputs(".</b> ", stream);
+    put(stream, value(figure, "caption"));
+    fprintf(stream, " Data: <a href=\"%s\">%s</a>%s.</figcaption>\n</figure>\n", value(figure, "csv"),
+            value(figure, "csv"), value(figure, "data") ? "" : "; drawn without --no-plots");
+}
+
+/* A table with a section of its own, where its part's figure is, too; else NULL. */
+static const char *section_of(const struct paper *paper, const char *part)
+{
+    const json_t *table = json_object_get(paper->tables, part);
+    return table ? value(table, "section") : NULL;
+}
+
+static void put_figures(FILE *stream, const struct paper *paper, const char *of_part)
 {
     size_t i;
     json_t *figure;
+    bool begins = !of_part;
     json_array_foreach(paper->figures, i, figure)
     {
-        if (i == 0)
+        const char *part = value(figure, "part");
+        if (of_part ? strcmp(part, of_part) != 0 : section_of(paper, part) != NULL)
+            continue;
+        if (begins)
             fputs("<h2>Figures</h2>\n", stream);
-        fprintf(stream, "<figure id=\"%s\">\n", value(figure, "part"));
-        if (value(figure, "data")) {
-            fprintf(stream, "<img src=\"%s\" alt=\"", value(figure, "data"));
-            put(stream, value(figure, "title"));
-            fputs("\">\n", stream);
-        }
-        fputs("<figcaption><b>", stream);
-        put(stream, value(figure, "title"));
-        fputs(".</b> ", stream);
-        put(stream, value(figure, "caption"));
-        fprintf(stream, " Data: <a href=\"%s\">%s</a>%s.</figcaption>\n</figure>\n", value(figure, "csv"),
-                value(figure, "csv"), value(figure, "data") ? "" : "; drawn without --no-plots");
+        begins = false;
+        put_figure(stream, figure);
+    }
+}
+
+static void put_tables(FILE *stream, const struct paper *paper)
+{
+    const char *part;
+    json_t *table;
+    bool begins = true;
+    json_object_foreach(paper->tables, part, table)
+    {
+        if (section_of(paper, part))
+            continue;
+        if (begins)
+            fputs("<h2>Tables</h2>\n", stream);
+        begins = false;
+        put_table(stream, table);
+    }
+}
+
+static void put_sections(FILE *stream, const struct paper *paper)
+{
+    const char *part;
+    json_t *table;
+    json_object_foreach(paper->tables, part, table)
+    {
+        if (!section_of(paper, part))
+            continue;
+        fprintf(stream, "<h2>%s</h2>\n", section_of(paper, part));
+        put_table(stream, table);
+        put_figures(stream, paper, part);
     }
 }
 
@@ -167,12 +214,9 @@ static void put_report(FILE *stream, const struct paper *paper)
         put_claims(stream, paper);
     if (json_array_size(paper->choices))
         put_choices(stream, paper);
-    if (json_object_size(paper->tables))
-        fputs("<h2>Tables</h2>\n", stream);
-    const char *part;
-    json_t *table;
-    json_object_foreach(paper->tables, part, table) put_table(stream, table);
-    put_figures(stream, paper);
+    put_tables(stream, paper);
+    put_figures(stream, paper, NULL);
+    put_sections(stream, paper);
     fputs("</html>\n", stream);
 }
 

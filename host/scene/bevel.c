@@ -175,11 +175,15 @@ static void smooth(double *heights, uint32_t width, uint32_t height)
     free(line);
 }
 
+double *bevel_coverage(const struct image *picture)
+{
+    double *alpha = alpha_of(picture);
+    return alpha ? alpha : brightness_of(picture);
+}
+
 double *bevel_heights(const struct image *picture, double width)
 {
-    double *coverage = alpha_of(picture);
-    if (!coverage)
-        coverage = brightness_of(picture);
+    double *coverage = bevel_coverage(picture);
     double *heights = bevel_distances(coverage, picture->width, picture->height);
     for (size_t i = 0; i < (size_t)picture->width * picture->height; i++) {
         const double left = 1 - fmin(1, heights[i] / width);

@@ -9,6 +9,8 @@
  * inwards, then 1. The shape is what alpha covers; in an opaque picture it is what differs in brightness from the rim. malloc'd. A
  * picture without a shape ends the program through fail(). */
 double *bevel_heights(const struct image *picture, double width);
+/* How much of each pixel the shape covers, 0..1; malloc'd. */
+double *bevel_coverage(const struct image *picture);
 
 /* The distance of each pixel from the edge, in pixels; 0 outside. `coverage`: 0..1, of which at least one is under 1/2:
  * half and more is inside, and what lies between 0 and 1 moves the edge within its pixel. malloc'd. */

@@ -6,7 +6,7 @@
 
 static const double coin_radius = .93, rim_radius = .85;
 
-static const struct relief cloth = {-.08, {.10, .13, .16}, 0};
+const struct relief coin_cloth = {-.08, {.10, .13, .16}, 0, 0};
 static const double gold[3] = {.90, .66, .26};
 
 /* A rise of 1 from the edge inwards over `width`, rounded at both ends; `inside` is the distance from the edge. */
@@ -72,13 +72,14 @@ static double star(double x, double y, unsigned arms, double turn, double outer,
     return inside > 0 ? steep * inside : 0;
 }
 
-struct relief relief_coin(double x, double y, double pixel)
+struct relief relief_coin(double x, double y, double pixel, const double body[3])
 {
     const double r = hypot(x, y);
-    struct relief point = cloth;
-    if (r > coin_radius + pixel)
-        return point;
-    struct relief coin = {.05 * r * r, {gold[0], gold[1], gold[2]}, 1}; /* the field is hollow */
+    if (r > coin_radius + 2 * pixel)
+        return coin_cloth;
+    const double *metal = body ? body : gold;
+    struct relief coin = {
+        .05 * r * r, {metal[0], metal[1], metal[2]}, 1, coverage(r - coin_radius, pixel)}; /* the field is hollow */
     const double soft = fmax(.012, 1.5 * pixel);
     double relief = fmax(beads(x, y), .05 * rise(r - rim_radius + soft, soft * 2));
     relief -= .03 * rise(r - coin_radius + 2 * soft, 2 * soft) * (r > rim_radius);
@@ -93,6 +94,5 @@ struct relief relief_coin(double x, double y, double pixel)
     for (unsigned k = 0; k < 3; k++)
         coin.albedo[k] *= patina;
     coin.gloss = patina;
-    relief_cover(&point, &coin, coverage(r - coin_radius, pixel));
-    return point;
+    return coin;
 }

@@ -4,6 +4,7 @@
 
 #include "scene/shapes.h"
 
-struct relief relief_coin(double x, double y, double pixel);
+struct relief relief_coin(double x, double y, double pixel, const double body[3]);
+extern const struct relief coin_cloth; /* on which it lies */
 
 #endif

@@ -2,7 +2,9 @@
  * Scenes from the files and names that the user gave. */
 #include "scene/maps.h"
 
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "base/message.h"
@@ -30,15 +32,18 @@ static void check_same_size(const struct image *map, const struct scene *scene, 
 /* The picture that holds the surface, and its other maps; NULL where there is none. */
 struct scene_maps {
     struct scene_options options;
-    struct image *surface, *albedo, *gloss, *mask;
+    struct image *surface, *albedo, *gloss, *mask, *grain;
 };
 
 struct scene_maps *scene_maps_read(const struct scene_options *options)
 {
     struct scene_maps *maps = allocate(1, sizeof *maps);
-    *maps = (struct scene_maps){*options, read_map(options, options->heights ? options->heights : options->normals),
-                                read_map(options, options->albedo), read_map(options, options->gloss),
-                                read_map(options, options->mask)};
+    *maps = (struct scene_maps){*options,
+                                read_map(options, options->heights ? options->heights : options->normals),
+                                read_map(options, options->albedo),
+                                read_map(options, options->gloss),
+                                read_map(options, options->mask),
+                                read_map(options, options->grain_map)};
     return maps;
 }
 
@@ -48,6 +53,7 @@ void scene_maps_free(struct scene_maps *maps)
     image_free(maps->albedo);
     image_free(maps->gloss);
     image_free(maps->mask);
+    image_free(maps->grain);
     free(maps);
 }
 
@@ -73,11 +79,29 @@ static struct scene *scene_of_heights(const struct scene_maps *maps, uint32_t wi
     return scene;
 }
 
+static bool cuts_out(const struct scene_options *options)
+{
+    return options->cut_out || options->has_backdrop;
+}
+
+static uint8_t *shape_of(const struct image *logo)
+{
+    const size_t pixels = (size_t)logo->width * logo->height;
+    double *coverage = bevel_coverage(logo);
+    uint8_t *drawn = allocate(pixels, 1);
+    for (size_t i = 0; i < pixels; i++)
+        drawn[i] = (uint8_t)lround(255 * coverage[i]);
+    free(coverage);
+    return drawn;
+}
+
 /* What is drawn, 8 bits a pixel of *from: the mask's alpha where that leaves pixels out, else its brightness; without a
- * mask the normal map's alpha. NULL: everything. */
+ * mask the normal map's alpha, or a logo's shape. NULL: everything. */
 static uint8_t *drawn_of(const struct scene_maps *maps, const struct image **from, bool *by_alpha)
 {
-    *from = maps->mask ? maps->mask : maps->options.normals ? maps->surface : NULL;
+    *from = maps->mask ? maps->mask : maps->surface;
+    if (!maps->mask && maps->options.heights)
+        return cuts_out(&maps->options) && maps->options.bevel > 0 ? shape_of(maps->surface) : NULL;
     if (!*from || (!maps->mask && (*from)->channels < 4)) /* grey and alpha of a normal map are x and y */
         return NULL;
     uint8_t *drawn = image_cut_out(*from);
@@ -118,6 +142,35 @@ static void say_what_looks_wrong(const struct scene_options *options, const stru
              options->flip_y ? "up" : "down", options->flip_y ? "without" : "with");
 }
 
+static struct grain grain_of(const struct scene_options *options, const struct scene *scene)
+{
+    struct grain grain = options->grain;
+    if (isnan(grain.at[0])) {
+        grain.at[0] = scene->width / 2.;
+        grain.at[1] = scene->height / 2.;
+    }
+    return grain;
+}
+
+uint8_t *scene_backdrop(const struct scene_options *options, uint32_t width, uint32_t height)
+{
+    if (!options->has_backdrop)
+        return NULL;
+    if (options->backdrop) {
+        struct image *image = image_read_sized(options->backdrop, width, height);
+        if (image->width != width || image->height != height)
+            fail("%s: %ux%u pixels, but the picture has %ux%u; a background must have the picture's size", image->name,
+                 image->width, image->height, width, height);
+        uint8_t *rgb = image_rgb8(image);
+        image_free(image);
+        return rgb;
+    }
+    uint8_t *rgb = allocate((size_t)width * height, 3);
+    for (size_t i = 0; i < (size_t)width * height; i++)
+        memcpy(&rgb[3 * i], options->backdrop_color, 3);
+    return rgb;
+}
+
 struct scene *scene_of_maps(const struct scene_maps *maps, uint32_t width, uint32_t height)
 {
     const struct scene_options *options = &maps->options;
@@ -138,7 +191,8 @@ struct scene *scene_of_maps(const struct scene_maps *maps, uint32_t width, uint3
         scene = scene_from_normals(surface, options->flip_y, fits ? drawn : NULL);
         what = "the normal map";
     } else {
-        scene = scene_draw(options->scene, width ? width : SCENE_SIDE, width ? height : SCENE_SIDE);
+        scene = scene_draw_in(options->scene, width ? width : SCENE_SIDE, width ? height : SCENE_SIDE,
+                              options->has_body ? options->body : NULL, cuts_out(options));
         what = "the scene (see --size)";
     }
     if (maps->albedo) {
@@ -153,11 +207,20 @@ struct scene *scene_of_maps(const struct scene_maps *maps, uint32_t width, uint3
         check_same_size(drawn_from, scene, what);
         replace(&scene->mask, drawn);
     }
+    if (maps->grain) {
+        check_same_size(maps->grain, scene, what);
+        replace(&scene->grain_map, image_grey8(maps->grain));
+    }
     if (by_alpha)
         warn("%s: its alpha is the mask: transparent pixels are not drawn", drawn_from->name);
     say_what_looks_wrong(options, surface, scene); /* after everything that may fail, since a failure is one line */
     if (width && (width != scene->width || height != scene->height))
         scene_repeat(scene, width, height);
+    if (options->has_grain)
+        scene->grain = grain_of(options, scene);
+    scene->backdrop = scene_backdrop(options, scene->width, scene->height);
+    if (scene->backdrop && !scene->mask)
+        warn("--background: every pixel of the surface is drawn, so none is seen behind it; leave some out by --mask");
     return scene;
 }
 

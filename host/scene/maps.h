@@ -19,10 +19,22 @@ struct scene_options {
     const char *mask;
     uint32_t width, height;     /* 0: the map's own */
     const char *albedo, *gloss; /* for commands that take them to set; NULL: the scene's own */
+    const char *grain_map;      /* FILE; NULL: */
+    struct grain grain;         /* where has_grain; a centre that is NAN is the picture's middle */
+    bool has_grain;
+    const char *backdrop; /* FILE; NULL: */
+    uint8_t backdrop_color[3];
+    bool has_backdrop;
+    bool cut_out; /* the thing alone: a built-in scene's without its wall, a logo's shape */
+    bool has_body;
+    uint8_t body[3]; /* what a built-in scene is made of; else its own colour */
 };
 
 /* All of these are for maps and scenes, not for meshes, and end the program through fail() where something is wrong. */
 struct scene *scene_of_options(const struct scene_options *options);
+
+/* What the picture is drawn over, RGB888; NULL: black. malloc'd. */
+uint8_t *scene_backdrop(const struct scene_options *options, uint32_t width, uint32_t height);
 
 /* The same in two steps, for a size that is known only when the maps are: width = 0 is the options'. */
 struct scene_maps;

@@ -7,7 +7,7 @@
 
 #include "base/memory.h"
 
-const struct finish plain_finish = {60, {.2, .2, .2}, {.9, .9, .9}, {.5, .5, .5}};
+const struct finish plain_finish = {60, 0, {.2, .2, .2}, {.9, .9, .9}, {.5, .5, .5}};
 
 struct scene *scene_new(uint32_t width, uint32_t height)
 {
@@ -29,6 +29,8 @@ void scene_free(struct scene *scene)
     free(scene->albedo);
     free(scene->gloss);
     free(scene->mask);
+    free(scene->grain_map);
+    free(scene->backdrop);
     free(scene->parts);
     free(scene->places);
     free(scene);
@@ -55,6 +57,7 @@ void scene_repeat(struct scene *scene, uint32_t width, uint32_t height)
     scene->albedo = repeated(scene->albedo, scene, width, height, 3);
     scene->gloss = repeated(scene->gloss, scene, width, height, 1);
     scene->mask = repeated(scene->mask, scene, width, height, 1);
+    scene->grain_map = repeated(scene->grain_map, scene, width, height, 1);
     scene->width = width;
     scene->height = height;
 }

@@ -9,8 +9,15 @@
 
 /* A scene's own material, for what the user leaves out. */
 struct finish {
-    unsigned n;
+    unsigned n, n_across; /* n_across: 0 without grain */
     double ambient[3], diffuse[3], specular[3];
+};
+
+/* Which way the scratches of a surface run. */
+struct grain {
+    uint8_t kind; /* enum glint_grain */
+    /* brushed: the direction, y up, 0 is to the right; spun, sunray: the centre, in pixels from the picture's upper left corner */
+    double at[3];
 };
 
 struct scene {
@@ -19,7 +26,10 @@ struct scene {
     uint8_t *albedo;      /* RGB888, or NULL */
     uint8_t *gloss;       /* or NULL */
     uint8_t *mask;        /* coverage: 0 is not drawn, below 255 in part; or NULL */
-    uint8_t *parts;       /* of a mesh: by which of its parts' shadings; or NULL: by the only one */
+    uint8_t *grain_map;   /* 256 a half turn, counterclockwise from the right; or NULL: as `grain` says everywhere */
+    struct grain grain;
+    uint8_t *backdrop; /* RGB888: what is drawn over; or NULL: black */
+    uint8_t *parts;    /* of a mesh: by which of its parts' shadings; or NULL: by the only one */
     double (*places)
         [3]; /* of a mesh: in pixels from the picture's upper left corner, x right, y down, z to you; or NULL: each pixel's
                            * middle, at z = 0 */

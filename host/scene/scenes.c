@@ -3,11 +3,13 @@
 #include "scene/scenes.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"
 #include "scene/coin.h"
+#include "scene/knob.h"
 #include "scene/shapes.h"
 #include "scene/watchface.h"
 
@@ -27,43 +29,77 @@ static struct frame frame_of(uint32_t width, uint32_t height)
     return (struct frame){-pixel * width / 2, pixel * height / 2, pixel};
 }
 
-static void add_maps(struct scene *scene)
+/* A thing before its wall, or cut out of it. */
+struct drawing {
+    struct scene *scene;
+    relief_function *thing; /* NULL: the sphere */
+    struct relief (*wall)(double x, double y);
+    const double *body;
+    bool cut;
+};
+
+static void add_maps(struct scene *scene, bool cut)
 {
     const size_t pixels = (size_t)scene->width * scene->height;
     scene->albedo = allocate(pixels, 3);
     scene->gloss = allocate(pixels, 1);
+    if (cut)
+        scene->mask = allocate(pixels, 1);
 }
 
-static void set_pixel(struct scene *scene, size_t pixel, const double normal[3], const struct relief *point)
+static double length_of(const double v[3])
 {
-    const double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-    for (unsigned k = 0; k < 3; k++) {
-        scene->normals[pixel][k] = normal[k] / length;
-        scene->albedo[3 * pixel + k] = to_byte(point->albedo[k]);
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/* At an edge colours and normals are mixed, without gloss: such a normal would catch a highlight that neither has. */
+static void set_pixel(const struct drawing *drawing, size_t pixel, const double normal[3], struct relief thing,
+                      double x, double y)
+{
+    struct scene *scene = drawing->scene;
+    const double part = drawing->cut ? 1 : thing.solid, length = length_of(normal);
+    double *out = scene->normals[pixel];
+    if (drawing->cut) {
+        scene->mask[pixel] = to_byte(thing.solid);
+    } else {
+        struct relief point = drawing->wall(x, y);
+        relief_cover(&point, &thing, part);
+        point.gloss = part < 1 ? 0 : thing.gloss;
+        thing = point;
     }
-    scene->gloss[pixel] = to_byte(point->gloss);
+    for (unsigned k = 0; k < 3; k++) {
+        out[k] = mix(k == 2, normal[k] / length, part);
+        scene->albedo[3 * pixel + k] = to_byte(thing.albedo[k]);
+    }
+    const double mixed = length_of(out);
+    for (unsigned k = 0; k < 3; k++)
+        out[k] /= mixed;
+    scene->gloss[pixel] = to_byte(thing.gloss);
 }
 
 /* ---- reliefs ---- */
 
 /* Heights are sampled at the pixels' corners: the mean slope over a pixel is then exact along its edges, and no detail is
  * lost between samples. Colours are sampled in the middle. */
-static void draw_relief(struct scene *scene, relief_function *at)
+static void draw_relief(const struct drawing *drawing)
 {
+    const struct scene *scene = drawing->scene;
+    const double *body = drawing->body;
     const struct frame f = frame_of(scene->width, scene->height);
     const size_t width = scene->width;
     double *above = allocate(width + 1, sizeof *above), *below = allocate(width + 1, sizeof *below);
     for (size_t x = 0; x <= width; x++)
-        above[x] = at(f.left + f.pixel * (double)x, f.top, f.pixel).height;
+        above[x] = drawing->thing(f.left + f.pixel * (double)x, f.top, f.pixel, body).height;
     for (size_t y = 0; y < scene->height; y++) {
         for (size_t x = 0; x <= width; x++)
-            below[x] = at(f.left + f.pixel * (double)x, f.top - f.pixel * (double)(y + 1), f.pixel).height;
+            below[x] =
+                drawing->thing(f.left + f.pixel * (double)x, f.top - f.pixel * (double)(y + 1), f.pixel, body).height;
         for (size_t x = 0; x < width; x++) {
             const double right = (above[x + 1] - above[x] + below[x + 1] - below[x]) / (2 * f.pixel);
             const double up = (above[x] - below[x] + above[x + 1] - below[x + 1]) / (2 * f.pixel);
-            const struct relief middle =
-                at(f.left + f.pixel * ((double)x + .5), f.top - f.pixel * ((double)y + .5), f.pixel);
-            set_pixel(scene, y * width + x, (double[3]){-right, -up, 1}, &middle);
+            const double mx = f.left + f.pixel * ((double)x + .5), my = f.top - f.pixel * ((double)y + .5);
+            set_pixel(drawing, y * width + x, (double[3]){-right, -up, 1}, drawing->thing(mx, my, f.pixel, body), mx,
+                      my);
         }
         double *swap = above;
         above = below;
@@ -73,47 +109,62 @@ static void draw_relief(struct scene *scene, relief_function *at)
     free(below);
 }
 
+static struct relief before_cloth(double x, double y)
+{
+    (void)x;
+    (void)y;
+    return coin_cloth;
+}
+
+static struct relief before_wall(double x, double y)
+{
+    (void)x;
+    (void)y;
+    return watch_wall;
+}
+
 /* ---- the sphere ---- */
 
-/* A glossy ball before a matt wall that darkens towards the corners. At the silhouette the two are mixed by coverage and
- * the gloss fades first, or a mixed normal would catch a highlight that neither has. */
-static void draw_sphere(struct scene *scene)
+/* A glossy ball before a matt wall that darkens towards the corners. */
+static struct relief dark_corners(double x, double y)
 {
-    static const double radius = .8;
+    const double shade = mix(.36, .14, fmin(1, (x * x + y * y) / 2));
+    return (struct relief){0, {.80 * shade, .92 * shade, shade}, 0, 0};
+}
+
+static void draw_sphere(const struct drawing *drawing)
+{
+    static const double radius = .8, red[3] = {.70, .10, .07};
+    const double *color = drawing->body ? drawing->body : red;
+    const struct scene *scene = drawing->scene;
     const struct frame f = frame_of(scene->width, scene->height);
     for (size_t i = 0; i < (size_t)scene->width * scene->height; i++) {
         const double x = f.left + f.pixel * ((double)(i % scene->width) + .5);
         const double y = f.top - f.pixel * ((double)(i / scene->width) + .5);
         const double r = hypot(x, y);
-        const double shade = mix(.36, .14, fmin(1, r * r / 2));
-        struct relief point = {0, {.80 * shade, .92 * shade, shade}, 0};
-        double normal[3] = {0, 0, 1};
-        const double part = coverage(r - radius, f.pixel);
-        if (part > 0) {
-            const double s = fmin(r, radius * .9999) / (radius * r + (r == 0)); /* sine of the slope over r */
-            const double rise = sqrt(1 - r * s * r * s);
-            const double ball[3] = {x * s, y * s, rise};
-            for (unsigned k = 0; k < 3; k++)
-                normal[k] = mix(normal[k], ball[k], part);
-            relief_cover(&point, &(struct relief){0, {.70, .10, .07}, 1}, part);
-            point.gloss = part < 1 ? 0 : 1;
-        }
-        set_pixel(scene, i, normal, &point);
+        const double s = fmin(r, radius * .9999) / (radius * r + (r == 0)); /* sine of the slope over r */
+        const double ball[3] = {x * s, y * s, sqrt(1 - r * s * r * s)};
+        const struct relief point = {0, {color[0], color[1], color[2]}, 1, coverage(r - radius, f.pixel)};
+        set_pixel(drawing, i, ball, point, x, y);
     }
 }
 
 /* ---- by name ---- */
 
-const char *const scene_names[] = {"sphere", "watchface", "coin", "dial", NULL};
+const char *const scene_names[] = {"sphere", "watchface", "coin", "dial", "knob", "sunray", NULL};
 
 static const struct {
     relief_function *at; /* NULL: the sphere */
+    struct relief (*wall)(double x, double y);
     struct finish finish;
+    uint8_t grain; /* enum glint_grain, about the picture's middle; used where the finish has n_across */
 } scenes[] = {
-    {NULL, {60, {.15, .15, .15}, {.85, .85, .85}, {.8, .8, .8}}},
-    {relief_watchface, {40, {.2, .2, .2}, {.8, .8, .8}, {.7, .7, .7}}},
-    {relief_coin, {30, {.15, .15, .15}, {.75, .75, .75}, {.75, .68, .5}}},
-    {relief_dial, {60, {.2, .2, .2}, {.8, .8, .8}, {.7, .7, .7}}},
+    {NULL, dark_corners, {60, 0, {.15, .15, .15}, {.85, .85, .85}, {.8, .8, .8}}, 0},
+    {relief_watchface, before_wall, {40, 0, {.2, .2, .2}, {.8, .8, .8}, {.7, .7, .7}}, 0},
+    {relief_coin, before_cloth, {30, 0, {.15, .15, .15}, {.75, .75, .75}, {.75, .68, .5}}, 0},
+    {relief_dial, before_wall, {60, 0, {.2, .2, .2}, {.8, .8, .8}, {.7, .7, .7}}, 0},
+    {relief_knob, knob_panel, {160, 6, {.22, .22, .22}, {.5, .5, .5}, {.8, .8, .8}}, GLINT_GRAIN_SPUN},
+    {relief_sunray, before_wall, {160, 8, {.25, .25, .25}, {.6, .6, .6}, {.75, .75, .75}}, GLINT_GRAIN_SUNRAY},
 };
 
 /* The place of a name; that of NULL where no scene has it. */
@@ -133,15 +184,23 @@ const struct finish *scene_finish(const char *name)
 
 struct scene *scene_draw(const char *name, uint32_t width, uint32_t height)
 {
+    return scene_draw_in(name, width, height, NULL, false);
+}
+
+struct scene *scene_draw_in(const char *name, uint32_t width, uint32_t height, const uint8_t body[3], bool cut)
+{
     const unsigned i = find(name);
     if (!scene_names[i])
         return NULL;
+    double color[3];
+    for (unsigned k = 0; body && k < 3; k++)
+        color[k] = body[k] / 255.;
     struct scene *scene = scene_new(width, height);
-    add_maps(scene);
-    if (scenes[i].at)
-        draw_relief(scene, scenes[i].at);
-    else
-        draw_sphere(scene);
+    const struct drawing drawing = {scene, scenes[i].at, scenes[i].wall, body ? color : NULL, cut};
+    add_maps(scene, cut);
+    (drawing.thing ? draw_relief : draw_sphere)(&drawing);
     scene->finish = scenes[i].finish;
+    if (scenes[i].finish.n_across)
+        scene->grain = (struct grain){scenes[i].grain, {width / 2., height / 2., 0}};
     return scene;
 }

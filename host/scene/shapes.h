@@ -8,10 +8,11 @@ struct relief {
     double height;
     double albedo[3]; /* 0..1 */
     double gloss;     /* 0..1 */
+    double solid;     /* 0..1: how much of the pixel there is the thing, not the wall behind it */
 };
-/* The relief at x, y from the picture's middle, y up; `pixel` is the length of a pixel, for smooth edges that do not
- * blur. */
-typedef struct relief relief_function(double x, double y, double pixel);
+/* The relief of a thing at x, y from the picture's middle, y up, and a little beyond its edge; `pixel` is the length of a pixel, for
+ * smooth edges that do not blur. `body`: the colour of what it is made of; NULL: its own. */
+typedef struct relief relief_function(double x, double y, double pixel, const double body[3]);
 
 double smooth_step(double from, double to, double at); /* 0..1, level at both ends */
 double mix(double a, double b, double part);

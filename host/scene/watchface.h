@@ -4,7 +4,11 @@
 
 #include "scene/shapes.h"
 
-struct relief relief_watchface(double x, double y, double pixel);
-struct relief relief_dial(double x, double y, double pixel); /* the same without numerals and minutes */
+struct relief relief_watchface(double x, double y, double pixel, const double body[3]);
+struct relief relief_dial(double x, double y, double pixel,
+                          const double body[3]); /* the same without numerals and minutes */
+/* A flat dial for sunray grain, with hour marks set on it. */
+struct relief relief_sunray(double x, double y, double pixel, const double body[3]);
+extern const struct relief watch_wall; /* behind them */
 
 #endif

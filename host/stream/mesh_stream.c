@@ -27,7 +27,7 @@ static void load(struct mesh_stream *stream, const struct mesh_source *source)
 {
     stream->mesh = mesh_load(source);
     stream->fitted = mesh_fit(stream->mesh, 0);
-    if (stream->options->look.has_color)
+    if (shading_options_one_color(&stream->options->look))
         fitted_forget_colors(stream->fitted);
 }
 
@@ -54,7 +54,7 @@ void mesh_stream_start(struct mesh_stream *stream, const struct shading *shading
 {
     const struct shading_options *look = &stream->options->look;
     stream->view = view_of_options(&look->view, width, height, look->scene.mesh.built_in);
-    stream->shadings = mesh_shadings(stream->mesh, shading, !look->has_color, !look->shading.n);
+    stream->shadings = mesh_shadings(stream->mesh, shading, shading_options_own(look));
     stream->canvas = mesh_canvas_new(stream->fitted, stream->shadings);
 }
 
@@ -103,6 +103,9 @@ void mesh_device_find(struct mesh_stream *stream, struct sink *sink)
     if (stream->fitted->colors)
         fail("--shade device: a device draws a mesh in one colour, and this one has its vertices'; leave it "
              "out, or give one by --color");
+    if (stream->fitted->mesh.textures)
+        fail("--shade device: a device draws a mesh in one colour, and this one has textures; leave it out, or give "
+             "--no-textures");
     if (!sink->kind->shader->find_mesh(sink, &there))
         fail("--shade device: %s holds no mesh; leave it out", sink->name);
     if (!mesh_in_device(&there, stream->fitted) && !stream->canvas && there.split >= 1 && there.split <= 180)

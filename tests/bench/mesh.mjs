@@ -3,14 +3,16 @@
 const SIZE = 240, LINES = 16, EMPTY = 0x5a // no pixel of the material is 5a5a
 
 // Rows of costs.tsv: mesh.c's meshes and ways; the assembly is for tables.
-const TABLES = 0, EXACT = 1, GOURAUD = 2, DARK = 3, POINT = 4, FOUR_POINTS = 5
+const TABLES = 0, EXACT = 1, GOURAUD = 2, DARK = 3, POINT = 4, FOUR_POINTS = 5, TEXTURED = 6, SMOOTH = 7, TEXTURED_EXACT = 8, TEXTURED_FAR = 9, COLOURED = 10
 export const MESHES = [['mesh teapot', 0, TABLES], ['mesh teapot split', 1, TABLES], ['mesh teapot exact', 0, EXACT],
   ['mesh teapot split exact', 1, EXACT], ['mesh teapot gouraud', 0, GOURAUD], ['mesh teapot split gouraud', 1, GOURAUD], ['mesh bunny', 3, TABLES],
-  ['mesh teapot, 18 kept', 2, TABLES], ['mesh teapot exact, 18 kept', 2, EXACT]]
+  ['mesh teapot, 18 kept', 2, TABLES], ['mesh teapot exact, 18 kept', 2, EXACT],
+  ['mesh teapot textured', 0, TEXTURED], ['mesh teapot textured, bilinear', 0, SMOOTH], ['mesh teapot coloured', 0, COLOURED],
+  ['mesh teapot textured, perspective', 0, TEXTURED_FAR], ['mesh teapot textured exact', 0, TEXTURED_EXACT]]
 // Under points: beside no light, and beside rectangles of the same normals.
 export const LIT_MESHES = [['mesh teapot point', 0, POINT], ['mesh teapot four points', 0, FOUR_POINTS],
   ['mesh teapot split point', 1, POINT]]
-export const hasAssembly = ([, , way]) => way === TABLES
+export const hasAssembly = ([, , way]) => way === TABLES || way === TEXTURED || way === SMOOTH || way === TEXTURED_FAR || way === COLOURED
 
 const caller = (machine, name, which) => (step, argument) => {
   const { cycles, value } = machine.call(step, [argument])
@@ -22,6 +24,7 @@ export function measureMesh(machine, [name, which, way]) {
   const call = caller(machine, name, which)
   const out = machine.bytes(machine.address('mesh_out'), 2 * SIZE * LINES)
   call('mesh_begin', way)
+  call('mesh_clothe', which)
   let cycles = call('mesh_frame', which), covered = 0
   for (let y = 0; y < SIZE; y += LINES) {
     out.fill(EMPTY)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Prints the tables of the quick Gauss in lib/lobe_gauss.c: b(t) = log2(e) acos(1 - t)^2 / (2 t) on 0 <= t <= 1 as a polynomial
-of degree 7 in t, interpolated at the Chebyshev nodes, magnitudes in Q31; and 2^-(i / 32) in Q32, the first held to 32 bits."""
+"""Prints the table of the quick Gauss in lib/lobe_gauss.c: b(t) = log2(e) acos(1 - t)^2 / (2 t) on 0 <= t <= 1 as a polynomial
+of degree 7 in t, interpolated at the Chebyshev nodes, magnitudes in Q31."""
 from decimal import Decimal
 from gauss_coefficients import chebyshev_coefficients, half_square, monomials
 
@@ -18,4 +18,3 @@ def print_table(name, values, line):
 b = monomials(chebyshev_coefficients(lambda t: half_square(t) / t / TWO.ln(), 8))
 assert [value > 0 for value in b] == [True] * 6 + [False, True]  # as lib/lobe_gauss.c adds and subtracts them
 print_table("gauss_exponents", [abs(round(value * 2**31)) for value in b], 8)
-print_table("gauss_fractions", [min(2**32 - 1, round(TWO**(32 - Decimal(i) / 32))) for i in range(32)], 8)

@@ -46,7 +46,9 @@ static uint64_t multiply_with_fault(uint32_t a, uint32_t b)
 #include "../../lib/lobe_blinn.c"
 #include "../../lib/lobe_cayley.c"
 #include "../../lib/lobe_gauss.c"
+#include "../../lib/lobe_ggx.c"
 #include "../../lib/lobe_schlick.c"
+#include "../../lib/lobe_sg.c"
 #include "chosen.h"
 #include "wide.h"
 
@@ -67,7 +69,7 @@ static uint32_t gauss_near_wraps(uint32_t n, uint32_t t)
     if (whole >> 20)
         return 0;
     const uint32_t x = glint_mulhi_near((whole << 12) + (n * (t & 0x3fff) >> 2), gauss_exponent(t));
-    return gauss_fraction(x & 0x7ffffff) >> 4 >> (x >> 27);
+    return glint_exp2_near(x & 0x7ffffff) >> 4 >> (x >> 27);
 }
 
 #if NEAR_FAULTS
@@ -219,15 +221,15 @@ void check_gauss_exponent(uint32_t step)
     check_range("exponent of Gauss, 2^-28", found, -14, 13);
 }
 
-void check_gauss_fraction(uint32_t step)
+void check_exp2(uint32_t step)
 {
     struct range found = {0, 0};
 #pragma omp parallel for reduction(hull : found)
     for (uint32_t x = 0; x < UINT32_C(1) << 27; x += step) {
-        const double d = gauss_fraction(x) - exp2(32 - x * 0x1p-27);
+        const double d = glint_exp2_near(x) - exp2(32 - x * 0x1p-27);
         found = met(found, d, d);
     }
-    check_range("fraction of Gauss, 2^-32", found, -32, 20);
+    check_range("power of two, 2^-32", found, -32, 20);
 }
 
 /* Where 2^-32 glint_power lies above glint_power_near, in parts of what is stated for that n. */
@@ -265,6 +267,17 @@ static double gauss(uint32_t n, double t)
     return exp2(-(n * (t * 0x1p-30) * exponent_of((uint32_t)t)));
 }
 
+static double ggx(uint32_t n, double t)
+{
+    const double x = t * 0x1p-30, e = 1 + n * x * (2 - x) / 2;
+    return 1 / (e * e);
+}
+
+static double sg(uint32_t n, double t)
+{
+    return exp(-(n * t * 0x1p-30));
+}
+
 static struct range error_of(uint32_t (*near)(uint32_t n, uint32_t t), double (*real)(uint32_t n, double t),
                              uint32_t from_n, uint32_t per_n)
 {
@@ -298,6 +311,26 @@ void check_gauss(uint32_t per_n)
                 -bound("gauss-low", GAUSS_LOW), bound("gauss-high", GAUSS_HIGH));
 }
 
+/* What is stated from above depends on n: a part of it. */
+void check_ggx(uint32_t per_n)
+{
+    const double low = bound("ggx-low", 1), high = bound("ggx-high", 1);
+    struct range found = {0, 0};
+#pragma omp parallel for schedule(dynamic) reduction(hull : found)
+    for (uint32_t n = 1; n <= N; n++)
+        for (uint32_t i = 0; i <= per_n; i++) {
+            const uint32_t t = i ? random_t(n, i) : GLINT_T_ONE;
+            const double error = ggx_near_t(n, t) - 0x1p28 * ggx(n, t);
+            found = met(found, error / GGX_LOW, error / ggx_high(n));
+        }
+    check_range("ggx, of what is stated", found, -low, high);
+}
+
+void check_sg(uint32_t per_n)
+{
+    check_range("sg, 2^-28", error_of(sg_near_t, sg, 1, per_n), -bound("sg-low", SG_LOW), bound("sg-high", SG_HIGH));
+}
+
 /* ---- values ---- */
 
 static bool blinn_is_simple(uint32_t n, uint32_t t, uint32_t f)
@@ -308,6 +341,11 @@ static bool blinn_is_simple(uint32_t n, uint32_t t, uint32_t f)
 static bool gauss_is_simple(uint32_t n, uint32_t t, uint32_t f)
 {
     return f == glint_power_round(gauss_power(n, t));
+}
+
+static bool sg_is_simple(uint32_t n, uint32_t t, uint32_t f)
+{
+    return f == glint_power_round(sg_power(n, t));
 }
 
 static bool schlick_is_simple(uint32_t n, uint32_t t, uint32_t f)
@@ -324,6 +362,11 @@ static bool cayley_is_simple(uint32_t n, uint32_t t, uint32_t f)
     if ((uint64_t)(n + 4) * t >> 33)
         return f == 0;
     return (f == 0 || cayley_at_least(n, t, 2 * f - 1)) && !cayley_at_least(n, t, 2 * f + 1);
+}
+
+static bool ggx_is_simple(uint32_t n, uint32_t t, uint32_t f)
+{
+    return (f == 0 || ggx_at_least(n, t, 2 * f - 1)) && !ggx_at_least(n, t, 2 * f + 1);
 }
 
 static bool blinn_is_open(uint32_t n, uint32_t t)
@@ -352,6 +395,16 @@ static bool cayley_is_open(uint32_t n, uint32_t t)
     return n > 4 ? open_between(cayley_near_t(n, t), CAYLEY_LOW, CAYLEY_HIGH) : blinn_is_open(n, t);
 }
 
+static bool ggx_is_open(uint32_t n, uint32_t t)
+{
+    return open_between(ggx_near_t(n, t), GGX_LOW, ggx_high(n));
+}
+
+static bool sg_is_open(uint32_t n, uint32_t t)
+{
+    return open_between(sg_near_t(n, t), SG_LOW, SG_HIGH);
+}
+
 static const struct model {
     const char *name;
     uint32_t (*value)(uint32_t n, uint32_t t);
@@ -361,6 +414,8 @@ static const struct model {
     {"schlick", glint_schlick_t, schlick_is_simple, schlick_is_open},
     {"blinn", glint_blinn_t, blinn_is_simple, blinn_is_open},
     {"gauss", glint_gauss_t, gauss_is_simple, gauss_is_open},
+    {"ggx", glint_ggx_t, ggx_is_simple, ggx_is_open},
+    {"sg", glint_sg_t, sg_is_simple, sg_is_open},
 };
 
 struct counts {

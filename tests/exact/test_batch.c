@@ -38,10 +38,11 @@ static void every_loop_gives_the_librarys_value_for_every_cosine_and_shininess(v
         }
         const long msh = count_wrong(loops->msh, glint_msh, 1), schlick = count_wrong(loops->schlick, glint_schlick, 1);
         const long cayley = count_wrong(loops->cayley, glint_cayley, 5), lyon = count_wrong(loops->lyon, glint_lyon, 1);
+        const long ggx = count_wrong(loops->ggx, glint_ggx, 1);
         const long power = loops->power ? count_wrong(loops->power, glint_blinn, 1) : 0;
-        printf("# %s: msh %ld, schlick %ld, cayley %ld, lyon %ld, power %ld wrong of %d\n", loops->name, msh, schlick,
-               cayley, lyon, power, ALL);
-        assert_int_equal(msh + schlick + cayley + lyon + power, 0);
+        printf("# %s: msh %ld, schlick %ld, cayley %ld, lyon %ld, ggx %ld, power %ld wrong of %d\n", loops->name, msh,
+               schlick, cayley, lyon, ggx, power, ALL);
+        assert_int_equal(msh + schlick + cayley + lyon + ggx + power, 0);
     }
 }
 

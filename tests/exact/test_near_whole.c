@@ -15,11 +15,11 @@ static void products_of_a_billion_words_are_low_by_less_than_stated(void **state
     check_products(7);
 }
 
-static void gausss_exponent_is_within_its_bounds_for_every_t_and_its_fraction_for_every_x(void **state)
+static void gausss_exponent_and_the_power_of_two_are_within_their_bounds_for_every_argument(void **state)
 {
     (void)state;
     check_gauss_exponent(1);
-    check_gauss_fraction(1);
+    check_exp2(1);
 }
 
 static void powers_and_models_are_within_their_bounds_at_millions_of_places(void **state)
@@ -29,6 +29,8 @@ static void powers_and_models_are_within_their_bounds_at_millions_of_places(void
     check_cayley(50000);
     check_schlick(50000);
     check_gauss(20000);
+    check_ggx(50000);
+    check_sg(50000);
 }
 
 static void every_quick_value_is_the_simple_forms(void **state)
@@ -41,7 +43,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(products_of_a_billion_words_are_low_by_less_than_stated),
-        cmocka_unit_test(gausss_exponent_is_within_its_bounds_for_every_t_and_its_fraction_for_every_x),
+        cmocka_unit_test(gausss_exponent_and_the_power_of_two_are_within_their_bounds_for_every_argument),
         cmocka_unit_test(powers_and_models_are_within_their_bounds_at_millions_of_places),
         cmocka_unit_test(every_quick_value_is_the_simple_forms),
     };

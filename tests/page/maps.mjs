@@ -92,6 +92,7 @@ export const surfaces = Object.fromEntries([
 export const extras = {
     'albedo.png': png({ width, height, type: 6, depth: 8, sample: (x, y, k) => (5 * x + 90 * k + 3 * y) & 255, extra: [gamma] }),
     'albedo16.png': png({ width, height, type: 2, depth: 16, sample: (x, y, k) => (1411 * x + 9001 * k + 377 * y) & 65535 }),
+    'grain.png': png({ width, height, type: 0, depth: 8, sample: (x, y) => (3 * x + 7 * y) & 255 }),
     'gloss.png': png({ width, height, type: 0, depth: 8, sample: (x, y) => (9 * x + y) & 255 }),
     'mask.png': png({ width, height, type: 0, depth: 1, sample: (x, y) => (x + y) >> 3 & 1 ^ 1 }),
 }

@@ -59,7 +59,7 @@ run([
     }],
     ['every control sets its option, changes the picture and the command line', async () => {
         await browser.go(start)
-        for (const [id, value, word] of [['control-model', 'gauss', '--model=gauss'], ['control-n', '300', '-n300'], ['control-q', '2', '-q2'],
+        for (const [id, value, word] of [['control-material', 'jade', '--material=jade'], ['control-model', 'gauss', '--model=gauss'], ['control-across', '5', '--across=5'], ['control-background', '#30c060', '--background=48,192,96'], ['control-n', '300', '-n300'], ['control-q', '2', '-q2'],
             ['control-color', '#3060c0', '--color=48,96,192'], ['control-ambient', '0.5', '--ambient=0.5'], ['control-diffuse', '0.3', '--diffuse=0.3'],
             ['control-specular', '0.1', '--specular=0.1,0.091,0.067'], ['control-format', 'rgb888', ''], ['control-format', 'mono', '--format=mono'],
             ['control-dither', true, '--dither'], ['control-space', 'linear', '--space=linear'], ['control-path', 'span', '--path=span'],
@@ -69,14 +69,14 @@ run([
         await browser.set('control-clamp-peak', true)
         check((await shownIsDrawn()).includes('--clamp-peak'), 'no --clamp-peak')
     }],
-    ['presets, scenes, lights, undo and redo do what they say', async () => {
+    ['materials, scenes, lights, undo and redo do what they say', async () => {
         await browser.go(start)
         const words = []
-        for (const text of ['Dial', 'Gold', 'Steel', 'Add a light']) {
-            await press(text)
+        for (const step of [() => press('Dial'), () => browser.set('control-material', 'gold'), () => browser.set('control-n', '77'), () => press('Add a light')]) {
+            await step()
             words.push((await shownIsDrawn()).join(' '))
         }
-        check(words[0].includes('--scene=dial') && words[1].includes('--specular=1,.86,.55') && words[2].includes('--model=cayley') && words[3].includes('--point='), words.join('\n'))
+        check(words[0].includes('--scene=dial') && words[1].includes('--material=gold') && words[2].includes('--material=gold -n77') && words[3].includes('--point='), words.join('\n'))
         await press('Undo')
         equal((await shownIsDrawn()).join(' '), words[2], 'undone')
         await press('Undo')
@@ -85,9 +85,11 @@ run([
         equal((await shownIsDrawn()).join(' '), words[2], 'done again')
         await press('Reset')
         const materials = []
-        for (const text of ['Satin', 'Plastic', 'Steel', 'Gold', 'Glass']) {
-            await press(text)
+        for (const name of ['plastic', 'steel', 'brushed-steel', 'gold', 'jade']) {
+            await browser.set('control-n', '9')
+            await browser.set('control-material', name)
             materials.push((await shownIsDrawn()).join(' '))
+            check(!materials.at(-1).includes('-n9'), `${name} leaves what was set by hand`)
         }
         equal(new Set(materials).size, 5, 'materials')
         await press('Reset')
@@ -99,10 +101,21 @@ run([
         await page.keyboard.up('Control')
         equal((await shownIsDrawn()).join(' '), '--scene=coin --size=240x240 --format=rgb565 --light=-1,1,1.2', 'done again by Ctrl-Y')
     }],
+    ['grain is set by its kind, and by an angle or a point', async () => {
+        await browser.go(start + '&across=4')
+        for (const [id, value, word] of [['control-grain', 'spun', '--grain=spun'], ['control-grain-at', '20, 10', '--grain=spun:20,10'], ['control-grain', 'brushed', '--grain=brushed'], ['control-grain-at', '60', '--grain=brushed:60']]) {
+            const { rgba } = await browser.now()
+            await browser.set(id, value)
+            check((await shownIsDrawn()).includes(word), `no ${word}`)
+            check(word === '--grain=brushed' || !(await browser.now()).rgba.equals(rgba), `${word} changes nothing`)
+        }
+        await browser.set('control-grain', '')
+        check(!(await shownIsDrawn()).some(word => word.startsWith('--grain')), 'the grain stays')
+    }],
     ['each control shows the number that C gets, and says what it means', async () => {
         await browser.go(start)
         const rows = await page.evaluate(() => [...document.querySelectorAll('#rows .row')].filter(row => !row.hidden).map(row => [row.querySelector('.number').value, row.querySelector('.meaning').textContent]))
-        check(rows.length === 14 && rows.every(([number, meaning]) => number && meaning), JSON.stringify(rows))
+        check(rows.length === 18 && rows.every(([number, meaning]) => number && meaning), JSON.stringify(rows))
         const numbers = rows.map(([number]) => number)
         for (const number of ['GLINT_MSH', 'n = 30', 'ambient_q16 = {9830, 9830, 9830}', 'GLINT_RGB565', 'clamp_peak = false'])
             check(numbers.includes(number), `${number} is not in ${numbers.join('; ')}`)

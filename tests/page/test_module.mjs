@@ -14,7 +14,7 @@ const [folder, glint] = process.argv.slice(2)
 const { Engine, lists, readPng, commandLine, stateOfWords, whiteName, wordsOf } = await import(`${process.cwd()}/${folder}/engine.mjs`)
 const program = new WebAssembly.Module(readFileSync(`${folder}/module.wasm`))
 const command = new Command(glint)
-const [models, formats, paths] = ['--model', '--format', '--path'].map(option => command.choices(option))
+const [models, formats, paths, materials, scenes] = ['--model', '--format', '--path', '--material', '--scene'].map(option => command.choices(option))
 
 function same(engine, words) {
     const picture = engine.draw(words)
@@ -50,12 +50,23 @@ function refusal(work) {
     return 'nothing was refused'
 }
 
+/** The command's picture, or its refusal. */
+async function sameAnswer(engine, words) {
+    const expected = await command.renderLater(words).catch(() => undefined)
+    if (!expected) {
+        equal(refusal(() => engine.draw(words)), command.refusal(['render', ...words, '-o', 'no.png']), words.join(' '))
+        return
+    }
+    const { rgba, width, height } = engine.draw(words), wrong = difference(rgba, width, height, expected)
+    check(!wrong, `${words.join(' ')}: ${wrong}`)
+}
+
 run([
-    ['the page offers the models, formats and paths that the command takes, with a title and, but for paths, what it means', () => {
-        for (const [list, names] of Object.entries({ models, formats, paths })) {
+    ['the page offers the models, formats, paths, materials and scenes that the command takes, with a title and, but for paths and scenes, what it means', () => {
+        for (const [list, names] of Object.entries({ models, formats, paths, materials, scenes })) {
             equal(lists[list].map(({ name }) => name).join(), names.join(), list)
             for (const { name, title, meaning } of lists[list])
-                check(title && (meaning || list === 'paths'), `${name}: '${title}', '${meaning}'`)
+                check(title && (meaning || list === 'paths' || list === 'scenes'), `${name}: '${title}', '${meaning}'`)
         }
     }],
     ['the curve of every model, asked for by its name, is what the command prints', () => {
@@ -103,7 +114,7 @@ run([
     }],
     ['every built-in scene is the command\'s, at several sizes', () => {
         const engine = new Engine(program)
-        for (const scene of ['sphere', 'watchface', 'coin', 'dial'])
+        for (const scene of scenes)
             for (const size of ['320x240', '240x240', '135x240', '61x47', '1x1'])
                 same(engine, [`--scene=${scene}`, `--size=${size}`])
     }],
@@ -118,6 +129,25 @@ run([
         check(engine.draw(['--scene=teapot', '--size=61x47', '--turn=4,5,6']).kept, 'a turn is not drawn from what was kept')
         same(engine, ['--scene=coin', '--size=61x47'])
         same(engine, ['--scene=teapot', '--size=61x47', '--turn=4,5,6'])
+    }],
+    ['every material is the command\'s, on a scene, on a map and on the teapot, alone and with options beside it', async () => {
+        const engine = engineWithMaps()
+        for (const material of materials)
+            for (const surface of ['--scene=coin', '--scene=teapot', '--height=grey16.png'])
+                for (const more of [[], ['-n9', '--across=90', '--specular=.4'], ['--color=9,90,200']])
+                    await sameAnswer(engine, [surface, '--size=45x33', `--material=${material}`, ...more])
+        check(!engine.draw(['--scene=coin', '--size=45x33', '--material=gold']).kept && !engine.draw(['--scene=coin', '--size=45x33', '--material=jade']).kept, 'kept, though the material is another')
+    }],
+    ['grain of every kind, backgrounds and what is cut out give the command\'s pixels', () => {
+        const engine = engineWithMaps()
+        for (const grain of ['brushed:30', 'spun', 'spun:10,20', 'sunray', 'sunray:10,20.5'])
+            for (const surface of [['--scene=dial'], ['--scene=coin', '--cut-out'], ['--scene=coin', '--background=200,10,90'], ['--normals=rgba8.png', '--background=0,90,200']])
+                same(engine, [...surface, '--size=45x33', '-n90', '--across=8', `--grain=${grain}`])
+        same(engine, ['--height=grey16.png', '--grain=grain.png', '-n90', '--across=8'])
+        same(engine, ['--height=a-logo.png', '--bevel=6', '--cut-out', '--format=rgb565'])
+        same(engine, ['--height=a-logo.png', '--bevel=6', '--background=9,200,90', '--format=mono', '--dither'])
+        same(engine, ['--scene=teapot', '--size=45x33', '--background=9,200,90'])
+        same(engine, ['--scene=teapot', '--size=45x33', '-n90', '--across=8', '--grain=brushed:90'])
     }],
     ['points, spots and coloured lights give the command\'s pixels', () => {
         const engine = new Engine(program)
@@ -230,20 +260,9 @@ run([
         equal(refusal(() => sent(third.has, '--perspective=3')), 'the device draws by parallel projection; leave out --perspective', 'in perspective')
     }],
     ['60 random states give the command\'s pictures or refusals', async () => {
-        const engine = new Engine(program), random = randomly(3), width = 8
-        for (let from = 0; from < 60; from += width) {
-            const list = Array.from({ length: width }, () => randomWords(random, command))
-            const expected = list.map(words => command.renderLater(words).catch(() => undefined))
-            for (const [i, words] of list.entries()) {
-                const picture = await expected[i]
-                if (!picture) {
-                    equal(refusal(() => engine.draw(words)), command.refusal(['render', ...words, '-o', 'no.png']), words.join(' '))
-                    continue
-                }
-                const drawn = engine.draw(words), wrong = difference(drawn.rgba, drawn.width, drawn.height, picture)
-                check(!wrong, `${words.join(' ')}: ${wrong}`)
-            }
-        }
+        const engine = new Engine(program), random = randomly(3)
+        for (let i = 0; i < 60; i++)
+            await sameAnswer(engine, randomWords(random, command))
     }],
     ['a wrong value is refused in the command\'s words, and the next picture is right', () => {
         const engine = new Engine(program)

@@ -107,7 +107,7 @@ MSH_QUOTIENT = Contract("msh_quotient", [(0, 2**24), (1 << 27, (1 << 28) - 1)], 
 
 # ---- Gauss ----
 
-FRACTION_LOW, FRACTION_HIGH = 34, 24  # of gauss_fraction, in 2^-32 of its value
+FRACTION_LOW, FRACTION_HIGH = 34, 24  # of glint_exp2_near, in 2^-32 of its value
 
 
 def rounds(value, over, result):

@@ -24,7 +24,8 @@ static inline void mesh_made(struct made_mesh *m, unsigned vertices, unsigned fa
                                     .normals = &m->normals[0][0],
                                     .faces = &m->faces[0][0],
                                     .vertex_count = (uint16_t)vertices,
-                                    .face_count = (uint16_t)faces};
+                                    .face_count = (uint16_t)faces,
+                                    .use = &glint_use_mesh_albedo};
     const struct glint_pose pose = {{32767, 0, 0, 0}, {0, 0, 0}, 16 * 60};
     m->mesh = mesh;
     m->pose = pose;

@@ -8,7 +8,7 @@ UNIT_PACKAGES = libopenmpi-dev openmpi-bin libcmocka-dev libgmp-dev libmpfr-dev 
 # What make check runs needs these, and a part of it those.
 UNIT_CHECK = libcmocka-dev:cmocka.h
 UNIT_CHECK_PART = libusb-1.0-0-dev:libusb-1.0/libusb.h libgpiod-dev:gpiod.h libinih-dev:ini.h libchafa-dev:chafa/chafa.h \
-	librsvg2-dev:librsvg-2.0/librsvg/rsvg.h libassimp-dev:assimp/version.h g++:g++ groff-base:groff zsh:zsh
+	librsvg2-dev:librsvg-2.0/librsvg/rsvg.h libassimp-dev:assimp/version.h libjpeg-dev:jpeglib.h g++:g++ groff-base:groff zsh:zsh
 # Flags of the tests' own code, after those of all.
 UNIT_CFLAGS ?=
 UNIT_CHOSEN = $(wildcard tests/unit/*/test_*.c)

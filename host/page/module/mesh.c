@@ -34,7 +34,7 @@ void mesh_forget(void)
 static struct shading *shadings_of(const struct shading_options *look)
 {
     const struct shading shading = shading_of_options(look, look->shading.format, &plain_finish);
-    return mesh_shadings(kept.mesh, &shading, !look->has_color, !look->shading.n);
+    return mesh_shadings(kept.mesh, &shading, shading_options_own(look));
 }
 
 struct shading mesh_draw(const struct shading_options *look, uint32_t width, uint32_t height, uint32_t keep,

@@ -61,12 +61,13 @@ static struct glint_box highlight_box(const struct glint_paint *paint)
     const size_t line = format_line_bytes(now->shading.format, scene->width);
     struct glint_vec *normals = scene_normals_q15(scene);
     uint8_t *pixels = allocate(scene->height, line);
-    const struct glint_maps maps = {.normals = normals,
-                                    .normals_stride = (ptrdiff_t)(scene->width * sizeof *normals),
-                                    .gloss = scene->gloss,
-                                    .gloss_stride = (ptrdiff_t)scene->width,
-                                    .coverage = scene->mask,
-                                    .coverage_stride = (ptrdiff_t)scene->width};
+    struct glint_maps maps = {.normals = normals,
+                              .normals_stride = (ptrdiff_t)(scene->width * sizeof *normals),
+                              .gloss = scene->gloss,
+                              .gloss_stride = (ptrdiff_t)scene->width,
+                              .coverage = scene->mask,
+                              .coverage_stride = (ptrdiff_t)scene->width};
+    scene_add_grain(scene, &now->shading, 0, &maps);
     const struct glint_surface target = {pixels, (ptrdiff_t)line, 0, 0};
     struct glint_box box = {0};
     const enum glint_err error =
@@ -107,7 +108,8 @@ const char *page_facts(void)
     const struct glint_box box = highlight_box(&paint);
     unsigned mean[3];
     FILE *out = text_open(&text);
-    fprintf(out, "n %u\nq %u\n", shading->n, shading->q);
+    fprintf(out, "n %u\nacross %u\nq %u\n", shading->n, shading->n_across ? shading->n_across : shading->n, shading->q);
+    fprintf(out, "grain %u\n", now->scene ? now->scene->grain.kind : GLINT_GRAIN_BRUSHED);
     put3(out, "ambient_q16", m->ambient_q16);
     put3(out, "diffuse_q16", m->diffuse_q16);
     put3(out, "specular_q16", m->specular_q16);
@@ -144,10 +146,11 @@ static void count(const struct levels *levels, const struct scene *scene, const 
     const unsigned channels = levels->channels;
     const size_t samples = (size_t)levels->width * channels;
     double *line = allocate(samples, sizeof *line);
+    struct levels *behind = levels_behind(scene, shadings);
     for (unsigned i = 0; i < PAGE_BINS; i++)
         bins[i] = 0;
     for (uint32_t y = 0; y < levels->height; y++) {
-        reference_line(scene, shadings, shadings->model, y, line);
+        wanted_line(scene, shadings, shadings->model, behind, y, line);
         for (size_t i = 0; i < samples; i++) {
             const size_t at = y * samples + i;
             if (scene->mask && !scene->mask[at / channels])
@@ -157,6 +160,7 @@ static void count(const struct levels *levels, const struct scene *scene, const 
         }
     }
     free(line);
+    levels_free(behind);
 }
 
 /* What double precision draws: the scene, or what the mesh shows, to be freed then. Its parts have the shadings. */
@@ -166,7 +170,7 @@ static struct scene *scene_in_double(const struct shading **shadings)
     const struct page_state *now = page_state();
     const struct page_mesh *mesh = page_mesh();
     *shadings = mesh ? mesh->now : &now->shading;
-    return mesh ? mesh_scene(mesh->mesh, mesh->fitted, &mesh->view, &coverage) : now->scene;
+    return mesh ? mesh_scene(mesh->mesh, mesh->fitted, &mesh->view, *shadings, &coverage) : now->scene;
 }
 
 const char *page_compare(void)

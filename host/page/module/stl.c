@@ -10,6 +10,7 @@
 #include "files.h"
 #include "glint.h"
 #include "mesh/import.h"
+#include "mesh/import_picture.h"
 
 enum { COMMENT = 80, HEAD = 84, FACET = 50, HAS_COLOR = 0x8000 };
 
@@ -51,8 +52,14 @@ static uint32_t count_of(const char *path, const uint8_t *stl, size_t len)
     return count;
 }
 
-struct soup *import_soup(const char *path)
+struct mesh_picture import_picture(const char *path)
 {
+    fail("%s: the page draws no textures; use glint render --mesh", path);
+}
+
+struct soup *import_soup(const char *path, bool textures)
+{
+    (void)textures; /* an STL has none */
     size_t len;
     const uint8_t *stl = files_mesh(path, &len);
     if (!stl)

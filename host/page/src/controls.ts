@@ -6,6 +6,7 @@ import { byId, capital, make, short, typeset } from './dom'
 import type { Facts } from './engine'
 import { onDrawn } from './picture'
 import { canRedo, canUndo, change, current, onChange, redo, reset, undo } from './store'
+import { isGrainMap } from './words'
 import type { Option, State } from './words'
 
 interface Row {
@@ -19,6 +20,9 @@ interface Row {
     onlyMesh?: true | 'file'
 }
 
+/** What a material sets where no option does. */
+const ofMaterial: Partial<State> = { n: undefined, across: undefined, ambient: undefined, diffuse: undefined, specular: undefined, color: undefined, albedo: undefined }
+
 const set = (option: Option, text: string | undefined, kind = '') => change({ [option]: text } as Partial<State>, kind)
 
 // ---- kinds of inputs ----
@@ -30,6 +34,14 @@ const choice = (option: Option, choices: readonly { name: string, title: string 
     input.onchange = () => set(option, input.value === standard ? undefined : input.value)
     line.append(input)
     return state => { input.value = state[option] ?? standard }
+}
+
+/** It takes the place of what was set by hand; what is set afterwards overrides it. */
+const material: Row['build'] = (id, line) => {
+    const input = make('select', { id }, make('option', { value: '', textContent: 'The surface\'s own' }), ...lists.materials.map(({ name }) => make('option', { value: name, textContent: capital(name.replaceAll('-', ' ')) })))
+    input.onchange = () => change({ ...ofMaterial, material: input.value || undefined })
+    line.append(input)
+    return state => { input.value = state.material ?? '' }
 }
 
 const flag = (option: Option): Row['build'] => (id, line) => {
@@ -80,6 +92,46 @@ const coefficient = (option: 'ambient' | 'diffuse' | 'specular'): Row['build'] =
             range.value = String(most / 65536)
         if (most && document.activeElement !== tint)
             tint.value = hex(values.map(v => 255 * v / most))
+    }
+}
+
+const background: Row['build'] = (id, line) => {
+    const input = make('input', { type: 'color', id })
+    const none = make('button', { type: 'button', textContent: 'None' })
+    input.oninput = () => change({ background: ofHex(input.value).join(',') }, 'background')
+    none.onclick = () => set('background', undefined)
+    line.append(input, none)
+    return state => {
+        const values = state.background?.split(',').map(Number) ?? [0, 0, 0]
+        if (document.activeElement !== input && values.length === 3)
+            input.value = hex(values)
+        none.setAttribute('aria-pressed', String(state.background === undefined))
+    }
+}
+
+const grainKinds = [['', 'The surface\'s own'], ['brushed', 'Brushed one way'], ['spun', 'Spun about a point'], ['sunray', 'Rays from a point']]
+/** A kind, and its angle or centre; a map of directions is dropped. */
+const grain: Row['build'] = (id, line) => {
+    const input = make('select', { id }, ...grainKinds.map(([value, textContent]) => make('option', { value, textContent })))
+    const map = make('option', { value: 'map', textContent: 'A map' })
+    const at = make('input', { type: 'text', id: `${id}-at`, spellcheck: false })
+    const put = () => set('grain', input.value ? input.value + (at.value.trim() && `:${at.value.replace(/\s/g, '')}`) : undefined)
+    input.append(map)
+    input.onchange = () => {
+        at.value = ''
+        put()
+    }
+    at.onchange = put
+    line.append(input, at)
+    return ({ grain = '' }) => {
+        const isMap = grain !== '' && isGrainMap(grain), [kind, where = ''] = isMap ? ['map'] : grain.split(':')
+        input.value = kind
+        map.hidden = map.disabled = !isMap
+        at.hidden = isMap || kind === ''
+        at.placeholder = kind === 'brushed' ? 'degrees' : 'x,y in pixels'
+        at.setAttribute('aria-label', kind === 'brushed' ? 'Grain: degrees from the right' : 'Grain: the point, x,y')
+        if (document.activeElement !== at)
+            at.value = where
     }
 }
 
@@ -135,14 +187,27 @@ const meaningOf = (list: typeof lists.models, name: string) => typeset(list.find
 const constant = (text: string) => `GLINT_${text.toUpperCase().replaceAll('-', '_')}`
 const q16 = (facts: Facts, name: string) => `${name}_q16 = {${facts[`${name}_q16`].join(', ')}}`
 const degrees = (radians: number) => `${(radians * 180 / Math.PI).toFixed(1)}°`
+const hasGrain = (facts: Facts) => facts.across[0] !== facts.n[0]
 /** Where Blinn's highlight has fallen to half. */
 const half = (n: number) => Math.acos(2 ** (-1 / n))
 
 const table: Row[] = [
+    {
+        option: 'material', title: 'Material', build: material, number: s => s.material ? `material_${s.material.replaceAll('-', '_')}` : 'none by name',
+        meaning: s => s.material ? `${capital(meaningOf(lists.materials, s.material))}; what is set below overrides it` : 'Shininess, colour and strengths of a known material at once',
+    },
     { option: 'model', title: 'Model', build: choice('model', lists.models, 'msh'), number: s => constant(s.model ?? 'msh'), meaning: s => meaningOf(lists.models, s.model ?? 'msh') },
     {
         option: 'n', title: 'Shininess', build: slider('n', 1, 1000, 300, step => Math.round(1000 ** (step / 300)), n => Math.round(300 * Math.log(n) / Math.log(1000))),
         number: (_, f) => `n = ${f.n}`, meaning: (_, f) => `A cosine to the power ${f.n} falls to half at ${degrees(half(f.n[0]))}`,
+    },
+    {
+        option: 'across', title: 'Across', build: slider('across', 1, 1000, 300, step => Math.round(1000 ** (step / 300)), n => Math.round(300 * Math.log(n) / Math.log(1000))),
+        number: (_, f) => `n_across = ${hasGrain(f) ? f.across : 0}`, meaning: (_, f) => hasGrain(f) ? 'Shininess across the grain; the one above is along it' : 'As along the grain: there is none. Brushed metal has a lower one',
+    },
+    {
+        option: 'grain', title: 'Grain', build: grain, number: (s, f) => !hasGrain(f) ? 'none' : s.grain && isGrainMap(s.grain) ? 'maps.grain' : `grain_kind = GLINT_GRAIN_${['BRUSHED', 'SPUN', 'SUNRAY'][f.grain[0]]}`,
+        meaning: (_, f) => hasGrain(f) ? 'Which way the scratches run; empty: to the right, or about the middle' : 'Which way scratches run; it shows where Across differs from Shininess',
     },
     {
         option: 'q', title: 'Cutoff', build: slider('q', 1, 16, 15, step => step + 1, q => q - 1), number: (_, f) => `q = ${f.q}, t_q30 ≤ ${f.cutoff_t_q30}`,
@@ -152,6 +217,7 @@ const table: Row[] = [
         option: 'color', title: 'Colour', build: color, number: (_, f) => `albedo = {${f.albedo.join(', ')}}`,
         meaning: (s, f) => f.has_albedo[0] ? s.albedo ? `From ${s.albedo}, pixel for pixel` : 'The scene has colours of its own; choose one instead' : 'The same everywhere',
     },
+    { option: 'background', title: 'Background', build: background, number: s => s.background === undefined ? 'none' : `{${s.background.replaceAll(',', ', ')}}`, meaning: s => s.background === undefined ? 'What soft edges are drawn over; with one a scene is cut out of its wall' : 'What the buffer holds before: soft edges are mixed with it' },
     { option: 'ambient', title: 'Ambient', build: coefficient('ambient'), number: (_, f) => q16(f, 'ambient'), meaning: () => 'Light from everywhere; 65536 is 1.0' },
     { option: 'diffuse', title: 'Diffuse', build: coefficient('diffuse'), number: (_, f) => q16(f, 'diffuse'), meaning: () => 'What the surface scatters, by N·L' },
     { option: 'specular', title: 'Specular', build: coefficient('specular'), number: (_, f) => q16(f, 'specular'), meaning: () => 'How strong the highlight is; metals tint it' },
@@ -196,19 +262,6 @@ const updates: ((state: State, facts: Facts | undefined) => void)[] = table.map(
         meaning.textContent = row.meaning(state, facts)
     }
 })
-
-// ---- presets ----
-
-const clear: Partial<State> = { color: undefined, albedo: undefined, 'clamp-peak': undefined }
-const presets: Record<string, Partial<State>> = {
-    satin: { ...clear, color: '150,40,60', model: undefined, n: '12', ambient: '.2', diffuse: '.75', specular: '.35' },
-    plastic: { ...clear, color: '30,90,200', model: undefined, n: '80', ambient: '.15', diffuse: '.8', specular: '.6' },
-    steel: { ...clear, color: '120,126,134', model: 'cayley', n: '120', ambient: '.25', diffuse: '.45', specular: '.85,.9,.95' },
-    gold: { ...clear, color: '200,140,40', model: undefined, n: '40', ambient: '.25', diffuse: '.6', specular: '1,.86,.55' },
-    glass: { ...clear, color: '40,60,64', model: 'blinn', n: '600', ambient: '.3', diffuse: '.25', specular: '1' },
-}
-for (const [name, values] of Object.entries(presets))
-    byId('presets').append(make('button', { type: 'button', textContent: capital(name), onclick: () => change(values) }))
 
 const undoButton = byId<HTMLButtonElement>('undo'), redoButton = byId<HTMLButtonElement>('redo')
 undoButton.onclick = undo

@@ -41,7 +41,7 @@ function rowOf(state: State, facts: Facts): string | undefined {
         return `exact ${kinds[0]}`
     if (coloured)
         return 'exact directional'
-    const grey = format === 'grey8' || format === 'mono', deep = /888/.test(format)
+    const grey = /^(grey\d|mono)$/.test(format), deep = /888/.test(format)
     if (state.space === 'linear')
         return `exact linear${grey ? ' grey' : deep ? ' 888' : ''}`
     if (grey)

@@ -48,8 +48,8 @@ export interface ForDevice {
 export type Facts = Record<string, number[]>
 
 const keepNothing = 0, keepScene = 1, keepCanvas = 2
-/** Options that make the surface; --color takes a built-in scene's own away. */
-const ofSurface = /^--(height|normals|scene|mask|scale|bevel|wrap|flip-y|size|albedo|gloss|mesh|crease|axes|split)\b/
+/** Options that make the surface; a built-in scene is made of --material, --color takes its own colours away. */
+const ofSurface = /^--(height|normals|scene|mask|scale|bevel|wrap|flip-y|size|albedo|gloss|mesh|crease|axes|split|material|grain|cut-out|background)\b/
 /** Where a mesh stands, for which no canvas is made. */
 const standsBy = /^--(turn|zoom|perspective)\b/
 

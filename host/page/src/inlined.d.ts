@@ -18,7 +18,7 @@ declare module 'glint:costs' {
 /** What options take by name, from page_lists in module/page.h. */
 declare module 'glint:lists' {
     interface Choice { name: string, title: string, meaning: string, formula: string }
-    const lists: { models: Choice[], formats: Choice[], paths: Choice[] }
+    const lists: { models: Choice[], formats: Choice[], paths: Choice[], materials: Choice[], scenes: Choice[] }
     export default lists
 }
 declare module 'glint:version' {

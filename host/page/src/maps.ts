@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The surface: built-in scenes, and PNG files, or the mesh of an STL, that are chosen or dropped.
+import lists from 'glint:lists'
 import { ask } from './client'
 import { buttons, byId, capital, make } from './dom'
 import { redraw } from './picture'
 import { change, current, onChange } from './store'
+import { isGrainMap } from './words'
 import type { Option, State } from './words'
 
-const scenes = ['sphere', 'watchface', 'coin', 'dial', 'teapot'] as const
-const kinds = ['height', 'normals', 'mesh', 'albedo', 'gloss', 'mask'] as const
+const scenes = lists.scenes.map(({ name }) => name)
+const kinds = ['height', 'normals', 'mesh', 'albedo', 'gloss', 'mask', 'grain'] as const
 type Kind = typeof kinds[number]
-const without: Partial<State> = { height: undefined, normals: undefined, mesh: undefined, crease: undefined, axes: undefined, mask: undefined, albedo: undefined, gloss: undefined, scale: undefined, bevel: undefined, wrap: undefined, 'flip-y': undefined, color: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined }
+const without: Partial<State> = { height: undefined, normals: undefined, mesh: undefined, crease: undefined, axes: undefined, mask: undefined, 'cut-out': undefined, grain: undefined, albedo: undefined, gloss: undefined, scale: undefined, bevel: undefined, wrap: undefined, 'flip-y': undefined, color: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined }
 
 const press = buttons(byId('scenes'), scenes, capital, scene => change({ ...without, scene, size: current().size ?? '240x240' }))
 
@@ -56,13 +58,15 @@ async function take(file: File, kind: Kind): Promise<void> {
 function kindOf(name: string): Kind {
     if (/\.(stl|obj|ply|gltf|glb)$/i.test(name))
         return 'mesh'
-    const words: [RegExp, Kind][] = [[/norm|nrm|_n\b/i, 'normals'], [/gloss|rough|spec/i, 'gloss'], [/mask|opacity/i, 'mask'], [/albedo|colou?r|diff|base/i, 'albedo']]
+    const words: [RegExp, Kind][] = [[/grain|aniso|brush/i, 'grain'], [/norm|nrm|_n\b/i, 'normals'], [/gloss|rough|spec/i, 'gloss'], [/mask|opacity/i, 'mask'], [/albedo|colou?r|diff|base/i, 'albedo']]
     return kinds.find(kind => current()[kind] === name) ?? words.find(([pattern]) => pattern.test(name))?.[1] ?? 'height'
 }
 
 const updates: (() => void)[] = []
 const isSurface = (kind: Kind) => kind === 'height' || kind === 'normals' || kind === 'mesh'
-const titles: Record<Kind, string> = { height: 'Height', normals: 'Normals', mesh: 'Mesh', albedo: 'Albedo', gloss: 'Gloss', mask: 'Mask' }
+const titles: Record<Kind, string> = { height: 'Height', normals: 'Normals', mesh: 'Mesh', albedo: 'Albedo', gloss: 'Gloss', mask: 'Mask', grain: 'Grain' }
+/** The file's name; a grain may be of a kind instead. */
+const fileOf = (kind: Kind, name = current()[kind]) => kind === 'grain' && name !== undefined && !isGrainMap(name) ? undefined : name
 for (const kind of kinds) {
     const input = make('input', { type: 'file', accept: kind === 'mesh' ? '.stl' : 'image/png,.png', className: 'hidden', id: `map-${kind}` })
     input.onchange = () => {
@@ -74,8 +78,8 @@ for (const kind of kinds) {
     const name = make('span', { className: 'name' })
     const clear = make('button', { type: 'button', textContent: '×', aria: { label: `${titles[kind]}: remove` }, onclick: () => change({ [kind]: undefined }) })
     updates.push(() => {
-        name.textContent = current()[kind] ?? '—'
-        clear.hidden = current()[kind] === undefined || isSurface(kind)
+        name.textContent = fileOf(kind) ?? '—'
+        clear.hidden = fileOf(kind) === undefined || isSurface(kind)
     })
     byId('map-rows').append(make('div', { className: 'map' }, make('span', { textContent: titles[kind] }), name,
         make('span', { className: 'group' }, make('span', {}, input, label), clear)))
@@ -98,6 +102,7 @@ function field(option: Option, title: string, meaning: string, needs: () => bool
 field('scale', 'Scale', 'The height of white above black, in pixels; negative turns hills into hollows', () => current().height !== undefined, false)
 field('bevel', 'Bevel', 'The height map is a logo: a rounded edge rises over so many pixels', () => current().height !== undefined, false)
 field('wrap', 'Seamless', 'Slopes are taken across the edges', () => current().height !== undefined && current().bevel === undefined, true)
+field('cut-out', 'Cut out', 'Only the logo, with a soft edge, without what lies around it', () => current().bevel !== undefined, true)
 field('flip-y', 'Flip green', 'Green points down, as in maps for DirectX', () => current().normals !== undefined, true)
 
 // ---- dropped ----

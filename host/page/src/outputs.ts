@@ -21,7 +21,7 @@ function save(name: string, bytes: Uint8Array<ArrayBuffer>): void {
 }
 
 /** Without maps and what else a material has not; of a scene its finish counts. */
-const look = (state: State) => wordsOf({ ...state, height: undefined, normals: undefined, albedo: undefined, gloss: undefined, mask: undefined,
+const look = (state: State) => wordsOf({ ...state, height: undefined, normals: undefined, albedo: undefined, gloss: undefined, mask: undefined, 'cut-out': undefined, background: undefined,
     bevel: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined, mesh: undefined, crease: undefined, axes: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined })
 const tables = (state: State, kind: string) => ['glint table', `--kind=${kind}`, ...look({ ...state, lights: [] }), '-o', `${kind}_tables.c`]
 /** RGB565 colours go beside normals, not beside a palette's offsets. */
@@ -58,7 +58,7 @@ async function savePicture(): Promise<void> {
     const drawn = lastDrawn()
     if (!drawn)
         return
-    const grey = /^(grey8|mono)$/.test(drawn.state.format ?? '')
+    const grey = /^(grey\d|mono)$/.test(drawn.state.format ?? '')
     save('glint.png', await ask('png', drawn.width, drawn.height, drawn.rgba, grey))
     status.textContent = `glint.png: the pixels of ${line(drawn.state)}`
 }

@@ -12,8 +12,8 @@
 
 enum { N = 60, RUNS = 7, IN_CACHE = 1 << 14, IN_MEMORY = 1 << 24, COSINES = GLINT_C_ONE / 2 + 1 };
 
-static method copy, batch_msh, batch_schlick, batch_cayley, batch_lyon, batch_blinn, batch_gauss, scalar_msh,
-    scalar_schlick;
+static method copy, batch_msh, batch_schlick, batch_cayley, batch_lyon, batch_ggx, batch_blinn, batch_gauss, batch_sg,
+    scalar_msh, scalar_schlick;
 
 static void copy(uint32_t n, const void *restrict in, void *restrict out, size_t count)
 {
@@ -41,6 +41,11 @@ static void batch_lyon(uint32_t n, const void *restrict in, void *restrict out, 
     batch_eval(GLINT_LYON, n, in, out, count);
 }
 
+static void batch_ggx(uint32_t n, const void *restrict in, void *restrict out, size_t count)
+{
+    batch_eval(GLINT_GGX, n, in, out, count);
+}
+
 static void batch_blinn(uint32_t n, const void *restrict in, void *restrict out, size_t count)
 {
     batch_eval(GLINT_BLINN, n, in, out, count);
@@ -49,6 +54,11 @@ static void batch_blinn(uint32_t n, const void *restrict in, void *restrict out,
 static void batch_gauss(uint32_t n, const void *restrict in, void *restrict out, size_t count)
 {
     batch_eval(GLINT_GAUSS, n, in, out, count);
+}
+
+static void batch_sg(uint32_t n, const void *restrict in, void *restrict out, size_t count)
+{
+    batch_eval(GLINT_SG, n, in, out, count);
 }
 
 static void each(enum glint_model model, uint32_t n, const int32_t *c_q16, uint32_t *f_q16, size_t count)
@@ -97,6 +107,16 @@ static double real_lyon(double c)
     return pow(fmax(0, 1 - N * (1 - c) / 4), 4);
 }
 
+static double real_ggx(double c)
+{
+    return 1 / pow(1 + N * (1 - c * c) / 2, 2);
+}
+
+static double real_sg(double c)
+{
+    return exp(-N * (1 - c));
+}
+
 static const struct row {
     const char *name, *what;
     method *run;
@@ -111,7 +131,9 @@ static const struct row {
     {"float_schlick", "float, vectorised", float_schlick, real_schlick, FLOAT, BOTH},
     {"batch_cayley", "exact", batch_cayley, real_cayley, Q16, BOTH},
     {"batch_lyon", "exact", batch_lyon, real_lyon, Q16, BOTH},
+    {"batch_ggx", "exact", batch_ggx, real_ggx, Q16, BOTH},
     {"batch_gauss", "exact; by a table from 65,537 elements on", batch_gauss, real_gauss, Q16, BOTH},
+    {"batch_sg", "the same", batch_sg, real_sg, Q16, BOTH},
     {"batch_blinn", "exact; by a table from 1,048,592 elements on", batch_blinn, real_blinn, Q16, BOTH},
     {"float_blinn", "float, vectorised: libmvec's powf", float_blinn, real_blinn, FLOAT, BOTH},
     {"glint_eval_msh", "exact, one by one", scalar_msh, real_msh, Q16, CACHE},

@@ -31,15 +31,56 @@ static const struct {
 static uint32_t frame_memory[(2 * WIDTH * LINES + 1024 /* what glint_mesh_frame_bytes adds */ +
                               KEPT * GLINT_MESH_KEPT_BYTES + GLINT_MESH_LIGHTS_BYTES) /
                              4],
-    mesh_memory[12000];
-/* Tables, or the strip's normals: mesh_normals. */
+    mesh_memory[9400];
+enum { SIDE = 64, VERTICES = 600 /* as the teapot has */ };
+/* Tables, with a texture or not, or the strip's normals: mesh_normals. */
 static union {
     uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4];
     struct glint_vec normals[LINES][WIDTH];
+    struct {
+        uint32_t tables[GLINT_TABLES_ALBEDO_BYTES / 4];
+        uint16_t texels[SIDE * SIDE];
+    } albedo;
 } either;
 uint32_t mesh_out[WIDTH * LINES / 2];
 
 static enum mesh_way chosen;
+
+/* A texture of 64 by 64 from the front, repeated, and a colour of each vertex; the mesh that has them. */
+static uint16_t uv[VERTICES][2];
+static uint8_t colours[VERTICES][3];
+static struct glint_texture texture = {.pixels = either.albedo.texels, .w = SIDE, .h = SIDE, .levels = 1};
+static struct glint_mesh clothed;
+
+static const struct glint_mesh *clothe(const struct glint_mesh *mesh)
+{
+    if (chosen < MESH_TEXTURED || mesh->vertex_count > VERTICES)
+        return mesh;
+    clothed = *mesh;
+    clothed.use = &glint_use_mesh_albedo;
+    for (uint32_t i = 0; i < SIDE * SIDE; i++)
+        either.albedo.texels[i] = (uint16_t)(i * 0x9e37u);
+    for (unsigned i = 0; i < mesh->vertex_count; i++)
+        for (unsigned k = 0; k < 3; k++) {
+            colours[i][k] = (uint8_t)((mesh->places[3 * i + k] >> 8) + 128);
+            if (k < 2)
+                uv[i][k] = (uint16_t)(mesh->places[3 * i + k] + 32768);
+        }
+    texture.is_smooth = chosen == MESH_SMOOTH;
+    if (chosen == MESH_COLOURED) {
+        clothed.of_vertices = colours[0];
+    } else {
+        clothed.textures = &texture;
+        clothed.uv = uv[0];
+        clothed.uv_bits = 14;
+    }
+    return &clothed;
+}
+
+static bool is_albedo(enum mesh_way way)
+{
+    return way >= MESH_TEXTURED && way != MESH_TEXTURED_EXACT;
+}
 
 static struct glint_paint paint;
 static struct glint_mesh_frame frame;
@@ -60,7 +101,7 @@ static int lights_of(enum mesh_way way, struct glint_light lights[GLINT_LIGHTS_M
     static const int32_t places[GLINT_LIGHTS_MAX][3] = {
         {LEFT, TOP, AWAY}, {RIGHT, TOP, AWAY}, {LEFT, BOTTOM, AWAY}, {RIGHT, BOTTOM, AWAY}};
     const int count = way == MESH_DARK ? 0 : way == MESH_FOUR_POINTS ? 4 : 1;
-    if (way < MESH_DARK)
+    if (way < MESH_DARK || way >= MESH_TEXTURED)
         return glint_light_directional(lights, to_light) ? -1 : 1;
     for (int i = 0; i < count; i++)
         if (glint_light_point(&lights[i], places[i], RANGE))
@@ -78,6 +119,14 @@ int mesh_begin(enum mesh_way way)
                                                .specular_q16 = {52429, 52429, 52429},
                                                .albedo = {255, 255, 255},
                                                .clamp_peak = true};
+    static const struct glint_material stone = {.model = GLINT_MSH,
+                                                .q = 8,
+                                                .n = 60,
+                                                .ambient_q16 = {6554, 6554, 6554},
+                                                .diffuse_q16 = {40632, 40632, 40632},
+                                                .specular_q16 = {52429, 52429, 52429},
+                                                .albedo = {255, 255, 255},
+                                                .clamp_peak = true};
     static const struct glint_output output = {.format = GLINT_RGB565};
     static const int32_t to_viewer[3] = {0, 0, 1};
     static struct glint_light lights[GLINT_LIGHTS_MAX];
@@ -87,6 +136,8 @@ int mesh_begin(enum mesh_way way)
     return count < 0 ||
            (way == MESH_BY_TABLES ? glint_paint_tables_for(&paint, &glint_use_colour, &clay, &output, either.tables,
                                                            sizeof either.tables, &glint_use_msh, &glint_use_rgb565)
+            : is_albedo(way)      ? glint_paint_tables_for(&paint, &glint_use_albedo, &stone, &output, either.tables,
+                                                           sizeof either.tables, &glint_use_msh, &glint_use_rgb565)
                                   : glint_paint_exact_for(&paint, &clay, &output, &glint_use_msh, &glint_use_rgb565)) ||
            glint_paint_light(&paint, lights, (unsigned)count, to_viewer);
 }
@@ -94,7 +145,19 @@ int mesh_begin(enum mesh_way way)
 static size_t frame_bytes(unsigned which)
 {
     return glint_mesh_frame_bytes(WIDTH, LINES) + drawings[which].kept * GLINT_MESH_KEPT_BYTES +
-           (chosen > MESH_DARK ? GLINT_MESH_LIGHTS_BYTES : 0);
+           (chosen > MESH_DARK && chosen < MESH_TEXTURED ? GLINT_MESH_LIGHTS_BYTES : 0);
+}
+
+/* The mesh, clothed by mesh_clothe: that is not counted. */
+static const struct glint_mesh *clothed_of(unsigned which)
+{
+    return chosen < MESH_TEXTURED ? drawings[which].mesh : &clothed;
+}
+
+int mesh_clothe(unsigned which)
+{
+    return which >= sizeof drawings / sizeof *drawings ||
+           (chosen >= MESH_TEXTURED && clothe(drawings[which].mesh) != &clothed);
 }
 
 int mesh_frame(unsigned which)
@@ -103,8 +166,9 @@ int mesh_frame(unsigned which)
                                    bunnys = {{31651, 0, 8481, 0}, {0, 0, 0}, 2230};
     if (which >= sizeof drawings / sizeof *drawings)
         return 1;
-    const int error = glint_mesh_begin(&frame, WIDTH, HEIGHT, LINES, 0, frame_memory, frame_bytes(which)) |
-                      glint_mesh_add(&frame, &drawn, drawings[which].mesh, which < 3 ? &teapots : &bunnys, &paint,
+    const int error = glint_mesh_begin(&frame, WIDTH, HEIGHT, LINES, chosen == MESH_TEXTURED_FAR ? 8000 : 0,
+                                       frame_memory, frame_bytes(which)) |
+                      glint_mesh_add(&frame, &drawn, clothed_of(which), which < 3 ? &teapots : &bunnys, &paint,
                                      mesh_memory, sizeof mesh_memory);
     if (chosen == MESH_GOURAUD)
         gouraud_vertices(&drawn, 60, 8);
@@ -120,7 +184,10 @@ int mesh_strip(unsigned y)
 uint32_t mesh_memory_bytes(enum mesh_way way, unsigned which)
 {
     return (uint32_t)(frame_bytes(which) + glint_mesh_bytes(drawings[which].mesh, HEIGHT) + 2 * sizeof mesh_out +
-                      sizeof frame + sizeof drawn + sizeof paint + (way == MESH_BY_TABLES ? sizeof either.tables : 0));
+                      sizeof frame + sizeof drawn + sizeof paint +
+                      (way == MESH_BY_TABLES ? sizeof either.tables
+                       : is_albedo(way)      ? (size_t)GLINT_TABLES_ALBEDO_BYTES
+                                             : 0));
 }
 
 /* ---- The same normals as a rectangle's ---- */

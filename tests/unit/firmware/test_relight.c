@@ -14,6 +14,8 @@ enum { BACKGROUND = 0x1234 };
 /* ---- a map and a loop over it ---- */
 
 static uint32_t map[WIDTH * HEIGHT];
+static uint8_t coverage[WIDTH * HEIGHT];
+static bool has_coverage;
 static const struct panel panel = {.bus = &hal.bus, .controller = PANEL_ST7789, .width = WIDTH, .height = HEIGHT};
 static uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4], normals[2][WIDTH];
 static uint16_t pixels[2][WIDTH];
@@ -71,6 +73,7 @@ static void start_with_map(bool from_flash)
     relight = (struct relight){.hal = hal_in_use,
                                .panel = &panel,
                                .map = map,
+                               .coverage = has_coverage ? coverage : NULL,
                                .background = BACKGROUND,
                                .paint = &paint,
                                .pixels = {pixels[0], pixels[1]},
@@ -94,7 +97,11 @@ static void check_screen(const int32_t to_light[3])
     uint16_t wanted[WIDTH * HEIGHT];
     struct glint_paint own;
     struct glint_light light;
-    const struct glint_maps maps = {.normals = map, .normals_stride = 4 * WIDTH, .normals_format = GLINT_NORMALS_INT8};
+    const struct glint_maps maps = {.normals = map,
+                                    .normals_stride = 4 * WIDTH,
+                                    .normals_format = GLINT_NORMALS_INT8,
+                                    .coverage = has_coverage ? coverage : NULL,
+                                    .coverage_stride = WIDTH};
     for (unsigned i = 0; i < WIDTH * HEIGHT; i++)
         wanted[i] = BACKGROUND;
     make_paint(&own, own_tables);
@@ -173,6 +180,41 @@ static void two_cores_draw_what_one_does_whichever_is_first(void **state)
         assert_int_equal(other.jobs, 5 * HEIGHT);
     }
     hal_in_use = &hal;
+}
+
+/* At the ends of a surface, within it, at every pixel, at none. */
+static void soft_edges_are_drawn_over_the_background_with_either_paint_on_one_core_or_two(void **state)
+{
+    (void)state;
+    has_coverage = true;
+    for (unsigned seed = 1; seed < 40; seed++) {
+        srand(seed);
+        for (unsigned i = 0; i < WIDTH * HEIGHT; i++) {
+            const unsigned kind = i / WIDTH % 5, x = i % WIDTH;
+            const bool is_edge = kind == 1 ? x < 8 || x > 27 : kind == 2 ? rand() % 9 == 0 : kind > 2;
+            coverage[i] = !has_surface(x, i / WIDTH) ? 0 : is_edge ? (uint8_t)(1 + rand() % 255) : 255;
+        }
+        by_exact_pixels = seed % 3 == 0;
+        hal_in_use = seed & 4 ? &two_cores : &hal;
+        other.late = seed & 1;
+        start(seed & 2);
+        run_frames(seed);
+    }
+    by_exact_pixels = has_coverage = false;
+    hal_in_use = &hal;
+}
+
+static void a_surface_all_over_with_a_soft_edge_is_drawn_over_the_background_anew_in_each_frame(void **state)
+{
+    (void)state;
+    for (unsigned i = 0; i < WIDTH * HEIGHT; i++) {
+        put_normal(i % WIDTH, i / WIDTH);
+        coverage[i] = i % WIDTH == WIDTH - 1 ? 100 : 255;
+    }
+    has_coverage = true;
+    start_with_map(false);
+    run_frames(8);
+    has_coverage = false;
 }
 
 static void a_line_is_not_overwritten_while_it_is_sent(void **state)
@@ -337,6 +379,8 @@ int main(void)
         cmocka_unit_test(exact_frames_are_the_exact_rectangle_without_memory_for_tables),
         cmocka_unit_test(a_map_in_ram_is_read_where_it_is),
         cmocka_unit_test(two_cores_draw_what_one_does_whichever_is_first),
+        cmocka_unit_test(soft_edges_are_drawn_over_the_background_with_either_paint_on_one_core_or_two),
+        cmocka_unit_test(a_surface_all_over_with_a_soft_edge_is_drawn_over_the_background_anew_in_each_frame),
         cmocka_unit_test(a_line_is_not_overwritten_while_it_is_sent),
         cmocka_unit_test(an_abandoned_frame_disturbs_no_other),
         cmocka_unit_test(a_frame_begins_when_the_board_allows_it_and_asks_once),

@@ -139,12 +139,14 @@ static void every_loop_takes_any_count_in_place(void **state)
     } both;
     for (size_t k = 0; k < batch_loops_count; k++)
         for (size_t count = 0; batch_loops[k].runs() && count < MOST; count++) {
-            for (int schlick = 0; schlick < 2; schlick++) {
+            static const enum glint_model of[] = {GLINT_MSH, GLINT_SCHLICK, GLINT_GGX};
+            batch_loop *const loops[] = {batch_loops[k].msh, batch_loops[k].schlick, batch_loops[k].ggx};
+            for (size_t j = 0; j < sizeof of / sizeof *of; j++) {
                 for (size_t i = 0; i < MOST; i++)
                     both.c_q16[i] = some_c(i);
                 const int32_t beyond = both.c_q16[count];
-                (schlick ? batch_loops[k].schlick : batch_loops[k].msh)(1, both.c_q16, both.f_q16, count);
-                assert_values(schlick ? GLINT_SCHLICK : GLINT_MSH, 1, both.f_q16, count);
+                loops[j](1, both.c_q16, both.f_q16, count);
+                assert_values(of[j], 1, both.f_q16, count);
                 assert_int_equal(both.c_q16[count], beyond);
             }
         }

@@ -6,24 +6,27 @@
 #include "glint.h"
 #include "image/format.h"
 #include "models/models.h"
+#include "scene/materials.h"
+#include "scene/scenes.h"
 
 enum { WIDTH = 12, HEIGHT = 8 };
 #define WARN "-Wall -Wextra -Wconversion -pedantic -Werror -I\"$GLINT_SOURCE/lib\" "
 
 /* A program that draws the baked height map with what is printed, and writes a PPM's bytes after its head. */
-static const char program[] = "printf '#include <stdio.h>\n#include \"stone.h\"\n#include \"look.h\"\n"
-                              "static unsigned char pixels[3 * 96];\n"
-                              "int main(void) {\n"
-                              "struct glint_paint paint;\n"
-                              "struct glint_light lights[look_light_count];\n"
-                              "struct glint_maps maps = {stone, 6 * 12, NULL, 0, NULL, 0, NULL, 0, NULL, 0, 0, 0};\n"
-                              "struct glint_surface target = {pixels, 3 * 12, 0, 0};\n"
-                              "if (glint_paint_exact(&paint, &look, &look_output) != GLINT_OK) return 1;\n"
-                              "if (look_light(&paint, lights) != GLINT_OK) return 2;\n"
-                              "if (glint_draw_rect(&paint, &maps, 12, 8, &target, NULL) != GLINT_OK) return 3;\n"
-                              "fwrite(pixels, 1, sizeof pixels, stdout); return 0; }\n' >out/t.c && cd out && "
-                              "gcc -std=c99 " WARN "t.c ../lib.a -o t && ./t >c.ppm && "
-                              "g++ -std=c++11 " WARN "-x c++ t.c -x none ../lib.a -o t && ./t >cxx.ppm";
+static const char program[] =
+    "printf '#include <stdio.h>\n#include \"stone.h\"\n#include \"look.h\"\n"
+    "static unsigned char pixels[3 * 96];\n"
+    "int main(void) {\n"
+    "struct glint_paint paint;\n"
+    "struct glint_light lights[look_light_count];\n"
+    "struct glint_maps maps = {stone, 6 * 12, NULL, 0, NULL, 0, NULL, 0, NULL, 0, 0, 0, 0, {0, 0}, NULL, 0};\n"
+    "struct glint_surface target = {pixels, 3 * 12, 0, 0};\n"
+    "if (glint_paint_exact(&paint, &look, &look_output) != GLINT_OK) return 1;\n"
+    "if (look_light(&paint, lights) != GLINT_OK) return 2;\n"
+    "if (glint_draw_rect(&paint, &maps, 12, 8, &target, NULL) != GLINT_OK) return 3;\n"
+    "fwrite(pixels, 1, sizeof pixels, stdout); return 0; }\n' >out/t.c && cd out && "
+    "gcc -std=c99 " WARN "t.c ../lib.a -o t && ./t >c.ppm && "
+    "g++ -std=c++11 " WARN "-x c++ t.c -x none ../lib.a -o t && ./t >cxx.ppm";
 
 static int make_library(void **state)
 {
@@ -102,6 +105,99 @@ static void json_holds_the_same_numbers(void **state)
     json_decref(root);
 }
 
+static void roughness_is_the_shininess_of_gltf(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        unsigned n;
+        bool says; /* what it was held to */
+    } wanted[] = {{".5", 30, false},  {".22", 852, false}, {".212", 988, false},
+                  {".2", 1000, true}, {"0", 1000, true},   {"1", 1, true}};
+    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++) {
+        char line[160], n[32];
+        snprintf(line, sizeof line, "$GLINT material --roughness %s --model ggx --json", wanted[i].text);
+        const struct run *made = run(line);
+        snprintf(n, sizeof n, "\"n\": %u,", wanted[i].n);
+        assert_int_equal(made->status, 0);
+        assert_contains(made->out, n);
+        assert_int_equal(strstr(made->err, "is beyond 1..1000") != NULL, wanted[i].says);
+    }
+    assert_int_equal(run("$GLINT material --roughness 1.1")->status, 2);
+}
+
+static int lines_with(const char *text, const char *start)
+{
+    int count = 0;
+    for (; text; text = strchr(text, '\n'), text = text ? text + 1 : NULL)
+        count += strncmp(text, start, strlen(start)) == 0;
+    return count;
+}
+
+/* So that nobody edits one without the other. */
+static void the_header_of_materials_is_what_the_command_writes(void **state)
+{
+    (void)state;
+    assert_quiet(
+        "$GLINT material --all -o out/materials.h && cmp out/materials.h \"$GLINT_SOURCE\"/lib/examples/materials.h");
+    assert_quiet("echo '#include \"materials.h\"' >out/m.c && gcc -std=c99 " WARN "-c out/m.c -o out/m.o && "
+                 "g++ -std=c++11 " WARN "-c -x c++ out/m.c -o out/m.o");
+}
+
+static void each_material_is_listed_with_the_source_of_its_colour(void **state)
+{
+    (void)state;
+    static char list[65536];
+    strcpy(list, run("$GLINT material --list")->out);
+    for (unsigned i = 0; preset_names[i]; i++) {
+        const struct preset preset = preset_of(i);
+        assert_int_equal(lines_with(list, preset.name), 1);
+        assert_contains(list, preset.source);
+    }
+}
+
+/* Those of the list, but for what an option gives. */
+static void options_beside_a_material_override_it(void **state)
+{
+    (void)state;
+    const struct preset gold = preset_of(0);
+    static const char *const names[] = {"--preset", "--material"};
+    for (int i = 0; i < 2; i++) {
+        char line[200];
+        int n, specular, diffuse, albedo[3];
+        snprintf(line, sizeof line, "$GLINT material %s gold -n 77 --specular .25 --json", names[i]);
+        json_t *root = json_loads(run(line)->out, 0, NULL);
+        assert_int_equal(json_unpack(root, "{s:i, s:[i, *], s:[i, *], s:[i, i, i]}", "n", &n, "specular_q16", &specular,
+                                     "diffuse_q16", &diffuse, "albedo", &albedo[0], &albedo[1], &albedo[2]),
+                         0);
+        assert_int_equal(n, 77);
+        assert_int_equal(specular, 16384);
+        assert_int_equal(diffuse, (int)(gold.finish.diffuse[0] * 65536 + .5));
+        for (int k = 0; k < 3; k++)
+            assert_int_equal(albedo[k], gold.color[k]);
+        json_decref(root);
+    }
+}
+
+/* The ball, not the wall behind it; --color is of all; a height map has the material's colour throughout. */
+static void a_scene_is_made_of_the_material(void **state)
+{
+    (void)state;
+    struct scene *own = scene_draw("sphere", 64, 64),
+                 *jade = scene_draw_in("sphere", 64, 64, preset_of(11).color, false);
+    assert_memory_equal(own->albedo, jade->albedo, 3);
+    assert_memory_equal(&jade->albedo[3 * (32 * 64 + 32)], preset_of(11).color, 3);
+    scene_free(own);
+    scene_free(jade);
+    assert_quiet("$GLINT render --height heights.png --material copper -o out/a.ppm");
+    char line[200];
+    const struct preset copper = preset_of(2);
+    snprintf(line, sizeof line, "$GLINT render --height heights.png --material copper --color %d,%d,%d -o out/b.ppm",
+             copper.color[0], copper.color[1], copper.color[2]);
+    assert_quiet(line);
+    assert_same_file("out/a.ppm", "out/b.ppm");
+}
+
 static void wrong_values_are_refused(void **state)
 {
     (void)state;
@@ -116,6 +212,12 @@ static void wrong_values_are_refused(void **state)
         {"out.h", "unexpected argument 'out.h'"},
         {"--scene ball", "sphere, watchface, coin"},
         {"-n 0", "-n"},
+        {"--material golf", "--material: unknown material 'golf'"},
+        {"--preset mud", "--preset: unknown material 'mud'"},
+        {"--across 0", "--across"},
+        {"--list --all", "give only one of --list, --all and --json"},
+        {"--all --preset gold", "--all is of all materials; leave out --material and --preset"},
+        {"--list --name x", "--list is of all materials; leave out --name"},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         char line[200];
@@ -123,14 +225,6 @@ static void wrong_values_are_refused(void **state)
         assert_refused(line, wrong[i].part);
     }
     assert_refused("$GLINT render -o out/x.png", "no surface"); /* which material alone leaves out */
-}
-
-static int lines_with(const char *text, const char *start)
-{
-    int count = 0;
-    for (; text; text = strchr(text, '\n'), text = text ? text + 1 : NULL)
-        count += strncmp(text, start, strlen(start)) == 0;
-    return count;
 }
 
 /* These are no part of a material or of tables, and options that change nothing are not offered. */
@@ -168,6 +262,11 @@ int main(void)
         cmocka_unit_test(the_printed_material_draws_the_pixels_of_render),
         cmocka_unit_test(the_example_on_top_compiles_for_every_model_format_and_space),
         cmocka_unit_test(json_holds_the_same_numbers),
+        cmocka_unit_test(roughness_is_the_shininess_of_gltf),
+        cmocka_unit_test(the_header_of_materials_is_what_the_command_writes),
+        cmocka_unit_test(each_material_is_listed_with_the_source_of_its_colour),
+        cmocka_unit_test(options_beside_a_material_override_it),
+        cmocka_unit_test(a_scene_is_made_of_the_material),
         cmocka_unit_test(wrong_values_are_refused),
         cmocka_unit_test(commands_that_draw_nothing_have_no_options_of_maps_meshes_and_paths),
     };

@@ -149,18 +149,18 @@ static void paths_of_one_colour_refuse_them_unless_one_is_given(void **state)
 {
     (void)state;
     assert_fails("$GLINT render --mesh a.ply --format rgb565 --path colour-int8 -o no.png",
-                 "--path colour-int8: holds one colour, and the mesh has its vertices'; choose exact, albedo-int16 or "
-                 "albedo-int8, or give one colour by --color");
+                 "--path colour-int8: holds one colour, and the mesh has more; choose exact, albedo-int16 or "
+                 "albedo-int8, or give one by --color");
     assert_fails("$GLINT stream --mesh a.ply --path colour-int16 --format rgb565 --to none --frames 1",
                  "holds one colour");
     assert_fails("$GLINT render --mesh a.ply --format rgb565 --path albedo-int8 --ambient .9 --diffuse .9 -o no.png",
                  "needs a grey --ambient and --diffuse of at most 1 together");
     assert_refused("$GLINT render --mesh a.ply --path albedo-int8 -o no.png", "needs --format rgb565");
     assert_refused("$GLINT render --mesh a.ply --color 9,9,9 --format rgb565 --path albedo-int8 -o no.png",
-                   "is for colours of vertices");
+                   "is for textures and colours of vertices");
     write_text("plain.obj", "v 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n");
     assert_fails("$GLINT render --mesh plain.obj --format rgb565 --path albedo-int8 -o no.png",
-                 "is for colours of vertices, which this mesh has not; choose exact");
+                 "is for textures and colours of vertices, which this mesh has not; choose exact");
     assert_false(exists("no.png"));
     assert_int_equal(
         run("$GLINT render --mesh a.ply --color 9,9,9 --format rgb565 --path colour-int8 -o one.png")->status, 0);

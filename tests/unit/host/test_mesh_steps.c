@@ -21,7 +21,8 @@ static struct mesh *cube_with(double crease)
 
 static struct mesh *teapot_split(double degrees)
 {
-    return mesh_load(&(struct mesh_source){"teapot", true, -1, degrees, AXES_USUAL});
+    return mesh_load(
+        &(struct mesh_source){.name = "teapot", .built_in = true, .crease = -1, .split = degrees, .axes = AXES_USUAL});
 }
 
 /* As small and as large as a file's numbers, which are floats, can be: below 10^30. */
@@ -225,7 +226,7 @@ static void the_library_draws_the_same_triangles_as_double_precision_but_for_edg
     for (size_t i = 0; i < sizeof views / sizeof *views; i++) {
         struct mesh_coverage coverage;
         assert_null(view_refusal(&views[i]));
-        struct scene *scene = mesh_scene(mesh, fitted, &views[i], &coverage);
+        struct scene *scene = mesh_scene(mesh, fitted, &views[i], NULL, &coverage);
         assert_true(coverage.drawn > 1000);
         if (coverage.different * 20 > coverage.drawn)
             fail_msg("view %zu: %zu of %zu pixels differ", i, coverage.different, coverage.drawn);

@@ -318,7 +318,7 @@ static void parts_of_mono_pictures_stand_upright_on_an_ssd1306(void **state)
     static const struct virtual_glass glasses[] = {{128, 64, 0, 0, false, false, false, true},
                                                    {128, 32, 0, 0, false, false, false, true},
                                                    {72, 40, 28, 0, false, false, false, true},
-                                                   {64, 48, 32, 0, false, false, false, true, false}};
+                                                   {64, 48, 32, 0, false, false, false, true}};
     for (unsigned i = 0; i < 8; i++) {
         const struct module module = {PANEL_SSD1306, glasses[i / 2]};
         const struct panel panel = started(&module, i % 2 * 2);

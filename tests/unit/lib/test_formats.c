@@ -85,7 +85,8 @@ static void spans_have_them_too(void **state)
     (void)state;
     for (unsigned i = 0; i < SCENES; i++) {
         const struct glint_span span = {below(1u << 30),          below(1 << 24),          below(1 << 18),
-                                        (int32_t)below(1u << 30), (int32_t)below(1 << 24), W};
+                                        (int32_t)below(1u << 30), (int32_t)below(1 << 24), W,
+                                        {{0, 0}, {0, 0}}};
         struct glint_paint paint;
         two_scenes(i);
         rgb.look.material.model = bgr.look.material.model = GLINT_MSH;

@@ -150,8 +150,13 @@ static void a_row_is_the_span_of_its_normals_by_every_paint(void **state)
         }
         const struct glint_vec n = random_normal(&look);
         const int64_t x = n.x - look.h.x, y = n.y - look.h.y, z = n.z - look.h.z;
-        const struct glint_span span = {
-            (uint32_t)((x * x >> 1) + (y * y >> 1) + (z * z >> 1)), 0, 0, (int32_t)dot(n, look.l), 0, MESH_W};
+        const struct glint_span span = {(uint32_t)((x * x >> 1) + (y * y >> 1) + (z * z >> 1)),
+                                        0,
+                                        0,
+                                        (int32_t)dot(n, look.l),
+                                        0,
+                                        MESH_W,
+                                        {{0, 0}, {0, 0}}};
         if (span.t_q30 >= UINT32_C(1) << 31)
             continue;
         mesh_made(&mesh, 3, 1);

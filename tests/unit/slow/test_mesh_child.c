@@ -37,16 +37,15 @@ static void a_baked_mesh_compiles_and_is_what_raw_holds(void **state)
 #if GLINT_WITH_MESH
 static const char triangle[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-/* Read as C and as C++, drawn by hand at the pose of glint render. */
-static void baked_colours_draw_the_pixels_of_render(void **state)
+/* a.obj, read as C and as C++, drawn by hand at the pose of glint render. $more: options of both. */
+static void assert_baked_as_rendered(const char *more)
 {
-    (void)state;
-    write_text("a.obj", "v 0 0 0 1 0 0\nv 2 0 0 0 1 0\nv 0 1 0 0 0 1\nv 1 -1 0 1 1 0\nf 1 2 3\nf 1 4 2\n");
     assert_int_equal(library_make(), 0);
+    setenv("more", more, 1);
     const struct run *result = run(
-        "$GLINT bake --mesh a.obj --to int16 -o a.c >/dev/null && $GLINT material --format rgb888 --name look -o "
+        "$GLINT bake --mesh a.obj $more --to int16 -o a.c >/dev/null && $GLINT material --format rgb888 --name look -o "
         "look.h && "
-        "$GLINT render --mesh a.obj --size 40x40 --image raw -o wanted.raw && "
+        "$GLINT render --mesh a.obj $more --size 40x40 --image raw -o wanted.raw && "
         "cat >t.c <<E\n#include <stdio.h>\n#include \"a.h\"\n#include \"look.h\"\n"
         "static uint32_t frame_memory[4096], mesh_memory[2048];\nstatic uint8_t pixels[40 * 120];\n"
         "int main(void) {\n  const struct glint_pose pose = {{32767, 0, 0, 0}, {0, 0, 0}, 320};\n"
@@ -63,6 +62,54 @@ static void baked_colours_draw_the_pixels_of_render(void **state)
     assert_string_equal(result->err, "");
     assert_string_equal(result->out, "");
     assert_int_equal(result->status, 0);
+}
+
+static void baked_colours_draw_the_pixels_of_render(void **state)
+{
+    (void)state;
+    write_text("a.obj", "v 0 0 0 1 0 0\nv 2 0 0 0 1 0\nv 0 1 0 0 0 1\nv 1 -1 0 1 1 0\nf 1 2 3\nf 1 4 2\n");
+    assert_baked_as_rendered("");
+}
+
+static void baked_textures_draw_the_pixels_of_render(void **state)
+{
+    (void)state;
+    uint16_t samples[12 * 8 * 3];
+    for (unsigned i = 0; i < 12 * 8 * 3; i++)
+        samples[i] = (uint16_t)(i * i % 251);
+    make_png("a.png", &(struct made_png){
+                          .width = 12, .height = 8, .bits = 8, .color_type = PNG_COLOR_TYPE_RGB, .samples = samples});
+    write_text("a.obj", "mtllib a.mtl\nv 0 0 0\nv 2 0 0\nv 0 1 0\nv 1 -1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt -1 -2\n"
+                        "usemtl a\nf 1/1 2/2 3/3\nf 1/1 4/4 2/2\n");
+    write_text("a.mtl", "newmtl a\nmap_Kd a.png\n");
+    assert_baked_as_rendered("--nearest");
+    assert_baked_as_rendered("--smooth");
+    assert_baked_as_rendered("--texture-to palette --texture-bytes 640");
+}
+
+/* Places in the picture follow the parts, then pictures: see glint bake --help. */
+static void raw_textures_are_those_of_the_source(void **state)
+{
+    (void)state;
+    const struct run *result =
+        run("cat >r.c <<E\n#include <stdio.h>\n#include \"a.h\"\n"
+            "static void put(unsigned x) { putchar(x & 255); putchar(x >> 8); }\n"
+            "int main(void) {\n  const struct glint_texture *t = a.textures;\n  const uint8_t *p = t->pixels;\n"
+            "  put(a.uv_bits); put(1); for (int i = 0; i < 2 * A_VERTICES; i++) put(a.uv[i]);\n"
+            "  put(1); put(t->is_smooth); put(t->w); put(t->h); put(t->levels); put(COLORS);\n"
+            "  for (int i = 0; i < COLORS; i++) put(t->palette[i]);\n"
+            "  for (int i = 0; i < PIXELS * (COLORS ? 1 : 2); i++) putchar(p[i]);\n"
+            "  if (COLORS && PIXELS % 2) putchar(0); return 0; }\nE\n"
+            "for o in 'rgb565 0' 'palette 127'; do set -- $o; "
+            "$GLINT bake --mesh a.obj --texture-to $1 -o a.c >/dev/null && $GLINT bake --mesh a.obj --texture-to $1 -o "
+            "a.bin >/dev/null && n=$(sed -n '/a_palette1\\[/,/};/p' a.c | tr -cd , | wc -c) && "
+            "n=$((n + (n > 0))) && "
+            "gcc -DCOLORS=$n -DPIXELS=127 -I\"$GLINT_SOURCE\"/lib r.c a.c lib.a -o r || exit 1; "
+            "./r >part && tail -c $(stat -c %s part) a.bin | cmp - part || exit 1; "
+            "od -A n -t u2 -j 6 -N 2 a.bin; done");
+    assert_string_equal(result->err, "");
+    assert_int_equal(result->status, 0);
+    assert_string_equal(result->out, "  1025\n  1025\n");
 }
 
 /* A library that does what the file's name says, in place of libassimp. */
@@ -82,7 +129,7 @@ static void the_childs_death_is_one_line_and_it_runs_with_limits(void **state)
         "  getrlimit(RLIMIT_CPU, &cpu); getrlimit(RLIMIT_FSIZE, &file);\n"
         "  snprintf(text, sizeof text, \"limits %d %d\\n and \\033 odd\", (int)cpu.rlim_cur, "
         "(int)file.rlim_cur); return text; }\n"
-        "int aiGetMaterialColor, aiGetMaterialFloatArray, aiGetMaterialIntegerArray;\n");
+        "int aiGetMaterialColor, aiGetMaterialFloatArray, aiGetMaterialIntegerArray, aiGetMaterialString;\n");
     assert_int_equal(run("sed -i 's/raise_it()/__builtin_trap()/' fake.c && "
                          "gcc -shared -fPIC fake.c -o $(basename $(readlink -f $(gcc -print-file-name=libassimp.so)) | "
                          "sed 's/\\(so\\.[0-9]*\\).*/\\1/')")
@@ -111,6 +158,8 @@ int main(void)
         cmocka_unit_test(a_baked_mesh_compiles_and_is_what_raw_holds),
 #if GLINT_WITH_MESH
         cmocka_unit_test(baked_colours_draw_the_pixels_of_render),
+        cmocka_unit_test(baked_textures_draw_the_pixels_of_render),
+        cmocka_unit_test(raw_textures_are_those_of_the_source),
         cmocka_unit_test(the_childs_death_is_one_line_and_it_runs_with_limits),
 #endif
     };

@@ -263,7 +263,8 @@ static size_t wrong_in_view(struct sight *sight, const struct fitted *fitted, st
 /* file: NULL for the teapot. */
 static size_t wrong_pixels(const char *file, double split, int views, size_t *drawn)
 {
-    struct mesh *mesh = mesh_load(&(struct mesh_source){file ? file : "teapot", !file, -1, split, AXES_USUAL});
+    struct mesh *mesh = mesh_load(&(struct mesh_source){
+        .name = file ? file : "teapot", .built_in = !file, .crease = -1, .split = split, .axes = AXES_USUAL});
     struct fitted *fitted = mesh_fit(mesh, 0);
     const struct shading shading = shading_with(60);
     struct mesh_canvas *canvas = mesh_canvas_new(fitted, &shading);

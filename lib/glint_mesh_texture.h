@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: MIT
+ * Internal. The albedo of a triangle's pixels where it is linear over the triangle: u and v of a texture, or for tables red, green and blue. */
+#ifndef GLINT_MESH_TEXTURE_H
+#define GLINT_MESH_TEXTURE_H
+
+#include "glint_mesh_rows.h"
+
+/* One picture of the chain. */
+struct glint_mesh_picture {
+    const uint8_t *pixels;
+    const uint16_t *palette; /* NULL: pixels are RGB565 */
+    uint32_t w, h;
+};
+
+/* Of u and v 2^32 is the texture's width and height: modulo 2^32 they repeat, and no place is outside. Of colours 2^21 is a level of RGB565,
+ * with half a level added. */
+struct glint_mesh_over {
+    struct glint_mesh_linear of[3];
+    int32_t x, y; /* the pixel */
+    struct glint_mesh_picture picture;
+    uint8_t count; /* of numbers: 2 or 3 */
+    bool is_smooth;
+    /* In perspective `of` is the numerator of what u and v are more than at corner a, over R, the depth's distance from the farthest. */
+    bool is_far;
+    uint8_t up, down[2]; /* from Q13 of the mesh's units; to that, of a numerator times an inverse */
+    uint32_t base[2];
+    /* Of the line at hand. */
+    uint32_t now[3], step[3]; /* at pixel from; good up to pixel to - 1 */
+    uint32_t line[3];         /* the numerators at pixel left; of fused loops the numbers at column x of a line */
+    uint32_t z, dz;           /* at left */
+    int32_t from, to, left, right;
+    int32_t off[2]; /* at from */
+};
+
+/* The texture of what is painted by it, or NULL. */
+static inline const struct glint_texture *glint_mesh_texture_of(const struct glint_mesh_drawn *drawn,
+                                                                const struct glint_paint *paint)
+{
+    const struct glint_texture *texture = drawn->mesh->textures;
+    if (!texture)
+        return NULL;
+    texture += paint - drawn->paints;
+    return texture->pixels ? texture : NULL;
+}
+
+/* What a mesh uses for it, const. */
+struct glint_use_mesh {
+    /* Are its textures good? */
+    bool (*can)(const struct glint_mesh *mesh);
+    /* Sets the triangle at hand of a face; of the texture, or NULL: of the mesh's colours. */
+    void (*set)(struct glint_mesh_over *over, const struct glint_mesh_target *target, unsigned face,
+                const struct glint_texture *texture);
+    /* Begins a line of the picture, pixels left..right - 1, with the depth at left and its step; the first part of it is at hand then. */
+    void (*line)(struct glint_mesh_over *over, int32_t y, int32_t left, int32_t right, uint32_t z, uint32_t dz);
+    /* Albedo of count pixels from x on, RGB888 or, aligned to 2, RGB565; x does not go back in a line. */
+    void (*rgb888)(struct glint_mesh_over *over, int32_t x, uint8_t *out, unsigned count);
+    void (*rgb565)(struct glint_mesh_over *over, int32_t x, uint8_t *out, unsigned count);
+    /* The part of the line after the one at hand. */
+    void (*next)(struct glint_mesh_over *over);
+    /* Fused, behind GLINT_FUSED, or NULL: a triangle's lines, set, by ALBEDO tables at even places. */
+    void (*lines)(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                  const struct glint_mesh_target *target, struct glint_mesh_over *over);
+};
+
+/* Pixels side by side on a line, GLINT_MESH_RUN of them at most, in two steps: their albedo as words of fields (glint_tables.h), then
+ * whether they are in front, their light, and their pixels. In assembly, too. */
+struct glint_mesh_shade {
+    uint32_t z, nl, back, dt; /* at the first one; back: t_max - t */
+    uint16_t *depth;
+    const uint16_t *end; /* of depth */
+    ptrdiff_t off;       /* bytes from a depth to its pixel */
+    const uint32_t *words;
+    uint32_t dz, dnl, ddt; /* of the triangle */
+    const uint8_t *levels; /* of the tables */
+    const uint32_t *sums;
+    uint32_t t_max, limit, shift, dark;
+};
+/* From the numbers at the first one. */
+void glint_mesh_words_nearest(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words,
+                              const uint32_t *end);
+void glint_mesh_words_smooth(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words,
+                             const uint32_t *end);
+void glint_mesh_words_colours(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words,
+                              const uint32_t *end);
+/* Dark ones are matt with nl below 0. */
+void glint_mesh_shade_matt(const struct glint_mesh_shade *shade);
+void glint_mesh_shade_glossy(const struct glint_mesh_shade *shade);
+void glint_mesh_shade_matt_swapped(const struct glint_mesh_shade *shade);
+void glint_mesh_shade_glossy_swapped(const struct glint_mesh_shade *shade);
+
+/* What is the same for a triangle's lines. */
+struct glint_mesh_albedo {
+    struct glint_mesh_shade shade;
+    void (*words)(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words, const uint32_t *end);
+    void (*pixels)(const struct glint_mesh_shade *shade);
+    uint32_t *memory;
+    bool is_glossy, is_swapped;
+};
+/* Lines of a part without perspective; a line of colours one of which is held. The former has a twin in assembly, which calls the latter. */
+void glint_mesh_albedo_part(struct glint_mesh_albedo *a, struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_part *part, const struct glint_mesh_target *target,
+                            struct glint_mesh_over *over);
+void glint_mesh_albedo_held(struct glint_mesh_albedo *a, const struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_target *target, struct glint_mesh_over *over, uint16_t *depth,
+                            int32_t from, int32_t to, int32_t y);
+
+/* fused_mesh.c */
+void glint_mesh_albedo(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                       const struct glint_mesh_target *target, struct glint_mesh_over *over);
+
+static inline uint16_t glint_mesh_texel(const struct glint_mesh_picture *picture, uint32_t at)
+{
+    return picture->palette ? picture->palette[picture->pixels[at]]
+                            : ((const uint16_t *)(const void *)picture->pixels)[at];
+}
+
+/* The nearest. (u >> 16) w < 2^27, and over 2^16 it is below w. */
+static inline uint32_t glint_mesh_nearest(const struct glint_mesh_picture *picture, uint32_t u, uint32_t v)
+{
+    return ((v >> 16) * picture->h >> 16) * picture->w + ((u >> 16) * picture->w >> 16);
+}
+
+/* The four around it, as fields of ALBEDO tables (glint_tables.h), by weights of 32 that are never below 0. */
+uint32_t glint_mesh_smooth_fields(const struct glint_mesh_picture *picture, uint32_t u, uint32_t v);
+
+/* Red, green and blue as these fields. */
+static inline uint32_t glint_mesh_colour_fields(uint32_t red, uint32_t green, uint32_t blue)
+{
+    return red >> 21 << 11 | green >> 21 << 21 | blue >> 21;
+}
+
+#endif

@@ -1,0 +1,325 @@
+/* SPDX-License-Identifier: MIT
+ * What is linear over a triangle, and what becomes the albedo of its pixels: u and v, which lead to texels, or for ALBEDO tables colours of
+ * vertices. Set up from the slopes that t takes, too. In perspective u and v are linear over the depth R: u = base + numerator / R,
+ * found at every eighth pixel of a line and at its last one, so that nothing is asked beyond the triangle. */
+#include "glint_mesh_texture.h"
+#include "glint_math.h"
+#include "glint_mesh_strip.h"
+#include "glint_port.h"
+#include "glint_tables.h"
+
+/* Is there none, or can it be drawn? */
+static bool over_is_texture(const struct glint_texture *texture)
+{
+    enum { SIDE_MAX = 2048, LEVELS_MAX = 12 };
+    if (!texture->pixels)
+        return true;
+    return texture->w && texture->w <= SIDE_MAX && texture->h && texture->h <= SIDE_MAX && texture->levels &&
+           texture->levels <= LEVELS_MAX && !GLINT_MISALIGNED(texture->palette, 16) &&
+           (texture->palette || !GLINT_MISALIGNED(texture->pixels, 16));
+}
+
+static bool over_can(const struct glint_mesh *mesh)
+{
+    if (!mesh->uv || GLINT_MISALIGNED(mesh->uv, 16) || mesh->uv_bits < 8 || mesh->uv_bits > 15 || mesh->of_vertices ||
+        mesh->of_faces)
+        return false;
+    for (unsigned i = 0; i == 0 || i < mesh->part_count; i++)
+        if (!over_is_texture(&mesh->textures[i]))
+            return false;
+    return true;
+}
+
+/* ---- Set ---- */
+
+/* How much of the chain is passed: until there are less than two texels a pixel, by the areas of both. p, q: of u and v, in units of
+ * 2^-bits of the texture; size: twice the triangle's area. */
+static unsigned over_level(const struct glint_texture *texture, const struct glint_mesh_pair of[2], unsigned bits,
+                           uint32_t size)
+{
+    const int64_t cross = (int64_t)of[0].p * of[1].q - (int64_t)of[0].q * of[1].p; /* <= 2^31 */
+    /* < 2^31 2^22 2^4; an area of 2 is 512 in 1/16 pixel, and counts twice */
+    uint64_t texels = (uint64_t)(cross < 0 ? -cross : cross) * ((uint32_t)texture->w * texture->h)
+                      << (of[0].shift + of[1].shift);
+    const uint64_t pixels = (uint64_t)size << (2 * bits - 7);
+    unsigned level = 0;
+    for (; level + 1u < texture->levels && texels >= pixels; texels >>= 2)
+        level++;
+    return level;
+}
+
+static void over_picture(struct glint_mesh_picture *picture, const struct glint_texture *texture, unsigned level)
+{
+    uint32_t w = texture->w, h = texture->h, skip = 0;
+    for (; level; level--) {
+        skip += w * h;
+        w = w > 1 ? w / 2 : 1;
+        h = h > 1 ? h / 2 : 1;
+    }
+    picture->palette = texture->palette;
+    picture->pixels = (const uint8_t *)texture->pixels + (texture->palette ? skip : 2 * skip);
+    picture->w = w;
+    picture->h = h;
+}
+
+/* R / 2^16 at a corner. */
+static int32_t over_away(const struct glint_mesh_vertex *vertex)
+{
+    return 65535 - (int32_t)vertex->z;
+}
+
+/* One of u and v in perspective: numerators below 2^30 at the corners. |p|, |q| <= 2^15, R / 2^16 < 2^16. */
+static void over_far(struct glint_mesh_over *over, unsigned k, const struct glint_mesh_slopes *slopes,
+                     const struct glint_mesh_corners *corners, struct glint_mesh_pair of)
+{
+    const struct glint_mesh_pair far =
+        glint_mesh_pair_of(of.p * over_away(corners->at[1]), of.q * over_away(corners->at[2]));
+    glint_mesh_linear_set(&over->of[k], slopes, far, 15 - (int)far.shift);
+    over->down[k] = (uint8_t)(33 - far.shift - of.shift); /* >= 16: shifts are at most 16 and 1 */
+}
+
+/* A corner's u and v, or red, green and blue. */
+static void over_corner(int16_t of[3], const struct glint_mesh *mesh, unsigned face, unsigned vertex, bool has_texture)
+{
+    if (has_texture) {
+        const uint16_t *uv = mesh->uv + 2 * (size_t)vertex;
+        of[0] = (int16_t)(uv[0] - 32768);
+        of[1] = (int16_t)(uv[1] - 32768);
+    } else {
+        const uint8_t *colour =
+            mesh->of_faces ? mesh->of_faces + 3 * (size_t)face : mesh->of_vertices + 3 * (size_t)vertex;
+        of[0] = colour[0];
+        of[1] = colour[1];
+        of[2] = colour[2];
+    }
+}
+
+/* 2^21 levels of 255. */
+static void over_colours(struct glint_mesh_over *over, const struct glint_mesh_slopes *slopes, int16_t of[3][3])
+{
+    over->count = 3;
+    for (unsigned k = 0; k < 3; k++) {
+        const int32_t one = k == 1 ? 518127 : 254952, first = of[0][k];
+        glint_mesh_linear_set(&over->of[k], slopes,
+                              glint_mesh_pair_of((of[1][k] - first) * one, (of[2][k] - first) * one), 0);
+        over->of[k].at += (uint32_t)(first * one + (1 << 20));
+    }
+}
+
+static void over_set(struct glint_mesh_over *over, const struct glint_mesh_target *target, unsigned face,
+                     const struct glint_texture *texture)
+{
+    const struct glint_mesh *mesh = target->drawn->mesh;
+    const uint16_t *const vertex = mesh->faces + 3 * (size_t)face;
+    struct glint_mesh_corners corners;
+    struct glint_mesh_slopes slopes;
+    int16_t of[3][3];
+    glint_mesh_corners_of(&corners, target, face);
+    over_corner(of[0], mesh, face, vertex[0], texture);
+    over_corner(of[1], mesh, face, vertex[1], texture);
+    over_corner(of[2], mesh, face, vertex[2], texture);
+    if (corners.clipped[0]) {
+        for (unsigned i = 0; texture && i < 3; i++)
+            of[i][2] = 0;
+        glint_mesh_corners_weigh(&corners, of);
+    }
+    const struct glint_mesh_vertex *const a = corners.at[0], *const b = corners.at[1], *const c = corners.at[2];
+    glint_mesh_slopes_set(&slopes, a, b, c);
+    over->x = a->x >> 4;
+    over->y = glint_mesh_first(a->y);
+    over->is_far = false;
+    if (!texture) {
+        over_colours(over, &slopes, of);
+        return;
+    }
+    const unsigned bits = mesh->uv_bits;
+    const struct glint_mesh_pair pair[2] = {glint_mesh_pair_of(of[1][0] - of[0][0], of[2][0] - of[0][0]),
+                                            glint_mesh_pair_of(of[1][1] - of[0][1], of[2][1] - of[0][1])};
+    over_picture(&over->picture, texture,
+                 texture->levels < 2 ? 0 : over_level(texture, pair, bits, 0 - (uint32_t)glint_mesh_area(a, b, c)));
+    over->is_smooth = texture->is_smooth;
+    over->count = 2;
+    over->is_far = target->frame->distance != 0;
+    over->up = (uint8_t)(19 - bits);
+    for (unsigned k = 0; k < 2; k++) {
+        uint32_t first = (uint32_t)(of[0][k] + 32768) << (32 - bits);
+        if (texture->is_smooth) /* the middle of the first texel */
+            first -= UINT32_C(0x80000000) / (k ? over->picture.h : over->picture.w);
+        if (over->is_far) {
+            over_far(over, k, &slopes, &corners, pair[k]);
+            over->base[k] = first;
+        } else {
+            glint_mesh_linear_set(&over->of[k], &slopes, pair[k], (int)(32 - bits));
+            over->of[k].at += first;
+        }
+    }
+}
+
+/* ---- Lines ---- */
+
+/* u and v at a pixel of the line, less those at corner a, Q13 of the mesh's units: numerators are up to 2^30 in size, 1 / R is inverse
+ * 2^(zeros - 47). */
+static void over_off(const struct glint_mesh_over *over, int32_t x, int32_t off[2])
+{
+    const uint32_t n = (uint32_t)(x - over->left), most = (uint32_t)65535 << 16, z = over->z + n * over->dz;
+    const uint32_t away = z < most - 65536 ? most - z : 65536;
+    const unsigned zeros = glint_mesh_zeros(away); /* 0..15 */
+    const uint32_t inverse = glint_mesh_inverse(away << zeros >> 4);
+    for (unsigned k = 0; k < 2; k++) {
+        const int64_t product = (int64_t)(int32_t)(over->line[k] + n * over->of[k].x) * inverse;
+        off[k] = (int32_t)(uint32_t)(product >> (over->down[k] - zeros));
+    }
+}
+
+/* The part that begins at pixel from, where off is known. */
+static void over_part(struct glint_mesh_over *over)
+{
+    static const uint16_t parts[9] GLINT_FLASH = {0, 65535, 32768, 21845, 16384, 13107, 10923, 9362, 8192};
+    const int32_t last = over->right - 1, end = over->from + 8 < last ? over->from + 8 : last;
+    const uint32_t part = GLINT_FLASH_U16(parts[end - over->from]);
+    int32_t off[2];
+    over_off(over, end, off);
+    for (unsigned k = 0; k < 2; k++) {
+        const int32_t change = (int32_t)((uint32_t)off[k] - (uint32_t)over->off[k]);
+        over->now[k] = over->base[k] + ((uint32_t)over->off[k] << over->up);
+        over->step[k] = (uint32_t)(((int64_t)change * part) >> 16) << over->up;
+        over->off[k] = off[k];
+    }
+    over->to = end == last ? over->right : end;
+}
+
+/* A line on which a colour would leave 0..most is of one colour. */
+static void over_hold(struct glint_mesh_over *over, unsigned k, uint32_t n)
+{
+    const uint32_t end = (uint32_t)(k == 1 ? 64 : 32) << 21, first = over->now[k], last = first + n * over->step[k];
+    if (first < end && last < end)
+        return;
+    over->now[k] = first < end ? first : (int32_t)first < 0 ? 0 : end - 1;
+    over->step[k] = 0;
+}
+
+static void over_line(struct glint_mesh_over *over, int32_t y, int32_t left, int32_t right, uint32_t z, uint32_t dz)
+{
+    const uint32_t n = (uint32_t)(left - over->x), lines = (uint32_t)(y - over->y);
+    over->from = over->left = left;
+    over->to = over->right = right;
+    for (unsigned k = 0; k < over->count; k++) {
+        const struct glint_mesh_linear *of = &over->of[k];
+        over->now[k] = of->at + n * of->x + lines * of->y;
+        over->step[k] = of->x;
+        if (over->count == 3)
+            over_hold(over, k, (uint32_t)(right - 1 - left));
+    }
+    if (!over->is_far)
+        return;
+    over->line[0] = over->now[0];
+    over->line[1] = over->now[1];
+    over->z = z;
+    over->dz = dz;
+    over_off(over, left, over->off);
+    over_part(over);
+}
+
+static void over_next(struct glint_mesh_over *over)
+{
+    over->from = over->to;
+    over_part(over);
+}
+
+/* The numbers at pixel x of the line. */
+static void over_at(struct glint_mesh_over *over, int32_t x, uint32_t now[3])
+{
+    while (x >= over->to)
+        over_next(over);
+    for (unsigned k = 0; k < over->count; k++)
+        now[k] = over->now[k] + (uint32_t)(x - over->from) * over->step[k];
+}
+
+/* ---- Texels ---- */
+
+/* The four around a place, and of 2^bits how far it is from the first to those right of it and below. */
+struct around {
+    uint16_t of[2][2];
+    uint32_t x, y;
+};
+static void over_around(struct around *around, const struct glint_mesh_picture *picture, uint32_t u, uint32_t v,
+                        unsigned bits)
+{
+    const uint32_t x = (u >> 16) * picture->w, y = (v >> 16) * picture->h;
+    const uint32_t left = x >> 16, right = left + 1 < picture->w ? left + 1 : 0;
+    const uint32_t top = (y >> 16) * picture->w, below = (y >> 16) + 1 < picture->h ? top + picture->w : 0;
+    around->of[0][0] = glint_mesh_texel(picture, top + left);
+    around->of[0][1] = glint_mesh_texel(picture, top + right);
+    around->of[1][0] = glint_mesh_texel(picture, below + left);
+    around->of[1][1] = glint_mesh_texel(picture, below + right);
+    around->x = (x & 0xffff) >> (16 - bits);
+    around->y = (y & 0xffff) >> (16 - bits);
+}
+
+static inline uint32_t over_fields(uint32_t texel)
+{
+    return (texel | texel << 16) & GLINT_ALBEDO_FIELDS;
+}
+
+/* The weights' sum is 32, so that no field overflows into its neighbour. */
+uint32_t glint_mesh_smooth_fields(const struct glint_mesh_picture *picture, uint32_t u, uint32_t v)
+{
+    struct around a;
+    over_around(&a, picture, u, v, 5);
+    const uint32_t both = (a.x * a.y + 16) >> 5;
+    const uint32_t sum = over_fields(a.of[0][0]) * (32 - a.x - a.y + both) + over_fields(a.of[0][1]) * (a.x - both) +
+                         over_fields(a.of[1][0]) * (a.y - both) + over_fields(a.of[1][1]) * both;
+    return (sum + GLINT_ALBEDO_HALF) >> 5 & GLINT_ALBEDO_FIELDS;
+}
+
+/* 2^16 levels of 31 or 63 to the nearest of 255: of whole ones this is the nearest, too. */
+static inline uint8_t over_level8(uint32_t x, bool is_green)
+{
+    return (uint8_t)(is_green ? (x * 259 + ((uint32_t)33 << 16)) >> 22 : (x * 527 + ((uint32_t)23 << 16)) >> 22);
+}
+
+static uint32_t over_channel(uint32_t texel, unsigned k)
+{
+    return k == 0 ? texel >> 11 : k == 1 ? texel >> 5 & 63 : texel & 31;
+}
+
+static void over_rgb888(struct glint_mesh_over *over, int32_t x, uint8_t *out, unsigned count)
+{
+    const struct glint_mesh_picture *const picture = &over->picture;
+    for (; count; count--, x++, out += 3) {
+        uint32_t now[3];
+        over_at(over, x, now);
+        if (!over->is_smooth) {
+            const uint32_t texel = glint_mesh_texel(picture, glint_mesh_nearest(picture, now[0], now[1]));
+            for (unsigned k = 0; k < 3; k++)
+                out[k] = over_level8(over_channel(texel, k) << 16, k == 1);
+            continue;
+        }
+        struct around a;
+        over_around(&a, picture, now[0], now[1], 8);
+        for (unsigned k = 0; k < 3; k++) {
+            const uint32_t above = over_channel(a.of[0][0], k) * (256 - a.x) + over_channel(a.of[0][1], k) * a.x,
+                           below = over_channel(a.of[1][0], k) * (256 - a.x) + over_channel(a.of[1][1], k) * a.x;
+            out[k] = over_level8(above * (256 - a.y) + below * a.y, k == 1);
+        }
+    }
+}
+
+static void over_rgb565(struct glint_mesh_over *over, int32_t x, uint8_t *bytes, unsigned count)
+{
+    uint16_t *out = (uint16_t *)(void *)bytes;
+    const struct glint_mesh_picture *const picture = &over->picture;
+    for (; count; count--, x++, out++) {
+        uint32_t now[3];
+        over_at(over, x, now);
+        if (over->count == 3)
+            *out = glint_packed(glint_mesh_colour_fields(now[0], now[1], now[2]), false);
+        else if (over->is_smooth)
+            *out = glint_packed(glint_mesh_smooth_fields(picture, now[0], now[1]), false);
+        else
+            *out = glint_mesh_texel(picture, glint_mesh_nearest(picture, now[0], now[1]));
+    }
+}
+
+const struct glint_use_mesh glint_use_mesh_albedo GLINT_FLASH = {
+    over_can, over_set, over_line, over_rgb888, over_rgb565, over_next, GLINT_TABLES_FUSED(glint_mesh_albedo)};
