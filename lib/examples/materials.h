@@ -6,6 +6,8 @@
 
 #include "glint.h"
 
+/* clang-format off */
+
 /* polished gold: n, k of refractiveindex.info at red, green and blue, as physicallybased.info lists them: gold. */
 static const struct glint_material material_gold = {
     GLINT_MSH, 0, 40, 0, /* model, q, n, n_across */
