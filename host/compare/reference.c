@@ -177,6 +177,8 @@ void reference_line(const struct scene *scene, const struct shading *shading, en
         const struct shading *own = &shading[scene->parts ? scene->parts[i] : 0];
         const double middle[3] = {x + .5, y + .5, 0};
         struct pixel pixel = {scene->normals[i], scene->places ? scene->places[i] : middle, own->n, false, {0}};
+        if (scene->shininess)
+            pixel.n = glint_shininess_n(scene->shininess[i]);
         grain_at(scene, i, middle[0], middle[1], pixel.grain);
         double lit[3] = {0}, shine[3] = {0};
         for (unsigned lamp = 0; lamp < own->lamp_count; lamp++)
