@@ -427,4 +427,543 @@
     shade_glossy 0
     function glint_mesh_shade_glossy_swapped
     shade_glossy 1
+
+/* ---- Lines ----
+ * glint_mesh_albedo_part(albedo, triangle, part, target, over), as fused_mesh.c has it, without perspective: a line's columns, then for up
+ * to 16 pixels words and pixels by two routines that are chosen once, which keep to this frame. */
+#define L_LEFT 0
+#define L_RIGHT 4
+#define L_STEPS 8 /* of left and right */
+#define L_DEPTH 16
+#define L_OFF 20
+#define L_DEPTH_STEP 24
+#define L_OFF_STEP 28
+#define L_LINES 32
+#define L_W 36
+#define L_TRIANGLE 40
+#define L_OVER 44
+#define L_VALUES_X 48
+#define L_OVER_X 52
+#define L_WORDS 56
+#define L_SHADE 60
+#define L_DZ 64
+#define L_DNL 68
+#define L_DDT 72
+#define L_LEVELS 76
+#define L_SUMS 80
+#define L_T_MAX 84
+#define L_LIMIT 88
+#define L_SHIFT 92
+#define L_DARK 96
+#define L_FROM 100
+#define L_TO 104
+#define L_COUNT 108
+#define L_MEMORY 112
+#define L_MASK 116
+#define L_HALF 120
+#define L_AT 124
+#define L_RETURN 128
+#define L_ALBEDO 132
+#define L_PART 136
+#define L_TARGET 140
+#define L_FRAME 144
+
+#define OVER_LINE (GLINT_AT_OVER_STEP + 12)
+
+    function glint_mesh_albedo_part
+    enter L_FRAME
+    ldr r7, [sp, #L_FRAME + SAVED]
+    str r0, [sp, #L_ALBEDO]
+    str r1, [sp, #L_TRIANGLE]
+    str r2, [sp, #L_PART]
+    str r3, [sp, #L_TARGET]
+    str r7, [sp, #L_OVER]
+    ldr r4, [r7, #GLINT_AT_OVER_PICTURE - 8]
+    str r4, [sp, #L_OVER_X]
+    ldr r4, [r1, #GLINT_AT_TRIANGLE_X]
+    str r4, [sp, #L_VALUES_X]
+    ldmia r2!, {r4-r6} /* left, right, end */
+    ldmia r4!, {r2}
+    str r2, [sp, #L_LEFT]
+    ldr r2, [r4]
+    str r2, [sp, #L_STEPS]
+    ldmia r5!, {r2}
+    str r2, [sp, #L_RIGHT]
+    ldr r2, [r5]
+    str r2, [sp, #L_STEPS + 4]
+    adds r1, #GLINT_AT_TRIANGLE_Y
+    movs r4, #0
+    ldrsh r2, [r1, r4]
+    subs r4, r6, r2
+    str r4, [sp, #L_LINES]
+    strh r6, [r1]
+    ldmia r3!, {r1, r4, r5, r6} /* surface, depth, w, y */
+    str r5, [sp, #L_W]
+    lsls r5, r5, #1
+    str r5, [sp, #L_DEPTH_STEP]
+    subs r2, r2, r6
+    muls r5, r2
+    adds r4, r4, r5
+    str r4, [sp, #L_DEPTH]
+    ldmia r1!, {r5, r6} /* pixels, stride */
+    ldr r1, [sp, #L_DEPTH_STEP]
+    subs r1, r6, r1
+    str r1, [sp, #L_OFF_STEP]
+    muls r6, r2
+    adds r5, r5, r6
+    subs r5, r5, r4
+    str r5, [sp, #L_OFF]
+    /* Steps and tables. */
+    movs r1, r0
+    adds r1, #GLINT_AT_SHADE_DZ
+    add r2, sp, #L_DZ
+    ldmia r1!, {r3-r6}
+    stmia r2!, {r3-r6}
+    ldmia r1!, {r3-r6}
+    stmia r2!, {r3-r6}
+    ldr r3, [r1]
+    str r3, [r2]
+    ldr r3, [r0, #GLINT_AT_SHADE_DARK + 12]
+    str r3, [sp, #L_MEMORY]
+    ldr r3, =0x07e0f81f
+    str r3, [sp, #L_MASK]
+    ldr r3, =0x02008010
+    str r3, [sp, #L_HALF]
+    /* Routines. */
+    movs r1, #GLINT_AT_OVER_PICTURE + 16
+    ldrb r2, [r7, r1]
+    adds r1, #1
+    ldrb r1, [r7, r1]
+    ldr r3, [r7, #GLINT_AT_OVER_PICTURE + 4]
+    ldr r4, =line_colours
+    cmp r2, #3
+    beq 1f
+    ldr r4, =line_smooth
+    cmp r1, #0
+    bne 1f
+    ldr r4, =line_nearest
+    cmp r3, #0
+    beq 1f
+    ldr r4, =line_palette
+1:  str r4, [sp, #L_WORDS]
+    movs r1, #GLINT_AT_SHADE_DARK + 16
+    ldrh r1, [r0, r1] /* is_glossy, is_swapped */
+    ldr r4, =line_matt
+    cmp r1, #1
+    blo 1f
+    ldr r4, =line_glossy
+    beq 1f
+    ldr r4, =line_matt_swapped
+    lsrs r1, r1, #1
+    bcc 1f
+    ldr r4, =line_glossy_swapped
+1:  str r4, [sp, #L_SHADE]
+
+.Lline:
+    mov r7, sp
+    ldmia r7!, {r0-r3}
+    asrs r4, r0, #16
+    bpl 1f
+    movs r4, #0
+1:  asrs r5, r1, #16
+    adds r0, r0, r2
+    adds r1, r1, r3
+    mov r7, sp
+    stmia r7!, {r0, r1}
+    ldr r6, [sp, #L_W]
+    cmp r5, r6
+    ble 1f
+    movs r5, r6
+1:  subs r6, r5, r4
+    ble .Lline_next
+    str r5, [sp, #L_TO]
+.Lline_more: /* r4: from, r6: how many are left */
+    cmp r6, #16
+    bls 1f
+    movs r6, #16
+1:  str r6, [sp, #L_COUNT]
+    str r4, [sp, #L_FROM]
+    ldr r7, [sp, #L_WORDS]
+    blx r7
+    ldr r7, [sp, #L_SHADE]
+    blx r7
+    ldr r4, [sp, #L_FROM]
+    ldr r5, [sp, #L_COUNT]
+    ldr r6, [sp, #L_TO]
+    adds r4, r4, r5
+    subs r6, r6, r4
+    bne .Lline_more
+.Lline_next:
+    ldr r7, [sp, #L_OVER]
+    movs r6, r7
+    adds r6, #OVER_LINE
+    ldmia r6!, {r0-r2}
+    ldr r3, [r7, #8]
+    adds r0, r0, r3
+    ldr r3, [r7, #20]
+    adds r1, r1, r3
+    ldr r3, [r7, #32]
+    adds r2, r2, r3
+    subs r6, #12
+    stmia r6!, {r0-r2}
+    ldr r6, [sp, #L_TRIANGLE]
+    ldmia r6!, {r0-r4} /* z, nl, t, tx, ty */
+    adds r2, r2, r4
+    ldmia r6!, {r5, r7} /* zy, nly */
+    adds r0, r0, r5
+    adds r1, r1, r7
+    ldmia r6!, {r5, r7} /* txy, tyy */
+    adds r3, r3, r5
+    adds r4, r4, r7
+    subs r6, #36
+    stmia r6!, {r0-r4}
+    add r6, sp, #L_DEPTH
+    ldmia r6!, {r0-r4}
+    adds r0, r0, r2
+    adds r1, r1, r3
+    subs r6, #20
+    stmia r6!, {r0, r1}
+    subs r4, r4, #1
+    str r4, [sp, #L_LINES]
+    bne .Lline
+    ldr r2, [sp, #L_PART]
+    ldmia r2!, {r0, r1}
+    ldr r3, [sp, #L_LEFT]
+    str r3, [r0]
+    ldr r3, [sp, #L_RIGHT]
+    str r3, [r1]
+    leave L_FRAME
+    .ltorg
+
+/* Words. From column r4. */
+.macro line_begin u, v
+    ldr r7, [sp, #L_OVER_X]
+    subs r4, r4, r7
+    ldr r7, [sp, #L_OVER]
+    adds r7, #GLINT_AT_OVER_STEP
+    ldmia r7!, {\u, \v}
+    mov r8, \u
+    mov r9, \v
+    muls \u, r4
+    muls \v, r4
+    ldr r4, [r7, #4]
+    adds \u, \u, r4
+    ldr r4, [r7, #8]
+    adds \v, \v, r4
+    subs r7, #GLINT_AT_OVER_STEP + 8 - GLINT_AT_OVER_PICTURE
+.endm
+
+.macro line_memory
+    ldr r3, [sp, #L_MEMORY]
+    ldr r4, [sp, #L_COUNT]
+    lsls r4, r4, #2
+    adds r4, r4, r3
+    mov r10, r4
+    ldr r4, [sp, #L_MASK]
+    mov r11, r4
+.endm
+
+.macro line_place
+    lsrs r4, r1, #16
+    muls r4, r6
+    lsrs r4, r4, #16
+    muls r4, r5
+    lsrs r7, r0, #16
+    muls r7, r5
+    lsrs r7, r7, #16
+    adds r4, r4, r7
+.endm
+
+.macro line_texel
+    lsls r7, r4, #16
+    orrs r4, r7
+    mov r7, r11
+    ands r4, r7
+    stmia r3!, {r4}
+    add r0, r8
+    add r1, r9
+    cmp r3, r10
+    blo 1b
+    bx lr
+.endm
+
+    .type line_nearest, %function
+    .thumb_func
+line_nearest:
+    line_begin r0, r1
+    ldmia r7!, {r2, r3, r5, r6}
+    line_memory
+1:  line_place
+    lsls r4, r4, #1
+    ldrh r4, [r2, r4]
+    line_texel
+
+    .type line_palette, %function
+    .thumb_func
+line_palette:
+    line_begin r0, r1
+    ldmia r7!, {r2, r3, r5, r6}
+    mov r12, r3
+    line_memory
+1:  line_place
+    ldrb r4, [r2, r4]
+    lsls r4, r4, #1
+    mov r7, r12
+    ldrh r4, [r7, r4]
+    line_texel
+
+    .type line_smooth, %function
+    .thumb_func
+line_smooth: /* by its function */
+    mov r0, lr
+    str r0, [sp, #L_RETURN]
+    line_begin r0, r1
+    push {r0, r1}
+    mov r1, sp
+    movs r0, r7
+    subs r0, #GLINT_AT_OVER_PICTURE
+    ldr r2, [sp, #L_MEMORY + 8]
+    ldr r3, [sp, #L_COUNT + 8]
+    lsls r3, r3, #2
+    adds r3, r3, r2
+    bl glint_mesh_words_smooth
+    add sp, #8
+    ldr r0, [sp, #L_RETURN]
+    bx r0
+
+/* Red, green and blue: r0, r1, r2; r5-r7: their steps. Where one leaves its range, the line goes back to C. */
+    .type line_colours, %function
+    .thumb_func
+line_colours:
+    ldr r7, [sp, #L_OVER_X]
+    subs r4, r4, r7
+    ldr r3, [sp, #L_OVER]
+    adds r3, #GLINT_AT_OVER_STEP
+    ldmia r3!, {r5-r7}
+    movs r0, r5
+    muls r0, r4
+    movs r1, r6
+    muls r1, r4
+    movs r2, r7
+    muls r2, r4
+    ldr r4, [r3]
+    adds r0, r0, r4
+    ldr r4, [r3, #4]
+    adds r1, r1, r4
+    ldr r4, [r3, #8]
+    adds r2, r2, r4
+    mov r8, r7
+    mov r9, r0
+    ldr r3, [sp, #L_TO]
+    ldr r4, [sp, #L_FROM]
+    subs r3, r3, r4
+    subs r3, #1
+    muls r7, r3
+    adds r7, r7, r2
+    orrs r7, r2
+    movs r4, r5
+    muls r4, r3
+    adds r4, r4, r0
+    orrs r7, r4
+    orrs r7, r0
+    muls r3, r6
+    adds r3, r3, r1
+    orrs r3, r1
+    lsrs r3, r3, #27
+    lsrs r7, r7, #26
+    orrs r3, r7
+    bne .Lheld
+    ldr r3, [sp, #L_MEMORY]
+    ldr r4, [sp, #L_COUNT]
+    lsls r4, r4, #2
+    adds r4, r4, r3
+    mov r10, r4
+1:  lsrs r4, r0, #21
+    lsls r4, r4, #11
+    lsrs r7, r1, #21
+    lsls r7, r7, #21
+    orrs r4, r7
+    lsrs r7, r2, #21
+    orrs r4, r7
+    stmia r3!, {r4}
+    adds r0, r0, r5
+    adds r1, r1, r6
+    add r2, r8
+    cmp r3, r10
+    blo 1b
+    bx lr
+.Lheld: /* glint_mesh_albedo_held(albedo, triangle, target, over, depth, from, to, y) */
+    ldr r0, [sp, #L_ALBEDO]
+    ldr r1, [sp, #L_OFF]
+    str r1, [r0, #24]
+    ldr r1, [sp, #L_PART]
+    ldr r7, [r1, #8]
+    ldr r1, [sp, #L_LINES]
+    subs r7, r7, r1
+    ldr r4, [sp, #L_DEPTH]
+    ldr r5, [sp, #L_FROM]
+    ldr r6, [sp, #L_TO]
+    ldr r1, [sp, #L_TRIANGLE]
+    ldr r2, [sp, #L_TARGET]
+    ldr r3, [sp, #L_OVER]
+    push {r4-r7}
+    bl glint_mesh_albedo_held
+    add sp, #16
+    b .Lline_next
+    .ltorg
+
+/* Pixels. z, nl and what follows, r5: column after the triangle's; the depth and its end. */
+.macro line_values
+    mov r7, lr
+    str r7, [sp, #L_RETURN]
+    ldr r4, [sp, #L_FROM]
+    ldr r5, [sp, #L_VALUES_X]
+    subs r5, r4, r5
+    ldr r0, [sp, #L_DEPTH]
+    lsls r4, r4, #1
+    adds r0, r0, r4
+    ldr r4, [sp, #L_COUNT]
+    lsls r4, r4, #1
+    adds r4, r4, r0
+    mov lr, r4
+    ldr r6, [sp, #L_TRIANGLE]
+    ldmia r6!, {r1, r2}
+    ldr r7, [sp, #L_DZ]
+    mov r8, r7
+    muls r7, r5
+    adds r1, r1, r7
+    ldr r7, [sp, #L_DNL]
+    mov r9, r7
+    muls r7, r5
+    adds r2, r2, r7
+    ldr r4, [sp, #L_MASK]
+    mov r10, r4
+    ldr r4, [sp, #L_HALF]
+    mov r11, r4
+    ldr r4, [sp, #L_OFF]
+    mov r12, r4
+.endm
+
+.macro line_matt_pixels swap
+    line_values
+    ldr r3, [sp, #L_MEMORY]
+    ldr r7, [sp, #L_LEVELS]
+1:  ldmia r3!, {r4}
+    lsrs r5, r1, #16
+    ldrh r6, [r0]
+    cmp r5, r6
+    bhs 3f
+    strh r5, [r0]
+    asrs r5, r2, #GLINT_ALBEDO_LEVEL_SHIFT
+    bmi 4f
+    mvns r5, r5
+    ldrb r5, [r7, r5]
+2:  lit
+    put \swap
+3:  adds r0, #2
+    add r1, r8
+    add r2, r9
+    cmp r0, lr
+    blo 1b
+    ldr r7, [sp, #L_RETURN]
+    bx r7
+4:  ldr r5, [sp, #L_DARK]
+    b 2b
+.endm
+
+    .type line_matt, %function
+    .thumb_func
+line_matt:
+    line_matt_pixels 0
+    .type line_matt_swapped, %function
+    .thumb_func
+line_matt_swapped:
+    line_matt_pixels 1
+
+/* r3: back, r7: dt. */
+.macro line_glossy_pixels swap
+    line_values
+    ldmia r6!, {r3, r4} /* t, tx */
+    movs r7, r4
+    muls r7, r5
+    adds r3, r3, r7
+    ldr r6, [sp, #L_DDT]
+    subs r7, r5, #1
+    muls r7, r5
+    asrs r7, r7, #1
+    muls r7, r6
+    adds r3, r3, r7
+    muls r6, r5
+    adds r7, r4, r6
+    ldr r4, [sp, #L_T_MAX]
+    subs r3, r4, r3
+    ldr r4, [sp, #L_MEMORY]
+    str r4, [sp, #L_AT]
+1:  lsrs r5, r1, #16
+    ldrh r6, [r0]
+    cmp r5, r6
+    bhs 3f
+    strh r5, [r0]
+    ldr r4, [sp, #L_AT]
+    ldr r4, [r4]
+    asrs r5, r2, #GLINT_ALBEDO_LEVEL_SHIFT
+    bmi 4f
+    mvns r5, r5
+    ldr r6, [sp, #L_LEVELS]
+    ldrb r5, [r6, r5]
+    lit
+    ldr r6, [sp, #L_LIMIT]
+    cmp r3, r6
+    bls 5f
+2:  put \swap
+3:  ldr r5, [sp, #L_AT]
+    adds r5, #4
+    str r5, [sp, #L_AT]
+    adds r0, #2
+    add r1, r8
+    add r2, r9
+    subs r3, r3, r7
+    ldr r5, [sp, #L_DDT]
+    adds r7, r7, r5
+    cmp r0, lr
+    blo 1b
+    ldr r7, [sp, #L_RETURN]
+    bx r7
+4:  ldr r5, [sp, #L_DARK]
+    lit
+    b 2b
+5:  movs r5, r3
+    ldr r6, [sp, #L_T_MAX]
+    cmp r3, r6
+    bls 6f
+    movs r5, r6
+6:  ldr r6, [sp, #L_SHIFT]
+    lsrs r5, r6
+    lsls r5, r5, #2
+    ldr r6, [sp, #L_SUMS]
+    ldr r5, [r6, r5]
+    adds r4, r4, r5
+    mov r6, r10
+    movs r5, r4
+    bics r5, r6
+    beq 2b
+    lsrs r6, r5, #6
+    orrs r4, r6
+    lsrs r6, r5, #5
+    subs r5, r5, r6
+    orrs r4, r5
+    mov r6, r10
+    ands r4, r6
+    b 2b
+.endm
+
+    .type line_glossy, %function
+    .thumb_func
+line_glossy:
+    line_glossy_pixels 0
+    .type line_glossy_swapped, %function
+    .thumb_func
+line_glossy_swapped:
+    line_glossy_pixels 1
+    .ltorg
 #endif

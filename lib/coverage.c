@@ -13,15 +13,15 @@ typedef uint32_t coverage_word;
 /* Level k of pixel x of a line. */
 static uint32_t coverage_under(uint8_t format, const uint8_t *line, uint32_t x, unsigned k)
 {
-    const unsigned bytes = GLINT_FLASH_U8(glint_formats[format].bytes);
-    const uint8_t *at = line + bytes * x;
-    if (bytes == 2) {
+    const unsigned bits = GLINT_FLASH_U8(glint_formats[format].bits);
+    const uint8_t *at = line + (bits * x >> 3);
+    if (bits == 16) {
         const bool swapped = format == GLINT_RGB565_SWAPPED;
         const uint32_t pixel = (uint32_t)at[!swapped] << 8 | at[swapped];
         return k == 0 ? pixel >> 11 : k == 1 ? pixel >> 5 & 63 : pixel & 31;
     }
-    if (bytes == 0)
-        return line[x >> 3] >> (7 - (x & 7)) & 1;
+    if (bits < 8)
+        return (uint32_t)*at >> ((8 - bits) & ~(bits * x)) & ((1u << bits) - 1);
     return at[glint_format_is_blue_first(format) ? 2 - k : k];
 }
 

@@ -203,17 +203,9 @@ void glint_mesh_shade_glossy_swapped(const struct glint_mesh_shade *s)
 }
 #endif
 
-/* What is the same for a triangle's lines. */
-struct albedo {
-    struct glint_mesh_shade shade;
-    void (*words)(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words, const uint32_t *end);
-    void (*pixels)(const struct glint_mesh_shade *shade);
-    uint32_t *memory;
-    bool is_glossy;
-};
-
 /* Pixels of a line up to `to`, from where over has these numbers. */
-static inline __attribute__((always_inline)) void albedo_row(struct albedo *a, const struct glint_mesh_values *v,
+static inline __attribute__((always_inline)) void albedo_row(struct glint_mesh_albedo *a,
+                                                             const struct glint_mesh_values *v,
                                                              struct glint_mesh_over *over, uint32_t now[3],
                                                              uint16_t *depth, int32_t from, int32_t to)
 {
@@ -246,31 +238,31 @@ static inline bool albedo_is_held(const struct glint_mesh_over *over, const uint
     return ((red | blue) >> 26 | green >> 27) == 0;
 }
 
-/* A line in perspective, or of colours one of which is held. Alone, as few are. */
-static __attribute__((noinline)) void albedo_parts(struct albedo *a, const struct glint_mesh_triangle *triangle,
-                                                   const struct glint_mesh_target *target, struct glint_mesh_over *over,
-                                                   uint16_t *depth, int32_t from, int32_t to)
+/* Part by part, also in perspective. */
+void glint_mesh_albedo_held(struct glint_mesh_albedo *a, const struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_target *target, struct glint_mesh_over *over, uint16_t *depth,
+                            int32_t from, int32_t to, int32_t y)
 {
     const struct glint_use_mesh *const use = target->drawn->mesh->use;
     const struct glint_mesh_values *const v = &triangle->values;
-    GLINT_FLASH_POINTER(use->line)(over, triangle->y, from, to, v->z + (uint32_t)(from - v->x) * v->zx, v->zx);
+    GLINT_FLASH_POINTER(use->line)(over, y, from, to, v->z + (uint32_t)(from - v->x) * v->zx, v->zx);
     for (; albedo_row(a, v, over, over->now, depth, over->from, over->to), over->to != to;)
         GLINT_FLASH_POINTER(use->next)(over);
     for (unsigned k = 0; k < over->count && !over->is_far; k++)
         over->step[k] = over->of[k].x;
 }
 
-/* Lines of a part. */
-static __attribute__((noinline)) void albedo_part(struct albedo *a, struct glint_mesh_triangle *triangle,
-                                                  const struct glint_mesh_part *part,
-                                                  const struct glint_mesh_target *target, struct glint_mesh_over *over)
+#if !GLINT_CORTEX_M0PLUS_ASM
+void glint_mesh_albedo_part(struct glint_mesh_albedo *a, struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_part *part, const struct glint_mesh_target *target,
+                            struct glint_mesh_over *over)
 {
     const struct glint_surface *surface = target->surface;
     const int32_t line = triangle->y - target->y;
     struct glint_mesh_values *const v = &triangle->values;
     struct glint_mesh_edge left = *part->left, right = *part->right;
     uint16_t *depth = target->depth + target->w * line;
-    const bool has_colours = over->count == 3, is_far = over->is_far;
+    const bool has_colours = over->count == 3;
     const ptrdiff_t off_step = surface->stride - 2 * (ptrdiff_t)target->w;
     a->shade.off = (ptrdiff_t)((uintptr_t)surface->pixels + (uintptr_t)(surface->stride * line) - (uintptr_t)depth);
     for (; triangle->y < part->end; triangle->y++) {
@@ -280,9 +272,10 @@ static __attribute__((noinline)) void albedo_part(struct albedo *a, struct glint
             const uint32_t n = (uint32_t)(from - over->x);
             now[0] = over->line[0] + n * over->step[0];
             now[1] = over->line[1] + n * over->step[1];
-            now[2] = over->line[2] + n * over->step[2];
-            if (is_far || (has_colours && !albedo_is_held(over, now, (uint32_t)(to - from - 1))))
-                albedo_parts(a, triangle, target, over, depth, from, to);
+            if (has_colours)
+                now[2] = over->line[2] + n * over->step[2];
+            if (has_colours && !albedo_is_held(over, now, (uint32_t)(to - from - 1)))
+                glint_mesh_albedo_held(a, triangle, target, over, depth, from, to, triangle->y);
             else
                 albedo_row(a, v, over, now, depth, from, to);
         }
@@ -290,11 +283,10 @@ static __attribute__((noinline)) void albedo_part(struct albedo *a, struct glint
         glint_mesh_edge_next(&right);
         depth += target->w;
         a->shade.off += off_step;
-        if (!is_far) {
-            over->line[0] += over->of[0].y;
-            over->line[1] += over->of[1].y;
+        over->line[0] += over->of[0].y;
+        over->line[1] += over->of[1].y;
+        if (has_colours)
             over->line[2] += over->of[2].y;
-        }
         if (a->is_glossy) {
             glint_mesh_values_next(v);
         } else {
@@ -305,13 +297,33 @@ static __attribute__((noinline)) void albedo_part(struct albedo *a, struct glint
     *part->left = left;
     *part->right = right;
 }
+#endif
+
+/* In perspective. */
+static __attribute__((noinline)) void albedo_far(struct glint_mesh_albedo *a, struct glint_mesh_triangle *triangle,
+                                                 const struct glint_mesh_part *part,
+                                                 const struct glint_mesh_target *target, struct glint_mesh_over *over)
+{
+    for (; triangle->y < part->end; triangle->y++) {
+        const int32_t line = triangle->y - target->y;
+        uint16_t *const depth = target->depth + target->w * line;
+        int32_t from, to;
+        a->shade.off = (ptrdiff_t)((uintptr_t)target->surface->pixels + (uintptr_t)(target->surface->stride * line) -
+                                   (uintptr_t)depth);
+        if (glint_mesh_columns(part->left, part->right, target->w, &from, &to))
+            glint_mesh_albedo_held(a, triangle, target, over, depth, from, to, triangle->y);
+        glint_mesh_edge_next(part->left);
+        glint_mesh_edge_next(part->right);
+        glint_mesh_values_next(&triangle->values);
+    }
+}
 
 void glint_mesh_albedo(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
                        const struct glint_mesh_target *target, struct glint_mesh_over *over)
 {
     const int32_t end = triangle->y_end < target->end ? triangle->y_end : target->end;
     const bool is_glossy = triangle->shine == GLINT_MESH_GLOSSY;
-    struct albedo a;
+    struct glint_mesh_albedo a;
     a.is_glossy = is_glossy;
     a.shade.words = a.memory = ((struct glint_mesh_bench *)target->frame->memory)->colours.words;
     a.shade.dz = triangle->values.zx;
@@ -326,7 +338,8 @@ void glint_mesh_albedo(const struct glint_tables *tables, struct glint_mesh_tria
     a.words = over->count == 3  ? glint_mesh_words_colours
               : over->is_smooth ? glint_mesh_words_smooth
                                 : glint_mesh_words_nearest;
-    if (glint_is_swapped(tables))
+    a.is_swapped = glint_is_swapped(tables);
+    if (a.is_swapped)
         a.pixels = is_glossy ? glint_mesh_shade_glossy_swapped : glint_mesh_shade_matt_swapped;
     else
         a.pixels = is_glossy ? glint_mesh_shade_glossy : glint_mesh_shade_matt;
@@ -339,7 +352,7 @@ void glint_mesh_albedo(const struct glint_tables *tables, struct glint_mesh_tria
     }
     while (triangle->y < end) {
         const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);
-        albedo_part(&a, triangle, &part, target, over);
+        (over->is_far ? albedo_far : glint_mesh_albedo_part)(&a, triangle, &part, target, over);
     }
 }
 #endif

@@ -48,8 +48,8 @@ struct glint_mesh {
     const uint8_t *of_vertices; /* red, green, blue of each; linear on the screen between them, as normals are */
     const uint8_t *of_faces;    /* red, green, blue of each */
     /* Textures in place of the material's albedo: one for each part (a part without has pixels NULL), and u, v of each vertex. NULL: none. Exact
-     * paints and ALBEDO tables take them; a mesh has textures or colours, not both. In perspective u and v are right at every eighth pixel
-     * of a line and linear between. */
+     * paints and ALBEDO tables take them; a mesh has textures or colours, not both. In perspective u and v are right at every eighth pixel of
+     * a line and linear between: off by at most d (sqrt(q) - 1) / (sqrt(q) + 1), where they change by d and nearness by q between two of these. */
     const struct glint_texture *textures;
     const uint16_t *uv; /* 1.0, a texture's width or height, is 2^uv_bits; v down */
     uint8_t uv_bits;    /* 8..15 */

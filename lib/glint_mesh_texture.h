@@ -36,8 +36,11 @@ struct glint_mesh_over {
 static inline const struct glint_texture *glint_mesh_texture_of(const struct glint_mesh_drawn *drawn,
                                                                 const struct glint_paint *paint)
 {
-    const struct glint_texture *textures = drawn->mesh->textures, *texture = textures + (paint - drawn->paints);
-    return textures && texture->pixels ? texture : NULL;
+    const struct glint_texture *texture = drawn->mesh->textures;
+    if (!texture)
+        return NULL;
+    texture += paint - drawn->paints;
+    return texture->pixels ? texture : NULL;
 }
 
 /* What a mesh uses for it, const. */
@@ -84,6 +87,22 @@ void glint_mesh_shade_matt(const struct glint_mesh_shade *shade);
 void glint_mesh_shade_glossy(const struct glint_mesh_shade *shade);
 void glint_mesh_shade_matt_swapped(const struct glint_mesh_shade *shade);
 void glint_mesh_shade_glossy_swapped(const struct glint_mesh_shade *shade);
+
+/* What is the same for a triangle's lines. */
+struct glint_mesh_albedo {
+    struct glint_mesh_shade shade;
+    void (*words)(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words, const uint32_t *end);
+    void (*pixels)(const struct glint_mesh_shade *shade);
+    uint32_t *memory;
+    bool is_glossy, is_swapped;
+};
+/* Lines of a part without perspective; a line of colours one of which is held. The former has a twin in assembly, which calls the latter. */
+void glint_mesh_albedo_part(struct glint_mesh_albedo *a, struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_part *part, const struct glint_mesh_target *target,
+                            struct glint_mesh_over *over);
+void glint_mesh_albedo_held(struct glint_mesh_albedo *a, const struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_target *target, struct glint_mesh_over *over, uint16_t *depth,
+                            int32_t from, int32_t to, int32_t y);
 
 /* fused_mesh.c */
 void glint_mesh_albedo(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,

@@ -84,15 +84,14 @@ static inline glint_exact *glint_run_exact(const struct glint_paint *paint, cons
 
 /* What GLINT_FORMATS says of a format. */
 struct glint_format_traits {
-    uint8_t bytes, channels, max[3];
+    uint8_t bits, channels, max[3];
 };
 extern const struct glint_format_traits glint_formats[GLINT_FORMAT_COUNT]; /* GLINT_FLASH */
 
 /* Bytes of a line. */
 static inline uint32_t glint_line_bytes(uint8_t format, uint32_t w)
 {
-    const uint32_t bytes = GLINT_FLASH_U8(glint_formats[format].bytes);
-    return bytes ? bytes * w : (w + 7) / 8;
+    return (GLINT_FLASH_U8(glint_formats[format].bits) * w + 7) / 8;
 }
 /* The same where the loops ask for it, without a load. */
 static inline bool glint_format_is_565(uint8_t format)
@@ -101,7 +100,7 @@ static inline bool glint_format_is_565(uint8_t format)
 }
 static inline bool glint_format_is_grey(uint8_t format)
 {
-    return format == GLINT_GREY8 || format == GLINT_MONO;
+    return format == GLINT_GREY8 || format == GLINT_MONO || format >= GLINT_GREY4;
 }
 static inline bool glint_format_is_blue_first(uint8_t format)
 {
@@ -177,6 +176,9 @@ void glint_paint_run(const struct glint_paint *paint, const struct glint_run *ru
 /* The same for sample i of the run, whose t and nl are those of *sample, by the 64-bit sequence. */
 void glint_paint_exactly(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
                          const struct glint_sample *sample);
+/* The same from exact nl and F. */
+void glint_paint_sums(const struct glint_paint *paint, const struct glint_run *run, unsigned i, uint32_t nl,
+                      uint32_t f);
 
 /* The brightest channel of the one light. */
 static inline uint32_t glint_paint_peak(const struct glint_paint *paint)
@@ -184,6 +186,14 @@ static inline uint32_t glint_paint_peak(const struct glint_paint *paint)
     const uint32_t *c = paint->color_q16;
     const uint32_t most = c[0] > c[1] ? c[0] : c[1];
     return most > c[2] ? most : c[2];
+}
+
+/* n_across where a material has grain, else 0. */
+static inline uint32_t glint_material_across(const struct glint_material *material)
+{
+    const uint32_t n = material->n < GLINT_N_MAX ? material->n : GLINT_N_MAX;
+    const uint32_t across = material->n_across < GLINT_N_MAX ? material->n_across : GLINT_N_MAX;
+    return across == n ? 0 : across;
 }
 
 /* Checks a material and an output. */

@@ -134,7 +134,15 @@ typedef char glint_over_layout
              AT(glint_mesh_shade, sums, GLINT_AT_SHADE_LEVELS + 4) &&
              AT(glint_mesh_shade, t_max, GLINT_AT_SHADE_LEVELS + 8) &&
              AT(glint_mesh_shade, limit, GLINT_AT_SHADE_LEVELS + 12) &&
-             AT(glint_mesh_shade, shift, GLINT_AT_SHADE_LEVELS + 16) && AT(glint_mesh_shade, dark, GLINT_AT_SHADE_DARK)
+             AT(glint_mesh_shade, shift, GLINT_AT_SHADE_LEVELS + 16) &&
+             AT(glint_mesh_shade, dark, GLINT_AT_SHADE_DARK) && AT(glint_mesh_over, of, 0) &&
+             AT(glint_mesh_over, x, GLINT_AT_OVER_PICTURE - 8) &&
+             AT(glint_mesh_over, count, GLINT_AT_OVER_PICTURE + 16) &&
+             AT(glint_mesh_over, is_smooth, GLINT_AT_OVER_PICTURE + 17) &&
+             AT(glint_mesh_over, line, GLINT_AT_OVER_STEP + 12) &&
+             AT(glint_mesh_albedo, memory, GLINT_AT_SHADE_DARK + 12) &&
+             AT(glint_mesh_albedo, is_glossy, GLINT_AT_SHADE_DARK + 16) &&
+             AT(glint_mesh_albedo, is_swapped, GLINT_AT_SHADE_DARK + 17)
          ? 1
          : -1];
 #undef AT

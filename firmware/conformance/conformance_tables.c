@@ -82,7 +82,7 @@ static void add_wide(const struct glint_paint *paint, const struct glint_light *
     for (uint16_t i = 0; i < 512; i++) {
         line.x = i & 3;
         line.y = i >> 2 & 3;
-        struct glint_span span = {0, 0, 0, 0, 0, widths[i / 32u]};
+        struct glint_span span = {0, 0, 0, 0, 0, widths[i / 32u], {{0, 0}, {0, 0}}};
         tricky_span(&span, paint->of.tables.filled.t_max_q30, i % 8u);
         add_wide_out((uint32_t)glint_draw_span(paint, &span, 0, &line, 0));
     }
@@ -135,7 +135,7 @@ static void add_rects(const struct glint_paint *paint, const struct glint_vec *n
         conform_add_box(&box);
         conform_add_bytes(out, LINE * H);
     }
-    struct glint_span span = {0, 0, 0, 0, 0, 0};
+    struct glint_span span = {0, 0, 0, 0, 0, 0, {{0, 0}, {0, 0}}};
     struct glint_box box = {0, 0, 0, 0};
     const struct glint_maps maps = {.coverage = coverage};
     const struct glint_surface even = {out, 0, 0, 0}, odd = {out + LINE + 1, 0, 1, 1};
@@ -229,7 +229,7 @@ static void add_albedo(unsigned model, unsigned flags)
         conform_add_box(&box);
         conform_add_bytes(in_place ? (const uint8_t *)map : (const uint8_t *)pixels, sizeof map);
     }
-    struct glint_span span = {0, 0, 0, 0, 0, 0};
+    struct glint_span span = {0, 0, 0, 0, 0, 0, {{0, 0}, {0, 0}}};
     const struct glint_surface line = {pixels, 0, 0, 0};
     conform_add((uint32_t)glint_span_init(&span, paint, &normals[0], &normals[1], LONG));
     for (uint8_t kind = 0; kind < 2; kind++) {

@@ -120,8 +120,8 @@ const char *path_refusal(const struct shading *shading)
         return "needs --format rgb565 or rgb565-swapped";
     if (path->source == PALETTE && shading->dither)
         return "cannot draw with --dither";
-    if (path->source == SPAN && shading->format == GLINT_MONO)
-        return "cannot draw mono, whose spans would have to start on a byte";
+    if (path->source == SPAN && format_byte_pixels(shading->format) > 1)
+        return "cannot draw mono, grey2 and grey4, whose spans would have to start on a byte";
     if (path->source == INT8 && !is_frontal(shading))
         return "needs --view 0,0,1";
     return NULL;

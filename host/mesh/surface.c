@@ -9,6 +9,7 @@
 #include "base/message.h"
 #include "mesh/import_picture.h"
 #include "mesh/texture.h"
+#include "models/models.h"
 
 /* ---- pictures ---- */
 
@@ -232,8 +233,8 @@ static void settle_materials(struct soup *soup)
             memcpy(material->tint, material->color, sizeof material->tint);
         if (!material->has_roughness)
             continue;
-        const double r = fmax(material->roughness, .01), n = 2 / (r * r * r * r) - 2;
-        material->n = (unsigned)lround(fmin(1000, fmax(1, n)));
+        const double n = shininess_of_roughness(material->roughness);
+        material->n = shininess_held(n);
         too_smooth |= n > 1000.5;
     }
     if (too_smooth)

@@ -5,10 +5,10 @@
 
 #include "base/parse.h"
 
-#define FACTS(number, name, function, use) &model_##name,
+#define FACTS(number, name, function, use, grain) &model_##name,
 const struct model_facts *const model_facts[] = {GLINT_MODELS(FACTS)};
 
-#define NAME(number, name, function, use) #name,
+#define NAME(number, name, function, use, grain) #name,
 const char *const model_names[] = {GLINT_MODELS(NAME) NULL};
 
 double model_double(enum glint_model model, double n, double c)

@@ -25,7 +25,7 @@ struct model_facts {
 };
 
 /* One for each line of GLINT_MODELS. */
-#define MODEL_FACTS(number, name, function, use) extern const struct model_facts model_##name;
+#define MODEL_FACTS(number, name, function, use, grain) extern const struct model_facts model_##name;
 GLINT_MODELS(MODEL_FACTS)
 extern const struct model_facts *const model_facts[]; /* by enum glint_model */
 extern const char *const model_names[];               /* "msh" ..., by enum glint_model; NULL at the end */
@@ -42,7 +42,7 @@ bool model_has_grain(enum glint_model model);
 double model_grained(enum glint_model model, double n, double n_across, double c, double h_t_square);
 
 /* "msh, schlick, ..., ", for help. */
-#define MODEL_WORD(number, name, function, use) #name ", "
+#define MODEL_WORD(number, name, function, use, grain) #name ", "
 #define MODEL_WORDS GLINT_MODELS(MODEL_WORD)
 
 enum glint_model parse_model(const struct argp_state *state, const char *option, const char *text);

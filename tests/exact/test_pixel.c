@@ -48,6 +48,7 @@ static unsigned rect_case(uint64_t *seed, void *memory)
     maps.normals = is_8 ? (const void *)s->words : s->normals;
     maps.normals_format = is_8 ? GLINT_NORMALS_INT8 : GLINT_NORMALS_INT16;
     maps.normals_stride = (ptrdiff_t)(size * step);
+    case_grain(seed, s, &look.material, true, &maps);
     for (unsigned y = 0; y < h; y++)
         line_of_normals(seed, s, step * y, w, is_8, lvh[2], spread);
     const struct glint_surface target = case_target(seed, s), wanted = case_expected(s, &target);
@@ -77,9 +78,9 @@ static unsigned span_case(uint64_t *seed, void *memory)
     struct glint_vec lvh[3];
     struct reference look = case_look(seed, lvh);
     look.count = !ONE_IN(20);
-    struct glint_span span = {BELOW(UINT32_MAX),       BELOW(1 << 20),
-                              BELOW(1 << 16),          (int32_t)BELOW(UINT32_C(1) << 31),
-                              (int32_t)BELOW(1 << 26), CASE_W};
+    struct glint_span span = {
+        BELOW(UINT32_MAX),       BELOW(1 << 20), BELOW(1 << 16),  (int32_t)BELOW(UINT32_C(1) << 31),
+        (int32_t)BELOW(1 << 26), CASE_W,         {{0, 0}, {0, 0}}};
     const uint32_t t_last = reference_t_last(&look);
     switch (BELOW(4)) {
     case 0: /* slowly over a level's boundary */
@@ -102,7 +103,10 @@ static unsigned span_case(uint64_t *seed, void *memory)
         span.t_q30 = BELOW(t_last + 1);
     }
     span.w = (uint16_t)(ONE_IN(4) ? BELOW(CASE_W + 1) : CASE_W);
-    const struct glint_maps maps = case_maps(seed, s, span.w, 1), *const some = ONE_IN(2) ? &maps : NULL;
+    struct glint_maps maps = case_maps(seed, s, span.w, 1), *const some = ONE_IN(2) ? &maps : NULL;
+    for (int i = 0; i < 4; i++)
+        span.ends[i / 2][i % 2] = (int16_t)(BELOW(65536) - 32768);
+    case_grain(seed, s, &look.material, false, &maps);
     struct glint_surface target = case_target(seed, s);
     target.stride = 0; /* it is not looked at */
     const struct glint_surface wanted = case_expected(s, &target);

@@ -15,6 +15,9 @@ struct made {
     int8_t *normals8;
     uint16_t *faces, *ends;
     uint8_t *of_vertices, *of_faces;
+    uint16_t *uv, *palette;
+    struct glint_texture *textures; /* of each part */
+    void *texels;                   /* which all of them have */
 };
 
 static void *block(size_t bytes)
@@ -30,6 +33,34 @@ static uint8_t *next_colours(struct input *input, unsigned count)
     for (unsigned i = 0; i < 3 * count; i++)
         colours[i] = (uint8_t)next_byte(input);
     return colours;
+}
+
+/* A texture for each part that there may be, of the same texels; sizes, levels and uv_bits also such as are refused. */
+static void next_textures(struct made *m, struct input *input)
+{
+    const unsigned how = next_byte(input), w = next_byte(input) % 40, h = next_byte(input) % 40,
+                   levels = next_byte(input) % 14;
+    const unsigned parts = m->mesh.part_count ? m->mesh.part_count : 1;
+    size_t count = 0;
+    for (unsigned i = 0, x = w, y = h; i<levels; i++, x = x> 1 ? x / 2 : 1, y = y > 1 ? y / 2 : 1)
+        count += (size_t)x * y;
+    const size_t size = how % 2 ? 1 : 2;
+    uint8_t *const texels = block(count * size);
+    for (size_t i = 0; i < count * size; i++)
+        texels[i] = (uint8_t)(i * 37 + how);
+    m->texels = texels;
+    m->palette = block(512);
+    m->textures = block(parts * sizeof *m->textures);
+    for (unsigned i = 0; i < parts; i++)
+        if (i == 0 || how / 4 % 2)
+            m->textures[i] = (struct glint_texture){
+                texels, how % 2 ? m->palette : NULL, (uint16_t)w, (uint16_t)h, (uint8_t)levels, how / 2 % 2};
+    m->uv = block(4 * (size_t)m->mesh.vertex_count);
+    for (unsigned i = 0; i < 2u * m->mesh.vertex_count; i++)
+        m->uv[i] = (uint16_t)next_word(input);
+    m->mesh.uv = m->uv;
+    m->mesh.uv_bits = (uint8_t)(7 + how / 8 % 10);
+    m->mesh.textures = m->textures;
 }
 
 static struct made next_mesh(struct input *input)
@@ -62,6 +93,9 @@ static struct made next_mesh(struct input *input)
         m.mesh.of_vertices = m.of_vertices = next_colours(input, vertices);
     if (how / 32 % 2)
         m.mesh.of_faces = m.of_faces = next_colours(input, faces);
+    m.mesh.use = &glint_use_mesh_albedo;
+    if (how / 64 % 2)
+        next_textures(&m, input);
     return m;
 }
 
@@ -74,6 +108,10 @@ static void made_free(struct made *m)
     free(m->ends);
     free(m->of_vertices);
     free(m->of_faces);
+    free(m->uv);
+    free(m->palette);
+    free(m->textures);
+    free(m->texels);
 }
 
 static bool is_good(const struct glint_mesh *mesh)
@@ -85,6 +123,12 @@ static bool is_good(const struct glint_mesh *mesh)
         good = good && mesh->normals8[i] != -128;
     for (unsigned i = 0; i < mesh->part_count; i++)
         good = good && mesh->ends[i] >= (i ? mesh->ends[i - 1] : 0) && mesh->ends[i] <= mesh->face_count;
+    for (unsigned i = 0; mesh->textures && (i == 0 || i < mesh->part_count); i++) {
+        const struct glint_texture *t = &mesh->textures[i];
+        good = good && (!t->pixels || (t->w && t->h && t->levels && t->levels <= 12));
+    }
+    good = good &&
+           (!mesh->textures || (mesh->uv_bits >= 8 && mesh->uv_bits <= 15 && !mesh->of_vertices && !mesh->of_faces));
     return good && (mesh->part_count == 0 || mesh->ends[mesh->part_count - 1] == mesh->face_count);
 }
 
@@ -145,9 +189,10 @@ static unsigned next_lights(struct look *look, unsigned count, struct input *inp
     return good;
 }
 
-/* Paints of the parts: exact, or by tables and the second one exact. coloured: the mesh has colours of its own. */
-static void next_look(struct look *look, bool coloured, struct input *input)
+/* Paints of the parts: exact, or by tables and the second one exact, and what has no texture where others have one. */
+static void next_look(struct look *look, const struct made *m, struct input *input)
 {
+    const bool coloured = m->of_vertices || m->of_faces || m->textures;
     static const uint8_t formats[] = {GLINT_RGB888, GLINT_RGB565_SWAPPED, GLINT_RGB565, GLINT_GREY8};
     const unsigned how = next_byte(input);
     const bool several = how / 128 % 2, tables = !several && how / 4 % 4 && how % 4 % 3;
@@ -177,9 +222,11 @@ static void next_look(struct look *look, bool coloured, struct input *input)
     const unsigned lights = next_lights(look, several ? 1 + which % LIGHTS_MAX : 0, input);
     for (int i = 0; i < PARTS_MAX; i++) {
         struct glint_paint *paint = &look->paints[i];
-        check((tables && i != 1 ? glint_paint_tables(paint, coloured ? GLINT_TABLES_ALBEDO : GLINT_TABLES_COLOUR,
-                                                     &material, &output, look->memory, sizeof look->memory)
-                                : glint_paint_exact(paint, &material, &output)) == GLINT_OK);
+        const bool is_bare = m->textures && i < m->mesh.part_count && !m->textures[i].pixels;
+        check((tables && i != 1 && !is_bare
+                   ? glint_paint_tables(paint, coloured ? GLINT_TABLES_ALBEDO : GLINT_TABLES_COLOUR, &material, &output,
+                                        look->memory, sizeof look->memory)
+                   : glint_paint_exact(paint, &material, &output)) == GLINT_OK);
         if (glint_paint_light(paint, look->lights, lights, to_viewer) != GLINT_OK) /* straight behind */
             check(glint_paint_light(paint, NULL, 0, to_viewer) == GLINT_OK);
     }
@@ -249,7 +296,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const bool good = glint_mesh_check(&m.mesh) == GLINT_OK;
     check(good == is_good(&m.mesh));
     if (good) {
-        next_look(&look, m.of_vertices || m.of_faces, &input);
+        next_look(&look, &m, &input);
         draw(&m, &look, &input);
     }
     made_free(&m);

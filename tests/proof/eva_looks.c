@@ -155,7 +155,7 @@ static void span(uint16_t w, bool has_albedo)
 {
     const struct glint_maps maps = maps_of(has_albedo);
     const struct glint_surface surface = {pixels, 0, (uint16_t)any, (uint16_t)any};
-    const struct glint_span at = {any, any, any, any_signed, any_signed, w};
+    const struct glint_span at = {any, any, any, any_signed, any_signed, w, {{0, 0}, {0, 0}}};
     struct glint_box box;
     (void)glint_draw_span(&paint, &at, has_albedo ? &maps : NULL, &surface, NULL);
     (void)glint_draw_span(&paint, &at, has_albedo ? &maps : NULL, &surface, &box);

@@ -109,7 +109,7 @@ static void shine(const struct glint_use_model *model)
         shine(&glint_use_##model);                                                                                     \
     }
 #define SHINE_shared(model)
-#define SHINE(number, name, function, use) SHINE_##use(name)
+#define SHINE(number, name, function, use, grain) SHINE_##use(name)
 GLINT_MODELS(SHINE)
 
 static void geometry(glint_geometry *of)

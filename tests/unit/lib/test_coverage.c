@@ -23,8 +23,9 @@ static void square(enum glint_format format)
                 const unsigned pixel = r << 11 | g << 5 | r, swapped = format == GLINT_RGB565_SWAPPED;
                 before[2 * i + swapped] = (uint8_t)pixel;
                 before[2 * i + !swapped] = (uint8_t)(pixel >> 8);
-            } else if (format == GLINT_MONO) {
-                before[i / 8] = q & 1 ? 255 : 0;
+            } else if (pixel_bits(format) < 8) {
+                const unsigned bits = pixel_bits(format), level = q & ((1u << bits) - 1);
+                before[i * bits / 8] = (uint8_t)(level * (255 / ((1u << bits) - 1)));
             } else {
                 const unsigned bytes = bytes_of(format, 1);
                 for (unsigned k = 0; k < bytes; k++)
@@ -70,8 +71,8 @@ static uint64_t value_of(const struct look *look, unsigned k)
         x[i] = (look->output.space == GLINT_LINEAR ? glint_srgb_decode(look->material.albedo[i])
                                                    : look->material.albedo[i] * 257u) *
                ((uint64_t)look->material.ambient_q16[i] << 16);
-    const bool grey = look->output.format == GLINT_GREY8 || look->output.format == GLINT_MONO;
-    const uint64_t value = grey ? (54 * x[0] + 183 * x[1] + 19 * x[2]) >> 8 : x[k];
+    const uint64_t value =
+        is_grey((enum glint_format)look->output.format) ? (54 * x[0] + 183 * x[1] + 19 * x[2]) >> 8 : x[k];
     return look->output.space == GLINT_GAMMA
                ? value
                : (uint64_t)glint_srgb_encode((uint16_t)((value + (UINT64_C(1) << 31)) >> 32)) << 32;
@@ -90,7 +91,7 @@ static void assert_square_is_blended(const struct look *look)
         stored_levels(format, before + stride * y, x, old);
         stored_levels(format, found + stride * y, x, now);
         for (unsigned k = 0; k < 3; k++) {
-            const unsigned max = format == GLINT_MONO ? 1 : format > GLINT_RGB565_SWAPPED ? 255 : k == 1 ? 63 : 31;
+            const unsigned max = max_of(format, k);
             const u128 sum = m * (u128)value_of(look, k) * max + (255 - m) * (u128)old[k] * one;
             const unsigned wanted = (unsigned)((sum + 255 * one / 32 * threshold) / (255 * one));
             if (now[k] != wanted)
