@@ -99,17 +99,25 @@ struct glint_mesh_drawn {
     int16_t turn[3][3];      /* Q14 */
     int16_t position[3];
     uint16_t scale;
-    bool is_cut; /* by a plane: a vertex is beyond it */
+    bool is_cut;                      /* by a plane: a vertex is beyond it */
+    struct glint_mesh_hidden *hidden; /* of outlines */
+    uint16_t *rims, *rim_bands;       /* as links and bands, of faces with outlines */
+    uint8_t *edges;                   /* of each face what outlines ask; NULL: there are none */
+    int16_t left, top, right, bottom; /* pixels beyond which it draws none */
 };
 struct glint_mesh_frame {
     struct glint_mesh_drawn *first, **last;
     void *memory, *kept;
     uint16_t w, h, lines, distance, y, free;
-    uint16_t places;      /* in kept */
-    void *lit;            /* the work memory of lights; NULL: none yet */
-    bool outlines;        /* yours to set after glint_mesh_begin: smooth outlines of meshes that have neighbours */
+    uint16_t places;                           /* in kept */
+    void *lit;                                 /* the work memory of lights; NULL: none yet */
+    const struct glint_use_outlines *outlines; /* yours to set after glint_mesh_begin: &glint_outlines, or NULL */
     struct glint_box box; /* after glint_mesh_strip: what it may have drawn, in pixels of the picture */
 };
+
+/* Smooth outlines: where a face that shows its front meets one that does not, pixels that the edge cuts are blended. */
+struct glint_use_outlines; /* const */
+extern const struct glint_use_outlines glint_outlines;
 
 /* Begins a picture of w x h pixels in strips of at most `lines` lines. distance: of the camera from z = 0, 1/16 pixel; 0: parallel
  * projection. Memory: glint_mesh_frame_bytes, aligned to 4 (to a pointer with GLINT_MESH_LIGHTS_BYTES), until the picture is drawn.
