@@ -2,6 +2,7 @@
  * A rectangle, a span, a palette: lines of a source, in runs of the pixels that are drawn, given to the paint. */
 #include "glint_draw.h"
 #include "glint_fused.h"
+#include "glint_grain.h"
 #include "glint_lights.h"
 #include "glint_math.h"
 #include "glint_port.h"
@@ -42,13 +43,18 @@ static bool draw_is_ready(const struct glint_paint *paint, const struct glint_su
 }
 
 /* Does the paint take the maps? */
-static enum glint_err draw_takes(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t h,
+static enum glint_err draw_takes(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t w, uint32_t h,
                                  bool normals)
 {
-    if (maps && (maps->grain || maps->shininess))
-        return GLINT_ERR_ARG;
+    const bool has_more = maps && (maps->grain || maps->shininess);
     if (!glint_paint_is_exact(paint))
-        return GLINT_FLASH_POINTER(paint->of.tables.filled.use->check)(paint, maps, h, normals);
+        return has_more ? GLINT_ERR_ARG
+                        : GLINT_FLASH_POINTER(paint->of.tables.filled.use->check)(paint, maps, h, normals);
+    if (has_more || paint->material.n_across) {
+        const struct glint_use_grain *grain = GLINT_FLASH_POINTER(paint->model->grain);
+        if (!grain || GLINT_FLASH_POINTER(grain->check)(paint, maps, w, h, normals))
+            return GLINT_ERR_ARG;
+    }
     return maps && maps->albedo && maps->albedo_format != GLINT_RGB888 ? GLINT_ERR_FORMAT : GLINT_OK;
 }
 
@@ -69,7 +75,7 @@ static enum glint_err draw_check(const struct glint_paint *paint, const struct g
           draw_fits(maps->gloss, maps->gloss_stride, w) && draw_fits(maps->coverage, maps->coverage_stride, w) &&
           draw_fits(maps->albedo, maps->albedo_stride, (maps->albedo_format == GLINT_RGB888 ? 3u : 2u) * w)))
         return GLINT_ERR_ARG;
-    return draw_takes(paint, maps, h, true);
+    return draw_takes(paint, maps, w, h, true);
 }
 
 /* ---- Lines as runs ---- */
@@ -151,6 +157,17 @@ const struct glint_vec *glint_lines_normals(const struct glint_lines *lines, str
     return unpacked;
 }
 
+void glint_lines_walk(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
+                      struct glint_sample *samples)
+{
+    const uint32_t left = lines->w - lines->run.x;
+    (void)paint;
+    if (at->w != left)
+        glint_span_skip(at, at->w - left);
+    glint_samples_walk(at, samples, lines->count);
+    at->w = (uint16_t)(left - lines->count);
+}
+
 /* ---- The exact paint under one light ---- */
 
 /* The samples that are lit go to the bounds. Not inlined, for the stack of what is called beside it. */
@@ -225,22 +242,12 @@ enum glint_err glint_draw_rect_by(const struct glint_paint *paint, const struct 
         GLINT_FLASH_POINTER(paint->of.tables.filled.use->draw)(paint, &lines, NULL, h, highlight);
     } else if (paint->several) {
         GLINT_FLASH_POINTER(paint->several->draw)(paint, &lines, h, highlight);
+    } else if (glint_grain_is_drawn(paint, maps)) {
+        GLINT_FLASH_POINTER(GLINT_FLASH_POINTER(paint->model->grain)->draw)(paint, &lines, NULL, h, highlight);
     } else if (!glint_fused_lines(paint, &lines, h, highlight)) {
         draw_exactly(paint, &lines, draw_normals, NULL, h, highlight);
     }
     return GLINT_OK;
-}
-
-/* Along the span, over what is not drawn, too: at->w is how many are left from *at on. */
-static void draw_walk(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
-                      struct glint_sample *samples)
-{
-    const uint32_t left = lines->w - lines->run.x;
-    (void)paint;
-    if (at->w != left)
-        glint_span_skip(at, at->w - left);
-    glint_samples_walk(at, samples, lines->count);
-    at->w = (uint16_t)(left - lines->count);
 }
 
 static __attribute__((noinline)) enum glint_err
@@ -250,7 +257,7 @@ draw_span(const struct glint_paint *paint, const struct glint_span *span, const 
     struct glint_lines lines;
     if (!draw_is_ready(paint, target) || paint->several)
         return GLINT_ERR_ARG;
-    const enum glint_err err = draw_takes(paint, maps, 1, false);
+    const enum glint_err err = draw_takes(paint, maps, span->w, 1, false);
     if (err)
         return err;
     struct glint_span at = *span;
@@ -259,10 +266,12 @@ draw_span(const struct glint_paint *paint, const struct glint_span *span, const 
         at.dnl_q30 = 0;
     }
     draw_lines(&lines, maps, span->w, target, false, soft);
-    if (glint_paint_is_exact(paint))
-        draw_exactly(paint, &lines, draw_walk, &at, 1, highlight);
-    else
+    if (!glint_paint_is_exact(paint))
         GLINT_FLASH_POINTER(paint->of.tables.filled.use->draw)(paint, &lines, &at, 1, highlight);
+    else if (glint_grain_is_drawn(paint, maps))
+        GLINT_FLASH_POINTER(GLINT_FLASH_POINTER(paint->model->grain)->draw)(paint, &lines, &at, 1, highlight);
+    else
+        draw_exactly(paint, &lines, glint_lines_walk, &at, 1, highlight);
     return GLINT_OK;
 }
 

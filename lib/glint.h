@@ -64,23 +64,23 @@ enum glint_err {
 
 /* ---- The lobe: how bright the highlight is ------------------------------------------------------------------- */
 
-/* The models: functions of the cosine c and the shininess n. This list alone names them all. X(number, name, function, use): glint_FUNCTION
- * below does the model's work (lib/lobe_FUNCTION.c); use is own, or shared where the functions are another model's. */
+/* The models: functions of the cosine c and the shininess n. This list alone names them all. X(number, name, function, use, grain): glint_FUNCTION
+ * below does the model's work (lib/lobe_FUNCTION.c); use is own, or shared where the functions are another model's; grain is grained where
+ * a material may have n_across, else plain. MSH is the modified Schlick function; Cayley's r = max(0, 4(1+c) - n(1-c)) / (4(1+c) + n(1-c)). */
 #define GLINT_MODELS(X)                                                                                                \
-    X(GLINT_MSH, msh, msh, own)             /* (5)  2c / (1.25 (n - nc + 1.25c)^2), modified Schlick; peak 1.024 */    \
-    X(GLINT_SCHLICK, schlick, schlick, own) /* (2)  c / (n - nc + c) */                                                \
-    X(GLINT_BLINN, blinn, blinn, own)       /* (1)  c^n, c = N.H */                                                    \
-    X(GLINT_PHONG, phong, blinn, shared)    /* (1)  c^n, c = V.R: the same power, other geometry */                    \
-    X(GLINT_GAUSS, gauss, gauss, own)       /* (1)  exp(-n x^2 / 2), x = acos c */                                     \
-    X(GLINT_CAYLEY, cayley, cayley, own)    /* ours: c^n for n <= 4, else r^4, r =                                  */ \
-                                            /* max(0, 4(1+c) - n(1-c)) / (4(1+c) + n(1-c)) */                          \
-    X(GLINT_LYON, lyon, lyon, own)          /* Lyon 1993, gamma 4: max(0, 1 - n(1-c)/4)^4 */                           \
-    X(GLINT_GGX, ggx, ggx, own)             /* 1 / (1 + n (1 - c^2) / 2)^2: at c = 0 more than 0, then a step to 0 */  \
-    X(GLINT_SG, sg, sg, own)                /* the spherical Gaussian, exp(-n (1 - c)) */
+    X(GLINT_MSH, msh, msh, own, grained)             /* (5)  2c / (1.25 (n - nc + 1.25c)^2); peak 1.024 */             \
+    X(GLINT_SCHLICK, schlick, schlick, own, grained) /* (2)  c / (n - nc + c) */                                       \
+    X(GLINT_BLINN, blinn, blinn, own, plain)         /* (1)  c^n, c = N.H */                                           \
+    X(GLINT_PHONG, phong, blinn, shared, plain)      /* (1)  c^n, c = V.R: other geometry */                           \
+    X(GLINT_GAUSS, gauss, gauss, own, plain)         /* (1)  exp(-n x^2 / 2), x = acos c */                            \
+    X(GLINT_CAYLEY, cayley, cayley, own, grained)    /* ours: c^n for n <= 4, else r^4 */                              \
+    X(GLINT_LYON, lyon, lyon, own, grained)          /* Lyon 1993, gamma 4: max(0, 1 - n(1-c)/4)^4 */                  \
+    X(GLINT_GGX, ggx, ggx, own, grained)             /* 1 / (1 + n (1 - c^2) / 2)^2; at c = 0 a step */                \
+    X(GLINT_SG, sg, sg, own, plain)                  /* the spherical Gaussian, exp(-n (1 - c)) */
 
 /* GLINT_MSH = 0, ... Stored as uint8_t in structs. */
-#define GLINT_MODEL_NUMBER(number, name, function, use) number,
-#define GLINT_MODEL_ONE(number, name, function, use) +1
+#define GLINT_MODEL_NUMBER(number, name, function, use, grain) number,
+#define GLINT_MODEL_ONE(number, name, function, use, grain) +1
 enum glint_model { GLINT_MODELS(GLINT_MODEL_NUMBER) };
 enum { GLINT_MODEL_COUNT = 0 GLINT_MODELS(GLINT_MODEL_ONE) };
 
@@ -96,7 +96,7 @@ uint32_t glint_cutoff_t(enum glint_model model, uint32_t n, unsigned q);
 
 /* The same, one model a file, so that a program links only what it calls: glint_msh, glint_msh_t, glint_msh_cutoff,
  * glint_msh_cutoff_t, and so on for schlick, blinn, gauss, cayley, lyon, ggx and sg. */
-#define GLINT_MODEL_FUNCTIONS(number, name, function, use)                                                             \
+#define GLINT_MODEL_FUNCTIONS(number, name, function, use, grain)                                                      \
     uint32_t glint_##function(uint32_t n, int32_t c_q16);                                                              \
     uint32_t glint_##function##_t(uint32_t n, uint32_t t_q30);                                                         \
     uint32_t glint_##function##_cutoff(uint32_t n, unsigned q);                                                        \
@@ -131,7 +131,7 @@ enum glint_err glint_vec_normalize(struct glint_vec *out, const int32_t v[3]);
  *
  *   t = |N - H|^2 / 2 = 1 - N.H      nl = max(0, N.L)      F = the lobe at t; 0 where nl = 0 or F < 2^-q
  *   value_k = albedo_k (ambient_k + diffuse_k nl) + specular_k gloss F
- *   out_k   = floor(min(1, value_k) max_k + 1/2), max_k = 255, 63, 31 or 1; dithered: a threshold in place of 1/2
+ *   out_k   = floor(min(1, value_k) max_k + 1/2), max_k = 255, 63, 31, 15, 3 or 1; dithered: a threshold in place of 1/2
  *
  * Under several lights nl and F are sums over the lights, each times its colour. In gamma space there is one rounding, after the sum; in
  * linear space the sum is encoded to sRGB first. sequence.md has the integers, step by step: the same on every path, target and
@@ -141,11 +141,11 @@ enum glint_err glint_vec_normalize(struct glint_vec *out, const int32_t v[3]);
 /* A material. Coefficients are Q16.16, 0..65536; more counts as 65536. Red, green, blue. */
 struct glint_material {
     uint8_t model; /* enum glint_model */
-    /* The highlight ends at 2^-q, 1..16. 0: 6 for RGB565 and MONO, 8 for others or dithered, 12 in linear space; an exact paint's
+    /* The highlight ends at 2^-q, 1..16. 0: 6 for RGB565, GREY4, GREY2 and MONO, 8 for others or dithered, 12 in linear space; an exact paint's
      * material tells which. */
     uint8_t q;
     uint16_t n;        /* shininess, 1..1000; 0 is an error, more counts as 1000 */
-    uint16_t n_across; /* 0 or n; others are an error */
+    uint16_t n_across; /* of grain, 1..1000; more counts as 1000. 0 or n: there is none */
     uint32_t ambient_q16[3];
     uint32_t diffuse_q16[3];
     uint32_t specular_q16[3];
@@ -153,20 +153,22 @@ struct glint_material {
     bool clamp_peak;   /* F at most 1.0; else MSH reaches 1.024 */
 };
 
-/* Pixel formats. This list alone names them all. X(number, name, bytes, channels, red, green, blue): a pixel's bytes (0: one bit), its
- * channels, and the largest level of each. GLINT_RGB565 = 0, ... Stored as uint8_t. */
+/* Pixel formats. This list alone names them all. X(number, name, bits, channels, red, green, blue): a pixel's bits (below 8: the most
+ * significant first, each line starts on a byte), its channels, and the largest level of each. GLINT_RGB565 = 0, ... Stored as uint8_t. */
 #define GLINT_FORMATS(X)                                                                                               \
-    X(GLINT_RGB565, "rgb565", 2, 3, 31, 63, 31)                 /* red in the top 5 bits, low byte first */            \
-    X(GLINT_RGB565_SWAPPED, "rgb565-swapped", 2, 3, 31, 63, 31) /* high byte first: the order of most panels */        \
-    X(GLINT_RGB888, "rgb888", 3, 3, 255, 255, 255)              /* red, green, blue */                                 \
-    X(GLINT_GREY8, "grey8", 1, 1, 255, 255, 255)                                                                       \
-    X(GLINT_MONO, "mono", 0, 1, 1, 1, 1)               /* most significant bit first; each line starts on a byte */    \
-    X(GLINT_BGR888, "bgr888", 3, 3, 255, 255, 255)     /* blue, green, red, as LVGL has all of these */                \
-    X(GLINT_XRGB8888, "xrgb8888", 4, 3, 255, 255, 255) /* blue, green, red, 255 */                                     \
-    X(GLINT_ARGB8888, "argb8888", 4, 3, 255, 255, 255) /* blue, green, red, the coverage: 255 where there is none */
+    X(GLINT_RGB565, "rgb565", 16, 3, 31, 63, 31)                 /* red in the top 5 bits, low byte first */           \
+    X(GLINT_RGB565_SWAPPED, "rgb565-swapped", 16, 3, 31, 63, 31) /* high byte first: the order of most panels */       \
+    X(GLINT_RGB888, "rgb888", 24, 3, 255, 255, 255)              /* red, green, blue */                                \
+    X(GLINT_GREY8, "grey8", 8, 1, 255, 255, 255)                                                                       \
+    X(GLINT_MONO, "mono", 1, 1, 1, 1, 1)                                                                               \
+    X(GLINT_BGR888, "bgr888", 24, 3, 255, 255, 255)     /* blue, green, red, as LVGL has all of these */               \
+    X(GLINT_XRGB8888, "xrgb8888", 32, 3, 255, 255, 255) /* blue, green, red, 255 */                                    \
+    X(GLINT_ARGB8888, "argb8888", 32, 3, 255, 255, 255) /* blue, green, red, the coverage: 255 where there is none */  \
+    X(GLINT_GREY4, "grey4", 4, 1, 15, 15, 15)           /* e-paper, OLED */                                            \
+    X(GLINT_GREY2, "grey2", 2, 1, 3, 3, 3)
 
-#define GLINT_FORMAT_NUMBER(number, name, bytes, channels, red, green, blue) number,
-#define GLINT_FORMAT_ONE(number, name, bytes, channels, red, green, blue) +1
+#define GLINT_FORMAT_NUMBER(number, name, bits, channels, red, green, blue) number,
+#define GLINT_FORMAT_ONE(number, name, bits, channels, red, green, blue) +1
 enum glint_format { GLINT_FORMATS(GLINT_FORMAT_NUMBER) };
 enum { GLINT_FORMAT_COUNT = 0 GLINT_FORMATS(GLINT_FORMAT_ONE) };
 
@@ -224,11 +226,17 @@ struct glint_use_format;   /* one for each group of formats, const */
 struct glint_use_tables;   /* one for each kind of tables, const */
 struct glint_use_lights;   /* what sums several lights, const */
 struct glint_use_coverage; /* what blends soft edges, const */
-#define GLINT_MODEL_USE(number, name, function, use) extern const struct glint_use_model glint_use_##name;
-GLINT_MODELS(GLINT_MODEL_USE)                          /* glint_use_msh and so on */
+/* Models that may have grain have two: glint_use_msh_grain links what n_across and maps of grain and shininess take, with glint_use_msh these
+ * are an error. */
+#define GLINT_IF_grained(x) x
+#define GLINT_IF_plain(x)
+#define GLINT_MODEL_USE(number, name, function, use, grain)                                                            \
+    extern const struct glint_use_model glint_use_##name;                                                              \
+    GLINT_IF_##grain(extern const struct glint_use_model glint_use_##name##_grain;)
+GLINT_MODELS(GLINT_MODEL_USE)                          /* glint_use_msh, glint_use_msh_grain and so on */
 extern const struct glint_use_format glint_use_rgb565, /* gamma, both orders */
     glint_use_rgb888,                                  /* gamma: RGB888, BGR888, XRGB8888, ARGB8888 */
-    glint_use_grey,                                    /* gamma: GREY8, MONO */
+    glint_use_grey,                                    /* gamma: GREY8, GREY4, GREY2, MONO */
     glint_use_linear;                                  /* every format in linear space */
 extern const struct glint_use_tables glint_use_colour, glint_use_colour_dithered, glint_use_albedo;
 extern const struct glint_use_lights glint_use_lights;
@@ -297,7 +305,8 @@ struct glint_paint {
     struct glint_material material;
 };
 
-/* Makes an exact paint. GLINT_ERR_ARG: NULL, no such model, n = 0, n_across neither 0 nor n; `_for`: the material names another model.
+/* Makes an exact paint. GLINT_ERR_ARG: NULL, no such model, n = 0, n_across of a model or by a
+ * `glint_use_` that has no grain; `_for`: the material names another model.
  * GLINT_ERR_FORMAT: no such format or space; `_for`: the output names another. *paint is not written then. */
 GLINT_LARGE("name the model and the format: glint_paint_exact_for")
 enum glint_err glint_paint_exact(struct glint_paint *paint, const struct glint_material *material,
@@ -365,7 +374,20 @@ struct glint_vec glint_normals_unpack(enum glint_normals format, uint32_t word);
 /* Where a window of a map begins: at column x of line y. Its stride is the map's. */
 const void *glint_normals_window(enum glint_normals format, const void *map, ptrdiff_t stride, uint32_t x, uint32_t y);
 
-/* Which way the grain runs, where a material has n_across. Stored as uint8_t. */
+/* A map of shininess, a byte a pixel, is logarithmic: 25.6 codes an octave, n = 1 at 0, 997 at 255. And the code whose n is nearest. */
+uint32_t glint_shininess_n(uint8_t code);
+uint8_t glint_shininess_code(uint32_t n);
+
+/* Grain: brushed, spun, turned metal. Across it a material's shininess is n_across, along it n. With T, the direction of the grain in the
+ * surface, m takes the place of n t, of n t (2 - t) / 2 in GGX, in MSH, Schlick, Cayley (as r^4 for every n), Lyon and GGX:
+ *
+ *   m = n_across t + (n - n_across) (H.T)^2 / 2      (H.T)^2 = (H.U - c N.U)^2 / (|U|^2 - (N.U)^2)
+ *
+ * U: the direction in the picture's plane, of any length. Where it is 0, in the middle of what is spun, and where N is along it,
+ * m = (n + n_across) t / 2, the mean of all directions. F is the correctly rounded value at the t and m of sequence.md, and 0 where that
+ * true F is below 2^-q. Pictures are within .6 level of 255, the rounding's .5 included, of double precision.
+ *
+ * Which way the grain runs. Stored as uint8_t. */
 enum glint_grain {
     GLINT_GRAIN_BRUSHED, /* one way over the whole surface */
     GLINT_GRAIN_SPUN,    /* round a point */
@@ -373,12 +395,13 @@ enum glint_grain {
 };
 
 /* What each pixel has. A map that is NULL counts as 255 everywhere, albedo as the material's. Strides are in bytes, and ignored where there is
- * one line. A map may be the output itself where pixels have one size (albedo in RGB888, a byte map in GREY8). Which paint takes which:
+ * one line. A map may be the output itself where pixels have one size (albedo in RGB888, a byte map in GREY8): a pixel is read before it is
+ * written, and what coverage blends is blended over the map's own value. Which paint takes which:
  *
- *            normals                                       albedo                      gloss   coverage   grain
- *   exact    INT16, INT8                                   RGB888                      yes     yes        no
- *   COLOUR   INT16, INT8 with the viewer at (0, 0, 1)      no                          no      yes        no
- *   ALBEDO   the same                                      RGB565, machine's order     no      yes        no
+ *            normals                                       albedo                      gloss   coverage   grain   shininess
+ *   exact    INT16, INT8                                   RGB888                      yes     yes        yes     without n_across
+ *   COLOUR   INT16, INT8 with the viewer at (0, 0, 1)      no                          no      yes        no      no
+ *   ALBEDO   the same                                      RGB565, machine's order     no      yes        no      no
  *
  * Normals have about unit length; others give some colour. INT16 is aligned to 2 bytes, INT8 to 4, RGB565 to 2, and so are strides.
  * A pixel without a surface (INT8: z = 0; by tables also INT16: 0, 0, 0) is left as it is. */
@@ -393,14 +416,15 @@ struct glint_maps {
      * is not 0, the pixel is drawn, with the coverage as alpha. */
     const uint8_t *coverage;
     ptrdiff_t coverage_stride;
-    const uint8_t *grain; /* must be NULL */
+    /* Its direction, 256 a half turn, counterclockwise from the right. Without n_across it changes nothing; not with shininess. */
+    const uint8_t *grain;
     ptrdiff_t grain_stride;
     uint8_t normals_format; /* enum glint_normals */
     uint8_t albedo_format;  /* GLINT_RGB888 or GLINT_RGB565 */
     uint8_t grain_kind;     /* enum glint_grain; not used where there is a map of grain */
     /* Brushed: the direction, x right, y up, of any length; 0, 0 is 1, 0. Spun, sunray: the centre, on the screen as places of lights are. */
     int32_t grain_at[2];
-    const uint8_t *shininess; /* must be NULL */
+    const uint8_t *shininess; /* n of each pixel in the place of the material's, as glint_shininess_code gives it */
     ptrdiff_t shininess_stride;
 };
 
@@ -408,7 +432,7 @@ struct glint_maps {
 enum glint_err glint_draw_rect_by(const struct glint_paint *paint, const struct glint_maps *maps, uint16_t w,
                                   uint16_t h, const struct glint_surface *target, struct glint_box *highlight,
                                   const struct glint_use_coverage *soft);
-/* Draws w x h pixels; w or h = 0 draws nothing. In GLINT_MONO the bits past w in a line's last byte are kept. *highlight, unless it is NULL,
+/* Draws w x h pixels; w or h = 0 draws nothing. Of pixels below a byte the bits past w in a line's last byte are kept. *highlight, unless it is NULL,
  * becomes the smallest box, relative to the rectangle, of the drawn pixels with a highlight (F > 0 and gloss > 0; by tables: t within their
  * columns). Outside of it the picture is the same without the highlight. Paints of tables look at the normals outside of it twice then.
  * GLINT_ERR_ARG: NULL, a paint of zeros or never lit, a map that the paint does not take, or one that it needs (ALBEDO without albedo), a
@@ -430,6 +454,7 @@ struct glint_span {
     uint32_t t_q30, dt_q30, ddt_q30;
     int32_t nl_q30, dnl_q30;
     uint16_t w;
+    int16_t ends[2][2]; /* x and y of the first and the last normal: for grain */
 };
 /* From the normals of the first and last pixel, under the paint's light. The ends are exact to (w + 2) 2^-31, the middle to
  * (w^2 / 16 + w + 1) 2^-30. Subdivide where the normals are more than 20 degrees apart: between them N is not renormalised.

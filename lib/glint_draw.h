@@ -23,10 +23,11 @@ struct glint_lines {
     const struct glint_surface *target;
     const struct glint_use_coverage *soft; /* of runs that are not covered in full, unless it is NULL */
     uint32_t w;
-    uint16_t most;                           /* pixels in a run; where it is of samples, up to GLINT_RUN */
-    bool has_gaps;                           /* runs end where there is no surface; for tables samples say so */
-    struct glint_run run;                    /* the one at hand */
-    uint16_t count;                          /* its pixels */
+    uint16_t most;        /* pixels in a run; where it is of samples, up to GLINT_RUN */
+    bool has_gaps;        /* runs end where there is no surface; for tables samples say so */
+    struct glint_run run; /* the one at hand */
+    uint16_t count;       /* its pixels */
+    int16_t grain[2];     /* which way it runs, where that is the same everywhere: set by grain alone */
     const uint8_t *normals, *albedo, *gloss; /* of the line, or NULL */
 };
 
@@ -36,5 +37,9 @@ void glint_lines_set(struct glint_lines *lines, uint32_t y);
 bool glint_lines_next(struct glint_lines *lines);
 /* The run's normals; those of INT8 unpacked, which takes room for lines->most. */
 const struct glint_vec *glint_lines_normals(const struct glint_lines *lines, struct glint_vec *unpacked);
+
+/* The run's samples of a span, over what is not drawn, too: at->w is how many pixels are left from *at on. */
+void glint_lines_walk(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
+                      struct glint_sample *samples);
 
 #endif

@@ -68,6 +68,7 @@ struct glint_lights {
     struct glint_view view; /* of the light at hand */
     struct glint_run *run;  /* the one at hand */
     const struct glint_vec *normals;
+    const struct glint_lines *grained;     /* the lines, where F is of t and m (glint_grain.h); else NULL */
     const int32_t (*places)[3];            /* of its pixels, 1/16 pixel on the screen; NULL: on the surface */
     uint16_t arriving[GLINT_LIGHTS_SLOTS]; /* of the light at hand: att - 1 */
     /* Sums, channel by channel, then the light's samples; of one light red's sums are both. A sum's t is UINT32_MAX where F is 0

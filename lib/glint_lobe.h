@@ -61,6 +61,7 @@ struct glint_use_model {
     void (*run)(const struct glint_paint *paint, struct glint_sample *samples, unsigned count);
     uint32_t (*exact)(uint32_t n, uint32_t t_q30);
     uint32_t (*cutoff_t)(uint32_t n, unsigned q);
+    const struct glint_use_grain *grain; /* NULL: n_across, maps of grain and of shininess are errors */
 };
 
 /* Blinn's, which Phong shares. */

@@ -70,6 +70,36 @@ struct glint_use_coverage {
     void (*edges)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds, uint32_t y);
 };
 
+/* a x for a = m / 255, m = 0..255, in 32 bits, rounded down; how low each is, tier exact shows for all of them (test_pixel).
+ * N.L <= 2^16: by < 2. F <= 67109: by < 4. What V has without them, cut by 16 bits: with what is cut by < 2^17. Anything: by < 2^10. */
+static inline uint32_t glint_covered_nl(uint32_t nl, uint32_t m)
+{
+    return nl * (257 * m) >> 16;
+}
+static inline uint32_t glint_covered_f(uint32_t f, uint32_t m)
+{
+    return f * (257 * m >> 1) >> 15;
+}
+static inline uint32_t glint_covered_fixed(uint32_t v_16, uint32_t m)
+{
+    return v_16 * (257 * m);
+}
+static inline uint32_t glint_covered_part(uint32_t x, uint32_t m)
+{
+    const uint32_t b = (x >> 8) * m; /* <= 255 2^24 */
+    return (b + (b >> 8) + (b >> 16)) >> 8 << 8;
+}
+/* 2^shift / 255, low by <= 1, shift 18..28; and a of 2^shift, low by <= 2^(shift - 24) + 1. */
+static inline uint32_t glint_covered_unit(unsigned shift)
+{
+    return shift < 24 ? (uint32_t)0x10101 >> (24 - shift) : (uint32_t)0x10101 << (shift - 24);
+}
+static inline uint32_t glint_covered_one(uint32_t m, unsigned shift)
+{
+    const uint32_t one = m * 0x10101; /* of 2^24 - 1 */
+    return shift < 24 ? one >> (24 - shift) : one << (shift - 24);
+}
+
 /* What draws a run's levels, and one pixel by the 64-bit sequence. */
 static inline glint_levels *glint_run_levels(const struct glint_paint *paint, const struct glint_run *run)
 {
@@ -84,15 +114,14 @@ static inline glint_exact *glint_run_exact(const struct glint_paint *paint, cons
 
 /* What GLINT_FORMATS says of a format. */
 struct glint_format_traits {
-    uint8_t bytes, channels, max[3];
+    uint8_t bits, channels, max[3];
 };
 extern const struct glint_format_traits glint_formats[GLINT_FORMAT_COUNT]; /* GLINT_FLASH */
 
 /* Bytes of a line. */
 static inline uint32_t glint_line_bytes(uint8_t format, uint32_t w)
 {
-    const uint32_t bytes = GLINT_FLASH_U8(glint_formats[format].bytes);
-    return bytes ? bytes * w : (w + 7) / 8;
+    return (GLINT_FLASH_U8(glint_formats[format].bits) * w + 7) / 8;
 }
 /* The same where the loops ask for it, without a load. */
 static inline bool glint_format_is_565(uint8_t format)
@@ -101,7 +130,7 @@ static inline bool glint_format_is_565(uint8_t format)
 }
 static inline bool glint_format_is_grey(uint8_t format)
 {
-    return format == GLINT_GREY8 || format == GLINT_MONO;
+    return format == GLINT_GREY8 || format == GLINT_MONO || format >= GLINT_GREY4;
 }
 static inline bool glint_format_is_blue_first(uint8_t format)
 {
@@ -177,6 +206,9 @@ void glint_paint_run(const struct glint_paint *paint, const struct glint_run *ru
 /* The same for sample i of the run, whose t and nl are those of *sample, by the 64-bit sequence. */
 void glint_paint_exactly(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
                          const struct glint_sample *sample);
+/* The same from exact nl and F. */
+void glint_paint_sums(const struct glint_paint *paint, const struct glint_run *run, unsigned i, uint32_t nl,
+                      uint32_t f);
 
 /* The brightest channel of the one light. */
 static inline uint32_t glint_paint_peak(const struct glint_paint *paint)
@@ -184,6 +216,14 @@ static inline uint32_t glint_paint_peak(const struct glint_paint *paint)
     const uint32_t *c = paint->color_q16;
     const uint32_t most = c[0] > c[1] ? c[0] : c[1];
     return most > c[2] ? most : c[2];
+}
+
+/* n_across where a material has grain, else 0. */
+static inline uint32_t glint_material_across(const struct glint_material *material)
+{
+    const uint32_t n = material->n < GLINT_N_MAX ? material->n : GLINT_N_MAX;
+    const uint32_t across = material->n_across < GLINT_N_MAX ? material->n_across : GLINT_N_MAX;
+    return across == n ? 0 : across;
 }
 
 /* Checks a material and an output. */

@@ -5,7 +5,7 @@
 uint32_t glint_eval(enum glint_model model, uint32_t n, int32_t c_q16)
 {
     switch (model) {
-#define MODEL_CASE(number, name, function, use)                                                                        \
+#define MODEL_CASE(number, name, function, use, grain)                                                                 \
     case number:                                                                                                       \
         return glint_##function(n, c_q16);
         GLINT_MODELS(MODEL_CASE)
@@ -17,7 +17,7 @@ uint32_t glint_eval(enum glint_model model, uint32_t n, int32_t c_q16)
 uint32_t glint_eval_t(enum glint_model model, uint32_t n, uint32_t t_q30)
 {
     switch (model) {
-#define MODEL_CASE(number, name, function, use)                                                                        \
+#define MODEL_CASE(number, name, function, use, grain)                                                                 \
     case number:                                                                                                       \
         return glint_##function##_t(n, t_q30);
         GLINT_MODELS(MODEL_CASE)
@@ -29,7 +29,7 @@ uint32_t glint_eval_t(enum glint_model model, uint32_t n, uint32_t t_q30)
 uint32_t glint_cutoff(enum glint_model model, uint32_t n, unsigned q)
 {
     switch (model) {
-#define MODEL_CASE(number, name, function, use)                                                                        \
+#define MODEL_CASE(number, name, function, use, grain)                                                                 \
     case number:                                                                                                       \
         return glint_##function##_cutoff(n, q);
         GLINT_MODELS(MODEL_CASE)
@@ -41,7 +41,7 @@ uint32_t glint_cutoff(enum glint_model model, uint32_t n, unsigned q)
 uint32_t glint_cutoff_t(enum glint_model model, uint32_t n, unsigned q)
 {
     switch (model) {
-#define MODEL_CASE(number, name, function, use)                                                                        \
+#define MODEL_CASE(number, name, function, use, grain)                                                                 \
     case number:                                                                                                       \
         return glint_##function##_cutoff_t(n, q);
         GLINT_MODELS(MODEL_CASE)

@@ -4,7 +4,7 @@
  *
  * With T = 2^30 t: r = p / s, p = 2^33 - (n + 4) T, s = 2^33 + (n - 4) T. Where p > 0, s < 2 * 2^33. An approximation in
  * 32 bits decides the rounding but for one t in 108; there an exact comparison of p^4 and s^4 does. */
-#include "glint_lobe.h"
+#include "glint_grain.h"
 #include "glint_math.h"
 
 enum { CAYLEY_LOW = 21, CAYLEY_HIGH = 17 };
@@ -54,11 +54,11 @@ static void cayley_fourth(uint32_t out[CAYLEY_LIMBS], uint64_t x)
 }
 
 /* r^4 >= m 2^-17, exactly, for p > 0 and m < 2^18: both sides < 2^154. There are no ties for odd m: 17 is odd. */
-static bool cayley_at_least(uint32_t n, uint32_t t, uint32_t m)
+static bool cayley_ratio_at_least(uint64_t ratio_p, uint64_t ratio_s, uint32_t m)
 {
     uint32_t left[CAYLEY_LIMBS], right[CAYLEY_LIMBS];
-    cayley_fourth(left, ((uint64_t)1 << 33) - glint_multiply(n + 4, t));
-    cayley_fourth(right, ((uint64_t)1 << 33) + glint_multiply(n - 4, t));
+    cayley_fourth(left, ratio_p);
+    cayley_fourth(right, ratio_s);
     uint32_t before = 0;
     uint64_t product = 0;
     bool at_least = true;
@@ -70,6 +70,12 @@ static bool cayley_at_least(uint32_t n, uint32_t t, uint32_t m)
             at_least = p > (uint32_t)product;
     }
     return at_least;
+}
+
+static bool cayley_at_least(uint32_t n, uint32_t t, uint32_t m)
+{
+    return cayley_ratio_at_least(((uint64_t)1 << 33) - glint_multiply(n + 4, t),
+                                 ((uint64_t)1 << 33) + glint_multiply(n - 4, t), m);
 }
 
 uint32_t glint_cayley_t(uint32_t n, uint32_t t)
@@ -123,4 +129,75 @@ static void cayley_run(const struct glint_paint *paint, struct glint_sample *sam
 }
 
 const struct glint_use_model glint_use_cayley GLINT_FLASH = {
-    GLINT_CAYLEY, 1, NULL, NULL, cayley_run, glint_cayley_t, glint_cayley_cutoff_t};
+    GLINT_CAYLEY, 1, NULL, NULL, cayley_run, glint_cayley_t, glint_cayley_cutoff_t, NULL};
+
+/* ---- of t and m, as r^4 for every n: p = 2^33 - 4 T - M, s = 2^33 - 4 T + M, M = 2^30 m ---- */
+
+static inline uint64_t cayley_grain_p(uint32_t m, uint32_t t) /* p > 0, or above 2^63 */
+{
+    return ((uint64_t)1 << 33) - 4 * (uint64_t)t - ((uint64_t)m << 8);
+}
+
+static inline uint64_t cayley_grain_s(uint32_t m, uint32_t t)
+{
+    return ((uint64_t)1 << 33) - 4 * (uint64_t)t + ((uint64_t)m << 8);
+}
+
+/* As cayley_near_t, but s may be less than 2^33, by half at most: then r is twice what is multiplied, and low by up to 6 2^-31. */
+enum { CAYLEY_GRAIN_LOW = CAYLEY_LOW + 2 };
+static inline uint32_t cayley_grain_quick(uint32_t m, uint32_t t)
+{
+    const uint32_t v = (m << 7) + 2 * t; /* 2^32 - p / 2, m < 2^25 */
+    if (v < 2 * t)
+        return 0;
+    uint32_t s = ((uint32_t)1 << 27) + 4 * m - ((t + 15) >> 4); /* s / 2^6, rounded down, >= 2^26 */
+    unsigned up = 0;
+    if (!(s >> 27)) {
+        s = ((uint32_t)1 << 28) + 8 * m - ((t + 7) >> 3);
+        up = 1;
+    }
+    const uint32_t r = glint_mulhi_near(0 - v, glint_reciprocal(s)) << up; /* Q31 */
+    return glint_squarehi_near(glint_squarehi_near(r));
+}
+
+static uint32_t cayley_grain(uint32_t m, uint32_t t)
+{
+    const uint64_t p = cayley_grain_p(m, t);
+    if (m == 0)
+        return (uint32_t)GLINT_C_ONE;
+    if (m >> 25 || (int64_t)p <= 0)
+        return 0;
+    const uint32_t f = cayley_grain_quick(m, t) + 2048;
+    const uint32_t low = (f - CAYLEY_HIGH) >> 12, high = (f + CAYLEY_GRAIN_LOW) >> 12;
+    return low == high || !cayley_ratio_at_least(p, cayley_grain_s(m, t), 2 * high - 1) ? low : high;
+}
+
+static bool cayley_grain_reaches(uint32_t m, uint32_t t, unsigned q)
+{
+    const uint64_t p = cayley_grain_p(m, t);
+    return (int64_t)p > 0 && cayley_ratio_at_least(p, cayley_grain_s(m, t), (uint32_t)1 << (17 - q));
+}
+
+/* p > 0 where m < 4 (1 + c) alone. */
+static uint32_t cayley_grain_end(unsigned q)
+{
+    (void)q;
+    return (uint32_t)8 << GLINT_GRAIN_BITS;
+}
+
+static inline uint32_t cayley_grain_near(uint32_t scale, uint32_t m, uint32_t t)
+{
+    (void)scale;
+    return m == 0 ? 65536 : (cayley_grain_quick(m, t) + 2048 - CAYLEY_HIGH) >> 12;
+}
+
+__attribute__((flatten)) static void cayley_grain_run(const struct glint_paint *paint, struct glint_sample *samples,
+                                                      unsigned count)
+{
+    glint_grain_run(paint, samples, count, cayley_grain_end(0), cayley_grain_near, 0, cayley_grain_reaches);
+}
+
+static const struct glint_use_grain cayley_use_grain GLINT_FLASH = {cayley_grain_end, cayley_grain_run, cayley_grain,
+                                                                    cayley_grain_reaches, GLINT_GRAIN_USE};
+const struct glint_use_model glint_use_cayley_grain GLINT_FLASH = {
+    GLINT_CAYLEY, 1, NULL, NULL, cayley_run, glint_cayley_t, glint_cayley_cutoff_t, &cayley_use_grain};

@@ -4,7 +4,7 @@
  *
  * With T = 2^30 t: e = D / 2^61, D = 2^61 + n T (2^31 - T). An approximation in 32 bits decides most roundings, elsewhere an exact
  * comparison of products does. There are no ties: m D^2 = 2^139 has no solution for odd m, but D^2 = 2^139, which is no square. */
-#include "glint_lobe.h"
+#include "glint_grain.h"
 #include "glint_math.h"
 
 /* t (2 - t) in Q32, 0 < t <= 1; low by at most 2, never high. (1 is taken for 1 - 2^-30, where that is 2^-60 less.) */
@@ -160,5 +160,58 @@ static void ggx_run(const struct glint_paint *paint, struct glint_sample *sample
     glint_near_run(paint, samples, count, ggx_near);
 }
 
-const struct glint_use_model glint_use_ggx GLINT_FLASH = {GLINT_GGX,         1, NULL, ggx_fold, ggx_run, glint_ggx_t,
-                                                          glint_ggx_cutoff_t};
+const struct glint_use_model glint_use_ggx GLINT_FLASH = {GLINT_GGX,          1,   NULL, ggx_fold, ggx_run, glint_ggx_t,
+                                                          glint_ggx_cutoff_t, NULL};
+
+/* ---- of m: F = (2^22 / d)^2, d = 2^22 (1 + m) < 2^32 ---- */
+
+static uint32_t ggx_grain(uint32_t m, uint32_t t)
+{
+    const uint64_t d = ((uint32_t)1 << GLINT_GRAIN_BITS) + m, square = d * d, one = (uint64_t)1 << 60;
+    const uint64_t f = one / square, rest = one - f * square;
+    (void)t;
+    return (uint32_t)f + (rest >= square - rest);
+}
+
+static bool ggx_grain_reaches(uint32_t m, uint32_t t, unsigned q)
+{
+    const uint64_t d = ((uint32_t)1 << GLINT_GRAIN_BITS) + m;
+    (void)t;
+    return d * d <= (uint64_t)1 << (44 + q);
+}
+
+/* m <= 2^(q / 2) - 1 */
+static uint32_t ggx_grain_end(unsigned q)
+{
+    const uint32_t root = (uint32_t)(q & 1 ? 5931642 : 4194304) << q / 2; /* of 2^q, rounded up */
+    return root - ((uint32_t)1 << GLINT_GRAIN_BITS) + 1;
+}
+
+/* The square is 2^54 / x^2, high by less than 34 and low by less than 36: together less than 2^14, the smallest step of F. */
+static inline uint32_t ggx_grain_near(uint32_t scale, uint32_t m, uint32_t t)
+{
+    uint32_t x = ((uint32_t)1 << GLINT_GRAIN_BITS) + m;
+    unsigned shift = 24;
+    (void)scale, (void)t;
+    while (x >> 28) {
+        x >>= 1;
+        shift += 2;
+    }
+    while (!(x >> 27)) {
+        x <<= 1;
+        shift -= 2;
+    }
+    return (glint_squarehi_near(glint_reciprocal(x)) + ((uint32_t)1 << shift >> 1) - 34) >> shift;
+}
+
+__attribute__((flatten)) static void ggx_grain_run(const struct glint_paint *paint, struct glint_sample *samples,
+                                                   unsigned count)
+{
+    const uint32_t end = ggx_grain_end(glint_clamp_q(paint->material.q));
+    glint_grain_run(paint, samples, count, end, ggx_grain_near, 0, ggx_grain_reaches);
+}
+
+static const struct glint_use_grain ggx_use_grain GLINT_FLASH = {ggx_grain_end, ggx_grain_run, ggx_grain,
+                                                                 ggx_grain_reaches, GLINT_GRAIN_USE_SINE};
+const struct glint_use_model glint_use_ggx_grain GLINT_FLASH = {
+    GLINT_GGX, 1, NULL, ggx_fold, ggx_run, glint_ggx_t, glint_ggx_cutoff_t, &ggx_use_grain};

@@ -3,7 +3,7 @@
  * Apple Technical Report 43, 1993: (1 - x/k)^k nears e^-x, and k = 4 takes two squarings. No division, no table.
  *
  * With T = 2^30 t:  F = (p / 2^32)^4, p = 2^32 - nT. There are no ties: p^4 = (2k + 1) 2^111 has no solution. */
-#include "glint_lobe.h"
+#include "glint_grain.h"
 #include "glint_math.h"
 
 /* p, modulo 2^32, for 0 < p <= 2^32; 0 else, which for t > 0 can only be that. */
@@ -45,12 +45,12 @@ uint32_t glint_lyon(uint32_t n, int32_t c_q16)
 
 /* F >= 2^-q  <=>  p >= 2^(32 - q/4), and p is whole: nT <= 2^32 - r(q mod 4) / 2^(q / 4) rounded up, with
  * r(k) = 2^(32 - k/4) rounded up. The table holds r - 1, so that ceil(r / 2^m) = (r - 1 >> m) + 1. */
+static const uint32_t lyon_root[4] GLINT_FLASH = {UINT32_C(0xffffffff), UINT32_C(0xd744fcca), UINT32_C(0xb504f333),
+                                                  UINT32_C(0x9837f051)};
 uint32_t glint_lyon_cutoff_t(uint32_t n, unsigned q)
 {
-    static const uint32_t root[4] GLINT_FLASH = {UINT32_C(0xffffffff), UINT32_C(0xd744fcca), UINT32_C(0xb504f333),
-                                                 UINT32_C(0x9837f051)};
     q = glint_clamp_q(q);
-    const uint32_t t = ~(GLINT_FLASH_U32(root[q & 3]) >> (q >> 2)) / glint_clamp_n(n);
+    const uint32_t t = ~(GLINT_FLASH_U32(lyon_root[q & 3]) >> (q >> 2)) / glint_clamp_n(n);
     return t < GLINT_T_ONE ? t : GLINT_T_ONE; /* where n < 4, F(1) > 0 */
 }
 
@@ -71,5 +71,46 @@ static void lyon_run(const struct glint_paint *paint, struct glint_sample *sampl
     glint_near_run(paint, samples, count, lyon_near);
 }
 
-const struct glint_use_model glint_use_lyon GLINT_FLASH = {GLINT_LYON,         0, NULL, NULL, lyon_run, glint_lyon_t,
-                                                           glint_lyon_cutoff_t};
+const struct glint_use_model glint_use_lyon GLINT_FLASH = {GLINT_LYON,          0,   NULL, NULL, lyon_run, glint_lyon_t,
+                                                           glint_lyon_cutoff_t, NULL};
+
+/* ---- of m: p = 2^32 (1 - m / 4) ---- */
+
+static uint32_t lyon_grain(uint32_t m, uint32_t t)
+{
+    (void)t;
+    if (m == 0)
+        return (uint32_t)GLINT_C_ONE;
+    if (m >> 24)
+        return 0;
+    const uint32_t p = 0 - (m << 8), y = glint_squarehi_near(glint_squarehi_near(p));
+    return ((y + 32768) & 0xffff) > 65536 - 6 ? lyon_exactly(p) : ((y >> 15) + 1) >> 1;
+}
+
+static bool lyon_grain_reaches(uint32_t m, uint32_t t, unsigned q)
+{
+    (void)t;
+    return m >> 24 == 0 && (m == 0 || 0 - (m << 8) > GLINT_FLASH_U32(lyon_root[q & 3]) >> (q >> 2));
+}
+
+static uint32_t lyon_grain_end(unsigned q)
+{
+    (void)q;
+    return (uint32_t)4 << GLINT_GRAIN_BITS;
+}
+
+static inline uint32_t lyon_grain_near(uint32_t scale, uint32_t m, uint32_t t)
+{
+    (void)scale;
+    return lyon_grain(m, t);
+}
+
+static void lyon_grain_run(const struct glint_paint *paint, struct glint_sample *samples, unsigned count)
+{
+    glint_grain_run(paint, samples, count, lyon_grain_end(0), lyon_grain_near, 0, lyon_grain_reaches);
+}
+
+static const struct glint_use_grain lyon_use_grain GLINT_FLASH = {lyon_grain_end, lyon_grain_run, lyon_grain,
+                                                                  lyon_grain_reaches, GLINT_GRAIN_USE};
+const struct glint_use_model glint_use_lyon_grain GLINT_FLASH = {
+    GLINT_LYON, 0, NULL, NULL, lyon_run, glint_lyon_t, glint_lyon_cutoff_t, &lyon_use_grain};

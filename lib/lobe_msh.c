@@ -4,7 +4,7 @@
  * With C = 2^16 c and E = 2^16 (4n(1 - c) + 5c), 2^18 <= E < 2^28:  F 2^16 = 2^39 C / (5 E^2). Small cores divide slowly or
  * not at all, so F comes from an approximate reciprocal, and where that does not settle the rounding, from an exact
  * comparison of products. There are no ties for integer n. */
-#include "glint_lobe.h"
+#include "glint_grain.h"
 #include "glint_math.h"
 
 /* 2^71 C / (5 m^2) for C = u / 2^8 <= 2^16, within 2400; less than 0.4 * 2^32. With y m = 2^35 (1 + r),
@@ -196,5 +196,79 @@ static void msh_run(const struct glint_paint *paint, struct glint_sample *sample
     glint_near_run(paint, samples, count, msh_near);
 }
 
-const struct glint_use_model glint_use_msh GLINT_FLASH = {GLINT_MSH,         1, NULL, msh_fold, msh_run, glint_msh_t,
-                                                          glint_msh_cutoff_t};
+const struct glint_use_model glint_use_msh GLINT_FLASH = {GLINT_MSH,          1,   NULL, msh_fold, msh_run, glint_msh_t,
+                                                          glint_msh_cutoff_t, NULL};
+
+/* ---- of t and m ---- */
+
+/* 2^14 E = 4 m 2^30 + 5 (2^30 - T), < 2^42. */
+static inline struct denominator denominator_of_m(uint32_t m, uint32_t u)
+{
+    const uint64_t e = ((uint64_t)m << 10) + 5 * (uint64_t)u;
+    const struct denominator d = {(uint32_t)(e >> 14), (uint32_t)e & 0x3fff};
+    return d;
+}
+
+/* As 4 m >= 4 t - 2^-20, E > 4 - 2^-20: where c >= 2^-20, E >= 4. */
+static uint32_t msh_grain(uint32_t m, uint32_t t)
+{
+    const uint32_t u = GLINT_T_ONE - t;
+    const struct denominator d = denominator_of_m(m, u);
+    if (u >> 10 == 0 || d.e >> 27)
+        return 0; /* F 2^16 < 0.4 */
+    struct scaled a = scale(d.e);
+    a.m |= d.fraction >> (a.shift / 2 - 2); /* 14 - s */
+    const struct range f = candidates(u >> 6, a);
+    return f.low == f.high || !msh_at_least(u, d, 2 * f.high - 1) ? f.low : f.high;
+}
+
+static bool msh_grain_reaches(uint32_t m, uint32_t t, unsigned q)
+{
+    const uint32_t u = GLINT_T_ONE - t;
+    return u && msh_at_least(u, denominator_of_m(m, u), (uint32_t)1 << (17 - q));
+}
+
+/* Where m >= 1.25, F rises with c: it is at most that of c = 1, 1.6 / (m + 1.25)^2, and m <= sqrt(1.6 2^q) - 1.25. */
+static uint32_t msh_grain_end(unsigned q)
+{
+    const uint32_t least = (uint32_t)5 << (GLINT_GRAIN_BITS - 2);
+    const uint32_t root = (uint32_t)(q & 1 ? 7503000 : 5305422) << q / 2; /* of 1.6 2^q, rounded up */
+    return (root - least > least ? root - least : least) + 1;
+}
+
+/* x >= E, Q20, by less than 2: doubled up to 5 times, as E > 4 - 2^-20. Of q >= 13 it is halved first, and may be low by 1. So the
+ * quotient is high by less than MSH_GRAIN_HIGH, low by less than 2400 + 101 + 26 * 64: together less than 2^14 again. up: such that the
+ * largest x is less than 2^28. */
+enum { MSH_GRAIN_HIGH = 2400 + 26 };
+static inline uint32_t msh_grain_near(uint32_t up, uint32_t m, uint32_t t)
+{
+    const uint32_t u = GLINT_T_ONE - t;
+    uint32_t x = m + (5 * (u >> 2) >> 8) + 2;
+    unsigned shift = 24;
+    while (x >> 28) {
+        x >>= 1;
+        shift += 2;
+    }
+    x <<= up;
+    shift -= 2 * up;
+    while (!(x >> 27)) {
+        x <<= 1;
+        shift -= 2;
+    }
+    return (msh_quotient(u >> 6, x) + ((uint32_t)1 << shift >> 1) - MSH_GRAIN_HIGH) >> shift;
+}
+
+__attribute__((flatten)) static void msh_grain_run(const struct glint_paint *paint, struct glint_sample *samples,
+                                                   unsigned count)
+{
+    const uint32_t end = msh_grain_end(glint_clamp_q(paint->material.q));
+    uint32_t up = 0;
+    while ((end + ((uint32_t)5 << (GLINT_GRAIN_BITS - 2))) >> (27 - up) == 0)
+        up++;
+    glint_grain_run(paint, samples, count, end, msh_grain_near, up, msh_grain_reaches);
+}
+
+static const struct glint_use_grain msh_use_grain GLINT_FLASH = {msh_grain_end, msh_grain_run, msh_grain,
+                                                                 msh_grain_reaches, GLINT_GRAIN_USE};
+const struct glint_use_model glint_use_msh_grain GLINT_FLASH = {
+    GLINT_MSH, 1, NULL, msh_fold, msh_run, glint_msh_t, glint_msh_cutoff_t, &msh_use_grain};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Schlick, eq. (2): F = c / (n - nc + c). */
-#include "glint_lobe.h"
+#include "glint_grain.h"
 #include "glint_math.h"
 
 enum { SCHLICK_LOW = 6, SCHLICK_HIGH = 5 };
@@ -93,4 +93,56 @@ static void schlick_run(const struct glint_paint *paint, struct glint_sample *sa
 }
 
 const struct glint_use_model glint_use_schlick GLINT_FLASH = {
-    GLINT_SCHLICK, 1, NULL, NULL, schlick_run, glint_schlick_t, glint_schlick_cutoff_t};
+    GLINT_SCHLICK, 1, NULL, NULL, schlick_run, glint_schlick_t, glint_schlick_cutoff_t, NULL};
+
+/* ---- of t and m: F = u / d, d = u + M, M = 2^30 m ---- */
+
+static inline uint64_t schlick_grain_divisor(uint32_t m, uint32_t t)
+{
+    return ((uint64_t)m << 8) + (GLINT_T_ONE - t);
+}
+
+static uint32_t schlick_grain(uint32_t m, uint32_t t)
+{
+    const uint64_t d = schlick_grain_divisor(m, t), u = GLINT_T_ONE - t;
+    return u ? (uint32_t)(((u << 17) + d) / (2 * d)) : 0;
+}
+
+static bool schlick_grain_reaches(uint32_t m, uint32_t t, unsigned q)
+{
+    const uint64_t u = GLINT_T_ONE - t;
+    return u && u << q >= schlick_grain_divisor(m, t);
+}
+
+/* F rises with c: it is at most 1 / (m + 1). */
+static uint32_t schlick_grain_end(unsigned q)
+{
+    return q < 10 ? ((((uint32_t)1 << q) - 1) << GLINT_GRAIN_BITS) + 1 : GLINT_GRAIN_MOST + 1;
+}
+
+/* As schlick_near_t; d > 2^30 - 2^8, as m >= t - 2^-22. u = 2^30 is taken for 1 less: that makes f low by 1/4 more. */
+static inline uint32_t schlick_grain_near(uint32_t scale, uint32_t m, uint32_t t)
+{
+    const uint32_t u = GLINT_T_ONE - t, rest = ((m & 0x3f) << 8) + (u & 0x3fff); /* < 2^15 */
+    uint32_t d = ((m >> 6) + (u >> 14) + (rest >> 14)) << 2;                     /* <= 2^28 - 2^23 + 2^18 */
+    unsigned down = 12;
+    (void)scale;
+    while (!(d >> 27)) {
+        d <<= 1;
+        down--;
+    }
+    d |= (rest & 0x3fff) >> down;
+    return (((glint_mulhi_near((u - (u >> 30)) << 2, glint_reciprocal(d)) >> down) + 2048 - SCHLICK_HIGH) >> 12);
+}
+
+__attribute__((flatten)) static void schlick_grain_run(const struct glint_paint *paint, struct glint_sample *samples,
+                                                       unsigned count)
+{
+    glint_grain_run(paint, samples, count, schlick_grain_end(glint_clamp_q(paint->material.q)), schlick_grain_near, 0,
+                    schlick_grain_reaches);
+}
+
+static const struct glint_use_grain schlick_use_grain GLINT_FLASH = {
+    schlick_grain_end, schlick_grain_run, schlick_grain, schlick_grain_reaches, GLINT_GRAIN_USE};
+const struct glint_use_model glint_use_schlick_grain GLINT_FLASH = {
+    GLINT_SCHLICK, 1, NULL, NULL, schlick_run, glint_schlick_t, glint_schlick_cutoff_t, &schlick_use_grain};

@@ -9,7 +9,7 @@ typedef char
 
 enum glint_err glint_paint_check(const struct glint_material *material, const struct glint_output *output)
 {
-    if (!material || !output || material->n == 0 || (material->n_across && material->n_across != material->n))
+    if (!material || !output || material->n == 0)
         return GLINT_ERR_ARG;
     return output->format < GLINT_FORMAT_COUNT && output->space <= GLINT_LINEAR ? GLINT_OK : GLINT_ERR_FORMAT;
 }
@@ -17,7 +17,7 @@ enum glint_err glint_paint_check(const struct glint_material *material, const st
 /* The cutoff 2^-q that an output needs where the material names none. */
 static uint8_t paint_q(const struct glint_material *material, const struct glint_output *output)
 {
-    const bool is_coarse = glint_format_is_565(output->format) || output->format == GLINT_MONO;
+    const bool is_coarse = GLINT_FLASH_U8(glint_formats[output->format].max[0]) < 255;
     if (material->q)
         return material->q;
     return output->space == GLINT_LINEAR ? 12 : is_coarse && !output->dither ? 6 : 8;
@@ -101,7 +101,11 @@ enum glint_err glint_paint_exact_for(struct glint_paint *paint, const struct gli
     if (err || !GLINT_FLASH_POINTER(format->draws)(output))
         return GLINT_ERR_FORMAT;
     const uint32_t n = material->n < GLINT_N_MAX ? material->n : GLINT_N_MAX;
+    const uint32_t across = glint_material_across(material);
+    if (across && !GLINT_FLASH_POINTER(model->grain))
+        return GLINT_ERR_ARG;
     paint->material = *material;
+    paint->material.n_across = (uint16_t)across;
     paint->material.q = paint_q(material, output);
     paint->model = model;
     paint->format = format;
@@ -186,9 +190,9 @@ static __attribute__((noinline)) uint32_t paint_scale(uint32_t color, uint32_t x
     return (uint32_t)(((uint64_t)color * x + 32768) >> 16);
 }
 
-/* From exact nl and F. Alone, for the stack of what finds F. */
-static __attribute__((noinline)) void paint_exact_sums(const struct glint_paint *paint, const struct glint_run *run,
-                                                       unsigned i, uint32_t nl, uint32_t f)
+/* Alone, for the stack of what finds F. */
+__attribute__((noinline)) void glint_paint_sums(const struct glint_paint *paint, const struct glint_run *run,
+                                                unsigned i, uint32_t nl, uint32_t f)
 {
     const bool apart = paint->of.exact.high != 0; /* of a white light channels are the same */
     struct glint_sample sums[3];
@@ -204,7 +208,7 @@ static __attribute__((noinline)) void paint_exact_sums(const struct glint_paint 
 void glint_paint_exactly(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
                          const struct glint_sample *sample)
 {
-    paint_exact_sums(paint, run, i, sample->nl_q16, glint_paint_f(paint, sample->t_q30));
+    glint_paint_sums(paint, run, i, sample->nl_q16, glint_paint_f(paint, sample->t_q30));
 }
 
 void glint_paint_run(const struct glint_paint *paint, const struct glint_run *run, struct glint_sample *samples,

@@ -3,9 +3,13 @@
 #include "glint_pixel.h"
 #include "glint_tables.h"
 
-#define ANY_MODEL(number, name, function, use) &glint_use_##name,
+#define ANY_grained(name) &glint_use_##name##_grain,
+#define ANY_plain(name) &glint_use_##name,
+#define ANY_MODEL(number, name, function, use, grain) ANY_##grain(name)
 static const struct glint_use_model *const any_models[] GLINT_FLASH = {GLINT_MODELS(ANY_MODEL)};
 #undef ANY_MODEL
+#undef ANY_grained
+#undef ANY_plain
 static const struct glint_use_format *const any_formats[] GLINT_FLASH = {&glint_use_rgb565, &glint_use_rgb888,
                                                                          &glint_use_grey, &glint_use_linear};
 

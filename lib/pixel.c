@@ -6,7 +6,7 @@
 
 const uint16_t glint_bayer_rows[4] GLINT_FLASH = {0xa280, 0x6e4c, 0x91b3, 0x5d7f};
 
-#define PIXEL_TRAITS(number, name, bytes, channels, red, green, blue) {bytes, channels, {red, green, blue}},
+#define PIXEL_TRAITS(number, name, bits, channels, red, green, blue) {bits, channels, {red, green, blue}},
 const struct glint_format_traits glint_formats[GLINT_FORMAT_COUNT] GLINT_FLASH = {GLINT_FORMATS(PIXEL_TRAITS)};
 #undef PIXEL_TRAITS
 
@@ -65,18 +65,20 @@ static void store_rgb(uint8_t *red, int blue, unsigned bytes, const uint8_t *lev
     }
 }
 
-static void store_mono(uint8_t *line, uint32_t x, const uint8_t *levels, unsigned count, uint32_t open)
+/* Pixels of 4, 2 or 1 bits. */
+static void store_bits(uint8_t *line, uint32_t x, const uint8_t *levels, unsigned count, uint32_t open, unsigned bits)
 {
     for (; count--; levels++, x++, open >>= 1) {
-        const uint8_t bit = (uint8_t)(0x80 >> (x & 7));
+        uint8_t *const at = line + (bits * x >> 3);
+        const unsigned down = (8 - bits) & ~(bits * x);
         if (!(open & 1))
-            line[x >> 3] = (uint8_t)(*levels ? line[x >> 3] | bit : line[x >> 3] & ~bit);
+            *at = (uint8_t)((*at & ~(((1u << bits) - 1) << down)) | (uint32_t)*levels << down);
     }
 }
 
 void glint_store_run(uint8_t format, uint8_t *line, uint32_t x, const uint8_t *levels, unsigned count, uint32_t open)
 {
-    const unsigned bytes = GLINT_FLASH_U8(glint_formats[format].bytes);
+    const unsigned bits = GLINT_FLASH_U8(glint_formats[format].bits), bytes = bits >> 3;
     uint8_t *out = line + bytes * x;
     if (bytes == 2) {
         const bool swapped = format == GLINT_RGB565_SWAPPED;
@@ -89,7 +91,7 @@ void glint_store_run(uint8_t format, uint8_t *line, uint32_t x, const uint8_t *l
             if (!(open & 1))
                 *out = *levels;
     } else {
-        store_mono(line, x, levels, count, open);
+        store_bits(line, x, levels, count, open, bits);
     }
 }
 

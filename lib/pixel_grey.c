@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * GREY8 and MONO in gamma space. A level is the sum of three parts, each held to its channel's share. */
+ * GREY8, GREY4, GREY2 and MONO in gamma space. A level is the sum of three parts, each held to its channel's share. */
 #include "glint_pixel.h"
 
 static bool grey_draws(const struct glint_output *output)
@@ -9,7 +9,7 @@ static bool grey_draws(const struct glint_output *output)
 
 static uint32_t grey_max(const struct glint_paint *paint)
 {
-    return paint->output.format == GLINT_GREY8 ? 255 : 1;
+    return GLINT_FLASH_U8(glint_formats[paint->output.format].max[0]);
 }
 
 GLINT_INLINE uint32_t grey_loop(const struct glint_paint *p, const struct glint_run *run,

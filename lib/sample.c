@@ -111,6 +111,8 @@ enum glint_err glint_span_init(struct glint_span *span, const struct glint_paint
     span->nl_q30 = (int32_t)nl0;
     span->dnl_q30 = (int32_t)span_divide(nl1 - nl0, m);
     span->w = w;
+    span->ends[0][0] = first->x, span->ends[0][1] = first->y;
+    span->ends[1][0] = last->x, span->ends[1][1] = last->y;
     return GLINT_OK;
 }
 
@@ -145,6 +147,26 @@ struct glint_vec glint_normals_unpack(enum glint_normals format, uint32_t word)
 {
     const struct glint_vec none = {0, 0, 0};
     return format == GLINT_NORMALS_INT8 && word >> 16 ? glint_int8_normal(word) : none;
+}
+
+/* 2^(5 code / 128) but for .3 %: between powers of two a parabola, (2 f + 1.05 f^2 ..) */
+uint32_t glint_shininess_n(uint8_t code)
+{
+    const uint32_t octave = 5u * code >> 7, f = 5u * code & 127;
+    const uint32_t mantissa = 16384 + (f * (21504 + 88 * f) >> 8); /* Q14; 32768 at f = 128 */
+    return ((mantissa >> (13 - octave)) + 1) >> 1;
+}
+
+uint8_t glint_shininess_code(uint32_t n)
+{
+    uint32_t code = 0; /* the largest whose n is no larger */
+    for (uint32_t bit = 128; bit; bit >>= 1)
+        if (glint_shininess_n((uint8_t)(code + bit)) <= n)
+            code += bit;
+    const uint32_t below = glint_shininess_n((uint8_t)code);
+    if (code < 255 && n > below && glint_shininess_n((uint8_t)(code + 1)) - n < n - below)
+        code++;
+    return (uint8_t)code;
 }
 
 const void *glint_normals_window(enum glint_normals format, const void *map, ptrdiff_t stride, uint32_t x, uint32_t y)

@@ -22,7 +22,7 @@ enum glint_err glint_paint_tables_for(struct glint_paint *paint, const struct gl
         return GLINT_ERR_ARG;
     enum glint_err err = glint_paint_check(material, output);
     if (!err)
-        err = GLINT_FLASH_POINTER(kind->can)(material, output);
+        err = glint_material_across(material) ? GLINT_ERR_ARG : GLINT_FLASH_POINTER(kind->can)(material, output);
     if (!err) /* what fills the tables, in their paint's own place, for the stack */
         err = glint_paint_exact_for(paint, material, output, model, format);
     if (err)

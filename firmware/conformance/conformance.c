@@ -20,7 +20,7 @@ static const char *const names[CONFORMANCE_HELD] = {
 #if !CONFORMANCE_MODELS_ONLY
     "vectors and lights",
     "sRGB",
-#define CONFORMANCE_FORMAT(number, name, bytes, channels, red, green, blue) "exact, exact-int8, span in " name,
+#define CONFORMANCE_FORMAT(number, name, bits, channels, red, green, blue) "exact, exact-int8, span in " name,
     GLINT_FORMATS(CONFORMANCE_FORMAT) "no such format",
     "exact of meshes",
     "exact of meshes with colours",

@@ -25,7 +25,7 @@
 #endif
 
 /* Text for each model that has functions of its own; those that share another's are left out. */
-#define CONFORMANCE_MODELS(number, name, function, use) CONFORMANCE_IF_##use(name)
+#define CONFORMANCE_MODELS(number, name, function, use, grain) CONFORMANCE_IF_##use(name)
 #define CONFORMANCE_IF_shared(name)
 
 #define CONFORMANCE_IF_own(name) CONFORMANCE_##name,

@@ -130,7 +130,7 @@ static void add_rect(const struct glint_paint *paint, const struct glint_maps *m
 static void add_spans(const struct glint_paint *paint, const struct glint_vec *normals, const struct glint_maps *maps,
                       struct glint_surface *surface)
 {
-    struct glint_span span = {0, 0, 0, 0, 0, 0};
+    struct glint_span span = {0, 0, 0, 0, 0, 0, {{0, 0}, {0, 0}}};
     struct glint_box box = {0, 0, 0, 0};
     conform_add((uint32_t)glint_span_init(&span, paint, &normals[0], &normals[1], W));
     surface->pixels = out + LINE;

@@ -7,6 +7,13 @@
 
 #if CONFORMANCE_TABLES && !CONFORMANCE_MODELS_ONLY
 
+/* Full, none, or a part of a pixel. */
+static uint8_t soft_edged(void)
+{
+    const uint32_t bits = conform_random_bits();
+    return (uint8_t)(bits % 4 == 0 ? 0 : bits % 4 == 1 ? bits >> 8 & 255 : 255);
+}
+
 bool conform_fill(struct glint_paint *paint, enum glint_tables_kind kind, const struct glint_material *material,
                   const struct glint_output *output)
 {
@@ -82,7 +89,7 @@ static void add_wide(const struct glint_paint *paint, const struct glint_light *
     for (uint16_t i = 0; i < 512; i++) {
         line.x = i & 3;
         line.y = i >> 2 & 3;
-        struct glint_span span = {0, 0, 0, 0, 0, widths[i / 32u]};
+        struct glint_span span = {0, 0, 0, 0, 0, widths[i / 32u], {{0, 0}, {0, 0}}};
         tricky_span(&span, paint->of.tables.filled.t_max_q30, i % 8u);
         add_wide_out((uint32_t)glint_draw_span(paint, &span, 0, &line, 0));
     }
@@ -115,7 +122,7 @@ static void add_rects(const struct glint_paint *paint, const struct glint_vec *n
     uint32_t *const words = conform_words;
     uint8_t *const out = (uint8_t *)conform_pixels;
     for (uint8_t i = 0; i < W * H; i++)
-        coverage[i] = conform_random_bits() % 4 ? 255 : 0;
+        coverage[i] = soft_edged();
     for (uint8_t kind = 0; kind < 4; kind++) {
         const bool packed = kind & 1, plain = kind & 2;
         for (uint8_t i = 0; i < W * H; i++)
@@ -135,7 +142,7 @@ static void add_rects(const struct glint_paint *paint, const struct glint_vec *n
         conform_add_box(&box);
         conform_add_bytes(out, LINE * H);
     }
-    struct glint_span span = {0, 0, 0, 0, 0, 0};
+    struct glint_span span = {0, 0, 0, 0, 0, 0, {{0, 0}, {0, 0}}};
     struct glint_box box = {0, 0, 0, 0};
     const struct glint_maps maps = {.coverage = coverage};
     const struct glint_surface even = {out, 0, 0, 0}, odd = {out + LINE + 1, 0, 1, 1};
@@ -217,7 +224,7 @@ static void add_albedo(unsigned model, unsigned flags)
             words[i] =
                 conform_random_bits() % 16 ? glint_normals_pack(GLINT_NORMALS_INT8, &near) : conform_random_bits() % 5;
             map[i] = (uint16_t)conform_random_bits();
-            coverage[i] = conform_random_bits() % 4 ? 255 : 0;
+            coverage[i] = soft_edged();
             pixels[i] = i;
         }
         maps.normals = packed ? (const void *)words : (const void *)normals;
@@ -229,7 +236,7 @@ static void add_albedo(unsigned model, unsigned flags)
         conform_add_box(&box);
         conform_add_bytes(in_place ? (const uint8_t *)map : (const uint8_t *)pixels, sizeof map);
     }
-    struct glint_span span = {0, 0, 0, 0, 0, 0};
+    struct glint_span span = {0, 0, 0, 0, 0, 0, {{0, 0}, {0, 0}}};
     const struct glint_surface line = {pixels, 0, 0, 0};
     conform_add((uint32_t)glint_span_init(&span, paint, &normals[0], &normals[1], LONG));
     for (uint8_t kind = 0; kind < 2; kind++) {
@@ -249,6 +256,13 @@ void conform_albedo(const struct conformance_size *size)
 }
 
 #elif !CONFORMANCE_MODELS_ONLY
+
+/* Full, none, or a part of a pixel. */
+static uint8_t soft_edged(void)
+{
+    const uint32_t bits = conform_random_bits();
+    return (uint8_t)(bits % 4 == 0 ? 0 : bits % 4 == 1 ? bits >> 8 & 255 : 255);
+}
 
 bool conform_fill(struct glint_paint *paint, enum glint_tables_kind kind, const struct glint_material *material,
                   const struct glint_output *output)

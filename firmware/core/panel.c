@@ -21,7 +21,8 @@ struct glass {
 static const struct glass glasses[] = {
     {PANEL_ST7789, 240, 320, 0, 0},  {PANEL_ST7789, 240, 280, 0, 20}, {PANEL_ST7789, 240, 240, 0, 0},
     {PANEL_ST7789, 172, 320, 34, 0}, {PANEL_ST7789, 170, 320, 35, 0}, {PANEL_ST7789, 135, 240, 52, 40},
-    {PANEL_ILI9341, 240, 320, 0, 0},
+    {PANEL_ILI9341, 240, 320, 0, 0}, {PANEL_SSD1306, 128, 64, 0, 0},  {PANEL_SSD1306, 128, 32, 0, 0},
+    {PANEL_SSD1306, 72, 40, 28, 0},  {PANEL_SSD1306, 64, 48, 32, 0},
 };
 
 static uint16_t glass_width(const struct panel *panel)
@@ -60,6 +61,10 @@ bool panel_defaults(struct panel *panel, enum panel_controller controller, uint8
 
 bool panel_fits(const struct panel *panel)
 {
+    if (panel_is_paged(panel))
+        return panel->rotation < 4 && panel->rotation % 2 == 0 && panel->width && panel->height &&
+               (uint32_t)panel->x_offset + panel->width <= PANEL_PAGED_COLUMNS && panel->y_offset == 0 &&
+               panel->height <= PANEL_PAGED_ROWS && panel->height % PANEL_PAGE == 0;
     return panel->controller < PANEL_CONTROLLERS && panel->rotation < 4 && panel->width && panel->height &&
            (uint32_t)panel->x_offset + glass_width(panel) <= PANEL_COLUMNS &&
            (uint32_t)panel->y_offset + glass_height(panel) <= PANEL_ROWS;
@@ -123,8 +128,8 @@ static uint8_t madctl(const struct panel *panel)
 static bool reset(const struct panel *panel)
 {
     const struct panel_bus *bus = panel->bus;
-    if (!bus->reset)
-        return send(panel, PANEL_SOFTWARE_RESET, NULL, 0);
+    if (!bus->reset) /* an SSD1306 has no such command: all that matters is set */
+        return panel_is_paged(panel) || send(panel, PANEL_SOFTWARE_RESET, NULL, 0);
     if (!bus->reset(bus->context, true))
         return false;
     wait_ms(panel, RESET_PULSE_MS);
@@ -137,11 +142,57 @@ static bool backlight(const struct panel *panel, uint8_t percent)
     return !bus->backlight || bus->backlight(bus->context, percent);
 }
 
+/* Commands whose bytes all go with D/C low. */
+static bool send_commands(const struct panel *panel, const uint8_t *bytes, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!panel->bus->command(panel->bus->context, bytes[i]))
+            return false;
+    return true;
+}
+
+/* The order and values of the maker's application note for 128x64 with a charge pump; precharge and deselect level as drivers in wide
+ * use have them for it. Modules hang such that column 0 is the last segment, and rows run from the last. */
+static bool start_paged(const struct panel *panel)
+{
+    const bool turned = panel->rotation == 2;
+    const uint8_t bytes[] = {PANEL_PAGED_OFF,
+                             PANEL_PAGED_CLOCK,
+                             0x80,
+                             PANEL_PAGED_ROWS_ARE,
+                             (uint8_t)(panel->height - 1),
+                             PANEL_PAGED_OFFSET,
+                             0,
+                             PANEL_PAGED_START_LINE,
+                             PANEL_PAGED_SEGMENTS | (turned ? 0 : 1),
+                             PANEL_PAGED_SCAN | (turned ? 0 : 8),
+                             PANEL_PAGED_PINS,
+                             panel->width == 128 && panel->height <= 32 ? 0x02 : 0x12,
+                             PANEL_PAGED_CONTRAST,
+                             0x7f,
+                             PANEL_PAGED_PRECHARGE,
+                             0xf1,
+                             PANEL_PAGED_DESELECT,
+                             0x40,
+                             PANEL_PAGED_FROM_MEMORY,
+                             PANEL_PAGED_NORMAL | (panel->inverted ? 1 : 0),
+                             PANEL_PAGED_MODE,
+                             0,
+                             PANEL_PAGED_PUMP,
+                             0x14};
+    return send_commands(panel, bytes, sizeof bytes);
+}
+
 bool panel_start(const struct panel *panel)
 {
     if (!panel_fits(panel) || !backlight(panel, PANEL_OFF) || !reset(panel))
         return false;
     wait_ms(panel, AFTER_RESET_MS);
+    if (panel_is_paged(panel)) {
+        const bool started = start_paged(panel);
+        wait_ms(panel, AFTER_AWAKE_MS); /* the pump */
+        return started;
+    }
     if (panel->controller == PANEL_ILI9341 && !send_values(panel, ili9341_values))
         return false;
     if (!send_byte(panel, PANEL_PIXEL_FORMAT, PANEL_FORMAT_565) || !send_byte(panel, PANEL_MADCTL, madctl(panel)) ||
@@ -155,6 +206,10 @@ bool panel_start(const struct panel *panel)
 
 bool panel_show(const struct panel *panel, uint8_t percent)
 {
+    if (panel_is_paged(panel)) {
+        const uint8_t on = percent == PANEL_OFF ? PANEL_PAGED_OFF : PANEL_PAGED_ON;
+        return send_commands(panel, &on, 1) && backlight(panel, percent);
+    }
     /* The light never shines on a display that is off: that is white on some glass. */
     if (percent == PANEL_OFF)
         return backlight(panel, PANEL_OFF) && send(panel, PANEL_DISPLAY_OFF, NULL, 0);
@@ -163,7 +218,9 @@ bool panel_show(const struct panel *panel, uint8_t percent)
 
 bool panel_stop(const struct panel *panel)
 {
-    if (!panel_show(panel, PANEL_OFF) || !send(panel, PANEL_SLEEP_IN, NULL, 0)) /* any command ends a write */
+    if (!panel_show(panel, PANEL_OFF))
+        return false;
+    if (!panel_is_paged(panel) && !send(panel, PANEL_SLEEP_IN, NULL, 0)) /* any command ends a write */
         return false;
     wait_ms(panel, AFTER_ASLEEP_MS);
     return true;
@@ -178,11 +235,24 @@ static bool send_range(const struct panel *panel, uint8_t command, unsigned firs
     return send(panel, command, bytes, sizeof bytes);
 }
 
+/* A glass that is narrower than the memory lies in its middle, so that its offset is the same from both sides. */
+static bool window_paged(const struct panel *panel, unsigned x, unsigned y, unsigned width, unsigned height)
+{
+    const unsigned left =
+        panel->rotation ? PANEL_PAGED_COLUMNS - panel->x_offset - (unsigned)panel->width : panel->x_offset;
+    const uint8_t bytes[] = {PANEL_PAGED_COLUMNS_ARE,         (uint8_t)(left + x),
+                             (uint8_t)(left + x + width - 1), PANEL_PAGED_PAGES_ARE,
+                             (uint8_t)(y / PANEL_PAGE),       (uint8_t)((y + height - 1) / PANEL_PAGE)};
+    return y % PANEL_PAGE == 0 && height % PANEL_PAGE == 0 && send_commands(panel, bytes, sizeof bytes);
+}
+
 bool panel_window(const struct panel *panel, uint16_t x, uint16_t y, uint16_t width, uint16_t height)
 {
     if (width == 0 || height == 0 || x >= panel->width || y >= panel->height || width > panel->width - x ||
         height > panel->height - y)
         return false;
+    if (panel_is_paged(panel))
+        return window_paged(panel, x, y, width, height);
     /* What the memory holds beside the glass, on the side from which the turned picture counts. */
     const unsigned left = panel->x_offset, top = panel->y_offset;
     const unsigned right = PANEL_COLUMNS - left - glass_width(panel), bottom = PANEL_ROWS - top - glass_height(panel);
@@ -190,4 +260,34 @@ bool panel_window(const struct panel *panel, uint16_t x, uint16_t y, uint16_t wi
     return send_range(panel, PANEL_COLUMN_ADDRESS, before_x[panel->rotation] + x, width) &&
            send_range(panel, PANEL_ROW_ADDRESS, before_y[panel->rotation] + y, height) &&
            send(panel, PANEL_MEMORY_WRITE, NULL, 0);
+}
+
+/* Of 8 lines, the pixels x.. of each below the other. */
+static void page_of(uint8_t out[PANEL_PAGED_COLUMNS], const uint8_t *lines, size_t stride, unsigned x, unsigned width)
+{
+    for (unsigned i = 0; i < width; i++) {
+        const uint8_t *at = lines + (x + i) / 8;
+        unsigned bits = 0;
+        for (unsigned row = 0; row < PANEL_PAGE; row++, at += stride)
+            bits |= ((unsigned)*at >> (7 - (x + i) % 8) & 1) << row;
+        out[i] = (uint8_t)bits;
+    }
+}
+
+bool panel_mono(const struct panel *panel, const uint8_t *lines, size_t stride, uint16_t x, uint16_t y, uint16_t width,
+                uint16_t height)
+{
+    const struct panel_bus *bus = panel->bus;
+    const unsigned top = y / PANEL_PAGE * PANEL_PAGE;
+    const unsigned end = ((uint32_t)y + height + PANEL_PAGE - 1) / PANEL_PAGE * PANEL_PAGE;
+    if (!panel_is_paged(panel) || height == 0 || end > panel->height ||
+        !panel_window(panel, x, (uint16_t)top, width, (uint16_t)(end - top)))
+        return false;
+    for (unsigned line = top; line < end; line += PANEL_PAGE) {
+        uint8_t page[PANEL_PAGED_COLUMNS];
+        page_of(page, lines + stride * line, stride, x, width);
+        if (!bus->data(bus->context, page, width))
+            return false;
+    }
+    return true;
 }

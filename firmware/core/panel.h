@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * MIPI-DCS panels: how to start one, where the next pixels go, how to leave it. Bytes go out through a bus that the
+ * MIPI-DCS panels, and the SSD1306: how to start one, where the next pixels go, how to leave it. Bytes go out through a bus that the
  * caller provides: the firmware's SPI, or the host's GPIO lines. */
 #ifndef PANEL_H
 #define PANEL_H
@@ -9,11 +9,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Stored as uint8_t. Both have 240 columns and 320 rows of memory, of which a smaller glass shows a part. */
-enum panel_controller { PANEL_ST7789, PANEL_ILI9341, PANEL_CONTROLLERS };
-enum { PANEL_COLUMNS = 240, PANEL_ROWS = 320 };
+/* Stored as uint8_t. The first two have 240 columns and 320 rows of memory, the SSD1306 128 and 64 of one bit, in pages of 8 rows; a
+ * smaller glass shows a part. */
+enum panel_controller { PANEL_ST7789, PANEL_ILI9341, PANEL_SSD1306, PANEL_CONTROLLERS };
+enum { PANEL_COLUMNS = 240, PANEL_ROWS = 320, PANEL_PAGED_COLUMNS = 128, PANEL_PAGED_ROWS = 64, PANEL_PAGE = 8 };
 
-/* The commands of the MIPI Display Command Set that both know. */
+/* The commands of the MIPI Display Command Set that ST7789 and ILI9341 know. */
 enum panel_command {
     PANEL_NOP = 0x00,
     PANEL_SOFTWARE_RESET = 0x01,
@@ -41,6 +42,28 @@ enum {
     PANEL_FORMAT_666 = 0x66 /* after a reset: a byte a channel */
 };
 
+/* Those of the SSD1306 (Solomon Systech, data sheet rev. 1.1, section 9). All of their bytes go with D/C low; data with D/C high are pixels. */
+enum panel_paged_command {
+    PANEL_PAGED_MODE = 0x20,        /* a byte: 0: column by column, then page by page, within the window */
+    PANEL_PAGED_COLUMNS_ARE = 0x21, /* first and last */
+    PANEL_PAGED_PAGES_ARE = 0x22,   /* first and last */
+    PANEL_PAGED_START_LINE = 0x40,  /* 0x40 and the row of memory at the top */
+    PANEL_PAGED_CONTRAST = 0x81,    /* a byte */
+    PANEL_PAGED_PUMP = 0x8d,        /* a byte: 0x14: the panel's voltage is pumped from the logic's */
+    PANEL_PAGED_SEGMENTS = 0xa0,    /* 0xa1: column 0 is the last segment */
+    PANEL_PAGED_FROM_MEMORY = 0xa4,
+    PANEL_PAGED_NORMAL = 0xa6,   /* 0xa7: a 1 is dark */
+    PANEL_PAGED_ROWS_ARE = 0xa8, /* a byte: the number of rows, less 1 */
+    PANEL_PAGED_OFF = 0xae,
+    PANEL_PAGED_ON = 0xaf,
+    PANEL_PAGED_SCAN = 0xc0,      /* 0xc8: from the last row */
+    PANEL_PAGED_OFFSET = 0xd3,    /* a byte */
+    PANEL_PAGED_CLOCK = 0xd5,     /* a byte */
+    PANEL_PAGED_PRECHARGE = 0xd9, /* a byte */
+    PANEL_PAGED_PINS = 0xda,      /* a byte: 0x12: rows alternate between two sides, 0x02: one after the other */
+    PANEL_PAGED_DESELECT = 0xdb   /* a byte */
+};
+
 enum { PANEL_OFF = 0, PANEL_BRIGHTEST = 100 }; /* percent */
 
 /* What panel.c needs of a board. Functions return false where the bus failed; then the panel call does, too. */
@@ -66,19 +89,30 @@ struct panel {
 };
 
 /* Sets all but the bus to the usual values for a glass of this size: ST7789 as 240x320, 240x280, 240x240, 172x320, 170x320 or
- * 135x240 with its offset, ILI9341 as 240x320. False: no glass of this size is known; the offset is then 0, 0. */
+ * 135x240 with its offset, ILI9341 as 240x320, SSD1306 as 128x64, 128x32, 72x40 or 64x48. False: no glass of this size is known; the
+ * offset is then 0, 0. */
 bool panel_defaults(struct panel *panel, enum panel_controller controller, uint8_t rotation, uint16_t width,
                     uint16_t height);
-/* Whether the glass lies within the controller's memory and the other fields are valid. */
+/* Whether the glass lies within the controller's memory and the other fields are valid: of an SSD1306 only half turns, and whole pages. */
 bool panel_fits(const struct panel *panel);
+/* Is its memory in pages of 8 rows, one bit a pixel? */
+static inline bool panel_is_paged(const struct panel *panel)
+{
+    return panel->controller == PANEL_SSD1306;
+}
 
-/* Reset and initialisation, a quarter of a second: awake, RGB565, still dark, since the memory holds noise. */
+/* Reset and initialisation, a quarter of a second: awake, RGB565 or one bit a pixel, still dark, since the memory holds noise. */
 bool panel_start(const struct panel *panel);
-/* Display and backlight, after the first picture: on, at so many percent of its brightness, 1..100; or off, 0. */
+/* Display and backlight, after the first picture: on, at so many percent of its brightness, 1..100; or off, 0. An SSD1306 has no
+ * backlight: 1..100 are the same. */
 bool panel_show(const struct panel *panel, uint8_t percent);
 /* A window and the command that takes its pixels: width x height RGB565, high byte first, follow by bus->data, in as many
- * calls as you like. False also if the window is empty or leaves the picture; then nothing is sent. */
+ * calls as you like. Of an SSD1306 y and height are whole pages, and width x height / 8 bytes follow: 8 pixels below each other, the
+ * uppermost in the lowest bit. False also if the window is empty or leaves the picture; then nothing is sent. */
 bool panel_window(const struct panel *panel, uint16_t x, uint16_t y, uint16_t width, uint16_t height);
+/* Sends a part of a picture in GLINT_MONO, whose first line is `lines`, to an SSD1306: rows are rounded out to pages. False as above. */
+bool panel_mono(const struct panel *panel, const uint8_t *lines, size_t stride, uint16_t x, uint16_t y, uint16_t width,
+                uint16_t height);
 /* Dark and asleep, also in the middle of pixels. panel_start wakes it again. */
 bool panel_stop(const struct panel *panel);
 

@@ -134,7 +134,8 @@ static void write_numbers(const char *name, const char *suffix, unsigned number,
     c_begin_array("static ", words ? "uint16_t" : "uint8_t", name, whole, out);
     for (size_t i = 0; i < count; i++)
         fprintf(out, "%s%u%s", i % 18 ? " " : "\n    ",
-                words ? ((const uint16_t *)values)[i] : ((const uint8_t *)values)[i], i + 1 < count ? "," : "");
+                words ? (unsigned)((const uint16_t *)values)[i] : (unsigned)((const uint8_t *)values)[i],
+                i + 1 < count ? "," : "");
     fputs("\n};\n", out);
 }
 
@@ -256,7 +257,7 @@ static uint8_t *put_all(uint8_t *at, const struct baked_mesh *baked, size_t coun
     return at;
 }
 
-enum { RAW_COLORS = 256, RAW_TEXTURES = 512 };
+enum { RAW_COLORS = 256, RAW_TEXTURES = 1024 };
 
 /* Of all textures with their numbers. */
 static size_t raw_texture_bytes(const struct baked_mesh *baked)

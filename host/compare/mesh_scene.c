@@ -95,8 +95,10 @@ static unsigned level_of(const struct glint_texture *texture, double (*corners)[
         q[k] = corners[2][k] - corners[0][k];
     }
     double texels = fabs(p[0] * q[1] - p[1] * q[0]) / 2 * texture->w * texture->h;
-    for (; level + 1u < texture->levels && texels >= 2 * area; texels /= 4)
+    while (level + 1u < texture->levels && texels >= 2 * area) {
+        texels /= 4;
         level++;
+    }
     return level;
 }
 

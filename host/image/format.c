@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "image/format.h"
 
-#define FORMAT_NAME(number, name, bytes, channels, red, green, blue) name,
+#define FORMAT_NAME(number, name, bits, channels, red, green, blue) name,
 const char *const format_names[] = {GLINT_FORMATS(FORMAT_NAME) NULL};
 const char *const space_names[] = {"gamma", "linear", NULL};
 
-#define FORMAT_TRAITS(number, name, bytes, channels, red, green, blue) {bytes, channels, {red, green, blue}},
+#define FORMAT_TRAITS(number, name, bits, channels, red, green, blue) {bits, channels, {red, green, blue}},
 static const struct {
-    uint8_t bytes, channels, max[3];
+    uint8_t bits, channels, max[3];
 } format_traits[] = {GLINT_FORMATS(FORMAT_TRAITS)};
 
 const char *format_meaning(enum glint_format format)
@@ -29,6 +29,10 @@ const char *format_meaning(enum glint_format format)
         return "Blue first, and a byte of 255: LVGL's XRGB8888";
     case GLINT_ARGB8888:
         return "Blue first, and the mask as alpha: LVGL's ARGB8888";
+    case GLINT_GREY4:
+        return "16 greys, 2 pixels a byte: e-paper and OLED";
+    case GLINT_GREY2:
+        return "4 greys, 4 pixels a byte: try dither";
     }
     return "";
 }
@@ -45,7 +49,12 @@ unsigned format_max(enum glint_format format, unsigned channel)
 
 size_t format_line_bytes(enum glint_format format, size_t width)
 {
-    return format == GLINT_MONO ? (width + 7) / 8 : format_traits[format].bytes * width;
+    return (format_traits[format].bits * width + 7) / 8;
+}
+
+size_t format_byte_pixels(enum glint_format format)
+{
+    return format_traits[format].bits < 8 ? 8 / format_traits[format].bits : 1;
 }
 
 void format_unpack(const uint8_t *line, enum glint_format format, size_t x, uint8_t *values)
@@ -68,13 +77,17 @@ void format_unpack(const uint8_t *line, enum glint_format format, size_t x, uint
     case GLINT_XRGB8888:
     case GLINT_ARGB8888:
         for (unsigned k = 0; k < 3; k++)
-            values[k] = line[format_traits[format].bytes * x + 2 - k];
+            values[k] = line[format_traits[format].bits / 8 * x + 2 - k];
         break;
     case GLINT_GREY8:
         values[0] = line[x];
         break;
     case GLINT_MONO:
-        values[0] = line[x / 8] >> (7 - x % 8) & 1;
+    case GLINT_GREY4:
+    case GLINT_GREY2: {
+        const unsigned bits = format_traits[format].bits;
+        values[0] = (uint8_t)(line[x * bits / 8] >> (8 - bits - x * bits % 8) & format_traits[format].max[0]);
         break;
+    }
     }
 }

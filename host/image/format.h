@@ -18,12 +18,13 @@ static inline bool format_is_565(enum glint_format format)
     return format == GLINT_RGB565 || format == GLINT_RGB565_SWAPPED;
 }
 /* "rgb565, rgb565-swapped, ..., ", for help; and what one means: half a sentence. */
-#define FORMAT_WORD(number, name, bytes, channels, red, green, blue) name ", "
+#define FORMAT_WORD(number, name, bits, channels, red, green, blue) name ", "
 #define FORMAT_WORDS GLINT_FORMATS(FORMAT_WORD)
 const char *format_meaning(enum glint_format format);
 unsigned format_channels(enum glint_format format);
 unsigned format_max(enum glint_format format, unsigned channel); /* the highest level */
 size_t format_line_bytes(enum glint_format format, size_t width);
+size_t format_byte_pixels(enum glint_format format); /* how many pixels share a byte: 8, 4, 2, else 1 */
 /* The levels of pixel x of a line as the library wrote it, one a channel. */
 void format_unpack(const uint8_t *line, enum glint_format format, size_t x, uint8_t *values);
 

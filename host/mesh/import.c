@@ -94,8 +94,8 @@ static struct soup *receive_soup(struct reader *reader)
                           .part_count = (unsigned)head.part_count};
     if (!soup->name)
         fail("out of memory");
-    if (head.picture_count > soup->part_count)
-        fail("%s: has more textures than materials; export it again", soup->name);
+    if (head.picture_count > 2 * (uint64_t)soup->part_count)
+        fail("%s: has more than two textures a material; export it again", soup->name);
     soup->picture_count = (unsigned)head.picture_count;
     soup->materials = allocate(soup->part_count, sizeof *soup->materials);
     soup->pictures = allocate(soup->picture_count + 1, sizeof *soup->pictures);

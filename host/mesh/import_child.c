@@ -253,6 +253,15 @@ static void set_texture(const struct aiMaterial *from, bool linear, struct impor
     }
 }
 
+/* The picture of a glTF's roughness and metal. */
+static void set_look(const struct aiMaterial *from, struct import_pictures *pictures, struct mesh_material *material)
+{
+    struct aiString name;
+    if (lib.aiGetMaterialString(from, AI_MATKEY_TEXTURE(aiTextureType_UNKNOWN, 0), &name) == aiReturn_SUCCESS &&
+        name.length)
+        material->look_picture = import_pictures_find(pictures, name.data) + 1;
+}
+
 static const struct aiScene *read_scene(const struct import_source *source)
 {
     const unsigned steps = aiProcess_Triangulate | aiProcess_PreTransformVertices;
@@ -280,10 +289,12 @@ void import_child(const struct import_source *source, int out)
     struct import_head head = head_of(scene, strcmp(source->ending, ".stl") == 0);
     struct mesh_material *materials = allocate(scene->mNumMaterials, sizeof *materials);
     struct placing *placings = allocate(scene->mNumMaterials + 1, sizeof *placings);
-    struct import_pictures pictures = {scene, source, 0, allocate(scene->mNumMaterials, sizeof *pictures.of)};
+    struct import_pictures pictures = {scene, source, 0, allocate(scene->mNumMaterials, 2 * sizeof *pictures.of)};
     for (unsigned i = 0; i < scene->mNumMaterials; i++) {
         materials[i] = material_of(scene->mMaterials[i], linear);
         placings[i] = plain_placing;
+        if (source->textures && linear)
+            set_look(scene->mMaterials[i], &pictures, &materials[i]);
         if (source->textures)
             set_texture(scene->mMaterials[i], linear, &pictures, &materials[i], &placings[i]);
     }

@@ -55,7 +55,7 @@ static uint8_t *decode_png(const struct source *source, struct head *head)
     image.format = PNG_FORMAT_RGBA;
     image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
     if (good) {
-        pixels = allocate(PNG_IMAGE_SIZE(image), 1);
+        pixels = allocate((size_t)head->width * head->height, 4);
         good = png_image_finish_read(&image, NULL, pixels, 0, NULL) != 0;
     }
     if (!good) {

@@ -16,7 +16,7 @@ struct import_pictures {
     const struct aiScene *scene;
     const struct import_source *source;
     unsigned count;
-    struct import_found *of; /* room for one a material */
+    struct import_found *of; /* room for two a material */
 };
 /* The number of the picture of this name: one that the mesh holds, or a regular file in the mesh's folder or below it. */
 unsigned import_pictures_find(struct import_pictures *pictures, const char *name);

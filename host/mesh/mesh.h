@@ -14,6 +14,7 @@ struct mesh_material {
     unsigned n; /* 0: not said */
     bool has_roughness;
     double roughness, metallic; /* glTF's */
+    unsigned look_picture;      /* green and blue are times these; its number + 1; 0: none */
     uint8_t tint[3];            /* of a metal's highlight: the colour, or the picture's mean */
     unsigned picture;           /* its number + 1; 0: none */
     bool is_nearest, clamps;    /* the picture's pixels are not blended; it does not repeat */

@@ -9,6 +9,7 @@
 #include "base/message.h"
 #include "mesh/import_picture.h"
 #include "mesh/texture.h"
+#include "models/models.h"
 
 /* ---- pictures ---- */
 
@@ -27,6 +28,23 @@ static void use_one_picture(struct soup *soup, const char *path)
         for (int k = 0; k < 3; k++)
             material->factor[k] = 1;
     }
+}
+
+/* A picture of roughness and metal becomes its mean: a part has one shininess. */
+static void take_look(const struct soup *soup, struct mesh_material *material)
+{
+    double sum[3] = {0};
+    if (!material->look_picture || material->look_picture > soup->picture_count)
+        return;
+    const struct mesh_picture *picture = &soup->pictures[material->look_picture - 1];
+    const size_t pixels = (size_t)picture->width * picture->height;
+    if (!picture->rgb)
+        return;
+    for (size_t i = 0; i < 3 * pixels; i++)
+        sum[i % 3] += picture->rgb[i];
+    material->has_roughness = true;
+    material->roughness *= sum[1] / (255 * (double)pixels);
+    material->metallic *= sum[2] / (255 * (double)pixels);
 }
 
 /* Parts whose picture is not there have none. Returns whether any has. */
@@ -119,48 +137,47 @@ static void fold_colors(struct soup *soup)
         warn("%s: has textures and colours of vertices; the colours are left out", soup->name);
 }
 
-static bool is_white(const double factor[3])
+static bool is_factor(const double factor[3], const double other[3])
 {
-    return factor[0] == 1 && factor[1] == 1 && factor[2] == 1;
+    return factor[0] == other[0] && factor[1] == other[1] && factor[2] == other[2];
 }
 
 /* The picture times the factor, in linear light. */
-static struct mesh_picture multiplied(const struct mesh_picture *from, const double factor[3])
+static void multiply(struct mesh_picture *picture, const struct mesh_picture *from, const double factor[3])
 {
     uint8_t levels[3][256];
     const size_t samples = (size_t)3 * from->width * from->height;
-    struct mesh_picture picture = {strdup(from->name), from->width, from->height, allocate(samples, 1)};
-    if (!picture.name)
+    *picture = (struct mesh_picture){strdup(from->name), from->width, from->height, allocate(samples, 1)};
+    if (!picture->name)
         fail("out of memory");
     for (int i = 0; i < 3 * 256; i++) {
         const double value = fmin(1, fmax(0, factor[i / 256])) * texture_decode(i % 256 / 255.);
         levels[i / 256][i % 256] = (uint8_t)lround(255 * texture_encode(value));
     }
     for (size_t i = 0; i < samples; i++)
-        picture.rgb[i] = levels[i % 3][from->rgb[i]];
-    return picture;
+        picture->rgb[i] = levels[i % 3][from->rgb[i]];
 }
 
 /* Of each picture and factor one picture. */
 static void multiply_pictures(struct soup *soup)
 {
+    static const double white[3] = {1, 1, 1};
     const unsigned count = soup->picture_count;
-    struct mesh_picture *all = realloc(soup->pictures, (count + soup->part_count) * sizeof *all);
+    struct mesh_picture *all = allocate(count + soup->part_count, sizeof *all);
     unsigned *from = allocate(soup->part_count, sizeof *from);
-    if (!all)
-        fail("out of memory");
+    memcpy(all, soup->pictures, count * sizeof *all);
+    free(soup->pictures);
     soup->pictures = all;
     for (unsigned i = 0; i < soup->part_count; i++) {
         struct mesh_material *material = &soup->materials[i];
         unsigned same = 0;
         from[i] = material->picture;
-        if (!material->picture || is_white(material->factor))
+        if (!material->picture || is_factor(material->factor, white))
             continue;
-        while (same < i && (from[same] != from[i] ||
-                            memcmp(soup->materials[same].factor, material->factor, sizeof material->factor) != 0))
+        while (same < i && (from[same] != from[i] || !is_factor(soup->materials[same].factor, material->factor)))
             same++;
         if (same == i)
-            all[soup->picture_count++] = multiplied(&all[material->picture - 1], material->factor);
+            multiply(&all[soup->picture_count++], &all[material->picture - 1], material->factor);
         material->picture = same < i ? soup->materials[same].picture : soup->picture_count;
     }
     free(from);
@@ -216,8 +233,8 @@ static void settle_materials(struct soup *soup)
             memcpy(material->tint, material->color, sizeof material->tint);
         if (!material->has_roughness)
             continue;
-        const double r = fmax(material->roughness, .01), n = 2 / (r * r * r * r) - 2;
-        material->n = (unsigned)lround(fmin(1000, fmax(1, n)));
+        const double n = shininess_of_roughness(material->roughness);
+        material->n = shininess_held(n);
         too_smooth |= n > 1000.5;
     }
     if (too_smooth)
@@ -228,6 +245,9 @@ void mesh_surface_begin(struct soup *soup, const struct mesh_source *source)
 {
     if (source->texture)
         use_one_picture(soup, source->texture);
+    else
+        for (unsigned i = 0; i < soup->part_count; i++)
+            take_look(soup, &soup->materials[i]);
     soup->has_uv = find_pictures(soup);
     if (soup->has_uv) {
         soup_check_uv(soup);

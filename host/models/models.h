@@ -25,7 +25,7 @@ struct model_facts {
 };
 
 /* One for each line of GLINT_MODELS. */
-#define MODEL_FACTS(number, name, function, use) extern const struct model_facts model_##name;
+#define MODEL_FACTS(number, name, function, use, grain) extern const struct model_facts model_##name;
 GLINT_MODELS(MODEL_FACTS)
 extern const struct model_facts *const model_facts[]; /* by enum glint_model */
 extern const char *const model_names[];               /* "msh" ..., by enum glint_model; NULL at the end */
@@ -37,12 +37,11 @@ double shininess_of_roughness(double roughness);
 unsigned shininess_held(double n); /* to nearest, 1..1000 */
 /* Can it have a grain, that is, n_across? */
 bool model_has_grain(enum glint_model model);
-/* The shininess by which its formula has the value of a grain at c: so much along it and across it; h_t_square: (H.T)^2, T the unit
- * direction of the grain. */
+/* Its value with a grain, n along it and n_across across it; h_t_square: (H.T)^2, T the unit direction of the grain. */
 double model_grained(enum glint_model model, double n, double n_across, double c, double h_t_square);
 
 /* "msh, schlick, ..., ", for help. */
-#define MODEL_WORD(number, name, function, use) #name ", "
+#define MODEL_WORD(number, name, function, use, grain) #name ", "
 #define MODEL_WORDS GLINT_MODELS(MODEL_WORD)
 
 enum glint_model parse_model(const struct argp_state *state, const char *option, const char *text);

@@ -11,21 +11,19 @@ void changes_init(struct changes *changes, uint16_t width, uint16_t height)
     *changes = (struct changes){.width = width, .height = height, .marks = allocate((size_t)width * height, 1)};
 }
 
-static size_t pixel_bytes(enum glint_format format)
+/* Of pixels that share a byte: their bits. */
+static bool differs(const uint8_t *a, const uint8_t *b, size_t x, size_t bytes, size_t shared)
 {
-    return format == GLINT_MONO ? 0 : format_line_bytes(format, 1);
-}
-
-static bool differs(const uint8_t *a, const uint8_t *b, size_t x, size_t bytes)
-{
-    return bytes ? memcmp(&a[x * bytes], &b[x * bytes], bytes) != 0 : ((a[x / 8] ^ b[x / 8]) >> (7 - x % 8) & 1) != 0;
+    const size_t bits = 8 / shared, down = 8 - bits - x % shared * bits;
+    return shared == 1 ? memcmp(&a[x * bytes], &b[x * bytes], bytes) != 0
+                       : ((unsigned)(a[x / shared] ^ b[x / shared]) >> down & ((1u << bits) - 1)) != 0;
 }
 
 /* Marks each pixel that differs and grows a box around the marks. A line that is equal as a whole, as most are, costs one
  * memcmp; without a frame before, every pixel counts as changed. */
 void changes_find(struct changes *changes, const uint8_t *last, const struct frame *now)
 {
-    const size_t bytes = pixel_bytes(now->format);
+    const size_t bytes = format_line_bytes(now->format, 1), shared = format_byte_pixels(now->format);
     unsigned left = now->width, right = 0, top = now->height, bottom = 0;
     changes->count = 0;
     for (unsigned y = 0; y < now->height; y++) {
@@ -36,7 +34,7 @@ void changes_find(struct changes *changes, const uint8_t *last, const struct fra
             continue;
         unsigned first = now->width, end = 0;
         for (unsigned x = 0; x < now->width; x++) {
-            if (last && !differs(a, b, x, bytes))
+            if (last && !differs(a, b, x, bytes, shared))
                 continue;
             marks[x] = 1;
             changes->count++;

@@ -51,8 +51,8 @@ struct plan *plan_new(const struct sink *sink)
     struct plan *plan = allocate(1, sizeof *plan);
     plan->sink = sink;
     plan->align_x = sink->align_x > 1 ? sink->align_x : 1;
-    if (sink->format == GLINT_MONO && !sink->kind->pixels.pack) /* lines of a box begin on a byte */
-        while (plan->align_x % 8)
+    if (!sink->kind->pixels.pack) /* lines of a box begin on a byte */
+        while (plan->align_x % format_byte_pixels(sink->format))
             plan->align_x += sink->align_x > 1 ? sink->align_x : 1u;
     changes_init(&plan->changes, sink->width, sink->height);
     if (sink->lz4)

@@ -68,17 +68,14 @@ $(BENCH)/lib-%/done: $(wildcard lib/*) tests/bench/bench.mk
 	@cd $(@D) && for source in $(abspath $(wildcard lib/*.c lib/*.S)); do $(BENCH_COMPILE) -c $$source || exit 1; done
 	@touch $@
 .PRECIOUS: $(BENCH)/lib-%/done
-# What the program of loops has no room for.
-BENCH_OF_MESHES = $(addprefix %/,mesh.o mesh_across.o mesh_edges.o mesh_pose.o mesh_rows.o mesh_strip.o mesh_texture.o mesh_triangle.o fused_mesh.o \
-	cortex_m0plus_mesh.o cortex_m0plus_pose.o cortex_m0plus_strip.o cortex_m0plus_texture.o cortex_m0plus_triangle.o)
 
 $(BENCH)/m0plus-%.elf: $(BENCH)/lib-%/done $(BENCH_INPUTS) tests/bench/calibrate.S
 	@$(BENCH_COMPILE) $(BENCH_FLAGS) \
-		-nostartfiles -T tests/bench/m0plus.ld $(filter-out $(BENCH_OF_MESHES),$(BENCH_LIB)) $(filter-out lib/%,$(BENCH_SOURCES)) tests/bench/calibrate.S -lm -o $@
+		-nostartfiles -T tests/bench/m0plus.ld -Wl,--gc-sections $(BENCH_LIB) $(filter-out lib/%,$(BENCH_SOURCES)) tests/bench/calibrate.S -lm -o $@
 
 $(BENCH)/mesh-%.elf: $(BENCH)/lib-%/done $(BENCH_MESH_SOURCES) $(BENCH_MESH_INPUTS) $(if $(BENCH_BUNNY),$(BENCH_MESH)/bunny.h) $(BENCH_INPUTS) tests/bench/calibrate.S
 	@$(BENCH_COMPILE) -Ilib -I$(BENCH_MESH) -DMESH_BUNNY=$(if $(BENCH_BUNNY),1,0) \
-		-nostartfiles -T tests/bench/m0plus.ld -Wl,--wrap=glint_mesh_rows $(BENCH_MESH_SOURCES) $(BENCH_LIB) tests/bench/calibrate.S -o $@
+		-nostartfiles -T tests/bench/m0plus.ld -Wl,--gc-sections -Wl,--wrap=glint_mesh_rows $(BENCH_MESH_SOURCES) $(BENCH_LIB) tests/bench/calibrate.S -o $@
 
 # As shipped: no normals of it are 180 degrees apart.
 $(BENCH_MESH)/teapot.h: $(BUILD)/glint

@@ -29,7 +29,7 @@ void evaluation_begin(uint32_t n)
 #define MODEL_ROWS_own(function, number)                                                                               \
     FROM_C(glint_##function, number, "exact"), FROM_T(glint_##function##_t, number, "from t"),
 #define MODEL_ROWS_shared(function, number)
-#define MODEL_ROWS(number, name, function, use) MODEL_ROWS_##use(function, number)
+#define MODEL_ROWS(number, name, function, use, grain) MODEL_ROWS_##use(function, number)
 
 const struct evaluation evaluations[] = {
     GLINT_MODELS(MODEL_ROWS){"glint_lobe_eval_t", "MSH, with its cutoff", 0, glint_lobe_eval_t, 0, TAKES_LOBE,

@@ -52,6 +52,8 @@ void bench_line_begin(uint16_t y)
             sphere_expand(bench_albedo[x], sphere_albedo(x, y));
         if (bench_loop->look.gloss)
             bench_gloss[x] = sphere_gloss(x, y);
+        if (bench_loop->look.grain >= GRAIN_MAP)
+            bench_gloss[x] = sphere_grain_byte(&bench_loop->look, x, y);
 #ifndef __AVR__
         bench_albedo_565[x] = sphere_albedo(x, y);
 #endif
@@ -119,7 +121,7 @@ static void palette(void)
 #define IS_RECT_msh ,
 #define THIRD(a, b, third, ...) third
 #define CHOOSE(...) THIRD(__VA_ARGS__, )
-#define MODEL_ROW(number, name, function, use) CHOOSE(IS_RECT_##name, ROW_NO, ROW_YES)(number, name)
+#define MODEL_ROW(number, name, function, use, grain) CHOOSE(IS_RECT_##name, ROW_NO, ROW_YES)(number, name)
 
 /* clang-format off */
 const struct bench_loop bench_loops[] = {
@@ -128,6 +130,7 @@ const struct bench_loop bench_loops[] = {
     {"exact rgb888", WHAT("exact rect"), EXACT, INT16, .look = {.format = GLINT_RGB888}, .once = true},
     {"exact grey", WHAT("exact rect"), EXACT, INT16, .look = {.format = GLINT_GREY8}, .once = true},
     {"exact mono", WHAT("exact rect"), EXACT, INT16, .look = {.format = GLINT_MONO}, .once = true},
+    {"exact grey4", WHAT("exact rect, GREY4, dithered"), EXACT, INT16, .look = {.format = GLINT_GREY4, .dither = true}, .once = true},
     {"exact linear", WHAT("exact rect, linear space"), EXACT, INT16, .look = {.space = GLINT_LINEAR}, .once = true},
     {"exact linear 888", WHAT("the same, RGB888"), EXACT, INT16, .look = {.format = GLINT_RGB888, .space = GLINT_LINEAR}, .once = true},
     {"exact linear grey", WHAT("the same, GREY8"), EXACT, INT16, .look = {.format = GLINT_GREY8, .space = GLINT_LINEAR}, .once = true},
@@ -141,6 +144,10 @@ const struct bench_loop bench_loops[] = {
     {"exact coverage all 888", WHAT("the same, RGB888"), EXACT, INT16, .look = {.format = GLINT_RGB888}, .pack = bench_soft_all, .once = true},
     {"exact coverage all grey", WHAT("the same, GREY8"), EXACT, INT16, .look = {.format = GLINT_GREY8}, .pack = bench_soft_all, .once = true},
     {"exact coverage all linear", WHAT("the same, RGB565 in linear space"), EXACT, INT16, .look = {.space = GLINT_LINEAR}, .pack = bench_soft_all, .once = true},
+    {"exact brushed", WHAT("exact rect, n_across 8, brushed"), EXACT, INT16, .look = {.grain = GRAIN_BRUSHED}, .once = true},
+    {"exact spun", WHAT("the same, spun"), EXACT, INT16, .look = {.grain = GRAIN_SPUN}, .once = true},
+    {"exact grain map", WHAT("the same, a map of grain"), EXACT, .look = {.grain = GRAIN_MAP}, .map_bytes = 7, .once = true},
+    {"exact shininess", WHAT("exact rect, a map of shininess"), EXACT, .look = {.grain = GRAIN_SHININESS}, .map_bytes = 7, .once = true},
     {"exact span 16", WHAT("glint_draw_span by an exact paint, spans of 16"),
      exact_fill, bench_light, .prepare = bench_spans_16, .shade = bench_span, .step = 4},
     {"exact span 64", WHAT("the same, spans of 64"),

@@ -35,7 +35,7 @@ extern struct glint_paint bench_paint;
 #ifdef __AVR__
 enum { BENCH_TABLES = 0, BENCH_MEMORY = 3 * SPHERE_W };
 #else
-enum { BENCH_MEMORY = 128 * 1024, BENCH_TABLES = GLINT_TABLES_DITHER_BYTES /* the largest */ };
+enum { BENCH_MEMORY = 96 * 1024, BENCH_TABLES = GLINT_TABLES_DITHER_BYTES /* the largest */ };
 #endif
 extern uint32_t bench_memory[BENCH_MEMORY / 4];
 #define BENCH_AFTER_TABLES ((void *)(bench_memory + BENCH_TABLES / 4))

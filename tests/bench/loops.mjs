@@ -5,7 +5,7 @@ import { FLASH_WORD, flashWaits } from './flash.mjs'
 import { line } from './print.mjs'
 
 const RGB888 = 2
-const LOOK = 7 // struct sphere_look (sphere.h)'s bytes
+const LOOK = 8 // struct sphere_look (sphere.h)'s bytes
 
 // The program's bench_loops[] (loops.h).
 export function loopRows(machine) {

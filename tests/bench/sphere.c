@@ -22,6 +22,7 @@ void sphere_material(struct glint_material *material, struct glint_output *outpu
     material->model = look->model;
     material->q = SPHERE_Q;
     material->n = (uint16_t)n;
+    material->n_across = look->grain != GRAIN_NONE && look->grain != GRAIN_SHININESS ? 8 : 0;
     for (int k = 0; k < 3; k++) {
         if (look->albedo)
             material->diffuse_q16[k] = clay.diffuse_q16[0];
@@ -95,4 +96,20 @@ void sphere_expand(uint8_t rgb[3], uint16_t rgb565)
 uint8_t sphere_gloss(uint16_t x, uint16_t y)
 {
     return (uint8_t)(128 + (wave(3u * x + 2u * y) >> 1));
+}
+
+uint8_t sphere_grain_byte(const struct sphere_look *look, uint16_t x, uint16_t y)
+{
+    const uint8_t at = wave(3u * x + 2u * y);
+    return look->grain == GRAIN_SHININESS ? (uint8_t)(128 + (at >> 3)) : at; /* n = 32..78 */
+}
+
+void sphere_grain(struct glint_maps *maps, const struct sphere_look *look, const uint8_t *bytes, ptrdiff_t stride)
+{
+    maps->grain = look->grain == GRAIN_MAP ? bytes : NULL;
+    maps->shininess = look->grain == GRAIN_SHININESS ? bytes : NULL;
+    maps->grain_stride = maps->shininess_stride = stride;
+    maps->grain_kind = look->grain == GRAIN_SPUN ? GLINT_GRAIN_SPUN : GLINT_GRAIN_BRUSHED;
+    maps->grain_at[0] = look->grain == GRAIN_SPUN ? 8 * SPHERE_W : 3; /* its middle, or a slanted direction */
+    maps->grain_at[1] = look->grain == GRAIN_SPUN ? 8 * SPHERE_H : 1;
 }

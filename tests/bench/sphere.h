@@ -30,6 +30,9 @@ enum sphere_lights {
     LIGHTS_FOUR_16
 };
 
+/* Grain with n_across = 8, or a map of shininess. */
+enum sphere_grain { GRAIN_NONE, GRAIN_BRUSHED, GRAIN_SPUN, GRAIN_MAP, GRAIN_SHININESS };
+
 /* How it looks, but for n: what a loop draws, and the exact picture to which that is compared. */
 struct sphere_look {
     uint8_t model;  /* enum glint_model */
@@ -37,6 +40,7 @@ struct sphere_look {
     uint8_t space;  /* enum glint_space */
     bool dither, albedo, gloss;
     uint8_t lights; /* enum sphere_lights */
+    uint8_t grain;  /* enum sphere_grain */
 };
 
 /* Its material and output. Under an albedo map the light is white: the diffuse part is grey. */
@@ -50,5 +54,8 @@ extern const int32_t sphere_viewer[3];
 uint16_t sphere_albedo(uint16_t x, uint16_t y);
 void sphere_expand(uint8_t rgb[3], uint16_t rgb565);
 uint8_t sphere_gloss(uint16_t x, uint16_t y);
+/* A line's, or all, of grain and of shininess (`bytes`). */
+void sphere_grain(struct glint_maps *maps, const struct sphere_look *look, const uint8_t *bytes, ptrdiff_t stride);
+uint8_t sphere_grain_byte(const struct sphere_look *look, uint16_t x, uint16_t y);
 
 #endif

@@ -11,7 +11,7 @@ const phasesOf = (row) => row.look[3] ? 4 : 1 // dithered, a pixel's threshold i
 
 // Exact rectangles of INT16 normals under the one white light.
 export const worstRows = (machine) => loopRows(machine).filter(({ fill, shade, map, look }) =>
-  fill === (machine.address('exact_fill') | 1) && shade === (machine.address('bench_rect') | 1) && map === 0 && look[6] === 0)
+  fill === (machine.address('exact_fill') | 1) && shade === (machine.address('bench_rect') | 1) && map === 0 && look[6] === 0 && look[7] === 0)
 
 function begin(machine, row) {
   machine.call('bench_begin', [row.at, N])

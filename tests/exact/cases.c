@@ -70,6 +70,17 @@ static void case_light(uint64_t *seed, struct reference *s)
         case_color(seed, &s->lights[0]);
 }
 
+/* Of GLINT_MODELS. */
+bool case_has_grain(uint8_t model)
+{
+#define GRAIN_grained true
+#define GRAIN_plain false
+#define HAS(number, name, function, use, grain) [number] = GRAIN_##grain,
+    static const bool has[] = {GLINT_MODELS(HAS)};
+#undef HAS
+    return has[model];
+}
+
 struct reference case_look(uint64_t *seed, struct glint_vec lvh[3])
 {
     static const uint16_t shininess[] = {1, 2, 3, 4, 5, 10, 60, 200, 1000};
@@ -79,6 +90,8 @@ struct reference case_look(uint64_t *seed, struct glint_vec lvh[3])
     s.material.model = (uint8_t)case_model(seed);
     s.material.n = (uint16_t)(ONE_IN(16) ? 1 + BELOW(65535) : ONE_IN(3) ? 1 + BELOW(1000) : shininess[BELOW(9)]);
     s.material.n_across = ONE_IN(3) ? s.material.n : 0;
+    if (case_has_grain(s.material.model) && ONE_IN(4)) /* n_across */
+        s.material.n_across = (uint16_t)(ONE_IN(3) ? 1 + BELOW(1200) : shininess[BELOW(9)]);
     s.material.q = (uint8_t)(ONE_IN(16) ? BELOW(256) : BELOW(17));
     do
         case_light(seed, &s);
@@ -98,7 +111,9 @@ struct reference case_look(uint64_t *seed, struct glint_vec lvh[3])
     }
     s.output.format = (uint8_t)BELOW(5);
     if (s.output.format == GLINT_RGB888 && ONE_IN(2)) /* half of these: what is found in one of them is found in all */
-        s.output.format = (uint8_t)(GLINT_BGR888 + BELOW(GLINT_FORMAT_COUNT - GLINT_BGR888));
+        s.output.format = (uint8_t)(GLINT_BGR888 + BELOW(GLINT_GREY4 - GLINT_BGR888));
+    if (s.output.format == GLINT_MONO && ONE_IN(2))
+        s.output.format = (uint8_t)(GLINT_GREY4 + BELOW(2));
     s.output.space = (uint8_t)ONE_IN(3);
     s.output.dither = ONE_IN(2);
     s.material.clamp_peak = ONE_IN(2);
@@ -135,18 +150,38 @@ struct glint_maps case_maps(uint64_t *seed, struct case_scene *s, unsigned w, un
 {
     struct glint_maps maps = {
         .albedo_format = GLINT_RGB888, .albedo_stride = 3 * CASE_W, .gloss_stride = CASE_W, .coverage_stride = CASE_W};
+    maps.grain_kind = (uint8_t)BELOW(GLINT_GRAIN_SUNRAY + 1);
+    for (int k = 0; k < 2; k++) /* a direction, or a centre near or far */
+        maps.grain_at[k] = ONE_IN(3) ? (int32_t)BELOW(16 * 65536) : ONE_IN(3) ? 0 : (int32_t)BELOW(1 << 24) - (1 << 23);
+    maps.grain_stride = maps.shininess_stride = CASE_W;
     maps.albedo = ONE_IN(2) ? s->albedo : NULL;
     maps.gloss = ONE_IN(3) ? s->gloss : NULL;
     maps.coverage = ONE_IN(3) ? s->coverage : NULL;
     const unsigned empty = ONE_IN(4) ? 2 : 5, full = 1 + BELOW(3);
     for (unsigned y = 0; y < h; y++)
         for (unsigned i = CASE_W * y; i < CASE_W * y + w; i++) {
+            s->bytes[i] = (uint8_t)BELOW(256);
             s->gloss[i] = (uint8_t)(!maps.gloss || ONE_IN(2) ? 255 : BELOW(256));
             s->coverage[i] = (uint8_t)(!maps.coverage ? 255 : ONE_IN(empty) ? 0 : ONE_IN(full) ? 255 : 1 + BELOW(255));
             for (unsigned k = 0; k < 3 && maps.albedo; k++)
                 s->albedo[3 * i + k] = (uint8_t)BELOW(256);
         }
     return maps;
+}
+
+void case_grain(uint64_t *seed, struct case_scene *s, const struct glint_material *material, bool normals,
+                struct glint_maps *maps)
+{
+    const uint32_t n = material->n < 1000 ? material->n : 1000;
+    const bool is_grained = material->n_across && material->n_across != n && (n < 1000 || material->n_across < 1000);
+    if (!case_has_grain(material->model))
+        return;
+    if (!normals)
+        maps->grain_kind = GLINT_GRAIN_BRUSHED;
+    else if (ONE_IN(4))
+        maps->grain = s->bytes;
+    if (!is_grained && !maps->grain && ONE_IN(6))
+        maps->shininess = s->bytes;
 }
 
 struct glint_surface case_target(uint64_t *seed, struct case_scene *s)
@@ -174,7 +209,7 @@ bool case_same(const struct case_scene *s, const struct glint_box *a, const stru
 }
 
 static const struct glint_use_model *const models[] = {
-#define USE(number, name, function, use) &glint_use_##name,
+#define USE(number, name, function, use, grain) &glint_use_##name,
     GLINT_MODELS(USE)
 #undef USE
 };
@@ -232,8 +267,8 @@ enum glint_err case_paint(struct glint_paint *paint, const struct reference *loo
     if (!is_gamma && !strcmp(fault, "linear-w"))
         *w = *w_maps = 0;
     if (!strcmp(fault, "high") && paint->of.exact.high && is_gamma) {
-        const bool has_threshold =
-            look->output.format != GLINT_GREY8 && look->output.format != GLINT_MONO && !look->output.dither;
+        const bool has_threshold = look->output.format != GLINT_GREY8 && look->output.format != GLINT_MONO &&
+                                   look->output.format < GLINT_GREY4 && !look->output.dither;
         for (int k = 0; k < 3 && has_threshold; k++)
             paint->of.exact.p[k] += (uint32_t)paint->of.exact.high << (paint->of.exact.shift - 15);
         paint->of.exact.high = 0;

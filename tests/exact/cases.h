@@ -32,11 +32,15 @@ enum { CASE_W = 61, CASE_H = 8, CASE_LINE = 4 * CASE_W + 13, CASE_SIZE = (CASE_H
 struct case_scene {
     struct glint_vec normals[CASE_W * CASE_H];
     uint32_t words[CASE_W * CASE_H];
-    uint8_t albedo[3 * CASE_W * CASE_H], gloss[CASE_W * CASE_H], coverage[CASE_W * CASE_H];
+    uint8_t albedo[3 * CASE_W * CASE_H], gloss[CASE_W * CASE_H], coverage[CASE_W * CASE_H], bytes[CASE_W * CASE_H];
     uint8_t out[CASE_SIZE], expected[CASE_SIZE];
 };
 /* Some of the maps, of lines from the top or the last one's, and of a line step normals; w x h pixels are set. Normals are not. */
 struct glint_maps case_maps(uint64_t *seed, struct case_scene *scene, unsigned w, unsigned h);
+/* Grain or shininess, where the material may have it. */
+void case_grain(uint64_t *seed, struct case_scene *scene, const struct glint_material *material, bool normals,
+                struct glint_maps *maps);
+bool case_has_grain(uint8_t model);
 /* Where its pixels go; up or down, at any address; both pictures are filled with CASE_GUARD. */
 struct glint_surface case_target(uint64_t *seed, struct case_scene *scene);
 /* The same place in the expected picture. */

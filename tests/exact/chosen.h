@@ -11,8 +11,8 @@
 
 #include "glint.h"
 
-#define CHOSEN_NAME(number, name, function, use) #name,
-#define CHOSEN_FUNCTION(number, name, function, use) #function,
+#define CHOSEN_NAME(number, name, function, use, grain) #name,
+#define CHOSEN_FUNCTION(number, name, function, use, grain) #function,
 static const char *const model_names[] = {GLINT_MODELS(CHOSEN_NAME)};
 /* Whose function a model's is: its own, or another's. */
 static const char *const model_functions[] = {GLINT_MODELS(CHOSEN_FUNCTION)};

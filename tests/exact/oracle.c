@@ -3,7 +3,7 @@
 
 /* ---- for any model ---- */
 
-#define ORACLE(number, name, function, use) &function##_oracle,
+#define ORACLE(number, name, function, use, grain) &function##_oracle,
 const struct oracle *const oracles[GLINT_MODEL_COUNT] = {GLINT_MODELS(ORACLE)};
 
 void oracle_printed(mpq_t f, enum glint_model model, uint32_t n, uint32_t u)

@@ -35,7 +35,7 @@ struct oracle {
     bool (*reaches)(uint32_t n, uint32_t u, unsigned q);
 };
 /* For each model with functions of its own a NAME_oracle, in oracle_NAME.c. By enum glint_model: */
-#define ORACLE_DECLARED(number, name, function, use) extern const struct oracle function##_oracle;
+#define ORACLE_DECLARED(number, name, function, use, grain) extern const struct oracle function##_oracle;
 GLINT_MODELS(ORACLE_DECLARED)
 extern const struct oracle *const oracles[GLINT_MODEL_COUNT];
 

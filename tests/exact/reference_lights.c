@@ -2,6 +2,8 @@
  * Lights as sequence.md has them, in 64 bits, a pixel after the other. */
 #include "reference_lights.h"
 
+#include <string.h>
+
 static int64_t root_of(uint64_t x)
 {
     uint64_t root = 0;
@@ -158,7 +160,7 @@ void reference_rect(const struct reference *s, const struct glint_maps *maps, ui
                                          ? 65536
                                          : reach(&s->lights[i], kinds[i], target->x + x, target->y + y, v, of[i]);
                 const uint64_t nl = att ? reference_nl(normal, of[i]) : 0;
-                const uint64_t f = nl ? reference_f(&lines, normal, of[i]) : 0;
+                const uint64_t f = nl ? reference_f(&lines, x, y, normal, of[i]) : 0;
                 send(&s->lights[i], att, nl, f, lit, shine);
                 any |= f;
             }
@@ -173,9 +175,15 @@ void reference_span(const struct reference *s, const struct glint_span *span, co
 {
     struct reference_lines lines = {s, maps, target, true, reference_t_last(s), {0, 0, 0, 0}, 0};
     uint32_t t = span->t_q30, dt = span->dt_q30, nl = (uint32_t)span->nl_q30;
+    struct glint_vec lvh[3];
+    memset(lvh, 0, sizeof lvh);
+    if (s->count)
+        (void)reference_directions(s, &s->lights[0], lvh);
     for (uint32_t x = 0; x < span->w; x++) {
         const uint32_t nl_q16 = s->count ? reference_nl_of((int32_t)nl) : 0;
-        const uint32_t f = reference_lobe(&lines, t >= UINT32_C(0xf8000000) ? 0 : t, nl_q16);
+        const uint32_t used = t >= UINT32_C(0xf8000000) ? 0 : t;
+        const uint32_t f = reference_is_grained(&lines) ? reference_span_f(&lines, span, x, used, nl_q16, lvh[2])
+                                                        : reference_lobe(&lines, used, nl_q16);
         uint64_t lit[3] = {0, 0, 0}, shine[3] = {0, 0, 0};
         if (s->count)
             send(&s->lights[0], 65536, nl_q16, f, lit, shine);

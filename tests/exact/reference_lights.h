@@ -5,9 +5,6 @@
 
 #include "reference_pixel.h"
 
-/* x / |x|; false where it does not exist. |v| < 2^62. */
-bool reference_unit(int64_t out[3], const int64_t v[3]);
-
 enum reference_kind { REFERENCE_DIRECTIONAL, REFERENCE_POINT, REFERENCE_SPOT };
 enum reference_kind reference_kind(const struct glint_light *light);
 

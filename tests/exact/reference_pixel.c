@@ -1,6 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference_pixel.h"
 
+#include <math.h>
+#include <stdlib.h>
+
+#include "glint_grain.h"
+#include "glint_math.h"
+
 #define ONE ((uint64_t)65535 << 32) /* a value of 1.0 */
 
 static int64_t dot(struct glint_vec a, struct glint_vec b)
@@ -64,9 +70,16 @@ static unsigned q_of(const struct reference *s)
         return s->material.q;
     if (s->output.space == GLINT_LINEAR)
         return 12;
-    const bool is_coarse =
-        s->output.format == GLINT_RGB565 || s->output.format == GLINT_RGB565_SWAPPED || s->output.format == GLINT_MONO;
-    return is_coarse && !s->output.dither ? 6 : 8;
+    switch ((enum glint_format)s->output.format) {
+    case GLINT_RGB565:
+    case GLINT_RGB565_SWAPPED:
+    case GLINT_GREY4:
+    case GLINT_GREY2:
+    case GLINT_MONO:
+        return s->output.dither ? 8 : 6;
+    default:
+        return 8;
+    }
 }
 
 uint32_t reference_t_last(const struct reference *s)
@@ -79,6 +92,169 @@ uint32_t reference_lobe(const struct reference_lines *lines, uint32_t t, uint32_
     const struct glint_material *m = &lines->look->material;
     const uint32_t f = nl && t <= lines->t_last ? glint_eval_t((enum glint_model)m->model, m->n, t) : 0;
     return m->clamp_peak && f > 65536 ? 65536 : f;
+}
+
+/* ---- Step 2a: m, of grain or of a map of shininess ---- */
+
+static uint32_t across_of(const struct glint_material *m)
+{
+    const uint32_t n = m->n < 1000 ? m->n : 1000, across = m->n_across < 1000 ? m->n_across : 1000;
+    return across == n ? 0 : across;
+}
+
+bool reference_is_grained(const struct reference_lines *lines)
+{
+    return across_of(&lines->look->material) || (lines->maps && lines->maps->shininess);
+}
+
+/* Upper halves, as the sequence has them. */
+static uint64_t upper_square(uint64_t a)
+{
+    const uint64_t high = a >> 16, low = a & 0xffff;
+    return high * high + (high * low >> 15);
+}
+
+static uint64_t upper_product(uint64_t a, uint64_t b)
+{
+    const uint64_t a1 = a >> 16, a0 = a & 0xffff, b1 = b >> 16, b0 = b & 0xffff;
+    return a1 * b1 + (a1 * b0 >> 16) + (a0 * b1 >> 16);
+}
+
+/* w of step 2a. */
+static uint64_t half_square(uint64_t off, uint64_t d, uint64_t s)
+{
+    int down = 11;
+    const uint64_t size = off & UINT64_C(0x80000000) ? UINT64_C(0x100000000) - off : off;
+    if (d == 0)
+        return s / 2;
+    if (size >= 1 << 30)
+        return s;
+    if (d >= 1 << 28)
+        d = (1 << 28) - 1;
+    for (; d < 1 << 27; d *= 2)
+        down--;
+    const int64_t y = glint_reciprocals[(d >> 21) - 64], e = (int64_t)d * y - (INT64_C(1) << 35), r = e >> 14;
+    const int64_t inverse = ((y << 23) + (y * ((r * r >> 13) - (e >> 6)) >> 6) + 16384) >> 15;
+    const uint64_t square = upper_square(4 * size),
+                   w = (square >> 16) * (uint64_t)inverse + ((square & 0xffff) * (uint64_t)inverse >> 16);
+    const uint64_t scaled = down >= 0 ? w >> down : w << -down;
+    return scaled < s ? scaled : s;
+}
+
+static uint32_t turned(int64_t along, int64_t h, uint32_t t)
+{
+    return (uint32_t)((int64_t)((t + 8192) >> 14) * ((along + 32768) >> 16) - along + h);
+}
+
+/* t as m takes it, Q22. */
+static uint32_t t_of_m(const struct reference_lines *lines, uint32_t t)
+{
+    if (lines->look->material.model == GLINT_GGX)
+        t -= (uint32_t)upper_square(2 * (uint64_t)t) >> 1;
+    return t >> 8;
+}
+
+static uint32_t grained(const struct reference_lines *lines, uint32_t t, uint32_t nl, uint64_t m)
+{
+    const struct glint_material *material = &lines->look->material;
+    struct glint_paint paint;
+    if (!nl || t > GLINT_T_ONE || glint_paint_exact(&paint, material, &lines->look->output))
+        return 0;
+    const struct glint_use_grain *use = paint.model->grain;
+    const unsigned q = q_of(lines->look);
+    const uint32_t f = use->reaches((uint32_t)m, t, q < 16 ? q : 16) ? use->exact((uint32_t)m, t) : 0;
+    return material->clamp_peak && f > 65536 ? 65536 : f;
+}
+
+static uint64_t m_of(const struct reference_lines *lines, uint64_t s, uint64_t w)
+{
+    const uint64_t n = lines->look->material.n < 1000 ? lines->look->material.n : 1000;
+    const uint64_t across = across_of(&lines->look->material);
+    return across * s + n * w - across * w;
+}
+
+static void axis(const struct glint_maps *maps, int64_t u[2])
+{
+    const int64_t at[3] = {maps ? maps->grain_at[0] : 0, maps ? maps->grain_at[1] : 0, 0};
+    int64_t unit[3];
+    u[0] = 32767;
+    u[1] = 0;
+    for (int k = 0; k < 2 && reference_unit(unit, at); k++) {
+        const int64_t rounded = (unit[k] + 16384) >> 15;
+        u[k] = rounded < 32767 ? rounded : 32767;
+    }
+}
+
+/* Step 2a's U and |U|^2. */
+static int64_t direction(const struct reference_lines *lines, uint32_t x, uint32_t y, int64_t u[2])
+{
+    const struct glint_maps *maps = lines->maps;
+    if (maps->grain) {
+        const double angle = maps->grain[maps->grain_stride * (ptrdiff_t)y + x] * 3.14159265358979323846 / 256;
+        u[0] = lrint(32768 * cos(angle));
+        u[1] = lrint(32768 * sin(angle));
+    } else if (maps->grain_kind == GLINT_GRAIN_BRUSHED) {
+        axis(maps, u);
+    } else {
+        const int64_t right = 16 * (int64_t)(lines->target->x + x) + 8 - maps->grain_at[0];
+        const int64_t up = maps->grain_at[1] - 16 * (int64_t)(lines->target->y + y) - 8;
+        const bool is_spun = maps->grain_kind == GLINT_GRAIN_SPUN;
+        u[0] = is_spun ? -up : right;
+        u[1] = is_spun ? right : up;
+        const int64_t size = llabs(u[0]) + llabs(u[1]);
+        unsigned shift = 0;
+        while (size && size << shift < 1 << 30)
+            shift++;
+        u[0] = (u[0] * (INT64_C(1) << shift)) >> 16;
+        u[1] = (u[1] * (INT64_C(1) << shift)) >> 16;
+        return u[0] * u[0] + u[1] * u[1];
+    }
+    return 0; /* of length 1 */
+}
+
+static uint32_t grain_f(const struct reference_lines *lines, uint32_t x, uint32_t y, struct glint_vec n,
+                        const struct glint_vec lvh[3])
+{
+    const struct glint_maps *maps = lines->maps;
+    const uint32_t t = half_t(n, lvh[2]), nl = reference_nl(n, lvh), s = t_of_m(lines, t);
+    int64_t u[2];
+    if (maps->shininess)
+        return grained(lines, t, nl,
+                       (uint64_t)glint_shininess_n(maps->shininess[maps->shininess_stride * (ptrdiff_t)y + x]) * s);
+    if (t > GLINT_T_ONE)
+        return 0;
+    const int64_t square = direction(lines, x, y, u), along = n.x * u[0] + n.y * u[1];
+    const int64_t h = lvh[2].x * u[0] + lvh[2].y * u[1], across = (n.y * u[0] - n.x * u[1]) >> 15;
+    uint64_t d = (uint64_t)(n.z * n.z);
+    if (!maps->grain && maps->grain_kind != GLINT_GRAIN_BRUSHED)
+        d = upper_product(2 * d, 2 * (uint64_t)square);
+    d = (d + (uint64_t)(across * across)) >> 3;
+    return grained(lines, t, nl, m_of(lines, s, half_square(turned(along, h, t), d, s)));
+}
+
+uint32_t reference_span_f(const struct reference_lines *lines, const struct glint_span *span, uint32_t x, uint32_t t,
+                          uint32_t nl, struct glint_vec h)
+{
+    const uint32_t s = t_of_m(lines, t);
+    int64_t u[2];
+    if (lines->maps && lines->maps->shininess)
+        return grained(lines, t, nl, (uint64_t)glint_shininess_n(lines->maps->shininess[x]) * s);
+    if (t > GLINT_T_ONE)
+        return 0;
+    axis(lines->maps, u);
+    const int64_t first = span->ends[0][0] * u[0] + span->ends[0][1] * u[1];
+    const int64_t last = span->ends[1][0] * u[0] + span->ends[1][1] * u[1], steps = span->w > 1 ? span->w - 1 : 1;
+    const int64_t along = first + 2 * ((last / 2 - first / 2) / steps) * x, p = along >> 15;
+    const uint64_t d = p * p < 1 << 30 ? (uint64_t)((1 << 30) - p * p) >> 3 : 0;
+    return grained(lines, t, nl, m_of(lines, s, half_square(turned(along, h.x * u[0] + h.y * u[1], t), d, s)));
+}
+
+/* Bits of a byte, from bit `at` on. */
+static void put_bits(const struct reference *s, uint8_t *out, uint32_t at, uint32_t max, uint64_t x, uint32_t weight,
+                     uint8_t coverage)
+{
+    const uint32_t there = (uint32_t)*out >> at & max;
+    *out = (uint8_t)(*out - (there << at) + (level(s, x, max, weight, coverage, there) << at));
 }
 
 /* Steps 4 to 9. */
@@ -125,11 +301,14 @@ static void pixel(const struct reference *s, uint8_t *line, uint32_t x, uint32_t
     case GLINT_GREY8:
         put(s, line + x, grey, weight, coverage);
         break;
-    case GLINT_MONO: {
-        const uint8_t bit = (uint8_t)(0x80 >> (x & 7));
-        line[x >> 3] = (uint8_t)(level(s, grey, 1, weight, coverage, line[x >> 3] & bit ? 1 : 0) ? line[x >> 3] | bit
-                                                                                                 : line[x >> 3] & ~bit);
-    }
+    case GLINT_GREY4:
+        put_bits(s, line + x / 2, 4 * (1 - x % 2), 15, grey, weight, coverage);
+        break;
+    case GLINT_GREY2:
+        put_bits(s, line + x / 4, 2 * (3 - x % 4), 3, grey, weight, coverage);
+        break;
+    case GLINT_MONO:
+        put_bits(s, line + x / 8, 7 - x % 8, 1, grey, weight, coverage);
     }
 }
 
@@ -179,8 +358,11 @@ uint32_t reference_nl(struct glint_vec n, const struct glint_vec *l)
     return reference_nl_of(dot(n, *l));
 }
 
-uint32_t reference_f(const struct reference_lines *lines, struct glint_vec n, const struct glint_vec lvh[3])
+uint32_t reference_f(const struct reference_lines *lines, uint32_t x, uint32_t y, struct glint_vec n,
+                     const struct glint_vec lvh[3])
 {
+    if (reference_is_grained(lines))
+        return grain_f(lines, x, y, n, lvh);
     const bool is_phong = lines->look->material.model == GLINT_PHONG;
     return reference_lobe(lines, is_phong ? mirror_t(n, lvh[0], lvh[1]) : half_t(n, lvh[2]), reference_nl(n, lvh));
 }

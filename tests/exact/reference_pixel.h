@@ -34,7 +34,14 @@ uint32_t reference_t_last(const struct reference *look);
 uint32_t reference_nl_of(int64_t nl_q30);
 uint32_t reference_lobe(const struct reference_lines *lines, uint32_t t, uint32_t nl);
 uint32_t reference_nl(struct glint_vec normal, const struct glint_vec *l);
-uint32_t reference_f(const struct reference_lines *lines, struct glint_vec normal, const struct glint_vec lvh[3]);
+uint32_t reference_f(const struct reference_lines *lines, uint32_t x, uint32_t y, struct glint_vec normal,
+                     const struct glint_vec lvh[3]);
+/* Is there grain, or a map of shininess? F then, of a span: */
+bool reference_is_grained(const struct reference_lines *lines);
+uint32_t reference_span_f(const struct reference_lines *lines, const struct glint_span *span, uint32_t x, uint32_t t,
+                          uint32_t nl, struct glint_vec h);
+/* x / |x|; false where it does not exist. |v| < 2^62. */
+bool reference_unit(int64_t out[3], const int64_t v[3]);
 /* Steps 4 to 9, of what lights sum to; f: does it shine at all? */
 void reference_put(struct reference_lines *lines, uint32_t x, uint32_t y, const uint64_t lit[3],
                    const uint64_t shine[3], bool f);

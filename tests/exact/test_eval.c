@@ -66,7 +66,7 @@ static void check(const char *name, enum glint_model model)
         check_rational(name, model);
 }
 
-#define MODEL_TEST(number, name, function, use)                                                                        \
+#define MODEL_TEST(number, name, function, use, grain)                                                                 \
     static void name##_is_correctly_rounded_from_the_cosine(void **state)                                              \
     {                                                                                                                  \
         (void)state;                                                                                                   \
@@ -104,7 +104,7 @@ static void the_oracles_agree_with_the_printed_formulas(void **state)
 /* test_eval [PATTERN]: the tests whose names fit, such as lyon*. */
 int main(int argc, char **argv)
 {
-#define MODEL_ENTRY(number, name, function, use) cmocka_unit_test(name##_is_correctly_rounded_from_the_cosine),
+#define MODEL_ENTRY(number, name, function, use, grain) cmocka_unit_test(name##_is_correctly_rounded_from_the_cosine),
     const struct CMUnitTest tests[] = {cmocka_unit_test(the_oracles_agree_with_the_printed_formulas),
                                        GLINT_MODELS(MODEL_ENTRY)};
     cmocka_set_test_filter(argc > 1 ? argv[1] : chosen_tests(model_names));

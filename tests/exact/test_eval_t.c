@@ -135,7 +135,7 @@ static void check_power(const char *name, enum glint_model model)
             check_rational(#name, number);                                                                             \
     }
 #define MODEL_TEST_shared(name, number)
-#define MODEL_TEST(number, name, function, use) MODEL_TEST_##use(name, number)
+#define MODEL_TEST(number, name, function, use, grain) MODEL_TEST_##use(name, number)
 GLINT_MODELS(MODEL_TEST)
 
 /* F(1), rounded. */
@@ -183,7 +183,7 @@ int main(int argc, char **argv)
 {
 #define MODEL_ENTRY_own(name) cmocka_unit_test(name##_is_what_the_header_promises_from_t),
 #define MODEL_ENTRY_shared(name)
-#define MODEL_ENTRY(number, name, function, use) MODEL_ENTRY_##use(name)
+#define MODEL_ENTRY(number, name, function, use, grain) MODEL_ENTRY_##use(name)
     const struct CMUnitTest tests[] = {cmocka_unit_test(arguments_out_of_range_are_clamped_or_give_zero),
                                        GLINT_MODELS(MODEL_ENTRY)};
     cmocka_set_test_filter(argc > 1 ? argv[1] : chosen_tests(model_functions));

@@ -129,6 +129,7 @@ static unsigned lights_case(uint64_t *seed, void *memory)
         target.x = (uint16_t)BELOW(400), target.y = (uint16_t)BELOW(400);
     light_scene(seed, s, &look, ONE_IN(2) ? 1 : BELOW(5), &target);
     struct glint_maps maps = case_maps(seed, s, w, h);
+    case_grain(seed, s, &look.material, true, &maps);
     const bool is_8 = ONE_IN(4);
     maps.normals = is_8 ? (const void *)s->words : s->normals;
     maps.normals_format = is_8 ? GLINT_NORMALS_INT8 : GLINT_NORMALS_INT16;

@@ -139,7 +139,7 @@ int main()
     tap::check("under gaps and back-pressure: each pixel once, in order, held while it waits",
                all_of_a_material(lite, random, GLINT_SCHLICK, 1, 16, true));
     const int most = 29;
-#define NAME(number, name, function, use) #name,
+#define NAME(number, name, function, use, grain) #name,
     static const char *const names[] = {GLINT_MODELS(NAME)};
     for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++) {
         char sentence[100];

@@ -175,7 +175,7 @@ static bool same(const struct registers &r, const std::vector<glint_span> &spans
 // Half of them anything, half between normals about the half vector.
 static struct glint_span random_span(uint16_t w)
 {
-    struct glint_span span = {bits(), bits(), bits(), (int32_t)bits(), (int32_t)bits(), w};
+    struct glint_span span = {bits(), bits(), bits(), (int32_t)bits(), (int32_t)bits(), w, {{0, 0}, {0, 0}}};
     if (below(2))
         return span;
     struct glint_paint light;

@@ -53,8 +53,8 @@ static bool row_matches(int row, unsigned frame, int hold)
         top.m_ready = top.m_valid && wait-- <= 0;
         top.eval();
         if (top.m_valid && top.m_ready) {
-            const struct glint_span span = {top.m_t,           top.m_dt,           top.m_ddt,
-                                            (int32_t)top.m_nl, (int32_t)top.m_dnl, top.m_w};
+            const struct glint_span span = {top.m_t, top.m_dt,        top.m_ddt, (int32_t)top.m_nl, (int32_t)top.m_dnl,
+                                            top.m_w, {{0, 0}, {0, 0}}};
             if (found >= wanted.size() || !same(span, wanted[found])) {
                 printf("# row %d, frame %u, span %zu: t %08x dt %08x ddt %08x nl %08x dnl %08x w %u\n", row, frame,
                        found, span.t_q30, span.dt_q30, span.ddt_q30, (unsigned)span.nl_q30, (unsigned)span.dnl_q30,

@@ -44,7 +44,7 @@ await run([
     const text = await board.command([glint, 'stream', `--mesh=${other}`, '--to=usb', '--shade=device', '--frames=1'], 60, 1)
     check((mesh ? /holds another mesh, of 1878 vertices and 3674 triangles; / : /holds another mesh, of 530 vertices and 992 triangles; /).test(text) &&
       / build the board's firmware with MESH=\/.*other.obj$/m.test(text), text)
-    // What a board cannot draw: two materials, colours of vertices.
+    // What a board cannot draw: two materials, colours of vertices, textures.
     const scratch = process.env.TMPDIR ?? '/tmp'
     writeFileSync(`${scratch}/two.mtl`, 'newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n')
     writeFileSync(`${scratch}/two.obj`, 'mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl red\nf 1 3 2\nf 1 2 4\nusemtl blue\nf 2 3 4\nf 3 1 4\n')
@@ -54,6 +54,8 @@ await run([
       const said = await board.command([glint, 'stream', `--mesh=${scratch}/${file}.obj`, '--to=usb', '--shade=device', '--frames=1'], 60, 1)
       check(said.trimEnd().endsWith(words), said)
     }
+    const textured = await board.command([glint, 'stream', 'teapot', '--texture=tests/data/rockwall-albedo.png', '--to=usb', '--shade=device', '--frames=1'], 60, 1)
+    check(textured.trimEnd().endsWith('this one has textures; leave it out, or give --no-textures'), textured)
     const map = await board.command([glint, 'stream', '--height=tests/data/rockwall-height.png', '--to=usb', '--shade=device', '--frames=1'], 60, 1)
     check(/^glint: .*the scene: it refuses/m.test(map), map)
   }],

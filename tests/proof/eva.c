@@ -23,7 +23,7 @@ volatile int32_t any_signed;
         return glint_##name##_cutoff_t(any, any);                                                                      \
     }
 #define MODEL_shared(name)
-#define MODEL(number, name, function, use) MODEL_##use(name)
+#define MODEL(number, name, function, use, grain) MODEL_##use(name)
 GLINT_MODELS(MODEL)
 
 static struct glint_vec vector(void)

@@ -117,7 +117,7 @@ void eva_albedo_int16(void)
 static void words_as_pixels(void)
 {
     const struct glint_use_tables *use = paint.of.tables.filled.use;
-    const struct glint_run run = {(uint8_t *)pixels, any % 4, any % 65536, any, (const uint8_t *)albedo, NULL, NULL, 0};
+    const struct glint_run run = {(uint8_t *)pixels, any % 4, any % 65536, any, (const uint8_t *)albedo, NULL, NULL, 0, NULL};
     struct glint_raw raws[WIDE];
     use->raws(&paint, words, raws, WIDE);
     use->pixels(&paint, &run, raws, WIDE);
@@ -155,7 +155,7 @@ static void span(uint16_t w, bool has_albedo)
 {
     const struct glint_maps maps = maps_of(has_albedo);
     const struct glint_surface surface = {pixels, 0, (uint16_t)any, (uint16_t)any};
-    const struct glint_span at = {any, any, any, any_signed, any_signed, w};
+    const struct glint_span at = {any, any, any, any_signed, any_signed, w, {{0, 0}, {0, 0}}};
     struct glint_box box;
     (void)glint_draw_span(&paint, &at, has_albedo ? &maps : NULL, &surface, NULL);
     (void)glint_draw_span(&paint, &at, has_albedo ? &maps : NULL, &surface, &box);

@@ -89,7 +89,7 @@ void eva_rect_int8(void)
 
 static struct glint_span any_span(uint16_t w)
 {
-    const struct glint_span span = {any, any, any, any_signed, any_signed, w};
+    const struct glint_span span = {any, any, any, any_signed, any_signed, w, {{0, 0}, {0, 0}}};
     return span;
 }
 

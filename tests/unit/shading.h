@@ -178,6 +178,19 @@ static inline enum glint_err draw_span(const struct look *look, const struct gli
     return glint_draw_span(&paint, span, NULL, target, highlight);
 }
 
+static inline unsigned max_of(enum glint_format format, unsigned k)
+{
+#define FORMAT_MAX(number, name, bits, channels, red, green, blue) {red, green, blue},
+    static const uint8_t max[][3] = {GLINT_FORMATS(FORMAT_MAX)};
+#undef FORMAT_MAX
+    return max[format][k];
+}
+
+static inline bool is_grey(enum glint_format format)
+{
+    return format == GLINT_GREY8 || format == GLINT_GREY4 || format == GLINT_GREY2 || format == GLINT_MONO;
+}
+
 /* The cutoff of a material: where it names none, its output's. And its last t. */
 static inline unsigned q_of(const struct look *look)
 {
@@ -185,7 +198,7 @@ static inline unsigned q_of(const struct look *look)
         return look->material.q;
     if (look->output.space == GLINT_LINEAR)
         return 12;
-    const bool is_coarse = look->output.format <= GLINT_RGB565_SWAPPED || look->output.format == GLINT_MONO;
+    const bool is_coarse = max_of((enum glint_format)look->output.format, 0) < 255;
     return is_coarse && !look->output.dither ? 6 : 8;
 }
 
@@ -276,7 +289,7 @@ static inline void levels_of(const struct look *s, const uint64_t lit[3], const 
                              const uint8_t albedo[3], uint8_t gloss, unsigned x, unsigned y, unsigned levels[3],
                              double real[3])
 {
-    const bool grey = s->output.format == GLINT_GREY8 || s->output.format == GLINT_MONO;
+    const bool grey = is_grey((enum glint_format)s->output.format);
     const unsigned threshold = s->output.dither ? 2 * (unsigned)bayer[(y & 3) * 4 + (x & 3)] + 1 : 16;
     u128 v[3], mixed = 0;
     double mixed_real = 0;
@@ -293,11 +306,8 @@ static inline void levels_of(const struct look *s, const uint64_t lit[3], const 
         mixed += v[k] * weight[k];
         mixed_real += real[k] * weight[k] / 256;
     }
-    static const unsigned max565[3] = {31, 63, 31};
     for (int k = 0; k < 3; k++) {
-        const unsigned max = s->output.format == GLINT_MONO             ? 1
-                             : s->output.format <= GLINT_RGB565_SWAPPED ? max565[k]
-                                                                        : 255;
+        const unsigned max = max_of((enum glint_format)s->output.format, (unsigned)k);
         levels[k] = gamma_level(grey ? mixed / 256 : v[k], max, threshold);
         const double value = grey ? mixed_real : real[k];
         const double encoded = value <= 0.0031308 ? 12.92 * value : 1.055 * pow(value, 1 / 2.4) - 0.055;
@@ -342,6 +352,12 @@ static inline void stored_levels(enum glint_format format, const uint8_t *line, 
         return;
     case GLINT_GREY8:
         levels[0] = levels[1] = levels[2] = line[x];
+        return;
+    case GLINT_GREY4:
+        levels[0] = levels[1] = levels[2] = line[x / 2] >> (x % 2 ? 0 : 4) & 15;
+        return;
+    case GLINT_GREY2:
+        levels[0] = levels[1] = levels[2] = line[x / 4] >> (6 - 2 * (x % 4)) & 3;
         return;
     case GLINT_MONO:
         levels[0] = levels[1] = levels[2] = line[x / 8] >> (7 - x % 8) & 1;
@@ -411,32 +427,41 @@ static inline bool same_box(const struct glint_box *a, const struct glint_box *b
     return a->x == b->x && a->y == b->y && a->w == b->w && a->h == b->h;
 }
 
+static inline unsigned pixel_bits(enum glint_format format)
+{
+#define FORMAT_BITS(number, name, bits, channels, red, green, blue) bits,
+    static const uint8_t bits[] = {GLINT_FORMATS(FORMAT_BITS)};
+#undef FORMAT_BITS
+    return bits[format];
+}
+
 static inline unsigned bytes_of(enum glint_format format, unsigned w)
 {
-#define FORMAT_BYTES(number, name, bytes, channels, red, green, blue) bytes,
-    static const uint8_t bytes[] = {GLINT_FORMATS(FORMAT_BYTES)};
-#undef FORMAT_BYTES
-    return format == GLINT_MONO ? (w + 7) / 8 : bytes[format] * w;
+    return (pixel_bits(format) * w + 7) / 8;
 }
 
-/* All of them, mono last: its lines start on bytes. */
+/* All of them, those last whose lines start on bytes. */
+enum { WHOLE_FORMATS = GLINT_FORMAT_COUNT - 3 };
 static inline enum glint_format format_number(int64_t i)
 {
+    static const enum glint_format last[] = {GLINT_GREY4, GLINT_GREY2, GLINT_MONO};
     const int64_t format = i % GLINT_FORMAT_COUNT;
-    return (enum glint_format)(format == GLINT_FORMAT_COUNT - 1 ? GLINT_MONO : format + (format >= GLINT_MONO));
+    return format >= WHOLE_FORMATS ? last[format - WHOLE_FORMATS]
+                                   : (enum glint_format)(format + (format >= GLINT_MONO));
 }
 
-/* All other bytes are GUARD still, of mono the bits past a line's last pixel, too. */
+/* All other bytes are GUARD still, and so are the bits past a line's last pixel. */
 static inline void assert_only_the_rectangle_is_written(const uint8_t *out, size_t size, size_t start, ptrdiff_t stride,
                                                         enum glint_format format, uint16_t w, uint16_t h)
 {
+    const unsigned bits = pixel_bits(format);
     for (size_t b = 0; b < size; b++) {
         const ptrdiff_t at = (ptrdiff_t)b - (ptrdiff_t)start;
         const bool inside = at >= 0 && at < stride * h && at % stride < (ptrdiff_t)bytes_of(format, w);
         if (!inside)
             assert_int_equal(out[b], GUARD);
-        else if (format == GLINT_MONO && w % 8 && at % stride == w / 8)
-            assert_int_equal(out[b] & (0xff >> w % 8), GUARD & (0xff >> w % 8));
+        else if (bits * w % 8 && at % stride == (ptrdiff_t)(bits * w / 8))
+            assert_int_equal(out[b] & (0xff >> bits * w % 8), GUARD & (0xff >> bits * w % 8));
     }
 }
 

@@ -12,7 +12,8 @@ enum key { KEY_PANEL = 256, KEY_ROTATION, KEY_SIZE, KEY_OFFSET, KEY_BGR, KEY_INV
 
 static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "The panel (--to panel, gpio, spi):", 40},
-    {"panel", KEY_PANEL, "NAME", 0, "Its controller: st7789 (default) or ili9341", 40},
+    {"panel", KEY_PANEL, "NAME", 0,
+     "Its controller: st7789 (default), ili9341, or ssd1306 (black and white: try --dither)", 40},
     {"rotation", KEY_ROTATION, "DEGREES", 0,
      "Turns the picture on the glass clockwise: 0, 90, 180 or 270 (default 0, or 90 if the size is that of a turned "
      "glass)",
@@ -30,7 +31,7 @@ static const struct argp_option options[] = {
 
 /* By key: the options, and the same in a bus's file. */
 static const char *const setting_names[KEY_END - KEY_PANEL] = {"panel", "rotation", "size", "offset", "bgr", "invert"};
-static const char *const controller_names[] = {"st7789", "ili9341", NULL}; /* by enum panel_controller */
+static const char *const controller_names[] = {"st7789", "ili9341", "ssd1306", NULL}; /* by enum panel_controller */
 
 /* ---- values ---- */
 
@@ -124,7 +125,7 @@ static uint8_t usual_rotation(uint16_t width, uint16_t height)
     for (uint8_t rotation = 0; rotation < 2; rotation++)
         if (panel_defaults(&panel, controller(), rotation, width, height))
             return rotation;
-    return width > PANEL_COLUMNS;
+    return controller() != PANEL_SSD1306 && width > PANEL_COLUMNS;
 }
 
 static bool usual_panel(struct panel *panel, uint16_t width, uint16_t height)
@@ -136,9 +137,9 @@ static bool usual_panel(struct panel *panel, uint16_t width, uint16_t height)
 static void choose_size(const struct sink_wish *wish, bool any_size, uint16_t *width, uint16_t *height)
 {
     struct panel whole;
-    const bool turned = or_usual(KEY_ROTATION, 0) % 2;
-    *width = turned ? PANEL_ROWS : PANEL_COLUMNS;
-    *height = turned ? PANEL_COLUMNS : PANEL_ROWS;
+    const bool turned = or_usual(KEY_ROTATION, 0) % 2, paged = controller() == PANEL_SSD1306;
+    *width = paged ? PANEL_PAGED_COLUMNS : turned ? PANEL_ROWS : PANEL_COLUMNS;
+    *height = paged ? PANEL_PAGED_ROWS : turned ? PANEL_COLUMNS : PANEL_ROWS;
     if (wish->width) {
         *width = wish->width;
         *height = wish->height;
@@ -167,8 +168,12 @@ static void check_turn(const struct panel *panel)
 void panel_of_options(struct panel *panel, const struct sink_wish *wish, bool any_size)
 {
     uint16_t width, height;
-    if (wish->format >= 0 && !format_is_565((enum glint_format)wish->format))
-        fail("--format: the panel's pixels are rgb565, not %s; leave it out", format_names[wish->format]);
+    const bool paged = controller() == PANEL_SSD1306;
+    if (wish->format >= 0 && (paged ? wish->format != GLINT_MONO : !format_is_565((enum glint_format)wish->format)))
+        fail("--format: the panel's pixels are %s, not %s; leave it out", paged ? "mono" : "rgb565",
+             format_names[wish->format]);
+    if (paged && or_usual(KEY_ROTATION, 0) % 2)
+        fail("--rotation: an ssd1306 turns by 0 or 180 only");
     choose_size(wish, any_size, &width, &height);
     const bool known = usual_panel(panel, width, height);
     const char *name = controller_names[panel->controller];
@@ -179,6 +184,9 @@ void panel_of_options(struct panel *panel, const struct sink_wish *wish, bool an
         panel->x_offset = (uint16_t)offset->values[0];
         panel->y_offset = (uint16_t)offset->values[1];
     }
+    if (paged && !panel_fits(panel))
+        fail("--size: %ux%u%s does not fit an ssd1306: at most %dx%d, lines a multiple of %d, offset X,0", width,
+             height, offset->given ? " at --offset" : "", PANEL_PAGED_COLUMNS, PANEL_PAGED_ROWS, PANEL_PAGE);
     if (!panel_fits(panel))
         fail("--size: %ux%u%s is more than the %dx%d pixels of an %s; choose a smaller --size%s%s", width, height,
              offset->given ? " at --offset" : "", panel->rotation % 2 ? PANEL_ROWS : PANEL_COLUMNS,

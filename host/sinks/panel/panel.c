@@ -38,7 +38,7 @@ static struct sink *open_panel(const struct sink_wish *wish)
     display->pattern = wish->output;
     display->sink = (struct sink){.width = display->panel.width,
                                   .height = display->panel.height,
-                                  .format = GLINT_RGB565_SWAPPED,
+                                  .format = panel_is_paged(&display->panel) ? GLINT_MONO : GLINT_RGB565_SWAPPED,
                                   .align_x = 1,
                                   .max_bytes = SIZE_MAX,
                                   .cost = usual_cost,
@@ -65,10 +65,14 @@ static void write_picture(struct display *display)
 static enum sink_result send_frame(struct sink *sink, const struct frame *frame, const struct piece *pieces,
                                    size_t count)
 {
-    (void)frame;
     struct display *display = (struct display *)sink;
     for (size_t i = 0; i < count; i++) {
         const struct glint_box *box = &pieces[i].box;
+        if (panel_is_paged(&display->panel)) {
+            if (!panel_mono(&display->panel, frame->pixels, frame->line_bytes, box->x, box->y, box->w, box->h))
+                fail("%s: %ux%u pixels at %u,%u do not fit on it", sink->name, box->w, box->h, box->x, box->y);
+            continue;
+        }
         if (!panel_window(&display->panel, box->x, box->y, box->w, box->h))
             fail("%s: %ux%u pixels at %u,%u do not fit on it", sink->name, box->w, box->h, box->x, box->y);
         virtual_panel_data(&display->glass, pieces[i].data, pieces[i].bytes);
@@ -94,6 +98,7 @@ const struct sink_kind sink_panel = {
     .every_frame = true,
     .options = options,
     .examples = "  glint stream watchface --frames 1\n"
-                "  glint stream coin --panel ili9341 --size 240x320 -o coin-%02d.png\n",
+                "  glint stream coin --panel ili9341 --size 240x320 -o coin-%02d.png\n"
+                "  glint stream watchface --panel ssd1306 --dither --frames 1\n",
     .pixels = {.open = open_panel, .send = send_frame, .close = close_panel},
 };

@@ -16,6 +16,13 @@ void virtual_panel_reset(struct virtual_panel *panel)
     panel->madctl = 0;
     panel->format = PANEL_FORMAT_666;
     panel->awake = panel->on = panel->inverted = false;
+    if (!panel->glass.paged)
+        return;
+    panel->columns[1] = PANEL_PAGED_COLUMNS - 1;
+    panel->rows[1] = PANEL_PAGED_ROWS / PANEL_PAGE - 1;
+    panel->paged_rows = PANEL_PAGED_ROWS - 1;
+    panel->mode = 2; /* page addressing */
+    panel->first_segment = panel->from_top = true;
 }
 
 void virtual_panel_init(struct virtual_panel *panel, const struct virtual_glass *glass)
@@ -30,8 +37,106 @@ void virtual_panel_init(struct virtual_panel *panel, const struct virtual_glass 
 
 /* ---- writing ---- */
 
+static bool hold(struct virtual_panel *panel, uint8_t byte, unsigned whole);
+
+/* ---- an SSD1306: rows are its pages; a page's byte lies in the memory as 8 of ours ---- */
+
+/* How many bytes a command has behind it. */
+static unsigned paged_parameters(uint8_t command)
+{
+    switch (command) {
+    case PANEL_PAGED_COLUMNS_ARE:
+    case PANEL_PAGED_PAGES_ARE:
+        return 2;
+    case PANEL_PAGED_MODE:
+    case PANEL_PAGED_CONTRAST:
+    case PANEL_PAGED_PUMP:
+    case PANEL_PAGED_ROWS_ARE:
+    case PANEL_PAGED_OFFSET:
+    case PANEL_PAGED_CLOCK:
+    case PANEL_PAGED_PRECHARGE:
+    case PANEL_PAGED_PINS:
+    case PANEL_PAGED_DESELECT:
+        return 1;
+    default:
+        return 0;
+    }
+}
+
+static void paged_do(struct virtual_panel *panel, uint8_t command, const uint8_t *bytes)
+{
+    switch (command) {
+    case PANEL_PAGED_MODE:
+        panel->mode = bytes[0] & 3;
+        break;
+    case PANEL_PAGED_COLUMNS_ARE:
+        panel->column = panel->columns[0] = bytes[0] & 127;
+        panel->columns[1] = bytes[1] & 127;
+        break;
+    case PANEL_PAGED_PAGES_ARE:
+        panel->row = panel->rows[0] = bytes[0] & 7;
+        panel->rows[1] = bytes[1] & 7;
+        break;
+    case PANEL_PAGED_ROWS_ARE:
+        panel->paged_rows = bytes[0] & 63;
+        break;
+    case PANEL_PAGED_PUMP:
+        panel->awake = bytes[0] & 4;
+        break;
+    case PANEL_PAGED_SEGMENTS:
+    case PANEL_PAGED_SEGMENTS + 1:
+        panel->first_segment = command == PANEL_PAGED_SEGMENTS;
+        break;
+    case PANEL_PAGED_SCAN:
+    case PANEL_PAGED_SCAN + 8:
+        panel->from_top = command == PANEL_PAGED_SCAN;
+        break;
+    case PANEL_PAGED_NORMAL:
+    case PANEL_PAGED_NORMAL + 1:
+        panel->inverted = command != PANEL_PAGED_NORMAL;
+        break;
+    case PANEL_PAGED_OFF:
+    case PANEL_PAGED_ON:
+        panel->on = command == PANEL_PAGED_ON;
+        break;
+    default:
+        break;
+    }
+}
+
+static void paged_command(struct virtual_panel *panel, uint8_t byte)
+{
+    if (panel->command == PANEL_NOP) {
+        panel->command = byte;
+        panel->held = 0;
+        if (paged_parameters(byte))
+            return;
+    } else if (!hold(panel, byte, paged_parameters(panel->command))) {
+        return;
+    }
+    paged_do(panel, panel->command, panel->bytes);
+    panel->command = PANEL_NOP;
+}
+
+static void advance(struct virtual_panel *panel);
+
+/* Horizontal addressing alone is decoded. */
+static void paged_take(struct virtual_panel *panel, uint8_t byte)
+{
+    const unsigned column = panel->first_segment ? panel->column : PANEL_PAGED_COLUMNS - 1u - panel->column;
+    if (panel->mode != 0 || panel->row * PANEL_PAGE >= PANEL_PAGED_ROWS || panel->column >= PANEL_PAGED_COLUMNS)
+        return;
+    for (unsigned bit = 0; bit < PANEL_PAGE; bit++)
+        panel->memory[panel->row * PANEL_PAGE + bit][column] = byte >> bit & 1 ? 0xffff : 0;
+    advance(panel);
+}
+
 void virtual_panel_command(struct virtual_panel *panel, uint8_t command)
 {
+    if (panel->glass.paged) {
+        paged_command(panel, command);
+        return;
+    }
     panel->command = command;
     panel->held = 0; /* half a pixel or parameter is dropped */
     switch (command) {
@@ -152,7 +257,10 @@ static void take(struct virtual_panel *panel, uint8_t byte)
 void virtual_panel_data(struct virtual_panel *panel, const uint8_t *bytes, size_t count)
 {
     for (size_t i = 0; i < count; i++)
-        take(panel, bytes[i]);
+        if (panel->glass.paged)
+            paged_take(panel, bytes[i]);
+        else
+            take(panel, bytes[i]);
 }
 
 /* ---- looking ---- */
@@ -160,6 +268,11 @@ void virtual_panel_data(struct virtual_panel *panel, const uint8_t *bytes, size_
 static uint16_t on_glass(const struct virtual_panel *panel, unsigned x, unsigned y)
 {
     const struct virtual_glass *glass = &panel->glass;
+    if (glass->paged) { /* row 0 of the glass is the last that is scanned */
+        const unsigned row = panel->from_top ? (unsigned)panel->paged_rows - y : y;
+        const uint16_t bits = panel->memory[row % PANEL_PAGED_ROWS][PANEL_PAGED_COLUMNS - 1 - glass->x - x];
+        return panel->inverted != glass->inverted ? (uint16_t)~bits : bits;
+    }
     const unsigned column = glass->x + x;
     uint16_t color = panel->memory[glass->y + y][glass->mirrored ? PANEL_COLUMNS - 1 - column : column];
     if (panel->inverted != glass->inverted)
@@ -203,6 +316,7 @@ struct virtual_glass virtual_glass_of(const struct panel *panel)
                                   .x = panel->x_offset,
                                   .y = panel->y_offset,
                                   .mirrored = panel->controller == PANEL_ILI9341,
+                                  .paged = panel_is_paged(panel),
                                   .bgr = panel->bgr,
                                   .inverted = panel->inverted};
 }

@@ -16,6 +16,7 @@ struct virtual_glass {
     uint16_t x, y;          /* where its top left pixel lies in the memory (mirrored: counted from the last column) */
     bool mirrored;          /* column 0 of the memory is at the right */
     bool bgr, inverted;
+    bool paged; /* an SSD1306: x counts from the last segment, as its modules hang */
 };
 
 struct virtual_panel {
@@ -29,6 +30,9 @@ struct virtual_panel {
     uint8_t held;                               /* how many */
     uint8_t madctl, format;
     bool awake, on, inverted, lit;
+    uint8_t paged_rows;           /* that are scanned, less 1 */
+    bool first_segment, from_top; /* its column 0 is segment 0; it scans from row 0 */
+    uint8_t mode;
 };
 
 /* As after power-on: asleep, off, and noise in the memory. The backlight is lit at first. The glass must fit the

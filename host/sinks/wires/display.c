@@ -49,7 +49,7 @@ struct sink *gpio_display_open(const struct gpio_options *options, const struct 
     display->panel.bus = &display->panel_bus;
     display->sink = (struct sink){.width = display->panel.width,
                                   .height = display->panel.height,
-                                  .format = GLINT_RGB565_SWAPPED,
+                                  .format = panel_is_paged(&display->panel) ? GLINT_MONO : GLINT_RGB565_SWAPPED,
                                   .align_x = 1,
                                   .max_bytes = SIZE_MAX,
                                   .cost = cost_of(options),
@@ -62,9 +62,16 @@ struct sink *gpio_display_open(const struct gpio_options *options, const struct 
     return NULL;
 }
 
-static enum sink_result send_piece(struct display *display, const struct piece *piece)
+static enum sink_result send_piece(struct display *display, const struct frame *frame, const struct piece *piece)
 {
     const struct glint_box *box = &piece->box;
+    if (panel_is_paged(&display->panel)) { /* whole pages, 1 KB at most */
+        if (stream_stopped())
+            return SINK_INTERRUPTED;
+        if (!panel_mono(&display->panel, frame->pixels, frame->line_bytes, box->x, box->y, box->w, box->h))
+            fail_bus(display);
+        return SINK_SENT;
+    }
     if (!panel_window(&display->panel, box->x, box->y, box->w, box->h))
         fail_bus(display);
     for (size_t done = 0; done < piece->bytes; done += CHUNK) {
@@ -80,10 +87,9 @@ static enum sink_result send_piece(struct display *display, const struct piece *
 enum sink_result gpio_display_send(struct sink *sink, const struct frame *frame, const struct piece *pieces,
                                    size_t count)
 {
-    (void)frame;
     struct display *display = (struct display *)sink;
     for (size_t i = 0; i < count; i++)
-        if (send_piece(display, &pieces[i]) != SINK_SENT)
+        if (send_piece(display, frame, &pieces[i]) != SINK_SENT)
             return SINK_INTERRUPTED;
     if (!display->shown && !panel_show(&display->panel, PANEL_BRIGHTEST))
         fail_bus(display);

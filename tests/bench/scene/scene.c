@@ -3,7 +3,7 @@
  *     int8.bin, palette.bin and palette-offsets.bin, and lines-*.bin, one line in SPHERE_STEP), samples.txt (n, c, t of
  *     pixels of the highlight), samples.h (fewer of them, as C), scene.json.
  * scene real N MODEL: the model in double precision, a line for each t_q30 of a line on standard input, which may be a fraction.
- * scene exact N MODEL FORMAT SPACE DITHER ALBEDO GLOSS LAMPS: the exact path's picture on stdout; what follows N is a look as
+ * scene exact N MODEL FORMAT SPACE DITHER ALBEDO GLOSS LAMPS GRAIN: the exact path's picture on stdout; what follows N is a look as
  *     sphere.h has it. */
 #include <math.h>
 #include <stdio.h>
@@ -16,7 +16,7 @@
 #include "models/models.h"
 
 static const double RADIUS = 120.9;
-enum { SAMPLES = 2000, FEW = 24, LOOK_WORDS = 7 };
+enum { SAMPLES = 2000, FEW = 24, LOOK_WORDS = 8 };
 
 static struct scene *scene;
 static struct glint_vec *normals; /* 0 beside the sphere */
@@ -167,26 +167,30 @@ static void write_scene(const char *folder, unsigned covered)
 static int write_exact(char **words)
 {
     static uint8_t picture[SPHERE_H][SPHERE_W][3], albedo[SPHERE_H * SPHERE_W][3], gloss[SPHERE_H * SPHERE_W];
+    static uint8_t grain[SPHERE_H * SPHERE_W];
     uint8_t n[LOOK_WORDS];
     for (int i = 0; i < LOOK_WORDS; i++)
         n[i] = (uint8_t)atoi(words[1 + i]);
-    const struct sphere_look look = {n[0], n[1], n[2], n[3], n[4], n[5], n[6]};
+    const struct sphere_look look = {n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7]};
     for (int i = 0; i < SPHERE_W * SPHERE_H; i++) {
         const uint16_t x = (uint16_t)(i % SPHERE_W), y = (uint16_t)(i / SPHERE_W);
         sphere_expand(albedo[i], sphere_albedo(x, y));
         gloss[i] = sphere_gloss(x, y);
+        grain[i] = sphere_grain_byte(&look, x, y);
     }
-    const size_t line[] = {SPHERE_W * 2, SPHERE_W * 2, SPHERE_W * 3, SPHERE_W, SPHERE_W / 8};
+    const size_t line[] = {SPHERE_W * 2, SPHERE_W * 2, SPHERE_W * 3, SPHERE_W,     SPHERE_W / 8,
+                           SPHERE_W * 3, SPHERE_W * 4, SPHERE_W * 4, SPHERE_W / 2, SPHERE_W / 4};
     struct glint_paint paint;
-    const struct glint_maps maps = {.normals = normals,
-                                    .normals_stride = SPHERE_W * sizeof *normals,
-                                    .albedo = look.albedo ? albedo[0] : NULL,
-                                    .albedo_stride = SPHERE_W * sizeof *albedo,
-                                    .albedo_format = GLINT_RGB888,
-                                    .gloss = look.gloss ? gloss : NULL,
-                                    .gloss_stride = SPHERE_W,
-                                    .coverage = scene->mask,
-                                    .coverage_stride = SPHERE_W};
+    struct glint_maps maps = {.normals = normals,
+                              .normals_stride = SPHERE_W * sizeof *normals,
+                              .albedo = look.albedo ? albedo[0] : NULL,
+                              .albedo_stride = SPHERE_W * sizeof *albedo,
+                              .albedo_format = GLINT_RGB888,
+                              .gloss = look.gloss ? gloss : NULL,
+                              .gloss_stride = SPHERE_W,
+                              .coverage = scene->mask,
+                              .coverage_stride = SPHERE_W};
+    sphere_grain(&maps, &look, grain, SPHERE_W);
     const struct glint_surface surface = {picture, (ptrdiff_t)line[look.format], 0, 0};
     if (paint_of(&paint, &look, (uint32_t)atoi(words[0])) ||
         glint_draw_rect(&paint, &maps, SPHERE_W, SPHERE_H, &surface, NULL))

@@ -23,8 +23,9 @@ static void square(enum glint_format format)
                 const unsigned pixel = r << 11 | g << 5 | r, swapped = format == GLINT_RGB565_SWAPPED;
                 before[2 * i + swapped] = (uint8_t)pixel;
                 before[2 * i + !swapped] = (uint8_t)(pixel >> 8);
-            } else if (format == GLINT_MONO) {
-                before[i / 8] = q & 1 ? 255 : 0;
+            } else if (pixel_bits(format) < 8) {
+                const unsigned bits = pixel_bits(format), level = q & ((1u << bits) - 1);
+                before[i * bits / 8] = (uint8_t)(level * (255 / ((1u << bits) - 1)));
             } else {
                 const unsigned bytes = bytes_of(format, 1);
                 for (unsigned k = 0; k < bytes; k++)
@@ -54,7 +55,7 @@ static void draw(const struct look *look, enum source source, const uint8_t *cov
         assert_int_equal(glint_draw_rect(&paint, &maps, SIDE, SIDE, &surface, NULL), GLINT_OK);
         return;
     }
-    const struct glint_span span = {1u << 29, 0, 0, 1 << 29, 0, SIDE};
+    const struct glint_span span = {.t_q30 = 1u << 29, .nl_q30 = 1 << 29, .w = SIDE};
     for (unsigned y = 0; y < SIDE; y++) {
         const struct glint_surface line = {out + stride * (ptrdiff_t)y, stride, 1, (uint16_t)(2 + y)};
         maps.coverage = covered ? covered + SIDE * y : NULL;
@@ -70,8 +71,8 @@ static uint64_t value_of(const struct look *look, unsigned k)
         x[i] = (look->output.space == GLINT_LINEAR ? glint_srgb_decode(look->material.albedo[i])
                                                    : look->material.albedo[i] * 257u) *
                ((uint64_t)look->material.ambient_q16[i] << 16);
-    const bool grey = look->output.format == GLINT_GREY8 || look->output.format == GLINT_MONO;
-    const uint64_t value = grey ? (54 * x[0] + 183 * x[1] + 19 * x[2]) >> 8 : x[k];
+    const uint64_t value =
+        is_grey((enum glint_format)look->output.format) ? (54 * x[0] + 183 * x[1] + 19 * x[2]) >> 8 : x[k];
     return look->output.space == GLINT_GAMMA
                ? value
                : (uint64_t)glint_srgb_encode((uint16_t)((value + (UINT64_C(1) << 31)) >> 32)) << 32;
@@ -90,7 +91,7 @@ static void assert_square_is_blended(const struct look *look)
         stored_levels(format, before + stride * y, x, old);
         stored_levels(format, found + stride * y, x, now);
         for (unsigned k = 0; k < 3; k++) {
-            const unsigned max = format == GLINT_MONO ? 1 : format > GLINT_RGB565_SWAPPED ? 255 : k == 1 ? 63 : 31;
+            const unsigned max = max_of(format, k);
             const u128 sum = m * (u128)value_of(look, k) * max + (255 - m) * (u128)old[k] * one;
             const unsigned wanted = (unsigned)((sum + 255 * one / 32 * threshold) / (255 * one));
             if (now[k] != wanted)
@@ -175,7 +176,12 @@ static void tables_draw(const struct glint_paint *paint, enum source source, boo
                          GLINT_OK);
         return;
     }
-    const struct glint_span span = {1u << 27, 0u - (1u << 19), 1 << 13, 1 << 29, 1 << 20, SIDE};
+    const struct glint_span span = {.t_q30 = 1u << 27,
+                                    .dt_q30 = 0u - (1u << 19),
+                                    .ddt_q30 = 1 << 13,
+                                    .nl_q30 = 1 << 29,
+                                    .dnl_q30 = 1 << 20,
+                                    .w = SIDE};
     for (unsigned y = 0; y < SIDE; y++) {
         const struct glint_surface line = {out + 2 * SIDE * y, 0, 3, (uint16_t)(1 + y)};
         maps.coverage = covered ? covered + SIDE * y : NULL;

@@ -85,7 +85,8 @@ static void spans_have_them_too(void **state)
     (void)state;
     for (unsigned i = 0; i < SCENES; i++) {
         const struct glint_span span = {below(1u << 30),          below(1 << 24),          below(1 << 18),
-                                        (int32_t)below(1u << 30), (int32_t)below(1 << 24), W};
+                                        (int32_t)below(1u << 30), (int32_t)below(1 << 24), W,
+                                        {{0, 0}, {0, 0}}};
         struct glint_paint paint;
         two_scenes(i);
         rgb.look.material.model = bgr.look.material.model = GLINT_MSH;
@@ -142,9 +143,7 @@ static void a_format_named_with_the_paint_refuses_the_others(void **state)
         for (unsigned space = GLINT_GAMMA; space <= GLINT_LINEAR + 1; space++) {
             struct look look = random_look((enum glint_format)format, (enum glint_space)space);
             look.material.model = GLINT_MSH;
-            const unsigned own = format <= GLINT_RGB565_SWAPPED                  ? 0
-                                 : format == GLINT_GREY8 || format == GLINT_MONO ? 2
-                                                                                 : 1;
+            const unsigned own = format <= GLINT_RGB565_SWAPPED ? 0 : is_grey((enum glint_format)format) ? 2 : 1;
             const bool is_there = format < GLINT_FORMAT_COUNT;
             struct glint_paint paint;
             for (unsigned group = 0; group < 3; group++)

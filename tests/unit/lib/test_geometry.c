@@ -231,7 +231,7 @@ static void a_span_that_cannot_be_is_refused(void **state)
     const int32_t front[3] = {0, 0, 1}, place[3] = {0, 0, 100};
     const struct glint_vec up = {0, 0, 32767};
     struct glint_paint paint = any_paint(), none = {0};
-    struct glint_span span = {7, 7, 7, 7, 7, 7};
+    struct glint_span span = {7, 7, 7, 7, 7, 7, {{0, 0}, {0, 0}}};
     struct glint_light two[2], point;
     assert_int_equal(glint_span_init(&span, &paint, &up, &up, 4), GLINT_ERR_ARG); /* never lit */
     assert_int_equal(light_from(&paint, front, front), GLINT_OK);

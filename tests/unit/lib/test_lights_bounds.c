@@ -9,8 +9,7 @@ static void parts_of_a_picture_join(void **state)
     (void)state;
     static struct scene a, b;
     for (int i = 0; i < 200; i++) {
-        const enum glint_format format =
-            format_number(i % (GLINT_FORMAT_COUNT - 1)); /* not mono, whose lines start on bytes */
+        const enum glint_format format = format_number(i % WHOLE_FORMATS); /* not those whose lines start on bytes */
         scene_init(&a, format, (enum glint_space)below(2));
         scene_copy(&b, &a);
         struct glint_light lights[GLINT_LIGHTS_MAX];

@@ -204,8 +204,13 @@ static void what_is_clipped_is_lit_by_its_normals(void **state)
         look.output.dither = false;
         const struct glint_vec n = random_normal(&look), h = look.h;
         const int64_t x = n.x - h.x, y = n.y - h.y, z = n.z - h.z;
-        const struct glint_span span = {
-            (uint32_t)((x * x >> 1) + (y * y >> 1) + (z * z >> 1)), 0, 0, (int32_t)dot(n, look.l), 0, MESH_W};
+        const struct glint_span span = {(uint32_t)((x * x >> 1) + (y * y >> 1) + (z * z >> 1)),
+                                        0,
+                                        0,
+                                        (int32_t)dot(n, look.l),
+                                        0,
+                                        MESH_W,
+                                        {{0, 0}, {0, 0}}};
         if (span.t_q30 >= UINT32_C(1) << 31)
             continue;
         const struct glint_surface surface = {line, sizeof line, 0, 0};

@@ -271,7 +271,8 @@ static void a_span_whose_t_dips_below_zero_shows_the_peak_there(void **state)
         look.material.ambient_q16[k] = look.material.diffuse_q16[k] = 0;
         look.material.specular_q16[k] = 65536;
     }
-    const struct glint_span span = {1u << 24, 0u - (1u << 25), 0, 1 << 30, 0, 3}; /* t = 2^24, -2^24, -3 * 2^24 */
+    const struct glint_span span = {1u << 24, 0u - (1u << 25), 0, 1 << 30, 0,
+                                    3,        {{0, 0}, {0, 0}}}; /* t = 2^24, -2^24, -3 * 2^24 */
     uint8_t out[3];
     const struct glint_surface surface = {out, 3, 0, 0};
     struct glint_box box;
@@ -293,7 +294,7 @@ static void t_a_little_below_0_is_0_and_nothing_shines_in_the_dark(void **state)
         uint8_t peak[4] = {0};
         for (int k = 0; k < 5; k++)
             for (int dark = 0; dark < 2; dark++) {
-                const struct glint_span span = {t[k], 0, 0, dark ? -(1 << 20) : 1 << 20, 0, 1};
+                const struct glint_span span = {t[k], 0, 0, dark ? -(1 << 20) : 1 << 20, 0, 1, {{0, 0}, {0, 0}}};
                 uint8_t out[4] = {0};
                 const struct glint_surface surface = {out, 4, 0, 0};
                 struct glint_box box;
@@ -309,7 +310,7 @@ static void t_a_little_below_0_is_0_and_nothing_shines_in_the_dark(void **state)
 
 static const struct glint_use_model *model_named(const struct look *look)
 {
-#define MODEL_BY_NAME(number, name, function, use) [number] = &glint_use_##name,
+#define MODEL_BY_NAME(number, name, function, use, grain) [number] = &glint_use_##name,
     static const struct glint_use_model *const models[] = {GLINT_MODELS(MODEL_BY_NAME)};
 #undef MODEL_BY_NAME
     return models[look->material.model];
@@ -322,6 +323,7 @@ static const struct glint_use_format *format_named(const struct look *look)
         [GLINT_RGB888] = &glint_use_rgb888,   [GLINT_GREY8] = &glint_use_grey,
         [GLINT_MONO] = &glint_use_grey,       [GLINT_BGR888] = &glint_use_rgb888,
         [GLINT_XRGB8888] = &glint_use_rgb888, [GLINT_ARGB8888] = &glint_use_rgb888,
+        [GLINT_GREY4] = &glint_use_grey,      [GLINT_GREY2] = &glint_use_grey,
     };
     return look->output.space == GLINT_LINEAR ? &glint_use_linear : groups[look->output.format];
 }

@@ -140,7 +140,7 @@ static void wrong_arguments_are_refused_and_nothing_is_written(void **state)
     assert_int_equal(DRAW(&paint, &s.maps, &bad.surface), GLINT_ERR_ARG);
     bad = s;
     bad.maps.grain = s.gloss;
-    bad.maps.grain_stride = W;
+    bad.maps.grain_stride = W - 1;
     assert_int_equal(DRAW(&paint, &bad.maps, &s.surface), GLINT_ERR_ARG);
     bad = s;
     bad.maps.normals_format = GLINT_NORMALS_INT8 + 1;

@@ -63,15 +63,14 @@ static double high_by(const struct channel *c)
 /* By how much V may be lower than V + W, in units of 2^(shift - 16); never more than 0. */
 static double beyond(const struct look *look, bool maps)
 {
-    static const double max_565[3] = {31, 63, 31};
     const enum glint_format format = (enum glint_format)look->output.format;
-    const bool grey = format == GLINT_GREY8 || format == GLINT_MONO;
+    const bool grey = is_grey(format);
     struct glint_paint p;
     paint_of(&p, look);
     const double one = ldexp(1, (int)p.of.exact.shift), taken_off = ldexp(p.of.exact.high, (int)p.of.exact.shift - 15);
     double sum = 0, largest = 0, high = 0;
     for (int k = 0; k < 3; k++) {
-        const double max = format <= GLINT_RGB565_SWAPPED ? max_565[k] : format == GLINT_MONO ? 1 : 255;
+        const double max = max_of(format, (unsigned)k);
         const struct channel channel = {&p, k, grey ? luma[k] : 1, max, maps};
         const double low = low_by(&channel);
         sum += low;

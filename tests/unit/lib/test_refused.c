@@ -7,7 +7,7 @@ static struct look look;
 static struct glint_paint paint;
 static uint16_t pixels[4];
 static const struct glint_surface surface = {pixels, 8, 0, 0}, nowhere = {NULL, 8, 0, 0};
-static const struct glint_span span = {0, 0, 0, 1 << 30, 0, 4};
+static const struct glint_span span = {0, 0, 0, 1 << 30, 0, 4, {{0, 0}, {0, 0}}};
 static const struct glint_vec normals[4] = {{0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}};
 static const struct glint_maps maps = {.normals = normals, .normals_stride = 6};
 
@@ -44,7 +44,8 @@ static void a_paint_without_material_output_or_shininess_is_not_made(void **stat
     bad.material.n = 0;
     assert_int_equal(glint_paint_exact(&made, &bad.material, &bad.output), GLINT_ERR_ARG);
     bad = look;
-    bad.material.n_across = 59; /* of 60 */
+    bad.material.model = GLINT_BLINN; /* it has no grain */
+    bad.material.n_across = 59;       /* of 60 */
     assert_int_equal(glint_paint_exact(&made, &bad.material, &bad.output), GLINT_ERR_ARG);
     bad = look;
     bad.material.model = GLINT_MODEL_COUNT;

@@ -243,7 +243,8 @@ static void garbage_in_normals_and_spans_reads_nothing_outside_the_tables(void *
                 const enum glint_err err = glint_draw_rect(&paint, &maps, 100, 1, &surface, NULL);
                 assert_true(err == GLINT_OK || (err == GLINT_ERR_VECTOR && format == GLINT_NORMALS_INT8));
             }
-            const struct glint_span span = {words[0], words[1], words[2], (int32_t)words[3], (int32_t)words[4], 149};
+            const struct glint_span span = {words[0],          words[1], words[2],        (int32_t)words[3],
+                                            (int32_t)words[4], 149,      {{0, 0}, {0, 0}}};
             assert_int_equal(glint_draw_span(&paint, &span, NULL, &surface, NULL), GLINT_OK);
         }
         free(tight);

@@ -265,7 +265,7 @@ static void a_span_whose_t_has_come_a_little_below_0_is_at_its_peak(void **state
     static const uint16_t albedo = 0x4208;
     const struct glint_maps maps = {.albedo = (const uint8_t *)&albedo, .albedo_format = GLINT_RGB565};
     for (int k = 0; k < 2; k++) {
-        const struct glint_span span = {k ? 0 - UINT32_C(1000) : 0, 0, 0, 1 << 28, 0, 1};
+        const struct glint_span span = {k ? 0 - UINT32_C(1000) : 0, 0, 0, 1 << 28, 0, 1, {{0, 0}, {0, 0}}};
         const struct glint_surface surface = {&at[k], 0, 0, 0};
         assert_int_equal(glint_draw_span(&paint, &span, &maps, &surface, NULL), GLINT_OK);
     }

@@ -112,7 +112,8 @@ static void garbage_in_normals_and_spans_reads_nothing_outside_the_tables(void *
             const struct glint_maps maps = maps_over((enum glint_normals)format, words, albedo, 100);
             assert_int_equal(glint_draw_rect(&paint, &maps, 100, 1, &surface, NULL), GLINT_OK);
         }
-        const struct glint_span span = {words[0], words[1], words[2], (int32_t)words[3], (int32_t)words[4], 150};
+        const struct glint_span span = {words[0],          words[1], words[2],        (int32_t)words[3],
+                                        (int32_t)words[4], 150,      {{0, 0}, {0, 0}}};
         const struct glint_maps maps = {.albedo = (const uint8_t *)albedo, .albedo_format = GLINT_RGB565};
         assert_int_equal(glint_draw_span(&paint, &span, &maps, &surface, NULL), GLINT_OK);
     }
@@ -193,7 +194,7 @@ static void what_the_tables_cannot_draw_is_refused_and_nothing_is_written(void *
     const struct glint_surface surface = {out, 8, 0, 0};
     static const uint32_t words[4] = {1u << 30, 1u << 30, 1u << 30, 1u << 30};
     static const uint16_t map[4] = {0, 0, 0, 0};
-    const struct glint_span span = {0, 0, 0, 1 << 30, 0, 2};
+    const struct glint_span span = {0, 0, 0, 1 << 30, 0, 2, {{0, 0}, {0, 0}}};
     const struct glint_maps good = maps_over(GLINT_NORMALS_INT8, words, map, 2);
     paint_of_tables(&paint, GLINT_TABLES_ALBEDO, &look, memory);
     for (int i = 0; i < 8; i++) {

@@ -232,7 +232,8 @@ static void the_box_of_a_span_is_that_of_its_pixels(void **state)
                                         below(1 << 18),
                                         (int32_t)below(1u << 30) - (1 << 28),
                                         (int32_t)below(1 << 25) - (1 << 24),
-                                        BALL_W};
+                                        BALL_W,
+                                        {{0, 0}, {0, 0}}};
         struct glint_box box, least = {0, 0, 0, 0};
         struct glint_maps maps = c.maps;
         for (unsigned x = 0; x < BALL_W; x++)
@@ -244,7 +245,7 @@ static void the_box_of_a_span_is_that_of_its_pixels(void **state)
         assert_int_equal(glint_draw_span(&c.paint, &span, &maps, &surface, &box), GLINT_OK);
         uint32_t t = span.t_q30, dt = span.dt_q30, nl = (uint32_t)span.nl_q30;
         for (unsigned x = 0; x < BALL_W; x++) {
-            const struct glint_span one = {t, 0, 0, (int32_t)nl, 0, 1};
+            const struct glint_span one = {t, 0, 0, (int32_t)nl, 0, 1, {{0, 0}, {0, 0}}};
             struct glint_maps here = {.albedo = maps.albedo ? maps.albedo + 2 * x : NULL,
                                       .albedo_format = GLINT_RGB565,
                                       .coverage = maps.coverage ? coverage + x : NULL};

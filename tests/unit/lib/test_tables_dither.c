@@ -166,7 +166,8 @@ static void a_dithered_span_has_the_pixels_of_its_sequence_wherever_it_lies(void
                                   below(1 << 20) >> fine,
                                   (int32_t)below(1u << 30),
                                   0,
-                                  (uint16_t)w};
+                                  (uint16_t)w,
+                                  {{0, 0}, {0, 0}}};
         span.dnl_q30 = ((int32_t)below(1 << 26) - (1 << 25)) >> fine;
         if (i % 4 == 0) /* about t = 0 in the middle */
             span.dt_q30 = 0 - w / 2 * span.ddt_q30, span.t_q30 = w / 2 * (w / 2) / 2 * span.ddt_q30 + below(7) - 3;

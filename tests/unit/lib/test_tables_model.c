@@ -243,7 +243,8 @@ static void albedo_spans_have_the_pixels_of_their_sequence(void **state)
                                         below(1u << 20),
                                         (int32_t)below(1u << 30),
                                         (int32_t)below(1u << 27) - (1 << 26),
-                                        WIDE};
+                                        WIDE,
+                                        {{0, 0}, {0, 0}}};
         const struct glint_surface surface = any_surface(2 * WIDE);
         const struct glint_maps maps = {.albedo = (const uint8_t *)map, .albedo_format = GLINT_RGB565};
         assert_int_equal(glint_draw_span(&paint, &span, &maps, &surface, NULL), GLINT_OK);

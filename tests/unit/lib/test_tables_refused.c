@@ -82,7 +82,7 @@ static void draw(const struct glint_paint *paint, const struct glint_vec normals
 
 static const struct glint_use_model *model_named(const struct look *look)
 {
-#define MODEL_BY_NAME(number, name, function, use) [number] = &glint_use_##name,
+#define MODEL_BY_NAME(number, name, function, use, grain) [number] = &glint_use_##name,
     static const struct glint_use_model *const models[] = {GLINT_MODELS(MODEL_BY_NAME)};
 #undef MODEL_BY_NAME
     return models[look->material.model];
@@ -202,7 +202,7 @@ static void tables_without_a_light_draw_the_ambient_part(void **state)
         struct glint_maps maps = {.normals = vectors};
         if (i & 2)
             maps.normals = words, maps.normals_format = GLINT_NORMALS_INT8;
-        const struct glint_span span = {0, 0, 0, 1 << 30, 0, COUNT};
+        const struct glint_span span = {0, 0, 0, 1 << 30, 0, COUNT, {{0, 0}, {0, 0}}};
         if (i & 4)
             assert_int_equal(glint_draw_rect(&paint, &maps, COUNT, 1, &surface, &box), GLINT_OK);
         else
@@ -431,7 +431,7 @@ static void spans_and_palettes_refuse_what_cannot_be(void **state)
     paint_of_tables(&paint, GLINT_TABLES_COLOUR, &look, memory);
     assert_int_equal(glint_paint_tables_filled(&never_lit, &paint.of.tables.filled, &look.output), GLINT_OK);
     const struct glint_paint zeros = {0};
-    const struct glint_span span = {0, 0, 0, 1 << 29, 0, 4};
+    const struct glint_span span = {0, 0, 0, 1 << 29, 0, 4, {{0, 0}, {0, 0}}};
     const struct glint_surface none = {NULL, 8, 0, 0}, odd = {(char *)out + 1, 8, 0, 0};
     const struct glint_surface odd_stride = {out, 7, 0, 0}, *to = &to_out;
     memset(out, GUARD, sizeof out);

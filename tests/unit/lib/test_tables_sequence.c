@@ -55,8 +55,13 @@ static int32_t within(int32_t limit)
 static struct glint_span tricky_span(const struct glint_tables *tables, unsigned kind, uint16_t w)
 {
     const uint32_t k = below(w + 1u), fine = 1 + below(16);
-    struct glint_span s = {0, (uint32_t)within((1 << 25) >> fine), below((1u << 20) >> fine),
-                           0, within((1 << 25) >> fine),           w};
+    struct glint_span s = {0,
+                           (uint32_t)within((1 << 25) >> fine),
+                           below((1u << 20) >> fine),
+                           0,
+                           within((1 << 25) >> fine),
+                           w,
+                           {{0, 0}, {0, 0}}};
     s.nl_q30 = (int32_t)below(1u << 30);
     s.t_q30 = below(tables->t_max_q30 + (1u << 20));
     if (kind % 8 >= 5) { /* the lowest t at pixel k, or about */
@@ -66,7 +71,8 @@ static struct glint_span tricky_span(const struct glint_tables *tables, unsigned
     const uint32_t to_k = k * s.dt_q30 + k * (k - 1) / 2 * s.ddt_q30;
     switch (kind % 8) {
     case 0:
-        return (struct glint_span){any_bits(), any_bits(), any_bits(), (int32_t)any_bits(), (int32_t)any_bits(), w};
+        return (struct glint_span){any_bits(),          any_bits(), any_bits(),      (int32_t)any_bits(),
+                                   (int32_t)any_bits(), w,          {{0, 0}, {0, 0}}};
     case 1:
         s.dt_q30 = (uint32_t)within(1 << (24 + fine % 6));
         s.ddt_q30 = below(1u << (10 + fine));

@@ -109,7 +109,7 @@ static void raw_textures_are_those_of_the_source(void **state)
             "od -A n -t u2 -j 6 -N 2 a.bin; done");
     assert_string_equal(result->err, "");
     assert_int_equal(result->status, 0);
-    assert_string_equal(result->out, "   513\n   513\n");
+    assert_string_equal(result->out, "  1025\n  1025\n");
 }
 
 /* A library that does what the file's name says, in place of libassimp. */

@@ -1,0 +1,359 @@
+/* SPDX-License-Identifier: MIT
+ * Grain: m of each sample (step 2a of sequence.md), and lines drawn by F of t and m. */
+#include "glint_grain.h"
+#include "glint_math.h"
+#include "glint_math_vector.h"
+
+/* ---- The direction U ---- */
+
+/* With what is the same for all normals: |U|^2 and H.U, Q30. */
+struct grain_way {
+    int32_t x, y, h;
+    uint32_t square;
+};
+
+static inline void grain_way_set(struct grain_way *way, int32_t x, int32_t y, const struct glint_vec *h)
+{
+    way->x = x;
+    way->y = y;
+    way->h = h->x * x + h->y * y;
+}
+
+/* 2^15 sin, of 128ths of a quarter. */
+static const uint16_t grain_sine[129] GLINT_FLASH = {
+    0,     402,   804,   1206,  1608,  2009,  2411,  2811,  3212,  3612,  4011,  4410,  4808,  5205,  5602,
+    5998,  6393,  6787,  7180,  7571,  7962,  8351,  8740,  9127,  9512,  9896,  10279, 10660, 11039, 11417,
+    11793, 12167, 12540, 12910, 13279, 13646, 14010, 14373, 14733, 15091, 15447, 15800, 16151, 16500, 16846,
+    17190, 17531, 17869, 18205, 18538, 18868, 19195, 19520, 19841, 20160, 20475, 20788, 21097, 21403, 21706,
+    22006, 22302, 22595, 22884, 23170, 23453, 23732, 24008, 24279, 24548, 24812, 25073, 25330, 25583, 25833,
+    26078, 26320, 26557, 26791, 27020, 27246, 27467, 27684, 27897, 28106, 28311, 28511, 28707, 28899, 29086,
+    29269, 29448, 29622, 29792, 29957, 30118, 30274, 30425, 30572, 30715, 30853, 30986, 31114, 31238, 31357,
+    31471, 31581, 31686, 31786, 31881, 31972, 32058, 32138, 32214, 32286, 32352, 32413, 32470, 32522, 32568,
+    32610, 32647, 32679, 32706, 32729, 32746, 32758, 32766, 32768};
+
+/* By an angle of a map, 256 a half turn: of length 1. */
+static inline void grain_turned(struct grain_way *way, uint32_t angle, const struct glint_vec *h)
+{
+    const uint32_t back = angle <= 128 ? angle : 256 - angle;
+    const int32_t x = GLINT_FLASH_U16(grain_sine[128 - back]);
+    grain_way_set(way, angle <= 128 ? x : -x, GLINT_FLASH_U16(grain_sine[back]), h);
+}
+
+/* Of any length, shifted so that |x| + |y| is in 2^14 .. 2^15; up: of the pixel before. 0, 0 stays. */
+static inline void grain_scaled(struct grain_way *way, int32_t x, int32_t y, unsigned *up, const struct glint_vec *h)
+{
+    const uint32_t size = (uint32_t)(x < 0 ? -x : x) + (uint32_t)(y < 0 ? -y : y); /* < 2^31 */
+    if (size) {
+        while (size >> (31 - *up))
+            --*up;
+        while (!(size >> (30 - *up)))
+            ++*up;
+    }
+    x = (int32_t)((uint32_t)x << *up) >> 16;
+    y = (int32_t)((uint32_t)y << *up) >> 16;
+    way->square = (uint32_t)(x * x + y * y);
+    grain_way_set(way, x, y, h);
+}
+
+/* ---- m ---- */
+
+/* (H.T)^2 / 2 in Q22, held to most: of off = t N.U - D.U, D = N - H, which is -H.T times the root of d = |U|^2 - (N.U)^2 of a unit N. */
+static inline __attribute__((always_inline)) uint32_t grain_half_square(uint32_t off_q30, uint32_t d_q27, uint32_t most)
+{
+    const uint32_t size = off_q30 >> 31 ? 0 - off_q30 : off_q30;
+    uint32_t d = d_q27;
+    if (d == 0)
+        return most >> 1; /* the mean over all directions */
+    if (size >> 30)
+        return most;
+    if (d >> 28)
+        d = ((uint32_t)1 << 28) - 1; /* normals of no unit length, as before */
+    int down = 11;
+    while (!(d >> 27)) {
+        d <<= 1;
+        down--;
+    }
+    /* 2^43 / d: as glint_reciprocal, but for its last term */
+    const uint32_t y = GLINT_FLASH_U8(glint_reciprocals[(d >> 21) - 64]);
+    const int32_t e = (int32_t)(d * y), r = e >> 14;
+    const uint32_t inverse = (((y << 23) + (uint32_t)((int32_t)y * ((r * r >> 13) - (e >> 6)) >> 6)) + 16384) >> 15;
+    const uint32_t square = glint_squarehi_near(size << 2); /* Q32 */
+    const uint32_t w = (square >> 16) * inverse + ((square & 0xffff) * inverse >> 16);
+    if (down >= 0)
+        return w >> down < most ? w >> down : most;
+    return w <= most >> -down ? w << -down : most;
+}
+
+/* t N.U - D.U, Q30; modulo 2^32. */
+static inline uint32_t grain_off(const struct grain_way *way, int32_t along, uint32_t t)
+{
+    const int32_t t_q16 = (int32_t)((t + 8192) >> 14), along_q14 = (along + 32768) >> 16;
+    return (uint32_t)(t_q16 * along_q14) - (uint32_t)along + (uint32_t)way->h;
+}
+
+/* Of a normal. As |U|^2 - (N.U)^2 = z^2 |U|^2 + (N.V)^2, V being U turned by a quarter, nothing is lost where that is small. */
+static inline __attribute__((always_inline)) uint32_t
+grain_of_normal(const struct grain_way *way, bool is_unit, int32_t x, int32_t y, int32_t z, uint32_t t, uint32_t most)
+{
+    const int32_t along = x * way->x + y * way->y, across = (y * way->x - x * way->y) >> 15;
+    uint32_t d = (uint32_t)(z * z);
+    if (!is_unit)
+        d = glint_mulhi_near(d << 1, way->square << 1);
+    d = (d + (uint32_t)(across * across)) >> 3;
+    return grain_half_square(grain_off(way, along, t), d, most);
+}
+
+/* ---- Samples ---- */
+
+/* What is the same for all of a run. is_sine is known at compile time. */
+struct grain_run {
+    uint32_t n_across, more; /* n - n_across, modulo 2^32 */
+    struct glint_vec l, h;
+    bool is_sine;
+};
+
+/* t of m: Q22. */
+static inline uint32_t grain_t(const struct grain_run *g, uint32_t t)
+{
+    return (g->is_sine ? t - (glint_squarehi_near(t << 1) >> 1) : t) >> 8;
+}
+
+/* Steps 1, 2 and 2a of one normal; t and m are UINT32_MAX where N.L is 0 or t > 1. way: NULL where there is no grain: n times t. */
+static inline __attribute__((always_inline)) void grain_sample(const struct grain_run *g, const struct grain_way *way,
+                                                               bool is_unit, const struct glint_vec *normal,
+                                                               struct glint_sample *sample)
+{
+    const int32_t x = normal->x, y = normal->y, z = normal->z;
+    const int32_t nl = (((x * g->l.x + y * g->l.y + z * g->l.z) >> 13) + 1) >> 1;
+    sample->t_q30 = sample->f_q16 = UINT32_MAX;
+    sample->nl_q16 = nl <= 0 ? 0 : nl < 65536 ? (uint32_t)nl : 65536;
+    if (nl <= 0)
+        return;
+    const int32_t dx = x - g->h.x, dy = y - g->h.y, dz = z - g->h.z;
+    const uint32_t xx = (uint32_t)dx * (uint32_t)dx, yy = (uint32_t)dy * (uint32_t)dy;
+    const uint32_t zz = (uint32_t)dz * (uint32_t)dz, xy = xx + yy, sum = xy + zz, t = sum >> 1;
+    if (xy < xx || sum < zz || t > GLINT_T_ONE)
+        return;
+    const uint32_t s = grain_t(g, t);
+    sample->t_q30 = t;
+    sample->f_q16 = g->n_across * s + g->more * (way ? grain_of_normal(way, is_unit, x, y, z, t, s) : s);
+}
+
+static inline __attribute__((always_inline)) void grain_one_way(const struct grain_run *g, const struct grain_way *way,
+                                                                const struct glint_vec *normal,
+                                                                struct glint_sample *sample, unsigned count)
+{
+    const struct glint_sample *end = sample + count;
+    for (; sample != end; sample++, normal++)
+        grain_sample(g, way, true, normal, sample);
+}
+
+static inline __attribute__((always_inline)) void grain_by_map(const struct grain_run *g, const uint8_t *angle,
+                                                               const struct glint_vec *normal,
+                                                               struct glint_sample *sample, unsigned count)
+{
+    const struct glint_sample *end = sample + count;
+    for (; sample != end; sample++, normal++, angle++) {
+        struct grain_way way;
+        grain_turned(&way, *angle, &g->h);
+        grain_sample(g, &way, true, normal, sample);
+    }
+}
+
+/* Round a centre or away from it: x, y from it to the first pixel, y up. */
+static inline __attribute__((always_inline)) void grain_by_place(const struct grain_run *g, bool spun, int32_t x,
+                                                                 int32_t y, const struct glint_vec *normal,
+                                                                 struct glint_sample *sample, unsigned count)
+{
+    unsigned up = 16;
+    const struct glint_sample *end = sample + count;
+    for (; sample != end; sample++, normal++, x += 16) {
+        struct grain_way way;
+        grain_scaled(&way, spun ? -y : x, spun ? x : y, &up, &g->h);
+        grain_sample(g, &way, false, normal, sample);
+    }
+}
+
+/* The pixels of a span from its pixel `from` on, whose N.U is linear, within (w + 1) 2^-30; t is there. */
+static inline __attribute__((always_inline)) void grain_walk(const struct grain_run *g, const struct grain_way *way,
+                                                             const struct glint_span *span, uint32_t from, uint32_t w,
+                                                             struct glint_sample *sample, unsigned count)
+{
+    const int32_t first = span->ends[0][0] * way->x + span->ends[0][1] * way->y;
+    const int32_t last = span->ends[1][0] * way->x + span->ends[1][1] * way->y, steps = w > 1 ? (int32_t)w - 1 : 1;
+    const int32_t step = (last / 2 - first / 2) / steps * 2;
+    int32_t along = first + step * (int32_t)from;
+    for (const struct glint_sample *end = sample + count; sample != end; sample++, along += step) {
+        const uint32_t t = sample->t_q30, s = grain_t(g, t);
+        const int32_t p = along >> 15;
+        const uint32_t square = (uint32_t)(p * p);
+        sample->f_q16 = UINT32_MAX;
+        if (t > GLINT_T_ONE)
+            continue;
+        const uint32_t d = square < GLINT_T_ONE ? (GLINT_T_ONE - square) >> 3 : 0;
+        sample->f_q16 = g->n_across * s + g->more * grain_half_square(grain_off(way, along, t), d, s);
+    }
+}
+
+/* n of a pixel, without grain. */
+static inline __attribute__((always_inline)) void grain_shiny(struct grain_run *g, const uint8_t *code,
+                                                              const struct glint_vec *normal,
+                                                              struct glint_sample *sample, unsigned count)
+{
+    const struct glint_sample *end = sample + count;
+    for (; sample != end; sample++, code++) {
+        g->n_across = glint_shininess_n(*code);
+        if (normal)
+            grain_sample(g, NULL, true, normal++, sample);
+        else
+            sample->f_q16 = sample->t_q30 > GLINT_T_ONE ? UINT32_MAX : g->n_across * grain_t(g, sample->t_q30);
+    }
+}
+
+static inline __attribute__((always_inline)) void
+grain_samples(const struct glint_paint *paint, const struct glint_lines *lines, const struct glint_span *span,
+              const struct glint_view *view, const struct glint_vec *normals, struct glint_sample *samples,
+              unsigned from, unsigned count, bool is_sine)
+{
+    const struct glint_maps *const maps = lines->maps;
+    const struct glint_run *const run = &lines->run;
+    const uint32_t x = run->x + from, line = run->y - lines->target->y;
+    struct grain_run g; /* by fields: no call of memcpy */
+    g.n_across = paint->material.n_across;
+    g.more = paint->of.exact.n - g.n_across;
+    g.l.x = view->l.x, g.l.y = view->l.y, g.l.z = view->l.z;
+    g.h.x = view->h.x, g.h.y = view->h.y, g.h.z = view->h.z;
+    g.is_sine = is_sine;
+    if (maps && maps->shininess) {
+        g.more = 0;
+        grain_shiny(&g, maps->shininess + maps->shininess_stride * (ptrdiff_t)line + x, normals, samples, count);
+    } else if (span || (!maps->grain && maps->grain_kind == GLINT_GRAIN_BRUSHED)) {
+        struct grain_way way;
+        grain_way_set(&way, lines->grain[0], lines->grain[1], &view->h);
+        if (span)
+            grain_walk(&g, &way, span, x, lines->w, samples, count);
+        else
+            grain_one_way(&g, &way, normals, samples, count);
+    } else if (maps->grain) {
+        grain_by_map(&g, maps->grain + maps->grain_stride * (ptrdiff_t)line + x, normals, samples, count);
+    } else {
+        grain_by_place(&g, maps->grain_kind == GLINT_GRAIN_SPUN, 16 * (int32_t)(run->left + x) + 8 - maps->grain_at[0],
+                       maps->grain_at[1] - 16 * (int32_t)run->y - 8, normals, samples, count);
+    }
+}
+
+void glint_grain_sample(const struct glint_paint *paint, const struct glint_lines *lines, const struct glint_span *span,
+                        const struct glint_view *view, const struct glint_vec *normals, struct glint_sample *samples,
+                        unsigned from, unsigned count)
+{
+    grain_samples(paint, lines, span, view, normals, samples, from, count, false);
+}
+
+void glint_grain_sample_sine(const struct glint_paint *paint, const struct glint_lines *lines,
+                             const struct glint_span *span, const struct glint_view *view,
+                             const struct glint_vec *normals, struct glint_sample *samples, unsigned from,
+                             unsigned count)
+{
+    grain_samples(paint, lines, span, view, normals, samples, from, count, true);
+}
+
+/* ---- Lines ---- */
+
+enum glint_err glint_grain_check(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t w, uint32_t h,
+                                 bool normals)
+{
+    if (!maps)
+        return GLINT_OK;
+    const bool turns = maps->grain || maps->grain_kind != GLINT_GRAIN_BRUSHED;
+    for (unsigned k = 0; k < 2; k++)
+        if (turns && !maps->grain && (maps->grain_at[k] > GLINT_LIGHT_FAR || maps->grain_at[k] < -GLINT_LIGHT_FAR))
+            return GLINT_ERR_ARG;
+    if ((h > 1 && ((maps->grain && !glint_stride_fits(maps->grain_stride, w)) ||
+                   (maps->shininess && !glint_stride_fits(maps->shininess_stride, w)))) ||
+        maps->grain_kind > GLINT_GRAIN_SUNRAY || (turns && !normals) ||
+        (maps->shininess && (maps->grain || paint->material.n_across)))
+        return GLINT_ERR_ARG;
+    return GLINT_OK;
+}
+
+void glint_grain_begin(struct glint_lines *lines)
+{
+    const struct glint_maps *maps = lines->maps;
+    int32_t u[3] = {maps ? maps->grain_at[0] : 0, maps ? maps->grain_at[1] : 0, 0};
+    struct glint_vec unit = {32767, 0, 0};
+    struct glint_unit near;
+    if ((u[0] | u[1]) && !(glint_unit_near(&near, u) && glint_vec_of_q30(&unit, near.unit_q30, GLINT_UNIT_SLACK))) {
+        (void)glint_unit_q30(u, u);
+        (void)glint_vec_of_q30(&unit, u, 0);
+    }
+    lines->grain[0] = unit.x;
+    lines->grain[1] = unit.y;
+}
+
+uint32_t glint_grain_f(const struct glint_paint *paint, uint32_t m, uint32_t t)
+{
+    const struct glint_use_grain *use = GLINT_FLASH_POINTER(paint->model->grain);
+    if (t > GLINT_T_ONE || m > GLINT_GRAIN_MOST ||
+        !GLINT_FLASH_POINTER(use->reaches)(m, t, glint_clamp_q(paint->material.q)))
+        return 0;
+    const uint32_t f = GLINT_FLASH_POINTER(use->exact)(m, t);
+    return f < paint->of.exact.f_max ? f : paint->of.exact.f_max;
+}
+
+/* m of the run's samples from `from` on; span: whose t and N.L are there, or NULL. */
+static __attribute__((noinline)) void grain_source(const struct glint_paint *paint, const struct glint_lines *lines,
+                                                   const struct glint_span *span, struct glint_sample *samples,
+                                                   unsigned from, unsigned count)
+{
+    const struct glint_use_grain *use = GLINT_FLASH_POINTER(paint->model->grain);
+    struct glint_vec unpacked[GLINT_RUN];
+    struct glint_view view;
+    view.l.x = paint->l.x, view.l.y = paint->l.y, view.l.z = paint->l.z;
+    view.h.x = paint->h.x, view.h.y = paint->h.y, view.h.z = paint->h.z;
+    const struct glint_vec *normals = span ? NULL : glint_lines_normals(lines, unpacked) + from;
+    GLINT_FLASH_POINTER(use->sample)(paint, lines, span, &view, normals, samples, from, count);
+}
+
+/* A pixel that stays open: its m again, since F has taken its place. before: the span before the run, or NULL. */
+static __attribute__((noinline)) void grain_exactly(const struct glint_paint *paint, const struct glint_lines *lines,
+                                                    const struct glint_span *before, unsigned i)
+{
+    struct glint_sample sample;
+    if (before) {
+        struct glint_span at = *before;
+        glint_span_skip(&at, at.w - (lines->w - lines->run.x) + i);
+        glint_samples_walk(&at, &sample, 1);
+    }
+    grain_source(paint, lines, before, &sample, i, 1);
+    glint_paint_sums(paint, &lines->run, i, sample.nl_q16, glint_grain_f(paint, sample.f_q16, sample.t_q30));
+}
+
+void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
+                      struct glint_box *highlight)
+{
+    struct glint_bounds bounds;
+    struct glint_sample samples[GLINT_RUN];
+    struct glint_span before;
+    struct glint_run *const run = &lines->run;
+    const struct glint_use_grain *use = GLINT_FLASH_POINTER(paint->model->grain);
+    glint_bounds_begin(&bounds);
+    lines->most = GLINT_RUN;
+    glint_grain_begin(lines);
+    for (uint32_t y = 0; y < h; y++)
+        for (glint_lines_set(lines, y); glint_lines_next(lines); run->x += lines->count) {
+            if (at) {
+                before = *at;
+                glint_lines_walk(paint, lines, at, samples);
+            }
+            grain_source(paint, lines, at, samples, 0, lines->count);
+            GLINT_FLASH_POINTER(use->run)(paint, samples, lines->count);
+            for (unsigned i = 0; highlight && i < lines->count; i++) /* before gloss is drawn over */
+                if (samples[i].f_q16 && (!run->gloss || run->gloss[i]))
+                    glint_bounds_add(&bounds, run->x + i, y);
+            uint32_t open = glint_run_levels(paint, run)(paint, run, samples, lines->count);
+            for (unsigned i = 0; open; i++, open >>= 1)
+                if (open & 1)
+                    grain_exactly(paint, lines, at ? &before : NULL, i);
+        }
+    glint_bounds_box(&bounds, highlight);
+}
