@@ -97,6 +97,9 @@ static void draw_mesh(const struct render_options *options, struct drawn *drawn)
     drawn->shadings = mesh_shadings(mesh, &shading, shading_options_own(look));
     struct mesh_canvas *canvas = mesh_canvas_new(fitted, drawn->shadings);
     drawn->pixels = allocate(height, format_line_bytes(shading.format, width));
+    uint8_t *rgb = scene_backdrop(&look->scene, width, height);
+    uint8_t *behind = backdrop_pixels(rgb, width, height, &shading);
+    mesh_canvas_set_backdrop(canvas, behind);
     mesh_canvas_draw(canvas, &view, NULL, drawn->pixels);
     if (options->gouraud && fitted->mesh.textures)
         fail("%s: --gouraud draws no textures; give --no-textures", mesh->name);
@@ -104,6 +107,8 @@ static void draw_mesh(const struct render_options *options, struct drawn *drawn)
         drawn->levels = mesh_gouraud(mesh, fitted, &view, drawn->shadings);
     if (options->compare)
         drawn->scene = mesh_scene(mesh, fitted, &view, drawn->shadings, &drawn->coverage);
+    free(rgb);
+    free(behind);
     mesh_canvas_free(canvas);
     fitted_free(fitted);
     mesh_free(mesh);

@@ -15,6 +15,7 @@ struct mesh_canvas {
     struct glint_paint *paints; /* of each part */
     struct glint_light lights[GLINT_LIGHTS_MAX];
     uint32_t (*memory)[GLINT_TABLES_DITHER_BYTES / 4]; /* of each part's tables; NULL: exact */
+    const uint8_t *backdrop;                           /* or NULL */
 };
 
 struct shading *mesh_shadings(const struct mesh *mesh, const struct shading *shading, struct mesh_own own)
@@ -104,6 +105,11 @@ static void draw(const struct glint_mesh *meshes, const struct glint_paint *cons
         fail("the library refused the mesh (error %d)", error);
 }
 
+void mesh_canvas_set_backdrop(struct mesh_canvas *canvas, const uint8_t *pixels)
+{
+    canvas->backdrop = pixels;
+}
+
 void mesh_canvas_draw(struct mesh_canvas *canvas, const struct view *view, const struct shading *light, uint8_t *pixels)
 {
     const struct shading *shading = &canvas->shadings[0];
@@ -111,7 +117,10 @@ void mesh_canvas_draw(struct mesh_canvas *canvas, const struct view *view, const
     const size_t line_bytes = format_line_bytes(shading->format, view->width);
     for (unsigned i = 0; i < canvas->mesh.part_count; i++)
         shading_light_paint(light ? light : shading, &canvas->paints[i], canvas->lights);
-    memset(pixels, 0, line_bytes * view->height);
+    if (canvas->backdrop)
+        memcpy(pixels, canvas->backdrop, line_bytes * view->height);
+    else
+        memset(pixels, 0, line_bytes * view->height);
     draw(&canvas->mesh, &paints, 1, view, pixels, line_bytes);
 }
 

@@ -238,7 +238,7 @@ run([
         await page.focus('#handle')
         await page.keyboard.press('ArrowUp')
         equal((await turn())[0], Math.round(10 * (x + 5)) / 10, 'x after an arrow key for the light')
-        for (const [id, value, word] of [['control-zoom', '1.4', '--zoom=1.4'], ['control-turn', '10,20,30', '--turn=10,20,30'], ['control-perspective', '3', '--perspective=3'], ['control-split', '180', '--split=180']]) {
+        for (const [id, value, word] of [['control-zoom', '1.4', '--zoom=1.4'], ['control-turn', '10,20,30', '--turn=10,20,30'], ['control-perspective', '3', '--perspective=3'], ['control-no-outlines', false, '--no-outlines'], ['control-split', '180', '--split=180']]) {
             const { rgba } = await browser.now()
             await browser.set(id, value)
             check((await shownIsDrawn()).includes(word), `no ${word}`)

@@ -44,11 +44,12 @@ const material: Row['build'] = (id, line) => {
     return state => { input.value = state.material ?? '' }
 }
 
-const flag = (option: Option): Row['build'] => (id, line) => {
+/** `off`: the option switches off what is checked. */
+const flag = (option: Option, off = false): Row['build'] => (id, line) => {
     const input = make('input', { type: 'checkbox', id })
-    input.onchange = () => set(option, input.checked ? '' : undefined)
+    input.onchange = () => set(option, input.checked !== off ? '' : undefined)
     line.append(input)
-    return state => { input.checked = state[option] !== undefined }
+    return state => { input.checked = (state[option] !== undefined) !== off }
 }
 
 /** A slider and a number. The slider runs 0..steps, `at` and `of` bend it. */
@@ -233,6 +234,7 @@ const table: Row[] = [
     { option: 'turn', title: 'Turn', onlyMesh: true, build: text('turn', f => f.turn?.join() ?? ''), number: (_, f) => `--turn ${f.turn}`, meaning: () => 'Degrees about x, y and z; the button below the picture lets you drag it' },
     { option: 'zoom', title: 'Zoom', onlyMesh: true, build: text('zoom', f => String(f.zoom ?? '')), number: (_, f) => `--zoom ${f.zoom}`, meaning: () => '1: whatever its turn, the mesh fills the picture' },
     { option: 'perspective', title: 'Perspective', onlyMesh: true, build: text('perspective', () => ''), number: s => s.perspective === undefined ? 'parallel' : `--perspective=${s.perspective || 4}`, meaning: () => 'The camera\'s distance in radii of the mesh, 1.5 to 100; empty: from infinitely far' },
+    { option: 'no-outlines', title: 'Smooth outline', onlyMesh: true, build: flag('no-outlines', true), number: s => `outlines = ${s['no-outlines'] === undefined ? '&glint_outlines' : 'NULL'}`, meaning: () => 'Pixels at the outline are mixed with what lies behind; else it is stepped' },
     { option: 'view', title: 'Viewer', build: view, number: s => `to_viewer = ${s.view ?? '0,0,1'}`, meaning: () => 'The direction to you: x right, y up, z out of the panel' },
 ]
 
