@@ -81,7 +81,7 @@ static inline __attribute__((always_inline)) uint32_t grain_half_square(uint32_t
     const uint32_t w = (square >> 16) * inverse + ((square & 0xffff) * inverse >> 16);
     if (down >= 0)
         return w >> down < most ? w >> down : most;
-    return w < most >> -down ? w << -down : most;
+    return w <= most >> -down ? w << -down : most;
 }
 
 /* t N.U - D.U, Q30; modulo 2^32. */
