@@ -55,20 +55,6 @@ static uint8_t coverage_level(const struct glint_paint *paint, const struct glin
  * without them, are scaled by a, rounded down. So the sum is low by no more than W and what that rounding takes; and V was high by no more
  * than what thresholds lack for it (paint->of.exact.high). */
 
-/* 1 - a in units of 2^-shift: low by < 2^(shift - 24) + 1. */
-static inline uint32_t coverage_rest(uint32_t m, unsigned shift)
-{
-    const uint32_t rest = (255 - m) * 0x10101; /* of 2^24 - 1 */
-    return shift < 24 ? rest >> (24 - shift) : rest << (shift - 24);
-}
-
-/* a x of any x, low by < 2^8 + 2^10. */
-static inline uint32_t coverage_part(uint32_t x, uint32_t m)
-{
-    const uint32_t b = (x >> 8) * m; /* < 255 2^24 */
-    return (b + (b >> 8) + (b >> 16)) >> 8 << 8;
-}
-
 /* What W grows by, for the largest factors: of N.L, which is low by < nl units, of F, and of what is without. */
 static uint32_t coverage_w(const struct glint_paint *p, const uint32_t of_nl[3], uint32_t nl, uint32_t f,
                            uint32_t fixed)
@@ -79,7 +65,8 @@ static uint32_t coverage_w(const struct glint_paint *p, const uint32_t of_nl[3],
         most = w > most ? w : most;
         sum += w;
     }
-    return (glint_format_is_grey(p->output.format) ? sum : most) + (255u << 5); /* 255 times what coverage_rest lacks */
+    return (glint_format_is_grey(p->output.format) ? sum : most) +
+           255u * 36; /* 255 times what both glint_covered_one lack, <= 17 each */
 }
 
 /* Every format, maps, and channels apart: V as glint_levels_apart has it. */
@@ -100,7 +87,8 @@ static uint32_t coverage_any(const struct glint_paint *p, const struct glint_run
     glint_levels_alpha(format, run, 0, count);
     for (unsigned i = 0; i < count; i++, albedo += run->albedo ? 3 : 0) {
         const struct glint_sample *sample = samples + i;
-        const uint32_t m = coverage_of(p, run, i), rest = coverage_rest(m, shift), one = ((uint32_t)1 << shift) - rest;
+        const uint32_t m = coverage_of(p, run, i), rest = glint_covered_one(255 - m, shift);
+        const uint32_t one = glint_covered_one(m, shift);
         uint32_t sum = bias[i & 3] - grey, undecided = 0;
         uint8_t levels[4];
         for (unsigned k = 0; k < 3; k++, sample += run->apart) {
@@ -108,8 +96,9 @@ static uint32_t coverage_any(const struct glint_paint *p, const struct glint_run
             const uint32_t nl = glint_by_255(sample->nl_q16 * m);
             const uint32_t f =
                 glint_by_255((run->gloss ? glint_by_255(sample->f_q16 * run->gloss[i]) : sample->f_q16) * m);
-            uint32_t v = (albedo[k] * ((coverage_part(p->of.exact.ambient[k], m) + p->of.exact.diffuse[k] * nl) >> 7)) +
-                         p->of.exact.r[k] * f;
+            uint32_t v =
+                (albedo[k] * ((glint_covered_part(p->of.exact.ambient[k], m) + p->of.exact.diffuse[k] * nl) >> 7)) +
+                p->of.exact.r[k] * f;
             v = sum + glint_levels_hold(v, grey ? (max * one >> 8) * glint_luma(k) : max * one);
             if (grey)
                 sum = v;
@@ -129,19 +118,18 @@ static uint32_t coverage_any(const struct glint_paint *p, const struct glint_run
 }
 
 /* A channel's V, blended over a level, and its threshold. */
-GLINT_INLINE uint32_t coverage_channel(const struct glint_paint *p, unsigned k, const uint32_t fixed[3], uint32_t m_q16,
+GLINT_INLINE uint32_t coverage_channel(const struct glint_paint *p, unsigned k, const uint32_t fixed[3], uint32_t m,
                                        uint32_t nl, uint32_t f, uint32_t most)
 {
-    return glint_levels_hold(fixed[k] * m_q16 + p->of.exact.q[k] * nl + p->of.exact.r[k] * f, most);
+    return glint_levels_hold(glint_covered_fixed(fixed[k], m) + p->of.exact.q[k] * nl + p->of.exact.r[k] * f, most);
 }
 
-/* RGB565 without maps, under one light: N.L <= 2^16, F < 33/32 2^16. With a of 2^16, low by a of a unit, N.L is low by < 2, F by < 3 1/16,
- * what is without them by < 2^17; 1 - a by 255 2^-shift. */
+/* RGB565 without maps, under one light: N.L <= 2^16, F < 33/32 2^16. a and 1 - a are low by 255 of 2^shift together. */
 static uint32_t coverage_565(const struct glint_paint *p, const struct glint_run *run,
                              const struct glint_sample *sample, unsigned count)
 {
     const unsigned shift = (unsigned)p->of.exact.shift, swapped = p->output.format == GLINT_RGB565_SWAPPED;
-    const uint32_t unit = shift < 24 ? (uint32_t)0x10101 >> (24 - shift) : (uint32_t)0x10101 << (shift - 24);
+    const uint32_t unit = glint_covered_unit(shift);
     const uint32_t w = p->of.exact.w + coverage_w(p, p->of.exact.q, 2, 4, 2 << 16) + (63 << 8);
     const uint8_t *coverage = run->coverage + run->x;
     uint8_t *out = run->line + 2 * run->x;
@@ -152,15 +140,15 @@ static uint32_t coverage_565(const struct glint_paint *p, const struct glint_run
     const struct glint_sample *const first = sample, *const end = sample + count;
     const uint32_t *threshold = bias;
     for (; sample != end; sample++, out += 2) {
-        const uint32_t m = *coverage++, m_q16 = (m << 8) + m, rest = (255 - m) * unit, one = m * unit;
-        const uint32_t nl = sample->nl_q16 * m_q16 >> 16, f = sample->f_q16 * (m_q16 >> 1) >> 15;
+        const uint32_t m = *coverage++, rest = (255 - m) * unit, one = m * unit;
+        const uint32_t nl = glint_covered_nl(sample->nl_q16, m), f = glint_covered_f(sample->f_q16, m);
         const uint32_t under = (uint32_t)out[1 - swapped] << 8 | out[swapped];
-        uint32_t v = coverage_channel(p, 0, fixed, m_q16, nl, f, 31 * one) + rest * (under >> 11) + *threshold;
+        uint32_t v = coverage_channel(p, 0, fixed, m, nl, f, 31 * one) + rest * (under >> 11) + *threshold;
         uint32_t undecided = v ^ (v + w), pixel = v >> shift << 6;
-        v = coverage_channel(p, 1, fixed, m_q16, nl, f, 63 * one) + rest * (under >> 5 & 63) + *threshold;
+        v = coverage_channel(p, 1, fixed, m, nl, f, 63 * one) + rest * (under >> 5 & 63) + *threshold;
         undecided |= v ^ (v + w);
         pixel = (pixel | v >> shift) << 5;
-        v = coverage_channel(p, 2, fixed, m_q16, nl, f, 31 * one) + rest * (under & 31) + *threshold;
+        v = coverage_channel(p, 2, fixed, m, nl, f, 31 * one) + rest * (under & 31) + *threshold;
         undecided |= v ^ (v + w);
         pixel |= v >> shift;
         if (undecided >> shift) {

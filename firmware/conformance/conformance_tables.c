@@ -7,6 +7,13 @@
 
 #if CONFORMANCE_TABLES && !CONFORMANCE_MODELS_ONLY
 
+/* Full, none, or a part of a pixel. */
+static uint8_t soft_edged(void)
+{
+    const uint32_t bits = conform_random_bits();
+    return (uint8_t)(bits % 4 == 0 ? 0 : bits % 4 == 1 ? bits >> 8 & 255 : 255);
+}
+
 bool conform_fill(struct glint_paint *paint, enum glint_tables_kind kind, const struct glint_material *material,
                   const struct glint_output *output)
 {
@@ -115,7 +122,7 @@ static void add_rects(const struct glint_paint *paint, const struct glint_vec *n
     uint32_t *const words = conform_words;
     uint8_t *const out = (uint8_t *)conform_pixels;
     for (uint8_t i = 0; i < W * H; i++)
-        coverage[i] = conform_random_bits() % 4 ? 255 : 0;
+        coverage[i] = soft_edged();
     for (uint8_t kind = 0; kind < 4; kind++) {
         const bool packed = kind & 1, plain = kind & 2;
         for (uint8_t i = 0; i < W * H; i++)
@@ -217,7 +224,7 @@ static void add_albedo(unsigned model, unsigned flags)
             words[i] =
                 conform_random_bits() % 16 ? glint_normals_pack(GLINT_NORMALS_INT8, &near) : conform_random_bits() % 5;
             map[i] = (uint16_t)conform_random_bits();
-            coverage[i] = conform_random_bits() % 4 ? 255 : 0;
+            coverage[i] = soft_edged();
             pixels[i] = i;
         }
         maps.normals = packed ? (const void *)words : (const void *)normals;
@@ -249,6 +256,13 @@ void conform_albedo(const struct conformance_size *size)
 }
 
 #elif !CONFORMANCE_MODELS_ONLY
+
+/* Full, none, or a part of a pixel. */
+static uint8_t soft_edged(void)
+{
+    const uint32_t bits = conform_random_bits();
+    return (uint8_t)(bits % 4 == 0 ? 0 : bits % 4 == 1 ? bits >> 8 & 255 : 255);
+}
 
 bool conform_fill(struct glint_paint *paint, enum glint_tables_kind kind, const struct glint_material *material,
                   const struct glint_output *output)

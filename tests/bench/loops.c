@@ -130,6 +130,7 @@ const struct bench_loop bench_loops[] = {
     {"exact rgb888", WHAT("exact rect"), EXACT, INT16, .look = {.format = GLINT_RGB888}, .once = true},
     {"exact grey", WHAT("exact rect"), EXACT, INT16, .look = {.format = GLINT_GREY8}, .once = true},
     {"exact mono", WHAT("exact rect"), EXACT, INT16, .look = {.format = GLINT_MONO}, .once = true},
+    {"exact grey4", WHAT("exact rect, GREY4, dithered"), EXACT, INT16, .look = {.format = GLINT_GREY4, .dither = true}, .once = true},
     {"exact linear", WHAT("exact rect, linear space"), EXACT, INT16, .look = {.space = GLINT_LINEAR}, .once = true},
     {"exact linear 888", WHAT("the same, RGB888"), EXACT, INT16, .look = {.format = GLINT_RGB888, .space = GLINT_LINEAR}, .once = true},
     {"exact linear grey", WHAT("the same, GREY8"), EXACT, INT16, .look = {.format = GLINT_GREY8, .space = GLINT_LINEAR}, .once = true},

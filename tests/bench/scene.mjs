@@ -9,7 +9,7 @@ export const MODELS = [...header.matchAll(/^ +X\(GLINT_\w+, (\w+), /mg)].map((ma
 export const SPACES = ['gamma', 'linear']
 export const FORMATS = ['rgb565', 'rgb565 swapped', 'rgb888', 'grey8', 'mono']
 const MAPS = ['int16', 'int8', 'palette-offsets'] // enum bench_map
-export const LINE_BYTES = [2, 2, 3, 1, 1 / 8]
+export const LINE_BYTES = [2, 2, 3, 1, 1 / 8, 3, 4, 4, 1 / 2, 1 / 4]
 
 export function readScene(folder) {
   const { width, height, q, covered, n } = JSON.parse(readFileSync(`${folder}/scene.json`, 'utf8'))
@@ -38,6 +38,7 @@ export function readScene(folder) {
 export function levels(format, line, x) {
   if (format === 2) return [line[3 * x], line[3 * x + 1], line[3 * x + 2]]
   if (format === 3) return [line[x]]
+  if (format === 8) return [(line[x >> 1] >> (x & 1 ? 0 : 4) & 15) * 17]
   if (format === 4) return [line[x >> 3] & 128 >> (x & 7) ? 255 : 0]
   const v = format === 0 ? line.readUInt16LE(2 * x) : line.readUInt16BE(2 * x)
   return [(v >> 11) * 255 / 31, (v >> 5 & 63) * 255 / 63, (v & 31) * 255 / 31]

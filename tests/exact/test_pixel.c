@@ -13,6 +13,7 @@
 #include "cases.h"
 #include "glint_lobe.h"
 #include "glint_math.h"
+#include "glint_pixel.h"
 
 /* Normals of a line, as vectors or words; some runs of words without surface say how long they are. */
 static void line_of_normals(uint64_t *seed, struct case_scene *s, unsigned from, unsigned w, bool is_8,
@@ -174,9 +175,47 @@ static void encoding_rises_by_no_more_than_its_octaves_first_chord_says(void **s
     }
 }
 
+/* For every coverage, of every argument, or of one in EXACT_EVERY of those that are many. */
+static void what_coverage_scales_is_low_by_less_than_w_grows_for_it_and_never_high(void **state)
+{
+    (void)state;
+    const char *text = getenv("EXACT_EVERY");
+    const uint32_t every = text ? (uint32_t)strtoul(text, NULL, 10) : 1;
+    for (uint64_t m = 0; m < 256; m++) {
+        unsigned wrong = 0;
+        for (uint64_t nl = 0; nl <= 65536; nl++) {
+            const uint64_t low = m * nl - 255 * (uint64_t)glint_covered_nl((uint32_t)nl, (uint32_t)m);
+            wrong += low >= 2 * 255;
+        }
+        for (uint64_t f = 0; f <= 67109; f++) {
+            const uint64_t low = m * f - 255 * (uint64_t)glint_covered_f((uint32_t)f, (uint32_t)m);
+            wrong += low >= 4 * 255;
+        }
+        for (uint64_t cut = 0; cut < 65536; cut++) { /* the largest of those that are cut to it, and the least */
+            const uint64_t v = 255 * (uint64_t)glint_covered_fixed((uint32_t)cut, (uint32_t)m);
+            wrong += m * ((cut << 16) + 65535) - v >= UINT64_C(255) << 17 || m * (cut << 16) - v >= UINT64_C(255) << 17;
+        }
+        for (unsigned shift = 18; shift <= 28; shift++) {
+            const uint64_t low = (m << shift) - 255 * (uint64_t)glint_covered_one((uint32_t)m, shift);
+            const uint64_t unit = (UINT64_C(1) << shift) - 255 * (uint64_t)glint_covered_unit(shift);
+            wrong += low > 255 * ((1u << shift >> 24) + UINT64_C(1)) || unit > 255;
+        }
+        assert_int_equal(wrong, 0);
+    }
+    uint64_t wrong = 0;
+#pragma omp parallel for reduction(+ : wrong)
+    for (uint32_t m = 0; m < 256; m++)
+        for (uint32_t x = m % every; x < 1u << 24; x += every) {
+            const uint64_t v = 255 * (uint64_t)glint_covered_part(x << 8, m), first = (uint64_t)m * x << 8;
+            wrong += first - v >= 255 << 10 || first + m * 255u - v >= 255 << 10;
+        }
+    assert_int_equal(wrong, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_coverage_scales_is_low_by_less_than_w_grows_for_it_and_never_high),
         cmocka_unit_test(encoding_rises_by_no_more_than_its_octaves_first_chord_says),
         cmocka_unit_test(quick_models_are_below_the_exact_ones_by_at_most_their_slack),
         cmocka_unit_test(rectangles_have_the_reference_pixels),

@@ -178,7 +178,8 @@ static int write_exact(char **words)
         gloss[i] = sphere_gloss(x, y);
         grain[i] = sphere_grain_byte(&look, x, y);
     }
-    const size_t line[] = {SPHERE_W * 2, SPHERE_W * 2, SPHERE_W * 3, SPHERE_W, SPHERE_W / 8};
+    const size_t line[] = {SPHERE_W * 2, SPHERE_W * 2, SPHERE_W * 3, SPHERE_W,     SPHERE_W / 8,
+                           SPHERE_W * 3, SPHERE_W * 4, SPHERE_W * 4, SPHERE_W / 2, SPHERE_W / 4};
     struct glint_paint paint;
     struct glint_maps maps = {.normals = normals,
                               .normals_stride = SPHERE_W * sizeof *normals,

@@ -94,10 +94,10 @@ static unsigned ms_between(size_t first, size_t last)
     return ms;
 }
 
-static const unsigned glasses[][3] = {{PANEL_ST7789, 240, 320}, {PANEL_ST7789, 240, 280}, {PANEL_ST7789, 240, 240},
-                                      {PANEL_ST7789, 172, 320}, {PANEL_ST7789, 170, 320}, {PANEL_ST7789, 135, 240},
-                                      {PANEL_ILI9341, 240, 320}};
-enum { GLASSES = sizeof glasses / sizeof *glasses };
+static const unsigned glasses[][3] = {{PANEL_ST7789, 240, 320},  {PANEL_ST7789, 240, 280}, {PANEL_ST7789, 240, 240},
+                                      {PANEL_ST7789, 172, 320},  {PANEL_ST7789, 170, 320}, {PANEL_ST7789, 135, 240},
+                                      {PANEL_ILI9341, 240, 320}, {PANEL_SSD1306, 128, 64}};
+enum { GLASSES = sizeof glasses / sizeof *glasses, DCS_GLASSES = GLASSES - 1 };
 
 /* ---- tests ---- */
 
@@ -145,7 +145,7 @@ static void the_picture_is_turned_as_widely_used_drivers_turn_it(void **state)
 static void a_start_gives_the_controller_its_time_and_shows_nothing(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < GLASSES; i++) {
+    for (size_t i = 0; i < DCS_GLASSES; i++) {
         const struct panel panel = made(&bus, (enum panel_controller)glasses[i][0], 0, glasses[i][1], glasses[i][2]);
         assert_true(panel_start(&panel));
         const size_t awake = place_of(COMMAND, PANEL_SLEEP_OUT);
@@ -237,7 +237,7 @@ static void a_bus_that_fails_at_any_call_fails_the_panel(void **state)
         for (size_t limit = 0; limit <= whole; limit++) {
             calls = happenings = 0;
             calls_that_work = limit;
-            const bool good = panel_start(&panel) && panel_window(&panel, 0, 0, 1, 1) &&
+            const bool good = panel_start(&panel) && panel_window(&panel, 0, 0, 1, panel_is_paged(&panel) ? 8 : 1) &&
                               panel_show(&panel, PANEL_BRIGHTEST) && panel_stop(&panel);
             assert_int_equal(good, limit == whole || calls <= limit);
             assert_true(calls <= limit + 1); /* nothing is sent after a failure */
@@ -246,6 +246,71 @@ static void a_bus_that_fails_at_any_call_fails_the_panel(void **state)
         }
         assert_true(whole > 10);
     }
+}
+
+/* ---- the SSD1306 ---- */
+
+static void commands_are(const uint8_t *wanted, size_t count, size_t from)
+{
+    for (size_t i = 0; i < count; i++) {
+        assert_int_equal(record[from + i].kind, COMMAND);
+        assert_int_equal(record[from + i].value, wanted[i]);
+    }
+}
+
+static void an_ssd1306_gets_its_addresses_as_commands_and_its_pixels_in_pages(void **state)
+{
+    (void)state;
+    uint8_t lines[64][16];
+    for (unsigned i = 0; i < sizeof lines; i++)
+        lines[i / 16][i % 16] = (uint8_t)(i * i * 7 + i);
+    for (unsigned rotation = 0; rotation < 4; rotation += 2) {
+        const struct panel panel = made(&bus, PANEL_SSD1306, rotation, 72, 40);
+        assert_true(panel_start(&panel));
+        assert_true(place_of(COMMAND, rotation ? 0xa0 : 0xa1) < place_of(COMMAND, 0x8d));
+        assert_true(place_of(COMMAND, rotation ? 0xc0 : 0xc8) < place_of(COMMAND, 0x8d));
+        happenings = 0;
+        /* lines 9 to 17 are of pages 1 and 2 */
+        assert_true(panel_mono(&panel, lines[0], 16, 5, 9, 30, 9));
+        const uint8_t window[] = {0x21, 28 + 5, 28 + 34, 0x22, 1, 2};
+        commands_are(window, sizeof window, 0);
+        assert_int_equal(happenings, sizeof window + 60);
+        for (unsigned page = 0; page < 2; page++)
+            for (unsigned x = 5; x < 35; x++) {
+                const struct happening *byte = &record[sizeof window + 30 * page + x - 5];
+                assert_int_equal(byte->kind, DATA);
+                for (unsigned bit = 0; bit < 8; bit++)
+                    assert_int_equal(byte->value >> bit & 1, lines[8 + 8 * page + bit][x / 8] >> (7 - x % 8) & 1);
+            }
+        happenings = 0;
+        assert_true(panel_show(&panel, PANEL_BRIGHTEST) && panel_stop(&panel));
+        assert_true(place_of(COMMAND, 0xaf) < place_of(COMMAND, 0xae));
+    }
+}
+
+static void an_ssd1306_takes_whole_pages_and_half_turns_alone(void **state)
+{
+    (void)state;
+    const uint8_t lines[64 * 16] = {0};
+    struct panel panel = made(&bus, PANEL_SSD1306, 0, 128, 64);
+    assert_false(panel_window(&panel, 0, 4, 8, 8));
+    assert_false(panel_window(&panel, 0, 8, 8, 4));
+    assert_false(panel_mono(&panel, lines, 16, 0, 60, 8, 5));
+    assert_false(panel_mono(&panel, lines, 16, 0, 0, 129, 8));
+    assert_false(panel_mono(&panel, lines, 16, 0, 0, 8, 0));
+    assert_int_equal(happenings, 0);
+    assert_true(panel_mono(&panel, lines, 16, 120, 63, 8, 1));
+    panel.rotation = 1;
+    assert_false(panel_fits(&panel));
+    panel.rotation = 0;
+    panel.height = 60;
+    assert_false(panel_fits(&panel));
+    panel.height = 64;
+    panel.x_offset = 1;
+    assert_false(panel_fits(&panel));
+    const struct panel other = made(&bus, PANEL_ST7789, 0, 240, 240);
+    assert_false(panel_mono(&other, lines, 16, 0, 0, 8, 8));
+    assert_false(panel_defaults(&panel, PANEL_SSD1306, 1, 128, 64));
 }
 
 static void windows_beyond_the_picture_are_refused_and_send_nothing(void **state)
@@ -316,6 +381,8 @@ int main(void)
         cmocka_unit_test(the_ili9341_gets_its_voltages_and_gamma_curves),
         cmocka_unit_test(without_a_reset_line_the_command_resets),
         cmocka_unit_test(a_bus_that_fails_at_any_call_fails_the_panel),
+        cmocka_unit_test(an_ssd1306_gets_its_addresses_as_commands_and_its_pixels_in_pages),
+        cmocka_unit_test(an_ssd1306_takes_whole_pages_and_half_turns_alone),
         cmocka_unit_test(windows_beyond_the_picture_are_refused_and_send_nothing),
         cmocka_unit_test(a_panel_that_is_unknown_or_does_not_fit_is_refused),
         cmocka_unit_test(colour_order_and_inversion_are_as_given_else_the_controllers_usual_ones),

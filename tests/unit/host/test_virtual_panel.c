@@ -11,10 +11,13 @@ static const struct module {
     enum panel_controller controller;
     struct virtual_glass glass;
 } modules[] = {
-    {PANEL_ST7789, {240, 320, 0, 0, false, false, true}},  {PANEL_ST7789, {240, 280, 0, 20, false, false, true}},
-    {PANEL_ST7789, {240, 240, 0, 0, false, false, true}},  {PANEL_ST7789, {172, 320, 34, 0, false, false, true}},
-    {PANEL_ST7789, {170, 320, 35, 0, false, false, true}}, {PANEL_ST7789, {135, 240, 52, 40, false, false, true}},
-    {PANEL_ILI9341, {240, 320, 0, 0, true, true, false}},
+    {PANEL_ST7789, {240, 320, 0, 0, false, false, true, false}},
+    {PANEL_ST7789, {240, 280, 0, 20, false, false, true, false}},
+    {PANEL_ST7789, {240, 240, 0, 0, false, false, true, false}},
+    {PANEL_ST7789, {172, 320, 34, 0, false, false, true, false}},
+    {PANEL_ST7789, {170, 320, 35, 0, false, false, true, false}},
+    {PANEL_ST7789, {135, 240, 52, 40, false, false, true, false}},
+    {PANEL_ILI9341, {240, 320, 0, 0, true, true, false, false}},
 };
 enum { MODULES = sizeof modules / sizeof *modules, PIXELS = PANEL_COLUMNS * PANEL_ROWS };
 
@@ -308,9 +311,45 @@ static void any_bytes_in_any_order_are_taken(void **state)
     }
 }
 
+/* Rectangles of noise in mono, at any place, on each glass and half turn; what lies around them in their pages is the picture's. */
+static void parts_of_mono_pictures_stand_upright_on_an_ssd1306(void **state)
+{
+    (void)state;
+    static const struct virtual_glass glasses[] = {{128, 64, 0, 0, false, false, false, true},
+                                                   {128, 32, 0, 0, false, false, false, true},
+                                                   {72, 40, 28, 0, false, false, false, true},
+                                                   {64, 48, 32, 0, false, false, false, true}};
+    for (unsigned i = 0; i < 8; i++) {
+        const struct module module = {PANEL_SSD1306, glasses[i / 2]};
+        const struct panel panel = started(&module, i % 2 * 2);
+        uint8_t lines[64 * 16];
+        memset(lines, 0, sizeof lines);
+        assert_true(panel_mono(&panel, lines, 16, 0, 0, panel.width, panel.height));
+        for (unsigned round = 0; round < 50; round++) {
+            const unsigned x = noise() % panel.width, y = noise() % panel.height, w = 1 + noise() % (panel.width - x),
+                           h = 1 + noise() % (panel.height - y);
+            for (unsigned row = y; row < y + h; row++)
+                for (unsigned column = x; column < x + w; column++) {
+                    const unsigned bit = 0x80u >> column % 8, on = noise() & 1;
+                    uint8_t *at = &lines[16 * row + column / 8];
+                    *at = (uint8_t)(on ? *at | bit : *at & ~bit);
+                }
+            assert_true(panel_mono(&panel, lines, 16, (uint16_t)x, (uint16_t)y, (uint16_t)w, (uint16_t)h));
+            for (unsigned p = 0; p < (unsigned)panel.width * panel.height; p++)
+                memset(&wanted[3 * p],
+                       lines[16 * (p / panel.width) + p % panel.width / 8] >> (7 - p % panel.width % 8) & 1 ? 255 : 0,
+                       3);
+            assert_seen(&panel);
+        }
+        assert_true(panel_stop(&panel));
+        assert_black(&panel);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(parts_of_mono_pictures_stand_upright_on_an_ssd1306),
         cmocka_unit_test(every_glass_shows_every_rotation_upright_and_in_its_colours),
         cmocka_unit_test(windows_change_their_own_pixels_only),
         cmocka_unit_test(a_glass_that_the_panel_tells_of_is_the_module_s_own),

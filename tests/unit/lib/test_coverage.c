@@ -55,7 +55,7 @@ static void draw(const struct look *look, enum source source, const uint8_t *cov
         assert_int_equal(glint_draw_rect(&paint, &maps, SIDE, SIDE, &surface, NULL), GLINT_OK);
         return;
     }
-    const struct glint_span span = {1u << 29, 0, 0, 1 << 29, 0, SIDE};
+    const struct glint_span span = {.t_q30 = 1u << 29, .nl_q30 = 1 << 29, .w = SIDE};
     for (unsigned y = 0; y < SIDE; y++) {
         const struct glint_surface line = {out + stride * (ptrdiff_t)y, stride, 1, (uint16_t)(2 + y)};
         maps.coverage = covered ? covered + SIDE * y : NULL;
@@ -176,7 +176,12 @@ static void tables_draw(const struct glint_paint *paint, enum source source, boo
                          GLINT_OK);
         return;
     }
-    const struct glint_span span = {1u << 27, 0u - (1u << 19), 1 << 13, 1 << 29, 1 << 20, SIDE};
+    const struct glint_span span = {.t_q30 = 1u << 27,
+                                    .dt_q30 = 0u - (1u << 19),
+                                    .ddt_q30 = 1 << 13,
+                                    .nl_q30 = 1 << 29,
+                                    .dnl_q30 = 1 << 20,
+                                    .w = SIDE};
     for (unsigned y = 0; y < SIDE; y++) {
         const struct glint_surface line = {out + 2 * SIDE * y, 0, 3, (uint16_t)(1 + y)};
         maps.coverage = covered ? covered + SIDE * y : NULL;
