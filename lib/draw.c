@@ -52,7 +52,7 @@ static enum glint_err draw_takes(const struct glint_paint *paint, const struct g
                         : GLINT_FLASH_POINTER(paint->of.tables.filled.use->check)(paint, maps, h, normals);
     if (has_more || paint->material.n_across) {
         const struct glint_use_grain *grain = GLINT_FLASH_POINTER(paint->model->grain);
-        if (!grain || GLINT_FLASH_POINTER(grain->check)(maps, w, h, normals))
+        if (!grain || GLINT_FLASH_POINTER(grain->check)(paint, maps, w, h, normals))
             return GLINT_ERR_ARG;
     }
     return maps && maps->albedo && maps->albedo_format != GLINT_RGB888 ? GLINT_ERR_FORMAT : GLINT_OK;

@@ -66,19 +66,17 @@ enum glint_err {
 
 /* The models: functions of the cosine c and the shininess n. This list alone names them all. X(number, name, function, use, grain): glint_FUNCTION
  * below does the model's work (lib/lobe_FUNCTION.c); use is own, or shared where the functions are another model's; grain is grained where
- * a material may have n_across, else plain. */
+ * a material may have n_across, else plain. MSH is the modified Schlick function; Cayley's r = max(0, 4(1+c) - n(1-c)) / (4(1+c) + n(1-c)). */
 #define GLINT_MODELS(X)                                                                                                \
-    X(GLINT_MSH, msh, msh, own, grained) /* (5)  2c / (1.25 (n - nc + 1.25c)^2), modified Schlick; peak 1.024 */       \
+    X(GLINT_MSH, msh, msh, own, grained)             /* (5)  2c / (1.25 (n - nc + 1.25c)^2); peak 1.024 */             \
     X(GLINT_SCHLICK, schlick, schlick, own, grained) /* (2)  c / (n - nc + c) */                                       \
     X(GLINT_BLINN, blinn, blinn, own, plain)         /* (1)  c^n, c = N.H */                                           \
-    X(GLINT_PHONG, phong, blinn, shared, plain)      /* (1)  c^n, c = V.R: the same power, other geometry */           \
+    X(GLINT_PHONG, phong, blinn, shared, plain)      /* (1)  c^n, c = V.R: other geometry */                           \
     X(GLINT_GAUSS, gauss, gauss, own, plain)         /* (1)  exp(-n x^2 / 2), x = acos c */                            \
-    X(GLINT_CAYLEY, cayley, cayley, own,                                                                               \
-      grained)                              /* ours: c^n for n <= 4, else r^4, r =                                  */ \
-                                            /* max(0, 4(1+c) - n(1-c)) / (4(1+c) + n(1-c)) */                          \
-    X(GLINT_LYON, lyon, lyon, own, grained) /* Lyon 1993, gamma 4: max(0, 1 - n(1-c)/4)^4 */                           \
-    X(GLINT_GGX, ggx, ggx, own, grained)    /* 1 / (1 + n (1 - c^2) / 2)^2: at c = 0 more than 0, then a step to 0 */  \
-    X(GLINT_SG, sg, sg, own, plain)         /* the spherical Gaussian, exp(-n (1 - c)) */
+    X(GLINT_CAYLEY, cayley, cayley, own, grained)    /* ours: c^n for n <= 4, else r^4 */                              \
+    X(GLINT_LYON, lyon, lyon, own, grained)          /* Lyon 1993, gamma 4: max(0, 1 - n(1-c)/4)^4 */                  \
+    X(GLINT_GGX, ggx, ggx, own, grained)             /* 1 / (1 + n (1 - c^2) / 2)^2; at c = 0 a step */                \
+    X(GLINT_SG, sg, sg, own, plain)                  /* the spherical Gaussian, exp(-n (1 - c)) */
 
 /* GLINT_MSH = 0, ... Stored as uint8_t in structs. */
 #define GLINT_MODEL_NUMBER(number, name, function, use, grain) number,
@@ -147,7 +145,7 @@ struct glint_material {
      * material tells which. */
     uint8_t q;
     uint16_t n;        /* shininess, 1..1000; 0 is an error, more counts as 1000 */
-    uint16_t n_across; /* 0 or n; others are an error */
+    uint16_t n_across; /* of grain, 1..1000; more counts as 1000. 0 or n: there is none */
     uint32_t ambient_q16[3];
     uint32_t diffuse_q16[3];
     uint32_t specular_q16[3];
@@ -228,7 +226,8 @@ struct glint_use_format;   /* one for each group of formats, const */
 struct glint_use_tables;   /* one for each kind of tables, const */
 struct glint_use_lights;   /* what sums several lights, const */
 struct glint_use_coverage; /* what blends soft edges, const */
-/* A model without a plain struct's name ending in _grain is an error with n_across: glint_use_msh_grain is what takes n_across. */
+/* Models that may have grain have two: glint_use_msh_grain links what n_across and maps of grain and shininess take, with glint_use_msh these
+ * are an error. */
 #define GLINT_IF_grained(x) x
 #define GLINT_IF_plain(x)
 #define GLINT_MODEL_USE(number, name, function, use, grain)                                                            \
@@ -306,7 +305,8 @@ struct glint_paint {
     struct glint_material material;
 };
 
-/* Makes an exact paint. GLINT_ERR_ARG: NULL, no such model, n = 0, n_across neither 0 nor n; `_for`: the material names another model.
+/* Makes an exact paint. GLINT_ERR_ARG: NULL, no such model, n = 0, n_across of a model or by a
+ * `glint_use_` that has no grain; `_for`: the material names another model.
  * GLINT_ERR_FORMAT: no such format or space; `_for`: the output names another. *paint is not written then. */
 GLINT_LARGE("name the model and the format: glint_paint_exact_for")
 enum glint_err glint_paint_exact(struct glint_paint *paint, const struct glint_material *material,
@@ -374,11 +374,20 @@ struct glint_vec glint_normals_unpack(enum glint_normals format, uint32_t word);
 /* Where a window of a map begins: at column x of line y. Its stride is the map's. */
 const void *glint_normals_window(enum glint_normals format, const void *map, ptrdiff_t stride, uint32_t x, uint32_t y);
 
-/* A map of shininess, a byte a pixel, is logarithmic: 25.6 codes an octave, n = 1 at 0, 996 at 255. And the code whose n is nearest. */
+/* A map of shininess, a byte a pixel, is logarithmic: 25.6 codes an octave, n = 1 at 0, 997 at 255. And the code whose n is nearest. */
 uint32_t glint_shininess_n(uint8_t code);
 uint8_t glint_shininess_code(uint32_t n);
 
-/* Which way the grain runs, where a material has n_across. Stored as uint8_t. */
+/* Grain: brushed, spun, turned metal. Across it a material's shininess is n_across, along it n. With T, the direction of the grain in the
+ * surface, m takes the place of n t, of n t (2 - t) / 2 in GGX, in MSH, Schlick, Cayley (as r^4 for every n), Lyon and GGX:
+ *
+ *   m = n_across t + (n - n_across) (H.T)^2 / 2      (H.T)^2 = (H.U - c N.U)^2 / (|U|^2 - (N.U)^2)
+ *
+ * U: the direction in the picture's plane, of any length. Where it is 0, in the middle of what is spun, and where N is along it,
+ * m = (n + n_across) t / 2, the mean of all directions. F is the correctly rounded value at the t and m of sequence.md, and 0 where that
+ * true F is below 2^-q. Pictures are within .6 level of 255, the rounding's .5 included, of double precision.
+ *
+ * Which way the grain runs. Stored as uint8_t. */
 enum glint_grain {
     GLINT_GRAIN_BRUSHED, /* one way over the whole surface */
     GLINT_GRAIN_SPUN,    /* round a point */
@@ -389,10 +398,10 @@ enum glint_grain {
  * one line. A map may be the output itself where pixels have one size (albedo in RGB888, a byte map in GREY8): a pixel is read before it is
  * written, and what coverage blends is blended over the map's own value. Which paint takes which:
  *
- *            normals                                       albedo                      gloss   coverage   grain
- *   exact    INT16, INT8                                   RGB888                      yes     yes        no
- *   COLOUR   INT16, INT8 with the viewer at (0, 0, 1)      no                          no      yes        no
- *   ALBEDO   the same                                      RGB565, machine's order     no      yes        no
+ *            normals                                       albedo                      gloss   coverage   grain   shininess
+ *   exact    INT16, INT8                                   RGB888                      yes     yes        yes     without n_across
+ *   COLOUR   INT16, INT8 with the viewer at (0, 0, 1)      no                          no      yes        no      no
+ *   ALBEDO   the same                                      RGB565, machine's order     no      yes        no      no
  *
  * Normals have about unit length; others give some colour. INT16 is aligned to 2 bytes, INT8 to 4, RGB565 to 2, and so are strides.
  * A pixel without a surface (INT8: z = 0; by tables also INT16: 0, 0, 0) is left as it is. */
@@ -407,14 +416,15 @@ struct glint_maps {
      * is not 0, the pixel is drawn, with the coverage as alpha. */
     const uint8_t *coverage;
     ptrdiff_t coverage_stride;
-    const uint8_t *grain; /* must be NULL */
+    /* Its direction, 256 a half turn, counterclockwise from the right. Without n_across it changes nothing; not with shininess. */
+    const uint8_t *grain;
     ptrdiff_t grain_stride;
     uint8_t normals_format; /* enum glint_normals */
     uint8_t albedo_format;  /* GLINT_RGB888 or GLINT_RGB565 */
     uint8_t grain_kind;     /* enum glint_grain; not used where there is a map of grain */
     /* Brushed: the direction, x right, y up, of any length; 0, 0 is 1, 0. Spun, sunray: the centre, on the screen as places of lights are. */
     int32_t grain_at[2];
-    const uint8_t *shininess; /* must be NULL */
+    const uint8_t *shininess; /* n of each pixel in the place of the material's, as glint_shininess_code gives it */
     ptrdiff_t shininess_stride;
 };
 
@@ -444,7 +454,7 @@ struct glint_span {
     uint32_t t_q30, dt_q30, ddt_q30;
     int32_t nl_q30, dnl_q30;
     uint16_t w;
-    int16_t ends[2][2]; /* x and y of the first and the last normal; of grain alone */
+    int16_t ends[2][2]; /* x and y of the first and the last normal: for grain */
 };
 /* From the normals of the first and last pixel, under the paint's light. The ends are exact to (w + 2) 2^-31, the middle to
  * (w^2 / 16 + w + 1) 2^-30. Subdivide where the normals are more than 20 degrees apart: between them N is not renormalised.
@@ -455,7 +465,9 @@ enum glint_err glint_span_init(struct glint_span *span, const struct glint_paint
 enum glint_err glint_draw_span_by(const struct glint_paint *paint, const struct glint_span *span,
                                   const struct glint_maps *maps, const struct glint_surface *target,
                                   struct glint_box *highlight, const struct glint_use_coverage *soft);
-/* Draws the span's pixels as one line. maps: NULL, or albedo, gloss and coverage of these pixels. A span takes one directional light or none;
+/* Draws the span's pixels as one line. maps: NULL, or albedo, gloss, coverage and shininess of these pixels. Grain is brushed: N.U is linear
+ * along a span, within (w + 1) 2^-29. As N is not renormalised, levels of 255 differ by up to 4 where its ends are 15 degrees apart and n_across is
+ * 60 over n = 8, by up to 1 where n is 60 over n_across = 8. A span takes one directional light or none;
  * with GLINT_PHONG, too, its t is |N - H|^2 / 2. Errors as glint_draw_rect, and GLINT_ERR_ARG: a paint lit by a point, a spot or several lights. */
 GLINT_USES
 static inline enum glint_err glint_draw_span(const struct glint_paint *paint, const struct glint_span *span,

@@ -8,7 +8,7 @@
 
 #define GLINT_GRAIN_BITS 22u /* of m: fraction */
 #define GLINT_GRAIN_NONE UINT32_MAX
-#define GLINT_GRAIN_MOST (GLINT_N_MAX << GLINT_GRAIN_BITS) /* the largest m */
+#define GLINT_GRAIN_MOST ((uint32_t)GLINT_N_MAX << GLINT_GRAIN_BITS) /* the largest m */
 
 struct glint_use_grain {
     /* m from which on F < 2^-q whatever t is; it may be too large. */
@@ -23,7 +23,8 @@ struct glint_use_grain {
     /* F by its definition, held to the peak. */
     uint32_t (*f)(const struct glint_paint *paint, uint32_t m, uint32_t t_q30);
     /* Are the maps of w x h pixels such that a rectangle, or a span, can be drawn? */
-    enum glint_err (*check)(const struct glint_maps *maps, uint32_t w, uint32_t h, bool normals);
+    enum glint_err (*check)(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t w, uint32_t h,
+                            bool normals);
     /* Draws under one directional light, or none. at: the span's, or NULL. */
     void (*draw)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
                  struct glint_box *highlight);
@@ -78,7 +79,8 @@ glint_grain_run(const struct glint_paint *paint, struct glint_sample *sample, un
 uint32_t glint_grain_f(const struct glint_paint *paint, uint32_t m, uint32_t t_q30);
 void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
                       struct glint_box *highlight);
-enum glint_err glint_grain_check(const struct glint_maps *maps, uint32_t w, uint32_t h, bool normals);
+enum glint_err glint_grain_check(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t w, uint32_t h,
+                                 bool normals);
 void glint_grain_begin(struct glint_lines *lines);
 void glint_grain_sample(const struct glint_paint *paint, const struct glint_lines *lines, const struct glint_span *span,
                         const struct glint_view *view, const struct glint_vec *normals, struct glint_sample *samples,

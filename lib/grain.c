@@ -68,7 +68,7 @@ static inline __attribute__((always_inline)) uint32_t grain_half_square(uint32_t
         return most;
     if (d >> 28)
         d = ((uint32_t)1 << 28) - 1; /* normals of no unit length, as before */
-    int down = 9;
+    int down = 11;
     while (!(d >> 27)) {
         d <<= 1;
         down--;
@@ -77,11 +77,11 @@ static inline __attribute__((always_inline)) uint32_t grain_half_square(uint32_t
     const uint32_t y = GLINT_FLASH_U8(glint_reciprocals[(d >> 21) - 64]);
     const int32_t e = (int32_t)(d * y), r = e >> 14;
     const uint32_t inverse = (((y << 23) + (uint32_t)((int32_t)y * ((r * r >> 13) - (e >> 6)) >> 6)) + 16384) >> 15;
-    const uint32_t square = glint_squarehi_near(size << 2); /* Q30, < 2^32 */
+    const uint32_t square = glint_squarehi_near(size << 2); /* Q32 */
     const uint32_t w = (square >> 16) * inverse + ((square & 0xffff) * inverse >> 16);
     if (down >= 0)
         return w >> down < most ? w >> down : most;
-    return w < most >> -down ? w << -down : most;
+    return w <= most >> -down ? w << -down : most;
 }
 
 /* t N.U - D.U, Q30; modulo 2^32. */
@@ -259,7 +259,8 @@ void glint_grain_sample_sine(const struct glint_paint *paint, const struct glint
 
 /* ---- Lines ---- */
 
-enum glint_err glint_grain_check(const struct glint_maps *maps, uint32_t w, uint32_t h, bool normals)
+enum glint_err glint_grain_check(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t w, uint32_t h,
+                                 bool normals)
 {
     if (!maps)
         return GLINT_OK;
@@ -269,7 +270,8 @@ enum glint_err glint_grain_check(const struct glint_maps *maps, uint32_t w, uint
             return GLINT_ERR_ARG;
     if ((h > 1 && ((maps->grain && !glint_stride_fits(maps->grain_stride, w)) ||
                    (maps->shininess && !glint_stride_fits(maps->shininess_stride, w)))) ||
-        maps->grain_kind > GLINT_GRAIN_SUNRAY || (turns && !normals))
+        maps->grain_kind > GLINT_GRAIN_SUNRAY || (turns && !normals) ||
+        (maps->shininess && (maps->grain || paint->material.n_across)))
         return GLINT_ERR_ARG;
     return GLINT_OK;
 }

@@ -3,6 +3,7 @@
 #include "bake/bake.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/memory.h"
 
@@ -11,6 +12,29 @@ const char *const bake_format_names[] = {"int16", "int8", "palette", NULL};
 static bool has_surface(const struct scene *scene, size_t pixel)
 {
     return !scene->mask || scene->mask[pixel];
+}
+
+#define BAKED_NAME(name, meaning) #name,
+const char *const baked_map_names[] = {BAKED(BAKED_NAME)};
+#define BAKED_MEANING(name, meaning) meaning,
+const char *const baked_map_meanings[] = {BAKED(BAKED_MEANING)};
+
+/* Edges that are soft, the way of the grain, and what a smaller scene became; a palette has none. */
+static void bake_maps(struct baked *baked, const struct scene *scene)
+{
+    const size_t pixels = (size_t)scene->width * scene->height;
+    const uint8_t *maps[BAKED_MAPS] = {[BAKED_grain] = scene->grain_map,
+                                       [BAKED_shininess] = scene->shininess,
+                                       [BAKED_gloss] = scene->shininess ? scene->gloss : NULL};
+    for (size_t i = 0; scene->mask && i < pixels && !maps[BAKED_coverage]; i++)
+        if (scene->mask[i] && scene->mask[i] < 255)
+            maps[BAKED_coverage] = scene->mask;
+    for (unsigned k = 0; k < BAKED_MAPS && baked->format != BAKE_PALETTE; k++) {
+        if (!maps[k])
+            continue;
+        baked->maps[k] = allocate(pixels, 1);
+        memcpy(baked->maps[k], maps[k], pixels);
+    }
 }
 
 static const struct glint_vec no_surface = {0, 0, 0};
@@ -65,6 +89,7 @@ struct baked *bake(const struct scene *scene, enum bake_format format, uint32_t 
     const size_t pixels = (size_t)scene->width * scene->height;
     struct baked *baked = allocate(1, sizeof *baked);
     *baked = (struct baked){.format = format, .width = scene->width, .height = scene->height};
+    bake_maps(baked, scene);
     struct glint_vec *normals = scene_normals_q15(scene);
     for (size_t i = 0; i < pixels; i++)
         if (!has_surface(scene, i))
@@ -92,20 +117,24 @@ void baked_free(struct baked *baked)
     free(baked->words);
     free(baked->offsets);
     free(baked->albedo);
+    for (unsigned k = 0; k < BAKED_MAPS; k++)
+        free(baked->maps[k]);
     free(baked);
 }
 
 size_t baked_bytes(const struct baked *baked)
 {
     const size_t pixels = (size_t)baked->width * baked->height;
-    const size_t albedo = baked->albedo ? pixels * sizeof *baked->albedo : 0;
+    size_t beside = baked->albedo ? pixels * sizeof *baked->albedo : 0;
+    for (unsigned k = 0; k < BAKED_MAPS; k++)
+        beside += baked->maps[k] ? pixels : 0;
     switch (baked->format) {
     case BAKE_INT16:
-        return pixels * sizeof *baked->normals + albedo;
+        return pixels * sizeof *baked->normals + beside;
     case BAKE_PALETTE:
         return baked->entries * sizeof *baked->normals + pixels * sizeof *baked->offsets;
     default:
-        return pixels * sizeof *baked->words + albedo;
+        return pixels * sizeof *baked->words + beside;
     }
 }
 

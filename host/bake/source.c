@@ -69,6 +69,12 @@ static void write_albedo(const struct baked *baked, FILE *out)
         fprintf(out, "%s0x%04x%s", i % 12 ? " " : "\n    ", baked->albedo[i], i + 1 < pixels ? "," : "");
 }
 
+static void write_bytes(const uint8_t *map, size_t pixels, FILE *out)
+{
+    for (size_t i = 0; i < pixels; i++)
+        fprintf(out, "%s%u%s", i % 24 ? " " : "\n    ", map[i], i + 1 < pixels ? "," : "");
+}
+
 /* ---- one file ---- */
 
 void bake_write_c(const struct baked *baked, const char *name, FILE *out)
@@ -90,6 +96,14 @@ void bake_write_c(const struct baked *baked, const char *name, FILE *out)
     if (baked->albedo) {
         fprintf(out, "\nstatic const uint16_t %s_albedo[%zu] = {", name, pixels_of(baked));
         write_albedo(baked, out);
+        fputs("\n};\n", out);
+    }
+    for (unsigned k = 0; k < BAKED_MAPS; k++) {
+        if (!baked->maps[k])
+            continue;
+        fprintf(out, "\n/* %s */\nstatic const uint8_t %s_%s[%zu] = {", baked_map_meanings[k], name, baked_map_names[k],
+                pixels_of(baked));
+        write_bytes(baked->maps[k], pixels_of(baked), out);
         fputs("\n};\n", out);
     }
 }
@@ -134,12 +148,22 @@ void bake_write_header(const struct baked *baked, const char *name, uint32_t str
     if (strip && baked->albedo)
         fprintf(out, "#define %s_STRIP_ALBEDO(i) (%s_albedo + (size_t)(i) * %s_STRIP * %s_WIDTH)\n", macro, name, macro,
                 macro);
+    for (unsigned k = 0; k < BAKED_MAPS && strip; k++)
+        if (baked->maps[k]) {
+            fprintf(out, "#define %s_STRIP_MAP(map, i) ((map) + (size_t)(i) * %s_STRIP * %s_WIDTH)\n", macro, macro,
+                    macro);
+            break;
+        }
     c_begin_externs(out);
     if (baked->format == BAKE_PALETTE)
         fprintf(out, "extern const struct glint_vec %s_normals[%s_ENTRIES];\n", name, macro);
     fprintf(out, "extern const %s %s[(size_t)%s_WIDTH * %s_HEIGHT];\n", element_type(baked), name, macro, macro);
     if (baked->albedo)
         fprintf(out, "extern const uint16_t %s_albedo[(size_t)%s_WIDTH * %s_HEIGHT];\n", name, macro, macro);
+    for (unsigned k = 0; k < BAKED_MAPS; k++)
+        if (baked->maps[k])
+            fprintf(out, "extern const uint8_t %s_%s[(size_t)%s_WIDTH * %s_HEIGHT]; /* %s; stride %s_WIDTH */\n", name,
+                    baked_map_names[k], macro, macro, baked_map_meanings[k], macro);
     c_end_externs(out);
     c_end_header(out);
 }
@@ -159,6 +183,15 @@ void bake_write_definitions(const struct baked *baked, const char *name, const c
     if (baked->albedo) {
         c_begin_array("", "uint16_t", name, "_albedo", out);
         write_albedo(baked, out);
+        fputs("\n};\n", out);
+    }
+    for (unsigned k = 0; k < BAKED_MAPS; k++) {
+        char suffix[24];
+        if (!baked->maps[k])
+            continue;
+        snprintf(suffix, sizeof suffix, "_%s", baked_map_names[k]);
+        c_begin_array("", "uint8_t", name, suffix, out);
+        write_bytes(baked->maps[k], pixels_of(baked), out);
         fputs("\n};\n", out);
     }
 }

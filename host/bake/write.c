@@ -30,6 +30,9 @@ static uint8_t *to_bytes(const struct baked *baked)
         at = put(at, baked->offsets[i], 2);
     for (size_t i = 0; i < pixels && baked->albedo; i++)
         at = put(at, baked->albedo[i], 2);
+    for (unsigned k = 0; k < BAKED_MAPS; k++)
+        for (size_t i = 0; i < pixels && baked->maps[k]; i++)
+            at = put(at, baked->maps[k][i], 1);
     return bytes;
 }
 

@@ -26,6 +26,7 @@
 #include "options/map_options.h"
 #include "options/mesh_options.h"
 #include "options/scene_options.h"
+#include "scene/filter.h"
 
 enum { KEY_TO = 256, KEY_UNIT, KEY_ALBEDO, KEY_AS, KEY_NAME, KEY_ADDRESS, KEY_STRIP, KEY_JSON };
 
@@ -38,6 +39,7 @@ struct request {
     struct c_files files;
     uint32_t strip;   /* lines; 0: not given */
     double unit;      /* 0: not given */
+    unsigned n;       /* 0: not given */
     uint32_t address; /* 0: not given */
     bool json;
 };
@@ -49,6 +51,7 @@ static const struct argp_option options[] = {
      "Make 1 in a mesh's file N of the 32767, about its own origin, so that several meshes keep their sizes (default: "
      "as large as fits, about its middle)",
      7},
+    {NULL, 'n', "N", 0, "For --filter: the material's shininess, 1..1000 (default 60, or the scene's own)", 2},
     {NULL, 0, NULL, 0, "The output:", 3},
     {"to", KEY_TO, "FORMAT", 0,
      "int16 (6 bytes a pixel) or int8 (4 bytes; default), or palette or "
@@ -76,20 +79,27 @@ static const char doc[] =
     "FILE.c defines the array NAME, lines from the top, and FILE.h beside it declares it, with macros (NAME in "
     "capitals): _WIDTH, _HEIGHT, _STRIDE in bytes, and _FORMAT for struct glint_maps; for a palette _ENTRIES and the "
     "array NAME_normals, NAME being the offsets; with --strip also _STRIP, _STRIPS, _STRIP_LINES(i) and "
-    "_STRIP_START(i). With --albedo there is an array NAME_albedo, too, _ALBEDO_STRIDE and _STRIP_ALBEDO(i). FILE.h "
+    "_STRIP_START(i). With --albedo there is an array NAME_albedo, too, _ALBEDO_STRIDE and _STRIP_ALBEDO(i). Of soft "
+    "edges there is NAME_coverage, of --grain FILE "
+    "NAME_grain, of --filter NAME_shininess and NAME_gloss: a byte a pixel each, for struct glint_maps, with "
+    "_STRIP_MAP(map, i). FILE.h "
     "alone and - hold a static array and the enumerators NAME_width and NAME_height.\n"
     "Raw is the same without names, low bytes first, a palette's normals before its offsets, the albedo after the "
-    "normals. UF2 is raw in blocks of 256 bytes for the RP2040: flash is erased in sectors of 4096 bytes, so choose an "
+    "normals, then coverage, grain, shininess and gloss, those that there are. UF2 is raw in blocks of 256 bytes for "
+    "the RP2040: flash is erased in sectors of 4096 bytes, so choose an "
     "address beyond the program's "
     "last one.\n"
     "Of a mesh, FILE.c defines the struct glint_mesh NAME and NAME_materials, a struct glint_material for each of its "
-    "parts (q = 0: what the output needs), where its vertices have colours of_vertices, and where it has textures "
+    "parts (q = 0: what the output needs), where its vertices have colours of_vertices, neighbours for smooth outlines "
+    "(but for --no-outlines), and where it has textures "
     "these, with each vertex's u and v; FILE.h has "
     "the macros NAME_VERTICES, NAME_FACES and NAME_PARTS. Raw has four numbers of 16 bits (vertices, "
-    "triangles, parts, bytes of a normal's number, and 256 more with colours of vertices, 1024 with textures), then x, "
+    "triangles, parts, bytes of a normal's number, 256 more with colours of vertices, 512 with neighbours, 1024 with "
+    "textures), then x, "
     "y, z of each vertex "
     "in 16 bits, its normal, a 0 where "
-    "these are an odd number of bytes, three vertices of each triangle and the triangle each part ends before in 16 "
+    "these are an odd number of bytes, three vertices of each triangle, the three triangles beside each, and the "
+    "triangle each part ends before in 16 "
     "bits, and of each part red, green, blue and 1 where it is unlit, and the vertices' red, green, blue. Textures "
     "follow, all in 16 bits but for what is said, "
     "after a 0 where that many bytes are odd: uv_bits and the number of pictures; u and v of each vertex; of each part "
@@ -177,6 +187,11 @@ static void check(const struct argp_state *state, struct request *request)
 {
     const bool to_stdout = is_stdout(request->path);
     check_mesh(state, request);
+    if (request->n && !request->scene.filter)
+        refuse(state, "-n is for --filter N; leave it out");
+    if (request->format == BAKE_PALETTE && (request->scene.filter || request->scene.grain_map))
+        refuse(state, "%s cannot be used with --to palette, which has no maps beside it",
+               request->scene.filter ? "--filter" : "--grain");
     if (request->scene.albedo && request->format == BAKE_PALETTE)
         refuse(state, "--albedo cannot be used with --to palette, whose entries have one colour each");
     if (!request->path &&
@@ -221,6 +236,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case KEY_ADDRESS:
         request->address = parse_address(state, text);
+        return 0;
+    case 'n':
+        request->n = (unsigned)parse_integer(state, "-n", text, 1, GLINT_N_MAX);
         return 0;
     case KEY_UNIT:
         request->unit = parse_real(state, "--unit", text, 1e-6, 1e6);
@@ -296,6 +314,8 @@ static void bake_mesh(const struct request *request)
 {
     struct mesh *mesh = mesh_load(&request->scene.mesh);
     struct fitted *fitted = mesh_fit(mesh, request->unit);
+    if (request->scene.mesh.stepped)
+        fitted_forget_neighbours(fitted);
     struct glint_material *materials = mesh_materials(mesh);
     const struct baked_mesh baked = {mesh, fitted, materials, request->format == BAKE_INT8};
     struct mesh_cycles cycles = {0, 0};
@@ -322,7 +342,9 @@ static void bake_mesh(const struct request *request)
 
 static void bake_map(const struct request *request)
 {
+    static const uint8_t white[3] = {255, 255, 255};
     struct scene *scene = scene_of_options(&request->scene);
+    scene_soften(scene, request->n ? request->n : scene->finish.n, white);
     struct baked *baked = bake(scene, request->format, request->entries);
     struct quality rows[QUALITY_ROWS];
     if (request->scene.albedo)

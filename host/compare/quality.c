@@ -49,7 +49,7 @@ void bake_quality(const struct scene *scene, const struct baked *baked, struct q
     static const unsigned shininess[QUALITY_ROWS] = {10, 60, 200, 1000};
     const size_t pixels = (size_t)scene->width * scene->height;
     struct scene exact = *scene, lossy;
-    exact.albedo = exact.gloss = NULL;
+    exact.albedo = exact.gloss = exact.shininess = NULL;
     lossy = exact;
     lossy.normals = allocate(pixels, sizeof *lossy.normals);
     for (size_t i = 0; i < pixels; i++) {

@@ -83,15 +83,20 @@ static struct geometry geometry_of(const struct shading *shading, const struct l
 struct pixel {
     const double *normal, *place;
     double n;        /* shininess, along the grain where there is one */
+    bool is_own;     /* not the material's */
     double grain[3]; /* its direction, not yet in the surface */
 };
 
-/* (H.T)^2, T the grain's direction in the surface; 0 where it has none there. */
-static double along_grain(const double h[3], const double normal[3], const double grain[3], double c)
+/* With a grain or a map of shininess; T is the grain's direction in the surface. Where it has none there, the mean of n and n_across
+ * counts: that over all directions. */
+static double grained(enum glint_model model, const struct pixel *pixel, const double h[3], double c, double n_across)
 {
-    const double off = dot(normal, grain), square = dot(grain, grain) - off * off;
-    const double along = dot(h, grain) - c * off;
-    return square > 0 ? along * along / square : 0;
+    const double *grain = pixel->grain, off = dot(pixel->normal, grain);
+    const double square = dot(grain, grain) - off * off, along = dot(h, grain) - c * off;
+    if (n_across > 0 && square > 1e-12)
+        return model_grained(model, pixel->n, n_across, c, along * along / square);
+    const double n = n_across > 0 ? (pixel->n + n_across) / 2 : pixel->n;
+    return model_grained(model, n, n, c, 0);
 }
 
 static double highlight(const struct geometry *g, const struct shading *shading, enum glint_model model,
@@ -108,10 +113,8 @@ static double highlight(const struct geometry *g, const struct shading *shading,
     if (c < 0)
         return 0;
     c = fmin(1, c);
-    const double n = shading->n_across ? model_grained(model, pixel->n, shading->n_across, c,
-                                                       along_grain(g->h, normal, pixel->grain, c))
-                                       : pixel->n;
-    const double f = model_double(model, n, c);
+    const double f = shading->n_across || pixel->is_own ? grained(model, pixel, g->h, c, shading->n_across)
+                                                        : model_double(model, pixel->n, c);
     if (f < ldexp(1, -(int)shading->q))
         return 0;
     return shading->clamp_peak ? fmin(1, f) : f;
@@ -173,7 +176,9 @@ void reference_line(const struct scene *scene, const struct shading *shading, en
         const size_t i = (size_t)y * scene->width + x;
         const struct shading *own = &shading[scene->parts ? scene->parts[i] : 0];
         const double middle[3] = {x + .5, y + .5, 0};
-        struct pixel pixel = {scene->normals[i], scene->places ? scene->places[i] : middle, own->n, {0}};
+        struct pixel pixel = {scene->normals[i], scene->places ? scene->places[i] : middle, own->n, false, {0}};
+        if (scene->shininess)
+            pixel.n = glint_shininess_n(scene->shininess[i]);
         grain_at(scene, i, middle[0], middle[1], pixel.grain);
         double lit[3] = {0}, shine[3] = {0};
         for (unsigned lamp = 0; lamp < own->lamp_count; lamp++)

@@ -15,6 +15,7 @@ struct mesh_canvas {
     struct glint_paint *paints; /* of each part */
     struct glint_light lights[GLINT_LIGHTS_MAX];
     uint32_t (*memory)[GLINT_TABLES_DITHER_BYTES / 4]; /* of each part's tables; NULL: exact */
+    const uint8_t *backdrop;                           /* or NULL */
 };
 
 struct shading *mesh_shadings(const struct mesh *mesh, const struct shading *shading, struct mesh_own own)
@@ -88,6 +89,7 @@ static void draw(const struct glint_mesh *meshes, const struct glint_paint *cons
     struct glint_mesh_drawn *drawn = allocate(count, sizeof *drawn);
     void *memory = allocate(bytes, 1), **works = allocate(count, sizeof *works);
     enum glint_err error = glint_mesh_begin(&frame, w, h, h, view_distance(view), memory, bytes);
+    frame.outlines = &glint_outlines; /* of meshes that have neighbours */
     for (size_t i = 0; i < count && error == GLINT_OK; i++) {
         const size_t work = glint_mesh_bytes(&meshes[i], h);
         works[i] = allocate(work, 1);
@@ -104,6 +106,11 @@ static void draw(const struct glint_mesh *meshes, const struct glint_paint *cons
         fail("the library refused the mesh (error %d)", error);
 }
 
+void mesh_canvas_set_backdrop(struct mesh_canvas *canvas, const uint8_t *pixels)
+{
+    canvas->backdrop = pixels;
+}
+
 void mesh_canvas_draw(struct mesh_canvas *canvas, const struct view *view, const struct shading *light, uint8_t *pixels)
 {
     const struct shading *shading = &canvas->shadings[0];
@@ -111,8 +118,19 @@ void mesh_canvas_draw(struct mesh_canvas *canvas, const struct view *view, const
     const size_t line_bytes = format_line_bytes(shading->format, view->width);
     for (unsigned i = 0; i < canvas->mesh.part_count; i++)
         shading_light_paint(light ? light : shading, &canvas->paints[i], canvas->lights);
-    memset(pixels, 0, line_bytes * view->height);
+    if (canvas->backdrop)
+        memcpy(pixels, canvas->backdrop, line_bytes * view->height);
+    else
+        memset(pixels, 0, line_bytes * view->height);
     draw(&canvas->mesh, &paints, 1, view, pixels, line_bytes);
+}
+
+void mesh_canvas_draw_stepped(struct mesh_canvas *canvas, const struct view *view, uint8_t *pixels)
+{
+    const uint16_t *const neighbours = canvas->mesh.neighbours;
+    canvas->mesh.neighbours = NULL;
+    mesh_canvas_draw(canvas, view, NULL, pixels);
+    canvas->mesh.neighbours = neighbours;
 }
 
 /* Flat, in a colour that is the number. */
@@ -150,6 +168,7 @@ uint32_t *mesh_faces_drawn(const struct fitted *fitted, const struct view *view)
         const size_t left = faces - i * PARTS;
         first[i] = &paints[i * PARTS];
         meshes[i] = fitted->mesh;
+        meshes[i].neighbours = NULL;
         meshes[i].faces = fitted->faces[i * PARTS];
         meshes[i].face_count = meshes[i].part_count = (uint8_t)(left < PARTS ? left : PARTS);
         meshes[i].ends = ends;

@@ -18,9 +18,14 @@ struct shading *mesh_shadings(const struct mesh *mesh, const struct shading *sha
 struct mesh_canvas;
 struct mesh_canvas *mesh_canvas_new(const struct fitted *fitted, const struct shading *shadings);
 void mesh_canvas_free(struct mesh_canvas *canvas);
-/* The whole picture, black behind the mesh, lines packed. `light`: the shading whose light counts; NULL: as it was. */
+/* What is behind the mesh from now on, pixels of the format as backdrop_pixels makes them, which stay the caller's; NULL: black. */
+void mesh_canvas_set_backdrop(struct mesh_canvas *canvas, const uint8_t *pixels);
+/* The whole picture, the backdrop behind the mesh, lines packed. `light`: the shading whose light counts; NULL: as it was. */
 void mesh_canvas_draw(struct mesh_canvas *canvas, const struct view *view, const struct shading *light,
                       uint8_t *pixels);
+
+/* The same with stepped outlines: what is compared pixel by pixel. */
+void mesh_canvas_draw_stepped(struct mesh_canvas *canvas, const struct view *view, uint8_t *pixels);
 
 /* The number of the face that the library draws at each pixel, plus 1; 0: none. malloc'd. */
 uint32_t *mesh_faces_drawn(const struct fitted *fitted, const struct view *view);

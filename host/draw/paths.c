@@ -192,6 +192,9 @@ static char *narrow(struct way *way, struct glint_material *material)
 {
     char *warning = NULL;
     const struct scene scene = way->scene;
+    if (scene.shininess)
+        fail("--path %s: takes no map of shininess, as --filter makes it; choose exact or exact-int8",
+             path_names[way->shading.path]);
     const size_t pixels = (size_t)scene.width * scene.height;
     const bool any_color = way->path->paint == ALBEDO;
     const bool takes_coverage = way->path->source == INT16 || way->path->source == INT8;
@@ -389,6 +392,10 @@ static struct glint_maps maps_of(const struct way *way, size_t first)
     if (is_exact && scene->gloss) {
         maps.gloss = &scene->gloss[first];
         maps.gloss_stride = width;
+    }
+    if (scene->shininess) {
+        maps.shininess = &scene->shininess[first];
+        maps.shininess_stride = width;
     }
     if (way->albedo) {
         maps.albedo = (const uint8_t *)&way->albedo[first];

@@ -47,12 +47,17 @@ unsigned mesh_part_of(const struct mesh *mesh, size_t face)
  * that. The highlight's peak is that of a microfacet surface under one light, F0 (n + 2) / 8 where n = 2 / r^4 - 2. */
 void mesh_material_look(const struct mesh_material *material, double ambient[3], double diffuse[3], double specular[3])
 {
-    const double metal_diffuse = .5, plastic_f0 = .04, r = fmax(material->roughness, .1);
+    const double metal_diffuse = .5, plastic_f0 = .04, metal = material->metallic, r = fmax(material->roughness, .1);
+    double f0[3], most = 0;
+    for (int k = 0; k < 3; k++) {
+        f0[k] = plastic_f0 * (1 - metal) + metal * material->tint[k] / 255.;
+        most = fmax(most, f0[k]);
+    }
+    const double times = fmin(1 / most, 1 / (4 * r * r * r * r)); /* no channel above 1, and the colour stays */
     for (int k = 0; k < 3; k++) {
         if (material->has_roughness) {
-            const double metal = material->metallic, f0 = plastic_f0 * (1 - metal) + metal * material->tint[k] / 255.;
             diffuse[k] *= 1 - metal * (1 - metal_diffuse);
-            specular[k] = fmin(1, f0 / (4 * r * r * r * r));
+            specular[k] = times * f0[k];
         }
         if (material->unlit) {
             ambient[k] = 1;

@@ -33,11 +33,16 @@ bool model_has_grain(enum glint_model model)
            model == GLINT_GGX;
 }
 
-/* n t becomes n_across t + (n - n_across) (H.T)^2 / 2, and GGX's n (1 - c^2) n_across (1 - c^2) + (n - n_across) (H.T)^2; at t = 0 there is no (H.T)^2 either. */
+/* n t becomes n_across t + (n - n_across) (H.T)^2 / 2, and GGX's n (1 - c^2) n_across (1 - c^2) + (n - n_across) (H.T)^2: that of another
+ * n. At t = 0 there is no (H.T)^2 either. Cayley's is r^4 for every n then. */
 double model_grained(enum glint_model model, double n, double n_across, double c, double h_t_square)
 {
     const double of = model == GLINT_GGX ? 1 - c * c : 2 * (1 - c);
-    return of > 0 ? n_across + (n - n_across) * h_t_square / of : n;
+    const double here = of > 0 ? n_across + (n - n_across) * h_t_square / of : n;
+    if (model != GLINT_CAYLEY)
+        return model_double(model, here, c);
+    const double p = 4 * (1 + c) - here * (1 - c), s = 4 * (1 + c) + here * (1 - c);
+    return p > 0 ? pow(p / s, 4) : 0;
 }
 
 enum glint_model parse_model(const struct argp_state *state, const char *option, const char *text)

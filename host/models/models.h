@@ -37,8 +37,7 @@ double shininess_of_roughness(double roughness);
 unsigned shininess_held(double n); /* to nearest, 1..1000 */
 /* Can it have a grain, that is, n_across? */
 bool model_has_grain(enum glint_model model);
-/* The shininess by which its formula has the value of a grain at c: so much along it and across it; h_t_square: (H.T)^2, T the unit
- * direction of the grain. */
+/* Its value with a grain, n along it and n_across across it; h_t_square: (H.T)^2, T the unit direction of the grain. */
 double model_grained(enum glint_model model, double n, double n_across, double c, double h_t_square);
 
 /* "msh, schlick, ..., ", for help. */

@@ -21,7 +21,8 @@ enum key {
     KEY_MASK,
     KEY_SIZE,
     KEY_GRAIN,
-    KEY_CUT_OUT
+    KEY_CUT_OUT,
+    KEY_FILTER
 };
 
 static const struct argp_option argp_options[] = {
@@ -50,6 +51,13 @@ static const struct argp_option argp_options[] = {
     {"flip-y", KEY_FLIP_Y, NULL, 0, "The normal map's green points down, as in DirectX", 2},
     {"cut-out", KEY_CUT_OUT, NULL, 0,
      "Leave out the wall behind a built-in scene, or with --bevel what is not the logo, with a soft edge", 2},
+    {"filter", KEY_FILTER, "N", 0,
+     "Draw at 1/N of the size, 2..64: N x N pixels of the maps become one. What their normals scatter becomes a wider, "
+     "weaker "
+     "highlight (a map of shininess and one of gloss), so that fine details do not glitter. A built-in scene is drawn "
+     "N times "
+     "as large before",
+     2},
     {"grain", KEY_GRAIN, "KIND", 0,
      "Which way the scratches of brushed metal run, for a material with --across: brushed:ANGLE, degrees "
      "counterclockwise "
@@ -125,6 +133,11 @@ static void check(const struct argp_state *state, struct scene_options *o)
 {
     if (o->cut_out && !(o->scene && !o->mesh.name) && !(o->bevel > 0))
         refuse(state, "--cut-out needs a built-in scene, or a logo with --bevel");
+    if (o->filter && o->width * o->filter > SIDE_MAX)
+        refuse(state, "--filter %u: a surface %u times as wide as --size is more than %d pixels", o->filter, o->filter,
+               SIDE_MAX);
+    if (o->mesh.name && o->filter)
+        refuse(state, "--filter is for maps; it cannot be used with a mesh");
     if (o->mesh.name && o->has_grain && (o->grain_map || o->grain.kind != GLINT_GRAIN_BRUSHED))
         refuse(state, "--grain: a mesh takes brushed:ANGLE");
     const int sources = !!o->heights + !!o->normals + !!o->scene + (o->mesh.name && !o->mesh.built_in);
@@ -173,6 +186,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case KEY_GRAIN:
         parse_grain(state, text, o);
+        return 0;
+    case KEY_FILTER:
+        o->filter = (unsigned)parse_integer(state, "--filter", text, 2, 64);
         return 0;
     case KEY_CUT_OUT:
         o->cut_out = true;

@@ -11,6 +11,7 @@
 #include "models/models.h"
 #include "options/light_options.h"
 #include "options/shading_options.h"
+#include "scene/filter.h"
 #include "scene/materials.h"
 
 /* The commands' own keys begin at 384. */
@@ -288,6 +289,7 @@ struct scene *scene_of_shading_options(const struct shading_options *options, co
         free(scene->albedo);
         scene->albedo = NULL;
     }
+    scene_soften(scene, options->shading.n ? options->shading.n : scene->finish.n, options->shading.color);
     return scene;
 }
 

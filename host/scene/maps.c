@@ -12,13 +12,20 @@
 #include "image/read.h"
 #include "scene/bevel.h"
 #include "scene/curl.h"
+#include "scene/filter.h"
 #include "scene/normals.h"
 #include "scene/scenes.h"
+
+static unsigned times_of(const struct scene_options *options)
+{
+    return options->filter ? options->filter : 1;
+}
 
 /* An SVG is drawn at the size that is asked for. */
 static struct image *read_map(const struct scene_options *options, const char *path)
 {
-    return path ? image_read_sized(path, options->width, options->height) : NULL;
+    const unsigned times = times_of(options);
+    return path ? image_read_sized(path, times * options->width, times * options->height) : NULL;
 }
 
 /* A map that goes with the scene, pixel for pixel. */
@@ -61,8 +68,8 @@ void scene_maps_size(const struct scene_maps *maps, uint32_t *width, uint32_t *h
 {
     *width = *height = 0;
     if (maps->surface) {
-        *width = maps->surface->width;
-        *height = maps->surface->height;
+        *width = maps->surface->width / times_of(&maps->options);
+        *height = maps->surface->height / times_of(&maps->options);
     }
 }
 
@@ -70,7 +77,9 @@ static struct scene *scene_of_heights(const struct scene_maps *maps, uint32_t wi
 {
     const struct image *map = maps->surface;
     const struct scene_options *options = &maps->options;
-    const bool wraps = options->wraps || width > map->width || height > map->height; /* which repeats it */
+    const unsigned times = times_of(options);
+    const bool wraps =
+        options->wraps || times * width > map->width || times * height > map->height; /* which repeats it */
     if (options->bevel <= 0)
         return scene_from_heights(map, options->scale, wraps);
     double *heights = bevel_heights(map, options->bevel);
@@ -174,6 +183,7 @@ uint8_t *scene_backdrop(const struct scene_options *options, uint32_t width, uin
 struct scene *scene_of_maps(const struct scene_maps *maps, uint32_t width, uint32_t height)
 {
     const struct scene_options *options = &maps->options;
+    const unsigned times = times_of(options);
     if (!width) {
         width = options->width;
         height = options->height;
@@ -191,8 +201,9 @@ struct scene *scene_of_maps(const struct scene_maps *maps, uint32_t width, uint3
         scene = scene_from_normals(surface, options->flip_y, fits ? drawn : NULL);
         what = "the normal map";
     } else {
-        scene = scene_draw_in(options->scene, width ? width : SCENE_SIDE, width ? height : SCENE_SIDE,
-                              options->has_body ? options->body : NULL, cuts_out(options));
+        scene =
+            scene_draw_in(options->scene, times * (width ? width : SCENE_SIDE), times * (width ? height : SCENE_SIDE),
+                          options->has_body ? options->body : NULL, cuts_out(options));
         what = "the scene (see --size)";
     }
     if (maps->albedo) {
@@ -214,6 +225,10 @@ struct scene *scene_of_maps(const struct scene_maps *maps, uint32_t width, uint3
     if (by_alpha)
         warn("%s: its alpha is the mask: transparent pixels are not drawn", drawn_from->name);
     say_what_looks_wrong(options, surface, scene); /* after everything that may fail, since a failure is one line */
+    if (scene->width < times || scene->height < times)
+        fail("--filter %u: the surface has %ux%u pixels, fewer than become one", times, scene->width, scene->height);
+    if (times > 1)
+        scene_shrink(scene, times);
     if (width && (width != scene->width || height != scene->height))
         scene_repeat(scene, width, height);
     if (options->has_grain)

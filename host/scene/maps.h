@@ -25,7 +25,8 @@ struct scene_options {
     const char *backdrop; /* FILE; NULL: */
     uint8_t backdrop_color[3];
     bool has_backdrop;
-    bool cut_out; /* the thing alone: a built-in scene's without its wall, a logo's shape */
+    unsigned filter; /* so many pixels of the maps each way become one; 0: as 1 */
+    bool cut_out;    /* the thing alone: a built-in scene's without its wall, a logo's shape */
     bool has_body;
     uint8_t body[3]; /* what a built-in scene is made of; else its own colour */
 };

@@ -31,6 +31,8 @@ void scene_free(struct scene *scene)
     free(scene->mask);
     free(scene->grain_map);
     free(scene->backdrop);
+    free(scene->lengths);
+    free(scene->shininess);
     free(scene->parts);
     free(scene->places);
     free(scene);
@@ -58,6 +60,7 @@ void scene_repeat(struct scene *scene, uint32_t width, uint32_t height)
     scene->gloss = repeated(scene->gloss, scene, width, height, 1);
     scene->mask = repeated(scene->mask, scene, width, height, 1);
     scene->grain_map = repeated(scene->grain_map, scene, width, height, 1);
+    scene->lengths = repeated(scene->lengths, scene, width, height, sizeof *scene->lengths);
     scene->width = width;
     scene->height = height;
 }

@@ -28,8 +28,10 @@ struct scene {
     uint8_t *mask;        /* coverage: 0 is not drawn, below 255 in part; or NULL */
     uint8_t *grain_map;   /* 256 a half turn, counterclockwise from the right; or NULL: as `grain` says everywhere */
     struct grain grain;
-    uint8_t *backdrop; /* RGB888: what is drawn over; or NULL: black */
-    uint8_t *parts;    /* of a mesh: by which of its parts' shadings; or NULL: by the only one */
+    double *lengths;    /* of a scene made smaller: of the means of its normals; or NULL */
+    uint8_t *shininess; /* a pixel's code (glint.h); or NULL: the material's n */
+    uint8_t *backdrop;  /* RGB888: what is drawn over; or NULL: black */
+    uint8_t *parts;     /* of a mesh: by which of its parts' shadings; or NULL: by the only one */
     double (*places)
         [3]; /* of a mesh: in pixels from the picture's upper left corner, x right, y down, z to you; or NULL: each pixel's
                            * middle, at z = 0 */

@@ -9,6 +9,7 @@
 
 #include "base/memory.h"
 #include "base/message.h"
+#include "draw/canvas.h"
 #include "draw/mesh_canvas.h"
 #include "draw/mesh_in_device.h"
 #include "image/format.h"
@@ -21,6 +22,7 @@ struct mesh_stream {
     struct shading *shadings;
     struct mesh_canvas *canvas;
     struct view view; /* at the start */
+    uint8_t *behind;  /* or NULL */
 };
 
 static void load(struct mesh_stream *stream, const struct mesh_source *source)
@@ -29,6 +31,8 @@ static void load(struct mesh_stream *stream, const struct mesh_source *source)
     stream->fitted = mesh_fit(stream->mesh, 0);
     if (shading_options_one_color(&stream->options->look))
         fitted_forget_colors(stream->fitted);
+    if (source->stepped)
+        fitted_forget_neighbours(stream->fitted);
 }
 
 struct mesh_stream *mesh_stream_new(const struct stream_options *options)
@@ -47,6 +51,7 @@ void mesh_stream_free(struct mesh_stream *stream)
     fitted_free(stream->fitted);
     mesh_free(stream->mesh);
     free(stream->shadings);
+    free(stream->behind);
     free(stream);
 }
 
@@ -56,6 +61,10 @@ void mesh_stream_start(struct mesh_stream *stream, const struct shading *shading
     stream->view = view_of_options(&look->view, width, height, look->scene.mesh.built_in);
     stream->shadings = mesh_shadings(stream->mesh, shading, shading_options_own(look));
     stream->canvas = mesh_canvas_new(stream->fitted, stream->shadings);
+    uint8_t *rgb = scene_backdrop(&look->scene, width, height);
+    stream->behind = backdrop_pixels(rgb, width, height, shading);
+    mesh_canvas_set_backdrop(stream->canvas, stream->behind);
+    free(rgb);
 }
 
 static struct view view_at(const struct mesh_stream *stream, double seconds)

@@ -71,11 +71,11 @@ $(BENCH)/lib-%/done: $(wildcard lib/*) tests/bench/bench.mk
 
 $(BENCH)/m0plus-%.elf: $(BENCH)/lib-%/done $(BENCH_INPUTS) tests/bench/calibrate.S
 	@$(BENCH_COMPILE) $(BENCH_FLAGS) \
-		-nostartfiles -T tests/bench/m0plus.ld $(BENCH_LIB) $(filter-out lib/%,$(BENCH_SOURCES)) tests/bench/calibrate.S -lm -o $@
+		-nostartfiles -T tests/bench/m0plus.ld -Wl,--gc-sections $(BENCH_LIB) $(filter-out lib/%,$(BENCH_SOURCES)) tests/bench/calibrate.S -lm -o $@
 
 $(BENCH)/mesh-%.elf: $(BENCH)/lib-%/done $(BENCH_MESH_SOURCES) $(BENCH_MESH_INPUTS) $(if $(BENCH_BUNNY),$(BENCH_MESH)/bunny.h) $(BENCH_INPUTS) tests/bench/calibrate.S
 	@$(BENCH_COMPILE) -Ilib -I$(BENCH_MESH) -DMESH_BUNNY=$(if $(BENCH_BUNNY),1,0) \
-		-nostartfiles -T tests/bench/m0plus.ld -Wl,--wrap=glint_mesh_rows $(BENCH_MESH_SOURCES) $(BENCH_LIB) tests/bench/calibrate.S -o $@
+		-nostartfiles -T tests/bench/m0plus.ld -Wl,--gc-sections -Wl,--wrap=glint_mesh_rows $(BENCH_MESH_SOURCES) $(BENCH_LIB) tests/bench/calibrate.S -o $@
 
 # As shipped: no normals of it are 180 degrees apart.
 $(BENCH_MESH)/teapot.h: $(BUILD)/glint
@@ -83,10 +83,10 @@ $(BENCH_MESH)/teapot.h: $(BUILD)/glint
 	@$< bake --scene teapot --split 180 --name teapot --as c -o $@ >/dev/null
 $(BENCH_MESH)/teapot_split.h: $(BUILD)/glint
 	@mkdir -p $(@D)
-	@$< bake --scene teapot --split 30 --name teapot_split --as c -o $@ >/dev/null
+	@$< bake --scene teapot --split 30 --no-outlines --name teapot_split --as c -o $@ >/dev/null
 $(BENCH_MESH)/bunny.h: $(BUILD)/glint $(BENCH_BUNNY) tests/targets/test_bunny $(BOARDS)
 	@mkdir -p $(@D)
-	@PYTHONDONTWRITEBYTECODE=1 tests/targets/test_bunny $< obj | $< bake --mesh - --split 180 --name bunny --as c -o $@ >/dev/null
+	@PYTHONDONTWRITEBYTECODE=1 tests/targets/test_bunny $< obj | $< bake --mesh - --split 180 --no-outlines --name bunny --as c -o $@ >/dev/null
 
 $(BENCH)/sizes.txt: tests/bench/sizes $(BENCH_INPUTS) $(BOARDS)
 	@PYTHONDONTWRITEBYTECODE=1 $< $(BENCH) $(BENCH_BOARDS) >$@.tmp && mv $@.tmp $@

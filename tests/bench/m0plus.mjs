@@ -6,7 +6,7 @@ import { resolve } from 'node:path'
 import { KNOWN } from './calibrate.mjs'
 
 export const RAM = 0x20000000
-export const RETURN = 0x20041000 // a call is over when it comes here
+export const RETURN = 0x20041ff0 // the end of 264 KB; a call is over when it comes here
 const STACK = RETURN
 
 // The parts of a 32-bit little-endian ELF file: what to load where, and the symbols and their sizes.

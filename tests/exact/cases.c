@@ -180,7 +180,7 @@ void case_grain(uint64_t *seed, struct case_scene *s, const struct glint_materia
         maps->grain_kind = GLINT_GRAIN_BRUSHED;
     else if (ONE_IN(4))
         maps->grain = s->bytes;
-    if (!is_grained && ONE_IN(6))
+    if (!is_grained && !maps->grain && ONE_IN(6))
         maps->shininess = s->bytes;
 }
 

@@ -123,7 +123,7 @@ static uint64_t upper_product(uint64_t a, uint64_t b)
 /* w of step 2a. */
 static uint64_t half_square(uint64_t off, uint64_t d, uint64_t s)
 {
-    int down = 9;
+    int down = 11;
     const uint64_t size = off & UINT64_C(0x80000000) ? UINT64_C(0x100000000) - off : off;
     if (d == 0)
         return s / 2;

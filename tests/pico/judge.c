@@ -2,11 +2,12 @@
  * What the emulated board's panel shows, and what it should show; RGB, to standard output.
  *   judge look CONTROLLER WIDTH HEIGHT    standard input: a transcript of the panel's pins (pico.mjs)
  *   judge demo WIDTH HEIGHT FRAME         the stand-alone demo, by the library on this machine
+ *   judge lit WIDTH HEIGHT FRAME          the same of `map`, without soft edges; and the demo with a tearing line
  *   judge exact WIDTH HEIGHT FRAME        the same by the exact rectangle (PATH=exact)
  *   judge teapot WIDTH HEIGHT FRAME       the demo of DEMO=teapot, in one strip
  *   judge fault WIDTH HEIGHT NUMBER       what is shown where something is wrong
  *   judge lz4                             standard input as one LZ4 block (no picture)
- *   judge map WIDTH HEIGHT                the demo's map, as it goes over the wire to a device that shades
+ *   judge map WIDTH HEIGHT                a map, as it goes over the wire to a device that shades
  *   judge material                        the demo's material, likewise
  *   judge light FRAME                     and its light, one message */
 #include <lz4hc.h>
@@ -99,14 +100,18 @@ static void make_paint(struct glint_paint *paint, bool exact, const int32_t to_l
         fail("judge: the library refused the paint");
 }
 
-static void draw_demo(unsigned width, unsigned height, unsigned frame, bool exact)
+/* The coin: cut out with a soft edge, or with its wall, as a computer sends it. */
+static void draw_coin(unsigned width, unsigned height, unsigned frame, bool cut, bool exact)
 {
-    struct scene *scene = scene_draw("coin", width, height);
+    struct scene *scene = scene_draw_in("coin", width, height, NULL, cut);
     struct baked *baked = bake(scene, BAKE_INT8, 0);
     uint16_t *pixels = allocate((size_t)width * height, sizeof *pixels);
     const struct glint_surface surface = {pixels, 2 * (ptrdiff_t)width, 0, 0};
-    const struct glint_maps maps = {
-        .normals = baked->words, .normals_stride = 4 * (ptrdiff_t)width, .normals_format = GLINT_NORMALS_INT8};
+    const struct glint_maps maps = {.normals = baked->words,
+                                    .normals_stride = 4 * (ptrdiff_t)width,
+                                    .normals_format = GLINT_NORMALS_INT8,
+                                    .coverage = scene->mask,
+                                    .coverage_stride = (ptrdiff_t)width};
     struct glint_paint paint;
     int32_t to_light[3];
     orbit_light(to_light, frame, ORBIT_FRAMES);
@@ -198,9 +203,11 @@ int main(int argc, char **argv)
     if (argc == 5 && strcmp(argv[1], "look") == 0)
         show_panel(argv[2], number(argv[3]), number(argv[4]));
     else if (argc == 5 && strcmp(argv[1], "demo") == 0)
-        draw_demo(number(argv[2]), number(argv[3]), number(argv[4]), false);
+        draw_coin(number(argv[2]), number(argv[3]), number(argv[4]), true, false);
     else if (argc == 5 && strcmp(argv[1], "exact") == 0)
-        draw_demo(number(argv[2]), number(argv[3]), number(argv[4]), true);
+        draw_coin(number(argv[2]), number(argv[3]), number(argv[4]), true, true);
+    else if (argc == 5 && strcmp(argv[1], "lit") == 0)
+        draw_coin(number(argv[2]), number(argv[3]), number(argv[4]), false, false);
     else if (argc == 5 && strcmp(argv[1], "teapot") == 0)
         draw_teapot(number(argv[2]), number(argv[3]), number(argv[4]));
     else if (argc == 5 && strcmp(argv[1], "fault") == 0)

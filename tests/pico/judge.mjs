@@ -13,6 +13,7 @@ export class Judge {
   }
   look(transcript) { return this.call(['look', this.controller, this.width, this.height], transcript) }
   demo(frame) { return this.call(['demo', this.width, this.height, frame], '') }
+  lit(frame) { return this.call(['lit', this.width, this.height, frame], '') }
   exact(frame) { return this.call(['exact', this.width, this.height, frame], '') }
   teapot(frame) { return this.call(['teapot', this.width, this.height, frame], '') }
   fault(number) { return this.call(['fault', this.width, this.height, number], '') }

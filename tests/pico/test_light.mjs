@@ -59,7 +59,7 @@ run([
     wires.pixels = 0
     host.bulk(2, judge.light(7))
     check(pico.run(frame_done, 400) && pico.run(() => wires.level('backlight') === 1, 5), `no frame: ${pico.uart}`)
-    judge.same(look(), judge.demo(7), 'the picture')
+    judge.same(look(), judge.lit(7), 'the picture')
   }],
   ['lights that follow make a frame each, in order; what there is no room for waits on the bus', () => {
     const COUNT = 24, before = wires.windows, ends = []
@@ -68,7 +68,7 @@ run([
     for (let i = 0; i < COUNT; i++) {
       check(pico.run(() => !frame_done(), 100) && pico.run(frame_done, 100), `${i} frames of ${COUNT}`)
       ends.push(pico.cycles)
-      if (i % 6 === 0 || i === COUNT - 1) judge.same(look(), judge.demo(10 + i), `frame ${i}`)
+      if (i % 6 === 0 || i === COUNT - 1) judge.same(look(), judge.lit(10 + i), `frame ${i}`)
     }
     pico.run(() => false, 50)
     equal(wires.windows - before, COUNT, 'frames')
@@ -82,7 +82,7 @@ run([
     judge.same(look(), before, 'the picture')
     host.bulk(2, judge.light(3))
     check(pico.run(() => !frame_done(), 100) && pico.run(frame_done, 100), 'no frame')
-    judge.same(look(), judge.demo(3), 'the next picture')
+    judge.same(look(), judge.lit(3), 'the next picture')
   }],
   ['GUD hosts get busy while a light host has the panel, and nothing of theirs is drawn', () => {
     const before = look()
@@ -114,7 +114,7 @@ run([
     host.bulk(2, map, 2000)
     host.bulk(2, judge.light(6))
     check(pico.run(() => !frame_done(), 400) && pico.run(frame_done, 400), 'no frame after it')
-    judge.same(look(), judge.demo(6), 'the picture')
+    judge.same(look(), judge.lit(6), 'the picture')
   }],
   ['another material changes the picture with the same map', () => {
     const other = Buffer.from(material)
@@ -124,7 +124,7 @@ run([
     check(light.set(MATERIAL, other), 'the material')
     host.bulk(2, judge.light(3))
     check(pico.run(() => !frame_done(), 400) && pico.run(frame_done, 400), 'no frame')
-    check(!look().equals(judge.demo(3)), 'the picture is the old one')
+    check(!look().equals(judge.lit(3)), 'the picture is the old one')
   }],
   ['disabled it gives the panel to the GUD host that waits', () => {
     check(light.set(ENABLE, Buffer.of(0)), 'disabling')

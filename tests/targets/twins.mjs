@@ -252,3 +252,26 @@ for (const [name, make, calls] of TWINS) {
   }
   console.log(name, calls, ...unlike)
 }
+
+// Frames of a mesh with a texture or colours by ALBEDO tables, in both orders of bytes, strip by strip: mesh.h's ways.
+function albedo(machine, way, swapped, fault) {
+  const call = (name, ...args) => { if (run(machine, name, args)) throw new Error(`${name} returned an error`) }
+  const at = (name) => machine.address(name) - RAM, strips = []
+  call('mesh_begin', way)
+  call('mesh_clothe', 0)
+  machine.memory[at('paint') + FIELD.TABLES_SHIFT - 1] = swapped
+  for (const name of ['uv', 'colours']) machine.memory[at(name) + 400] ^= fault
+  call('mesh_frame', 0)
+  for (let y = 0; y < 240; y += 16) {
+    machine.memory.fill(0, at('mesh_out'), at('mesh_out') + machine.size('mesh_out'))
+    call('mesh_strip', y)
+    strips.push(machine.memory.toString('latin1', at('mesh_out'), at('mesh_out') + machine.size('mesh_out')))
+  }
+  return strips
+}
+const ALBEDO = [6, 7, 9, 10].flatMap((way) => [0, 1].map((swapped) => [way, swapped])), unlike = [0, 0]
+for (const [way, swapped] of ALBEDO) {
+  const wanted = albedo(c, way, swapped, 0)
+  for (const fault of [0, 0x41]) albedo(assembly, way, swapped, fault).forEach((strip, k) => { unlike[fault && 1] += strip !== wanted[k] })
+}
+console.log('glint_mesh_albedo_part', 15 * ALBEDO.length, ...unlike)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The Raspberry Pi Pico with a panel: make firmware PORT=pico [PANEL=st7789-240x240] [TE=21] [SECOND_CORE=1] [PATH=exact] [DEMO=teapot] [HEIGHT=FILE] [MESH=FILE [SPLIT=30] [AXES=NAME]] [LANDING_PAGE=https://...] [IMAGE=conformance] [BOARD=pico2]
+# The Raspberry Pi Pico with a panel: make firmware PORT=pico [PANEL=st7789-240x240] [TE=21] [SECOND_CORE=1] [PATH=exact] [DEMO=teapot] [HEIGHT=FILE [BEVEL=8]] [MESH=FILE [SPLIT=30] [AXES=NAME]] [LANDING_PAGE=https://...] [IMAGE=conformance] [BOARD=pico2]
 PANEL ?= st7789-240x240
 pico_BOARDS = pico pico2
 # Those that an emulator runs; make test-pico reports the others as skipped.
@@ -24,20 +24,22 @@ LANDING_PAGE ?=
 # What the board shows by itself: coin, a map under a light, or teapot, a mesh that turns.
 DEMO ?= coin
 PICO_DEMOS = coin teapot
-# Instead of the coin a height map of your own, at the panel's size.
+# With a tearing line a frame must fit in one scan of the panel: soft edges would take .2 ms too long, so the coin keeps its wall.
+# Instead of the coin a height map of your own, at the panel's size; with BEVEL=N a logo, as glint bake has --bevel, with soft edges.
 HEIGHT ?=
-PICO_MAP_SOURCE = $(if $(HEIGHT),--height '$(HEIGHT)',--scene coin) --size $(PICO_SIZE)
+BEVEL ?=
+PICO_MAP_SOURCE = $(if $(HEIGHT),--height '$(HEIGHT)' $(BEVEL:%=--bevel % --cut-out),--scene coin $(if $(TE),,--cut-out)) --size $(PICO_SIZE)
 # Or a mesh of your own, as glint bake takes it by --mesh, --split and --axes.
 MESH ?=
 SPLIT ?= 30
 AXES ?=
 COMMA := ,
 PICO_MESH = $(if $(MESH),mesh-$(basename $(notdir $(firstword $(MESH)))),$(filter teapot,$(DEMO)))
-PICO_MESH_SOURCE = $(if $(MESH),--mesh '$(MESH)' --split $(SPLIT) $(AXES:%=--axes %),--scene teapot --split 180)
+PICO_MESH_SOURCE = $(if $(MESH),--mesh '$(MESH)' --no-textures --split $(SPLIT) $(AXES:%=--axes %),--scene teapot --split 180)
 # Up to here it is in RAM, where it is drawn in fewer cycles.
 PICO_MESH_RAM = 12288
 PICO_FREE_PINS = 1 2 3 4 5 6 7 14 15 16 17 18 19 20 21 22 26 27 28
-PICO = build/firmware/$(PICO_BOARD)-$(PANEL)$(TE:%=-te%)$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(PICO_MESH:%=-%)$(if $(HEIGHT),-map-$(basename $(notdir $(firstword $(HEIGHT)))))$(if $(LANDING_PAGE),-landing)
+PICO = build/firmware/$(PICO_BOARD)-$(PANEL)$(TE:%=-te%)$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(PICO_MESH:%=-%)$(if $(HEIGHT),-map-$(basename $(notdir $(firstword $(HEIGHT)))))$(BEVEL:%=-bevel%)$(if $(LANDING_PAGE),-landing)
 PICO_SIZE = $(lastword $(subst -, ,$(PANEL)))
 
 pico_PACKAGES = cmake make python3-minimal gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib
@@ -56,6 +58,7 @@ have-pico-choices:
 	@$(if $(PICO_MESH),$(if $(filter pico.st7789-240x240.0.glint,$(PICO_BOARD).$(PANEL).$(PICO_EXACT)$(TE).$(IMAGE)),,echo "make: $(if $(MESH),MESH=$(MESH),DEMO=teapot): is for a Pico with PANEL=st7789-240x240; leave TE, PATH and IMAGE out" >&2; exit 1))
 	@$(if $(word 2,$(MESH)),echo "make: MESH=$(MESH): make takes no file whose name has a blank; rename it" >&2; exit 1)
 	@$(if $(word 2,$(HEIGHT)),echo "make: HEIGHT=$(HEIGHT): make takes no file whose name has a blank; rename it" >&2; exit 1)
+	@$(if $(and $(BEVEL),$(if $(HEIGHT),,1)),echo "make: BEVEL=$(BEVEL): is for a logo; give HEIGHT=FILE with it" >&2; exit 1)
 	@$(if $(and $(HEIGHT),$(PICO_MESH)),echo "make: HEIGHT=$(HEIGHT): the board shows a map or a mesh; leave $(if $(MESH),MESH=$(MESH),DEMO=teapot) out" >&2; exit 1)
 	@$(if $(filter-out $(shell seq 180),$(SPLIT))$(word 2,$(SPLIT)),echo "make: SPLIT=$(SPLIT): say whole degrees from 1 to 180" >&2; exit 1)
 
@@ -74,11 +77,12 @@ firmware-pico: have-pico-choices $(PICO)/map/$(if $(PICO_MESH),demo_mesh.h,demo_
 $(BUILD)/bin2uf2: firmware/ports/pico/tools/bin2uf2.c $(BUILD)/host/bake/uf2.o
 	@$(CC) $(filter-out -MMD -MP,$(HOST_CFLAGS)) $^ -o $@
 
-$(PICO)/map/demo_map.h: $(BUILD)/glint $(if $(HEIGHT),always) | have-pico-choices
+$(PICO)/map/demo_map.h: $(BUILD)/glint $(if $(HEIGHT)$(BEVEL),always) | have-pico-choices
 	@mkdir -p $(@D)
 	@$< bake $(PICO_MAP_SOURCE) --to int8 -o $(@D)/demo_map.bin >/dev/null
 	@$< bake $(PICO_MAP_SOURCE) --to int8 --name demo_map --as c -o $@.tmp >/dev/null
-	@cksum <$(@D)/demo_map.bin | awk '{ print "#define DEMO_MAP_CKSUM " $$1 "u" }' >>$@.tmp
+	@cksum <$(@D)/demo_map.bin | awk '{ soft = $$2 - 4 * $(subst x, * ,$(PICO_SIZE)); print "#define DEMO_MAP_CKSUM " $$1 "u"; \
+		print "#define DEMO_COVERAGE " (soft ? "demo_map_coverage" : "NULL"); print "#define DEMO_COVERAGE_BYTES " soft }' >>$@.tmp
 	@cmp -s $@.tmp $@ || mv $@.tmp $@
 
 # The teapot as it is, unsplit: what turns hides where its highlights break. A file's each time, since MESH, SPLIT and AXES may be others

@@ -62,7 +62,8 @@ uint16_t *shown_line(void)
 
 bool shown_is_intact(void)
 {
-    return cksum(demo_map, sizeof demo_map) == DEMO_MAP_CKSUM;
+    const uint32_t sum = cksum_add(cksum_add(0, demo_map, sizeof demo_map), DEMO_COVERAGE, DEMO_COVERAGE_BYTES);
+    return cksum_end(sum, sizeof demo_map + DEMO_COVERAGE_BYTES) == DEMO_MAP_CKSUM;
 }
 
 void shown_prepare(struct panel *panel, struct light_device *light)
@@ -72,10 +73,12 @@ void shown_prepare(struct panel *panel, struct light_device *light)
     lights = light;
 }
 
-static enum glint_err begin(const uint32_t *map, const struct glint_material *material,
+/* coverage: NULL where all that the map has is drawn wholly. */
+static enum glint_err begin(const uint32_t *map, const uint8_t *coverage, const struct glint_material *material,
                             const struct glint_output *output, uint16_t background)
 {
     relight.map = map;
+    relight.coverage = coverage;
     relight.background = background;
     relight_start(&relight);
 #if EXACT
@@ -91,9 +94,9 @@ enum glint_err shown_begin_demo(void)
     board_hal.fetch(board_hal.context, memory.host.map, demo_map, PANEL_WIDTH * PANEL_HEIGHT);
     while (!board_hal.fetched(board_hal.context))
         ;
-    return begin(memory.host.map, &demo_gold, &demo_output, 0);
+    return begin(memory.host.map, DEMO_COVERAGE, &demo_gold, &demo_output, 0);
 #else
-    return begin(demo_map, &demo_gold, &demo_output, 0);
+    return begin(demo_map, DEMO_COVERAGE, &demo_gold, &demo_output, 0);
 #endif
 }
 
@@ -101,7 +104,7 @@ enum glint_err shown_begin_light(void)
 {
     struct glint_output output;
     light_material_output(&output, &lights->material);
-    return begin(lights->map, &lights->material.material, &output, lights->material.background);
+    return begin(lights->map, NULL, &lights->material.material, &output, lights->material.background);
 }
 
 bool shown_next_demo(void)

@@ -2,6 +2,7 @@
 // What the picture costs: the row of the committed table that is nearest to the state, emulated; frames/s are predicted from it.
 import table from 'glint:costs'
 import type { Facts } from './engine'
+import { isGrainMap } from './words'
 import type { State } from './words'
 
 const clock = 125e6 // the RP2040's
@@ -41,6 +42,8 @@ function rowOf(state: State, facts: Facts): string | undefined {
         return `exact ${kinds[0]}`
     if (coloured)
         return 'exact directional'
+    if (facts.across[0] !== facts.n[0])
+        return state.grain && isGrainMap(state.grain) ? 'exact grain map' : facts.grain[0] === 0 ? 'exact brushed' : 'exact spun'
     const grey = /^(grey\d|mono)$/.test(format), deep = /888/.test(format)
     if (state.space === 'linear')
         return `exact linear${grey ? ' grey' : deep ? ' 888' : ''}`

@@ -49,7 +49,7 @@ export type Facts = Record<string, number[]>
 
 const keepNothing = 0, keepScene = 1, keepCanvas = 2
 /** Options that make the surface; a built-in scene is made of --material, --color takes its own colours away. */
-const ofSurface = /^--(height|normals|scene|mask|scale|bevel|wrap|flip-y|size|albedo|gloss|mesh|crease|axes|split|material|grain|cut-out|background)\b/
+const ofSurface = /^--(height|normals|scene|mask|scale|bevel|wrap|flip-y|size|albedo|gloss|mesh|crease|axes|split|material|grain|cut-out|filter|background|no-outlines)\b/
 /** Where a mesh stands, for which no canvas is made. */
 const standsBy = /^--(turn|zoom|perspective)\b/
 
@@ -89,7 +89,8 @@ export class Engine {
     draw(words: string[]): Picture {
         return this.guard(() => {
             const { call } = this.module
-            const surface = words.filter(word => ofSurface.test(word)).join('\0') + words.some(word => word.startsWith('--color'))
+            const filters = words.some(word => word.startsWith('--filter')) // by the material's n and colour
+            const surface = words.filter(word => ofSurface.test(word) || filters && /^(-n|--roughness|--color)/.test(word)).join('\0') + words.some(word => word.startsWith('--color'))
             const material = words.filter(word => !standsBy.test(word)).map(withoutNumbers).join('\0')
             const keep = material === this.material ? keepCanvas : surface === this.surface ? keepScene : keepNothing
             this.surface = this.material = '' // until it is drawn

@@ -5,13 +5,13 @@ import { ask } from './client'
 import { buttons, byId, capital, make } from './dom'
 import { redraw } from './picture'
 import { change, current, onChange } from './store'
-import { isGrainMap } from './words'
+import { isGrainMap, isMesh } from './words'
 import type { Option, State } from './words'
 
 const scenes = lists.scenes.map(({ name }) => name)
 const kinds = ['height', 'normals', 'mesh', 'albedo', 'gloss', 'mask', 'grain'] as const
 type Kind = typeof kinds[number]
-const without: Partial<State> = { height: undefined, normals: undefined, mesh: undefined, crease: undefined, axes: undefined, mask: undefined, 'cut-out': undefined, grain: undefined, albedo: undefined, gloss: undefined, scale: undefined, bevel: undefined, wrap: undefined, 'flip-y': undefined, color: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined }
+const without: Partial<State> = { height: undefined, normals: undefined, mesh: undefined, crease: undefined, axes: undefined, mask: undefined, 'cut-out': undefined, filter: undefined, grain: undefined, albedo: undefined, gloss: undefined, scale: undefined, bevel: undefined, wrap: undefined, 'flip-y': undefined, color: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined, 'no-outlines': undefined }
 
 const press = buttons(byId('scenes'), scenes, capital, scene => change({ ...without, scene, size: current().size ?? '240x240' }))
 
@@ -102,6 +102,7 @@ function field(option: Option, title: string, meaning: string, needs: () => bool
 field('scale', 'Scale', 'The height of white above black, in pixels; negative turns hills into hollows', () => current().height !== undefined, false)
 field('bevel', 'Bevel', 'The height map is a logo: a rounded edge rises over so many pixels', () => current().height !== undefined, false)
 field('wrap', 'Seamless', 'Slopes are taken across the edges', () => current().height !== undefined && current().bevel === undefined, true)
+field('filter', 'Filter', 'At 1/N of the size, 2 to 64: what is lost of the normals makes the highlight wider and weaker, so that nothing glitters', () => !isMesh(current()), false)
 field('cut-out', 'Cut out', 'Only the logo, with a soft edge, without what lies around it', () => current().bevel !== undefined, true)
 field('flip-y', 'Flip green', 'Green points down, as in maps for DirectX', () => current().normals !== undefined, true)
 

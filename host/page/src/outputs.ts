@@ -8,7 +8,7 @@ import { commandLine, wordsOf } from './words'
 import type { Option, State } from './words'
 
 const status = byId('file-status')
-const scene: Option[] = ['height', 'normals', 'scene', 'bevel', 'scale', 'wrap', 'flip-y', 'mask', 'size']
+const scene: Option[] = ['height', 'normals', 'scene', 'bevel', 'scale', 'wrap', 'flip-y', 'mask', 'cut-out', 'filter', 'grain', 'size']
 
 function only(options: Option[], state: State): string[] {
     return wordsOf({ ...Object.fromEntries(options.filter(name => state[name] !== undefined).map(name => [name, state[name]])), lights: [] })
@@ -21,11 +21,13 @@ function save(name: string, bytes: Uint8Array<ArrayBuffer>): void {
 }
 
 /** Without maps and what else a material has not; of a scene its finish counts. */
-const look = (state: State) => wordsOf({ ...state, height: undefined, normals: undefined, albedo: undefined, gloss: undefined, mask: undefined, 'cut-out': undefined, background: undefined,
-    bevel: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined, mesh: undefined, crease: undefined, axes: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined })
+const look = (state: State) => wordsOf({ ...state, height: undefined, normals: undefined, albedo: undefined, gloss: undefined, mask: undefined, 'cut-out': undefined, grain: undefined, background: undefined,
+    bevel: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined, mesh: undefined, crease: undefined, axes: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined, 'no-outlines': undefined, filter: undefined })
 const tables = (state: State, kind: string) => ['glint table', `--kind=${kind}`, ...look({ ...state, lights: [] }), '-o', `${kind}_tables.c`]
 /** RGB565 colours go beside normals, not beside a palette's offsets. */
-const baked = (state: State, to: string, name: string) => ['glint bake', ...only(to.startsWith('palette') || name.endsWith('.uf2') ? scene : [...scene, 'albedo'], state), `--to=${to}`, '-o', name]
+const baked = (state: State, to: string, name: string) => ['glint bake', ...only(to.startsWith('palette') || name.endsWith('.uf2') ? scene : [...scene, 'albedo'], cutOut(state)), `--to=${to}`, '-o', name]
+/** What has a background is drawn without what lies around it. */
+const cutOut = (state: State): State => state.background !== undefined && (state.scene ?? state.bevel) !== undefined ? { ...state, 'cut-out': '' } : state
 
 /** of: what the surface must be, a map or a mesh. */
 const files: { title: string, name: string, words: (state: State) => string[], of?: 'map' | 'mesh' }[] = [
@@ -37,7 +39,7 @@ const files: { title: string, name: string, words: (state: State) => string[], o
     { title: 'Palette, C', name: 'palette', words: state => baked(state, 'palette', 'normals.c'), of: 'map' },
     { title: 'Normals, raw', name: 'raw', words: state => baked(state, 'int8', 'normals.bin'), of: 'map' },
     { title: 'Normals, UF2', name: 'uf2', words: state => baked(state, 'int8', 'normals.uf2'), of: 'map' },
-    { title: 'Mesh, C', name: 'mesh', words: state => ['glint bake', ...only(['scene', 'mesh', 'crease', 'axes', 'split'], state), '-o', 'mesh.c'], of: 'mesh' },
+    { title: 'Mesh, C', name: 'mesh', words: state => ['glint bake', ...only(['scene', 'mesh', 'crease', 'axes', 'split', 'no-outlines'], state), '-o', 'mesh.c'], of: 'mesh' },
 ]
 
 async function run(wordsFor: (state: State) => string[]): Promise<void> {

@@ -415,6 +415,9 @@ static void roughness_and_metal_become_shininess_and_highlight(void **state)
         assert_int_equal(result->status, 0);
         assert_contains(result->out, cases[i][1]);
     }
+    make_gltf("g.gltf", "\"roughnessFactor\":0.3,\"baseColorFactor\":[1,0.5,0,1],", "\"uri\":\"none.png\"", "", "}");
+    assert_contains(run("$GLINT bake --mesh g.gltf --no-textures -o - 2>report")->out, /* 188 / 255 */
+                    "{GLINT_MSH, 0, 245, 0, {13107, 13107, 13107}, {29491, 29491, 29491}, {65536, 48317, 0}, ");
     /* A metal's highlight has its colour: here that of the picture's mean, without green and blue. */
     assert_contains(run("$GLINT bake --mesh m.gltf -o - 2>report")->out, ", 0, 0}, {255, 0, 0}, false}");
     /* A picture of them counts by its mean: green and blue are a half each. */
