@@ -118,10 +118,10 @@ static uint32_t coverage_any(const struct glint_paint *p, const struct glint_run
 }
 
 /* A channel's V, blended over a level, and its threshold. */
-GLINT_INLINE uint32_t coverage_channel(const struct glint_paint *p, unsigned k, const uint32_t fixed[3], uint32_t m,
+GLINT_INLINE uint32_t coverage_channel(const struct glint_paint *p, unsigned k, const uint32_t fixed[3], uint32_t m_257,
                                        uint32_t nl, uint32_t f, uint32_t most)
 {
-    return glint_levels_hold(glint_covered_fixed(fixed[k], m) + p->of.exact.q[k] * nl + p->of.exact.r[k] * f, most);
+    return glint_levels_hold(glint_covered_fixed(fixed[k], m_257) + p->of.exact.q[k] * nl + p->of.exact.r[k] * f, most);
 }
 
 /* RGB565 without maps, under one light: N.L <= 2^16, F < 33/32 2^16. a and 1 - a are low by 255 of 2^shift together. */
@@ -140,15 +140,15 @@ static uint32_t coverage_565(const struct glint_paint *p, const struct glint_run
     const struct glint_sample *const first = sample, *const end = sample + count;
     const uint32_t *threshold = bias;
     for (; sample != end; sample++, out += 2) {
-        const uint32_t m = *coverage++, rest = (255 - m) * unit, one = m * unit;
-        const uint32_t nl = glint_covered_nl(sample->nl_q16, m), f = glint_covered_f(sample->f_q16, m);
+        const uint32_t m = *coverage++, m_257 = (m << 8) + m, rest = (255 - m) * unit, one = m * unit;
+        const uint32_t nl = glint_covered_nl(sample->nl_q16, m_257), f = glint_covered_f(sample->f_q16, m_257);
         const uint32_t under = (uint32_t)out[1 - swapped] << 8 | out[swapped];
-        uint32_t v = coverage_channel(p, 0, fixed, m, nl, f, 31 * one) + rest * (under >> 11) + *threshold;
+        uint32_t v = coverage_channel(p, 0, fixed, m_257, nl, f, 31 * one) + rest * (under >> 11) + *threshold;
         uint32_t undecided = v ^ (v + w), pixel = v >> shift << 6;
-        v = coverage_channel(p, 1, fixed, m, nl, f, 63 * one) + rest * (under >> 5 & 63) + *threshold;
+        v = coverage_channel(p, 1, fixed, m_257, nl, f, 63 * one) + rest * (under >> 5 & 63) + *threshold;
         undecided |= v ^ (v + w);
         pixel = (pixel | v >> shift) << 5;
-        v = coverage_channel(p, 2, fixed, m, nl, f, 31 * one) + rest * (under & 31) + *threshold;
+        v = coverage_channel(p, 2, fixed, m_257, nl, f, 31 * one) + rest * (under & 31) + *threshold;
         undecided |= v ^ (v + w);
         pixel |= v >> shift;
         if (undecided >> shift) {

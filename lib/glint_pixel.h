@@ -70,19 +70,19 @@ struct glint_use_coverage {
     void (*edges)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds, uint32_t y);
 };
 
-/* a x for a = m / 255, m = 0..255, in 32 bits, rounded down; how low each is, tier exact shows for all of them (test_pixel).
+/* a x for a = m / 255, m = 0..255, in 32 bits, rounded down (m_257: 257 m, a of 2^16); how low each is, tier exact shows for all of them (test_pixel).
  * N.L <= 2^16: by < 2. F <= 67109: by < 4. What V has without them, cut by 16 bits: with what is cut by < 2^17. Anything: by < 2^10. */
-static inline uint32_t glint_covered_nl(uint32_t nl, uint32_t m)
+static inline uint32_t glint_covered_nl(uint32_t nl, uint32_t m_257)
 {
-    return nl * (257 * m) >> 16;
+    return nl * m_257 >> 16;
 }
-static inline uint32_t glint_covered_f(uint32_t f, uint32_t m)
+static inline uint32_t glint_covered_f(uint32_t f, uint32_t m_257)
 {
-    return f * (257 * m >> 1) >> 15;
+    return f * (m_257 >> 1) >> 15;
 }
-static inline uint32_t glint_covered_fixed(uint32_t v_16, uint32_t m)
+static inline uint32_t glint_covered_fixed(uint32_t v_16, uint32_t m_257)
 {
-    return v_16 * (257 * m);
+    return v_16 * m_257;
 }
 static inline uint32_t glint_covered_part(uint32_t x, uint32_t m)
 {

@@ -7,7 +7,7 @@ import { readFileSync } from 'node:fs'
 const header = readFileSync(new URL('../../lib/glint.h', import.meta.url), 'utf8')
 export const MODELS = [...header.matchAll(/^ +X\(GLINT_\w+, (\w+), /mg)].map((match) => match[1])
 export const SPACES = ['gamma', 'linear']
-export const FORMATS = ['rgb565', 'rgb565 swapped', 'rgb888', 'grey8', 'mono']
+export const FORMATS = ['rgb565', 'rgb565 swapped', 'rgb888', 'grey8', 'mono', 'bgr888', 'xrgb8888', 'argb8888', 'grey4', 'grey2']
 const MAPS = ['int16', 'int8', 'palette-offsets'] // enum bench_map
 export const LINE_BYTES = [2, 2, 3, 1, 1 / 8, 3, 4, 4, 1 / 2, 1 / 4]
 

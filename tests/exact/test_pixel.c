@@ -184,15 +184,15 @@ static void what_coverage_scales_is_low_by_less_than_w_grows_for_it_and_never_hi
     for (uint64_t m = 0; m < 256; m++) {
         unsigned wrong = 0;
         for (uint64_t nl = 0; nl <= 65536; nl++) {
-            const uint64_t low = m * nl - 255 * (uint64_t)glint_covered_nl((uint32_t)nl, (uint32_t)m);
+            const uint64_t low = m * nl - 255 * (uint64_t)glint_covered_nl((uint32_t)nl, (uint32_t)(257 * m));
             wrong += low >= 2 * 255;
         }
         for (uint64_t f = 0; f <= 67109; f++) {
-            const uint64_t low = m * f - 255 * (uint64_t)glint_covered_f((uint32_t)f, (uint32_t)m);
+            const uint64_t low = m * f - 255 * (uint64_t)glint_covered_f((uint32_t)f, (uint32_t)(257 * m));
             wrong += low >= 4 * 255;
         }
         for (uint64_t cut = 0; cut < 65536; cut++) { /* the largest of those that are cut to it, and the least */
-            const uint64_t v = 255 * (uint64_t)glint_covered_fixed((uint32_t)cut, (uint32_t)m);
+            const uint64_t v = 255 * (uint64_t)glint_covered_fixed((uint32_t)cut, (uint32_t)(257 * m));
             wrong += m * ((cut << 16) + 65535) - v >= UINT64_C(255) << 17 || m * (cut << 16) - v >= UINT64_C(255) << 17;
         }
         for (unsigned shift = 18; shift <= 28; shift++) {
