@@ -205,7 +205,7 @@ static int32_t clip_between(int32_t a, int32_t b, int32_t part, int32_t whole)
 }
 
 /* in_space: weights are to be linear in space, as textures are, and this is on the screen, where depth is 65535 - r: there it is part r_out of
- * part r_out + (whole - part) r_in; both are halved until they fit. */
+ * part r_out + (whole - part) r_in; both are cut to fit. */
 static struct glint_mesh_clipped clip_crossing(const struct glint_mesh_clipped *in,
                                                const struct glint_mesh_clipped *out, int32_t part, int32_t whole,
                                                bool in_space)
@@ -218,11 +218,11 @@ static struct glint_mesh_clipped clip_crossing(const struct glint_mesh_clipped *
                                            (int16_t)clip_between(in->normal.z, out->normal.z, part, whole)},
                                           {0, 0}};
     if (in_space) {
-        int64_t near = (int64_t)part * (65535 - out->at.z), all = near + (int64_t)(whole - part) * (65535 - in->at.z);
-        for (; all >> 24; all >>= 1)
-            near >>= 1;
-        part = (int32_t)near;
-        whole = (int32_t)all;
+        for (; whole >> 16; whole >>= 1)
+            part >>= 1;
+        const int32_t near = part * ((65535 - out->at.z) >> 1); /* with the rest < 2^31 */
+        whole = (near + (whole - part) * ((65535 - in->at.z) >> 1)) >> 7;
+        part = near >> 7;
     }
     for (unsigned i = 0; i < 2; i++)
         crossing.weight[i] = whole ? (uint16_t)clip_between(in->weight[i], out->weight[i], part, whole) : in->weight[i];
