@@ -267,7 +267,8 @@ static void write_all(FILE *out)
           " * Materials by name, written by `glint material --all`, version " GLINT_VERSION_STRING
           ": make a paint of one by glint_paint_exact.\n"
           " * One with n_across has a grain: say its direction in struct glint_maps. */\n"
-          "#ifndef GLINT_EXAMPLES_MATERIALS_H\n#define GLINT_EXAMPLES_MATERIALS_H\n\n#include \"glint.h\"\n\n/* clang-format off */\n",
+          "#ifndef GLINT_EXAMPLES_MATERIALS_H\n#define GLINT_EXAMPLES_MATERIALS_H\n\n#include \"glint.h\"\n\n/* "
+          "clang-format off */\n",
           out);
     for (unsigned i = 0; preset_names[i]; i++) {
         const struct preset preset = preset_of(i);
