@@ -66,7 +66,7 @@ struct glint_mesh {
 #define GLINT_MESH_RIM 65535u
 #define GLINT_MESH_SEAM 65534u
 /* GLINT_ERR_ARG: NULL, no vertex, an index beyond them, more than GLINT_MESH_FACES_MAX faces, a normal of -128 in normals8, parts
- * that do not ascend to the last face, colours of both vertices and faces; textures beside colours, without uv or use, of other sizes, levels or
+ * that do not ascend to the last face, colours of both vertices and faces; neighbours beyond the faces; textures beside colours, without uv or use, of other sizes, levels or
  * uv_bits than above, misaligned. The other functions do not look at indices or textures: check a mesh once. */
 enum glint_err glint_mesh_check(const struct glint_mesh *mesh);
 
@@ -112,10 +112,15 @@ struct glint_mesh_frame {
     uint16_t places;                           /* in kept */
     void *lit;                                 /* the work memory of lights; NULL: none yet */
     const struct glint_use_outlines *outlines; /* yours to set after glint_mesh_begin: &glint_outlines, or NULL */
-    struct glint_box box; /* after glint_mesh_strip: what it may have drawn, in pixels of the picture */
+    struct glint_box
+        box; /* after glint_mesh_strip: all it drew lies in it, in pixels of the picture; w = 0: nothing. The boxes of the
+                             strip's meshes, where these have a face in it */
 };
 
-/* Smooth outlines: where a face that shows its front meets one that does not, pixels that the edge cuts are blended. */
+/* Smooth outlines, of meshes that have neighbours and are added after outlines is set: where a face that shows its front meets one that does not,
+ * the pixels that their edge cuts are blended over what the buffer holds, by any paint; a mesh in front over those behind. glint_mesh_bytes
+ * counts what they take, 3 bytes a face and some 420, wherever there are neighbours. Edges of faces that the near plane or the guard band
+ * cuts, creases, and where parts go through each other stay stepped. Without outlines no program links them. */
 struct glint_use_outlines; /* const */
 extern const struct glint_use_outlines glint_outlines;
 

@@ -135,13 +135,22 @@ static void ggx_fold(struct glint_paint *paint)
         up++;
     paint->of.exact.k[GGX_FACTOR] = (int32_t)(n << up);
     paint->of.exact.k[GGX_ADDEND] = (int32_t)1 << (18 + up);
-    paint->of.exact.k[GGX_SHIFT] = 32 - 2 * (int32_t)up;
+    paint->of.exact.k[GGX_SHIFT] = 33 - 2 * (int32_t)up;
 }
 
-/* The square is 2^30 (2^27 / m)^2, high by the reciprocal's 33 at most, and by < 2^12 + 1 of m, which is low by < 1 and doubled 8 times at
- * most. It is low by < 33 of the reciprocal, 2 of its own, and 2n of t (2 - t): together less than 2^14, the smallest step of F, so F
- * is this or 1 more. */
-enum { GGX_NEAR_HIGH = 34 + (1 << 12) };
+/* 2^85 / m^2 <= 2^31, off by < 2220, 2^27 <= m < 2^28: y and p as msh_quotient has them. */
+enum { GGX_SQUARE = 2220 };
+static inline uint32_t ggx_square(uint32_t m)
+{
+    const uint32_t y = GLINT_FLASH_U8(glint_reciprocals[(m >> 21) - 64]), square = y * y;
+    const int32_t r = (int32_t)(m * y) >> 14;
+    const int32_t p = (r * (3 * r - (r * r >> 19)) >> 22) - r; /* within 1.1, of 2^20 */
+    return (square << 15) + (uint32_t)((int32_t)square * p >> 5);
+}
+
+/* The square is high by < 2^13 + 1, too, of m, which is low by < 1 and doubled 8 times at most; and low by < 4n of t (2 - t): together less
+ * than 2^15, the smallest step of F, so F is this or 1 more. */
+enum { GGX_NEAR_HIGH = GGX_SQUARE + 1 + (1 << 13) };
 
 __attribute__((flatten)) static inline uint32_t ggx_near(const struct glint_paint *paint, uint32_t t)
 {
@@ -152,7 +161,7 @@ __attribute__((flatten)) static inline uint32_t ggx_near(const struct glint_pain
         m <<= 1;
         shift -= 2;
     }
-    return (glint_squarehi_near(glint_reciprocal(m)) + ((uint32_t)1 << shift >> 1) - GGX_NEAR_HIGH) >> shift;
+    return (ggx_square(m) + ((uint32_t)1 << shift >> 1) - GGX_NEAR_HIGH) >> shift;
 }
 
 static void ggx_run(const struct glint_paint *paint, struct glint_sample *samples, unsigned count)
@@ -187,11 +196,11 @@ static uint32_t ggx_grain_end(unsigned q)
     return root - ((uint32_t)1 << GLINT_GRAIN_BITS) + 1;
 }
 
-/* The square is 2^54 / x^2, high by less than 34 and low by less than 36: together less than 2^14, the smallest step of F. */
+/* High and low by less than GGX_SQUARE, high by 33 more of what x loses: together less than 2^15, the smallest step of F. */
 static inline uint32_t ggx_grain_near(uint32_t scale, uint32_t m, uint32_t t)
 {
     uint32_t x = ((uint32_t)1 << GLINT_GRAIN_BITS) + m;
-    unsigned shift = 24;
+    unsigned shift = 25;
     (void)scale, (void)t;
     while (x >> 28) {
         x >>= 1;
@@ -201,7 +210,7 @@ static inline uint32_t ggx_grain_near(uint32_t scale, uint32_t m, uint32_t t)
         x <<= 1;
         shift -= 2;
     }
-    return (glint_squarehi_near(glint_reciprocal(x)) + ((uint32_t)1 << shift >> 1) - 34) >> shift;
+    return (ggx_square(x) + ((uint32_t)1 << shift >> 1) - (GGX_SQUARE + 33)) >> shift;
 }
 
 __attribute__((flatten)) static void ggx_grain_run(const struct glint_paint *paint, struct glint_sample *samples,

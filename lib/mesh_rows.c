@@ -256,13 +256,24 @@ static bool row_cell(struct glint_mesh_row *row, struct glint_mesh_cells *cells,
     return true;
 }
 
+/* ARGB8888 has coverage as alpha, which is right where nothing was; else the pixel lies over what was. x / 255 to nearest, x < 2^16. */
+static void cell_over(uint8_t *pixel, const uint8_t was[4], uint32_t part)
+{
+    for (int k = 0; k < 4 && was[3]; k++) {
+        const uint32_t over = k < 3 ? pixel[k] : 255, v = part * over + (255 - part) * was[k] + 128;
+        pixel[k] = (uint8_t)((v + (v >> 8)) >> 8);
+    }
+}
+
 /* By any paint. cells: NULL, or an outline's, of the triangle's face. */
 static inline __attribute__((always_inline)) void rows_of(const struct glint_paint *paint,
                                                           struct glint_mesh_triangle *triangle,
                                                           const struct glint_mesh_target *target,
                                                           struct glint_mesh_cells *cells)
 {
+    const bool is_alpha = paint->output.format == GLINT_ARGB8888;
     struct glint_mesh_cell cell;
+    uint8_t was[4];
     struct glint_mesh_bench *const bench = (struct glint_mesh_bench *)target->frame->memory;
     struct mesh_lit *const lit = glint_mesh_is_lit(paint) ? (struct mesh_lit *)target->frame->lit : NULL;
     struct glint_sample *const samples = target->samples;
@@ -291,6 +302,9 @@ static inline __attribute__((always_inline)) void rows_of(const struct glint_pai
             GLINT_FLASH_POINTER(use->line)(&bench->of.over, line, (int32_t)run->x, (int32_t)row.end, row.z, row.dz);
         for (unsigned count; (count = cells ? (unsigned)(row.end - run->x) : row_in_front(&row, most)) != 0;
              run->x += count) {
+            if (cells && is_alpha)
+                for (int k = 0; k < 4; k++)
+                    was[k] = run->line[4 * run->x + (unsigned)k];
             if (use)
                 (exact ? GLINT_FLASH_POINTER(use->rgb888) : GLINT_FLASH_POINTER(use->rgb565))(
                     &bench->of.over, (int32_t)run->x, bench->colours.bytes, count);
@@ -311,6 +325,8 @@ static inline __attribute__((always_inline)) void rows_of(const struct glint_pai
             }
             if (exact && !paint->several)
                 glint_paint_run(paint, run, samples, count);
+            if (cells && is_alpha)
+                cell_over(run->line + 4 * run->x, was, cell.part);
         }
     }
 }
