@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "draw/canvas.h"
 #include "draw/mesh_canvas.h"
 #include "mesh/load.h"
 #include "page.h"
@@ -17,9 +18,11 @@ const struct page_mesh *page_mesh(void)
 static void forget_canvas(void)
 {
     mesh_canvas_free(kept.canvas);
+    free(kept.behind);
     free(kept.shadings);
     free(kept.now);
     kept.canvas = NULL;
+    kept.behind = NULL;
     kept.shadings = kept.now = NULL;
 }
 
@@ -51,6 +54,10 @@ struct shading mesh_draw(const struct shading_options *look, uint32_t width, uin
         forget_canvas();
         kept.shadings = shadings_of(look);
         kept.canvas = mesh_canvas_new(kept.fitted, kept.shadings);
+        uint8_t *rgb = scene_backdrop(&look->scene, width, height);
+        kept.behind = backdrop_pixels(rgb, width, height, kept.shadings);
+        free(rgb);
+        mesh_canvas_set_backdrop(kept.canvas, kept.behind);
     }
     free(kept.now);
     kept.now = shadings_of(look);

@@ -13,6 +13,7 @@ struct page_mesh {
     struct mesh *mesh;
     struct fitted *fitted;
     struct mesh_canvas *canvas;
+    uint8_t *behind;          /* what the canvas draws over; NULL: black */
     struct shading *shadings; /* of its parts, as the canvas was made for them */
     struct shading *now;      /* the same with the lights as they are */
     struct view view;
