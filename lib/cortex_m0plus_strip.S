@@ -31,7 +31,9 @@
 #define LATER (GLINT_MESH_LINES_BYTES + 72)
 #define KEEP_LAST (GLINT_MESH_LINES_BYTES + 76)
 #define LATER_LAST (GLINT_MESH_LINES_BYTES + 80)
-#define STRIP_FRAME (GLINT_MESH_LINES_BYTES + 84)
+#define INNER GLINT_AT_STRIP_INNER /* where there are outlines, what draws a triangle's lines; and where that returns to */
+#define RETURN (GLINT_AT_STRIP_INNER + 4)
+#define STRIP_FRAME (GLINT_AT_STRIP_INNER + 8)
 
 /* to: the triangle of place r4. */
 .macro place_at to, free
@@ -251,6 +253,33 @@
     bl glint_mesh_give
 1:  leave STRIP_FRAME
     .ltorg
+
+/* glint_mesh_outlined, a routine that draws a triangle's lines: where outlines ask nothing of its face it is INNER. */
+    function glint_mesh_outlined
+    movs r4, r0
+    adds r4, #GLINT_AT_KEPT_FACE
+    ldrh r4, [r4]
+    ldr r1, [sp, #DRAWN_AT]
+    ldr r1, [r1, #GLINT_AT_DRAWN_EDGES]
+    ldrb r1, [r1, r4]
+    movs r2, #GLINT_EDGES_ASK
+    ldr r3, [sp, #INNER]
+    tst r1, r2
+    bne 1f
+    bx r3
+1:  mov r2, lr
+    str r2, [sp, #RETURN]
+    ldr r1, [sp, #TARGET_AT]
+    bl glint_mesh_hide
+    cmp r0, #0
+    beq 2f
+    ldr r0, [sp, #TRIANGLE_NOW]
+    ldr r3, [sp, #INNER]
+    blx r3
+    ldr r0, [sp, #TARGET_AT]
+    bl glint_mesh_show
+2:  ldr r1, [sp, #RETURN]
+    bx r1
 
 /* ---- a strip's faces ----
  * glint_mesh_sort_faces(frame, drawn, y), as mesh_strip.c has it: from the last face to the first. Half of them show their backs, which

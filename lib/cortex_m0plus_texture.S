@@ -466,7 +466,8 @@
 #define L_ALBEDO 132
 #define L_PART 136
 #define L_TARGET 140
-#define L_FRAME 144
+#define L_GLOSSY 144
+#define L_FRAME 148 /* with what is saved a multiple of 8 */
 
 #define OVER_LINE (GLINT_AT_OVER_STEP + 12)
 
@@ -548,6 +549,8 @@
 1:  str r4, [sp, #L_WORDS]
     movs r1, #GLINT_AT_SHADE_DARK + 16
     ldrh r1, [r0, r1] /* is_glossy, is_swapped */
+    lsls r4, r1, #31
+    str r4, [sp, #L_GLOSSY]
     ldr r4, =line_matt
     cmp r1, #1
     blo 1f
@@ -597,7 +600,7 @@
     ldr r7, [sp, #L_OVER]
     movs r6, r7
     adds r6, #OVER_LINE
-    ldmia r6!, {r0-r2}
+    ldmia r6!, {r0-r2} /* of a texture the third is not looked at */
     ldr r3, [r7, #8]
     adds r0, r0, r3
     ldr r3, [r7, #20]
@@ -607,7 +610,18 @@
     subs r6, #12
     stmia r6!, {r0-r2}
     ldr r6, [sp, #L_TRIANGLE]
-    ldmia r6!, {r0-r4} /* z, nl, t, tx, ty */
+    ldr r7, [sp, #L_GLOSSY]
+    cmp r7, #0
+    bne 1f
+    ldmia r6!, {r0, r1} /* z, nl */
+    ldr r2, [r6, #GLINT_AT_TRIANGLE_ZY - 8]
+    adds r0, r0, r2
+    ldr r2, [r6, #GLINT_AT_TRIANGLE_NLY - 8]
+    adds r1, r1, r2
+    subs r6, #8
+    stmia r6!, {r0, r1}
+    b 2f
+1:  ldmia r6!, {r0-r4} /* z, nl, t, tx, ty */
     adds r2, r2, r4
     ldmia r6!, {r5, r7} /* zy, nly */
     adds r0, r0, r5
@@ -617,6 +631,7 @@
     adds r4, r4, r7
     subs r6, #36
     stmia r6!, {r0-r4}
+2:
     add r6, sp, #L_DEPTH
     ldmia r6!, {r0-r4}
     adds r0, r0, r2
@@ -846,6 +861,7 @@ line_colours:
 
 .macro line_matt_pixels swap
     line_values
+.Lmisses\swap:
     ldr r3, [sp, #L_MEMORY]
     ldr r7, [sp, #L_LEVELS]
 1:  ldmia r3!, {r4}
@@ -879,7 +895,6 @@ line_matt:
     .thumb_func
 line_matt_swapped:
     line_matt_pixels 1
-
 /* r3: back, r7: dt. */
 .macro line_glossy_pixels swap
     line_values
@@ -897,6 +912,33 @@ line_matt_swapped:
     adds r7, r4, r6
     ldr r4, [sp, #L_T_MAX]
     subs r3, r4, r3
+    bpl .Lhits\swap
+    /* Past t_max here, and at all pixels if it is at the last one and t only grows or only falls (cortex_m0plus_mesh.S): r5: the pixels less 1. */
+    ldr r5, [sp, #L_COUNT]
+    subs r5, #1
+    ldr r6, [sp, #L_DDT]
+    asrs r4, r6, #31
+    eors r4, r6
+    lsrs r4, r4, #26
+    bne .Lhits\swap
+    subs r4, r5, #1
+    muls r4, r5
+    asrs r4, r4, #1
+    muls r4, r6
+    muls r6, r5
+    adds r6, r6, r7
+    muls r5, r7
+    adds r4, r4, r5
+    subs r4, r3, r4
+    bpl .Lhits\swap
+    asrs r5, r7, #31
+    eors r6, r5
+    eors r5, r7
+    orrs r6, r5
+    lsrs r6, r6, #26
+    bne .Lhits\swap
+    b .Lmisses\swap
+.Lhits\swap:
     ldr r4, [sp, #L_MEMORY]
     str r4, [sp, #L_AT]
 1:  lsrs r5, r1, #16

@@ -8,7 +8,7 @@
 
 #define GLINT_GRAIN_BITS 22u /* of m: fraction */
 #define GLINT_GRAIN_NONE UINT32_MAX
-#define GLINT_GRAIN_MOST (GLINT_N_MAX << GLINT_GRAIN_BITS) /* the largest m */
+#define GLINT_GRAIN_MOST ((uint32_t)GLINT_N_MAX << GLINT_GRAIN_BITS) /* the largest m */
 
 struct glint_use_grain {
     /* m from which on F < 2^-q whatever t is; it may be too large. */

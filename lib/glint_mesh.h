@@ -66,7 +66,7 @@ struct glint_mesh {
 #define GLINT_MESH_RIM 65535u
 #define GLINT_MESH_SEAM 65534u
 /* GLINT_ERR_ARG: NULL, no vertex, an index beyond them, more than GLINT_MESH_FACES_MAX faces, a normal of -128 in normals8, parts
- * that do not ascend to the last face, colours of both vertices and faces; textures beside colours, without uv or use, of other sizes, levels or
+ * that do not ascend to the last face, colours of both vertices and faces; neighbours beyond the faces; textures beside colours, without uv or use, of other sizes, levels or
  * uv_bits than above, misaligned. The other functions do not look at indices or textures: check a mesh once. */
 enum glint_err glint_mesh_check(const struct glint_mesh *mesh);
 
@@ -99,17 +99,30 @@ struct glint_mesh_drawn {
     int16_t turn[3][3];      /* Q14 */
     int16_t position[3];
     uint16_t scale;
-    bool is_cut; /* by a plane: a vertex is beyond it */
+    bool is_cut;                      /* by a plane: a vertex is beyond it */
+    struct glint_mesh_hidden *hidden; /* of outlines */
+    uint16_t *rims, *rim_bands;       /* as links and bands, of faces with outlines */
+    uint8_t *edges;                   /* of each face what outlines ask; NULL: there are none */
+    int16_t left, top, right, bottom; /* pixels beyond which it draws none */
 };
 struct glint_mesh_frame {
     struct glint_mesh_drawn *first, **last;
     void *memory, *kept;
     uint16_t w, h, lines, distance, y, free;
-    uint16_t places;      /* in kept */
-    void *lit;            /* the work memory of lights; NULL: none yet */
-    bool outlines;        /* yours to set after glint_mesh_begin: smooth outlines of meshes that have neighbours */
-    struct glint_box box; /* after glint_mesh_strip: what it may have drawn, in pixels of the picture */
+    uint16_t places;                           /* in kept */
+    void *lit;                                 /* the work memory of lights; NULL: none yet */
+    const struct glint_use_outlines *outlines; /* yours to set after glint_mesh_begin: &glint_outlines, or NULL */
+    struct glint_box
+        box; /* after glint_mesh_strip: all it drew lies in it, in pixels of the picture; w = 0: nothing. The boxes of the
+                             strip's meshes, where these have a face in it */
 };
+
+/* Smooth outlines, of meshes that have neighbours and are added after outlines is set: where a face that shows its front meets one that does not,
+ * the pixels that their edge cuts are blended over what the buffer holds, by any paint; a mesh in front over those behind. glint_mesh_bytes
+ * counts what they take, 3 bytes a face and some 420, wherever there are neighbours. Edges of faces that the near plane or the guard band
+ * cuts, creases, and where parts go through each other stay stepped. Without outlines no program links them. */
+struct glint_use_outlines; /* const */
+extern const struct glint_use_outlines glint_outlines;
 
 /* Begins a picture of w x h pixels in strips of at most `lines` lines. distance: of the camera from z = 0, 1/16 pixel; 0: parallel
  * projection. Memory: glint_mesh_frame_bytes, aligned to 4 (to a pointer with GLINT_MESH_LIGHTS_BYTES), until the picture is drawn.

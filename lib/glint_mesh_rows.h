@@ -15,6 +15,9 @@ struct glint_mesh_target {
     struct glint_sample *samples; /* GLINT_MESH_RUN of them, to work with */
     struct glint_mesh_frame *frame;
     struct glint_mesh_drawn *drawn; /* the mesh at hand */
+    /* glint_mesh_rows, or what draws with outlines. */
+    void (*rows)(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                 const struct glint_mesh_target *target);
 };
 
 /* What assembly that draws lines needs of a strip, in the frame where it takes it from; cortex_m0plus_mesh.inc has the rest. */
@@ -46,6 +49,20 @@ void glint_mesh_lit_begin(void *memory);
  * that of a struct glint_mesh_kept, which knows its face. */
 void glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
                      const struct glint_mesh_target *target);
+
+/* A pixel that an outline's edge cuts: its values, as in a triangle, and their steps along the edge; its column and the strip's line, and
+ * how much of it is inside, of 255. */
+struct glint_mesh_cell {
+    uint32_t z, dz, nl, dnl, t, dt, ddt;
+    int32_t x, line;
+    uint8_t part;
+};
+/* The cells of an edge in the strip that are in front, one after the other; false: there is none left. */
+struct glint_mesh_cells;
+bool glint_mesh_cell_next(struct glint_mesh_cells *cells, struct glint_mesh_cell *cell);
+/* Blends them by any paint; triangle: of a struct glint_mesh_kept, of which the face's number counts. */
+void glint_mesh_cells(const struct glint_paint *paint, struct glint_mesh_cells *cells,
+                      struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target);
 
 /* Two bytes a pixel at even places, by COLOUR tables without dither: then the fused loop can draw. */
 bool glint_mesh_is_colour(const struct glint_paint *paint, const struct glint_mesh_target *target);

@@ -80,6 +80,10 @@
 #define GLINT_AT_LINES_DRAW 0     /* draw, off_first, line_first, off, line, line_step, off_step, last */
 #define GLINT_AT_LINES_COLOURS 32 /* colours, dark, shift, limit, w, end, columns, t_max */
 
+#define GLINT_AT_STRIP_INNER 148 /* in the frame of glint_mesh_strip_lines, from its lines on */
+#define GLINT_AT_DRAWN_EDGES 80
+#define GLINT_EDGES_ASK 47 /* bits of an edge of it: its face is drawn otherwise */
+
 #define GLINT_AT_TARGET_Y 12     /* y, end */
 #define GLINT_AT_TARGET_FRAME 24 /* frame, drawn */
 #define GLINT_AT_BENCH_FACE 436

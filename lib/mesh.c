@@ -17,6 +17,9 @@ enum glint_err glint_mesh_check(const struct glint_mesh *mesh)
     for (size_t i = 0; i < (size_t)3 * mesh->face_count; i++)
         if (mesh->faces[i] >= mesh->vertex_count)
             return GLINT_ERR_ARG;
+    for (size_t i = 0; mesh->neighbours && i < (size_t)3 * mesh->face_count; i++)
+        if (mesh->neighbours[i] >= mesh->face_count && mesh->neighbours[i] < GLINT_MESH_SEAM)
+            return GLINT_ERR_ARG;
     for (size_t i = 0; !mesh->normals && i < (size_t)3 * mesh->vertex_count; i++)
         if (mesh->normals8[i] == INT8_MIN)
             return GLINT_ERR_ARG;
@@ -80,6 +83,7 @@ enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint
     frame->distance = distance;
     frame->y = 0;
     frame->lit = NULL;
+    frame->outlines = NULL;
     const size_t used = glint_mesh_frame_bytes(w, lines), room = (bytes - used) / sizeof(struct glint_mesh_kept);
     frame->kept = (uint8_t *)memory + used;
     mesh_places(frame, (uint16_t)(room < GLINT_MESH_FACES_MAX ? room : GLINT_MESH_FACES_MAX));
@@ -96,7 +100,7 @@ size_t glint_mesh_bytes(const struct glint_mesh *mesh, uint16_t h)
     if (!mesh)
         return 0;
     return mesh_size((uint32_t)mesh->vertex_count * (uint32_t)sizeof(struct glint_mesh_vertex) +
-                     2 * ((uint32_t)mesh->face_count + frame_bands(h)));
+                     2 * ((uint32_t)mesh->face_count + frame_bands(h)) + glint_mesh_edges_bytes(mesh, h));
 }
 
 static __attribute__((noinline)) bool mesh_is_same(const struct glint_vec *a, const struct glint_vec *b)
@@ -138,6 +142,25 @@ static bool mesh_can(struct glint_mesh_frame *frame, const struct glint_mesh *me
     return true;
 }
 
+/* Pixels beyond which a mesh draws none: those that its vertices lie in. */
+static void mesh_bounds(const struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn)
+{
+    const struct glint_mesh_vertex *v = drawn->vertices, *const end = v + drawn->mesh->vertex_count;
+    int32_t left = v->x, right = left, top = v->y, bottom = top;
+    for (; v != end; v++) {
+        left = v->x < left ? v->x : left;
+        right = v->x > right ? v->x : right;
+        top = v->y < top ? v->y : top;
+        bottom = v->y > bottom ? v->y : bottom;
+    }
+    drawn->left = (int16_t)(drawn->is_cut || left < 0 ? 0 : left >> 4);
+    drawn->top = (int16_t)(drawn->is_cut || top < 0 ? 0 : top >> 4);
+    right = (right >> 4) + 1;
+    bottom = (bottom >> 4) + 1;
+    drawn->right = (int16_t)(drawn->is_cut || right > frame->w ? frame->w : right);
+    drawn->bottom = (int16_t)(drawn->is_cut || bottom > frame->h ? frame->h : bottom);
+}
+
 enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn,
                               const struct glint_mesh *mesh, const struct glint_pose *pose,
                               const struct glint_paint *paints, void *memory, size_t bytes)
@@ -157,7 +180,12 @@ enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_
     drawn->is_cut = glint_mesh_vertices(frame, drawn);
     for (unsigned i = 0; paints->light_count == 0 && i < mesh->vertex_count; i++)
         drawn->vertices[i].nl_q30 = -1; /* dark */
-    glint_mesh_sort(frame, drawn, frame->y);
+    mesh_bounds(frame, drawn);
+    drawn->edges = NULL;
+    if (frame->outlines && mesh->neighbours)
+        GLINT_FLASH_POINTER(frame->outlines->add)(frame, drawn);
+    else
+        glint_mesh_sort(frame, drawn, frame->y);
     *frame->last = drawn;
     frame->last = &drawn->next;
     return GLINT_OK;

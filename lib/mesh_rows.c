@@ -234,10 +234,46 @@ bool glint_mesh_is_colour(const struct glint_paint *paint, const struct glint_me
            !GLINT_MISALIGNED(target->surface->stride, 16);
 }
 
-/* By any paint. */
-ROWS_ALONE void rows_draw(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
-                          const struct glint_mesh_target *target)
+/* An outline's cell as a row of one pixel, of which coverage is a part. */
+static bool row_cell(struct glint_mesh_row *row, struct glint_mesh_cells *cells, const struct glint_mesh_target *target,
+                     struct glint_mesh_cell *cell)
 {
+    const struct glint_surface *surface = target->surface;
+    if (!glint_mesh_cell_next(cells, cell))
+        return false;
+    row->run.line = (uint8_t *)surface->pixels + surface->stride * cell->line;
+    row->run.x = (uint32_t)cell->x;
+    row->end = row->run.x + 1;
+    row->run.left = surface->x;
+    row->run.y = (uint32_t)surface->y + (uint32_t)cell->line;
+    row->run.coverage = (const uint8_t *)((uintptr_t)&cell->part - row->run.x);
+    row->at.t_q30 = cell->t;
+    row->at.nl_q30 = (int32_t)cell->nl;
+    row->at.dt_q30 = row->at.ddt_q30 = 0;
+    row->at.dnl_q30 = 0;
+    row->z = cell->z;
+    row->dz = 0;
+    return true;
+}
+
+/* ARGB8888 has coverage as alpha, which is right where nothing was; else the pixel lies over what was. x / 255 to nearest, x < 2^16. */
+static void cell_over(uint8_t *pixel, const uint8_t was[4], uint32_t part)
+{
+    for (int k = 0; k < 4 && was[3]; k++) {
+        const uint32_t over = k < 3 ? pixel[k] : 255, v = part * over + (255 - part) * was[k] + 128;
+        pixel[k] = (uint8_t)((v + (v >> 8)) >> 8);
+    }
+}
+
+/* By any paint. cells: NULL, or an outline's, of the triangle's face. */
+static inline __attribute__((always_inline)) void rows_of(const struct glint_paint *paint,
+                                                          struct glint_mesh_triangle *triangle,
+                                                          const struct glint_mesh_target *target,
+                                                          struct glint_mesh_cells *cells)
+{
+    const bool is_alpha = paint->output.format == GLINT_ARGB8888;
+    struct glint_mesh_cell cell;
+    uint8_t was[4];
     struct glint_mesh_bench *const bench = (struct glint_mesh_bench *)target->frame->memory;
     struct mesh_lit *const lit = glint_mesh_is_lit(paint) ? (struct mesh_lit *)target->frame->lit : NULL;
     struct glint_sample *const samples = target->samples;
@@ -251,7 +287,7 @@ ROWS_ALONE void rows_draw(const struct glint_paint *paint, struct glint_mesh_tri
     run->albedo = texture || has_colours ? bench->colours.bytes : NULL;
     run->gloss = run->coverage = NULL;
     run->apart = 0;
-    run->soft = NULL;
+    run->soft = cells ? &glint_use_coverage : NULL;
     if (lit) {
         most = lit_begin(lit, paint, run);
         lit_normals(&lit->across, target, triangle);
@@ -260,11 +296,15 @@ ROWS_ALONE void rows_draw(const struct glint_paint *paint, struct glint_mesh_tri
         GLINT_FLASH_POINTER(use->set)(&bench->of.over, target, glint_mesh_face_of(triangle), texture);
     else if (run->albedo)
         colours_set(&bench->of.across, target, triangle);
-    while (row_next(&row, triangle, target)) {
-        const int32_t line = triangle->y - 1; /* the picture's */
+    while (cells ? row_cell(&row, cells, target, &cell) : row_next(&row, triangle, target)) {
+        const int32_t line = cells ? target->y + cell.line : triangle->y - 1; /* the picture's */
         if (use)
             GLINT_FLASH_POINTER(use->line)(&bench->of.over, line, (int32_t)run->x, (int32_t)row.end, row.z, row.dz);
-        for (unsigned count; (count = row_in_front(&row, most)) != 0; run->x += count) {
+        for (unsigned count; (count = cells ? (unsigned)(row.end - run->x) : row_in_front(&row, most)) != 0;
+             run->x += count) {
+            if (cells && is_alpha)
+                for (int k = 0; k < 4; k++)
+                    was[k] = run->line[4 * run->x + (unsigned)k];
             if (use)
                 (exact ? GLINT_FLASH_POINTER(use->rgb888) : GLINT_FLASH_POINTER(use->rgb565))(
                     &bench->of.over, (int32_t)run->x, bench->colours.bytes, count);
@@ -285,8 +325,22 @@ ROWS_ALONE void rows_draw(const struct glint_paint *paint, struct glint_mesh_tri
             }
             if (exact && !paint->several)
                 glint_paint_run(paint, run, samples, count);
+            if (cells && is_alpha)
+                cell_over(run->line + 4 * run->x, was, cell.part);
         }
     }
+}
+
+ROWS_ALONE void rows_draw(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                          const struct glint_mesh_target *target)
+{
+    rows_of(paint, triangle, target, NULL);
+}
+
+void glint_mesh_cells(const struct glint_paint *paint, struct glint_mesh_cells *cells,
+                      struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target)
+{
+    rows_of(paint, triangle, target, cells);
 }
 
 /* By ALBEDO tables, where the fused loops can; they do colours and textures in one. */

@@ -57,7 +57,7 @@ static __attribute__((noinline)) void draw_clipped(const struct glint_mesh_targe
             glint_mesh_triangle_set(triangle, corner, glint_mesh_shine(corner, t_end), t_end) &&
             triangle->y < strip->end) {
             bench->fan = (uint8_t)i;
-            glint_mesh_rows(paint, triangle, strip);
+            strip->rows(paint, triangle, strip);
         }
     }
 }
@@ -67,7 +67,7 @@ static bool draw_on(const struct glint_mesh_target *strip, struct glint_mesh_tri
                     const struct glint_paint *paint)
 {
     if (triangle->y < strip->end)
-        glint_mesh_rows(paint, triangle, strip);
+        strip->rows(paint, triangle, strip);
     return triangle->y_end > strip->end;
 }
 
@@ -192,17 +192,25 @@ uint32_t glint_mesh_part_lines(const struct glint_mesh_target *strip, unsigned p
 {
     const struct glint_paint *paint = &strip->drawn->paints[part];
     glint_mesh_colour_begin(&paint->of.tables.filled, strip, lines);
+    if (strip->drawn->edges)
+        GLINT_FLASH_POINTER(strip->frame->outlines->lines)(strip, lines);
     return glint_mesh_t_end(paint);
 }
 #endif
 
+/* Has a mesh's list nothing there? */
+static bool bands_are_empty(const uint16_t *bands, const struct glint_mesh_target *target)
+{
+    uint32_t band = (uint32_t)target->y / GLINT_MESH_BAND;
+    while (band * GLINT_MESH_BAND < (uint32_t)target->end && bands[band] == GLINT_MESH_NONE)
+        band++;
+    return band * GLINT_MESH_BAND >= (uint32_t)target->end;
+}
+
 /* Has the mesh no face there? */
 static bool strip_is_empty(const struct glint_mesh_drawn *drawn, const struct glint_mesh_target *target)
 {
-    uint32_t band = (uint32_t)target->y / GLINT_MESH_BAND;
-    while (band * GLINT_MESH_BAND < (uint32_t)target->end && drawn->bands[band] == GLINT_MESH_NONE)
-        band++;
-    return drawn->kept == GLINT_MESH_NONE && band * GLINT_MESH_BAND >= (uint32_t)target->end;
+    return drawn->kept == GLINT_MESH_NONE && bands_are_empty(drawn->bands, target);
 }
 
 static void strip_draw(const struct glint_mesh_target *strip)
@@ -225,6 +233,26 @@ static bool strip_fits(const struct glint_mesh_frame *frame, const struct glint_
     return h == 1 || glint_stride_fits(target->stride, bytes);
 }
 
+/* The box with what the mesh may draw of the strip. */
+static void box_join(struct glint_box *box, const struct glint_mesh_drawn *drawn, const struct glint_mesh_target *strip)
+{
+    const int32_t top = drawn->top > strip->y ? drawn->top : strip->y,
+                  bottom = drawn->bottom < strip->end ? drawn->bottom : strip->end;
+    int32_t left = drawn->left, right = drawn->right, y = top, end = bottom;
+    if (left >= right || top >= bottom)
+        return;
+    if (box->w) {
+        left = box->x < left ? box->x : left;
+        right = box->x + box->w > right ? box->x + box->w : right;
+        y = box->y < y ? box->y : y;
+        end = box->y + box->h > end ? box->y + box->h : end;
+    }
+    box->x = (uint16_t)left;
+    box->y = (uint16_t)y;
+    box->w = (uint16_t)(right - left);
+    box->h = (uint16_t)(end - y);
+}
+
 enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint16_t h,
                                 const struct glint_surface *target)
 {
@@ -232,11 +260,13 @@ enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint
         !strip_fits(frame, target, h))
         return GLINT_ERR_ARG;
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)frame->memory;
-    struct glint_mesh_target strip = {target,   (uint16_t *)(void *)(bench + 1),
-                                      frame->w, y,
-                                      y + h,    glint_mesh_polygon_samples(&bench->polygon, frame),
-                                      frame,    NULL};
-    bool is_clear = false;
+    struct glint_mesh_target strip = {target,         (uint16_t *)(void *)(bench + 1),
+                                      frame->w,       y,
+                                      y + h,          glint_mesh_polygon_samples(&bench->polygon, frame),
+                                      frame,          NULL,
+                                      glint_mesh_rows};
+    bool is_clear = false, has_outlines = false;
+    frame->box.x = frame->box.y = frame->box.w = frame->box.h = 0;
     if (frame->lit)
         glint_mesh_lit_begin(frame->lit);
     for (struct glint_mesh_drawn *drawn = frame->first; drawn; drawn = drawn->next) {
@@ -244,14 +274,23 @@ enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint
         if (y != frame->y) {
             glint_mesh_forget(frame, drawn);
             glint_mesh_sort(frame, drawn, y);
+            if (drawn->edges)
+                GLINT_FLASH_POINTER(frame->outlines->sort)(frame, drawn, y);
         }
-        if (strip_is_empty(drawn, &strip))
+        const bool is_edged = drawn->edges && !bands_are_empty(drawn->rim_bands, &strip);
+        if (strip_is_empty(drawn, &strip) && !is_edged)
             continue;
         if (!is_clear)
             glint_mesh_clear(strip.depth, glint_mesh_depth_bytes(frame->w, h));
         is_clear = true;
+        has_outlines |= is_edged;
+        strip.rows = drawn->edges ? GLINT_FLASH_POINTER(frame->outlines->rows) : glint_mesh_rows;
+        box_join(&frame->box, drawn, &strip);
         strip_draw(&strip);
     }
+    for (strip.drawn = frame->first; has_outlines && strip.drawn; strip.drawn = strip.drawn->next)
+        if (strip.drawn->edges)
+            GLINT_FLASH_POINTER(frame->outlines->draw)(&strip);
     frame->y = (uint16_t)(y + h);
     return GLINT_OK;
 }

@@ -73,7 +73,8 @@ typedef char glint_drawn_layout[AT(mesh, GLINT_AT_DRAWN_MESH) && AT(paints, GLIN
                                         1u << GLINT_MESH_BAND_LOG == GLINT_MESH_BAND && AT(l, GLINT_AT_DRAWN_LIGHT) &&
                                         AT(h, GLINT_AT_DRAWN_LIGHT + 6) && AT(turn, GLINT_AT_DRAWN_LIGHT + 12) &&
                                         AT(position, GLINT_AT_DRAWN_LIGHT + 30) && AT(scale, GLINT_AT_DRAWN_SCALE) &&
-                                        AT(is_cut, GLINT_AT_DRAWN_IS_CUT) && AT(kept, GLINT_AT_DRAWN_KEPT)
+                                        AT(is_cut, GLINT_AT_DRAWN_IS_CUT) && AT(edges, GLINT_AT_DRAWN_EDGES) &&
+                                        AT(kept, GLINT_AT_DRAWN_KEPT)
                                     ? 1
                                     : -1];
 #undef AT

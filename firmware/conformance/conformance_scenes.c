@@ -146,6 +146,25 @@ static void add_spans(const struct glint_paint *paint, const struct glint_vec *n
     conform_add_bytes(out, LINE * H);
 }
 
+/* Grain of each kind and by a map, and a map of shininess, turn by turn; of models without grain all is refused. */
+static void add_grain(struct glint_material *material, const struct glint_light *light,
+                      const struct glint_output *output, struct glint_maps *maps, const uint8_t *bytes,
+                      const struct glint_surface *surface, unsigned turn)
+{
+    material->n_across = (uint16_t)(turn % 5 == 4 ? 0 : 1 + conform_random_bits() % 100);
+    conform_add((uint32_t)glint_paint_exact(&conform_paint, material, output));
+    conform_light(&conform_paint, light);
+    maps->grain_kind = (uint8_t)(turn % 5 < 3 ? turn % 5 : 0);
+    maps->grain = turn % 5 == 3 ? bytes : 0;
+    maps->shininess = turn % 5 == 4 ? bytes : 0;
+    maps->grain_stride = maps->shininess_stride = W;
+    for (uint8_t k = 0; k < 2; k++)
+        maps->grain_at[k] = conform_random_within(200);
+    add_rect(&conform_paint, maps, surface);
+    conform_add((uint32_t)glint_paint_light(&conform_paint, conform_lights, turn % 3, conform_to_viewer));
+    add_rect(&conform_paint, maps, surface);
+}
+
 /* Where there is no such format the paint is of zeros, and all calls are refused. */
 static void add_scene(unsigned model, unsigned format, unsigned space, unsigned flags)
 {
@@ -173,8 +192,12 @@ static void add_scene(unsigned model, unsigned format, unsigned space, unsigned 
     for (uint8_t i = 0; i < LINE * H; i++)
         out[i] = i;
 
-    struct glint_maps maps = {normals, W * sizeof *normals, 0,           3 * W, 0, W, 0, W, 0,
-                              0,       GLINT_NORMALS_INT16, GLINT_RGB888};
+    struct glint_maps maps = {.normals = normals,
+                              .normals_stride = W * sizeof *normals,
+                              .albedo_stride = 3 * W,
+                              .gloss_stride = W,
+                              .coverage_stride = W,
+                              .albedo_format = GLINT_RGB888};
     maps.albedo = flags & 4 ? albedo : 0;
     maps.gloss = flags & 8 ? byte_map : 0;
     maps.coverage = flags & 1 ? byte_map : 0;
@@ -194,6 +217,7 @@ static void add_scene(unsigned model, unsigned format, unsigned space, unsigned 
     maps.normals_stride = W * sizeof *words;
     maps.normals_format = GLINT_NORMALS_INT8;
     add_rect(paint, &maps, &surface);
+    add_grain(&material, &light, &output, &maps, byte_map, &surface, flags);
 }
 
 void conform_scenes(unsigned format, const struct conformance_size *size)

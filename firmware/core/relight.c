@@ -33,22 +33,17 @@ static struct relight_extent find_extent(const uint32_t *words, uint16_t w, bool
     return extent;
 }
 
-/* Gaps are no soft edges: a rectangle skips them. */
-static bool find_solid(struct relight_extent *extent, const uint8_t *coverage)
+static void find_solid(struct relight_extent *extent, const uint8_t *coverage)
 {
     uint16_t run = 0;
-    bool is_soft = false;
     extent->solid_count = 0;
     for (uint16_t x = extent->first; x < extent->first + extent->count; x++) {
-        const bool is_edge = coverage[x] != 0 && coverage[x] != 255;
-        is_soft = is_soft || is_edge;
-        run = is_edge ? 0 : (uint16_t)(run + 1);
+        run = coverage[x] == 255 ? (uint16_t)(run + 1) : 0;
         if (run > extent->solid_count) {
             extent->solid = (uint16_t)(x + 1 - run);
             extent->solid_count = run;
         }
     }
-    return is_soft;
 }
 
 void relight_start(struct relight *relight)
@@ -62,8 +57,8 @@ void relight_start(struct relight *relight)
         relight->maps[part].normals_format = GLINT_NORMALS_INT8;
     for (uint16_t y = 0; y < relight->panel->height; y++) {
         relight->extents[y] = find_extent(map_line(relight, y), relight->panel->width, &relight->has_gaps);
-        if (relight->coverage && find_solid(&relight->extents[y], coverage_line(relight, y)))
-            relight->has_gaps = true; /* the background shines through */
+        if (relight->coverage)
+            find_solid(&relight->extents[y], coverage_line(relight, y));
     }
 }
 
@@ -99,45 +94,107 @@ enum glint_err relight_frame(struct relight *relight, const int32_t to_light[3])
     return GLINT_OK;
 }
 
-/* Pixels of the line that are drawn at once: first..end - 1. */
+/* Pixels first..end - 1 of the line. */
 struct run {
     unsigned first, end;
-    const uint8_t *coverage; /* of the line, or NULL */
 };
 
-/* What of it lies in first..end - 1. */
-static void shade_run(struct relight *relight, struct glint_maps *maps, const struct run *run, unsigned first,
-                      unsigned end)
+static unsigned run_length(const struct run *run)
+{
+    return run->first < run->end ? run->end - run->first : 0;
+}
+
+static const uint32_t *words_from(const struct relight *relight, unsigned x)
 {
     const uint16_t y = relight->line;
-    first = first > run->first ? first : run->first;
-    end = end < run->end ? end : run->end;
-    if (first >= end)
+    return relight->normals[0] ? relight->normals[relight->buffer] + (x - relight->extents[y].first)
+                               : map_line(relight, y) + x;
+}
+
+static void shade_run(struct relight *relight, struct glint_maps *maps, const struct run *run, const uint8_t *coverage)
+{
+    if (!run_length(run))
         return;
-    const unsigned extent_first = relight->extents[y].first;
-    maps->normals =
-        relight->normals[0] ? relight->normals[relight->buffer] + (first - extent_first) : map_line(relight, y) + first;
-    const struct glint_surface surface = {relight->pixels[relight->buffer] + first, 0, (uint16_t)first, y};
-    maps->coverage = run->coverage ? run->coverage + first : NULL;
-    glint_draw_rect(relight->paint, maps, (uint16_t)(end - first), 1, &surface, NULL);
+    const struct glint_surface surface = {relight->pixels[relight->buffer] + run->first, 0, (uint16_t)run->first,
+                                          relight->line};
+    maps->normals = words_from(relight, run->first);
+    maps->coverage = coverage ? coverage + run->first : NULL;
+    glint_draw_rect(relight->paint, maps, (uint16_t)run_length(run), 1, &surface, NULL);
+}
+
+/* A line's two ends as one rectangle, side by side: a second one would cost a thousand cycles on a Cortex-M0+. */
+enum { ENDS = 16 };
+static void shade_both(struct relight *relight, struct glint_maps *maps, const struct run ends[2],
+                       const uint8_t *coverage)
+{
+    uint32_t words[ENDS];
+    uint16_t pixels[ENDS], count = 0;
+    uint8_t covered[ENDS];
+    const uint16_t background = relight->background;
+    for (unsigned i = 0; i < 2; i++) {
+        const uint32_t *word = words_from(relight, ends[i].first);
+        for (unsigned x = ends[i].first; x < ends[i].end; x++, count++) {
+            words[count] = *word++;
+            covered[count] = coverage[x];
+            pixels[count] = background;
+        }
+    }
+    const struct glint_surface surface = {pixels, 0, 0, 0};
+    maps->normals = words;
+    maps->coverage = covered;
+    glint_draw_rect(relight->paint, maps, count, 1, &surface, NULL);
+    uint16_t *const line = relight->pixels[relight->buffer];
+    const uint16_t *pixel = pixels;
+    for (unsigned i = 0; i < 2; i++)
+        for (unsigned x = ends[i].first; x < ends[i].end; x++)
+            line[x] = *pixel++;
+}
+
+static void shade_ends(struct relight *relight, struct glint_maps *maps, const struct run ends[2],
+                       const uint8_t *coverage)
+{
+    const unsigned lengths[] = {run_length(&ends[0]), run_length(&ends[1])};
+    if (lengths[0] && lengths[1] && lengths[0] + lengths[1] <= ENDS && !relight->paint->output.dither) {
+        shade_both(relight, maps, ends, coverage); /* not dithered: it is not where it is shown */
+        return;
+    }
+    for (unsigned i = 0; i < 2; i++)
+        shade_run(relight, maps, &ends[i], coverage);
+}
+
+static void fill(const struct relight *relight, unsigned first, unsigned end)
+{
+    uint16_t *const line = relight->pixels[relight->buffer];
+    const uint16_t background = relight->background;
+    for (unsigned x = first; x < end; x++)
+        line[x] = background;
+}
+
+static struct run overlap(unsigned first, unsigned end, unsigned from, unsigned to)
+{
+    const struct run run = {first > from ? first : from, end < to ? end : to};
+    return run;
 }
 
 /* Pixels first..end - 1 of the line; nothing else is written. */
 static void shade_part(struct relight *relight, struct glint_maps *maps, unsigned first, unsigned end)
 {
-    const uint16_t y = relight->line;
-    uint16_t *const pixels = relight->pixels[relight->buffer];
-    const struct relight_extent extent = relight->extents[y];
-    if (relight->has_gaps)
-        for (unsigned x = first; x < end; x++)
-            pixels[x] = relight->background;
-    const uint8_t *coverage = coverage_line(relight, y);
-    const unsigned solid_end = extent.solid + extent.solid_count;
-    const struct run runs[] = {{extent.solid, solid_end, NULL},
-                               {extent.first, extent.solid, coverage},
-                               {solid_end, extent.first + extent.count, coverage}};
-    for (unsigned i = 0; i < sizeof runs / sizeof *runs; i++)
-        shade_run(relight, maps, &runs[i], first, end);
+    const struct relight_extent extent = relight->extents[relight->line];
+    const uint8_t *coverage = coverage_line(relight, relight->line);
+    const unsigned solid_end = extent.solid + extent.solid_count, extent_end = extent.first + extent.count;
+    const struct run solid = overlap(first, end, extent.solid, solid_end);
+    if (coverage) {
+        fill(relight, first, end < extent.solid ? end : extent.solid);
+        fill(relight, first > solid_end ? first : solid_end, end);
+    } else if (relight->has_gaps) {
+        fill(relight, first, end);
+    }
+    shade_run(relight, maps, &solid, NULL);
+    if (coverage) {
+        const struct run ends[] = {overlap(first, end, extent.first, extent.solid),
+                                   overlap(first, end, solid_end, extent_end)};
+        shade_ends(relight, maps, ends, coverage);
+    }
 }
 
 static unsigned middle(const struct relight *relight)

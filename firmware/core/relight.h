@@ -8,7 +8,7 @@
 #include "glint.h"
 #include "hal.h"
 
-/* The part of a line that has a surface, and the longest part of that without soft edges: it is drawn without coverage, faster. */
+/* The part of a line that has a surface; of a map with coverage also the longest part that is covered wholly, which is drawn faster. */
 struct relight_extent {
     uint16_t first, count, solid, solid_count;
 };

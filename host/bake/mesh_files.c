@@ -78,6 +78,11 @@ static int corner_at(const struct baked_mesh *baked, size_t i)
     return mesh_of(baked)->faces[i];
 }
 
+static int neighbour_at(const struct baked_mesh *baked, size_t i)
+{
+    return mesh_of(baked)->neighbours[i];
+}
+
 static int color_at(const struct baked_mesh *baked, size_t i)
 {
     return baked->fitted->colors[i / 3][i % 3];
@@ -179,6 +184,8 @@ static void write_all(const struct baked_mesh *baked, const char *storage, const
     write_array(baked, "static ", baked->normals8 ? "int8_t" : "int16_t", name, "_normals",
                 (size_t)3 * mesh->vertex_count, normal_at, out);
     write_array(baked, "static ", "uint16_t", name, "_faces", (size_t)3 * mesh->face_count, corner_at, out);
+    if (mesh->neighbours)
+        write_array(baked, "static ", "uint16_t", name, "_neighbours", (size_t)3 * mesh->face_count, neighbour_at, out);
     if (parts)
         write_array(baked, "static ", "uint16_t", name, "_ends", mesh->part_count, end_at, out);
     if (baked->fitted->colors)
@@ -203,8 +210,12 @@ static void write_all(const struct baked_mesh *baked, const char *storage, const
         fprintf(out, "%s_textures, %s_uv, %u, ", name, name, mesh->uv_bits);
     else
         fputs("NULL, NULL, 0, ", out);
-    fprintf(out, "%s, NULL, NULL, {0, 0, 0}};\n",
-            mesh->textures || baked->fitted->colors ? "&glint_use_mesh_albedo" : "NULL");
+    fprintf(out, "%s, ", mesh->textures || baked->fitted->colors ? "&glint_use_mesh_albedo" : "NULL");
+    if (mesh->neighbours)
+        fprintf(out, "%s_neighbours, ", name);
+    else
+        fputs("NULL, ", out);
+    fputs("NULL, {0, 0, 0}};\n", out);
 }
 
 void bake_mesh_write_c(const struct baked_mesh *baked, const char *name, FILE *out)
@@ -257,7 +268,7 @@ static uint8_t *put_all(uint8_t *at, const struct baked_mesh *baked, size_t coun
     return at;
 }
 
-enum { RAW_COLORS = 256, RAW_TEXTURES = 1024 };
+enum { RAW_COLORS = 256, RAW_NEIGHBOURS = 512, RAW_TEXTURES = 1024 };
 
 /* Of all textures with their numbers. */
 static size_t raw_texture_bytes(const struct baked_mesh *baked)
@@ -303,17 +314,22 @@ uint8_t *bake_mesh_raw(const struct baked_mesh *baked, size_t *len)
     const unsigned normal = baked->normals8 ? 1 : 2;
     const bool odd = (vertices * normal) % 2, has_colors = baked->fitted->colors != NULL;
     const bool has_textures = mesh->textures != NULL, colors_odd = has_textures && has_colors && vertices % 2;
-    *len = 8 + 2 * vertices + normal * vertices + odd + 2 * corners + (size_t)6 * mesh->part_count +
+    const size_t neighbours = mesh->neighbours ? corners : 0;
+    *len = 8 + 2 * vertices + normal * vertices + odd + 2 * corners + 2 * neighbours + (size_t)6 * mesh->part_count +
            (has_colors ? vertices : 0) + colors_odd + (has_textures ? raw_texture_bytes(baked) : 0);
     uint8_t *bytes = allocate(*len, 1), *at = bytes;
     at = put(at, mesh->vertex_count, 2);
     at = put(at, mesh->face_count, 2);
     at = put(at, mesh->part_count, 2);
-    at = put(at, normal + (has_colors ? RAW_COLORS : 0) + (has_textures ? RAW_TEXTURES : 0), 2);
+    at = put(at,
+             normal + (has_colors ? RAW_COLORS : 0) + (neighbours ? RAW_NEIGHBOURS : 0) +
+                 (has_textures ? RAW_TEXTURES : 0),
+             2);
     at = put_all(at, baked, vertices, place_at, 2);
     at = put_all(at, baked, vertices, normal_at, normal);
     at = put(at, 0, odd);
     at = put_all(at, baked, corners, corner_at, 2);
+    at = put_all(at, baked, neighbours, neighbour_at, 2);
     at = put_all(at, baked, mesh->part_count, end_at, 2);
     for (unsigned i = 0; i < mesh->part_count; i++) {
         for (int k = 0; k < 3; k++)

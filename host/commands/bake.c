@@ -90,13 +90,16 @@ static const char doc[] =
     "address beyond the program's "
     "last one.\n"
     "Of a mesh, FILE.c defines the struct glint_mesh NAME and NAME_materials, a struct glint_material for each of its "
-    "parts (q = 0: what the output needs), where its vertices have colours of_vertices, and where it has textures "
+    "parts (q = 0: what the output needs), where its vertices have colours of_vertices, neighbours for smooth outlines "
+    "(but for --no-outlines), and where it has textures "
     "these, with each vertex's u and v; FILE.h has "
     "the macros NAME_VERTICES, NAME_FACES and NAME_PARTS. Raw has four numbers of 16 bits (vertices, "
-    "triangles, parts, bytes of a normal's number, and 256 more with colours of vertices, 1024 with textures), then x, "
+    "triangles, parts, bytes of a normal's number, 256 more with colours of vertices, 512 with neighbours, 1024 with "
+    "textures), then x, "
     "y, z of each vertex "
     "in 16 bits, its normal, a 0 where "
-    "these are an odd number of bytes, three vertices of each triangle and the triangle each part ends before in 16 "
+    "these are an odd number of bytes, three vertices of each triangle, the three triangles beside each, and the "
+    "triangle each part ends before in 16 "
     "bits, and of each part red, green, blue and 1 where it is unlit, and the vertices' red, green, blue. Textures "
     "follow, all in 16 bits but for what is said, "
     "after a 0 where that many bytes are odd: uv_bits and the number of pictures; u and v of each vertex; of each part "
@@ -311,6 +314,8 @@ static void bake_mesh(const struct request *request)
 {
     struct mesh *mesh = mesh_load(&request->scene.mesh);
     struct fitted *fitted = mesh_fit(mesh, request->unit);
+    if (request->scene.mesh.stepped)
+        fitted_forget_neighbours(fitted);
     struct glint_material *materials = mesh_materials(mesh);
     const struct baked_mesh baked = {mesh, fitted, materials, request->format == BAKE_INT8};
     struct mesh_cycles cycles = {0, 0};

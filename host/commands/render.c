@@ -30,7 +30,8 @@ struct drawn {
     bool is_mesh;
     uint32_t width, height;
     uint8_t *pixels;
-    struct levels *levels; /* of the pixels, where they are not drawn otherwise */
+    struct levels *levels;   /* of the pixels, where they are not drawn otherwise */
+    struct levels *compared; /* what is compared, where it is not the picture: a mesh's with stepped outlines */
 };
 
 static void print_coverage(const struct drawn *drawn, FILE *stream)
@@ -89,6 +90,8 @@ static void draw_mesh(const struct render_options *options, struct drawn *drawn)
     struct fitted *fitted = mesh_fit(mesh, 0);
     if (shading_options_one_color(look))
         fitted_forget_colors(fitted);
+    if (look->scene.mesh.stepped)
+        fitted_forget_neighbours(fitted);
     const uint32_t width = look->scene.width ? look->scene.width : SCENE_SIDE;
     const uint32_t height = look->scene.width ? look->scene.height : SCENE_SIDE;
     const struct view view = view_of_options(&look->view, width, height, look->scene.mesh.built_in);
@@ -105,6 +108,12 @@ static void draw_mesh(const struct render_options *options, struct drawn *drawn)
         fail("%s: --gouraud draws no textures; give --no-textures", mesh->name);
     if (options->gouraud)
         drawn->levels = mesh_gouraud(mesh, fitted, &view, drawn->shadings);
+    if (options->compare && !options->gouraud) {
+        uint8_t *stepped = allocate(height, format_line_bytes(shading.format, width));
+        mesh_canvas_draw_stepped(canvas, &view, stepped);
+        drawn->compared = levels_of_pixels(width, height, shading.format, stepped);
+        free(stepped);
+    }
     if (options->compare)
         drawn->scene = mesh_scene(mesh, fitted, &view, drawn->shadings, &drawn->coverage);
     free(rgb);
@@ -146,12 +155,14 @@ int command_render(int argc, char **argv)
         picture_free(picture);
     }
     if (options.compare)
-        report(&options, &drawn, levels, error_map_output);
+        report(&options, &drawn, drawn.compared ? drawn.compared : levels, error_map_output);
     if (output)
         output_close(output);
     if (error_map_output)
         output_close(error_map_output);
     levels_free(levels);
+    if (drawn.compared)
+        levels_free(drawn.compared);
     free(drawn.pixels);
     free(drawn.shadings);
     scene_free(drawn.scene);

@@ -40,7 +40,7 @@ static void add_view(const struct fitted *fitted, const struct view *view, const
         shadings[i] = shading_with(row->n);
     struct mesh_canvas *canvas = mesh_canvas_new(fitted, shadings);
     uint8_t *pixels = allocate((size_t)SIDE * SIDE, 3);
-    mesh_canvas_draw(canvas, view, NULL, pixels);
+    mesh_canvas_draw_stepped(canvas, view, pixels);
     struct levels *levels = levels_of_pixels(SIDE, SIDE, GLINT_RGB888, pixels);
     struct comparison comparison;
     compare(scene, shadings, levels, &comparison);

@@ -89,6 +89,7 @@ static void draw(const struct glint_mesh *meshes, const struct glint_paint *cons
     struct glint_mesh_drawn *drawn = allocate(count, sizeof *drawn);
     void *memory = allocate(bytes, 1), **works = allocate(count, sizeof *works);
     enum glint_err error = glint_mesh_begin(&frame, w, h, h, view_distance(view), memory, bytes);
+    frame.outlines = &glint_outlines; /* of meshes that have neighbours */
     for (size_t i = 0; i < count && error == GLINT_OK; i++) {
         const size_t work = glint_mesh_bytes(&meshes[i], h);
         works[i] = allocate(work, 1);
@@ -122,6 +123,14 @@ void mesh_canvas_draw(struct mesh_canvas *canvas, const struct view *view, const
     else
         memset(pixels, 0, line_bytes * view->height);
     draw(&canvas->mesh, &paints, 1, view, pixels, line_bytes);
+}
+
+void mesh_canvas_draw_stepped(struct mesh_canvas *canvas, const struct view *view, uint8_t *pixels)
+{
+    const uint16_t *const neighbours = canvas->mesh.neighbours;
+    canvas->mesh.neighbours = NULL;
+    mesh_canvas_draw(canvas, view, NULL, pixels);
+    canvas->mesh.neighbours = neighbours;
 }
 
 /* Flat, in a colour that is the number. */
@@ -159,6 +168,7 @@ uint32_t *mesh_faces_drawn(const struct fitted *fitted, const struct view *view)
         const size_t left = faces - i * PARTS;
         first[i] = &paints[i * PARTS];
         meshes[i] = fitted->mesh;
+        meshes[i].neighbours = NULL;
         meshes[i].faces = fitted->faces[i * PARTS];
         meshes[i].face_count = meshes[i].part_count = (uint8_t)(left < PARTS ? left : PARTS);
         meshes[i].ends = ends;

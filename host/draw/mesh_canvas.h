@@ -24,6 +24,9 @@ void mesh_canvas_set_backdrop(struct mesh_canvas *canvas, const uint8_t *pixels)
 void mesh_canvas_draw(struct mesh_canvas *canvas, const struct view *view, const struct shading *light,
                       uint8_t *pixels);
 
+/* The same with stepped outlines: what is compared pixel by pixel. */
+void mesh_canvas_draw_stepped(struct mesh_canvas *canvas, const struct view *view, uint8_t *pixels);
+
 /* The number of the face that the library draws at each pixel, plus 1; 0: none. malloc'd. */
 uint32_t *mesh_faces_drawn(const struct fitted *fitted, const struct view *view);
 /* Of a mesh with textures, the one that it takes the nearest pixel of at each pixel: its number in the chain, y and x, as one number. malloc'd. */

@@ -7,6 +7,7 @@
 
 #include "base/memory.h"
 #include "base/message.h"
+#include "mesh/neighbours.h"
 
 /* The middle of the box around the mesh, and how far from there its farthest place is. */
 static double extent(const struct mesh *mesh, double middle[3])
@@ -184,11 +185,13 @@ struct fitted *mesh_fit(const struct mesh *mesh, double unit)
         fitted->faces[i / 3][i % 3] = (uint16_t)mesh->faces[i / 3][i % 3];
     for (unsigned i = 0; i < mesh->part_count; i++)
         fitted->ends[i] = (uint16_t)mesh->ends[i];
+    fitted->neighbours = mesh_neighbours(mesh);
     fitted->mesh = (struct glint_mesh){.places = fitted->places[0],
                                        .normals = fitted->normals[0],
                                        .normals8 = fitted->normals8[0],
                                        .faces = fitted->faces[0],
                                        .ends = fitted->ends,
+                                       .neighbours = fitted->neighbours[0],
                                        .vertex_count = (uint16_t)mesh->vertex_count,
                                        .face_count = (uint16_t)mesh->face_count,
                                        .part_count = (uint8_t)mesh->part_count,
@@ -210,10 +213,18 @@ void fitted_forget_colors(struct fitted *fitted)
     fitted->mesh.uv_bits = 0;
 }
 
+void fitted_forget_neighbours(struct fitted *fitted)
+{
+    free(fitted->neighbours);
+    fitted->neighbours = NULL;
+    fitted->mesh.neighbours = NULL;
+}
+
 void fitted_free(struct fitted *fitted)
 {
     if (!fitted)
         return;
+    free(fitted->neighbours);
     free(fitted->uv);
     free(fitted->of_parts);
     textures_free(fitted->textures, fitted->texture_count);
@@ -240,6 +251,7 @@ size_t fitted_bytes(const struct fitted *fitted, bool normals8)
     const size_t vertex = sizeof *fitted->places + (normals8 ? sizeof *fitted->normals8 : sizeof *fitted->normals) +
                           (fitted->colors ? sizeof *fitted->colors : 0) +
                           (fitted->mesh.textures ? sizeof *fitted->uv : 0);
-    return fitted->mesh.vertex_count * vertex + fitted->mesh.face_count * sizeof *fitted->faces +
+    const size_t face = sizeof *fitted->faces + (fitted->neighbours ? sizeof *fitted->neighbours : 0);
+    return fitted->mesh.vertex_count * vertex + fitted->mesh.face_count * face +
            (fitted->mesh.part_count > 1 ? 2u * fitted->mesh.part_count : 0) + fitted_texture_bytes(fitted);
 }

@@ -13,6 +13,7 @@ struct fitted {
     int16_t (*places)[3], (*normals)[3];
     int8_t (*normals8)[3];
     uint16_t (*faces)[3], *ends;
+    uint16_t (*neighbours)[3];      /* of each face, for smooth outlines; NULL: stepped ones */
     uint8_t (*colors)[3];           /* of each vertex, of_vertices of the mesh; NULL: each part has one */
     uint16_t (*uv)[2];              /* NULL: no part has a texture */
     struct glint_texture *of_parts; /* of the mesh */
@@ -25,6 +26,7 @@ struct fitted {
  * origin. Ends the program through fail() where they do not fit. */
 struct fitted *mesh_fit(const struct mesh *mesh, double unit);
 void fitted_forget_colors(struct fitted *fitted); /* and textures: each part has one colour */
+void fitted_forget_neighbours(struct fitted *fitted);
 void fitted_free(struct fitted *fitted);
 size_t fitted_bytes(const struct fitted *fitted, bool normals8); /* with its textures */
 size_t fitted_texture_bytes(const struct fitted *fitted);

@@ -16,6 +16,7 @@ struct mesh_source {
     bool built_in;
     double crease;       /* degrees; below 0: the file's normals, or CREASE_USUAL */
     double split;        /* degrees */
+    bool stepped;        /* without smooth outlines */
     enum mesh_axes axes; /* of the file; AXES_USUAL: z up in an STL */
     bool no_textures;
     const char *texture;      /* the picture of all parts, in the place of those that the file names; or NULL */

@@ -17,7 +17,8 @@ enum key {
     KEY_NEAREST,
     KEY_SMOOTH,
     KEY_TEXTURE_BYTES,
-    KEY_TEXTURE_TO
+    KEY_TEXTURE_TO,
+    KEY_NO_OUTLINES
 };
 
 static const char *const texture_formats[] = {"rgb565", "palette", NULL};
@@ -39,6 +40,10 @@ static const struct argp_option argp_options[] = {
      7},
     {"axes", KEY_AXES, "NAME", 0,
      "Which way is up in the mesh's file: y-up or z-up (default: z-up for an STL, else y-up)", 7},
+    {"no-outlines", KEY_NO_OUTLINES, NULL, 0,
+     "Leave a mesh's outlines stepped, and out of what is baked the triangles beside each triangle (6 bytes each), by "
+     "which outlines become smooth",
+     7},
     {"texture", KEY_TEXTURE, "FILE", 0,
      "A picture (PNG or JPEG) for all parts of a mesh that has texture coordinates, in the place of its own textures; "
      "the built-in mesh has them, too",
@@ -69,8 +74,12 @@ static const char *texture_option(const struct mesh_source *mesh)
 static void check(const struct argp_state *state, struct scene_options *o)
 {
     struct mesh_source *mesh = &o->mesh;
-    if (!mesh->name && (mesh->crease >= 0 || mesh->split > 0 || mesh->axes != AXES_USUAL))
-        refuse(state, "%s needs --mesh", mesh->crease >= 0 ? "--crease" : mesh->split > 0 ? "--split" : "--axes");
+    if (!mesh->name && (mesh->crease >= 0 || mesh->split > 0 || mesh->axes != AXES_USUAL || mesh->stepped))
+        refuse(state, "%s needs --mesh",
+               mesh->crease >= 0          ? "--crease"
+               : mesh->split > 0          ? "--split"
+               : mesh->axes != AXES_USUAL ? "--axes"
+                                          : "--no-outlines");
     if (!mesh->name && texture_option(mesh))
         refuse(state, "%s needs --mesh", texture_option(mesh));
     if (mesh->texture && mesh->no_textures)
@@ -106,6 +115,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case KEY_AXES:
         o->mesh.axes = (enum mesh_axes)parse_choice(state, "--axes", "axes", text, mesh_axes_names);
+        return 0;
+    case KEY_NO_OUTLINES:
+        o->mesh.stepped = true;
         return 0;
     case KEY_TEXTURE:
         o->mesh.texture = text;

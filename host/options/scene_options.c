@@ -9,11 +9,13 @@
 /* Beyond those of the commands, whose keys begin at 256. */
 enum key { KEY_SCENE = 512 };
 
-static const struct argp_option argp_options[] = {
-    {NULL, 0, NULL, 0, "The surface:", 1},
-    {"scene", KEY_SCENE, "NAME", 0,
-     "A built-in scene: sphere, watchface, coin or dial (the watch without numerals), or the mesh teapot", 1},
-    {NULL, 0, NULL, 0, NULL, 0}};
+static const struct argp_option argp_options[] = {{NULL, 0, NULL, 0, "The surface:", 1},
+                                                  {"scene", KEY_SCENE, "NAME", 0,
+                                                   "A built-in scene: sphere, watchface, coin, dial (the watch without "
+                                                   "numerals), knob (metal with spun grain) or sunray "
+                                                   "(a dial with sunray grain), or the mesh teapot",
+                                                   1},
+                                                  {NULL, 0, NULL, 0, NULL, 0}};
 
 void scene_options_choose(const struct argp_state *state, const char *option, const char *text,
                           struct scene_options *options)

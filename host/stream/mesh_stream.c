@@ -31,6 +31,8 @@ static void load(struct mesh_stream *stream, const struct mesh_source *source)
     stream->fitted = mesh_fit(stream->mesh, 0);
     if (shading_options_one_color(&stream->options->look))
         fitted_forget_colors(stream->fitted);
+    if (source->stepped)
+        fitted_forget_neighbours(stream->fitted);
 }
 
 struct mesh_stream *mesh_stream_new(const struct stream_options *options)

@@ -83,10 +83,10 @@ $(BENCH_MESH)/teapot.h: $(BUILD)/glint
 	@$< bake --scene teapot --split 180 --name teapot --as c -o $@ >/dev/null
 $(BENCH_MESH)/teapot_split.h: $(BUILD)/glint
 	@mkdir -p $(@D)
-	@$< bake --scene teapot --split 30 --name teapot_split --as c -o $@ >/dev/null
+	@$< bake --scene teapot --split 30 --no-outlines --name teapot_split --as c -o $@ >/dev/null
 $(BENCH_MESH)/bunny.h: $(BUILD)/glint $(BENCH_BUNNY) tests/targets/test_bunny $(BOARDS)
 	@mkdir -p $(@D)
-	@PYTHONDONTWRITEBYTECODE=1 tests/targets/test_bunny $< obj | $< bake --mesh - --split 180 --name bunny --as c -o $@ >/dev/null
+	@PYTHONDONTWRITEBYTECODE=1 tests/targets/test_bunny $< obj | $< bake --mesh - --split 180 --no-outlines --name bunny --as c -o $@ >/dev/null
 
 $(BENCH)/sizes.txt: tests/bench/sizes $(BENCH_INPUTS) $(BOARDS)
 	@PYTHONDONTWRITEBYTECODE=1 $< $(BENCH) $(BENCH_BOARDS) >$@.tmp && mv $@.tmp $@

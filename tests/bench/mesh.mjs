@@ -7,6 +7,7 @@ const TABLES = 0, EXACT = 1, GOURAUD = 2, DARK = 3, POINT = 4, FOUR_POINTS = 5, 
 export const MESHES = [['mesh teapot', 0, TABLES], ['mesh teapot split', 1, TABLES], ['mesh teapot exact', 0, EXACT],
   ['mesh teapot split exact', 1, EXACT], ['mesh teapot gouraud', 0, GOURAUD], ['mesh teapot split gouraud', 1, GOURAUD], ['mesh bunny', 3, TABLES],
   ['mesh teapot, 18 kept', 2, TABLES], ['mesh teapot exact, 18 kept', 2, EXACT],
+  ['mesh teapot outlines', 4, TABLES], ['mesh teapot exact outlines', 4, EXACT],
   ['mesh teapot textured', 0, TEXTURED], ['mesh teapot textured, bilinear', 0, SMOOTH], ['mesh teapot coloured', 0, COLOURED],
   ['mesh teapot textured, perspective', 0, TEXTURED_FAR], ['mesh teapot textured exact', 0, TEXTURED_EXACT]]
 // Under points: beside no light, and beside rectangles of the same normals.

@@ -34,7 +34,7 @@ ifneq ($(and $(MODEL),$(filter run-exact test-exact,$(MAKECMDGOALS))),)
 EXACT_MODELS := $(shell printf '\043include "glint.h"\n\043define NAME(number, name, ...) name\nmodels: GLINT_MODELS(NAME)\n' | \
 	$(CC) -Ilib -E -P - | sed -n 's/^models: //p')
 $(if $(filter-out $(EXACT_MODELS),$(MODEL))$(word 2,$(MODEL)),$(error MODEL=$(MODEL): unknown model; choose from $(EXACT_MODELS)))
-EXACT_TESTS := $(addprefix $(BUILD)/tests/exact/test_,eval eval_t cutoff pixel near)
+EXACT_TESTS := $(addprefix $(BUILD)/tests/exact/test_,eval eval_t cutoff pixel grain near)
 EXACT_RUNS = $(filter-out %/test_near,$(EXACT_TESTS)) "$(BUILD)/tests/exact/test_near every_*"
 EXACT_ENV = EXACT_MODEL=$(MODEL) GLINT_PIXELS=$(or $(GLINT_PIXELS),150)
 else
@@ -51,7 +51,7 @@ check-exact:
 	@+if tests/missing "$(CC)" "" "" $(EXACT_CHECK) >/dev/null; then $(SUBMAKE) run-check-exact; \
 	else tests/tally "echo ok 1 - tier exact # SKIP cmocka, gmp or mpfr is not installed: make setup-exact"; fi
 
-EXACT_QUICK = $(addprefix $(BUILD)/tests/exact/test_,eval cutoff pixel unit reach lights)
+EXACT_QUICK = $(addprefix $(BUILD)/tests/exact/test_,eval cutoff pixel grain unit reach lights)
 exact-quick-programs: $(EXACT_QUICK)
 run-check-exact: exact-quick-programs
 	@EXACT_EVERY=21 GLINT_PIXELS=1 OMP_WAIT_POLICY=passive TALLY_JOBS=$$(nproc) tests/tally $(EXACT_QUICK) tests/exact/test_tables

@@ -27,7 +27,7 @@ export function randomWords(random, command) {
     const scene = random() < .2 ? 'teapot' : one(scenes)
     const stands = scene === 'teapot' ? [...maybe(.7, `--turn=${real(-180, 180, 1)},${real(-180, 180, 1)},${real(-180, 180, 1)}`), ...maybe(.4, `--zoom=${real(.5, 3)}`), ...maybe(.4, `--perspective=${real(1.5, 9)}`), ...maybe(.3, '--no-outlines'), ...maybe(.2, `--split=${real(8, 180, 1)}`)] : []
     return [`--scene=${scene}`, ...stands, `--size=${width}x${height}`, ...maybe(.15, '--cut-out'), ...maybe(.1, `--filter=${2 + Math.floor(random() * 3)}`), ...maybe(.2, `--grain=${grain()}`), ...maybe(.2, `--background=${[0, 1, 2].map(() => Math.floor(random() * 256)).join()}`), ...maybe(.3, `--material=${one(materials)}`), ...maybe(.2, `--across=${Math.round(1000 ** random())}`), `--model=${one(models)}`, `--format=${one(formats)}`,
-        ...maybe(.6, `-n${Math.round(1000 ** random())}`), ...maybe(.4, `-q${Math.floor(random() * 17)}`), ...maybe(.3, '--space=linear'), ...maybe(.4, '--dither'),
+        ...maybe(.6, random() < .2 ? `--roughness=${real(0, 1)}` : `-n${Math.round(1000 ** random())}`), ...maybe(.4, `-q${Math.floor(random() * 17)}`), ...maybe(.3, '--space=linear'), ...maybe(.4, '--dither'),
         ...maybe(.2, '--clamp-peak'), ...maybe(.5, `--ambient=${coefficient()}`), ...maybe(.5, `--diffuse=${coefficient()}`), ...maybe(.5, `--specular=${coefficient()}`),
         ...maybe(.3, `--color=${[0, 1, 2].map(() => Math.floor(random() * 256)).join()}`), ...maybe(.15, `--view=${real(-.4, .4)},${real(-.4, .4)},1`),
         ...maybe(.35, `--path=${one(paths)}`), light(), ...random() < .2 ? [light()] : []]

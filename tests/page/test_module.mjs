@@ -138,12 +138,15 @@ run([
                     await sameAnswer(engine, [surface, '--size=45x33', `--material=${material}`, ...more])
         check(!engine.draw(['--scene=coin', '--size=45x33', '--material=gold']).kept && !engine.draw(['--scene=coin', '--size=45x33', '--material=jade']).kept, 'kept, though the material is another')
     }],
-    ['grain of every kind, backgrounds and what is cut out give the command\'s pixels', async () => {
+    ['grain of every kind, backgrounds, what is cut out and what is filtered give the command\'s pixels', async () => {
         const engine = engineWithMaps()
         for (const grain of ['brushed:30', 'spun', 'spun:10,20', 'sunray', 'sunray:10,20.5'])
             for (const surface of [['--scene=dial'], ['--scene=coin', '--cut-out'], ['--scene=coin', '--background=200,10,90'], ['--normals=rgba8.png', '--background=0,90,200']])
                 same(engine, [...surface, '--size=45x33', '-n90', '--across=8', `--grain=${grain}`])
         same(engine, ['--height=grey16.png', '--grain=grain.png', '-n90', '--across=8'])
+        for (const more of [['-n90'], ['-n300'], ['-n300', '--color=9,90,200'], ['--roughness=.3'], ['--roughness=.1']])
+            same(engine, ['--height=grey16.png', '--wrap', '--filter=3', ...more])
+        same(engine, ['--scene=coin', '--size=45x33', '--filter=2'])
         same(engine, ['--height=a-logo.png', '--bevel=6', '--cut-out', '--format=rgb565'])
         same(engine, ['--height=a-logo.png', '--bevel=6', '--background=9,200,90', '--format=mono', '--dither'])
         same(engine, ['--scene=teapot', '--size=45x33', '--background=9,200,90'])

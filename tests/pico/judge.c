@@ -2,7 +2,7 @@
  * What the emulated board's panel shows, and what it should show; RGB, to standard output.
  *   judge look CONTROLLER WIDTH HEIGHT    standard input: a transcript of the panel's pins (pico.mjs)
  *   judge demo WIDTH HEIGHT FRAME         the stand-alone demo, by the library on this machine
- *   judge lit WIDTH HEIGHT FRAME          the same of `map`, without soft edges
+ *   judge lit WIDTH HEIGHT FRAME          the same of `map`, without soft edges; and the demo with a tearing line
  *   judge exact WIDTH HEIGHT FRAME        the same by the exact rectangle (PATH=exact)
  *   judge teapot WIDTH HEIGHT FRAME       the demo of DEMO=teapot, in one strip
  *   judge fault WIDTH HEIGHT NUMBER       what is shown where something is wrong

@@ -12,7 +12,7 @@ enum { MESH_W = 120, MESH_H = 90, MESH_VERTICES = 2000, MESH_FACES = 4000 };
 /* A mesh that can be changed, and its view. */
 struct made_mesh {
     int16_t places[MESH_VERTICES][3], normals[MESH_VERTICES][3];
-    uint16_t faces[MESH_FACES][3];
+    uint16_t faces[MESH_FACES][3], neighbours[MESH_FACES][3];
     struct glint_mesh mesh;
     struct glint_pose pose;
     uint16_t distance;
@@ -77,13 +77,27 @@ static inline void mesh_noise(struct made_mesh *m, unsigned vertices, unsigned f
     m->distance = (uint16_t)(below(3) == 0 ? 0 : below(2) ? 1 + below(4000) : below(65536));
 }
 
+/* Neighbours by place: the first face with the edge the other way. */
+static inline void mesh_join(struct made_mesh *m)
+{
+    for (unsigned i = 0; i < 3u * m->mesh.face_count; i++) {
+        const int16_t *a = m->places[m->faces[i / 3][i % 3]], *b = m->places[m->faces[i / 3][(i + 1) % 3]];
+        m->neighbours[i / 3][i % 3] = GLINT_MESH_RIM;
+        for (unsigned j = 3u * m->mesh.face_count; j--;)
+            if (memcmp(m->places[m->faces[j / 3][j % 3]], b, 6) == 0 &&
+                memcmp(m->places[m->faces[j / 3][(j + 1) % 3]], a, 6) == 0)
+                m->neighbours[i / 3][i % 3] = (uint16_t)(j / 3);
+    }
+    m->mesh.neighbours = m->neighbours[0];
+}
+
 /* Draws a picture in strips: heights[i % count] lines each, in turn from the top, or backwards from the bottom. */
 static inline void mesh_picture(const struct made_mesh *m, const struct glint_paint *paints, uint8_t *pixels,
                                 unsigned pixel_bytes, const unsigned *heights, unsigned count, bool backwards)
 {
     static _Alignas(8)
         uint8_t memory[MESH_W * MESH_H * 2 + 4096 + 50 * GLINT_MESH_KEPT_BYTES + GLINT_MESH_LIGHTS_BYTES];
-    static uint32_t work[(MESH_VERTICES * 16 + MESH_FACES * 2 + 64) / 4];
+    static uint32_t work[(MESH_VERTICES * 16 + MESH_FACES * 5 + 1024) / 4];
     struct glint_mesh_frame frame;
     struct glint_mesh_drawn drawn;
     static unsigned turn;
@@ -97,6 +111,7 @@ static inline void mesh_picture(const struct made_mesh *m, const struct glint_pa
         starts[strips + 1] = end < MESH_H ? end : MESH_H;
     }
     assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, MESH_H, m->distance, memory, bytes), GLINT_OK);
+    frame.outlines = m->mesh.neighbours ? &glint_outlines : NULL;
     assert_int_equal(glint_mesh_add(&frame, &drawn, &m->mesh, &m->pose, paints, work, sizeof work), GLINT_OK);
     for (unsigned i = 0; i < strips; i++) {
         const unsigned strip = backwards ? strips - 1 - i : i, y = starts[strip];

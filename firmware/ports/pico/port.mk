@@ -24,10 +24,11 @@ LANDING_PAGE ?=
 # What the board shows by itself: coin, a map under a light, or teapot, a mesh that turns.
 DEMO ?= coin
 PICO_DEMOS = coin teapot
+# With a tearing line a frame must fit in one scan of the panel: soft edges would take .2 ms too long, so the coin keeps its wall.
 # Instead of the coin a height map of your own, at the panel's size; with BEVEL=N a logo, as glint bake has --bevel, with soft edges.
 HEIGHT ?=
 BEVEL ?=
-PICO_MAP_SOURCE = $(if $(HEIGHT),--height '$(HEIGHT)' $(BEVEL:%=--bevel % --cut-out),--scene coin --cut-out) --size $(PICO_SIZE)
+PICO_MAP_SOURCE = $(if $(HEIGHT),--height '$(HEIGHT)' $(BEVEL:%=--bevel % --cut-out),--scene coin $(if $(TE),,--cut-out)) --size $(PICO_SIZE)
 # Or a mesh of your own, as glint bake takes it by --mesh, --split and --axes.
 MESH ?=
 SPLIT ?= 30
@@ -57,7 +58,7 @@ have-pico-choices:
 	@$(if $(PICO_MESH),$(if $(filter pico.st7789-240x240.0.glint,$(PICO_BOARD).$(PANEL).$(PICO_EXACT)$(TE).$(IMAGE)),,echo "make: $(if $(MESH),MESH=$(MESH),DEMO=teapot): is for a Pico with PANEL=st7789-240x240; leave TE, PATH and IMAGE out" >&2; exit 1))
 	@$(if $(word 2,$(MESH)),echo "make: MESH=$(MESH): make takes no file whose name has a blank; rename it" >&2; exit 1)
 	@$(if $(word 2,$(HEIGHT)),echo "make: HEIGHT=$(HEIGHT): make takes no file whose name has a blank; rename it" >&2; exit 1)
-	@$(if $(and $(BEVEL),$(if $(HEIGHT),,1)),echo "make: BEVEL=$(BEVEL): is for a logo; give HEIGHT=FILE, too" >&2; exit 1)
+	@$(if $(and $(BEVEL),$(if $(HEIGHT),,1)),echo "make: BEVEL=$(BEVEL): is for a logo; give HEIGHT=FILE with it" >&2; exit 1)
 	@$(if $(and $(HEIGHT),$(PICO_MESH)),echo "make: HEIGHT=$(HEIGHT): the board shows a map or a mesh; leave $(if $(MESH),MESH=$(MESH),DEMO=teapot) out" >&2; exit 1)
 	@$(if $(filter-out $(shell seq 180),$(SPLIT))$(word 2,$(SPLIT)),echo "make: SPLIT=$(SPLIT): say whole degrees from 1 to 180" >&2; exit 1)
 

@@ -44,6 +44,8 @@ struct shading mesh_draw(const struct shading_options *look, uint32_t width, uin
         mesh_forget();
         kept.mesh = mesh_load(&look->scene.mesh);
         kept.fitted = mesh_fit(kept.mesh, 0);
+        if (look->scene.mesh.stepped)
+            fitted_forget_neighbours(kept.fitted);
     }
     if (keep < PAGE_KEEP_CANVAS) {
         forget_canvas();
@@ -55,6 +57,11 @@ struct shading mesh_draw(const struct shading_options *look, uint32_t width, uin
     kept.view = view_of_options(&look->view, width, height, look->scene.mesh.built_in);
     mesh_draw_again(pixels);
     return kept.now[0];
+}
+
+void mesh_draw_stepped(uint8_t *pixels)
+{
+    mesh_canvas_draw_stepped(kept.canvas, &kept.view, pixels);
 }
 
 void mesh_draw_again(uint8_t *pixels)

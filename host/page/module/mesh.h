@@ -23,6 +23,8 @@ const struct page_mesh *page_mesh(void);
 struct shading mesh_draw(const struct shading_options *look, uint32_t width, uint32_t height, uint32_t keep,
                          uint8_t *pixels);
 void mesh_draw_again(uint8_t *pixels);
+/* With stepped outlines, as pixels are compared. */
+void mesh_draw_stepped(uint8_t *pixels);
 void mesh_forget(void);
 
 #endif

@@ -66,7 +66,9 @@ static struct glint_box highlight_box(const struct glint_paint *paint)
                               .gloss = scene->gloss,
                               .gloss_stride = (ptrdiff_t)scene->width,
                               .coverage = scene->mask,
-                              .coverage_stride = (ptrdiff_t)scene->width};
+                              .coverage_stride = (ptrdiff_t)scene->width,
+                              .shininess = scene->shininess,
+                              .shininess_stride = (ptrdiff_t)scene->width};
     scene_add_grain(scene, &now->shading, 0, &maps);
     const struct glint_surface target = {pixels, (ptrdiff_t)line, 0, 0};
     struct glint_box box = {0};
@@ -173,23 +175,38 @@ static struct scene *scene_in_double(const struct shading **shadings)
     return mesh ? mesh_scene(mesh->mesh, mesh->fitted, &mesh->view, *shadings, &coverage) : now->scene;
 }
 
+/* The picture, of a mesh with stepped outlines, to be freed then. */
+static struct levels *levels_compared(void)
+{
+    const struct page_state *now = page_state();
+    const enum glint_format format = now->shading.format;
+    uint8_t *pixels = allocate(now->height, format_line_bytes(format, now->width));
+    mesh_draw_stepped(pixels);
+    struct levels *levels = levels_of_pixels(now->width, now->height, format, pixels);
+    free(pixels);
+    return levels;
+}
+
 const char *page_compare(void)
 {
     static struct text text;
     const struct page_state *now = page_state();
     const struct shading *shadings;
     struct scene *scene = scene_in_double(&shadings);
+    struct levels *levels = page_mesh() ? levels_compared() : now->levels;
     struct comparison comparison;
-    compare(scene, shadings, now->levels, &comparison);
+    compare(scene, shadings, levels, &comparison);
     error_times = error_map_amplification(&comparison.unrounded);
-    struct picture *map = error_map(scene, shadings, now->levels, shadings->model, error_times);
+    struct picture *map = error_map(scene, shadings, levels, shadings->model, error_times);
     free(error_rgba);
     error_rgba = rgba_of_picture(map);
     picture_free(map);
-    count(now->levels, scene, shadings);
-    if (page_mesh())
+    count(levels, scene, shadings);
+    comparison_print(&comparison, shadings, levels, text_open(&text));
+    if (page_mesh()) {
         scene_free(scene);
-    comparison_print(&comparison, shadings, now->levels, text_open(&text));
+        levels_free(levels);
+    }
     return text_close(&text);
 }
 

@@ -21,9 +21,11 @@ interface Row {
 }
 
 /** What a material sets where no option does. */
-const ofMaterial: Partial<State> = { n: undefined, across: undefined, ambient: undefined, diffuse: undefined, specular: undefined, color: undefined, albedo: undefined }
+const ofMaterial: Partial<State> = { n: undefined, roughness: undefined, across: undefined, ambient: undefined, diffuse: undefined, specular: undefined, color: undefined, albedo: undefined }
 
-const set = (option: Option, text: string | undefined, kind = '') => change({ [option]: text } as Partial<State>, kind)
+/** n and roughness say the same: the last counts. */
+const other: { [name in Option]?: Partial<State> } = { n: { roughness: undefined }, roughness: { n: undefined } }
+const set = (option: Option, text: string | undefined, kind = '') => change({ ...other[option], [option]: text } as Partial<State>, kind)
 
 // ---- kinds of inputs ----
 
@@ -67,6 +69,15 @@ const slider = (option: Option, low: number, high: number, steps: number, of: (s
         if (document.activeElement !== number)
             number.value = String(value)
     }
+}
+
+/** glTF's, of the shininess n: n = 2 / r^4 - 2. */
+const roughnessOf = (n: number) => (2 / (n + 2)) ** .25
+const roughness: Row['build'] = (id, line) => {
+    const input = make('input', { type: 'range', id, min: '.21', max: '1', step: '.01' })
+    input.oninput = () => set('roughness', input.value, 'roughness')
+    line.append(input)
+    return (state, facts) => { input.value = state.roughness ?? String(roughnessOf(facts?.n[0] ?? 60)) }
 }
 
 const hex = (values: number[]) => '#' + values.map(v => Math.round(Math.max(0, Math.min(255, v))).toString(16).padStart(2, '0')).join('')
@@ -202,6 +213,7 @@ const table: Row[] = [
         option: 'n', title: 'Shininess', build: slider('n', 1, 1000, 300, step => Math.round(1000 ** (step / 300)), n => Math.round(300 * Math.log(n) / Math.log(1000))),
         number: (_, f) => `n = ${f.n}`, meaning: (_, f) => `A cosine to the power ${f.n} falls to half at ${degrees(half(f.n[0]))}`,
     },
+    { option: 'roughness', title: 'Roughness', build: roughness, number: (_, f) => `r = ${roughnessOf(f.n[0]).toFixed(3)}`, meaning: () => 'The same in the words of glTF, Blender and game engines: n = 2 ⁄ r⁴ − 2' },
     {
         option: 'across', title: 'Across', build: slider('across', 1, 1000, 300, step => Math.round(1000 ** (step / 300)), n => Math.round(300 * Math.log(n) / Math.log(1000))),
         number: (_, f) => `n_across = ${hasGrain(f) ? f.across : 0}`, meaning: (_, f) => hasGrain(f) ? 'Shininess across the grain; the one above is along it' : 'As along the grain: there is none. Brushed metal has a lower one',

@@ -90,7 +90,7 @@ export class Engine {
         return this.guard(() => {
             const { call } = this.module
             const filters = words.some(word => word.startsWith('--filter')) // by the material's n and colour
-            const surface = words.filter(word => ofSurface.test(word) || filters && /^(-n|--color)/.test(word)).join('\0') + words.some(word => word.startsWith('--color'))
+            const surface = words.filter(word => ofSurface.test(word) || filters && /^(-n|--roughness|--color)/.test(word)).join('\0') + words.some(word => word.startsWith('--color'))
             const material = words.filter(word => !standsBy.test(word)).map(withoutNumbers).join('\0')
             const keep = material === this.material ? keepCanvas : surface === this.surface ? keepScene : keepNothing
             this.surface = this.material = '' // until it is drawn

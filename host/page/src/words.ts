@@ -5,7 +5,7 @@
 /** In the order in which the command line has them. true: the option takes no value. */
 const options = {
     height: false, normals: false, scene: false, mesh: false, bevel: false, scale: false, wrap: true, 'flip-y': true, mask: false, 'cut-out': true, filter: false, grain: false,
-    albedo: false, color: false, gloss: false, size: false, background: false, crease: false, axes: false, split: false, turn: false, zoom: false, perspective: false, 'no-outlines': true, material: false, model: false, n: false, across: false, q: false, view: false, ambient: false,
+    albedo: false, color: false, gloss: false, size: false, background: false, crease: false, axes: false, split: false, turn: false, zoom: false, perspective: false, 'no-outlines': true, material: false, model: false, n: false, roughness: false, across: false, q: false, view: false, ambient: false,
     diffuse: false, specular: false, 'clamp-peak': true, format: false, space: false, dither: true, path: false,
 } as const
 export type Option = keyof typeof options

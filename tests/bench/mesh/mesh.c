@@ -16,16 +16,19 @@
 enum { WIDTH = MESH_WIDTH, HEIGHT = MESH_HEIGHT, LINES = MESH_LINES, KEPT = 50, KEPT_FEW = 18 };
 /* And places for triangles that go on. */
 static const struct {
-    const struct glint_mesh *mesh;
+    const struct glint_mesh *mesh; /* NULL: not there */
     unsigned kept;
+    bool outlines;
 } drawings[] = {
-    {&teapot, KEPT},
-    {&teapot_split, KEPT},
-    {&teapot, KEPT_FEW},
+    {&teapot, KEPT, false}, {&teapot_split, KEPT, false}, {&teapot, KEPT_FEW, false},
 #if MESH_BUNNY
-    {&bunny, KEPT},
+    {&bunny, KEPT, false},
+#else
+    {NULL, 0, false},
 #endif
+    {&teapot, KEPT, true},
 };
+enum { BUNNY = 3 };
 
 /* Aligned, and enough for the larger mesh; the second strip is the one that would be sent. */
 static uint32_t frame_memory[(2 * WIDTH * LINES + 1024 /* what glint_mesh_frame_bytes adds */ +
@@ -83,6 +86,7 @@ static bool is_albedo(enum mesh_way way)
 }
 
 static struct glint_paint paint;
+static struct glint_mesh mesh;
 static struct glint_mesh_frame frame;
 static struct glint_mesh_drawn drawn;
 
@@ -164,12 +168,17 @@ int mesh_frame(unsigned which)
 {
     static const struct glint_pose teapots = {{30895, 6849, -8278, -1835}, {0, 0, 0}, 2410},
                                    bunnys = {{31651, 0, 8481, 0}, {0, 0, 0}, 2230};
-    if (which >= sizeof drawings / sizeof *drawings)
+    if (which >= sizeof drawings / sizeof *drawings || !drawings[which].mesh)
         return 1;
-    const int error = glint_mesh_begin(&frame, WIDTH, HEIGHT, LINES, chosen == MESH_TEXTURED_FAR ? 8000 : 0,
-                                       frame_memory, frame_bytes(which)) |
-                      glint_mesh_add(&frame, &drawn, clothed_of(which), which < 3 ? &teapots : &bunnys, &paint,
-                                     mesh_memory, sizeof mesh_memory);
+    mesh = *clothed_of(which);
+    int error = glint_mesh_begin(&frame, WIDTH, HEIGHT, LINES, chosen == MESH_TEXTURED_FAR ? 8000 : 0, frame_memory,
+                                 frame_bytes(which));
+    if (drawings[which].outlines)
+        frame.outlines = &glint_outlines;
+    else
+        mesh.neighbours = NULL;
+    error |= glint_mesh_add(&frame, &drawn, &mesh, which == BUNNY ? &bunnys : &teapots, &paint, mesh_memory,
+                            sizeof mesh_memory);
     if (chosen == MESH_GOURAUD)
         gouraud_vertices(&drawn, 60, 8);
     return error;
@@ -181,10 +190,10 @@ int mesh_strip(unsigned y)
     return glint_mesh_strip(&frame, (uint16_t)y, LINES, &surface);
 }
 
-uint32_t mesh_memory_bytes(enum mesh_way way, unsigned which)
+uint32_t mesh_memory_bytes(enum mesh_way way, unsigned which) /* after mesh_frame */
 {
-    return (uint32_t)(frame_bytes(which) + glint_mesh_bytes(drawings[which].mesh, HEIGHT) + 2 * sizeof mesh_out +
-                      sizeof frame + sizeof drawn + sizeof paint +
+    return (uint32_t)(frame_bytes(which) + glint_mesh_bytes(&mesh, HEIGHT) + 2 * sizeof mesh_out + sizeof frame +
+                      sizeof drawn + sizeof paint +
                       (way == MESH_BY_TABLES ? sizeof either.tables
                        : is_albedo(way)      ? (size_t)GLINT_TABLES_ALBEDO_BYTES
                                              : 0));

@@ -30,7 +30,8 @@ enum mesh_way {
 extern uint32_t mesh_out[MESH_WIDTH * MESH_LINES / 2]; /* a strip, RGB565 */
 
 int mesh_begin(enum mesh_way way); /* the material; not counted */
-/* 0: the teapot as shipped; 1: split at 30 degrees; 2: as 0, with fewer places; 3: the bunny, of MESH_BUNNY. Before a frame it gets its texture or
+/* 0: the teapot as shipped; 1: split at 30 degrees; 2: as 0, with fewer places; 3: the bunny, of MESH_BUNNY; 4: as 0, with smooth
+ * outlines. Before a frame it gets its texture or
  * colours, where it has some; not counted. */
 int mesh_clothe(unsigned which);
 int mesh_frame(unsigned which);

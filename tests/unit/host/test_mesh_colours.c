@@ -169,14 +169,14 @@ static void paths_of_one_colour_refuse_them_unless_one_is_given(void **state)
 static void raw_has_the_colours_behind_the_materials(void **state)
 {
     (void)state;
-    enum { VERTICES = 3, BEFORE = 8 + 9 * VERTICES + 1 + 6 + 6 };
+    enum { VERTICES = 3, BEFORE = 8 + 9 * VERTICES + 1 + 6 + 6 + 6 };
     uint8_t bytes[BEFORE + 3 * VERTICES], colors[3] = {0};
     assert_int_equal(run("$GLINT bake --mesh a.ply --to int8 -o a.bin")->status, 0);
     struct stat status;
     assert_int_equal(stat("a.bin", &status), 0);
     assert_int_equal(status.st_size, sizeof bytes);
     assert_int_equal(read_file("a.bin", bytes, sizeof bytes), sizeof bytes);
-    assert_int_equal(bytes[6] | bytes[7] << 8, 256 + 1);
+    assert_int_equal(bytes[6] | bytes[7] << 8, 512 + 256 + 1);
     for (int i = 0; i < 9; i++)
         colors[i % 3] = (uint8_t)(colors[i % 3] + bytes[BEFORE + i]);
     assert_memory_equal(colors, ((uint8_t[]){255, 255, 255}), 3);

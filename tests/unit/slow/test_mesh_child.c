@@ -11,17 +11,18 @@ static void a_baked_mesh_compiles_and_is_what_raw_holds(void **state)
         run("$GLINT bake --scene teapot --split 180 -o pot.c >/dev/null && $GLINT bake --scene teapot --split 180 -o "
             "pot.bin && "
             "cat >t.c <<E\n#include <stdio.h>\n#include \"pot.h\"\nint main(void) {\n"
-            "  const unsigned head[4] = {pot.vertex_count, pot.face_count, POT_PARTS, 1};\n"
+            "  const unsigned head[4] = {pot.vertex_count, pot.face_count, POT_PARTS, 513};\n"
             "  for (int i = 0; i < 4; i++) { putchar(head[i] & 255); putchar(head[i] >> 8); }\n"
             "  fwrite(pot.places, 6, POT_VERTICES, stdout); fwrite(pot.normals8, 3, POT_VERTICES, stdout);\n"
-            "  fwrite(pot.faces, 6, POT_FACES, stdout); putchar(pot.face_count & 255); putchar(pot.face_count >> 8);\n"
+            "  fwrite(pot.faces, 6, POT_FACES, stdout); fwrite(pot.neighbours, 6, POT_FACES, stdout); "
+            "putchar(pot.face_count & 255); putchar(pot.face_count >> 8);\n"
             "  fwrite(pot_materials[0].albedo, 3, 1, stdout); putchar(0); return pot_materials[0].n != 60; }\nE\n"
             "for l in 'gcc -std=c99' 'g++ -std=c++11 -x c++'; do $l -Wall -Wextra -Werror "
             "-I\"$GLINT_SOURCE\"/lib t.c pot.c "
             "-o t && ./t | cmp - pot.bin || exit 1; done");
     assert_string_equal(result->err, "");
     assert_int_equal(result->status, 0);
-    assert_contains(result->out, "530 vertices, 992 triangles, 1 part, normals as int8: 10722 bytes");
+    assert_contains(result->out, "530 vertices, 992 triangles, 1 part, normals as int8: 16674 bytes");
     assert_contains(result->out, "million cycles by COLOUR tables in C, ");
     result = run("$GLINT bake --scene teapot --to int16 --json");
     assert_contains(result->out, "\"triangles\": 2710");
@@ -31,7 +32,7 @@ static void a_baked_mesh_compiles_and_is_what_raw_holds(void **state)
     assert_int_equal(run("$GLINT bake --scene teapot --split 180 -o pot.uf2")->status, 0);
     struct stat status;
     assert_int_equal(stat("pot.uf2", &status), 0);
-    assert_int_equal(status.st_size, 512 * ((8 + 9 * 530 + 6 * 992 + 6 + 255) / 256));
+    assert_int_equal(status.st_size, 512 * ((8 + 9 * 530 + 12 * 992 + 6 + 255) / 256));
 }
 
 #if GLINT_WITH_MESH
@@ -54,6 +55,7 @@ static void assert_baked_as_rendered(const char *more)
         "  struct glint_mesh_frame frame; struct glint_mesh_drawn drawn;\n"
         "  return glint_paint_exact(&paint, &look, &look_output) || look_light(&paint, lights) ||\n"
         "    glint_mesh_begin(&frame, 40, 40, 40, 0, frame_memory, sizeof frame_memory) ||\n"
+        "    (frame.outlines = &glint_outlines) == NULL ||\n"
         "    glint_mesh_add(&frame, &drawn, &a, &pose, &paint, mesh_memory, sizeof mesh_memory) ||\n"
         "    glint_mesh_strip(&frame, 0, 40, &target) || fwrite(pixels, 1, sizeof pixels, stdout) != sizeof pixels; "
         "}\nE\n"
@@ -109,7 +111,7 @@ static void raw_textures_are_those_of_the_source(void **state)
             "od -A n -t u2 -j 6 -N 2 a.bin; done");
     assert_string_equal(result->err, "");
     assert_int_equal(result->status, 0);
-    assert_string_equal(result->out, "  1025\n  1025\n");
+    assert_string_equal(result->out, "  1537\n  1537\n");
 }
 
 /* A library that does what the file's name says, in place of libassimp. */

@@ -244,7 +244,7 @@ static size_t wrong_in_view(struct sight *sight, const struct fitted *fitted, st
 {
     size_t wrong = 0;
     project(sight, fitted, view);
-    mesh_canvas_draw(canvas, view, NULL, &sight->pixels[0][0]);
+    mesh_canvas_draw_stepped(canvas, view, &sight->pixels[0][0]);
     sight->drawn = mesh_faces_drawn(fitted, view);
     sight->raster = mesh_raster(sight->mesh, fitted, view, sight->normals);
     for (size_t i = 0; i < PIXELS; i++) {

@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: MIT */
+#include "mesh/neighbours.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/memory.h"
+#include "glint_mesh.h"
+
+/* Edge k of a face, from the place `from` to the place `to`. */
+struct edge {
+    uint32_t from, to, face;
+    unsigned k;
+};
+
+static uint32_t lower_of(const struct edge *edge)
+{
+    return edge->from < edge->to ? edge->from : edge->to;
+}
+
+static uint32_t upper_of(const struct edge *edge)
+{
+    return edge->from < edge->to ? edge->to : edge->from;
+}
+
+static int by_places(const void *first, const void *second)
+{
+    const struct edge *a = first, *b = second;
+    const uint32_t of_a[] = {lower_of(a), upper_of(a), a->face, a->k},
+                   of_b[] = {lower_of(b), upper_of(b), b->face, b->k};
+    for (int i = 0; i < 4; i++)
+        if (of_a[i] != of_b[i])
+            return of_a[i] < of_b[i] ? -1 : 1;
+    return 0;
+}
+
+/* An open edge. */
+struct open {
+    const double *from, *to;
+    double left, right; /* along x */
+    struct edge edge;
+};
+
+static int by_left(const void *first, const void *second)
+{
+    const struct open *a = first, *b = second;
+    return a->left < b->left ? -1 : a->left > b->left;
+}
+
+/* Where along an edge a place is, from 0 to 1, and how far from it. */
+static double place_along(const struct open *edge, const double *place, double *distance)
+{
+    double along[3], to[3], rest[3];
+    for (int k = 0; k < 3; k++) {
+        along[k] = edge->to[k] - edge->from[k];
+        to[k] = place[k] - edge->from[k];
+    }
+    const double s = mesh_dot(to, along) / mesh_dot(along, along);
+    for (int k = 0; k < 3; k++)
+        rest[k] = to[k] - s * along[k];
+    *distance = sqrt(mesh_dot(rest, rest));
+    return s;
+}
+
+/* Do they run the other way, with a part in common? */
+static bool is_beside(const struct open *a, const struct open *b, double tolerance)
+{
+    double from_off, to_off;
+    const double from = place_along(a, b->from, &from_off), to = place_along(a, b->to, &to_off);
+    return from_off <= tolerance && to_off <= tolerance && from > to &&
+           fmin(from, 1) - fmax(to, 0) > 1e-3 * (from - to);
+}
+
+static bool is_seam(const struct open *a, const struct open *b, double tolerance)
+{
+    return is_beside(a, b, tolerance) || is_beside(b, a, tolerance);
+}
+
+/* How far the mesh reaches along an axis, at most. */
+static double size_of(const struct mesh *mesh)
+{
+    double size = 0;
+    for (int k = 0; k < 3; k++) {
+        double low = INFINITY, high = -INFINITY;
+        for (size_t i = 0; i < mesh->vertex_count; i++) {
+            low = fmin(low, mesh->places[i][k]);
+            high = fmax(high, mesh->places[i][k]);
+        }
+        size = fmax(size, high - low);
+    }
+    return size;
+}
+
+static void find_seams(const struct mesh *mesh, struct open *open, size_t count, uint16_t (*neighbours)[3])
+{
+    const double tolerance = 3e-5 * size_of(mesh);
+    qsort(open, count, sizeof *open, by_left);
+    for (size_t i = 0; i < count; i++)
+        for (size_t j = i + 1; j < count && open[j].left <= open[i].right + tolerance; j++)
+            if (is_seam(&open[i], &open[j], tolerance)) {
+                neighbours[open[i].edge.face][open[i].edge.k] = GLINT_MESH_SEAM;
+                neighbours[open[j].edge.face][open[j].edge.k] = GLINT_MESH_SEAM;
+            }
+}
+
+/* Of edges at the same two places each is joined with one that runs the other way. Those left over are open. */
+static size_t join(const struct mesh *mesh, const struct edge *edges, size_t count, uint16_t (*neighbours)[3],
+                   struct open *open)
+{
+    size_t found = 0;
+    for (size_t i = 0; i < count; i++) {
+        uint16_t *beside = &neighbours[edges[i].face][edges[i].k];
+        for (size_t j = i + 1; j < count && *beside == GLINT_MESH_RIM && lower_of(&edges[j]) == lower_of(&edges[i]) &&
+                               upper_of(&edges[j]) == upper_of(&edges[i]);
+             j++) {
+            uint16_t *other = &neighbours[edges[j].face][edges[j].k];
+            if (*other != GLINT_MESH_RIM || edges[j].from != edges[i].to || edges[j].face == edges[i].face)
+                continue;
+            *beside = (uint16_t)edges[j].face;
+            *other = (uint16_t)edges[i].face;
+        }
+        if (*beside != GLINT_MESH_RIM || edges[i].from == edges[i].to)
+            continue;
+        const uint32_t *face = mesh->faces[edges[i].face];
+        const double *from = mesh->places[face[edges[i].k]], *to = mesh->places[face[(edges[i].k + 1) % 3]];
+        open[found++] = (struct open){from, to, fmin(from[0], to[0]), fmax(from[0], to[0]), edges[i]};
+    }
+    return found;
+}
+
+uint16_t (*mesh_neighbours(const struct mesh *mesh))[3]
+{
+    const size_t count = 3 * mesh->face_count;
+    struct edge *edges = allocate(count, sizeof *edges);
+    struct open *open = allocate(count, sizeof *open);
+    uint16_t(*neighbours)[3] = allocate(mesh->face_count, sizeof *neighbours);
+    for (size_t i = 0; i < count; i++) {
+        const uint32_t *face = mesh->faces[i / 3];
+        edges[i] =
+            (struct edge){mesh->at[face[i % 3]], mesh->at[face[(i + 1) % 3]], (uint32_t)(i / 3), (unsigned)(i % 3)};
+        neighbours[i / 3][i % 3] = GLINT_MESH_RIM;
+    }
+    qsort(edges, count, sizeof *edges, by_places);
+    find_seams(mesh, open, join(mesh, edges, count, neighbours, open), neighbours);
+    free(edges);
+    free(open);
+    return neighbours;
+}
