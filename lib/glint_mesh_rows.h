@@ -59,9 +59,9 @@ struct glint_mesh_cell {
 };
 /* The cells of an edge in the strip that are in front, one after the other; false: there is none left. */
 struct glint_mesh_cells;
-bool glint_mesh_cell_next(struct glint_mesh_cells *cells, struct glint_mesh_cell *cell);
+typedef bool glint_mesh_next(struct glint_mesh_cells *cells, struct glint_mesh_cell *cell);
 /* Blends them by any paint; triangle: of a struct glint_mesh_kept, of which the face's number counts. */
-void glint_mesh_cells(const struct glint_paint *paint, struct glint_mesh_cells *cells,
+void glint_mesh_cells(const struct glint_paint *paint, struct glint_mesh_cells *cells, glint_mesh_next *next,
                       struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target);
 
 /* Two bytes a pixel at even places, by COLOUR tables without dither: then the fused loop can draw. */

@@ -4,6 +4,7 @@
 #define GLINT_MESH_TEXTURE_H
 
 #include "glint_mesh_rows.h"
+#include "glint_tables.h"
 
 /* One picture of the chain. */
 struct glint_mesh_picture {
@@ -120,8 +121,41 @@ static inline uint32_t glint_mesh_nearest(const struct glint_mesh_picture *pictu
     return ((v >> 16) * picture->h >> 16) * picture->w + ((u >> 16) * picture->w >> 16);
 }
 
-/* The four around it, as fields of ALBEDO tables (glint_tables.h), by weights of 32 that are never below 0. */
-uint32_t glint_mesh_smooth_fields(const struct glint_mesh_picture *picture, uint32_t u, uint32_t v);
+/* The four around a place, and of 2^bits how far it is from the first to those right of it and below. */
+struct glint_mesh_around {
+    uint16_t of[2][2];
+    uint32_t x, y;
+};
+static inline void glint_mesh_around_set(struct glint_mesh_around *around, const struct glint_mesh_picture *picture,
+                                         uint32_t u, uint32_t v, unsigned bits)
+{
+    const uint32_t x = (u >> 16) * picture->w, y = (v >> 16) * picture->h;
+    const uint32_t left = x >> 16, right = left + 1 < picture->w ? left + 1 : 0;
+    const uint32_t top = (y >> 16) * picture->w, below = (y >> 16) + 1 < picture->h ? top + picture->w : 0;
+    around->of[0][0] = glint_mesh_texel(picture, top + left);
+    around->of[0][1] = glint_mesh_texel(picture, top + right);
+    around->of[1][0] = glint_mesh_texel(picture, below + left);
+    around->of[1][1] = glint_mesh_texel(picture, below + right);
+    around->x = (x & 0xffff) >> (16 - bits);
+    around->y = (y & 0xffff) >> (16 - bits);
+}
+
+static inline uint32_t glint_mesh_fields(uint32_t texel)
+{
+    return (texel | texel << 16) & GLINT_ALBEDO_FIELDS;
+}
+
+/* As fields of ALBEDO tables, by weights whose sum is 32 and that are never below 0: no field overflows into its neighbour. */
+static inline uint32_t glint_mesh_smooth_fields(const struct glint_mesh_picture *picture, uint32_t u, uint32_t v)
+{
+    struct glint_mesh_around a;
+    glint_mesh_around_set(&a, picture, u, v, 5);
+    const uint32_t both = (a.x * a.y + 16) >> 5;
+    const uint32_t sum = glint_mesh_fields(a.of[0][0]) * (32 - a.x - a.y + both) +
+                         glint_mesh_fields(a.of[0][1]) * (a.x - both) + glint_mesh_fields(a.of[1][0]) * (a.y - both) +
+                         glint_mesh_fields(a.of[1][1]) * both;
+    return (sum + GLINT_ALBEDO_HALF) >> 5 & GLINT_ALBEDO_FIELDS;
+}
 
 /* Red, green and blue as these fields. */
 static inline uint32_t glint_mesh_colour_fields(uint32_t red, uint32_t green, uint32_t blue)

@@ -516,7 +516,7 @@ static inline void cells_next(struct glint_mesh_cells *cells)
 }
 
 /* Sets the place and the part of the next cell that is in front, and goes on; false: there is none. */
-bool glint_mesh_cell_next(struct glint_mesh_cells *cells, struct glint_mesh_cell *found)
+static bool cells_found(struct glint_mesh_cells *cells, struct glint_mesh_cell *found)
 {
     const struct glint_mesh_target *const strip = cells->strip;
     struct walk *const walk = &cells->walk;
@@ -561,7 +561,7 @@ static void colour_blend(uint16_t *out, uint32_t pixel, uint32_t part, bool swap
     *out = (uint16_t)(swapped ? colour_swap(rgb) : rgb);
 }
 
-/* By COLOUR tables: what glint_mesh_cell_next finds, in one loop. */
+/* By COLOUR tables: what cells_found finds, in one loop. */
 static void colour_cells(struct glint_mesh_cells *cells, const struct glint_paint *paint)
 {
     const struct glint_look look = glint_look_up(&paint->of.tables.filled);
@@ -616,7 +616,7 @@ static void edges_draw_face(const struct glint_mesh_target *strip, unsigned face
         else {
             struct glint_mesh_bench *bench = (struct glint_mesh_bench *)strip->frame->memory;
             bench->face.face = (uint16_t)face;
-            glint_mesh_cells(paint, &cells, &bench->face.triangle, strip);
+            glint_mesh_cells(paint, &cells, cells_found, &bench->face.triangle, strip);
         }
     }
 }

@@ -235,11 +235,11 @@ bool glint_mesh_is_colour(const struct glint_paint *paint, const struct glint_me
 }
 
 /* An outline's cell as a row of one pixel, of which coverage is a part. */
-static bool row_cell(struct glint_mesh_row *row, struct glint_mesh_cells *cells, const struct glint_mesh_target *target,
-                     struct glint_mesh_cell *cell)
+static bool row_cell(struct glint_mesh_row *row, struct glint_mesh_cells *cells, glint_mesh_next *next,
+                     const struct glint_mesh_target *target, struct glint_mesh_cell *cell)
 {
     const struct glint_surface *surface = target->surface;
-    if (!glint_mesh_cell_next(cells, cell))
+    if (!next(cells, cell))
         return false;
     row->run.line = (uint8_t *)surface->pixels + surface->stride * cell->line;
     row->run.x = (uint32_t)cell->x;
@@ -265,11 +265,11 @@ static void cell_over(uint8_t *pixel, const uint8_t was[4], uint32_t part)
     }
 }
 
-/* By any paint. cells: NULL, or an outline's, of the triangle's face. */
+/* By any paint. cells: NULL, or an outline's, of the triangle's face, and what finds the next. */
 static inline __attribute__((always_inline)) void rows_of(const struct glint_paint *paint,
                                                           struct glint_mesh_triangle *triangle,
                                                           const struct glint_mesh_target *target,
-                                                          struct glint_mesh_cells *cells)
+                                                          struct glint_mesh_cells *cells, glint_mesh_next *next)
 {
     const bool is_alpha = paint->output.format == GLINT_ARGB8888;
     struct glint_mesh_cell cell;
@@ -296,7 +296,7 @@ static inline __attribute__((always_inline)) void rows_of(const struct glint_pai
         GLINT_FLASH_POINTER(use->set)(&bench->of.over, target, glint_mesh_face_of(triangle), texture);
     else if (run->albedo)
         colours_set(&bench->of.across, target, triangle);
-    while (cells ? row_cell(&row, cells, target, &cell) : row_next(&row, triangle, target)) {
+    while (cells ? row_cell(&row, cells, next, target, &cell) : row_next(&row, triangle, target)) {
         const int32_t line = cells ? target->y + cell.line : triangle->y - 1; /* the picture's */
         if (use)
             GLINT_FLASH_POINTER(use->line)(&bench->of.over, line, (int32_t)run->x, (int32_t)row.end, row.z, row.dz);
@@ -334,13 +334,13 @@ static inline __attribute__((always_inline)) void rows_of(const struct glint_pai
 ROWS_ALONE void rows_draw(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
                           const struct glint_mesh_target *target)
 {
-    rows_of(paint, triangle, target, NULL);
+    rows_of(paint, triangle, target, NULL, NULL);
 }
 
-void glint_mesh_cells(const struct glint_paint *paint, struct glint_mesh_cells *cells,
+void glint_mesh_cells(const struct glint_paint *paint, struct glint_mesh_cells *cells, glint_mesh_next *next,
                       struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target)
 {
-    rows_of(paint, triangle, target, cells);
+    rows_of(paint, triangle, target, cells, next);
 }
 
 /* By ALBEDO tables, where the fused loops can; they do colours and textures in one. */

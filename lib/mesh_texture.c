@@ -237,41 +237,6 @@ static void over_at(struct glint_mesh_over *over, int32_t x, uint32_t now[3])
 
 /* ---- Texels ---- */
 
-/* The four around a place, and of 2^bits how far it is from the first to those right of it and below. */
-struct around {
-    uint16_t of[2][2];
-    uint32_t x, y;
-};
-static void over_around(struct around *around, const struct glint_mesh_picture *picture, uint32_t u, uint32_t v,
-                        unsigned bits)
-{
-    const uint32_t x = (u >> 16) * picture->w, y = (v >> 16) * picture->h;
-    const uint32_t left = x >> 16, right = left + 1 < picture->w ? left + 1 : 0;
-    const uint32_t top = (y >> 16) * picture->w, below = (y >> 16) + 1 < picture->h ? top + picture->w : 0;
-    around->of[0][0] = glint_mesh_texel(picture, top + left);
-    around->of[0][1] = glint_mesh_texel(picture, top + right);
-    around->of[1][0] = glint_mesh_texel(picture, below + left);
-    around->of[1][1] = glint_mesh_texel(picture, below + right);
-    around->x = (x & 0xffff) >> (16 - bits);
-    around->y = (y & 0xffff) >> (16 - bits);
-}
-
-static inline uint32_t over_fields(uint32_t texel)
-{
-    return (texel | texel << 16) & GLINT_ALBEDO_FIELDS;
-}
-
-/* The weights' sum is 32, so that no field overflows into its neighbour. */
-uint32_t glint_mesh_smooth_fields(const struct glint_mesh_picture *picture, uint32_t u, uint32_t v)
-{
-    struct around a;
-    over_around(&a, picture, u, v, 5);
-    const uint32_t both = (a.x * a.y + 16) >> 5;
-    const uint32_t sum = over_fields(a.of[0][0]) * (32 - a.x - a.y + both) + over_fields(a.of[0][1]) * (a.x - both) +
-                         over_fields(a.of[1][0]) * (a.y - both) + over_fields(a.of[1][1]) * both;
-    return (sum + GLINT_ALBEDO_HALF) >> 5 & GLINT_ALBEDO_FIELDS;
-}
-
 /* 2^16 levels of 31 or 63 to the nearest of 255: of whole ones this is the nearest, too. */
 static inline uint8_t over_level8(uint32_t x, bool is_green)
 {
@@ -295,8 +260,8 @@ static void over_rgb888(struct glint_mesh_over *over, int32_t x, uint8_t *out, u
                 out[k] = over_level8(over_channel(texel, k) << 16, k == 1);
             continue;
         }
-        struct around a;
-        over_around(&a, picture, now[0], now[1], 8);
+        struct glint_mesh_around a;
+        glint_mesh_around_set(&a, picture, now[0], now[1], 8);
         for (unsigned k = 0; k < 3; k++) {
             const uint32_t above = over_channel(a.of[0][0], k) * (256 - a.x) + over_channel(a.of[0][1], k) * a.x,
                            below = over_channel(a.of[1][0], k) * (256 - a.x) + over_channel(a.of[1][1], k) * a.x;

@@ -70,7 +70,7 @@ static void store_bits(uint8_t *line, uint32_t x, const uint8_t *levels, unsigne
 {
     for (; count--; levels++, x++, open >>= 1) {
         uint8_t *const at = line + (bits * x >> 3);
-        const unsigned down = (8 - bits) & ~(bits * x);
+        const unsigned down = (8 - bits) & ~(bits * (unsigned)x);
         if (!(open & 1))
             *at = (uint8_t)((*at & ~(((1u << bits) - 1) << down)) | (uint32_t)*levels << down);
     }

@@ -257,13 +257,6 @@ void conform_albedo(const struct conformance_size *size)
 
 #elif !CONFORMANCE_MODELS_ONLY
 
-/* Full, none, or a part of a pixel. */
-static uint8_t soft_edged(void)
-{
-    const uint32_t bits = conform_random_bits();
-    return (uint8_t)(bits % 4 == 0 ? 0 : bits % 4 == 1 ? bits >> 8 & 255 : 255);
-}
-
 bool conform_fill(struct glint_paint *paint, enum glint_tables_kind kind, const struct glint_material *material,
                   const struct glint_output *output)
 {
