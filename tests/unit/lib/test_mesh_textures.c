@@ -265,6 +265,14 @@ static double between(const struct seen *s, int x, int y, const double at[2], in
     return worst;
 }
 
+/* Is it a pixel wide? Narrower ones are of one texel (sequence.md, `flat`). */
+static bool is_wide(const struct seen *s)
+{
+    const double width = fmax(fmax(s->x[0], s->x[1]), s->x[2]) - fmin(fmin(s->x[0], s->x[1]), s->x[2]);
+    const double height = fmax(fmax(s->y[0], s->y[1]), s->y[2]) - fmin(fmin(s->y[0], s->y[1]), s->y[2]);
+    return -s->area > fmax(width, height);
+}
+
 /* How far a texel is from the place that it is drawn at, in texels, beyond what perspective leaves between two pixels of a line. */
 static double worst_place(uint16_t distance, unsigned *pixels, unsigned *other)
 {
@@ -279,7 +287,7 @@ static double worst_place(uint16_t distance, unsigned *pixels, unsigned *other)
         mesh.distance = distance;
         mesh.mesh.textures = &texture;
         const struct seen s = see(0);
-        if (s.area > -20)
+        if (!is_wide(&s))
             continue;
         mesh_picture(&mesh, &paint, &out[0][0][0], 3, odd, 5, round & 1);
         for (int y = 0; y < MESH_H; y++)
