@@ -62,20 +62,21 @@ bench-programs: $(BENCH_ELFS) $(BENCH_MESH_ELFS) $(BENCH_SCENE)/scene.json $(BEN
 
 # The library, once for the two programs of a variant; one source at a time, since ccache knows only such compilations.
 BENCH_COMPILE = arm-none-eabi-gcc -std=c99 -mcpu=cortex-m0plus -mthumb $(BENCH_FLAGS_$*) -ffunction-sections -fdata-sections
-BENCH_LIB = $(patsubst lib/%,$(BENCH)/lib-$*/%,$(addsuffix .o,$(basename $(wildcard lib/*.c lib/*.S))))
+BENCH_LIB = $(BENCH)/lib-$*/libglint.a
 $(BENCH)/lib-%/done: $(wildcard lib/*) tests/bench/bench.mk
 	@rm -rf $(@D) && mkdir -p $(@D)
-	@cd $(@D) && for source in $(abspath $(wildcard lib/*.c lib/*.S)); do $(BENCH_COMPILE) -c $$source || exit 1; done
+	@cd $(@D) && for source in $(abspath $(wildcard lib/*.c lib/*.S)); do $(BENCH_COMPILE) -c $$source || exit 1; done; \
+		arm-none-eabi-ar rcs libglint.a *.o
 	@touch $@
 .PRECIOUS: $(BENCH)/lib-%/done
 
 $(BENCH)/m0plus-%.elf: $(BENCH)/lib-%/done $(BENCH_INPUTS) tests/bench/calibrate.S
 	@$(BENCH_COMPILE) $(BENCH_FLAGS) \
-		-nostartfiles -T tests/bench/m0plus.ld -Wl,--gc-sections $(BENCH_LIB) $(filter-out lib/%,$(BENCH_SOURCES)) tests/bench/calibrate.S -lm -o $@
+		-nostartfiles -T tests/bench/m0plus.ld $(filter-out lib/%,$(BENCH_SOURCES)) tests/bench/calibrate.S $(BENCH_LIB) -lm -o $@
 
 $(BENCH)/mesh-%.elf: $(BENCH)/lib-%/done $(BENCH_MESH_SOURCES) $(BENCH_MESH_INPUTS) $(if $(BENCH_BUNNY),$(BENCH_MESH)/bunny.h) $(BENCH_INPUTS) tests/bench/calibrate.S
 	@$(BENCH_COMPILE) -Ilib -I$(BENCH_MESH) -DMESH_BUNNY=$(if $(BENCH_BUNNY),1,0) \
-		-nostartfiles -T tests/bench/m0plus.ld -Wl,--gc-sections -Wl,--wrap=glint_mesh_rows $(BENCH_MESH_SOURCES) $(BENCH_LIB) tests/bench/calibrate.S -o $@
+		-nostartfiles -T tests/bench/m0plus.ld -Wl,--wrap=glint_mesh_rows $(BENCH_MESH_SOURCES) tests/bench/calibrate.S $(BENCH_LIB) -o $@
 
 # As shipped: no normals of it are 180 degrees apart.
 $(BENCH_MESH)/teapot.h: $(BUILD)/glint
