@@ -43,9 +43,9 @@ static uint8_t coverage_level(const struct glint_paint *paint, const struct glin
 {
     const uint8_t format = paint->output.format;
     const uint32_t m = coverage_of(paint, run, i);
-    const uint32_t under = 65535u * (255 - m) * coverage_under(format, run->line, run->x + i, k);
+    const uint32_t under = UINT32_C(65535) * (255 - m) * coverage_under(format, run->line, run->x + i, k);
     const uint64_t over = x * (m * GLINT_FLASH_U8(glint_formats[format].max[k])); /* < 2^64 */
-    const uint64_t threshold = (uint64_t)(255 * 65535u) * glint_weight(paint, run, i) << 27;
+    const uint64_t threshold = (uint64_t)(255 * UINT32_C(65535)) * glint_weight(paint, run, i) << 27;
     return (uint8_t)coverage_divide((uint32_t)((over + ((uint64_t)under << 32) + threshold) >> 32));
 }
 
@@ -130,7 +130,7 @@ static uint32_t coverage_565(const struct glint_paint *p, const struct glint_run
 {
     const unsigned shift = (unsigned)p->of.exact.shift, swapped = p->output.format == GLINT_RGB565_SWAPPED;
     const uint32_t unit = glint_covered_unit(shift);
-    const uint32_t w = p->of.exact.w + coverage_w(p, p->of.exact.q, 2, 4, 2 << 16) + (63 << 8);
+    const uint32_t w = p->of.exact.w + coverage_w(p, p->of.exact.q, 2, 4, (uint32_t)2 << 16) + (63 << 8);
     const uint8_t *coverage = run->coverage + run->x;
     uint8_t *out = run->line + 2 * run->x;
     uint32_t bias[4], fixed[3], open = 0;
@@ -163,25 +163,6 @@ static uint32_t coverage_565(const struct glint_paint *p, const struct glint_run
     return open;
 }
 
-/* The first that is not 255, from at on and before stop: four at a time. */
-static const uint8_t *coverage_full(const uint8_t *at, const uint8_t *stop)
-{
-    while (at != stop && *at == 255) {
-        at++;
-        if (((uintptr_t)at & 3) == 0)
-            while (stop - at >= 4 && *(const coverage_word *)(const void *)at == UINT32_MAX)
-                at += 4;
-    }
-    return at;
-}
-/* The first that is. */
-static const uint8_t *coverage_soft(const uint8_t *at, const uint8_t *stop)
-{
-    while (at != stop && *at != 255)
-        at++;
-    return at;
-}
-
 /* The first that is neither 0 nor 255. */
 static const uint8_t *coverage_plain(const uint8_t *at, const uint8_t *stop)
 {
@@ -200,42 +181,16 @@ static bool coverage_is_plain(const struct glint_paint *paint, const struct glin
     return glint_format_is_565(paint->output.format) && !run->albedo && !run->gloss && !paint->several;
 }
 
-/* Pixels side by side that are full, or that are not. */
-static __attribute__((noinline)) uint32_t coverage_parts(const struct glint_paint *paint, const struct glint_run *run,
-                                                         const struct glint_sample *samples, unsigned count)
-{
-    glint_levels *const full = GLINT_FLASH_POINTER(paint->format->levels);
-    glint_levels *const soft = paint->output.space != GLINT_GAMMA ? full
-                               : coverage_is_plain(paint, run)    ? coverage_565
-                                                                  : coverage_any;
-    const uint8_t *const coverage = run->coverage + run->x;
-    struct glint_run part = *run;
-    uint32_t open = 0;
-    for (unsigned i = 0, end; i < count; i = end) {
-        const bool is_full = coverage[i] == 255;
-        end = (unsigned)((is_full ? coverage_full : coverage_soft)(coverage + i, coverage + count) - coverage);
-        part.x = run->x + i;
-        part.albedo = run->albedo ? run->albedo + 3 * i : NULL;
-        part.gloss = run->gloss ? run->gloss + i : NULL;
-        part.soft = is_full ? NULL : run->soft;
-        open |= (is_full ? full : soft)(paint, &part, samples + i, end - i) << i;
-    }
-    return open;
-}
-
-static uint32_t coverage_levels(const struct glint_paint *paint, const struct glint_run *run,
+static uint32_t coverage_levels(const struct glint_run *run, const struct glint_paint *paint,
                                 const struct glint_sample *samples, unsigned count)
 {
-    const uint8_t *const coverage = run->coverage + run->x, *const stop = coverage + count;
-    const bool is_gamma = paint->output.space == GLINT_GAMMA;
-    if (is_gamma && run->apart)
-        return coverage_any(paint, run, samples, count);
-    if (is_gamma && (paint->output.format == GLINT_ARGB8888 || coverage_full(coverage, stop) == stop))
+    /* In linear space it blends by coverage_level; ARGB8888 does not blend, but its channels may be apart. */
+    if (paint->output.space != GLINT_GAMMA || (paint->output.format == GLINT_ARGB8888 && !run->apart))
         return GLINT_FLASH_POINTER(paint->format->levels)(paint, run, samples, count);
-    return coverage_parts(paint, run, samples, count);
+    return (coverage_is_plain(paint, run) ? coverage_565 : coverage_any)(paint, run, samples, count);
 }
 
-static void coverage_exact(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
+static void coverage_exact(const struct glint_run *run, const struct glint_paint *paint, unsigned i,
                            const struct glint_sample *sums, unsigned apart)
 {
     const uint8_t format = paint->output.format;
@@ -287,7 +242,7 @@ static void coverage_keep(uint8_t old[2 * GLINT_RUN], const uint8_t *pixels, uns
         old[i] = pixels[i];
 }
 
-static void coverage_pixels(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raws,
+static void coverage_pixels(const struct glint_run *run, const struct glint_paint *paint, const struct glint_raw *raws,
                             unsigned count)
 {
     uint8_t old[2 * GLINT_RUN];
@@ -296,21 +251,17 @@ static void coverage_pixels(const struct glint_paint *paint, const struct glint_
     coverage_over(paint, run, old, count);
 }
 
-/* What is full, and what is not behind it, at a time. */
+/* As many as can be kept at a time. */
 static void coverage_line(const struct glint_paint *paint, const struct glint_lines *lines)
 {
-    const uint8_t *const coverage = lines->run.coverage, *const stop = coverage + lines->run.x + lines->count;
+    const uint32_t stop = lines->run.x + lines->count;
     struct glint_run run = lines->run;
     uint8_t old[2 * GLINT_RUN];
-    for (const uint8_t *at = coverage + run.x; at != stop;) {
-        const uint8_t *const soft = coverage_full(at, stop);
-        const uint8_t *end = coverage_soft(soft, stop - soft > (ptrdiff_t)GLINT_RUN ? soft + GLINT_RUN : stop);
-        run.x = (uint32_t)(soft - coverage);
-        coverage_keep(old, run.line + 2 * run.x, (unsigned)(end - soft));
-        GLINT_FLASH_POINTER(paint->of.tables.filled.use->line)
-        (paint, lines, (uint32_t)(at - coverage), (uint32_t)(end - coverage));
-        coverage_over(paint, &run, old, (unsigned)(end - soft));
-        at = end;
+    for (uint32_t end; run.x != stop; run.x = end) {
+        end = stop - run.x > GLINT_RUN ? run.x + GLINT_RUN : stop;
+        coverage_keep(old, run.line + 2 * run.x, (unsigned)(end - run.x));
+        GLINT_FLASH_POINTER(paint->of.tables.filled.use->line)(paint, lines, run.x, end);
+        coverage_over(paint, &run, old, (unsigned)(end - run.x));
     }
 }
 

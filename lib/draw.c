@@ -140,6 +140,14 @@ bool glint_lines_next(struct glint_lines *lines)
         return false;
     const uint32_t most = w - x < lines->most ? w : x + lines->most;
     lines->count = (uint16_t)(lines_find(lines, x, most, false) - x);
+    if (run->soft) { /* what is full side by side, or what is not */
+        const uint8_t *const first = run->coverage + x, *at = first + 1, *const stop = first + lines->count;
+        while (at != stop && (*at == 255) == (*first == 255))
+            at++;
+        lines->count = (uint16_t)(at - first);
+        if (*first == 255)
+            run->soft = NULL;
+    }
     if (lines->albedo)
         run->albedo = lines->albedo + (lines->maps->albedo_format == GLINT_RGB888 ? 3 : 2) * x;
     if (lines->gloss)

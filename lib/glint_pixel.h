@@ -55,16 +55,16 @@ struct glint_use_format {
  *
  * Whoever has a run with coverage that blends sets its `soft`. glint_paint_run and several lights draw by these then in the place of the
  * format's functions, and glint_tables_pixels in the place of the table's. */
-typedef void glint_exact(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
-                         const struct glint_sample *sums, unsigned apart);
 struct glint_use_coverage {
-    glint_levels *levels;
-    glint_exact *exact;
+    uint32_t (*blend)(const struct glint_run *run, const struct glint_paint *paint, const struct glint_sample *samples,
+                      unsigned count);
+    void (*blend_exact)(const struct glint_run *run, const struct glint_paint *paint, unsigned i,
+                        const struct glint_sample *sums, unsigned apart);
     /* Step 8 for channel k of pixel i: what the formats in linear space do not do themselves. */
     uint8_t (*level)(const struct glint_paint *paint, const struct glint_run *run, unsigned i, unsigned k, uint64_t x);
-    /* Of tables: draws raws, count <= GLINT_RUN; draws the run of a line of normals by the kind's fused loop. */
-    void (*pixels)(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raws,
-                   unsigned count);
+    /* Of tables: draws raws, count <= GLINT_RUN; draws the run of a line of normals, all of it covered in part, by the kind's fused loop. */
+    void (*blend_pixels)(const struct glint_run *run, const struct glint_paint *paint, const struct glint_raw *raws,
+                         unsigned count);
     void (*line)(const struct glint_paint *paint, const struct glint_lines *lines);
     /* Of a line of normals by an exact paint under one light: what is covered in part, and notes what of it shines. */
     void (*edges)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds, uint32_t y);
@@ -100,14 +100,21 @@ static inline uint32_t glint_covered_one(uint32_t m, unsigned shift)
     return shift < 24 ? one >> (24 - shift) : one << (shift - 24);
 }
 
-/* What draws a run's levels, and one pixel by the 64-bit sequence. */
-static inline glint_levels *glint_run_levels(const struct glint_paint *paint, const struct glint_run *run)
+/* Draws a run's levels, and one pixel by the 64-bit sequence. */
+static inline uint32_t glint_run_levels(const struct glint_paint *paint, const struct glint_run *run,
+                                        const struct glint_sample *samples, unsigned count)
 {
-    return run->soft ? GLINT_FLASH_POINTER(run->soft->levels) : GLINT_FLASH_POINTER(paint->format->levels);
+    if (run->soft)
+        return GLINT_FLASH_POINTER(run->soft->blend)(run, paint, samples, count);
+    return GLINT_FLASH_POINTER(paint->format->levels)(paint, run, samples, count);
 }
-static inline glint_exact *glint_run_exact(const struct glint_paint *paint, const struct glint_run *run)
+static inline void glint_run_exact(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
+                                   const struct glint_sample *sums, unsigned apart)
 {
-    return run->soft ? GLINT_FLASH_POINTER(run->soft->exact) : GLINT_FLASH_POINTER(paint->format->exact);
+    if (run->soft)
+        GLINT_FLASH_POINTER(run->soft->blend_exact)(run, paint, i, sums, apart);
+    else
+        GLINT_FLASH_POINTER(paint->format->exact)(paint, run, i, sums, apart);
 }
 
 /* ---- The sequence itself, in 64 bits ---- */

@@ -42,7 +42,7 @@ static inline void glint_tables_pixels(const struct glint_paint *paint, const st
                                        const struct glint_raw *raws, unsigned count)
 {
     if (run->soft)
-        GLINT_FLASH_POINTER(run->soft->pixels)(paint, run, raws, count);
+        GLINT_FLASH_POINTER(run->soft->blend_pixels)(run, paint, raws, count);
     else
         GLINT_FLASH_POINTER(paint->of.tables.filled.use->pixels)(paint, run, raws, count);
 }

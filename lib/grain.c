@@ -338,7 +338,7 @@ void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines
             for (unsigned i = 0; highlight && i < lines->count; i++) /* before gloss is drawn over */
                 if (samples[i].f_q16 && (!run->gloss || run->gloss[i]))
                     glint_bounds_add(&bounds, run->x + i, y);
-            uint32_t open = glint_run_levels(paint, run)(paint, run, samples, lines->count);
+            uint32_t open = glint_run_levels(paint, run, samples, lines->count);
             for (unsigned i = 0; open; i++, open >>= 1)
                 if (open & 1)
                     glint_paint_sums(paint, run, i, samples[i].nl_q16, glint_grain_f(paint, kept[i], samples[i].t_q30));

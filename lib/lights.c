@@ -220,13 +220,13 @@ static void lights_run(struct glint_lights *lights, unsigned count)
         lights_sum(lights, i, end - i, exact);
         const bool sure = !lights->is_boxed || lights_note(lights, i, end - i);
         if (exact) {
-            glint_run_exact(p, lights->run)(p, lights->run, i, lights->slots, lights->run->apart);
+            glint_run_exact(p, lights->run, i, lights->slots, lights->run->apart);
             glint_store_alpha(p->output.format, lights->run->line, lights->run->x + i, 1, lights->run->coverage);
             open &= ~((uint32_t)1 << i);
         } else if (sure && lights_fit(lights, count)) {
-            open = (lights->channels > 1 && p->output.space == GLINT_GAMMA && !lights->run->soft
-                        ? glint_levels_apart
-                        : glint_run_levels(p, lights->run))(p, lights->run, lights->slots, count);
+            open = lights->channels > 1 && p->output.space == GLINT_GAMMA && !lights->run->soft
+                       ? glint_levels_apart(p, lights->run, lights->slots, count)
+                       : glint_run_levels(p, lights->run, lights->slots, count);
         }
         if (!open)
             break;

@@ -250,7 +250,7 @@ static inline uint32_t msh_grain_near(uint32_t up, uint32_t m, uint32_t t)
         shift += 2;
     }
     x <<= up;
-    shift -= 2 * up;
+    shift -= (unsigned)(2 * up);
     while (!(x >> 27)) {
         x <<= 1;
         shift -= 2;

@@ -28,15 +28,15 @@ static uint32_t edges_bands(uint16_t h)
 
 uint32_t glint_mesh_edges_bytes(const struct glint_mesh *mesh, uint16_t h)
 {
-    return mesh->neighbours ? 2 /* to align */ + (uint32_t)sizeof(struct glint_mesh_hidden) + 3u * mesh->face_count +
-                                  2 * edges_bands(h)
+    return mesh->neighbours ? (uint32_t)sizeof(void *) - 2 /* to align */ + (uint32_t)sizeof(struct glint_mesh_hidden) +
+                                  3u * mesh->face_count + 2 * edges_bands(h)
                             : 0;
 }
 
 static void edges_place(const struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn)
 {
     uint8_t *memory = (uint8_t *)(drawn->bands + edges_bands(frame->h));
-    while (GLINT_MISALIGNED(memory, 32))
+    while (GLINT_MISALIGNED(memory, pointer))
         memory += 2;
     drawn->hidden = (struct glint_mesh_hidden *)(void *)memory;
     drawn->rims = (uint16_t *)(void *)(drawn->hidden + 1);
@@ -99,7 +99,7 @@ static void edges_round(const struct glint_mesh_drawn *drawn, unsigned face)
             continue;
         for (unsigned j = 0; j < 3; j++)
             if (all[3 * (size_t)beside + j] == face)
-                drawn->edges[beside] |= (uint8_t)(1u << j);
+                drawn->edges[beside] = (uint8_t)(drawn->edges[beside] | 1u << j);
     }
 }
 
@@ -126,7 +126,7 @@ static void edges_mark(const struct glint_mesh_drawn *drawn)
             found = THIN;
             any_thin = true;
         }
-        edges[i] |= (uint8_t)found;
+        edges[i] = (uint8_t)(edges[i] | found);
     }
     for (unsigned i = 0; any_thin && i < count; i++)
         if (edges[i] & THIN)
@@ -562,7 +562,7 @@ static void colour_blend(uint16_t *out, uint32_t pixel, uint32_t part, bool swap
 }
 
 /* By COLOUR tables: what cells_found finds, in one loop. */
-static void colour_cells(struct glint_mesh_cells *cells, const struct glint_paint *paint)
+static __attribute__((noinline)) void colour_cells(struct glint_mesh_cells *cells, const struct glint_paint *paint)
 {
     const struct glint_look look = glint_look_up(&paint->of.tables.filled);
     const struct glint_mesh_target *const strip = cells->strip;
@@ -596,27 +596,31 @@ static void colour_cells(struct glint_mesh_cells *cells, const struct glint_pain
     }
 }
 
-static void edges_draw_face(const struct glint_mesh_target *strip, unsigned face, const struct glint_paint *paint)
+/* Of the edge at hand: where no cells are hidden now, as it would take stack. */
+typedef char edges_cells_fit[sizeof(struct glint_mesh_cells) <= sizeof(struct glint_mesh_hidden) ? 1 : -1];
+
+static __attribute__((noinline)) void edges_draw_face(const struct glint_mesh_target *strip, unsigned face,
+                                                      const struct glint_paint *paint)
 {
     const struct window window = {0, strip->y, strip->w, strip->end};
     const struct glint_mesh_drawn *drawn = strip->drawn;
     const unsigned edges = drawn->edges[face] & EDGES;
-    struct glint_mesh_cells cells;
-    cells.strip = strip;
-    cells.face = face;
-    cells.is_alone = (edges & (edges - 1)) == 0;
+    struct glint_mesh_cells *const cells = (struct glint_mesh_cells *)(void *)drawn->hidden;
+    cells->strip = strip;
+    cells->face = face;
+    cells->is_alone = (edges & (edges - 1)) == 0;
     for (unsigned k = 0; k < 3; k++) {
-        if (!(edges >> k & 1) || !walk_set(&cells.walk, edges_vertex(drawn, face, k),
+        if (!(edges >> k & 1) || !walk_set(&cells->walk, edges_vertex(drawn, face, k),
                                            edges_vertex(drawn, face, k == 2 ? 0 : k + 1), &window))
             continue;
-        cells.k = k;
-        cells_set(&cells.cell, &cells.walk, drawn, face, k, glint_mesh_t_end(paint));
+        cells->k = k;
+        cells_set(&cells->cell, &cells->walk, drawn, face, k, glint_mesh_t_end(paint));
         if (glint_mesh_is_colour(paint, strip))
-            colour_cells(&cells, paint);
+            colour_cells(cells, paint);
         else {
             struct glint_mesh_bench *bench = (struct glint_mesh_bench *)strip->frame->memory;
             bench->face.face = (uint16_t)face;
-            glint_mesh_cells(paint, &cells, cells_found, &bench->face.triangle, strip);
+            glint_mesh_cells(paint, cells, cells_found, &bench->face.triangle, strip);
         }
     }
 }
@@ -632,26 +636,37 @@ static int32_t edges_last(const struct glint_mesh_drawn *drawn, unsigned face)
     return (last + 1) >> 4;
 }
 
+/* The lists of faces with outlines for those of all faces, and back. */
+static void edges_swap(struct glint_mesh_drawn *drawn)
+{
+    uint16_t *const links = drawn->links, *const bands = drawn->bands;
+    drawn->links = drawn->rims;
+    drawn->bands = drawn->rim_bands;
+    drawn->rims = links;
+    drawn->rim_bands = bands;
+}
+
 static void edges_draw(const struct glint_mesh_target *strip)
 {
-    struct glint_mesh_drawn *drawn = strip->drawn, lists = *drawn;
-    lists.links = drawn->rims;
-    lists.bands = drawn->rim_bands;
-    uint16_t later = GLINT_MESH_NONE, *last = &later, i = glint_mesh_take(&lists, strip->y, strip->end);
+    struct glint_mesh_drawn *const drawn = strip->drawn;
     const struct glint_paint *paint = drawn->paints;
+    uint16_t later = GLINT_MESH_NONE, *last = &later;
+    edges_swap(drawn);
+    uint16_t i = glint_mesh_take(drawn, strip->y, strip->end);
     while (i != GLINT_MESH_NONE) {
         paint = edges_paint(drawn, i, (unsigned)(paint - drawn->paints));
         edges_draw_face(strip, i, paint);
-        const uint16_t next = drawn->rims[i];
+        const uint16_t next = drawn->links[i];
         if (edges_last(drawn, i) >= strip->end) {
             *last = i;
-            last = &drawn->rims[i];
+            last = &drawn->links[i];
         }
         i = next;
     }
     *last = GLINT_MESH_NONE;
     if (strip->end < strip->frame->h)
-        glint_mesh_give(&lists, later, strip->end);
+        glint_mesh_give(drawn, later, strip->end);
+    edges_swap(drawn);
 }
 
 const struct glint_use_outlines glint_outlines GLINT_FLASH = {edges_add, edges_sort, edges_rows, edges_draw,

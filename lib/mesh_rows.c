@@ -246,7 +246,7 @@ static bool row_cell(struct glint_mesh_row *row, struct glint_mesh_cells *cells,
     row->end = row->run.x + 1;
     row->run.left = surface->x;
     row->run.y = (uint32_t)surface->y + (uint32_t)cell->line;
-    row->run.coverage = (const uint8_t *)((uintptr_t)&cell->part - row->run.x);
+    row->run.coverage = (const uint8_t *)((uintptr_t)&cell->part - (uintptr_t)row->run.x);
     row->at.t_q30 = cell->t;
     row->at.nl_q30 = (int32_t)cell->nl;
     row->at.dt_q30 = row->at.ddt_q30 = 0;

@@ -102,7 +102,7 @@ static void over_colours(struct glint_mesh_over *over, const struct glint_mesh_s
         const int32_t one = k == 1 ? 518127 : 254952, first = of[0][k];
         glint_mesh_linear_set(&over->of[k], slopes,
                               glint_mesh_pair_of((of[1][k] - first) * one, (of[2][k] - first) * one), 0);
-        over->of[k].at += (uint32_t)(first * one + (1 << 20));
+        over->of[k].at += (uint32_t)(first * one + ((int32_t)1 << 20));
     }
 }
 

@@ -202,7 +202,7 @@ __attribute__((noinline)) void glint_paint_sums(const struct glint_paint *paint,
         sums[k].nl_q16 = paint_scale(paint->color_q16[k], nl);
         sums[k].f_q16 = paint_scale(paint->color_q16[k], f);
     }
-    glint_run_exact(paint, run)(paint, run, i, sums, apart);
+    glint_run_exact(paint, run, i, sums, apart);
 }
 
 void glint_paint_exactly(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
@@ -215,7 +215,7 @@ void glint_paint_run(const struct glint_paint *paint, const struct glint_run *ru
                      unsigned count)
 {
     GLINT_FLASH_POINTER(paint->model->run)(paint, samples, count);
-    uint32_t open = glint_run_levels(paint, run)(paint, run, samples, count);
+    uint32_t open = glint_run_levels(paint, run, samples, count);
     for (unsigned i = 0; open; i++, open >>= 1) /* the pixels that the bound leaves open */
         if (open & 1)
             glint_paint_exactly(paint, run, i, samples + i);

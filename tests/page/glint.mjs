@@ -60,7 +60,7 @@ export class Command {
     /** What it says when it fails, without its name and where its help is. */
     refusal(words) {
         const { stderr } = spawnSync(this.glint, words, { cwd: this.folder, encoding: 'utf8' })
-        return stderr.trim().replace(/^glint( [a-z]+)?: /, '').replace(/; see `.*$/, '')
+        return stderr.trim().split('\n').pop().replace(/^glint( [a-z]+)?: /, '').replace(/; see `.*$/, '')
     }
 
     /** The files that a command writes: name -> bytes. */

@@ -2,7 +2,7 @@
 # AVR: make firmware PORT=avr. Linker scripts here stand beside the compiler's own.
 avr_TOOLS = avr-
 avr_RUN = simavr -m % -f 16000000
-avr_STACK = 900
+avr_STACK = 1300
 avr_BOARDS = atmega2560 atmega328p
 
 avr_CORE_atmega2560 = atmega2560
@@ -16,7 +16,7 @@ avr_CORE_atmega328p = atmega328p
 avr_FLAGS_atmega328p = -mmcu=atmega328p
 avr_SCRIPT_atmega328p = budget328p.ld
 avr_IMAGE_atmega328p = -DCONFORMANCE_MODELS_ONLY=1
-avr_SKIPS_atmega328p = 28
+avr_SKIPS_atmega328p = 30
 avr_PUSHED_atmega328p = 2
 $(eval $(call bare_port,avr))
 

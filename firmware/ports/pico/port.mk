@@ -35,7 +35,7 @@ SPLIT ?= 30
 AXES ?=
 COMMA := ,
 PICO_MESH = $(if $(MESH),mesh-$(basename $(notdir $(firstword $(MESH)))),$(filter teapot,$(DEMO)))
-PICO_MESH_SOURCE = $(if $(MESH),--mesh '$(MESH)' --no-textures --split $(SPLIT) $(AXES:%=--axes %),--scene teapot --split 180)
+PICO_MESH_SOURCE = --no-outlines $(if $(MESH),--mesh '$(MESH)' --no-textures --split $(SPLIT) $(AXES:%=--axes %),--scene teapot --split 180)
 # Up to here it is in RAM, where it is drawn in fewer cycles.
 PICO_MESH_RAM = 12288
 PICO_FREE_PINS = 1 2 3 4 5 6 7 14 15 16 17 18 19 20 21 22 26 27 28

@@ -7,7 +7,7 @@ int bad_call(int (*function)(int n), int n);
 
 static int inner(int n)
 {
-    volatile uint8_t room[600];
+    volatile uint8_t room[1000];
     room[n] = (uint8_t)n;
     return room[n];
 }
@@ -19,7 +19,7 @@ __attribute__((noinline)) int bad_call(int (*function)(int n), int n)
 
 int bad_deep(int n)
 {
-    volatile uint8_t room[600];
+    volatile uint8_t room[1000];
     room[n] = (uint8_t)n;
     return bad_call(inner, n) + room[n];
 }
