@@ -70,7 +70,11 @@ static void decode_percents(char *name)
 {
     char *to = name;
     for (const char *at = name; *at; at++) {
-        const char digits[3] = {at[0] == '%' ? at[1] : 0, at[0] == '%' && at[1] ? at[2] : 0, 0};
+        char digits[3] = "";
+        if (at[0] == '%' && at[1]) {
+            digits[0] = at[1];
+            digits[1] = at[2];
+        }
         const bool is_code = isxdigit((unsigned char)digits[0]) && isxdigit((unsigned char)digits[1]);
         *to++ = is_code ? (char)strtoul(digits, NULL, 16) : *at;
         at += is_code ? 2 : 0;

@@ -15,7 +15,7 @@ static struct sums sum(const struct scene *scene, uint32_t x, uint32_t y, unsign
 {
     struct sums s = {.drawn = 0};
     for (uint32_t i = 0; i < times * times; i++) {
-        const size_t at = (size_t)(y * times + i / times) * scene->width + x * times + i % times;
+        const size_t at = (size_t)(y * times + i / times) * scene->width + (size_t)x * times + i % times;
         const double drawn = scene->mask ? scene->mask[at] / 255. : 1;
         s.drawn += drawn;
         for (unsigned k = 0; k < 3; k++) {
