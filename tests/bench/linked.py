@@ -9,7 +9,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from targets import SOURCE, library_sources  # noqa: E402
 
 with open(os.path.join(SOURCE, "lib/glint.h")) as header: # the models that have functions of their own
-    OWN = re.findall(r"^ +X\(GLINT_\w+, (\w+), \w+, own\)", header.read(), re.M)
+    OWN = re.findall(r"^ +X\(GLINT_\w+, (\w+), \w+, own[,)]", header.read(), re.M)
 FUNCTIONS = [f"glint_{model}{end}" for model in OWN for end in ("", "_t")] + """
 glint_msh+glint_msh_cutoff glint_msh_t+glint_msh_cutoff_t glint_lobe_init+glint_lobe_eval_t
 glint_paint_exact+glint_light_directional+glint_paint_light_by+glint_draw_rect_by
