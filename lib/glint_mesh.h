@@ -58,10 +58,6 @@ struct glint_mesh {
     /* Of each face the three beyond its edges (corners 0 to 1, 1 to 2, 2 to 0), for smooth outlines; GLINT_MESH_RIM: none there,
      * GLINT_MESH_SEAM: none, but no outline either. NULL: outlines are stepped. */
     const uint16_t *neighbours;
-    /* Which way the grain runs, where a material has n_across: of each vertex a direction of any length (x, y, z, y up), or of all one
-     * axis, which is projected on the surface. */
-    const int8_t *grains;
-    int16_t grain_axis[3];
 };
 #define GLINT_MESH_RIM 65535u
 #define GLINT_MESH_SEAM 65534u
@@ -139,7 +135,7 @@ enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint
  * the picture is drawn, like the paints. Under one directional light t is the quadratic above. Under points, spots and several lights, and for
  * Phong, normals are interpolated instead, and a pixel's place is that of the surface before projection. The viewer is distant, also under
  * perspective.
- * GLINT_ERR_ARG: NULL, too few bytes, misaligned, a paint of zeros or never lit, paints of different lights or formats, COLOUR tables and
+ * GLINT_ERR_ARG: NULL, too few bytes, misaligned, a paint of zeros or never lit, n_across, paints of different lights or formats, COLOUR tables and
  * colours of the mesh or a texture, ALBEDO tables and neither, either of them by ALBEDO tables or a texture without use, no room for lights. GLINT_ERR_VECTOR: a quaternion of 0. */
 size_t glint_mesh_bytes(const struct glint_mesh *mesh, uint16_t h);
 enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn,

@@ -212,10 +212,9 @@ static void write_all(const struct baked_mesh *baked, const char *storage, const
         fputs("NULL, NULL, 0, ", out);
     fprintf(out, "%s, ", mesh->textures || baked->fitted->colors ? "&glint_use_mesh_albedo" : "NULL");
     if (mesh->neighbours)
-        fprintf(out, "%s_neighbours, ", name);
+        fprintf(out, "%s_neighbours};\n", name);
     else
-        fputs("NULL, ", out);
-    fputs("NULL, {0, 0, 0}};\n", out);
+        fputs("NULL};\n", out);
 }
 
 void bake_mesh_write_c(const struct baked_mesh *baked, const char *name, FILE *out)

@@ -138,8 +138,8 @@ static void check(const struct argp_state *state, struct scene_options *o)
                SIDE_MAX);
     if (o->mesh.name && o->filter)
         refuse(state, "--filter is for maps; it cannot be used with a mesh");
-    if (o->mesh.name && o->has_grain && (o->grain_map || o->grain.kind != GLINT_GRAIN_BRUSHED))
-        refuse(state, "--grain: a mesh takes brushed:ANGLE");
+    if (o->mesh.name && o->has_grain)
+        refuse(state, "--grain: meshes have no grain; leave it out");
     const int sources = !!o->heights + !!o->normals + !!o->scene + (o->mesh.name && !o->mesh.built_in);
     if (sources > 1)
         refuse(state, "give only one of --height, --normals, --scene and --mesh");

@@ -268,6 +268,8 @@ void shading_options_check(const struct argp_state *state, const struct shading_
 {
     const struct mesh_source *mesh = &options->scene.mesh;
     struct mesh_path of_mesh;
+    if (mesh->name && options->shading.n_across && !options->has_material)
+        refuse(state, "--across: meshes have no grain; leave it out");
     const char *refusal = mesh->name ? path_of_mesh(shading, false, &of_mesh) : path_refusal(shading);
     if (refusal && mesh->name && (!mesh->built_in || mesh->texture) && !shading_options_one_color(options) &&
         !path_of_mesh(shading, true, &of_mesh))
@@ -302,7 +304,7 @@ struct shading shading_of_options(const struct shading_options *options, enum gl
         shading.n = finish->n;
     if (!shading.n_across && model_has_grain(shading.model))
         shading.n_across = finish->n_across;
-    if (shading.n_across == shading.n)
+    if (shading.n_across == shading.n || options->scene.mesh.name) /* meshes have no grain */
         shading.n_across = 0;
     default_to(shading.ambient, finish->ambient);
     default_to(shading.diffuse, finish->diffuse);
