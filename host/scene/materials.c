@@ -82,7 +82,7 @@ static const struct recipe chrome = {.meaning = "chromium plate, a near mirror",
                                      .mirror = 1};
 static const struct recipe gunmetal = {
     .meaning = "blued steel",
-    .source = "magnetite, about .20 throughout: Criddle and Stanley, Quantitative Data File for Ore Minerals, 1993",
+    .source = "not measured: a grey of .20, as dark as magnetite",
     .color = {.196, .201, .212},
     .is_metal = true,
     .n = 40,

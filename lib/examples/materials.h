@@ -68,7 +68,7 @@ static const struct glint_material material_chrome = {
     false /* clamp_peak */
 };
 
-/* blued steel: magnetite, about .20 throughout: Criddle and Stanley, Quantitative Data File for Ore Minerals, 1993. */
+/* blued steel: not measured: a grey of .20, as dark as magnetite. */
 static const struct glint_material material_gunmetal = {
     GLINT_MSH, 0, 40, 0, /* model, q, n, n_across */
     {16384, 16384, 16384}, /* ambient */
