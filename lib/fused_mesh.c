@@ -318,8 +318,8 @@ static __attribute__((noinline)) void albedo_far(struct glint_mesh_albedo *a, st
     }
 }
 
-void glint_mesh_albedo(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
-                       const struct glint_mesh_target *target, struct glint_mesh_over *over)
+void glint_mesh_albedo_lines(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                             const struct glint_mesh_target *target, struct glint_mesh_over *over)
 {
     const int32_t end = triangle->y_end < target->end ? triangle->y_end : target->end;
     const bool is_glossy = triangle->shine == GLINT_MESH_GLOSSY;

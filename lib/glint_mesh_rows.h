@@ -61,8 +61,8 @@ struct glint_mesh_cell {
 struct glint_mesh_cells;
 typedef bool glint_mesh_next(struct glint_mesh_cells *cells, struct glint_mesh_cell *cell);
 /* Blends them by any paint; triangle: of a struct glint_mesh_kept, of which the face's number counts. */
-void glint_mesh_cells(const struct glint_paint *paint, struct glint_mesh_cells *cells, glint_mesh_next *next,
-                      struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target);
+void glint_mesh_blend_cells(const struct glint_paint *paint, struct glint_mesh_cells *cells, glint_mesh_next *next,
+                            struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target);
 
 /* Two bytes a pixel at even places, by COLOUR tables without dither: then the fused loop can draw. */
 bool glint_mesh_is_colour(const struct glint_paint *paint, const struct glint_mesh_target *target);

@@ -106,8 +106,8 @@ void glint_mesh_albedo_held(struct glint_mesh_albedo *a, const struct glint_mesh
                             int32_t from, int32_t to, int32_t y);
 
 /* fused_mesh.c */
-void glint_mesh_albedo(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
-                       const struct glint_mesh_target *target, struct glint_mesh_over *over);
+void glint_mesh_albedo_lines(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                             const struct glint_mesh_target *target, struct glint_mesh_over *over);
 
 static inline uint16_t glint_mesh_texel(const struct glint_mesh_picture *picture, uint32_t at)
 {

@@ -620,7 +620,7 @@ static __attribute__((noinline)) void edges_draw_face(const struct glint_mesh_ta
         else {
             struct glint_mesh_bench *bench = (struct glint_mesh_bench *)strip->frame->memory;
             bench->face.face = (uint16_t)face;
-            glint_mesh_cells(paint, cells, cells_found, &bench->face.triangle, strip);
+            glint_mesh_blend_cells(paint, cells, cells_found, &bench->face.triangle, strip);
         }
     }
 }

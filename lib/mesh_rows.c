@@ -337,8 +337,8 @@ ROWS_ALONE void rows_draw(const struct glint_paint *paint, struct glint_mesh_tri
     rows_of(paint, triangle, target, NULL, NULL);
 }
 
-void glint_mesh_cells(const struct glint_paint *paint, struct glint_mesh_cells *cells, glint_mesh_next *next,
-                      struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target)
+void glint_mesh_blend_cells(const struct glint_paint *paint, struct glint_mesh_cells *cells, glint_mesh_next *next,
+                            struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target)
 {
     rows_of(paint, triangle, target, cells, next);
 }

@@ -287,4 +287,4 @@ static void over_rgb565(struct glint_mesh_over *over, int32_t x, uint8_t *bytes,
 }
 
 const struct glint_use_mesh glint_use_mesh_albedo GLINT_FLASH = {
-    over_can, over_set, over_line, over_rgb888, over_rgb565, over_next, GLINT_TABLES_FUSED(glint_mesh_albedo)};
+    over_can, over_set, over_line, over_rgb888, over_rgb565, over_next, GLINT_TABLES_FUSED(glint_mesh_albedo_lines)};
