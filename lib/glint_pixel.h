@@ -137,7 +137,7 @@ static inline bool glint_format_is_565(uint8_t format)
 }
 static inline bool glint_format_is_grey(uint8_t format)
 {
-    return format == GLINT_GREY8 || format == GLINT_MONO || format >= GLINT_GREY4;
+    return format == GLINT_GREY8 || format == GLINT_MONO || format == GLINT_GREY4 || format == GLINT_GREY2;
 }
 static inline bool glint_format_is_blue_first(uint8_t format)
 {

@@ -155,8 +155,23 @@ class Sources:
             file = file[:-2] + ".S"
         functions = self.seen(callee)[2]
         name = re.split("[.$]", name)[0]
+        if not self.text(callee) and self.text(callee[:-2] + ".S"):
+            # A routine that C has no name for is reached from functions of its file, by what a table there holds.
+            if not name.startswith("glint_"):
+                return path == to and function.startswith("glint_")
+            declared = self.declared(name)
+            return caller != target and (not declared or not self.text(file) or
+                                         declared in self.called(file, re.split("[.$]", function)[0], apart))
         return name not in functions or not self.text(file) or \
             parameters(functions[name][0]) in self.called(file, re.split("[.$]", function)[0], apart)
+
+    def declared(self, name):
+        """The parameters of a function that a header or a source of C declares; None: there is none."""
+        for each in sorted(os.listdir(self.folder)):
+            found = each.endswith((".h", ".c")) and re.search(rf"\b{name}\(([^();]*)\)\s*[;{{]", self.text(each))
+            if found:
+                return parameters(found[1])
+        return None
 
 
 class Calls:

@@ -37,8 +37,8 @@ static void eval_prints_the_librarys_value_and_the_formulas(void **state)
 static void eval_is_within_half_an_ulp_of_the_formula_for_every_model(void **state)
 {
     (void)state;
-    static double rows[600][8];
-    const int count = read_rows(run("$GLINT eval --model all -n 1,35,1000 0:1:0.05 --csv")->out, rows, 600);
+    static double rows[2000][8];
+    const int count = read_rows(run("$GLINT eval --model all -n 1,35,1000 0:1:0.05 --csv")->out, rows, 2000);
     assert_int_equal(count, GLINT_MODEL_COUNT * 3 * 21);
     for (int i = 0; i < count; i++)
         assert_true(fabs(rows[i][7]) <= 0.5000001);
