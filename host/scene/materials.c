@@ -80,15 +80,14 @@ static const struct recipe chrome = {.meaning = "chromium plate, a near mirror",
                                      .ambient = 0.14,
                                      .diffuse = 0.5,
                                      .mirror = 1};
-static const struct recipe gunmetal = {
-    .meaning = "blued steel",
-    .source = "not measured: a grey of .20, as dark as magnetite",
-    .color = {.196, .201, .212},
-    .is_metal = true,
-    .n = 40,
-    .ambient = 0.25,
-    .diffuse = 0.5,
-    .mirror = 0.38};
+static const struct recipe gunmetal = {.meaning = "blued steel",
+                                       .source = "not measured: a grey of .20, as dark as magnetite",
+                                       .color = {.196, .201, .212},
+                                       .is_metal = true,
+                                       .n = 40,
+                                       .ambient = 0.25,
+                                       .diffuse = 0.5,
+                                       .mirror = 0.38};
 static const struct recipe plastic = {.meaning = "red plastic",
                                       .source = "red plastic of Kilgard's teapots.c, Silicon Graphics 1994",
                                       .color = {.5, 0, 0},
