@@ -273,7 +273,7 @@ static inline __attribute__((always_inline)) void rows_of(const struct glint_pai
 {
     const bool is_alpha = paint->output.format == GLINT_ARGB8888;
     struct glint_mesh_cell cell;
-    uint8_t was[4];
+    uint8_t was[4] = {0, 0, 0, 0};
     struct glint_mesh_bench *const bench = (struct glint_mesh_bench *)target->frame->memory;
     struct mesh_lit *const lit = glint_mesh_is_lit(paint) ? (struct mesh_lit *)target->frame->lit : NULL;
     struct glint_sample *const samples = target->samples;
