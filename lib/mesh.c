@@ -37,9 +37,12 @@ static size_t mesh_size(uint32_t bytes)
     return (size_t)bytes == bytes ? (size_t)bytes : SIZE_MAX;
 }
 
+/* The frame's memory begins where a pointer may lie, and is given at a multiple of 4. */
+enum { FRAME_PADDING = sizeof(void *) > 4 ? sizeof(void *) - 4 : 0 };
+
 size_t glint_mesh_frame_bytes(uint16_t w, uint16_t lines)
 {
-    return mesh_size((uint32_t)sizeof(struct glint_mesh_bench) + glint_mesh_depth_bytes(w, lines));
+    return mesh_size((uint32_t)(sizeof(struct glint_mesh_bench) + FRAME_PADDING) + glint_mesh_depth_bytes(w, lines));
 }
 
 /* Places for triangles that go on, in a list of free ones. */
@@ -76,7 +79,7 @@ enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint
         return GLINT_ERR_ARG;
     frame->first = NULL;
     frame->last = &frame->first;
-    frame->memory = memory;
+    frame->memory = (uint8_t *)memory + (FRAME_PADDING && GLINT_MISALIGNED(memory, pointer) ? FRAME_PADDING : 0);
     frame->w = w;
     frame->h = h;
     frame->lines = lines;

@@ -246,6 +246,38 @@ static void whatever_a_mesh_holds_nothing_outside_the_strip_is_written(void **st
     }
 }
 
+/* On 64-bit machines, too, whose pointers ask for 8. */
+static void memory_at_any_multiple_of_4_is_taken(void **state)
+{
+    (void)state;
+    static uint8_t wanted[MESH_H * MESH_W * 3], out[MESH_H * MESH_W * 3];
+    static _Alignas(8) uint8_t frame_memory[MESH_W * MESH_H * 2 + 4096], work[MESH_VERTICES * 20];
+    const struct look look = plain_look(GLINT_RGB888, false);
+    const struct glint_surface surface = {out, 3 * MESH_W, 0, 0};
+    struct glint_paint paint;
+    struct glint_mesh_frame frame;
+    struct glint_mesh_drawn drawn;
+    paint_of(&paint, &look);
+    for (int i = 0; i < 40; i++) {
+        any_mesh(i);
+        memset(wanted, GUARD, sizeof wanted);
+        memset(out, GUARD, sizeof out);
+        mesh_picture(&mesh, &paint, wanted, 3, whole, 1, false);
+        memset(frame_memory, GUARD, sizeof frame_memory);
+        memset(work, GUARD, sizeof work);
+        uint8_t *of_frame = frame_memory + 4 * (i & 1), *of_mesh = work + 4 * (i >> 1 & 1);
+        const size_t frame_bytes = glint_mesh_frame_bytes(MESH_W, MESH_H),
+                     mesh_bytes = glint_mesh_bytes(&mesh.mesh, MESH_H);
+        assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, MESH_H, mesh.distance, of_frame, frame_bytes),
+                         GLINT_OK);
+        assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &paint, of_mesh, mesh_bytes), GLINT_OK);
+        assert_int_equal(glint_mesh_strip(&frame, 0, MESH_H, &surface), GLINT_OK);
+        assert_memory_equal(out, wanted, sizeof out);
+        assert_int_equal(of_frame[frame_bytes], GUARD);
+        assert_int_equal(of_mesh[mesh_bytes], GUARD);
+    }
+}
+
 static void normals_of_8_bits_draw_what_their_258_folds_draw(void **state)
 {
     (void)state;
@@ -508,6 +540,7 @@ int main(void)
         cmocka_unit_test(a_row_is_the_span_of_its_normals_by_every_paint),
         cmocka_unit_test(the_nearer_hides_the_farther_and_the_first_of_two_stays),
         cmocka_unit_test(whatever_a_mesh_holds_nothing_outside_the_strip_is_written),
+        cmocka_unit_test(memory_at_any_multiple_of_4_is_taken),
         cmocka_unit_test(normals_of_8_bits_draw_what_their_258_folds_draw),
         cmocka_unit_test(colour_tables_draw_lines_at_any_stride),
         cmocka_unit_test(wrong_arguments_are_refused_and_nothing_is_drawn),
