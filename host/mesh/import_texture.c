@@ -76,8 +76,11 @@ static void decode_percents(char *name)
             digits[1] = at[2];
         }
         const bool is_code = isxdigit((unsigned char)digits[0]) && isxdigit((unsigned char)digits[1]);
-        *to++ = is_code ? (char)strtoul(digits, NULL, 16) : *at;
-        at += is_code ? 2 : 0;
+        *to++ = *at;
+        if (is_code) {
+            to[-1] = (char)strtoul(digits, NULL, 16);
+            at += 2;
+        }
     }
     *to = 0;
 }
