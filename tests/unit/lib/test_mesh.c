@@ -7,36 +7,15 @@ static struct made_mesh mesh;
 static uint32_t memory[GLINT_TABLES_DITHER_BYTES / 4];
 static const unsigned whole[] = {MESH_H}, bands[] = {16}, odd[] = {1, 7, 16, 3, 40};
 
-static void any_mesh(int round)
-{
-    if (round % 3)
-        mesh_noise(&mesh, 3 + below(200), 1 + below(300));
-    else
-        mesh_ball(&mesh, 4 + below(8), 5 + below(8));
-}
-
-/* The same picture whole, in strips of any height, from the top and from the bottom. */
-static void assert_same_in_strips(const struct glint_paint *paint, unsigned pixel_bytes)
-{
-    static uint8_t one[MESH_H * MESH_W * 4], other[MESH_H * MESH_W * 4];
-    memset(one, GUARD, sizeof one);
-    mesh_picture(&mesh, paint, one, pixel_bytes, whole, 1, false);
-    for (int way = 0; way < 4; way++) {
-        memset(other, GUARD, sizeof other);
-        mesh_picture(&mesh, paint, other, pixel_bytes, way & 1 ? bands : odd, way & 1 ? 1 : 5, way & 2);
-        assert_memory_equal(one, other, sizeof one);
-    }
-}
-
 static void a_picture_is_the_same_in_strips_of_any_height_and_order(void **state)
 {
     (void)state;
     for (int i = 0; i < 60; i++) {
         const struct look look = random_look(GLINT_RGB888, (enum glint_space)(i & 1));
         struct glint_paint paint;
-        any_mesh(i);
+        mesh_any(&mesh, i);
         paint_of(&paint, &look);
-        assert_same_in_strips(&paint, 3);
+        assert_same_in_strips(&mesh, &paint, 3 * MESH_W);
     }
 }
 
@@ -94,7 +73,7 @@ static void colour_tables_draw_the_same_pixels_at_any_address(void **state)
         const struct look look = plain_look(i & 1 ? GLINT_RGB565 : GLINT_RGB565_SWAPPED, i & 2);
         struct glint_paint paint;
         paint_of_tables(&paint, GLINT_TABLES_COLOUR, &look, memory);
-        any_mesh(i);
+        mesh_any(&mesh, i);
         memset(even, GUARD, sizeof even);
         memset(uneven, GUARD, sizeof uneven);
         mesh_picture(&mesh, &paint, even, 2, bands, 1, false);
@@ -118,7 +97,7 @@ static void dithered_tables_draw_the_same_picture_in_strips(void **state)
             paint_of_tables(&paint, GLINT_TABLES_COLOUR, &look, memory);
             memset(picture, GUARD, sizeof one);
             mesh_picture(&mesh, &paint, (uint8_t *)picture, 2, whole, 1, false);
-            assert_same_in_strips(&paint, 2);
+            assert_same_in_strips(&mesh, &paint, 2 * MESH_W);
         }
         for (unsigned p = 0; p < MESH_W * MESH_H; p++)
             different += (&one[0][0])[p] != (&plain[0][0])[p];
@@ -259,7 +238,7 @@ static void memory_at_any_multiple_of_4_is_taken(void **state)
     struct glint_mesh_drawn drawn;
     paint_of(&paint, &look);
     for (int i = 0; i < 40; i++) {
-        any_mesh(i);
+        mesh_any(&mesh, i);
         memset(wanted, GUARD, sizeof wanted);
         memset(out, GUARD, sizeof out);
         mesh_picture(&mesh, &paint, wanted, 3, whole, 1, false);

@@ -1,40 +1,10 @@
 /* SPDX-License-Identifier: MIT
  * Meshes in colours of their faces or vertices. */
-#include "meshes.h"
-#include "tables_model.h"
+#include "mesh_colours.h"
 
 static struct made_mesh mesh;
-static uint8_t colours[MESH_FACES][3];
 static uint32_t memory[GLINT_TABLES_ALBEDO_BYTES / 4];
-static const unsigned whole[] = {MESH_H}, bands[] = {16}, odd[] = {1, 7, 16, 3, 40};
-
-static void colour_at_random(unsigned count)
-{
-    for (unsigned i = 0; i < count; i++)
-        for (int k = 0; k < 3; k++)
-            colours[i][k] = (uint8_t)(below(8) ? below(256) : 255 * below(2));
-}
-
-static void any_mesh(int round)
-{
-    if (round % 3)
-        mesh_noise(&mesh, 3 + below(200), 1 + below(250));
-    else
-        mesh_ball(&mesh, 4 + below(5), 5 + below(8));
-}
-
-/* Whole, and in strips from the top and from the bottom. */
-static void assert_same_in_strips(const struct glint_paint *paint, unsigned bytes)
-{
-    static uint8_t one[MESH_H * MESH_W * 4], other[MESH_H * MESH_W * 4];
-    memset(one, GUARD, sizeof one);
-    mesh_picture(&mesh, paint, one, bytes, whole, 1, false);
-    for (int way = 0; way < 4; way++) {
-        memset(other, GUARD, sizeof other);
-        mesh_picture(&mesh, paint, other, bytes, way & 1 ? bands : odd, way & 1 ? 1 : 5, way & 2);
-        assert_memory_equal(one, other, sizeof one);
-    }
-}
+static const unsigned whole[] = {MESH_H}, odd[] = {1, 7, 16, 3, 40};
 
 /* Exactly, and by ALBEDO tables for the formats that they have. */
 static void a_picture_in_colours_is_the_same_in_strips_of_any_height_and_order(void **state)
@@ -43,23 +13,17 @@ static void a_picture_in_colours_is_the_same_in_strips_of_any_height_and_order(v
     unsigned by_tables = 0;
     for (int i = 0; i < 8 * GLINT_FORMAT_COUNT; i++) {
         const enum glint_format format = format_number(i);
-        const unsigned bytes = bytes_of(format, MESH_W) / MESH_W;
-        struct look look = random_look(format, (enum glint_space)(i / GLINT_FORMAT_COUNT & 1));
+        const struct look look = random_look(format, (enum glint_space)(i / GLINT_FORMAT_COUNT & 1));
         struct glint_paint paint;
-        if (!bytes)
-            continue;
-        any_mesh(i);
-        colour_at_random(MESH_FACES);
-        *(i & 1 ? &mesh.mesh.of_vertices : &mesh.mesh.of_faces) = &colours[0][0];
+        mesh_any(&mesh, i);
+        colour_at_random(&mesh);
+        *(i & 1 ? &mesh.mesh.of_vertices : &mesh.mesh.of_faces) = &mesh.colours[0][0];
         paint_of(&paint, &look);
-        assert_same_in_strips(&paint, bytes);
-        make_grey(&look, 10000, 50000);
-        look.output.dither = false;
-        if (glint_paint_tables(&paint, GLINT_TABLES_ALBEDO, &look.material, &look.output, memory, sizeof memory))
+        assert_same_in_strips(&mesh, &paint, bytes_of(format, MESH_W));
+        if (!paint_of_albedo(&paint, &look, memory))
             continue;
         by_tables++;
-        assert_int_equal(glint_paint_light(&paint, &look.light, 1, in_front), GLINT_OK);
-        assert_same_in_strips(&paint, bytes);
+        assert_same_in_strips(&mesh, &paint, bytes_of(format, MESH_W));
     }
     assert_true(by_tables > 5);
 }
@@ -77,14 +41,14 @@ static void a_face_of_a_colour_has_the_pixels_of_that_albedo(void **state)
         struct glint_paint paint;
         if (!bytes)
             continue;
-        any_mesh(i);
-        colour_at_random(MESH_FACES);
-        mesh.mesh.of_faces = &colours[0][0];
+        mesh_any(&mesh, i);
+        colour_at_random(&mesh);
+        mesh.mesh.of_faces = &mesh.colours[0][0];
         paint_of(&paint, &look);
         memset(out, GUARD, sizeof out);
         mesh_picture(&mesh, &paint, out, bytes, odd, 5, false);
         for (unsigned f = 0; f < mesh.mesh.face_count; f++) { /* each a part of its own */
-            memcpy(look.material.albedo, colours[f], 3);
+            memcpy(look.material.albedo, mesh.colours[f], 3);
             paint_of(&plain[f], &look);
             ends[f] = (uint16_t)(f + 1);
         }
@@ -105,28 +69,17 @@ static void vertices_of_one_colour_have_the_pixels_of_that_albedo(void **state)
     for (int i = 0; i < 60; i++) {
         const struct look look = random_look(GLINT_RGB888, (enum glint_space)(i & 1));
         struct glint_paint paint;
-        any_mesh(i);
+        mesh_any(&mesh, i);
         for (unsigned v = 0; v < mesh.mesh.vertex_count; v++)
-            memcpy(colours[v], look.material.albedo, 3);
+            memcpy(mesh.colours[v], look.material.albedo, 3);
         paint_of(&paint, &look);
         memset(out, GUARD, sizeof out);
         memset(expected, GUARD, sizeof expected);
         mesh_picture(&mesh, &paint, expected, 3, whole, 1, false);
-        mesh.mesh.of_vertices = &colours[0][0];
+        mesh.mesh.of_vertices = &mesh.colours[0][0];
         mesh_picture(&mesh, &paint, out, 3, odd, 5, false);
         assert_memory_equal(out, expected, sizeof out);
     }
-}
-
-/* The colour is the pixel: no light but ambient, as much as there is. */
-static struct look bare(enum glint_format format)
-{
-    struct look look = random_look(format, GLINT_GAMMA);
-    set_model(&look, GLINT_MSH, 60, 8);
-    look.output.dither = false;
-    make_grey(&look, 65536, 0);
-    memset(look.material.specular_q16, 0, sizeof look.material.specular_q16);
-    return look;
 }
 
 /* RGB565 levels as bits apart. */
@@ -144,9 +97,9 @@ static void a_face_by_albedo_tables_has_its_colour_within_a_level(void **state)
     paint_of(&exactly, &look);
     paint_of_tables(&tables, GLINT_TABLES_ALBEDO, &look, memory);
     for (int i = 0; i < 20; i++) {
-        any_mesh(i); /* faces that meet, too: which hides which does not depend on the paint */
-        colour_at_random(MESH_FACES);
-        mesh.mesh.of_faces = &colours[0][0];
+        mesh_any(&mesh, i); /* faces that meet, too: which hides which does not depend on the paint */
+        colour_at_random(&mesh);
+        mesh.mesh.of_faces = &mesh.colours[0][0];
         memset(out, GUARD, sizeof out);
         memset(exact, GUARD, sizeof exact);
         mesh_picture(&mesh, &exactly, (uint8_t *)exact, 2, whole, 1, false);
@@ -166,12 +119,12 @@ static void a_face_of_full_levels_has_them_in_light_that_is_ambient_alone(void *
     struct glint_paint paint;
     paint_of_tables(&paint, GLINT_TABLES_ALBEDO, &look, memory);
     mesh_ball(&mesh, 5, 9);
-    mesh.mesh.of_faces = &colours[0][0];
+    mesh.mesh.of_faces = &mesh.colours[0][0];
     for (unsigned full = 0; full < 8; full++) {
         const uint16_t wanted = (uint16_t)((full & 4 ? 0xf800 : 0) | (full & 2 ? 0x07e0 : 0) | (full & 1 ? 0x1f : 0));
         for (unsigned f = 0; f < MESH_FACES; f++)
             for (int k = 0; k < 3; k++)
-                colours[f][k] = full >> (2 - k) & 1 ? 255 : 0;
+                mesh.colours[f][k] = full >> (2 - k) & 1 ? 255 : 0;
         memset(out, GUARD, sizeof out);
         const uint16_t left = out[0];
         unsigned drawn = 0;
@@ -183,13 +136,6 @@ static void a_face_of_full_levels_has_them_in_light_that_is_ambient_alone(void *
             }
         assert_true(drawn > 100);
     }
-}
-
-/* Where the library has a place that is not turned: 1/16 pixel from the middle. */
-static double on_screen(int32_t place, uint32_t scale)
-{
-    return scale < 16384 ? (double)((place * (int32_t)scale) >> 15)
-                         : (double)((int64_t)(place >> 2) * (int32_t)scale >> 13);
 }
 
 /* Triangles of any size, many of them so large that they are clipped, which rounds their corners: against doubles. */
@@ -205,7 +151,7 @@ static void colours_of_vertices_are_linear_between_them(void **state)
     for (int round = 0; round < 400; round++) {
         double at[3][2];
         mesh_made(&mesh, 3, 1);
-        mesh.mesh.of_vertices = &colours[0][0];
+        mesh.mesh.of_vertices = &mesh.colours[0][0];
         mesh.pose.scale = (uint16_t)(round % 4 ? 800 << below(6) : 60000);
         for (unsigned i = 0; i < 3; i++) {
             for (int k = 0; k < 2; k++)
@@ -221,7 +167,7 @@ static void colours_of_vertices_are_linear_between_them(void **state)
         if (area > (is_large ? -16e6 : -64)) /* backwards, or a sliver */
             continue;
         clipped += is_large;
-        colour_at_random(3);
+        colour_at_random(&mesh);
         memset(out, GUARD, sizeof out);
         mesh_picture(&mesh, &paint, &out[0][0][0], 3, odd, 5, round & 1);
         for (int y = 0; y < MESH_H; y++)
@@ -231,8 +177,8 @@ static void colours_of_vertices_are_linear_between_them(void **state)
                 if (u < .001 || v < .001 || u + v > .999)
                     continue;
                 for (int k = 0; k < 3; k++) {
-                    const double c =
-                        colours[0][k] + u * (colours[1][k] - colours[0][k]) + v * (colours[2][k] - colours[0][k]);
+                    const double c = mesh.colours[0][k] + u * (mesh.colours[1][k] - mesh.colours[0][k]) +
+                                     v * (mesh.colours[2][k] - mesh.colours[0][k]);
                     const double error = fabs(out[y][x][k] - c);
                     most[is_large] = fmax(most[is_large], error);
                 }

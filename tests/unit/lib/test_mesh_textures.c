@@ -1,77 +1,10 @@
 /* SPDX-License-Identifier: MIT
  * Meshes with textures, beside double precision: places of texels, light, chains; and what is refused. */
-#include "meshes.h"
-#include "tables_model.h"
+#include "mesh_colours.h"
 
 static struct made_mesh mesh;
-static uint16_t uv[MESH_VERTICES][2];
 static uint32_t memory[GLINT_TABLES_ALBEDO_BYTES / 4];
-static const unsigned whole[] = {MESH_H}, odd[] = {1, 7, 16, 3, 40}, bands[] = {16};
-
-/* In a block of its own, so that reading beyond it is noticed; to be freed. */
-struct made_texture {
-    struct glint_texture texture;
-    uint16_t *palette;
-    void *pixels;
-};
-
-static struct made_texture texture_at_random(void)
-{
-    static const uint16_t sides[] = {1, 2, 3, 5, 8, 16, 60, 64, 100, 2048};
-    struct made_texture t = {.texture = {.w = sides[below(10)], .h = sides[below(9)]}};
-    size_t count = 0;
-    unsigned w = t.texture.w, h = t.texture.h;
-    t.texture.levels = (uint8_t)(1 + below(12));
-    t.texture.is_smooth = below(2);
-    for (unsigned i = 0; i < t.texture.levels; i++) {
-        count += (size_t)w * h;
-        w = w > 1 ? w / 2 : 1;
-        h = h > 1 ? h / 2 : 1;
-    }
-    const bool has_palette = below(2);
-    t.pixels = malloc(count * (has_palette ? 1 : 2));
-    if (has_palette) {
-        t.palette = malloc(256 * sizeof *t.palette);
-        for (unsigned i = 0; i < 256; i++)
-            t.palette[i] = (uint16_t)below(65536);
-    }
-    for (size_t i = 0; i < count; i++)
-        if (has_palette)
-            ((uint8_t *)t.pixels)[i] = (uint8_t)below(256);
-        else
-            ((uint16_t *)t.pixels)[i] = (uint16_t)below(65536);
-    t.texture.pixels = t.pixels;
-    t.texture.palette = t.palette;
-    return t;
-}
-
-static void texture_free(struct made_texture *t)
-{
-    free(t->pixels);
-    free(t->palette);
-}
-
-static void uv_at_random(void)
-{
-    for (unsigned i = 0; i < MESH_VERTICES; i++)
-        for (int k = 0; k < 2; k++)
-            uv[i][k] = (uint16_t)below(65536);
-    mesh.mesh.uv = &uv[0][0];
-    mesh.mesh.uv_bits = (uint8_t)(8 + below(8));
-}
-
-/* Whole, and in strips from the top and from the bottom. */
-static void assert_same_in_strips(const struct glint_paint *paint, unsigned bytes)
-{
-    static uint8_t one[MESH_H * MESH_W * 4], other[MESH_H * MESH_W * 4];
-    memset(one, GUARD, sizeof one);
-    mesh_picture(&mesh, paint, one, bytes, whole, 1, false);
-    for (int way = 0; way < 4; way++) {
-        memset(other, GUARD, sizeof other);
-        mesh_picture(&mesh, paint, other, bytes, way & 1 ? bands : odd, way & 1 ? 1 : 5, way & 2);
-        assert_memory_equal(one, other, sizeof one);
-    }
-}
+static const unsigned whole[] = {MESH_H}, odd[] = {1, 7, 16, 3, 40};
 
 /* Any faces, many of them clipped, in perspective or not; of textures of any size, which are read nowhere else. */
 static void any_texture_is_the_same_in_strips_of_any_height_and_order(void **state)
@@ -80,44 +13,24 @@ static void any_texture_is_the_same_in_strips_of_any_height_and_order(void **sta
     unsigned by_tables = 0;
     for (int i = 0; i < 16 * GLINT_FORMAT_COUNT; i++) {
         const enum glint_format format = format_number(i);
-        const unsigned bytes = bytes_of(format, MESH_W) / MESH_W;
-        struct look look = random_look(format, (enum glint_space)(i / GLINT_FORMAT_COUNT & 1));
+        const struct look look = random_look(format, (enum glint_space)(i / GLINT_FORMAT_COUNT & 1));
         struct glint_paint paint;
-        if (!bytes)
-            continue;
-        if (i % 3)
-            mesh_noise(&mesh, 3 + below(200), 1 + below(250));
-        else
-            mesh_ball(&mesh, 4 + below(5), 5 + below(8));
+        mesh_any(&mesh, i);
         if (i % 3 == 0 && below(2))
             mesh.distance = (uint16_t)(1 + below(4000));
         struct made_texture texture = texture_at_random();
-        uv_at_random();
+        uv_at_random(&mesh);
         mesh.mesh.textures = &texture.texture;
         assert_int_equal(glint_mesh_check(&mesh.mesh), GLINT_OK);
         paint_of(&paint, &look);
-        assert_same_in_strips(&paint, bytes);
-        make_grey(&look, 10000, 50000);
-        look.output.dither = false;
-        if (!glint_paint_tables(&paint, GLINT_TABLES_ALBEDO, &look.material, &look.output, memory, sizeof memory)) {
+        assert_same_in_strips(&mesh, &paint, bytes_of(format, MESH_W));
+        if (paint_of_albedo(&paint, &look, memory)) {
             by_tables++;
-            assert_int_equal(glint_paint_light(&paint, &look.light, 1, in_front), GLINT_OK);
-            assert_same_in_strips(&paint, bytes);
+            assert_same_in_strips(&mesh, &paint, bytes_of(format, MESH_W));
         }
         texture_free(&texture);
     }
     assert_true(by_tables > 5);
-}
-
-/* The texel is the pixel: no light but ambient, as much as there is. */
-static struct look bare(enum glint_format format)
-{
-    struct look look = random_look(format, GLINT_GAMMA);
-    set_model(&look, GLINT_MSH, 60, 8);
-    look.output.dither = false;
-    make_grey(&look, 65536, 0);
-    memset(look.material.specular_q16, 0, sizeof look.material.specular_q16);
-    return look;
 }
 
 static void a_texture_of_one_colour_has_the_pixels_of_that_albedo(void **state)
@@ -140,15 +53,12 @@ static void a_texture_of_one_colour_has_the_pixels_of_that_albedo(void **state)
         look.material.albedo[0] = (uint8_t)lrint((colour >> 11) * 255 / 31.);
         look.material.albedo[1] = (uint8_t)lrint((colour >> 5 & 63) * 255 / 63.);
         look.material.albedo[2] = (uint8_t)lrint((colour & 31) * 255 / 31.);
-        if (i % 3)
-            mesh_noise(&mesh, 3 + below(200), 1 + below(250));
-        else
-            mesh_ball(&mesh, 4 + below(5), 5 + below(8));
+        mesh_any(&mesh, i);
         paint_of(&paint, &look);
         memset(out, GUARD, sizeof out);
         memset(expected, GUARD, sizeof expected);
         mesh_picture(&mesh, &paint, expected, 3, whole, 1, false);
-        uv_at_random();
+        uv_at_random(&mesh);
         mesh.mesh.textures = &texture.texture;
         mesh_picture(&mesh, &paint, out, 3, odd, 5, false);
         assert_memory_equal(out, expected, sizeof out);
@@ -165,13 +75,6 @@ struct seen {
     double x[3], y[3], r[3], uv[3][2], area;
 };
 
-/* Where the library has a place that is not turned: 1/16 pixel from the middle. */
-static double on_screen(int32_t place, uint32_t scale)
-{
-    return scale < 16384 ? (double)((place * (int32_t)scale) >> 15)
-                         : (double)((int64_t)(place >> 2) * (int32_t)scale >> 13);
-}
-
 static struct seen see(unsigned face)
 {
     struct seen s;
@@ -182,7 +85,7 @@ static struct seen see(unsigned face)
         s.x[i] = floor(on_screen(mesh.places[v][0], mesh.pose.scale) * s.r[i]) / 16 + MESH_W / 2. - .5;
         s.y[i] = floor(-on_screen(mesh.places[v][1], mesh.pose.scale) * s.r[i]) / 16 + MESH_H / 2. - .5;
         for (int k = 0; k < 2; k++)
-            s.uv[i][k] = (double)uv[v][k] / (1 << mesh.mesh.uv_bits);
+            s.uv[i][k] = (double)mesh.uv[v][k] / (1 << mesh.mesh.uv_bits);
     }
     s.area = (s.x[1] - s.x[0]) * (s.y[2] - s.y[0]) - (s.x[2] - s.x[0]) * (s.y[1] - s.y[0]);
     return s;
@@ -231,7 +134,7 @@ static void face_at_random(double repeats)
 {
     mesh_made(&mesh, 3, 1);
     mesh.pose.scale = 16 * 100;
-    mesh.mesh.uv = &uv[0][0];
+    mesh.mesh.uv = &mesh.uv[0][0];
     mesh.mesh.uv_bits = BITS;
     for (unsigned i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++) {
@@ -240,7 +143,7 @@ static void face_at_random(double repeats)
         }
         mesh.faces[0][i] = (uint16_t)i;
         for (int k = 0; k < 2; k++)
-            uv[i][k] = (uint16_t)below((uint32_t)(repeats * (1 << BITS)));
+            mesh.uv[i][k] = (uint16_t)below((uint32_t)(repeats * (1 << BITS)));
     }
 }
 
@@ -416,13 +319,13 @@ static double lit_quality(bool is_smooth)
     enum { RINGS = 12, CORNERS = 18 };
     mesh_ball(&mesh, RINGS, CORNERS);
     mesh.pose.scale = 16 * 40;
-    mesh.mesh.uv = &uv[0][0];
+    mesh.mesh.uv = &mesh.uv[0][0];
     mesh.mesh.uv_bits = BITS;
     mesh.mesh.textures = &texture;
     for (unsigned j = 0; j <= RINGS; j++)
         for (unsigned i = 0; i < CORNERS; i++) {
-            uv[j * CORNERS + i][0] = (uint16_t)((i < CORNERS / 2 ? i : CORNERS - i) * 400);
-            uv[j * CORNERS + i][1] = (uint16_t)(j * 4096 / RINGS);
+            mesh.uv[j * CORNERS + i][0] = (uint16_t)((i < CORNERS / 2 ? i : CORNERS - i) * 400);
+            mesh.uv[j * CORNERS + i][1] = (uint16_t)(j * 4096 / RINGS);
         }
     mesh_picture(&mesh, &paint, &out[0][0][0], 3, odd, 5, false);
     for (unsigned f = 0; f < mesh.mesh.face_count; f++) {
@@ -489,7 +392,7 @@ static void a_texture_that_is_drawn_smaller_takes_a_smaller_picture(void **state
     for (unsigned size = 80; size >= 4; size--) {
         mesh_made(&mesh, 3, 1);
         mesh.mesh.textures = &texture;
-        mesh.mesh.uv = &uv[0][0];
+        mesh.mesh.uv = &mesh.uv[0][0];
         mesh.mesh.uv_bits = BITS;
         mesh.pose.scale = (uint16_t)(16 * size);
         for (unsigned i = 0; i < 3; i++) {
@@ -497,8 +400,8 @@ static void a_texture_that_is_drawn_smaller_takes_a_smaller_picture(void **state
             mesh.places[i][1] = i == 2 ? 16384 : -16384;
             mesh.normals[i][2] = 32767;
             mesh.faces[0][i] = (uint16_t)i;
-            uv[i][0] = i == 1 ? 1 << BITS : 0;
-            uv[i][1] = i == 2 ? 0 : 1 << BITS;
+            mesh.uv[i][0] = i == 1 ? 1 << BITS : 0;
+            mesh.uv[i][1] = i == 2 ? 0 : 1 << BITS;
         }
         memset(out, 0, sizeof out);
         mesh_picture(&mesh, &paint, (uint8_t *)out, 2, whole, 1, false);
@@ -538,7 +441,7 @@ static void textures_that_cannot_be_drawn_are_refused(void **state)
     const struct look look = bare(GLINT_RGB565);
     struct glint_paint exact, albedo, colour;
     mesh_ball(&mesh, 4, 6);
-    uv_at_random();
+    uv_at_random(&mesh);
     mesh.mesh.textures = &good;
     assert_int_equal(glint_mesh_check(&mesh.mesh), GLINT_OK);
 #define ASSERT_REFUSED(of, change)                                                                                     \
@@ -550,7 +453,7 @@ static void textures_that_cannot_be_drawn_are_refused(void **state)
         assert_int_equal(glint_mesh_check(&m), GLINT_ERR_ARG);                                                         \
     } while (0)
     ASSERT_REFUSED(m, uv = NULL);
-    ASSERT_REFUSED(m, uv = (const uint16_t *)(const void *)((const char *)uv + 1));
+    ASSERT_REFUSED(m, uv = (const uint16_t *)(const void *)((const char *)mesh.uv + 1));
     ASSERT_REFUSED(m, uv_bits = 7);
     ASSERT_REFUSED(m, uv_bits = 16);
     ASSERT_REFUSED(m, use = NULL);
