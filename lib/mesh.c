@@ -79,7 +79,9 @@ enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint
         return GLINT_ERR_ARG;
     frame->first = NULL;
     frame->last = &frame->first;
-    frame->memory = (uint8_t *)memory + (FRAME_PADDING && GLINT_MISALIGNED(memory, pointer) ? FRAME_PADDING : 0);
+    frame->memory = memory;
+    if (FRAME_PADDING > 0 && GLINT_MISALIGNED(memory, pointer))
+        frame->memory = (uint8_t *)memory + FRAME_PADDING;
     frame->w = w;
     frame->h = h;
     frame->lines = lines;
