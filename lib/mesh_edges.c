@@ -435,7 +435,7 @@ static uint32_t cells_side(const struct glint_mesh_drawn *drawn, unsigned face, 
 static void cells_t(struct glint_mesh_cell *cell, const struct walk *walk, uint32_t side, uint32_t offset)
 {
     const uint32_t one = (uint32_t)1 << 30;
-    const uint32_t u = walk->up > 26 ? one : walk->inverse << (walk->up - 13), s = (u >> 4) * offset;
+    const uint32_t u = walk->up > 27 ? one : walk->inverse << (walk->up - 13), s = (u >> 4) * offset;
     const int64_t d = 2 * (int64_t)side, rise = (int64_t)walk->lower->t_q30 - walk->upper->t_q30;
     const int64_t bend = (u * d) >> 30; /* u <= 2^30, d < 2^33 */
     cell->t = walk->upper->t_q30 + (uint32_t)((rise * s) >> 30) -
