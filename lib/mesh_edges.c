@@ -354,16 +354,17 @@ static __attribute__((noinline)) void rows_in_pieces(const struct glint_paint *p
             piece.face = (uint16_t)face;
             piece.triangle.y_end = (int16_t)window.bottom;
             const struct glint_mesh_part part = glint_mesh_triangle_part(&piece.triangle, window.bottom);
-            int32_t from, to;
-            if (!glint_mesh_columns(part.left, part.right, window.right, &from, &to))
-                continue;
-            from = from > window.left ? from : window.left;
+            int32_t line[2];
+            if (!glint_mesh_columns(part.left, part.right, strip->w, &line[0], &line[1]))
+                break;
+            const int32_t from = line[0] > window.left ? line[0] : window.left,
+                          to = line[1] < window.right ? line[1] : window.right;
             if (from >= to)
                 continue;
             part.left->x = from * 65536;
             part.right->x = to * 65536;
             (void)hide(strip, face, &window);
-            glint_mesh_rows(paint, &piece.triangle, strip);
+            glint_mesh_piece(paint, &piece.triangle, strip, line);
             glint_mesh_show(strip);
         }
     }

@@ -265,11 +265,11 @@ static void cell_over(uint8_t *pixel, const uint8_t was[4], uint32_t part)
     }
 }
 
-/* By any paint. cells: NULL, or an outline's, of the triangle's face, and what finds the next. */
-static inline __attribute__((always_inline)) void rows_of(const struct glint_paint *paint,
-                                                          struct glint_mesh_triangle *triangle,
-                                                          const struct glint_mesh_target *target,
-                                                          struct glint_mesh_cells *cells, glint_mesh_next *next)
+/* By any paint. cells: NULL, or an outline's, of the triangle's face, and what finds the next. whole: NULL, or of a piece of a line the
+ * columns from the line's first one on, and the one after its last. */
+static inline __attribute__((always_inline)) void
+rows_of(const struct glint_paint *paint, struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target,
+        struct glint_mesh_cells *cells, glint_mesh_next *next, const int32_t *whole)
 {
     const bool is_alpha = paint->output.format == GLINT_ARGB8888;
     struct glint_mesh_cell cell;
@@ -298,8 +298,11 @@ static inline __attribute__((always_inline)) void rows_of(const struct glint_pai
         colours_set(&bench->of.across, target, triangle);
     while (cells ? row_cell(&row, cells, next, target, &cell) : row_next(&row, triangle, target)) {
         const int32_t line = cells ? target->y + cell.line : triangle->y - 1; /* the picture's */
-        if (use)
-            GLINT_FLASH_POINTER(use->line)(&bench->of.over, line, (int32_t)run->x, (int32_t)row.end, row.z, row.dz);
+        if (use) {
+            const int32_t x = (int32_t)run->x, left = whole ? whole[0] : x, right = whole ? whole[1] : (int32_t)row.end;
+            GLINT_FLASH_POINTER(use->line)
+            (&bench->of.over, line, left, right, row.z - (uint32_t)(x - left) * row.dz, row.dz);
+        }
         for (unsigned count; (count = cells ? (unsigned)(row.end - run->x) : row_in_front(&row, most)) != 0;
              run->x += count) {
             if (cells && is_alpha)
@@ -334,13 +337,21 @@ static inline __attribute__((always_inline)) void rows_of(const struct glint_pai
 ROWS_ALONE void rows_draw(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
                           const struct glint_mesh_target *target)
 {
-    rows_of(paint, triangle, target, NULL, NULL);
+    rows_of(paint, triangle, target, NULL, NULL, NULL);
+}
+
+/* What outlines take of it. */
+ROWS_ALONE void rows_outlined(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                              const struct glint_mesh_target *target, struct glint_mesh_cells *cells,
+                              glint_mesh_next *next, const int32_t *whole)
+{
+    rows_of(paint, triangle, target, cells, next, whole);
 }
 
 void glint_mesh_blend_cells(const struct glint_paint *paint, struct glint_mesh_cells *cells, glint_mesh_next *next,
                             struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target)
 {
-    rows_of(paint, triangle, target, cells, next);
+    rows_outlined(paint, triangle, target, cells, next, NULL);
 }
 
 /* By ALBEDO tables, where the fused loops can; they do colours and textures in one. */
@@ -356,6 +367,17 @@ static bool rows_albedo(const struct glint_paint *paint, struct glint_mesh_trian
     (over, target, glint_mesh_face_of(triangle), glint_mesh_texture_of(target->drawn, paint));
     GLINT_FLASH_POINTER(use->lines)(&paint->of.tables.filled, triangle, target, over);
     return true;
+}
+
+/* What is linear over a triangle is held, and in perspective found, by the ends of its lines. */
+void glint_mesh_piece(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                      const struct glint_mesh_target *target, const int32_t whole[2])
+{
+    const struct glint_mesh *const mesh = target->drawn->mesh;
+    if (mesh->textures || (colours_are(mesh) && !glint_paint_is_exact(paint)))
+        rows_outlined(paint, triangle, target, NULL, NULL, whole);
+    else
+        glint_mesh_rows(paint, triangle, target);
 }
 
 void glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
