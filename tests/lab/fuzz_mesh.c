@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * Fuzzes meshes: any vertices, faces, parts, colours, pose and lights that glint_mesh_check lets through are drawn within their memory, by
- * any paint, and in strips as at once. Input: see next_mesh, next_look and draw; then strips: y, height (1 each). */
+ * Fuzzes meshes: any vertices, faces, parts, colours, textures, neighbours, pose and lights that glint_mesh_check lets through are drawn within
+ * their memory, by any paint, with outlines or without, once or twice in a picture, and in strips as at once. Input: see next_mesh, next_look and draw; then strips: y, height (1 each). */
 #include <string.h>
 
 #include "fuzz.h"
@@ -13,7 +13,7 @@ struct made {
     struct glint_mesh mesh;
     int16_t *places, *normals;
     int8_t *normals8;
-    uint16_t *faces, *ends;
+    uint16_t *faces, *ends, *neighbours;
     uint8_t *of_vertices, *of_faces;
     uint16_t *uv, *palette;
     struct glint_texture *textures; /* of each part */
@@ -63,6 +63,17 @@ static void next_textures(struct made *m, struct input *input)
     m->mesh.textures = m->textures;
 }
 
+/* Faces, rims, seams, and numbers that are refused. */
+static void next_neighbours(struct made *m, struct input *input)
+{
+    static const uint16_t others[] = {GLINT_MESH_RIM, GLINT_MESH_RIM, GLINT_MESH_SEAM, FACES_MAX + 1};
+    m->mesh.neighbours = m->neighbours = block(6 * (size_t)m->mesh.face_count);
+    for (unsigned i = 0; i < 3u * m->mesh.face_count; i++) {
+        const unsigned number = next_byte(input);
+        m->neighbours[i] = number % 2 && number / 2 < FACES_MAX ? (uint16_t)(number / 2) : others[number / 2 % 4];
+    }
+}
+
 static struct made next_mesh(struct input *input)
 {
     const unsigned vertices = next_byte(input) % (VERTICES_MAX + 1), faces = next_byte(input) % (FACES_MAX + 1);
@@ -96,6 +107,8 @@ static struct made next_mesh(struct input *input)
     m.mesh.use = &glint_use_mesh_albedo;
     if (how / 64 % 2)
         next_textures(&m, input);
+    if (how / 128)
+        next_neighbours(&m, input);
     return m;
 }
 
@@ -106,6 +119,7 @@ static void made_free(struct made *m)
     free(m->normals8);
     free(m->faces);
     free(m->ends);
+    free(m->neighbours);
     free(m->of_vertices);
     free(m->of_faces);
     free(m->uv);
@@ -119,6 +133,8 @@ static bool is_good(const struct glint_mesh *mesh)
     bool good = mesh->vertex_count > 0 && !(mesh->of_vertices && mesh->of_faces);
     for (unsigned i = 0; i < 3u * mesh->face_count; i++)
         good = good && mesh->faces[i] < mesh->vertex_count;
+    for (unsigned i = 0; mesh->neighbours && i < 3u * mesh->face_count; i++)
+        good = good && (mesh->neighbours[i] < mesh->face_count || mesh->neighbours[i] >= GLINT_MESH_SEAM);
     for (unsigned i = 0; !mesh->normals && i < 3u * mesh->vertex_count; i++)
         good = good && mesh->normals8[i] != -128;
     for (unsigned i = 0; i < mesh->part_count; i++)
@@ -139,8 +155,10 @@ struct look {
     struct glint_pose pose;
     struct glint_light lights[LIGHTS_MAX];
     uint16_t w, h, distance;
-    unsigned bytes; /* a pixel */
+    size_t line;    /* bytes of the picture's */
     size_t more;    /* bytes of a frame, for lights */
+    bool is_twice;  /* in the picture, the second one elsewhere */
+    uint8_t ground; /* of its pixels */
     uint32_t memory[GLINT_TABLES_DITHER_BYTES / 4];
     struct glint_paint paints[PARTS_MAX];
 };
@@ -189,6 +207,14 @@ static unsigned next_lights(struct look *look, unsigned count, struct input *inp
     return good;
 }
 
+static size_t line_bytes(unsigned format, unsigned w)
+{
+#define FORMAT_BITS(number, name, bits, channels, red, green, blue) bits,
+    static const uint8_t bits[] = {GLINT_FORMATS(FORMAT_BITS)};
+#undef FORMAT_BITS
+    return (bits[format] * w + 7) / 8;
+}
+
 /* Paints of the parts: exact, or by tables and the second one exact, and what has no texture where others have one. */
 static void next_look(struct look *look, const struct made *m, struct input *input)
 {
@@ -210,14 +236,22 @@ static void next_look(struct look *look, const struct made *m, struct input *inp
                                                                : GLINT_MSH,
                                       .n = (uint16_t)(1 + next_word(input) % 1000),
                                       .q = 6};
-    const struct glint_output output = {.format = formats[how % 4], .dither = how / 32 % 2 && !(tables && coloured)};
+    struct glint_output output = {.format = formats[how % 4], .dither = how / 32 % 2 && !(tables && coloured)};
+    /* Where what is there counts, any format, and the space. */
+    const unsigned blended = m->neighbours ? next_byte(input) : 0;
+    if (!tables && blended % 16 < GLINT_FORMAT_COUNT && blended) {
+        output.format = (uint8_t)(blended % 16);
+        output.space = blended / 16 % 2;
+    }
+    look->is_twice = blended / 32 % 2;
+    look->ground = (uint8_t)(blended / 64 % 2 ? 0x5a : 0);
     for (int k = 0; k < 3; k++) {
         material.ambient_q16[k] = 13000;
         material.diffuse_q16[k] = 40000;
         material.specular_q16[k] = 30000;
         material.albedo[k] = 200;
     }
-    look->bytes = how % 4 == 0 ? 3 : how % 4 == 3 ? 1 : 2;
+    look->line = line_bytes(output.format, look->w);
     look->more = several ? GLINT_MESH_LIGHTS_BYTES : 0;
     const unsigned lights = next_lights(look, several ? 1 + which % LIGHTS_MAX : 0, input);
     for (int i = 0; i < PARTS_MAX; i++) {
@@ -235,42 +269,51 @@ static void next_look(struct look *look, const struct made *m, struct input *inp
 /* A picture with its memory, of which `more` bytes are beyond what it needs. False where the library refused the quaternion. */
 struct picture {
     struct glint_mesh_frame frame;
-    struct glint_mesh_drawn drawn;
-    void *memory, *work;
+    struct glint_mesh_drawn drawn[2];
+    void *memory, *work[2];
 };
 
 static bool picture_begin(struct picture *p, const struct made *m, const struct look *look, uint16_t lines, size_t more)
 {
     const size_t bytes = glint_mesh_frame_bytes(look->w, lines) + look->more + more,
                  work = glint_mesh_bytes(&m->mesh, look->h);
+    struct glint_pose pose = look->pose;
+    const int16_t *q = pose.turn;
+    const bool good = q[0] || q[1] || q[2] || q[3];
     p->memory = block(bytes);
-    p->work = block(work);
     check(glint_mesh_begin(&p->frame, look->w, look->h, lines, look->distance, p->memory, bytes) == GLINT_OK);
-    const enum glint_err error =
-        glint_mesh_add(&p->frame, &p->drawn, &m->mesh, &look->pose, look->paints, p->work, work);
-    const int16_t *q = look->pose.turn;
-    check(error == (q[0] || q[1] || q[2] || q[3] ? GLINT_OK : GLINT_ERR_VECTOR));
-    return error == GLINT_OK;
+    p->frame.outlines = m->neighbours ? &glint_outlines : NULL;
+    for (int i = 0; i < 2; i++) {
+        p->work[i] = i == 0 || look->is_twice ? block(work) : NULL;
+        if (p->work[i])
+            check(glint_mesh_add(&p->frame, &p->drawn[i], &m->mesh, &pose, look->paints, p->work[i], work) ==
+                  (good ? GLINT_OK : GLINT_ERR_VECTOR));
+        pose.position[0] = (int16_t)(pose.position[0] / 2 + 60);
+        pose.position[2] = (int16_t)(pose.position[2] / 2);
+    }
+    return good;
 }
 
 static void picture_end(struct picture *p)
 {
     free(p->memory);
-    free(p->work);
+    free(p->work[0]);
+    free(p->work[1]);
 }
 
 static enum glint_err strip(struct picture *p, const struct look *look, unsigned y, unsigned h, uint8_t *pixels)
 {
-    const struct glint_surface surface = {pixels, (ptrdiff_t)(look->bytes * look->w), 0, (uint16_t)y};
+    const struct glint_surface surface = {pixels, (ptrdiff_t)look->line, 0, (uint16_t)y};
     return glint_mesh_strip(&p->frame, (uint16_t)y, (uint16_t)h, &surface);
 }
 
 static void draw(const struct made *m, const struct look *look, struct input *input)
 {
     const uint16_t lines = (uint16_t)(1 + next_byte(input) % look->h);
-    const size_t more = next_byte(input) % 8 * (size_t)GLINT_MESH_KEPT_BYTES, line = look->bytes * look->w;
+    const size_t more = next_byte(input) % 8 * (size_t)GLINT_MESH_KEPT_BYTES, line = look->line;
     struct picture whole, cut;
     uint8_t *all = block(line * look->h);
+    memset(all, look->ground, line * look->h);
     const bool good = picture_begin(&whole, m, look, look->h, 0);
     if (good)
         check(strip(&whole, look, 0, look->h, all) == GLINT_OK);
@@ -279,6 +322,7 @@ static void draw(const struct made *m, const struct look *look, struct input *in
     while (good && input->at < input->end) {
         const unsigned y = next_byte(input) % (look->h + 1u), h = next_byte(input) % (lines + 2u);
         uint8_t *pixels = block(line * h);
+        memset(pixels, look->ground, line * h);
         const bool fits = h > 0 && h <= lines && y < look->h && y + h <= look->h;
         check(strip(&cut, look, y, h, pixels) == (fits ? GLINT_OK : GLINT_ERR_ARG));
         check(!fits || memcmp(pixels, all + line * y, line * h) == 0);
