@@ -25,10 +25,12 @@ static const char *const names[CONFORMANCE_HELD] = {
     "exact of meshes",
     "exact of meshes with colours",
     "exact of meshes under several lights",
+    "exact of meshes with outlines",
     "colour-int16, colour-int8, colour-span, palette",
     "colour-int16, colour-int8, colour-span, dithered",
     "colour of meshes",
     "albedo of meshes with colours",
+    "colour and albedo of meshes with outlines",
     "albedo-int16, albedo-int8, albedo-span",
     "MSH and Schlick, every c, n = 1",
     "MSH and Schlick, every c, n = 2",
@@ -78,6 +80,8 @@ uint64_t conformance_hash(unsigned check, const struct conformance_size *size)
         conform_mesh_albedo(size, false);
     else if (check == CONFORMANCE_MESHES_LIT)
         conform_mesh_lights(size);
+    else if (check == CONFORMANCE_MESHES_OUTLINED)
+        conform_mesh_outlines(size, false);
     else if (check == CONFORMANCE_COLOURS)
         conform_colours(size);
     else if (check == CONFORMANCE_DITHERED)
@@ -86,6 +90,8 @@ uint64_t conformance_hash(unsigned check, const struct conformance_size *size)
         conform_meshes(size, true);
     else if (check == CONFORMANCE_MESHES_ALBEDO_TABLES)
         conform_mesh_albedo(size, true);
+    else if (check == CONFORMANCE_MESHES_OUTLINED_TABLES)
+        conform_mesh_outlines(size, true);
     else if (check == CONFORMANCE_ALBEDO)
         conform_albedo(size);
     else

@@ -16,10 +16,9 @@ enum {
     STRIP = 5,
     MEMORY = 1320 /* four triangles that go on have places */
 };
-typedef char
-    conform_mesh_fits[4 * CONFORM_WORDS >= 16 * VERTICES + 2 * FACES + 8 && CONFORM_PIXELS == WIDTH * HEIGHT ? 1 : -1];
+typedef char conform_mesh_fits[CONFORM_PIXELS == WIDTH * HEIGHT ? 1 : -1];
 static int16_t places[3 * VERTICES], normals[3 * VERTICES];
-static uint16_t faces[3 * FACES];
+static uint16_t faces[3 * FACES], neighbours[3 * FACES];
 
 static int16_t any_q15(int32_t limit)
 {
@@ -48,6 +47,15 @@ static void random_mesh(struct glint_pose *pose, unsigned kind, const struct gli
     pose->scale = (uint16_t)(conform_random_bits() % (kind ? 500u : 65536u));
 }
 
+/* Of faces that do not meet: any, rims and seams. */
+static void random_neighbours(void)
+{
+    for (uint8_t i = 0; i < 3 * FACES; i++) {
+        const uint16_t number = (uint16_t)(conform_random_bits() % (FACES + 5));
+        neighbours[i] = (uint16_t)(number < FACES ? number : number < FACES + 4 ? GLINT_MESH_RIM : GLINT_MESH_SEAM);
+    }
+}
+
 /* Draws it in strips over numbers, lines of `stride` bytes. */
 static void add_picture(const struct glint_mesh *mesh, const struct glint_pose *pose, const struct conform_look *look,
                         uint16_t distance, uint8_t stride)
@@ -64,6 +72,7 @@ static void add_picture(const struct glint_mesh *mesh, const struct glint_pose *
     conform_add((uint32_t)glint_mesh_check(mesh));
     conform_add((uint32_t)glint_mesh_begin(&frame, WIDTH, HEIGHT, STRIP, distance, &memory,
                                            look->has_lights ? sizeof memory : (size_t)MEMORY));
+    frame.outlines = mesh->neighbours ? &glint_outlines : NULL;
     conform_add((uint32_t)glint_mesh_add(&frame, &drawn, mesh, pose, look->paint, conform_words, sizeof conform_words));
     for (uint16_t y = 0; y < HEIGHT; y += STRIP) {
         const struct glint_surface surface = {bytes + stride * y, stride, 0, y};
@@ -83,8 +92,11 @@ void conform_mesh(unsigned kind, const struct conform_look *look, uint8_t stride
                                     .face_count = FACES,
                                     .of_vertices = look->of_vertices,
                                     .of_faces = look->of_faces,
-                                    .use = &glint_use_mesh_albedo};
+                                    .use = &glint_use_mesh_albedo,
+                                    .neighbours = look->is_outlined ? neighbours : NULL};
     random_mesh(&pose, kind, &look->h);
+    if (look->is_outlined)
+        random_neighbours();
     const uint32_t distance = conform_random_bits() % 1000;
     add_picture(&mesh, &pose, look, (uint16_t)(kind % 3 ? distance : 0), stride);
 }
@@ -102,7 +114,8 @@ static void add_mesh(unsigned model, unsigned format, unsigned kind, bool tables
     if (!tables)
         conform_add((uint32_t)glint_paint_exact(&conform_paint, &material, &output));
     conform_light(&conform_paint, &light);
-    const struct conform_look look = {&conform_paint, conform_paint.h, NULL, NULL, model == GLINT_PHONG && kind & 1};
+    const struct conform_look look = {&conform_paint, conform_paint.h, NULL, NULL, model == GLINT_PHONG && kind & 1,
+                                      false};
     conform_mesh(kind, &look, tables && kind % 4 ? 2 * WIDTH + 2 : 4 * WIDTH);
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Random meshes whose faces or vertices have colours, and under up to four lights. A pixel of these costs thousands of cycles, so that
+ * Random meshes whose faces or vertices have colours, under up to four lights, and with smooth outlines. A pixel of these costs thousands of cycles, so that
  * models share formats and spaces between them: one picture each. */
 #include "conformance_paints.h"
 
@@ -31,14 +31,14 @@ static void random_look(struct glint_material *material, struct glint_light *lig
 }
 
 /* Of vertices, of faces, or none. */
-static struct conform_look look_of(bool vertices, bool faces, bool has_lights)
+static struct conform_look look_of(bool vertices, bool faces, bool has_lights, bool is_outlined)
 {
-    const struct conform_look look = {&conform_paint, conform_paint.h, vertices ? colours : NULL,
-                                      faces ? colours : NULL, has_lights};
+    const struct conform_look look = {&conform_paint,         conform_paint.h, vertices ? colours : NULL,
+                                      faces ? colours : NULL, has_lights,      is_outlined};
     return look;
 }
 
-static void add_exact(unsigned model, unsigned kind)
+static void add_exact(unsigned model, unsigned kind, bool is_outlined)
 {
     struct glint_material material;
     struct glint_light light;
@@ -46,12 +46,12 @@ static void add_exact(unsigned model, unsigned kind)
     random_look(&material, &light, &output, model, kind);
     conform_add((uint32_t)glint_paint_exact(&conform_paint, &material, &output));
     conform_light(&conform_paint, &light);
-    const struct conform_look look = look_of(kind % 3 == 0, kind % 3 != 0, model == GLINT_PHONG);
+    const struct conform_look look = look_of(kind % 3 == 0, kind % 3 != 0, model == GLINT_PHONG, is_outlined);
     conform_mesh(kind, &look, 4 * CONFORM_WIDTH);
 }
 
 /* One fill for as many pictures: by vertices, by faces, clipped, at an even address or not. */
-static void add_tables(unsigned model, unsigned format)
+static void add_tables(enum glint_tables_kind tables, unsigned model, unsigned format, bool is_outlined)
 {
     struct glint_material material;
     struct glint_light light;
@@ -63,12 +63,12 @@ static void add_tables(unsigned model, unsigned format)
         material.ambient_q16[k] = material.ambient_q16[0];
         material.diffuse_q16[k] = 45000;
     }
-    if (!conform_fill(&conform_paint, GLINT_TABLES_ALBEDO, &material, &output))
+    if (!conform_fill(&conform_paint, tables, &material, &output))
         return;
     conform_light(&conform_paint, &light);
     for (uint8_t kind = 0; kind < 6; kind++) {
-        const bool faces = (kind + format) & 1;
-        const struct conform_look look = look_of(!faces, faces, false);
+        const bool faces = (kind + format) & 1, is_albedo = tables == GLINT_TABLES_ALBEDO;
+        const struct conform_look look = look_of(is_albedo && !faces, is_albedo && faces, false, is_outlined);
         conform_mesh(kind, &look, (uint8_t)(2 * CONFORM_WIDTH + kind % 3));
     }
 }
@@ -78,13 +78,13 @@ void conform_mesh_albedo(const struct conformance_size *size, bool tables)
     for (uint8_t scene = 0; scene < size->scenes; scene++)
         if (tables)
             for (unsigned format = GLINT_RGB565; format <= GLINT_RGB565_SWAPPED; format++)
-                add_tables(format ? GLINT_MSH : GLINT_GAUSS, format);
+                add_tables(GLINT_TABLES_ALBEDO, format ? GLINT_MSH : GLINT_GAUSS, format, false);
         else
             for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
-                add_exact(model, model + scene);
+                add_exact(model, model + scene, false);
 }
 
-static void add_lit(unsigned model, unsigned kind)
+static void add_lit(unsigned model, unsigned kind, bool is_outlined)
 {
     struct glint_material material;
     struct glint_light light;
@@ -95,7 +95,7 @@ static void add_lit(unsigned model, unsigned kind)
         conform_random_light(&conform_lights[i]);
     conform_add((uint32_t)glint_paint_exact(&conform_paint, &material, &output));
     conform_light(&conform_paint, &light);
-    const struct conform_look look = look_of(kind % 3 == 1, kind % 3 == 2, true);
+    const struct conform_look look = look_of(kind % 3 == 1, kind % 3 == 2, true, is_outlined);
     conform_add((uint32_t)glint_paint_light(&conform_paint, conform_lights, count, conform_to_viewer));
     conform_mesh(kind, &look, 4 * CONFORM_WIDTH);
 }
@@ -104,7 +104,27 @@ void conform_mesh_lights(const struct conformance_size *size)
 {
     for (uint8_t scene = 0; scene < size->scenes; scene++)
         for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
-            add_lit(model, model + scene + 1);
+            add_lit(model, model + scene + 1, false);
+}
+
+static void add_outlined_by_tables(void)
+{
+    for (unsigned format = GLINT_RGB565; format <= GLINT_RGB565_SWAPPED; format++) {
+        add_tables(GLINT_TABLES_COLOUR, format ? GLINT_MSH : GLINT_LYON, format, true);
+        add_tables(GLINT_TABLES_ALBEDO, format ? GLINT_SCHLICK : GLINT_MSH, format, true);
+    }
+}
+
+void conform_mesh_outlines(const struct conformance_size *size, bool tables)
+{
+    for (uint8_t scene = 0; scene < size->scenes; scene++) {
+        if (tables)
+            add_outlined_by_tables();
+        for (unsigned model = 0; !tables && model < GLINT_MODEL_COUNT; model++) {
+            add_exact(model, model + scene + 2, true);
+            add_lit(model, model + scene + 4, true);
+        }
+    }
 }
 
 #endif

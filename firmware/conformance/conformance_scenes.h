@@ -6,8 +6,8 @@
 #include "conformance.h"
 #include "glint.h"
 
-enum { W = 11, H = 3, LINE = 4 * W + 2 };             /* of a rectangle */
-enum { CONFORM_WORDS = 49, CONFORM_PIXELS = 19 * 9 }; /* for a mesh's vertices and its picture */
+enum { W = 11, H = 3, LINE = 4 * W + 2 };              /* of a rectangle */
+enum { CONFORM_WORDS = 160, CONFORM_PIXELS = 19 * 9 }; /* for a mesh, and its picture */
 
 extern const int32_t conform_to_viewer[3];
 /* Of the check at hand: one for all of them, for RAM. */

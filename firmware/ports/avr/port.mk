@@ -9,14 +9,14 @@ avr_CORE_atmega2560 = atmega2560
 avr_FLAGS_atmega2560 = -mmcu=atmega2560
 avr_SCRIPT_atmega2560 = budget.ld
 avr_IMAGE_atmega2560 = -DCONFORMANCE_TABLES=0 -DCONFORMANCE_EVERY_C=0
-avr_SKIPS_atmega2560 = 14
+avr_SKIPS_atmega2560 = 15
 avr_PUSHED_atmega2560 = 3
 
 avr_CORE_atmega328p = atmega328p
 avr_FLAGS_atmega328p = -mmcu=atmega328p
 avr_SCRIPT_atmega328p = budget328p.ld
 avr_IMAGE_atmega328p = -DCONFORMANCE_MODELS_ONLY=1
-avr_SKIPS_atmega328p = 30
+avr_SKIPS_atmega328p = 32
 avr_PUSHED_atmega328p = 2
 $(eval $(call bare_port,avr))
 
