@@ -7,12 +7,15 @@
 #include "conformance_random.h"
 #include "conformance_scenes.h"
 #include "conformance_tables.h"
+#include "glint_port.h"
 #include "machine.h"
 
 const struct conformance_size conformance_large = {1, 7, 3000, 1, 40, 50000};
 const struct conformance_size conformance_small = {4, 8191, 6, 4, 1, 20};
 
-static const char *const names[CONFORMANCE_HELD] = {
+/* In flash, where AVR would have copies in its RAM. */
+enum { NAME_BYTES = 50 };
+static const char names[CONFORMANCE_HELD][NAME_BYTES] GLINT_FLASH = {
 #define CONFORMANCE_IF_own(name) #name ": values, limits, cutoffs",
     GLINT_MODELS(CONFORMANCE_MODELS)
 #undef CONFORMANCE_IF_own
@@ -118,6 +121,12 @@ void conformance_say_number(uint32_t number)
         machine_put(digits[--count]);
 }
 
+static void say_name(unsigned check)
+{
+    for (const char *at = names[check]; GLINT_FLASH_U8(*at); at++)
+        machine_put((char)GLINT_FLASH_U8(*at));
+}
+
 static void say_hash(uint64_t value)
 {
     for (uint8_t digit = 0; digit < 16; digit++) {
@@ -139,7 +148,10 @@ struct conformance_sum conformance_run(const uint64_t expected[CONFORMANCE_HELD]
         conformance_say(good ? "ok " : "not ok ");
         conformance_say_number(check + 1);
         conformance_say(" - ");
-        conformance_say(check < CONFORMANCE_HELD ? names[check] : "another check");
+        if (check < CONFORMANCE_HELD)
+            say_name(check);
+        else
+            conformance_say("another check");
         if (!fits)
             conformance_say(" # SKIP too large for this machine");
         else {

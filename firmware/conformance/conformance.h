@@ -66,7 +66,7 @@ struct conformance_size {
 extern const struct conformance_size conformance_large; /* for a desktop: some millions of values */
 extern const struct conformance_size conformance_small; /* for a microcontroller: some thousands */
 
-const char *conformance_name(unsigned check); /* of those held */
+const char *conformance_name(unsigned check); /* of those held; in flash, where that is apart */
 bool conformance_fits(unsigned check);        /* false: left out here, see above */
 uint64_t conformance_hash(unsigned check, const struct conformance_size *size);
 
