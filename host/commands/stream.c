@@ -45,7 +45,8 @@ static const struct argp_option argp_options[] = {
      "End after N frames (default: displays go on until Ctrl-C; files and pipes end after one turn of the light)", 6},
     {"shade", KEY_SHADE, "WHERE", 0,
      "Who shades: host (default), or device: it gets the normals and the material once, then 16 bytes a frame. It "
-     "draws as --path colour-int8 does, in one colour, under one white --light. For --to",
+     "draws as --path colour-int8 does, in one colour, under one white --light, a mesh with --no-outlines, over black "
+     "and without soft edges. For --to",
      6},
     {"stats", KEY_STATS, NULL, 0,
      "Print at the end what was sent, and what it would take over USB; on a terminal also while it runs", 6},

@@ -14,13 +14,15 @@ bool mesh_in_device(const struct light_mesh *there, const struct fitted *fitted)
            mesh_cksum(mesh) == there->cksum;
 }
 
-const char *mesh_in_device_refusal(const struct view *view, const struct shading *shading,
+const char *mesh_in_device_refusal(const struct view *view, const struct shading *shading, const uint8_t *behind,
                                    struct light_material *material)
 {
     const struct scene plain = {0};
     const char *refusal = device_refusal(&plain, shading, material);
     if (!refusal && view->distance > 0)
         refusal = "the device draws by parallel projection; leave out --perspective";
+    if (!refusal && behind)
+        refusal = device_needs_black;
     return refusal;
 }
 

@@ -9,8 +9,8 @@
 #include "mesh/fit.h"
 
 bool mesh_in_device(const struct light_mesh *there, const struct fitted *fitted);
-/* Why a device cannot draw a mesh so, as device_refusal. */
-const char *mesh_in_device_refusal(const struct view *view, const struct shading *shading,
+/* Why a device cannot draw a mesh so, as device_refusal; outlines are stepped. behind: pixels that it is drawn over; NULL: black. */
+const char *mesh_in_device_refusal(const struct view *view, const struct shading *shading, const uint8_t *behind,
                                    struct light_material *material);
 /* The shading's first light, which is directional, and the view. */
 struct light_pose mesh_in_device_pose(const struct view *view, const struct shading *shading);

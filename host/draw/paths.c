@@ -230,6 +230,9 @@ struct way *way_new(const struct scene *scene, const struct shading *shading, co
     const char *name = path_names[shading->path];
     if (path_refusal(shading)) /* which may have a scene's own grain */
         fail("--path %s: %s", name, path_refusal(shading));
+    if (scene->shininess && has_grain(shading))
+        fail("--filter: a surface with grain takes no map of shininess; leave out --filter, or give --across what -n "
+             "has");
     struct glint_material material = shading_material(shading);
     struct way *way = allocate(1, sizeof *way);
     way->path = &paths[shading->path];

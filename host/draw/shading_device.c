@@ -25,6 +25,20 @@ static const char *colour_refusal(const struct scene *scene, uint8_t albedo[3])
     return NULL;
 }
 
+const char device_needs_black[] = "the device draws over black; leave out --background";
+
+/* What it draws the map's pixels by, and over. */
+static const char *map_refusal(const struct scene *scene)
+{
+    const size_t pixels = (size_t)scene->width * scene->height;
+    if (scene->shininess)
+        return "the device takes no map of shininess, as --filter makes it; leave out --filter";
+    for (size_t i = 0; scene->mask && i < pixels; i++)
+        if (scene->mask[i] && scene->mask[i] < 255)
+            return "the device draws no soft edges; give --mask a picture of black and white, or shade here";
+    return scene->mask && scene->backdrop ? device_needs_black : NULL;
+}
+
 const char *device_refusal(const struct scene *scene, const struct shading *shading, struct light_material *material)
 {
     struct shading by_tables = *shading;
@@ -38,6 +52,8 @@ const char *device_refusal(const struct scene *scene, const struct shading *shad
     by_tables.path = path;
     if (path_refusal(&by_tables))
         return path_refusal(&by_tables);
+    if (map_refusal(scene))
+        return map_refusal(scene);
     struct glint_material of_shading = shading_material(&by_tables);
     const struct glint_output output = shading_output(&by_tables);
     const char *refusal = colour_refusal(scene, of_shading.albedo);

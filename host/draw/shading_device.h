@@ -10,5 +10,6 @@
 /* Why a device cannot shade so: the end of "--shade device: ...", or NULL where it can. Sets the material, with the one
  * colour there is, as it goes over the wire. */
 const char *device_refusal(const struct scene *scene, const struct shading *shading, struct light_material *material);
+extern const char device_needs_black[]; /* why it draws over no background */
 
 #endif

@@ -196,17 +196,20 @@ static void default_to(double values[3], const double defaults[3])
             values[k] = defaults[k];
 }
 
-static void check_grain(const struct argp_state *state, const struct shading *shading)
+static void check_grain(const struct argp_state *state, const struct shading_options *options)
 {
+    const struct shading *shading = &options->shading;
+    const bool is_grained = shading->n_across && shading->n_across != shading->n;
     char names[200] = "";
-    if (!shading->n_across || shading->n_across == shading->n || model_has_grain(shading->model))
+    if ((!is_grained && !options->scene.filter) || model_has_grain(shading->model))
         return;
     for (unsigned i = 0; model_names[i]; i++)
         if (model_has_grain((enum glint_model)i)) {
             strcat(names, *names ? ", " : "");
             strcat(names, model_names[i]);
         }
-    refuse(state, "--across: %s has no grain; choose one of %s", model_names[shading->model], names);
+    refuse(state, "%s: %s %s; choose one of %s", is_grained ? "--across" : "--filter", model_names[shading->model],
+           is_grained ? "has no grain" : "takes no map of shininess", names);
 }
 
 /* The material's values where no option gave one. A metal keeps the grain of a scene that has one. */
@@ -248,7 +251,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case ARGP_KEY_END:
         o->has_light = o->shading.lamp_count > 0;
-        check_grain(state, &o->shading);
+        check_grain(state, o);
         if (o->has_material) {
             const struct preset preset = preset_of(o->material);
             take_material(o, &preset);

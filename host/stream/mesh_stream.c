@@ -128,7 +128,7 @@ void mesh_device_find(struct mesh_stream *stream, struct sink *sink)
 enum sink_result mesh_device_send(struct mesh_stream *stream, struct sink *sink)
 {
     struct light_material material;
-    const char *refusal = mesh_in_device_refusal(&stream->view, &stream->shadings[0], &material);
+    const char *refusal = mesh_in_device_refusal(&stream->view, &stream->shadings[0], stream->behind, &material);
     if (refusal)
         fail("--shade device: %s", refusal);
     mesh_device_find(stream, sink); /* it may be another one by now */

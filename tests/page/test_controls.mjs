@@ -59,7 +59,7 @@ run([
     }],
     ['every control sets its option, changes the picture and the command line', async () => {
         await browser.go(start)
-        for (const [id, value, word] of [['control-material', 'jade', '--material=jade'], ['control-model', 'gauss', '--model=gauss'], ['control-across', '5', '--across=5'], ['control-background', '#30c060', '--background=48,192,96'], ['control-n', '300', '-n300'], ['control-roughness', '.4', '--roughness=.4'], ['control-q', '2', '-q2'],
+        for (const [id, value, word] of [['control-material', 'jade', '--material=jade'], ['control-model', 'gauss', '--model=gauss'], ['control-across', '5', '--across=5'], ['control-background', '#30c060', '--background=48,192,96'], ['control-n', '300', '-n300'], ['control-roughness', '0.4', '--roughness=0.4'], ['control-q', '2', '-q2'],
             ['control-color', '#3060c0', '--color=48,96,192'], ['control-ambient', '0.5', '--ambient=0.5'], ['control-diffuse', '0.3', '--diffuse=0.3'],
             ['control-specular', '0.1', '--specular=0.1,0.091,0.067'], ['control-format', 'rgb888', ''], ['control-format', 'mono', '--format=mono'],
             ['control-dither', true, '--dither'], ['control-space', 'linear', '--space=linear'], ['control-path', 'span', '--path=span'],

@@ -142,6 +142,8 @@ run([
         check((await follows()).includes('-n12'), 'another material')
         await press('Dial')
         check((await follows()).includes('--scene=dial'), 'another scene')
+        await browser.set('control-background', '#30c060')
+        check(!(await follows()).some(word => word.startsWith('--background')), 'the board draws over black')
     }],
     ['what the board cannot draw is said, and it keeps its picture', async () => {
         const { length } = (await board()).lights
@@ -213,6 +215,8 @@ run([
         check((await turnsWith(180)).some(word => word.startsWith('--turn=')), 'it does not turn')
         await browser.set('control-perspective', '3')
         check(!(await turnsWith(180)).some(word => word.startsWith('--perspective')), 'the board draws no perspective')
+        await browser.set('control-background', '#30c060')
+        check((await turnsWith(180)).includes('--no-outlines'), 'the board draws stepped outlines')
         await browser.set('control-n', '9')
         await turnsWith(180)
         await press('Coin')

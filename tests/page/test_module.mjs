@@ -261,6 +261,7 @@ run([
         equal(`${third.mesh} ${third.map.length} ${third.light.length} ${third.pose}`, `undefined ${4 * 60 * 44} 16 undefined`, 'a map after the mesh')
         equal(sent(third.has).mesh, true, 'the mesh after a map')
         equal(refusal(() => sent(third.has, '--perspective=3')), 'the device draws by parallel projection; leave out --perspective', 'in perspective')
+        equal(refusal(() => sent(third.has, '--background=9,9,9')), 'the device draws over black; leave out --background', 'over a background')
     }],
     ['60 random states give the command\'s pictures or refusals', async () => {
         const engine = new Engine(program), random = randomly(3)

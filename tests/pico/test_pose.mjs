@@ -29,7 +29,7 @@ await run([
   [`glint stream ${mesh ? '--mesh FILE' : 'teapot'} --shade device sends 28 bytes a frame, and the panel shows what glint draws, bit for bit`, async () => {
     await board.serve(() => existsSync('/dev/fb0'), 60, 'the kernel\'s driver')
     const scene = ['stream', mesh ? `--mesh=${mesh}` : 'teapot', '--fps=60', `--frames=${FRAMES}`, '--period=1']
-    await board.command([glint, ...scene, '--split=180', `--size=${width}x${height}`, '--format=rgb565', '--path=colour-int8', '--to=ppm', '-o', files], 60)
+    await board.command([glint, ...scene, '--split=180', `--size=${width}x${height}`, '--format=rgb565', '--path=colour-int8', '--no-outlines', '--to=ppm', '-o', files], 60)
     const text = await board.command([glint, ...scene, '--to=usb', '--shade=device', '--json'], 120)
     equal(frames.length, FRAMES, `frames on the panel; glint says ${text}`)
     frames.forEach((length, i) => {

@@ -25,8 +25,9 @@ const uint8_t *page_device_material(void)
     static uint8_t bytes[LIGHT_MATERIAL_BYTES];
     const struct page_state *now = page_state();
     struct light_material material;
-    const char *refusal = now->scene ? device_refusal(now->scene, &now->shading, &material)
-                                     : mesh_in_device_refusal(&page_mesh()->view, &now->shading, &material);
+    const char *refusal =
+        now->scene ? device_refusal(now->scene, &now->shading, &material)
+                   : mesh_in_device_refusal(&page_mesh()->view, &now->shading, page_mesh()->behind, &material);
     if (refusal)
         fail("%s", refusal);
     light_material_pack(bytes, &material);

@@ -185,7 +185,7 @@ function tell(to: Pico, { pose, light }: ForDevice): void {
     const now = performance.now()
     frames = frames.filter(time => time > now - 1000)
     const rate = frames.length > 1 ? (frames.length - 1) * 1000 / (frames[frames.length - 1] - frames[0]) : 0
-    say(`${to.name} draws ${to.width} × ${to.height}, RGB565: ${frames.length > 1 ? `${rate.toFixed(0)} frames/s, ` : ''}${(pose ?? light)!.length} bytes a frame. The picture here is the same, bit for bit: ${pose ? 'parallel projection' : 'one colour, full gloss'}, no dither.`)
+    say(`${to.name} draws ${to.width} × ${to.height}, RGB565: ${frames.length > 1 ? `${rate.toFixed(0)} frames/s, ` : ''}${(pose ?? light)!.length} bytes a frame. The picture here is the same, bit for bit: ${pose ? 'parallel projection, stepped outline' : 'one colour, full gloss'}, no dither, over black.`)
 }
 
 onDrawn(({ isBoards }) => {

@@ -56,18 +56,18 @@ export const isGrainMap = (grain: string) => !/^(brushed|spun|sunray)(:|$)/.test
 
 const asBoardsDraw = (width: number, height: number) => ({ size: `${width}x${height}`, format: 'rgb565', path: 'colour-int8' })
 
-/** The same as a device draws it that shades by itself: in one colour, with full gloss. */
+/** The same as a device draws it that shades by itself: in one colour, with full gloss, over black. */
 export function onDevice(state: State, width: number, height: number, color: string, gloss = white): State {
-    const { dither, albedo, gloss: own, ...rest } = state
+    const { dither, background, albedo, gloss: own, ...rest } = state
     return { ...rest, ...state.scene === undefined ? {} : { gloss }, color: state.color ?? color, ...asBoardsDraw(width, height) }
 }
 
 export const isMesh = (state: State) => state.scene === 'teapot' || state.mesh !== undefined
 
-/** A mesh as a device draws it that holds it, split at so many degrees. */
+/** A mesh as a device draws it that holds it, split at so many degrees: over black, its outline stepped. */
 export function meshOnDevice(state: State, width: number, height: number, split: number): State {
-    const { dither, perspective, ...rest } = state
-    return { ...rest, split: String(split), ...asBoardsDraw(width, height) }
+    const { dither, background, perspective, ...rest } = state
+    return { ...rest, split: String(split), 'no-outlines': '', ...asBoardsDraw(width, height) }
 }
 
 /** For a shell. */

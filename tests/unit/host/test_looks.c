@@ -341,6 +341,9 @@ static void wrong_values_are_refused_with_the_reason(void **state)
         {"render --scene teapot --filter 2 -o out/x.png", 2, "--filter is for maps"},
         {"render --scene coin --filter 2 --format rgb565 --path colour-int8 -o out/x.png", 1,
          "takes no map of shininess"},
+        {"render --scene coin --model blinn --filter 2 -o out/x.png", 2,
+         "--filter: blinn takes no map of shininess; choose one of msh"},
+        {"render --scene knob --filter 2 -o out/x.png", 1, "a surface with grain takes no map of shininess"},
         {"bake --scene coin --filter 2 --to palette", 2, "--filter cannot be used with --to palette"},
         {"bake --scene coin -n 9", 2, "-n is for --filter"},
     };

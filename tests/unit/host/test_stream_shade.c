@@ -104,7 +104,7 @@ static void one_colour_may_come_from_the_albedo(void **state)
     struct light_material material;
     for (size_t i = 0; i < PIXELS; i++) {
         const bool drawn = i % 3 != 0;
-        mask[i] = drawn;
+        mask[i] = drawn ? 255 : 0;
         memcpy(&albedo[3 * i], drawn ? (uint8_t[]){7, 8, 9} : (uint8_t[]){(uint8_t)i, 0, 0}, 3);
     }
     scene->albedo = albedo;
@@ -135,6 +135,33 @@ static void a_gloss_map_is_refused_unless_it_is_white(void **state)
     assert_null(white);
     assert_non_null(grey);
     assert_contains(grey, "gloss");
+}
+
+static void soft_edges_a_background_and_what_filter_makes_are_refused(void **state)
+{
+    (void)state;
+    static uint8_t shininess[PIXELS], mask[PIXELS], backdrop[3 * PIXELS];
+    struct light_material material;
+    memset(mask, 255, sizeof mask);
+    mask[0] = 0;
+    scene->mask = mask;
+    const char *hard = device_refusal(scene, &shading, &material);
+    mask[1] = 254;
+    const char *soft = device_refusal(scene, &shading, &material);
+    mask[1] = 0;
+    scene->backdrop = backdrop;
+    const char *over = device_refusal(scene, &shading, &material);
+    scene->mask = NULL;
+    const char *whole = device_refusal(scene, &shading, &material); /* none is seen */
+    scene->backdrop = NULL;
+    scene->shininess = shininess;
+    const char *filtered = device_refusal(scene, &shading, &material);
+    scene->shininess = NULL;
+    assert_null(hard);
+    assert_null(whole);
+    assert_contains(soft, "soft edges");
+    assert_contains(over, "--background");
+    assert_contains(filtered, "--filter");
 }
 
 static void what_the_tables_cannot_do_is_refused(void **state)
@@ -207,6 +234,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(a_device_gets_the_normals_the_material_and_the_light, begin, end),
         cmocka_unit_test_setup_teardown(one_colour_may_come_from_the_albedo, begin, end),
         cmocka_unit_test_setup_teardown(a_gloss_map_is_refused_unless_it_is_white, begin, end),
+        cmocka_unit_test_setup_teardown(soft_edges_a_background_and_what_filter_makes_are_refused, begin, end),
         cmocka_unit_test_setup_teardown(what_the_tables_cannot_do_is_refused, begin, end),
 #if GLINT_WITH_USB
         cmocka_unit_test(the_name_of_a_device_keeps_within_its_room),
