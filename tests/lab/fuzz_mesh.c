@@ -63,14 +63,27 @@ static void next_textures(struct made *m, struct input *input)
     m->mesh.textures = m->textures;
 }
 
-/* Faces, rims, seams, and numbers that are refused. */
+/* The face that has edge i the other way, or none. */
+static uint16_t beyond(const struct made *m, unsigned i)
+{
+    const uint16_t a = m->faces[i], b = m->faces[i % 3 == 2 ? i - 2 : i + 1];
+    for (unsigned j = 0; j < 3u * m->mesh.face_count; j++)
+        if (m->faces[j] == b && m->faces[j % 3 == 2 ? j - 2 : j + 1] == a)
+            return (uint16_t)(j / 3);
+    return GLINT_MESH_RIM;
+}
+
+/* As they are; or faces, rims, seams, and numbers that are refused. */
 static void next_neighbours(struct made *m, struct input *input)
 {
     static const uint16_t others[] = {GLINT_MESH_RIM, GLINT_MESH_RIM, GLINT_MESH_SEAM, FACES_MAX + 1};
+    const bool fit = next_byte(input) % 2;
     m->mesh.neighbours = m->neighbours = block(6 * (size_t)m->mesh.face_count);
     for (unsigned i = 0; i < 3u * m->mesh.face_count; i++) {
-        const unsigned number = next_byte(input);
-        m->neighbours[i] = number % 2 && number / 2 < FACES_MAX ? (uint16_t)(number / 2) : others[number / 2 % 4];
+        const unsigned number = fit ? 0 : next_byte(input);
+        m->neighbours[i] = fit                                    ? beyond(m, i)
+                           : number % 2 && number / 2 < FACES_MAX ? (uint16_t)(number / 2)
+                                                                  : others[number / 2 % 4];
     }
 }
 
