@@ -163,25 +163,13 @@ static uint32_t coverage_565(const struct glint_paint *p, const struct glint_run
     return open;
 }
 
-/* The first that is neither 0 nor 255. */
-static const uint8_t *coverage_plain(const uint8_t *at, const uint8_t *stop)
-{
-    while (at != stop && (uint8_t)(*at - 1) >= 254) {
-        at++;
-        if (((uintptr_t)at & 3) == 0)
-            while (stop - at >= 4 && *(const coverage_word *)(const void *)at + 1 < 2)
-                at += 4;
-    }
-    return at;
-}
-
 /* A run without maps or channels of their own, in RGB565? */
 static bool coverage_is_plain(const struct glint_paint *paint, const struct glint_run *run)
 {
     return glint_format_is_565(paint->output.format) && !run->albedo && !run->gloss && !paint->several;
 }
 
-static uint32_t coverage_levels(const struct glint_run *run, const struct glint_paint *paint,
+static uint32_t coverage_levels(const struct glint_paint *paint, const struct glint_run *run,
                                 const struct glint_sample *samples, unsigned count)
 {
     /* In linear space it blends by coverage_level; ARGB8888 does not blend, but its channels may be apart. */
@@ -190,7 +178,7 @@ static uint32_t coverage_levels(const struct glint_run *run, const struct glint_
     return (coverage_is_plain(paint, run) ? coverage_565 : coverage_any)(paint, run, samples, count);
 }
 
-static void coverage_exact(const struct glint_run *run, const struct glint_paint *paint, unsigned i,
+static void coverage_exact(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
                            const struct glint_sample *sums, unsigned apart)
 {
     const uint8_t format = paint->output.format;
@@ -265,37 +253,82 @@ static void coverage_line(const struct glint_paint *paint, const struct glint_li
     }
 }
 
+/* ---- Runs ---- */
+
+/* Where a level of coverage ends: 0, 255, or what is between. Four at a time, where all of them are the same. */
+static const uint8_t *coverage_end(const uint8_t *at, const uint8_t *stop)
+{
+    const uint8_t first = at == stop ? 0 : *at;
+    if (first && first != 255) {
+        while (at != stop && (uint8_t)(*at - 1) < 254)
+            at++;
+        return at;
+    }
+    const uint32_t all = first ? UINT32_MAX : 0;
+    for (;;) {
+        if (((uintptr_t)at & 3) == 0)
+            while (stop - at >= 4 && *(const coverage_word *)(const void *)at == all)
+                at += 4;
+        do {
+            if (at == stop || *at != first)
+                return at;
+            at++;
+        } while ((uintptr_t)at & 3);
+    }
+}
+
+/* The same over pixels of a surface alone. */
+static uint32_t coverage_end_gaps(const struct glint_lines *lines, uint32_t x, uint32_t end)
+{
+    const uint32_t *const words = (const uint32_t *)(const void *)lines->normals;
+    const bool full = lines->run.coverage[x] == 255;
+    while (x < end && words[x] >> 16 && lines->run.coverage[x] && (lines->run.coverage[x] == 255) == full)
+        x++;
+    return x;
+}
+
+static void coverage_next(struct glint_lines *lines)
+{
+    struct glint_run *const run = &lines->run;
+    const uint8_t *const coverage = run->coverage, *const stop = coverage + lines->w, *at = coverage + run->x;
+    const uint32_t *const words = lines->has_gaps ? (const uint32_t *)(const void *)lines->normals : NULL;
+    if (at != stop && !*at)
+        at = coverage_end(at, stop);
+    while (words && at != stop && !(*at && words[at - coverage] >> 16))
+        at++;
+    const uint32_t x = (uint32_t)(at - coverage), end = stop - at < lines->most ? lines->w : x + lines->most;
+    run->x = x;
+    if (at == stop)
+        return;
+    run->format = *at == 255 ? lines->format : &lines->soft->format;
+    lines->count = (uint16_t)((words ? coverage_end_gaps(lines, x, end)
+                                     : (uint32_t)(coverage_end(at, coverage + end) - coverage)) -
+                              x);
+}
+
 /* ---- Beside the line in assembly, which draws what is full ---- */
 
-static __attribute__((noinline)) void coverage_edge(const struct glint_paint *paint, struct glint_lines *lines,
-                                                    struct glint_bounds *bounds, unsigned count, uint32_t y)
+static uint32_t coverage_edge(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
+                              uint32_t y)
 {
     struct glint_sample samples[GLINT_RUN];
     struct glint_run *const run = &lines->run;
+    lines->most = GLINT_RUN;
+    coverage_next(lines);
     run->albedo = lines->albedo ? lines->albedo + 3 * run->x : NULL;
     glint_samples_half(&paint->l, &paint->v, &paint->h, (const struct glint_vec *)(const void *)lines->normals + run->x,
-                       samples, count);
-    for (unsigned i = 0; i < count; i++)
+                       samples, lines->count);
+    for (unsigned i = 0; i < lines->count; i++)
         if (samples[i].t_q30 < paint->of.exact.t_end)
             glint_bounds_add(bounds, run->x + i, y);
-    glint_paint_run(paint, run, samples, count);
+    glint_paint_run(paint, run, samples, lines->count);
+    run->format = lines->format;
+    return run->x + lines->count;
 }
 
-static void coverage_edges(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
-                           uint32_t y)
-{
-    const uint8_t *const coverage = lines->run.coverage, *const stop = coverage + lines->w;
-    lines->run.soft = lines->soft;
-    for (const uint8_t *at = coverage; (at = coverage_plain(at, stop)) != stop;) {
-        const uint8_t *end = at + 1;
-        while (end != stop && end - at < (ptrdiff_t)GLINT_RUN && (uint8_t)(*end - 1) < 254)
-            end++;
-        lines->run.x = (uint32_t)(at - coverage);
-        coverage_edge(paint, lines, bounds, (unsigned)(end - at), y);
-        at = end;
-    }
-    lines->run.soft = NULL;
-}
-
-const struct glint_use_coverage glint_use_coverage GLINT_FLASH = {coverage_levels, coverage_exact, coverage_level,
-                                                                  coverage_pixels, coverage_line,  coverage_edges};
+const struct glint_use_coverage glint_use_coverage GLINT_FLASH = {{NULL, NULL, coverage_levels, coverage_exact, NULL},
+                                                                  coverage_level,
+                                                                  coverage_pixels,
+                                                                  coverage_line,
+                                                                  coverage_next,
+                                                                  coverage_edge};

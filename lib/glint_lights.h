@@ -86,7 +86,7 @@ static inline uint8_t glint_lights_apart(const struct glint_lights *lights)
 struct glint_use_lights {
     enum glint_err (*light)(struct glint_paint *paint, const struct glint_light *lights, unsigned count,
                             const int32_t v_q30[3]);
-    void (*draw)(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h, struct glint_box *highlight);
+    glint_draw_lines *draw;
     /* Of a mesh: prepares for *lights->run, and draws count pixels of it, up to lights->length, by normals and places, which are set. */
     void (*begin)(struct glint_lights *lights, const struct glint_paint *paint, bool is_boxed);
     void (*run)(struct glint_lights *lights, unsigned count);

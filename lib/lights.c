@@ -224,7 +224,7 @@ static void lights_run(struct glint_lights *lights, unsigned count)
             glint_store_alpha(p->output.format, lights->run->line, lights->run->x + i, 1, lights->run->coverage);
             open &= ~((uint32_t)1 << i);
         } else if (sure && lights_fit(lights, count)) {
-            open = lights->channels > 1 && p->output.space == GLINT_GAMMA && !lights->run->soft
+            open = lights->channels > 1 && p->output.space == GLINT_GAMMA && !glint_run_soft(p, lights->run)
                        ? glint_levels_apart(p, lights->run, lights->slots, count)
                        : glint_run_levels(p, lights->run, lights->slots, count);
         }
@@ -267,12 +267,13 @@ static void lights_begin(struct glint_lights *lights, const struct glint_paint *
         }
 }
 
-LIGHTS_ALONE void lights_draw(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
-                              struct glint_box *highlight)
+LIGHTS_ALONE void lights_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
+                              uint32_t h, struct glint_box *highlight)
 {
     struct glint_lights lights;
     struct glint_vec unpacked[GLINT_LIGHTS_SLOTS];
     struct glint_bounds bounds;
+    (void)at; /* there is none */
     glint_bounds_begin(&bounds);
     lights.run = &lines->run;
     lights_begin(&lights, paint, highlight != NULL);

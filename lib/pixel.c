@@ -6,7 +6,7 @@
 
 const uint16_t glint_bayer_rows[4] GLINT_FLASH = {0xa280, 0x6e4c, 0x91b3, 0x5d7f};
 
-#define PIXEL_TRAITS(number, name, bits, channels, red, green, blue) {bits, channels, {red, green, blue}},
+#define PIXEL_TRAITS(number, name, bits, channels, red, green, blue) {bits, {red, green, blue}},
 const struct glint_format_traits glint_formats[GLINT_FORMAT_COUNT] GLINT_FLASH = {GLINT_FORMATS(PIXEL_TRAITS)};
 #undef PIXEL_TRAITS
 
