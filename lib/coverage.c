@@ -298,6 +298,7 @@ static void coverage_next(struct glint_lines *lines)
         at++;
     const uint32_t x = (uint32_t)(at - coverage), end = stop - at < lines->most ? lines->w : x + lines->most;
     run->x = x;
+    lines->count = 0;
     if (at == stop)
         return;
     run->format = *at == 255 ? lines->format : &lines->soft->format;

@@ -52,27 +52,34 @@ void glint_lines_set(struct glint_lines *lines, uint32_t y)
     lines->normals = lines_of((const uint8_t *)maps->normals, maps->normals_stride, y); /* not read of a span's */
 }
 
+/* The next run of pixels of a surface, in normals of INT8. */
+static inline void lines_over_gaps(struct glint_lines *lines)
+{
+    const uint32_t w = lines->w;
+    uint32_t x = lines->run.x, count = 0;
+    const uint32_t *word = (const uint32_t *)(const void *)lines->normals + x;
+    for (; x != w && *word >> 16 == 0; word++)
+        x++;
+    lines->run.x = x;
+    for (; x != w && count != lines->most && *word >> 16; word++, x++)
+        count++;
+    lines->count = (uint16_t)count;
+}
+
 bool glint_lines_next(struct glint_lines *lines)
 {
     struct glint_run *const run = &lines->run;
-    if (run->coverage) {
-        GLINT_FLASH_POINTER(lines->soft->next)(lines);
-    } else {
-        const uint32_t *word = (const uint32_t *)(const void *)lines->normals + run->x;
-        uint32_t left = lines->w - run->x, count = 0;
-        for (; lines->has_gaps && left && *word >> 16 == 0; word++)
-            left--;
-        run->x = lines->w - left;
-        left = left < lines->most ? left : lines->most;
-        if (!lines->has_gaps)
-            count = left;
-        for (; count != left && *word >> 16; word++)
-            count++;
-        lines->count = (uint16_t)count;
-    }
-    const uint32_t x = run->x;
-    if (x >= lines->w)
+    const uint32_t left = lines->w - run->x;
+    if (left == 0)
         return false;
+    lines->count = left < lines->most ? (uint16_t)left : lines->most;
+    if (run->coverage)
+        GLINT_FLASH_POINTER(lines->soft->next)(lines);
+    else if (lines->has_gaps)
+        lines_over_gaps(lines);
+    if (lines->count == 0)
+        return false;
+    const uint32_t x = run->x;
     if (lines->albedo)
         run->albedo = lines->albedo + (lines->maps->albedo_format == GLINT_RGB888 ? 3 : 2) * x;
     if (lines->gloss)
@@ -113,14 +120,9 @@ static __attribute__((noinline)) void draw_note(struct glint_bounds *bounds, con
             glint_bounds_add(bounds, run->x + i, y);
 }
 
-/* A source's next run of samples. */
-typedef void draw_source(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
-                         struct glint_sample *samples);
-
 /* Alone, as tables do not need its samples on the stack. */
-static __attribute__((noinline)) void draw_exactly(const struct glint_paint *paint, struct glint_lines *lines,
-                                                   draw_source *source, struct glint_span *at, uint32_t h,
-                                                   struct glint_box *highlight)
+static void draw_exactly(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
+                         struct glint_box *highlight)
 {
     struct glint_bounds bounds;
     struct glint_sample samples[GLINT_RUN];
@@ -128,7 +130,7 @@ static __attribute__((noinline)) void draw_exactly(const struct glint_paint *pai
     lines->most = GLINT_RUN;
     for (uint32_t y = 0; y < h; y++)
         for (glint_lines_set(lines, y); glint_lines_next(lines); lines->run.x += lines->count) {
-            source(paint, lines, at, samples);
+            lines->source(paint, lines, at, samples);
             if (highlight) /* before gloss is drawn over, where it is the output */
                 draw_note(&bounds, paint, &lines->run, samples, lines->count, y);
             glint_paint_run(paint, &lines->run, samples, lines->count);
@@ -144,13 +146,6 @@ static void draw_normals(const struct glint_paint *paint, struct glint_lines *li
     (void)at;
     (own ? own : glint_samples_half)(&paint->l, &paint->v, &paint->h, glint_lines_normals(lines, unpacked), samples,
                                      lines->count);
-}
-
-static void draw_rect(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
-                      struct glint_box *highlight)
-{
-    (void)at;
-    draw_exactly(paint, lines, draw_normals, NULL, h, highlight);
 }
 
 /* ---- What can be drawn ---- */
@@ -179,7 +174,8 @@ static enum glint_err draw_begin(struct glint_lines *lines, const struct glint_p
         return GLINT_FLASH_POINTER(use->check)(paint, maps, h, normals);
     }
     const struct glint_use_grain *grain = GLINT_FLASH_POINTER(paint->model->grain);
-    if (grain ? GLINT_FLASH_POINTER(grain->check)(paint, lines, h, normals) != GLINT_OK
+    if (grain ? (maps || paint->material.n_across) &&
+                    GLINT_FLASH_POINTER(grain->check)(paint, lines, h, normals) != GLINT_OK
               : maps && (maps->grain || maps->shininess))
         return GLINT_ERR_ARG;
     if (paint->several)
@@ -217,24 +213,19 @@ enum glint_err glint_draw_rect_by(const struct glint_paint *paint, const struct 
     lines.maps = maps;
     lines.target = target;
     lines.soft = soft;
-    lines.draw = draw_rect;
+    lines.draw = draw_exactly;
+    lines.source = draw_normals;
     lines.w = w;
     lines.has_gaps = maps->normals_format == GLINT_NORMALS_INT8;
     enum glint_err err = draw_begin(&lines, paint, h, true);
     if (!err)
         err = draw_check(paint, maps, w, h, target);
-    if (!err && (lines.draw != draw_rect || !glint_fused_lines(paint, &lines, h, highlight)))
+    if (!err && (lines.draw != draw_exactly || !glint_fused_lines(paint, &lines, h, highlight)))
         lines.draw(paint, &lines, NULL, h, highlight);
     return err;
 }
 
 /* ---- A span ---- */
-
-static void draw_walk(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
-                      struct glint_box *highlight)
-{
-    draw_exactly(paint, lines, glint_lines_walk, at, h, highlight);
-}
 
 static __attribute__((noinline)) enum glint_err
 draw_span(const struct glint_paint *paint, const struct glint_span *span, const struct glint_maps *maps,
@@ -244,7 +235,8 @@ draw_span(const struct glint_paint *paint, const struct glint_span *span, const 
     lines.maps = maps;
     lines.target = target;
     lines.soft = soft;
-    lines.draw = draw_walk;
+    lines.draw = draw_exactly;
+    lines.source = glint_lines_walk;
     lines.w = span->w;
     lines.has_gaps = false;
     const enum glint_err err = draw_begin(&lines, paint, 1, false);

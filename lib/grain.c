@@ -329,22 +329,27 @@ static void grain_draw(const struct glint_paint *paint, struct glint_lines *line
     glint_bounds_box(&bounds, highlight);
 }
 
-enum glint_err glint_grain_check(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h, bool normals)
+static __attribute__((noinline)) enum glint_err grain_check_maps(const struct glint_maps *maps, uint32_t w, uint32_t h,
+                                                                 bool normals, uint32_t across)
 {
-    const struct glint_maps *const maps = lines->maps;
-    const bool is_drawn = glint_grain_is_drawn(paint, maps);
-    if (is_drawn)
-        lines->draw = grain_draw;
-    if (!maps || !(is_drawn || maps->grain))
-        return GLINT_OK;
     const bool turns = maps->grain || maps->grain_kind != GLINT_GRAIN_BRUSHED;
     for (unsigned k = 0; k < 2; k++)
         if (turns && !maps->grain && (maps->grain_at[k] > GLINT_LIGHT_FAR || maps->grain_at[k] < -GLINT_LIGHT_FAR))
             return GLINT_ERR_ARG;
-    if ((h > 1 && ((maps->grain && !glint_stride_fits(maps->grain_stride, lines->w)) ||
-                   (maps->shininess && !glint_stride_fits(maps->shininess_stride, lines->w)))) ||
-        maps->grain_kind > GLINT_GRAIN_SUNRAY || (turns && !normals) ||
-        (maps->shininess && (maps->grain || glint_material_across(&paint->material))))
+    if ((h > 1 && ((maps->grain && !glint_stride_fits(maps->grain_stride, w)) ||
+                   (maps->shininess && !glint_stride_fits(maps->shininess_stride, w)))) ||
+        maps->grain_kind > GLINT_GRAIN_SUNRAY || (turns && !normals) || (maps->shininess && (maps->grain || across)))
         return GLINT_ERR_ARG;
+    return GLINT_OK;
+}
+
+enum glint_err glint_grain_check(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h, bool normals)
+{
+    const struct glint_maps *const maps = lines->maps;
+    const uint32_t across = glint_material_across(&paint->material);
+    if (across || (maps && maps->shininess))
+        lines->draw = grain_draw;
+    if (maps && (across || maps->shininess || maps->grain))
+        return grain_check_maps(maps, lines->w, h, normals, across);
     return GLINT_OK;
 }
