@@ -74,36 +74,6 @@ struct glint_use_coverage {
                      uint32_t y);
 };
 
-/* a x for a = m / 255, m = 0..255, in 32 bits, rounded down (m_257: 257 m, a of 2^16); how low each is, tier exact shows for all of them (test_pixel).
- * N.L <= 2^16: by < 2. F <= 67109: by < 4. What V has without them, cut by 16 bits: with what is cut by < 2^17. Anything: by < 2^10. */
-static inline uint32_t glint_covered_nl(uint32_t nl, uint32_t m_257)
-{
-    return nl * m_257 >> 16;
-}
-static inline uint32_t glint_covered_f(uint32_t f, uint32_t m_257)
-{
-    return f * (m_257 >> 1) >> 15;
-}
-static inline uint32_t glint_covered_fixed(uint32_t v_16, uint32_t m_257)
-{
-    return v_16 * m_257;
-}
-static inline uint32_t glint_covered_part(uint32_t x, uint32_t m)
-{
-    const uint32_t b = (x >> 8) * m; /* <= 255 2^24 */
-    return (b + (b >> 8) + (b >> 16)) >> 8 << 8;
-}
-/* 2^shift / 255, low by <= 1, shift 18..28; and a of 2^shift, low by <= 2^(shift - 24) + 1. */
-static inline uint32_t glint_covered_unit(unsigned shift)
-{
-    return shift < 24 ? (uint32_t)0x10101 >> (24 - shift) : (uint32_t)0x10101 << (shift - 24);
-}
-static inline uint32_t glint_covered_one(uint32_t m, unsigned shift)
-{
-    const uint32_t one = m * 0x10101; /* of 2^24 - 1 */
-    return shift < 24 ? one >> (24 - shift) : one << (shift - 24);
-}
-
 /* Does the run blend? */
 static inline const struct glint_use_coverage *glint_run_soft(const struct glint_paint *paint,
                                                               const struct glint_run *run)
