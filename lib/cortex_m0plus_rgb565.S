@@ -274,8 +274,10 @@
 3:  cmp x, y
     beq .L\name\()_masked
     ldrb nl, [x]
-    cmp nl, #255 /* others are for C to blend */
+    cmp nl, #255
     beq 4f
+    cmp nl, #0
+    bne .L\name\()_edge
     adds x, #1
     b 1b
 4:  subs z, x, v
@@ -307,6 +309,10 @@
     mov run_end, x
     b .L\name\()_pixel
 
+.L\name\()_edge: /* for C to blend */
+    subs x, x, v
+    lsls r1, x, #1
+    b .L\name\()_done
 .L\name\()_masked:
     ldr r1, [sp, #OUR_LINE_END]
 .L\name\()_done: /* or a pixel is open */

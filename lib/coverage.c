@@ -51,22 +51,20 @@ static uint8_t coverage_level(const struct glint_paint *paint, const struct glin
 
 /* ---- The same by 32 bits, in gamma space ----
  *
- * With a = m / 255 a blended level is the upper bits of a V + (1 - a) q 2^shift + threshold. V is linear in N.L and F: these, and what V has
- * without them, are scaled by a, rounded down. So the sum is low by no more than W and what that rounding takes; and V was high by no more
- * than what thresholds lack for it (paint->of.exact.high). */
-
-/* What W grows by, for the largest factors: of N.L, which is low by < nl units, of F, and of what is without. */
-static uint32_t coverage_w(const struct glint_paint *p, const uint32_t of_nl[3], uint32_t nl, uint32_t f,
-                           uint32_t fixed)
+ * With a = m / 255 a blended level is the upper bits of a V + (1 - a) q 2^shift + threshold, where V, held to its largest, has no threshold.
+ * X = (V >> 8) m + (255 - m) q 2^(shift - 8) is 255 / 256 of their sum, and X + (X >> 8) + (X >> 16) all of it but for its 2^-24. X is low by W m / 2^8,
+ * and by less than 255; so the sum is low by less than W + 256 of these, 2 of its shifts, and 2^-24 of the largest level. Where V was high by what
+ * thresholds lack for it (paint->of.exact.high), it is high by less than that. */
+GLINT_INLINE uint32_t coverage_w(uint32_t w, uint32_t max, unsigned shift, bool deep)
 {
-    uint32_t most = 0, sum = 0;
-    for (unsigned k = 0; k < 3; k++) {
-        const uint32_t w = nl * of_nl[k] + f * p->of.exact.r[k] + fixed;
-        most = w > most ? w : most;
-        sum += w;
-    }
-    return (glint_format_is_grey(p->output.format) ? sum : most) +
-           255u * 36; /* 255 times what both glint_covered_one lack, <= 17 each */
+    return w + 256 + 3 + (deep ? 256 : max << (shift - 16));
+}
+
+/* Without the last term, 2^-16 of the level is missing: for few levels, as that costs less than what stays open for it. */
+GLINT_INLINE uint32_t coverage_blend(uint32_t v, uint32_t m, uint32_t rest_q, unsigned shift, bool deep)
+{
+    const uint32_t x = (v >> 8) * m + (rest_q << (shift - 8));
+    return x + (x >> 8) + (deep ? x >> 16 : 0);
 }
 
 /* Every format, maps, and channels apart: V as glint_levels_apart has it. */
@@ -76,37 +74,32 @@ static uint32_t coverage_any(const struct glint_paint *p, const struct glint_run
     const uint8_t format = p->output.format;
     const unsigned shift = (unsigned)p->of.exact.shift;
     const bool grey = glint_format_is_grey(format);
-    /* Factors of N.L and of what is without it come times 255 / 2^7; N.L and F are low by < 1 + 2^-6 */
-    uint32_t of_nl[3];
-    for (unsigned k = 0; k < 3; k++)
-        of_nl[k] = 2 * p->of.exact.diffuse[k];
-    const uint32_t w = p->of.exact.w_maps + coverage_w(p, of_nl, 2, 2, 2 * 5 << 8);
+    const uint32_t w = coverage_w(p->of.exact.w_maps, 0, shift, true);
     const uint8_t *albedo = run->albedo ? run->albedo : p->material.albedo;
     uint32_t bias[4], open = 0;
     glint_levels_bias(bias, p, run);
     glint_levels_alpha(format, run, 0, count);
     for (unsigned i = 0; i < count; i++, albedo += run->albedo ? 3 : 0) {
         const struct glint_sample *sample = samples + i;
-        const uint32_t m = coverage_of(p, run, i), rest = glint_covered_one(255 - m, shift);
-        const uint32_t one = glint_covered_one(m, shift);
-        uint32_t sum = bias[i & 3] - grey, undecided = 0;
+        const uint32_t m = coverage_of(p, run, i);
+        uint32_t sum = 0, undecided = 0;
         uint8_t levels[4];
         for (unsigned k = 0; k < 3; k++, sample += run->apart) {
-            const uint32_t max = GLINT_FLASH_U8(glint_formats[format].max[k]);
-            const uint32_t nl = glint_by_255(sample->nl_q16 * m);
-            const uint32_t f =
-                glint_by_255((run->gloss ? glint_by_255(sample->f_q16 * run->gloss[i]) : sample->f_q16) * m);
-            uint32_t v =
-                (albedo[k] * ((glint_covered_part(p->of.exact.ambient[k], m) + p->of.exact.diffuse[k] * nl) >> 7)) +
-                p->of.exact.r[k] * f;
-            v = sum + glint_levels_hold(v, grey ? (max * one >> 8) * glint_luma(k) : max * one);
+            const uint32_t most = (uint32_t)GLINT_FLASH_U8(glint_formats[format].max[k]) << shift;
+            const uint32_t f = run->gloss ? glint_by_255(sample->f_q16 * run->gloss[i]) : sample->f_q16;
+            const uint32_t v = (albedo[k] * ((p->of.exact.ambient[k] + p->of.exact.diffuse[k] * sample->nl_q16) >> 7)) +
+                               p->of.exact.r[k] * f;
             if (grey)
-                sum = v;
+                sum += glint_levels_hold(v, (most >> 8) * glint_luma(k));
+            else
+                sum = glint_levels_hold(v, most);
             if (!grey || k == 2) {
                 const unsigned at = grey ? 0 : k;
-                v += rest * coverage_under(format, run->line, run->x + i, at);
-                undecided |= v ^ (v + w);
-                levels[at] = (uint8_t)(v >> shift);
+                const uint32_t q = coverage_under(format, run->line, run->x + i, at);
+                /* Step 6 rounds down: by less than 1 here, which is taken off */
+                const uint32_t level = coverage_blend(sum, m, (255 - m) * q, shift, true) + bias[i & 3] - grey;
+                undecided |= level ^ (level + w);
+                levels[at] = (uint8_t)(level >> shift);
             }
         }
         if (undecided >> shift)
@@ -117,80 +110,85 @@ static uint32_t coverage_any(const struct glint_paint *p, const struct glint_run
     return open;
 }
 
-/* A channel's V, blended over a level, and its threshold. */
-GLINT_INLINE uint32_t coverage_channel(const struct glint_paint *p, unsigned k, const uint32_t fixed[3], uint32_t m_257,
-                                       uint32_t nl, uint32_t f, uint32_t most)
+/* RGB without maps: V as glint_levels_sum has it, without its threshold. */
+GLINT_INLINE uint32_t coverage_rgb(const struct glint_paint *p, const struct glint_run *run,
+                                   const struct glint_sample *sample, unsigned count, bool deep)
 {
-    return glint_levels_hold(glint_covered_fixed(fixed[k], m_257) + p->of.exact.q[k] * nl + p->of.exact.r[k] * f, most);
-}
-
-/* RGB565 without maps, under one light: N.L <= 2^16, F < 33/32 2^16. a and 1 - a are low by 255 of 2^shift together. */
-static uint32_t coverage_565(const struct glint_paint *p, const struct glint_run *run,
-                             const struct glint_sample *sample, unsigned count)
-{
-    const unsigned shift = (unsigned)p->of.exact.shift, swapped = p->output.format == GLINT_RGB565_SWAPPED;
-    const uint32_t unit = glint_covered_unit(shift);
-    const uint32_t w = p->of.exact.w + coverage_w(p, p->of.exact.q, 2, 4, (uint32_t)2 << 16) + (63 << 8);
+    const unsigned shift = (unsigned)p->of.exact.shift;
+    const uint8_t format = p->output.format;
+    const bool swapped = format == GLINT_RGB565_SWAPPED;
+    const unsigned red_at = glint_format_is_blue_first(format) ? 2 : 0, blue_at = 2 - red_at;
+    const unsigned bytes = !deep ? 2 : red_at && format != GLINT_BGR888 ? 4 : 3;
+    const uint32_t most = (uint32_t)(deep ? 255 : 31) << shift, most_green = (uint32_t)(deep ? 255 : 63) << shift;
+    const uint32_t w = coverage_w(p->of.exact.w, 63, shift, deep);
     const uint8_t *coverage = run->coverage + run->x;
-    uint8_t *out = run->line + 2 * run->x;
-    uint32_t bias[4], fixed[3], open = 0;
+    uint8_t *out = run->line + bytes * run->x + swapped;
+    const ptrdiff_t other = swapped ? -1 : 1;
+    uint32_t bias[4], base[3], open = 0;
     glint_levels_bias(bias, p, run);
     for (unsigned k = 0; k < 3; k++)
-        fixed[k] = (p->of.exact.p[k] - (p->output.dither ? 0 : bias[0])) >> 16;
+        base[k] = p->of.exact.p[k] - (p->output.dither ? 0 : bias[0]);
     const struct glint_sample *const first = sample, *const end = sample + count;
     const uint32_t *threshold = bias;
-    for (; sample != end; sample++, out += 2) {
-        const uint32_t m = *coverage++, m_257 = (m << 8) + m, rest = (255 - m) * unit, one = m * unit;
-        const uint32_t nl = glint_covered_nl(sample->nl_q16, m_257), f = glint_covered_f(sample->f_q16, m_257);
-        const uint32_t under = (uint32_t)out[1 - swapped] << 8 | out[swapped];
-        uint32_t v = coverage_channel(p, 0, fixed, m_257, nl, f, 31 * one) + rest * (under >> 11) + *threshold;
-        uint32_t undecided = v ^ (v + w), pixel = v >> shift << 6;
-        v = coverage_channel(p, 1, fixed, m_257, nl, f, 63 * one) + rest * (under >> 5 & 63) + *threshold;
-        undecided |= v ^ (v + w);
-        pixel = (pixel | v >> shift) << 5;
-        v = coverage_channel(p, 2, fixed, m_257, nl, f, 31 * one) + rest * (under & 31) + *threshold;
-        undecided |= v ^ (v + w);
-        pixel |= v >> shift;
+    for (; sample != end; sample++, out += bytes) {
+        const uint32_t m = *coverage++, rest = 255 - m, t = *threshold++;
+        const uint32_t under = deep ? 0 : (uint32_t)out[other] << 8 | out[0];
+        uint32_t v[3];
+        glint_levels_sum(v, p, base, sample, NULL, NULL, false);
+        const uint32_t red =
+            coverage_blend(glint_levels_hold(v[0], most), m, rest * (deep ? out[red_at] : under >> 11), shift, deep) +
+            t;
+        uint32_t undecided = red ^ (red + w);
+        const uint32_t green = coverage_blend(glint_levels_hold(v[1], most_green), m,
+                                              rest * (deep ? out[1] : under >> 5 & 63), shift, deep) +
+                               t;
+        undecided |= green ^ (green + w);
+        const uint32_t blue =
+            coverage_blend(glint_levels_hold(v[2], most), m, rest * (deep ? out[blue_at] : under & 31), shift, deep) +
+            t;
+        undecided |= blue ^ (blue + w);
         if (undecided >> shift) {
             open |= (uint32_t)1 << (sample - first);
+        } else if (deep) {
+            out[red_at] = (uint8_t)(red >> shift);
+            out[1] = (uint8_t)(green >> shift);
+            out[blue_at] = (uint8_t)(blue >> shift);
         } else {
-            out[swapped] = (uint8_t)pixel;
-            out[1 - swapped] = (uint8_t)(pixel >> 8);
+            const uint32_t pixel = red >> shift << 11 | green >> shift << 5 | blue >> shift;
+            out[0] = (uint8_t)pixel;
+            out[other] = (uint8_t)(pixel >> 8);
         }
-        if (++threshold == bias + 4)
+        if (threshold == bias + 4)
             threshold = bias;
     }
     return open;
 }
 
-/* The first that is neither 0 nor 255. */
-static const uint8_t *coverage_plain(const uint8_t *at, const uint8_t *stop)
+/* Loops of their own, so that each has the registers to itself. */
+static __attribute__((noinline)) uint32_t coverage_565(const struct glint_paint *p, const struct glint_run *run,
+                                                       const struct glint_sample *samples, unsigned count)
 {
-    while (at != stop && (uint8_t)(*at - 1) >= 254) {
-        at++;
-        if (((uintptr_t)at & 3) == 0)
-            while (stop - at >= 4 && *(const coverage_word *)(const void *)at + 1 < 2)
-                at += 4;
-    }
-    return at;
+    return coverage_rgb(p, run, samples, count, false);
+}
+static __attribute__((noinline)) uint32_t coverage_888(const struct glint_paint *p, const struct glint_run *run,
+                                                       const struct glint_sample *samples, unsigned count)
+{
+    glint_levels_alpha(p->output.format, run, 0, count);
+    return coverage_rgb(p, run, samples, count, true);
 }
 
-/* A run without maps or channels of their own, in RGB565? */
-static bool coverage_is_plain(const struct glint_paint *paint, const struct glint_run *run)
-{
-    return glint_format_is_565(paint->output.format) && !run->albedo && !run->gloss && !paint->several;
-}
-
-static uint32_t coverage_levels(const struct glint_run *run, const struct glint_paint *paint,
+static uint32_t coverage_levels(const struct glint_paint *paint, const struct glint_run *run,
                                 const struct glint_sample *samples, unsigned count)
 {
     /* In linear space it blends by coverage_level; ARGB8888 does not blend, but its channels may be apart. */
     if (paint->output.space != GLINT_GAMMA || (paint->output.format == GLINT_ARGB8888 && !run->apart))
         return GLINT_FLASH_POINTER(paint->format->levels)(paint, run, samples, count);
-    return (coverage_is_plain(paint, run) ? coverage_565 : coverage_any)(paint, run, samples, count);
+    if (run->albedo || run->gloss || run->apart || glint_format_is_grey(paint->output.format))
+        return coverage_any(paint, run, samples, count);
+    return (glint_format_is_565(paint->output.format) ? coverage_565 : coverage_888)(paint, run, samples, count);
 }
 
-static void coverage_exact(const struct glint_run *run, const struct glint_paint *paint, unsigned i,
+static void coverage_exact(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
                            const struct glint_sample *sums, unsigned apart)
 {
     const uint8_t format = paint->output.format;
@@ -265,37 +263,83 @@ static void coverage_line(const struct glint_paint *paint, const struct glint_li
     }
 }
 
+/* ---- Runs ---- */
+
+/* Where a level of coverage ends: 0, 255, or what is between. Four at a time, where all of them are the same. */
+static const uint8_t *coverage_end(const uint8_t *at, const uint8_t *stop)
+{
+    const uint8_t first = at == stop ? 0 : *at;
+    if (first && first != 255) {
+        while (at != stop && (uint8_t)(*at - 1) < 254)
+            at++;
+        return at;
+    }
+    const uint32_t all = first ? UINT32_MAX : 0;
+    for (;;) {
+        if (((uintptr_t)at & 3) == 0)
+            while (stop - at >= 4 && *(const coverage_word *)(const void *)at == all)
+                at += 4;
+        do {
+            if (at == stop || *at != first)
+                return at;
+            at++;
+        } while ((uintptr_t)at & 3);
+    }
+}
+
+/* The same over pixels of a surface alone. */
+static uint32_t coverage_end_gaps(const struct glint_lines *lines, uint32_t x, uint32_t end)
+{
+    const uint32_t *const words = (const uint32_t *)(const void *)lines->normals;
+    const bool full = lines->run.coverage[x] == 255;
+    while (x < end && words[x] >> 16 && lines->run.coverage[x] && (lines->run.coverage[x] == 255) == full)
+        x++;
+    return x;
+}
+
+static void coverage_next(struct glint_lines *lines)
+{
+    struct glint_run *const run = &lines->run;
+    const uint8_t *const coverage = run->coverage, *const stop = coverage + lines->w, *at = coverage + run->x;
+    const uint32_t *const words = lines->has_gaps ? (const uint32_t *)(const void *)lines->normals : NULL;
+    if (at != stop && !*at)
+        at = coverage_end(at, stop);
+    while (words && at != stop && !(*at && words[at - coverage] >> 16))
+        at++;
+    const uint32_t x = (uint32_t)(at - coverage), end = stop - at < lines->most ? lines->w : x + lines->most;
+    run->x = x;
+    lines->count = 0;
+    if (at == stop)
+        return;
+    run->format = *at == 255 ? lines->format : &lines->soft->format;
+    lines->count = (uint16_t)((words ? coverage_end_gaps(lines, x, end)
+                                     : (uint32_t)(coverage_end(at, coverage + end) - coverage)) -
+                              x);
+}
+
 /* ---- Beside the line in assembly, which draws what is full ---- */
 
-static __attribute__((noinline)) void coverage_edge(const struct glint_paint *paint, struct glint_lines *lines,
-                                                    struct glint_bounds *bounds, unsigned count, uint32_t y)
+static uint32_t coverage_edge(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
+                              uint32_t y)
 {
     struct glint_sample samples[GLINT_RUN];
     struct glint_run *const run = &lines->run;
+    lines->most = GLINT_RUN;
+    coverage_next(lines);
     run->albedo = lines->albedo ? lines->albedo + 3 * run->x : NULL;
     glint_samples_half(&paint->l, &paint->v, &paint->h, (const struct glint_vec *)(const void *)lines->normals + run->x,
-                       samples, count);
-    for (unsigned i = 0; i < count; i++)
+                       samples, lines->count);
+    for (unsigned i = 0; i < lines->count; i++)
         if (samples[i].t_q30 < paint->of.exact.t_end)
             glint_bounds_add(bounds, run->x + i, y);
-    glint_paint_run(paint, run, samples, count);
+    glint_paint_run(paint, run, samples, lines->count);
+    run->format = lines->format;
+    return run->x + lines->count;
 }
 
-static void coverage_edges(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
-                           uint32_t y)
-{
-    const uint8_t *const coverage = lines->run.coverage, *const stop = coverage + lines->w;
-    lines->run.soft = lines->soft;
-    for (const uint8_t *at = coverage; (at = coverage_plain(at, stop)) != stop;) {
-        const uint8_t *end = at + 1;
-        while (end != stop && end - at < (ptrdiff_t)GLINT_RUN && (uint8_t)(*end - 1) < 254)
-            end++;
-        lines->run.x = (uint32_t)(at - coverage);
-        coverage_edge(paint, lines, bounds, (unsigned)(end - at), y);
-        at = end;
-    }
-    lines->run.soft = NULL;
-}
-
-const struct glint_use_coverage glint_use_coverage GLINT_FLASH = {coverage_levels, coverage_exact, coverage_level,
-                                                                  coverage_pixels, coverage_line,  coverage_edges};
+const struct glint_use_coverage glint_use_coverage GLINT_FLASH = {{NULL, NULL, coverage_levels, coverage_exact, NULL},
+                                                                  coverage_level,
+                                                                  coverage_pixels,
+                                                                  coverage_line,
+                                                                  coverage_next,
+                                                                  coverage_edge};

@@ -29,55 +29,6 @@ void glint_bounds_box(const struct glint_bounds *b, struct glint_box *box)
     }
 }
 
-/* ---- What can be drawn ---- */
-
-/* No map, or one whose lines fit the stride; a line of so many bytes. Called, for less code. */
-static __attribute__((noinline)) bool draw_fits(const void *map, ptrdiff_t stride, uint32_t bytes)
-{
-    return !map || glint_stride_fits(stride, bytes);
-}
-
-static bool draw_is_ready(const struct glint_paint *paint, const struct glint_surface *target)
-{
-    return glint_paint_is_lit(paint) && target && target->pixels;
-}
-
-/* Does the paint take the maps? */
-static enum glint_err draw_takes(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t w, uint32_t h,
-                                 bool normals)
-{
-    const bool has_more = maps && (maps->grain || maps->shininess);
-    if (!glint_paint_is_exact(paint))
-        return has_more ? GLINT_ERR_ARG
-                        : GLINT_FLASH_POINTER(paint->of.tables.filled.use->check)(paint, maps, h, normals);
-    if (has_more || paint->material.n_across) {
-        const struct glint_use_grain *grain = GLINT_FLASH_POINTER(paint->model->grain);
-        if (!grain || GLINT_FLASH_POINTER(grain->check)(paint, maps, w, h, normals))
-            return GLINT_ERR_ARG;
-    }
-    return maps && maps->albedo && maps->albedo_format != GLINT_RGB888 ? GLINT_ERR_FORMAT : GLINT_OK;
-}
-
-static enum glint_err draw_check(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t w, uint32_t h,
-                                 const struct glint_surface *target)
-{
-    if (!draw_is_ready(paint, target) || !maps || !maps->normals)
-        return GLINT_ERR_ARG;
-    if (maps->normals_format > GLINT_NORMALS_INT8)
-        return GLINT_ERR_FORMAT;
-    const bool is_int8 = maps->normals_format == GLINT_NORMALS_INT8;
-    const uintptr_t bits = (uintptr_t)maps->normals | (h > 1 ? (uintptr_t)maps->normals_stride : 0);
-    if (is_int8 ? GLINT_MISALIGNED(bits, 32) : GLINT_MISALIGNED(bits, 16))
-        return GLINT_ERR_ARG;
-    if (h > 1 &&
-        !(draw_fits(target, target->stride, glint_line_bytes(paint->output.format, w)) &&
-          draw_fits(maps, maps->normals_stride, (is_int8 ? 4 : (uint32_t)sizeof(struct glint_vec)) * w) &&
-          draw_fits(maps->gloss, maps->gloss_stride, w) && draw_fits(maps->coverage, maps->coverage_stride, w) &&
-          draw_fits(maps->albedo, maps->albedo_stride, (maps->albedo_format == GLINT_RGB888 ? 3u : 2u) * w)))
-        return GLINT_ERR_ARG;
-    return draw_takes(paint, maps, w, h, true);
-}
-
 /* ---- Lines as runs ---- */
 
 /* Where the map has line y, or NULL. Inlined in one place only. */
@@ -101,53 +52,34 @@ void glint_lines_set(struct glint_lines *lines, uint32_t y)
     lines->normals = lines_of((const uint8_t *)maps->normals, maps->normals_stride, y); /* not read of a span's */
 }
 
-/* The first pixel from x on, and before end, that is drawn, or not: covered, and of a surface. Loops of their own, as this costs cycles at
- * every pixel. */
-static inline __attribute__((always_inline)) uint32_t lines_find(struct glint_lines *lines, uint32_t x, uint32_t end,
-                                                                 bool drawn)
+/* The next run of pixels of a surface, in normals of INT8. */
+static inline void lines_over_gaps(struct glint_lines *lines)
 {
-    const uint8_t *const coverage = lines->run.coverage;
-    uint32_t all = 255, m = 255; /* bits of all that is drawn */
-    if (lines->has_gaps) {
-        const uint32_t *word = (const uint32_t *)(const void *)lines->normals + x;
-        for (; x < end && ((!coverage || (m = coverage[x]) != 0) && *word >> 16) != drawn; word++) {
-            all &= m;
-            x++;
-        }
-    } else if (!coverage) {
-        return drawn ? x : end;
-    } else {
-        const uint8_t *at = coverage + x, *const stop = coverage + end;
-        if (drawn)
-            while (at != stop && !*at)
-                at++;
-        else
-            for (; at != stop && (m = *at) != 0; at++)
-                all &= m;
-        x = (uint32_t)(at - coverage);
-    }
-    if (!drawn)
-        lines->run.soft = all == 255 ? NULL : lines->soft;
-    return x;
+    const uint32_t w = lines->w;
+    uint32_t x = lines->run.x, count = 0;
+    const uint32_t *word = (const uint32_t *)(const void *)lines->normals + x;
+    for (; x != w && *word >> 16 == 0; word++)
+        x++;
+    lines->run.x = x;
+    for (; x != w && count != lines->most && *word >> 16; word++, x++)
+        count++;
+    lines->count = (uint16_t)count;
 }
 
 bool glint_lines_next(struct glint_lines *lines)
 {
     struct glint_run *const run = &lines->run;
-    const uint32_t w = lines->w, x = lines_find(lines, run->x, w, true);
-    run->x = x;
-    if (x >= w)
+    const uint32_t left = lines->w - run->x;
+    if (left == 0)
         return false;
-    const uint32_t most = w - x < lines->most ? w : x + lines->most;
-    lines->count = (uint16_t)(lines_find(lines, x, most, false) - x);
-    if (run->soft) { /* what is full side by side, or what is not */
-        const uint8_t *const first = run->coverage + x, *at = first + 1, *const stop = first + lines->count;
-        while (at != stop && (*at == 255) == (*first == 255))
-            at++;
-        lines->count = (uint16_t)(at - first);
-        if (*first == 255)
-            run->soft = NULL;
-    }
+    lines->count = left < lines->most ? (uint16_t)left : lines->most;
+    if (run->coverage)
+        GLINT_FLASH_POINTER(lines->soft->next)(lines);
+    else if (lines->has_gaps)
+        lines_over_gaps(lines);
+    if (lines->count == 0)
+        return false;
+    const uint32_t x = run->x;
     if (lines->albedo)
         run->albedo = lines->albedo + (lines->maps->albedo_format == GLINT_RGB888 ? 3 : 2) * x;
     if (lines->gloss)
@@ -188,14 +120,9 @@ static __attribute__((noinline)) void draw_note(struct glint_bounds *bounds, con
             glint_bounds_add(bounds, run->x + i, y);
 }
 
-/* A source's next run of samples. */
-typedef void draw_source(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
-                         struct glint_sample *samples);
-
 /* Alone, as tables do not need its samples on the stack. */
-static __attribute__((noinline)) void draw_exactly(const struct glint_paint *paint, struct glint_lines *lines,
-                                                   draw_source *source, struct glint_span *at, uint32_t h,
-                                                   struct glint_box *highlight)
+static void draw_exactly(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
+                         struct glint_box *highlight)
 {
     struct glint_bounds bounds;
     struct glint_sample samples[GLINT_RUN];
@@ -203,7 +130,7 @@ static __attribute__((noinline)) void draw_exactly(const struct glint_paint *pai
     lines->most = GLINT_RUN;
     for (uint32_t y = 0; y < h; y++)
         for (glint_lines_set(lines, y); glint_lines_next(lines); lines->run.x += lines->count) {
-            source(paint, lines, at, samples);
+            lines->source(paint, lines, at, samples);
             if (highlight) /* before gloss is drawn over, where it is the output */
                 draw_note(&bounds, paint, &lines->run, samples, lines->count, y);
             glint_paint_run(paint, &lines->run, samples, lines->count);
@@ -221,67 +148,110 @@ static void draw_normals(const struct glint_paint *paint, struct glint_lines *li
                                      lines->count);
 }
 
-/* Source and surface of lines, and what they have no map for; the rest is set by what draws them. */
-static void draw_lines(struct glint_lines *lines, const struct glint_maps *maps, uint32_t w,
-                       const struct glint_surface *target, bool are_normals, const struct glint_use_coverage *soft)
+/* ---- What can be drawn ---- */
+
+/* No map, or one whose lines fit the stride; a line of so many bytes. Called, for less code. */
+static __attribute__((noinline)) bool draw_fits(const void *map, ptrdiff_t stride, uint32_t bytes)
 {
-    lines->maps = maps;
-    lines->target = target;
-    lines->w = w;
-    lines->has_gaps = are_normals && maps->normals_format == GLINT_NORMALS_INT8;
+    return !map || glint_stride_fits(stride, bytes);
+}
+
+/* Checks what a drawing asks of any source, and sets the rest of its lines. */
+static enum glint_err draw_begin(struct glint_lines *lines, const struct glint_paint *paint, uint32_t h, bool normals)
+{
+    const struct glint_maps *const maps = lines->maps;
+    const struct glint_surface *const target = lines->target;
+    if (!glint_paint_is_lit(paint) || !target || !target->pixels || (maps && maps->coverage && !lines->soft))
+        return GLINT_ERR_ARG;
     lines->albedo = lines->gloss = NULL;
     lines->run.left = target->x;
     lines->run.apart = 0;
     lines->run.albedo = lines->run.gloss = lines->run.coverage = NULL;
-    lines->soft = soft;
-    lines->run.soft = NULL;
+    lines->run.format = lines->format = paint->format;
+    if (!glint_paint_is_exact(paint)) {
+        const struct glint_use_tables *use = paint->of.tables.filled.use;
+        lines->draw = GLINT_FLASH_POINTER(use->draw);
+        return GLINT_FLASH_POINTER(use->check)(paint, maps, h, normals);
+    }
+    const struct glint_use_grain *grain = GLINT_FLASH_POINTER(paint->model->grain);
+    if (grain ? (maps || paint->material.n_across) &&
+                    GLINT_FLASH_POINTER(grain->check)(paint, lines, h, normals) != GLINT_OK
+              : maps && (maps->grain || maps->shininess))
+        return GLINT_ERR_ARG;
+    if (paint->several)
+        lines->draw = GLINT_FLASH_POINTER(paint->several->draw);
+    return maps && maps->albedo && maps->albedo_format != GLINT_RGB888 ? GLINT_ERR_FORMAT : GLINT_OK;
 }
+
+static enum glint_err draw_check(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t w, uint32_t h,
+                                 const struct glint_surface *target)
+{
+    if (maps->normals_format > GLINT_NORMALS_INT8)
+        return GLINT_ERR_FORMAT;
+    const bool is_int8 = maps->normals_format == GLINT_NORMALS_INT8;
+    const uintptr_t bits = (uintptr_t)maps->normals | (h > 1 ? (uintptr_t)maps->normals_stride : 0);
+    if (is_int8 ? GLINT_MISALIGNED(bits, 32) : GLINT_MISALIGNED(bits, 16))
+        return GLINT_ERR_ARG;
+    if (h > 1 &&
+        !(draw_fits(target, target->stride, glint_line_bytes(paint->output.format, w)) &&
+          draw_fits(maps, maps->normals_stride, (is_int8 ? 4 : (uint32_t)sizeof(struct glint_vec)) * w) &&
+          draw_fits(maps->gloss, maps->gloss_stride, w) && draw_fits(maps->coverage, maps->coverage_stride, w) &&
+          draw_fits(maps->albedo, maps->albedo_stride, (maps->albedo_format == GLINT_RGB888 ? 3u : 2u) * w)))
+        return GLINT_ERR_ARG;
+    return GLINT_OK;
+}
+
+/* ---- A rectangle ---- */
 
 enum glint_err glint_draw_rect_by(const struct glint_paint *paint, const struct glint_maps *maps, uint16_t w,
                                   uint16_t h, const struct glint_surface *target, struct glint_box *highlight,
                                   const struct glint_use_coverage *soft)
 {
     struct glint_lines lines;
-    const enum glint_err err = draw_check(paint, maps, w, h, target);
-    if (err)
-        return err;
-    draw_lines(&lines, maps, w, target, true, soft);
-    if (!glint_paint_is_exact(paint)) {
-        GLINT_FLASH_POINTER(paint->of.tables.filled.use->draw)(paint, &lines, NULL, h, highlight);
-    } else if (paint->several) {
-        GLINT_FLASH_POINTER(paint->several->draw)(paint, &lines, h, highlight);
-    } else if (glint_grain_is_drawn(paint, maps)) {
-        GLINT_FLASH_POINTER(GLINT_FLASH_POINTER(paint->model->grain)->draw)(paint, &lines, NULL, h, highlight);
-    } else if (!glint_fused_lines(paint, &lines, h, highlight)) {
-        draw_exactly(paint, &lines, draw_normals, NULL, h, highlight);
-    }
-    return GLINT_OK;
+    if (!maps || !maps->normals)
+        return GLINT_ERR_ARG;
+    lines.maps = maps;
+    lines.target = target;
+    lines.soft = soft;
+    lines.draw = draw_exactly;
+    lines.source = draw_normals;
+    lines.w = w;
+    lines.has_gaps = maps->normals_format == GLINT_NORMALS_INT8;
+    enum glint_err err = draw_begin(&lines, paint, h, true);
+    if (!err)
+        err = draw_check(paint, maps, w, h, target);
+    if (!err && (lines.draw != draw_exactly || !glint_fused_lines(paint, &lines, h, highlight)))
+        lines.draw(paint, &lines, NULL, h, highlight);
+    return err;
 }
+
+/* ---- A span ---- */
 
 static __attribute__((noinline)) enum glint_err
 draw_span(const struct glint_paint *paint, const struct glint_span *span, const struct glint_maps *maps,
           const struct glint_surface *target, struct glint_box *highlight, const struct glint_use_coverage *soft)
 {
     struct glint_lines lines;
-    if (!draw_is_ready(paint, target) || paint->several)
-        return GLINT_ERR_ARG;
-    const enum glint_err err = draw_takes(paint, maps, span->w, 1, false);
-    if (err)
-        return err;
+    lines.maps = maps;
+    lines.target = target;
+    lines.soft = soft;
+    lines.draw = draw_exactly;
+    lines.source = glint_lines_walk;
+    lines.w = span->w;
+    lines.has_gaps = false;
+    const enum glint_err err = draw_begin(&lines, paint, 1, false);
+    if (err || paint->several)
+        return err ? err : GLINT_ERR_ARG;
     struct glint_span at = *span;
     if (paint->light_count == 0) { /* dark, whatever the span was made for */
         at.nl_q30 = -1;
         at.dnl_q30 = 0;
     }
-    draw_lines(&lines, maps, span->w, target, false, soft);
-    if (!glint_paint_is_exact(paint))
-        GLINT_FLASH_POINTER(paint->of.tables.filled.use->draw)(paint, &lines, &at, 1, highlight);
-    else if (glint_grain_is_drawn(paint, maps))
-        GLINT_FLASH_POINTER(GLINT_FLASH_POINTER(paint->model->grain)->draw)(paint, &lines, &at, 1, highlight);
-    else
-        draw_exactly(paint, &lines, glint_lines_walk, &at, 1, highlight);
+    lines.draw(paint, &lines, &at, 1, highlight);
     return GLINT_OK;
 }
+
+/* ---- A palette ---- */
 
 /* A picture of few normals: they are shaded once, as a palette; each pixel then holds 2 x its place there, as an offset in
  * bytes, so that a pixel costs one load of the offset and one of the colour. */

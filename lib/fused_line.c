@@ -61,12 +61,14 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
     loop->last = NULL;
     for (uint32_t x = 0; (x = loop->draw(loop, x)) < lines->w; x++) {
         run->x = x;
+        if (run->coverage && run->coverage[x] != 255) {
+            x = GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, bounds, y) - 1;
+            continue;
+        }
         run->albedo = lines->albedo ? lines->albedo + 3 * x : NULL;
         glint_samples_half(&paint->l, &paint->v, &paint->h, normals + x, &loop->sample, 1);
         glint_paint_exactly(paint, run, 0, &loop->sample);
     }
-    if (lines->soft)
-        GLINT_FLASH_POINTER(lines->soft->edges)(paint, lines, bounds, y);
     if (loop->last) {
         glint_bounds_add(bounds, (uint32_t)(loop->first - run->line) / 2, y);
         glint_bounds_add(bounds, (uint32_t)(loop->last - run->line) / 2, y);
@@ -84,7 +86,8 @@ bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *line
         (h > 1 && GLINT_MISALIGNED(target->stride, 16)) || !format->begin(&loop, paint, lines->maps->albedo != NULL))
         return false;
     struct glint_bounds bounds;
-    struct glint_run dark = {(uint8_t *)&loop.dark, 0, 0, 0, NULL, NULL, NULL, 0, NULL}; /* the pixel where N.L <= 0 */
+    struct glint_run dark = {
+        (uint8_t *)&loop.dark, 0, 0, 0, NULL, NULL, NULL, 0, format}; /* the pixel where N.L <= 0 */
     glint_bounds_begin(&bounds);
     loop.sample.t_q30 = UINT32_MAX;
     loop.sample.nl_q16 = loop.sample.f_q16 = 0;

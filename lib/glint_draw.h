@@ -21,7 +21,11 @@ void glint_bounds_box(const struct glint_bounds *b, struct glint_box *box); /* b
 struct glint_lines {
     const struct glint_maps *maps; /* NULL: none */
     const struct glint_surface *target;
-    const struct glint_use_coverage *soft; /* of runs that are not covered in full, unless it is NULL */
+    const struct glint_use_coverage *soft; /* NULL: there is no coverage */
+    glint_draw_lines *draw;                /* them */
+    void (*source)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
+                   struct glint_sample *samples); /* the next run's samples: what an exact paint's are */
+    const struct glint_use_format *format;        /* the paint's: of runs that are covered in full */
     uint32_t w;
     uint16_t most;        /* pixels in a run; where it is of samples, up to GLINT_RUN */
     bool has_gaps;        /* runs end where there is no surface; for tables samples say so */

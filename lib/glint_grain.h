@@ -10,6 +10,8 @@
 #define GLINT_GRAIN_NONE UINT32_MAX
 #define GLINT_GRAIN_MOST ((uint32_t)GLINT_N_MAX << GLINT_GRAIN_BITS) /* the largest m */
 
+struct glint_lights;
+
 struct glint_use_grain {
     /* m from which on F < 2^-q whatever t is; it may be too large. */
     uint32_t (*m_end)(unsigned q);
@@ -22,14 +24,11 @@ struct glint_use_grain {
     /* ---- the same for all models: grain.c ---- */
     /* F by its definition, held to the peak. */
     uint32_t (*f)(const struct glint_paint *paint, uint32_t m, uint32_t t_q30);
-    /* Are the maps of w x h pixels such that a rectangle, or a span, can be drawn? */
-    enum glint_err (*check)(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t w, uint32_t h,
-                            bool normals);
-    /* Draws under one directional light, or none. at: the span's, or NULL. */
-    void (*draw)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
-                 struct glint_box *highlight);
-    /* Before samples are made of a drawing's lines: their target and maps are set. */
-    void (*begin)(struct glint_lines *lines);
+    /* Are the maps of w x h pixels such that a rectangle, or a span, can be drawn? lines->draw becomes what draws it under one directional
+     * light, or none, where F is of two arguments. */
+    enum glint_err (*check)(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h, bool normals);
+    /* Several lights of a paint, which are begun, are to draw these lines: sets what draws grain, where there is any. */
+    void (*light)(struct glint_lights *lights, struct glint_lines *lines);
     /* Steps 1, 2 and 2a for the run's pixels from `from` on: f_q16 is m; t and it are UINT32_MAX where F is 0 for sure. Of a span
      * steps 1 and 2 are done, and there are no normals. */
     void (*sample)(const struct glint_paint *paint, const struct glint_lines *lines, const struct glint_span *span,
@@ -40,7 +39,7 @@ struct glint_use_grain {
 /* Is F of two arguments? */
 static inline bool glint_grain_is_drawn(const struct glint_paint *paint, const struct glint_maps *maps)
 {
-    return paint->material.n_across || (maps && maps->shininess);
+    return glint_material_across(&paint->material) || (maps && maps->shininess);
 }
 
 /* Every model's loop. near: F or 1 less, rounded, whether F reaches 2^-q or not, for t <= 1 and m < m_end. It need not be asked whether F
@@ -72,16 +71,14 @@ glint_grain_run(const struct glint_paint *paint, struct glint_sample *sample, un
 }
 
 /* The last fields of every model's. */
-#define GLINT_GRAIN_USE glint_grain_f, glint_grain_check, glint_grain_draw, glint_grain_begin, glint_grain_sample
+#define GLINT_GRAIN_USE glint_grain_f, glint_grain_check, glint_grain_light, glint_grain_sample
 /* Where t (2 - t) / 2 takes the place of t in m. */
-#define GLINT_GRAIN_USE_SINE                                                                                           \
-    glint_grain_f, glint_grain_check, glint_grain_draw, glint_grain_begin, glint_grain_sample_sine
+#define GLINT_GRAIN_USE_SINE glint_grain_f, glint_grain_check, glint_grain_light, glint_grain_sample_sine
 uint32_t glint_grain_f(const struct glint_paint *paint, uint32_t m, uint32_t t_q30);
-void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
-                      struct glint_box *highlight);
-enum glint_err glint_grain_check(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t w, uint32_t h,
-                                 bool normals);
+enum glint_err glint_grain_check(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h, bool normals);
+/* Before samples are made of a drawing's lines: their target and maps are set. */
 void glint_grain_begin(struct glint_lines *lines);
+void glint_grain_light(struct glint_lights *lights, struct glint_lines *lines);
 void glint_grain_sample(const struct glint_paint *paint, const struct glint_lines *lines, const struct glint_span *span,
                         const struct glint_view *view, const struct glint_vec *normals, struct glint_sample *samples,
                         unsigned from, unsigned count);

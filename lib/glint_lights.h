@@ -68,7 +68,10 @@ struct glint_lights {
     struct glint_view view; /* of the light at hand */
     struct glint_run *run;  /* the one at hand */
     const struct glint_vec *normals;
-    const struct glint_lines *grained;     /* the lines, where F is of t and m (glint_grain.h); else NULL */
+    glint_geometry *geometry; /* steps 1 and 2 of normals, which are of those from `normals` on */
+    /* Step 3 where F is of t and m, NULL elsewhere, and the lines that this is asked for: lights_grain.c */
+    void (*shade)(const struct glint_lights *lights, struct glint_sample *samples, unsigned count, bool exact);
+    const struct glint_lines *grained;
     const int32_t (*places)[3];            /* of its pixels, 1/16 pixel on the screen; NULL: on the surface */
     uint16_t arriving[GLINT_LIGHTS_SLOTS]; /* of the light at hand: att - 1 */
     /* Sums, channel by channel, then the light's samples; of one light red's sums are both. A sum's t is UINT32_MAX where F is 0
@@ -86,7 +89,7 @@ static inline uint8_t glint_lights_apart(const struct glint_lights *lights)
 struct glint_use_lights {
     enum glint_err (*light)(struct glint_paint *paint, const struct glint_light *lights, unsigned count,
                             const int32_t v_q30[3]);
-    void (*draw)(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h, struct glint_box *highlight);
+    glint_draw_lines *draw;
     /* Of a mesh: prepares for *lights->run, and draws count pixels of it, up to lights->length, by normals and places, which are set. */
     void (*begin)(struct glint_lights *lights, const struct glint_paint *paint, bool is_boxed);
     void (*run)(struct glint_lights *lights, unsigned count);

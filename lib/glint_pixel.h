@@ -20,8 +20,8 @@ struct glint_run {
     const uint8_t *gloss;    /* of the first sample; NULL: 255 */
     const uint8_t *coverage; /* of the line's first pixel; NULL: 255 */
     uint8_t apart;           /* from a channel's samples to the next's; 0: they are the same */
-    /* What blends the samples' pixels by their coverage. NULL: they are drawn in full. ARGB8888 has coverage as alpha, in full. */
-    const struct glint_use_coverage *soft;
+    /* Draws the samples: the paint's, or where they blend by their coverage that of glint_use_coverage. Tables have none, or that. */
+    const struct glint_use_format *format;
 };
 
 /* ---- A group of formats ---- */
@@ -29,6 +29,10 @@ struct glint_run {
 struct glint_line_loop;
 struct glint_lines;
 struct glint_bounds;
+
+/* Draws h lines of a rectangle, or of the span *at. */
+typedef void glint_draw_lines(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
+                              uint32_t h, struct glint_box *highlight);
 
 /* Diffuse and specular, with the light's colour, <= 65536. */
 struct glint_coefficients {
@@ -53,75 +57,47 @@ struct glint_use_format {
 
 /* ---- Coverage ----
  *
- * Whoever has a run with coverage that blends sets its `soft`. glint_paint_run and several lights draw by these then in the place of the
- * format's functions, and glint_tables_pixels in the place of the table's. */
+ * Whoever has a run with coverage that blends has it drawn by this format: levels and exact blend those of the paint's. */
 struct glint_use_coverage {
-    uint32_t (*blend)(const struct glint_run *run, const struct glint_paint *paint, const struct glint_sample *samples,
-                      unsigned count);
-    void (*blend_exact)(const struct glint_run *run, const struct glint_paint *paint, unsigned i,
-                        const struct glint_sample *sums, unsigned apart);
+    struct glint_use_format format; /* levels, exact */
     /* Step 8 for channel k of pixel i: what the formats in linear space do not do themselves. */
     uint8_t (*level)(const struct glint_paint *paint, const struct glint_run *run, unsigned i, unsigned k, uint64_t x);
     /* Of tables: draws raws, count <= GLINT_RUN; draws the run of a line of normals, all of it covered in part, by the kind's fused loop. */
     void (*blend_pixels)(const struct glint_run *run, const struct glint_paint *paint, const struct glint_raw *raws,
                          unsigned count);
     void (*line)(const struct glint_paint *paint, const struct glint_lines *lines);
-    /* Of a line of normals by an exact paint under one light: what is covered in part, and notes what of it shines. */
-    void (*edges)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds, uint32_t y);
+    /* glint_lines_next where there is a coverage map: run.x, the run's count, and whether it is soft. */
+    void (*next)(struct glint_lines *lines);
+    /* Of a line of normals by an exact paint under one light: draws what is covered in part from run.x on, and notes what of it shines.
+     * Returns its end. */
+    uint32_t (*edge)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
+                     uint32_t y);
 };
 
-/* a x for a = m / 255, m = 0..255, in 32 bits, rounded down (m_257: 257 m, a of 2^16); how low each is, tier exact shows for all of them (test_pixel).
- * N.L <= 2^16: by < 2. F <= 67109: by < 4. What V has without them, cut by 16 bits: with what is cut by < 2^17. Anything: by < 2^10. */
-static inline uint32_t glint_covered_nl(uint32_t nl, uint32_t m_257)
+/* Does the run blend? */
+static inline const struct glint_use_coverage *glint_run_soft(const struct glint_paint *paint,
+                                                              const struct glint_run *run)
 {
-    return nl * m_257 >> 16;
-}
-static inline uint32_t glint_covered_f(uint32_t f, uint32_t m_257)
-{
-    return f * (m_257 >> 1) >> 15;
-}
-static inline uint32_t glint_covered_fixed(uint32_t v_16, uint32_t m_257)
-{
-    return v_16 * m_257;
-}
-static inline uint32_t glint_covered_part(uint32_t x, uint32_t m)
-{
-    const uint32_t b = (x >> 8) * m; /* <= 255 2^24 */
-    return (b + (b >> 8) + (b >> 16)) >> 8 << 8;
-}
-/* 2^shift / 255, low by <= 1, shift 18..28; and a of 2^shift, low by <= 2^(shift - 24) + 1. */
-static inline uint32_t glint_covered_unit(unsigned shift)
-{
-    return shift < 24 ? (uint32_t)0x10101 >> (24 - shift) : (uint32_t)0x10101 << (shift - 24);
-}
-static inline uint32_t glint_covered_one(uint32_t m, unsigned shift)
-{
-    const uint32_t one = m * 0x10101; /* of 2^24 - 1 */
-    return shift < 24 ? one >> (24 - shift) : one << (shift - 24);
+    return run->format == paint->format ? NULL : (const struct glint_use_coverage *)(const void *)run->format;
 }
 
 /* Draws a run's levels, and one pixel by the 64-bit sequence. */
 static inline uint32_t glint_run_levels(const struct glint_paint *paint, const struct glint_run *run,
                                         const struct glint_sample *samples, unsigned count)
 {
-    if (run->soft)
-        return GLINT_FLASH_POINTER(run->soft->blend)(run, paint, samples, count);
-    return GLINT_FLASH_POINTER(paint->format->levels)(paint, run, samples, count);
+    return GLINT_FLASH_POINTER(run->format->levels)(paint, run, samples, count);
 }
 static inline void glint_run_exact(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
                                    const struct glint_sample *sums, unsigned apart)
 {
-    if (run->soft)
-        GLINT_FLASH_POINTER(run->soft->blend_exact)(run, paint, i, sums, apart);
-    else
-        GLINT_FLASH_POINTER(paint->format->exact)(paint, run, i, sums, apart);
+    GLINT_FLASH_POINTER(run->format->exact)(paint, run, i, sums, apart);
 }
 
 /* ---- The sequence itself, in 64 bits ---- */
 
 /* What GLINT_FORMATS says of a format. */
 struct glint_format_traits {
-    uint8_t bits, channels, max[3];
+    uint8_t bits, max[3];
 };
 extern const struct glint_format_traits glint_formats[GLINT_FORMAT_COUNT]; /* GLINT_FLASH */
 
@@ -137,7 +113,8 @@ static inline bool glint_format_is_565(uint8_t format)
 }
 static inline bool glint_format_is_grey(uint8_t format)
 {
-    return format == GLINT_GREY8 || format == GLINT_MONO || format == GLINT_GREY4 || format == GLINT_GREY2;
+    const unsigned greys = 1u << GLINT_GREY8 | 1u << GLINT_MONO | 1u << GLINT_GREY4 | 1u << GLINT_GREY2;
+    return greys >> format & 1;
 }
 static inline bool glint_format_is_blue_first(uint8_t format)
 {
@@ -225,16 +202,15 @@ static inline uint32_t glint_paint_peak(const struct glint_paint *paint)
     return most > c[2] ? most : c[2];
 }
 
-/* n_across where a material has grain, else 0. */
+/* n_across where a material has grain, <= GLINT_N_MAX, else 0. */
 static inline uint32_t glint_material_across(const struct glint_material *material)
 {
-    const uint32_t n = material->n < GLINT_N_MAX ? material->n : GLINT_N_MAX;
-    const uint32_t across = material->n_across < GLINT_N_MAX ? material->n_across : GLINT_N_MAX;
-    return across == n ? 0 : across;
+    const uint32_t across = material->n_across, least = across < material->n ? across : material->n;
+    return across == material->n || least >= GLINT_N_MAX ? 0 : across < GLINT_N_MAX ? across : GLINT_N_MAX;
 }
 
-/* Checks a material and an output. */
-enum glint_err glint_paint_check(const struct glint_material *material, const struct glint_output *output);
+/* Checks a material and an output. grain: may the material have it? */
+enum glint_err glint_paint_check(const struct glint_material *material, const struct glint_output *output, bool grain);
 /* What paints have that are not lit yet. */
 void glint_paint_unlit(struct glint_paint *paint, const struct glint_output *output);
 

@@ -21,8 +21,7 @@ struct glint_use_tables {
     /* May these maps be drawn? */
     enum glint_err (*check)(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t h, bool normals);
     /* Draws a source: *at, unless NULL, is a span that walks along. */
-    void (*draw)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
-                 struct glint_box *highlight);
+    glint_draw_lines *draw;
     /* The general way: count raws of INT8 words; count pixels of a run from raws, at any address. */
     void (*raws)(const struct glint_paint *paint, const uint32_t *words, struct glint_raw *raws, unsigned count);
     void (*pixels)(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raws,
@@ -41,8 +40,8 @@ void glint_tables_draw(const struct glint_paint *paint, struct glint_lines *line
 static inline void glint_tables_pixels(const struct glint_paint *paint, const struct glint_run *run,
                                        const struct glint_raw *raws, unsigned count)
 {
-    if (run->soft)
-        GLINT_FLASH_POINTER(run->soft->blend_pixels)(run, paint, raws, count);
+    if (run->format)
+        GLINT_FLASH_POINTER(glint_run_soft(paint, run)->blend_pixels)(run, paint, raws, count);
     else
         GLINT_FLASH_POINTER(paint->of.tables.filled.use->pixels)(paint, run, raws, count);
 }

@@ -219,7 +219,7 @@ grain_samples(const struct glint_paint *paint, const struct glint_lines *lines, 
     const struct glint_run *const run = &lines->run;
     const uint32_t x = run->x + from, line = run->y - lines->target->y;
     struct grain_run g; /* by fields: no call of memcpy */
-    g.n_across = paint->material.n_across;
+    g.n_across = glint_material_across(&paint->material);
     g.more = paint->of.exact.n - g.n_across;
     g.l.x = view->l.x, g.l.y = view->l.y, g.l.z = view->l.z;
     g.h.x = view->h.x, g.h.y = view->h.y, g.h.z = view->h.z;
@@ -258,23 +258,6 @@ void glint_grain_sample_sine(const struct glint_paint *paint, const struct glint
 }
 
 /* ---- Lines ---- */
-
-enum glint_err glint_grain_check(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t w, uint32_t h,
-                                 bool normals)
-{
-    if (!maps)
-        return GLINT_OK;
-    const bool turns = maps->grain || maps->grain_kind != GLINT_GRAIN_BRUSHED;
-    for (unsigned k = 0; k < 2; k++)
-        if (turns && !maps->grain && (maps->grain_at[k] > GLINT_LIGHT_FAR || maps->grain_at[k] < -GLINT_LIGHT_FAR))
-            return GLINT_ERR_ARG;
-    if ((h > 1 && ((maps->grain && !glint_stride_fits(maps->grain_stride, w)) ||
-                   (maps->shininess && !glint_stride_fits(maps->shininess_stride, w)))) ||
-        maps->grain_kind > GLINT_GRAIN_SUNRAY || (turns && !normals) ||
-        (maps->shininess && (maps->grain || paint->material.n_across)))
-        return GLINT_ERR_ARG;
-    return GLINT_OK;
-}
 
 void glint_grain_begin(struct glint_lines *lines)
 {
@@ -318,8 +301,8 @@ static __attribute__((noinline)) void grain_source(const struct glint_paint *pai
         *kept++ = samples->f_q16;
 }
 
-void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
-                      struct glint_box *highlight)
+static void grain_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
+                       struct glint_box *highlight)
 {
     struct glint_bounds bounds;
     struct glint_sample samples[GRAIN_RUN];
@@ -344,4 +327,29 @@ void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines
                     glint_paint_sums(paint, run, i, samples[i].nl_q16, glint_grain_f(paint, kept[i], samples[i].t_q30));
         }
     glint_bounds_box(&bounds, highlight);
+}
+
+static __attribute__((noinline)) enum glint_err grain_check_maps(const struct glint_maps *maps, uint32_t w, uint32_t h,
+                                                                 bool normals, uint32_t across)
+{
+    const bool turns = maps->grain || maps->grain_kind != GLINT_GRAIN_BRUSHED;
+    for (unsigned k = 0; k < 2; k++)
+        if (turns && !maps->grain && (maps->grain_at[k] > GLINT_LIGHT_FAR || maps->grain_at[k] < -GLINT_LIGHT_FAR))
+            return GLINT_ERR_ARG;
+    if ((h > 1 && ((maps->grain && !glint_stride_fits(maps->grain_stride, w)) ||
+                   (maps->shininess && !glint_stride_fits(maps->shininess_stride, w)))) ||
+        maps->grain_kind > GLINT_GRAIN_SUNRAY || (turns && !normals) || (maps->shininess && (maps->grain || across)))
+        return GLINT_ERR_ARG;
+    return GLINT_OK;
+}
+
+enum glint_err glint_grain_check(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h, bool normals)
+{
+    const struct glint_maps *const maps = lines->maps;
+    const uint32_t across = glint_material_across(&paint->material);
+    if (across || (maps && maps->shininess))
+        lines->draw = grain_draw;
+    if (maps && (across || maps->shininess || maps->grain))
+        return grain_check_maps(maps, lines->w, h, normals, across);
+    return GLINT_OK;
 }

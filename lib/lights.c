@@ -30,31 +30,13 @@ static bool lights_has_place(const struct glint_light *light)
     return GLINT_FLASH_POINTER(light->kind->several) != NULL;
 }
 
-/* What draws by t and m; NULL where F is of t alone. */
-static const struct glint_use_grain *lights_grain(const struct glint_lights *lights)
-{
-    return lights->grained ? GLINT_FLASH_POINTER(lights->paint->model->grain) : NULL;
-}
-
-/* Steps 1, 2 and, of grain, 2a, of the view at hand. */
-static void lights_geometry(const struct glint_lights *lights, const struct glint_vec *normals,
-                            struct glint_sample *samples, unsigned from, unsigned count)
-{
-    const struct glint_view *view = &lights->view;
-    const struct glint_use_grain *grain = lights_grain(lights);
-    glint_geometry *const own = GLINT_FLASH_POINTER(lights->paint->model->geometry);
-    if (grain)
-        GLINT_FLASH_POINTER(grain->sample)(lights->paint, lights->grained, NULL, view, normals, samples, from, count);
-    else
-        (own ? own : glint_samples_half)(&view->l, &view->v, &view->h, normals, samples, count);
-}
-
 /* Steps 1 and 2 under light number `at` for pixels from the run's pixel `from` on. */
 LIGHTS_ALONE void lights_sample(struct glint_lights *lights, unsigned at, unsigned from, unsigned count,
                                 struct glint_sample *sample)
 {
     const struct glint_light *light = &lights->paint->lights[at];
     const struct glint_vec *normal = lights->normals + from;
+    glint_geometry *const geometry = lights->geometry;
     uint16_t *arriving = lights->arriving;
     struct glint_view *const view = &lights->view;
     view->v = lights->v;
@@ -62,7 +44,7 @@ LIGHTS_ALONE void lights_sample(struct glint_lights *lights, unsigned at, unsign
         view->v = lights->paint->v;
         (void)glint_vec_of_q30(&view->l, light->direction_q30, 0);
         view->h = lights->paint->of.exact.halves[at];
-        lights_geometry(lights, normal, sample, from, count);
+        geometry(&view->l, &view->v, &view->h, normal, sample, count);
         while (count--)
             *arriving++ = UINT16_MAX;
         return;
@@ -84,7 +66,7 @@ LIGHTS_ALONE void lights_sample(struct glint_lights *lights, unsigned at, unsign
         *arriving++ = (uint16_t)(att - 1);
         sight->e[0] -= 16;
         if (att) {
-            lights_geometry(lights, normal, sample, i, 1);
+            geometry(&view->l, &view->v, &view->h, normal, sample, 1);
         } else {
             sample->t_q30 = sample->f_q16 = UINT32_MAX;
             sample->nl_q16 = 0;
@@ -123,19 +105,6 @@ LIGHTS_ALONE void lights_add(struct glint_lights *lights, unsigned at, unsigned 
 
 /* ---- A run ---- */
 
-/* Step 3 of grain: f_q16, which is m. A t that shines is below every cutoff's. */
-LIGHTS_ALONE void lights_shade_grain(const struct glint_lights *lights, struct glint_sample *sample, unsigned count,
-                                     bool exact)
-{
-    const struct glint_use_grain *grain = lights_grain(lights);
-    if (exact)
-        sample->f_q16 = GLINT_FLASH_POINTER(grain->f)(lights->paint, sample->f_q16, sample->t_q30);
-    else
-        GLINT_FLASH_POINTER(grain->run)(lights->paint, sample, count);
-    for (; count--; sample++)
-        sample->t_q30 = sample->f_q16 ? 0 : UINT32_MAX;
-}
-
 /* The sums of pixels from the run's pixel `from` on, with F as the model's loop has it, a little low; exact ones of a single pixel. */
 LIGHTS_ALONE void lights_sum(struct glint_lights *lights, unsigned from, unsigned count, bool exact)
 {
@@ -143,8 +112,8 @@ LIGHTS_ALONE void lights_sum(struct glint_lights *lights, unsigned from, unsigne
     struct glint_sample *const samples = lights->slots + (p->light_count > 1 ? lights->channels * lights->length : 0);
     for (unsigned at = 0; at < p->light_count; at++) {
         lights_sample(lights, at, from, count, samples);
-        if (lights->grained)
-            lights_shade_grain(lights, samples, count, exact);
+        if (lights->shade)
+            lights->shade(lights, samples, count, exact);
         else if (exact)
             samples->f_q16 = glint_paint_f(p, samples->t_q30);
         else
@@ -224,7 +193,7 @@ static void lights_run(struct glint_lights *lights, unsigned count)
             glint_store_alpha(p->output.format, lights->run->line, lights->run->x + i, 1, lights->run->coverage);
             open &= ~((uint32_t)1 << i);
         } else if (sure && lights_fit(lights, count)) {
-            open = lights->channels > 1 && p->output.space == GLINT_GAMMA && !lights->run->soft
+            open = lights->channels > 1 && p->output.space == GLINT_GAMMA && !glint_run_soft(p, lights->run)
                        ? glint_levels_apart(p, lights->run, lights->slots, count)
                        : glint_run_levels(p, lights->run, lights->slots, count);
         }
@@ -257,7 +226,9 @@ static void lights_begin(struct glint_lights *lights, const struct glint_paint *
     lights->is_folded = false;
     lights_part(lights, false);
     lights->places = NULL;
-    lights->grained = NULL;
+    lights->shade = NULL;
+    glint_geometry *const own = GLINT_FLASH_POINTER(paint->model->geometry);
+    lights->geometry = own ? own : glint_samples_half;
     (void)glint_unit_q30(lights->sight.v_q30, viewer);
     lights->v = paint->v;
     for (unsigned i = 0; i < paint->light_count; i++)
@@ -267,19 +238,19 @@ static void lights_begin(struct glint_lights *lights, const struct glint_paint *
         }
 }
 
-LIGHTS_ALONE void lights_draw(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
-                              struct glint_box *highlight)
+LIGHTS_ALONE void lights_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
+                              uint32_t h, struct glint_box *highlight)
 {
     struct glint_lights lights;
     struct glint_vec unpacked[GLINT_LIGHTS_SLOTS];
     struct glint_bounds bounds;
+    (void)at; /* there is none */
     glint_bounds_begin(&bounds);
     lights.run = &lines->run;
     lights_begin(&lights, paint, highlight != NULL);
-    if (glint_grain_is_drawn(paint, lines->maps)) {
-        lights.grained = lines;
-        GLINT_FLASH_POINTER(lights_grain(&lights)->begin)(lines);
-    }
+    const struct glint_use_grain *grain = GLINT_FLASH_POINTER(paint->model->grain);
+    if (grain)
+        GLINT_FLASH_POINTER(grain->light)(&lights, lines);
     lines->most = lights.length;
     for (uint32_t y = 0; y < h; y++) {
         for (glint_lines_set(lines, y); glint_lines_next(lines); lines->run.x += lines->count) {

@@ -54,7 +54,7 @@ static void cayley_fourth(uint32_t out[CAYLEY_LIMBS], uint64_t x)
 }
 
 /* r^4 >= m 2^-17, exactly, for p > 0 and m < 2^18: both sides < 2^154. There are no ties for odd m: 17 is odd. */
-static bool cayley_ratio_at_least(uint64_t ratio_p, uint64_t ratio_s, uint32_t m)
+static inline __attribute__((always_inline)) bool cayley_ratio_at_least(uint64_t ratio_p, uint64_t ratio_s, uint32_t m)
 {
     uint32_t left[CAYLEY_LIMBS], right[CAYLEY_LIMBS];
     cayley_fourth(left, ratio_p);
@@ -72,13 +72,13 @@ static bool cayley_ratio_at_least(uint64_t ratio_p, uint64_t ratio_s, uint32_t m
     return at_least;
 }
 
-static bool cayley_at_least(uint32_t n, uint32_t t, uint32_t m)
+static __attribute__((noinline)) bool cayley_at_least(uint32_t n, uint32_t t, uint32_t m)
 {
     return cayley_ratio_at_least(((uint64_t)1 << 33) - glint_multiply(n + 4, t),
                                  ((uint64_t)1 << 33) + glint_multiply(n - 4, t), m);
 }
 
-uint32_t glint_cayley_t(uint32_t n, uint32_t t)
+__attribute__((flatten)) uint32_t glint_cayley_t(uint32_t n, uint32_t t)
 {
     n = glint_clamp_n(n);
     if (n <= 4)

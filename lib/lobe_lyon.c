@@ -16,7 +16,7 @@ static inline uint32_t lyon_base(uint32_t n, uint32_t t)
 }
 
 /* F 2^16 rounded, of p^4 / 2^64 to the last bit; for the one t in 11,000 that needs it. */
-static uint32_t lyon_exactly(uint32_t p)
+static inline __attribute__((always_inline)) uint32_t lyon_exactly(uint32_t p)
 {
     const uint64_t square = (uint64_t)p * p, high = square >> 32, low = (uint32_t)square;
     const uint64_t fourth =
@@ -26,7 +26,7 @@ static uint32_t lyon_exactly(uint32_t p)
 
 /* y = F 2^32 is low by less than 2 of the square, which count twice, and 2: by less than 6. Inlined into its loop, too, it would be
  * there twice, or be split in two. */
-__attribute__((noinline)) uint32_t glint_lyon_t(uint32_t n, uint32_t t)
+__attribute__((noinline)) __attribute__((flatten)) uint32_t glint_lyon_t(uint32_t n, uint32_t t)
 {
     if (t > GLINT_T_ONE)
         return 0;

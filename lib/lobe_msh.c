@@ -60,7 +60,8 @@ struct range {
 };
 enum { SLACK = 2560 }; /* 2400, and from t, where u and m are cut by < 1 each, 254 * 254 / 2^8 * 2/5 < 101 or 26 */
 
-static inline struct range candidates(uint32_t u_q24, struct scaled a)
+/* In each of those that call it, as that costs less. */
+static inline __attribute__((always_inline)) struct range candidates(uint32_t u_q24, struct scaled a)
 {
     const uint32_t q = msh_quotient(u_q24, a.m) + ((uint32_t)1 << (a.shift - 1));
     const struct range f = {(q - SLACK) >> a.shift, (q + SLACK) >> a.shift};

@@ -287,7 +287,7 @@ rows_of(const struct glint_paint *paint, struct glint_mesh_triangle *triangle, c
     run->albedo = texture || has_colours ? bench->colours.bytes : NULL;
     run->gloss = run->coverage = NULL;
     run->apart = 0;
-    run->soft = cells ? &glint_use_coverage : NULL;
+    run->format = cells ? &glint_use_coverage.format : paint->format;
     if (lit) {
         most = lit_begin(lit, paint, run);
         lit_normals(&lit->across, target, triangle);

@@ -7,9 +7,9 @@
 typedef char
     glint_paint_bytes[sizeof(void *) > 4 || sizeof(struct glint_paint) <= 240 ? 1 : -1]; /* it lies on stacks */
 
-enum glint_err glint_paint_check(const struct glint_material *material, const struct glint_output *output)
+enum glint_err glint_paint_check(const struct glint_material *material, const struct glint_output *output, bool grain)
 {
-    if (!material || !output || material->n == 0)
+    if (!material || !output || material->n == 0 || (!grain && glint_material_across(material)))
         return GLINT_ERR_ARG;
     return output->format < GLINT_FORMAT_COUNT && output->space <= GLINT_LINEAR ? GLINT_OK : GLINT_ERR_FORMAT;
 }
@@ -95,17 +95,15 @@ enum glint_err glint_paint_exact_for(struct glint_paint *paint, const struct gli
                                      const struct glint_output *output, const struct glint_use_model *model,
                                      const struct glint_use_format *format)
 {
-    const enum glint_err err = glint_paint_check(material, output);
-    if (!paint || !model || !format || err == GLINT_ERR_ARG || material->model != GLINT_FLASH_U8(model->model))
+    if (!paint || !model || !format)
+        return GLINT_ERR_ARG;
+    const enum glint_err err = glint_paint_check(material, output, GLINT_FLASH_POINTER(model->grain) != NULL);
+    if (err == GLINT_ERR_ARG || material->model != GLINT_FLASH_U8(model->model))
         return GLINT_ERR_ARG;
     if (err || !GLINT_FLASH_POINTER(format->draws)(output))
         return GLINT_ERR_FORMAT;
     const uint32_t n = material->n < GLINT_N_MAX ? material->n : GLINT_N_MAX;
-    const uint32_t across = glint_material_across(material);
-    if (across && !GLINT_FLASH_POINTER(model->grain))
-        return GLINT_ERR_ARG;
     paint->material = *material;
-    paint->material.n_across = (uint16_t)across;
     paint->material.q = paint_q(material, output);
     paint->model = model;
     paint->format = format;

@@ -32,7 +32,7 @@ static const struct glint_use_format *any_format(const struct glint_output *outp
 enum glint_err glint_paint_exact(struct glint_paint *paint, const struct glint_material *material,
                                  const struct glint_output *output)
 {
-    const enum glint_err err = glint_paint_check(material, output);
+    const enum glint_err err = glint_paint_check(material, output, true);
     if (err)
         return err;
     return glint_paint_exact_for(paint, material, output, any_model(material->model), any_format(output));
@@ -42,7 +42,7 @@ enum glint_err glint_paint_tables(struct glint_paint *paint, enum glint_tables_k
                                   const struct glint_material *material, const struct glint_output *output,
                                   void *memory, size_t bytes)
 {
-    const enum glint_err err = glint_paint_check(material, output);
+    const enum glint_err err = glint_paint_check(material, output, true);
     if (err)
         return err;
     const struct glint_use_tables *use = kind == GLINT_TABLES_ALBEDO   ? &glint_use_albedo

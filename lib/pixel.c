@@ -6,7 +6,7 @@
 
 const uint16_t glint_bayer_rows[4] GLINT_FLASH = {0xa280, 0x6e4c, 0x91b3, 0x5d7f};
 
-#define PIXEL_TRAITS(number, name, bits, channels, red, green, blue) {bits, channels, {red, green, blue}},
+#define PIXEL_TRAITS(number, name, bits, channels, red, green, blue) {bits, {red, green, blue}},
 const struct glint_format_traits glint_formats[GLINT_FORMAT_COUNT] GLINT_FLASH = {GLINT_FORMATS(PIXEL_TRAITS)};
 #undef PIXEL_TRAITS
 
@@ -65,15 +65,25 @@ static void store_rgb(uint8_t *red, int blue, unsigned bytes, const uint8_t *lev
     }
 }
 
-/* Pixels of 4, 2 or 1 bits. */
+/* Pixels of 4, 2 or 1 bits: a byte is put together before it is written. */
 static void store_bits(uint8_t *line, uint32_t x, const uint8_t *levels, unsigned count, uint32_t open, unsigned bits)
 {
-    for (; count--; levels++, x++, open >>= 1) {
-        uint8_t *const at = line + (bits * x >> 3);
-        const unsigned down = (8 - bits) & ~(bits * (unsigned)x);
-        if (!(open & 1))
-            *at = (uint8_t)((*at & ~(((1u << bits) - 1) << down)) | (uint32_t)*levels << down);
+    uint8_t *at = line + (bits * x >> 3);
+    unsigned left = 8 - (bits * (unsigned)x & 7); /* bits of the byte that are not in `byte` yet */
+    uint32_t byte = (uint32_t)*at >> left;        /* above it are bits of those before */
+    for (const uint8_t *end = levels + count; levels != end; open >>= 1) {
+        uint32_t level = *levels++;
+        left -= bits;
+        if (open & 1)
+            level = (uint32_t)*at >> left & ((1u << bits) - 1);
+        byte = byte << bits | level;
+        if (left == 0) {
+            *at++ = (uint8_t)byte;
+            left = 8;
+        }
     }
+    if (left != 8)
+        *at = (uint8_t)(byte << left | (*at & ((1u << left) - 1)));
 }
 
 void glint_store_run(uint8_t format, uint8_t *line, uint32_t x, const uint8_t *levels, unsigned count, uint32_t open)

@@ -68,7 +68,11 @@ static void rgb888_exact(const struct glint_paint *paint, const struct glint_run
 {
     uint8_t levels[4];
     glint_exact_levels(levels, paint, run, i, sums, apart);
-    glint_store_run(paint->output.format, run->line, run->x + i, levels, 1, 0);
+    const bool blue_first = glint_format_is_blue_first(paint->output.format);
+    uint8_t *out = run->line + (GLINT_FLASH_U8(glint_formats[paint->output.format].bits) >> 3) * (run->x + i);
+    out[0] = levels[blue_first ? 2 : 0];
+    out[1] = levels[1];
+    out[2] = levels[blue_first ? 0 : 2];
 }
 
 const struct glint_use_format glint_use_rgb888 GLINT_FLASH = {rgb888_draws, glint_levels_fold, rgb888_levels,

@@ -20,9 +20,9 @@ enum glint_err glint_paint_tables_for(struct glint_paint *paint, const struct gl
     if (!paint || !kind || !memory || bytes < GLINT_FLASH_U16(kind->bytes) || GLINT_MISALIGNED(memory, 32) || !model ||
         GLINT_FLASH_POINTER(model->geometry)) /* Phong's is not |N - H|^2 */
         return GLINT_ERR_ARG;
-    enum glint_err err = glint_paint_check(material, output);
+    enum glint_err err = glint_paint_check(material, output, false);
     if (!err)
-        err = glint_material_across(material) ? GLINT_ERR_ARG : GLINT_FLASH_POINTER(kind->can)(material, output);
+        err = GLINT_FLASH_POINTER(kind->can)(material, output);
     if (!err) /* what fills the tables, in their paint's own place, for the stack */
         err = glint_paint_exact_for(paint, material, output, model, format);
     if (err)
@@ -89,7 +89,7 @@ enum glint_err glint_tables_check(const struct glint_paint *paint, const struct 
 {
     const bool takes_albedo = GLINT_FLASH_U8(paint->of.tables.filled.use->takes_albedo);
     const uint8_t *albedo = maps ? maps->albedo : NULL;
-    if (!albedo != !takes_albedo || (maps && maps->gloss))
+    if (!albedo != !takes_albedo || (maps && (maps->gloss || maps->grain || maps->shininess)))
         return GLINT_ERR_ARG;
     if (albedo && maps->albedo_format != GLINT_RGB565)
         return GLINT_ERR_FORMAT;
@@ -177,8 +177,8 @@ static void tables_fused(const struct glint_paint *paint, struct glint_lines *li
         return;
     }
     for (; glint_lines_next(lines); run->x += lines->count)
-        if (run->soft)
-            GLINT_FLASH_POINTER(run->soft->line)(paint, lines);
+        if (run->format)
+            GLINT_FLASH_POINTER(lines->soft->line)(paint, lines);
         else
             GLINT_FLASH_POINTER(paint->of.tables.filled.use->line)(paint, lines, run->x, run->x + lines->count);
 }

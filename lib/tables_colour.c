@@ -72,7 +72,7 @@ static void colour_fill(struct glint_tables *tables, const struct glint_paint *e
     run.x = run.left = run.y = 0;
     run.albedo = run.gloss = run.coverage = NULL;
     run.apart = 0;
-    run.soft = NULL;
+    run.format = exact->format;
     const struct glint_sample none = {UINT32_MAX, 0, 0};
     colour_draw(exact, &run, &none, 1);
     colour_fill_rows(exact, f0, &run, (uint8_t *)memory);
