@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * For cores with the assembly: rectangles that it draws, beside the same ones by the stages in C, byte for byte. An output at an
- * odd address is what leads to C in the same program. The linker's --wrap=glint_line_begin leads here, where calls are counted.
+ * For cores with an exact line of their own: rectangles that it draws, beside the same ones by the stages in C, byte for byte. An output at an
+ * odd address is what leads to those in the same program. The linker's --wrap=glint_line_begin leads here, where calls are counted.
  * LINES_FAULT: the loop takes W for 1 / LINES_FAULT of what it is, which must show. */
 #include "glint_fused.h"
 #include "machine.h"
@@ -8,18 +8,27 @@
 #ifndef LINES_FAULT
 #define LINES_FAULT 1
 #endif
-enum { CASES = 2000, W = 95, H = 2, STRIDE = 2 * W + 4, GUARD = 0x5a };
+#define LINES_ALBEDO GLINT_CORTEX_M0PLUS_ASM /* does it take maps of albedo? */
+#ifndef LINES_CASES
+#define LINES_CASES 2000
+#endif
+enum { CASES = LINES_CASES, W = 95, H = 2, STRIDE = 2 * W + 4, GUARD = 0x5a };
 
 bool __real_glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
 bool __wrap_glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
 
-static uint32_t taken; /* rectangles that the assembly drew */
+static uint32_t taken; /* rectangles that the line drew */
 
 bool __wrap_glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo)
 {
     const bool whole = __real_glint_line_begin(loop, paint, albedo);
+#if GLINT_CORTEX_M0PLUS_ASM
     if (whole)
         loop->limit = 0 - (0 - loop->limit) / LINES_FAULT;
+#else
+    for (int k = 0; k < 6; k++)
+        loop->width[k / 3][k % 3] = (uint16_t)(loop->width[k / 3][k % 3] / LINES_FAULT);
+#endif
     taken += whole;
     return whole;
 }
@@ -102,7 +111,7 @@ static bool make_paint(struct glint_paint *paint)
 
 static struct glint_vec normals[W * H];
 static uint8_t albedo[3 * W * H + 4], mask[(W + 1) * H + 4];
-static uint16_t out[2][STRIDE * H / 2 + 2]; /* by the assembly, and in C */
+static uint16_t out[2][STRIDE * H / 2 + 2]; /* by the line, and by stages */
 
 /* Runs of the like: near the half vector, away from the light, anything. */
 static void make_normals(const struct glint_paint *light)
@@ -152,9 +161,9 @@ static struct glint_box draw(const struct glint_paint *paint, const struct glint
 
 static bool same(const struct glint_box *a, const struct glint_box *b)
 {
-    const uint8_t *assembly = (const uint8_t *)out[0], *c = (const uint8_t *)out[1] + 1;
+    const uint8_t *line = (const uint8_t *)out[0], *c = (const uint8_t *)out[1] + 1;
     for (uint16_t i = 0; i + 1u < sizeof out[0]; i++)
-        if (assembly[i] != c[i])
+        if (line[i] != c[i])
             return false;
     return a->x == b->x && a->y == b->y && a->w == b->w && a->h == b->h;
 }
@@ -169,7 +178,7 @@ static bool case_is_same(uint32_t number)
     make_maps(number % 5);
     const struct glint_maps maps = {.normals = normals,
                                     .normals_stride = sizeof normals / H,
-                                    .albedo = number & 1 ? albedo + below(4) : 0,
+                                    .albedo = LINES_ALBEDO && number & 1 ? albedo + below(4) : 0,
                                     .albedo_stride = 3 * W,
                                     .albedo_format = GLINT_RGB888,
                                     .coverage = number % 5 ? mask + below(4) : 0,
@@ -195,7 +204,7 @@ bool machine_run(volatile uint8_t *floor)
     say_number(taken);
     say(" of ");
     say_number(CASES);
-    say(" rectangles in assembly, ");
+    say(" rectangles by the line, ");
     say_number(differ);
     say(" unlike C\n");
     return differ == 0 && taken > CASES / 4 * 3;
