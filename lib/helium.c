@@ -5,6 +5,7 @@
  * Pixels come in eights. Those of even number lie in one vector of four words, the others in a second one; halves of both, bottom
  * and top, are the eight in their order. */
 #include "glint_fused.h"
+#include "glint_tables.h"
 
 #if GLINT_HELIUM
 #include "glint_math.h"
@@ -217,5 +218,101 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *pa
     loop->swapped = paint->output.format == GLINT_RGB565_SWAPPED;
     loop->draw = helium_line;
     return helium_fold(loop, paint, 0) && helium_fold(loop, paint, 1) && helium_fold(loop, paint, 2);
+}
+
+/* ---- INT8 normals over COLOUR tables (glint_colour_int8 in fused_tables.c) ---- */
+
+struct helium_place {
+    int32x4_t d, e; /* sequence.md, Q29 */
+};
+
+/* Of four words: v and z are their halves, x the lowest byte. y_z: Y and Z in turns; one: 2^14 in the place of each Z. */
+GLINT_INLINE struct helium_place helium_place(const struct glint_paint *paint, uint32x4_t words, int16x8_t y_z,
+                                              int16x8_t one)
+{
+    const int16x8_t halves = vreinterpretq_s16_u32(words);
+    const int32x4_t x = vreinterpretq_s32_u32(vshlq_n_u32(words, 24));
+    const int32x4_t v_z = vaddq_s32(vmullbq_int_s16(halves, y_z), vmulltq_int_s16(halves, y_z));
+    struct helium_place place;
+    place.d = vqdmlahq_n_s32(v_z, x, paint->of.tables.x * 128); /* |X| < 2^23, and 2^24 x 2^7 X >> 31 is x X */
+    place.e = vsubq_n_s32(vaddq_s32(place.d, vmulltq_int_s16(halves, one)), paint->of.tables.cut);
+    return place;
+}
+
+/* The upper halves of eight words, in the pixels' order. */
+GLINT_INLINE uint16x8_t helium_upper(uint32x4_t even, uint32x4_t odd)
+{
+    return vreinterpretq_u16_u32(vsriq_n_u32(odd, even, 16));
+}
+
+GLINT_INLINE uint32x4_t helium_column(const struct glint_paint *paint, int32x4_t e)
+{
+    return vmulq_n_u32(vshlq_r_u32(vreinterpretq_u32_s32(e), -(int32_t)paint->of.tables.a), paint->of.tables.r);
+}
+
+/* Draws of eight pixels those from `from` on up to one without a surface: its number, or 8. */
+GLINT_INLINE uint32_t helium_int8(const struct glint_paint *paint, const struct glint_look *look, int16x8_t y_z,
+                                  int16x8_t one, const uint32_t *words, uint16_t *out, uint32_t from)
+{
+    const uint32x4x2_t both = vld2q_u32(words);
+    const struct helium_place even = helium_place(paint, both.val[0], y_z, one),
+                              odd = helium_place(paint, both.val[1], y_z, one);
+    const uint16x8_t d = helium_upper(vreinterpretq_u32_s32(even.d), vreinterpretq_u32_s32(odd.d));
+    const uint16x8_t e = helium_upper(vreinterpretq_u32_s32(even.e), vreinterpretq_u32_s32(odd.e));
+    uint16x8_t at = vbicq_n_u16(d, (1 << GLINT_COLOUR_ROW_BYTES_LOG) - 1); /* d >> 23 << 7 */
+    const mve_pred16_t within = vcmpgeq_n_s16(vreinterpretq_s16_u16(e), 0);
+    if (within) {
+        const uint16x8_t column = vshrq_n_u16(helium_upper(helium_column(paint, even.e), helium_column(paint, odd.e)),
+                                              16 - GLINT_COLOUR_COLUMNS_LOG);
+        at = vaddq_u16(at, vldrbq_gather_offset_z_u16(look->columns, column, within));
+    }
+    const uint16_t *const colours = (const uint16_t *)(const void *)look->colours;
+    const mve_pred16_t lit = vcmpgeq_n_s16(vreinterpretq_s16_u16(d), 0);
+    const uint16x8_t pixels = vpselq_u16(vldrhq_gather_offset_z_u16(colours, at, lit), vdupq_n_u16(look->dark), lit);
+    const uint32_t all = vcmpeqq_n_u16(helium_upper(both.val[0], both.val[1]), 0), gaps = all >> 2 * from << 2 * from;
+    if (gaps == 0 && from == 0) {
+        vstrhq_u16(out, pixels);
+        return HELIUM_EIGHT;
+    }
+    const uint32_t end = gaps ? (uint32_t)__builtin_ctz(gaps) : 16;
+    vstrhq_p_u16(out, pixels, (mve_pred16_t)((1u << end) - (1u << 2 * from)));
+    return end / 2;
+}
+
+typedef char glint_helium_rows[GLINT_COLOUR_ROW_SHIFT - 1 - GLINT_COLOUR_ROW_BYTES_LOG == 16 ? 1 : -1];
+
+/* From pixel i on the first that has a surface, or w. */
+static inline uint32_t helium_past_gaps(const uint32_t *words, uint32_t i, uint32_t w)
+{
+    while (i < w && words[i] >> 16 == 0)
+        i += glint_gap(words[i], w - i);
+    return i;
+}
+
+void glint_colour_int8(const struct glint_paint *paint, const uint32_t *words, uint32_t w, uint16_t *out)
+{
+    const struct glint_look look = glint_look_up(&paint->of.tables.filled);
+    const int16x8_t y_z = vreinterpretq_s16_u32(
+        vdupq_n_u32((uint32_t)paint->of.tables.z << 16 | (uint16_t)paint->of.tables.y));
+    const int16x8_t one = vreinterpretq_s16_u32(vdupq_n_u32((uint32_t)1 << 30));
+    if (w < HELIUM_EIGHT) {
+        for (uint32_t i = 0; i < w; i++) {
+            const struct glint_raw raw = glint_colour_raw(paint, words[i], GLINT_COLOUR_COLUMNS_LOG);
+            if (raw.nl_q30 == GLINT_RAW_NOTHING)
+                i += glint_gap(words[i], w - i) - 1;
+            else
+                out[i] = glint_look_pixel(&look, &raw);
+        }
+        return;
+    }
+    uint32_t i = helium_past_gaps(words, 0, w);
+    while (i + HELIUM_EIGHT <= w) {
+        const uint32_t drawn = helium_int8(paint, &look, y_z, one, words + i, out + i, 0);
+        i += drawn;
+        if (drawn < HELIUM_EIGHT)
+            i = helium_past_gaps(words, i, w);
+    }
+    for (const uint32_t at = w - HELIUM_EIGHT; i < w; i = helium_past_gaps(words, i, w))
+        i = at + helium_int8(paint, &look, y_z, one, words + at, out + at, i - at);
 }
 #endif

@@ -195,12 +195,106 @@ static bool case_is_same(uint32_t number)
     return false;
 }
 
+/* ---- COLOUR tables: lines of INT8 normals, and spans, by the fused loops; an odd address leads to the general way ---- */
+
+static uint16_t tables[GLINT_TABLES_COLOUR_BYTES / 2];
+static uint32_t words[W * H];
+
+/* Runs of the like, of any that can be packed, of any z; gaps that say their length. */
+static void make_words(const struct glint_paint *paint)
+{
+    make_normals(paint);
+    for (uint32_t i = 0, gap = 0; i < W * H; i++) {
+        if (gap == 0 && below(24) == 0)
+            gap = 1 + below(40);
+        if (i % W == 0 || gap > W - i % W)
+            gap = gap < W - i % W ? gap : W - i % W;
+        words[i] = gap ? gap : glint_normals_pack(GLINT_NORMALS_INT8, &normals[i]);
+        if (!gap && below(16) == 0)
+            words[i] = (words[i] & 0xffff) | below(65536) << 16;
+        gap -= gap > 0;
+    }
+}
+
+static void draw_table_case(const struct glint_paint *paint, const struct glint_span *span, uint16_t w, uint8_t c)
+{
+    const struct glint_maps maps = {.normals = words, .normals_format = GLINT_NORMALS_INT8, .normals_stride = 4 * W};
+    uint8_t *bytes = (uint8_t *)out[c];
+    for (uint16_t i = 0; i < sizeof out[c]; i++)
+        bytes[i] = GUARD;
+    const struct glint_surface surface = {bytes + 2 + c, STRIDE, 3, 5};
+    if (span ? glint_draw_span(paint, span, NULL, &surface, NULL) : glint_draw_rect(paint, &maps, w, H, &surface, NULL))
+        say("# refused\n");
+}
+
+/* A light of the paint's, or none. */
+static bool light_tables(struct glint_paint *paint)
+{
+    static const int32_t v[3] = {0, 0, 1};
+    const int32_t l[3] = {(int32_t)below(201) - 100, (int32_t)below(201) - 100, (int32_t)below(130) - 10};
+    struct glint_light light;
+    return !glint_light_directional(&light, l) && !glint_paint_light(paint, &light, 1, v);
+}
+
+static bool table_case_is_same(struct glint_paint *paint, uint32_t number)
+{
+    static const uint8_t widths[] = {1, 2, 3, 7, 8, 9, 17, 33, W};
+    static const struct glint_box none = {0, 0, 0, 0};
+    const uint16_t w = widths[number / 2 % 9];
+    struct glint_span span, *of = NULL;
+    make_words(paint);
+    if (number & 1) {
+        const int32_t spread = 1 << below(15);
+        struct glint_vec last = normals[0];
+        last.x = (int16_t)(last.x + (int32_t)below((uint32_t)spread) - spread / 2);
+        last.z = (int16_t)(last.z + (int32_t)below((uint32_t)spread) - spread / 2);
+        if (glint_span_init(&span, paint, &normals[0], below(3) ? &last : &normals[1], w))
+            return true;
+        if (below(8) == 0) { /* whatever was written there */
+            span.t_q30 = below(65536) << below(17);
+            span.dt_q30 = (uint32_t)(int32_t)any() << below(17);
+            span.ddt_q30 = below(65536) << below(17);
+            span.nl_q30 = (int32_t)((uint32_t)any() << below(17));
+        }
+        of = &span;
+    }
+    draw_table_case(paint, of, w, 0);
+    draw_table_case(paint, of, w, 1);
+    if (same(&none, &none))
+        return true;
+    say(of ? "# span " : "# INT8 ");
+    say_number(number);
+    say(" differs, width ");
+    say_number(w);
+    say("\n");
+    return false;
+}
+
+static uint32_t tables_differ(void)
+{
+    uint32_t differ = 0;
+    struct glint_paint paint;
+    bool is_made = false;
+    for (uint32_t number = 0; number < CASES; number++) {
+        if (number % 512 == 0) {
+            struct glint_material m = {.model = GLINT_MSH, .n = (uint16_t)(1 + below(1000)), .q = (uint8_t)(1 + below(16))};
+            const struct glint_output output = {.format = (uint8_t)below(2)};
+            make_material(&m);
+            is_made = !glint_paint_tables(&paint, GLINT_TABLES_COLOUR, &m, &output, tables, sizeof tables);
+        }
+        if (is_made && light_tables(&paint) && paint.of.tables.is_frontal)
+            differ += !table_case_is_same(&paint, number);
+    }
+    return differ;
+}
+
 bool machine_run(volatile uint8_t *floor)
 {
     (void)floor;
     uint32_t differ = 0;
     for (uint32_t number = 0; number < CASES; number++)
         differ += !case_is_same(number);
+    differ += tables_differ();
     say_number(taken);
     say(" of ");
     say_number(CASES);
