@@ -206,7 +206,7 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *pa
     while (t_end << up < (uint32_t)1 << 30)
         up++;
     const int64_t k = up ? (slope + ((int64_t)1 << (up - 1))) >> up : slope;
-    if (k > INT32_MAX)
+    if (k > INT32_MAX - HELIUM_D) /* D beyond 2^31, at large n with q = 13 or more */
         return false;
     loop->up = (int32_t)up;
     loop->k = (int32_t)k;

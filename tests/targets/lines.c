@@ -211,7 +211,7 @@ static void make_words(const struct glint_paint *paint)
             gap = gap < W - i % W ? gap : W - i % W;
         words[i] = gap ? gap : glint_normals_pack(GLINT_NORMALS_INT8, &normals[i]);
         if (!gap && below(16) == 0)
-            words[i] = (words[i] & 0xffff) | below(65536) << 16;
+            words[i] = (words[i] & 0xffff) | (1 + below(65535)) << 16;
         gap -= gap > 0;
     }
 }

@@ -46,7 +46,7 @@ cortex-m_FLAGS_mps2-an505 = -mcpu=cortex-m33 -mthumb
 cortex-m_SCRIPT_mps2-an505 = mps2-an505.ld
 
 cortex-m_CORE_mps3-an547 = cortex-m55
-cortex-m_FLAGS_mps3-an547 = -mcpu=cortex-m55+nomve.fp -mthumb -mfloat-abi=hard
+cortex-m_FLAGS_mps3-an547 = -mcpu=cortex-m55+nofp -mthumb -mfloat-abi=hard
 cortex-m_SCRIPT_mps3-an547 = mps3-an547.ld
 $(eval $(call bare_port,cortex-m))
 
