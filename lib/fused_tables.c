@@ -2,7 +2,7 @@
  * Loops over tables that are source and paint in one: lines of INT8 normals, the viewer at (0, 0, 1), and spans. */
 #include "glint_tables.h"
 
-#if GLINT_FUSED && !GLINT_CORTEX_M0PLUS_ASM
+#if GLINT_FUSED && !GLINT_CORTEX_M0PLUS_ASM && !GLINT_HELIUM
 /* 8 bits, the viewer at (0, 0, 1). H lies between L and the viewer, so N.H |L + V| = N.L + z: one product d (Q29) gives the
  * row, and with z the place e (Q29) from the last column on, to which r brings a column's number. Three multiplications
  * for the vectors, and one inside the highlight. */
@@ -35,6 +35,9 @@ void glint_colour_int8(const struct glint_paint *paint, const uint32_t *words, u
     }
 }
 
+#endif
+
+#if GLINT_FUSED && !GLINT_CORTEX_M0PLUS_ASM
 /* COLOUR, dithered. The viewer at (0, 0, 1): rows and columns as above. */
 static inline void fused_dither(const struct glint_paint *paint, const uint32_t *words, uint32_t w, uint16_t *out,
                                 uint32_t phase, uint32_t y, bool swapped)

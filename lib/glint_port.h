@@ -25,6 +25,14 @@
 #define GLINT_CORTEX_M0PLUS_ASM 0
 #endif
 
+/* 1: the fused loops of Cortex-M55 and M85 (helium.c), in vectors of 128 bits: where the compiler has Helium (MVE) for integers. */
+#if !GLINT_FUSED || !defined(__ARM_FEATURE_MVE) || defined(__ARM_BIG_ENDIAN)
+#undef GLINT_HELIUM
+#define GLINT_HELIUM 0
+#elif !defined(GLINT_HELIUM)
+#define GLINT_HELIUM 1
+#endif
+
 #ifndef __ASSEMBLER__ /* assembly takes the above alone */
 
 #include <stddef.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * For cores with the assembly: rectangles that it draws, beside the same ones by the stages in C, byte for byte. An output at an
- * odd address is what leads to C in the same program. The linker's --wrap=glint_line_begin leads here, where calls are counted.
+ * For cores with an exact line of their own: rectangles that it draws, beside the same ones by the stages in C, byte for byte. An output at an
+ * odd address is what leads to those in the same program. The linker's --wrap=glint_line_begin leads here, where calls are counted.
  * LINES_FAULT: the loop takes W for 1 / LINES_FAULT of what it is, which must show. */
 #include "glint_fused.h"
 #include "machine.h"
@@ -8,18 +8,27 @@
 #ifndef LINES_FAULT
 #define LINES_FAULT 1
 #endif
-enum { CASES = 2000, W = 95, H = 2, STRIDE = 2 * W + 4, GUARD = 0x5a };
+#define LINES_ALBEDO GLINT_CORTEX_M0PLUS_ASM /* does it take maps of albedo? */
+#ifndef LINES_CASES
+#define LINES_CASES 2000
+#endif
+enum { CASES = LINES_CASES, W = 95, H = 2, STRIDE = 2 * W + 4, GUARD = 0x5a };
 
 bool __real_glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
 bool __wrap_glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
 
-static uint32_t taken; /* rectangles that the assembly drew */
+static uint32_t taken; /* rectangles that the line drew */
 
 bool __wrap_glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo)
 {
     const bool whole = __real_glint_line_begin(loop, paint, albedo);
+#if GLINT_CORTEX_M0PLUS_ASM
     if (whole)
         loop->limit = 0 - (0 - loop->limit) / LINES_FAULT;
+#else
+    for (int k = 0; k < 6; k++)
+        loop->width[k / 3][k % 3] = (uint16_t)(loop->width[k / 3][k % 3] / LINES_FAULT);
+#endif
     taken += whole;
     return whole;
 }
@@ -102,7 +111,7 @@ static bool make_paint(struct glint_paint *paint)
 
 static struct glint_vec normals[W * H];
 static uint8_t albedo[3 * W * H + 4], mask[(W + 1) * H + 4];
-static uint16_t out[2][STRIDE * H / 2 + 2]; /* by the assembly, and in C */
+static uint16_t out[2][STRIDE * H / 2 + 2]; /* by the line, and by stages */
 
 /* Runs of the like: near the half vector, away from the light, anything. */
 static void make_normals(const struct glint_paint *light)
@@ -152,9 +161,9 @@ static struct glint_box draw(const struct glint_paint *paint, const struct glint
 
 static bool same(const struct glint_box *a, const struct glint_box *b)
 {
-    const uint8_t *assembly = (const uint8_t *)out[0], *c = (const uint8_t *)out[1] + 1;
+    const uint8_t *line = (const uint8_t *)out[0], *c = (const uint8_t *)out[1] + 1;
     for (uint16_t i = 0; i + 1u < sizeof out[0]; i++)
-        if (assembly[i] != c[i])
+        if (line[i] != c[i])
             return false;
     return a->x == b->x && a->y == b->y && a->w == b->w && a->h == b->h;
 }
@@ -169,7 +178,7 @@ static bool case_is_same(uint32_t number)
     make_maps(number % 5);
     const struct glint_maps maps = {.normals = normals,
                                     .normals_stride = sizeof normals / H,
-                                    .albedo = number & 1 ? albedo + below(4) : 0,
+                                    .albedo = LINES_ALBEDO && number & 1 ? albedo + below(4) : 0,
                                     .albedo_stride = 3 * W,
                                     .albedo_format = GLINT_RGB888,
                                     .coverage = number % 5 ? mask + below(4) : 0,
@@ -186,16 +195,110 @@ static bool case_is_same(uint32_t number)
     return false;
 }
 
+/* ---- COLOUR tables: lines of INT8 normals, and spans, by the fused loops; an odd address leads to the general way ---- */
+
+static uint16_t tables[GLINT_TABLES_COLOUR_BYTES / 2];
+static uint32_t words[W * H];
+
+/* Runs of the like, of any that can be packed, of any z; gaps that say their length. */
+static void make_words(const struct glint_paint *paint)
+{
+    make_normals(paint);
+    for (uint32_t i = 0, gap = 0; i < W * H; i++) {
+        if (gap == 0 && below(24) == 0)
+            gap = 1 + below(40);
+        if (i % W == 0 || gap > W - i % W)
+            gap = gap < W - i % W ? gap : W - i % W;
+        words[i] = gap ? gap : glint_normals_pack(GLINT_NORMALS_INT8, &normals[i]);
+        if (!gap && below(16) == 0)
+            words[i] = (words[i] & 0xffff) | (1 + below(65535)) << 16;
+        gap -= gap > 0;
+    }
+}
+
+static void draw_table_case(const struct glint_paint *paint, const struct glint_span *span, uint16_t w, uint8_t c)
+{
+    const struct glint_maps maps = {.normals = words, .normals_format = GLINT_NORMALS_INT8, .normals_stride = 4 * W};
+    uint8_t *bytes = (uint8_t *)out[c];
+    for (uint16_t i = 0; i < sizeof out[c]; i++)
+        bytes[i] = GUARD;
+    const struct glint_surface surface = {bytes + 2 + c, STRIDE, 3, 5};
+    if (span ? glint_draw_span(paint, span, NULL, &surface, NULL) : glint_draw_rect(paint, &maps, w, H, &surface, NULL))
+        say("# refused\n");
+}
+
+/* A light of the paint's, or none. */
+static bool light_tables(struct glint_paint *paint)
+{
+    static const int32_t v[3] = {0, 0, 1};
+    const int32_t l[3] = {(int32_t)below(201) - 100, (int32_t)below(201) - 100, (int32_t)below(130) - 10};
+    struct glint_light light;
+    return !glint_light_directional(&light, l) && !glint_paint_light(paint, &light, 1, v);
+}
+
+static bool table_case_is_same(struct glint_paint *paint, uint32_t number)
+{
+    static const uint8_t widths[] = {1, 2, 3, 7, 8, 9, 17, 33, W};
+    static const struct glint_box none = {0, 0, 0, 0};
+    const uint16_t w = widths[number / 2 % 9];
+    struct glint_span span, *of = NULL;
+    make_words(paint);
+    if (number & 1) {
+        const int32_t spread = 1 << below(15);
+        struct glint_vec last = normals[0];
+        last.x = (int16_t)(last.x + (int32_t)below((uint32_t)spread) - spread / 2);
+        last.z = (int16_t)(last.z + (int32_t)below((uint32_t)spread) - spread / 2);
+        if (glint_span_init(&span, paint, &normals[0], below(3) ? &last : &normals[1], w))
+            return true;
+        if (below(8) == 0) { /* whatever was written there */
+            span.t_q30 = below(65536) << below(17);
+            span.dt_q30 = (uint32_t)(int32_t)any() << below(17);
+            span.ddt_q30 = below(65536) << below(17);
+            span.nl_q30 = (int32_t)((uint32_t)any() << below(17));
+        }
+        of = &span;
+    }
+    draw_table_case(paint, of, w, 0);
+    draw_table_case(paint, of, w, 1);
+    if (same(&none, &none))
+        return true;
+    say(of ? "# span " : "# INT8 ");
+    say_number(number);
+    say(" differs, width ");
+    say_number(w);
+    say("\n");
+    return false;
+}
+
+static uint32_t tables_differ(void)
+{
+    uint32_t differ = 0;
+    struct glint_paint paint;
+    bool is_made = false;
+    for (uint32_t number = 0; number < CASES; number++) {
+        if (number % 512 == 0) {
+            struct glint_material m = {.model = GLINT_MSH, .n = (uint16_t)(1 + below(1000)), .q = (uint8_t)(1 + below(16))};
+            const struct glint_output output = {.format = (uint8_t)below(2)};
+            make_material(&m);
+            is_made = !glint_paint_tables(&paint, GLINT_TABLES_COLOUR, &m, &output, tables, sizeof tables);
+        }
+        if (is_made && light_tables(&paint) && paint.of.tables.is_frontal)
+            differ += !table_case_is_same(&paint, number);
+    }
+    return differ;
+}
+
 bool machine_run(volatile uint8_t *floor)
 {
     (void)floor;
     uint32_t differ = 0;
     for (uint32_t number = 0; number < CASES; number++)
         differ += !case_is_same(number);
+    differ += tables_differ();
     say_number(taken);
     say(" of ");
     say_number(CASES);
-    say(" rectangles in assembly, ");
+    say(" rectangles by the line, ");
     say_number(differ);
     say(" unlike C\n");
     return differ == 0 && taken > CASES / 4 * 3;

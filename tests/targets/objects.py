@@ -21,6 +21,9 @@ HELPER_STACK = 80  # bytes that one of these may use; what the emulated machines
 MULTIPLY = re.compile(r"__aeabi_lmul|__u?mul\w+3")
 MULTIPLY_STACK = 32  # of a helper that multiplies: libgcc's push 20 bytes on Cortex-M0, 25 on AVR with what they call, 0 on RV32
 
+VECTORS = "+nofp"  # of a core's flags: vectors of integers, which share registers and mnemonics with a floating-point unit that is not there
+FLOATING = r"\t(v[a-z0-9.]+\.f(?:16|32|64)[a-z0-9.]*|vcvt[a-z0-9.]*)\t"
+
 
 def by_file(text):
     """What objdump says of several files: path, text."""
@@ -49,7 +52,7 @@ def complaints(target, objects):
             found.append(f"{name} has {fields[1]} bytes of {fields[0]}")
     if target.prefix.startswith("arm"):
         for path, text in by_file(target.tool("objdump", "-d", *objects)):
-            for mnemonic in set(re.findall(r"\t(v[a-z0-9.]+)\t", text)):
+            for mnemonic in set(re.findall(FLOATING if VECTORS in target.flags else r"\t(v[a-z0-9.]+)\t", text)):
                 found.append(f"{os.path.basename(path)} uses the floating-point unit: {mnemonic}")
     return found
 

@@ -12,8 +12,8 @@ setup-targets: setup-build
 test-targets: ## check: cross-compiled: no floating point, no writable data, stack; emulated: the host's results; BOARD=NAME: one board
 	@+tests/tier targets "$(SUBMAKE)"
 
-# Those with the library's assembly compare its lines with C's.
-TARGETS_LINES = $(if $(or $(if $(BOARD),,all),$(findstring asm,$(BOARD))),"tests/targets/test_lines $(BUILD)/targets $(BOARD)")
+# Those with lines of their own compare them with C's.
+TARGETS_LINES = "tests/targets/test_lines $(BUILD)/targets $(BOARD)"
 # The table of costs is of all boards, so that one board's run leaves it; and the bunny, whose mesh lies beside rp2040js.
 TARGETS_COSTS = $(if $(BOARD),,"tests/targets/test_costs $(BENCH)" "tests/targets/test_twins $(BENCH)" "tests/targets/test_bunny $(BUILD)/glint $(TARGETS_VIEWS)")
 TARGETS_VIEWS = $(BUILD)/tests/unit/slow/test_mesh_views

@@ -6,7 +6,7 @@ cortex-m_LINK = -nostdlib -T
 cortex-m_RUN = qemu-system-arm -display none -semihosting-config enable=on,target=native -M % -kernel
 cortex-m_RP2040JS = node tests/targets/rp2040.mjs build/bench/npm
 cortex-m_STACK = 1300
-cortex-m_BOARDS = microbit rp2040 rp2040-asm mps2-an385 mps2-an386 mps2-an500 mps2-an505
+cortex-m_BOARDS = microbit rp2040 rp2040-asm mps2-an385 mps2-an386 mps2-an500 mps2-an505 mps3-an547
 
 cortex-m_CORE_microbit = cortex-m0
 cortex-m_FLAGS_microbit = -mcpu=cortex-m0 -mthumb
@@ -44,6 +44,10 @@ cortex-m_SCRIPT_mps2-an500 = mps2.ld
 cortex-m_CORE_mps2-an505 = cortex-m33
 cortex-m_FLAGS_mps2-an505 = -mcpu=cortex-m33 -mthumb
 cortex-m_SCRIPT_mps2-an505 = mps2-an505.ld
+
+cortex-m_CORE_mps3-an547 = cortex-m55
+cortex-m_FLAGS_mps3-an547 = -mcpu=cortex-m55+nofp -mthumb -mfloat-abi=hard
+cortex-m_SCRIPT_mps3-an547 = mps3-an547.ld
 $(eval $(call bare_port,cortex-m))
 
 cortex-m_PACKAGES = gcc-arm-none-eabi
