@@ -18,19 +18,35 @@ bool svg_begins(const uint8_t *head, size_t length)
 #include <errno.h>
 #include <librsvg/rsvg.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
+#include <unistd.h>
 
+#include "base/child.h"
 #include "base/memory.h"
 #include "image/picture.h"
 
-enum { BYTES_MAX = 1 << 26 }; /* of a file: a larger one is a mistake or an attack */
+enum { CHANNELS = 4, BYTES_MAX = 1 << 26 }; /* bytes of a file: a larger one is a mistake or an attack */
 
 const char *svg_library(void)
 {
     return "librsvg " LIBRSVG_VERSION;
 }
 
-/* librsvg brings some 40 libraries, which would make each start of glint slower: they are loaded for the first SVG. */
+/* What the child sends first; without a message the samples follow. */
+struct head {
+    char message[256];
+    uint32_t width, height;
+};
+struct source {
+    char *bytes;
+    size_t len;
+    uint32_t width, height; /* as asked; 0: its own */
+};
+
+/* ---- the child ---- */
+
+/* librsvg brings some 40 libraries, which would make each start of glint slower, and which are then only where they can do no harm. */
 #define FUNCTIONS(X)                                                                                                   \
     X(rsvg_handle_new_from_data)                                                                                       \
     X(rsvg_handle_set_dpi)                                                                                             \
@@ -43,26 +59,112 @@ const char *svg_library(void)
     X(cairo_create)                                                                                                    \
     X(cairo_status)                                                                                                    \
     X(cairo_status_to_string)                                                                                          \
-    X(cairo_surface_flush)                                                                                             \
-    X(cairo_destroy)                                                                                                   \
-    X(cairo_surface_destroy)                                                                                           \
-    X(g_object_unref)
+    X(cairo_surface_flush)
 #define POINTER(name) __typeof__(name) *name;
 static struct {
     FUNCTIONS(POINTER)
 } lib;
 
-static void load(const char *picture)
+static _Noreturn __attribute__((format(printf, 2, 3))) void refuse(int out, const char *format, ...)
+{
+    struct head head = {.message = ""};
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(head.message, sizeof head.message, format, arguments);
+    va_end(arguments);
+    child_send(out, &head, sizeof head);
+    _exit(0);
+}
+
+static void load(int out)
 {
     void *handle = dlopen("librsvg-2.so.2", RTLD_NOW);
     bool good = handle != NULL;
 #define FIND(name) good = good && (*(void **)&lib.name = dlsym(handle, #name)) != NULL;
     FUNCTIONS(FIND)
     if (!good)
-        fail("%s: this is an SVG, and librsvg cannot be loaded: %s; install librsvg2-2, or convert it: rsvg-convert -o "
-             "logo.png logo.svg",
-             picture, dlerror());
+        refuse(
+            out,
+            "this is an SVG, and librsvg cannot be loaded: %.80s; install librsvg2-2, or convert it: rsvg-convert -o "
+            "logo.png logo.svg",
+            dlerror());
 }
+
+static _Noreturn void refuse_svg(int out, const GError *error)
+{
+    refuse(out, "this is not an SVG that can be drawn: %.120s; save it again, or convert it to PNG",
+           error ? error->message : "it is damaged");
+}
+
+/* In pixels as it states them, else those of its viewBox. */
+static void own_size(int out, RsvgHandle *svg, struct head *head)
+{
+    gdouble wide = 0, high = 0;
+    gboolean has_width, has_height, has_box;
+    RsvgLength lengths[2];
+    RsvgRectangle box;
+    if (!lib.rsvg_handle_get_intrinsic_size_in_pixels(svg, &wide, &high)) {
+        lib.rsvg_handle_get_intrinsic_dimensions(svg, &has_width, &lengths[0], &has_height, &lengths[1], &has_box,
+                                                 &box);
+        wide = has_box ? box.width : 0;
+        high = has_box ? box.height : 0;
+    }
+    if (!(wide > 0 && high > 0))
+        refuse(out, "this SVG states no size; give --size WxH");
+    if (wide > SIDE_MAX || high > SIDE_MAX || ceil(wide) * ceil(high) > PIXELS_MAX)
+        refuse(out, "this SVG states %.0fx%.0f pixels; at most %d a side and %d in all are allowed: give --size WxH",
+               wide, high, SIDE_MAX, PIXELS_MAX);
+    head->width = (uint32_t)ceil(wide);
+    head->height = (uint32_t)ceil(high);
+}
+
+/* Cairo's pixels are words of alpha, red, green and blue, the colours times alpha. */
+static void send_pixels(int out, cairo_surface_t *surface, const struct head *head)
+{
+    const uint8_t *lines = lib.cairo_image_surface_get_data(surface);
+    const size_t stride = (size_t)lib.cairo_image_surface_get_stride(surface);
+    uint16_t *const samples = allocate(head->width, CHANNELS * sizeof *samples);
+    for (size_t y = 0; y < head->height; y++) {
+        uint16_t *sample = samples;
+        for (size_t x = 0; x < head->width; x++, sample += CHANNELS) {
+            uint32_t word;
+            memcpy(&word, lines + y * stride + 4 * x, sizeof word);
+            const uint32_t alpha = word >> 24;
+            for (int k = 0; k < 3; k++) {
+                const uint32_t times_alpha = word >> (16 - 8 * k) & 255;
+                sample[k] = (uint16_t)(alpha ? 257 * ((255 * times_alpha + alpha / 2) / alpha) : 0);
+            }
+            sample[3] = (uint16_t)(257 * alpha);
+        }
+        child_send(out, samples, head->width * CHANNELS * sizeof *samples);
+    }
+}
+
+static void draw(const void *of, int out)
+{
+    const struct source *source = of;
+    struct head head = {"", source->width, source->height};
+    GError *error = NULL;
+    load(out);
+    RsvgHandle *svg = lib.rsvg_handle_new_from_data((const guint8 *)source->bytes, source->len, &error);
+    if (!svg)
+        refuse_svg(out, error);
+    lib.rsvg_handle_set_dpi(svg, 96);
+    if (!head.width)
+        own_size(out, svg, &head);
+    cairo_surface_t *surface = lib.cairo_image_surface_create(CAIRO_FORMAT_ARGB32, (int)head.width, (int)head.height);
+    cairo_t *cairo = lib.cairo_create(surface);
+    const RsvgRectangle all = {0, 0, head.width, head.height};
+    if (!lib.rsvg_handle_render_document(svg, cairo, &all, &error))
+        refuse_svg(out, error);
+    lib.cairo_surface_flush(surface);
+    if (lib.cairo_status(cairo) != CAIRO_STATUS_SUCCESS)
+        refuse(out, "could not be drawn: %s", lib.cairo_status_to_string(lib.cairo_status(cairo)));
+    child_send(out, &head, sizeof head);
+    send_pixels(out, surface, &head);
+}
+
+/* ---- the parent, which believes nothing ---- */
 
 static char *read_all(FILE *stream, const char *name, const uint8_t *head, size_t *length)
 {
@@ -83,83 +185,39 @@ static char *read_all(FILE *stream, const char *name, const uint8_t *head, size_
     return bytes;
 }
 
-static _Noreturn void fail_svg(const char *name, const GError *error)
+static void receive(struct child *child, const char *name, void *to, size_t bytes)
 {
-    fail("%s: this is not an SVG that can be drawn: %s; save it again, or convert it to PNG", name,
-         error ? error->message : "it is damaged");
-}
-
-/* In pixels as it states them, else those of its viewBox. */
-static void own_size(RsvgHandle *svg, const char *name, uint32_t *width, uint32_t *height)
-{
-    gdouble wide = 0, high = 0;
-    gboolean has_width, has_height, has_box;
-    RsvgLength lengths[2];
-    RsvgRectangle box;
-    if (!lib.rsvg_handle_get_intrinsic_size_in_pixels(svg, &wide, &high)) {
-        lib.rsvg_handle_get_intrinsic_dimensions(svg, &has_width, &lengths[0], &has_height, &lengths[1], &has_box,
-                                                 &box);
-        wide = has_box ? box.width : 0;
-        high = has_box ? box.height : 0;
-    }
-    if (!(wide > 0 && high > 0))
-        fail("%s: this SVG states no size; give --size WxH", name);
-    if (wide > SIDE_MAX || high > SIDE_MAX || ceil(wide) * ceil(high) > PIXELS_MAX)
-        fail("%s: this SVG states %.0fx%.0f pixels; at most %d a side and %d in all are allowed: give --size WxH", name,
-             wide, high, SIDE_MAX, PIXELS_MAX);
-    *width = (uint32_t)ceil(wide);
-    *height = (uint32_t)ceil(high);
-}
-
-/* Cairo's pixels are words of alpha, red, green and blue, the colours times alpha. */
-static void take_pixels(cairo_surface_t *surface, struct image *image)
-{
-    const uint8_t *lines = lib.cairo_image_surface_get_data(surface);
-    const size_t stride = (size_t)lib.cairo_image_surface_get_stride(surface);
-    uint16_t *sample = image->samples;
-    for (size_t y = 0; y < image->height; y++)
-        for (size_t x = 0; x < image->width; x++, sample += 4) {
-            uint32_t word;
-            memcpy(&word, lines + y * stride + 4 * x, sizeof word);
-            const uint32_t alpha = word >> 24;
-            for (int k = 0; k < 3; k++) {
-                const uint32_t times_alpha = word >> (16 - 8 * k) & 255;
-                sample[k] = (uint16_t)(alpha ? 257 * ((255 * times_alpha + alpha / 2) / alpha) : 0);
-            }
-            sample[3] = (uint16_t)(257 * alpha);
-        }
+    const char *wrong = child_receive(child, to, bytes);
+    if (wrong)
+        fail("%s: %s", name, wrong);
 }
 
 struct image *svg_read(FILE *stream, const char *name, const uint8_t *head, size_t length, uint32_t width,
                        uint32_t height)
 {
-    GError *error = NULL;
-    load(name);
-    char *bytes = read_all(stream, name, head, &length);
-    RsvgHandle *svg = lib.rsvg_handle_new_from_data((const guint8 *)bytes, length, &error);
-    if (!svg)
-        fail_svg(name, error);
-    lib.rsvg_handle_set_dpi(svg, 96);
-    if (!width)
-        own_size(svg, name, &width, &height);
-    cairo_surface_t *surface = lib.cairo_image_surface_create(CAIRO_FORMAT_ARGB32, (int)width, (int)height);
-    cairo_t *cairo = lib.cairo_create(surface);
-    const RsvgRectangle all = {0, 0, width, height};
-    if (!lib.rsvg_handle_render_document(svg, cairo, &all, &error))
-        fail_svg(name, error);
-    lib.cairo_surface_flush(surface);
-    if (lib.cairo_status(cairo) != CAIRO_STATUS_SUCCESS)
-        fail("%s: could not be drawn: %s", name, lib.cairo_status_to_string(lib.cairo_status(cairo)));
+    struct source source = {.len = length, .width = width, .height = height};
+    struct child child;
+    struct head drawn;
+    source.bytes = read_all(stream, name, head, &source.len);
+    child_start(&child, name, "librsvg", draw, &source);
+    receive(&child, name, &drawn, sizeof drawn);
+    drawn.message[sizeof drawn.message - 1] = 0;
+    if (drawn.message[0])
+        fail("%s: %s", name, drawn.message);
+    const bool as_asked = width ? drawn.width == width && drawn.height == height
+                                : drawn.width && drawn.height && drawn.width <= SIDE_MAX && drawn.height <= SIDE_MAX &&
+                                      (uint64_t)drawn.width * drawn.height <= PIXELS_MAX;
+    if (!as_asked)
+        fail("%s: librsvg drew it in another size; convert it to PNG", name);
     struct image *image = allocate(1, sizeof *image);
-    *image = (struct image){strdup(name), width, height, 4, 8, false, NULL};
+    *image = (struct image){strdup(name), drawn.width, drawn.height, CHANNELS, 8, false, NULL};
     if (!image->name)
         fail("out of memory");
-    image->samples = allocate((size_t)width * height, 4 * sizeof *image->samples);
-    take_pixels(surface, image);
-    lib.cairo_destroy(cairo);
-    lib.cairo_surface_destroy(surface);
-    lib.g_object_unref(svg);
-    free(bytes);
+    const size_t samples = (size_t)drawn.width * drawn.height * CHANNELS;
+    image->samples = allocate(samples, sizeof *image->samples);
+    receive(&child, name, image->samples, samples * sizeof *image->samples);
+    child_end(&child);
+    free(source.bytes);
     return image;
 }
 

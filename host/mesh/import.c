@@ -13,19 +13,19 @@
 #include "mesh/import_child.h"
 #include "mesh/import_files.h"
 #include "mesh/import_picture.h"
-#include "mesh/import_process.h"
+#include "base/child.h"
 #include "mesh/import_source.h"
 
 enum { PARTS_MAX = 4096, PICTURES_BYTES_MAX = 1 << 28, PICTURES_PIXELS_MAX = 1 << 26 };
 
 struct reader {
     const struct import_source *source;
-    struct import_process process;
+    struct child child;
 };
 
 static void receive(struct reader *reader, void *to, size_t bytes)
 {
-    const char *wrong = import_process_receive(&reader->process, to, bytes);
+    const char *wrong = child_receive(&reader->child, to, bytes);
     if (wrong)
         fail("%s: %s", reader->source->name, wrong);
 }
@@ -117,9 +117,9 @@ struct soup *import_soup(const char *path, bool textures)
     struct import_source *source = import_source_open(path);
     source->textures = textures;
     struct reader reader = {.source = source};
-    import_process_start(&reader.process, source->name, "libassimp", run_child, source);
+    child_start(&reader.child, source->name, "libassimp", run_child, source);
     struct soup *soup = receive_soup(&reader);
-    import_process_end(&reader.process);
+    child_end(&reader.child);
     import_source_free(source);
     return soup;
 }

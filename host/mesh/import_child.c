@@ -18,7 +18,7 @@
 #include "glint_mesh.h"
 #include "mesh/import_files.h"
 #include "mesh/import_picture.h"
-#include "mesh/import_process.h"
+#include "base/child.h"
 #include "mesh/import_texture.h"
 
 /* Loaded here only: commands that read no mesh start without it. */
@@ -51,7 +51,7 @@ static void send_message(int out, const char *text)
 {
     struct import_head head = {.face_count = 0};
     snprintf(head.message, sizeof head.message, "%s", text[0] ? text : "it is damaged");
-    import_process_send(out, &head, sizeof head);
+    child_send(out, &head, sizeof head);
 }
 
 /* glTF's colours are linear, the others' as encoded. */
@@ -198,7 +198,7 @@ static void send_faces(int out, const struct aiMesh *mesh, const struct import_h
             const double points[3] = {(double)normal->x, (double)normal->y, (double)normal->z};
             memcpy(face.normals[k], points, sizeof points);
         }
-        import_process_send(out, &face, sizeof face);
+        child_send(out, &face, sizeof face);
     }
 }
 
@@ -277,8 +277,6 @@ void import_child(const struct import_source *source, int out)
         send_message(out, LIBRARY " cannot be loaded; install libassimp5");
         return;
     }
-    if (!freopen("/dev/null", "w", stderr) || !freopen("/dev/null", "w", stdout))
-        _exit(1);
     const struct aiScene *scene = read_scene(source);
     if (!scene) {
         const char *text = lib.aiGetErrorString();
@@ -301,11 +299,11 @@ void import_child(const struct import_source *source, int out)
     const struct import_file *files;
     head.file_count = import_files_read(&files);
     head.picture_count = pictures.count;
-    import_process_send(out, &head, sizeof head);
-    import_process_send(out, files, head.file_count * sizeof *files);
+    child_send(out, &head, sizeof head);
+    child_send(out, files, head.file_count * sizeof *files);
     if (head.face_count > GLINT_MESH_FACES_MAX)
         return; /* the parent says so */
-    import_process_send(out, materials, scene->mNumMaterials * sizeof *materials);
+    child_send(out, materials, scene->mNumMaterials * sizeof *materials);
     import_pictures_send(&pictures, out);
     for (unsigned i = 0; i < scene->mNumMeshes; i++) {
         const struct colors colors = colors_of(scene, scene->mMeshes[i], linear);

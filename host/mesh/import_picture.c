@@ -18,7 +18,7 @@
 #include "base/message.h"
 #include "base/output.h"
 #include "image/picture.h"
-#include "mesh/import_process.h"
+#include "base/child.h"
 
 /* Sent first, then the pixels. */
 struct head {
@@ -121,8 +121,6 @@ static void decode(const void *of, int out)
     const struct source *source = of;
     struct head head = {.message = ""};
     uint8_t *pixels = NULL;
-    if (!freopen("/dev/null", "w", stderr))
-        _exit(1);
     if (source->len >= 8 && png_sig_cmp(source->bytes, 0, 8) == 0)
         pixels = decode_png(source, &head);
 #if GLINT_WITH_JPEG
@@ -136,9 +134,9 @@ static void decode(const void *of, int out)
 #endif
     else
         snprintf(head.message, sizeof head.message, "this is not a PNG or JPEG picture; convert it to PNG");
-    import_process_send(out, &head, sizeof head);
+    child_send(out, &head, sizeof head);
     if (pixels)
-        import_process_send(out, pixels, (size_t)3 * head.width * head.height);
+        child_send(out, pixels, (size_t)3 * head.width * head.height);
 }
 
 /* ---- the parent, which believes nothing ---- */
@@ -147,23 +145,23 @@ const char *import_picture_decode(struct mesh_picture *picture, const char *name
 {
     static struct head head;
     const struct source source = {bytes, len};
-    struct import_process process;
-    import_process_start(&process, name, "glint", decode, &source);
-    const char *wrong = import_process_receive(&process, &head, sizeof head);
+    struct child child;
+    child_start(&child, name, "glint", decode, &source);
+    const char *wrong = child_receive(&child, &head, sizeof head);
     if (wrong)
         return wrong;
     head.message[sizeof head.message - 1] = 0;
     if (head.message[0] || head.width == 0 || head.height == 0 || !is_allowed(&head)) {
-        import_process_end(&process);
+        child_end(&child);
         return head.message[0] ? head.message : "has no pixels";
     }
     *picture =
         (struct mesh_picture){strdup(name), head.width, head.height, allocate((size_t)head.width * head.height, 3)};
     if (!picture->name)
         fail("out of memory");
-    wrong = import_process_receive(&process, picture->rgb, (size_t)3 * head.width * head.height);
+    wrong = child_receive(&child, picture->rgb, (size_t)3 * head.width * head.height);
     if (!wrong)
-        import_process_end(&process);
+        child_end(&child);
     return wrong;
 }
 

@@ -16,7 +16,7 @@
 #include "mesh/import_child.h"
 #include "mesh/import_files.h"
 #include "mesh/import_picture.h"
-#include "mesh/import_process.h"
+#include "base/child.h"
 
 static void refuse(struct import_found *found, const char *text)
 {
@@ -194,8 +194,8 @@ unsigned import_pictures_find(struct import_pictures *pictures, const char *name
 void import_pictures_send(const struct import_pictures *pictures, int out)
 {
     for (unsigned i = 0; i < pictures->count; i++) {
-        import_process_send(out, &pictures->of[i].head, sizeof pictures->of[i].head);
-        import_process_send(out, pictures->of[i].bytes, pictures->of[i].head.len);
+        child_send(out, &pictures->of[i].head, sizeof pictures->of[i].head);
+        child_send(out, pictures->of[i].bytes, pictures->of[i].head.len);
     }
 }
 
