@@ -302,20 +302,30 @@ uint32_t glint_grain_f(const struct glint_paint *paint, uint32_t m, uint32_t t)
 
 enum { GRAIN_RUN = 14 }; /* what the stack allows */
 
-/* m of the run's samples; span: whose t and N.L are there, or NULL. Kept, too, as the model's loop puts F in its place. */
+/* m of count of the run's samples, from pixel `from` of it on; span: whose t and N.L are there, or NULL. */
 static __attribute__((noinline)) void grain_source(const struct glint_paint *paint, const struct glint_lines *lines,
                                                    const struct glint_span *span, struct glint_sample *samples,
-                                                   uint32_t *kept)
+                                                   unsigned from, unsigned count)
 {
     const struct glint_use_grain *use = GLINT_FLASH_POINTER(paint->model->grain);
     struct glint_vec unpacked[GRAIN_RUN];
     struct glint_view view;
     view.l.x = paint->l.x, view.l.y = paint->l.y, view.l.z = paint->l.z;
     view.h.x = paint->h.x, view.h.y = paint->h.y, view.h.z = paint->h.z;
-    const struct glint_vec *normals = span ? NULL : glint_lines_normals(lines, unpacked);
-    GLINT_FLASH_POINTER(use->sample)(paint, lines, span, &view, normals, samples, 0, lines->count);
-    for (const struct glint_sample *end = samples + lines->count; samples != end; samples++)
-        *kept++ = samples->f_q16;
+    const struct glint_vec *normals = span ? NULL : glint_lines_normals(lines, unpacked) + from;
+    GLINT_FLASH_POINTER(use->sample)(paint, lines, span, &view, normals, samples, from, count);
+}
+
+/* A sample that is left open, by the 64-bit sequence. m is made again, as F took its place; where F is 0, it is so exactly. */
+static void grain_exactly(const struct glint_paint *paint, const struct glint_lines *lines,
+                          const struct glint_span *span, struct glint_sample *sample, unsigned at)
+{
+    uint32_t f = 0;
+    if (sample->f_q16) {
+        grain_source(paint, lines, span, sample, at, 1);
+        f = glint_grain_f(paint, sample->f_q16, sample->t_q30);
+    }
+    glint_paint_sums(paint, &lines->run, at, sample->nl_q16, f);
 }
 
 void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
@@ -323,7 +333,6 @@ void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines
 {
     struct glint_bounds bounds;
     struct glint_sample samples[GRAIN_RUN];
-    uint32_t kept[GRAIN_RUN];
     struct glint_run *const run = &lines->run;
     const struct glint_use_grain *use = GLINT_FLASH_POINTER(paint->model->grain);
     glint_bounds_begin(&bounds);
@@ -333,7 +342,7 @@ void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines
         for (glint_lines_set(lines, y); glint_lines_next(lines); run->x += lines->count) {
             if (at)
                 glint_lines_walk(paint, lines, at, samples);
-            grain_source(paint, lines, at, samples, kept);
+            grain_source(paint, lines, at, samples, 0, lines->count);
             GLINT_FLASH_POINTER(use->run)(paint, samples, lines->count);
             for (unsigned i = 0; highlight && i < lines->count; i++) /* before gloss is drawn over */
                 if (samples[i].f_q16 && (!run->gloss || run->gloss[i]))
@@ -341,7 +350,7 @@ void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines
             uint32_t open = glint_run_levels(paint, run, samples, lines->count);
             for (unsigned i = 0; open; i++, open >>= 1)
                 if (open & 1)
-                    glint_paint_sums(paint, run, i, samples[i].nl_q16, glint_grain_f(paint, kept[i], samples[i].t_q30));
+                    grain_exactly(paint, lines, at, samples + i, i);
         }
     glint_bounds_box(&bounds, highlight);
 }
