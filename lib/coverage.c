@@ -282,7 +282,7 @@ static __attribute__((noinline)) void coverage_edge(const struct glint_paint *pa
 }
 
 static void coverage_edges(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
-                           uint32_t y)
+                           uint32_t y, glint_draw_edge *edge)
 {
     const uint8_t *const coverage = lines->run.coverage, *const stop = coverage + lines->w;
     lines->run.soft = lines->soft;
@@ -291,7 +291,7 @@ static void coverage_edges(const struct glint_paint *paint, struct glint_lines *
         while (end != stop && end - at < (ptrdiff_t)GLINT_RUN && (uint8_t)(*end - 1) < 254)
             end++;
         lines->run.x = (uint32_t)(at - coverage);
-        coverage_edge(paint, lines, bounds, (unsigned)(end - at), y);
+        (edge ? edge : coverage_edge)(paint, lines, bounds, (unsigned)(end - at), y);
         at = end;
     }
     lines->run.soft = NULL;

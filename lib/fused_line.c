@@ -46,6 +46,15 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *p,
     return true;
 }
 
+void glint_line_dark(struct glint_line_loop *loop, const struct glint_paint *paint)
+{
+    struct glint_run dark = {(uint8_t *)&loop->dark, 0, 0, 0, NULL, NULL, NULL, 0, NULL};
+    loop->sample.t_q30 = UINT32_MAX;
+    loop->sample.nl_q16 = loop->sample.f_q16 = 0;
+    if (GLINT_FLASH_POINTER(paint->format->levels)(paint, &dark, &loop->sample, 1))
+        glint_paint_sums(paint, &dark, 0, 0, 0);
+}
+
 /* A line by the loop; pixels that this leaves open by the 64-bit sequence. */
 static void fused_line(struct glint_line_loop *loop, const struct glint_paint *paint, struct glint_lines *lines,
                        struct glint_bounds *bounds, uint32_t y)
@@ -66,7 +75,7 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
         glint_paint_exactly(paint, run, 0, &loop->sample);
     }
     if (lines->soft)
-        GLINT_FLASH_POINTER(lines->soft->edges)(paint, lines, bounds, y);
+        GLINT_FLASH_POINTER(lines->soft->edges)(paint, lines, bounds, y, NULL);
     if (loop->last) {
         glint_bounds_add(bounds, (uint32_t)(loop->first - run->line) / 2, y);
         glint_bounds_add(bounds, (uint32_t)(loop->last - run->line) / 2, y);
@@ -84,12 +93,8 @@ bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *line
         (h > 1 && GLINT_MISALIGNED(target->stride, 16)) || !format->begin(&loop, paint, lines->maps->albedo != NULL))
         return false;
     struct glint_bounds bounds;
-    struct glint_run dark = {(uint8_t *)&loop.dark, 0, 0, 0, NULL, NULL, NULL, 0, NULL}; /* the pixel where N.L <= 0 */
+    glint_line_dark(&loop, paint);
     glint_bounds_begin(&bounds);
-    loop.sample.t_q30 = UINT32_MAX;
-    loop.sample.nl_q16 = loop.sample.f_q16 = 0;
-    if (format->levels(paint, &dark, &loop.sample, 1))
-        glint_paint_exactly(paint, &dark, 0, &loop.sample);
     for (uint32_t y = 0; y < h; y++) {
         glint_lines_set(lines, y);
         fused_line(&loop, paint, lines, &bounds, y);

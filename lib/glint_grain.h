@@ -71,14 +71,32 @@ glint_grain_run(const struct glint_paint *paint, struct glint_sample *sample, un
     } while (++sample, --count);
 }
 
+/* How far up MSH's E, Q20, goes such that the largest is just below 2^28, where m is below end. */
+static inline uint32_t glint_msh_grain_up(uint32_t end)
+{
+    uint32_t up = 0;
+    while ((end + ((uint32_t)5 << (GLINT_GRAIN_BITS - 2))) >> (27 - up) == 0)
+        up++;
+    return up;
+}
+
 /* The last fields of every model's. */
-#define GLINT_GRAIN_USE glint_grain_f, glint_grain_check, glint_grain_draw, glint_grain_begin, glint_grain_sample
+#define GLINT_GRAIN_USE_BY(draw) glint_grain_f, glint_grain_check, draw, glint_grain_begin, glint_grain_sample
+#define GLINT_GRAIN_USE GLINT_GRAIN_USE_BY(glint_grain_draw)
 /* Where t (2 - t) / 2 takes the place of t in m. */
 #define GLINT_GRAIN_USE_SINE                                                                                           \
     glint_grain_f, glint_grain_check, glint_grain_draw, glint_grain_begin, glint_grain_sample_sine
 uint32_t glint_grain_f(const struct glint_paint *paint, uint32_t m, uint32_t t_q30);
 void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
                       struct glint_box *highlight);
+/* Pixel `at` of the run, of normals or of a span, whose sample is left open, by the 64-bit sequence; its F. m is made again, as F took its
+ * place; where F is 0, it is so exactly. */
+uint32_t glint_grain_exactly(const struct glint_paint *paint, const struct glint_lines *lines,
+                             const struct glint_span *span, struct glint_sample *sample, unsigned at);
+/* Draws count of a line's pixels, of normals, from the run's place on. */
+glint_draw_edge glint_grain_edge;
+/* 2^15 sin, of 128ths of a quarter. */
+extern const uint16_t glint_grain_sines[129]; /* GLINT_FLASH */
 enum glint_err glint_grain_check(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t w, uint32_t h,
                                  bool normals);
 void glint_grain_begin(struct glint_lines *lines);

@@ -55,6 +55,9 @@ struct glint_use_format {
  *
  * Whoever has a run with coverage that blends sets its `soft`. glint_paint_run and several lights draw by these then in the place of the
  * format's functions, and glint_tables_pixels in the place of the table's. */
+typedef void glint_draw_edge(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
+                             unsigned count, uint32_t y);
+
 struct glint_use_coverage {
     uint32_t (*blend)(const struct glint_run *run, const struct glint_paint *paint, const struct glint_sample *samples,
                       unsigned count);
@@ -66,8 +69,10 @@ struct glint_use_coverage {
     void (*blend_pixels)(const struct glint_run *run, const struct glint_paint *paint, const struct glint_raw *raws,
                          unsigned count);
     void (*line)(const struct glint_paint *paint, const struct glint_lines *lines);
-    /* Of a line of normals by an exact paint under one light: what is covered in part, and notes what of it shines. */
-    void (*edges)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds, uint32_t y);
+    /* Of a line of normals by an exact paint under one light: what is covered in part, and notes what of it shines. edge: draws count <= GLINT_RUN
+     * pixels of it; NULL: without grain. */
+    void (*edges)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds, uint32_t y,
+                  glint_draw_edge *edge);
 };
 
 /* a x for a = m / 255, m = 0..255, in 32 bits, rounded down (m_257: 257 m, a of 2^16); how low each is, tier exact shows for all of them (test_pixel).

@@ -20,7 +20,7 @@ static inline void grain_way_set(struct grain_way *way, int32_t x, int32_t y, co
 }
 
 /* 2^15 sin, of 128ths of a quarter. */
-static const uint16_t grain_sine[129] GLINT_FLASH = {
+const uint16_t glint_grain_sines[129] GLINT_FLASH = {
     0,     402,   804,   1206,  1608,  2009,  2411,  2811,  3212,  3612,  4011,  4410,  4808,  5205,  5602,
     5998,  6393,  6787,  7180,  7571,  7962,  8351,  8740,  9127,  9512,  9896,  10279, 10660, 11039, 11417,
     11793, 12167, 12540, 12910, 13279, 13646, 14010, 14373, 14733, 15091, 15447, 15800, 16151, 16500, 16846,
@@ -35,8 +35,8 @@ static const uint16_t grain_sine[129] GLINT_FLASH = {
 static inline void grain_turned(struct grain_way *way, uint32_t angle, const struct glint_vec *h)
 {
     const uint32_t back = angle <= 128 ? angle : 256 - angle;
-    const int32_t x = GLINT_FLASH_U16(grain_sine[128 - back]);
-    grain_way_set(way, angle <= 128 ? x : -x, GLINT_FLASH_U16(grain_sine[back]), h);
+    const int32_t x = GLINT_FLASH_U16(glint_grain_sines[128 - back]);
+    grain_way_set(way, angle <= 128 ? x : -x, GLINT_FLASH_U16(glint_grain_sines[back]), h);
 }
 
 /* Of any length, shifted so that |x| + |y| is in 2^14 .. 2^15; up: of the pixel before. 0, 0 stays. */
@@ -316,9 +316,8 @@ static __attribute__((noinline)) void grain_source(const struct glint_paint *pai
     GLINT_FLASH_POINTER(use->sample)(paint, lines, span, &view, normals, samples, from, count);
 }
 
-/* A sample that is left open, by the 64-bit sequence. m is made again, as F took its place; where F is 0, it is so exactly. */
-static void grain_exactly(const struct glint_paint *paint, const struct glint_lines *lines,
-                          const struct glint_span *span, struct glint_sample *sample, unsigned at)
+uint32_t glint_grain_exactly(const struct glint_paint *paint, const struct glint_lines *lines,
+                             const struct glint_span *span, struct glint_sample *sample, unsigned at)
 {
     uint32_t f = 0;
     if (sample->f_q16) {
@@ -326,31 +325,47 @@ static void grain_exactly(const struct glint_paint *paint, const struct glint_li
         f = glint_grain_f(paint, sample->f_q16, sample->t_q30);
     }
     glint_paint_sums(paint, &lines->run, at, sample->nl_q16, f);
+    return f;
+}
+
+/* Draws the run's pixels, at most GRAIN_RUN. bounds: what shines goes there, or NULL. */
+static __attribute__((noinline)) void grain_pixels(const struct glint_paint *paint, struct glint_lines *lines,
+                                                   struct glint_span *at, struct glint_bounds *bounds, uint32_t y)
+{
+    struct glint_sample samples[GRAIN_RUN];
+    struct glint_run *const run = &lines->run;
+    const unsigned count = lines->count;
+    if (at)
+        glint_lines_walk(paint, lines, at, samples);
+    grain_source(paint, lines, at, samples, 0, count);
+    GLINT_FLASH_POINTER(GLINT_FLASH_POINTER(paint->model->grain)->run)(paint, samples, count);
+    for (unsigned i = 0; bounds && i < count; i++) /* before gloss is drawn over */
+        if (samples[i].f_q16 && (!run->gloss || run->gloss[i]))
+            glint_bounds_add(bounds, run->x + i, y);
+    uint32_t open = glint_run_levels(paint, run, samples, count);
+    for (unsigned i = 0; open; i++, open >>= 1)
+        if (open & 1)
+            (void)glint_grain_exactly(paint, lines, at, samples + i, i);
+}
+
+void glint_grain_edge(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
+                      unsigned count, uint32_t y)
+{
+    for (; count; count -= lines->count, lines->run.x += lines->count) {
+        lines->count = (uint16_t)(count < GRAIN_RUN ? count : GRAIN_RUN);
+        grain_pixels(paint, lines, NULL, bounds, y);
+    }
 }
 
 void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
                       struct glint_box *highlight)
 {
     struct glint_bounds bounds;
-    struct glint_sample samples[GRAIN_RUN];
-    struct glint_run *const run = &lines->run;
-    const struct glint_use_grain *use = GLINT_FLASH_POINTER(paint->model->grain);
     glint_bounds_begin(&bounds);
     lines->most = GRAIN_RUN;
     glint_grain_begin(lines);
     for (uint32_t y = 0; y < h; y++)
-        for (glint_lines_set(lines, y); glint_lines_next(lines); run->x += lines->count) {
-            if (at)
-                glint_lines_walk(paint, lines, at, samples);
-            grain_source(paint, lines, at, samples, 0, lines->count);
-            GLINT_FLASH_POINTER(use->run)(paint, samples, lines->count);
-            for (unsigned i = 0; highlight && i < lines->count; i++) /* before gloss is drawn over */
-                if (samples[i].f_q16 && (!run->gloss || run->gloss[i]))
-                    glint_bounds_add(&bounds, run->x + i, y);
-            uint32_t open = glint_run_levels(paint, run, samples, lines->count);
-            for (unsigned i = 0; open; i++, open >>= 1)
-                if (open & 1)
-                    grain_exactly(paint, lines, at, samples + i, i);
-        }
+        for (glint_lines_set(lines, y); glint_lines_next(lines); lines->run.x += lines->count)
+            grain_pixels(paint, lines, at, highlight ? &bounds : NULL, y);
     glint_bounds_box(&bounds, highlight);
 }
