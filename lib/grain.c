@@ -8,7 +8,7 @@
 
 /* With what is the same for all normals: |U|^2 and H.U, Q30. */
 struct grain_way {
-    int32_t x, y, h;
+    int32_t x, y, z, h; /* z: of meshes alone */
     uint32_t square;
 };
 
@@ -103,6 +103,16 @@ grain_of_normal(const struct grain_way *way, bool is_unit, int32_t x, int32_t y,
     return grain_half_square(grain_off(way, along, t), d, most);
 }
 
+/* The same of a direction in space. |U|^2 |N|^2 - (N.U)^2 = |N x U|^2. */
+static inline __attribute__((always_inline)) uint32_t grain_of_axis(const struct grain_way *way, int32_t x, int32_t y,
+                                                                    int32_t z, uint32_t t, uint32_t most)
+{
+    const int32_t u = way->x, v = way->y, w = way->z;
+    const int32_t a = (y * w - z * v) >> 15, b = (z * u - x * w) >> 15, c = (x * v - y * u) >> 15;
+    const uint32_t d = ((uint32_t)(a * a) + (uint32_t)(b * b) + (uint32_t)(c * c)) >> 3;
+    return grain_half_square(grain_off(way, x * u + y * v + z * w, t), d, most);
+}
+
 /* ---- Samples ---- */
 
 /* What is the same for all of a run. is_sine is known at compile time. */
@@ -112,15 +122,29 @@ struct grain_run {
     bool is_sine;
 };
 
+static inline __attribute__((always_inline)) void grain_run_set(struct grain_run *g, const struct glint_paint *paint,
+                                                                const struct glint_vec *l, const struct glint_vec *h,
+                                                                bool is_sine)
+{ /* by fields: no call of memcpy */
+    g->n_across = paint->material.n_across;
+    g->more = paint->of.exact.n - g->n_across;
+    g->l.x = l->x, g->l.y = l->y, g->l.z = l->z;
+    g->h.x = h->x, g->h.y = h->y, g->h.z = h->z;
+    g->is_sine = is_sine;
+}
+
 /* t of m: Q22. */
 static inline uint32_t grain_t(const struct grain_run *g, uint32_t t)
 {
     return (g->is_sine ? t - (glint_squarehi_near(t << 1) >> 1) : t) >> 8;
 }
 
+/* What is known of U when it is compiled. */
+enum grain_kind { GRAIN_UNIT, GRAIN_ANY, GRAIN_AXIS };
+
 /* Steps 1, 2 and 2a of one normal; t and m are UINT32_MAX where N.L is 0 or t > 1. way: NULL where there is no grain: n times t. */
 static inline __attribute__((always_inline)) void grain_sample(const struct grain_run *g, const struct grain_way *way,
-                                                               bool is_unit, const struct glint_vec *normal,
+                                                               enum grain_kind kind, const struct glint_vec *normal,
                                                                struct glint_sample *sample)
 {
     const int32_t x = normal->x, y = normal->y, z = normal->z;
@@ -136,7 +160,10 @@ static inline __attribute__((always_inline)) void grain_sample(const struct grai
         return;
     const uint32_t s = grain_t(g, t);
     sample->t_q30 = t;
-    sample->f_q16 = g->n_across * s + g->more * (way ? grain_of_normal(way, is_unit, x, y, z, t, s) : s);
+    sample->f_q16 =
+        g->n_across * s + g->more * (!way                 ? s
+                                     : kind == GRAIN_AXIS ? grain_of_axis(way, x, y, z, t, s)
+                                                          : grain_of_normal(way, kind == GRAIN_UNIT, x, y, z, t, s));
 }
 
 static inline __attribute__((always_inline)) void grain_one_way(const struct grain_run *g, const struct grain_way *way,
@@ -145,7 +172,7 @@ static inline __attribute__((always_inline)) void grain_one_way(const struct gra
 {
     const struct glint_sample *end = sample + count;
     for (; sample != end; sample++, normal++)
-        grain_sample(g, way, true, normal, sample);
+        grain_sample(g, way, GRAIN_UNIT, normal, sample);
 }
 
 static inline __attribute__((always_inline)) void grain_by_map(const struct grain_run *g, const uint8_t *angle,
@@ -156,7 +183,7 @@ static inline __attribute__((always_inline)) void grain_by_map(const struct grai
     for (; sample != end; sample++, normal++, angle++) {
         struct grain_way way;
         grain_turned(&way, *angle, &g->h);
-        grain_sample(g, &way, true, normal, sample);
+        grain_sample(g, &way, GRAIN_UNIT, normal, sample);
     }
 }
 
@@ -170,7 +197,7 @@ static inline __attribute__((always_inline)) void grain_by_place(const struct gr
     for (; sample != end; sample++, normal++, x += 16) {
         struct grain_way way;
         grain_scaled(&way, spun ? -y : x, spun ? x : y, &up, &g->h);
-        grain_sample(g, &way, false, normal, sample);
+        grain_sample(g, &way, GRAIN_ANY, normal, sample);
     }
 }
 
@@ -204,7 +231,7 @@ static inline __attribute__((always_inline)) void grain_shiny(struct grain_run *
     for (; sample != end; sample++, code++) {
         g->n_across = glint_shininess_n(*code);
         if (normal)
-            grain_sample(g, NULL, true, normal++, sample);
+            grain_sample(g, NULL, GRAIN_UNIT, normal++, sample);
         else
             sample->f_q16 = sample->t_q30 > GLINT_T_ONE ? UINT32_MAX : g->n_across * grain_t(g, sample->t_q30);
     }
@@ -218,12 +245,8 @@ grain_samples(const struct glint_paint *paint, const struct glint_lines *lines, 
     const struct glint_maps *const maps = lines->maps;
     const struct glint_run *const run = &lines->run;
     const uint32_t x = run->x + from, line = run->y - lines->target->y;
-    struct grain_run g; /* by fields: no call of memcpy */
-    g.n_across = paint->material.n_across;
-    g.more = paint->of.exact.n - g.n_across;
-    g.l.x = view->l.x, g.l.y = view->l.y, g.l.z = view->l.z;
-    g.h.x = view->h.x, g.h.y = view->h.y, g.h.z = view->h.z;
-    g.is_sine = is_sine;
+    struct grain_run g;
+    grain_run_set(&g, paint, &view->l, &view->h, is_sine);
     if (maps && maps->shininess) {
         g.more = 0;
         grain_shiny(&g, maps->shininess + maps->shininess_stride * (ptrdiff_t)line + x, normals, samples, count);
@@ -256,6 +279,71 @@ void glint_grain_sample_sine(const struct glint_paint *paint, const struct glint
 {
     grain_samples(paint, lines, span, view, normals, samples, from, count, true);
 }
+
+/* ---- Rows of meshes ---- */
+
+static inline __attribute__((always_inline)) void
+grain_row_samples(const struct glint_paint *paint, const struct grain_way *way, const struct glint_vec *normal,
+                  struct glint_sample *sample, unsigned count, bool is_sine)
+{
+    struct grain_run g;
+    grain_run_set(&g, paint, &paint->l, &paint->h, is_sine);
+    for (const struct glint_sample *end = sample + count; sample != end; sample++, normal++)
+        grain_sample(&g, way, GRAIN_AXIS, normal, sample);
+}
+
+/* An axis, turned, as normals are. */
+static void grain_axis(struct grain_way *way, const int16_t axis[3], int16_t turn[3][3], const struct glint_vec *h)
+{
+    int32_t u[3];
+    for (unsigned k = 0; k < 3; k++) {
+        const int32_t sum = turn[k][0] * axis[0] + turn[k][1] * axis[1] + turn[k][2] * axis[2];
+        const int32_t nearest = (sum + 8192) >> 14;
+        u[k] = nearest > INT16_MAX ? INT16_MAX : nearest < -INT16_MAX ? -INT16_MAX : nearest;
+    }
+    way->x = u[0], way->y = u[1], way->z = u[2];
+    way->h = h->x * u[0] + h->y * u[1] + h->z * u[2];
+}
+
+static inline __attribute__((always_inline)) void
+grain_row_of(const struct glint_paint *paint, const struct glint_run *run, const int16_t axis[3], int16_t turn[3][3],
+             const struct glint_vec *normals, struct glint_sample *samples, unsigned count,
+             void (*sampled)(const struct glint_paint *paint, const struct grain_way *way,
+                             const struct glint_vec *normal, struct glint_sample *sample, unsigned count))
+{
+    struct grain_way way;
+    grain_axis(&way, axis, turn, &paint->h);
+    sampled(paint, &way, normals, samples, count);
+    GLINT_FLASH_POINTER(GLINT_FLASH_POINTER(paint->model->grain)->run)(paint, samples, count);
+    uint32_t open = glint_run_levels(paint, run, samples, count);
+    for (unsigned i = 0; open; i++, open >>= 1) {
+        uint32_t f = 0;
+        if (!(open & 1))
+            continue;
+        if (samples[i].f_q16) {
+            sampled(paint, &way, normals + i, samples + i, 1);
+            f = glint_grain_f(paint, samples[i].f_q16, samples[i].t_q30);
+        }
+        glint_paint_sums(paint, run, i, samples[i].nl_q16, f);
+    }
+}
+
+#define GRAIN_ROW(name, is_sine)                                                                                       \
+    static __attribute__((noinline)) void grain_##name(const struct glint_paint *paint, const struct grain_way *way,   \
+                                                       const struct glint_vec *normal, struct glint_sample *sample,    \
+                                                       unsigned count)                                                 \
+    {                                                                                                                  \
+        grain_row_samples(paint, way, normal, sample, count, is_sine);                                                 \
+    }                                                                                                                  \
+    void glint_grain_##name(const struct glint_paint *paint, const struct glint_run *run, const int16_t axis[3],       \
+                            int16_t turn[3][3], const struct glint_vec *normals, struct glint_sample *samples,         \
+                            unsigned count)                                                                            \
+    {                                                                                                                  \
+        grain_row_of(paint, run, axis, turn, normals, samples, count, grain_##name);                                   \
+    }
+GRAIN_ROW(row, false)
+GRAIN_ROW(row_sine, true)
+#undef GRAIN_ROW
 
 /* ---- Lines ---- */
 
