@@ -35,9 +35,6 @@ struct glint_use_grain {
     void (*sample)(const struct glint_paint *paint, const struct glint_lines *lines, const struct glint_span *span,
                    const struct glint_view *view, const struct glint_vec *normals, struct glint_sample *samples,
                    unsigned from, unsigned count);
-    /* Draws count pixels of a mesh's row under one directional light, or none. axis: of the mesh, turned by turn (Q14); samples: to work with. */
-    void (*row)(const struct glint_paint *paint, const struct glint_run *run, const int16_t axis[3], int16_t turn[3][3],
-                const struct glint_vec *normals, struct glint_sample *samples, unsigned count);
 };
 
 /* Is F of two arguments? */
@@ -84,12 +81,11 @@ static inline uint32_t glint_msh_grain_up(uint32_t end)
 }
 
 /* The last fields of every model's. */
-#define GLINT_GRAIN_USE_BY(draw)                                                                                       \
-    glint_grain_f, glint_grain_check, draw, glint_grain_begin, glint_grain_sample, glint_grain_row
+#define GLINT_GRAIN_USE_BY(draw) glint_grain_f, glint_grain_check, draw, glint_grain_begin, glint_grain_sample
 #define GLINT_GRAIN_USE GLINT_GRAIN_USE_BY(glint_grain_draw)
 /* Where t (2 - t) / 2 takes the place of t in m. */
 #define GLINT_GRAIN_USE_SINE                                                                                           \
-    glint_grain_f, glint_grain_check, glint_grain_draw, glint_grain_begin, glint_grain_sample_sine, glint_grain_row_sine
+    glint_grain_f, glint_grain_check, glint_grain_draw, glint_grain_begin, glint_grain_sample_sine
 uint32_t glint_grain_f(const struct glint_paint *paint, uint32_t m, uint32_t t_q30);
 void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
                       struct glint_box *highlight);
@@ -111,9 +107,13 @@ void glint_grain_sample_sine(const struct glint_paint *paint, const struct glint
                              const struct glint_span *span, const struct glint_view *view,
                              const struct glint_vec *normals, struct glint_sample *samples, unsigned from,
                              unsigned count);
-typedef void glint_grain_rows(const struct glint_paint *paint, const struct glint_run *run, const int16_t axis[3],
-                              int16_t turn[3][3], const struct glint_vec *normals, struct glint_sample *samples,
-                              unsigned count);
-glint_grain_rows glint_grain_row, glint_grain_row_sine;
+
+/* ---- Meshes ---- */
+
+/* Draws count pixels of a mesh's row under one directional light, or none. axis: of the mesh, turned by turn (Q14); samples: to work with. */
+struct glint_use_axis {
+    void (*row)(const struct glint_paint *paint, const struct glint_run *run, const int16_t axis[3], int16_t turn[3][3],
+                const struct glint_vec *normals, struct glint_sample *samples, unsigned count);
+};
 
 #endif

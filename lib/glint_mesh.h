@@ -31,6 +31,8 @@ struct glint_texture {
 
 struct glint_use_mesh; /* const */
 extern const struct glint_use_mesh glint_use_mesh_albedo;
+struct glint_use_axis; /* const */
+extern const struct glint_use_axis glint_use_mesh_grain;
 
 /* Yours, const: it may lie in flash. */
 struct glint_mesh {
@@ -58,8 +60,10 @@ struct glint_mesh {
     /* Of each face the three beyond its edges (corners 0 to 1, 1 to 2, 2 to 0), for smooth outlines; GLINT_MESH_RIM: none there,
      * GLINT_MESH_SEAM: none, but no outline either. NULL: outlines are stepped. */
     const uint16_t *neighbours;
-    /* For paints with n_across: the grain runs along this axis, x, y, z in Q1.15 of about unit length, as it lies in the surface. 0, 0, 0: none. */
+    /* For paints with n_across: the grain runs along this axis, x, y, z in Q1.15 of about unit length, as it lies in the surface. */
     int16_t grain[3];
+    const struct glint_use_axis
+        *use_grain; /* &glint_use_mesh_grain, so that other programs do not link it; NULL: no grain */
 };
 #define GLINT_MESH_RIM 65535u
 #define GLINT_MESH_SEAM 65534u
@@ -137,7 +141,7 @@ enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint
  * the picture is drawn, like the paints. Under one directional light t is the quadratic above. Under points, spots and several lights, for
  * Phong and with n_across, normals are interpolated instead, and a pixel's place is that of the surface before projection. The viewer is distant, also under
  * perspective.
- * GLINT_ERR_ARG: NULL, too few bytes, misaligned, a paint of zeros or never lit, n_across where the mesh has no grain or under other lights than
+ * GLINT_ERR_ARG: NULL, too few bytes, misaligned, a paint of zeros or never lit, n_across without use_grain or under other lights than
  * one that is directional, paints of different lights or formats, COLOUR tables and
  * colours of the mesh or a texture, ALBEDO tables and neither, either of them by ALBEDO tables or a texture without use, no room for lights. GLINT_ERR_VECTOR: a quaternion of 0. */
 size_t glint_mesh_bytes(const struct glint_mesh *mesh, uint16_t h);

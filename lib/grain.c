@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Grain: m of each sample (step 2a of sequence.md), and lines drawn by F of t and m. */
 #include "glint_grain.h"
+#include "glint_mesh.h"
 #include "glint_math.h"
 #include "glint_math_vector.h"
 
@@ -115,7 +116,7 @@ static inline __attribute__((always_inline)) uint32_t grain_of_axis(const struct
 
 /* ---- Samples ---- */
 
-/* What is the same for all of a run. is_sine is known at compile time. */
+/* What is the same for all of a run. is_sine is known at compile time, but for meshes. */
 struct grain_run {
     uint32_t n_across, more; /* n - n_across, modulo 2^32 */
     struct glint_vec l, h;
@@ -282,12 +283,12 @@ void glint_grain_sample_sine(const struct glint_paint *paint, const struct glint
 
 /* ---- Rows of meshes ---- */
 
-static inline __attribute__((always_inline)) void
-grain_row_samples(const struct glint_paint *paint, const struct grain_way *way, const struct glint_vec *normal,
-                  struct glint_sample *sample, unsigned count, bool is_sine)
+static __attribute__((noinline)) void grain_row_samples(const struct glint_paint *paint, const struct grain_way *way,
+                                                        const struct glint_vec *normal, struct glint_sample *sample,
+                                                        unsigned count)
 {
     struct grain_run g;
-    grain_run_set(&g, paint, &paint->l, &paint->h, is_sine);
+    grain_run_set(&g, paint, &paint->l, &paint->h, GLINT_FLASH_U8(paint->model->model) == GLINT_GGX);
     for (const struct glint_sample *end = sample + count; sample != end; sample++, normal++)
         grain_sample(&g, way, GRAIN_AXIS, normal, sample);
 }
@@ -305,15 +306,12 @@ static void grain_axis(struct grain_way *way, const int16_t axis[3], int16_t tur
     way->h = h->x * u[0] + h->y * u[1] + h->z * u[2];
 }
 
-static inline __attribute__((always_inline)) void
-grain_row_of(const struct glint_paint *paint, const struct glint_run *run, const int16_t axis[3], int16_t turn[3][3],
-             const struct glint_vec *normals, struct glint_sample *samples, unsigned count,
-             void (*sampled)(const struct glint_paint *paint, const struct grain_way *way,
-                             const struct glint_vec *normal, struct glint_sample *sample, unsigned count))
+static void grain_row(const struct glint_paint *paint, const struct glint_run *run, const int16_t axis[3],
+                      int16_t turn[3][3], const struct glint_vec *normals, struct glint_sample *samples, unsigned count)
 {
     struct grain_way way;
     grain_axis(&way, axis, turn, &paint->h);
-    sampled(paint, &way, normals, samples, count);
+    grain_row_samples(paint, &way, normals, samples, count);
     GLINT_FLASH_POINTER(GLINT_FLASH_POINTER(paint->model->grain)->run)(paint, samples, count);
     uint32_t open = glint_run_levels(paint, run, samples, count);
     for (unsigned i = 0; open; i++, open >>= 1) {
@@ -321,29 +319,14 @@ grain_row_of(const struct glint_paint *paint, const struct glint_run *run, const
         if (!(open & 1))
             continue;
         if (samples[i].f_q16) {
-            sampled(paint, &way, normals + i, samples + i, 1);
+            grain_row_samples(paint, &way, normals + i, samples + i, 1);
             f = glint_grain_f(paint, samples[i].f_q16, samples[i].t_q30);
         }
         glint_paint_sums(paint, run, i, samples[i].nl_q16, f);
     }
 }
 
-#define GRAIN_ROW(name, is_sine)                                                                                       \
-    static __attribute__((noinline)) void grain_##name(const struct glint_paint *paint, const struct grain_way *way,   \
-                                                       const struct glint_vec *normal, struct glint_sample *sample,    \
-                                                       unsigned count)                                                 \
-    {                                                                                                                  \
-        grain_row_samples(paint, way, normal, sample, count, is_sine);                                                 \
-    }                                                                                                                  \
-    void glint_grain_##name(const struct glint_paint *paint, const struct glint_run *run, const int16_t axis[3],       \
-                            int16_t turn[3][3], const struct glint_vec *normals, struct glint_sample *samples,         \
-                            unsigned count)                                                                            \
-    {                                                                                                                  \
-        grain_row_of(paint, run, axis, turn, normals, samples, count, grain_##name);                                   \
-    }
-GRAIN_ROW(row, false)
-GRAIN_ROW(row_sine, true)
-#undef GRAIN_ROW
+const struct glint_use_axis glint_use_mesh_grain GLINT_FLASH = {grain_row};
 
 /* ---- Lines ---- */
 

@@ -128,8 +128,7 @@ static bool mesh_can(struct glint_mesh_frame *frame, const struct glint_mesh *me
         if (!glint_paint_is_lit(paint) || !mesh_are_alike(paint, paints) ||
             paint->output.format != paints->output.format)
             return false;
-        if (glint_paint_is_exact(paint) && paint->material.n_across &&
-            (paint->several || !(mesh->grain[0] | mesh->grain[1] | mesh->grain[2])))
+        if (glint_paint_is_exact(paint) && paint->material.n_across && (paint->several || !mesh->use_grain))
             return false;
         const bool has_albedo = coloured || (mesh->textures && mesh->textures[i].pixels);
         if (!glint_paint_is_exact(paint) &&

@@ -221,12 +221,10 @@ ROWS_ALONE unsigned lit_begin(struct mesh_lit *lit, const struct glint_paint *pa
 
 /* ---- Any ---- */
 
-static inline void row_grain(const struct glint_paint *paint, const struct glint_run *run,
-                             struct glint_mesh_drawn *drawn, const struct glint_vec *normals,
-                             struct glint_sample *samples, unsigned count)
+bool glint_mesh_is_lit(const struct glint_paint *paint)
 {
-    const struct glint_use_grain *use = GLINT_FLASH_POINTER(paint->model->grain);
-    GLINT_FLASH_POINTER(use->row)(paint, run, drawn->mesh->grain, drawn->turn, normals, samples, count);
+    return paint->several || glint_mesh_has_grain(paint) ||
+           (glint_paint_is_exact(paint) && GLINT_FLASH_POINTER(paint->model->geometry));
 }
 
 uint32_t glint_mesh_t_end(const struct glint_paint *paint)
@@ -325,10 +323,10 @@ static inline __attribute__((always_inline)) void rows_of(const struct glint_pai
                 if (paint->several)
                     GLINT_FLASH_POINTER(paint->several->run)(&lit->lights, count);
                 else if (has_grain)
-                    row_grain(paint, run, target->drawn, lit->normals, samples, count);
-                else
-                    GLINT_FLASH_POINTER(paint->model->geometry)
-                (&paint->l, &paint->v, &paint->h, lit->normals, samples, count);
+                    GLINT_FLASH_POINTER(target->drawn->mesh->use_grain->row)
+                (paint, run, target->drawn->mesh->grain, target->drawn->turn, lit->normals, samples, count);
+                else GLINT_FLASH_POINTER(paint->model->geometry)(&paint->l, &paint->v, &paint->h, lit->normals, samples,
+                                                                 count);
             } else if (exact) {
                 glint_samples_walk(&row.at, samples, count);
             } else {

@@ -215,7 +215,7 @@ static void write_all(const struct baked_mesh *baked, const char *storage, const
         fprintf(out, "%s_neighbours, ", name);
     else
         fputs("NULL, ", out);
-    fprintf(out, "{%d, %d, %d}};\n", mesh->grain[0], mesh->grain[1], mesh->grain[2]);
+    fprintf(out, "{%d, %d, %d}, NULL};\n", mesh->grain[0], mesh->grain[1], mesh->grain[2]);
 }
 
 void bake_mesh_write_c(const struct baked_mesh *baked, const char *name, FILE *out)

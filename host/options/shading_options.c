@@ -319,6 +319,7 @@ void shading_options_grain(const struct shading_options *options, struct fitted 
 {
     static const double right[3] = {1, 0, 0};
     const double *axis = options->scene.has_grain ? options->scene.grain.at : right;
+    fitted->mesh.use_grain = &glint_use_mesh_grain;
     for (int k = 0; k < 3; k++)
         fitted->mesh.grain[k] = (int16_t)lround(32767 * axis[k]);
 }

@@ -82,6 +82,7 @@ static void meshes_with_and_without_grain_are_46_db_or_nearer_to_double_precisio
             if (!model_has_grain((enum glint_model)m))
                 continue;
             struct fitted *fitted = mesh_fit(mesh, 0);
+            fitted->mesh.use_grain = &glint_use_mesh_grain;
             for (int k = 0; k < 3; k++)
                 fitted->mesh.grain[k] = (int16_t)lround(32767 * axes[i][k]);
             struct scene finish = {.finish = plain_finish};

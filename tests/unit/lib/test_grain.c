@@ -375,6 +375,7 @@ static void make_ball(void)
     mesh_ball(&ball, 12, 20);
     ball.pose = pose;
     ball.mesh.grain[0] = 20000, ball.mesh.grain[1] = -12000, ball.mesh.grain[2] = 23000;
+    ball.mesh.use_grain = &glint_use_mesh_grain;
 }
 
 static void draw_ball(const struct look *look, uint8_t *drawn, unsigned height, bool backwards)
@@ -427,9 +428,9 @@ static void a_mesh_takes_grain_along_its_axis_under_one_directional_light(void *
     paint_of(&paint, &look);
     assert_int_equal(added(&ball.mesh, &paint, GLINT_MESH_LIGHTS_BYTES), GLINT_OK);
     assert_int_equal(added(&ball.mesh, &paint, 0), GLINT_ERR_ARG);
-    memset(ball.mesh.grain, 0, sizeof ball.mesh.grain);
+    ball.mesh.use_grain = NULL;
     assert_int_equal(added(&ball.mesh, &paint, GLINT_MESH_LIGHTS_BYTES), GLINT_ERR_ARG);
-    ball.mesh.grain[2] = 32767;
+    ball.mesh.use_grain = &glint_use_mesh_grain;
     assert_int_equal(glint_paint_light(&paint, &look.light, 0, in_front), GLINT_OK);
     assert_int_equal(added(&ball.mesh, &paint, GLINT_MESH_LIGHTS_BYTES), GLINT_OK);
     assert_int_equal(glint_light_point(&point, place, 20000), GLINT_OK);
