@@ -6,72 +6,7 @@
  * rest out. One whose levels V + W does not decide ends the call: C draws it, and calls again. */
 #include "glint_port.h"
 #if GLINT_CORTEX_M0PLUS_ASM
-#include "cortex_m0plus.inc"
-#include "glint_lobe.h"
-#include "glint_offsets.h"
-
-/* normals past the pixel in r0, its place in out in r1; constants in r2, in their order */
-#define constants r2
-#define x r3
-#define y r4
-#define z r5
-#define nl r6
-#define v r7
-#define minus_hx r8
-#define minus_hy r9
-#define minus_hz r10
-#define first r11 /* lit pixel, in out */
-#define limit r12
-#define run_end lr /* of out */
-
-/* Ours, from sp, behind what is copied. */
-#define OUR_ALBEDO GLINT_AT_LINE_DARK /* the pixel's albedo is at this and half the normal's place; a map has no dark pixel */
-#define OUR_LOOP (GLINT_AT_LINE_COPIED)
-#define OUR_LAST (GLINT_AT_LINE_COPIED + 4) /* lit pixel, in out */
-#define OUR_LINE_END (GLINT_AT_LINE_COPIED + 8)
-#define OUR_MASK (GLINT_AT_LINE_COPIED + 12)
-#define OUR_MASK_AT (GLINT_AT_LINE_COPIED + 16) /* the pixel's mask is at this and half the pixel's place */
-#define OURS 96
-
-#define BASE_NL(k) (GLINT_AT_LINE_BASE + 8 * (k))
-#define BASE_ONE(k) (GLINT_AT_LINE_BASE + 8 * (k) + 4)
-#define LEVEL_BITS (32 - GLINT_LINE_SHIFT) /* of V, above a level's fraction */
-
-/* The next normal in x, y, z; nl and the flags of it, not held to 65536 yet. */
-.macro normal
-    mov constants, sp
-    ldrh x, [r0]
-    ldrh y, [r0, #2]
-    ldrh z, [r0, #4]
-    adds r0, #6
-    sxth x, x
-    sxth y, y
-    sxth z, z
-    ldmia constants!, {nl, v}
-    muls nl, x
-    muls v, y
-    adds nl, nl, v
-    ldmia constants!, {v}
-    muls v, z
-    adds nl, nl, v
-    asrs nl, nl, #13
-    adds nl, #1
-    asrs nl, nl, #1
-.endm
-
-/* 2t in x; to \far where it exceeds 32 bits. */
-.macro distance far
-    add x, minus_hx
-    add y, minus_hy
-    add z, minus_hz
-.irp difference, x, y, z
-    muls \difference, \difference
-.endr
-    adds x, x, y
-    bcs \far
-    adds x, x, z
-    bcs \far
-.endm
+#include "cortex_m0plus_line.inc"
 
 /* The places in the albedo map of the pixel whose normal r0 is behind: \at. */
 .macro albedo_at at, spare
@@ -88,17 +23,6 @@
 .endr
 .endm
 
-/* V without highlight in z, x, v. constants: in their order from base[0] on, but where x and z hold its words. */
-.macro base_plain
-    muls x, nl
-    adds z, z, x
-    ldmia constants!, {x, y, v}
-    muls x, nl
-    adds x, x, y
-    muls v, nl
-    ldmia constants!, {y}
-    adds v, v, y
-.endm
 .macro base_mapped
     albedo_at y, v
     muls x, nl
@@ -122,210 +46,11 @@
     add_half y
 .endm
 
-/* A channel of V with F in constants; at is the place of its albedo. */
-.macro channel value, spare, k, mapped, at
-    ldr \value, [sp, #BASE_NL(\k)]
-    muls \value, nl
-    ldr \spare, [sp, #BASE_ONE(\k)]
-    adds \value, \value, \spare
-.if \mapped
-    lsrs \value, \value, #7
-    ldrb \spare, [\at, #\k]
-    muls \value, \spare
-.endif
-    ldr \spare, [sp, #GLINT_AT_LINE_R + 4 * \k]
-    muls \spare, constants
-    adds \value, \value, \spare
-.endm
-
-/* F in constants, from 2t in x; all but nl and the places are changed. msh_near and msh_quotient, step by step. */
-.macro msh name
-    lsrs x, x, #1
-    ldr y, [sp, #GLINT_AT_LINE_K + 4 * GLINT_MSH_FACTOR]
-    lsrs z, x, #14
-    muls z, y
-    lsls v, x, #18
-    lsrs v, v, #18
-    muls v, y
-    asrs v, v, #14
-    adds z, z, v
-    ldr v, [sp, #GLINT_AT_LINE_K + 4 * GLINT_MSH_ADDEND]
-    adds z, z, v /* m */
-    ldr y, [sp, #GLINT_AT_LINE_K + 4 * GLINT_MSH_SHIFT]
-    lsrs v, z, #27
-    beq .L\name\()_small
-.L\name\()_scaled:
-    lsrs v, z, #21
-    subs v, #64
-    ldr constants, [sp, #GLINT_AT_LINE_RECIPROCALS]
-    ldrb v, [constants, v] /* y */
-    movs constants, #1
-    lsls constants, constants, #30
-    subs constants, constants, x
-    lsrs constants, constants, #6 /* u */
-    muls constants, v
-    lsrs constants, constants, #8
-    muls constants, v /* b */
-    muls z, v
-    asrs z, z, #14 /* r */
-    movs v, z
-    muls v, z
-    asrs v, v, #19
-    lsls x, z, #1
-    adds x, x, z
-    subs x, x, v
-    muls x, z
-    asrs x, x, #22
-    subs x, x, z /* p */
-    lsrs v, constants, #16
-    muls v, x
-    asrs v, v, #4
-    adds constants, constants, v /* x */
-    lsrs v, constants, #2
-    lsrs constants, constants, #3
-    adds constants, constants, v
-.irp bits, 4, 8, 16
-    lsrs v, constants, #\bits
-    adds constants, constants, v
-.endr /* q */
-    ldr v, .L\name\()_high
-    subs constants, constants, v
-    asrs constants, y /* and half of the last bit */
-    adds constants, #1
-    lsrs constants, constants, #1
-    lsrs v, constants, #16
-    bne .L\name\()_peak
-.endm
-
-/* A level that exceeds its largest in \value. */
-.macro held value, bits
-    lsrs y, \value, #GLINT_LINE_SHIFT + \bits
-    beq 1f
-    movs \value, #(1 << \bits) - 1
-    lsls \value, \value, #GLINT_LINE_SHIFT
-1:
-.endm
-
 .macro line_rgb565 name, swapped, mapped
     function \name
     enter OURS
-    movs r2, r0
-    mov r3, sp
-.rept 3
-    ldmia r2!, {r4-r7}
-    stmia r3!, {r4-r7}
-.endr
-    ldmia r2!, {r4-r7}
-    stmia r3!, {r4-r7}
-    ldmia r2!, {r4-r6}
-    stmia r3!, {r4-r6}
-    stmia r3!, {r0} /* OUR_LOOP */
-    ldmia r2!, {r3-r6}
-    mov minus_hx, r3
-    mov minus_hy, r4
-    mov minus_hz, r5
-    mov limit, r6
-    ldmia r2!, {r3-r7} /* out, w, mask, normals, albedo */
-.if \mapped
-    lsrs r0, r6, #1
-    subs r7, r7, r0
-    subs r7, #3
-    str r7, [sp, #OUR_ALBEDO]
-.endif
-    lsrs r0, r3, #1
-    subs r0, r5, r0
-    str r0, [sp, #OUR_MASK_AT]
-    str r5, [sp, #OUR_MASK]
-    lsls r4, r4, #1
-    adds r4, r4, r3
-    str r4, [sp, #OUR_LINE_END]
-    lsls r1, r1, #1
-    adds r0, r6, r1
-    adds r0, r0, r1
-    adds r0, r0, r1
-    adds r1, r1, r3
-    ldmia r2!, {r4, r5}
-    mov first, r4
-    str r5, [sp, #OUR_LAST]
-
-.L\name\()_run: /* x and y: where in the mask, and its end */
-    ldr y, [sp, #OUR_LINE_END]
-    mov run_end, y
-    cmp r1, y
-    beq .L\name\()_done
-    ldr x, [sp, #OUR_MASK]
-    cmp x, #0
-    beq .L\name\()_pixel
-    ldr v, [sp, #OUR_MASK_AT]
-    lsrs x, r1, #1
-    adds x, x, v
-    lsrs y, y, #1
-    adds y, y, v
-1:  lsls z, x, #30
-    bne 3f
-2:  adds z, x, #4
-    cmp z, y
-    bhi 3f
-    ldr nl, [x]
-    cmp nl, #0
-    bne 3f
-    movs x, z
-    b 2b
-3:  cmp x, y
-    beq .L\name\()_masked
-    ldrb nl, [x]
-    cmp nl, #255
-    beq 4f
-    cmp nl, #0
-    bne .L\name\()_edge
-    adds x, #1
-    b 1b
-4:  subs z, x, v
-    lsls z, z, #1
-    subs nl, z, r1
-    movs r1, z
-    adds r0, r0, nl
-    adds r0, r0, nl
-    adds r0, r0, nl
-5:  lsls z, x, #30
-    bne 7f
-6:  adds z, x, #4
-    cmp z, y
-    bhi 7f
-    ldr nl, [x]
-    adds nl, #1
-    bne 7f
-    movs x, z
-    b 6b
-7:  cmp x, y
-    beq 8f
-    ldrb nl, [x]
-    cmp nl, #255
-    bne 8f
-    adds x, #1
-    b 5b
-8:  subs x, x, v
-    lsls x, x, #1
-    mov run_end, x
-    b .L\name\()_pixel
-
-.L\name\()_edge: /* for C to blend */
-    subs x, x, v
-    lsls r1, x, #1
-    b .L\name\()_done
-.L\name\()_masked:
-    ldr r1, [sp, #OUR_LINE_END]
-.L\name\()_done: /* or a pixel is open */
-    ldr r2, [sp, #OUR_LOOP]
-    adds r2, #GLINT_AT_LINE_OUT
-    ldr r0, [r2]
-    subs r0, r1, r0
-    lsrs r0, r0, #1
-    mov r4, first
-    ldr r5, [sp, #OUR_LAST]
-    str r4, [r2, #GLINT_AT_LINE_LIT - GLINT_AT_LINE_OUT]
-    str r5, [r2, #GLINT_AT_LINE_LIT + 4 - GLINT_AT_LINE_OUT]
-    leave OURS
+    line_begin \mapped
+    line_runs \name, OURS
 
 .L\name\()_dark:
 .if \mapped
@@ -358,29 +83,9 @@
     base_plain
 .endif
 .L\name\()_value: /* V in z, x, v */
-    movs y, z
-    orrs y, v
-    lsrs nl, x, #1
-    orrs y, nl
-    lsrs y, y, #GLINT_LINE_SHIFT + 5
-    bne .L\name\()_held
+    levels_held .L\name\()_held
 .L\name\()_levels:
-    lsls y, z, #LEVEL_BITS
-    cmp y, limit
-    bhs .L\name\()_done
-    lsls y, x, #LEVEL_BITS
-    cmp y, limit
-    bhs .L\name\()_done
-    lsls y, v, #LEVEL_BITS
-    cmp y, limit
-    bhs .L\name\()_done
-    lsrs y, z, #GLINT_LINE_SHIFT
-    lsls y, y, #6
-    lsrs x, x, #GLINT_LINE_SHIFT
-    adds y, y, x
-    lsls y, y, #5
-    lsrs v, v, #GLINT_LINE_SHIFT
-    adds y, y, v
+    levels .L\name\()_done
 .if \swapped
     rev16 y, y
 .endif
@@ -397,9 +102,7 @@
     b .L\name\()_lit
 
 .L\name\()_held:
-    held z, 5
-    held x, 6
-    held v, 5
+    held_all
     b .L\name\()_levels
 
 .L\name\()_small: /* m, until it is 2^27 */
@@ -421,7 +124,26 @@
     cmp first, r1
     bhi .L\name\()_first
     str r1, [sp, #OUR_LAST]
-    msh \name
+    lsrs x, x, #1
+    ldr y, [sp, #GLINT_AT_LINE_K + 4 * GLINT_MSH_FACTOR]
+    lsrs z, x, #14
+    muls z, y
+    lsls v, x, #18
+    lsrs v, v, #18
+    muls v, y
+    asrs v, v, #14
+    adds z, z, v
+    ldr v, [sp, #GLINT_AT_LINE_K + 4 * GLINT_MSH_ADDEND]
+    adds z, z, v /* m, as msh_near has it */
+    ldr y, [sp, #GLINT_AT_LINE_K + 4 * GLINT_MSH_SHIFT]
+    lsrs v, z, #27
+    beq .L\name\()_small
+.L\name\()_scaled:
+    msh_reciprocal constants
+    movs constants, #1
+    lsls constants, constants, #30
+    subs constants, constants, x
+    msh_quotient .L\name\()_high, .L\name\()_peak
 .L\name\()_sum: /* F in constants */
 .if \mapped
     albedo_at y, z

@@ -319,22 +319,29 @@ static void coverage_next(struct glint_lines *lines)
 
 /* ---- Beside the line in assembly, which draws what is full ---- */
 
-static uint32_t coverage_edge(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
-                              uint32_t y)
+static void coverage_edge_plain(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
+                                unsigned count, uint32_t y)
 {
     struct glint_sample samples[GLINT_RUN];
     struct glint_run *const run = &lines->run;
-    lines->most = GLINT_RUN;
-    coverage_next(lines);
     run->albedo = lines->albedo ? lines->albedo + 3 * run->x : NULL;
     glint_samples_half(&paint->l, &paint->v, &paint->h, (const struct glint_vec *)(const void *)lines->normals + run->x,
-                       samples, lines->count);
-    for (unsigned i = 0; i < lines->count; i++)
+                       samples, count);
+    for (unsigned i = 0; i < count; i++)
         if (samples[i].t_q30 < paint->of.exact.t_end)
             glint_bounds_add(bounds, run->x + i, y);
-    glint_paint_run(paint, run, samples, lines->count);
-    run->format = lines->format;
-    return run->x + lines->count;
+    glint_paint_run(paint, run, samples, count);
+}
+
+static uint32_t coverage_edge(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
+                              uint32_t y, glint_draw_edge *draw)
+{
+    lines->most = GLINT_RUN;
+    coverage_next(lines);
+    const uint32_t end = lines->run.x + lines->count;
+    (draw ? draw : coverage_edge_plain)(paint, lines, bounds, lines->count, y);
+    lines->run.format = lines->format;
+    return end;
 }
 
 const struct glint_use_coverage glint_use_coverage GLINT_FLASH = {{NULL, NULL, coverage_levels, coverage_exact, NULL},

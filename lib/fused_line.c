@@ -46,6 +46,15 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *p,
     return true;
 }
 
+void glint_line_dark(struct glint_line_loop *loop, const struct glint_paint *paint)
+{
+    struct glint_run dark = {(uint8_t *)&loop->dark, 0, 0, 0, NULL, NULL, NULL, 0, paint->format};
+    loop->sample.t_q30 = UINT32_MAX;
+    loop->sample.nl_q16 = loop->sample.f_q16 = 0;
+    if (GLINT_FLASH_POINTER(paint->format->levels)(paint, &dark, &loop->sample, 1))
+        glint_paint_sums(paint, &dark, 0, 0, 0);
+}
+
 /* A line by the loop; pixels that this leaves open by the 64-bit sequence. */
 static void fused_line(struct glint_line_loop *loop, const struct glint_paint *paint, struct glint_lines *lines,
                        struct glint_bounds *bounds, uint32_t y)
@@ -62,7 +71,7 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
     for (uint32_t x = 0; (x = loop->draw(loop, x)) < lines->w; x++) {
         run->x = x;
         if (run->coverage && run->coverage[x] != 255) {
-            x = GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, bounds, y) - 1;
+            x = GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, bounds, y, NULL) - 1;
             continue;
         }
         run->albedo = lines->albedo ? lines->albedo + 3 * x : NULL;
@@ -86,13 +95,8 @@ bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *line
         (h > 1 && GLINT_MISALIGNED(target->stride, 16)) || !format->begin(&loop, paint, lines->maps->albedo != NULL))
         return false;
     struct glint_bounds bounds;
-    struct glint_run dark = {
-        (uint8_t *)&loop.dark, 0, 0, 0, NULL, NULL, NULL, 0, format}; /* the pixel where N.L <= 0 */
+    glint_line_dark(&loop, paint);
     glint_bounds_begin(&bounds);
-    loop.sample.t_q30 = UINT32_MAX;
-    loop.sample.nl_q16 = loop.sample.f_q16 = 0;
-    if (format->levels(paint, &dark, &loop.sample, 1))
-        glint_paint_exactly(paint, &dark, 0, &loop.sample);
     for (uint32_t y = 0; y < h; y++) {
         glint_lines_set(lines, y);
         fused_line(&loop, paint, lines, &bounds, y);
@@ -106,16 +110,16 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
                        struct glint_bounds *bounds, uint32_t y)
 {
     struct glint_run *const run = &lines->run;
-    bool has_edges = false;
     loop->first = UINT16_MAX;
     loop->last = 0;
     for (glint_lines_set(lines, y); glint_lines_next(lines); run->x += lines->count)
-        if (run->soft)
-            has_edges = true;
-        else
+        if (run->format == lines->format) {
             loop->draw(loop, paint, run, (const struct glint_vec *)(const void *)lines->normals + run->x, lines->count);
-    if (has_edges)
-        GLINT_FLASH_POINTER(lines->soft->edges)(paint, lines, bounds, y);
+        } else {
+            run->x = GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, bounds, y, NULL);
+            lines->most = UINT16_MAX;
+            lines->count = 0;
+        }
     if (loop->first <= loop->last) {
         glint_bounds_add(bounds, loop->first, y);
         glint_bounds_add(bounds, loop->last, y);

@@ -43,6 +43,30 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *pa
 bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
                        struct glint_box *highlight);
 
+/* The pixel where N.L <= 0. */
+void glint_line_dark(struct glint_line_loop *loop, const struct glint_paint *paint);
+
+/* With grain or a map of shininess: t_end is m's end, and k what GLINT_GRAIN_UP and so on say. */
+struct glint_grain_loop {
+    struct glint_line_loop line;
+    int32_t u[2], h; /* U and H.U, where all pixels have the same */
+    uint32_t kind;   /* 0, or GLINT_GRAIN_LINE_PLACE and so on */
+    uint32_t across, more;
+    uint32_t turn;                 /* bits by which a pixel, twice side by side, is turned to the right */
+    uintptr_t map;                 /* of pixel 0, less half of out */
+    const uint16_t *sines;         /* of a quarter */
+    uint32_t x;                    /* of the place, from the centre: with 8 times the pixel's address */
+    int32_t y;                     /* of U from the centre: its y, or where it is spun -y for x */
+    uint32_t y_size, log, is_spun; /* |y|; near the log2 of a pixel's |x| + |y|: any to begin with */
+};
+
+/* Draws as glint_grain_draw, by it where it can. */
+void glint_fused_grain(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
+                       struct glint_box *highlight);
+
+/* cortex_m0plus_grain.S: glint_line_rgb565's twin. */
+uint32_t glint_line_grain(struct glint_grain_loop *loop, uint32_t x);
+
 /* cortex_m0plus_rgb565.S */
 uint32_t glint_line_rgb565(struct glint_line_loop *loop, uint32_t x);
 uint32_t glint_line_rgb565_swapped(struct glint_line_loop *loop, uint32_t x);

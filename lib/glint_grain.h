@@ -24,9 +24,12 @@ struct glint_use_grain {
     /* ---- the same for all models: grain.c ---- */
     /* F by its definition, held to the peak. */
     uint32_t (*f)(const struct glint_paint *paint, uint32_t m, uint32_t t_q30);
-    /* Are the maps of w x h pixels such that a rectangle, or a span, can be drawn? lines->draw becomes what draws it under one directional
-     * light, or none, where F is of two arguments. */
+    /* Are the maps of w x h pixels such that a rectangle, or a span, can be drawn? lines->draw becomes `draw` where F is of two
+     * arguments. */
     enum glint_err (*check)(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h, bool normals);
+    /* Draws under one directional light, or none. at: the span's, or NULL. */
+    void (*draw)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
+                 struct glint_box *highlight);
     /* Several lights of a paint, which are begun, are to draw these lines: sets what draws grain, where there is any. */
     void (*light)(struct glint_lights *lights, struct glint_lines *lines);
     /* Steps 1, 2 and 2a for the run's pixels from `from` on: f_q16 is m; t and it are UINT32_MAX where F is 0 for sure. Of a span
@@ -70,12 +73,33 @@ glint_grain_run(const struct glint_paint *paint, struct glint_sample *sample, un
     } while (++sample, --count);
 }
 
+/* How far up MSH's E, Q20, goes such that the largest is just below 2^28, where m is below end. */
+static inline uint32_t glint_msh_grain_up(uint32_t end)
+{
+    uint32_t up = 0;
+    while ((end + ((uint32_t)5 << (GLINT_GRAIN_BITS - 2))) >> (27 - up) == 0)
+        up++;
+    return up;
+}
+
 /* The last fields of every model's. */
-#define GLINT_GRAIN_USE glint_grain_f, glint_grain_check, glint_grain_light, glint_grain_sample
+#define GLINT_GRAIN_USE_BY(draw) glint_grain_f, glint_grain_check, draw, glint_grain_light, glint_grain_sample
+#define GLINT_GRAIN_USE GLINT_GRAIN_USE_BY(glint_grain_draw)
 /* Where t (2 - t) / 2 takes the place of t in m. */
-#define GLINT_GRAIN_USE_SINE glint_grain_f, glint_grain_check, glint_grain_light, glint_grain_sample_sine
+#define GLINT_GRAIN_USE_SINE                                                                                           \
+    glint_grain_f, glint_grain_check, glint_grain_draw, glint_grain_light, glint_grain_sample_sine
 uint32_t glint_grain_f(const struct glint_paint *paint, uint32_t m, uint32_t t_q30);
 enum glint_err glint_grain_check(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h, bool normals);
+void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
+                      struct glint_box *highlight);
+/* Pixel `at` of the run, of normals or of a span, whose sample is left open, by the 64-bit sequence; its F. m is made again, as F took its
+ * place; where F is 0, it is so exactly. */
+uint32_t glint_grain_exactly(const struct glint_paint *paint, const struct glint_lines *lines,
+                             const struct glint_span *span, struct glint_sample *sample, unsigned at);
+/* Draws count of a line's pixels, of normals, from the run's place on. */
+glint_draw_edge glint_grain_edge;
+/* 2^15 sin, of 128ths of a quarter. */
+extern const uint16_t glint_grain_sines[129]; /* GLINT_FLASH */
 /* Before samples are made of a drawing's lines: their target and maps are set. */
 void glint_grain_begin(struct glint_lines *lines);
 void glint_grain_light(struct glint_lights *lights, struct glint_lines *lines);
@@ -86,5 +110,13 @@ void glint_grain_sample_sine(const struct glint_paint *paint, const struct glint
                              const struct glint_span *span, const struct glint_view *view,
                              const struct glint_vec *normals, struct glint_sample *samples, unsigned from,
                              unsigned count);
+
+/* ---- Meshes ---- */
+
+/* Draws count pixels of a mesh's row under one directional light, or none. axis: of the mesh, turned by turn (Q14); samples: to work with. */
+struct glint_use_axis {
+    void (*row)(const struct glint_paint *paint, const struct glint_run *run, const int16_t axis[3], int16_t turn[3][3],
+                const struct glint_vec *normals, struct glint_sample *samples, unsigned count);
+};
 
 #endif

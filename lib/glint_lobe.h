@@ -16,6 +16,10 @@
  * 2^14, the smallest step of F, so F is this or 1 more. */
 #define GLINT_MSH_HIGH (2400 + 26 * 256)
 
+/* Of t and m, with x >= E, Q20, by less than 2: doubled up to 5 times, as E > 4 - 2^-20. Of q >= 12 it may be halved first, and low by 1. So
+ * the quotient is high by less than this, low by less than 2400 + 101 + 26 * 64: together less than 2^14 again. */
+#define GLINT_MSH_GRAIN_HIGH (2400 + 26)
+
 #ifndef __ASSEMBLER__
 
 #include "glint_port.h"

@@ -31,6 +31,8 @@ struct glint_texture {
 
 struct glint_use_mesh; /* const */
 extern const struct glint_use_mesh glint_use_mesh_albedo;
+struct glint_use_axis; /* const */
+extern const struct glint_use_axis glint_use_mesh_grain;
 
 /* Yours, const: it may lie in flash. */
 struct glint_mesh {
@@ -58,6 +60,10 @@ struct glint_mesh {
     /* Of each face the three beyond its edges (corners 0 to 1, 1 to 2, 2 to 0), for smooth outlines; GLINT_MESH_RIM: none there,
      * GLINT_MESH_SEAM: none, but no outline either. NULL: outlines are stepped. */
     const uint16_t *neighbours;
+    /* For paints with n_across: the grain runs along this axis, x, y, z in Q1.15 of about unit length, as it lies in the surface. */
+    int16_t grain[3];
+    const struct glint_use_axis
+        *use_grain; /* &glint_use_mesh_grain, so that other programs do not link it; NULL: no grain */
 };
 #define GLINT_MESH_RIM 65535u
 #define GLINT_MESH_SEAM 65534u
@@ -124,7 +130,7 @@ extern const struct glint_use_outlines glint_outlines;
  * projection. Memory: glint_mesh_frame_bytes, aligned to 4 (to a pointer with GLINT_MESH_LIGHTS_BYTES), until the picture is drawn.
  * GLINT_MESH_KEPT_BYTES more for each triangle that goes on from one strip to the next spare setting it up again: with room for 18 the
  * teapot takes 8 % more cycles than with room for 50. GLINT_MESH_LIGHTS_BYTES more let points, spots and several lights light meshes, and
- * meshes have Phong's model. GLINT_ERR_ARG: NULL, a size of 0 or beyond GLINT_MESH_SIZE_MAX, too few bytes, misaligned. */
+ * meshes have Phong's model and grain. GLINT_ERR_ARG: NULL, a size of 0 or beyond GLINT_MESH_SIZE_MAX, too few bytes, misaligned. */
 #define GLINT_MESH_KEPT_BYTES 88u
 #define GLINT_MESH_LIGHTS_BYTES 968u /* 11 GLINT_MESH_KEPT_BYTES */
 size_t glint_mesh_frame_bytes(uint16_t w, uint16_t lines);
@@ -132,10 +138,11 @@ enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint
                                 uint16_t distance, void *memory, size_t bytes);
 
 /* Adds a mesh with a paint for each part, all lit by the same lights and of the same format. Memory: glint_mesh_bytes, aligned to 4, until
- * the picture is drawn, like the paints. Under one directional light t is the quadratic above. Under points, spots and several lights, and for
- * Phong, normals are interpolated instead, and a pixel's place is that of the surface before projection. The viewer is distant, also under
+ * the picture is drawn, like the paints. Under one directional light t is the quadratic above. Under points, spots and several lights, for
+ * Phong and with n_across, normals are interpolated instead, and a pixel's place is that of the surface before projection. The viewer is distant, also under
  * perspective.
- * GLINT_ERR_ARG: NULL, too few bytes, misaligned, a paint of zeros or never lit, n_across, paints of different lights or formats, COLOUR tables and
+ * GLINT_ERR_ARG: NULL, too few bytes, misaligned, a paint of zeros or never lit, n_across without use_grain or under other lights than
+ * one that is directional, paints of different lights or formats, COLOUR tables and
  * colours of the mesh or a texture, ALBEDO tables and neither, either of them by ALBEDO tables or a texture without use, no room for lights. GLINT_ERR_VECTOR: a quaternion of 0. */
 size_t glint_mesh_bytes(const struct glint_mesh *mesh, uint16_t h);
 enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn,

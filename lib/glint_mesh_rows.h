@@ -37,11 +37,12 @@ struct glint_mesh_lines {
 /* From this t on nothing of a paint shines. */
 uint32_t glint_mesh_t_end(const struct glint_paint *paint);
 
-/* Are normals interpolated, and not t? */
-static inline bool glint_mesh_is_lit(const struct glint_paint *paint)
+static inline bool glint_mesh_has_grain(const struct glint_paint *paint)
 {
-    return paint->several || (glint_paint_is_exact(paint) && GLINT_FLASH_POINTER(paint->model->geometry));
+    return glint_paint_is_exact(paint) && paint->material.n_across;
 }
+/* Are normals interpolated, and not t? */
+bool glint_mesh_is_lit(const struct glint_paint *paint);
 /* Before a strip: it has no paint's lights at hand, as paints may have been lit again. Its memory is the frame's. */
 void glint_mesh_lit_begin(void *memory);
 

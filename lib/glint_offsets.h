@@ -137,4 +137,17 @@
 #define GLINT_AT_LINE_OUT 92     /* with w, mask, normals and albedo behind it: one load of five words */
 #define GLINT_AT_LINE_LIT 112
 
+/* Of glint_grain_loop: 14 words that are copied, too. */
+#define GLINT_AT_GRAIN 136
+
+/* What of.exact.k's copy in the line's loop is where there is grain: GLINT_GRAIN_SHIFT less 1. */
+#define GLINT_GRAIN_UP 0
+#define GLINT_GRAIN_LEAST 1
+#define GLINT_GRAIN_SHIFT 2
+
+/* Where the loop has U or n from: one direction, or as these say. */
+#define GLINT_GRAIN_LINE_PLACE 1
+#define GLINT_GRAIN_LINE_MAP 2
+#define GLINT_GRAIN_LINE_SHININESS 3
+
 #endif

@@ -58,6 +58,9 @@ struct glint_use_format {
 /* ---- Coverage ----
  *
  * Whoever has a run with coverage that blends has it drawn by this format: levels and exact blend those of the paint's. */
+typedef void glint_draw_edge(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
+                             unsigned count, uint32_t y);
+
 struct glint_use_coverage {
     struct glint_use_format format; /* levels, exact */
     /* Step 8 for channel k of pixel i: what the formats in linear space do not do themselves. */
@@ -69,9 +72,9 @@ struct glint_use_coverage {
     /* glint_lines_next where there is a coverage map: run.x, the run's count, and whether it is soft. */
     void (*next)(struct glint_lines *lines);
     /* Of a line of normals by an exact paint under one light: draws what is covered in part from run.x on, and notes what of it shines.
-     * Returns its end. */
+     * Returns its end. draw: draws count <= GLINT_RUN pixels of it; NULL: without grain. */
     uint32_t (*edge)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
-                     uint32_t y);
+                     uint32_t y, glint_draw_edge *draw);
 };
 
 /* Does the run blend? */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Grain: m of each sample (step 2a of sequence.md), and lines drawn by F of t and m. */
 #include "glint_grain.h"
+#include "glint_mesh.h"
 #include "glint_math.h"
 #include "glint_math_vector.h"
 
@@ -8,7 +9,7 @@
 
 /* With what is the same for all normals: |U|^2 and H.U, Q30. */
 struct grain_way {
-    int32_t x, y, h;
+    int32_t x, y, z, h; /* z: of meshes alone */
     uint32_t square;
 };
 
@@ -20,7 +21,7 @@ static inline void grain_way_set(struct grain_way *way, int32_t x, int32_t y, co
 }
 
 /* 2^15 sin, of 128ths of a quarter. */
-static const uint16_t grain_sine[129] GLINT_FLASH = {
+const uint16_t glint_grain_sines[129] GLINT_FLASH = {
     0,     402,   804,   1206,  1608,  2009,  2411,  2811,  3212,  3612,  4011,  4410,  4808,  5205,  5602,
     5998,  6393,  6787,  7180,  7571,  7962,  8351,  8740,  9127,  9512,  9896,  10279, 10660, 11039, 11417,
     11793, 12167, 12540, 12910, 13279, 13646, 14010, 14373, 14733, 15091, 15447, 15800, 16151, 16500, 16846,
@@ -35,8 +36,8 @@ static const uint16_t grain_sine[129] GLINT_FLASH = {
 static inline void grain_turned(struct grain_way *way, uint32_t angle, const struct glint_vec *h)
 {
     const uint32_t back = angle <= 128 ? angle : 256 - angle;
-    const int32_t x = GLINT_FLASH_U16(grain_sine[128 - back]);
-    grain_way_set(way, angle <= 128 ? x : -x, GLINT_FLASH_U16(grain_sine[back]), h);
+    const int32_t x = GLINT_FLASH_U16(glint_grain_sines[128 - back]);
+    grain_way_set(way, angle <= 128 ? x : -x, GLINT_FLASH_U16(glint_grain_sines[back]), h);
 }
 
 /* Of any length, shifted so that |x| + |y| is in 2^14 .. 2^15; up: of the pixel before. 0, 0 stays. */
@@ -103,14 +104,35 @@ grain_of_normal(const struct grain_way *way, bool is_unit, int32_t x, int32_t y,
     return grain_half_square(grain_off(way, along, t), d, most);
 }
 
+/* The same of a direction in space. |U|^2 |N|^2 - (N.U)^2 = |N x U|^2. */
+static inline __attribute__((always_inline)) uint32_t grain_of_axis(const struct grain_way *way, int32_t x, int32_t y,
+                                                                    int32_t z, uint32_t t, uint32_t most)
+{
+    const int32_t u = way->x, v = way->y, w = way->z;
+    const int32_t a = (y * w - z * v) >> 15, b = (z * u - x * w) >> 15, c = (x * v - y * u) >> 15;
+    const uint32_t d = ((uint32_t)(a * a) + (uint32_t)(b * b) + (uint32_t)(c * c)) >> 3;
+    return grain_half_square(grain_off(way, x * u + y * v + z * w, t), d, most);
+}
+
 /* ---- Samples ---- */
 
-/* What is the same for all of a run. is_sine is known at compile time. */
+/* What is the same for all of a run. is_sine is known at compile time, but for meshes. */
 struct grain_run {
     uint32_t n_across, more; /* n - n_across, modulo 2^32 */
     struct glint_vec l, h;
     bool is_sine;
 };
+
+static inline __attribute__((always_inline)) void grain_run_set(struct grain_run *g, const struct glint_paint *paint,
+                                                                const struct glint_vec *l, const struct glint_vec *h,
+                                                                bool is_sine)
+{ /* by fields: no call of memcpy */
+    g->n_across = paint->material.n_across;
+    g->more = paint->of.exact.n - g->n_across;
+    g->l.x = l->x, g->l.y = l->y, g->l.z = l->z;
+    g->h.x = h->x, g->h.y = h->y, g->h.z = h->z;
+    g->is_sine = is_sine;
+}
 
 /* t of m: Q22. */
 static inline uint32_t grain_t(const struct grain_run *g, uint32_t t)
@@ -118,9 +140,12 @@ static inline uint32_t grain_t(const struct grain_run *g, uint32_t t)
     return (g->is_sine ? t - (glint_squarehi_near(t << 1) >> 1) : t) >> 8;
 }
 
+/* What is known of U when it is compiled. */
+enum grain_kind { GRAIN_UNIT, GRAIN_ANY, GRAIN_AXIS };
+
 /* Steps 1, 2 and 2a of one normal; t and m are UINT32_MAX where N.L is 0 or t > 1. way: NULL where there is no grain: n times t. */
 static inline __attribute__((always_inline)) void grain_sample(const struct grain_run *g, const struct grain_way *way,
-                                                               bool is_unit, const struct glint_vec *normal,
+                                                               enum grain_kind kind, const struct glint_vec *normal,
                                                                struct glint_sample *sample)
 {
     const int32_t x = normal->x, y = normal->y, z = normal->z;
@@ -136,7 +161,10 @@ static inline __attribute__((always_inline)) void grain_sample(const struct grai
         return;
     const uint32_t s = grain_t(g, t);
     sample->t_q30 = t;
-    sample->f_q16 = g->n_across * s + g->more * (way ? grain_of_normal(way, is_unit, x, y, z, t, s) : s);
+    sample->f_q16 =
+        g->n_across * s + g->more * (!way                 ? s
+                                     : kind == GRAIN_AXIS ? grain_of_axis(way, x, y, z, t, s)
+                                                          : grain_of_normal(way, kind == GRAIN_UNIT, x, y, z, t, s));
 }
 
 static inline __attribute__((always_inline)) void grain_one_way(const struct grain_run *g, const struct grain_way *way,
@@ -145,7 +173,7 @@ static inline __attribute__((always_inline)) void grain_one_way(const struct gra
 {
     const struct glint_sample *end = sample + count;
     for (; sample != end; sample++, normal++)
-        grain_sample(g, way, true, normal, sample);
+        grain_sample(g, way, GRAIN_UNIT, normal, sample);
 }
 
 static inline __attribute__((always_inline)) void grain_by_map(const struct grain_run *g, const uint8_t *angle,
@@ -156,7 +184,7 @@ static inline __attribute__((always_inline)) void grain_by_map(const struct grai
     for (; sample != end; sample++, normal++, angle++) {
         struct grain_way way;
         grain_turned(&way, *angle, &g->h);
-        grain_sample(g, &way, true, normal, sample);
+        grain_sample(g, &way, GRAIN_UNIT, normal, sample);
     }
 }
 
@@ -170,7 +198,7 @@ static inline __attribute__((always_inline)) void grain_by_place(const struct gr
     for (; sample != end; sample++, normal++, x += 16) {
         struct grain_way way;
         grain_scaled(&way, spun ? -y : x, spun ? x : y, &up, &g->h);
-        grain_sample(g, &way, false, normal, sample);
+        grain_sample(g, &way, GRAIN_ANY, normal, sample);
     }
 }
 
@@ -204,7 +232,7 @@ static inline __attribute__((always_inline)) void grain_shiny(struct grain_run *
     for (; sample != end; sample++, code++) {
         g->n_across = glint_shininess_n(*code);
         if (normal)
-            grain_sample(g, NULL, true, normal++, sample);
+            grain_sample(g, NULL, GRAIN_UNIT, normal++, sample);
         else
             sample->f_q16 = sample->t_q30 > GLINT_T_ONE ? UINT32_MAX : g->n_across * grain_t(g, sample->t_q30);
     }
@@ -218,12 +246,8 @@ grain_samples(const struct glint_paint *paint, const struct glint_lines *lines, 
     const struct glint_maps *const maps = lines->maps;
     const struct glint_run *const run = &lines->run;
     const uint32_t x = run->x + from, line = run->y - lines->target->y;
-    struct grain_run g; /* by fields: no call of memcpy */
-    g.n_across = glint_material_across(&paint->material);
-    g.more = paint->of.exact.n - g.n_across;
-    g.l.x = view->l.x, g.l.y = view->l.y, g.l.z = view->l.z;
-    g.h.x = view->h.x, g.h.y = view->h.y, g.h.z = view->h.z;
-    g.is_sine = is_sine;
+    struct grain_run g;
+    grain_run_set(&g, paint, &view->l, &view->h, is_sine);
     if (maps && maps->shininess) {
         g.more = 0;
         grain_shiny(&g, maps->shininess + maps->shininess_stride * (ptrdiff_t)line + x, normals, samples, count);
@@ -257,6 +281,53 @@ void glint_grain_sample_sine(const struct glint_paint *paint, const struct glint
     grain_samples(paint, lines, span, view, normals, samples, from, count, true);
 }
 
+/* ---- Rows of meshes ---- */
+
+static __attribute__((noinline)) void grain_row_samples(const struct glint_paint *paint, const struct grain_way *way,
+                                                        const struct glint_vec *normal, struct glint_sample *sample,
+                                                        unsigned count)
+{
+    struct grain_run g;
+    grain_run_set(&g, paint, &paint->l, &paint->h, GLINT_FLASH_U8(paint->model->model) == GLINT_GGX);
+    for (const struct glint_sample *end = sample + count; sample != end; sample++, normal++)
+        grain_sample(&g, way, GRAIN_AXIS, normal, sample);
+}
+
+/* An axis, turned, as normals are. */
+static void grain_axis(struct grain_way *way, const int16_t axis[3], int16_t turn[3][3], const struct glint_vec *h)
+{
+    int32_t u[3];
+    for (unsigned k = 0; k < 3; k++) {
+        const int32_t sum = turn[k][0] * axis[0] + turn[k][1] * axis[1] + turn[k][2] * axis[2];
+        const int32_t nearest = (sum + 8192) >> 14;
+        u[k] = nearest > INT16_MAX ? INT16_MAX : nearest < -INT16_MAX ? -INT16_MAX : nearest;
+    }
+    way->x = u[0], way->y = u[1], way->z = u[2];
+    way->h = h->x * u[0] + h->y * u[1] + h->z * u[2];
+}
+
+static void grain_row(const struct glint_paint *paint, const struct glint_run *run, const int16_t axis[3],
+                      int16_t turn[3][3], const struct glint_vec *normals, struct glint_sample *samples, unsigned count)
+{
+    struct grain_way way;
+    grain_axis(&way, axis, turn, &paint->h);
+    grain_row_samples(paint, &way, normals, samples, count);
+    GLINT_FLASH_POINTER(GLINT_FLASH_POINTER(paint->model->grain)->run)(paint, samples, count);
+    uint32_t open = glint_run_levels(paint, run, samples, count);
+    for (unsigned i = 0; open; i++, open >>= 1) {
+        uint32_t f = 0;
+        if (!(open & 1))
+            continue;
+        if (samples[i].f_q16) {
+            grain_row_samples(paint, &way, normals + i, samples + i, 1);
+            f = glint_grain_f(paint, samples[i].f_q16, samples[i].t_q30);
+        }
+        glint_paint_sums(paint, run, i, samples[i].nl_q16, f);
+    }
+}
+
+const struct glint_use_axis glint_use_mesh_grain GLINT_FLASH = {grain_row};
+
 /* ---- Lines ---- */
 
 void glint_grain_begin(struct glint_lines *lines)
@@ -285,47 +356,71 @@ uint32_t glint_grain_f(const struct glint_paint *paint, uint32_t m, uint32_t t)
 
 enum { GRAIN_RUN = 14 }; /* what the stack allows */
 
-/* m of the run's samples; span: whose t and N.L are there, or NULL. Kept, too, as the model's loop puts F in its place. */
+/* m of count of the run's samples, from pixel `from` of it on; span: whose t and N.L are there, or NULL. */
 static __attribute__((noinline)) void grain_source(const struct glint_paint *paint, const struct glint_lines *lines,
                                                    const struct glint_span *span, struct glint_sample *samples,
-                                                   uint32_t *kept)
+                                                   unsigned from, unsigned count)
 {
     const struct glint_use_grain *use = GLINT_FLASH_POINTER(paint->model->grain);
     struct glint_vec unpacked[GRAIN_RUN];
     struct glint_view view;
     view.l.x = paint->l.x, view.l.y = paint->l.y, view.l.z = paint->l.z;
     view.h.x = paint->h.x, view.h.y = paint->h.y, view.h.z = paint->h.z;
-    const struct glint_vec *normals = span ? NULL : glint_lines_normals(lines, unpacked);
-    GLINT_FLASH_POINTER(use->sample)(paint, lines, span, &view, normals, samples, 0, lines->count);
-    for (const struct glint_sample *end = samples + lines->count; samples != end; samples++)
-        *kept++ = samples->f_q16;
+    const struct glint_vec *normals = span ? NULL : glint_lines_normals(lines, unpacked) + from;
+    GLINT_FLASH_POINTER(use->sample)(paint, lines, span, &view, normals, samples, from, count);
 }
 
-static void grain_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
+uint32_t glint_grain_exactly(const struct glint_paint *paint, const struct glint_lines *lines,
+                             const struct glint_span *span, struct glint_sample *sample, unsigned at)
+{
+    uint32_t f = 0;
+    if (sample->f_q16) {
+        grain_source(paint, lines, span, sample, at, 1);
+        f = glint_grain_f(paint, sample->f_q16, sample->t_q30);
+    }
+    glint_paint_sums(paint, &lines->run, at, sample->nl_q16, f);
+    return f;
+}
+
+/* Draws the run's pixels, at most GRAIN_RUN. bounds: what shines goes there, or NULL. */
+static __attribute__((noinline)) void grain_pixels(const struct glint_paint *paint, struct glint_lines *lines,
+                                                   struct glint_span *at, struct glint_bounds *bounds, uint32_t y)
+{
+    struct glint_sample samples[GRAIN_RUN];
+    struct glint_run *const run = &lines->run;
+    const unsigned count = lines->count;
+    if (at)
+        glint_lines_walk(paint, lines, at, samples);
+    grain_source(paint, lines, at, samples, 0, count);
+    GLINT_FLASH_POINTER(GLINT_FLASH_POINTER(paint->model->grain)->run)(paint, samples, count);
+    for (unsigned i = 0; bounds && i < count; i++) /* before gloss is drawn over */
+        if (samples[i].f_q16 && (!run->gloss || run->gloss[i]))
+            glint_bounds_add(bounds, run->x + i, y);
+    uint32_t open = glint_run_levels(paint, run, samples, count);
+    for (unsigned i = 0; open; i++, open >>= 1)
+        if (open & 1)
+            (void)glint_grain_exactly(paint, lines, at, samples + i, i);
+}
+
+void glint_grain_edge(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
+                      unsigned count, uint32_t y)
+{
+    for (; count; count -= lines->count, lines->run.x += lines->count) {
+        lines->count = (uint16_t)(count < GRAIN_RUN ? count : GRAIN_RUN);
+        grain_pixels(paint, lines, NULL, bounds, y);
+    }
+}
+
+void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
                        struct glint_box *highlight)
 {
     struct glint_bounds bounds;
-    struct glint_sample samples[GRAIN_RUN];
-    uint32_t kept[GRAIN_RUN];
-    struct glint_run *const run = &lines->run;
-    const struct glint_use_grain *use = GLINT_FLASH_POINTER(paint->model->grain);
     glint_bounds_begin(&bounds);
     lines->most = GRAIN_RUN;
     glint_grain_begin(lines);
     for (uint32_t y = 0; y < h; y++)
-        for (glint_lines_set(lines, y); glint_lines_next(lines); run->x += lines->count) {
-            if (at)
-                glint_lines_walk(paint, lines, at, samples);
-            grain_source(paint, lines, at, samples, kept);
-            GLINT_FLASH_POINTER(use->run)(paint, samples, lines->count);
-            for (unsigned i = 0; highlight && i < lines->count; i++) /* before gloss is drawn over */
-                if (samples[i].f_q16 && (!run->gloss || run->gloss[i]))
-                    glint_bounds_add(&bounds, run->x + i, y);
-            uint32_t open = glint_run_levels(paint, run, samples, lines->count);
-            for (unsigned i = 0; open; i++, open >>= 1)
-                if (open & 1)
-                    glint_paint_sums(paint, run, i, samples[i].nl_q16, glint_grain_f(paint, kept[i], samples[i].t_q30));
-        }
+        for (glint_lines_set(lines, y); glint_lines_next(lines); lines->run.x += lines->count)
+            grain_pixels(paint, lines, at, highlight ? &bounds : NULL, y);
     glint_bounds_box(&bounds, highlight);
 }
 
@@ -348,7 +443,7 @@ enum glint_err glint_grain_check(const struct glint_paint *paint, struct glint_l
     const struct glint_maps *const maps = lines->maps;
     const uint32_t across = glint_material_across(&paint->material);
     if (across || (maps && maps->shininess))
-        lines->draw = grain_draw;
+        lines->draw = GLINT_FLASH_POINTER(GLINT_FLASH_POINTER(paint->model->grain)->draw);
     if (maps && (across || maps->shininess || maps->grain))
         return grain_check_maps(maps, lines->w, h, normals, across);
     return GLINT_OK;

@@ -4,6 +4,7 @@
  * With C = 2^16 c and E = 2^16 (4n(1 - c) + 5c), 2^18 <= E < 2^28:  F 2^16 = 2^39 C / (5 E^2). Small cores divide slowly or
  * not at all, so F comes from an approximate reciprocal, and where that does not settle the rounding, from an exact
  * comparison of products. There are no ties for integer n. */
+#include "glint_fused.h"
 #include "glint_grain.h"
 #include "glint_math.h"
 
@@ -237,10 +238,7 @@ static uint32_t msh_grain_end(unsigned q)
     return (root - least > least ? root - least : least) + 1;
 }
 
-/* x >= E, Q20, by less than 2: doubled up to 5 times, as E > 4 - 2^-20. Of q >= 13 it is halved first, and may be low by 1. So the
- * quotient is high by less than MSH_GRAIN_HIGH, low by less than 2400 + 101 + 26 * 64: together less than 2^14 again. up: such that the
- * largest x is less than 2^28. */
-enum { MSH_GRAIN_HIGH = 2400 + 26 };
+/* up: such that the largest x is less than 2^28. */
 static inline uint32_t msh_grain_near(uint32_t up, uint32_t m, uint32_t t)
 {
     const uint32_t u = GLINT_T_ONE - t;
@@ -256,20 +254,22 @@ static inline uint32_t msh_grain_near(uint32_t up, uint32_t m, uint32_t t)
         x <<= 1;
         shift -= 2;
     }
-    return (msh_quotient(u >> 6, x) + ((uint32_t)1 << shift >> 1) - MSH_GRAIN_HIGH) >> shift;
+    return (msh_quotient(u >> 6, x) + ((uint32_t)1 << shift >> 1) - GLINT_MSH_GRAIN_HIGH) >> shift;
 }
 
 __attribute__((flatten)) static void msh_grain_run(const struct glint_paint *paint, struct glint_sample *samples,
                                                    unsigned count)
 {
     const uint32_t end = msh_grain_end(glint_clamp_q(paint->material.q));
-    uint32_t up = 0;
-    while ((end + ((uint32_t)5 << (GLINT_GRAIN_BITS - 2))) >> (27 - up) == 0)
-        up++;
-    glint_grain_run(paint, samples, count, end, msh_grain_near, up, msh_grain_reaches);
+    glint_grain_run(paint, samples, count, end, msh_grain_near, glint_msh_grain_up(end), msh_grain_reaches);
 }
 
+#if GLINT_CORTEX_M0PLUS_ASM && GLINT_FUSED
+#define MSH_GRAIN_DRAW glint_fused_grain
+#else
+#define MSH_GRAIN_DRAW glint_grain_draw
+#endif
 static const struct glint_use_grain msh_use_grain GLINT_FLASH = {msh_grain_end, msh_grain_run, msh_grain,
-                                                                 msh_grain_reaches, GLINT_GRAIN_USE};
+                                                                 msh_grain_reaches, GLINT_GRAIN_USE_BY(MSH_GRAIN_DRAW)};
 const struct glint_use_model glint_use_msh_grain GLINT_FLASH = {
     GLINT_MSH, 1, NULL, msh_fold, msh_run, glint_msh_t, glint_msh_cutoff_t, &msh_use_grain};

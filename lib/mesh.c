@@ -133,7 +133,8 @@ static bool mesh_can(struct glint_mesh_frame *frame, const struct glint_mesh *me
         if (!glint_paint_is_lit(paint) || !mesh_are_alike(paint, paints) ||
             paint->output.format != paints->output.format)
             return false;
-        if (glint_paint_is_exact(paint) && glint_material_across(&paint->material))
+        if (glint_paint_is_exact(paint) && glint_material_across(&paint->material) &&
+            (paint->several || !mesh->use_grain))
             return false;
         const bool has_albedo = coloured || (mesh->textures && mesh->textures[i].pixels);
         if (!glint_paint_is_exact(paint) &&

@@ -2,6 +2,7 @@
  * Lines of a triangle as pixels of any paint: those side by side that are in front are a run. Mostly t and nl are there, as along a span;
  * under points, spots and several lights, and for Phong, normals are interpolated, and a pixel has a place, from its depth. */
 #include "glint_mesh_rows.h"
+#include "glint_grain.h"
 #include "glint_math.h"
 #include "glint_mesh_pose.h"
 #include "glint_mesh_strip.h"
@@ -220,6 +221,12 @@ ROWS_ALONE unsigned lit_begin(struct mesh_lit *lit, const struct glint_paint *pa
 
 /* ---- Any ---- */
 
+bool glint_mesh_is_lit(const struct glint_paint *paint)
+{
+    return paint->several || glint_mesh_has_grain(paint) ||
+           (glint_paint_is_exact(paint) && GLINT_FLASH_POINTER(paint->model->geometry));
+}
+
 uint32_t glint_mesh_t_end(const struct glint_paint *paint)
 {
     return glint_mesh_is_lit(paint)      ? 0 /* t is not asked for */
@@ -281,6 +288,7 @@ rows_of(const struct glint_paint *paint, struct glint_mesh_triangle *triangle, c
     const struct glint_texture *const texture = glint_mesh_texture_of(target->drawn, paint);
     const bool exact = glint_paint_is_exact(paint), has_colours = colours_are(target->drawn->mesh);
     const struct glint_use_mesh *const use = texture || (has_colours && !exact) ? target->drawn->mesh->use : NULL;
+    const bool has_grain = glint_mesh_has_grain(paint);
     struct glint_mesh_row row;
     struct glint_run *const run = &row.run;
     unsigned most = GLINT_MESH_RUN;
@@ -317,16 +325,18 @@ rows_of(const struct glint_paint *paint, struct glint_mesh_triangle *triangle, c
                 lit_fill(lit, target->frame, &row, line, row.z - count * row.dz, count);
                 if (paint->several)
                     GLINT_FLASH_POINTER(paint->several->run)(&lit->lights, count);
-                else
-                    GLINT_FLASH_POINTER(paint->model->geometry)
-                (&paint->l, &paint->v, &paint->h, lit->normals, samples, count);
+                else if (has_grain)
+                    GLINT_FLASH_POINTER(target->drawn->mesh->use_grain->row)
+                (paint, run, target->drawn->mesh->grain, target->drawn->turn, lit->normals, samples, count);
+                else GLINT_FLASH_POINTER(paint->model->geometry)(&paint->l, &paint->v, &paint->h, lit->normals, samples,
+                                                                 count);
             } else if (exact) {
                 glint_samples_walk(&row.at, samples, count);
             } else {
                 glint_raws_walk(&row.at, paint->of.tables.filled.t_max_q30, raws, count);
                 glint_tables_pixels(paint, run, raws, count);
             }
-            if (exact && !paint->several)
+            if (exact && !paint->several && !has_grain)
                 glint_paint_run(paint, run, samples, count);
             if (cells && is_alpha)
                 cell_over(run->line + 4 * run->x, was, cell.part);

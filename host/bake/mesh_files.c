@@ -212,9 +212,10 @@ static void write_all(const struct baked_mesh *baked, const char *storage, const
         fputs("NULL, NULL, 0, ", out);
     fprintf(out, "%s, ", mesh->textures || baked->fitted->colors ? "&glint_use_mesh_albedo" : "NULL");
     if (mesh->neighbours)
-        fprintf(out, "%s_neighbours};\n", name);
+        fprintf(out, "%s_neighbours, ", name);
     else
-        fputs("NULL};\n", out);
+        fputs("NULL, ", out);
+    fprintf(out, "{%d, %d, %d}, NULL};\n", mesh->grain[0], mesh->grain[1], mesh->grain[2]);
 }
 
 void bake_mesh_write_c(const struct baked_mesh *baked, const char *name, FILE *out)

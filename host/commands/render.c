@@ -88,6 +88,7 @@ static void draw_mesh(const struct render_options *options, struct drawn *drawn)
     const struct shading_options *look = &options->look;
     struct mesh *mesh = mesh_load(&look->scene.mesh);
     struct fitted *fitted = mesh_fit(mesh, 0);
+    shading_options_grain(look, fitted);
     if (shading_options_one_color(look))
         fitted_forget_colors(fitted);
     if (look->scene.mesh.stepped)

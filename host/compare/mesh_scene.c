@@ -168,6 +168,17 @@ static void set_textured(const struct mesh *mesh, const struct fitted *fitted, c
     free(corners);
 }
 
+/* The axis of the grain, in the viewer's directions. */
+static void set_grain(struct scene *scene, const struct fitted *fitted, const struct view *view)
+{
+    double m[3][3], axis[3];
+    view_rotation(view, m);
+    for (int k = 0; k < 3; k++)
+        axis[k] = fitted->mesh.grain[k] / 32767.;
+    for (int k = 0; k < 3; k++)
+        scene->grain.at[k] = mesh_dot(m[k], axis);
+}
+
 struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
                          const struct shading *shadings, struct mesh_coverage *coverage)
 {
@@ -192,6 +203,7 @@ struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, c
         if (number && mesh_normalize(raster->values[i]))
             memcpy(scene->normals[i], raster->values[i], sizeof *scene->normals);
     }
+    set_grain(scene, fitted, view);
     if (fitted->mesh.textures)
         set_textured(mesh, fitted, view, shadings, scene, coverage);
     free(drawn);

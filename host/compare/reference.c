@@ -142,15 +142,17 @@ static void grain_at(const struct scene *scene, size_t i, double x, double y, do
     const double right = x - at[0], up = at[1] - y;
     grain[0] = at[0];
     grain[1] = at[1];
-    grain[2] = 0;
+    grain[2] = at[2];
     if (scene->grain_map) {
+        grain[2] = 0;
         grain[0] = cos(scene->grain_map[i] * M_PI / 256);
         grain[1] = sin(scene->grain_map[i] * M_PI / 256);
     } else if (scene->grain.kind != GLINT_GRAIN_BRUSHED) {
         const bool spun = scene->grain.kind == GLINT_GRAIN_SPUN;
+        grain[2] = 0;
         grain[0] = spun ? -up : right;
         grain[1] = spun ? right : up;
-    } else if (at[0] == 0 && at[1] == 0) {
+    } else if (at[0] == 0 && at[1] == 0 && at[2] == 0) {
         grain[0] = 1;
     }
 }

@@ -135,6 +135,11 @@ const char *path_of_mesh(const struct shading *shading, bool has_colors, struct 
     if (path->source != INT16 && path->source != INT8)
         return "cannot draw a mesh; choose exact, exact-int8, colour-int16 or colour-int8, or where it has "
                "textures or its vertices colours albedo-int16 or albedo-int8";
+    if (grain_refusal(path, shading))
+        return grain_refusal(path, shading);
+    if (has_grain(shading) &&
+        (shading->lamp_count > 1 || (shading->lamp_count && shading->lamps[0].kind != LAMP_DIRECTIONAL)))
+        return "draws a mesh with grain under one directional --light; leave out --across, or the others";
     if (of_mesh->by_tables && lights_refusal(shading))
         return lights_refusal(shading);
     if (of_mesh->by_tables && tables_refusal(path, shading))

@@ -63,7 +63,8 @@ static const struct argp_option argp_options[] = {
      "counterclockwise "
      "from the right (default brushed:0); spun, round the picture's middle, or spun:X,Y, round a pixel; sunray, away "
      "from "
-     "it, or sunray:X,Y; or a grey FILE: 256 a half turn",
+     "it, or sunray:X,Y; or a grey FILE: 256 a half turn. Of a mesh along one of its axes: brushed:ANGLE in its x and "
+     "y, or axis:X,Y,Z",
      2},
     {"size", KEY_SIZE, "WxH", 0,
      "Draw a scene at this size (default 320x320; glint stream: see SCENE). A map is cut or repeated to this size, "
@@ -112,7 +113,8 @@ static const char *after_kind(const char *text, const char *kind)
 static void parse_grain(const struct argp_state *state, const char *text, struct scene_options *o)
 {
     const char *spun = after_kind(text, "spun"), *sunray = after_kind(text, "sunray");
-    const char *brushed = after_kind(text, "brushed"), *centre = spun ? spun : sunray;
+    const char *brushed = after_kind(text, "brushed"), *axis = after_kind(text, "axis");
+    const char *const centre = spun ? spun : sunray;
     o->has_grain = true;
     o->grain_map = NULL;
     o->grain = (struct grain){.kind = spun ? GLINT_GRAIN_SPUN : sunray ? GLINT_GRAIN_SUNRAY : GLINT_GRAIN_BRUSHED};
@@ -120,6 +122,14 @@ static void parse_grain(const struct argp_state *state, const char *text, struct
         o->grain.at[0] = o->grain.at[1] = NAN;
     } else if (centre) {
         parse_reals(state, "--grain", centre, o->grain.at, 2, -SIDE_MAX, 2 * SIDE_MAX);
+    } else if (axis) {
+        double *const at = o->grain.at;
+        parse_reals(state, "--grain", axis, at, 3, -1e6, 1e6);
+        const double length = sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
+        if (length == 0)
+            refuse(state, "--grain: axis:0,0,0 is no direction");
+        for (int k = 0; k < 3; k++)
+            at[k] /= length;
     } else if (brushed) {
         const double turn = *brushed ? parse_real(state, "--grain", brushed, -360, 360) * M_PI / 180 : 0;
         o->grain.at[0] = cos(turn);
@@ -138,8 +148,10 @@ static void check(const struct argp_state *state, struct scene_options *o)
                SIDE_MAX);
     if (o->mesh.name && o->filter)
         refuse(state, "--filter is for maps; it cannot be used with a mesh");
-    if (o->mesh.name && o->has_grain)
-        refuse(state, "--grain: meshes have no grain; leave it out");
+    if (o->mesh.name && o->has_grain && (o->grain_map || o->grain.kind != GLINT_GRAIN_BRUSHED))
+        refuse(state, "--grain: a mesh takes brushed:ANGLE or axis:X,Y,Z");
+    if (!o->mesh.name && o->has_grain && o->grain.at[2] != 0)
+        refuse(state, "--grain: axis:X,Y,Z is for a mesh; choose brushed:ANGLE");
     const int sources = !!o->heights + !!o->normals + !!o->scene + (o->mesh.name && !o->mesh.built_in);
     if (sources > 1)
         refuse(state, "give only one of --height, --normals, --scene and --mesh");

@@ -271,8 +271,6 @@ void shading_options_check(const struct argp_state *state, const struct shading_
 {
     const struct mesh_source *mesh = &options->scene.mesh;
     struct mesh_path of_mesh;
-    if (mesh->name && options->shading.n_across && !options->has_material)
-        refuse(state, "--across: meshes have no grain; leave it out");
     const char *refusal = mesh->name ? path_of_mesh(shading, false, &of_mesh) : path_refusal(shading);
     if (refusal && mesh->name && (!mesh->built_in || mesh->texture) && !shading_options_one_color(options) &&
         !path_of_mesh(shading, true, &of_mesh))
@@ -307,7 +305,9 @@ struct shading shading_of_options(const struct shading_options *options, enum gl
         shading.n = finish->n;
     if (!shading.n_across && model_has_grain(shading.model))
         shading.n_across = finish->n_across;
-    if (shading.n_across == shading.n || options->scene.mesh.name) /* meshes have no grain */
+    /* a mesh has that of its material where --grain says which way */
+    if (shading.n_across == shading.n || (options->scene.mesh.name && !options->scene.has_grain &&
+                                          (options->has_material || !options->shading.n_across)))
         shading.n_across = 0;
     default_to(shading.ambient, finish->ambient);
     default_to(shading.diffuse, finish->diffuse);
@@ -316,6 +316,15 @@ struct shading shading_of_options(const struct shading_options *options, enum gl
         shading.q = 0;
     shading.q = shading_q(&shading);
     return shading;
+}
+
+void shading_options_grain(const struct shading_options *options, struct fitted *fitted)
+{
+    static const double right[3] = {1, 0, 0};
+    const double *axis = options->scene.has_grain ? options->scene.grain.at : right;
+    fitted->mesh.use_grain = &glint_use_mesh_grain;
+    for (int k = 0; k < 3; k++)
+        fitted->mesh.grain[k] = (int16_t)lround(32767 * axis[k]);
 }
 
 struct mesh_own shading_options_own(const struct shading_options *options)

@@ -31,6 +31,8 @@ void shading_options_check(const struct argp_state *state, const struct shading_
 /* Is all of a mesh drawn in one colour, that of --color or of the material? */
 bool shading_options_one_color(const struct shading_options *options);
 /* What the options leave to a mesh's materials. */
+/* Along which of the mesh's axes grain runs. */
+void shading_options_grain(const struct shading_options *options, struct fitted *fitted);
 struct mesh_own shading_options_own(const struct shading_options *options);
 
 /* The scene of maps that were read; width = 0: at its own size. */

@@ -16,7 +16,7 @@ struct finish {
 /* Which way the scratches of a surface run. */
 struct grain {
     uint8_t kind; /* enum glint_grain */
-    /* brushed: the direction, y up, 0 is to the right; spun, sunray: the centre, in pixels from the picture's upper left corner */
+    /* brushed: the direction, y up, 0 is to the right, in space for a mesh; spun, sunray: the centre, in pixels from the picture's upper left corner */
     double at[3];
 };
 

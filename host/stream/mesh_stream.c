@@ -29,6 +29,7 @@ static void load(struct mesh_stream *stream, const struct mesh_source *source)
 {
     stream->mesh = mesh_load(source);
     stream->fitted = mesh_fit(stream->mesh, 0);
+    shading_options_grain(&stream->options->look, stream->fitted);
     if (shading_options_one_color(&stream->options->look))
         fitted_forget_colors(stream->fitted);
     if (source->stepped)

@@ -8,9 +8,10 @@
 #ifndef LINES_FAULT
 #define LINES_FAULT 1
 #endif
+enum { GRAIN_NONE, GRAIN_BRUSHED, GRAIN_SPUN, GRAIN_SUNRAY, GRAIN_MAP, GRAIN_SHININESS, GRAINS };
 #define LINES_ALBEDO GLINT_CORTEX_M0PLUS_ASM /* does it take maps of albedo? */
 #ifndef LINES_CASES
-#define LINES_CASES 2000
+#define LINES_CASES 3000
 #endif
 enum { CASES = LINES_CASES, W = 95, H = 2, STRIDE = 2 * W + 4, GUARD = 0x5a };
 
@@ -84,7 +85,7 @@ static void make_material(struct glint_material *m)
 }
 
 /* A paint of any light: as the library makes it, or, once in a while, with any vectors, N.L of which fits. */
-static bool make_paint(struct glint_paint *paint)
+static bool make_paint(struct glint_paint *paint, uint32_t grain)
 {
     static const uint16_t shininess[] = {1, 2, 3, 5, 10, 60, 200, 1000};
     static const int32_t v[3] = {0, 0, 1};
@@ -93,7 +94,9 @@ static bool make_paint(struct glint_paint *paint)
     const struct glint_output output = {.format = (uint8_t)below(2)};
     struct glint_light light;
     m.n = (uint16_t)(below(3) ? shininess[below(8)] : 1 + below(1000));
-    m.q = (uint8_t)(1 + below(16));
+    m.q = (uint8_t)(1 + below(grain ? 11 : 16)); /* beyond 11 grain is drawn by C */
+    if (grain && grain != GRAIN_SHININESS)
+        m.n_across = (uint16_t)(below(3) ? shininess[below(8)] : 1 + below(1000));
     m.clamp_peak = below(2);
     make_material(&m);
     if (glint_paint_exact(paint, &m, &output) || glint_light_directional(&light, l))
@@ -110,7 +113,7 @@ static bool make_paint(struct glint_paint *paint)
 }
 
 static struct glint_vec normals[W * H];
-static uint8_t albedo[3 * W * H + 4], mask[(W + 1) * H + 4];
+static uint8_t albedo[3 * W * H + 4], grains[(W + 1) * H + 4], mask[(W + 1) * H + 4];
 static uint16_t out[2][STRIDE * H / 2 + 2]; /* by the line, and by stages */
 
 /* Runs of the like: near the half vector, away from the light, anything. */
@@ -126,6 +129,12 @@ static void make_normals(const struct glint_paint *light)
             n.z = light->h.z;
         } else if (kind == 8) {
             n = any_vector();
+        } else if (kind == 10) {
+            const int32_t to[3] = {any(), any(), any()};
+            (void)glint_vec_normalize(&n, to);
+        } else if (kind == 11) { /* along a direction of grain */
+            const struct glint_vec flat[] = {{32767, 0, 0}, {0, -32767, 0}, {-23170, 23170, 60}, {32760, 500, 500}};
+            n = flat[below(4)];
         } else if (kind == 9) {
             n = light->l;
             n.z = (int16_t)(n.z ^ -(int32_t)below(2));
@@ -142,6 +151,8 @@ static void make_maps(uint32_t mask_kind)
             held = (uint8_t)(below(3) == 0 ? 0 : below(3) ? 255 : below(256));
         mask[i] = held;
     }
+    for (uint16_t i = 0; i < sizeof grains; i++)
+        grains[i] = (uint8_t)below(256);
     for (uint16_t i = 0; i < sizeof albedo; i++)
         albedo[i] = (uint8_t)(below(4) ? below(256) : 255);
 }
@@ -172,13 +183,23 @@ static bool case_is_same(uint32_t number)
 {
     static const uint8_t widths[] = {0, 1, 2, 3, 15, 16, 17, W};
     struct glint_paint paint;
-    if (!make_paint(&paint))
+    const uint32_t grain = number / 16 % 3 ? 0 : 1 + number / 48 % (GRAINS - 1);
+    if (!make_paint(&paint, grain))
         return true; /* a light of length 0 */
     make_normals(&paint);
     make_maps(number % 5);
+    const int32_t far_off = (int32_t)1 << below(21);
     const struct glint_maps maps = {.normals = normals,
                                     .normals_stride = sizeof normals / H,
-                                    .albedo = LINES_ALBEDO && number & 1 ? albedo + below(4) : 0,
+                                    .grain = grain == GRAIN_MAP ? grains + below(4) : 0,
+                                    .grain_stride = W + 1,
+                                    .shininess = grain == GRAIN_SHININESS ? grains + below(4) : 0,
+                                    .shininess_stride = W + 1,
+                                    .grain_kind = (uint8_t)(grain == GRAIN_SPUN     ? GLINT_GRAIN_SPUN
+                                                            : grain == GRAIN_SUNRAY ? GLINT_GRAIN_SUNRAY
+                                                                                    : GLINT_GRAIN_BRUSHED),
+                                    .grain_at = {(int32_t)below(2048) - far_off, (int32_t)below(256) + far_off - 1},
+                                    .albedo = LINES_ALBEDO && number & 1 && !grain ? albedo + below(4) : 0,
                                     .albedo_stride = 3 * W,
                                     .albedo_format = GLINT_RGB888,
                                     .coverage = number % 5 ? mask + below(4) : 0,

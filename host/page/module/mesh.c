@@ -47,6 +47,7 @@ struct shading mesh_draw(const struct shading_options *look, uint32_t width, uin
         mesh_forget();
         kept.mesh = mesh_load(&look->scene.mesh);
         kept.fitted = mesh_fit(kept.mesh, 0);
+        shading_options_grain(look, kept.fitted);
         if (look->scene.mesh.stepped)
             fitted_forget_neighbours(kept.fitted);
     }

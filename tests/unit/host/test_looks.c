@@ -4,13 +4,16 @@
 
 #include "base/memory.h"
 #include "compare/compare.h"
+#include "compare/mesh_scene.h"
 #include "compare/reference.h"
 #include "draw/canvas.h"
+#include "draw/mesh_canvas.h"
 #include "files.h"
 #include "image/format.h"
 #include "image/image.h"
 #include "image/levels.h"
 #include "image/read.h"
+#include "mesh/load.h"
 #include "models/models.h"
 #include "scene/filter.h"
 #include "scene/normals.h"
@@ -64,6 +67,47 @@ static void scenes_with_a_grain_are_within_a_level_of_double_precision(void **st
             scene_free(scene);
         }
     }
+}
+
+/* Between corners normals are shortened, with grain or without. */
+static void meshes_with_and_without_grain_are_46_db_or_nearer_to_double_precision(void **state)
+{
+    (void)state;
+    static const double axes[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {.6, -.48, .64}};
+    static const struct view view = {240, 240, {25, -30, 0}, 1, 0};
+    const struct mesh_source source = {.name = "teapot", .built_in = true, .crease = -1, .split = 30};
+    struct mesh *mesh = mesh_load(&source);
+    for (size_t i = 0; i < sizeof axes / sizeof *axes; i++)
+        for (unsigned m = 0; model_names[m]; m++) {
+            if (!model_has_grain((enum glint_model)m))
+                continue;
+            struct fitted *fitted = mesh_fit(mesh, 0);
+            fitted->mesh.use_grain = &glint_use_mesh_grain;
+            for (int k = 0; k < 3; k++)
+                fitted->mesh.grain[k] = (int16_t)lround(32767 * axes[i][k]);
+            struct scene finish = {.finish = plain_finish};
+            struct shading shading = shading_for(&finish);
+            shading.model = (enum glint_model)m;
+            shading.n = 60;
+            shading.n_across = i ? 8 : 0;
+            struct mesh_coverage coverage;
+            struct scene *scene = mesh_scene(mesh, fitted, &view, &shading, &coverage);
+            struct mesh_canvas *canvas = mesh_canvas_new(fitted, &shading);
+            uint8_t *pixels = allocate((size_t)view.width * view.height, 3);
+            mesh_canvas_draw_stepped(canvas, &view, pixels);
+            struct levels *levels = levels_of_pixels(view.width, view.height, GLINT_RGB888, pixels);
+            struct comparison comparison;
+            compare(scene, &shading, levels, &comparison);
+            const double psnr = difference_psnr_db(&comparison.rounded);
+            print_message("# %s, axis %zu: %.2f dB\n", model_names[m], i, psnr);
+            assert_true(psnr > 46);
+            levels_free(levels);
+            free(pixels);
+            mesh_canvas_free(canvas);
+            scene_free(scene);
+            fitted_free(fitted);
+        }
+    mesh_free(mesh);
 }
 
 static void draw_grain(const char *grain, const char *path)
@@ -329,8 +373,13 @@ static void wrong_values_are_refused_with_the_reason(void **state)
          "--across: blinn has no grain; choose one of msh"},
         {"render --scene sphere --across 9 --path span -o out/x.png", 2, "needs --path exact or exact-int8"},
         {"render --scene knob --format rgb565 --path colour-int8 -o out/x.png", 1, "needs --path exact or exact-int8"},
-        {"render --scene teapot --grain spun -o out/x.png", 2, "--grain: meshes have no grain"},
-        {"render --scene teapot --across 9 -o out/x.png", 2, "--across: meshes have no grain"},
+        {"render --scene teapot --across 9 --grain spun -o out/x.png", 2, "--grain: a mesh takes brushed:ANGLE"},
+        {"render --scene teapot --across 9 --grain grain.png -o out/x.png", 2, "--grain: a mesh takes brushed:ANGLE"},
+        {"render --scene teapot --across 9 --grain axis:0,0,0 -o out/x.png", 2, "axis:0,0,0 is no direction"},
+        {"render --scene teapot --across 9 --path colour-int16 -o out/x.png", 2, "needs --path exact or exact-int8"},
+        {"render --scene teapot --across 9 --light 1,1,1 --light 0,1,1 -o out/x.png", 2,
+         "under one directional --light"},
+        {"render --scene sphere --across 9 --grain axis:1,2,3 -o out/x.png", 2, "--grain: axis:X,Y,Z is for a mesh"},
         {"render --scene coin --background '#12345' -o out/x.png", 2, "is not #rrggbb"},
         {"render --scene coin --background 1,2 -o out/x.png", 2, "--background"},
         {"render --scene coin --background 1,2,256 -o out/x.png", 2, "--background"},
@@ -359,6 +408,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(scenes_with_a_grain_are_within_a_level_of_double_precision),
+        cmocka_unit_test(meshes_with_and_without_grain_are_46_db_or_nearer_to_double_precision),
         cmocka_unit_test(a_grain_said_in_two_ways_is_drawn_alike),
         cmocka_unit_test(equal_shininess_along_and_across_is_no_grain),
         cmocka_unit_test(a_scene_over_a_background_is_within_half_a_level_of_double_precision),
