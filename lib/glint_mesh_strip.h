@@ -20,16 +20,21 @@ struct glint_mesh_bench {
     struct glint_mesh_polygon polygon;
     struct glint_mesh_vertex vertex[3];
     struct glint_mesh_kept face; /* where no place is left, and of a face that is clipped */
+    struct glint_mesh_laid laid; /* of a triangle that is not kept; behind face */
     uint8_t fan;                 /* of one that is clipped: vertex is the polygon's corners 0, fan - 1 and fan */
     union {                      /* the mesh's colours or texture over the triangle at hand, and colours of a run */
         struct glint_mesh_across across;
         struct glint_mesh_over over;
     } of;
-    union {
-        uint8_t bytes[3 * GLINT_MESH_RUN];
-        uint32_t words[GLINT_MESH_RUN];
-    } colours;
+    uint16_t colours[(3 * GLINT_MESH_RUN + 1) / 2]; /* bytes, aligned */
 };
+
+/* A kept triangle's place has room for a struct glint_mesh_laid behind it if a mesh of the frame asks for that. */
+#define GLINT_MESH_LAID_SIZE (GLINT_MESH_KEPT_SIZE + sizeof(struct glint_mesh_laid))
+static inline struct glint_mesh_kept *glint_mesh_kept_at(const struct glint_mesh_frame *frame, uint16_t place)
+{
+    return (struct glint_mesh_kept *)(void *)((uint8_t *)frame->kept + (size_t)place * frame->kept_bytes);
+}
 
 /* ---- Outlines ---- */
 

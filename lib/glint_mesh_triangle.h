@@ -134,8 +134,15 @@ struct glint_mesh_triangle {
     struct glint_mesh_values values; /* at line y */
     struct glint_mesh_edge long_edge, upper, lower;
     int16_t y, y_middle, y_end;
-    uint8_t shine; /* enum glint_mesh_shine */
+    uint8_t shine; /* enum glint_mesh_shine; and GLINT_MESH_LAID */
     bool long_is_left;
+};
+
+/* What a triangle, kept from strip to strip, has of its texture or of colours of vertices: numbers at its line, in the column of its values,
+ * and their steps. Of a texture: u, v; then in bytes how much of the chain is passed, and the picture's w + 2^16 h. */
+#define GLINT_MESH_LAID 4 /* it has it */
+struct glint_mesh_laid {
+    struct glint_mesh_linear of[3];
 };
 
 /* The first line or column whose middle is at or beyond a place in 1/16 pixel. */

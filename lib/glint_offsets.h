@@ -90,6 +90,7 @@
 #define GLINT_AT_FRAME_KEPT 12
 #define GLINT_AT_FRAME_W 16 /* w, h */
 #define GLINT_AT_FRAME_FREE 26
+#define GLINT_AT_FRAME_KEPT_BYTES 30
 #define GLINT_AT_DRAWN_MESH 4 /* mesh, paints */
 #define GLINT_AT_DRAWN_VERTICES 12
 #define GLINT_AT_DRAWN_LINKS 16 /* links, bands */
@@ -103,11 +104,10 @@
 #define GLINT_AT_MESH_FACES 12        /* faces, ends */
 #define GLINT_AT_MESH_VERTEX_COUNT 20 /* and of faces, of parts */
 
-#define GLINT_AT_OVER_PICTURE 44 /* pixels, palette, w, h */
-#define GLINT_AT_OVER_STEP 88
-#define GLINT_AT_SHADE_DZ 32     /* before it: z, nl, back, dt, depth, end, off, words; dz, dnl, ddt */
-#define GLINT_AT_SHADE_LEVELS 44 /* levels, sums, t_max, limit, shift */
-#define GLINT_AT_SHADE_DARK 64
+#define GLINT_MESH_LAID_LOG 2 /* of triangle->shine */
+#define GLINT_AT_PIXELS_DZ 28 /* z, nl, now, back, dt; dz, dnl, step */
+#define GLINT_AT_PIXELS_DDT                                                                                            \
+    48 /* ddt, depth, end, off; levels, sums, t_max, limit, shift, dark, pixels, palette, w, h, loop */
 
 #define GLINT_MESH_NONE 0xffff /* no face */
 #define GLINT_MESH_BAND_LOG 4

@@ -155,6 +155,23 @@ static void over_set(struct glint_mesh_over *over, const struct glint_mesh_targe
     }
 }
 
+/* To the triangle's line and the column of its values. */
+static void over_lay(struct glint_mesh_laid *laid, const struct glint_mesh_target *target,
+                     const struct glint_mesh_triangle *triangle, const struct glint_texture *texture)
+{
+    struct glint_mesh_over *const over = &((struct glint_mesh_bench *)target->frame->memory)->of.over;
+    over_set(over, target, glint_mesh_face_of(triangle), texture);
+    const uint32_t n = (uint32_t)(triangle->values.x - over->x), lines = (uint32_t)(triangle->y - over->y);
+    for (unsigned k = 0; k < over->count; k++) {
+        laid->of[k] = over->of[k];
+        laid->of[k].at += n * laid->of[k].x + lines * laid->of[k].y;
+    }
+    if (texture) {
+        laid->of[2].at = (uint32_t)((uintptr_t)over->picture.pixels - (uintptr_t)texture->pixels);
+        laid->of[2].x = over->picture.w | over->picture.h << 16;
+    }
+}
+
 /* ---- Lines ---- */
 
 /* u and v at a pixel of the line, less those at corner a, Q13 of the mesh's units: numerators are up to 2^30 in size, 1 / R is inverse
@@ -188,16 +205,6 @@ static void over_part(struct glint_mesh_over *over)
     over->to = end == last ? over->right : end;
 }
 
-/* A line on which a colour would leave 0..most is of one colour. */
-static void over_hold(struct glint_mesh_over *over, unsigned k, uint32_t n)
-{
-    const uint32_t end = (uint32_t)(k == 1 ? 64 : 32) << 21, first = over->now[k], last = first + n * over->step[k];
-    if (first < end && last < end)
-        return;
-    over->now[k] = first < end ? first : (int32_t)first < 0 ? 0 : end - 1;
-    over->step[k] = 0;
-}
-
 static void over_line(struct glint_mesh_over *over, int32_t y, int32_t left, int32_t right, uint32_t z, uint32_t dz)
 {
     const uint32_t n = (uint32_t)(left - over->x), lines = (uint32_t)(y - over->y);
@@ -208,7 +215,7 @@ static void over_line(struct glint_mesh_over *over, int32_t y, int32_t left, int
         over->now[k] = of->at + n * of->x + lines * of->y;
         over->step[k] = of->x;
         if (over->count == 3)
-            over_hold(over, k, (uint32_t)(right - 1 - left));
+            glint_mesh_hold(&over->now[k], &over->step[k], k, (uint32_t)(right - 1 - left));
     }
     if (!over->is_far)
         return;
@@ -286,5 +293,12 @@ static void over_rgb565(struct glint_mesh_over *over, int32_t x, uint8_t *bytes,
     }
 }
 
+#if GLINT_FUSED && GLINT_CORTEX_M0PLUS_ASM
+#define OVER_BEGIN glint_mesh_albedo_begin
+#else
+#define OVER_BEGIN NULL
+#endif
 const struct glint_use_mesh glint_use_mesh_albedo GLINT_FLASH = {
-    over_can, over_set, over_line, over_rgb888, over_rgb565, over_next, GLINT_TABLES_FUSED(glint_mesh_albedo_lines)};
+    over_can,    over_set,  over_line, over_rgb888,
+    over_rgb565, over_next, over_lay,  GLINT_TABLES_FUSED(glint_mesh_albedo_lines),
+    OVER_BEGIN};
