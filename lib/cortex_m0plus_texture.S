@@ -6,6 +6,7 @@
 #if GLINT_CORTEX_M0PLUS_ASM
 #define LINES_FRAME 132
 #include "cortex_m0plus_mesh.inc"
+#include "cortex_m0plus_numbers.inc"
 
 /* The frame's other part, from 40 on. First as in struct glint_mesh_pixels. */
 #define LEVELS 40
@@ -460,19 +461,93 @@ smooth_\kind:
 2:
 .endm
 
+/* What is laid, of slopes that were: the frame, before its part from 40 on is made. u, v, u_x, v_x, u_y, v_y, vertices, e - 18. */
+#define SLOPES 40
+#define VERTICES 64
+#define STEEP_AT 76
+#define UP 80
+#define LAID_AT 84
+#define OF_VERTICES 88 /* and of b and c: uv or colours */
+#define FIRST 100      /* what bilinear texels begin before a */
+
+/* One number: r0: a's, r1, r2: how much more b's and c's are, r3: up. r1-r7 are lost. */
+    .section .text.laid_number, "ax", %progbits
+    .type laid_number, %function
+    .balign 4
+    .thumb_func
+laid_number:
+    pair_of r1, r2, r5, r6, r7
+    ldr r6, [sp, #STEEP_AT]
+    adds r6, #18 - 1
+    subs r6, r6, r3
+    subs r5, r6, r5 /* as shift_to_nearest takes it for steps */
+    add r7, sp, #SLOPES
+    ldmia r7!, {r3, r6}
+    muls r3, r1
+    muls r6, r2
+    adds r6, r6, r3
+    subs r3, r5, #1
+    shift_to_nearest r3, r6
+    adds r0, r0, r6
+    ldmia r7!, {r3, r6}
+    muls r3, r1
+    muls r6, r2
+    adds r6, r6, r3
+    ldr r3, [r7]
+    ldr r7, [r7, #4]
+    muls r3, r1
+    muls r7, r2
+    adds r7, r7, r3
+    shift_to_nearest r5, r6, r7
+    ldr r3, [sp, #LAID_AT]
+    stmia r3!, {r0, r6, r7}
+    str r3, [sp, #LAID_AT]
+    bx lr
+
+/* r0-r2: number `at` of three corners. */
+.macro corner_numbers load, at
+    add r3, sp, #OF_VERTICES
+    ldmia r3!, {r0-r2}
+    \load r0, [r0, #\at]
+    \load r1, [r1, #\at]
+    \load r2, [r2, #\at]
+    subs r1, r1, r0
+    subs r2, r2, r0
+.endm
+
+.macro laid_uv at, before
+    corner_numbers ldrh, \at
+    ldr r3, [sp, #UP]
+    lsls r0, r3
+    ldr r4, [sp, #\before]
+    subs r0, r0, r4
+    bl laid_number
+.endm
+
+.macro laid_colour at, one
+    corner_numbers ldrb, \at
+    ldr r3, =\one
+    muls r0, r3
+    muls r1, r3
+    muls r2, r3
+    ldr r3, =1 << 20
+    adds r0, r0, r3
+    movs r3, #0
+    bl laid_number
+.endm
+
     function glint_mesh_albedo_draw
     push {lr}
     sub sp, #LINES_FRAME
+    str r0, [sp, #TRIANGLE]
     movs r4, r0
-    movs r1, r0
     adds r0, #GLINT_AT_TRIANGLE_SHINE
     ldrb r0, [r0]
     lsrs r0, r0, #GLINT_MESH_LAID_LOG + 1
-    bcs 1f
-    ldr r0, [sp, #TARGET_OF]
-    ldr r2, [sp, #TEXTURE_OF]
-    bl glint_mesh_albedo_laid
-1:  ldr r7, [sp, #PIXELS_AT]
+    bcs .Llaid
+    b .Llay
+.Llaid: /* r4: the triangle */
+    ldr r7, [sp, #PIXELS_AT]
     adds r7, #GLINT_AT_PIXELS_DDT + 16
     add r6, sp, #LEVELS
     ldmia r7!, {r0-r3}
@@ -648,6 +723,99 @@ smooth_\kind:
     str r7, [sp, #DBLUE]
     ldr r0, [sp, #DEPTH_NOW]
     b .Lstay
+    .ltorg
+
+/* r0: 1 where slopes are there. */
+.Llay:
+    lsrs r0, r0, #1
+    bcc .Lby_c
+    movs r7, r4
+    adds r7, #GLINT_MESH_KEPT_SIZE
+    str r7, [sp, #LAID_AT]
+    add r6, sp, #SLOPES
+    ldmia r7!, {r0-r3, r5}
+    stmia r6!, {r0-r3, r5}
+    ldmia r7!, {r0-r3, r5}
+    stmia r6!, {r0-r3, r5}
+    adds r5, #18 - 12 /* GLINT_MESH_STEEP */
+    bmi .Lby_c
+    movs r0, #2
+    ldrsh r0, [r1, r0]
+    adds r0, #7
+    asrs r0, r0, #4
+    movs r5, #GLINT_AT_TRIANGLE_Y
+    ldrsh r5, [r4, r5]
+    cmp r0, r5 /* lines were skipped */
+    bne .Lby_c
+    ldr r7, [sp, #TARGET_OF]
+    ldr r7, [r7, #GLINT_AT_TARGET_FRAME + 4]
+    ldr r5, [r7, #GLINT_AT_DRAWN_MESH]
+    ldr r6, [r7, #GLINT_AT_DRAWN_VERTICES]
+    subs r1, r1, r6
+    subs r2, r2, r6
+    subs r3, r3, r6
+    add r6, sp, #OF_VERTICES
+    ldr r7, [sp, #TEXTURE_OF]
+    cmp r7, #0
+    beq .Lcolours_laid
+    ldrb r0, [r7, #GLINT_AT_TEXTURE_LEVELS]
+    cmp r0, #1
+    bne .Lby_c
+    ldr r0, [r5, #GLINT_AT_MESH_UV]
+    lsrs r1, r1, #2
+    lsrs r2, r2, #2
+    lsrs r3, r3, #2
+    adds r1, r1, r0
+    adds r2, r2, r0
+    adds r3, r3, r0
+    stmia r6!, {r1-r3}
+    movs r0, #GLINT_AT_MESH_UV_BITS
+    ldrb r0, [r5, r0]
+    movs r1, #32
+    subs r1, r1, r0
+    str r1, [sp, #UP]
+    ldr r7, [sp, #PIXELS_AT]
+    ldr r0, [r7, #GLINT_AT_PIXELS_NOW]
+    ldr r1, [r7, #GLINT_AT_PIXELS_NOW + 4]
+    stmia r6!, {r0, r1} /* FIRST */
+    laid_uv 0, FIRST
+    laid_uv 2, FIRST + 4
+    ldr r7, [sp, #LAID_AT]
+    movs r0, #0
+    ldr r1, [sp, #TEXTURE_OF]
+    ldr r1, [r1, #GLINT_AT_TEXTURE_W]
+    stmia r7!, {r0, r1}
+.Lis_laid:
+    ldr r4, [sp, #TRIANGLE]
+    movs r1, r4
+    adds r1, #GLINT_AT_TRIANGLE_SHINE
+    ldrb r0, [r1]
+    movs r2, #1 << GLINT_MESH_LAID_LOG
+    orrs r0, r2
+    strb r0, [r1]
+    b .Llaid
+.Lby_c:
+    ldr r0, [sp, #TARGET_OF]
+    ldr r1, [sp, #TRIANGLE]
+    ldr r2, [sp, #TEXTURE_OF]
+    bl glint_mesh_albedo_laid
+    ldr r4, [sp, #TRIANGLE]
+    b .Llaid
+.Lcolours_laid:
+    ldr r0, [r5, #GLINT_AT_MESH_OF_VERTICES]
+    cmp r0, #0
+    beq .Lby_c
+    movs r7, #3
+    .irp vertex, r1, r2, r3
+    lsrs \vertex, \vertex, #4
+    muls \vertex, r7
+    adds \vertex, \vertex, r0
+    .endr
+    stmia r6!, {r1-r3}
+    laid_colour 0, 254952
+    laid_colour 1, 518127
+    laid_colour 2, 254952
+    b .Lis_laid
     .ltorg
 
 /* A triangle that a strip of C draws: glint_mesh_albedo_triangle(strip, triangle, tables, texture). */

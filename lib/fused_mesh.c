@@ -386,8 +386,8 @@ static void albedo_lines_far(const struct glint_tables *tables, struct glint_mes
 typedef char
     albedo_pixels_fit[sizeof(struct glint_mesh_pixels) <= GLINT_MESH_RUN * sizeof(struct glint_sample) ? 1 : -1];
 
-void glint_mesh_albedo_begin(const struct glint_mesh_target *target, const struct glint_tables *tables,
-                             const struct glint_texture *texture, struct glint_mesh_lines *lines)
+uint32_t glint_mesh_albedo_begin(const struct glint_mesh_target *target, const struct glint_tables *tables,
+                                 const struct glint_texture *texture, struct glint_mesh_lines *lines)
 {
     struct glint_mesh_pixels *const p = (struct glint_mesh_pixels *)(void *)target->samples;
     albedo_set(p, tables, texture);
@@ -396,6 +396,9 @@ void glint_mesh_albedo_begin(const struct glint_mesh_target *target, const struc
     lines->colours = p;
     lines->dark = (uint32_t)target;
     lines->shift = (uint32_t)texture;
+    for (unsigned k = 0; k < 2 && texture; k++) /* what bilinear ones begin before the corner */
+        p->now[k] = texture->is_smooth ? UINT32_C(0x80000000) / (k ? texture->h : texture->w) : 0;
+    return (uint32_t)1 << 31;
 }
 
 static void albedo_draw(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,

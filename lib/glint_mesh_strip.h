@@ -91,7 +91,7 @@ void glint_mesh_face_set(struct glint_mesh_triangle *triangle, const struct glin
                          const uint16_t face[3], uint32_t t_end);
 
 /* In assembly alone: draws a mesh's faces and keeps those that go on, where all paints have fused lines and nothing is clipped. It takes from
- * glint_mesh_part_lines what a part's lines need: from which t on nothing shines, and *lines. */
+ * glint_mesh_part_lines what a part's lines need: from which t on nothing shines, and 2^31 where slopes are laid behind triangles; and *lines. */
 void glint_mesh_strip_lines(const struct glint_mesh_target *strip);
 uint32_t glint_mesh_part_lines(const struct glint_mesh_target *strip, unsigned part, struct glint_mesh_lines *lines);
 

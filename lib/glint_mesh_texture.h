@@ -64,9 +64,9 @@ struct glint_use_mesh {
     /* Fused, behind GLINT_FUSED, or NULL: a triangle's lines by ALBEDO tables at even places. */
     void (*lines)(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
                   const struct glint_mesh_target *target, const struct glint_texture *texture);
-    /* In assembly alone: as glint_mesh_colour_begin. */
-    void (*begin)(const struct glint_mesh_target *target, const struct glint_tables *tables,
-                  const struct glint_texture *texture, struct glint_mesh_lines *lines);
+    /* In assembly alone: as glint_mesh_colour_begin; 2^31: slopes are to be laid behind triangles. */
+    uint32_t (*begin)(const struct glint_mesh_target *target, const struct glint_tables *tables,
+                      const struct glint_texture *texture, struct glint_mesh_lines *lines);
 };
 
 /* Pixels side by side on a line: whether they are in front, their albedo, their light. */
@@ -98,8 +98,8 @@ struct glint_mesh_laid *glint_mesh_albedo_laid(const struct glint_mesh_target *t
 
 /* In assembly alone. The first is called as struct glint_mesh_lines says, the last draws one triangle by it. */
 void glint_mesh_albedo_draw(void);
-void glint_mesh_albedo_begin(const struct glint_mesh_target *target, const struct glint_tables *tables,
-                             const struct glint_texture *texture, struct glint_mesh_lines *lines);
+uint32_t glint_mesh_albedo_begin(const struct glint_mesh_target *target, const struct glint_tables *tables,
+                                 const struct glint_texture *texture, struct glint_mesh_lines *lines);
 void glint_mesh_albedo_triangle(const struct glint_mesh_target *target, struct glint_mesh_triangle *triangle,
                                 const struct glint_tables *tables, const struct glint_texture *texture);
 

@@ -143,6 +143,7 @@ struct glint_mesh_triangle {
 #define GLINT_MESH_LAID 4 /* it has it */
 struct glint_mesh_laid {
     struct glint_mesh_linear of[3];
+    uint32_t more; /* of assembly, which has slopes here at first */
 };
 
 /* The first line or column whose middle is at or beyond a place in 1/16 pixel. */

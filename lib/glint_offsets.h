@@ -51,6 +51,9 @@
 #define GLINT_SPAN_RUN_LOG 5
 #define GLINT_SPAN_RUN 32
 
+#define GLINT_AT_TEXTURE_LEVELS 12
+#define GLINT_AT_TEXTURE_W 8 /* w, h */
+
 /* Where the assembly finds fields of a mesh and a triangle, in bytes; offsets.c compares these with the compiler's. Macros only. */
 
 #define GLINT_AT_TRIANGLE_Z 0 /* z, nl, t, tx, ty, zy, nly, txy, tyy */
@@ -103,8 +106,14 @@
 #define GLINT_AT_MESH_NORMALS8 8
 #define GLINT_AT_MESH_FACES 12        /* faces, ends */
 #define GLINT_AT_MESH_VERTEX_COUNT 20 /* and of faces, of parts */
+#define GLINT_AT_MESH_OF_VERTICES 28
+#define GLINT_AT_MESH_UV 40
+#define GLINT_AT_MESH_UV_BITS 44
 
+#define GLINT_MESH_SLOPED                                                                                              \
+    8 /* of triangle->shine: u, v, u_x, v_x, u_y, v_y, vertices from the upper one down, e - 18 are laid */
 #define GLINT_MESH_LAID_LOG 2 /* of triangle->shine */
+#define GLINT_AT_PIXELS_NOW 8
 #define GLINT_AT_PIXELS_DZ 28 /* z, nl, now, back, dt; dz, dnl, step */
 #define GLINT_AT_PIXELS_DDT                                                                                            \
     48 /* ddt, depth, end, off; levels, sums, t_max, limit, shift, dark, pixels, palette, w, h, loop */

@@ -194,14 +194,15 @@ static bool strip_has_lines(const struct glint_mesh_drawn *drawn, const struct g
 uint32_t glint_mesh_part_lines(const struct glint_mesh_target *strip, unsigned part, struct glint_mesh_lines *lines)
 {
     const struct glint_paint *paint = &strip->drawn->paints[part];
+    uint32_t lay = 0;
     if (paint->of.tables.filled.kind == GLINT_TABLES_COLOUR)
         glint_mesh_colour_begin(&paint->of.tables.filled, strip, lines);
     else
-        GLINT_FLASH_POINTER(strip->drawn->mesh->use->begin)
-    (strip, &paint->of.tables.filled, glint_mesh_texture_of(strip->drawn, paint), lines);
+        lay = GLINT_FLASH_POINTER(strip->drawn->mesh->use->begin)(strip, &paint->of.tables.filled,
+                                                                  glint_mesh_texture_of(strip->drawn, paint), lines);
     if (strip->drawn->edges)
         GLINT_FLASH_POINTER(strip->frame->outlines->lines)(strip, lines);
-    return glint_mesh_t_end(paint);
+    return glint_mesh_t_end(paint) | lay;
 }
 #endif
 

@@ -32,6 +32,11 @@ static bool over_can(const struct glint_mesh *mesh)
 
 /* ---- Set ---- */
 
+static uint32_t over_size(int32_t area)
+{
+    return area < 0 ? 0 - (uint32_t)area : (uint32_t)area;
+}
+
 /* How much of the chain is passed: until there are less than two texels a pixel, by the areas of both. p, q: of u and v, in units of
  * 2^-bits of the texture; size: twice the triangle's area. */
 static unsigned over_level(const struct glint_texture *texture, const struct glint_mesh_pair of[2], unsigned bits,
@@ -106,6 +111,21 @@ static void over_colours(struct glint_mesh_over *over, const struct glint_mesh_s
     }
 }
 
+/* Corners from the upper one down; equal ones stay. */
+static void over_order(struct glint_mesh_corners *corners, int16_t of[3][3], unsigned first)
+{
+    const struct glint_mesh_vertex *const upper = corners->at[first];
+    if (corners->at[first + 1]->y >= upper->y)
+        return;
+    corners->at[first] = corners->at[first + 1];
+    corners->at[first + 1] = upper;
+    for (unsigned k = 0; k < 3; k++) {
+        const int16_t number = of[first][k];
+        of[first][k] = of[first + 1][k];
+        of[first + 1][k] = number;
+    }
+}
+
 static void over_set(struct glint_mesh_over *over, const struct glint_mesh_target *target, unsigned face,
                      const struct glint_texture *texture)
 {
@@ -115,14 +135,14 @@ static void over_set(struct glint_mesh_over *over, const struct glint_mesh_targe
     struct glint_mesh_slopes slopes;
     int16_t of[3][3];
     glint_mesh_corners_of(&corners, target, face);
-    over_corner(of[0], mesh, face, vertex[0], texture);
-    over_corner(of[1], mesh, face, vertex[1], texture);
-    over_corner(of[2], mesh, face, vertex[2], texture);
-    if (corners.clipped[0]) {
-        for (unsigned i = 0; texture && i < 3; i++)
-            of[i][2] = 0;
-        glint_mesh_corners_weigh(&corners, of);
+    for (unsigned i = 0; i < 3; i++) {
+        of[i][2] = 0;
+        over_corner(of[i], mesh, face, vertex[i], texture);
     }
+    glint_mesh_corners_weigh(&corners, of);
+    over_order(&corners, of, 0);
+    over_order(&corners, of, 1);
+    over_order(&corners, of, 0);
     const struct glint_mesh_vertex *const a = corners.at[0], *const b = corners.at[1], *const c = corners.at[2];
     glint_mesh_slopes_set(&slopes, a, b, c);
     over->x = a->x >> 4;
@@ -136,7 +156,7 @@ static void over_set(struct glint_mesh_over *over, const struct glint_mesh_targe
     const struct glint_mesh_pair pair[2] = {glint_mesh_pair_of(of[1][0] - of[0][0], of[2][0] - of[0][0]),
                                             glint_mesh_pair_of(of[1][1] - of[0][1], of[2][1] - of[0][1])};
     over_picture(&over->picture, texture,
-                 texture->levels < 2 ? 0 : over_level(texture, pair, bits, 0 - (uint32_t)glint_mesh_area(a, b, c)));
+                 texture->levels < 2 ? 0 : over_level(texture, pair, bits, over_size(glint_mesh_area(a, b, c))));
     over->is_smooth = texture->is_smooth;
     over->count = 2;
     over->is_far = target->frame->distance != 0;

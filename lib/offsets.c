@@ -107,14 +107,16 @@ typedef char
                            : -1];
 #undef AT
 #define AT(field, offset) (offsetof(struct glint_mesh, field) == (offset))
-typedef char glint_mesh_layout[AT(places, GLINT_AT_MESH_PLACES) && AT(normals, GLINT_AT_MESH_NORMALS) &&
-                                       AT(normals8, GLINT_AT_MESH_NORMALS8) && AT(faces, GLINT_AT_MESH_FACES) &&
-                                       AT(ends, GLINT_AT_MESH_FACES + 4) &&
-                                       AT(face_count, GLINT_AT_MESH_VERTEX_COUNT + 2) &&
-                                       AT(part_count, GLINT_AT_MESH_VERTEX_COUNT + 4) &&
-                                       AT(vertex_count, GLINT_AT_MESH_VERTEX_COUNT)
-                                   ? 1
-                                   : -1];
+typedef char glint_mesh_layout
+    [AT(places, GLINT_AT_MESH_PLACES) && AT(normals, GLINT_AT_MESH_NORMALS) && AT(normals8, GLINT_AT_MESH_NORMALS8) &&
+             AT(faces, GLINT_AT_MESH_FACES) && AT(ends, GLINT_AT_MESH_FACES + 4) &&
+             AT(face_count, GLINT_AT_MESH_VERTEX_COUNT + 2) && AT(part_count, GLINT_AT_MESH_VERTEX_COUNT + 4) &&
+             AT(vertex_count, GLINT_AT_MESH_VERTEX_COUNT) && AT(of_vertices, GLINT_AT_MESH_OF_VERTICES) &&
+             AT(uv, GLINT_AT_MESH_UV) && AT(uv_bits, GLINT_AT_MESH_UV_BITS) &&
+             offsetof(struct glint_texture, levels) == GLINT_AT_TEXTURE_LEVELS &&
+             offsetof(struct glint_texture, w) == GLINT_AT_TEXTURE_W
+         ? 1
+         : -1];
 #undef AT
 #define AT(field, offset) (offsetof(struct glint_mesh_vertex, field) == (offset))
 typedef char glint_vertex_layout[AT(x, 0) && AT(y, 2) && AT(z, 4) && AT(out, 6) && AT(t_q30, 8) && AT(nl_q30, 12) &&
@@ -135,7 +137,8 @@ typedef char glint_pixels_layout
              offsetof(struct glint_mesh_picture, w) == 8 && offsetof(struct glint_mesh_picture, h) == 12 &&
              AT(loop, GLINT_AT_PIXELS_DDT + 56) && 1 << GLINT_MESH_LAID_LOG == GLINT_MESH_LAID &&
              GLINT_MESH_COLOURS == 0 && GLINT_MESH_NEAREST == 1 && GLINT_MESH_PALETTE == 2 && GLINT_MESH_SMOOTH == 3 &&
-             sizeof(struct glint_mesh_laid) == 36 && offsetof(struct glint_mesh_laid, of) == 0 &&
+             sizeof(struct glint_mesh_laid) == 40 && AT(now, GLINT_AT_PIXELS_NOW) &&
+             offsetof(struct glint_mesh_laid, of) == 0 &&
              offsetof(struct glint_mesh_bench, laid) ==
                  offsetof(struct glint_mesh_bench, face) + sizeof(struct glint_mesh_kept)
          ? 1
