@@ -32,6 +32,8 @@
 #define COLUMN 120   /* from the triangle's */
 #define SOURCE 124
 #define DEPTH_NOW 128
+#define MATT_THEN FETCH /* of colours, which fetch nothing: loops behind those that make blue */
+#define GLOSSY_THEN FETCHED
 
 /* And of the struct glint_mesh_lines behind it. */
 #define PIXELS_AT COLOURS
@@ -115,12 +117,6 @@
     .type pixels_\source\()_\is_glossy\is_swapped, %function
     .thumb_func
 pixels_\source\()_\is_glossy\is_swapped:
-    .if !\is_glossy
-    ldr r5, =HALF
-    mov r12, r5
-    ldr r5, [sp, #ROW_END]
-    mov lr, r5
-    .endif
     .ifc \source, smooth
     ldr r5, =7f + 1
     str r5, [sp, #FETCHED]
@@ -140,9 +136,9 @@ pixels_\source\()_\is_glossy\is_swapped:
     ldrb r6, [r7, r6]
 8:  lit \source, \is_glossy
     .if \is_glossy
-    ldr r6, [sp, #LAST_BACK]
-    cmp r6, r12
-    bhs 5f
+    mov r6, r12
+    cmp r6, #0
+    bge 5f /* LAST_BACK < 2^31 */
     .endif
 2:  lsrs r6, r5, #16
     orrs r5, r6
@@ -179,11 +175,13 @@ pixels_\source\()_\is_glossy\is_swapped:
     .if \is_glossy
     lit \source, 1
     b 2b
-5:  mov r6, r12
-    ldr r7, [sp, #LAST_T]
+5:  ldr r7, [sp, #LAST_T]
     cmp r6, r7
     bls 6f
-    movs r6, r7
+    ldr r7, [sp, #LAST_BACK]
+    cmp r6, r7
+    bhi 2b
+    ldr r6, [sp, #LAST_T]
 6:  ldr r7, [sp, #COLUMN_SHIFT]
     lsrs r6, r7
     lsls r6, r6, #2
@@ -230,10 +228,9 @@ loops:
     loops_of palette
     loops_of smooth
 
-/* Texels at places r0-r3 of the picture, which they become. r6: texels. */
+/* Texels at bytes r0-r3 of the picture, which they become. r6: texels. */
 .macro texels_of_rgb565
     .irp at, r0, r1, r2, r3
-    lsls \at, \at, #1
     ldrh \at, [r6, \at]
     .endr
 .endm
@@ -248,7 +245,7 @@ loops:
 
 /* r5: fields of four texels around u, v: r0-r3 from the upper left one to the lower right one; r4, r5: how far away it is, of 32. By what the others are
  * more than it: 32 a + x (b - a) + y (c - a) + xy (d - c - b + a). */
-.macro smooth kind
+.macro smooth kind, log
     .type smooth_\kind, %function
     .thumb_func
 smooth_\kind:
@@ -265,7 +262,11 @@ smooth_\kind:
     lsrs r5, r5, #27
     lsrs r0, r0, #16
     lsrs r2, r2, #16
-    adds r1, r0, #1
+    .if \log
+    lsls r0, r0, #\log
+    lsls r6, r6, #\log
+    .endif
+    adds r1, r0, #1 << \log
     cmp r1, r6
     bne 1f
     movs r1, #0
@@ -312,8 +313,8 @@ smooth_\kind:
     ldr r7, [sp, #FETCHED]
     bx r7
 .endm
-    smooth rgb565
-    smooth palette
+    smooth rgb565, 1
+    smooth palette, 0
     .ltorg
 
 /* r2, r3: by the palette in r1 and the loop's number in r5, what makes a bilinear texel; and a pointer to the loop. r5: the source. */
@@ -348,6 +349,8 @@ smooth_\kind:
     ldmia r7!, {r1-r5}
     stmia r6!, {r1-r5}
     ldrb r5, [r7]
+    lsls r1, r5, #31
+    str r1, [sp, #COLUMN]
     movs r1, r3
     chosen
     ldr r3, [r3]
@@ -373,7 +376,14 @@ smooth_\kind:
     ldr r7, [r7] /* dt */
     negs r7, r7
     mov lr, r7
-    ldr r0, [sp, #DEPTH_NOW]
+    ldr r0, [sp, #COLUMN]
+    cmp r0, #0
+    bne 1f
+    ldr r7, =HALF
+    mov r12, r7
+    ldr r7, [sp, #ROW_END]
+    mov lr, r7
+1:  ldr r0, [sp, #DEPTH_NOW]
     ldr r7, [sp, #NOW]
     bx r7
 .Lpixels_end:
@@ -390,55 +400,61 @@ smooth_\kind:
     lsls r3, r6, #1
     adds r3, r3, r0
     str r3, [sp, #ROW_END]
+    mov lr, r3
     ldr r7, [sp, #TRIANGLE]
     ldr r1, [r7, #GLINT_AT_TRIANGLE_X]
     subs r5, r2, r1
 .endm
 
-/* z, nl, and u and v of it, or colours; then the loop. */
+/* z, nl, and u and v of it, or red and green; then the loop. */
 .macro row_of loop
     ldmia r7!, {r1, r2}
     mov r6, r8
     muls r6, r5
     adds r1, r1, r6
-    adds r7, #GLINT_MESH_KEPT_SIZE - 8
-    ldr r6, [sp, #SOURCE]
-    cmp r6, #0
-    bne 1f
-    ldr r6, [sp, #\loop]
-    str r6, [sp, #NOW]
-    b .Lcolours
-1:  mov r6, r9
+    mov r6, r9
     muls r6, r5
     adds r2, r2, r6
-    ldr r3, [r7]
+    adds r7, #GLINT_MESH_KEPT_SIZE - 8
+    ldmia r7!, {r3, r4}
     mov r6, r10
     muls r6, r5
     adds r3, r3, r6
-    ldr r4, [r7, #12]
     mov r6, r11
     muls r6, r5
     adds r4, r4, r6
-    ldr r7, [sp, #\loop]
-    bx r7
+    ldr r6, [sp, #\loop]
+    bx r6
 .endm
 
 /* To the next line; r6: the triangle + passed. */
 .macro laid_next passed
     adds r6, #GLINT_MESH_KEPT_SIZE - \passed
-    ldmia r6!, {r0-r5}
+    ldmia r6!, {r0-r3}
     adds r0, r0, r2
-    adds r3, r3, r5
-    ldr r7, [sp, #SOURCE]
-    cmp r7, #0
-    bne 1f
-    ldr r1, [r6]
-    ldr r2, [r6, #8]
-    adds r1, r1, r2
-    str r1, [r6]
-1:  subs r6, #24
+    adds r1, r1, r3
+    subs r6, #16
+    stmia r6!, {r0, r1}
+.endm
+/* And blue before that. */
+.macro blue_next
+    ldr r6, [sp, #DNL]
+    mov r9, r6
+    ldr r6, [sp, #TRIANGLE]
+    adds r6, #GLINT_MESH_KEPT_SIZE + 24
+    ldmia r6!, {r0, r1}
+    adds r0, r0, r1
+    subs r6, #8
     str r0, [r6]
-    str r3, [r6, #12]
+.endm
+
+.macro returns_to of_texture, of_colours
+    ldr r0, =\of_texture + 1
+    ldr r1, [sp, #SOURCE]
+    cmp r1, #0
+    bne 1f
+    ldr r0, =\of_colours + 1
+1:  str r0, [sp, #RETURN]
 .endm
 
 /* A colour in r6 with its step in r7, held to 0..2^bits - 1 on r5 + 1 pixels; r0 is lost. */
@@ -461,6 +477,39 @@ smooth_\kind:
 2:
 .endm
 
+/* Blue, too, before a loop; r7: in what is laid, behind `at`, r5: the column. Where one leaves its range, it is held. */
+.macro blue_of name, loop
+.L\name\()_blue:
+    ldr r6, [sp, #DBLUE]
+    muls r5, r6
+    ldr r7, [r7, #16]
+    adds r7, r7, r5
+    mov r9, r7
+    ldr r5, [sp, #ROW_END]
+    subs r5, r5, r0
+    lsrs r5, r5, #1
+    subs r5, #1
+    muls r6, r5
+    adds r6, r6, r7
+    orrs r6, r7
+    mov r7, r10
+    muls r7, r5
+    adds r7, r7, r3
+    orrs r6, r7
+    orrs r6, r3
+    lsrs r6, r6, #26
+    mov r7, r11
+    muls r7, r5
+    adds r7, r7, r4
+    orrs r7, r4
+    lsrs r7, r7, #27
+    orrs r6, r7
+    ldr r7, [sp, #\loop]
+    beq 1f
+    b .Lleaves
+1:  bx r7
+.endm
+
 /* What is laid, of slopes that were: the frame, before its part from 40 on is made. u, v, u_x, v_x, u_y, v_y, vertices, e - 18. */
 #define SLOPES 40
 #define VERTICES 64
@@ -470,17 +519,19 @@ smooth_\kind:
 #define OF_VERTICES 88 /* and of b and c: uv or colours */
 #define FIRST 100      /* what bilinear texels begin before a */
 
-/* One number: r0: a's, r1, r2: how much more b's and c's are, r3: up. r1-r7 are lost. */
+/* One number: r0: a's, r1, r2: how much more b's and c's are, r3: up. Becomes r0, r6: a step to the right, r7: one down. */
     .section .text.laid_number, "ax", %progbits
     .type laid_number, %function
     .balign 4
     .thumb_func
 laid_number:
     pair_of r1, r2, r5, r6, r7
+    adds r3, r3, r5
     ldr r6, [sp, #STEEP_AT]
-    adds r6, #18 - 1
-    subs r6, r6, r3
-    subs r5, r6, r5 /* as shift_to_nearest takes it for steps */
+    adds r6, #18 - 12 /* GLINT_MESH_STEEP */
+    bmi .Lsteep
+    adds r6, #12 - 1
+    subs r5, r6, r3 /* as shift_to_nearest takes it for steps */
     add r7, sp, #SLOPES
     ldmia r7!, {r3, r6}
     muls r3, r1
@@ -499,9 +550,20 @@ laid_number:
     muls r7, r2
     adds r7, r7, r3
     shift_to_nearest r5, r6, r7
-    ldr r3, [sp, #LAID_AT]
-    stmia r3!, {r0, r6, r7}
-    str r3, [sp, #LAID_AT]
+    bx lr
+.Lsteep: /* one for all of it */
+    lsls r1, r1, #1
+    adds r1, r1, r2
+    movs r6, #0
+    movs r7, #0
+    subs r3, #2
+    bmi 1f
+    lsls r1, r3
+    adds r0, r0, r1
+    bx lr
+1:  negs r3, r3
+    asrs r1, r3
+    adds r0, r0, r1
     bx lr
 
 /* r0-r2: number `at` of three corners. */
@@ -515,16 +577,24 @@ laid_number:
     subs r2, r2, r0
 .endm
 
-.macro laid_uv at, before
+.macro number_laid to, apart
+    bl laid_number
+    ldr r3, [sp, #LAID_AT]
+    str r0, [r3, #\to]
+    str r7, [r3, #\to + \apart]
+    str r6, [r3, #\to + 2 * \apart]
+.endm
+
+.macro laid_uv at, before, to
     corner_numbers ldrh, \at
     ldr r3, [sp, #UP]
     lsls r0, r3
     ldr r4, [sp, #\before]
     subs r0, r0, r4
-    bl laid_number
+    number_laid \to, 8
 .endm
 
-.macro laid_colour at, one
+.macro laid_colour at, one, to, apart
     corner_numbers ldrb, \at
     ldr r3, =\one
     muls r0, r3
@@ -533,7 +603,7 @@ laid_number:
     ldr r3, =1 << 20
     adds r0, r0, r3
     movs r3, #0
-    bl laid_number
+    number_laid \to, \apart
 .endm
 
     function glint_mesh_albedo_draw
@@ -565,7 +635,13 @@ laid_number:
     stmia r6!, {r0-r3}
     chosen
     ldmia r3!, {r0, r1}
-    str r0, [sp, #MATT]
+    cmp r5, #0
+    bne 1f
+    str r0, [sp, #MATT_THEN]
+    str r1, [sp, #GLOSSY_THEN]
+    ldr r0, =.Lmatt_blue + 1
+    ldr r1, =.Lglossy_blue + 1
+1:  str r0, [sp, #MATT]
     str r1, [sp, #GLOSSY]
     ldr r0, [r4, #GLINT_AT_TRIANGLE_ZX]
     mov r8, r0
@@ -574,10 +650,12 @@ laid_number:
     str r0, [sp, #DNL]
     movs r7, r4
     adds r7, #GLINT_MESH_KEPT_SIZE
-    ldr r0, [r7, #4]
-    mov r10, r0
     ldr r0, [r7, #16]
+    mov r10, r0
+    ldr r0, [r7, #20]
     mov r11, r0
+    ldr r0, [r7, #32]
+    str r0, [sp, #DBLUE]
     ldr r0, [r4, #GLINT_AT_TRIANGLE_TXX]
     negs r1, r0
     str r1, [sp, #DT_STEP]
@@ -592,16 +670,22 @@ laid_number:
     triangle_edges
 
 .Lmatt_hold:
-    hold r2, r3, r6, .Lmatt_held, .Lmatt_end
+    hold r2, r3, r6, .Lmatt_held, .Lempty
+.Lempty:
+    ldr r7, [sp, #RETURN]
+    bx r7
 .Lmatt:
-    ldr r0, =.Lmatt_end + 1
-    str r0, [sp, #RETURN]
+    returns_to .Lmatt_end, .Lmatt_colours_end
+    ldr r0, =HALF
+    mov r12, r0
 .Lmatt_line:
-    edges_begin .Lmatt_hold, .Lmatt_end
+    edges_begin .Lmatt_hold, .Lempty
 .Lmatt_held:
     row_begin
 .Lmatt_row:
     row_of MATT
+.Lmatt_colours_end:
+    blue_next
 .Lmatt_end:
     plain_values_next
     laid_next 8
@@ -610,15 +694,18 @@ laid_number:
     ldr r0, [sp, #LEFT]
     ldr r1, [sp, #RIGHT]
     b .Ledges
+    blue_of matt, MATT_THEN
     .ltorg
 
 .Lglossy_hold:
-    hold r2, r3, r6, .Lglossy_held, .Lglossy_end
+    hold r2, r3, r6, .Lglossy_held, .Lnone
+.Lnone:
+    ldr r7, [sp, #RETURN]
+    bx r7
 .Lglossy:
-    ldr r0, =.Lglossy_end + 1
-    str r0, [sp, #RETURN]
+    returns_to .Lglossy_end, .Lglossy_colours_end
 .Lglossy_line:
-    edges_begin .Lglossy_hold, .Lglossy_end
+    edges_begin .Lglossy_hold, .Lnone
 .Lglossy_held:
     row_begin
     str r5, [sp, #COLUMN]
@@ -645,6 +732,8 @@ laid_number:
     ldr r5, [sp, #COLUMN]
     ldr r7, [sp, #TRIANGLE]
     row_of GLOSSY
+.Lglossy_colours_end:
+    blue_next
 .Lglossy_end:
     values_next
     laid_next 20
@@ -652,59 +741,18 @@ laid_number:
     b .Lpart_end
 .Lglossy_next:
     b .Lglossy_line
+    blue_of glossy, GLOSSY_THEN
 .Lmay_miss:
     movs r5, r1
     misses .Lhits
+    ldr r5, =HALF
+    mov r12, r5
     ldr r5, [sp, #COLUMN]
     ldr r7, [sp, #TRIANGLE]
     b .Lmatt_row
 
-/* r7: to the colours; r5: the column. */
-.Lcolours:
-    ldr r6, [sp, #DNL]
-    muls r6, r5
-    adds r2, r2, r6
-    ldmia r7!, {r3, r4}
-    mov r10, r4
-    muls r4, r5
-    adds r3, r3, r4
-    adds r7, #4
-    ldr r6, [r7, #4]
-    mov r11, r6
-    muls r6, r5
-    ldr r4, [r7]
-    adds r4, r4, r6
-    ldr r6, [r7, #16]
-    str r6, [sp, #DBLUE]
-    muls r6, r5
-    ldr r7, [r7, #12]
-    adds r7, r7, r6
-    mov r9, r7
-    ldr r5, [sp, #ROW_END]
-    subs r5, r5, r0
-    lsrs r5, r5, #1
-    subs r5, #1
-    mov r6, r10
-    muls r6, r5
-    adds r6, r6, r3
-    orrs r6, r3
-    orrs r6, r7
-    ldr r7, [sp, #DBLUE]
-    muls r7, r5
-    add r7, r9
-    orrs r6, r7
-    lsrs r6, r6, #26
-    mov r7, r11
-    muls r7, r5
-    adds r7, r7, r4
-    orrs r7, r4
-    lsrs r7, r7, #27
-    orrs r6, r7
-    bne .Lleaves
-.Lstay:
-    ldr r7, [sp, #NOW]
-    bx r7
-.Lleaves: /* one of them its range on this line */
+.Lleaves: /* one of them its range on this line; r7: the loop */
+    str r7, [sp, #NOW]
     str r0, [sp, #DEPTH_NOW]
     movs r6, r3
     mov r7, r10
@@ -721,8 +769,25 @@ laid_number:
     held 26
     mov r9, r6
     str r7, [sp, #DBLUE]
+    ldr r0, [sp, #RETURN]
+    str r0, [sp, #COLUMN]
+    ldr r0, =.Lheld + 1
+    str r0, [sp, #RETURN]
     ldr r0, [sp, #DEPTH_NOW]
-    b .Lstay
+    ldr r7, [sp, #NOW]
+    bx r7
+.Lheld: /* steps as they were */
+    ldr r7, [sp, #TRIANGLE]
+    adds r7, #GLINT_MESH_KEPT_SIZE
+    ldr r0, [r7, #16]
+    mov r10, r0
+    ldr r0, [r7, #20]
+    mov r11, r0
+    ldr r0, [r7, #32]
+    str r0, [sp, #DBLUE]
+    ldr r7, [sp, #COLUMN]
+    str r7, [sp, #RETURN]
+    bx r7
     .ltorg
 
 /* r0: 1 where slopes are there. */
@@ -737,8 +802,6 @@ laid_number:
     stmia r6!, {r0-r3, r5}
     ldmia r7!, {r0-r3, r5}
     stmia r6!, {r0-r3, r5}
-    adds r5, #18 - 12 /* GLINT_MESH_STEEP */
-    bmi .Lby_c
     movs r0, #2
     ldrsh r0, [r1, r0]
     adds r0, #7
@@ -778,13 +841,13 @@ laid_number:
     ldr r0, [r7, #GLINT_AT_PIXELS_NOW]
     ldr r1, [r7, #GLINT_AT_PIXELS_NOW + 4]
     stmia r6!, {r0, r1} /* FIRST */
-    laid_uv 0, FIRST
-    laid_uv 2, FIRST + 4
-    ldr r7, [sp, #LAID_AT]
+    laid_uv 0, FIRST, 0
+    laid_uv 2, FIRST + 4, 4
     movs r0, #0
-    ldr r1, [sp, #TEXTURE_OF]
-    ldr r1, [r1, #GLINT_AT_TEXTURE_W]
-    stmia r7!, {r0, r1}
+    str r0, [r3, #24]
+    ldr r0, [sp, #TEXTURE_OF]
+    ldr r0, [r0, #GLINT_AT_TEXTURE_W]
+    str r0, [r3, #28]
 .Lis_laid:
     ldr r4, [sp, #TRIANGLE]
     movs r1, r4
@@ -812,9 +875,9 @@ laid_number:
     adds \vertex, \vertex, r0
     .endr
     stmia r6!, {r1-r3}
-    laid_colour 0, 254952
-    laid_colour 1, 518127
-    laid_colour 2, 254952
+    laid_colour 0, 254952, 0, 8
+    laid_colour 1, 518127, 4, 8
+    laid_colour 2, 254952, 24, 4
     b .Lis_laid
     .ltorg
 

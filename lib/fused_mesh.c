@@ -289,6 +289,13 @@ static __attribute__((noinline)) void albedo_far(struct glint_mesh_pixels *p, st
 }
 
 #if !GLINT_CORTEX_M0PLUS_ASM
+static inline void albedo_steps(struct glint_mesh_pixels *p, const struct glint_mesh_laid *laid)
+{
+    p->step[0] = laid->right[0];
+    p->step[1] = laid->right[1];
+    p->step[2] = laid->blue[2];
+}
+
 /* A line of colours, where one would leave its range. */
 static __attribute__((noinline)) void albedo_hold(struct glint_mesh_pixels *p, uint32_t n)
 {
@@ -320,25 +327,26 @@ static void albedo_part(struct glint_mesh_pixels *p, struct glint_mesh_triangle 
         int32_t from, to;
         if (glint_mesh_columns(&left, &right, target->w, &from, &to)) {
             const uint32_t n = (uint32_t)(from - v->x);
-            p->now[0] = laid->of[0].at + n * laid->of[0].x;
-            p->now[1] = laid->of[1].at + n * laid->of[1].x;
-            if (has_colours) {
-                p->now[2] = laid->of[2].at + n * laid->of[2].x;
-                for (unsigned k = 0; k < 3; k++)
-                    p->step[k] = laid->of[k].x;
-                if (!albedo_is_held(p, (uint32_t)(to - from - 1)))
-                    albedo_hold(p, (uint32_t)(to - from - 1));
+            p->now[0] = laid->at[0] + n * p->step[0];
+            p->now[1] = laid->at[1] + n * p->step[1];
+            if (has_colours)
+                p->now[2] = laid->blue[0] + n * p->step[2];
+            if (has_colours && !albedo_is_held(p, (uint32_t)(to - from - 1))) {
+                albedo_hold(p, (uint32_t)(to - from - 1));
+                albedo_row(p, v, depth, from, to);
+                albedo_steps(p, laid);
+            } else {
+                albedo_row(p, v, depth, from, to);
             }
-            albedo_row(p, v, depth, from, to);
         }
         glint_mesh_edge_next(&left);
         glint_mesh_edge_next(&right);
         depth += target->w;
         p->off += off_step;
-        laid->of[0].at += laid->of[0].y;
-        laid->of[1].at += laid->of[1].y;
+        laid->at[0] += laid->down[0];
+        laid->at[1] += laid->down[1];
         if (has_colours)
-            laid->of[2].at += laid->of[2].y;
+            laid->blue[0] += laid->blue[1];
         if (p->loop & 1) {
             glint_mesh_values_next(v);
         } else {
@@ -415,12 +423,11 @@ static void albedo_draw(const struct glint_tables *tables, struct glint_mesh_tri
     struct glint_mesh_pixels p;
     albedo_set(&p, tables, texture);
     albedo_triangle(&p, triangle);
-    for (unsigned k = 0; k < 2; k++)
-        p.step[k] = laid->of[k].x;
+    albedo_steps(&p, laid);
     if (texture) {
-        p.picture.pixels += laid->of[2].at;
-        p.picture.w = laid->of[2].x & 0xffff;
-        p.picture.h = laid->of[2].x >> 16;
+        p.picture.pixels += laid->blue[0];
+        p.picture.w = laid->blue[1] & 0xffff;
+        p.picture.h = laid->blue[1] >> 16;
     }
     while (triangle->y < end) {
         const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);

@@ -138,11 +138,13 @@ struct glint_mesh_triangle {
     bool long_is_left;
 };
 
-/* What a triangle, kept from strip to strip, has of its texture or of colours of vertices: numbers at its line, in the column of its values,
- * and their steps. Of a texture: u, v; then in bytes how much of the chain is passed, and the picture's w + 2^16 h. */
-#define GLINT_MESH_LAID 4 /* it has it */
+/* What a triangle, kept from strip to strip, has of its texture or of colours of vertices: u and v, or red and green, at its line, in the column
+ * of its values, and their steps. */
+#define GLINT_MESH_LAID 4 /* of shine: it has it */
 struct glint_mesh_laid {
-    struct glint_mesh_linear of[3];
+    uint32_t at[2], down[2], right[2];
+    uint32_t
+        blue[3];   /* the same; of a texture in bytes how much of the chain is passed, and the picture's w + 2^16 h */
     uint32_t more; /* of assembly, which has slopes here at first */
 };
 

@@ -183,12 +183,21 @@ static void over_lay(struct glint_mesh_laid *laid, const struct glint_mesh_targe
     over_set(over, target, glint_mesh_face_of(triangle), texture);
     const uint32_t n = (uint32_t)(triangle->values.x - over->x), lines = (uint32_t)(triangle->y - over->y);
     for (unsigned k = 0; k < over->count; k++) {
-        laid->of[k] = over->of[k];
-        laid->of[k].at += n * laid->of[k].x + lines * laid->of[k].y;
+        const struct glint_mesh_linear of = over->of[k];
+        const uint32_t at = of.at + n * of.x + lines * of.y;
+        if (k < 2) {
+            laid->at[k] = at;
+            laid->down[k] = of.y;
+            laid->right[k] = of.x;
+        } else {
+            laid->blue[0] = at;
+            laid->blue[1] = of.y;
+            laid->blue[2] = of.x;
+        }
     }
     if (texture) {
-        laid->of[2].at = (uint32_t)((uintptr_t)over->picture.pixels - (uintptr_t)texture->pixels);
-        laid->of[2].x = over->picture.w | over->picture.h << 16;
+        laid->blue[0] = (uint32_t)((uintptr_t)over->picture.pixels - (uintptr_t)texture->pixels);
+        laid->blue[1] = over->picture.w | over->picture.h << 16;
     }
 }
 

@@ -138,7 +138,8 @@ typedef char glint_pixels_layout
              AT(loop, GLINT_AT_PIXELS_DDT + 56) && 1 << GLINT_MESH_LAID_LOG == GLINT_MESH_LAID &&
              GLINT_MESH_COLOURS == 0 && GLINT_MESH_NEAREST == 1 && GLINT_MESH_PALETTE == 2 && GLINT_MESH_SMOOTH == 3 &&
              sizeof(struct glint_mesh_laid) == 40 && AT(now, GLINT_AT_PIXELS_NOW) &&
-             offsetof(struct glint_mesh_laid, of) == 0 &&
+             offsetof(struct glint_mesh_laid, down) == 8 && offsetof(struct glint_mesh_laid, right) == 16 &&
+             offsetof(struct glint_mesh_laid, blue) == 24 &&
              offsetof(struct glint_mesh_bench, laid) ==
                  offsetof(struct glint_mesh_bench, face) + sizeof(struct glint_mesh_kept)
          ? 1
