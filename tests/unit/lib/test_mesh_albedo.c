@@ -188,8 +188,8 @@ static void a_face_of_full_levels_has_them_in_light_that_is_ambient_alone(void *
 /* Where the library has a place that is not turned: 1/16 pixel from the middle. */
 static double on_screen(int32_t place, uint32_t scale)
 {
-    return scale < 16384 ? (double)((place * (int32_t)scale) >> 15)
-                         : (double)((int64_t)(place >> 2) * (int32_t)scale >> 13);
+    return scale < 16384 ? (double)((place * (int32_t)scale + 16384) >> 15)
+                         : (double)(((int64_t)(place >> 2) * (int32_t)scale + 4096) >> 13);
 }
 
 /* Triangles of any size, many of them so large that they are clipped, which rounds their corners: against doubles. */
@@ -211,7 +211,7 @@ static void colours_of_vertices_are_linear_between_them(void **state)
             for (int k = 0; k < 2; k++)
                 mesh.places[i][k] = (int16_t)((int32_t)below(65535) - 32767);
             at[i][0] = on_screen(mesh.places[i][0], mesh.pose.scale);
-            at[i][1] = -on_screen(mesh.places[i][1], mesh.pose.scale);
+            at[i][1] = on_screen(-mesh.places[i][1], mesh.pose.scale);
             mesh.places[i][2] = 0;
             mesh.faces[0][i] = (uint16_t)i;
         }
