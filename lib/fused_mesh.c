@@ -141,8 +141,8 @@ static inline __attribute__((always_inline)) uint32_t albedo_fields(const struct
                                                           : ((const uint16_t *)(const void *)p->picture.pixels)[at]);
 }
 
-static inline __attribute__((always_inline)) void albedo_pixels(const struct glint_mesh_pixels *p, bool is_glossy,
-                                                                bool is_swapped, unsigned source)
+static inline __attribute__((always_inline)) void albedo_side_by_side(const struct glint_mesh_pixels *p, bool is_glossy,
+                                                                      bool is_swapped, unsigned source)
 {
     const uint32_t dz = p->dz, dnl = p->dnl, du = p->step[0], dv = p->step[1];
     const uint32_t dblue = source == GLINT_MESH_COLOURS ? p->step[2] : 0;
@@ -181,19 +181,19 @@ static inline __attribute__((always_inline)) void albedo_pixels(const struct gli
 #define ALBEDO_SOURCE(name, source)                                                                                    \
     static void albedo_##name##_matt(const struct glint_mesh_pixels *p)                                                \
     {                                                                                                                  \
-        albedo_pixels(p, false, false, source);                                                                        \
+        albedo_side_by_side(p, false, false, source);                                                                  \
     }                                                                                                                  \
     static void albedo_##name##_glossy(const struct glint_mesh_pixels *p)                                              \
     {                                                                                                                  \
-        albedo_pixels(p, true, false, source);                                                                         \
+        albedo_side_by_side(p, true, false, source);                                                                   \
     }                                                                                                                  \
     static void albedo_##name##_matt_swapped(const struct glint_mesh_pixels *p)                                        \
     {                                                                                                                  \
-        albedo_pixels(p, false, true, source);                                                                         \
+        albedo_side_by_side(p, false, true, source);                                                                   \
     }                                                                                                                  \
     static void albedo_##name##_glossy_swapped(const struct glint_mesh_pixels *p)                                      \
     {                                                                                                                  \
-        albedo_pixels(p, true, true, source);                                                                          \
+        albedo_side_by_side(p, true, true, source);                                                                    \
     }
 ALBEDO_SOURCE(colours, GLINT_MESH_COLOURS)
 ALBEDO_SOURCE(nearest, GLINT_MESH_NEAREST)
