@@ -35,82 +35,12 @@
 colour_lines:
     push {lr}
     sub sp, #LINES_FRAME
-    str r0, [sp, #TRIANGLE]
-    adds r0, #GLINT_AT_TRIANGLE_Y
-    ldmia r0!, {r3, r4} /* y, y_middle; y_end, shine, long_is_left */
-    sxth r2, r3
-    sxth r5, r4
-    ldr r6, [sp, #END]
-    cmp r5, r6
-    ble 1f
-    movs r5, r6
-1:  cmp r2, r5
-    bge .Ldone
-    subs r0, #8
-    strh r5, [r0]
-    lsrs r4, r4, #16
-    str r4, [sp, #SIDES]
-    asrs r3, r3, #16
-    cmp r3, r5
-    ble 1f
-    movs r3, r5
-1:  add r7, sp, #OFF_FIRST
-    ldmia r7!, {r0, r1}
-    ldr r6, [r7, #OFF_STEP - OFF]
-    muls r6, r2
-    adds r0, r0, r6
-    ldr r6, [r7, #DEPTH_STEP - OFF]
-    muls r5, r6
-    adds r5, r5, r1
-    str r5, [sp, #TRIANGLE_LAST]
-    movs r4, r6
-    muls r4, r2
-    muls r6, r3
-    adds r6, r6, r1
-    adds r1, r1, r4
-    stmia r7!, {r0, r1} /* off, depth */
-    ldr r0, [sp, #TRIANGLE]
-    adds r0, #GLINT_AT_TRIANGLE_LONG
-    movs r1, r0
-    adds r1, #8 /* the upper edge */
-    cmp r2, r3
-    blt .Lpart
-    movs r6, r5
-.Llower:
-    adds r1, #8
-.Lpart: /* r0: the long edge, r1: the other; r6: the last line */
-    str r6, [sp, #LAST]
-    ldr r4, [sp, #SIDES]
-    lsrs r5, r4, #8
-    bne 1f
-    movs r5, r0
-    movs r0, r1
-    movs r1, r5
-1:  str r0, [sp, #LEFT_AT]
-    str r1, [sp, #RIGHT_AT]
-    lsls r6, r4, #24
-    ldmia r0!, {r2, r4}
-    ldmia r1!, {r3, r5}
+    triangle_parts
     beq .Ldark
     lsrs r6, r6, #24 + 1
     beq .Lmatt
     b .Lglossy
-.Ledges:
-    ldr r2, [sp, #LEFT_AT]
-    str r0, [r2]
-    ldr r2, [sp, #RIGHT_AT]
-    str r1, [r2]
-    ldr r2, [sp, #DEPTH]
-    ldr r6, [sp, #TRIANGLE_LAST]
-    ldr r0, [sp, #TRIANGLE]
-    adds r0, #GLINT_AT_TRIANGLE_LONG
-    movs r1, r0
-    adds r1, #8
-    cmp r2, r6
-    bne .Llower
-.Ldone:
-    add sp, #LINES_FRAME
-    pop {pc}
+    triangle_edges
 
 .Ldark: /* r3: dark, r4: off, r7: dz */
     plain_part DARK
@@ -148,14 +78,7 @@ colour_lines:
     adds z, z, r5
     matt_pixels .Lmatt_dark
 .Lmatt_end:
-    ldr r6, [sp, #TRIANGLE]
-    ldmia r6!, {r0, r1}
-    ldr r2, [r6, #GLINT_AT_TRIANGLE_ZY - 8]
-    adds r0, r0, r2
-    ldr r2, [r6, #GLINT_AT_TRIANGLE_NLY - 8]
-    adds r1, r1, r2
-    subs r6, #8
-    stmia r6!, {r0, r1}
+    plain_values_next
     plain_end .Lmatt_line
     matt_dark .Lmatt_dark
 .Lmatt_hold:
@@ -178,28 +101,9 @@ colour_lines:
     mov dnl, r0
     ldr r0, [r7, #GLINT_AT_TRIANGLE_TXX]
     mov ddt, r0
-    asrs r1, r0, #31
-    eors r0, r1
-    movs r1, #31
-    lsrs r0, r0, #26
-    beq 1f
-    movs r1, #0
-1:  str r1, [sp, #LONGEST]
+    longest_of
 .Lglossy_line:
-    mov r7, sp
-    ldmia r7!, {r0, r1, r4, r5}
-    asrs r2, r0, #16
-    asrs r3, r1, #16
-    adds r0, r0, r4
-    adds r1, r1, r5
-    subs r7, #16
-    stmia r7!, {r0, r1}
-    subs r6, r3, r2
-    ble .Lglossy_end
-    ldr r4, [sp, #W]
-    subs r4, r4, r3
-    orrs r4, r2
-    bmi .Lglossy_hold
+    edges_begin .Lglossy_hold, .Lglossy_end
 .Lglossy_held:
     ldr depth, [sp, #DEPTH]
     lsls r4, r2, #1
@@ -257,25 +161,8 @@ colour_lines:
     cmp depth, end
     blo 1b
 .Lglossy_end:
-    ldr r6, [sp, #TRIANGLE]
-    ldmia r6!, {r0-r4} /* z, nl, t, tx, ty */
-    adds r2, r2, r4
-    ldmia r6!, {r5, r7} /* zy, nly */
-    adds r0, r0, r5
-    adds r1, r1, r7
-    ldmia r6!, {r5, r7} /* txy, tyy */
-    adds r3, r3, r5
-    adds r4, r4, r7
-    subs r6, #36
-    stmia r6!, {r0-r4}
-    add r6, sp, #OFF
-    ldmia r6!, {r0-r4} /* and last */
-    adds r0, r0, r3
-    adds r1, r1, r2
-    subs r6, #20
-    stmia r6!, {r0, r1}
-    cmp r1, r4
-    bne .Lglossy_line
+    values_next
+    next_line .Lglossy_line
     ldr r0, [sp, #LEFT]
     ldr r1, [sp, #RIGHT]
     b .Ledges
@@ -289,30 +176,8 @@ colour_lines:
     mov r6, t_max
     b 2b
 
-/* back is below 0 at the line's first pixel: t is past t_max, and not below 0, since LIMIT < 2^31. So it is at the m pixels behind it if it is
- * at the last one and t only grows or only falls: if its first step and that after the last pixel have one sign. r5: ddt, r6: m + 1.
- * With m < 32 and |ddt| <= 2^26 the latter is exact; with both below 2^26 t changes by less than 2^31, so that no sign is wrong. */
-.Lmay_miss:
-    subs r6, #1
-    ldr r7, [sp, #LONGEST]
-    cmp r6, r7
-    bhi .Lhits
-    subs r7, r6, #1
-    muls r7, r6
-    asrs r7, r7, #1
-    muls r7, r5
-    muls r5, r6
-    adds r5, r5, dt
-    muls r6, r4
-    adds r7, r7, r6
-    subs r7, back, r7
-    bpl .Lhits
-    asrs r6, dt, #31
-    eors r5, r6
-    eors r6, dt
-    orrs r5, r6
-    lsrs r5, r5, #26
-    bne .Lhits
+.Lmay_miss: /* r5: ddt, r6: the pixels */
+    misses .Lhits
     ldr r3, [sp, #COLOURS]
     ldr r4, [sp, #OFF]
     mov r7, dz

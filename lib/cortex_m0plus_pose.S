@@ -26,7 +26,8 @@
 #define guards r12 /* twice */
 #define out lr
 
-/* r4: the next row of the turn, at r7, times r1-r3, scaled. */
+/* r4: the next row of the turn, at r7, times r1-r3, scaled; half a unit or more of what is shifted out is the carry, so that adcs rounds to
+ * nearest. */
 .macro turned
     ldmia r7!, {r4-r6}
     muls r4, r1
@@ -78,6 +79,14 @@
     adds r2, #2
     cmp r2, #GLINT_AT_DRAWN_SCALE
     bne 1b
+    add r7, sp, #TURN + 12 /* y is down */
+    ldmia r7!, {r3-r5}
+    negs r3, r3
+    negs r4, r4
+    negs r5, r5
+    subs r7, #12
+    stmia r7!, {r3-r5}
+    add r7, sp, #ACROSS
     ldrh r3, [r0, #GLINT_AT_FRAME_W]
     lsls r3, r3, #3
     ldrh r4, [r0, #GLINT_AT_FRAME_W + 2]
@@ -123,15 +132,15 @@
     add r7, sp, #TURN
     turned
     ldr r5, [sp, #POSITION]
-    adds r4, r4, r5
+    adcs r4, r5
     placed ACROSS, 0, .Lbeside
     turned
     ldr r5, [sp, #POSITION + 4]
-    subs r4, r5, r4
+    adcs r4, r5
     placed DOWN, 2, .Labove
     turned
     ldr r5, [sp, #POSITION + 8]
-    adds r4, r4, r5
+    adcs r4, r5
     ldr r5, =32767
     subs r4, r5, r4
     lsls r5, r5, #1

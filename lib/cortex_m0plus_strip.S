@@ -37,7 +37,8 @@
 
 /* to: the triangle of place r4. */
 .macro place_at to, free
-    movs \to, #GLINT_MESH_KEPT_SIZE
+    ldr \to, [sp, #FRAME_AT]
+    ldrh \to, [\to, #GLINT_AT_FRAME_KEPT_BYTES]
     muls \to, r4
     ldr \free, [sp, #KEPT_AT]
     adds \to, \to, \free

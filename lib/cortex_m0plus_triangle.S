@@ -4,7 +4,7 @@
 #include "glint_port.h"
 #if GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus.inc"
-#include "glint_offsets.h"
+#include "cortex_m0plus_numbers.inc"
 
 /* ---- both: a frame, and mesh_triangle.c's helpers as macros on registers, which they name; each register named is another one ---- */
 
@@ -23,6 +23,7 @@
 #define CORNERS 60
 #define BEYOND 72 /* the least t beyond t_end, or 0 */
 #define AREA 76
+#define LAY 80 /* below 0: slopes are laid behind the triangle */
 #define FACE 84 /* the corners of a face */
 #define FRAME 108 /* with r4-r7 and lr a multiple of 8 */
 
@@ -83,65 +84,6 @@
     lsrs \m, \m, #1
 .endm
 
-/* bits: how many value has, which is < 2^16 + 2^8; value is lost. */
-.macro count_bits bits, value, free
-    movs \bits, #0
-    lsrs \free, \value, #8
-    beq 1f
-    movs \value, \free
-    movs \bits, #8
-1:  lsrs \free, \value, #4
-    beq 1f
-    movs \value, \free
-    adds \bits, #4
-1:  lsrs \free, \value, #2
-    beq 1f
-    movs \value, \free
-    adds \bits, #2
-1:  lsrs \free, \value, #1 /* 0..3, or 4 */
-    subs \value, #1        /* carry: it was not 0 */
-    adcs \bits, \free
-.endm
-
-/* size: gradient_size(x). */
-.macro size_of size, x
-    asrs \size, \x, #31
-    eors \size, \x
-.endm
-
-/* gradient_pair(p, q) in place, and its shift. */
-.macro pair_of p, q, shift, free, free2
-    size_of \free, \p
-    size_of \shift, \q
-    orrs \free, \shift
-    lsrs \free, \free, #15
-    count_bits \shift, \free, \free2
-    asrs \p, \shift
-    asrs \q, \shift
-.endm
-
-/* gradient_shift(first, by + 1), and of second. Left by ~by = -(by + 1) where that is 0 or more; where by is above 30, ~by as a byte is a
- * shift above 31, which leaves 0. */
-.macro shift_to_nearest by, first, second
-    cmp \by, #30
-    bls 1f
-    mvns \by, \by
-    lsls \first, \by
-    .ifnb \second
-    lsls \second, \by
-    .endif
-    b 2f
-1:  asrs \first, \by
-    adds \first, #1
-    asrs \first, \first, #1
-    .ifnb \second
-    asrs \second, \by
-    adds \second, #1
-    asrs \second, \second, #1
-    .endif
-2:
-.endm
-
 /* ---- edges ---- */
 
 /* The first line whose middle is at or beyond y. */
@@ -164,6 +106,8 @@
     push {r4-r7, lr}
     sub sp, #FRAME
     str r0, [sp, #TRIANGLE]
+    movs r0, #0
+    str r0, [sp, #LAY]
     str r2, [sp, #SHINE]
     ldr r4, [r1]
     ldr r5, [r1, #8]
@@ -270,11 +214,14 @@
     muls r1, r1
 .endm
 
-/* glint_mesh_face_set(triangle, drawn, face, t_end), as mesh_strip.c has it; sides between normals of 8 bits as glint_mesh_sides8 has them. */
+/* glint_mesh_face_set(triangle, drawn, face, t_end), as mesh_strip.c has it; t_end + 2^31: slopes are laid, too. Sides between normals of 8 bits as glint_mesh_sides8 has them. */
     entry glint_mesh_face_set
     push {r4-r7, lr}
     sub sp, #FRAME
     str r0, [sp, #TRIANGLE]
+    str r3, [sp, #LAY]
+    lsls r3, r3, #1
+    lsrs r3, r3, #1
     ldr r7, [r1, #GLINT_AT_DRAWN_VERTICES]
     ldrh r4, [r2]
     ldrh r5, [r2, #2]
@@ -567,9 +514,28 @@ triangle_edge:
     adds r7, #GLINT_AT_TRIANGLE_SHINE - GLINT_AT_TRIANGLE_ZY
 .Lset: /* r0: the shine, r7: to it */
     strb r0, [r7]
+    ldr r1, [sp, #LAY]
+    cmp r1, #0
+    blt .Llay
+.Lreturn:
     movs r0, #1
     add sp, #FRAME
     pop {r4-r7, pc}
+
+.Llay: /* what glint_mesh_albedo_draw makes u and v of */
+    movs r1, #GLINT_MESH_SLOPED
+    orrs r0, r1
+    strb r0, [r7]
+    adds r7, #GLINT_MESH_KEPT_SIZE - GLINT_AT_TRIANGLE_SHINE
+    add r6, sp, #SLOPES
+    ldmia r6!, {r0-r5}
+    stmia r7!, {r0-r5}
+    ldr r6, [r6]
+    mov r0, sp
+    ldmia r0!, {r1-r3}
+    stmia r7!, {r1-r3}
+    str r6, [r7]
+    b .Lreturn
 
 .Ldark:
     movs r1, #0

@@ -98,21 +98,27 @@ void glint_mesh_colour(const struct glint_tables *tables, struct glint_mesh_tria
     }
 }
 #else
-void glint_mesh_colour_set(const struct glint_tables *tables, const struct glint_mesh_target *target,
-                           struct glint_mesh_lines *lines)
+/* What lines by any tables need. */
+static void lines_set(const struct glint_mesh_target *target, struct glint_mesh_lines *lines)
 {
-    const struct glint_look look = glint_look_up(tables);
     const uint32_t y = (uint32_t)target->y, line = (uint32_t)target->depth;
     lines->line_step = 2 * (uint32_t)target->w;
     lines->off_step = (uint32_t)target->surface->stride - lines->line_step;
     lines->line_first = line - y * lines->line_step;
     lines->off_first = (uint32_t)target->surface->pixels - line - y * lines->off_step;
+    lines->w = target->w;
+    lines->end = target->end;
+}
+
+void glint_mesh_colour_set(const struct glint_tables *tables, const struct glint_mesh_target *target,
+                           struct glint_mesh_lines *lines)
+{
+    const struct glint_look look = glint_look_up(tables);
+    lines_set(target, lines);
     lines->colours = look.colours;
     lines->dark = look.dark;
     lines->shift = look.shift;
     lines->limit = look.limit;
-    lines->w = target->w;
-    lines->end = target->end;
     lines->columns = look.columns;
     lines->t_max = look.t_max;
 }
@@ -122,172 +128,226 @@ void glint_mesh_colour_set(const struct glint_tables *tables, const struct glint
 
 #if GLINT_FUSED
 #if !GLINT_CORTEX_M0PLUS_ASM
-void glint_mesh_words_nearest(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words,
-                              const uint32_t *end)
+/* The albedo of pixel p->now. */
+static inline __attribute__((always_inline)) uint32_t albedo_fields(const struct glint_mesh_pixels *p, uint32_t u,
+                                                                    uint32_t v, uint32_t blue, unsigned source)
 {
-    const uint32_t du = over->step[0], dv = over->step[1], w = over->picture.w, h = over->picture.h;
-    const uint8_t *const pixels = over->picture.pixels;
-    const uint16_t *const palette = over->picture.palette, *const texels = (const uint16_t *)(const void *)pixels;
-    uint32_t u = now[0], v = now[1];
-    for (; words != end; u += du, v += dv) {
-        const uint32_t at = ((v >> 16) * h >> 16) * w + ((u >> 16) * w >> 16);
-        const uint32_t texel = palette ? palette[pixels[at]] : texels[at];
-        *words++ = (texel | texel << 16) & GLINT_ALBEDO_FIELDS;
-    }
+    if (source == GLINT_MESH_COLOURS)
+        return glint_mesh_colour_fields(u, v, blue);
+    if (source == GLINT_MESH_SMOOTH)
+        return glint_mesh_smooth_fields(&p->picture, u, v);
+    const uint32_t at = glint_mesh_nearest(&p->picture, u, v);
+    return glint_mesh_fields(source == GLINT_MESH_PALETTE ? p->picture.palette[p->picture.pixels[at]]
+                                                          : ((const uint16_t *)(const void *)p->picture.pixels)[at]);
 }
 
-void glint_mesh_words_smooth(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words,
-                             const uint32_t *end)
+static inline __attribute__((always_inline)) void albedo_side_by_side(const struct glint_mesh_pixels *p, bool is_glossy,
+                                                                      bool is_swapped, unsigned source)
 {
-    const uint32_t du = over->step[0], dv = over->step[1];
-    uint32_t u = now[0], v = now[1];
-    for (; words != end; u += du, v += dv)
-        *words++ = glint_mesh_smooth_fields(&over->picture, u, v);
-}
-
-void glint_mesh_words_colours(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words,
-                              const uint32_t *end)
-{
-    const uint32_t dred = over->step[0], dgreen = over->step[1], dblue = over->step[2];
-    uint32_t red = now[0], green = now[1], blue = now[2];
-    for (; words != end; red += dred, green += dgreen, blue += dblue)
-        *words++ = glint_mesh_colour_fields(red, green, blue);
-}
-
-static inline __attribute__((always_inline)) void shade(const struct glint_mesh_shade *s, bool is_glossy,
-                                                        bool is_swapped)
-{
-    const uint32_t dz = s->dz, dnl = s->dnl, *words = s->words;
-    const uint8_t *const levels = s->levels;
-    uint32_t z = s->z, nl = s->nl, back = s->back, dt = s->dt;
-    const ptrdiff_t off = s->off;
-    uint16_t *depth = s->depth;
-    for (const uint16_t *const end = s->end; depth != end; depth++, words++) {
+    const uint32_t dz = p->dz, dnl = p->dnl, du = p->step[0], dv = p->step[1];
+    const uint32_t dblue = source == GLINT_MESH_COLOURS ? p->step[2] : 0;
+    const uint8_t *const levels = p->levels;
+    uint32_t z = p->z, nl = p->nl, back = p->back, dt = p->dt, u = p->now[0], v = p->now[1];
+    uint32_t blue = source == GLINT_MESH_COLOURS ? p->now[2] : 0;
+    const ptrdiff_t off = p->off;
+    uint16_t *depth = p->depth;
+    for (const uint16_t *const end = p->end; depth != end; depth++) {
         if (z >> 16 < *depth) {
-            uint32_t word = *words;
             *depth = (uint16_t)(z >> 16);
+            uint32_t word = albedo_fields(p, u, v, blue, source);
             if ((int32_t)nl < 0) {
-                word = (word * s->dark + GLINT_ALBEDO_HALF) >> 5 & GLINT_ALBEDO_FIELDS;
+                word = (word * p->dark + GLINT_ALBEDO_HALF) >> 5 & GLINT_ALBEDO_FIELDS;
             } else {
                 word = (word * levels[-1 - (int32_t)(nl >> GLINT_ALBEDO_LEVEL_SHIFT)] + GLINT_ALBEDO_HALF) >> 5 &
                        GLINT_ALBEDO_FIELDS;
-                if (is_glossy && back <= s->limit)
-                    word = glint_albedo_full(word + s->sums[(back <= s->t_max ? back : s->t_max) >> s->shift]);
+                if (is_glossy && back <= p->limit)
+                    word = glint_albedo_full(word + p->sums[(back <= p->t_max ? back : p->t_max) >> p->shift]);
             }
             *(uint16_t *)(void *)((uint8_t *)depth + off) = glint_packed(word, is_swapped);
         }
         z += dz;
         nl += dnl;
+        u += du;
+        v += dv;
+        if (source == GLINT_MESH_COLOURS)
+            blue += dblue;
         if (is_glossy) {
             back -= dt;
-            dt += s->ddt;
+            dt += p->ddt;
         }
     }
 }
 
-void glint_mesh_shade_matt(const struct glint_mesh_shade *s)
+#define ALBEDO_SOURCE(name, source)                                                                                    \
+    static void albedo_##name##_matt(const struct glint_mesh_pixels *p)                                                \
+    {                                                                                                                  \
+        albedo_side_by_side(p, false, false, source);                                                                  \
+    }                                                                                                                  \
+    static void albedo_##name##_glossy(const struct glint_mesh_pixels *p)                                              \
+    {                                                                                                                  \
+        albedo_side_by_side(p, true, false, source);                                                                   \
+    }                                                                                                                  \
+    static void albedo_##name##_matt_swapped(const struct glint_mesh_pixels *p)                                        \
+    {                                                                                                                  \
+        albedo_side_by_side(p, false, true, source);                                                                   \
+    }                                                                                                                  \
+    static void albedo_##name##_glossy_swapped(const struct glint_mesh_pixels *p)                                      \
+    {                                                                                                                  \
+        albedo_side_by_side(p, true, true, source);                                                                    \
+    }
+ALBEDO_SOURCE(colours, GLINT_MESH_COLOURS)
+ALBEDO_SOURCE(nearest, GLINT_MESH_NEAREST)
+ALBEDO_SOURCE(palette, GLINT_MESH_PALETTE)
+ALBEDO_SOURCE(smooth, GLINT_MESH_SMOOTH)
+#define ALBEDO_LOOPS(name)                                                                                             \
+    albedo_##name##_matt, albedo_##name##_glossy, albedo_##name##_matt_swapped, albedo_##name##_glossy_swapped
+typedef void albedo_loop(const struct glint_mesh_pixels *p);
+
+void glint_mesh_albedo_pixels(const struct glint_mesh_pixels *p)
 {
-    shade(s, false, false);
-}
-void glint_mesh_shade_glossy(const struct glint_mesh_shade *s)
-{
-    shade(s, true, false);
-}
-void glint_mesh_shade_matt_swapped(const struct glint_mesh_shade *s)
-{
-    shade(s, false, true);
-}
-void glint_mesh_shade_glossy_swapped(const struct glint_mesh_shade *s)
-{
-    shade(s, true, true);
+    static albedo_loop *const loops[GLINT_MESH_SOURCES * 4] GLINT_FLASH = {ALBEDO_LOOPS(colours), ALBEDO_LOOPS(nearest),
+                                                                           ALBEDO_LOOPS(palette), ALBEDO_LOOPS(smooth)};
+    GLINT_FLASH_POINTER(loops[p->loop])(p);
 }
 #endif
 
-/* Pixels of a line up to `to`, from where over has these numbers. */
-static inline __attribute__((always_inline)) void albedo_row(struct glint_mesh_albedo *a,
-                                                             const struct glint_mesh_values *v,
-                                                             struct glint_mesh_over *over, uint32_t now[3],
-                                                             uint16_t *depth, int32_t from, int32_t to)
+/* What is the same for all of a part's triangles. */
+static void albedo_set(struct glint_mesh_pixels *p, const struct glint_tables *tables,
+                       const struct glint_texture *texture)
 {
-    for (;;) {
-        const int32_t k = from - v->x, most = (int32_t)GLINT_MESH_RUN, count = to - from < most ? to - from : most;
-        const uint32_t n = (uint32_t)k;
-        a->shade.z = v->z + n * a->shade.dz;
-        a->shade.nl = v->nl + n * a->shade.dnl;
-        if (a->is_glossy) {
-            a->shade.dt = v->tx + n * a->shade.ddt;
-            a->shade.back = a->shade.t_max - v->t - n * v->tx - (uint32_t)(k * (k - 1) / 2) * a->shade.ddt;
+    const unsigned source = !texture             ? GLINT_MESH_COLOURS
+                            : texture->is_smooth ? GLINT_MESH_SMOOTH
+                            : texture->palette   ? GLINT_MESH_PALETTE
+                                                 : GLINT_MESH_NEAREST;
+    p->levels = tables->columns;
+    p->sums = tables->colour.sums;
+    p->t_max = tables->t_max_q30;
+    p->limit = tables->t_max_q30 - GLINT_NEGATIVE_T;
+    p->shift = tables->shift;
+    p->dark = tables->dark;
+    p->picture.pixels = texture ? (const uint8_t *)texture->pixels : NULL;
+    p->picture.palette = texture ? texture->palette : NULL;
+    p->loop = (uint8_t)(4 * source + 2 * glint_is_swapped(tables));
+}
+
+/* And of its lines. */
+static void albedo_triangle(struct glint_mesh_pixels *p, const struct glint_mesh_triangle *triangle)
+{
+    p->dz = triangle->values.zx;
+    p->dnl = triangle->values.nlx;
+    p->ddt = triangle->values.txx;
+    p->loop |= triangle->shine >> 1 & 1; /* glossy */
+}
+
+/* Pixels of a line up to `to`, from where p has its numbers. */
+static inline __attribute__((always_inline)) void
+albedo_row(struct glint_mesh_pixels *p, const struct glint_mesh_values *v, uint16_t *depth, int32_t from, int32_t to)
+{
+    const int32_t k = from - v->x;
+    const uint32_t n = (uint32_t)k;
+    p->z = v->z + n * p->dz;
+    p->nl = v->nl + n * p->dnl;
+    if (p->loop & 1) {
+        p->dt = v->tx + n * p->ddt;
+        p->back = p->t_max - v->t - n * v->tx - (uint32_t)(k * (k - 1) / 2) * p->ddt;
+    }
+    p->depth = depth + from;
+    p->end = depth + to;
+    glint_mesh_albedo_pixels(p);
+}
+
+/* In perspective: a line's parts one after the other. */
+static __attribute__((noinline)) void albedo_far(struct glint_mesh_pixels *p, struct glint_mesh_triangle *triangle,
+                                                 const struct glint_mesh_part *part,
+                                                 const struct glint_mesh_target *target, struct glint_mesh_over *over)
+{
+    const struct glint_use_mesh *const use = target->drawn->mesh->use;
+    struct glint_mesh_values *const v = &triangle->values;
+    for (; triangle->y < part->end; triangle->y++) {
+        const int32_t line = triangle->y - target->y;
+        uint16_t *const depth = target->depth + target->w * line;
+        int32_t from, to;
+        p->off = (ptrdiff_t)((uintptr_t)target->surface->pixels + (uintptr_t)(target->surface->stride * line) -
+                             (uintptr_t)depth);
+        if (glint_mesh_columns(part->left, part->right, target->w, &from, &to)) {
+            GLINT_FLASH_POINTER(use->line)(over, triangle->y, from, to, v->z + (uint32_t)(from - v->x) * v->zx, v->zx);
+            for (;;) {
+                for (unsigned i = 0; i < 2; i++) {
+                    p->now[i] = over->now[i];
+                    p->step[i] = over->step[i];
+                }
+                albedo_row(p, v, depth, over->from, over->to);
+                if (over->to == to)
+                    break;
+                GLINT_FLASH_POINTER(use->next)(over);
+            }
         }
-        a->shade.depth = depth + from;
-        a->shade.end = depth + from + count;
-        a->words(over, now, a->memory, a->memory + count);
-        a->pixels(&a->shade);
-        from += count;
-        if (from == to)
-            return;
-        for (unsigned i = 0; i < over->count; i++)
-            now[i] += (uint32_t)count * over->step[i];
+        glint_mesh_edge_next(part->left);
+        glint_mesh_edge_next(part->right);
+        glint_mesh_values_next(v);
     }
 }
 
-/* Does no colour leave its range on a line? */
-static inline bool albedo_is_held(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t n)
+#if !GLINT_CORTEX_M0PLUS_ASM
+static inline void albedo_steps(struct glint_mesh_pixels *p, const struct glint_mesh_laid *laid)
 {
-    const uint32_t red = now[0] | (now[0] + n * over->step[0]), green = now[1] | (now[1] + n * over->step[1]),
-                   blue = now[2] | (now[2] + n * over->step[2]);
+    p->step[0] = laid->right[0];
+    p->step[1] = laid->right[1];
+    p->step[2] = laid->blue[2];
+}
+
+/* A line of colours, where one would leave its range. */
+static __attribute__((noinline)) void albedo_hold(struct glint_mesh_pixels *p, uint32_t n)
+{
+    for (unsigned k = 0; k < 3; k++)
+        glint_mesh_hold(&p->now[k], &p->step[k], k, n);
+}
+
+/* Does no colour leave its range on a line? */
+static inline bool albedo_is_held(const struct glint_mesh_pixels *p, uint32_t n)
+{
+    const uint32_t red = p->now[0] | (p->now[0] + n * p->step[0]), green = p->now[1] | (p->now[1] + n * p->step[1]),
+                   blue = p->now[2] | (p->now[2] + n * p->step[2]);
     return ((red | blue) >> 26 | green >> 27) == 0;
 }
 
-/* Part by part, also in perspective. */
-void glint_mesh_albedo_held(struct glint_mesh_albedo *a, const struct glint_mesh_triangle *triangle,
-                            const struct glint_mesh_target *target, struct glint_mesh_over *over, uint16_t *depth,
-                            int32_t from, int32_t to, int32_t y)
-{
-    const struct glint_use_mesh *const use = target->drawn->mesh->use;
-    const struct glint_mesh_values *const v = &triangle->values;
-    GLINT_FLASH_POINTER(use->line)(over, y, from, to, v->z + (uint32_t)(from - v->x) * v->zx, v->zx);
-    for (; albedo_row(a, v, over, over->now, depth, over->from, over->to), over->to != to;)
-        GLINT_FLASH_POINTER(use->next)(over);
-    for (unsigned k = 0; k < over->count && !over->is_far; k++)
-        over->step[k] = over->of[k].x;
-}
-
-#if !GLINT_CORTEX_M0PLUS_ASM
-void glint_mesh_albedo_part(struct glint_mesh_albedo *a, struct glint_mesh_triangle *triangle,
-                            const struct glint_mesh_part *part, const struct glint_mesh_target *target,
-                            struct glint_mesh_over *over)
+static void albedo_part(struct glint_mesh_pixels *p, struct glint_mesh_triangle *triangle,
+                        const struct glint_mesh_part *part, const struct glint_mesh_target *target,
+                        struct glint_mesh_laid *laid)
 {
     const struct glint_surface *surface = target->surface;
     const int32_t line = triangle->y - target->y;
     struct glint_mesh_values *const v = &triangle->values;
     struct glint_mesh_edge left = *part->left, right = *part->right;
     uint16_t *depth = target->depth + target->w * line;
-    const bool has_colours = over->count == 3;
+    const bool has_colours = p->loop < 4;
     const ptrdiff_t off_step = surface->stride - 2 * (ptrdiff_t)target->w;
-    a->shade.off = (ptrdiff_t)((uintptr_t)surface->pixels + (uintptr_t)(surface->stride * line) - (uintptr_t)depth);
-    for (; triangle->y < part->end; triangle->y++) {
+    p->off = (ptrdiff_t)((uintptr_t)surface->pixels + (uintptr_t)(surface->stride * line) - (uintptr_t)depth);
+    for (int32_t lines = part->end - triangle->y; lines; lines--) {
         int32_t from, to;
         if (glint_mesh_columns(&left, &right, target->w, &from, &to)) {
-            uint32_t now[3];
-            const uint32_t n = (uint32_t)(from - over->x);
-            now[0] = over->line[0] + n * over->step[0];
-            now[1] = over->line[1] + n * over->step[1];
+            const uint32_t n = (uint32_t)(from - v->x);
+            p->now[0] = laid->at[0] + n * p->step[0];
+            p->now[1] = laid->at[1] + n * p->step[1];
             if (has_colours)
-                now[2] = over->line[2] + n * over->step[2];
-            if (has_colours && !albedo_is_held(over, now, (uint32_t)(to - from - 1)))
-                glint_mesh_albedo_held(a, triangle, target, over, depth, from, to, triangle->y);
-            else
-                albedo_row(a, v, over, now, depth, from, to);
+                p->now[2] = laid->blue[0] + n * p->step[2];
+            if (has_colours && !albedo_is_held(p, (uint32_t)(to - from - 1))) {
+                albedo_hold(p, (uint32_t)(to - from - 1));
+                albedo_row(p, v, depth, from, to);
+                albedo_steps(p, laid);
+            } else {
+                albedo_row(p, v, depth, from, to);
+            }
         }
         glint_mesh_edge_next(&left);
         glint_mesh_edge_next(&right);
         depth += target->w;
-        a->shade.off += off_step;
-        over->line[0] += over->of[0].y;
-        over->line[1] += over->of[1].y;
+        p->off += off_step;
+        laid->at[0] += laid->down[0];
+        laid->at[1] += laid->down[1];
         if (has_colours)
-            over->line[2] += over->of[2].y;
-        if (a->is_glossy) {
+            laid->blue[0] += laid->blue[1];
+        if (p->loop & 1) {
             glint_mesh_values_next(v);
         } else {
             v->nl += v->nly;
@@ -296,63 +356,121 @@ void glint_mesh_albedo_part(struct glint_mesh_albedo *a, struct glint_mesh_trian
     }
     *part->left = left;
     *part->right = right;
+    triangle->y = (int16_t)part->end;
 }
 #endif
 
-/* In perspective. */
-static __attribute__((noinline)) void albedo_far(struct glint_mesh_albedo *a, struct glint_mesh_triangle *triangle,
-                                                 const struct glint_mesh_part *part,
-                                                 const struct glint_mesh_target *target, struct glint_mesh_over *over)
+struct glint_mesh_laid *glint_mesh_albedo_laid(const struct glint_mesh_target *target,
+                                               struct glint_mesh_triangle *triangle,
+                                               const struct glint_texture *texture)
 {
-    for (; triangle->y < part->end; triangle->y++) {
-        const int32_t line = triangle->y - target->y;
-        uint16_t *const depth = target->depth + target->w * line;
-        int32_t from, to;
-        a->shade.off = (ptrdiff_t)((uintptr_t)target->surface->pixels + (uintptr_t)(target->surface->stride * line) -
-                                   (uintptr_t)depth);
-        if (glint_mesh_columns(part->left, part->right, target->w, &from, &to))
-            glint_mesh_albedo_held(a, triangle, target, over, depth, from, to, triangle->y);
-        glint_mesh_edge_next(part->left);
-        glint_mesh_edge_next(part->right);
-        glint_mesh_values_next(&triangle->values);
+    struct glint_mesh_laid *const laid =
+        (struct glint_mesh_laid *)(void *)((struct glint_mesh_kept *)(void *)triangle + 1);
+    if (!(triangle->shine & GLINT_MESH_LAID)) {
+        GLINT_FLASH_POINTER(target->drawn->mesh->use->lay)(laid, target, triangle, texture);
+        triangle->shine |= GLINT_MESH_LAID;
+    }
+    return laid;
+}
+
+static void albedo_lines_far(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                             const struct glint_mesh_target *target, const struct glint_texture *texture)
+{
+    const int32_t end = triangle->y_end < target->end ? triangle->y_end : target->end;
+    struct glint_mesh_over *const over = &((struct glint_mesh_bench *)target->frame->memory)->of.over;
+    struct glint_mesh_pixels p;
+    albedo_set(&p, tables, texture);
+    albedo_triangle(&p, triangle);
+    GLINT_FLASH_POINTER(target->drawn->mesh->use->set)(over, target, glint_mesh_face_of(triangle), texture);
+    p.picture = over->picture;
+    while (triangle->y < end) {
+        const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);
+        albedo_far(&p, triangle, &part, target, over);
     }
 }
 
-void glint_mesh_albedo_lines(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
-                             const struct glint_mesh_target *target, struct glint_mesh_over *over)
+#if GLINT_CORTEX_M0PLUS_ASM
+/* The assembly has them where they need not stay. */
+typedef char
+    albedo_pixels_fit[sizeof(struct glint_mesh_pixels) <= GLINT_MESH_RUN * sizeof(struct glint_sample) ? 1 : -1];
+
+uint32_t glint_mesh_albedo_begin(const struct glint_mesh_target *target, const struct glint_tables *tables,
+                                 const struct glint_texture *texture, struct glint_mesh_lines *lines)
+{
+    struct glint_mesh_pixels *const p = (struct glint_mesh_pixels *)(void *)target->samples;
+    albedo_set(p, tables, texture);
+    lines_set(target, lines);
+    lines->draw = glint_mesh_albedo_draw;
+    lines->colours = p;
+    lines->dark = (uint32_t)target;
+    lines->shift = (uint32_t)texture;
+    for (unsigned k = 0; k < 2 && texture; k++) /* what bilinear ones begin before the corner */
+        p->now[k] = texture->is_smooth ? UINT32_C(0x80000000) / (k ? texture->h : texture->w) : 0;
+    return (uint32_t)1 << 31;
+}
+
+static void albedo_draw(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                        const struct glint_mesh_target *target, const struct glint_texture *texture)
+{
+    glint_mesh_albedo_triangle(target, triangle, tables, texture);
+}
+#else
+static void albedo_draw(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                        const struct glint_mesh_target *target, const struct glint_texture *texture)
 {
     const int32_t end = triangle->y_end < target->end ? triangle->y_end : target->end;
-    const bool is_glossy = triangle->shine == GLINT_MESH_GLOSSY;
-    struct glint_mesh_albedo a;
-    a.is_glossy = is_glossy;
-    a.shade.words = a.memory = ((struct glint_mesh_bench *)target->frame->memory)->colours.words;
-    a.shade.dz = triangle->values.zx;
-    a.shade.dnl = triangle->values.nlx;
-    a.shade.ddt = triangle->values.txx;
-    a.shade.levels = tables->columns;
-    a.shade.sums = tables->colour.sums;
-    a.shade.t_max = tables->t_max_q30;
-    a.shade.limit = tables->t_max_q30 - GLINT_NEGATIVE_T;
-    a.shade.shift = tables->shift;
-    a.shade.dark = tables->dark;
-    a.words = over->count == 3  ? glint_mesh_words_colours
-              : over->is_smooth ? glint_mesh_words_smooth
-                                : glint_mesh_words_nearest;
-    a.is_swapped = glint_is_swapped(tables);
-    if (a.is_swapped)
-        a.pixels = is_glossy ? glint_mesh_shade_glossy_swapped : glint_mesh_shade_matt_swapped;
-    else
-        a.pixels = is_glossy ? glint_mesh_shade_glossy : glint_mesh_shade_matt;
-    if (!over->is_far) {
-        const uint32_t lines = (uint32_t)(triangle->y - over->y);
-        for (unsigned k = 0; k < over->count; k++) {
-            over->line[k] = over->of[k].at + lines * over->of[k].y;
-            over->step[k] = over->of[k].x;
-        }
+    struct glint_mesh_laid *const laid = glint_mesh_albedo_laid(target, triangle, texture);
+    struct glint_mesh_pixels p;
+    albedo_set(&p, tables, texture);
+    albedo_triangle(&p, triangle);
+    albedo_steps(&p, laid);
+    if (texture) {
+        p.picture.pixels += laid->blue[0];
+        p.picture.w = laid->blue[1] & 0xffff;
+        p.picture.h = laid->blue[1] >> 16;
     }
     while (triangle->y < end) {
         const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);
-        (over->is_far ? albedo_far : glint_mesh_albedo_part)(&a, triangle, &part, target, over);
+        albedo_part(&p, triangle, &part, target, laid);
     }
+}
+#endif
+
+/* Has the triangle room for what it has of the texture? */
+static bool albedo_has_room(const struct glint_mesh_frame *frame, const struct glint_mesh_triangle *triangle)
+{
+    const uintptr_t at = (uintptr_t)triangle - (uintptr_t)frame->kept;
+    return triangle == &((struct glint_mesh_bench *)frame->memory)->face.triangle ||
+           (frame->kept_bytes == GLINT_MESH_LAID_SIZE &&
+            at < (uintptr_t)frame->places * (uintptr_t)GLINT_MESH_KEPT_BYTES);
+}
+
+/* One that has none is copied. Alone, for the stack. */
+static __attribute__((noinline)) void albedo_copied(const struct glint_tables *tables,
+                                                    struct glint_mesh_triangle *triangle,
+                                                    const struct glint_mesh_target *target,
+                                                    const struct glint_texture *texture)
+{
+    struct {
+        struct glint_mesh_kept kept;
+        struct glint_mesh_laid laid;
+    } copy;
+    copy.kept.triangle = *triangle;
+    copy.kept.triangle.shine &= GLINT_MESH_LAID - 1;
+    copy.kept.face = (uint16_t)glint_mesh_face_of(triangle);
+    albedo_draw(tables, &copy.kept.triangle, target, texture);
+    copy.kept.triangle.shine &= GLINT_MESH_LAID - 1;
+    *triangle = copy.kept.triangle;
+}
+
+void glint_mesh_albedo_lines(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                             const struct glint_mesh_target *target, const struct glint_texture *texture)
+{
+    if (texture && target->frame->distance)
+        albedo_lines_far(tables, triangle, target, texture);
+    else if (albedo_has_room(target->frame, triangle))
+        albedo_draw(tables, triangle, target, texture);
+    else
+        albedo_copied(tables, triangle, target, texture);
 }
 #endif

@@ -111,7 +111,7 @@ struct glint_mesh_frame {
     struct glint_mesh_drawn *first, **last;
     void *memory, *kept;
     uint16_t w, h, lines, distance, y, free;
-    uint16_t places;                           /* in kept */
+    uint16_t places, kept_bytes;               /* in kept, of GLINT_MESH_KEPT_BYTES; what a triangle takes of them */
     void *lit;                                 /* the work memory of lights; NULL: none yet */
     const struct glint_use_outlines *outlines; /* yours to set after glint_mesh_begin: &glint_outlines, or NULL */
     struct glint_box

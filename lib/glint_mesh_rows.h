@@ -71,6 +71,8 @@ void glint_mesh_blend_cells(const struct glint_paint *paint, struct glint_mesh_c
 
 /* Two bytes a pixel at even places, by COLOUR tables without dither: then the fused loop can draw. */
 bool glint_mesh_is_colour(const struct glint_paint *paint, const struct glint_mesh_target *target);
+/* The same by ALBEDO tables; its loops are glint_mesh_texture.h's. */
+bool glint_mesh_is_albedo(const struct glint_paint *paint, const struct glint_mesh_target *target);
 void glint_mesh_colour(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
                        const struct glint_mesh_target *target);
 /* In assembly alone: its routine, and what that needs of a strip; the latter by itself, in C. */

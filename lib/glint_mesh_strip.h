@@ -20,16 +20,21 @@ struct glint_mesh_bench {
     struct glint_mesh_polygon polygon;
     struct glint_mesh_vertex vertex[3];
     struct glint_mesh_kept face; /* where no place is left, and of a face that is clipped */
+    struct glint_mesh_laid laid; /* of a triangle that is not kept; behind face */
     uint8_t fan;                 /* of one that is clipped: vertex is the polygon's corners 0, fan - 1 and fan */
     union {                      /* the mesh's colours or texture over the triangle at hand, and colours of a run */
         struct glint_mesh_across across;
         struct glint_mesh_over over;
     } of;
-    union {
-        uint8_t bytes[3 * GLINT_MESH_RUN];
-        uint32_t words[GLINT_MESH_RUN];
-    } colours;
+    uint16_t colours[(3 * GLINT_MESH_RUN + 1) / 2]; /* bytes, aligned */
 };
+
+/* A kept triangle's place has room for a struct glint_mesh_laid behind it if a mesh of the frame asks for that. */
+#define GLINT_MESH_LAID_SIZE (GLINT_MESH_KEPT_SIZE + sizeof(struct glint_mesh_laid))
+static inline struct glint_mesh_kept *glint_mesh_kept_at(const struct glint_mesh_frame *frame, uint16_t place)
+{
+    return (struct glint_mesh_kept *)(void *)((uint8_t *)frame->kept + (size_t)place * frame->kept_bytes);
+}
 
 /* ---- Outlines ---- */
 
@@ -86,7 +91,7 @@ void glint_mesh_face_set(struct glint_mesh_triangle *triangle, const struct glin
                          const uint16_t face[3], uint32_t t_end);
 
 /* In assembly alone: draws a mesh's faces and keeps those that go on, where all paints have fused lines and nothing is clipped. It takes from
- * glint_mesh_part_lines what a part's lines need: from which t on nothing shines, and *lines. */
+ * glint_mesh_part_lines what a part's lines need: from which t on nothing shines, and 2^31 where slopes are laid behind triangles; and *lines. */
 void glint_mesh_strip_lines(const struct glint_mesh_target *strip);
 uint32_t glint_mesh_part_lines(const struct glint_mesh_target *strip, unsigned part, struct glint_mesh_lines *lines);
 

@@ -27,7 +27,7 @@ struct glint_mesh_over {
     uint32_t base[2];
     /* Of the line at hand. */
     uint32_t now[3], step[3]; /* at pixel from; good up to pixel to - 1 */
-    uint32_t line[3];         /* the numerators at pixel left; of fused loops the numbers at column x of a line */
+    uint32_t line[2];         /* the numerators at pixel left */
     uint32_t z, dz;           /* at left */
     int32_t from, to, left, right;
     int32_t off[2]; /* at from */
@@ -58,56 +58,60 @@ struct glint_use_mesh {
     void (*rgb565)(struct glint_mesh_over *over, int32_t x, uint8_t *out, unsigned count);
     /* The part of the line after the one at hand. */
     void (*next)(struct glint_mesh_over *over);
-    /* Fused, behind GLINT_FUSED, or NULL: a triangle's lines, set, by ALBEDO tables at even places. */
+    /* Without perspective: what fused lines take of the triangle, at its line. */
+    void (*lay)(struct glint_mesh_laid *laid, const struct glint_mesh_target *target,
+                const struct glint_mesh_triangle *triangle, const struct glint_texture *texture);
+    /* Fused, behind GLINT_FUSED, or NULL: a triangle's lines by ALBEDO tables at even places. */
     void (*lines)(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
-                  const struct glint_mesh_target *target, struct glint_mesh_over *over);
+                  const struct glint_mesh_target *target, const struct glint_texture *texture);
+    /* In assembly alone: as glint_mesh_colour_begin; 2^31: slopes are to be laid behind triangles. */
+    uint32_t (*begin)(const struct glint_mesh_target *target, const struct glint_tables *tables,
+                      const struct glint_texture *texture, struct glint_mesh_lines *lines);
 };
 
-/* Pixels side by side on a line, GLINT_MESH_RUN of them at most, in two steps: their albedo as words of fields (glint_tables.h), then
- * whether they are in front, their light, and their pixels. In assembly, too. */
-struct glint_mesh_shade {
-    uint32_t z, nl, back, dt; /* at the first one; back: t_max - t */
+/* Pixels side by side on a line: whether they are in front, their albedo, their light. */
+enum { GLINT_MESH_COLOURS, GLINT_MESH_NEAREST, GLINT_MESH_PALETTE, GLINT_MESH_SMOOTH, GLINT_MESH_SOURCES };
+struct glint_mesh_pixels {
+    uint32_t z, nl, now[3], back, dt; /* at the first one; back: t_max - t */
+    uint32_t dz, dnl, step[3], ddt;
     uint16_t *depth;
-    const uint16_t *end; /* of depth */
-    ptrdiff_t off;       /* bytes from a depth to its pixel */
-    const uint32_t *words;
-    uint32_t dz, dnl, ddt; /* of the triangle */
+    const uint16_t *end;   /* of depth */
+    ptrdiff_t off;         /* bytes from a depth to its pixel */
     const uint8_t *levels; /* of the tables */
     const uint32_t *sums;
     uint32_t t_max, limit, shift, dark;
+    struct glint_mesh_picture picture;
+    uint8_t
+        loop; /* 4 times where their albedo comes from, and 1 if they may be glossy, and 2 if their bytes are swapped */
 };
-/* From the numbers at the first one. */
-void glint_mesh_words_nearest(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words,
-                              const uint32_t *end);
-void glint_mesh_words_smooth(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words,
-                             const uint32_t *end);
-void glint_mesh_words_colours(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words,
-                              const uint32_t *end);
-/* Dark ones are matt with nl below 0. */
-void glint_mesh_shade_matt(const struct glint_mesh_shade *shade);
-void glint_mesh_shade_glossy(const struct glint_mesh_shade *shade);
-void glint_mesh_shade_matt_swapped(const struct glint_mesh_shade *shade);
-void glint_mesh_shade_glossy_swapped(const struct glint_mesh_shade *shade);
-
-/* What is the same for a triangle's lines. */
-struct glint_mesh_albedo {
-    struct glint_mesh_shade shade;
-    void (*words)(const struct glint_mesh_over *over, const uint32_t now[3], uint32_t *words, const uint32_t *end);
-    void (*pixels)(const struct glint_mesh_shade *shade);
-    uint32_t *memory;
-    bool is_glossy, is_swapped;
-};
-/* Lines of a part without perspective; a line of colours one of which is held. The former has a twin in assembly, which calls the latter. */
-void glint_mesh_albedo_part(struct glint_mesh_albedo *a, struct glint_mesh_triangle *triangle,
-                            const struct glint_mesh_part *part, const struct glint_mesh_target *target,
-                            struct glint_mesh_over *over);
-void glint_mesh_albedo_held(struct glint_mesh_albedo *a, const struct glint_mesh_triangle *triangle,
-                            const struct glint_mesh_target *target, struct glint_mesh_over *over, uint16_t *depth,
-                            int32_t from, int32_t to, int32_t y);
+/* Dark ones are matt with nl below 0. Has a twin in assembly. */
+void glint_mesh_albedo_pixels(const struct glint_mesh_pixels *pixels);
 
 /* fused_mesh.c */
 void glint_mesh_albedo_lines(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
-                             const struct glint_mesh_target *target, struct glint_mesh_over *over);
+                             const struct glint_mesh_target *target, const struct glint_texture *texture);
+
+/* What is laid behind a triangle: set up where it is drawn for the first time. */
+struct glint_mesh_laid *glint_mesh_albedo_laid(const struct glint_mesh_target *target,
+                                               struct glint_mesh_triangle *triangle,
+                                               const struct glint_texture *texture);
+
+/* In assembly alone. The first is called as struct glint_mesh_lines says, the last draws one triangle by it. */
+void glint_mesh_albedo_draw(void);
+uint32_t glint_mesh_albedo_begin(const struct glint_mesh_target *target, const struct glint_tables *tables,
+                                 const struct glint_texture *texture, struct glint_mesh_lines *lines);
+void glint_mesh_albedo_triangle(const struct glint_mesh_target *target, struct glint_mesh_triangle *triangle,
+                                const struct glint_tables *tables, const struct glint_texture *texture);
+
+/* A line of n + 1 pixels on which colour k would leave 0..most is of one colour. */
+static inline void glint_mesh_hold(uint32_t *now, uint32_t *step, unsigned k, uint32_t n)
+{
+    const uint32_t end = (uint32_t)(k == 1 ? 64 : 32) << 21, first = *now, last = first + n * *step;
+    if (first < end && last < end)
+        return;
+    *now = first < end ? first : (int32_t)first < 0 ? 0 : end - 1;
+    *step = 0;
+}
 
 static inline uint16_t glint_mesh_texel(const struct glint_mesh_picture *picture, uint32_t at)
 {

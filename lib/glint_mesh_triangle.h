@@ -134,8 +134,18 @@ struct glint_mesh_triangle {
     struct glint_mesh_values values; /* at line y */
     struct glint_mesh_edge long_edge, upper, lower;
     int16_t y, y_middle, y_end;
-    uint8_t shine; /* enum glint_mesh_shine */
+    uint8_t shine; /* enum glint_mesh_shine; and GLINT_MESH_LAID */
     bool long_is_left;
+};
+
+/* What a triangle, kept from strip to strip, has of its texture or of colours of vertices: u and v, or red and green, at its line, in the column
+ * of its values, and their steps. */
+#define GLINT_MESH_LAID 4 /* of shine: it has it */
+struct glint_mesh_laid {
+    uint32_t at[2], down[2], right[2];
+    uint32_t
+        blue[3];   /* the same; of a texture in bytes how much of the chain is passed, and the picture's w + 2^16 h */
+    uint32_t more; /* of assembly, which has slopes here at first */
 };
 
 /* The first line or column whose middle is at or beyond a place in 1/16 pixel. */

@@ -51,6 +51,9 @@
 #define GLINT_SPAN_RUN_LOG 5
 #define GLINT_SPAN_RUN 32
 
+#define GLINT_AT_TEXTURE_LEVELS 12
+#define GLINT_AT_TEXTURE_W 8 /* w, h */
+
 /* Where the assembly finds fields of a mesh and a triangle, in bytes; offsets.c compares these with the compiler's. Macros only. */
 
 #define GLINT_AT_TRIANGLE_Z 0 /* z, nl, t, tx, ty, zy, nly, txy, tyy */
@@ -90,6 +93,7 @@
 #define GLINT_AT_FRAME_KEPT 12
 #define GLINT_AT_FRAME_W 16 /* w, h */
 #define GLINT_AT_FRAME_FREE 26
+#define GLINT_AT_FRAME_KEPT_BYTES 30
 #define GLINT_AT_DRAWN_MESH 4 /* mesh, paints */
 #define GLINT_AT_DRAWN_VERTICES 12
 #define GLINT_AT_DRAWN_LINKS 16 /* links, bands */
@@ -102,12 +106,17 @@
 #define GLINT_AT_MESH_NORMALS8 8
 #define GLINT_AT_MESH_FACES 12        /* faces, ends */
 #define GLINT_AT_MESH_VERTEX_COUNT 20 /* and of faces, of parts */
+#define GLINT_AT_MESH_OF_VERTICES 28
+#define GLINT_AT_MESH_UV 40
+#define GLINT_AT_MESH_UV_BITS 44
 
-#define GLINT_AT_OVER_PICTURE 44 /* pixels, palette, w, h */
-#define GLINT_AT_OVER_STEP 88
-#define GLINT_AT_SHADE_DZ 32     /* before it: z, nl, back, dt, depth, end, off, words; dz, dnl, ddt */
-#define GLINT_AT_SHADE_LEVELS 44 /* levels, sums, t_max, limit, shift */
-#define GLINT_AT_SHADE_DARK 64
+#define GLINT_MESH_SLOPED                                                                                              \
+    8 /* of triangle->shine: u, v, u_x, v_x, u_y, v_y, vertices from the upper one down, e - 18 are laid */
+#define GLINT_MESH_LAID_LOG 2 /* of triangle->shine */
+#define GLINT_AT_PIXELS_NOW 8
+#define GLINT_AT_PIXELS_DZ 28 /* z, nl, now, back, dt; dz, dnl, step */
+#define GLINT_AT_PIXELS_DDT                                                                                            \
+    48 /* ddt, depth, end, off; levels, sums, t_max, limit, shift, dark, pixels, palette, w, h, loop */
 
 #define GLINT_MESH_NONE 0xffff /* no face */
 #define GLINT_MESH_BAND_LOG 4

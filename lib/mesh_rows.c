@@ -292,7 +292,7 @@ rows_of(const struct glint_paint *paint, struct glint_mesh_triangle *triangle, c
     struct glint_mesh_row row;
     struct glint_run *const run = &row.run;
     unsigned most = GLINT_MESH_RUN;
-    run->albedo = texture || has_colours ? bench->colours.bytes : NULL;
+    run->albedo = texture || has_colours ? (uint8_t *)bench->colours : NULL;
     run->gloss = run->coverage = NULL;
     run->apart = 0;
     run->format = cells ? &glint_use_coverage.format : paint->format;
@@ -318,9 +318,9 @@ rows_of(const struct glint_paint *paint, struct glint_mesh_triangle *triangle, c
                     was[k] = run->line[4 * run->x + (unsigned)k];
             if (use)
                 (exact ? GLINT_FLASH_POINTER(use->rgb888) : GLINT_FLASH_POINTER(use->rgb565))(
-                    &bench->of.over, (int32_t)run->x, bench->colours.bytes, count);
+                    &bench->of.over, (int32_t)run->x, (uint8_t *)bench->colours, count);
             else if (run->albedo)
-                colours_get(&bench->of.across, (int32_t)run->x, line, bench->colours.bytes, count);
+                colours_get(&bench->of.across, (int32_t)run->x, line, (uint8_t *)bench->colours, count);
             if (lit) {
                 lit_fill(lit, target->frame, &row, line, row.z - count * row.dz, count);
                 if (paint->several)
@@ -364,19 +364,11 @@ void glint_mesh_blend_cells(const struct glint_paint *paint, struct glint_mesh_c
     rows_outlined(paint, triangle, target, cells, next, NULL);
 }
 
-/* By ALBEDO tables, where the fused loops can; they do colours and textures in one. */
-static bool rows_albedo(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
-                        const struct glint_mesh_target *target)
+bool glint_mesh_is_albedo(const struct glint_paint *paint, const struct glint_mesh_target *target)
 {
-    const struct glint_use_mesh *const use = target->drawn->mesh->use;
-    if (!GLINT_FUSED || !use || glint_paint_is_exact(paint) || paint->of.tables.filled.kind != GLINT_TABLES_ALBEDO ||
-        GLINT_MISALIGNED(target->surface->pixels, 16) || GLINT_MISALIGNED(target->surface->stride, 16))
-        return false;
-    struct glint_mesh_over *const over = &((struct glint_mesh_bench *)target->frame->memory)->of.over;
-    GLINT_FLASH_POINTER(use->set)
-    (over, target, glint_mesh_face_of(triangle), glint_mesh_texture_of(target->drawn, paint));
-    GLINT_FLASH_POINTER(use->lines)(&paint->of.tables.filled, triangle, target, over);
-    return true;
+    return GLINT_FUSED && target->drawn->mesh->use && !glint_paint_is_exact(paint) &&
+           paint->of.tables.filled.kind == GLINT_TABLES_ALBEDO && !GLINT_MISALIGNED(target->surface->pixels, 16) &&
+           !GLINT_MISALIGNED(target->surface->stride, 16);
 }
 
 /* What is linear over a triangle is held, and in perspective found, by the ends of its lines. */
@@ -397,6 +389,8 @@ void glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle
         glint_mesh_triangle_skip(triangle, target->y);
     if (glint_mesh_is_colour(paint, target))
         glint_mesh_colour(&paint->of.tables.filled, triangle, target);
-    else if (!rows_albedo(paint, triangle, target))
-        rows_draw(paint, triangle, target);
+    else if (glint_mesh_is_albedo(paint, target))
+        GLINT_FLASH_POINTER(target->drawn->mesh->use->lines)
+    (&paint->of.tables.filled, triangle, target, glint_mesh_texture_of(target->drawn, paint));
+    else rows_draw(paint, triangle, target);
 }

@@ -97,8 +97,8 @@ static void strip_face(const struct glint_mesh_target *strip, uint16_t i, const 
 {
     struct glint_mesh_frame *frame = strip->frame;
     const uint16_t place = frame->free;
-    struct glint_mesh_kept *const kept = place != GLINT_MESH_NONE ? &((struct glint_mesh_kept *)frame->kept)[place]
-                                                                  : &((struct glint_mesh_bench *)frame->memory)->face;
+    struct glint_mesh_kept *const kept =
+        place != GLINT_MESH_NONE ? glint_mesh_kept_at(frame, place) : &((struct glint_mesh_bench *)frame->memory)->face;
     const uint16_t *const face = strip->drawn->mesh->faces + 3 * (size_t)i;
     const bool is_set = !glint_mesh_face_is_out(strip->drawn, face);
     kept->face = i;
@@ -121,10 +121,9 @@ static void strip_mesh(const struct glint_mesh_target *strip)
 {
     struct glint_mesh_frame *frame = strip->frame;
     struct glint_mesh_drawn *drawn = strip->drawn;
-    struct glint_mesh_kept *const all = (struct glint_mesh_kept *)frame->kept;
     struct tail keep = {GLINT_MESH_NONE, &keep.first}, later = {GLINT_MESH_NONE, &later.first};
     uint16_t face = glint_mesh_take(drawn, strip->y, strip->end), place = drawn->kept;
-    uint16_t kept_face = place == GLINT_MESH_NONE ? GLINT_MESH_NONE : all[place].face;
+    uint16_t kept_face = place == GLINT_MESH_NONE ? GLINT_MESH_NONE : glint_mesh_kept_at(frame, place)->face;
     struct part part;
     part_set(&part, drawn, 0);
     for (;;) {
@@ -135,10 +134,10 @@ static void strip_mesh(const struct glint_mesh_target *strip)
         while (i >= part.end)
             part_set(&part, drawn, part.number + 1u);
         if (is_kept) {
-            struct glint_mesh_kept *const kept = &all[place];
+            struct glint_mesh_kept *const kept = glint_mesh_kept_at(frame, place);
             const uint16_t at = place;
             place = kept->next;
-            kept_face = place == GLINT_MESH_NONE ? GLINT_MESH_NONE : all[place].face;
+            kept_face = place == GLINT_MESH_NONE ? GLINT_MESH_NONE : glint_mesh_kept_at(frame, place)->face;
             if (draw_on(strip, &kept->triangle, part.paint)) {
                 add(&keep, at, &kept->next);
             } else {
@@ -158,9 +157,8 @@ static void strip_mesh(const struct glint_mesh_target *strip)
 
 void glint_mesh_forget(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn)
 {
-    struct glint_mesh_kept *const all = (struct glint_mesh_kept *)frame->kept;
     while (drawn->kept != GLINT_MESH_NONE) {
-        struct glint_mesh_kept *const kept = &all[drawn->kept];
+        struct glint_mesh_kept *const kept = glint_mesh_kept_at(frame, drawn->kept);
         const uint16_t next = kept->next;
         kept->next = frame->free;
         frame->free = drawn->kept;
@@ -182,19 +180,29 @@ void glint_mesh_clear(uint16_t *depth, uint32_t bytes)
 /* Can the assembly draw the mesh? */
 static bool strip_has_lines(const struct glint_mesh_drawn *drawn, const struct glint_mesh_target *target)
 {
-    for (unsigned i = 0; i == 0 || i < drawn->mesh->part_count; i++)
-        if (!glint_mesh_is_colour(&drawn->paints[i], target))
+    const bool is_laid = target->frame->kept_bytes == GLINT_MESH_LAID_SIZE;
+    for (unsigned i = 0; i == 0 || i < drawn->mesh->part_count; i++) {
+        const struct glint_paint *paint = &drawn->paints[i];
+        if (!glint_mesh_is_colour(paint, target) &&
+            !(is_laid && glint_mesh_is_albedo(paint, target) &&
+              !(target->frame->distance && glint_mesh_texture_of(drawn, paint))))
             return false;
+    }
     return !drawn->is_cut;
 }
 
 uint32_t glint_mesh_part_lines(const struct glint_mesh_target *strip, unsigned part, struct glint_mesh_lines *lines)
 {
     const struct glint_paint *paint = &strip->drawn->paints[part];
-    glint_mesh_colour_begin(&paint->of.tables.filled, strip, lines);
+    uint32_t lay = 0;
+    if (paint->of.tables.filled.kind == GLINT_TABLES_COLOUR)
+        glint_mesh_colour_begin(&paint->of.tables.filled, strip, lines);
+    else
+        lay = GLINT_FLASH_POINTER(strip->drawn->mesh->use->begin)(strip, &paint->of.tables.filled,
+                                                                  glint_mesh_texture_of(strip->drawn, paint), lines);
     if (strip->drawn->edges)
         GLINT_FLASH_POINTER(strip->frame->outlines->lines)(strip, lines);
-    return glint_mesh_t_end(paint);
+    return glint_mesh_t_end(paint) | lay;
 }
 #endif
 

@@ -32,6 +32,11 @@ static bool over_can(const struct glint_mesh *mesh)
 
 /* ---- Set ---- */
 
+static uint32_t over_size(int32_t area)
+{
+    return area < 0 ? 0 - (uint32_t)area : (uint32_t)area;
+}
+
 /* How much of the chain is passed: until there are less than two texels a pixel, by the areas of both. p, q: of u and v, in units of
  * 2^-bits of the texture; size: twice the triangle's area. */
 static unsigned over_level(const struct glint_texture *texture, const struct glint_mesh_pair of[2], unsigned bits,
@@ -106,6 +111,21 @@ static void over_colours(struct glint_mesh_over *over, const struct glint_mesh_s
     }
 }
 
+/* Corners from the upper one down; equal ones stay. */
+static void over_order(struct glint_mesh_corners *corners, int16_t of[3][3], unsigned first)
+{
+    const struct glint_mesh_vertex *const upper = corners->at[first];
+    if (corners->at[first + 1]->y >= upper->y)
+        return;
+    corners->at[first] = corners->at[first + 1];
+    corners->at[first + 1] = upper;
+    for (unsigned k = 0; k < 3; k++) {
+        const int16_t number = of[first][k];
+        of[first][k] = of[first + 1][k];
+        of[first + 1][k] = number;
+    }
+}
+
 static void over_set(struct glint_mesh_over *over, const struct glint_mesh_target *target, unsigned face,
                      const struct glint_texture *texture)
 {
@@ -115,14 +135,14 @@ static void over_set(struct glint_mesh_over *over, const struct glint_mesh_targe
     struct glint_mesh_slopes slopes;
     int16_t of[3][3];
     glint_mesh_corners_of(&corners, target, face);
-    over_corner(of[0], mesh, face, vertex[0], texture);
-    over_corner(of[1], mesh, face, vertex[1], texture);
-    over_corner(of[2], mesh, face, vertex[2], texture);
-    if (corners.clipped[0]) {
-        for (unsigned i = 0; texture && i < 3; i++)
-            of[i][2] = 0;
-        glint_mesh_corners_weigh(&corners, of);
+    for (unsigned i = 0; i < 3; i++) {
+        of[i][2] = 0;
+        over_corner(of[i], mesh, face, vertex[i], texture);
     }
+    glint_mesh_corners_weigh(&corners, of);
+    over_order(&corners, of, 0);
+    over_order(&corners, of, 1);
+    over_order(&corners, of, 0);
     const struct glint_mesh_vertex *const a = corners.at[0], *const b = corners.at[1], *const c = corners.at[2];
     glint_mesh_slopes_set(&slopes, a, b, c);
     over->x = a->x >> 4;
@@ -136,7 +156,7 @@ static void over_set(struct glint_mesh_over *over, const struct glint_mesh_targe
     const struct glint_mesh_pair pair[2] = {glint_mesh_pair_of(of[1][0] - of[0][0], of[2][0] - of[0][0]),
                                             glint_mesh_pair_of(of[1][1] - of[0][1], of[2][1] - of[0][1])};
     over_picture(&over->picture, texture,
-                 texture->levels < 2 ? 0 : over_level(texture, pair, bits, 0 - (uint32_t)glint_mesh_area(a, b, c)));
+                 texture->levels < 2 ? 0 : over_level(texture, pair, bits, over_size(glint_mesh_area(a, b, c))));
     over->is_smooth = texture->is_smooth;
     over->count = 2;
     over->is_far = target->frame->distance != 0;
@@ -152,6 +172,32 @@ static void over_set(struct glint_mesh_over *over, const struct glint_mesh_targe
             glint_mesh_linear_set(&over->of[k], &slopes, pair[k], (int)(32 - bits));
             over->of[k].at += first;
         }
+    }
+}
+
+/* To the triangle's line and the column of its values. */
+static void over_lay(struct glint_mesh_laid *laid, const struct glint_mesh_target *target,
+                     const struct glint_mesh_triangle *triangle, const struct glint_texture *texture)
+{
+    struct glint_mesh_over *const over = &((struct glint_mesh_bench *)target->frame->memory)->of.over;
+    over_set(over, target, glint_mesh_face_of(triangle), texture);
+    const uint32_t n = (uint32_t)(triangle->values.x - over->x), lines = (uint32_t)(triangle->y - over->y);
+    for (unsigned k = 0; k < over->count; k++) {
+        const struct glint_mesh_linear of = over->of[k];
+        const uint32_t at = of.at + n * of.x + lines * of.y;
+        if (k < 2) {
+            laid->at[k] = at;
+            laid->down[k] = of.y;
+            laid->right[k] = of.x;
+        } else {
+            laid->blue[0] = at;
+            laid->blue[1] = of.y;
+            laid->blue[2] = of.x;
+        }
+    }
+    if (texture) {
+        laid->blue[0] = (uint32_t)((uintptr_t)over->picture.pixels - (uintptr_t)texture->pixels);
+        laid->blue[1] = over->picture.w | over->picture.h << 16;
     }
 }
 
@@ -188,16 +234,6 @@ static void over_part(struct glint_mesh_over *over)
     over->to = end == last ? over->right : end;
 }
 
-/* A line on which a colour would leave 0..most is of one colour. */
-static void over_hold(struct glint_mesh_over *over, unsigned k, uint32_t n)
-{
-    const uint32_t end = (uint32_t)(k == 1 ? 64 : 32) << 21, first = over->now[k], last = first + n * over->step[k];
-    if (first < end && last < end)
-        return;
-    over->now[k] = first < end ? first : (int32_t)first < 0 ? 0 : end - 1;
-    over->step[k] = 0;
-}
-
 static void over_line(struct glint_mesh_over *over, int32_t y, int32_t left, int32_t right, uint32_t z, uint32_t dz)
 {
     const uint32_t n = (uint32_t)(left - over->x), lines = (uint32_t)(y - over->y);
@@ -208,7 +244,7 @@ static void over_line(struct glint_mesh_over *over, int32_t y, int32_t left, int
         over->now[k] = of->at + n * of->x + lines * of->y;
         over->step[k] = of->x;
         if (over->count == 3)
-            over_hold(over, k, (uint32_t)(right - 1 - left));
+            glint_mesh_hold(&over->now[k], &over->step[k], k, (uint32_t)(right - 1 - left));
     }
     if (!over->is_far)
         return;
@@ -286,5 +322,12 @@ static void over_rgb565(struct glint_mesh_over *over, int32_t x, uint8_t *bytes,
     }
 }
 
+#if GLINT_FUSED && GLINT_CORTEX_M0PLUS_ASM
+#define OVER_BEGIN glint_mesh_albedo_begin
+#else
+#define OVER_BEGIN NULL
+#endif
 const struct glint_use_mesh glint_use_mesh_albedo GLINT_FLASH = {
-    over_can, over_set, over_line, over_rgb888, over_rgb565, over_next, GLINT_TABLES_FUSED(glint_mesh_albedo_lines)};
+    over_can,    over_set,  over_line, over_rgb888,
+    over_rgb565, over_next, over_lay,  GLINT_TABLES_FUSED(glint_mesh_albedo_lines),
+    OVER_BEGIN};

@@ -81,7 +81,7 @@ typedef char glint_drawn_layout[AT(mesh, GLINT_AT_DRAWN_MESH) && AT(paints, GLIN
 #define AT(field, offset) (offsetof(struct glint_mesh_frame, field) == (offset))
 typedef char glint_frame_layout[AT(memory, GLINT_AT_FRAME_KEPT - 4) && AT(kept, GLINT_AT_FRAME_KEPT) &&
                                         AT(w, GLINT_AT_FRAME_W) && AT(h, GLINT_AT_FRAME_W + 2) &&
-                                        AT(free, GLINT_AT_FRAME_FREE)
+                                        AT(free, GLINT_AT_FRAME_FREE) && AT(kept_bytes, GLINT_AT_FRAME_KEPT_BYTES)
                                     ? 1
                                     : -1];
 #undef AT
@@ -107,14 +107,16 @@ typedef char
                            : -1];
 #undef AT
 #define AT(field, offset) (offsetof(struct glint_mesh, field) == (offset))
-typedef char glint_mesh_layout[AT(places, GLINT_AT_MESH_PLACES) && AT(normals, GLINT_AT_MESH_NORMALS) &&
-                                       AT(normals8, GLINT_AT_MESH_NORMALS8) && AT(faces, GLINT_AT_MESH_FACES) &&
-                                       AT(ends, GLINT_AT_MESH_FACES + 4) &&
-                                       AT(face_count, GLINT_AT_MESH_VERTEX_COUNT + 2) &&
-                                       AT(part_count, GLINT_AT_MESH_VERTEX_COUNT + 4) &&
-                                       AT(vertex_count, GLINT_AT_MESH_VERTEX_COUNT)
-                                   ? 1
-                                   : -1];
+typedef char glint_mesh_layout
+    [AT(places, GLINT_AT_MESH_PLACES) && AT(normals, GLINT_AT_MESH_NORMALS) && AT(normals8, GLINT_AT_MESH_NORMALS8) &&
+             AT(faces, GLINT_AT_MESH_FACES) && AT(ends, GLINT_AT_MESH_FACES + 4) &&
+             AT(face_count, GLINT_AT_MESH_VERTEX_COUNT + 2) && AT(part_count, GLINT_AT_MESH_VERTEX_COUNT + 4) &&
+             AT(vertex_count, GLINT_AT_MESH_VERTEX_COUNT) && AT(of_vertices, GLINT_AT_MESH_OF_VERTICES) &&
+             AT(uv, GLINT_AT_MESH_UV) && AT(uv_bits, GLINT_AT_MESH_UV_BITS) &&
+             offsetof(struct glint_texture, levels) == GLINT_AT_TEXTURE_LEVELS &&
+             offsetof(struct glint_texture, w) == GLINT_AT_TEXTURE_W
+         ? 1
+         : -1];
 #undef AT
 #define AT(field, offset) (offsetof(struct glint_mesh_vertex, field) == (offset))
 typedef char glint_vertex_layout[AT(x, 0) && AT(y, 2) && AT(z, 4) && AT(out, 6) && AT(t_q30, 8) && AT(nl_q30, 12) &&
@@ -122,28 +124,24 @@ typedef char glint_vertex_layout[AT(x, 0) && AT(y, 2) && AT(z, 4) && AT(out, 6) 
                                      ? 1
                                      : -1];
 #undef AT
-#define AT(type, field, offset) (offsetof(struct type, field) == (offset))
-typedef char glint_over_layout
-    [AT(glint_mesh_over, picture, GLINT_AT_OVER_PICTURE) && AT(glint_mesh_over, step, GLINT_AT_OVER_STEP) &&
+#define AT(field, offset) (offsetof(struct glint_mesh_pixels, field) == (offset))
+typedef char glint_pixels_layout
+    [AT(z, 0) && AT(nl, 4) && AT(now, 8) && AT(back, 20) && AT(dt, 24) && AT(dz, GLINT_AT_PIXELS_DZ) &&
+             AT(dnl, GLINT_AT_PIXELS_DZ + 4) && AT(step, GLINT_AT_PIXELS_DZ + 8) && AT(ddt, GLINT_AT_PIXELS_DDT) &&
+             AT(depth, GLINT_AT_PIXELS_DDT + 4) && AT(end, GLINT_AT_PIXELS_DDT + 8) &&
+             AT(off, GLINT_AT_PIXELS_DDT + 12) && AT(levels, GLINT_AT_PIXELS_DDT + 16) &&
+             AT(sums, GLINT_AT_PIXELS_DDT + 20) && AT(t_max, GLINT_AT_PIXELS_DDT + 24) &&
+             AT(limit, GLINT_AT_PIXELS_DDT + 28) && AT(shift, GLINT_AT_PIXELS_DDT + 32) &&
+             AT(dark, GLINT_AT_PIXELS_DDT + 36) && AT(picture, GLINT_AT_PIXELS_DDT + 40) &&
              offsetof(struct glint_mesh_picture, pixels) == 0 && offsetof(struct glint_mesh_picture, palette) == 4 &&
              offsetof(struct glint_mesh_picture, w) == 8 && offsetof(struct glint_mesh_picture, h) == 12 &&
-             AT(glint_mesh_shade, z, 0) && AT(glint_mesh_shade, nl, 4) && AT(glint_mesh_shade, back, 8) &&
-             AT(glint_mesh_shade, dt, 12) && AT(glint_mesh_shade, depth, 16) && AT(glint_mesh_shade, end, 20) &&
-             AT(glint_mesh_shade, off, 24) && AT(glint_mesh_shade, words, 28) &&
-             AT(glint_mesh_shade, dz, GLINT_AT_SHADE_DZ) && AT(glint_mesh_shade, dnl, GLINT_AT_SHADE_DZ + 4) &&
-             AT(glint_mesh_shade, ddt, GLINT_AT_SHADE_DZ + 8) && AT(glint_mesh_shade, levels, GLINT_AT_SHADE_LEVELS) &&
-             AT(glint_mesh_shade, sums, GLINT_AT_SHADE_LEVELS + 4) &&
-             AT(glint_mesh_shade, t_max, GLINT_AT_SHADE_LEVELS + 8) &&
-             AT(glint_mesh_shade, limit, GLINT_AT_SHADE_LEVELS + 12) &&
-             AT(glint_mesh_shade, shift, GLINT_AT_SHADE_LEVELS + 16) &&
-             AT(glint_mesh_shade, dark, GLINT_AT_SHADE_DARK) && AT(glint_mesh_over, of, 0) &&
-             AT(glint_mesh_over, x, GLINT_AT_OVER_PICTURE - 8) &&
-             AT(glint_mesh_over, count, GLINT_AT_OVER_PICTURE + 16) &&
-             AT(glint_mesh_over, is_smooth, GLINT_AT_OVER_PICTURE + 17) &&
-             AT(glint_mesh_over, line, GLINT_AT_OVER_STEP + 12) &&
-             AT(glint_mesh_albedo, memory, GLINT_AT_SHADE_DARK + 12) &&
-             AT(glint_mesh_albedo, is_glossy, GLINT_AT_SHADE_DARK + 16) &&
-             AT(glint_mesh_albedo, is_swapped, GLINT_AT_SHADE_DARK + 17)
+             AT(loop, GLINT_AT_PIXELS_DDT + 56) && 1 << GLINT_MESH_LAID_LOG == GLINT_MESH_LAID &&
+             GLINT_MESH_COLOURS == 0 && GLINT_MESH_NEAREST == 1 && GLINT_MESH_PALETTE == 2 && GLINT_MESH_SMOOTH == 3 &&
+             sizeof(struct glint_mesh_laid) == 40 && AT(now, GLINT_AT_PIXELS_NOW) &&
+             offsetof(struct glint_mesh_laid, down) == 8 && offsetof(struct glint_mesh_laid, right) == 16 &&
+             offsetof(struct glint_mesh_laid, blue) == 24 &&
+             offsetof(struct glint_mesh_bench, laid) ==
+                 offsetof(struct glint_mesh_bench, face) + sizeof(struct glint_mesh_kept)
          ? 1
          : -1];
 #undef AT

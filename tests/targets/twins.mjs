@@ -211,38 +211,30 @@ function strips() {
   return [bytes, calls.at(-1)[1], PLACES + 1, { before: calls.slice(0, -1), change, unread }]
 }
 
-// Words of albedo from any numbers, of textures of any size; and pixels of them.
-const OVER = 0, NUMBERS = 0xc0, WORDS = 0x100, WORDS_AT = 0x200, PALETTE = 0x200, TEXELS = 0x400, TEXELS_END = 0x5800
-function words() {
-  const bytes = Buffer.alloc(TEXELS_END), h = 1 + below(100), w = 1 + below(Math.min(100, Math.floor(10000 / h)))
-  const word = (at, ...values) => values.forEach((value, k) => bytes.writeInt32LE(value | 0, at + 4 * k))
-  word(OVER + FIELD.OVER_PICTURE, AT + TEXELS, below(2) && AT + PALETTE, w, h)
-  word(OVER + FIELD.OVER_STEP, bits(32), bits(one(20, 32)), bits(one(20, 32)))
-  word(NUMBERS, bits(32), bits(32), bits(32))
-  for (let k = PALETTE; k < TEXELS + 2 * w * h; k++) bytes[k] = below(256)
-  return [bytes, [AT + OVER, AT + NUMBERS, AT + WORDS, AT + WORDS + 4 * (1 + below(16))], NUMBERS + 3]
-}
-function shades() {
-  const bytes = Buffer.alloc(COLOURS_END), word = (at, ...values) => values.forEach((value, k) => bytes.writeInt32LE(value | 0, at + 4 * k))
+// Pixels side by side on a line by ALBEDO tables, from any numbers: of colours, and of textures of any size.
+const PALETTE = COLOURS_END, TEXELS = PALETTE + 512, TEXELS_END = TEXELS + 2048, PIXELS_PICTURE = FIELD.PIXELS_DDT + 40
+function pixels() {
+  const bytes = Buffer.alloc(TEXELS_END), word = (at, ...values) => values.forEach((value, k) => bytes.writeInt32LE(value | 0, at + 4 * k))
   const shift = below(20), tMax = 2 ** (shift + 11) - 1 - below(2 ** (shift + 9)), count = 1 + below(16), size = one(16, 22, 26, 30)
+  const h = 1 + below(100), w = 1 + below(Math.min(100, Math.floor(1024 / h)))
   bytes.set(tables, COLUMNS)
   for (let k = COLUMNS; k < COLUMNS + 400; k++) bytes[k] = below(33)
   for (let k = COLOURS; k < COLOURS + 8192; k += 4) word(k, (below(65536) + 65536 * below(65536)) & 0x07e0f81f)
-  word(0, bits(32), below(2) ? below(2 ** 31) : bits(32), below(3) ? bits(size) : bits(32), bits(size), AT + DEPTH, AT + DEPTH + 2 * count, OUT - DEPTH, AT + WORDS)
-  word(FIELD.SHADE_DZ, bits(size), bits(one(16, 28)), bits(size))
-  word(FIELD.SHADE_LEVELS, AT + COLUMNS + 392, AT + COLOURS, tMax, (tMax + 2 ** 27) | 0, shift)
-  word(FIELD.SHADE_DARK, below(33))
+  for (let k = PALETTE; k < TEXELS_END; k++) bytes[k] = below(256)
+  word(0, bits(32), below(2) ? below(2 ** 31) : bits(32), below(2 ** 26), below(2 ** 27), below(2 ** 26), below(3) ? bits(size) : bits(32), bits(size))
+  word(FIELD.PIXELS_DZ, bits(size), bits(one(16, 28)), bits(one(20, 32)), bits(one(20, 32)), bits(one(20, 32)))
+  word(FIELD.PIXELS_DDT, bits(size), AT + DEPTH, AT + DEPTH + 2 * count, OUT - DEPTH, AT + COLUMNS + 392, AT + COLOURS, tMax, (tMax + 2 ** 27) | 0, shift,
+    below(33), AT + TEXELS, 0, w, h)
+  const loop = below(16)
+  if (loop >> 2 === 2 || (loop >> 2 === 3 && below(2))) word(PIXELS_PICTURE + 4, AT + PALETTE)
+  bytes[PIXELS_PICTURE + 16] = loop
   for (let k = 0; k < 16; k++) bytes.writeUInt16LE(one(65535, below(65536)), DEPTH + 2 * k)
-  for (let k = 0; k < 16; k++) word(WORDS_AT + 4 * k, (below(65536) + 65536 * below(65536)) & 0x07e0f81f)
-  bytes.writeUInt32LE(AT + WORDS_AT, 28)
   return [bytes, [AT], 3]
 }
 
 const TWINS = [['glint_mesh_colour', colours, 6000], ['glint_mesh_triangle_set', triangle, 10000], ['glint_mesh_face_set', faces, 5000],
   ['glint_mesh_vertices', vertices, 400], ['glint_mesh_sort', lists, 1000], ['glint_mesh_strip', strips, 400],
-  ['glint_mesh_words_nearest', words, 1000], ['glint_mesh_words_smooth', words, 1000], ['glint_mesh_words_colours', words, 500],
-  ['glint_mesh_shade_matt', shades, 1000], ['glint_mesh_shade_glossy', shades, 2000],
-  ['glint_mesh_shade_matt_swapped', shades, 500], ['glint_mesh_shade_glossy_swapped', shades, 1000]]
+  ['glint_mesh_albedo_pixels', pixels, 6000]]
 for (const [name, make, calls] of TWINS) {
   const unlike = [0, 0]
   for (let i = 0; i < calls; i++) {
@@ -274,4 +266,4 @@ for (const [way, swapped] of ALBEDO) {
   const wanted = albedo(c, way, swapped, 0)
   for (const fault of [0, 0x41]) albedo(assembly, way, swapped, fault).forEach((strip, k) => { unlike[fault && 1] += strip !== wanted[k] })
 }
-console.log('glint_mesh_albedo_part', 15 * ALBEDO.length, ...unlike)
+console.log('glint_mesh_albedo_lines', 15 * ALBEDO.length, ...unlike)

@@ -92,8 +92,8 @@ static inline bool paint_of_albedo(struct glint_paint *paint, const struct look 
 /* Where the library has a place that is not turned: 1/16 pixel from the middle. */
 static inline double on_screen(int32_t place, uint32_t scale)
 {
-    return scale < 16384 ? (double)((place * (int32_t)scale) >> 15)
-                         : (double)((int64_t)(place >> 2) * (int32_t)scale >> 13);
+    return scale < 16384 ? (double)((place * (int32_t)scale + 16384) >> 15)
+                         : (double)(((int64_t)(place >> 2) * (int32_t)scale + 4096) >> 13);
 }
 
 #endif

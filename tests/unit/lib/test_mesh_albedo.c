@@ -157,7 +157,7 @@ static void colours_of_vertices_are_linear_between_them(void **state)
             for (int k = 0; k < 2; k++)
                 mesh.places[i][k] = (int16_t)((int32_t)below(65535) - 32767);
             at[i][0] = on_screen(mesh.places[i][0], mesh.pose.scale);
-            at[i][1] = -on_screen(mesh.places[i][1], mesh.pose.scale);
+            at[i][1] = on_screen(-mesh.places[i][1], mesh.pose.scale);
             mesh.places[i][2] = 0;
             mesh.faces[0][i] = (uint16_t)i;
         }

@@ -82,8 +82,8 @@ static struct seen see(unsigned face)
         const unsigned v = mesh.faces[face][i];
         const double z = on_screen(mesh.places[v][2], mesh.pose.scale) + mesh.pose.position[2], d = mesh.distance;
         s.r[i] = d > 0 ? floor(floor(d * 16384 / (d - z) + 1) / 2) / 8192 : 1; /* as the library rounds it */
-        s.x[i] = floor(on_screen(mesh.places[v][0], mesh.pose.scale) * s.r[i]) / 16 + MESH_W / 2. - .5;
-        s.y[i] = floor(-on_screen(mesh.places[v][1], mesh.pose.scale) * s.r[i]) / 16 + MESH_H / 2. - .5;
+        s.x[i] = floor(on_screen(mesh.places[v][0], mesh.pose.scale) * s.r[i] + .5) / 16 + MESH_W / 2. - .5;
+        s.y[i] = floor(on_screen(-mesh.places[v][1], mesh.pose.scale) * s.r[i] + .5) / 16 + MESH_H / 2. - .5;
         for (int k = 0; k < 2; k++)
             s.uv[i][k] = (double)mesh.uv[v][k] / (1 << mesh.mesh.uv_bits);
     }

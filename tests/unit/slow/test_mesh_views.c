@@ -6,7 +6,7 @@
  * cover a pixel's middle, in double precision as well. The library's corners lie on a grid of 1/16 pixel, so that such a
  * rim may cover other middles. A pixel is therefore wrong where nothing within REACH of its middle explains it:
  *   - the triangle drawn has no place there, or none whose value in double precision is within LEVELS of the pixel's (of a
- *     triangle thinner than 1/8 pixel, which the library gives one colour: no place at all);
+ *     triangle thinner than 1/8 pixel, which the library gives one colour, by the means of t and N.L: no place at all within THIN_LEVELS);
  *   - or another triangle, in front by more than NEAR, covers the middle with REACH to spare. */
 #include <math.h>
 #include <stdio.h>
@@ -20,9 +20,16 @@
 #include "mesh/load.h"
 #include "scene/scene.h"
 
-enum { SIDE = 240, PIXELS = SIDE * SIDE, LEVELS = 8, GRID = 4, PLACES = (2 * GRID + 1) * (2 * GRID + 1) };
-/* In pixels: a corner's place is rounded down to 1/16 pixel in space, and under perspective again on the screen: by less than
- * sqrt(2) / 8 = .177 in all. */
+enum {
+    SIDE = 240,
+    PIXELS = SIDE * SIDE,
+    LEVELS = 8,
+    THIN_LEVELS = 24,
+    GRID = 4,
+    PLACES = (2 * GRID + 1) * (2 * GRID + 1)
+};
+/* In pixels: a corner's place is rounded to 1/16 pixel in space, and under perspective again on the screen: by at most
+ * sqrt(2) / 16 = .088 in all; the double of that is let pass. */
 static const double REACH = .18, NEAR = .18, THIN = 1. / 8 + .18; /* u, v change by 8 a pixel */
 
 /* A corner in the picture, y down; `near` is larger in front. */
@@ -205,7 +212,10 @@ static bool is_wrong(const struct sight *sight, size_t i)
     if (drawn) {
         places_of(sight, drawn - 1, x, y, &places);
         levels_of(sight->shading, places.normals, places.count, &low, &high);
-        if (places.count == 0 || level < low - LEVELS || level > high + LEVELS)
+        const struct point *c[3];
+        corners_of(sight, drawn - 1, c);
+        const double levels = is_thin(c) ? THIN_LEVELS : LEVELS;
+        if (places.count == 0 || level < low - levels || level > high + levels)
             return true;
     }
     return drawn != number && is_covered(sight, x, y, places.nearest);
