@@ -270,6 +270,23 @@ static const struct aiScene *read_scene(const struct import_source *source)
     return lib.aiImportFileEx(source->path ? source->path : input, steps, import_files(source));
 }
 
+/* libassimp quotes what it does not understand: of other files that is for nobody's eyes. The message names standard input already. */
+static void send_error(const struct import_source *source, int out)
+{
+    const struct import_file *files;
+    const char *text = lib.aiGetErrorString(), *refused = import_files_refused();
+    struct import_head head;
+    if (refused) {
+        snprintf(head.message, sizeof head.message, "it names %.120s: %s", refused, import_files_outside(source));
+        text = head.message;
+    } else if (import_files_read(&files) > 1) {
+        text = "it, or a file that it names, is damaged";
+    } else if (!source->path && strstr(text, import_files_input)) {
+        text = "";
+    }
+    send_message(out, text);
+}
+
 void import_child(const struct import_source *source, int out)
 {
     const bool linear = strcmp(source->ending, ".gltf") == 0 || strcmp(source->ending, ".glb") == 0;
@@ -279,9 +296,7 @@ void import_child(const struct import_source *source, int out)
     }
     const struct aiScene *scene = read_scene(source);
     if (!scene) {
-        const char *text = lib.aiGetErrorString();
-        send_message(out,
-                     !source->path && strstr(text, import_files_input) ? "" : text); /* the message names it already */
+        send_error(source, out);
         return;
     }
     struct import_head head = head_of(scene, strcmp(source->ending, ".stl") == 0);
@@ -298,6 +313,8 @@ void import_child(const struct import_source *source, int out)
     }
     const struct import_file *files;
     head.file_count = import_files_read(&files);
+    if (import_files_refused())
+        snprintf(head.refused, sizeof head.refused, "%.*s", (int)sizeof head.refused - 1, import_files_refused());
     head.picture_count = pictures.count;
     child_send(out, &head, sizeof head);
     child_send(out, files, head.file_count * sizeof *files);

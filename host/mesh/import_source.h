@@ -12,7 +12,8 @@ struct import_source {
     const char *ending; /* ".obj", ".stl", ".ply", ".gltf" or ".glb": the format */
     char *bytes;
     size_t len;
-    bool textures; /* are its pictures wanted? */
+    bool textures;       /* are its pictures wanted? */
+    const char *allowed; /* a folder whose files it may name, beside its own; or NULL */
 };
 /* From a path, "-" for standard input, which is read to its end and known by how it begins. Errors end the program through fail(). */
 struct import_source *import_source_open(const char *path);
