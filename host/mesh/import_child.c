@@ -17,6 +17,7 @@
 #include "base/memory.h"
 #include "glint_mesh.h"
 #include "mesh/import_files.h"
+#include "mesh/import_obj.h"
 #include "mesh/import_picture.h"
 #include "base/child.h"
 #include "mesh/import_texture.h"
@@ -262,12 +263,22 @@ static void set_look(const struct aiMaterial *from, struct import_pictures *pict
         material->look_picture = import_pictures_find(pictures, name.data) + 1;
 }
 
-static const struct aiScene *read_scene(const struct import_source *source)
+/* NULL: `wrong` says why, unless libassimp does. */
+static const struct aiScene *read_scene(const struct import_source *of, char wrong[120])
 {
     const unsigned steps = aiProcess_Triangulate | aiProcess_PreTransformVertices;
+    static struct import_source source; /* libassimp's files are read from it later, too */
+    source = *of;
+    struct aiFileIO *files = import_files(&source);
     char input[32];
-    snprintf(input, sizeof input, "%s%s", import_files_input, source->ending);
-    return lib.aiImportFileEx(source->path ? source->path : input, steps, import_files(source));
+    snprintf(input, sizeof input, "%s%s", import_files_input, of->ending);
+    if (strcmp(of->ending, ".obj") == 0) {
+        if (of->path)
+            import_files_take(&source);
+        if (source.bytes && !(source.bytes = import_obj_spelled(source.bytes, source.len, &source.len, wrong)))
+            return NULL;
+    }
+    return lib.aiImportFileEx(of->path ? of->path : input, steps, files);
 }
 
 /* libassimp quotes what it does not understand: of other files that is for nobody's eyes. The message names standard input already. */
@@ -294,9 +305,13 @@ void import_child(const struct import_source *source, int out)
         send_message(out, LIBRARY " cannot be loaded; install libassimp5");
         return;
     }
-    const struct aiScene *scene = read_scene(source);
+    char wrong[120] = "";
+    const struct aiScene *scene = read_scene(source, wrong);
     if (!scene) {
-        send_error(source, out);
+        if (wrong[0])
+            send_message(out, wrong);
+        else
+            send_error(source, out);
         return;
     }
     struct import_head head = head_of(scene, strcmp(source->ending, ".stl") == 0);

@@ -13,6 +13,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/memory.h"
+
 const char import_files_input[] = "standard input";
 static const struct import_source *source;
 static struct import_file read_files[IMPORT_FILES_MAX];
@@ -123,9 +125,10 @@ const char *import_files_refused(void)
 
 /* ---- libassimp's files ---- */
 
-static bool is_input(const char *path)
+static bool is_mesh(const char *path)
 {
-    return !source->path && strncmp(path, import_files_input, strlen(import_files_input)) == 0;
+    return source->path ? strcmp(path, source->path) == 0
+                        : strncmp(path, import_files_input, strlen(import_files_input)) == 0;
 }
 
 static size_t read_opened(struct aiFile *file, char *to, size_t size, size_t count)
@@ -172,7 +175,7 @@ static struct aiFile *open_any(struct aiFileIO *io, const char *path, const char
         free(opened);
         return NULL;
     }
-    if (is_input(path)) {
+    if (source->bytes && is_mesh(path)) {
         opened->stream = fmemopen(source->bytes, source->len, "rb");
         opened->len = source->len;
     } else {
@@ -198,6 +201,18 @@ static void close_opened(struct aiFileIO *io, struct aiFile *file)
     (void)io;
     fclose(((struct opened *)file)->stream);
     free(file);
+}
+
+/* The mesh's file is one of those read, whatever the child makes of its bytes. */
+void import_files_take(struct import_source *of)
+{
+    const char *wrong;
+    FILE *stream = import_files_open(of->path, &of->len, &wrong);
+    if (!stream)
+        return;
+    of->bytes = allocate(of->len + 1, 1);
+    of->len = fread(of->bytes, 1, of->len, stream);
+    fclose(stream);
 }
 
 struct aiFileIO *import_files(const struct import_source *of)

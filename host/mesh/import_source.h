@@ -8,9 +8,9 @@
 
 struct import_source {
     const char *name;   /* for messages */
-    const char *path;   /* NULL: standard input, whose bytes are below */
+    const char *path;   /* NULL: standard input */
     const char *ending; /* ".obj", ".stl", ".ply", ".gltf" or ".glb": the format */
-    char *bytes;
+    char *bytes;        /* NULL: those of the file */
     size_t len;
     bool textures;       /* are its pictures wanted? */
     const char *allowed; /* a folder whose files it may name, beside its own; or NULL */
