@@ -79,6 +79,19 @@ static void set_roughness(const struct aiMaterial *from, struct mesh_material *m
     material->has_roughness = material->metallic < 1 || material->roughness < 1;
 }
 
+/* Programs write black for what they do not know. */
+static void set_highlight(const struct aiMaterial *from, struct mesh_material *material)
+{
+    struct aiColor4D color;
+    if (lib.aiGetMaterialColor(from, AI_MATKEY_COLOR_SPECULAR, &color) != aiReturn_SUCCESS)
+        return;
+    const double parts[3] = {fmax(0, (double)color.r), fmax(0, (double)color.g), fmax(0, (double)color.b)};
+    const double most = fmax(parts[0], fmax(parts[1], parts[2]));
+    material->has_highlight = most > 0 && most < 1e30;
+    for (int k = 0; k < 3 && material->has_highlight; k++)
+        material->highlight[k] = parts[k] / most;
+}
+
 static double linear_of(uint8_t encoded)
 {
     const double value = encoded / 255.;
@@ -102,6 +115,8 @@ static struct mesh_material material_of(const struct aiMaterial *from, bool line
         material.n = (unsigned)fmin(1000, (double)n); /* an OBJ's Ns; a glTF has another model */
     if (linear)
         set_roughness(from, &material);
+    else
+        set_highlight(from, &material);
     one = 1;
     if (lib.aiGetMaterialIntegerArray(from, AI_MATKEY_SHADING_MODEL, &shading, &one) == aiReturn_SUCCESS)
         material.unlit = shading == aiShadingMode_NoShading; /* glTF's unlit, too */
