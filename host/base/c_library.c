@@ -11,9 +11,10 @@ static const char families[] =
     "cexp cimag clog clog10 conj copysign cos cosh cpow cproj creal csin csinh csqrt ctan ctanh drem erf erfc exp "
     "exp10 exp2 expm1 fabs fdim finite floor fma fmax fmin fmod frexp gamma hypot ilogb isinf isnan j0 j1 jn "
     "ldexp lgamma llrint llround log log10 log1p log2 logb lrint lround modf nan nearbyint nextafter nexttoward "
-    "pow pow10 remainder remquo rint round roundeven scalb scalbln scalbn significand sin sincos sinh sqrt tan "
+    "pow pow10 remainder remquo rint round roundeven scalb scalbln scalbn signbit significand sin sincos sinh sqrt tan "
     "tanh tgamma trunc y0 y1 yn ";
-static const char *const suffixes[] = {"f", "l", "f32", "f64", "f128", "f32x", "f64x"};
+static const char *const suffixes[] = {"f",    "l",    "f16",   "f32", "f64", "f128",
+                                       "f32x", "f64x", "f128x", "d32", "d64", "d128"};
 
 static const char words[] =
     " a64l abort abs access alarm aligned_alloc alloca asctime at_quick_exit atexit atof atoi atol atoll bcmp "
@@ -22,7 +23,8 @@ static const char words[] =
     "ctime daylight dcgettext dgettext difftime div dprintf drand48 dup dup2 duplocale erand48 execl execle "
     "execlp execv execve execvp exit faccessat fchdir fchmod fchmodat fchown fchownat fclose fcntl fdatasync "
     "fdopen feclearexcept fegetenv fegetexceptflag fegetround feholdexcept feof feraiseexcept ferror fesetenv "
-    "fesetexceptflag fesetround fetestexcept feupdateenv fexecve fflush ffs ffsl ffsll fgetc fgetpos fgets fgetwc "
+    "fesetexceptflag fesetround fetestexcept feupdateenv fexecve fflush ffs ffsimax ffsl ffsll fgetc fgetpos fgets "
+    "fgetwc "
     "fgetws fileno flockfile fmemopen fopen fork fpathconf fprintf fputc fputs fputwc fputws fread free "
     "freelocale freopen fscanf fseek fseeko fsetpos fstat fstatat fsync ftell ftello ftruncate ftrylockfile "
     "funlockfile futimens fwide fwprintf fwrite fwscanf getc getchar getcwd getdate getdate_err getdelim getegid "

@@ -78,6 +78,10 @@ static struct soup *receive_soup(struct reader *reader)
     head.message[sizeof head.message - 1] = 0;
     if (head.message[0])
         fail("%s: libassimp cannot read this mesh: %s", reader->source->name, head.message);
+    head.refused[sizeof head.refused - 1] = 0;
+    if (head.refused[0])
+        warn("%s: names %s, which is left out: %s", reader->source->name, head.refused,
+             import_files_outside(reader->source));
     receive_files(reader, head.file_count);
     soup_check_count(reader->source->name, head.face_count);
     if (head.part_count == 0 || head.part_count > PARTS_MAX)
@@ -112,10 +116,11 @@ static void run_child(const void *source, int out)
     import_child(source, out);
 }
 
-struct soup *import_soup(const char *path, bool textures)
+struct soup *import_soup(const char *path, bool textures, const char *allowed)
 {
     struct import_source *source = import_source_open(path);
     source->textures = textures;
+    source->allowed = allowed;
     struct reader reader = {.source = source};
     child_start(&reader.child, source->name, "libassimp", run_child, source);
     struct soup *soup = receive_soup(&reader);
@@ -133,9 +138,10 @@ const char *import_library(void)
 
 #else
 
-struct soup *import_soup(const char *path, bool textures)
+struct soup *import_soup(const char *path, bool textures, const char *allowed)
 {
     (void)textures;
+    (void)allowed;
     fail("%s: glint was built without libassimp, which reads meshes; install libassimp-dev and build glint again",
          path);
 }

@@ -17,6 +17,7 @@
 #include "base/memory.h"
 #include "glint_mesh.h"
 #include "mesh/import_files.h"
+#include "mesh/import_obj.h"
 #include "mesh/import_picture.h"
 #include "base/child.h"
 #include "mesh/import_texture.h"
@@ -78,6 +79,19 @@ static void set_roughness(const struct aiMaterial *from, struct mesh_material *m
     material->has_roughness = material->metallic < 1 || material->roughness < 1;
 }
 
+/* Programs write black for what they do not know. */
+static void set_highlight(const struct aiMaterial *from, struct mesh_material *material)
+{
+    struct aiColor4D color;
+    if (lib.aiGetMaterialColor(from, AI_MATKEY_COLOR_SPECULAR, &color) != aiReturn_SUCCESS)
+        return;
+    const double parts[3] = {fmax(0, (double)color.r), fmax(0, (double)color.g), fmax(0, (double)color.b)};
+    const double most = fmax(parts[0], fmax(parts[1], parts[2]));
+    material->has_highlight = most > 0 && most < 1e30;
+    for (int k = 0; k < 3 && material->has_highlight; k++)
+        material->highlight[k] = parts[k] / most;
+}
+
 static double linear_of(uint8_t encoded)
 {
     const double value = encoded / 255.;
@@ -101,6 +115,8 @@ static struct mesh_material material_of(const struct aiMaterial *from, bool line
         material.n = (unsigned)fmin(1000, (double)n); /* an OBJ's Ns; a glTF has another model */
     if (linear)
         set_roughness(from, &material);
+    else
+        set_highlight(from, &material);
     one = 1;
     if (lib.aiGetMaterialIntegerArray(from, AI_MATKEY_SHADING_MODEL, &shading, &one) == aiReturn_SUCCESS)
         material.unlit = shading == aiShadingMode_NoShading; /* glTF's unlit, too */
@@ -262,12 +278,39 @@ static void set_look(const struct aiMaterial *from, struct import_pictures *pict
         material->look_picture = import_pictures_find(pictures, name.data) + 1;
 }
 
-static const struct aiScene *read_scene(const struct import_source *source)
+/* NULL: `wrong` says why, unless libassimp does. */
+static const struct aiScene *read_scene(const struct import_source *of, char wrong[120])
 {
     const unsigned steps = aiProcess_Triangulate | aiProcess_PreTransformVertices;
+    static struct import_source source; /* libassimp's files are read from it later, too */
+    source = *of;
+    struct aiFileIO *files = import_files(&source);
     char input[32];
-    snprintf(input, sizeof input, "%s%s", import_files_input, source->ending);
-    return lib.aiImportFileEx(source->path ? source->path : input, steps, import_files(source));
+    snprintf(input, sizeof input, "%s%s", import_files_input, of->ending);
+    if (strcmp(of->ending, ".obj") == 0) {
+        if (of->path)
+            import_files_take(&source);
+        if (source.bytes && !(source.bytes = import_obj_spelled(source.bytes, source.len, &source.len, wrong)))
+            return NULL;
+    }
+    return lib.aiImportFileEx(of->path ? of->path : input, steps, files);
+}
+
+/* libassimp quotes what it does not understand: of other files that is for nobody's eyes. The message names standard input already. */
+static void send_error(const struct import_source *source, int out)
+{
+    const struct import_file *files;
+    const char *text = lib.aiGetErrorString(), *refused = import_files_refused();
+    struct import_head head;
+    if (refused) {
+        snprintf(head.message, sizeof head.message, "it names %.120s: %s", refused, import_files_outside(source));
+        text = head.message;
+    } else if (import_files_read(&files) > 1) {
+        text = "it, or a file that it names, is damaged";
+    } else if (!source->path && strstr(text, import_files_input)) {
+        text = "";
+    }
+    send_message(out, text);
 }
 
 void import_child(const struct import_source *source, int out)
@@ -277,11 +320,13 @@ void import_child(const struct import_source *source, int out)
         send_message(out, LIBRARY " cannot be loaded; install libassimp5");
         return;
     }
-    const struct aiScene *scene = read_scene(source);
+    char wrong[120] = "";
+    const struct aiScene *scene = read_scene(source, wrong);
     if (!scene) {
-        const char *text = lib.aiGetErrorString();
-        send_message(out,
-                     !source->path && strstr(text, import_files_input) ? "" : text); /* the message names it already */
+        if (wrong[0])
+            send_message(out, wrong);
+        else
+            send_error(source, out);
         return;
     }
     struct import_head head = head_of(scene, strcmp(source->ending, ".stl") == 0);
@@ -298,6 +343,8 @@ void import_child(const struct import_source *source, int out)
     }
     const struct import_file *files;
     head.file_count = import_files_read(&files);
+    if (import_files_refused())
+        snprintf(head.refused, sizeof head.refused, "%.*s", (int)sizeof head.refused - 1, import_files_refused());
     head.picture_count = pictures.count;
     child_send(out, &head, sizeof head);
     child_send(out, files, head.file_count * sizeof *files);

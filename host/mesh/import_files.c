@@ -3,13 +3,17 @@
 
 #if GLINT_WITH_MESH
 #include <assimp/cfileio.h>
+#include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "base/memory.h"
 
 const char import_files_input[] = "standard input";
 static const struct import_source *source;
@@ -34,24 +38,97 @@ static bool remember(const struct stat *status)
     return true;
 }
 
-/* A pipe would be waited for, a device might never end. */
-FILE *import_files_open(const char *path, size_t *len)
+/* ---- which files may be read: the mesh, and what lies in its folder or in the one that the user allows, or below them ---- */
+
+static const char *outside;    /* what is wrong with a file elsewhere */
+static char *roots[2];         /* without links */
+static struct stat mesh;       /* which the user names: it may be a link to anywhere */
+static char refused[PATH_MAX]; /* the first one that libassimp asked for */
+
+static char *folder_of(const char *path)
+{
+    char folder[PATH_MAX];
+    const char *slash = strrchr(path, '/');
+    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) + 1 : 1, slash ? path : ".");
+    return realpath(folder, NULL);
+}
+
+static bool is_below(const char *path, const char *folder)
+{
+    const size_t len = strlen(folder);
+    return strncmp(path, folder, len) == 0 && (path[len] == '/' || strcmp(folder, "/") == 0);
+}
+
+/* By the name that the system has for what was opened, after all links: nothing can change between this and the reading. */
+static bool is_allowed(const char *of_descriptor)
+{
+    char real[PATH_MAX];
+    const ssize_t len = readlink(of_descriptor, real, sizeof real - 1);
+    real[len < 0 ? 0 : len] = 0;
+    for (size_t i = 0; i < sizeof roots / sizeof *roots; i++)
+        if (roots[i] && is_below(real, roots[i]))
+            return true;
+    return false;
+}
+
+/* A descriptor that cannot be read yet does nothing to a pipe, which would be waited for, or to a device. */
+static int open_allowed(const char *path, struct stat *status, const char **wrong)
+{
+    char name[64];
+    int descriptor = -1;
+    const int found = open(path, O_PATH | O_CLOEXEC);
+    snprintf(name, sizeof name, "/proc/self/fd/%d", found);
+    *wrong = NULL;
+    if (found < 0 || fstat(found, status) != 0)
+        *wrong = strerror(errno);
+    else if (status->st_dev == mesh.st_dev && status->st_ino == mesh.st_ino)
+        descriptor = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    else if (!is_allowed(name))
+        *wrong = outside;
+    else if (S_ISREG(status->st_mode))
+        descriptor = open(name, O_RDONLY | O_NOCTTY | O_CLOEXEC);
+    if (!*wrong && descriptor < 0)
+        *wrong = S_ISREG(status->st_mode) ? strerror(errno) : "it is not a regular file";
+    if (found >= 0)
+        close(found);
+    return descriptor;
+}
+
+FILE *import_files_open(const char *path, size_t *len, const char **wrong)
 {
     struct stat status;
-    const int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     FILE *stream = NULL;
-    if (descriptor >= 0 && fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && remember(&status))
+    const int descriptor = open_allowed(path, &status, wrong);
+    if (descriptor < 0)
+        return NULL;
+    if (fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && remember(&status))
         stream = fdopen(descriptor, "rb");
-    if (!stream && descriptor >= 0)
-        close(descriptor);
-    if (stream)
+    if (stream) {
         *len = (size_t)status.st_size;
+    } else {
+        *wrong = "it cannot be opened";
+        close(descriptor);
+    }
     return stream;
 }
 
-static bool is_input(const char *path)
+const char *import_files_outside(const struct import_source *of)
 {
-    return !source->path && strncmp(path, import_files_input, strlen(import_files_input)) == 0;
+    return of->path ? "it lies outside the mesh's folder; put it beside the mesh, or give --allow-files its folder"
+                    : "it is a file, and the mesh comes from standard input; name the mesh's file";
+}
+
+const char *import_files_refused(void)
+{
+    return refused[0] ? refused : NULL;
+}
+
+/* ---- libassimp's files ---- */
+
+static bool is_mesh(const char *path)
+{
+    return source->path ? strcmp(path, source->path) == 0
+                        : strncmp(path, import_files_input, strlen(import_files_input)) == 0;
 }
 
 static size_t read_opened(struct aiFile *file, char *to, size_t size, size_t count)
@@ -92,16 +169,19 @@ static void flush_opened(struct aiFile *file)
 static struct aiFile *open_any(struct aiFileIO *io, const char *path, const char *mode)
 {
     (void)io;
+    const char *wrong = NULL;
     struct opened *opened = calloc(1, sizeof *opened);
     if (!opened || mode[0] != 'r') {
         free(opened);
         return NULL;
     }
-    if (is_input(path)) {
+    if (source->bytes && is_mesh(path)) {
         opened->stream = fmemopen(source->bytes, source->len, "rb");
         opened->len = source->len;
     } else {
-        opened->stream = import_files_open(path, &opened->len);
+        opened->stream = import_files_open(path, &opened->len, &wrong);
+        if (wrong == outside && !refused[0])
+            snprintf(refused, sizeof refused, "%s", path);
     }
     if (!opened->stream) {
         free(opened);
@@ -123,10 +203,27 @@ static void close_opened(struct aiFileIO *io, struct aiFile *file)
     free(file);
 }
 
+/* The mesh's file is one of those read, whatever the child makes of its bytes. */
+void import_files_take(struct import_source *of)
+{
+    const char *wrong;
+    FILE *stream = import_files_open(of->path, &of->len, &wrong);
+    if (!stream)
+        return;
+    of->bytes = allocate(of->len + 1, 1);
+    of->len = fread(of->bytes, 1, of->len, stream);
+    fclose(stream);
+}
+
 struct aiFileIO *import_files(const struct import_source *of)
 {
     static struct aiFileIO io = {.OpenProc = open_any, .CloseProc = close_opened};
     source = of;
+    outside = import_files_outside(of);
+    if (of->path && stat(of->path, &mesh) == 0)
+        roots[0] = folder_of(of->path);
+    if (of->path && of->allowed)
+        roots[1] = realpath(of->allowed, NULL);
     return &io;
 }
 

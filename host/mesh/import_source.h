@@ -8,11 +8,12 @@
 
 struct import_source {
     const char *name;   /* for messages */
-    const char *path;   /* NULL: standard input, whose bytes are below */
+    const char *path;   /* NULL: standard input */
     const char *ending; /* ".obj", ".stl", ".ply", ".gltf" or ".glb": the format */
-    char *bytes;
+    char *bytes;        /* NULL: those of the file */
     size_t len;
-    bool textures; /* are its pictures wanted? */
+    bool textures;       /* are its pictures wanted? */
+    const char *allowed; /* a folder whose files it may name, beside its own; or NULL */
 };
 /* From a path, "-" for standard input, which is read to its end and known by how it begins. Errors end the program through fail(). */
 struct import_source *import_source_open(const char *path);

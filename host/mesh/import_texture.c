@@ -4,12 +4,9 @@
 #if GLINT_WITH_MESH
 #include <assimp/scene.h>
 #include <ctype.h>
-#include <errno.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/memory.h"
@@ -53,16 +50,10 @@ static void use_slashes(char *name)
             *name = '/';
 }
 
-static bool leads_out(const char *name)
+/* On another system's drive, or on the web. */
+static bool is_elsewhere(const char *name)
 {
-    if (name[0] == '/' || (isalpha((unsigned char)name[0]) && name[1] == ':') || strstr(name, "://"))
-        return true;
-    for (const char *at = name; at; at = strchr(at, '/')) {
-        at += *at == '/';
-        if (strncmp(at, "..", 2) == 0 && (at[2] == '/' || !at[2]))
-            return true;
-    }
-    return false;
+    return (isalpha((unsigned char)name[0]) && name[1] == ':') || strstr(name, "://");
 }
 
 /* %20 and the like, which a glTF may have; in place. */
@@ -85,91 +76,59 @@ static void decode_percents(char *name)
     *to = 0;
 }
 
-static bool is_below(const char *path, const char *folder)
+/* Names are in the folder of the mesh unless they are whole. */
+static FILE *open_named(const struct import_source *source, const char *name, size_t *len, const char **wrong)
 {
-    const size_t len = strlen(folder);
-    return strncmp(path, folder, len) == 0 && (path[len] == '/' || strcmp(folder, "/") == 0);
-}
-
-/* Without links. NULL, and errno, where there is no such file; or `outside`. */
-static const char outside[] = "it lies outside the mesh's folder; put it beside the mesh";
-static char *whole_path(const char *folder, const char *name, const char **wrong)
-{
-    char *path, *real;
-    *wrong = NULL;
-    if (leads_out(name)) {
-        *wrong = outside;
+    const char *slash = strrchr(source->path, '/');
+    char *path;
+    if (is_elsewhere(name)) {
+        *wrong = import_files_outside(source);
         return NULL;
     }
-    if (asprintf(&path, "%s/%s", folder, name) < 0)
+    if (asprintf(&path, "%.*s%s", slash && name[0] != '/' ? (int)(slash - source->path) + 1 : 0, source->path, name) <
+        0)
         _exit(1);
-    real = realpath(path, NULL);
+    FILE *stream = import_files_open(path, len, wrong);
     free(path);
-    if (!real)
-        *wrong = strerror(errno);
-    else if (!is_below(real, folder))
-        *wrong = outside;
-    if (!*wrong)
-        return real;
-    free(real);
-    return NULL;
+    return stream;
 }
 
-static void read_file(struct import_found *found, const char *path)
+static void read_file(struct import_found *found, FILE *stream, size_t len)
 {
-    struct stat status;
-    size_t len;
-    if (stat(path, &status) != 0 || !S_ISREG(status.st_mode)) {
-        refuse(found, "it is not a regular file");
-        return;
-    }
-    if (status.st_size > IMPORT_PICTURE_BYTES) {
+    if (len > IMPORT_PICTURE_BYTES) {
         refuse(found, "it has too many bytes; save a smaller picture");
-        return;
-    }
-    FILE *stream = import_files_open(path, &len);
-    if (!stream) {
-        refuse(found, "it cannot be opened");
         return;
     }
     uint8_t *bytes = allocate(len + 1, 1);
     found->head.len = fread(bytes, 1, len, stream);
     found->bytes = bytes;
-    fclose(stream);
-}
-
-static char *folder_of(const char *path)
-{
-    char real[PATH_MAX];
-    const char *slash = strrchr(path, '/');
-    snprintf(real, sizeof real, "%.*s", slash ? (int)(slash - path) + 1 : 1, slash ? path : ".");
-    return realpath(real, NULL);
 }
 
 static void take_file(const struct import_source *source, struct import_found *found)
 {
     const char *wrong = NULL;
-    char *name = strdup(found->key), *folder = source->path ? folder_of(source->path) : NULL, *path = NULL;
+    size_t len = 0;
+    char *name = strdup(found->key);
     if (!name)
         _exit(1);
     snprintf(found->head.name, sizeof found->head.name, "%.*s", (int)sizeof found->head.name - 1, name);
-    use_slashes(name);
-    if (!source->path)
-        wrong = "it is a file, and the mesh comes from standard input; name the mesh's file";
-    else if (!folder)
-        wrong = strerror(errno);
-    else
-        path = whole_path(folder, name, &wrong);
-    if (!path && folder && strchr(name, '%')) {
-        decode_percents(name);
-        path = whole_path(folder, name, &wrong);
+    if (!source->path) {
+        refuse(found, import_files_outside(source));
+        free(name);
+        return;
     }
-    if (path)
-        read_file(found, path);
-    else
+    use_slashes(name);
+    FILE *stream = open_named(source, name, &len, &wrong);
+    if (!stream && strchr(name, '%')) {
+        decode_percents(name);
+        stream = open_named(source, name, &len, &wrong);
+    }
+    if (stream) {
+        read_file(found, stream, len);
+        fclose(stream);
+    } else {
         refuse(found, wrong);
-    free(path);
-    free(folder);
+    }
     free(name);
 }
 

@@ -59,7 +59,7 @@ static void stand_up(double v[3])
 
 static struct soup *read_file(const struct mesh_source *source)
 {
-    struct soup *soup = import_soup(source->name, !source->no_textures && !source->texture);
+    struct soup *soup = import_soup(source->name, !source->no_textures && !source->texture, source->allowed);
     const enum mesh_axes axes = source->axes != AXES_USUAL ? source->axes : soup->is_stl ? AXES_Z_UP : AXES_Y_UP;
     soup->has_normals &= !soup->is_stl;
     for (size_t i = 0; axes == AXES_Z_UP && i < 3 * soup->face_count; i++) {

@@ -19,6 +19,7 @@ struct mesh_source {
     bool stepped;        /* without smooth outlines */
     enum mesh_axes axes; /* of the file; AXES_USUAL: z up in an STL */
     bool no_textures;
+    const char *allowed;      /* a folder whose files it may name, beside its own and those below; or NULL */
     const char *texture;      /* the picture of all parts, in the place of those that the file names; or NULL */
     struct texture_wish wish; /* bytes 0: TEXTURE_BYTES_USUAL */
 };

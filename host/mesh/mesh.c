@@ -59,6 +59,8 @@ void mesh_material_look(const struct mesh_material *material, double ambient[3],
             diffuse[k] *= 1 - metal * (1 - metal_diffuse);
             specular[k] = times * f0[k];
         }
+        if (material->has_highlight)
+            specular[k] *= material->highlight[k];
         if (material->unlit) {
             ambient[k] = 1;
             diffuse[k] = specular[k] = 0;

@@ -12,6 +12,8 @@ struct mesh_material {
     bool has_color, unlit;
     uint8_t color[3];
     unsigned n; /* 0: not said */
+    bool has_highlight;
+    double highlight[3]; /* its hue: an OBJ's Ks, the largest channel 1; how strong it is the command says */
     bool has_roughness;
     double roughness, metallic; /* glTF's */
     unsigned look_picture;      /* green and blue are times these; its number + 1; 0: none */
@@ -20,7 +22,8 @@ struct mesh_material {
     bool is_nearest, clamps;    /* the picture's pixels are not blended; it does not repeat */
     double factor[3];           /* of the picture, in linear light */
 };
-/* What the material says in the place of what a command has, 0..1: of a glTF's roughness and metal what one lobe can show. */
+/* What the material says in the place of what a command has, 0..1: of a glTF's roughness and metal what one lobe can show, of an OBJ's Ks
+ * the hue. */
 void mesh_material_look(const struct mesh_material *material, double ambient[3], double diffuse[3], double specular[3]);
 
 /* A picture that faces wear, as read. */

@@ -18,7 +18,8 @@ enum key {
     KEY_SMOOTH,
     KEY_TEXTURE_BYTES,
     KEY_TEXTURE_TO,
-    KEY_NO_OUTLINES
+    KEY_NO_OUTLINES,
+    KEY_ALLOW_FILES
 };
 
 static const char *const texture_formats[] = {"rgb565", "palette", NULL};
@@ -49,6 +50,10 @@ static const struct argp_option argp_options[] = {
      "the built-in mesh has them, too",
      7},
     {"no-textures", KEY_NO_TEXTURES, NULL, 0, "Leave a mesh's textures out: each part has its colour", 7},
+    {"allow-files", KEY_ALLOW_FILES, "DIR", 0,
+     "Let a mesh name files (materials, textures, a glTF's numbers) in this folder or below, too, beside those in its "
+     "own folder or below",
+     7},
     {"nearest", KEY_NEAREST, NULL, 0,
      "Draw the nearest pixel of a texture, faster than --smooth (default: as the file says)", 7},
     {"smooth", KEY_SMOOTH, NULL, 0, "Blend the four pixels around (the default where the file says nothing)", 7},
@@ -82,6 +87,8 @@ static void check(const struct argp_state *state, struct scene_options *o)
                                           : "--no-outlines");
     if (!mesh->name && texture_option(mesh))
         refuse(state, "%s needs --mesh", texture_option(mesh));
+    if (mesh->allowed && (!mesh->name || mesh->built_in || strcmp(mesh->name, "-") == 0))
+        refuse(state, "--allow-files needs --mesh with a file's name");
     if (mesh->texture && mesh->no_textures)
         refuse(state, "give only one of --texture and --no-textures");
     if (mesh->wish.is_nearest && mesh->wish.is_smooth)
@@ -124,6 +131,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case KEY_NO_TEXTURES:
         o->mesh.no_textures = true;
+        return 0;
+    case KEY_ALLOW_FILES:
+        o->mesh.allowed = text;
         return 0;
     case KEY_NEAREST:
         o->mesh.wish.is_nearest = true;

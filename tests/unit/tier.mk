@@ -4,7 +4,7 @@
 # In the environment of each: GLINT, the command; GLINT_SOURCE, the source folder; GLINT_LIBRARY, the library, but for one with
 # sanitizers, with which programs that a test compiles do not link. Threads that wait leave the processor to other tests.
 # GMP and MPFR: model_added builds programs of tier exact.
-UNIT_PACKAGES = libopenmpi-dev openmpi-bin libcmocka-dev libgmp-dev libmpfr-dev g++ clang libomp-dev gnuplot-nox cmake groff-base zsh
+UNIT_PACKAGES = libopenmpi-dev openmpi-bin libcmocka-dev libgmp-dev libmpfr-dev g++ clang libomp-dev gnuplot-nox cmake groff-base zsh gcc-12-plugin-dev
 # What make check runs needs these, and a part of it those.
 UNIT_CHECK = libcmocka-dev:cmocka.h
 UNIT_CHECK_PART = libusb-1.0-0-dev:libusb-1.0/libusb.h libgpiod-dev:gpiod.h libinih-dev:ini.h libchafa-dev:chafa/chafa.h \

@@ -180,8 +180,8 @@ static void hand_over(enum owner to)
     drawn.in_frame = drawn.is_shown = false;
     if (to != GUD_HOST)
         show(PANEL_OFF);
-    else if (owner == LIGHT_HOST)
-        show(gud_panel_percent(gud.shown, gud.brightness));
+    else if (owner == LIGHT_HOST || light.was_enabled) /* gud_display did nothing; a rectangle may be open already */
+        gud_panel_ops.display(&gud_panel, gud.shown, gud.brightness);
     else if (!gud.shown) /* no command, which would end a rectangle that may be open already */
         board_hal.bus.backlight(board_hal.bus.context, PANEL_OFF);
     if (to == DEMO)

@@ -57,9 +57,10 @@ struct mesh_picture import_picture(const char *path)
     fail("%s: the page draws no textures; use glint render --mesh", path);
 }
 
-struct soup *import_soup(const char *path, bool textures)
+struct soup *import_soup(const char *path, bool textures, const char *allowed)
 {
-    (void)textures; /* an STL has none */
+    (void)textures; /* an STL has none, and names no files */
+    (void)allowed;
     size_t len;
     const uint8_t *stl = files_mesh(path, &len);
     if (!stl)

@@ -207,6 +207,30 @@ static void colours_that_are_no_numbers_are_black_and_others_are_held(void **sta
     assert_int_equal(result->status, 0);
     assert_contains(result->out, "0, 0, 255, 0, 0, 255, 0, 0, 255");
 }
+
+/* Ks is a hue: how strong a highlight is the command says. Black, and grey, is what programs write that know of none. */
+static void an_objs_highlight_has_its_hue(void **state)
+{
+    (void)state;
+    static const char *const cases[][2] = {{"Ks 1 .9 .6\n", "{32768, 29491, 19661}"},
+                                           {"Ks .5 .45 .3\n", "{32768, 29491, 19661}"},
+                                           {"Ks 0 0 0\n", "{32768, 32768, 32768}"},
+                                           {"Ks .5 .5 .5\n", "{32768, 32768, 32768}"},
+                                           {"", "{32768, 32768, 32768}"}};
+    write_text("hue.obj", "mtllib hue.mtl\nv 0 0 0\nv 2 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[100];
+        snprintf(text, sizeof text, "newmtl a\nNs 80\n%s", cases[i][0]);
+        write_text("hue.mtl", text);
+        const struct run *result = run("$GLINT bake --mesh hue.obj --as c -o - 2>report");
+        assert_int_equal(result->status, 0);
+        assert_contains(result->out, "{GLINT_MSH, 0, 80, 0, ");
+        assert_contains(result->out, cases[i][1]);
+        assert_quiet("$GLINT render --mesh hue.obj --size 40x40 -o hue.ppm; "
+                     "$GLINT render --mesh hue.obj --specular .5 --size 40x40 -o grey.ppm");
+        assert_int_equal(same_file("hue.ppm", "grey.ppm"), i >= 2);
+    }
+}
 #endif
 
 int main(void)
@@ -222,6 +246,7 @@ int main(void)
         cmocka_unit_test(raw_has_the_colours_behind_the_materials),
         cmocka_unit_test(an_stls_colours_are_ignored_with_a_word),
         cmocka_unit_test(colours_that_are_no_numbers_are_black_and_others_are_held),
+        cmocka_unit_test(an_objs_highlight_has_its_hue),
 #endif
     };
 #if GLINT_WITH_MESH

@@ -214,7 +214,6 @@ static void an_output_that_is_a_file_of_the_mesh_is_refused_and_kept(void **stat
     static const char *const lines[][2] = {{"bake --mesh m.obj --as raw -o m.obj", "m.obj"},
                                            {"bake --mesh m.obj --as c -o m.mtl", "m.mtl"},
                                            {"bake --mesh m.obj --as raw -o hard.mtl", "hard.mtl"},
-                                           {"bake --mesh - --as raw -o m.mtl <m.obj", "m.mtl"},
                                            {"render --mesh m.obj --size 9x9 --image ppm -o m.mtl", "m.mtl"},
                                            {"bake --mesh m.gltf -o m.bin", "m.bin"},
                                            {"stream --mesh m.gltf --size 9x9 --frames 1 --to y4m -o m.bin", "m.bin"}};
@@ -285,6 +284,119 @@ static void hostile_files_are_one_line(void **state)
     assert_false(exists("no.c") || exists("no.h"));
 }
 
+/* libassimp by itself drops a vertex that it does not understand, and the faces get others. */
+static void an_obj_is_read_in_any_spelling(void **state)
+{
+    (void)state;
+    static const char *const files[] = {
+        "v 0 0 0\nv 1 0 0\nv .5 1 0\nv .5 1 2\nv 0 2 0\nv 3 3 3\nf 1 2 3\nf 1 3 4\n",
+        "v 0. 0 0\nv +1 0 0\nv 5e-1 +1. -0.0\nv 0.5 10E-1 2e+0\nv 00 2 0\nv 3 3 3\nf 1 2 3\nf -6 -4 -3",
+        "\xEF\xBB\xBF  v 0 0 0\r\n\tv 1 \\\r\n 0 0\r\nv .5 1 0 # a comment\r\nv\t.5\t1\t2\r\n# \\\r\nv 0 2 0\r\nv 3 3 "
+        "3\r\n"
+        "f 1 2 \\\r\n3\r\nf +1 3/ 4//\r\n",
+        "v 0 0 0 1\nv 1 0 0 1\nv 1 2 0 2\nv .5 1 2 1.\nv 0 2 0\nv 3 3 3\nvt .5\nvn 0 0 +1\nf 1 2 3\nf 1/1/1 3//-1 "
+        "4/-1\n"};
+    static const char *const refused[][2] = {{"v 0 0 0\nv 1 0\n", "line 2: a vertex has three numbers"},
+                                             {"v 0 0 0\nv 1 \\\n0 1 1 1\n", "line 3: a vertex has three numbers"},
+                                             {"v 0 0 one\n", "line 1: a vertex has three numbers"},
+                                             {"v 0 0 1e\n", "line 1: a vertex has three numbers"},
+                                             {"v 0 0 .\n", "line 1: a vertex has three numbers"},
+                                             {"vt 1 2 3 4\n", "line 1: a place in a texture has two numbers"},
+                                             {"vn 1 2\n", "line 1: a normal has three numbers"},
+                                             {"v 0 0 0\nf 1 -2 1\n", "line 2: a face has numbers of vertices"},
+                                             {"v 0 0 0\nf 1 0 1\n", "line 2: a face has numbers of vertices"},
+                                             {"v 0 0 0\nf 1 1/1/1/1 1\n", "line 2: a face has numbers of vertices"},
+                                             {"v 0 0 0\nf 1 a 1\n", "line 2: a face has numbers of vertices"}};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        write_text("a.obj", files[i]);
+        assert_int_equal(run(i ? "$GLINT bake --mesh a.obj --split 180 --crease 180 --as raw -o a.bin"
+                               : "sed 's/ \\./ 0./g' a.obj >b.obj; for i in a b; do $GLINT bake --mesh $i.obj --split "
+                                 "180 --crease 180 --as raw -o "
+                                 "$i.bin || exit 1; done")
+                             ->status,
+                         0);
+        assert_same_file("a.bin", "b.bin");
+    }
+    for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
+        write_text("a.obj", refused[i][0]);
+        assert_fails("$GLINT bake --mesh a.obj -o no.c", refused[i][1]);
+    }
+    /* Colours with alpha, which some programs write, are colours. */
+    assert_int_equal(
+        run("for a in '' ' .5'; do printf \"v 0 0 0 1 0 0$a\\nv 2 0 0 0 1 0$a\\nv 0 1 0 0 0 1$a\\nf 1 2 3\\n\" >a.obj; "
+            "$GLINT render --mesh a.obj --size 9x9 -o \"c$a.ppm\" || exit 1; done")
+            ->status,
+        0);
+    assert_same_file("c.ppm", "c .5.ppm");
+}
+
+/* A file of the user's that the mesh has no business with: ../out.mtl and, by a link, in/link.mtl. */
+static void a_mesh_names_files_in_its_folder_or_below_only(void **state)
+{
+    (void)state;
+    static const char *const elsewhere[] = {"../out.mtl", "link.mtl", "./below/../../out.mtl"};
+    const struct run *result;
+    static const char *const within[] = {"red.mtl", "below/red.mtl", "below/../red.mtl", "inner.mtl"};
+    assert_quiet("mkdir -p in/below && printf 'newmtl red\\nKd 1 0 0\\n' >out.mtl && cp out.mtl in/below/red.mtl && cp "
+                 "out.mtl in/red.mtl && "
+                 "ln -s ../out.mtl in/link.mtl && ln -s below/red.mtl in/inner.mtl && ln -s in/red.obj outer.obj");
+    write_text("in/plain.obj", "v 0 0 0\nv 2 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
+    assert_quiet("(echo mtllib red.mtl; cat in/plain.obj) >in/red.obj; for i in plain red; do "
+                 "$GLINT render "
+                 "--mesh in/$i.obj --size 20x20 -o $i.ppm; done; ! cmp -s plain.ppm red.ppm");
+    for (size_t i = 0; i < sizeof elsewhere / sizeof *elsewhere; i++) {
+        setenv("name", elsewhere[i], 1);
+        result = run("sed \"s|red.mtl|$name|\" in/red.obj >in/a.obj; "
+                     "$GLINT render --mesh in/a.obj --size 20x20 -o a.ppm");
+        assert_int_equal(result->status, 0);
+        assert_one_line(result->err);
+        assert_contains(result->err, "which is left out: it lies outside the mesh's folder");
+        assert_same_file("a.ppm", "plain.ppm");
+        assert_quiet("$GLINT render --mesh in/a.obj --allow-files $PWD/in/.. --size 20x20 -o a.ppm");
+        assert_same_file("a.ppm", "red.ppm");
+    }
+    for (size_t i = 0; i < sizeof within / sizeof *within; i++) {
+        setenv("name", within[i], 1);
+        assert_quiet(
+            "sed \"s|red.mtl|$name|\" in/red.obj >in/a.obj; $GLINT render --mesh in/a.obj --size 20x20 -o a.ppm");
+        assert_same_file("a.ppm", "red.ppm");
+    }
+    assert_quiet(
+        "cp out.mtl red.mtl && $GLINT render --mesh outer.obj --size 20x20 -o a.ppm"); /* a link that the user names */
+    assert_same_file("a.ppm", "red.ppm");
+    result = run("cd in && $GLINT render --mesh - --size 20x20 -o ../a.ppm <red.obj");
+    assert_int_equal(result->status, 0);
+    assert_one_line(result->err);
+    assert_contains(result->err, "red.mtl, which is left out: it is a file, and the mesh comes from standard input");
+    assert_same_file("a.ppm", "plain.ppm");
+    assert_refused("$GLINT render --mesh - --allow-files in -o a.ppm <in/red.obj", "--allow-files needs --mesh");
+    /* libassimp quotes what it cannot read. */
+    write_text("in/red.mtl", "secret: red\nKd\nnewmtl\nillum secret\nKd secret\n");
+    assert_null(strstr(run("$GLINT render --mesh in/red.obj --size 20x20 -o a.ppm")->err, "secret"));
+}
+
+/* Numbers, too, which would be drawn. */
+static void a_gltf_names_files_in_its_folder_or_below_only(void **state)
+{
+    (void)state;
+    write_text(
+        "in/a.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"buffers\":[{\"byteLength\":36,\"uri\":"
+        "\"../a.bin\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"accessors\":[{\"bufferView\":0,"
+        "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1,0]}]}");
+    const float places[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    FILE *file = fopen("a.bin", "wb");
+    assert_true(file && fwrite(places, sizeof places, 1, file) == 1 && fclose(file) == 0);
+    assert_fails("$GLINT render --mesh in/a.gltf --size 9x9 -o no.ppm", "a.bin: it lies outside the mesh's folder");
+    assert_quiet("$GLINT render --mesh in/a.gltf --allow-files . --size 9x9 -o a.ppm");
+    assert_quiet(
+        "cp a.bin in; sed -i 's|../a.bin|a.bin|' in/a.gltf; $GLINT render --mesh in/a.gltf --size 9x9 -o b.ppm");
+    assert_same_file("a.ppm", "b.ppm");
+    assert_fails("$GLINT render --mesh - --size 9x9 -o no.ppm <in/a.gltf",
+                 "standard input: libassimp cannot read this mesh");
+}
+
 #else
 static void a_mesh_is_refused_with_what_to_install(void **state)
 {
@@ -309,6 +421,9 @@ int main(void)
         cmocka_unit_test(an_output_that_is_a_file_of_the_mesh_is_refused_and_kept),
         cmocka_unit_test(a_mesh_that_faces_inwards_is_drawn_with_a_warning),
         cmocka_unit_test(hostile_files_are_one_line),
+        cmocka_unit_test(an_obj_is_read_in_any_spelling),
+        cmocka_unit_test(a_mesh_names_files_in_its_folder_or_below_only),
+        cmocka_unit_test(a_gltf_names_files_in_its_folder_or_below_only),
 #else
         cmocka_unit_test(a_mesh_is_refused_with_what_to_install),
 #endif

@@ -33,6 +33,33 @@ static void every_name_that_a_compiler_keeps_for_the_c_library_is_known(void **s
         assert_true(is_c_library_name(others[i]));
 }
 
+/* What gcc says of itself: all but names that begin with _. */
+static const char list_built_in[] =
+    "list=$(gcc -print-file-name=plugin)/include/builtins.def; test -e $list || exit 1\n"
+    "sed -n 's/^DEF_\\(\\(\\|EXT_\\)LIB_\\|C[0-9][0-9X]_\\|C99_[A-Z0-9]*_\\|EXT_C99RES_\\|\\)BUILTIN *([^,]*, "
+    "*\"\\([^\"]*\\)\".*/\\3/p' $list\n"
+    "for suffix in f16 f32 f64 f128 f32x f64x f128x; do\n"
+    "    sed -n \"s/^DEF_EXT_LIB_FLOATN_NX_BUILTINS *([^,]*, *\\\"\\([^\\\"]*\\)\\\".*/\\1$suffix/p\" $list\n"
+    "done";
+
+static void every_name_that_gcc_builds_in_is_known(void **state)
+{
+    (void)state;
+    static char words[1 << 16];
+    unsigned count = 0, missed = 0;
+    const struct run *result = run(list_built_in);
+    if (result->status != 0)
+        skip(); /* Debian: gcc-12-plugin-dev */
+    snprintf(words, sizeof words, "%s", result->out);
+    for (char *name = strtok(words, "\n"); name; name = strtok(NULL, "\n"), count++)
+        if (name[0] != '_' && !is_c_library_name(name)) {
+            print_message("# %s is taken\n", name);
+            missed++;
+        }
+    assert_int_equal(missed, 0);
+    assert_true(count > 500);
+}
+
 static void every_command_that_writes_c_refuses_them(void **state)
 {
     (void)state;
@@ -64,6 +91,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_name_that_a_compiler_keeps_for_the_c_library_is_known),
+        cmocka_unit_test(every_name_that_gcc_builds_in_is_known),
         cmocka_unit_test(every_command_that_writes_c_refuses_them),
         cmocka_unit_test(other_names_are_taken_and_compile_without_a_warning),
     };

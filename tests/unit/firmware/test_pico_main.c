@@ -1,0 +1,330 @@
+/* SPDX-License-Identifier: MIT
+ * The Pico's main loop whole, with the portable devices, on a board and beside pictures that are stood in for: whatever hosts do, and however
+ * much of it one usb_poll handles, the panel is afterwards its owner's, and as bright as that one wants it. */
+#define PANEL_WIDTH 240
+#define PANEL_HEIGHT 240
+#define PANEL_CONTROLLER PANEL_ST7789
+#define PANEL_NAME "a model"
+#define PIN_TE (-1)
+#define EXACT 0
+#define SECOND_CORE 0
+int pico_main(void);
+#define main pico_main
+#include "../../../firmware/ports/pico/main.c"
+#undef main
+
+#include <setjmp.h>
+
+#include "unit.h"
+
+/* ---- the board ---- */
+
+static jmp_buf end;
+static unsigned percent; /* of the backlight */
+
+static bool on_command(void *context, uint8_t command)
+{
+    (void)context;
+    (void)command;
+    return true;
+}
+
+static bool on_data(void *context, const uint8_t *bytes, size_t count)
+{
+    (void)context;
+    (void)bytes;
+    (void)count;
+    return true;
+}
+
+static bool on_backlight(void *context, uint8_t value)
+{
+    (void)context;
+    percent = value;
+    return true;
+}
+
+static void on_wait(void *context, unsigned ms)
+{
+    (void)context;
+    (void)ms;
+}
+
+static void on_flush(void *context, const uint16_t *pixels, size_t count, void (*done)(void *), void *argument)
+{
+    (void)context;
+    (void)pixels;
+    (void)count;
+    done(argument);
+}
+
+const struct hal board_hal = {
+    {on_command, on_data, NULL, on_backlight, on_wait, NULL}, on_flush, NULL, NULL, NULL, NULL, NULL, NULL};
+
+enum fault board_start(void)
+{
+    return FAULT_NONE;
+}
+
+void board_fail(enum fault fault)
+{
+    fail_msg("fault %d", (int)fault);
+}
+
+void board_say(const char *text)
+{
+    (void)text;
+}
+
+void board_alive(void)
+{
+}
+
+uint32_t board_us(void)
+{
+    return 0;
+}
+
+void second_core_start(void)
+{
+}
+
+/* ---- pictures ---- */
+
+static enum { OTHERS, WHOLE_DEMO, LIGHT } picture; /* on the panel; OTHERS: some of it is a host's or unknown */
+static struct {
+    bool is_demo, is_first, runs;
+    unsigned steps;
+} frame;
+const char *const shown_words = "a demo";
+
+struct shown_gud_memory *shown_gud_memory(void)
+{
+    static struct shown_gud_memory memory;
+    return &memory;
+}
+
+bool shown_is_intact(void)
+{
+    return true;
+}
+
+void shown_prepare(struct panel *of_panel, struct light_device *of_light)
+{
+    (void)of_panel;
+    (void)of_light;
+}
+
+uint16_t *shown_line(void)
+{
+    static uint16_t line[PANEL_WIDTH];
+    return line;
+}
+
+enum glint_err shown_begin_demo(void)
+{
+    frame.is_demo = frame.is_first = true;
+    return GLINT_OK;
+}
+
+enum glint_err shown_begin_light(void)
+{
+    frame.is_demo = false;
+    frame.is_first = true;
+    return GLINT_OK;
+}
+
+static bool next(bool is_demo)
+{
+    assert_true(frame.is_demo == is_demo);
+    frame.runs = true;
+    frame.steps = 3;
+    return true;
+}
+
+bool shown_next_demo(void)
+{
+    return next(true);
+}
+
+bool shown_next_light(void)
+{
+    return light.has_material && light_device_has_scene(&light) && next(false);
+}
+
+/* Frames after the first draw what changes only. */
+enum shown_state shown_step(void)
+{
+    if (frame.runs && --frame.steps > 0)
+        return SHOWN_DRAWING;
+    if (frame.runs && frame.is_first)
+        picture = frame.is_demo ? WHOLE_DEMO : LIGHT;
+    if (frame.runs)
+        frame.is_first = false;
+    frame.runs = false;
+    return SHOWN_DONE;
+}
+
+void shown_abandon(void)
+{
+    frame.runs = false;
+}
+
+/* ---- a host ---- */
+
+static unsigned state = 1, polls;
+static bool is_suspended;
+
+static unsigned below(unsigned n)
+{
+    state = state * 1664525 + 1013904223;
+    return (state >> 10) % n;
+}
+
+static void request(bool of_light, uint8_t number, uint8_t value)
+{
+    uint8_t reply[GUD_REPLY_BYTES];
+    const struct gud_setup setup = {GUD_TYPE_OUT, number, 0, of_light ? USB_LIGHT : USB_GUD, 1};
+    if (of_light ? light_device_setup(&light, &setup, reply) == 1 : gud_device_setup(&gud, &setup, reply) == 1)
+        (void)(of_light ? light_device_set(&light, &setup, &value) : gud_device_set(&gud, &setup, &value));
+}
+
+/* As usb.c does. */
+static void reset(void)
+{
+    is_suspended = false;
+    gud_device_reset(&gud);
+    light_device_reset(&light);
+}
+
+/* The device opens a rectangle where no host sends lights. */
+static void draw_rectangle(void)
+{
+    if (!gud.controller || gud_ops.busy(&gud_panel))
+        return;
+    gud_ops.window(&gud_panel, 1, 2, 3, 4);
+    picture = OTHERS;
+    gud_ops.end(&gud_panel, true);
+}
+
+static void happen(unsigned event)
+{
+    switch (event) {
+    case 0:
+        request(false, GUD_SET_CONTROLLER_ENABLE, 1);
+        return;
+    case 1:
+        request(false, GUD_SET_DISPLAY_ENABLE, 1);
+        return;
+    case 2:
+        reset();
+        return;
+    case 3:
+        request(false, GUD_SET_DISPLAY_ENABLE, 0);
+        return;
+    case 4:
+        request(false, GUD_SET_CONTROLLER_ENABLE, 0);
+        return;
+    case 5:
+        request(true, LIGHT_SET_ENABLE, 1);
+        return;
+    case 6:
+        request(true, LIGHT_SET_ENABLE, 0);
+        return;
+    case 7:
+        draw_rectangle();
+        return;
+    case 8:
+        is_suspended = true;
+        gud_device_suspend(&gud);
+        return;
+    default:
+        is_suspended = false;
+        gud_device_resume(&gud);
+    }
+}
+enum { EVENTS = 10, QUIET = 16 /* polls: the longest frame takes fewer */ };
+
+/* After polls in which nothing happens. */
+static void check_owner(void)
+{
+    if (light.enabled) {
+        assert_int_equal(owner, LIGHT_HOST);
+        assert_int_equal(percent, 0); /* it has sent nothing to draw */
+    } else if (gud.controller) {
+        assert_int_equal(owner, GUD_HOST);
+        assert_int_equal(percent, gud_panel_percent(gud.shown, gud.brightness));
+    } else if (is_suspended) {
+        assert_int_equal(owner, NOBODY);
+        assert_int_equal(percent, 0);
+    } else {
+        assert_int_equal(owner, DEMO);
+        assert_int_equal(percent, PANEL_BRIGHTEST);
+        assert_int_equal(picture, WHOLE_DEMO);
+    }
+}
+
+static const unsigned
+    *script; /* events, after which EVENTS ends those of one poll, and EVENTS + 1 all; NULL: random ones */
+
+void usb_start(struct gud_device *of_gud, struct light_device *of_light)
+{
+    (void)of_gud;
+    (void)of_light;
+}
+
+bool usb_is_suspended(void)
+{
+    return is_suspended;
+}
+
+void usb_poll(void)
+{
+    if (polls-- == 0)
+        longjmp(end, 1);
+    if (polls % QUIET != QUIET - 1)
+        return;
+    if (owner != NOBODY || is_suspended) /* it has begun */
+        check_owner();
+    for (; script && *script < EVENTS; script++)
+        happen(*script);
+    if (script && *script == EVENTS)
+        script++;
+    for (unsigned i = script ? 0 : below(6); i > 0; i--)
+        happen(below(EVENTS));
+}
+
+static void run_main(unsigned count)
+{
+    owner = NOBODY;
+    polls = count;
+    reset();
+    if (setjmp(end) == 0)
+        pico_main();
+    check_owner();
+}
+
+static void a_host_that_comes_and_goes_within_one_poll_leaves_the_demo_shown(void **unused)
+{
+    (void)unused;
+    static const unsigned events[] = {EVENTS, 0, 1, 2, EVENTS + 1};
+    script = events;
+    run_main(3 * QUIET);
+    assert_int_equal(owner, DEMO);
+}
+
+static void whatever_hosts_do_the_panel_is_its_owners(void **unused)
+{
+    (void)unused;
+    script = NULL;
+    run_main(100000 * QUIET);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_host_that_comes_and_goes_within_one_poll_leaves_the_demo_shown),
+        cmocka_unit_test(whatever_hosts_do_the_panel_is_its_owners),
+    };
+    return cmocka_run_group_tests_name("pico main", tests, NULL, NULL);
+}
