@@ -67,6 +67,8 @@ struct glint_line_loop {
 bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
 bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
                        struct glint_box *highlight);
+/* The first pixel from x on that is covered in full, or is not; or end. */
+uint32_t glint_helium_find(const uint8_t *coverage, uint32_t x, uint32_t end, bool full);
 #define GLINT_LINE_BEGIN glint_line_begin
 #else
 #define GLINT_LINE_BEGIN NULL

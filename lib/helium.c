@@ -22,6 +22,18 @@ GLINT_INLINE uint32_t helium_pairs(mve_pred16_t even, mve_pred16_t odd)
 
 /* ---- The exact line ---- */
 
+uint32_t glint_helium_find(const uint8_t *coverage, uint32_t x, uint32_t end, bool full)
+{
+    for (; x < end; x += 16) {
+        const mve_pred16_t left = vctp8q(end - x);
+        const uint8x16_t sixteen = vldrbq_z_u8(coverage + x, left);
+        const uint32_t found = full ? vcmpeqq_m_n_u8(sixteen, 255, left) : vcmpneq_m_n_u8(sixteen, 255, left);
+        if (found)
+            return x + (uint32_t)__builtin_ctz(found);
+    }
+    return end;
+}
+
 /* F = 1.024 (1 - t) / (1 + t (n - 1.25) / 1.25)^2.  D = 2^23 (1 + ..) / sqrt(1.024). */
 enum { HELIUM_D = 8289721, HELIUM_D_256_BY_5 = 424433723, HELIUM_FLOORS = 16 };
 

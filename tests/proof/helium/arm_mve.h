@@ -129,6 +129,12 @@ MVE_LANES(uint16x8_t, 8, vqrshrntq_n_u32, (uint16x8_t a, uint32x4_t b, unsigned 
           i % 2 == 1 ? mve_narrow(b[i / 2], n) : a[i])
 MVE_LANES(uint8x16_t, 16, vrev16q_u8, (uint8x16_t a), a[i ^ 1])
 
+MVE mve_pred16_t vctp8q(uint32_t count)
+{
+    return (mve_pred16_t)(count < 16 ? (1u << count) - 1 : 0xffff);
+}
+MVE_ASKS(16, vcmpeqq_m_n_u8, (uint8x16_t a, uint8_t b, mve_pred16_t p), p >> i & 1 && a[i] == b)
+MVE_ASKS(16, vcmpneq_m_n_u8, (uint8x16_t a, uint8_t b, mve_pred16_t p), p >> i & 1 && a[i] != b)
 MVE_ASKS(4, vcmpgtq_n_s32, (int32x4_t a, int32_t b), a[i] > b)
 MVE_ASKS(4, vcmpltq_m_n_s32, (int32x4_t a, int32_t b, mve_pred16_t p), p >> 4 * i & 1 && a[i] < b)
 MVE_ASKS(8, vcmpgeq_n_s16, (int16x8_t a, int16_t b), a[i] >= b)
@@ -136,6 +142,7 @@ MVE_ASKS(8, vcmpneq_u16, (uint16x8_t a, uint16x8_t b), a[i] != b[i])
 MVE_ASKS(8, vcmpeqq_n_u16, (uint16x8_t a, uint16_t b), a[i] == b)
 MVE_LANES(uint16x8_t, 8, vpselq_u16, (uint16x8_t a, uint16x8_t b, mve_pred16_t p), p >> 2 * i & 1 ? a[i] : b[i])
 
+MVE_LANES(uint8x16_t, 16, vldrbq_z_u8, (const uint8_t *from, mve_pred16_t p), p >> i & 1 ? from[i] : 0)
 /* Gathers: places in bytes. */
 MVE const uint8_t *mve_at(const void *base, uint32_t bytes)
 {
