@@ -105,21 +105,30 @@ bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *line
     return true;
 }
 #elif GLINT_HELIUM
-/* Rectangles as runs of what is covered in full, side by side. */
+/* A line as runs of what is covered in full, side by side. */
 static void fused_line(struct glint_line_loop *loop, const struct glint_paint *paint, struct glint_lines *lines,
                        struct glint_bounds *bounds, uint32_t y)
 {
     struct glint_run *const run = &lines->run;
     loop->first = UINT16_MAX;
     loop->last = 0;
-    for (glint_lines_set(lines, y); glint_lines_next(lines); run->x += lines->count)
-        if (run->format == lines->format) {
-            loop->draw(loop, paint, run, (const struct glint_vec *)(const void *)lines->normals + run->x, lines->count);
-        } else {
-            run->x = GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, bounds, y, NULL);
-            lines->most = UINT16_MAX;
-            lines->count = 0;
+    glint_lines_set(lines, y);
+    const uint8_t *const coverage = run->coverage;
+    const struct glint_vec *normals = (const struct glint_vec *)(const void *)lines->normals;
+    for (uint32_t x = 0, end = lines->w; x < lines->w; x = end) {
+        if (coverage) {
+            end = glint_helium_find(coverage, x, lines->w, true);
+            while (x < end) { /* what is covered in part */
+                run->x = x++;
+                if (coverage[run->x])
+                    x = GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, bounds, y, NULL);
+            }
+            end = glint_helium_find(coverage, x, lines->w, false);
         }
+        run->x = x;
+        if (x < end)
+            loop->draw(loop, paint, run, normals + x, end - x);
+    }
     if (loop->first <= loop->last) {
         glint_bounds_add(bounds, loop->first, y);
         glint_bounds_add(bounds, loop->last, y);
@@ -133,12 +142,11 @@ bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *line
     const struct glint_surface *target = lines->target;
     struct glint_line_loop loop;
     struct glint_bounds bounds;
-    if (!format->begin || lines->maps->gloss || lines->maps->normals_format != GLINT_NORMALS_INT16 ||
-        GLINT_MISALIGNED(target->pixels, 16) || (h > 1 && GLINT_MISALIGNED(target->stride, 16)) ||
-        !format->begin(&loop, paint, lines->maps->albedo != NULL))
+    if (!format->begin || lines->maps->gloss || (lines->maps->coverage && !lines->soft) ||
+        lines->maps->normals_format != GLINT_NORMALS_INT16 || GLINT_MISALIGNED(target->pixels, 16) ||
+        (h > 1 && GLINT_MISALIGNED(target->stride, 16)) || !format->begin(&loop, paint, lines->maps->albedo != NULL))
         return false;
     glint_bounds_begin(&bounds);
-    lines->most = UINT16_MAX;
     for (uint32_t y = 0; y < h; y++)
         fused_line(&loop, paint, lines, &bounds, y);
     glint_bounds_box(&bounds, highlight);

@@ -77,20 +77,22 @@ uint32_t glint_line_rgb565_albedo_swapped(struct glint_line_loop *loop, uint32_t
 /* Eight pixels at a time. V of a channel: 2^30 is 1.0. helium.c has the numbers' meaning and bounds. */
 struct glint_line_loop {
     int32_t l[3], h[3];
-    int32_t t_end;         /* u is below it where F > 0 */
-    int32_t up, d, k;      /* D = d + (k (u << up) >> 31) */
-    int32_t f_max;         /* -2^30 F is held to it */
-    int32_t q[3], r[3];    /* of N.L, and -r of F */
-    uint32_t p[2][3];      /* of 1: where F = 0 in all eight, and elsewhere */
-    uint16_t width[2][3];  /* by how much of 2^-16 V may be low then */
+    int32_t t_end;        /* u is below it where F > 0 */
+    int32_t up, d, k;     /* D = d + (k (u << up) >> 31) */
+    int32_t f_max;        /* -2^30 F is held to it */
+    int32_t q[3], r[3];   /* of N.L, and -r of F */
+    uint32_t p[2][3];     /* of 1: where F = 0 in all eight, and elsewhere */
+    uint16_t width[2][3]; /* by how much of 2^-16 V may be low then */
     bool swapped;
-    uint16_t first, last;  /* of the line: lit pixels; first > last: none */
+    uint16_t first, last; /* of the line: lit pixels; first > last: none */
     void (*draw)(struct glint_line_loop *loop, const struct glint_paint *paint, const struct glint_run *run,
                  const struct glint_vec *normals, uint32_t count);
 };
 bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
 bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
                        struct glint_box *highlight);
+/* The first pixel from x on that is covered in full, or is not; or end. */
+uint32_t glint_helium_find(const uint8_t *coverage, uint32_t x, uint32_t end, bool full);
 #define GLINT_LINE_BEGIN glint_line_begin
 #else
 #define GLINT_LINE_BEGIN NULL

@@ -22,11 +22,23 @@ GLINT_INLINE uint32_t helium_pairs(mve_pred16_t even, mve_pred16_t odd)
 
 /* ---- The exact line ---- */
 
+uint32_t glint_helium_find(const uint8_t *coverage, uint32_t x, uint32_t end, bool full)
+{
+    for (; x < end; x += 16) {
+        const mve_pred16_t left = vctp8q(end - x);
+        const uint8x16_t sixteen = vldrbq_z_u8(coverage + x, left);
+        const uint32_t found = full ? vcmpeqq_m_n_u8(sixteen, 255, left) : vcmpneq_m_n_u8(sixteen, 255, left);
+        if (found)
+            return x + (uint32_t)__builtin_ctz(found);
+    }
+    return end;
+}
+
 /* F = 1.024 (1 - t) / (1 + t (n - 1.25) / 1.25)^2.  D = 2^23 (1 + ..) / sqrt(1.024). */
 enum { HELIUM_D = 8289721, HELIUM_D_256_BY_5 = 424433723, HELIUM_FLOORS = 16 };
 
 struct helium_four {
-    int32x4_t nl, u; /* N.L, Q30 of step 2's Q16; 2t - 2^31, t up to 2^31 - 1/2 */
+    int32x4_t nl, u;  /* N.L, Q30 of step 2's Q16; 2t - 2^31, t up to 2^31 - 1/2 */
     mve_pred16_t lit; /* F > 0 */
 };
 
@@ -54,12 +66,12 @@ GLINT_INLINE int32x4_t helium_shine(const struct glint_line_loop *loop, const st
 {
     const uint8_t *const reciprocals = (const uint8_t *)((uintptr_t)glint_reciprocals - 64);
     const int32x4_t d = vqrdmlahq_n_s32(vdupq_n_s32(loop->d), vshlq_r_s32(four->u, loop->up), loop->k);
-    const int32x4_t up = vclsq_s32(d);                                      /* to 2^30 .. 2^31 */
+    const int32x4_t up = vclsq_s32(d); /* to 2^30 .. 2^31 */
     const uint32x4_t m = vreinterpretq_u32_s32(vshlq_s32(d, up));
     const uint32x4_t y = vldrbq_gather_offset_z_u32(reciprocals, vshrq_n_u32(m, 24), four->lit);
     const int32x4_t r = vreinterpretq_s32_u32(vmulq_u32(vshrq_n_u32(m, 6), y)); /* (m >> 6) y = 2^32 (1 + r) */
-    const int32x4_t p = vqdmlahq_n_s32(r, vqdmulhq_s32(r, r), -3 * (1 << 29));   /* r - 3/2 r^2 */
-    const int32x4_t w = vreinterpretq_s32_u32(vshlq_u32(y, up));                 /* nearly 2^38 / D */
+    const int32x4_t p = vqdmlahq_n_s32(r, vqdmulhq_s32(r, r), -3 * (1 << 29));  /* r - 3/2 r^2 */
+    const int32x4_t w = vreinterpretq_s32_u32(vshlq_u32(y, up));                /* nearly 2^38 / D */
     const int32x4_t b = vqdmulhq_s32(four->u, vmulq_s32(w, w));
     return vmaxq_s32(vsubq_s32(b, vqdmulhq_s32(b, p)), vdupq_n_s32(loop->f_max)); /* b (1 + r)^-2 */
 }
@@ -95,9 +107,8 @@ GLINT_INLINE mve_pred16_t helium_levels(const struct glint_line_loop *loop, bool
                      blue = helium_value(loop, 2, shines, even, odd, even_shine, odd_shine);
     const uint16_t *const width = loop->width[shines];
     uint16x8_t pixel = helium_pixel(red, green, blue);
-    const mve_pred16_t open =
-        vcmpneq_u16(pixel, helium_pixel(vqaddq_n_u16(red, width[0]), vqaddq_n_u16(green, width[1]),
-                                        vqaddq_n_u16(blue, width[2])));
+    const mve_pred16_t open = vcmpneq_u16(
+        pixel, helium_pixel(vqaddq_n_u16(red, width[0]), vqaddq_n_u16(green, width[1]), vqaddq_n_u16(blue, width[2])));
     if (loop->swapped)
         pixel = vreinterpretq_u16_u8(vrev16q_u8(vreinterpretq_u8_u16(pixel)));
     vstrhq_u16(out, pixel);
@@ -179,7 +190,8 @@ static bool helium_fold(struct glint_line_loop *loop, const struct glint_paint *
     const struct glint_material *const m = &paint->material;
     const uint32_t green = k == 1, max = green ? 63 : 31, color = paint->color_q16[k];
     const uint32_t a = m->albedo[k] * max; /* V of 1.0 is max 2^25, green 2^24 */
-    const uint32_t p = helium_by_255(a * glint_coefficient(m->ambient_q16[k]), 9 - green) + ((uint32_t)1 << (24 - green));
+    const uint32_t p =
+        helium_by_255(a * glint_coefficient(m->ambient_q16[k]), 9 - green) + ((uint32_t)1 << (24 - green));
     const uint32_t q = helium_by_255(a * glint_coefficient(m->diffuse_q16[k]), 10 - green);
     const uint32_t r = max * glint_coefficient(m->specular_q16[k]) << (10 - green);
     const uint32_t tinted_q = helium_tinted(q, color), tinted_r = helium_tinted(r, color);
@@ -200,7 +212,7 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *pa
     if (GLINT_FLASH_U8(paint->model->model) != GLINT_MSH || paint->output.dither || albedo)
         return false;
     const struct glint_vec l = paint->l, h = paint->h;
-    const uint32_t t_end = 2 * paint->of.exact.t_end; /* <= 2^31 */
+    const uint32_t t_end = 2 * paint->of.exact.t_end;                                             /* <= 2^31 */
     const int64_t slope = (int64_t)HELIUM_D_256_BY_5 * (4 * (int32_t)paint->of.exact.n - 5) >> 8; /* D's, a t of 1 */
     unsigned up = 0;
     while (t_end << up < (uint32_t)1 << 30)
@@ -227,8 +239,8 @@ struct helium_place {
 };
 
 /* Of four words: v and z are their halves, x the lowest byte. y_z: Y and Z in turns; one: 2^14 in the place of each Z. */
-GLINT_INLINE struct helium_place helium_place(const struct glint_paint *paint, uint32x4_t words, int16x8_t y_z,
-                                              int16x8_t one)
+GLINT_INLINE struct helium_place helium_placed(const struct glint_paint *paint, uint32x4_t words, int16x8_t y_z,
+                                               int16x8_t one)
 {
     const int16x8_t halves = vreinterpretq_s16_u32(words);
     const int32x4_t x = vreinterpretq_s32_u32(vshlq_n_u32(words, 24));
@@ -255,8 +267,8 @@ GLINT_INLINE uint32_t helium_int8(const struct glint_paint *paint, const struct 
                                   int16x8_t one, const uint32_t *words, uint16_t *out, uint32_t from)
 {
     const uint32x4x2_t both = vld2q_u32(words);
-    const struct helium_place even = helium_place(paint, both.val[0], y_z, one),
-                              odd = helium_place(paint, both.val[1], y_z, one);
+    const struct helium_place even = helium_placed(paint, both.val[0], y_z, one),
+                              odd = helium_placed(paint, both.val[1], y_z, one);
     const uint16x8_t d = helium_upper(vreinterpretq_u32_s32(even.d), vreinterpretq_u32_s32(odd.d));
     const uint16x8_t e = helium_upper(vreinterpretq_u32_s32(even.e), vreinterpretq_u32_s32(odd.e));
     uint16x8_t at = vbicq_n_u16(d, (1 << GLINT_COLOUR_ROW_BYTES_LOG) - 1); /* d >> 23 << 7 */
@@ -292,8 +304,8 @@ static inline uint32_t helium_past_gaps(const uint32_t *words, uint32_t i, uint3
 void glint_colour_int8(const struct glint_paint *paint, const uint32_t *words, uint32_t w, uint16_t *out)
 {
     const struct glint_look look = glint_look_up(&paint->of.tables.filled);
-    const int16x8_t y_z = vreinterpretq_s16_u32(
-        vdupq_n_u32((uint32_t)paint->of.tables.z << 16 | (uint16_t)paint->of.tables.y));
+    const int16x8_t y_z =
+        vreinterpretq_s16_u32(vdupq_n_u32((uint32_t)paint->of.tables.z << 16 | (uint16_t)paint->of.tables.y));
     const int16x8_t one = vreinterpretq_s16_u32(vdupq_n_u32((uint32_t)1 << 30));
     if (w < HELIUM_EIGHT) {
         for (uint32_t i = 0; i < w; i++) {

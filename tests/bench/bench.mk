@@ -23,7 +23,7 @@ BENCH_FLAGS = -Ilib $(if $(BENCH_FIXMATH),-DBENCH_FIXMATH=1 -DFIXMATH_NO_CACHE -
 BENCH_SOURCES = $(wildcard lib/*.c lib/*.S) $(BENCH_FIXMATH) \
 	$(filter-out $(if $(BENCH_FIXMATH),,%/fixmath.c),$(wildcard tests/bench/*.c))
 # The counted programs have their start-up code and linker scripts.
-BENCH_BOARDS = mps2-an385 mps2-an386 virt atmega2560
+BENCH_BOARDS = mps2-an385 mps2-an386 mps3-an547 virt atmega2560
 BENCH_IMAGES = $(foreach board,$(BENCH_BOARDS),$(bare_image_$(board)))
 BENCH_INPUTS = $(BENCH_SOURCES) $(wildcard lib/*.h lib/*.inc tests/bench/*.h) tests/targets/targets.py tests/bench/m0plus.ld tests/bench/bench.mk
 
@@ -54,6 +54,12 @@ bench: ## measure: set up what is missing, measure cycles, instructions, code si
 bench-cycles: $(BENCH_ELFS) $(BENCH_MESH_ELFS) $(BENCH_SCENE)/scene.json ## measure: cycles on the Cortex-M0+ alone, n = 60: ROWS=PATTERN (exact), N="5 1000"; PROFILE=1: by function
 	@+$(SUBMAKE) -s setup-rp2040js
 	@node tests/bench/$(if $(PROFILE),profile,bench).mjs $(BENCH) '$(value ROWS)' $(N)
+
+# Debian's clang of its own release does not know the core's units.
+BENCH_HELIUM_PACKAGES = clang-19 llvm-19
+bench-helium: ## measure: cycles of Helium's loops, predicted by llvm-mca's Cortex-M55
+	@.ci/need "make bench-helium" $(BENCH_HELIUM_PACKAGES)
+	@tests/bench/predict
 
 run-bench: bench-programs
 	@node tests/bench/bench.mjs $(BENCH)
@@ -103,4 +109,4 @@ $(BENCH_SCENE)/scene: tests/bench/scene/scene.c tests/bench/sphere.c tests/bench
 	@mkdir -p $(@D)
 	@$(CC) $(filter-out -MMD -MP,$(HOST_CFLAGS)) $(filter %.c %.o %.a,$^) -o $@ $(HOST_LDFLAGS) $(HOST_LDLIBS)
 
-.PHONY: setup-bench setup-rp2040js bench bench-cycles run-bench bench-programs
+.PHONY: setup-bench setup-rp2040js bench bench-cycles bench-helium run-bench bench-programs

@@ -16,17 +16,20 @@ $(PROOF_BUILD)/finite.h: $(wildcard tests/proof/*.py lib/*.[ch])
 $(PROOF_BUILD)/test_finite: tests/proof/test_finite.c $(PROOF_BUILD)/finite.h $(PROOF_BUILD)/library.h
 	$(CC) -std=c11 -D_GNU_SOURCE $(WARNINGS) -Ilib -I$(PROOF_BUILD) $(OPENMP) $(CFLAGS) $< -o $@ -lcmocka -lm
 
+$(PROOF_BUILD)/test_helium: tests/proof/test_helium.c tests/proof/helium/arm_mve.h $(PROOF_BUILD)/library.h
+	$(CC) -std=c11 -D_GNU_SOURCE -O2 -D__ARM_FEATURE_MVE=1 $(WARNINGS) -Ilib -Itests/proof/helium -I$(PROOF_BUILD) $(OPENMP) $(CFLAGS) $< -o $@ -lcmocka -lm
+
 setup-proof: setup-build
 	@.ci/need "tier proof" $(PROOF_PACKAGES)
 
 test-proof: ## check: the library for every argument: values from t, proved
 	@+tests/tier proof "$(SUBMAKE)"
 
-run-proof: $(PROOF_BUILD)/test_finite $(CONFORMANCE_EXPECTED)
+run-proof: $(PROOF_BUILD)/test_finite $(PROOF_BUILD)/test_helium $(CONFORMANCE_EXPECTED)
 	@HOST_FLAGS="$(filter -std=% -I% -D% -f%,$(HOST_CFLAGS))" HOST_SOURCES="$(HOST_SOURCES)" EXPECTED=$(CONFORMANCE) \
 		TALLY_JOBS=2 tests/tally $(addprefix tests/proof/test_,lobes powers static msh grain directions claims pixel words mesh_words) \
 		$(addprefix "env FAULTS=1 tests/proof/test_,$(addsuffix ",lobes powers msh grain directions claims pixel)) \
-		"tests/proof/test_faults $(PROOF_BUILD)" $(PROOF_BUILD)/test_finite
+		"tests/proof/test_faults $(PROOF_BUILD)" $(PROOF_BUILD)/test_finite $(PROOF_BUILD)/test_helium
 
 # Frama-C is 1.4 GB, and Eva takes minutes: not part of make test.
 PROOF_EVA_PACKAGES = frama-c-base gcc libc6-dev

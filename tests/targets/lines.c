@@ -298,7 +298,8 @@ static uint32_t tables_differ(void)
     bool is_made = false;
     for (uint32_t number = 0; number < CASES; number++) {
         if (number % 512 == 0) {
-            struct glint_material m = {.model = GLINT_MSH, .n = (uint16_t)(1 + below(1000)), .q = (uint8_t)(1 + below(16))};
+            struct glint_material m = {
+                .model = GLINT_MSH, .n = (uint16_t)(1 + below(1000)), .q = (uint8_t)(1 + below(16))};
             const struct glint_output output = {.format = (uint8_t)below(2)};
             make_material(&m);
             is_made = !glint_paint_tables(&paint, GLINT_TABLES_COLOUR, &m, &output, tables, sizeof tables);

@@ -112,12 +112,9 @@ MVE_LANES(int32x4_t, 4, vqdmlahq_m_n_s32, (int32x4_t a, int32x4_t b, int32_t c, 
 MVE_LANES(uint32x4_t, 4, vshlq_n_u32, (uint32x4_t a, unsigned n), a[i] << n)
 MVE_LANES(uint32x4_t, 4, vshrq_n_u32, (uint32x4_t a, unsigned n), n > 31 ? 0 : a[i] >> n)
 MVE_LANES(uint16x8_t, 8, vshrq_n_u16, (uint16x8_t a, unsigned n), (uint16_t)(a[i] >> n))
-MVE_LANES(uint32x4_t, 4, vrshrq_n_u32, (uint32x4_t a, unsigned n),
-          (uint32_t)((a[i] + ((uint64_t)1 << (n - 1))) >> n))
+MVE_LANES(uint32x4_t, 4, vrshrq_n_u32, (uint32x4_t a, unsigned n), (uint32_t)((a[i] + ((uint64_t)1 << (n - 1))) >> n))
 MVE_LANES(uint32x4_t, 4, vqshluq_n_s32, (int32x4_t a, unsigned n),
-          a[i] < 0                                ? 0
-          : (uint64_t)a[i] << n > UINT32_MAX ? UINT32_MAX
-                                                  : (uint32_t)a[i] << n)
+          a[i]<0 ? 0 : (uint64_t)a[i] << n> UINT32_MAX ? UINT32_MAX : (uint32_t)a[i] << n)
 MVE_LANES(int32x4_t, 4, vshlq_s32, (int32x4_t a, int32x4_t b), mve_shift_signed(a[i], b[i]))
 MVE_LANES(uint32x4_t, 4, vshlq_u32, (uint32x4_t a, int32x4_t b), mve_shift(a[i], b[i]))
 MVE_LANES(int32x4_t, 4, vshlq_r_s32, (int32x4_t a, int32_t b), mve_shift_signed(a[i], b))
@@ -125,14 +122,19 @@ MVE_LANES(uint32x4_t, 4, vshlq_r_u32, (uint32x4_t a, int32_t b), mve_shift(a[i],
 MVE_LANES(int32x4_t, 4, vclsq_s32, (int32x4_t a), __builtin_clrsb(a[i]))
 MVE_LANES(uint16x8_t, 8, vsriq_n_u16, (uint16x8_t a, uint16x8_t b, unsigned n),
           (uint16_t)((a[i] & ~(0xffffu >> n)) | b[i] >> n))
-MVE_LANES(uint32x4_t, 4, vsriq_n_u32, (uint32x4_t a, uint32x4_t b, unsigned n),
-          (a[i] & ~(UINT32_MAX >> n)) | b[i] >> n)
+MVE_LANES(uint32x4_t, 4, vsriq_n_u32, (uint32x4_t a, uint32x4_t b, unsigned n), (a[i] & ~(UINT32_MAX >> n)) | b[i] >> n)
 MVE_LANES(uint16x8_t, 8, vqrshrnbq_n_u32, (uint16x8_t a, uint32x4_t b, unsigned n),
           i % 2 == 0 ? mve_narrow(b[i / 2], n) : a[i])
 MVE_LANES(uint16x8_t, 8, vqrshrntq_n_u32, (uint16x8_t a, uint32x4_t b, unsigned n),
           i % 2 == 1 ? mve_narrow(b[i / 2], n) : a[i])
 MVE_LANES(uint8x16_t, 16, vrev16q_u8, (uint8x16_t a), a[i ^ 1])
 
+MVE mve_pred16_t vctp8q(uint32_t count)
+{
+    return (mve_pred16_t)(count < 16 ? (1u << count) - 1 : 0xffff);
+}
+MVE_ASKS(16, vcmpeqq_m_n_u8, (uint8x16_t a, uint8_t b, mve_pred16_t p), p >> i & 1 && a[i] == b)
+MVE_ASKS(16, vcmpneq_m_n_u8, (uint8x16_t a, uint8_t b, mve_pred16_t p), p >> i & 1 && a[i] != b)
 MVE_ASKS(4, vcmpgtq_n_s32, (int32x4_t a, int32_t b), a[i] > b)
 MVE_ASKS(4, vcmpltq_m_n_s32, (int32x4_t a, int32_t b, mve_pred16_t p), p >> 4 * i & 1 && a[i] < b)
 MVE_ASKS(8, vcmpgeq_n_s16, (int16x8_t a, int16_t b), a[i] >= b)
@@ -140,6 +142,7 @@ MVE_ASKS(8, vcmpneq_u16, (uint16x8_t a, uint16x8_t b), a[i] != b[i])
 MVE_ASKS(8, vcmpeqq_n_u16, (uint16x8_t a, uint16_t b), a[i] == b)
 MVE_LANES(uint16x8_t, 8, vpselq_u16, (uint16x8_t a, uint16x8_t b, mve_pred16_t p), p >> 2 * i & 1 ? a[i] : b[i])
 
+MVE_LANES(uint8x16_t, 16, vldrbq_z_u8, (const uint8_t *from, mve_pred16_t p), p >> i & 1 ? from[i] : 0)
 /* Gathers: places in bytes. */
 MVE const uint8_t *mve_at(const void *base, uint32_t bytes)
 {
