@@ -889,7 +889,7 @@ laid_number:
     movs r1, r2
     movs r2, r3
     mov r3, sp
-    bl glint_mesh_albedo_begin
+    bl glint_mesh_albedo_lines_set
     movs r0, r4
     bl glint_mesh_albedo_draw
     leave TRIANGLE_FRAME

@@ -128,17 +128,19 @@ void glint_mesh_colour_set(const struct glint_tables *tables, const struct glint
 
 #if GLINT_FUSED
 #if !GLINT_CORTEX_M0PLUS_ASM
-/* The albedo of pixel p->now. */
+/* Of all but colours and the nearest texel without a palette: those that are asked at each pixel. */
+#define ALBEDO_OTHER GLINT_MESH_SOURCES
+
 static inline __attribute__((always_inline)) uint32_t albedo_fields(const struct glint_mesh_pixels *p, uint32_t u,
                                                                     uint32_t v, uint32_t blue, unsigned source)
 {
     if (source == GLINT_MESH_COLOURS)
         return glint_mesh_colour_fields(u, v, blue);
-    if (source == GLINT_MESH_SMOOTH)
+    if (source == ALBEDO_OTHER && p->loop >= 4 * GLINT_MESH_SMOOTH)
         return glint_mesh_smooth_fields(&p->picture, u, v);
     const uint32_t at = glint_mesh_nearest(&p->picture, u, v);
-    return glint_mesh_fields(source == GLINT_MESH_PALETTE ? p->picture.palette[p->picture.pixels[at]]
-                                                          : ((const uint16_t *)(const void *)p->picture.pixels)[at]);
+    return glint_mesh_fields(source == ALBEDO_OTHER ? p->picture.palette[p->picture.pixels[at]]
+                                                    : ((const uint16_t *)(const void *)p->picture.pixels)[at]);
 }
 
 static inline __attribute__((always_inline)) void albedo_side_by_side(const struct glint_mesh_pixels *p, bool is_glossy,
@@ -197,16 +199,23 @@ static inline __attribute__((always_inline)) void albedo_side_by_side(const stru
     }
 ALBEDO_SOURCE(colours, GLINT_MESH_COLOURS)
 ALBEDO_SOURCE(nearest, GLINT_MESH_NEAREST)
-ALBEDO_SOURCE(palette, GLINT_MESH_PALETTE)
-ALBEDO_SOURCE(smooth, GLINT_MESH_SMOOTH)
+static void albedo_other_matt(const struct glint_mesh_pixels *p)
+{
+    albedo_side_by_side(p, false, p->loop & 2, ALBEDO_OTHER);
+}
+static void albedo_other_glossy(const struct glint_mesh_pixels *p)
+{
+    albedo_side_by_side(p, true, p->loop & 2, ALBEDO_OTHER);
+}
 #define ALBEDO_LOOPS(name)                                                                                             \
     albedo_##name##_matt, albedo_##name##_glossy, albedo_##name##_matt_swapped, albedo_##name##_glossy_swapped
+#define ALBEDO_OTHERS albedo_other_matt, albedo_other_glossy, albedo_other_matt, albedo_other_glossy
 typedef void albedo_loop(const struct glint_mesh_pixels *p);
 
 void glint_mesh_albedo_pixels(const struct glint_mesh_pixels *p)
 {
     static albedo_loop *const loops[GLINT_MESH_SOURCES * 4] GLINT_FLASH = {ALBEDO_LOOPS(colours), ALBEDO_LOOPS(nearest),
-                                                                           ALBEDO_LOOPS(palette), ALBEDO_LOOPS(smooth)};
+                                                                           ALBEDO_OTHERS, ALBEDO_OTHERS};
     GLINT_FLASH_POINTER(loops[p->loop])(p);
 }
 #endif
@@ -394,7 +403,7 @@ static void albedo_lines_far(const struct glint_tables *tables, struct glint_mes
 typedef char
     albedo_pixels_fit[sizeof(struct glint_mesh_pixels) <= GLINT_MESH_RUN * sizeof(struct glint_sample) ? 1 : -1];
 
-uint32_t glint_mesh_albedo_begin(const struct glint_mesh_target *target, const struct glint_tables *tables,
+void glint_mesh_albedo_lines_set(const struct glint_mesh_target *target, const struct glint_tables *tables,
                                  const struct glint_texture *texture, struct glint_mesh_lines *lines)
 {
     struct glint_mesh_pixels *const p = (struct glint_mesh_pixels *)(void *)target->samples;
@@ -406,6 +415,17 @@ uint32_t glint_mesh_albedo_begin(const struct glint_mesh_target *target, const s
     lines->shift = (uint32_t)texture;
     for (unsigned k = 0; k < 2 && texture; k++) /* what bilinear ones begin before the corner */
         p->now[k] = texture->is_smooth ? UINT32_C(0x80000000) / (k ? texture->h : texture->w) : 0;
+}
+
+uint32_t glint_mesh_albedo_begin(const struct glint_mesh_target *target, const struct glint_paint *paint,
+                                 struct glint_mesh_lines *lines)
+{
+    const struct glint_texture *const texture = glint_mesh_texture_of(target->drawn, paint);
+    if (target->frame->kept_bytes != GLINT_MESH_LAID_SIZE || (texture && target->frame->distance) ||
+        !glint_mesh_is_albedo(paint, target))
+        return 0;
+    if (lines)
+        glint_mesh_albedo_lines_set(target, &paint->of.tables.filled, texture, lines);
     return (uint32_t)1 << 31;
 }
 

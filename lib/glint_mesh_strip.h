@@ -95,6 +95,9 @@ void glint_mesh_face_set(struct glint_mesh_triangle *triangle, const struct glin
 void glint_mesh_strip_lines(const struct glint_mesh_target *strip);
 uint32_t glint_mesh_part_lines(const struct glint_mesh_target *strip, unsigned part, struct glint_mesh_lines *lines);
 
+/* Makes all places free. */
+void glint_mesh_places(struct glint_mesh_frame *frame);
+
 /* Frees what is kept of a mesh. */
 void glint_mesh_forget(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn);
 

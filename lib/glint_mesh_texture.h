@@ -58,15 +58,17 @@ struct glint_use_mesh {
     void (*rgb565)(struct glint_mesh_over *over, int32_t x, uint8_t *out, unsigned count);
     /* The part of the line after the one at hand. */
     void (*next)(struct glint_mesh_over *over);
+    /* Before a picture: room for what triangles have of it, if it is of use. */
+    void (*room)(struct glint_mesh_frame *frame, const struct glint_mesh *mesh, const struct glint_paint *paints);
     /* Without perspective: what fused lines take of the triangle, at its line. */
     void (*lay)(struct glint_mesh_laid *laid, const struct glint_mesh_target *target,
                 const struct glint_mesh_triangle *triangle, const struct glint_texture *texture);
     /* Fused, behind GLINT_FUSED, or NULL: a triangle's lines by ALBEDO tables at even places. */
     void (*lines)(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
                   const struct glint_mesh_target *target, const struct glint_texture *texture);
-    /* In assembly alone: as glint_mesh_colour_begin; 2^31: slopes are to be laid behind triangles. */
-    uint32_t (*begin)(const struct glint_mesh_target *target, const struct glint_tables *tables,
-                      const struct glint_texture *texture, struct glint_mesh_lines *lines);
+    /* In assembly alone: as glint_mesh_colour_begin; with lines NULL it only tells whether it can. 0: no; 2^31. */
+    uint32_t (*begin)(const struct glint_mesh_target *target, const struct glint_paint *paint,
+                      struct glint_mesh_lines *lines);
 };
 
 /* Pixels side by side on a line: whether they are in front, their albedo, their light. */
@@ -98,7 +100,9 @@ struct glint_mesh_laid *glint_mesh_albedo_laid(const struct glint_mesh_target *t
 
 /* In assembly alone. The first is called as struct glint_mesh_lines says, the last draws one triangle by it. */
 void glint_mesh_albedo_draw(void);
-uint32_t glint_mesh_albedo_begin(const struct glint_mesh_target *target, const struct glint_tables *tables,
+uint32_t glint_mesh_albedo_begin(const struct glint_mesh_target *target, const struct glint_paint *paint,
+                                 struct glint_mesh_lines *lines);
+void glint_mesh_albedo_lines_set(const struct glint_mesh_target *target, const struct glint_tables *tables,
                                  const struct glint_texture *texture, struct glint_mesh_lines *lines);
 void glint_mesh_albedo_triangle(const struct glint_mesh_target *target, struct glint_mesh_triangle *triangle,
                                 const struct glint_tables *tables, const struct glint_texture *texture);

@@ -110,13 +110,11 @@
 #define GLINT_AT_MESH_UV 40
 #define GLINT_AT_MESH_UV_BITS 44
 
-#define GLINT_MESH_SLOPED                                                                                              \
-    8 /* of triangle->shine: u, v, u_x, v_x, u_y, v_y, vertices from the upper one down, e - 18 are laid */
-#define GLINT_MESH_LAID_LOG 2 /* of triangle->shine */
+#define GLINT_MESH_SLOPED 8 /* of triangle->shine: u, v, u_x, v_x, u_y, v_y, the vertices, e - 18 are laid */
+#define GLINT_MESH_LAID_LOG 2
 #define GLINT_AT_PIXELS_NOW 8
-#define GLINT_AT_PIXELS_DZ 28 /* z, nl, now, back, dt; dz, dnl, step */
-#define GLINT_AT_PIXELS_DDT                                                                                            \
-    48 /* ddt, depth, end, off; levels, sums, t_max, limit, shift, dark, pixels, palette, w, h, loop */
+#define GLINT_AT_PIXELS_DZ 28  /* z, nl, now, back, dt; dz, dnl, step */
+#define GLINT_AT_PIXELS_DDT 48 /* ddt, depth, end, off; levels, sums, t_max, limit, shift, dark; picture; loop */
 
 #define GLINT_MESH_NONE 0xffff /* no face */
 #define GLINT_MESH_BAND_LOG 4

@@ -46,21 +46,12 @@ size_t glint_mesh_frame_bytes(uint16_t w, uint16_t lines)
 }
 
 /* Places for triangles that go on, in a list of free ones. */
-static void mesh_places(struct glint_mesh_frame *frame)
+void glint_mesh_places(struct glint_mesh_frame *frame)
 {
     const uint32_t count = (uint32_t)frame->places * GLINT_MESH_KEPT_BYTES / frame->kept_bytes;
     frame->free = (uint16_t)(count ? 0 : GLINT_MESH_NONE);
     for (uint16_t i = 0; i < count; i++)
         glint_mesh_kept_at(frame, i)->next = (uint16_t)(i + 1u < count ? i + 1u : GLINT_MESH_NONE);
-}
-
-/* Each then has room for its texture or colours, too, where none may be in use. */
-static void mesh_lay(struct glint_mesh_frame *frame)
-{
-    if (frame->y == 0 && frame->kept_bytes != GLINT_MESH_LAID_SIZE) {
-        frame->kept_bytes = GLINT_MESH_LAID_SIZE;
-        mesh_places(frame);
-    }
 }
 
 /* The last places become the work memory of lights; false where there are too few, or some may be in use. */
@@ -72,7 +63,7 @@ static bool mesh_light(struct glint_mesh_frame *frame)
     if (frame->places < PLACES || frame->y)
         return false;
     frame->places = (uint16_t)(frame->places - PLACES);
-    mesh_places(frame);
+    glint_mesh_places(frame);
     uint8_t *memory = (uint8_t *)frame->kept + (size_t)frame->places * sizeof(struct glint_mesh_kept);
     while (GLINT_MISALIGNED(memory, pointer))
         memory++;
@@ -102,7 +93,7 @@ enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint
     frame->kept = (uint8_t *)memory + used;
     frame->places = (uint16_t)(room < GLINT_MESH_FACES_MAX ? room : GLINT_MESH_FACES_MAX);
     frame->kept_bytes = sizeof(struct glint_mesh_kept);
-    mesh_places(frame);
+    glint_mesh_places(frame);
     return GLINT_OK;
 }
 
@@ -155,8 +146,6 @@ static bool mesh_can(struct glint_mesh_frame *frame, const struct glint_mesh *me
             return false;
         if (glint_mesh_is_lit(paint) && !mesh_light(frame))
             return false;
-        if (GLINT_FUSED && has_albedo && !glint_paint_is_exact(paint) && (coloured || !frame->distance))
-            mesh_lay(frame);
     }
     return true;
 }
@@ -189,6 +178,8 @@ enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_
         return GLINT_ERR_ARG;
     if (!glint_pose_set(drawn, pose, paints))
         return GLINT_ERR_VECTOR;
+    if (GLINT_FUSED && mesh->use)
+        GLINT_FLASH_POINTER(mesh->use->room)(frame, mesh, paints);
     drawn->next = NULL;
     drawn->mesh = mesh;
     drawn->paints = paints;

@@ -58,26 +58,20 @@ static int32_t pose_row(const int16_t row[3], const int16_t place[3])
 }
 
 /* To 1/16 pixel, to nearest, from 2^29 units of 32768. The factors are cut to 17 and 14 bits or to 15 and 16, so that the product fits 32. */
-static inline int32_t pose_scaled(int32_t sum, int32_t scale, unsigned first, unsigned then)
+static inline int32_t pose_scaled(int32_t sum, int32_t scale)
 {
-    return (((sum >> first) * scale >> (then - 1)) + 1) >> 1;
+    const bool is_small = scale < 16384;
+    return (((sum >> (is_small ? 14 : 16)) * scale >> (is_small ? 14 : 12)) + 1) >> 1;
 }
 
 static inline struct glint_mesh_place pose_place(const struct glint_mesh_drawn *drawn, unsigned vertex)
 {
     const int16_t *place = drawn->mesh->places + 3 * vertex;
-    const int32_t scale = drawn->scale, x = pose_row(drawn->turn[0], place), y = -pose_row(drawn->turn[1], place),
-                  z = pose_row(drawn->turn[2], place); /* y down */
-    struct glint_mesh_place at = {drawn->position[0], drawn->position[1], drawn->position[2]};
-    if (scale < 16384) {
-        at.x += pose_scaled(x, scale, 14, 15);
-        at.y += pose_scaled(y, scale, 14, 15);
-        at.z += pose_scaled(z, scale, 14, 15);
-    } else {
-        at.x += pose_scaled(x, scale, 16, 13);
-        at.y += pose_scaled(y, scale, 16, 13);
-        at.z += pose_scaled(z, scale, 16, 13);
-    }
+    const int32_t scale = drawn->scale;
+    const struct glint_mesh_place at = {drawn->position[0] + pose_scaled(pose_row(drawn->turn[0], place), scale),
+                                        drawn->position[1] +
+                                            pose_scaled(-pose_row(drawn->turn[1], place), scale), /* y down */
+                                        drawn->position[2] + pose_scaled(pose_row(drawn->turn[2], place), scale)};
     return at;
 }
 
@@ -141,13 +135,9 @@ bool glint_mesh_is_near(const struct glint_mesh_frame *frame, int32_t z)
 
 /* r = distance / (distance - z), Q13, <= 2^16 up to the near plane. Depth is linear in z, and under perspective in r: each is linear
  * on the screen. */
-static inline __attribute__((always_inline)) struct glint_mesh_place pose_project(const struct glint_mesh_frame *frame,
-                                                                                  struct glint_mesh_place place)
+static __attribute__((noinline)) struct glint_mesh_place pose_far(const struct glint_mesh_frame *frame,
+                                                                  struct glint_mesh_place place)
 {
-    if (frame->distance == 0) {
-        place.z = place.z > 32767 ? 0 : place.z < -32767 ? 65534 : 32767 - place.z;
-        return place;
-    }
     const int32_t away = (int32_t)frame->distance - place.z; /* > 0: distance / 8 at least */
     const uint32_t r = (((uint32_t)frame->distance << 14) / (uint32_t)(away > 0 ? away : 1) + 1) >> 1;
     place.x = (int32_t)(((int64_t)place.x * r + (1 << 12)) >> 13);
@@ -158,7 +148,10 @@ static inline __attribute__((always_inline)) struct glint_mesh_place pose_projec
 
 struct glint_mesh_place glint_mesh_project(const struct glint_mesh_frame *frame, struct glint_mesh_place place)
 {
-    return pose_project(frame, place);
+    if (frame->distance)
+        return pose_far(frame, place);
+    place.z = place.z > 32767 ? 0 : place.z < -32767 ? 65534 : 32767 - place.z;
+    return place;
 }
 
 /* 32 bits are enough: with |N|, |H| <= 1.0 t is at most 2^31; of others it is what is left modulo 2^32. */
@@ -201,7 +194,7 @@ bool glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glin
             any = vertex->out = GLINT_MESH_NEAR;
             continue;
         }
-        const struct glint_mesh_place at = pose_project(frame, place);
+        const struct glint_mesh_place at = glint_mesh_project(frame, place);
         vertex->out = 0;
         if (at.x < -guard || at.x > guard || at.y < -guard || at.y > guard) /* few are */
             any = vertex->out = pose_out(&at);

@@ -180,12 +180,10 @@ void glint_mesh_clear(uint16_t *depth, uint32_t bytes)
 /* Can the assembly draw the mesh? */
 static bool strip_has_lines(const struct glint_mesh_drawn *drawn, const struct glint_mesh_target *target)
 {
-    const bool is_laid = target->frame->kept_bytes == GLINT_MESH_LAID_SIZE;
+    const struct glint_use_mesh *const use = drawn->mesh->use;
     for (unsigned i = 0; i == 0 || i < drawn->mesh->part_count; i++) {
         const struct glint_paint *paint = &drawn->paints[i];
-        if (!glint_mesh_is_colour(paint, target) &&
-            !(is_laid && glint_mesh_is_albedo(paint, target) &&
-              !(target->frame->distance && glint_mesh_texture_of(drawn, paint))))
+        if (!glint_mesh_is_colour(paint, target) && !(use && GLINT_FLASH_POINTER(use->begin)(target, paint, NULL)))
             return false;
     }
     return !drawn->is_cut;
@@ -198,8 +196,7 @@ uint32_t glint_mesh_part_lines(const struct glint_mesh_target *strip, unsigned p
     if (paint->of.tables.filled.kind == GLINT_TABLES_COLOUR)
         glint_mesh_colour_begin(&paint->of.tables.filled, strip, lines);
     else
-        lay = GLINT_FLASH_POINTER(strip->drawn->mesh->use->begin)(strip, &paint->of.tables.filled,
-                                                                  glint_mesh_texture_of(strip->drawn, paint), lines);
+        lay = GLINT_FLASH_POINTER(strip->drawn->mesh->use->begin)(strip, paint, lines);
     if (strip->drawn->edges)
         GLINT_FLASH_POINTER(strip->frame->outlines->lines)(strip, lines);
     return glint_mesh_t_end(paint) | lay;

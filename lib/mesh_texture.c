@@ -175,6 +175,17 @@ static void over_set(struct glint_mesh_over *over, const struct glint_mesh_targe
     }
 }
 
+static void over_room(struct glint_mesh_frame *frame, const struct glint_mesh *mesh, const struct glint_paint *paints)
+{
+    bool is_laid = false;
+    for (unsigned i = 0; i == 0 || i < mesh->part_count; i++)
+        is_laid |= !glint_paint_is_exact(&paints[i]);
+    if (!is_laid || (mesh->textures && frame->distance) || frame->y || frame->kept_bytes == GLINT_MESH_LAID_SIZE)
+        return; /* some may be in use */
+    frame->kept_bytes = GLINT_MESH_LAID_SIZE;
+    glint_mesh_places(frame);
+}
+
 /* To the triangle's line and the column of its values. */
 static void over_lay(struct glint_mesh_laid *laid, const struct glint_mesh_target *target,
                      const struct glint_mesh_triangle *triangle, const struct glint_texture *texture)
@@ -328,6 +339,7 @@ static void over_rgb565(struct glint_mesh_over *over, int32_t x, uint8_t *bytes,
 #define OVER_BEGIN NULL
 #endif
 const struct glint_use_mesh glint_use_mesh_albedo GLINT_FLASH = {
-    over_can,    over_set,  over_line, over_rgb888,
-    over_rgb565, over_next, over_lay,  GLINT_TABLES_FUSED(glint_mesh_albedo_lines),
+    over_can,    over_set,    over_line,
+    over_rgb888, over_rgb565, over_next,
+    over_room,   over_lay,    GLINT_TABLES_FUSED(glint_mesh_albedo_lines),
     OVER_BEGIN};
