@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Coverage: pixels that are blended over what the buffer holds, step 8 of sequence.md. */
+#include "glint_fused.h"
 #include "glint_tables.h"
 
 #ifdef __GNUC__
@@ -319,12 +320,20 @@ static void coverage_next(struct glint_lines *lines)
 
 /* ---- Beside the line in assembly, which draws what is full ---- */
 
-static uint32_t coverage_edge(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
-                              uint32_t y)
+#if GLINT_CORTEX_M0PLUS_ASM && GLINT_FUSED
+static uint32_t coverage_edge(const struct glint_paint *paint, struct glint_lines *lines, struct glint_line_loop *loop,
+                              struct glint_bounds *bounds, uint32_t y)
 {
     struct glint_sample samples[GLINT_RUN];
     struct glint_run *const run = &lines->run;
-    lines->most = GLINT_RUN;
+    const bool is_plain = !lines->albedo && !paint->of.exact.high;
+    if (is_plain) {
+        run->x = paint->output.format == GLINT_RGB565 ? glint_line_rgb565_soft(loop, run->x)
+                                                      : glint_line_rgb565_soft_swapped(loop, run->x);
+        if (run->x == lines->w || (uint8_t)(run->coverage[run->x] - 1) >= 254)
+            return run->x;
+    }
+    lines->most = is_plain ? 1 : GLINT_RUN; /* it left one open */
     coverage_next(lines);
     run->albedo = lines->albedo ? lines->albedo + 3 * run->x : NULL;
     glint_samples_half(&paint->l, &paint->v, &paint->h, (const struct glint_vec *)(const void *)lines->normals + run->x,
@@ -332,14 +341,21 @@ static uint32_t coverage_edge(const struct glint_paint *paint, struct glint_line
     for (unsigned i = 0; i < lines->count; i++)
         if (samples[i].t_q30 < paint->of.exact.t_end)
             glint_bounds_add(bounds, run->x + i, y);
-    glint_paint_run(paint, run, samples, lines->count);
+    if (is_plain)
+        glint_paint_exactly(paint, run, 0, samples);
+    else
+        glint_paint_run(paint, run, samples, lines->count);
     run->format = lines->format;
     return run->x + lines->count;
 }
+#define COVERAGE_EDGE coverage_edge
+#else
+#define COVERAGE_EDGE NULL
+#endif
 
 const struct glint_use_coverage glint_use_coverage GLINT_FLASH = {{NULL, NULL, coverage_levels, coverage_exact, NULL},
                                                                   coverage_level,
                                                                   coverage_pixels,
                                                                   coverage_line,
                                                                   coverage_next,
-                                                                  coverage_edge};
+                                                                  COVERAGE_EDGE};

@@ -68,10 +68,10 @@ struct glint_use_coverage {
     void (*line)(const struct glint_paint *paint, const struct glint_lines *lines);
     /* glint_lines_next where there is a coverage map: run.x, the run's count, and whether it is soft. */
     void (*next)(struct glint_lines *lines);
-    /* Of a line of normals by an exact paint under one light: draws what is covered in part from run.x on, and notes what of it shines.
-     * Returns its end. */
-    uint32_t (*edge)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
-                     uint32_t y);
+    /* Of a line that the loop draws: draws what is covered in part from run.x on, and notes what of it shines. Returns where it ends, or
+     * before. */
+    uint32_t (*edge)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_line_loop *loop,
+                     struct glint_bounds *bounds, uint32_t y);
 };
 
 /* Does the run blend? */
