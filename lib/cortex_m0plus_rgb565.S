@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * glint_line_rgb565(loop, x), _swapped, _albedo, _albedo_swapped: the exact line of RGB565 under MSH, from pixel x on.
+ * glint_line_rgb565(loop, x), _swapped, _albedo, _albedo_swapped: the exact line of RGB565 under MSH, from pixel x on; _soft, _soft_swapped:
+ * pixels of it that are covered in part, blended as coverage.c does, side by side.
  *
  * The stages of an exact run in one loop: t and N.L from the normal (sample.c), where t is within the lobe F (lobe_msh.c),
  * then V and its levels (pixel_rgb.c), in the same steps. Pixels without light, and pixels without highlight, leave the
@@ -46,14 +47,50 @@
     add_half y
 .endm
 
-.macro line_rgb565 name, swapped, mapped
+/* Of \value, held to its largest, a level and 1/2 of it, and of what is below, q: their sum, blended. y: m, nl: 255 - m times
+ * 2^(shift - 9). \spare: q. */
+.macro blend value, spare
+    lsrs \value, \value, #8
+    muls \value, y
+    muls \spare, nl
+    lsls \spare, \spare, #1
+    adds \value, \value, \spare
+    adds \value, \value, nl
+    lsrs \spare, \value, #8
+    adds \value, \value, \spare
+.endm
+
+/* And its largest where it exceeds that; y: 2^(shift - 1). */
+.macro held_half value, bits
+    adds nl, \value, y
+    lsrs nl, nl, #GLINT_LINE_SHIFT + \bits
+    beq 1f
+    movs \value, #(2 << \bits) - 1
+    lsls \value, \value, #GLINT_LINE_SHIFT - 1
+1:
+.endm
+
+/* soft: from a pixel on that is covered in part, up to one that is not. */
+.macro line_rgb565 name, swapped, mapped, soft
     function \name
     enter OURS
     line_begin \mapped
+.if \soft
+    ldr r7, .L\name\()_more
+    mov r6, limit
+    subs r6, r6, r7
+    mov limit, r6
+.L\name\()_run:
+    ldr y, [sp, #OUR_LINE_END]
+    cmp r1, y
+    bne .L\name\()_pixel
+    line_done \name, OURS
+.else
     line_runs \name, OURS
+.endif
 
 .L\name\()_dark:
-.if \mapped
+.if \mapped || \soft
     movs nl, #0
     b .L\name\()_far
 .else
@@ -66,6 +103,14 @@
     b .L\name\()_plain
 
 .L\name\()_pixel:
+.if \soft
+    ldr v, [sp, #OUR_MASK_AT]
+    lsrs x, r1, #1
+    ldrb x, [x, v]
+    subs x, #1
+    cmp x, #254
+    bhs .L\name\()_done
+.endif
     normal
     ble .L\name\()_dark
     lsrs v, nl, #16
@@ -83,7 +128,11 @@
     base_plain
 .endif
 .L\name\()_value: /* V in z, x, v */
+.if \soft
+    b .L\name\()_blend
+.else
     levels_held .L\name\()_held
+.endif
 .L\name\()_levels:
     levels .L\name\()_done
 .if \swapped
@@ -92,7 +141,13 @@
 .L\name\()_store:
     strh y, [r1]
     adds r1, #2
+.if \soft
+    mov r0, run_end
+    ldr y, [sp, #OUR_LINE_END]
+    cmp r1, y
+.else
     cmp r1, run_end
+.endif
     bne .L\name\()_pixel
     b .L\name\()_run
 
@@ -101,9 +156,11 @@
     lsls nl, nl, #16
     b .L\name\()_lit
 
+.if !\soft
 .L\name\()_held:
     held_all
     b .L\name\()_levels
+.endif
 
 .L\name\()_small: /* m, until it is 2^27 */
     lsls z, z, #1
@@ -166,13 +223,58 @@
     add_half y
 .endif
     b .L\name\()_value
+.if \soft
+.L\name\()_blend: /* over what is there. r0 is kept where the run's end is not needed */
+    movs y, #1
+    lsls y, y, #GLINT_LINE_SHIFT - 1
+    mov run_end, r0
+    adds nl, z, y
+    adds r0, v, y
+    orrs nl, r0
+    adds r0, x, y
+    lsrs r0, r0, #1
+    orrs nl, r0
+    lsrs nl, nl, #GLINT_LINE_SHIFT + 5
+    bne .L\name\()_most
+.L\name\()_over:
+    ldr r2, [sp, #OUR_MASK_AT]
+    lsrs y, r1, #1
+    ldrb y, [y, r2]
+    movs nl, #255
+    subs nl, nl, y
+    lsls nl, nl, #GLINT_LINE_SHIFT - 9
+    ldrh r2, [r1]
+.if \swapped
+    rev16 r2, r2
+.endif
+    lsrs r0, r2, #11
+    blend z, r0
+    lsls r0, r2, #21
+    lsrs r0, r0, #26
+    blend x, r0
+    lsls r0, r2, #27
+    lsrs r0, r0, #27
+    blend v, r0
+    b .L\name\()_levels
+.L\name\()_most:
+    held_half z, 5
+    held_half x, 6
+    held_half v, 5
+    b .L\name\()_over
+.endif
     .balign 4
+.if \soft
+.L\name\()_more: /* what W grows by: 256 and 3, and 2^-16 of the largest level, which is blend's */
+    .word (259 + (64 << (GLINT_LINE_SHIFT - 16))) << LEVEL_BITS
+.endif
 .L\name\()_high:
     .word GLINT_MSH_HIGH
 .endm
 
-    line_rgb565 glint_line_rgb565, 0, 0
-    line_rgb565 glint_line_rgb565_swapped, 1, 0
-    line_rgb565 glint_line_rgb565_albedo, 0, 1
-    line_rgb565 glint_line_rgb565_albedo_swapped, 1, 1
+    line_rgb565 glint_line_rgb565, 0, 0, 0
+    line_rgb565 glint_line_rgb565_swapped, 1, 0, 0
+    line_rgb565 glint_line_rgb565_albedo, 0, 1, 0
+    line_rgb565 glint_line_rgb565_albedo_swapped, 1, 1, 0
+    line_rgb565 glint_line_rgb565_soft, 0, 0, 1
+    line_rgb565 glint_line_rgb565_soft_swapped, 1, 0, 1
 #endif

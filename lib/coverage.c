@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Coverage: pixels that are blended over what the buffer holds, step 8 of sequence.md. */
+#include "glint_fused.h"
 #include "glint_tables.h"
 
 #ifdef __GNUC__
@@ -49,23 +50,7 @@ static uint8_t coverage_level(const struct glint_paint *paint, const struct glin
     return (uint8_t)coverage_divide((uint32_t)((over + ((uint64_t)under << 32) + threshold) >> 32));
 }
 
-/* ---- The same by 32 bits, in gamma space ----
- *
- * With a = m / 255 a blended level is the upper bits of a V + (1 - a) q 2^shift + threshold, where V, held to its largest, has no threshold.
- * X = (V >> 8) m + (255 - m) q 2^(shift - 8) is 255 / 256 of their sum, and X + (X >> 8) + (X >> 16) all of it but for its 2^-24. X is low by W m / 2^8,
- * and by less than 255; so the sum is low by less than W + 256 of these, 2 of its shifts, and 2^-24 of the largest level. Where V was high by what
- * thresholds lack for it (paint->of.exact.high), it is high by less than that. */
-GLINT_INLINE uint32_t coverage_w(uint32_t w, uint32_t max, unsigned shift, bool deep)
-{
-    return w + 256 + 3 + (deep ? 256 : max << (shift - 16));
-}
-
-/* Without the last term, 2^-16 of the level is missing: for few levels, as that costs less than what stays open for it. */
-GLINT_INLINE uint32_t coverage_blend(uint32_t v, uint32_t m, uint32_t rest_q, unsigned shift, bool deep)
-{
-    const uint32_t x = (v >> 8) * m + (rest_q << (shift - 8));
-    return x + (x >> 8) + (deep ? x >> 16 : 0);
-}
+/* ---- The same by 32 bits, in gamma space ---- */
 
 /* Every format, maps, and channels apart: V as glint_levels_apart has it. */
 static uint32_t coverage_any(const struct glint_paint *p, const struct glint_run *run,
@@ -74,7 +59,7 @@ static uint32_t coverage_any(const struct glint_paint *p, const struct glint_run
     const uint8_t format = p->output.format;
     const unsigned shift = (unsigned)p->of.exact.shift;
     const bool grey = glint_format_is_grey(format);
-    const uint32_t w = coverage_w(p->of.exact.w_maps, 0, shift, true);
+    const uint32_t w = glint_covered_w(p->of.exact.w_maps, 0, shift, true);
     const uint8_t *albedo = run->albedo ? run->albedo : p->material.albedo;
     uint32_t bias[4], open = 0;
     glint_levels_bias(bias, p, run);
@@ -97,7 +82,7 @@ static uint32_t coverage_any(const struct glint_paint *p, const struct glint_run
                 const unsigned at = grey ? 0 : k;
                 const uint32_t q = coverage_under(format, run->line, run->x + i, at);
                 /* Step 6 rounds down: by less than 1 here, which is taken off */
-                const uint32_t level = coverage_blend(sum, m, (255 - m) * q, shift, true) + bias[i & 3] - grey;
+                const uint32_t level = glint_covered_blend(sum, m, (255 - m) * q, shift, true) + bias[i & 3] - grey;
                 undecided |= level ^ (level + w);
                 levels[at] = (uint8_t)(level >> shift);
             }
@@ -120,7 +105,7 @@ GLINT_INLINE uint32_t coverage_rgb(const struct glint_paint *p, const struct gli
     const unsigned red_at = glint_format_is_blue_first(format) ? 2 : 0, blue_at = 2 - red_at;
     const unsigned bytes = !deep ? 2 : red_at && format != GLINT_BGR888 ? 4 : 3;
     const uint32_t most = (uint32_t)(deep ? 255 : 31) << shift, most_green = (uint32_t)(deep ? 255 : 63) << shift;
-    const uint32_t w = coverage_w(p->of.exact.w, 63, shift, deep);
+    const uint32_t w = glint_covered_w(p->of.exact.w, 63, shift, deep);
     const uint8_t *coverage = run->coverage + run->x;
     uint8_t *out = run->line + bytes * run->x + swapped;
     const ptrdiff_t other = swapped ? -1 : 1;
@@ -135,17 +120,17 @@ GLINT_INLINE uint32_t coverage_rgb(const struct glint_paint *p, const struct gli
         const uint32_t under = deep ? 0 : (uint32_t)out[other] << 8 | out[0];
         uint32_t v[3];
         glint_levels_sum(v, p, base, sample, NULL, NULL, false);
-        const uint32_t red =
-            coverage_blend(glint_levels_hold(v[0], most), m, rest * (deep ? out[red_at] : under >> 11), shift, deep) +
-            t;
+        const uint32_t red = glint_covered_blend(glint_levels_hold(v[0], most), m,
+                                                 rest * (deep ? out[red_at] : under >> 11), shift, deep) +
+                             t;
         uint32_t undecided = red ^ (red + w);
-        const uint32_t green = coverage_blend(glint_levels_hold(v[1], most_green), m,
-                                              rest * (deep ? out[1] : under >> 5 & 63), shift, deep) +
+        const uint32_t green = glint_covered_blend(glint_levels_hold(v[1], most_green), m,
+                                                   rest * (deep ? out[1] : under >> 5 & 63), shift, deep) +
                                t;
         undecided |= green ^ (green + w);
-        const uint32_t blue =
-            coverage_blend(glint_levels_hold(v[2], most), m, rest * (deep ? out[blue_at] : under & 31), shift, deep) +
-            t;
+        const uint32_t blue = glint_covered_blend(glint_levels_hold(v[2], most), m,
+                                                  rest * (deep ? out[blue_at] : under & 31), shift, deep) +
+                              t;
         undecided |= blue ^ (blue + w);
         if (undecided >> shift) {
             open |= (uint32_t)1 << (sample - first);
@@ -317,8 +302,9 @@ static void coverage_next(struct glint_lines *lines)
                               x);
 }
 
-/* ---- Beside the line in assembly, which draws what is full ---- */
+/* ---- Beside a core's line, which draws what is full ---- */
 
+#if GLINT_FUSED && (GLINT_CORTEX_M0PLUS_ASM || GLINT_HELIUM)
 static void coverage_edge_plain(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
                                 unsigned count, uint32_t y)
 {
@@ -333,20 +319,36 @@ static void coverage_edge_plain(const struct glint_paint *paint, struct glint_li
     glint_paint_run(paint, run, samples, count);
 }
 
-static uint32_t coverage_edge(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
-                              uint32_t y, glint_draw_edge *draw)
+static uint32_t coverage_edge(const struct glint_paint *paint, struct glint_lines *lines, struct glint_line_loop *loop,
+                              glint_draw_edge *draw, struct glint_bounds *bounds, uint32_t y)
 {
+    struct glint_run *const run = &lines->run;
     lines->most = GLINT_RUN;
+#if GLINT_CORTEX_M0PLUS_ASM
+    if (loop && !lines->albedo && !paint->of.exact.high) {
+        run->x = paint->output.format == GLINT_RGB565 ? glint_line_rgb565_soft(loop, run->x)
+                                                      : glint_line_rgb565_soft_swapped(loop, run->x);
+        if (run->x == lines->w || (uint8_t)(run->coverage[run->x] - 1) >= 254)
+            return run->x;
+        lines->most = 1; /* it left one open */
+    }
+#else
+    (void)loop;
+#endif
     coverage_next(lines);
-    const uint32_t end = lines->run.x + lines->count;
+    const uint32_t end = run->x + lines->count;
     (draw ? draw : coverage_edge_plain)(paint, lines, bounds, lines->count, y);
-    lines->run.format = lines->format;
+    run->format = lines->format;
     return end;
 }
+#define COVERAGE_EDGE coverage_edge
+#else
+#define COVERAGE_EDGE NULL
+#endif
 
 const struct glint_use_coverage glint_use_coverage GLINT_FLASH = {{NULL, NULL, coverage_levels, coverage_exact, NULL},
                                                                   coverage_level,
                                                                   coverage_pixels,
                                                                   coverage_line,
                                                                   coverage_next,
-                                                                  coverage_edge};
+                                                                  COVERAGE_EDGE};

@@ -75,7 +75,7 @@ static void grain_line(struct glint_grain_loop *loop, const struct glint_paint *
     for (uint32_t x = 0; (x = glint_line_grain(loop, x)) < lines->w; x++) {
         run->x = x;
         if (run->coverage && run->coverage[x] != 255) {
-            x = GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, bounds, line, glint_grain_edge) - 1;
+            x = GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, NULL, glint_grain_edge, bounds, line) - 1;
             lines->count = 1;
             continue;
         }

@@ -71,7 +71,11 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
     for (uint32_t x = 0; (x = loop->draw(loop, x)) < lines->w; x++) {
         run->x = x;
         if (run->coverage && run->coverage[x] != 255) {
-            x = GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, bounds, y, NULL) - 1;
+<<<<<<< HEAD
+            x = GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, NULL, NULL, bounds, y) - 1;
+=======
+            x = GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, loop, NULL, bounds, y) - 1;
+>>>>>>> sizes
             continue;
         }
         run->albedo = lines->albedo ? lines->albedo + 3 * x : NULL;
@@ -121,7 +125,7 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
             while (x < end) { /* what is covered in part */
                 run->x = x++;
                 if (coverage[run->x])
-                    x = GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, bounds, y, NULL);
+                    x = GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, NULL, NULL, bounds, y);
             }
             end = glint_helium_find(coverage, x, lines->w, false);
         }

@@ -428,7 +428,8 @@ struct glint_maps {
     ptrdiff_t shininess_stride;
 };
 
-/* What glint_draw_rect calls. It names what blends only where there may be coverage, so that others do not link that. */
+/* What glint_draw_rect calls. It names what blends only where there may be coverage, so that others do not link that: soft is
+ * &glint_use_coverage, or NULL, and then a map of coverage is an error. */
 enum glint_err glint_draw_rect_by(const struct glint_paint *paint, const struct glint_maps *maps, uint16_t w,
                                   uint16_t h, const struct glint_surface *target, struct glint_box *highlight,
                                   const struct glint_use_coverage *soft);

@@ -72,6 +72,8 @@ uint32_t glint_line_rgb565(struct glint_line_loop *loop, uint32_t x);
 uint32_t glint_line_rgb565_swapped(struct glint_line_loop *loop, uint32_t x);
 uint32_t glint_line_rgb565_albedo(struct glint_line_loop *loop, uint32_t x);
 uint32_t glint_line_rgb565_albedo_swapped(struct glint_line_loop *loop, uint32_t x);
+uint32_t glint_line_rgb565_soft(struct glint_line_loop *loop, uint32_t x);
+uint32_t glint_line_rgb565_soft_swapped(struct glint_line_loop *loop, uint32_t x);
 #define GLINT_LINE_BEGIN glint_line_begin
 #elif GLINT_HELIUM
 /* Eight pixels at a time. V of a channel: 2^30 is 1.0. helium.c has the numbers' meaning and bounds. */

@@ -71,10 +71,10 @@ struct glint_use_coverage {
     void (*line)(const struct glint_paint *paint, const struct glint_lines *lines);
     /* glint_lines_next where there is a coverage map: run.x, the run's count, and whether it is soft. */
     void (*next)(struct glint_lines *lines);
-    /* Of a line of normals by an exact paint under one light: draws what is covered in part from run.x on, and notes what of it shines.
-     * Returns its end. draw: draws count <= GLINT_RUN pixels of it; NULL: without grain. */
-    uint32_t (*edge)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
-                     uint32_t y, glint_draw_edge *draw);
+    /* Of a line of normals that a core's loop draws: draws what is covered in part from run.x on, and notes what of it shines. Returns where
+     * it ends, or before. draw: draws count <= GLINT_RUN pixels of it; NULL: without grain. loop: NULL, or what may draw it, too. */
+    uint32_t (*edge)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_line_loop *loop,
+                     glint_draw_edge *draw, struct glint_bounds *bounds, uint32_t y);
 };
 
 /* Does the run blend? */
@@ -271,6 +271,22 @@ GLINT_INLINE uint32_t glint_levels_hold(uint32_t v, uint32_t most)
     if (__builtin_expect(v > most, 0))
         v = most;
     return v;
+}
+
+/* A blend by 32 bits, in gamma space. With a = m / 255 a blended level is the upper bits of a V + (1 - a) q 2^shift + threshold, where V, held to its largest, has no threshold.
+ * X = (V >> 8) m + (255 - m) q 2^(shift - 8) is 255 / 256 of their sum, and X + (X >> 8) + (X >> 16) all of it but for its 2^-24. X is low by W m / 2^8,
+ * and by less than 255; so the sum is low by less than W + 256 of these, 2 of its shifts, and 2^-24 of the largest level. Where V was high by what
+ * thresholds lack for it (paint->of.exact.high), it is high by less than that. */
+GLINT_INLINE uint32_t glint_covered_w(uint32_t w, uint32_t max, unsigned shift, bool deep)
+{
+    return w + 256 + 3 + (deep ? 256 : max << (shift - 16));
+}
+
+/* Without the last term, 2^-16 of the level is missing: for few levels, as that costs less than what stays open for it. */
+GLINT_INLINE uint32_t glint_covered_blend(uint32_t v, uint32_t m, uint32_t rest_q, unsigned shift, bool deep)
+{
+    const uint32_t x = (v >> 8) * m + (rest_q << (shift - 8));
+    return x + (x >> 8) + (deep ? x >> 16 : 0);
 }
 
 /* Alpha of samples i.., where the format has one. */

@@ -175,39 +175,30 @@ static void encoding_rises_by_no_more_than_its_octaves_first_chord_says(void **s
     }
 }
 
-/* For every coverage, of every argument, or of one in EXACT_EVERY of those that are many. */
-static void what_coverage_scales_is_low_by_less_than_w_grows_for_it_and_never_high(void **state)
+/* For every coverage, shift and largest level of a format: any V, W and level below. */
+static void a_blend_by_32_bits_is_low_by_no_more_than_its_bound_and_never_high(void **state)
 {
     (void)state;
-    const char *text = getenv("EXACT_EVERY");
-    const uint32_t every = text ? (uint32_t)strtoul(text, NULL, 10) : 1;
-    for (uint64_t m = 0; m < 256; m++) {
-        unsigned wrong = 0;
-        for (uint64_t nl = 0; nl <= 65536; nl++) {
-            const uint64_t low = m * nl - 255 * (uint64_t)glint_covered_nl((uint32_t)nl, (uint32_t)(257 * m));
-            wrong += low >= 2 * 255;
-        }
-        for (uint64_t f = 0; f <= 67109; f++) {
-            const uint64_t low = m * f - 255 * (uint64_t)glint_covered_f((uint32_t)f, (uint32_t)(257 * m));
-            wrong += low >= 4 * 255;
-        }
-        for (uint64_t cut = 0; cut < 65536; cut++) { /* the largest of those that are cut to it, and the least */
-            const uint64_t v = 255 * (uint64_t)glint_covered_fixed((uint32_t)cut, (uint32_t)(257 * m));
-            wrong += m * ((cut << 16) + 65535) - v >= UINT64_C(255) << 17 || m * (cut << 16) - v >= UINT64_C(255) << 17;
-        }
+    static const uint32_t largest[] = {1, 3, 15, 31, 63, 255};
+    uint64_t any = 1;
+    unsigned wrong = 0;
+    for (unsigned kind = 0; kind < 6; kind++)
         for (unsigned shift = 18; shift <= 28; shift++) {
-            const uint64_t low = (m << shift) - 255 * (uint64_t)glint_covered_one((uint32_t)m, shift);
-            const uint64_t unit = (UINT64_C(1) << shift) - 255 * (uint64_t)glint_covered_unit(shift);
-            wrong += low > 255 * ((1u << shift >> 24) + UINT64_C(1)) || unit > 255;
-        }
-        assert_int_equal(wrong, 0);
-    }
-    uint64_t wrong = 0;
-#pragma omp parallel for reduction(+ : wrong)
-    for (uint32_t m = 0; m < 256; m++)
-        for (uint32_t x = m % every; x < 1u << 24; x += every) {
-            const uint64_t v = 255 * (uint64_t)glint_covered_part(x << 8, m), first = (uint64_t)m * x << 8;
-            wrong += first - v >= 255 << 10 || first + m * 255u - v >= 255 << 10;
+            const uint64_t max = largest[kind], most = max << shift;
+            const bool deep = max != 31 && max != 63;
+            if ((max + 1) << shift > UINT64_C(0xfff00000))
+                continue;
+            for (uint64_t m = 0; m < 256; m++)
+                for (unsigned i = 0; i < 2000; i++) {
+                    any = any * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+                    const uint64_t v = i < 4 ? most - i % 2 : (any >> 32) % (most + 1), w = any >> 20 & 4095;
+                    const uint64_t q = i % 3 ? (any >> 8) % (max + 1) : max;
+                    const uint64_t y =
+                        glint_covered_blend((uint32_t)v, (uint32_t)m, (uint32_t)((255 - m) * q), shift, deep);
+                    const uint64_t sum = m * v + ((255 - m) * q << shift);
+                    wrong += 255 * y > sum ||
+                             sum + m * w > 255 * (y + glint_covered_w((uint32_t)w, (uint32_t)max, shift, deep));
+                }
         }
     assert_int_equal(wrong, 0);
 }
@@ -215,7 +206,7 @@ static void what_coverage_scales_is_low_by_less_than_w_grows_for_it_and_never_hi
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_coverage_scales_is_low_by_less_than_w_grows_for_it_and_never_high),
+        cmocka_unit_test(a_blend_by_32_bits_is_low_by_no_more_than_its_bound_and_never_high),
         cmocka_unit_test(encoding_rises_by_no_more_than_its_octaves_first_chord_says),
         cmocka_unit_test(quick_models_are_below_the_exact_ones_by_at_most_their_slack),
         cmocka_unit_test(rectangles_have_the_reference_pixels),

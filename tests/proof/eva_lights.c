@@ -71,7 +71,8 @@ static void fill(const struct glint_use_model *model, const struct glint_use_for
     for (unsigned i = 0; i < GLINT_LIGHTS_MAX; i++)
         paint.of.exact.halves[i] = any_vector();
     const struct glint_run of = {
-        pixels, any % 4, any % 65536, any % 65536, any & 1 ? albedo : NULL, any & 1 ? gloss : NULL, coverage, 0, NULL};
+        pixels,   any % 4, any % 65536, any % 65536, any & 1 ? albedo : NULL, any & 1 ? gloss : NULL,
+        coverage, 0,       paint.format};
     run = of;
     lights.paint = &paint;
     lights.run = &run;
@@ -83,6 +84,8 @@ static void fill(const struct glint_use_model *model, const struct glint_use_for
     lights.shines = 0;
     lights.normals = normals;
     lights.places = NULL;
+    lights.shade = NULL;
+    lights.geometry = paint.model->geometry ? paint.model->geometry : glint_samples_half;
     lights.v = any_vector();
     for (unsigned i = 0; i < 3; i++) {
         lights.sight.v_q30[i] = any_signed % 0x40000001;

@@ -115,6 +115,7 @@ static bool make_paint(struct glint_paint *paint, uint32_t grain)
 static struct glint_vec normals[W * H];
 static uint8_t albedo[3 * W * H + 4], grains[(W + 1) * H + 4], mask[(W + 1) * H + 4];
 static uint16_t out[2][STRIDE * H / 2 + 2]; /* by the line, and by stages */
+static uint8_t before[sizeof out[0]];       /* what is blended over */
 
 /* Runs of the like: near the half vector, away from the light, anything. */
 static void make_normals(const struct glint_paint *light)
@@ -155,6 +156,8 @@ static void make_maps(uint32_t mask_kind)
         grains[i] = (uint8_t)below(256);
     for (uint16_t i = 0; i < sizeof albedo; i++)
         albedo[i] = (uint8_t)(below(4) ? below(256) : 255);
+    for (uint16_t i = 0; i < sizeof before; i++)
+        before[i] = mask_kind == 2 ? GUARD : (uint8_t)below(256);
 }
 
 /* As the case says, into out[c]. */
@@ -163,7 +166,7 @@ static struct glint_box draw(const struct glint_paint *paint, const struct glint
     struct glint_box box = {0, 0, 0, 0};
     uint8_t *bytes = (uint8_t *)out[c];
     for (uint16_t i = 0; i < sizeof out[c]; i++)
-        bytes[i] = GUARD;
+        bytes[i] = i < c ? GUARD : before[i - c];
     const struct glint_surface surface = {bytes + 2 + c, STRIDE, 3, 5};
     if (glint_draw_rect(paint, maps, w, H, &surface, &box))
         say("# refused\n");
