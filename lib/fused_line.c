@@ -71,11 +71,7 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
     for (uint32_t x = 0; (x = loop->draw(loop, x)) < lines->w; x++) {
         run->x = x;
         if (run->coverage && run->coverage[x] != 255) {
-<<<<<<< HEAD
-            x = GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, NULL, NULL, bounds, y) - 1;
-=======
             x = GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, loop, NULL, bounds, y) - 1;
->>>>>>> sizes
             continue;
         }
         run->albedo = lines->albedo ? lines->albedo + 3 * x : NULL;
