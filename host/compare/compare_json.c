@@ -91,6 +91,11 @@ void quality_print_mesh_json(const struct baked_mesh *baked, const struct qualit
                              "vertices", (int)mesh->vertex_count, "triangles", (int)mesh->face_count, "parts",
                              (int)mesh->part_count, "bytes", (json_int_t)baked_mesh_bytes(baked), "predicted_cycles",
                              cycles.c, "predicted_cycles_assembly", cycles.assembly);
+    if (root && baked->mesh->face_count > baked->mesh->whole_face_count)
+        json_object_set_new(root, "before_split",
+                            json_pack("{s:I, s:I, s:I}", "vertices", (json_int_t)baked->mesh->whole_vertex_count,
+                                      "triangles", (json_int_t)baked->mesh->whole_face_count, "bytes",
+                                      (json_int_t)fitted_whole_bytes(baked->fitted, baked->mesh, baked->normals8)));
     if (root && mesh->textures)
         json_object_set_new(root, "textures", textures_json(baked->fitted));
     print_rows(root, rows, stream);

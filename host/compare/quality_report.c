@@ -56,6 +56,10 @@ void quality_print_mesh(const struct baked_mesh *baked, const struct quality row
     fprintf(stream, "%u vertices%s, %u triangles, %u part%s, normals as %s: %zu bytes\n", mesh->vertex_count,
             baked->fitted->colors ? " with colours" : "", mesh->face_count, mesh->part_count,
             mesh->part_count > 1 ? "s" : "", baked->normals8 ? "int8" : "int16", baked_mesh_bytes(baked));
+    if (baked->mesh->face_count > baked->mesh->whole_face_count)
+        fprintf(stream, "--split %g made these of %zu vertices, %zu triangles, %zu bytes, which --split 180 leaves\n",
+                baked->mesh->split, baked->mesh->whole_vertex_count, baked->mesh->whole_face_count,
+                fitted_whole_bytes(baked->fitted, baked->mesh, baked->normals8));
     for (unsigned i = 0; i < baked->fitted->texture_count && mesh->textures; i++)
         print_texture(&baked->fitted->textures[i], stream);
     print_rows(rows,

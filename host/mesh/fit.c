@@ -246,12 +246,22 @@ size_t fitted_texture_bytes(const struct fitted *fitted)
     return sum;
 }
 
-size_t fitted_bytes(const struct fitted *fitted, bool normals8)
+static size_t bytes_of(const struct fitted *fitted, bool normals8, size_t vertices, size_t faces)
 {
     const size_t vertex = sizeof *fitted->places + (normals8 ? sizeof *fitted->normals8 : sizeof *fitted->normals) +
                           (fitted->colors ? sizeof *fitted->colors : 0) +
                           (fitted->mesh.textures ? sizeof *fitted->uv : 0);
     const size_t face = sizeof *fitted->faces + (fitted->neighbours ? sizeof *fitted->neighbours : 0);
-    return fitted->mesh.vertex_count * vertex + fitted->mesh.face_count * face +
-           (fitted->mesh.part_count > 1 ? 2u * fitted->mesh.part_count : 0) + fitted_texture_bytes(fitted);
+    return vertices * vertex + faces * face + (fitted->mesh.part_count > 1 ? 2u * fitted->mesh.part_count : 0) +
+           fitted_texture_bytes(fitted);
+}
+
+size_t fitted_bytes(const struct fitted *fitted, bool normals8)
+{
+    return bytes_of(fitted, normals8, fitted->mesh.vertex_count, fitted->mesh.face_count);
+}
+
+size_t fitted_whole_bytes(const struct fitted *fitted, const struct mesh *mesh, bool normals8)
+{
+    return bytes_of(fitted, normals8, mesh->whole_vertex_count, mesh->whole_face_count);
 }

@@ -29,6 +29,8 @@ void fitted_forget_colors(struct fitted *fitted); /* and textures: each part has
 void fitted_forget_neighbours(struct fitted *fitted);
 void fitted_free(struct fitted *fitted);
 size_t fitted_bytes(const struct fitted *fitted, bool normals8); /* with its textures */
+/* Had no edge been split. */
+size_t fitted_whole_bytes(const struct fitted *fitted, const struct mesh *mesh, bool normals8);
 size_t fitted_texture_bytes(const struct fitted *fitted);
 
 #endif

@@ -47,14 +47,16 @@ struct texture_wish {
 struct mesh {
     char *name; /* for messages */
     size_t vertex_count, face_count, place_count;
-    double (*places)[3], (*normals)[3]; /* of each vertex; normals have length 1 */
-    uint8_t (*colors)[3];               /* of each vertex, as encoded; NULL: each part has one */
-    double (*uv)[2];                    /* of each vertex, in its part's picture; NULL: no part has one */
-    uint32_t *at;                       /* the number of each vertex's place */
-    uint32_t (*faces)[3];               /* counterclockwise from outside; by part */
-    unsigned part_count;                /* at least 1 */
-    size_t *ends;                       /* the face that each part ends before */
-    struct mesh_material *materials;    /* of each part */
+    size_t whole_vertex_count, whole_face_count; /* before edges were split */
+    double split;                                /* over which angle, in degrees */
+    double (*places)[3], (*normals)[3];          /* of each vertex; normals have length 1 */
+    uint8_t (*colors)[3];                        /* of each vertex, as encoded; NULL: each part has one */
+    double (*uv)[2];                             /* of each vertex, in its part's picture; NULL: no part has one */
+    uint32_t *at;                                /* the number of each vertex's place */
+    uint32_t (*faces)[3];                        /* counterclockwise from outside; by part */
+    unsigned part_count;                         /* at least 1 */
+    size_t *ends;                                /* the face that each part ends before */
+    struct mesh_material *materials;             /* of each part */
     unsigned picture_count;
     struct mesh_picture *pictures;
     struct texture_wish wish;

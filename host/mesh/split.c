@@ -160,6 +160,9 @@ static void cut_faces(struct mesh *mesh, uint32_t (*middles)[3], size_t most)
 void mesh_split(struct mesh *mesh, double degrees)
 {
     const double least = mesh_cosine(degrees);
+    mesh->whole_vertex_count = mesh->vertex_count;
+    mesh->whole_face_count = mesh->face_count;
+    mesh->split = degrees;
     for (int pass = 0; pass < PASSES; pass++) {
         uint32_t(*middles)[3] = allocate(mesh->face_count, sizeof *middles);
         const size_t before = mesh->face_count, count = choose(mesh, least, middles);

@@ -37,7 +37,7 @@ static const struct argp_option argp_options[] = {
      7},
     {"split", KEY_SPLIT, "DEGREES", 0,
      "Split a mesh's edges over which the normal turns by more than this, 1..180 (default 30): highlights lie better "
-     "on more triangles",
+     "on more triangles, which take bytes and time: glint bake says how many",
      7},
     {"axes", KEY_AXES, "NAME", 0,
      "Which way is up in the mesh's file: y-up or z-up (default: z-up for an STL, else y-up)", 7},

@@ -24,7 +24,11 @@ static void a_baked_mesh_compiles_and_is_what_raw_holds(void **state)
     assert_int_equal(result->status, 0);
     assert_contains(result->out, "530 vertices, 992 triangles, 1 part, normals as int8: 16674 bytes");
     assert_contains(result->out, "million cycles by COLOUR tables in C, ");
+    assert_null(strstr(result->out, "--split"));
+    assert_contains(run("$GLINT bake --scene teapot -o pot.raw --as raw")->out,
+                    "--split 30 made these of 530 vertices, 992 triangles, 16674 bytes, which --split 180 leaves");
     result = run("$GLINT bake --scene teapot --to int16 --json");
+    assert_contains(result->out, "\"before_split\": {");
     assert_contains(result->out, "\"triangles\": 2710");
     const char *cycles = strstr(result->out, "\"predicted_cycles\": ");
     assert_non_null(cycles);
