@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Triangles by ALBEDO tables with a texture or colours of vertices, as fused_mesh.c has them: loops over pixels side by side, one for each
- * place that albedo comes from, matt or glossy, bytes swapped or not; and glint_mesh_albedo_draw, a triangle's lines, which a strip calls
- * by itself. */
+ * place that albedo comes from, matt or glossy, bytes swapped or not; and a triangle's lines, which a strip calls by itself. */
 #include "glint_port.h"
 #if GLINT_CORTEX_M0PLUS_ASM
 #define LINES_FRAME 132
@@ -606,16 +605,15 @@ laid_number:
     number_laid \to, \apart
 .endm
 
-    function glint_mesh_albedo_draw
+    .section .text.albedo_lines, "ax", %progbits
+    .type albedo_laid_lines, %function
+    .balign 4
+    .thumb_func
+albedo_laid_lines:
     push {lr}
     sub sp, #LINES_FRAME
     str r0, [sp, #TRIANGLE]
     movs r4, r0
-    adds r0, #GLINT_AT_TRIANGLE_SHINE
-    ldrb r0, [r0]
-    lsrs r0, r0, #GLINT_MESH_LAID_LOG + 1
-    bcs .Llaid
-    b .Llay
 .Llaid: /* r4: the triangle */
     ldr r7, [sp, #PIXELS_AT]
     adds r7, #GLINT_AT_PIXELS_DDT + 16
@@ -790,9 +788,21 @@ laid_number:
     bx r7
     .ltorg
 
-/* r0: 1 where slopes are there. */
-.Llay:
-    lsrs r0, r0, #1
+/* The triangle in r0; sp: to the struct glint_mesh_lines. Registers are lost. */
+    .type albedo_lines, %function
+    .balign 4
+    .thumb_func
+albedo_lines:
+    push {lr}
+    sub sp, #LINES_FRAME
+    str r0, [sp, #TRIANGLE]
+    movs r4, r0
+    adds r0, #GLINT_AT_TRIANGLE_SHINE
+    ldrb r0, [r0]
+    lsrs r0, r0, #GLINT_MESH_LAID_LOG + 1
+    bcc 1f
+    b .Llaid
+1:  lsrs r0, r0, #1 /* slopes are there */
     bcc .Lby_c
     movs r7, r4
     adds r7, #GLINT_MESH_KEPT_SIZE
@@ -881,7 +891,13 @@ laid_number:
     b .Lis_laid
     .ltorg
 
-/* A triangle that a strip of C draws: glint_mesh_albedo_triangle(strip, triangle, tables, texture). */
+    function glint_mesh_albedo_draws
+    ldr r1, =albedo_lines
+    str r1, [r0, #GLINT_AT_LINES_DRAW]
+    bx lr
+    .ltorg
+
+/* A triangle that a strip of C draws, which is laid: glint_mesh_albedo_triangle(strip, triangle, tables, texture). */
 #define TRIANGLE_FRAME (GLINT_MESH_LINES_BYTES + 4)
     function glint_mesh_albedo_triangle
     enter TRIANGLE_FRAME
@@ -891,6 +907,6 @@ laid_number:
     mov r3, sp
     bl glint_mesh_albedo_lines_set
     movs r0, r4
-    bl glint_mesh_albedo_draw
+    bl albedo_laid_lines
     leave TRIANGLE_FRAME
 #endif

@@ -409,7 +409,7 @@ void glint_mesh_albedo_lines_set(const struct glint_mesh_target *target, const s
     struct glint_mesh_pixels *const p = (struct glint_mesh_pixels *)(void *)target->samples;
     albedo_set(p, tables, texture);
     lines_set(target, lines);
-    lines->draw = glint_mesh_albedo_draw;
+    glint_mesh_albedo_draws(lines);
     lines->colours = p;
     lines->dark = (uint32_t)target;
     lines->shift = (uint32_t)texture;
@@ -432,6 +432,7 @@ uint32_t glint_mesh_albedo_begin(const struct glint_mesh_target *target, const s
 static void albedo_draw(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
                         const struct glint_mesh_target *target, const struct glint_texture *texture)
 {
+    (void)glint_mesh_albedo_laid(target, triangle, texture);
     glint_mesh_albedo_triangle(target, triangle, tables, texture);
 }
 #else
@@ -471,16 +472,14 @@ static __attribute__((noinline)) void albedo_copied(const struct glint_tables *t
                                                     const struct glint_mesh_target *target,
                                                     const struct glint_texture *texture)
 {
-    struct {
-        struct glint_mesh_kept kept;
-        struct glint_mesh_laid laid;
-    } copy;
-    copy.kept.triangle = *triangle;
-    copy.kept.triangle.shine &= GLINT_MESH_LAID - 1;
-    copy.kept.face = (uint16_t)glint_mesh_face_of(triangle);
-    albedo_draw(tables, &copy.kept.triangle, target, texture);
-    copy.kept.triangle.shine &= GLINT_MESH_LAID - 1;
-    *triangle = copy.kept.triangle;
+    struct glint_mesh_bench *const bench = (struct glint_mesh_bench *)target->frame->memory;
+    struct glint_mesh_triangle *const copy = &bench->copy.triangle;
+    *copy = *triangle;
+    copy->shine &= GLINT_MESH_LAID - 1;
+    bench->copy.face = (uint16_t)glint_mesh_face_of(triangle);
+    albedo_draw(tables, copy, target, texture);
+    copy->shine &= GLINT_MESH_LAID - 1;
+    *triangle = *copy;
 }
 
 void glint_mesh_albedo_lines(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,

@@ -21,8 +21,10 @@ struct glint_mesh_bench {
     struct glint_mesh_vertex vertex[3];
     struct glint_mesh_kept face; /* where no place is left, and of a face that is clipped */
     struct glint_mesh_laid laid; /* of a triangle that is not kept; behind face */
-    uint8_t fan;                 /* of one that is clipped: vertex is the polygon's corners 0, fan - 1 and fan */
-    union {                      /* the mesh's colours or texture over the triangle at hand, and colours of a run */
+    struct glint_mesh_kept copy; /* of a triangle that has no room for it; and what is laid, behind it */
+    struct glint_mesh_laid copied;
+    uint8_t fan; /* of one that is clipped: vertex is the polygon's corners 0, fan - 1 and fan */
+    union {      /* the mesh's colours or texture over the triangle at hand, and colours of a run */
         struct glint_mesh_across across;
         struct glint_mesh_over over;
     } of;

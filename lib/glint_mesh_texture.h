@@ -98,8 +98,8 @@ struct glint_mesh_laid *glint_mesh_albedo_laid(const struct glint_mesh_target *t
                                                struct glint_mesh_triangle *triangle,
                                                const struct glint_texture *texture);
 
-/* In assembly alone. The first is called as struct glint_mesh_lines says, the last draws one triangle by it. */
-void glint_mesh_albedo_draw(void);
+/* In assembly alone. The first sets what draws, the last draws one triangle, laid, by it. */
+void glint_mesh_albedo_draws(struct glint_mesh_lines *lines);
 uint32_t glint_mesh_albedo_begin(const struct glint_mesh_target *target, const struct glint_paint *paint,
                                  struct glint_mesh_lines *lines);
 void glint_mesh_albedo_lines_set(const struct glint_mesh_target *target, const struct glint_tables *tables,

@@ -140,6 +140,8 @@ typedef char glint_pixels_layout
              sizeof(struct glint_mesh_laid) == 40 && AT(now, GLINT_AT_PIXELS_NOW) &&
              offsetof(struct glint_mesh_laid, down) == 8 && offsetof(struct glint_mesh_laid, right) == 16 &&
              offsetof(struct glint_mesh_laid, blue) == 24 &&
+             offsetof(struct glint_mesh_bench, copied) ==
+                 offsetof(struct glint_mesh_bench, copy) + sizeof(struct glint_mesh_kept) &&
              offsetof(struct glint_mesh_bench, laid) ==
                  offsetof(struct glint_mesh_bench, face) + sizeof(struct glint_mesh_kept)
          ? 1
