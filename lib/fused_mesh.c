@@ -236,7 +236,7 @@ static void albedo_set(struct glint_mesh_pixels *p, const struct glint_tables *t
     p->dark = tables->dark;
     p->picture.pixels = texture ? (const uint8_t *)texture->pixels : NULL;
     p->picture.palette = texture ? texture->palette : NULL;
-    p->loop = (uint8_t)(4 * source + 2 * glint_is_swapped(tables));
+    p->loop = (uint8_t)(4u * source + 2u * glint_is_swapped(tables));
 }
 
 /* And of its lines. */
@@ -245,7 +245,7 @@ static void albedo_triangle(struct glint_mesh_pixels *p, const struct glint_mesh
     p->dz = triangle->values.zx;
     p->dnl = triangle->values.nlx;
     p->ddt = triangle->values.txx;
-    p->loop |= triangle->shine >> 1 & 1; /* glossy */
+    p->loop = (uint8_t)(p->loop | (triangle->shine >> 1 & 1)); /* glossy */
 }
 
 /* Pixels of a line up to `to`, from where p has its numbers. */
