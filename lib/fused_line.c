@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * What a rectangle folds to for the line in assembly (cortex_m0plus_rgb565.S). */
+ * The exact line of RGB565 under MSH in one loop: in assembly for ARMv6-M (cortex_m0plus_rgb565.S), what a rectangle folds to for it, and
+ * rectangles by it or by the DSP extension's (fused_dsp.c). */
 #include "glint_fused.h"
 
 #if GLINT_CORTEX_M0PLUS_ASM && GLINT_FUSED
@@ -45,6 +46,19 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *p,
                            : glint_line_rgb565;
     return true;
 }
+#endif
+
+#if GLINT_LINE
+
+#if GLINT_DSP
+#define LINE_DRAW glint_line_dsp
+#define LINE_COVERED(loop) ((loop)->covered)
+#define LINE_LACKS_DARK(loop) ((loop)->dark_is_open)
+#else
+#define LINE_DRAW loop->draw
+#define LINE_COVERED(loop) true
+#define LINE_LACKS_DARK(loop) true
+#endif
 
 /* A line by the loop; pixels that this leaves open by the 64-bit sequence. */
 static void fused_line(struct glint_line_loop *loop, const struct glint_paint *paint, struct glint_lines *lines,
@@ -56,21 +70,35 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
     loop->w = lines->w;
     loop->mask = run->coverage;
     loop->normals = normals;
+#if GLINT_DSP
+    loop->run_end = loop->covered = 0;
+#else
     loop->albedo = lines->albedo;
+#endif
     loop->first = (const uint8_t *)UINTPTR_MAX;
     loop->last = NULL;
-    for (uint32_t x = 0; (x = loop->draw(loop, x)) < lines->w; x++) {
+    for (uint32_t x = 0; (x = LINE_DRAW(loop, x)) < lines->w; x++) {
         run->x = x;
         run->albedo = lines->albedo ? lines->albedo + 3 * x : NULL;
         glint_samples_half(&paint->l, &paint->v, &paint->h, normals + x, &loop->sample, 1);
         glint_paint_exactly(paint, run, 0, &loop->sample);
     }
-    if (lines->soft)
+    if (lines->soft && LINE_COVERED(loop))
         GLINT_FLASH_POINTER(lines->soft->edges)(paint, lines, bounds, y);
-    if (loop->last) {
+    if (loop->last && loop->first != (const uint8_t *)UINTPTR_MAX) {
         glint_bounds_add(bounds, (uint32_t)(loop->first - run->line) / 2, y);
         glint_bounds_add(bounds, (uint32_t)(loop->last - run->line) / 2, y);
     }
+}
+
+/* The pixel where N.L <= 0. */
+static __attribute__((noinline)) void fused_dark(struct glint_line_loop *loop, const struct glint_paint *paint)
+{
+    struct glint_run run = {(uint8_t *)&loop->dark, 0, 0, 0, NULL, NULL, NULL, 0, NULL};
+    loop->sample.t_q30 = UINT32_MAX;
+    loop->sample.nl_q16 = loop->sample.f_q16 = 0;
+    if (paint->format->levels(paint, &run, &loop->sample, 1))
+        glint_paint_exactly(paint, &run, 0, &loop->sample);
 }
 
 bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
@@ -84,12 +112,12 @@ bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *line
         (h > 1 && GLINT_MISALIGNED(target->stride, 16)) || !format->begin(&loop, paint, lines->maps->albedo != NULL))
         return false;
     struct glint_bounds bounds;
-    struct glint_run dark = {(uint8_t *)&loop.dark, 0, 0, 0, NULL, NULL, NULL, 0, NULL}; /* the pixel where N.L <= 0 */
     glint_bounds_begin(&bounds);
-    loop.sample.t_q30 = UINT32_MAX;
-    loop.sample.nl_q16 = loop.sample.f_q16 = 0;
-    if (format->levels(paint, &dark, &loop.sample, 1))
-        glint_paint_exactly(paint, &dark, 0, &loop.sample);
+    if (LINE_LACKS_DARK(&loop))
+        fused_dark(&loop, paint);
+#if GLINT_DSP
+    loop.seeks = highlight != NULL;
+#endif
     for (uint32_t y = 0; y < h; y++) {
         glint_lines_set(lines, y);
         fused_line(&loop, paint, lines, &bounds, y);

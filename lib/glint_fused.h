@@ -36,18 +36,54 @@ struct glint_line_loop {
     uint32_t (*draw)(struct glint_line_loop *loop, uint32_t x);
 };
 
+/* cortex_m0plus_rgb565.S */
+uint32_t glint_line_rgb565(struct glint_line_loop *loop, uint32_t x);
+uint32_t glint_line_rgb565_swapped(struct glint_line_loop *loop, uint32_t x);
+uint32_t glint_line_rgb565_albedo(struct glint_line_loop *loop, uint32_t x);
+uint32_t glint_line_rgb565_albedo_swapped(struct glint_line_loop *loop, uint32_t x);
+#define GLINT_LINE 1
+#elif GLINT_DSP
+/* The offsets of these fields are the assembly's, too (fused_dsp.c). */
+struct glint_line_loop {
+    /* of the rectangle: glint_line_begin */
+    uint32_t turn[7];  /* halves of L, -2^13, halves of H: x y, z x, y z, the first one the lower */
+    uint32_t plain[7]; /* outside the highlight V = P2 + Q (nl - 1): Q, P2, W */
+    uint32_t shine[7]; /* in it V = P + Q (nl - 1 - 2^15) + R (F - 2^15): R and Q, P, W. W: of a level, times 2^32 */
+    int32_t v[2];      /* the root of F's divisor is v[1] + v[0] (T << up) 2^-32 */
+    uint32_t up;
+    uint32_t hh, nh;     /* where the lobe is wide: what is added to N.N and N.H */
+    uint32_t t_end;      /* of T: 2t, or |N - H|^2; where the lobe is wide, t */
+    uint32_t dark;       /* the pixel where N.L <= 0, in memory order; where it is open, the caller's to set */
+    const uint8_t *last; /* where in out the last pixel is lit; the caller sets it to 0 for each line */
+    uint32_t w_green;    /* W of green in the highlight */
+    uint32_t base[3], q_q16[3],
+        r_q16[3]; /* V = base + (q_q16 nl + r_q16 F) 2^-16, within DSP_NEAR, where the light is white */
+    const struct glint_paint *paint;
+    const uint8_t *first; /* the first one; the caller sets it to the end of memory */
+    /* of the line: the caller */
+    bool is_wide, is_swapped, dark_is_open;
+    bool seeks;   /* is first wanted? */
+    uint8_t *out; /* of pixel 0; aligned to 2 */
+    uint32_t w;
+    const uint8_t *mask; /* NULL: every pixel is drawn; else those of 255 */
+    const struct glint_vec *normals;
+    uint32_t run_end;           /* up to where mask is 255; the caller sets it to 0 */
+    uint32_t covered;           /* all bits of mask where it is not 255; the caller sets it to 0 */
+    struct glint_sample sample; /* of one that is left open: the caller's */
+};
+uint32_t glint_line_dsp(struct glint_line_loop *loop, uint32_t x);
+#define GLINT_LINE 1
+#else
+#define GLINT_LINE 0
+#endif
+
+#if GLINT_LINE
 /* The rectangle's fields but dark; false where this loop does not draw it. */
 bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
 
 /* Draws a rectangle by it; false where it cannot, and nothing is drawn. */
 bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
                        struct glint_box *highlight);
-
-/* cortex_m0plus_rgb565.S */
-uint32_t glint_line_rgb565(struct glint_line_loop *loop, uint32_t x);
-uint32_t glint_line_rgb565_swapped(struct glint_line_loop *loop, uint32_t x);
-uint32_t glint_line_rgb565_albedo(struct glint_line_loop *loop, uint32_t x);
-uint32_t glint_line_rgb565_albedo_swapped(struct glint_line_loop *loop, uint32_t x);
 #define GLINT_LINE_BEGIN glint_line_begin
 #else
 #define GLINT_LINE_BEGIN NULL

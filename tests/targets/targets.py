@@ -28,6 +28,14 @@ class Target:
         """Of relocations that name a place inside a function, not its address."""
         return ".text." if self.prefix.startswith("arm") else ".L"
 
+    @property
+    def has_dsp(self):
+        """Do its loops use the DSP extension of Arm's cores (lib/fused_dsp.c)?"""
+        macros = "#include <glint_port.h>\nint dsp = GLINT_DSP;"
+        done = subprocess.run([self.prefix + "gcc", *self.flags.split(), "-I" + os.path.join(SOURCE, "lib"), "-E", "-P", "-"], input=macros,
+                              capture_output=True, text=True, check=True)
+        return "dsp = 1;" in done.stdout
+
     def tool(self, name, *arguments, cwd=None, check=True, quiet=False):
         """What the tool prints. Quiet: a warning is an error."""
         done = subprocess.run([self.prefix + name, *arguments], cwd=cwd, capture_output=True, text=True)
