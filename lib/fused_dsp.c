@@ -48,15 +48,18 @@ static inline __attribute__((always_inline)) bool dsp_fold_channel(struct glint_
     loop->q_q16[k] = q_q16;
     loop->r_q16[k] = s * unit;
     if (p->of.exact.high) { /* a coloured light: rounded nl and F are each off by a half */
-        q_q16 = dsp_scale(q_q16, p->color_q16[k], 16);
-        r_q16 = dsp_scale(r_q16, p->color_q16[k], 16);
+        const uint64_t q_of = (uint64_t)q_q16 * p->color_q16[k] >> 16, r_of = (uint64_t)r_q16 * p->color_q16[k] >> 16;
+        if ((q_of | r_of) > INT32_MAX)
+            return false;
+        q_q16 = (uint32_t)q_of;
+        r_q16 = (uint32_t)r_of;
         low += (unit * ((d + s) >> 1) >> 16) + 1;
     }
     const uint32_t q = (q_q16 + 32768) >> 16, r = (r_q16 + 32768) >> 16;
     const int32_t q_left = (int32_t)(q_q16 - (q << 16));
     const uint32_t q_off = dsp_size(q_left), offs = q_off + dsp_size((int32_t)(r_q16 - (r << 16)));
     /* V < 2^31, as its levels are those of a number with a sign */
-    if ((q | r) > 32767 || base + q_q16 + r_q16 + 2 * low > INT32_MAX)
+    if ((q | r) > 32767 || q_q16 + r_q16 > INT32_MAX - base - 2 * low)
         return false;
     loop->plain[k] = q;
     loop->plain[3 + k] = base + q - (q_left < 0 ? q_off + 1 : 0) - low;
@@ -93,7 +96,7 @@ static inline uint32_t dsp_pair(int32_t low, int32_t high)
     return (uint16_t)low | (uint32_t)high << 16;
 }
 
-/* 2^24 sqrt(65537 / 65536): its square is 65537 2^32, but for 2^12. */
+/* 2^24 sqrt(65537 / 65536): its square is 65537 2^32, but for 2^14. */
 enum { DSP_ROOT = 16777344 };
 
 /* The root of the divisor at T: DSP_ROOT w = DSP_ROOT + DSP_ROOT k 2^-30 t, in 32 bits with a sign. */
@@ -118,7 +121,7 @@ static bool dsp_fold_lobe(struct glint_line_loop *loop, const struct glint_paint
         loop->nh = 0 - (UINT32_C(1) << 30) - (UINT32_C(1) << 16);
         loop->t_end = t_end;
         loop->up = 0;
-        loop->v[0] = k5 * 13421875;                                                 /* DSP_ROOT 4 / 5 */
+        loop->v[0] = k5 * 13421875 + k5 / 5;                                        /* DSP_ROOT 4 / 5 */
         return hh - (UINT32_C(1) << 17) < (UINT32_C(1) << 30) - 65536 && k5 <= 159; /* a vector of length 1 */
     }
     /* They saturate beyond the lobe alone. T << up < 2^31. */
@@ -150,6 +153,7 @@ uint8_t *glint_dsp_wide(const struct glint_vec *normals, uint8_t *out, uint32_t 
 uint8_t *glint_dsp_wide_swapped(const struct glint_vec *normals, uint8_t *out, uint32_t *shine,
                                 const struct glint_vec *end);
 
+#if !defined(GLINT_DSP_MODEL) /* of tests, in C, for the host */
 #define DSP_AT(field, offset) (offsetof(struct glint_line_loop, field) == (offset))
 typedef char dsp_layout[DSP_AT(turn, 0) && DSP_AT(plain, 28) && DSP_AT(shine, 56) && DSP_AT(v, 56 + 28) &&
                                 DSP_AT(up, 56 + 36) && DSP_AT(hh, 56 + 40) && DSP_AT(nh, 56 + 44) &&
@@ -159,7 +163,6 @@ typedef char dsp_layout[DSP_AT(turn, 0) && DSP_AT(plain, 28) && DSP_AT(shine, 56
                             : -1];
 #undef DSP_AT
 
-#if !defined(GLINT_DSP_MODEL)
 /* r0: the next normal, r1: the pixel in out, r2: shine, r3: t_end; on the stack turn and, at 28, the last place from which two normals are left.
  *
  * Levels of V in vr, vg, vb: stored, and to 9 where one of them is open: its fraction and W carry. */

@@ -45,7 +45,10 @@ static void say_number(uint32_t n)
     machine_put((char)('0' + n % 10));
 }
 
-static uint32_t seed = 1;
+#ifndef LINES_SEED
+#define LINES_SEED 1
+#endif
+static uint32_t seed = LINES_SEED;
 
 static uint32_t below(uint32_t limit)
 {
@@ -83,7 +86,7 @@ static void make_material(struct glint_material *m)
 }
 
 /* A paint of any light: as the library makes it, or, once in a while, with any vectors, N.L of which fits. */
-static bool make_paint(struct glint_paint *paint)
+static bool make_paint(struct glint_paint *paint, uint32_t number)
 {
     static const uint16_t shininess[] = {1, 2, 3, 5, 10, 60, 200, 1000};
     static const int32_t v[3] = {0, 0, 1};
@@ -97,6 +100,8 @@ static bool make_paint(struct glint_paint *paint)
     make_material(&m);
     if (glint_paint_exact(paint, &m, &output) || glint_light_directional(&light, l))
         return false;
+    for (uint8_t k = 0; k < 3 && number % 3 == 0; k++)
+        light.color_q16[k] = below(4) ? below(65536) : below(65536) << below(5);
     if (glint_paint_light(paint, &light, 1, v) || below(16) == 0) {
         paint->light_count = 1;
         paint->v = paint->h = any_vector();
@@ -171,7 +176,7 @@ static bool case_is_same(uint32_t number)
 {
     static const uint8_t widths[] = {0, 1, 2, 3, 15, 16, 17, W};
     struct glint_paint paint;
-    if (!make_paint(&paint))
+    if (!make_paint(&paint, number))
         return true; /* a light of length 0 */
     make_normals(&paint);
     make_maps(number % 5);
