@@ -54,10 +54,12 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *p,
 #define LINE_DRAW glint_line_dsp
 #define LINE_COVERED(loop) ((loop)->covered)
 #define LINE_LACKS_DARK(loop) ((loop)->dark_is_open)
+#define LINE_BYTES(loop) ((loop)->bytes)
 #else
 #define LINE_DRAW loop->draw
 #define LINE_COVERED(loop) true
 #define LINE_LACKS_DARK(loop) true
+#define LINE_BYTES(loop) 2
 #endif
 
 /* A line by the loop; pixels that this leaves open by the 64-bit sequence. */
@@ -86,8 +88,8 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
     if (lines->soft && LINE_COVERED(loop))
         GLINT_FLASH_POINTER(lines->soft->edges)(paint, lines, bounds, y);
     if (loop->last && loop->first != (const uint8_t *)UINTPTR_MAX) {
-        glint_bounds_add(bounds, (uint32_t)(loop->first - run->line) / 2, y);
-        glint_bounds_add(bounds, (uint32_t)(loop->last - run->line) / 2, y);
+        glint_bounds_add(bounds, (uint32_t)(loop->first - run->line) / LINE_BYTES(loop), y);
+        glint_bounds_add(bounds, (uint32_t)(loop->last - run->line) / LINE_BYTES(loop), y);
     }
 }
 
@@ -108,8 +110,10 @@ bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *line
     const struct glint_surface *target = lines->target;
     struct glint_line_loop loop;
     if (!format->begin || lines->maps->gloss || lines->maps->normals_format != GLINT_NORMALS_INT16 ||
-        (paint->of.exact.high && lines->maps->albedo) || GLINT_MISALIGNED(target->pixels, 16) ||
-        (h > 1 && GLINT_MISALIGNED(target->stride, 16)) || !format->begin(&loop, paint, lines->maps->albedo != NULL))
+        (paint->of.exact.high && lines->maps->albedo) ||
+        (glint_format_is_565(paint->output.format) &&
+         (GLINT_MISALIGNED(target->pixels, 16) || (h > 1 && GLINT_MISALIGNED(target->stride, 16)))) ||
+        !format->begin(&loop, paint, lines->maps->albedo != NULL))
         return false;
     struct glint_bounds bounds;
     glint_bounds_begin(&bounds);

@@ -43,6 +43,11 @@ uint32_t glint_line_rgb565_albedo(struct glint_line_loop *loop, uint32_t x);
 uint32_t glint_line_rgb565_albedo_swapped(struct glint_line_loop *loop, uint32_t x);
 #define GLINT_LINE 1
 #elif GLINT_DSP
+/* Draws the pixels of normals from N up to end, at least one, and returns where in out it stopped: at the first one that W leaves open, which
+ * has a value all the same, or behind the last one. shine: the loop's. */
+typedef uint8_t *glint_dsp_run(const struct glint_vec *normals, uint8_t *out, uint32_t *shine,
+                               const struct glint_vec *end);
+
 /* The offsets of these fields are the assembly's, too (fused_dsp.c). */
 struct glint_line_loop {
     /* of the rectangle: glint_line_begin */
@@ -61,7 +66,11 @@ struct glint_line_loop {
     const struct glint_paint *paint;
     const uint8_t *first; /* the first one; the caller sets it to the end of memory */
     /* of the line: the caller */
-    bool is_wide, is_swapped, dark_is_open;
+    uint32_t scale; /* (S - 1) 2^32 */
+    bool is_wide, dark_is_open;
+    uint8_t format;
+    unsigned bytes; /* of a pixel */
+    glint_dsp_run *run;
     bool seeks;   /* is first wanted? */
     uint8_t *out; /* of pixel 0; aligned to 2 */
     uint32_t w;
@@ -72,11 +81,29 @@ struct glint_line_loop {
     struct glint_sample sample; /* of one that is left open: the caller's */
 };
 uint32_t glint_line_dsp(struct glint_line_loop *loop, uint32_t x);
+glint_dsp_run glint_dsp_msh, glint_dsp_msh_swapped, glint_dsp_msh_wide, glint_dsp_msh_wide_swapped, glint_dsp_888,
+    glint_dsp_888_wide;
+glint_dsp_run glint_dsp_schlick, glint_dsp_schlick_swapped, glint_dsp_schlick_wide, glint_dsp_schlick_wide_swapped;
+glint_dsp_run glint_dsp_ggx, glint_dsp_ggx_swapped, glint_dsp_ggx_wide, glint_dsp_ggx_wide_swapped;
+
+/* A model's lines. */
+struct glint_use_line {
+    /* F 2^16 = S F' + e: (S - 1) 2^32; is F' below 2^16 also where F is held to 1.0? */
+    uint32_t scale;
+    bool holds;
+    bool (*fold)(struct glint_line_loop *loop, const struct glint_paint *paint);
+    glint_dsp_run *run[4]; /* narrow, then wide; each in both orders */
+};
+bool glint_line_begin_888(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
+#define GLINT_LINE_BEGIN_888 glint_line_begin_888
 #define GLINT_LINE 1
 #else
 #define GLINT_LINE 0
 #endif
 
+#ifndef GLINT_LINE_BEGIN_888
+#define GLINT_LINE_BEGIN_888 NULL
+#endif
 #if GLINT_LINE
 /* The rectangle's fields but dark; false where this loop does not draw it. */
 bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);

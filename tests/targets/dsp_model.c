@@ -32,6 +32,10 @@ static uint32_t smmlar(uint32_t a, uint32_t b, uint32_t c)
 {
     return (uint32_t)(((uint64_t)((int64_t)(int32_t)a * (int32_t)b) + ((uint64_t)c << 32) + 0x80000000u) >> 32);
 }
+static uint32_t smmlsr(uint32_t a, uint32_t b, uint32_t c)
+{
+    return (uint32_t)((((uint64_t)c << 32) - (uint64_t)((int64_t)(int32_t)a * (int32_t)b) + 0x80000000u) >> 32);
+}
 static uint32_t usat(uint32_t v, int bits, int down)
 {
     const int32_t x = (int32_t)v >> down, most = (1 << bits) - 1;
@@ -42,14 +46,18 @@ static bool carries(uint32_t w, uint32_t fraction)
     return w + fraction < w;
 }
 
+enum format { NATIVE, SWAPPED, THREE };
+enum model { MSH, SCHLICK, GGX };
+
 /* false: it is open. */
-static bool model_pixel(struct glint_line_loop *loop, const struct glint_vec *n, uint8_t *out, bool wide, bool swapped)
+static bool model_pixel(struct glint_line_loop *loop, const struct glint_vec *n, uint8_t *out, bool wide,
+                        enum format format, enum model model)
 {
     const uint32_t xy = (uint16_t)n->x | (uint32_t)n->y << 16, z = (uint16_t)n->z, *turn = loop->turn;
     const uint32_t s = smlabb(z, turn[1], smlad(xy, turn[0], turn[3]));
     uint32_t t, v[3], pixel = loop->dark, w, w_green;
     if (s >= 0x40000000) {
-        memcpy(out, &pixel, 2);
+        memcpy(out, &pixel, format == THREE ? 3 : 2);
         return (int32_t)s < 0;
     }
     if (wide) {
@@ -60,8 +68,16 @@ static bool model_pixel(struct glint_line_loop *loop, const struct glint_vec *n,
         t = smlabb(e, e, smlad(d, d, 0));
     }
     if (t < loop->t_end) {
-        const uint32_t root = smmlar((uint32_t)loop->v[0], wide ? t : t << loop->up, (uint32_t)loop->v[1]);
-        const uint32_t f = ~(t << (wide ? 2 : 1)) / smmlar(root, root, 0);
+        uint32_t at = t, over = ~(t << (wide ? 2 : 1));
+        if (model == GGX) {
+            const uint32_t c = 0x40000000 - t;
+            at = wide ? smmlar(c, c, 0) << 2 : smmlsr(t, t, t) << loop->up;
+            over = UINT32_MAX;
+        } else if (model == MSH && !wide) {
+            at <<= loop->up;
+        }
+        const uint32_t root = smmlar((uint32_t)loop->v[0], at, (uint32_t)loop->v[1]);
+        const uint32_t f = over / (model == SCHLICK ? root : smmlar(root, root, 0));
         const uint32_t both = ((f & 0xffff) | (s << 2 & 0xffff0000)) ^ 0x80008000;
         loop->last = out;
         for (int k = 0; k < 3; k++)
@@ -73,25 +89,35 @@ static bool model_pixel(struct glint_line_loop *loop, const struct glint_vec *n,
             v[k] = loop->plain[k] * (s >> 14) + loop->plain[3 + k];
         w = w_green = loop->plain[6];
     }
+    if (format == THREE) {
+        for (int k = 0; k < 3; k++)
+            out[k] = (uint8_t)usat(v[k], 8, 22);
+        return !carries(w, v[0] << 10) && !carries(w_green, v[1] << 10) && !carries(w, v[2] << 10);
+    }
     pixel = usat(v[0], 5, 25) << 11 | usat(v[1], 6, 24) << 5 | usat(v[2], 5, 25);
-    if (swapped)
+    if (format == SWAPPED)
         pixel = (pixel & 255) << 8 | pixel >> 8;
     memcpy(out, &pixel, 2);
     return !carries(w, v[0] << 7) && !carries(w_green, v[1] << 8) && !carries(w, v[2] << 7);
 }
 
-#define MODEL_RUN(name, wide, swapped)                                                                                 \
-    uint8_t *name(const struct glint_vec *normals, uint8_t *out, uint32_t *shine, const struct glint_vec *end);        \
+#define MODEL_RUN(name, wide, format, model)                                                                           \
     uint8_t *name(const struct glint_vec *normals, uint8_t *out, uint32_t *shine, const struct glint_vec *end)         \
     {                                                                                                                  \
         struct glint_line_loop *loop =                                                                                 \
             (struct glint_line_loop *)(void *)((uint8_t *)shine - offsetof(struct glint_line_loop, shine));            \
-        for (; normals != end; normals++, out += 2)                                                                    \
-            if (!model_pixel(loop, normals, out, wide, swapped))                                                       \
+        for (; normals != end; normals++, out += format == THREE ? 3 : 2)                                              \
+            if (!model_pixel(loop, normals, out, wide, format, model))                                                 \
                 break;                                                                                                 \
         return out;                                                                                                    \
     }
-MODEL_RUN(glint_dsp_narrow, false, false)
-MODEL_RUN(glint_dsp_narrow_swapped, false, true)
-MODEL_RUN(glint_dsp_wide, true, false)
-MODEL_RUN(glint_dsp_wide_swapped, true, true)
+#define MODEL_RUNS(name, model)                                                                                        \
+    MODEL_RUN(glint_dsp_##name, false, NATIVE, model)                                                                  \
+    MODEL_RUN(glint_dsp_##name##_swapped, false, SWAPPED, model)                                                       \
+    MODEL_RUN(glint_dsp_##name##_wide, true, NATIVE, model)                                                            \
+    MODEL_RUN(glint_dsp_##name##_wide_swapped, true, SWAPPED, model)
+MODEL_RUNS(msh, MSH)
+MODEL_RUNS(schlick, SCHLICK)
+MODEL_RUNS(ggx, GGX)
+MODEL_RUN(glint_dsp_888, false, THREE, MSH)
+MODEL_RUN(glint_dsp_888_wide, true, THREE, MSH)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * For cores with the assembly, or the DSP extension: rectangles that it draws, beside the same ones by the stages in C, byte for byte. An output at an
- * odd address is what leads to C in the same program. The linker's --wrap=glint_line_begin leads here, where calls are counted.
+ * odd address, for the DSP extension's loops a map of gloss, is what leads to C in the same program. The linker's --wrap=glint_line_begin leads here, where calls are counted.
  * LINES_FAULT: the loop takes W for 1 / LINES_FAULT of what it is, which must show. */
 #include "glint_fused.h"
 #include "machine.h"
@@ -12,7 +12,14 @@
 #ifndef LINES_CASES
 #define LINES_CASES (GLINT_DSP ? 40000 : 2000)
 #endif
-enum { CASES = LINES_CASES, ALBEDO = GLINT_DSP ? 16 : 2, W = 95, H = 2, STRIDE = 2 * W + 4, GUARD = 0x5a };
+enum {
+    CASES = LINES_CASES,
+    ALBEDO = GLINT_DSP ? 16 : 2,
+    W = 95,
+    H = 2,
+    STRIDE = (GLINT_DSP ? 3 : 2) * W + (GLINT_DSP ? 5 : 4),
+    GUARD = 0x5a
+};
 
 bool __real_glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
 bool __wrap_glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
@@ -91,8 +98,10 @@ static bool make_paint(struct glint_paint *paint, uint32_t number)
     static const uint16_t shininess[] = {1, 2, 3, 5, 10, 60, 200, 1000};
     static const int32_t v[3] = {0, 0, 1};
     const int32_t l[3] = {(int32_t)below(201) - 100, (int32_t)below(201) - 100, (int32_t)below(120)};
-    struct glint_material m = {.model = GLINT_MSH};
-    const struct glint_output output = {.format = (uint8_t)below(2)};
+    static const uint8_t models[] = {GLINT_MSH, GLINT_SCHLICK, GLINT_GGX},
+                         formats[] = {GLINT_RGB565, GLINT_RGB565_SWAPPED, GLINT_RGB888, GLINT_BGR888};
+    struct glint_material m = {.model = models[GLINT_DSP ? number / 4 % 3 : 0]};
+    const struct glint_output output = {.format = formats[below(GLINT_DSP && m.model == GLINT_MSH ? 4 : 2)]};
     struct glint_light light;
     m.n = (uint16_t)(below(3) ? shininess[below(8)] : 1 + below(1000));
     m.q = (uint8_t)(1 + below(16));
@@ -114,6 +123,7 @@ static bool make_paint(struct glint_paint *paint, uint32_t number)
 }
 
 static struct glint_vec normals[W * H];
+static const uint8_t *gloss; /* 255 everywhere */
 static uint8_t albedo[3 * W * H + 4], mask[(W + 1) * H + 4];
 static uint16_t out[2][STRIDE * H / 2 + 2]; /* by the assembly, and in C */
 
@@ -140,6 +150,10 @@ static void make_normals(const struct glint_paint *light)
 
 static void make_maps(uint32_t mask_kind)
 {
+    static uint8_t full[(W + 1) * H];
+    for (uint16_t i = 0; GLINT_DSP && i < sizeof full; i++)
+        full[i] = 255;
+    gloss = GLINT_DSP ? full : 0;
     uint8_t held = 0;
     for (uint16_t i = 0; i < sizeof mask; i++) {
         if (below(mask_kind == 1 ? 2 : 12) == 0)
@@ -158,7 +172,12 @@ static struct glint_box draw(const struct glint_paint *paint, const struct glint
     for (uint16_t i = 0; i < sizeof out[c]; i++)
         bytes[i] = GUARD;
     const struct glint_surface surface = {bytes + 2 + c, STRIDE, 3, 5};
-    if (glint_draw_rect(paint, maps, w, H, &surface, &box))
+    struct glint_maps in_c = *maps;
+    if (c) { /* nor does the loop take gloss */
+        in_c.gloss = gloss;
+        in_c.gloss_stride = W + 1;
+    }
+    if (glint_draw_rect(paint, &in_c, w, H, &surface, &box))
         say("# refused\n");
     return box;
 }
