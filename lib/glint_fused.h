@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Internal. Fast loops that fuse a source and a paint: what they draw is what the general way draws, bit for bit, and GLINT_FUSED=0 leaves
- * them out. The exact line of RGB565 under MSH is in assembly alone. */
+ * them out. Exact lines are in assembly alone, for ARMv6-M or by the DSP extension. */
 #ifndef GLINT_FUSED_H
 #define GLINT_FUSED_H
 
