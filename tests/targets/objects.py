@@ -172,6 +172,10 @@ class Sources:
             found = each.endswith((".h", ".c")) and re.search(rf"\b{name}\(([^();]*)\)\s*[;{{]", self.text(each))
             if found:
                 return parameters(found[1])
+            found = each.endswith(".h") and re.search(rf"^(\w+) (?:\w+,\s*)*{name}\b[\w,\s]*;", self.text(each), re.M)  # by a typedef's name
+            kind = found and re.search(rf"\btypedef [\w ]+?\**{found[1]}\(([^()]*)\);", self.text(each))
+            if kind:
+                return parameters(kind[1])
         return None
 
 

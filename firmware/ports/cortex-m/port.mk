@@ -37,12 +37,12 @@ cortex-m_CORE_mps2-an386 = cortex-m4f
 cortex-m_FLAGS_mps2-an386 = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16
 cortex-m_SCRIPT_mps2-an386 = mps2.ld
 
-cortex-m_CORE_mps2-an500 = cortex-m7
-cortex-m_FLAGS_mps2-an500 = -mcpu=cortex-m7 -mthumb
+cortex-m_CORE_mps2-an500 = cortex-m7f
+cortex-m_FLAGS_mps2-an500 = -mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-sp-d16
 cortex-m_SCRIPT_mps2-an500 = mps2.ld
 
-cortex-m_CORE_mps2-an505 = cortex-m33
-cortex-m_FLAGS_mps2-an505 = -mcpu=cortex-m33 -mthumb
+cortex-m_CORE_mps2-an505 = cortex-m33f
+cortex-m_FLAGS_mps2-an505 = -mcpu=cortex-m33 -mthumb -mfloat-abi=hard -mfpu=fpv5-sp-d16
 cortex-m_SCRIPT_mps2-an505 = mps2-an505.ld
 
 # The same without the loops by the DSP extension, which the compiler offers for these cores: what -DGLINT_DSP=0 leaves must draw the same.
@@ -51,12 +51,12 @@ cortex-m_FLAGS_mps2-an386-c = $(cortex-m_FLAGS_mps2-an386) -DGLINT_DSP=0
 cortex-m_SCRIPT_mps2-an386-c = mps2.ld
 cortex-m_RUN_mps2-an386-c = $(subst %,mps2-an386,$(cortex-m_RUN))
 
-cortex-m_CORE_mps2-an500-c = cortex-m7-c
+cortex-m_CORE_mps2-an500-c = cortex-m7f-c
 cortex-m_FLAGS_mps2-an500-c = $(cortex-m_FLAGS_mps2-an500) -DGLINT_DSP=0
 cortex-m_SCRIPT_mps2-an500-c = mps2.ld
 cortex-m_RUN_mps2-an500-c = $(subst %,mps2-an500,$(cortex-m_RUN))
 
-cortex-m_CORE_mps2-an505-c = cortex-m33-c
+cortex-m_CORE_mps2-an505-c = cortex-m33f-c
 cortex-m_FLAGS_mps2-an505-c = $(cortex-m_FLAGS_mps2-an505) -DGLINT_DSP=0
 cortex-m_SCRIPT_mps2-an505-c = mps2-an505.ld
 cortex-m_RUN_mps2-an505-c = $(subst %,mps2-an505,$(cortex-m_RUN))
