@@ -42,7 +42,7 @@ static inline __attribute__((always_inline)) bool dsp_fold_channel(struct glint_
     const uint32_t albedo = m->albedo[k], a = glint_coefficient(m->ambient_q16[k]),
                    d = glint_coefficient(m->diffuse_q16[k]), s = glint_coefficient(m->specular_q16[k]);
     /* V at nl = F = 0; what it gains to nl = 1.0, to F' = 2^16; and low: what P is to be lower */
-    const uint32_t base = dsp_scale(a * albedo, by_255, 24) + (UINT32_C(1) << (31 - up));
+    const uint32_t base = dsp_scale(a * albedo, by_255, 24) + (p->output.dither ? 0 : UINT32_C(1) << (31 - up));
     uint32_t q_q16 = dsp_scale(d * albedo, by_255, 24), r_exact = s * unit, low = DSP_CUT;
     uint32_t r_q16 = r_exact + dsp_scale(r_exact, loop->scale, 32);
     loop->base[at] = base;
@@ -60,7 +60,7 @@ static inline __attribute__((always_inline)) bool dsp_fold_channel(struct glint_
     const int32_t q_left = (int32_t)(q_q16 - (q << 16));
     const uint32_t q_off = dsp_size(q_left), offs = q_off + dsp_size((int32_t)(r_q16 - (r << 16)));
     /* V < 2^31, as its levels are those of a number with a sign */
-    if ((q | r) > 32767 || q_q16 + r_q16 > INT32_MAX - base - 2 * low)
+    if ((q | r) > 32767 || q_q16 + r_q16 > INT32_MAX - base - 2 * low - (UINT32_C(1) << (32 - up)))
         return false;
     loop->plain[at] = q;
     loop->plain[3 + at] = base + q - (q_left < 0 ? q_off + 1 : 0) - low;
@@ -133,7 +133,8 @@ const struct glint_use_line glint_line_msh = {
     103146455,
     false,
     dsp_fold_msh,
-    {glint_dsp_msh, glint_dsp_msh_swapped, glint_dsp_msh_wide, glint_dsp_msh_wide_swapped}};
+    {glint_dsp_msh, glint_dsp_msh_swapped, glint_dsp_msh_wide, glint_dsp_msh_wide_swapped, glint_dsp_msh_dither,
+     glint_dsp_msh_dither_swapped, glint_dsp_msh_dither_wide, glint_dsp_msh_dither_wide_swapped}};
 
 /* The divisor itself, whole numbers. */
 static bool dsp_fold_schlick(struct glint_line_loop *loop, const struct glint_paint *p)
@@ -142,11 +143,11 @@ static bool dsp_fold_schlick(struct glint_line_loop *loop, const struct glint_pa
     loop->v[0] = (int32_t)(65537 * (p->of.exact.n - 1)) * (loop->is_wide ? 4 : 2);
     return true;
 }
-const struct glint_use_line glint_line_schlick = {
-    65536,
-    true,
-    dsp_fold_schlick,
-    {glint_dsp_schlick, glint_dsp_schlick_swapped, glint_dsp_schlick_wide, glint_dsp_schlick_wide_swapped}};
+const struct glint_use_line glint_line_schlick = {65536,
+                                                  true,
+                                                  dsp_fold_schlick,
+                                                  {glint_dsp_schlick, glint_dsp_schlick_swapped, glint_dsp_schlick_wide,
+                                                   glint_dsp_schlick_wide_swapped, NULL, NULL, NULL, NULL}};
 
 /* DSP_ROOT w: of 2t - t^2 (narrow), or of c^2. */
 static bool dsp_fold_ggx(struct glint_line_loop *loop, const struct glint_paint *p)
@@ -163,13 +164,16 @@ static bool dsp_fold_ggx(struct glint_line_loop *loop, const struct glint_paint 
     return v >> 32 == 0;
 }
 const struct glint_use_line glint_line_ggx = {
-    65536, true, dsp_fold_ggx, {glint_dsp_ggx, glint_dsp_ggx_swapped, glint_dsp_ggx_wide, glint_dsp_ggx_wide_swapped}};
+    65536,
+    true,
+    dsp_fold_ggx,
+    {glint_dsp_ggx, glint_dsp_ggx_swapped, glint_dsp_ggx_wide, glint_dsp_ggx_wide_swapped, NULL, NULL, NULL, NULL}};
 
 static bool dsp_begin(struct glint_line_loop *loop, const struct glint_paint *p, const struct glint_use_line *line)
 {
     const struct glint_vec l = p->l, h = p->h;
     const uint32_t t_end = p->of.exact.t_end;
-    if (p->output.dither || (p->material.clamp_peak && !line->holds))
+    if (p->material.clamp_peak && !line->holds)
         return false;
     loop->paint = p;
     loop->format = p->output.format;
@@ -206,14 +210,14 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *p,
     if (albedo || !line || !dsp_begin(loop, p, line))
         return false;
     loop->bytes = 2;
-    loop->run = line->run[2 * loop->is_wide + (loop->format == GLINT_RGB565_SWAPPED)];
-    return dsp_fold_565(loop, p);
+    loop->run = line->run[4 * p->output.dither + 2 * loop->is_wide + (loop->format == GLINT_RGB565_SWAPPED)];
+    return loop->run && dsp_fold_565(loop, p);
 }
 
 bool glint_line_begin_888(struct glint_line_loop *loop, const struct glint_paint *p, bool albedo)
 {
     const struct glint_use_line *line = p->model->line;
-    if (albedo || !line || GLINT_FLASH_U8(p->model->model) != GLINT_MSH ||
+    if (albedo || !line || GLINT_FLASH_U8(p->model->model) != GLINT_MSH || p->output.dither ||
         (p->output.format != GLINT_RGB888 && p->output.format != GLINT_BGR888) || !dsp_begin(loop, p, line))
         return false;
     loop->bytes = 3;
@@ -228,7 +232,8 @@ bool glint_line_begin_888(struct glint_line_loop *loop, const struct glint_paint
 typedef char dsp_layout[DSP_AT(turn, 0) && DSP_AT(plain, 28) && DSP_AT(shine, 56) && DSP_AT(v, 56 + 28) &&
                                 DSP_AT(up, 56 + 36) && DSP_AT(hh, 56 + 40) && DSP_AT(nh, 56 + 44) &&
                                 DSP_AT(t_end, 56 + 48) && DSP_AT(dark, 56 + 52) && DSP_AT(last, 56 + 56) &&
-                                DSP_AT(w_green, 56 + 60) && sizeof(struct glint_vec) == 6
+                                DSP_AT(w_green, 56 + 60) && DSP_AT(thresholds, 56 + 64) && DSP_AT(dark_of, 56 + 80) &&
+                                sizeof(struct glint_vec) == 6
                             ? 1
                             : -1];
 #undef DSP_AT
@@ -249,12 +254,20 @@ typedef char dsp_layout[DSP_AT(turn, 0) && DSP_AT(plain, 28) && DSP_AT(shine, 56
     "cmncc " w_green ", " vg ", lsl #10\n\t"                                                                           \
     "cmncc " w ", " vb ", lsl #10\n\t"                                                                                 \
     ".else\n\t"                                                                                                        \
+    ".if " format " > 2\n\t"                                                                                           \
+    "and " r ", r1, #6\n\t"                                                                                            \
+    "add " r ", r2, " r ", lsl #1\n\t"                                                                                 \
+    "ldr " r ", [" r ", #64]\n\t"                                                                                      \
+    "add " vr ", " vr ", " r "\n\t"                                                                                    \
+    "add " vg ", " vg ", " r ", lsr #1\n\t"                                                                            \
+    "add " vb ", " vb ", " r "\n\t"                                                                                    \
+    ".endif\n\t"                                                                                                       \
     "usat " r ", #5, " vr ", asr #25\n\t"                                                                              \
     "usat " g ", #6, " vg ", asr #24\n\t"                                                                              \
     "usat " b ", #5, " vb ", asr #25\n\t"                                                                              \
     "orr " b ", " b ", " g ", lsl #5\n\t"                                                                              \
     "orr " b ", " b ", " r ", lsl #11\n\t"                                                                             \
-    ".if " format " == 1\n\t"                                                                                          \
+    ".if " format " == 1 || " format " == 4\n\t"                                                                       \
     "rev16 " b ", " b "\n\t"                                                                                           \
     ".endif\n\t"                                                                                                       \
     "strh " b ", [r1], #2\n\t"                                                                                         \
@@ -319,7 +332,13 @@ typedef char dsp_layout[DSP_AT(turn, 0) && DSP_AT(plain, 28) && DSP_AT(shine, 56
     "mla r12, r8, " s                                                                                                  \
     ", r12\n\t" DSP_LEVELS(format, "r10", "r11", "r12", "lr", "lr", q0, q1, "r8") "b 3" n "b\n"                        \
                                                                                   "5" n ":\n\t"                        \
+                                                                                  ".if " format " > 2\n\t"             \
+                                                                                  "and r5, r1, #6\n\t"                 \
+                                                                                  "add r5, r2, r5, lsl #1\n\t"         \
+                                                                                  "ldr r5, [r5, #80]\n\t"              \
+                                                                                  ".else\n\t"                          \
                                                                                   "ldr r5, [r2, #52]\n\t"              \
+                                                                                  ".endif\n\t"                         \
                                                                                   ".if " format " == 2\n\t"            \
                                                                                   "strb r5, [r1], #1\n\t"              \
                                                                                   "lsr r5, r5, #8\n\t"                 \
@@ -432,6 +451,10 @@ DSP_RUN(glint_dsp_ggx, "2", "0", "0")
 DSP_RUN(glint_dsp_ggx_swapped, "2", "0", "1")
 DSP_RUN(glint_dsp_ggx_wide, "2", "1", "0")
 DSP_RUN(glint_dsp_ggx_wide_swapped, "2", "1", "1")
+DSP_RUN(glint_dsp_msh_dither, "0", "0", "3")
+DSP_RUN(glint_dsp_msh_dither_swapped, "0", "0", "4")
+DSP_RUN(glint_dsp_msh_dither_wide, "0", "1", "3")
+DSP_RUN(glint_dsp_msh_dither_wide_swapped, "0", "1", "4")
 DSP_RUN(glint_dsp_888, "0", "0", "2")
 DSP_RUN(glint_dsp_888_wide, "0", "1", "2")
 #undef DSP_RUN
@@ -493,11 +516,11 @@ static inline void dsp_copy(uint32_t *to, const uint32_t *from)
 enum { DSP_NEAR = 8 };
 static inline __attribute__((always_inline)) uint32_t dsp_level(const struct glint_line_loop *loop,
                                                                 const struct glint_sample *sample, unsigned k,
-                                                                unsigned shift, uint32_t *undecided)
+                                                                unsigned shift, uint32_t more, uint32_t *undecided)
 {
     const uint32_t most = (UINT32_C(1) << (shift == 25 ? 5 : 30 - shift)) - 1;
     const uint64_t lit = (uint64_t)loop->q_q16[k] * sample->nl_q16 + (uint64_t)loop->r_q16[k] * sample->f_q16;
-    const uint32_t v = loop->base[k] + (uint32_t)(lit >> 16) - DSP_NEAR, level = v >> shift;
+    const uint32_t v = loop->base[k] + (uint32_t)(lit >> 16) + more - DSP_NEAR, level = v >> shift;
     *undecided |= (v ^ (v + 2 * DSP_NEAR)) >> shift;
     return level < most ? level : most;
 }
@@ -506,9 +529,9 @@ static bool dsp_decide(const struct glint_line_loop *loop, const struct glint_sa
 {
     uint32_t undecided = loop->paint->of.exact.high; /* a coloured light's nl and F are rounded once more */
     if (loop->bytes == 3) {
-        const uint32_t first = dsp_level(loop, sample, 0, 22, &undecided),
-                       second = dsp_level(loop, sample, 1, 22, &undecided),
-                       third = dsp_level(loop, sample, 2, 22, &undecided);
+        const uint32_t first = dsp_level(loop, sample, 0, 22, 0, &undecided),
+                       second = dsp_level(loop, sample, 1, 22, 0, &undecided),
+                       third = dsp_level(loop, sample, 2, 22, 0, &undecided);
         if (undecided)
             return false;
         out[0] = (uint8_t)first;
@@ -516,14 +539,26 @@ static bool dsp_decide(const struct glint_line_loop *loop, const struct glint_sa
         out[2] = (uint8_t)third;
         return true;
     }
-    const uint32_t pixel = dsp_level(loop, sample, 0, 25, &undecided) << 11 |
-                           dsp_level(loop, sample, 1, 24, &undecided) << 5 | dsp_level(loop, sample, 2, 25, &undecided);
+    const uint32_t more = loop->paint->output.dither ? loop->thresholds[(uintptr_t)out >> 1 & 3] : 0;
+    const uint32_t pixel = dsp_level(loop, sample, 0, 25, more, &undecided) << 11 |
+                           dsp_level(loop, sample, 1, 24, more >> 1, &undecided) << 5 |
+                           dsp_level(loop, sample, 2, 25, more, &undecided);
     if (undecided)
         return false;
     const bool swapped = loop->format == GLINT_RGB565_SWAPPED;
     out[swapped] = (uint8_t)pixel;
     out[!swapped] = (uint8_t)(pixel >> 8);
     return true;
+}
+
+void glint_line_dither(struct glint_line_loop *loop, const struct glint_run *run, const uint16_t dark[4])
+{
+    uint32_t row = glint_bayer_row(run->left, run->y);
+    for (unsigned x = 0; x < 4; x++, row >>= 4) {
+        const unsigned at = (unsigned)((uintptr_t)loop->out >> 1) + x;
+        loop->thresholds[at & 3] = (2 * (row & 15) + 1) << 20; /* of 2^25 */
+        loop->dark_of[at & 3] = dark[x];
+    }
 }
 
 uint32_t glint_line_dsp(struct glint_line_loop *loop, uint32_t x)

@@ -51,6 +51,23 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *p,
 #if GLINT_LINE
 
 #if GLINT_DSP
+static __attribute__((noinline)) void fused_dithered(struct glint_line_loop *loop, const struct glint_paint *paint,
+                                                     const struct glint_run *of)
+{
+    uint16_t dark[4];
+    struct glint_run run = {(uint8_t *)dark, 0, of->left, of->y, NULL, NULL, NULL, 0, NULL};
+    struct glint_sample samples[4];
+    for (unsigned i = 0; i < 4; i++) {
+        samples[i].t_q30 = UINT32_MAX;
+        samples[i].nl_q16 = samples[i].f_q16 = 0;
+    }
+    const uint32_t open = paint->format->levels(paint, &run, samples, 4);
+    for (unsigned i = 0; i < 4; i++)
+        if (open >> i & 1)
+            glint_paint_exactly(paint, &run, i, samples + i);
+    glint_line_dither(loop, of, dark);
+}
+
 #define LINE_DRAW glint_line_dsp
 #define LINE_COVERED(loop) ((loop)->covered)
 #define LINE_LACKS_DARK(loop) ((loop)->dark_is_open)
@@ -74,6 +91,8 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
     loop->normals = normals;
 #if GLINT_DSP
     loop->run_end = loop->covered = 0;
+    if (paint->output.dither)
+        fused_dithered(loop, paint, run);
 #else
     loop->albedo = lines->albedo;
 #endif

@@ -61,6 +61,8 @@ struct glint_line_loop {
     uint32_t dark;       /* the pixel where N.L <= 0, in memory order; where it is open, the caller's to set */
     const uint8_t *last; /* where in out the last pixel is lit; the caller sets it to 0 for each line */
     uint32_t w_green;    /* W of green in the highlight */
+    /* Dithered, by an address in out / 2 mod 4: thresholds, of red and blue, and dark pixels; a line's. */
+    uint32_t thresholds[4], dark_of[4];
     uint32_t base[3], q_q16[3],
         r_q16[3]; /* V = base + (q_q16 nl + r_q16 F) 2^-16, within DSP_NEAR, where the light is white */
     const struct glint_paint *paint;
@@ -80,7 +82,10 @@ struct glint_line_loop {
     uint32_t covered;           /* all bits of mask where it is not 255; the caller sets it to 0 */
     struct glint_sample sample; /* of one that is left open: the caller's */
 };
+/* Sets thresholds and dark_of for the line at out, from the pixels where N.L <= 0. */
+void glint_line_dither(struct glint_line_loop *loop, const struct glint_run *run, const uint16_t dark[4]);
 uint32_t glint_line_dsp(struct glint_line_loop *loop, uint32_t x);
+glint_dsp_run glint_dsp_msh_dither, glint_dsp_msh_dither_swapped, glint_dsp_msh_dither_wide, glint_dsp_msh_dither_wide_swapped;
 glint_dsp_run glint_dsp_msh, glint_dsp_msh_swapped, glint_dsp_msh_wide, glint_dsp_msh_wide_swapped, glint_dsp_888,
     glint_dsp_888_wide;
 glint_dsp_run glint_dsp_schlick, glint_dsp_schlick_swapped, glint_dsp_schlick_wide, glint_dsp_schlick_wide_swapped;
@@ -92,7 +97,7 @@ struct glint_use_line {
     uint32_t scale;
     bool holds;
     bool (*fold)(struct glint_line_loop *loop, const struct glint_paint *paint);
-    glint_dsp_run *run[4]; /* narrow, then wide; each in both orders */
+    glint_dsp_run *run[8]; /* narrow, then wide; each in both orders; then these dithered, or NULL */
 };
 bool glint_line_begin_888(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
 #define GLINT_LINE_BEGIN_888 glint_line_begin_888

@@ -46,7 +46,7 @@ static bool carries(uint32_t w, uint32_t fraction)
     return w + fraction < w;
 }
 
-enum format { NATIVE, SWAPPED, THREE };
+enum format { NATIVE, SWAPPED, THREE, DITHERED, DITHERED_SWAPPED };
 enum model { MSH, SCHLICK, GGX };
 
 /* false: it is open. */
@@ -56,7 +56,9 @@ static bool model_pixel(struct glint_line_loop *loop, const struct glint_vec *n,
     const uint32_t xy = (uint16_t)n->x | (uint32_t)n->y << 16, z = (uint16_t)n->z, *turn = loop->turn;
     const uint32_t s = smlabb(z, turn[1], smlad(xy, turn[0], turn[3]));
     uint32_t t, v[3], pixel = loop->dark, w, w_green;
+    const unsigned at_4 = (uintptr_t)out >> 1 & 3;
     if (s >= 0x40000000) {
+        pixel = format >= DITHERED ? loop->dark_of[at_4] : pixel;
         memcpy(out, &pixel, format == THREE ? 3 : 2);
         return (int32_t)s < 0;
     }
@@ -94,8 +96,10 @@ static bool model_pixel(struct glint_line_loop *loop, const struct glint_vec *n,
             out[k] = (uint8_t)usat(v[k], 8, 22);
         return !carries(w, v[0] << 10) && !carries(w_green, v[1] << 10) && !carries(w, v[2] << 10);
     }
+    for (int k = 0; k < 3 && format >= DITHERED; k++)
+        v[k] += loop->thresholds[at_4] >> (k == 1);
     pixel = usat(v[0], 5, 25) << 11 | usat(v[1], 6, 24) << 5 | usat(v[2], 5, 25);
-    if (format == SWAPPED)
+    if (format == SWAPPED || format == DITHERED_SWAPPED)
         pixel = (pixel & 255) << 8 | pixel >> 8;
     memcpy(out, &pixel, 2);
     return !carries(w, v[0] << 7) && !carries(w_green, v[1] << 8) && !carries(w, v[2] << 7);
@@ -121,3 +125,7 @@ MODEL_RUNS(schlick, SCHLICK)
 MODEL_RUNS(ggx, GGX)
 MODEL_RUN(glint_dsp_888, false, THREE, MSH)
 MODEL_RUN(glint_dsp_888_wide, true, THREE, MSH)
+MODEL_RUN(glint_dsp_msh_dither, false, DITHERED, MSH)
+MODEL_RUN(glint_dsp_msh_dither_swapped, false, DITHERED_SWAPPED, MSH)
+MODEL_RUN(glint_dsp_msh_dither_wide, true, DITHERED, MSH)
+MODEL_RUN(glint_dsp_msh_dither_wide_swapped, true, DITHERED_SWAPPED, MSH)
