@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The exact line of RGB565 under MSH, Schlick and GGX, and of RGB888 under MSH, by the DSP extension of Cortex-M4, M7, M33 and later: two
+ * The exact line of RGB565 under MSH, dithered or not, Schlick and GGX, and of RGB888 under MSH, by the DSP extension of Cortex-M4, M7, M33 and later: two
  * pixels at a time, two products an instruction. Like the other exact loops it finds V, which is low by less than W, and leaves open what V and W do
  * not decide. */
 #include "glint_fused.h"

@@ -50,21 +50,24 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *p,
 
 #if GLINT_LINE
 
+/* The run's pixel, where N.L <= 0. */
+static __attribute__((noinline)) void fused_dark(struct glint_line_loop *loop, const struct glint_paint *paint,
+                                                 const struct glint_run *run)
+{
+    loop->sample.t_q30 = UINT32_MAX;
+    loop->sample.nl_q16 = loop->sample.f_q16 = 0;
+    if (paint->format->levels(paint, run, &loop->sample, 1))
+        glint_paint_exactly(paint, run, 0, &loop->sample);
+}
+
 #if GLINT_DSP
 static __attribute__((noinline)) void fused_dithered(struct glint_line_loop *loop, const struct glint_paint *paint,
                                                      const struct glint_run *of)
 {
     uint16_t dark[4];
     struct glint_run run = {(uint8_t *)dark, 0, of->left, of->y, NULL, NULL, NULL, 0, NULL};
-    struct glint_sample samples[4];
-    for (unsigned i = 0; i < 4; i++) {
-        samples[i].t_q30 = UINT32_MAX;
-        samples[i].nl_q16 = samples[i].f_q16 = 0;
-    }
-    const uint32_t open = paint->format->levels(paint, &run, samples, 4);
-    for (unsigned i = 0; i < 4; i++)
-        if (open >> i & 1)
-            glint_paint_exactly(paint, &run, i, samples + i);
+    for (; run.x < 4; run.x++)
+        fused_dark(loop, paint, &run);
     glint_line_dither(loop, of, dark);
 }
 
@@ -112,16 +115,6 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
     }
 }
 
-/* The pixel where N.L <= 0. */
-static __attribute__((noinline)) void fused_dark(struct glint_line_loop *loop, const struct glint_paint *paint)
-{
-    struct glint_run run = {(uint8_t *)&loop->dark, 0, 0, 0, NULL, NULL, NULL, 0, NULL};
-    loop->sample.t_q30 = UINT32_MAX;
-    loop->sample.nl_q16 = loop->sample.f_q16 = 0;
-    if (paint->format->levels(paint, &run, &loop->sample, 1))
-        glint_paint_exactly(paint, &run, 0, &loop->sample);
-}
-
 bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
                        struct glint_box *highlight)
 {
@@ -136,8 +129,10 @@ bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *line
         return false;
     struct glint_bounds bounds;
     glint_bounds_begin(&bounds);
-    if (LINE_LACKS_DARK(&loop))
-        fused_dark(&loop, paint);
+    if (LINE_LACKS_DARK(&loop)) {
+        const struct glint_run dark = {(uint8_t *)&loop.dark, 0, 0, 0, NULL, NULL, NULL, 0, NULL};
+        fused_dark(&loop, paint, &dark);
+    }
 #if GLINT_DSP
     loop.seeks = highlight != NULL;
 #endif
