@@ -85,7 +85,8 @@ struct glint_line_loop {
 /* Sets thresholds and dark_of for the line at out, from the pixels where N.L <= 0. */
 void glint_line_dither(struct glint_line_loop *loop, const struct glint_run *run, const uint16_t dark[4]);
 uint32_t glint_line_dsp(struct glint_line_loop *loop, uint32_t x);
-glint_dsp_run glint_dsp_msh_dither, glint_dsp_msh_dither_swapped, glint_dsp_msh_dither_wide, glint_dsp_msh_dither_wide_swapped;
+glint_dsp_run glint_dsp_msh_dither, glint_dsp_msh_dither_swapped, glint_dsp_msh_dither_wide,
+    glint_dsp_msh_dither_wide_swapped;
 glint_dsp_run glint_dsp_msh, glint_dsp_msh_swapped, glint_dsp_msh_wide, glint_dsp_msh_wide_swapped, glint_dsp_888,
     glint_dsp_888_wide;
 glint_dsp_run glint_dsp_schlick, glint_dsp_schlick_swapped, glint_dsp_schlick_wide, glint_dsp_schlick_wide_swapped;
