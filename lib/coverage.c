@@ -304,7 +304,7 @@ static void coverage_next(struct glint_lines *lines)
 
 /* ---- Beside a core's line, which draws what is full ---- */
 
-#if GLINT_FUSED && (GLINT_CORTEX_M0PLUS_ASM || GLINT_HELIUM)
+#if GLINT_LINE
 static void coverage_edge_plain(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
                                 unsigned count, uint32_t y)
 {

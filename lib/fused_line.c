@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * What a rectangle folds to for the line in assembly (cortex_m0plus_rgb565.S); rectangles by a core's line. */
+ * The exact line of RGB565 under MSH in one loop: in assembly for ARMv6-M (cortex_m0plus_rgb565.S), what a rectangle folds to for it, and
+ * rectangles by it or by the DSP extension's (fused_dsp.c). */
 #include "glint_fused.h"
 
 #if GLINT_CORTEX_M0PLUS_ASM && GLINT_FUSED
@@ -45,15 +46,58 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *p,
                            : glint_line_rgb565;
     return true;
 }
+#endif
+
+#if GLINT_LINE && !GLINT_HELIUM
+
+/* The run's pixel, where N.L <= 0. */
+static __attribute__((noinline)) void fused_dark(struct glint_line_loop *loop, const struct glint_paint *paint,
+                                                 const struct glint_run *run)
+{
+    loop->sample.t_q30 = UINT32_MAX;
+    loop->sample.nl_q16 = loop->sample.f_q16 = 0;
+    if (paint->format->levels(paint, run, &loop->sample, 1))
+        glint_paint_sums(paint, run, 0, 0, 0);
+}
 
 void glint_line_dark(struct glint_line_loop *loop, const struct glint_paint *paint)
 {
-    struct glint_run dark = {(uint8_t *)&loop->dark, 0, 0, 0, NULL, NULL, NULL, 0, paint->format};
-    loop->sample.t_q30 = UINT32_MAX;
-    loop->sample.nl_q16 = loop->sample.f_q16 = 0;
-    if (GLINT_FLASH_POINTER(paint->format->levels)(paint, &dark, &loop->sample, 1))
-        glint_paint_sums(paint, &dark, 0, 0, 0);
+    const struct glint_run dark = {(uint8_t *)&loop->dark, 0, 0, 0, NULL, NULL, NULL, 0, paint->format};
+    fused_dark(loop, paint, &dark);
 }
+
+#if GLINT_DSP
+static __attribute__((noinline)) void fused_dithered(struct glint_line_loop *loop, const struct glint_paint *paint,
+                                                     const struct glint_run *of)
+{
+    uint16_t dark[4];
+    struct glint_run run = {(uint8_t *)dark, 0, of->left, of->y, NULL, NULL, NULL, 0, paint->format};
+    for (; run.x < 4; run.x++)
+        fused_dark(loop, paint, &run);
+    glint_line_dither(loop, of, dark);
+}
+
+/* What is covered in part, which the loop left out. */
+static void fused_edges(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
+                        uint32_t y)
+{
+    struct glint_run *const run = &lines->run;
+    run->x = 0;
+    while (lines->most = UINT16_MAX, glint_lines_next(lines))
+        run->x = run->format == lines->format
+                     ? run->x + lines->count
+                     : GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, NULL, NULL, bounds, y);
+    run->format = lines->format;
+}
+
+#define LINE_DRAW glint_line_dsp
+#define LINE_LACKS_DARK(loop) ((loop)->dark_is_open)
+#define LINE_BYTES(loop) ((loop)->bytes)
+#else
+#define LINE_DRAW loop->draw
+#define LINE_LACKS_DARK(loop) true
+#define LINE_BYTES(loop) 2
+#endif
 
 /* A line by the loop; pixels that this leaves open by the 64-bit sequence. */
 static void fused_line(struct glint_line_loop *loop, const struct glint_paint *paint, struct glint_lines *lines,
@@ -65,22 +109,34 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
     loop->w = lines->w;
     loop->mask = run->coverage;
     loop->normals = normals;
+#if GLINT_DSP
+    loop->run_end = loop->covered = 0;
+    if (paint->output.dither)
+        fused_dithered(loop, paint, run);
+#else
     loop->albedo = lines->albedo;
+#endif
     loop->first = (const uint8_t *)UINTPTR_MAX;
     loop->last = NULL;
-    for (uint32_t x = 0; (x = loop->draw(loop, x)) < lines->w; x++) {
+    for (uint32_t x = 0; (x = LINE_DRAW(loop, x)) < lines->w; x++) {
         run->x = x;
+#if !GLINT_DSP
         if (run->coverage && run->coverage[x] != 255) {
             x = GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, loop, NULL, bounds, y) - 1;
             continue;
         }
+#endif
         run->albedo = lines->albedo ? lines->albedo + 3 * x : NULL;
         glint_samples_half(&paint->l, &paint->v, &paint->h, normals + x, &loop->sample, 1);
         glint_paint_exactly(paint, run, 0, &loop->sample);
     }
-    if (loop->last) {
-        glint_bounds_add(bounds, (uint32_t)(loop->first - run->line) / 2, y);
-        glint_bounds_add(bounds, (uint32_t)(loop->last - run->line) / 2, y);
+#if GLINT_DSP
+    if (loop->covered)
+        fused_edges(paint, lines, bounds, y);
+#endif
+    if (loop->last && loop->first != (const uint8_t *)UINTPTR_MAX) {
+        glint_bounds_add(bounds, (uint32_t)(loop->first - run->line) / LINE_BYTES(loop), y);
+        glint_bounds_add(bounds, (uint32_t)(loop->last - run->line) / LINE_BYTES(loop), y);
     }
 }
 
@@ -91,12 +147,18 @@ bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *line
     const struct glint_surface *target = lines->target;
     struct glint_line_loop loop;
     if (!format->begin || lines->maps->gloss || lines->maps->normals_format != GLINT_NORMALS_INT16 ||
-        (paint->of.exact.high && lines->maps->albedo) || GLINT_MISALIGNED(target->pixels, 16) ||
-        (h > 1 && GLINT_MISALIGNED(target->stride, 16)) || !format->begin(&loop, paint, lines->maps->albedo != NULL))
+        (paint->of.exact.high && lines->maps->albedo) ||
+        (glint_format_is_565(paint->output.format) &&
+         (GLINT_MISALIGNED(target->pixels, 16) || (h > 1 && GLINT_MISALIGNED(target->stride, 16)))) ||
+        !format->begin(&loop, paint, lines->maps->albedo != NULL))
         return false;
     struct glint_bounds bounds;
-    glint_line_dark(&loop, paint);
     glint_bounds_begin(&bounds);
+    if (LINE_LACKS_DARK(&loop))
+        glint_line_dark(&loop, paint);
+#if GLINT_DSP
+    loop.seeks = highlight != NULL;
+#endif
     for (uint32_t y = 0; y < h; y++) {
         glint_lines_set(lines, y);
         fused_line(&loop, paint, lines, &bounds, y);

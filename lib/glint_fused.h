@@ -36,13 +36,6 @@ struct glint_line_loop {
     uint32_t (*draw)(struct glint_line_loop *loop, uint32_t x);
 };
 
-/* The rectangle's fields but dark; false where this loop does not draw it. */
-bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
-
-/* Draws a rectangle by it; false where it cannot, and nothing is drawn. */
-bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
-                       struct glint_box *highlight);
-
 /* The pixel where N.L <= 0. */
 void glint_line_dark(struct glint_line_loop *loop, const struct glint_paint *paint);
 
@@ -74,7 +67,7 @@ uint32_t glint_line_rgb565_albedo(struct glint_line_loop *loop, uint32_t x);
 uint32_t glint_line_rgb565_albedo_swapped(struct glint_line_loop *loop, uint32_t x);
 uint32_t glint_line_rgb565_soft(struct glint_line_loop *loop, uint32_t x);
 uint32_t glint_line_rgb565_soft_swapped(struct glint_line_loop *loop, uint32_t x);
-#define GLINT_LINE_BEGIN glint_line_begin
+#define GLINT_LINE 1
 #elif GLINT_HELIUM
 /* Eight pixels at a time. V of a channel: 2^30 is 1.0. helium.c has the numbers' meaning and bounds. */
 struct glint_line_loop {
@@ -90,11 +83,84 @@ struct glint_line_loop {
     void (*draw)(struct glint_line_loop *loop, const struct glint_paint *paint, const struct glint_run *run,
                  const struct glint_vec *normals, uint32_t count);
 };
-bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
-bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
-                       struct glint_box *highlight);
 /* The first pixel from x on that is covered in full, or is not; or end. */
 uint32_t glint_helium_find(const uint8_t *coverage, uint32_t x, uint32_t end, bool full);
+#define GLINT_LINE 1
+#elif GLINT_DSP
+/* Draws the pixels of normals from N up to end, at least one, and returns where in out it stopped: at the first one that W leaves open, which
+ * has a value all the same, or behind the last one. shine: the loop's. */
+typedef uint8_t *glint_dsp_run(const struct glint_vec *normals, uint8_t *out, uint32_t *shine,
+                               const struct glint_vec *end);
+
+/* The offsets of these fields are the assembly's, too (fused_dsp.c). */
+struct glint_line_loop {
+    /* of the rectangle: glint_line_begin */
+    uint32_t turn[7];  /* halves of L, -2^13, halves of H: x y, z x, y z, the first one the lower */
+    uint32_t plain[7]; /* outside the highlight V = P2 + Q (nl - 1): Q, P2, W */
+    uint32_t shine[7]; /* in it V = P + Q (nl - 1 - 2^15) + R (F - 2^15): R and Q, P, W. W: of a level, times 2^32 */
+    int32_t v[2];      /* the root of F's divisor is v[1] + v[0] (T << up) 2^-32 */
+    uint32_t up;
+    uint32_t hh, nh;     /* where the lobe is wide: what is added to N.N and N.H */
+    uint32_t t_end;      /* of T: 2t, or |N - H|^2; where the lobe is wide, t */
+    uint32_t dark;       /* the pixel where N.L <= 0, in memory order; where it is open, the caller's to set */
+    const uint8_t *last; /* where in out the last pixel is lit; the caller sets it to 0 for each line */
+    uint32_t w_green;    /* W of green in the highlight */
+    /* Dithered, by an address in out / 2 mod 4: thresholds, of red and blue, and dark pixels; a line's. */
+    uint32_t thresholds[4], dark_of[4];
+    uint32_t base[3], q_q16[3],
+        r_q16[3]; /* V = base + (q_q16 nl + r_q16 F) 2^-16, within DSP_NEAR, where the light is white */
+    const struct glint_paint *paint;
+    const uint8_t *first; /* the first one; the caller sets it to the end of memory */
+    /* of the line: the caller */
+    uint32_t scale; /* (S - 1) 2^32 */
+    bool is_wide, dark_is_open;
+    uint8_t format;
+    unsigned bytes; /* of a pixel */
+    glint_dsp_run *run;
+    bool seeks;   /* is first wanted? */
+    uint8_t *out; /* of pixel 0; aligned to 2 */
+    uint32_t w;
+    const uint8_t *mask; /* NULL: every pixel is drawn; else those of 255 */
+    const struct glint_vec *normals;
+    uint32_t run_end;           /* up to where mask is 255; the caller sets it to 0 */
+    uint32_t covered;           /* all bits of mask where it is not 255; the caller sets it to 0 */
+    struct glint_sample sample; /* of one that is left open: the caller's */
+};
+/* Sets thresholds and dark_of for the line at out, from the pixels where N.L <= 0. */
+void glint_line_dither(struct glint_line_loop *loop, const struct glint_run *run, const uint16_t dark[4]);
+uint32_t glint_line_dsp(struct glint_line_loop *loop, uint32_t x);
+glint_dsp_run glint_dsp_msh_dither, glint_dsp_msh_dither_swapped, glint_dsp_msh_dither_wide,
+    glint_dsp_msh_dither_wide_swapped;
+glint_dsp_run glint_dsp_msh, glint_dsp_msh_swapped, glint_dsp_msh_wide, glint_dsp_msh_wide_swapped, glint_dsp_888,
+    glint_dsp_888_wide;
+glint_dsp_run glint_dsp_schlick, glint_dsp_schlick_swapped, glint_dsp_schlick_wide, glint_dsp_schlick_wide_swapped;
+glint_dsp_run glint_dsp_ggx, glint_dsp_ggx_swapped, glint_dsp_ggx_wide, glint_dsp_ggx_wide_swapped;
+
+/* A model's lines. */
+struct glint_use_line {
+    /* F 2^16 = S F' + e: (S - 1) 2^32; is F' below 2^16 also where F is held to 1.0? */
+    uint32_t scale;
+    bool holds;
+    bool (*fold)(struct glint_line_loop *loop, const struct glint_paint *paint);
+    glint_dsp_run *run[8]; /* narrow, then wide; each in both orders; then these dithered, or NULL */
+};
+bool glint_line_begin_888(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
+#define GLINT_LINE_BEGIN_888 glint_line_begin_888
+#define GLINT_LINE 1
+#else
+#define GLINT_LINE 0
+#endif
+
+#ifndef GLINT_LINE_BEGIN_888
+#define GLINT_LINE_BEGIN_888 NULL
+#endif
+#if GLINT_LINE
+/* The rectangle's fields but dark; false where this loop does not draw it. */
+bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
+
+/* Draws a rectangle by it; false where it cannot, and nothing is drawn. */
+bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
+                       struct glint_box *highlight);
 #define GLINT_LINE_BEGIN glint_line_begin
 #else
 #define GLINT_LINE_BEGIN NULL

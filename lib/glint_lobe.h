@@ -66,7 +66,15 @@ struct glint_use_model {
     uint32_t (*exact)(uint32_t n, uint32_t t_q30);
     uint32_t (*cutoff_t)(uint32_t n, unsigned q);
     const struct glint_use_grain *grain; /* NULL: n_across, maps of grain and of shininess are errors */
+    const struct glint_use_line *line;   /* its lines by the DSP extension, fused; NULL: there are none */
 };
+
+#if GLINT_DSP
+extern const struct glint_use_line glint_line_msh, glint_line_schlick, glint_line_ggx;
+#define GLINT_LINE_OF(line) &line
+#else
+#define GLINT_LINE_OF(line) NULL
+#endif
 
 /* Blinn's, which Phong shares. */
 void glint_blinn_run(const struct glint_paint *paint, struct glint_sample *samples, unsigned count);

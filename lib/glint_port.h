@@ -33,6 +33,22 @@
 #define GLINT_HELIUM 1
 #endif
 
+/* 1: loops by the DSP extension of Cortex-M4, M7, M33 and later, fused_dsp.c: where the compiler has it, unless it is set. 0: C without it. */
+#ifndef GLINT_DSP
+#if defined(__ARM_FEATURE_DSP) && defined(__ARM_ARCH_PROFILE) && !defined(__ARM_BIG_ENDIAN)
+#if __ARM_FEATURE_DSP && __ARM_ARCH_PROFILE == 'M'
+#define GLINT_DSP 1
+#endif
+#endif
+#endif
+#ifndef GLINT_DSP
+#define GLINT_DSP 0
+#endif
+#if !GLINT_FUSED || GLINT_HELIUM
+#undef GLINT_DSP
+#define GLINT_DSP 0
+#endif
+
 #ifndef __ASSEMBLER__ /* assembly takes the above alone */
 
 #include <stddef.h>

@@ -412,7 +412,7 @@ void glint_grain_edge(const struct glint_paint *paint, struct glint_lines *lines
 }
 
 void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
-                       struct glint_box *highlight)
+                      struct glint_box *highlight)
 {
     struct glint_bounds bounds;
     glint_bounds_begin(&bounds);

@@ -59,4 +59,4 @@ void glint_blinn_run(const struct glint_paint *paint, struct glint_sample *sampl
 }
 
 const struct glint_use_model glint_use_blinn GLINT_FLASH = {
-    GLINT_BLINN, 1, NULL, NULL, glint_blinn_run, glint_blinn_t, glint_blinn_cutoff_t, NULL};
+    GLINT_BLINN, 1, NULL, NULL, glint_blinn_run, glint_blinn_t, glint_blinn_cutoff_t, NULL, NULL};

@@ -140,4 +140,4 @@ static void gauss_run(const struct glint_paint *paint, struct glint_sample *samp
 }
 
 const struct glint_use_model glint_use_gauss GLINT_FLASH = {
-    GLINT_GAUSS, 1, NULL, NULL, gauss_run, glint_gauss_t, glint_gauss_cutoff_t, NULL};
+    GLINT_GAUSS, 1, NULL, NULL, gauss_run, glint_gauss_t, glint_gauss_cutoff_t, NULL, NULL};

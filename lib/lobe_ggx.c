@@ -169,8 +169,8 @@ static void ggx_run(const struct glint_paint *paint, struct glint_sample *sample
     glint_near_run(paint, samples, count, ggx_near);
 }
 
-const struct glint_use_model glint_use_ggx GLINT_FLASH = {GLINT_GGX,          1,   NULL, ggx_fold, ggx_run, glint_ggx_t,
-                                                          glint_ggx_cutoff_t, NULL};
+const struct glint_use_model glint_use_ggx GLINT_FLASH = {
+    GLINT_GGX, 1, NULL, ggx_fold, ggx_run, glint_ggx_t, glint_ggx_cutoff_t, NULL, GLINT_LINE_OF(glint_line_ggx)};
 
 /* ---- of m: F = (2^22 / d)^2, d = 2^22 (1 + m) < 2^32 ---- */
 
@@ -222,5 +222,12 @@ __attribute__((flatten)) static void ggx_grain_run(const struct glint_paint *pai
 
 static const struct glint_use_grain ggx_use_grain GLINT_FLASH = {ggx_grain_end, ggx_grain_run, ggx_grain,
                                                                  ggx_grain_reaches, GLINT_GRAIN_USE_SINE};
-const struct glint_use_model glint_use_ggx_grain GLINT_FLASH = {
-    GLINT_GGX, 1, NULL, ggx_fold, ggx_run, glint_ggx_t, glint_ggx_cutoff_t, &ggx_use_grain};
+const struct glint_use_model glint_use_ggx_grain GLINT_FLASH = {GLINT_GGX,
+                                                                1,
+                                                                NULL,
+                                                                ggx_fold,
+                                                                ggx_run,
+                                                                glint_ggx_t,
+                                                                glint_ggx_cutoff_t,
+                                                                &ggx_use_grain,
+                                                                GLINT_LINE_OF(glint_line_ggx)};

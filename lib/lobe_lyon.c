@@ -71,8 +71,8 @@ static void lyon_run(const struct glint_paint *paint, struct glint_sample *sampl
     glint_near_run(paint, samples, count, lyon_near);
 }
 
-const struct glint_use_model glint_use_lyon GLINT_FLASH = {GLINT_LYON,          0,   NULL, NULL, lyon_run, glint_lyon_t,
-                                                           glint_lyon_cutoff_t, NULL};
+const struct glint_use_model glint_use_lyon GLINT_FLASH = {
+    GLINT_LYON, 0, NULL, NULL, lyon_run, glint_lyon_t, glint_lyon_cutoff_t, NULL, NULL};
 
 /* ---- of m: p = 2^32 (1 - m / 4) ---- */
 
@@ -113,4 +113,4 @@ static void lyon_grain_run(const struct glint_paint *paint, struct glint_sample 
 static const struct glint_use_grain lyon_use_grain GLINT_FLASH = {lyon_grain_end, lyon_grain_run, lyon_grain,
                                                                   lyon_grain_reaches, GLINT_GRAIN_USE};
 const struct glint_use_model glint_use_lyon_grain GLINT_FLASH = {
-    GLINT_LYON, 0, NULL, NULL, lyon_run, glint_lyon_t, glint_lyon_cutoff_t, &lyon_use_grain};
+    GLINT_LYON, 0, NULL, NULL, lyon_run, glint_lyon_t, glint_lyon_cutoff_t, &lyon_use_grain, NULL};

@@ -198,8 +198,8 @@ static void msh_run(const struct glint_paint *paint, struct glint_sample *sample
     glint_near_run(paint, samples, count, msh_near);
 }
 
-const struct glint_use_model glint_use_msh GLINT_FLASH = {GLINT_MSH,          1,   NULL, msh_fold, msh_run, glint_msh_t,
-                                                          glint_msh_cutoff_t, NULL};
+const struct glint_use_model glint_use_msh GLINT_FLASH = {
+    GLINT_MSH, 1, NULL, msh_fold, msh_run, glint_msh_t, glint_msh_cutoff_t, NULL, GLINT_LINE_OF(glint_line_msh)};
 
 /* ---- of t and m ---- */
 
@@ -271,5 +271,12 @@ __attribute__((flatten)) static void msh_grain_run(const struct glint_paint *pai
 #endif
 static const struct glint_use_grain msh_use_grain GLINT_FLASH = {msh_grain_end, msh_grain_run, msh_grain,
                                                                  msh_grain_reaches, GLINT_GRAIN_USE_BY(MSH_GRAIN_DRAW)};
-const struct glint_use_model glint_use_msh_grain GLINT_FLASH = {
-    GLINT_MSH, 1, NULL, msh_fold, msh_run, glint_msh_t, glint_msh_cutoff_t, &msh_use_grain};
+const struct glint_use_model glint_use_msh_grain GLINT_FLASH = {GLINT_MSH,
+                                                                1,
+                                                                NULL,
+                                                                msh_fold,
+                                                                msh_run,
+                                                                glint_msh_t,
+                                                                glint_msh_cutoff_t,
+                                                                &msh_use_grain,
+                                                                GLINT_LINE_OF(glint_line_msh)};

@@ -92,8 +92,15 @@ static void schlick_run(const struct glint_paint *paint, struct glint_sample *sa
     glint_near_run(paint, samples, count, schlick_near);
 }
 
-const struct glint_use_model glint_use_schlick GLINT_FLASH = {
-    GLINT_SCHLICK, 1, NULL, NULL, schlick_run, glint_schlick_t, glint_schlick_cutoff_t, NULL};
+const struct glint_use_model glint_use_schlick GLINT_FLASH = {GLINT_SCHLICK,
+                                                              1,
+                                                              NULL,
+                                                              NULL,
+                                                              schlick_run,
+                                                              glint_schlick_t,
+                                                              glint_schlick_cutoff_t,
+                                                              NULL,
+                                                              GLINT_LINE_OF(glint_line_schlick)};
 
 /* ---- of t and m: F = u / d, d = u + M, M = 2^30 m ---- */
 
@@ -144,5 +151,12 @@ __attribute__((flatten)) static void schlick_grain_run(const struct glint_paint 
 
 static const struct glint_use_grain schlick_use_grain GLINT_FLASH = {
     schlick_grain_end, schlick_grain_run, schlick_grain, schlick_grain_reaches, GLINT_GRAIN_USE};
-const struct glint_use_model glint_use_schlick_grain GLINT_FLASH = {
-    GLINT_SCHLICK, 1, NULL, NULL, schlick_run, glint_schlick_t, glint_schlick_cutoff_t, &schlick_use_grain};
+const struct glint_use_model glint_use_schlick_grain GLINT_FLASH = {GLINT_SCHLICK,
+                                                                    1,
+                                                                    NULL,
+                                                                    NULL,
+                                                                    schlick_run,
+                                                                    glint_schlick_t,
+                                                                    glint_schlick_cutoff_t,
+                                                                    &schlick_use_grain,
+                                                                    GLINT_LINE_OF(glint_line_schlick)};

@@ -105,5 +105,5 @@ static void sg_run(const struct glint_paint *paint, struct glint_sample *samples
     glint_near_run(paint, samples, count, sg_near);
 }
 
-const struct glint_use_model glint_use_sg GLINT_FLASH = {GLINT_SG,          1,   NULL, NULL, sg_run, glint_sg_t,
-                                                         glint_sg_cutoff_t, NULL};
+const struct glint_use_model glint_use_sg GLINT_FLASH = {GLINT_SG,          1,    NULL, NULL, sg_run, glint_sg_t,
+                                                         glint_sg_cutoff_t, NULL, NULL};

@@ -42,4 +42,4 @@ void glint_samples_phong(const struct glint_vec *l_of, const struct glint_vec *v
 }
 
 const struct glint_use_model glint_use_phong GLINT_FLASH = {
-    GLINT_PHONG, 1, glint_samples_phong, NULL, glint_blinn_run, glint_blinn_t, glint_blinn_cutoff_t, NULL};
+    GLINT_PHONG, 1, glint_samples_phong, NULL, glint_blinn_run, glint_blinn_t, glint_blinn_cutoff_t, NULL, NULL};

@@ -76,4 +76,4 @@ static void rgb888_exact(const struct glint_paint *paint, const struct glint_run
 }
 
 const struct glint_use_format glint_use_rgb888 GLINT_FLASH = {rgb888_draws, glint_levels_fold, rgb888_levels,
-                                                              rgb888_exact, NULL};
+                                                              rgb888_exact, GLINT_LINE_BEGIN_888};

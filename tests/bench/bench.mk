@@ -23,7 +23,7 @@ BENCH_FLAGS = -Ilib $(if $(BENCH_FIXMATH),-DBENCH_FIXMATH=1 -DFIXMATH_NO_CACHE -
 BENCH_SOURCES = $(wildcard lib/*.c lib/*.S) $(BENCH_FIXMATH) \
 	$(filter-out $(if $(BENCH_FIXMATH),,%/fixmath.c),$(wildcard tests/bench/*.c))
 # The counted programs have their start-up code and linker scripts.
-BENCH_BOARDS = mps2-an385 mps2-an386 mps3-an547 virt atmega2560
+BENCH_BOARDS = mps2-an385 mps2-an386 mps2-an500 mps2-an505 mps3-an547 virt atmega2560
 BENCH_IMAGES = $(foreach board,$(BENCH_BOARDS),$(bare_image_$(board)))
 BENCH_INPUTS = $(BENCH_SOURCES) $(wildcard lib/*.h lib/*.inc tests/bench/*.h) tests/targets/targets.py tests/bench/m0plus.ld tests/bench/bench.mk
 

@@ -60,6 +60,12 @@ void bench_line_begin(uint16_t y)
     }
 }
 
+static void exact_box(void)
+{
+    struct glint_box highlight;
+    bench_rect_by(&bench_paint, MAP_INT16, &highlight);
+}
+
 /* ---- table loops ---- */
 
 #ifndef __AVR__
@@ -126,6 +132,8 @@ static void palette(void)
 /* clang-format off */
 const struct bench_loop bench_loops[] = {
     {"exact rect", WHAT("glint_draw_rect by an exact paint, int16 normals"), EXACT, INT16},
+    {"exact rect swapped", WHAT("the same, in the panel's byte order"), EXACT, INT16, .look = {.format = GLINT_RGB565_SWAPPED}},
+    {"exact rect box", WHAT("exact rect, with the highlight's box of each line"), exact_fill, bench_light, .shade = exact_box, .step = 4, INT16},
     {"exact dither", WHAT("exact rect, dithered"), EXACT, INT16, .look = {.dither = true}, .once = true},
     {"exact rgb888", WHAT("exact rect"), EXACT, INT16, .look = {.format = GLINT_RGB888}, .once = true},
     {"exact grey", WHAT("exact rect"), EXACT, INT16, .look = {.format = GLINT_GREY8}, .once = true},
@@ -190,6 +198,7 @@ const struct bench_loop bench_loops[] = {
     {"int8 table power", WHAT("int8 normals, 128 powers, nearest below"),
      peer_int8_fill, .pack = peer_int8_pack, .shade = peer_int8_table_power, .map_bytes = 3, .look = {.model = GLINT_BLINN}},
     {"float MSH", WHAT("float, the whole pixel"), .shade = peer_float_msh, INT16, .step = 16},
+    {"float folded", WHAT("the same by an expert: constants folded, cutoff, one division"), .frame = peer_float_fold, .shade = peer_float_folded, INT16, .step = 16},
     {"float powf", WHAT("float, the whole pixel, the C library's powf"),
      .shade = peer_float_powf, INT16, .look = {.model = GLINT_BLINN}, .step = 32},
     {.name = NULL},

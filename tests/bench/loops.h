@@ -90,5 +90,6 @@ bench_step bench_spans_16, bench_spans_64; /* the line's spans, at bench_spans *
 bench_step peer_fill, peer_integer_power, peer_table_power;
 bench_step peer_int8_fill, peer_int8_pack, peer_int8_table_power;
 bench_step peer_float_powf, peer_float_msh;
+bench_step peer_float_fold, peer_float_folded;
 
 #endif

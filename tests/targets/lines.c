@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * For cores with an exact line of their own: rectangles that it draws, beside the same ones by the stages in C, byte for byte. An output at an
- * odd address is what leads to those in the same program. The linker's --wrap=glint_line_begin leads here, where calls are counted.
+ * odd address, for the DSP extension's loops a map of gloss, is what leads to those in the same program. The linker's --wrap=glint_line_begin
+ * leads here, where calls are counted.
  * LINES_FAULT: the loop takes W for 1 / LINES_FAULT of what it is, which must show. */
 #include "glint_fused.h"
 #include "machine.h"
@@ -10,10 +11,19 @@
 #endif
 enum { GRAIN_NONE, GRAIN_BRUSHED, GRAIN_SPUN, GRAIN_SUNRAY, GRAIN_MAP, GRAIN_SHININESS, GRAINS };
 #define LINES_ALBEDO GLINT_CORTEX_M0PLUS_ASM /* does it take maps of albedo? */
+#define LINES_GRAIN GLINT_CORTEX_M0PLUS_ASM  /* and grain? */
+/* By the DSP extension without an albedo map and a clamped peak alone: fewer cases have one. More cases, as QEMU is quick. */
 #ifndef LINES_CASES
-#define LINES_CASES 3000
+#define LINES_CASES (GLINT_DSP ? 40000 : 3000)
 #endif
-enum { CASES = LINES_CASES, W = 95, H = 2, STRIDE = 2 * W + 4, GUARD = 0x5a };
+enum {
+    CASES = LINES_CASES,
+    ALBEDO = GLINT_DSP ? 16 : 2,
+    W = 95,
+    H = 2,
+    STRIDE = (GLINT_DSP ? 3 : 2) * W + (GLINT_DSP ? 5 : 4),
+    GUARD = 0x5a
+};
 
 bool __real_glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
 bool __wrap_glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
@@ -26,9 +36,12 @@ bool __wrap_glint_line_begin(struct glint_line_loop *loop, const struct glint_pa
 #if GLINT_CORTEX_M0PLUS_ASM
     if (whole)
         loop->limit = 0 - (0 - loop->limit) / LINES_FAULT;
-#else
+#elif GLINT_HELIUM
     for (int k = 0; k < 6; k++)
         loop->width[k / 3][k % 3] = (uint16_t)(loop->width[k / 3][k % 3] / LINES_FAULT);
+#else
+    if (whole)
+        loop->shine[6] /= LINES_FAULT, loop->plain[6] /= LINES_FAULT;
 #endif
     taken += whole;
     return whole;
@@ -47,7 +60,10 @@ static void say_number(uint32_t n)
     machine_put((char)('0' + n % 10));
 }
 
-static uint32_t seed = 1;
+#ifndef LINES_SEED
+#define LINES_SEED 1
+#endif
+static uint32_t seed = LINES_SEED;
 
 static uint32_t below(uint32_t limit)
 {
@@ -85,22 +101,27 @@ static void make_material(struct glint_material *m)
 }
 
 /* A paint of any light: as the library makes it, or, once in a while, with any vectors, N.L of which fits. */
-static bool make_paint(struct glint_paint *paint, uint32_t grain)
+static bool make_paint(struct glint_paint *paint, uint32_t number, uint32_t grain)
 {
     static const uint16_t shininess[] = {1, 2, 3, 5, 10, 60, 200, 1000};
     static const int32_t v[3] = {0, 0, 1};
     const int32_t l[3] = {(int32_t)below(201) - 100, (int32_t)below(201) - 100, (int32_t)below(120)};
-    struct glint_material m = {.model = GLINT_MSH};
-    const struct glint_output output = {.format = (uint8_t)below(2)};
+    static const uint8_t models[] = {GLINT_MSH, GLINT_SCHLICK, GLINT_GGX},
+                         formats[] = {GLINT_RGB565, GLINT_RGB565_SWAPPED, GLINT_RGB888, GLINT_BGR888};
+    struct glint_material m = {.model = models[GLINT_DSP ? number / 4 % 3 : 0]};
+    struct glint_output output = {.format = formats[below(GLINT_DSP && m.model == GLINT_MSH ? 4 : 2)]};
     struct glint_light light;
     m.n = (uint16_t)(below(3) ? shininess[below(8)] : 1 + below(1000));
     m.q = (uint8_t)(1 + below(grain ? 11 : 16)); /* beyond 11 grain is drawn by C */
     if (grain && grain != GRAIN_SHININESS)
         m.n_across = (uint16_t)(below(3) ? shininess[below(8)] : 1 + below(1000));
-    m.clamp_peak = below(2);
+    m.clamp_peak = below(ALBEDO) == 0;
     make_material(&m);
+    output.dither = GLINT_DSP && output.format <= GLINT_RGB565_SWAPPED && below(4) == 0;
     if (glint_paint_exact(paint, &m, &output) || glint_light_directional(&light, l))
         return false;
+    for (uint8_t k = 0; k < 3 && number % 3 == 0; k++)
+        light.color_q16[k] = below(4) ? below(65536) : below(65536) << below(5);
     if (glint_paint_light(paint, &light, 1, v) || below(16) == 0) {
         paint->light_count = 1;
         paint->v = paint->h = any_vector();
@@ -113,6 +134,7 @@ static bool make_paint(struct glint_paint *paint, uint32_t grain)
 }
 
 static struct glint_vec normals[W * H];
+static const uint8_t *gloss; /* 255 everywhere */
 static uint8_t albedo[3 * W * H + 4], grains[(W + 1) * H + 4], mask[(W + 1) * H + 4];
 static uint16_t out[2][STRIDE * H / 2 + 2]; /* by the line, and by stages */
 static uint8_t before[sizeof out[0]];       /* what is blended over */
@@ -146,6 +168,10 @@ static void make_normals(const struct glint_paint *light)
 
 static void make_maps(uint32_t mask_kind)
 {
+    static uint8_t full[(W + 1) * H];
+    for (uint16_t i = 0; GLINT_DSP && i < sizeof full; i++)
+        full[i] = 255;
+    gloss = GLINT_DSP ? full : 0;
     uint8_t held = 0;
     for (uint16_t i = 0; i < sizeof mask; i++) {
         if (below(mask_kind == 1 ? 2 : 12) == 0)
@@ -168,7 +194,12 @@ static struct glint_box draw(const struct glint_paint *paint, const struct glint
     for (uint16_t i = 0; i < sizeof out[c]; i++)
         bytes[i] = i < c ? GUARD : before[i - c];
     const struct glint_surface surface = {bytes + 2 + c, STRIDE, 3, 5};
-    if (glint_draw_rect(paint, maps, w, H, &surface, &box))
+    struct glint_maps in_c = *maps;
+    if (c) { /* nor does the loop take gloss */
+        in_c.gloss = gloss;
+        in_c.gloss_stride = W + 1;
+    }
+    if (glint_draw_rect(paint, &in_c, w, H, &surface, &box))
         say("# refused\n");
     return box;
 }
@@ -186,28 +217,29 @@ static bool case_is_same(uint32_t number)
 {
     static const uint8_t widths[] = {0, 1, 2, 3, 15, 16, 17, W};
     struct glint_paint paint;
-    const uint32_t grain = number / 16 % 3 ? 0 : 1 + number / 48 % (GRAINS - 1);
-    if (!make_paint(&paint, grain))
+    const uint32_t grain = !LINES_GRAIN || number / 16 % 3 ? 0 : 1 + number / 48 % (GRAINS - 1);
+    if (!make_paint(&paint, number, grain))
         return true; /* a light of length 0 */
     make_normals(&paint);
     make_maps(number % 5);
     const int32_t far_off = (int32_t)1 << below(21);
-    const struct glint_maps maps = {.normals = normals,
-                                    .normals_stride = sizeof normals / H,
-                                    .grain = grain == GRAIN_MAP ? grains + below(4) : 0,
-                                    .grain_stride = W + 1,
-                                    .shininess = grain == GRAIN_SHININESS ? grains + below(4) : 0,
-                                    .shininess_stride = W + 1,
-                                    .grain_kind = (uint8_t)(grain == GRAIN_SPUN     ? GLINT_GRAIN_SPUN
-                                                            : grain == GRAIN_SUNRAY ? GLINT_GRAIN_SUNRAY
-                                                                                    : GLINT_GRAIN_BRUSHED),
-                                    .grain_at = {(int32_t)below(2048) - far_off, (int32_t)below(256) + far_off - 1},
-                                    .albedo = LINES_ALBEDO && number & 1 && !grain ? albedo + below(4) : 0,
-                                    .albedo_stride = 3 * W,
-                                    .albedo_format = GLINT_RGB888,
-                                    .coverage = number % 5 ? mask + below(4) : 0,
-                                    .coverage_stride = W + 1};
-    const uint16_t w = widths[number / 2 % 8];
+    const struct glint_maps maps = {
+        .normals = normals,
+        .normals_stride = sizeof normals / H,
+        .grain = grain == GRAIN_MAP ? grains + below(4) : 0,
+        .grain_stride = W + 1,
+        .shininess = grain == GRAIN_SHININESS ? grains + below(4) : 0,
+        .shininess_stride = W + 1,
+        .grain_kind = (uint8_t)(grain == GRAIN_SPUN     ? GLINT_GRAIN_SPUN
+                                : grain == GRAIN_SUNRAY ? GLINT_GRAIN_SUNRAY
+                                                        : GLINT_GRAIN_BRUSHED),
+        .grain_at = {(int32_t)below(2048) - far_off, (int32_t)below(256) + far_off - 1},
+        .albedo = (LINES_ALBEDO || GLINT_DSP) && number % ALBEDO == 1 && !grain ? albedo + below(4) : 0,
+        .albedo_stride = 3 * W,
+        .albedo_format = GLINT_RGB888,
+        .coverage = number % 5 ? mask + below(4) : 0,
+        .coverage_stride = W + 1};
+    const uint16_t w = GLINT_DSP && number / 16 % 2 ? W : widths[number / 2 % 8];
     const struct glint_box box = draw(&paint, &maps, w, 0), expected = draw(&paint, &maps, w, 1);
     if (same(&box, &expected))
         return true;
@@ -326,5 +358,5 @@ bool machine_run(volatile uint8_t *floor)
     say(" rectangles by the line, ");
     say_number(differ);
     say(" unlike C\n");
-    return differ == 0 && taken > CASES / 4 * 3;
+    return differ == 0 && taken > (GLINT_DSP ? CASES / 3 : CASES / 4 * 3);
 }

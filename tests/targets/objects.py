@@ -74,7 +74,7 @@ CALLS = re.compile(r"R_ARM_THM_(CALL|JUMP\d+|XPC22)|R_ARM_CALL|R_RISCV_(CALL|CAL
 
 def assembly_stack(line):
     """Bytes that an instruction of Thumb assembly takes: registers pushed, one by one or as a range, or room made."""
-    pushed = re.search(r"\tpush\t\{(.*)\}", line)
+    pushed = re.search(r"\t(?:push|stmdb\tsp!,|stmdb)\t?\s*(?:sp!, )?\{(.*)\}", line)
     room = re.search(r"\tsub\tsp, #(\d+)", line)
     count = 0
     for part in pushed[1].split(", ") if pushed else ():
@@ -165,8 +165,9 @@ class Sources:
             declared = self.declared(name)
             return caller != target and (not declared or not self.text(file) or
                                          declared in self.called(file, re.split("[.$]", function)[0], apart))
-        return name not in functions or not self.text(file) or \
-            parameters(functions[name][0]) in self.called(file, re.split("[.$]", function)[0], apart)
+        takes = parameters(functions[name][0]) if name in functions else self.declared(name)  # one that a macro defines is declared
+        return takes is None or not self.text(file) or \
+            takes in self.called(file, re.split("[.$]", function)[0], apart)
 
     def declared(self, name):
         """The parameters of a function that a header or a source of C declares; None: there is none."""
@@ -174,6 +175,10 @@ class Sources:
             found = each.endswith((".h", ".c")) and re.search(rf"\b{name}\(([^();]*)\)\s*[;{{]", self.text(each))
             if found:
                 return parameters(found[1])
+            found = each.endswith(".h") and re.search(rf"^(\w+) (?:\w+,\s*)*{name}\b[\w,\s]*;", self.text(each), re.M)  # by a typedef's name
+            kind = found and re.search(rf"\btypedef [\w ]+?\**{found[1]}\(([^()]*)\);", self.text(each))
+            if kind:
+                return parameters(kind[1])
         return None
 
 
@@ -233,7 +238,7 @@ class Calls:
 
     def _read_function(self, function, code):
         edges = self.edges.setdefault(function, set())
-        if not os.path.exists(function[0][:-2] + ".su"):
+        if not self.frames.get(function):  # assembly, or C around it, for which gcc states no frame
             self.frames[function] = sum(map(assembly_stack, code))
         instruction, direct = "", False
         for line in code + ["\t\t"]:

@@ -6,7 +6,7 @@ cortex-m_LINK = -nostdlib -T
 cortex-m_RUN = qemu-system-arm -display none -semihosting-config enable=on,target=native -M % -kernel
 cortex-m_RP2040JS = node tests/targets/rp2040.mjs build/bench/npm
 cortex-m_STACK = 1300
-cortex-m_BOARDS = microbit rp2040 rp2040-asm mps2-an385 mps2-an386 mps2-an500 mps2-an505 mps3-an547
+cortex-m_BOARDS = microbit rp2040 rp2040-asm mps2-an385 mps2-an386 mps2-an386-c mps2-an500 mps2-an500-c mps2-an505 mps2-an505-c mps3-an547
 
 cortex-m_CORE_microbit = cortex-m0
 cortex-m_FLAGS_microbit = -mcpu=cortex-m0 -mthumb
@@ -37,17 +37,33 @@ cortex-m_CORE_mps2-an386 = cortex-m4f
 cortex-m_FLAGS_mps2-an386 = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16
 cortex-m_SCRIPT_mps2-an386 = mps2.ld
 
-cortex-m_CORE_mps2-an500 = cortex-m7
-cortex-m_FLAGS_mps2-an500 = -mcpu=cortex-m7 -mthumb
+cortex-m_CORE_mps2-an500 = cortex-m7f
+cortex-m_FLAGS_mps2-an500 = -mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-sp-d16
 cortex-m_SCRIPT_mps2-an500 = mps2.ld
 
-cortex-m_CORE_mps2-an505 = cortex-m33
-cortex-m_FLAGS_mps2-an505 = -mcpu=cortex-m33 -mthumb
+cortex-m_CORE_mps2-an505 = cortex-m33f
+cortex-m_FLAGS_mps2-an505 = -mcpu=cortex-m33 -mthumb -mfloat-abi=hard -mfpu=fpv5-sp-d16
 cortex-m_SCRIPT_mps2-an505 = mps2-an505.ld
 
 cortex-m_CORE_mps3-an547 = cortex-m55
 cortex-m_FLAGS_mps3-an547 = -mcpu=cortex-m55+nofp -mthumb -mfloat-abi=hard
 cortex-m_SCRIPT_mps3-an547 = mps3-an547.ld
+
+# The same without the loops by the DSP extension, which the compiler offers for these cores: what -DGLINT_DSP=0 leaves must draw the same.
+cortex-m_CORE_mps2-an386-c = cortex-m4f-c
+cortex-m_FLAGS_mps2-an386-c = $(cortex-m_FLAGS_mps2-an386) -DGLINT_DSP=0
+cortex-m_SCRIPT_mps2-an386-c = mps2.ld
+cortex-m_RUN_mps2-an386-c = $(subst %,mps2-an386,$(cortex-m_RUN))
+
+cortex-m_CORE_mps2-an500-c = cortex-m7f-c
+cortex-m_FLAGS_mps2-an500-c = $(cortex-m_FLAGS_mps2-an500) -DGLINT_DSP=0
+cortex-m_SCRIPT_mps2-an500-c = mps2.ld
+cortex-m_RUN_mps2-an500-c = $(subst %,mps2-an500,$(cortex-m_RUN))
+
+cortex-m_CORE_mps2-an505-c = cortex-m33f-c
+cortex-m_FLAGS_mps2-an505-c = $(cortex-m_FLAGS_mps2-an505) -DGLINT_DSP=0
+cortex-m_SCRIPT_mps2-an505-c = mps2-an505.ld
+cortex-m_RUN_mps2-an505-c = $(subst %,mps2-an505,$(cortex-m_RUN))
 $(eval $(call bare_port,cortex-m))
 
 cortex-m_PACKAGES = gcc-arm-none-eabi
