@@ -87,7 +87,7 @@ bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *line
         return false;
     struct glint_bounds bounds;
     struct glint_run dark = {
-        (uint8_t *)&loop.dark, 0, 0, 0, NULL, NULL, NULL, 0, format}; /* the pixel where N.L <= 0 */
+        (uint8_t *)&loop.dark, 0, 0, 0, NULL, NULL, NULL, 0, format, NULL}; /* the pixel where N.L <= 0 */
     glint_bounds_begin(&bounds);
     loop.sample.t_q30 = UINT32_MAX;
     loop.sample.nl_q16 = loop.sample.f_q16 = 0;

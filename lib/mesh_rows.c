@@ -287,7 +287,7 @@ static inline __attribute__((always_inline)) void rows_of(const struct glint_pai
     run->albedo = texture || has_colours ? bench->colours.bytes : NULL;
     run->gloss = run->coverage = NULL;
     run->apart = 0;
-    run->format = cells ? &glint_use_coverage.format : paint->format;
+    glint_run_soften(run, paint, cells ? &glint_use_coverage : NULL);
     if (lit) {
         most = lit_begin(lit, paint, run);
         lit_normals(&lit->across, target, triangle);
