@@ -62,7 +62,7 @@ static __attribute__((noinline)) void fused_dark(struct glint_line_loop *loop, c
 
 void glint_line_dark(struct glint_line_loop *loop, const struct glint_paint *paint)
 {
-    const struct glint_run dark = {(uint8_t *)&loop->dark, 0, 0, 0, NULL, NULL, NULL, 0, paint->format};
+    const struct glint_run dark = {(uint8_t *)&loop->dark, 0, 0, 0, NULL, NULL, NULL, 0, paint->format, NULL};
     fused_dark(loop, paint, &dark);
 }
 
@@ -71,7 +71,7 @@ static __attribute__((noinline)) void fused_dithered(struct glint_line_loop *loo
                                                      const struct glint_run *of)
 {
     uint16_t dark[4];
-    struct glint_run run = {(uint8_t *)dark, 0, of->left, of->y, NULL, NULL, NULL, 0, paint->format};
+    struct glint_run run = {(uint8_t *)dark, 0, of->left, of->y, NULL, NULL, NULL, 0, paint->format, NULL};
     for (; run.x < 4; run.x++)
         fused_dark(loop, paint, &run);
     glint_line_dither(loop, of, dark);
@@ -84,10 +84,9 @@ static void fused_edges(const struct glint_paint *paint, struct glint_lines *lin
     struct glint_run *const run = &lines->run;
     run->x = 0;
     while (lines->most = UINT16_MAX, glint_lines_next(lines))
-        run->x = run->format == lines->format
-                     ? run->x + lines->count
-                     : GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, NULL, NULL, bounds, y);
-    run->format = lines->format;
+        run->x = !run->soft ? run->x + lines->count
+                            : GLINT_FLASH_POINTER(lines->soft->edge)(paint, lines, NULL, NULL, bounds, y);
+    glint_run_soften(run, paint, NULL);
 }
 
 #define LINE_DRAW glint_line_dsp
