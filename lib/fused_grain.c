@@ -43,8 +43,8 @@ static bool grain_line_begin(struct glint_grain_loop *loop, const struct glint_p
                  : maps->grain_kind == GLINT_GRAIN_BRUSHED ? 0
                                                            : GLINT_GRAIN_LINE_PLACE;
     loop->is_spun = maps->grain_kind == GLINT_GRAIN_SPUN;
-    loop->across = p->material.n_across;
-    loop->more = p->of.exact.n - p->material.n_across;
+    loop->across = glint_material_across(&p->material);
+    loop->more = p->of.exact.n - loop->across;
     loop->turn = p->output.format == GLINT_RGB565_SWAPPED ? 8 : 0;
     loop->sines = glint_grain_sines;
     loop->log = 14;

@@ -39,7 +39,7 @@ uint32_t glint_mesh_t_end(const struct glint_paint *paint);
 
 static inline bool glint_mesh_has_grain(const struct glint_paint *paint)
 {
-    return glint_paint_is_exact(paint) && paint->material.n_across;
+    return glint_paint_is_exact(paint) && glint_material_across(&paint->material) != 0;
 }
 /* Are normals interpolated, and not t? */
 bool glint_mesh_is_lit(const struct glint_paint *paint);

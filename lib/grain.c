@@ -127,7 +127,7 @@ static inline __attribute__((always_inline)) void grain_run_set(struct grain_run
                                                                 const struct glint_vec *l, const struct glint_vec *h,
                                                                 bool is_sine)
 { /* by fields: no call of memcpy */
-    g->n_across = paint->material.n_across;
+    g->n_across = glint_material_across(&paint->material);
     g->more = paint->of.exact.n - g->n_across;
     g->l.x = l->x, g->l.y = l->y, g->l.z = l->z;
     g->h.x = h->x, g->h.y = h->y, g->h.z = h->z;
