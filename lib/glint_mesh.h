@@ -95,11 +95,11 @@ struct glint_mesh_drawn {
     int16_t turn[3][3];      /* Q14 */
     int16_t position[3];
     uint16_t scale;
-    bool is_cut;                      /* by a plane: a vertex is beyond it */
-    struct glint_mesh_hidden *hidden; /* of outlines */
-    uint16_t *rims, *rim_bands;       /* as links and bands, of faces with outlines */
-    uint8_t *edges;                   /* of each face what outlines ask; NULL: there are none */
-    int16_t left, top, right, bottom; /* pixels beyond which it draws none */
+    bool is_cut;                          /* by a plane: a vertex is beyond it */
+    struct glint_mesh_outlines *outlines; /* of the strip at hand */
+    uint16_t *rims, *rim_bands;           /* as links and bands, of faces with outlines */
+    uint8_t *edges;                       /* of each face what outlines ask; NULL: there are none */
+    int16_t left, top, right, bottom;     /* pixels beyond which it draws none */
 };
 struct glint_mesh_frame {
     struct glint_mesh_drawn *first, **last;
