@@ -6,9 +6,6 @@
 #include "glint_port.h"
 #include "glint_tables.h"
 
-/* A cell of which less is inside is not drawn by a face: its middle is outside. Some less than half of 255, for what edges round. */
-enum { LEFT_OUT = 124 };
-
 /* ---- Cells that faces leave out ---- */
 
 static int32_t cells_max(int32_t a, int32_t b)
@@ -29,19 +26,20 @@ static bool hide_rim(const struct glint_mesh_target *strip, const struct glint_m
     const bool is_flat = rim->is & GLINT_RIM_FLAT;
     const int32_t at = cells_max(rim->at, is_flat ? window->left : window->top),
                   end = cells_min(rim->end, is_flat ? window->right : window->bottom);
-    const uint32_t w = (uint32_t)strip->w, along = is_flat ? 1 : w, across = is_flat ? w : 1;
+    const int32_t along = is_flat ? 1 : strip->w, across = is_flat ? strip->w : 1;
     if (at >= end)
         return true;
     if (outlines->hidden + (uint32_t)(end - at) > GLINT_MESH_HIDDEN)
         return false;
-    /* The part is at least LEFT_OUT where what is left of the cell is less than least. */
-    const uint16_t least = (256 - LEFT_OUT) << 8, bias = rim->is & GLINT_RIM_GROWS ? 0 : least;
-    uint32_t line = along * (uint32_t)at - w * (uint32_t)strip->y;
+    /* A face draws no cell of which less is inside: its middle is outside. Somewhat less than half, for what edges round. The part is at
+     * least GLINT_CELL_LEFT_OUT where what is left of the cell is less than least. */
+    const uint16_t least = (256 - GLINT_CELL_LEFT_OUT) << 8, bias = rim->is & GLINT_RIM_GROWS ? 0 : least;
+    uint16_t *line = rim->depth + along * (at - rim->at);
     int32_t e = rim->e + rim->step * (at - rim->at);
     for (int32_t left = end - at; left; left--, line += along, e += rim->step) {
         if ((uint16_t)(e + bias) >= least)
             continue;
-        uint16_t *const depth = strip->depth + (line + across * (uint32_t)(e >> 16));
+        uint16_t *const depth = line + across * (e >> 16);
         outlines->of.depths[outlines->hidden].at = depth;
         outlines->of.depths[outlines->hidden++].depth = *depth;
         *depth = 0;
@@ -51,9 +49,7 @@ static bool hide_rim(const struct glint_mesh_target *strip, const struct glint_m
 
 static bool hide_rims(const struct glint_mesh_target *strip, unsigned face, const struct glint_mesh_window *window)
 {
-    unsigned count;
-    const struct glint_mesh_rim *rim = glint_mesh_rims_of(strip, face, &count);
-    for (; count; count--, rim++)
+    for (const struct glint_mesh_rim *rim = glint_mesh_rims_of(strip, face); rim; rim = glint_mesh_rim_after(rim))
         if (!hide_rim(strip, rim, window))
             return false;
     return true;
@@ -124,7 +120,7 @@ static __attribute__((noinline)) void rows_in_pieces(const struct glint_paint *p
         for (; window.left < to; window.left = window.right) {
             struct glint_mesh_kept piece;
             window.right = to;
-            while (!hide(strip, face, &window)) /* of four columns it has at most 48 */
+            while (!hide(strip, face, &window)) /* a column has 12 at most */
                 window.right = (window.left + window.right) >> 1;
             piece.triangle = *triangle;
             piece.face = (uint16_t)face;
@@ -181,11 +177,22 @@ static void cells_lines(const struct glint_mesh_target *strip, struct glint_mesh
 
 /* ---- What changes along an outline ---- */
 
+static unsigned cells_up(const struct glint_mesh_rim *rim)
+{
+    return rim->inverse >> 24;
+}
+
+static uint32_t cells_inverse(const struct glint_mesh_rim *rim)
+{
+    return rim->inverse & 0xffffff;
+}
+
 /* A number that changes by 2^26 d / length a cell, modulo 2^32; d of 16 bits and a sign, so that the product fits. */
 static uint32_t cells_step(const struct glint_mesh_rim *rim, int32_t d)
 {
-    const int32_t product = d * (int32_t)rim->inverse;
-    return rim->up >= 26 ? (uint32_t)product << (rim->up - 26) : (uint32_t)(product >> (26 - rim->up));
+    const int32_t product = d * (int32_t)cells_inverse(rim);
+    const unsigned up = cells_up(rim);
+    return up >= 26 ? (uint32_t)product << (up - 26) : (uint32_t)(product >> (26 - up));
 }
 
 /* And up to the first cell, offset / 16 of one. */
@@ -210,8 +217,9 @@ static __attribute__((noinline)) void cells_t(struct glint_mesh_cells *cells, co
                                               uint32_t beyond)
 {
     struct glint_mesh_cell *const cell = &cells->cell;
+    const unsigned up = cells_up(&cells->rim);
     const uint32_t one = (uint32_t)1 << 30, side = cells_side(cells->strip->drawn, &cells->rim);
-    const uint32_t u = cells->rim.up > 26 ? one : cells->rim.inverse << (cells->rim.up - 13), s = (u >> 4) * offset;
+    const uint32_t u = up > 26 ? one : cells_inverse(&cells->rim) << (up - 13), s = (u >> 4) * offset;
     const int64_t d = 2 * (int64_t)side, rise = (int64_t)b->t_q30 - a->t_q30;
     const int64_t bend = (u * d) >> 30; /* u <= 2^30, d < 2^33 */
     if (beyond > side)
@@ -303,15 +311,16 @@ static bool cells_found(struct glint_mesh_cells *cells, struct glint_mesh_cell *
     const struct glint_mesh_rim *const rim = &cells->rim;
     for (; rim->at < rim->end; cells_next(cells)) {
         const bool is_flat = rim->is & GLINT_RIM_FLAT;
-        const int32_t across = rim->e >> 16, x = is_flat ? rim->at : across, y = is_flat ? across : rim->at;
-        if (cells->cell.z >> 16 >= strip->depth[(size_t)(y - strip->y) * (size_t)strip->w + (size_t)x])
+        const int32_t across = rim->e >> 16, x = is_flat ? rim->at : across,
+                      line = is_flat ? across : rim->at - strip->y;
+        if (cells->cell.z >> 16 >= strip->depth[line * strip->w + x])
             continue;
-        const unsigned part = others_share(cells, x, y, glint_mesh_rim_part(rim, rim->e));
+        const unsigned part = others_share(cells, x, strip->y + line, glint_mesh_rim_part(rim, rim->e));
         if (part == 0)
             continue;
         *found = cells->cell;
         found->x = x;
-        found->line = y - strip->y;
+        found->line = line;
         found->part = (uint8_t)part;
         cells_next(cells);
         return true;
@@ -352,16 +361,15 @@ static __attribute__((noinline)) void colour_cells(const struct glint_mesh_cells
     const struct glint_mesh_target *const strip = cells->strip;
     const struct glint_mesh_rim *const rim = &cells->rim;
     const bool swapped = paint->output.format == GLINT_RGB565_SWAPPED, is_flat = rim->is & GLINT_RIM_FLAT;
-    const uint32_t w = (uint32_t)strip->w;
     uint32_t z = cells->cell.z, nl = cells->cell.nl, back = look.t_max - cells->cell.t, dt = cells->cell.dt;
     int32_t e = rim->e;
     for (int32_t at = rim->at; at != rim->end; at++) {
-        const int32_t across = e >> 16, x = is_flat ? at : across, y = is_flat ? across : at, line = y - strip->y;
-        if (z >> 16 < strip->depth[(uint32_t)line * w + (uint32_t)x]) {
+        const int32_t across = e >> 16, x = is_flat ? at : across, line = is_flat ? across : at - strip->y;
+        if (z >> 16 < strip->depth[line * strip->w + x]) {
             unsigned part = glint_mesh_rim_part(rim, e);
             uint16_t pixel;
             if (cells->others)
-                part = others_share(cells, x, y, part);
+                part = others_share(cells, x, strip->y + line, part);
             if (part) {
                 uint16_t *out =
                     (uint16_t *)(void *)((uint8_t *)strip->surface->pixels + strip->surface->stride * (ptrdiff_t)line) +
@@ -378,6 +386,38 @@ static __attribute__((noinline)) void colour_cells(const struct glint_mesh_cells
     }
 }
 
+#if GLINT_CORTEX_M0PLUS_ASM
+/* The same in assembly, if it can. */
+static __attribute__((noinline)) bool cells_blended(const struct glint_mesh_cells *cells,
+                                                    const struct glint_paint *paint)
+{
+    const struct glint_mesh_target *const strip = cells->strip;
+    const struct glint_mesh_rim *const rim = &cells->rim;
+    const uint32_t w = 2 * (uint32_t)strip->w;
+    const bool is_flat = rim->is & GLINT_RIM_FLAT;
+    if (cells->others || cells->cell.t != GLINT_MESH_FAR_T || strip->surface->stride != (ptrdiff_t)w)
+        return false;
+    const struct glint_look look = glint_look_up(&paint->of.tables.filled);
+    const struct glint_mesh_blend blend = {paint->output.format == GLINT_RGB565_SWAPPED,
+                                           cells->cell.nl,
+                                           is_flat ? w : 2,
+                                           (uint32_t)rim->step,
+                                           cells->cell.dz,
+                                           cells->cell.dnl,
+                                           is_flat ? 2 : w,
+                                           rim->depth + (rim->end - rim->at) * (is_flat ? 1 : strip->w),
+                                           (uint32_t)strip->surface->pixels - (uint32_t)strip->depth,
+                                           look.colours,
+                                           look.dark,
+                                           rim->is & GLINT_RIM_GROWS ? 255 : 0,
+                                           cells->cell.z,
+                                           rim->depth,
+                                           (uint32_t)rim->e};
+    glint_mesh_blend_matt(&blend);
+    return true;
+}
+#endif
+
 static __attribute__((noinline)) void cells_draw(const struct glint_mesh_target *strip,
                                                  const struct glint_mesh_rim *rim, const struct glint_paint *paint)
 {
@@ -387,6 +427,10 @@ static __attribute__((noinline)) void cells_draw(const struct glint_mesh_target 
     others_set(cells);
     cells_set(cells, glint_mesh_t_end(paint));
     if (glint_mesh_is_colour(paint, strip)) {
+#if GLINT_CORTEX_M0PLUS_ASM
+        if (cells_blended(cells, paint))
+            return;
+#endif
         colour_cells(cells, paint);
         return;
     }
@@ -405,10 +449,8 @@ static void cells_end(const struct glint_mesh_target *strip)
         cells_draw(strip, &outlines->rims[i], paint);
     }
     for (uint16_t face = outlines->rest; face != GLINT_MESH_NONE; face = drawn->rims[face]) {
-        unsigned count;
-        const struct glint_mesh_rim *rim = glint_mesh_rims_of(strip, face, &count);
         paint = cells_paint(drawn, face, (unsigned)(paint - drawn->paints));
-        for (; count; count--, rim++)
+        for (const struct glint_mesh_rim *rim = glint_mesh_rims_of(strip, face); rim; rim = glint_mesh_rim_after(rim))
             cells_draw(strip, rim, paint);
     }
     glint_mesh_rims_give(strip);

@@ -4,8 +4,6 @@
 #include "glint_mesh_edges.h"
 #include "glint_port.h"
 
-typedef char edges_ask[(GLINT_EDGES | GLINT_EDGES_BESIDE | GLINT_EDGES_THIN) == GLINT_EDGES_ASK ? 1 : -1];
-
 enum { UNLISTED = 0xfffe }; /* in links: no face has this number */
 
 /* ---- Memory: behind the mesh's ---- */
@@ -38,7 +36,7 @@ static int32_t edges_size(int32_t x)
     return x < 0 ? -x : x;
 }
 
-/* Narrower than 1/8 pixel, across its longest side along an axis? */
+/* Narrower than 5/32 pixel, across its longest side along an axis? */
 static bool edges_is_thin(const struct glint_mesh_drawn *drawn, unsigned face)
 {
     const struct glint_mesh_vertex *v[3];
@@ -51,15 +49,26 @@ static bool edges_is_thin(const struct glint_mesh_drawn *drawn, unsigned face)
         longest = x > longest ? x : longest;
         longest = y > longest ? y : longest;
     }
-    return -glint_mesh_area(v[0], v[1], v[2]) < 2 * longest;
+    return -glint_mesh_area(v[0], v[1], v[2]) < 2 * longest + longest / 2;
 }
 
-/* Which faces show their fronts. Those in lists do, if they are not clipped. */
-static void edges_fronts(const struct glint_mesh_drawn *drawn)
+/* Sorts the mesh, and tells which faces show their fronts: those in lists do, if they are not clipped. */
+static void edges_fronts(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn)
 {
+    const unsigned count = drawn->mesh->face_count;
+#if GLINT_CORTEX_M0PLUS_ASM
+    for (unsigned i = 0; i < count; i++)
+        drawn->edges[i] = 0;
+    for (uint32_t i = 0; i < glint_mesh_bands(frame->h); i++)
+        drawn->bands[i] = GLINT_MESH_NONE;
+    glint_mesh_sort_fronts(frame, drawn, frame->y);
+#else
     const uint16_t *face = drawn->mesh->faces;
     const struct glint_mesh_vertex *const v = drawn->vertices;
-    for (unsigned i = 0; i < drawn->mesh->face_count; i++, face += 3) {
+    for (unsigned i = 0; i < count; i++)
+        drawn->links[i] = UNLISTED;
+    glint_mesh_sort(frame, drawn, frame->y);
+    for (unsigned i = 0; i < count; i++, face += 3) {
         uint8_t is = GLINT_EDGES_FRONT;
         if (drawn->is_cut && glint_mesh_face_is_out(drawn, face))
             is = GLINT_EDGES_CLIPPED;
@@ -67,6 +76,7 @@ static void edges_fronts(const struct glint_mesh_drawn *drawn)
             is = 0;
         drawn->edges[i] = is;
     }
+#endif
 }
 
 /* A thin face's neighbours have outlines towards it. */
@@ -144,10 +154,7 @@ void glint_mesh_edges_sort(const struct glint_mesh_frame *frame, const struct gl
 void glint_mesh_edges_add(const struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn)
 {
     edges_place(frame, drawn);
-    for (unsigned i = 0; i < drawn->mesh->face_count; i++)
-        drawn->links[i] = UNLISTED;
-    glint_mesh_sort(frame, drawn, frame->y);
-    edges_fronts(drawn);
+    edges_fronts(frame, drawn);
     edges_mark(drawn);
     glint_mesh_edges_sort(frame, drawn, frame->y);
 }
@@ -186,11 +193,10 @@ bool glint_mesh_rim_set(struct glint_mesh_rim *rim, const struct glint_mesh_draw
     rim->step = step;
     rim->at = (int16_t)at;
     rim->end = (int16_t)end;
-    rim->inverse = inverse;
-    rim->up = (uint8_t)up;
-    rim->corner = (uint8_t)corner;
     rim->is = (uint8_t)((is_flat ? GLINT_RIM_FLAT : 0) | (is_flat == turned ? GLINT_RIM_GROWS : 0) |
                         (turned ? GLINT_RIM_TURNED : 0));
+    rim->corner = (uint8_t)corner;
+    rim->inverse = inverse | (uint32_t)up << 24;
     rim->face = (uint16_t)face;
     return at < end;
 }
@@ -199,28 +205,29 @@ bool glint_mesh_rim_set(struct glint_mesh_rim *rim, const struct glint_mesh_draw
 static unsigned rims_set(struct glint_mesh_rim *to, const struct glint_mesh_target *strip, unsigned face)
 {
     const struct glint_mesh_window window = {0, strip->y, strip->w, strip->end};
-    unsigned count = 0, edges = strip->drawn->edges[face] & GLINT_EDGES;
-    for (unsigned k = 0; edges; k++, edges >>= 1)
-        if (edges & 1 && glint_mesh_rim_set(&to[count], strip->drawn, face, k, &window))
-            count++;
-    return count;
+    struct glint_mesh_rim *rim = to;
+    unsigned edges = strip->drawn->edges[face] & GLINT_EDGES;
+    for (unsigned k = 0; edges; k++, edges >>= 1) {
+        if (!(edges & 1) || !glint_mesh_rim_set(rim, strip->drawn, face, k, &window))
+            continue;
+        if (rim->is & GLINT_RIM_FLAT)
+            rim->e -= strip->y * 65536;
+        rim->depth = strip->depth + (rim->is & GLINT_RIM_FLAT ? rim->at : strip->w * (rim->at - strip->y));
+        if (rim != to)
+            rim[-1].is |= GLINT_RIM_MORE;
+        rim++;
+    }
+    return (unsigned)(rim - to);
 }
 
-const struct glint_mesh_rim *glint_mesh_rims_of(const struct glint_mesh_target *strip, unsigned face, unsigned *count)
+const struct glint_mesh_rim *glint_mesh_rims_of(const struct glint_mesh_target *strip, unsigned face)
 {
     const struct glint_mesh_drawn *const drawn = strip->drawn;
     struct glint_mesh_outlines *const outlines = drawn->outlines;
-    struct glint_mesh_rim *rim = outlines->rims + GLINT_MESH_RIMS;
-    *count = 0;
-    if (drawn->edges[face] & GLINT_EDGES_LISTED) {
-        rim = outlines->rims + drawn->rims[face];
-        const struct glint_mesh_rim *const end = outlines->rims + outlines->count;
-        for (const struct glint_mesh_rim *next = rim; next != end && next->face == face; next++)
-            ++*count;
-    } else if (outlines->rest != GLINT_MESH_NONE) {
-        *count = rims_set(rim, strip, face);
-    }
-    return rim;
+    if (drawn->edges[face] & GLINT_EDGES_LISTED)
+        return outlines->rims + drawn->rims[face];
+    struct glint_mesh_rim *const rim = outlines->rims + GLINT_MESH_RIMS;
+    return outlines->rest != GLINT_MESH_NONE && rims_set(rim, strip, face) ? rim : NULL;
 }
 
 /* The lists of faces with outlines for those of all faces, and back. */
@@ -242,9 +249,11 @@ void glint_mesh_rims_take(const struct glint_mesh_target *strip)
     uint16_t i = glint_mesh_take(drawn, strip->y, strip->end);
     rims_swap(drawn);
     outlines->count = 0;
-    while (i != GLINT_MESH_NONE && outlines->count <= GLINT_MESH_RIMS - 3) {
+    while (i != GLINT_MESH_NONE) {
         uint16_t *const link = &drawn->rims[i];
         const unsigned count = rims_set(outlines->rims + outlines->count, strip, i);
+        if (outlines->count + count > GLINT_MESH_RIMS)
+            break;
         const uint16_t next = *link;
         if (count) {
             *link = outlines->count;
