@@ -46,6 +46,7 @@ struct glint_mesh_cells {
     struct glint_mesh_rim rim, other[2];
     struct glint_mesh_cell cell;
     unsigned others;
+    struct glint_mesh_blending blending; /* of glint_mesh_blend_cells */
 };
 
 #if GLINT_CORTEX_M0PLUS_ASM
@@ -90,6 +91,7 @@ struct glint_mesh_outlines {
         } depths[GLINT_MESH_HIDDEN]; /* of pixels that the face at hand leaves out */
         struct glint_mesh_cells cells;
     } of;
+    struct glint_mesh_kept piece; /* of a face of more cells */
 };
 
 #if GLINT_CORTEX_M0PLUS_ASM

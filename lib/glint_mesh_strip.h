@@ -36,9 +36,8 @@ struct glint_mesh_bench {
 /* Bytes that they take beside a mesh's. */
 uint32_t glint_mesh_edges_bytes(const struct glint_mesh *mesh, uint16_t h);
 
-/* Hides the cells that a triangle's face leaves out; false: there is nothing left to draw. And shows them again. */
+/* In assembly alone: hides the cells that a triangle's face leaves out; false: the triangle is drawn. */
 bool glint_mesh_hide(struct glint_mesh_triangle *triangle, const struct glint_mesh_target *strip);
-void glint_mesh_show(const struct glint_mesh_target *strip);
 /* In assembly alone: what struct glint_mesh_lines calls, with outlines. */
 void glint_mesh_outlined(void);
 

@@ -55,7 +55,7 @@ static bool hide_rims(const struct glint_mesh_target *strip, unsigned face, cons
     return true;
 }
 
-void glint_mesh_show(const struct glint_mesh_target *strip)
+static void cells_show(const struct glint_mesh_target *strip)
 {
     struct glint_mesh_outlines *const outlines = strip->drawn->outlines;
     while (outlines->hidden) { /* a cell of two edges was hidden twice */
@@ -90,7 +90,7 @@ static bool hide(const struct glint_mesh_target *strip, unsigned face, const str
         fits = hide_rims(strip, beside[k], &near);
     }
     if (!fits)
-        glint_mesh_show(strip);
+        cells_show(strip);
     return fits;
 }
 
@@ -102,13 +102,14 @@ static const struct glint_paint *cells_paint(const struct glint_mesh_drawn *draw
     return &drawn->paints[part];
 }
 
-/* A face of more cells than there is room for: a piece of a line after the other. Alone, for the stack. */
-static __attribute__((noinline)) void rows_in_pieces(const struct glint_paint *paint,
-                                                     struct glint_mesh_triangle *triangle,
-                                                     const struct glint_mesh_target *strip)
+/* A face of more cells than there is room for: a piece of a line after the other. */
+static inline __attribute__((always_inline)) void rows_in_pieces(const struct glint_paint *paint,
+                                                                 struct glint_mesh_triangle *triangle,
+                                                                 const struct glint_mesh_target *strip, bool is_colour)
 {
     const unsigned face = glint_mesh_face_of(triangle);
     const int32_t end = cells_min(triangle->y_end, strip->end);
+    struct glint_mesh_kept *const piece = &strip->drawn->outlines->piece;
     if (triangle->y < strip->y)
         glint_mesh_triangle_skip(triangle, strip->y);
     for (; triangle->y < end; glint_mesh_triangle_skip(triangle, triangle->y + 1)) {
@@ -118,44 +119,63 @@ static __attribute__((noinline)) void rows_in_pieces(const struct glint_paint *p
         if (!glint_mesh_columns(part.left, part.right, strip->w, &window.left, &to))
             continue;
         for (; window.left < to; window.left = window.right) {
-            struct glint_mesh_kept piece;
             window.right = to;
             while (!hide(strip, face, &window)) /* a column has 12 at most */
                 window.right = (window.left + window.right) >> 1;
-            piece.triangle = *triangle;
-            piece.face = (uint16_t)face;
-            piece.triangle.y_end = (int16_t)window.bottom;
-            part = glint_mesh_triangle_part(&piece.triangle, window.bottom);
+            piece->triangle = *triangle;
+            piece->face = (uint16_t)face;
+            piece->triangle.y_end = (int16_t)window.bottom;
+            part = glint_mesh_triangle_part(&piece->triangle, window.bottom);
             part.left->x = window.left * 65536;
             part.right->x = window.right * 65536;
-            glint_mesh_rows(paint, &piece.triangle, strip);
-            glint_mesh_show(strip);
+            if (is_colour)
+                glint_mesh_colour(&paint->of.tables.filled, &piece->triangle, strip);
+            else
+                glint_mesh_rows(paint, &piece->triangle, strip);
+            cells_show(strip);
         }
     }
 }
 
-bool glint_mesh_hide(struct glint_mesh_triangle *triangle, const struct glint_mesh_target *strip)
+static bool hide_all(const struct glint_mesh_triangle *triangle, const struct glint_mesh_target *strip)
 {
     const struct glint_mesh_window whole = {0, strip->y, strip->w, strip->end};
-    const unsigned face = glint_mesh_face_of(triangle);
-    if (strip->drawn->edges[face] & GLINT_EDGES_THIN)
-        return false;
-    if (hide(strip, face, &whole))
-        return true;
-    rows_in_pieces(cells_paint(strip->drawn, face, 0), triangle, strip);
-    return false;
+    return hide(strip, glint_mesh_face_of(triangle), &whole);
+}
+
+/* Alone, for the stack. */
+static __attribute__((noinline)) void rows_of_many(const struct glint_paint *paint,
+                                                   struct glint_mesh_triangle *triangle,
+                                                   const struct glint_mesh_target *strip)
+{
+    rows_in_pieces(paint, triangle, strip, false);
 }
 
 static void cells_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
                        const struct glint_mesh_target *strip)
 {
-    const bool asks = (strip->drawn->edges[glint_mesh_face_of(triangle)] & GLINT_EDGES_ASK) != 0;
-    if (asks && !glint_mesh_hide(triangle, strip))
-        return;
-    glint_mesh_rows(paint, triangle, strip);
-    if (asks)
-        glint_mesh_show(strip);
+    const unsigned edges = strip->drawn->edges[glint_mesh_face_of(triangle)];
+    if (!(edges & GLINT_EDGES_ASK)) {
+        glint_mesh_rows(paint, triangle, strip);
+    } else if (!(edges & GLINT_EDGES_THIN)) {
+        if (hide_all(triangle, strip)) {
+            glint_mesh_rows(paint, triangle, strip);
+            cells_show(strip);
+        } else {
+            rows_of_many(paint, triangle, strip);
+        }
+    }
 }
+
+#if GLINT_CORTEX_M0PLUS_ASM
+bool glint_mesh_hide(struct glint_mesh_triangle *triangle, const struct glint_mesh_target *strip)
+{
+    if (hide_all(triangle, strip))
+        return true;
+    rows_in_pieces(cells_paint(strip->drawn, glint_mesh_face_of(triangle), 0), triangle, strip, true);
+    return false;
+}
+#endif
 
 static void cells_begin(struct glint_mesh_target *strip)
 {
@@ -436,7 +456,7 @@ static __attribute__((noinline)) void cells_draw(const struct glint_mesh_target 
     }
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)strip->frame->memory;
     bench->face.face = rim->face;
-    glint_mesh_blend_cells(paint, cells, cells_found, &bench->face.triangle, strip);
+    glint_mesh_blend_cells(paint, cells, cells_found, &cells->blending, &bench->face.triangle, strip);
 }
 
 static void cells_end(const struct glint_mesh_target *strip)

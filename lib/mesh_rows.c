@@ -266,13 +266,11 @@ static void cell_over(uint8_t *pixel, const uint8_t was[4], uint32_t part)
 }
 
 /* By any paint. cells: NULL, or an outline's, of the triangle's face, and what finds the next. */
-static inline __attribute__((always_inline)) void rows_of(const struct glint_paint *paint,
-                                                          struct glint_mesh_triangle *triangle,
-                                                          const struct glint_mesh_target *target,
-                                                          struct glint_mesh_cells *cells, glint_mesh_next *next)
+static inline __attribute__((always_inline)) void
+rows_of(const struct glint_paint *paint, struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target,
+        struct glint_mesh_row *row, struct glint_mesh_cells *cells, glint_mesh_next *next, struct glint_mesh_cell *cell)
 {
     const bool is_alpha = paint->output.format == GLINT_ARGB8888;
-    struct glint_mesh_cell cell;
     uint8_t was[4] = {0, 0, 0, 0};
     struct glint_mesh_bench *const bench = (struct glint_mesh_bench *)target->frame->memory;
     struct mesh_lit *const lit = glint_mesh_is_lit(paint) ? (struct mesh_lit *)target->frame->lit : NULL;
@@ -281,8 +279,7 @@ static inline __attribute__((always_inline)) void rows_of(const struct glint_pai
     const struct glint_texture *const texture = glint_mesh_texture_of(target->drawn, paint);
     const bool exact = glint_paint_is_exact(paint), has_colours = colours_are(target->drawn->mesh);
     const struct glint_use_mesh *const use = texture || (has_colours && !exact) ? target->drawn->mesh->use : NULL;
-    struct glint_mesh_row row;
-    struct glint_run *const run = &row.run;
+    struct glint_run *const run = &row->run;
     unsigned most = GLINT_MESH_RUN;
     run->albedo = texture || has_colours ? bench->colours.bytes : NULL;
     run->gloss = run->coverage = NULL;
@@ -296,11 +293,11 @@ static inline __attribute__((always_inline)) void rows_of(const struct glint_pai
         GLINT_FLASH_POINTER(use->set)(&bench->of.over, target, glint_mesh_face_of(triangle), texture);
     else if (run->albedo)
         colours_set(&bench->of.across, target, triangle);
-    while (cells ? row_cell(&row, cells, next, target, &cell) : row_next(&row, triangle, target)) {
-        const int32_t line = cells ? target->y + cell.line : triangle->y - 1; /* the picture's */
+    while (cells ? row_cell(row, cells, next, target, cell) : row_next(row, triangle, target)) {
+        const int32_t line = cells ? target->y + cell->line : triangle->y - 1; /* the picture's */
         if (use)
-            GLINT_FLASH_POINTER(use->line)(&bench->of.over, line, (int32_t)run->x, (int32_t)row.end, row.z, row.dz);
-        for (unsigned count; (count = cells ? (unsigned)(row.end - run->x) : row_in_front(&row, most)) != 0;
+            GLINT_FLASH_POINTER(use->line)(&bench->of.over, line, (int32_t)run->x, (int32_t)row->end, row->z, row->dz);
+        for (unsigned count; (count = cells ? (unsigned)(row->end - run->x) : row_in_front(row, most)) != 0;
              run->x += count) {
             if (cells && is_alpha)
                 for (int k = 0; k < 4; k++)
@@ -311,22 +308,22 @@ static inline __attribute__((always_inline)) void rows_of(const struct glint_pai
             else if (run->albedo)
                 colours_get(&bench->of.across, (int32_t)run->x, line, bench->colours.bytes, count);
             if (lit) {
-                lit_fill(lit, target->frame, &row, line, row.z - count * row.dz, count);
+                lit_fill(lit, target->frame, row, line, row->z - count * row->dz, count);
                 if (paint->several)
                     GLINT_FLASH_POINTER(paint->several->run)(&lit->lights, count);
                 else
                     GLINT_FLASH_POINTER(paint->model->geometry)
                 (&paint->l, &paint->v, &paint->h, lit->normals, samples, count);
             } else if (exact) {
-                glint_samples_walk(&row.at, samples, count);
+                glint_samples_walk(&row->at, samples, count);
             } else {
-                glint_raws_walk(&row.at, paint->of.tables.filled.t_max_q30, raws, count);
+                glint_raws_walk(&row->at, paint->of.tables.filled.t_max_q30, raws, count);
                 glint_tables_pixels(paint, run, raws, count);
             }
             if (exact && !paint->several)
                 glint_paint_run(paint, run, samples, count);
             if (cells && is_alpha)
-                cell_over(run->line + 4 * run->x, was, cell.part);
+                cell_over(run->line + 4 * run->x, was, cell->part);
         }
     }
 }
@@ -334,13 +331,15 @@ static inline __attribute__((always_inline)) void rows_of(const struct glint_pai
 ROWS_ALONE void rows_draw(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
                           const struct glint_mesh_target *target)
 {
-    rows_of(paint, triangle, target, NULL, NULL);
+    struct glint_mesh_row row;
+    rows_of(paint, triangle, target, &row, NULL, NULL, NULL);
 }
 
 void glint_mesh_blend_cells(const struct glint_paint *paint, struct glint_mesh_cells *cells, glint_mesh_next *next,
-                            struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target)
+                            struct glint_mesh_blending *blending, struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_target *target)
 {
-    rows_of(paint, triangle, target, cells, next);
+    rows_of(paint, triangle, target, &blending->row, cells, next, &blending->cell);
 }
 
 /* By ALBEDO tables, where the fused loops can; they do colours and textures in one. */
