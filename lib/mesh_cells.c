@@ -33,7 +33,7 @@ static bool hide_rim(const struct glint_mesh_target *strip, const struct glint_m
         return false;
     /* A face draws no cell of which less is inside: its middle is outside. Somewhat less than half, for what edges round. The part is at
      * least GLINT_CELL_LEFT_OUT where what is left of the cell is less than least. */
-    const uint16_t least = (256 - GLINT_CELL_LEFT_OUT) << 8, bias = rim->is & GLINT_RIM_GROWS ? 0 : least;
+    const uint16_t least = (256u - GLINT_CELL_LEFT_OUT) << 8, bias = rim->is & GLINT_RIM_GROWS ? 0 : least;
     uint16_t *line = rim->depth + along * (at - rim->at);
     int32_t e = rim->e + rim->step * (at - rim->at);
     for (int32_t left = end - at; left; left--, line += along, e += rim->step) {
@@ -199,7 +199,7 @@ static void cells_lines(const struct glint_mesh_target *strip, struct glint_mesh
 
 static unsigned cells_up(const struct glint_mesh_rim *rim)
 {
-    return rim->inverse >> 24;
+    return (unsigned)(rim->inverse >> 24);
 }
 
 static uint32_t cells_inverse(const struct glint_mesh_rim *rim)
