@@ -165,9 +165,6 @@ static __attribute__((noinline)) uint32_t coverage_888(const struct glint_paint 
 static uint32_t coverage_levels(const struct glint_paint *paint, const struct glint_run *run,
                                 const struct glint_sample *samples, unsigned count)
 {
-    /* In linear space it blends by coverage_level; ARGB8888 does not blend, but its channels may be apart. */
-    if (paint->output.space != GLINT_GAMMA || (paint->output.format == GLINT_ARGB8888 && !run->apart))
-        return GLINT_FLASH_POINTER(paint->format->levels)(paint, run, samples, count);
     if (run->albedo || run->gloss || run->apart || glint_format_is_grey(paint->output.format))
         return coverage_any(paint, run, samples, count);
     return (glint_format_is_565(paint->output.format) ? coverage_565 : coverage_888)(paint, run, samples, count);
@@ -180,10 +177,6 @@ static void coverage_exact(const struct glint_paint *paint, const struct glint_r
     const bool grey = glint_format_is_grey(format);
     uint8_t levels[4];
     uint64_t parts = 0;
-    if (paint->output.space != GLINT_GAMMA) { /* it blends by coverage_level */
-        GLINT_FLASH_POINTER(paint->format->exact)(paint, run, i, sums, apart);
-        return;
-    }
     for (unsigned k = 0; k < 3; k++, sums += apart) {
         const uint64_t x = glint_exact_channel(paint, run, i, k, sums);
         parts += x * glint_luma(k);
@@ -296,7 +289,7 @@ static void coverage_next(struct glint_lines *lines)
     lines->count = 0;
     if (at == stop)
         return;
-    run->format = *at == 255 ? lines->format : &lines->soft->format;
+    glint_run_soften(run, lines->paint, *at == 255 ? NULL : lines->soft);
     lines->count = (uint16_t)((words ? coverage_end_gaps(lines, x, end)
                                      : (uint32_t)(coverage_end(at, coverage + end) - coverage)) -
                               x);
@@ -338,7 +331,7 @@ static uint32_t coverage_edge(const struct glint_paint *paint, struct glint_line
     coverage_next(lines);
     const uint32_t end = run->x + lines->count;
     (draw ? draw : coverage_edge_plain)(paint, lines, bounds, lines->count, y);
-    run->format = lines->format;
+    glint_run_soften(run, paint, NULL);
     return end;
 }
 #define COVERAGE_EDGE coverage_edge

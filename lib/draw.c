@@ -167,7 +167,9 @@ static enum glint_err draw_begin(struct glint_lines *lines, const struct glint_p
     lines->run.left = target->x;
     lines->run.apart = 0;
     lines->run.albedo = lines->run.gloss = lines->run.coverage = NULL;
-    lines->run.format = lines->format = paint->format;
+    lines->paint = paint;
+    lines->run.format = paint->format;
+    lines->run.soft = NULL;
     if (!glint_paint_is_exact(paint)) {
         const struct glint_use_tables *use = paint->of.tables.filled.use;
         lines->draw = GLINT_FLASH_POINTER(use->draw);

@@ -48,7 +48,7 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *p,
 
 void glint_line_dark(struct glint_line_loop *loop, const struct glint_paint *paint)
 {
-    struct glint_run dark = {(uint8_t *)&loop->dark, 0, 0, 0, NULL, NULL, NULL, 0, paint->format};
+    struct glint_run dark = {(uint8_t *)&loop->dark, 0, 0, 0, NULL, NULL, NULL, 0, paint->format, NULL};
     loop->sample.t_q30 = UINT32_MAX;
     loop->sample.nl_q16 = loop->sample.f_q16 = 0;
     if (GLINT_FLASH_POINTER(paint->format->levels)(paint, &dark, &loop->sample, 1))

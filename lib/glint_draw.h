@@ -25,7 +25,7 @@ struct glint_lines {
     glint_draw_lines *draw;                /* them */
     void (*source)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
                    struct glint_sample *samples); /* the next run's samples: what an exact paint's are */
-    const struct glint_use_format *format;        /* the paint's: of runs that are covered in full */
+    const struct glint_paint *paint;
     uint32_t w;
     uint16_t most;        /* pixels in a run; where it is of samples, up to GLINT_RUN */
     bool has_gaps;        /* runs end where there is no surface; for tables samples say so */

@@ -20,8 +20,10 @@ struct glint_run {
     const uint8_t *gloss;    /* of the first sample; NULL: 255 */
     const uint8_t *coverage; /* of the line's first pixel; NULL: 255 */
     uint8_t apart;           /* from a channel's samples to the next's; 0: they are the same */
-    /* Draws the samples: the paint's, or where they blend by their coverage that of glint_use_coverage. Tables have none, or that. */
+    /* Draws the samples: the paint's, or what blends them in gamma space. Tables have none. */
     const struct glint_use_format *format;
+    /* Of samples that blend by their coverage, else NULL. ARGB8888 has coverage as alpha, in full. */
+    const struct glint_use_coverage *soft;
 };
 
 /* ---- A group of formats ---- */
@@ -77,11 +79,13 @@ struct glint_use_coverage {
                      glint_draw_edge *draw, struct glint_bounds *bounds, uint32_t y);
 };
 
-/* Does the run blend? */
-static inline const struct glint_use_coverage *glint_run_soft(const struct glint_paint *paint,
-                                                              const struct glint_run *run)
+/* Sets what draws a run: soft where it blends, else NULL. In linear space the paint's format does either. */
+static inline void glint_run_soften(struct glint_run *run, const struct glint_paint *paint,
+                                    const struct glint_use_coverage *soft)
 {
-    return run->format == paint->format ? NULL : (const struct glint_use_coverage *)(const void *)run->format;
+    run->soft = soft;
+    run->format = soft && paint->output.space == GLINT_GAMMA && paint->output.format != GLINT_ARGB8888 ? &soft->format
+                                                                                                       : paint->format;
 }
 
 /* Draws a run's levels, and one pixel by the 64-bit sequence. */

@@ -40,8 +40,8 @@ void glint_tables_draw(const struct glint_paint *paint, struct glint_lines *line
 static inline void glint_tables_pixels(const struct glint_paint *paint, const struct glint_run *run,
                                        const struct glint_raw *raws, unsigned count)
 {
-    if (run->format)
-        GLINT_FLASH_POINTER(glint_run_soft(paint, run)->blend_pixels)(run, paint, raws, count);
+    if (run->soft)
+        GLINT_FLASH_POINTER(run->soft->blend_pixels)(run, paint, raws, count);
     else
         GLINT_FLASH_POINTER(paint->of.tables.filled.use->pixels)(paint, run, raws, count);
 }

@@ -193,7 +193,7 @@ static void lights_run(struct glint_lights *lights, unsigned count)
             glint_store_alpha(p->output.format, lights->run->line, lights->run->x + i, 1, lights->run->coverage);
             open &= ~((uint32_t)1 << i);
         } else if (sure && lights_fit(lights, count)) {
-            open = lights->channels > 1 && p->output.space == GLINT_GAMMA && !glint_run_soft(p, lights->run)
+            open = lights->channels > 1 && p->output.space == GLINT_GAMMA && lights->run->format == p->format
                        ? glint_levels_apart(p, lights->run, lights->slots, count)
                        : glint_run_levels(p, lights->run, lights->slots, count);
         }

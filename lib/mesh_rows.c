@@ -294,7 +294,7 @@ rows_of(const struct glint_paint *paint, struct glint_mesh_triangle *triangle, c
     run->albedo = texture || has_colours ? (uint8_t *)bench->colours : NULL;
     run->gloss = run->coverage = NULL;
     run->apart = 0;
-    run->format = cells ? &glint_use_coverage.format : paint->format;
+    glint_run_soften(run, paint, cells ? &glint_use_coverage : NULL);
     if (lit) {
         most = lit_begin(lit, paint, run);
         lit_normals(&lit->across, target, triangle);

@@ -228,9 +228,8 @@ LINEAR_ALONE uint32_t linear_found(const struct glint_paint *p, const struct gli
                                    uint32_t x)
 {
     const uint32_t encoded = glint_srgb_encode((uint16_t)x);
-    const struct glint_use_coverage *soft = glint_run_soft(p, run);
-    if (soft)
-        return GLINT_FLASH_POINTER(soft->level)(p, run, i, k, (uint64_t)encoded << 32);
+    if (run->soft)
+        return GLINT_FLASH_POINTER(run->soft->level)(p, run, i, k, (uint64_t)encoded << 32);
     return linear_level(encoded, linear_max(p, k), linear_threshold(p, run, i)) >> 16;
 }
 
@@ -259,7 +258,7 @@ LINEAR_ALONE uint32_t linear_settle(union linear_pixel *at, uint32_t near, const
 static inline uint32_t linear_decide(union linear_pixel *pixels, const struct glint_sample *samples, unsigned count,
                                      const struct glint_paint *p, const struct glint_run *run, unsigned k)
 {
-    const uint32_t near = glint_run_soft(p, run) ? ((uint32_t)1 << count) - 1 : linear_encode(pixels, count, p, run, k);
+    const uint32_t near = run->soft ? ((uint32_t)1 << count) - 1 : linear_encode(pixels, count, p, run, k);
     return near ? linear_settle(pixels, near, samples, p, run, k) : 0;
 }
 

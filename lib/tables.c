@@ -177,7 +177,7 @@ static void tables_fused(const struct glint_paint *paint, struct glint_lines *li
         return;
     }
     for (; glint_lines_next(lines); run->x += lines->count)
-        if (run->format)
+        if (run->soft)
             GLINT_FLASH_POINTER(lines->soft->line)(paint, lines);
         else
             GLINT_FLASH_POINTER(paint->of.tables.filled.use->line)(paint, lines, run->x, run->x + lines->count);

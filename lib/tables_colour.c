@@ -73,6 +73,7 @@ static void colour_fill(struct glint_tables *tables, const struct glint_paint *e
     run.albedo = run.gloss = run.coverage = NULL;
     run.apart = 0;
     run.format = exact->format;
+    run.soft = NULL;
     const struct glint_sample none = {UINT32_MAX, 0, 0};
     colour_draw(exact, &run, &none, 1);
     colour_fill_rows(exact, f0, &run, (uint8_t *)memory);

@@ -46,7 +46,7 @@ static void dither_fill(struct glint_tables *tables, const struct glint_paint *e
     uint32_t *const shine = (uint32_t *)memory + GLINT_DITHER_SHINES / 4;
     for (uint32_t i = 0; i < DITHER_SHINES; i++)
         shine[i] = dither_shine(exact, glint_paint_f(exact, glint_column_t(t_max, tables->shift, i)));
-    struct glint_run run = {NULL, 0, 0, 0, NULL, NULL, NULL, 0, exact->format};
+    struct glint_run run = {NULL, 0, 0, 0, NULL, NULL, NULL, 0, exact->format, NULL};
     for (; run.y < 4; run.y++) {
         const uint32_t y = run.y;
         uint32_t *const sums = (uint32_t *)memory + (GLINT_DITHER_SUMS + y * GLINT_DITHER_SUMS_PART) / 4;

@@ -71,8 +71,8 @@ static void fill(const struct glint_use_model *model, const struct glint_use_for
     for (unsigned i = 0; i < GLINT_LIGHTS_MAX; i++)
         paint.of.exact.halves[i] = any_vector();
     const struct glint_run of = {
-        pixels,   any % 4, any % 65536, any % 65536, any & 1 ? albedo : NULL, any & 1 ? gloss : NULL,
-        coverage, 0,       paint.format};
+        pixels,   any % 4, any % 65536,  any % 65536, any & 1 ? albedo : NULL, any & 1 ? gloss : NULL,
+        coverage, 0,       paint.format, NULL};
     run = of;
     lights.paint = &paint;
     lights.run = &run;

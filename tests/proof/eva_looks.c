@@ -118,7 +118,7 @@ static void words_as_pixels(void)
 {
     const struct glint_use_tables *use = paint.of.tables.filled.use;
     const struct glint_run run = {
-        (uint8_t *)pixels, any % 4, any % 65536, any, (const uint8_t *)albedo, NULL, NULL, 0, NULL};
+        (uint8_t *)pixels, any % 4, any % 65536, any, (const uint8_t *)albedo, NULL, NULL, 0, NULL, NULL};
     struct glint_raw raws[WIDE];
     use->raws(&paint, words, raws, WIDE);
     use->pixels(&paint, &run, raws, WIDE);

@@ -16,7 +16,7 @@ static void draw(const struct glint_use_format *format, const struct glint_outpu
 {
     const struct glint_material material = any_material(GLINT_LYON);
     struct glint_paint paint;
-    struct glint_run run = {pixels, any % 4, any, any, colours, shine, any ? coverage : NULL, 0, format};
+    struct glint_run run = {pixels, any % 4, any, any, colours, shine, any ? coverage : NULL, 0, format, NULL};
     (void)glint_paint_exact_for(&paint, &material, output, &glint_use_lyon, format);
     if (any) {
         for (unsigned k = 0; k < 3; k++)
@@ -134,7 +134,7 @@ static void exactly(const struct glint_use_format *use, uint8_t format, uint8_t 
     const struct glint_output output = {format, space, any & 1};
     const struct glint_material material = any_material(GLINT_LYON);
     const struct glint_run run = {pixels, any % 4, any, any, any & 1 ? albedo : NULL, any & 1 ? gloss : NULL,
-                                  NULL,   0,       use};
+                                  NULL,   0,       use, NULL};
     const struct glint_sample sample = {any, any % 65537, any};
     struct glint_paint paint;
     (void)glint_paint_exact_for(&paint, &material, &output, &glint_use_lyon, use);
