@@ -59,7 +59,9 @@ static bool next_line(struct obj *obj)
             skip_end(obj);
             if (len == 0 || obj->line[len - 1] != '\\' || obj->line[0] == '#' || obj->at == obj->end)
                 break;
-            obj->line[len - 1] = ' ';
+            obj->line[--len] = 0;
+            if (len > 0)
+                obj->line[len++] = ' ';
             obj->at--;
         } else if (len > 0 || !isspace((unsigned char)*obj->at)) {
             keep(obj, &len, *obj->at);

@@ -291,7 +291,8 @@ static void an_obj_is_read_in_any_spelling(void **state)
     static const char *const files[] = {
         "v 0 0 0\nv 1 0 0\nv .5 1 0\nv .5 1 2\nv 0 2 0\nv 3 3 3\nf 1 2 3\nf 1 3 4\n",
         "v 0. 0 0\nv +1 0 0\nv 5e-1 +1. -0.0\nv 0.5 10E-1 2e+0\nv 00 2 0\nv 3 3 3\nf 1 2 3\nf -6 -4 -3",
-        "\xEF\xBB\xBF  v 0 0 0\r\n\tv 1 \\\r\n 0 0\r\nv .5 1 0 # a comment\r\nv\t.5\t1\t2\r\n# \\\r\nv 0 2 0\r\nv 3 3 "
+        "\xEF\xBB\xBF \\\n v 0 0 0\r\n\tv 1 \\\r\n 0 0\r\nv .5 1 0 # a comment\r\nv\t.5\t1\t2\r\n# \\\r\nv 0 2 0\r\nv "
+        "3 3 "
         "3\r\n"
         "f 1 2 \\\r\n3\r\nf +1 3/ 4//\r\n",
         "v 0 0 0 1\nv 1 0 0 1\nv 1 2 0 2\nv .5 1 2 1.\nv 0 2 0\nv 3 3 3\nvt .5\nvn 0 0 +1\nf 1 2 3\nf 1/1/1 3//-1 "
