@@ -92,6 +92,7 @@ struct glint_mesh_outlines {
         struct glint_mesh_cells cells;
     } of;
     struct glint_mesh_kept piece; /* of a face of more cells */
+    struct glint_mesh_row row;    /* of it */
 };
 
 #if GLINT_CORTEX_M0PLUS_ASM

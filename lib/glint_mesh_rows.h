@@ -51,10 +51,6 @@ void glint_mesh_lit_begin(void *memory);
 void glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
                      const struct glint_mesh_target *target);
 
-/* Draws a line of a triangle of which a piece is left; whole: the columns from its first one on, and the one after its last. */
-void glint_mesh_piece(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
-                      const struct glint_mesh_target *target, const int32_t whole[2]);
-
 /* A pixel that an outline's edge cuts: its values, as in a triangle, and their steps along the edge; its column and the strip's line, and
  * how much of it is inside, of 255. */
 struct glint_mesh_cell {
@@ -81,6 +77,11 @@ struct glint_mesh_row {
     uint32_t end, z, dz;
     struct glint_span at; /* its w is not used */
 };
+
+/* Draws a line of a triangle of which a piece is left; whole: the columns from its first one on, and the one after its last. It works with
+ * row, which would take stack. */
+void glint_mesh_piece(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                      const struct glint_mesh_target *target, struct glint_mesh_row *row, const int32_t whole[2]);
 
 /* The cells of an edge in the strip that are in front, one after the other; false: there is none left. */
 struct glint_mesh_cells;

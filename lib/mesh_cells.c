@@ -132,7 +132,7 @@ static inline __attribute__((always_inline)) void rows_in_pieces(const struct gl
             if (is_colour)
                 glint_mesh_colour(&paint->of.tables.filled, &piece->triangle, strip);
             else
-                glint_mesh_piece(paint, &piece->triangle, strip, line);
+                glint_mesh_piece(paint, &piece->triangle, strip, &strip->drawn->outlines->row, line);
             cells_show(strip);
         }
     }

@@ -36,7 +36,7 @@ static int32_t edges_size(int32_t x)
     return x < 0 ? -x : x;
 }
 
-/* Narrower than 5/32 pixel, across its longest side along an axis? */
+/* Narrower than 1/8 pixel, across its longest side along an axis? */
 static bool edges_is_thin(const struct glint_mesh_drawn *drawn, unsigned face)
 {
     const struct glint_mesh_vertex *v[3];
@@ -49,7 +49,7 @@ static bool edges_is_thin(const struct glint_mesh_drawn *drawn, unsigned face)
         longest = x > longest ? x : longest;
         longest = y > longest ? y : longest;
     }
-    return -glint_mesh_area(v[0], v[1], v[2]) < 2 * longest + longest / 2;
+    return -glint_mesh_area(v[0], v[1], v[2]) < 2 * longest;
 }
 
 /* Sorts the mesh, and tells which faces show their fronts: those in lists do, if they are not clipped. */

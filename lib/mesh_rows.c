@@ -376,14 +376,12 @@ bool glint_mesh_is_albedo(const struct glint_paint *paint, const struct glint_me
 
 /* What is linear over a triangle is held, and in perspective found, by the ends of its lines. */
 void glint_mesh_piece(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
-                      const struct glint_mesh_target *target, const int32_t whole[2])
+                      const struct glint_mesh_target *target, struct glint_mesh_row *row, const int32_t whole[2])
 {
-    const struct glint_mesh *const mesh = target->drawn->mesh;
-    struct glint_mesh_row row;
-    if (mesh->textures || (colours_are(mesh) && !glint_paint_is_exact(paint)))
-        rows_outlined(paint, triangle, target, &row, NULL, NULL, NULL, whole);
+    if (glint_mesh_is_colour(paint, target))
+        glint_mesh_colour(&paint->of.tables.filled, triangle, target);
     else
-        glint_mesh_rows(paint, triangle, target);
+        rows_outlined(paint, triangle, target, row, NULL, NULL, NULL, whole);
 }
 
 void glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,

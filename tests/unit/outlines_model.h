@@ -114,7 +114,7 @@ static inline void model_set(struct model_mesh *m)
             longest = llabs(b->y - a->y) > longest ? llabs(b->y - a->y) : longest;
             has_back |= model_is_back(m, made->neighbours[f][k]);
         }
-        m->is_thin[f] = m->is_front[f] && has_back && -model_area(m, f) < 2 * longest + longest / 2;
+        m->is_thin[f] = m->is_front[f] && has_back && -model_area(m, f) < 2 * longest;
     }
     for (unsigned f = 0; made->mesh.neighbours && f < count; f++)
         for (unsigned k = 0; m->is_front[f] && !m->is_thin[f] && k < 3; k++) {

@@ -2,7 +2,7 @@
 # AVR: make firmware PORT=avr. Linker scripts here stand beside the compiler's own.
 avr_TOOLS = avr-
 avr_RUN = simavr -m % -f 16000000
-avr_STACK = 1200
+avr_STACK = 1300
 avr_BOARDS = atmega2560 atmega328p
 
 avr_CORE_atmega2560 = atmega2560

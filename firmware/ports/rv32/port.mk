@@ -4,7 +4,7 @@ rv32_TOOLS = riscv64-unknown-elf-
 rv32_SOURCES = $(BARE_START)
 rv32_LINK = -nostdlib -T
 rv32_RUN = qemu-system-riscv32 -M % -bios none -nographic -kernel
-rv32_STACK = 1200
+rv32_STACK = 1300
 rv32_BOARDS = virt
 
 rv32_CORE_virt = rv32imc

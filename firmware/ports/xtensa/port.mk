@@ -4,7 +4,7 @@ xtensa_TOOLS = xtensa-lx106-elf-
 xtensa_SOURCES = $(BARE_START)
 xtensa_LINK = -nostdlib -T
 xtensa_RUN = qemu-system-xtensa -M sim -cpu % -display none -semihosting -kernel
-xtensa_STACK = 1200
+xtensa_STACK = 1300
 xtensa_BOARDS = lx106
 
 xtensa_CORE_lx106 = lx106
