@@ -255,7 +255,8 @@
 1:  leave STRIP_FRAME
     .ltorg
 
-/* glint_mesh_outlined, a routine that draws a triangle's lines: where outlines ask nothing of its face it is INNER. */
+/* glint_mesh_outlined, a routine that draws a triangle's lines: where outlines ask nothing of its face it is INNER. Else it hides cells, and
+ * shows them again. */
     function glint_mesh_outlined
     movs r4, r0
     adds r4, #GLINT_AT_KEPT_FACE
@@ -270,17 +271,41 @@
     bx r3
 1:  mov r2, lr
     str r2, [sp, #RETURN]
+    movs r2, #GLINT_EDGES_NONE
+    tst r1, r2
+    bne 5f
+    ldr r0, [sp, #TARGET_AT]
+    movs r1, r4
+    bl glint_mesh_hide_face
+    cmp r0, #0
+    beq 6f
+2:  ldr r0, [sp, #TRIANGLE_NOW]
+    ldr r3, [sp, #INNER]
+    blx r3
+    ldr r1, [sp, #DRAWN_AT]
+    ldr r1, [r1, #GLINT_AT_DRAWN_OUTLINES]
+    ldr r2, =GLINT_AT_OUTLINES_REST + 2
+    adds r1, r1, r2
+    ldrh r2, [r1]
+    adds r1, #2
+    lsls r2, r2, #3
+    adds r2, r2, r1
+    b 4f
+3:  subs r2, #8
+    ldr r3, [r2]
+    ldr r4, [r2, #4]
+    strh r4, [r3]
+4:  cmp r2, r1
+    bne 3b
+5:  ldr r1, [sp, #RETURN]
+    bx r1
+6:  ldr r0, [sp, #TRIANGLE_NOW]
     ldr r1, [sp, #TARGET_AT]
     bl glint_mesh_hide
     cmp r0, #0
-    beq 2f
-    ldr r0, [sp, #TRIANGLE_NOW]
-    ldr r3, [sp, #INNER]
-    blx r3
-    ldr r0, [sp, #TARGET_AT]
-    bl glint_mesh_show
-2:  ldr r1, [sp, #RETURN]
-    bx r1
+    bne 2b
+    b 5b
+    .ltorg
 
 /* ---- a strip's faces ----
  * glint_mesh_sort_faces(frame, drawn, y), as mesh_strip.c has it: from the last face to the first. Half of them show their backs, which
@@ -295,8 +320,8 @@
 #define links r12
 #define is_cut lr
 
-    function glint_mesh_sort_faces
-    enter 0
+/* edges: at the frame's first word, of each face: what its front or clipping is marked in; the others' are 0. */
+.macro sort_faces marks
     mov from, r2
     ldrh r3, [r0, #GLINT_AT_FRAME_W + 2]
     mov height, r3
@@ -317,9 +342,9 @@
     muls r2, number
     adds face, face, r2
 
-.Lface:
+.Lface\@:
     subs number, #1
-    bmi .Lsorted
+    bmi .Lsorted\@
     subs face, #6
     ldrh r1, [face]
     ldrh r2, [face, #2]
@@ -332,8 +357,8 @@
     add r3, vertices
     mov r5, is_cut
     cmp r5, #0
-    bne .Lmay_be_out
-.Lin: /* r5: 0 */
+    bne .Lmay_be_out\@
+.Lin\@: /* r5: 0 */
     ldrsh r4, [r2, r5]
     ldrsh r6, [r3, r5]
     ldrsh r5, [r1, r5]
@@ -348,7 +373,12 @@
     subs r6, r2, r1
     muls r5, r6
     subs r4, r4, r5 /* the area */
-    bge .Lface
+    bge .Lface\@
+.if \marks
+    ldr r4, [sp]
+    movs r5, #GLINT_EDGES_IS_FRONT
+    strb r5, [r4, number]
+.endif
     cmp r1, r2 /* r1: the least y, r2: the greatest */
     ble 1f
     movs r4, r1
@@ -368,10 +398,10 @@
     bge 1f
     mov r1, from
 1:  cmp r1, r2
-    bge .Lface
+    bge .Lface\@
     cmp r1, height
-    bge .Lface
-.Lband:
+    bge .Lface\@
+.Lband\@:
     lsrs r1, r1, #GLINT_MESH_BAND_LOG
     lsls r1, r1, #1
     add r1, bands
@@ -380,24 +410,43 @@
     lsls r3, number, #1
     add r3, links
     strh r2, [r3]
-    b .Lface
+    b .Lface\@
 
-.Lmay_be_out:
+.Lmay_be_out\@:
     ldrh r4, [r1, #6]
     ldrh r5, [r2, #6]
     ldrh r6, [r3, #6]
     orrs r5, r4
     orrs r5, r6
-    beq .Lin
+    beq .Lin\@
+.if \marks
+    ldr r5, [sp]
+    movs r6, #GLINT_EDGES_IS_CLIPPED
+    strb r6, [r5, number]
+    ldrh r6, [r3, #6]
+.endif
     /* Seen once it is clipped, unless one plane cuts all of it. */
     ldrh r5, [r2, #6]
     ands r4, r5
     tst r4, r6
-    bne .Lface
+    bne .Lface\@
     mov r1, from
-    b .Lband
-.Lsorted:
+    b .Lband\@
+.Lsorted\@:
+.endm
+
+    function glint_mesh_sort_faces
+    enter 0
+    sort_faces 0
     leave 0
+
+/* And marks fronts, for mesh_edges.c. */
+    function glint_mesh_sort_fronts
+    enter 4
+    ldr r3, [r1, #GLINT_AT_DRAWN_EDGES]
+    str r3, [sp]
+    sort_faces 1
+    leave 4
 
 /* 112 bytes at a time, then 4. */
     function glint_mesh_clear

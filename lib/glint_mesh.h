@@ -101,11 +101,11 @@ struct glint_mesh_drawn {
     int16_t turn[3][3];      /* Q14 */
     int16_t position[3];
     uint16_t scale;
-    bool is_cut;                      /* by a plane: a vertex is beyond it */
-    struct glint_mesh_hidden *hidden; /* of outlines */
-    uint16_t *rims, *rim_bands;       /* as links and bands, of faces with outlines */
-    uint8_t *edges;                   /* of each face what outlines ask; NULL: there are none */
-    int16_t left, top, right, bottom; /* pixels beyond which it draws none */
+    bool is_cut;                          /* by a plane: a vertex is beyond it */
+    struct glint_mesh_outlines *outlines; /* of the strip at hand */
+    uint16_t *rims, *rim_bands;           /* as links and bands, of faces with outlines */
+    uint8_t *edges;                       /* of each face what outlines ask; NULL: there are none */
+    int16_t left, top, right, bottom;     /* pixels beyond which it draws none */
 };
 struct glint_mesh_frame {
     struct glint_mesh_drawn *first, **last;
@@ -121,7 +121,7 @@ struct glint_mesh_frame {
 
 /* Smooth outlines, of meshes that have neighbours and are added after outlines is set: where a face that shows its front meets one that does not,
  * the pixels that their edge cuts are blended over what the buffer holds, by any paint; a mesh in front over those behind. glint_mesh_bytes
- * counts what they take, 3 bytes a face and some 420, wherever there are neighbours. Edges of faces that the near plane or the guard band
+ * counts what they take, 3 bytes a face and some 1,700, wherever there are neighbours. Edges of faces that the near plane or the guard band
  * cuts, creases, and where parts go through each other stay stepped. Without outlines no program links them. */
 struct glint_use_outlines; /* const */
 extern const struct glint_use_outlines glint_outlines;

@@ -51,10 +51,6 @@ void glint_mesh_lit_begin(void *memory);
 void glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
                      const struct glint_mesh_target *target);
 
-/* Draws a line of a triangle of which a piece is left; whole: the columns from its first one on, and the one after its last. */
-void glint_mesh_piece(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
-                      const struct glint_mesh_target *target, const int32_t whole[2]);
-
 /* A pixel that an outline's edge cuts: its values, as in a triangle, and their steps along the edge; its column and the strip's line, and
  * how much of it is inside, of 255. */
 struct glint_mesh_cell {
@@ -62,13 +58,6 @@ struct glint_mesh_cell {
     int32_t x, line;
     uint8_t part;
 };
-/* The cells of an edge in the strip that are in front, one after the other; false: there is none left. */
-struct glint_mesh_cells;
-typedef bool glint_mesh_next(struct glint_mesh_cells *cells, struct glint_mesh_cell *cell);
-/* Blends them by any paint; triangle: of a struct glint_mesh_kept, of which the face's number counts. */
-void glint_mesh_blend_cells(const struct glint_paint *paint, struct glint_mesh_cells *cells, glint_mesh_next *next,
-                            struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target);
-
 /* Two bytes a pixel at even places, by COLOUR tables without dither: then the fused loop can draw. */
 bool glint_mesh_is_colour(const struct glint_paint *paint, const struct glint_mesh_target *target);
 /* The same by ALBEDO tables; its loops are glint_mesh_texture.h's. */
@@ -88,6 +77,24 @@ struct glint_mesh_row {
     uint32_t end, z, dz;
     struct glint_span at; /* its w is not used */
 };
+
+/* Draws a line of a triangle of which a piece is left; whole: the columns from its first one on, and the one after its last. It works with
+ * row, which would take stack. */
+void glint_mesh_piece(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                      const struct glint_mesh_target *target, struct glint_mesh_row *row, const int32_t whole[2]);
+
+/* The cells of an edge in the strip that are in front, one after the other; false: there is none left. */
+struct glint_mesh_cells;
+typedef bool glint_mesh_next(struct glint_mesh_cells *cells, struct glint_mesh_cell *cell);
+/* What they are blended by, in the frame's memory, as it would take stack. */
+struct glint_mesh_blending {
+    struct glint_mesh_row row;
+    struct glint_mesh_cell cell;
+};
+/* Blends them by any paint; triangle: of a struct glint_mesh_kept, of which the face's number counts. */
+void glint_mesh_blend_cells(const struct glint_paint *paint, struct glint_mesh_cells *cells, glint_mesh_next *next,
+                            struct glint_mesh_blending *blending, struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_target *target);
 
 /* What a triangle's corners have, three numbers each, at the pixels between them: colours and normals. */
 

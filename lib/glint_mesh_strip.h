@@ -40,20 +40,11 @@ static inline struct glint_mesh_kept *glint_mesh_kept_at(const struct glint_mesh
 
 /* ---- Outlines ---- */
 
-/* Depths of pixels that the face at hand leaves out. */
-#define GLINT_MESH_HIDDEN 64
-struct glint_mesh_hidden {
-    uint32_t at[GLINT_MESH_HIDDEN]; /* in the strip's depths */
-    uint16_t depth[GLINT_MESH_HIDDEN];
-    uint16_t count;
-};
-
 /* Bytes that they take beside a mesh's. */
 uint32_t glint_mesh_edges_bytes(const struct glint_mesh *mesh, uint16_t h);
 
-/* Hides the cells that a triangle's face leaves out; false: there is nothing left to draw. And shows them again. */
+/* In assembly alone: hides the cells that a triangle's face leaves out; false: the triangle is drawn. */
 bool glint_mesh_hide(struct glint_mesh_triangle *triangle, const struct glint_mesh_target *strip);
-void glint_mesh_show(const struct glint_mesh_target *strip);
 /* In assembly alone: what struct glint_mesh_lines calls, with outlines. */
 void glint_mesh_outlined(void);
 
@@ -63,11 +54,10 @@ struct glint_use_outlines {
     void (*add)(const struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn);
     /* Sorts the outlines, after glint_mesh_sort. */
     void (*sort)(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y);
-    /* In place of glint_mesh_rows. */
-    void (*rows)(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
-                 const struct glint_mesh_target *strip);
+    /* Before the mesh's faces in a strip: sets its outlines there, and `rows`. */
+    void (*begin)(struct glint_mesh_target *strip);
     /* The mesh's outlines in a strip, after the faces of all meshes. */
-    void (*draw)(const struct glint_mesh_target *strip);
+    void (*end)(const struct glint_mesh_target *strip);
     /* In assembly alone: after glint_mesh_part_lines, what draws a triangle's lines becomes what draws with outlines. */
     void (*lines)(const struct glint_mesh_target *strip, struct glint_mesh_lines *lines);
 };

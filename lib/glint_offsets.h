@@ -83,9 +83,19 @@
 #define GLINT_AT_LINES_DRAW 0     /* draw, off_first, line_first, off, line, line_step, off_step, last */
 #define GLINT_AT_LINES_COLOURS 32 /* colours, dark, shift, limit, w, end, columns, t_max */
 
-#define GLINT_AT_STRIP_INNER 148 /* in the frame of glint_mesh_strip_lines, from its lines on */
+#define GLINT_AT_STRIP_INNER 148   /* in the frame of glint_mesh_strip_lines, from its lines on */
+#define GLINT_AT_DRAWN_OUTLINES 68 /* outlines, rims */
 #define GLINT_AT_DRAWN_EDGES 80
-#define GLINT_EDGES_ASK 47 /* bits of an edge of it: its face is drawn otherwise */
+#define GLINT_EDGES_ASK 47  /* bits of an edge of it: its face is drawn otherwise */
+#define GLINT_EDGES_NONE 32 /* or not at all */
+#define GLINT_EDGES_IS_FRONT 16
+#define GLINT_EDGES_IS_CLIPPED 64
+#define GLINT_MESH_RIMS 48 /* outlines kept for a strip; others are set each time they are asked for */
+#define GLINT_MESH_RIM_BYTES 24
+#define GLINT_MESH_HIDDEN 32        /* cells that a face leaves out at a time */
+#define GLINT_CELL_LEFT_OUT 124     /* it leaves a cell out where so much of 256 is inside */
+#define GLINT_AT_OUTLINES_REST 1228 /* rest, hidden */
+#define GLINT_AT_OUTLINES_DEPTHS 1232
 
 #define GLINT_AT_TARGET_Y 12     /* y, end */
 #define GLINT_AT_TARGET_FRAME 24 /* frame, drawn */
@@ -109,6 +119,7 @@
 #define GLINT_AT_MESH_OF_VERTICES 28
 #define GLINT_AT_MESH_UV 40
 #define GLINT_AT_MESH_UV_BITS 44
+#define GLINT_AT_MESH_NEIGHBOURS 52
 
 #define GLINT_MESH_SLOPED 8 /* of triangle->shine: u, v, u_x, v_x, u_y, v_y, the vertices, e - 18 are laid */
 #define GLINT_MESH_LAID_LOG 2

@@ -45,15 +45,6 @@ size_t glint_mesh_frame_bytes(uint16_t w, uint16_t lines)
     return mesh_size((uint32_t)(sizeof(struct glint_mesh_bench) + FRAME_PADDING) + glint_mesh_depth_bytes(w, lines));
 }
 
-/* Places for triangles that go on, in a list of free ones. */
-void glint_mesh_places(struct glint_mesh_frame *frame)
-{
-    const uint32_t count = (uint32_t)frame->places * GLINT_MESH_KEPT_BYTES / frame->kept_bytes;
-    frame->free = (uint16_t)(count ? 0 : GLINT_MESH_NONE);
-    for (uint16_t i = 0; i < count; i++)
-        glint_mesh_kept_at(frame, i)->next = (uint16_t)(i + 1u < count ? i + 1u : GLINT_MESH_NONE);
-}
-
 /* The last places become the work memory of lights; false where there are too few, or some may be in use. */
 static bool mesh_light(struct glint_mesh_frame *frame)
 {

@@ -276,10 +276,10 @@ static void cell_over(uint8_t *pixel, const uint8_t was[4], uint32_t part)
  * columns from the line's first one on, and the one after its last. */
 static inline __attribute__((always_inline)) void
 rows_of(const struct glint_paint *paint, struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target,
-        struct glint_mesh_cells *cells, glint_mesh_next *next, const int32_t *whole)
+        struct glint_mesh_row *row, struct glint_mesh_cells *cells, glint_mesh_next *next, struct glint_mesh_cell *cell,
+        const int32_t *whole)
 {
     const bool is_alpha = paint->output.format == GLINT_ARGB8888;
-    struct glint_mesh_cell cell;
     uint8_t was[4] = {0, 0, 0, 0};
     struct glint_mesh_bench *const bench = (struct glint_mesh_bench *)target->frame->memory;
     struct mesh_lit *const lit = glint_mesh_is_lit(paint) ? (struct mesh_lit *)target->frame->lit : NULL;
@@ -289,8 +289,7 @@ rows_of(const struct glint_paint *paint, struct glint_mesh_triangle *triangle, c
     const bool exact = glint_paint_is_exact(paint), has_colours = colours_are(target->drawn->mesh);
     const struct glint_use_mesh *const use = texture || (has_colours && !exact) ? target->drawn->mesh->use : NULL;
     const bool has_grain = glint_mesh_has_grain(paint);
-    struct glint_mesh_row row;
-    struct glint_run *const run = &row.run;
+    struct glint_run *const run = &row->run;
     unsigned most = GLINT_MESH_RUN;
     run->albedo = texture || has_colours ? (uint8_t *)bench->colours : NULL;
     run->gloss = run->coverage = NULL;
@@ -304,14 +303,15 @@ rows_of(const struct glint_paint *paint, struct glint_mesh_triangle *triangle, c
         GLINT_FLASH_POINTER(use->set)(&bench->of.over, target, glint_mesh_face_of(triangle), texture);
     else if (run->albedo)
         colours_set(&bench->of.across, target, triangle);
-    while (cells ? row_cell(&row, cells, next, target, &cell) : row_next(&row, triangle, target)) {
-        const int32_t line = cells ? target->y + cell.line : triangle->y - 1; /* the picture's */
+    while (cells ? row_cell(row, cells, next, target, cell) : row_next(row, triangle, target)) {
+        const int32_t line = cells ? target->y + cell->line : triangle->y - 1; /* the picture's */
         if (use) {
-            const int32_t x = (int32_t)run->x, left = whole ? whole[0] : x, right = whole ? whole[1] : (int32_t)row.end;
+            const int32_t x = (int32_t)run->x, left = whole ? whole[0] : x,
+                          right = whole ? whole[1] : (int32_t)row->end;
             GLINT_FLASH_POINTER(use->line)
-            (&bench->of.over, line, left, right, row.z - (uint32_t)(x - left) * row.dz, row.dz);
+            (&bench->of.over, line, left, right, row->z - (uint32_t)(x - left) * row->dz, row->dz);
         }
-        for (unsigned count; (count = cells ? (unsigned)(row.end - run->x) : row_in_front(&row, most)) != 0;
+        for (unsigned count; (count = cells ? (unsigned)(row->end - run->x) : row_in_front(row, most)) != 0;
              run->x += count) {
             if (cells && is_alpha)
                 for (int k = 0; k < 4; k++)
@@ -322,7 +322,7 @@ rows_of(const struct glint_paint *paint, struct glint_mesh_triangle *triangle, c
             else if (run->albedo)
                 colours_get(&bench->of.across, (int32_t)run->x, line, (uint8_t *)bench->colours, count);
             if (lit) {
-                lit_fill(lit, target->frame, &row, line, row.z - count * row.dz, count);
+                lit_fill(lit, target->frame, row, line, row->z - count * row->dz, count);
                 if (paint->several)
                     GLINT_FLASH_POINTER(paint->several->run)(&lit->lights, count);
                 else if (has_grain)
@@ -331,15 +331,15 @@ rows_of(const struct glint_paint *paint, struct glint_mesh_triangle *triangle, c
                 else GLINT_FLASH_POINTER(paint->model->geometry)(&paint->l, &paint->v, &paint->h, lit->normals, samples,
                                                                  count);
             } else if (exact) {
-                glint_samples_walk(&row.at, samples, count);
+                glint_samples_walk(&row->at, samples, count);
             } else {
-                glint_raws_walk(&row.at, paint->of.tables.filled.t_max_q30, raws, count);
+                glint_raws_walk(&row->at, paint->of.tables.filled.t_max_q30, raws, count);
                 glint_tables_pixels(paint, run, raws, count);
             }
             if (exact && !paint->several && !has_grain)
                 glint_paint_run(paint, run, samples, count);
             if (cells && is_alpha)
-                cell_over(run->line + 4 * run->x, was, cell.part);
+                cell_over(run->line + 4 * run->x, was, cell->part);
         }
     }
 }
@@ -347,21 +347,24 @@ rows_of(const struct glint_paint *paint, struct glint_mesh_triangle *triangle, c
 ROWS_ALONE void rows_draw(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
                           const struct glint_mesh_target *target)
 {
-    rows_of(paint, triangle, target, NULL, NULL, NULL);
+    struct glint_mesh_row row;
+    rows_of(paint, triangle, target, &row, NULL, NULL, NULL, NULL);
 }
 
 /* What outlines take of it. */
 ROWS_ALONE void rows_outlined(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
-                              const struct glint_mesh_target *target, struct glint_mesh_cells *cells,
-                              glint_mesh_next *next, const int32_t *whole)
+                              const struct glint_mesh_target *target, struct glint_mesh_row *row,
+                              struct glint_mesh_cells *cells, glint_mesh_next *next, struct glint_mesh_cell *cell,
+                              const int32_t *whole)
 {
-    rows_of(paint, triangle, target, cells, next, whole);
+    rows_of(paint, triangle, target, row, cells, next, cell, whole);
 }
 
 void glint_mesh_blend_cells(const struct glint_paint *paint, struct glint_mesh_cells *cells, glint_mesh_next *next,
-                            struct glint_mesh_triangle *triangle, const struct glint_mesh_target *target)
+                            struct glint_mesh_blending *blending, struct glint_mesh_triangle *triangle,
+                            const struct glint_mesh_target *target)
 {
-    rows_outlined(paint, triangle, target, cells, next, NULL);
+    rows_outlined(paint, triangle, target, &blending->row, cells, next, &blending->cell, NULL);
 }
 
 bool glint_mesh_is_albedo(const struct glint_paint *paint, const struct glint_mesh_target *target)
@@ -373,13 +376,12 @@ bool glint_mesh_is_albedo(const struct glint_paint *paint, const struct glint_me
 
 /* What is linear over a triangle is held, and in perspective found, by the ends of its lines. */
 void glint_mesh_piece(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
-                      const struct glint_mesh_target *target, const int32_t whole[2])
+                      const struct glint_mesh_target *target, struct glint_mesh_row *row, const int32_t whole[2])
 {
-    const struct glint_mesh *const mesh = target->drawn->mesh;
-    if (mesh->textures || (colours_are(mesh) && !glint_paint_is_exact(paint)))
-        rows_outlined(paint, triangle, target, NULL, NULL, whole);
+    if (glint_mesh_is_colour(paint, target))
+        glint_mesh_colour(&paint->of.tables.filled, triangle, target);
     else
-        glint_mesh_rows(paint, triangle, target);
+        rows_outlined(paint, triangle, target, row, NULL, NULL, NULL, whole);
 }
 
 void glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,

@@ -289,13 +289,15 @@ enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint
             glint_mesh_clear(strip.depth, glint_mesh_depth_bytes(frame->w, h));
         is_clear = true;
         has_outlines |= is_edged;
-        strip.rows = drawn->edges ? GLINT_FLASH_POINTER(frame->outlines->rows) : glint_mesh_rows;
+        strip.rows = glint_mesh_rows;
+        if (drawn->edges)
+            GLINT_FLASH_POINTER(frame->outlines->begin)(&strip);
         box_join(&frame->box, drawn, &strip);
         strip_draw(&strip);
     }
     for (strip.drawn = frame->first; has_outlines && strip.drawn; strip.drawn = strip.drawn->next)
         if (strip.drawn->edges)
-            GLINT_FLASH_POINTER(frame->outlines->draw)(&strip);
+            GLINT_FLASH_POINTER(frame->outlines->end)(&strip);
     frame->y = (uint16_t)(y + h);
     return GLINT_OK;
 }

@@ -4,6 +4,7 @@
  * lengths. u and v change by constants a pixel, held as 15-bit mantissas with one exponent; what they are multiplied by is
  * cut to 15 bits, too, so that a sum of two products fits 32 bits. Most triangles lie outside the highlight and need nl and the
  * depth alone. */
+#include "glint_mesh_strip.h"
 #include "glint_mesh_triangle.h"
 #include "glint_port.h"
 #include "glint_math.h"
@@ -249,4 +250,13 @@ void glint_mesh_triangle_skip(struct glint_mesh_triangle *triangle, int32_t y)
         edge_skip(&triangle->lower,
                   (uint32_t)(y - (triangle->y > triangle->y_middle ? triangle->y : triangle->y_middle)));
     triangle->y = (int16_t)y;
+}
+
+/* Places for triangles that go on, in a list of free ones. */
+void glint_mesh_places(struct glint_mesh_frame *frame)
+{
+    const uint32_t count = (uint32_t)frame->places * GLINT_MESH_KEPT_BYTES / frame->kept_bytes;
+    frame->free = (uint16_t)(count ? 0 : GLINT_MESH_NONE);
+    for (uint16_t i = 0; i < count; i++)
+        glint_mesh_kept_at(frame, i)->next = (uint16_t)(i + 1u < count ? i + 1u : GLINT_MESH_NONE);
 }

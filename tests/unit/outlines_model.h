@@ -126,17 +126,17 @@ static inline void model_set(struct model_mesh *m)
 
 /* ---- Edges and their cells ---- */
 
-/* How much of a pixel is inside, of 256; *is_cell: the edge cuts it. */
+/* How much of a pixel is inside, of 255; *is_cell: the edge cuts it. */
 static inline int model_part(const struct model_edge *edge, int x, int y, bool *is_cell)
 {
     const int along = edge->is_flat ? x : y, across = edge->is_flat ? y : x;
     const int64_t e = edge->e + edge->step * (along - edge->first), cell = e >> 16;
-    const int f = (int)(e >> 8 & 255), before = cell < across ? 0 : cell > across ? 256 : f;
-    *is_cell = cell == across && f && along >= edge->first && along < edge->end;
-    return edge->inside_is_after ? 256 - before : before;
+    const int before = cell < across ? 0 : cell > across ? 255 : (int)(e >> 8 & 255);
+    *is_cell = cell == across && along >= edge->first && along < edge->end;
+    return edge->inside_is_after ? 255 - before : before;
 }
 
-/* How much of 256 edge k of the face blends of a pixel; 0: it is no outline, or does not cut it. */
+/* How much of 255 edge k of the face blends of a pixel; 0: it is no outline, or does not cut it. */
 static inline int model_blended(const struct model_mesh *m, unsigned face, unsigned k, int x, int y)
 {
     const struct model_edge *const edges = m->edges[face];
@@ -149,11 +149,12 @@ static inline int model_blended(const struct model_mesh *m, unsigned face, unsig
     for (unsigned j = 0; j < 3; j++) {
         if (j == k || !edges[j].is_outline)
             continue;
-        part += model_part(&edges[j], x, y, &is_cell) - 256;
+        part += model_part(&edges[j], x, y, &is_cell) - 255;
+        part = part < 0 ? 0 : part;
         if (is_cell && j < k)
             return 0;
     }
-    return part < 0 ? 0 : part;
+    return part;
 }
 
 /* Pixels beyond which an edge has no cell; none where it is no outline. */
@@ -181,13 +182,34 @@ static inline bool model_cuts(const struct model_mesh *m, unsigned face, int x, 
     return is_cell;
 }
 
+/* Is the pixel a cell of which so much is inside that faces leave it out, and in the columns, or lines, of near? */
+static inline bool model_is_left_out(const struct model_edge *edge, int x, int y, struct model_box near)
+{
+    const int along = edge->is_flat ? x : y, across = edge->is_flat ? y : x;
+    bool is_cell = false;
+    if (edge->is_outline)
+        (void)model_part(edge, x, y, &is_cell);
+    if (!is_cell || along < (edge->is_flat ? near.left : near.top) ||
+        along >= (edge->is_flat ? near.right : near.bottom))
+        return false;
+    const int64_t before = edge->e + edge->step * (along - edge->first) - (int64_t)across * 65536;
+    return edge->inside_is_after ? before < 33792 : before >= 31744;
+}
+
 /* Does a face leave the pixel out? */
 static inline bool model_leaves_out(const struct model_mesh *m, unsigned face, int x, int y)
 {
-    bool does = model_cuts(m, face, x, y);
+    const struct model_box all = {0, 0, MESH_W, MESH_H};
+    bool does = false;
+    for (unsigned k = 0; k < 3; k++)
+        does = does || model_is_left_out(&m->edges[face][k], x, y, all);
     for (unsigned k = 0; m->shown.made->mesh.neighbours && k < 3; k++) {
         const unsigned beside = m->shown.made->neighbours[face][k];
-        does = does || (beside < m->shown.made->mesh.face_count && m->is_front[beside] && model_cuts(m, beside, x, y));
+        const struct glint_mesh_vertex *a = model_corner(m, face, k), *b = model_corner(m, face, k + 1);
+        struct model_box near = {((a->x < b->x ? a->x : b->x) >> 4) - 1, ((a->y < b->y ? a->y : b->y) >> 4) - 1,
+                                 ((a->x < b->x ? b->x : a->x) >> 4) + 2, ((a->y < b->y ? b->y : a->y) >> 4) + 2};
+        for (unsigned j = 0; beside < m->shown.made->mesh.face_count && j < 3; j++)
+            does = does || model_is_left_out(&m->edges[beside][j], x, y, m->is_clipped[face] ? all : near);
     }
     return does;
 }
@@ -203,7 +225,7 @@ static inline uint32_t model_step(const struct model_edge *edge, int64_t d)
 static inline uint32_t model_linear(const struct model_edge *edge, uint32_t start, uint32_t step, uint32_t cells)
 {
     const int64_t offset = 16 * edge->first + 8 - model_along(edge, edge->p);
-    return start + (uint32_t)((int32_t)step * offset >> 4) + cells * step;
+    return start + (uint32_t)(((int32_t)step >> 4) * offset) + cells * step;
 }
 
 struct model_values {
@@ -404,7 +426,7 @@ static inline void model_blend(struct model_picture *p, const struct model_mesh 
     const struct model_values v = model_values(m, paint, face, k, x, y);
     if (v.z >> 16 >= p->depth[y][x])
         return;
-    const unsigned part = blended > 255 ? 255 : (unsigned)blended;
+    const unsigned part = (unsigned)blended;
     const uint8_t *const albedo = m->shown.made->mesh.of_faces ? m->shown.made->mesh.of_faces + 3 * face : NULL;
     p->blended++;
     pixel_get(was, format, line, (unsigned)x);

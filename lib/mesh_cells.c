@@ -1,0 +1,485 @@
+/* SPDX-License-Identifier: MIT
+ * Cells: the pixels that outlines cut. The faces beside an outline leave its cells out, where their middles are inside, and after all faces of
+ * the strip it blends its own colour over them; both take cells from the same walk, or holes would appear. Faces are not drawn otherwise
+ * than without outlines: while one is drawn, its cells' depths are the nearest, so each path leaves them out. */
+#include "glint_mesh_edges.h"
+#include "glint_port.h"
+#include "glint_tables.h"
+
+/* ---- Cells that faces leave out ---- */
+
+static int32_t cells_max(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+static int32_t cells_min(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+/* Of an outline, those in the window's lines, or of a flat one columns. false: there may be no room for all. */
+static bool hide_rim(const struct glint_mesh_target *strip, const struct glint_mesh_rim *rim,
+                     const struct glint_mesh_window *window)
+{
+    struct glint_mesh_outlines *const outlines = strip->drawn->outlines;
+    const bool is_flat = rim->is & GLINT_RIM_FLAT;
+    const int32_t at = cells_max(rim->at, is_flat ? window->left : window->top),
+                  end = cells_min(rim->end, is_flat ? window->right : window->bottom);
+    const int32_t along = is_flat ? 1 : strip->w, across = is_flat ? strip->w : 1;
+    if (at >= end)
+        return true;
+    if (outlines->hidden + (uint32_t)(end - at) > GLINT_MESH_HIDDEN)
+        return false;
+    /* A face draws no cell of which less is inside: its middle is outside. Somewhat less than half, for what edges round. The part is at
+     * least GLINT_CELL_LEFT_OUT where what is left of the cell is less than least. */
+    const uint16_t least = (256u - GLINT_CELL_LEFT_OUT) << 8, bias = rim->is & GLINT_RIM_GROWS ? 0 : least;
+    uint16_t *line = rim->depth + along * (at - rim->at);
+    int32_t e = rim->e + rim->step * (at - rim->at);
+    for (int32_t left = end - at; left; left--, line += along, e += rim->step) {
+        if ((uint16_t)(e + bias) >= least)
+            continue;
+        uint16_t *const depth = line + across * (e >> 16);
+        outlines->of.depths[outlines->hidden].at = depth;
+        outlines->of.depths[outlines->hidden++].depth = *depth;
+        *depth = 0;
+    }
+    return true;
+}
+
+static bool hide_rims(const struct glint_mesh_target *strip, unsigned face, const struct glint_mesh_window *window)
+{
+    for (const struct glint_mesh_rim *rim = glint_mesh_rims_of(strip, face); rim; rim = glint_mesh_rim_after(rim))
+        if (!hide_rim(strip, rim, window))
+            return false;
+    return true;
+}
+
+static void cells_show(const struct glint_mesh_target *strip)
+{
+    struct glint_mesh_outlines *const outlines = strip->drawn->outlines;
+    while (outlines->hidden) { /* a cell of two edges was hidden twice */
+        outlines->hidden--;
+        *outlines->of.depths[outlines->hidden].at = (uint16_t)outlines->of.depths[outlines->hidden].depth;
+    }
+}
+
+/* Those of the face, and those of its neighbours that lie beside the edges between, which reach it where these are narrow. false: there was no
+ * room, and nothing is hidden. */
+static bool hide(const struct glint_mesh_target *strip, unsigned face, const struct glint_mesh_window *window)
+{
+    const struct glint_mesh_drawn *const drawn = strip->drawn;
+    const uint16_t *const beside = drawn->mesh->neighbours + 3 * (size_t)face;
+    bool fits = true;
+    drawn->outlines->hidden = 0;
+    if (drawn->edges[face] & GLINT_EDGES)
+        fits = hide_rims(strip, face, window);
+    for (unsigned k = 0; fits && drawn->edges[face] & GLINT_EDGES_BESIDE && k < 3; k++) {
+        if (beside[k] >= drawn->mesh->face_count || !(drawn->edges[beside[k]] & GLINT_EDGES))
+            continue;
+        struct glint_mesh_window near = *window;
+        if (!(drawn->edges[face] & GLINT_EDGES_CLIPPED)) {
+            const struct glint_mesh_vertex *const a = glint_mesh_corner_at(drawn, face, k),
+                                                  *const b =
+                                                      glint_mesh_corner_at(drawn, face, glint_mesh_corner_after(k));
+            near.left = cells_max(near.left, (cells_min(a->x, b->x) >> 4) - 1);
+            near.top = cells_max(near.top, (cells_min(a->y, b->y) >> 4) - 1);
+            near.right = cells_min(near.right, (cells_max(a->x, b->x) >> 4) + 2);
+            near.bottom = cells_min(near.bottom, (cells_max(a->y, b->y) >> 4) + 2);
+        }
+        fits = hide_rims(strip, beside[k], &near);
+    }
+    if (!fits)
+        cells_show(strip);
+    return fits;
+}
+
+/* What paints a face; part: up to its own, to begin with. */
+static const struct glint_paint *cells_paint(const struct glint_mesh_drawn *drawn, unsigned face, unsigned part)
+{
+    while (part + 1u < drawn->mesh->part_count && face >= drawn->mesh->ends[part])
+        part++;
+    return &drawn->paints[part];
+}
+
+/* A face of more cells than there is room for: a piece of a line after the other. */
+static inline __attribute__((always_inline)) void rows_in_pieces(const struct glint_paint *paint,
+                                                                 struct glint_mesh_triangle *triangle,
+                                                                 const struct glint_mesh_target *strip, bool is_colour)
+{
+    const unsigned face = glint_mesh_face_of(triangle);
+    const int32_t end = cells_min(triangle->y_end, strip->end);
+    struct glint_mesh_kept *const piece = &strip->drawn->outlines->piece;
+    if (triangle->y < strip->y)
+        glint_mesh_triangle_skip(triangle, strip->y);
+    triangle->shine &= GLINT_MESH_LAID - 1; /* what is laid does not go on with it */
+    for (; triangle->y < end; glint_mesh_triangle_skip(triangle, triangle->y + 1)) {
+        struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);
+        struct glint_mesh_window window = {0, triangle->y, 0, triangle->y + 1};
+        int32_t line[2];
+        if (!glint_mesh_columns(part.left, part.right, strip->w, &line[0], &line[1]))
+            continue;
+        for (window.left = line[0]; window.left < line[1]; window.left = window.right) {
+            window.right = line[1];
+            while (!hide(strip, face, &window)) /* a column has 12 at most */
+                window.right = (window.left + window.right) >> 1;
+            piece->triangle = *triangle;
+            piece->face = (uint16_t)face;
+            piece->triangle.y_end = (int16_t)window.bottom;
+            part = glint_mesh_triangle_part(&piece->triangle, window.bottom);
+            part.left->x = window.left * 65536;
+            part.right->x = window.right * 65536;
+            if (is_colour)
+                glint_mesh_colour(&paint->of.tables.filled, &piece->triangle, strip);
+            else
+                glint_mesh_piece(paint, &piece->triangle, strip, &strip->drawn->outlines->row, line);
+            cells_show(strip);
+        }
+    }
+}
+
+static bool hide_all(const struct glint_mesh_triangle *triangle, const struct glint_mesh_target *strip)
+{
+    const struct glint_mesh_window whole = {0, strip->y, strip->w, strip->end};
+    return hide(strip, glint_mesh_face_of(triangle), &whole);
+}
+
+/* Alone, for the stack. */
+static __attribute__((noinline)) void rows_of_many(const struct glint_paint *paint,
+                                                   struct glint_mesh_triangle *triangle,
+                                                   const struct glint_mesh_target *strip)
+{
+    rows_in_pieces(paint, triangle, strip, false);
+}
+
+static void cells_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                       const struct glint_mesh_target *strip)
+{
+    const unsigned edges = strip->drawn->edges[glint_mesh_face_of(triangle)];
+    if (!(edges & GLINT_EDGES_ASK)) {
+        glint_mesh_rows(paint, triangle, strip);
+    } else if (!(edges & GLINT_EDGES_THIN)) {
+        if (hide_all(triangle, strip)) {
+            glint_mesh_rows(paint, triangle, strip);
+            cells_show(strip);
+        } else {
+            rows_of_many(paint, triangle, strip);
+        }
+    }
+}
+
+#if GLINT_CORTEX_M0PLUS_ASM
+bool glint_mesh_hide(struct glint_mesh_triangle *triangle, const struct glint_mesh_target *strip)
+{
+    if (hide_all(triangle, strip))
+        return true;
+    const struct glint_paint *const paint = cells_paint(strip->drawn, glint_mesh_face_of(triangle), 0);
+    if (glint_mesh_is_colour(paint, strip))
+        rows_in_pieces(paint, triangle, strip, true);
+    else
+        rows_of_many(paint, triangle, strip);
+    return false;
+}
+#endif
+
+static void cells_begin(struct glint_mesh_target *strip)
+{
+    strip->rows = cells_rows;
+    glint_mesh_rims_take(strip);
+}
+
+#if GLINT_CORTEX_M0PLUS_ASM
+static void cells_lines(const struct glint_mesh_target *strip, struct glint_mesh_lines *lines)
+{
+    (void)strip;
+    *(void (**)(void))(void *)((uint8_t *)lines + GLINT_AT_STRIP_INNER) = lines->draw;
+    lines->draw = glint_mesh_outlined;
+}
+#define CELLS_LINES cells_lines
+#else
+#define CELLS_LINES NULL
+#endif
+
+/* ---- What changes along an outline ---- */
+
+static unsigned cells_up(const struct glint_mesh_rim *rim)
+{
+    return (unsigned)(rim->inverse >> 24);
+}
+
+static uint32_t cells_inverse(const struct glint_mesh_rim *rim)
+{
+    return rim->inverse & 0xffffff;
+}
+
+/* A number that changes by 2^26 d / length a cell, modulo 2^32; d of 16 bits and a sign, so that the product fits. */
+static uint32_t cells_step(const struct glint_mesh_rim *rim, int32_t d)
+{
+    const int32_t product = d * (int32_t)cells_inverse(rim);
+    const unsigned up = cells_up(rim);
+    return up >= 26 ? (uint32_t)product << (up - 26) : (uint32_t)(product >> (26 - up));
+}
+
+/* And up to the first cell, offset / 16 of one. */
+static uint32_t cells_first(uint32_t step, uint32_t offset)
+{
+    return (uint32_t)((int32_t)step >> 4) * offset;
+}
+
+/* |a - b|^2 / 2 of the normals at its ends, Q29. */
+static uint32_t cells_side(const struct glint_mesh_drawn *drawn, const struct glint_mesh_rim *rim)
+{
+    const uint16_t *of = drawn->mesh->faces + 3 * (size_t)rim->face;
+    struct glint_vec a, b;
+    glint_mesh_normal(&a, drawn->mesh, of[rim->corner]);
+    glint_mesh_normal(&b, drawn->mesh, of[glint_mesh_corner_after(rim->corner)]);
+    return glint_mesh_side(&a, &b);
+}
+
+/* t(s) = t_a + s (t_b - t_a) - s (1 - s) |N_b - N_a|^2 / 2, s in Q30: at the first cell, and its steps; then at the nth. */
+static __attribute__((noinline)) void cells_t(struct glint_mesh_cells *cells, const struct glint_mesh_vertex *a,
+                                              const struct glint_mesh_vertex *b, uint32_t offset, uint32_t n,
+                                              uint32_t beyond)
+{
+    struct glint_mesh_cell *const cell = &cells->cell;
+    const unsigned up = cells_up(&cells->rim);
+    const uint32_t one = (uint32_t)1 << 30, side = cells_side(cells->strip->drawn, &cells->rim);
+    const uint32_t u = up > 27 ? one : cells_inverse(&cells->rim) << (up - 13), s = (u >> 4) * offset;
+    const int64_t d = 2 * (int64_t)side, rise = (int64_t)b->t_q30 - a->t_q30;
+    const int64_t bend = (u * d) >> 30; /* u <= 2^30, d < 2^33 */
+    if (beyond > side)
+        return;
+    cell->t = a->t_q30 + (uint32_t)((rise * s) >> 30) -
+              (uint32_t)(((d >> 1) * (int64_t)(((uint64_t)s * (one - s)) >> 30)) >> 29);
+    cell->dt = (uint32_t)((rise * u) >> 30) - (uint32_t)bend + (uint32_t)((bend >> 1) * (2 * (int64_t)s + u) >> 29);
+    cell->ddt = (uint32_t)(((bend >> 1) * (int64_t)u) >> 28);
+    cell->t += n * cell->dt + (n ? n * (n - 1) / 2 * cell->ddt : 0);
+    cell->dt += n * cell->ddt;
+}
+
+/* The values at the rim's first cell in the strip and their steps. t_end: as for glint_mesh_shine. */
+static void cells_set(struct glint_mesh_cells *cells, uint32_t t_end)
+{
+    const struct glint_mesh_rim *const rim = &cells->rim;
+    struct glint_mesh_cell *const cell = &cells->cell;
+    const struct glint_mesh_vertex *a = glint_mesh_corner_at(cells->strip->drawn, rim->face, rim->corner),
+                                   *b = glint_mesh_corner_at(cells->strip->drawn, rim->face,
+                                                             glint_mesh_corner_after(rim->corner));
+    if (rim->is & GLINT_RIM_TURNED) {
+        const struct glint_mesh_vertex *const other = a;
+        a = b;
+        b = other;
+    }
+    const int32_t low = rim->is & GLINT_RIM_FLAT ? a->x : a->y, first = glint_mesh_first(low);
+    const uint32_t offset = (uint32_t)(16 * first + 8 - low); /* 0..15 */
+    const uint32_t n = (uint32_t)(rim->at - first);
+    cell->dz = cells_step(rim, ((int32_t)b->z - a->z) >> 1);
+    cell->z = ((uint32_t)a->z << 16) + cells_first(cell->dz, offset) + n * cell->dz;
+    cell->nl = UINT32_MAX;
+    cell->t = GLINT_MESH_FAR_T;
+    cell->dnl = cell->dt = cell->ddt = 0;
+    if ((a->nl_q30 & b->nl_q30) < 0)
+        return;
+    cell->dnl = cells_step(rim, ((b->nl_q30 >> 2) - (a->nl_q30 >> 2)) >> 15);
+    cell->nl = (uint32_t)a->nl_q30 + cells_first(cell->dnl, offset) + n * cell->dnl;
+    const uint32_t least = a->t_q30 < b->t_q30 ? a->t_q30 : b->t_q30, beyond = least > t_end ? least - t_end : 0;
+    if (!(beyond >> 29))
+        cells_t(cells, a, b, offset, n, beyond);
+}
+
+/* ---- Cells that outlines blend ---- */
+
+/* Its face's other outlines, also beyond the strip. */
+static void others_set(struct glint_mesh_cells *cells)
+{
+    static const struct glint_mesh_window all = {-4096, -4096, 4096, 4096};
+    const struct glint_mesh_drawn *const drawn = cells->strip->drawn;
+    const unsigned face = cells->rim.face, edges = drawn->edges[face] & GLINT_EDGES;
+    cells->others = 0;
+    for (unsigned k = 0; k < 3 && edges & (edges - 1); k++)
+        if (k != cells->rim.corner && edges >> k & 1 &&
+            glint_mesh_rim_set(&cells->other[cells->others], drawn, face, k, &all))
+            cells->others++;
+}
+
+/* What these leave of a cell's part; 0 where one before this outline blends the cell. */
+static unsigned others_share(const struct glint_mesh_cells *cells, int32_t x, int32_t y, unsigned part)
+{
+    for (unsigned i = 0; i < cells->others; i++) {
+        const struct glint_mesh_rim *const other = &cells->other[i];
+        const bool is_flat = other->is & GLINT_RIM_FLAT, grows = other->is & GLINT_RIM_GROWS;
+        const int32_t along = is_flat ? x : y, across = is_flat ? y : x;
+        const int32_t e = other->e + other->step * (along - other->at), cell = e >> 16;
+        const unsigned of = cell == across ? glint_mesh_rim_part(other, e) : (cell < across) == grows ? 255 : 0;
+        if (cell == across && along >= other->at && along < other->end && other->corner < cells->rim.corner)
+            return 0;
+        part = part + of > 255 ? part + of - 255 : 0;
+    }
+    return part;
+}
+
+static inline void cells_next(struct glint_mesh_cells *cells)
+{
+    struct glint_mesh_cell *const cell = &cells->cell;
+    cells->rim.at++;
+    cells->rim.e += cells->rim.step;
+    cell->z += cell->dz;
+    cell->nl += cell->dnl;
+    cell->t += cell->dt;
+    cell->dt += cell->ddt;
+}
+
+/* Sets the place and the part of the next cell that is in front, and goes on; false: there is none. */
+static bool cells_found(struct glint_mesh_cells *cells, struct glint_mesh_cell *found)
+{
+    const struct glint_mesh_target *const strip = cells->strip;
+    const struct glint_mesh_rim *const rim = &cells->rim;
+    for (; rim->at < rim->end; cells_next(cells)) {
+        const bool is_flat = rim->is & GLINT_RIM_FLAT;
+        const int32_t across = rim->e >> 16, x = is_flat ? rim->at : across,
+                      line = is_flat ? across : rim->at - strip->y;
+        if (cells->cell.z >> 16 >= strip->depth[line * strip->w + x])
+            continue;
+        const unsigned part = others_share(cells, x, strip->y + line, glint_mesh_rim_part(rim, rim->e));
+        if (part == 0)
+            continue;
+        *found = cells->cell;
+        found->x = x;
+        found->line = line;
+        found->part = (uint8_t)part;
+        cells_next(cells);
+        return true;
+    }
+    return false;
+}
+
+/* p over q in `part` of 255, of levels: as tables' pixels under a coverage map, green apart. Fields are below 2^14. */
+static uint32_t colour_mixed(uint32_t p, uint32_t q, uint32_t part, uint32_t fields)
+{
+    const uint32_t half = 0x00800080, v = part * (p & fields) + (255 - part) * (q & fields) + half;
+    return ((v + (v >> 8 & 0x00ff00ff)) >> 8) & fields;
+}
+
+static uint32_t colour_swap(uint32_t x)
+{
+    return (x << 8 | x >> 8) & 0xffff;
+}
+
+static void colour_blend(uint16_t *out, uint32_t p, uint32_t part, bool swapped)
+{
+    uint32_t q = *out;
+    if (swapped) {
+        p = colour_swap(p);
+        q = colour_swap(q);
+    }
+    const uint32_t red_blue = colour_mixed(p << 5 | (p & 31), q << 5 | (q & 31), part, 0x001f001f),
+                   green = colour_mixed(p >> 5, q >> 5, part, 63);
+    const uint32_t rgb = (red_blue >> 5 & 0xf800) | green << 5 | (red_blue & 31);
+    *out = (uint16_t)(swapped ? colour_swap(rgb) : rgb);
+}
+
+/* By COLOUR tables: what cells_found finds, in one loop. */
+static __attribute__((noinline)) void colour_cells(const struct glint_mesh_cells *cells,
+                                                   const struct glint_paint *paint)
+{
+    const struct glint_look look = glint_look_up(&paint->of.tables.filled);
+    const struct glint_mesh_target *const strip = cells->strip;
+    const struct glint_mesh_rim *const rim = &cells->rim;
+    const bool swapped = paint->output.format == GLINT_RGB565_SWAPPED, is_flat = rim->is & GLINT_RIM_FLAT;
+    uint32_t z = cells->cell.z, nl = cells->cell.nl, back = look.t_max - cells->cell.t, dt = cells->cell.dt;
+    int32_t e = rim->e;
+    for (int32_t at = rim->at; at != rim->end; at++) {
+        const int32_t across = e >> 16, x = is_flat ? at : across, line = is_flat ? across : at - strip->y;
+        if (z >> 16 < strip->depth[line * strip->w + x]) {
+            unsigned part = glint_mesh_rim_part(rim, e);
+            uint16_t pixel;
+            if (cells->others)
+                part = others_share(cells, x, strip->y + line, part);
+            if (part) {
+                uint16_t *out =
+                    (uint16_t *)(void *)((uint8_t *)strip->surface->pixels + strip->surface->stride * (ptrdiff_t)line) +
+                    x;
+                glint_look_store(&look, back, nl, &pixel);
+                colour_blend(out, pixel, part, swapped);
+            }
+        }
+        e += rim->step;
+        z += cells->cell.dz;
+        nl += cells->cell.dnl;
+        back -= dt;
+        dt += cells->cell.ddt;
+    }
+}
+
+#if GLINT_CORTEX_M0PLUS_ASM
+/* The same in assembly, if it can. */
+static __attribute__((noinline)) bool cells_blended(const struct glint_mesh_cells *cells,
+                                                    const struct glint_paint *paint)
+{
+    const struct glint_mesh_target *const strip = cells->strip;
+    const struct glint_mesh_rim *const rim = &cells->rim;
+    const uint32_t w = 2 * (uint32_t)strip->w;
+    const bool is_flat = rim->is & GLINT_RIM_FLAT;
+    if (cells->others || cells->cell.t != GLINT_MESH_FAR_T || strip->surface->stride != (ptrdiff_t)w)
+        return false;
+    const struct glint_look look = glint_look_up(&paint->of.tables.filled);
+    const struct glint_mesh_blend blend = {paint->output.format == GLINT_RGB565_SWAPPED,
+                                           cells->cell.nl,
+                                           is_flat ? w : 2,
+                                           (uint32_t)rim->step,
+                                           cells->cell.dz,
+                                           cells->cell.dnl,
+                                           is_flat ? 2 : w,
+                                           rim->depth + (rim->end - rim->at) * (is_flat ? 1 : strip->w),
+                                           (uint32_t)strip->surface->pixels - (uint32_t)strip->depth,
+                                           look.colours,
+                                           look.dark,
+                                           rim->is & GLINT_RIM_GROWS ? 255 : 0,
+                                           cells->cell.z,
+                                           rim->depth,
+                                           (uint32_t)rim->e};
+    glint_mesh_blend_matt(&blend);
+    return true;
+}
+#endif
+
+static __attribute__((noinline)) void cells_draw(const struct glint_mesh_target *strip,
+                                                 const struct glint_mesh_rim *rim, const struct glint_paint *paint)
+{
+    struct glint_mesh_cells *const cells = &strip->drawn->outlines->of.cells;
+    cells->strip = strip;
+    cells->rim = *rim;
+    others_set(cells);
+    cells_set(cells, glint_mesh_t_end(paint));
+    if (glint_mesh_is_colour(paint, strip)) {
+#if GLINT_CORTEX_M0PLUS_ASM
+        if (cells_blended(cells, paint))
+            return;
+#endif
+        colour_cells(cells, paint);
+        return;
+    }
+    struct glint_mesh_bench *bench = (struct glint_mesh_bench *)strip->frame->memory;
+    bench->face.face = rim->face;
+    glint_mesh_blend_cells(paint, cells, cells_found, &cells->blending, &bench->face.triangle, strip);
+}
+
+static void cells_end(const struct glint_mesh_target *strip)
+{
+    const struct glint_mesh_drawn *const drawn = strip->drawn;
+    struct glint_mesh_outlines *const outlines = drawn->outlines;
+    const struct glint_paint *paint = drawn->paints;
+    for (unsigned i = 0; i < outlines->count; i++) {
+        paint = cells_paint(drawn, outlines->rims[i].face, (unsigned)(paint - drawn->paints));
+        cells_draw(strip, &outlines->rims[i], paint);
+    }
+    for (uint16_t face = outlines->rest; face != GLINT_MESH_NONE; face = drawn->rims[face]) {
+        paint = cells_paint(drawn, face, (unsigned)(paint - drawn->paints));
+        for (const struct glint_mesh_rim *rim = glint_mesh_rims_of(strip, face); rim; rim = glint_mesh_rim_after(rim))
+            cells_draw(strip, rim, paint);
+    }
+    glint_mesh_rims_give(strip);
+}
+
+const struct glint_use_outlines glint_outlines GLINT_FLASH = {glint_mesh_edges_add, glint_mesh_edges_sort, cells_begin,
+                                                              cells_end, CELLS_LINES};
