@@ -233,6 +233,5 @@ int mesh_rect(unsigned y)
                                            .coverage = coverage[0],
                                            .coverage_stride = sizeof *coverage};
     const struct glint_surface surface = {mesh_out, 2 * WIDTH, 0, (uint16_t)y};
-    return glint_draw_rect_by(&paint, &maps, WIDTH, LINES, &surface, NULL,
-                              NULL); /* a mask: there is no room for more */
+    return glint_draw_rect(&paint, &maps, WIDTH, LINES, &surface, NULL);
 }
