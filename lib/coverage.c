@@ -284,7 +284,8 @@ static void coverage_next(struct glint_lines *lines)
         at = coverage_end(at, stop);
     while (words && at != stop && !(*at && words[at - coverage] >> 16))
         at++;
-    const uint32_t x = (uint32_t)(at - coverage), end = (size_t)(stop - at) < lines->most ? lines->w : x + lines->most;
+    const uint32_t x = (uint32_t)(at - coverage),
+                   end = (uint32_t)(stop - at) < lines->most ? lines->w : x + lines->most;
     run->x = x;
     lines->count = 0;
     if (at == stop)

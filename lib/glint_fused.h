@@ -36,9 +36,6 @@ struct glint_line_loop {
     uint32_t (*draw)(struct glint_line_loop *loop, uint32_t x);
 };
 
-/* The pixel where N.L <= 0. */
-void glint_line_dark(struct glint_line_loop *loop, const struct glint_paint *paint);
-
 /* With grain or a map of shininess: t_end is m's end, and k what GLINT_GRAIN_UP and so on say. */
 struct glint_grain_loop {
     struct glint_line_loop line;
@@ -157,6 +154,8 @@ bool glint_line_begin_888(struct glint_line_loop *loop, const struct glint_paint
 #if GLINT_LINE
 /* The rectangle's fields but dark; false where this loop does not draw it. */
 bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
+/* Sets dark, the pixel where N.L <= 0; not for Helium. */
+void glint_line_dark(struct glint_line_loop *loop, const struct glint_paint *paint);
 
 /* Draws a rectangle by it; false where it cannot, and nothing is drawn. */
 bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,

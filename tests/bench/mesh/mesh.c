@@ -49,9 +49,12 @@ uint32_t mesh_out[WIDTH * LINES / 2];
 
 static enum mesh_way chosen;
 
-/* A texture of 64 by 64 from the front, repeated, and a colour of each vertex; the mesh that has them. */
-static uint16_t uv[VERTICES][2];
-static uint8_t colours[VERTICES][3];
+/* A texture of 64 by 64 from the front, repeated, and a colour of each vertex; the mesh that has them. They lie at the end of the memory of
+ * meshes, which this one does not fill. */
+static struct cloth {
+    uint16_t uv[VERTICES][2];
+    uint8_t colours[VERTICES][3];
+} *const cloth = (struct cloth *)(void *)((uint8_t *)mesh_memory + sizeof mesh_memory - sizeof(struct cloth));
 static struct glint_texture texture = {.pixels = either.albedo.texels, .w = SIDE, .h = SIDE, .levels = 1};
 static struct glint_mesh clothed;
 
@@ -65,16 +68,16 @@ static const struct glint_mesh *clothe(const struct glint_mesh *mesh)
         either.albedo.texels[i] = (uint16_t)(i * 0x9e37u);
     for (unsigned i = 0; i < mesh->vertex_count; i++)
         for (unsigned k = 0; k < 3; k++) {
-            colours[i][k] = (uint8_t)((mesh->places[3 * i + k] >> 8) + 128);
+            cloth->colours[i][k] = (uint8_t)((mesh->places[3 * i + k] >> 8) + 128);
             if (k < 2)
-                uv[i][k] = (uint16_t)(mesh->places[3 * i + k] + 32768);
+                cloth->uv[i][k] = (uint16_t)(mesh->places[3 * i + k] + 32768);
         }
     texture.is_smooth = chosen == MESH_SMOOTH;
     if (chosen == MESH_COLOURED) {
-        clothed.of_vertices = colours[0];
+        clothed.of_vertices = cloth->colours[0];
     } else {
         clothed.textures = &texture;
-        clothed.uv = uv[0];
+        clothed.uv = cloth->uv[0];
         clothed.uv_bits = 14;
     }
     return &clothed;
@@ -178,7 +181,7 @@ int mesh_frame(unsigned which)
     else
         mesh.neighbours = NULL;
     error |= glint_mesh_add(&frame, &drawn, &mesh, which == BUNNY ? &bunnys : &teapots, &paint, mesh_memory,
-                            sizeof mesh_memory);
+                            sizeof mesh_memory - (mesh.vertex_count > VERTICES ? 0 : sizeof *cloth));
     if (chosen == MESH_GOURAUD)
         gouraud_vertices(&drawn, 60, 8);
     return error;
@@ -230,6 +233,5 @@ int mesh_rect(unsigned y)
                                            .coverage = coverage[0],
                                            .coverage_stride = sizeof *coverage};
     const struct glint_surface surface = {mesh_out, 2 * WIDTH, 0, (uint16_t)y};
-    return glint_draw_rect_by(&paint, &maps, WIDTH, LINES, &surface, NULL,
-                              NULL); /* a mask: there is no room for more */
+    return glint_draw_rect(&paint, &maps, WIDTH, LINES, &surface, NULL);
 }
