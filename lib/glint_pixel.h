@@ -210,7 +210,7 @@ static inline uint32_t glint_paint_peak(const struct glint_paint *paint)
 }
 
 /* n_across where a material has grain, <= GLINT_N_MAX, else 0. */
-static inline uint32_t glint_material_across(const struct glint_material *material)
+static inline __attribute__((always_inline)) uint32_t glint_material_across(const struct glint_material *material)
 {
     const uint32_t across = material->n_across, least = across < material->n ? across : material->n;
     return across == material->n || least >= GLINT_N_MAX ? 0 : across < GLINT_N_MAX ? across : GLINT_N_MAX;

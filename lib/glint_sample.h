@@ -39,7 +39,7 @@ struct glint_view {
 #define GLINT_NEGATIVE_T UINT32_C(0xf8000000)
 
 /* A paint of zeros or one that was never lit is not. NULL: neither. */
-static inline bool glint_paint_is_lit(const struct glint_paint *paint)
+static inline __attribute__((always_inline)) bool glint_paint_is_lit(const struct glint_paint *paint)
 {
     return paint && (paint->format || paint->of.tables.filled.use) && paint->light_count != 255;
 }

@@ -406,7 +406,7 @@ void glint_grain_edge(const struct glint_paint *paint, struct glint_lines *lines
                       unsigned count, uint32_t y)
 {
     for (; count; count -= lines->count, lines->run.x += lines->count) {
-        lines->count = (uint16_t)(count < GRAIN_RUN ? count : GRAIN_RUN);
+        lines->count = (uint16_t)(count < GRAIN_RUN ? count : (unsigned)GRAIN_RUN);
         grain_pixels(paint, lines, NULL, bounds, y);
     }
 }

@@ -136,7 +136,7 @@ static void send_pixels(int out, cairo_surface_t *surface, const struct head *he
             }
             sample[3] = (uint16_t)(257 * alpha);
         }
-        child_send(out, samples, head->width * CHANNELS * sizeof *samples);
+        child_send(out, samples, (size_t)head->width * CHANNELS * sizeof *samples);
     }
 }
 
