@@ -79,7 +79,7 @@ static void set_roughness(const struct aiMaterial *from, struct mesh_material *m
     material->has_roughness = material->metallic < 1 || material->roughness < 1;
 }
 
-/* Programs write black for what they do not know. */
+/* Of an OBJ alone: other files have what libassimp takes for its own. Programs write black for what they do not know. */
 static void set_highlight(const struct aiMaterial *from, struct mesh_material *material)
 {
     struct aiColor4D color;
@@ -115,8 +115,6 @@ static struct mesh_material material_of(const struct aiMaterial *from, bool line
         material.n = (unsigned)fmin(1000, (double)n); /* an OBJ's Ns; a glTF has another model */
     if (linear)
         set_roughness(from, &material);
-    else
-        set_highlight(from, &material);
     one = 1;
     if (lib.aiGetMaterialIntegerArray(from, AI_MATKEY_SHADING_MODEL, &shading, &one) == aiReturn_SUCCESS)
         material.unlit = shading == aiShadingMode_NoShading; /* glTF's unlit, too */
@@ -335,6 +333,8 @@ void import_child(const struct import_source *source, int out)
     struct import_pictures pictures = {scene, source, 0, allocate(scene->mNumMaterials, 2 * sizeof *pictures.of)};
     for (unsigned i = 0; i < scene->mNumMaterials; i++) {
         materials[i] = material_of(scene->mMaterials[i], linear);
+        if (strcmp(source->ending, ".obj") == 0)
+            set_highlight(scene->mMaterials[i], &materials[i]);
         placings[i] = plain_placing;
         if (source->textures && linear)
             set_look(scene->mMaterials[i], &pictures, &materials[i]);
