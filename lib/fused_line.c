@@ -62,7 +62,9 @@ static __attribute__((noinline)) void fused_dark(struct glint_line_loop *loop, c
 
 void glint_line_dark(struct glint_line_loop *loop, const struct glint_paint *paint)
 {
-    const struct glint_run dark = {(uint8_t *)&loop->dark, 0, 0, 0, NULL, NULL, NULL, 0, paint->format, NULL};
+    const uint8_t *none = NULL;
+    __asm__("" : "+r"(none)); /* else gcc sets two of them by a register of floating point */
+    const struct glint_run dark = {(uint8_t *)&loop->dark, 0, 0, 0, none, none, none, 0, paint->format, NULL};
     fused_dark(loop, paint, &dark);
 }
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What an object file needs and holds, and how deep its calls go."""
+import functools
 import os
 import re
 
@@ -134,6 +135,7 @@ class Sources:
         self.read[name] = pointers, kinds, functions
         return self.read[name]
 
+    @functools.cache
     def called(self, name, function, apart):
         """The parameters of the pointers that a function calls by: members of structs, and its own; apart: what is not inlined."""
         pointers, kinds, functions = self.seen(name)
@@ -169,6 +171,7 @@ class Sources:
         return takes is None or not self.text(file) or \
             takes in self.called(file, re.split("[.$]", function)[0], apart)
 
+    @functools.cache
     def declared(self, name):
         """The parameters of a function that a header or a source of C declares; None: there is none."""
         for each in sorted(os.listdir(self.folder)):
@@ -266,7 +269,7 @@ class Calls:
         if function not in self.memory:
             below = {(name, self._find(function[0], name)) for name in self.edges[function]}
             if function in self.indirect:
-                apart = {name for name in self.edges[function] if self._find(function[0], name)}
+                apart = frozenset(name for name in self.edges[function] if self._find(function[0], name))
                 reached = {self._find(path, name) for path, name in self.taken} - {None}
                 below |= {(at[1], at) for at in reached if self.sources.may_call(function, apart, at)}
             chains = [self.depth(at, (*above, function)) if at else
