@@ -429,7 +429,7 @@ static void a_knots_outlines_are_near_to_the_mean_of_many_samples(void **state)
     (void)state;
     struct mesh *mesh = knot();
     struct fitted *fitted = mesh_fit(mesh, 0);
-    measure(fitted, "knot", 34.2, 41.7);
+    measure(fitted, "knot", 34.2, 41.6);
     fitted_free(fitted);
     mesh_free(mesh);
 }
