@@ -191,12 +191,12 @@ static void coverage_exact(const struct glint_paint *paint, const struct glint_r
 /* ---- From finished levels: tables, in RGB565 ---- */
 
 /* v = m p + (255 - m) q + 128 of each channel, (v + (v >> 8)) >> 8; red and blue side by side. */
-static void coverage_over(const struct glint_paint *paint, const struct glint_run *run, const uint8_t *old,
+static void coverage_over(const struct glint_paint *paint, const struct glint_run *run, uint32_t x, const uint8_t *old,
                           unsigned count)
 {
     const bool swapped = paint->output.format == GLINT_RGB565_SWAPPED;
-    const uint8_t *coverage = run->coverage + run->x;
-    uint8_t *low = run->line + 2 * run->x + swapped, *high = run->line + 2 * run->x + !swapped;
+    const uint8_t *coverage = run->coverage + x;
+    uint8_t *low = run->line + 2 * x + swapped, *high = run->line + 2 * x + !swapped;
     for (old += swapped; count--; coverage++, low += 2, high += 2, old += 2) {
         const uint32_t m = *coverage, rest = 255 - m;
         if (!rest)
@@ -224,20 +224,20 @@ static void coverage_pixels(const struct glint_run *run, const struct glint_pain
     uint8_t old[2 * GLINT_RUN];
     coverage_keep(old, run->line + 2 * run->x, count);
     GLINT_FLASH_POINTER(paint->of.tables.filled.use->pixels)(paint, run, raws, count);
-    coverage_over(paint, run, old, count);
+    coverage_over(paint, run, run->x, old, count);
 }
 
 /* As many as can be kept at a time. */
 static void coverage_line(const struct glint_paint *paint, const struct glint_lines *lines)
 {
-    const uint32_t stop = lines->run.x + lines->count;
-    struct glint_run run = lines->run;
+    const struct glint_run *const run = &lines->run;
+    const uint32_t stop = run->x + lines->count;
     uint8_t old[2 * GLINT_RUN];
-    for (uint32_t end; run.x != stop; run.x = end) {
-        end = stop - run.x > GLINT_RUN ? run.x + GLINT_RUN : stop;
-        coverage_keep(old, run.line + 2 * run.x, (unsigned)(end - run.x));
-        GLINT_FLASH_POINTER(paint->of.tables.filled.use->line)(paint, lines, run.x, end);
-        coverage_over(paint, &run, old, (unsigned)(end - run.x));
+    for (uint32_t x = run->x, end; x != stop; x = end) {
+        end = stop - x > GLINT_RUN ? x + GLINT_RUN : stop;
+        coverage_keep(old, run->line + 2 * x, (unsigned)(end - x));
+        GLINT_FLASH_POINTER(paint->of.tables.filled.use->line)(paint, lines, x, end);
+        coverage_over(paint, run, x, old, (unsigned)(end - x));
     }
 }
 
