@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * What is finite is run whole: every mantissa of the reciprocal, of MSH's quotient and of the root's inverse, every fraction of Gauss's power.
+ * What is finite is run whole: every mantissa of the reciprocal, of MSH's quotient and of the root's inverse, every fraction of Gauss's power;
+ * every sum of a blended pixel, every place between four texels.
  * The bounds are those of contracts.py, from which the proofs show the rest; finite.h is printed by cut.py, library.h by library.py. */
 #include <math.h>
 #include <setjmp.h>
@@ -113,6 +114,53 @@ static void short_vectors_that_are_off_by_1_are_off_by_what_grows(void **state)
     assert_true(checked > 90000);
 }
 
+/* Of pixels that are blended: every sum that step 8 divides is below (65535 + 1) 255 255 (sequence.md). */
+static void quotients_of_blended_sums_are_rounded_down(void **state)
+{
+    (void)state;
+    const uint32_t one = 255 * UINT32_C(65535), end = 255 * (one + 65535);
+    long wrong = 0;
+#pragma omp parallel for reduction(+ : wrong)
+    for (uint32_t whole = 0; whole <= end / one; whole++)
+        for (uint32_t rest = 0; rest < one && whole * one + rest <= end; rest++)
+            wrong += coverage_divide(whole * one + rest) != whole;
+    assert_int_equal(wrong, 0);
+}
+
+/* One texel of the four is not black: no weight is negative, and nothing leaks from a field into another. */
+static void four_texels_are_weighed_field_by_field(void **state)
+{
+    (void)state;
+    static const unsigned shift[3] = {11, 5, 0}, most[3] = {31, 63, 31}, field[3] = {11, 21, 0};
+    uint32_t places = 0;
+    for (uint32_t i = 0; i < 32 * 32; i++) {
+        const uint32_t x = i % 32, y = i / 32, both = (x * y + 16) >> 5;
+        const int32_t weights[4] = {(int32_t)(32 + both) - (int32_t)(x + y), (int32_t)x - (int32_t)both,
+                                    (int32_t)y - (int32_t)both, (int32_t)both};
+        int32_t sum = 0;
+        for (unsigned k = 0; k < 4; k++) {
+            assert_true(weights[k] >= 0);
+            sum += weights[k];
+            for (unsigned all = 1; all < 8; all++) {
+                uint32_t colour = 0, expected = 0;
+                for (unsigned c = 0; c < 3; c++) {
+                    const uint32_t level = all >> c & 1 ? most[c] : 0;
+                    colour |= level << shift[c];
+                    expected |= (level * (uint32_t)weights[k] + 16) >> 5 << field[c];
+                }
+                uint16_t pixels[4] = {0, 0, 0, 0};
+                pixels[k] = (uint16_t)colour;
+                const struct glint_mesh_picture picture = {(const uint8_t *)pixels, NULL, 2, 2};
+                /* 2 texels a side: their first is at 0, and 2^31 is the next */
+                assert_int_equal(glint_mesh_smooth_fields(&picture, x << 26, y << 26), expected);
+            }
+        }
+        assert_int_equal(sum, 32);
+        places += both <= x && both <= y;
+    }
+    assert_int_equal(places, 32 * 32);
+}
+
 /* With an argument, the tests of that name: wildcards may be in it. */
 int main(int argc, char **argv)
 {
@@ -122,6 +170,8 @@ int main(int argc, char **argv)
         cmocka_unit_test(inverses_of_the_root_of_every_mantissa_are_within_their_bounds),
         cmocka_unit_test(short_vectors_that_are_off_by_1_are_off_by_what_grows),
         cmocka_unit_test(factors_of_mshs_quotient_are_within_their_bounds_for_every_mantissa),
+        cmocka_unit_test(quotients_of_blended_sums_are_rounded_down),
+        cmocka_unit_test(four_texels_are_weighed_field_by_field),
     };
     if (argc > 1)
         cmocka_set_test_filter(argv[1]);
