@@ -40,18 +40,20 @@ static void prepare(uint16_t distance)
     drawn.h = any_vector();
 }
 
-/* A plane after the other, in the order of glint_mesh_clip: places before the projection are below 2^18, after it below 2^22. */
-static void plane(unsigned plane, unsigned count, int32_t most)
+/* A plane after the other, in the order of glint_mesh_clip: places before the projection are below 2^18, after it below 2^22 and of 16 bits of
+ * depth. */
+static void plane(unsigned plane, unsigned count, int32_t most, bool in_space)
 {
     for (polygon.now = 0; polygon.now < 2; polygon.now++) {
         for (unsigned i = 0; i < count; i++) {
-            const struct glint_mesh_clipped corner = {{within(most), within(most), within(most)},
-                                                      any_vector(),
-                                                      {(uint16_t)(any % 32769), (uint16_t)(any % 32769)}};
+            const struct glint_mesh_clipped corner = {
+                {within(most), within(most), plane == GLINT_MESH_NEAR ? within(most) : (int32_t)(any % 65536)},
+                any_vector(),
+                {(uint16_t)(any % 32769), (uint16_t)(any % 32769)}};
             polygon.list[polygon.now].corner[i] = corner;
         }
         const uint8_t now = polygon.now;
-        (void)clip_plane(&polygon, count, &frame, plane);
+        (void)clip_plane(&polygon, count, &frame, plane, in_space);
         polygon.now = now;
     }
 }
@@ -59,9 +61,11 @@ void eva_mesh_clip_planes(void)
 {
     prepare((uint16_t)any);
     for (unsigned count = 3; count <= GLINT_MESH_POLYGON; count++) {
-        plane(GLINT_MESH_NEAR, count, (1 << 18) - 1);
-        for (unsigned at = GLINT_MESH_LEFT; at <= GLINT_MESH_BELOW; at <<= 1)
-            plane(at, count, (1 << 22) - 1);
+        plane(GLINT_MESH_NEAR, count, (1 << 18) - 1, false);
+        for (unsigned at = GLINT_MESH_LEFT; at <= GLINT_MESH_BELOW; at <<= 1) {
+            plane(at, count, (1 << 22) - 1, false);
+            plane(at, count, (1 << 22) - 1, true);
+        }
     }
 }
 

@@ -24,6 +24,8 @@ void eva_mesh_triangle(void)
 #define glint_mesh_inverse of_inverse
 #define glint_mesh_triangle_set of_triangle_set
 #define glint_mesh_triangle_skip of_triangle_skip
+#define glint_mesh_slopes_set of_slopes_set
+#define glint_mesh_places of_places
 #include "mesh_triangle.c"
 /*@ requires 0x8000000 <= m <= 0xfffffff; assigns \result \from m; ensures 32768 <= \result <= 65536; */
 uint32_t glint_mesh_inverse(uint32_t m);
