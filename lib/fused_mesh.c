@@ -138,7 +138,8 @@ static inline __attribute__((always_inline)) uint32_t albedo_fields(const struct
         return glint_mesh_colour_fields(u, v, blue);
     if (source == ALBEDO_OTHER && p->loop >= 4 * GLINT_MESH_SMOOTH)
         return glint_mesh_smooth_fields(&p->picture, u, v);
-    const uint32_t at = glint_mesh_nearest(&p->picture, u, v);
+    const uint32_t at = source == GLINT_MESH_SQUARE ? glint_mesh_nearest_square(p->picture.h, u, v)
+                                                    : glint_mesh_nearest(&p->picture, u, v);
     return glint_mesh_fields(source == ALBEDO_OTHER ? p->picture.palette[p->picture.pixels[at]]
                                                     : ((const uint16_t *)(const void *)p->picture.pixels)[at]);
 }
@@ -199,6 +200,7 @@ static inline __attribute__((always_inline)) void albedo_side_by_side(const stru
     }
 ALBEDO_SOURCE(colours, GLINT_MESH_COLOURS)
 ALBEDO_SOURCE(nearest, GLINT_MESH_NEAREST)
+ALBEDO_SOURCE(square, GLINT_MESH_SQUARE)
 static void albedo_other_matt(const struct glint_mesh_pixels *p)
 {
     albedo_side_by_side(p, false, p->loop & 2, ALBEDO_OTHER);
@@ -214,8 +216,8 @@ typedef void albedo_loop(const struct glint_mesh_pixels *p);
 
 void glint_mesh_albedo_pixels(const struct glint_mesh_pixels *p)
 {
-    static albedo_loop *const loops[GLINT_MESH_SOURCES * 4] GLINT_FLASH = {ALBEDO_LOOPS(colours), ALBEDO_LOOPS(nearest),
-                                                                           ALBEDO_OTHERS, ALBEDO_OTHERS};
+    static albedo_loop *const loops[GLINT_MESH_SOURCES * 4] GLINT_FLASH = {
+        ALBEDO_LOOPS(colours), ALBEDO_LOOPS(nearest), ALBEDO_LOOPS(square), ALBEDO_OTHERS, ALBEDO_OTHERS};
     GLINT_FLASH_POINTER(loops[p->loop])(p);
 }
 #endif
@@ -224,10 +226,11 @@ void glint_mesh_albedo_pixels(const struct glint_mesh_pixels *p)
 static void albedo_set(struct glint_mesh_pixels *p, const struct glint_tables *tables,
                        const struct glint_texture *texture)
 {
-    const unsigned source = !texture             ? GLINT_MESH_COLOURS
-                            : texture->is_smooth ? GLINT_MESH_SMOOTH
-                            : texture->palette   ? GLINT_MESH_PALETTE
-                                                 : GLINT_MESH_NEAREST;
+    const unsigned source = !texture                        ? GLINT_MESH_COLOURS
+                            : texture->is_smooth            ? GLINT_MESH_SMOOTH
+                            : texture->palette              ? GLINT_MESH_PALETTE
+                            : glint_mesh_is_square(texture) ? GLINT_MESH_SQUARE
+                                                            : GLINT_MESH_NEAREST;
     p->levels = tables->columns;
     p->sums = tables->colour.sums;
     p->t_max = tables->t_max_q30;
@@ -392,6 +395,7 @@ static void albedo_lines_far(const struct glint_tables *tables, struct glint_mes
     albedo_triangle(&p, triangle);
     GLINT_FLASH_POINTER(target->drawn->mesh->use->set)(over, target, glint_mesh_face_of(triangle), texture);
     p.picture = over->picture;
+    glint_mesh_size_set(&p.picture, glint_mesh_size_of(texture, &p.picture));
     while (triangle->y < end) {
         const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);
         albedo_far(&p, triangle, &part, target, over);
@@ -413,7 +417,12 @@ void glint_mesh_albedo_lines_set(const struct glint_mesh_target *target, const s
     lines->colours = p;
     lines->dark = (uint32_t)target;
     lines->shift = (uint32_t)texture;
-    for (unsigned k = 0; k < 2 && texture; k++) /* what bilinear ones begin before the corner */
+    if (!texture)
+        return;
+    p->picture.w = texture->w;
+    p->picture.h = texture->h;
+    p->now[2] = glint_mesh_size_of(texture, &p->picture);
+    for (unsigned k = 0; k < 2; k++) /* what bilinear ones begin before the corner */
         p->now[k] = texture->is_smooth ? UINT32_C(0x80000000) / (k ? texture->h : texture->w) : 0;
 }
 
@@ -447,8 +456,7 @@ static void albedo_draw(const struct glint_tables *tables, struct glint_mesh_tri
     albedo_steps(&p, laid);
     if (texture) {
         p.picture.pixels += laid->blue[0];
-        p.picture.w = laid->blue[1] & 0xffff;
-        p.picture.h = laid->blue[1] >> 16;
+        glint_mesh_size_set(&p.picture, laid->blue[1]);
     }
     while (triangle->y < end) {
         const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);

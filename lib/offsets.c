@@ -136,7 +136,7 @@ typedef char glint_pixels_layout
              offsetof(struct glint_mesh_picture, pixels) == 0 && offsetof(struct glint_mesh_picture, palette) == 4 &&
              offsetof(struct glint_mesh_picture, w) == 8 && offsetof(struct glint_mesh_picture, h) == 12 &&
              AT(loop, GLINT_AT_PIXELS_DDT + 56) && 1 << GLINT_MESH_LAID_LOG == GLINT_MESH_LAID &&
-             GLINT_MESH_COLOURS == 0 && GLINT_MESH_NEAREST == 1 && GLINT_MESH_PALETTE == 2 && GLINT_MESH_SMOOTH == 3 &&
+             GLINT_MESH_COLOURS == 0 && GLINT_MESH_NEAREST == 1 && GLINT_MESH_SQUARE == 2 && GLINT_MESH_PALETTE == 3 && GLINT_MESH_SMOOTH == 4 &&
              sizeof(struct glint_mesh_laid) == 40 && AT(now, GLINT_AT_PIXELS_NOW) &&
              offsetof(struct glint_mesh_laid, down) == 8 && offsetof(struct glint_mesh_laid, right) == 16 &&
              offsetof(struct glint_mesh_laid, blue) == 24 &&
