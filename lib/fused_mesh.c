@@ -150,6 +150,7 @@ static inline __attribute__((always_inline)) void albedo_side_by_side(const stru
     const uint32_t dz = p->dz, dnl = p->dnl, du = p->step[0], dv = p->step[1];
     const uint32_t dblue = source == GLINT_MESH_COLOURS ? p->step[2] : 0;
     const uint8_t *const levels = p->levels;
+    const bool is_early = is_glossy && source == GLINT_MESH_COLOURS; /* it then takes fewer registers */
     uint32_t z = p->z, nl = p->nl, back = p->back, dt = p->dt, u = p->now[0], v = p->now[1];
     uint32_t blue = source == GLINT_MESH_COLOURS ? p->now[2] : 0;
     const ptrdiff_t off = p->off;
@@ -157,15 +158,12 @@ static inline __attribute__((always_inline)) void albedo_side_by_side(const stru
     for (const uint16_t *const end = p->end; depth != end; depth++) {
         if (z >> 16 < *depth) {
             *depth = (uint16_t)(z >> 16);
-            uint32_t word = albedo_fields(p, u, v, blue, source);
-            if ((int32_t)nl < 0) {
-                word = (word * p->dark + GLINT_ALBEDO_HALF) >> 5 & GLINT_ALBEDO_FIELDS;
-            } else {
-                word = (word * levels[-1 - (int32_t)(nl >> GLINT_ALBEDO_LEVEL_SHIFT)] + GLINT_ALBEDO_HALF) >> 5 &
-                       GLINT_ALBEDO_FIELDS;
-                if (is_glossy && back <= p->limit)
-                    word = glint_albedo_full(word + p->sums[(back <= p->t_max ? back : p->t_max) >> p->shift]);
-            }
+            const uint32_t early = is_early ? albedo_fields(p, u, v, blue, source) : 0;
+            const uint32_t level = (int32_t)nl < 0 ? p->dark : levels[-1 - (int32_t)(nl >> GLINT_ALBEDO_LEVEL_SHIFT)];
+            uint32_t word = level * (is_early ? early : albedo_fields(p, u, v, blue, source));
+            word = (word + GLINT_ALBEDO_HALF) >> 5 & GLINT_ALBEDO_FIELDS;
+            if (is_glossy && back <= p->limit && (int32_t)nl >= 0)
+                word = glint_albedo_full(word + p->sums[(back <= p->t_max ? back : p->t_max) >> p->shift]);
             *(uint16_t *)(void *)((uint8_t *)depth + off) = glint_packed(word, is_swapped);
         }
         z += dz;

@@ -222,7 +222,8 @@ const PALETTE = COLOURS_END, TEXELS = PALETTE + 512, TEXELS_END = TEXELS + 2048,
 function pixels() {
   const bytes = Buffer.alloc(TEXELS_END), word = (at, ...values) => values.forEach((value, k) => bytes.writeInt32LE(value | 0, at + 4 * k))
   const shift = below(20), tMax = 2 ** (shift + 11) - 1 - below(2 ** (shift + 9)), count = 1 + below(16), size = one(16, 22, 26, 30)
-  const h = 1 + below(100), w = 1 + below(Math.min(100, Math.floor(1024 / h)))
+  const loop = below(20), square = loop >> 2 === 2 && 1 + below(5) // of a picture of 2^square by 2^square: 32 less that is in h's place
+  const h = square ? 32 - square : 1 + below(100), w = square ? 2 ** square : 1 + below(Math.min(100, Math.floor(1024 / h)))
   bytes.set(tables, COLUMNS)
   for (let k = COLUMNS; k < COLUMNS + 400; k++) bytes[k] = below(33)
   for (let k = COLOURS; k < COLOURS + 8192; k += 4) word(k, (below(65536) + 65536 * below(65536)) & 0x07e0f81f)
@@ -231,8 +232,7 @@ function pixels() {
   word(FIELD.PIXELS_DZ, bits(size), bits(one(16, 28)), bits(one(20, 32)), bits(one(20, 32)), bits(one(20, 32)))
   word(FIELD.PIXELS_DDT, bits(size), AT + DEPTH, AT + DEPTH + 2 * count, OUT - DEPTH, AT + COLUMNS + 392, AT + COLOURS, tMax, (tMax + 2 ** 27) | 0, shift,
     below(33), AT + TEXELS, 0, w, h)
-  const loop = below(16)
-  if (loop >> 2 === 2 || (loop >> 2 === 3 && below(2))) word(PIXELS_PICTURE + 4, AT + PALETTE)
+  if (loop >> 2 === 3 || (loop >> 2 === 4 && below(2))) word(PIXELS_PICTURE + 4, AT + PALETTE)
   bytes[PIXELS_PICTURE + 16] = loop
   for (let k = 0; k < 16; k++) bytes.writeUInt16LE(one(65535, below(65536)), DEPTH + 2 * k)
   return [bytes, [AT], 3]
