@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * glint_mesh_hide_face(target, face), as mesh_cells.c has hide of a whole strip where all outlines are kept; it leaves no register as it was. And
+ * glint_mesh_hide_face(target, face), as mesh_cells.c has hide of a whole strip where the outlines that it asks are kept; it leaves no register as it was. And
  * glint_mesh_blend_matt(blend), as colour_cells has it where nothing shines and lines lie side by side. */
 #include "glint_port.h"
 #if GLINT_CORTEX_M0PLUS_ASM
@@ -21,7 +21,8 @@
 #define FACE_COUNT 44
 #define FIRST_CORNER 48
 #define NUMBER 52
-#define HIDE_FRAME 56 /* and a return address */
+#define ALL_KEPT 56 /* 1: no outlines of the strip are not kept */
+#define HIDE_FRAME 60 /* and a return address */
 
 #define e r0
 #define depth r2
@@ -49,6 +50,16 @@
     bne 1b
 .endm
 
+/* edges: of a face that is not listed, in the upper byte: it may have outlines that are not kept. */
+.macro unkept edges
+    lsls \edges, \edges, #5
+    beq 9f
+    ldr r5, [sp, #ALL_KEPT]
+    cmp r5, #0
+    beq .Lno_room
+9:
+.endm
+
     function glint_mesh_hide_face
     push {lr}
     sub sp, #HIDE_FRAME
@@ -59,7 +70,7 @@
     ldrh r5, [kept]
     adds r5, #1
     lsrs r5, r5, #16
-    beq .Lnot_all
+    str r5, [sp, #ALL_KEPT]
     adds kept, #GLINT_AT_OUTLINES_DEPTHS - GLINT_AT_OUTLINES_REST
     str kept, [sp, #DEPTHS]
     ldr r5, =GLINT_MESH_HIDDEN * 8
@@ -95,8 +106,10 @@
     movs r3, #0
     str r3, [sp, #BETWEEN]
     lsls r6, r6, #24
-    bpl .Lneighbour
+    bpl 1f
     bl .Lrims
+    b .Lneighbour
+1:  unkept r6
 .Lneighbour:
     ldr r3, [sp, #NUMBER]
     subs r3, #1
@@ -111,8 +124,10 @@
     ldr r4, [sp, #EDGES_AT]
     ldrb r4, [r4, r1]
     lsls r4, r4, #24
-    bpl .Lneighbour
-    ldr r5, [sp, #CORNERS_AT]
+    bmi 1f
+    unkept r4
+    b .Lneighbour
+1:  ldr r5, [sp, #CORNERS_AT]
     ldrh r6, [r5, r2]
     adds r2, #2
     cmp r3, #2
@@ -146,7 +161,6 @@
     strh r5, [r4]
 1:  cmp kept, r3
     bne 0b
-.Lnot_all:
     movs r0, #0
 2:  add sp, #HIDE_FRAME
     pop {pc}

@@ -14,6 +14,7 @@
 #define GLINT_AT_PAINT_CUT 36
 #define GLINT_AT_PAINT_R 44
 #define GLINT_AT_PAINT_A 48
+#define GLINT_AT_PAINT_FORMAT 167 /* output.format: tests find it here */
 
 #define GLINT_AT_SPAN_W 20 /* t, dt, ddt, nl, dnl before it, from 0 on */
 

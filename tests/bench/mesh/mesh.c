@@ -205,8 +205,8 @@ uint32_t mesh_memory_bytes(enum mesh_way way, unsigned which) /* after mesh_fram
 /* ---- The same normals as a rectangle's ---- */
 
 /* Where cloth is, which is not drawn then: neither teapot fills the memory of meshes. */
-static uint8_t (*const coverage)[WIDTH] =
-    (uint8_t(*)[WIDTH])(void *)((uint8_t *)mesh_memory + sizeof mesh_memory - LINES * WIDTH);
+static uint8_t (*const coverage)[WIDTH] = (uint8_t(*)[WIDTH])(void *)((uint8_t *)mesh_memory + sizeof mesh_memory -
+                                                                      LINES * WIDTH);
 
 /* In the place of what draws a run under points. */
 static void keep_normals(struct glint_lights *lights, unsigned count)
