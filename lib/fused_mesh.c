@@ -259,7 +259,7 @@ albedo_row(struct glint_mesh_pixels *p, const struct glint_mesh_values *v, uint1
     p->nl = v->nl + n * p->dnl;
     if (p->loop & 1) {
         p->dt = v->tx + n * p->ddt;
-        p->back = p->t_max - v->t - n * v->tx - (uint32_t)(k * (k - 1) / 2) * p->ddt;
+        p->back = p->t_max - v->t - n * v->tx - ((uint32_t)(k * (k - 1)) >> 1) * p->ddt;
     }
     p->depth = depth + from;
     p->end = depth + to;
@@ -330,7 +330,7 @@ static void albedo_part(struct glint_mesh_pixels *p, struct glint_mesh_triangle 
     struct glint_mesh_values *const v = &triangle->values;
     struct glint_mesh_edge left = *part->left, right = *part->right;
     uint16_t *depth = target->depth + target->w * line;
-    const bool has_colours = p->loop < 4;
+    const bool has_colours = p->loop < 4, is_glossy = p->loop & 1;
     const ptrdiff_t off_step = surface->stride - 2 * (ptrdiff_t)target->w;
     p->off = (ptrdiff_t)((uintptr_t)surface->pixels + (uintptr_t)(surface->stride * line) - (uintptr_t)depth);
     for (int32_t lines = part->end - triangle->y; lines; lines--) {
@@ -357,7 +357,7 @@ static void albedo_part(struct glint_mesh_pixels *p, struct glint_mesh_triangle 
         laid->at[1] += laid->down[1];
         if (has_colours)
             laid->blue[0] += laid->blue[1];
-        if (p->loop & 1) {
+        if (is_glossy) {
             glint_mesh_values_next(v);
         } else {
             v->nl += v->nly;

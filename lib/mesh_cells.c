@@ -47,9 +47,11 @@ static bool hide_rim(const struct glint_mesh_target *strip, const struct glint_m
     return true;
 }
 
-static bool hide_rims(const struct glint_mesh_target *strip, unsigned face, const struct glint_mesh_window *window)
+/* Of a face, from its first one on. */
+static bool hide_rims(const struct glint_mesh_target *strip, const struct glint_mesh_rim *rim,
+                      const struct glint_mesh_window *window)
 {
-    for (const struct glint_mesh_rim *rim = glint_mesh_rims_of(strip, face); rim; rim = glint_mesh_rim_after(rim))
+    for (; rim; rim = glint_mesh_rim_after(rim))
         if (!hide_rim(strip, rim, window))
             return false;
     return true;
@@ -73,9 +75,12 @@ static bool hide(const struct glint_mesh_target *strip, unsigned face, const str
     bool fits = true;
     drawn->outlines->hidden = 0;
     if (drawn->edges[face] & GLINT_EDGES)
-        fits = hide_rims(strip, face, window);
+        fits = hide_rims(strip, glint_mesh_rims_of(strip, face), window);
     for (unsigned k = 0; fits && drawn->edges[face] & GLINT_EDGES_BESIDE && k < 3; k++) {
         if (beside[k] >= drawn->mesh->face_count || !(drawn->edges[beside[k]] & GLINT_EDGES))
+            continue;
+        const struct glint_mesh_rim *const rims = glint_mesh_rims_of(strip, beside[k]);
+        if (!rims)
             continue;
         struct glint_mesh_window near = *window;
         if (!(drawn->edges[face] & GLINT_EDGES_CLIPPED)) {
@@ -87,7 +92,7 @@ static bool hide(const struct glint_mesh_target *strip, unsigned face, const str
             near.right = cells_min(near.right, (cells_max(a->x, b->x) >> 4) + 2);
             near.bottom = cells_min(near.bottom, (cells_max(a->y, b->y) >> 4) + 2);
         }
-        fits = hide_rims(strip, beside[k], &near);
+        fits = hide_rims(strip, rims, &near);
     }
     if (!fits)
         cells_show(strip);
