@@ -31,11 +31,6 @@ static void edges_place(const struct glint_mesh_frame *frame, struct glint_mesh_
 
 /* ---- Which edges are outlines ---- */
 
-static int32_t edges_size(int32_t x)
-{
-    return x < 0 ? -x : x;
-}
-
 static int32_t edges_span(int32_t a, int32_t b, int32_t c)
 {
     const int32_t low = a < b ? a : b, high = a < b ? b : a;
@@ -164,6 +159,12 @@ void glint_mesh_edges_add(const struct glint_mesh_frame *frame, struct glint_mes
 
 /* ---- Those of a strip ---- */
 
+#if !GLINT_CORTEX_M0PLUS_ASM
+static int32_t edges_size(int32_t x)
+{
+    return x < 0 ? -x : x;
+}
+
 /* As edges of triangles. */
 bool glint_mesh_rim_set(struct glint_mesh_rim *rim, const struct glint_mesh_drawn *drawn, unsigned face,
                         unsigned corner, const struct glint_mesh_window *window)
@@ -203,6 +204,7 @@ bool glint_mesh_rim_set(struct glint_mesh_rim *rim, const struct glint_mesh_draw
     rim->face = (uint16_t)face;
     return at < end;
 }
+#endif
 
 /* A face's outlines, from `to` on; returns how many have a cell in the strip. */
 static unsigned rims_set(struct glint_mesh_rim *to, const struct glint_mesh_target *strip, unsigned face)
