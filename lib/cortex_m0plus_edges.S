@@ -1,9 +1,14 @@
 /* SPDX-License-Identifier: MIT
- * glint_mesh_hide_face(target, face), as mesh_cells.c has hide of a whole strip where all outlines are kept; it leaves no register as it was. And
- * glint_mesh_blend_matt(blend), as colour_cells has it where nothing shines and lines lie side by side. */
+ * glint_mesh_hide_face(target, face), as mesh_cells.c has hide of a whole strip where the outlines that it asks are kept; it leaves no register as it was.
+ * glint_mesh_rim_set(rim, drawn, face, corner, window), as mesh_edges.c has it. And glint_mesh_blend_matt(blend), as colour_cells has it where nothing shines and lines lie side by side. */
 #include "glint_port.h"
 #if GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus.inc"
+#include "cortex_m0plus_numbers.inc"
+
+#define RIM_FLAT 1 /* as in glint_mesh_edges.h */
+#define RIM_GROWS 2
+#define RIM_TURNED 4
 
 /* ---- Cells that a face leaves out ---- */
 
@@ -21,7 +26,8 @@
 #define FACE_COUNT 44
 #define FIRST_CORNER 48
 #define NUMBER 52
-#define HIDE_FRAME 56 /* and a return address */
+#define ALL_KEPT 56 /* 1: no outlines of the strip are not kept */
+#define HIDE_FRAME 60 /* and a return address */
 
 #define e r0
 #define depth r2
@@ -49,6 +55,16 @@
     bne 1b
 .endm
 
+/* edges: of a face that is not listed, in the upper byte: it may have outlines that are not kept. */
+.macro unkept edges
+    lsls \edges, \edges, #5
+    beq 9f
+    ldr r5, [sp, #ALL_KEPT]
+    cmp r5, #0
+    beq .Lno_room
+9:
+.endm
+
     function glint_mesh_hide_face
     push {lr}
     sub sp, #HIDE_FRAME
@@ -59,7 +75,7 @@
     ldrh r5, [kept]
     adds r5, #1
     lsrs r5, r5, #16
-    beq .Lnot_all
+    str r5, [sp, #ALL_KEPT]
     adds kept, #GLINT_AT_OUTLINES_DEPTHS - GLINT_AT_OUTLINES_REST
     str kept, [sp, #DEPTHS]
     ldr r5, =GLINT_MESH_HIDDEN * 8
@@ -95,8 +111,10 @@
     movs r3, #0
     str r3, [sp, #BETWEEN]
     lsls r6, r6, #24
-    bpl .Lneighbour
+    bpl 1f
     bl .Lrims
+    b .Lneighbour
+1:  unkept r6
 .Lneighbour:
     ldr r3, [sp, #NUMBER]
     subs r3, #1
@@ -111,8 +129,10 @@
     ldr r4, [sp, #EDGES_AT]
     ldrb r4, [r4, r1]
     lsls r4, r4, #24
-    bpl .Lneighbour
-    ldr r5, [sp, #CORNERS_AT]
+    bmi 1f
+    unkept r4
+    b .Lneighbour
+1:  ldr r5, [sp, #CORNERS_AT]
     ldrh r6, [r5, r2]
     adds r2, #2
     cmp r3, #2
@@ -146,7 +166,6 @@
     strh r5, [r4]
 1:  cmp kept, r3
     bne 0b
-.Lnot_all:
     movs r0, #0
 2:  add sp, #HIDE_FRAME
     pop {pc}
@@ -254,6 +273,173 @@
 #undef rim
 #undef limit
 #undef end
+
+/* ---- An outline ----
+ * r0: the rim; r6, r7: its upper corner and the lower one: along it in the lower half, across it in the upper one; r5: the window's least and,
+ * 8 behind it, the end across it. */
+    function glint_mesh_rim_set
+    push {r4-r7, lr}
+    strb r3, [r0, #GLINT_AT_RIM_IS + 1]
+    strh r2, [r0, #GLINT_AT_RIM_IS + 2]
+    lsls r5, r2, #1
+    adds r5, r5, r2
+    adds r5, r5, r3
+    lsls r5, r5, #1
+    ldr r4, [r1, #GLINT_AT_DRAWN_MESH]
+    ldr r4, [r4, #GLINT_AT_MESH_FACES]
+    ldrh r6, [r4, r5]
+    cmp r3, #2
+    bne 1f
+    subs r5, #6
+1:  adds r5, #2
+    ldrh r7, [r4, r5]
+    ldr r4, [r1, #GLINT_AT_DRAWN_VERTICES]
+    lsls r6, r6, #4
+    lsls r7, r7, #4
+    ldr r6, [r4, r6]
+    ldr r7, [r4, r7]
+    sxth r1, r7
+    sxth r2, r6
+    subs r1, r1, r2 /* dx */
+    asrs r2, r7, #16
+    asrs r3, r6, #16
+    subs r2, r2, r3 /* dy */
+    asrs r3, r1, #31
+    movs r4, r1
+    eors r4, r3
+    subs r4, r4, r3
+    asrs r3, r2, #31
+    movs r5, r2
+    eors r5, r3
+    subs r5, r5, r3
+    cmp r5, r4
+    ldr r5, [sp, #20]
+    blt 1f
+    movs r3, #16
+    rors r6, r3
+    rors r7, r3
+    movs r1, r2
+    movs r3, #RIM_GROWS
+    ldr r2, [r5, #4]
+    ldr r4, [r5, #12]
+    b 2f
+1:  movs r3, #RIM_FLAT
+    ldr r2, [r5]
+    ldr r4, [r5, #8]
+    adds r5, #4
+2:  cmp r1, #0
+    bge 3f
+    movs r1, r6
+    movs r6, r7
+    movs r7, r1
+    movs r1, #RIM_TURNED + RIM_GROWS
+    eors r3, r1
+3:  strb r3, [r0, #GLINT_AT_RIM_IS]
+    sxth r1, r6
+    adds r1, #7
+    asrs r1, r1, #4 /* first */
+    sxth r3, r7
+    adds r3, #7
+    asrs r3, r3, #4
+    cmp r2, r1
+    bge 1f
+    movs r2, r1
+1:  cmp r4, r3
+    ble 1f
+    movs r4, r3
+1:  cmp r2, r4
+    bge .Lno_cell
+    strh r2, [r0, #GLINT_AT_RIM_AT]
+    strh r4, [r0, #GLINT_AT_RIM_AT + 2]
+    mov r12, r1
+    asrs r1, r6, #16
+    asrs r3, r7, #16
+    cmp r1, r3
+    ble 1f
+    movs r2, r1
+    movs r1, r3
+    movs r3, r2
+1:  ldr r2, [r5, #8]
+    lsls r2, r2, #4
+    subs r1, #1
+    cmp r1, r2
+    bge .Lno_cell
+    ldr r2, [r5]
+    lsls r2, r2, #4
+    adds r3, #1
+    cmp r3, r2
+    blt .Lno_cell
+    sxth r1, r6
+    sxth r3, r7
+    subs r3, r3, r1 /* the length, 15 bits */
+    mov r4, r12
+    lsls r4, r4, #4
+    adds r4, #8
+    subs r4, r4, r1 /* from the corner to the first middle */
+    asrs r1, r6, #16
+    asrs r2, r7, #16
+    subs r2, r2, r1
+    stmia r0!, {r1, r2}
+    movs r6, #14 /* 31 - zeros(length) */
+    lsls r3, r3, #17
+    up_by_15 r3, r6, r7
+    inverse_of r3, r1, r2, r7
+    str r3, [r0, #GLINT_MESH_RIM_BYTES - 12]
+    movs r7, #31
+    subs r7, r7, r6
+    strb r7, [r0, #GLINT_MESH_RIM_BYTES - 9]
+    subs r0, #8
+    ldmia r0!, {r1, r2}
+    muls r2, r3
+    asrs r2, r6 /* the step */
+    asrs r3, r2, #4
+    muls r3, r4
+    lsls r1, r1, #12
+    adds r1, r1, r3
+    subs r0, #8
+    movs r4, #GLINT_AT_RIM_AT
+    ldrsh r4, [r0, r4]
+    movs r6, #GLINT_AT_RIM_AT + 2
+    ldrsh r6, [r0, r6]
+    mov r3, r12
+    subs r3, r4, r3
+    muls r3, r2
+    adds r1, r1, r3 /* e */
+    subs r3, r6, r4
+    subs r3, #1
+    muls r3, r2
+    adds r3, r3, r1
+    mov r12, r3 /* e of the last one */
+    ldr r7, [r5, #8]
+    ldr r5, [r5]
+    subs r7, r7, r5 /* room */
+1:  asrs r3, r1, #16
+    subs r3, r3, r5
+    cmp r3, r7
+    blo 2f
+    adds r1, r1, r2
+    adds r4, #1
+    cmp r4, r6
+    blt 1b
+.Lno_cell:
+    movs r0, #0
+    pop {r4-r7, pc}
+2:  stmia r0!, {r1, r2}
+    mov r1, r12
+1:  asrs r3, r1, #16
+    subs r3, r3, r5
+    cmp r3, r7
+    blo 2f
+    subs r1, r1, r2
+    subs r6, #1
+    cmp r4, r6
+    blt 1b
+    b .Lno_cell
+2:  strh r4, [r0, #GLINT_AT_RIM_AT - 8]
+    strh r6, [r0, #GLINT_AT_RIM_AT - 6]
+    movs r0, #1
+    pop {r4-r7, pc}
+    .ltorg
 
 /* ---- Cells that are blended ---- */
 

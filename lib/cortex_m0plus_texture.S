@@ -20,8 +20,8 @@
 #define PICTURE_H 76
 #define ROW_END 80   /* of depths */
 #define DT_STEP 84   /* -ddt */
-#define DNL 88       /* and of blue: of colours */
-#define DBLUE 92
+#define DNL 88       /* -dnl */
+#define DBLUE 92     /* and of blue: of colours */
 #define FETCH 96     /* of bilinear texels, what makes one, and where that goes on */
 #define FETCHED 100
 #define RETURN 104   /* where loops go on */
@@ -43,7 +43,7 @@
 #define HALF 0x02008010
 
 /* ---- Pixels ----
- * r0: depth, r1: z, r2: nl, r3: u or red, r4: v or green; r8: dz, r9: dnl or blue, r10, r11: steps of r3 and r4. Matt: r12: HALF, lr: end.
+ * r0: depth, r1: z, r2: ~nl, r3: u or red, r4: v or green; r8: dz, r9: -dnl or blue, r10, r11: steps of r3 and r4. Matt: r12: HALF, lr: end.
  * Glossy: r12: t_max - t, lr: -dt. Albedo is r5: fetched, then fields with FIELDS in r7; r6 and r7 are free, but r6 then is the level. */
 
 .macro place
@@ -62,6 +62,19 @@
 
 .macro fetch_nearest
     place
+    lsls r5, r5, #1
+    ldrh r5, [r7, r5]
+.endm
+/* Of a picture whose width and height are one power of two: PICTURE_H is 32 less that power. */
+.macro fetch_square
+    ldr r7, [sp, #PICTURE_H]
+    movs r5, r4
+    lsrs r5, r7
+    rors r5, r7
+    movs r6, r3
+    lsrs r6, r7
+    adds r5, r5, r6
+    ldr r7, [sp, #TEXELS]
     lsls r5, r5, #1
     ldrh r5, [r7, r5]
 .endm
@@ -88,6 +101,9 @@
     orrs r5, r7
     ldr r7, =FIELDS
     ands r5, r7
+.endm
+.macro fields_square
+    fields_nearest
 .endm
 .macro fields_palette
     fields_nearest
@@ -129,8 +145,7 @@ pixels_\source\()_\is_glossy\is_swapped:
     fetch_\source
     .endif
     asrs r6, r2, #GLINT_ALBEDO_LEVEL_SHIFT
-    bmi 4f
-    mvns r6, r6
+    bpl 4f
     ldr r7, [sp, #LEVELS]
     ldrb r6, [r7, r6]
 8:  lit \source, \is_glossy
@@ -220,10 +235,12 @@ pixels_\source\()_\is_glossy\is_swapped:
 loops:
     addresses_of colours
     addresses_of nearest
+    addresses_of square
     addresses_of palette
     addresses_of smooth
     loops_of colours
     loops_of nearest
+    loops_of square
     loops_of palette
     loops_of smooth
 
@@ -361,6 +378,7 @@ smooth_\kind:
     movs r0, r5
     ldmia r7!, {r1-r5} /* dz, dnl, step */
     mov r8, r1
+    negs r2, r2
     mov r9, r2
     str r2, [sp, #DNL]
     mov r10, r3
@@ -368,6 +386,7 @@ smooth_\kind:
     str r5, [sp, #DBLUE]
     subs r7, #GLINT_AT_PIXELS_DZ + 20
     ldmia r7!, {r1-r6} /* z, nl, now, back */
+    mvns r2, r2
     cmp r0, #0
     bne 1f
     mov r9, r5
@@ -408,6 +427,7 @@ smooth_\kind:
 /* z, nl, and u and v of it, or red and green; then the loop. */
 .macro row_of loop
     ldmia r7!, {r1, r2}
+    mvns r2, r2
     mov r6, r8
     muls r6, r5
     adds r1, r1, r6
@@ -517,6 +537,7 @@ smooth_\kind:
 #define LAID_AT 84
 #define OF_VERTICES 88 /* and of b and c: uv or colours */
 #define FIRST 100      /* what bilinear texels begin before a */
+#define SKIPPED 108    /* lines of the triangle */
 
 /* One number: r0: a's, r1, r2: how much more b's and c's are, r3: up. Becomes r0, r6: a step to the right, r7: one down. */
     .section .text.laid_number, "ax", %progbits
@@ -578,6 +599,9 @@ laid_number:
 
 .macro number_laid to, apart
     bl laid_number
+    ldr r3, [sp, #SKIPPED]
+    muls r3, r7
+    adds r0, r0, r3
     ldr r3, [sp, #LAID_AT]
     str r0, [r3, #\to]
     str r7, [r3, #\to + \apart]
@@ -644,6 +668,7 @@ albedo_laid_lines:
     ldr r0, [r4, #GLINT_AT_TRIANGLE_ZX]
     mov r8, r0
     ldr r0, [r4, #GLINT_AT_TRIANGLE_NLX]
+    negs r0, r0
     mov r9, r0
     str r0, [sp, #DNL]
     movs r7, r4
@@ -819,8 +844,8 @@ albedo_lines:
     asrs r0, r0, #4
     movs r5, #GLINT_AT_TRIANGLE_Y
     ldrsh r5, [r4, r5]
-    cmp r0, r5 /* lines were skipped */
-    bne .Lby_c
+    subs r5, r5, r0
+    str r5, [sp, #SKIPPED]
     ldr r7, [sp, #TARGET_OF]
     ldr r7, [r7, #GLINT_AT_TARGET_FRAME + 4]
     ldr r5, [r7, #GLINT_AT_DRAWN_MESH]
@@ -856,8 +881,8 @@ albedo_lines:
     laid_uv 2, FIRST + 4, 4
     movs r0, #0
     str r0, [r3, #24]
-    ldr r0, [sp, #TEXTURE_OF]
-    ldr r0, [r0, #GLINT_AT_TEXTURE_W]
+    ldr r0, [sp, #PIXELS_AT]
+    ldr r0, [r0, #GLINT_AT_PIXELS_NOW + 8]
     str r0, [r3, #28]
 .Lis_laid:
     ldr r4, [sp, #TRIANGLE]

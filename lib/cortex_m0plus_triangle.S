@@ -41,49 +41,6 @@
 1:
 .endm
 
-/* Shifts value, which is not 0, up by so many bits where none of these is set, and takes them from down. */
-.macro up_by bits, value, down, free
-    lsrs \free, \value, #32 - \bits
-    bne 1f
-    lsls \value, \value, #\bits
-    subs \down, #\bits
-1:
-.endm
-
-/* Until its highest bit is set, which is one of the upper 16. */
-.macro up_by_15 value, down, free
-    up_by 8, \value, \down, \free
-    up_by 4, \value, \down, \free
-    up_by 2, \value, \down, \free
-    up_by 1, \value, \down, \free
-.endm
-
-/* glint_mesh_inverse(m >> 4) in place, where m's highest bit is set. */
-.macro inverse_of m, y, r, free
-    ldr \r, =glint_reciprocals - 64
-    lsrs \y, \m, #25
-    ldrb \y, [\r, \y]
-    lsrs \m, \m, #4
-    muls \m, \y /* e */
-    asrs \r, \m, #14
-    asrs \m, \m, #6
-    movs \free, \r
-    muls \free, \r
-    lsrs \free, \free, #13
-    subs \m, \free, \m
-    lsrs \free, \free, #1
-    muls \free, \r
-    asrs \free, \free, #20
-    subs \m, \m, \free /* c */
-    muls \m, \y
-    asrs \m, \m, #6
-    lsls \y, \y, #23
-    adds \m, \m, \y
-    lsrs \m, \m, #14
-    adds \m, #1
-    lsrs \m, \m, #1
-.endm
-
 /* ---- edges ---- */
 
 /* The first line whose middle is at or beyond y. */

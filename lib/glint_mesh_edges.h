@@ -71,8 +71,10 @@ void glint_mesh_blend_matt(const struct glint_mesh_blend *blend);
 
 typedef char glint_outlines_layout[sizeof(struct glint_mesh_rim) == GLINT_MESH_RIM_BYTES &&
                                            offsetof(struct glint_mesh_rim, depth) == 8 &&
-                                           offsetof(struct glint_mesh_rim, at) == 12 &&
-                                           offsetof(struct glint_mesh_rim, is) == 16
+                                           offsetof(struct glint_mesh_rim, at) == GLINT_AT_RIM_AT &&
+                                           offsetof(struct glint_mesh_rim, is) == GLINT_AT_RIM_IS &&
+                                           offsetof(struct glint_mesh_rim, face) == GLINT_AT_RIM_IS + 2 &&
+                                           offsetof(struct glint_mesh_rim, inverse) == GLINT_MESH_RIM_BYTES - 4
                                        ? 1
                                        : -1];
 #endif
@@ -137,7 +139,7 @@ static inline const struct glint_mesh_rim *glint_mesh_rim_after(const struct gli
 {
     return rim->is & GLINT_RIM_MORE ? rim + 1 : NULL;
 }
-/* All but its depth; its lines are the picture's, too. false: it has no cell in the window. */
+/* All but its depth; its lines are the picture's, too. false: it has no cell in the window. Has a twin in assembly. */
 bool glint_mesh_rim_set(struct glint_mesh_rim *rim, const struct glint_mesh_drawn *drawn, unsigned face,
                         unsigned corner, const struct glint_mesh_window *window);
 

@@ -14,6 +14,7 @@
 #define GLINT_AT_PAINT_CUT 36
 #define GLINT_AT_PAINT_R 44
 #define GLINT_AT_PAINT_A 48
+#define GLINT_AT_PAINT_FORMAT 167 /* output.format: tests find it here */
 
 #define GLINT_AT_SPAN_W 20 /* t, dt, ddt, nl, dnl before it, from 0 on */
 
@@ -92,6 +93,8 @@
 #define GLINT_EDGES_IS_CLIPPED 64
 #define GLINT_MESH_RIMS 48 /* outlines kept for a strip; others are set each time they are asked for */
 #define GLINT_MESH_RIM_BYTES 24
+#define GLINT_AT_RIM_AT 12          /* at, end; before it e, step, depth */
+#define GLINT_AT_RIM_IS 16          /* is, corner, face, inverse */
 #define GLINT_MESH_HIDDEN 32        /* cells that a face leaves out at a time */
 #define GLINT_CELL_LEFT_OUT 124     /* it leaves a cell out where so much of 256 is inside */
 #define GLINT_AT_OUTLINES_REST 1228 /* rest, hidden */

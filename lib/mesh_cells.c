@@ -47,9 +47,11 @@ static bool hide_rim(const struct glint_mesh_target *strip, const struct glint_m
     return true;
 }
 
-static bool hide_rims(const struct glint_mesh_target *strip, unsigned face, const struct glint_mesh_window *window)
+/* Of a face, from its first one on. */
+static bool hide_rims(const struct glint_mesh_target *strip, const struct glint_mesh_rim *rim,
+                      const struct glint_mesh_window *window)
 {
-    for (const struct glint_mesh_rim *rim = glint_mesh_rims_of(strip, face); rim; rim = glint_mesh_rim_after(rim))
+    for (; rim; rim = glint_mesh_rim_after(rim))
         if (!hide_rim(strip, rim, window))
             return false;
     return true;
@@ -73,9 +75,12 @@ static bool hide(const struct glint_mesh_target *strip, unsigned face, const str
     bool fits = true;
     drawn->outlines->hidden = 0;
     if (drawn->edges[face] & GLINT_EDGES)
-        fits = hide_rims(strip, face, window);
+        fits = hide_rims(strip, glint_mesh_rims_of(strip, face), window);
     for (unsigned k = 0; fits && drawn->edges[face] & GLINT_EDGES_BESIDE && k < 3; k++) {
         if (beside[k] >= drawn->mesh->face_count || !(drawn->edges[beside[k]] & GLINT_EDGES))
+            continue;
+        const struct glint_mesh_rim *const rims = glint_mesh_rims_of(strip, beside[k]);
+        if (!rims)
             continue;
         struct glint_mesh_window near = *window;
         if (!(drawn->edges[face] & GLINT_EDGES_CLIPPED)) {
@@ -87,7 +92,7 @@ static bool hide(const struct glint_mesh_target *strip, unsigned face, const str
             near.right = cells_min(near.right, (cells_max(a->x, b->x) >> 4) + 2);
             near.bottom = cells_min(near.bottom, (cells_max(a->y, b->y) >> 4) + 2);
         }
-        fits = hide_rims(strip, beside[k], &near);
+        fits = hide_rims(strip, rims, &near);
     }
     if (!fits)
         cells_show(strip);
@@ -356,7 +361,8 @@ static bool cells_found(struct glint_mesh_cells *cells, struct glint_mesh_cell *
 /* p over q in `part` of 255, of levels: as tables' pixels under a coverage map, green apart. Fields are below 2^14. */
 static uint32_t colour_mixed(uint32_t p, uint32_t q, uint32_t part, uint32_t fields)
 {
-    const uint32_t half = 0x00800080, v = part * (p & fields) + (255 - part) * (q & fields) + half;
+    const uint32_t half = 0x00800080, under = q & fields,
+                   v = part * ((p & fields) - under) + (under << 8) - under + half;
     return ((v + (v >> 8 & 0x00ff00ff)) >> 8) & fields;
 }
 
@@ -387,22 +393,26 @@ static __attribute__((noinline)) void colour_cells(const struct glint_mesh_cells
     const struct glint_mesh_rim *const rim = &cells->rim;
     const bool swapped = paint->output.format == GLINT_RGB565_SWAPPED, is_flat = rim->is & GLINT_RIM_FLAT;
     uint32_t z = cells->cell.z, nl = cells->cell.nl, back = look.t_max - cells->cell.t, dt = cells->cell.dt;
+    const ptrdiff_t stride = strip->surface->stride;
+    const int32_t along = is_flat ? 1 : strip->w, across = is_flat ? strip->w : 1;
+    const ptrdiff_t out_along = is_flat ? 2 : stride, out_across = is_flat ? stride : 2;
+    const uint16_t *depth = rim->depth;
+    uint8_t *out = (uint8_t *)strip->surface->pixels + out_along * (is_flat ? rim->at : rim->at - strip->y);
     int32_t e = rim->e;
     for (int32_t at = rim->at; at != rim->end; at++) {
-        const int32_t across = e >> 16, x = is_flat ? at : across, line = is_flat ? across : at - strip->y;
-        if (z >> 16 < strip->depth[line * strip->w + x]) {
+        const int32_t cell = e >> 16;
+        if (z >> 16 < depth[across * cell]) {
             unsigned part = glint_mesh_rim_part(rim, e);
             uint16_t pixel;
             if (cells->others)
-                part = others_share(cells, x, strip->y + line, part);
+                part = others_share(cells, is_flat ? at : cell, is_flat ? strip->y + cell : at, part);
             if (part) {
-                uint16_t *out =
-                    (uint16_t *)(void *)((uint8_t *)strip->surface->pixels + strip->surface->stride * (ptrdiff_t)line) +
-                    x;
                 glint_look_store(&look, back, nl, &pixel);
-                colour_blend(out, pixel, part, swapped);
+                colour_blend((uint16_t *)(void *)(out + out_across * cell), pixel, part, swapped);
             }
         }
+        depth += along;
+        out += out_along;
         e += rim->step;
         z += cells->cell.dz;
         nl += cells->cell.dnl;

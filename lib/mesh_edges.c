@@ -31,25 +31,19 @@ static void edges_place(const struct glint_mesh_frame *frame, struct glint_mesh_
 
 /* ---- Which edges are outlines ---- */
 
-static int32_t edges_size(int32_t x)
+static int32_t edges_span(int32_t a, int32_t b, int32_t c)
 {
-    return x < 0 ? -x : x;
+    const int32_t low = a < b ? a : b, high = a < b ? b : a;
+    return (c > high ? c : high) - (c < low ? c : low);
 }
 
 /* Narrower than 1/8 pixel, across its longest side along an axis? */
-static bool edges_is_thin(const struct glint_mesh_drawn *drawn, unsigned face)
+static bool edges_is_thin(const struct glint_mesh_drawn *drawn, const uint16_t face[3])
 {
-    const struct glint_mesh_vertex *v[3];
-    int32_t longest = 0;
-    for (unsigned k = 0; k < 3; k++)
-        v[k] = glint_mesh_corner_at(drawn, face, k);
-    for (unsigned k = 0; k < 3; k++) {
-        const struct glint_mesh_vertex *a = v[k], *b = v[glint_mesh_corner_after(k)];
-        const int32_t x = edges_size(b->x - a->x), y = edges_size(b->y - a->y);
-        longest = x > longest ? x : longest;
-        longest = y > longest ? y : longest;
-    }
-    return -glint_mesh_area(v[0], v[1], v[2]) < 2 * longest;
+    const struct glint_mesh_vertex *const a = &drawn->vertices[face[0]], *const b = &drawn->vertices[face[1]],
+                                          *const c = &drawn->vertices[face[2]];
+    const int32_t x = edges_span(a->x, b->x, c->x), y = edges_span(a->y, b->y, c->y);
+    return -glint_mesh_area(a, b, c) < 2 * (x > y ? x : y);
 }
 
 /* Sorts the mesh, and tells which faces show their fronts: those in lists do, if they are not clipped. */
@@ -57,8 +51,9 @@ static void edges_fronts(const struct glint_mesh_frame *frame, const struct glin
 {
     const unsigned count = drawn->mesh->face_count;
 #if GLINT_CORTEX_M0PLUS_ASM
+    uint8_t *const edges = drawn->edges;
     for (unsigned i = 0; i < count; i++)
-        drawn->edges[i] = 0;
+        edges[i] = 0;
     for (uint32_t i = 0; i < glint_mesh_bands(frame->h); i++)
         drawn->bands[i] = GLINT_MESH_NONE;
     glint_mesh_sort_fronts(frame, drawn, frame->y);
@@ -108,14 +103,17 @@ static void edges_mark(const struct glint_mesh_drawn *drawn)
     for (unsigned i = 0; i < count; i++, beside += 3) {
         if (edges[i] != GLINT_EDGES_FRONT)
             continue;
-        const unsigned found = edges_ends(edges, beside[0], count) |
-                               (unsigned)edges_ends(edges, beside[1], count) << 1 |
-                               (unsigned)edges_ends(edges, beside[2], count) << 2;
-        if (!found)
+        if (beside[0] < count && beside[1] < count && beside[2] < count &&
+            edges[beside[0]] & edges[beside[1]] & edges[beside[2]] & GLINT_EDGES_FRONT)
             continue;
-        const bool has_back =
-            (found & 1 && beside[0] < count) || (found & 2 && beside[1] < count) || (found & 4 && beside[2] < count);
-        const bool is_thin = has_back && edges_is_thin(drawn, i);
+        unsigned found = 0;
+        bool has_back = false;
+        for (unsigned k = 0; k < 3; k++)
+            if (edges_ends(edges, beside[k], count)) {
+                found |= 1u << k;
+                has_back |= beside[k] < count;
+            }
+        const bool is_thin = has_back && edges_is_thin(drawn, drawn->mesh->faces + 3 * (size_t)i);
         edges[i] = (uint8_t)(GLINT_EDGES_FRONT | (is_thin ? (unsigned)GLINT_EDGES_THIN : found));
         any_thin |= is_thin;
     }
@@ -161,6 +159,12 @@ void glint_mesh_edges_add(const struct glint_mesh_frame *frame, struct glint_mes
 
 /* ---- Those of a strip ---- */
 
+#if !GLINT_CORTEX_M0PLUS_ASM
+static int32_t edges_size(int32_t x)
+{
+    return x < 0 ? -x : x;
+}
+
 /* As edges of triangles. */
 bool glint_mesh_rim_set(struct glint_mesh_rim *rim, const struct glint_mesh_drawn *drawn, unsigned face,
                         unsigned corner, const struct glint_mesh_window *window)
@@ -200,6 +204,7 @@ bool glint_mesh_rim_set(struct glint_mesh_rim *rim, const struct glint_mesh_draw
     rim->face = (uint16_t)face;
     return at < end;
 }
+#endif
 
 /* A face's outlines, from `to` on; returns how many have a cell in the strip. */
 static unsigned rims_set(struct glint_mesh_rim *to, const struct glint_mesh_target *strip, unsigned face)

@@ -100,7 +100,8 @@ static void over_corner(int16_t of[3], const struct glint_mesh *mesh, unsigned f
 }
 
 /* 2^21 levels of 255. */
-static void over_colours(struct glint_mesh_over *over, const struct glint_mesh_slopes *slopes, int16_t of[3][3])
+static void over_colours(struct glint_mesh_over *over, const struct glint_mesh_slopes *slopes,
+                         const int16_t *const of[3])
 {
     over->count = 3;
     for (unsigned k = 0; k < 3; k++) {
@@ -111,19 +112,17 @@ static void over_colours(struct glint_mesh_over *over, const struct glint_mesh_s
     }
 }
 
-/* Corners from the upper one down; equal ones stay. */
-static void over_order(struct glint_mesh_corners *corners, int16_t of[3][3], unsigned first)
+/* Corners from the upper one down, and what they have; equal ones stay. */
+static void over_order(struct glint_mesh_corners *corners, const int16_t **of, unsigned first)
 {
     const struct glint_mesh_vertex *const upper = corners->at[first];
+    const int16_t *const numbers = of[first];
     if (corners->at[first + 1]->y >= upper->y)
         return;
     corners->at[first] = corners->at[first + 1];
     corners->at[first + 1] = upper;
-    for (unsigned k = 0; k < 3; k++) {
-        const int16_t number = of[first][k];
-        of[first][k] = of[first + 1][k];
-        of[first + 1][k] = number;
-    }
+    of[first] = of[first + 1];
+    of[first + 1] = numbers;
 }
 
 static void over_set(struct glint_mesh_over *over, const struct glint_mesh_target *target, unsigned face,
@@ -133,13 +132,14 @@ static void over_set(struct glint_mesh_over *over, const struct glint_mesh_targe
     const uint16_t *const vertex = mesh->faces + 3 * (size_t)face;
     struct glint_mesh_corners corners;
     struct glint_mesh_slopes slopes;
-    int16_t of[3][3];
+    int16_t numbers[3][3];
+    const int16_t *of[3] = {numbers[0], numbers[1], numbers[2]};
     glint_mesh_corners_of(&corners, target, face);
     for (unsigned i = 0; i < 3; i++) {
-        of[i][2] = 0;
-        over_corner(of[i], mesh, face, vertex[i], texture);
+        numbers[i][2] = 0;
+        over_corner(numbers[i], mesh, face, vertex[i], texture);
     }
-    glint_mesh_corners_weigh(&corners, of);
+    glint_mesh_corners_weigh(&corners, numbers);
     over_order(&corners, of, 0);
     over_order(&corners, of, 1);
     over_order(&corners, of, 0);
@@ -208,7 +208,7 @@ static void over_lay(struct glint_mesh_laid *laid, const struct glint_mesh_targe
     }
     if (texture) {
         laid->blue[0] = (uint32_t)((uintptr_t)over->picture.pixels - (uintptr_t)texture->pixels);
-        laid->blue[1] = over->picture.w | over->picture.h << 16;
+        laid->blue[1] = glint_mesh_size_of(texture, &over->picture);
     }
 }
 

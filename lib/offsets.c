@@ -24,7 +24,7 @@ typedef char glint_paint_layout
     [AT(glint_paint, of.tables.filled, 0) && AT(glint_paint, of.tables.x, GLINT_AT_PAINT_X) &&
              AT(glint_paint, of.tables.y, GLINT_AT_PAINT_X + 4) && AT(glint_paint, of.tables.z, GLINT_AT_PAINT_X + 8) &&
              AT(glint_paint, of.tables.cut, GLINT_AT_PAINT_CUT) && AT(glint_paint, of.tables.r, GLINT_AT_PAINT_R) &&
-             AT(glint_paint, of.tables.a, GLINT_AT_PAINT_A)
+             AT(glint_paint, of.tables.a, GLINT_AT_PAINT_A) && AT(glint_paint, output.format, GLINT_AT_PAINT_FORMAT)
          ? 1
          : -1];
 typedef char glint_span_layout[AT(glint_span, t_q30, 0) && AT(glint_span, dt_q30, 4) && AT(glint_span, ddt_q30, 8) &&
@@ -136,8 +136,8 @@ typedef char glint_pixels_layout
              offsetof(struct glint_mesh_picture, pixels) == 0 && offsetof(struct glint_mesh_picture, palette) == 4 &&
              offsetof(struct glint_mesh_picture, w) == 8 && offsetof(struct glint_mesh_picture, h) == 12 &&
              AT(loop, GLINT_AT_PIXELS_DDT + 56) && 1 << GLINT_MESH_LAID_LOG == GLINT_MESH_LAID &&
-             GLINT_MESH_COLOURS == 0 && GLINT_MESH_NEAREST == 1 && GLINT_MESH_PALETTE == 2 && GLINT_MESH_SMOOTH == 3 &&
-             sizeof(struct glint_mesh_laid) == 40 && AT(now, GLINT_AT_PIXELS_NOW) &&
+             GLINT_MESH_COLOURS == 0 && GLINT_MESH_NEAREST == 1 && GLINT_MESH_SQUARE == 2 && GLINT_MESH_PALETTE == 3 &&
+             GLINT_MESH_SMOOTH == 4 && sizeof(struct glint_mesh_laid) == 40 && AT(now, GLINT_AT_PIXELS_NOW) &&
              offsetof(struct glint_mesh_laid, down) == 8 && offsetof(struct glint_mesh_laid, right) == 16 &&
              offsetof(struct glint_mesh_laid, blue) == 24 &&
              offsetof(struct glint_mesh_bench, copied) ==

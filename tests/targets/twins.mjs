@@ -39,7 +39,7 @@ function room(machine) {
   return frame >= end && frame < end + 16 ? frame + machine.size('frame_memory') : end
 }
 
-// before: calls that have to return 0. unread: parts that need not be alike, from and to. change: of the memory, what is other in each
+// before: calls that have to return 0, or functions of a program and where the memory lies in it. unread: parts that need not be alike, from and to. change: of the memory, what is other in each
 // program.
 function after(machine, name, args, bytes, fault, { before = [], unread = [], change = () => {} } = {}) {
   if (AT + bytes.length > room(machine)) throw new Error('mesh_memory is too small')
@@ -47,7 +47,10 @@ function after(machine, name, args, bytes, fault, { before = [], unread = [], ch
   bytes.copy(machine.memory, at)
   change(machine, at)
   if (fault >= 0) machine.memory[at + fault] ^= 0x11
-  for (const call of before) if (run(machine, ...call)) throw new Error(`${call[0]} returned an error`)
+  for (const call of before) {
+    if (typeof call === 'function') call(machine, at)
+    else if (run(machine, ...call)) throw new Error(`${call[0]} returned an error`)
+  }
   const value = run(machine, name, args)
   if (fault >= 0) machine.memory[at + fault] ^= 0x11
   for (const [from, to] of unread) machine.memory.fill(0, at + from, at + to)
@@ -184,9 +187,10 @@ const PAINTS_OF = new Map([c, assembly].map((machine) => [machine, paints(machin
 // A picture of a mesh in strips of all heights, a part of it by tables and one exactly, or both by tables, with places for few triangles that
 // go on. Lines of pixels that are not aligned are drawn, too.
 const POSE = 0x140, TO_LIGHT = 0x150, TO_VIEWER = 0x160, LIGHT = 0x170, LIGHT_END = 0x1b0, PARTS = 0x1b0, SURFACES = 0x1100, PICTURE = 0x1400
-const MESH_MEMORY = 0x3000, FRAME_MEMORY = 0x4000, POLYGON = FIELD.BENCH_FACE - 3 * 16 /* with padding */, PAINTS = 0x6000
-function strips() {
-  const w = 1 + below(40), h = 1 + below(64), odd = !below(10), lines = one(16, 16, 1 + below(20)), vertices = 3 + below(30), faces = 1 + below(64)
+const NEIGHBOURS = 0x2c00, MESH_MEMORY = 0x3000, FRAME_MEMORY = 0x4000, POLYGON = FIELD.BENCH_FACE - 3 * 16 /* with padding */, PAINTS = 0x6000
+function strips(outlined) {
+  const w = outlined ? 40 - below(8) : 1 + below(40), h = 1 + below(64), odd = !below(10), lines = one(16, 16, 1 + below(20)), vertices = 3 + below(30)
+  const faces = outlined ? 64 - below(one(60, 10)) : 1 + below(64)
   const stride = 2 * w + (below(10) ? 2 * below(2) : 1), bytes = Buffer.concat([frame(h, vertices, faces), Buffer.alloc(0x4c00 + 2 * PAINT_SIZE)])
   const word = (at, ...values) => values.forEach((value, k) => bytes.writeInt32LE(value | 0, at + 4 * k))
   bytes.fill(0, 0, MESH)
@@ -195,8 +199,12 @@ function strips() {
   bytes.writeUInt16LE(one(16 * w, 16 * w, below(4000), 65535), POSE + 14)
   word(TO_LIGHT, bits(15), bits(15), bits(15))
   word(TO_VIEWER, bits(15), bits(15), bits(15))
-  const painted = one(['tables', 'exact'], ['exact', 'tables'], ['tables', 'other'], ['tables', 'other'])
-  const change = (machine, at) => painted.forEach((name, k) => PAINTS_OF.get(machine)[name].copy(machine.memory, at + PAINTS + PAINT_SIZE * k))
+  const painted = one(['tables', outlined ? 'other' : 'exact'], ['exact', 'tables'], ['tables', 'other'], ['tables', 'other'])
+  const swapped = outlined && !painted.includes('exact') && below(2)
+  const change = (machine, at) => painted.forEach((name, k) => {
+    PAINTS_OF.get(machine)[name].copy(machine.memory, at + PAINTS + PAINT_SIZE * k)
+    if (swapped) machine.memory[at + PAINTS + PAINT_SIZE * k + FIELD.PAINT_FORMAT] = 1 // GLINT_RGB565_SWAPPED
+  })
   if (below(2)) {
     word(MESH + FIELD.MESH_FACES + 4, AT + PARTS)
     bytes.writeUInt16LE(below(faces), PARTS)
@@ -214,6 +222,19 @@ function strips() {
     y += height
   }
   const unread = [[LIGHT, LIGHT_END], [PAINTS, PAINTS + 2 * PAINT_SIZE], [FRAME_MEMORY, FRAME_MEMORY + POLYGON]]
+  if (outlined) {
+    // In the picture's middle, and as large as it.
+    for (let k = 0; k < 3 * vertices; k++) bytes.writeInt16LE(bits(16), PLACES + 2 * k)
+    ;[w, h].forEach((size, k) => bytes.writeInt16LE(8 * size + bits(6), POSE + 8 + 2 * k))
+    bytes.writeUInt16LE(8 * Math.min(w, h) + below(400), POSE + 14)
+    // Neighbours at random; or none, so that there are more outlines than a strip keeps. Only the picture need be alike.
+    const alone = !below(3)
+    for (let k = 0; k < 3 * faces; k++) bytes.writeUInt16LE(alone ? 65535 : one(65535, 65534, below(faces), (Math.floor(k / 3) ^ 1) % faces), NEIGHBOURS + 2 * k)
+    word(MESH + FIELD.MESH_NEIGHBOURS, AT + NEIGHBOURS)
+    calls.splice(-1 - calls.filter(([name]) => name === 'glint_mesh_strip').length, 0,
+      (machine, at) => machine.memory.writeUInt32LE(machine.address('glint_outlines'), at + FIELD.FRAME_KEPT_BYTES + 6))
+    unread.push([0, MESH], [MESH_MEMORY, PAINTS])
+  }
   return [bytes, calls.at(-1)[1], PLACES + 1, { before: calls.slice(0, -1), change, unread }]
 }
 
@@ -222,7 +243,8 @@ const PALETTE = COLOURS_END, TEXELS = PALETTE + 512, TEXELS_END = TEXELS + 2048,
 function pixels() {
   const bytes = Buffer.alloc(TEXELS_END), word = (at, ...values) => values.forEach((value, k) => bytes.writeInt32LE(value | 0, at + 4 * k))
   const shift = below(20), tMax = 2 ** (shift + 11) - 1 - below(2 ** (shift + 9)), count = 1 + below(16), size = one(16, 22, 26, 30)
-  const h = 1 + below(100), w = 1 + below(Math.min(100, Math.floor(1024 / h)))
+  const loop = below(20), square = loop >> 2 === 2 && 1 + below(5) // of a picture of 2^square by 2^square: 32 less that is in h's place
+  const h = square ? 32 - square : 1 + below(100), w = square ? 2 ** square : 1 + below(Math.min(100, Math.floor(1024 / h)))
   bytes.set(tables, COLUMNS)
   for (let k = COLUMNS; k < COLUMNS + 400; k++) bytes[k] = below(33)
   for (let k = COLOURS; k < COLOURS + 8192; k += 4) word(k, (below(65536) + 65536 * below(65536)) & 0x07e0f81f)
@@ -231,24 +253,23 @@ function pixels() {
   word(FIELD.PIXELS_DZ, bits(size), bits(one(16, 28)), bits(one(20, 32)), bits(one(20, 32)), bits(one(20, 32)))
   word(FIELD.PIXELS_DDT, bits(size), AT + DEPTH, AT + DEPTH + 2 * count, OUT - DEPTH, AT + COLUMNS + 392, AT + COLOURS, tMax, (tMax + 2 ** 27) | 0, shift,
     below(33), AT + TEXELS, 0, w, h)
-  const loop = below(16)
-  if (loop >> 2 === 2 || (loop >> 2 === 3 && below(2))) word(PIXELS_PICTURE + 4, AT + PALETTE)
+  if (loop >> 2 === 3 || (loop >> 2 === 4 && below(2))) word(PIXELS_PICTURE + 4, AT + PALETTE)
   bytes[PIXELS_PICTURE + 16] = loop
   for (let k = 0; k < 16; k++) bytes.writeUInt16LE(one(65535, below(65536)), DEPTH + 2 * k)
   return [bytes, [AT], 3]
 }
 
 const TWINS = [['glint_mesh_colour', colours, 6000], ['glint_mesh_triangle_set', triangle, 10000], ['glint_mesh_face_set', faces, 5000],
-  ['glint_mesh_vertices', vertices, 400], ['glint_mesh_sort', lists, 1000], ['glint_mesh_strip', strips, 400],
-  ['glint_mesh_albedo_pixels', pixels, 6000]]
-for (const [name, make, calls] of TWINS) {
+  ['glint_mesh_vertices', vertices, 400], ['glint_mesh_sort', lists, 1000], ['glint_mesh_strip', () => strips(false), 400],
+  ['glint_mesh_albedo_pixels', pixels, 6000], ['glint_mesh_strip', () => strips(true), 400, 'glint_outlines']]
+for (const [name, make, calls, label = name] of TWINS) {
   const unlike = [0, 0]
   for (let i = 0; i < calls; i++) {
     const [bytes, args, fault, more] = make(), wanted = after(c, name, args, bytes, -1, more)
     unlike[0] += after(assembly, name, args, bytes, -1, more) !== wanted
     unlike[1] += i % 10 === 0 && after(assembly, name, args, bytes, fault, more) !== wanted
   }
-  console.log(name, calls, ...unlike)
+  console.log(label, calls, ...unlike)
 }
 
 // Frames of a mesh with a texture or colours by ALBEDO tables, in both orders of bytes, strip by strip: mesh.h's ways.

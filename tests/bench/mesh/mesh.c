@@ -204,7 +204,9 @@ uint32_t mesh_memory_bytes(enum mesh_way way, unsigned which) /* after mesh_fram
 
 /* ---- The same normals as a rectangle's ---- */
 
-static uint8_t coverage[LINES][WIDTH];
+/* Where cloth is, which is not drawn then: neither teapot fills the memory of meshes. */
+static uint8_t (*const coverage)[WIDTH] = (uint8_t(*)[WIDTH])(void *)((uint8_t *)mesh_memory + sizeof mesh_memory -
+                                                                      LINES * WIDTH);
 
 /* In the place of what draws a run under points. */
 static void keep_normals(struct glint_lights *lights, unsigned count)
@@ -219,7 +221,7 @@ int mesh_normals(unsigned y)
     const struct glint_use_lights *const several = paint.several;
     struct glint_use_lights keeping = *several;
     keeping.run = keep_normals;
-    memset(coverage, 0, sizeof coverage);
+    memset(coverage, 0, LINES * sizeof *coverage);
     paint.several = &keeping;
     const int error = mesh_strip(y);
     paint.several = several;
