@@ -16,11 +16,12 @@ struct part {
     const struct glint_paint *paint;
     uint32_t t_end;
     const struct glint_tables *colours; /* NULL, or what its triangles are drawn by at once */
-    uint16_t end, number; /* end: GLINT_MESH_NONE, which is above all faces, of the last one */
+    uint16_t end, number;               /* end: GLINT_MESH_NONE, which is above all faces, of the last one */
 };
 
 /* Alone, since the loop over a strip's faces has no register left for what this needs. */
-static __attribute__((noinline)) void part_set(struct part *part, const struct glint_mesh_target *strip, unsigned number)
+static __attribute__((noinline)) void part_set(struct part *part, const struct glint_mesh_target *strip,
+                                               unsigned number)
 {
     const struct glint_mesh_drawn *const drawn = strip->drawn;
     part->number = (uint16_t)number;

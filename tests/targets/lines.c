@@ -106,9 +106,9 @@ static bool make_paint(struct glint_paint *paint, uint32_t number, uint32_t grai
     static const uint16_t shininess[] = {1, 2, 3, 5, 10, 60, 200, 1000};
     static const int32_t v[3] = {0, 0, 1};
     const int32_t l[3] = {(int32_t)below(201) - 100, (int32_t)below(201) - 100, (int32_t)below(120)};
-    static const uint8_t models[] = {GLINT_MSH, GLINT_SCHLICK, GLINT_GGX},
+    static const uint8_t models[] = {GLINT_MSH, GLINT_SCHLICK, GLINT_GGX, GLINT_CAYLEY},
                          formats[] = {GLINT_RGB565, GLINT_RGB565_SWAPPED, GLINT_RGB888, GLINT_BGR888};
-    struct glint_material m = {.model = models[GLINT_DSP ? number / 4 % 3 : 0]};
+    struct glint_material m = {.model = models[GLINT_DSP ? number / 4 % 4 : 0]};
     struct glint_output output = {.format = formats[below(GLINT_DSP && m.model == GLINT_MSH ? 4 : 2)]};
     struct glint_light light;
     m.n = (uint16_t)(below(3) ? shininess[below(8)] : 1 + below(1000));
