@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * The exact line of RGB565 under MSH, dithered or not, Schlick and GGX, and of RGB888 under MSH, by the DSP extension of Cortex-M4, M7, M33 and later: two
+ * The exact line of RGB565 under MSH, dithered or not, Schlick, GGX and Cayley, and of RGB888 under MSH, by the DSP extension of Cortex-M4, M7, M33 and later: two
  * pixels at a time, two products an instruction. Like the other exact loops it finds V, which is low by less than W, and leaves open what V and W do
  * not decide. */
 #include "glint_fused.h"
@@ -10,7 +10,8 @@
  *
  * With c = 1 - t: MSH is 1.024 c / w^2, w = 1 + k t, k = (4n - 5) / 5; Schlick c / w, w = 1 + (n - 1) t; GGX 1 / w^2, w = 1 + n (1 - c^2) / 2.
  * The loop has F' = floor((2^32 - 1 - 4t) / (65537 w^2)), t in Q30, of Schlick w in the place of w^2, of GGX without t: below 2^16, so that it is
- * half a word; and F 2^16 = S F' + e, S = 65537 / 65536, of MSH 1.024 times that, -17/16 < e < 35/16 (tests/proof/test_dsp).
+ * half a word; and F 2^16 = S F' + e, S = 65537 / 65536, of MSH 1.024 times that, -17/16 < e < 35/16 (tests/proof/test_dsp). Of Cayley a quotient
+ * is r in 16 bits, and F' is r^4: S = 1, -73/16 < e < 89/16.
  *
  * A channel, in units of 2^-25 level, green 2^-24, in RGB888 2^-22: Q nl + R F' + P, where Q and R are rounded to whole numbers, by q and r. N.L comes
  * as nl - 1 - 2^15 and F' as F' - 2^15, between -2^15 and 2^15 - 1, so what rounding makes wrong is at most 2^15 (|q| + |r|) to either side: it is
@@ -39,12 +40,13 @@ static inline __attribute__((always_inline)) bool dsp_fold_channel(struct glint_
     const uint32_t unit = up == 7 ? 31 << 9 : up == 8 ? 63 << 8 : 255 << 6;
     const uint32_t by_255 = (uint32_t)((((uint64_t)unit << 24) + 127) / 255);
     const struct glint_material *m = &p->material;
+    const struct glint_use_line *line = p->model->line;
     const uint32_t albedo = m->albedo[k], a = glint_coefficient(m->ambient_q16[k]),
                    d = glint_coefficient(m->diffuse_q16[k]), s = glint_coefficient(m->specular_q16[k]);
     /* V at nl = F = 0; what it gains to nl = 1.0, to F' = 2^16; and low: what P is to be lower */
     const uint32_t base = dsp_scale(a * albedo, by_255, 24) + (p->output.dither ? 0 : UINT32_C(1) << (31 - up));
     uint32_t q_q16 = dsp_scale(d * albedo, by_255, 24), r_exact = s * unit, low = DSP_CUT;
-    uint32_t r_q16 = r_exact + dsp_scale(r_exact, loop->scale, 32);
+    uint32_t r_q16 = r_exact + dsp_scale(r_exact, line->scale, 32);
     loop->base[at] = base;
     loop->q_q16[at] = q_q16;
     loop->r_q16[at] = r_exact;
@@ -65,8 +67,8 @@ static inline __attribute__((always_inline)) bool dsp_fold_channel(struct glint_
     loop->plain[at] = q;
     loop->plain[3 + at] = base + q - (q_left < 0 ? q_off + 1 : 0) - low;
     loop->shine[at] = q << 16 | r;
-    loop->shine[3 + at] = base + q + ((q_q16 + r_q16 - offs) >> 1) - (r + (r >> 4)) - low;
-    *w = (offs + (13 * r >> 2) + 2 * low) << up;
+    loop->shine[3 + at] = base + q + ((q_q16 + r_q16 - offs) >> 1) - (line->below * r >> 4) - low;
+    *w = (offs + (line->width * r >> 4) + 2 * low) << up;
     *w_plain = (q_off + 2 * low) << up;
     loop->dark |= (base - DSP_CUT) >> (32 - up) << (up == 10 ? 8 * at : at == 0 ? 11 : at == 1 ? 5 : 0);
     loop->dark_is_open |= ((base - DSP_CUT) ^ (base + DSP_CUT)) >> (32 - up) != 0;
@@ -131,6 +133,8 @@ static bool dsp_fold_msh(struct glint_line_loop *loop, const struct glint_paint 
 }
 const struct glint_use_line glint_line_msh = {
     103146455,
+    17,
+    52,
     false,
     dsp_fold_msh,
     {glint_dsp_msh, glint_dsp_msh_swapped, glint_dsp_msh_wide, glint_dsp_msh_wide_swapped, glint_dsp_msh_dither,
@@ -144,6 +148,8 @@ static bool dsp_fold_schlick(struct glint_line_loop *loop, const struct glint_pa
     return true;
 }
 const struct glint_use_line glint_line_schlick = {65536,
+                                                  17,
+                                                  52,
                                                   true,
                                                   dsp_fold_schlick,
                                                   {glint_dsp_schlick, glint_dsp_schlick_swapped, glint_dsp_schlick_wide,
@@ -165,9 +171,29 @@ static bool dsp_fold_ggx(struct glint_line_loop *loop, const struct glint_paint 
 }
 const struct glint_use_line glint_line_ggx = {
     65536,
+    17,
+    52,
     true,
     dsp_fold_ggx,
     {glint_dsp_ggx, glint_dsp_ggx_swapped, glint_dsp_ggx_wide, glint_dsp_ggx_wide_swapped, NULL, NULL, NULL, NULL}};
+
+/* 2^28 (w - 1), w = 1 + (n - 4) t / 8: r = (2 - w - t) / w is the quotient of 2^32 and 2^16 times these. Where r >= 0, w <= 2. */
+static bool dsp_fold_cayley(struct glint_line_loop *loop, const struct glint_paint *p)
+{
+    const uint32_t n = p->of.exact.n;
+    if (n <= 4 || (loop->is_wide ? n > 19 : loop->up > 26))
+        return false;
+    loop->v[1] = 65536;
+    loop->v[0] = (int32_t)((n - 4) << (loop->is_wide ? 27 : 26 - loop->up));
+    return true;
+}
+const struct glint_use_line glint_line_cayley = {0,
+                                                 73,
+                                                 162,
+                                                 true,
+                                                 dsp_fold_cayley,
+                                                 {glint_dsp_cayley, glint_dsp_cayley_swapped, glint_dsp_cayley_wide,
+                                                  glint_dsp_cayley_wide_swapped, NULL, NULL, NULL, NULL}};
 
 static bool dsp_begin(struct glint_line_loop *loop, const struct glint_paint *p, const struct glint_use_line *line)
 {
@@ -177,7 +203,6 @@ static bool dsp_begin(struct glint_line_loop *loop, const struct glint_paint *p,
         return false;
     loop->paint = p;
     loop->format = p->output.format;
-    loop->scale = line->scale;
     loop->dark = 0;
     loop->dark_is_open = false;
     loop->turn[0] = dsp_pair(l.x, l.y);
@@ -285,6 +310,19 @@ typedef char dsp_layout[DSP_AT(turn, 0) && DSP_AT(plain, 28) && DSP_AT(shine, 56
     "cmp " t ", r3\n\t"                                                                                                \
     "bhs 4" n "f\n\t"                                                                                                  \
     "ldrd r5, r8, [r2, #28]\n\t"                                                                                       \
+    ".if " model " == 3\n\t"                                                                                           \
+    ".if " wide "\n\t"                                                                                                 \
+    "smmulr r10, r5, " t "\n\t"                                                                                        \
+    "mvn " t ", " t ", lsl #2\n\t"                                                                                     \
+    ".else\n\t"                                                                                                        \
+    "ldr r11, [r2, #36]\n\t"                                                                                           \
+    "lsl r10, " t ", r11\n\t"                                                                                          \
+    "smmulr r10, r5, r10\n\t"                                                                                          \
+    "mvn " t ", " t ", lsl #1\n\t"                                                                                     \
+    ".endif\n\t"                                                                                                       \
+    "sub " t ", " t ", r10, lsl #4\n\t"                                                                                \
+    "add r8, r8, r10, lsr #12\n\t"                                                                                     \
+    ".else\n\t"                                                                                                        \
     ".if " model " == 2 && " wide "\n\t"                                                                               \
     "rsb r10, " t ", #0x40000000\n\t"                                                                                  \
     "smmulr r10, r10, r10\n\t"                                                                                         \
@@ -312,7 +350,13 @@ typedef char dsp_layout[DSP_AT(turn, 0) && DSP_AT(plain, 28) && DSP_AT(shine, 56
     ".if " model " != 1\n\t"                                                                                           \
     "smmulr r8, r8, r8\n\t"                                                                                            \
     ".endif\n\t"                                                                                                       \
+    ".endif\n\t"                                                                                                       \
     "udiv " t ", " t ", r8\n\t"                                                                                        \
+    ".if " model " == 3\n\t" /* its fourth power */                                                                    \
+    "mul " t ", " t ", " t "\n\t"                                                                                      \
+    "umull r8, " t ", " t ", " t "\n\t"                                                                                \
+    "lsr " t ", " t ", #16\n\t"                                                                                        \
+    ".endif\n\t"                                                                                                       \
     "str r1, [r2, #56]\n\t"                                                                                            \
     "pkhbt " t ", " t ", " s ", lsl #2\n\t"                                                                            \
     "eor " t ", " t ", #0x80008000\n\t"                                                                                \
@@ -451,6 +495,10 @@ DSP_RUN(glint_dsp_ggx, "2", "0", "0")
 DSP_RUN(glint_dsp_ggx_swapped, "2", "0", "1")
 DSP_RUN(glint_dsp_ggx_wide, "2", "1", "0")
 DSP_RUN(glint_dsp_ggx_wide_swapped, "2", "1", "1")
+DSP_RUN(glint_dsp_cayley, "3", "0", "0")
+DSP_RUN(glint_dsp_cayley_swapped, "3", "0", "1")
+DSP_RUN(glint_dsp_cayley_wide, "3", "1", "0")
+DSP_RUN(glint_dsp_cayley_wide_swapped, "3", "1", "1")
 DSP_RUN(glint_dsp_msh_dither, "0", "0", "3")
 DSP_RUN(glint_dsp_msh_dither_swapped, "0", "0", "4")
 DSP_RUN(glint_dsp_msh_dither_wide, "0", "1", "3")

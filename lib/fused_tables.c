@@ -2,7 +2,153 @@
  * Loops over tables that are source and paint in one: lines of INT8 normals, the viewer at (0, 0, 1), and spans. */
 #include "glint_tables.h"
 
-#if GLINT_FUSED && !GLINT_CORTEX_M0PLUS_ASM && !GLINT_HELIUM
+#if GLINT_DSP && GLINT_THUMB2
+#define INT8_AT(field, offset) (offsetof(struct glint_paint, of.tables.field) == (offset))
+typedef char int8_layout[INT8_AT(filled.columns, 0) && INT8_AT(filled.colour, 4) && INT8_AT(filled.dark, 12) &&
+                                 INT8_AT(x, 24) && INT8_AT(y, 28) && INT8_AT(z, 32) && INT8_AT(cut, 36) &&
+                                 INT8_AT(r, 44) && INT8_AT(a, 48) && GLINT_COLOUR_ROW_SHIFT == 24 &&
+                                 GLINT_COLOUR_ROW_BYTES_LOG == 7 && GLINT_COLOUR_COLUMNS_LOG == 12
+                             ? 1
+                             : -1];
+#undef INT8_AT
+
+/* What glint_colour_int8 below says, two pixels at a time where both have a surface, are lit, and are both in the highlight or both outside; else
+ * one. y and z are halves of a word, 2^14 is another factor of z: products of halves have d and e.
+ *
+ * r0: words, r1: out, r2: the last place for two, r3: colours, r4: x, r5: z and y, r6: cut, lr: 2^14; on the stack a, r, columns, dark, out's end. */
+#define INT8_COLUMNS                                                                                                   \
+    "ldrd r7, r12, [sp]\n\t"                                                                                           \
+    "lsr r8, r8, r7\n\t"                                                                                               \
+    "mul r8, r12, r8\n\t"
+
+__attribute__((naked, noinline)) void glint_colour_int8(__attribute__((unused)) const struct glint_paint *paint,
+                                                        __attribute__((unused)) const uint32_t *words,
+                                                        __attribute__((unused)) uint32_t w,
+                                                        __attribute__((unused)) uint16_t *out)
+{
+    __asm__("push {r4, r5, r6, r7, r8, r9, r10, r11, lr}\n\t"
+            "sub sp, #20\n\t"
+            "ldrd r10, r7, [r0]\n\t"
+            "ldrh r11, [r0, #12]\n\t"
+            "ldrb r8, [r0, #48]\n\t"
+            "ldr r9, [r0, #44]\n\t"
+            "add r12, r3, r2, lsl #1\n\t"
+            "stmia sp, {r8, r9, r10, r11, r12}\n\t"
+            "ldrd r4, r5, [r0, #24]\n\t"
+            "ldrd r8, r6, [r0, #32]\n\t"
+            "pkhbt r5, r5, r8, lsl #16\n\t"
+            "mov r0, r1\n\t"
+            "mov r1, r3\n\t"
+            "mov r3, r7\n\t"
+            "sub r2, r12, #4\n\t"
+            "mov lr, #0x4000\n\t"
+            "b 2f\n"
+            "1:\n\t"
+            "ldrd r8, r9, [r0], #8\n\t"
+            "smultt r7, r8, r9\n\t"
+            "cbz r7, 3f\n\t"
+            "sxtb r7, r8\n\t"
+            "sxtb r12, r9\n\t"
+            "mul r7, r4, r7\n\t"
+            "mul r12, r4, r12\n\t"
+            "smlad r10, r8, r5, r7\n\t"
+            "smlad r11, r9, r5, r12\n\t"
+            "orrs r7, r10, r11\n\t"
+            "bmi 8f\n\t"
+            "smlatb r8, r8, lr, r10\n\t"
+            "smlatb r9, r9, lr, r11\n\t"
+            "sub r8, r6\n\t"
+            "sub r9, r6\n\t"
+            "ands r7, r8, r9\n\t"
+            "bpl 5f\n\t"
+            "lsr r10, r10, #23\n\t"
+            "lsr r11, r11, #23\n\t"
+            "lsl r10, r10, #7\n\t"
+            "lsl r11, r11, #7\n\t"
+            "ldrh r10, [r3, r10]\n\t"
+            "ldrh r11, [r3, r11]\n\t"
+            "strh r10, [r1], #2\n\t"
+            "strh r11, [r1], #2\n"
+            "2:\n\t"
+            "cmp r1, r2\n\t"
+            "bls 1b\n\t"
+            "ldr r7, [sp, #16]\n\t"
+            "cmp r1, r7\n\t"
+            "blo 4f\n\t"
+            "add sp, #20\n\t"
+            "pop {r4, r5, r6, r7, r8, r9, r10, r11, pc}\n"
+            "3:\n\t" /* one of the two */
+            "sub r0, #8\n\t"
+            "b 4f\n"
+            "8:\n\t"
+            "ands r7, r10, r11\n\t"
+            "bpl 3b\n\t"
+            "ldr r10, [sp, #12]\n\t"
+            "strh r10, [r1], #2\n\t"
+            "strh r10, [r1], #2\n\t"
+            "b 2b\n"
+            "5:\n\t"
+            "orrs r7, r8, r9\n\t"
+            "bmi 3b\n\t" INT8_COLUMNS "lsr r9, r9, r7\n\t"
+            "mul r9, r12, r9\n\t"
+            "ldr r7, [sp, #8]\n\t"
+            "lsr r10, r10, #23\n\t"
+            "lsr r11, r11, #23\n\t"
+            "lsr r8, r8, #20\n\t"
+            "lsr r9, r9, #20\n\t"
+            "ldrb r8, [r7, r8]\n\t"
+            "ldrb r9, [r7, r9]\n\t"
+            "add r10, r3, r10, lsl #7\n\t"
+            "add r11, r3, r11, lsl #7\n\t"
+            "ldrh r10, [r10, r8]\n\t"
+            "ldrh r11, [r11, r9]\n\t"
+            "strh r10, [r1], #2\n\t"
+            "strh r11, [r1], #2\n\t"
+            "cmp r1, r2\n\t"
+            "bls 1b\n\t"
+            "b 2b\n"
+            "4:\n\t"
+            "ldr r8, [r0], #4\n\t"
+            "cmp r8, #0x10000\n\t"
+            "blo 7f\n\t"
+            "sxtb r7, r8\n\t"
+            "mul r7, r4, r7\n\t"
+            "smlad r10, r8, r5, r7\n\t"
+            "cmp r10, #0\n\t"
+            "blt 6f\n\t"
+            "smlatb r8, r8, lr, r10\n\t"
+            "lsr r10, r10, #23\n\t"
+            "lsl r10, r10, #7\n\t"
+            "subs r8, r6\n\t"
+            "bmi 5f\n\t" INT8_COLUMNS "ldr r7, [sp, #8]\n\t"
+            "lsr r8, r8, #20\n\t"
+            "ldrb r8, [r7, r8]\n\t"
+            "add r10, r8\n"
+            "5:\n\t"
+            "ldrh r10, [r3, r10]\n\t"
+            "strh r10, [r1], #2\n\t"
+            "b 2b\n"
+            "6:\n\t"
+            "ldr r10, [sp, #12]\n\t"
+            "strh r10, [r1], #2\n\t"
+            "b 2b\n"
+            "7:\n\t" /* no surface: r8 pixels of what is left, at least one */
+            "ldr r7, [sp, #16]\n\t"
+            "sub r7, r1\n\t"
+            "lsr r7, r7, #1\n\t"
+            "cmp r8, r7\n\t"
+            "it lo\n\t"
+            "movlo r7, r8\n\t"
+            "cmp r7, #0\n\t"
+            "it eq\n\t"
+            "moveq r7, #1\n\t"
+            "add r1, r1, r7, lsl #1\n\t"
+            "sub r0, #4\n\t"
+            "add r0, r0, r7, lsl #2\n\t"
+            "b 2b\n");
+}
+#undef INT8_COLUMNS
+#elif GLINT_FUSED && !GLINT_CORTEX_M0PLUS_ASM && !GLINT_HELIUM
 /* 8 bits, the viewer at (0, 0, 1). H lies between L and the viewer, so N.H |L + V| = N.L + z: one product d (Q29) gives the
  * row, and with z the place e (Q29) from the last column on, to which r brings a column's number. Three multiplications
  * for the vectors, and one inside the highlight. */

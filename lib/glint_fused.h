@@ -109,7 +109,6 @@ struct glint_line_loop {
     const struct glint_paint *paint;
     const uint8_t *first; /* the first one; the caller sets it to the end of memory */
     /* of the line: the caller */
-    uint32_t scale; /* (S - 1) 2^32 */
     bool is_wide, dark_is_open;
     uint8_t format;
     unsigned bytes; /* of a pixel */
@@ -132,11 +131,13 @@ glint_dsp_run glint_dsp_msh, glint_dsp_msh_swapped, glint_dsp_msh_wide, glint_ds
     glint_dsp_888_wide;
 glint_dsp_run glint_dsp_schlick, glint_dsp_schlick_swapped, glint_dsp_schlick_wide, glint_dsp_schlick_wide_swapped;
 glint_dsp_run glint_dsp_ggx, glint_dsp_ggx_swapped, glint_dsp_ggx_wide, glint_dsp_ggx_wide_swapped;
+glint_dsp_run glint_dsp_cayley, glint_dsp_cayley_swapped, glint_dsp_cayley_wide, glint_dsp_cayley_wide_swapped;
 
 /* A model's lines. */
 struct glint_use_line {
     /* F 2^16 = S F' + e: (S - 1) 2^32; is F' below 2^16 also where F is held to 1.0? */
     uint32_t scale;
+    uint8_t below, width; /* -e < below / 16, and how far apart both its bounds are, of 16ths */
     bool holds;
     bool (*fold)(struct glint_line_loop *loop, const struct glint_paint *paint);
     glint_dsp_run *run[8]; /* narrow, then wide; each in both orders; then these dithered, or NULL */

@@ -70,7 +70,7 @@ struct glint_use_model {
 };
 
 #if GLINT_DSP
-extern const struct glint_use_line glint_line_msh, glint_line_schlick, glint_line_ggx;
+extern const struct glint_use_line glint_line_msh, glint_line_schlick, glint_line_ggx, glint_line_cayley;
 #define GLINT_LINE_OF(line) &line
 #else
 #define GLINT_LINE_OF(line) NULL

@@ -5,6 +5,7 @@
 #define GLINT_MESH_TRIANGLE_H
 
 #include "glint_mesh.h"
+#include "glint_port.h"
 
 /* A corner of a triangle. */
 struct glint_mesh_corner {
@@ -46,10 +47,19 @@ enum glint_mesh_shine glint_mesh_values_set(struct glint_mesh_values *values,
 /* 2^43 / m to nearest, nearly: 2^15..2^16, for m = 2^27..2^28 - 1 of which the lower bits may be cut. */
 uint32_t glint_mesh_inverse(uint32_t m);
 
+#define GLINT_MESH_QUOTIENT(dy, up) (((UINT32_C(1) << (47 - (up))) + (dy) / 2) / (dy))
+
 /* Zero bits above the highest of x, which is not 0. */
 static inline unsigned glint_mesh_zeros(uint32_t x)
 {
     return (unsigned)(sizeof(int) >= sizeof x ? __builtin_clz((unsigned)x) : __builtin_clzl(x));
+}
+
+/* 2^(47 - up) / dy to nearest, nearly, of a height 0 < dy < 2^15 with so many zero bits above. Where there is a divider, by it below 2^13: there both
+ * are equal (tests/unit/lib/test_mesh_inverse.c). */
+static inline uint32_t glint_mesh_height_inverse(uint32_t dy, unsigned up)
+{
+    return GLINT_THUMB2 && up >= 19 ? GLINT_MESH_QUOTIENT(dy, up) : glint_mesh_inverse(dy << up >> 4);
 }
 
 /* What is linear over a triangle, from corner a on: how u and v, the places in it, change a pixel, times 2^e; and, times 2^(e - 1), from the
@@ -84,6 +94,13 @@ static inline uint32_t glint_mesh_size(int32_t x)
 /* r 2^-down to nearest, modulo 2^32. */
 static inline uint32_t glint_mesh_shift(int32_t r, int down)
 {
+#if GLINT_THUMB2 /* shifts by more than 31 are defined */
+    if (down <= 0)
+        __asm__("lsl %0, %0, %1" : "+r"(r) : "r"(-down));
+    else
+        __asm__("asr %0, %0, %1" : "+r"(r) : "r"(down - 1));
+    return (uint32_t)(down <= 0 ? r : (r + 1) >> 1);
+#endif
     if (down <= 0)
         return down > -32 ? (uint32_t)r << -down : 0;
     if (down > 31)

@@ -33,6 +33,13 @@
 #define GLINT_HELIUM 1
 #endif
 
+/* 1: loops of Cortex-M3 and later in Thumb-2, unless GLINT_DSP is set to 0. */
+#if GLINT_FUSED && defined(__thumb2__) && !defined(__ARM_BIG_ENDIAN) && (!defined(GLINT_DSP) || GLINT_DSP)
+#define GLINT_THUMB2 1
+#else
+#define GLINT_THUMB2 0
+#endif
+
 /* 1: loops by the DSP extension of Cortex-M4, M7, M33 and later, fused_dsp.c: where the compiler has it, unless it is set. 0: C without it. */
 #ifndef GLINT_DSP
 #if defined(__ARM_FEATURE_DSP) && defined(__ARM_ARCH_PROFILE) && !defined(__ARM_BIG_ENDIAN)

@@ -128,8 +128,15 @@ static void cayley_run(const struct glint_paint *paint, struct glint_sample *sam
         glint_blinn_run(paint, samples, count);
 }
 
-const struct glint_use_model glint_use_cayley GLINT_FLASH = {
-    GLINT_CAYLEY, 1, NULL, NULL, cayley_run, glint_cayley_t, glint_cayley_cutoff_t, NULL, NULL};
+const struct glint_use_model glint_use_cayley GLINT_FLASH = {GLINT_CAYLEY,
+                                                             1,
+                                                             NULL,
+                                                             NULL,
+                                                             cayley_run,
+                                                             glint_cayley_t,
+                                                             glint_cayley_cutoff_t,
+                                                             NULL,
+                                                             GLINT_LINE_OF(glint_line_cayley)};
 
 /* ---- of t and m, as r^4 for every n: p = 2^33 - 4 T - M, s = 2^33 - 4 T + M, M = 2^30 m ---- */
 
@@ -199,5 +206,12 @@ __attribute__((flatten)) static void cayley_grain_run(const struct glint_paint *
 
 static const struct glint_use_grain cayley_use_grain GLINT_FLASH = {cayley_grain_end, cayley_grain_run, cayley_grain,
                                                                     cayley_grain_reaches, GLINT_GRAIN_USE};
-const struct glint_use_model glint_use_cayley_grain GLINT_FLASH = {
-    GLINT_CAYLEY, 1, NULL, NULL, cayley_run, glint_cayley_t, glint_cayley_cutoff_t, &cayley_use_grain, NULL};
+const struct glint_use_model glint_use_cayley_grain GLINT_FLASH = {GLINT_CAYLEY,
+                                                                   1,
+                                                                   NULL,
+                                                                   NULL,
+                                                                   cayley_run,
+                                                                   glint_cayley_t,
+                                                                   glint_cayley_cutoff_t,
+                                                                   &cayley_use_grain,
+                                                                   GLINT_LINE_OF(glint_line_cayley)};

@@ -80,7 +80,7 @@ struct glint_mesh_place glint_mesh_place_of(const struct glint_mesh_drawn *drawn
     return pose_place(drawn, vertex);
 }
 
-void glint_mesh_normal(struct glint_vec *normal, const struct glint_mesh *mesh, unsigned vertex)
+static inline void pose_normal(struct glint_vec *normal, const struct glint_mesh *mesh, unsigned vertex)
 {
     if (mesh->normals) {
         const int16_t *n = mesh->normals + 3 * vertex;
@@ -93,6 +93,11 @@ void glint_mesh_normal(struct glint_vec *normal, const struct glint_mesh *mesh, 
         normal->y = (int16_t)((int32_t)n[1] * 258);
         normal->z = (int16_t)((int32_t)n[2] * 258);
     }
+}
+
+void glint_mesh_normal(struct glint_vec *normal, const struct glint_mesh *mesh, unsigned vertex)
+{
+    pose_normal(normal, mesh, vertex);
 }
 
 uint32_t glint_mesh_side(const struct glint_vec *a, const struct glint_vec *b)
@@ -146,12 +151,17 @@ static __attribute__((noinline)) struct glint_mesh_place pose_far(const struct g
     return place;
 }
 
-struct glint_mesh_place glint_mesh_project(const struct glint_mesh_frame *frame, struct glint_mesh_place place)
+static inline struct glint_mesh_place pose_project(const struct glint_mesh_frame *frame, struct glint_mesh_place place)
 {
     if (frame->distance)
         return pose_far(frame, place);
     place.z = place.z > 32767 ? 0 : place.z < -32767 ? 65534 : 32767 - place.z;
     return place;
+}
+
+struct glint_mesh_place glint_mesh_project(const struct glint_mesh_frame *frame, struct glint_mesh_place place)
+{
+    return pose_project(frame, place);
 }
 
 /* 32 bits are enough: with |N|, |H| <= 1.0 t is at most 2^31; of others it is what is left modulo 2^32. */
@@ -188,13 +198,13 @@ bool glint_mesh_vertices(const struct glint_mesh_frame *frame, const struct glin
     for (unsigned i = 0; i < drawn->mesh->vertex_count; i++, vertex++) {
         const struct glint_mesh_place place = pose_place(drawn, i);
         struct glint_vec normal;
-        glint_mesh_normal(&normal, drawn->mesh, i);
+        pose_normal(&normal, drawn->mesh, i);
         glint_mesh_light(vertex, drawn, &normal);
         if (glint_mesh_is_near(frame, place.z)) {
             any = vertex->out = GLINT_MESH_NEAR;
             continue;
         }
-        const struct glint_mesh_place at = glint_mesh_project(frame, place);
+        const struct glint_mesh_place at = pose_project(frame, place);
         vertex->out = 0;
         if (at.x < -guard || at.x > guard || at.y < -guard || at.y > guard) /* few are */
             any = vertex->out = pose_out(&at);

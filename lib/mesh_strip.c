@@ -15,15 +15,21 @@ struct tail {
 struct part {
     const struct glint_paint *paint;
     uint32_t t_end;
-    uint16_t end, number; /* end: GLINT_MESH_NONE, which is above all faces, of the last one */
+    const struct glint_tables *colours; /* NULL, or what its triangles are drawn by at once */
+    uint16_t end, number;               /* end: GLINT_MESH_NONE, which is above all faces, of the last one */
 };
 
 /* Alone, since the loop over a strip's faces has no register left for what this needs. */
-static __attribute__((noinline)) void part_set(struct part *part, const struct glint_mesh_drawn *drawn, unsigned number)
+static __attribute__((noinline)) void part_set(struct part *part, const struct glint_mesh_target *strip,
+                                               unsigned number)
 {
+    const struct glint_mesh_drawn *const drawn = strip->drawn;
     part->number = (uint16_t)number;
     part->paint = &drawn->paints[number];
     part->t_end = glint_mesh_t_end(part->paint);
+    part->colours = strip->rows == glint_mesh_rows && glint_mesh_is_colour(part->paint, strip)
+                        ? &part->paint->of.tables.filled
+                        : NULL;
     part->end = number + 1 < drawn->mesh->part_count ? drawn->mesh->ends[number] : GLINT_MESH_NONE;
 }
 
@@ -64,10 +70,12 @@ static __attribute__((noinline)) void draw_clipped(const struct glint_mesh_targe
 
 /* Draws it where its lines begin in the strip; does it go on after that? */
 static bool draw_on(const struct glint_mesh_target *strip, struct glint_mesh_triangle *triangle,
-                    const struct glint_paint *paint)
+                    const struct part *part)
 {
-    if (triangle->y < strip->end)
-        strip->rows(paint, triangle, strip);
+    if (part->colours && triangle->y >= strip->y && triangle->y < strip->end)
+        glint_mesh_colour(part->colours, triangle, strip);
+    else if (triangle->y < strip->end)
+        strip->rows(part->paint, triangle, strip);
     return triangle->y_end > strip->end;
 }
 
@@ -106,7 +114,7 @@ static void strip_face(const struct glint_mesh_target *strip, uint16_t i, const 
         draw_clipped(strip, i, part->paint);
     } else {
         glint_mesh_face_set(&kept->triangle, strip->drawn, face, part->t_end);
-        if (!draw_on(strip, &kept->triangle, part->paint))
+        if (!draw_on(strip, &kept->triangle, part))
             return;
     }
     if (!is_set || place == GLINT_MESH_NONE) {
@@ -125,20 +133,20 @@ static void strip_mesh(const struct glint_mesh_target *strip)
     uint16_t face = glint_mesh_take(drawn, strip->y, strip->end), place = drawn->kept;
     uint16_t kept_face = place == GLINT_MESH_NONE ? GLINT_MESH_NONE : glint_mesh_kept_at(frame, place)->face;
     struct part part;
-    part_set(&part, drawn, 0);
+    part_set(&part, strip, 0);
     for (;;) {
         const bool is_kept = kept_face < face;
         const uint16_t i = is_kept ? kept_face : face;
         if (i == GLINT_MESH_NONE)
             break;
         while (i >= part.end)
-            part_set(&part, drawn, part.number + 1u);
+            part_set(&part, strip, part.number + 1u);
         if (is_kept) {
             struct glint_mesh_kept *const kept = glint_mesh_kept_at(frame, place);
             const uint16_t at = place;
             place = kept->next;
             kept_face = place == GLINT_MESH_NONE ? GLINT_MESH_NONE : glint_mesh_kept_at(frame, place)->face;
-            if (draw_on(strip, &kept->triangle, part.paint)) {
+            if (draw_on(strip, &kept->triangle, &part)) {
                 add(&keep, at, &kept->next);
             } else {
                 kept->next = frame->free;
@@ -167,12 +175,33 @@ void glint_mesh_forget(struct glint_mesh_frame *frame, struct glint_mesh_drawn *
 }
 
 #if !GLINT_CORTEX_M0PLUS_ASM
-/* Two at a time. */
+/* Sixteen at a time. By what looks like a change of it compilers do not call memset, which on small machines often goes byte by byte. */
 void glint_mesh_clear(uint16_t *depth, uint32_t bytes)
 {
-    uint32_t *at = (uint32_t *)(void *)depth;
-    for (const uint32_t *const end = at + bytes / 4; at != end; at++)
-        *at = UINT32_MAX;
+    uint32_t *at = (uint32_t *)(void *)depth, far = UINT32_MAX;
+    const uint32_t *const end = at + bytes / 4;
+#if GLINT_THUMB2
+    while (end - at >= 16)
+        __asm__("mov r2, %1\n\t"
+                "mov r3, %1\n\t"
+                "mov r4, %1\n\t"
+                "mov r12, %1\n\t"
+                "stmia %0!, {r2, r3, r4, r12}\n\t"
+                "stmia %0!, {r2, r3, r4, r12}\n\t"
+                "stmia %0!, {r2, r3, r4, r12}\n\t"
+                "stmia %0!, {r2, r3, r4, r12}"
+                : "+r"(at)
+                : "r"(far)
+                : "r2", "r3", "r4", "r12", "memory");
+#endif
+    for (; end - at >= 8; at += 8) {
+        at[0] = at[1] = at[2] = at[3] = at[4] = at[5] = at[6] = at[7] = far;
+#if defined(__arm__) || defined(__riscv) || defined(__xtensa__)
+        __asm__("" : "+r"(far));
+#endif
+    }
+    while (at != end)
+        *at++ = far;
 }
 #endif
 

@@ -178,15 +178,15 @@ enum glint_mesh_shine glint_mesh_values_set(struct glint_mesh_values *values,
 #if !GLINT_CORTEX_M0PLUS_ASM
 /* The quotient by the inverse of dy: within 2^-16 of it or 2^-16 pixel a line. dx <= 2^15 - 2, so dx 2^16 < 2^31; the middle of the
  * first line is within dy of the corner where there is a line, so |step / 16| times that is at most 2^27. */
-static struct glint_mesh_edge edge_of(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b)
+static inline struct glint_mesh_edge edge_of(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b,
+                                             int32_t first, int32_t end)
 {
     struct glint_mesh_edge edge = {0, 0};
-    const int32_t first = glint_mesh_first(a->y);
-    if (first >= glint_mesh_first(b->y))
+    if (first >= end)
         return edge;
     const uint32_t dy = (uint32_t)(b->y - a->y); /* 1..2^15 - 2 */
     const unsigned up = glint_mesh_zeros(dy);    /* 17..31 */
-    edge.step = (b->x - a->x) * (int32_t)glint_mesh_inverse(dy << up >> 4) >> (31 - up);
+    edge.step = (b->x - a->x) * (int32_t)glint_mesh_height_inverse(dy, up) >> (31 - up);
     edge.x = (int32_t)a->x * 4096 + (edge.step >> 4) * (16 * first + 8 - a->y) - 32768 + 65535;
     return edge;
 }
@@ -210,18 +210,19 @@ bool glint_mesh_triangle_set(struct glint_mesh_triangle *triangle, const struct 
     edges_order(&first, &second);
     const struct glint_mesh_corner *const c[3] = {first, second, third};
     const struct glint_mesh_vertex *a = first->v, *b = second->v, *d = third->v;
-    triangle->y = (int16_t)glint_mesh_first(a->y);
-    triangle->y_middle = (int16_t)glint_mesh_first(b->y);
-    triangle->y_end = (int16_t)glint_mesh_first(d->y);
-    if (triangle->y >= triangle->y_end)
+    const int32_t y = glint_mesh_first(a->y), middle = glint_mesh_first(b->y), end = glint_mesh_first(d->y);
+    triangle->y = (int16_t)y;
+    triangle->y_middle = (int16_t)middle;
+    triangle->y_end = (int16_t)end;
+    if (y >= end)
         return false;
     const int32_t area = glint_mesh_area(a, b, d);
     if (area == 0)
         return false;
     triangle->long_is_left = area > 0; /* the middle corner is right of the long edge */
-    triangle->long_edge = edge_of(a, d);
-    triangle->upper = edge_of(a, b);
-    triangle->lower = edge_of(b, d);
+    triangle->long_edge = edge_of(a, d, y, end);
+    triangle->upper = edge_of(a, b, y, middle);
+    triangle->lower = edge_of(b, d, middle, end);
     triangle->shine = (uint8_t)glint_mesh_values_set(&triangle->values, c, area, shine, t_end);
     return true;
 }

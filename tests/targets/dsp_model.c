@@ -47,7 +47,7 @@ static bool carries(uint32_t w, uint32_t fraction)
 }
 
 enum format { NATIVE, SWAPPED, THREE, DITHERED, DITHERED_SWAPPED };
-enum model { MSH, SCHLICK, GGX };
+enum model { MSH, SCHLICK, GGX, CAYLEY };
 
 /* false: it is open. */
 static bool model_pixel(struct glint_line_loop *loop, const struct glint_vec *n, uint8_t *out, bool wide,
@@ -78,8 +78,15 @@ static bool model_pixel(struct glint_line_loop *loop, const struct glint_vec *n,
         } else if (model == MSH && !wide) {
             at <<= loop->up;
         }
-        const uint32_t root = smmlar((uint32_t)loop->v[0], at, (uint32_t)loop->v[1]);
-        const uint32_t f = over / (model == SCHLICK ? root : smmlar(root, root, 0));
+        uint32_t f;
+        if (model == CAYLEY) {
+            const uint32_t x = smmlar((uint32_t)loop->v[0], wide ? t : t << loop->up, 0);
+            const uint32_t r = (over - (x << 4)) / ((uint32_t)loop->v[1] + (x >> 12)), square = r * r;
+            f = (uint32_t)((uint64_t)square * square >> 48);
+        } else {
+            const uint32_t root = smmlar((uint32_t)loop->v[0], at, (uint32_t)loop->v[1]);
+            f = over / (model == SCHLICK ? root : smmlar(root, root, 0));
+        }
         const uint32_t both = ((f & 0xffff) | (s << 2 & 0xffff0000)) ^ 0x80008000;
         loop->last = out;
         for (int k = 0; k < 3; k++)
@@ -123,6 +130,7 @@ static bool model_pixel(struct glint_line_loop *loop, const struct glint_vec *n,
 MODEL_RUNS(msh, MSH)
 MODEL_RUNS(schlick, SCHLICK)
 MODEL_RUNS(ggx, GGX)
+MODEL_RUNS(cayley, CAYLEY)
 MODEL_RUN(glint_dsp_888, false, THREE, MSH)
 MODEL_RUN(glint_dsp_888_wide, true, THREE, MSH)
 MODEL_RUN(glint_dsp_msh_dither, false, DITHERED, MSH)
