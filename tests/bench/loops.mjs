@@ -114,7 +114,7 @@ export function measureLoop(machine, scene, row, n, lean = false) {
 // Rows whose pixels have no highlight, one that depends on their place, or one elsewhere have no sides.
 export const hasSides = (row) => row.look[LIGHTS] === 0 && row.map < 2 && MODELS[row.look[0]] !== 'phong'
 // Rows of which each scene is drawn.
-export const HAS_SCENES = /^(exact rect|colour int8|float folded|integer power|table power)$/
+export const HAS_SCENES = /^(exact rect|colour int8)$/
 
 // Cycles a covered pixel of lines of a scene (sphere.h).
 export function measureScene(machine, scene, row, n, which) {
