@@ -126,6 +126,7 @@ export function measureWorst(machine, row, line) {
 export function measureOpen(machine, scene, row) {
   machine.call('bench_begin', [row.at, N])
   machine.call('exact_fill')
+  machine.call('bench_light')
   let open = 0, covered = 0
   for (let y = 2; y < scene.height; y += 4) {
     scene.maps[0].copy(normalsOf(machine), 0, 6 * y * WIDTH)
