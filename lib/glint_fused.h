@@ -145,6 +145,29 @@ struct glint_use_line {
 bool glint_line_begin_888(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
 #define GLINT_LINE_BEGIN_888 glint_line_begin_888
 #define GLINT_LINE 1
+#elif GLINT_RISCV
+struct glint_line_loop {
+    /* of the rectangle: glint_line_begin */
+    int32_t l[3], h[3];
+    uint32_t p[3], q[3], r[3]; /* V = P + Q nl + R F, as glint_levels_sum has it */
+    uint32_t limit;            /* 2^32 - 2^7 W: from here on a fraction of a level, times 2^32, leaves it open */
+    uint32_t two_t_end;
+    uint32_t up, factor, addend, below, two_fifths, high, f_max; /* MSH's: riscv_msh */
+    const uint8_t *reciprocals;
+    bool swapped;
+    uint32_t dark; /* the pixel where N.L <= 0, in memory order; the caller's to set */
+    /* of the line: the caller */
+    uint8_t *out; /* of pixel 0; aligned to 2 */
+    uint32_t w;
+    const uint8_t *mask; /* NULL: every pixel is drawn; else those of 255 */
+    const struct glint_vec *normals;
+    const uint8_t *first,
+        *last;                  /* where in out pixels are lit: the caller sets first to the end of memory, last to 0 */
+    struct glint_sample sample; /* of one that is left open: the caller's */
+    /* Draws from pixel x on, up to one that the bound leaves open, or that is covered in part: its number, or w. */
+    uint32_t (*draw)(struct glint_line_loop *loop, uint32_t x);
+};
+#define GLINT_LINE 1
 #else
 #define GLINT_LINE 0
 #endif

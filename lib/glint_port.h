@@ -56,6 +56,19 @@
 #define GLINT_DSP 0
 #endif
 
+/* 1: the exact line of RGB565 under MSH in one loop, fused_riscv.c: where RISC-V has multiplication. 0: in passes. */
+#ifndef GLINT_RISCV
+#if defined(__riscv_mul) && __riscv_xlen == 32
+#define GLINT_RISCV 1
+#else
+#define GLINT_RISCV 0
+#endif
+#endif
+#if !GLINT_FUSED || GLINT_HELIUM || GLINT_DSP || GLINT_CORTEX_M0PLUS_ASM
+#undef GLINT_RISCV
+#define GLINT_RISCV 0
+#endif
+
 #ifndef __ASSEMBLER__ /* assembly takes the above alone */
 
 #include <stddef.h>

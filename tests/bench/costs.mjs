@@ -5,8 +5,8 @@
 // in the whole, 10 apart. Emulated cycles are the same on every computer, however busy it is.
 import { boot } from './m0plus.mjs'
 import { readScene } from './scene.mjs'
-import { evaluationRows, measureEvaluation } from './evaluations.mjs'
-import { SIDES, loopRows, measureLoop, measureSides } from './loops.mjs'
+import { evaluationRows, measureEvaluation, measureInput } from './evaluations.mjs'
+import { HAS_SCENES, hasSides, loopRows, measureLoop, measureScene } from './loops.mjs'
 import { LIT_MESHES, MESHES, hasAssembly, measureLitMesh, measureMesh } from './mesh.mjs'
 import { measureOpen, measureWorst, readWorst, worstRows } from './worst.mjs'
 
@@ -21,12 +21,14 @@ const SHININESSES = { 'exact rect': [5, 1000], 'albedo int8': [5] }
 
 const [folder, part, parts, match] = [process.argv[2], Number(process.argv[3]), Number(process.argv[4]), new RegExp(process.argv[5] ?? '')]
 const scene = readScene(`${folder}/scene`)
+const worst = readWorst()
 const machines = Object.fromEntries(['O2', 'asm'].map((build) => [build, boot(`${folder}/npm`, `${folder}/m0plus-${build}.elf`)]))
 
 function evaluation(row, n) {
   machines.O2.call('evaluation_begin', [n])
   const { mean, max } = measureEvaluation(machines.O2, row, n, scene.samples.get(n), true)
-  return [['call', mean.toFixed(0)], ['slowest', max]]
+  const input = worst.get(row.name)
+  return [['call', mean.toFixed(0)], ['slowest', max], ...input ? [['worst input', Math.max(max, measureInput(machines.O2, row, n, input[0]))]] : []]
 }
 
 function loop(build, row, n) {
@@ -34,10 +36,8 @@ function loop(build, row, n) {
   const figures = [['pixel', (shade / covered).toFixed(1)]]
   if (n !== 60) return figures
   figures.push(['frame pixel', (shade / pixels).toFixed(1)])
-  if (SIDES.test(row.name)) {
-    const { outside, inside } = measureSides(machines[build], scene, row, n)
-    figures.push(['outside', outside.toFixed(1)], ['inside', inside.toFixed(1)])
-  }
+  if (hasSides(row))
+    for (const side of ['outside', 'inside']) figures.push([side, measureScene(machines[build], scene, row, n, side).toFixed(1)])
   if (flash) figures.push(['tables in flash', flash.tables.toFixed(1)], ['maps in flash', flash.maps.toFixed(1)])
   if (build === 'asm') return figures
   if (fill) figures.push(['fill', fill])
@@ -45,7 +45,6 @@ function loop(build, row, n) {
   return [...figures, ['largest', quality.largest.toFixed(1)], ['mean', quality.mean.toFixed(2)]]
 }
 
-const worst = readWorst()
 function worstLine(row) {
   if (!worst.has(row.name)) throw new Error(`${row.name} is not in worst.tsv: make costs`)
   return [['open', (100 * measureOpen(machines.O2, scene, row)).toFixed(2)],
@@ -56,6 +55,9 @@ const jobs = evaluationRows(machines.O2).filter(({ name }) => !name.endsWith('_f
 for (const build of ['O2', 'asm']) {
   for (const row of loopRows(machines[build])) {
     if (build === 'asm' && !ASSEMBLY.test(row.name)) continue
+    for (const n of HAS_SCENES.test(row.name) ? scene.sceneN : [])
+      jobs.push(['scene', row.name, build, n, () => scene.scenes.filter((which) => !which.endsWith('side')).map((which) =>
+        [which, measureScene(machines[build], scene, row, n, which).toFixed(1)])])
     for (const n of [60, ...SHININESSES[row.name] ?? []]) jobs.push(['loop', row.name, build, n, () => loop(build, row, n)])
   }
 }

@@ -4,7 +4,7 @@ import { FLASH_WORD } from './flash.mjs'
 import { line } from './print.mjs'
 
 const TAKES = ['c', 't', 'lobe', 'float'] // enum evaluation_takes
-const CYCLES = 3e6 // emulated at most, about, for a row and n: fewer samples for what is slow
+const CYCLES = 3e6 // emulated at most, about, for a row and n: fewer samples; but for costs.tsv's all of the library's
 
 const floatBits = (x) => new Uint32Array(Float32Array.of(x).buffer)[0]
 const floatOf = (bits) => new Float32Array(Uint32Array.of(bits).buffer)[0]
@@ -20,12 +20,27 @@ export function evaluationRows(machine) {
   return list
 }
 
+const firstOf = (machine, takes, n) => takes === 'float' ? floatBits(n) : takes === 'lobe' ? machine.address('evaluation_lobe') : n
+
+// Cycles at an input, and the slowest input found: every cosine there is, of t their images and random ones.
+export const measureInput = (machine, { run, takes }, n, input) => machine.call(run, [firstOf(machine, takes, n), input]).cycles
+export function slowestInput(machine, row, n) {
+  let [most, at, state] = [0, 0, 1]
+  for (let c = 0; c <= 65536; c++) {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0
+    const input = row.takes === 'c' ? c : Math.min(2 ** 30, 16384 * c + (state >>> 18) * (c & 1))
+    const cycles = measureInput(machine, row, n, input)
+    if (cycles > most) [most, at] = [cycles, input]
+  }
+  return at
+}
+
 // lean: without the words that flash would deliver.
-export function measureEvaluation(machine, { run, takes }, n, samples, lean = false) {
-  const first = takes === 'float' ? floatBits(n) : takes === 'lobe' ? machine.address('evaluation_lobe') : n
+export function measureEvaluation(machine, { name, run, takes }, n, samples, lean = false) {
+  const first = firstOf(machine, takes, n)
   const second = ({ c, t }) => takes === 'float' ? floatBits(c / 65536) : takes === 'c' ? c : t
   const few = machine.call(run, [first, second(samples[0])]).cycles * samples.length / CYCLES
-  const step = Math.max(1, Math.ceil(few))
+  const step = lean && name.startsWith('glint') ? 1 : Math.max(1, Math.ceil(few))
   const cycles = []
   const [values, ts] = [[], []]
   for (const sample of samples.filter((_, i) => i % step === 0)) {

@@ -5,7 +5,7 @@ import { FLASH_WORD, flashWaits } from './flash.mjs'
 import { line } from './print.mjs'
 
 const RGB888 = 2
-const LOOK = 8 // struct sphere_look (sphere.h)'s bytes
+const LOOK = 8, LIGHTS = 6 // struct sphere_look (sphere.h)'s bytes
 
 // The program's bench_loops[] (loops.h).
 export function loopRows(machine) {
@@ -111,60 +111,32 @@ export function measureLoop(machine, scene, row, n, lean = false) {
   return { fill, frame, shade, pixels, covered, words, flash, quality: same.result(), rgb888_psnr: deep.result().psnr }
 }
 
-// Outside and inside the highlight by themselves: cycles of lines that have only such pixels of the scene.
-export const SIDES = /^(exact rect|exact span 16|colour int8|colour span 16|albedo int8)$/
-const unit = (v) => v.map((x) => x / Math.hypot(...v))
-const L = unit([1, 1, 1]), H = unit([L[0], L[1], L[2] + 1])
+// Rows whose pixels have no highlight, one that depends on their place, or one elsewhere have no sides.
+export const hasSides = (row) => row.look[LIGHTS] === 0 && row.map < 2 && MODELS[row.look[0]] !== 'phong'
+// Rows of which each scene is drawn.
+export const HAS_SCENES = /^(exact rect|colour int8)$/
 
-// Places of the scene's lit pixels, line by line: where MSH's F is 2^-q at least, and where not.
-function sidesOf(scene, n) {
-  const lines = []
-  for (let y = 0; y < scene.height; y++) {
-    const found = { inside: [], outside: [] }
-    for (let x = 0; x < scene.width; x++) {
-      const at = 6 * (y * scene.width + x), normal = [0, 2, 4].map((k) => scene.maps[0].readInt16LE(at + k) / 32768)
-      const dot = (v) => normal[0] * v[0] + normal[1] * v[1] + normal[2] * v[2], c = dot(H)
-      if (dot(L) > 0) found[c > 0 && 2 * c / (1.25 * (n - n * c + 1.25 * c) ** 2) >= 2 ** -scene.q ? 'inside' : 'outside'].push(y * scene.width + x)
-    }
-    lines.push(found)
-  }
-  return lines
-}
-
-export function measureSides(machine, scene, row, n) {
+// Cycles a covered pixel of lines of a scene (sphere.h).
+export function measureScene(machine, scene, row, n, which) {
   const { width } = scene, at = machine.address('bench_line'), normals = machine.bytes(at, 6 * width)
-  const map = scene.maps[row.map], bytes = row.map === 0 ? 0 : map.length / (width * scene.height) // INT16: there already
-  const out = machine.bytes(machine.address('bench_map'), bytes * width)
+  const lines = scene.lines(which, row.map), all = lines[0].length, taken = /side$/.test(which) ? scene.sideLines : all
   const call = (step) => step ? machine.call(step).cycles : 0
   machine.call('bench_begin', [row.at, n])
-  scene.palette.copy(machine.bytes(machine.address('bench_palette'), scene.palette.length))
   call(row.fill)
   call(row.frame)
-  const all = sidesOf(scene, n), result = {}
-  for (const side of ['outside', 'inside']) {
-    // A span needs its neighbours: lines of this side alone, where they are. Others are filled with pixels one after another.
-    const places = all.map((line) => line[side])
-    const lines = row.prepare ? places.filter((line, y) => line.length && (side === 'inside' || !all[y].inside.length)) : []
-    for (let flat = row.prepare ? [] : places.flat(); flat.length >= width; flat = flat.slice(width)) lines.push(flat.slice(0, width))
-    let cycles = 0, pixels = 0
-    for (let i = 0; i < lines.length; i += 8) {
-      normals.fill(0)
-      out.fill(0)
-      lines[i].forEach((place, k) => {
-        const x = row.prepare ? place % width : k
-        scene.maps[0].copy(normals, 6 * x, 6 * place, 6 * place + 6)
-        map.copy(out, bytes * x, bytes * place, bytes * (place + 1))
-      })
-      machine.call('bench_line_begin', [100])
-      call(row.pack)
-      call(row.prepare)
-      cycles += call(row.shade)
-      pixels += lines[i].length
-    }
-    result[side] = cycles / pixels
+  let cycles = 0, pixels = 0
+  for (let i = 0; i < taken; i++) {
+    const k = Math.floor((i + .5) * all / taken)
+    lines[0][k].copy(normals)
+    if (row.map) lines[1][k].copy(machine.bytes(machine.address('bench_map'), lines[1][k].length))
+    machine.call('bench_line_begin', [Math.floor((k + .5) * scene.height / all)])
+    call(row.pack)
+    call(row.prepare)
+    cycles += call(row.shade)
+    pixels += machine.bytes(machine.address('bench_line') + 9 * width, width).reduce((sum, x) => sum + (x ? 1 : 0), 0)
   }
-  if (machine.half(machine.address('bench_error'))) throw new Error(`${row.name}, outside and inside: a call returned an error`)
-  return result
+  if (machine.half(machine.address('bench_error'))) throw new Error(`${row.name}, ${which}: a call returned an error`)
+  return cycles / pixels
 }
 
 function figuresOf(row, flags, n, scene, { fill, frame, shade, pixels, covered, words, flash, quality, rgb888_psnr }) {

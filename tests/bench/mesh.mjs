@@ -3,7 +3,7 @@
 const SIZE = 240, LINES = 16, EMPTY = 0x5a // no pixel of the material is 5a5a
 
 // Rows of costs.tsv: mesh.c's meshes and ways; the assembly is for tables.
-const TABLES = 0, EXACT = 1, GOURAUD = 2, DARK = 3, POINT = 4, FOUR_POINTS = 5, TEXTURED = 6, SMOOTH = 7, TEXTURED_EXACT = 8, TEXTURED_FAR = 9, COLOURED = 10
+const TABLES = 0, EXACT = 1, GOURAUD = 2, DARK = 3, POINT = 4, TEXTURED = 8, SMOOTH = 9, TEXTURED_EXACT = 10, TEXTURED_FAR = 11, COLOURED = 12
 export const MESHES = [['mesh teapot', 0, TABLES], ['mesh teapot split', 1, TABLES], ['mesh teapot exact', 0, EXACT],
   ['mesh teapot split exact', 1, EXACT], ['mesh teapot gouraud', 0, GOURAUD], ['mesh teapot split gouraud', 1, GOURAUD], ['mesh bunny', 3, TABLES],
   ['mesh teapot, 18 kept', 2, TABLES], ['mesh teapot exact, 18 kept', 2, EXACT],
@@ -11,7 +11,8 @@ export const MESHES = [['mesh teapot', 0, TABLES], ['mesh teapot split', 1, TABL
   ['mesh teapot textured', 0, TEXTURED], ['mesh teapot textured, bilinear', 0, SMOOTH], ['mesh teapot coloured', 0, COLOURED],
   ['mesh teapot textured, perspective', 0, TEXTURED_FAR], ['mesh teapot textured exact', 0, TEXTURED_EXACT]]
 // Under points: beside no light, and beside rectangles of the same normals.
-export const LIT_MESHES = [['mesh teapot point', 0, POINT], ['mesh teapot four points', 0, FOUR_POINTS],
+export const LIT_MESHES = [['mesh teapot point', 0, POINT], ['mesh teapot two points', 0, POINT + 1],
+  ['mesh teapot three points', 0, POINT + 2], ['mesh teapot four points', 0, POINT + 3],
   ['mesh teapot split point', 1, POINT]]
 export const hasAssembly = ([, , way]) => way === TABLES || way === TEXTURED || way === SMOOTH || way === TEXTURED_FAR || way === COLOURED
 

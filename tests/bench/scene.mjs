@@ -12,9 +12,15 @@ const MAPS = ['int16', 'int8', 'palette-offsets'] // enum bench_map
 export const LINE_BYTES = [2, 2, 3, 1, 1 / 8, 3, 4, 4, 1 / 2, 1 / 4]
 
 export function readScene(folder) {
-  const { width, height, q, covered, n } = JSON.parse(readFileSync(`${folder}/scene.json`, 'utf8'))
+  const { width, height, q, covered, n, scenes, scene_n: sceneN, side_lines: sideLines } = JSON.parse(readFileSync(`${folder}/scene.json`, 'utf8'))
   const maps = MAPS.map((name) => readFileSync(`${folder}/${name}.bin`))
   const palette = readFileSync(`${folder}/palette.bin`), normals = maps[0]
+  // A scene's lines: of int16 normals and, for map 1, of int8.
+  const stored = MAPS.slice(0, 2).map((name) => readFileSync(`${folder}/lines-${name}.bin`))
+  const lines = (which, map) => stored.slice(0, 1 + map).map((bytes, i) => {
+    const line = (i ? 4 : 6) * width, count = bytes.length / line / scenes.length, first = scenes.indexOf(which) * count
+    return Array.from({ length: count }, (_, k) => bytes.subarray((first + k) * line, (first + k + 1) * line))
+  })
   const samples = new Map(n.map((k) => [k, []]))
   for (const line of readFileSync(`${folder}/samples.txt`, 'utf8').trim().split('\n')) {
     const [k, c, t] = line.split(' ').map(Number)
@@ -31,7 +37,7 @@ export function readScene(folder) {
     const input = ts.map((t) => `${t * 2 ** 30}\n`).join('')
     return execFileSync(`${folder}/scene`, ['real', n, model].map(String), { input, encoding: 'utf8' }).trim().split('\n').map(Number)
   }
-  return { width, height, q, covered, n, maps, palette, samples, covers, exact, real }
+  return { width, height, q, covered, n, scenes, sceneN, sideLines, lines, maps, palette, samples, covers, exact, real }
 }
 
 // A pixel's levels of 255: three, or one.

@@ -2,6 +2,8 @@
 #include "sphere.h"
 
 const uint16_t sphere_n[SPHERE_N_COUNT] = {5, 10, 60, 200, 1000};
+const uint16_t scene_n[SCENE_N_COUNT] = {20, 60, 200};
+const char *const scene_names[SCENE_COUNT] = {"sphere", "waves", "dome", "checks", "inside", "outside"};
 
 const int32_t sphere_viewer[3] = {0, 0, 1};
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * The scene that is measured: a sphere on 60 % of 320x240 pixels, lit from (1, 1, 1), seen from far in front. */
+ * The scene that is measured: a sphere on 60 % of 320x240 pixels, lit from (1, 1, 1), seen from far in front; and others, from which a user
+ * adds up his own. */
 #ifndef GLINT_BENCH_SPHERE_H
 #define GLINT_BENCH_SPHERE_H
 
@@ -15,6 +16,13 @@ enum {
     SPHERE_PALETTE = 4096 /* entries at most, the one for no surface included */
 };
 extern const uint16_t sphere_n[SPHERE_N_COUNT];
+
+/* Beside the sphere, all over the picture, as lines of the same light: waves, a dome, the sphere in checks of 4 pixels; and for n = 60 lit pixels
+ * of the highlight of every model but Phong, and beyond each. */
+enum bench_scene { SCENE_SPHERE, SCENE_WAVES, SCENE_DOME, SCENE_CHECKS, SCENE_INSIDE, SCENE_OUTSIDE, SCENE_COUNT };
+enum { SCENE_PICTURES = SCENE_INSIDE, SCENE_N_COUNT = 3, SCENE_SIDE_LINES = 3 /* what is enough of the last two */ };
+extern const uint16_t scene_n[SCENE_N_COUNT]; /* the pictures' */
+extern const char *const scene_names[SCENE_COUNT];
 
 /* One directional white light; other kinds; four points, also of colours 2, 4 and 16, over a material so much darker. */
 enum sphere_lights {

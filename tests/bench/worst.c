@@ -65,6 +65,6 @@ void worst_begin(void)
             bench_albedo[x][k] = albedo[k];
         bench_line.mask[x] = 255;
     }
-    bench_line.y = 0;
+    bench_line.y = bench_loop->look.lights ? SPHERE_H / 2 : 0; /* within a spot's cone */
 }
 #endif

@@ -15,7 +15,7 @@ enum { GRAIN_NONE, GRAIN_BRUSHED, GRAIN_SPUN, GRAIN_SUNRAY, GRAIN_MAP, GRAIN_SHI
 #define LINES_GRAIN GLINT_CORTEX_M0PLUS_ASM  /* and grain? */
 /* By the DSP extension without an albedo map and a clamped peak alone: fewer cases have one. More cases, as QEMU is quick. */
 #ifndef LINES_CASES
-#define LINES_CASES (GLINT_DSP ? 40000 : 3000)
+#define LINES_CASES (GLINT_DSP || GLINT_RISCV ? 40000 : 3000)
 #endif
 enum {
     CASES = LINES_CASES,
@@ -34,7 +34,7 @@ static uint32_t taken; /* rectangles that the line drew */
 bool __wrap_glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo)
 {
     const bool whole = __real_glint_line_begin(loop, paint, albedo);
-#if GLINT_CORTEX_M0PLUS_ASM
+#if GLINT_CORTEX_M0PLUS_ASM || GLINT_RISCV
     if (whole)
         loop->limit = 0 - (0 - loop->limit) / LINES_FAULT;
 #elif GLINT_HELIUM

@@ -8,8 +8,8 @@
 void clock_begin(void);
 uint32_t clock_now(void); /* modulo 2^32 */
 
-/* The k-th of the sphere's SPHERE_LINES lines (lines.S) goes to bench_line.normals, of another map to bench_map; of
- * MAP_PALETTE bench_palette is set, too. */
+/* The k-th of the scenes' lines (lines.S), of which the first SPHERE_LINES are the sphere's, goes to bench_line.normals, of another map to
+ * bench_map; of MAP_PALETTE, which has the sphere's alone, bench_palette is set, too. The AVR has only the sphere's. */
 void sphere_line(enum bench_map map, unsigned k);
 
 /* Print by machine_put. A record's fields end with ';' but for the last, whose end is that of the line. */

@@ -11,8 +11,12 @@
 \name:
     .incbin "\file"
 .endm
+#ifdef __AVR__ /* the sphere's */
+    .global lines_int16
+lines_int16:
+    .incbin "lines-int16.bin", 0, 15 * 320 * 6
+#else
     stored lines_int16 lines-int16.bin
-#ifndef __AVR__
     stored lines_int8 lines-int8.bin
     stored lines_palette_offsets lines-palette-offsets.bin
     stored stored_palette palette.bin

@@ -4,8 +4,8 @@
 
 #include "clock.h"
 
-extern const struct glint_vec lines_int16[SPHERE_LINES][SPHERE_W], stored_palette[], stored_palette_end[];
-extern const uint32_t lines_int8[SPHERE_LINES][SPHERE_W];
+extern const struct glint_vec lines_int16[SCENE_COUNT * SPHERE_LINES][SPHERE_W], stored_palette[], stored_palette_end[];
+extern const uint32_t lines_int8[SCENE_COUNT * SPHERE_LINES][SPHERE_W];
 extern const uint16_t lines_palette_offsets[SPHERE_LINES][SPHERE_W];
 
 void sphere_line(enum bench_map map, unsigned k)

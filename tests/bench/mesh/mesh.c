@@ -107,7 +107,7 @@ static int lights_of(enum mesh_way way, struct glint_light lights[GLINT_LIGHTS_M
     static const int32_t to_light[3] = {-4, 6, 8};
     static const int32_t places[GLINT_LIGHTS_MAX][3] = {
         {LEFT, TOP, AWAY}, {RIGHT, TOP, AWAY}, {LEFT, BOTTOM, AWAY}, {RIGHT, BOTTOM, AWAY}};
-    const int count = way == MESH_DARK ? 0 : way == MESH_FOUR_POINTS ? 4 : 1;
+    const int count = (int)way - MESH_DARK;
     if (way < MESH_DARK || way >= MESH_TEXTURED)
         return glint_light_directional(lights, to_light) ? -1 : 1;
     for (int i = 0; i < count; i++)

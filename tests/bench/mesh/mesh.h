@@ -11,7 +11,7 @@ enum { MESH_WIDTH = 240, MESH_HEIGHT = 240, MESH_LINES = 16 };
 #define MESH_BUNNY 0
 #endif
 
-/* From MESH_DARK on exactly: under no light, one white point, four. With a texture, by ALBEDO tables: nearest, bilinear; exactly; under perspective
+/* From MESH_DARK on exactly: under no light, one white point to four. With a texture, by ALBEDO tables: nearest, bilinear; exactly; under perspective
  * by tables. By colours of vertices, by ALBEDO tables. */
 enum mesh_way {
     MESH_BY_TABLES,
@@ -19,6 +19,8 @@ enum mesh_way {
     MESH_GOURAUD,
     MESH_DARK,
     MESH_POINT,
+    MESH_TWO_POINTS,
+    MESH_THREE_POINTS,
     MESH_FOUR_POINTS,
     MESH_TEXTURED,
     MESH_SMOOTH,

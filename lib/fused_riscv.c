@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: MIT
+ * The exact line of RGB565 under MSH in one loop of C, for RISC-V with multiplication: samples, F and levels of a pixel stay in registers, and
+ * products' upper halves take the place of shifts. The same integers as sample.c, lobe_msh.c and glint_levels_rgb have, but for 2/5 of the
+ * quotient, which is nearer. */
+#include "glint_fused.h"
+
+#if GLINT_RISCV
+#include "glint_math.h"
+#include "glint_offsets.h"
+#include "glint_pixel.h"
+
+GLINT_INLINE uint32_t riscv_high(uint32_t a, uint32_t b)
+{
+    return (uint32_t)((uint64_t)a * b >> 32);
+}
+
+/* x 2^s >= 2^27 */
+GLINT_INLINE unsigned riscv_up(uint32_t x)
+{
+#ifdef __riscv_zbb
+    return (unsigned)__builtin_clz(x) - 4;
+#else
+    unsigned s = 0;
+    for (; !(x >> 27); s++)
+        x <<= 1;
+    return s;
+#endif
+}
+
+GLINT_INLINE uint32_t riscv_least(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
+/* What is needed in the highlight alone is read there, and not before: else compilers keep it on the stack. */
+#define RISCV_READ(field) (((const volatile struct glint_line_loop *)loop)->field)
+#define RISCV_STEP() __asm__ volatile("" ::: "memory")
+
+/* msh_near: F 2^16, never high, for t < t_end. m = floor(k t / 2^14) + 5 2^(16 + up), as floor(k 2^(18 - b) t 2^b / 2^32). */
+GLINT_INLINE uint32_t riscv_msh(const struct glint_line_loop *loop, uint32_t t)
+{
+    uint32_t m = riscv_high(t << RISCV_READ(up), RISCV_READ(factor)) + RISCV_READ(addend);
+    const unsigned s = riscv_up(m);
+    m <<= s;
+    const uint32_t y = RISCV_READ(reciprocals)[(m >> 21) - 64];
+    const int32_t r = (int32_t)(m * y) >> 14;
+    const int32_t p = (r * (3 * r - (r * r >> 19)) >> 22) - r;
+    const uint32_t b = (((GLINT_T_ONE - t) >> 6) * y >> 8) * y;
+    const uint32_t x = b + (uint32_t)((int32_t)(b >> 16) * p >> 4);
+    RISCV_STEP();
+    const unsigned below = RISCV_READ(below) - 2 * s;
+    const uint32_t q = riscv_high(x, RISCV_READ(two_fifths)) - RISCV_READ(high);
+    return riscv_least((q + ((uint32_t)1 << below)) >> below >> 1, RISCV_READ(f_max));
+}
+
+static uint32_t riscv_draw(struct glint_line_loop *loop, uint32_t x)
+{
+    static const uint8_t full = 255;
+    const unsigned step = loop->mask ? 1 : 0;
+    const uint8_t *mask = loop->mask ? loop->mask + x : &full;
+    const struct glint_vec *normal = loop->normals + x, *const end = loop->normals + loop->w;
+    uint16_t *out = (uint16_t *)(void *)(loop->out + 2 * x);
+    const int32_t lx = loop->l[0], ly = loop->l[1], lz = loop->l[2], hx = loop->h[0], hy = loop->h[1], hz = loop->h[2];
+    const uint32_t q0 = loop->q[0], q1 = loop->q[1], q2 = loop->q[2], two_t_end = loop->two_t_end;
+    const uint32_t most = (uint32_t)31 << GLINT_LINE_SHIFT, most_green = (uint32_t)63 << GLINT_LINE_SHIFT;
+    for (; normal != end; normal++, out++, mask += step) {
+        if (*mask != 255) {
+            if (*mask)
+                break;
+            continue;
+        }
+        const int32_t nx = normal->x, ny = normal->y, nz = normal->z;
+        const int32_t dot = (((nx * lx + ny * ly + nz * lz) >> 13) + 1) >> 1;
+        if (dot <= 0) {
+            *out = (uint16_t)RISCV_READ(dark);
+            continue;
+        }
+        const uint32_t nl = riscv_least((uint32_t)dot, 65536);
+        const int32_t dx = nx - hx, dy = ny - hy, dz = nz - hz;
+        const uint32_t xx = (uint32_t)dx * (uint32_t)dx, xy = xx + (uint32_t)dy * (uint32_t)dy;
+        const uint32_t zz = (uint32_t)dz * (uint32_t)dz, sum = xy + zz;
+        uint32_t red, green, blue;
+        if (sum < two_t_end && xy >= xx && sum >= zz) {
+            const uint32_t f = riscv_msh(loop, sum >> 1);
+            RISCV_STEP();
+            red = RISCV_READ(r[0]) * f + q0 * nl;
+            green = RISCV_READ(r[1]) * f + q1 * nl;
+            blue = RISCV_READ(r[2]) * f + q2 * nl;
+            loop->last = (uint8_t *)out;
+            if (loop->first > (uint8_t *)out)
+                loop->first = (uint8_t *)out;
+        } else {
+            red = q0 * nl;
+            green = q1 * nl;
+            blue = q2 * nl;
+        }
+        red = riscv_least(red + RISCV_READ(p[0]), most);
+        green = riscv_least(green + RISCV_READ(p[1]), most_green);
+        blue = riscv_least(blue + RISCV_READ(p[2]), most);
+        const uint32_t limit = RISCV_READ(limit);
+        if (red << (32 - GLINT_LINE_SHIFT) >= limit || green << (32 - GLINT_LINE_SHIFT) >= limit ||
+            blue << (32 - GLINT_LINE_SHIFT) >= limit)
+            break;
+        uint32_t pixel = red >> GLINT_LINE_SHIFT << 11 | green >> GLINT_LINE_SHIFT << 5 | blue >> GLINT_LINE_SHIFT;
+        if (RISCV_READ(swapped))
+            pixel = pixel << 8 | pixel >> 8;
+        *out = (uint16_t)pixel;
+    }
+    return (uint32_t)(normal - loop->normals);
+}
+
+bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *p, bool albedo)
+{
+    const uint32_t t_end = p->of.exact.t_end;
+    const int32_t factor = p->of.exact.k[GLINT_MSH_FACTOR];
+    if (albedo || p->model->model != GLINT_MSH || p->of.exact.shift != GLINT_LINE_SHIFT || p->output.dither ||
+        factor <= 0 || t_end >> 13 == 0)
+        return false;
+    loop->l[0] = p->l.x, loop->l[1] = p->l.y, loop->l[2] = p->l.z;
+    loop->h[0] = p->h.x, loop->h[1] = p->h.y, loop->h[2] = p->h.z;
+    for (int k = 0; k < 3; k++) {
+        loop->p[k] = p->of.exact.p[k];
+        loop->q[k] = p->of.exact.q[k];
+        loop->r[k] = p->of.exact.r[k];
+    }
+    loop->limit = 0 - (p->of.exact.w << (32 - GLINT_LINE_SHIFT));
+    loop->two_t_end = 2 * t_end;
+    loop->up = 0; /* k t < 2^42, so that one of both has room for each bit */
+    while (loop->up < 18 && t_end >> (31 - loop->up) == 0)
+        loop->up++;
+    loop->factor = (uint32_t)factor << (18 - loop->up);
+    loop->addend = (uint32_t)p->of.exact.k[GLINT_MSH_ADDEND];
+    loop->below = (uint32_t)p->of.exact.k[GLINT_MSH_SHIFT] - 1;
+    loop->two_fifths = UINT32_C(1717986918); /* low by less than 1 of the quotient */
+    loop->high = GLINT_MSH_HIGH;
+    loop->reciprocals = glint_reciprocals;
+    loop->f_max = p->of.exact.f_max;
+    loop->swapped = p->output.format == GLINT_RGB565_SWAPPED;
+    loop->draw = riscv_draw;
+    return true;
+}
+#endif
