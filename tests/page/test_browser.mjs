@@ -31,7 +31,7 @@ run([
     ['the page opens from a file and shows a picture, the lobe, errors and costs', async () => {
         await browser.go()
         await shownIsDrawn()
-        await browser.until(() => document.body.dataset.rested !== undefined && document.querySelectorAll('#extent dt').length === 5)
+        await browser.expert()
         equal(await page.evaluate(() => document.querySelectorAll('#curve polyline').length), 3, 'curves')
         check((await browser.text('errors')).includes('msh in double'), 'no errors')
         const costs = await browser.text('costs')
@@ -69,7 +69,7 @@ run([
         await input.uploadFile(`${command.folder}/mask.png`)
         await browser.until(() => document.body.dataset.drawn?.includes('mask.png'))
         await shownIsDrawn()
-        await browser.set('map-scale', '30')
+        await browser.set('control-scale', '30')
         check((await shownIsDrawn()).includes('--scale=30'), 'no --scale')
     }],
     ['a wrong file gives a sentence, and the picture stays', async () => {

@@ -25,6 +25,9 @@ void PAGE_EXPORT(page_mesh_file)(char *name, uint8_t *bytes, size_t len);
  * formula, with tabs between. */
 const char *PAGE_EXPORT(page_lists)(void);
 
+/* Would the words of `glint render` be refused, whatever the files hold? Then the program ends with a line. */
+void PAGE_EXPORT(page_check)(char *words, size_t bytes);
+
 /* ---- the picture ---- */
 
 /* Draws by the words of `glint render`, the first being the command's name. What did not change since the call before is

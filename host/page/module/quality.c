@@ -111,7 +111,11 @@ const char *page_facts(void)
     unsigned mean[3];
     FILE *out = text_open(&text);
     fprintf(out, "n %u\nacross %u\nq %u\n", shading->n, shading->n_across ? shading->n_across : shading->n, shading->q);
-    fprintf(out, "grain %u\n", now->scene ? now->scene->grain.kind : GLINT_GRAIN_BRUSHED);
+    struct glint_maps maps = {.grain_kind = GLINT_GRAIN_BRUSHED};
+    if (now->scene)
+        scene_add_grain(now->scene, shading, 0, &maps);
+    fprintf(out, "grain %u\ngrain_at %" PRId32 " %" PRId32 "\n",
+            now->scene ? now->scene->grain.kind : GLINT_GRAIN_BRUSHED, maps.grain_at[0], maps.grain_at[1]);
     put3(out, "ambient_q16", m->ambient_q16);
     put3(out, "diffuse_q16", m->diffuse_q16);
     put3(out, "specular_q16", m->specular_q16);

@@ -62,6 +62,7 @@ export class Engine {
     private surfaceWarnings: string[] = []
     private drawn: string[] = []
     private frames = 0
+    private checker?: Module
 
     constructor(private program: WebAssembly.Module) {
         this.module = new Module(program)
@@ -107,6 +108,21 @@ export class Engine {
             const width = call.page_width(), height = call.page_height()
             const rgba = this.module.copy(call.page_rgba(), 4 * width * height)
             return { width, height, rgba, warnings: this.surfaceWarnings, milliseconds, kept: keep === keepCanvas }
+        })
+    }
+
+    /** Why the command would refuse each of these lines, whatever files hold; '': it would not. */
+    refusals(lines: string[][]): string[] {
+        return lines.map(words => {
+            const module = this.checker ??= new Module(this.program)
+            try {
+                const bytes = new TextEncoder().encode(['glint render', ...words].map(word => word + '\0').join(''))
+                module.call.page_check(module.put(bytes), bytes.length)
+                return ''
+            } catch (error) {
+                this.checker = undefined
+                return (error as Error).message
+            }
         })
     }
 
