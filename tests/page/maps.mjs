@@ -2,7 +2,7 @@
 // PNG files of every kind that people drop, from formulas: no encoder is in between that could choose another kind.
 import { deflateSync } from 'node:zlib'
 
-function crc(bytes) { // node 18's zlib has none
+export function crc(bytes) { // node 18's zlib has none
     let value = ~0
     for (const byte of bytes) {
         value ^= byte

@@ -145,7 +145,7 @@ run([
             return [width * devicePixelRatio / canvas.width, canvas.classList.contains('smooth')]
         })]
         const [fit] = await zoom()
-        for (const [id, expected] of [['zoom-in', fit + 1], ['zoom-out', fit], ['zoom-out', fit - 1], ...[3, 2.5, 2, 1.5].filter(scale => scale < fit - 1).map(scale => ['zoom-out', scale]), ['zoom-fit', fit]]) {
+        for (const [id, expected] of [['zoom-in', fit + 1], ['zoom-out', fit], ['zoom-out', fit - 1], ...[3, 2.5, 2, 1.75, 1.5].filter(scale => scale < fit - 1).map(scale => ['zoom-out', scale]), ['zoom-fit', fit]]) {
             for (let said; (said = (await zoom())[0]) !== expected;) {
                 await page.click(`#${id}`)
                 check((await zoom())[0] !== said, `${id} changes nothing`)
@@ -398,7 +398,7 @@ run([
             await browser.until(name => document.body.dataset.drawn?.includes(name), name)
             const now = await shownIsDrawn()
             check(now.includes(word), now.join(' '))
-            await new Promise(resolve => setTimeout(resolve, 400)) // until it is kept, and the address is written
+            await browser.until(name => document.body.dataset.kept === name && location.hash.includes(name), name)
             await page.reload()
             await browser.until(() => document.body.dataset.drawn !== undefined)
             equal(await browser.text('refusal'), '', 'what it says')

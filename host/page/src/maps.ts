@@ -31,6 +31,7 @@ async function take(file: File, kind: Kind): Promise<void> {
     }
     if (!refusal) {
         await keepFile(name)
+        document.body.dataset.kept = name
         return
     }
     if (had)

@@ -9,6 +9,7 @@ export type Kind = 'c' | 'arduino' | 'lvgl'
 export function pictureHeader(state: State, facts: Facts, normals: string, format: string): string {
     const has = (map: string) => normals.includes(`normals_${map}[`)
     const maps = ['coverage', 'shininess', 'gloss', 'grain'].filter(has).map(map => `    maps.${map} = normals_${map} + (size_t)y * NORMALS_WIDTH;\n    maps.${map}_stride = NORMALS_WIDTH;\n`)
+    const isGrained = facts.across[0] !== facts.n[0] || has('shininess')
     const grain = facts.across[0] !== facts.n[0] && !has('grain')
         ? `    maps.grain_kind = GLINT_GRAIN_${['BRUSHED', 'SPUN', 'SUNRAY'][facts.grain[0]]};\n    maps.grain_at[0] = ${facts.grain_at[0]};\n    maps.grain_at[1] = ${facts.grain_at[1]};\n` : ''
     const group = state.space === 'linear' ? 'linear' : /565/.test(format) ? 'rgb565' : /888/.test(format) ? 'rgb888' : 'grey'
@@ -25,7 +26,7 @@ static struct glint_light picture_lights[material_light_count];
 /* Once, before picture_draw. */
 static inline enum glint_err picture_begin(void)
 {
-    enum glint_err error = glint_paint_exact_for(&picture_paint, &material, &material_output, &glint_use_${state.model ?? 'msh'}, &glint_use_${group});
+    enum glint_err error = glint_paint_exact_for(&picture_paint, &material, &material_output, &glint_use_${state.model ?? 'msh'}${isGrained ? '_grain' : ''}, &glint_use_${group});
     return error ? error : material_light(&picture_paint, picture_lights);
 }
 

@@ -5,8 +5,8 @@ import { onDrawn } from './picture'
 import { current, onChange } from './store'
 
 const canvas = byId<HTMLCanvasElement>('canvas'), stage = byId('stage'), bezel = byId('bezel')
-/** Of the screen's pixels, to one of the panel's; between whole numbers pixels are blended. */
-const scales = [1 / 8, 1 / 4, 1 / 3, 1 / 2, 1, 1.5, 2, 2.5, ...Array.from({ length: 30 }, (_, i) => i + 3)]
+/** The screen's pixels to one of the panel's; where that is no whole number pixels are blended. */
+const scales = [1 / 8, 1 / 4, 1 / 3, 1 / 2, 3 / 4, 1, 1.25, 1.5, 1.75, 2, 2.5, ...Array.from({ length: 30 }, (_, i) => i + 3)]
 let chosen: number | undefined // none: as large as fits
 
 export const shapes = ['square', 'round', 'none'] as const
@@ -24,7 +24,7 @@ function layOut(): void {
     canvas.style.width = `${canvas.width * scale / devicePixelRatio}px`
     canvas.style.height = `${canvas.height * scale / devicePixelRatio}px`
     canvas.classList.toggle('smooth', scale % 1 !== 0)
-    byId('zoom').textContent = `${scale < 1 ? `1/${Math.round(1 / scale)}` : scale}×`
+    byId('zoom').textContent = `${scale === .75 ? '3/4' : scale < 1 ? `1/${Math.round(1 / scale)}` : scale}×`
 }
 
 const step = (by: number) => {
@@ -60,7 +60,7 @@ export function stagePicture(): Promise<Blob | null> {
     }
     if (rim) {
         const light = draw.createLinearGradient(0, 0, out.width, out.height)
-        ;[[0, '#43464b'], [.45, '#1a1b1d'], [1, '#0d0e0f']].forEach(([at, color]) => light.addColorStop(at as number, color as string))
+        ;[[0, '#54585e'], [.45, '#232527'], [1, '#101112']].forEach(([at, color]) => light.addColorStop(at as number, color as string))
         draw.shadowColor = 'rgb(0 0 0 / .45)'
         draw.shadowBlur = rim
         draw.shadowOffsetY = rim / 3
