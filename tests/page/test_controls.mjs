@@ -349,6 +349,30 @@ run([
         await press('Undo')
         check((await shownIsDrawn()).includes('--mesh=ring.stl'), 'undone')
     }],
+    ['a mesh wears a dropped PNG as the command draws it; other pictures are refused with a word', async () => {
+        await browser.go(start.replace('coin', 'teapot'))
+        for (const [i, [file, { bytes }]] of Object.entries(surfaces).filter(([file]) => !/16|gamma/.test(file)).entries()) {
+            const name = `texture ${i}.png`
+            command.put(name, bytes)
+            await browser.drop({ [name]: bytes })
+            await browser.until(name => document.body.dataset.kept === name, name)
+            check((await shownIsDrawn()).includes(`--texture=${name}`), file)
+        }
+        await browser.set('control-nearest', true)
+        const words = await shownIsDrawn()
+        check(words.includes('--nearest'), words.join(' '))
+        const saved = await browser.save('file-mesh', 2), expected = command.files(['bake', ...words.filter(word => /^--(scene|texture|nearest)/.test(word)), '-o', 'mesh.c'])
+        check(Object.keys(expected).every(file => saved[file]?.equals(expected[file])), 'the saved mesh is not the command\'s')
+        for (const [name, bytes, sentence] of [['texture.jpg.png', Buffer.from('\xff\xd8\xff\xe0', 'latin1'), /a JPEG, not a PNG; convert it/], ['texture16.png', surfaces['grey16.png'].bytes, /16 bits a sample/],
+            ['texture of gamma 1.png', png({ width: 4, height: 4, type: 0, depth: 8, sample: () => 99, extra: [['gAMA', [0, 1, 0x86, 0xa0]]] }), /a gamma or colour profile of its own/]]) {
+            await browser.drop({ [name]: bytes })
+            await browser.until(name => document.getElementById('refusal').textContent.startsWith(name), name)
+            check(sentence.test(await browser.text('refusal')), await browser.text('refusal'))
+            equal((await shownIsDrawn()).join(' '), words.join(' '), `the state after ${name}`)
+        }
+        await press('Coin')
+        check(!(await shownIsDrawn()).some(word => /texture|nearest/.test(word)), 'the texture stays')
+    }],
     ['the address restores the state, with controls that show it', async () => {
         const words = ['--scene=watchface', '--size=50x40', '--model=cayley', '-n77', '-q9', '--ambient=.3', '--format=rgb565', '--dither', '--light=.5,.5,1', '--point=10,20,30,90,1,.5,.25']
         await browser.go(fragment(words))

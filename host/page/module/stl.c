@@ -9,6 +9,7 @@
 #include "base/message.h"
 #include "files.h"
 #include "glint.h"
+#include "image/read.h"
 #include "mesh/import.h"
 #include "mesh/import_picture.h"
 
@@ -52,9 +53,21 @@ static uint32_t count_of(const char *path, const uint8_t *stl, size_t len)
     return count;
 }
 
+/* Of 8 bits, as encoded: the command makes others so by libpng. Alpha is ignored. */
 struct mesh_picture import_picture(const char *path)
 {
-    fail("%s: the page draws no textures; use glint render --mesh", path);
+    struct image *image = image_read(path);
+    const size_t pixels = (size_t)image->width * image->height;
+    if (image->bits > 8)
+        fail("%s: has %u bits a sample; the page takes textures of 8; save it so, or use glint render", path,
+             image->bits);
+    struct mesh_picture picture = {strdup(path), image->width, image->height, allocate(pixels, 3)};
+    if (!picture.name)
+        fail("out of memory");
+    for (size_t i = 0; i < 3 * pixels; i++)
+        picture.rgb[i] = (uint8_t)(image->samples[i / 3 * image->channels + (image->channels > 2 ? i % 3 : 0)] / 257);
+    image_free(image);
+    return picture;
 }
 
 struct soup *import_soup(const char *path, bool textures, const char *allowed)

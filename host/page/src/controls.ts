@@ -275,6 +275,7 @@ const table: Row[] = [
     { option: 'perspective', group: 'scene', title: 'Perspective', only: ofMesh, build: text('perspective', () => ''), number: s => s.perspective === undefined ? 'parallel' : `--perspective=${s.perspective || 4}`, meaning: () => 'The camera\'s distance in radii of the mesh, 1.5 to 100; empty: from infinitely far' },
     { option: 'axes', group: 'scene', title: 'Up', only: s => s.mesh !== undefined, build: choice('axes', named(['z-up', 'y-up']), 'z-up'), number: s => `--axes ${s.axes ?? 'z-up'}`, meaning: () => 'Which axis of the file points up: z in most STL files' },
     { option: 'crease', group: 'scene', title: 'Sharp edges', only: ofMesh, build: text('crease', () => ''), number: s => s.crease === undefined ? 'the usual ones' : `--crease ${s.crease}`, meaning: s => `Edges that turn by more degrees stay sharp; empty: ${s.mesh ? '60' : 'none'}` },
+    { option: 'nearest', group: 'scene', title: 'Hard texels', only: s => s.texture !== undefined, build: flag('nearest'), number: s => `is_smooth = ${s.nearest === undefined}`, meaning: () => 'The nearest pixel of the texture, faster; else the four around are blended' },
     { option: 'no-outlines', group: 'scene', title: 'Smooth outline', only: ofMesh, build: flag('no-outlines', true), number: s => `outlines = ${s['no-outlines'] === undefined ? '&glint_outlines' : 'NULL'}`, meaning: () => 'Pixels at the outline are mixed with what lies behind; else it is stepped' },
 
     {

@@ -17,7 +17,10 @@ async function take(file: File, kind: Kind): Promise<void> {
     try {
         if (kind === 'mesh' && !/\.stl$/i.test(name))
             throw new Error(`${name}: the page reads meshes from binary STL files alone; glint render --mesh reads others, too`)
-        await putFile(name, kind, new Uint8Array(await file.arrayBuffer()))
+        const bytes = new Uint8Array(await file.arrayBuffer())
+        if (kind === 'texture')
+            checkGamma(name, bytes)
+        await putFile(name, kind, bytes)
         if (before[kind] === name) { // an address asked for it, or it is a newer one: what is set stays
             await redraw()
         } else {
@@ -46,16 +49,23 @@ async function take(file: File, kind: Kind): Promise<void> {
     say(refusal)
 }
 
+/** The command decodes a texture's own gamma, if it is another one than sRGB's; the page takes samples as they are. */
+function checkGamma(name: string, bytes: Uint8Array): void {
+    const text = new TextDecoder('latin1').decode(bytes.subarray(0, 4096)), at = text.indexOf('gAMA'), view = new DataView(bytes.buffer)
+    if (at > 0 && at < text.indexOf('IDAT') && Math.abs(view.getUint32(at + 4) - 45455) > 50 || text.includes('iCCP'))
+        throw new Error(`${name}: has a gamma or colour profile of its own; save it as plain sRGB`)
+}
+
 /** What the state names it for, or by its name, as artists call them. */
 function kindOf(name: string): Kind {
     if (/\.(stl|obj|ply|gltf|glb)$/i.test(name))
         return 'mesh'
-    const words: [RegExp, Kind][] = [[/grain|aniso|brush/i, 'grain'], [/norm|nrm|_n\b/i, 'normals'], [/gloss|rough|spec/i, 'gloss'], [/mask|opacity/i, 'mask'], [/albedo|colou?r|diff|base/i, 'albedo']]
+    const words: [RegExp, Kind][] = [...isMesh(current()) ? [[/tex/i, 'texture'] as [RegExp, Kind]] : [], [/grain|aniso|brush/i, 'grain'], [/norm|nrm|_n\b/i, 'normals'], [/gloss|rough|spec/i, 'gloss'], [/mask|opacity/i, 'mask'], [/albedo|colou?r|diff|base/i, 'albedo']]
     return kinds.find(kind => current()[kind] === name) ?? words.find(([pattern]) => pattern.test(name))?.[1] ?? 'height'
 }
 
 const updates: (() => void)[] = []
-const titles: Record<Kind, string> = { height: 'Height or logo', normals: 'Normals', mesh: 'Mesh, STL', albedo: 'Colours', gloss: 'Gloss', mask: 'Mask', grain: 'Scratches' }
+const titles: Record<Kind, string> = { height: 'Height or logo', normals: 'Normals', mesh: 'Mesh, STL', texture: 'Texture', albedo: 'Colours', gloss: 'Gloss', mask: 'Mask', grain: 'Scratches' }
 for (const kind of kinds) {
     const input = make('input', { type: 'file', accept: kind === 'mesh' ? '.stl' : 'image/png,.png', className: 'hidden', id: `map-${kind}` })
     input.onchange = () => {
@@ -71,7 +81,8 @@ for (const kind of kinds) {
         const file = fileOf(current(), kind)
         name.textContent = name.title = file ?? '—'
         clear.hidden = file === undefined || isSurface(kind)
-        disable(input, row, !isSurface(kind) && isMesh(current()) ? `${titles[kind]} is for maps; a mesh has none` : '')
+        row.hidden = kind === 'texture' && !isMesh(current())
+        disable(input, row, !isSurface(kind) && kind !== 'texture' && isMesh(current()) ? `${titles[kind]} is for maps; a mesh has none` : '')
         label.hidden = input.disabled
     })
     byId('map-rows').append(row)

@@ -28,7 +28,7 @@ function save(name: string, content: Uint8Array<ArrayBuffer> | Blob): void {
 
 /** Without maps and what else a material has not; of a scene its finish counts. */
 const look = (state: State) => wordsOf({ ...state, height: undefined, normals: undefined, albedo: undefined, gloss: undefined, mask: undefined, 'cut-out': undefined, grain: undefined, background: undefined,
-    bevel: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined, mesh: undefined, crease: undefined, axes: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined, 'no-outlines': undefined, filter: undefined })
+    bevel: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined, mesh: undefined, crease: undefined, axes: undefined, split: undefined, texture: undefined, nearest: undefined, turn: undefined, zoom: undefined, perspective: undefined, 'no-outlines': undefined, filter: undefined })
 const tables = (state: State, kind: string) => ['glint table', `--kind=${kind}`, ...look({ ...state, lights: [] }), '-o', `${kind}_tables.c`]
 /** RGB565 colours go beside normals, not beside a palette's offsets. */
 const baked = (state: State, to: string, name: string) => ['glint bake', ...only(to.startsWith('palette') || name.endsWith('.uf2') ? scene : [...scene, 'albedo'], cutOut(state)), `--to=${to}`, '-o', name]
@@ -131,7 +131,7 @@ const groups: [string, { title: string, name: string, save: () => Promise<string
         { title: 'Palette, C', name: 'palette', save: run(state => baked(state, 'palette', 'normals.c')), of: 'map' },
         { title: 'Normals, raw', name: 'raw', save: run(state => baked(state, 'int8', 'normals.bin')), of: 'map' },
         { title: 'Normals, UF2', name: 'uf2', save: run(state => baked(state, 'int8', 'normals.uf2')), of: 'map' },
-        { title: 'Mesh, C', name: 'mesh', save: run(state => ['glint bake', ...only(['scene', 'mesh', 'crease', 'axes', 'split', 'no-outlines'], state), '-o', 'mesh.c']), of: 'mesh' },
+        { title: 'Mesh, C', name: 'mesh', save: run(state => ['glint bake', ...only(['scene', 'mesh', 'crease', 'axes', 'split', 'texture', 'nearest', 'no-outlines'], state), '-o', 'mesh.c']), of: 'mesh' },
     ]],
 ]
 

@@ -5,7 +5,7 @@
 /** In the order in which the command line has them. true: the option takes no value; null: the page's own, which the command has not. */
 const options = {
     height: false, normals: false, scene: false, mesh: false, bevel: false, scale: false, wrap: true, 'flip-y': true, mask: false, 'cut-out': true, filter: false, grain: false,
-    albedo: false, color: false, gloss: false, size: false, background: false, crease: false, axes: false, split: false, turn: false, zoom: false, perspective: false, 'no-outlines': true, material: false, model: false, n: false, roughness: false, across: false, q: false, view: false, ambient: false,
+    albedo: false, color: false, gloss: false, size: false, background: false, crease: false, axes: false, split: false, texture: false, nearest: true, turn: false, zoom: false, perspective: false, 'no-outlines': true, material: false, model: false, n: false, roughness: false, across: false, q: false, view: false, ambient: false,
     diffuse: false, specular: false, 'clamp-peak': true, format: false, space: false, dither: true, path: false, panel: null,
 } as const
 export type Option = keyof typeof options
@@ -17,7 +17,7 @@ export interface Light {
     text: string
 }
 export type State = { lights: Light[] } & { [name in Option]?: string }
-export const noSurface: Partial<State> = { height: undefined, normals: undefined, scene: undefined, mesh: undefined, crease: undefined, axes: undefined, mask: undefined, 'cut-out': undefined, filter: undefined, grain: undefined, albedo: undefined, gloss: undefined, scale: undefined, bevel: undefined, wrap: undefined, 'flip-y': undefined, color: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined, 'no-outlines': undefined }
+export const noSurface: Partial<State> = { height: undefined, normals: undefined, scene: undefined, mesh: undefined, crease: undefined, axes: undefined, mask: undefined, 'cut-out': undefined, filter: undefined, grain: undefined, albedo: undefined, gloss: undefined, scale: undefined, bevel: undefined, wrap: undefined, 'flip-y': undefined, color: undefined, split: undefined, texture: undefined, nearest: undefined, turn: undefined, zoom: undefined, perspective: undefined, 'no-outlines': undefined }
 
 const names = Object.keys(options) as Option[]
 const dashes = (name: string) => name.length === 1 ? `-${name}` : `--${name}`
@@ -56,7 +56,7 @@ export const white = whiteName()
 export const isGrainMap = (grain: string) => !/^(brushed|spun|sunray)(:|$)/.test(grain)
 
 /** Options that name a file of the user's. */
-export const kinds = ['height', 'normals', 'mesh', 'albedo', 'gloss', 'mask', 'grain'] as const
+export const kinds = ['height', 'normals', 'mesh', 'texture', 'albedo', 'gloss', 'mask', 'grain'] as const
 export type Kind = typeof kinds[number]
 export const isSurface = (kind: Kind) => kind === 'height' || kind === 'normals' || kind === 'mesh'
 /** The file that the state names as that; a grain may be of a kind instead. */
@@ -83,7 +83,7 @@ export const isMesh = (state: State) => state.scene === 'teapot' || state.mesh !
 
 /** A mesh as a device draws it that holds it, split at so many degrees: over black, its outline stepped. */
 export function meshOnDevice(state: State, width: number, height: number, split: number): State {
-    const { dither, background, perspective, ...rest } = state
+    const { dither, background, perspective, texture, nearest, ...rest } = state
     return { ...rest, split: String(split), 'no-outlines': '', ...asBoardsDraw(width, height) }
 }
 
