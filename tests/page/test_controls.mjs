@@ -123,6 +123,7 @@ run([
     }],
     ['each control shows the number that C gets, and says what it means', async () => {
         await browser.go(start)
+        await asked()
         const rows = await page.evaluate(() => [...document.querySelectorAll('[id^=rows-] .row')].filter(row => !row.hidden).map(row => [row.querySelector('.number').value, row.querySelector('.meaning').textContent]))
         check(rows.length === 21 && rows.every(([number, meaning]) => number && meaning), JSON.stringify(rows))
         const numbers = rows.map(([number]) => number)
@@ -377,6 +378,7 @@ run([
         const words = ['--scene=watchface', '--size=50x40', '--model=cayley', '-n77', '-q9', '--ambient=.3', '--format=rgb565', '--dither', '--light=.5,.5,1', '--point=10,20,30,90,1,.5,.25']
         await browser.go(fragment(words))
         equal((await shownIsDrawn()).join(' '), wordsOf(stateOfWords(words)).join(' '), 'the state')
+        await asked()
         const shown = await page.evaluate(() => ['model', 'n', 'q', 'ambient', 'format', 'size'].map(option => document.getElementById(`control-${option}`).value).join(' ') + ' ' + document.getElementById('control-dither').checked)
         equal(shown, 'cayley 77 9 0.3 rgb565 50x40 true', 'the controls')
         await page.evaluate(fragment => { location.hash = fragment }, start)

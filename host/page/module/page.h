@@ -44,6 +44,8 @@ size_t PAGE_EXPORT(page_pixels_bytes)(void);
 const uint8_t *PAGE_EXPORT(page_rgba)(void);
 /* Lines "name value ..." of the shader that drew. */
 const char *PAGE_EXPORT(page_facts)(void);
+/* Where its highlight is, which takes as long as to draw: x, y, width, height; of a mesh 0. */
+const uint32_t *PAGE_EXPORT(page_box)(void);
 /* Milliseconds that are not spent on words: draws the picture `times` times. For the page's bench. */
 void PAGE_EXPORT(page_again)(uint32_t times);
 

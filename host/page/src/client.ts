@@ -41,7 +41,7 @@ export async function give(name: string, method: 'map' | 'mesh', bytes: Uint8Arr
 }
 
 /** What nobody waits for. */
-const aside: readonly string[] = ['aside', 'curve', 'compare', 'moving', 'refusals'] satisfies (keyof Methods)[]
+const aside: readonly string[] = ['aside', 'box', 'curve', 'compare', 'moving', 'refusals'] satisfies (keyof Methods)[]
 /** How many milliseconds the oldest question waits, of those that somebody waits for; 0: none does. */
 export function waits(): number {
     const first = [...waiting.values()].find(({ method }) => !aside.includes(method))

@@ -8,6 +8,7 @@ import type { Facts } from './engine'
 import { onDrawn } from './picture'
 import { shapes } from './stage'
 import { canRedo, canUndo, change, current, onChange, redo, reset, undo } from './store'
+import { onShown, shownGroup } from './tabs'
 import type { Group } from './tabs'
 import { isGrainMap, isMesh, wordsOf } from './words'
 import type { Option, State } from './words'
@@ -39,6 +40,7 @@ let asking: number | undefined
 function askRefusals(): void {
     clearTimeout(asking)
     asking = window.setTimeout(async () => {
+        show()
         const state = current(), all = questions.flatMap(list => list())
         const lines = all.map(({ patch }) => wordsOf({ ...state, ...patch }))
         const [now, ...refusals] = await ask('refusals', [wordsOf(state), ...lines]).catch(() => [''])
@@ -329,7 +331,7 @@ function pathMeaning(path: string): string {
     return (how[by] ?? '') + (/int\d/.test(normals ?? '') ? `; normals of ${normals.slice(3)} bits` : normals === 'span' ? '; along spans' : '')
 }
 
-const updates: ((state: State, facts: Facts | undefined) => void)[] = table.map(row => {
+const updates = table.map(row => {
     const id = `control-${row.option}`
     const line = make('div', { className: 'line' }, make('label', { htmlFor: id, textContent: row.title }))
     const update = row.build(id, line)
@@ -337,7 +339,7 @@ const updates: ((state: State, facts: Facts | undefined) => void)[] = table.map(
     line.querySelector(`#${id}`)?.setAttribute('aria-describedby', meaning.id)
     const whole = make('div', { className: 'row' }, line, make('div', { className: 'note' }, number, meaning))
     byId(`rows-${row.group}`).append(whole)
-    return (state, facts) => {
+    const work = (state: State, facts: Facts | undefined) => {
         whole.hidden = row.only !== undefined && !row.only(state, facts)
         update(state, facts)
         if (!facts)
@@ -345,6 +347,7 @@ const updates: ((state: State, facts: Facts | undefined) => void)[] = table.map(
         number.value = row.number(state, facts)
         meaning.textContent = row.meaning(state, facts)
     }
+    return { group: row.group, work }
 })
 
 const undoButton = byId<HTMLButtonElement>('undo'), redoButton = byId<HTMLButtonElement>('redo')
@@ -365,8 +368,13 @@ addEventListener('keydown', event => {
 })
 
 let facts: Facts | undefined
+/** Of one group, or of all. */
+function show(only?: Group): void {
+    updates.forEach(({ group, work }) => { if (!only || group === only) work(current(), facts) })
+}
+/** What is not seen waits until the state rests. */
 function update(): void {
-    updates.forEach(work => work(current(), facts))
+    show(shownGroup())
     undoButton.disabled = !canUndo()
     redoButton.disabled = !canRedo()
     askRefusals()
@@ -376,4 +384,6 @@ onDrawn(drawn => {
     facts = drawn.facts
     update()
 })
+onShown(() => show())
+show()
 update()

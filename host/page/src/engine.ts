@@ -139,6 +139,11 @@ export class Engine {
         })
     }
 
+    /** Where the highlight is: x, y, width, height. */
+    box(): number[] {
+        return this.guard(() => [...new Uint32Array(this.module.copy(this.module.call.page_box(), 16).buffer)])
+    }
+
     compare(): Quality {
         return this.guard(() => {
             const { call } = this.module

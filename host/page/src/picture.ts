@@ -62,6 +62,7 @@ async function draw(now: State): Promise<void> {
             refusal = (error as Error).message
             throw error
         })
+        performance.mark(drawn ? 'picture' : 'first picture') // for make bench-page
         drawn = { ...picture, ...seen, asked: now, standsIn: missing.length > 0 }
         show(canvas, picture.width, picture.height, picture.rgba)
         say(missing.length ? `${now[missing[0]]}: this ${missing[0] === 'mesh' ? 'mesh' : 'map'} is not here; drop or choose the file` : '', picture.warnings)

@@ -107,7 +107,7 @@ function turned({ state, width, height }: Drawn, degrees: number): string[] {
 }
 
 async function extent(drawn: Drawn): Promise<void> {
-    const { facts } = drawn, [x, y, w, h] = facts.box
+    const { facts } = drawn, [x, y, w, h] = await ask('box')
     const entries: [string, string][] = [
         ['Cutoff', `${facts.cutoff_degrees[0].toFixed(3)}°, c_q16 ≥ ${facts.cutoff_c_q16[0]}`],
         ['The highlight\'s box', w ? `${w} × ${h} at ${x}, ${y}` : 'no highlight'],

@@ -36,8 +36,15 @@ byId('zoom-in').onclick = () => step(1)
 byId('zoom-out').onclick = () => step(-1)
 byId('zoom-fit').onclick = () => { chosen = undefined; layOut() }
 new ResizeObserver(layOut).observe(stage)
-onDrawn(layOut)
-onChange(layOut)
+let laidOut = ''
+function layOutNew(): void {
+    const now = `${canvas.width} ${canvas.height} ${shape()}`
+    if (now !== laidOut)
+        layOut()
+    laidOut = now
+}
+onDrawn(layOutNew)
+onChange(layOutNew)
 
 if (new URLSearchParams(location.search).has('embed'))
     document.documentElement.className = 'embed'

@@ -22,6 +22,7 @@ export const methods = {
     draw: (words: string[]) => ({ ...engine.draw(words), facts: engine.facts() }),
     aside: (words: string[]) => other.draw(words),
     refusals: (lines: string[][]) => other.refusals(lines),
+    box: () => engine.box(),
     compare: () => engine.compare(),
     curve: (model: string, n: number, count: number, degrees: number) => engine.curve(model, n, count, degrees),
     run: (words: string[]) => engine.run(words),
