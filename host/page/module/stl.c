@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * Meshes of the page: binary STL files, read as libassimp reads them for the command. Other formats have numbers as texts, or files
- * beside them, and are the command's alone. */
+ * Meshes of the page: binary STL files, read as libassimp reads them for the command, and glTF files that hold all they need. Other formats
+ * have numbers as texts, or files beside them, and are the command's alone. */
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,6 +9,7 @@
 #include "base/message.h"
 #include "files.h"
 #include "glint.h"
+#include "gltf.h"
 #include "image/read.h"
 #include "mesh/import.h"
 #include "mesh/import_picture.h"
@@ -72,12 +73,13 @@ struct mesh_picture import_picture(const char *path)
 
 struct soup *import_soup(const char *path, bool textures, const char *allowed)
 {
-    (void)textures; /* an STL has none, and names no files */
-    (void)allowed;
+    (void)allowed; /* these files name none */
     size_t len;
     const uint8_t *stl = files_mesh(path, &len);
     if (!stl)
         fail("%s: this mesh is not here; drop or choose the file", path);
+    if (gltf_is(stl, len))
+        return gltf_soup(path, (const void *)stl, textures);
     struct soup *soup = allocate(1, sizeof *soup);
     *soup =
         (struct soup){.name = strdup(path), .face_count = count_of(path, stl, len), .is_stl = true, .part_count = 1};

@@ -40,6 +40,8 @@ let asking: number | undefined
 function askRefusals(): void {
     clearTimeout(asking)
     asking = window.setTimeout(async () => {
+        if (!facts) // nothing is drawn yet
+            return
         show()
         const state = current(), all = questions.flatMap(list => list())
         const lines = all.map(({ patch }) => wordsOf({ ...state, ...patch }))
@@ -67,8 +69,6 @@ export function disable(input: HTMLInputElement | HTMLSelectElement | HTMLButton
 
 // ---- kinds of inputs ----
 
-
-const named = (names: readonly string[]) => names.map(name => ({ name, title: name }))
 
 const choice = (option: Option, choices: readonly { name: string, title: string }[], standard: string): Row['build'] => (id, line) => {
     const input = make('select', { id }, ...choices.map(({ name, title }) => make('option', { value: name, textContent: title })))
@@ -275,8 +275,8 @@ const table: Row[] = [
     { option: 'turn', group: 'scene', title: 'Turn', only: ofMesh, build: text('turn', f => f.turn?.join() ?? ''), number: (_, f) => `--turn ${f.turn}`, meaning: () => 'Degrees about x, y and z; the button below the picture lets you drag it' },
     { option: 'zoom', group: 'scene', title: 'Zoom', only: ofMesh, build: text('zoom', f => String(f.zoom ?? '')), number: (_, f) => `--zoom ${f.zoom}`, meaning: () => '1: whatever its turn, the mesh fills the picture' },
     { option: 'perspective', group: 'scene', title: 'Perspective', only: ofMesh, build: text('perspective', () => ''), number: s => s.perspective === undefined ? 'parallel' : `--perspective=${s.perspective || 4}`, meaning: () => 'The camera\'s distance in radii of the mesh, 1.5 to 100; empty: from infinitely far' },
-    { option: 'axes', group: 'scene', title: 'Up', only: s => s.mesh !== undefined, build: choice('axes', named(['z-up', 'y-up']), 'z-up'), number: s => `--axes ${s.axes ?? 'z-up'}`, meaning: () => 'Which axis of the file points up: z in most STL files' },
-    { option: 'crease', group: 'scene', title: 'Sharp edges', only: ofMesh, build: text('crease', () => ''), number: s => s.crease === undefined ? 'the usual ones' : `--crease ${s.crease}`, meaning: s => `Edges that turn by more degrees stay sharp; empty: ${s.mesh ? '60' : 'none'}` },
+    { option: 'axes', group: 'scene', title: 'Up', only: s => s.mesh !== undefined, build: choice('axes', [{ name: '', title: 'As usual' }, { name: 'z-up', title: 'z' }, { name: 'y-up', title: 'y' }], ''), number: s => s.axes ? `--axes ${s.axes}` : 'the usual one', meaning: () => 'Which axis of the file points up: z in most STL files, y in a glTF' },
+    { option: 'crease', group: 'scene', title: 'Sharp edges', only: ofMesh, build: text('crease', () => ''), number: s => s.crease === undefined ? 'the usual ones' : `--crease ${s.crease}`, meaning: s => `Edges that turn by more degrees stay sharp; empty: ${!s.mesh ? 'none' : /\.stl$/i.test(s.mesh) ? '60' : 'as the file says, or 60'}` },
     { option: 'nearest', group: 'scene', title: 'Hard texels', only: s => s.texture !== undefined, build: flag('nearest'), number: s => `is_smooth = ${s.nearest === undefined}`, meaning: () => 'The nearest pixel of the texture, faster; else the four around are blended' },
     { option: 'no-outlines', group: 'scene', title: 'Smooth outline', only: ofMesh, build: flag('no-outlines', true), number: s => `outlines = ${s['no-outlines'] === undefined ? '&glint_outlines' : 'NULL'}`, meaning: () => 'Pixels at the outline are mixed with what lies behind; else it is stepped' },
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pictures, numbers and files by command lines: what the worker does, without being one.
 import { LIGHT_DESCRIPTOR_BYTES, LIGHT_MATERIAL_BYTES, LIGHT_MESH_BYTES, LIGHT_MESSAGE_BYTES, LIGHT_POSE_BYTES, PAGE_BINS } from './exports'
+import { isGltf, readGltf } from './gltf'
 import { Module } from './module'
 import type { Map16 } from './png'
 
@@ -56,7 +57,7 @@ const standsBy = /^--(turn|zoom|perspective)\b/
 export class Engine {
     private module: Module
     private maps = new Map<string, Map16>()
-    private meshes = new Map<string, Uint8Array>()
+    private meshes = new Map<string, Uint8Array<ArrayBuffer>>()
     private surface = ''
     private material = ''
     private surfaceWarnings: string[] = []
@@ -75,7 +76,9 @@ export class Engine {
     }
 
     /** A file of a mesh. */
-    addMesh(name: string, bytes: Uint8Array): void {
+    addMesh(name: string, bytes: Uint8Array<ArrayBuffer>): void {
+        if (isGltf(name))
+            bytes = readGltf(name, bytes)
         this.meshes.set(name, bytes)
         this.surface = this.material = ''
         this.guard(() => this.handMesh(name, bytes))

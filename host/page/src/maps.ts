@@ -2,6 +2,7 @@
 // The user's files: PNG maps, or a mesh, that are chosen or dropped.
 import { disable } from './controls'
 import { byId, make } from './dom'
+import { checkTexture, isGltf } from './gltf'
 import { bytesOf, forgetFile, keepFile, putFile } from './kept'
 import { redraw, say, settled } from './picture'
 import { change, current, onChange, takeBack } from './store'
@@ -15,11 +16,11 @@ async function take(file: File, kind: Kind): Promise<void> {
     const before = current(), had = bytesOf(name)
     let refusal = ''
     try {
-        if (kind === 'mesh' && !/\.stl$/i.test(name))
-            throw new Error(`${name}: the page reads meshes from binary STL files alone; glint render --mesh reads others, too`)
+        if (kind === 'mesh' && !/\.stl$/i.test(name) && !isGltf(name))
+            throw new Error(`${name}: the page reads meshes from binary STL and glTF files; glint render --mesh reads others, too`)
         const bytes = new Uint8Array(await file.arrayBuffer())
         if (kind === 'texture')
-            checkGamma(name, bytes)
+            checkTexture(name, bytes)
         await putFile(name, kind, bytes)
         if (before[kind] === name) { // an address asked for it, or it is a newer one: what is set stays
             await redraw()
@@ -49,13 +50,6 @@ async function take(file: File, kind: Kind): Promise<void> {
     say(refusal)
 }
 
-/** The command decodes a texture's own gamma, if it is another one than sRGB's; the page takes samples as they are. */
-function checkGamma(name: string, bytes: Uint8Array): void {
-    const text = new TextDecoder('latin1').decode(bytes.subarray(0, 4096)), at = text.indexOf('gAMA'), view = new DataView(bytes.buffer)
-    if (at > 0 && at < text.indexOf('IDAT') && Math.abs(view.getUint32(at + 4) - 45455) > 50 || text.includes('iCCP'))
-        throw new Error(`${name}: has a gamma or colour profile of its own; save it as plain sRGB`)
-}
-
 /** What the state names it for, or by its name, as artists call them. */
 function kindOf(name: string): Kind {
     if (/\.(stl|obj|ply|gltf|glb)$/i.test(name))
@@ -65,9 +59,9 @@ function kindOf(name: string): Kind {
 }
 
 const updates: (() => void)[] = []
-const titles: Record<Kind, string> = { height: 'Height or logo', normals: 'Normals', mesh: 'Mesh, STL', texture: 'Texture', albedo: 'Colours', gloss: 'Gloss', mask: 'Mask', grain: 'Scratches' }
+const titles: Record<Kind, string> = { height: 'Height or logo', normals: 'Normals', mesh: 'Mesh', texture: 'Texture', albedo: 'Colours', gloss: 'Gloss', mask: 'Mask', grain: 'Scratches' }
 for (const kind of kinds) {
-    const input = make('input', { type: 'file', accept: kind === 'mesh' ? '.stl' : 'image/png,.png', className: 'hidden', id: `map-${kind}` })
+    const input = make('input', { type: 'file', accept: kind === 'mesh' ? '.stl,.glb,.gltf' : 'image/png,.png', className: 'hidden', id: `map-${kind}` })
     input.onchange = () => {
         if (input.files?.[0])
             void take(input.files[0], kind)

@@ -14,16 +14,16 @@ const side = 72
 /** What a material sets where no option does. */
 const ofMaterial: Partial<State> = { n: undefined, roughness: undefined, across: undefined, ambient: undefined, diffuse: undefined, specular: undefined, color: undefined, albedo: undefined }
 
-interface Preset { name: string, title: string, meaning: string, words: string[], press: () => void }
+interface Preset { name: string, title: string, meaning: string, words: () => string[], press: () => void }
 const sized = [`--size=${side}x${side}`, '--light=-1,1,1.2']
 const scenes: Preset[] = lists.scenes.map(({ name }) => ({
-    name, title: capital(name), meaning: '', words: [`--scene=${name}`, ...sized],
+    name, title: capital(name), meaning: '', words: () => [`--scene=${name}`, ...sized],
     press: () => change({ ...noSurface, scene: name, size: current().size ?? '240x240' }),
 }))
 /** It takes the place of what was set by hand; what is set afterwards overrides it. */
-const materials: Preset[] = [{ name: '', title: 'As it comes', meaning: 'The surface\'s own material', words: ['--scene=coin', ...sized], press: () => change({ ...ofMaterial, material: undefined }) },
+const materials: Preset[] = [{ name: '', title: 'As it comes', meaning: 'The surface\'s own material', words: () => [`--scene=${current().scene ?? 'sphere'}`, ...sized], press: () => change({ ...ofMaterial, material: undefined }) },
     ...lists.materials.map(({ name, meaning }) => ({
-        name, title: capital(name.replaceAll('-', ' ')), meaning: capital(typeset(meaning)), words: [`--scene=${name.startsWith('brushed') ? 'knob' : 'sphere'}`, `--material=${name}`, ...sized],
+        name, title: capital(name.replaceAll('-', ' ')), meaning: capital(typeset(meaning)), words: () => [`--scene=${name.startsWith('brushed') ? 'knob' : 'sphere'}`, `--material=${name}`, ...sized],
         press: () => change({ ...ofMaterial, material: name }),
     }))]
 
@@ -34,13 +34,16 @@ function build(group: Group, into: string, presets: Preset[], chosen: (state: St
     const update = () => buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(presets[i].name === chosen(current()))))
     onChange(update)
     update()
-    let isBegun = false
+    const drawn = presets.map(() => '')
     const draw = async () => {
-        if (isBegun || shownGroup() !== group)
+        if (shownGroup() !== group)
             return
-        isBegun = true
         for (const [i, { words }] of presets.entries()) {
-            const picture = await ask('aside', words).catch(() => undefined)
+            const line = words()
+            if (drawn[i] === line.join())
+                continue
+            drawn[i] = line.join()
+            const picture = await ask('aside', line).catch(() => undefined)
             if (picture)
                 show(canvases[i], picture.width, picture.height, picture.rgba)
         }

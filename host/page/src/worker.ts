@@ -18,7 +18,10 @@ export const methods = {
         other.addMap(name, map)
         return { width: map.width, height: map.height, channels: map.channels, bits: map.bits }
     },
-    mesh: (name: string, bytes: Uint8Array) => engine.addMesh(name, bytes),
+    mesh(name: string, bytes: Uint8Array<ArrayBuffer>) {
+        engine.addMesh(name, bytes)
+        other.addMesh(name, bytes)
+    },
     draw: (words: string[]) => ({ ...engine.draw(words), facts: engine.facts() }),
     aside: (words: string[]) => other.draw(words),
     refusals: (lines: string[][]) => other.refusals(lines),
