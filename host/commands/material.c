@@ -220,13 +220,14 @@ static void write_source(FILE *out, const struct shading *shading, const char *n
             "/* Written by glint material, version " GLINT_VERSION_STRING ": %s, n = %u, q = %u, %s%s, %s.\n"
             " *\n"
             " *   struct glint_light lights[%s_light_count];\n"
-            " *   glint_paint_exact_for(&paint, &%s, &%s_output, &glint_use_%s, &glint_use_%s);\n"
+            " *   glint_paint_exact_for(&paint, &%s, &%s_output, &glint_use_%s%s, &glint_use_%s);\n"
             " *   %s_light(&paint, lights);\n"
             " */\n"
             "#include \"glint.h\"\n\n",
             model_names[shading->model], shading->n, shading->q, format_names[shading->format],
             shading->dither ? " dithered" : "", space_names[shading->space], name, name, name,
-            model_names[shading->model], use_of_format(shading), name);
+            model_names[shading->model], shading->n_across && shading->n_across != shading->n ? "_grain" : "",
+            use_of_format(shading), name);
     write_material(out, shading, name);
     write_lights(out, shading, name);
 }

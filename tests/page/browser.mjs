@@ -96,6 +96,17 @@ export class Browser {
         return pictures.map(({ base64, ...rest }) => ({ ...rest, rgba: Buffer.from(base64, 'base64') }))
     }
 
+    /** Shows a group of controls. */
+    async tab(name) {
+        await this.page.evaluate(name => document.getElementById(`tab-${name}`).click(), name)
+    }
+
+    /** Shows what experts are told, once all of it is there. */
+    async expert() {
+        await this.tab('expert')
+        await this.until(() => document.body.dataset.rested !== undefined && document.querySelectorAll('#extent dt').length === 5)
+    }
+
     /** What the canvas shows, once the state that the page has is drawn. */
     async now() {
         await this.until(() => document.body.dataset.drawn === document.body.dataset.state)

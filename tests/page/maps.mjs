@@ -2,7 +2,7 @@
 // PNG files of every kind that people drop, from formulas: no encoder is in between that could choose another kind.
 import { deflateSync } from 'node:zlib'
 
-function crc(bytes) { // node 18's zlib has none
+export function crc(bytes) { // node 18's zlib has none
     let value = ~0
     for (const byte of bytes) {
         value ^= byte
@@ -79,7 +79,7 @@ export const surfaces = Object.fromEntries([
     ['grey1', { type: 0, depth: 1, sample: (x, y) => Math.round(disc(x, y)) }, ['--height', '--bevel=6']],
     ['palette4', { type: 3, depth: 4, sample: (x, y) => bits(4)(hill(x, y)), extra: [['PLTE', palette]] }, ['--height']],
     ['palette8 with alpha', { type: 3, depth: 8, sample: (x, y) => bits(4)(hill(x, y)), extra: [['PLTE', palette], ['tRNS', [0, 128, 255, 0]]] }, ['--height']],
-    ['a key colour', { type: 0, depth: 8, sample: (x, y) => bits(3)(hill(x, y)), extra: [['tRNS', [0, 5]]] }, ['--height', '--bevel=4']],
+    ['a transparent grey', { type: 0, depth: 8, sample: (x, y) => bits(3)(hill(x, y)), extra: [['tRNS', [0, 5]]] }, ['--height', '--bevel=4']],
     ['a logo', { type: 6, depth: 8, sample: (x, y, k) => k === 3 ? bits(8)(disc(x, y)) : 30 * k }, ['--height', '--bevel=6']],
     ['rgb8', { type: 2, depth: 8, sample: (x, y, k) => bits(8)(normal(x, y, k)), filter: 2 }, ['--normals']],
     ['rgb16', { type: 2, depth: 16, sample: (x, y, k) => bits(16)(normal(x, y, k)), extra: [gamma] }, ['--normals']],

@@ -33,3 +33,76 @@ export const meshes = {
     'coloured.stl': stl(ring(9, 5), 'made of COLOR=' + String.fromCharCode(30, 90, 200, 255)),
     'facets.stl': stl(ring(9, 5), 'COLOR=' + String.fromCharCode(30, 90, 200, 255), i => i % 2 ? 0x8000 | 31 * i : 0),
 }
+
+// ---- glTF: a ball of so many quadrilaterals, with all that a primitive may have ----
+
+const kinds = { 5121: [1, 'writeUInt8'], 5123: [2, 'writeUInt16LE'], 5125: [4, 'writeUInt32LE'], 5126: [4, 'writeFloatLE'] }
+
+/** parts: each { material, places, and as they are wanted normals, uv, colors, colorKind, indices, indexKind }; more: of the JSON, with images as
+ *  PNG files in `pictures`. */
+export function gltf(parts, more = {}, pictures = [], isText = false) {
+    const pieces = [], json = { asset: { version: '2.0' }, bufferViews: [], accessors: [], ...more }
+    let length = 0
+    const view = bytes => {
+        const padded = Buffer.concat([bytes, Buffer.alloc(-bytes.length & 3)])
+        json.bufferViews.push({ buffer: 0, byteOffset: length, byteLength: bytes.length })
+        pieces.push(padded)
+        length += padded.length
+        return json.bufferViews.length - 1
+    }
+    const accessor = (list, kind, extra = {}) => {
+        const size = Array.isArray(list[0]) ? list[0].length : 1, [width, write] = kinds[kind], bytes = Buffer.alloc(list.length * size * width)
+        list.flat().forEach((value, i) => bytes[write](value, i * width))
+        json.accessors.push({ bufferView: view(bytes), componentType: kind, count: list.length, type: ['', 'SCALAR', 'VEC2', 'VEC3', 'VEC4'][size], ...extra })
+        return json.accessors.length - 1
+    }
+    const box = places => ({ min: [0, 1, 2].map(k => Math.min(...places.map(place => Math.fround(place[k])))), max: [0, 1, 2].map(k => Math.max(...places.map(place => Math.fround(place[k])))) })
+    json.meshes = parts.map(({ material, places, normals, uv, colors, colorKind = 5126, indices, indexKind = 5123 }) => ({
+        primitives: [{
+            material, indices: indices && accessor(indices, indexKind),
+            attributes: {
+                POSITION: accessor(places, 5126, box(places)), ...normals && { NORMAL: accessor(normals, 5126) }, ...uv && { TEXCOORD_0: accessor(uv, 5126) },
+                ...colors && { COLOR_0: accessor(colors, colorKind, colorKind === 5126 ? {} : { normalized: true }) },
+            },
+        }],
+    }))
+    json.nodes = json.meshes.map((_, mesh) => ({ mesh, ...more.node }))
+    delete json.node
+    json.scenes = [{ nodes: json.nodes.map((_, i) => i) }]
+    json.scene = 0
+    if (pictures.length)
+        json.images = pictures.map((bytes, i) => isText ? { uri: `data:image/png;base64,${bytes.toString('base64')}` } : { bufferView: view(bytes), mimeType: 'image/png', name: `picture ${i}` })
+    const held = Buffer.concat(pieces)
+    json.buffers = [{ byteLength: held.length, ...isText && { uri: `data:application/octet-stream;base64,${held.toString('base64')}` } }]
+    if (isText)
+        return Buffer.from(JSON.stringify(json))
+    const text = Buffer.from(JSON.stringify(json)), head = Buffer.concat([text, Buffer.alloc(-text.length & 3, ' ')])
+    const out = Buffer.alloc(12 + 8 + head.length + 8)
+    out.write('glTF')
+    out.writeUInt32LE(2, 4)
+    out.writeUInt32LE(out.length + held.length, 8)
+    out.writeUInt32LE(head.length, 12)
+    out.write('JSON', 16)
+    head.copy(out, 20)
+    out.writeUInt32LE(held.length, 20 + head.length)
+    out.write('BIN\0', 24 + head.length, 'latin1')
+    return Buffer.concat([out, held])
+}
+
+/** about: its middle; around: how fine. */
+export function ball(about = [0, 0, 0], radius = 1, around = 16, across = 9) {
+    const places = [], normals = [], uv = [], colors = [], indices = []
+    for (let k = 0; k <= across; k++)
+        for (let i = 0; i <= around; i++) {
+            const a = 2 * Math.PI * i / around, b = Math.PI * k / across, normal = [Math.sin(b) * Math.sin(a), Math.cos(b), Math.sin(b) * Math.cos(a)]
+            normals.push(normal)
+            places.push(normal.map((v, at) => about[at] + radius * v))
+            uv.push([1.7 * i / around - .2, k / across])
+            colors.push([i / around, k / across, .5])
+            if (i < around && k < across) {
+                const from = k * (around + 1) + i
+                indices.push(from, from + around + 1, from + around + 2, from, from + around + 2, from + 1)
+            }
+        }
+    return { places, normals, uv, colors, indices }
+}

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // test_browser.mjs PACKAGES PAGE GLINT BROWSER STATES: the page in a browser: its pictures, files and refusals against the command.
+import { execFileSync } from 'node:child_process'
+import { mkdirSync, writeFileSync } from 'node:fs'
+import { dirname, resolve } from 'node:path'
 import { check, equal, run } from '../pico/tap.mjs'
 import { browser, command, fragment, isFirefox, page, readPng, shownIsDrawn, start } from './beside.mjs'
 import { difference } from './glint.mjs'
-import { extras, surfaces } from './maps.mjs'
+import { extras, png, surfaces } from './maps.mjs'
+import { framesOf, unzipped } from './packed.mjs'
 import { randomly, randomWords } from './states.mjs'
 
 const count = process.argv[6]
@@ -27,11 +31,20 @@ async function same(list, unseen = false) {
     return pictures
 }
 
+/** A map by which all has full gloss. */
+const fullGloss = (width, height) => png({ width, height, type: 0, depth: 8, sample: () => 255 })
+/** The direction that the page makes of where the light is put. */
+const withZ = word => {
+    const [x, y] = word.slice(8).split(',').map(Number)
+    const r = Math.hypot(x, y), [a, b] = r > .98 ? [x * .98 / r, y * .98 / r] : [x, y]
+    return `--light=${[a, b, Math.sqrt(1 - a * a - b * b)].map(v => Number(v.toFixed(3)))}`
+}
+
 run([
     ['the page opens from a file and shows a picture, the lobe, errors and costs', async () => {
         await browser.go()
         await shownIsDrawn()
-        await browser.until(() => document.body.dataset.rested !== undefined && document.querySelectorAll('#extent dt').length === 5)
+        await browser.expert()
         equal(await page.evaluate(() => document.querySelectorAll('#curve polyline').length), 3, 'curves')
         check((await browser.text('errors')).includes('msh in double'), 'no errors')
         const costs = await browser.text('costs')
@@ -69,7 +82,7 @@ run([
         await input.uploadFile(`${command.folder}/mask.png`)
         await browser.until(() => document.body.dataset.drawn?.includes('mask.png'))
         await shownIsDrawn()
-        await browser.set('map-scale', '30')
+        await browser.set('control-scale', '30')
         check((await shownIsDrawn()).includes('--scale=30'), 'no --scale')
     }],
     ['a wrong file gives a sentence, and the picture stays', async () => {
@@ -106,6 +119,67 @@ run([
         const png = readPng('glint.png', file), { samples } = command.render(words)
         check(samples.every((value, i) => png.samples[i] === 257 * value), 'the PNG has other pixels')
     }]),
+    ...['--scene=sphere --size=40x36 --format=rgb565 -n20', '--scene=knob --size=44x40 --format=rgb888 --model=schlick', '--scene=coin --size=31x30 --format=grey4 --space=linear --cut-out',
+        '--height=a-logo.png --bevel=6 --cut-out --format=rgb565 --dither --light=1,1,1,.5,1,1 --light=-1,0,1', '--scene=dial --size=32x32 --format=mono --dither'].map(text => [`the program in plain C draws the picture in one colour: ${text}`, async () => {
+        const words = text.split(' '), file = 'a-logo.png'
+        await browser.go(start)
+        if (text.includes(file)) {
+            await browser.drop({ [file]: surfaces[file].bytes })
+            await browser.until(file => document.body.dataset.kept === file, file)
+        }
+        await browser.go(fragment(words))
+        await shownIsDrawn()
+        const { 'picture.zip': archive } = await browser.save('file-c', 1), folder = `${command.folder}/program-${Math.random()}`, lib = `${process.cwd()}/lib`
+        mkdirSync(folder)
+        const files = unzipped(archive)
+        equal(Object.keys(files).sort().join(), ['main.c', 'material.h', 'normals.c', 'normals.h', 'picture.h'].map(name => `picture/${name}`).join(), 'files')
+        for (const [name, bytes] of Object.entries(files))
+            writeFileSync(`${folder}/${name.split('/')[1]}`, bytes)
+        execFileSync('cc', ['-std=c99', '-Wall', '-Wextra', '-Werror', `-I${lib}`, 'main.c', 'normals.c', `${dirname(resolve(command.glint))}/libglint.a`, '-o', 'picture'], { cwd: folder })
+        const pixels = execFileSync('./picture', { cwd: folder })
+        const color = (await browser.text('file-status'), (files['picture/picture.h'].toString().match(/^\/\* Lines of the picture, (\d+), (\d+), (\d+)/)).slice(1).join())
+        const [width, height] = (await browser.text('status')).match(/\d+/g)
+        command.put('full.png', fullGloss(Number(width), Number(height)))
+        const gloss = text.includes('height') ? [] : ['--gloss=full.png']
+        const expected = command.raw([...words, `--color=${color}`, ...gloss, '--path=exact-int8'])
+        check(pixels.equals(expected), `${pixels.length} bytes, the command's ${expected.length}; the first that differs is ${pixels.findIndex((byte, i) => byte !== expected[i])}`)
+    }]),
+    ['programs for LVGL and Arduino hold what they include', async () => {
+        await browser.go(fragment(['--scene=knob', '--size=40x40', '--format=rgb888']))
+        await shownIsDrawn()
+        for (const [id, name, word] of [['lvgl', 'picture.c', 'LV_COLOR_FORMAT_RGB565'], ['arduino', 'picture.ino', 'pushImage']]) {
+            const files = unzipped((await browser.save(`file-${id}`, 1))['picture.zip'])
+            check(files[`picture/${name}`].includes(word) && files['picture/picture.h'].includes('GLINT_GRAIN_SPUN'), `${name} lacks ${word}`)
+            check(files['picture/material.h'].includes(id === 'arduino' ? 'GLINT_RGB565_SWAPPED' : 'GLINT_RGB565,'), 'the format')
+        }
+    }],
+    ['an animation has the command\'s pixels in each of its pictures: of the light\'s orbit, and of a mesh that turns', async () => {
+        for (const [words, of] of [[['--scene=coin', '--size=40x36', '--format=rgb565', '--light=0,0,1'], k => [`--light=${[Math.cos(k * Math.PI / 24) * 40 / 36, Math.sin(k * Math.PI / 24)].map(v => Number((.72 * v).toFixed(3)))}`]],
+            [['--scene=teapot', '--size=40x36', '--turn=10,0,0'], k => [`--turn=10,${((360 * k / 48 + 180) % 360) - 180},0`]]]) {
+            await browser.go(fragment(words))
+            await shownIsDrawn()
+            const { 'glint.apng': file } = await browser.save('file-apng', 1), frames = framesOf(file)
+            equal(frames.length, 48, 'pictures')
+            for (const k of [0, 1, 7, 24, 47]) {
+                const [word] = of(k), changed = word.startsWith('--light=') ? withZ(word) : word
+                const wrong = difference(frames[k].rgba, frames[k].width, frames[k].height, command.render([...words.filter(other => !other.startsWith(changed.slice(0, 6))), changed]))
+                check(!wrong, `picture ${k}, ${changed}: ${wrong}`)
+            }
+        }
+    }],
+    ['the normal map as PNG is drawn as the surface is, and the stage\'s picture has the panel\'s pixels in it', async () => {
+        await browser.go(fragment(['--scene=coin', '--size=60x50']))
+        await shownIsDrawn()
+        const { 'normals.png': map } = await browser.save('file-normals', 1)
+        command.put('saved normals.png', map)
+        command.put('full.png', fullGloss(60, 50))
+        const own = command.render(['--scene=coin', '--size=60x50', '--color=9,99,200', '--gloss=full.png', '-n30', '--ambient=.1', '--diffuse=.6', '--specular=.5'])
+        const again = command.render(['--normals=saved normals.png', '--color=9,99,200', '-n30', '--ambient=.1', '--diffuse=.6', '--specular=.5'])
+        const most = own.samples.reduce((most, value, i) => Math.max(most, Math.abs(value - again.samples[i])), 0)
+        check(most <= 1, `samples differ by ${most}`)
+        const { 'stage.png': stage } = await browser.save('file-stage', 1), picture = readPng('stage.png', stage)
+        check(picture.width >= 120 && picture.height >= 100, `${picture.width}x${picture.height}`)
+    }],
     [`${count} random states give the command's pictures or refusals`, async () => {
         const random = randomly(isFirefox ? 2 : 1)
         await browser.go(start)

@@ -33,7 +33,10 @@ const colours = Object.fromEntries(['coin', 'dial'].map(scene => {
     return [scene, engine.facts().colour.join()]
 }))
 const board = change => page.evaluate(change => Object.assign(globalThis.board, change), change ?? {})
-const connect = () => page.click('#connect')
+const connect = async () => {
+    await browser.tab('output')
+    await page.click('#connect')
+}
 const press = text => page.evaluate(text => [...document.querySelectorAll('button')].find(button => button.textContent === text).click(), text)
 const refuses = async sentence => {
     await browser.until(sentence => !document.getElementById('refusal').hidden && document.getElementById('refusal').textContent.startsWith(sentence), sentence)
@@ -125,11 +128,12 @@ run([
     }],
     ['connected, what a moving light changes is counted in the board\'s picture, not in the page\'s own', async () => {
         const frame = `of ${(2 * width * height).toLocaleString('en')} bytes`
+        await browser.tab('expert')
         await browser.until(frame => document.getElementById('extent').textContent.includes(frame), frame)
     }],
     ['a light that moves is 16 bytes a frame; a material, or another scene, is sent when it changes', async () => {
         const before = (await board()).lights.length
-        await page.focus('#handle')
+        await page.focus('#handle-1')
         for (let i = 0; i < 8; i++)
             await page.keyboard.press('ArrowRight')
         await follows()
@@ -177,7 +181,7 @@ run([
     }],
     ['a stalled transfer is said, and connecting again goes on', async () => {
         await board({ stalls: true })
-        await page.focus('#handle')
+        await page.focus('#handle-1')
         await page.keyboard.press('ArrowUp')
         await says(sentences.stalled)
         await isFree()
@@ -209,7 +213,7 @@ run([
         check((await turnsWith(180)).includes('--split=180'), 'no --split')
         await browser.until(() => !document.getElementById('turn').hidden)
         await page.click('#turn')
-        await page.focus('#handle')
+        await page.focus('#handle-1')
         for (let i = 0; i < 4; i++)
             await page.keyboard.press('ArrowRight')
         check((await turnsWith(180)).some(word => word.startsWith('--turn=')), 'it does not turn')

@@ -7,7 +7,7 @@ import { inflateRawSync } from 'node:zlib'
 import { check, equal, run } from '../pico/tap.mjs'
 import { Command, difference } from './glint.mjs'
 import { extras, png, surfaces } from './maps.mjs'
-import { meshes, ring, stl } from './meshes.mjs'
+import { ball, gltf, meshes, ring, stl } from './meshes.mjs'
 import { randomly, randomWords } from './states.mjs'
 
 const [folder, glint] = process.argv.slice(2)
@@ -210,6 +210,47 @@ run([
         const { 'mesh.bin': raw } = command.files(['bake', '--mesh=ring.stl', '--split=90', '--to=int8', '-o', 'mesh.bin'])
         equal(engine.deviceMesh(command.held(raw, 90), ['--mesh=ring.stl']), 90, 'a board that holds it')
         equal(engine.deviceMesh(command.held(raw, 90), ['--mesh=coloured.stl']), 0, 'a board that holds another one')
+    }],
+    ['glTF files that hold all they need are drawn and baked as the command does: colours, materials, textures', () => {
+        const engine = new Engine(program), { places, normals, uv, colors, indices } = ball(), another = ball([1.2, .4, .3], .7, 11, 7)
+        const picture = (type, channels) => png({ width: 24, height: 17, type, depth: 8, sample: (x, y, k) => ((x ^ y) & 4 ? 200 : 40 + 7 * x) + 13 * k * (channels > 2) & 255 })
+        const textured = (more = {}, sampler = {}) => ({ materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 }, ...more } }], textures: [{ source: 0, sampler: 0 }], samplers: [sampler] })
+        const files = {
+            'plain.glb': gltf([{ places, normals, indices }]),
+            'flat.glb': gltf([{ places: ring(9, 5).flat() }]),
+            'bytes.glb': gltf([{ places, normals, indices: indices.slice(0, 240), indexKind: 5121 }]),
+            'base.glb': gltf([{ places, normals, indices, material: 0 }], { materials: [{ pbrMetallicRoughness: { baseColorFactor: [.8, .3, .05, 1], roughnessFactor: .35, metallicFactor: .8 } }] }),
+            'two.glb': gltf([{ ...another, uv: undefined, colors: undefined, material: 1 }, { places, normals, indices, material: 0 }], { materials: [{ pbrMetallicRoughness: { baseColorFactor: [.1, .2, .7, 1], metallicFactor: 0, roughnessFactor: .5 } }, { pbrMetallicRoughness: { baseColorFactor: [.9, .6, .1, 1] }, extensions: { KHR_materials_unlit: {} } }], extensionsUsed: ['KHR_materials_unlit'] }),
+            'colours.glb': gltf([{ places, normals, indices, colors, material: 0 }], { materials: [{ pbrMetallicRoughness: { baseColorFactor: [.5, 1, .9, 1] } }] }),
+            'colours of bytes.glb': gltf([{ places, normals, indices, colors: colors.map(color => [...color.map(v => Math.round(255 * v)), 255]), colorKind: 5121 }]),
+            'textured.glb': gltf([{ places, normals, uv, indices, material: 0 }], textured({ roughnessFactor: .6 }), [picture(2, 3)]),
+            'nearest.glb': gltf([{ places, normals, uv, indices, material: 0 }], textured({ baseColorFactor: [.9, .5, .5, 1] }, { magFilter: 9728, wrapS: 33071, wrapT: 33071 }), [picture(6, 4)]),
+            'grey.glb': gltf([{ places, uv, indices, material: 0 }], textured(), [picture(0, 1)]),
+            'look.glb': gltf([{ places, normals, uv, indices, material: 0 }], { materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 1 }, metallicRoughnessTexture: { index: 0 }, roughnessFactor: .7 } }], textures: [{ source: 0 }, { source: 1 }] }, [picture(2, 3), picture(0, 1)]),
+            'text.gltf': gltf([{ places, normals, uv, indices, material: 0 }], textured(), [picture(2, 3)], true),
+        }
+        for (const [name, bytes] of Object.entries(files)) {
+            command.put(name, bytes)
+            engine.addMesh(name, new Uint8Array(bytes))
+            for (const more of [['--format=rgb565'], ['--turn=20,-50,10', '--perspective=3'], ['--turn=70,10,0', '--no-outlines', '--crease=30', '-n90', '--light=1,1,1']])
+                same(engine, [`--mesh=${name}`, '--size=80x70', ...more])
+            const list = ['bake', `--mesh=${name}`, '-o', 'mesh.c'], expected = command.files(list), { files: saved } = engine.run([`glint ${list[0]}`, ...list.slice(1)])
+            equal(saved.map(file => file.name).sort().join(), Object.keys(expected).sort().join(), name)
+            for (const file of saved)
+                check(expected[file.name].equals(Buffer.from(file.bytes)), `${name}: ${file.name} differs`)
+        }
+    }],
+    ['a glTF that the page cannot draw as the command does is refused with a word', () => {
+        const engine = new Engine(program), { places, normals, uv, indices } = ball(), part = { places, normals, uv, indices, material: 0 }
+        const textured = { materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }], textures: [{ source: 0 }] }
+        for (const [bytes, sentence] of [[gltf([part], { ...textured, node: { translation: [1, 0, 0] } }, [png({ width: 4, height: 4, type: 0, depth: 8, sample: () => 9 })]), /moved, turned or scaled/],
+            [gltf([part], textured, [Buffer.from('\xff\xd8\xff\xe0 and more', 'latin1')]), /its texture 1: this is a JPEG, not a PNG/], [gltf([part], textured, [png({ width: 4, height: 4, type: 0, depth: 16, sample: () => 9 })]), /16 bits a sample/],
+            [gltf([part, { ...part, uv: undefined }], { materials: [{}] }), /parts of different kinds/], [gltf([part], { materials: [{}], extensionsRequired: ['KHR_draco_mesh_compression'] }), /needs KHR_draco/],
+            [Buffer.from('{"buffers":[{"uri":"a.bin","byteLength":9}]}'), /names other files/], [Buffer.from('glTF nothing more'), /damaged/], [gltf([part], { materials: [{}] }).subarray(0, 900), /damaged/]]) {
+            const said = refusal(() => engine.addMesh('wrong.glb', new Uint8Array(bytes)))
+            check(sentence.test(said) && said.startsWith('wrong.glb: '), `it says ${said}, not ${sentence}`)
+        }
+        check(engine.draw(['--scene=teapot', '--size=20x20']).width === 20, 'the next picture')
     }],
     ['a wrong mesh gives a sentence, where the command has one the same', () => {
         const engine = new Engine(program), whole = meshes['ring.stl']

@@ -7,7 +7,9 @@
 
 #include "base/argp.h"
 #include "base/memory.h"
+#include "base/message.h"
 #include "draw/canvas.h"
+#include "draw/paths.h"
 #include "files.h"
 #include "image/format.h"
 #include "image/levels.h"
@@ -15,6 +17,7 @@
 #include "mesh.h"
 #include "options/drawing_options.h"
 #include "options/shading_options.h"
+#include "scene/scenes.h"
 #include "state.h"
 #include "words.h"
 
@@ -71,6 +74,22 @@ struct shading_options page_parse(char *text, size_t bytes)
     words_split(&words, text, bytes);
     parse_command(&argp, 0, words.count, words.list, &look);
     return look;
+}
+
+/* Without a scene, which a map of shininess and a metal's grain refuse each other for. */
+void page_check(char *text, size_t bytes)
+{
+    const struct shading_options look = page_parse(text, bytes);
+    const struct scene_options *scene = &look.scene;
+    if (!scene->mesh.name) {
+        const struct shading shading = shading_of_options(&look, look.shading.format, scene_finish(scene->scene));
+        const char *refusal = path_refusal(&shading);
+        if (!refusal && scene->filter && shading.n_across && shading.n_across != shading.n)
+            refusal = "a surface with grain takes no map of shininess";
+        if (refusal)
+            fail("%s", refusal);
+    }
+    free(text);
 }
 
 /* ---- the picture ---- */

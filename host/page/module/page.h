@@ -25,6 +25,9 @@ void PAGE_EXPORT(page_mesh_file)(char *name, uint8_t *bytes, size_t len);
  * formula, with tabs between. */
 const char *PAGE_EXPORT(page_lists)(void);
 
+/* Would the words of `glint render` be refused, whatever the files hold? Then the program ends with a line. */
+void PAGE_EXPORT(page_check)(char *words, size_t bytes);
+
 /* ---- the picture ---- */
 
 /* Draws by the words of `glint render`, the first being the command's name. What did not change since the call before is
@@ -41,6 +44,8 @@ size_t PAGE_EXPORT(page_pixels_bytes)(void);
 const uint8_t *PAGE_EXPORT(page_rgba)(void);
 /* Lines "name value ..." of the shader that drew. */
 const char *PAGE_EXPORT(page_facts)(void);
+/* Where its highlight is, which takes as long as to draw: x, y, width, height; of a mesh 0. */
+const uint32_t *PAGE_EXPORT(page_box)(void);
 /* Milliseconds that are not spent on words: draws the picture `times` times. For the page's bench. */
 void PAGE_EXPORT(page_again)(uint32_t times);
 

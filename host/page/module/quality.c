@@ -107,11 +107,14 @@ const char *page_facts(void)
     const struct glint_paint paint = shading_paint(shading, lights);
     const struct glint_material *m = &paint.material;
     const int32_t cutoff = (int32_t)glint_cutoff(shading->model, shading->n, shading->q);
-    const struct glint_box box = highlight_box(&paint);
     unsigned mean[3];
     FILE *out = text_open(&text);
     fprintf(out, "n %u\nacross %u\nq %u\n", shading->n, shading->n_across ? shading->n_across : shading->n, shading->q);
-    fprintf(out, "grain %u\n", now->scene ? now->scene->grain.kind : GLINT_GRAIN_BRUSHED);
+    struct glint_maps maps = {.grain_kind = GLINT_GRAIN_BRUSHED};
+    if (now->scene)
+        scene_add_grain(now->scene, shading, 0, &maps);
+    fprintf(out, "grain %u\ngrain_at %" PRId32 " %" PRId32 "\n",
+            now->scene ? now->scene->grain.kind : GLINT_GRAIN_BRUSHED, maps.grain_at[0], maps.grain_at[1]);
     put3(out, "ambient_q16", m->ambient_q16);
     put3(out, "diffuse_q16", m->diffuse_q16);
     put3(out, "specular_q16", m->specular_q16);
@@ -133,8 +136,18 @@ const char *page_facts(void)
             glint_cutoff_t(shading->model, shading->n, shading->q));
     fprintf(out, "cutoff_degrees %.6f\n", acos(cutoff / 65536.) * 180 / M_PI);
     fprintf(out, "l_q15 %d %d %d\nh_q15 %d %d %d\n", paint.l.x, paint.l.y, paint.l.z, paint.h.x, paint.h.y, paint.h.z);
-    fprintf(out, "box %u %u %u %u\n", box.x, box.y, box.w, box.h);
     return text_close(&text);
+}
+
+const uint32_t *page_box(void)
+{
+    static uint32_t four[4];
+    struct glint_light lights[GLINT_LIGHTS_MAX];
+    const struct glint_paint paint = shading_paint(&page_state()->shading, lights);
+    const struct glint_box box = highlight_box(&paint);
+    const uint32_t values[4] = {box.x, box.y, box.w, box.h};
+    memcpy(four, values, sizeof four);
+    return four;
 }
 
 /* ---- errors ---- */

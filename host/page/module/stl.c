@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * Meshes of the page: binary STL files, read as libassimp reads them for the command. Other formats have numbers as texts, or files
- * beside them, and are the command's alone. */
+ * Meshes of the page: binary STL files, read as libassimp reads them for the command, and glTF files that hold all they need. Other formats
+ * have numbers as texts, or files beside them, and are the command's alone. */
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,6 +9,8 @@
 #include "base/message.h"
 #include "files.h"
 #include "glint.h"
+#include "gltf.h"
+#include "image/read.h"
 #include "mesh/import.h"
 #include "mesh/import_picture.h"
 
@@ -52,19 +54,32 @@ static uint32_t count_of(const char *path, const uint8_t *stl, size_t len)
     return count;
 }
 
+/* Of 8 bits, as encoded: the command makes others so by libpng. Alpha is ignored. */
 struct mesh_picture import_picture(const char *path)
 {
-    fail("%s: the page draws no textures; use glint render --mesh", path);
+    struct image *image = image_read(path);
+    const size_t pixels = (size_t)image->width * image->height;
+    if (image->bits > 8)
+        fail("%s: has %u bits a sample; the page takes textures of 8; save it so, or use glint render", path,
+             image->bits);
+    struct mesh_picture picture = {strdup(path), image->width, image->height, allocate(pixels, 3)};
+    if (!picture.name)
+        fail("out of memory");
+    for (size_t i = 0; i < 3 * pixels; i++)
+        picture.rgb[i] = (uint8_t)(image->samples[i / 3 * image->channels + (image->channels > 2 ? i % 3 : 0)] / 257);
+    image_free(image);
+    return picture;
 }
 
 struct soup *import_soup(const char *path, bool textures, const char *allowed)
 {
-    (void)textures; /* an STL has none, and names no files */
-    (void)allowed;
+    (void)allowed; /* these files name none */
     size_t len;
     const uint8_t *stl = files_mesh(path, &len);
     if (!stl)
         fail("%s: this mesh is not here; drop or choose the file", path);
+    if (gltf_is(stl, len))
+        return gltf_soup(path, (const void *)stl, textures);
     struct soup *soup = allocate(1, sizeof *soup);
     *soup =
         (struct soup){.name = strdup(path), .face_count = count_of(path, stl, len), .is_stl = true, .part_count = 1};

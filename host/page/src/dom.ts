@@ -31,8 +31,10 @@ export function rows(list: HTMLElement, entries: [string, string][]): void {
 }
 
 export function show(canvas: HTMLCanvasElement, width: number, height: number, rgba: Uint8Array<ArrayBuffer>): void {
-    canvas.width = width
-    canvas.height = height
+    if (canvas.width !== width || canvas.height !== height) { // even the same sizes would lay the page out again
+        canvas.width = width
+        canvas.height = height
+    }
     canvas.getContext('2d')!.putImageData(new ImageData(new Uint8ClampedArray(rgba.buffer, rgba.byteOffset, rgba.length), width, height), 0, 0)
 }
 

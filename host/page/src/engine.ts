@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pictures, numbers and files by command lines: what the worker does, without being one.
 import { LIGHT_DESCRIPTOR_BYTES, LIGHT_MATERIAL_BYTES, LIGHT_MESH_BYTES, LIGHT_MESSAGE_BYTES, LIGHT_POSE_BYTES, PAGE_BINS } from './exports'
+import { isGltf, readGltf } from './gltf'
 import { Module } from './module'
 import type { Map16 } from './png'
 
@@ -49,19 +50,20 @@ export type Facts = Record<string, number[]>
 
 const keepNothing = 0, keepScene = 1, keepCanvas = 2
 /** Options that make the surface; a built-in scene is made of --material, --color takes its own colours away. */
-const ofSurface = /^--(height|normals|scene|mask|scale|bevel|wrap|flip-y|size|albedo|gloss|mesh|crease|axes|split|material|grain|cut-out|filter|background|no-outlines)\b/
+const ofSurface = /^--(height|normals|scene|mask|scale|bevel|wrap|flip-y|size|albedo|gloss|mesh|crease|axes|split|texture|nearest|material|grain|cut-out|filter|background|no-outlines)\b/
 /** Where a mesh stands, for which no canvas is made. */
 const standsBy = /^--(turn|zoom|perspective)\b/
 
 export class Engine {
     private module: Module
     private maps = new Map<string, Map16>()
-    private meshes = new Map<string, Uint8Array>()
+    private meshes = new Map<string, Uint8Array<ArrayBuffer>>()
     private surface = ''
     private material = ''
     private surfaceWarnings: string[] = []
     private drawn: string[] = []
     private frames = 0
+    private checker?: Module
 
     constructor(private program: WebAssembly.Module) {
         this.module = new Module(program)
@@ -74,7 +76,9 @@ export class Engine {
     }
 
     /** A file of a mesh. */
-    addMesh(name: string, bytes: Uint8Array): void {
+    addMesh(name: string, bytes: Uint8Array<ArrayBuffer>): void {
+        if (isGltf(name))
+            bytes = readGltf(name, bytes)
         this.meshes.set(name, bytes)
         this.surface = this.material = ''
         this.guard(() => this.handMesh(name, bytes))
@@ -110,6 +114,21 @@ export class Engine {
         })
     }
 
+    /** Why the command would refuse each of these lines, whatever files hold; '': it would not. */
+    refusals(lines: string[][]): string[] {
+        return lines.map(words => {
+            const module = this.checker ??= new Module(this.program)
+            try {
+                const bytes = new TextEncoder().encode(['glint render', ...words].map(word => word + '\0').join(''))
+                module.call.page_check(module.put(bytes), bytes.length)
+                return ''
+            } catch (error) {
+                this.checker = undefined
+                return (error as Error).message
+            }
+        })
+    }
+
     /** The pixels of the last picture as `--image raw` writes them. */
     pixels(): Uint8Array<ArrayBuffer> {
         const { call } = this.module
@@ -121,6 +140,11 @@ export class Engine {
             const lines = this.module.text(this.module.call.page_facts()).trim().split('\n').map(line => line.split(' '))
             return Object.fromEntries(lines.map(([name, ...values]) => [name, values.map(Number)]))
         })
+    }
+
+    /** Where the highlight is: x, y, width, height. */
+    box(): number[] {
+        return this.guard(() => [...new Uint32Array(this.module.copy(this.module.call.page_box(), 16).buffer)])
     }
 
     compare(): Quality {

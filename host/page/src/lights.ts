@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The list of lights: kind, numbers as the command line has them, colour.
+import { disable, onRefusals } from './controls'
 import { byId, make, short } from './dom'
-import { lastDrawn, onDrawn, selectedLight, selectLight } from './picture'
+import { lastDrawn, onDrawn } from './picture'
 import { change, current, onChange } from './store'
+import { selectedLight, selectLight } from './sun'
 import { lightKinds } from './words'
 import type { Light, LightKind } from './words'
 
 const list = byId('lights'), add = byId<HTMLButtonElement>('add-light')
 /** Numbers before the colour. */
 const counts: Record<LightKind, number> = { light: 3, point: 4, spot: 8 }
-const titles: Record<LightKind, string> = { light: 'Directional', point: 'Point', spot: 'Spot' }
+const titles: Record<LightKind, string> = { light: 'Sun', point: 'Lamp', spot: 'Spot' }
 const forms: Record<LightKind, string> = { light: 'x,y,z to the light', point: 'x,y,z,range in pixels', spot: 'x,y,z,target x,y,range,inner°,outer°' }
 const lightsMax = 4
 
@@ -20,11 +22,12 @@ function fresh(kind: LightKind): string {
     return { light: '1,1,1', point: `${x},${y},${z},${2 * side}`, spot: `${x},${y},${2 * z},${Math.round(width / 2)},${Math.round(height / 2)},${3 * side},15,30` }[kind]
 }
 
-function put(i: number, light?: Light, kind = ''): void {
+function withLight(i: number, light?: Light): Light[] {
     const lights = current().lights.slice()
     lights.splice(i, 1, ...light ? [light] : [])
-    change({ lights }, kind)
+    return lights
 }
+const put = (i: number, light?: Light, kind = '') => change({ lights: withLight(i, light) }, kind)
 
 const toHex = (values: number[]) => '#' + values.map(v => Math.round(255 * Math.min(1, v)).toString(16).padStart(2, '0')).join('')
 const ofHex = (hex: string) => [1, 3, 5].map(at => short(parseInt(hex.slice(at, at + 2), 16) / 255))
@@ -32,12 +35,15 @@ const ofHex = (hex: string) => [1, 3, 5].map(at => short(parseInt(hex.slice(at, 
 /** The rows stay while lights keep their kinds, so that focus stays, too. */
 let built = ''
 const updates: (() => void)[] = []
+let questions: Parameters<typeof onRefusals>[0] = () => []
 
 function build(): void {
     updates.length = 0
+    const asks: (typeof questions)[] = []
     list.replaceChildren(...current().lights.map((light, i) => {
         const { kind } = light, name = `Light ${i + 1}`
         const now = () => current().lights[i]
+        const move = make('button', { type: 'button', textContent: String(i + 1), title: 'Dragging moves this light', aria: { label: `${name}: move it in the picture` }, onclick: () => { selectLight(i); update() } })
         const choose = make('select', { aria: { label: `${name}: kind` } }, ...lightKinds.map(k => make('option', { value: k, textContent: titles[k], selected: k === kind })))
         choose.onchange = () => put(i, { kind: choose.value as LightKind, text: fresh(choose.value as LightKind) })
         const text = make('input', { type: 'text', spellcheck: false, aria: { label: `${name}: ${forms[kind]}` } })
@@ -47,9 +53,10 @@ function build(): void {
             const values = now().text.split(',').slice(0, counts[kind])
             put(i, { kind, text: [...values, ...color.value === '#ffffff' ? [] : ofHex(color.value)].join(',') }, `color${i}`)
         }
-        const move = make('button', { type: 'button', textContent: 'Move', aria: { label: `${name}: move it in the picture` }, onclick: () => { selectLight(i); update() } })
         const remove = make('button', { type: 'button', textContent: '×', aria: { label: `${name}: remove` }, onclick: () => put(i) })
         const number = make('output', { className: 'number' })
+        const row = make('div', { className: 'row' }, make('div', { className: 'line' }, move, choose, text, color, remove),
+            make('div', { className: 'note' }, number, make('span', { className: 'meaning', textContent: forms[kind] })))
         updates.push(() => {
             const values = now().text.split(',').map(Number)
             if (document.activeElement !== text)
@@ -61,9 +68,14 @@ function build(): void {
             number.value = current().lights.length === 1 && kind === 'light' && values.length === 3 && facts
                 ? `l = {${facts.l_q15.join(', ')}}, h = {${facts.h_q15.join(', ')}} in Q1.15` : ''
         })
-        return make('div', { className: 'row' }, make('div', { className: 'line' }, choose, text, color, move, remove),
-            make('div', { className: 'note' }, number, make('span', { className: 'meaning', textContent: forms[kind] })))
+        asks.push(() => [...choose.options].filter(option => option.value !== kind).map(option => ({
+            patch: { lights: withLight(i, { kind: option.value as LightKind, text: fresh(option.value as LightKind) }) },
+            show: refusal => { option.disabled = refusal !== '' },
+        })))
+        asks.push(() => [{ patch: { lights: withLight(i, { kind, text: [...now().text.split(',').slice(0, counts[kind]), '.5', '1', '1'].join() }) }, show: refusal => disable(color, row, refusal) }])
+        return row
     }))
+    questions = () => asks.flatMap(ask => ask())
 }
 
 function update(): void {
@@ -73,8 +85,19 @@ function update(): void {
         build()
     }
     updates.forEach(work => work())
-    add.disabled = current().lights.length >= lightsMax
+    if (current().lights.length >= lightsMax)
+        add.disabled = true
 }
-add.onclick = () => change({ lights: [...current().lights, { kind: 'point', text: fresh('point') }] })
+onRefusals(() => [...questions(), {
+    patch: { lights: [...current().lights, { kind: 'point', text: fresh('point') }] },
+    show: refusal => {
+        disable(add, byId('group-light'), refusal)
+        add.disabled ||= current().lights.length >= lightsMax
+    },
+}])
+add.onclick = () => {
+    change({ lights: [...current().lights, { kind: 'point', text: fresh('point') }] })
+    selectLight(current().lights.length - 1)
+}
 onChange(update)
 onDrawn(update)

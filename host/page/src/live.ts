@@ -4,7 +4,7 @@
 import { ask } from './client'
 import { byId } from './dom'
 import type { ForDevice } from './engine'
-import { mapNames, meshVersion } from './maps'
+import { filesVersion, isHere } from './kept'
 import { onDrawn, redraw, setView } from './picture'
 import type { Viewed } from './picture'
 import { filters, Pico, sentences, Trouble } from './pico'
@@ -80,7 +80,7 @@ async function connect(device: UsbDevice): Promise<void> {
 let held = { of: '', split: 0 }
 /** At how many degrees the edges of the mesh that the board holds are split, if that is the state's; else 0. */
 async function splitOf(mesh: Uint8Array, { scene, mesh: file, crease, axes }: State): Promise<number> {
-    const words = wordsOf({ scene, mesh: file, crease, axes, lights: [] }), of = [mesh.join(), meshVersion(), ...words].join('\0')
+    const words = wordsOf({ scene, mesh: file, crease, axes, lights: [] }), of = [mesh.join(), filesVersion(), ...words].join('\0')
     if (of !== held.of)
         held = { of, split: await ask('deviceMesh', mesh, words) }
     return held.split
@@ -88,7 +88,7 @@ async function splitOf(mesh: Uint8Array, { scene, mesh: file, crease, axes }: St
 
 let white = ''
 async function mapOnDevice(state: State, width: number, height: number): Promise<Viewed> {
-    const name = whiteName(mapNames), size = `${name} ${width}x${height}`, color = await colourOf(state)
+    const name = whiteName({ has: isHere }), size = `${name} ${width}x${height}`, color = await colourOf(state)
     if (size !== white)
         await ask('white', name, width, height)
     white = size

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-import './maps'
+import './tabs'
+import './stage'
+import './sun'
+import './presets'
 import './controls'
+import './maps'
 import './lights'
 import './quality'
 import './outputs'

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What is taken along: files as the command writes them, and the command line; of what a board draws, while one is connected.
-import { ask } from './client'
+// What is taken along: pictures, programs, files as the command writes them, and the command line; of what a board draws, while one is
+// connected.
+import { ask, Stopped } from './client'
 import { byId, make } from './dom'
-import { lastDrawn, onDrawn, viewed } from './picture'
-import { link } from './store'
+import { apng, zip } from './packed'
+import { lastDrawn, onDrawn, setWorking, viewed } from './picture'
+import { pictureHeader, programs } from './programs'
+import type { Kind } from './programs'
+import { stagePicture } from './stage'
+import { current, link } from './store'
+import { movedTo, orbitAt, selectedLight } from './sun'
 import { commandLine, wordsOf } from './words'
 import type { Option, State } from './words'
 
@@ -14,71 +20,140 @@ function only(options: Option[], state: State): string[] {
     return wordsOf({ ...Object.fromEntries(options.filter(name => state[name] !== undefined).map(name => [name, state[name]])), lights: [] })
 }
 
-function save(name: string, bytes: Uint8Array<ArrayBuffer>): void {
-    const url = URL.createObjectURL(new Blob([bytes]))
+function save(name: string, content: Uint8Array<ArrayBuffer> | Blob): void {
+    const url = URL.createObjectURL(content instanceof Blob ? content : new Blob([content]))
     make('a', { href: url, download: name }).click()
     setTimeout(() => URL.revokeObjectURL(url), 10000)
 }
 
 /** Without maps and what else a material has not; of a scene its finish counts. */
 const look = (state: State) => wordsOf({ ...state, height: undefined, normals: undefined, albedo: undefined, gloss: undefined, mask: undefined, 'cut-out': undefined, grain: undefined, background: undefined,
-    bevel: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined, mesh: undefined, crease: undefined, axes: undefined, split: undefined, turn: undefined, zoom: undefined, perspective: undefined, 'no-outlines': undefined, filter: undefined })
+    bevel: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined, mesh: undefined, crease: undefined, axes: undefined, split: undefined, texture: undefined, nearest: undefined, turn: undefined, zoom: undefined, perspective: undefined, 'no-outlines': undefined, filter: undefined })
 const tables = (state: State, kind: string) => ['glint table', `--kind=${kind}`, ...look({ ...state, lights: [] }), '-o', `${kind}_tables.c`]
 /** RGB565 colours go beside normals, not beside a palette's offsets. */
 const baked = (state: State, to: string, name: string) => ['glint bake', ...only(to.startsWith('palette') || name.endsWith('.uf2') ? scene : [...scene, 'albedo'], cutOut(state)), `--to=${to}`, '-o', name]
 /** What has a background is drawn without what lies around it. */
 const cutOut = (state: State): State => state.background !== undefined && (state.scene ?? state.bevel) !== undefined ? { ...state, 'cut-out': '' } : state
 
-/** of: what the surface must be, a map or a mesh. */
-const files: { title: string, name: string, words: (state: State) => string[], of?: 'map' | 'mesh' }[] = [
-    { title: 'Material, C', name: 'material', words: state => ['glint material', ...look(state), '-o', 'material.h'] },
-    { title: 'Tables, 20 KB', name: 'colour', words: state => tables(state, 'colour') },
-    { title: 'Tables over a map', name: 'albedo', words: state => tables(state, 'albedo') },
-    { title: 'Normals, 8 bits, C', name: 'int8', words: state => baked(state, 'int8', 'normals.c'), of: 'map' },
-    { title: 'Normals, 16 bits, C', name: 'int16', words: state => baked(state, 'int16', 'normals.c'), of: 'map' },
-    { title: 'Palette, C', name: 'palette', words: state => baked(state, 'palette', 'normals.c'), of: 'map' },
-    { title: 'Normals, raw', name: 'raw', words: state => baked(state, 'int8', 'normals.bin'), of: 'map' },
-    { title: 'Normals, UF2', name: 'uf2', words: state => baked(state, 'int8', 'normals.uf2'), of: 'map' },
-    { title: 'Mesh, C', name: 'mesh', words: state => ['glint bake', ...only(['scene', 'mesh', 'crease', 'axes', 'split', 'no-outlines'], state), '-o', 'mesh.c'], of: 'mesh' },
-]
+async function state(): Promise<State> {
+    return (await viewed()).state
+}
 
-async function run(wordsFor: (state: State) => string[]): Promise<void> {
-    status.textContent = 'Working…'
+/** As the command writes them. */
+const run = (words: (state: State) => string[]) => async () => {
+    const line = words(await state()), { files, printed, warnings } = await ask('run', line)
+    for (const { name, bytes } of files)
+        save(name, bytes)
+    const [first, ...rest] = line
+    return `${files.map(file => file.name).join(' and ')}: as ${commandLine(first, rest)} writes them. ${[...warnings, ...printed.split('\n').filter(line => line.startsWith('such a picture'))].join(' ')}`
+}
+
+async function savePicture(): Promise<string> {
+    const { width, height, rgba, state } = lastDrawn()!
+    save('glint.png', await ask('png', width, height, rgba, /^(grey\d|mono)$/.test(state.format ?? '')))
+    return 'glint.png: the panel\'s pixels'
+}
+
+async function saveStage(): Promise<string> {
+    const picture = await stagePicture()
+    if (picture)
+        save('stage.png', picture)
+    return 'stage.png: the panel in its bezel'
+}
+
+async function saveNormals(): Promise<string> {
+    const now = await state(), { width, height } = lastDrawn()!
+    const { files } = await ask('run', ['glint bake', ...only(scene, cutOut(now)), '--to=int16', '-o', 'normals.bin'])
+    save('normals.png', await ask('normals', width, height, files[0].bytes))
+    return 'normals.png: 16 bits a channel, green up, for --normals and for other programs'
+}
+
+const frames = 48
+async function saveAnimation(): Promise<string> {
+    const now = await state(), drawn = lastDrawn()!, i = selectedLight()
+    let isStopped = false
+    setWorking(() => { isStopped = true })
     try {
-        const words = wordsFor((await viewed()).state)
-        const { files, printed, warnings } = await ask('run', words)
-        for (const { name, bytes } of files)
-            save(name, bytes)
-        const [first, ...rest] = words
-        status.textContent = `${files.map(file => file.name).join(' and ')}: as ${commandLine(first, rest)} writes them. ${[...warnings, ...printed.split('\n').filter(line => line.startsWith('such a picture'))].join(' ')}`
-    } catch (error) {
-        status.textContent = (error as Error).message
+        const bytes = await apng(frames, 4000 / frames, async k => {
+            if (isStopped)
+                throw new Stopped('stopped')
+            status.textContent = `Frame ${k + 1} of ${frames}`
+            const [x, y, z] = drawn.facts.turn ?? []
+            return ask('aside', wordsOf(drawn.facts.turn ? { ...now, turn: [x, y + 360 * k / frames, z].map(v => Number((((v + 180) % 360 + 360) % 360 - 180).toFixed(1))).join() }
+                : { ...now, lights: now.lights.length ? now.lights.map((light, at) => at === i ? movedTo(light, ...orbitAt(k / frames)) : light) : [movedTo({ kind: 'light', text: '-1,1,1' }, ...orbitAt(k / frames))] }))
+        })
+        save('glint.apng', bytes)
+        return `glint.apng: ${frames} pictures in 4 s, ${(bytes.length / 1e6).toFixed(1)} MB, each as the command draws it`
+    } finally {
+        setWorking()
     }
 }
 
-async function savePicture(): Promise<void> {
-    const drawn = lastDrawn()
-    if (!drawn)
-        return
-    const grey = /^(grey\d|mono)$/.test(drawn.state.format ?? '')
-    save('glint.png', await ask('png', drawn.width, drawn.height, drawn.rgba, grey))
-    status.textContent = `glint.png: the pixels of ${line(drawn.state)}`
+/** In one colour and with full gloss, as a board has it. */
+const program = (kind: Kind) => async () => {
+    const now = await state(), { name, text, format = own => own } = programs[kind], { facts } = lastDrawn()!
+    const wanted = { ...now, format: format(now.format ?? 'rgb888'), color: now.color ?? (facts.has_albedo[0] ? facts.colour.join() : undefined), albedo: undefined }
+    const { files: [material] } = await ask('run', ['glint material', ...look(wanted), '-o', 'material.h'])
+    const { files: normals } = await ask('run', baked(wanted, 'int8', 'normals.c'))
+    const header = new TextDecoder().decode(normals.find(file => file.name.endsWith('.h'))!.bytes)
+    const own = { 'picture.h': pictureHeader(now, { ...facts, albedo: wanted.color?.split(',').map(Number) ?? facts.albedo }, header, wanted.format), [name]: text(wanted.format) }
+    save('picture.zip', zip([material, ...normals, ...Object.entries(own).map(([name, text]) => ({ name, bytes: new TextEncoder().encode(text) }))]
+        .map(({ name, bytes }) => ({ name: `picture/${name}`, bytes }))))
+    return `picture.zip: ${name} and what it includes; it draws the picture in one colour, with full gloss${wanted.background ? ', over black' : ''}. Beside it compile glint.`
 }
 
-/** The map that the command line of a board's picture names. */
-async function saveGloss(): Promise<void> {
-    const drawn = lastDrawn()
-    if (!drawn?.white)
-        return
-    save(drawn.white, await ask('png', drawn.width, drawn.height, new Uint8Array(4 * drawn.width * drawn.height).fill(255), true))
-    status.textContent = `${drawn.white}: the map by which all of the surface has full gloss, as on the board; the command line above reads it`
+async function saveGloss(): Promise<string> {
+    const { white, width, height } = lastDrawn()!
+    save(white!, await ask('png', width, height, new Uint8Array(4 * width * height).fill(255), true))
+    return `${white}: the map by which all of the surface has full gloss, as on the board; the command line below reads it`
 }
+
+/** of: what the surface must be, a map or a mesh. */
+const groups: [string, { title: string, name: string, save: () => Promise<string>, of?: 'map' | 'mesh' | 'board' }[]][] = [
+    ['Pictures', [
+        { title: 'Picture, PNG', name: 'png', save: savePicture },
+        { title: 'Stage, PNG', name: 'stage', save: saveStage },
+        { title: 'Animation, APNG', name: 'apng', save: saveAnimation },
+        { title: 'Normal map, PNG', name: 'normals', save: saveNormals, of: 'map' },
+        { title: 'Full gloss, PNG', name: 'gloss', save: saveGloss, of: 'board' },
+    ]],
+    ['Programs that draw it', [
+        { title: 'For LVGL', name: 'lvgl', save: program('lvgl'), of: 'map' },
+        { title: 'For Arduino', name: 'arduino', save: program('arduino'), of: 'map' },
+        { title: 'Plain C', name: 'c', save: program('c'), of: 'map' },
+    ]],
+    ['Parts, as the command writes them', [
+        { title: 'Material, C', name: 'material', save: run(state => ['glint material', ...look(state), '-o', 'material.h']) },
+        { title: 'Tables, 20 KB', name: 'colour', save: run(state => tables(state, 'colour')) },
+        { title: 'Tables for colours', name: 'albedo', save: run(state => tables(state, 'albedo')) },
+        { title: 'Normals, 8 bits', name: 'int8', save: run(state => baked(state, 'int8', 'normals.c')), of: 'map' },
+        { title: 'Normals, 16 bits', name: 'int16', save: run(state => baked(state, 'int16', 'normals.c')), of: 'map' },
+        { title: 'Palette, C', name: 'palette', save: run(state => baked(state, 'palette', 'normals.c')), of: 'map' },
+        { title: 'Normals, raw', name: 'raw', save: run(state => baked(state, 'int8', 'normals.bin')), of: 'map' },
+        { title: 'Normals, UF2', name: 'uf2', save: run(state => baked(state, 'int8', 'normals.uf2')), of: 'map' },
+        { title: 'Mesh, C', name: 'mesh', save: run(state => ['glint bake', ...only(['scene', 'mesh', 'crease', 'axes', 'split', 'texture', 'nearest', 'no-outlines'], state), '-o', 'mesh.c']), of: 'mesh' },
+    ]],
+]
+
+async function work(save: () => Promise<string>): Promise<void> {
+    status.textContent = 'Working…'
+    try {
+        status.textContent = await save()
+    } catch (error) {
+        status.textContent = error instanceof Stopped ? 'Stopped; nothing was saved' : (error as Error).message
+    }
+}
+const files = groups.flatMap(([title, list]) => {
+    const heading = make('h4', { textContent: title })
+    byId('files').append(heading)
+    return list.map(({ title, name, save, of }) => {
+        const button = make('button', { type: 'button', textContent: title, id: `file-${name}`, onclick: () => void work(save), hidden: of === 'board' })
+        byId('files').append(button)
+        return { button, heading, of }
+    })
+})
 
 const line = (state: State) => commandLine('glint render', [...wordsOf(state), '-o', 'glint.png'])
-
-byId('files').append(make('button', { type: 'button', textContent: 'Picture, PNG', id: 'file-png', onclick: () => void savePicture() }),
-    make('button', { type: 'button', textContent: 'Full gloss, PNG', id: 'file-gloss', hidden: true, onclick: () => void saveGloss() }),
-    ...files.map(({ title, name, words }) => make('button', { type: 'button', textContent: title, id: `file-${name}`, onclick: () => void run(words) })))
 
 async function copy(text: string, button: HTMLElement): Promise<void> {
     const title = button.textContent
@@ -97,10 +172,10 @@ async function copy(text: string, button: HTMLElement): Promise<void> {
 byId('copy').onclick = event => void copy(byId('command').textContent ?? '', event.currentTarget as HTMLElement)
 byId('copy-link').onclick = event => void copy(link(), event.currentTarget as HTMLElement)
 
-onDrawn(({ facts, state, isBoards, white }) => {
-    byId('command').textContent = line(state)
+onDrawn(({ facts, state, isBoards, white, standsIn }) => {
+    byId('command').textContent = line(standsIn ? current() : state)
     byId('out-board').hidden = !isBoards
-    byId('file-gloss').hidden = !white
-    for (const { name, of } of files)
-        byId(`file-${name}`).hidden = of !== undefined && of !== (facts.turn ? 'mesh' : 'map')
+    const is = (of?: string) => of === undefined || of === (facts.turn ? 'mesh' : 'map') || of === 'board' && white !== undefined
+    for (const { button, heading, of } of files)
+        button.hidden = !is(of), heading.hidden = !files.some(file => file.heading === heading && is(file.of))
 })

@@ -92,3 +92,14 @@ export function writePng(width: number, height: number, rgba: Uint8Array, isGrey
             data[channels * i + k] = rgba[4 * i + k]
     return encode({ width, height, channels, depth: 8, data }) as Uint8Array<ArrayBuffer>
 }
+
+/** A normal map with 16 bits a sample, of what `glint bake --to=int16` writes; transparent where there is no surface. */
+export function writeNormals(width: number, height: number, baked: Uint8Array): Uint8Array<ArrayBuffer> {
+    const normals = new Int16Array(baked.slice(0, 6 * width * height).buffer), data = new Uint16Array(4 * width * height)
+    for (let i = 0; i < width * height; i++) {
+        const normal = normals.subarray(3 * i, 3 * i + 3)
+        normal.forEach((v, k) => { data[4 * i + k] = Math.round((v / 32767 + 1) / 2 * 65535) })
+        data[4 * i + 3] = normal.some(v => v) ? 65535 : 0
+    }
+    return encode({ width, height, channels: 4, depth: 16, data }) as Uint8Array<ArrayBuffer>
+}

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The right side: curve, errors, costs, extent. What takes long waits until the picture rests.
+// For experts: curve, errors, costs, extent; while they are shown, and what takes long once the picture rests.
 import { ask } from './client'
 import { costs } from './costs'
 import { byId, make, rows, short, show } from './dom'
 import type { Curve } from './engine'
-import { onDrawn } from './picture'
+import { lastDrawn, onDrawn } from './picture'
 import type { Drawn } from './picture'
+import { onShown, shownGroup } from './tabs'
 import { wordsOf } from './words'
 
 const commas = (x: number) => Math.round(x).toLocaleString('en')
@@ -60,16 +61,36 @@ function histogram(bins: number[]): void {
 async function errors(drawn: Drawn): Promise<void> {
     const quality = await ask('compare')
     show(byId<HTMLCanvasElement>('error-map'), drawn.width, drawn.height, quality.errorMap)
-    byId('error-caption').textContent = `Errors, times ${quality.errorTimes}`
+    byId('error-caption').textContent = `Where the errors are: black none, brighter larger; shown ${quality.errorTimes} times as large`
     histogram(quality.histogram)
+    const explained: string[] = []
     byId('errors').replaceChildren(...quality.report.split('\n').flatMap(line => {
         const row = line.match(/^(.{32})(.*)$/), name = row?.[1].trim() ?? ''
         if (!row || !/in double|rounding alone/.test(name))
             return []
         const title = name.replace('of that, the rounding alone', 'rounding alone').replace('in double, rounded', 'rounded')
+        explained.push(title)
         const values = row[2].match(/^\s*([\d.]+|inf)\s+([\d.]+)\s+([\d.]+)/)?.slice(1) ?? ['same', '0', '0']
         return [make('tr', {}, make('th', { scope: 'row', textContent: title }), ...values.map(textContent => make('td', { textContent })))]
     }))
+    legend(explained, drawn)
+}
+
+/** What the lines of the table compare, in words; and why a mesh's largest error alarms. */
+function legend(titles: string[], { state, facts }: Drawn): void {
+    const model = state.model ?? 'msh', isMesh = facts.turn !== undefined
+    byId('errors-note').textContent = isMesh ? 'The largest errors of a mesh come from interpolated normals: the library interpolates t between the corners of a triangle, the comparison the normal, and a silhouette may cross a pixel. The map shows where.'
+        : 'Every pixel is the correctly rounded value of its formula. What is left is the rounding to the panel\'s levels.'
+    const lines: Record<string, string> = {
+        [`${model} rounded`]: `beside ${model} computed in double precision, then rounded to the panel's levels: what the integers cost`,
+        [`${model} in double`]: `beside ${model} in double precision without rounding: what the integers and the panel's few levels cost together`,
+        'rounding alone': 'double precision beside the same, rounded: what no arithmetic can avoid on this panel',
+        'blinn rounded': 'beside Blinn\'s model, rounded: how far the formula is from the one that it replaces',
+        'blinn in double': 'beside Blinn\'s model without rounding',
+    }
+    rows(byId('legend'), [...titles.map((title): [string, string] => [title, lines[title] ?? 'the same beside another model']),
+        ['PSNR', 'more is better; beyond 50 dB nobody sees a difference'], ['mean, largest', 'of all samples, in levels of 255'],
+        ...isMesh ? [['interpolated normals', 'A highlight between the corners of large triangles lies better with Split']] as [string, string][] : []])
 }
 
 // ---- extent ----
@@ -86,7 +107,7 @@ function turned({ state, width, height }: Drawn, degrees: number): string[] {
 }
 
 async function extent(drawn: Drawn): Promise<void> {
-    const { facts } = drawn, [x, y, w, h] = facts.box
+    const { facts } = drawn, [x, y, w, h] = await ask('box')
     const entries: [string, string][] = [
         ['Cutoff', `${facts.cutoff_degrees[0].toFixed(3)}°, c_q16 ≥ ${facts.cutoff_c_q16[0]}`],
         ['The highlight\'s box', w ? `${w} × ${h} at ${x}, ${y}` : 'no highlight'],
@@ -102,7 +123,12 @@ async function extent(drawn: Drawn): Promise<void> {
 
 let waiting: number | undefined
 let round = 0
-onDrawn(drawn => {
+let told: Drawn | undefined
+function tell(): void {
+    const drawn = lastDrawn()
+    if (!drawn || drawn === told || shownGroup() !== 'expert')
+        return
+    told = drawn
     rows(byId('costs'), costs(drawn.state, drawn.facts, drawn.width, drawn.height))
     const mine = ++round
     clearTimeout(waiting)
@@ -117,4 +143,6 @@ onDrawn(drawn => {
         if (mine === round)
             document.body.dataset.rested = String(mine)
     }, 150)
-})
+}
+onDrawn(tell)
+onShown(tell)

@@ -57,6 +57,16 @@ function step(from: State[], to: State[]): void {
     tell()
 }
 
+/** What was tried and refused: as it was before, and nothing to undo. */
+export function takeBack(before: State): void {
+    if (done[done.length - 1] === before)
+        done.pop()
+    state = before
+    lastKind = ''
+    writeFragment()
+    tell()
+}
+
 export const undo = () => step(done, undone)
 export const redo = () => step(undone, done)
 export const canUndo = () => done.length > 0

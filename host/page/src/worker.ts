@@ -4,7 +4,7 @@ import { inflateSync } from 'fflate'
 import base64 from 'glint:module'
 import { Engine } from './engine'
 import type { Had } from './engine'
-import { readPng, writePng } from './png'
+import { readPng, writeNormals, writePng } from './png'
 
 const program = new WebAssembly.Module(inflateSync(Uint8Array.from(atob(base64), c => c.charCodeAt(0))) as Uint8Array<ArrayBuffer>)
 const engine = new Engine(program)
@@ -18,9 +18,14 @@ export const methods = {
         other.addMap(name, map)
         return { width: map.width, height: map.height, channels: map.channels, bits: map.bits }
     },
-    mesh: (name: string, bytes: Uint8Array) => engine.addMesh(name, bytes),
+    mesh(name: string, bytes: Uint8Array<ArrayBuffer>) {
+        engine.addMesh(name, bytes)
+        other.addMesh(name, bytes)
+    },
     draw: (words: string[]) => ({ ...engine.draw(words), facts: engine.facts() }),
     aside: (words: string[]) => other.draw(words),
+    refusals: (lines: string[][]) => other.refusals(lines),
+    box: () => engine.box(),
     compare: () => engine.compare(),
     curve: (model: string, n: number, count: number, degrees: number) => engine.curve(model, n, count, degrees),
     run: (words: string[]) => engine.run(words),
@@ -36,6 +41,7 @@ export const methods = {
     device: (width: number, height: number, has: Had) => engine.device(width, height, has),
     raw: () => engine.pixels(),
     again: (times: number) => engine.again(times),
+    normals: (width: number, height: number, baked: Uint8Array) => writeNormals(width, height, baked),
     png: (width: number, height: number, rgba: Uint8Array, isGrey: boolean) => writePng(width, height, rgba, isGrey),
 }
 export type Methods = typeof methods

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// glTF files that hold all they need (GLB, or data: addresses) into what module/soup.c reads: triangles as the command has them of
+// libassimp, in the same order and with the same roundings. What would have to be rounded otherwise is refused.
+import { readPng } from './png'
+
+interface View { buffer: number, byteOffset?: number, byteLength: number, byteStride?: number }
+interface Accessor { bufferView?: number, byteOffset?: number, componentType: number, count: number, type: string, sparse?: unknown }
+interface Info { index: number, texCoord?: number, extensions?: Record<string, unknown> }
+interface Material {
+    pbrMetallicRoughness?: { baseColorFactor?: number[], metallicFactor?: number, roughnessFactor?: number, baseColorTexture?: Info, metallicRoughnessTexture?: Info }
+    extensions?: Record<string, unknown>
+}
+interface Primitive { attributes: Record<string, number>, indices?: number, material?: number, mode?: number, targets?: unknown }
+interface Node { mesh?: number, children?: number[], matrix?: number[], translation?: number[], rotation?: number[], scale?: number[], skin?: number }
+interface Gltf {
+    scene?: number, scenes?: { nodes?: number[] }[], nodes?: Node[], meshes?: { primitives: Primitive[] }[], accessors?: Accessor[], bufferViews?: View[], materials?: Material[]
+    buffers?: { uri?: string, byteLength: number }[], images?: { uri?: string, bufferView?: number }[], textures?: { source?: number, sampler?: number }[], samplers?: { magFilter?: number, wrapS?: number, wrapT?: number }[]
+    extensionsRequired?: string[]
+}
+export const soupMagic = 20260001, materialNumbers = 13, faceNumbers = 34
+const { fround } = Math
+
+export const isGltf = (name: string) => /\.(gltf|glb)$/i.test(name)
+
+/** Throws an Error whose message is a sentence. */
+export function readGltf(name: string, file: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
+    const refuse = (why: string): never => { throw new Error(`${name}: ${why}, or use glint render --mesh`) }
+    const damaged = () => refuse('this glTF is damaged; export it again')
+    const { json, held } = (() => {
+        try {
+            return opened(file)
+        } catch {
+            return damaged()
+        }
+    })()
+    if (json.extensionsRequired?.some(extension => extension !== 'KHR_materials_unlit'))
+        refuse(`needs ${json.extensionsRequired.join(', ')}; export it without`)
+
+    const bytesOf = (uri: string | undefined): Uint8Array => {
+        const base64 = uri?.match(/^data:[^,]*;base64,(.*)$/s)?.[1]
+        return base64 === undefined ? refuse('names other files, which the page cannot see; export it in one file (GLB)') : Uint8Array.from(atob(base64), c => c.charCodeAt(0))
+    }
+    const buffers = (json.buffers ?? []).map(({ uri }, i) => uri === undefined && i === 0 && held ? held : bytesOf(uri))
+    const viewBytes = (i: number): Uint8Array => {
+        const view = json.bufferViews?.[i] ?? damaged(), from = view.byteOffset ?? 0, buffer = buffers[view.buffer] ?? damaged()
+        return from + view.byteLength > buffer.length ? damaged() : buffer.subarray(from, from + view.byteLength)
+    }
+
+    /** Numbers of an accessor, so many for each element. */
+    function numbers(i: number, types: string[]): { values: number[], size: number, kind: number } {
+        const { bufferView, byteOffset = 0, componentType: kind, count, type, sparse } = json.accessors?.[i] ?? damaged()
+        const size = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 }[type] ?? damaged(), width = { 5121: 1, 5123: 2, 5125: 4, 5126: 4 }[kind] ?? damaged()
+        if (!types.includes(`${type} ${kind}`) || sparse || bufferView === undefined)
+            refuse('has numbers of a kind that the page does not read; export it with floats')
+        const bytes = viewBytes(bufferView!), step = json.bufferViews![bufferView!].byteStride ?? size * width, view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length)
+        if (count < 1 || count > 1 << 20 || byteOffset + step * (count - 1) + size * width > bytes.length)
+            damaged()
+        const read = { 5121: (at: number) => view.getUint8(at), 5123: (at: number) => view.getUint16(at, true), 5125: (at: number) => view.getUint32(at, true), 5126: (at: number) => view.getFloat32(at, true) }[kind]!
+        return { values: Array.from({ length: count * size }, (_, k) => read(byteOffset + step * Math.floor(k / size) + width * (k % size))), size, kind }
+    }
+
+    // ---- primitives in the order of nodes, and their materials: of children first ----
+
+    const found: Primitive[] = [], used: number[] = []
+    const visit = (i: number, depth: number): void => {
+        const node = json.nodes?.[i] ?? damaged()
+        const { matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], translation = [0, 0, 0], rotation = [0, 0, 0, 1], scale = [1, 1, 1] } = node
+        const is = (list: number[], ...plain: number[]) => list.every((value, k) => value === plain[k])
+        if (!is(matrix, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1) || !is(translation, 0, 0, 0) || !is(rotation, 0, 0, 0, 1) || !is(scale, 1, 1, 1) || node.skin !== undefined)
+            refuse('has parts that are moved, turned or scaled; apply their transforms before you export it')
+        if (depth > 64)
+            damaged()
+        const own = node.mesh === undefined ? [] : json.meshes?.[node.mesh]?.primitives ?? damaged()
+        found.push(...own)
+        node.children?.forEach(child => visit(child, depth + 1))
+        used.push(...own.flatMap(({ material }) => material === undefined || used.includes(material) ? [] : [material]))
+    }
+    const scene = json.scenes?.[json.scene ?? 0]
+    scene?.nodes?.forEach(node => visit(node, 0))
+    if (!found.length)
+        refuse('has no triangles; name another mesh')
+    // ---- materials in the order in which libassimp meets them; after them stands the one of what names none ----
+
+    const pictures: number[] = []
+    const pictureOf = (info?: Info): number => {
+        if (!info)
+            return 0
+        if (info.texCoord || info.extensions)
+            refuse('moves its textures, or has several of their coordinates; export it without')
+        const image = json.textures?.[info.index]?.source ?? damaged()
+        if (!pictures.includes(image))
+            pictures.push(image)
+        return pictures.indexOf(image) + 1
+    }
+    const bases: number[][] = []
+    const materials = [...used.map(i => json.materials?.[i] ?? damaged()), {}].map(({ pbrMetallicRoughness: pbr = {}, extensions }: Material) => {
+        const base = (pbr.baseColorFactor ?? [1, 1, 1]).slice(0, 3).map(fround), look = pictureOf(pbr.metallicRoughnessTexture), picture = pictureOf(pbr.baseColorTexture)
+        const texture = json.textures?.[pbr.baseColorTexture?.index ?? -1], sampler = json.samplers?.[texture?.sampler ?? -1] ?? {}
+        const [metallic, rough] = [pbr.metallicFactor ?? 1, pbr.roughnessFactor ?? 1].map(fround).map(within)
+        bases.push(base)
+        return [...base.map(level), extensions && 'KHR_materials_unlit' in extensions ? 1 : 0, rough, metallic, look, picture,
+            (sampler.wrapS ?? 10497) !== 10497 || (sampler.wrapT ?? 10497) !== 10497 ? 1 : 0, sampler.magFilter === 9728 ? 1 : 0, ...base.map(within)]
+    })
+
+    // ---- triangles ----
+
+    const has = (name: string) => name in found[0].attributes
+    if (found.some(({ attributes, mode = 4, targets }) => mode !== 4 || targets || ['NORMAL', 'TEXCOORD_0', 'COLOR_0'].some(name => name in attributes !== has(name))))
+        refuse('has parts of different kinds; export it as triangles, all with the same attributes')
+    const faces: number[] = []
+    for (const { attributes, indices, material } of found) {
+        const part = material === undefined ? used.length : used.indexOf(material)
+        const places = numbers(attributes.POSITION ?? damaged(), ['VEC3 5126']).values, count = places.length / 3
+        const normals = has('NORMAL') ? numbers(attributes.NORMAL, ['VEC3 5126']).values : undefined
+        const uv = has('TEXCOORD_0') ? numbers(attributes.TEXCOORD_0, ['VEC2 5126']).values : undefined
+        const colors = has('COLOR_0') ? numbers(attributes.COLOR_0, ['VEC3 5126', 'VEC4 5126', 'VEC3 5121', 'VEC4 5121', 'VEC3 5123', 'VEC4 5123']) : undefined
+        const corners = indices === undefined ? Array.from({ length: count }, (_, i) => i) : numbers(indices, ['SCALAR 5121', 'SCALAR 5123', 'SCALAR 5125']).values
+        const most = { 5126: 1, 5121: 255, 5123: 65535 }[colors?.kind ?? 5126]!
+        if (corners.some(corner => corner >= count) || [[normals, 3], [uv, 2], [colors?.values, colors?.size ?? 1]].some(([list, size]) => list && (list as number[]).length !== count * (size as number)))
+            damaged()
+        for (let i = 0; i + 2 < corners.length; i += 3) {
+            const three = corners.slice(i, i + 3), of = (list: number[] | undefined, size: number) => three.flatMap(corner => Array.from({ length: size }, (_, k) => list?.[size * corner + k] ?? 0))
+            faces.push(...of(places, 3), ...of(normals, 3),
+                ...of(uv, 2).map((value, k) => k % 2 && uv ? 1 - fround(1 - value) : value), // libassimp has v up
+                ...three.flatMap(corner => bases[part].map((base, k) => colors ? level(fround(colors.values[colors.size * corner + k] / most) * base) : materials[part][k])), part)
+        }
+    }
+
+    // ---- all as numbers, and the pictures' bytes ----
+
+    const decoded = pictures.map((image, i) => {
+        const { uri, bufferView } = json.images?.[image] ?? damaged(), title = `its texture ${i + 1}`
+        const bytes = bufferView !== undefined ? viewBytes(bufferView).slice() : bytesOf(uri).slice()
+        const map = (() => {
+            try {
+                checkTexture(title, bytes as Uint8Array<ArrayBuffer>)
+                return readPng(title, bytes)
+            } catch (error) {
+                return refuse((error as Error).message)
+            }
+        })()
+        if (map.bits > 8)
+            refuse(`${title} has ${map.bits} bits a sample; save it with 8`)
+        return map
+    })
+    const head = [soupMagic, faces.length / faceNumbers, materials.length, decoded.length, Number(has('NORMAL')), Number(has('TEXCOORD_0')), Number(has('COLOR_0')), ...materials.flat(), ...decoded.flatMap(({ width, height }) => [width, height])]
+    const list = Float64Array.from([...head, ...faces])
+    const out = new Uint8Array(list.byteLength + decoded.reduce((sum, { width, height }) => sum + 3 * width * height, 0))
+    out.set(new Uint8Array(list.buffer))
+    let at = list.byteLength
+    for (const { width, height, channels, samples } of decoded)
+        for (let i = 0; i < 3 * width * height; i++)
+            out[at++] = samples[Math.floor(i / 3) * channels + (channels > 2 ? i % 3 : 0)] / 257
+    return out
+}
+
+/** The command decodes a texture's own gamma, if it is another one than sRGB's; the page takes samples as they are. */
+export function checkTexture(name: string, bytes: Uint8Array<ArrayBuffer>): void {
+    const text = new TextDecoder('latin1').decode(bytes.subarray(0, 4096)), at = text.indexOf('gAMA')
+    if (at > 0 && at < text.indexOf('IDAT') && Math.abs(new DataView(bytes.buffer, bytes.byteOffset).getUint32(at + 4) - 45455) > 50 || text.includes('iCCP'))
+        throw new Error(`${name}: has a gamma or colour profile of its own; save it as plain sRGB`)
+}
+
+const within = (value: number) => Math.min(1, Math.max(0, value))
+/** Of light a level of 255, as encoded in sRGB. */
+function level(light: number): number {
+    const value = within(light)
+    return Math.round(255 * (value <= .0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - .055))
+}
+
+function opened(file: Uint8Array): { json: Gltf, held?: Uint8Array } {
+    const view = new DataView(file.buffer, file.byteOffset, file.length), text = (bytes: Uint8Array) => JSON.parse(new TextDecoder().decode(bytes)) as Gltf
+    if (view.getUint32(0, true) !== 0x46546c67)
+        return { json: text(file) }
+    const length = view.getUint32(12, true), at = 20 + length
+    return { json: text(file.subarray(20, at)), held: at + 8 <= file.length ? file.subarray(at + 8, at + 8 + view.getUint32(at, true)) : undefined }
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The user's files, kept in the browser over a reload: IndexedDB, which pages from a file have, too.
+import { give } from './client'
+import { fileOf, isSurface, kinds } from './words'
+import type { Kind, State } from './words'
+
+interface Kept { name: string, bytes: Uint8Array<ArrayBuffer>, time: number }
+const keepsAtMost = 32
+/** What the worker has. */
+const here = new Map<string, Uint8Array<ArrayBuffer>>()
+let version = 0
+
+/** Another one where a file may have another content under its name. */
+export const filesVersion = () => version
+export const isHere = (name: string) => here.has(name)
+export const bytesOf = (name: string) => here.get(name)
+export const methodOf = (kind: Kind) => kind === 'mesh' ? 'mesh' : 'map'
+
+/** Throws where the file is refused; what had its name then stays. */
+export async function putFile(name: string, kind: Kind, bytes: Uint8Array<ArrayBuffer>): Promise<void> {
+    await give(name, methodOf(kind), bytes)
+    here.set(name, bytes)
+    version++
+}
+
+export function forgetFile(name: string): void {
+    here.delete(name)
+    version++
+}
+
+function finished<T>(request: IDBRequest<T>): Promise<T> {
+    return new Promise((resolve, reject) => {
+        request.onsuccess = () => resolve(request.result)
+        request.onerror = () => reject(request.error)
+    })
+}
+
+let opening: Promise<IDBDatabase> | undefined
+function open(): Promise<IDBDatabase> {
+    return opening ??= new Promise((resolve, reject) => {
+        const request = indexedDB.open('glint', 1)
+        request.onupgradeneeded = () => request.result.createObjectStore('files', { keyPath: 'name' })
+        request.onsuccess = () => resolve(request.result)
+        request.onerror = request.onblocked = () => reject(request.error)
+    })
+}
+
+/** Where a browser keeps nothing (a private window), a file lasts as long as the page. */
+export async function keepFile(name: string): Promise<void> {
+    const bytes = here.get(name)
+    try {
+        const store = (await open()).transaction('files', 'readwrite').objectStore('files')
+        await finished(store.put({ name, bytes, time: Date.now() }))
+        const all = (await finished(store.getAll())) as Kept[]
+        all.sort((a, b) => b.time - a.time).slice(keepsAtMost).forEach(({ name }) => store.delete(name))
+    } catch { /* not kept */ }
+}
+
+async function keptBytes(name: string): Promise<Uint8Array<ArrayBuffer> | undefined> {
+    try {
+        const store = (await open()).transaction('files').objectStore('files')
+        return ((await finished(store.get(name))) as Kept | undefined)?.bytes
+    } catch {
+        return undefined
+    }
+}
+
+/** Gives the worker the files that the state names; returns those which are nowhere. */
+export async function missingOf(state: State): Promise<Kind[]> {
+    const missing: Kind[] = []
+    for (const kind of kinds) {
+        const name = fileOf(state, kind)
+        if (name === undefined || here.has(name))
+            continue
+        const bytes = await keptBytes(name)
+        const isGiven = bytes && await putFile(name, kind, bytes).then(() => true, () => false)
+        if (!isGiven)
+            missing.push(kind)
+    }
+    return missing.sort((a, b) => Number(isSurface(b)) - Number(isSurface(a)))
+}
