@@ -226,12 +226,12 @@ test: ## check: set up what is missing and run every tier; the last line is the 
 
 # What a release has.
 DIST = build/dist
-DIST_PANELS = $(foreach panel,$(PICO_PANELS),build/firmware/pico-$(panel)/glint.uf2=glint-VERSION-pico-$(panel).uf2) \
+DIST_PANELS = $(foreach panel,$(PICO_RELEASED),build/firmware/pico-$(panel)/glint.uf2=glint-VERSION-pico-$(panel).uf2) \
 	build/firmware/pico-st7789-240x240-two-cores-teapot/glint.uf2=glint-VERSION-pico-teapot.uf2
 DIST_BUILT = $(foreach board,$(GATEWARE_BOARDS),$(GATEWARE)/$(board).bin=glint-VERSION-$(board).bin) $(PAGE)/index.html=glint-VERSION-page.html
 
 dist: all $(BUILD)/man gateware page ## maintain: what a release has, into build/dist: archives, the library as two files, an image for each Pico panel and one that turns a teapot, bitstreams, the page, man pages, SHA256SUMS
-	@+for panel in $(PICO_PANELS); do $(SUBMAKE) -s firmware PORT=pico PANEL=$$panel || exit 1; done
+	@+for panel in $(PICO_RELEASED); do $(SUBMAKE) -s firmware PORT=pico PANEL=$$panel || exit 1; done
 	@+$(SUBMAKE) -s firmware PORT=pico DEMO=teapot SECOND_CORE=1
 	@.ci/dist $(DIST) "$(LIB_HEADERS)" $(DIST_PANELS) $(DIST_BUILT) "$$(echo $(BUILD)/man/*.1)=glint-VERSION-man.tar.gz"
 	@cat $(DIST)/SHA256SUMS

@@ -113,7 +113,6 @@ static bool has_fault_to_show(void)
 
 static void start(void)
 {
-    enum { ROTATION = PANEL_WIDTH > PANEL_HEIGHT }; /* glass is upright */
     gud_ops = gud_panel_ops;
     gud_ops.busy = gud_is_busy;
     gud_ops.display = gud_display;
@@ -124,7 +123,7 @@ static void start(void)
     gud_config.window = memory->lz4_window;
     gud_config.window_bytes = sizeof memory->lz4_window;
     shown_prepare(&panel, &light);
-    if (!panel_defaults(&panel, PANEL_CONTROLLER, ROTATION, PANEL_WIDTH, PANEL_HEIGHT) ||
+    if (!panel_defaults(&panel, PANEL_CONTROLLER, BOARD_ROTATION, PANEL_WIDTH, PANEL_HEIGHT) ||
         !gud_device_init(&gud, &gud_config))
         fail(FAULT_BUILD);
     panel.tearing_line = HAS_TE;
