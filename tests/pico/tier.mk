@@ -42,6 +42,7 @@ run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $
 		"$(call PICO_TEST,second_core,-two-cores)" "$(call PICO_TEST,exact,-exact)" \
 		"$(call PICO_TEST,teapot,-two-cores-teapot) both" "$(call PICO_TEST,teapot,-teapot)") \
 		"node tests/pico/test_round.mjs $(BENCH_NPM) build/firmware/pico-$(PICO_ROUND_TESTED)-turned-90 $(PICO_ROUND_TESTED) $(BUILD)/tests/pico/judge" \
+		$(foreach board,$(PICO_READY_TESTED),"node tests/pico/test_hand.mjs $(BENCH_NPM) build/firmware/$(board)-$(call pico_panel_of,$(board)) $(call pico_panel_of,$(board)) $(BUILD)/tests/pico/judge") \
 		"node tests/pico/test_conformance.mjs $(BENCH_NPM) build/firmware/pico-st7789-240x240 $(CONFORMANCE_EXPECTED)" \
 		$(foreach panel,$(PICO_PANELS_TESTED),"$(call PICO_TEST,demo)" "$(call PICO_TEST,usb)") \
 		"tests/pico/test_cores $(BUILD)/tests/pico/cores" \

@@ -11,7 +11,7 @@ enum board_facts {
 #define BOARD(name, id, chip, panel, turn, dc, cs, clock, data, reset, backlight, uart_tx, imu, sda, scl, right, up,   \
               towards)                                                                                                 \
     id##_TURN = turn, id##_DC = dc, id##_CS = cs, id##_CLOCK = clock, id##_DATA = data, id##_RESET = reset,            \
-    id##_BACKLIGHT = backlight, id##_UART_TX = uart_tx, id##_IMU = IMU_##imu, id##_SDA = sda, id##_SCL = scl,                \
+    id##_BACKLIGHT = backlight, id##_UART_TX = uart_tx, id##_IMU = IMU_##imu, id##_SDA = sda, id##_SCL = scl,          \
     id##_RIGHT = right, id##_UP = up, id##_TOWARDS = towards,
 #include "boards.def"
 };

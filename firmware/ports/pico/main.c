@@ -2,6 +2,7 @@
  * A display that shades by itself until a computer takes it over. */
 #include "board.h"
 #include "gud_panel.h"
+#include "hand.h"
 #include "second_core.h"
 #include "shown.h"
 #include "usb.h"
@@ -128,6 +129,7 @@ static void start(void)
         fail(FAULT_BUILD);
     panel.tearing_line = HAS_TE;
     usb_start(&gud, &light);
+    hand_start();
 #if SECOND_CORE
     board_say("both cores shade; the second core has run in a model only\r\n");
     second_core_start();
@@ -235,6 +237,14 @@ static void draw(void)
     light.is_drawing = owner == LIGHT_HOST && (drawn.in_frame || light.is_drawing);
 }
 
+static void change_scene(void)
+{
+    shown_next_scene();
+    shown_abandon();
+    drawn.in_frame = false;
+    begin_drawing(shown_begin_demo);
+}
+
 int main(void)
 {
     const enum fault before = board_start();
@@ -246,11 +256,14 @@ int main(void)
     for (;;) {
         board_alive();
         usb_poll();
+        const bool is_knocked = hand_poll();
         if (gud_panel.has_failed)
             fail(FAULT_BUS);
         const enum owner next = wanted();
         if (next != owner || must_restart())
             hand_over(next);
+        else if (is_knocked && owner == DEMO)
+            change_scene();
         if (owner == DEMO || owner == LIGHT_HOST)
             draw();
     }

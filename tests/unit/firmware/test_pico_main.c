@@ -92,6 +92,19 @@ void second_core_start(void)
 {
 }
 
+void hand_start(void)
+{
+}
+
+bool hand_poll(void)
+{
+    return false;
+}
+
+void shown_next_scene(void)
+{
+}
+
 /* ---- pictures ---- */
 
 static enum { OTHERS, WHOLE_DEMO, LIGHT } picture; /* on the panel; OTHERS: some of it is a host's or unknown */
