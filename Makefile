@@ -226,13 +226,19 @@ test: ## check: set up what is missing and run every tier; the last line is the 
 
 # What a release has.
 DIST = build/dist
-DIST_PANELS = $(foreach panel,$(PICO_PANELS),build/firmware/pico-$(panel)/glint.uf2=glint-VERSION-pico-$(panel).uf2) \
-	build/firmware/pico-st7789-240x240-two-cores-teapot/glint.uf2=glint-VERSION-pico-teapot.uf2
+DIST_PANELS = $(foreach panel,$(PICO_RELEASED),build/firmware/pico-$(panel)/glint.uf2=glint-VERSION-pico-$(panel).uf2) \
+	build/firmware/pico-st7789-240x240-two-cores-teapot/glint.uf2=glint-VERSION-pico-teapot.uf2 $(foreach board,$(PICO_READY),$(foreach demo,$(PICO_READY_DEMOS),\
+	build/firmware/$(board)-$(call pico_panel_of,$(board))$(if $(filter teapot,$(demo)),-two-cores-teapot)/glint.uf2=glint-VERSION-$(board)-$(demo).uf2))
+# Boards that have a panel, and what each gets: the dial, from which a tap goes to the coin, and the teapot where an emulator turns it.
+PICO_READY := $(filter-out pico pico2,$(pico_BOARDS))
+PICO_READY_DEMOS = dial $(if $(filter $(board),$(pico_EMULATED)),teapot)
 DIST_BUILT = $(foreach board,$(GATEWARE_BOARDS),$(GATEWARE)/$(board).bin=glint-VERSION-$(board).bin) $(PAGE)/index.html=glint-VERSION-page.html
 
-dist: all $(BUILD)/man gateware page ## maintain: what a release has, into build/dist: archives, the library as two files, an image for each Pico panel and one that turns a teapot, bitstreams, the page, man pages, SHA256SUMS
-	@+for panel in $(PICO_PANELS); do $(SUBMAKE) -s firmware PORT=pico PANEL=$$panel || exit 1; done
+dist: all $(BUILD)/man gateware page ## maintain: what a release has, into build/dist: archives, the library as two files, an image for each Pico panel, each board with a panel and one that turns a teapot, bitstreams, the page, man pages, SHA256SUMS
+	@+for panel in $(PICO_RELEASED); do $(SUBMAKE) -s firmware PORT=pico PANEL=$$panel || exit 1; done
 	@+$(SUBMAKE) -s firmware PORT=pico DEMO=teapot SECOND_CORE=1
+	@+for board in $(PICO_READY); do $(SUBMAKE) -s firmware PORT=pico BOARD=$$board || exit 1; done
+	@+for board in $(filter $(PICO_READY),$(pico_EMULATED)); do $(SUBMAKE) -s firmware PORT=pico BOARD=$$board DEMO=teapot SECOND_CORE=1 || exit 1; done
 	@.ci/dist $(DIST) "$(LIB_HEADERS)" $(DIST_PANELS) $(DIST_BUILT) "$$(echo $(BUILD)/man/*.1)=glint-VERSION-man.tar.gz"
 	@cat $(DIST)/SHA256SUMS
 

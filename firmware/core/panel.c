@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "panel.h"
 
-/* Times from the data sheets of both controllers. */
+/* Times from the data sheets of the controllers. */
 enum {
     RESET_PULSE_MS = 1,   /* at least 10 us */
     AFTER_RESET_MS = 120, /* 5 where it was asleep before, 120 where it was awake: who knows */
@@ -9,20 +9,83 @@ enum {
     AFTER_ASLEEP_MS = 5   /* before any other command, or before the power goes */
 };
 
-/* ---- glass ---- */
+/* ---- controllers and glass ---- */
 
+/* Each: the command, the number of its bytes, the bytes. Ends with 0. */
+/* The maker's application notes for 2.2 to 2.8 inch glass, which other drivers send, too; the reset values leave the picture pale. */
+static const uint8_t ili9341_values[] = {
+    0xcf, 3,    0x00, 0xc1, 0x30,             /* power control B: equalising on */
+    0xed, 4,    0x64, 0x03, 0x12, 0x81,       /* power-on sequence: soft start */
+    0xe8, 3,    0x85, 0x00, 0x78,             /* driver timing A */
+    0xea, 2,    0x00, 0x00,                   /* driver timing B */
+    0xcb, 5,    0x39, 0x2c, 0x00, 0x34, 0x02, /* power control A: core 1.6 V, step-up 5.6 V */
+    0xf7, 1,    0x20,                         /* pump: twice VCI */
+    0xc0, 1,    0x23,                         /* power control 1: greys from 4.6 V */
+    0xc1, 1,    0x10,                         /* power control 2: gates at 7 and -4 times VCI */
+    0xc5, 2,    0x3e, 0x28,                   /* common electrode: 4.25 V and -1.5 V ... */
+    0xc7, 1,    0x86,                         /* ... shifted by -58 steps: least flicker */
+    0xb1, 2,    0x00, 0x1b,                   /* 70 frames a second */
+    0xb6, 3,    0x08, 0x82, 0x27,             /* normally white glass, 320 lines */
+    0xf2, 1,    0x00,                         /* gamma: the curve below, not three of them */
+    0xe0, 15,   0x0f, 0x31, 0x2b, 0x0c, 0x0e, 0x08, 0x4e, 0xf1, 0x37, 0x07, 0x10, 0x03, 0x0e, 0x09, 0x00, 0xe1,
+    15,   0x00, 0x0e, 0x14, 0x03, 0x11, 0x07, 0x31, 0xc1, 0x48, 0x08, 0x0f, 0x0c, 0x31, 0x36, 0x0f, 0};
+
+/* clang-format off */
+/* The maker's values for its 1.28 inch glass, which its drivers send (Adafruit_GC9A01A, Waveshare's, TFT_eSPI); its data sheet names
+ * a part of these registers only. */
+static const uint8_t gc9a01_values[] = {
+    0xfe, 0, 0xef, 0, /* inner registers may be written */
+    0xeb, 1, 0x14,
+    0x84, 1, 0x40, 0x85, 1, 0xff, 0x86, 1, 0xff, 0x87, 1, 0xff, 0x88, 1, 0x0a, 0x89, 1, 0x21,
+    0x8a, 1, 0x00, 0x8b, 1, 0x80, 0x8c, 1, 0x01, 0x8d, 1, 0x01, 0x8e, 1, 0xff, 0x8f, 1, 0xff,
+    0xb6, 2, 0x00, 0x00, /* columns and rows are scanned from the first */
+    0x90, 4, 0x08, 0x08, 0x08, 0x08,
+    0xbd, 1, 0x06,
+    0xbc, 1, 0x00,
+    0xff, 3, 0x60, 0x01, 0x04,
+    0xc3, 1, 0x13, 0xc4, 1, 0x13, 0xc9, 1, 0x22, /* voltages of the greys */
+    0xbe, 1, 0x11,
+    0xe1, 2, 0x10, 0x0e,
+    0xdf, 3, 0x21, 0x0c, 0x02,
+    0xf0, 6, 0x45, 0x09, 0x08, 0x08, 0x26, 0x2a, /* gamma, four curves */
+    0xf1, 6, 0x43, 0x70, 0x72, 0x36, 0x37, 0x6f,
+    0xf2, 6, 0x45, 0x09, 0x08, 0x08, 0x26, 0x2a,
+    0xf3, 6, 0x43, 0x70, 0x72, 0x36, 0x37, 0x6f,
+    0xed, 2, 0x1b, 0x0b,
+    0xae, 1, 0x77,
+    0xcd, 1, 0x63,
+    0x70, 9, 0x07, 0x07, 0x04, 0x0e, 0x0f, 0x09, 0x07, 0x08, 0x03,
+    0xe8, 1, 0x34, /* columns are inverted in turn, four dots at a time */
+    0x62, 12, 0x18, 0x0d, 0x71, 0xed, 0x70, 0x70, 0x18, 0x0f, 0x71, 0xef, 0x70, 0x70,
+    0x63, 12, 0x18, 0x11, 0x71, 0xf1, 0x70, 0x70, 0x18, 0x13, 0x71, 0xf3, 0x70, 0x70,
+    0x64, 7, 0x28, 0x29, 0xf1, 0x01, 0xf1, 0x00, 0x07,
+    0x66, 10, 0x3c, 0x00, 0xcd, 0x67, 0x45, 0x45, 0x10, 0x00, 0x00, 0x00,
+    0x67, 10, 0x00, 0x3c, 0x00, 0x00, 0x00, 0x01, 0x54, 0x10, 0x32, 0x98,
+    0x74, 7, 0x10, 0x85, 0x80, 0x00, 0x00, 0x4e, 0x00,
+    0x98, 2, 0x3e, 0x07,
+    0};
+/* clang-format on */
+
+struct controller {
+    uint16_t columns, rows;
+    bool bgr, inverted, mirrored;
+    const uint8_t *values; /* NULL: none beside those of all */
+};
+static const struct controller controllers[] = {
+#define CONTROLLER(id, name, columns, rows, bgr, inverted, mirrored, clk_hz, values)                                   \
+    {columns, rows, bgr, inverted, mirrored, values},
+#include "panels.def"
+};
+
+enum shape { RECTANGULAR, ROUND };
 struct glass {
     uint8_t controller;
     uint16_t width, height;
-    uint8_t x_offset, y_offset;
+    uint8_t x_offset, y_offset, shape;
 };
-
-/* The offsets are the modules' wiring, as drivers that are in wide use have them. */
 static const struct glass glasses[] = {
-    {PANEL_ST7789, 240, 320, 0, 0},  {PANEL_ST7789, 240, 280, 0, 20}, {PANEL_ST7789, 240, 240, 0, 0},
-    {PANEL_ST7789, 172, 320, 34, 0}, {PANEL_ST7789, 170, 320, 35, 0}, {PANEL_ST7789, 135, 240, 52, 40},
-    {PANEL_ILI9341, 240, 320, 0, 0}, {PANEL_SSD1306, 128, 64, 0, 0},  {PANEL_SSD1306, 128, 32, 0, 0},
-    {PANEL_SSD1306, 72, 40, 28, 0},  {PANEL_SSD1306, 64, 48, 32, 0},
+#define GLASS(controller, width, height, x, y, shape) {PANEL_##controller, width, height, x, y, shape},
+#include "panels.def"
 };
 
 static uint16_t glass_width(const struct panel *panel)
@@ -45,14 +108,16 @@ bool panel_defaults(struct panel *panel, enum panel_controller controller, uint8
     panel->x_offset = 0;
     panel->y_offset = 0;
     panel->tearing_line = false;
-    panel->bgr = controller == PANEL_ILI9341;     /* its modules are wired blue first */
-    panel->inverted = controller == PANEL_ST7789; /* it comes with IPS glass, the other with TN */
+    panel->round = false;
+    panel->bgr = controller < PANEL_CONTROLLERS && controllers[controller].bgr;
+    panel->inverted = controller < PANEL_CONTROLLERS && controllers[controller].inverted;
     for (size_t i = 0; i < sizeof glasses / sizeof *glasses; i++) {
         const struct glass *glass = &glasses[i];
         if (glass->controller == controller && glass->width == glass_width(panel) &&
             glass->height == glass_height(panel)) {
             panel->x_offset = glass->x_offset;
             panel->y_offset = glass->y_offset;
+            panel->round = glass->shape == ROUND;
             return panel_fits(panel);
         }
     }
@@ -66,8 +131,44 @@ bool panel_fits(const struct panel *panel)
                (uint32_t)panel->x_offset + panel->width <= PANEL_PAGED_COLUMNS && panel->y_offset == 0 &&
                panel->height <= PANEL_PAGED_ROWS && panel->height % PANEL_PAGE == 0;
     return panel->controller < PANEL_CONTROLLERS && panel->rotation < 4 && panel->width && panel->height &&
-           (uint32_t)panel->x_offset + glass_width(panel) <= PANEL_COLUMNS &&
-           (uint32_t)panel->y_offset + glass_height(panel) <= PANEL_ROWS;
+           (uint32_t)panel->x_offset + glass_width(panel) <= controllers[panel->controller].columns &&
+           (uint32_t)panel->y_offset + glass_height(panel) <= controllers[panel->controller].rows &&
+           (!panel->round || panel->width == panel->height);
+}
+
+/* In half pixels from the middle, the nearest of a line's or a column's edges: 0 in the middle. */
+static unsigned from_middle(unsigned at, unsigned size)
+{
+    const unsigned edges = 2 * at + 1;
+    return (edges > size ? edges - size : size - edges) - (edges != size);
+}
+
+/* A column is to be seen where the circle touches its pixel in the line that is nearest to the middle. */
+struct panel_columns panel_visible(const struct panel *panel, unsigned y, unsigned lines)
+{
+    const unsigned size = panel->width, last = y + lines - 1, middle = size / 2;
+    const unsigned nearest = y > middle ? y : last < middle ? last : middle;
+    struct panel_columns columns = {0, panel->width};
+    if (!panel->round)
+        return columns;
+    const unsigned down = from_middle(nearest, size);
+    unsigned outside = 0, inside = middle; /* the first column that is seen lies between */
+    while (outside < inside) {
+        const unsigned at = (outside + inside) / 2, across = from_middle(at, size);
+        if (across * across + down * down < size * size)
+            inside = at;
+        else
+            outside = at + 1;
+    }
+    columns.first = (uint16_t)inside;
+    columns.count = (uint16_t)(size - 2 * inside);
+    return columns;
+}
+
+unsigned panel_band(const struct panel *panel, unsigned y)
+{
+    const unsigned end = panel->round ? (y / PANEL_BAND + 1) * PANEL_BAND : panel->height;
+    return (end < panel->height ? end : panel->height) - y;
 }
 
 /* ---- start, show, stop ---- */
@@ -88,26 +189,6 @@ static void wait_ms(const struct panel *panel, unsigned ms)
     panel->bus->wait_ms(panel->bus->context, ms);
 }
 
-/* Each: the command, the number of its bytes, the bytes. Ends with 0. The maker's application notes for 2.2 to 2.8 inch
- * glass, which other drivers send, too; the reset values leave the picture pale. (The ST7789 needs none of this: voltages
- * and gamma are burnt into it for its glass.) */
-static const uint8_t ili9341_values[] = {
-    0xcf, 3,    0x00, 0xc1, 0x30,             /* power control B: equalising on */
-    0xed, 4,    0x64, 0x03, 0x12, 0x81,       /* power-on sequence: soft start */
-    0xe8, 3,    0x85, 0x00, 0x78,             /* driver timing A */
-    0xea, 2,    0x00, 0x00,                   /* driver timing B */
-    0xcb, 5,    0x39, 0x2c, 0x00, 0x34, 0x02, /* power control A: core 1.6 V, step-up 5.6 V */
-    0xf7, 1,    0x20,                         /* pump: twice VCI */
-    0xc0, 1,    0x23,                         /* power control 1: greys from 4.6 V */
-    0xc1, 1,    0x10,                         /* power control 2: gates at 7 and -4 times VCI */
-    0xc5, 2,    0x3e, 0x28,                   /* common electrode: 4.25 V and -1.5 V ... */
-    0xc7, 1,    0x86,                         /* ... shifted by -58 steps: least flicker */
-    0xb1, 2,    0x00, 0x1b,                   /* 70 frames a second */
-    0xb6, 3,    0x08, 0x82, 0x27,             /* normally white glass, 320 lines */
-    0xf2, 1,    0x00,                         /* gamma: the curve below, not three of them */
-    0xe0, 15,   0x0f, 0x31, 0x2b, 0x0c, 0x0e, 0x08, 0x4e, 0xf1, 0x37, 0x07, 0x10, 0x03, 0x0e, 0x09, 0x00, 0xe1,
-    15,   0x00, 0x0e, 0x14, 0x03, 0x11, 0x07, 0x31, 0xc1, 0x48, 0x08, 0x0f, 0x0c, 0x31, 0x36, 0x0f, 0};
-
 static bool send_values(const struct panel *panel, const uint8_t *at)
 {
     for (; *at; at += 2 + at[1])
@@ -121,7 +202,7 @@ static uint8_t madctl(const struct panel *panel)
 {
     static const uint8_t turns[4] = {0, PANEL_MADCTL_MV | PANEL_MADCTL_MX, PANEL_MADCTL_MX | PANEL_MADCTL_MY,
                                      PANEL_MADCTL_MV | PANEL_MADCTL_MY};
-    const unsigned mirror = panel->controller == PANEL_ILI9341 ? PANEL_MADCTL_MX : 0; /* its column 0 is at the right */
+    const unsigned mirror = controllers[panel->controller].mirrored ? PANEL_MADCTL_MX : 0;
     return (uint8_t)((turns[panel->rotation] ^ mirror) | (panel->bgr ? PANEL_MADCTL_BGR : 0));
 }
 
@@ -193,7 +274,8 @@ bool panel_start(const struct panel *panel)
         wait_ms(panel, AFTER_AWAKE_MS); /* the pump */
         return started;
     }
-    if (panel->controller == PANEL_ILI9341 && !send_values(panel, ili9341_values))
+    const uint8_t *values = controllers[panel->controller].values;
+    if (values && !send_values(panel, values))
         return false;
     if (!send_byte(panel, PANEL_PIXEL_FORMAT, PANEL_FORMAT_565) || !send_byte(panel, PANEL_MADCTL, madctl(panel)) ||
         (panel->tearing_line && !send_byte(panel, PANEL_TEARING_ON, 0)) ||
@@ -255,7 +337,9 @@ bool panel_window(const struct panel *panel, uint16_t x, uint16_t y, uint16_t wi
         return window_paged(panel, x, y, width, height);
     /* What the memory holds beside the glass, on the side from which the turned picture counts. */
     const unsigned left = panel->x_offset, top = panel->y_offset;
-    const unsigned right = PANEL_COLUMNS - left - glass_width(panel), bottom = PANEL_ROWS - top - glass_height(panel);
+    const struct controller *controller = &controllers[panel->controller];
+    const unsigned right = controller->columns - left - glass_width(panel);
+    const unsigned bottom = controller->rows - top - glass_height(panel);
     const unsigned before_x[4] = {left, top, right, bottom}, before_y[4] = {top, right, bottom, left};
     return send_range(panel, PANEL_COLUMN_ADDRESS, before_x[panel->rotation] + x, width) &&
            send_range(panel, PANEL_ROW_ADDRESS, before_y[panel->rotation] + y, height) &&

@@ -9,12 +9,22 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Stored as uint8_t. The first two have 240 columns and 320 rows of memory, the SSD1306 128 and 64 of one bit, in pages of 8 rows; a
- * smaller glass shows a part. */
-enum panel_controller { PANEL_ST7789, PANEL_ILI9341, PANEL_SSD1306, PANEL_CONTROLLERS };
-enum { PANEL_COLUMNS = 240, PANEL_ROWS = 320, PANEL_PAGED_COLUMNS = 128, PANEL_PAGED_ROWS = 64, PANEL_PAGE = 8 };
+/* Stored as uint8_t; panels.def describes each. A glass that is smaller than the memory shows a part. */
+enum panel_controller {
+#define CONTROLLER(id, ...) PANEL_##id,
+#include "panels.def"
+    PANEL_CONTROLLERS
+};
+enum panel_facts { /* PANEL_ST7789_ROWS, of its memory; PANEL_ST7789_HZ, of its bus; and so on */
+#define CONTROLLER(id, name, columns, rows, bgr, inverted, mirrored, clk_hz, values)                                   \
+    PANEL_##id##_ROWS = rows, PANEL_##id##_HZ = clk_hz,
+#include "panels.def"
+};
+enum { PANEL_COLUMNS = 240, PANEL_ROWS = 320 }; /* the largest memory of all */
+enum { PANEL_PAGED_COLUMNS = 128, PANEL_PAGED_ROWS = 64, PANEL_PAGE = 8 };
+enum { PANEL_BAND = 8 }; /* lines of a round glass that share a window */
 
-/* The commands of the MIPI Display Command Set that ST7789 and ILI9341 know. */
+/* The commands of the MIPI Display Command Set that all but the SSD1306 know. */
 enum panel_command {
     PANEL_NOP = 0x00,
     PANEL_SOFTWARE_RESET = 0x01,
@@ -85,11 +95,11 @@ struct panel {
     uint16_t width, height;      /* of the picture, after the rotation */
     uint16_t x_offset, y_offset; /* where the glass starts in the controller's memory, before the rotation */
     bool bgr, inverted;          /* how the glass is wired; IPS glass needs inversion */
+    bool round;                  /* a circle: of a picture as wide as high the corners cannot be seen */
     bool tearing_line;           /* it is wired: the controller must drive it */
 };
 
-/* Sets all but the bus to the usual values for a glass of this size: ST7789 as 240x320, 240x280, 240x240, 172x320, 170x320 or
- * 135x240 with its offset, ILI9341 as 240x320, SSD1306 as 128x64, 128x32, 72x40 or 64x48. False: no glass of this size is known; the
+/* Sets all but the bus to the usual values for a glass of this size: those of panels.def. False: no glass of this size is known; the
  * offset is then 0, 0. */
 bool panel_defaults(struct panel *panel, enum panel_controller controller, uint8_t rotation, uint16_t width,
                     uint16_t height);
@@ -100,6 +110,14 @@ static inline bool panel_is_paged(const struct panel *panel)
 {
     return panel->controller == PANEL_SSD1306;
 }
+
+/* The columns that the glass shows of the lines y..y + lines - 1, inside the picture: all, or of a round glass those that the circle touches. */
+struct panel_columns {
+    uint16_t first, count;
+};
+struct panel_columns panel_visible(const struct panel *panel, unsigned y, unsigned lines);
+/* The lines from y on that a picture sent from its top needs no new window for: all that follow, or of a round glass those of its band. */
+unsigned panel_band(const struct panel *panel, unsigned y);
 
 /* Reset and initialisation, a quarter of a second: awake, RGB565 or one bit a pixel, still dark, since the memory holds noise. */
 bool panel_start(const struct panel *panel);

@@ -17,19 +17,19 @@ static const uint8_t *coverage_line(const struct relight *relight, uint16_t y)
     return relight->coverage ? relight->coverage + (size_t)y * relight->panel->width : NULL;
 }
 
-static struct relight_extent find_extent(const uint32_t *words, uint16_t w, bool *has_gaps)
+static struct relight_extent find_extent(const uint32_t *words, struct panel_columns seen, bool *has_gaps)
 {
-    uint16_t first = w, end = 0;
-    for (uint16_t x = 0; x < w; x++) {
-        if (!is_surface(words[x])) {
-            *has_gaps = true;
+    uint16_t first = 0, end = 0, surfaces = 0;
+    for (uint16_t x = seen.first; x < seen.first + seen.count; x++) {
+        if (!is_surface(words[x]))
             continue;
-        }
-        first = first < x ? first : x;
+        if (!surfaces++)
+            first = x;
         end = (uint16_t)(x + 1);
     }
-    const uint16_t count = end ? (uint16_t)(end - first) : 0;
+    const uint16_t count = (uint16_t)(end - first);
     const struct relight_extent extent = {first, count, first, count};
+    *has_gaps |= surfaces != count;
     return extent;
 }
 
@@ -56,7 +56,8 @@ void relight_start(struct relight *relight)
     for (unsigned part = 0; part < 2; part++)
         relight->maps[part].normals_format = GLINT_NORMALS_INT8;
     for (uint16_t y = 0; y < relight->panel->height; y++) {
-        relight->extents[y] = find_extent(map_line(relight, y), relight->panel->width, &relight->has_gaps);
+        relight->extents[y] =
+            find_extent(map_line(relight, y), panel_visible(relight->panel, y, 1), &relight->has_gaps);
         if (relight->coverage)
             find_solid(&relight->extents[y], coverage_line(relight, y));
     }
@@ -183,11 +184,11 @@ static void shade_part(struct relight *relight, struct glint_maps *maps, unsigne
     const uint8_t *coverage = coverage_line(relight, relight->line);
     const unsigned solid_end = extent.solid + extent.solid_count, extent_end = extent.first + extent.count;
     const struct run solid = overlap(first, end, extent.solid, solid_end);
-    if (coverage) {
+    if (!coverage && relight->has_gaps) {
+        fill(relight, first, end);
+    } else {
         fill(relight, first, end < extent.solid ? end : extent.solid);
         fill(relight, first > solid_end ? first : solid_end, end);
-    } else if (relight->has_gaps) {
-        fill(relight, first, end);
     }
     shade_run(relight, maps, &solid, NULL);
     if (coverage) {
@@ -206,7 +207,7 @@ static unsigned middle(const struct relight *relight)
 static void shade_right(void *argument)
 {
     struct relight *relight = argument;
-    shade_part(relight, &relight->maps[1], middle(relight), relight->panel->width);
+    shade_part(relight, &relight->maps[1], middle(relight), relight->seen.first + relight->seen.count);
 }
 
 /* With two cores each shades half of the surface: neither reads what the other writes before the join. */
@@ -214,20 +215,21 @@ static void shade(struct relight *relight)
 {
     const struct hal *hal = relight->hal;
     if (!hal->fork) {
-        shade_part(relight, &relight->maps[0], 0, relight->panel->width);
+        shade_part(relight, &relight->maps[0], relight->seen.first, relight->seen.first + relight->seen.count);
         return;
     }
     hal->fork(hal->context, shade_right, relight);
-    shade_part(relight, &relight->maps[0], 0, middle(relight));
+    shade_part(relight, &relight->maps[0], relight->seen.first, middle(relight));
     hal->join(hal->context);
 }
 
 static void sent(void *argument);
 
-static void send(struct relight *relight, const uint16_t *pixels)
+static void send_waiting(struct relight *relight)
 {
     relight->is_sending = true;
-    relight->hal->flush(relight->hal->context, pixels, relight->panel->width, sent, relight);
+    relight->is_waiting = false;
+    relight->hal->flush(relight->hal->context, relight->waiting, relight->waiting_count, sent, relight);
 }
 
 /* From an interrupt: the line that waits follows without a gap on the bus. */
@@ -235,10 +237,14 @@ static void sent(void *argument)
 {
     struct relight *relight = argument;
     relight->is_sending = false;
-    if (!relight->is_waiting)
-        return;
-    relight->is_waiting = false;
-    send(relight, relight->waiting);
+    if (relight->is_waiting)
+        send_waiting(relight);
+}
+
+/* The first line of a band. */
+static bool open_window(const struct relight *relight, unsigned lines)
+{
+    return panel_window(relight->panel, relight->seen.first, relight->line, relight->seen.count, (uint16_t)lines);
 }
 
 enum relight_step relight_step(struct relight *relight)
@@ -252,16 +258,18 @@ enum relight_step relight_step(struct relight *relight)
         return RELIGHT_BUSY;
     if (relight->line + 1 < panel->height)
         fetch(relight, (uint16_t)(relight->line + 1), !relight->buffer);
+    const bool is_first = relight->line == 0 || (panel->round && relight->line % PANEL_BAND == 0);
+    const unsigned band = is_first ? panel_band(panel, relight->line) : 0;
+    if (is_first)
+        relight->seen = panel_visible(panel, relight->line, band);
     shade(relight);
-    if (relight->line == 0 &&
-        !panel_window(panel, 0, 0, panel->width, panel->height)) /* after the lines that are on their way */
+    if (is_first && !open_window(relight, band)) /* after the lines that are on their way */
         return RELIGHT_BUS_FAILED;
-    relight->waiting = relight->pixels[relight->buffer];
+    relight->waiting = relight->pixels[relight->buffer] + relight->seen.first;
+    relight->waiting_count = relight->seen.count;
     relight->is_waiting = true; /* from here on an interrupt may send it */
-    if (!relight->is_sending) {
-        relight->is_waiting = false;
-        send(relight, relight->waiting);
-    }
+    if (!relight->is_sending)
+        send_waiting(relight);
     relight->buffer = !relight->buffer;
     if (++relight->line == panel->height)
         relight->in_frame = false;

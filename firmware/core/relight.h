@@ -8,7 +8,7 @@
 #include "glint.h"
 #include "hal.h"
 
-/* The part of a line that has a surface; of a map with coverage also the longest part that is covered wholly, which is drawn faster. */
+/* The part of a line that has a surface and can be seen; of a map with coverage also the longest part that is covered wholly, which is drawn faster. */
 struct relight_extent {
     uint16_t first, count, solid, solid_count;
 };
@@ -27,14 +27,16 @@ struct relight {
 
     /* State, ours; zeros at first. */
     struct glint_maps
-        maps[2];    /* of a line's left part and its right one: here, as they would cost cycles a line and stack */
-    bool has_gaps;  /* pixels without a surface */
-    uint16_t line;  /* that is to be shaded or sent */
-    uint8_t buffer; /* 0 or 1: that line's; they take turns */
-    bool in_frame;  /* between relight_frame and the frame's last line */
+        maps[2];   /* of a line's left part and its right one: here, as they would cost cycles a line and stack */
+    bool has_gaps; /* pixels without a surface between others of their line */
+    struct panel_columns seen;   /* of that line's band, which are sent */
+    uint16_t line;               /* that is to be shaded or sent */
+    uint8_t buffer;              /* 0 or 1: that line's; they take turns */
+    bool in_frame;               /* between relight_frame and the frame's last line */
     volatile uint8_t is_sending; /* yes or no: a line is on its way; as in gud_panel.h no bool */
     volatile bool is_waiting;    /* another is shaded, to follow at once */
     const uint16_t *volatile waiting;
+    volatile uint16_t waiting_count;
 };
 
 /* Of a map: finds its extents, after the lines of the picture before are sent. */

@@ -126,8 +126,7 @@ static void join(struct turntable *turntable)
 
 static void send(struct turntable *turntable, unsigned strip, unsigned y, unsigned lines)
 {
-    turntable->sent[strip] =
-        pieces_add(&turntable->pieces, strip_of(turntable, strip), pixels_of(turntable, lines), y == 0);
+    turntable->sent[strip] = pieces_add(&turntable->pieces, strip_of(turntable, strip), y, lines);
 }
 
 /* After the last strip of this core. */

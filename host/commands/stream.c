@@ -13,6 +13,7 @@
 #include "options/map_options.h"
 #include "sinks/options.h"
 #include "sinks/sinks.h"
+#include "stream/iio.h"
 #include "stream/stream.h"
 
 enum key { KEY_TO = 384, KEY_FPS, KEY_FRAMES, KEY_ORBIT, KEY_PERIOD, KEY_LIGHTS, KEY_STATS, KEY_JSON, KEY_SHADE };
@@ -31,8 +32,11 @@ static const struct argp_option argp_options[] = {
      5},
     {"lights", KEY_LIGHTS, "FILE", 0,
      "Instead of the orbit: the direction of each frame from a file or standard input (-), one a line: X Y Z or "
-     "X,Y,Z. Empty lines and lines that begin with # are skipped",
+     "X,Y,Z. Empty lines and lines that begin with # are skipped. Or iio: this computer's accelerometer, by Linux; the "
+     "light is straight above however the display is tilted (iio:FOLDER: one that is elsewhere than in "
+     "/sys/bus/iio/devices)",
      5},
+    {"light-from", 0, NULL, OPTION_ALIAS, NULL, 5},
 
     {NULL, 0, NULL, 0, "The stream:", 6},
     {"to", KEY_TO, "SINK", 0, "Where the frames go: see below", 6},
@@ -122,6 +126,8 @@ static void check(const struct argp_state *state, struct stream_options *o)
                isnan(o->orbit) ? "--period" : "--orbit");
     if (o->lights && !directional)
         refuse(state, "--lights: moves a --light, and there are only --point and --spot; add a --light");
+    if (o->lights && iio_is_named(o->lights) && !o->frames && !o->kind->paced)
+        refuse(state, "--lights %s: goes on for ever; give --frames N for --to %s", o->lights, o->kind->name);
     if (!isnan(o->orbit) && !directional)
         refuse(state, "--orbit: is for a --light; points and spots keep their distance from the picture's middle");
     if (o->lights && strcmp(o->lights, "-") == 0 && map_options_standard_input(&o->look.scene))

@@ -12,6 +12,7 @@
 #include "base/parse.h"
 #include "base/stop.h"
 #include "draw/shading.h"
+#include "stream/iio.h"
 
 static const double usual_orbit = 30; /* degrees */
 
@@ -28,6 +29,7 @@ struct light_path {
     char line[LINE_MAX_BYTES + 1];
     unsigned long number; /* of the line */
     bool any;             /* a direction was read */
+    struct iio *sensor;   /* instead */
 };
 
 static double dot(const double a[3], const double b[3])
@@ -87,9 +89,11 @@ static FILE *open_lines(const char *name)
 
 struct light_path *light_path_new(const struct stream_options *options)
 {
-    FILE *file = options->lights ? open_lines(options->lights) : NULL;
+    const bool is_sensor = options->lights && iio_is_named(options->lights);
+    FILE *file = options->lights && !is_sensor ? open_lines(options->lights) : NULL;
     struct light_path *path = allocate(1, sizeof *path);
     path->period = options->period;
+    path->sensor = is_sensor ? iio_open(options->lights) : NULL;
     if (file)
         output_never(file);
     path->file = file;
@@ -106,7 +110,7 @@ void light_path_start(struct light_path *path, const struct stream_options *opti
     if (!directional)
         path->lamp = 0;
     const struct lamp *lamp = &shading->lamps[path->lamp];
-    if (path->file)
+    if (path->file || path->sensor)
         return;
     if (directional)
         set_orbit(path, shading, lamp,
@@ -181,12 +185,26 @@ static bool next_line(struct light_path *path, struct shading *shading)
     }
 }
 
+/* ---- a sensor ---- */
+
+/* Where the viewer is not above it, the light may be straight behind. */
+static bool next_tilt(struct light_path *path, struct shading *shading)
+{
+    struct glint_light unused;
+    iio_light(path->sensor, shading->lamps[path->lamp].direction);
+    if (shading_light(shading, path->lamp, &unused) != GLINT_OK)
+        fail("--lights iio: the light is straight opposite to --view: there is no half vector; leave --view out");
+    return true;
+}
+
 /* ---- */
 
 bool light_path_next(struct light_path *path, double seconds, struct shading *shading)
 {
     if (path->file)
         return next_line(path, shading);
+    if (path->sensor)
+        return next_tilt(path, shading);
     struct lamp *lamp = &shading->lamps[path->lamp];
     double *at = lamp->kind == LAMP_DIRECTIONAL ? lamp->direction : lamp->position;
     const double turn = path->period > 0 ? 2 * M_PI * fmod(seconds / path->period, 1) : 0;
@@ -201,5 +219,6 @@ void light_path_free(struct light_path *path)
         return;
     if (path->file && path->file != stdin)
         fclose(path->file);
+    iio_close(path->sensor);
     free(path);
 }

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
- * Where the light is in each frame: on an orbit, or where a file or standard input says. */
+ * Where the light is in each frame: on an orbit, or where a file, standard input or a sensor says. */
 #ifndef GLINT_STREAM_LIGHT_H
 #define GLINT_STREAM_LIGHT_H
 
 #include "stream/stream.h"
 
 struct light_path;
-/* Opens the file of lights, where one is named. */
+/* Opens the file of lights or the sensor, where one is named. */
 struct light_path *light_path_new(const struct stream_options *options);
 /* The path of the shading's first directional light, else of its first point or spot about the picture's middle. */
 void light_path_start(struct light_path *path, const struct stream_options *options, const struct shading *shading,

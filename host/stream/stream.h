@@ -17,7 +17,7 @@ struct stream_options {
     double orbit;         /* degrees; NAN: the light's own, or the usual */
     double period;        /* seconds; 0: the light stands still */
     double turn_period;   /* of a mesh about the vertical axis, seconds; 0: it stands still */
-    const char *lights;   /* file, "-", or NULL */
+    const char *lights;   /* file, "-", a sensor (iio.h), or NULL */
     bool stats, json;
     bool shade_device; /* the device shades, and gets lights */
 };

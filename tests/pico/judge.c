@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT
  * What the emulated board's panel shows, and what it should show; RGB, to standard output.
- *   judge look CONTROLLER WIDTH HEIGHT    standard input: a transcript of the panel's pins (pico.mjs)
+ *   judge look CONTROLLER WIDTH HEIGHT ROTATION    standard input: a transcript of the panel's pins (pico.mjs)
  *   judge demo WIDTH HEIGHT FRAME         the stand-alone demo, by the library on this machine
  *   judge lit WIDTH HEIGHT FRAME          the same of `map`, without soft edges; and the demo with a tearing line
  *   judge exact WIDTH HEIGHT FRAME        the same by the exact rectangle (PATH=exact)
  *   judge teapot WIDTH HEIGHT FRAME       the demo of DEMO=teapot, in one strip
+ *   judge scene NAME WIDTH HEIGHT X Y Z    a scene, as boards with an accelerometer show it, under a light towards X, Y, Z
  *   judge fault WIDTH HEIGHT NUMBER       what is shown where something is wrong
  *   judge lz4                             standard input as one LZ4 block (no picture)
  *   judge map WIDTH HEIGHT                a map, as it goes over the wire to a device that shades
@@ -32,12 +33,22 @@
 
 static struct virtual_panel seen;
 
-static void show_panel(const char *controller, unsigned width, unsigned height)
+static enum panel_controller controller_of(const char *name)
+{
+    static const char *const names[] = {
+#define CONTROLLER(id, name, ...) name,
+#include "panels.def"
+    };
+    unsigned i = 0;
+    while (i < PANEL_CONTROLLERS && strcmp(name, names[i]) != 0)
+        i++;
+    return (enum panel_controller)i;
+}
+
+static void show_panel(const char *controller, unsigned width, unsigned height, unsigned rotation)
 {
     struct panel panel = {0};
-    const unsigned rotation = width > height;
-    if (!panel_defaults(&panel, strcmp(controller, "ili9341") == 0 ? PANEL_ILI9341 : PANEL_ST7789, (uint8_t)rotation,
-                        (uint16_t)width, (uint16_t)height))
+    if (!panel_defaults(&panel, controller_of(controller), (uint8_t)rotation, (uint16_t)width, (uint16_t)height))
         fail("judge: unknown panel %s %ux%u", controller, width, height);
     const struct virtual_glass glass = virtual_glass_of(&panel);
     virtual_panel_init(&seen, &glass);
@@ -101,9 +112,9 @@ static void make_paint(struct glint_paint *paint, bool exact, const int32_t to_l
 }
 
 /* The coin: cut out with a soft edge, or with its wall, as a computer sends it. */
-static void draw_coin(unsigned width, unsigned height, unsigned frame, bool cut, bool exact)
+static void draw_map(const char *name, unsigned width, unsigned height, const int32_t to_light[3], bool cut, bool exact)
 {
-    struct scene *scene = scene_draw_in("coin", width, height, NULL, cut);
+    struct scene *scene = scene_draw_in(name, width, height, NULL, cut);
     struct baked *baked = bake(scene, BAKE_INT8, 0);
     uint16_t *pixels = allocate((size_t)width * height, sizeof *pixels);
     const struct glint_surface surface = {pixels, 2 * (ptrdiff_t)width, 0, 0};
@@ -113,8 +124,6 @@ static void draw_coin(unsigned width, unsigned height, unsigned frame, bool cut,
                                     .coverage = scene->mask,
                                     .coverage_stride = (ptrdiff_t)width};
     struct glint_paint paint;
-    int32_t to_light[3];
-    orbit_light(to_light, frame, ORBIT_FRAMES);
     make_paint(&paint, exact, to_light);
     if (glint_draw_rect(&paint, &maps, (uint16_t)width, (uint16_t)height, &surface, NULL) != GLINT_OK)
         fail("judge: the library refused the demo");
@@ -122,6 +131,13 @@ static void draw_coin(unsigned width, unsigned height, unsigned frame, bool cut,
     free(pixels);
     baked_free(baked);
     scene_free(scene);
+}
+
+static void draw_coin(unsigned width, unsigned height, unsigned frame, bool cut, bool exact)
+{
+    int32_t to_light[3];
+    orbit_light(to_light, frame, ORBIT_FRAMES);
+    draw_map("coin", width, height, to_light, cut, exact);
 }
 
 static void draw_mesh(const struct glint_mesh *mesh, const struct glint_pose *pose, unsigned width, unsigned height)
@@ -200,8 +216,8 @@ static unsigned number(const char *text)
 
 int main(int argc, char **argv)
 {
-    if (argc == 5 && strcmp(argv[1], "look") == 0)
-        show_panel(argv[2], number(argv[3]), number(argv[4]));
+    if (argc == 6 && strcmp(argv[1], "look") == 0)
+        show_panel(argv[2], number(argv[3]), number(argv[4]), number(argv[5]));
     else if (argc == 5 && strcmp(argv[1], "demo") == 0)
         draw_coin(number(argv[2]), number(argv[3]), number(argv[4]), true, false);
     else if (argc == 5 && strcmp(argv[1], "exact") == 0)
@@ -210,7 +226,10 @@ int main(int argc, char **argv)
         draw_coin(number(argv[2]), number(argv[3]), number(argv[4]), false, false);
     else if (argc == 5 && strcmp(argv[1], "teapot") == 0)
         draw_teapot(number(argv[2]), number(argv[3]), number(argv[4]));
-    else if (argc == 5 && strcmp(argv[1], "fault") == 0)
+    else if (argc == 8 && strcmp(argv[1], "scene") == 0) {
+        const int32_t to_light[3] = {atoi(argv[5]), atoi(argv[6]), atoi(argv[7])};
+        draw_map(argv[2], number(argv[3]), number(argv[4]), to_light, strcmp(argv[2], "coin") == 0, false);
+    } else if (argc == 5 && strcmp(argv[1], "fault") == 0)
         draw_fault(number(argv[2]), number(argv[3]), number(argv[4]));
     else if (argc == 2 && strcmp(argv[1], "lz4") == 0)
         compress();

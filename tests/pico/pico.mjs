@@ -3,13 +3,23 @@
 // matters here is added: the time that SPI frames take, and the XIP streamer with the time of flash.
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
-import { resolve } from 'node:path'
+import { basename, resolve } from 'node:path'
 import { SecondCore } from './second_core.mjs'
 
 const FLASH = 0x10000000
 const STACK = 0x20042000
 const CYCLE_NS = 8 // 125 MHz
-export const PINS = { dc: 8, cs: 9, clock: 10, data: 11, reset: 12, backlight: 13 }
+
+// The board whose image lies in FOLDER, by its row of boards.def.
+export function boardOf(folder, panel) {
+  const rows = [...readFileSync(new URL('../../firmware/ports/pico/boards.def', import.meta.url), 'utf8').matchAll(/^BOARD\((.*)\)$/gm)]
+  const named = basename(folder), at = named.indexOf(`-${panel}`)
+  const row = rows.map(([, row]) => row.split(/, */)).find(([name]) => name === (at > 0 ? named.slice(0, at) : 'pico'))
+  const [name, , chip, , ...facts] = row
+  const [turn, dc, cs, clock, data, reset, backlight, , , sda, scl, ...axes] = facts.map(Number)
+  return { name, chip, turn, pins: { dc, cs, clock, data, reset, backlight }, imu: facts[8], sda, scl, axes }
+}
+
 const FUNCTION_SPI = 1
 const EYE_NS = 150e3
 
@@ -86,8 +96,10 @@ class Streamer {
 // What a panel would see on its pins, as `judge` reads it: pairs of a letter and a byte. C command, D data, R reset and B
 // backlight levels.
 class Wires {
-  constructor(chip) {
+  constructor(chip, pins) {
     this.chip = chip
+    this.pins = pins
+    this.window = Buffer.alloc(8) // first and last column, first and last row
     this.bytes = Buffer.alloc(1 << 20)
     this.length = 0
     this.faults = [] // what a panel could misread
@@ -103,14 +115,14 @@ class Wires {
       this.wire_ns += ns
       if (!this.held) alarm.schedule(ns)
     }
-    chip.gpio[PINS.reset].addListener(() => {
+    chip.gpio[this.pins.reset].addListener(() => {
       this.put('R', this.level('reset'))
       if (this.level('reset') && !this.clock_idles_high()) this.faults.push('the clock idles low when the reset ends')
     })
     this.lit = { is: false, since: 0, ns: 0, dark: chip.clock.createAlarm(() => { this.lit.is = false; this.put('B', 0) }) }
-    chip.gpio[PINS.backlight].addListener(() => this.light(this.level('backlight')))
+    chip.gpio[this.pins.backlight].addListener(() => this.light(this.level('backlight')))
   }
-  level(name) { return this.chip.gpio[PINS[name]].value === 1 ? 1 : 0 }
+  level(name) { return this.chip.gpio[this.pins[name]].value === 1 ? 1 : 0 }
   // An eye sees no gaps as short as a dimmed light's.
   light(level) {
     const { lit } = this, now = this.chip.clock.nanos
@@ -133,15 +145,22 @@ class Wires {
     if (dc !== this.level('dc')) fault('D/C changes while a frame is sent')
     if (bits !== 8 && bits !== 16) fault('not whole bytes')
     if (bits === 16 && !dc) fault('a command of 16 bits')
-    if (gpio[PINS.clock].functionSelect !== FUNCTION_SPI || gpio[PINS.data].functionSelect !== FUNCTION_SPI) fault('the pins are not the SPI\'s')
+    if (gpio[this.pins.clock].functionSelect !== FUNCTION_SPI || gpio[this.pins.data].functionSelect !== FUNCTION_SPI) fault('the pins are not the SPI\'s')
     if (!this.clock_idles_high()) fault('not SPI mode 3')
     if (this.level('cs') !== 0) fault('CS is high')
     if (bits === 16) this.put('D', value >> 8)
     this.put(dc ? 'D' : 'C', value & 255)
     if (!dc) this.command = value
     if (!dc && value === 0x2c) this.windows++
+    if (!dc) this.parameters = 0
+    else if (this.command === 0x2a || this.command === 0x2b) this.window[4 * (this.command - 0x2a) + this.parameters++ % 4] = value
     this.pixels = dc && this.command === 0x2c ? this.pixels + bits / 8 : 0
     spi.completeTransmit(0)
+  }
+  // Has the last pixel of a picture of so many lines come, whatever windows it was sent in?
+  picture_done(height) {
+    const [left, right, top, bottom] = [0, 2, 4, 6].map((at) => this.window.readUInt16BE(at))
+    return bottom === height - 1 && this.pixels === 2 * (right - left + 1) * (bottom - top + 1)
   }
   transcript() { return this.bytes.subarray(0, this.length) }
 }
@@ -154,7 +173,7 @@ export class WatchdogBite extends Error {}
 
 export class Pico {
   // flash_word: cycles of a 32-bit word from flash (125 MHz, a quad read at half of it).
-  constructor(packages, { flash_word = 40 } = {}) {
+  constructor(packages, { flash_word = 40, pins = boardOf('').pins } = {}) {
     const { RP2040 } = createRequire(resolve(packages, 'x'))('rp2040js')
     this.chip = new RP2040()
     this.chip.logger = { debug() {}, info() {}, warn() {}, error: (_, message) => { throw new Error(message) } }
@@ -165,7 +184,7 @@ export class Pico {
     this.chip_reset = STARTED_BY.supply
     this.chip.peripherals[0x40064] = { readUint32: (at) => at === 8 ? this.chip_reset : 0, writeUint32Atomic() {} }
     this.streamer = new Streamer(this.chip, flash_word * CYCLE_NS)
-    this.wires = new Wires(this.chip)
+    this.wires = new Wires(this.chip, pins)
     this.probes = new Map() // by address: what to call when the processor is there
   }
   load(uf2) {

@@ -8,8 +8,11 @@ PICO_TOOLS = judge attach cores
 PICO_NOT_RUN = $(filter-out $(pico_EMULATED),$(pico_BOARDS))
 # The address in the image with TE: one image less to build.
 PICO_LANDING_TESTED = https://example.org/glint
+# A round panel, turned; and the boards that have a panel.
+PICO_ROUND_TESTED = gc9a01-240x240
+PICO_READY_TESTED = $(filter-out pico,$(pico_EMULATED))
 PICO_MESH_TESTED = $(BUILD)/tests/pico/bunny.obj
-PICO_BUILT = $(PICO_NOT_RUN:%=BOARD=%) $(PICO_PANELS_TESTED:%=PANEL=%) TE=$(PICO_TE_TESTED)+LANDING_PAGE=$(PICO_LANDING_TESTED) SECOND_CORE=1 PATH=exact DEMO=teapot DEMO=teapot+SECOND_CORE=1 MESH=$(PICO_MESH_TESTED)+SPLIT=180
+PICO_BUILT = $(PICO_NOT_RUN:%=BOARD=%) $(PICO_READY_TESTED:%=BOARD=%) PANEL=$(PICO_ROUND_TESTED)+ROTATE=90 $(PICO_PANELS_TESTED:%=PANEL=%) TE=$(PICO_TE_TESTED)+LANDING_PAGE=$(PICO_LANDING_TESTED) SECOND_CORE=1 PATH=exact DEMO=teapot DEMO=teapot+SECOND_CORE=1 MESH=$(PICO_MESH_TESTED)+SPLIT=180
 PICO_TEST = node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel)$(2) $(panel) $(BUILD)/tests/pico/judge
 PICO_CORES = $(patsubst %,firmware/core/%.c,relight turntable pieces panel demo orbit) $(wildcard lib/*.c)
 
@@ -38,6 +41,8 @@ run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $
 		"$(call PICO_TEST,light)" "$(call PICO_TEST,te,-te$(PICO_TE_TESTED)-landing) $(PICO_TE_TESTED) $(PICO_LANDING_TESTED)" \
 		"$(call PICO_TEST,second_core,-two-cores)" "$(call PICO_TEST,exact,-exact)" \
 		"$(call PICO_TEST,teapot,-two-cores-teapot) both" "$(call PICO_TEST,teapot,-teapot)") \
+		"node tests/pico/test_round.mjs $(BENCH_NPM) build/firmware/pico-$(PICO_ROUND_TESTED)-turned-90 $(PICO_ROUND_TESTED) $(BUILD)/tests/pico/judge" \
+		$(foreach board,$(PICO_READY_TESTED),"node tests/pico/test_hand.mjs $(BENCH_NPM) build/firmware/$(board)-$(call pico_panel_of,$(board)) $(call pico_panel_of,$(board)) $(BUILD)/tests/pico/judge") \
 		"node tests/pico/test_conformance.mjs $(BENCH_NPM) build/firmware/pico-st7789-240x240 $(CONFORMANCE_EXPECTED)" \
 		$(foreach panel,$(PICO_PANELS_TESTED),"$(call PICO_TEST,demo)" "$(call PICO_TEST,usb)") \
 		"tests/pico/test_cores $(BUILD)/tests/pico/cores" \

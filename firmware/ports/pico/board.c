@@ -20,6 +20,8 @@
 #include <hardware/uart.h>
 #include <hardware/watchdog.h>
 
+#define SPI (PIN_CLOCK / 8 % 2 ? spi1 : spi0) /* the chip's, by the pin */
+
 static struct {
     unsigned send, fetch; /* DMA channels */
     unsigned bits;        /* of the SPI's frames */
@@ -35,14 +37,14 @@ static struct {
  * follow each other without a gap. */
 static void set_format(unsigned bits)
 {
-    spi_set_format(spi1, bits, SPI_CPOL_1, SPI_CPHA_1, SPI_MSB_FIRST);
+    spi_set_format(SPI, bits, SPI_CPOL_1, SPI_CPHA_1, SPI_MSB_FIRST);
     board.bits = bits;
 }
 
 /* The frame's size and D/C may change only while nothing is being sent. */
 static void wait_for_spi(unsigned bits, bool data)
 {
-    while (board.done || spi_is_busy(spi1))
+    while (board.done || spi_is_busy(SPI))
         tight_loop_contents();
     if (bits != board.bits)
         set_format(bits);
@@ -53,7 +55,7 @@ static bool command(void *context, uint8_t byte)
 {
     (void)context;
     wait_for_spi(8, false);
-    spi_write_blocking(spi1, &byte, 1);
+    spi_write_blocking(SPI, &byte, 1);
     return true;
 }
 
@@ -61,7 +63,7 @@ static bool data(void *context, const uint8_t *bytes, size_t count)
 {
     (void)context;
     wait_for_spi(8, true);
-    spi_write_blocking(spi1, bytes, count);
+    spi_write_blocking(SPI, bytes, count);
     return true;
 }
 
@@ -172,8 +174,8 @@ static void start_dma(void)
     board.send = (unsigned)dma_claim_unused_channel(true);
     dma_channel_config config = dma_channel_get_default_config(board.send);
     channel_config_set_transfer_data_size(&config, DMA_SIZE_16);
-    channel_config_set_dreq(&config, spi_get_dreq(spi1, true));
-    dma_channel_configure(board.send, &config, &spi_get_hw(spi1)->dr, NULL, 0, false);
+    channel_config_set_dreq(&config, spi_get_dreq(SPI, true));
+    dma_channel_configure(board.send, &config, &spi_get_hw(SPI)->dr, NULL, 0, false);
     dma_channel_set_irq0_enabled(board.send, true);
     irq_set_exclusive_handler(DMA_IRQ_0, is_sent);
     irq_set_enabled(DMA_IRQ_0, true);
@@ -243,7 +245,7 @@ enum fault board_start(void)
     uart_init(uart0, UART_BAUD);
     gpio_set_function(PIN_UART_TX, GPIO_FUNC_UART);
     start_backlight();
-    spi_init(spi1, SPI_HZ);
+    spi_init(SPI, SPI_HZ);
     set_format(8); /* the clock idles high before the panel leaves its reset: a later rise would count as a bit */
     gpio_set_function(PIN_CLOCK, GPIO_FUNC_SPI);
     gpio_set_function(PIN_DATA, GPIO_FUNC_SPI);

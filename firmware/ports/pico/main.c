@@ -2,6 +2,7 @@
  * A display that shades by itself until a computer takes it over. */
 #include "board.h"
 #include "gud_panel.h"
+#include "hand.h"
 #include "second_core.h"
 #include "shown.h"
 #include "usb.h"
@@ -113,7 +114,6 @@ static bool has_fault_to_show(void)
 
 static void start(void)
 {
-    enum { ROTATION = PANEL_WIDTH > PANEL_HEIGHT }; /* glass is upright */
     gud_ops = gud_panel_ops;
     gud_ops.busy = gud_is_busy;
     gud_ops.display = gud_display;
@@ -124,11 +124,12 @@ static void start(void)
     gud_config.window = memory->lz4_window;
     gud_config.window_bytes = sizeof memory->lz4_window;
     shown_prepare(&panel, &light);
-    if (!panel_defaults(&panel, PANEL_CONTROLLER, ROTATION, PANEL_WIDTH, PANEL_HEIGHT) ||
+    if (!panel_defaults(&panel, PANEL_CONTROLLER, BOARD_ROTATION, PANEL_WIDTH, PANEL_HEIGHT) ||
         !gud_device_init(&gud, &gud_config))
         fail(FAULT_BUILD);
     panel.tearing_line = HAS_TE;
     usb_start(&gud, &light);
+    hand_start();
 #if SECOND_CORE
     board_say("both cores shade; the second core has run in a model only\r\n");
     second_core_start();
@@ -236,6 +237,14 @@ static void draw(void)
     light.is_drawing = owner == LIGHT_HOST && (drawn.in_frame || light.is_drawing);
 }
 
+static void change_scene(void)
+{
+    shown_next_scene();
+    shown_abandon();
+    drawn.in_frame = false;
+    begin_drawing(shown_begin_demo);
+}
+
 int main(void)
 {
     const enum fault before = board_start();
@@ -247,11 +256,14 @@ int main(void)
     for (;;) {
         board_alive();
         usb_poll();
+        const bool is_knocked = hand_poll();
         if (gud_panel.has_failed)
             fail(FAULT_BUS);
         const enum owner next = wanted();
         if (next != owner || must_restart())
             hand_over(next);
+        else if (is_knocked && owner == DEMO)
+            change_scene();
         if (owner == DEMO || owner == LIGHT_HOST)
             draw();
     }

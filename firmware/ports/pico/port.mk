@@ -1,13 +1,24 @@
 # SPDX-License-Identifier: MIT
-# The Raspberry Pi Pico with a panel: make firmware PORT=pico [PANEL=st7789-240x240] [TE=21] [SECOND_CORE=1] [PATH=exact] [DEMO=teapot] [HEIGHT=FILE [BEVEL=8]] [MESH=FILE [SPLIT=30] [AXES=NAME]] [LANDING_PAGE=https://...] [IMAGE=conformance] [BOARD=pico2]
-PANEL ?= st7789-240x240
-pico_BOARDS = pico pico2
+# The Raspberry Pi Pico with a panel, or a board that has one: make firmware PORT=pico [BOARD=pico] [PANEL=st7789-240x240] [ROTATE=90] [TE=21] [SECOND_CORE=1] [PATH=exact] [DEMO=teapot] [HEIGHT=FILE [BEVEL=8]] [MESH=FILE [SPLIT=30] [AXES=NAME]] [LANDING_PAGE=https://...] [IMAGE=conformance]
+# Boards and panels are rows of tables; this prints the column N of those that begin with WORD.
+pico_rows = $(shell sed -n 's/^$(2)(\(.*\))$$/\1/p' $(1) | awk -F ', *' '$(3)')
+PICO_BOARDS_DEF = firmware/ports/pico/boards.def
+pico_BOARDS := $(call pico_rows,$(PICO_BOARDS_DEF),BOARD,{ print $$1 })
 # Those that an emulator runs; make test-pico reports the others as skipped.
-pico_EMULATED = pico
+pico_EMULATED := $(call pico_rows,$(PICO_BOARDS_DEF),BOARD,$$3 == "rp2040" { print $$1 })
 PICO_BOARD = $(or $(BOARD),pico)
+pico_fact = $(call pico_rows,$(PICO_BOARDS_DEF),BOARD,$$1 == "$(PICO_BOARD)" { print $$$(1) })
+pico_panel_of = $(call pico_rows,$(PICO_BOARDS_DEF),BOARD,$$1 == "$(1)" { print $$4 })
+PANEL ?= $(or $(call pico_fact,4),none)
 # glint, or conformance: that checks the board and measures its frame rate.
 IMAGE ?= glint
-PICO_PANELS = st7789-240x240 st7789-240x320 st7789-135x240 ili9341-240x320 ili9341-320x240
+# Each glass upright, and lying if it is not square.
+PICO_PANELS := $(call pico_rows,firmware/core/panels.def,GLASS,$$1 != "SSD1306" { print tolower($$1) "-" $$2 "x" $$3; if ($$2 != $$3) print tolower($$1) "-" $$3 "x" $$2 })
+# Of these a release has an image; and of the boards that have a panel.
+PICO_RELEASED = st7789-240x240 st7789-240x320 st7789-135x240 ili9341-240x320 ili9341-320x240 gc9a01-240x240
+# The picture turned clockwise: 90, 180 or 270.
+ROTATE ?= 0
+PICO_TURNED = $(filter 90 270,$(ROTATE))
 # The pin on which the panel's tearing line is wired, if it is.
 TE ?=
 # 1: both cores shade.
@@ -21,14 +32,20 @@ endif
 PICO_EXACT = $(if $(filter exact,$(PICO_PATH)),1,0)
 # The page that browsers offer when the board is plugged in; none: they offer none.
 LANDING_PAGE ?=
-# What the board shows by itself: coin, a map under a light, or teapot, a mesh that turns.
-DEMO ?= coin
-PICO_DEMOS = coin teapot
+# What the board shows by itself: coin or dial (a watch), a map under a light, or teapot, a mesh that turns. With an accelerometer a tap changes
+# from dial to coin.
+PICO_USUAL_DEMO = $(if $(PICO_HAS_IMU),dial,coin)
+DEMO ?= $(PICO_USUAL_DEMO)
+PICO_DEMOS = coin dial teapot
+PICO_HAS_IMU = $(filter-out NONE,$(call pico_fact,13))
+PICO_SCENE_coin = --scene coin $(if $(TE),,--cut-out)
+PICO_SCENE_dial = --scene watchface
+PICO_SCENES = $(if $(PICO_HAS_IMU),$(if $(PICO_MESH)$(HEIGHT)$(filter-out 240x240,$(PICO_SIZE)),,$(DEMO) $(filter-out $(DEMO),dial coin)))
 # With a tearing line a frame must fit in one scan of the panel: soft edges would take .2 ms too long, so the coin keeps its wall.
 # Instead of the coin a height map of your own, at the panel's size; with BEVEL=N a logo, as glint bake has --bevel, with soft edges.
 HEIGHT ?=
 BEVEL ?=
-PICO_MAP_SOURCE = $(if $(HEIGHT),--height '$(HEIGHT)' $(BEVEL:%=--bevel % --cut-out),--scene coin $(if $(TE),,--cut-out)) --size $(PICO_SIZE)
+PICO_MAP_SOURCE = $(if $(HEIGHT),--height '$(HEIGHT)' $(BEVEL:%=--bevel % --cut-out),$(PICO_SCENE_$(filter coin dial,$(DEMO)))) --size $(PICO_SIZE)
 # Or a mesh of your own, as glint bake takes it by --mesh, --split and --axes.
 MESH ?=
 SPLIT ?= 30
@@ -39,8 +56,9 @@ PICO_MESH_SOURCE = --no-outlines $(if $(MESH),--mesh '$(MESH)' --no-textures --s
 # Up to here it is in RAM, where it is drawn in fewer cycles.
 PICO_MESH_RAM = 12288
 PICO_FREE_PINS = 1 2 3 4 5 6 7 14 15 16 17 18 19 20 21 22 26 27 28
-PICO = build/firmware/$(PICO_BOARD)-$(PANEL)$(TE:%=-te%)$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(PICO_MESH:%=-%)$(if $(HEIGHT),-map-$(basename $(notdir $(firstword $(HEIGHT)))))$(BEVEL:%=-bevel%)$(if $(LANDING_PAGE),-landing)
-PICO_SIZE = $(lastword $(subst -, ,$(PANEL)))
+PICO = build/firmware/$(PICO_BOARD)-$(PANEL)$(patsubst %,-turned-%,$(filter-out 0,$(ROTATE)))$(TE:%=-te%)$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(PICO_MESH:%=-%)$(patsubst %,-%,$(filter-out $(PICO_USUAL_DEMO) teapot,$(DEMO)))$(if $(HEIGHT),-map-$(basename $(notdir $(firstword $(HEIGHT)))))$(BEVEL:%=-bevel%)$(if $(LANDING_PAGE),-landing)
+PICO_SIDES = $(subst x, ,$(lastword $(subst -, ,$(PANEL))))
+PICO_SIZE = $(if $(PICO_TURNED),$(lastword $(PICO_SIDES))x$(firstword $(PICO_SIDES)),$(lastword $(subst -, ,$(PANEL))))
 
 pico_PACKAGES = cmake make python3-minimal gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib
 setup-firmware-pico: setup-build
@@ -51,11 +69,12 @@ setup-firmware-pico: setup-build
 have-pico-choices:
 	@$(if $(filter $(pico_BOARDS),$(PICO_BOARD)),,echo "make: port pico has no board $(PICO_BOARD); choose from $(pico_BOARDS)" >&2; exit 1)
 	@$(if $(filter $(PICO_PANELS),$(PANEL)),,echo "make: PANEL=$(PANEL): the panels are $(PICO_PANELS)" >&2; exit 1)
+	@$(if $(filter 0 90 180 270,$(ROTATE)),,echo "make: ROTATE=$(ROTATE): say 0, 90, 180 or 270" >&2; exit 1)
 	@$(if $(filter-out $(PICO_FREE_PINS),$(TE)),echo "make: TE=$(TE): the pins that are free are $(PICO_FREE_PINS)" >&2; exit 1)
 	@$(if $(filter 11,$(SECOND_CORE)$(PICO_EXACT)),echo "make: PATH=exact: draws with one core; leave SECOND_CORE=1 out" >&2; exit 1)
 	@$(if $(filter-out https://% http://localhost http://localhost/% http://localhost:%,$(LANDING_PAGE)),echo "make: LANDING_PAGE=$(LANDING_PAGE): browsers take https://... or http://localhost..." >&2; exit 1)
 	@$(if $(filter $(PICO_DEMOS),$(DEMO)),,echo "make: DEMO=$(DEMO): the demos are $(PICO_DEMOS)" >&2; exit 1)
-	@$(if $(PICO_MESH),$(if $(filter pico.st7789-240x240.0.glint,$(PICO_BOARD).$(PANEL).$(PICO_EXACT)$(TE).$(IMAGE)),,echo "make: $(if $(MESH),MESH=$(MESH),DEMO=teapot): is for a Pico with PANEL=st7789-240x240; leave TE, PATH and IMAGE out" >&2; exit 1))
+	@$(if $(PICO_MESH),$(if $(filter rp2040.240x240.0.glint,$(call pico_fact,3).$(PICO_SIZE).$(PICO_EXACT)$(TE).$(IMAGE)),,echo "make: $(if $(MESH),MESH=$(MESH),DEMO=teapot): is for an RP2040 with a panel of 240x240; leave TE, PATH and IMAGE out" >&2; exit 1))
 	@$(if $(word 2,$(MESH)),echo "make: MESH=$(MESH): make takes no file whose name has a blank; rename it" >&2; exit 1)
 	@$(if $(word 2,$(HEIGHT)),echo "make: HEIGHT=$(HEIGHT): make takes no file whose name has a blank; rename it" >&2; exit 1)
 	@$(if $(and $(BEVEL),$(if $(HEIGHT),,1)),echo "make: BEVEL=$(BEVEL): is for a logo; give HEIGHT=FILE with it" >&2; exit 1)
@@ -63,15 +82,15 @@ have-pico-choices:
 	@$(if $(filter-out $(shell seq 180),$(SPLIT))$(word 2,$(SPLIT)),echo "make: SPLIT=$(SPLIT): say whole degrees from 1 to 180" >&2; exit 1)
 
 # CMake knows what depends on what within.
-firmware-pico: have-pico-choices $(PICO)/map/$(if $(PICO_MESH),demo_mesh.h,demo_map.h) $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
+firmware-pico: have-pico-choices $(PICO)/map/$(if $(PICO_MESH),demo_mesh.h,demo_map.h) $(if $(PICO_SCENES),$(PICO)/map/demo_scenes.h) $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
 	@sdk=$$(firmware/ports/pico/fetch-sdk) && \
-	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DPICO_BOARD=$(PICO_BOARD) -DPICO_NO_PICOTOOL=1 \
-		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_PANEL=$(PANEL) -DGLINT_TE=$(or $(TE),-1) -DGLINT_SECOND_CORE=$(SECOND_CORE) -DGLINT_EXACT=$(PICO_EXACT) -DGLINT_TURNS_MESH=$(if $(PICO_MESH),1,0) -DGLINT_MESH_IN_RAM=$$(find $(PICO)/map/demo_mesh.bin -size -$(PICO_MESH_RAM)c 2>/dev/null | wc -l) '-DGLINT_LANDING_PAGE=$(LANDING_PAGE)' \
+	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DPICO_BOARD=$(subst -,_,$(PICO_BOARD)) -DPICO_NO_PICOTOOL=1 \
+		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_BOARD=$(PICO_BOARD) -DGLINT_PANEL=$(PANEL) -DGLINT_ROTATE=$(ROTATE) -DGLINT_TE=$(or $(TE),-1) -DGLINT_SECOND_CORE=$(SECOND_CORE) -DGLINT_EXACT=$(PICO_EXACT) -DGLINT_TURNS_MESH=$(if $(PICO_MESH),1,0) -DGLINT_SCENES=$(if $(PICO_SCENES),1,0) -DGLINT_MESH_IN_RAM=$$(find $(PICO)/map/demo_mesh.bin -size -$(PICO_MESH_RAM)c 2>/dev/null | wc -l) '-DGLINT_LANDING_PAGE=$(LANDING_PAGE)' \
 		-DGLINT_MAP="$(CURDIR)/$(PICO)/map" -DGLINT_EXPECTED="$(abspath $(CONFORMANCE))" >$(PICO)/log 2>&1 && \
 	MAKEFLAGS= cmake --build $(PICO)/cmake --target $(IMAGE) $(PARALLEL) >>$(PICO)/log 2>&1 || { grep -o 'glint: over.*' $(PICO)/log >&2 && $(if $(MESH),echo "make: MESH=$(MESH): a mesh takes 16 bytes of RAM a vertex and 2 a triangle$(if $(filter 1,$(SECOND_CORE)),$(COMMA) for each core): simplify it$(COMMA) or leave its edges whole by SPLIT=180",:) >&2 || grep rror $(PICO)/log >&2; \
 		echo "make: the Pico's firmware was not built; the whole log is $(PICO)/log" >&2; exit 1; }
 	@grep -A 3 'warning:' $(PICO)/log || true
-	@cp $(PICO)/cmake/$(IMAGE).elf $(PICO)/ && $(BUILD)/bin2uf2 $(PICO_BOARD) $(PICO)/cmake/$(IMAGE).bin $(PICO)/$(IMAGE).uf2
+	@cp $(PICO)/cmake/$(IMAGE).elf $(PICO)/ && $(BUILD)/bin2uf2 $(if $(filter rp2350,$(call pico_fact,3)),pico2,pico) $(PICO)/cmake/$(IMAGE).bin $(PICO)/$(IMAGE).uf2
 	@arm-none-eabi-size $(PICO)/$(IMAGE).elf | awk 'NR == 2 { printf "$(PICO)/$(IMAGE).uf2: %d bytes of flash, %d of RAM\n", $$1 + $$2, $$2 + $$3 }'
 
 $(BUILD)/bin2uf2: firmware/ports/pico/tools/bin2uf2.c $(BUILD)/host/bake/uf2.o
@@ -84,6 +103,14 @@ $(PICO)/map/demo_map.h: $(BUILD)/glint $(if $(HEIGHT)$(BEVEL),always) | have-pic
 	@cksum <$(@D)/demo_map.bin | awk '{ soft = $$2 - 4 * $(subst x, * ,$(PICO_SIZE)); print "#define DEMO_MAP_CKSUM " $$1 "u"; \
 		print "#define DEMO_COVERAGE " (soft ? "demo_map_coverage" : "NULL"); print "#define DEMO_COVERAGE_BYTES " soft }' >>$@.tmp
 	@cmp -s $@.tmp $@ || mv $@.tmp $@
+
+$(BUILD)/pack_scenes: firmware/ports/pico/tools/pack_scenes.c $(BUILD)/firmware/core/cksum.o
+	@$(CC) $(filter-out -MMD -MP,$(HOST_CFLAGS)) $^ -o $@ -llz4
+
+$(PICO)/map/demo_scenes.h: $(BUILD)/glint $(BUILD)/pack_scenes | have-pico-choices
+	@mkdir -p $(@D)
+	@$(foreach scene,$(PICO_SCENES),$< bake $(PICO_SCENE_$(scene)) --size $(PICO_SIZE) --to int8 -o $(@D)/scene-$(scene).bin >/dev/null &&) \
+		$(BUILD)/pack_scenes $(PICO_SIZE) $(PICO_SCENES:%=$(@D)/scene-%.bin) >$@.tmp && mv $@.tmp $@
 
 # The teapot as it is, unsplit: what turns hides where its highlights break. A file's each time, since MESH, SPLIT and AXES may be others
 # by now. The head of 8 bytes has the counts; the checksum is without it and what follows the triangles: 6 bytes of each part and 3 of each vertex that

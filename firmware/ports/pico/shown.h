@@ -20,6 +20,8 @@ bool shown_is_intact(void);           /* what lies in flash? */
 void shown_prepare(struct panel *panel, struct light_device *light);
 uint16_t *shown_line(void); /* a line's pixels, while nothing is drawn */
 
+/* What a tap or a shake does: another map; a mesh stands still or turns on. Then the demo begins anew. */
+void shown_next_scene(void);
 /* The demo; or what a host has sent, as soon as it is complete. */
 enum glint_err shown_begin_demo(void);
 enum glint_err shown_begin_light(void);

@@ -5,7 +5,13 @@
 #if !TURNS_MESH
 #include "cksum.h"
 #include "demo.h"
+#if SCENES
+#include "demo_scenes.h"
+#include "lz4_block.h"
+#else
 #include "demo_map.h"
+#endif
+#include "hand.h"
 #include "orbit.h"
 #include "relight.h"
 
@@ -60,11 +66,25 @@ uint16_t *shown_line(void)
     return lines.pixels[0];
 }
 
+#if SCENES
+bool shown_is_intact(void)
+{
+    uint32_t sum = 0;
+    size_t count = 0;
+    for (unsigned i = 0; i < DEMO_SCENES; i++) {
+        sum = cksum_add(sum, demo_scenes[i].packed, demo_scenes[i].bytes);
+        sum = cksum_add(sum, demo_scenes[i].coverage, demo_scenes[i].coverage_bytes);
+        count += demo_scenes[i].bytes + demo_scenes[i].coverage_bytes;
+    }
+    return cksum_end(sum, count) == DEMO_SCENES_CKSUM;
+}
+#else
 bool shown_is_intact(void)
 {
     const uint32_t sum = cksum_add(cksum_add(0, demo_map, sizeof demo_map), DEMO_COVERAGE, DEMO_COVERAGE_BYTES);
     return cksum_end(sum, sizeof demo_map + DEMO_COVERAGE_BYTES) == DEMO_MAP_CKSUM;
 }
+#endif
 
 void shown_prepare(struct panel *panel, struct light_device *light)
 {
@@ -88,8 +108,36 @@ static enum glint_err begin(const uint32_t *map, const uint8_t *coverage, const 
 #endif
 }
 
+static bool is_first; /* the demo's next frame, which must be drawn */
+
+#if SCENES
+static unsigned scene;
+
+void shown_next_scene(void)
+{
+    scene = scene + 1 < DEMO_SCENES ? scene + 1 : 0;
+}
+
+/* Into memory that the lines on their way are not in. */
 enum glint_err shown_begin_demo(void)
 {
+    const struct demo_scene *const shown = &demo_scenes[scene];
+    const uint8_t *in = shown->packed, *run;
+    struct lz4_block block = {.window = (uint8_t *)memory.host.map, .window_bytes = sizeof memory.host.map};
+    is_first = true;
+    lz4_block_begin(&block, PANEL_WIDTH * PANEL_HEIGHT * 4);
+    while (lz4_block_next(&block, &in, shown->packed + shown->bytes, &run))
+        ;
+    return begin(memory.host.map, shown->coverage, &demo_gold, &demo_output, 0);
+}
+#else
+void shown_next_scene(void)
+{
+}
+
+enum glint_err shown_begin_demo(void)
+{
+    is_first = true;
 #if OFFERS_LIGHT /* a map fits into RAM, from where it is faster */
     board_hal.fetch(board_hal.context, memory.host.map, demo_map, PANEL_WIDTH * PANEL_HEIGHT);
     while (!board_hal.fetched(board_hal.context))
@@ -99,6 +147,7 @@ enum glint_err shown_begin_demo(void)
     return begin(demo_map, DEMO_COVERAGE, &demo_gold, &demo_output, 0);
 #endif
 }
+#endif
 
 enum glint_err shown_begin_light(void)
 {
@@ -107,12 +156,18 @@ enum glint_err shown_begin_light(void)
     return begin(lights->map, NULL, &lights->material.material, &output, lights->material.background);
 }
 
+static int32_t shown_to_light[3]; /* of the demo's last frame */
+
+/* A still hand has a still picture, which is not sent again. */
 bool shown_next_demo(void)
 {
     static uint32_t frame;
-    int32_t to_light[3];
-    orbit_light(to_light, frame++, ORBIT_FRAMES);
-    return relight_frame(&relight, to_light) == GLINT_OK;
+    if (!hand_is_there())
+        orbit_light(shown_to_light, frame++, ORBIT_FRAMES);
+    else if (!hand_light(shown_to_light) && !is_first)
+        return false;
+    is_first = false;
+    return relight_frame(&relight, shown_to_light) == GLINT_OK;
 }
 
 bool shown_next_light(void)

@@ -5,6 +5,7 @@
 #if TURNS_MESH
 #include "demo.h"
 #include "demo_mesh_sizes.h"
+#include "hand.h"
 #include "held_mesh.h"
 #include "turntable.h"
 
@@ -84,12 +85,23 @@ enum glint_err shown_begin_light(void)
     return begin(&lights->material.material, &output, lights->material.background);
 }
 
+static bool stands;
+
+void shown_next_scene(void)
+{
+    stands = !stands;
+}
+
 bool shown_next_demo(void)
 {
     static uint32_t frame;
     struct glint_pose pose;
-    demo_pose(&pose, frame++, PANEL_WIDTH);
-    return turntable_frame(&turntable, &pose, demo_mesh_light) == GLINT_OK;
+    int32_t to_light[3];
+    demo_pose(&pose, frame, PANEL_WIDTH);
+    frame += !stands;
+    if (hand_is_there())
+        (void)hand_light(to_light);
+    return turntable_frame(&turntable, &pose, hand_is_there() ? to_light : demo_mesh_light) == GLINT_OK;
 }
 
 bool shown_next_light(void)

@@ -13,7 +13,7 @@ enum key { KEY_PANEL = 256, KEY_ROTATION, KEY_SIZE, KEY_OFFSET, KEY_BGR, KEY_INV
 static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "The panel (--to panel, gpio, spi):", 40},
     {"panel", KEY_PANEL, "NAME", 0,
-     "Its controller: st7789 (default), ili9341, or ssd1306 (black and white: try --dither)", 40},
+     "Its controller: st7789 (default), ili9341, gc9a01 (round), or ssd1306 (black and white: try --dither)", 40},
     {"rotation", KEY_ROTATION, "DEGREES", 0,
      "Turns the picture on the glass clockwise: 0, 90, 180 or 270 (default 0, or 90 if the size is that of a turned "
      "glass)",
@@ -23,15 +23,21 @@ static const struct argp_option options[] = {
      "34,0 for 172x320, 0,20 for 240x280)",
      40},
     {"bgr", KEY_BGR, "yes|no", OPTION_ARG_OPTIONAL,
-     "The glass is wired blue first: if red and blue are exchanged, give the other value (default: yes for ili9341)",
+     "The glass is wired blue first: if red and blue are exchanged, give the other value (default: yes for ili9341 and "
+     "gc9a01)",
      40},
     {"invert", KEY_INVERT, "yes|no", OPTION_ARG_OPTIONAL,
-     "The glass needs inversion: if the picture is a negative, give the other value (default: yes for st7789)", 40},
+     "The glass needs inversion: if the picture is a negative, give the other value (default: yes for st7789 and "
+     "gc9a01)",
+     40},
     {0}};
 
 /* By key: the options, and the same in a bus's file. */
 static const char *const setting_names[KEY_END - KEY_PANEL] = {"panel", "rotation", "size", "offset", "bgr", "invert"};
-static const char *const controller_names[] = {"st7789", "ili9341", "ssd1306", NULL}; /* by enum panel_controller */
+static const char *const controller_names[] = {
+#define CONTROLLER(id, name, ...) name,
+#include "panels.def"
+    NULL}; /* by enum panel_controller */
 
 /* ---- values ---- */
 

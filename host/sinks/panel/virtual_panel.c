@@ -6,11 +6,16 @@
 /* Magenta, which no picture has: pixels that were never written stand out. */
 enum { NOISE = 0xf81f };
 
+static unsigned rows_of(const struct virtual_panel *panel)
+{
+    return panel->glass.rows ? panel->glass.rows : PANEL_ROWS;
+}
+
 void virtual_panel_reset(struct virtual_panel *panel)
 {
     panel->columns[0] = panel->rows[0] = panel->column = panel->row = 0;
     panel->columns[1] = PANEL_COLUMNS - 1;
-    panel->rows[1] = PANEL_ROWS - 1;
+    panel->rows[1] = (uint16_t)(rows_of(panel) - 1);
     panel->command = PANEL_NOP;
     panel->held = 0;
     panel->madctl = 0;
@@ -199,11 +204,11 @@ static void store(struct virtual_panel *panel, uint16_t color)
 {
     const bool exchanged = panel->madctl & PANEL_MADCTL_MV;
     unsigned column = exchanged ? panel->row : panel->column, row = exchanged ? panel->column : panel->row;
-    if (column < PANEL_COLUMNS && row < PANEL_ROWS) { /* "data of out of range will be ignored" */
+    if (column < PANEL_COLUMNS && row < rows_of(panel)) { /* "data of out of range will be ignored" */
         if (panel->madctl & PANEL_MADCTL_MX)
             column = PANEL_COLUMNS - 1 - column;
         if (panel->madctl & PANEL_MADCTL_MY)
-            row = PANEL_ROWS - 1 - row;
+            row = rows_of(panel) - 1 - row;
         panel->memory[row][column] = color;
     }
     advance(panel);
@@ -287,6 +292,14 @@ static uint8_t shown(unsigned level, unsigned max) /* as pictures in files show 
     return (uint8_t)((level * 255 + max / 2) / max);
 }
 
+/* Does the circle touch the pixel? Its nearest corner to the middle tells. */
+static bool is_seen(const struct virtual_glass *glass, unsigned x, unsigned y)
+{
+    const double middle = glass->width / 2.0;
+    const double across = x < middle ? middle - x - 1 : x - middle, down = y < middle ? middle - y - 1 : y - middle;
+    return !glass->round || across * across + down * down < middle * middle;
+}
+
 void virtual_panel_look(const struct virtual_panel *panel, unsigned rotation, uint8_t *rgb)
 {
     const unsigned right = panel->glass.width - 1u, bottom = panel->glass.height - 1u;
@@ -298,7 +311,8 @@ void virtual_panel_look(const struct virtual_panel *panel, unsigned rotation, ui
     for (unsigned y = 0; y < height; y++) {
         for (unsigned x = 0; x < width; x++, rgb += 3) {
             const unsigned across[4] = {x, right - y, right - x, y}, down[4] = {y, x, bottom - y, bottom - x};
-            const unsigned color = on_glass(panel, across[rotation % 4], down[rotation % 4]);
+            const unsigned at_x = across[rotation % 4], at_y = down[rotation % 4];
+            const unsigned color = is_seen(&panel->glass, at_x, at_y) ? on_glass(panel, at_x, at_y) : 0;
             rgb[0] = shown(color >> 11, 31);
             rgb[1] = shown(color >> 5 & 63, 63);
             rgb[2] = shown(color & 31, 31);
@@ -315,10 +329,12 @@ struct virtual_glass virtual_glass_of(const struct panel *panel)
                                   .height = turned ? panel->width : panel->height,
                                   .x = panel->x_offset,
                                   .y = panel->y_offset,
-                                  .mirrored = panel->controller == PANEL_ILI9341,
+                                  .mirrored = panel->controller == PANEL_ILI9341 || panel->controller == PANEL_GC9A01,
                                   .paged = panel_is_paged(panel),
                                   .bgr = panel->bgr,
-                                  .inverted = panel->inverted};
+                                  .inverted = panel->inverted,
+                                  .round = panel->round,
+                                  .rows = panel->controller == PANEL_GC9A01 ? 240 : PANEL_ROWS};
 }
 
 static bool bus_command(void *context, uint8_t command)

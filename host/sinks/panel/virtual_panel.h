@@ -16,7 +16,9 @@ struct virtual_glass {
     uint16_t x, y;          /* where its top left pixel lies in the memory (mirrored: counted from the last column) */
     bool mirrored;          /* column 0 of the memory is at the right */
     bool bgr, inverted;
-    bool paged; /* an SSD1306: x counts from the last segment, as its modules hang */
+    bool paged;    /* an SSD1306: x counts from the last segment, as its modules hang */
+    bool round;    /* what no part of the circle touches is black */
+    uint16_t rows; /* of the memory; 0: PANEL_ROWS */
 };
 
 struct virtual_panel {

@@ -96,7 +96,7 @@ static unsigned ms_between(size_t first, size_t last)
 
 static const unsigned glasses[][3] = {{PANEL_ST7789, 240, 320},  {PANEL_ST7789, 240, 280}, {PANEL_ST7789, 240, 240},
                                       {PANEL_ST7789, 172, 320},  {PANEL_ST7789, 170, 320}, {PANEL_ST7789, 135, 240},
-                                      {PANEL_ILI9341, 240, 320}, {PANEL_SSD1306, 128, 64}};
+                                      {PANEL_ILI9341, 240, 320}, {PANEL_GC9A01, 240, 240}, {PANEL_SSD1306, 128, 64}};
 enum { GLASSES = sizeof glasses / sizeof *glasses, DCS_GLASSES = GLASSES - 1 };
 
 /* ---- tests ---- */
@@ -188,6 +188,60 @@ static void the_tearing_line_is_driven_where_it_is_wired(void **state)
 }
 
 /* Command, bytes: what widely used drivers send, whatever their order; -1 ends each. */
+/* MADCTL of Adafruit_GC9A01A's four rotations; windows begin at 0, 0 at every turn. */
+static void the_gc9a01_turns_as_widely_used_drivers_turn_it(void **state)
+{
+    (void)state;
+    static const unsigned turns[4] = {0x48, 0x28, 0x88, 0xe8};
+    for (unsigned rotation = 0; rotation < 4; rotation++) {
+        const struct panel panel = made(&bus, PANEL_GC9A01, rotation, 240, 240);
+        assert_true(panel_start(&panel));
+        assert_int_equal(record[place_of(COMMAND, PANEL_MADCTL) + 1].value, turns[rotation]);
+        assert_true(place_of(COMMAND, 0xfe) < place_of(COMMAND, 0xef) &&
+                    place_of(COMMAND, 0xef) < place_of(COMMAND, 0x98));
+        happenings = 0;
+        assert_true(panel_window(&panel, 0, 0, 240, 240));
+        const unsigned wanted[] = {0x2a, 0, 0, 0, 239, 0x2b, 0, 0, 0, 239, 0x2c};
+        for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++)
+            assert_int_equal(record[i].value, wanted[i]);
+    }
+}
+
+static void the_columns_of_a_round_glass_are_those_that_its_circle_touches(void **state)
+{
+    (void)state;
+    const struct panel panel = made(&bus, PANEL_GC9A01, 0, 240, 240), square = made(&bus, PANEL_ST7789, 0, 240, 240);
+    unsigned pixels = 0;
+    for (unsigned y = 0; y < 240; y++) {
+        const struct panel_columns seen = panel_visible(&panel, y, 1), all = panel_visible(&square, y, 1);
+        assert_true(all.first == 0 && all.count == 240);
+        for (unsigned x = 0; x < 240; x++) {
+            const int across = x < 120 ? 119 - (int)x : (int)x - 120, down = y < 120 ? 119 - (int)y : (int)y - 120;
+            assert_int_equal(x >= seen.first && x < seen.first + seen.count, across * across + down * down < 120 * 120);
+        }
+        pixels += seen.count;
+        for (unsigned lines = 2; lines < 20 && y + lines <= 240; lines++) {
+            const struct panel_columns band = panel_visible(&panel, y, lines);
+            unsigned widest = 0;
+            for (unsigned i = 0; i < lines; i++) {
+                const struct panel_columns line = panel_visible(&panel, y + i, 1);
+                widest = line.count > widest ? line.count : widest;
+            }
+            assert_int_equal(band.count, widest);
+        }
+    }
+    assert_int_equal(pixels, 45692); /* of 57600 */
+}
+
+static void a_round_glass_that_is_no_square_is_refused(void **state)
+{
+    (void)state;
+    struct panel panel = made(&bus, PANEL_GC9A01, 0, 240, 240);
+    assert_true(panel.round && panel_fits(&panel));
+    panel.height = 200;
+    assert_false(panel_fits(&panel));
+}
+
 static void the_ili9341_gets_its_voltages_and_gamma_curves(void **state)
 {
     (void)state;
@@ -378,6 +432,9 @@ int main(void)
         cmocka_unit_test(a_start_gives_the_controller_its_time_and_shows_nothing),
         cmocka_unit_test(the_backlight_is_on_only_while_the_display_is),
         cmocka_unit_test(the_tearing_line_is_driven_where_it_is_wired),
+        cmocka_unit_test(the_gc9a01_turns_as_widely_used_drivers_turn_it),
+        cmocka_unit_test(the_columns_of_a_round_glass_are_those_that_its_circle_touches),
+        cmocka_unit_test(a_round_glass_that_is_no_square_is_refused),
         cmocka_unit_test(the_ili9341_gets_its_voltages_and_gamma_curves),
         cmocka_unit_test(without_a_reset_line_the_command_resets),
         cmocka_unit_test(a_bus_that_fails_at_any_call_fails_the_panel),

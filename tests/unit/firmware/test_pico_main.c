@@ -4,6 +4,9 @@
 #define PANEL_WIDTH 240
 #define PANEL_HEIGHT 240
 #define PANEL_CONTROLLER PANEL_ST7789
+#define PANEL_TURN 0
+#define BOARD_ID pico
+#define BOARD_NAME "pico"
 #define PANEL_NAME "a model"
 #define PIN_TE (-1)
 #define EXACT 0
@@ -86,6 +89,19 @@ uint32_t board_us(void)
 }
 
 void second_core_start(void)
+{
+}
+
+void hand_start(void)
+{
+}
+
+bool hand_poll(void)
+{
+    return false;
+}
+
+void shown_next_scene(void)
 {
 }
 

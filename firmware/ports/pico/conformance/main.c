@@ -57,8 +57,8 @@ static bool draw(uint32_t frame)
 
 static void measure_frames(void)
 {
-    enum { FRAMES = 8, ROTATION = PANEL_WIDTH > PANEL_HEIGHT };
-    bool good = panel_defaults(&panel, PANEL_CONTROLLER, ROTATION, PANEL_WIDTH, PANEL_HEIGHT);
+    enum { FRAMES = 8 };
+    bool good = panel_defaults(&panel, PANEL_CONTROLLER, BOARD_ROTATION, PANEL_WIDTH, PANEL_HEIGHT);
     panel.tearing_line = HAS_TE;
     relight_start(&relight);
     good = good && panel_start(&panel) &&
@@ -81,7 +81,7 @@ int main(void)
     extern uint8_t __StackBottom[]; /* the SDK's */
     (void)board_start();
     watchdog_disable(); /* a check takes longer */
-    conformance_say("# glint " GLINT_VERSION_STRING ", conformance, Raspberry Pi Pico, " PANEL_NAME "\n");
+    conformance_say("# glint " GLINT_VERSION_STRING ", conformance, " BOARD_NAME ", " PANEL_NAME "\n");
     measure_frames();
     stdio_usb_init(); /* not before: its interrupts would be in the frame rate */
     (void)machine_run(__StackBottom);

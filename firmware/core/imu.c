@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: MIT */
+#include "imu.h"
+
+enum { WHO_AM_I = 0x00, CTRL1 = 0x02, CTRL2 = 0x03, CTRL5 = 0x06, CTRL7 = 0x08, AX_L = 0x35 };
+enum { IS_QMI8658 = 0x05 };
+
+/* SA0 is low on the boards that we know; the other address is tried in turn. */
+enum { ADDRESS = 0x6b, OTHER_ADDRESS = 0x6a };
+
+/* The bytes of each step; after the last it is read again and again. */
+static const struct step {
+    uint8_t bytes[2], count, wanted;
+} steps[] = {
+    {{WHO_AM_I}, 1, 1},    {{CTRL7, 0x00}, 2, 0}, /* off while it is set up */
+    {{CTRL1, 0x60}, 2, 0},                        /* addresses count up */
+    {{CTRL2, 0x15}, 2, 0},                        /* +-4 g, 250 Hz */
+    {{CTRL5, 0x00}, 2, 0},                        /* its own filters off: ours has a known delay */
+    {{CTRL7, 0x01}, 2, 0},                        /* the accelerometer on */
+    {{AX_L}, 1, 6},
+};
+enum { STEP_WHO, STEP_READ = sizeof steps / sizeof *steps - 1, FAILURES_MAX = 5, ODD_MAX = 250 };
+
+static bool is_due(uint32_t now_us, uint32_t at_us)
+{
+    return (int32_t)(now_us - at_us) >= 0;
+}
+
+/* It is news where it was there, or where no address is left to try. */
+static enum imu_news lose(struct imu *imu, uint32_t now_us)
+{
+    const bool is_other_left = imu->step == STEP_WHO && imu->address == ADDRESS,
+               is_news = !is_other_left && !imu->is_lost;
+    imu->address = is_other_left ? OTHER_ADDRESS : imu->step == STEP_WHO ? ADDRESS : imu->address;
+    imu->since_us = now_us + (is_other_left ? IMU_PERIOD_US : IMU_RETRY_US);
+    imu->is_lost |= is_news;
+    imu->step = STEP_WHO;
+    imu->failures = 0;
+    imu->odd = 0;
+    return is_news ? IMU_LOST : IMU_NOTHING;
+}
+
+/* A hand may throw it, and it may fall, but not for a second; and no two samples of a real one are alike for so long. */
+static bool is_odd(const struct imu *imu, const int16_t sample[3])
+{
+    uint32_t square = 0;
+    bool is_same = true;
+    for (unsigned i = 0; i < 3; i++) {
+        square += (uint32_t)((int32_t)sample[i] * sample[i]) / 4; /* < 3 * 2^28 */
+        is_same &= sample[i] == imu->before[i];
+    }
+    const uint32_t one = (uint32_t)IMU_ONE_G * IMU_ONE_G / 4;
+    return is_same || square < one / 4 || square > 4 * one;
+}
+
+static enum imu_news take_sample(struct imu *imu, const uint8_t *bytes, uint32_t now_us, int16_t sample[3])
+{
+    for (unsigned i = 0; i < 3; i++)
+        sample[i] = (int16_t)(uint16_t)(bytes[2 * i] | bytes[2 * i + 1] << 8);
+    imu->odd = is_odd(imu, sample) ? (uint16_t)(imu->odd + 1) : 0;
+    for (unsigned i = 0; i < 3; i++)
+        imu->before[i] = sample[i];
+    if (imu->odd >= ODD_MAX)
+        return lose(imu, now_us);
+    if (imu->is_lost && imu->odd) /* it has to make sense to be back */
+        return IMU_NOTHING;
+    imu->is_lost = false;
+    return IMU_SAMPLE;
+}
+
+static enum imu_news fail(struct imu *imu, uint32_t now_us)
+{
+    imu->since_us = now_us + IMU_PERIOD_US;
+    return imu->step < STEP_READ || ++imu->failures == FAILURES_MAX ? lose(imu, now_us) : IMU_NOTHING;
+}
+
+static enum imu_news finish(struct imu *imu, const uint8_t *bytes, uint32_t now_us, int16_t sample[3])
+{
+    if (imu->step == STEP_WHO && bytes[0] != IS_QMI8658)
+        return fail(imu, now_us);
+    imu->failures = 0;
+    if (imu->step == STEP_READ) {
+        imu->since_us += IMU_PERIOD_US; /* of the transfer's beginning */
+        return take_sample(imu, bytes, now_us, sample);
+    }
+    imu->since_us = now_us;
+    imu->step++;
+    return IMU_NOTHING;
+}
+
+enum imu_news imu_poll(struct imu *imu, uint32_t now_us, int16_t sample[3])
+{
+    const struct imu_bus *bus = imu->bus;
+    const struct step *step = &steps[imu->step];
+    if (!imu->is_under_way) {
+        if (imu->since_us && !is_due(now_us, imu->since_us))
+            return IMU_NOTHING;
+        imu->address = imu->address ? imu->address : ADDRESS;
+        imu->is_under_way = true;
+        imu->since_us = now_us;
+        bus->begin(bus->context, imu->address, step->bytes, step->count, step->wanted);
+        return IMU_NOTHING;
+    }
+    uint8_t read[IMU_BYTES_MAX];
+    const enum imu_transfer state = bus->ask(bus->context, read);
+    if (state == IMU_UNDER_WAY && !is_due(now_us, imu->since_us + IMU_TIMEOUT_US))
+        return IMU_NOTHING;
+    imu->is_under_way = false;
+    if (state == IMU_ENDED)
+        return finish(imu, read, now_us, sample);
+    if (state == IMU_UNDER_WAY)
+        bus->stop(bus->context);
+    return fail(imu, now_us);
+}

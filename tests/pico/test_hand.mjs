@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// test_hand.mjs PACKAGES FOLDER PANEL JUDGE: a board with an accelerometer, whose light follows the hand: a model of the sensor's registers
+// on the emulated I2C, still, tilted, knocked, and with faults. Figures go to FOLDER/figures.json.
+import { writeFileSync } from 'node:fs'
+import { Judge } from './judge.mjs'
+import { Pico, symbolsOf } from './pico.mjs'
+import { Qmi8658 } from './qmi8658.mjs'
+import { check, equal, run } from './tap.mjs'
+
+const [packages, folder, panel, program] = process.argv.slice(2)
+const judge = new Judge(program, panel, folder)
+const { height, board } = judge
+const symbols = symbolsOf(`${folder}/glint.elf`)
+const figures = {}
+const SECONDS = Number(process.env.HAND_SECONDS ?? 2) // ten were seen; test_tilt has them at forty tilts
+
+function powered_up(options) {
+  const pico = new Pico(packages, { pins: board.pins }).load(`${folder}/glint.uf2`)
+  const { wires, chip } = pico
+  const imu = new Qmi8658(chip, board.sda / 2 % 2, options)
+  const made = { pico, wires, chip, imu, frames: [], first_change: undefined }
+  // What the panel has had, to find the first pixel that changes; frames by their ends.
+  const before = new Map()
+  let at = 0
+  const put = wires.put.bind(wires)
+  wires.put = (kind, byte) => {
+    put(kind, byte)
+    if (kind === 'C') { at = 0; return }
+    if (kind !== 'D' || wires.command !== 0x2c) return
+    const key = `${wires.window.toString('hex')} ${at++}`
+    if (before.get(key) !== byte) { made.changed++; made.first_change ??= chip.clock.nanos }
+    before.set(key, byte)
+  }
+  const sent = wires.sent.bind(wires)
+  wires.sent = (spi) => { sent(spi); if (wires.picture_done(height)) made.frames.push({ ns: chip.clock.nanos, length: wires.length }) }
+  made.changed = 0
+  return made
+}
+// The light of the frame that is on the panel, as the firmware has it.
+const light_of = ({ chip }) => [0, 1, 2].map((i) => {
+  const at = symbols.get('shown_to_light') + 4 * i
+  return chip.readUint32(at) | 0
+})
+const tilted = (degrees) => [Math.sin(degrees * Math.PI / 180), 0, Math.cos(degrees * Math.PI / 180)]
+function settle(board_now, ms = 600) {
+  board_now.pico.run(() => false, ms)
+}
+const said = (pico, text) => pico.uart.split(text).length - 1
+
+let on
+run([
+  ['the sensor is found, set up as its data sheet says, and the light follows the hand', () => {
+    on = powered_up({ seed: 7 })
+    check(on.pico.run(() => on.pico.uart.includes('the light follows the hand'), 3000), on.pico.uart)
+    equal(on.imu.log.map(([at, value]) => `${at.toString(16)}=${value.toString(16)}`).join(' '), '8=0 2=60 3=15 6=0 8=1', 'what is written')
+    check(on.pico.run(() => on.frames.length > 1, 2000), 'no frames')
+  }],
+  [`for ${SECONDS} s a still hand with a real sensor\'s noise has a still picture, the host\'s bit for bit`, () => {
+    settle(on)
+    const { length } = on.frames, samples = on.imu.samples
+    on.changed = 0
+    on.pico.run(() => false, 1000 * SECONDS)
+    equal(on.changed, 0, 'bytes of pixels that change')
+    equal(on.frames.length, length, 'frames')
+    check(on.imu.samples - samples > 240 * SECONDS && on.imu.reads > 240 * SECONDS, `${on.imu.samples - samples} samples, ${on.imu.reads} read`)
+    judge.same(judge.look(on.wires.transcript()), judge.scene('watchface', light_of(on)), 'the picture')
+  }],
+  ['a step of 5 degrees changes the first pixel on the bus within 35 ms, wherever it comes in a period', () => {
+    figures.first_ms = []
+    for (let i = 0; i < 6; i++) {
+      settle(on, 400 + i * 0.77)
+      on.first_change = undefined
+      on.imu.gravity = tilted(i % 2 ? 0 : 5)
+      const from = on.chip.clock.nanos
+      check(on.pico.run(() => on.first_change !== undefined, 100), 'nothing changes')
+      figures.first_ms.push((on.first_change - from) / 1e6)
+    }
+    check(Math.max(...figures.first_ms) <= 35, `${figures.first_ms} ms`)
+  }],
+  ['a hand that moves has 60 frames a second, each the host\'s bit for bit', () => {
+    const from = on.frames.length, begin = on.chip.clock.nanos
+    for (let i = 0; i < 40; i++) {
+      on.imu.gravity = tilted(i)
+      on.pico.run(() => false, 16)
+    }
+    const ends = on.frames.slice(from).map(({ ns }) => ns)
+    const times = ends.slice(2).map((ns, i) => (ns - ends[i + 1]) / 1e6)
+    figures.frame_ms = times
+    check(times.length > 30 && Math.max(...times) < 1000 / 60, `${times.length} frames in ${(on.chip.clock.nanos - begin) / 1e6} ms, the slowest in ${Math.max(...times)} ms`)
+    settle(on)
+    judge.same(judge.look(on.wires.transcript()), judge.scene('watchface', light_of(on)), 'the picture')
+  }],
+  ['tilted, the light is where it was in the room: towards what was above', () => {
+    on.imu.gravity = tilted(30)
+    settle(on, 900)
+    const [x, y, z] = light_of(on), angle = Math.atan2(x, z) * 180 / Math.PI
+    check(Math.abs(angle - 30) < 1 && Math.abs(y) < 400, `${[x, y, z]}`)
+  }],
+  ['face down the panel is lit from the rim', () => {
+    const turn = (from, to) => { // as a hand does: a jump would be a knock
+      for (let i = 0; i <= 20; i++) { on.imu.gravity = tilted(from + (to - from) * i / 20); on.pico.run(() => false, 20) }
+    }
+    turn(30, 174)
+    settle(on)
+    check(light_of(on)[2] === 8192, `${light_of(on)}`)
+    judge.same(judge.look(on.wires.transcript()), judge.scene('watchface', light_of(on)), 'the picture')
+    turn(174, 0)
+    settle(on)
+  }],
+  ['a tap changes the scene, one change a tap', () => {
+    const tap = () => {
+      on.imu.gravity = [0.2, 0, 2.2]
+      on.pico.run(() => false, 8)
+      on.imu.gravity = [0, 0, 1]
+      settle(on, 1200)
+    }
+    tap()
+    judge.same(judge.look(on.wires.transcript()), judge.scene('coin', light_of(on)), 'the picture')
+    tap()
+    judge.same(judge.look(on.wires.transcript()), judge.scene('watchface', light_of(on)), 'the picture after another')
+  }],
+  ...['absent', 'nacks', 'hangs', 'nonsense', 'stuck'].map((fault) => [
+    `a sensor that ${{ absent: 'is not there', nacks: 'refuses bytes in the middle', hangs: 'never ends a transfer', nonsense: 'says nonsense', stuck: 'is stuck' }[fault]}: the light circles, the UART says so once, and the board goes on`, () => {
+      on = powered_up({ seed: 3 })
+      on.imu.fault = fault
+      check(on.pico.run(() => on.pico.uart.includes('the light circles'), 4000), on.pico.uart)
+      const from = on.frames.length
+      on.pico.run(() => false, 300)
+      check(on.frames.length - from > 0.28 * 60, `${on.frames.length - from} frames in 0.3 s`)
+      check(on.pico.run(() => !on.wires.picture_done(height), 50) && on.pico.run(() => on.wires.picture_done(height), 50), 'no frame ends')
+      judge.same(judge.look(on.wires.transcript()), judge.scene('watchface', light_of(on)), 'the picture')
+      if (fault !== 'hangs' && fault !== 'nonsense') return
+      on.pico.run(() => false, 1000) // it is looked for again
+      equal(said(on.pico, 'the light circles'), 1, 'times that it is said')
+      on.imu.free()
+      check(on.pico.run(() => on.pico.uart.includes('follows the hand'), 1500), `it is not found again: ${on.pico.uart}`)
+    }]),
+  ['a sensor that is lost while it is used, in the middle of a transfer: the same', () => {
+    on = powered_up({ seed: 4, address: 0x6a })
+    check(on.pico.run(() => on.frames.length > 2, 3000), `at its other address: ${on.pico.uart}`)
+    on.imu.fault = 'hangs'
+    check(on.pico.run(() => on.pico.uart.includes('the light circles'), 500), on.pico.uart)
+    const from = on.frames.length
+    on.pico.run(() => false, 300)
+    check(on.frames.length - from > 0.28 * 60, `${on.frames.length - from} frames in 0.3 s`)
+    equal(on.wires.faults.length, 0, `faults, the first: ${on.wires.faults[0]}`)
+  }],
+], () => {
+  writeFileSync(`${folder}/figures.json`, JSON.stringify(figures, null, 2) + '\n')
+  const round = (values) => values?.map((value) => value.toFixed(1)).join(', ')
+  console.log(`# ${board.name}: first pixel after a step of 5 degrees: ${round(figures.first_ms)} ms; the dial: a frame every ` +
+    `${Math.max(...figures.frame_ms ?? [0]).toFixed(2)} ms at most (emulated)`)
+})
