@@ -32,6 +32,8 @@ has = $(shell pkg-config --exists $(1) 2>/dev/null && echo 1)
 WITH_USB := $(call has,libusb-1.0)
 WITH_GPIO := $(if $(call has,libgpiod inih),$(if $(call has,'libgpiod >= 2'),2,1))
 WITH_TERMINAL := $(call has,chafa)
+WITH_WEBP := $(call has,libwebp libwebpmux)
+WITH_GIF := $(call has,libgif)
 WITH_MPI := $(call has,ompi-c)
 # SVG pictures are read by librsvg, which glint loads when it meets one: of its 40 libraries only the headers are used here.
 WITH_SVG := $(call has,librsvg-2.0)
@@ -40,11 +42,14 @@ WITH_MESH := $(firstword $(subst ., ,$(shell pkg-config --modversion assimp 2>/d
 # JPEG pictures for them are read by libjpeg.
 WITH_JPEG := $(call has,libjpeg)
 READ_LIBS = $(if $(WITH_JPEG),libjpeg)
-SINK_LIBS = $(if $(WITH_MPI),ompi-c) $(if $(WITH_USB),libusb-1.0) $(if $(WITH_GPIO),libgpiod inih) $(if $(WITH_TERMINAL),chafa)
+SINK_LIBS = $(if $(WITH_MPI),ompi-c) $(if $(WITH_USB),libusb-1.0) $(if $(WITH_GPIO),libgpiod inih) $(if $(WITH_TERMINAL),chafa) \
+	$(if $(WITH_WEBP),libwebp libwebpmux) $(if $(WITH_GIF),libgif)
 SINK_FLAGS = -DGLINT_WITH_USB=$(if $(WITH_USB),1,0) -DGLINT_WITH_GPIO=$(if $(WITH_GPIO),$(WITH_GPIO),0) \
-	-DGLINT_WITH_TERMINAL=$(if $(WITH_TERMINAL),1,0) -DGLINT_WITH_MPI=$(if $(WITH_MPI),1,0)
+	-DGLINT_WITH_TERMINAL=$(if $(WITH_TERMINAL),1,0) -DGLINT_WITH_MPI=$(if $(WITH_MPI),1,0) \
+	-DGLINT_WITH_WEBP=$(if $(WITH_WEBP),1,0) -DGLINT_WITH_GIF=$(if $(WITH_GIF),1,0)
 # Of the page's module clang makes WebAssembly (host/page/page.mk).
 LEFT_OUT = host/page/% $(if $(WITH_USB),,host/sinks/usb/%) $(if $(WITH_TERMINAL),,host/sinks/terminal%) \
+	$(if $(WITH_WEBP),,host/sinks/webp%) $(if $(WITH_GIF),,host/sinks/gif%) \
 	$(if $(WITH_GPIO),host/sinks/wires/chip_v$(if $(filter 1,$(WITH_GPIO)),2,1).c,host/sinks/wires/%)
 HOST_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ifirmware/core -Ihost $(OPENMP) \
 	$(SINK_FLAGS) -DGLINT_WITH_SVG=$(if $(WITH_SVG),1,0) -DGLINT_WITH_MESH=$(or $(WITH_MESH),0) -DGLINT_WITH_JPEG=$(if $(WITH_JPEG),1,0) $(HOST_INCLUDES) $(CFLAGS) $(SANITIZERS) $(HOST_MORE)
@@ -67,7 +72,7 @@ SUBMAKE = $(MAKE) --no-print-directory $(PARALLEL)
 
 # Debian packages of each set-up goal: NAME_PACKAGES is the one place of that fact; `make packages` prints them all.
 BUILD_PACKAGES = gcc libc6-dev make pkg-config libpng-dev libjansson-dev libqoi-dev liblz4-dev libusb-1.0-0-dev \
-	libgpiod-dev libinih-dev libchafa-dev libglib2.0-dev librsvg2-dev libassimp-dev libjpeg-dev
+	libgpiod-dev libinih-dev libchafa-dev libglib2.0-dev librsvg2-dev libassimp-dev libjpeg-dev libwebp-dev libgif-dev
 DEMO_PACKAGES = chafa gnuplot-nox
 GALLERY_PACKAGES = python3-minimal
 
