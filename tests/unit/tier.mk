@@ -4,9 +4,9 @@
 # In the environment of each: GLINT, the command; GLINT_SOURCE, the source folder; GLINT_LIBRARY, the library, but for one with
 # sanitizers, with which programs that a test compiles do not link. Threads that wait leave the processor to other tests.
 # GMP and MPFR: model_added builds programs of tier exact.
-UNIT_PACKAGES = libopenmpi-dev openmpi-bin libcmocka-dev libgmp-dev libmpfr-dev g++ clang libomp-dev gnuplot-nox cmake groff-base zsh gcc-12-plugin-dev
+UNIT_PACKAGES = libqoi-dev libopenmpi-dev openmpi-bin libcmocka-dev libgmp-dev libmpfr-dev g++ clang libomp-dev gnuplot-nox cmake groff-base zsh gcc-12-plugin-dev
 # What make check runs needs these, and a part of it those.
-UNIT_CHECK = libcmocka-dev:cmocka.h
+UNIT_CHECK = libcmocka-dev:cmocka.h libqoi-dev:qoi.h
 UNIT_CHECK_PART = libusb-1.0-0-dev:libusb-1.0/libusb.h libgpiod-dev:gpiod.h libinih-dev:ini.h libchafa-dev:chafa/chafa.h \
 	librsvg2-dev:librsvg-2.0/librsvg/rsvg.h libassimp-dev:assimp/version.h libjpeg-dev:jpeglib.h libwebp-dev:webp/mux.h libgif-dev:gif_lib.h g++:g++ groff-base:groff zsh:zsh
 # Flags of the tests' own code, after those of all.
