@@ -133,7 +133,7 @@ run-demo: all
 gallery: setup-build ## use: what it can draw, before and after, as it is and four times as large: build/gallery/index.html, needs python3 only
 	@.ci/need "the gallery" $(GALLERY_PACKAGES)
 	@+$(SUBMAKE) -s all
-	@tests/golden/gallery $(BUILD)/glint build/gallery
+	@rm -rf build/gallery && tests/golden/gallery $(BUILD)/glint build/gallery
 	@echo "gallery: open build/gallery/index.html in a browser"
 
 # A page for glint and one for each command, from the tables of options behind --help.
@@ -235,10 +235,11 @@ DIST_PANELS = $(foreach panel,$(PICO_PANELS),build/firmware/pico-$(panel)/glint.
 	build/firmware/pico-st7789-240x240-two-cores-teapot/glint.uf2=glint-VERSION-pico-teapot.uf2
 DIST_BUILT = $(foreach board,$(GATEWARE_BOARDS),$(GATEWARE)/$(board).bin=glint-VERSION-$(board).bin) $(PAGE)/index.html=glint-VERSION-page.html
 
-dist: all $(BUILD)/man gateware page ## maintain: what a release has, into build/dist: archives, the library as two files, an image for each Pico panel and one that turns a teapot, bitstreams, the page, man pages, SHA256SUMS
+dist: all $(BUILD)/man gateware page gallery ## maintain: what a release has, into build/dist: archives, the library as two files, an image for each Pico panel and one that turns a teapot, bitstreams, the page, the gallery, man pages, SHA256SUMS
 	@+for panel in $(PICO_PANELS); do $(SUBMAKE) -s firmware PORT=pico PANEL=$$panel || exit 1; done
 	@+$(SUBMAKE) -s firmware PORT=pico DEMO=teapot SECOND_CORE=1
-	@.ci/dist $(DIST) "$(LIB_HEADERS)" $(DIST_PANELS) $(DIST_BUILT) "$$(echo $(BUILD)/man/*.1)=glint-VERSION-man.tar.gz"
+	@.ci/dist $(DIST) "$(LIB_HEADERS)" $(DIST_PANELS) $(DIST_BUILT) "$$(echo $(BUILD)/man/*.1)=glint-VERSION-man.tar.gz" \
+		"$$(echo build/gallery/*)=glint-VERSION-gallery.tar.gz"
 	@cat $(DIST)/SHA256SUMS
 
 # Without firmware: the archives and the two files need git and python3.

@@ -71,6 +71,18 @@ static void add(struct webp *webp, WebPPicture *picture)
         fail("%s: %s", webp->sink.name, WebPAnimEncoderGetError(webp->encoder));
 }
 
+/* Pixels of ARGB8888 end with it. */
+static uint8_t *with_alpha(const uint8_t *rgb, const struct frame *frame)
+{
+    const size_t pixels = (size_t)frame->width * frame->height;
+    uint8_t *rgba = allocate(pixels, 4);
+    for (size_t i = 0; i < pixels; i++) {
+        memcpy(&rgba[4 * i], &rgb[3 * i], 3);
+        rgba[4 * i + 3] = frame->pixels[4 * i + 3];
+    }
+    return rgba;
+}
+
 static enum sink_result send_webp(struct sink *sink, const struct frame *frame, const struct piece *pieces,
                                   size_t count)
 {
@@ -85,8 +97,10 @@ static enum sink_result send_webp(struct sink *sink, const struct frame *frame, 
     to.width = sink->width;
     to.height = sink->height;
     to.use_argb = true;
-    if (!WebPPictureImportRGB(&to, rgb, 3 * sink->width))
+    uint8_t *rgba = sink->format == GLINT_ARGB8888 ? with_alpha(rgb, frame) : NULL;
+    if (!(rgba ? WebPPictureImportRGBA(&to, rgba, 4 * sink->width) : WebPPictureImportRGB(&to, rgb, 3 * sink->width)))
         fail("out of memory");
+    free(rgba);
     add(webp, &to);
     webp->animation.frames++;
     WebPPictureFree(&to);
@@ -126,12 +140,13 @@ static char *library(void)
 
 const struct sink_kind sink_webp = {
     .name = "webp",
-    .summary = "an animated WebP, every pixel kept: -o FILE.webp; --quality 85: a smaller one",
+    .summary = "an animated WebP, every pixel kept, with alpha of argb8888: -o FILE.webp",
     .output = &output_one_file,
     .every_frame = true,
     .wants_fps = true,
     .options = (const struct argp *const[]){&options_argp, NULL},
-    .examples = "  glint stream coin --size 240x240 --to webp -o coin.webp\n",
+    .examples = "  glint stream coin --size 240x240 --to webp -o coin.webp\n"
+                "  glint stream coin --format argb8888 --cut-out --to webp --quality 85 -o c.webp\n",
     .pixels = {.open = open_webp, .send = send_webp, .finish = finish_webp, .close = close_webp},
     .library = library,
 };

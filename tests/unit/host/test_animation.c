@@ -17,7 +17,7 @@ enum { WIDTH = 60, HEIGHT = 40, PIXELS = WIDTH * HEIGHT, FRAMES_MAX = 8 };
 /* What a viewer shows, frame by frame, and when each ends. */
 struct shown {
     unsigned frames;
-    uint8_t rgb[FRAMES_MAX][3 * PIXELS];
+    uint8_t rgb[FRAMES_MAX][3 * PIXELS], alpha[FRAMES_MAX][PIXELS];
     int end_ms[FRAMES_MAX];
     unsigned loops; /* 0: without end */
 };
@@ -69,6 +69,8 @@ static void show_webp(const char *path, struct shown *shown)
         assert_true(WebPAnimDecoderGetNext(decoder, &rgba, &shown->end_ms[shown->frames]));
         for (size_t i = 0; i < PIXELS; i++)
             memcpy(&shown->rgb[shown->frames][3 * i], &rgba[4 * i], 3);
+        for (size_t i = 0; i < PIXELS; i++)
+            shown->alpha[shown->frames][i] = rgba[4 * i + 3];
         shown->frames++;
     }
     WebPAnimDecoderDelete(decoder);
@@ -90,6 +92,23 @@ static void a_webp_shows_the_pixels_of_the_png_sink_each_frame_in_its_time(void 
         for (unsigned i = 0; i < 6; i++)
             assert_int_equal(shown.end_ms[i], (2000 * (i + 1) + 7) / 14);
         assert_int_equal(largest_difference(options, &shown), 0);
+    }
+}
+
+static void a_webp_of_argb8888_has_its_alpha(void **state)
+{
+    (void)state;
+    static struct shown shown;
+    static uint8_t pixels[5 * 4 * PIXELS];
+    assert_quiet(COIN "--frames 5 --format argb8888 --cut-out --to webp -o a.webp && " COIN
+                      "--frames 5 --format argb8888 --cut-out --to raw >a.raw");
+    show_webp("a.webp", &shown);
+    assert_int_equal(read_file("a.raw", pixels, sizeof pixels), sizeof pixels);
+    for (size_t i = 0; i < 5 * PIXELS; i++) {
+        const uint8_t *pixel = &pixels[4 * i], *seen = &shown.rgb[i / PIXELS][3 * (i % PIXELS)];
+        assert_int_equal(shown.alpha[i / PIXELS][i % PIXELS], pixel[3]);
+        if (pixel[3]) /* what is not seen may have any colour */
+            assert_true(seen[0] == pixel[2] && seen[1] == pixel[1] && seen[2] == pixel[0]);
     }
 }
 
@@ -210,6 +229,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
 #if GLINT_WITH_WEBP
         cmocka_unit_test(a_webp_shows_the_pixels_of_the_png_sink_each_frame_in_its_time),
+        cmocka_unit_test(a_webp_of_argb8888_has_its_alpha),
         cmocka_unit_test(a_lower_quality_takes_fewer_bytes),
 #endif
 #if GLINT_WITH_GIF
