@@ -32,6 +32,8 @@ has = $(shell pkg-config --exists $(1) 2>/dev/null && echo 1)
 WITH_USB := $(call has,libusb-1.0)
 WITH_GPIO := $(if $(call has,libgpiod inih),$(if $(call has,'libgpiod >= 2'),2,1))
 WITH_TERMINAL := $(call has,chafa)
+WITH_WEBP := $(call has,libwebp libwebpmux)
+WITH_GIF := $(call has,libgif)
 WITH_MPI := $(call has,ompi-c)
 # SVG pictures are read by librsvg, which glint loads when it meets one: of its 40 libraries only the headers are used here.
 WITH_SVG := $(call has,librsvg-2.0)
@@ -40,11 +42,14 @@ WITH_MESH := $(firstword $(subst ., ,$(shell pkg-config --modversion assimp 2>/d
 # JPEG pictures for them are read by libjpeg.
 WITH_JPEG := $(call has,libjpeg)
 READ_LIBS = $(if $(WITH_JPEG),libjpeg)
-SINK_LIBS = $(if $(WITH_MPI),ompi-c) $(if $(WITH_USB),libusb-1.0) $(if $(WITH_GPIO),libgpiod inih) $(if $(WITH_TERMINAL),chafa)
+SINK_LIBS = $(if $(WITH_MPI),ompi-c) $(if $(WITH_USB),libusb-1.0) $(if $(WITH_GPIO),libgpiod inih) $(if $(WITH_TERMINAL),chafa) \
+	$(if $(WITH_WEBP),libwebp libwebpmux) $(if $(WITH_GIF),libgif)
 SINK_FLAGS = -DGLINT_WITH_USB=$(if $(WITH_USB),1,0) -DGLINT_WITH_GPIO=$(if $(WITH_GPIO),$(WITH_GPIO),0) \
-	-DGLINT_WITH_TERMINAL=$(if $(WITH_TERMINAL),1,0) -DGLINT_WITH_MPI=$(if $(WITH_MPI),1,0)
+	-DGLINT_WITH_TERMINAL=$(if $(WITH_TERMINAL),1,0) -DGLINT_WITH_MPI=$(if $(WITH_MPI),1,0) \
+	-DGLINT_WITH_WEBP=$(if $(WITH_WEBP),1,0) -DGLINT_WITH_GIF=$(if $(WITH_GIF),1,0)
 # Of the page's module clang makes WebAssembly (host/page/page.mk).
 LEFT_OUT = host/page/% $(if $(WITH_USB),,host/sinks/usb/%) $(if $(WITH_TERMINAL),,host/sinks/terminal%) \
+	$(if $(WITH_WEBP),,host/sinks/webp%) $(if $(WITH_GIF),,host/sinks/gif%) \
 	$(if $(WITH_GPIO),host/sinks/wires/chip_v$(if $(filter 1,$(WITH_GPIO)),2,1).c,host/sinks/wires/%)
 HOST_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ifirmware/core -Ihost $(OPENMP) \
 	$(SINK_FLAGS) -DGLINT_WITH_SVG=$(if $(WITH_SVG),1,0) -DGLINT_WITH_MESH=$(or $(WITH_MESH),0) -DGLINT_WITH_JPEG=$(if $(WITH_JPEG),1,0) $(HOST_INCLUDES) $(CFLAGS) $(SANITIZERS) $(HOST_MORE)
@@ -66,8 +71,8 @@ PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
 SUBMAKE = $(MAKE) --no-print-directory $(PARALLEL)
 
 # Debian packages of each set-up goal: NAME_PACKAGES is the one place of that fact; `make packages` prints them all.
-BUILD_PACKAGES = gcc libc6-dev make pkg-config libpng-dev libjansson-dev libqoi-dev liblz4-dev libusb-1.0-0-dev \
-	libgpiod-dev libinih-dev libchafa-dev libglib2.0-dev librsvg2-dev libassimp-dev libjpeg-dev
+BUILD_PACKAGES = gcc libc6-dev make pkg-config libpng-dev libjansson-dev liblz4-dev libusb-1.0-0-dev \
+	libgpiod-dev libinih-dev libchafa-dev libglib2.0-dev librsvg2-dev libassimp-dev libjpeg-dev libwebp-dev libgif-dev
 DEMO_PACKAGES = chafa gnuplot-nox
 GALLERY_PACKAGES = python3-minimal
 
@@ -104,8 +109,8 @@ $(BUILD)/flags: always
 
 $(BUILD)/packages:
 	@mkdir -p $(@D)
-	@pkg-config --exists $(HOST_LIBS) && echo '#include <qoi.h>' | $(CC) -E - >/dev/null 2>&1 || \
-		{ echo "make: $(HOST_LIBS) and qoi.h are not all there: run 'make setup' first" >&2; exit 1; }
+	@pkg-config --exists $(HOST_LIBS) || \
+		{ echo "make: $(HOST_LIBS) are not all there: run 'make setup' first" >&2; exit 1; }
 	@touch $@
 
 setup: setup-build ## use: install what building, the demo and glint paper need (Debian packages, by apt-get)
@@ -128,7 +133,7 @@ run-demo: all
 gallery: setup-build ## use: what it can draw, before and after, as it is and four times as large: build/gallery/index.html, needs python3 only
 	@.ci/need "the gallery" $(GALLERY_PACKAGES)
 	@+$(SUBMAKE) -s all
-	@tests/golden/gallery $(BUILD)/glint build/gallery
+	@rm -rf build/gallery && tests/golden/gallery $(BUILD)/glint build/gallery
 	@echo "gallery: open build/gallery/index.html in a browser"
 
 # A page for glint and one for each command, from the tables of options behind --help.
@@ -234,12 +239,13 @@ PICO_READY := $(filter-out pico pico2,$(pico_BOARDS))
 PICO_READY_DEMOS = dial $(if $(filter $(board),$(pico_EMULATED)),teapot)
 DIST_BUILT = $(foreach board,$(GATEWARE_BOARDS),$(GATEWARE)/$(board).bin=glint-VERSION-$(board).bin) $(PAGE)/index.html=glint-VERSION-page.html
 
-dist: all $(BUILD)/man gateware page ## maintain: what a release has, into build/dist: archives, the library as two files, an image for each Pico panel, each board with a panel and one that turns a teapot, bitstreams, the page, man pages, SHA256SUMS
+dist: all $(BUILD)/man gateware page gallery ## maintain: what a release has, into build/dist: archives, the library as two files, an image for each Pico panel, each board with a panel and one that turns a teapot, bitstreams, the page, the gallery, man pages, SHA256SUMS
 	@+for panel in $(PICO_RELEASED); do $(SUBMAKE) -s firmware PORT=pico PANEL=$$panel || exit 1; done
 	@+$(SUBMAKE) -s firmware PORT=pico DEMO=teapot SECOND_CORE=1
 	@+for board in $(PICO_READY); do $(SUBMAKE) -s firmware PORT=pico BOARD=$$board || exit 1; done
 	@+for board in $(filter $(PICO_READY),$(pico_EMULATED)); do $(SUBMAKE) -s firmware PORT=pico BOARD=$$board DEMO=teapot SECOND_CORE=1 || exit 1; done
-	@.ci/dist $(DIST) "$(LIB_HEADERS)" $(DIST_PANELS) $(DIST_BUILT) "$$(echo $(BUILD)/man/*.1)=glint-VERSION-man.tar.gz"
+	@.ci/dist $(DIST) "$(LIB_HEADERS)" $(DIST_PANELS) $(DIST_BUILT) "$$(echo $(BUILD)/man/*.1)=glint-VERSION-man.tar.gz" \
+		"$$(echo build/gallery/*)=glint-VERSION-gallery.tar.gz"
 	@cat $(DIST)/SHA256SUMS
 
 # Without firmware: the archives and the two files need git and python3.

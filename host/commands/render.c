@@ -14,11 +14,13 @@
 #include "compare/mesh_scene.h"
 #include "draw/canvas.h"
 #include "draw/mesh_canvas.h"
+#include "draw/paths.h"
 #include "image/format.h"
 #include "image/levels.h"
 #include "image/picture.h"
 #include "image/write.h"
 #include "models/models.h"
+#include "options/map_options.h"
 #include "options/render_options.h"
 #include "scene/maps.h"
 
@@ -124,41 +126,105 @@ static void draw_mesh(const struct render_options *options, struct drawn *drawn)
     mesh_free(mesh);
 }
 
-static void draw_map(const struct render_options *options, struct drawn *drawn)
+/* ---- maps, in parts ---- */
+
+enum { PART_PIXELS = 1 << 20, PART_LINES = 8 }; /* about, with 60 bytes each; at least */
+
+static uint32_t part_lines(const struct render_options *options, uint32_t width, uint32_t height)
+{
+    const uint32_t lines = PART_PIXELS / width / PART_LINES * PART_LINES;
+    if (options->compare || !path_draws_all(options->look.shading.path))
+        return height;
+    return lines < PART_LINES ? PART_LINES : lines < height ? lines : height;
+}
+
+/* What is written of a picture, part by part. */
+struct written {
+    struct output *output; /* NULL: nothing is */
+    struct picture_file *file;
+    uint32_t height;
+};
+
+static void write_part(const struct render_options *options, struct written *to, const uint8_t *pixels,
+                       enum glint_format format, const struct levels *levels)
+{
+    if (!to->output)
+        return;
+    if (options->raw) {
+        pixels_write(pixels, levels->height * format_line_bytes(format, levels->width), to->output);
+        return;
+    }
+    struct picture *picture = levels_picture(levels, options->widen);
+    if (!to->file)
+        to->file = picture_file_begin(to->output, options->kind, picture, to->height);
+    picture_file_add(to->file, picture);
+    picture_free(picture);
+}
+
+static void write_end(struct written *to)
+{
+    if (to->file)
+        picture_file_end(to->file);
+}
+
+/* The last part's scene stays: where it is compared, it is all. */
+static struct levels *draw_map(const struct render_options *options, struct drawn *drawn, struct written *to)
 {
     struct scene_maps *maps = scene_maps_read(&options->look.scene);
-    *drawn = (struct drawn){.scene = scene_of_shading_options(&options->look, maps, 0, 0)};
-    scene_maps_free(maps);
-    drawn->width = drawn->scene->width;
-    drawn->height = drawn->scene->height;
+    struct scene_lines *lines = scene_lines_new(maps, 0, 0);
+    struct levels *levels = NULL;
+    uint32_t width, height;
+    scene_lines_size(lines, &width, &height);
+    *drawn = (struct drawn){.width = width, .height = height};
     drawn->shadings = allocate(1, sizeof *drawn->shadings);
-    *drawn->shadings = shading_of_options(&options->look, options->look.shading.format, &drawn->scene->finish);
-    drawn->pixels = shade_pixels(drawn->scene, drawn->shadings);
+    to->height = height;
+    to->output = options->output ? output_open(options->output) : NULL; /* no input, all of which are read */
+    const uint32_t count = part_lines(options, width, height);
+    for (uint32_t top = 0; top < height; top += count) {
+        if (levels) {
+            levels_free(levels);
+            scene_free(drawn->scene);
+            progress("glint render: line %u of %u", top, height);
+        }
+        drawn->scene =
+            scene_lines_of_shading_options(&options->look, lines, top, height - top < count ? height - top : count);
+        *drawn->shadings = shading_of_options(&options->look, options->look.shading.format, &drawn->scene->finish);
+        const enum glint_format format = drawn->shadings->format;
+        uint8_t *pixels = shade_pixels(drawn->scene, drawn->shadings);
+        levels = levels_of_pixels(width, drawn->scene->height, format, pixels);
+        write_part(options, to, pixels, format, levels);
+        free(pixels);
+    }
+    progress_end();
+    scene_lines_end(lines);
+    scene_maps_free(maps);
+    return levels;
 }
 
 int command_render(int argc, char **argv)
 {
     struct render_options options = {0};
     struct drawn drawn = {0};
+    map_options_in_parts = true;
     render_options_parse(&options, argc, argv);
-    (options.look.scene.mesh.name ? draw_mesh : draw_map)(&options, &drawn);
-    const enum glint_format format = drawn.shadings->format;
-    struct levels *levels =
-        drawn.levels ? drawn.levels : levels_of_pixels(drawn.width, drawn.height, format, drawn.pixels);
-    /* Both are there in full before one gets its name. */
-    struct output *output = options.output ? output_open(options.output) : NULL;
-    struct output *error_map_output = options.error_map ? output_open(options.error_map) : NULL;
-    if (output && options.raw) {
-        pixels_write(drawn.pixels, drawn.height * format_line_bytes(format, drawn.width), output);
-    } else if (output) {
-        struct picture *picture = levels_picture(levels, options.widen);
-        picture_write(picture, output, options.kind);
-        picture_free(picture);
+    struct written to = {0};
+    struct levels *levels;
+    if (options.look.scene.mesh.name) {
+        draw_mesh(&options, &drawn);
+        const enum glint_format format = drawn.shadings->format;
+        levels = drawn.levels ? drawn.levels : levels_of_pixels(drawn.width, drawn.height, format, drawn.pixels);
+        to = (struct written){.output = options.output ? output_open(options.output) : NULL, .height = drawn.height};
+        write_part(&options, &to, drawn.pixels, format, levels);
+    } else {
+        levels = draw_map(&options, &drawn, &to);
     }
+    write_end(&to);
+    /* Both are there in full before one gets its name. */
+    struct output *error_map_output = options.error_map ? output_open(options.error_map) : NULL;
     if (options.compare)
         report(&options, &drawn, drawn.compared ? drawn.compared : levels, error_map_output);
-    if (output)
-        output_close(output);
+    if (to.output)
+        output_close(to.output);
     if (error_map_output)
         output_close(error_map_output);
     levels_free(levels);

@@ -93,9 +93,10 @@ void quality_print_mesh_json(const struct baked_mesh *baked, const struct qualit
                              cycles.c, "predicted_cycles_assembly", cycles.assembly);
     if (root && baked->mesh->face_count > baked->mesh->whole_face_count)
         json_object_set_new(root, "before_split",
-                            json_pack("{s:I, s:I, s:I}", "vertices", (json_int_t)baked->mesh->whole_vertex_count,
+                            json_pack("{s:I, s:I, s:I, s:f}", "vertices", (json_int_t)baked->mesh->whole_vertex_count,
                                       "triangles", (json_int_t)baked->mesh->whole_face_count, "bytes",
-                                      (json_int_t)fitted_whole_bytes(baked->fitted, baked->mesh, baked->normals8)));
+                                      (json_int_t)fitted_whole_bytes(baked->fitted, baked->mesh, baked->normals8),
+                                      "left_by_split", ceil(baked->mesh->whole_turn)));
     if (root && mesh->textures)
         json_object_set_new(root, "textures", textures_json(baked->fitted));
     print_rows(root, rows, stream);

@@ -3,10 +3,12 @@
 
 #include <errno.h>
 #include <inttypes.h>
+#include <math.h>
 #include <string.h>
 
 #include "base/message.h"
 #include "base/text.h"
+#include "mesh/load.h"
 
 static void print_rows(const struct quality *rows, const char *what, FILE *stream)
 {
@@ -49,6 +51,21 @@ static void print_texture(const struct texture *texture, FILE *stream)
             texture_bytes(texture));
 }
 
+/* What splitting edges cost, and from which angle on it costs nothing. */
+static void print_split(const struct baked_mesh *baked, FILE *stream)
+{
+    const struct mesh *mesh = baked->mesh;
+    if (mesh->face_count > mesh->whole_face_count)
+        fprintf(stream, "--split %g made these of %zu vertices, %zu triangles, %zu bytes, which --split %.0f leaves\n",
+                mesh->split, mesh->whole_vertex_count, mesh->whole_face_count,
+                fitted_whole_bytes(baked->fitted, mesh, baked->normals8), ceil(mesh->whole_turn));
+    else if (mesh->has_own_normals && mesh->whole_turn > SPLIT_USUAL)
+        fprintf(stream,
+                "no edge is split: the file's own normals turn by at most %.0f degrees over an edge; --split %d splits "
+                "some\n",
+                ceil(mesh->whole_turn), SPLIT_USUAL);
+}
+
 void quality_print_mesh(const struct baked_mesh *baked, const struct quality rows[QUALITY_ROWS],
                         struct mesh_cycles cycles, FILE *stream)
 {
@@ -56,10 +73,7 @@ void quality_print_mesh(const struct baked_mesh *baked, const struct quality row
     fprintf(stream, "%u vertices%s, %u triangles, %u part%s, normals as %s: %zu bytes\n", mesh->vertex_count,
             baked->fitted->colors ? " with colours" : "", mesh->face_count, mesh->part_count,
             mesh->part_count > 1 ? "s" : "", baked->normals8 ? "int8" : "int16", baked_mesh_bytes(baked));
-    if (baked->mesh->face_count > baked->mesh->whole_face_count)
-        fprintf(stream, "--split %g made these of %zu vertices, %zu triangles, %zu bytes, which --split 180 leaves\n",
-                baked->mesh->split, baked->mesh->whole_vertex_count, baked->mesh->whole_face_count,
-                fitted_whole_bytes(baked->fitted, baked->mesh, baked->normals8));
+    print_split(baked, stream);
     for (unsigned i = 0; i < baked->fitted->texture_count && mesh->textures; i++)
         print_texture(&baked->fitted->textures[i], stream);
     print_rows(rows,

@@ -19,7 +19,8 @@ struct canvas {
 };
 
 /* What is flat and lit by ambient light alone has its albedo. */
-uint8_t *backdrop_pixels(const uint8_t *backdrop, uint32_t width, uint32_t height, const struct shading *shading)
+static uint8_t *backdrop_lines(const uint8_t *backdrop, uint32_t width, uint32_t top, uint32_t height,
+                               const struct shading *shading)
 {
     if (!backdrop)
         return NULL;
@@ -39,13 +40,18 @@ uint8_t *backdrop_pixels(const uint8_t *backdrop, uint32_t width, uint32_t heigh
     for (uint32_t y = 0; y < height && error == GLINT_OK; y++) {
         const struct glint_maps maps = {
             .normals = normals, .albedo = &backdrop[(size_t)3 * width * y], .albedo_format = GLINT_RGB888};
-        const struct glint_surface line = {&pixels[y * bytes], 0, 0, (uint16_t)y};
+        const struct glint_surface line = {&pixels[y * bytes], 0, 0, (uint16_t)(top + y)};
         error = glint_draw_rect(&paint, &maps, (uint16_t)width, 1, &line, NULL);
     }
     free(normals);
     if (error != GLINT_OK)
         fail("the library refused the background (error %d)", error);
     return pixels;
+}
+
+uint8_t *backdrop_pixels(const uint8_t *backdrop, uint32_t width, uint32_t height, const struct shading *shading)
+{
+    return backdrop_lines(backdrop, width, 0, height, shading);
 }
 
 static bool has_soft_edges(const struct scene *scene)
@@ -70,7 +76,7 @@ struct canvas *canvas_new(const struct scene *scene, const struct shading *shadi
         canvas->below = way_new(&canvas->rest, &exact, canvas->normals);
     }
     if (scene->mask)
-        canvas->behind = backdrop_pixels(scene->backdrop, scene->width, scene->height, shading);
+        canvas->behind = backdrop_lines(scene->backdrop, scene->width, scene->top, scene->height, shading);
     if (!canvas->behind && has_soft_edges(scene))
         canvas->behind = allocate(scene->height, format_line_bytes(shading->format, scene->width));
     return canvas;
@@ -93,7 +99,7 @@ static enum glint_err draw_lines(const struct canvas *canvas, const struct shadi
                                  uint8_t *pixels)
 {
     const size_t bytes = format_line_bytes(shading->format, canvas->scene->width);
-    const struct glint_surface surface = {&pixels[y * bytes], (ptrdiff_t)bytes, 0, (uint16_t)y};
+    const struct glint_surface surface = {&pixels[y * bytes], (ptrdiff_t)bytes, 0, (uint16_t)(canvas->scene->top + y)};
     enum glint_err error = GLINT_OK;
     if (canvas->below)
         error = way_draw(canvas->below, y, lines, &surface);

@@ -65,6 +65,11 @@ static bool draws_all(const struct path *path)
     return path->paint == EXACT && (path->source == INT16 || path->source == INT8);
 }
 
+bool path_draws_all(unsigned path)
+{
+    return draws_all(&paths[path]);
+}
+
 static bool is_frontal(const struct shading *shading)
 {
     int32_t to_viewer[3];

@@ -12,6 +12,9 @@ extern const char *const path_names[]; /* [0] is the exact paint over 16-bit nor
 /* Why the path cannot draw with this shading, as the end of "--path NAME ..."; NULL where it can. */
 const char *path_refusal(const struct shading *shading);
 
+/* Does it draw every map as it is, so that a picture can be drawn in parts? Others choose for all of it what they draw. */
+bool path_draws_all(unsigned path);
+
 /* How a mesh is drawn by the shading's path. Returns why it cannot, as above. */
 struct mesh_path {
     bool by_tables, normals8;

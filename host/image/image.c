@@ -2,8 +2,10 @@
 #include "image/image.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/memory.h"
+#include "base/message.h"
 #include "image/format.h"
 
 void image_free(struct image *image)
@@ -13,6 +15,25 @@ void image_free(struct image *image)
     free(image->name);
     free(image->samples);
     free(image);
+}
+
+struct image *image_lines(const struct image *image, int64_t first, uint32_t count)
+{
+    const size_t line = (size_t)image->width * image->channels;
+    const int64_t height = image->height;
+    struct image *out = allocate(1, sizeof *out);
+    *out = *image;
+    out->name = strdup(image->name);
+    out->height = count;
+    out->samples = allocate(count * line, sizeof *out->samples);
+    if (!out->name)
+        fail("out of memory");
+    for (uint32_t y = 0; y < count; y++) {
+        const int64_t from = (first + (int64_t)y) % height;
+        memcpy(out->samples + y * line, image->samples + (size_t)(from < 0 ? from + height : from) * line,
+               line * sizeof *out->samples);
+    }
+    return out;
 }
 
 static uint8_t to_8_bits(uint32_t sample)
@@ -57,21 +78,22 @@ uint8_t *image_grey8(const struct image *image)
     return out;
 }
 
-uint8_t *image_cut_out(const struct image *image)
+bool image_cuts_out(const struct image *image)
 {
-    if (image->channels % 2)
-        return NULL;
+    const size_t samples = (size_t)image->width * image->height * image->channels;
+    for (size_t i = image->channels - 1; image->channels % 2 == 0 && i < samples; i += image->channels)
+        if (to_8_bits(image->samples[i]) == 0)
+            return true;
+    return false;
+}
+
+uint8_t *image_alpha8(const struct image *image)
+{
     const size_t pixels = (size_t)image->width * image->height;
     uint8_t *out = allocate(pixels, 1);
-    bool cuts = false;
-    for (size_t i = 0; i < pixels; i++) {
+    for (size_t i = 0; i < pixels; i++)
         out[i] = to_8_bits(image->samples[(i + 1) * image->channels - 1]);
-        cuts |= out[i] == 0;
-    }
-    if (cuts)
-        return out;
-    free(out);
-    return NULL;
+    return out;
 }
 
 double *image_grey(const struct image *image)
@@ -92,5 +114,14 @@ bool image_is_grey(const struct image *image)
         if (rgb[0] != rgb[1] || rgb[1] != rgb[2])
             return false;
     }
+    return true;
+}
+
+bool image_is_constant(const struct image *image)
+{
+    const size_t pixels = (size_t)image->width * image->height;
+    for (size_t i = 1; i < pixels; i++)
+        if (weighted_at(image, i) != weighted_at(image, 0))
+            return false;
     return true;
 }

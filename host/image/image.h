@@ -17,12 +17,17 @@ struct image {
 };
 void image_free(struct image *image);
 
+/* Some of its lines, from `first` on, repeated beyond its last and before its first. */
+struct image *image_lines(const struct image *image, int64_t first, uint32_t count);
+
 /* Alpha is dropped, 16 bits are rounded to 8; malloc'd. */
 uint8_t *image_rgb8(const struct image *image);
 uint8_t *image_grey8(const struct image *image);
-/* Alpha in 8 bits; NULL where no pixel is wholly transparent: such alpha leaves nothing out. malloc'd. */
-uint8_t *image_cut_out(const struct image *image);
-double *image_grey(const struct image *image); /* 0..1, at the file's full precision */
-bool image_is_grey(const struct image *image); /* red, green and blue are equal throughout */
+/* Is some pixel wholly transparent? Other alpha leaves nothing out. */
+bool image_cuts_out(const struct image *image);
+uint8_t *image_alpha8(const struct image *image);  /* where there is alpha */
+double *image_grey(const struct image *image);     /* 0..1, at the file's full precision */
+bool image_is_grey(const struct image *image);     /* red, green and blue are equal throughout */
+bool image_is_constant(const struct image *image); /* one brightness throughout */
 
 #endif

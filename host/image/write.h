@@ -20,5 +20,11 @@ struct output; /* base/output.h */
  * RGB. */
 void pixels_write(const void *pixels, size_t len_bytes, struct output *output); /* the same, of bytes as they are */
 void picture_write(const struct picture *picture, struct output *output, enum image_kind kind);
+/* The same in parts of some lines, from the top: begun with the first, which is added as all others are. */
+struct picture_file;
+struct picture_file *picture_file_begin(struct output *output, enum image_kind kind, const struct picture *first,
+                                        uint32_t height);
+void picture_file_add(struct picture_file *file, const struct picture *lines);
+void picture_file_end(struct picture_file *file);
 
 #endif

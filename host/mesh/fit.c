@@ -50,8 +50,8 @@ static void say_what_looks_wrong(const struct mesh *mesh, const struct fitted *f
     if (mesh->has_facet_colors)
         warn("%s: an STL's colours are ignored: each part has one colour", mesh->name);
     if (!(unit > 0) && volume(fitted) < -.05)
-        warn("%s: most triangles seem to face inwards, and only those that face the viewer are drawn; flip them where "
-             "the file was made",
+        warn("%s: most triangles seem to face inwards, and only those that face the viewer are drawn; --flip-faces "
+             "turns them",
              mesh->name);
 }
 

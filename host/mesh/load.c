@@ -57,6 +57,42 @@ static void stand_up(double v[3])
     v[2] = -back;
 }
 
+static void exchange(double a[3], double b[3])
+{
+    double held[3];
+    memcpy(held, a, sizeof held);
+    memcpy(a, b, sizeof held);
+    memcpy(b, held, sizeof held);
+}
+
+/* The other side of every face is the outside. Where the file's normals point to the inside now, all are turned; where it is only the
+ * order of the corners that was wrong, they stay. */
+static void flip(struct soup *soup)
+{
+    double agree = 0;
+    for (size_t i = 0; i < soup->face_count; i++) {
+        struct soup_face *face = &soup->faces[i];
+        exchange(face->places[1], face->places[2]);
+        exchange(face->normals[1], face->normals[2]);
+        for (int k = 0; k < 3; k++) {
+            const uint8_t color = face->colors[1][k];
+            face->colors[1][k] = face->colors[2][k];
+            face->colors[2][k] = color;
+        }
+        for (int k = 0; k < 2; k++) {
+            const double at = face->uv[1][k];
+            face->uv[1][k] = face->uv[2][k];
+            face->uv[2][k] = at;
+        }
+        double outside[3];
+        mesh_face_normal(face->places[0], face->places[1], face->places[2], outside);
+        for (int j = 0; j < 3; j++)
+            agree += mesh_dot(outside, face->normals[j]);
+    }
+    for (size_t i = 0; agree < 0 && i < 9 * soup->face_count; i++)
+        soup->faces[i / 9].normals[i / 3 % 3][i % 3] *= -1;
+}
+
 static struct soup *read_file(const struct mesh_source *source)
 {
     struct soup *soup = import_soup(source->name, !source->no_textures && !source->texture, source->allowed);
@@ -66,6 +102,8 @@ static struct soup *read_file(const struct mesh_source *source)
         stand_up(soup->faces[i / 3].places[i % 3]);
         stand_up(soup->faces[i / 3].normals[i % 3]);
     }
+    if (source->flipped)
+        flip(soup);
     return soup;
 }
 
@@ -74,10 +112,12 @@ struct mesh *mesh_load(const struct mesh_source *source)
     struct soup *soup = source->built_in ? teapot() : read_file(source);
     mesh_surface_begin(soup, source);
     struct mesh *mesh = mesh_weld(soup, source->built_in && source->crease < 0 ? 180 : source->crease);
+    const bool own = soup->has_normals && source->crease < 0;
     mesh_surface_end(mesh, soup, source);
     mesh->has_facet_colors = soup->has_facet_colors;
     soup_free(soup);
-    mesh_split(mesh, source->split);
+    mesh->has_own_normals = own;
+    mesh_split(mesh, source->split > 0 ? source->split : own ? SPLIT_OWN : SPLIT_USUAL);
     mesh_order(mesh);
     return mesh;
 }

@@ -9,13 +9,15 @@ extern const char *const mesh_names[]; /* built in: "teapot"; ends with NULL */
 
 enum mesh_axes { AXES_Y_UP, AXES_Z_UP, AXES_USUAL };
 extern const char *const mesh_axes_names[]; /* ends with NULL */
-enum { SPLIT_USUAL = 30 };
+/* Normals that a file has are what its author saw smooth; of those made from its faces nobody has. */
+enum { SPLIT_USUAL = 30, SPLIT_OWN = 45 };
 
 struct mesh_source {
     const char *name; /* a file, or a built-in mesh */
     bool built_in;
     double crease;       /* degrees; below 0: the file's normals, or CREASE_USUAL */
-    double split;        /* degrees */
+    double split;        /* degrees; 0: SPLIT_OWN with the file's own normals, else SPLIT_USUAL */
+    bool flipped;        /* the file's faces are turned inside out */
     bool stepped;        /* without smooth outlines */
     enum mesh_axes axes; /* of the file; AXES_USUAL: z up in an STL */
     bool no_textures;

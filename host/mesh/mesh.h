@@ -48,7 +48,9 @@ struct mesh {
     char *name; /* for messages */
     size_t vertex_count, face_count, place_count;
     size_t whole_vertex_count, whole_face_count; /* before edges were split */
+    bool has_own_normals;                        /* of its file */
     double split;                                /* over which angle, in degrees */
+    double whole_turn;                           /* the most that a normal turned over an edge before, in degrees */
     double (*places)[3], (*normals)[3];          /* of each vertex; normals have length 1 */
     uint8_t (*colors)[3];                        /* of each vertex, as encoded; NULL: each part has one */
     double (*uv)[2];                             /* of each vertex, in its part's picture; NULL: no part has one */

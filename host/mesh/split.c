@@ -157,12 +157,23 @@ static void cut_faces(struct mesh *mesh, uint32_t (*middles)[3], size_t most)
     mesh->face_count = count;
 }
 
+/* The most that the normal turns over any edge, in degrees. */
+static double largest_turn(const struct mesh *mesh)
+{
+    double least = 1;
+    for (size_t i = 0; i < 3 * mesh->face_count; i++)
+        least = fmin(
+            least, mesh_dot(mesh->normals[mesh->faces[i / 3][i % 3]], mesh->normals[mesh->faces[i / 3][(i + 1) % 3]]));
+    return acos(fmax(-1, least)) * 180 / M_PI;
+}
+
 void mesh_split(struct mesh *mesh, double degrees)
 {
     const double least = mesh_cosine(degrees);
     mesh->whole_vertex_count = mesh->vertex_count;
     mesh->whole_face_count = mesh->face_count;
     mesh->split = degrees;
+    mesh->whole_turn = largest_turn(mesh);
     for (int pass = 0; pass < PASSES; pass++) {
         uint32_t(*middles)[3] = allocate(mesh->face_count, sizeof *middles);
         const size_t before = mesh->face_count, count = choose(mesh, least, middles);

@@ -75,17 +75,21 @@ static const struct argp_option argp_options[] = {
 
 /* ---- the options ---- */
 
+bool map_options_in_parts;
+
 static void parse_size(const struct argp_state *state, const char *text, struct scene_options *o)
 {
     unsigned width, height;
     int end = 0;
     if (strspn(text, "0123456789x") == strlen(text) && sscanf(text, "%5ux%5u%n", &width, &height, &end) == 2 &&
         !text[end] && width >= 1 && width <= SIDE_MAX && height >= 1 && height <= SIDE_MAX &&
-        width * height <= PIXELS_MAX) {
+        (map_options_in_parts || width * height <= PIXELS_MAX)) {
         o->width = width;
         o->height = height;
         return;
     }
+    if (map_options_in_parts)
+        refuse(state, "--size: '%s' is not WxH, two numbers from 1 to %d", text, SIDE_MAX);
     refuse(state, "--size: '%s' is not WxH, two numbers from 1 to %d with at most %d pixels in all", text, SIDE_MAX,
            PIXELS_MAX);
 }

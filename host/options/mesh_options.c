@@ -19,7 +19,8 @@ enum key {
     KEY_TEXTURE_BYTES,
     KEY_TEXTURE_TO,
     KEY_NO_OUTLINES,
-    KEY_ALLOW_FILES
+    KEY_ALLOW_FILES,
+    KEY_FLIP_FACES
 };
 
 static const char *const texture_formats[] = {"rgb565", "palette", NULL};
@@ -36,11 +37,16 @@ static const struct argp_option argp_options[] = {
      "own normals; 60 where it has none, and for an STL)",
      7},
     {"split", KEY_SPLIT, "DEGREES", 0,
-     "Split a mesh's edges over which the normal turns by more than this, 1..180 (default 30): highlights lie better "
-     "on more triangles, which take bytes and time: glint bake says how many",
+     "Split a mesh's edges over which the normal turns by more than this, 1..180 (default 45 where the normals are the "
+     "file's own, which most such meshes keep below, else 30): highlights lie better on more triangles, which take "
+     "bytes and time: glint bake says how many. 180 splits none",
      7},
     {"axes", KEY_AXES, "NAME", 0,
      "Which way is up in the mesh's file: y-up or z-up (default: z-up for an STL, else y-up)", 7},
+    {"flip-faces", KEY_FLIP_FACES, NULL, 0,
+     "Turn a mesh's file inside out: for one whose triangles show their inner side. Its own normals are turned where "
+     "they point inwards then",
+     7},
     {"no-outlines", KEY_NO_OUTLINES, NULL, 0,
      "Leave a mesh's outlines stepped, and out of what is baked the triangles beside each triangle (6 bytes each), by "
      "which outlines become smooth",
@@ -79,11 +85,13 @@ static const char *texture_option(const struct mesh_source *mesh)
 static void check(const struct argp_state *state, struct scene_options *o)
 {
     struct mesh_source *mesh = &o->mesh;
-    if (!mesh->name && (mesh->crease >= 0 || mesh->split > 0 || mesh->axes != AXES_USUAL || mesh->stepped))
+    if (!mesh->name &&
+        (mesh->crease >= 0 || mesh->split > 0 || mesh->axes != AXES_USUAL || mesh->flipped || mesh->stepped))
         refuse(state, "%s needs --mesh",
                mesh->crease >= 0          ? "--crease"
                : mesh->split > 0          ? "--split"
                : mesh->axes != AXES_USUAL ? "--axes"
+               : mesh->flipped            ? "--flip-faces"
                                           : "--no-outlines");
     if (!mesh->name && texture_option(mesh))
         refuse(state, "%s needs --mesh", texture_option(mesh));
@@ -95,15 +103,14 @@ static void check(const struct argp_state *state, struct scene_options *o)
         refuse(state, "give only one of --nearest and --smooth");
     if (mesh->texture && strcmp(mesh->texture, "-") == 0)
         refuse(state, "--texture: name a file; a picture for a mesh cannot come from standard input");
-    if (mesh->built_in && mesh->axes != AXES_USUAL)
-        refuse(state, "--axes is for a mesh's file; leave it out with a built-in mesh");
+    if (mesh->built_in && (mesh->axes != AXES_USUAL || mesh->flipped))
+        refuse(state, "%s is for a mesh's file; leave it out with a built-in mesh",
+               mesh->flipped ? "--flip-faces" : "--axes");
     if (mesh->name && (o->albedo || o->gloss || o->mask))
         refuse(state, "%s is for maps; it cannot be used with a mesh",
                o->albedo ? "--albedo"
                : o->mask ? "--mask"
                          : "--gloss");
-    if (!(mesh->split > 0))
-        mesh->split = SPLIT_USUAL;
 }
 
 static error_t parse_option(int key, char *text, struct argp_state *state)
@@ -122,6 +129,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case KEY_AXES:
         o->mesh.axes = (enum mesh_axes)parse_choice(state, "--axes", "axes", text, mesh_axes_names);
+        return 0;
+    case KEY_FLIP_FACES:
+        o->mesh.flipped = true;
         return 0;
     case KEY_NO_OUTLINES:
         o->mesh.stepped = true;

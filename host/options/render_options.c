@@ -8,6 +8,7 @@
 #include "base/parse.h"
 #include "base/unknown.h"
 #include "image/format.h"
+#include "draw/paths.h"
 #include "image/write.h"
 #include "options/drawing_options.h"
 #include "options/render_options.h"
@@ -80,6 +81,20 @@ static void parse_image_kind(const struct argp_state *state, const char *text, s
         refuse_unknown(state, "--image", "file format", text, names);
 }
 
+/* A picture that memory does not hold is drawn in parts. */
+static void check_size(const struct argp_state *state, const struct render_options *o)
+{
+    const struct scene_options *scene = &o->look.scene;
+    const char *why = scene->mesh.name                        ? "a mesh"
+                      : o->compare                            ? "--compare"
+                      : !path_draws_all(o->look.shading.path) ? "this --path"
+                      : scene->bevel > 0                      ? "--bevel"
+                      : scene->filter                         ? "--filter"
+                                                              : NULL;
+    if (why && scene->width * scene->height > PIXELS_MAX)
+        refuse(state, "--size: with %s a picture has at most %d pixels in all", why, PIXELS_MAX);
+}
+
 static void check_outputs(const struct argp_state *state, struct render_options *o)
 {
     if (!o->output && !o->compare)
@@ -143,6 +158,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     case ARGP_KEY_ARG:
         refuse(state, "unexpected argument '%s'; name files by --height, --normals, --mesh, --albedo and -o", text);
     case ARGP_KEY_END:
+        check_size(state, o);
         check_outputs(state, o);
         shading_options_check(state, &o->look, &o->look.shading);
         return 0;

@@ -284,16 +284,26 @@ bool shading_options_one_color(const struct shading_options *options)
     return options->has_color || options->has_material;
 }
 
-struct scene *scene_of_shading_options(const struct shading_options *options, const struct scene_maps *maps,
-                                       uint32_t width, uint32_t height)
+static struct scene *as_wished(const struct shading_options *options, struct scene *scene)
 {
-    struct scene *scene = scene_of_maps(maps, width, height);
     if (options->has_color) {
         free(scene->albedo);
         scene->albedo = NULL;
     }
     scene_soften(scene, options->shading.n ? options->shading.n : scene->finish.n, options->shading.color);
     return scene;
+}
+
+struct scene *scene_of_shading_options(const struct shading_options *options, const struct scene_maps *maps,
+                                       uint32_t width, uint32_t height)
+{
+    return as_wished(options, scene_of_maps(maps, width, height));
+}
+
+struct scene *scene_lines_of_shading_options(const struct shading_options *options, struct scene_lines *lines,
+                                             uint32_t top, uint32_t count)
+{
+    return as_wished(options, scene_lines_make(lines, top, count));
 }
 
 struct shading shading_of_options(const struct shading_options *options, enum glint_format format,

@@ -38,6 +38,9 @@ struct mesh_own shading_options_own(const struct shading_options *options);
 /* The scene of maps that were read; width = 0: at its own size. */
 struct scene *scene_of_shading_options(const struct shading_options *options, const struct scene_maps *maps,
                                        uint32_t width, uint32_t height);
+/* Some of its lines. */
+struct scene *scene_lines_of_shading_options(const struct shading_options *options, struct scene_lines *lines,
+                                             uint32_t top, uint32_t count);
 /* The shading, completed for the format and the scene's finish. */
 struct shading shading_of_options(const struct shading_options *options, enum glint_format format,
                                   const struct finish *finish);

@@ -12,11 +12,9 @@ enum { PIXELS_LEAST = 64 };
 /* The slopes of a surface, p across and q down, are those of one height at each pixel, so how p changes going down is how q
  * changes going across: dp/dy = dq/dx. With y the other way q has the other sign, and the two add up instead of
  * cancelling. */
-bool curl_says_flipped(const struct scene *scene, const uint8_t *mask)
+void curl_add(struct curl *curl, const struct scene *scene, const uint8_t *mask)
 {
     const size_t width = scene->width;
-    double as_it_is = 0, flipped = 0;
-    size_t count = 0;
     for (size_t y = 1; y + 1 < scene->height; y++) {
         for (size_t x = 1; x + 1 < width; x++) {
             const size_t i = y * width + x;
@@ -30,10 +28,21 @@ bool curl_says_flipped(const struct scene *scene, const uint8_t *mask)
             const double *left = scene->normals[around[2]], *right = scene->normals[around[3]];
             const double dp = up[0] / up[2] - down[0] / down[2];       /* p = -x / z */
             const double dq = right[1] / right[2] - left[1] / left[2]; /* q = y / z: lines go down, y goes up */
-            as_it_is += (dp - dq) * (dp - dq);
-            flipped += (dp + dq) * (dp + dq);
-            count++;
+            curl->as_it_is += (dp - dq) * (dp - dq);
+            curl->flipped += (dp + dq) * (dp + dq);
+            curl->count++;
         }
     }
-    return count >= PIXELS_LEAST && as_it_is > factor * flipped;
+}
+
+bool curl_is_flipped(const struct curl *curl)
+{
+    return curl->count >= PIXELS_LEAST && curl->as_it_is > factor * curl->flipped;
+}
+
+bool curl_says_flipped(const struct scene *scene, const uint8_t *mask)
+{
+    struct curl curl = {0};
+    curl_add(&curl, scene, mask);
+    return curl_is_flipped(&curl);
 }

@@ -45,4 +45,12 @@ void scene_maps_free(struct scene_maps *maps);
 void scene_maps_size(const struct scene_maps *maps, uint32_t *width, uint32_t *height);
 struct scene *scene_of_maps(const struct scene_maps *maps, uint32_t width, uint32_t height);
 
+/* The same in parts of some lines, from the top, for pictures larger than memory holds. (Shapes with --bevel and scenes that --filter makes
+ * smaller are held as a whole.) The maps must outlive it. At the end it warns of what looks wrong. */
+struct scene_lines;
+struct scene_lines *scene_lines_new(const struct scene_maps *maps, uint32_t width, uint32_t height);
+void scene_lines_size(const struct scene_lines *lines, uint32_t *width, uint32_t *height);
+struct scene *scene_lines_make(struct scene_lines *lines, uint32_t top, uint32_t count);
+void scene_lines_end(struct scene_lines *lines);
+
 #endif

@@ -36,26 +36,42 @@ static double slope(const double *heights, size_t count, size_t step, size_t at,
     return (heights[after * step] - heights[before * step]) / run;
 }
 
-struct scene *scene_from_relief(const double *heights, uint32_t width, uint32_t height, double scale, bool wraps)
+/* The lines `top` to `top + lines` of a relief of `height` lines. */
+static struct scene *from_relief(const double *heights, uint32_t width, uint32_t height, double scale, bool wraps_x,
+                                 bool wraps_y, uint32_t top, uint32_t lines)
 {
-    struct scene *scene = scene_new(width, height);
-    for (size_t y = 0; y < height; y++) {
+    struct scene *scene = scene_new(width, lines);
+    for (size_t y = 0; y < lines; y++) {
         for (size_t x = 0; x < width; x++) {
             double *n = scene->normals[y * width + x];
-            n[0] = -scale * slope(&heights[y * width], width, 1, x, wraps);
-            n[1] = scale * slope(&heights[x], height, width, y, wraps); /* lines go down, y goes up */
+            n[0] = -scale * slope(&heights[(top + y) * width], width, 1, x, wraps_x);
+            n[1] = scale * slope(&heights[x], height, width, top + y, wraps_y); /* lines go down, y goes up */
             normalize(n, 0);
         }
     }
     return scene;
 }
 
+struct scene *scene_from_relief(const double *heights, uint32_t width, uint32_t height, double scale, bool wraps)
+{
+    return from_relief(heights, width, height, scale, wraps, wraps, 0, height);
+}
+
+/* The lines above and below are read, too, where there are any. */
+struct scene *scene_from_heights_lines(const struct image *map, double scale, bool wraps, uint32_t top, uint32_t lines)
+{
+    const uint32_t above = wraps || top > 0, below = wraps || top + lines < map->height;
+    struct image *part = image_lines(map, (int64_t)top - (int64_t)above, above + lines + below);
+    double *heights = image_grey(part);
+    struct scene *scene = from_relief(heights, map->width, part->height, scale, wraps, false, above, lines);
+    free(heights);
+    image_free(part);
+    return scene;
+}
+
 struct scene *scene_from_heights(const struct image *map, double scale, bool wraps)
 {
-    double *heights = image_grey(map);
-    struct scene *scene = scene_from_relief(heights, map->width, map->height, scale, wraps);
-    free(heights);
-    return scene;
+    return scene_from_heights_lines(map, scale, wraps, 0, map->height);
 }
 
 /* ---- normal maps ---- */
@@ -89,13 +105,19 @@ static double component(uint16_t sample)
     return 2 * sample / 65535.0 - 1;
 }
 
-struct scene *scene_from_normals(const struct image *map, bool flip_y, const uint8_t *mask)
+bool normal_map_is_xy(const struct image *map)
 {
     check_normal_map(map);
-    const bool is_xy = map->channels == 2 || blue_is_nowhere(map);
-    struct scene *scene = scene_new(map->width, map->height);
-    for (size_t i = 0; i < (size_t)map->width * map->height; i++) {
-        const uint16_t *sample = &map->samples[i * map->channels];
+    return map->channels == 2 || blue_is_nowhere(map);
+}
+
+struct scene *scene_from_normals_lines(const struct image *map, bool is_xy, bool flip_y, const uint8_t *mask,
+                                       uint32_t top, uint32_t lines)
+{
+    struct scene *scene = scene_new(map->width, lines);
+    for (size_t i = 0; i < (size_t)map->width * lines; i++) {
+        const size_t line = (top + i / map->width) % map->height;
+        const uint16_t *sample = &map->samples[(line * map->width + i % map->width) * map->channels];
         const double x = component(sample[0]);
         const double y = flip_y ? -component(sample[1]) : component(sample[1]);
         double n[3] = {x, y, is_xy ? sqrt(fmax(0, 1 - x * x - y * y)) : component(sample[2])};
@@ -103,7 +125,12 @@ struct scene *scene_from_normals(const struct image *map, bool flip_y, const uin
             memcpy(scene->normals[i], n, sizeof n);
         else if (!mask || mask[i])
             fail("%s: the vector at %zu,%zu has length 0 (half grey); correct it, or leave such pixels out with --mask",
-                 map->name, i % map->width, i / map->width);
+                 map->name, i % map->width, line);
     }
     return scene;
+}
+
+struct scene *scene_from_normals(const struct image *map, bool flip_y, const uint8_t *mask)
+{
+    return scene_from_normals_lines(map, normal_map_is_xy(map), flip_y, mask, 0, map->height);
 }

@@ -65,6 +65,29 @@ void scene_repeat(struct scene *scene, uint32_t width, uint32_t height)
     scene->height = height;
 }
 
+static void *copied(const void *map, const struct scene *scene, uint32_t top, uint32_t lines, size_t size)
+{
+    if (!map)
+        return NULL;
+    void *to = allocate((size_t)scene->width * lines, size);
+    memcpy(to, (const uint8_t *)map + (size_t)top * scene->width * size, (size_t)scene->width * lines * size);
+    return to;
+}
+
+struct scene *scene_part(const struct scene *scene, uint32_t top, uint32_t lines)
+{
+    struct scene *part = allocate(1, sizeof *part);
+    *part = (struct scene){.width = scene->width, .height = lines, .grain = scene->grain, .finish = scene->finish};
+    part->normals = copied(scene->normals, scene, top, lines, sizeof *part->normals);
+    part->albedo = copied(scene->albedo, scene, top, lines, 3);
+    part->gloss = copied(scene->gloss, scene, top, lines, 1);
+    part->mask = copied(scene->mask, scene, top, lines, 1);
+    part->grain_map = copied(scene->grain_map, scene, top, lines, 1);
+    part->lengths = copied(scene->lengths, scene, top, lines, sizeof *part->lengths);
+    part->shininess = copied(scene->shininess, scene, top, lines, 1);
+    return part;
+}
+
 static int16_t to_q15(double value)
 {
     return (int16_t)fmax(-32768, fmin(32767, round(value * 32768)));

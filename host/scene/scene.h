@@ -22,6 +22,7 @@ struct grain {
 
 struct scene {
     uint32_t width, height;
+    uint32_t top;         /* the picture's line that its first one is: more than 0 of a part */
     double (*normals)[3]; /* length 1; x right, y up, z towards the viewer; lines from the top */
     uint8_t *albedo;      /* RGB888, or NULL */
     uint8_t *gloss;       /* or NULL */
@@ -44,6 +45,8 @@ struct scene *scene_new(uint32_t width, uint32_t height); /* normals towards the
 void scene_free(struct scene *scene);
 /* The scene cut to the size, or repeated to fill it. */
 void scene_repeat(struct scene *scene, uint32_t width, uint32_t height);
+/* Some of its lines, without the backdrop and what is of meshes. */
+struct scene *scene_part(const struct scene *scene, uint32_t top, uint32_t lines);
 /* What the library takes: nearest Q1.15, 1.0 held as 32767; malloc'd. */
 struct glint_vec *scene_normals_q15(const struct scene *scene);
 /* The albedo, or `color` throughout where there is none, in the nearest RGB565, as ALBEDO tables take it; malloc'd. */

@@ -21,17 +21,25 @@ static uint8_t to_byte(double value)
 /* Positions in units of half the shorter side, from the picture's middle. */
 struct frame {
     double left, top, pixel;
+    uint32_t first; /* the line that the scene's first is */
 };
 
-static struct frame frame_of(uint32_t width, uint32_t height)
+static struct frame frame_of(uint32_t width, uint32_t height, uint32_t first)
 {
     const double pixel = 2.0 / fmin(width, height);
-    return (struct frame){-pixel * width / 2, pixel * height / 2, pixel};
+    return (struct frame){-pixel * width / 2, pixel * height / 2, pixel, first};
+}
+
+/* How far up the upper edge of a line is. */
+static double edge_of(const struct frame *f, size_t line, double below)
+{
+    return f->top - f->pixel * ((double)(f->first + line) + below);
 }
 
 /* A thing before its wall, or cut out of it. */
 struct drawing {
-    struct scene *scene;
+    struct scene *scene; /* some lines of the picture */
+    struct frame frame;
     relief_function *thing; /* NULL: the sphere */
     struct relief (*wall)(double x, double y);
     const double *body;
@@ -85,19 +93,18 @@ static void draw_relief(const struct drawing *drawing)
 {
     const struct scene *scene = drawing->scene;
     const double *body = drawing->body;
-    const struct frame f = frame_of(scene->width, scene->height);
+    const struct frame f = drawing->frame;
     const size_t width = scene->width;
     double *above = allocate(width + 1, sizeof *above), *below = allocate(width + 1, sizeof *below);
     for (size_t x = 0; x <= width; x++)
-        above[x] = drawing->thing(f.left + f.pixel * (double)x, f.top, f.pixel, body).height;
+        above[x] = drawing->thing(f.left + f.pixel * (double)x, edge_of(&f, 0, 0), f.pixel, body).height;
     for (size_t y = 0; y < scene->height; y++) {
         for (size_t x = 0; x <= width; x++)
-            below[x] =
-                drawing->thing(f.left + f.pixel * (double)x, f.top - f.pixel * (double)(y + 1), f.pixel, body).height;
+            below[x] = drawing->thing(f.left + f.pixel * (double)x, edge_of(&f, y, 1), f.pixel, body).height;
         for (size_t x = 0; x < width; x++) {
             const double right = (above[x + 1] - above[x] + below[x + 1] - below[x]) / (2 * f.pixel);
             const double up = (above[x] - below[x] + above[x + 1] - below[x + 1]) / (2 * f.pixel);
-            const double mx = f.left + f.pixel * ((double)x + .5), my = f.top - f.pixel * ((double)y + .5);
+            const double mx = f.left + f.pixel * ((double)x + .5), my = edge_of(&f, y, .5);
             set_pixel(drawing, y * width + x, (double[3]){-right, -up, 1}, drawing->thing(mx, my, f.pixel, body), mx,
                       my);
         }
@@ -137,10 +144,10 @@ static void draw_sphere(const struct drawing *drawing)
     static const double radius = .8, red[3] = {.70, .10, .07};
     const double *color = drawing->body ? drawing->body : red;
     const struct scene *scene = drawing->scene;
-    const struct frame f = frame_of(scene->width, scene->height);
+    const struct frame f = drawing->frame;
     for (size_t i = 0; i < (size_t)scene->width * scene->height; i++) {
         const double x = f.left + f.pixel * ((double)(i % scene->width) + .5);
-        const double y = f.top - f.pixel * ((double)(i / scene->width) + .5);
+        const double y = edge_of(&f, i / scene->width, .5);
         const double r = hypot(x, y);
         const double s = fmin(r, radius * .9999) / (radius * r + (r == 0)); /* sine of the slope over r */
         const double ball[3] = {x * s, y * s, sqrt(1 - r * s * r * s)};
@@ -189,14 +196,22 @@ struct scene *scene_draw(const char *name, uint32_t width, uint32_t height)
 
 struct scene *scene_draw_in(const char *name, uint32_t width, uint32_t height, const uint8_t body[3], bool cut)
 {
+    return scene_draw_lines(name, width, height, body, cut, 0, height);
+}
+
+struct scene *scene_draw_lines(const char *name, uint32_t width, uint32_t height, const uint8_t body[3], bool cut,
+                               uint32_t top, uint32_t lines)
+{
     const unsigned i = find(name);
     if (!scene_names[i])
         return NULL;
     double color[3];
     for (unsigned k = 0; body && k < 3; k++)
         color[k] = body[k] / 255.;
-    struct scene *scene = scene_new(width, height);
-    const struct drawing drawing = {scene, scenes[i].at, scenes[i].wall, body ? color : NULL, cut};
+    struct scene *scene = scene_new(width, lines);
+    scene->top = top;
+    const struct drawing drawing = {scene,          frame_of(width, height, top), scenes[i].at,
+                                    scenes[i].wall, body ? color : NULL,          cut};
     add_maps(scene, cut);
     (drawing.thing ? draw_relief : draw_sphere)(&drawing);
     scene->finish = scenes[i].finish;

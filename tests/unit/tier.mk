@@ -4,11 +4,11 @@
 # In the environment of each: GLINT, the command; GLINT_SOURCE, the source folder; GLINT_LIBRARY, the library, but for one with
 # sanitizers, with which programs that a test compiles do not link. Threads that wait leave the processor to other tests.
 # GMP and MPFR: model_added builds programs of tier exact.
-UNIT_PACKAGES = libopenmpi-dev openmpi-bin libcmocka-dev libgmp-dev libmpfr-dev g++ clang libomp-dev gnuplot-nox cmake groff-base zsh gcc-12-plugin-dev
+UNIT_PACKAGES = libqoi-dev libopenmpi-dev openmpi-bin libcmocka-dev libgmp-dev libmpfr-dev g++ clang libomp-dev gnuplot-nox cmake groff-base zsh gcc-12-plugin-dev
 # What make check runs needs these, and a part of it those.
-UNIT_CHECK = libcmocka-dev:cmocka.h
+UNIT_CHECK = libcmocka-dev:cmocka.h libqoi-dev:qoi.h
 UNIT_CHECK_PART = libusb-1.0-0-dev:libusb-1.0/libusb.h libgpiod-dev:gpiod.h libinih-dev:ini.h libchafa-dev:chafa/chafa.h \
-	librsvg2-dev:librsvg-2.0/librsvg/rsvg.h libassimp-dev:assimp/version.h libjpeg-dev:jpeglib.h g++:g++ groff-base:groff zsh:zsh
+	librsvg2-dev:librsvg-2.0/librsvg/rsvg.h libassimp-dev:assimp/version.h libjpeg-dev:jpeglib.h libwebp-dev:webp/mux.h libgif-dev:gif_lib.h g++:g++ groff-base:groff zsh:zsh
 # Flags of the tests' own code, after those of all.
 UNIT_CFLAGS ?=
 UNIT_CHOSEN = $(wildcard tests/unit/*/test_*.c)
@@ -35,7 +35,7 @@ $(BUILD)/tests/unit/%.o: tests/unit/%.c $(BUILD)/flags | $(BUILD)/packages
 	$(CC) $(HOST_CFLAGS) -Itests/unit $(UNIT_CFLAGS) -c $< -o $@
 
 $(UNIT_ALL): %: %.o $(HOST_ARCHIVES)
-	$(CC) $(HOST_LDFLAGS) $< $(HOST_ARCHIVES) -o $@ -lcmocka $(HOST_LDLIBS)
+	$(CC) $(HOST_LDFLAGS) $< $(HOST_ARCHIVES) -o $@ -lcmocka $(HOST_LDLIBS) $(if $(WITH_WEBP),-lwebpdemux)
 
 setup-unit: setup-build
 	@.ci/need "tier unit" $(UNIT_PACKAGES)

@@ -1,7 +1,14 @@
 /* SPDX-License-Identifier: MIT
  * Writing PNG, PPM, PBM and QOI. */
-#include <qoi.h>
 #include <string.h>
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#define QOI_IMPLEMENTATION
+#define QOI_NO_STDIO
+#include <qoi.h>
+#pragma GCC diagnostic pop
 
 #include "files.h"
 
@@ -94,6 +101,40 @@ static void a_pbm_has_a_bit_for_black(void **state)
     }
 }
 
+/* In parts of any size, too: of noise, of slow slopes and of runs that lines and parts end. */
+static void a_qoi_has_the_bytes_of_its_reference_encoder(void **state)
+{
+    (void)state;
+    enum { WIDTH = 61, HEIGHT = 40 };
+    static uint8_t samples[3 * WIDTH * HEIGHT], bytes[1 << 16];
+    uint32_t random = 1;
+    for (int kind = 0; kind < 4; kind++) {
+        for (size_t i = 0; i < sizeof samples; i++) {
+            random = random * 1664525 + 1013904223;
+            samples[i] = (uint8_t)(kind == 0                  ? random >> 24
+                                   : kind == 1                ? i / 3 % WIDTH * (1 + i % 3) + (random >> 30)
+                                   : kind == 2                ? (i / 3 / 150) % 3 * 80
+                                   : i >= 3 && (random >> 29) ? samples[i - 3]
+                                                              : random >> 24);
+        }
+        struct output *output = output_open("parts.qoi");
+        struct picture part = {WIDTH, 1, 3, false, samples};
+        struct picture_file *file = picture_file_begin(output, IMAGE_QOI, &part, HEIGHT);
+        for (uint32_t y = 0; y < HEIGHT; y += part.height) {
+            part.height = HEIGHT - y < 7 ? HEIGHT - y : 1 + y % 7;
+            part.samples = samples + (size_t)3 * WIDTH * y;
+            picture_file_add(file, &part);
+        }
+        picture_file_end(file);
+        output_close(output);
+        int len;
+        void *wanted = qoi_encode(samples, &(qoi_desc){WIDTH, HEIGHT, 3, QOI_SRGB}, &len);
+        assert_int_equal(read_bytes("parts.qoi", bytes, sizeof bytes), len);
+        assert_memory_equal(bytes, wanted, (size_t)len);
+        free(wanted);
+    }
+}
+
 static void a_qoi_decodes_to_the_samples_and_grey_to_equal_ones(void **state)
 {
     (void)state;
@@ -167,6 +208,7 @@ int main(void)
         cmocka_unit_test(mono_is_a_one_bit_png_and_grey_an_eight_bit_one),
         cmocka_unit_test(a_ppm_holds_the_samples_after_its_head),
         cmocka_unit_test(a_pbm_has_a_bit_for_black),
+        cmocka_unit_test(a_qoi_has_the_bytes_of_its_reference_encoder),
         cmocka_unit_test(a_qoi_decodes_to_the_samples_and_grey_to_equal_ones),
         cmocka_unit_test(levels_widen_by_their_bits_again_where_that_is_asked_for),
         cmocka_unit_test(replicate_changes_the_picture_and_is_refused_where_there_is_none),

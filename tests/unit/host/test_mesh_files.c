@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * glint with meshes from files: what is read and what is refused. */
+#include <math.h>
+
 #include "files.h"
 
 #include "mesh/import.h"
@@ -331,6 +333,69 @@ static void an_obj_is_read_in_any_spelling(void **state)
     assert_same_file("c.ppm", "c .5.ppm");
 }
 
+/* A ring with round sides of `sides` corners, which face inwards where `flipped`, with normals that point out or, as `normals` says, in. */
+static void write_ring(const char *path, int sides, bool flipped, int normals)
+{
+    enum { AROUND = 48 };
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    for (int i = 0; i < AROUND * sides; i++) {
+        const double u = 2 * M_PI * (i / sides) / AROUND, v = 2 * M_PI * (i % sides) / sides, r = 2 + .8 * cos(v);
+        fprintf(file, "v %.7f %.7f %.7f\n", r * cos(u), .8 * sin(v), r * sin(u));
+        if (normals)
+            fprintf(file, "vn %.7f %.7f %.7f\n", normals * cos(v) * cos(u), normals * sin(v),
+                    normals * cos(v) * sin(u));
+    }
+    for (int i = 0; i < AROUND * sides; i++) {
+        const int u = i / sides, v = i % sides, next = (u + 1) % AROUND;
+        const int quad[4] = {i + 1, u * sides + (v + 1) % sides + 1, next * sides + (v + 1) % sides + 1,
+                             next * sides + v + 1};
+        for (int k = 1; k < 3; k++) {
+            const int corners[3] = {quad[0], quad[flipped ? k + 1 : k], quad[flipped ? k : k + 1]};
+            fputc('f', file);
+            for (int j = 0; j < 3; j++)
+                fprintf(file, normals ? " %d//%d" : " %d", corners[j], corners[j]);
+            fputc('\n', file);
+        }
+    }
+    assert_int_equal(fclose(file), 0);
+}
+
+static void a_mesh_that_is_inside_out_is_turned_by_flip_faces(void **state)
+{
+    (void)state;
+    static const int normals[][2] = {{1, 1}, {1, -1}, {0, 0}}; /* of the right one, and of the flipped */
+    for (size_t i = 0; i < 3; i++) {
+        write_ring("right.obj", 12, false, normals[i][0]);
+        write_ring("flipped.obj", 12, true, normals[i][1]);
+        assert_quiet("$GLINT render --mesh right.obj --size 60x60 -o right.ppm && "
+                     "$GLINT render --mesh flipped.obj --flip-faces --size 60x60 -o a.ppm");
+        assert_same_file("right.ppm", "a.ppm");
+        assert_contains(run("$GLINT render --mesh flipped.obj --size 60x60 -o a.ppm")->err, "--flip-faces");
+        assert_false(same_file("right.ppm", "a.ppm"));
+    }
+    assert_refused("$GLINT render --scene teapot --flip-faces -o no.ppm", "--flip-faces is for a mesh's file");
+    assert_refused("$GLINT render --scene coin --flip-faces -o no.ppm", "--flip-faces needs --mesh");
+}
+
+static void a_file_whose_own_normals_are_smooth_enough_is_not_split(void **state)
+{
+    (void)state;
+    write_ring("smooth.obj", 9, false, 1); /* 40 degrees */
+    assert_contains(run("$GLINT bake --mesh smooth.obj")->out, "432 vertices, 864 triangles");
+    assert_contains(run("$GLINT bake --mesh smooth.obj --split 30")->out,
+                    "--split 30 made these of 432 vertices, 864 triangles, 14256 bytes, which --split ");
+    assert_contains(run("$GLINT bake --mesh smooth.obj --crease 60")->out, "--split 30 made these of");
+    write_ring("made.obj", 9, false, 0);
+    assert_contains(run("$GLINT bake --mesh made.obj")->out, "--split 30 made these of");
+    write_ring("edged.obj", 7, false, 1); /* 51 degrees */
+    assert_contains(run("$GLINT bake --mesh edged.obj")->out, "--split 45 made these of");
+    /* The angle that it names leaves the mesh as it is; the one below does not. */
+    assert_quiet("angle=$($GLINT bake --mesh edged.obj | sed -n 's/.*which --split \\([0-9]*\\) leaves/\\1/p') && "
+                 "$GLINT bake --mesh edged.obj --split $angle | head -1 | grep -q ' 672 triangles' && "
+                 "! $GLINT bake --mesh edged.obj --split $((angle - 1)) | head -1 | grep -q ' 672 triangles'");
+}
+
 /* A file of the user's that the mesh has no business with: ../out.mtl and, by a link, in/link.mtl. */
 static void a_mesh_names_files_in_its_folder_or_below_only(void **state)
 {
@@ -416,6 +481,8 @@ int main(void)
         cmocka_unit_test(options_that_do_not_fit_a_mesh_are_refused),
 #if GLINT_WITH_MESH
         cmocka_unit_test(an_obj_has_its_materials),
+        cmocka_unit_test(a_mesh_that_is_inside_out_is_turned_by_flip_faces),
+        cmocka_unit_test(a_file_whose_own_normals_are_smooth_enough_is_not_split),
         cmocka_unit_test(stl_ply_and_gltf_are_read_and_axes_turn_what_is_up),
         cmocka_unit_test(standard_input_is_known_by_its_bytes_and_read_as_a_file_is),
         cmocka_unit_test(what_standard_input_holds_wrong_is_one_line),

@@ -61,7 +61,7 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         {"--scene sphere --size 10x10x10 -o out/u.png", "WxH"},
         {"--scene sphere --size -10x10 -o out/u.png", "WxH"},
         {"--scene sphere --size 99999x10 -o out/u.png", "16384"},
-        {"--scene sphere --size 16384x16384 -o out/u.png", "pixels in all"},
+        {"--scene sphere --size 16384x16384 --compare -o out/u.png", "pixels in all"},
         {"--scene sphere --scale 3 -o out/u.png", "--scale needs --height"},
         {"--scene sphere --wrap -o out/u.png", "--wrap needs --height"},
         {"--height heights.png --flip-y -o out/u.png", "--flip-y needs --normals"},

@@ -26,7 +26,7 @@ static void a_baked_mesh_compiles_and_is_what_raw_holds(void **state)
     assert_contains(result->out, "million cycles by COLOUR tables in C, ");
     assert_null(strstr(result->out, "--split"));
     assert_contains(run("$GLINT bake --scene teapot -o pot.raw --as raw")->out,
-                    "--split 30 made these of 530 vertices, 992 triangles, 16674 bytes, which --split 180 leaves");
+                    "--split 30 made these of 530 vertices, 992 triangles, 16674 bytes, which --split 98 leaves");
     result = run("$GLINT bake --scene teapot --to int16 --json");
     assert_contains(result->out, "\"before_split\": {");
     assert_contains(result->out, "\"triangles\": 2710");

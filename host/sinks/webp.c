@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: MIT
+ * Sink webp: all frames in one animated WebP, which browsers and README pages show, by libwebp. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <webp/encode.h>
+#include <webp/mux.h>
+
+#include "base/argp.h"
+#include "base/memory.h"
+#include "base/message.h"
+#include "base/parse.h"
+#include "image/picture.h"
+#include "sinks/animation.h"
+#include "sinks/frames.h"
+#include "sinks/outputs.h"
+
+/* ---- its option ---- */
+
+enum key { KEY_QUALITY = 0x700 };
+static long quality = 100;
+
+static const struct argp_option argp_options[] = {
+    {NULL, 0, NULL, 0, "Animations (--to webp):", 7},
+    {"quality", KEY_QUALITY, "Q", 0,
+     "How near the pixels are, 0..100, for the fewer bytes the lower (default 100: every pixel as it is drawn)", 7},
+    {NULL, 0, NULL, 0, NULL, 0}};
+
+static error_t parse_option(int key, char *text, struct argp_state *state)
+{
+    if (key != KEY_QUALITY)
+        return ARGP_ERR_UNKNOWN;
+    quality = parse_integer(state, "--quality", text, 0, 100);
+    return 0;
+}
+
+static const struct argp options_argp = {argp_options, parse_option, NULL, NULL, NULL, NULL, NULL};
+
+/* ---- the sink ---- */
+
+struct webp {
+    struct sink sink;
+    struct animation animation;
+    WebPAnimEncoder *encoder;
+    WebPConfig config;
+};
+
+static struct sink *open_webp(const struct sink_wish *wish)
+{
+    struct webp *webp = allocate(1, sizeof *webp);
+    WebPAnimEncoderOptions options;
+    webp->sink = animation_sink(wish);
+    if (!WebPConfigInit(&webp->config) || !WebPAnimEncoderOptionsInit(&options))
+        fail("--to webp: the library is another version than glint was built for");
+    webp->config.lossless = quality == 100;
+    webp->config.quality = webp->config.lossless ? 75 : (float)quality; /* without loss: how hard it tries */
+    webp->config.use_sharp_yuv = true;
+    options.anim_params.loop_count = 0; /* without end */
+    webp->encoder = WebPAnimEncoderNew(webp->sink.width, webp->sink.height, &options);
+    if (!webp->encoder)
+        fail("%s: no WebP of %ux%u pixels can be written", wish->output, webp->sink.width, webp->sink.height);
+    animation_open(&webp->animation, wish);
+    return &webp->sink;
+}
+
+/* NULL: that was the last. The time is when the frame begins. */
+static void add(struct webp *webp, WebPPicture *picture)
+{
+    const long time_ms = animation_time(&webp->animation, webp->animation.frames, 1000);
+    if (!WebPAnimEncoderAdd(webp->encoder, picture, (int)time_ms, &webp->config))
+        fail("%s: %s", webp->sink.name, WebPAnimEncoderGetError(webp->encoder));
+}
+
+/* Pixels of ARGB8888 end with it. */
+static uint8_t *with_alpha(const uint8_t *rgb, const struct frame *frame)
+{
+    const size_t pixels = (size_t)frame->width * frame->height;
+    uint8_t *rgba = allocate(pixels, 4);
+    for (size_t i = 0; i < pixels; i++) {
+        memcpy(&rgba[4 * i], &rgb[3 * i], 3);
+        rgba[4 * i + 3] = frame->pixels[4 * i + 3];
+    }
+    return rgba;
+}
+
+static enum sink_result send_webp(struct sink *sink, const struct frame *frame, const struct piece *pieces,
+                                  size_t count)
+{
+    (void)pieces;
+    (void)count;
+    struct webp *webp = (struct webp *)sink;
+    struct picture *picture = frame_picture(frame);
+    uint8_t *rgb = picture_rgb(picture);
+    WebPPicture to;
+    if (!WebPPictureInit(&to))
+        fail("--to webp: the library is another version than glint was built for");
+    to.width = sink->width;
+    to.height = sink->height;
+    to.use_argb = true;
+    uint8_t *rgba = sink->format == GLINT_ARGB8888 ? with_alpha(rgb, frame) : NULL;
+    if (!(rgba ? WebPPictureImportRGBA(&to, rgba, 4 * sink->width) : WebPPictureImportRGB(&to, rgb, 3 * sink->width)))
+        fail("out of memory");
+    free(rgba);
+    add(webp, &to);
+    webp->animation.frames++;
+    WebPPictureFree(&to);
+    free(rgb);
+    picture_free(picture);
+    return SINK_SENT;
+}
+
+static void finish_webp(struct sink *sink)
+{
+    struct webp *webp = (struct webp *)sink;
+    if (!webp->animation.frames) /* stopped before the first: no file */
+        return;
+    add(webp, NULL);
+    WebPData data;
+    WebPDataInit(&data);
+    if (!WebPAnimEncoderAssemble(webp->encoder, &data))
+        fail("%s: %s", sink->name, WebPAnimEncoderGetError(webp->encoder));
+    animation_write(&webp->animation, sink, data.bytes, data.size);
+    WebPDataClear(&data);
+}
+
+static void close_webp(struct sink *sink)
+{
+    struct webp *webp = (struct webp *)sink;
+    animation_discard(&webp->animation);
+    WebPAnimEncoderDelete(webp->encoder);
+    free(webp);
+}
+
+static char *library(void)
+{
+    const int version = WebPGetEncoderVersion();
+    char *text;
+    return asprintf(&text, "libwebp %d.%d.%d", version >> 16, version >> 8 & 255, version & 255) < 0 ? NULL : text;
+}
+
+const struct sink_kind sink_webp = {
+    .name = "webp",
+    .summary = "an animated WebP, every pixel kept, with alpha of argb8888: -o FILE.webp",
+    .output = &output_one_file,
+    .every_frame = true,
+    .wants_fps = true,
+    .options = (const struct argp *const[]){&options_argp, NULL},
+    .examples = "  glint stream coin --size 240x240 --to webp -o coin.webp\n"
+                "  glint stream coin --format argb8888 --cut-out --to webp --quality 85 -o c.webp\n",
+    .pixels = {.open = open_webp, .send = send_webp, .finish = finish_webp, .close = close_webp},
+    .library = library,
+};
