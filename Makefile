@@ -257,7 +257,7 @@ dist-two-files: ## use: the library as two files to copy, build/dist/glint.c and
 
 # A goal with a line here bears "## GROUP: what it does".
 help: ## maintain: this list
-	@awk -F ' ## ' '/^[a-z][a-z-]*:.* ## / { goal = $$1; sub(/:.*/, "", goal); group = $$2; sub(/:.*/, "", group); \
+	@awk -F ' ## ' '/^[a-z][a-z0-9-]*:.* ## / { goal = $$1; sub(/:.*/, "", goal); group = $$2; sub(/:.*/, "", group); \
 		sub(/^[a-z]*: /, "", $$2); lines[group] = lines[group] sprintf("  make %-16s %s\n", goal, $$2) } \
 		END { n = split("use check measure firmware maintain", groups, " "); \
 		for (i = 1; i <= n; i++) printf "%s\n%s", groups[i], lines[groups[i]] }' $(MAKEFILE_LIST)

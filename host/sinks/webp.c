@@ -140,13 +140,13 @@ static char *library(void)
 
 const struct sink_kind sink_webp = {
     .name = "webp",
-    .summary = "an animated WebP, every pixel kept, with alpha of argb8888: -o FILE.webp",
+    .summary = "an animated WebP, every pixel kept, argb8888 with alpha: -o FILE",
     .output = &output_one_file,
     .every_frame = true,
     .wants_fps = true,
     .options = (const struct argp *const[]){&options_argp, NULL},
     .examples = "  glint stream coin --size 240x240 --to webp -o coin.webp\n"
-                "  glint stream coin --format argb8888 --cut-out --to webp --quality 85 -o c.webp\n",
+                "  glint stream coin --format argb8888 --cut-out --to webp -o coin.webp\n",
     .pixels = {.open = open_webp, .send = send_webp, .finish = finish_webp, .close = close_webp},
     .library = library,
 };
