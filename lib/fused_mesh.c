@@ -372,8 +372,7 @@ static inline __attribute__((always_inline)) uint32_t albedo_fields(const struct
         return glint_mesh_colour_fields(u, v, blue);
     if (source == ALBEDO_OTHER && p->loop >= 4 * GLINT_MESH_SMOOTH)
         return glint_mesh_smooth_fields(&p->picture, u, v);
-    const uint32_t at = source == GLINT_MESH_SQUARE ? glint_mesh_nearest_square(p->picture.h, u, v)
-                                                    : glint_mesh_nearest(&p->picture, u, v);
+    const uint32_t at = glint_mesh_nearest(&p->picture, u, v);
     return glint_mesh_fields(source == ALBEDO_OTHER ? p->picture.palette[p->picture.pixels[at]]
                                                     : ((const uint16_t *)(const void *)p->picture.pixels)[at]);
 }
@@ -384,7 +383,6 @@ static inline __attribute__((always_inline)) void albedo_side_by_side(const stru
     const uint32_t dz = p->dz, dnl = p->dnl, du = p->step[0], dv = p->step[1];
     const uint32_t dblue = source == GLINT_MESH_COLOURS ? p->step[2] : 0;
     const uint8_t *const levels = p->levels;
-    const bool is_early = is_glossy && source == GLINT_MESH_COLOURS; /* it then takes fewer registers */
     uint32_t z = p->z, nl = p->nl, back = p->back, dt = p->dt, u = p->now[0], v = p->now[1];
     uint32_t blue = source == GLINT_MESH_COLOURS ? p->now[2] : 0;
     const ptrdiff_t off = p->off;
@@ -392,12 +390,15 @@ static inline __attribute__((always_inline)) void albedo_side_by_side(const stru
     for (const uint16_t *const end = p->end; depth != end; depth++) {
         if (z >> 16 < *depth) {
             *depth = (uint16_t)(z >> 16);
-            const uint32_t early = is_early ? albedo_fields(p, u, v, blue, source) : 0;
-            const uint32_t level = (int32_t)nl < 0 ? p->dark : levels[-1 - (int32_t)(nl >> GLINT_ALBEDO_LEVEL_SHIFT)];
-            uint32_t word = level * (is_early ? early : albedo_fields(p, u, v, blue, source));
-            word = (word + GLINT_ALBEDO_HALF) >> 5 & GLINT_ALBEDO_FIELDS;
-            if (is_glossy && back <= p->limit && (int32_t)nl >= 0)
-                word = glint_albedo_full(word + p->sums[(back <= p->t_max ? back : p->t_max) >> p->shift]);
+            uint32_t word = albedo_fields(p, u, v, blue, source);
+            if ((int32_t)nl < 0) {
+                word = (word * p->dark + GLINT_ALBEDO_HALF) >> 5 & GLINT_ALBEDO_FIELDS;
+            } else {
+                word = (word * levels[-1 - (int32_t)(nl >> GLINT_ALBEDO_LEVEL_SHIFT)] + GLINT_ALBEDO_HALF) >> 5 &
+                       GLINT_ALBEDO_FIELDS;
+                if (is_glossy && back <= p->limit)
+                    word = glint_albedo_full(word + p->sums[(back <= p->t_max ? back : p->t_max) >> p->shift]);
+            }
             *(uint16_t *)(void *)((uint8_t *)depth + off) = glint_packed(word, is_swapped);
         }
         z += dz;
@@ -432,7 +433,6 @@ static inline __attribute__((always_inline)) void albedo_side_by_side(const stru
     }
 ALBEDO_SOURCE(colours, GLINT_MESH_COLOURS)
 ALBEDO_SOURCE(nearest, GLINT_MESH_NEAREST)
-ALBEDO_SOURCE(square, GLINT_MESH_SQUARE)
 static void albedo_other_matt(const struct glint_mesh_pixels *p)
 {
     albedo_side_by_side(p, false, p->loop & 2, ALBEDO_OTHER);
@@ -449,7 +449,7 @@ typedef void albedo_loop(const struct glint_mesh_pixels *p);
 void glint_mesh_albedo_pixels(const struct glint_mesh_pixels *p)
 {
     static albedo_loop *const loops[GLINT_MESH_SOURCES * 4] GLINT_FLASH = {
-        ALBEDO_LOOPS(colours), ALBEDO_LOOPS(nearest), ALBEDO_LOOPS(square), ALBEDO_OTHERS, ALBEDO_OTHERS};
+        ALBEDO_LOOPS(colours), ALBEDO_LOOPS(nearest), ALBEDO_LOOPS(nearest), ALBEDO_OTHERS, ALBEDO_OTHERS};
     GLINT_FLASH_POINTER(loops[p->loop])(p);
 }
 #endif
@@ -627,7 +627,7 @@ static void albedo_lines_far(const struct glint_tables *tables, struct glint_mes
     albedo_triangle(&p, triangle);
     GLINT_FLASH_POINTER(target->drawn->mesh->use->set)(over, target, glint_mesh_face_of(triangle), texture);
     p.picture = over->picture;
-    glint_mesh_size_set(&p.picture, glint_mesh_size_of(texture, &p.picture));
+    p.picture.h = glint_mesh_height_of(texture, &p.picture);
     while (triangle->y < end) {
         const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);
         albedo_far(&p, triangle, &part, target, over);
@@ -653,7 +653,7 @@ void glint_mesh_albedo_lines_set(const struct glint_mesh_target *target, const s
         return;
     p->picture.w = texture->w;
     p->picture.h = texture->h;
-    p->now[2] = glint_mesh_size_of(texture, &p->picture);
+    p->now[2] = texture->w | glint_mesh_height_of(texture, &p->picture) << 16;
     for (unsigned k = 0; k < 2; k++) /* what bilinear ones begin before the corner */
         p->now[k] = texture->is_smooth ? UINT32_C(0x80000000) / (k ? texture->h : texture->w) : 0;
 }
@@ -688,7 +688,8 @@ static void albedo_draw(const struct glint_tables *tables, struct glint_mesh_tri
     albedo_steps(&p, laid);
     if (texture) {
         p.picture.pixels += laid->blue[0];
-        glint_mesh_size_set(&p.picture, laid->blue[1]);
+        p.picture.w = laid->blue[1] & 0xffff;
+        p.picture.h = laid->blue[1] >> 16;
     }
     while (triangle->y < end) {
         const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);

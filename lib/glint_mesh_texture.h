@@ -4,13 +4,14 @@
 #define GLINT_MESH_TEXTURE_H
 
 #include "glint_mesh_rows.h"
+#include "glint_port.h"
 #include "glint_tables.h"
 
 /* One picture of the chain. */
 struct glint_mesh_picture {
     const uint8_t *pixels;
     const uint16_t *palette; /* NULL: pixels are RGB565 */
-    uint32_t w, h;           /* loops of GLINT_MESH_SQUARE take 32 less the power for h */
+    uint32_t w, h;           /* the loop of GLINT_MESH_SQUARE takes 32 less the power for h */
 };
 
 /* Of u and v 2^32 is the texture's width and height: modulo 2^32 they repeat, and no place is outside. Of colours 2^21 is a level of RGB565,
@@ -75,7 +76,7 @@ struct glint_use_mesh {
 enum {
     GLINT_MESH_COLOURS,
     GLINT_MESH_NEAREST,
-    GLINT_MESH_SQUARE, /* nearest; width and height are one power of two */
+    GLINT_MESH_SQUARE, /* in assembly alone: nearest, width and height are one power of two */
     GLINT_MESH_PALETTE,
     GLINT_MESH_SMOOTH,
     GLINT_MESH_SOURCES
@@ -155,29 +156,17 @@ static inline void glint_mesh_around_set(struct glint_mesh_around *around, const
     around->y = (y & 0xffff) >> (16 - bits);
 }
 
-/* The same of GLINT_MESH_SQUARE: r < 2^16, turned by 32 - away to the left. */
-static inline uint32_t glint_mesh_nearest_square(uint32_t away, uint32_t u, uint32_t v)
-{
-    const uint32_t r = v >> away;
-    return (r >> away | r << (32 - away)) + (u >> away);
-}
-
-/* Is each picture of the chain so, and has more than one texel? */
+/* In assembly: is each picture of the chain so, and has more than one texel? */
 static inline bool glint_mesh_is_square(const struct glint_texture *texture)
 {
-    return !texture->is_smooth && !texture->palette && texture->w == texture->h &&
+    return GLINT_CORTEX_M0PLUS_ASM && !texture->is_smooth && !texture->palette && texture->w == texture->h &&
            (texture->w & (texture->w - 1u)) == 0 && texture->w >> texture->levels;
 }
-
-/* A picture's width, and 2^16 times its height; what the loops take of it. */
-static inline uint32_t glint_mesh_size_of(const struct glint_texture *texture, const struct glint_mesh_picture *picture)
+/* What loops take for a picture's height. */
+static inline uint32_t glint_mesh_height_of(const struct glint_texture *texture,
+                                            const struct glint_mesh_picture *picture)
 {
-    return picture->w | (glint_mesh_is_square(texture) ? glint_mesh_zeros(picture->w) + 1 : picture->h) << 16;
-}
-static inline void glint_mesh_size_set(struct glint_mesh_picture *picture, uint32_t size)
-{
-    picture->w = size & 0xffff;
-    picture->h = size >> 16;
+    return glint_mesh_is_square(texture) ? glint_mesh_zeros(picture->w) + 1 : picture->h;
 }
 
 static inline uint32_t glint_mesh_fields(uint32_t texel)

@@ -208,7 +208,7 @@ static void over_lay(struct glint_mesh_laid *laid, const struct glint_mesh_targe
     }
     if (texture) {
         laid->blue[0] = (uint32_t)((uintptr_t)over->picture.pixels - (uintptr_t)texture->pixels);
-        laid->blue[1] = glint_mesh_size_of(texture, &over->picture);
+        laid->blue[1] = over->picture.w | glint_mesh_height_of(texture, &over->picture) << 16;
     }
 }
 

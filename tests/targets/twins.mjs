@@ -243,7 +243,7 @@ const PALETTE = COLOURS_END, TEXELS = PALETTE + 512, TEXELS_END = TEXELS + 2048,
 function pixels() {
   const bytes = Buffer.alloc(TEXELS_END), word = (at, ...values) => values.forEach((value, k) => bytes.writeInt32LE(value | 0, at + 4 * k))
   const shift = below(20), tMax = 2 ** (shift + 11) - 1 - below(2 ** (shift + 9)), count = 1 + below(16), size = one(16, 22, 26, 30)
-  const loop = below(20), square = loop >> 2 === 2 && 1 + below(5) // of a picture of 2^square by 2^square: 32 less that is in h's place
+  const loop = below(20), square = loop >> 2 === 2 && 1 + below(5) // of 2^square by 2^square: assembly takes 32 less that for h
   const h = square ? 32 - square : 1 + below(100), w = square ? 2 ** square : 1 + below(Math.min(100, Math.floor(1024 / h)))
   bytes.set(tables, COLUMNS)
   for (let k = COLUMNS; k < COLUMNS + 400; k++) bytes[k] = below(33)
@@ -256,7 +256,8 @@ function pixels() {
   if (loop >> 2 === 3 || (loop >> 2 === 4 && below(2))) word(PIXELS_PICTURE + 4, AT + PALETTE)
   bytes[PIXELS_PICTURE + 16] = loop
   for (let k = 0; k < 16; k++) bytes.writeUInt16LE(one(65535, below(65536)), DEPTH + 2 * k)
-  return [bytes, [AT], 3]
+  const change = (machine, at) => square && machine === c && machine.memory.writeUInt32LE(w, at + PIXELS_PICTURE + 12)
+  return [bytes, [AT], 3, { change, unread: [[PIXELS_PICTURE + 12, PIXELS_PICTURE + 16]] }]
 }
 
 const TWINS = [['glint_mesh_colour', colours, 6000], ['glint_mesh_triangle_set', triangle, 10000], ['glint_mesh_face_set', faces, 5000],
