@@ -39,7 +39,7 @@ export const meshes = {
 const kinds = { 5121: [1, 'writeUInt8'], 5123: [2, 'writeUInt16LE'], 5125: [4, 'writeUInt32LE'], 5126: [4, 'writeFloatLE'] }
 
 /** parts: each { material, places, and as they are wanted normals, uv, colors, colorKind, indices, indexKind }; more: of the JSON, with images as
- *  PNG files in `pictures`. */
+ *  PNG files in `pictures`, and `placed`: how the nodes of parts stand, then other nodes. */
 export function gltf(parts, more = {}, pictures = [], isText = false) {
     const pieces = [], json = { asset: { version: '2.0' }, bufferViews: [], accessors: [], ...more }
     let length = 0
@@ -66,9 +66,11 @@ export function gltf(parts, more = {}, pictures = [], isText = false) {
             },
         }],
     }))
-    json.nodes = json.meshes.map((_, mesh) => ({ mesh, ...more.node }))
-    delete json.node
+    const { placed = [] } = more
+    delete json.placed
+    json.nodes = json.meshes.map((_, mesh) => ({ mesh, ...placed[mesh] }))
     json.scenes = [{ nodes: json.nodes.map((_, i) => i) }]
+    json.nodes.push(...placed.slice(json.meshes.length))
     json.scene = 0
     if (pictures.length)
         json.images = pictures.map((bytes, i) => isText ? { uri: `data:image/png;base64,${bytes.toString('base64')}` } : { bufferView: view(bytes), mimeType: 'image/png', name: `picture ${i}` })

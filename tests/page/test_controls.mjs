@@ -6,7 +6,7 @@ import { check, equal, run } from '../pico/tap.mjs'
 import { browser, command, folder, fragment, isFirefox, name, packages, page, press, shownIsDrawn, start, stateOfFragment, stateOfWords, wordsOf } from './beside.mjs'
 import { difference } from './glint.mjs'
 import { extras, png, surfaces } from './maps.mjs'
-import { meshes } from './meshes.mjs'
+import { ball, gltf, meshes } from './meshes.mjs'
 import { randomly, randomWords } from './states.mjs'
 
 const measured = readFileSync(new URL('../bench/costs.tsv', import.meta.url), 'utf8').split('\n')
@@ -417,7 +417,7 @@ run([
         equal((await shownIsDrawn()).join(' '), '--normals=rgb8.png --flip-y', 'the state')
     }],
     ['dropped maps and meshes are here after a reload', async () => {
-        for (const [name, bytes, word] of [['kept.png', surfaces['grey16.png'].bytes, '--height=kept.png'], ['kept.stl', meshes['ring.stl'], '--mesh=kept.stl']]) {
+        for (const [name, bytes, word] of [['kept.png', surfaces['grey16.png'].bytes, '--height=kept.png'], ['kept.stl', meshes['ring.stl'], '--mesh=kept.stl'], ['kept.glb', gltf([{ ...ball(), material: 0 }], { materials: [{}] }), '--mesh=kept.glb']]) {
             command.put(name, bytes)
             await browser.go(start)
             await browser.drop({ [name]: bytes })

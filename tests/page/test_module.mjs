@@ -227,6 +227,8 @@ run([
             'nearest.glb': gltf([{ places, normals, uv, indices, material: 0 }], textured({ baseColorFactor: [.9, .5, .5, 1] }, { magFilter: 9728, wrapS: 33071, wrapT: 33071 }), [picture(6, 4)]),
             'grey.glb': gltf([{ places, uv, indices, material: 0 }], textured(), [picture(0, 1)]),
             'look.glb': gltf([{ places, normals, uv, indices, material: 0 }], { materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 1 }, metallicRoughnessTexture: { index: 0 }, roughnessFactor: .7 } }], textures: [{ source: 0 }, { source: 1 }] }, [picture(2, 3), picture(0, 1)]),
+            'moved.glb': gltf([{ ...another, uv: undefined, colors: undefined, material: 0 }, { places, normals, indices, material: 0 }], { materials: [{}], placed: [{ translation: [.3, 1.7, -.45], rotation: [.18257418, .36514837, .54772256, .73029674], scale: [.7, 1.3, .9] }, { matrix: [.8, .1, .2, 0, -.3, 1.1, .05, 0, .02, .4, .9, 0, -1.5, .2, .3, 1], children: [2] }, { mesh: 0, translation: [0, -2, 0], rotation: [0, .6, 0, .8] }] }),
+            'a little moved.glb': gltf([{ places, normals, indices, material: 0 }], { materials: [{}], placed: [{ translation: [.004, .004, -.003] }] }),
             'text.gltf': gltf([{ places, normals, uv, indices, material: 0 }], textured(), [picture(2, 3)], true),
         }
         for (const [name, bytes] of Object.entries(files)) {
@@ -240,10 +242,25 @@ run([
                 check(expected[file.name].equals(Buffer.from(file.bytes)), `${name}: ${file.name} differs`)
         }
     }],
+    ['parts of a glTF stand where libassimp puts them, to the bit: moved, turned and scaled below each other', () => {
+        const engine = new Engine(program), random = randomly(5), real = (low, high) => low + random() * (high - low), list = ['bake', '--mesh=placed.glb', '--split=180', '--to=int16', '-o', 'placed.bin']
+        const place = () => {
+            const turn = [0, 0, 0, 0].map(() => real(-1, 1)), length = Math.hypot(...turn), three = (low, high) => [0, 0, 0].map(() => real(low, high))
+            return { ...random() < .7 && { translation: three(-2, 2) }, ...random() < .7 && { rotation: turn.map(v => v / length) }, ...random() < .7 && { scale: three(.3, 2) } }
+        }
+        for (let i = 0; i < 15; i++) {
+            const { places, normals, indices } = ball([real(-1, 1), 0, 0], real(.3, 2), 13, 8), part = { places, normals, indices }
+            const bytes = gltf([{ ...part, material: 0 }, { ...part, material: 1 }], { materials: [{}, {}], placed: [{ ...place(), children: [2] }, place(), { mesh: 1, ...place() }] })
+            command.put('placed.glb', bytes)
+            engine.addMesh('placed.glb', new Uint8Array(bytes))
+            const { files: [{ bytes: baked }] } = engine.run([`glint ${list[0]}`, ...list.slice(1)])
+            check(command.files(list)['placed.bin'].equals(Buffer.from(baked)), `scene ${i} stands otherwise`)
+        }
+    }],
     ['a glTF that the page cannot draw as the command does is refused with a word', () => {
         const engine = new Engine(program), { places, normals, uv, indices } = ball(), part = { places, normals, uv, indices, material: 0 }
         const textured = { materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }], textures: [{ source: 0 }] }
-        for (const [bytes, sentence] of [[gltf([part], { ...textured, node: { translation: [1, 0, 0] } }, [png({ width: 4, height: 4, type: 0, depth: 8, sample: () => 9 })]), /moved, turned or scaled/],
+        for (const [bytes, sentence] of [[gltf([part], { ...textured, placed: [{ scale: [1, -1, 1] }] }, [png({ width: 4, height: 4, type: 0, depth: 8, sample: () => 9 })]), /mirrored parts/],
             [gltf([part], textured, [Buffer.from('\xff\xd8\xff\xe0 and more', 'latin1')]), /its texture 1: this is a JPEG, not a PNG/], [gltf([part], textured, [png({ width: 4, height: 4, type: 0, depth: 16, sample: () => 9 })]), /16 bits a sample/],
             [gltf([part, { ...part, uv: undefined }], { materials: [{}] }), /parts of different kinds/], [gltf([part], { materials: [{}], extensionsRequired: ['KHR_draco_mesh_compression'] }), /needs KHR_draco/],
             [Buffer.from('{"buffers":[{"uri":"a.bin","byteLength":9}]}'), /names other files/], [Buffer.from('glTF nothing more'), /damaged/], [gltf([part], { materials: [{}] }).subarray(0, 900), /damaged/]]) {

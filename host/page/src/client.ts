@@ -48,8 +48,13 @@ export function waits(): number {
     return first ? performance.now() - first.since : 0
 }
 
+/** Another one after each stop: what only the last one was told is gone. */
+export const workersSoFar = () => workers
+let workers = 0
+
 export function stop(): void {
     worker.terminate()
+    workers++
     const calls = [...waiting.values()]
     waiting.clear()
     worker = begin()

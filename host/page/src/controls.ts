@@ -304,7 +304,7 @@ const table: Row[] = [
     { option: 'format', group: 'output', title: 'Pixels', build: choice('format', lists.formats, 'rgb888'), number: s => constant(s.format ?? 'rgb888'), meaning: s => meaningOf(lists.formats, s.format ?? 'rgb888') },
     { option: 'dither', group: 'output', title: 'Dither', build: flag('dither'), number: s => `dither = ${s.dither !== undefined}`, meaning: () => 'Ordered, 4 × 4: hides the steps of few levels' },
 
-    { option: 'model', group: 'expert', title: 'Highlight model', build: choice('model', lists.models, 'msh'), number: s => constant(s.model ?? 'msh'), meaning: s => meaningOf(lists.models, s.model ?? 'msh') },
+    { option: 'model', group: 'expert', title: 'Model', build: choice('model', lists.models, 'msh'), number: s => constant(s.model ?? 'msh'), meaning: s => meaningOf(lists.models, s.model ?? 'msh') },
     { option: 'path', group: 'expert', title: 'Path', build: choice('path', lists.paths, 'exact'), number: s => s.path ? `--path ${s.path}` : 'glint_paint_exact', meaning: s => pathMeaning(s.path ?? 'exact') },
     { option: 'space', group: 'expert', title: 'Light adds up', build: choice('space', [{ name: 'gamma', title: 'As encoded (gamma)' }, { name: 'linear', title: 'Linearly' }], 'gamma'), number: s => constant(s.space ?? 'gamma'), meaning: s => s.space === 'linear' ? 'Light is summed linearly, then encoded as sRGB' : 'Light is summed as encoded: faster, and what most small renderers do' },
     {

@@ -61,22 +61,22 @@ export function readGltf(name: string, file: Uint8Array<ArrayBuffer>): Uint8Arra
 
     // ---- primitives in the order of nodes, and their materials: of children first ----
 
-    const found: Primitive[] = [], used: number[] = []
-    const visit = (i: number, depth: number): void => {
-        const node = json.nodes?.[i] ?? damaged()
-        const { matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], translation = [0, 0, 0], rotation = [0, 0, 0, 1], scale = [1, 1, 1] } = node
-        const is = (list: number[], ...plain: number[]) => list.every((value, k) => value === plain[k])
-        if (!is(matrix, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1) || !is(translation, 0, 0, 0) || !is(rotation, 0, 0, 0, 1) || !is(scale, 1, 1, 1) || node.skin !== undefined)
-            refuse('has parts that are moved, turned or scaled; apply their transforms before you export it')
+    const found: { primitive: Primitive, matrix: Matrix }[] = [], used: number[] = []
+    const visit = (i: number, depth: number, parent: Matrix): void => {
+        const node = json.nodes?.[i] ?? damaged(), own = node.mesh === undefined ? [] : json.meshes?.[node.mesh]?.primitives ?? damaged()
+        if (node.skin !== undefined)
+            refuse('has a skeleton; export it without')
         if (depth > 64)
             damaged()
-        const own = node.mesh === undefined ? [] : json.meshes?.[node.mesh]?.primitives ?? damaged()
-        found.push(...own)
-        node.children?.forEach(child => visit(child, depth + 1))
+        const matrix = times(parent, matrixOf(node))
+        if (determinant(matrix) <= 0)
+            refuse('has mirrored parts; apply their transforms before you export it')
+        found.push(...own.map(primitive => ({ primitive, matrix })))
+        node.children?.forEach(child => visit(child, depth + 1, matrix))
         used.push(...own.flatMap(({ material }) => material === undefined || used.includes(material) ? [] : [material]))
     }
     const scene = json.scenes?.[json.scene ?? 0]
-    scene?.nodes?.forEach(node => visit(node, 0))
+    scene?.nodes?.forEach(node => visit(node, 0, plain))
     if (!found.length)
         refuse('has no triangles; name another mesh')
     // ---- materials in the order in which libassimp meets them; after them stands the one of what names none ----
@@ -104,14 +104,14 @@ export function readGltf(name: string, file: Uint8Array<ArrayBuffer>): Uint8Arra
 
     // ---- triangles ----
 
-    const has = (name: string) => name in found[0].attributes
-    if (found.some(({ attributes, mode = 4, targets }) => mode !== 4 || targets || ['NORMAL', 'TEXCOORD_0', 'COLOR_0'].some(name => name in attributes !== has(name))))
+    const has = (name: string) => name in found[0].primitive.attributes
+    if (found.some(({ primitive: { attributes, mode = 4, targets } }) => mode !== 4 || targets || ['NORMAL', 'TEXCOORD_0', 'COLOR_0'].some(name => name in attributes !== has(name))))
         refuse('has parts of different kinds; export it as triangles, all with the same attributes')
     const faces: number[] = []
-    for (const { attributes, indices, material } of found) {
+    for (const { primitive: { attributes, indices, material }, matrix } of found) {
         const part = material === undefined ? used.length : used.indexOf(material)
-        const places = numbers(attributes.POSITION ?? damaged(), ['VEC3 5126']).values, count = places.length / 3
-        const normals = has('NORMAL') ? numbers(attributes.NORMAL, ['VEC3 5126']).values : undefined
+        const places = moved(numbers(attributes.POSITION ?? damaged(), ['VEC3 5126']).values, matrix), count = places.length / 3
+        const normals = has('NORMAL') ? turned(numbers(attributes.NORMAL, ['VEC3 5126']).values, matrix) : undefined
         const uv = has('TEXCOORD_0') ? numbers(attributes.TEXCOORD_0, ['VEC2 5126']).values : undefined
         const colors = has('COLOR_0') ? numbers(attributes.COLOR_0, ['VEC3 5126', 'VEC4 5126', 'VEC3 5121', 'VEC4 5121', 'VEC3 5123', 'VEC4 5123']) : undefined
         const corners = indices === undefined ? Array.from({ length: count }, (_, i) => i) : numbers(indices, ['SCALAR 5121', 'SCALAR 5123', 'SCALAR 5125']).values
@@ -151,6 +151,64 @@ export function readGltf(name: string, file: Uint8Array<ArrayBuffer>): Uint8Arra
     for (const { width, height, channels, samples } of decoded)
         for (let i = 0; i < 3 * width * height; i++)
             out[at++] = samples[Math.floor(i / 3) * channels + (channels > 2 ? i % 3 : 0)] / 257
+    return out
+}
+
+// ---- where parts stand: as libassimp computes it, each step rounded to a float ----
+
+/** Rows of four. */
+type Matrix = number[]
+const plain: Matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
+/** Products, added from the left. */
+const sum = (...pairs: [number, number][]) => pairs.map(([a, b]) => fround(a * b)).reduce((all, one) => fround(all + one))
+const times = (a: Matrix, b: Matrix): Matrix => a.map((_, i) => sum(...[0, 1, 2, 3].map((k): [number, number] => [b[4 * k + i % 4], a[i - i % 4 + k]])))
+
+function matrixOf({ matrix, translation, rotation, scale }: Node): Matrix {
+    if (matrix)
+        return matrix.map((_, i) => fround(matrix[4 * (i % 4) + Math.floor(i / 4)]))
+    let out = plain
+    if (translation) {
+        const [x, y, z] = translation.map(fround)
+        out = times(out, [1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z, 0, 0, 0, 1])
+    }
+    if (rotation) {
+        const [x, y, z, w] = rotation.map(fround), one = (...pairs: [number, number][]) => fround(1 - fround(2 * sum(...pairs))), two = (...pairs: [number, number][]) => fround(2 * sum(...pairs))
+        out = times(out, [one([y, y], [z, z]), two([x, y], [-z, w]), two([x, z], [y, w]), 0, two([x, y], [z, w]), one([x, x], [z, z]), two([y, z], [-x, w]), 0,
+            two([x, z], [-y, w]), two([y, z], [x, w]), one([x, x], [y, y]), 0, 0, 0, 0, 1])
+    }
+    if (scale) {
+        const [x, y, z] = scale.map(fround)
+        out = times(out, [x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0, 0, 0, 0, 1])
+    }
+    return out
+}
+
+/** It leaves as they are what it takes for this. */
+const isPlain = (matrix: Matrix) => matrix.every((value, i) => Math.abs(value - plain[i]) <= fround(.01))
+
+function determinant([a1, a2, a3, , b1, b2, b3, , c1, c2, c3]: Matrix): number {
+    return [[a1, b2, c3], [-a1, b3, c2], [a2, b3, c1], [-a2, b1, c3], [a3, b1, c2], [-a3, b2, c1]].map(([a, b, c]) => fround(fround(a * b) * c)).reduce((all, one) => fround(all + one))
+}
+
+function moved(places: number[], m: Matrix): number[] {
+    return isPlain(m) ? places : places.map((_, i) => {
+        const from = i - i % 3, row = 4 * (i % 3)
+        return fround(sum([m[row], places[from]], [m[row + 1], places[from + 1]], [m[row + 2], places[from + 2]]) + m[row + 3])
+    })
+}
+
+/** By the inverse's transpose. */
+function turned(normals: number[], m: Matrix): number[] {
+    if (isPlain(m))
+        return normals
+    const [a1, a2, a3, , b1, b2, b3, , c1, c2, c3] = m, inverse = fround(1 / determinant(m)), cross = (a: number, b: number, c: number, d: number) => sum([a, b], [-c, d])
+    const t = [cross(b2, c3, b3, c2), -cross(b1, c3, b3, c1), cross(b1, c2, b2, c1), -cross(a2, c3, a3, c2), cross(a1, c3, a3, c1), -cross(a1, c2, a2, c1),
+        cross(a2, b3, a3, b2), -cross(a1, b3, a3, b1), cross(a1, b2, a2, b1)].map((value, i) => fround((i % 2 ? -inverse : inverse) * (i % 2 ? -value : value)))
+    const out: number[] = []
+    for (let i = 0; i < normals.length; i += 3) {
+        const n = [0, 3, 6].map(row => sum([t[row], normals[i]], [t[row + 1], normals[i + 1]], [t[row + 2], normals[i + 2]])), length = fround(Math.sqrt(sum([n[0], n[0]], [n[1], n[1]], [n[2], n[2]])))
+        out.push(...length ? n.map(value => fround(value * fround(1 / length))) : n)
+    }
     return out
 }
 

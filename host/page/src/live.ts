@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A Pico on the desk that follows the page. While one is connected the picture is what it draws: its size, RGB565 without dither, by
 // its tables from 8-bit normals; or the mesh that it holds.
-import { ask } from './client'
+import { ask, workersSoFar } from './client'
 import { byId } from './dom'
 import type { ForDevice } from './engine'
 import { filesVersion, isHere } from './kept'
@@ -88,7 +88,7 @@ async function splitOf(mesh: Uint8Array, { scene, mesh: file, crease, axes }: St
 
 let white = ''
 async function mapOnDevice(state: State, width: number, height: number): Promise<Viewed> {
-    const name = whiteName({ has: isHere }), size = `${name} ${width}x${height}`, color = await colourOf(state)
+    const name = whiteName({ has: isHere }), size = `${name} ${width}x${height} ${workersSoFar()}`, color = await colourOf(state)
     if (size !== white)
         await ask('white', name, width, height)
     white = size

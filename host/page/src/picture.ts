@@ -101,7 +101,7 @@ export async function redraw(): Promise<void> {
 
 /** The page then has the state whose picture it shows. */
 function isStopped(): void {
-    const was = drawn && !drawn.isBoards ? drawn.asked : undefined
+    const was = drawn?.asked
     if (was && was !== current())
         takeBack(was)
     else if (!was)
