@@ -114,9 +114,8 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
     loop->run_end = loop->covered = 0;
     if (paint->output.dither)
         fused_dithered(loop, paint, run);
-#else
-    loop->albedo = lines->albedo;
 #endif
+    loop->albedo = lines->albedo;
     loop->first = (const uint8_t *)UINTPTR_MAX;
     loop->last = NULL;
     for (uint32_t x = 0; (x = LINE_DRAW(loop, x)) < lines->w; x++) {
