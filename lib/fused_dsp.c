@@ -97,6 +97,36 @@ static bool dsp_fold_565(struct glint_line_loop *loop, const struct glint_paint 
     return true;
 }
 
+/* With an albedo map V = a lit + R F' + P, lit = d (nl - 1) 2^-18 + ambient, to nearest: for a = 1, off by less than 3 units. */
+enum { DSP_ALBEDO_CUT = DSP_CUT + 3 * 255 };
+static bool dsp_fold_albedo(struct glint_line_loop *loop, const struct glint_paint *p)
+{
+    const struct glint_material *m = &p->material;
+    const struct glint_use_line *line = p->model->line;
+    const uint32_t low = DSP_ALBEDO_CUT;
+    loop->shine[6] = 0;
+    loop->plain[6] = 2 * low << 8;
+    for (unsigned k = 0; k < 3; k++) {
+        const unsigned up = k == 1 ? 8 : 7;
+        const uint32_t unit = k == 1 ? 63 << 8 : 31 << 9, by_255 = (uint32_t)((((uint64_t)unit << 24) + 127) / 255);
+        const uint32_t a = glint_coefficient(m->ambient_q16[k]), d = glint_coefficient(m->diffuse_q16[k]),
+                       r_exact = glint_coefficient(m->specular_q16[k]) * unit;
+        const uint32_t r_q16 = r_exact + dsp_scale(r_exact, line->scale, 32), r = (r_q16 + 32768) >> 16;
+        const int32_t r_left = (int32_t)(r_q16 - (r << 16));
+        const uint32_t r_off = dsp_size(r_left), half = UINT32_C(1) << (31 - up);
+        if ((uint64_t)(a + d) * unit + r_q16 + 2 * half > INT32_MAX)
+            return false;
+        const uint32_t w = (r_off + (line->width * r >> 4) + 2 * low) << up;
+        loop->lit[2 * k] = dsp_scale(d, by_255, 22);
+        loop->lit[2 * k + 1] = dsp_scale(a, by_255, 24) + (loop->lit[2 * k] >> 18);
+        loop->plain[3 + k] = half - low;
+        loop->shine[k == 2 ? 5 : k] = r;
+        loop->shine[2 + k] = half - (r_left < 0 ? r_off + 1 : 0) - (line->below * r >> 4) - low;
+        loop->shine[6] = loop->shine[6] > w ? loop->shine[6] : w;
+    }
+    return true;
+}
+
 /* Channels in the order of their bytes. */
 static bool dsp_fold_888(struct glint_line_loop *loop, const struct glint_paint *p)
 {
@@ -138,7 +168,8 @@ const struct glint_use_line glint_line_msh = {
     false,
     dsp_fold_msh,
     {glint_dsp_msh, glint_dsp_msh_swapped, glint_dsp_msh_wide, glint_dsp_msh_wide_swapped, glint_dsp_msh_dither,
-     glint_dsp_msh_dither_swapped, glint_dsp_msh_dither_wide, glint_dsp_msh_dither_wide_swapped}};
+     glint_dsp_msh_dither_swapped, glint_dsp_msh_dither_wide, glint_dsp_msh_dither_wide_swapped, glint_dsp_msh_albedo,
+     glint_dsp_msh_albedo_swapped}};
 
 /* The divisor itself, whole numbers. */
 static bool dsp_fold_schlick(struct glint_line_loop *loop, const struct glint_paint *p)
@@ -232,9 +263,13 @@ static bool dsp_begin(struct glint_line_loop *loop, const struct glint_paint *p,
 bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *p, bool albedo)
 {
     const struct glint_use_line *line = p->model->line;
-    if (albedo || !line || !dsp_begin(loop, p, line))
+    if (!line || !dsp_begin(loop, p, line))
         return false;
     loop->bytes = 2;
+    if (albedo) {
+        loop->run = line->run[8 + (loop->format == GLINT_RGB565_SWAPPED)];
+        return loop->run && !loop->is_wide && !p->output.dither && dsp_fold_albedo(loop, p);
+    }
     loop->run = line->run[4 * p->output.dither + 2 * loop->is_wide + (loop->format == GLINT_RGB565_SWAPPED)];
     return loop->run && dsp_fold_565(loop, p);
 }
@@ -258,7 +293,7 @@ typedef char dsp_layout[DSP_AT(turn, 0) && DSP_AT(plain, 28) && DSP_AT(shine, 56
                                 DSP_AT(up, 56 + 36) && DSP_AT(hh, 56 + 40) && DSP_AT(nh, 56 + 44) &&
                                 DSP_AT(t_end, 56 + 48) && DSP_AT(dark, 56 + 52) && DSP_AT(last, 56 + 56) &&
                                 DSP_AT(w_green, 56 + 60) && DSP_AT(thresholds, 56 + 64) && DSP_AT(dark_of, 56 + 80) &&
-                                sizeof(struct glint_vec) == 6
+                                DSP_AT(lit, 56 + 96) && DSP_AT(albedo_at, 56 + 120) && sizeof(struct glint_vec) == 6
                             ? 1
                             : -1];
 #undef DSP_AT
@@ -279,7 +314,7 @@ typedef char dsp_layout[DSP_AT(turn, 0) && DSP_AT(plain, 28) && DSP_AT(shine, 56
     "cmncc " w_green ", " vg ", lsl #10\n\t"                                                                           \
     "cmncc " w ", " vb ", lsl #10\n\t"                                                                                 \
     ".else\n\t"                                                                                                        \
-    ".if " format " > 2\n\t"                                                                                           \
+    ".if " format " == 3 || " format " == 4\n\t"                                                                       \
     "and " r ", r1, #6\n\t"                                                                                            \
     "add " r ", r2, " r ", lsl #1\n\t"                                                                                 \
     "ldr " r ", [" r ", #64]\n\t"                                                                                      \
@@ -292,7 +327,7 @@ typedef char dsp_layout[DSP_AT(turn, 0) && DSP_AT(plain, 28) && DSP_AT(shine, 56
     "usat " b ", #5, " vb ", asr #25\n\t"                                                                              \
     "orr " b ", " b ", " g ", lsl #5\n\t"                                                                              \
     "orr " b ", " b ", " r ", lsl #11\n\t"                                                                             \
-    ".if " format " == 1 || " format " == 4\n\t"                                                                       \
+    ".if " format " == 1 || " format " == 4 || " format " == 6\n\t"                                                    \
     "rev16 " b ", " b "\n\t"                                                                                           \
     ".endif\n\t"                                                                                                       \
     "strh " b ", [r1], #2\n\t"                                                                                         \
@@ -302,6 +337,13 @@ typedef char dsp_layout[DSP_AT(turn, 0) && DSP_AT(plain, 28) && DSP_AT(shine, 56
     "cmncc " w ", " vb ", lsl #7\n\t"                                                                                  \
     ".endif\n\t"                                                                                                       \
     "bcs 9f\n\t"
+
+/* Channel k of a pixel of s with an albedo map, whose byte is the next one at t. */
+#define DSP_LIT(v, s, t, k)                                                                                            \
+    "ldrd r5, r8, [r2, #96 + 8 * " k "]\n\t"                                                                           \
+    "smmlar r5, r5, " s ", r8\n\t"                                                                                     \
+    "ldrb r8, [" t "], #1\n\t"                                                                                         \
+    "mla " v ", r5, r8, " v "\n\t"
 
 /* A pixel of s, N.L less 2^13, and T in t. Where it is dark, or N.L above 1.0, to 5n; outside the highlight to 4n; the next one is at 3n. */
 #define DSP_PIXEL(wide, format, model, s, t, n)                                                                        \
@@ -358,16 +400,45 @@ typedef char dsp_layout[DSP_AT(turn, 0) && DSP_AT(plain, 28) && DSP_AT(shine, 56
     "lsr " t ", " t ", #16\n\t"                                                                                        \
     ".endif\n\t"                                                                                                       \
     "str r1, [r2, #56]\n\t"                                                                                            \
-    "pkhbt " t ", " t ", " s ", lsl #2\n\t"                                                                            \
-    "eor " t ", " t ", #0x80008000\n\t"                                                                                \
-    "ldmia r2, {r5, r7, r8, r10, r11, r12, lr}\n\t"                                                                    \
-    "smlad r10, " t ", r5, r10\n\t"                                                                                    \
-    "smlad r11, " t ", r7, r11\n\t"                                                                                    \
-    "smlad r12, " t ", r8, r12\n\t"                                                                                    \
-    "ldr " t ", [r2, #60]\n\t" DSP_LEVELS(format, "r10", "r11", "r12", "lr", t, "r5", "r7", "r8") "3" n ":\n\t"
+    ".if " format " > 4\n\t"                                                                                           \
+    "ldmia r2, {r5, r8, r10, r11, r12, lr}\n\t"                                                                        \
+    "mla r10, " t ", r5, r10\n\t"                                                                                      \
+    "mla r11, " t ", r8, r11\n\t"                                                                                      \
+    "mla r12, " t ", lr, r12\n\t"                                                                                      \
+    "ldr lr, [r2, #24]\n\t"                                                                                            \
+    "cmn lr, #1\n\t"                                                                                                   \
+    "beq 7" n "f\n"                                                                                                    \
+    "6" n ":\n\t" /* lit */                                                                                            \
+    "bfc " s ", #0, #14\n\t"                                                                                           \
+    "ldr " t ", [r2, #120]\n\t" DSP_LIT("r10", s, t, "0") DSP_LIT("r11", s, t, "1")                                    \
+        DSP_LIT("r12", s, t, "2") "str " t ", [r2, #120]\n\t" DSP_LEVELS(                                              \
+            format, "r10", "r11", "r12", "lr", "lr", "r5", s,                                                          \
+            "r8") ".else\n\t"                                                                                          \
+                  "pkhbt " t ", " t ", " s ", lsl #2\n\t"                                                              \
+                  "eor " t ", " t ", #0x80008000\n\t"                                                                  \
+                  "ldmia r2, {r5, r7, r8, r10, r11, r12, lr}\n\t"                                                      \
+                  "smlad r10, " t ", r5, r10\n\t"                                                                      \
+                  "smlad r11, " t ", r7, r11\n\t"                                                                      \
+                  "smlad r12, " t ", r8, r12\n\t"                                                                      \
+                  "ldr " t                                                                                             \
+                  ", [r2, #60]\n\t" DSP_LEVELS(format, "r10", "r11", "r12", "lr", t, "r5", "r7", "r8") ".endif\n3" n   \
+                                                                                                       ":\n\t"
 
 /* q0: a register below r8 that is free. */
 #define DSP_REST(format, s, q0, q1, n)                                                                                 \
+    ".if " format " > 4\n"                                                                                             \
+    "4" n ":\n\t"                                                                                                      \
+    "ldmdb r2, {r10, r11, r12, lr}\n\t"                                                                                \
+    "b 6" n "b\n"                                                                                                      \
+    "5" n ":\n\t" /* nl = 0 */                                                                                         \
+    "cmp " s ", #0\n\t"                                                                                                \
+    "itt mi\n\t"                                                                                                       \
+    "movmi " s ", #-1\n\t"                                                                                             \
+    "bmi 4" n "b\n"                                                                                                    \
+    "7" n ":\n\t"                                                                                                      \
+    "adds r1, #2\n\t"                                                                                                  \
+    "b 9f\n\t"                                                                                                         \
+    ".else\n"                                                                                                          \
     "4" n ":\n\t"                                                                                                      \
     "ldmdb r2, {" q0 ", " q1 ", r8, r10, r11, r12, lr}\n\t"                                                            \
     "lsr " s ", " s ", #14\n\t"                                                                                        \
@@ -394,7 +465,8 @@ typedef char dsp_layout[DSP_AT(turn, 0) && DSP_AT(plain, 28) && DSP_AT(shine, 56
                                                                                   ".endif\n\t"                         \
                                                                                   "cmp " s ", #0\n\t"                  \
                                                                                   "bmi 3" n "b\n\t"                    \
-                                                                                  "b 9f\n\t"
+                                                                                  "b 9f\n\t"                           \
+                                                                                  ".endif\n\t"
 
 #define DSP_RUN(name, model, wide, format)                                                                             \
     __attribute__((naked, noinline)) uint8_t *name(                                                                    \
@@ -503,11 +575,14 @@ DSP_RUN(glint_dsp_msh_dither, "0", "0", "3")
 DSP_RUN(glint_dsp_msh_dither_swapped, "0", "0", "4")
 DSP_RUN(glint_dsp_msh_dither_wide, "0", "1", "3")
 DSP_RUN(glint_dsp_msh_dither_wide_swapped, "0", "1", "4")
+DSP_RUN(glint_dsp_msh_albedo, "0", "0", "5")
+DSP_RUN(glint_dsp_msh_albedo_swapped, "0", "0", "6")
 DSP_RUN(glint_dsp_888, "0", "0", "2")
 DSP_RUN(glint_dsp_888_wide, "0", "1", "2")
 #undef DSP_RUN
 #undef DSP_REST
 #undef DSP_PIXEL
+#undef DSP_LIT
 #undef DSP_LEVELS
 #endif
 
@@ -575,6 +650,8 @@ static inline __attribute__((always_inline)) uint32_t dsp_level(const struct gli
 
 static bool dsp_decide(const struct glint_line_loop *loop, const struct glint_sample *sample, uint8_t *out)
 {
+    if (loop->albedo)
+        return false;
     uint32_t undecided = loop->paint->of.exact.high; /* a coloured light's nl and F are rounded once more */
     if (loop->bytes == 3) {
         const uint32_t first = dsp_level(loop, sample, 0, 22, 0, &undecided),
@@ -633,6 +710,7 @@ uint32_t glint_line_dsp(struct glint_line_loop *loop, uint32_t x)
             dsp_copy(shine, loop->shine);
             dsp_copy(loop->shine, dsp_stops);
         }
+        loop->albedo_at = loop->albedo + (loop->albedo ? 3 * x : 0);
         uint8_t *stopped =
             loop->run(loop->normals + x, loop->out + loop->bytes * x, loop->shine, loop->normals + loop->run_end);
         if (stops)

@@ -114,7 +114,8 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
     loop->run_end = loop->covered = 0;
     if (paint->output.dither)
         fused_dithered(loop, paint, run);
-#elif GLINT_CORTEX_M0PLUS_ASM
+#endif
+#if !GLINT_RISCV
     loop->albedo = lines->albedo;
 #endif
     loop->first = (const uint8_t *)UINTPTR_MAX;

@@ -104,6 +104,8 @@ struct glint_line_loop {
     uint32_t w_green;    /* W of green in the highlight */
     /* Dithered, by an address in out / 2 mod 4: thresholds, of red and blue, and dark pixels; a line's. */
     uint32_t thresholds[4], dark_of[4];
+    uint32_t lit[6]; /* with an albedo map: for each channel what N.L, with half of 2^-15, adds, and what is there */
+    const uint8_t *albedo_at; /* of the next pixel; albedo: of pixel 0, the caller's, or NULL */
     uint32_t base[3], q_q16[3],
         r_q16[3]; /* V = base + (q_q16 nl + r_q16 F) 2^-16, within DSP_NEAR, where the light is white */
     const struct glint_paint *paint;
@@ -118,6 +120,7 @@ struct glint_line_loop {
     uint32_t w;
     const uint8_t *mask; /* NULL: every pixel is drawn; else those of 255 */
     const struct glint_vec *normals;
+    const uint8_t *albedo;
     uint32_t run_end;           /* up to where mask is 255; the caller sets it to 0 */
     uint32_t covered;           /* all bits of mask where it is not 255; the caller sets it to 0 */
     struct glint_sample sample; /* of one that is left open: the caller's */
@@ -127,6 +130,7 @@ void glint_line_dither(struct glint_line_loop *loop, const struct glint_run *run
 uint32_t glint_line_dsp(struct glint_line_loop *loop, uint32_t x);
 glint_dsp_run glint_dsp_msh_dither, glint_dsp_msh_dither_swapped, glint_dsp_msh_dither_wide,
     glint_dsp_msh_dither_wide_swapped;
+glint_dsp_run glint_dsp_msh_albedo, glint_dsp_msh_albedo_swapped;
 glint_dsp_run glint_dsp_msh, glint_dsp_msh_swapped, glint_dsp_msh_wide, glint_dsp_msh_wide_swapped, glint_dsp_888,
     glint_dsp_888_wide;
 glint_dsp_run glint_dsp_schlick, glint_dsp_schlick_swapped, glint_dsp_schlick_wide, glint_dsp_schlick_wide_swapped;
@@ -140,7 +144,8 @@ struct glint_use_line {
     uint8_t below, width; /* -e < below / 16, and how far apart both its bounds are, of 16ths */
     bool holds;
     bool (*fold)(struct glint_line_loop *loop, const struct glint_paint *paint);
-    glint_dsp_run *run[8]; /* narrow, then wide; each in both orders; then these dithered, or NULL */
+    glint_dsp_run
+        *run[10]; /* narrow, then wide; each in both orders; then these dithered, or NULL; narrow with an albedo map */
 };
 bool glint_line_begin_888(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
 #define GLINT_LINE_BEGIN_888 glint_line_begin_888

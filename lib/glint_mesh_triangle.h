@@ -56,7 +56,7 @@ static inline unsigned glint_mesh_zeros(uint32_t x)
 }
 
 /* 2^(47 - up) / dy to nearest, nearly, of a height 0 < dy < 2^15 with so many zero bits above. Where there is a divider, by it below 2^13: there both
- * are equal (tests/unit/lib/test_mesh_inverse.c). */
+ * are equal (tests/unit/lib/test_mesh_values.c). */
 static inline uint32_t glint_mesh_height_inverse(uint32_t dy, unsigned up)
 {
     return GLINT_THUMB2 && up >= 19 ? GLINT_MESH_QUOTIENT(dy, up) : glint_mesh_inverse(dy << up >> 4);

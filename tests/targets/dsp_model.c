@@ -46,7 +46,7 @@ static bool carries(uint32_t w, uint32_t fraction)
     return w + fraction < w;
 }
 
-enum format { NATIVE, SWAPPED, THREE, DITHERED, DITHERED_SWAPPED };
+enum format { NATIVE, SWAPPED, THREE, DITHERED, DITHERED_SWAPPED, ALBEDO, ALBEDO_SWAPPED };
 enum model { MSH, SCHLICK, GGX, CAYLEY };
 
 /* false: it is open. */
@@ -55,9 +55,12 @@ static bool model_pixel(struct glint_line_loop *loop, const struct glint_vec *n,
 {
     const uint32_t xy = (uint16_t)n->x | (uint32_t)n->y << 16, z = (uint16_t)n->z, *turn = loop->turn;
     const uint32_t s = smlabb(z, turn[1], smlad(xy, turn[0], turn[3]));
+    const bool has_albedo = format >= ALBEDO;
     uint32_t t, v[3], pixel = loop->dark, w, w_green;
     const unsigned at_4 = (uintptr_t)out >> 1 & 3;
-    if (s >= 0x40000000) {
+    if (has_albedo && s >= 0x40000000 && s <= INT32_MAX)
+        return false;
+    if (!has_albedo && s >= 0x40000000) {
         pixel = format >= DITHERED ? loop->dark_of[at_4] : pixel;
         memcpy(out, &pixel, format == THREE ? 3 : 2);
         return (int32_t)s < 0;
@@ -69,7 +72,7 @@ static bool model_pixel(struct glint_line_loop *loop, const struct glint_vec *n,
         const uint32_t d = qsub16(xy, turn[4]), e = qsub16(z, turn[5]);
         t = smlabb(e, e, smlad(d, d, 0));
     }
-    if (t < loop->t_end) {
+    if (t < loop->t_end && s <= INT32_MAX) {
         uint32_t at = t, over = ~(t << (wide ? 2 : 1));
         if (model == GGX) {
             const uint32_t c = 0x40000000 - t;
@@ -87,26 +90,39 @@ static bool model_pixel(struct glint_line_loop *loop, const struct glint_vec *n,
             const uint32_t root = smmlar((uint32_t)loop->v[0], at, (uint32_t)loop->v[1]);
             f = over / (model == SCHLICK ? root : smmlar(root, root, 0));
         }
-        const uint32_t both = ((f & 0xffff) | (s << 2 & 0xffff0000)) ^ 0x80008000;
         loop->last = out;
+        if (has_albedo) {
+            for (int k = 0; k < 3; k++)
+                v[k] = f * loop->shine[k == 2 ? 5 : k] + loop->shine[2 + k];
+            w = w_green = loop->shine[6];
+            if (w == UINT32_MAX)
+                return false;
+            goto lit;
+        }
+        const uint32_t both = ((f & 0xffff) | (s << 2 & 0xffff0000)) ^ 0x80008000;
         for (int k = 0; k < 3; k++)
             v[k] = smlad(both, loop->shine[k], loop->shine[3 + k]);
         w = loop->shine[6];
         w_green = loop->w_green;
     } else {
         for (int k = 0; k < 3; k++)
-            v[k] = loop->plain[k] * (s >> 14) + loop->plain[3 + k];
+            v[k] = (has_albedo ? 0 : loop->plain[k] * (s >> 14)) + loop->plain[3 + k];
         w = w_green = loop->plain[6];
+    }
+lit:
+    for (int k = 0; k < 3 && has_albedo; k++) {
+        const uint32_t nl = s > INT32_MAX ? (uint32_t)-16384 : s & ~(uint32_t)16383;
+        v[k] += smmlar(loop->lit[2 * k], nl, loop->lit[2 * k + 1]) * *loop->albedo_at++;
     }
     if (format == THREE) {
         for (int k = 0; k < 3; k++)
             out[k] = (uint8_t)usat(v[k], 8, 22);
         return !carries(w, v[0] << 10) && !carries(w_green, v[1] << 10) && !carries(w, v[2] << 10);
     }
-    for (int k = 0; k < 3 && format >= DITHERED; k++)
+    for (int k = 0; k < 3 && format >= DITHERED && !has_albedo; k++)
         v[k] += loop->thresholds[at_4] >> (k == 1);
     pixel = usat(v[0], 5, 25) << 11 | usat(v[1], 6, 24) << 5 | usat(v[2], 5, 25);
-    if (format == SWAPPED || format == DITHERED_SWAPPED)
+    if (format == SWAPPED || format == DITHERED_SWAPPED || format == ALBEDO_SWAPPED)
         pixel = (pixel & 255) << 8 | pixel >> 8;
     memcpy(out, &pixel, 2);
     return !carries(w, v[0] << 7) && !carries(w_green, v[1] << 8) && !carries(w, v[2] << 7);
@@ -131,6 +147,8 @@ MODEL_RUNS(msh, MSH)
 MODEL_RUNS(schlick, SCHLICK)
 MODEL_RUNS(ggx, GGX)
 MODEL_RUNS(cayley, CAYLEY)
+MODEL_RUN(glint_dsp_msh_albedo, false, ALBEDO, MSH)
+MODEL_RUN(glint_dsp_msh_albedo_swapped, false, ALBEDO_SWAPPED, MSH)
 MODEL_RUN(glint_dsp_888, false, THREE, MSH)
 MODEL_RUN(glint_dsp_888_wide, true, THREE, MSH)
 MODEL_RUN(glint_dsp_msh_dither, false, DITHERED, MSH)

@@ -235,7 +235,8 @@ static bool case_is_same(uint32_t number)
                                 : grain == GRAIN_SUNRAY ? GLINT_GRAIN_SUNRAY
                                                         : GLINT_GRAIN_BRUSHED),
         .grain_at = {(int32_t)below(2048) - far_off, (int32_t)below(256) + far_off - 1},
-        .albedo = (LINES_ALBEDO || GLINT_DSP) && number % ALBEDO == 1 && !grain ? albedo + below(4) : 0,
+        .albedo =
+            (LINES_ALBEDO || GLINT_DSP) && number % (GLINT_DSP ? 4 : ALBEDO) == 1 && !grain ? albedo + below(4) : 0,
         .albedo_stride = 3 * W,
         .albedo_format = GLINT_RGB888,
         .coverage = number % 5 ? mask + below(4) : 0,

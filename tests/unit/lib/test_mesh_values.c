@@ -317,9 +317,20 @@ static void any_one_corner_of_a_face_may_be_beyond_the_guard_band(void **state)
         }
 }
 
+/* As cores with a divider have it, glint_mesh_height_inverse. */
+static void a_height_s_inverse_is_the_quotient_below_512_pixels(void **state)
+{
+    (void)state;
+    for (uint32_t dy = 1; dy < 8192; dy++) {
+        const unsigned up = glint_mesh_zeros(dy);
+        assert_int_equal(glint_mesh_inverse(dy << up >> 4), GLINT_MESH_QUOTIENT(dy, up));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_height_s_inverse_is_the_quotient_below_512_pixels),
         cmocka_unit_test(nl_and_depth_of_a_triangle_are_the_sequence_s),
         cmocka_unit_test(t_of_a_triangle_is_2_where_nothing_of_it_can_shine),
         cmocka_unit_test(a_triangle_is_matt_from_2_to_the_29_beyond_the_highlight_and_dark_behind),
