@@ -7,7 +7,7 @@ pico_EMULATED = pico
 PICO_BOARD = $(or $(BOARD),pico)
 # The RP2350 has cores of two kinds: arm, or riscv.
 ARCH ?= arm
-PICO_TOOLS = $(if $(filter riscv,$(ARCH)),riscv64-unknown-elf-,arm-none-eabi-)
+PICO_COMPILER = $(if $(filter riscv,$(ARCH)),riscv64-unknown-elf-,arm-none-eabi-)
 PICO_KIND = $(PICO_BOARD)$(filter-out -arm,-$(ARCH))
 PICO_PLATFORM = $(if $(filter riscv,$(ARCH)),-DPICO_PLATFORM=rp2350-riscv -DPICO_CLIB=picolibc -DCMAKE_TOOLCHAIN_FILE=$(abspath firmware/ports/pico/riscv/toolchain.cmake))
 # glint, or conformance: that checks the board and measures its frame rate.
@@ -79,7 +79,7 @@ firmware-pico: have-pico-choices $(PICO)/map/$(if $(PICO_MESH),demo_mesh.h,demo_
 		echo "make: the Pico's firmware was not built; the whole log is $(PICO)/log" >&2; exit 1; }
 	@grep -A 3 'warning:' $(PICO)/log || true
 	@cp $(PICO)/cmake/$(IMAGE).elf $(PICO)/ && $(BUILD)/bin2uf2 $(PICO_KIND) $(PICO)/cmake/$(IMAGE).bin $(PICO)/$(IMAGE).uf2
-	@$(PICO_TOOLS)size $(PICO)/$(IMAGE).elf | awk 'NR == 2 { printf "$(PICO)/$(IMAGE).uf2: %d bytes of flash, %d of RAM\n", $$1 + $$2, $$2 + $$3 }'
+	@$(PICO_COMPILER)size $(PICO)/$(IMAGE).elf | awk 'NR == 2 { printf "$(PICO)/$(IMAGE).uf2: %d bytes of flash, %d of RAM\n", $$1 + $$2, $$2 + $$3 }'
 
 $(BUILD)/bin2uf2: firmware/ports/pico/tools/bin2uf2.c $(BUILD)/host/bake/uf2.o
 	@$(CC) $(filter-out -MMD -MP,$(HOST_CFLAGS)) $^ -o $@
