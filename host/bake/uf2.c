@@ -5,7 +5,8 @@
 #include <string.h>
 
 enum { BLOCK = 512, PAYLOAD = 256, HEADER = 32, FAMILY_PRESENT = 0x2000 };
-static const uint32_t start[2] = {0x0a324655, 0x9e5d5157}, end = 0x0ab16f30, families[] = {0xe48bff56, 0xe48bff59};
+static const uint32_t start[2] = {0x0a324655, 0x9e5d5157}, end = 0x0ab16f30,
+                      families[] = {0xe48bff56, 0xe48bff59, 0xe48bff5a};
 
 static void put(uint8_t *at, uint32_t word) /* low byte first */
 {

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-enum uf2_family { UF2_RP2040, UF2_RP2350 }; /* the latter's Arm cores */
+enum uf2_family { UF2_RP2040, UF2_RP2350, UF2_RP2350_RISCV }; /* the second: its Arm cores */
 
 /* Bytes for the flash from an address on, which is a multiple of 256. Errors stay with the stream. */
 void uf2_write(const uint8_t *bytes, size_t len, uint32_t address, enum uf2_family family, FILE *out);

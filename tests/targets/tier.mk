@@ -25,8 +25,8 @@ costs: ## measure: write the table that tier targets compares cycles and sizes w
 
 # By a make of its own, which sees what is installed.
 write-costs: $(TARGETS_COSTS_INPUTS) $(BOARDS) $(BENCH_IMAGES)
-	@PYTHONDONTWRITEBYTECODE=1 BENCH_BOARDS="$(BENCH_BOARDS)" tests/targets/test_costs $(BENCH) write '$(value ROWS)'
-	@tests/bench/tables write
+	@PYTHONDONTWRITEBYTECODE=1 BENCH_BOARDS="$(BENCH_BOARDS)" tests/targets/test_costs $(BENCH) write '$(value ROWS)'; worse=$$?; \
+		tests/bench/tables write && exit $$worse
 
 run-targets: $(if $(BOARD),,$(TARGETS_COSTS_INPUTS) $(TARGETS_VIEWS)) $(TARGETS_FIRMWARE) $(BOARDS) $(CONFORMANCE_EXPECTED)
 	@$(if $(TARGETS_FIRMWARE),,echo "make: there is no board $(BOARD); choose from $(BARE_BOARDS)" >&2; exit 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The Raspberry Pi Pico with a panel, or a board that has one: make firmware PORT=pico [BOARD=pico] [PANEL=st7789-240x240] [ROTATE=90] [TE=21] [SECOND_CORE=1] [PATH=exact] [DEMO=teapot] [HEIGHT=FILE [BEVEL=8]] [MESH=FILE [SPLIT=30] [AXES=NAME]] [LANDING_PAGE=https://...] [IMAGE=conformance]
+# The Raspberry Pi Pico with a panel, or a board that has one: make firmware PORT=pico [BOARD=pico [ARCH=riscv]] [PANEL=st7789-240x240] [ROTATE=90] [TE=21] [SECOND_CORE=1] [PATH=exact] [DEMO=teapot] [HEIGHT=FILE [BEVEL=8]] [MESH=FILE [SPLIT=30] [AXES=NAME]] [LANDING_PAGE=https://...] [IMAGE=conformance]
 # Boards and panels are rows of tables; this prints the column N of those that begin with WORD.
 pico_rows = $(shell sed -n 's/^$(2)(\(.*\))$$/\1/p' $(1) | awk -F ', *' '$(3)')
 PICO_BOARDS_DEF = firmware/ports/pico/boards.def
@@ -10,6 +10,12 @@ PICO_BOARD = $(or $(BOARD),pico)
 pico_fact = $(call pico_rows,$(PICO_BOARDS_DEF),BOARD,$$1 == "$(PICO_BOARD)" { print $$$(1) })
 pico_panel_of = $(call pico_rows,$(PICO_BOARDS_DEF),BOARD,$$1 == "$(1)" { print $$4 })
 PANEL ?= $(or $(call pico_fact,4),none)
+# The RP2350 has cores of two kinds: arm, or riscv.
+ARCH ?= arm
+PICO_COMPILER = $(if $(filter riscv,$(ARCH)),riscv64-unknown-elf-,arm-none-eabi-)
+PICO_KIND = $(PICO_BOARD)$(filter-out -arm,-$(ARCH))
+PICO_CHIP = $(call pico_fact,3)
+PICO_PLATFORM = $(if $(filter riscv,$(ARCH)),-DPICO_PLATFORM=rp2350-riscv -DPICO_CLIB=picolibc -DCMAKE_TOOLCHAIN_FILE=$(abspath firmware/ports/pico/riscv/toolchain.cmake))
 # glint, or conformance: that checks the board and measures its frame rate.
 IMAGE ?= glint
 # Each glass upright, and lying if it is not square.
@@ -56,18 +62,20 @@ PICO_MESH_SOURCE = --no-outlines $(if $(MESH),--mesh '$(MESH)' --no-textures --s
 # Up to here it is in RAM, where it is drawn in fewer cycles.
 PICO_MESH_RAM = 12288
 PICO_FREE_PINS = 1 2 3 4 5 6 7 14 15 16 17 18 19 20 21 22 26 27 28
-PICO = build/firmware/$(PICO_BOARD)-$(PANEL)$(patsubst %,-turned-%,$(filter-out 0,$(ROTATE)))$(TE:%=-te%)$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(PICO_MESH:%=-%)$(patsubst %,-%,$(filter-out $(PICO_USUAL_DEMO) teapot,$(DEMO)))$(if $(HEIGHT),-map-$(basename $(notdir $(firstword $(HEIGHT)))))$(BEVEL:%=-bevel%)$(if $(LANDING_PAGE),-landing)
+PICO = build/firmware/$(PICO_KIND)-$(PANEL)$(patsubst %,-turned-%,$(filter-out 0,$(ROTATE)))$(TE:%=-te%)$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(PICO_MESH:%=-%)$(patsubst %,-%,$(filter-out $(PICO_USUAL_DEMO) teapot,$(DEMO)))$(if $(HEIGHT),-map-$(basename $(notdir $(firstword $(HEIGHT)))))$(BEVEL:%=-bevel%)$(if $(LANDING_PAGE),-landing)
 PICO_SIDES = $(subst x, ,$(lastword $(subst -, ,$(PANEL))))
 PICO_SIZE = $(if $(PICO_TURNED),$(lastword $(PICO_SIDES))x$(firstword $(PICO_SIDES)),$(lastword $(subst -, ,$(PANEL))))
 
 pico_PACKAGES = cmake make python3-minimal gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib
+pico_riscv_PACKAGES = gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
 setup-firmware-pico: setup-build
-	@.ci/need "firmware for the Pico" $(pico_PACKAGES)
+	@.ci/need "firmware for the Pico" $(pico_PACKAGES) $(if $(filter riscv,$(ARCH)),$(pico_riscv_PACKAGES))
 	@firmware/ports/pico/fetch-sdk >/dev/null
 
 # Before anything is made of them.
 have-pico-choices:
 	@$(if $(filter $(pico_BOARDS),$(PICO_BOARD)),,echo "make: port pico has no board $(PICO_BOARD); choose from $(pico_BOARDS)" >&2; exit 1)
+	@$(if $(or $(filter arm,$(ARCH)),$(filter riscv-rp2350,$(ARCH)-$(PICO_CHIP))),,echo "make: ARCH=$(ARCH): is arm, or on a board with an RP2350 riscv" >&2; exit 1)
 	@$(if $(filter $(PICO_PANELS),$(PANEL)),,echo "make: PANEL=$(PANEL): the panels are $(PICO_PANELS)" >&2; exit 1)
 	@$(if $(filter 0 90 180 270,$(ROTATE)),,echo "make: ROTATE=$(ROTATE): say 0, 90, 180 or 270" >&2; exit 1)
 	@$(if $(filter-out $(PICO_FREE_PINS),$(TE)),echo "make: TE=$(TE): the pins that are free are $(PICO_FREE_PINS)" >&2; exit 1)
@@ -83,15 +91,15 @@ have-pico-choices:
 
 # CMake knows what depends on what within.
 firmware-pico: have-pico-choices $(PICO)/map/$(if $(PICO_MESH),demo_mesh.h,demo_map.h) $(if $(PICO_SCENES),$(PICO)/map/demo_scenes.h) $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
-	@sdk=$$(firmware/ports/pico/fetch-sdk) && \
-	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DPICO_BOARD=$(subst -,_,$(PICO_BOARD)) -DPICO_NO_PICOTOOL=1 \
+	@sdk=$$(firmware/ports/pico/fetch-sdk) && export PICO_SDK_PATH="$$sdk/pico-sdk" && \
+	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DPICO_BOARD=$(subst -,_,$(PICO_BOARD)) $(PICO_PLATFORM) -DPICO_NO_PICOTOOL=1 \
 		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_BOARD=$(PICO_BOARD) -DGLINT_PANEL=$(PANEL) -DGLINT_ROTATE=$(ROTATE) -DGLINT_TE=$(or $(TE),-1) -DGLINT_SECOND_CORE=$(SECOND_CORE) -DGLINT_EXACT=$(PICO_EXACT) -DGLINT_TURNS_MESH=$(if $(PICO_MESH),1,0) -DGLINT_SCENES=$(if $(PICO_SCENES),1,0) -DGLINT_MESH_IN_RAM=$$(find $(PICO)/map/demo_mesh.bin -size -$(PICO_MESH_RAM)c 2>/dev/null | wc -l) '-DGLINT_LANDING_PAGE=$(LANDING_PAGE)' \
 		-DGLINT_MAP="$(CURDIR)/$(PICO)/map" -DGLINT_EXPECTED="$(abspath $(CONFORMANCE))" >$(PICO)/log 2>&1 && \
 	MAKEFLAGS= cmake --build $(PICO)/cmake --target $(IMAGE) $(PARALLEL) >>$(PICO)/log 2>&1 || { grep -o 'glint: over.*' $(PICO)/log >&2 && $(if $(MESH),echo "make: MESH=$(MESH): a mesh takes 16 bytes of RAM a vertex and 2 a triangle$(if $(filter 1,$(SECOND_CORE)),$(COMMA) for each core): simplify it$(COMMA) or leave its edges whole by SPLIT=180",:) >&2 || grep rror $(PICO)/log >&2; \
 		echo "make: the Pico's firmware was not built; the whole log is $(PICO)/log" >&2; exit 1; }
 	@grep -A 3 'warning:' $(PICO)/log || true
-	@cp $(PICO)/cmake/$(IMAGE).elf $(PICO)/ && $(BUILD)/bin2uf2 $(if $(filter rp2350,$(call pico_fact,3)),pico2,pico) $(PICO)/cmake/$(IMAGE).bin $(PICO)/$(IMAGE).uf2
-	@arm-none-eabi-size $(PICO)/$(IMAGE).elf | awk 'NR == 2 { printf "$(PICO)/$(IMAGE).uf2: %d bytes of flash, %d of RAM\n", $$1 + $$2, $$2 + $$3 }'
+	@cp $(PICO)/cmake/$(IMAGE).elf $(PICO)/ && $(BUILD)/bin2uf2 $(if $(filter rp2350,$(PICO_CHIP)),pico2,pico)$(filter-out -arm,-$(ARCH)) $(PICO)/cmake/$(IMAGE).bin $(PICO)/$(IMAGE).uf2
+	@$(PICO_COMPILER)size $(PICO)/$(IMAGE).elf | awk 'NR == 2 { printf "$(PICO)/$(IMAGE).uf2: %d bytes of flash, %d of RAM\n", $$1 + $$2, $$2 + $$3 }'
 
 $(BUILD)/bin2uf2: firmware/ports/pico/tools/bin2uf2.c $(BUILD)/host/bake/uf2.o
 	@$(CC) $(filter-out -MMD -MP,$(HOST_CFLAGS)) $^ -o $@

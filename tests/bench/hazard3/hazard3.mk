@@ -18,7 +18,7 @@ bench-hazard3: ## measure: cycles of the RP2350's RISC-V core, simulated from it
 
 write-hazard3: $(BENCH_SCENE)/scene.json $(bare_image_rp2350) $(BENCH_MESH_INPUTS) $(BOARDS)
 	@PYTHONDONTWRITEBYTECODE=1 BENCH_BOARDS=rp2350 COUNT_ROWS='$(BENCH_HAZARD3_ROWS)' COUNT_BY='hazard3=tests/bench/hazard3/run $(BENCH_HAZARD3_SIMULATOR)' \
-		tests/targets/test_costs $(BENCH) simulated "$$(git -C '$(HAZARD3)' rev-parse --short=7 HEAD 2>/dev/null || echo unknown)"
-	@tests/bench/tables write
+		tests/targets/test_costs $(BENCH) simulated "$$(git -C '$(HAZARD3)' rev-parse --short=7 HEAD 2>/dev/null || echo unknown)"; worse=$$?; \
+		tests/bench/tables write && exit $$worse
 
 .PHONY: bench-hazard3 write-hazard3

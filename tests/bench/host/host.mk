@@ -25,7 +25,7 @@ run-bench-host: $(BENCH_HOST)/host
 	else echo "make bench: this processor has no AVX2: the host's part is left out"; fi
 
 $(BENCH_HOST)/host: $(BENCH_HOST_OBJECTS)
-	@$(CC) $^ -o $@ -llibfixmath -lm
+	@$(CC) $(OPENMP) $^ -o $@ -llibfixmath -lm
 
 $(BENCH_HOST)/%.o: tests/bench/host/%.c tests/bench/host/host.mk
 	@mkdir -p $(@D)
@@ -39,6 +39,7 @@ $(BENCH_HOST)/lib-%.o: lib/%.c tests/bench/host/host.mk
 	@mkdir -p $(@D)
 	@$(BENCH_HOST_CC) -O2 -c $< -o $@
 
+$(BENCH_HOST)/host.o: BENCH_HOST_FLAGS += $(OPENMP)
 $(BENCH_HOST)/floats.o: BENCH_HOST_FLAGS = -O3 $(BENCH_AVX2)
 $(BENCH_HOST)/powf.o: BENCH_HOST_FLAGS = -Ofast $(BENCH_AVX2)
 
