@@ -154,6 +154,7 @@ int command_paper(int argc, char **argv)
         .terminal = settings.plots ? plot_terminal() : NULL,
         .claims = json_array(),
         .choices = json_array(),
+        .findings = json_array(),
         .numbers = json_object(),
         .tables = json_object(),
         .figures = json_array(),
@@ -171,6 +172,7 @@ int command_paper(int argc, char **argv)
     print_result(&paper, settings.json);
     json_decref(paper.claims);
     json_decref(paper.choices);
+    json_decref(paper.findings);
     json_decref(paper.numbers);
     json_decref(paper.tables);
     json_decref(paper.figures);

@@ -34,6 +34,11 @@ void paper_choice(struct paper *paper, const char *part, const char *silent, jso
            json_pack("{s:s,s:s,s:o,s:o}", "part", part, "silent", silent, "chosen", chosen, "other", other));
 }
 
+void paper_finding(struct paper *paper, const char *part, json_t *text)
+{
+    append(paper->findings, json_pack("{s:s,s:o}", "part", part, "text", text));
+}
+
 void paper_number(struct paper *paper, const char *name, double value)
 {
     if (json_object_set_new(paper->numbers, name, json_real(value)) != 0)

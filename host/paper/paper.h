@@ -18,6 +18,7 @@ struct paper {
     const char *terminal;  /* "pngcairo" or "svg"; NULL: no plots */
     json_t *claims;        /* [{part, where, claim, computed, verdict}] */
     json_t *choices;       /* [{part, silent, chosen, other}] */
+    json_t *findings;      /* [{part, text}]: what the paper does not have, for the summary */
     json_t *numbers;       /* {name: value}: what the texts quote, at full precision */
     json_t *tables;        /* {part: {title, head: [text], rows: [[text]], note}} */
     json_t *figures;       /* [{part, title, caption, csv, image, data}] */
@@ -32,6 +33,7 @@ enum verdict verdict_of(bool in_full, bool in_part);
 void paper_claim(struct paper *paper, const char *part, const char *where, const char *claim, enum verdict verdict,
                  json_t *computed);
 void paper_choice(struct paper *paper, const char *part, const char *silent, json_t *chosen, json_t *other);
+void paper_finding(struct paper *paper, const char *part, json_t *text);
 void paper_number(struct paper *paper, const char *name, double value);
 void paper_count(struct paper *paper, const char *name, long value);
 json_t *paper_table_new(struct paper *paper, const char *part, const char *title, const char *const *head);

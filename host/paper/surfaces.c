@@ -23,15 +23,18 @@ static double angle_at(int i)
 #define SURFACE                                                                                                        \
     "near(x) = x <= 20 ? x : NaN\nset pm3d depthorder border lc rgb '#666666' lw 0.2\nset dgrid3d 81,38 qnorm "        \
     "8\nunset colorbox\nset xyplane 0\n"                                                                               \
-    "set xlabel 'shininess n'\nset ylabel 'x, degrees'\nset xrange [1:1000]\nset yrange [0:20]\nset xtics 200\nunset " \
-    "key\n"
+    "set xlabel 'shininess n'\nset ylabel 'x, degrees'\nset xrange [1:1000]\nset yrange [0:20]\nset xtics "            \
+    "200,200,800 offset 0,-0.4\nset ytics 5,5,20 offset 0.6,-0.2\nset xlabel offset 0,-1\nset ylabel offset "          \
+    "1,-0.5\nunset key\n"
 
 static const char figure5_script[] =
     "set multiplot layout 2,2 title 'Fig. 5: absolute error |F - F_B|'\n" SURFACE
     "set view 60,35,1,1.3\nset zrange [0:0.22]\nset cbrange [0:0.22]\n"
     "set title 'Schlick'\nsplot 'fig5.csv' using 'n':(near(column('angle_deg'))):'schlick_error' with pm3d\n"
     "set title 'MSH'\nsplot 'fig5.csv' using 'n':(near(column('angle_deg'))):'msh_error' with pm3d\n"
-    "unset dgrid3d\nunset pm3d\nset colorbox\nset yrange [0:90]\nset cbrange [-1:1]\nset cblabel 'units of 2^{-16}'\n"
+    "unset dgrid3d\nunset pm3d\nset colorbox\nset xtics 200 offset 0,0\nset ytics 10 offset 0,0\nset xlabel offset "
+    "0,0\n"
+    "set ylabel offset 0,0\nset yrange [0:90]\nset cbrange [-1:1]\nset cblabel 'units of 2^{-16}'\n"
     "set palette defined (-1 '#0072b2', 0 'white', 1 '#d55e00')\n"
     "set title 'Schlick: Q16 less double'\n"
     "plot 'fig5.csv' using 'n':'angle_deg':((column('schlick_error_q16')-column('schlick_error'))*65536) with image\n"
@@ -102,7 +105,8 @@ void paper_figure5(struct paper *paper)
 
 /* ---- figure 6 ---- */
 
-static const char figure6_script[] = "set multiplot layout 1,2\n" SURFACE "set view 50,60,1,1\n"
+static const char figure6_script[] = "set multiplot layout 1,2\n" SURFACE "set view 50,60,1,1\nset ztics -20,5,0\n"
+                                     "set xtics offset -0.6,-0.3\nset xlabel offset -4,-1\n"
                                      "set zlabel 'dF/dx, per radian' rotate parallel\n"
                                      "set title 'Fig. 6: derivative (8) of F_{MSH}, double'\n"
                                      "splot 'fig6.csv' using 'n':(near(column('angle_deg'))):'derivative' with pm3d\n"

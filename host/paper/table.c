@@ -213,6 +213,8 @@ void paper_wider(struct paper *paper)
     const double msh = search_deviation(&options, &printed[MSH_ROW].family);
     const double table_best = search_deviation(&options, &printed[1].family);
     double kept_more = 0;
+    int kept_better = 0;
+    struct family kept = {{0}, {0}};
     for (size_t i = 0; i < sizeof widers / sizeof *widers; i++) {
         struct search_result result;
         options = options_of(&widers[i]);
@@ -230,7 +232,9 @@ void paper_wider(struct paper *paper)
                         family_text(best->family.b), family_text(best->family.a), json_sprintf("%.6f", best->deviation),
                         json_sprintf("%.0f %%", 100 * best->deviation / msh), json_sprintf("%d", better));
         paper_number(paper, widers[i].number, best->deviation);
+        kept = best->family;
         kept_more = best->deviation; /* of the last, which keeps 100 */
+        kept_better = better;
         search_free(&result);
     }
     output_close(csv);
@@ -241,4 +245,15 @@ void paper_wider(struct paper *paper)
                      msh, table_best, kept_more,
                      kept_more < table_best ? "sets that are poor with all coefficients 1 end up better"
                                             : "no better set was dropped"));
+    if (kept_more < table_best)
+        paper_finding(
+            paper, "wider",
+            json_sprintf(
+                "The paper's own lists hold better sets than Table 1. Its search keeps five sets of exponents "
+                "after the first stage; with 100 kept, %d functions are better than the best of Table 1, whose "
+                "mean deviation is %.6f (MSH: %.6f). The best, F = %g c^%g / (%g (%g n^%g - %g (nc)^%g + %g "
+                "c^%g)^%g), has %.6f, %.0f %% of MSH's.",
+                kept_better, table_best, msh, kept.a[0], kept.b[0], kept.a[1], kept.a[2], kept.b[2], kept.a[3],
+                kept.b[3], kept.a[4], kept.b[4], kept.b[1], kept_more, 100 * kept_more / msh));
+    paper_count(paper, "wider_best_100_better", kept_better);
 }

@@ -5,6 +5,8 @@
 
 #include "files.h"
 
+#include "paper/formula.h"
+
 #include "models/models.h"
 #include "paper/paper.h"
 
@@ -173,10 +175,10 @@ static void the_report_holds_every_claim_choice_and_part(void **state)
         if (model != GLINT_BLINN && model != GLINT_PHONG)
             assert_true(number(key) > 0);
     }
-    static const char *const parts[] = {"16n^2 - 40n + 25",
-                                        "F &lt;= 2^-q",
+    static const char *const parts[] = {"16<i>n</i><sup>2</sup> &minus; 40<i>n</i> + 25",
+                                        "<i>F</i> &le; 2<sup>&minus;<i>q</i></sup>",
                                         "whose cutoff bounds the loop",
-                                        "e^-1.2 = 0.3012",
+                                        "e<sup>&minus;1.2</sup> = 0.3012",
                                         "Lyon 1993, gamma 4",
                                         "Spherical Gaussian",
                                         "Cayley (ours)",
@@ -192,6 +194,32 @@ static void the_report_holds_every_claim_choice_and_part(void **state)
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
         assert_contains(report, parts[i]);
     free(report);
+}
+
+static void formulas_are_set_and_other_text_stays(void **state)
+{
+    (void)state;
+    static const char *const cases[][2] = {
+        {"F_B = c^n", "<i>F</i><sub>B</sub> = <i>c</i><sup><i>n</i></sup>"},
+        {"F_MSH, n_across", "<i>F</i><sub>MSH</sub>, <i>n</i><sub>across</sub>"},
+        {"2^-q, e^-1.2.", "2<sup>&minus;<i>q</i></sup>, e<sup>&minus;1.2</sup>."},
+        {"x^(1 + n)^2", "x<sup>1 + <i>n</i></sup><sup>2</sup>"},
+        {"a1 c^b1 - a2", "<i>a</i><sub>1</sub> <i>c</i><sup><i>b</i><sub>1</sub></sup> &minus; <i>a</i><sub>2</sub>"},
+        {"16n^2 <= sqrt(k)", "16<i>n</i><sup>2</sup> &le; &radic;(<i>k</i>)"},
+        {"`a1 < n` & \"", "<code>a1 &lt; n</code> &amp; &quot;"},
+        {"fig9_n.csv, an, F's, a ^ b, n^", "fig9_n.csv, an, F's, a ^ b, <i>n</i>^"},
+        {"open ` and (n^(2", "open ` and (<i>n</i>^(2"},
+        {"", ""}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char *html = NULL;
+        size_t size = 0;
+        FILE *stream = open_memstream(&html, &size);
+        assert_non_null(stream);
+        formula_put(stream, cases[i][0]);
+        assert_int_equal(fclose(stream), 0);
+        assert_string_equal(html, cases[i][1]);
+        free(html);
+    }
 }
 
 /* ---- the CSV files ---- */
@@ -300,6 +328,7 @@ int main(void)
         cmocka_unit_test(by_grain_the_function_is_apart_from_others_about_as_it_is_without),
         cmocka_unit_test(a_count_is_a_whole_number_in_json),
         cmocka_unit_test(every_claim_has_its_verdict),
+        cmocka_unit_test(formulas_are_set_and_other_text_stays),
         cmocka_unit_test(the_report_holds_every_claim_choice_and_part),
         cmocka_unit_test(each_csv_has_its_rows_of_equal_length),
         cmocka_unit_test(the_librarys_values_in_figure_3_are_the_formulas_rounded),

@@ -14,6 +14,9 @@ static void the_whole_report_has_the_wider_search_and_says_nothing_of_parts_left
     json_decref(summary);
     char *report = whole_file("report/report.html"), *rows = whole_file("report/wider.csv");
     assert_contains(report, "--best 100");
+    /* What is new stands first, before the contents and the claims. */
+    const char *found = strstr(report, "has 0.003999, 61 % of MSH's"), *contents = strstr(report, "<nav>");
+    assert_true(found && contents && found < contents && contents < strstr(report, "id=claims"));
     assert_null(strstr(report, "this report is not complete"));
     int lines = 0;
     for (const char *at = rows; (at = strchr(at, '\n')); at++)
