@@ -102,7 +102,8 @@ static enum glint_err draw(struct glint_lvgl_mesh *mesh, lv_layer_t *layer)
     if (mesh->begun != paints || mesh->x != part.x || mesh->w != part.w || mesh->h != h)
         err = begin(mesh, paints, &part, w, h);
     for (unsigned y = part.y, end = part.y + (unsigned)part.h; y < end && err == GLINT_OK;) {
-        const unsigned next = (y / GLINT_MESH_BAND + 1) * GLINT_MESH_BAND, stop = next < end ? next : end;
+        const unsigned left = end - y, next = y + GLINT_MESH_BAND - (left > GLINT_MESH_BAND ? y % GLINT_MESH_BAND : 0);
+        const unsigned stop = next < end ? next : end; /* where there are several, whole bands cost least */
         err = glint_mesh_strip(&mesh->frame, (uint16_t)y, (uint16_t)(stop - y), &surface);
         surface.pixels = (char *)surface.pixels + surface.stride * (ptrdiff_t)(stop - y);
         surface.y = (uint16_t)stop;
