@@ -2,6 +2,7 @@
  * A part of a picture is the picture of a window: its middle is another, by a whole number of sixteenths of a pixel, so that the mesh's place there
  * is exact, and its pixels are the same. */
 #include "glint_lvgl_mesh.h"
+#include <lvgl_private.h> /* lv_hit_test_info_t */
 
 /* ---- which pixels a mesh may touch ---- */
 

@@ -25,10 +25,7 @@ typedef enum { LV_RESULT_INVALID, LV_RESULT_OK } lv_result_t;
 typedef struct {
     int32_t x, y;
 } lv_point_t;
-typedef struct {
-    const lv_point_t *point;
-    bool res;
-} lv_hit_test_info_t;
+typedef struct _lv_hit_test_info_t lv_hit_test_info_t; /* lvgl_private.h */
 typedef struct {
     int32_t x1, y1, x2, y2; /* both ends are inside */
 } lv_area_t;

@@ -3,6 +3,7 @@
  * task is still waiting, and in a layer of ARGB8888. Prints what differs from the same mesh drawn in one piece, and what was redrawn. */
 #include "glint_lvgl_mesh.h"
 #include "lvgl_teapot.h"
+#include <lvgl_private.h>
 
 #include <stdio.h>
 #include <stdlib.h>
