@@ -13,7 +13,7 @@ from ir import Module
 HERE = os.path.dirname(os.path.abspath(__file__))
 LIB = f"{HERE}/../../lib"
 CLANG = ["clang", "--target=x86_64-linux-gnu", "-std=c99", "-ffreestanding", "-O1", "-fno-inline", "-fno-vectorize", "-fno-slp-vectorize",
-         "-fno-unroll-loops", "-S", "-emit-llvm", "-Dalways_inline=noinline", "-Dstatic=static __attribute__((used))"]
+         "-fno-unroll-loops", "-S", "-emit-llvm", "-Dalways_inline=noinline", "-Dflatten=", "-Dstatic=static __attribute__((used))"]
 
 
 def sources():
