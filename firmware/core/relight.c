@@ -29,7 +29,7 @@ static struct relight_extent find_extent(const uint32_t *words, struct panel_col
     }
     const uint16_t count = (uint16_t)(end - first);
     const struct relight_extent extent = {first, count, first, count};
-    *has_gaps |= surfaces != count;
+    *has_gaps |= surfaces != seen.count;
     return extent;
 }
 
@@ -177,18 +177,18 @@ static struct run overlap(unsigned first, unsigned end, unsigned from, unsigned 
     return run;
 }
 
-/* Pixels first..end - 1 of the line; nothing else is written. */
+/* Pixels first..end - 1 of the line; nothing else is written. What a band of a round panel has beyond the circle may hold anything. */
 static void shade_part(struct relight *relight, struct glint_maps *maps, unsigned first, unsigned end)
 {
     const struct relight_extent extent = relight->extents[relight->line];
     const uint8_t *coverage = coverage_line(relight, relight->line);
     const unsigned solid_end = extent.solid + extent.solid_count, extent_end = extent.first + extent.count;
     const struct run solid = overlap(first, end, extent.solid, solid_end);
-    if (!coverage && relight->has_gaps) {
-        fill(relight, first, end);
-    } else {
+    if (coverage) {
         fill(relight, first, end < extent.solid ? end : extent.solid);
         fill(relight, first > solid_end ? first : solid_end, end);
+    } else if (relight->has_gaps) {
+        fill(relight, first, end);
     }
     shade_run(relight, maps, &solid, NULL);
     if (coverage) {

@@ -28,7 +28,7 @@ struct relight {
     /* State, ours; zeros at first. */
     struct glint_maps
         maps[2];   /* of a line's left part and its right one: here, as they would cost cycles a line and stack */
-    bool has_gaps; /* pixels without a surface between others of their line */
+    bool has_gaps; /* pixels without a surface that can be seen */
     struct panel_columns seen;   /* of that line's band, which are sent */
     uint16_t line;               /* that is to be shaded or sent */
     uint8_t buffer;              /* 0 or 1: that line's; they take turns */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_teapot.mjs PACKAGES FOLDER PANEL JUDGE [both]: the demo of an image that was built with DEMO=teapot; both: and with
+// test_teapot.mjs PACKAGES FOLDER PANEL JUDGE [both]: the demo of an image that was built with DEMO=teapot, for a panel of any shape; both: and with
 // SECOND_CORE=1, whose core is a model of ours (second_core.mjs). Figures go to FOLDER/figures.json.
 import { writeFileSync } from 'node:fs'
 import { Judge } from './judge.mjs'
@@ -7,10 +7,10 @@ import { Pico, symbolsOf } from './pico.mjs'
 import { check, equal, run } from './tap.mjs'
 
 const [packages, folder, panel, program, both] = process.argv.slice(2)
-const judge = new Judge(program, panel)
-const { width, height } = judge
+const judge = new Judge(program, panel, folder)
+const { height } = judge
 const symbols = symbolsOf(`${folder}/glint.elf`)
-const pico = new Pico(packages).load(`${folder}/glint.uf2`)
+const pico = new Pico(packages, { pins: judge.board.pins }).load(`${folder}/glint.uf2`)
 if (both) pico.with_second_core()
 const { wires } = pico
 const LIT = Buffer.from('C\x29B\x01', 'latin1') // the first frame comes before the display is switched on
@@ -19,13 +19,8 @@ const figures = { panel, frames: [], cores: both ? 2 : 1 }
 
 // When the bottom of a picture is on the panel; it may be followed by the next one's window at once.
 let ended = []
-const put = wires.put.bind(wires)
-let bytes = 0, is_memory = false
-wires.put = (kind, byte) => {
-  put(kind, byte)
-  if (kind === 'C') { is_memory = byte === 0x2c; bytes = 0 }
-  if (kind === 'D' && is_memory && ++bytes === 2 * width * height) ended.push({ at: pico.cycles, length: wires.length })
-}
+const sent = wires.sent.bind(wires)
+wires.sent = (spi) => { sent(spi); if (wires.picture_done(height)) ended.push({ at: pico.cycles, length: wires.length }) }
 
 run([
   ['the board starts and says that it turns a mesh', () => {

@@ -12,7 +12,7 @@ PICO_LANDING_TESTED = https://example.org/glint
 PICO_ROUND_TESTED = gc9a01-240x240
 PICO_READY_TESTED = $(filter-out pico,$(pico_EMULATED))
 PICO_MESH_TESTED = $(BUILD)/tests/pico/bunny.obj
-PICO_BUILT = $(PICO_NOT_RUN:%=BOARD=%) $(PICO_READY_TESTED:%=BOARD=%) PANEL=$(PICO_ROUND_TESTED)+ROTATE=90 $(PICO_PANELS_TESTED:%=PANEL=%) TE=$(PICO_TE_TESTED)+LANDING_PAGE=$(PICO_LANDING_TESTED) SECOND_CORE=1 PATH=exact DEMO=teapot DEMO=teapot+SECOND_CORE=1 MESH=$(PICO_MESH_TESTED)+SPLIT=180
+PICO_BUILT = $(PICO_NOT_RUN:%=BOARD=%) $(PICO_READY_TESTED:%=BOARD=%) $(PICO_READY_TESTED:%=BOARD=%+DEMO=teapot+SECOND_CORE=1) PANEL=$(PICO_ROUND_TESTED)+ROTATE=90 $(PICO_PANELS_TESTED:%=PANEL=%) TE=$(PICO_TE_TESTED)+LANDING_PAGE=$(PICO_LANDING_TESTED) SECOND_CORE=1 PATH=exact DEMO=teapot DEMO=teapot+SECOND_CORE=1 MESH=$(PICO_MESH_TESTED)+SPLIT=180
 PICO_TEST = node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel)$(2) $(panel) $(BUILD)/tests/pico/judge
 PICO_CORES = $(patsubst %,firmware/core/%.c,relight turntable pieces panel demo orbit) $(wildcard lib/*.c)
 
@@ -43,6 +43,7 @@ run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $
 		"$(call PICO_TEST,teapot,-two-cores-teapot) both" "$(call PICO_TEST,teapot,-teapot)") \
 		"node tests/pico/test_round.mjs $(BENCH_NPM) build/firmware/pico-$(PICO_ROUND_TESTED)-turned-90 $(PICO_ROUND_TESTED) $(BUILD)/tests/pico/judge" \
 		$(foreach board,$(PICO_READY_TESTED),"node tests/pico/test_hand.mjs $(BENCH_NPM) build/firmware/$(board)-$(call pico_panel_of,$(board)) $(call pico_panel_of,$(board)) $(BUILD)/tests/pico/judge") \
+		$(foreach board,$(PICO_READY_TESTED),"node tests/pico/test_teapot.mjs $(BENCH_NPM) build/firmware/$(board)-$(call pico_panel_of,$(board))-two-cores-teapot $(call pico_panel_of,$(board)) $(BUILD)/tests/pico/judge both") \
 		"node tests/pico/test_conformance.mjs $(BENCH_NPM) build/firmware/pico-st7789-240x240 $(CONFORMANCE_EXPECTED)" \
 		$(foreach panel,$(PICO_PANELS_TESTED),"$(call PICO_TEST,demo)" "$(call PICO_TEST,usb)") \
 		"tests/pico/test_cores $(BUILD)/tests/pico/cores" \

@@ -110,7 +110,8 @@ bool hand_poll(void)
     case IMU_LOST:
         hand.is_there = false;
         tilt = (struct tilt){0};
-        say_once(&hand.said_lost, "the accelerometer does not answer: the light circles\r\n");
+        say_once(&hand.said_lost, TURNS_MESH ? "the accelerometer does not answer: the light stands still\r\n"
+                                             : "the accelerometer does not answer: the light circles\r\n");
         return false;
     default:
         return false;

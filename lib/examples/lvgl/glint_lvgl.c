@@ -33,16 +33,20 @@ enum glint_err glint_lvgl_canvas(lv_obj_t *canvas, uint8_t format, struct glint_
     return GLINT_OK;
 }
 
-/* LVGL draws later what it is told to draw: what lies below the object must be there before its pixels are. */
-static void finish_below(lv_obj_t *object, lv_layer_t *layer)
+/* LVGL draws later what it is told to draw: what lies below the object must be there before its pixels are. False: a task cannot be drawn
+ * though no other is being drawn: LVGL is out of memory. */
+static bool finish_below(lv_obj_t *object, lv_layer_t *layer)
 {
     while (layer->draw_task_head) {
         lv_draw_dispatch_wait_for_request();
-        if (!lv_draw_dispatch_layer(lv_obj_get_display(object), layer)) {
-            lv_draw_wait_for_finish();
-            lv_draw_dispatch_request();
-        }
+        if (lv_draw_dispatch_layer(lv_obj_get_display(object), layer))
+            continue;
+        lv_draw_wait_for_finish();
+        lv_draw_dispatch_request();
+        if (!lv_draw_dispatch_layer(lv_obj_get_display(object), layer))
+            return layer->draw_task_head == NULL;
     }
+    return true;
 }
 
 static int32_t larger(int32_t a, int32_t b)
@@ -74,28 +78,48 @@ static struct glint_maps maps_window(const struct glint_maps *maps, int32_t x, i
     return part;
 }
 
-static enum glint_err draw(const struct glint_lvgl *map, lv_obj_t *object, lv_layer_t *layer)
+enum glint_err glint_lvgl_part(lv_obj_t *object, lv_layer_t *layer, const struct glint_box *box, uint8_t format,
+                               struct glint_box *part, struct glint_surface *surface)
 {
     lv_area_t at;
     lv_obj_get_coords(object, &at);
-    /* the part of the map that is in the object, in what is redrawn and in the layer's buffer */
+    /* the part of the box that is in the object, in what is redrawn and in the layer's buffer */
     const lv_area_t *clip = &layer->_clip_area, *buffer = &layer->buf_area;
-    const int32_t left = larger(at.x1, larger(clip->x1, buffer->x1)), top = larger(at.y1, larger(clip->y1, buffer->y1));
-    const int32_t right = smaller(smaller(at.x2, at.x1 + map->w - 1), smaller(clip->x2, buffer->x2));
-    const int32_t bottom = smaller(smaller(at.y2, at.y1 + map->h - 1), smaller(clip->y2, buffer->y2));
+    const int32_t box_x = at.x1 + box->x, box_y = at.y1 + box->y;
+    const int32_t left = larger(box_x, larger(clip->x1, buffer->x1));
+    const int32_t top = larger(box_y, larger(clip->y1, buffer->y1));
+    const int32_t right = smaller(smaller(at.x2, box_x + box->w - 1), smaller(clip->x2, buffer->x2));
+    const int32_t bottom = smaller(smaller(at.y2, box_y + box->h - 1), smaller(clip->y2, buffer->y2));
+    part->w = part->h = 0;
     if (left > right || top > bottom)
         return GLINT_OK;
-    if (!is_format(map->paint->output.format, layer->color_format))
+    if (!is_format(format, layer->color_format))
         return GLINT_ERR_FORMAT;
     if (!layer->draw_buf && !lv_draw_layer_alloc_buf(layer))
         return GLINT_ERR_ARG; /* LVGL is out of memory */
-    finish_below(object, layer);
-    const int32_t x = left - at.x1, y = top - at.y1;
-    const struct glint_maps maps = maps_window(&map->maps, x, y);
-    const struct glint_surface surface = {lv_draw_layer_go_to_xy(layer, left - buffer->x1, top - buffer->y1),
-                                          (ptrdiff_t)layer->draw_buf->header.stride, (uint16_t)x, (uint16_t)y};
-    return glint_draw_rect(map->paint, &maps, (uint16_t)(right - left + 1), (uint16_t)(bottom - top + 1), &surface,
-                           NULL);
+    if (!finish_below(object, layer))
+        return GLINT_ERR_ARG;
+    part->x = (uint16_t)(left - at.x1);
+    part->y = (uint16_t)(top - at.y1);
+    part->w = (uint16_t)(right - left + 1);
+    part->h = (uint16_t)(bottom - top + 1);
+    surface->pixels = lv_draw_layer_go_to_xy(layer, left - buffer->x1, top - buffer->y1);
+    surface->stride = (ptrdiff_t)layer->draw_buf->header.stride;
+    surface->x = part->x;
+    surface->y = part->y;
+    return GLINT_OK;
+}
+
+static enum glint_err draw(const struct glint_lvgl *map, lv_obj_t *object, lv_layer_t *layer)
+{
+    const struct glint_box whole = {0, 0, map->w, map->h};
+    struct glint_box part;
+    struct glint_surface surface;
+    const enum glint_err err = glint_lvgl_part(object, layer, &whole, map->paint->output.format, &part, &surface);
+    if (err != GLINT_OK || part.w == 0)
+        return err;
+    const struct glint_maps maps = maps_window(&map->maps, part.x, part.y);
+    return glint_draw_rect(map->paint, &maps, part.w, part.h, &surface, NULL);
 }
 
 void glint_lvgl_draw(lv_event_t *event)

@@ -28,6 +28,11 @@ struct glint_lvgl {
  *     lv_obj_add_event_cb(object, glint_lvgl_draw, LV_EVENT_DRAW_MAIN, &map); */
 void glint_lvgl_draw(lv_event_t *event);
 
+/* For objects of your own: the part of a box of the object that LVGL is redrawing in this layer, w = 0: none, and where its first pixel goes.
+ * What lies below is finished first. GLINT_ERR_FORMAT: the layer's format is not the output's; GLINT_ERR_ARG: LVGL is out of memory. */
+enum glint_err glint_lvgl_part(lv_obj_t *object, lv_layer_t *layer, const struct glint_box *box, uint8_t format,
+                               struct glint_box *part, struct glint_surface *surface);
+
 #ifdef __cplusplus
 }
 #endif

@@ -19,7 +19,13 @@ typedef enum {
     LV_COLOR_FORMAT_RGB565 = 0x12,
     LV_COLOR_FORMAT_RGB565_SWAPPED = 0x1b
 } lv_color_format_t;
-typedef enum { LV_EVENT_DRAW_MAIN = 26 } lv_event_code_t;
+typedef enum { LV_EVENT_HIT_TEST = 19, LV_EVENT_DRAW_MAIN = 26, LV_EVENT_SIZE_CHANGED = 43 } lv_event_code_t;
+typedef enum { LV_OBJ_FLAG_ADV_HITTEST = 1 << 16 } lv_obj_flag_t;
+typedef enum { LV_RESULT_INVALID, LV_RESULT_OK } lv_result_t;
+typedef struct {
+    int32_t x, y;
+} lv_point_t;
+typedef struct _lv_hit_test_info_t lv_hit_test_info_t; /* lvgl_private.h */
 typedef struct {
     int32_t x1, y1, x2, y2; /* both ends are inside */
 } lv_area_t;
@@ -52,11 +58,14 @@ void lv_obj_set_pos(lv_obj_t *obj, int32_t x, int32_t y);
 void lv_obj_set_size(lv_obj_t *obj, int32_t w, int32_t h);
 void lv_obj_get_coords(const lv_obj_t *obj, lv_area_t *coords);
 void lv_obj_invalidate(const lv_obj_t *obj);
+lv_result_t lv_obj_invalidate_area(const lv_obj_t *obj, const lv_area_t *area);
+void lv_obj_add_flag(lv_obj_t *obj, lv_obj_flag_t f);
 lv_display_t *lv_obj_get_display(const lv_obj_t *obj);
 void *lv_obj_add_event_cb(lv_obj_t *obj, lv_event_cb_t event_cb, lv_event_code_t filter, void *user_data);
 void *lv_event_get_user_data(lv_event_t *e);
 lv_obj_t *lv_event_get_target_obj(lv_event_t *e);
 lv_layer_t *lv_event_get_layer(lv_event_t *e);
+lv_hit_test_info_t *lv_event_get_hit_test_info(lv_event_t *e);
 void *lv_draw_layer_alloc_buf(lv_layer_t *layer);
 void *lv_draw_layer_go_to_xy(lv_layer_t *layer, int32_t x, int32_t y);
 bool lv_draw_dispatch_layer(lv_display_t *disp, lv_layer_t *layer);
