@@ -35,6 +35,41 @@ static void draw(const struct glint_use_format *format, const struct glint_outpu
     format->exact(&paint, &run, any % count, samples, any & 1);
 }
 
+/* The same blended: in gamma space by what draws coverage. */
+static void blend(uint8_t format, const struct glint_use_format *use, bool dither)
+{
+    const struct glint_output output = {format, GLINT_GAMMA, dither};
+    ANY_BYTES(samples);
+    ANY_BYTES(albedo);
+    ANY_BYTES(coverage);
+    ANY_BYTES(pixels);
+    for (unsigned mapped = 0; mapped < 2; mapped++) {
+        const struct glint_material material = any_material(GLINT_LYON);
+        struct glint_paint paint;
+        struct glint_run run = {pixels,   any % 4, any, any, mapped ? albedo : NULL, mapped ? gloss : NULL,
+                                coverage, 0,       use, NULL};
+        (void)glint_paint_exact_for(&paint, &material, &output, &glint_use_lyon, use);
+        glint_run_soften(&run, &paint, &glint_use_coverage);
+        (void)glint_run_levels(&paint, &run, samples, GLINT_RUN);
+        glint_run_exact(&paint, &run, any % GLINT_RUN, samples, any & 1);
+    }
+}
+void eva_blend_rgb565(void)
+{
+    blend(GLINT_RGB565, &glint_use_rgb565, false);
+    blend(GLINT_RGB565_SWAPPED, &glint_use_rgb565, true);
+}
+void eva_blend_rgb888(void)
+{
+    blend(GLINT_RGB888, &glint_use_rgb888, true);
+    blend(GLINT_XRGB8888, &glint_use_rgb888, false);
+}
+void eva_blend_grey(void)
+{
+    blend(GLINT_GREY8, &glint_use_grey, false);
+    blend(GLINT_MONO, &glint_use_grey, true);
+}
+
 static void draws(const struct glint_use_format *use, uint8_t format, uint8_t space, bool dither, unsigned count)
 {
     const struct glint_output output = {format, space, dither};
