@@ -22,7 +22,7 @@ static struct glint_mesh_pair of_pair(int32_t p, int32_t q);
     ensures -23552 <= \result.u <= 23552 && -23552 <= \result.v <= 23552;
     ensures -5 <= \result.e < 12 || 12 <= \result.e <= 41; */
 static struct glint_mesh_slopes of_slopes(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b,
-                               const struct glint_mesh_vertex *c, int32_t area);
+                                          const struct glint_mesh_vertex *c, int32_t area);
 #include "mesh_triangle.c"
 
 static struct glint_mesh_values values;
