@@ -246,7 +246,8 @@ static void end_qoi(struct picture_file *file)
 {
     static const uint8_t end[8] = {0, 0, 0, 0, 0, 0, 0, 1};
     uint8_t run;
-    put(file->output, &run, end_run(&file->qoi, &run));
+    const size_t len = end_run(&file->qoi, &run);
+    put(file->output, &run, len);
     put(file->output, end, sizeof end);
 }
 

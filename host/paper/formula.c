@@ -76,7 +76,7 @@ static size_t put_sign(FILE *stream, const char *at, const char *end, bool raise
 /* A name with an index, or a variable; returns how many characters it has, or 0. */
 static size_t put_name(FILE *stream, const char *at, const char *end, char before)
 {
-    const char after = at + 1 < end ? at[1] : ' ';
+    const char after = (char)(at + 1 < end ? at[1] : ' ');
     if (isalpha((unsigned char)before) || before == '_')
         return 0;
     if (begins(at, end, "F_")) {

@@ -117,7 +117,8 @@ static void put_box(struct gif *gif, const struct glint_box *box, const uint16_t
     uint16_t *part = allocate(count, sizeof *part);
     for (size_t y = 0; y < box->h; y++)
         memcpy(part + y * box->w, pixels + (box->y + y) * gif->sink.width + box->x, box->w * sizeof *part);
-    ColorMapObject *map = color_map(palette, texture_palette(part, count, palette, gif->indices));
+    const unsigned colors = texture_palette(part, count, palette, gif->indices);
+    ColorMapObject *map = color_map(palette, colors);
     check(gif, EGifPutImageDesc(gif->file, box->x, box->y, box->w, box->h, false, map));
     for (size_t y = 0; y < box->h; y++)
         check(gif, EGifPutLine(gif->file, gif->indices + y * box->w, box->w));

@@ -169,7 +169,7 @@ void iio_light(struct iio *iio, double direction[3])
         g[i] *= iio->scale[i] / one_g;
     }
     for (unsigned i = 0; i < 3; i++) {
-        const double *row = &iio->mount[3 * i], value = row[0] * g[0] + row[1] * g[1] + row[2] * g[2];
+        const double *row = &iio->mount[(size_t)3 * i], value = row[0] * g[0] + row[1] * g[1] + row[2] * g[2];
         sample[i] = (int16_t)lrint(fmax(-32768, fmin(32767, TILT_ONE_G * value)));
     }
     for (unsigned i = 0; i < SAMPLES_A_FRAME; i++)

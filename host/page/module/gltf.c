@@ -81,10 +81,10 @@ struct soup *gltf_soup(const char *name, const double *numbers, bool textures)
     for (unsigned i = 0; i < soup->part_count; i++)
         at = take_material(&soup->materials[i], at, textures);
     for (unsigned i = 0; i < soup->picture_count; i++) {
-        soup->pictures[i].width = (uint32_t)at[2 * i];
+        soup->pictures[i].width = (uint32_t)at[(size_t)2 * i];
         soup->pictures[i].height = (uint32_t)at[2 * i + 1];
     }
-    at += 2 * (unsigned)numbers[PICTURES];
+    at += 2 * (size_t)numbers[PICTURES];
     for (size_t i = 0; i < soup->face_count; i++)
         at = take_face(&soup->faces[i], at);
     const uint8_t *rgb = (const uint8_t *)at;

@@ -24,7 +24,7 @@ int main(int argc, char **argv)
     unsigned width, height;
     uint32_t sum = 0;
     size_t all = 0;
-    if (argc < 3 || sscanf(argv[1], "%ux%u", &width, &height) != 2 || width * height > sizeof map / 5) {
+    if (argc < 3 || sscanf(argv[1], "%ux%u", &width, &height) != 2 || (size_t)width * height > sizeof map / 5) {
         fprintf(stderr, "pack_scenes: give a size and the baked maps\n");
         return EXIT_FAILURE;
     }
