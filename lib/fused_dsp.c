@@ -705,7 +705,7 @@ uint32_t glint_line_dsp(struct glint_line_loop *loop, uint32_t x)
             }
         }
         const bool stops = loop->seeks && loop->first == (const uint8_t *)UINTPTR_MAX;
-        uint32_t shine[7];
+        uint32_t shine[7] = {0}; /* else gcc warns where it cannot tell that stops stays */
         if (stops) {
             dsp_copy(shine, loop->shine);
             dsp_copy(loop->shine, dsp_stops);
