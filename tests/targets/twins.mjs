@@ -290,7 +290,8 @@ function albedo(machine, way, swapped, fault) {
   }
   return strips
 }
-const ALBEDO = [6, 7, 9, 10].flatMap((way) => [0, 1].map((swapped) => [way, swapped])), unlike = [0, 0]
+const WAYS = readFileSync(new URL('../bench/mesh/mesh.h', import.meta.url), 'latin1').match(/enum mesh_way {([^}]*)}/)[1].match(/\w+/g)
+const ALBEDO = ['MESH_TEXTURED', 'MESH_SMOOTH', 'MESH_TEXTURED_FAR', 'MESH_COLOURED'].flatMap((way) => [0, 1].map((swapped) => [WAYS.indexOf(way), swapped])), unlike = [0, 0]
 for (const [way, swapped] of ALBEDO) {
   const wanted = albedo(c, way, swapped, 0)
   for (const fault of [0, 0x41]) albedo(assembly, way, swapped, fault).forEach((strip, k) => { unlike[fault && 1] += strip !== wanted[k] })
