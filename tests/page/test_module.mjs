@@ -329,8 +329,10 @@ run([
     ['a wrong value is refused in the command\'s words, and the next picture is right', () => {
         const engine = new Engine(program)
         for (const words of [['--scene=coin', '-n1001'], ['--scene=coins'], ['--scene=coin', '--path=palette'], ['--scene=coin', '--light=0,0,0'],
-            ['--scene=coin', '--size=0x5'], [], ['--scene=coin', '--ambient=2'], ['--scene=coin', '--light=0,0,-1'], ['--scene=coin', '--format=rgb565', '--path=palette', '--dither']])
+            [], ['--scene=coin', '--ambient=2'], ['--scene=coin', '--light=0,0,-1'], ['--scene=coin', '--format=rgb565', '--path=palette', '--dither']])
             equal(refusal(() => engine.draw(words)), command.refusal(['render', ...words, '-o', 'no.png']), words.join(' '))
+        // A picture in the page is held whole, as a baked map is; the command draws larger ones in parts.
+        equal(refusal(() => engine.draw(['--scene=coin', '--size=0x5'])), command.refusal(['bake', '--scene=coin', '--size=0x5', '-o', 'no.bin']), 'a size')
         same(engine, ['--scene=coin', '--size=40x40'])
         equal(refusal(() => engine.draw(['--height=none.png'])), 'none.png: this map is not here; drop or choose the file', 'a file that is not there')
         same(engine, ['--scene=dial', '--size=40x40'])
