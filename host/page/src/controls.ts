@@ -146,7 +146,7 @@ const ofHex = (text: string) => [1, 3, 5].map(i => parseInt(text.slice(i, i + 2)
 const coefficient = (option: 'ambient' | 'diffuse' | 'specular'): Row['build'] => (id, line) => {
     const title = line.querySelector('label')!.textContent!
     const range = make('input', { type: 'range', id, min: '0', max: '1', step: '0.01' })
-    const tint = make('input', { type: 'color', aria: { label: `${title}: tint` } })
+    const tint = make('input', { type: 'color', value: '#ffffff', aria: { label: `${title}: tint` } }) // white where nothing has told one
     const put = () => {
         const strength = Number(range.value), color = ofHex(tint.value), most = Math.max(...color, 1)
         const values = color.map(v => short(strength * v / most))
@@ -313,7 +313,7 @@ const table: Row[] = [
     },
     { option: 'clamp-peak', group: 'expert', title: 'Clamp peak', build: flag('clamp-peak'), number: s => `clamp_peak = ${s['clamp-peak'] !== undefined}`, meaning: () => 'Holds the highlight to 1: MSH reaches 1.024' },
     { option: 'view', group: 'expert', title: 'Viewer', build: view, number: s => `to_viewer = ${s.view ?? '0,0,1'}`, meaning: () => 'The direction to you: x right, y up, z out of the panel' },
-    { option: 'split', group: 'expert', title: 'Split', only: ofMesh, build: text('split', () => '30'), number: (s, f) => `--split ${s.split ?? 30}, ${f.faces} triangles`, meaning: () => 'Edges over which the normal turns by more degrees are cut in half: highlights lie better on more triangles' },
+    { option: 'split', group: 'expert', title: 'Split', only: ofMesh, build: text('split', f => String(f.split?.[0] ?? '')), number: (_, f) => `--split ${f.split}, ${f.faces} triangles`, meaning: () => 'Edges over which the normal turns by more degrees are cut in half: highlights lie better on more triangles' },
     { option: 'filter', group: 'expert', title: 'Filter', only: ofMap, build: text('filter', () => ''), number: s => s.filter ? `--filter ${s.filter}` : 'none', meaning: () => 'At 1/N of the size, 2 to 64: what is lost of the normals makes the highlight wider and weaker, so that nothing glitters' },
     { option: 'scale', group: 'scene', title: 'Relief', only: s => s.height !== undefined, build: text('scale', () => ''), number: s => `--scale ${s.scale ?? s.bevel ?? 8}`, meaning: () => 'The height of white above black, in pixels; negative turns hills into hollows' },
     { option: 'bevel', group: 'scene', title: 'Bevel', only: s => s.height !== undefined, build: text('bevel', () => ''), number: s => s.bevel ? `--bevel ${s.bevel}` : 'none', meaning: () => 'The height map is a logo: a rounded edge rises over so many pixels' },
