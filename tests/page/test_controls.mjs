@@ -183,7 +183,7 @@ run([
         await browser.resize(width, height)
         await browser.go(start)
         for (const group of groups) {
-            await (group === 'expert' ? browser.expert() : browser.tab(group)) // what comes late moves what is below
+            await browser.tab(group)
             await asked()
             const all = await page.evaluate(() => {
                 document.activeElement.blur()
