@@ -358,14 +358,6 @@ static bool cells_found(struct glint_mesh_cells *cells, struct glint_mesh_cell *
     return false;
 }
 
-/* p over q in `part` of 255, of levels: as tables' pixels under a coverage map, green apart. Fields are below 2^14. */
-static uint32_t colour_mixed(uint32_t p, uint32_t q, uint32_t part, uint32_t fields)
-{
-    const uint32_t half = 0x00800080, under = q & fields,
-                   v = part * ((p & fields) - under) + (under << 8) - under + half;
-    return ((v + (v >> 8 & 0x00ff00ff)) >> 8) & fields;
-}
-
 static uint32_t colour_swap(uint32_t x)
 {
     return (x << 8 | x >> 8) & 0xffff;
@@ -378,9 +370,7 @@ static void colour_blend(uint16_t *out, uint32_t p, uint32_t part, bool swapped)
         p = colour_swap(p);
         q = colour_swap(q);
     }
-    const uint32_t red_blue = colour_mixed(p << 5 | (p & 31), q << 5 | (q & 31), part, 0x001f001f),
-                   green = colour_mixed(p >> 5, q >> 5, part, 63);
-    const uint32_t rgb = (red_blue >> 5 & 0xf800) | green << 5 | (red_blue & 31);
+    const uint32_t rgb = glint_over(p, q, part);
     *out = (uint16_t)(swapped ? colour_swap(rgb) : rgb);
 }
 
