@@ -35,15 +35,19 @@ static bool hide_rim(const struct glint_mesh_target *strip, const struct glint_m
      * least GLINT_CELL_LEFT_OUT where what is left of the cell is less than least. */
     const uint16_t least = (256u - GLINT_CELL_LEFT_OUT) << 8, bias = rim->is & GLINT_RIM_GROWS ? 0 : least;
     uint16_t *line = rim->depth + along * (at - rim->at);
-    int32_t e = rim->e + rim->step * (at - rim->at);
-    for (int32_t left = end - at; left; left--, line += along, e += rim->step) {
+    const int32_t step = rim->step;
+    int32_t e = rim->e + step * (at - rim->at);
+    struct glint_mesh_hidden *hidden = outlines->of.depths + outlines->hidden;
+    for (int32_t left = end - at; left; left--, line += along, e += step) {
         if ((uint16_t)(e + bias) >= least)
             continue;
         uint16_t *const depth = line + across * (e >> 16);
-        outlines->of.depths[outlines->hidden].at = depth;
-        outlines->of.depths[outlines->hidden++].depth = *depth;
+        hidden->at = depth;
+        hidden->depth = *depth;
+        hidden++;
         *depth = 0;
     }
+    outlines->hidden = (uint16_t)(hidden - outlines->of.depths);
     return true;
 }
 
@@ -60,10 +64,12 @@ static bool hide_rims(const struct glint_mesh_target *strip, const struct glint_
 static void cells_show(const struct glint_mesh_target *strip)
 {
     struct glint_mesh_outlines *const outlines = strip->drawn->outlines;
-    while (outlines->hidden) { /* a cell of two edges was hidden twice */
-        outlines->hidden--;
-        *outlines->of.depths[outlines->hidden].at = (uint16_t)outlines->of.depths[outlines->hidden].depth;
+    struct glint_mesh_hidden *const first = outlines->of.depths, *hidden = first + outlines->hidden;
+    while (hidden != first) { /* a cell of two edges was hidden twice */
+        hidden--;
+        *hidden->at = (uint16_t)hidden->depth;
     }
+    outlines->hidden = 0;
 }
 
 /* Those of the face, and those of its neighbours that lie beside the edges between, which reach it where these are narrow. false: there was no
