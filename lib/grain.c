@@ -209,11 +209,11 @@ static inline __attribute__((always_inline)) void grain_walk(const struct grain_
 {
     const int32_t first = span->ends[0][0] * way->x + span->ends[0][1] * way->y;
     const int32_t last = span->ends[1][0] * way->x + span->ends[1][1] * way->y, steps = w > 1 ? (int32_t)w - 1 : 1;
-    const int32_t step = (last / 2 - first / 2) / steps * 2;
-    int32_t along = first + step * (int32_t)from;
-    for (const struct glint_sample *end = sample + count; sample != end; sample++, along += step) {
+    const uint32_t step = 2 * (uint32_t)((last / 2 - first / 2) / steps);
+    uint32_t at = (uint32_t)first + step * from; /* modulo 2^32: only a pixel's own is sure to fit */
+    for (const struct glint_sample *end = sample + count; sample != end; sample++, at += step) {
         const uint32_t t = sample->t_q30, s = grain_t(g, t);
-        const int32_t p = along >> 15;
+        const int32_t along = (int32_t)at, p = along >> 15;
         const uint32_t square = (uint32_t)(p * p);
         sample->f_q16 = UINT32_MAX;
         if (t > GLINT_T_ONE)

@@ -365,6 +365,27 @@ static void a_span_has_the_grain_of_its_interpolated_normals(void **state)
         }
 }
 
+/* N.U goes through more than 2^31 from one end to the other; sanitizers watch. */
+static void a_span_from_one_side_along_the_grain_to_the_other_is_drawn_alike_both_ways(void **state)
+{
+    (void)state;
+    enum { COUNT = 57 };
+    const struct look look = metal(GLINT_MSH, 60, 8);
+    const struct glint_maps maps = {.grain_at = {1, 1}};
+    uint8_t there[COUNT * 3], back[COUNT * 3];
+    const struct glint_surface to[2] = {{there, 0, 0, 0}, {back, 0, 0, 0}};
+    struct glint_paint paint;
+    paint_of(&paint, &look);
+    for (int way = 0; way < 2; way++) {
+        const int16_t end = way ? -32767 : 32767;
+        const struct glint_span span = {1 << 20, 0, 0, 1 << 29, 0, COUNT, {{end, end}, {(int16_t)-end, (int16_t)-end}}};
+        assert_int_equal(glint_draw_span(&paint, &span, &maps, &to[way], NULL), GLINT_OK);
+    }
+    for (int i = 0; i < COUNT; i++)
+        for (int k = 0; k < 3; k++)
+            assert_in_range(there[3 * i + k] - back[3 * (COUNT - 1 - i) + k] + 40, 0, 80);
+}
+
 /* ---- Meshes ---- */
 
 static struct made_mesh ball;
@@ -556,6 +577,7 @@ int main(void)
         cmocka_unit_test(codes_of_shininess_rise_from_1_to_997_and_come_back),
         cmocka_unit_test(a_map_of_shininess_is_the_material_of_that_n),
         cmocka_unit_test(a_span_has_the_grain_of_its_interpolated_normals),
+        cmocka_unit_test(a_span_from_one_side_along_the_grain_to_the_other_is_drawn_alike_both_ways),
         cmocka_unit_test(a_mesh_with_grain_does_not_depend_on_how_it_is_cut_or_on_the_axis_sign),
         cmocka_unit_test(a_mesh_takes_grain_along_its_axis_under_one_directional_light),
         cmocka_unit_test(a_program_that_names_the_plain_model_has_no_grain),
