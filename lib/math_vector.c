@@ -2,6 +2,29 @@
 #include "glint_math.h"
 #include "glint_math_vector.h"
 
+#if GLINT_WIDE
+
+/* 15 digits more of *rest / length, for *rest <= length, 2^29 <= length < 2^31. The divisor is high by 2^-14 at most: the quotient, <= 2^15,
+ * comes low by less than 3. */
+static inline uint32_t vector_digits(uint32_t *rest, uint32_t length)
+{
+    uint32_t digits = *rest / ((length >> 15) + 1);
+    uint64_t left = ((uint64_t)*rest << 15) - (uint64_t)digits * length;
+    for (; left >= length; left -= length)
+        digits++;
+    *rest = (uint32_t)left;
+    return digits;
+}
+
+/* size 2^30 / length to nearest, at most 2^30, for size <= length. */
+static inline uint32_t vector_part(uint32_t size, uint32_t length)
+{
+    const uint32_t upper = vector_digits(&size, length) << 15;
+    return upper + vector_digits(&size, length) + (2 * size >= length);
+}
+
+#else
+
 /* A digit more of a quotient: *size is what is left, times 2. */
 static inline void vector_digit(uint32_t *part, uint32_t *size, uint32_t length)
 {
@@ -22,6 +45,8 @@ static inline uint32_t vector_part(uint32_t size, uint32_t length)
         vector_digit(&part, &size, length);
     return part + (size >= length); /* twice the remainder */
 }
+
+#endif
 
 static inline uint32_t vector_size(int32_t v)
 {
