@@ -689,6 +689,7 @@ void glint_line_dither(struct glint_line_loop *loop, const struct glint_run *run
 uint32_t glint_line_dsp(struct glint_line_loop *loop, uint32_t x)
 {
     const struct glint_paint *const paint = loop->paint;
+    uint32_t shine[7] = {0}; /* once a line: else gcc warns where it cannot tell that stops stays */
     for (;;) {
         if (x >= loop->run_end) {
             if (x >= loop->w)
@@ -705,7 +706,6 @@ uint32_t glint_line_dsp(struct glint_line_loop *loop, uint32_t x)
             }
         }
         const bool stops = loop->seeks && loop->first == (const uint8_t *)UINTPTR_MAX;
-        uint32_t shine[7] = {0}; /* else gcc warns where it cannot tell that stops stays */
         if (stops) {
             dsp_copy(shine, loop->shine);
             dsp_copy(loop->shine, dsp_stops);

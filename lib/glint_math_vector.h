@@ -4,6 +4,7 @@
 #define GLINT_MATH_VECTOR_H
 
 #include "glint.h"
+#include "glint_port.h"
 
 /* v / |v|, good to 2^-28; false where v = 0. */
 bool glint_unit_q30(int32_t out[3], const int32_t v[3]);
@@ -13,8 +14,14 @@ bool glint_vec_of_q30(struct glint_vec *out, const int32_t v[3], int32_t slack);
 /* low to Q1.15; bits from 15 on in what it returns: low + more goes to another. */
 static inline uint32_t glint_vec_round(int16_t *out, int32_t low, int32_t more)
 {
+#if GLINT_THUMB2
+    int32_t rounded; /* > -32769 */
+    __asm__("ssat %0, #16, %1, asr #15" : "=r"(rounded) : "r"(low) : "cc");
+    *out = (int16_t)rounded;
+#else
     const int32_t rounded = low >> 15;
     *out = (int16_t)(rounded > INT16_MAX ? INT16_MAX : rounded);
+#endif
     return (uint32_t)(low ^ (low + more));
 }
 

@@ -40,6 +40,12 @@
 #define GLINT_THUMB2 0
 #endif
 
+/* 1: directions by products of 64 bits, which are one instruction from Cortex-M3 on, unless it is set. They cut less than the products of
+ * 32 bits do, so what is said of those holds. 0: products of 32 bits. */
+#ifndef GLINT_WIDE
+#define GLINT_WIDE GLINT_THUMB2
+#endif
+
 /* 1: loops by the DSP extension of Cortex-M4, M7, M33 and later, fused_dsp.c: where the compiler has it, unless it is set. 0: C without it. */
 #ifndef GLINT_DSP
 #if defined(__ARM_FEATURE_DSP) && defined(__ARM_ARCH_PROFILE) && !defined(__ARM_BIG_ENDIAN)

@@ -10,6 +10,16 @@ enum { PLACE_COSINE_LOW = 8, PLACE_COSINE_HIGH = 12 };
 /* Those of an axis of length 1 are below 1.74 2^30. */
 #define PLACE_AXIS_SUM ((uint32_t)7 << 28)
 
+/* a b / 2^32, low by less than 3. */
+static inline uint32_t place_multiply(uint32_t a, uint32_t b)
+{
+#if GLINT_WIDE
+    return (uint32_t)((uint64_t)a * b >> 32);
+#else
+    return glint_mulhi_near(a, b);
+#endif
+}
+
 static uint32_t place_inverse(uint64_t x, int8_t *exponent)
 {
     *exponent = 0;
@@ -40,8 +50,8 @@ static void place_begin(struct glint_reach *reach, const struct glint_light *lig
         return;
     reach->width_inverse = place_inverse(width, &reach->width_exponent);
     /* This product is low by < 4, and so will place_cone's be. < 2^31 + 8, as width is more */
-    reach->blur = glint_mulhi_near((uint32_t)(PLACE_COSINE_LOW + PLACE_COSINE_HIGH) << -reach->width_exponent,
-                                   reach->width_inverse) +
+    reach->blur = place_multiply((uint32_t)(PLACE_COSINE_LOW + PLACE_COSINE_HIGH) << -reach->width_exponent,
+                                 reach->width_inverse) +
                   4 + 4;
 }
 
@@ -78,7 +88,7 @@ static uint32_t place_falloff_near(const struct glint_reach *reach, const struct
     const int32_t shift = reach->range_exponent - e->exponent + 1;
     if (shift < 0)
         return 0; /* x > 2^30 2^-32 2^2 */
-    const uint32_t x = shift > 31 ? 0 : glint_mulhi_near(e->square, reach->range_inverse) >> shift;
+    const uint32_t x = shift > 31 ? 0 : place_multiply(e->square, reach->range_inverse) >> shift;
     if (x >= GLINT_T_ONE + PLACE_FALLOFF_HIGH)
         return 0;
     const uint32_t low = x + (1u << 13) - PLACE_FALLOFF_HIGH, high = x + (1u << 13) + PLACE_FALLOFF_LOW;
@@ -117,7 +127,7 @@ static uint32_t place_cone(const struct glint_reach *reach, const struct glint_l
         uint64_t rest;
         part = place_divide(above, (uint32_t)inner - (uint32_t)outer, &rest);
     } else {
-        part = glint_mulhi_near(above << -reach->width_exponent, reach->width_inverse); /* 2^31 = 1 */
+        part = place_multiply(above << -reach->width_exponent, reach->width_inverse); /* 2^31 = 1 */
         if ((part ^ (part + reach->blur)) >> 15)
             return GLINT_REACH_OPEN;
         part >>= 15;

@@ -2,6 +2,29 @@
 #include "glint_math.h"
 #include "glint_math_vector.h"
 
+#if GLINT_WIDE
+
+/* 15 digits more of *rest / length, for *rest <= length, 2^29 <= length < 2^31. The divisor is high by 2^-14 at most: the quotient, <= 2^15,
+ * comes low by less than 3. */
+static inline uint32_t vector_digits(uint32_t *rest, uint32_t length)
+{
+    uint32_t digits = *rest / ((length >> 15) + 1);
+    uint64_t left = ((uint64_t)*rest << 15) - (uint64_t)digits * length;
+    for (; left >= length; left -= length)
+        digits++;
+    *rest = (uint32_t)left;
+    return digits;
+}
+
+/* size 2^30 / length to nearest, at most 2^30, for size <= length. */
+static inline uint32_t vector_part(uint32_t size, uint32_t length)
+{
+    const uint32_t upper = vector_digits(&size, length) << 15;
+    return upper + vector_digits(&size, length) + (2 * size >= length);
+}
+
+#else
+
 /* A digit more of a quotient: *size is what is left, times 2. */
 static inline void vector_digit(uint32_t *part, uint32_t *size, uint32_t length)
 {
@@ -22,6 +45,8 @@ static inline uint32_t vector_part(uint32_t size, uint32_t length)
         vector_digit(&part, &size, length);
     return part + (size >= length); /* twice the remainder */
 }
+
+#endif
 
 static inline uint32_t vector_size(int32_t v)
 {
@@ -89,6 +114,12 @@ bool glint_half_q30(int32_t half[3], const int32_t l_q30[3], const int32_t v_q30
 static inline __attribute__((always_inline)) uint32_t unit_inverse(uint32_t a)
 {
     const uint32_t y = glint_root_inverse(a >> 16), yy = y * y;
+#if GLINT_WIDE
+    const int32_t e = -(int32_t)((uint64_t)a * yy >> 22);
+    const int32_t s = e >> 14;
+    const int32_t c = (e >> 6) + (3 * (s * s) >> 20);
+    return (y << 15) + (uint32_t)((int64_t)(c * 512) * (int32_t)(y << 3) >> 32);
+#else
     const uint32_t a1 = a >> 16, a0 = a & 0xffff, b1 = yy >> 16, b0 = yy & 0xffff;
     /* Q40, where 1 is 0 modulo 2^32; |e| < 0.95 2^28. High by < 2^10 + 2, as a0 b0 is left out, and by < 2^10, as a is a floor:
      * r is high by less than 2^-30 r */
@@ -97,6 +128,7 @@ static inline __attribute__((always_inline)) uint32_t unit_inverse(uint32_t a)
     const int32_t c = (e >> 6) + (3 * (s * s) >> 20); /* Q35, |c| < 0.96 2^22; low by < 3, which r is by < 0.2 */
     /* |c >> 7| < 2^15, products < 2^31. Low by < 2 */
     return (y << 15) + (uint32_t)((int32_t)y * (c >> 7) >> 13) + (y * ((uint32_t)c & 0x7f) >> 20);
+#endif
 }
 
 static inline uint32_t unit_size(int32_t v)
@@ -107,24 +139,37 @@ static inline uint32_t unit_size(int32_t v)
 
 /* Squares of sizes 2^15 x + w: 2^30 ones + 2^16 mixed + rests, three of each < 3 2^30. */
 struct unit_squares {
+#if GLINT_WIDE
+    uint64_t whole;
+#else
     uint32_t ones, mixed, rests;
+#endif
 };
 
 static inline void unit_square(struct unit_squares *squares, uint32_t size)
 {
+#if GLINT_WIDE
+    squares->whole += (uint64_t)size * size;
+#else
     const uint32_t x = size >> 15, w = size & 0x7fff;
     squares->ones += x * x;
     squares->mixed += x * w;
     squares->rests += w * w;
+#endif
 }
 
 /* The mantissa of what they sum to, 2^28 of that where it is small, else 2^30: rounded down, 2^30 or more where a size is 2^29 or
  * more. */
 static inline uint32_t unit_mantissa(const struct unit_squares *sum, bool *small)
 {
+#if GLINT_WIDE
+    *small = !(sum->whole >> 60);
+    return *small ? (uint32_t)(sum->whole >> 28) : (uint32_t)(sum->whole >> 30);
+#else
     const uint32_t mixed = sum->mixed + (sum->rests >> 16); /* < 2^32; what is left out is less than 1 */
     *small = !((sum->ones + (mixed >> 14)) >> 30);
     return *small ? (sum->ones << 2) + (mixed >> 12) : sum->ones + (mixed >> 14);
+#endif
 }
 
 /* size r 2^-30, with the sign of v. x r0 < 2^30, w r1 < 2^31; low by < 2. With r's errors, of which size / 2^30 <= 1 arrives, it is
@@ -132,8 +177,12 @@ static inline uint32_t unit_mantissa(const struct unit_squares *sum, bool *small
  * Whole numbers that differ by -4.7 .. 4.5 differ by at most 4. */
 static inline int32_t unit_part(int32_t v, uint32_t size, uint32_t r)
 {
+#if GLINT_WIDE
+    const int32_t part = (int32_t)((uint64_t)size * r >> 30) + 2;
+#else
     const uint32_t x = size >> 15, w = size & 0x7fff, r1 = r >> 15, r0 = r & 0x7fff;
     const int32_t part = (int32_t)(x * r1 + ((x * r0 + w * r1) >> 15)) + 2;
+#endif
     return (part ^ v >> 31) - (v >> 31);
 }
 
@@ -143,6 +192,9 @@ bool glint_unit_near(struct glint_unit *out, const int32_t v[3])
     const uint32_t any = x | y | z;
     if (any == 0 || any >> 30)
         return false;
+#if GLINT_WIDE
+    const unsigned up = (unsigned)__builtin_clz(any) - 2;
+#else
     unsigned up = 0;
     if (!(any >> 14))
         up = 16;
@@ -150,10 +202,11 @@ bool glint_unit_near(struct glint_unit *out, const int32_t v[3])
         up += 8;
     while (!(any << up >> 29))
         up++;
+#endif
     x <<= up;
     y <<= up;
     z <<= up;
-    struct unit_squares sum = {0, 0, 0};
+    struct unit_squares sum = {0};
     unit_square(&sum, x);
     unit_square(&sum, y);
     unit_square(&sum, z);
