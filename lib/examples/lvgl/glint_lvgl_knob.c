@@ -4,7 +4,7 @@
 #include "glint_lvgl_knob.h"
 #include <lvgl_private.h> /* lv_hit_test_info_t */
 
-enum { TURN = 65536, SWEEP = TURN * 3 / 4, FIRST = TURN * 3 / 8 };
+enum { TURN = 65536, SWEEP = TURN * 3 / 4, FIRST = TURN * 3 / 8, NO_FINGER = -1 };
 
 /* ---- directions ---- */
 
@@ -215,12 +215,11 @@ static bool see_finger(lv_event_t *event, lv_point_t *place)
     return true;
 }
 
-static void on_pressed(lv_event_t *event)
+/* A finger that slides onto the knob may come without LV_EVENT_PRESSED. */
+static void on_off(lv_event_t *event)
 {
     struct glint_lvgl_knob *knob = (struct glint_lvgl_knob *)lv_event_get_user_data(event);
-    lv_point_t place;
-    if (see_finger(event, &place))
-        knob->finger = direction_of(place.x, place.y);
+    knob->finger = NO_FINGER;
 }
 
 static void on_pressing(lv_event_t *event)
@@ -229,11 +228,11 @@ static void on_pressing(lv_event_t *event)
     lv_point_t place;
     if (!see_finger(event, &place))
         return;
-    const int32_t finger = direction_of(place.x, place.y);
-    const int32_t by = ((finger - knob->finger + TURN / 2) & (TURN - 1)) - TURN / 2; /* the shorter way */
+    const int32_t finger = direction_of(place.x, place.y), before = knob->finger == NO_FINGER ? finger : knob->finger;
+    const int32_t by = ((finger - before + TURN / 2) & (TURN - 1)) - TURN / 2; /* the shorter way */
     const int32_t turned = knob->turned + by < 0 ? 0 : knob->turned + by > SWEEP ? SWEEP : knob->turned + by;
     const int64_t wide = (int64_t)knob->most - knob->least;
-    const int32_t value = knob->least + (int32_t)(((int64_t)turned * wide + SWEEP / 2) / SWEEP);
+    const int32_t value = by == 0 ? knob->value : knob->least + (int32_t)(((int64_t)turned * wide + SWEEP / 2) / SWEEP);
     knob->finger = finger;
     turn(knob, turned);
     if (value == knob->value)
@@ -264,7 +263,8 @@ lv_obj_t *glint_lvgl_knob_create(struct glint_lvgl_knob *knob, lv_obj_t *parent,
     knob->object = knob->err == GLINT_OK ? lv_obj_create(parent) : NULL;
     if (!knob->object)
         return NULL;
-    knob->least = knob->value = knob->turned = knob->finger = 0;
+    knob->least = knob->value = knob->turned = 0;
+    knob->finger = NO_FINGER;
     knob->most = 100;
     knob->side = side;
     lv_obj_remove_style_all(knob->object);
@@ -275,8 +275,10 @@ lv_obj_t *glint_lvgl_knob_create(struct glint_lvgl_knob *knob, lv_obj_t *parent,
     lv_obj_remove_flag(knob->object, LV_OBJ_FLAG_SCROLL_CHAIN_VER);
     lv_obj_add_event_cb(knob->object, on_draw, LV_EVENT_DRAW_MAIN, knob);
     lv_obj_add_event_cb(knob->object, on_hit_test, LV_EVENT_HIT_TEST, knob);
-    lv_obj_add_event_cb(knob->object, on_pressed, LV_EVENT_PRESSED, knob);
+    lv_obj_add_event_cb(knob->object, on_pressing, LV_EVENT_PRESSED, knob);
     lv_obj_add_event_cb(knob->object, on_pressing, LV_EVENT_PRESSING, knob);
+    lv_obj_add_event_cb(knob->object, on_off, LV_EVENT_RELEASED, knob);
+    lv_obj_add_event_cb(knob->object, on_off, LV_EVENT_PRESS_LOST, knob);
     return knob->object;
 }
 

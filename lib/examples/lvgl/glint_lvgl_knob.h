@@ -30,7 +30,7 @@ struct glint_lvgl_knob {
     enum glint_err err; /* of the last call; GLINT_OK, or nothing was drawn */
     int32_t least, most, value;
     int32_t turned; /* from the least value, 0..49152: 65536 is a turn */
-    int32_t finger; /* its direction when it was last seen */
+    int32_t finger; /* its direction when it was last seen; -1: there is none */
     uint16_t side;
     struct glint_vec normals[GLINT_LVGL_KNOB_RUN];
     uint8_t albedo[GLINT_LVGL_KNOB_RUN][3], coverage[GLINT_LVGL_KNOB_RUN];

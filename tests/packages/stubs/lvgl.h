@@ -22,10 +22,12 @@ typedef enum {
 typedef enum {
     LV_EVENT_PRESSED = 1,
     LV_EVENT_PRESSING = 2,
-    LV_EVENT_HIT_TEST = 19,
-    LV_EVENT_DRAW_MAIN = 26,
+    LV_EVENT_PRESS_LOST = 3,
+    LV_EVENT_RELEASED = 11,
+    LV_EVENT_HIT_TEST = 22,
+    LV_EVENT_DRAW_MAIN = 29,
     LV_EVENT_VALUE_CHANGED = 35,
-    LV_EVENT_SIZE_CHANGED = 43
+    LV_EVENT_SIZE_CHANGED = 50
 } lv_event_code_t;
 typedef enum {
     LV_OBJ_FLAG_SCROLLABLE = 1 << 4,

@@ -274,8 +274,12 @@ int main(int argc, char **argv)
     printf("%d after a whole one, ", (int)glint_lvgl_knob_get_value(&knob));
     touch(LV_EVENT_PRESSING, -28, -28);
     printf("%d back by an eighth; %u and %u changes, ", (int)glint_lvgl_knob_get_value(&knob), changed, changes);
-    for (unsigned i = 0; i < dirty_count; i++)
-        redraw(shown, dirty[i], 10);
+    /* Another finger elsewhere turns nothing by coming, nor does one that slides onto the knob. */
+    touch(LV_EVENT_RELEASED, -28, -28);
+    touch(LV_EVENT_PRESSING, 30, 30);
+    touch(LV_EVENT_PRESS_LOST, 0, 0);
+    touch(LV_EVENT_PRESSED, -30, 10);
+    wrong += changes != 5;
     dirty_count = 0;
     redraw(shown, all, 10);
     /* Clicks hit the disc. */
