@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * A dial of spun steel on a round GC9A01 panel whose light stays above while the hand tilts it, by an MPU-6050 on I2C (x to the right, y up). TFT_eSPI is
+ * A dial of spun steel on a round GC9A01 panel whose lamp stays in its place while the hand tilts it, by an MPU-6050 on I2C (x to the right, y up). TFT_eSPI is
  * set up for the panel in its User_Setup.h (GC9A01_DRIVER, 240x240). A line at a time: no map, 2 KB of buffers. Nothing outside the circle is
  * drawn or sent, and a still hand sends nothing.
  *
@@ -17,7 +17,7 @@ static struct glint_vec normals[SIZE];
 static uint16_t pixels[SIZE];
 static int32_t mean_q3[3] = {0, 0, 8 * 16384L}, shown_q3[3];
 
-/* Towards the light: what a sensor at rest gives is 1 g upwards. False: it does not answer. */
+/* What a sensor at rest gives is 1 g upwards. False: it does not answer. */
 static bool read_sensor(int16_t sample[3])
 {
     Wire.beginTransmission(ADDRESS);
@@ -74,7 +74,7 @@ void loop()
     static const int32_t to_viewer[3] = {0, 0, 1};
     int16_t sample[3] = {0, 0, 16384};
     int32_t moved = 0;
-    read_sensor(sample); /* without a sensor the light is above */
+    read_sensor(sample); /* without a sensor it lies flat */
     for (int i = 0; i < 3; i++) {
         mean_q3[i] += sample[i] - mean_q3[i] / 8;
         const int32_t by = mean_q3[i] - shown_q3[i];
@@ -84,7 +84,8 @@ void loop()
         return;
     for (int i = 0; i < 3; i++)
         shown_q3[i] = mean_q3[i];
-    const int32_t to_light[3] = {shown_q3[0], shown_q3[1], shown_q3[2] < 32768 ? 32768 : shown_q3[2]};
+    /* The lamp is above, a little to the left and behind: straight above a dial that lies flat all of its face would shine. */
+    const int32_t to_light[3] = {shown_q3[0] - 32768, shown_q3[1] + 49152, shown_q3[2] < 32768 ? 32768 : shown_q3[2]};
     struct glint_light light;
     glint_light_directional(&light, to_light);
     glint_paint_light(&paint, &light, 1, to_viewer);
