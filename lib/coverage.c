@@ -190,7 +190,6 @@ static void coverage_exact(const struct glint_paint *paint, const struct glint_r
 
 /* ---- From finished levels: tables, in RGB565 ---- */
 
-/* v = m p + (255 - m) q + 128 of each channel, (v + (v >> 8)) >> 8; red and blue side by side. */
 static void coverage_over(const struct glint_paint *paint, const struct glint_run *run, uint32_t x, const uint8_t *old,
                           unsigned count)
 {
@@ -198,15 +197,11 @@ static void coverage_over(const struct glint_paint *paint, const struct glint_ru
     const uint8_t *coverage = run->coverage + x;
     uint8_t *low = run->line + 2 * x + swapped, *high = run->line + 2 * x + !swapped;
     for (old += swapped; count--; coverage++, low += 2, high += 2, old += 2) {
-        const uint32_t m = *coverage, rest = 255 - m;
-        if (!rest)
+        const uint32_t m = *coverage;
+        if (m == 255)
             continue;
-        const uint32_t p = (uint32_t)*high << 8 | *low, q = (uint32_t)(swapped ? old[-1] : old[1]) << 8 | *old;
-        uint32_t both = m * ((p >> 11) << 16 | (p & 31)) + rest * ((q >> 11) << 16 | (q & 31)) + 0x00800080;
-        uint32_t green = m * (p >> 5 & 63) + rest * (q >> 5 & 63) + 128;
-        both = (both + (both >> 8 & 0x00ff00ff)) >> 8;
-        green = (green + (green >> 8)) >> 8;
-        const uint32_t pixel = (both >> 16 << 11) | green << 5 | (both & 31);
+        const uint32_t p = (uint32_t)*high << 8 | *low, q = (uint32_t)(swapped ? old[-1] : old[1]) << 8 | *old,
+                       pixel = glint_over(p, q, m);
         *low = (uint8_t)pixel;
         *high = (uint8_t)(pixel >> 8);
     }

@@ -17,18 +17,20 @@ static inline void glint_bounds_begin(struct glint_bounds *b) /* by fields: no c
 void glint_bounds_add(struct glint_bounds *b, uint32_t x, uint32_t y);
 void glint_bounds_box(const struct glint_bounds *b, struct glint_box *box); /* box may be NULL */
 
-/* A source's lines. Set by whoever draws: the first group. */
+/* The lines of a source, and how far they are drawn. */
 struct glint_lines {
+    /* Set once, by the function that draws: */
     const struct glint_maps *maps; /* NULL: none */
     const struct glint_surface *target;
     const struct glint_use_coverage *soft; /* NULL: there is no coverage */
-    glint_draw_lines *draw;                /* them */
+    glint_draw_lines *draw;
     void (*source)(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
                    struct glint_sample *samples); /* the next run's samples: what an exact paint's are */
     const struct glint_paint *paint;
     uint32_t w;
-    uint16_t most;        /* pixels in a run; where it is of samples, up to GLINT_RUN */
-    bool has_gaps;        /* runs end where there is no surface; for tables samples say so */
+    uint16_t most; /* pixels in a run; where it is of samples, up to GLINT_RUN */
+    bool has_gaps; /* runs end where there is no surface; for tables samples say so */
+    /* Set for each run: */
     struct glint_run run; /* the one at hand */
     uint16_t count;       /* its pixels */
     int16_t grain[2];     /* which way it runs, where that is the same everywhere: set by grain alone */

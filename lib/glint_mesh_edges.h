@@ -79,6 +79,12 @@ typedef char glint_outlines_layout[sizeof(struct glint_mesh_rim) == GLINT_MESH_R
                                        : -1];
 #endif
 
+/* A pixel that the face at hand leaves out, and its depth. */
+struct glint_mesh_hidden {
+    uint16_t *at;
+    uint32_t depth;
+};
+
 /* Of a mesh and the strip at hand. */
 struct glint_mesh_outlines {
     struct glint_mesh_rim
@@ -87,10 +93,7 @@ struct glint_mesh_outlines {
     uint16_t later, rest; /* faces: without cells here, but maybe in the next strip; whose outlines are not kept */
     uint16_t hidden;
     union {
-        struct {
-            uint16_t *at;
-            uint32_t depth;
-        } depths[GLINT_MESH_HIDDEN]; /* of pixels that the face at hand leaves out */
+        struct glint_mesh_hidden depths[GLINT_MESH_HIDDEN];
         struct glint_mesh_cells cells;
     } of;
     struct glint_mesh_kept piece; /* of a face of more cells */

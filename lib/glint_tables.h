@@ -67,6 +67,18 @@ static inline uint16_t glint_packed(uint32_t word, bool swapped)
     return (uint16_t)(swapped ? rgb << 8 | (rgb >> 8 & 255) : rgb);
 }
 
+/* RGB565, p over q, by a part m of 255: of each level v = m p + (255 - m) q + 128, (v + (v >> 8)) >> 8. Red and blue lie side by side, green apart. */
+static inline uint16_t glint_over(uint32_t p, uint32_t q, uint32_t m)
+{
+    const uint32_t fields = 0x001f001f, both_p = (p | p << 5) & fields, both_q = (q | q << 5) & fields;
+    const uint32_t green_p = p >> 5 & 63, green_q = q >> 5 & 63;
+    uint32_t both = m * (both_p - both_q) - both_q + (both_q << 8) + 0x00800080, /* a field is below 32 2^8 */
+        green = m * (green_p - green_q) - green_q + (green_q << 8) + 128;
+    both = (both + (both >> 8 & fields)) >> 8 & fields;
+    green = (green + (green >> 8)) >> 8;
+    return (uint16_t)(both | both >> 5 | green << 5);
+}
+
 /* ---- The axes: t, F and nl, and what value each interval stands for ---- */
 
 /* Columns over t = 0..t_max, the one of t_max first: a power of two of t each, some to spare at the peak. The least shift

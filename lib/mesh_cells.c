@@ -18,41 +18,62 @@ static int32_t cells_min(int32_t a, int32_t b)
     return a < b ? a : b;
 }
 
-/* Of an outline, those in the window's lines, or of a flat one columns. false: there may be no room for all. */
+/* Which of an outline's lines, or of a flat one columns, are asked: those in the window, if there is one, and beside the edge, if there is one. */
+struct hide_range {
+    const struct glint_mesh_window *window;
+    const struct glint_mesh_vertex *a, *b;
+};
+
+/* Of an outline. false: there may be no room for all. */
 static bool hide_rim(const struct glint_mesh_target *strip, const struct glint_mesh_rim *rim,
-                     const struct glint_mesh_window *window)
+                     const struct hide_range *range)
 {
     struct glint_mesh_outlines *const outlines = strip->drawn->outlines;
     const bool is_flat = rim->is & GLINT_RIM_FLAT;
-    const int32_t at = cells_max(rim->at, is_flat ? window->left : window->top),
-                  end = cells_min(rim->end, is_flat ? window->right : window->bottom);
-    const int32_t along = is_flat ? 1 : strip->w, across = is_flat ? strip->w : 1;
+    int32_t at = rim->at, end = rim->end, along = 1, across = strip->w;
+    if (range->window) {
+        at = cells_max(at, is_flat ? range->window->left : range->window->top);
+        end = cells_min(end, is_flat ? range->window->right : range->window->bottom);
+    }
+    if (range->a) {
+        const int32_t a = is_flat ? range->a->x : range->a->y, b = is_flat ? range->b->x : range->b->y;
+        at = cells_max(at, ((a < b ? a : b) >> 4) - 1);
+        end = cells_min(end, ((a < b ? b : a) >> 4) + 2);
+    }
     if (at >= end)
         return true;
+    if (!is_flat) {
+        along = across;
+        across = 1;
+    }
     if (outlines->hidden + (uint32_t)(end - at) > GLINT_MESH_HIDDEN)
         return false;
     /* A face draws no cell of which less is inside: its middle is outside. Somewhat less than half, for what edges round. The part is at
      * least GLINT_CELL_LEFT_OUT where what is left of the cell is less than least. */
     const uint16_t least = (256u - GLINT_CELL_LEFT_OUT) << 8, bias = rim->is & GLINT_RIM_GROWS ? 0 : least;
     uint16_t *line = rim->depth + along * (at - rim->at);
-    int32_t e = rim->e + rim->step * (at - rim->at);
-    for (int32_t left = end - at; left; left--, line += along, e += rim->step) {
+    const int32_t step = rim->step;
+    int32_t e = rim->e + step * (at - rim->at);
+    struct glint_mesh_hidden *hidden = outlines->of.depths + outlines->hidden;
+    for (int32_t left = end - at; left; left--, line += along, e += step) {
         if ((uint16_t)(e + bias) >= least)
             continue;
         uint16_t *const depth = line + across * (e >> 16);
-        outlines->of.depths[outlines->hidden].at = depth;
-        outlines->of.depths[outlines->hidden++].depth = *depth;
+        hidden->at = depth;
+        hidden->depth = *depth;
+        hidden++;
         *depth = 0;
     }
+    outlines->hidden = (uint16_t)(hidden - outlines->of.depths);
     return true;
 }
 
 /* Of a face, from its first one on. */
 static bool hide_rims(const struct glint_mesh_target *strip, const struct glint_mesh_rim *rim,
-                      const struct glint_mesh_window *window)
+                      const struct hide_range *range)
 {
     for (; rim; rim = glint_mesh_rim_after(rim))
-        if (!hide_rim(strip, rim, window))
+        if (!hide_rim(strip, rim, range))
             return false;
     return true;
 }
@@ -60,39 +81,37 @@ static bool hide_rims(const struct glint_mesh_target *strip, const struct glint_
 static void cells_show(const struct glint_mesh_target *strip)
 {
     struct glint_mesh_outlines *const outlines = strip->drawn->outlines;
-    while (outlines->hidden) { /* a cell of two edges was hidden twice */
-        outlines->hidden--;
-        *outlines->of.depths[outlines->hidden].at = (uint16_t)outlines->of.depths[outlines->hidden].depth;
+    struct glint_mesh_hidden *const first = outlines->of.depths, *hidden = first + outlines->hidden;
+    while (hidden != first) { /* a cell of two edges was hidden twice */
+        hidden--;
+        *hidden->at = (uint16_t)hidden->depth;
     }
+    outlines->hidden = 0;
 }
 
-/* Those of the face, and those of its neighbours that lie beside the edges between, which reach it where these are narrow. false: there was no
- * room, and nothing is hidden. */
+/* Those of the face, and those of its neighbours that lie beside the edges between, which reach it where these are narrow. window: NULL, the whole
+ * strip. false: there was no room, and nothing is hidden. */
 static bool hide(const struct glint_mesh_target *strip, unsigned face, const struct glint_mesh_window *window)
 {
     const struct glint_mesh_drawn *const drawn = strip->drawn;
     const uint16_t *const beside = drawn->mesh->neighbours + 3 * (size_t)face;
+    struct hide_range range = {window, NULL, NULL};
+    const unsigned edges = drawn->edges[face];
     bool fits = true;
     drawn->outlines->hidden = 0;
-    if (drawn->edges[face] & GLINT_EDGES)
-        fits = hide_rims(strip, glint_mesh_rims_of(strip, face), window);
-    for (unsigned k = 0; fits && drawn->edges[face] & GLINT_EDGES_BESIDE && k < 3; k++) {
+    if (edges & GLINT_EDGES)
+        fits = hide_rims(strip, glint_mesh_rims_of(strip, face), &range);
+    for (unsigned k = 0; fits && edges & GLINT_EDGES_BESIDE && k < 3; k++) {
         if (beside[k] >= drawn->mesh->face_count || !(drawn->edges[beside[k]] & GLINT_EDGES))
             continue;
         const struct glint_mesh_rim *const rims = glint_mesh_rims_of(strip, beside[k]);
         if (!rims)
             continue;
-        struct glint_mesh_window near = *window;
-        if (!(drawn->edges[face] & GLINT_EDGES_CLIPPED)) {
-            const struct glint_mesh_vertex *const a = glint_mesh_corner_at(drawn, face, k),
-                                                  *const b =
-                                                      glint_mesh_corner_at(drawn, face, glint_mesh_corner_after(k));
-            near.left = cells_max(near.left, (cells_min(a->x, b->x) >> 4) - 1);
-            near.top = cells_max(near.top, (cells_min(a->y, b->y) >> 4) - 1);
-            near.right = cells_min(near.right, (cells_max(a->x, b->x) >> 4) + 2);
-            near.bottom = cells_min(near.bottom, (cells_max(a->y, b->y) >> 4) + 2);
+        if (!(edges & GLINT_EDGES_CLIPPED)) {
+            range.a = glint_mesh_corner_at(drawn, face, k);
+            range.b = glint_mesh_corner_at(drawn, face, glint_mesh_corner_after(k));
         }
-        fits = hide_rims(strip, rims, &near);
+        fits = hide_rims(strip, rims, &range);
     }
     if (!fits)
         cells_show(strip);
@@ -145,8 +164,7 @@ static inline __attribute__((always_inline)) void rows_in_pieces(const struct gl
 
 static bool hide_all(const struct glint_mesh_triangle *triangle, const struct glint_mesh_target *strip)
 {
-    const struct glint_mesh_window whole = {0, strip->y, strip->w, strip->end};
-    return hide(strip, glint_mesh_face_of(triangle), &whole);
+    return hide(strip, glint_mesh_face_of(triangle), NULL);
 }
 
 /* Alone, for the stack. */
@@ -358,14 +376,6 @@ static bool cells_found(struct glint_mesh_cells *cells, struct glint_mesh_cell *
     return false;
 }
 
-/* p over q in `part` of 255, of levels: as tables' pixels under a coverage map, green apart. Fields are below 2^14. */
-static uint32_t colour_mixed(uint32_t p, uint32_t q, uint32_t part, uint32_t fields)
-{
-    const uint32_t half = 0x00800080, under = q & fields,
-                   v = part * ((p & fields) - under) + (under << 8) - under + half;
-    return ((v + (v >> 8 & 0x00ff00ff)) >> 8) & fields;
-}
-
 static uint32_t colour_swap(uint32_t x)
 {
     return (x << 8 | x >> 8) & 0xffff;
@@ -378,15 +388,13 @@ static void colour_blend(uint16_t *out, uint32_t p, uint32_t part, bool swapped)
         p = colour_swap(p);
         q = colour_swap(q);
     }
-    const uint32_t red_blue = colour_mixed(p << 5 | (p & 31), q << 5 | (q & 31), part, 0x001f001f),
-                   green = colour_mixed(p >> 5, q >> 5, part, 63);
-    const uint32_t rgb = (red_blue >> 5 & 0xf800) | green << 5 | (red_blue & 31);
+    const uint32_t rgb = glint_over(p, q, part);
     *out = (uint16_t)(swapped ? colour_swap(rgb) : rgb);
 }
 
 /* By COLOUR tables: what cells_found finds, in one loop. */
-static __attribute__((noinline)) void colour_cells(const struct glint_mesh_cells *cells,
-                                                   const struct glint_paint *paint)
+static inline __attribute__((always_inline)) void colour_cells_by(const struct glint_mesh_cells *cells,
+                                                                  const struct glint_paint *paint, bool is_glossy)
 {
     const struct glint_look look = glint_look_up(&paint->of.tables.filled);
     const struct glint_mesh_target *const strip = cells->strip;
@@ -394,20 +402,23 @@ static __attribute__((noinline)) void colour_cells(const struct glint_mesh_cells
     const bool swapped = paint->output.format == GLINT_RGB565_SWAPPED, is_flat = rim->is & GLINT_RIM_FLAT;
     uint32_t z = cells->cell.z, nl = cells->cell.nl, back = look.t_max - cells->cell.t, dt = cells->cell.dt;
     const ptrdiff_t stride = strip->surface->stride;
-    const int32_t along = is_flat ? 1 : strip->w, across = is_flat ? strip->w : 1;
+    const int32_t along = is_flat ? 1 : strip->w, across = is_flat ? 2 * strip->w : 2;
     const ptrdiff_t out_along = is_flat ? 2 : stride, out_across = is_flat ? stride : 2;
     const uint16_t *depth = rim->depth;
     uint8_t *out = (uint8_t *)strip->surface->pixels + out_along * (is_flat ? rim->at : rim->at - strip->y);
     int32_t e = rim->e;
     for (int32_t at = rim->at; at != rim->end; at++) {
         const int32_t cell = e >> 16;
-        if (z >> 16 < depth[across * cell]) {
+        if (z >> 16 < *(const uint16_t *)(const void *)((const uint8_t *)depth + across * cell)) {
             unsigned part = glint_mesh_rim_part(rim, e);
             uint16_t pixel;
             if (cells->others)
                 part = others_share(cells, is_flat ? at : cell, is_flat ? strip->y + cell : at, part);
             if (part) {
-                glint_look_store(&look, back, nl, &pixel);
+                if (is_glossy)
+                    glint_look_store(&look, back, nl, &pixel);
+                else
+                    pixel = (int32_t)nl < 0 ? look.dark : glint_look_colour(&look, glint_look_row(nl));
                 colour_blend((uint16_t *)(void *)(out + out_across * cell), pixel, part, swapped);
             }
         }
@@ -416,9 +427,17 @@ static __attribute__((noinline)) void colour_cells(const struct glint_mesh_cells
         e += rim->step;
         z += cells->cell.dz;
         nl += cells->cell.dnl;
-        back -= dt;
-        dt += cells->cell.ddt;
+        if (is_glossy) {
+            back -= dt;
+            dt += cells->cell.ddt;
+        }
     }
+}
+
+static __attribute__((noinline)) void colour_cells(const struct glint_mesh_cells *cells,
+                                                   const struct glint_paint *paint)
+{
+    colour_cells_by(cells, paint, true);
 }
 
 #if GLINT_CORTEX_M0PLUS_ASM
@@ -451,6 +470,16 @@ static __attribute__((noinline)) bool cells_blended(const struct glint_mesh_cell
     glint_mesh_blend_matt(&blend);
     return true;
 }
+#else
+/* The same, if nothing shines. */
+static __attribute__((noinline)) bool cells_blended(const struct glint_mesh_cells *cells,
+                                                    const struct glint_paint *paint)
+{
+    if (cells->cell.t != GLINT_MESH_FAR_T)
+        return false;
+    colour_cells_by(cells, paint, false);
+    return true;
+}
 #endif
 
 static __attribute__((noinline)) void cells_draw(const struct glint_mesh_target *strip,
@@ -462,11 +491,8 @@ static __attribute__((noinline)) void cells_draw(const struct glint_mesh_target 
     others_set(cells);
     cells_set(cells, glint_mesh_t_end(paint));
     if (glint_mesh_is_colour(paint, strip)) {
-#if GLINT_CORTEX_M0PLUS_ASM
-        if (cells_blended(cells, paint))
-            return;
-#endif
-        colour_cells(cells, paint);
+        if (!cells_blended(cells, paint))
+            colour_cells(cells, paint);
         return;
     }
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)strip->frame->memory;

@@ -27,9 +27,7 @@ static __attribute__((noinline)) void part_set(struct part *part, const struct g
     part->number = (uint16_t)number;
     part->paint = &drawn->paints[number];
     part->t_end = glint_mesh_t_end(part->paint);
-    part->colours = strip->rows == glint_mesh_rows && glint_mesh_is_colour(part->paint, strip)
-                        ? &part->paint->of.tables.filled
-                        : NULL;
+    part->colours = glint_mesh_is_colour(part->paint, strip) ? &part->paint->of.tables.filled : NULL;
     part->end = number + 1 < drawn->mesh->part_count ? drawn->mesh->ends[number] : GLINT_MESH_NONE;
 }
 
@@ -68,11 +66,18 @@ static __attribute__((noinline)) void draw_clipped(const struct glint_mesh_targe
     }
 }
 
+/* Has its face no cell to leave out? */
+static inline bool is_whole(const struct glint_mesh_target *strip, const struct glint_mesh_triangle *triangle)
+{
+    const uint8_t *const edges = strip->drawn->edges;
+    return !edges || !(edges[glint_mesh_face_of(triangle)] & GLINT_EDGES_ASK);
+}
+
 /* Draws it where its lines begin in the strip; does it go on after that? */
 static bool draw_on(const struct glint_mesh_target *strip, struct glint_mesh_triangle *triangle,
                     const struct part *part)
 {
-    if (part->colours && triangle->y >= strip->y && triangle->y < strip->end)
+    if (part->colours && triangle->y >= strip->y && triangle->y < strip->end && is_whole(strip, triangle))
         glint_mesh_colour(part->colours, triangle, strip);
     else if (triangle->y < strip->end)
         strip->rows(part->paint, triangle, strip);

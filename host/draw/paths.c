@@ -132,6 +132,17 @@ const char *path_refusal(const struct shading *shading)
     return NULL;
 }
 
+const char *path_material_refusal(const struct shading *shading)
+{
+    const struct glint_material m = shading_material(shading);
+    if (paths[shading->path].paint != ALBEDO)
+        return NULL;
+    for (unsigned k = 1; k < 3; k++)
+        if (m.ambient_q16[k] != m.ambient_q16[0] || m.diffuse_q16[k] != m.diffuse_q16[0])
+            return path_needs_grey;
+    return m.ambient_q16[0] > 65536 || m.diffuse_q16[0] > 65536 - m.ambient_q16[0] ? path_needs_grey : NULL;
+}
+
 const char *path_of_mesh(const struct shading *shading, bool has_colors, struct mesh_path *of_mesh)
 {
     const struct path *path = &paths[shading->path];

@@ -11,6 +11,8 @@
 extern const char *const path_names[]; /* [0] is the exact paint over 16-bit normals; ends with NULL */
 /* Why the path cannot draw with this shading, as the end of "--path NAME ..."; NULL where it can. */
 const char *path_refusal(const struct shading *shading);
+/* Of one whose coefficients are all known: what the tables of colours would refuse. */
+const char *path_material_refusal(const struct shading *shading);
 
 /* Does it draw every map as it is, so that a picture can be drawn in parts? Others choose for all of it what they draw. */
 bool path_draws_all(unsigned path);

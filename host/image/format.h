@@ -17,6 +17,11 @@ static inline bool format_is_565(enum glint_format format)
 {
     return format == GLINT_RGB565 || format == GLINT_RGB565_SWAPPED;
 }
+/* The nearest RGB565 of 8 bits a channel. */
+static inline uint16_t format_nearest_565(const uint8_t rgb[3])
+{
+    return (uint16_t)((rgb[0] * 31 + 127) / 255 << 11 | (rgb[1] * 63 + 127) / 255 << 5 | (rgb[2] * 31 + 127) / 255);
+}
 /* "rgb565, rgb565-swapped, ..., ", for help; and what one means: half a sentence. */
 #define FORMAT_WORD(number, name, bits, channels, red, green, blue) name ", "
 #define FORMAT_WORDS GLINT_FORMATS(FORMAT_WORD)

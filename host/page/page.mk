@@ -34,6 +34,9 @@ $(PAGE_NPM)/done: host/page/package.json host/page/package-lock.json
 		{ tail -5 $(PAGE)/npm.log >&2; echo "make: npm could not install what the page needs" >&2; exit 1; }
 	@touch $@
 
+# The library is what is to be fast; the rest is to be small.
+$(PAGE)/objects/host/%.o: PAGE_CFLAGS += -Os
+
 $(PAGE)/objects/%.o: %.c host/page/page.mk
 	@mkdir -p $(@D)
 	clang $(PAGE_CFLAGS) -c $< -o $@

@@ -126,6 +126,21 @@ static const struct recipe jade = {.meaning = "polished jade",
                                    .ambient = 0.22,
                                    .diffuse = 0.5,
                                    .mirror = 0.4};
+static const struct recipe glass = {.meaning = "dark green bottle glass, seen against the dark",
+                                    .source = "not measured: a deep bottle green of .004, .05, .018 linear",
+                                    .color = {.004, .05, .018},
+                                    .n = 300,
+                                    .ambient = 0.45,
+                                    .diffuse = 0.8,
+                                    .mirror = 0.95};
+static const struct recipe car_paint = {.meaning = "red car paint under a clear coat",
+                                        .source = "RAL 3020, traffic red, as its sRGB is usually listed: 204, 6, 5",
+                                        .color = {.8, .0235, .0196},
+                                        .is_encoded = true,
+                                        .n = 160,
+                                        .ambient = 0.2,
+                                        .diffuse = 0.8,
+                                        .mirror = 0.9};
 
 #define NAME(name, recipe) name,
 const char *const preset_names[] = {PRESETS(NAME) NULL};

@@ -30,7 +30,9 @@ struct preset {
     X("rubber", rubber) \
     X("porcelain", porcelain) \
     X("lacquer", lacquer) \
-    X("jade", jade)
+    X("jade", jade) \
+    X("glass", glass) \
+    X("car-paint", car_paint)
 /* clang-format on */
 /* "gold, brass, ..., ", for help. */
 #define PRESET_WORD(name, recipe) name ", "

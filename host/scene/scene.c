@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "image/format.h"
 
 const struct finish plain_finish = {60, 0, {.2, .2, .2}, {.9, .9, .9}, {.5, .5, .5}};
 
@@ -38,8 +39,18 @@ void scene_free(struct scene *scene)
     free(scene);
 }
 
-/* Replaces the map by itself, repeated to width x height. NULL stays NULL. */
-static void *repeated(void *map, const struct scene *scene, uint32_t width, uint32_t height, size_t size)
+/* Each map, and the bytes of a pixel in it. */
+#define SCENE_MAPS(X)                                                                                                  \
+    X(normals, sizeof(double[3]))                                                                                      \
+    X(albedo, 3)                                                                                                       \
+    X(gloss, 1)                                                                                                        \
+    X(mask, 1)                                                                                                         \
+    X(grain_map, 1)                                                                                                    \
+    X(lengths, sizeof(double))                                                                                         \
+    X(shininess, 1)
+
+/* The map repeated to width x height. NULL stays NULL. */
+static void *repeated(const void *map, const struct scene *scene, uint32_t width, uint32_t height, size_t size)
 {
     if (!map)
         return NULL;
@@ -49,18 +60,17 @@ static void *repeated(void *map, const struct scene *scene, uint32_t width, uint
         for (size_t x = 0; x < width; x++)
             memcpy(&to[(y * width + x) * size], &line[x % scene->width * size], size);
     }
-    free(map);
     return to;
 }
 
 void scene_repeat(struct scene *scene, uint32_t width, uint32_t height)
 {
-    scene->normals = repeated(scene->normals, scene, width, height, sizeof *scene->normals);
-    scene->albedo = repeated(scene->albedo, scene, width, height, 3);
-    scene->gloss = repeated(scene->gloss, scene, width, height, 1);
-    scene->mask = repeated(scene->mask, scene, width, height, 1);
-    scene->grain_map = repeated(scene->grain_map, scene, width, height, 1);
-    scene->lengths = repeated(scene->lengths, scene, width, height, sizeof *scene->lengths);
+    const struct scene from = *scene;
+#define REPEAT(map, size)                                                                                              \
+    scene->map = repeated(from.map, &from, width, height, size);                                                       \
+    free(from.map);
+    SCENE_MAPS(REPEAT)
+#undef REPEAT
     scene->width = width;
     scene->height = height;
 }
@@ -78,13 +88,9 @@ struct scene *scene_part(const struct scene *scene, uint32_t top, uint32_t lines
 {
     struct scene *part = allocate(1, sizeof *part);
     *part = (struct scene){.width = scene->width, .height = lines, .grain = scene->grain, .finish = scene->finish};
-    part->normals = copied(scene->normals, scene, top, lines, sizeof *part->normals);
-    part->albedo = copied(scene->albedo, scene, top, lines, 3);
-    part->gloss = copied(scene->gloss, scene, top, lines, 1);
-    part->mask = copied(scene->mask, scene, top, lines, 1);
-    part->grain_map = copied(scene->grain_map, scene, top, lines, 1);
-    part->lengths = copied(scene->lengths, scene, top, lines, sizeof *part->lengths);
-    part->shininess = copied(scene->shininess, scene, top, lines, 1);
+#define COPY(map, size) part->map = copied(scene->map, scene, top, lines, size);
+    SCENE_MAPS(COPY)
+#undef COPY
     return part;
 }
 
@@ -108,10 +114,7 @@ uint16_t *scene_albedo_565(const struct scene *scene, const uint8_t color[3])
 {
     const size_t pixels = (size_t)scene->width * scene->height;
     uint16_t *map = allocate(pixels, sizeof *map);
-    for (size_t i = 0; i < pixels; i++) {
-        const uint8_t *rgb = scene->albedo ? &scene->albedo[3 * i] : color;
-        map[i] =
-            (uint16_t)((rgb[0] * 31 + 127) / 255 << 11 | (rgb[1] * 63 + 127) / 255 << 5 | (rgb[2] * 31 + 127) / 255);
-    }
+    for (size_t i = 0; i < pixels; i++)
+        map[i] = format_nearest_565(scene->albedo ? &scene->albedo[3 * i] : color);
     return map;
 }

@@ -78,3 +78,11 @@ struct picture *frame_picture(const struct frame *frame)
     levels_free(levels);
     return picture;
 }
+
+uint8_t *frame_rgb(const struct frame *frame)
+{
+    struct picture *picture = frame_picture(frame);
+    uint8_t *rgb = picture_rgb(picture);
+    picture_free(picture);
+    return rgb;
+}

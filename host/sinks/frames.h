@@ -11,6 +11,7 @@ char *frame_name(const char *pattern, unsigned long index);
 bool frame_pattern(const struct argp_state *state, const char *option, const char *pattern);
 /* Fails where one of so many frames would get the name of a file that is read; 0: their number is unknown. */
 void frames_check(const char *pattern, unsigned long count);
-struct picture *frame_picture(const struct frame *frame); /* image/image.h */
+struct picture *frame_picture(const struct frame *frame); /* image/picture.h */
+uint8_t *frame_rgb(const struct frame *frame);            /* RGB888, malloc'd */
 
 #endif

@@ -8,7 +8,7 @@
 
 #include "base/memory.h"
 #include "base/message.h"
-#include "image/picture.h"
+#include "image/format.h"
 #include "mesh/texture_palette.h"
 #include "sinks/animation.h"
 #include "sinks/frames.h"
@@ -70,13 +70,6 @@ static struct sink *open_gif(const struct sink_wish *wish)
     return &gif->sink;
 }
 
-static void to_565(const uint8_t *rgb, size_t count, uint16_t *out)
-{
-    for (size_t i = 0; i < count; i++, rgb += 3)
-        out[i] =
-            (uint16_t)((rgb[0] * 31 + 127) / 255 << 11 | (rgb[1] * 63 + 127) / 255 << 5 | (rgb[2] * 31 + 127) / 255);
-}
-
 /* The least box that holds every pixel that differs; one pixel where none does, since a time needs a picture. */
 static struct glint_box changed(const struct gif *gif, const uint16_t *before, const uint16_t *now)
 {
@@ -133,10 +126,10 @@ static enum sink_result send_gif(struct sink *sink, const struct frame *frame, c
     struct gif *gif = (struct gif *)sink;
     struct animation *animation = &gif->animation;
     const unsigned long number = animation->frames++;
-    struct picture *picture = frame_picture(frame);
-    uint8_t *rgb = picture_rgb(picture);
+    uint8_t *rgb = frame_rgb(frame);
     uint16_t *now = gif->pixels[number % 2];
-    to_565(rgb, (size_t)sink->width * sink->height, now);
+    for (size_t i = 0; i < (size_t)sink->width * sink->height; i++)
+        now[i] = format_nearest_565(&rgb[3 * i]);
     const struct glint_box all = {0, 0, sink->width, sink->height};
     const struct glint_box box = number ? changed(gif, gif->pixels[(number + 1) % 2], now) : all;
     GifByteType block[8];
@@ -148,7 +141,6 @@ static enum sink_result send_gif(struct sink *sink, const struct frame *frame, c
     check(gif, EGifPutExtension(gif->file, GRAPHICS_EXT_FUNC_CODE, (int)bytes, block));
     put_box(gif, &box, now);
     free(rgb);
-    picture_free(picture);
     return SINK_SENT;
 }
 

@@ -11,7 +11,6 @@
 #include "base/memory.h"
 #include "base/message.h"
 #include "base/stop.h"
-#include "image/picture.h"
 #include "sinks/frames.h"
 #include "sinks/outputs.h"
 #include "sinks/write.h"
@@ -141,12 +140,10 @@ static enum sink_result send_terminal(struct sink *sink, const struct frame *fra
         terminal->cells = cells;
         make_canvas(terminal);
     }
-    struct picture *picture = frame_picture(frame);
-    uint8_t *rgb = picture_rgb(picture);
+    uint8_t *rgb = frame_rgb(frame);
     chafa_canvas_draw_all_pixels(terminal->canvas, CHAFA_PIXEL_RGB8, rgb, frame->width, frame->height,
                                  3 * frame->width);
     free(rgb);
-    picture_free(picture);
     GString *text = chafa_canvas_print(terminal->canvas, terminal->info);
     enum sink_result result = SINK_SENT;
     if (resized || resumed || !terminal->started)

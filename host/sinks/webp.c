@@ -10,7 +10,6 @@
 #include "base/memory.h"
 #include "base/message.h"
 #include "base/parse.h"
-#include "image/picture.h"
 #include "sinks/animation.h"
 #include "sinks/frames.h"
 #include "sinks/outputs.h"
@@ -89,8 +88,7 @@ static enum sink_result send_webp(struct sink *sink, const struct frame *frame, 
     (void)pieces;
     (void)count;
     struct webp *webp = (struct webp *)sink;
-    struct picture *picture = frame_picture(frame);
-    uint8_t *rgb = picture_rgb(picture);
+    uint8_t *rgb = frame_rgb(frame);
     WebPPicture to;
     if (!WebPPictureInit(&to))
         fail("--to webp: the library is another version than glint was built for");
@@ -105,7 +103,6 @@ static enum sink_result send_webp(struct sink *sink, const struct frame *frame, 
     webp->animation.frames++;
     WebPPictureFree(&to);
     free(rgb);
-    picture_free(picture);
     return SINK_SENT;
 }
 

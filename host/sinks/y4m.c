@@ -9,7 +9,6 @@
 #include "base/memory.h"
 #include "base/message.h"
 #include "base/output.h"
-#include "image/picture.h"
 #include "sinks/frames.h"
 #include "sinks/outputs.h"
 #include "sinks/write.h"
@@ -89,11 +88,9 @@ static enum sink_result send_y4m(struct sink *sink, const struct frame *frame, c
     (void)pieces;
     (void)count;
     struct y4m *y4m = (struct y4m *)sink;
-    struct picture *picture = frame_picture(frame);
-    uint8_t *rgb = picture_rgb(picture);
+    uint8_t *rgb = frame_rgb(frame);
     convert(rgb, (size_t)sink->width * sink->height, y4m->planes + sizeof frame_head - 1);
     free(rgb);
-    picture_free(picture);
     const int descriptor = fileno(y4m->output->stream);
     enum sink_result result = SINK_SENT;
     if (!y4m->frames)

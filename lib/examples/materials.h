@@ -128,4 +128,24 @@ static const struct glint_material material_jade = {
     false /* clamp_peak */
 };
 
+/* dark green bottle glass, seen against the dark: not measured: a deep bottle green of .004, .05, .018 linear. */
+static const struct glint_material material_glass = {
+    GLINT_MSH, 0, 300, 0, /* model, q, n, n_across */
+    {29491, 29491, 29491}, /* ambient */
+    {52429, 52429, 52429}, /* diffuse */
+    {62259, 62259, 62259}, /* specular */
+    {13, 63, 36}, /* albedo */
+    false /* clamp_peak */
+};
+
+/* red car paint under a clear coat: RAL 3020, traffic red, as its sRGB is usually listed: 204, 6, 5. */
+static const struct glint_material material_car_paint = {
+    GLINT_MSH, 0, 160, 0, /* model, q, n, n_across */
+    {13107, 13107, 13107}, /* ambient */
+    {52429, 52429, 52429}, /* diffuse */
+    {58982, 58982, 58982}, /* specular */
+    {204, 6, 5}, /* albedo */
+    false /* clamp_peak */
+};
+
 #endif

@@ -128,6 +128,7 @@ const char *page_facts(void)
             glint_tables_bytes(GLINT_TABLES_COLOUR, shading->dither), glint_tables_bytes(GLINT_TABLES_ALBEDO, false));
     if (page_mesh()) {
         const struct view *view = &page_mesh()->view;
+        fprintf(out, "split %g\n", page_mesh()->mesh->split);
         fprintf(out, "faces %zu\nmesh_bytes %zu\n", page_mesh()->mesh->face_count,
                 fitted_bytes(page_mesh()->fitted, strstr(path_names[shading->path], "int8")));
         fprintf(out, "turn %.9g %.9g %.9g\nzoom %.9g\n", view->turn[0], view->turn[1], view->turn[2], view->zoom);

@@ -8,7 +8,7 @@ import type { Facts } from './engine'
 import { onDrawn } from './picture'
 import { shapes } from './stage'
 import { canRedo, canUndo, change, current, onChange, redo, reset, undo } from './store'
-import { onShown, shownGroup } from './tabs'
+import { explainAgain, onShown, shownGroup } from './tabs'
 import type { Group } from './tabs'
 import { isGrainMap, isMesh, wordsOf } from './words'
 import type { Option, State } from './words'
@@ -64,7 +64,7 @@ export function disable(input: HTMLInputElement | HTMLSelectElement | HTMLButton
     if (!why)
         place.append(why = make('p', { className: 'why' }))
     why.hidden = !refusal
-    why.textContent = refusal && `Not now: ${refusal}`
+    why.textContent = refusal && `Not now: ${refusal.replace(/--([a-z-]+)/g, (word, option) => table.find(row => row.option === option)?.title ?? word)}`
 }
 
 // ---- kinds of inputs ----
@@ -146,7 +146,7 @@ const ofHex = (text: string) => [1, 3, 5].map(i => parseInt(text.slice(i, i + 2)
 const coefficient = (option: 'ambient' | 'diffuse' | 'specular'): Row['build'] => (id, line) => {
     const title = line.querySelector('label')!.textContent!
     const range = make('input', { type: 'range', id, min: '0', max: '1', step: '0.01' })
-    const tint = make('input', { type: 'color', aria: { label: `${title}: tint` } })
+    const tint = make('input', { type: 'color', value: '#ffffff', aria: { label: `${title}: tint` } }) // white where nothing has told one
     const put = () => {
         const strength = Number(range.value), color = ofHex(tint.value), most = Math.max(...color, 1)
         const values = color.map(v => short(strength * v / most))
@@ -202,7 +202,7 @@ const grain: Row['build'] = (id, line) => {
         input.value = kind
         map.hidden = map.disabled = !isMap
         at.hidden = isMap || kind === ''
-        at.placeholder = kind === 'brushed' ? 'degrees' : 'x,y in pixels'
+        at.placeholder = kind === 'brushed' ? 'degrees' : 'x,y'
         at.setAttribute('aria-label', kind === 'brushed' ? 'Grain: degrees from the right' : 'Grain: the point, x,y')
         if (document.activeElement !== at)
             at.value = where
@@ -235,8 +235,8 @@ const size: Row['build'] = (id, line) => {
 }
 
 /** Of a mesh. */
-const text = (option: Option, standard: (facts: Facts) => string): Row['build'] => (id, line) => {
-    const input = make('input', { type: 'text', id, spellcheck: false })
+const text = (option: Option, standard: (facts: Facts) => string, placeholder = ''): Row['build'] => (id, line) => {
+    const input = make('input', { type: 'text', id, spellcheck: false, placeholder })
     input.onchange = () => set(option, input.value.replace(/\s/g, '') || undefined)
     line.append(input)
     return (state, facts) => {
@@ -313,10 +313,10 @@ const table: Row[] = [
     },
     { option: 'clamp-peak', group: 'expert', title: 'Clamp peak', build: flag('clamp-peak'), number: s => `clamp_peak = ${s['clamp-peak'] !== undefined}`, meaning: () => 'Holds the highlight to 1: MSH reaches 1.024' },
     { option: 'view', group: 'expert', title: 'Viewer', build: view, number: s => `to_viewer = ${s.view ?? '0,0,1'}`, meaning: () => 'The direction to you: x right, y up, z out of the panel' },
-    { option: 'split', group: 'expert', title: 'Split', only: ofMesh, build: text('split', () => '30'), number: (s, f) => `--split ${s.split ?? 30}, ${f.faces} triangles`, meaning: () => 'Edges over which the normal turns by more degrees are cut in half: highlights lie better on more triangles' },
-    { option: 'filter', group: 'expert', title: 'Filter', only: ofMap, build: text('filter', () => ''), number: s => s.filter ? `--filter ${s.filter}` : 'none', meaning: () => 'At 1/N of the size, 2 to 64: what is lost of the normals makes the highlight wider and weaker, so that nothing glitters' },
-    { option: 'scale', group: 'scene', title: 'Relief', only: s => s.height !== undefined, build: text('scale', () => ''), number: s => `--scale ${s.scale ?? s.bevel ?? 8}`, meaning: () => 'The height of white above black, in pixels; negative turns hills into hollows' },
-    { option: 'bevel', group: 'scene', title: 'Bevel', only: s => s.height !== undefined, build: text('bevel', () => ''), number: s => s.bevel ? `--bevel ${s.bevel}` : 'none', meaning: () => 'The height map is a logo: a rounded edge rises over so many pixels' },
+    { option: 'split', group: 'expert', title: 'Split', only: ofMesh, build: text('split', f => String(f.split?.[0] ?? '')), number: (_, f) => `--split ${f.split}, ${f.faces} triangles`, meaning: () => 'Edges over which the normal turns by more degrees are cut in half: highlights lie better on more triangles' },
+    { option: 'filter', group: 'expert', title: 'Filter', only: ofMap, build: text('filter', () => '', 'none'), number: s => s.filter ? `--filter ${s.filter}` : 'none', meaning: () => 'At 1/N of the size, 2 to 64: what is lost of the normals makes the highlight wider and weaker, so that nothing glitters' },
+    { option: 'scale', group: 'scene', title: 'Relief', only: s => s.height !== undefined, build: text('scale', () => '', '8, or as the bevel'), number: s => `--scale ${s.scale ?? s.bevel ?? 8}`, meaning: () => 'The height of white above black, in pixels; negative turns hills into hollows' },
+    { option: 'bevel', group: 'scene', title: 'Bevel', only: s => s.height !== undefined, build: text('bevel', () => '', 'none; for a logo try 6'), number: s => s.bevel ? `--bevel ${s.bevel}` : 'none', meaning: () => 'The height map is a logo: a rounded edge rises over so many pixels' },
     { option: 'wrap', group: 'scene', title: 'Seamless', only: s => s.height !== undefined, build: flag('wrap'), number: s => s.wrap === undefined ? 'no' : '--wrap', meaning: () => 'Slopes are taken across the edges' },
     { option: 'cut-out', group: 'scene', title: 'Cut out', only: s => s.height !== undefined || s.scene !== undefined && !isMesh(s), build: flag('cut-out'), number: s => s['cut-out'] === undefined ? 'no' : '--cut-out', meaning: () => 'Only the thing, with a soft edge, without what lies around it' },
     { option: 'flip-y', group: 'scene', title: 'Flip green', only: s => s.normals !== undefined, build: flag('flip-y'), number: s => s['flip-y'] === undefined ? 'no' : '--flip-y', meaning: () => 'Green points down, as in maps for DirectX' },
@@ -383,6 +383,7 @@ onChange(update)
 onDrawn(drawn => {
     facts = drawn.facts
     update()
+    explainAgain()
 })
 onShown(() => show())
 show()

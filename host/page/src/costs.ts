@@ -61,17 +61,17 @@ function rowOf(state: State, facts: Facts): string | undefined {
 }
 
 /** Of a mesh; the rows are of the teapot. */
-function meshRow(state: State): string | undefined {
+function meshRow(state: State, facts: Facts): string | undefined {
     if (state.mesh)
         return undefined
-    const path = (state.path ?? 'exact').replace('exact-int8', 'exact'), split = Number(state.split ?? 30)
+    const path = (state.path ?? 'exact').replace('exact-int8', 'exact'), split = facts.split[0]
     if (path !== 'exact' && path !== 'colour-int8')
         return undefined
     return `mesh teapot${split < 180 ? ' split' : ''}${path === 'exact' ? ' exact' : ''}`
 }
 
 function meshCosts(state: State, facts: Facts): [string, string][] {
-    const row = meshRow(state), picture = row ? value('frame', row) : undefined
+    const row = meshRow(state, facts), picture = row ? value('frame', row) : undefined
     if (!row || !picture)
         return [['Cycles', state.mesh ? 'of a mesh of yours are told when it is saved' : 'not in the table for this path'], ['Flash, the mesh', `${commas(facts.mesh_bytes[0])} bytes`]]
     const asm = value('frame', row, 'asm')

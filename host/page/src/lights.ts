@@ -55,7 +55,7 @@ function build(): void {
         }
         const remove = make('button', { type: 'button', textContent: '×', aria: { label: `${name}: remove` }, onclick: () => put(i) })
         const number = make('output', { className: 'number' })
-        const row = make('div', { className: 'row' }, make('div', { className: 'line' }, move, choose, text, color, remove),
+        const row = make('div', { className: 'row' }, make('div', { className: 'line' }, move, choose, color, remove, text),
             make('div', { className: 'note' }, number, make('span', { className: 'meaning', textContent: forms[kind] })))
         updates.push(() => {
             const values = now().text.split(',').map(Number)

@@ -47,10 +47,14 @@ showGroup(shown)
 // ---- what a control sets, and what that means: of the focused one, or of each ----
 
 const help = byId('help'), usual = 'Focus a control, or point at it, to see the number that C gets and what it means.'
+let explained: EventTarget | null = null
 function explain(target: EventTarget | null): void {
+    explained = target
     const note = target instanceof Element ? target.closest('.row')?.querySelector('.note') : undefined
     help.replaceChildren(...note ? [...note.children].map(child => Object.assign(make('span', { textContent: (child as HTMLOutputElement).value ?? child.textContent }), { className: child.className })) : [usual])
 }
+/** With the numbers of the picture that is drawn now. */
+export const explainAgain = () => explain(explained)
 byId('scroller').addEventListener('focusin', event => {
     const control = event.target as HTMLElement
     explain(control)

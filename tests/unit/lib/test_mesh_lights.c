@@ -222,7 +222,7 @@ static void interpolated_normals_are_near_the_quadratic_of_one_light(void **stat
 }
 
 /* A picture of two meshes, of which the second needs the lights' memory: taken once, for both. */
-static void meshes_of_a_picture_share_the_memory_of_lights_whoever_comes_first(void **state)
+static void the_meshes_of_a_picture_share_one_memory_of_lights_in_either_order(void **state)
 {
     (void)state;
     enum { BYTES = 3 * MESH_W * MESH_H, PLACES = 7 };
@@ -331,7 +331,7 @@ int main(void)
         cmocka_unit_test(a_pixel_is_that_of_a_rectangle_for_its_normal_and_place),
         cmocka_unit_test(a_picture_that_moves_with_its_lights_over_the_screen_stays_the_same),
         cmocka_unit_test(interpolated_normals_are_near_the_quadratic_of_one_light),
-        cmocka_unit_test(meshes_of_a_picture_share_the_memory_of_lights_whoever_comes_first),
+        cmocka_unit_test(the_meshes_of_a_picture_share_one_memory_of_lights_in_either_order),
         cmocka_unit_test(a_picture_drawn_again_is_under_the_lights_that_its_paint_then_has),
         cmocka_unit_test(a_number_of_a_sliver_is_held_between_its_corners_whatever_its_sum_is),
     };
