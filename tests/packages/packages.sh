@@ -43,7 +43,7 @@ stm32_link="-nostdlib -L$source/firmware/ports/bare -T$source/tests/packages/net
 # core, and where the tools are. Beside that core lies stubs/hardware, since Debian has a core for AVR alone: bare Cortex-M3s
 # and M0+s (stub:arm:stm32, zero, feather), all run on an STM32F2.
 stubs=$source/tests/packages/stubs core=$source/tests/packages/stubs/hardware/stub/arm/cores/stub
-stub_includes="-I$core -I$stubs/libraries/Adafruit_GFX_Library -I$stubs/libraries/TFT_eSPI"
+stub_includes="-I$core -I$stubs/libraries/Adafruit_GFX_Library -I$stubs/libraries/TFT_eSPI -I$stubs/libraries/Wire"
 arduino_is_there() { command -v arduino-builder >/dev/null && [ -d /usr/share/arduino/hardware/arduino/avr ] && command -v simavr >/dev/null; }
 arduino_build() { # BOARD SKETCH LIBRARIES BUILD
     hardware=$folder/hardware

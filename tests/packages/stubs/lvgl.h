@@ -19,8 +19,22 @@ typedef enum {
     LV_COLOR_FORMAT_RGB565 = 0x12,
     LV_COLOR_FORMAT_RGB565_SWAPPED = 0x1b
 } lv_color_format_t;
-typedef enum { LV_EVENT_HIT_TEST = 19, LV_EVENT_DRAW_MAIN = 26, LV_EVENT_SIZE_CHANGED = 43 } lv_event_code_t;
-typedef enum { LV_OBJ_FLAG_ADV_HITTEST = 1 << 16 } lv_obj_flag_t;
+typedef enum {
+    LV_EVENT_PRESSED = 1,
+    LV_EVENT_PRESSING = 2,
+    LV_EVENT_PRESS_LOST = 3,
+    LV_EVENT_RELEASED = 11,
+    LV_EVENT_HIT_TEST = 22,
+    LV_EVENT_DRAW_MAIN = 29,
+    LV_EVENT_VALUE_CHANGED = 35,
+    LV_EVENT_SIZE_CHANGED = 50
+} lv_event_code_t;
+typedef enum {
+    LV_OBJ_FLAG_SCROLLABLE = 1 << 4,
+    LV_OBJ_FLAG_SCROLL_CHAIN_HOR = 1 << 8,
+    LV_OBJ_FLAG_SCROLL_CHAIN_VER = 1 << 9,
+    LV_OBJ_FLAG_ADV_HITTEST = 1 << 16
+} lv_obj_flag_t;
 typedef enum { LV_RESULT_INVALID, LV_RESULT_OK } lv_result_t;
 typedef struct {
     int32_t x, y;
@@ -46,6 +60,7 @@ typedef struct {
 typedef struct lv_display_t lv_display_t;
 typedef struct lv_obj_t lv_obj_t;
 typedef struct lv_event_t lv_event_t;
+typedef struct _lv_indev_t lv_indev_t;
 typedef void (*lv_event_cb_t)(lv_event_t *e);
 
 lv_obj_t *lv_screen_active(void);
@@ -60,6 +75,10 @@ void lv_obj_get_coords(const lv_obj_t *obj, lv_area_t *coords);
 void lv_obj_invalidate(const lv_obj_t *obj);
 lv_result_t lv_obj_invalidate_area(const lv_obj_t *obj, const lv_area_t *area);
 void lv_obj_add_flag(lv_obj_t *obj, lv_obj_flag_t f);
+void lv_obj_remove_flag(lv_obj_t *obj, lv_obj_flag_t f);
+lv_result_t lv_obj_send_event(lv_obj_t *obj, lv_event_code_t event_code, void *param);
+lv_indev_t *lv_indev_active(void);
+void lv_indev_get_point(const lv_indev_t *indev, lv_point_t *point);
 lv_display_t *lv_obj_get_display(const lv_obj_t *obj);
 void *lv_obj_add_event_cb(lv_obj_t *obj, lv_event_cb_t event_cb, lv_event_code_t filter, void *user_data);
 void *lv_event_get_user_data(lv_event_t *e);
