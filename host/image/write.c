@@ -159,7 +159,7 @@ static void end_ppm(struct picture_file *file)
     (void)file;
 }
 
-/* ---- QOI: qoiformat.org ---- */
+/* ---- QOI: qoiformat.org. Its library wants the whole picture in memory; here a line is enough. ---- */
 
 enum { QOI_RUN_MAX = 62 };
 
