@@ -129,6 +129,8 @@ static lv_area_t area_of(const struct glint_lvgl_knob *knob)
 
 static void invalidate_dot(const struct glint_lvgl_knob *knob)
 {
+    if (!knob->object)
+        return;
     const lv_area_t at = area_of(knob);
     const lv_point_t dot = dot_of(knob);
     const int32_t x = dot.x + knob->side, y = dot.y + knob->side, reach = dot_radius(knob) + 3; /* > 0 */
@@ -247,6 +249,13 @@ static void on_draw(lv_event_t *event)
     knob->err = draw(knob, lv_event_get_layer(event));
 }
 
+/* With its screen, or by another's call: what users call must not reach what is gone. */
+static void on_delete(lv_event_t *event)
+{
+    struct glint_lvgl_knob *knob = (struct glint_lvgl_knob *)lv_event_get_user_data(event);
+    knob->object = NULL;
+}
+
 static void on_hit_test(lv_event_t *event)
 {
     const struct glint_lvgl_knob *knob = (const struct glint_lvgl_knob *)lv_event_get_user_data(event);
@@ -279,6 +288,7 @@ lv_obj_t *glint_lvgl_knob_create(struct glint_lvgl_knob *knob, lv_obj_t *parent,
     lv_obj_add_event_cb(knob->object, on_pressing, LV_EVENT_PRESSING, knob);
     lv_obj_add_event_cb(knob->object, on_off, LV_EVENT_RELEASED, knob);
     lv_obj_add_event_cb(knob->object, on_off, LV_EVENT_PRESS_LOST, knob);
+    lv_obj_add_event_cb(knob->object, on_delete, LV_EVENT_DELETE, knob);
     return knob->object;
 }
 
@@ -316,13 +326,15 @@ int32_t glint_lvgl_knob_get_most(const struct glint_lvgl_knob *knob)
 enum glint_err glint_lvgl_knob_set_light(struct glint_lvgl_knob *knob, const int32_t to_light[3])
 {
     static const int32_t to_viewer[3] = {0, 0, 1};
-    const lv_area_t area = area_of(knob);
     struct glint_light light;
     enum glint_err err = glint_light_directional(&light, to_light);
     if (err == GLINT_OK)
         err = glint_paint_light(knob->paint, &light, 1, to_viewer);
     if (err == GLINT_OK && knob->layer_paint)
         err = glint_paint_light(knob->layer_paint, &light, 1, to_viewer);
-    lv_obj_invalidate_area(knob->object, &area);
+    if (knob->object) {
+        const lv_area_t area = area_of(knob);
+        lv_obj_invalidate_area(knob->object, &area);
+    }
     return err;
 }

@@ -26,7 +26,7 @@ struct glint_lvgl_knob {
     uint8_t dot[3];   /* the albedo of the dot that shows the value */
 
     /* State, ours. */
-    lv_obj_t *object;
+    lv_obj_t *object;   /* NULL before it is created, and once LVGL has deleted it */
     enum glint_err err; /* of the last call; GLINT_OK, or nothing was drawn */
     int32_t least, most, value;
     int32_t turned; /* from the least value, 0..49152: 65536 is a turn */

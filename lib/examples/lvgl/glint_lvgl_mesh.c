@@ -57,11 +57,12 @@ static void size_of(const struct glint_lvgl_mesh *mesh, int32_t *w, int32_t *h)
 static void invalidate(const struct glint_lvgl_mesh *mesh)
 {
     lv_area_t at;
+    if (!mesh->object || !mesh->box.w || !mesh->box.h)
+        return;
     lv_obj_get_coords(mesh->object, &at);
     const lv_area_t area = {at.x1 + mesh->box.x, at.y1 + mesh->box.y, at.x1 + mesh->box.x + mesh->box.w - 1,
                             at.y1 + mesh->box.y + mesh->box.h - 1};
-    if (mesh->box.w && mesh->box.h)
-        lv_obj_invalidate_area(mesh->object, &area);
+    lv_obj_invalidate_area(mesh->object, &area);
 }
 
 /* ---- drawing ---- */
@@ -164,6 +165,13 @@ static void on_size(lv_event_t *event)
     mesh->box = box_of(mesh, &mesh->pose, w, h);
 }
 
+/* With its screen, or by another's call: what users call must not reach what is gone. */
+static void on_delete(lv_event_t *event)
+{
+    struct glint_lvgl_mesh *mesh = (struct glint_lvgl_mesh *)lv_event_get_user_data(event);
+    mesh->object = NULL;
+}
+
 /* ---- what users call ---- */
 
 size_t glint_lvgl_mesh_bytes(const struct glint_mesh *mesh, uint16_t w, uint16_t h)
@@ -193,6 +201,7 @@ lv_obj_t *glint_lvgl_mesh_create(struct glint_lvgl_mesh *mesh, lv_obj_t *parent,
     lv_obj_add_event_cb(mesh->object, on_draw, LV_EVENT_DRAW_MAIN, mesh);
     lv_obj_add_event_cb(mesh->object, on_hit_test, LV_EVENT_HIT_TEST, mesh);
     lv_obj_add_event_cb(mesh->object, on_size, LV_EVENT_SIZE_CHANGED, mesh);
+    lv_obj_add_event_cb(mesh->object, on_delete, LV_EVENT_DELETE, mesh);
     return mesh->object;
 }
 
@@ -201,6 +210,8 @@ enum glint_err glint_lvgl_mesh_set_pose(struct glint_lvgl_mesh *mesh, const stru
     int32_t w, h;
     if (!(pose->turn[0] | pose->turn[1] | pose->turn[2] | pose->turn[3]))
         return GLINT_ERR_VECTOR;
+    if (!mesh->object)
+        return GLINT_ERR_ARG;
     size_of(mesh, &w, &h);
     invalidate(mesh);
     mesh->pose = *pose;

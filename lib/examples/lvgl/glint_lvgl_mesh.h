@@ -26,7 +26,7 @@ struct glint_lvgl_mesh {
         *layer_paints; /* of GLINT_ARGB8888, for layers of opacity or transformation; NULL: nothing is drawn there */
 
     /* State, ours. */
-    lv_obj_t *object;
+    lv_obj_t *object;   /* NULL before it is created, and once LVGL has deleted it */
     enum glint_err err; /* of the last call; GLINT_OK, or nothing was drawn */
     struct glint_pose pose;
     struct glint_box box; /* of the object's pixels that the mesh may touch */
@@ -43,7 +43,8 @@ size_t glint_lvgl_mesh_bytes(const struct glint_mesh *mesh, uint16_t w, uint16_t
 /* An object without style, of that size. NULL: too little memory, or LVGL is out of it; err says which of what glint_mesh_check says otherwise. */
 lv_obj_t *glint_lvgl_mesh_create(struct glint_lvgl_mesh *mesh, lv_obj_t *parent, uint16_t w, uint16_t h, void *memory,
                                  size_t bytes);
-/* From the object's middle. Only the box that the mesh took before and the one that it takes now are redrawn. GLINT_ERR_VECTOR: a quaternion of 0. */
+/* From the object's middle. Only the box that the mesh took before and the one that it takes now are redrawn. GLINT_ERR_VECTOR: a quaternion of 0;
+ * GLINT_ERR_ARG: there is no object. */
 enum glint_err glint_lvgl_mesh_set_pose(struct glint_lvgl_mesh *mesh, const struct glint_pose *pose);
 /* Lights all paints. The errors of glint_light_directional and glint_paint_light. */
 enum glint_err glint_lvgl_mesh_set_light(struct glint_lvgl_mesh *mesh, const int32_t to_light[3]);

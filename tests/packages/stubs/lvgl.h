@@ -27,6 +27,7 @@ typedef enum {
     LV_EVENT_HIT_TEST = 22,
     LV_EVENT_DRAW_MAIN = 29,
     LV_EVENT_VALUE_CHANGED = 35,
+    LV_EVENT_DELETE = 42,
     LV_EVENT_SIZE_CHANGED = 50
 } lv_event_code_t;
 typedef enum {

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WIDTH = 160, HEIGHT = 150, SIDE = 121, LEFT = 17, TOP = 13, BACKGROUND = 0x1f, CALLBACKS = 6 };
+enum { WIDTH = 160, HEIGHT = 150, SIDE = 121, LEFT = 17, TOP = 13, BACKGROUND = 0x1f, CALLBACKS = 7 };
 
 struct lv_obj_t {
     lv_area_t at;
@@ -310,5 +310,10 @@ int main(int argc, char **argv)
            is_refused ? "refused" : "drawn");
     if (argc > 1)
         save(argv[1]);
-    return 0;
+    /* Once LVGL has deleted it, its calls reach nothing. */
+    dirty_count = 0;
+    send(LV_EVENT_DELETE, NULL, NULL);
+    glint_lvgl_knob_set_value(&knob, -700);
+    return knob.object || glint_lvgl_knob_get_value(&knob) != -700 || glint_lvgl_knob_set_light(&knob, lights[0]) ||
+           dirty_count;
 }

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WIDTH = 200, HEIGHT = 150, SIDE_X = 120, SIDE_Y = 101, LEFT = 37, TOP = 23, BACKGROUND = 0x1f, CALLBACKS = 4 };
+enum { WIDTH = 200, HEIGHT = 150, SIDE_X = 120, SIDE_Y = 101, LEFT = 37, TOP = 23, BACKGROUND = 0x1f, CALLBACKS = 5 };
 
 struct lv_obj_t {
     lv_area_t at;
@@ -317,5 +317,9 @@ int main(void)
     printf("%u wrong, %u missed, %d %% of the object redrawn, a layer without its paint %s, without memory it %s\n",
            wrong, misses, (int)(redrawn * 100 / (50 * SIDE_X * SIDE_Y)), is_refused ? "refused" : "drawn",
            ends ? "ends" : "goes on");
-    return 0;
+    /* Once LVGL has deleted it, its calls reach nothing. */
+    dirty_count = 0;
+    send(LV_EVENT_DELETE, NULL, NULL);
+    return mesh.object || glint_lvgl_mesh_set_pose(&mesh, &pose) != GLINT_ERR_ARG ||
+           glint_lvgl_mesh_set_light(&mesh, to_light) || dirty_count;
 }
