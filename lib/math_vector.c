@@ -146,6 +146,15 @@ struct unit_squares {
 #endif
 };
 
+static inline void unit_squares_begin(struct unit_squares *squares)
+{
+#if GLINT_WIDE
+    squares->whole = 0;
+#else
+    squares->ones = squares->mixed = squares->rests = 0;
+#endif
+}
+
 static inline void unit_square(struct unit_squares *squares, uint32_t size)
 {
 #if GLINT_WIDE
@@ -206,7 +215,8 @@ bool glint_unit_near(struct glint_unit *out, const int32_t v[3])
     x <<= up;
     y <<= up;
     z <<= up;
-    struct unit_squares sum = {0};
+    struct unit_squares sum;
+    unit_squares_begin(&sum);
     unit_square(&sum, x);
     unit_square(&sum, y);
     unit_square(&sum, z);

@@ -13,11 +13,11 @@ char *sigrok(const struct capture *capture, const char *clock, size_t *size, con
     char path[256];
     snprintf(path, sizeof path, "%s/capture.vcd", getenv("TMPDIR"));
     capture_write_vcd(capture, path, clock);
-    return run_for_output(
-        size,
-        "{ sigrok-cli -I vcd -i %s %s >$TMPDIR/found 2>$TMPDIR/errors || grep -q bool_dealloc $TMPDIR/errors; } && "
-        "cat $TMPDIR/found",
-        path, arguments);
+    return run_for_output(size,
+                          "{ sigrok-cli -I vcd -i '%s' %s >\"$TMPDIR/found\" 2>\"$TMPDIR/errors\" || grep -q "
+                          "bool_dealloc \"$TMPDIR/errors\"; } && "
+                          "cat \"$TMPDIR/found\"",
+                          path, arguments);
 }
 
 void sigrok_agrees_on_spi(const struct capture *capture, const bus_byte *bytes, size_t count)
