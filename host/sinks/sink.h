@@ -54,8 +54,8 @@ struct sink_output {
     const char *written; /* what -o names: "a file"; NULL: there is no -o */
     const char *example; /* of -o; where it ends with a dot, the sink's name follows */
     bool dash;           /* -o - is standard output */
-    bool piped;          /* frames go to standard output, which is no terminal */
-    bool shown;          /* frames go to standard output, which is a terminal */
+    bool piped;          /* it writes frames to standard output, which must be a pipe or a file */
+    bool shown;          /* it writes frames to standard output, which must be a terminal */
     /* More checks of -o, as a part of the command line's, and before anything is done to a device. NULL: none. */
     void (*check)(const struct argp_state *state, const struct sink_kind *kind, const char *output,
                   unsigned long frames);

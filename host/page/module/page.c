@@ -83,7 +83,9 @@ void page_check(char *text, size_t bytes)
     const struct scene_options *scene = &look.scene;
     if (!scene->mesh.name) {
         const struct shading shading = shading_of_options(&look, look.shading.format, scene_finish(scene->scene));
-        const char *refusal = path_refusal(&shading) ? path_refusal(&shading) : path_material_refusal(&shading);
+        const char *refusal = path_refusal(&shading);
+        if (!refusal)
+            refusal = path_material_refusal(&shading);
         if (!refusal && scene->filter && shading.n_across && shading.n_across != shading.n)
             refusal = "a surface with grain takes no map of shininess";
         if (refusal)
