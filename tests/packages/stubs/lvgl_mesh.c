@@ -3,37 +3,17 @@
  * task is still waiting, and in a layer of ARGB8888. Prints what differs from the same mesh drawn in one piece, and what was redrawn. */
 #include "glint_lvgl_mesh.h"
 #include "lvgl_teapot.h"
-#include <lvgl_private.h>
+#include "lvgl_object.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { WIDTH = 200, HEIGHT = 150, SIDE_X = 120, SIDE_Y = 101, LEFT = 37, TOP = 23, BACKGROUND = 0x1f, CALLBACKS = 5 };
+enum { WIDTH = 200, HEIGHT = 150, SIDE_X = 120, SIDE_Y = 101, LEFT = 37, TOP = 23, BACKGROUND = 0x1f };
 
-struct lv_obj_t {
-    lv_area_t at;
-    struct {
-        lv_event_cb_t call;
-        lv_event_code_t code;
-        void *user_data;
-    } callbacks[CALLBACKS];
-    unsigned count;
-    lv_obj_flag_t flags;
-};
-struct lv_event_t {
-    lv_obj_t *target;
-    lv_layer_t *layer;
-    void *user_data;
-    lv_hit_test_info_t *hit;
-};
-
-static lv_obj_t screen, object;
 static bool has_memory = true, can_dispatch = true;
-static lv_area_t dirty[8];
-static unsigned dirty_count, objects;
+static unsigned objects;
 static uint8_t buffers[2][WIDTH * HEIGHT * 4];
-static lv_draw_buf_t buffer;
 static unsigned turn, dispatches;
 static uint16_t shown[HEIGHT][WIDTH];
 
@@ -41,78 +21,10 @@ lv_obj_t *lv_obj_create(lv_obj_t *parent)
 {
     return parent == &screen && has_memory && objects++ == 0 ? &object : NULL;
 }
-void lv_obj_remove_style_all(lv_obj_t *obj)
-{
-    (void)obj;
-}
-void lv_obj_set_size(lv_obj_t *obj, int32_t w, int32_t h)
-{
-    obj->at.x2 = obj->at.x1 + w - 1;
-    obj->at.y2 = obj->at.y1 + h - 1;
-    for (unsigned i = 0; i < obj->count; i++) {
-        lv_event_t event = {obj, NULL, obj->callbacks[i].user_data, NULL};
-        if (obj->callbacks[i].code == LV_EVENT_SIZE_CHANGED)
-            obj->callbacks[i].call(&event);
-    }
-}
-void lv_obj_get_coords(const lv_obj_t *obj, lv_area_t *coords)
-{
-    *coords = obj->at;
-}
-void lv_obj_add_flag(lv_obj_t *obj, lv_obj_flag_t f)
-{
-    obj->flags = f;
-}
-lv_result_t lv_obj_invalidate_area(const lv_obj_t *obj, const lv_area_t *area)
-{
-    (void)obj;
-    if (dirty_count < sizeof dirty / sizeof *dirty)
-        dirty[dirty_count++] = *area;
-    return LV_RESULT_OK;
-}
-/* What the widget does not call. */
-lv_draw_buf_t *lv_canvas_get_draw_buf(lv_obj_t *obj)
-{
-    (void)obj;
-    return NULL;
-}
-lv_obj_t *lv_event_get_target_obj(lv_event_t *e)
-{
-    return e->target;
-}
-lv_display_t *lv_obj_get_display(const lv_obj_t *obj)
-{
-    (void)obj;
-    return NULL;
-}
-void *lv_obj_add_event_cb(lv_obj_t *obj, lv_event_cb_t event_cb, lv_event_code_t filter, void *user_data)
-{
-    obj->callbacks[obj->count].call = event_cb;
-    obj->callbacks[obj->count].code = filter;
-    obj->callbacks[obj->count++].user_data = user_data;
-    return obj;
-}
-void *lv_event_get_user_data(lv_event_t *e)
-{
-    return e->user_data;
-}
-lv_layer_t *lv_event_get_layer(lv_event_t *e)
-{
-    return e->layer;
-}
-lv_hit_test_info_t *lv_event_get_hit_test_info(lv_event_t *e)
-{
-    return e->hit;
-}
 void *lv_draw_layer_alloc_buf(lv_layer_t *layer)
 {
     layer->draw_buf = has_memory ? &buffer : NULL;
     return has_memory ? buffer.data : NULL;
-}
-void *lv_draw_layer_go_to_xy(lv_layer_t *layer, int32_t x, int32_t y)
-{
-    const int32_t bytes = layer->color_format == LV_COLOR_FORMAT_ARGB8888 ? 4 : 2;
-    return layer->draw_buf->data + (ptrdiff_t)y * layer->draw_buf->header.stride + bytes * x;
 }
 bool lv_draw_dispatch_layer(lv_display_t *disp, lv_layer_t *layer)
 {
@@ -126,26 +38,8 @@ bool lv_draw_dispatch_layer(lv_display_t *disp, lv_layer_t *layer)
     layer->draw_task_head = NULL;
     return true;
 }
-void lv_draw_dispatch_wait_for_request(void)
-{
-}
-void lv_draw_dispatch_request(void)
-{
-}
-void lv_draw_wait_for_finish(void)
-{
-}
 
 /* ---- what the test does ---- */
-
-static void send(lv_event_code_t code, lv_layer_t *layer, lv_hit_test_info_t *hit)
-{
-    for (unsigned i = 0; i < object.count; i++) {
-        lv_event_t event = {&object, layer, object.callbacks[i].user_data, hit};
-        if (object.callbacks[i].code == code)
-            object.callbacks[i].call(&event);
-    }
-}
 
 static void redraw(lv_area_t area, int32_t lines)
 {
