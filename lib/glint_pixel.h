@@ -57,6 +57,8 @@ struct glint_use_format {
     bool (*begin)(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo);
 };
 
+extern const struct glint_use_format glint_use_steps; /* RGB565 of a paint with steps */
+
 /* ---- Coverage ----
  *
  * Whoever has a run with coverage that blends has it drawn by this format: levels and exact blend those of the paint's. */
