@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * RGB565 in either order, and RGB888, BGR888, XRGB8888 and ARGB8888, in gamma space. */
 #include "glint_fused.h"
-#include "glint_offsets.h"
 #include "glint_pixel.h"
 
 static bool rgb565_draws(const struct glint_output *output)
@@ -50,40 +49,21 @@ static void rgb565_exact(const struct glint_paint *paint, const struct glint_run
 const struct glint_use_format glint_use_rgb565 GLINT_FLASH = {rgb565_draws, glint_levels_fold, rgb565_levels,
                                                               rgb565_exact, GLINT_LINE_BEGIN};
 
-/* As RGB565, but where there is neither highlight nor map and the paint's table has a pixel, it is that one. */
-static uint32_t steps_levels(const struct glint_paint *paint, const struct glint_run *run,
-                             const struct glint_sample *samples, unsigned count)
+static uint32_t rgb565_steps_levels(const struct glint_paint *paint, const struct glint_run *run,
+                                    const struct glint_sample *samples, unsigned count)
 {
-    const uint16_t *const steps = paint->of.exact.steps;
-    uint32_t open = 0;
-    if (run->albedo || run->gloss)
-        return rgb565_levels(paint, run, samples, count);
-    for (unsigned i = 0, first = 0;; first = ++i) {
-        uint32_t pixel = 0;
-        while (i < count && (samples[i].f_q16 || !(pixel = steps[samples[i].nl_q16 >> GLINT_STEPS_LOG])))
-            i++;
-        if (i != first) {
-            struct glint_run part = *run;
-            part.x += first;
-            open |= rgb565_plain(paint, &part, samples + first, i - first) << first;
-        }
-        if (i == count)
-            return open;
-        uint8_t *const out = run->line + 2 * (run->x + i);
-        out[0] = (uint8_t)pixel;
-        out[1] = (uint8_t)(pixel >> 8);
-    }
+    return run->albedo || run->gloss ? rgb565_mapped(paint, run, samples, count)
+                                     : glint_levels_steps(rgb565_plain, paint, run, samples, count);
 }
 
-/* Another colour, or several lights. */
-static void steps_fold(struct glint_paint *paint, const struct glint_coefficients *c, unsigned up)
+static void rgb565_steps_fold(struct glint_paint *paint, const struct glint_coefficients *c, unsigned up)
 {
     paint->format = &glint_use_rgb565;
     glint_levels_fold(paint, c, up);
 }
 
 #if GLINT_CORTEX_M0PLUS_ASM && GLINT_FUSED
-static bool steps_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo)
+static bool rgb565_steps_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo)
 {
     if (!glint_line_begin(loop, paint, albedo))
         return false;
@@ -93,11 +73,11 @@ static bool steps_begin(struct glint_line_loop *loop, const struct glint_paint *
     return true;
 }
 #else
-#define steps_begin GLINT_LINE_BEGIN
+#define rgb565_steps_begin GLINT_LINE_BEGIN
 #endif
 
-const struct glint_use_format glint_use_steps GLINT_FLASH = {rgb565_draws, steps_fold, steps_levels, rgb565_exact,
-                                                             steps_begin};
+const struct glint_use_format glint_use_rgb565_steps GLINT_FLASH = {
+    rgb565_draws, rgb565_steps_fold, rgb565_steps_levels, rgb565_exact, rgb565_steps_begin};
 
 static bool rgb888_draws(const struct glint_output *output)
 {

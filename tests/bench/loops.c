@@ -155,6 +155,7 @@ const struct bench_loop bench_loops[] = {
     {"exact gloss", WHAT("exact rect, gloss"), EXACT, .look = {.gloss = true}, .map_bytes = 7, .once = true},
 #ifndef __AVR__
     {"exact rect steps", WHAT("exact rect, with glint_paint_steps"), exact_fill, steps_light, .shade = bench_rect, .step = 4, INT16},
+    {"exact linear steps", WHAT("exact linear, the same"), exact_fill, steps_light, .shade = bench_rect, .step = 4, INT16, .look = {.space = GLINT_LINEAR}, .once = true},
     {"exact span 64 steps", WHAT("exact span 64, the same"), exact_fill, steps_light, .prepare = bench_spans_64, .shade = bench_span, .step = 4, .once = true},
 #endif
     {"exact span 16", WHAT("glint_draw_span by an exact paint, spans of 16"),

@@ -33,7 +33,7 @@ static void every_pixel_of_a_paint_with_steps_is_that_without(void **state)
     (void)state;
     static uint16_t found[PART], wanted[PART];
     for (int i = 0; i < 24; i++) {
-        struct look look = undithered(i % 2 ? GLINT_RGB565 : GLINT_RGB565_SWAPPED, GLINT_GAMMA);
+        struct look look = undithered(i % 2 ? GLINT_RGB565 : GLINT_RGB565_SWAPPED, i % 5 ? GLINT_GAMMA : GLINT_LINEAR);
         struct glint_paint paint, plain;
         set_model(&look, (uint8_t)(i % GLINT_MODEL_COUNT), 60, 8);
         for (int k = 0; k < 3; k++) {
@@ -43,6 +43,8 @@ static void every_pixel_of_a_paint_with_steps_is_that_without(void **state)
         }
         paint_of(&plain, &look);
         paint = plain;
+        assert_int_equal(glint_paint_steps(&paint, steps, GLINT_STEPS_BYTES), GLINT_OK);
+        memset(steps, GUARD, sizeof steps);
         assert_int_equal(glint_paint_steps(&paint, steps, GLINT_STEPS_BYTES), GLINT_OK);
         for (uint32_t first = 0; first <= 65536; first += PART)
             for (int shines = 0; shines < 2; shines++) {
@@ -94,11 +96,13 @@ static void steps_of_what_has_none_are_refused(void **state)
     assert_int_equal(glint_paint_steps(&paint, steps, GLINT_STEPS_BYTES - 1), GLINT_ERR_ARG);
     assert_int_equal(glint_paint_light(&paint, two, 2, in_front), GLINT_OK);
     assert_int_equal(glint_paint_steps(&paint, steps, sizeof steps), GLINT_ERR_ARG);
-    for (int i = 0; i < 3; i++) {
-        look = undithered(i == 0 ? GLINT_RGB888 : GLINT_RGB565, i == 1 ? GLINT_LINEAR : GLINT_GAMMA);
+    for (int i = 0; i < 4; i++) {
+        look = undithered(i % 2 ? GLINT_RGB888 : GLINT_RGB565, i < 2 ? GLINT_LINEAR : GLINT_GAMMA);
         look.output.dither = i == 2;
         paint_of(&paint, &look);
-        assert_int_equal(glint_paint_steps(&paint, steps, sizeof steps), GLINT_ERR_FORMAT);
+        assert_int_equal(glint_paint_steps_for(&paint, &glint_use_rgb565_steps, steps, sizeof steps), GLINT_ERR_FORMAT);
+        if (i)
+            assert_int_equal(glint_paint_steps(&paint, steps, sizeof steps), GLINT_ERR_FORMAT);
     }
     for (size_t i = 0; i < sizeof steps; i++)
         assert_int_equal(((uint8_t *)steps)[i], GUARD);
