@@ -11,10 +11,15 @@ static unsigned rows_of(const struct virtual_panel *panel)
     return panel->glass.rows ? panel->glass.rows : PANEL_ROWS;
 }
 
+static unsigned columns_of(const struct virtual_panel *panel)
+{
+    return panel->glass.columns ? panel->glass.columns : PANEL_COLUMNS;
+}
+
 void virtual_panel_reset(struct virtual_panel *panel)
 {
     panel->columns[0] = panel->rows[0] = panel->column = panel->row = 0;
-    panel->columns[1] = PANEL_COLUMNS - 1;
+    panel->columns[1] = (uint16_t)(columns_of(panel) - 1);
     panel->rows[1] = (uint16_t)(rows_of(panel) - 1);
     panel->command = PANEL_NOP;
     panel->held = 0;
@@ -34,8 +39,8 @@ void virtual_panel_init(struct virtual_panel *panel, const struct virtual_glass 
 {
     panel->glass = *glass;
     panel->lit = true;
-    for (int row = 0; row < PANEL_ROWS; row++)
-        for (int column = 0; column < PANEL_COLUMNS; column++)
+    for (unsigned row = 0; row < rows_of(panel); row++)
+        for (unsigned column = 0; column < columns_of(panel); column++)
             panel->memory[row][column] = NOISE;
     virtual_panel_reset(panel);
 }
@@ -204,9 +209,9 @@ static void store(struct virtual_panel *panel, uint16_t color)
 {
     const bool exchanged = panel->madctl & PANEL_MADCTL_MV;
     unsigned column = exchanged ? panel->row : panel->column, row = exchanged ? panel->column : panel->row;
-    if (column < PANEL_COLUMNS && row < rows_of(panel)) { /* "data of out of range will be ignored" */
+    if (column < columns_of(panel) && row < rows_of(panel)) { /* "data of out of range will be ignored" */
         if (panel->madctl & PANEL_MADCTL_MX)
-            column = PANEL_COLUMNS - 1 - column;
+            column = columns_of(panel) - 1 - column;
         if (panel->madctl & PANEL_MADCTL_MY)
             row = rows_of(panel) - 1 - row;
         panel->memory[row][column] = color;
@@ -279,7 +284,7 @@ static uint16_t on_glass(const struct virtual_panel *panel, unsigned x, unsigned
         return panel->inverted != glass->inverted ? (uint16_t)~bits : bits;
     }
     const unsigned column = glass->x + x;
-    uint16_t color = panel->memory[glass->y + y][glass->mirrored ? PANEL_COLUMNS - 1 - column : column];
+    uint16_t color = panel->memory[glass->y + y][glass->mirrored ? columns_of(panel) - 1 - column : column];
     if (panel->inverted != glass->inverted)
         color = (uint16_t)~color;
     if (((panel->madctl & PANEL_MADCTL_BGR) != 0) != glass->bgr)
@@ -334,7 +339,10 @@ struct virtual_glass virtual_glass_of(const struct panel *panel)
                                   .bgr = panel->bgr,
                                   .inverted = panel->inverted,
                                   .round = panel->round,
-                                  .rows = panel->controller == PANEL_GC9A01 ? 240 : PANEL_ROWS};
+                                  .columns = panel->controller == PANEL_CO5300 ? PANEL_QSPI_COLUMNS : PANEL_COLUMNS,
+                                  .rows = panel->controller == PANEL_GC9A01   ? 240
+                                          : panel->controller == PANEL_CO5300 ? PANEL_QSPI_ROWS
+                                                                              : PANEL_ROWS};
 }
 
 static bool bus_command(void *context, uint8_t command)
@@ -370,5 +378,5 @@ static void bus_wait_ms(void *context, unsigned ms)
 
 struct panel_bus virtual_panel_bus(struct virtual_panel *panel)
 {
-    return (struct panel_bus){bus_command, bus_data, bus_reset, bus_backlight, bus_wait_ms, panel};
+    return (struct panel_bus){bus_command, bus_data, NULL, bus_reset, bus_backlight, bus_wait_ms, panel};
 }

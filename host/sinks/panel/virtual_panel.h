@@ -18,13 +18,13 @@ struct virtual_glass {
     bool bgr, inverted;
     bool paged;    /* an SSD1306: x counts from the last segment, as its modules hang */
     bool round;    /* what no part of the circle touches is black */
-    uint16_t rows; /* of the memory; 0: PANEL_ROWS */
+    uint16_t columns, rows; /* of the memory; 0: PANEL_COLUMNS, PANEL_ROWS */
 };
 
 struct virtual_panel {
     struct virtual_glass glass;
     /* State, ours. */
-    uint16_t memory[PANEL_ROWS][PANEL_COLUMNS]; /* RGB565 */
+    uint16_t memory[PANEL_QSPI_ROWS][PANEL_QSPI_COLUMNS]; /* RGB565 */
     uint16_t columns[2], rows[2];               /* the window: first, last */
     uint16_t column, row;                       /* of the next pixel */
     uint8_t command;                            /* that the data belong to */

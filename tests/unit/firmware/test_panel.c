@@ -63,8 +63,8 @@ static void on_wait(void *context, unsigned ms)
     happen(WAIT, ms);
 }
 
-static const struct panel_bus bus = {on_command, on_data, on_reset, on_backlight, on_wait, NULL};
-static const struct panel_bus bare_bus = {on_command, on_data, NULL, NULL, on_wait, NULL};
+static const struct panel_bus bus = {on_command, on_data, NULL, on_reset, on_backlight, on_wait, NULL};
+static const struct panel_bus bare_bus = {on_command, on_data, NULL, NULL, NULL, on_wait, NULL};
 
 static struct panel made(const struct panel_bus *on, enum panel_controller controller, unsigned rotation,
                          unsigned width, unsigned height)
