@@ -67,12 +67,19 @@ static const uint8_t gc9a01_values[] = {
 /* clang-format on */
 
 /* What drivers have in common. Brightness 0 until panel_show. */
-static const uint8_t co5300_values[] = {
-    0xfe, 1, 0x00,             /* the usual page of commands */
-    0xc4, 1, 0x80,             /* pixels may come by four lines */
-    0x53, 1, 0x20,             /* brightness is that of the command ... */
-    PANEL_BRIGHTNESS, 1, 0x00, /* ... this */
-    0};
+static const uint8_t co5300_values[] = {0xfe,
+                                        1,
+                                        0x00, /* the usual page of commands */
+                                        0xc4,
+                                        1,
+                                        0x80, /* pixels may come by four lines */
+                                        0x53,
+                                        1,
+                                        0x20, /* brightness is that of the command ... */
+                                        PANEL_BRIGHTNESS,
+                                        1,
+                                        0x00, /* ... this */
+                                        0};
 
 struct controller {
     uint16_t columns, rows;

@@ -43,7 +43,7 @@ enum panel_command {
     PANEL_TEARING_OFF = 0x34,
     PANEL_TEARING_ON = 0x35, /* a byte, 0: the line is high while no row is scanned */
     PANEL_MADCTL = 0x36,
-    PANEL_PIXEL_FORMAT = 0x3a,   /* COLMOD */
+    PANEL_PIXEL_FORMAT = 0x3a,    /* COLMOD */
     PANEL_MEMORY_CONTINUE = 0x3c, /* RAMWRC: from where the last write stopped */
     PANEL_BRIGHTNESS = 0x51       /* a byte, of glass that emits light */
 };
@@ -84,8 +84,9 @@ enum { PANEL_OFF = 0, PANEL_BRIGHTEST = 100 }; /* percent */
 struct panel_bus {
     bool (*command)(void *context, uint8_t command);                 /* one byte, D/C low */
     bool (*data)(void *context, const uint8_t *bytes, size_t count); /* D/C high */
-    bool (*end)(void *context); /* of a command and its data; not after those that take pixels. NULL: a bus without frames */
-    bool (*reset)(void *context, bool active);                       /* the reset line; NULL: reset by command */
+    bool (*end)(
+        void *context); /* of a command and its data; not after those that take pixels. NULL: a bus without frames */
+    bool (*reset)(void *context, bool active); /* the reset line; NULL: reset by command */
     /* 0..100 percent; a backlight that cannot be dimmed is on above 0. NULL: no backlight. */
     bool (*backlight)(void *context, uint8_t percent);
     void (*wait_ms)(void *context, unsigned ms);

@@ -183,7 +183,8 @@ static void hand_over(enum owner to)
         show(PANEL_OFF);
     else if (owner == LIGHT_HOST || light.was_enabled) /* gud_display did nothing; a rectangle may be open already */
         gud_panel_ops.display(&gud_panel, gud.shown, gud.brightness);
-    else if (!gud.shown && board_hal.bus.backlight) /* no command, which would end a rectangle that may be open already */
+    else if (!gud.shown &&
+             board_hal.bus.backlight) /* no command, which would end a rectangle that may be open already */
         board_hal.bus.backlight(board_hal.bus.context, PANEL_OFF);
     else if (!gud.shown)
         gud_panel_ops.display(&gud_panel, false, gud.brightness);

@@ -23,7 +23,7 @@ void virtual_panel_reset(struct virtual_panel *panel)
     panel->rows[1] = (uint16_t)(rows_of(panel) - 1);
     panel->command = PANEL_NOP;
     panel->held = 0;
-    panel->madctl = 0;
+    panel->madctl = panel->brightness = 0;
     panel->format = PANEL_FORMAT_666;
     panel->awake = panel->on = panel->inverted = false;
     if (!panel->glass.paged)
@@ -259,6 +259,9 @@ static void take(struct virtual_panel *panel, uint8_t byte)
         panel->format = byte;
         panel->command = PANEL_NOP;
         break;
+    case PANEL_BRIGHTNESS:
+        panel->brightness = byte;
+        break;
     default:
         break;
     }
@@ -309,7 +312,7 @@ void virtual_panel_look(const struct virtual_panel *panel, unsigned rotation, ui
 {
     const unsigned right = panel->glass.width - 1u, bottom = panel->glass.height - 1u;
     const unsigned width = rotation % 2 ? bottom + 1 : right + 1, height = rotation % 2 ? right + 1 : bottom + 1;
-    if (!panel->awake || !panel->on || !panel->lit) {
+    if (!panel->awake || !panel->on || !panel->lit || (panel->glass.emits && !panel->brightness)) {
         memset(rgb, 0, (size_t)width * height * 3);
         return;
     }
@@ -336,6 +339,7 @@ struct virtual_glass virtual_glass_of(const struct panel *panel)
                                   .y = panel->y_offset,
                                   .mirrored = panel->controller == PANEL_ILI9341 || panel->controller == PANEL_GC9A01,
                                   .paged = panel_is_paged(panel),
+                                  .emits = panel->controller == PANEL_CO5300,
                                   .bgr = panel->bgr,
                                   .inverted = panel->inverted,
                                   .round = panel->round,
