@@ -17,9 +17,9 @@ struct virtual_glass {
     bool mirrored;          /* column 0 of the memory is at the right */
     bool bgr, inverted;
     bool paged;             /* an SSD1306: x counts from the last segment, as its modules hang */
-    bool emits;             /* light: its brightness is a command, 0 after a reset */
     bool round;             /* what no part of the circle touches is black */
-    uint16_t columns, rows; /* of the memory; 0: PANEL_COLUMNS, PANEL_ROWS */
+    uint16_t rows, columns; /* of the memory; 0: PANEL_ROWS, PANEL_COLUMNS */
+    bool emits;             /* light: its brightness is a command, 0 after a reset */
 };
 
 struct virtual_panel {
