@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // test_amoled.mjs PACKAGES FOLDER PANEL JUDGE: a board with an AMOLED panel on QSPI: a picture in the middle of its glass, by a state machine
-// that the emulator steps (pico.mjs), which also judges what is sent: even windows, no small writes. Figures go to FOLDER/figures.json.
+// that the emulator steps (pico.mjs), which also judges what is sent: even windows, no small writes; a computer's pictures come whole. Figures
+// go to FOLDER/figures.json.
 import { writeFileSync } from 'node:fs'
+import { FORMAT, Gud, picture565, shown565 } from './gud.mjs'
 import { Judge } from './judge.mjs'
 import { Pico, symbolsOf } from './pico.mjs'
 import { Qmi8658 } from './qmi8658.mjs'
 import { check, equal, run } from './tap.mjs'
+import { UsbHost } from './usb_host.mjs'
 
 const [packages, folder, panel, program] = process.argv.slice(2)
 const judge = new Judge(program, panel, folder)
@@ -14,6 +17,7 @@ const GLASS = 466, LEFT = 112, TOP = 112 // where the picture lies
 const symbols = symbolsOf(`${folder}/glint.elf`)
 const pico = new Pico(packages, board).load(`${folder}/glint.uf2`)
 const { wires, chip } = pico
+const host = new UsbHost(pico)
 const imu = new Qmi8658(chip, board.sda / 2 % 2, { seed: 7 })
 const tilted = (degrees) => [Math.sin(degrees * Math.PI / 180), 0, Math.cos(degrees * Math.PI / 180)]
 const frames = [] // when each was on the panel, its light, how long the bus took
@@ -60,6 +64,21 @@ run([
       for (let x = 0; x < GLASS; x++) if (!(inside && x >= LEFT && x < LEFT + width) && (row[3 * x] || row[3 * x + 1] || row[3 * x + 2])) lit++
     }
     equal(lit, 0, 'pixels that are lit')
+  }],
+  ['a computer is told to send whole pictures, and what it sends is shown', () => {
+    const gud = new Gud(host)
+    host.enumerate()
+    const descriptor = gud.get(0x01, 30)
+    equal(descriptor.readUInt32LE(5), 2, 'flags: full updates')
+    equal(descriptor[9], 0, 'compression')
+    check(gud.begin(FORMAT.rgb565), `refused with status ${gud.status()}`)
+    check(!gud.buffer({ x: 1, y: 1, width: 3, height: 3, length: 18 }), 'an odd rectangle is taken')
+    for (const seed of [1, 2]) {
+      const bytes = picture565(width, height, seed)
+      host.bulk(1, bytes)
+      pico.run(() => false, 1)
+      judge.same(judge.look(wires.transcript()), shown565(bytes), `picture ${seed}`)
+    }
   }],
   ['windows are even, writes are not small, and select frames whole bytes', () => {
     equal(wires.faults.length, 0, `faults, the first: ${wires.faults[0]}`)
