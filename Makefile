@@ -237,7 +237,7 @@ DIST_PANELS = $(foreach panel,$(PICO_RELEASED),build/firmware/pico-$(panel)/glin
 	build/firmware/pico-st7789-240x240-two-cores-teapot/glint.uf2=glint-VERSION-pico-teapot.uf2 $(foreach board,$(PICO_READY),$(foreach demo,$(PICO_READY_DEMOS),\
 	build/firmware/$(board)-$(call pico_panel_of,$(board))$(if $(filter teapot,$(demo)),-two-cores-teapot)/glint.uf2=glint-VERSION-$(board)-$(demo).uf2))
 # Boards that have a panel, and what each gets: the dial, from which a tap goes to the coin, and the teapot where an emulator turns it.
-PICO_READY := $(filter-out pico pico2,$(pico_BOARDS))
+PICO_READY := $(filter-out pico pico2 pico-amoled,$(pico_BOARDS))
 PICO_READY_DEMOS = dial $(if $(filter $(board),$(pico_EMULATED)),teapot)
 DIST_BUILT = $(foreach board,$(GATEWARE_BOARDS),$(GATEWARE)/$(board).bin=glint-VERSION-$(board).bin) $(PAGE)/index.html=glint-VERSION-page.html
 
