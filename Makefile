@@ -186,7 +186,7 @@ firmware: $(if $(PORT),firmware-$(PORT),$(PORTS:%=firmware-%)) ## firmware: all 
 include firmware/conformance/conformance.mk firmware/ports/bare/bare.mk firmware/gateware/gateware.mk
 include $(sort $(wildcard firmware/ports/*/port.mk))
 include host/page/page.mk
-include tests/bench/bench.mk tests/bench/hazard3/hazard3.mk tests/bench/host/host.mk tests/bench/stream/stream.mk tests/bench/search/search.mk tests/bench/page/page.mk
+include tests/bench/bench.mk tests/bench/hazard3/hazard3.mk tests/bench/tgx/tgx.mk tests/bench/host/host.mk tests/bench/stream/stream.mk tests/bench/search/search.mk tests/bench/page/page.mk
 include $(sort $(wildcard tests/*/tier.mk))
 include tests/strength/strength.mk
 
