@@ -28,7 +28,7 @@ enum glint_err glint_paint_steps_for(struct glint_paint *paint, const struct gli
             if (open >> k & 1)
                 glint_paint_sums(paint, &run, k, samples[k].nl_q16, 0);
         const bool one = ends[0][0] == ends[1][0] && ends[0][1] == ends[1][1];
-        steps[i] = (uint16_t)(one ? ends[0][0] | ends[0][1] << 8 : 0);
+        steps[i] = (uint16_t)(one ? ends[0][0] | (unsigned)ends[0][1] << 8 : 0);
     }
     paint->format = format;
     return GLINT_OK;
