@@ -20,7 +20,7 @@ function powered_up(options) {
   const pico = new Pico(packages, { pins: board.pins }).load(`${folder}/glint.uf2`)
   const { wires, chip } = pico
   const imu = new Qmi8658(chip, board.sda / 2 % 2, options)
-  const made = { pico, wires, chip, imu, frames: [], first_change: undefined }
+  const made = { pico, wires, chip, imu, host: new UsbHost(pico), frames: [], first_change: undefined }
   // What the panel has had, to find the first pixel that changes; frames by their ends.
   const before = new Map()
   let at = 0
@@ -51,8 +51,7 @@ const said = (pico, text) => pico.uart.split(text).length - 1
 
 // As firmware/core/light_protocol.h has them.
 const GET_LIGHT = 0xa6, SILENT = 1, SENSED = 2
-function computer_of({ pico }) {
-  const host = new UsbHost(pico)
+function computer_of({ host }) {
   host.enumerate()
   return new Gud(host, { interface_number: 1, endpoint: 2 })
 }
