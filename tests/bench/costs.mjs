@@ -72,7 +72,7 @@ for (const build of ['O2', 'asm']) {
   for (const row of WIDGETS.filter((row) => hasAssembly(row) || build === 'O2')) {
     jobs.push(['mesh', row[0], build, 60, () => {
       const { widget, bare } = measureWidget(boot(`${folder}/npm`, `${folder}/lvgl-${build}.elf`), row)
-      return [['frame', widget], ['bare', bare], ['more', (100 * (widget / bare - 1)).toFixed(2)]]
+      return [['frame', widget], ['bare', bare]]
     }])
   }
   for (const row of build === 'O2' ? LIT_MESHES : []) {

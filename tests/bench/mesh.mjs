@@ -78,7 +78,7 @@ export function measureWidget(machine, [name, lines, way]) {
 
 export function printWidgets(machines, rows) {
   console.log('\nLVGL\'s object glint_lvgl_mesh on Cortex-M0+ [emulated: rp2040js], LVGL itself left out: thousands of cycles a frame, a new pose, and a')
-  console.log('strip an event, beside glint\'s own calls with the same strips and the same memory, without places for triangles that go on; and what it takes more.')
+  console.log('strip an event, beside glint\'s own calls with the same strips and the same memory, with places for all triangles that go on; and what it takes more.')
   for (const [build, machine] of Object.entries(machines))
     for (const row of rows.filter((row) => build !== 'asm' || hasAssembly(row))) {
       const { widget, bare } = measureWidget(machine, row), name = build === 'asm' ? `${row[0]}, asm` : row[0]
