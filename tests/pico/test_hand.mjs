@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_hand.mjs PACKAGES FOLDER PANEL JUDGE: a board with an accelerometer, whose light follows the hand: a model of the sensor's registers
-// on the emulated I2C, still, tilted, knocked, and with faults. Figures go to FOLDER/figures.json.
+// test_hand.mjs PACKAGES FOLDER PANEL JUDGE hand|faults: a board with an accelerometer, whose light follows the hand: a model of the sensor's registers
+// on the emulated I2C, still, tilted and knocked, or with faults, in a run of its own, since each takes minutes. Figures of the first go to FOLDER/figures.json.
 import { writeFileSync } from 'node:fs'
 import { Gud } from './gud.mjs'
 import { Judge } from './judge.mjs'
@@ -9,7 +9,7 @@ import { Qmi8658 } from './qmi8658.mjs'
 import { check, equal, run } from './tap.mjs'
 import { UsbHost } from './usb_host.mjs'
 
-const [packages, folder, panel, program] = process.argv.slice(2)
+const [packages, folder, panel, program, part] = process.argv.slice(2)
 const judge = new Judge(program, panel, folder)
 const { height, board } = judge
 const symbols = symbolsOf(`${folder}/glint.elf`)
@@ -57,7 +57,7 @@ function computer_of({ host }) {
 }
 
 let on, asks
-run([
+const hand = [
   ['the sensor is found, set up as its data sheet says, and the light follows the hand', () => {
     on = powered_up({ seed: 7 })
     check(on.pico.run(() => on.pico.uart.includes('the light follows the hand'), 3000), on.pico.uart)
@@ -143,6 +143,8 @@ run([
     tap()
     judge.same(judge.look(on.wires.transcript()), judge.scene('watchface', on.light), 'the picture after another')
   }],
+]
+const faults = [
   ...['absent', 'nacks', 'hangs', 'nonsense', 'stuck'].map((fault) => [
     `a sensor that ${{ absent: 'is not there', nacks: 'refuses bytes in the middle', hangs: 'never ends a transfer', nonsense: 'says nonsense', stuck: 'is stuck' }[fault]}: the light circles, the UART says so once, and the board goes on`, () => {
       on = powered_up({ seed: 3 })
@@ -171,7 +173,9 @@ run([
     equal([0, 4, 8, 12].map((at) => told.readInt32LE(at)).join(), `${SILENT},0,0,0`, 'what a computer learns')
     equal(on.wires.faults.length, 0, `faults, the first: ${on.wires.faults[0]}`)
   }],
-], () => {
+]
+if (part === 'faults') run(faults)
+else run(hand, () => {
   writeFileSync(`${folder}/figures.json`, JSON.stringify(figures, null, 2) + '\n')
   const round = (values) => values?.map((value) => value.toFixed(1)).join(', ')
   console.log(`# ${board.name}: first pixel after a step of 5 degrees: ${round(figures.first_ms)} ms; the dial: a frame every ` +

@@ -62,7 +62,7 @@ static void on_flush(void *context, const uint16_t *pixels, size_t count, void (
 }
 
 const struct hal board_hal = {
-    {on_command, on_data, NULL, on_backlight, on_wait, NULL}, on_flush, NULL, NULL, NULL, NULL, NULL, NULL};
+    {on_command, on_data, NULL, NULL, on_backlight, on_wait, NULL}, on_flush, NULL, NULL, NULL, NULL, NULL, NULL};
 
 enum fault board_start(void)
 {
