@@ -108,6 +108,8 @@ struct sink_shader {
     bool (*find_mesh)(struct sink *sink, struct light_mesh *mesh);
     enum sink_result (*send_mesh)(struct sink *sink, const struct light_material *material);
     enum sink_result (*send_pose)(struct sink *sink, const struct light_pose *pose, size_t *bytes);
+    /* Where the room's light is, as the device's own sensor has it: about 2^15 long. Ends the program where it has none. */
+    enum sink_result (*read_light)(struct sink *sink, int32_t to_light[3]);
     void (*close)(struct sink *sink); /* as above */
 };
 
