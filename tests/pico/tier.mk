@@ -35,6 +35,7 @@ pico-images: $(BUILD)/glint $(PICO_MESH_TESTED) $(BUILD)/bin2uf2 $(CONFORMANCE_E
 run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $(addprefix $(BUILD)/tests/lab/,init spi.dtb)
 	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) TALLY_JOBS=$$(nproc) && \
 		export LAB_KERNEL LAB_BUILD TALLY_JOBS && tests/tally \
+		$(foreach board,$(PICO_READY_TESTED),$(foreach part,hand faults,"node tests/pico/test_hand.mjs $(BENCH_NPM) build/firmware/$(board)-$(call pico_panel_of,$(board)) $(call pico_panel_of,$(board)) $(BUILD)/tests/pico/judge $(part)")) \
 		$(foreach panel,st7789-240x240,"$(call PICO_TEST,faults)" \
 		"tests/lab/guest --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,end_to_end) $(BUILD)/glint" \
 		"tests/lab/guest --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,pose,-teapot) $(BUILD)/glint" \
@@ -45,7 +46,6 @@ run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $
 		"$(call PICO_TEST,second_core,-two-cores)" "$(call PICO_TEST,exact,-exact)" \
 		"$(call PICO_TEST,teapot,-two-cores-teapot) both" "$(call PICO_TEST,teapot,-teapot)") \
 		"node tests/pico/test_round.mjs $(BENCH_NPM) build/firmware/pico-$(PICO_ROUND_TESTED)-turned-90 $(PICO_ROUND_TESTED) $(BUILD)/tests/pico/judge" \
-		$(foreach board,$(PICO_READY_TESTED),"node tests/pico/test_hand.mjs $(BENCH_NPM) build/firmware/$(board)-$(call pico_panel_of,$(board)) $(call pico_panel_of,$(board)) $(BUILD)/tests/pico/judge") \
 		$(foreach board,$(PICO_READY_TESTED),"node tests/pico/test_teapot.mjs $(BENCH_NPM) build/firmware/$(board)-$(call pico_panel_of,$(board))-two-cores-teapot $(call pico_panel_of,$(board)) $(BUILD)/tests/pico/judge both") \
 		"node tests/pico/test_amoled.mjs $(BENCH_NPM) build/firmware/$(PICO_AMOLED_TESTED)-$(call pico_panel_of,$(PICO_AMOLED_TESTED)) $(call pico_panel_of,$(PICO_AMOLED_TESTED)) $(BUILD)/tests/pico/judge" \
 		"node tests/pico/test_teapot.mjs $(BENCH_NPM) build/firmware/$(PICO_AMOLED_TESTED)-$(PICO_AMOLED_WHOLE)-teapot $(PICO_AMOLED_WHOLE) $(BUILD)/tests/pico/judge" \

@@ -12,7 +12,8 @@
 static struct panel panel = {.bus = &board_hal.bus};
 static struct gud_device gud;
 static struct gud_panel gud_panel = {.hal = &board_hal, .panel = &panel};
-static struct light_device light = {.width = PANEL_WIDTH, .height = PANEL_HEIGHT, .interface = USB_LIGHT, .gud = &gud};
+static struct light_device light = {
+    .width = PANEL_WIDTH, .height = PANEL_HEIGHT, .interface = USB_LIGHT, .sense = hand_sense, .gud = &gud};
 static struct gud_device_ops gud_ops;
 static const uint8_t gud_formats[] = {GUD_RGB565, GUD_R1};
 static struct gud_device_config gud_config = {.width = PANEL_WIDTH,

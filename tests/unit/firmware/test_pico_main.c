@@ -101,6 +101,12 @@ bool hand_poll(void)
     return false;
 }
 
+enum light_sense hand_sense(int32_t to_light[3])
+{
+    (void)to_light;
+    return LIGHT_NO_SENSOR;
+}
+
 void shown_next_scene(void)
 {
 }
