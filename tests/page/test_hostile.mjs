@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// test_hostile.mjs PAGE: what the page does with devices that answer anything: in node, without a browser. SEED (1), DEVICES (400).
+// test_hostile.mjs PAGE: what the page does with devices that answer anything and with files that hold anything: in node, without a
+// browser. SEED (1), DEVICES (400), FILES (300).
 import { readFileSync } from 'node:fs'
 import { check, equal, run } from '../pico/tap.mjs'
+import { png } from './maps.mjs'
+import { ball, gltf, meshes } from './meshes.mjs'
 import { randomly } from './states.mjs'
 
 const [folder] = process.argv.slice(2)
-const { Engine, Pico, sentences, Trouble, white } = await import(`${process.cwd()}/${folder}/engine.mjs`)
+const { Engine, Pico, readPng, sentences, Trouble, white } = await import(`${process.cwd()}/${folder}/engine.mjs`)
 const engine = new Engine(new WebAssembly.Module(readFileSync(`${folder}/module.wasm`)))
 const random = randomly(Number(process.env.SEED ?? 1))
 const below = count => Math.floor(random() * count), pick = list => list[below(list.length)]
@@ -84,6 +87,44 @@ async function live(device, became) {
     return device.closed ? '' : 'it was not closed'
 }
 
+// ---- files ----
+
+const files = Number(process.env.FILES ?? 300)
+const { places, normals, uv, colors, indices } = ball([0, 0, 0], 1, 8, 5)
+const picture = png({ width: 8, height: 8, type: 2, depth: 8, sample: () => below(256) })
+const texts = [false, true].flatMap(isText => [gltf([{ places, normals, indices, material: 0 }], { materials: [{ pbrMetallicRoughness: { baseColorFactor: [.5, .6, .7, 1] } }] }, [], isText),
+    gltf([{ places, normals, uv, colors, indices, material: 0 }, { places, normals, uv, colors, indices }],
+        { materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }], textures: [{ source: 0, sampler: 0 }], samplers: [{ wrapS: 33071 }], placed: [{ translation: [1, 0, 0], children: [2] }, { rotation: [0, 0, 1, 0], scale: [1, 2, 1] }, {}] }, [picture], isText)])
+
+/** The file with its numbers, names and values, or any bytes, changed. */
+function changed(file) {
+    let text = Buffer.from(file).toString('latin1')
+    const part = /-?[0-9][0-9.e+-]*|"[A-Za-z_0-9]+"|\[[^[\]]*\]|\{[^{}]*\}/g
+    for (let left = pick([1, 1, 2, 5]); left--;) {
+        const at = below(text.length), head = text.slice(0, at)
+        if (below(3)) {
+            const found = [...text.slice(0, 8000).matchAll(part)], { 0: old, index } = pick(found) ?? { 0: '', index: 0 }
+            const value = pick(['0', '-1', '1.5', '1e308', '4294967296', '1e9', '5126', 'null', '[]', '{}', '""', '"a"', '[0,0]', 'true', old + old])
+            text = text.slice(0, index) + value + text.slice(index + old.length)
+        } else {
+            text = pick([head, head + String.fromCharCode(below(256)) + text.slice(at + 1), head + text.slice(at + below(30)), head + head.slice(-below(30)) + text.slice(at)])
+        }
+        text ||= ' '
+    }
+    return Uint8Array.from(Buffer.from(text, 'latin1'))
+}
+
+/** Draws what the file's bytes are, or says why not. */
+function drawn(name, file, words) {
+    try {
+        name.endsWith('.png') ? engine.addMap(name, readPng(name, file)) : engine.addMesh(name, file)
+        engine.draw([words + name, '--size=12x12'])
+        return ''
+    } catch (error) {
+        return error.message
+    }
+}
+
 run([
     [`${count} devices that answer anything are served or refused in a sentence, and closed`, async () => {
         const became = { connected: 0, served: 0, refused: 0 }
@@ -103,6 +144,26 @@ run([
             const width = size >>> 16, height = size & 0xffff
             check(width <= sideMax && height <= sideMax && width * height <= pixelsMax, `${at}: ${width}x${height}`)
         }
+    }],
+    [`${files} meshes and pictures that hold anything are drawn or refused in a sentence that names them`, () => {
+        const became = { drawn: 0, refused: 0 }
+        for (let i = 0; i < files; i++) {
+            const [name, file, words] = below(4) ? ['a.glb', changed(pick(texts)), '--mesh='] : below(2) ? ['a.stl', changed(meshes['coloured.stl']), '--mesh='] : ['a.png', changed(picture), '--height=']
+            const said = drawn(name, file, words)
+            check(!said || said.startsWith(`${name}: `), `${said}; the file in base64: ${Buffer.from(file).toString('base64').slice(0, 4000)}`)
+            became[said ? 'refused' : 'drawn']++
+        }
+        check(became.drawn && became.refused, JSON.stringify(became))
+        console.log(`# ${JSON.stringify(became)}`)
+    }],
+    ['nodes that have each other many times over are refused, not followed', () => {
+        const nodes = Array.from({ length: 40 }, (_, i) => i < 39 ? { children: [i + 1, i + 1] } : { mesh: 0 })
+        const json = { ...JSON.parse(texts[2].toString()), nodes, scenes: [{ nodes: [0] }] }
+        check(drawn('a.gltf', Uint8Array.from(Buffer.from(JSON.stringify(json))), '--mesh=').includes('nodes'), 'it does not say so')
+    }],
+    ['a picture whose palette is too short is damaged', () => {
+        const said = drawn('a.png', Uint8Array.from(png({ width: 4, height: 4, type: 3, depth: 8, sample: () => 200, extra: [['PLTE', [1, 2, 3]]] })), '--height=')
+        check(said.startsWith('a.png: damaged PNG'), said)
     }],
     ['after all that it draws what it drew before', () => {
         engine.addWhite(white, 8, 8)
