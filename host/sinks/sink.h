@@ -140,8 +140,6 @@ void sink_finish(struct sink *sink); /* close follows */
 void sink_close(struct sink *sink);
 /* The size of a sink that takes any: as the user asked, else the scene's own. */
 void sink_size(struct sink *sink, const struct sink_wish *wish);
-/* Is this a picture of at most SIDE_MAX a side and PIXELS_MAX in all, which is as much as glint shades? */
-bool sink_size_fits(uint32_t width, uint32_t height);
 /* Do frames to this output go to standard output? Then words go to standard error. */
 bool sink_takes_standard_output(const struct sink_kind *kind, const char *output);
 

@@ -35,7 +35,7 @@ bool usb_light_fits(const struct light_descriptor *device, const struct sink_wis
                     size_t size)
 {
     const unsigned width = device->width, height = device->height;
-    if (!sink_size_fits(width, height))
+    if (!picture_size_fits(width, height))
         snprintf(line, size, "%s: its %ux%u pixels are too many; the most is %d a side and %d in all", name, width,
                  height, SIDE_MAX, PIXELS_MAX);
     else if ((wish->width && (wish->width != width || wish->height != height)) ||
