@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// test_hand.mjs PACKAGES FOLDER PANEL JUDGE: a board with an accelerometer, whose light follows the hand: a model of the sensor's registers
-// on the emulated I2C, still, tilted, knocked, and with faults. Figures go to FOLDER/figures.json.
+// test_hand.mjs PACKAGES FOLDER PANEL JUDGE hand|faults: a board with an accelerometer, whose light follows the hand: a model of the sensor's registers
+// on the emulated I2C, still, tilted and knocked, or with faults, in a run of its own, since each takes minutes. Figures of the first go to FOLDER/figures.json.
 import { writeFileSync } from 'node:fs'
 import { Judge } from './judge.mjs'
 import { Pico, symbolsOf } from './pico.mjs'
 import { Qmi8658 } from './qmi8658.mjs'
 import { check, equal, run } from './tap.mjs'
 
-const [packages, folder, panel, program] = process.argv.slice(2)
+const [packages, folder, panel, program, part] = process.argv.slice(2)
 const judge = new Judge(program, panel, folder)
 const { height, board } = judge
 const symbols = symbolsOf(`${folder}/glint.elf`)
@@ -48,7 +48,7 @@ function settle(board_now, ms = 600) {
 const said = (pico, text) => pico.uart.split(text).length - 1
 
 let on
-run([
+const hand = [
   ['the sensor is found, set up as its data sheet says, and the light follows the hand', () => {
     on = powered_up({ seed: 7 })
     check(on.pico.run(() => on.pico.uart.includes('the light follows the hand'), 3000), on.pico.uart)
@@ -119,6 +119,8 @@ run([
     tap()
     judge.same(judge.look(on.wires.transcript()), judge.scene('watchface', on.light), 'the picture after another')
   }],
+]
+const faults = [
   ...['absent', 'nacks', 'hangs', 'nonsense', 'stuck'].map((fault) => [
     `a sensor that ${{ absent: 'is not there', nacks: 'refuses bytes in the middle', hangs: 'never ends a transfer', nonsense: 'says nonsense', stuck: 'is stuck' }[fault]}: the light circles, the UART says so once, and the board goes on`, () => {
       on = powered_up({ seed: 3 })
@@ -145,7 +147,9 @@ run([
     check(on.frames.length - from > 0.28 * 60, `${on.frames.length - from} frames in 0.3 s`)
     equal(on.wires.faults.length, 0, `faults, the first: ${on.wires.faults[0]}`)
   }],
-], () => {
+]
+if (part === 'faults') run(faults)
+else run(hand, () => {
   writeFileSync(`${folder}/figures.json`, JSON.stringify(figures, null, 2) + '\n')
   const round = (values) => values?.map((value) => value.toFixed(1)).join(', ')
   console.log(`# ${board.name}: first pixel after a step of 5 degrees: ${round(figures.first_ms)} ms; the dial: a frame every ` +
