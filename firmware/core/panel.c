@@ -84,8 +84,8 @@ static const uint8_t co5300_values[] = {0xfe,
 struct controller {
     uint16_t columns, rows;
     bool bgr, inverted, mirrored;
-    uint8_t bus, step, least;
-    const uint8_t *values; /* NULL: none beside those of all */
+    uint8_t bus, step, least; /* a step is a power of 2 */
+    const uint8_t *values;    /* NULL: none beside those of all */
 };
 static const struct controller controllers[] = {
 #define CONTROLLER(id, name, columns, rows, bgr, inverted, mirrored, clk_hz, values, bus, step, least)                 \
@@ -119,6 +119,17 @@ static uint16_t glass_height(const struct panel *panel)
     return panel->rotation % 2 ? panel->width : panel->height;
 }
 
+/* The row that the panel is of; NULL: none. */
+static const struct glass *find_glass(const struct panel *panel)
+{
+    const struct glass *glass = glasses;
+    while (glass->controller != panel->controller || glass->width != glass_width(panel) ||
+           glass->height != glass_height(panel))
+        if (++glass == glasses + sizeof glasses / sizeof *glasses)
+            return NULL;
+    return glass;
+}
+
 bool panel_defaults(struct panel *panel, enum panel_controller controller, uint8_t rotation, uint16_t width,
                     uint16_t height)
 {
@@ -132,17 +143,13 @@ bool panel_defaults(struct panel *panel, enum panel_controller controller, uint8
     panel->round = false;
     panel->bgr = controller < PANEL_CONTROLLERS && controllers[controller].bgr;
     panel->inverted = controller < PANEL_CONTROLLERS && controllers[controller].inverted;
-    for (size_t i = 0; i < sizeof glasses / sizeof *glasses; i++) {
-        const struct glass *glass = &glasses[i];
-        if (glass->controller == controller && glass->width == glass_width(panel) &&
-            glass->height == glass_height(panel)) {
-            panel->x_offset = glass->x_offset;
-            panel->y_offset = glass->y_offset;
-            panel->round = glass->shape == ROUND;
-            return panel_fits(panel);
-        }
-    }
-    return false;
+    const struct glass *glass = find_glass(panel);
+    if (!glass)
+        return false;
+    panel->x_offset = glass->x_offset;
+    panel->y_offset = glass->y_offset;
+    panel->round = glass->shape == ROUND;
+    return panel_fits(panel);
 }
 
 /* On QSPI windows are even, and nothing is turned. */
@@ -188,7 +195,7 @@ struct panel_columns panel_visible(const struct panel *panel, unsigned y, unsign
         else
             outside = at + 1;
     }
-    inside -= inside % controllers[panel->controller].step;
+    inside &= ~(controllers[panel->controller].step - 1u);
     columns.first = (uint16_t)inside;
     columns.count = (uint16_t)(size - 2 * inside);
     return columns;
@@ -258,7 +265,7 @@ static bool backlight(const struct panel *panel, uint8_t percent)
 {
     const struct panel_bus *bus = panel->bus;
     if (is_on_qspi(panel))
-        return send_byte(panel, PANEL_BRIGHTNESS, (uint8_t)(percent * 255 / PANEL_BRIGHTEST));
+        return send_byte(panel, PANEL_BRIGHTNESS, (uint8_t)(percent * 653u >> 8)); /* 100: 255 */
     return !bus->backlight || bus->backlight(bus->context, percent);
 }
 
@@ -306,13 +313,10 @@ static bool start_paged(const struct panel *panel)
 /* The glass around a picture in its middle; of others nothing. */
 static bool blacken(const struct panel *panel)
 {
-    static const uint8_t black[64];
-    const struct glass *glass = glasses;
+    static const uint8_t black[32];
+    const struct glass *glass = find_glass(panel);
     const struct panel_bus *bus = panel->bus;
-    while (glass->controller != panel->controller || glass->width != panel->width || glass->height != panel->height)
-        if (++glass == glasses + sizeof glasses / sizeof *glasses)
-            return true;
-    if (glass->shape != MIDDLE)
+    if (!glass || glass->shape != MIDDLE)
         return true;
     glass--;
     if (!send_range(panel, PANEL_COLUMN_ADDRESS, glass->x_offset, glass->width) ||
@@ -395,7 +399,7 @@ bool panel_window(const struct panel *panel, uint16_t x, uint16_t y, uint16_t wi
     /* What the memory holds beside the glass, on the side from which the turned picture counts. */
     const unsigned left = panel->x_offset, top = panel->y_offset;
     const struct controller *controller = &controllers[panel->controller];
-    if ((x | y | width | height) % controller->step || (uint32_t)width * height * 2 < controller->least)
+    if (((x | y | width | height) & (controller->step - 1u)) || (uint32_t)width * height * 2 < controller->least)
         return false;
     const unsigned right = controller->columns - left - glass_width(panel);
     const unsigned bottom = controller->rows - top - glass_height(panel);

@@ -34,8 +34,7 @@ static void receive_files(struct reader *reader, uint64_t count)
 {
     struct import_file file;
     if (count > IMPORT_FILES_MAX)
-        fail("%s: libassimp read more than %d files; export it again, in one file", reader->source->name,
-             IMPORT_FILES_MAX);
+        fail("%s: names more than %d files; export it again, in one file", reader->source->name, IMPORT_FILES_MAX);
     for (uint64_t i = 0; i < count; i++) {
         receive(reader, &file, sizeof file);
         output_never_number(file.device, file.number);
@@ -77,7 +76,7 @@ static struct soup *receive_soup(struct reader *reader)
     receive(reader, &head, sizeof head);
     head.message[sizeof head.message - 1] = 0;
     if (head.message[0])
-        fail("%s: libassimp cannot read this mesh: %s", reader->source->name, head.message);
+        fail("%s: %s cannot read this mesh: %s", reader->source->name, reader->child.reader, head.message);
     head.refused[sizeof head.refused - 1] = 0;
     if (head.refused[0])
         warn("%s: names %s, which is left out: %s", reader->source->name, head.refused,
@@ -122,7 +121,8 @@ struct soup *import_soup(const char *path, bool textures, const char *allowed)
     source->textures = textures;
     source->allowed = allowed;
     struct reader reader = {.source = source};
-    child_start(&reader.child, source->name, "libassimp", run_child, source);
+    child_start(&reader.child, source->name, strcmp(source->ending, ".obj") == 0 ? "glint" : "libassimp", run_child,
+                source);
     struct soup *soup = receive_soup(&reader);
     child_end(&reader.child);
     import_source_free(source);

@@ -48,7 +48,7 @@ static bool load(void)
     return good;
 }
 
-static void send_message(int out, const char *text)
+void import_send_message(int out, const char *text)
 {
     struct import_head head = {.face_count = 0};
     snprintf(head.message, sizeof head.message, "%s", text[0] ? text : "it is damaged");
@@ -58,10 +58,8 @@ static void send_message(int out, const char *text)
 /* glTF's colours are linear, the others' as encoded. */
 static uint8_t level(double part, bool linear)
 {
-    double value = fmin(1, fmax(0, part)); /* of NaN 0 */
-    if (linear)
-        value = value <= .0031308 ? 12.92 * value : 1.055 * pow(value, 1 / 2.4) - .055;
-    return (uint8_t)lround(255 * value);
+    const double value = fmin(1, fmax(0, part)); /* of NaN 0 */
+    return mesh_level(!linear ? value : value <= .0031308 ? 12.92 * value : 1.055 * pow(value, 1 / 2.4) - .055);
 }
 
 /* Both are 1 where the file says nothing. */
@@ -79,30 +77,10 @@ static void set_roughness(const struct aiMaterial *from, struct mesh_material *m
     material->has_roughness = material->metallic < 1 || material->roughness < 1;
 }
 
-/* Of an OBJ alone: other files have what libassimp takes for its own. Programs write black for what they do not know. */
-static void set_highlight(const struct aiMaterial *from, struct mesh_material *material)
-{
-    struct aiColor4D color;
-    if (lib.aiGetMaterialColor(from, AI_MATKEY_COLOR_SPECULAR, &color) != aiReturn_SUCCESS)
-        return;
-    const double parts[3] = {fmax(0, (double)color.r), fmax(0, (double)color.g), fmax(0, (double)color.b)};
-    const double most = fmax(parts[0], fmax(parts[1], parts[2]));
-    material->has_highlight = most > 0 && most < 1e30;
-    for (int k = 0; k < 3 && material->has_highlight; k++)
-        material->highlight[k] = parts[k] / most;
-}
-
-static double linear_of(uint8_t encoded)
-{
-    const double value = encoded / 255.;
-    return value <= .04045 ? value / 12.92 : pow((value + .055) / 1.055, 2.4);
-}
-
 static struct mesh_material material_of(const struct aiMaterial *from, bool linear)
 {
     struct mesh_material material = {.factor = {1, 1, 1}};
     struct aiColor4D color;
-    float n = 0;
     int shading = 0;
     unsigned one = 1;
     if (lib.aiGetMaterialColor(from, AI_MATKEY_COLOR_DIFFUSE, &color) == aiReturn_SUCCESS) {
@@ -111,11 +89,8 @@ static struct mesh_material material_of(const struct aiMaterial *from, bool line
         for (int k = 0; k < 3; k++)
             material.color[k] = level((double)parts[k], linear);
     }
-    if (!linear && lib.aiGetMaterialFloatArray(from, AI_MATKEY_SHININESS, &n, &one) == aiReturn_SUCCESS && n >= 1)
-        material.n = (unsigned)fmin(1000, (double)n); /* an OBJ's Ns; a glTF has another model */
     if (linear)
         set_roughness(from, &material);
-    one = 1;
     if (lib.aiGetMaterialIntegerArray(from, AI_MATKEY_SHADING_MODEL, &shading, &one) == aiReturn_SUCCESS)
         material.unlit = shading == aiShadingMode_NoShading; /* glTF's unlit, too */
     return material;
@@ -251,15 +226,13 @@ static void set_texture(const struct aiMaterial *from, bool linear, struct impor
         material->picture = import_pictures_find(pictures, name.data) + 1;
         material->clamps = wrap[0] != aiTextureMapMode_Wrap || wrap[1] != aiTextureMapMode_Wrap;
         material->is_nearest = filter == GLTF_NEAREST;
-        if (material->has_color && lib.aiGetMaterialColor(from, AI_MATKEY_COLOR_DIFFUSE, &color) == aiReturn_SUCCESS) {
+        if (!linear) {
+            mesh_material_set_factor(material);
+        } else if (lib.aiGetMaterialColor(from, AI_MATKEY_COLOR_DIFFUSE, &color) == aiReturn_SUCCESS) {
             const float parts[3] = {color.r, color.g, color.b};
             for (int k = 0; k < 3; k++)
-                material->factor[k] = linear ? fmin(1, fmax(0, (double)parts[k])) : linear_of(material->color[k]);
+                material->factor[k] = fmin(1, fmax(0, (double)parts[k]));
         }
-        /* Beside a picture programs write any colour, black, too; where there is none libassimp says .6. */
-        const bool is_said = memcmp(material->color, "\0\0", 3) != 0 && memcmp(material->color, "\x99\x99\x99", 3) != 0;
-        for (int k = 0; k < 3 && !linear && !is_said; k++)
-            material->factor[k] = 1;
         placing->channel = (unsigned)channel;
         if (linear)
             set_placing(from, type, placing);
@@ -276,8 +249,7 @@ static void set_look(const struct aiMaterial *from, struct import_pictures *pict
         material->look_picture = import_pictures_find(pictures, name.data) + 1;
 }
 
-/* NULL: `wrong` says why, unless libassimp does. */
-static const struct aiScene *read_scene(const struct import_source *of, char wrong[120])
+static const struct aiScene *read_scene(const struct import_source *of)
 {
     const unsigned steps = aiProcess_Triangulate | aiProcess_PreTransformVertices;
     static struct import_source source; /* libassimp's files are read from it later, too */
@@ -285,12 +257,6 @@ static const struct aiScene *read_scene(const struct import_source *of, char wro
     struct aiFileIO *files = import_files(&source);
     char input[32];
     snprintf(input, sizeof input, "%s%s", import_files_input, of->ending);
-    if (strcmp(of->ending, ".obj") == 0) {
-        if (of->path)
-            import_files_take(&source);
-        if (source.bytes && !(source.bytes = import_obj_spelled(source.bytes, source.len, &source.len, wrong)))
-            return NULL;
-    }
     return lib.aiImportFileEx(of->path ? of->path : input, steps, files);
 }
 
@@ -308,23 +274,23 @@ static void send_error(const struct import_source *source, int out)
     } else if (!source->path && strstr(text, import_files_input)) {
         text = "";
     }
-    send_message(out, text);
+    import_send_message(out, text);
 }
 
 void import_child(const struct import_source *source, int out)
 {
     const bool linear = strcmp(source->ending, ".gltf") == 0 || strcmp(source->ending, ".glb") == 0;
-    if (!load()) {
-        send_message(out, LIBRARY " cannot be loaded; install libassimp5");
+    if (strcmp(source->ending, ".obj") == 0) {
+        import_obj(source, out);
         return;
     }
-    char wrong[120] = "";
-    const struct aiScene *scene = read_scene(source, wrong);
+    if (!load()) {
+        import_send_message(out, LIBRARY " cannot be loaded; install libassimp5");
+        return;
+    }
+    const struct aiScene *scene = read_scene(source);
     if (!scene) {
-        if (wrong[0])
-            send_message(out, wrong);
-        else
-            send_error(source, out);
+        send_error(source, out);
         return;
     }
     struct import_head head = head_of(scene, strcmp(source->ending, ".stl") == 0);
@@ -333,8 +299,6 @@ void import_child(const struct import_source *source, int out)
     struct import_pictures pictures = {scene, source, 0, allocate(scene->mNumMaterials, 2 * sizeof *pictures.of)};
     for (unsigned i = 0; i < scene->mNumMaterials; i++) {
         materials[i] = material_of(scene->mMaterials[i], linear);
-        if (strcmp(source->ending, ".obj") == 0)
-            set_highlight(scene->mMaterials[i], &materials[i]);
         placings[i] = plain_placing;
         if (source->textures && linear)
             set_look(scene->mMaterials[i], &pictures, &materials[i]);

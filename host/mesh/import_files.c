@@ -3,6 +3,7 @@
 
 #if GLINT_WITH_MESH
 #include <assimp/cfileio.h>
+#include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -14,6 +15,7 @@
 #include <unistd.h>
 
 #include "base/memory.h"
+#include "base/message.h"
 
 const char import_files_input[] = "standard input";
 static const struct import_source *source;
@@ -123,6 +125,84 @@ const char *import_files_refused(void)
     return refused[0] ? refused : NULL;
 }
 
+/* ---- names in meshes ---- */
+
+/* Names are written as on the other system, too. */
+static void use_slashes(char *name)
+{
+    for (; *name; name++)
+        if (*name == '\\')
+            *name = '/';
+}
+
+/* On another system's drive, or on the web. */
+static bool is_elsewhere(const char *name)
+{
+    return (isalpha((unsigned char)name[0]) && name[1] == ':') || strstr(name, "://");
+}
+
+/* %20 and the like, which a glTF may have; in place. */
+static void decode_percents(char *name)
+{
+    char *to = name;
+    for (const char *at = name; *at; at++) {
+        char digits[3] = "";
+        if (at[0] == '%' && at[1]) {
+            digits[0] = at[1];
+            digits[1] = at[2];
+        }
+        const bool is_code = isxdigit((unsigned char)digits[0]) && isxdigit((unsigned char)digits[1]);
+        *to++ = *at;
+        if (is_code) {
+            to[-1] = (char)strtoul(digits, NULL, 16);
+            at += 2;
+        }
+    }
+    *to = 0;
+}
+
+/* Names are in the folder of the mesh unless they are whole. */
+static FILE *open_named(const struct import_source *of, const char *name, size_t *len, const char **wrong)
+{
+    const char *slash = strrchr(of->path, '/');
+    char *path;
+    if (is_elsewhere(name)) {
+        *wrong = outside;
+        return NULL;
+    }
+    if (asprintf(&path, "%.*s%s", slash && name[0] != '/' ? (int)(slash - of->path) + 1 : 0, of->path, name) < 0)
+        _exit(1);
+    FILE *stream = import_files_open(path, len, wrong);
+    free(path);
+    return stream;
+}
+
+FILE *import_files_open_named(const struct import_source *of, const char *key, size_t *len, const char **wrong)
+{
+    *wrong = outside;
+    if (!of->path)
+        return NULL;
+    char *name = strdup(key);
+    if (!name)
+        fail("out of memory");
+    use_slashes(name);
+    FILE *stream = open_named(of, name, len, wrong);
+    if (!stream && strchr(name, '%')) {
+        decode_percents(name);
+        stream = open_named(of, name, len, wrong);
+    }
+    free(name);
+    return stream;
+}
+
+char *import_files_read_all(FILE *stream, size_t *len)
+{
+    char *bytes = allocate(*len + 1, 1);
+    *len = fread(bytes, 1, *len, stream);
+    fclose(stream);
+    return bytes;
+}
+
 /* ---- libassimp's files ---- */
 
 static bool is_mesh(const char *path)
@@ -201,18 +281,6 @@ static void close_opened(struct aiFileIO *io, struct aiFile *file)
     (void)io;
     fclose(((struct opened *)file)->stream);
     free(file);
-}
-
-/* The mesh's file is one of those read, whatever the child makes of its bytes. */
-void import_files_take(struct import_source *of)
-{
-    const char *wrong;
-    FILE *stream = import_files_open(of->path, &of->len, &wrong);
-    if (!stream)
-        return;
-    of->bytes = allocate(of->len + 1, 1);
-    of->len = fread(of->bytes, 1, of->len, stream);
-    fclose(stream);
 }
 
 struct aiFileIO *import_files(const struct import_source *of)

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT
- * OBJ as libassimp reads it: it drops a vertex that it does not understand, and all faces after it get others. */
+ * Inside the child process: an OBJ, by glint's own reader, and the files that it names. */
 #ifndef GLINT_MESH_IMPORT_OBJ_H
 #define GLINT_MESH_IMPORT_OBJ_H
 
-#include <stddef.h>
+#include "mesh/import_source.h"
 
-/* The same OBJ with one spelling of numbers (0.5 for .5, 1 for +1, 5.0 for 5.), of lines (none continued, or with blanks before) and of places in lists
- * (counted from the first). Other lines stay. NULL: `wrong` says what is wrong, as the end of a message. The caller frees it. */
-char *import_obj_spelled(const char *text, size_t len, size_t *spelled_len, char wrong[120]);
+/* Sends what import_child does. */
+void import_obj(const struct import_source *source, int out);
 
 #endif

@@ -3,7 +3,6 @@
 
 #if GLINT_WITH_MESH
 #include <assimp/scene.h>
-#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,57 +41,6 @@ static void take_held(const struct aiScene *scene, struct import_found *found)
 
 /* ---- files ---- */
 
-/* Names are written as on the other system, too. */
-static void use_slashes(char *name)
-{
-    for (; *name; name++)
-        if (*name == '\\')
-            *name = '/';
-}
-
-/* On another system's drive, or on the web. */
-static bool is_elsewhere(const char *name)
-{
-    return (isalpha((unsigned char)name[0]) && name[1] == ':') || strstr(name, "://");
-}
-
-/* %20 and the like, which a glTF may have; in place. */
-static void decode_percents(char *name)
-{
-    char *to = name;
-    for (const char *at = name; *at; at++) {
-        char digits[3] = "";
-        if (at[0] == '%' && at[1]) {
-            digits[0] = at[1];
-            digits[1] = at[2];
-        }
-        const bool is_code = isxdigit((unsigned char)digits[0]) && isxdigit((unsigned char)digits[1]);
-        *to++ = *at;
-        if (is_code) {
-            to[-1] = (char)strtoul(digits, NULL, 16);
-            at += 2;
-        }
-    }
-    *to = 0;
-}
-
-/* Names are in the folder of the mesh unless they are whole. */
-static FILE *open_named(const struct import_source *source, const char *name, size_t *len, const char **wrong)
-{
-    const char *slash = strrchr(source->path, '/');
-    char *path;
-    if (is_elsewhere(name)) {
-        *wrong = import_files_outside(source);
-        return NULL;
-    }
-    if (asprintf(&path, "%.*s%s", slash && name[0] != '/' ? (int)(slash - source->path) + 1 : 0, source->path, name) <
-        0)
-        _exit(1);
-    FILE *stream = import_files_open(path, len, wrong);
-    free(path);
-    return stream;
-}
-
 static void read_file(struct import_found *found, FILE *stream, size_t len)
 {
     if (len > IMPORT_PICTURE_BYTES) {
@@ -108,28 +56,14 @@ static void take_file(const struct import_source *source, struct import_found *f
 {
     const char *wrong = NULL;
     size_t len = 0;
-    char *name = strdup(found->key);
-    if (!name)
-        _exit(1);
-    snprintf(found->head.name, sizeof found->head.name, "%.*s", (int)sizeof found->head.name - 1, name);
-    if (!source->path) {
-        refuse(found, import_files_outside(source));
-        free(name);
-        return;
-    }
-    use_slashes(name);
-    FILE *stream = open_named(source, name, &len, &wrong);
-    if (!stream && strchr(name, '%')) {
-        decode_percents(name);
-        stream = open_named(source, name, &len, &wrong);
-    }
+    snprintf(found->head.name, sizeof found->head.name, "%.*s", (int)sizeof found->head.name - 1, found->key);
+    FILE *stream = import_files_open_named(source, found->key, &len, &wrong);
     if (stream) {
         read_file(found, stream, len);
         fclose(stream);
     } else {
         refuse(found, wrong);
     }
-    free(name);
 }
 
 /* ---- both ---- */
@@ -143,7 +77,7 @@ unsigned import_pictures_find(struct import_pictures *pictures, const char *name
     *found = (struct import_found){.key = strdup(name)};
     if (!found->key)
         _exit(1);
-    if (name[0] == '*')
+    if (name[0] == '*' && pictures->scene)
         take_held(pictures->scene, found);
     else
         take_file(pictures->source, found);

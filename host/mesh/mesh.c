@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 void mesh_picture_clear(struct mesh_picture *picture)
 {
@@ -66,6 +67,24 @@ void mesh_material_look(const struct mesh_material *material, double ambient[3],
             diffuse[k] = specular[k] = 0;
         }
     }
+}
+
+uint8_t mesh_level(double part)
+{
+    return (uint8_t)lround(255 * fmin(1, fmax(0, part)));
+}
+
+static double linear_of(uint8_t encoded)
+{
+    const double value = encoded / 255.;
+    return value <= .04045 ? value / 12.92 : pow((value + .055) / 1.055, 2.4);
+}
+
+void mesh_material_set_factor(struct mesh_material *material)
+{
+    const bool is_said = memcmp(material->color, "\0\0", 3) != 0 && memcmp(material->color, "\x99\x99\x99", 3) != 0;
+    for (int k = 0; k < 3; k++)
+        material->factor[k] = is_said ? linear_of(material->color[k]) : 1;
 }
 
 double mesh_dot(const double a[3], const double b[3])

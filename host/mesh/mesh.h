@@ -25,6 +25,10 @@ struct mesh_material {
 /* What the material says in the place of what a command has, 0..1: of a glTF's roughness and metal what one lobe can show, of an OBJ's Ks
  * the hue. */
 void mesh_material_look(const struct mesh_material *material, double ambient[3], double diffuse[3], double specular[3]);
+/* Of a picture: the colour, unless it is none that a program means, black or the grey of what says nothing. */
+void mesh_material_set_factor(struct mesh_material *material);
+/* Of 0..1 a level of 255; of what is beyond the nearest one, of NaN 0. */
+uint8_t mesh_level(double part);
 
 /* A picture that faces wear, as read. */
 struct mesh_picture {

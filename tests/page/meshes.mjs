@@ -34,6 +34,25 @@ export const meshes = {
     'facets.stl': stl(ring(9, 5), 'COLOR=' + String.fromCharCode(30, 90, 200, 255), i => i % 2 ? 0x8000 | 31 * i : 0),
 }
 
+// ---- OBJ: a ball as triangles, quadrilaterals and polygons, with what a line may have ----
+
+const lines = (word, list, more = () => '') => list.map((values, i) => `${word} ${values.map(v => v.toFixed(6)).join(' ')}${more(i)}\n`).join('')
+const quads = (around, across) => Array.from({ length: around * across }, (_, i) => {
+    const from = Math.floor(i / around) * (around + 1) + i % around + 1
+    return [from, from + around + 1, from + around + 2, from + 1]
+})
+const { places, normals, uv, colors } = ball(), count = places.length
+const faces = corner => quads(16, 9).map(quad => `f ${quad.map(corner).join(' ')}\n`).join('')
+const gear = Array.from({ length: 40 }, (_, i) => [Math.cos(i * Math.PI / 20), Math.sin(i * Math.PI / 20), 0].map(v => v * [1, .7, .9, .5][i % 4]))
+/** Files, by name. */
+export const objs = {
+    'plain.obj': lines('v', places) + faces(i => i),
+    'whole.obj': lines('v', places) + lines('vt', uv) + lines('vn', normals) + faces(i => `${i}/${i}/${i}`),
+    'colours.obj': lines('v', places, i => ` ${colors[i].join(' ')}`) + lines('vn', normals) + faces(i => `${i}//${i}`),
+    'spelled.obj': '\ufeff# made\r\n' + lines('v', places, i => ['', ' # v', ' 1.', ' \\\r\n'][i % 4]).replace(/ 0\./g, ' +.').replace(/-0\./g, '-.').replace(/ (\d)\.(\d{6})/g, ' $1$2e-6').replace(/\n/g, '\r\n') + 'o a\ng b\ns off\nl 1 2\n' + faces(i => i - count - 1),
+    'gear.obj': lines('v', gear) + lines('v', gear.map(([x, y]) => [x, y, -.3])) + `f ${gear.map((_, i) => i + 1).join(' ')}\nf ${gear.map((_, i) => 80 - i).join(' ')}\n` + gear.map((_, i) => `f ${i + 1} ${i + 41} ${(i + 1) % 40 + 41} ${(i + 1) % 40 + 1}\n`).join(''),
+}
+
 // ---- glTF: a ball of so many quadrilaterals, with all that a primitive may have ----
 
 const kinds = { 5121: [1, 'writeUInt8'], 5123: [2, 'writeUInt16LE'], 5125: [4, 'writeUInt32LE'], 5126: [4, 'writeFloatLE'] }

@@ -87,7 +87,7 @@ run([
     }],
     ['a wrong file gives a sentence, and the picture stays', async () => {
         await browser.go(start)
-        for (const [file, bytes, sentence] of [['bunny.obj', Buffer.from('v 0 0 0\n'), 'bunny.obj: the page reads meshes from binary STL and glTF files; glint render --mesh reads others, too'], ['photo.jpg', Buffer.from('\xff\xd8\xff\xe0', 'latin1'), 'photo.jpg: this is a JPEG, not a PNG; convert it to PNG'],
+        for (const [file, bytes, sentence] of [['bunny.ply', Buffer.from('ply\n'), 'bunny.ply: the page reads meshes from OBJ, binary STL and glTF files; glint render --mesh reads others, too'], ['a.obj', Buffer.from('v 0 0\n'), 'a.obj: glint cannot read this mesh: line 1: a vertex has three numbers, or six with its colour'], ['photo.jpg', Buffer.from('\xff\xd8\xff\xe0', 'latin1'), 'photo.jpg: this is a JPEG, not a PNG; convert it to PNG'],
             ['cut.png', surfaces['rgb8.png'].bytes.subarray(0, 300), /^cut\.png: damaged PNG: .*; save it again$/]]) {
             await browser.drop({ [file]: bytes })
             await browser.until(file => !document.getElementById('refusal').hidden && document.getElementById('refusal').textContent.startsWith(file), file)

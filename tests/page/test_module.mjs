@@ -7,7 +7,7 @@ import { inflateRawSync } from 'node:zlib'
 import { check, equal, run } from '../pico/tap.mjs'
 import { Command, difference } from './glint.mjs'
 import { extras, png, surfaces } from './maps.mjs'
-import { ball, gltf, meshes, ring, stl } from './meshes.mjs'
+import { ball, gltf, meshes, objs, ring, stl } from './meshes.mjs'
 import { randomly, randomWords } from './states.mjs'
 
 const [folder, glint] = process.argv.slice(2)
@@ -210,6 +210,28 @@ run([
         const { 'mesh.bin': raw } = command.files(['bake', '--mesh=ring.stl', '--split=90', '--to=int8', '-o', 'mesh.bin'])
         equal(engine.deviceMesh(command.held(raw, 90), ['--mesh=ring.stl']), 90, 'a board that holds it')
         equal(engine.deviceMesh(command.held(raw, 90), ['--mesh=coloured.stl']), 0, 'a board that holds another one')
+    }],
+    ['OBJ files are drawn, baked and refused as the command does, in every spelling', () => {
+        const engine = new Engine(program)
+        for (const [name, text] of Object.entries(objs)) {
+            command.put(name, text)
+            engine.addMesh(name, new Uint8Array(Buffer.from(text)))
+            for (const more of [['--format=rgb565', '--turn=20,-50,10', '--perspective=3'], ['--turn=70,10,0', '--crease=30', '-n90', '--light=1,1,1']])
+                same(engine, [`--mesh=${name}`, '--size=80x70', ...more])
+            const list = ['bake', `--mesh=${name}`, '-o', 'mesh.c'], expected = command.files(list), { files } = engine.run([`glint ${list[0]}`, ...list.slice(1)])
+            for (const file of files)
+                check(expected[file.name].equals(Buffer.from(file.bytes)), `${name}: ${file.name} differs`)
+        }
+        const library = 'mtllib a b.mtl\nusemtl red\n' + objs['plain.obj']
+        engine.addMesh('named.obj', new Uint8Array(Buffer.from(library)))
+        const { rgba, warnings } = engine.draw(['--mesh=named.obj', '--size=40x40'])
+        check(warnings.join() === 'named.obj: names a b.mtl, which the page cannot open: its parts have one plain colour', warnings.join())
+        check(Buffer.from(rgba).equals(Buffer.from(engine.draw(['--mesh=plain.obj', '--size=40x40']).rgba)), 'it is not drawn without')
+        for (const text of ['', 'v 0 0\n', 'v 0 0 0\nf 1 2 3\n', 'v 0 0 0\nv nan 1 0\nv 1 1 0\nf 1 2 3\n', `v 0 0 0\nv 1 0 0\nv 0 1 0\n${'f 1 2 3\n'.repeat(65535)}`]) {
+            command.put('wrong.obj', text || '#')
+            engine.addMesh('wrong.obj', new Uint8Array(Buffer.from(text || '#')))
+            equal(refusal(() => engine.draw(['--mesh=wrong.obj', '--size=20x20'])), command.refusal(['render', '--mesh=wrong.obj', '--size=20x20', '-o', 'no.png']), text.slice(0, 40))
+        }
     }],
     ['glTF files that hold all they need are drawn and baked as the command does: colours, materials, textures', () => {
         const engine = new Engine(program), { places, normals, uv, colors, indices } = ball(), another = ball([1.2, .4, .3], .7, 11, 7)

@@ -27,6 +27,7 @@ run-page: all $(PAGE)/index.html $(PAGE_CONFORMANCE) $(CONFORMANCE_EXPECTED)
 		$(PAGE_TEST_NPM) $(PAGE) $(abspath $(BUILD)/glint) $(browser) $(PAGE_STATES_$(browser))") \
 		"node tests/page/test_device.mjs $(PAGE_TEST_NPM) $(PAGE) $(abspath $(BUILD)/glint)" \
 		"node tests/page/test_module.mjs $(PAGE) $(abspath $(BUILD)/glint)" \
+		"node tests/page/test_hostile.mjs $(PAGE)" \
 		"node tests/page/test_conformance.mjs $(PAGE_CONFORMANCE) $(CONFORMANCE_EXPECTED)"
 
 # The checks that boards run, over the module's own objects of the library.

@@ -83,7 +83,7 @@ have-pico-choices:
 	@$(if $(filter $(PICO_PANELS),$(PANEL)),,echo "make: PANEL=$(PANEL): the panels are $(PICO_PANELS)" >&2; exit 1)
 	@$(if $(filter 0 90 180 270,$(ROTATE)),,echo "make: ROTATE=$(ROTATE): say 0, 90, 180 or 270" >&2; exit 1)
 	@$(if $(filter-out $(PICO_FREE_PINS),$(TE)),echo "make: TE=$(TE): the pins that are free are $(PICO_FREE_PINS)" >&2; exit 1)
-	@$(if $(PICO_QSPI)$(filter co5300-%,$(call pico_fact,4)),$(if $(and $(PICO_QSPI),$(filter co5300-%,$(call pico_fact,4)),$(filter 0,$(ROTATE)),$(if $(TE),,1)),,echo "make: PANEL=$(PANEL): is for the boards with an AMOLED panel$(COMMA) and those for it; leave ROTATE and TE out" >&2; exit 1))
+	@$(if $(PICO_QSPI)$(filter co5300-%,$(call pico_fact,4)),$(if $(and $(PICO_QSPI),$(filter co5300-%,$(call pico_fact,4)),$(filter 0,$(ROTATE)),$(if $(TE),,1)),,echo "make: PANEL=$(PANEL)$(COMMA) BOARD=$(PICO_BOARD): AMOLED panels (co5300) are for the boards that have one$(COMMA) which take no others; leave ROTATE and TE out" >&2; exit 1))
 	@$(if $(filter 11,$(SECOND_CORE)$(PICO_EXACT)),echo "make: PATH=exact: draws with one core; leave SECOND_CORE=1 out" >&2; exit 1)
 	@$(if $(filter-out https://% http://localhost http://localhost/% http://localhost:%,$(LANDING_PAGE)),echo "make: LANDING_PAGE=$(LANDING_PAGE): browsers take https://... or http://localhost..." >&2; exit 1)
 	@$(if $(filter $(PICO_DEMOS),$(DEMO)),,echo "make: DEMO=$(DEMO): the demos are $(PICO_DEMOS)" >&2; exit 1)

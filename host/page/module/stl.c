@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
- * Meshes of the page: binary STL files, read as libassimp reads them for the command, and glTF files that hold all they need. Other formats
- * have numbers as texts, or files beside them, and are the command's alone. */
+ * Meshes of the page: binary STL files, read as libassimp reads them for the command, OBJ by the command's own reader but without files beside
+ * it, and glTF files that hold all they need. */
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/memory.h"
 #include "base/message.h"
@@ -13,6 +14,7 @@
 #include "image/read.h"
 #include "mesh/import.h"
 #include "mesh/import_picture.h"
+#include "mesh/obj.h"
 
 enum { COMMENT = 80, HEAD = 84, FACET = 50, HAS_COLOR = 0x8000 };
 
@@ -71,6 +73,39 @@ struct mesh_picture import_picture(const char *path)
     return picture;
 }
 
+/* ---- OBJ ---- */
+
+static const char *obj_name;
+
+static char *no_library(const char *name, size_t *len)
+{
+    (void)len;
+    warn("%s: names %s, which the page cannot open: its parts have one plain colour", obj_name, name);
+    return NULL;
+}
+
+static bool is_obj(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    return dot && strcasecmp(dot, ".obj") == 0;
+}
+
+static struct soup *obj_of(const char *path, const uint8_t *bytes, size_t len)
+{
+    const struct obj_source source = {(const char *)bytes, len, false, no_library};
+    char wrong[120];
+    obj_name = path;
+    struct soup *soup = obj_soup(&source, wrong);
+    if (!soup)
+        fail("%s: glint cannot read this mesh: %s", path, wrong);
+    soup->name = strdup(path);
+    if (!soup->name)
+        fail("out of memory");
+    soup_check_count(soup->name, soup->face_count);
+    soup_check_faces(soup);
+    return soup;
+}
+
 struct soup *import_soup(const char *path, bool textures, const char *allowed)
 {
     (void)allowed; /* these files name none */
@@ -80,6 +115,8 @@ struct soup *import_soup(const char *path, bool textures, const char *allowed)
         fail("%s: this mesh is not here; drop or choose the file", path);
     if (gltf_is(stl, len))
         return gltf_soup(path, (const void *)stl, textures);
+    if (is_obj(path))
+        return obj_of(path, stl, len);
     struct soup *soup = allocate(1, sizeof *soup);
     *soup =
         (struct soup){.name = strdup(path), .face_count = count_of(path, stl, len), .is_stl = true, .part_count = 1};

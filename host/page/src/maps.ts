@@ -16,8 +16,8 @@ async function take(file: File, kind: Kind): Promise<void> {
     const before = current(), had = bytesOf(name)
     let refusal = ''
     try {
-        if (kind === 'mesh' && !/\.stl$/i.test(name) && !isGltf(name))
-            throw new Error(`${name}: the page reads meshes from binary STL and glTF files; glint render --mesh reads others, too`)
+        if (kind === 'mesh' && !/\.(stl|obj)$/i.test(name) && !isGltf(name))
+            throw new Error(`${name}: the page reads meshes from OBJ, binary STL and glTF files; glint render --mesh reads others, too`)
         const bytes = new Uint8Array(await file.arrayBuffer())
         if (kind === 'texture')
             checkTexture(name, bytes)
@@ -61,7 +61,7 @@ function kindOf(name: string): Kind {
 const updates: (() => void)[] = []
 const titles: Record<Kind, string> = { height: 'Height or logo', normals: 'Normals', mesh: 'Mesh', texture: 'Texture', albedo: 'Colours', gloss: 'Gloss', mask: 'Mask', grain: 'Scratches' }
 for (const kind of kinds) {
-    const input = make('input', { type: 'file', accept: kind === 'mesh' ? '.stl,.glb,.gltf' : 'image/png,.png', className: 'hidden', id: `map-${kind}` })
+    const input = make('input', { type: 'file', accept: kind === 'mesh' ? '.obj,.stl,.glb,.gltf' : 'image/png,.png', className: 'hidden', id: `map-${kind}` })
     input.onchange = () => {
         if (input.files?.[0])
             void take(input.files[0], kind)

@@ -58,9 +58,17 @@ export const explainAgain = () => explain(explained)
 byId('scroller').addEventListener('focusin', event => {
     const control = event.target as HTMLElement
     explain(control)
-    if (control.matches(':focus-visible')) // Firefox leaves some of it outside
-        control.scrollIntoView({ block: 'nearest' })
+    if (control.matches(':focus-visible'))
+        keepSeen(control, 4)
 })
+/** Firefox leaves some of it outside, and may go back to where it was for so many frames. */
+function keepSeen(control: HTMLElement, frames: number): void {
+    if (document.activeElement !== control)
+        return
+    control.scrollIntoView({ block: 'nearest' })
+    if (frames)
+        requestAnimationFrame(() => keepSeen(control, frames - 1))
+}
 byId('scroller').addEventListener('input', event => requestAnimationFrame(() => explain(event.target)))
 byId('scroller').addEventListener('pointerover', event => explain((event.target as Element).closest('.row') ? event.target : document.activeElement))
 explain(null)

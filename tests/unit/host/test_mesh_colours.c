@@ -5,6 +5,7 @@
 
 #include "mesh/import.h"
 #include "mesh/order.h"
+#include "mesh/polygon.h"
 #include "mesh/split.h"
 #include "mesh/weld.h"
 
@@ -61,6 +62,43 @@ static void a_split_edges_middle_has_the_mean_of_its_ends_and_ordering_keeps_col
         assert_int_equal(mesh->colors[i / 3][i % 3], 7);
     mesh_free(mesh);
     soup_free(soup);
+}
+
+/* Stars with many dents, turned any way: no triangle turns the other way, and all of them have the polygon's area. */
+static void polygons_with_dents_are_cut_into_triangles_that_cover_them(void **state)
+{
+    (void)state;
+    enum { CORNERS = 23 };
+    unsigned seed = 9;
+    for (unsigned round = 0; round < 300; round++) {
+        double places[CORNERS][3], area[3] = {0}, sum[3] = {0};
+        size_t triangles[CORNERS - 2][3];
+        const size_t count = 3 + round % (CORNERS - 2);
+        const int axis = (int)(round % 3), sense = round / 3 % 2 ? 1 : -1;
+        for (size_t i = 0; i < count; i++) {
+            seed = seed * 1664525 + 1013904223;
+            const double radius = .3 + (seed >> 16) / 65536., angle = 2 * M_PI * (double)i / (double)count;
+            places[i][axis] = .1 * radius * cos(angle);
+            places[i][(axis + 1) % 3] = radius * cos(angle);
+            places[i][(axis + 2) % 3] = sense * radius * sin(angle);
+        }
+        polygon_cut((const double(*)[3])places, count, triangles);
+        for (size_t i = 0; i < count; i++) {
+            double part[3];
+            mesh_cross(places[i], places[(i + 1) % count], part);
+            for (int k = 0; k < 3; k++)
+                area[k] += part[k];
+        }
+        for (size_t i = 0; i < count - 2; i++) {
+            double part[3];
+            mesh_face_normal(places[triangles[i][0]], places[triangles[i][1]], places[triangles[i][2]], part);
+            assert_true(mesh_dot(part, area) >= 0);
+            for (int k = 0; k < 3; k++)
+                sum[k] += part[k];
+        }
+        for (int k = 0; k < 3; k++)
+            assert_near(sum[k], area[k], 1e-9);
+    }
 }
 
 #if GLINT_WITH_MESH
@@ -237,6 +275,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(corners_of_different_colours_stay_apart),
+        cmocka_unit_test(polygons_with_dents_are_cut_into_triangles_that_cover_them),
         cmocka_unit_test(a_split_edges_middle_has_the_mean_of_its_ends_and_ordering_keeps_colours),
 #if GLINT_WITH_MESH
         cmocka_unit_test(colours_of_a_ply_an_obj_and_a_gltf_are_drawn_and_streamed_alike),

@@ -40,8 +40,6 @@ static void a_baked_mesh_compiles_and_is_what_raw_holds(void **state)
 }
 
 #if GLINT_WITH_MESH
-static const char triangle[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-
 /* a.obj, read as C and as C++, drawn by hand at the pose of glint render. $more: options of both. */
 static void assert_baked_as_rendered(const char *more)
 {
@@ -141,17 +139,19 @@ static void the_childs_death_is_one_line_and_it_runs_with_limits(void **state)
                          "sed 's/\\(so\\.[0-9]*\\).*/\\1/')")
                          ->status,
                      0);
-    write_text("crash.obj", triangle);
-    write_text("quit.obj", triangle);
-    write_text("other.obj", triangle);
-    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh crash.obj -o no.c", "crash.obj: libassimp crashed on it (");
-    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh quit.obj -o no.c", "quit.obj: libassimp broke off");
-    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh other.obj -o no.c", "cannot read this mesh: limits 10 0");
-    write_text("hang.obj", triangle);
-    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh hang.obj -o no.c", "did not read it within 10 s");
-    assert_fails("(echo l crash; cat crash.obj) | LD_LIBRARY_PATH=$PWD $GLINT bake --mesh - -o no.c",
+    static const char facet[] =
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n";
+    write_text("crash.stl", facet);
+    write_text("quit.stl", facet);
+    write_text("other.stl", facet);
+    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh crash.stl -o no.c", "crash.stl: libassimp crashed on it (");
+    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh quit.stl -o no.c", "quit.stl: libassimp broke off");
+    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh other.stl -o no.c", "cannot read this mesh: limits 10 0");
+    write_text("hang.stl", facet);
+    assert_fails("LD_LIBRARY_PATH=$PWD $GLINT bake --mesh hang.stl -o no.c", "did not read it within 10 s");
+    assert_fails("(echo a crash; cat crash.stl) | LD_LIBRARY_PATH=$PWD $GLINT bake --mesh - -o no.c",
                  "standard input: libassimp crashed on it (");
-    assert_fails("(echo l; cat crash.obj) | LD_LIBRARY_PATH=$PWD $GLINT bake --mesh - -o no.c",
+    assert_fails("(echo a; cat crash.stl) | LD_LIBRARY_PATH=$PWD $GLINT bake --mesh - -o no.c",
                  "standard input: libassimp cannot read this mesh: limits 10 0");
     assert_false(exists("no.c"));
     assert_contains(run("$GLINT --version")->out, import_library());
