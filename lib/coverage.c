@@ -82,7 +82,8 @@ static uint32_t coverage_any(const struct glint_paint *p, const struct glint_run
                 const unsigned at = grey ? 0 : k;
                 const uint32_t q = coverage_under(format, run->line, run->x + i, at);
                 /* Step 6 rounds down: by less than 1 here, which is taken off */
-                const uint32_t level = glint_covered_blend(sum, m, (255 - m) * q, shift, true) + bias[i & 3] - grey;
+                const uint32_t level =
+                    glint_covered_blend(sum, m, ((255 - m) * q) << (shift - 8), true) + bias[i & 3] - grey;
                 undecided |= level ^ (level + w);
                 levels[at] = (uint8_t)(level >> shift);
             }
@@ -116,21 +117,19 @@ GLINT_INLINE uint32_t coverage_rgb(const struct glint_paint *p, const struct gli
     const struct glint_sample *const first = sample, *const end = sample + count;
     const uint32_t *threshold = bias;
     for (; sample != end; sample++, out += bytes) {
-        const uint32_t m = *coverage++, rest = 255 - m, t = *threshold++;
+        const uint32_t m = *coverage++, rest = (255 - m) << (shift - 8), t = *threshold++;
         const uint32_t under = deep ? 0 : (uint32_t)out[other] << 8 | out[0];
         uint32_t v[3];
         glint_levels_sum(v, p, base, sample, NULL, NULL, false);
-        const uint32_t red = glint_covered_blend(glint_levels_hold(v[0], most), m,
-                                                 rest * (deep ? out[red_at] : under >> 11), shift, deep) +
-                             t;
+        const uint32_t red =
+            glint_covered_blend(glint_levels_hold(v[0], most), m, rest * (deep ? out[red_at] : under >> 11), deep) + t;
         uint32_t undecided = red ^ (red + w);
         const uint32_t green = glint_covered_blend(glint_levels_hold(v[1], most_green), m,
-                                                   rest * (deep ? out[1] : under >> 5 & 63), shift, deep) +
+                                                   rest * (deep ? out[1] : under >> 5 & 63), deep) +
                                t;
         undecided |= green ^ (green + w);
-        const uint32_t blue = glint_covered_blend(glint_levels_hold(v[2], most), m,
-                                                  rest * (deep ? out[blue_at] : under & 31), shift, deep) +
-                              t;
+        const uint32_t blue =
+            glint_covered_blend(glint_levels_hold(v[2], most), m, rest * (deep ? out[blue_at] : under & 31), deep) + t;
         undecided |= blue ^ (blue + w);
         if (undecided >> shift) {
             open |= (uint32_t)1 << (sample - first);

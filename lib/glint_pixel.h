@@ -287,10 +287,10 @@ GLINT_INLINE uint32_t glint_covered_w(uint32_t w, uint32_t max, unsigned shift, 
     return w + 256 + 3 + (deep ? 256 : max << (shift - 16));
 }
 
-/* Without the last term, 2^-16 of the level is missing: for few levels, as that costs less than what stays open for it. */
-GLINT_INLINE uint32_t glint_covered_blend(uint32_t v, uint32_t m, uint32_t rest_q, unsigned shift, bool deep)
+/* under: (255 - m) q 2^(shift - 8). Without the last term, 2^-16 of the level is missing: for few levels, as that costs less than what stays open for it. */
+GLINT_INLINE uint32_t glint_covered_blend(uint32_t v, uint32_t m, uint32_t under, bool deep)
 {
-    const uint32_t x = (v >> 8) * m + (rest_q << (shift - 8));
+    const uint32_t x = (v >> 8) * m + under;
     return x + (x >> 8) + (deep ? x >> 16 : 0);
 }
 

@@ -85,7 +85,10 @@ static void edges_clipped(const struct glint_mesh_frame *frame, const struct gli
 /* Which of its edges lie on the screen as they are. */
 static unsigned edges_in(const struct glint_mesh_drawn *drawn, unsigned face)
 {
-    return drawn->edges[face] & GLINT_EDGES_CLIPPED ? 1u << glint_mesh_edge_in(drawn, face) & GLINT_EDGES : GLINT_EDGES;
+    unsigned in = GLINT_EDGES;
+    if (drawn->edges[face] & GLINT_EDGES_CLIPPED)
+        in &= 1u << glint_mesh_edge_in(drawn, face);
+    return in;
 }
 
 /* A thin face's neighbours have outlines towards it. */

@@ -412,6 +412,8 @@ static void measure(const struct fitted *fitted, const char *name, double least_
     assert_true(decibels(&errors[1][1]) >= least_dark);
 }
 
+/* Over the light ground 57 % of the squares are in the 6 % of pixels where three faces or more and the ground meet, slivers and corners of the rim: there
+ * each face's share of a pixel is found by its own edges alone. 63 % are in the .8 % of levels that are off by 32 or more. */
 static void the_teapots_outlines_are_near_to_the_mean_of_many_samples(void **state)
 {
     (void)state;
