@@ -186,7 +186,7 @@ firmware: $(if $(PORT),firmware-$(PORT),$(PORTS:%=firmware-%)) ## firmware: all 
 include firmware/conformance/conformance.mk firmware/ports/bare/bare.mk firmware/gateware/gateware.mk
 include $(sort $(wildcard firmware/ports/*/port.mk))
 include host/page/page.mk
-include tests/bench/bench.mk tests/bench/hazard3/hazard3.mk tests/bench/host/host.mk tests/bench/stream/stream.mk tests/bench/search/search.mk tests/bench/page/page.mk
+include tests/bench/bench.mk tests/bench/hazard3/hazard3.mk tests/bench/tgx/tgx.mk tests/bench/host/host.mk tests/bench/stream/stream.mk tests/bench/search/search.mk tests/bench/page/page.mk
 include $(sort $(wildcard tests/*/tier.mk))
 include tests/strength/strength.mk
 
@@ -223,11 +223,13 @@ TEST_PACKAGES = $(sort $(foreach list,$(TEST_LISTS),$($(list))))
 # The tiers compile much of the same: what one has compiled the next, and the next run, take from ccache.
 CACHE_PACKAGES = ccache
 TEST_CACHE = PATH="/usr/lib/ccache:$$PATH" CCACHE_DIR="$${XDG_CACHE_HOME:-$$HOME/.cache}/glint/ccache" CCACHE_NOHASHDIR=1 CCACHE_MAXSIZE=2G
+# Tiers that wait much run beside one that computes, where neither builds what the other does.
+TEST_ORDER = unit exact proof+lab targets packages page+gateware pico
 test: ## check: set up what is missing and run every tier; the last line is the sum
 	@.ci/need "make test (it is slower without)" $(CACHE_PACKAGES) || true
 	@+$(SUBMAKE) setup-$(firstword $(TIERS)); \
 	{ .ci/need "the other tiers" $(TEST_PACKAGES) && env --default-signal=INT,QUIT nice -n 19 tests/lab/kernel >/dev/null; } & \
-	$(TEST_CACHE) tests/sum "$(SUBMAKE)" $(TIERS:%=test-%)
+	$(TEST_CACHE) tests/sum "$(SUBMAKE)" $(subst +,+test-,$(TEST_ORDER:%=test-%))
 
 # What a release has.
 DIST = build/dist
@@ -235,7 +237,7 @@ DIST_PANELS = $(foreach panel,$(PICO_RELEASED),build/firmware/pico-$(panel)/glin
 	build/firmware/pico-st7789-240x240-two-cores-teapot/glint.uf2=glint-VERSION-pico-teapot.uf2 $(foreach board,$(PICO_READY),$(foreach demo,$(PICO_READY_DEMOS),\
 	build/firmware/$(board)-$(call pico_panel_of,$(board))$(if $(filter teapot,$(demo)),-two-cores-teapot)/glint.uf2=glint-VERSION-$(board)-$(demo).uf2))
 # Boards that have a panel, and what each gets: the dial, from which a tap goes to the coin, and the teapot where an emulator turns it.
-PICO_READY := $(filter-out pico pico2,$(pico_BOARDS))
+PICO_READY := $(filter-out pico pico2 pico-amoled,$(pico_BOARDS))
 PICO_READY_DEMOS = dial $(if $(filter $(board),$(pico_EMULATED)),teapot)
 DIST_BUILT = $(foreach board,$(GATEWARE_BOARDS),$(GATEWARE)/$(board).bin=glint-VERSION-$(board).bin) $(PAGE)/index.html=glint-VERSION-page.html
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * glint_line_rgb565(loop, x), _swapped, _albedo, _albedo_swapped: the exact line of RGB565 under MSH, from pixel x on; _soft, _soft_swapped:
- * pixels of it that are covered in part, blended as coverage.c does, side by side.
+ * pixels of it that are covered in part, blended as coverage.c does, side by side; _steps, _steps_swapped: with steps.c's table.
  *
  * The stages of an exact run in one loop: t and N.L from the normal (sample.c), where t is within the lobe F (lobe_msh.c),
  * then V and its levels (pixel_rgb.c), in the same steps. Pixels without light, and pixels without highlight, leave the
@@ -70,11 +70,15 @@
 1:
 .endm
 
-/* soft: from a pixel on that is covered in part, up to one that is not. */
-.macro line_rgb565 name, swapped, mapped, soft
+/* soft: from a pixel on that is covered in part, up to one that is not. steps: pixels without highlight from a table, where it has them. */
+.macro line_rgb565 name, swapped, mapped, soft, steps=0
     function \name
-    enter OURS
+    enter OURS+8*\steps
     line_begin \mapped
+.if \steps
+    ldmia r2!, {r4}
+    str r4, [sp, #OUR_STEPS]
+.endif
 .if \soft
     ldr r7, .L\name\()_more
     mov r6, limit
@@ -86,7 +90,7 @@
     bne .L\name\()_pixel
     line_done \name, OURS
 .else
-    line_runs \name, OURS
+    line_runs \name, OURS+8*\steps
 .endif
 
 .L\name\()_dark:
@@ -121,6 +125,14 @@
     cmp x, y
     blo .L\name\()_inside
 .L\name\()_plain:
+.if \steps
+    lsrs x, nl, #GLINT_STEPS_LOG
+    lsls x, x, #1
+    ldr z, [sp, #OUR_STEPS]
+    ldrh y, [z, x]
+    cmp y, #0
+    bne .L\name\()_store
+.endif
     ldmia constants!, {x, z}
 .if \mapped
     base_mapped
@@ -277,4 +289,6 @@
     line_rgb565 glint_line_rgb565_albedo_swapped, 1, 1, 0
     line_rgb565 glint_line_rgb565_soft, 0, 0, 1
     line_rgb565 glint_line_rgb565_soft_swapped, 1, 0, 1
+    line_rgb565 glint_line_rgb565_steps, 0, 0, 0, 1
+    line_rgb565 glint_line_rgb565_steps_swapped, 1, 0, 0, 1
 #endif

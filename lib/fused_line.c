@@ -17,7 +17,8 @@ typedef char glint_line_layout[LINE_AT(l, GLINT_AT_LINE_L) && LINE_AT(t_end, GLI
                                        LINE_AT(w, GLINT_AT_LINE_OUT + 4) && LINE_AT(mask, GLINT_AT_LINE_OUT + 8) &&
                                        LINE_AT(normals, GLINT_AT_LINE_OUT + 12) &&
                                        LINE_AT(albedo, GLINT_AT_LINE_OUT + 16) && LINE_AT(first, GLINT_AT_LINE_LIT) &&
-                                       LINE_AT(last, GLINT_AT_LINE_LIT + 4) && sizeof(struct glint_vec) == 6
+                                       LINE_AT(last, GLINT_AT_LINE_LIT + 4) && LINE_AT(steps, GLINT_AT_LINE_LIT + 8) &&
+                                       sizeof(struct glint_vec) == 6
                                    ? 1
                                    : -1];
 #undef LINE_AT

@@ -31,6 +31,7 @@ struct glint_line_loop {
     const uint8_t *albedo;
     const uint8_t *first,
         *last;                  /* where in out pixels are lit: the caller sets first to the end of memory, last to 0 */
+    const uint16_t *steps;      /* of the rectangle: steps.c's */
     struct glint_sample sample; /* of one that is left open: the caller's */
     /* Draws from pixel x on, up to one that the bound leaves open: its number, or w. */
     uint32_t (*draw)(struct glint_line_loop *loop, uint32_t x);
@@ -64,6 +65,8 @@ uint32_t glint_line_rgb565_albedo(struct glint_line_loop *loop, uint32_t x);
 uint32_t glint_line_rgb565_albedo_swapped(struct glint_line_loop *loop, uint32_t x);
 uint32_t glint_line_rgb565_soft(struct glint_line_loop *loop, uint32_t x);
 uint32_t glint_line_rgb565_soft_swapped(struct glint_line_loop *loop, uint32_t x);
+uint32_t glint_line_rgb565_steps(struct glint_line_loop *loop, uint32_t x);
+uint32_t glint_line_rgb565_steps_swapped(struct glint_line_loop *loop, uint32_t x);
 #define GLINT_LINE 1
 #elif GLINT_HELIUM
 /* Eight pixels at a time. V of a channel: 2^30 is 1.0. helium.c has the numbers' meaning and bounds. */

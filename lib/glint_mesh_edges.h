@@ -12,7 +12,7 @@ enum {
     GLINT_EDGES_BESIDE = 8,                      /* a neighbour has an outline */
     GLINT_EDGES_FRONT = GLINT_EDGES_IS_FRONT,    /* it shows its front */
     GLINT_EDGES_THIN = GLINT_EDGES_NONE,         /* but so narrow that it counts as back, and is not drawn */
-    GLINT_EDGES_CLIPPED = GLINT_EDGES_IS_CLIPPED /* front or back is not known: there is no outline beside it */
+    GLINT_EDGES_CLIPPED = GLINT_EDGES_IS_CLIPPED /* one edge at most, between corners that are in, may be an outline */
 };
 #define GLINT_EDGES_LISTED 128 /* rims has the number of its first edge in the strip, and not its link */
 

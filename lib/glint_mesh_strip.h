@@ -102,6 +102,17 @@ static inline bool glint_mesh_face_is_out(const struct glint_mesh_drawn *drawn, 
     return (v[face[0]].out | v[face[1]].out | v[face[2]].out) != 0;
 }
 
+/* Of a face that must be: the edge, as its first corner, whose ends need not be; 3: there is none. */
+static inline unsigned glint_mesh_edge_in(const struct glint_mesh_drawn *drawn, unsigned face)
+{
+    const uint16_t *const of = drawn->mesh->faces + 3 * (size_t)face;
+    const bool a = drawn->vertices[of[0]].out, b = drawn->vertices[of[1]].out, c = drawn->vertices[of[2]].out;
+    return a + b + c > 1 ? 3 : a ? 1 : b ? 2 : 0;
+}
+
+/* Clips it, and sets its fan's triangle at that edge on the bench as the one at hand. Does it show? */
+bool glint_mesh_fan_beside(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, unsigned face);
+
 /* Sorts the faces that show from line y on into the bands where they begin, or where y is; each list ascends. */
 void glint_mesh_sort(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y);
 /* Into bands that may have faces of higher numbers. Has a twin in assembly. */

@@ -9,6 +9,7 @@
 #define GLINT_PIXEL_H
 
 #include "glint_lobe.h"
+#include "glint_offsets.h"
 
 /* ---- Up to GLINT_RUN pixels side by side ---- */
 
@@ -355,6 +356,33 @@ GLINT_INLINE uint32_t glint_levels_rgb(const struct glint_paint *paint, const st
         }
     }
     return open;
+}
+
+/* ---- A paint's steps: glint_paint_steps ----
+ *
+ * Formats of their own draw by them. One folds, which is where another colour or several lights come, to the format without. Levels of
+ * a run without maps, where there is no highlight and the table has a pixel, are this one; plain: the others. */
+GLINT_INLINE uint32_t glint_levels_steps(glint_levels *plain, const struct glint_paint *paint,
+                                         const struct glint_run *run, const struct glint_sample *samples,
+                                         unsigned count)
+{
+    const uint16_t *const steps = paint->of.exact.steps;
+    uint32_t open = 0;
+    for (unsigned i = 0, first = 0;; first = ++i) {
+        uint32_t pixel = 0;
+        while (i < count && (samples[i].f_q16 || !(pixel = steps[samples[i].nl_q16 >> GLINT_STEPS_LOG])))
+            i++;
+        if (i != first) {
+            struct glint_run part = *run;
+            part.x += first;
+            open |= plain(paint, &part, samples + first, i - first) << first;
+        }
+        if (i == count)
+            return open;
+        uint8_t *const out = run->line + 2 * (run->x + i);
+        out[0] = (uint8_t)pixel;
+        out[1] = (uint8_t)(pixel >> 8);
+    }
 }
 
 #endif

@@ -497,6 +497,8 @@ static __attribute__((noinline)) void cells_draw(const struct glint_mesh_target 
     }
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)strip->frame->memory;
     bench->face.face = rim->face;
+    if (strip->drawn->edges[rim->face] & GLINT_EDGES_CLIPPED)
+        (void)glint_mesh_fan_beside(strip->frame, strip->drawn, rim->face);
     glint_mesh_blend_cells(paint, cells, cells_found, &cells->blending, &bench->face.triangle, strip);
 }
 

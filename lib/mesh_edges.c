@@ -74,6 +74,20 @@ static void edges_fronts(const struct glint_mesh_frame *frame, const struct glin
 #endif
 }
 
+/* A clipped face shows what its fan shows at the edge that is in. */
+static void edges_clipped(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn)
+{
+    for (unsigned i = 0; i < drawn->mesh->face_count; i++)
+        if (drawn->edges[i] & GLINT_EDGES_CLIPPED && glint_mesh_fan_beside(frame, drawn, i))
+            drawn->edges[i] |= GLINT_EDGES_FRONT;
+}
+
+/* Which of its edges lie on the screen as they are. */
+static unsigned edges_in(const struct glint_mesh_drawn *drawn, unsigned face)
+{
+    return drawn->edges[face] & GLINT_EDGES_CLIPPED ? 1u << glint_mesh_edge_in(drawn, face) & GLINT_EDGES : GLINT_EDGES;
+}
+
 /* A thin face's neighbours have outlines towards it. */
 static void edges_round(const struct glint_mesh_drawn *drawn, unsigned face)
 {
@@ -85,13 +99,13 @@ static void edges_round(const struct glint_mesh_drawn *drawn, unsigned face)
             continue;
         for (unsigned j = 0; j < 3; j++)
             if (all[3 * (size_t)beside + j] == face)
-                drawn->edges[beside] = (uint8_t)(drawn->edges[beside] | 1u << j);
+                drawn->edges[beside] = (uint8_t)(drawn->edges[beside] | (1u << j & edges_in(drawn, beside)));
     }
 }
 
 static inline bool edges_ends(const uint8_t *edges, unsigned beside, unsigned count)
 {
-    return beside < count ? !(edges[beside] & (GLINT_EDGES_FRONT | GLINT_EDGES_CLIPPED)) : beside == GLINT_MESH_RIM;
+    return beside < count ? !(edges[beside] & GLINT_EDGES_FRONT) : beside == GLINT_MESH_RIM;
 }
 
 static void edges_mark(const struct glint_mesh_drawn *drawn)
@@ -101,7 +115,7 @@ static void edges_mark(const struct glint_mesh_drawn *drawn)
     bool any_thin = false;
     const uint16_t *beside = drawn->mesh->neighbours;
     for (unsigned i = 0; i < count; i++, beside += 3) {
-        if (edges[i] != GLINT_EDGES_FRONT)
+        if (!(edges[i] & GLINT_EDGES_FRONT))
             continue;
         if (beside[0] < count && beside[1] < count && beside[2] < count &&
             edges[beside[0]] & edges[beside[1]] & edges[beside[2]] & GLINT_EDGES_FRONT)
@@ -113,8 +127,9 @@ static void edges_mark(const struct glint_mesh_drawn *drawn)
                 found |= 1u << k;
                 has_back |= beside[k] < count;
             }
-        const bool is_thin = has_back && edges_is_thin(drawn, drawn->mesh->faces + 3 * (size_t)i);
-        edges[i] = (uint8_t)(GLINT_EDGES_FRONT | (is_thin ? (unsigned)GLINT_EDGES_THIN : found));
+        const bool is_thin =
+            has_back && !(edges[i] & GLINT_EDGES_CLIPPED) && edges_is_thin(drawn, drawn->mesh->faces + 3 * (size_t)i);
+        edges[i] = (uint8_t)(edges[i] | (is_thin ? (unsigned)GLINT_EDGES_THIN : found & edges_in(drawn, i)));
         any_thin |= is_thin;
     }
     for (unsigned i = 0; any_thin && i < count; i++)
@@ -122,7 +137,24 @@ static void edges_mark(const struct glint_mesh_drawn *drawn)
             edges_round(drawn, i);
 }
 
-/* Their cells lie between their first and last corner, but for what the walk rounds. */
+/* The lines of a face's outlines: their cells lie between its first and last corner that is in, but for what the walk rounds. */
+struct edges_lines {
+    int32_t first, last;
+};
+static struct edges_lines edges_reach(const struct glint_mesh_drawn *drawn, unsigned face)
+{
+    int32_t low = INT16_MAX, high = INT16_MIN;
+    for (unsigned k = 0; k < 3; k++) {
+        const struct glint_mesh_vertex *const v = glint_mesh_corner_at(drawn, face, k);
+        if (v->out)
+            continue;
+        low = v->y < low ? v->y : low;
+        high = v->y > high ? v->y : high;
+    }
+    const struct edges_lines reach = {(low - 1) >> 4, (high + 1) >> 4};
+    return reach;
+}
+
 void glint_mesh_edges_sort(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y)
 {
     const unsigned count = drawn->mesh->face_count;
@@ -135,13 +167,9 @@ void glint_mesh_edges_sort(const struct glint_mesh_frame *frame, const struct gl
         for (unsigned k = 0; k < 3; k++)
             if (beside[k] < count)
                 drawn->edges[beside[k]] |= GLINT_EDGES_BESIDE;
-        const int32_t a = glint_mesh_corner_at(drawn, i, 0)->y, b = glint_mesh_corner_at(drawn, i, 1)->y,
-                      c = glint_mesh_corner_at(drawn, i, 2)->y;
-        int32_t first = a < b ? a : b, last = a < b ? b : a;
-        first = ((c < first ? c : first) - 1) >> 4;
-        last = ((c > last ? c : last) + 1) >> 4;
-        first = first > y ? first : y;
-        if (first > last || first >= frame->h)
+        const struct edges_lines reach = edges_reach(drawn, i);
+        const int32_t first = reach.first > y ? reach.first : y;
+        if (first > reach.last || first >= frame->h)
             continue;
         uint16_t *band = &drawn->rim_bands[(uint32_t)first / GLINT_MESH_BAND];
         drawn->rims[i] = *band;
@@ -153,6 +181,8 @@ void glint_mesh_edges_add(const struct glint_mesh_frame *frame, struct glint_mes
 {
     edges_place(frame, drawn);
     edges_fronts(frame, drawn);
+    if (drawn->is_cut)
+        edges_clipped(frame, drawn);
     edges_mark(drawn);
     glint_mesh_edges_sort(frame, drawn, frame->y);
 }
@@ -279,10 +309,7 @@ static uint16_t rims_keep(const struct glint_mesh_target *strip, uint16_t face, 
 {
     const struct glint_mesh_drawn *const drawn = strip->drawn;
     const uint16_t next = drawn->rims[face];
-    int32_t y = glint_mesh_corner_at(drawn, face, 0)->y;
-    for (unsigned k = 1; k < 3; k++)
-        y = glint_mesh_corner_at(drawn, face, k)->y > y ? glint_mesh_corner_at(drawn, face, k)->y : y;
-    if ((y + 1) >> 4 >= strip->end) {
+    if (edges_reach(drawn, face).last >= strip->end) {
         **last = face;
         *last = &drawn->rims[face];
     }

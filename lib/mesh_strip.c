@@ -37,32 +37,56 @@ static inline const struct glint_mesh_clipped *fan_corner(const struct glint_mes
     return k == 0 ? at : &at[i - 2 + k];
 }
 
+static void fan_set(struct glint_mesh_bench *bench, const struct glint_mesh_frame *frame,
+                    const struct glint_mesh_drawn *drawn, unsigned i)
+{
+    bench->fan = (uint8_t)i;
+    for (unsigned k = 0; k < 3; k++)
+        glint_mesh_clip_vertex(&bench->vertex[k], frame, drawn,
+                               fan_corner(bench->polygon.list[bench->polygon.now].corner, i, k));
+}
+
+static unsigned fan_clip(struct glint_mesh_bench *bench, const struct glint_mesh_frame *frame,
+                         const struct glint_mesh_drawn *drawn, unsigned face)
+{
+    return glint_mesh_clip(&bench->polygon, frame, drawn, drawn->mesh->faces + 3 * (size_t)face);
+}
+
+/* Corners that are in stay side by side: 0 is the polygon's first, 1 its second one, 2 the last. */
+bool glint_mesh_fan_beside(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, unsigned face)
+{
+    struct glint_mesh_bench *bench = (struct glint_mesh_bench *)frame->memory;
+    const unsigned edge = glint_mesh_edge_in(drawn, face);
+    const unsigned count = edge < 3 ? fan_clip(bench, frame, drawn, face) : 0;
+    if (count == 0)
+        return false;
+    fan_set(bench, frame, drawn, edge == 2 ? count - 1 : 2);
+    return glint_mesh_area(&bench->vertex[0], &bench->vertex[1], &bench->vertex[2]) < 0;
+}
+
 /* A face, clipped, as a fan. Alone, for the stack of what draws other faces. */
 static __attribute__((noinline)) void draw_clipped(const struct glint_mesh_target *strip, uint16_t number,
                                                    const struct glint_paint *paint)
 {
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)strip->frame->memory;
     struct glint_mesh_triangle *triangle = &bench->face.triangle;
-    const unsigned count =
-        glint_mesh_clip(&bench->polygon, strip->frame, strip->drawn, strip->drawn->mesh->faces + 3 * (size_t)number);
+    const unsigned count = fan_clip(bench, strip->frame, strip->drawn, number);
     const struct glint_mesh_clipped *at = bench->polygon.list[bench->polygon.now].corner;
     const uint32_t t_end = glint_mesh_t_end(paint);
     struct glint_mesh_vertex *const v = bench->vertex;
     struct glint_mesh_corner corner[3];
     bench->face.face = number;
     for (unsigned i = 2; i < count; i++) {
+        fan_set(bench, strip->frame, strip->drawn, i);
         for (unsigned k = 0; k < 3; k++) {
-            glint_mesh_clip_vertex(&v[k], strip->frame, strip->drawn, fan_corner(at, i, k));
             corner[k].v = &v[k];
             corner[k].side = glint_mesh_side(&fan_corner(at, i, k == 2 ? 0 : k + 1)->normal,
                                              &fan_corner(at, i, k == 0 ? 2 : k - 1)->normal);
         }
         if (glint_mesh_area(&v[0], &v[1], &v[2]) < 0 &&
             glint_mesh_triangle_set(triangle, corner, glint_mesh_shine(corner, t_end), t_end) &&
-            triangle->y < strip->end) {
-            bench->fan = (uint8_t)i;
+            triangle->y < strip->end)
             strip->rows(paint, triangle, strip);
-        }
     }
 }
 

@@ -52,3 +52,9 @@ enum glint_err glint_paint_tables(struct glint_paint *paint, enum glint_tables_k
     return glint_paint_tables_for(paint, use, material, output, memory, bytes, any_model(material->model),
                                   any_format(output));
 }
+
+enum glint_err glint_paint_steps(struct glint_paint *paint, void *memory, size_t bytes)
+{
+    const bool is_linear = paint && paint->output.space == GLINT_LINEAR;
+    return glint_paint_steps_for(paint, is_linear ? &glint_use_linear_steps : &glint_use_rgb565_steps, memory, bytes);
+}

@@ -326,3 +326,19 @@ static void linear_exact(const struct glint_paint *paint, const struct glint_run
 
 const struct glint_use_format glint_use_linear GLINT_FLASH = {linear_draws, linear_fold, linear_levels, linear_exact,
                                                               NULL};
+
+static uint32_t linear_steps_levels(const struct glint_paint *paint, const struct glint_run *run,
+                                    const struct glint_sample *samples, unsigned count)
+{
+    return run->albedo || run->gloss || run->soft ? linear_levels(paint, run, samples, count)
+                                                  : glint_levels_steps(linear_levels, paint, run, samples, count);
+}
+
+static void linear_steps_fold(struct glint_paint *paint, const struct glint_coefficients *c, unsigned up)
+{
+    paint->format = &glint_use_linear;
+    linear_fold(paint, c, up);
+}
+
+const struct glint_use_format glint_use_linear_steps GLINT_FLASH = {linear_draws, linear_steps_fold,
+                                                                    linear_steps_levels, linear_exact, NULL};

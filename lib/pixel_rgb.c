@@ -49,6 +49,36 @@ static void rgb565_exact(const struct glint_paint *paint, const struct glint_run
 const struct glint_use_format glint_use_rgb565 GLINT_FLASH = {rgb565_draws, glint_levels_fold, rgb565_levels,
                                                               rgb565_exact, GLINT_LINE_BEGIN};
 
+static uint32_t rgb565_steps_levels(const struct glint_paint *paint, const struct glint_run *run,
+                                    const struct glint_sample *samples, unsigned count)
+{
+    return run->albedo || run->gloss ? rgb565_mapped(paint, run, samples, count)
+                                     : glint_levels_steps(rgb565_plain, paint, run, samples, count);
+}
+
+static void rgb565_steps_fold(struct glint_paint *paint, const struct glint_coefficients *c, unsigned up)
+{
+    paint->format = &glint_use_rgb565;
+    glint_levels_fold(paint, c, up);
+}
+
+#if GLINT_CORTEX_M0PLUS_ASM && GLINT_FUSED
+static bool rgb565_steps_begin(struct glint_line_loop *loop, const struct glint_paint *paint, bool albedo)
+{
+    if (!glint_line_begin(loop, paint, albedo))
+        return false;
+    loop->steps = paint->of.exact.steps;
+    if (!albedo)
+        loop->draw = paint->output.format == GLINT_RGB565 ? glint_line_rgb565_steps : glint_line_rgb565_steps_swapped;
+    return true;
+}
+#else
+#define rgb565_steps_begin GLINT_LINE_BEGIN
+#endif
+
+const struct glint_use_format glint_use_rgb565_steps GLINT_FLASH = {
+    rgb565_draws, rgb565_steps_fold, rgb565_steps_levels, rgb565_exact, rgb565_steps_begin};
+
 static bool rgb888_draws(const struct glint_output *output)
 {
     return (output->format == GLINT_RGB888 || glint_format_is_blue_first(output->format)) &&

@@ -34,6 +34,8 @@ bool gud_device_init(struct gud_device *d, const struct gud_device_config *c)
     if (c->output != GLINT_RGB565 && c->output != GLINT_RGB565_SWAPPED && c->output != GLINT_RGB888)
         return false;
     const uint32_t widest = widest_line(c);
+    if (c->whole_frames && (c->window || c->max_buffer / c->height < widest))
+        return false;
     return widest && c->max_buffer >= widest && c->max_buffer <= INT32_MAX && window_suffices(c) &&
            c->lines_bytes >= widest + 2 * (size_t)gud_output_line_bytes(c);
 }
@@ -53,7 +55,7 @@ static int data_bytes(const struct gud_device *d, const struct gud_setup *setup)
     case GUD_SET_STATE_COMMIT:
         return 0;
     case GUD_SET_BUFFER:
-        return GUD_RECTANGLE_BYTES;
+        return d->config->whole_frames ? GUD_STALL : GUD_RECTANGLE_BYTES;
     case GUD_SET_STATE_CHECK:
         return d->config->dimmable && setup->length > GUD_STATE_BYTES ? GUD_DATA_BYTES : GUD_STATE_BYTES;
     case GUD_SET_CONTROLLER_ENABLE:
@@ -196,6 +198,8 @@ uint32_t gud_device_expects(const struct gud_device *d)
 
 void gud_device_bulk(struct gud_device *d, const uint8_t *bytes, size_t count)
 {
+    if (count)
+        gud_rectangle_open_whole(d);
     const enum gud_status status = gud_rectangle_bulk(d, bytes, count);
     if (status != GUD_OK)
         d->status = (uint8_t)status;

@@ -9,7 +9,7 @@
  *   bus     -> gud_device_reset, _suspend, _resume
  *
  * One thread at a time. A rectangle that ends early (the host gave up, the bus was reset) leaves its other lines as they
- * were; the next GUD_SET_BUFFER starts a new one. Bytes that no rectangle expects are dropped. A wrong LZ4 block draws what came
+ * were; the next GUD_SET_BUFFER starts a new one, of whole frames the next commit. Bytes that no rectangle expects are dropped. A wrong LZ4 block draws what came
  * before the fault. Both leave GUD_PROTOCOL or GUD_ERROR as the status until the next request. */
 #ifndef GUD_DEVICE_H
 #define GUD_DEVICE_H
@@ -43,8 +43,10 @@ struct gud_device_config {
     uint8_t format_count;   /* 1..GUD_FORMATS_MAX */
     bool status_after_set;  /* for USB stacks that cannot refuse a request once its data is there */
     bool dimmable;          /* offers brightness */
-    uint32_t max_buffer;    /* stated to hosts: bytes of a rectangle before compression; at least a line */
-    uint8_t *lines;         /* GUD_DEVICE_LINE_BYTES */
+    bool
+        whole_frames; /* for panels that take no window of any size: hosts send nothing else, without GUD_SET_BUFFER or LZ4 */
+    uint32_t max_buffer; /* stated to hosts: bytes of a rectangle before compression; at least a line */
+    uint8_t *lines;      /* GUD_DEVICE_LINE_BYTES */
     size_t lines_bytes;
     uint8_t *window; /* for LZ4, of at least max_buffer bytes or LZ4_BLOCK_REACH; NULL: no LZ4 */
     uint32_t window_bytes;

@@ -44,6 +44,29 @@ static bool bytes_are_right(const struct gud_device *d, const struct gud_rectang
            r->compressed_length <= r->length + r->length / 255 + 16;
 }
 
+static void begin(struct gud_device *d, const struct gud_rectangle *r)
+{
+    d->compressed = r->compression != 0;
+    d->bulk_left = d->compressed ? r->compressed_length : r->length;
+    d->columns = (uint16_t)r->width;
+    d->lines_left = (uint16_t)r->height;
+    d->line_bytes = r->length / r->height;
+    d->line_filled = 0;
+}
+
+void gud_rectangle_open_whole(struct gud_device *d)
+{
+    const struct gud_device_config *c = d->config;
+    if (!c->whole_frames || d->bulk_left || !d->controller || !d->committed.format)
+        return;
+    const size_t line = gud_line_bytes((enum gud_format)d->committed.format, c->width);
+    const struct gud_rectangle r = {.width = c->width, .height = c->height, .length = (uint32_t)line * c->height};
+    begin(d, &r);
+    d->open = !c->ops->busy || !c->ops->busy(c->context);
+    if (d->open)
+        c->ops->window(c->context, 0, 0, c->width, c->height);
+}
+
 enum gud_status gud_rectangle_open(struct gud_device *d, const uint8_t *data)
 {
     const struct gud_device_config *c = d->config;
@@ -55,12 +78,7 @@ enum gud_status gud_rectangle_open(struct gud_device *d, const uint8_t *data)
         return GUD_PARAMETER;
     if (c->ops->busy && c->ops->busy(c->context))
         return GUD_BUSY;
-    d->compressed = r.compression != 0;
-    d->bulk_left = d->compressed ? r.compressed_length : r.length;
-    d->columns = (uint16_t)r.width;
-    d->lines_left = (uint16_t)r.height;
-    d->line_bytes = r.length / r.height;
-    d->line_filled = 0;
+    begin(d, &r);
     d->open = true;
     if (d->compressed)
         lz4_block_begin(&d->lz4, r.length);
@@ -120,7 +138,7 @@ enum gud_status gud_rectangle_bulk(struct gud_device *d, const uint8_t *bytes, s
         const uint8_t *run, *const end = bytes + count;
         for (size_t length; (length = lz4_block_next(&d->lz4, &bytes, end, &run)) != 0;)
             take(d, run, length);
-    } else {
+    } else if (d->open) {
         take(d, bytes, count);
     }
     if (d->bulk_left)

@@ -10,6 +10,9 @@
 uint32_t gud_output_line_bytes(const struct gud_device_config *config);
 /* From the request's data. Any other status than GUD_OK has changed nothing. */
 enum gud_status gud_rectangle_open(struct gud_device *device, const uint8_t *data);
+/* The whole picture, which nothing announces: where the device takes no others, a host may draw and all bytes of the last one have come. While
+ * the board is busy its bytes are dropped. */
+void gud_rectangle_open_whole(struct gud_device *device);
 /* Bulk bytes; those that no rectangle expects are dropped. GUD_PROTOCOL: there were such bytes. GUD_ERROR: the LZ4 block was
  * wrong. */
 enum gud_status gud_rectangle_bulk(struct gud_device *device, const uint8_t *bytes, size_t count);

@@ -4,7 +4,8 @@
 
 static int descriptor(const struct gud_device_config *c, uint8_t *reply)
 {
-    const struct gud_descriptor descriptor = {.flags = c->status_after_set ? GUD_FLAG_STATUS : 0,
+    const struct gud_descriptor descriptor = {.flags = (c->status_after_set ? GUD_FLAG_STATUS : 0u) |
+                                                       (c->whole_frames ? GUD_FLAG_FULL_UPDATE : 0u),
                                               .compression = c->window ? GUD_COMPRESSION_LZ4 : 0,
                                               .max_buffer = c->max_buffer,
                                               .min_width = c->width,

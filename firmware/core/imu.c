@@ -18,21 +18,29 @@ static const struct step {
     {{CTRL7, 0x01}, 2, 0},                        /* the accelerometer on */
     {{AX_L}, 1, 6},
 };
-enum { STEP_WHO, STEP_READ = sizeof steps / sizeof *steps - 1, FAILURES_MAX = 5, ODD_MAX = 250 };
+enum {
+    STEP_WHO,
+    STEP_READ = sizeof steps / sizeof *steps - 1,
+    FAILURES_MAX = 5,
+    ODD_MAX = 250,
+    LOOKS = IMU_START_US / IMU_RETRY_US
+};
 
 static bool is_due(uint32_t now_us, uint32_t at_us)
 {
     return (int32_t)(now_us - at_us) >= 0;
 }
 
-/* It is news where it was there, or where no address is left to try. */
+/* It is news where it was set up, or where nobody has answered for so long that it cannot be on its way up. */
 static enum imu_news lose(struct imu *imu, uint32_t now_us)
 {
-    const bool is_other_left = imu->step == STEP_WHO && imu->address == ADDRESS,
-               is_news = !is_other_left && !imu->is_lost;
+    const bool is_other_left = imu->step == STEP_WHO && imu->address == ADDRESS;
+    imu->looks = (uint8_t)(imu->looks + (!is_other_left && imu->looks < LOOKS));
+    const bool is_news = !imu->is_lost && (imu->step == STEP_READ || imu->looks == LOOKS);
     imu->address = is_other_left ? OTHER_ADDRESS : imu->step == STEP_WHO ? ADDRESS : imu->address;
     imu->since_us = now_us + (is_other_left ? IMU_PERIOD_US : IMU_RETRY_US);
     imu->is_lost |= is_news;
+    imu->has_samples = false;
     imu->step = STEP_WHO;
     imu->failures = 0;
     imu->odd = 0;
@@ -61,9 +69,11 @@ static enum imu_news take_sample(struct imu *imu, const uint8_t *bytes, uint32_t
         imu->before[i] = sample[i];
     if (imu->odd >= ODD_MAX)
         return lose(imu, now_us);
-    if (imu->is_lost && imu->odd) /* it has to make sense to be back */
+    if (!imu->has_samples && imu->odd) /* it has to make sense first: a part that has just been turned on tells zeros */
         return IMU_NOTHING;
+    imu->has_samples = true;
     imu->is_lost = false;
+    imu->looks = 0;
     return IMU_SAMPLE;
 }
 

@@ -17,7 +17,8 @@ enum {
     IMU_PERIOD_US = 4000,  /* it samples, and is read, 250 times a second */
     IMU_BYTES_MAX = 6,     /* that are read at once */
     IMU_TIMEOUT_US = 2000, /* a transfer takes .25 ms at 400 kHz */
-    IMU_RETRY_US = 1000000 /* until it is looked for again */
+    IMU_RETRY_US = 250000, /* until it is looked for again */
+    IMU_START_US = 2000000 /* it may take to answer after power-up: 15 ms, 150 ms or 1.75 s, by its data sheet's age */
 };
 
 enum imu_transfer { IMU_UNDER_WAY, IMU_ENDED, IMU_FAILED };
@@ -40,7 +41,8 @@ struct imu {
     /* State, ours; zeros at first. */
     uint32_t since_us; /* of the transfer, or when the next one is due */
     uint8_t step, failures, address;
-    bool is_under_way, is_lost;
+    uint8_t looks; /* in vain */
+    bool is_under_way, is_lost, has_samples;
     uint16_t odd;      /* samples that no sensor at rest or in a hand gives, in a row */
     int16_t before[3]; /* the last sample */
 };

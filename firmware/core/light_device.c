@@ -30,9 +30,18 @@ static int length_of(uint8_t request, bool in)
         return in ? GUD_STALL : 0;
     case LIGHT_GET_MESH:
         return in ? LIGHT_MESH_BYTES : GUD_STALL;
+    case LIGHT_GET_LIGHT:
+        return in ? LIGHT_MESSAGE_BYTES : GUD_STALL;
     default:
         return GUD_STALL;
     }
+}
+
+static void tell_light(const struct light_device *d, uint8_t reply[GUD_REPLY_BYTES])
+{
+    int32_t to_light[3] = {0, 0, 0};
+    const enum light_sense sense = d->sense ? d->sense(to_light) : LIGHT_NO_SENSOR;
+    light_message_pack(reply, sense, to_light);
 }
 
 int light_device_setup(struct light_device *d, const struct gud_setup *setup, uint8_t reply[GUD_REPLY_BYTES])
@@ -50,6 +59,8 @@ int light_device_setup(struct light_device *d, const struct gud_setup *setup, ui
         reply[0] = d->status == GUD_OK && (d->count || d->is_drawing) ? GUD_BUSY : d->status;
     } else if (setup->request == LIGHT_GET_MESH) {
         light_mesh_pack(reply, d->mesh);
+    } else if (setup->request == LIGHT_GET_LIGHT) {
+        tell_light(d, reply);
     } else if (in) {
         const struct light_descriptor descriptor = {d->width, d->height};
         light_descriptor_pack(reply, &descriptor);
@@ -160,7 +171,7 @@ static void enqueue(struct light_device *d)
         return;
     }
     if (!d->has_mesh) {
-        light_message_unpack(d->queue[place].to_light, d->message);
+        (void)light_message_unpack(d->queue[place].to_light, d->message);
     } else if (!light_pose_unpack(&d->queue[place].pose, d->message)) {
         d->status = GUD_PARAMETER;
         return;

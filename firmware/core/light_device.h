@@ -14,8 +14,9 @@ struct light_device {
     /* Config, set by you. */
     uint16_t width, height;
     uint8_t interface;
-    uint32_t *map;                 /* width x height words; NULL: maps are refused */
-    const struct light_mesh *mesh; /* that the board holds; NULL: none */
+    uint32_t *map;                                  /* width x height words; NULL: maps are refused */
+    const struct light_mesh *mesh;                  /* that the board holds; NULL: none */
+    enum light_sense (*sense)(int32_t to_light[3]); /* the room's light, where it is SENSED; NULL: no sensor */
     const struct gud_device
         *gud; /* whose memory the map may share: no rectangle of it is open while the map is the host's */
 

@@ -98,11 +98,12 @@ void light_message_pack(uint8_t out[LIGHT_MESSAGE_BYTES], uint32_t tag, const in
         out = put(out, (uint32_t)to_light[k], 4);
 }
 
-void light_message_unpack(int32_t to_light[3], const uint8_t in[LIGHT_MESSAGE_BYTES])
+uint32_t light_message_unpack(int32_t to_light[3], const uint8_t in[LIGHT_MESSAGE_BYTES])
 {
-    get(&in, 4);
+    const uint32_t tag = get(&in, 4);
     for (unsigned k = 0; k < 3; k++)
         to_light[k] = (int32_t)get(&in, 4);
+    return tag;
 }
 
 void light_mesh_pack(uint8_t out[LIGHT_MESH_BYTES], const struct light_mesh *mesh)

@@ -8,6 +8,7 @@
  *   LIGHT_SET_MAP        then the map's words on bulk OUT: width x height normals, GLINT_NORMALS_INT8, lines from the top
  *   LIGHT_SET_MESH       instead of a map: the mesh that lies in the device, if it holds one (LIGHT_GET_MESH)
  *   bulk OUT             light messages; poses, where it is the mesh. Those that the device has no room for wait on the bus: it sets the pace
+ *   LIGHT_GET_LIGHT      at any time: where the room's light is, as the board's accelerometer has it
  *   LIGHT_SET_ENABLE 0   or a bus reset: the panel is given back
  *
  * The interface has class ff and one bulk OUT endpoint, and answers to GUD's descriptor request with a STALL, so that no GUD
@@ -28,8 +29,12 @@ enum light_request {
     LIGHT_SET_MAP = 0xa3,        /* empty */
     /* Devices that hold no mesh, and older ones, refuse these two; so the version stays 1. */
     LIGHT_GET_MESH = 0xa4, /* struct light_mesh */
-    LIGHT_SET_MESH = 0xa5  /* empty */
+    LIGHT_SET_MESH = 0xa5, /* empty */
+    /* Older devices refuse it, too. A light message whose first number is an enum light_sense. It changes nothing. */
+    LIGHT_GET_LIGHT = 0xa6
 };
+/* What a board knows of the room's light; the direction is 0, 0, 0 unless it is SENSED. */
+enum light_sense { LIGHT_NO_SENSOR, LIGHT_SENSOR_SILENT, LIGHT_SENSED };
 #define LIGHT_MAGIC ((uint32_t)0x746e6c67) /* "glnt" */
 enum {
     LIGHT_VERSION = 1,
@@ -77,7 +82,8 @@ void light_material_pack(uint8_t out[LIGHT_MATERIAL_BYTES], const struct light_m
 /* False where a flag is set that there is not. */
 bool light_material_unpack(struct light_material *material, const uint8_t in[LIGHT_MATERIAL_BYTES]);
 void light_message_pack(uint8_t out[LIGHT_MESSAGE_BYTES], uint32_t tag, const int32_t to_light[3]);
-void light_message_unpack(int32_t to_light[3], const uint8_t in[LIGHT_MESSAGE_BYTES]);
+/* Returns the host's own number. */
+uint32_t light_message_unpack(int32_t to_light[3], const uint8_t in[LIGHT_MESSAGE_BYTES]);
 
 void light_mesh_pack(uint8_t out[LIGHT_MESH_BYTES], const struct light_mesh *mesh);
 void light_mesh_unpack(struct light_mesh *mesh, const uint8_t in[LIGHT_MESH_BYTES]);

@@ -66,18 +66,34 @@ static const uint8_t gc9a01_values[] = {
     0};
 /* clang-format on */
 
+/* What drivers have in common. Brightness 0 until panel_show. */
+static const uint8_t co5300_values[] = {0xfe,
+                                        1,
+                                        0x00, /* the usual page of commands */
+                                        0xc4,
+                                        1,
+                                        0x80, /* pixels may come by four lines */
+                                        0x53,
+                                        1,
+                                        0x20, /* brightness is that of the command ... */
+                                        PANEL_BRIGHTNESS,
+                                        1,
+                                        0x00, /* ... this */
+                                        0};
+
 struct controller {
     uint16_t columns, rows;
     bool bgr, inverted, mirrored;
-    const uint8_t *values; /* NULL: none beside those of all */
+    uint8_t bus, step, least; /* a step is a power of 2 */
+    const uint8_t *values;    /* NULL: none beside those of all */
 };
 static const struct controller controllers[] = {
-#define CONTROLLER(id, name, columns, rows, bgr, inverted, mirrored, clk_hz, values)                                   \
-    {columns, rows, bgr, inverted, mirrored, values},
+#define CONTROLLER(id, name, columns, rows, bgr, inverted, mirrored, clk_hz, values, bus, step, least)                 \
+    {columns, rows, bgr, inverted, mirrored, PANEL_ON_##bus, step, least, values},
 #include "panels.def"
 };
 
-enum shape { RECTANGULAR, ROUND };
+enum shape { RECTANGULAR, ROUND, MIDDLE };
 struct glass {
     uint8_t controller;
     uint16_t width, height;
@@ -88,6 +104,11 @@ static const struct glass glasses[] = {
 #include "panels.def"
 };
 
+static bool is_on_qspi(const struct panel *panel)
+{
+    return controllers[panel->controller].bus == PANEL_ON_QSPI;
+}
+
 static uint16_t glass_width(const struct panel *panel)
 {
     return panel->rotation % 2 ? panel->height : panel->width;
@@ -96,6 +117,17 @@ static uint16_t glass_width(const struct panel *panel)
 static uint16_t glass_height(const struct panel *panel)
 {
     return panel->rotation % 2 ? panel->width : panel->height;
+}
+
+/* The row that the panel is of; NULL: none. */
+static const struct glass *find_glass(const struct panel *panel)
+{
+    const struct glass *glass = glasses;
+    while (glass->controller != panel->controller || glass->width != glass_width(panel) ||
+           glass->height != glass_height(panel))
+        if (++glass == glasses + sizeof glasses / sizeof *glasses)
+            return NULL;
+    return glass;
 }
 
 bool panel_defaults(struct panel *panel, enum panel_controller controller, uint8_t rotation, uint16_t width,
@@ -111,17 +143,20 @@ bool panel_defaults(struct panel *panel, enum panel_controller controller, uint8
     panel->round = false;
     panel->bgr = controller < PANEL_CONTROLLERS && controllers[controller].bgr;
     panel->inverted = controller < PANEL_CONTROLLERS && controllers[controller].inverted;
-    for (size_t i = 0; i < sizeof glasses / sizeof *glasses; i++) {
-        const struct glass *glass = &glasses[i];
-        if (glass->controller == controller && glass->width == glass_width(panel) &&
-            glass->height == glass_height(panel)) {
-            panel->x_offset = glass->x_offset;
-            panel->y_offset = glass->y_offset;
-            panel->round = glass->shape == ROUND;
-            return panel_fits(panel);
-        }
-    }
-    return false;
+    const struct glass *glass = find_glass(panel);
+    if (!glass)
+        return false;
+    panel->x_offset = glass->x_offset;
+    panel->y_offset = glass->y_offset;
+    panel->round = glass->shape == ROUND;
+    return panel_fits(panel);
+}
+
+/* On QSPI windows are even, and nothing is turned. */
+static bool is_even(const struct panel *panel)
+{
+    return !is_on_qspi(panel) ||
+           (panel->rotation == 0 && (panel->x_offset | panel->y_offset | panel->width | panel->height) % 2 == 0);
 }
 
 bool panel_fits(const struct panel *panel)
@@ -133,7 +168,7 @@ bool panel_fits(const struct panel *panel)
     return panel->controller < PANEL_CONTROLLERS && panel->rotation < 4 && panel->width && panel->height &&
            (uint32_t)panel->x_offset + glass_width(panel) <= controllers[panel->controller].columns &&
            (uint32_t)panel->y_offset + glass_height(panel) <= controllers[panel->controller].rows &&
-           (!panel->round || panel->width == panel->height);
+           (!panel->round || panel->width == panel->height) && is_even(panel);
 }
 
 /* In half pixels from the middle, the nearest of a line's or a column's edges: 0 in the middle. */
@@ -160,6 +195,7 @@ struct panel_columns panel_visible(const struct panel *panel, unsigned y, unsign
         else
             outside = at + 1;
     }
+    inside &= ~(controllers[panel->controller].step - 1u);
     columns.first = (uint16_t)inside;
     columns.count = (uint16_t)(size - 2 * inside);
     return columns;
@@ -176,12 +212,20 @@ unsigned panel_band(const struct panel *panel, unsigned y)
 static bool send(const struct panel *panel, uint8_t command, const uint8_t *data, size_t count)
 {
     const struct panel_bus *bus = panel->bus;
-    return bus->command(bus->context, command) && (count == 0 || bus->data(bus->context, data, count));
+    return bus->command(bus->context, command) && (count == 0 || bus->data(bus->context, data, count)) &&
+           (!bus->end || command == PANEL_MEMORY_WRITE || bus->end(bus->context));
 }
 
 static bool send_byte(const struct panel *panel, uint8_t command, uint8_t byte)
 {
     return send(panel, command, &byte, 1);
+}
+
+static bool send_range(const struct panel *panel, uint8_t command, unsigned first, unsigned count)
+{
+    const unsigned last = first + count - 1;
+    const uint8_t bytes[] = {(uint8_t)(first >> 8), (uint8_t)first, (uint8_t)(last >> 8), (uint8_t)last};
+    return send(panel, command, bytes, sizeof bytes);
 }
 
 static void wait_ms(const struct panel *panel, unsigned ms)
@@ -220,6 +264,8 @@ static bool reset(const struct panel *panel)
 static bool backlight(const struct panel *panel, uint8_t percent)
 {
     const struct panel_bus *bus = panel->bus;
+    if (is_on_qspi(panel))
+        return send_byte(panel, PANEL_BRIGHTNESS, (uint8_t)(percent * 653u >> 8)); /* 100: 255 */
     return !bus->backlight || bus->backlight(bus->context, percent);
 }
 
@@ -264,9 +310,31 @@ static bool start_paged(const struct panel *panel)
     return send_commands(panel, bytes, sizeof bytes);
 }
 
+/* The glass around a picture in its middle; of others nothing. */
+static bool blacken(const struct panel *panel)
+{
+    static const uint8_t black[32];
+    const struct glass *glass = find_glass(panel);
+    const struct panel_bus *bus = panel->bus;
+    if (!glass || glass->shape != MIDDLE)
+        return true;
+    glass--;
+    if (!send_range(panel, PANEL_COLUMN_ADDRESS, glass->x_offset, glass->width) ||
+        !send_range(panel, PANEL_ROW_ADDRESS, glass->y_offset, glass->height) ||
+        !send(panel, PANEL_MEMORY_WRITE, NULL, 0))
+        return false;
+    size_t left = (size_t)glass->width * glass->height * 2;
+    for (size_t some; left; left -= some) {
+        some = left < sizeof black ? left : sizeof black;
+        if (!bus->data(bus->context, black, some))
+            return false;
+    }
+    return true;
+}
+
 bool panel_start(const struct panel *panel)
 {
-    if (!panel_fits(panel) || !backlight(panel, PANEL_OFF) || !reset(panel))
+    if (!panel_fits(panel) || (!is_on_qspi(panel) && !backlight(panel, PANEL_OFF)) || !reset(panel))
         return false;
     wait_ms(panel, AFTER_RESET_MS);
     if (panel_is_paged(panel)) {
@@ -283,7 +351,7 @@ bool panel_start(const struct panel *panel)
         !send(panel, PANEL_SLEEP_OUT, NULL, 0))
         return false;
     wait_ms(panel, AFTER_AWAKE_MS);
-    return true;
+    return blacken(panel);
 }
 
 bool panel_show(const struct panel *panel, uint8_t percent)
@@ -310,13 +378,6 @@ bool panel_stop(const struct panel *panel)
 
 /* ---- windows ---- */
 
-static bool send_range(const struct panel *panel, uint8_t command, unsigned first, unsigned count)
-{
-    const unsigned last = first + count - 1;
-    const uint8_t bytes[] = {(uint8_t)(first >> 8), (uint8_t)first, (uint8_t)(last >> 8), (uint8_t)last};
-    return send(panel, command, bytes, sizeof bytes);
-}
-
 /* A glass that is narrower than the memory lies in its middle, so that its offset is the same from both sides. */
 static bool window_paged(const struct panel *panel, unsigned x, unsigned y, unsigned width, unsigned height)
 {
@@ -338,6 +399,8 @@ bool panel_window(const struct panel *panel, uint16_t x, uint16_t y, uint16_t wi
     /* What the memory holds beside the glass, on the side from which the turned picture counts. */
     const unsigned left = panel->x_offset, top = panel->y_offset;
     const struct controller *controller = &controllers[panel->controller];
+    if (((x | y | width | height) & (controller->step - 1u)) || (uint32_t)width * height * 2 < controller->least)
+        return false;
     const unsigned right = controller->columns - left - glass_width(panel);
     const unsigned bottom = controller->rows - top - glass_height(panel);
     const unsigned before_x[4] = {left, top, right, bottom}, before_y[4] = {top, right, bottom, left};

@@ -15,12 +15,15 @@ enum panel_controller {
 #include "panels.def"
     PANEL_CONTROLLERS
 };
-enum panel_facts { /* PANEL_ST7789_ROWS, of its memory; PANEL_ST7789_HZ, of its bus; and so on */
-#define CONTROLLER(id, name, columns, rows, bgr, inverted, mirrored, clk_hz, values)                                   \
-    PANEL_##id##_ROWS = rows, PANEL_##id##_HZ = clk_hz,
+/* SPI: D/C tells a command from data. QSPI: a select line frames each command, which goes by one line; pixels go by four. */
+enum panel_bus_kind { PANEL_ON_SPI, PANEL_ON_QSPI };
+enum panel_facts { /* PANEL_ST7789_ROWS, of its memory; PANEL_ST7789_HZ and _BUS, of its bus; and so on */
+#define CONTROLLER(id, name, columns, rows, bgr, inverted, mirrored, clk_hz, values, bus, step, least)                 \
+    PANEL_##id##_ROWS = rows, PANEL_##id##_HZ = clk_hz, PANEL_##id##_BUS = PANEL_ON_##bus,
 #include "panels.def"
 };
-enum { PANEL_COLUMNS = 240, PANEL_ROWS = 320 }; /* the largest memory of all */
+enum { PANEL_COLUMNS = 240, PANEL_ROWS = 320 };           /* the largest memory of those on SPI */
+enum { PANEL_QSPI_COLUMNS = 480, PANEL_QSPI_ROWS = 480 }; /* and of all */
 enum { PANEL_PAGED_COLUMNS = 128, PANEL_PAGED_ROWS = 64, PANEL_PAGE = 8 };
 enum { PANEL_BAND = 8 }; /* lines of a round glass that share a window */
 
@@ -40,8 +43,9 @@ enum panel_command {
     PANEL_TEARING_OFF = 0x34,
     PANEL_TEARING_ON = 0x35, /* a byte, 0: the line is high while no row is scanned */
     PANEL_MADCTL = 0x36,
-    PANEL_PIXEL_FORMAT = 0x3a,   /* COLMOD */
-    PANEL_MEMORY_CONTINUE = 0x3c /* RAMWRC: from where the last write stopped */
+    PANEL_PIXEL_FORMAT = 0x3a,    /* COLMOD */
+    PANEL_MEMORY_CONTINUE = 0x3c, /* RAMWRC: from where the last write stopped */
+    PANEL_BRIGHTNESS = 0x51       /* a byte, of glass that emits light */
 };
 enum {
     PANEL_MADCTL_MY = 0x80, /* rows from the last */
@@ -80,7 +84,9 @@ enum { PANEL_OFF = 0, PANEL_BRIGHTEST = 100 }; /* percent */
 struct panel_bus {
     bool (*command)(void *context, uint8_t command);                 /* one byte, D/C low */
     bool (*data)(void *context, const uint8_t *bytes, size_t count); /* D/C high */
-    bool (*reset)(void *context, bool active);                       /* the reset line; NULL: reset by command */
+    bool (*end)(
+        void *context); /* of a command and its data; not after those that take pixels. NULL: a bus without frames */
+    bool (*reset)(void *context, bool active); /* the reset line; NULL: reset by command */
     /* 0..100 percent; a backlight that cannot be dimmed is on above 0. NULL: no backlight. */
     bool (*backlight)(void *context, uint8_t percent);
     void (*wait_ms)(void *context, unsigned ms);
@@ -99,11 +105,12 @@ struct panel {
     bool tearing_line;           /* it is wired: the controller must drive it */
 };
 
-/* Sets all but the bus to the usual values for a glass of this size: those of panels.def. False: no glass of this size is known; the
- * offset is then 0, 0. */
+/* Sets all but the bus to the usual values for a glass of this size, or a picture in the middle of one: those of panels.def. False: no
+ * glass of this size is known; the offset is then 0, 0. */
 bool panel_defaults(struct panel *panel, enum panel_controller controller, uint8_t rotation, uint16_t width,
                     uint16_t height);
-/* Whether the glass lies within the controller's memory and the other fields are valid: of an SSD1306 only half turns, and whole pages. */
+/* Whether the glass lies within the controller's memory and the other fields are valid: of an SSD1306 only half turns, and whole pages;
+ * on QSPI no turns, and even sizes and offsets. */
 bool panel_fits(const struct panel *panel);
 /* Is its memory in pages of 8 rows, one bit a pixel? */
 static inline bool panel_is_paged(const struct panel *panel)
@@ -111,7 +118,8 @@ static inline bool panel_is_paged(const struct panel *panel)
     return panel->controller == PANEL_SSD1306;
 }
 
-/* The columns that the glass shows of the lines y..y + lines - 1, inside the picture: all, or of a round glass those that the circle touches. */
+/* The columns that the glass shows of the lines y..y + lines - 1, inside the picture: all, or of a round glass those that the circle touches,
+ * and one more at each end where windows must be even. */
 struct panel_columns {
     uint16_t first, count;
 };
@@ -119,14 +127,16 @@ struct panel_columns panel_visible(const struct panel *panel, unsigned y, unsign
 /* The lines from y on that a picture sent from its top needs no new window for: all that follow, or of a round glass those of its band. */
 unsigned panel_band(const struct panel *panel, unsigned y);
 
-/* Reset and initialisation, a quarter of a second: awake, RGB565 or one bit a pixel, still dark, since the memory holds noise. */
+/* Reset and initialisation, a quarter of a second: awake, RGB565 or one bit a pixel, still dark, since the memory holds noise; but what
+ * lies around a picture in the middle of a glass is black. */
 bool panel_start(const struct panel *panel);
 /* Display and backlight, after the first picture: on, at so many percent of its brightness, 1..100; or off, 0. An SSD1306 has no
  * backlight: 1..100 are the same. */
 bool panel_show(const struct panel *panel, uint8_t percent);
 /* A window and the command that takes its pixels: width x height RGB565, high byte first, follow by bus->data, in as many
  * calls as you like. Of an SSD1306 y and height are whole pages, and width x height / 8 bytes follow: 8 pixels below each other, the
- * uppermost in the lowest bit. False also if the window is empty or leaves the picture; then nothing is sent. */
+ * uppermost in the lowest bit. False also if the window is empty or leaves the picture, or is one that the controller does not take: on
+ * QSPI odd, or smaller than its smallest write; then nothing is sent. */
 bool panel_window(const struct panel *panel, uint16_t x, uint16_t y, uint16_t width, uint16_t height);
 /* Sends a part of a picture in GLINT_MONO, whose first line is `lines`, to an SSD1306: rows are rounded out to pages. False as above. */
 bool panel_mono(const struct panel *panel, const uint8_t *lines, size_t stride, uint16_t x, uint16_t y, uint16_t width,

@@ -59,15 +59,25 @@ bool tilt_add(struct tilt *tilt, const int16_t sample[3])
     return is_knock;
 }
 
-bool tilt_light(struct tilt *tilt, int32_t to_light[3])
+static const int32_t *where(const struct tilt *tilt)
 {
-    const int32_t *at = tilt->moves ? tilt->mean_q8 : tilt->held_q8;
-    const bool has_moved = distance(at, tilt->shown_q8) != 0;
-    copy(tilt->shown_q8, at);
+    return tilt->moves ? tilt->mean_q8 : tilt->held_q8;
+}
+
+void tilt_look(const struct tilt *tilt, int32_t to_light[3])
+{
+    const int32_t *at = where(tilt);
     for (unsigned i = 0; i < 3; i++)
         to_light[i] = at[i] / 64;
     if (to_light[2] < TILT_ONE_G)
         to_light[2] = TILT_ONE_G; /* a quarter of 2^15 */
+}
+
+bool tilt_light(struct tilt *tilt, int32_t to_light[3])
+{
+    const bool has_moved = distance(where(tilt), tilt->shown_q8) != 0;
+    copy(tilt->shown_q8, where(tilt));
+    tilt_look(tilt, to_light);
     return has_moved;
 }
 

@@ -37,6 +37,8 @@ bool tilt_add(struct tilt *tilt, const int16_t sample[3]);
 /* Towards the light, about 2^15 long; at least a quarter of that towards the viewer, so that the panel is lit at any tilt. After the first
  * sample. True: it has moved since this was called before. */
 bool tilt_light(struct tilt *tilt, int32_t to_light[3]);
+/* The same, for one who only asks. */
+void tilt_look(const struct tilt *tilt, int32_t to_light[3]);
 
 /* The axes of a board as those of a picture: `axes` names for right, up and viewer the sensor's axis, 1..3, negative: against it; the
  * picture is turned clockwise by quarter turns. */

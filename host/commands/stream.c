@@ -34,7 +34,7 @@ static const struct argp_option argp_options[] = {
      "Instead of the orbit: the direction of each frame from a file or standard input (-), one a line: X Y Z or "
      "X,Y,Z. Empty lines and lines that begin with # are skipped. Or iio: this computer's accelerometer, by Linux; the "
      "light is straight above however the display is tilted (iio:FOLDER: one that is elsewhere than in "
-     "/sys/bus/iio/devices)",
+     "/sys/bus/iio/devices). Or board: the accelerometer of the board that shades (--to usb --shade device)",
      5},
     {"light-from", 0, NULL, OPTION_ALIAS, NULL, 5},
 
@@ -121,18 +121,21 @@ static void check(const struct argp_state *state, struct stream_options *o)
     bool directional = false;
     for (unsigned i = 0; i < shading->lamp_count; i++)
         directional |= shading->lamps[i].kind == LAMP_DIRECTIONAL;
-    if (o->lights && (!isnan(o->orbit) || !isnan(o->period)))
+    const bool is_given = o->lights || o->board_lights;
+    if (is_given && (!isnan(o->orbit) || !isnan(o->period)))
         refuse(state, "--lights: gives each direction of the light; leave out %s",
                isnan(o->orbit) ? "--period" : "--orbit");
-    if (o->lights && !directional)
+    if (is_given && !directional)
         refuse(state, "--lights: moves a --light, and there are only --point and --spot; add a --light");
     if (o->lights && iio_is_named(o->lights) && !o->frames && !o->kind->paced)
         refuse(state, "--lights %s: goes on for ever; give --frames N for --to %s", o->lights, o->kind->name);
+    if (o->board_lights && !o->shade_device)
+        refuse(state, "--lights board: is the light of a board that shades; add --to usb --shade device");
     if (!isnan(o->orbit) && !directional)
         refuse(state, "--orbit: is for a --light; points and spots keep their distance from the picture's middle");
     if (o->lights && strcmp(o->lights, "-") == 0 && map_options_standard_input(&o->look.scene))
         refuse(state, "--lights: only one of --lights, the maps and the mesh can come from standard input");
-    const bool is_mesh = o->look.scene.mesh.name, light_moves = !is_mesh || o->lights || !isnan(o->orbit);
+    const bool is_mesh = o->look.scene.mesh.name, light_moves = !is_mesh || is_given || !isnan(o->orbit);
     if (isnan(o->period))
         o->period = is_mesh ? usual_turn_period : usual_period;
     if (!o->frames && !o->lights && !o->kind->paced) {
@@ -181,7 +184,8 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->period = parse_real(state, "--period", text, 0, 1e6);
         return 0;
     case KEY_LIGHTS:
-        o->lights = parse_output(state, "--lights", text);
+        o->board_lights = strcmp(text, "board") == 0;
+        o->lights = o->board_lights ? NULL : parse_output(state, "--lights", text);
         return 0;
     case KEY_SHADE:
         o->shade_device = parse_choice(state, "--shade", "shader", text, shade_names) == 1;

@@ -54,7 +54,7 @@ size_t format_line_bytes(enum glint_format format, size_t width)
 
 size_t format_byte_pixels(enum glint_format format)
 {
-    return format_traits[format].bits < 8 ? 8 / format_traits[format].bits : 1;
+    return format_traits[format].bits < 8 ? (size_t)(8 / format_traits[format].bits) : 1;
 }
 
 void format_unpack(const uint8_t *line, enum glint_format format, size_t x, uint8_t *values)

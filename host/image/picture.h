@@ -8,6 +8,10 @@
 
 /* The longest side, and the pixels of an 8K UHD picture; anything larger is a mistake or an attack. */
 enum { SIDE_MAX = 16384, PIXELS_MAX = 1 << 25 };
+static inline bool picture_size_fits(uint32_t width, uint32_t height)
+{
+    return width <= SIDE_MAX && height <= SIDE_MAX && width * height <= PIXELS_MAX; /* 2^14 * 2^14 fits 32 bits */
+}
 
 /* Grey or RGB, 8 bits a sample, lines from the top. */
 struct picture {

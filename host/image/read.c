@@ -87,7 +87,7 @@ static void check_signature(const struct source *source, const png_byte head[HEA
 
 static void check_size(const struct image *image)
 {
-    if (image->width > SIDE_MAX || image->height > SIDE_MAX || (uint64_t)image->width * image->height > PIXELS_MAX)
+    if (!picture_size_fits(image->width, image->height))
         fail("%s: %ux%u pixels; at most %d a side and %d in all are allowed", image->name, image->width, image->height,
              SIDE_MAX, PIXELS_MAX);
 }

@@ -205,8 +205,7 @@ struct image *svg_read(FILE *stream, const char *name, const uint8_t *head, size
     if (drawn.message[0])
         fail("%s: %s", name, drawn.message);
     const bool as_asked = width ? drawn.width == width && drawn.height == height
-                                : drawn.width && drawn.height && drawn.width <= SIDE_MAX && drawn.height <= SIDE_MAX &&
-                                      (uint64_t)drawn.width * drawn.height <= PIXELS_MAX;
+                                : drawn.width && drawn.height && picture_size_fits(drawn.width, drawn.height);
     if (!as_asked)
         fail("%s: librsvg drew it in another size; convert it to PNG", name);
     struct image *image = allocate(1, sizeof *image);

@@ -34,8 +34,7 @@ struct source {
 
 static bool is_allowed(struct head *head)
 {
-    const bool good =
-        head->width <= SIDE_MAX && head->height <= SIDE_MAX && (uint64_t)head->width * head->height <= PIXELS_MAX;
+    const bool good = picture_size_fits(head->width, head->height);
     if (!good)
         snprintf(head->message, sizeof head->message, "%ux%u pixels; at most %d a side and %d in all are allowed",
                  head->width, head->height, SIDE_MAX, PIXELS_MAX);

@@ -117,7 +117,13 @@ struct mesh *mesh_load(const struct mesh_source *source)
     mesh->has_facet_colors = soup->has_facet_colors;
     soup_free(soup);
     mesh->has_own_normals = own;
-    mesh_split(mesh, source->split > 0 ? source->split : own ? SPLIT_OWN : SPLIT_USUAL);
+    const double degrees = source->split > 0 ? source->split : own ? SPLIT_OWN : SPLIT_USUAL;
+    if (!source->faces_most) {
+        mesh_split(mesh, degrees);
+    } else if (!mesh_split_within(mesh, degrees, source->faces_most)) {
+        mesh_free(mesh);
+        return NULL;
+    }
     mesh_order(mesh);
     return mesh;
 }

@@ -24,8 +24,9 @@ struct mesh_source {
     const char *allowed;      /* a folder whose files it may name, beside its own and those below; or NULL */
     const char *texture;      /* the picture of all parts, in the place of those that the file names; or NULL */
     struct texture_wish wish; /* bytes 0: TEXTURE_BYTES_USUAL */
+    size_t faces_most;        /* 0: GLINT_MESH_FACES_MAX, beyond which is an error; else there is no mesh beyond it */
 };
-/* Welded, split and ordered. Errors end the program through fail(). */
+/* Welded, split and ordered; NULL: more than faces_most faces. Errors end the program through fail(). */
 struct mesh *mesh_load(const struct mesh_source *source);
 
 #endif

@@ -167,7 +167,7 @@ static double largest_turn(const struct mesh *mesh)
     return acos(fmax(-1, least)) * 180 / M_PI;
 }
 
-void mesh_split(struct mesh *mesh, double degrees)
+bool mesh_split_within(struct mesh *mesh, double degrees, size_t faces_most)
 {
     const double least = mesh_cosine(degrees);
     mesh->whole_vertex_count = mesh->vertex_count;
@@ -177,13 +177,20 @@ void mesh_split(struct mesh *mesh, double degrees)
     for (int pass = 0; pass < PASSES; pass++) {
         uint32_t(*middles)[3] = allocate(mesh->face_count, sizeof *middles);
         const size_t before = mesh->face_count, count = choose(mesh, least, middles);
-        if (count > GLINT_MESH_FACES_MAX || mesh->vertex_count > UINT16_MAX)
-            fail("%s: --split %g makes more than %u triangles or %u vertices of it; give a larger angle, or simplify "
-                 "the mesh",
-                 mesh->name, degrees, GLINT_MESH_FACES_MAX, UINT16_MAX);
-        cut_faces(mesh, middles, count);
+        const bool fits = count <= faces_most && count <= GLINT_MESH_FACES_MAX && mesh->vertex_count <= UINT16_MAX;
+        if (fits)
+            cut_faces(mesh, middles, count);
         free(middles);
-        if (count == before)
-            return;
+        if (!fits || count == before)
+            return fits;
     }
+    return true;
+}
+
+void mesh_split(struct mesh *mesh, double degrees)
+{
+    if (!mesh_split_within(mesh, degrees, GLINT_MESH_FACES_MAX))
+        fail("%s: --split %g makes more than %u triangles or %u vertices of it; give a larger angle, or simplify "
+             "the mesh",
+             mesh->name, degrees, GLINT_MESH_FACES_MAX, UINT16_MAX);
 }

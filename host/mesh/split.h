@@ -9,5 +9,7 @@
  * lies on the edge of another. Places stay on the surface that there was. Ends the program through fail() where the library's limits
  * of vertices and faces are passed. */
 void mesh_split(struct mesh *mesh, double degrees);
+/* The same, but false where it takes more than that many faces, or than the library does. */
+bool mesh_split_within(struct mesh *mesh, double degrees, size_t faces_most);
 
 #endif

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/stop.h"
 #include "image/format.h"
 
 const struct finish plain_finish = {60, 0, {.2, .2, .2}, {.9, .9, .9}, {.5, .5, .5}};
@@ -103,10 +104,14 @@ struct glint_vec *scene_normals_q15(const struct scene *scene)
 {
     const size_t pixels = (size_t)scene->width * scene->height;
     struct glint_vec *out = allocate(pixels, sizeof *out);
+    sigset_t before;
+    signals_hold(&before); /* the first thread alone takes them */
+#pragma omp parallel for schedule(static)
     for (size_t i = 0; i < pixels; i++) {
         const double *n = scene->normals[i];
         out[i] = (struct glint_vec){to_q15(n[0]), to_q15(n[1]), to_q15(n[2])};
     }
+    signals_release(&before);
     return out;
 }
 

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/stop.h"
 #include "scene/coin.h"
 #include "scene/knob.h"
 #include "scene/shapes.h"
@@ -87,18 +88,17 @@ static void set_pixel(const struct drawing *drawing, size_t pixel, const double 
 
 /* ---- reliefs ---- */
 
-/* Heights are sampled at the pixels' corners: the mean slope over a pixel is then exact along its edges, and no detail is
- * lost between samples. Colours are sampled in the middle. */
-static void draw_relief(const struct drawing *drawing)
+/* Lines from first up to end. Heights are sampled at the pixels' corners: the mean slope over a pixel is then exact along its edges, and no
+ * detail is lost between samples. Colours are sampled in the middle. */
+static void draw_relief_lines(const struct drawing *drawing, size_t first, size_t end)
 {
-    const struct scene *scene = drawing->scene;
     const double *body = drawing->body;
     const struct frame f = drawing->frame;
-    const size_t width = scene->width;
+    const size_t width = drawing->scene->width;
     double *above = allocate(width + 1, sizeof *above), *below = allocate(width + 1, sizeof *below);
     for (size_t x = 0; x <= width; x++)
-        above[x] = drawing->thing(f.left + f.pixel * (double)x, edge_of(&f, 0, 0), f.pixel, body).height;
-    for (size_t y = 0; y < scene->height; y++) {
+        above[x] = drawing->thing(f.left + f.pixel * (double)x, edge_of(&f, first, 0), f.pixel, body).height;
+    for (size_t y = first; y < end; y++) {
         for (size_t x = 0; x <= width; x++)
             below[x] = drawing->thing(f.left + f.pixel * (double)x, edge_of(&f, y, 1), f.pixel, body).height;
         for (size_t x = 0; x < width; x++) {
@@ -114,6 +114,18 @@ static void draw_relief(const struct drawing *drawing)
     }
     free(above);
     free(below);
+}
+
+static void draw_relief(const struct drawing *drawing)
+{
+    enum { BAND = 32 }; /* lines; each band finds the heights above it again */
+    const size_t height = drawing->scene->height;
+    sigset_t before;
+    signals_hold(&before); /* the first thread alone takes them */
+#pragma omp parallel for schedule(dynamic)
+    for (size_t y = 0; y < height; y += BAND)
+        draw_relief_lines(drawing, y, height - y < BAND ? height : y + BAND);
+    signals_release(&before);
 }
 
 static struct relief before_cloth(double x, double y)
@@ -145,6 +157,9 @@ static void draw_sphere(const struct drawing *drawing)
     const double *color = drawing->body ? drawing->body : red;
     const struct scene *scene = drawing->scene;
     const struct frame f = drawing->frame;
+    sigset_t before;
+    signals_hold(&before);
+#pragma omp parallel for schedule(static)
     for (size_t i = 0; i < (size_t)scene->width * scene->height; i++) {
         const double x = f.left + f.pixel * ((double)(i % scene->width) + .5);
         const double y = edge_of(&f, i / scene->width, .5);
@@ -154,6 +169,7 @@ static void draw_sphere(const struct drawing *drawing)
         const struct relief point = {0, {color[0], color[1], color[2]}, 1, coverage(r - radius, f.pixel)};
         set_pixel(drawing, i, ball, point, x, y);
     }
+    signals_release(&before);
 }
 
 /* ---- by name ---- */

@@ -13,6 +13,7 @@
 #include "sinks/animation.h"
 #include "sinks/frames.h"
 #include "sinks/outputs.h"
+#include "sinks/write.h"
 
 enum { UNIT = 100, FPS_MAX = 50 }; /* times are in 1/100 s; browsers take a delay of less than two for ten */
 
@@ -20,7 +21,7 @@ struct gif {
     struct sink sink;
     struct animation animation;
     GifFileType *file;
-    uint8_t *bytes; /* the file so far */
+    uint8_t *bytes; /* of the file, not written yet */
     size_t len, room;
     uint16_t *pixels[2]; /* of this frame and of the one before, in turn, RGB565 */
     uint8_t *indices;
@@ -119,6 +120,15 @@ static void put_box(struct gif *gif, const struct glint_box *box, const uint16_t
     free(part);
 }
 
+/* A frame at a time: a long stream's file is not held in memory. */
+static enum sink_result write_kept(struct gif *gif)
+{
+    const int descriptor = fileno(gif->animation.output->stream);
+    const enum sink_result result = sink_write(descriptor, gif->sink.name, gif->bytes, gif->len);
+    gif->len = 0;
+    return result;
+}
+
 static enum sink_result send_gif(struct sink *sink, const struct frame *frame, const struct piece *pieces, size_t count)
 {
     (void)pieces;
@@ -141,7 +151,7 @@ static enum sink_result send_gif(struct sink *sink, const struct frame *frame, c
     check(gif, EGifPutExtension(gif->file, GRAPHICS_EXT_FUNC_CODE, (int)bytes, block));
     put_box(gif, &box, now);
     free(rgb);
-    return SINK_SENT;
+    return write_kept(gif);
 }
 
 static void finish_gif(struct sink *sink)

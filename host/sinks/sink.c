@@ -32,11 +32,6 @@ void sink_size(struct sink *sink, const struct sink_wish *wish)
     sink->height = wish->height ? wish->height : wish->default_height;
 }
 
-bool sink_size_fits(uint32_t width, uint32_t height)
-{
-    return width <= SIDE_MAX && height <= SIDE_MAX && width * height <= PIXELS_MAX; /* 2^14 * 2^14 fits 32 bits */
-}
-
 bool sink_takes_standard_output(const struct sink_kind *kind, const char *output)
 {
     const struct sink_output *to = kind->output;

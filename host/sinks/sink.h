@@ -108,6 +108,8 @@ struct sink_shader {
     bool (*find_mesh)(struct sink *sink, struct light_mesh *mesh);
     enum sink_result (*send_mesh)(struct sink *sink, const struct light_material *material);
     enum sink_result (*send_pose)(struct sink *sink, const struct light_pose *pose, size_t *bytes);
+    /* Where the room's light is, as the device's own sensor has it: about 2^15 long. Ends the program where it has none. */
+    enum sink_result (*read_light)(struct sink *sink, int32_t to_light[3]);
     void (*close)(struct sink *sink); /* as above */
 };
 
@@ -138,8 +140,6 @@ void sink_finish(struct sink *sink); /* close follows */
 void sink_close(struct sink *sink);
 /* The size of a sink that takes any: as the user asked, else the scene's own. */
 void sink_size(struct sink *sink, const struct sink_wish *wish);
-/* Is this a picture of at most SIDE_MAX a side and PIXELS_MAX in all, which is as much as glint shades? */
-bool sink_size_fits(uint32_t width, uint32_t height);
 /* Do frames to this output go to standard output? Then words go to standard error. */
 bool sink_takes_standard_output(const struct sink_kind *kind, const char *output);
 

@@ -18,6 +18,15 @@ enum sink_result device_send_scene(struct sink *sink, const struct scene *scene,
     return result;
 }
 
+enum sink_result device_read_light(struct sink *sink, struct shading *shading)
+{
+    int32_t to_light[3];
+    const enum sink_result result = sink->kind->shader->read_light(sink, to_light);
+    for (unsigned k = 0; k < 3 && result == SINK_SENT; k++)
+        shading->lamps[0].direction[k] = to_light[k] / 32768.;
+    return result;
+}
+
 enum sink_result device_send_light(struct sink *sink, const struct shading *shading, struct plan_result *result)
 {
     int32_t to_light[3];

@@ -7,6 +7,8 @@
 #include "plan/plan.h"
 
 enum sink_result device_send_scene(struct sink *sink, const struct scene *scene, const struct shading *shading);
+/* Moves the light to where the device's own sensor has it. */
+enum sink_result device_read_light(struct sink *sink, struct shading *shading);
 enum sink_result device_send_light(struct sink *sink, const struct shading *shading, struct plan_result *result);
 
 #endif

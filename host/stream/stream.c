@@ -149,6 +149,8 @@ static bool send_light(struct stream *stream, double seconds)
         if (!stream->known)
             sent = stream->mesh ? mesh_device_send(stream->mesh, open_sink)
                                 : device_send_scene(open_sink, stream->scene, &stream->shading);
+        if (sent == SINK_SENT && stream->options->board_lights)
+            sent = device_read_light(open_sink, &stream->shading);
         if (sent == SINK_SENT)
             sent = stream->mesh ? mesh_device_send_pose(stream->mesh, open_sink, seconds, &stream->shading, &result)
                                 : device_send_light(open_sink, &stream->shading, &result);

@@ -18,6 +18,7 @@ struct stream_options {
     double period;        /* seconds; 0: the light stands still */
     double turn_period;   /* of a mesh about the vertical axis, seconds; 0: it stands still */
     const char *lights;   /* file, "-", a sensor (iio.h), or NULL */
+    bool board_lights;    /* the device that shades tells where the light is; lights is NULL */
     bool stats, json;
     bool shade_device; /* the device shades, and gets lights */
 };

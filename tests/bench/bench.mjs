@@ -7,7 +7,7 @@ import { boot } from './m0plus.mjs'
 import { readScene } from './scene.mjs'
 import { evaluations, printEvaluations } from './evaluations.mjs'
 import { loops, printLoops } from './loops.mjs'
-import { LIT_MESHES, MESHES, printLitMeshes, printMeshes } from './mesh.mjs'
+import { LIT_MESHES, MESHES, WIDGETS, printLitMeshes, printMeshes, printWidgets } from './mesh.mjs'
 import { printCounts, printSizes, readCounts, readSizes } from './counts.mjs'
 import { FLASH_FOOT } from './flash.mjs'
 
@@ -20,20 +20,21 @@ const [, , folder, pattern, ...shininesses] = process.argv
 const scene = readScene(`${folder}/scene`)
 const machines = Object.fromEntries(Object.entries({ '-O2': 'O2', '-Os': 'Os', '-O2 asm': 'asm' }).map(([flags, name]) =>
   [flags, boot(`${folder}/npm`, `${folder}/m0plus-${name}.elf`)]))
-const meshMachines = () => Object.fromEntries(['O2', 'asm'].map((name) => [name, boot(`${folder}/npm`, `${folder}/mesh-${name}.elf`)]))
-const showMeshes = (meshes, lit) => {
-  const builds = meshMachines()
+const meshMachines = (program) => Object.fromEntries(['O2', 'asm'].map((name) => [name, boot(`${folder}/npm`, `${folder}/${program}-${name}.elf`)]))
+const showMeshes = (meshes, lit, widgets) => {
+  const builds = meshMachines('mesh')
   if (meshes.length) printMeshes(builds, meshes)
   if (lit.length) printLitMeshes(builds.O2, lit)
+  if (widgets.length) printWidgets(meshMachines('lvgl'), widgets)
 }
 if (pattern !== undefined) {
   const match = new RegExp(pattern), wanted = [...new Set([60, ...shininesses.map(Number)])]
   const cycles = evaluations(machines, scene, match, wanted), pixels = loops(machines, scene, match, wanted)
-  const [meshes, lit] = [MESHES, LIT_MESHES].map((rows) => rows.filter(([name]) => match.test(name)))
-  if (!cycles.length && !pixels.length && !meshes.length && !lit.length) throw new Error(`no row's name matches ${pattern}`)
+  const [meshes, lit, widgets] = [MESHES, LIT_MESHES, WIDGETS].map((rows) => rows.filter(([name]) => match.test(name)))
+  if (!cycles.length && !pixels.length && !meshes.length && !lit.length && !widgets.length) throw new Error(`no row's name matches ${pattern}`)
   if (cycles.length) printEvaluations(cycles, scene)
   if (pixels.length) printLoops(pixels, scene)
-  if (meshes.length || lit.length) showMeshes(meshes, lit)
+  if (meshes.length || lit.length || widgets.length) showMeshes(meshes, lit, widgets)
   process.exit(0)
 }
 const write = (name, data) => writeFileSync(`${folder}/${name}.json`, JSON.stringify(data, null, 1) + '\n')
@@ -46,7 +47,7 @@ const pixels = loops(machines, scene)
 write('loops', pixels)
 printLoops(pixels, scene)
 console.log('\n' + FLASH_FOOT)
-showMeshes(MESHES, LIT_MESHES)
+showMeshes(MESHES, LIT_MESHES, WIDGETS)
 const counts = readCounts(`${folder}/counts.txt`, scene.q)
 write('counts', counts)
 printCounts(counts)

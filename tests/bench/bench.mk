@@ -14,9 +14,12 @@ BENCH_ELFS = $(patsubst %,$(BENCH)/m0plus-%.elf,O2 Os asm)
 # The frames of meshes, a program of their own; with the bunny where npm has installed it, to be read by libassimp.
 BENCH_MESH = $(BENCH)/mesh
 BENCH_MESH_SOURCES = tests/bench/mesh/mesh.c tests/bench/mesh/gouraud.c
+# The widget of LVGL beside glint's own calls, with the stand-ins of tier packages.
+BENCH_LVGL = lib/examples/lvgl
+BENCH_LVGL_SOURCES = tests/bench/mesh/lvgl.c $(BENCH_LVGL)/glint_lvgl.c $(BENCH_LVGL)/glint_lvgl_mesh.c
 BENCH_MESH_INPUTS = $(wildcard tests/bench/mesh/*.h) $(BENCH_MESH)/teapot.h $(BENCH_MESH)/teapot_split.h
 BENCH_BUNNY = $(if $(WITH_MESH),$(wildcard $(BENCH_NPM)/node_modules/bunny/index.js))
-BENCH_MESH_ELFS = $(patsubst %,$(BENCH)/mesh-%.elf,O2 asm)
+BENCH_MESH_ELFS = $(foreach program,mesh lvgl,$(patsubst %,$(BENCH)/$(program)-%.elf,O2 asm))
 # libfixmath's source, where it could be fetched.
 BENCH_FIXMATH = $(wildcard $(addprefix $(BENCH)/fixmath/libfixmath/,fix16.c fix16_exp.c))
 BENCH_FLAGS = -Ilib $(if $(BENCH_FIXMATH),-DBENCH_FIXMATH=1 -DFIXMATH_NO_CACHE -I$(BENCH)/fixmath,-DBENCH_FIXMATH=0)
@@ -84,6 +87,10 @@ $(BENCH)/m0plus-%.elf: $(BENCH)/lib-%/done $(BENCH_INPUTS) tests/bench/calibrate
 $(BENCH)/mesh-%.elf: $(BENCH)/lib-%/done $(BENCH_MESH_SOURCES) $(BENCH_MESH_INPUTS) $(if $(BENCH_BUNNY),$(BENCH_MESH)/bunny.h) $(BENCH_INPUTS) tests/bench/calibrate.S
 	@$(BENCH_COMPILE) -Ilib -I$(BENCH_MESH) -DMESH_BUNNY=$(if $(BENCH_BUNNY),1,0) \
 		-nostartfiles -T tests/bench/m0plus.ld -Wl,--wrap=glint_mesh_rows $(BENCH_MESH_SOURCES) tests/bench/calibrate.S $(BENCH_LIB) -o $@
+
+$(BENCH)/lvgl-%.elf: $(BENCH)/lib-%/done $(BENCH_LVGL_SOURCES) $(wildcard tests/bench/mesh/*.h $(BENCH_LVGL)/*.h tests/packages/stubs/lvgl*.h) $(BENCH_MESH)/teapot.h $(BENCH_INPUTS) tests/bench/calibrate.S
+	@$(BENCH_COMPILE) -Ilib -I$(BENCH_MESH) -I$(BENCH_LVGL) -Itests/packages/stubs \
+		-nostartfiles -T tests/bench/m0plus.ld $(BENCH_LVGL_SOURCES) tests/bench/calibrate.S $(BENCH_LIB) -o $@
 
 # As shipped: no normals of it are 180 degrees apart.
 $(BENCH_MESH)/teapot.h: $(BUILD)/glint

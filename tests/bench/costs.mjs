@@ -7,7 +7,7 @@ import { boot } from './m0plus.mjs'
 import { readScene } from './scene.mjs'
 import { evaluationRows, measureEvaluation, measureInput } from './evaluations.mjs'
 import { HAS_SCENES, hasSides, loopRows, measureLoop, measureScene } from './loops.mjs'
-import { LIT_MESHES, MESHES, hasAssembly, measureLitMesh, measureMesh } from './mesh.mjs'
+import { LIT_MESHES, MESHES, WIDGETS, hasAssembly, measureLitMesh, measureMesh, measureWidget } from './mesh.mjs'
 import { measureOpen, measureWorst, readWorst, worstRows } from './worst.mjs'
 
 process.on('uncaughtException', (error) => {
@@ -16,8 +16,8 @@ process.on('uncaughtException', (error) => {
 })
 
 // What the library has assembly for, and of which loops other n than 60 are stated.
-const ASSEMBLY = /^(exact (rect|albedo|brushed|spun|grain map|shininess|coverage( all)?|span 16|span 64)|colour (int8|span 16|span 64)( dither| coverage| coverage all)?|albedo (int8|span 16)|palette)$/
-const SHININESSES = { 'exact rect': [5, 1000], 'albedo int8': [5] }
+const ASSEMBLY = /^(exact (rect( steps)?|albedo|brushed|spun|grain map|shininess|coverage( all)?|span 16|span 64)|colour (int8|span 16|span 64)( dither| coverage| coverage all)?|albedo (int8|span 16)|palette)$/
+const SHININESSES = { 'exact rect': [5, 1000], 'exact rect steps': [1000], 'albedo int8': [5] }
 
 const [folder, part, parts, match] = [process.argv[2], Number(process.argv[3]), Number(process.argv[4]), new RegExp(process.argv[5] ?? '')]
 const scene = readScene(`${folder}/scene`)
@@ -67,6 +67,12 @@ for (const build of ['O2', 'asm']) {
     jobs.push(['mesh', row[0], build, 60, () => {
       const { cycles, memory } = measureMesh(machine, row)
       return build === 'O2' ? [['frame', cycles], ['memory', memory]] : [['frame', cycles]]
+    }])
+  }
+  for (const row of WIDGETS.filter((row) => hasAssembly(row) || build === 'O2')) {
+    jobs.push(['mesh', row[0], build, 60, () => {
+      const { widget, bare } = measureWidget(boot(`${folder}/npm`, `${folder}/lvgl-${build}.elf`), row)
+      return [['frame', widget], ['bare', bare]]
     }])
   }
   for (const row of build === 'O2' ? LIT_MESHES : []) {

@@ -60,6 +60,14 @@ void bench_line_begin(uint16_t y)
     }
 }
 
+#ifndef __AVR__
+static void steps_light(void)
+{
+    bench_light();
+    bench_check(glint_paint_steps(&bench_paint, bench_memory, sizeof bench_memory));
+}
+#endif
+
 static void exact_box(void)
 {
     struct glint_box highlight;
@@ -145,6 +153,11 @@ const struct bench_loop bench_loops[] = {
     {"exact albedo", WHAT("exact rect, albedo in RGB888, white light"), EXACT, .look = {.albedo = true}, .map_bytes = 9},
     {"exact albedo 888", WHAT("the same, RGB888"), EXACT, .look = {.format = GLINT_RGB888, .albedo = true}, .map_bytes = 9, .once = true},
     {"exact gloss", WHAT("exact rect, gloss"), EXACT, .look = {.gloss = true}, .map_bytes = 7, .once = true},
+#ifndef __AVR__
+    {"exact rect steps", WHAT("exact rect, with glint_paint_steps"), exact_fill, steps_light, .shade = bench_rect, .step = 4, INT16},
+    {"exact linear steps", WHAT("exact linear, the same"), exact_fill, steps_light, .shade = bench_rect, .step = 4, INT16, .look = {.space = GLINT_LINEAR}, .once = true},
+    {"exact span 64 steps", WHAT("exact span 64, the same"), exact_fill, steps_light, .prepare = bench_spans_64, .shade = bench_span, .step = 4, .once = true},
+#endif
     {"exact span 16", WHAT("glint_draw_span by an exact paint, spans of 16"),
      exact_fill, bench_light, .prepare = bench_spans_16, .shade = bench_span, .step = 4},
     {"exact span 64", WHAT("the same, spans of 64"),

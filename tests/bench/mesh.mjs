@@ -14,6 +14,8 @@ export const MESHES = [['mesh teapot', 0, TABLES], ['mesh teapot split', 1, TABL
 export const LIT_MESHES = [['mesh teapot point', 0, POINT], ['mesh teapot two points', 0, POINT + 1],
   ['mesh teapot three points', 0, POINT + 2], ['mesh teapot four points', 0, POINT + 3],
   ['mesh teapot split point', 1, POINT]]
+// LVGL's object beside glint's own calls with the same strips: lines of a strip, by tables, exactly.
+export const WIDGETS = [['mesh teapot in LVGL', 16, TABLES], ['mesh teapot in LVGL, strips of 10', 10, TABLES], ['mesh teapot exact in LVGL', 16, EXACT]]
 export const hasAssembly = ([, , way]) => way === TABLES || way === TEXTURED || way === SMOOTH || way === TEXTURED_FAR || way === COLOURED
 
 const caller = (machine, name, which) => (step, argument) => {
@@ -48,6 +50,40 @@ export function measureLitMesh(machine, [name, which, way]) {
     rect += call('mesh_rect', y)
   }
   return { light: (lit.cycles - dark.cycles) / pixels, rect: rect / pixels }
+}
+
+// Cycles of a frame, whose pixels must be the same.
+export function measureWidget(machine, [name, lines, way]) {
+  const call = (step, ...args) => {
+    const { cycles, value } = machine.call(step, args)
+    if (value) throw new Error(`${name}: ${step} returned error ${value}`)
+    return cycles
+  }
+  const out = machine.bytes(machine.address('lvgl_out'), 2 * SIZE * lines)
+  const frame = (which) => {
+    const strips = []
+    let cycles = call(`${which}_frame`)
+    for (let y = 0; y < SIZE; y += lines) {
+      out.fill(EMPTY)
+      cycles += call(`${which}_strip`, y, lines)
+      strips.push(Buffer.from(out))
+    }
+    return { cycles, picture: Buffer.concat(strips) }
+  }
+  call('lvgl_begin', way)
+  const widget = frame('lvgl'), bare = frame('lvgl_bare')
+  if (!widget.picture.equals(bare.picture)) throw new Error(`${name}: LVGL's object draws other pixels`)
+  return { widget: widget.cycles, bare: bare.cycles }
+}
+
+export function printWidgets(machines, rows) {
+  console.log('\nLVGL\'s object glint_lvgl_mesh on Cortex-M0+ [emulated: rp2040js], LVGL itself left out: thousands of cycles a frame, a new pose, and a')
+  console.log('strip an event, beside glint\'s own calls with the same strips and the same memory, with places for all triangles that go on; and what it takes more.')
+  for (const [build, machine] of Object.entries(machines))
+    for (const row of rows.filter((row) => build !== 'asm' || hasAssembly(row))) {
+      const { widget, bare } = measureWidget(machine, row), name = build === 'asm' ? `${row[0]}, asm` : row[0]
+      console.log(`${name.padEnd(38)} ${(widget / 1000).toFixed(0).padStart(7)} ${(bare / 1000).toFixed(0).padStart(7)} ${(100 * (widget / bare - 1)).toFixed(2).padStart(7)} %`)
+    }
 }
 
 export function printMeshes(machines, rows) {

@@ -11,6 +11,13 @@ static struct gud_device gud;
 static struct light_device device;
 static const struct light_mesh mesh = {1, 2, 3, 180};
 
+/* A sensor that answers anything. */
+static enum light_sense sense(int32_t to_light[3])
+{
+    to_light[device.first % 3] = device.count % 2 ? INT32_MIN : INT32_MAX;
+    return (enum light_sense)(device.count % 3);
+}
+
 static unsigned status(void)
 {
     uint8_t reply[GUD_REPLY_BYTES];
@@ -123,6 +130,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     memset(&gud, 0, sizeof gud);
     const unsigned width = next_byte(&input), height = next_byte(&input);
     device = (struct light_device){.width = (uint16_t)(1 + width % SIDE_MAX),
+                                   .sense = height & 1 ? sense : NULL,
                                    .height = (uint16_t)(1 + height % SIDE_MAX),
                                    .mesh = height & 0x80 ? &mesh : NULL,
                                    .interface = INTERFACE,

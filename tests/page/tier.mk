@@ -20,12 +20,14 @@ $(PAGE_TEST_NPM)/done: tests/page/package.json tests/page/package-lock.json
 test-page: ## check: the page in Chromium and Firefox: pictures, files, messages, against the command
 	@+tests/tier page "$(SUBMAKE)"
 
+# Browsers wait for each other half the time: one more runs than there are processors.
 run-page: all $(PAGE)/index.html $(PAGE_CONFORMANCE) $(CONFORMANCE_EXPECTED)
-	@TALLY_JOBS=$$(nproc) tests/tally $(foreach browser,chromium firefox,"node tests/page/test_browser.mjs \
+	@TALLY_JOBS=$$(($$(nproc) + 1)) tests/tally $(foreach browser,firefox chromium,"node tests/page/test_controls.mjs $(PAGE_TEST_NPM) $(PAGE) $(abspath $(BUILD)/glint) $(browser)") \
+		$(foreach browser,chromium firefox,"node tests/page/test_browser.mjs \
 		$(PAGE_TEST_NPM) $(PAGE) $(abspath $(BUILD)/glint) $(browser) $(PAGE_STATES_$(browser))") \
-		$(foreach browser,chromium firefox,"node tests/page/test_controls.mjs $(PAGE_TEST_NPM) $(PAGE) $(abspath $(BUILD)/glint) $(browser)") \
 		"node tests/page/test_device.mjs $(PAGE_TEST_NPM) $(PAGE) $(abspath $(BUILD)/glint)" \
 		"node tests/page/test_module.mjs $(PAGE) $(abspath $(BUILD)/glint)" \
+		"node tests/page/test_hostile.mjs $(PAGE)" \
 		"node tests/page/test_conformance.mjs $(PAGE_CONFORMANCE) $(CONFORMANCE_EXPECTED)"
 
 # The checks that boards run, over the module's own objects of the library.

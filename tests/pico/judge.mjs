@@ -12,12 +12,14 @@ export class Judge {
     const [width, height] = (turned % 2 ? sides.reverse() : sides).map(Number)
     const board = boardOf(folder, panel)
     const rotation = (turned + (turned % 2 ? height > width : width > height) + board.turn) % 4
-    Object.assign(this, { program, controller, width, height, rotation, board, is_round: controller === 'gc9a01' })
+    Object.assign(this, { program, controller, width, height, rotation, board, is_round: controller === 'gc9a01' || panel === 'co5300-466x466' })
   }
   call(args, input) {
     return execFileSync(this.program, args.map(String), { input, maxBuffer: 1 << 26 })
   }
   look(transcript) { return this.call(['look', this.controller, this.width, this.height, this.rotation], transcript) }
+  // All of the glass, of which the picture is the middle.
+  look_around(transcript, width, height) { return this.call(['look', this.controller, width, height, 0], transcript) }
   // What is seen of a picture: of a round glass the pixels that its circle touches.
   picture(args) {
     const rgb = this.call(args, '')

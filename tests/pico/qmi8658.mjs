@@ -67,7 +67,7 @@ export class Qmi8658 {
     if (this.fault === 'nonsense') return 0xff
     return at === REVISION || at <= AX_L + 5 ? this.registers[at] : 0
   }
-  // All bytes of a sample change at once: reads are locked against that in the part.
+  // All bytes of a sample change at once. The data sheet promises that of SyncSample's locked reads only: a read that meets a new sample may mix them.
   sample() {
     if (!(this.registers[CTRL7] & 1)) return
     const one = 16384 >> (this.registers[CTRL2] >> 4 & 3), sigma = NOISE_G * Math.sqrt(this.rate / 2)

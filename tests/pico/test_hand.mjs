@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// test_hand.mjs PACKAGES FOLDER PANEL JUDGE: a board with an accelerometer, whose light follows the hand: a model of the sensor's registers
-// on the emulated I2C, still, tilted, knocked, and with faults. Figures go to FOLDER/figures.json.
+// test_hand.mjs PACKAGES FOLDER PANEL JUDGE hand|faults: a board with an accelerometer, whose light follows the hand: a model of the sensor's registers
+// on the emulated I2C, still, tilted and knocked, or with faults, in a run of its own, since each takes minutes. Figures of the first go to FOLDER/figures.json.
 import { writeFileSync } from 'node:fs'
+import { Gud } from './gud.mjs'
 import { Judge } from './judge.mjs'
 import { Pico, symbolsOf } from './pico.mjs'
 import { Qmi8658 } from './qmi8658.mjs'
 import { check, equal, run } from './tap.mjs'
+import { UsbHost } from './usb_host.mjs'
 
-const [packages, folder, panel, program] = process.argv.slice(2)
+const [packages, folder, panel, program, part] = process.argv.slice(2)
 const judge = new Judge(program, panel, folder)
 const { height, board } = judge
 const symbols = symbolsOf(`${folder}/glint.elf`)
@@ -18,7 +20,7 @@ function powered_up(options) {
   const pico = new Pico(packages, { pins: board.pins }).load(`${folder}/glint.uf2`)
   const { wires, chip } = pico
   const imu = new Qmi8658(chip, board.sda / 2 % 2, options)
-  const made = { pico, wires, chip, imu, frames: [], first_change: undefined }
+  const made = { pico, wires, chip, imu, host: new UsbHost(pico), frames: [], first_change: undefined }
   // What the panel has had, to find the first pixel that changes; frames by their ends.
   const before = new Map()
   let at = 0
@@ -47,8 +49,15 @@ function settle(board_now, ms = 600) {
 }
 const said = (pico, text) => pico.uart.split(text).length - 1
 
-let on
-run([
+// As firmware/core/light_protocol.h has them.
+const GET_LIGHT = 0xa6, SILENT = 1, SENSED = 2
+function computer_of({ host }) {
+  host.enumerate()
+  return new Gud(host, { interface_number: 1, endpoint: 2 })
+}
+
+let on, asks
+const hand = [
   ['the sensor is found, set up as its data sheet says, and the light follows the hand', () => {
     on = powered_up({ seed: 7 })
     check(on.pico.run(() => on.pico.uart.includes('the light follows the hand'), 3000), on.pico.uart)
@@ -96,6 +105,21 @@ run([
     const [x, y, z] = on.light, angle = Math.atan2(x, z) * 180 / Math.PI
     check(Math.abs(angle - 30) < 1 && Math.abs(y) < 400, `${[x, y, z]}`)
   }],
+  ['a computer that asks learns the light and moves nothing', () => {
+    asks = computer_of(on)
+    const from = on.frames.length, told = asks.get(GET_LIGHT, 16)
+    equal([0, 4, 8, 12].map((at) => told.readInt32LE(at)).join(), [SENSED, ...on.light].join(), 'what it learns')
+    equal(asks.get(GET_LIGHT, 4).length, 4, 'bytes where fewer are asked for')
+    equal(asks.get(GET_LIGHT, 16, 1), null, 'with a value')
+    check(!asks.set(GET_LIGHT, Buffer.alloc(16)), 'it can be set')
+    on.imu.gravity = tilted(20)
+    asks.get(GET_LIGHT, 16)
+    settle(on, 900)
+    check(on.frames.length > from && Math.abs(Math.atan2(on.light[0], on.light[2]) * 180 / Math.PI - 20) < 1, `after that the demo's light does not follow: ${on.light}`)
+    equal(asks.get(GET_LIGHT, 16).readInt32LE(4), on.light[0], 'what it learns of the next')
+    on.imu.gravity = tilted(30)
+    settle(on, 900)
+  }],
   ['face down the panel is lit from the rim', () => {
     const turn = (from, to) => { // as a hand does: a jump would be a knock
       for (let i = 0; i <= 20; i++) { on.imu.gravity = tilted(from + (to - from) * i / 20); on.pico.run(() => false, 20) }
@@ -119,6 +143,8 @@ run([
     tap()
     judge.same(judge.look(on.wires.transcript()), judge.scene('watchface', on.light), 'the picture after another')
   }],
+]
+const faults = [
   ...['absent', 'nacks', 'hangs', 'nonsense', 'stuck'].map((fault) => [
     `a sensor that ${{ absent: 'is not there', nacks: 'refuses bytes in the middle', hangs: 'never ends a transfer', nonsense: 'says nonsense', stuck: 'is stuck' }[fault]}: the light circles, the UART says so once, and the board goes on`, () => {
       on = powered_up({ seed: 3 })
@@ -143,9 +169,13 @@ run([
     const from = on.frames.length
     on.pico.run(() => false, 300)
     check(on.frames.length - from > 0.28 * 60, `${on.frames.length - from} frames in 0.3 s`)
+    const told = computer_of(on).get(GET_LIGHT, 16)
+    equal([0, 4, 8, 12].map((at) => told.readInt32LE(at)).join(), `${SILENT},0,0,0`, 'what a computer learns')
     equal(on.wires.faults.length, 0, `faults, the first: ${on.wires.faults[0]}`)
   }],
-], () => {
+]
+if (part === 'faults') run(faults)
+else run(hand, () => {
   writeFileSync(`${folder}/figures.json`, JSON.stringify(figures, null, 2) + '\n')
   const round = (values) => values?.map((value) => value.toFixed(1)).join(', ')
   console.log(`# ${board.name}: first pixel after a step of 5 degrees: ${round(figures.first_ms)} ms; the dial: a frame every ` +

@@ -39,6 +39,9 @@ run([
     equal(descriptor.readUInt16LE(8), width, 'the width')
     equal(descriptor.readUInt16LE(10), height, 'the height')
   }],
+  ['a board without an accelerometer says so', () => {
+    equal(light.get(0xa6, 16).toString('hex'), '00'.repeat(16), 'its light')
+  }],
   ['before it is enabled it takes nothing', () => {
     refused(light.set(MATERIAL, material), STATUS.protocol, 'a material')
     refused(light.set(MAP), STATUS.protocol, 'a map')

@@ -60,6 +60,9 @@ await run([
       check(!map && !material && light.length === 16, `${map?.length} and ${material?.length} bytes more`)
     }
   }],
+  ['asked for its light, a board without an accelerometer says so', async () => {
+    equal(await board.during(pico.room(), LONG, 'the light'), sentences.noSensor, 'the sentence')
+  }],
   ['another material, model and space, then another surface, are followed', async () => {
     const other = await follow(words('.2,.4,1', ['--scene=coin', '--model=cayley', '-n9', '--space=linear', '--specular=.4,.9,1', '--clamp-peak']))
     check(!other.map && other.material, 'the map, or no material')

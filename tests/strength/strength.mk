@@ -62,4 +62,8 @@ mutants: setup-strength build/ends.o ## check: how many small faults in lib/ and
 	@COMPILE="$(CC) -Ilib -Ifirmware/core -std=c99 -ffreestanding -O1 -fPIC $(STRENGTH_TRAPS)" LINK="-lcmocka -lmpfr -lgmp $(HOST_LDLIBS)" GLINT_SOURCE="$(CURDIR)" \
 		tests/strength/mutants build/mutants build/coverage $(STRENGTH_MUTANTS) $(STRENGTH_SEED) $(MINUTES)
 
-.PHONY: setup-strength coverage coverage-lib coverage-whole strength-programs mutants
+# SECONDS of each sink; memory and descriptors, then and now.
+soak: all ## check: do long streams grow? each sink without a device for SECONDS (60): memory and descriptors
+	@tests/strength/soak $(BUILD)/glint $(or $(SECONDS),60)
+
+.PHONY: soak setup-strength coverage coverage-lib coverage-whole strength-programs mutants

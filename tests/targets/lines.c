@@ -214,6 +214,8 @@ static bool same(const struct glint_box *a, const struct glint_box *b)
     return a->x == b->x && a->y == b->y && a->w == b->w && a->h == b->h;
 }
 
+static uint16_t tables[GLINT_TABLES_COLOUR_BYTES / 2];
+
 static bool case_is_same(uint32_t number)
 {
     static const uint8_t widths[] = {0, 1, 2, 3, 15, 16, 17, W};
@@ -242,7 +244,10 @@ static bool case_is_same(uint32_t number)
         .coverage = number % 5 ? mask + below(4) : 0,
         .coverage_stride = W + 1};
     const uint16_t w = GLINT_DSP && number / 16 % 2 ? W : widths[number / 2 % 8];
-    const struct glint_box box = draw(&paint, &maps, w, 0), expected = draw(&paint, &maps, w, 1);
+    struct glint_paint fast = paint;
+    if (GLINT_CORTEX_M0PLUS_ASM && !grain && number % 32 >= 30 && glint_paint_steps(&fast, tables, sizeof tables))
+        return false;
+    const struct glint_box box = draw(&fast, &maps, w, 0), expected = draw(&paint, &maps, w, 1);
     if (same(&box, &expected))
         return true;
     say("# case ");
@@ -255,7 +260,6 @@ static bool case_is_same(uint32_t number)
 
 /* ---- COLOUR tables: lines of INT8 normals, and spans, by the fused loops; an odd address leads to the general way ---- */
 
-static uint16_t tables[GLINT_TABLES_COLOUR_BYTES / 2];
 static uint32_t words[W * H];
 
 /* Runs of the like, of any that can be packed, of any z; gaps that say their length. */

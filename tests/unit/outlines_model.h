@@ -23,6 +23,7 @@ struct model_mesh {
     struct mesh_shown shown;
     struct glint_mesh_drawn drawn;
     uint32_t work[(MESH_VERTICES * 16 + MESH_FACES * 5 + 1024) / 4];
+    const struct glint_mesh_frame *frame;
     bool is_clipped[MESH_FACES], is_front[MESH_FACES], is_thin[MESH_FACES];
     struct model_edge edges[MESH_FACES][3];
 };
@@ -56,7 +57,53 @@ static inline int64_t model_area(const struct model_mesh *m, unsigned face)
 /* Is there a face beyond the edge, and does it show its back? */
 static inline bool model_is_back(const struct model_mesh *m, unsigned beside)
 {
-    return beside < m->shown.made->mesh.face_count && !m->is_front[beside] && !m->is_clipped[beside];
+    return beside < m->shown.made->mesh.face_count && !m->is_front[beside];
+}
+
+/* Must neither end of an edge be clipped? */
+static inline bool model_is_in(const struct model_mesh *m, unsigned face, unsigned k)
+{
+    return !model_corner(m, face, k)->out && !model_corner(m, face, k + 1)->out;
+}
+
+/* A clipped face as triangles; beside: that of the edge whose ends need not be clipped, by how much of corners 1 and 2 there is. */
+struct model_fan {
+    unsigned count;
+    int beside;
+    struct glint_mesh_vertex at[GLINT_MESH_POLYGON][3];
+};
+
+static inline void model_fan_set(struct model_fan *fan, const struct model_mesh *m, unsigned face)
+{
+    static struct glint_mesh_polygon polygon;
+    const unsigned count = glint_mesh_clip(&polygon, m->frame, &m->drawn, m->shown.made->faces[face]);
+    const struct glint_mesh_clipped *const of = polygon.list[polygon.now].corner;
+    fan->count = count < 3 ? 0 : count - 2;
+    fan->beside = -1;
+    for (unsigned i = 0; i < fan->count; i++) {
+        unsigned whole = 0; /* corners of the face */
+        for (unsigned k = 0; k < 3; k++) {
+            const struct glint_mesh_clipped *const corner = k ? &of[i + k] : of;
+            const unsigned second = corner->weight[0], third = corner->weight[1];
+            glint_mesh_clip_vertex(&fan->at[i][k], m->frame, &m->drawn, corner);
+            whole += second + third == 0 || second == 32768 || third == 32768;
+        }
+        if (whole == 2 && fan->beside < 0)
+            fan->beside = (int)i;
+    }
+}
+
+static inline bool model_fan_shows(const struct model_mesh *m, unsigned face)
+{
+    struct model_fan fan;
+    bool has_edge = false;
+    for (unsigned k = 0; k < 3; k++)
+        has_edge |= model_is_in(m, face, k);
+    model_fan_set(&fan, m, face);
+    if (!has_edge || fan.beside < 0)
+        return false;
+    const struct glint_mesh_vertex *const at = fan.at[fan.beside];
+    return glint_mesh_area(&at[0], &at[1], &at[2]) < 0;
 }
 
 static inline int model_along(const struct model_edge *edge, const struct glint_mesh_vertex *v)
@@ -74,6 +121,13 @@ static inline void model_edge_set(struct model_edge *edge, const struct model_me
 {
     const struct glint_mesh_vertex *a = model_corner(m, face, k), *b = model_corner(m, face, k + 1),
                                    *c = model_corner(m, face, k + 2);
+    struct model_fan fan;
+    if (m->is_clipped[face]) { /* a and b are corners of that triangle: the third one of it */
+        model_fan_set(&fan, m, face);
+        c = fan.at[fan.beside];
+        while (glint_mesh_area(a, b, c) == 0)
+            c++;
+    }
     edge->is_flat = abs(b->y - a->y) < abs(b->x - a->x);
     edge->p = model_along(edge, b) < model_along(edge, a) ? b : a;
     edge->q = edge->p == a ? b : a;
@@ -100,7 +154,7 @@ static inline void model_set(struct model_mesh *m)
         m->is_clipped[f] = false;
         for (unsigned k = 0; k < 3; k++)
             m->is_clipped[f] |= model_corner(m, f, k)->out != 0;
-        m->is_front[f] = !m->is_clipped[f] && model_area(m, f) < 0;
+        m->is_front[f] = m->is_clipped[f] ? model_fan_shows(m, f) : model_area(m, f) < 0;
         m->is_thin[f] = false;
         for (unsigned k = 0; k < 3; k++)
             m->edges[f][k].is_outline = false;
@@ -114,12 +168,13 @@ static inline void model_set(struct model_mesh *m)
             longest = llabs(b->y - a->y) > longest ? llabs(b->y - a->y) : longest;
             has_back |= model_is_back(m, made->neighbours[f][k]);
         }
-        m->is_thin[f] = m->is_front[f] && has_back && -model_area(m, f) < 2 * longest;
+        m->is_thin[f] = m->is_front[f] && !m->is_clipped[f] && has_back && -model_area(m, f) < 2 * longest;
     }
     for (unsigned f = 0; made->mesh.neighbours && f < count; f++)
         for (unsigned k = 0; m->is_front[f] && !m->is_thin[f] && k < 3; k++) {
             const unsigned beside = made->neighbours[f][k];
-            if (beside == GLINT_MESH_RIM || model_is_back(m, beside) || (beside < count && m->is_thin[beside]))
+            if (model_is_in(m, f, k) &&
+                (beside == GLINT_MESH_RIM || model_is_back(m, beside) || (beside < count && m->is_thin[beside])))
                 model_edge_set(&m->edges[f][k], m, f, k);
         }
 }
@@ -298,7 +353,7 @@ struct model_picture {
     _Alignas(8) uint8_t memory[MESH_W * MESH_H * 2 + 4096 + GLINT_MESH_LIGHTS_BYTES];
     uint16_t depth[MESH_H][MESH_W];
     uint8_t pixels[MESH_H * MESH_W * 4];
-    unsigned blended; /* cells */
+    unsigned blended, clipped; /* cells; those of clipped faces */
 };
 
 /* Where the meshes lie, and which of their edges are outlines. */
@@ -312,6 +367,7 @@ static inline void model_begin(struct model_picture *p, const struct mesh_shown 
     for (unsigned i = 0; i < count; i++) {
         struct model_mesh *const m = &p->meshes[i];
         m->shown = shown[i];
+        m->frame = &p->frame;
         assert_int_equal(glint_mesh_add(&p->frame, &m->drawn, &m->shown.made->mesh, &m->shown.made->pose,
                                         m->shown.paints, m->work, sizeof m->work),
                          GLINT_OK);
@@ -329,13 +385,12 @@ static inline const struct glint_paint *model_paint(const struct model_mesh *m, 
 
 /* Calls `each` with the pixels that the face covers and their depths. */
 typedef void model_each(void *context, int x, int y, uint32_t z);
-static inline void model_cover(const struct model_mesh *m, unsigned face, model_each *each, void *context)
+static inline void model_cover_by(const struct glint_mesh_vertex *a, const struct glint_mesh_vertex *b,
+                                  const struct glint_mesh_vertex *c, model_each *each, void *context)
 {
     struct glint_mesh_triangle triangle;
-    struct glint_mesh_corner corner[3];
-    for (unsigned k = 0; k < 3; k++)
-        corner[k] = (struct glint_mesh_corner){model_corner(m, face, k), 0};
-    if (!m->is_front[face] || !glint_mesh_triangle_set(&triangle, corner, GLINT_MESH_GLOSSY, UINT32_MAX))
+    const struct glint_mesh_corner corner[3] = {{a, 0}, {b, 0}, {c, 0}};
+    if (glint_mesh_area(a, b, c) >= 0 || !glint_mesh_triangle_set(&triangle, corner, GLINT_MESH_GLOSSY, UINT32_MAX))
         return;
     if (triangle.y < 0)
         glint_mesh_triangle_skip(&triangle, triangle.y_end < 0 ? triangle.y_end : 0);
@@ -347,6 +402,18 @@ static inline void model_cover(const struct model_mesh *m, unsigned face, model_
         for (int32_t x = left; x < right; x++)
             each(context, x, triangle.y, triangle.values.z + (uint32_t)(x - triangle.values.x) * triangle.values.zx);
     }
+}
+
+static inline void model_cover(const struct model_mesh *m, unsigned face, model_each *each, void *context)
+{
+    struct model_fan fan;
+    if (!m->is_clipped[face]) {
+        model_cover_by(model_corner(m, face, 0), model_corner(m, face, 1), model_corner(m, face, 2), each, context);
+        return;
+    }
+    model_fan_set(&fan, m, face);
+    for (unsigned i = 0; i < fan.count; i++)
+        model_cover_by(&fan.at[i][0], &fan.at[i][1], &fan.at[i][2], each, context);
 }
 
 /* A face alone, which is drawn without outlines, and the picture. */
@@ -429,6 +496,7 @@ static inline void model_blend(struct model_picture *p, const struct model_mesh 
     const unsigned part = (unsigned)blended;
     const uint8_t *const albedo = m->shown.made->mesh.of_faces ? m->shown.made->mesh.of_faces + 3 * face : NULL;
     p->blended++;
+    p->clipped += m->is_clipped[face];
     pixel_get(was, format, line, (unsigned)x);
     memcpy(pixel, was, sizeof pixel);
     model_span(pixel, paint, &v, albedo, (uint8_t)part, x, y);
@@ -437,20 +505,20 @@ static inline void model_blend(struct model_picture *p, const struct model_mesh 
     pixel_put(pixel, format, line, (unsigned)x);
 }
 
-/* Under one directional light or none; in colours of faces, or of the material. No face is clipped. */
+/* Under one directional light or none; in colours of faces, or of the material. */
 static inline void model_draw(struct model_picture *p, enum glint_format format, uint8_t ground)
 {
     static struct model_face of;
     memset(p->pixels, ground, sizeof p->pixels);
     memset(p->depth, 0xff, sizeof p->depth);
-    p->blended = 0;
+    p->blended = p->clipped = 0;
     for (unsigned i = 0; i < p->count; i++)
         for (unsigned f = 0; f < p->meshes[i].shown.made->mesh.face_count; f++) {
             of.picture = p;
             of.mesh = &p->meshes[i];
             of.face = f;
             of.format = format;
-            if (of.mesh->is_front[f] && !of.mesh->is_thin[f])
+            if (of.mesh->is_clipped[f] || (of.mesh->is_front[f] && !of.mesh->is_thin[f]))
                 model_face_draw(&of);
         }
     for (unsigned i = 0; i < p->count; i++)

@@ -64,7 +64,7 @@ static bool on_command_waiting(void *context, uint8_t command)
     return on_command(context, command);
 }
 
-static const struct hal hal = {{on_command_waiting, on_data, NULL, NULL, on_wait, NULL},
+static const struct hal hal = {{on_command_waiting, on_data, NULL, NULL, NULL, on_wait, NULL},
                                on_flush,
                                on_fetch,
                                on_fetched,
@@ -102,7 +102,7 @@ static void on_join(void *context)
     other.job = NULL;
 }
 
-static const struct hal two_cores = {{on_command_waiting, on_data, NULL, NULL, on_wait, NULL},
+static const struct hal two_cores = {{on_command_waiting, on_data, NULL, NULL, NULL, on_wait, NULL},
                                      on_flush,
                                      on_fetch,
                                      on_fetched,

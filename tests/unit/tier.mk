@@ -55,7 +55,7 @@ ifneq ($(TEST)$(filter 1,$(SANITIZE)),)
 	@+$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS) $(if $(TEST),$(UNIT_BUILDERS))
 else
 	@+$(SUBMAKE) BUILD=$(UNIT_SANITIZED) SANITIZE=1 unit-sanitizable-programs
-	@+$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_BUILDERS) $(sort $(UNIT_SCRIPTS)) \
+	@+$(UNIT_ENV) TALLY_JOBS=$$(($$(nproc) + 1)) tests/tally $(UNIT_BUILDERS) $(sort $(UNIT_SCRIPTS)) \
 		$(patsubst $(BUILD)/%,"env GLINT=$(CURDIR)/$(UNIT_SANITIZED)/glint $(UNIT_SANITIZED)/%",$(UNIT_SANITIZABLE)) $(UNIT_PLAIN)
 endif
 

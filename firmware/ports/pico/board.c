@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
- * SPI by DMA, flash read ahead by the XIP streamer and DMA, pins, UART, watchdog. */
+ * The panel's bus by DMA, flash read ahead by the XIP streamer and DMA, pins, UART, watchdog. */
 #include "board.h"
+#include "qspi.h"
 #include "second_core.h"
 
 #include <hardware/clocks.h>
@@ -41,10 +42,17 @@ static void set_format(unsigned bits)
     board.bits = bits;
 }
 
+static void wait_for_dma(void)
+{
+    while (board.done)
+        tight_loop_contents();
+}
+
 /* The frame's size and D/C may change only while nothing is being sent. */
 static void wait_for_spi(unsigned bits, bool data)
 {
-    while (board.done || spi_is_busy(SPI))
+    wait_for_dma();
+    while (spi_is_busy(SPI))
         tight_loop_contents();
     if (bits != board.bits)
         set_format(bits);
@@ -64,6 +72,30 @@ static bool data(void *context, const uint8_t *bytes, size_t count)
     (void)context;
     wait_for_spi(8, true);
     spi_write_blocking(SPI, bytes, count);
+    return true;
+}
+
+static bool framed_command(void *context, uint8_t byte)
+{
+    (void)context;
+    wait_for_dma();
+    qspi_command(byte);
+    return true;
+}
+
+static bool framed_data(void *context, const uint8_t *bytes, size_t count)
+{
+    (void)context;
+    wait_for_dma();
+    qspi_data(bytes, count);
+    return true;
+}
+
+static bool framed_end(void *context)
+{
+    (void)context;
+    wait_for_dma();
+    qspi_end();
     return true;
 }
 
@@ -103,10 +135,9 @@ static void is_sent(void)
 static void flush(void *context, const uint16_t *pixels, size_t count, void (*done)(void *), void *argument)
 {
     (void)context;
-    if (board.bits != 16)
+    if (!IS_QSPI && board.bits != 16)
         wait_for_spi(16, true);
-    while (board.done)
-        tight_loop_contents();
+    wait_for_dma();
     board.argument = argument;
     board.done = done;
     dma_channel_transfer_from_buffer_now(board.send, pixels, count);
@@ -158,7 +189,8 @@ static bool may_begin(void *context)
     return true;
 }
 
-const struct hal board_hal = {{command, data, reset, backlight, wait_ms, NULL},
+const struct hal board_hal = {{IS_QSPI ? framed_command : command, IS_QSPI ? framed_data : data,
+                               IS_QSPI ? framed_end : NULL, reset, IS_QSPI ? NULL : backlight, wait_ms, NULL},
                               flush,
                               fetch,
                               fetched,
@@ -174,8 +206,8 @@ static void start_dma(void)
     board.send = (unsigned)dma_claim_unused_channel(true);
     dma_channel_config config = dma_channel_get_default_config(board.send);
     channel_config_set_transfer_data_size(&config, DMA_SIZE_16);
-    channel_config_set_dreq(&config, spi_get_dreq(SPI, true));
-    dma_channel_configure(board.send, &config, &spi_get_hw(SPI)->dr, NULL, 0, false);
+    channel_config_set_dreq(&config, IS_QSPI ? qspi_dreq() : spi_get_dreq(SPI, true));
+    dma_channel_configure(board.send, &config, IS_QSPI ? qspi_pixels() : &spi_get_hw(SPI)->dr, NULL, 0, false);
     dma_channel_set_irq0_enabled(board.send, true);
     irq_set_exclusive_handler(DMA_IRQ_0, is_sent);
     irq_set_enabled(DMA_IRQ_0, true);
@@ -205,6 +237,26 @@ static void start_backlight(void)
     pwm_set_gpio_level(PIN_BACKLIGHT, PANEL_OFF);
     pwm_init(slice, &config, true);
     gpio_set_function(PIN_BACKLIGHT, GPIO_FUNC_PWM);
+}
+
+static void start_spi(void)
+{
+    start_backlight();
+    spi_init(SPI, BUS_HZ);
+    set_format(8); /* the clock idles high before the panel leaves its reset: a later rise would count as a bit */
+    gpio_set_function(PIN_CLOCK, GPIO_FUNC_SPI);
+    gpio_set_function(PIN_DATA, GPIO_FUNC_SPI);
+    start_output(PIN_RESET, true);
+    start_output(PIN_DC, true);
+    start_output(PIN_CS, false); /* the panel is alone on its bus */
+}
+
+static void start_qspi(void)
+{
+    start_output(PIN_POWER, true);
+    start_output(PIN_RESET, true);
+    start_output(PIN_CS, true);
+    qspi_start();
 }
 
 /* RAM may keep its contents over a dip of the supply, which the chip reports as a power-up: the contents tell them apart. */
@@ -244,14 +296,10 @@ enum fault board_start(void)
     watchdog_enable(WATCHDOG_MS, true);
     uart_init(uart0, UART_BAUD);
     gpio_set_function(PIN_UART_TX, GPIO_FUNC_UART);
-    start_backlight();
-    spi_init(SPI, SPI_HZ);
-    set_format(8); /* the clock idles high before the panel leaves its reset: a later rise would count as a bit */
-    gpio_set_function(PIN_CLOCK, GPIO_FUNC_SPI);
-    gpio_set_function(PIN_DATA, GPIO_FUNC_SPI);
-    start_output(PIN_RESET, true);
-    start_output(PIN_DC, true);
-    start_output(PIN_CS, false); /* the panel is alone on its bus */
+    if (IS_QSPI)
+        start_qspi();
+    else
+        start_spi();
     if (HAS_TE)
         gpio_init(TE); /* an input */
     start_dma();

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * A board with an RP2040 or RP2350 and a panel on its SPI; which one, BOARD_ID says, a row of boards.def. */
+ * A board with an RP2040 or RP2350 and a panel on its SPI, or on QSPI by PIO; which one, BOARD_ID says, a row of boards.def. */
 #ifndef BOARD_H
 #define BOARD_H
 
@@ -24,13 +24,18 @@ enum {
     PIN_DATA = BOARD_FACT(BOARD_ID, DATA),
     PIN_RESET = BOARD_FACT(BOARD_ID, RESET),
     PIN_BACKLIGHT = BOARD_FACT(BOARD_ID, BACKLIGHT),
+    PIN_POWER = PIN_BACKLIGHT, /* of a panel on QSPI, which emits light */
     PIN_UART_TX = BOARD_FACT(BOARD_ID, UART_TX),
     PIN_SDA = BOARD_FACT(BOARD_ID, SDA),
     PIN_SCL = BOARD_FACT(BOARD_ID, SCL),
     HAS_IMU = BOARD_FACT(BOARD_ID, IMU)
 };
 enum { UART_BAUD = 115200, WATCHDOG_MS = 1000, BACKLIGHT_HZ = 25000 };
-enum { SPI_HZ = BOARD_FACT(PANEL_CONTROLLER, HZ) };
+enum {
+    BUS_HZ = BOARD_FACT(PANEL_CONTROLLER, HZ),
+    IS_QSPI = (int)BOARD_FACT(PANEL_CONTROLLER, BUS) == (int)PANEL_ON_QSPI,
+    BUS_LINES = IS_QSPI ? 4 : 1
+};
 /* Of the picture on the panel; PANEL_TURN: its part that the build was told. */
 enum { BOARD_ROTATION = (PANEL_TURN + BOARD_FACT(BOARD_ID, TURN)) % 4 };
 
@@ -39,7 +44,7 @@ enum { BOARD_ROTATION = (PANEL_TURN + BOARD_FACT(BOARD_ID, TURN)) % 4 };
 enum {
     SCAN_HZ = 60,
     SCAN_ROWS = BOARD_FACT(PANEL_CONTROLLER, ROWS) + 24,
-    IS_BEHIND_SCAN = PANEL_WIDTH * 16 * SCAN_HZ * SCAN_ROWS > SPI_HZ
+    IS_BEHIND_SCAN = PANEL_WIDTH * 16 / BUS_LINES * SCAN_HZ * SCAN_ROWS > BUS_HZ
 };
 enum { HAS_TE = PIN_TE >= 0, TE = HAS_TE ? PIN_TE : 0, TE_TIMEOUT_US = 40000 /* its slowest scan takes 26 ms */ };
 

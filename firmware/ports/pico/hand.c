@@ -127,3 +127,13 @@ bool hand_light(int32_t to_light[3])
 {
     return tilt_light(&tilt, to_light);
 }
+
+enum light_sense hand_sense(int32_t to_light[3])
+{
+    if (!HAS_IMU)
+        return LIGHT_NO_SENSOR;
+    if (!hand.is_there)
+        return LIGHT_SENSOR_SILENT;
+    tilt_look(&tilt, to_light);
+    return LIGHT_SENSED;
+}

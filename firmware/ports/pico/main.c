@@ -12,7 +12,8 @@
 static struct panel panel = {.bus = &board_hal.bus};
 static struct gud_device gud;
 static struct gud_panel gud_panel = {.hal = &board_hal, .panel = &panel};
-static struct light_device light = {.width = PANEL_WIDTH, .height = PANEL_HEIGHT, .interface = USB_LIGHT, .gud = &gud};
+static struct light_device light = {
+    .width = PANEL_WIDTH, .height = PANEL_HEIGHT, .interface = USB_LIGHT, .sense = hand_sense, .gud = &gud};
 static struct gud_device_ops gud_ops;
 static const uint8_t gud_formats[] = {GUD_RGB565, GUD_R1};
 static struct gud_device_config gud_config = {.width = PANEL_WIDTH,
@@ -23,6 +24,7 @@ static struct gud_device_config gud_config = {.width = PANEL_WIDTH,
                                               .formats = gud_formats,
                                               .format_count = sizeof gud_formats,
                                               .dimmable = true,
+                                              .whole_frames = IS_QSPI,
                                               .max_buffer = PANEL_WIDTH * PANEL_HEIGHT * 2,
                                               .ops = &gud_ops,
                                               .context = &gud_panel};
@@ -121,8 +123,10 @@ static void start(void)
     struct shown_gud_memory *const memory = shown_gud_memory();
     gud_config.lines = (uint8_t *)memory->lines;
     gud_config.lines_bytes = sizeof memory->lines;
-    gud_config.window = memory->lz4_window;
-    gud_config.window_bytes = sizeof memory->lz4_window;
+    if (!IS_QSPI) {
+        gud_config.window = memory->lz4_window;
+        gud_config.window_bytes = sizeof memory->lz4_window;
+    }
     shown_prepare(&panel, &light);
     if (!panel_defaults(&panel, PANEL_CONTROLLER, BOARD_ROTATION, PANEL_WIDTH, PANEL_HEIGHT) ||
         !gud_device_init(&gud, &gud_config))
@@ -183,8 +187,11 @@ static void hand_over(enum owner to)
         show(PANEL_OFF);
     else if (owner == LIGHT_HOST || light.was_enabled) /* gud_display did nothing; a rectangle may be open already */
         gud_panel_ops.display(&gud_panel, gud.shown, gud.brightness);
-    else if (!gud.shown) /* no command, which would end a rectangle that may be open already */
+    else if (!gud.shown &&
+             board_hal.bus.backlight) /* no command, which would end a rectangle that may be open already */
         board_hal.bus.backlight(board_hal.bus.context, PANEL_OFF);
+    else if (!gud.shown)
+        gud_panel_ops.display(&gud_panel, false, gud.brightness);
     if (to == DEMO)
         begin_drawing(shown_begin_demo);
     if (to == FAULT) {

@@ -20,6 +20,8 @@ PICO_PLATFORM = $(if $(filter riscv,$(ARCH)),-DPICO_PLATFORM=rp2350-riscv -DPICO
 IMAGE ?= glint
 # Each glass upright, and lying if it is not square.
 PICO_PANELS := $(call pico_rows,firmware/core/panels.def,GLASS,$$1 != "SSD1306" { print tolower($$1) "-" $$2 "x" $$3; if ($$2 != $$3) print tolower($$1) "-" $$3 "x" $$2 })
+# A panel on QSPI is wired as its board says.
+PICO_QSPI = $(filter co5300-%,$(PANEL))
 # Of these a release has an image; and of the boards that have a panel.
 PICO_RELEASED = st7789-240x240 st7789-240x320 st7789-135x240 ili9341-240x320 ili9341-320x240 gc9a01-240x240
 # The picture turned clockwise: 90, 180 or 270.
@@ -61,6 +63,8 @@ PICO_MESH = $(if $(MESH),mesh-$(basename $(notdir $(firstword $(MESH)))),$(filte
 PICO_MESH_SOURCE = --no-outlines $(if $(MESH),--mesh '$(MESH)' --no-textures --split $(SPLIT) $(AXES:%=--axes %),--scene teapot --split 180)
 # Up to here it is in RAM, where it is drawn in fewer cycles.
 PICO_MESH_RAM = 12288
+# On an AMOLED panel in its middle, or the whole of it, whose strips of two cores would take all RAM.
+PICO_AMOLED_MESHES = $(if $(PICO_QSPI),$(if $(filter arm,$(ARCH)),$(foreach chip,rp2040 rp2350,$(chip).240x240.0.glint $(if $(filter 0,$(SECOND_CORE)),$(chip).466x466.0.glint))))
 PICO_FREE_PINS = 1 2 3 4 5 6 7 14 15 16 17 18 19 20 21 22 26 27 28
 PICO = build/firmware/$(PICO_KIND)-$(PANEL)$(patsubst %,-turned-%,$(filter-out 0,$(ROTATE)))$(TE:%=-te%)$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(PICO_MESH:%=-%)$(patsubst %,-%,$(filter-out $(PICO_USUAL_DEMO) teapot,$(DEMO)))$(if $(HEIGHT),-map-$(basename $(notdir $(firstword $(HEIGHT)))))$(BEVEL:%=-bevel%)$(if $(LANDING_PAGE),-landing)
 PICO_SIDES = $(subst x, ,$(lastword $(subst -, ,$(PANEL))))
@@ -79,10 +83,11 @@ have-pico-choices:
 	@$(if $(filter $(PICO_PANELS),$(PANEL)),,echo "make: PANEL=$(PANEL): the panels are $(PICO_PANELS)" >&2; exit 1)
 	@$(if $(filter 0 90 180 270,$(ROTATE)),,echo "make: ROTATE=$(ROTATE): say 0, 90, 180 or 270" >&2; exit 1)
 	@$(if $(filter-out $(PICO_FREE_PINS),$(TE)),echo "make: TE=$(TE): the pins that are free are $(PICO_FREE_PINS)" >&2; exit 1)
+	@$(if $(PICO_QSPI)$(filter co5300-%,$(call pico_fact,4)),$(if $(and $(PICO_QSPI),$(filter co5300-%,$(call pico_fact,4)),$(filter 0,$(ROTATE)),$(if $(TE),,1)),,echo "make: PANEL=$(PANEL)$(COMMA) BOARD=$(PICO_BOARD): AMOLED panels (co5300) are for the boards that have one$(COMMA) which take no others; leave ROTATE and TE out" >&2; exit 1))
 	@$(if $(filter 11,$(SECOND_CORE)$(PICO_EXACT)),echo "make: PATH=exact: draws with one core; leave SECOND_CORE=1 out" >&2; exit 1)
 	@$(if $(filter-out https://% http://localhost http://localhost/% http://localhost:%,$(LANDING_PAGE)),echo "make: LANDING_PAGE=$(LANDING_PAGE): browsers take https://... or http://localhost..." >&2; exit 1)
 	@$(if $(filter $(PICO_DEMOS),$(DEMO)),,echo "make: DEMO=$(DEMO): the demos are $(PICO_DEMOS)" >&2; exit 1)
-	@$(if $(PICO_MESH),$(if $(filter rp2040.240x240.0.glint,$(call pico_fact,3).$(PICO_SIZE).$(PICO_EXACT)$(TE).$(IMAGE)),,echo "make: $(if $(MESH),MESH=$(MESH),DEMO=teapot): is for an RP2040 with a panel of 240x240; leave TE, PATH and IMAGE out" >&2; exit 1))
+	@$(if $(PICO_MESH),$(if $(filter rp2040.240x240.0.glint $(PICO_AMOLED_MESHES),$(call pico_fact,3).$(PICO_SIZE).$(PICO_EXACT)$(TE).$(IMAGE)),,echo "make: $(if $(MESH),MESH=$(MESH),DEMO=teapot): is for an RP2040 with a panel of 240x240$(COMMA) or an AMOLED panel$(COMMA) whole with one core; leave TE, PATH and IMAGE out" >&2; exit 1))
 	@$(if $(word 2,$(MESH)),echo "make: MESH=$(MESH): make takes no file whose name has a blank; rename it" >&2; exit 1)
 	@$(if $(word 2,$(HEIGHT)),echo "make: HEIGHT=$(HEIGHT): make takes no file whose name has a blank; rename it" >&2; exit 1)
 	@$(if $(and $(BEVEL),$(if $(HEIGHT),,1)),echo "make: BEVEL=$(BEVEL): is for a logo; give HEIGHT=FILE with it" >&2; exit 1)
@@ -92,7 +97,7 @@ have-pico-choices:
 # CMake knows what depends on what within.
 firmware-pico: have-pico-choices $(PICO)/map/$(if $(PICO_MESH),demo_mesh.h,demo_map.h) $(if $(PICO_SCENES),$(PICO)/map/demo_scenes.h) $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
 	@sdk=$$(firmware/ports/pico/fetch-sdk) && export PICO_SDK_PATH="$$sdk/pico-sdk" && \
-	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DPICO_BOARD=$(subst -,_,$(PICO_BOARD)) $(PICO_PLATFORM) -DPICO_NO_PICOTOOL=1 \
+	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DPICO_BOARD=$(subst -,_,$(PICO_BOARD)) $(PICO_PLATFORM) -DPICO_NO_PICOTOOL=1 -DPICO_BOARD_HEADER_DIRS="$(CURDIR)/firmware/ports/pico/boards" \
 		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_BOARD=$(PICO_BOARD) -DGLINT_PANEL=$(PANEL) -DGLINT_ROTATE=$(ROTATE) -DGLINT_TE=$(or $(TE),-1) -DGLINT_SECOND_CORE=$(SECOND_CORE) -DGLINT_EXACT=$(PICO_EXACT) -DGLINT_TURNS_MESH=$(if $(PICO_MESH),1,0) -DGLINT_SCENES=$(if $(PICO_SCENES),1,0) -DGLINT_MESH_IN_RAM=$$(find $(PICO)/map/demo_mesh.bin -size -$(PICO_MESH_RAM)c 2>/dev/null | wc -l) '-DGLINT_LANDING_PAGE=$(LANDING_PAGE)' \
 		-DGLINT_MAP="$(CURDIR)/$(PICO)/map" -DGLINT_EXPECTED="$(abspath $(CONFORMANCE))" >$(PICO)/log 2>&1 && \
 	MAKEFLAGS= cmake --build $(PICO)/cmake --target $(IMAGE) $(PARALLEL) >>$(PICO)/log 2>&1 || { grep -o 'glint: over.*' $(PICO)/log >&2 && $(if $(MESH),echo "make: MESH=$(MESH): a mesh takes 16 bytes of RAM a vertex and 2 a triangle$(if $(filter 1,$(SECOND_CORE)),$(COMMA) for each core): simplify it$(COMMA) or leave its edges whole by SPLIT=180",:) >&2 || grep rror $(PICO)/log >&2; \

@@ -6,6 +6,7 @@
 #include "base/message.h"
 #include "draw/mesh_in_device.h"
 #include "draw/shading_device.h"
+#include "image/picture.h"
 #include "light_protocol.h"
 #include "mesh.h"
 #include "mesh/load.h"
@@ -17,7 +18,9 @@ uint32_t page_device_size(const uint8_t *bytes)
     struct light_descriptor descriptor;
     const bool is_known = light_descriptor_unpack(&descriptor, bytes);
     free((void *)(uintptr_t)bytes);
-    return is_known ? (uint32_t)descriptor.width << 16 | descriptor.height : 0;
+    return is_known && picture_size_fits(descriptor.width, descriptor.height)
+               ? (uint32_t)descriptor.width << 16 | descriptor.height
+               : 0;
 }
 
 const uint8_t *page_device_material(void)
@@ -62,11 +65,14 @@ uint32_t page_device_mesh(const uint8_t *held, char *words, size_t bytes)
     free((void *)(uintptr_t)held);
     source.split = there.split;
     if (source.name && there.split >= 1 && there.split <= 180) {
-        struct mesh *mesh = mesh_load(&source);
-        struct fitted *fitted = mesh_fit(mesh, 0);
-        is_this = mesh_in_device(&there, fitted);
-        fitted_free(fitted);
-        mesh_free(mesh);
+        source.faces_most = there.faces;
+        struct mesh *mesh = there.faces ? mesh_load(&source) : NULL;
+        if (mesh) {
+            struct fitted *fitted = mesh_fit(mesh, 0);
+            is_this = mesh_in_device(&there, fitted);
+            fitted_free(fitted);
+            mesh_free(mesh);
+        }
     }
     free(words);
     return is_this ? there.split : 0;

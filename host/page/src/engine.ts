@@ -263,18 +263,28 @@ export class Engine {
     }
 
     /** A program that ended is replaced by a fresh one that knows the maps and the last good picture. */
+    /** Another instance, which has all files. */
+    private begin(): void {
+        this.module = new Module(this.program)
+        this.surface = this.material = ''
+        for (const [name, map] of this.maps)
+            this.hand(name, map)
+        for (const [name, bytes] of this.meshes)
+            this.handMesh(name, bytes)
+    }
+
     private guard<T>(work: () => T): T {
         try {
             return work()
         } catch (error) {
-            this.module = new Module(this.program)
-            this.surface = this.material = ''
-            for (const [name, map] of this.maps)
-                this.hand(name, map)
-            for (const [name, bytes] of this.meshes)
-                this.handMesh(name, bytes)
-            if (this.drawn.length)
-                this.give(['glint render', ...this.drawn], (at, bytes) => this.module.call.page_draw(at, bytes, keepNothing))
+            this.begin()
+            try {
+                if (this.drawn.length)
+                    this.give(['glint render', ...this.drawn], (at, bytes) => this.module.call.page_draw(at, bytes, keepNothing))
+            } catch { // a file of the last picture has been replaced by one that cannot be drawn
+                this.drawn = []
+                this.begin()
+            }
             if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)
                 throw new Error(`the page failed (${error.message}); a smaller --size may help`)
             throw error

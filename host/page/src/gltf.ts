@@ -22,17 +22,25 @@ const { fround } = Math
 
 export const isGltf = (name: string) => /\.(gltf|glb)$/i.test(name)
 
+/** What of a file is read at most: nodes that have others many times over would have no end. */
+const nodesMost = 1 << 16, trianglesMost = 1 << 18
+class Refused extends Error {}
+
 /** Throws an Error whose message is a sentence. */
 export function readGltf(name: string, file: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
-    const refuse = (why: string): never => { throw new Error(`${name}: ${why}, or use glint render --mesh`) }
+    const refuse = (why: string): never => { throw new Refused(`${name}: ${why}, or use glint render --mesh`) }
     const damaged = () => refuse('this glTF is damaged; export it again')
-    const { json, held } = (() => {
-        try {
-            return opened(file)
-        } catch {
-            return damaged()
-        }
-    })()
+    try {
+        return soupOf(file, refuse, damaged)
+    } catch (error) { // JSON may have anything in the place of anything
+        if (!(error instanceof Refused))
+            damaged()
+        throw error
+    }
+}
+
+function soupOf(file: Uint8Array<ArrayBuffer>, refuse: (why: string) => never, damaged: () => never): Uint8Array<ArrayBuffer> {
+    const { json, held } = opened(file)
     if (json.extensionsRequired?.some(extension => extension !== 'KHR_materials_unlit'))
         refuse(`needs ${json.extensionsRequired.join(', ')}; export it without`)
 
@@ -62,12 +70,15 @@ export function readGltf(name: string, file: Uint8Array<ArrayBuffer>): Uint8Arra
     // ---- primitives in the order of nodes, and their materials: of children first ----
 
     const found: { primitive: Primitive, matrix: Matrix }[] = [], used: number[] = []
+    let visited = 0
     const visit = (i: number, depth: number, parent: Matrix): void => {
         const node = json.nodes?.[i] ?? damaged(), own = node.mesh === undefined ? [] : json.meshes?.[node.mesh]?.primitives ?? damaged()
         if (node.skin !== undefined)
             refuse('has a skeleton; export it without')
         if (depth > 64)
             damaged()
+        if (++visited > nodesMost)
+            refuse(`has more than ${nodesMost} nodes; export it as one mesh`)
         const matrix = times(parent, matrixOf(node))
         if (determinant(matrix) <= 0)
             refuse('has mirrored parts; apply their transforms before you export it')
@@ -118,6 +129,8 @@ export function readGltf(name: string, file: Uint8Array<ArrayBuffer>): Uint8Arra
         const most = { 5126: 1, 5121: 255, 5123: 65535 }[colors?.kind ?? 5126]!
         if (corners.some(corner => corner >= count) || [[normals, 3], [uv, 2], [colors?.values, colors?.size ?? 1]].some(([list, size]) => list && (list as number[]).length !== count * (size as number)))
             damaged()
+        if (faces.length / faceNumbers + corners.length / 3 > trianglesMost)
+            refuse(`has more than ${trianglesMost} triangles; simplify it`)
         for (let i = 0; i + 2 < corners.length; i += 3) {
             const three = corners.slice(i, i + 3), of = (list: number[] | undefined, size: number) => three.flatMap(corner => Array.from({ length: size }, (_, k) => list?.[size * corner + k] ?? 0))
             faces.push(...of(places, 3), ...of(normals, 3),

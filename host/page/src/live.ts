@@ -8,6 +8,7 @@ import { filesVersion, isHere } from './kept'
 import { onDrawn, redraw, setView } from './picture'
 import type { Viewed } from './picture'
 import { filters, Pico, sentences, Trouble } from './pico'
+import { beginMotion, pointTo } from './sun'
 import type { Usb, UsbDevice } from './webusb'
 import { isMesh, meshOnDevice, onDevice, whiteName, wordsOf } from './words'
 import type { State } from './words'
@@ -70,6 +71,7 @@ async function connect(device: UsbDevice): Promise<void> {
             return mapOnDevice(state, width, height)
         })
         button.textContent = 'Disconnect'
+        fromBoard.hidden = false
         void redraw()
     } catch (error) {
         lose(error as Error)
@@ -108,6 +110,8 @@ async function colourOf({ scene, height, normals, albedo, mask, color }: State):
 
 function forget(): void {
     pico = undefined
+    endLight()
+    fromBoard.hidden = true
     button.textContent = 'Connect a Pico'
     setView()
     void redraw()
@@ -138,6 +142,46 @@ usb?.addEventListener('connect', ({ device }) => {
     if (!pico && isLost)
         void connect(device)
 })
+
+// ---- the light from the board's accelerometer ----
+
+const fromBoard = byId('board-light'), note = byId('motion-note')
+let asking = 0 // which press of the button is at work
+
+function endLight(why = ''): void {
+    if (fromBoard.getAttribute('aria-pressed') === 'true')
+        note.textContent = why
+    fromBoard.setAttribute('aria-pressed', 'false')
+    asking++
+}
+
+async function takeLight(from: Pico): Promise<void> {
+    const mine = ++asking
+    beginMotion(fromBoard)
+    fromBoard.setAttribute('aria-pressed', 'true')
+    while (mine === asking) {
+        const light = await from.room().catch((error: Error) => error)
+        if (mine !== asking)
+            return
+        if (light instanceof Error) {
+            lose(light)
+        } else if (typeof light === 'string') {
+            endLight(light)
+        } else {
+            note.textContent = 'The light stays where it is in the room: tilt the board.'
+            const length = Math.hypot(...light)
+            pointTo(light.map(v => v / length) as typeof light)
+            await new Promise(resolve => setTimeout(resolve, 16))
+        }
+    }
+}
+
+fromBoard.onclick = () => {
+    if (fromBoard.getAttribute('aria-pressed') === 'true')
+        endLight()
+    else if (pico)
+        void takeLight(pico)
+}
 
 // ---- following ----
 

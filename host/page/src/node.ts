@@ -2,6 +2,6 @@
 // What the tests run in node.
 export { default as lists } from 'glint:lists'
 export { Engine } from './engine'
-export { filters, Pico, sentences } from './pico'
+export { filters, Pico, sentences, Trouble } from './pico'
 export { readPng, writePng } from './png'
 export { commandLine, fragmentOf, meshOnDevice, onDevice, stateOfFragment, stateOfWords, white, whiteName, wordsOf } from './words'

@@ -18,6 +18,9 @@ export const sentences = {
     noMesh: 'The board holds no mesh and keeps its picture. Choose a surface without a mesh, or disconnect to see this one here.',
     otherMesh: 'The board holds another mesh, and keeps its picture. Disconnect to see this one here.',
     onlyMesh: 'The board draws the mesh that it holds, and no maps: it keeps its picture. Choose that mesh, such as Teapot, to turn it.',
+    oldFirmware: 'The board\'s firmware is too old to tell where the light is. Copy this version\'s glint.uf2 to the board, then connect again.',
+    noSensor: 'The board has no accelerometer to take the light from.',
+    silentSensor: 'The board\'s accelerometer does not answer. Unplug the board, plug it in, then connect again.',
     busy: 'The device is busy with a picture that another program sends. Connect again.',
     unplugged: 'The device was unplugged. Plug it in, then connect again.',
     silent: 'The device does not answer. Unplug it, plug it in, then connect again.',
@@ -104,6 +107,17 @@ export class Pico {
     /** Of the mesh, the same. */
     sendPose(bytes: Uint8Array<ArrayBuffer>): Promise<void> {
         return this.sendLight(bytes, 'the pose')
+    }
+
+    /** Towards the room's light, as the board's accelerometer has it, of any length; else why not, a sentence. */
+    room(): Promise<[number, number, number] | string> {
+        return this.guard(async () => {
+            const { status, data } = await this.within(this.device.controlTransferIn(this.setup(wire.LIGHT_GET_LIGHT), wire.LIGHT_MESSAGE_BYTES))
+            if (status !== 'ok' || data?.byteLength !== wire.LIGHT_MESSAGE_BYTES)
+                return sentences.oldFirmware
+            const [sense, x, y, z] = [0, 4, 8, 12].map(at => data.getInt32(at, true))
+            return sense === wire.LIGHT_SENSED && (x || y || z) ? [x, y, z] : sense === wire.LIGHT_NO_SENSOR ? sentences.noSensor : sentences.silentSensor
+        })
     }
 
     /** Gives the panel back. */
@@ -198,9 +212,9 @@ export class Pico {
     }
 
     /** After trouble the device is closed: connect again. */
-    private async guard(work: () => Promise<void>): Promise<void> {
+    private async guard<T>(work: () => Promise<T>): Promise<T> {
         try {
-            await work()
+            return await work()
         } catch (error) {
             const trouble = await this.troubleOf(error)
             await this.leave()

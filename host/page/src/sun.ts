@@ -150,8 +150,15 @@ function byKey(event: KeyboardEvent): void {
 let turning = 0
 const orbit = byId('orbit'), isStill = matchMedia('(prefers-reduced-motion: reduce)')
 export const orbitAt = (turn: number): [number, number] => [.5 + .36 * Math.cos(2 * Math.PI * turn), .5 - .36 * Math.sin(2 * Math.PI * turn)]
+const isOn = (button: HTMLElement) => button.getAttribute('aria-pressed') === 'true'
+/** One motion at a time moves the light: the others end. */
+export function beginMotion(button: HTMLElement): void {
+    for (const other of ['orbit', 'tilt', 'board-light'].map(id => byId(id)))
+        if (other !== button && isOn(other))
+            other.click()
+}
 orbit.onclick = () => {
-    const on = orbit.getAttribute('aria-pressed') !== 'true'
+    const on = !isOn(orbit)
     if (on && isStill.matches) {
         const [x, y] = placeOf(lights()[selectedLight()])
         moveTo(...orbitAt(Math.atan2(.5 - y, x - .5) / 2 / Math.PI + 1 / 24))
@@ -159,11 +166,13 @@ orbit.onclick = () => {
     }
     orbit.setAttribute('aria-pressed', String(on))
     if (on)
+        beginMotion(orbit)
+    if (on)
         turning = requestAnimationFrame(turn)
     else
         cancelAnimationFrame(turning)
 }
-isStill.onchange = () => { if (isStill.matches && orbit.getAttribute('aria-pressed') === 'true') orbit.click() }
+isStill.onchange = () => { if (isStill.matches && isOn(orbit)) orbit.click() }
 function turn(time: number): void {
     moveTo(...orbitAt(time / 4000 % 1))
     turning = requestAnimationFrame(turn)
@@ -171,7 +180,7 @@ function turn(time: number): void {
 
 // ---- tilt: the light stays where it is in the room ----
 
-type Vector = [number, number, number]
+export type Vector = [number, number, number]
 interface WithPermission { requestPermission?: () => Promise<string> }
 const tilt = byId('tilt'), note = byId('motion-note')
 tilt.hidden = !('DeviceOrientationEvent' in window)
@@ -201,8 +210,13 @@ function byTilt(event: DeviceOrientationEvent): void {
     const up = upOf(event), { kind, text } = lights()[selectedLight()], values = numbers(text)
     const length = Math.hypot(...values.slice(0, 3)) || 1
     began ??= { up, light: kind === 'light' ? values.slice(0, 3).map(v => v / length) as Vector : [0, 0, 1] }
-    const [x, y, z] = turnedWith(began.light, began.up, up), held = Math.max(z, .1), size = Math.hypot(x, y, held)
-    const next = [x, y, held].map(v => v / size)
+    pointTo(turnedWith(began.light, began.up, up))
+}
+
+/** Moves the light towards where it is in the room, and keeps it before the picture. */
+export function pointTo([x, y, z]: Vector): void {
+    const { kind, text } = lights()[selectedLight()], values = numbers(text), length = Math.hypot(...values.slice(0, 3)) || 1
+    const held = Math.max(z, .1), size = Math.hypot(x, y, held), next = [x, y, held].map(v => v / size)
     if (kind !== 'light') // a place: as far beside the middle as the light is tilted
         moveTo(.5 + next[0] / 2, .5 - next[1] / 2)
     else if (next.some((v, i) => Math.abs(v - values[i] / length) > .006)) // still hands give a still picture
@@ -217,7 +231,7 @@ function endTilt(why: string): void {
 }
 
 tilt.onclick = async () => {
-    if (tilt.getAttribute('aria-pressed') === 'true') {
+    if (isOn(tilt)) {
         endTilt('')
         return
     }
@@ -227,6 +241,7 @@ tilt.onclick = async () => {
         return
     }
     began = undefined
+    beginMotion(tilt)
     tilt.setAttribute('aria-pressed', 'true')
     addEventListener('deviceorientation', byTilt)
     silence = window.setTimeout(() => endTilt('No sensor tells how this device is tilted. On a phone or tablet one does.'), 1500)

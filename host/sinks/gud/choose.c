@@ -90,7 +90,7 @@ bool gud_choose(const struct gud_display *display, const struct sink_wish *wish,
 {
     if (!choose_format(display, wish->format, choice, problem) || !choose_mode(display, wish, choice, problem))
         return false;
-    if (!sink_size_fits(choice->mode.hdisplay, choice->mode.vdisplay))
+    if (!picture_size_fits(choice->mode.hdisplay, choice->mode.vdisplay))
         return gud_problem_is(problem, GUD_LINK_ERROR,
                               "its mode %ux%u is too large; the most is %d pixels a side and %d in all",
                               choice->mode.hdisplay, choice->mode.vdisplay, SIDE_MAX, PIXELS_MAX);

@@ -35,7 +35,9 @@ static const struct argp_option options[] = {
 /* By key: the options, and the same in a bus's file. */
 static const char *const setting_names[KEY_END - KEY_PANEL] = {"panel", "rotation", "size", "offset", "bgr", "invert"};
 static const char *const controller_names[] = {
-#define CONTROLLER(id, name, ...) name,
+#define NAME_ON_SPI(name) name
+#define NAME_ON_QSPI(name) NULL /* last in the table; a computer's lines and pictures are of those on SPI */
+#define CONTROLLER(id, name, columns, rows, bgr, inverted, mirrored, clk_hz, values, bus, ...) NAME_ON_##bus(name),
 #include "panels.def"
     NULL}; /* by enum panel_controller */
 

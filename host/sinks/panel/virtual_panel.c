@@ -11,14 +11,19 @@ static unsigned rows_of(const struct virtual_panel *panel)
     return panel->glass.rows ? panel->glass.rows : PANEL_ROWS;
 }
 
+static unsigned columns_of(const struct virtual_panel *panel)
+{
+    return panel->glass.columns ? panel->glass.columns : PANEL_COLUMNS;
+}
+
 void virtual_panel_reset(struct virtual_panel *panel)
 {
     panel->columns[0] = panel->rows[0] = panel->column = panel->row = 0;
-    panel->columns[1] = PANEL_COLUMNS - 1;
+    panel->columns[1] = (uint16_t)(columns_of(panel) - 1);
     panel->rows[1] = (uint16_t)(rows_of(panel) - 1);
     panel->command = PANEL_NOP;
     panel->held = 0;
-    panel->madctl = 0;
+    panel->madctl = panel->brightness = 0;
     panel->format = PANEL_FORMAT_666;
     panel->awake = panel->on = panel->inverted = false;
     if (!panel->glass.paged)
@@ -34,8 +39,8 @@ void virtual_panel_init(struct virtual_panel *panel, const struct virtual_glass 
 {
     panel->glass = *glass;
     panel->lit = true;
-    for (int row = 0; row < PANEL_ROWS; row++)
-        for (int column = 0; column < PANEL_COLUMNS; column++)
+    for (unsigned row = 0; row < rows_of(panel); row++)
+        for (unsigned column = 0; column < columns_of(panel); column++)
             panel->memory[row][column] = NOISE;
     virtual_panel_reset(panel);
 }
@@ -204,9 +209,9 @@ static void store(struct virtual_panel *panel, uint16_t color)
 {
     const bool exchanged = panel->madctl & PANEL_MADCTL_MV;
     unsigned column = exchanged ? panel->row : panel->column, row = exchanged ? panel->column : panel->row;
-    if (column < PANEL_COLUMNS && row < rows_of(panel)) { /* "data of out of range will be ignored" */
+    if (column < columns_of(panel) && row < rows_of(panel)) { /* "data of out of range will be ignored" */
         if (panel->madctl & PANEL_MADCTL_MX)
-            column = PANEL_COLUMNS - 1 - column;
+            column = columns_of(panel) - 1 - column;
         if (panel->madctl & PANEL_MADCTL_MY)
             row = rows_of(panel) - 1 - row;
         panel->memory[row][column] = color;
@@ -254,6 +259,9 @@ static void take(struct virtual_panel *panel, uint8_t byte)
         panel->format = byte;
         panel->command = PANEL_NOP;
         break;
+    case PANEL_BRIGHTNESS:
+        panel->brightness = byte;
+        break;
     default:
         break;
     }
@@ -279,7 +287,7 @@ static uint16_t on_glass(const struct virtual_panel *panel, unsigned x, unsigned
         return panel->inverted != glass->inverted ? (uint16_t)~bits : bits;
     }
     const unsigned column = glass->x + x;
-    uint16_t color = panel->memory[glass->y + y][glass->mirrored ? PANEL_COLUMNS - 1 - column : column];
+    uint16_t color = panel->memory[glass->y + y][glass->mirrored ? columns_of(panel) - 1 - column : column];
     if (panel->inverted != glass->inverted)
         color = (uint16_t)~color;
     if (((panel->madctl & PANEL_MADCTL_BGR) != 0) != glass->bgr)
@@ -304,7 +312,7 @@ void virtual_panel_look(const struct virtual_panel *panel, unsigned rotation, ui
 {
     const unsigned right = panel->glass.width - 1u, bottom = panel->glass.height - 1u;
     const unsigned width = rotation % 2 ? bottom + 1 : right + 1, height = rotation % 2 ? right + 1 : bottom + 1;
-    if (!panel->awake || !panel->on || !panel->lit) {
+    if (!panel->awake || !panel->on || !panel->lit || (panel->glass.emits && !panel->brightness)) {
         memset(rgb, 0, (size_t)width * height * 3);
         return;
     }
@@ -331,10 +339,14 @@ struct virtual_glass virtual_glass_of(const struct panel *panel)
                                   .y = panel->y_offset,
                                   .mirrored = panel->controller == PANEL_ILI9341 || panel->controller == PANEL_GC9A01,
                                   .paged = panel_is_paged(panel),
+                                  .emits = panel->controller == PANEL_CO5300,
                                   .bgr = panel->bgr,
                                   .inverted = panel->inverted,
                                   .round = panel->round,
-                                  .rows = panel->controller == PANEL_GC9A01 ? 240 : PANEL_ROWS};
+                                  .columns = panel->controller == PANEL_CO5300 ? PANEL_QSPI_COLUMNS : PANEL_COLUMNS,
+                                  .rows = panel->controller == PANEL_GC9A01   ? 240
+                                          : panel->controller == PANEL_CO5300 ? PANEL_QSPI_ROWS
+                                                                              : PANEL_ROWS};
 }
 
 static bool bus_command(void *context, uint8_t command)
@@ -370,5 +382,5 @@ static void bus_wait_ms(void *context, unsigned ms)
 
 struct panel_bus virtual_panel_bus(struct virtual_panel *panel)
 {
-    return (struct panel_bus){bus_command, bus_data, bus_reset, bus_backlight, bus_wait_ms, panel};
+    return (struct panel_bus){bus_command, bus_data, NULL, bus_reset, bus_backlight, bus_wait_ms, panel};
 }

@@ -16,21 +16,22 @@ struct virtual_glass {
     uint16_t x, y;          /* where its top left pixel lies in the memory (mirrored: counted from the last column) */
     bool mirrored;          /* column 0 of the memory is at the right */
     bool bgr, inverted;
-    bool paged;    /* an SSD1306: x counts from the last segment, as its modules hang */
-    bool round;    /* what no part of the circle touches is black */
-    uint16_t rows; /* of the memory; 0: PANEL_ROWS */
+    bool paged;             /* an SSD1306: x counts from the last segment, as its modules hang */
+    bool round;             /* what no part of the circle touches is black */
+    uint16_t rows, columns; /* of the memory; 0: PANEL_ROWS, PANEL_COLUMNS */
+    bool emits;             /* light: its brightness is a command, 0 after a reset */
 };
 
 struct virtual_panel {
     struct virtual_glass glass;
     /* State, ours. */
-    uint16_t memory[PANEL_ROWS][PANEL_COLUMNS]; /* RGB565 */
-    uint16_t columns[2], rows[2];               /* the window: first, last */
-    uint16_t column, row;                       /* of the next pixel */
-    uint8_t command;                            /* that the data belong to */
-    uint8_t bytes[4];                           /* of a parameter or pixel that is not whole yet */
-    uint8_t held;                               /* how many */
-    uint8_t madctl, format;
+    uint16_t memory[PANEL_QSPI_ROWS][PANEL_QSPI_COLUMNS]; /* RGB565 */
+    uint16_t columns[2], rows[2];                         /* the window: first, last */
+    uint16_t column, row;                                 /* of the next pixel */
+    uint8_t command;                                      /* that the data belong to */
+    uint8_t bytes[4];                                     /* of a parameter or pixel that is not whole yet */
+    uint8_t held;                                         /* how many */
+    uint8_t madctl, format, brightness;
     bool awake, on, inverted, lit;
     uint8_t paged_rows;           /* that are scanned, less 1 */
     bool first_segment, from_top; /* its column 0 is segment 0; it scans from row 0 */

@@ -22,7 +22,7 @@ struct light_sink {
     char name[48];
 };
 
-enum { WAIT_MS = 250, LAST_FRAMES_MS = 2000, ASK_MS = 10 };
+enum { WAIT_MS = 250, LAST_FRAMES_MS = 2000, SENSOR_MS = 2500, ASK_MS = 10 };
 
 static struct light_sink *of(const struct sink *sink)
 {
@@ -35,7 +35,7 @@ bool usb_light_fits(const struct light_descriptor *device, const struct sink_wis
                     size_t size)
 {
     const unsigned width = device->width, height = device->height;
-    if (!sink_size_fits(width, height))
+    if (!picture_size_fits(width, height))
         snprintf(line, size, "%s: its %ux%u pixels are too many; the most is %d a side and %d in all", name, width,
                  height, SIDE_MAX, PIXELS_MAX);
     else if ((wish->width && (wish->width != width || wish->height != height)) ||
@@ -232,6 +232,35 @@ static enum sink_result send_pose(struct sink *sink, const struct light_pose *po
     return send_message(light, message, LIGHT_POSE_BYTES, "a pose");
 }
 
+const char *usb_light_refusal(int32_t to_light[3], int got, const uint8_t bytes[LIGHT_MESSAGE_BYTES])
+{
+    if (got != LIGHT_MESSAGE_BYTES)
+        return "its firmware is too old to tell where the light is; load this version's, or leave out --lights board";
+    const uint32_t sense = light_message_unpack(to_light, bytes);
+    if (sense == LIGHT_NO_SENSOR)
+        return "it has no accelerometer; leave out --lights board";
+    if (sense == LIGHT_SENSED && (to_light[0] || to_light[1] || to_light[2]))
+        return NULL;
+    return "its accelerometer does not answer; plug it in again, or leave out --lights board";
+}
+
+static enum sink_result read_light(struct sink *sink, int32_t to_light[3])
+{
+    struct light_sink *light = of(sink);
+    uint8_t bytes[LIGHT_MESSAGE_BYTES];
+    for (unsigned ms = 0;; ms += ASK_MS) {
+        const int got = light->link.control(&light->port, true, LIGHT_GET_LIGHT, 0, bytes, sizeof bytes);
+        if (got < 0 && got != GUD_LINK_STALL)
+            return result_of(light, got, "the board's light");
+        const char *refusal = usb_light_refusal(to_light, got, bytes);
+        if (!refusal)
+            return SINK_SENT;
+        if (got != sizeof bytes || bytes[0] != LIGHT_SENSOR_SILENT || ms >= SENSOR_MS) /* after power-up it may be */
+            fail("%s: %s", light->name, refusal);
+        usb_pause_ms(ASK_MS);
+    }
+}
+
 /* Waits until the device has drawn the frames of the last lights. */
 static void wait_for_frames(struct light_sink *light)
 {
@@ -262,4 +291,5 @@ const struct sink_shader usb_shader = {.open = open_shader,
                                        .find_mesh = find_mesh,
                                        .send_mesh = send_mesh,
                                        .send_pose = send_pose,
+                                       .read_light = read_light,
                                        .close = light_close};

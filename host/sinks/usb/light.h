@@ -12,4 +12,7 @@ extern const struct sink_shader usb_shader;
 bool usb_light_fits(const struct light_descriptor *device, const struct sink_wish *wish, const char *name, char *line,
                     size_t size);
 
+/* Why a device's answer to LIGHT_GET_LIGHT, `got` bytes or an enum gud_link_fault, gives no light; NULL: it does. */
+const char *usb_light_refusal(int32_t to_light[3], int got, const uint8_t bytes[LIGHT_MESSAGE_BYTES]);
+
 #endif

@@ -1,14 +1,27 @@
 /* SPDX-License-Identifier: MIT
- * A dial of spun steel on a round GC9A01 panel whose lamp stays in its place while the hand tilts it, by an MPU-6050 on I2C (x to the right, y up). TFT_eSPI is
+ * A dial of spun steel on a round GC9A01 panel whose lamp stays in its place while the hand tilts it, by an MPU-6050 or a QMI8658
+ * on I2C, whichever answers (x to the right, y up). TFT_eSPI is
  * set up for the panel in its User_Setup.h (GC9A01_DRIVER, 240x240). A line at a time: no map, 2 KB of buffers. Nothing outside the circle is
  * drawn or sent, and a still hand sends nothing.
  *
- * Registers: MPU-6000/MPU-6050 Register Map, revision 4.2. */
+ * Registers: MPU-6000/MPU-6050 Register Map, revision 4.2; QMI8658C data sheet 13-52-27, rev. A. */
 #include <TFT_eSPI.h>
 #include <Wire.h>
 #include <glint.h>
 
-enum { SIZE = 240, ADDRESS = 0x68, PWR_MGMT_1 = 0x6b, ACCEL_XOUT_H = 0x3b, MOVES = 300 /* of 16384, 1 g */ };
+enum { SIZE = 240, MOVES = 300 /* of 16384, 1 g: +-2 g */ };
+
+/* The sensors: where it answers, who it says it is in a register, what is written to it, and from where on x, y and z are read. */
+struct sensor {
+    uint8_t address, who, is, settings[3][2], first;
+    bool low_first;
+};
+enum { MPU6050, QMI8658, QMI8658_OTHER, SENSORS };
+static const struct sensor sensors[SENSORS] = {
+    {0x68, 0x75, 0x68, {{0x6b, 0x00}, {0x1c, 0x00}, {0x1b, 0x00}}, 0x3b, false}, /* it sleeps at first; +-2 g */
+    {0x6b, 0x00, 0x05, {{0x02, 0x60}, {0x03, 0x05}, {0x08, 0x01}}, 0x35, true},  /* addresses count up; 250 Hz; on */
+    {0x6a, 0x00, 0x05, {{0x02, 0x60}, {0x03, 0x05}, {0x08, 0x01}}, 0x35, true}};
+static const struct sensor *sensor;
 
 static TFT_eSPI tft;
 static struct glint_paint paint;
@@ -17,17 +30,42 @@ static struct glint_vec normals[SIZE];
 static uint16_t pixels[SIZE];
 static int32_t mean_q3[3] = {0, 0, 8 * 16384L}, shown_q3[3];
 
-/* What a sensor at rest gives is 1 g upwards. False: it does not answer. */
+static bool begin_read(uint8_t address, uint8_t from, uint8_t count)
+{
+    Wire.beginTransmission(address);
+    Wire.write(from);
+    return Wire.endTransmission(false) == 0 && Wire.requestFrom(address, count) == count;
+}
+
+/* The one that says who it is; else an MPU-6050, of which others by other names are made. */
+static void find_sensor()
+{
+    sensor = &sensors[MPU6050];
+    for (int i = 0; i < SENSORS; i++)
+        if (begin_read(sensors[i].address, sensors[i].who, 1) && (Wire.read() & 255) == sensors[i].is)
+            sensor = &sensors[i];
+    for (int i = 0; i < 3; i++) {
+        Wire.beginTransmission(sensor->address);
+        Wire.write(sensor->settings[i][0]);
+        Wire.write(sensor->settings[i][1]);
+        Wire.endTransmission();
+    }
+}
+
+/* What a sensor at rest gives is 1 g upwards. False: it does not answer, or has no sample yet. */
 static bool read_sensor(int16_t sample[3])
 {
-    Wire.beginTransmission(ADDRESS);
-    Wire.write((uint8_t)ACCEL_XOUT_H);
-    if (Wire.endTransmission(false) != 0 || Wire.requestFrom((uint8_t)ADDRESS, (uint8_t)6) != 6)
+    int16_t read[3];
+    if (!begin_read(sensor->address, sensor->first, 6))
         return false;
     for (int i = 0; i < 3; i++) {
-        const unsigned high = (unsigned)Wire.read() & 255, low = (unsigned)Wire.read() & 255;
-        sample[i] = (int16_t)(uint16_t)(high << 8 | low);
+        const unsigned one = (unsigned)Wire.read() & 255, other = (unsigned)Wire.read() & 255;
+        read[i] = (int16_t)(uint16_t)(sensor->low_first ? other << 8 | one : one << 8 | other);
     }
+    if (!(read[0] | read[1] | read[2]))
+        return false;
+    for (int i = 0; i < 3; i++)
+        sample[i] = read[i];
     return true;
 }
 
@@ -59,10 +97,7 @@ void setup()
     tft.fillScreen(TFT_BLACK);
     tft.setSwapBytes(false);
     Wire.begin();
-    Wire.beginTransmission(ADDRESS);
-    Wire.write((uint8_t)PWR_MGMT_1);
-    Wire.write((uint8_t)0); /* it sleeps at first */
-    Wire.endTransmission();
+    find_sensor();
     maps.normals = normals;
     maps.grain_kind = GLINT_GRAIN_SPUN;
     maps.grain_at[0] = maps.grain_at[1] = 16 * SIZE / 2;

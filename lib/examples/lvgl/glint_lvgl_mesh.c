@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * A part of a picture is the picture of a window: its middle is another, by a whole number of sixteenths of a pixel, so that the mesh's place there
- * is exact, and its pixels are the same. */
+ * is exact, and its pixels are the same. The window begins where LVGL's strip does in which the box begins: so strips come in order from the first one
+ * on, which spares sorting faces again, and where they are whole bands, they are glint's. */
 #include "glint_lvgl_mesh.h"
 #include <lvgl_private.h> /* lv_hit_test_info_t */
 
@@ -67,16 +68,29 @@ static void invalidate(const struct glint_lvgl_mesh *mesh)
 
 /* ---- drawing ---- */
 
+/* Lines above the part that LVGL's strip has, up to a band of them: in the object, if the box begins in this strip. */
+static uint16_t lead_of(const struct glint_lvgl_mesh *mesh, const lv_layer_t *layer, const struct glint_box *part)
+{
+    lv_area_t at;
+    lv_obj_get_coords(mesh->object, &at);
+    const int32_t clip = layer->_clip_area.y1, buffer = layer->buf_area.y1;
+    const int32_t above = at.y1 + part->y - (clip > buffer ? clip : buffer), lead = above % (int32_t)GLINT_MESH_BAND;
+    return (uint16_t)(part->y != mesh->box.y ? 0 : lead < part->y ? lead : part->y);
+}
+
 static enum glint_err begin(struct glint_lvgl_mesh *mesh, const struct glint_paint *paints,
-                            const struct glint_box *part, int32_t w, int32_t h)
+                            const struct glint_box *part, uint16_t lead, int32_t w, int32_t h)
 {
     struct glint_pose pose = mesh->pose;
     const int32_t x = pose.position[0] + 8 * (w - part->w) - 16 * part->x;
-    if (x < INT16_MIN || x > INT16_MAX)
+    const uint16_t top = (uint16_t)(mesh->box.y - lead), lines = (uint16_t)(mesh->box.h + lead);
+    const int32_t y = pose.position[1] + 8 * (h - lines) - 16 * top;
+    if (x < INT16_MIN || x > INT16_MAX || y < INT16_MIN || y > INT16_MAX)
         return GLINT_ERR_ARG;
     pose.position[0] = (int16_t)x;
+    pose.position[1] = (int16_t)y;
     mesh->begun = NULL;
-    enum glint_err err = glint_mesh_begin(&mesh->frame, part->w, (uint16_t)h, GLINT_MESH_BAND, 0,
+    enum glint_err err = glint_mesh_begin(&mesh->frame, part->w, lines, GLINT_MESH_BAND, 0,
                                           (char *)mesh->memory + mesh->mesh_bytes, mesh->bytes - mesh->mesh_bytes);
     if (err == GLINT_OK)
         err = glint_mesh_add(&mesh->frame, &mesh->drawn, mesh->mesh, &pose, paints, mesh->memory, mesh->mesh_bytes);
@@ -84,6 +98,7 @@ static enum glint_err begin(struct glint_lvgl_mesh *mesh, const struct glint_pai
         return err;
     mesh->begun = paints;
     mesh->x = part->x;
+    mesh->y = top;
     mesh->w = part->w;
     mesh->h = (uint16_t)h;
     return GLINT_OK;
@@ -96,19 +111,24 @@ static enum glint_err draw(struct glint_lvgl_mesh *mesh, lv_layer_t *layer)
     const struct glint_paint *paints = is_own_layer ? mesh->layer_paints : mesh->paints;
     struct glint_box part;
     struct glint_surface surface;
+    uint16_t lead = 0;
     int32_t w, h;
     size_of(mesh, &w, &h);
     enum glint_err err = glint_lvgl_part(mesh->object, layer, &mesh->box, paints->output.format, &part, &surface);
     if (err != GLINT_OK || part.w == 0)
         return err;
-    if (mesh->begun != paints || mesh->x != part.x || mesh->w != part.w || mesh->h != h)
-        err = begin(mesh, paints, &part, w, h);
-    for (unsigned y = part.y, end = part.y + (unsigned)part.h; y < end && err == GLINT_OK;) {
+    if (mesh->begun != paints || mesh->x != part.x || mesh->w != part.w || mesh->h != h) {
+        lead = lead_of(mesh, layer, &part);
+        err = begin(mesh, paints, &part, lead, w, h);
+    }
+    surface.pixels = (char *)surface.pixels - surface.stride * (ptrdiff_t)lead; /* where it draws nothing */
+    surface.y = (uint16_t)(surface.y - lead);
+    for (unsigned y = (unsigned)part.y - lead - mesh->y, end = y + lead + part.h; y < end && err == GLINT_OK;) {
         const unsigned left = end - y, next = y + GLINT_MESH_BAND - (left > GLINT_MESH_BAND ? y % GLINT_MESH_BAND : 0);
         const unsigned stop = next < end ? next : end; /* where there are several, whole bands cost least */
         err = glint_mesh_strip(&mesh->frame, (uint16_t)y, (uint16_t)(stop - y), &surface);
         surface.pixels = (char *)surface.pixels + surface.stride * (ptrdiff_t)(stop - y);
-        surface.y = (uint16_t)stop;
+        surface.y = (uint16_t)(surface.y + stop - y);
         y = stop;
     }
     return err;
@@ -136,7 +156,7 @@ static bool is_hit(const struct glint_lvgl_mesh *mesh, const lv_point_t *point)
 {
     lv_area_t at;
     lv_obj_get_coords(mesh->object, &at);
-    const int32_t x = 16 * (point->x - at.x1 - mesh->x) + 8, y = 16 * (point->y - at.y1) + 8;
+    const int32_t x = 16 * (point->x - at.x1 - mesh->x) + 8, y = 16 * (point->y - at.y1 - mesh->y) + 8;
     for (unsigned i = 0; mesh->begun && i < mesh->mesh->face_count; i++)
         if (covers(mesh->drawn.vertices, mesh->mesh->faces + 3 * i, x, y))
             return true;

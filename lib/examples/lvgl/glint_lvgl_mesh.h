@@ -35,7 +35,7 @@ struct glint_lvgl_mesh {
     struct glint_mesh_frame frame;
     struct glint_mesh_drawn drawn;
     const struct glint_paint *begun; /* with which paints; NULL: the picture must be begun */
-    uint16_t x, w, h;                /* the columns of the picture that is begun; the object's height then */
+    uint16_t x, y, w, h; /* the columns and the first line of the picture that is begun; the object's height then */
 };
 
 /* Memory for a mesh on an object of w x h pixels, at most GLINT_MESH_SIZE_MAX each, aligned to 4 (to a pointer under several lights). */

@@ -220,10 +220,9 @@ int main(void)
     static const size_t counts[PLACES] = {IN_CACHE, IN_MEMORY, IN_MEMORY}, threads[PLACES] = {1, 1, 2};
     prepare();
     for (int k = 0; k < RUNS; k++)
-        for (int where = 0; where < PLACES; where++)
-            for (int i = 0; i < ROWS; i++)
-                if (where == 0 || rows[i].where == BOTH)
-                    speeds[where][i][k] = measure(&rows[i], counts[where], threads[where]);
+        for (int i = 0; i < ROWS; i++)
+            for (int where = 0; where < (rows[i].where == BOTH ? PLACES : 1); where++) /* by one thread, then by two */
+                speeds[where][i][k] = measure(&rows[i], counts[where], threads[where]);
     for (int i = 0; i < ROWS; i++)
         for (int where = 0; where < (rows[i].where == BOTH ? PLACES : 1); where++) {
             printf("%s\t%s\t%.3f\t%zu\t%zu", rows[i].name, rows[i].what, worst_error(&rows[i]), counts[where],

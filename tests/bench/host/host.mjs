@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // host FOLDER COMPILER: prints what FOLDER/host.txt says as a table, and writes FOLDER/host.json.
 import { readFileSync, writeFileSync } from 'node:fs'
-import { cpus } from 'node:os'
+import { cpus, loadavg } from 'node:os'
 
 const [folder, compiler] = process.argv.slice(2)
 const N = 60
@@ -23,8 +23,9 @@ const CACHE = Math.min(...figures.map((x) => x.elements)), MEMORY = Math.max(...
 const find = (method, elements, threads = 1) => figures.find((x) => x.method === method && x.elements === elements && x.threads === threads)
 const number = (x) => x < 10 ? x.toFixed(2) : x.toFixed(0)
 const speed = (x) => x ? `${number(x.median)} (${number(x.min)}..${number(x.max)})` : '-'
-// How much faster two threads are, in memory.
-const gain = (method) => (find(method, MEMORY, 2).median / find(method, MEMORY).median).toFixed(2)
+// How much faster two threads are, in memory: of each run, which measures one right after the other.
+const gains = (method) => find(method, MEMORY, 2).runs.map((speed, k) => speed / find(method, MEMORY).runs[k])
+const gain = (method) => median(gains(method)).toFixed(2)
 const ratio = (a, b) => (find(a, MEMORY).median / find(b, MEMORY).median).toFixed(2)
 
 console.log(`\nMpixel/s on this host [hardware: ${cpu}; ${compiler}], one thread, n = ${N}, float`)
@@ -41,3 +42,6 @@ for (const { method, what, worst_ulp } of figures.filter((x) => x.elements === C
 console.log(`In memory batch_msh runs at ${ratio('batch_msh', 'float_msh')} of float_msh, ` +
   `batch_schlick at ${ratio('batch_schlick', 'float_schlick')} of float_schlick,\nbatch_blinn at ` +
   `${ratio('batch_blinn', 'float_blinn')} and batch_gauss at ${ratio('batch_gauss', 'float_blinn')} of float_blinn, libmvec's powf.`)
+const range = (method) => `${gain(method)} (${Math.min(...gains(method)).toFixed(2)}..${Math.max(...gains(method)).toFixed(2)})`
+console.log(`Two threads take ${range('batch_msh')} times what one does through batch_msh, memcpy ${range('copy')}; ` +
+  `${cpus().length} processors, load ${loadavg()[0].toFixed(1)}: above 0.5 others were at work, too.`)

@@ -83,6 +83,42 @@ static void a_board_that_is_busy_says_so(void **state)
     assert_int_equal(ask(&(struct gud_rectangle){0, 0, 1, 1, 2, 0, 0}), GUD_OK);
 }
 
+static void a_device_that_takes_whole_frames_alone_needs_no_request_for_each(void **state)
+{
+    (void)state;
+    struct gud_descriptor d;
+    uint8_t bytes[2 * WIDTH * HEIGHT];
+    board.config.window = NULL;
+    board.config.whole_frames = true;
+    assert_true(gud_device_init(&board.device, &board.config));
+    assert_int_equal(get(GUD_GET_DESCRIPTOR, 30), 30);
+    assert_true(gud_descriptor_unpack(&d, reply));
+    assert_int_equal(d.flags, GUD_FLAG_FULL_UPDATE);
+    fill_random(bytes, sizeof bytes);
+    send(bytes, 100, false); /* no host may draw yet */
+    assert_int_equal(board.windows, 0);
+    go(GUD_RGB565);
+    for (unsigned i = 1; i <= 3; i++) {
+        send(bytes, sizeof bytes, i != 2);
+        assert_int_equal(board.windows, i);
+        assert_int_equal(board.whole, i);
+        assert_true(board.box.w == WIDTH && board.box.h == HEIGHT && gud_device_expects(&board.device) == 0);
+    }
+    assert_int_equal(status(), GUD_OK);
+    assert_int_equal(ask(&(struct gud_rectangle){0, 0, 1, 1, 2, 0, 0}), GUD_UNSUPPORTED);
+    board.busy = true; /* what begins then is dropped, to its end */
+    send(bytes, 50, false);
+    board.busy = false;
+    send(bytes + 50, sizeof bytes - 50, true);
+    assert_int_equal(board.windows, 3);
+    send(bytes, 50, false);
+    assert_int_equal(board.windows, 4);
+    go(GUD_RGB565); /* a commit ends what was cut short */
+    assert_int_equal(board.ends, 4);
+    send(bytes, sizeof bytes, true);
+    assert_int_equal(board.whole, 4);
+}
+
 static void any_pieces_raw_or_compressed_draw_the_same(void **state)
 {
     (void)state;
@@ -248,6 +284,8 @@ static void an_impossible_config_is_refused(void **state)
     REFUSED((c.max_buffer = (uint32_t)INT32_MAX + 1, c.window = NULL));
     REFUSED(c.lines_bytes = GUD_DEVICE_LINE_BYTES(WIDTH, 4, 2) - 1);
     REFUSED(c.window_bytes = c.max_buffer - 1);
+    REFUSED(c.whole_frames = true); /* with LZ4 */
+    REFUSED((c.whole_frames = true, c.window = NULL, c.max_buffer = 4 * WIDTH * HEIGHT - 1));
     c = good;
     c.max_buffer = INT32_MAX;
     c.window = NULL;
@@ -266,6 +304,7 @@ int main(void)
         DEVICE_TEST(a_block_that_the_window_cannot_hold_is_refused),
         DEVICE_TEST(compression_that_is_not_offered_is_refused),
         DEVICE_TEST(a_board_that_is_busy_says_so),
+        DEVICE_TEST(a_device_that_takes_whole_frames_alone_needs_no_request_for_each),
         DEVICE_TEST(any_pieces_raw_or_compressed_draw_the_same),
         DEVICE_TEST(every_format_is_converted_to_the_panels),
         DEVICE_TEST(bulk_that_no_rectangle_expects_is_dropped),

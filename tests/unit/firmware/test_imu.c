@@ -12,7 +12,7 @@ static struct {
     uint8_t read[IMU_BYTES_MAX];
     uint32_t ends_us, now_us;
     enum imu_transfer how;
-    enum { WELL, ABSENT, REFUSES, HANGS, LIES, STICKS, SPINS } fault;
+    enum { WELL, ABSENT, REFUSES, HANGS, LIES, STICKS, SPINS, EMPTY, OFF } fault;
     unsigned transfers, stops, reads;
     bool is_busy;
 } device;
@@ -36,7 +36,10 @@ static void on_begin(void *context, uint8_t address, const uint8_t *bytes, size_
         device.registers[bytes[0]] = bytes[1];
     const bool counts_up = device.registers[0x02] & 0x40;
     for (size_t i = 0; i < wanted; i++)
-        device.read[i] = device.fault == LIES ? 0xff : device.registers[device.pointer + (counts_up ? i : 0)];
+        device.read[i] = device.fault == LIES ? 0xff
+                         : device.fault == EMPTY && device.pointer > 0x30
+                             ? 0
+                             : device.registers[device.pointer + (counts_up ? i : 0)];
     device.reads += device.pointer == 0x35;
 }
 
@@ -85,13 +88,13 @@ static void run(unsigned ms)
 {
     for (unsigned i = 0; i < ms * 20; i++, device.now_us += 50) {
         int16_t sample[3];
-        if (device.fault != STICKS)
+        if (device.fault != STICKS && device.fault != OFF)
             put(0, (int16_t)(-5 + (int)(device.now_us / 4000 % 11)));
         put(1, device.fault == SPINS ? 32767 : -300);
         const enum imu_news news = imu_poll(&imu, device.now_us, sample);
         samples += news == IMU_SAMPLE;
         losses += news == IMU_LOST;
-        if (news == IMU_SAMPLE && device.fault != SPINS)
+        if (news == IMU_SAMPLE && device.fault != SPINS && device.fault != OFF)
             assert_true(sample[0] >= -5 && sample[0] <= 5 && sample[1] == -300 && sample[2] == IMU_ONE_G);
     }
 }
@@ -177,6 +180,56 @@ static void what_no_hand_does_for_a_second_and_samples_that_never_change_are_tol
     }
 }
 
+/* Its data sheets say 15 ms, 150 ms and 1.75 s, by their age. */
+static void one_that_needs_1_75_seconds_after_power_up_is_not_told_as_lost(void **state)
+{
+    (void)state;
+    start(ABSENT);
+    run(1750);
+    device.fault = WELL;
+    run(500);
+    assert_true(samples > 10 && losses == 0);
+}
+
+/* The board was restarted in the middle of a byte: the first transfer hangs, and the bus is free after nine clocks. */
+static void a_bus_that_is_held_at_first_is_freed_and_not_told(void **state)
+{
+    (void)state;
+    start(HANGS);
+    while (device.stops == 0)
+        run(1);
+    device.fault = WELL;
+    run(500);
+    assert_true(samples > 10 && losses == 0);
+}
+
+/* Until its first sample a part that was just turned on answers with what lies in its registers. */
+static void what_is_read_before_the_first_sample_is_no_sample(void **state)
+{
+    (void)state;
+    start(EMPTY);
+    run(15);
+    assert_true(device.registers[0x08] == 1 && samples == 0);
+    device.fault = WELL;
+    run(100);
+    assert_true(samples > 20 && losses == 0);
+}
+
+/* It has lost its supply, answers again, and is as after power-up: off, and its addresses do not count up. */
+static void one_that_has_reset_itself_is_set_up_again(void **state)
+{
+    (void)state;
+    start(WELL);
+    run(100);
+    memset(&device.registers[1], 0, 0x34);
+    device.fault = OFF;
+    run(1200);
+    device.fault = WELL;
+    samples = 0;
+    run(2000);
+    assert_true(device.registers[0x02] == 0x60 && device.registers[0x08] == 1 && samples > 100);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -185,6 +238,10 @@ int main(void)
         cmocka_unit_test(a_transfer_that_never_ends_is_given_up_within_two_milliseconds),
         cmocka_unit_test(a_refusal_now_and_then_is_overlooked),
         cmocka_unit_test(what_no_hand_does_for_a_second_and_samples_that_never_change_are_told),
+        cmocka_unit_test(one_that_needs_1_75_seconds_after_power_up_is_not_told_as_lost),
+        cmocka_unit_test(a_bus_that_is_held_at_first_is_freed_and_not_told),
+        cmocka_unit_test(what_is_read_before_the_first_sample_is_no_sample),
+        cmocka_unit_test(one_that_has_reset_itself_is_set_up_again),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -330,6 +330,40 @@ static void whatever_arrives_only_the_map_is_written(void **state)
     }
 }
 
+static enum light_sense answer;
+static enum light_sense sensed(int32_t to_light[3])
+{
+    if (answer == LIGHT_SENSED)
+        to_light[0] = -5, to_light[1] = 1 << 20, to_light[2] = 8192;
+    return answer;
+}
+
+static void whoever_asks_learns_the_rooms_light_and_changes_nothing(void **state)
+{
+    (void)state;
+    const struct gud_setup ask = request(GUD_TYPE_IN, LIGHT_GET_LIGHT, LIGHT_MESSAGE_BYTES);
+    int32_t to_light[3] = {7, 7, 7};
+    assert_int_equal(light_device_setup(&device, &ask, reply), LIGHT_MESSAGE_BYTES);
+    assert_int_equal(light_message_unpack(to_light, reply), LIGHT_NO_SENSOR);
+    device.sense = sensed;
+    for (answer = LIGHT_NO_SENSOR; answer <= LIGHT_SENSED; answer++) {
+        const bool is_sensed = answer == LIGHT_SENSED;
+        assert_int_equal(light_device_setup(&device, &ask, reply), LIGHT_MESSAGE_BYTES);
+        assert_int_equal(light_message_unpack(to_light, reply), answer);
+        assert_true(to_light[0] == (is_sensed ? -5 : 0) && to_light[1] == (is_sensed ? 1 << 20 : 0));
+        assert_true(!device.enabled && !device.was_enabled && status() == GUD_OK);
+    }
+    struct gud_setup wrong = ask;
+    wrong.length = 3; /* as much as is asked for */
+    assert_int_equal(light_device_setup(&device, &wrong, reply), 3);
+    wrong.value = 1;
+    assert_int_equal(light_device_setup(&device, &wrong, reply), GUD_STALL);
+    assert_int_equal(status(), GUD_PARAMETER);
+    wrong = request(GUD_TYPE_OUT, LIGHT_GET_LIGHT, LIGHT_MESSAGE_BYTES);
+    assert_int_equal(light_device_setup(&device, &wrong, reply), GUD_STALL);
+    assert_false(light_device_set(&device, &wrong, reply));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -350,6 +384,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(any_other_material_makes_a_paint, begin, end),
         cmocka_unit_test_setup_teardown(that_it_was_enabled_outlives_a_reset, begin, end),
         cmocka_unit_test_setup_teardown(whatever_arrives_only_the_map_is_written, begin, end),
+        cmocka_unit_test_setup_teardown(whoever_asks_learns_the_rooms_light_and_changes_nothing, begin, end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,11 +5,12 @@
 
 #include "panel.h"
 #include "sinks/panel/options.h"
+#include "sinks/panel/virtual_panel.h"
 #include "unit.h"
 
 /* ---- a bus that records what happens ---- */
 
-enum kind { COMMAND, DATA, RESET, LIGHT, WAIT };
+enum kind { COMMAND, DATA, END, RESET, LIGHT, WAIT };
 struct happening {
     enum kind kind;
     unsigned value; /* the command, the byte, on or off, ms */
@@ -63,8 +64,8 @@ static void on_wait(void *context, unsigned ms)
     happen(WAIT, ms);
 }
 
-static const struct panel_bus bus = {on_command, on_data, on_reset, on_backlight, on_wait, NULL};
-static const struct panel_bus bare_bus = {on_command, on_data, NULL, NULL, on_wait, NULL};
+static const struct panel_bus bus = {on_command, on_data, NULL, on_reset, on_backlight, on_wait, NULL};
+static const struct panel_bus bare_bus = {on_command, on_data, NULL, NULL, NULL, on_wait, NULL};
 
 static struct panel made(const struct panel_bus *on, enum panel_controller controller, unsigned rotation,
                          unsigned width, unsigned height)
@@ -231,6 +232,113 @@ static void the_columns_of_a_round_glass_are_those_that_its_circle_touches(void 
         }
     }
     assert_int_equal(pixels, 45692); /* of 57600 */
+}
+
+static bool ends_fail;
+static bool on_end(void *context)
+{
+    (void)context;
+    happen(END, 0);
+    return !ends_fail;
+}
+static const struct panel_bus framed_bus = {on_command, on_data, on_end, on_reset, NULL, on_wait, NULL};
+
+static void on_qspi_each_command_is_ended_but_one_that_takes_pixels(void **state)
+{
+    (void)state;
+    const struct panel panel = made(&framed_bus, PANEL_CO5300, 0, 466, 466);
+    assert_true(panel_start(&panel));
+    size_t commands = 0, ends = 0;
+    for (size_t i = 0; i < happenings; i++) {
+        commands += record[i].kind == COMMAND;
+        ends += record[i].kind == END;
+        assert_int_equal(commands - ends, record[i].kind == COMMAND || record[i].kind == DATA);
+    }
+    assert_true(place_of(COMMAND, PANEL_SLEEP_OUT) > place_of(COMMAND, 0xc4)); /* pixels by four lines */
+    happenings = 0;
+    assert_true(panel_window(&panel, 4, 8, 40, 2));
+    assert_int_equal(record[happenings - 1].kind, COMMAND);
+    assert_int_equal(record[2].value, 10); /* columns begin at 6 */
+    ends_fail = true;
+    assert_false(panel_window(&panel, 4, 8, 40, 2) || panel_start(&panel) || panel_stop(&panel));
+    ends_fail = false;
+}
+
+static void glass_that_emits_light_is_dark_until_it_is_shown_and_as_bright_as_told(void **state)
+{
+    (void)state;
+    const struct panel panel = made(&framed_bus, PANEL_CO5300, 0, 466, 466);
+    assert_true(panel_start(&panel));
+    assert_int_equal(record[place_of(COMMAND, PANEL_BRIGHTNESS) + 1].value, 0);
+    static const unsigned levels[][2] = {{1, 2}, {50, 127}, {100, 255}, {0, 0}};
+    for (unsigned i = 0; i < 4; i++) {
+        happenings = 0;
+        assert_true(panel_show(&panel, (uint8_t)levels[i][0]));
+        assert_int_equal(record[place_of(COMMAND, PANEL_BRIGHTNESS) + 1].value, levels[i][1]);
+        (void)place_of(COMMAND, levels[i][0] ? PANEL_DISPLAY_ON : PANEL_DISPLAY_OFF);
+    }
+}
+
+static void odd_windows_and_small_ones_are_refused_on_qspi_and_send_nothing(void **state)
+{
+    (void)state;
+    struct panel panel = made(&framed_bus, PANEL_CO5300, 0, 466, 466);
+    static const uint16_t bad[][4] = {{1, 0, 40, 2}, {0, 1, 40, 2}, {0, 0, 41, 2},
+                                      {0, 0, 40, 3}, {0, 0, 16, 2}, {0, 0, 2, 16}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        assert_false(panel_window(&panel, bad[i][0], bad[i][1], bad[i][2], bad[i][3]));
+    assert_int_equal(happenings, 0);
+    assert_true(panel_window(&panel, 0, 0, 18, 2) && panel_window(&panel, 464, 430, 2, 36)); /* 72 bytes */
+    panel.x_offset++;
+    assert_false(panel_fits(&panel));
+    panel.x_offset--;
+    panel.round = false;
+    panel.width--;
+    assert_false(panel_fits(&panel));
+    for (unsigned rotation = 1; rotation < 4; rotation++)
+        assert_false(panel_defaults(&panel, PANEL_CO5300, (uint8_t)rotation, 466, 466));
+}
+
+static void bands_of_an_even_round_glass_hold_the_circle_and_are_even(void **state)
+{
+    (void)state;
+    const struct panel panel = made(&framed_bus, PANEL_CO5300, 0, 466, 466);
+    unsigned pixels = 0, first;
+    for (unsigned y = 0; y < 466; y += panel_band(&panel, y)) {
+        const unsigned lines = panel_band(&panel, y);
+        const struct panel_columns seen = panel_visible(&panel, y, lines);
+        for (unsigned row = y; row < y + lines; row++) {
+            const int down = row < 233 ? 232 - (int)row : (int)row - 233;
+            for (first = 0; (232 - (int)first) * (232 - (int)first) + down * down >= 233 * 233;)
+                first++;
+            assert_true(seen.first <= first);
+        }
+        assert_true(panel_window(&panel, seen.first, (uint16_t)y, seen.count, (uint16_t)lines));
+        pixels += seen.count * lines;
+        happenings = 0;
+    }
+    assert_int_equal(pixels, 174620); /* of 217156 */
+}
+
+static void around_a_picture_in_the_middle_the_glass_is_black(void **state)
+{
+    (void)state;
+    static struct virtual_panel screen;
+    static uint8_t seen[466 * 466 * 3];
+    struct panel panel = {0};
+    assert_true(panel_defaults(&panel, PANEL_CO5300, 0, 466, 466));
+    const struct virtual_glass glass = virtual_glass_of(&panel);
+    virtual_panel_init(&screen, &glass);
+    const struct panel_bus on = virtual_panel_bus(&screen);
+    assert_true(panel_defaults(&panel, PANEL_CO5300, 0, 240, 240) && !panel.round);
+    panel.bus = &on;
+    assert_true(panel_start(&panel) && panel_show(&panel, PANEL_BRIGHTEST) && panel_window(&panel, 0, 0, 240, 240));
+    for (unsigned i = 0; i < 240 * 240; i++)
+        assert_true(on.data(on.context, (const uint8_t *)"\xff\xff", 2));
+    virtual_panel_look(&screen, 0, seen);
+    for (unsigned y = 0; y < 466; y++)
+        for (unsigned x = 0; x < 466; x++)
+            assert_int_equal(seen[3 * (466 * y + x)], x >= 112 && x < 352 && y >= 112 && y < 352 ? 255 : 0);
 }
 
 static void a_round_glass_that_is_no_square_is_refused(void **state)
@@ -434,6 +542,11 @@ int main(void)
         cmocka_unit_test(the_tearing_line_is_driven_where_it_is_wired),
         cmocka_unit_test(the_gc9a01_turns_as_widely_used_drivers_turn_it),
         cmocka_unit_test(the_columns_of_a_round_glass_are_those_that_its_circle_touches),
+        cmocka_unit_test(on_qspi_each_command_is_ended_but_one_that_takes_pixels),
+        cmocka_unit_test(glass_that_emits_light_is_dark_until_it_is_shown_and_as_bright_as_told),
+        cmocka_unit_test(odd_windows_and_small_ones_are_refused_on_qspi_and_send_nothing),
+        cmocka_unit_test(bands_of_an_even_round_glass_hold_the_circle_and_are_even),
+        cmocka_unit_test(around_a_picture_in_the_middle_the_glass_is_black),
         cmocka_unit_test(a_round_glass_that_is_no_square_is_refused),
         cmocka_unit_test(the_ili9341_gets_its_voltages_and_gamma_curves),
         cmocka_unit_test(without_a_reset_line_the_command_resets),

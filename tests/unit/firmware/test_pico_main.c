@@ -62,7 +62,7 @@ static void on_flush(void *context, const uint16_t *pixels, size_t count, void (
 }
 
 const struct hal board_hal = {
-    {on_command, on_data, NULL, on_backlight, on_wait, NULL}, on_flush, NULL, NULL, NULL, NULL, NULL, NULL};
+    {on_command, on_data, NULL, NULL, on_backlight, on_wait, NULL}, on_flush, NULL, NULL, NULL, NULL, NULL, NULL};
 
 enum fault board_start(void)
 {
@@ -99,6 +99,12 @@ void hand_start(void)
 bool hand_poll(void)
 {
     return false;
+}
+
+enum light_sense hand_sense(int32_t to_light[3])
+{
+    (void)to_light;
+    return LIGHT_NO_SENSOR;
 }
 
 void shown_next_scene(void)

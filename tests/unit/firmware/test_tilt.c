@@ -53,7 +53,7 @@ static void a_still_hand_has_a_still_light_for_ten_seconds_at_any_tilt(void **st
     (void)state;
     for (unsigned seed = 1; seed <= 40; seed++) {
         struct tilt tilt = {0};
-        int32_t to_light[3];
+        int32_t to_light[3], looked[3];
         const double right = (double)(seed * 37 % 140) - 70, up = (double)(seed * 53 % 140) - 70;
         srand(seed);
         for (unsigned i = 0; i < RATE; i++) { /* it comes from elsewhere */
@@ -66,6 +66,8 @@ static void a_still_hand_has_a_still_light_for_ten_seconds_at_any_tilt(void **st
         for (unsigned i = 0; i < 10 * RATE; i++) {
             assert_false(add(&tilt, right, up));
             assert_false(tilt_light(&tilt, to_light));
+            tilt_look(&tilt, looked);
+            assert_memory_equal(looked, to_light, sizeof looked);
         }
         if (to_light[2] > TILT_ONE_G)
             assert_true(angle_between(to_light, right, up) < .75);

@@ -71,7 +71,15 @@ static enum sink_result take_light(struct sink *sink, const int32_t to_light[3],
     return SINK_SENT;
 }
 
-static const struct sink_shader shading_device = {.send_scene = take_scene, .send_light = take_light};
+static enum sink_result tell_light(struct sink *sink, int32_t to_light[3])
+{
+    (void)sink;
+    memcpy(to_light, (int32_t[]){-16384, 0, 28378}, 3 * sizeof *to_light);
+    return SINK_SENT;
+}
+
+static const struct sink_shader shading_device = {
+    .send_scene = take_scene, .send_light = take_light, .read_light = tell_light};
 static const struct sink_kind kind = {.name = "test", .shader = &shading_device};
 static struct sink device = {.kind = &kind, .width = WIDTH, .height = HEIGHT, .format = GLINT_RGB565};
 
@@ -95,6 +103,15 @@ static void a_device_gets_the_normals_the_material_and_the_light(void **state)
     assert_int_equal(to[2], 1 << 30);
     assert_int_equal(result.bytes, 16);
     assert_int_equal(result.whole_bytes, 2 * PIXELS);
+}
+
+static void a_device_that_tells_the_light_gets_it_back(void **state)
+{
+    (void)state;
+    struct plan_result result;
+    assert_int_equal(device_read_light(&device, &shading), SINK_SENT);
+    assert_int_equal(device_send_light(&device, &shading, &result), SINK_SENT);
+    assert_true(to[1] == 0 && to[2] > 0 && llabs((int64_t)to[0] * 28378 + (int64_t)to[2] * 16384) < 65536);
 }
 
 static void one_colour_may_come_from_the_albedo(void **state)
@@ -218,6 +235,23 @@ static void a_device_of_more_pixels_than_glint_shades_is_refused(void **state)
     assert_string_equal(line,
                         "usb 1-1: its 65535x65535 pixels are too many; the most is 16384 a side and 33554432 in all");
 }
+
+static void a_board_that_knows_no_light_is_refused_with_a_reason(void **state)
+{
+    (void)state;
+    int32_t to_light[3];
+    uint8_t bytes[LIGHT_MESSAGE_BYTES];
+    light_message_pack(bytes, LIGHT_SENSED, (int32_t[]){-5, 1 << 20, 8192});
+    assert_null(usb_light_refusal(to_light, sizeof bytes, bytes));
+    assert_true(to_light[0] == -5 && to_light[1] == 1 << 20 && to_light[2] == 8192);
+    assert_contains(usb_light_refusal(to_light, -1, bytes), "too old"); /* STALL */
+    assert_contains(usb_light_refusal(to_light, 4, bytes), "too old");
+    for (uint32_t sense = 0; sense < 5; sense++) { /* the last two are none that there is; SENSED without a light */
+        light_message_pack(bytes, sense, (int32_t[]){sense > LIGHT_SENSED, 0, 0});
+        assert_contains(usb_light_refusal(to_light, sizeof bytes, bytes),
+                        sense ? "does not answer" : "no accelerometer");
+    }
+}
 #endif
 
 static void the_command_line_tells_what_can_shade(void **state)
@@ -225,6 +259,9 @@ static void the_command_line_tells_what_can_shade(void **state)
     (void)state;
     assert_one_line(assert_ends("$GLINT stream coin --to none --shade device", 2, "--to usb")->err);
     assert_one_line(assert_ends("$GLINT stream coin --to none --shade gpu", 2, "host, device")->err);
+    assert_one_line(assert_ends("$GLINT stream coin --to none --frames 1 --lights board", 2, "--shade device")->err);
+    assert_one_line(
+        assert_ends("$GLINT stream coin --to usb --shade device --lights board --orbit 9", 2, "--orbit")->err);
     assert_quiet("$GLINT stream sphere --size 20x20 --to ppm -o s%d.ppm --frames 1 --shade host");
 }
 
@@ -232,6 +269,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(a_device_gets_the_normals_the_material_and_the_light, begin, end),
+        cmocka_unit_test_setup_teardown(a_device_that_tells_the_light_gets_it_back, begin, end),
         cmocka_unit_test_setup_teardown(one_colour_may_come_from_the_albedo, begin, end),
         cmocka_unit_test_setup_teardown(a_gloss_map_is_refused_unless_it_is_white, begin, end),
         cmocka_unit_test_setup_teardown(soft_edges_a_background_and_what_filter_makes_are_refused, begin, end),
@@ -239,6 +277,7 @@ int main(void)
 #if GLINT_WITH_USB
         cmocka_unit_test(the_name_of_a_device_keeps_within_its_room),
         cmocka_unit_test(a_device_of_more_pixels_than_glint_shades_is_refused),
+        cmocka_unit_test(a_board_that_knows_no_light_is_refused_with_a_reason),
 #endif
         cmocka_unit_test(the_command_line_tells_what_can_shade),
     };

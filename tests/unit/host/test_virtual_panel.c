@@ -11,14 +11,14 @@ static const struct module {
     enum panel_controller controller;
     struct virtual_glass glass;
 } modules[] = {
-    {PANEL_ST7789, {240, 320, 0, 0, false, false, true, false, false, 0}},
-    {PANEL_ST7789, {240, 280, 0, 20, false, false, true, false, false, 0}},
-    {PANEL_ST7789, {240, 240, 0, 0, false, false, true, false, false, 0}},
-    {PANEL_ST7789, {172, 320, 34, 0, false, false, true, false, false, 0}},
-    {PANEL_ST7789, {170, 320, 35, 0, false, false, true, false, false, 0}},
-    {PANEL_ST7789, {135, 240, 52, 40, false, false, true, false, false, 0}},
-    {PANEL_ILI9341, {240, 320, 0, 0, true, true, false, false, false, 0}},
-    {PANEL_GC9A01, {240, 240, 0, 0, true, true, true, false, false, 240}},
+    {PANEL_ST7789, {240, 320, 0, 0, false, false, true, false, false, 0, 0, false}},
+    {PANEL_ST7789, {240, 280, 0, 20, false, false, true, false, false, 0, 0, false}},
+    {PANEL_ST7789, {240, 240, 0, 0, false, false, true, false, false, 0, 0, false}},
+    {PANEL_ST7789, {172, 320, 34, 0, false, false, true, false, false, 0, 0, false}},
+    {PANEL_ST7789, {170, 320, 35, 0, false, false, true, false, false, 0, 0, false}},
+    {PANEL_ST7789, {135, 240, 52, 40, false, false, true, false, false, 0, 0, false}},
+    {PANEL_ILI9341, {240, 320, 0, 0, true, true, false, false, false, 0, 0, false}},
+    {PANEL_GC9A01, {240, 240, 0, 0, true, true, true, false, false, 240, 0, false}},
 };
 enum { MODULES = sizeof modules / sizeof *modules, PIXELS = PANEL_COLUMNS * PANEL_ROWS };
 
@@ -316,10 +316,10 @@ static void any_bytes_in_any_order_are_taken(void **state)
 static void parts_of_mono_pictures_stand_upright_on_an_ssd1306(void **state)
 {
     (void)state;
-    static const struct virtual_glass glasses[] = {{128, 64, 0, 0, false, false, false, true, false, 0},
-                                                   {128, 32, 0, 0, false, false, false, true, false, 0},
-                                                   {72, 40, 28, 0, false, false, false, true, false, 0},
-                                                   {64, 48, 32, 0, false, false, false, true, false, 0}};
+    static const struct virtual_glass glasses[] = {{128, 64, 0, 0, false, false, false, true, false, 0, 0, false},
+                                                   {128, 32, 0, 0, false, false, false, true, false, 0, 0, false},
+                                                   {72, 40, 28, 0, false, false, false, true, false, 0, 0, false},
+                                                   {64, 48, 32, 0, false, false, false, true, false, 0, 0, false}};
     for (unsigned i = 0; i < 8; i++) {
         const struct module module = {PANEL_SSD1306, glasses[i / 2]};
         const struct panel panel = started(&module, i % 2 * 2);

@@ -38,7 +38,7 @@ static struct random_mesh next_mesh(void)
 static const char *spelled(int in_64ths)
 {
     static char text[64];
-    char digits[40], exponent[8] = "";
+    char digits[40], exponent[16] = "";
     const int power = below(3) ? 0 : (int)below(9) - 4;
     sprintf(digits, "%020lld", llabs((long long)in_64ths * MILLIONTHS));
     const int point = 20 - 6 - power; /* so many of the digits stand before it */

@@ -69,7 +69,7 @@ static void measure_frames(void)
     for (uint32_t frame = 1; good && frame <= FRAMES; frame++)
         good = draw(frame);
     const uint32_t us = (time_us_32() - begin) / FRAMES;
-    conformance_say("# relit from flash, sent by SPI: ");
+    conformance_say("# relit from flash, sent to the panel: ");
     conformance_say_number(good ? us : 0);
     conformance_say(good ? " us a frame, " : "; it failed, ");
     conformance_say_number(good && us ? 1000000 / us : 0);

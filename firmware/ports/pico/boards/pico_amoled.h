@@ -1,0 +1,3 @@
+/* SPDX-License-Identifier: MIT
+ * For the SDK, the assembler included: a Pico. */
+#include "boards/pico.h"

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// test_hostile.mjs PAGE: what the page does with devices that answer anything and with files that hold anything: in node, without a
+// browser. SEED (1), DEVICES (400), FILES (300).
+import { readFileSync } from 'node:fs'
+import { check, equal, run } from '../pico/tap.mjs'
+import { png } from './maps.mjs'
+import { ball, gltf, meshes } from './meshes.mjs'
+import { randomly } from './states.mjs'
+
+const [folder] = process.argv.slice(2)
+const { Engine, Pico, readPng, sentences, Trouble, white } = await import(`${process.cwd()}/${folder}/engine.mjs`)
+const engine = new Engine(new WebAssembly.Module(readFileSync(`${folder}/module.wasm`)))
+const random = randomly(Number(process.env.SEED ?? 1))
+const below = count => Math.floor(random() * count), pick = list => list[below(list.length)]
+const count = Number(process.env.DEVICES ?? 400), patience = 20, sideMax = 16384, pixelsMax = 1 << 25
+const descriptor = (width, height) => Uint8Array.of(0x67, 0x6c, 0x6e, 0x74, 1, 0, 0, 0, width, width >> 8, height, height >> 8)
+const bytes = length => Uint8Array.from({ length }, () => below(256))
+const oddNumbers = [0, 1, 8, 240, 4096, 16384, 16385, 32768, 65535]
+
+/** An answer of any kind: one in `odd` is not what was asked for. */
+function answer(odd, good) {
+    switch (below(odd)) {
+    case 0: return Promise.reject(pick([new DOMException('A transfer error has occurred.', 'NetworkError'), 'a text', undefined, new TypeError('x')]))
+    case 1: return new Promise(() => undefined)
+    case 2: return Promise.resolve({ status: pick(['stall', 'babble', 'none', undefined]) })
+    case 3: return Promise.resolve({ status: 'ok' })
+    case 4: return Promise.resolve({ status: 'ok', data: new DataView(bytes(below(64)).buffer) })
+    case 5: return Promise.resolve({ status: pick(['ok', 'stall']), data: new DataView(bytes(good.length).buffer) })
+    default: return Promise.resolve({ status: 'ok', data: new DataView(Uint8Array.from(good).buffer) })
+    }
+}
+
+function hostile() {
+    const odd = pick([6, 8, 20, 100, 1000]) // of 6 all are
+    const settle = odd => below(odd) ? Promise.resolve() : Promise.reject(new DOMException('Unable.', 'InvalidStateError'))
+    const endpoint = () => ({ endpointNumber: below(16), direction: pick(['out', 'out', 'in']), type: pick(['bulk', 'bulk', 'interrupt']) })
+    const alternate = () => ({ interfaceClass: pick([255, 255, 255, 3, 0]), endpoints: Array.from({ length: below(4) }, endpoint) })
+    const good = { interfaces: [{ interfaceNumber: 1, alternates: [{ interfaceClass: 255, endpoints: [{ endpointNumber: 2, direction: 'out', type: 'bulk' }] }] }] }
+    const configuration = below(2) ? good : { interfaces: Array.from({ length: below(5) }, (_, interfaceNumber) =>
+        ({ interfaceNumber, alternates: Array.from({ length: below(8) ? 1 + below(2) : 0 }, alternate) })) }
+    const size = descriptor(pick([240, pick(oddNumbers)]), pick([240, pick(oddNumbers)]))
+    return {
+        productName: pick(['A board', '', undefined, '\u001b[31m<b>x']), serialNumber: pick(['17', undefined]), closed: 0,
+        configuration: below(10) ? configuration : null,
+        async open() { await settle(odd) },
+        async close() { this.closed++; await settle(odd) },
+        async selectConfiguration() { await settle(odd); this.configuration = pick([configuration, null]) },
+        claimInterface: () => settle(odd),
+        releaseInterface: () => settle(odd),
+        clearHalt: () => settle(odd),
+        controlTransferIn: ({ request }) => answer(odd, request === 0xa0 ? size : request === 0xa4 ? bytes(12) : [below(odd) ? 0 : below(256)]),
+        controlTransferOut: () => answer(odd, []),
+        transferOut: () => answer(odd, []),
+    }
+}
+
+const isSentence = error => error instanceof Trouble && (Object.values(sentences).includes(error.message) || error.message.startsWith('The device refused '))
+const stray = []
+process.on('unhandledRejection', error => stray.push(error))
+
+/** A device's whole life with the page; what is wrong with that, or ''. Counts what became of it. */
+async function live(device, became) {
+    const usb = { getDevices: () => pick([async () => [device], async () => [], async () => { throw new Error('no') }])() }
+    let pico
+    try {
+        pico = await Pico.connect(usb, device, bytes => engine.deviceSize(bytes), patience)
+        if (!(pico.width >= 1 && pico.width <= sideMax && pico.height >= 1 && pico.height <= sideMax && pico.width * pico.height <= pixelsMax))
+            return `a size of ${pico.width}x${pico.height}`
+        became.connected++
+        if (pico.mesh) {
+            const split = engine.deviceMesh(pico.mesh, ['--scene=teapot'])
+            if (split !== 0)
+                return `a mesh that is not the teapot: ${split}`
+            await pico.useMesh()
+            await pico.sendPose(bytes(20))
+        }
+        await pico.sendMap(bytes(4 * below(9000)))
+        await pico.sendMaterial(bytes(48))
+        await pico.sendLight(bytes(16))
+        await pico.close()
+        became.served++
+    } catch (error) {
+        if (!isSentence(error))
+            return `not a sentence: ${error?.stack ?? error}`
+        became.refused++
+    }
+    return device.closed ? '' : 'it was not closed'
+}
+
+// ---- files ----
+
+const files = Number(process.env.FILES ?? 300)
+const { places, normals, uv, colors, indices } = ball([0, 0, 0], 1, 8, 5)
+const picture = png({ width: 8, height: 8, type: 2, depth: 8, sample: () => below(256) })
+const texts = [false, true].flatMap(isText => [gltf([{ places, normals, indices, material: 0 }], { materials: [{ pbrMetallicRoughness: { baseColorFactor: [.5, .6, .7, 1] } }] }, [], isText),
+    gltf([{ places, normals, uv, colors, indices, material: 0 }, { places, normals, uv, colors, indices }],
+        { materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }], textures: [{ source: 0, sampler: 0 }], samplers: [{ wrapS: 33071 }], placed: [{ translation: [1, 0, 0], children: [2] }, { rotation: [0, 0, 1, 0], scale: [1, 2, 1] }, {}] }, [picture], isText)])
+
+/** The file with its numbers, names and values, or any bytes, changed. */
+function changed(file) {
+    let text = Buffer.from(file).toString('latin1')
+    const part = /-?[0-9][0-9.e+-]*|"[A-Za-z_0-9]+"|\[[^[\]]*\]|\{[^{}]*\}/g
+    for (let left = pick([1, 1, 2, 5]); left--;) {
+        const at = below(text.length), head = text.slice(0, at)
+        if (below(3)) {
+            const found = [...text.slice(0, 8000).matchAll(part)], { 0: old, index } = pick(found) ?? { 0: '', index: 0 }
+            const value = pick(['0', '-1', '1.5', '1e308', '4294967296', '1e9', '5126', 'null', '[]', '{}', '""', '"a"', '[0,0]', 'true', old + old])
+            text = text.slice(0, index) + value + text.slice(index + old.length)
+        } else {
+            text = pick([head, head + String.fromCharCode(below(256)) + text.slice(at + 1), head + text.slice(at + below(30)), head + head.slice(-below(30)) + text.slice(at)])
+        }
+        text ||= ' '
+    }
+    return Uint8Array.from(Buffer.from(text, 'latin1'))
+}
+
+/** Draws what the file's bytes are, or says why not. */
+function drawn(name, file, words) {
+    try {
+        name.endsWith('.png') ? engine.addMap(name, readPng(name, file)) : engine.addMesh(name, file)
+        engine.draw([words + name, '--size=12x12'])
+        return ''
+    } catch (error) {
+        return error.message
+    }
+}
+
+run([
+    [`${count} devices that answer anything are served or refused in a sentence, and closed`, async () => {
+        const became = { connected: 0, served: 0, refused: 0 }
+        const wrong = await Promise.all(Array.from({ length: count }, () => live(hostile(), became)))
+        equal(wrong.filter(text => text).slice(0, 3).join('; '), '', 'devices')
+        check(became.served && became.refused && became.connected < count, JSON.stringify(became))
+        console.log(`# ${JSON.stringify(became)}`)
+        equal(stray.length, 0, `rejections that nobody awaits: ${stray[0]}`)
+    }],
+    ['any descriptor is a size that glint shades, or none', () => {
+        equal(engine.deviceSize(descriptor(240, 320)), 240 << 16 | 320, 'a display')
+        equal(engine.deviceSize(descriptor(sideMax, pixelsMax / sideMax)), (sideMax << 16 | pixelsMax / sideMax) >>> 0, 'the largest')
+        for (const [width, height] of [[sideMax, pixelsMax / sideMax + 1], [sideMax + 1, 1], [1, sideMax + 1], [65535, 65535]])
+            equal(engine.deviceSize(descriptor(width, height)), 0, `${width}x${height}`)
+        for (let i = 0; i < 10000; i++) {
+            const at = descriptor(pick(oddNumbers), pick(oddNumbers)), size = (at[below(12)] = below(256), engine.deviceSize(at.subarray(0, below(8) ? 12 : below(12))))
+            const width = size >>> 16, height = size & 0xffff
+            check(width <= sideMax && height <= sideMax && width * height <= pixelsMax, `${at}: ${width}x${height}`)
+        }
+    }],
+    [`${files} meshes and pictures that hold anything are drawn or refused in a sentence that names them`, () => {
+        const became = { drawn: 0, refused: 0 }
+        for (let i = 0; i < files; i++) {
+            const [name, file, words] = below(4) ? ['a.glb', changed(pick(texts)), '--mesh='] : below(2) ? ['a.stl', changed(meshes['coloured.stl']), '--mesh='] : ['a.png', changed(picture), '--height=']
+            const said = drawn(name, file, words)
+            check(!said || said.startsWith(`${name}: `), `${said}; the file in base64: ${Buffer.from(file).toString('base64').slice(0, 4000)}`)
+            became[said ? 'refused' : 'drawn']++
+        }
+        check(became.drawn && became.refused, JSON.stringify(became))
+        console.log(`# ${JSON.stringify(became)}`)
+    }],
+    ['nodes that have each other many times over are refused, not followed', () => {
+        const nodes = Array.from({ length: 40 }, (_, i) => i < 39 ? { children: [i + 1, i + 1] } : { mesh: 0 })
+        const json = { ...JSON.parse(texts[2].toString()), nodes, scenes: [{ nodes: [0] }] }
+        check(drawn('a.gltf', Uint8Array.from(Buffer.from(JSON.stringify(json))), '--mesh=').includes('nodes'), 'it does not say so')
+    }],
+    ['a picture whose palette is too short is damaged', () => {
+        const said = drawn('a.png', Uint8Array.from(png({ width: 4, height: 4, type: 3, depth: 8, sample: () => 200, extra: [['PLTE', [1, 2, 3]]] })), '--height=')
+        check(said.startsWith('a.png: damaged PNG'), said)
+    }],
+    ['after all that it draws what it drew before', () => {
+        engine.addWhite(white, 8, 8)
+        const words = ['--scene=coin', '--size=30x20'], before = new Engine(new WebAssembly.Module(readFileSync(`${folder}/module.wasm`))).draw(words)
+        equal(Buffer.compare(Buffer.from(engine.draw(words).rgba), Buffer.from(before.rgba)), 0, 'the picture')
+    }],
+])
