@@ -13,6 +13,7 @@
 #include "mesh/import_files.h"
 #include "mesh/import_texture.h"
 #include "mesh/obj.h"
+#include "mesh/obj_materials.h"
 
 enum { LIBRARY_BYTES = 1 << 24 };
 
@@ -20,20 +21,25 @@ static const struct import_source *mesh;
 static char refused[200]; /* the first file elsewhere that it names */
 
 /* One that is not there is no error: the mesh has plain colours. */
-static char *open_library(const char *name, size_t *len)
+static void read_library(struct obj_materials *materials, const char *name)
 {
     const char *wrong;
-    FILE *stream = import_files_open_named(mesh, name, len, &wrong);
+    size_t len = 0;
+    FILE *stream = import_files_open_named(mesh, name, &len, &wrong);
     if (!stream && wrong == import_files_outside(mesh) && !refused[0])
         snprintf(refused, sizeof refused, "%s", name);
-    if (*len > LIBRARY_BYTES)
-        *len = LIBRARY_BYTES;
-    return stream ? import_files_read_all(stream, len) : NULL;
+    if (!stream)
+        return;
+    if (len > LIBRARY_BYTES)
+        len = LIBRARY_BYTES;
+    char *text = import_files_read_all(stream, &len);
+    obj_materials_read(materials, text, len);
+    free(text);
 }
 
 static struct soup *read_mesh(char wrong[120])
 {
-    struct obj_source from = {mesh->bytes, mesh->len, mesh->textures, open_library};
+    struct obj_source from = {mesh->bytes, mesh->len, mesh->textures, read_library};
     const char *why = NULL;
     FILE *stream = mesh->path ? import_files_open(mesh->path, &from.len, &why) : NULL;
     if (why) {

@@ -135,13 +135,8 @@ static const char *take_line(struct obj *obj, const struct obj_source *source)
         obj->material = *rest ? obj_materials_find(&obj->materials, rest) : OBJ_MATERIALS_MAX;
         return *rest && obj->material == OBJ_MATERIALS_MAX ? "it uses too many materials; join some" : NULL;
     }
-    if (lines_begins(&obj->lines, "mtllib", &rest) && *rest) {
-        size_t len = 0;
-        char *text = source->library(rest, &len);
-        if (text)
-            obj_materials_read(&obj->materials, text, len);
-        free(text);
-    }
+    if (lines_begins(&obj->lines, "mtllib", &rest) && *rest)
+        source->library(&obj->materials, rest);
     return NULL;
 }
 

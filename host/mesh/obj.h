@@ -6,12 +6,13 @@
 
 #include "mesh/soup.h"
 
+struct obj_materials;
 struct obj_source {
     const char *text;
     size_t len;
     bool textures; /* are its pictures wanted? */
-    /* The text of an MTL that it names, which the reader frees; NULL: it cannot be read. */
-    char *(*library)(const char *name, size_t *len);
+    /* For an MTL that it names: hands its text to obj_materials_read, where it can be opened. */
+    void (*library)(struct obj_materials *materials, const char *name);
 };
 /* Pictures have names only; where there are more triangles than can be drawn none are there, but their count is. NULL: `wrong` says why, as the end of
  * a message. */

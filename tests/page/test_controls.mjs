@@ -53,12 +53,12 @@ run([
         await browser.go(start)
         await drop('a-logo.png')
         equal(await shown(), 'scale,bevel,wrap', 'controls of a height map')
-        await changes('control-bevel', '6', '--bevel=6')
+        await changes('control-bevel', '9', '--bevel=9')
         await asked()
         const why = await page.evaluate(() => [document.getElementById('control-wrap').disabled, document.getElementById('control-wrap').closest('.row').querySelector('.why').textContent].join(': '))
         equal(why, 'true: Not now: Seamless cannot be used with Bevel: a logo has no seams', 'Seamless beside a bevel')
         await drop('grey16.png')
-        check(!(await shownIsDrawn()).includes('--bevel=6'), 'another map keeps the bevel')
+        check(!(await shownIsDrawn()).some(word => word.startsWith('--bevel')), 'another map keeps the bevel')
         await changes('control-wrap', true, '--wrap')
         await drop('normals rgba8.png')
         equal(await shown(), 'flip-y', 'controls of a normal map')
@@ -223,6 +223,7 @@ run([
             })
             for (let tabs = 0; tabs < 20 && !await isAt(); tabs++)
                 await page.keyboard.press('Tab')
+            await frames(5)
             const { top, bottom } = await page.evaluate(() => document.activeElement.getBoundingClientRect().toJSON())
             check(await isAt() && top > 0 && bottom <= 740, `round ${i}: it is at ${top} to ${bottom} of 740`)
         }
@@ -458,6 +459,21 @@ run([
             equal(await browser.text('refusal'), '', 'what it says')
             equal((await shownIsDrawn()).join(' '), now.join(' '), 'the state')
         }
+    }],
+    ['a logo becomes a bevelled shape at once, and brushed metal runs round the middle of a round panel', async () => {
+        const disc = (x, y) => (x - 20) ** 2 + (y - 20) ** 2 < 150, side = { width: 40, height: 40, depth: 8 }
+        const logos = { 'cut.png': png({ ...side, type: 6, sample: (x, y, k) => k === 3 && disc(x, y) ? 255 : 0 }), 'black.png': png({ ...side, type: 0, sample: (x, y) => disc(x, y) ? 0 : 255 }), 'hills.png': png({ ...side, type: 0, sample: (x, y) => 6 * x }) }
+        for (const [name, bytes] of Object.entries(logos)) {
+            command.put(name, bytes)
+            await browser.go('scene=knob&size=64x48&panel=round&light=-1,1,1.2')
+            await browser.drop({ [name]: bytes })
+            await browser.until(name => document.body.dataset.drawn?.includes(name), name)
+            equal((await shownIsDrawn()).includes('--bevel=6'), name !== 'hills.png', `a bevel of ${name}`)
+            equal(await page.evaluate(() => document.querySelectorAll('#warnings li').length), 0, `warnings of ${name}`)
+        }
+        await browser.tab('material')
+        await press('Brushed steel')
+        check((await shownIsDrawn()).join(' ').includes('--grain=spun --material=brushed-steel'), await browser.text('command'))
     }],
     ['a file that is refused leaves the address, the rows and the picture as they were', async () => {
         const logo = surfaces['a-logo.png'].bytes

@@ -77,11 +77,10 @@ struct mesh_picture import_picture(const char *path)
 
 static const char *obj_name;
 
-static char *no_library(const char *name, size_t *len)
+static void no_library(struct obj_materials *materials, const char *name)
 {
-    (void)len;
+    (void)materials;
     warn("%s: names %s, which the page cannot open: its parts have one plain colour", obj_name, name);
-    return NULL;
 }
 
 static bool is_obj(const char *path)

@@ -35,9 +35,10 @@ export function ask<M extends keyof Methods>(method: M, ...args: Parameters<Meth
 }
 
 /** Gives a file to this worker and those after it; it is refused where it cannot be read. */
-export async function give(name: string, method: 'map' | 'mesh', bytes: Uint8Array<ArrayBuffer>): Promise<void> {
-    await ask(method, name, bytes)
+export async function give(name: string, method: 'map' | 'mesh', bytes: Uint8Array<ArrayBuffer>): Promise<ReturnType<Methods['map']> | void> {
+    const told = await ask(method, name, bytes)
     files.set(name, { method, bytes })
+    return told
 }
 
 /** What nobody waits for. */

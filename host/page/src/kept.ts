@@ -16,11 +16,12 @@ export const isHere = (name: string) => here.has(name)
 export const bytesOf = (name: string) => here.get(name)
 export const methodOf = (kind: Kind) => kind === 'mesh' ? 'mesh' : 'map'
 
-/** Throws where the file is refused; what had its name then stays. */
-export async function putFile(name: string, kind: Kind, bytes: Uint8Array<ArrayBuffer>): Promise<void> {
-    await give(name, methodOf(kind), bytes)
+/** Is it a logo? Throws where the file is refused; what had its name then stays. */
+export async function putFile(name: string, kind: Kind, bytes: Uint8Array<ArrayBuffer>): Promise<boolean> {
+    const told = await give(name, methodOf(kind), bytes)
     here.set(name, bytes)
     version++
+    return told?.isLogo ?? false
 }
 
 export function forgetFile(name: string): void {

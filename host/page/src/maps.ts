@@ -21,12 +21,12 @@ async function take(file: File, kind: Kind): Promise<void> {
         const bytes = new Uint8Array(await file.arrayBuffer())
         if (kind === 'texture')
             checkTexture(name, bytes)
-        await putFile(name, kind, bytes)
+        const isLogo = await putFile(name, kind, bytes)
         if (before[kind] === name) { // an address asked for it, or it is a newer one: what is set stays
             await redraw()
         } else {
             const surface: Partial<State> = !isSurface(kind) ? kind === 'albedo' ? { color: undefined } : {}
-                : { ...noSurface, size: kind === 'mesh' ? before.size ?? '240x240' : undefined }
+                : { ...noSurface, size: kind === 'mesh' ? before.size ?? '240x240' : undefined, bevel: kind === 'height' && isLogo ? '6' : undefined }
             change({ ...surface, [kind]: name })
         }
         refusal = await settled()

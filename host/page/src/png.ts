@@ -15,6 +15,16 @@ export interface Map16 {
     samples: Uint16Array
 }
 
+/** Is it a shape, of two levels or cut out by its alpha, and not a surface with heights? */
+export function isLogo({ channels, samples }: Map16): boolean {
+    const hasAlpha = channels === 2 || channels === 4, levels: number[] = []
+    for (let i = 0; i < samples.length; i += channels)
+        if (!hasAlpha || samples[i + channels - 1] > 32767)
+            levels.push(channels < 3 ? samples[i] : (samples[i] + samples[i + 1] + samples[i + 2]) / 3)
+    const low = levels.reduce((a, b) => Math.min(a, b), 65535), high = levels.reduce((a, b) => Math.max(a, b), 0), isCut = levels.length > 0 && levels.length < samples.length / channels
+    return (isCut || high - low > 32767) && levels.filter(level => level - low > 2621 && high - level > 2621).length < levels.length / 10
+}
+
 const others: [string, string][] = [
     ['\xff\xd8\xff', 'a JPEG'], ['GIF8', 'a GIF'], ['BM', 'a BMP'], ['RIFF', 'a WebP or other RIFF file'], ['qoif', 'a QOI'],
     ['II*', 'a TIFF'], ['MM', 'a TIFF'], ['DDS ', 'a DDS texture'], ['\x76\x2f\x31\x01', 'an OpenEXR'], ['8BPS', 'a PSD'],

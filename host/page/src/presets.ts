@@ -20,11 +20,13 @@ const scenes: Preset[] = lists.scenes.map(({ name }) => ({
     name, title: capital(name), meaning: '', words: () => [`--scene=${name}`, ...sized],
     press: () => change({ ...noSurface, scene: name, size: current().size ?? '240x240' }),
 }))
+/** A map on a round panel: scratches run round its middle, unless the user says otherwise. */
+const isKnob = ({ panel, scene, mesh, grain }: State) => panel === 'round' && scene === undefined && mesh === undefined && grain === undefined
 /** It takes the place of what was set by hand; what is set afterwards overrides it. */
 const materials: Preset[] = [{ name: '', title: 'As it comes', meaning: 'The surface\'s own material', words: () => [`--scene=${current().scene ?? 'sphere'}`, ...sized], press: () => change({ ...ofMaterial, material: undefined }) },
     ...lists.materials.map(({ name, meaning }) => ({
         name, title: capital(name.replaceAll('-', ' ')), meaning: capital(typeset(meaning)), words: () => [`--scene=${name.startsWith('brushed') ? 'knob' : 'sphere'}`, `--material=${name}`, ...sized],
-        press: () => change({ ...ofMaterial, material: name }),
+        press: () => change({ ...ofMaterial, material: name, ...name.startsWith('brushed') && isKnob(current()) ? { grain: 'spun' } : {} }),
     }))]
 
 function build(group: Group, into: string, presets: Preset[], chosen: (state: State) => string | undefined): void {

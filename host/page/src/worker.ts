@@ -4,7 +4,7 @@ import { inflateSync } from 'fflate'
 import base64 from 'glint:module'
 import { Engine } from './engine'
 import type { Had } from './engine'
-import { readPng, writeNormals, writePng } from './png'
+import { isLogo, readPng, writeNormals, writePng } from './png'
 
 const program = new WebAssembly.Module(inflateSync(Uint8Array.from(atob(base64), c => c.charCodeAt(0))) as Uint8Array<ArrayBuffer>)
 const engine = new Engine(program)
@@ -16,7 +16,7 @@ export const methods = {
         const map = readPng(name, bytes)
         engine.addMap(name, map)
         other.addMap(name, map)
-        return { width: map.width, height: map.height, channels: map.channels, bits: map.bits }
+        return { width: map.width, height: map.height, channels: map.channels, bits: map.bits, isLogo: isLogo(map) }
     },
     mesh(name: string, bytes: Uint8Array<ArrayBuffer>) {
         engine.addMesh(name, bytes)
