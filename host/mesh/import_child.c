@@ -48,7 +48,8 @@ static bool load(void)
     return good;
 }
 
-void import_send_message(int out, const char *text)
+/* A head with what is wrong, as the end of a message. */
+static void send_message(int out, const char *text)
 {
     struct import_head head = {.face_count = 0};
     snprintf(head.message, sizeof head.message, "%s", text[0] ? text : "it is damaged");
@@ -274,18 +275,20 @@ static void send_error(const struct import_source *source, int out)
     } else if (!source->path && strstr(text, import_files_input)) {
         text = "";
     }
-    import_send_message(out, text);
+    send_message(out, text);
 }
 
 void import_child(const struct import_source *source, int out)
 {
     const bool linear = strcmp(source->ending, ".gltf") == 0 || strcmp(source->ending, ".glb") == 0;
     if (strcmp(source->ending, ".obj") == 0) {
-        import_obj(source, out);
+        const char *const wrong = import_obj(source, out);
+        if (wrong)
+            send_message(out, wrong);
         return;
     }
     if (!load()) {
-        import_send_message(out, LIBRARY " cannot be loaded; install libassimp5");
+        send_message(out, LIBRARY " cannot be loaded; install libassimp5");
         return;
     }
     const struct aiScene *scene = read_scene(source);

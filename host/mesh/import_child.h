@@ -20,7 +20,5 @@ struct import_picture_head {
 /* Reads the mesh and sends it to the descriptor, as a head, struct import_file's, struct mesh_material's, pictures and struct
  * soup_face's. */
 void import_child(const struct import_source *source, int out);
-/* A head with what is wrong, as the end of a message. */
-void import_send_message(int out, const char *text);
 
 #endif

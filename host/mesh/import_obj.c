@@ -54,17 +54,15 @@ static struct soup *read_mesh(char wrong[120])
     return soup;
 }
 
-void import_obj(const struct import_source *source, int out)
+const char *import_obj(const struct import_source *source, int out)
 {
-    char wrong[120] = "";
+    static char wrong[120];
     const struct import_file *files;
     mesh = source;
     import_files(source);
     struct soup *soup = read_mesh(wrong);
-    if (!soup) {
-        import_send_message(out, wrong);
-        return;
-    }
+    if (!soup)
+        return wrong;
     struct import_pictures pictures = {NULL, source, 0, allocate(soup->picture_count + 1, sizeof *pictures.of)};
     for (unsigned i = 0; i < soup->picture_count; i++)
         import_pictures_find(&pictures, soup->pictures[i].name);
@@ -79,18 +77,20 @@ void import_obj(const struct import_source *source, int out)
     child_send(out, &head, sizeof head);
     child_send(out, files, head.file_count * sizeof *files);
     if (!soup->faces)
-        return; /* the parent says why */
+        return NULL; /* the parent says why */
     child_send(out, soup->materials, soup->part_count * sizeof *soup->materials);
     import_pictures_send(&pictures, out);
     child_send(out, soup->faces, soup->face_count * sizeof *soup->faces);
+    return NULL;
 }
 
 #else
 
-void import_obj(const struct import_source *source, int out)
+const char *import_obj(const struct import_source *source, int out)
 {
     (void)source;
     (void)out;
+    return NULL;
 }
 
 #endif

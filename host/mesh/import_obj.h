@@ -5,7 +5,7 @@
 
 #include "mesh/import_source.h"
 
-/* Sends what import_child does. */
-void import_obj(const struct import_source *source, int out);
+/* Sends what import_child does, and returns NULL; or what is wrong with the mesh, of which nothing is sent. */
+const char *import_obj(const struct import_source *source, int out);
 
 #endif
