@@ -52,8 +52,8 @@ const struct glint_use_format glint_use_rgb565 GLINT_FLASH = {rgb565_draws, glin
 static uint32_t rgb565_steps_levels(const struct glint_paint *paint, const struct glint_run *run,
                                     const struct glint_sample *samples, unsigned count)
 {
-    return run->albedo || run->gloss ? rgb565_mapped(paint, run, samples, count)
-                                     : glint_levels_steps(rgb565_plain, paint, run, samples, count);
+    return run->albedo || run->gloss ? rgb565_levels(paint, run, samples, count)
+                                     : glint_levels_steps(rgb565_levels, paint, run, samples, count);
 }
 
 static void rgb565_steps_fold(struct glint_paint *paint, const struct glint_coefficients *c, unsigned up)
