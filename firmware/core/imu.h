@@ -15,6 +15,7 @@
 enum {
     IMU_ONE_G = 8192,      /* a sample's: +-4 g in 16 bits */
     IMU_PERIOD_US = 4000,  /* it samples, and is read, 250 times a second */
+    IMU_ASK_US = 500,      /* between looks whether there is a new sample */
     IMU_BYTES_MAX = 6,     /* that are read at once */
     IMU_TIMEOUT_US = 2000, /* a transfer takes .25 ms at 400 kHz */
     IMU_RETRY_US = 250000, /* until it is looked for again */
@@ -41,7 +42,8 @@ struct imu {
     /* State, ours; zeros at first. */
     uint32_t since_us; /* of the transfer, or when the next one is due */
     uint8_t step, failures, address;
-    uint8_t looks; /* in vain */
+    uint8_t unready; /* looks that found no new sample */
+    uint8_t looks;   /* in vain */
     bool is_under_way, is_lost, has_samples;
     uint16_t odd;      /* samples that no sensor at rest or in a hand gives, in a row */
     int16_t before[3]; /* the last sample */

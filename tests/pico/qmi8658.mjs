@@ -63,11 +63,11 @@ export class Qmi8658 {
     if (at === CTRL7 && !was_on && value & 1) this.sampling.schedule(1e9 / this.rate)
   }
   read(at) {
-    if (at === AX_L) this.reads++
+    if (at === AX_L) { this.reads++; this.registers[STATUS0] &= ~1 }
     if (this.fault === 'nonsense') return 0xff
     return at === REVISION || at <= AX_L + 5 ? this.registers[at] : 0
   }
-  // All bytes of a sample change at once. The data sheet promises that of SyncSample's locked reads only: a read that meets a new sample may mix them.
+  // A read that meets a new sample has bytes of both: the data sheet promises otherwise of SyncSample's locked reads only.
   sample() {
     if (!(this.registers[CTRL7] & 1)) return
     const one = 16384 >> (this.registers[CTRL2] >> 4 & 3), sigma = NOISE_G * Math.sqrt(this.rate / 2)
