@@ -224,7 +224,7 @@ TEST_PACKAGES = $(sort $(foreach list,$(TEST_LISTS),$($(list))))
 CACHE_PACKAGES = ccache
 TEST_CACHE = PATH="/usr/lib/ccache:$$PATH" CCACHE_DIR="$${XDG_CACHE_HOME:-$$HOME/.cache}/glint/ccache" CCACHE_NOHASHDIR=1 CCACHE_MAXSIZE=2G
 # Tiers that wait much run beside one that computes, where neither builds what the other does.
-TEST_ORDER = unit exact proof+lab targets packages page+gateware pico
+TEST_ORDER = unit exact proof targets packages page+gateware lab pico
 test: ## check: set up what is missing and run every tier; the last line is the sum
 	@.ci/need "make test (it is slower without)" $(CACHE_PACKAGES) || true
 	@+$(SUBMAKE) setup-$(firstword $(TIERS)); \
