@@ -13,7 +13,10 @@ PREFIX ?= /usr/local
 DESTDIR ?=
 TEST ?=
 WERROR ?=
-TIERS = unit exact proof targets packages page lab pico gateware
+# The tiers in the order of make test: one that waits much runs beside one that computes, where neither builds what the other does; the
+# lab comes late, when its kernel has been built beside others.
+TEST_ORDER = unit exact proof targets packages page+gateware lab pico
+TIERS = $(subst +, ,$(TEST_ORDER))
 # A TMPDIR that cannot be written to would stop compilers and tests.
 export TMPDIR := $(shell test -d "$$TMPDIR" && test -w "$$TMPDIR" && echo "$$TMPDIR" || echo /tmp)
 
@@ -223,8 +226,6 @@ TEST_PACKAGES = $(sort $(foreach list,$(TEST_LISTS),$($(list))))
 # The tiers compile much of the same: what one has compiled the next, and the next run, take from ccache.
 CACHE_PACKAGES = ccache
 TEST_CACHE = PATH="/usr/lib/ccache:$$PATH" CCACHE_DIR="$${XDG_CACHE_HOME:-$$HOME/.cache}/glint/ccache" CCACHE_NOHASHDIR=1 CCACHE_MAXSIZE=2G
-# Tiers that wait much run beside one that computes, where neither builds what the other does.
-TEST_ORDER = unit exact proof targets packages page+gateware lab pico
 test: ## check: set up what is missing and run every tier; the last line is the sum
 	@.ci/need "make test (it is slower without)" $(CACHE_PACKAGES) || true
 	@+$(SUBMAKE) setup-$(firstword $(TIERS)); \
