@@ -68,8 +68,9 @@ struct glint_mesh {
 #define GLINT_MESH_RIM 65535u
 #define GLINT_MESH_SEAM 65534u
 /* GLINT_ERR_ARG: NULL, no vertex, an index beyond them, more than GLINT_MESH_FACES_MAX faces, a normal of -128 in normals8, parts
- * that do not ascend to the last face, colours of both vertices and faces; neighbours beyond the faces; textures beside colours, without uv or use, of other sizes, levels or
- * uv_bits than above, misaligned. The other functions do not look at indices or textures: check a mesh once. */
+ * that do not ascend to the last face, colours of both vertices and faces, neighbours beyond the faces; textures beside colours,
+ * without uv or use, of other sizes, levels or uv_bits than above, misaligned. The other functions do not look at indices or
+ * textures: check a mesh once. */
 enum glint_err glint_mesh_check(const struct glint_mesh *mesh);
 
 /* Where a mesh stands. */
@@ -139,11 +140,11 @@ enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint
 
 /* Adds a mesh with a paint for each part, all lit by the same lights and of the same format. Memory: glint_mesh_bytes, aligned to 4, until
  * the picture is drawn, like the paints. Under one directional light t is the quadratic above. Under points, spots and several lights, for
- * Phong and with n_across, normals are interpolated instead, and a pixel's place is that of the surface before projection. The viewer is distant, also under
- * perspective.
- * GLINT_ERR_ARG: NULL, too few bytes, misaligned, a paint of zeros or never lit, n_across without use_grain or under other lights than
- * one that is directional, paints of different lights or formats, COLOUR tables and
- * colours of the mesh or a texture, ALBEDO tables and neither, either of them by ALBEDO tables or a texture without use, no room for lights. GLINT_ERR_VECTOR: a quaternion of 0. */
+ * Phong and with n_across, normals are interpolated instead, and a pixel's place is that of the surface before projection. The viewer is
+ * distant, also under perspective.
+ * GLINT_ERR_ARG: NULL, too few bytes, misaligned, a paint of zeros or never lit, paints of different lights or formats, no room for
+ * lights; n_across without use_grain, or not under one directional light; COLOUR tables with colours of the mesh or a texture; ALBEDO
+ * tables with neither; a texture, or colours by ALBEDO tables, without use. GLINT_ERR_VECTOR: a quaternion of 0. */
 size_t glint_mesh_bytes(const struct glint_mesh *mesh, uint16_t h);
 enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn,
                               const struct glint_mesh *mesh, const struct glint_pose *pose,
