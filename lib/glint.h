@@ -12,7 +12,7 @@
  * Clamping     Lobes clamp n and q. c < 0 or t > 1 (back-facing) gives 0, c > 1 counts as 1. An unknown model gives 0.
  * Re-entrancy  No global state, no heap, no writable data. Interrupts and threads may call it, and share a struct where it is const.
  * Stack        At most 1,300 bytes for any call (`make test-targets` checks it).
- * Memory       Constants take 2.0 KB where all is linked, 1.1 of it the sRGB tables. They stay in flash, also on AVR and the ESP8266.
+ * Memory       Constants stay in flash, also on AVR and the ESP8266. COSTS.md has their bytes.
  * Integers     sequence.md has the integers of every path, bit by bit.
  * Sources      Equation numbers are those of Zavalniuk et al. 2022, DOI 10.31649/1999-9941-2022-55-3-4-12.
  */
@@ -318,7 +318,7 @@ enum glint_err glint_paint_exact_for(struct glint_paint *paint, const struct gli
                                      const struct glint_use_format *format);
 
 /* Gives an exact paint of RGB565, undithered, a table of what it draws without highlight, a pixel for each of 1024 steps of N.L: the same pixels
- * in fewer cycles, where most have no highlight. It takes half a million cycles, once a material, after glint_paint_light where the light is
+ * in fewer cycles, where most have no highlight. Call it once a material (its cycles: COSTS.md), after glint_paint_light where the light is
  * coloured. A light of another colour, several lights, points and spots leave it out from there on. memory: aligned to 2; leave it alone while you
  * draw. `_for`: with &glint_use_rgb565_steps or, of linear space, &glint_use_linear_steps. GLINT_ERR_ARG: NULL, too few bytes, misaligned, no
  * exact paint, lights of these kinds. GLINT_ERR_FORMAT: another format or space, or dither. Nothing is written then. */
