@@ -43,7 +43,7 @@ struct imu {
     uint32_t since_us; /* of the transfer, or when the next one is due */
     uint8_t step, failures, address;
     uint8_t unready; /* looks that found no new sample */
-    uint8_t looks;   /* in vain */
+    uint8_t looks;   /* for it that found nothing */
     bool is_under_way, is_lost, has_samples;
     uint16_t odd;      /* samples that no sensor at rest or in a hand gives, in a row */
     int16_t before[3]; /* the last sample */

@@ -84,8 +84,8 @@ enum { PANEL_OFF = 0, PANEL_BRIGHTEST = 100 }; /* percent */
 struct panel_bus {
     bool (*command)(void *context, uint8_t command);                 /* one byte, D/C low */
     bool (*data)(void *context, const uint8_t *bytes, size_t count); /* D/C high */
-    bool (*end)(
-        void *context); /* of a command and its data; not after those that take pixels. NULL: a bus without frames */
+    /* The end of a command and its data; not after those that take pixels. NULL: a bus without frames. */
+    bool (*end)(void *context);
     bool (*reset)(void *context, bool active); /* the reset line; NULL: reset by command */
     /* 0..100 percent; a backlight that cannot be dimmed is on above 0. NULL: no backlight. */
     bool (*backlight)(void *context, uint8_t percent);

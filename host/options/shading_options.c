@@ -67,8 +67,7 @@ static const struct argp_option argp_options[] = {
      3},
     {NULL, 'q', "Q", 0,
      "A highlight under 2^-Q counts as 0; 1..16 (default, and 0: 12 for --space linear, else 6 for rgb565, grey4, "
-     "grey2 "
-     "and mono undithered, else 8)",
+     "grey2 and mono undithered, else 8)",
      3},
     {"light", KEY_LIGHT, "X,Y,Z[,R,G,B]", 0,
      "The direction to the light, of any length: x right, y up, z to you (default -1,1,1 if no light is given), and "

@@ -88,8 +88,8 @@ $(BENCH)/mesh-%.elf: $(BENCH)/lib-%/done $(BENCH_MESH_SOURCES) $(BENCH_MESH_INPU
 	@$(BENCH_COMPILE) -Ilib -I$(BENCH_MESH) -DMESH_BUNNY=$(if $(BENCH_BUNNY),1,0) \
 		-nostartfiles -T tests/bench/m0plus.ld -Wl,--wrap=glint_mesh_rows $(BENCH_MESH_SOURCES) tests/bench/calibrate.S $(BENCH_LIB) -o $@
 
-$(BENCH)/lvgl-%.elf: $(BENCH)/lib-%/done $(BENCH_LVGL_SOURCES) $(wildcard tests/bench/mesh/*.h $(BENCH_LVGL)/*.h tests/packages/stubs/lvgl*.h) $(BENCH_MESH)/teapot.h $(BENCH_INPUTS) tests/bench/calibrate.S
-	@$(BENCH_COMPILE) -Ilib -I$(BENCH_MESH) -I$(BENCH_LVGL) -Itests/packages/stubs \
+$(BENCH)/lvgl-%.elf: $(BENCH)/lib-%/done $(BENCH_LVGL_SOURCES) $(wildcard tests/bench/mesh/*.h $(BENCH_LVGL)/*.h tests/packages/standins/lvgl*.h) $(BENCH_MESH)/teapot.h $(BENCH_INPUTS) tests/bench/calibrate.S
+	@$(BENCH_COMPILE) -Ilib -I$(BENCH_MESH) -I$(BENCH_LVGL) -Itests/packages/standins \
 		-nostartfiles -T tests/bench/m0plus.ld $(BENCH_LVGL_SOURCES) tests/bench/calibrate.S $(BENCH_LIB) -o $@
 
 # As shipped: no normals of it are 180 degrees apart.

@@ -39,20 +39,20 @@ run_arm() { # IMAGE [MACHINE]
 # An STM32F2 with 64 KB of RAM: run_arm IMAGE netduino2.
 stm32_link="-nostdlib -L$source/firmware/ports/bare -T$source/tests/packages/netduino2.ld"
 
-# Arduino: Debian's builder and core, with the libraries in stubs/. What its package of the whole IDE would add: the builder's settings beside the
-# core, and where the tools are. Beside that core lies stubs/hardware, since Debian has a core for AVR alone: bare Cortex-M3s
-# and M0+s (stub:arm:stm32, zero, feather), all run on an STM32F2.
-stubs=$source/tests/packages/stubs core=$source/tests/packages/stubs/hardware/stub/arm/cores/stub
-stub_includes="-I$core -I$stubs/libraries/Adafruit_GFX_Library -I$stubs/libraries/TFT_eSPI -I$stubs/libraries/Wire"
+# Arduino: Debian's builder and core, with the libraries in standins/. What its package of the whole IDE would add: the builder's settings beside the
+# core, and where the tools are. Beside that core lies standins/hardware, since Debian has a core for AVR alone: bare Cortex-M3s
+# and M0+s (bare:arm:stm32, zero, feather), all run on an STM32F2.
+standins=$source/tests/packages/standins core=$source/tests/packages/standins/hardware/bare/arm/cores/bare
+standin_includes="-I$core -I$standins/libraries/Adafruit_GFX_Library -I$standins/libraries/TFT_eSPI -I$standins/libraries/Wire"
 arduino_is_there() { command -v arduino-builder >/dev/null && [ -d /usr/share/arduino/hardware/arduino/avr ] && command -v simavr >/dev/null; }
 arduino_build() { # BOARD SKETCH LIBRARIES BUILD
     hardware=$folder/hardware
-    [ -d "$hardware" ] || { mkdir -p "$hardware/tools/avr" "$folder/cores" && cp -r "$stubs/hardware/stub" "$hardware/" &&
-        cp "$ports"/bare/*.[ch] "$ports/cortex-m/start.c" "$ports/cortex-m/machine.c" "$hardware/stub/arm/cores/stub/" &&
+    [ -d "$hardware" ] || { mkdir -p "$hardware/tools/avr" "$folder/cores" && cp -r "$standins/hardware/bare" "$hardware/" &&
+        cp "$ports"/bare/*.[ch] "$ports/cortex-m/start.c" "$ports/cortex-m/machine.c" "$hardware/bare/arm/cores/bare/" &&
         ln -s /usr/share/arduino/hardware/arduino /usr/share/arduino-builder/platform*.txt "$hardware" && ln -s /usr/bin "$hardware/tools/avr/bin"; } || return
     rm -rf "$4" && mkdir "$4" && cp -r "$2" "$folder/" || return
     # Debian's core names a macro that its compiler does not define.
-    timeout 300 arduino-builder -compile -hardware "$hardware" -tools "$hardware/tools" -libraries "$3" -libraries "$stubs/libraries" -fqbn "$1" \
+    timeout 300 arduino-builder -compile -hardware "$hardware" -tools "$hardware/tools" -libraries "$3" -libraries "$standins/libraries" -fqbn "$1" \
         -prefs=compiler.c.extra_flags=-DDECIMAL_DIG=__DECIMAL_DIG__ -prefs=compiler.cpp.extra_flags=-DDECIMAL_DIG=__DECIMAL_DIG__ \
         -prefs=bare.flags="$bare_flags" -prefs=bare.link="$stm32_link" \
         -build-path "$4" -build-cache "$folder/cores" "$folder/$(basename "$2")/$(basename "$2").ino"
@@ -70,17 +70,17 @@ arduino_run() { # PART IMAGE LINES [PATTERN]
     arduino_printed
 }
 arduino_printed() { tr -d '\033\r' <"$folder/serial" | sed -n "s/^[^0-9A-F]*\(\[[0-9]*m\)*\($pattern\)\.*\$/\2/p"; }
-sketch_on_host() { # NAME PROGRAM: an example, with stubs/
+sketch_on_host() { # NAME PROGRAM: an example, with standins/
     # shellcheck disable=SC2086 # words
-    "${CXX:-c++}" -Wall -Wextra -Werror -I"$source/lib" $stub_includes -include Arduino.h -x c++ "$1" "$core/arduino.cpp" "$stubs"/libraries/*/*.cpp \
+    "${CXX:-c++}" -Wall -Wextra -Werror -I"$source/lib" $standin_includes -include Arduino.h -x c++ "$1" "$core/arduino.cpp" "$standins"/libraries/*/*.cpp \
         -x none "$library" -o "$2"
 }
 line_pixels() { # FILE: what the example Line prints, from the host
     sketch_on_host "$source/lib/examples/Line/Line.ino" "$folder/line_on_host" && "$folder/line_on_host" >"$1" && [ "$(wc -l <"$1")" = 64 ]
 }
 
-# Projects of Zephyr's and ESP-IDF's users, for the stand-ins that stubs/ has of their build systems.
-export ZEPHYR_BASE="$source/tests/packages/stubs/zephyr" IDF_PATH="$source/tests/packages/stubs/idf"
+# Projects of Zephyr's and ESP-IDF's users, for the stand-ins that standins/ has of their build systems.
+export ZEPHYR_BASE="$source/tests/packages/standins/zephyr" IDF_PATH="$source/tests/packages/standins/idf"
 zephyr_project() { # FOLDER PROGRAM; prj.conf is the caller's
     cat >"$1/CMakeLists.txt" <<END
 cmake_minimum_required(VERSION 3.20.0)

@@ -338,7 +338,7 @@ static enum light_sense sensed(int32_t to_light[3])
     return answer;
 }
 
-static void whoever_asks_learns_the_rooms_light_and_changes_nothing(void **state)
+static void a_host_that_asks_for_the_rooms_light_changes_nothing(void **state)
 {
     (void)state;
     const struct gud_setup ask = request(GUD_TYPE_IN, LIGHT_GET_LIGHT, LIGHT_MESSAGE_BYTES);
@@ -384,7 +384,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(any_other_material_makes_a_paint, begin, end),
         cmocka_unit_test_setup_teardown(that_it_was_enabled_outlives_a_reset, begin, end),
         cmocka_unit_test_setup_teardown(whatever_arrives_only_the_map_is_written, begin, end),
-        cmocka_unit_test_setup_teardown(whoever_asks_learns_the_rooms_light_and_changes_nothing, begin, end),
+        cmocka_unit_test_setup_teardown(a_host_that_asks_for_the_rooms_light_changes_nothing, begin, end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -80,6 +80,49 @@ static void lights_of_another_colour_and_several_draw_as_without_steps(void **st
     }
 }
 
+static void what_maps_change_is_drawn_as_without_steps(void **state)
+{
+    (void)state;
+    enum { WIDTH = 64 };
+    static uint16_t found[WIDTH], wanted[WIDTH];
+    struct glint_vec normals[WIDTH];
+    uint8_t coverage[WIDTH], albedo[3 * WIDTH], gloss[WIDTH];
+    for (int i = 0; i < 400; i++) {
+        struct look look = undithered(i % 2 ? GLINT_RGB565 : GLINT_RGB565_SWAPPED, i % 5 ? GLINT_GAMMA : GLINT_LINEAR);
+        struct glint_maps maps = {.normals = normals, .normals_stride = sizeof normals};
+        struct glint_paint paint, plain;
+        if (i & 4) {
+            maps.coverage = coverage;
+            maps.coverage_stride = sizeof coverage;
+        }
+        if (i & 8) {
+            maps.albedo = albedo;
+            maps.albedo_stride = sizeof albedo;
+            maps.albedo_format = GLINT_RGB888;
+        }
+        if (i & 16) {
+            maps.gloss = gloss;
+            maps.gloss_stride = sizeof gloss;
+        }
+        for (int x = 0; x < WIDTH; x++) {
+            normals[x] = random_normal(&look);
+            coverage[x] = (uint8_t)(x % 4 ? below(256) : 255);
+            gloss[x] = (uint8_t)below(256);
+            for (int k = 0; k < 3; k++)
+                albedo[3 * x + k] = (uint8_t)below(256);
+            found[x] = wanted[x] = (uint16_t)below(65536);
+        }
+        paint_of(&plain, &look);
+        paint = plain;
+        assert_int_equal(glint_paint_steps(&paint, steps, sizeof steps), GLINT_OK);
+        struct glint_surface surface = {found, sizeof found, 0, 0};
+        assert_int_equal(glint_draw_rect(&paint, &maps, WIDTH, 1, &surface, NULL), GLINT_OK);
+        surface.pixels = wanted;
+        assert_int_equal(glint_draw_rect(&plain, &maps, WIDTH, 1, &surface, NULL), GLINT_OK);
+        assert_memory_equal(found, wanted, sizeof found);
+    }
+}
+
 static void steps_of_what_has_none_are_refused(void **state)
 {
     (void)state;
@@ -113,6 +156,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_pixel_of_a_paint_with_steps_is_that_without),
         cmocka_unit_test(lights_of_another_colour_and_several_draw_as_without_steps),
+        cmocka_unit_test(what_maps_change_is_drawn_as_without_steps),
         cmocka_unit_test(steps_of_what_has_none_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

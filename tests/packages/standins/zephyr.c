@@ -4,12 +4,12 @@
 
 #include <string.h>
 
-const struct device stub_display = {NULL};
+const struct device standin_display = {NULL};
 static int frames;
 
 bool device_is_ready(const struct device *dev)
 {
-    return dev == &stub_display;
+    return dev == &standin_display;
 }
 
 void display_get_capabilities(const struct device *dev, struct display_capabilities *capabilities)
