@@ -6,9 +6,10 @@ import { isGrainMap } from './words'
 import type { State } from './words'
 
 const clock = 125e6 // the RP2040's
-// Other cores: the table's name, a usual clock, and what was counted.
+// Other cores (build.mjs takes their rows): the table's name, a usual clock, and what was counted.
 const coreOfAvr = 'atmega2560', avrRam = 8192
 const cores: [string, string, number, string][] = [['M3', 'cortex-m3', 72e6, 'instructions'], ['M4', 'cortex-m4f', 168e6, 'instructions'],
+    ['M33', 'cortex-m33f', 150e6, 'instructions'],
     ['RV32', 'rv32imc', 160e6, 'instructions'], ['AVR', coreOfAvr, 16e6, 'cycles']]
 const paletteBytes = 8192 // 4096 colours
 const normalBytes: Record<string, number> = { int16: 6, int8: 4, span: 0 }
