@@ -362,18 +362,28 @@ void glint_mesh_colour_set(const struct glint_tables *tables, const struct glint
 
 #if GLINT_FUSED
 #if !GLINT_CORTEX_M0PLUS_ASM
-/* ARMv6-M has eight registers for all instructions, and some more for additions: left to itself gcc has the steps of a loop on the stack and takes
- * the others for what it fetches. So steps are held in those, and what goes on from line to line is not kept where pixels need room. */
-#if defined(__thumb__) && !defined(__thumb2__)
+/* 1: small code: the order of bytes is asked at each pixel. */
+#ifdef __OPTIMIZE_SIZE__
+#define ALBEDO_SMALL 1
+#else
+#define ALBEDO_SMALL 0
+#endif
+
+/* 1: a function for glossy triangles and one for others, as each then has its registers for one loop. Left to itself gcc has a loop's steps on the
+ * stack and takes the registers that can do little but add for what it fetches. So steps are held in these, and what goes on from line to line
+ * stays in memory. */
+#if GLINT_THUMB1
+#define ALBEDO_APART (!ALBEDO_SMALL)
 #define ALBEDO_STEP(x) __asm__("" : "+h"(x))
 #define ALBEDO_STAY(x) __asm__("" : "+m"(x) : : "memory")
 #else
+#define ALBEDO_APART 0
 #define ALBEDO_STEP(x) (void)0
 #define ALBEDO_STAY(x) (void)0
 #endif
 
-/* Those that are asked at each pixel where albedo comes from, whether they may be glossy, and for the order of their bytes. */
-#define ALBEDO_ANY GLINT_MESH_SOURCES
+/* Of all but colours and the nearest texel without a palette: those that are asked at each pixel. */
+#define ALBEDO_OTHER GLINT_MESH_SOURCES
 
 /* Alone, as it would leave the loop no register. */
 static __attribute__((noinline)) uint32_t albedo_smooth(const struct glint_mesh_picture *picture, uint32_t u,
@@ -387,12 +397,11 @@ static inline __attribute__((always_inline)) uint32_t albedo_fields(const struct
 {
     if (source == GLINT_MESH_COLOURS)
         return glint_mesh_colour_fields(u, v, blue);
-    if (source == ALBEDO_ANY && p->loop >= 4 * GLINT_MESH_SMOOTH)
+    if (source == ALBEDO_OTHER && p->loop >= 4 * GLINT_MESH_SMOOTH)
         return albedo_smooth(&p->picture, u, v);
     const uint32_t at = glint_mesh_nearest(&p->picture, u, v);
-    return glint_mesh_fields(source == ALBEDO_ANY && p->picture.palette
-                                 ? p->picture.palette[p->picture.pixels[at]]
-                                 : ((const uint16_t *)(const void *)p->picture.pixels)[at]);
+    return glint_mesh_fields(source == ALBEDO_OTHER ? p->picture.palette[p->picture.pixels[at]]
+                                                    : ((const uint16_t *)(const void *)p->picture.pixels)[at]);
 }
 
 /* A line's pixels: values at the first one, and steps. */
@@ -419,10 +428,12 @@ static inline __attribute__((always_inline)) void albedo_side_by_side(const stru
     uint32_t u = run->now[0], v = run->now[1], blue = has_blue ? run->now[2] : 0;
     uint16_t *depth = run->depth;
     do {
-        ALBEDO_STEP(dz);
-        ALBEDO_STEP(dlack);
-        ALBEDO_STEP(du);
-        ALBEDO_STEP(dv);
+        if (source != ALBEDO_OTHER) {
+            ALBEDO_STEP(dz);
+            ALBEDO_STEP(dlack);
+            ALBEDO_STEP(du);
+            ALBEDO_STEP(dv);
+        }
         if (source == GLINT_MESH_NEAREST && !is_glossy)
             ALBEDO_STEP(half);
         if (z >> 16 < *depth) {
@@ -451,32 +462,56 @@ static inline __attribute__((always_inline)) void albedo_side_by_side(const stru
     } while (++depth != end);
 }
 
-static inline void albedo_pixels_set(struct glint_mesh_pixels *p, const struct albedo_run *run, bool is_glossy)
+static inline __attribute__((always_inline)) void
+albedo_run_by(const struct glint_mesh_pixels *p, const struct albedo_run *run, bool is_glossy, unsigned source)
 {
-    p->z = run->z;
-    p->nl = run->nl;
-    if (is_glossy) {
-        p->back = run->back;
-        p->dt = run->dt;
-    }
-    for (unsigned k = 0; k < 2; k++) {
-        p->now[k] = run->now[k];
-        p->step[k] = run->step[k];
-    }
-    p->depth = run->depth;
-    p->end = run->end;
-    p->off = run->off;
+    if (ALBEDO_SMALL)
+        albedo_side_by_side(p, run, is_glossy, p->loop & 2, source);
+    else if (p->loop & 2)
+        albedo_side_by_side(p, run, is_glossy, true, source);
+    else
+        albedo_side_by_side(p, run, is_glossy, false, source);
 }
+
+static inline __attribute__((always_inline)) void
+albedo_numbers(const struct glint_mesh_pixels *p, const struct albedo_run *run, bool is_glossy, unsigned source)
+{
+    if (GLINT_THUMB1 || source == ALBEDO_OTHER)
+        albedo_side_by_side(p, run, is_glossy, p->loop & 2, source);
+    else
+        albedo_run_by(p, run, is_glossy, source);
+}
+
+/* The same from numbers in memory. */
+#define ALBEDO_PIXELS(name, is_glossy, source)                                                                         \
+    static __attribute__((noinline)) void albedo_pixels_##name(const struct glint_mesh_pixels *p)                      \
+    {                                                                                                                  \
+        const struct albedo_run run = {p->z,                                                                           \
+                                       p->nl,                                                                          \
+                                       p->back,                                                                        \
+                                       p->dt,                                                                          \
+                                       {p->now[0], p->now[1], 0},                                                      \
+                                       p->dz,                                                                          \
+                                       p->dnl,                                                                         \
+                                       p->ddt,                                                                         \
+                                       {p->step[0], p->step[1], 0},                                                    \
+                                       p->depth,                                                                       \
+                                       p->end,                                                                         \
+                                       p->off};                                                                        \
+        albedo_numbers(p, &run, is_glossy, source);                                                                    \
+    }
+ALBEDO_PIXELS(nearest_matt, false, GLINT_MESH_NEAREST)
+ALBEDO_PIXELS(nearest_glossy, true, GLINT_MESH_NEAREST)
+ALBEDO_PIXELS(other_matt, false, ALBEDO_OTHER)
+ALBEDO_PIXELS(other_glossy, true, ALBEDO_OTHER)
 
 void glint_mesh_albedo_pixels(const struct glint_mesh_pixels *p)
 {
-    const struct albedo_run run = {
-        p->z,     p->nl,  p->back, p->dt, {p->now[0], p->now[1], 0}, p->dz, p->dnl, p->ddt, {p->step[0], p->step[1], 0},
-        p->depth, p->end, p->off};
-    if (p->loop & 1)
-        albedo_side_by_side(p, &run, true, p->loop & 2, ALBEDO_ANY);
+    const bool is_glossy = p->loop & 1;
+    if (p->loop < 4 * GLINT_MESH_PALETTE)
+        (is_glossy ? albedo_pixels_nearest_glossy : albedo_pixels_nearest_matt)(p);
     else
-        albedo_side_by_side(p, &run, false, p->loop & 2, ALBEDO_ANY);
+        (is_glossy ? albedo_pixels_other_glossy : albedo_pixels_other_matt)(p);
 }
 #endif
 
@@ -498,6 +533,14 @@ static inline void albedo_set(struct glint_mesh_pixels *p, const struct glint_ta
     p->picture.pixels = texture ? (const uint8_t *)texture->pixels : NULL;
     p->picture.palette = texture ? texture->palette : NULL;
     p->loop = (uint8_t)(4u * source + 2u * glint_is_swapped(tables));
+}
+
+/* What a triangle has of the texture. */
+static inline void albedo_picture(struct glint_mesh_pixels *p, const struct glint_mesh_laid *laid)
+{
+    p->picture.pixels += laid->blue[0];
+    p->picture.w = laid->blue[1] & 0xffff;
+    p->picture.h = laid->blue[1] >> 16;
 }
 
 /* And of its lines. */
@@ -526,10 +569,11 @@ albedo_row(struct glint_mesh_pixels *p, const struct glint_mesh_values *v, uint1
     glint_mesh_albedo_pixels(p);
 }
 
-/* In perspective: a line's parts one after the other. */
-static __attribute__((noinline)) void albedo_far(struct glint_mesh_pixels *p, struct glint_mesh_triangle *triangle,
-                                                 const struct glint_mesh_part *part,
-                                                 const struct glint_mesh_target *target, struct glint_mesh_over *over)
+/* Of a part: in perspective over, by which a line's parts follow each other, or laid. */
+static __attribute__((noinline)) void albedo_part(struct glint_mesh_pixels *p, struct glint_mesh_triangle *triangle,
+                                                  const struct glint_mesh_part *part,
+                                                  const struct glint_mesh_target *target, struct glint_mesh_over *over,
+                                                  struct glint_mesh_laid *laid)
 {
     const struct glint_use_mesh *const use = target->drawn->mesh->use;
     struct glint_mesh_values *const v = &triangle->values;
@@ -539,7 +583,12 @@ static __attribute__((noinline)) void albedo_far(struct glint_mesh_pixels *p, st
         int32_t from, to;
         p->off = (ptrdiff_t)((uintptr_t)target->surface->pixels + (uintptr_t)(target->surface->stride * line) -
                              (uintptr_t)depth);
-        if (glint_mesh_columns(part->left, part->right, target->w, &from, &to)) {
+        if (!glint_mesh_columns(part->left, part->right, target->w, &from, &to)) {
+        } else if (laid) {
+            for (unsigned i = 0; i < 2; i++)
+                p->now[i] = laid->at[i] + (uint32_t)(from - v->x) * p->step[i];
+            albedo_row(p, v, depth, from, to);
+        } else {
             GLINT_FLASH_POINTER(use->line)(over, triangle->y, from, to, v->z + (uint32_t)(from - v->x) * v->zx, v->zx);
             for (;;) {
                 for (unsigned i = 0; i < 2; i++) {
@@ -552,6 +601,8 @@ static __attribute__((noinline)) void albedo_far(struct glint_mesh_pixels *p, st
                 GLINT_FLASH_POINTER(use->next)(over);
             }
         }
+        for (unsigned i = 0; i < 2 && laid; i++)
+            laid->at[i] += laid->down[i];
         glint_mesh_edge_next(part->left);
         glint_mesh_edge_next(part->right);
         glint_mesh_values_next(v);
@@ -571,20 +622,29 @@ struct glint_mesh_laid *glint_mesh_albedo_laid(const struct glint_mesh_target *t
     return laid;
 }
 
-static void albedo_lines_far(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
-                             const struct glint_mesh_target *target, const struct glint_texture *texture)
+/* laid: NULL in perspective. */
+static __attribute__((noinline)) void albedo_lines_of(const struct glint_tables *tables,
+                                                      struct glint_mesh_triangle *triangle,
+                                                      const struct glint_mesh_target *target,
+                                                      const struct glint_texture *texture, struct glint_mesh_laid *laid)
 {
     const int32_t end = triangle->y_end < target->end ? triangle->y_end : target->end;
     struct glint_mesh_over *const over = &((struct glint_mesh_bench *)target->frame->memory)->of.over;
     struct glint_mesh_pixels p;
     albedo_set(&p, tables, texture);
     albedo_triangle(&p, triangle);
-    GLINT_FLASH_POINTER(target->drawn->mesh->use->set)(over, target, glint_mesh_face_of(triangle), texture);
-    p.picture = over->picture;
-    p.picture.h = glint_mesh_height_of(texture, &p.picture);
+    if (laid) {
+        albedo_picture(&p, laid);
+        p.step[0] = laid->right[0];
+        p.step[1] = laid->right[1];
+    } else {
+        GLINT_FLASH_POINTER(target->drawn->mesh->use->set)(over, target, glint_mesh_face_of(triangle), texture);
+        p.picture = over->picture;
+        p.picture.h = glint_mesh_height_of(texture, &p.picture);
+    }
     while (triangle->y < end) {
         const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);
-        albedo_far(&p, triangle, &part, target, over);
+        albedo_part(&p, triangle, &part, target, over, laid);
     }
 }
 
@@ -647,8 +707,8 @@ static __attribute__((noinline)) void albedo_hold(uint32_t now[3], uint32_t step
         glint_mesh_hold(&now[k], &step[k], k, n);
 }
 
-static inline __attribute__((always_inline)) void albedo_colours(struct albedo_run *run,
-                                                                 const struct glint_mesh_laid *laid, uint32_t n)
+static inline __attribute__((always_inline)) void albedo_colours_begin(struct albedo_run *run,
+                                                                       const struct glint_mesh_laid *laid, uint32_t n)
 {
     const uint32_t last = (uint32_t)(run->end - run->depth - 1);
     run->step[2] = laid->blue[2];
@@ -665,8 +725,8 @@ static inline __attribute__((always_inline)) void albedo_colours(struct albedo_r
 
 /* Pixels of the triangle's line from column `from` on, which run has. */
 static inline __attribute__((always_inline)) void
-albedo_line(struct glint_mesh_pixels *p, const struct glint_mesh_triangle *triangle, const struct glint_mesh_laid *laid,
-            struct albedo_run *run, int32_t from, bool is_glossy, unsigned source)
+albedo_line(const struct glint_mesh_pixels *p, const struct glint_mesh_triangle *triangle,
+            const struct glint_mesh_laid *laid, struct albedo_run *run, int32_t from, bool is_glossy, unsigned source)
 {
     const struct glint_mesh_values *const v = &triangle->values;
     const int32_t k = from - v->x;
@@ -685,15 +745,11 @@ albedo_line(struct glint_mesh_pixels *p, const struct glint_mesh_triangle *trian
         run->back = p->t_max - v->t - n * v->tx - ((uint32_t)(k * (k - 1)) >> 1) * run->ddt;
     }
     if (source == GLINT_MESH_COLOURS)
-        albedo_colours(run, laid, n);
-    if (source == ALBEDO_ANY) {
-        albedo_pixels_set(p, run, is_glossy);
-        glint_mesh_albedo_pixels(p);
-    } else if (p->loop & 2) {
-        albedo_side_by_side(p, run, is_glossy, true, source);
-    } else {
-        albedo_side_by_side(p, run, is_glossy, false, source);
-    }
+        albedo_colours_begin(run, laid, n);
+    if (is_glossy)
+        albedo_run_by(p, run, true, source);
+    else
+        albedo_run_by(p, run, false, source);
 }
 
 /* To the next line. */
@@ -730,11 +786,8 @@ static inline __attribute__((always_inline)) void albedo_lines(const struct glin
     struct glint_mesh_pixels p;
     albedo_set(&p, tables, texture);
     albedo_triangle(&p, triangle);
-    if (source != GLINT_MESH_COLOURS) {
-        p.picture.pixels += laid->blue[0];
-        p.picture.w = laid->blue[1] & 0xffff;
-        p.picture.h = laid->blue[1] >> 16;
-    }
+    if (source != GLINT_MESH_COLOURS)
+        albedo_picture(&p, laid);
     while (triangle->y < end) {
         const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);
         uint32_t left = (uint32_t)part.left->x, right = (uint32_t)part.right->x;
@@ -779,23 +832,28 @@ static inline __attribute__((always_inline)) void albedo_lines(const struct glin
     {                                                                                                                  \
         albedo_lines(tables, triangle, target, texture, is_glossy, source);                                            \
     }
+#if ALBEDO_APART
 ALBEDO_LINES(colours_matt, false, GLINT_MESH_COLOURS)
 ALBEDO_LINES(colours_glossy, true, GLINT_MESH_COLOURS)
 ALBEDO_LINES(nearest_matt, false, GLINT_MESH_NEAREST)
 ALBEDO_LINES(nearest_glossy, true, GLINT_MESH_NEAREST)
-ALBEDO_LINES(any, triangle->shine &GLINT_MESH_GLOSSY, ALBEDO_ANY)
+#define ALBEDO_OF(name) ((triangle->shine & GLINT_MESH_GLOSSY) ? albedo_##name##_glossy : albedo_##name##_matt)
+#else
+ALBEDO_LINES(colours, (triangle->shine & GLINT_MESH_GLOSSY) != 0, GLINT_MESH_COLOURS)
+ALBEDO_LINES(nearest, (triangle->shine & GLINT_MESH_GLOSSY) != 0, GLINT_MESH_NEAREST)
+#define ALBEDO_OF(name) albedo_##name
+#endif
 
 static void albedo_draw(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
                         const struct glint_mesh_target *target, const struct glint_texture *texture)
 {
-    const bool is_glossy = triangle->shine & GLINT_MESH_GLOSSY;
-    (void)glint_mesh_albedo_laid(target, triangle, texture);
+    struct glint_mesh_laid *const laid = glint_mesh_albedo_laid(target, triangle, texture);
     if (!texture)
-        (is_glossy ? albedo_colours_glossy : albedo_colours_matt)(tables, triangle, target, NULL);
+        ALBEDO_OF(colours)(tables, triangle, target, NULL);
     else if (texture->palette || texture->is_smooth)
-        albedo_any(tables, triangle, target, texture);
+        albedo_lines_of(tables, triangle, target, texture, laid);
     else
-        (is_glossy ? albedo_nearest_glossy : albedo_nearest_matt)(tables, triangle, target, texture);
+        ALBEDO_OF(nearest)(tables, triangle, target, texture);
 }
 #endif
 
@@ -828,7 +886,7 @@ void glint_mesh_albedo_lines(const struct glint_tables *tables, struct glint_mes
                              const struct glint_mesh_target *target, const struct glint_texture *texture)
 {
     if (texture && target->frame->distance)
-        albedo_lines_far(tables, triangle, target, texture);
+        albedo_lines_of(tables, triangle, target, texture, NULL);
     else if (albedo_has_room(target->frame, triangle))
         albedo_draw(tables, triangle, target, texture);
     else

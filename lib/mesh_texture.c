@@ -106,7 +106,9 @@ static void over_corner(int16_t of[3], const struct glint_mesh *mesh, unsigned f
 }
 
 /* 2^21 levels of RGB565 for a level of 255, and half of one. */
-enum { OVER_RED = 254952, OVER_GREEN = 518127, OVER_HALF = 1 << 20 };
+#define OVER_RED INT32_C(254952)
+#define OVER_GREEN INT32_C(518127)
+#define OVER_HALF ((int32_t)1 << 20)
 
 static void over_colours(struct glint_mesh_over *over, const struct glint_mesh_slopes *slopes,
                          const int16_t *const of[3])
@@ -312,12 +314,16 @@ static void over_lay(struct glint_mesh_laid *laid, const struct glint_mesh_targe
 
 /* ---- Lines ---- */
 
-/* x y 2^-down, y <= 2^16, modulo 2^32: in halves, as small cores have no product of 64 bits. */
+/* x y 2^-down, y <= 2^16, modulo 2^32. */
 static inline uint32_t over_product(int32_t x, uint32_t y, unsigned down)
 {
+#if GLINT_THUMB1
     const uint32_t low = (uint32_t)(x & 0xffff) * y;
     const int32_t high = (x >> 16) * (int32_t)y + (int32_t)(low >> 16); /* from -2^31 to 2^31 - 1 */
     return down < 16 ? (uint32_t)high << (16 - down) | (low & 0xffff) >> down : (uint32_t)(high >> (down - 16));
+#else
+    return (uint32_t)(((int64_t)x * y) >> down);
+#endif
 }
 
 /* u and v at a pixel of the line, less those at corner a, Q13 of the mesh's units: numerators are up to 2^30 in size, 1 / R is inverse
