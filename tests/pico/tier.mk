@@ -36,6 +36,7 @@ run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $
 	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) TALLY_JOBS=$$(nproc) && \
 		export LAB_KERNEL LAB_BUILD TALLY_JOBS && tests/tally \
 		$(foreach board,$(PICO_READY_TESTED),$(foreach part,hand faults,"node tests/pico/test_hand.mjs $(BENCH_NPM) build/firmware/$(board)-$(call pico_panel_of,$(board)) $(call pico_panel_of,$(board)) $(BUILD)/tests/pico/judge $(part)")) \
+		$(foreach board,$(PICO_READY_TESTED),"tests/lab/guest --memory 1024 $(BUILD)/tests/pico/attach node tests/pico/test_end_hand.mjs $(BENCH_NPM) build/firmware/$(board)-$(call pico_panel_of,$(board)) $(call pico_panel_of,$(board)) $(BUILD)/tests/pico/judge $(BUILD)/glint") \
 		$(foreach panel,st7789-240x240,"$(call PICO_TEST,faults)" \
 		"tests/lab/guest --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,end_to_end) $(BUILD)/glint" \
 		"tests/lab/guest --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,pose,-teapot) $(BUILD)/glint" \
