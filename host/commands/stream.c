@@ -51,8 +51,7 @@ static const struct argp_option argp_options[] = {
      "Who shades: host (default), or device: it gets the normals and the material once, then 16 bytes a frame. It "
      "draws as --path colour-int8 does, in one colour, under one white --light, a mesh with --no-outlines, over black "
      "and without soft edges. Or demo: the device shows what it shows by itself (a dial, a coin, its mesh), and gets "
-     "the "
-     "light alone, without SCENE; its own is back a second after the last. For --to",
+     "the light alone, without SCENE; its own is back a second after the last. For --to",
      6},
     {"stats", KEY_STATS, NULL, 0,
      "Print at the end what was sent, and what it would take over USB; on a terminal also while it runs", 6},

@@ -2,7 +2,7 @@
  * A baked normal map, relit. */
 #include "shown.h"
 
-#if !TURNS_MESH
+#if !TURNS_MESH && !SHOWS_PALETTE
 #include "cksum.h"
 #include "demo.h"
 #if SCENES
