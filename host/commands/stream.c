@@ -51,8 +51,7 @@ static const struct argp_option argp_options[] = {
      "Who shades: host (default), or device: it gets the normals and the material once, then 16 bytes a frame. It "
      "draws as --path colour-int8 does, in one colour, under one white --light, a mesh with --no-outlines, over black "
      "and without soft edges. Or demo: the device shows what it shows by itself (a dial, a coin, its mesh), and gets "
-     "the "
-     "light alone, without SCENE; its own is back a second after the last. For --to",
+     "the light alone, without SCENE; its own is back a second after the last. For --to",
      6},
     {"stats", KEY_STATS, NULL, 0,
      "Print at the end what was sent, and what it would take over USB; on a terminal also while it runs", 6},
@@ -63,13 +62,6 @@ static const struct argp_option argp_options[] = {
 static const char doc[] = "Shades a scene frame after frame as its light moves or the mesh turns, and sends what "
                           "changed to a display, to files or to a pipe."
                           "\v"; /* and then what describe() writes */
-
-static void parse_scene(const struct argp_state *state, const char *text, struct stream_options *o)
-{
-    if (o->look.scene.scene)
-        refuse(state, "unexpected argument '%s'; one scene is enough", text);
-    scene_options_choose(state, NULL, text, &o->look.scene);
-}
 
 static void parse_sink(const struct argp_state *state, const char *text, struct stream_options *o)
 {
@@ -206,7 +198,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->json = true;
         return 0;
     case ARGP_KEY_ARG:
-        parse_scene(state, text, o);
+        scene_options_argument(state, text, &o->look.scene);
         return 0;
     case ARGP_KEY_END:
         check(state, o);
@@ -250,7 +242,7 @@ int command_stream(int argc, char **argv)
 {
     static struct argp_child children[SINK_OPTIONS_MAX + 2] = {{&drawing_options_argp, 0, NULL, 0}};
     sink_options_children(children + 1);
-    const struct argp argp = {argp_options, parse_option, "[SCENE]", doc, children, describe, NULL};
+    const struct argp argp = {argp_options, parse_option, SCENE_ARGUMENT, doc, children, describe, NULL};
     struct stream_options options = {.kind = sink_kinds[0], .fps = USUAL_FPS, .orbit = NAN, .period = NAN};
     parse_command(&argp, 0, argc, argv, &options);
     return stream_run(&options);
