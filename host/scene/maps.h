@@ -28,6 +28,7 @@ struct scene_options {
     bool has_backdrop;
     unsigned filter; /* so many pixels of the maps each way become one; 0: as 1 */
     bool cut_out;    /* the thing alone: a built-in scene's without its wall, a logo's shape */
+    bool none;       /* no surface is wanted */
     bool has_body;
     uint8_t body[3]; /* what a built-in scene is made of; else its own colour */
 };
