@@ -362,7 +362,7 @@ void glint_mesh_colour_set(const struct glint_tables *tables, const struct glint
 
 #if GLINT_FUSED
 #if !GLINT_CORTEX_M0PLUS_ASM
-/* 1: small code: the order of bytes is asked at each pixel. */
+/* 1: small code: the order of bytes is asked at each pixel, and of lines of a texture there is one function. */
 #ifdef __OPTIMIZE_SIZE__
 #define ALBEDO_SMALL 1
 #else
@@ -840,7 +840,9 @@ ALBEDO_LINES(nearest_glossy, true, GLINT_MESH_NEAREST)
 #define ALBEDO_OF(name) ((triangle->shine & GLINT_MESH_GLOSSY) ? albedo_##name##_glossy : albedo_##name##_matt)
 #else
 ALBEDO_LINES(colours, (triangle->shine & GLINT_MESH_GLOSSY) != 0, GLINT_MESH_COLOURS)
+#if !ALBEDO_SMALL
 ALBEDO_LINES(nearest, (triangle->shine & GLINT_MESH_GLOSSY) != 0, GLINT_MESH_NEAREST)
+#endif
 #define ALBEDO_OF(name) albedo_##name
 #endif
 
@@ -850,10 +852,12 @@ static void albedo_draw(const struct glint_tables *tables, struct glint_mesh_tri
     struct glint_mesh_laid *const laid = glint_mesh_albedo_laid(target, triangle, texture);
     if (!texture)
         ALBEDO_OF(colours)(tables, triangle, target, NULL);
-    else if (texture->palette || texture->is_smooth)
-        albedo_lines_of(tables, triangle, target, texture, laid);
-    else
+#if !ALBEDO_SMALL
+    else if (!texture->palette && !texture->is_smooth)
         ALBEDO_OF(nearest)(tables, triangle, target, texture);
+#endif
+    else
+        albedo_lines_of(tables, triangle, target, texture, laid);
 }
 #endif
 

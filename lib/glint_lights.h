@@ -20,6 +20,13 @@ struct glint_sight {
 };
 #define GLINT_REACH_OPEN UINT32_MAX
 
+struct glint_lights;
+
+/* Steps 1 and 2 of lights->normals from `from` up to `end`, by half vectors, under a viewer straight in front, and what arrives; the sight is
+ * that of the first one, and goes along. The number of the first one that this leaves open, or end. */
+typedef unsigned glint_light_front(struct glint_lights *lights, unsigned at, unsigned from, unsigned end,
+                                   struct glint_sample *sample, uint16_t *arriving);
+
 /* A kind of light. One with a place names what draws with it. */
 struct glint_light_kind {
     bool is_spot;
@@ -31,6 +38,7 @@ struct glint_light_kind {
     uint32_t (*near)(const struct glint_reach *reach, const struct glint_light *light, const struct glint_sight *sight,
                      struct glint_view *view);
     uint32_t (*exact)(const struct glint_light *light, const struct glint_sight *sight, struct glint_view *view);
+    glint_light_front *front; /* NULL: none */
 };
 
 static inline uint32_t glint_light_color(const struct glint_light *light, unsigned k)
@@ -51,7 +59,7 @@ static inline uint32_t glint_light_peak(const struct glint_light *light)
 bool glint_light_half(struct glint_vec *h, const int32_t l_q30[3], const int32_t v_q30[3]);
 
 /* Samples in all: fewer than might be, for the stack. */
-enum { GLINT_LIGHTS_SLOTS = 8 };
+enum { GLINT_LIGHTS_SLOTS = GLINT_WIDE ? 16 : 8 };
 
 /* Several lights at work. */
 struct glint_lights {
@@ -60,6 +68,7 @@ struct glint_lights {
     bool is_folded;   /* the one light's colour is in the paint */
     uint8_t length;   /* pixels in a run, at most, and from a channel's sums to the next's */
     bool is_boxed;    /* is the highlight's box asked for? */
+    bool is_front;    /* is the viewer straight in front, and is GLINT_WIDE set? */
     uint8_t count;    /* pixels in the run */
     uint32_t shines;  /* which of them do */
     struct glint_reach reach[GLINT_LIGHTS_MAX];

@@ -278,6 +278,20 @@ GLINT_INLINE uint32_t glint_levels_hold(uint32_t v, uint32_t most)
     return v;
 }
 
+/* The same after the shift, where that is one instruction. */
+#if GLINT_THUMB2
+#define GLINT_LEVELS_HOLD(v, most) (v)
+#define GLINT_LEVELS_CUT(level, bits)                                                                                  \
+    __extension__({                                                                                                    \
+        uint32_t cut;                                                                                                  \
+        __asm__("usat %0, #" #bits ", %1" : "=r"(cut) : "r"(level) : "cc");                                            \
+        cut;                                                                                                           \
+    })
+#else
+#define GLINT_LEVELS_HOLD(v, most) glint_levels_hold(v, most)
+#define GLINT_LEVELS_CUT(level, bits) (level)
+#endif
+
 /* A blend by 32 bits, in gamma space. With a = m / 255 a blended level is the upper bits of a V + (1 - a) q 2^shift + threshold, where V, held to its largest, has no threshold.
  * X = (V >> 8) m + (255 - m) q 2^(shift - 8) is 255 / 256 of their sum, and X + (X >> 8) + (X >> 16) all of it but for its 2^-24. X is low by W m / 2^8,
  * and by less than 255; so the sum is low by less than W + 256 of these, 2 of its shifts, and 2^-24 of the largest level. Where V was high by what
@@ -312,6 +326,7 @@ GLINT_INLINE uint32_t glint_levels_rgb(const struct glint_paint *paint, const st
     const unsigned shift = (unsigned)paint->of.exact.shift;
     const uint32_t w = maps ? paint->of.exact.w_maps : paint->of.exact.w;
     const uint32_t most = (uint32_t)(deep ? 255 : 31) << shift, most_green = (uint32_t)(deep ? 255 : 63) << shift;
+    (void)most, (void)most_green; /* where V is held after the shift */
     const uint8_t *albedo = maps && run->albedo ? run->albedo : paint->material.albedo, *gloss = run->gloss;
     const unsigned step = maps && run->albedo ? 3 : 0;
     const bool swapped = paint->output.format == GLINT_RGB565_SWAPPED;
@@ -334,18 +349,20 @@ GLINT_INLINE uint32_t glint_levels_rgb(const struct glint_paint *paint, const st
         uint32_t v[3];
         glint_levels_sum(v, paint, base, sample, albedo, gloss ? gloss + i : gloss, maps);
         const uint32_t threshold = maps ? bias[i & 3] : 0;
-        const uint32_t red = glint_levels_hold(v[0] + threshold, most);
-        const uint32_t green = glint_levels_hold(v[1] + threshold, most_green);
-        const uint32_t blue = glint_levels_hold(v[2] + threshold, most);
+        /* Where V is held after the shift, what is beyond the largest level may be left open, too. */
+        const uint32_t red = GLINT_LEVELS_HOLD(v[0] + threshold, most);
+        const uint32_t green = GLINT_LEVELS_HOLD(v[1] + threshold, most_green);
+        const uint32_t blue = GLINT_LEVELS_HOLD(v[2] + threshold, most);
         albedo += maps ? step : 0;
         if (((red ^ (red + w)) | (green ^ (green + w)) | (blue ^ (blue + w))) >> shift) {
             open |= (uint32_t)1 << (sample - first);
         } else if (deep) {
-            out[red_at] = (uint8_t)(red >> shift);
-            out[1] = (uint8_t)(green >> shift);
-            out[blue_at] = (uint8_t)(blue >> shift);
+            out[red_at] = (uint8_t)GLINT_LEVELS_CUT(red >> shift, 8);
+            out[1] = (uint8_t)GLINT_LEVELS_CUT(green >> shift, 8);
+            out[blue_at] = (uint8_t)GLINT_LEVELS_CUT(blue >> shift, 8);
         } else {
-            const uint32_t pixel = red >> shift << 11 | green >> shift << 5 | blue >> shift;
+            const uint32_t pixel = GLINT_LEVELS_CUT(red >> shift, 5) << 11 | GLINT_LEVELS_CUT(green >> shift, 6) << 5 |
+                                   GLINT_LEVELS_CUT(blue >> shift, 5);
             out[0] = (uint8_t)pixel;
             out[other] = (uint8_t)(pixel >> 8);
         }

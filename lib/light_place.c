@@ -73,7 +73,7 @@ static inline uint32_t place_divide(uint64_t a, uint64_t b, uint64_t *rest)
 }
 
 /* att of u. Its square is 2^32 only where u = 0. */
-static uint32_t place_falloff(uint32_t u)
+static inline uint32_t place_falloff(uint32_t u)
 {
     const uint32_t rest = 65536 - u;
     return rest >> 16 ? rest : (rest * rest + 32768) >> 16;
@@ -83,7 +83,7 @@ static uint32_t place_falloff(uint32_t u)
  * inverse by 2^-31 of it or high by as much, and the product's upper half, < 2^32, by < 3 of its own, the shift's floor by 1: together -7 .. 2. */
 enum { PLACE_FALLOFF_LOW = 8, PLACE_FALLOFF_HIGH = 3 };
 
-static uint32_t place_falloff_near(const struct glint_reach *reach, const struct glint_unit *e)
+GLINT_VECTOR_INLINE uint32_t place_falloff_near(const struct glint_reach *reach, const struct glint_unit *e)
 {
     const int32_t shift = reach->range_exponent - e->exponent + 1;
     if (shift < 0)
@@ -211,6 +211,78 @@ static uint32_t place_exact(const struct glint_light *light, const struct glint_
     return att;
 }
 
+#if GLINT_WIDE
+
+/* ---- A run in one loop ---- */
+
+/* To Q1.15 and open where that might be another: glint_vec_near of a component. */
+GLINT_VECTOR_INLINE int32_t place_round(int32_t v, int32_t slack, bool *open)
+{
+    const int32_t high = v + (1 << 14) + slack;
+    *open = *open || (uint32_t)high << 17 < (uint32_t)(2 * slack) << 17;
+    return glint_vec_cut(high);
+}
+
+static unsigned place_front(struct glint_lights *lights, unsigned at, unsigned from, unsigned end,
+                            struct glint_sample *sample, uint16_t *arriving)
+{
+    const struct glint_reach reach = lights->reach[at];
+    const struct glint_vec *normal = lights->normals + from;
+    const struct glint_sample *const begin = sample, *const last = sample + (end - from);
+    int32_t e[3] = {lights->sight.e[0], lights->sight.e[1], lights->sight.e[2]};
+    for (; sample != last; sample++, normal++) {
+        struct glint_unit unit;
+        bool open = false;
+        if (lights->places) {
+            const int32_t *position = lights->paint->lights[at].position,
+                          *place = lights->places[normal - lights->normals];
+            e[0] = position[0] - place[0];
+            e[1] = place[1] - position[1];
+            e[2] = position[2] - place[2];
+        }
+        if (!glint_wide_unit(&unit, e))
+            break;
+        const uint32_t att = place_falloff_near(&reach, &unit);
+        if (att == GLINT_REACH_OPEN)
+            break;
+        uint32_t t = UINT32_MAX;
+        int32_t nl = 0;
+        if (att) {
+            const int32_t x = normal->x, y = normal->y, z = normal->z;
+            const int32_t lx = place_round(unit.unit_q30[0], GLINT_UNIT_SLACK, &open),
+                          ly = place_round(unit.unit_q30[1], GLINT_UNIT_SLACK, &open),
+                          lz = place_round(unit.unit_q30[2], GLINT_UNIT_SLACK, &open);
+            if (open)
+                break;
+            nl = ((x * lx + y * ly + z * lz) >> 13) + 1;
+            nl = nl < 2 ? 0 : nl < 2 * 65536 ? nl >> 1 : 65536;
+            if (nl) {
+                if (unit.unit_q30[2] < 0)
+                    break;
+                glint_wide_front(unit.unit_q30, unit.unit_q30);
+                const int32_t dx = x - place_round(unit.unit_q30[0], GLINT_UNIT_FRONT, &open),
+                              dy = y - place_round(unit.unit_q30[1], GLINT_UNIT_FRONT, &open),
+                              dz = z - place_round(unit.unit_q30[2], GLINT_UNIT_FRONT, &open);
+                if (open)
+                    break;
+                const uint64_t sum =
+                    (uint64_t)((int64_t)dx * dx) + (uint64_t)((int64_t)dy * dy) + (uint64_t)((int64_t)dz * dz);
+                t = sum >> 32 ? UINT32_MAX : (uint32_t)sum >> 1;
+            }
+        }
+        sample->t_q30 = t;
+        sample->nl_q16 = (uint32_t)nl;
+        *arriving++ = (uint16_t)(att - 1);
+        e[0] -= 16;
+    }
+    lights->sight.e[0] = e[0];
+    return from + (unsigned)(sample - begin);
+}
+#define PLACE_FRONT place_front
+#else
+#define PLACE_FRONT NULL
+#endif
+
 /* ---- Set up ---- */
 
 static bool place_is_far(const int32_t place[3])
@@ -232,10 +304,10 @@ static enum glint_err place_check(const struct glint_light *light)
     return GLINT_OK;
 }
 
-static const struct glint_light_kind place_point GLINT_FLASH = {false,       &glint_use_lights, place_check,
-                                                                place_begin, place_near,        place_exact};
-static const struct glint_light_kind place_spot GLINT_FLASH = {true,        &glint_use_lights, place_check,
-                                                               place_begin, place_near,        place_exact};
+static const struct glint_light_kind place_point GLINT_FLASH = {false,      &glint_use_lights, place_check, place_begin,
+                                                                place_near, place_exact,       PLACE_FRONT};
+static const struct glint_light_kind place_spot GLINT_FLASH = {true,       &glint_use_lights, place_check, place_begin,
+                                                               place_near, place_exact,       NULL};
 
 static void place_set(struct glint_light *light, const struct glint_light_kind *kind, const int32_t position[3],
                       uint32_t range)

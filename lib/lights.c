@@ -16,6 +16,12 @@
  * s = floor(low att x / 2^16) fits, too, and high p0 < 2^20. */
 static inline uint32_t lights_scale(uint32_t color, uint32_t att, uint32_t x)
 {
+#if GLINT_WIDE
+    const uint64_t both = (uint64_t)color * att;
+    uint64_t sum = (uint64_t)((uint32_t)(both >> 32) * x) << 32 | (uint32_t)1 << 31;
+    sum += (uint64_t)(uint32_t)both * x;
+    return (uint32_t)(sum >> 32);
+#else
     if (x >> 16)
         return (uint32_t)(((uint64_t)color * att * x + ((uint64_t)1 << 31)) >> 32);
     const uint32_t p = att * x, p1 = p >> 16, p0 = p & 0xffff, high = color >> 16, low = color & 0xffff;
@@ -23,6 +29,7 @@ static inline uint32_t lights_scale(uint32_t color, uint32_t att, uint32_t x)
         return p1 + (p0 >> 15);
     const uint32_t s = low * p1 + (low * p0 >> 16);
     return high * p1 + (s >> 16) + ((high * p0 + (s & 0xffff) + 32768) >> 16);
+#endif
 }
 
 static bool lights_has_place(const struct glint_light *light)
@@ -54,7 +61,18 @@ LIGHTS_ALONE void lights_sample(struct glint_lights *lights, unsigned at, unsign
     sight->e[0] = position[0] - 16 * (int32_t)(lights->run->left + lights->run->x + from) - 8;
     sight->e[1] = 16 * (int32_t)lights->run->y + 8 - position[1];
     sight->e[2] = position[2];
+    glint_light_front *const front =
+        lights->is_front && geometry == glint_samples_half ? GLINT_FLASH_POINTER(light->kind->front) : NULL;
     for (unsigned i = from; i < from + count; i++, sample++, normal++) {
+        if (front) {
+            const unsigned open = front(lights, at, i, from + count, sample, arriving);
+            sample += open - i;
+            arriving += open - i;
+            normal += open - i;
+            i = open;
+            if (i == from + count)
+                break;
+        }
         if (lights->places) {
             sight->e[0] = position[0] - lights->places[i][0];
             sight->e[1] = lights->places[i][1] - position[1];
@@ -74,31 +92,41 @@ LIGHTS_ALONE void lights_sample(struct glint_lights *lights, unsigned at, unsign
     }
 }
 
+/* What of a sample the light sends to a channel: of its color, as far as t_end. */
+static inline struct glint_sample lights_send(const struct glint_sample *sample, uint32_t color, uint32_t att,
+                                              uint32_t t_end)
+{
+    struct glint_sample part = {UINT32_MAX, 0, 0};
+    const uint32_t nl = sample->nl_q16, f = sample->f_q16;
+    if (nl) {
+        part.t_q30 = sample->t_q30 < t_end ? 0 : UINT32_MAX;
+        part.nl_q16 = lights_scale(color, att, nl);
+        if (GLINT_WIDE || f)
+            part.f_q16 = lights_scale(color, att, f);
+    }
+    return part;
+}
+
 /* Adds what light number `at` sends to the sums; the first light's are the sums. The last channel first: red's sums may be the samples. */
 LIGHTS_ALONE void lights_add(struct glint_lights *lights, unsigned at, unsigned count,
                              const struct glint_sample *samples)
 {
-    const uint32_t t_end = lights->paint->of.exact.t_end;
     for (unsigned k = lights->channels; k-- > 0;) {
         const uint32_t color = lights->is_folded ? 65536 : glint_light_color(&lights->paint->lights[at], k);
+        const uint32_t t_end = color ? lights->paint->of.exact.t_end : 0;
         const uint16_t *arriving = lights->arriving;
         struct glint_sample *sum = lights->slots + k * lights->length;
-        const struct glint_sample *sample = samples;
-        for (const struct glint_sample *end = sum + count; sum != end; sum++, sample++) {
-            const uint32_t att = *arriving++ + UINT32_C(1), nl = sample->nl_q16, f = sample->f_q16;
-            struct glint_sample part = {UINT32_MAX, 0, 0};
-            if (nl) {
-                part.t_q30 = sample->t_q30 < t_end && color ? 0 : UINT32_MAX;
-                part.nl_q16 = lights_scale(color, att, nl);
-                if (f)
-                    part.f_q16 = lights_scale(color, att, f);
-            }
-            if (at) {
-                part.t_q30 &= sum->t_q30;
-                part.nl_q16 += sum->nl_q16;
-                part.f_q16 += sum->f_q16;
-            }
-            *sum = part;
+        const struct glint_sample *sample = samples, *const end = sum + count;
+        if (at == 0) {
+            for (; sum != end; sum++)
+                *sum = lights_send(sample++, color, *arriving++ + UINT32_C(1), t_end);
+            continue;
+        }
+        for (; sum != end; sum++) {
+            const struct glint_sample part = lights_send(sample++, color, *arriving++ + UINT32_C(1), t_end);
+            sum->t_q30 &= part.t_q30;
+            sum->nl_q16 += part.nl_q16;
+            sum->f_q16 += part.f_q16;
         }
     }
 }
@@ -106,7 +134,7 @@ LIGHTS_ALONE void lights_add(struct glint_lights *lights, unsigned at, unsigned 
 /* ---- A run ---- */
 
 /* The sums of pixels from the run's pixel `from` on, with F as the model's loop has it, a little low; exact ones of a single pixel. */
-LIGHTS_ALONE void lights_sum(struct glint_lights *lights, unsigned from, unsigned count, bool exact)
+LIGHTS_ALONE void lights_sum(struct glint_lights *lights, unsigned from, unsigned count, bool exact, bool is_one)
 {
     const struct glint_paint *p = lights->paint;
     struct glint_sample *const samples = lights->slots + (p->light_count > 1 ? lights->channels * lights->length : 0);
@@ -118,7 +146,8 @@ LIGHTS_ALONE void lights_sum(struct glint_lights *lights, unsigned from, unsigne
             samples->f_q16 = glint_paint_f(p, samples->t_q30);
         else
             GLINT_FLASH_POINTER(p->model->run)(p, samples, count);
-        lights_add(lights, at, count, samples);
+        if (!is_one)
+            lights_add(lights, at, count, samples);
     }
 }
 
@@ -166,6 +195,36 @@ LIGHTS_ALONE bool lights_fit(struct glint_lights *lights, unsigned count)
     return !(over >> 31);
 }
 
+#if GLINT_WIDE
+/* lights_add and lights_fit of one light whose channels are the same, where no box is asked for: nobody reads t then. */
+LIGHTS_ALONE bool lights_fit_one(struct glint_lights *lights, unsigned count)
+{
+    const struct glint_paint *p = lights->paint;
+    const unsigned nl_down = p->of.exact.nl_down, f_down = p->of.exact.f_down;
+    const uint32_t most = p->of.exact.most, most_f = most + (most >> 5);
+    const uint32_t color = lights->is_folded ? 65536 : glint_light_color(p->lights, 0);
+    const uint16_t *arriving = lights->arriving;
+    uint32_t over = 0; /* its upper bit */
+    struct glint_sample *sum = lights->slots;
+    for (const struct glint_sample *end = sum + count; sum != end; sum++) {
+        const uint32_t att = *arriving++ + UINT32_C(1), lit = lights_scale(color, att, sum->nl_q16),
+                       nl = lit >> nl_down;
+        if (nl == 0) {
+            if (lit || (sum->nl_q16 && sum->t_q30 < p->of.exact.t_end))
+                return false;
+            sum->nl_q16 = sum->f_q16 = 0;
+            continue;
+        }
+        sum->nl_q16 = nl;
+        sum->f_q16 = lights_scale(color, att, sum->f_q16) >> f_down;
+        over |= (most - sum->nl_q16) | (most_f - sum->f_q16);
+    }
+    return !(over >> 31);
+}
+#else
+#define lights_fit_one lights_fit /* which is not asked */
+#endif
+
 /* The channels of one coloured light, which is folded, are apart in exact sums only. */
 static inline void lights_part(struct glint_lights *lights, bool exact)
 {
@@ -186,13 +245,14 @@ static void lights_run(struct glint_lights *lights, unsigned count)
     lights->shines = 0;
     for (bool exact = false;; exact = true) {
         lights_part(lights, exact);
-        lights_sum(lights, i, end - i, exact);
+        const bool is_one = GLINT_WIDE && !exact && !lights->is_boxed && p->light_count == 1 && lights->channels == 1;
+        lights_sum(lights, i, end - i, exact, is_one);
         const bool sure = !lights->is_boxed || lights_note(lights, i, end - i);
         if (exact) {
             glint_run_exact(p, lights->run, i, lights->slots, lights->run->apart);
             glint_store_alpha(p->output.format, lights->run->line, lights->run->x + i, 1, lights->run->coverage);
             open &= ~((uint32_t)1 << i);
-        } else if (sure && lights_fit(lights, count)) {
+        } else if (is_one ? lights_fit_one(lights, count) : sure && lights_fit(lights, count)) {
             open = lights->channels > 1 && p->output.space == GLINT_GAMMA && lights->run->format == p->format
                        ? glint_levels_apart(p, lights->run, lights->slots, count)
                        : glint_run_levels(p, lights->run, lights->slots, count);
@@ -230,6 +290,7 @@ static void lights_begin(struct glint_lights *lights, const struct glint_paint *
     glint_geometry *const own = GLINT_FLASH_POINTER(paint->model->geometry);
     lights->geometry = own ? own : glint_samples_half;
     (void)glint_unit_q30(lights->sight.v_q30, viewer);
+    lights->is_front = GLINT_WIDE && !(viewer[0] | viewer[1]) && viewer[2] > 0;
     lights->v = paint->v;
     for (unsigned i = 0; i < paint->light_count; i++)
         if (lights_has_place(&paint->lights[i])) {

@@ -61,10 +61,16 @@ bool glint_unit_q30(int32_t out[3], const int32_t v[3])
     if (largest == 0)
         return false;
     unsigned up = 0, down = 0; /* bring the largest to 2^29 .. 2^30: the squares then sum to less than 2^62 */
+#if GLINT_WIDE
+    const unsigned zeros = (unsigned)__builtin_clz(largest);
+    up = zeros > 2 ? zeros - 2 : 0;
+    down = zeros < 2 ? 2 - zeros : 0;
+#else
     while (largest << up < (uint32_t)1 << 29)
         up++;
     while (largest >> down >= (uint32_t)1 << 30)
         down++;
+#endif
     uint64_t sum = 0;
     for (int i = 0; i < 3; i++) {
         const uint32_t size = vector_size(v[i]) << up >> down;
@@ -107,19 +113,33 @@ bool glint_half_q30(int32_t half[3], const int32_t l_q30[3], const int32_t v_q30
     return !behind;
 }
 
-/* ---- nearly, from products of 32 bits ---- */
+/* ---- nearly ---- */
+
+static inline uint32_t unit_size(int32_t v)
+{
+    const uint32_t sign = (uint32_t)(v >> 31);
+    return ((uint32_t)v ^ sign) - sign;
+}
+
+#if GLINT_WIDE
+
+bool glint_unit_near(struct glint_unit *out, const int32_t v[3])
+{
+    return (unit_size(v[0]) | unit_size(v[1]) | unit_size(v[2])) >> 30 == 0 && glint_wide_unit(out, v);
+}
+
+void glint_unit_front(int32_t h[3], const int32_t l[3])
+{
+    glint_wide_front(h, l);
+}
+
+#else
 
 /* r, nearly 2^46 / sqrt(a), 2^30 <= r <= 2^31, for an a whose floor is given, 2^30 <= a < 2^32. With y^2 a = 2^62 (1 - e),
  * 2^46 / sqrt(a) = 2^15 y (1 + e/2 + 3/8 e^2 + ..); 5/16 e^3 < 2^-37 is left out. Low by < 2.2. */
 static inline __attribute__((always_inline)) uint32_t unit_inverse(uint32_t a)
 {
     const uint32_t y = glint_root_inverse(a >> 16), yy = y * y;
-#if GLINT_WIDE
-    const int32_t e = -(int32_t)((uint64_t)a * yy >> 22);
-    const int32_t s = e >> 14;
-    const int32_t c = (e >> 6) + (3 * (s * s) >> 20);
-    return (y << 15) + (uint32_t)((int64_t)(c * 512) * (int32_t)(y << 3) >> 32);
-#else
     const uint32_t a1 = a >> 16, a0 = a & 0xffff, b1 = yy >> 16, b0 = yy & 0xffff;
     /* Q40, where 1 is 0 modulo 2^32; |e| < 0.95 2^28. High by < 2^10 + 2, as a0 b0 is left out, and by < 2^10, as a is a floor:
      * r is high by less than 2^-30 r */
@@ -128,57 +148,33 @@ static inline __attribute__((always_inline)) uint32_t unit_inverse(uint32_t a)
     const int32_t c = (e >> 6) + (3 * (s * s) >> 20); /* Q35, |c| < 0.96 2^22; low by < 3, which r is by < 0.2 */
     /* |c >> 7| < 2^15, products < 2^31. Low by < 2 */
     return (y << 15) + (uint32_t)((int32_t)y * (c >> 7) >> 13) + (y * ((uint32_t)c & 0x7f) >> 20);
-#endif
-}
-
-static inline uint32_t unit_size(int32_t v)
-{
-    const uint32_t sign = (uint32_t)(v >> 31);
-    return ((uint32_t)v ^ sign) - sign;
 }
 
 /* Squares of sizes 2^15 x + w: 2^30 ones + 2^16 mixed + rests, three of each < 3 2^30. */
 struct unit_squares {
-#if GLINT_WIDE
-    uint64_t whole;
-#else
     uint32_t ones, mixed, rests;
-#endif
 };
 
 static inline void unit_squares_begin(struct unit_squares *squares)
 {
-#if GLINT_WIDE
-    squares->whole = 0;
-#else
     squares->ones = squares->mixed = squares->rests = 0;
-#endif
 }
 
 static inline void unit_square(struct unit_squares *squares, uint32_t size)
 {
-#if GLINT_WIDE
-    squares->whole += (uint64_t)size * size;
-#else
     const uint32_t x = size >> 15, w = size & 0x7fff;
     squares->ones += x * x;
     squares->mixed += x * w;
     squares->rests += w * w;
-#endif
 }
 
 /* The mantissa of what they sum to, 2^28 of that where it is small, else 2^30: rounded down, 2^30 or more where a size is 2^29 or
  * more. */
 static inline uint32_t unit_mantissa(const struct unit_squares *sum, bool *small)
 {
-#if GLINT_WIDE
-    *small = !(sum->whole >> 60);
-    return *small ? (uint32_t)(sum->whole >> 28) : (uint32_t)(sum->whole >> 30);
-#else
     const uint32_t mixed = sum->mixed + (sum->rests >> 16); /* < 2^32; what is left out is less than 1 */
     *small = !((sum->ones + (mixed >> 14)) >> 30);
     return *small ? (sum->ones << 2) + (mixed >> 12) : sum->ones + (mixed >> 14);
-#endif
 }
 
 /* size r 2^-30, with the sign of v. x r0 < 2^30, w r1 < 2^31; low by < 2. With r's errors, of which size / 2^30 <= 1 arrives, it is
@@ -186,12 +182,8 @@ static inline uint32_t unit_mantissa(const struct unit_squares *sum, bool *small
  * Whole numbers that differ by -4.7 .. 4.5 differ by at most 4. */
 static inline int32_t unit_part(int32_t v, uint32_t size, uint32_t r)
 {
-#if GLINT_WIDE
-    const int32_t part = (int32_t)((uint64_t)size * r >> 30) + 2;
-#else
     const uint32_t x = size >> 15, w = size & 0x7fff, r1 = r >> 15, r0 = r & 0x7fff;
     const int32_t part = (int32_t)(x * r1 + ((x * r0 + w * r1) >> 15)) + 2;
-#endif
     return (part ^ v >> 31) - (v >> 31);
 }
 
@@ -201,9 +193,6 @@ bool glint_unit_near(struct glint_unit *out, const int32_t v[3])
     const uint32_t any = x | y | z;
     if (any == 0 || any >> 30)
         return false;
-#if GLINT_WIDE
-    const unsigned up = (unsigned)__builtin_clz(any) - 2;
-#else
     unsigned up = 0;
     if (!(any >> 14))
         up = 16;
@@ -211,7 +200,6 @@ bool glint_unit_near(struct glint_unit *out, const int32_t v[3])
         up += 8;
     while (!(any << up >> 29))
         up++;
-#endif
     x <<= up;
     y <<= up;
     z <<= up;
@@ -244,3 +232,5 @@ void glint_unit_front(int32_t h[3], const int32_t l[3])
     h[1] = unit_part(l[1], unit_size(l[1]), r);
     h[2] = unit_part(0, one + z, r);
 }
+
+#endif

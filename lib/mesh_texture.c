@@ -285,21 +285,18 @@ static void laying_texture(const struct over_laying *laying, struct glint_mesh_l
                       over_first(texture, &picture, (uint32_t)a[k] << (32 - bits), k));
 }
 
-/* To the triangle's line; the column is that of its values. */
-static void over_lay(struct glint_mesh_laid *laid, const struct glint_mesh_target *target,
-                     const struct glint_mesh_triangle *triangle, const struct glint_texture *texture)
+/* Each by itself, for the stack. */
+static __attribute__((noinline)) void over_lay_face(struct glint_mesh_laid *laid, const struct glint_mesh_drawn *drawn,
+                                                    const struct glint_mesh_triangle *triangle,
+                                                    const struct glint_texture *texture)
 {
-    const struct glint_mesh *const mesh = target->drawn->mesh;
+    const struct glint_mesh *const mesh = drawn->mesh;
     const unsigned face = glint_mesh_face_of(triangle);
     const uint16_t *const of = mesh->faces + 3 * (size_t)face;
     struct over_laying laying;
-    if (glint_mesh_face_is_out(target->drawn, of)) {
-        over_lay_clipped(laid, target, triangle, texture);
-        return;
-    }
     for (unsigned i = 0; i < 3; i++) {
         laying.of[i] = of[i];
-        laying.at[i] = &target->drawn->vertices[of[i]];
+        laying.at[i] = &drawn->vertices[of[i]];
     }
     laying_order(&laying, 0);
     laying_order(&laying, 1);
@@ -310,6 +307,17 @@ static void over_lay(struct glint_mesh_laid *laid, const struct glint_mesh_targe
         laying_texture(&laying, laid, mesh, texture);
     else
         laying_colours(&laying, laid, mesh, face);
+}
+
+/* To the triangle's line; the column is that of its values. */
+static void over_lay(struct glint_mesh_laid *laid, const struct glint_mesh_target *target,
+                     const struct glint_mesh_triangle *triangle, const struct glint_texture *texture)
+{
+    const struct glint_mesh_drawn *const drawn = target->drawn;
+    if (glint_mesh_face_is_out(drawn, drawn->mesh->faces + 3 * (size_t)glint_mesh_face_of(triangle)))
+        over_lay_clipped(laid, target, triangle, texture);
+    else
+        over_lay_face(laid, drawn, triangle, texture);
 }
 
 /* ---- Lines ---- */

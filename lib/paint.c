@@ -236,7 +236,7 @@ static enum glint_err light_check(const struct glint_light *light)
     return sum && sum <= UINT32_C(1859775394) + 64 ? GLINT_OK : GLINT_ERR_ARG;
 }
 
-static const struct glint_light_kind light_directional GLINT_FLASH = {false, NULL, light_check, NULL, NULL, NULL};
+static const struct glint_light_kind light_directional GLINT_FLASH = {false, NULL, light_check, NULL, NULL, NULL, NULL};
 
 enum glint_err glint_light_directional(struct glint_light *light, const int32_t to_light[3])
 {

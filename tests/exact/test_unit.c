@@ -11,8 +11,29 @@
 #include <cmocka.h>
 
 #include "chosen.h"
+#include "glint_math.h"
 #include "glint_math_vector.h"
 #include "reference_lights.h"
+
+#if GLINT_WIDE
+
+/* Of a mantissa A whose floor is a, 2^47 / sqrt(A) is between those of a and a + 1: glint_math_vector.h. */
+static void roots_inverse_is_near_for_every_argument(void **state)
+{
+    (void)state;
+    const uint32_t step = exact_every();
+    int wrong = 0;
+#pragma omp parallel for reduction(+ : wrong)
+    for (uint32_t top = UINT32_C(1) << 14; top < UINT32_C(1) << 16; top++)
+        for (uint32_t rest = top % step; rest <= 0xffff; rest += step) {
+            const uint32_t a = top << 16 | rest;
+            const double r = (double)glint_wide_inverse(a) + 0x1p32;
+            wrong += r < 0x1p47 / sqrt((double)a) - 1.5 || r > 0x1p47 / sqrt((double)a + 1) + 4.5;
+        }
+    assert_int_equal(wrong, 0);
+}
+
+#else
 
 /* The error falls with x: the ends of what is cut to t are its worst. */
 static void roots_inverse_is_near_for_every_argument(void **state)
@@ -26,6 +47,8 @@ static void roots_inverse_is_near_for_every_argument(void **state)
         assert_true(fabs(low) < 0.95 / 4096 && fabs(high) < 0.95 / 4096);
     }
 }
+
+#endif
 
 static uint32_t below(uint64_t *seed, uint32_t limit)
 {
@@ -138,6 +161,41 @@ static int half_in_front(uint64_t *seed)
     return far(h, exact, bound("FRONT", GLINT_UNIT_FRONT));
 }
 
+static int root(uint64_t *seed)
+{
+    const uint32_t size = below(seed, UINT32_C(1) << (1 + below(seed, 31)));
+    const uint64_t off = below(seed, 4), square = (uint64_t)size * size,
+                   x = below(seed, 2) ? square + off
+                       : square < off ? 0
+                                      : square - off,
+                   found = glint_root(x);
+    return found * found > x || x - found * found > 2 * found;
+}
+
+static void roots_are_rounded_down_also_beside_squares(void **state)
+{
+    (void)state;
+    assert_int_equal(wrong_of(root), 0);
+}
+
+/* Up to 7 long, where tests/proof does not say it of longer ones. */
+static void short_vectors_that_are_off_by_1_are_off_by_what_grows(void **state)
+{
+    (void)state;
+    enum { LONGEST = 7, SIDE = 2 * LONGEST + 1 };
+    int wrong = 0;
+    for (int i = 0; i < SIDE * SIDE * SIDE * 27; i++) {
+        const int32_t v[3] = {i % SIDE - LONGEST, i / SIDE % SIDE - LONGEST, i / SIDE / SIDE % SIDE - LONGEST};
+        const int by = i / (SIDE * SIDE * SIDE);
+        const int64_t off[3] = {v[0] + by % 3 - 1, v[1] + by / 3 % 3 - 1, v[2] + by / 9 - 1};
+        int64_t exact[3];
+        struct glint_unit near;
+        wrong += glint_unit_near(&near, v) && reference_unit(exact, off) &&
+                 far(near.unit_q30, exact, GLINT_UNIT_SLACK + ((int64_t)GLINT_UNIT_GROWS << near.up));
+    }
+    assert_int_equal(wrong, 0);
+}
+
 /* The half vector of a viewer straight in front, from nearly the light's direction and from its own. */
 static void halves_for_a_viewer_in_front_are_within_their_bound(void **state)
 {
@@ -151,6 +209,8 @@ int main(void)
         cmocka_unit_test(roots_inverse_is_near_for_every_argument),
         cmocka_unit_test(directions_are_within_their_bound_of_the_64_bit_ones),
         cmocka_unit_test(directions_of_vectors_that_are_a_little_off_are_within_their_bound),
+        cmocka_unit_test(roots_are_rounded_down_also_beside_squares),
+        cmocka_unit_test(short_vectors_that_are_off_by_1_are_off_by_what_grows),
         cmocka_unit_test(halves_for_a_viewer_in_front_are_within_their_bound),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

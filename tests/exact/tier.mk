@@ -4,7 +4,7 @@
 EXACT_PACKAGES = gcc libc6-dev make libcmocka-dev libgmp-dev libmpfr-dev python3
 EXACT_CHECK = libcmocka-dev:cmocka.h libgmp-dev:gmp.h libmpfr-dev:mpfr.h
 EXACT_TESTS = $(patsubst tests/exact/test_%.c,$(BUILD)/tests/exact/test_%,$(wildcard tests/exact/test_*.c))
-EXACT_TESTS += $(BUILD)/tests/exact/test_unit_wide $(BUILD)/tests/exact/test_reach_wide
+EXACT_TESTS += $(addprefix $(BUILD)/tests/exact/test_,unit_wide reach_wide lights_wide)
 EXACT_CFLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) -MMD -MP -Ilib -Ihost $(OPENMP) $(CFLAGS) $(SANITIZERS)
 
 $(BUILD)/tests/exact/%.o: tests/exact/%.c $(BUILD)/flags
@@ -28,8 +28,10 @@ $(BUILD)/tests/exact/test_batch: $(addprefix $(BUILD)/tests/exact/host/models/,b
 $(BUILD)/tests/exact/test_near $(BUILD)/tests/exact/test_near_whole: $(BUILD)/tests/exact/near.o
 $(BUILD)/tests/exact/test_pixel $(BUILD)/tests/exact/test_lights $(BUILD)/tests/exact/test_reach: $(addprefix $(BUILD)/tests/exact/,cases.o reference_lights.o reference_pixel.o)
 $(BUILD)/tests/exact/test_unit: $(addprefix $(BUILD)/tests/exact/,reference_lights.o reference_pixel.o)
-$(BUILD)/tests/exact/test_unit_wide: $(addprefix $(BUILD)/tests/exact/,reference_lights.o reference_pixel.o wide/math_vector.o)
-$(BUILD)/tests/exact/test_reach_wide: $(addprefix $(BUILD)/tests/exact/,cases.o reference_lights.o reference_pixel.o wide/math_vector.o wide/light_place.o)
+$(BUILD)/tests/exact/test_unit_wide: $(addprefix $(BUILD)/tests/exact/,reference_lights.o reference_pixel.o)
+$(BUILD)/tests/exact/test_reach_wide $(BUILD)/tests/exact/test_lights_wide: $(addprefix $(BUILD)/tests/exact/,cases.o reference_lights.o reference_pixel.o)
+EXACT_WIDE = $(patsubst lib/%.c,$(BUILD)/tests/exact/wide/%.o,$(wildcard lib/*.c))
+$(addprefix $(BUILD)/tests/exact/test_,unit_wide reach_wide lights_wide): $(EXACT_WIDE)
 EXACT_ORACLES = $(patsubst tests/exact/%.c,$(BUILD)/tests/exact/%.o,$(wildcard tests/exact/oracle*.c))
 # The folder is a prerequisite so that a removed oracle leaves the programs, too.
 $(EXACT_TESTS): %: %.o $(EXACT_ORACLES) $(BUILD)/libglint.a tests/exact
@@ -63,7 +65,7 @@ check-exact:
 	@+if tests/missing "$(CC)" "" "" $(EXACT_CHECK) >/dev/null; then $(SUBMAKE) run-check-exact; \
 	else tests/tally "echo ok 1 - tier exact # SKIP cmocka, gmp or mpfr is not installed: make setup-exact"; fi
 
-EXACT_QUICK = $(addprefix $(BUILD)/tests/exact/test_,eval cutoff pixel grain unit unit_wide reach reach_wide lights)
+EXACT_QUICK = $(addprefix $(BUILD)/tests/exact/test_,eval cutoff pixel grain unit unit_wide reach reach_wide lights lights_wide)
 exact-quick-programs: $(EXACT_QUICK)
 run-check-exact: exact-quick-programs
 	@EXACT_EVERY=21 GLINT_PIXELS=1 OMP_WAIT_POLICY=passive TALLY_JOBS=$$(nproc) tests/tally $(EXACT_QUICK) tests/exact/test_tables

@@ -106,11 +106,11 @@ static void runs(const struct glint_use_model *model, const struct glint_light_k
             fill(model, &glint_use_rgb565, GLINT_RGB565, GLINT_GAMMA, kind, count, coloured);
             for (unsigned length = 1; length <= lights.length; length++) {
                 lights.places = NULL;
-                lights_sum(&lights, 0, length, false);
+                lights_sum(&lights, 0, length, false, false);
                 (void)lights_note(&lights, 0, length);
                 (void)lights_fit(&lights, length);
                 lights.places = (const int32_t(*)[3])places;
-                lights_sum(&lights, length - 1, 1, true);
+                lights_sum(&lights, length - 1, 1, true, false);
                 (void)lights_note(&lights, length - 1, 1);
             }
         }

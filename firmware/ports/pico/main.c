@@ -223,8 +223,9 @@ static void hand_over(enum owner to)
 /* Has a host come and gone that is not the owner? */
 static bool must_restart(void)
 {
-    return (is_disturbed && owner != GUD_HOST) || (is_missed && owner == GUD_HOST) ||
-           (light.was_enabled && owner != LIGHT_HOST);
+    if (owner == GUD_HOST)
+        return is_missed || light.was_enabled;
+    return is_disturbed || (light.was_enabled && owner != LIGHT_HOST);
 }
 
 /* Begins it; false: there is none yet. */
@@ -282,7 +283,8 @@ int main(void)
         const bool is_knocked = hand_poll();
         if (gud_panel.has_failed)
             fail(FAULT_BUS);
-        light_device_time(&light, board_us());
+        if (light.is_given)
+            light_device_time(&light, board_us());
         const enum owner next = wanted();
         if (must_restart() || (next != owner && !(is_demo(next) && is_demo(owner))))
             hand_over(next);
