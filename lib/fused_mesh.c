@@ -508,10 +508,14 @@ ALBEDO_PIXELS(other_glossy, true, ALBEDO_OTHER)
 void glint_mesh_albedo_pixels(const struct glint_mesh_pixels *p)
 {
     const bool is_glossy = p->loop & 1;
-    if (p->loop < 4 * GLINT_MESH_PALETTE)
-        (is_glossy ? albedo_pixels_nearest_glossy : albedo_pixels_nearest_matt)(p);
+    if (p->loop >= 4 * GLINT_MESH_PALETTE && is_glossy)
+        albedo_pixels_other_glossy(p);
+    else if (p->loop >= 4 * GLINT_MESH_PALETTE)
+        albedo_pixels_other_matt(p);
+    else if (is_glossy)
+        albedo_pixels_nearest_glossy(p);
     else
-        (is_glossy ? albedo_pixels_other_glossy : albedo_pixels_other_matt)(p);
+        albedo_pixels_nearest_matt(p);
 }
 #endif
 
@@ -837,27 +841,34 @@ ALBEDO_LINES(colours_matt, false, GLINT_MESH_COLOURS)
 ALBEDO_LINES(colours_glossy, true, GLINT_MESH_COLOURS)
 ALBEDO_LINES(nearest_matt, false, GLINT_MESH_NEAREST)
 ALBEDO_LINES(nearest_glossy, true, GLINT_MESH_NEAREST)
-#define ALBEDO_OF(name) ((triangle->shine & GLINT_MESH_GLOSSY) ? albedo_##name##_glossy : albedo_##name##_matt)
+#define ALBEDO_BY(name)                                                                                                \
+    if (triangle->shine & GLINT_MESH_GLOSSY)                                                                           \
+        albedo_##name##_glossy(tables, triangle, target, texture);                                                     \
+    else                                                                                                               \
+        albedo_##name##_matt(tables, triangle, target, texture)
 #else
 ALBEDO_LINES(colours, (triangle->shine & GLINT_MESH_GLOSSY) != 0, GLINT_MESH_COLOURS)
 #if !ALBEDO_SMALL
 ALBEDO_LINES(nearest, (triangle->shine & GLINT_MESH_GLOSSY) != 0, GLINT_MESH_NEAREST)
 #endif
-#define ALBEDO_OF(name) albedo_##name
+#define ALBEDO_BY(name) albedo_##name(tables, triangle, target, texture)
 #endif
 
 static void albedo_draw(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
                         const struct glint_mesh_target *target, const struct glint_texture *texture)
 {
     struct glint_mesh_laid *const laid = glint_mesh_albedo_laid(target, triangle, texture);
-    if (!texture)
-        ALBEDO_OF(colours)(tables, triangle, target, NULL);
+    if (!texture) {
+        ALBEDO_BY(colours);
+        return;
+    }
 #if !ALBEDO_SMALL
-    else if (!texture->palette && !texture->is_smooth)
-        ALBEDO_OF(nearest)(tables, triangle, target, texture);
+    if (!texture->palette && !texture->is_smooth) {
+        ALBEDO_BY(nearest);
+        return;
+    }
 #endif
-    else
-        albedo_lines_of(tables, triangle, target, texture, laid);
+    albedo_lines_of(tables, triangle, target, texture, laid);
 }
 #endif
 

@@ -194,10 +194,9 @@ static void over_room(struct glint_mesh_frame *frame, const struct glint_mesh *m
 }
 
 /* To the triangle's line and the column of its values. */
-static __attribute__((noinline)) void over_lay_clipped(struct glint_mesh_laid *laid,
-                                                       const struct glint_mesh_target *target,
-                                                       const struct glint_mesh_triangle *triangle,
-                                                       const struct glint_texture *texture)
+static __attribute__((noinline)) void over_lay_any(struct glint_mesh_laid *laid, const struct glint_mesh_target *target,
+                                                   const struct glint_mesh_triangle *triangle,
+                                                   const struct glint_texture *texture)
 {
     struct glint_mesh_over *const over = &((struct glint_mesh_bench *)target->frame->memory)->of.over;
     over_set(over, target, glint_mesh_face_of(triangle), texture);
@@ -221,6 +220,7 @@ static __attribute__((noinline)) void over_lay_clipped(struct glint_mesh_laid *l
     }
 }
 
+#if !GLINT_CORTEX_M0PLUS_ASM /* which lays such faces by itself */
 /* A face that is not clipped, its corners from the upper one down, as over_order has them; and how many lines its triangle went on. */
 struct over_laying {
     struct glint_mesh_slopes slopes;
@@ -309,15 +309,20 @@ static __attribute__((noinline)) void over_lay_face(struct glint_mesh_laid *laid
         laying_colours(&laying, laid, mesh, face);
 }
 
+#endif
+
 /* To the triangle's line; the column is that of its values. */
 static void over_lay(struct glint_mesh_laid *laid, const struct glint_mesh_target *target,
                      const struct glint_mesh_triangle *triangle, const struct glint_texture *texture)
 {
+#if !GLINT_CORTEX_M0PLUS_ASM
     const struct glint_mesh_drawn *const drawn = target->drawn;
-    if (glint_mesh_face_is_out(drawn, drawn->mesh->faces + 3 * (size_t)glint_mesh_face_of(triangle)))
-        over_lay_clipped(laid, target, triangle, texture);
-    else
+    if (!glint_mesh_face_is_out(drawn, drawn->mesh->faces + 3 * (size_t)glint_mesh_face_of(triangle))) {
         over_lay_face(laid, drawn, triangle, texture);
+        return;
+    }
+#endif
+    over_lay_any(laid, target, triangle, texture);
 }
 
 /* ---- Lines ---- */
