@@ -20,6 +20,14 @@ TIERS = $(subst +, ,$(TEST_ORDER))
 # A TMPDIR that cannot be written to would stop compilers and tests.
 export TMPDIR := $(shell test -d "$$TMPDIR" && test -w "$$TMPDIR" && echo "$$TMPDIR" || echo /tmp)
 
+# These goals name files from the root on, and make takes a name with a blank for two.
+FROM_ROOT = test dist bench costs coverage% mutants firmware% $(foreach tier,targets packages page lab pico gateware,setup-$(tier) test-$(tier) run-$(tier))
+ifneq ($(words $(CURDIR)),1)
+FROM_ROOT_ASKED := $(filter-out firmware-linux $(if $(filter linux,$(PORT)),firmware),$(filter $(FROM_ROOT),$(MAKECMDGOALS)))
+$(if $(FROM_ROOT_ASKED),$(error make $(firstword $(FROM_ROOT_ASKED)) cannot run in '$(CURDIR)', a path with blanks; move the folder, or make what can: all, check, page, \
+	install, firmware PORT=linux, test-unit, test-exact, test-proof))
+endif
+
 # Flags. Those that ask pkg-config do so when they are wanted, and are silent: before set-up it may have no answer.
 # What users include: glint.h, which includes the others.
 LIB_HEADERS = glint.h glint_mesh.h

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * glint_line_rgb565(loop, x), _swapped, _albedo, _albedo_swapped: the exact line of RGB565 under MSH, from pixel x on; _soft, _soft_swapped:
- * pixels of it that are covered in part, blended as coverage.c does, side by side; _steps, _steps_swapped: with steps.c's table.
+ * pixels of it that are covered in part, blended as coverage.c does, side by side; _steps, _steps_swapped: with paint.c's steps.
  *
  * The stages of an exact run in one loop: t and N.L from the normal (sample.c), where t is within the lobe F (lobe_msh.c),
  * then V and its levels (pixel_rgb.c), in the same steps. Pixels without light, and pixels without highlight, leave the

@@ -96,9 +96,9 @@ static uint32_t coverage_any(const struct glint_paint *p, const struct glint_run
     return open;
 }
 
-/* RGB without maps: V as glint_levels_sum has it, without its threshold. */
+/* RGB without maps: V as glint_levels_sum has it, without its threshold. turns: the thresholds may differ. */
 GLINT_INLINE uint32_t coverage_rgb(const struct glint_paint *p, const struct glint_run *run,
-                                   const struct glint_sample *sample, unsigned count, bool deep)
+                                   const struct glint_sample *sample, unsigned count, bool deep, bool turns)
 {
     const unsigned shift = (unsigned)p->of.exact.shift;
     const uint8_t format = p->output.format;
@@ -117,7 +117,7 @@ GLINT_INLINE uint32_t coverage_rgb(const struct glint_paint *p, const struct gli
     const struct glint_sample *const first = sample, *const end = sample + count;
     const uint32_t *threshold = bias;
     for (; sample != end; sample++, out += bytes) {
-        const uint32_t m = *coverage++, rest = (255 - m) << (shift - 8), t = *threshold++;
+        const uint32_t m = *coverage++, rest = (255 - m) << (shift - 8), t = *threshold;
         const uint32_t under = deep ? 0 : (uint32_t)out[other] << 8 | out[0];
         uint32_t v[3];
         glint_levels_sum(v, p, base, sample, NULL, NULL, false);
@@ -142,7 +142,7 @@ GLINT_INLINE uint32_t coverage_rgb(const struct glint_paint *p, const struct gli
             out[0] = (uint8_t)pixel;
             out[other] = (uint8_t)(pixel >> 8);
         }
-        if (threshold == bias + 4)
+        if (turns && ++threshold == bias + 4)
             threshold = bias;
     }
     return open;
@@ -152,13 +152,19 @@ GLINT_INLINE uint32_t coverage_rgb(const struct glint_paint *p, const struct gli
 static __attribute__((noinline)) uint32_t coverage_565(const struct glint_paint *p, const struct glint_run *run,
                                                        const struct glint_sample *samples, unsigned count)
 {
-    return coverage_rgb(p, run, samples, count, false);
+    return coverage_rgb(p, run, samples, count, false, false);
+}
+static __attribute__((noinline)) uint32_t coverage_565_dithered(const struct glint_paint *p,
+                                                                const struct glint_run *run,
+                                                                const struct glint_sample *samples, unsigned count)
+{
+    return coverage_rgb(p, run, samples, count, false, true);
 }
 static __attribute__((noinline)) uint32_t coverage_888(const struct glint_paint *p, const struct glint_run *run,
                                                        const struct glint_sample *samples, unsigned count)
 {
     glint_levels_alpha(p->output.format, run, 0, count);
-    return coverage_rgb(p, run, samples, count, true);
+    return coverage_rgb(p, run, samples, count, true, true);
 }
 
 static uint32_t coverage_levels(const struct glint_paint *paint, const struct glint_run *run,
@@ -166,7 +172,9 @@ static uint32_t coverage_levels(const struct glint_paint *paint, const struct gl
 {
     if (run->albedo || run->gloss || run->apart || glint_format_is_grey(paint->output.format))
         return coverage_any(paint, run, samples, count);
-    return (glint_format_is_565(paint->output.format) ? coverage_565 : coverage_888)(paint, run, samples, count);
+    return (!glint_format_is_565(paint->output.format) ? coverage_888
+            : paint->output.dither                     ? coverage_565_dithered
+                                                       : coverage_565)(paint, run, samples, count);
 }
 
 static void coverage_exact(const struct glint_paint *paint, const struct glint_run *run, unsigned i,

@@ -362,8 +362,35 @@ void glint_mesh_colour_set(const struct glint_tables *tables, const struct glint
 
 #if GLINT_FUSED
 #if !GLINT_CORTEX_M0PLUS_ASM
+/* 1: small code: the order of bytes is asked at each pixel, and of lines of a texture there is one function. */
+#ifdef __OPTIMIZE_SIZE__
+#define ALBEDO_SMALL 1
+#else
+#define ALBEDO_SMALL 0
+#endif
+
+/* 1: a function for glossy triangles and one for others, as each then has its registers for one loop. Left to itself gcc has a loop's steps on the
+ * stack and takes the registers that can do little but add for what it fetches. So steps are held in these, and what goes on from line to line
+ * stays in memory. */
+#if GLINT_THUMB1
+#define ALBEDO_APART (!ALBEDO_SMALL)
+#define ALBEDO_STEP(x) __asm__("" : "+h"(x))
+#define ALBEDO_STAY(x) __asm__("" : "+m"(x) : : "memory")
+#else
+#define ALBEDO_APART 0
+#define ALBEDO_STEP(x) (void)0
+#define ALBEDO_STAY(x) (void)0
+#endif
+
 /* Of all but colours and the nearest texel without a palette: those that are asked at each pixel. */
 #define ALBEDO_OTHER GLINT_MESH_SOURCES
+
+/* Alone, as it would leave the loop no register. */
+static __attribute__((noinline)) uint32_t albedo_smooth(const struct glint_mesh_picture *picture, uint32_t u,
+                                                        uint32_t v)
+{
+    return glint_mesh_smooth_fields(picture, u, v);
+}
 
 static inline __attribute__((always_inline)) uint32_t albedo_fields(const struct glint_mesh_pixels *p, uint32_t u,
                                                                     uint32_t v, uint32_t blue, unsigned source)
@@ -371,92 +398,126 @@ static inline __attribute__((always_inline)) uint32_t albedo_fields(const struct
     if (source == GLINT_MESH_COLOURS)
         return glint_mesh_colour_fields(u, v, blue);
     if (source == ALBEDO_OTHER && p->loop >= 4 * GLINT_MESH_SMOOTH)
-        return glint_mesh_smooth_fields(&p->picture, u, v);
+        return albedo_smooth(&p->picture, u, v);
     const uint32_t at = glint_mesh_nearest(&p->picture, u, v);
     return glint_mesh_fields(source == ALBEDO_OTHER ? p->picture.palette[p->picture.pixels[at]]
                                                     : ((const uint16_t *)(const void *)p->picture.pixels)[at]);
 }
 
-static inline __attribute__((always_inline)) void albedo_side_by_side(const struct glint_mesh_pixels *p, bool is_glossy,
+/* A line's pixels: values at the first one, and steps. */
+struct albedo_run {
+    uint32_t z, nl, back, dt, now[3];
+    uint32_t dz, dnl, ddt, step[3];
+    uint16_t *depth;
+    const uint16_t *end; /* of depth; there is one */
+    ptrdiff_t off;       /* bytes from a depth to its pixel */
+};
+
+static inline __attribute__((always_inline)) void albedo_side_by_side(const struct glint_mesh_pixels *p,
+                                                                      const struct albedo_run *run, bool is_glossy,
                                                                       bool is_swapped, unsigned source)
 {
-    const uint32_t dz = p->dz, dnl = p->dnl, du = p->step[0], dv = p->step[1];
-    const uint32_t dblue = source == GLINT_MESH_COLOURS ? p->step[2] : 0;
     const uint8_t *const levels = p->levels;
-    uint32_t z = p->z, nl = p->nl, back = p->back, dt = p->dt, u = p->now[0], v = p->now[1];
-    uint32_t blue = source == GLINT_MESH_COLOURS ? p->now[2] : 0;
-    const ptrdiff_t off = p->off;
-    uint16_t *depth = p->depth;
-    for (const uint16_t *const end = p->end; depth != end; depth++) {
+    const uint16_t *const end = run->end;
+    const ptrdiff_t off = run->off;
+    const bool has_blue = source == GLINT_MESH_COLOURS;
+    uint32_t dz = run->dz, dlack = 0 - run->dnl, du = run->step[0], dv = run->step[1], half = GLINT_ALBEDO_HALF;
+    const uint32_t ddt = is_glossy ? run->ddt : 0, dblue = has_blue ? run->step[2] : 0;
+    uint32_t z = run->z, lack = ~run->nl; /* -1 - nl, as levels go down */
+    uint32_t back = is_glossy ? run->back : 0, dback = is_glossy ? 0 - run->dt : 0;
+    uint32_t u = run->now[0], v = run->now[1], blue = has_blue ? run->now[2] : 0;
+    uint16_t *depth = run->depth;
+    do {
+        if (source != ALBEDO_OTHER) {
+            ALBEDO_STEP(dz);
+            ALBEDO_STEP(dlack);
+            ALBEDO_STEP(du);
+            ALBEDO_STEP(dv);
+        }
+        if (source == GLINT_MESH_NEAREST && !is_glossy)
+            ALBEDO_STEP(half);
         if (z >> 16 < *depth) {
             *depth = (uint16_t)(z >> 16);
             uint32_t word = albedo_fields(p, u, v, blue, source);
-            if ((int32_t)nl < 0) {
-                word = (word * p->dark + GLINT_ALBEDO_HALF) >> 5 & GLINT_ALBEDO_FIELDS;
-            } else {
-                word = (word * levels[-1 - (int32_t)(nl >> GLINT_ALBEDO_LEVEL_SHIFT)] + GLINT_ALBEDO_HALF) >> 5 &
-                       GLINT_ALBEDO_FIELDS;
-                if (is_glossy && back <= p->limit)
-                    word = glint_albedo_full(word + p->sums[(back <= p->t_max ? back : p->t_max) >> p->shift]);
+            const int32_t number = (int32_t)lack >> GLINT_ALBEDO_LEVEL_SHIFT;
+            word = (word * (number < 0 ? levels[number] : p->dark) + half) >> 5 & GLINT_ALBEDO_FIELDS;
+            if (is_glossy && (int32_t)back >= 0 && number < 0) { /* t_max and limit are below 2^31 */
+                if (__builtin_expect(back <= p->t_max, 1))
+                    word = glint_albedo_full(word + p->sums[back >> p->shift]);
+                else if (back <= p->limit)
+                    word = glint_albedo_full(word + p->sums[p->t_max >> p->shift]);
             }
             *(uint16_t *)(void *)((uint8_t *)depth + off) = glint_packed(word, is_swapped);
         }
         z += dz;
-        nl += dnl;
+        lack += dlack;
         u += du;
         v += dv;
-        if (source == GLINT_MESH_COLOURS)
+        if (has_blue)
             blue += dblue;
         if (is_glossy) {
-            back -= dt;
-            dt += p->ddt;
+            back += dback;
+            dback -= ddt;
         }
-    }
+    } while (++depth != end);
 }
 
-#define ALBEDO_SOURCE(name, source)                                                                                    \
-    static void albedo_##name##_matt(const struct glint_mesh_pixels *p)                                                \
+static inline __attribute__((always_inline)) void
+albedo_run_by(const struct glint_mesh_pixels *p, const struct albedo_run *run, bool is_glossy, unsigned source)
+{
+    if (ALBEDO_SMALL)
+        albedo_side_by_side(p, run, is_glossy, p->loop & 2, source);
+    else if (p->loop & 2)
+        albedo_side_by_side(p, run, is_glossy, true, source);
+    else
+        albedo_side_by_side(p, run, is_glossy, false, source);
+}
+
+static inline __attribute__((always_inline)) void
+albedo_numbers(const struct glint_mesh_pixels *p, const struct albedo_run *run, bool is_glossy, unsigned source)
+{
+    if (GLINT_THUMB1 || source == ALBEDO_OTHER)
+        albedo_side_by_side(p, run, is_glossy, p->loop & 2, source);
+    else
+        albedo_run_by(p, run, is_glossy, source);
+}
+
+/* The same from numbers in memory. */
+#define ALBEDO_PIXELS(name, is_glossy, source)                                                                         \
+    static __attribute__((noinline)) void albedo_pixels_##name(const struct glint_mesh_pixels *p)                      \
     {                                                                                                                  \
-        albedo_side_by_side(p, false, false, source);                                                                  \
-    }                                                                                                                  \
-    static void albedo_##name##_glossy(const struct glint_mesh_pixels *p)                                              \
-    {                                                                                                                  \
-        albedo_side_by_side(p, true, false, source);                                                                   \
-    }                                                                                                                  \
-    static void albedo_##name##_matt_swapped(const struct glint_mesh_pixels *p)                                        \
-    {                                                                                                                  \
-        albedo_side_by_side(p, false, true, source);                                                                   \
-    }                                                                                                                  \
-    static void albedo_##name##_glossy_swapped(const struct glint_mesh_pixels *p)                                      \
-    {                                                                                                                  \
-        albedo_side_by_side(p, true, true, source);                                                                    \
+        const struct albedo_run run = {p->z,                                                                           \
+                                       p->nl,                                                                          \
+                                       p->back,                                                                        \
+                                       p->dt,                                                                          \
+                                       {p->now[0], p->now[1], 0},                                                      \
+                                       p->dz,                                                                          \
+                                       p->dnl,                                                                         \
+                                       p->ddt,                                                                         \
+                                       {p->step[0], p->step[1], 0},                                                    \
+                                       p->depth,                                                                       \
+                                       p->end,                                                                         \
+                                       p->off};                                                                        \
+        albedo_numbers(p, &run, is_glossy, source);                                                                    \
     }
-ALBEDO_SOURCE(colours, GLINT_MESH_COLOURS)
-ALBEDO_SOURCE(nearest, GLINT_MESH_NEAREST)
-static void albedo_other_matt(const struct glint_mesh_pixels *p)
-{
-    albedo_side_by_side(p, false, p->loop & 2, ALBEDO_OTHER);
-}
-static void albedo_other_glossy(const struct glint_mesh_pixels *p)
-{
-    albedo_side_by_side(p, true, p->loop & 2, ALBEDO_OTHER);
-}
-#define ALBEDO_LOOPS(name)                                                                                             \
-    albedo_##name##_matt, albedo_##name##_glossy, albedo_##name##_matt_swapped, albedo_##name##_glossy_swapped
-#define ALBEDO_OTHERS albedo_other_matt, albedo_other_glossy, albedo_other_matt, albedo_other_glossy
-typedef void albedo_loop(const struct glint_mesh_pixels *p);
+ALBEDO_PIXELS(nearest_matt, false, GLINT_MESH_NEAREST)
+ALBEDO_PIXELS(nearest_glossy, true, GLINT_MESH_NEAREST)
+ALBEDO_PIXELS(other_matt, false, ALBEDO_OTHER)
+ALBEDO_PIXELS(other_glossy, true, ALBEDO_OTHER)
 
 void glint_mesh_albedo_pixels(const struct glint_mesh_pixels *p)
 {
-    static albedo_loop *const loops[GLINT_MESH_SOURCES * 4] GLINT_FLASH = {
-        ALBEDO_LOOPS(colours), ALBEDO_LOOPS(nearest), ALBEDO_LOOPS(nearest), ALBEDO_OTHERS, ALBEDO_OTHERS};
-    GLINT_FLASH_POINTER(loops[p->loop])(p);
+    const bool is_glossy = p->loop & 1;
+    if (p->loop < 4 * GLINT_MESH_PALETTE)
+        (is_glossy ? albedo_pixels_nearest_glossy : albedo_pixels_nearest_matt)(p);
+    else
+        (is_glossy ? albedo_pixels_other_glossy : albedo_pixels_other_matt)(p);
 }
 #endif
 
 /* What is the same for all of a part's triangles. */
-static void albedo_set(struct glint_mesh_pixels *p, const struct glint_tables *tables,
-                       const struct glint_texture *texture)
+static inline void albedo_set(struct glint_mesh_pixels *p, const struct glint_tables *tables,
+                              const struct glint_texture *texture)
 {
     const unsigned source = !texture                        ? GLINT_MESH_COLOURS
                             : texture->is_smooth            ? GLINT_MESH_SMOOTH
@@ -472,6 +533,14 @@ static void albedo_set(struct glint_mesh_pixels *p, const struct glint_tables *t
     p->picture.pixels = texture ? (const uint8_t *)texture->pixels : NULL;
     p->picture.palette = texture ? texture->palette : NULL;
     p->loop = (uint8_t)(4u * source + 2u * glint_is_swapped(tables));
+}
+
+/* What a triangle has of the texture. */
+static inline void albedo_picture(struct glint_mesh_pixels *p, const struct glint_mesh_laid *laid)
+{
+    p->picture.pixels += laid->blue[0];
+    p->picture.w = laid->blue[1] & 0xffff;
+    p->picture.h = laid->blue[1] >> 16;
 }
 
 /* And of its lines. */
@@ -500,10 +569,11 @@ albedo_row(struct glint_mesh_pixels *p, const struct glint_mesh_values *v, uint1
     glint_mesh_albedo_pixels(p);
 }
 
-/* In perspective: a line's parts one after the other. */
-static __attribute__((noinline)) void albedo_far(struct glint_mesh_pixels *p, struct glint_mesh_triangle *triangle,
-                                                 const struct glint_mesh_part *part,
-                                                 const struct glint_mesh_target *target, struct glint_mesh_over *over)
+/* Of a part: in perspective over, by which a line's parts follow each other, or laid. */
+static __attribute__((noinline)) void albedo_part(struct glint_mesh_pixels *p, struct glint_mesh_triangle *triangle,
+                                                  const struct glint_mesh_part *part,
+                                                  const struct glint_mesh_target *target, struct glint_mesh_over *over,
+                                                  struct glint_mesh_laid *laid)
 {
     const struct glint_use_mesh *const use = target->drawn->mesh->use;
     struct glint_mesh_values *const v = &triangle->values;
@@ -513,7 +583,12 @@ static __attribute__((noinline)) void albedo_far(struct glint_mesh_pixels *p, st
         int32_t from, to;
         p->off = (ptrdiff_t)((uintptr_t)target->surface->pixels + (uintptr_t)(target->surface->stride * line) -
                              (uintptr_t)depth);
-        if (glint_mesh_columns(part->left, part->right, target->w, &from, &to)) {
+        if (!glint_mesh_columns(part->left, part->right, target->w, &from, &to)) {
+        } else if (laid) {
+            for (unsigned i = 0; i < 2; i++)
+                p->now[i] = laid->at[i] + (uint32_t)(from - v->x) * p->step[i];
+            albedo_row(p, v, depth, from, to);
+        } else {
             GLINT_FLASH_POINTER(use->line)(over, triangle->y, from, to, v->z + (uint32_t)(from - v->x) * v->zx, v->zx);
             for (;;) {
                 for (unsigned i = 0; i < 2; i++) {
@@ -526,83 +601,13 @@ static __attribute__((noinline)) void albedo_far(struct glint_mesh_pixels *p, st
                 GLINT_FLASH_POINTER(use->next)(over);
             }
         }
+        for (unsigned i = 0; i < 2 && laid; i++)
+            laid->at[i] += laid->down[i];
         glint_mesh_edge_next(part->left);
         glint_mesh_edge_next(part->right);
         glint_mesh_values_next(v);
     }
 }
-
-#if !GLINT_CORTEX_M0PLUS_ASM
-static inline void albedo_steps(struct glint_mesh_pixels *p, const struct glint_mesh_laid *laid)
-{
-    p->step[0] = laid->right[0];
-    p->step[1] = laid->right[1];
-    p->step[2] = laid->blue[2];
-}
-
-/* A line of colours, where one would leave its range. */
-static __attribute__((noinline)) void albedo_hold(struct glint_mesh_pixels *p, uint32_t n)
-{
-    for (unsigned k = 0; k < 3; k++)
-        glint_mesh_hold(&p->now[k], &p->step[k], k, n);
-}
-
-/* Does no colour leave its range on a line? */
-static inline bool albedo_is_held(const struct glint_mesh_pixels *p, uint32_t n)
-{
-    const uint32_t red = p->now[0] | (p->now[0] + n * p->step[0]), green = p->now[1] | (p->now[1] + n * p->step[1]),
-                   blue = p->now[2] | (p->now[2] + n * p->step[2]);
-    return ((red | blue) >> 26 | green >> 27) == 0;
-}
-
-static void albedo_part(struct glint_mesh_pixels *p, struct glint_mesh_triangle *triangle,
-                        const struct glint_mesh_part *part, const struct glint_mesh_target *target,
-                        struct glint_mesh_laid *laid)
-{
-    const struct glint_surface *surface = target->surface;
-    const int32_t line = triangle->y - target->y;
-    struct glint_mesh_values *const v = &triangle->values;
-    struct glint_mesh_edge left = *part->left, right = *part->right;
-    uint16_t *depth = target->depth + target->w * line;
-    const bool has_colours = p->loop < 4, is_glossy = p->loop & 1;
-    const ptrdiff_t off_step = surface->stride - 2 * (ptrdiff_t)target->w;
-    p->off = (ptrdiff_t)((uintptr_t)surface->pixels + (uintptr_t)(surface->stride * line) - (uintptr_t)depth);
-    for (int32_t lines = part->end - triangle->y; lines; lines--) {
-        int32_t from, to;
-        if (glint_mesh_columns(&left, &right, target->w, &from, &to)) {
-            const uint32_t n = (uint32_t)(from - v->x);
-            p->now[0] = laid->at[0] + n * p->step[0];
-            p->now[1] = laid->at[1] + n * p->step[1];
-            if (has_colours)
-                p->now[2] = laid->blue[0] + n * p->step[2];
-            if (has_colours && !albedo_is_held(p, (uint32_t)(to - from - 1))) {
-                albedo_hold(p, (uint32_t)(to - from - 1));
-                albedo_row(p, v, depth, from, to);
-                albedo_steps(p, laid);
-            } else {
-                albedo_row(p, v, depth, from, to);
-            }
-        }
-        glint_mesh_edge_next(&left);
-        glint_mesh_edge_next(&right);
-        depth += target->w;
-        p->off += off_step;
-        laid->at[0] += laid->down[0];
-        laid->at[1] += laid->down[1];
-        if (has_colours)
-            laid->blue[0] += laid->blue[1];
-        if (is_glossy) {
-            glint_mesh_values_next(v);
-        } else {
-            v->nl += v->nly;
-            v->z += v->zy;
-        }
-    }
-    *part->left = left;
-    *part->right = right;
-    triangle->y = (int16_t)part->end;
-}
-#endif
 
 struct glint_mesh_laid *glint_mesh_albedo_laid(const struct glint_mesh_target *target,
                                                struct glint_mesh_triangle *triangle,
@@ -617,20 +622,29 @@ struct glint_mesh_laid *glint_mesh_albedo_laid(const struct glint_mesh_target *t
     return laid;
 }
 
-static void albedo_lines_far(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
-                             const struct glint_mesh_target *target, const struct glint_texture *texture)
+/* laid: NULL in perspective. */
+static __attribute__((noinline)) void albedo_lines_of(const struct glint_tables *tables,
+                                                      struct glint_mesh_triangle *triangle,
+                                                      const struct glint_mesh_target *target,
+                                                      const struct glint_texture *texture, struct glint_mesh_laid *laid)
 {
     const int32_t end = triangle->y_end < target->end ? triangle->y_end : target->end;
     struct glint_mesh_over *const over = &((struct glint_mesh_bench *)target->frame->memory)->of.over;
     struct glint_mesh_pixels p;
     albedo_set(&p, tables, texture);
     albedo_triangle(&p, triangle);
-    GLINT_FLASH_POINTER(target->drawn->mesh->use->set)(over, target, glint_mesh_face_of(triangle), texture);
-    p.picture = over->picture;
-    p.picture.h = glint_mesh_height_of(texture, &p.picture);
+    if (laid) {
+        albedo_picture(&p, laid);
+        p.step[0] = laid->right[0];
+        p.step[1] = laid->right[1];
+    } else {
+        GLINT_FLASH_POINTER(target->drawn->mesh->use->set)(over, target, glint_mesh_face_of(triangle), texture);
+        p.picture = over->picture;
+        p.picture.h = glint_mesh_height_of(texture, &p.picture);
+    }
     while (triangle->y < end) {
         const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);
-        albedo_far(&p, triangle, &part, target, over);
+        albedo_part(&p, triangle, &part, target, over, laid);
     }
 }
 
@@ -677,24 +691,173 @@ static void albedo_draw(const struct glint_tables *tables, struct glint_mesh_tri
     glint_mesh_albedo_triangle(target, triangle, tables, texture);
 }
 #else
-static void albedo_draw(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
-                        const struct glint_mesh_target *target, const struct glint_texture *texture)
+/* Does no colour leave its range on a line of n + 1 pixels? */
+static inline bool albedo_is_held(const struct albedo_run *run, uint32_t n)
 {
-    const int32_t end = triangle->y_end < target->end ? triangle->y_end : target->end;
-    struct glint_mesh_laid *const laid = glint_mesh_albedo_laid(target, triangle, texture);
+    const uint32_t red = run->now[0] | (run->now[0] + n * run->step[0]),
+                   green = run->now[1] | (run->now[1] + n * run->step[1]),
+                   blue = run->now[2] | (run->now[2] + n * run->step[2]);
+    return ((red | blue) >> 26 | green >> 27) == 0;
+}
+
+/* A line where one would. */
+static __attribute__((noinline)) void albedo_hold(uint32_t now[3], uint32_t step[3], uint32_t n)
+{
+    for (unsigned k = 0; k < 3; k++)
+        glint_mesh_hold(&now[k], &step[k], k, n);
+}
+
+static inline __attribute__((always_inline)) void albedo_colours_begin(struct albedo_run *run,
+                                                                       const struct glint_mesh_laid *laid, uint32_t n)
+{
+    const uint32_t last = (uint32_t)(run->end - run->depth - 1);
+    run->step[2] = laid->blue[2];
+    run->now[2] = laid->blue[0] + n * run->step[2];
+    if (albedo_is_held(run, last))
+        return;
+    uint32_t now[3] = {run->now[0], run->now[1], run->now[2]}, step[3] = {run->step[0], run->step[1], run->step[2]};
+    albedo_hold(now, step, last);
+    for (unsigned k = 0; k < 3; k++) {
+        run->now[k] = now[k];
+        run->step[k] = step[k];
+    }
+}
+
+/* Pixels of the triangle's line from column `from` on, which run has. */
+static inline __attribute__((always_inline)) void
+albedo_line(const struct glint_mesh_pixels *p, const struct glint_mesh_triangle *triangle,
+            const struct glint_mesh_laid *laid, struct albedo_run *run, int32_t from, bool is_glossy, unsigned source)
+{
+    const struct glint_mesh_values *const v = &triangle->values;
+    const int32_t k = from - v->x;
+    const uint32_t n = (uint32_t)k;
+    run->dz = v->zx;
+    run->z = v->z + n * run->dz;
+    run->dnl = v->nlx;
+    run->nl = v->nl + n * run->dnl;
+    for (unsigned i = 0; i < 2; i++) {
+        run->step[i] = laid->right[i];
+        run->now[i] = laid->at[i] + n * run->step[i];
+    }
+    if (is_glossy) {
+        run->ddt = v->txx;
+        run->dt = v->tx + n * run->ddt;
+        run->back = p->t_max - v->t - n * v->tx - ((uint32_t)(k * (k - 1)) >> 1) * run->ddt;
+    }
+    if (source == GLINT_MESH_COLOURS)
+        albedo_colours_begin(run, laid, n);
+    if (is_glossy)
+        albedo_run_by(p, run, true, source);
+    else
+        albedo_run_by(p, run, false, source);
+}
+
+/* To the next line. */
+static inline void albedo_next(struct glint_mesh_values *v, struct glint_mesh_laid *laid, bool is_glossy,
+                               unsigned source)
+{
+    laid->at[0] += laid->down[0];
+    laid->at[1] += laid->down[1];
+    if (source == GLINT_MESH_COLOURS)
+        laid->blue[0] += laid->blue[1];
+    if (is_glossy) {
+        glint_mesh_values_next(v);
+    } else {
+        v->nl += v->nly;
+        v->z += v->zy;
+    }
+}
+
+/* A triangle, laid, up to line end - 1. */
+static inline __attribute__((always_inline)) void albedo_lines(const struct glint_tables *tables,
+                                                               struct glint_mesh_triangle *triangle,
+                                                               const struct glint_mesh_target *target,
+                                                               const struct glint_texture *texture, bool is_glossy,
+                                                               unsigned source)
+{
+    const struct glint_surface *const surface = target->surface;
+    const int32_t end = triangle->y_end < target->end ? triangle->y_end : target->end, w = target->w,
+                  line = triangle->y - target->y;
+    struct glint_mesh_laid *const laid =
+        (struct glint_mesh_laid *)(void *)((struct glint_mesh_kept *)(void *)triangle + 1);
+    ptrdiff_t depth_step = 2 * (ptrdiff_t)w, off_step = surface->stride - depth_step;
+    uint8_t *depth = (uint8_t *)(target->depth + w * line);
+    ptrdiff_t off = (ptrdiff_t)((uintptr_t)surface->pixels + (uintptr_t)(surface->stride * line) - (uintptr_t)depth);
     struct glint_mesh_pixels p;
     albedo_set(&p, tables, texture);
     albedo_triangle(&p, triangle);
-    albedo_steps(&p, laid);
-    if (texture) {
-        p.picture.pixels += laid->blue[0];
-        p.picture.w = laid->blue[1] & 0xffff;
-        p.picture.h = laid->blue[1] >> 16;
-    }
+    if (source != GLINT_MESH_COLOURS)
+        albedo_picture(&p, laid);
     while (triangle->y < end) {
         const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);
-        albedo_part(&p, triangle, &part, target, laid);
+        uint32_t left = (uint32_t)part.left->x, right = (uint32_t)part.right->x;
+        uint32_t left_step = (uint32_t)part.left->step, right_step = (uint32_t)part.right->step;
+        int32_t lines = part.end - triangle->y;
+        triangle->y = (int16_t)part.end;
+        do {
+            int32_t from = (int32_t)left >> 16, to = (int32_t)right >> 16;
+            from = from < 0 ? 0 : from;
+            to = to > w ? w : to;
+            if (from < to) {
+                struct albedo_run run;
+                run.depth = (uint16_t *)(void *)depth + from;
+                run.end = (uint16_t *)(void *)depth + to;
+                run.off = off;
+                albedo_line(&p, triangle, laid, &run, from, is_glossy, source);
+            }
+            ALBEDO_STAY(left);
+            ALBEDO_STAY(right);
+            ALBEDO_STAY(left_step);
+            ALBEDO_STAY(right_step);
+            ALBEDO_STAY(depth);
+            ALBEDO_STAY(depth_step);
+            ALBEDO_STAY(off);
+            ALBEDO_STAY(off_step);
+            ALBEDO_STAY(lines);
+            left += left_step;
+            right += right_step;
+            depth += depth_step;
+            off += off_step;
+            albedo_next(&triangle->values, laid, is_glossy, source);
+        } while (--lines);
+        part.left->x = (int32_t)left;
+        part.right->x = (int32_t)right;
     }
+}
+
+#define ALBEDO_LINES(name, is_glossy, source)                                                                          \
+    static __attribute__((noinline)) void albedo_##name(                                                               \
+        const struct glint_tables *tables, struct glint_mesh_triangle *triangle,                                       \
+        const struct glint_mesh_target *target, const struct glint_texture *texture)                                   \
+    {                                                                                                                  \
+        albedo_lines(tables, triangle, target, texture, is_glossy, source);                                            \
+    }
+#if ALBEDO_APART
+ALBEDO_LINES(colours_matt, false, GLINT_MESH_COLOURS)
+ALBEDO_LINES(colours_glossy, true, GLINT_MESH_COLOURS)
+ALBEDO_LINES(nearest_matt, false, GLINT_MESH_NEAREST)
+ALBEDO_LINES(nearest_glossy, true, GLINT_MESH_NEAREST)
+#define ALBEDO_OF(name) ((triangle->shine & GLINT_MESH_GLOSSY) ? albedo_##name##_glossy : albedo_##name##_matt)
+#else
+ALBEDO_LINES(colours, (triangle->shine & GLINT_MESH_GLOSSY) != 0, GLINT_MESH_COLOURS)
+#if !ALBEDO_SMALL
+ALBEDO_LINES(nearest, (triangle->shine & GLINT_MESH_GLOSSY) != 0, GLINT_MESH_NEAREST)
+#endif
+#define ALBEDO_OF(name) albedo_##name
+#endif
+
+static void albedo_draw(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                        const struct glint_mesh_target *target, const struct glint_texture *texture)
+{
+    struct glint_mesh_laid *const laid = glint_mesh_albedo_laid(target, triangle, texture);
+    if (!texture)
+        ALBEDO_OF(colours)(tables, triangle, target, NULL);
+#if !ALBEDO_SMALL
+    else if (!texture->palette && !texture->is_smooth)
+        ALBEDO_OF(nearest)(tables, triangle, target, texture);
+#endif
+    else
+        albedo_lines_of(tables, triangle, target, texture, laid);
 }
 #endif
 
@@ -727,7 +890,7 @@ void glint_mesh_albedo_lines(const struct glint_tables *tables, struct glint_mes
                              const struct glint_mesh_target *target, const struct glint_texture *texture)
 {
     if (texture && target->frame->distance)
-        albedo_lines_far(tables, triangle, target, texture);
+        albedo_lines_of(tables, triangle, target, texture, NULL);
     else if (albedo_has_room(target->frame, triangle))
         albedo_draw(tables, triangle, target, texture);
     else

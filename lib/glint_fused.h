@@ -31,7 +31,7 @@ struct glint_line_loop {
     const uint8_t *albedo;
     const uint8_t *first,
         *last;                  /* where in out pixels are lit: the caller sets first to the end of memory, last to 0 */
-    const uint16_t *steps;      /* of the rectangle: steps.c's */
+    const uint16_t *steps;      /* of the rectangle: paint.c's */
     struct glint_sample sample; /* of one that is left open: the caller's */
     /* Draws from pixel x on, up to one that the bound leaves open: its number, or w. */
     uint32_t (*draw)(struct glint_line_loop *loop, uint32_t x);

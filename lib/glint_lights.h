@@ -78,7 +78,7 @@ struct glint_lights {
     struct glint_run *run;  /* the one at hand */
     const struct glint_vec *normals;
     glint_geometry *geometry; /* steps 1 and 2 of normals, which are of those from `normals` on */
-    /* Step 3 where F is of t and m, NULL elsewhere, and the lines that this is asked for: lights_grain.c */
+    /* Step 3 where F is of t and m, NULL elsewhere, and the lines that this is asked for: grain.c */
     void (*shade)(const struct glint_lights *lights, struct glint_sample *samples, unsigned count, bool exact);
     const struct glint_lines *grained;
     const int32_t (*places)[3];            /* of its pixels, 1/16 pixel on the screen; NULL: on the surface */

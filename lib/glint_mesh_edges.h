@@ -24,7 +24,7 @@ struct glint_mesh_window {
 /* An outline in a strip. It is walked along its longer axis, a line or, where it is flatter, a column a step; the pixel that it cuts there is a
  * cell. */
 struct glint_mesh_rim {
-    int32_t e, step; /* at `at`: its column or, of a flat one, line of the strip, Q16; |step| <= 2^16 */
+    int32_t e, step; /* at `at`: its column or, of a flat one, line of the strip, Q16; |step| <= 2^16 + 1 */
     uint16_t *depth; /* there, of column or line 0 */
     int16_t at, end; /* the picture's lines or columns whose cells lie in the strip */
     uint8_t is, corner;

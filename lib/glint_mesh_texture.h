@@ -179,10 +179,10 @@ static inline uint32_t glint_mesh_smooth_fields(const struct glint_mesh_picture 
 {
     struct glint_mesh_around a;
     glint_mesh_around_set(&a, picture, u, v, 5);
-    const uint32_t both = (a.x * a.y + 16) >> 5;
-    const uint32_t sum = glint_mesh_fields(a.of[0][0]) * (32 - a.x - a.y + both) +
-                         glint_mesh_fields(a.of[0][1]) * (a.x - both) + glint_mesh_fields(a.of[1][0]) * (a.y - both) +
-                         glint_mesh_fields(a.of[1][1]) * both;
+    const uint32_t both = (a.x * a.y + 16) >> 5, first = glint_mesh_fields(a.of[0][0]),
+                   right = glint_mesh_fields(a.of[0][1]) - first, below = glint_mesh_fields(a.of[1][0]) - first;
+    const uint32_t sum =
+        32 * first + a.x * right + a.y * below + both * (glint_mesh_fields(a.of[1][1]) - first - right - below);
     return (sum + GLINT_ALBEDO_HALF) >> 5 & GLINT_ALBEDO_FIELDS;
 }
 

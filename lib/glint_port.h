@@ -40,6 +40,13 @@
 #define GLINT_THUMB2 0
 #endif
 
+/* 1: ARMv6-M, where most instructions take eight registers, and where products of 64 bits are functions. */
+#if defined(__thumb__) && !defined(__thumb2__)
+#define GLINT_THUMB1 1
+#else
+#define GLINT_THUMB1 0
+#endif
+
 /* 1: directions by products of 64 bits, which are one instruction from Cortex-M3 on, unless it is set. They cut less than the products of
  * 32 bits do, so what is said of those holds. 0: products of 32 bits. */
 #ifndef GLINT_WIDE

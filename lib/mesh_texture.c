@@ -32,16 +32,15 @@ static bool over_can(const struct glint_mesh *mesh)
 
 /* ---- Set ---- */
 
-static uint32_t over_size(int32_t area)
-{
-    return area < 0 ? 0 - (uint32_t)area : (uint32_t)area;
-}
-
 /* How much of the chain is passed: until there are less than two texels a pixel, by the areas of both. p, q: of u and v, in units of
- * 2^-bits of the texture; size: twice the triangle's area. */
+ * 2^-bits of the texture; at: the triangle's corners. */
 static unsigned over_level(const struct glint_texture *texture, const struct glint_mesh_pair of[2], unsigned bits,
-                           uint32_t size)
+                           const struct glint_mesh_vertex *const at[3])
 {
+    if (texture->levels < 2)
+        return 0;
+    const int32_t area = glint_mesh_area(at[0], at[1], at[2]);
+    const uint32_t size = area < 0 ? 0 - (uint32_t)area : (uint32_t)area;
     const int64_t cross = (int64_t)of[0].p * of[1].q - (int64_t)of[0].q * of[1].p; /* <= 2^31 */
     /* < 2^31 2^22 2^4; an area of 2 is 512 in 1/16 pixel, and counts twice */
     uint64_t texels = (uint64_t)(cross < 0 ? -cross : cross) * ((uint32_t)texture->w * texture->h)
@@ -65,6 +64,13 @@ static void over_picture(struct glint_mesh_picture *picture, const struct glint_
     picture->pixels = (const uint8_t *)texture->pixels + (texture->palette ? skip : 2 * skip);
     picture->w = w;
     picture->h = h;
+}
+
+/* u or v at corner a, less half a texel where the middle of the first one is the first. */
+static inline uint32_t over_first(const struct glint_texture *texture, const struct glint_mesh_picture *picture,
+                                  uint32_t at, unsigned k)
+{
+    return texture->is_smooth ? at - UINT32_C(0x80000000) / (k ? picture->h : picture->w) : at;
 }
 
 /* R / 2^16 at a corner. */
@@ -99,16 +105,20 @@ static void over_corner(int16_t of[3], const struct glint_mesh *mesh, unsigned f
     }
 }
 
-/* 2^21 levels of 255. */
+/* 2^21 levels of RGB565 for a level of 255, and half of one. */
+#define OVER_RED INT32_C(254952)
+#define OVER_GREEN INT32_C(518127)
+#define OVER_HALF ((int32_t)1 << 20)
+
 static void over_colours(struct glint_mesh_over *over, const struct glint_mesh_slopes *slopes,
                          const int16_t *const of[3])
 {
     over->count = 3;
     for (unsigned k = 0; k < 3; k++) {
-        const int32_t one = k == 1 ? 518127 : 254952, first = of[0][k];
+        const int32_t one = k == 1 ? OVER_GREEN : OVER_RED, first = of[0][k];
         glint_mesh_linear_set(&over->of[k], slopes,
                               glint_mesh_pair_of((of[1][k] - first) * one, (of[2][k] - first) * one), 0);
-        over->of[k].at += (uint32_t)(first * one + ((int32_t)1 << 20));
+        over->of[k].at += (uint32_t)(first * one + OVER_HALF);
     }
 }
 
@@ -155,16 +165,13 @@ static void over_set(struct glint_mesh_over *over, const struct glint_mesh_targe
     const unsigned bits = mesh->uv_bits;
     const struct glint_mesh_pair pair[2] = {glint_mesh_pair_of(of[1][0] - of[0][0], of[2][0] - of[0][0]),
                                             glint_mesh_pair_of(of[1][1] - of[0][1], of[2][1] - of[0][1])};
-    over_picture(&over->picture, texture,
-                 texture->levels < 2 ? 0 : over_level(texture, pair, bits, over_size(glint_mesh_area(a, b, c))));
+    over_picture(&over->picture, texture, over_level(texture, pair, bits, corners.at));
     over->is_smooth = texture->is_smooth;
     over->count = 2;
     over->is_far = target->frame->distance != 0;
     over->up = (uint8_t)(19 - bits);
     for (unsigned k = 0; k < 2; k++) {
-        uint32_t first = (uint32_t)(of[0][k] + 32768) << (32 - bits);
-        if (texture->is_smooth) /* the middle of the first texel */
-            first -= UINT32_C(0x80000000) / (k ? over->picture.h : over->picture.w);
+        const uint32_t first = over_first(texture, &over->picture, (uint32_t)(of[0][k] + 32768) << (32 - bits), k);
         if (over->is_far) {
             over_far(over, k, &slopes, &corners, pair[k]);
             over->base[k] = first;
@@ -187,8 +194,10 @@ static void over_room(struct glint_mesh_frame *frame, const struct glint_mesh *m
 }
 
 /* To the triangle's line and the column of its values. */
-static void over_lay(struct glint_mesh_laid *laid, const struct glint_mesh_target *target,
-                     const struct glint_mesh_triangle *triangle, const struct glint_texture *texture)
+static __attribute__((noinline)) void over_lay_clipped(struct glint_mesh_laid *laid,
+                                                       const struct glint_mesh_target *target,
+                                                       const struct glint_mesh_triangle *triangle,
+                                                       const struct glint_texture *texture)
 {
     struct glint_mesh_over *const over = &((struct glint_mesh_bench *)target->frame->memory)->of.over;
     over_set(over, target, glint_mesh_face_of(triangle), texture);
@@ -212,7 +221,118 @@ static void over_lay(struct glint_mesh_laid *laid, const struct glint_mesh_targe
     }
 }
 
+/* A face that is not clipped, its corners from the upper one down, as over_order has them; and how many lines its triangle went on. */
+struct over_laying {
+    struct glint_mesh_slopes slopes;
+    const struct glint_mesh_vertex *at[3];
+    uint16_t of[3];
+    uint32_t lines;
+};
+
+static inline void laying_order(struct over_laying *laying, unsigned first)
+{
+    const struct glint_mesh_vertex *const upper = laying->at[first];
+    const uint16_t of = laying->of[first];
+    if (laying->at[first + 1]->y >= upper->y)
+        return;
+    laying->at[first] = laying->at[first + 1];
+    laying->at[first + 1] = upper;
+    laying->of[first] = laying->of[first + 1];
+    laying->of[first + 1] = of;
+}
+
+/* One number: its differences to corners b and c times 2^up, and what it is at a. stride: from it to its step down, and from that to the one
+ * to the right. */
+static __attribute__((noinline)) void laying_number(const struct over_laying *laying, uint32_t *to, unsigned stride,
+                                                    struct glint_mesh_pair pair, int up, uint32_t first)
+{
+    struct glint_mesh_linear of;
+    glint_mesh_linear_set(&of, &laying->slopes, pair, up);
+    to[0] = of.at + first + laying->lines * of.y;
+    to[stride] = of.y;
+    to[2 * stride] = of.x;
+}
+
+static void laying_colours(const struct over_laying *laying, struct glint_mesh_laid *laid,
+                           const struct glint_mesh *mesh, unsigned face)
+{
+    const bool is_of_faces = mesh->of_faces;
+    const uint8_t *const colours = is_of_faces ? mesh->of_faces + 3 * (size_t)face : mesh->of_vertices, *of[3];
+    for (unsigned i = 0; i < 3; i++)
+        of[i] = is_of_faces ? colours : colours + 3 * (size_t)laying->of[i];
+    for (unsigned k = 0; k < 3; k++) {
+        const int32_t one = k == 1 ? OVER_GREEN : OVER_RED, first = of[0][k];
+        laying_number(laying, k < 2 ? &laid->at[k] : laid->blue, k < 2 ? 2 : 1,
+                      glint_mesh_pair_of((of[1][k] - first) * one, (of[2][k] - first) * one), 0,
+                      (uint32_t)(first * one + OVER_HALF));
+    }
+}
+
+static void laying_texture(const struct over_laying *laying, struct glint_mesh_laid *laid,
+                           const struct glint_mesh *mesh, const struct glint_texture *texture)
+{
+    const unsigned bits = mesh->uv_bits;
+    const uint16_t *const a = mesh->uv + 2 * (size_t)laying->of[0], *const b = mesh->uv + 2 * (size_t)laying->of[1],
+                          *const c = mesh->uv + 2 * (size_t)laying->of[2];
+    const struct glint_mesh_pair pair[2] = {glint_mesh_pair_of(b[0] - a[0], c[0] - a[0]),
+                                            glint_mesh_pair_of(b[1] - a[1], c[1] - a[1])};
+    struct glint_mesh_picture picture;
+    over_picture(&picture, texture, over_level(texture, pair, bits, laying->at));
+    laid->blue[0] = (uint32_t)((uintptr_t)picture.pixels - (uintptr_t)texture->pixels);
+    laid->blue[1] = picture.w | glint_mesh_height_of(texture, &picture) << 16;
+    for (unsigned k = 0; k < 2; k++)
+        laying_number(laying, &laid->at[k], 2, pair[k], (int)(32 - bits),
+                      over_first(texture, &picture, (uint32_t)a[k] << (32 - bits), k));
+}
+
+/* Each by itself, for the stack. */
+static __attribute__((noinline)) void over_lay_face(struct glint_mesh_laid *laid, const struct glint_mesh_drawn *drawn,
+                                                    const struct glint_mesh_triangle *triangle,
+                                                    const struct glint_texture *texture)
+{
+    const struct glint_mesh *const mesh = drawn->mesh;
+    const unsigned face = glint_mesh_face_of(triangle);
+    const uint16_t *const of = mesh->faces + 3 * (size_t)face;
+    struct over_laying laying;
+    for (unsigned i = 0; i < 3; i++) {
+        laying.of[i] = of[i];
+        laying.at[i] = &drawn->vertices[of[i]];
+    }
+    laying_order(&laying, 0);
+    laying_order(&laying, 1);
+    laying_order(&laying, 0);
+    glint_mesh_slopes_set(&laying.slopes, laying.at[0], laying.at[1], laying.at[2]);
+    laying.lines = (uint32_t)(triangle->y - glint_mesh_first(laying.at[0]->y));
+    if (texture)
+        laying_texture(&laying, laid, mesh, texture);
+    else
+        laying_colours(&laying, laid, mesh, face);
+}
+
+/* To the triangle's line; the column is that of its values. */
+static void over_lay(struct glint_mesh_laid *laid, const struct glint_mesh_target *target,
+                     const struct glint_mesh_triangle *triangle, const struct glint_texture *texture)
+{
+    const struct glint_mesh_drawn *const drawn = target->drawn;
+    if (glint_mesh_face_is_out(drawn, drawn->mesh->faces + 3 * (size_t)glint_mesh_face_of(triangle)))
+        over_lay_clipped(laid, target, triangle, texture);
+    else
+        over_lay_face(laid, drawn, triangle, texture);
+}
+
 /* ---- Lines ---- */
+
+/* x y 2^-down, y <= 2^16, modulo 2^32. */
+static inline uint32_t over_product(int32_t x, uint32_t y, unsigned down)
+{
+#if GLINT_THUMB1
+    const uint32_t low = (uint32_t)(x & 0xffff) * y;
+    const int32_t high = (x >> 16) * (int32_t)y + (int32_t)(low >> 16); /* from -2^31 to 2^31 - 1 */
+    return down < 16 ? (uint32_t)high << (16 - down) | (low & 0xffff) >> down : (uint32_t)(high >> (down - 16));
+#else
+    return (uint32_t)(((int64_t)x * y) >> down);
+#endif
+}
 
 /* u and v at a pixel of the line, less those at corner a, Q13 of the mesh's units: numerators are up to 2^30 in size, 1 / R is inverse
  * 2^(zeros - 47). */
@@ -223,8 +343,7 @@ static void over_off(const struct glint_mesh_over *over, int32_t x, int32_t off[
     const unsigned zeros = glint_mesh_zeros(away); /* 0..15 */
     const uint32_t inverse = glint_mesh_inverse(away << zeros >> 4);
     for (unsigned k = 0; k < 2; k++) {
-        const int64_t product = (int64_t)(int32_t)(over->line[k] + n * over->of[k].x) * inverse;
-        off[k] = (int32_t)(uint32_t)(product >> (over->down[k] - zeros));
+        off[k] = (int32_t)over_product((int32_t)(over->line[k] + n * over->of[k].x), inverse, over->down[k] - zeros);
     }
 }
 
@@ -239,7 +358,7 @@ static void over_part(struct glint_mesh_over *over)
     for (unsigned k = 0; k < 2; k++) {
         const int32_t change = (int32_t)((uint32_t)off[k] - (uint32_t)over->off[k]);
         over->now[k] = over->base[k] + ((uint32_t)over->off[k] << over->up);
-        over->step[k] = (uint32_t)(((int64_t)change * part) >> 16) << over->up;
+        over->step[k] = over_product(change, part, 16) << over->up;
         over->off[k] = off[k];
     }
     over->to = end == last ? over->right : end;

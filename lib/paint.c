@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
- * A paint: what material, output and the one light's colour fold to, and runs of samples by it. */
+ * A paint: what material, output and the one light's colour fold to, and runs of samples by it. Directional lights; a paint's steps. */
 #include "glint_lights.h"
 #include "glint_math_vector.h"
+#include "glint_port.h"
 #include "glint_tables.h"
 
 typedef char
@@ -217,4 +218,75 @@ void glint_paint_run(const struct glint_paint *paint, const struct glint_run *ru
     for (unsigned i = 0; open; i++, open >>= 1) /* the pixels that the bound leaves open */
         if (open & 1)
             glint_paint_exactly(paint, run, i, samples + i);
+}
+
+/* ---- Directional lights ---- */
+
+/* Of a direction of length 1 the sizes sum to at most sqrt(3); more, made by hand, would not fit the loops' N.L. */
+static enum glint_err light_check(const struct glint_light *light)
+{
+    uint32_t sum = 0;
+    for (int i = 0; i < 3; i++) {
+        const int32_t x = light->direction_q30[i];
+        const uint32_t size = x < 0 ? 0 - (uint32_t)x : (uint32_t)x;
+        if (size > GLINT_T_ONE + 16)
+            return GLINT_ERR_ARG;
+        sum += size; /* < 2^32 */
+    }
+    return sum && sum <= UINT32_C(1859775394) + 64 ? GLINT_OK : GLINT_ERR_ARG;
+}
+
+static const struct glint_light_kind light_directional GLINT_FLASH = {false, NULL, light_check, NULL, NULL, NULL, NULL};
+
+enum glint_err glint_light_directional(struct glint_light *light, const int32_t to_light[3])
+{
+    if (!light || !to_light)
+        return GLINT_ERR_ARG;
+    if (!glint_unit_q30(light->direction_q30, to_light))
+        return GLINT_ERR_VECTOR;
+    light->kind = &light_directional;
+    light->color_q16[0] = light->color_q16[1] = light->color_q16[2] = 65536;
+    return GLINT_OK;
+}
+
+bool glint_light_half(struct glint_vec *h, const int32_t l_q30[3], const int32_t v_q30[3])
+{
+    int32_t half[3];
+    if (!glint_half_q30(half, l_q30, v_q30) || !glint_unit_q30(half, half))
+        return false;
+    return glint_vec_of_q30(h, half, 0);
+}
+
+/* ---- Steps ---- */
+
+/* What a paint draws without highlight is of N.L alone. Where the ends of a step of N.L, and so all of it, are one pixel the table has
+ * this, elsewhere, at one step in eight, 0. */
+enum glint_err glint_paint_steps_for(struct glint_paint *paint, const struct glint_use_format *format, void *memory,
+                                     size_t bytes)
+{
+    uint16_t *const steps = (uint16_t *)memory;
+    struct glint_run run = {NULL, 0, 0, 0, NULL, NULL, NULL, 0, NULL, NULL};
+    if (!paint || !paint->format || paint->several || !format || !memory || GLINT_MISALIGNED(memory, 16) ||
+        bytes < GLINT_STEPS_BYTES)
+        return GLINT_ERR_ARG;
+    if (!glint_format_is_565(paint->output.format) || paint->output.dither ||
+        !GLINT_FLASH_POINTER(format->draws)(&paint->output))
+        return GLINT_ERR_FORMAT;
+    paint->of.exact.steps = steps;
+    run.format = paint->format;
+    for (uint32_t i = 0; i <= 65536 >> GLINT_STEPS_LOG; i++) {
+        uint8_t ends[2][2];
+        struct glint_sample samples[2] = {{UINT32_MAX, i << GLINT_STEPS_LOG, 0}, {UINT32_MAX, 0, 0}};
+        samples[1].nl_q16 = samples[0].nl_q16 | (i << GLINT_STEPS_LOG < 65536 ? (1u << GLINT_STEPS_LOG) - 1 : 0);
+        run.line = ends[0];
+        steps[i] = 0; /* not the pixel of a table before */
+        const uint32_t open = glint_run_levels(paint, &run, samples, 2);
+        for (unsigned k = 0; k < 2; k++)
+            if (open >> k & 1)
+                glint_paint_sums(paint, &run, k, samples[k].nl_q16, 0);
+        const bool one = ends[0][0] == ends[1][0] && ends[0][1] == ends[1][1];
+        steps[i] = (uint16_t)(one ? ends[0][0] | (unsigned)ends[0][1] << 8 : 0);
+    }
+    paint->format = format;
+    return GLINT_OK;
 }

@@ -28,6 +28,8 @@ static int length_of(uint8_t request, bool in)
     case LIGHT_SET_MAP:
     case LIGHT_SET_MESH:
         return in ? GUD_STALL : 0;
+    case LIGHT_SET_LIGHT:
+        return in ? GUD_STALL : LIGHT_MESSAGE_BYTES;
     case LIGHT_GET_MESH:
         return in ? LIGHT_MESH_BYTES : GUD_STALL;
     case LIGHT_GET_LIGHT:
@@ -119,6 +121,22 @@ static enum gud_status use_mesh(struct light_device *d)
     return GUD_OK;
 }
 
+static enum gud_status give_light(struct light_device *d, const uint8_t *data)
+{
+    int32_t to_light[3];
+    const uint32_t first = light_message_unpack(to_light, data);
+    if (d->enabled)
+        return GUD_PROTOCOL;
+    if (first || !(to_light[0] || to_light[1] || to_light[2]))
+        return GUD_PARAMETER;
+    if (!d->is_given && d->gud->open)
+        return GUD_BUSY;
+    for (unsigned k = 0; k < 3; k++)
+        d->given[k] = to_light[k];
+    d->is_given = d->is_given_now = true;
+    return GUD_OK;
+}
+
 bool light_device_set(struct light_device *d, const struct gud_setup *setup, const uint8_t *data)
 {
     enum gud_status status = GUD_UNSUPPORTED;
@@ -130,13 +148,15 @@ bool light_device_set(struct light_device *d, const struct gud_setup *setup, con
         status = begin_map(d);
     else if (setup->request == LIGHT_SET_MESH)
         status = use_mesh(d);
+    else if (setup->request == LIGHT_SET_LIGHT)
+        status = give_light(d, data);
     d->status = (uint8_t)status;
     return status == GUD_OK;
 }
 
 void light_device_reset(struct light_device *d)
 {
-    d->enabled = d->has_material = d->has_map = d->has_mesh = d->in_map = d->is_new = false;
+    d->enabled = d->has_material = d->has_map = d->has_mesh = d->in_map = d->is_new = d->is_given = false;
     d->map_bytes = d->message_bytes = d->count = 0;
     d->status = GUD_OK;
 }
@@ -204,6 +224,15 @@ void light_device_bulk(struct light_device *d, const uint8_t *bytes, size_t coun
 }
 
 /* ---- for the board ---- */
+
+void light_device_time(struct light_device *d, uint32_t now_us)
+{
+    if (d->is_given_now)
+        d->given_us = now_us;
+    else if (d->is_given && now_us - d->given_us >= 1000 * (uint32_t)LIGHT_HELD_MS)
+        d->is_given = false;
+    d->is_given_now = false;
+}
 
 static void drop_first(struct light_device *d)
 {

@@ -29,9 +29,13 @@ struct light_device {
     bool is_drawing;   /* yours to set: the last light's frame is not complete on the panel */
     bool is_new;       /* material or map have changed since you last set this to false */
     struct light_material material;
+    bool is_given;    /* a host has set the light of what the board shows by itself, and it has not expired */
+    int32_t given[3]; /* that light */
 
     /* State, ours. */
     uint8_t status;
+    bool is_given_now; /* since light_device_time was called */
+    uint32_t given_us;
     bool in_map;        /* bulk bytes belong to the map */
     uint32_t map_bytes; /* that are there */
     uint8_t message[LIGHT_POSE_BYTES], message_bytes;
@@ -51,6 +55,8 @@ void light_device_bulk(struct light_device *device, const uint8_t *bytes, size_t
 /* Bus reset, disconnect. */
 void light_device_reset(struct light_device *device);
 
+/* Call it often, with a clock of microseconds modulo 2^32: the light that is given expires. */
+void light_device_time(struct light_device *device, uint32_t now_us);
 /* The next frame's light; false: no light waits, or material or map are missing. */
 bool light_device_next(struct light_device *device, int32_t to_light[3]);
 /* The next frame's pose; false: none waits, or the material is missing, or the mesh has not been asked for. */

@@ -9,6 +9,7 @@
  *   LIGHT_SET_MESH       instead of a map: the mesh that lies in the device, if it holds one (LIGHT_GET_MESH)
  *   bulk OUT             light messages; poses, where it is the mesh. Those that the device has no room for wait on the bus: it sets the pace
  *   LIGHT_GET_LIGHT      at any time: where the room's light is, as the board's accelerometer has it
+ *   LIGHT_SET_LIGHT      while the panel is not a host's: the light of what the board shows by itself
  *   LIGHT_SET_ENABLE 0   or a bus reset: the panel is given back
  *
  * The interface has class ff and one bulk OUT endpoint, and answers to GUD's descriptor request with a STALL, so that no GUD
@@ -31,7 +32,11 @@ enum light_request {
     LIGHT_GET_MESH = 0xa4, /* struct light_mesh */
     LIGHT_SET_MESH = 0xa5, /* empty */
     /* Older devices refuse it, too. A light message whose first number is an enum light_sense. It changes nothing. */
-    LIGHT_GET_LIGHT = 0xa6
+    LIGHT_GET_LIGHT = 0xa6,
+    /* Older devices refuse this, too. A light message whose first number is 0. The board shows its own scene, or mesh, under this light,
+     * also where a GUD host draws, until none has come for LIGHT_HELD_MS. GUD_PARAMETER: a direction of zeros; GUD_PROTOCOL: the panel
+     * is the host's; GUD_BUSY: a GUD host draws a rectangle just now. */
+    LIGHT_SET_LIGHT = 0xa7
 };
 /* What a board knows of the room's light; the direction is 0, 0, 0 unless it is SENSED. */
 enum light_sense { LIGHT_NO_SENSOR, LIGHT_SENSOR_SILENT, LIGHT_SENSED };
@@ -43,7 +48,8 @@ enum {
     LIGHT_MESSAGE_BYTES = 16, /* u32 of the host's own, then towards the light: 3 x i32 of any length */
     LIGHT_MESH_BYTES = 12,
     LIGHT_POSE_BYTES = 28, /* u32 of the host's own, then struct light_pose, and i16 0 */
-    LIGHT_CLAMP_PEAK = 1   /* in the material's flags */
+    LIGHT_HELD_MS = 1000,
+    LIGHT_CLAMP_PEAK = 1 /* in the material's flags */
 };
 
 struct light_descriptor {

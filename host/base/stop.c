@@ -13,10 +13,12 @@ static volatile sig_atomic_t undo_count;
 static const char *volatile last_words;
 static volatile sig_atomic_t resumed;
 
-/* All that end a program and can be caught, but for those that tell of a bug in it. */
+/* All that end a program and can be caught; those that tell of a bug, which no program goes on after, stand below. */
 static const int ends[] = {SIGHUP,  SIGINT,    SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2,
                            SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU, SIGPIPE, SIGXFSZ};
 enum { ENDS = sizeof ends / sizeof *ends };
+static const int faults[] = {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGSYS, SIGTRAP};
+enum { FAULTS = sizeof faults / sizeof *faults };
 
 /* A closed pipe and a limit on the size of files are reported by the write that fails. */
 static bool write_reports(int number)
@@ -39,6 +41,11 @@ void stop_at_signals(void)
             signal(ends[i], SIG_IGN);
         else if (signal(ends[i], SIG_IGN) != SIG_IGN) /* as nohup asked */
             signal(ends[i], end_by);
+    }
+    for (int i = 0; i < FAULTS; i++) {
+        struct sigaction now;
+        if (sigaction(faults[i], NULL, &now) == 0 && now.sa_handler == SIG_DFL) /* else a sanitizer's */
+            signal(faults[i], end_by);
     }
 }
 

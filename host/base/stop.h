@@ -6,7 +6,7 @@
 #include <signal.h>
 #include <stdbool.h>
 
-/* The signals that end a program end it at once, after stop_undo's functions have run. Ignored signals stay ignored. */
+/* The signals that end a program, a crash too, end it at once, after stop_undo's functions have run. Ignored signals stay ignored. */
 void stop_at_signals(void);
 /* From now on the first signal that would end the program only asks: stream_stopped() becomes true and waiting ends. The
  * second ends the program at once. SIGTSTP stops it after the last words. */

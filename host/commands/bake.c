@@ -253,7 +253,8 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         request->path = parse_output(state, "-o", text);
         return 0;
     case ARGP_KEY_ARG:
-        refuse(state, "unexpected argument '%s'; name files by --height, --normals, --mesh, --mask and -o", text);
+        scene_options_argument(state, text, &request->scene);
+        return 0;
     case ARGP_KEY_END:
         check(state, request);
         return 0;
@@ -370,7 +371,7 @@ int command_bake(int argc, char **argv)
                                                  {&map_options_argp, 0, NULL, 0},
                                                  {&mesh_options_argp, 0, NULL, 0},
                                                  {NULL, 0, NULL, 0}};
-    static const struct argp argp = {options, parse_option, NULL, doc, children, NULL, NULL};
+    static const struct argp argp = {options, parse_option, SCENE_ARGUMENT, doc, children, NULL, NULL};
     struct request request = {.format = BAKE_INT8, .entries = PALETTE_DEFAULT, .kind = BAKE_KINDS};
     parse_command(&argp, 0, argc, argv, &request);
     if (!request.address)

@@ -18,7 +18,7 @@
 
 enum key { KEY_TO = 384, KEY_FPS, KEY_FRAMES, KEY_ORBIT, KEY_PERIOD, KEY_LIGHTS, KEY_STATS, KEY_JSON, KEY_SHADE };
 static const double usual_period = 4, usual_turn_period = 8;
-static const char *const shade_names[] = {"host", "device", NULL};
+static const char *const shade_names[] = {"host", "device", "demo", NULL};
 
 static const struct argp_option argp_options[] = {
     {NULL, 0, NULL, 0, "The light that moves, or the mesh:", 5},
@@ -50,7 +50,8 @@ static const struct argp_option argp_options[] = {
     {"shade", KEY_SHADE, "WHERE", 0,
      "Who shades: host (default), or device: it gets the normals and the material once, then 16 bytes a frame. It "
      "draws as --path colour-int8 does, in one colour, under one white --light, a mesh with --no-outlines, over black "
-     "and without soft edges. For --to",
+     "and without soft edges. Or demo: the device shows what it shows by itself (a dial, a coin, its mesh), and gets "
+     "the light alone, without SCENE; its own is back a second after the last. For --to",
      6},
     {"stats", KEY_STATS, NULL, 0,
      "Print at the end what was sent, and what it would take over USB; on a terminal also while it runs", 6},
@@ -61,13 +62,6 @@ static const struct argp_option argp_options[] = {
 static const char doc[] = "Shades a scene frame after frame as its light moves or the mesh turns, and sends what "
                           "changed to a display, to files or to a pipe."
                           "\v"; /* and then what describe() writes */
-
-static void parse_scene(const struct argp_state *state, const char *text, struct stream_options *o)
-{
-    if (o->look.scene.scene)
-        refuse(state, "unexpected argument '%s'; one scene is enough", text);
-    scene_options_choose(state, NULL, text, &o->look.scene);
-}
 
 static void parse_sink(const struct argp_state *state, const char *text, struct stream_options *o)
 {
@@ -118,6 +112,7 @@ static void check_output(const struct argp_state *state, struct stream_options *
 static void check(const struct argp_state *state, struct stream_options *o)
 {
     const struct shading *shading = &o->look.shading;
+    const struct scene_options *scene = &o->look.scene;
     bool directional = false;
     for (unsigned i = 0; i < shading->lamp_count; i++)
         directional |= shading->lamps[i].kind == LAMP_DIRECTIONAL;
@@ -129,7 +124,11 @@ static void check(const struct argp_state *state, struct stream_options *o)
         refuse(state, "--lights: moves a --light, and there are only --point and --spot; add a --light");
     if (o->lights && iio_is_named(o->lights) && !o->frames && !o->kind->paced)
         refuse(state, "--lights %s: goes on for ever; give --frames N for --to %s", o->lights, o->kind->name);
-    if (o->board_lights && !o->shade_device)
+    if (o->shade_demo && (scene->heights || scene->normals || scene->scene || scene->mesh.name))
+        refuse(state, "--shade demo: the device shows what is its own; leave the scene out");
+    if (o->shade_demo && (!directional || shading->lamp_count > 1))
+        refuse(state, "--shade demo: the device takes one --light");
+    if (o->board_lights && (!o->shade_device || o->shade_demo))
         refuse(state, "--lights board: is the light of a board that shades; add --to usb --shade device");
     if (!isnan(o->orbit) && !directional)
         refuse(state, "--orbit: is for a --light; points and spots keep their distance from the picture's middle");
@@ -152,7 +151,8 @@ static void check(const struct argp_state *state, struct stream_options *o)
         refuse(state, "--fps: --to %s states the frame rate in what it writes; give one above 0", o->kind->name);
     sink_options_check(state, o->kind);
     if (o->shade_device && !o->kind->shader)
-        refuse(state, "--shade device: no device of --to %s shades; choose --to %s", o->kind->name, sink_names(shades));
+        refuse(state, "--shade %s: no device of --to %s shades; choose --to %s", o->shade_demo ? "demo" : "device",
+               o->kind->name, sink_names(shades));
     if (o->look.has_format)
         shading_options_check(state, &o->look, shading);
 }
@@ -188,7 +188,8 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->lights = o->board_lights ? NULL : parse_output(state, "--lights", text);
         return 0;
     case KEY_SHADE:
-        o->shade_device = parse_choice(state, "--shade", "shader", text, shade_names) == 1;
+        o->shade_device = strcmp(shade_names[parse_choice(state, "--shade", "shader", text, shade_names)], "host") != 0;
+        o->shade_demo = o->look.scene.none = strcmp(text, "demo") == 0;
         return 0;
     case KEY_STATS:
         o->stats = true;
@@ -197,7 +198,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->json = true;
         return 0;
     case ARGP_KEY_ARG:
-        parse_scene(state, text, o);
+        scene_options_argument(state, text, &o->look.scene);
         return 0;
     case ARGP_KEY_END:
         check(state, o);
@@ -241,7 +242,7 @@ int command_stream(int argc, char **argv)
 {
     static struct argp_child children[SINK_OPTIONS_MAX + 2] = {{&drawing_options_argp, 0, NULL, 0}};
     sink_options_children(children + 1);
-    const struct argp argp = {argp_options, parse_option, "[SCENE]", doc, children, describe, NULL};
+    const struct argp argp = {argp_options, parse_option, SCENE_ARGUMENT, doc, children, describe, NULL};
     struct stream_options options = {.kind = sink_kinds[0], .fps = USUAL_FPS, .orbit = NAN, .period = NAN};
     parse_command(&argp, 0, argc, argv, &options);
     return stream_run(&options);

@@ -193,7 +193,8 @@ static void set_corner(const struct obj *obj, const struct soup *soup, const str
     face->uv[at][1] = uv ? 1 - (double)uv->at[1] : 0;
 }
 
-static void set_faces(const struct obj *obj, struct soup *soup)
+/* Returns what is wrong, or NULL. */
+static const char *set_faces(struct obj *obj, struct soup *soup)
 {
     struct soup_face *to = soup->faces;
     for (size_t i = 0; i < obj->faces.count; i++) {
@@ -204,15 +205,20 @@ static void set_faces(const struct obj *obj, struct soup *soup)
         size_t(*triangles)[3] = allocate(face->count - 2, sizeof *triangles);
         for (size_t k = 0; k < 3 * face->count; k++)
             places[k / 3][k % 3] = (double)named(obj, &corners[k / 3], PLACE)->at[k % 3];
-        polygon_cut((const double(*)[3])places, face->count, triangles);
-        for (size_t k = 0; k < face->count - 2; k++, to++) {
+        const bool is_cut = polygon_cut((const double(*)[3])places, face->count, triangles);
+        for (size_t k = 0; is_cut && k < face->count - 2; k++, to++) {
             to->part = (part ? part : soup->part_count) - 1;
             for (int j = 0; j < 3; j++)
                 set_corner(obj, soup, &corners[triangles[k][j]], to, j);
         }
         free(places);
         free(triangles);
+        if (!is_cut) {
+            obj->lines.number = face->line;
+            return "a face has too many corners and dents; cut it into triangles";
+        }
     }
+    return NULL;
 }
 
 static void obj_free(struct obj *obj)
@@ -235,9 +241,7 @@ struct soup *obj_soup(const struct obj_source *source, char wrong[120])
         what = take_line(&obj, source);
     if (!what)
         what = check_corners(&obj);
-    if (what) {
-        snprintf(wrong, 120, "line %lu: %s", obj.lines.number, what);
-    } else {
+    if (!what) {
         soup = allocate(1, sizeof *soup);
         soup->face_count = obj.triangles;
         look_for(&obj, soup);
@@ -245,7 +249,12 @@ struct soup *obj_soup(const struct obj_source *source, char wrong[120])
     }
     if (soup && obj.triangles > 0 && obj.triangles <= GLINT_MESH_FACES_MAX) {
         soup->faces = allocate(obj.triangles, sizeof *soup->faces);
-        set_faces(&obj, soup);
+        what = set_faces(&obj, soup);
+    }
+    if (what) {
+        snprintf(wrong, 120, "line %lu: %s", obj.lines.number, what);
+        soup_free(soup);
+        soup = NULL;
     }
     obj_free(&obj);
     return soup;

@@ -2,7 +2,6 @@
 #include "mesh/polygon.h"
 
 #include <math.h>
-#include <stdbool.h>
 #include <stdlib.h>
 
 #include "base/memory.h"
@@ -37,9 +36,18 @@ static void flatten(const double (*places)[3], size_t count, double (*flat)[2])
 
 /* ---- cut ---- */
 
+/* Corners that stand in are dents. Where a polygon does not cross itself and has a corner in another's triangle, it has a dent there; and no
+ * cut makes one. */
+enum { NONE = -1 };
+#define STEPS_MAX 300000000u /* about a second */
 struct ring {
     const double (*flat)[2];
-    size_t *next;
+    struct corner {
+        long before, behind, dent; /* the next dent */
+        bool is_dent;
+    } * corners;
+    long dents;
+    unsigned long steps; /* so many corners were looked at */
 };
 
 static bool is_same(const double a[2], const double b[2])
@@ -47,20 +55,43 @@ static bool is_same(const double a[2], const double b[2])
     return a[0] == b[0] && a[1] == b[1];
 }
 
-/* Does the corner stand out, and is none of the others in its triangle? */
-static bool is_ear(const struct ring *ring, size_t before, size_t at)
+static bool stands_in(const struct ring *ring, long at)
 {
-    const size_t behind = ring->next[at];
-    const double *a = ring->flat[before], *b = ring->flat[at], *c = ring->flat[behind];
-    if (turn(a, b, c) < 0)
+    const struct corner *corner = &ring->corners[at];
+    return turn(ring->flat[corner->before], ring->flat[at], ring->flat[corner->behind]) < 0;
+}
+
+/* Does the corner stand out, and is none of the others in its triangle? Dents that are none any more leave their list. */
+static bool is_ear(struct ring *ring, long at)
+{
+    struct corner *const corners = ring->corners;
+    const double *a = ring->flat[corners[at].before], *b = ring->flat[at], *c = ring->flat[corners[at].behind];
+    ring->steps++;
+    if (stands_in(ring, at))
         return false;
-    for (size_t i = ring->next[behind]; i != before; i = ring->next[i]) {
-        const double *p = ring->flat[i];
+    for (long *next = &ring->dents; *next != NONE; ring->steps++) {
+        const double *p = ring->flat[*next];
+        if (!corners[*next].is_dent) {
+            *next = corners[*next].dent;
+            continue;
+        }
         if (turn(a, b, p) > 0 && turn(b, c, p) > 0 && turn(c, a, p) > 0 && !is_same(p, a) && !is_same(p, b) &&
             !is_same(p, c))
             return false;
+        next = &corners[*next].dent;
     }
     return true;
+}
+
+static void leave_out(struct ring *ring, long at)
+{
+    struct corner *const corner = &ring->corners[at], *const before = &ring->corners[corner->before],
+                         *const behind = &ring->corners[corner->behind];
+    before->behind = corner->behind;
+    behind->before = corner->before;
+    corner->is_dent = false;
+    before->is_dent = before->is_dent && stands_in(ring, corner->before);
+    behind->is_dent = behind->is_dent && stands_in(ring, corner->behind);
 }
 
 /* Of four corners at most one is a dent: both triangles meet there. */
@@ -80,32 +111,42 @@ static void put(size_t triangle[3], size_t a, size_t b, size_t c)
 }
 
 /* Ears one after the other; where there is none, since the polygon crosses itself, whatever comes next. */
-static void cut_ears(const double (*flat)[2], size_t count, size_t (*triangles)[3])
+static bool cut_ears(const double (*flat)[2], size_t count, size_t (*triangles)[3])
 {
-    struct ring ring = {flat, allocate(count, sizeof *ring.next)};
-    size_t before = count - 1, at = 0, misses = 0;
-    for (size_t i = 0; i < count; i++)
-        ring.next[i] = (i + 1) % count;
-    for (size_t left = count; left > 2;) {
-        if (misses < left && !is_ear(&ring, before, at)) {
+    struct ring ring = {flat, allocate(count, sizeof *ring.corners), NONE, 0};
+    const long last = (long)count - 1;
+    for (long i = 0; i <= last; i++)
+        ring.corners[i] = (struct corner){i ? i - 1 : last, i < last ? i + 1 : 0, NONE, false};
+    for (long i = last; i >= 0; i--) {
+        ring.corners[i].is_dent = stands_in(&ring, i);
+        if (ring.corners[i].is_dent) {
+            ring.corners[i].dent = ring.dents;
+            ring.dents = i;
+        }
+    }
+    long at = 0;
+    for (size_t left = count, misses = 0; left > 2 && ring.steps < STEPS_MAX;) {
+        const struct corner corner = ring.corners[at];
+        if (misses < left && !is_ear(&ring, at)) {
             misses++;
-            before = at;
         } else {
-            put(triangles[count - left--], before, at, ring.next[at]);
-            ring.next[before] = ring.next[at];
+            put(triangles[count - left--], (size_t)corner.before, (size_t)at, (size_t)corner.behind);
+            leave_out(&ring, at);
             misses = misses < left + 1 ? 0 : misses;
         }
-        at = ring.next[before];
+        at = corner.behind;
     }
-    free(ring.next);
+    free(ring.corners);
+    return ring.steps < STEPS_MAX;
 }
 
-void polygon_cut(const double (*places)[3], size_t count, size_t (*triangles)[3])
+bool polygon_cut(const double (*places)[3], size_t count, size_t (*triangles)[3])
 {
     if (count == 3) {
         put(triangles[0], 0, 1, 2);
-        return;
+        return true;
     }
+    bool good = true;
     double(*flat)[2] = allocate(count, sizeof *flat);
     flatten(places, count, flat);
     if (count == 4) {
@@ -113,7 +154,8 @@ void polygon_cut(const double (*places)[3], size_t count, size_t (*triangles)[3]
         put(triangles[0], dent, (dent + 1) % 4, (dent + 2) % 4);
         put(triangles[1], dent, (dent + 2) % 4, (dent + 3) % 4);
     } else {
-        cut_ears(flat, count, triangles);
+        good = cut_ears(flat, count, triangles);
     }
     free(flat);
+    return good;
 }

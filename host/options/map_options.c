@@ -8,6 +8,7 @@
 #include "base/argp.h"
 #include "base/parse.h"
 #include "image/picture.h"
+#include "scene/logo.h"
 #include "scene/maps.h"
 
 /* Beyond those of scene_options.c. */
@@ -16,6 +17,7 @@ enum key {
     KEY_NORMALS,
     KEY_SCALE,
     KEY_BEVEL,
+    KEY_FIT,
     KEY_WRAP,
     KEY_FLIP_Y,
     KEY_MASK,
@@ -46,6 +48,10 @@ static const struct argp_option argp_options[] = {
      "The picture of --height is a logo: a rounded edge rises over WIDTH pixels from the edge of its shape inwards. "
      "The shape is what alpha covers, or in an opaque picture what differs in brightness from the picture's rim",
      2},
+    {"fit", KEY_FIT, "PERCENT", 0,
+     "The logo of --bevel in the middle of --size, its shape scaled so that it takes PERCENT of the width or of the "
+     "height, 1..100",
+     2},
     {"wrap", KEY_WRAP, NULL, 0,
      "The height map is seamless: take slopes across its edges (the default if --size repeats it)", 2},
     {"flip-y", KEY_FLIP_Y, NULL, 0, "The normal map's green points down, as in DirectX", 2},
@@ -68,7 +74,7 @@ static const struct argp_option argp_options[] = {
      2},
     {"size", KEY_SIZE, "WxH", 0,
      "Draw a scene at this size (default 320x320; glint stream: see SCENE). A map is cut or repeated to this size, "
-     "never scaled; an SVG is drawn at it (default: the map's own size)",
+     "never scaled (a logo: see --fit); an SVG is drawn at it (default: the map's own size)",
      2},
 
     {NULL, 0, NULL, 0, NULL, 0}};
@@ -159,7 +165,7 @@ static void check(const struct argp_state *state, struct scene_options *o)
     const int sources = !!o->heights + !!o->normals + !!o->scene + (o->mesh.name && !o->mesh.built_in);
     if (sources > 1)
         refuse(state, "give only one of --height, --normals, --scene and --mesh");
-    if (sources == 0)
+    if (sources == 0 && !o->none)
         refuse(state, "no surface; give --height FILE, --normals FILE, --scene NAME or --mesh FILE");
     if (map_options_standard_input(o) > 1)
         refuse(state, "only one map can come from standard input; name files for the others");
@@ -169,6 +175,12 @@ static void check(const struct argp_state *state, struct scene_options *o)
         refuse(state, "--bevel needs --height");
     if (o->bevel > 0 && o->wraps)
         refuse(state, "--wrap cannot be used with --bevel: a logo has no seams");
+    if (o->fit > 0 && !(o->bevel > 0))
+        refuse(state, "--fit needs a logo, with --bevel");
+    if (o->fit > 0 && (o->width < LOGO_SIDE_MIN || o->height < LOGO_SIDE_MIN))
+        refuse(state, "--fit needs --size, of at least %dx%d", LOGO_SIDE_MIN, LOGO_SIDE_MIN);
+    if (o->fit > 0 && o->filter && !picture_size_fits(o->filter * o->width, o->filter * o->height))
+        refuse(state, "--fit: with --filter %u the logo is drawn with more than %d pixels", o->filter, PIXELS_MAX);
     if (!o->normals && o->flip_y)
         refuse(state, "--flip-y needs --normals");
     if (isnan(o->scale))
@@ -190,6 +202,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case KEY_BEVEL:
         o->bevel = parse_real(state, "--bevel", text, 1, 10000);
+        return 0;
+    case KEY_FIT:
+        o->fit = parse_real(state, "--fit", text, 1, 100);
         return 0;
     case KEY_WRAP:
         o->wraps = true;

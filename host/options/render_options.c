@@ -156,7 +156,8 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->against_blinn = parse_choice(state, "--against", "reference", text, references);
         return 0;
     case ARGP_KEY_ARG:
-        refuse(state, "unexpected argument '%s'; name files by --height, --normals, --mesh, --albedo and -o", text);
+        scene_options_argument(state, text, &o->look.scene);
+        return 0;
     case ARGP_KEY_END:
         check_size(state, o);
         check_outputs(state, o);
@@ -170,7 +171,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
 void render_options_parse(struct render_options *options, int argc, char **argv)
 {
     static const struct argp_child children[] = {{&drawing_options_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
-    static const struct argp argp = {argp_options, parse_option, NULL, doc, children, NULL, NULL};
+    static const struct argp argp = {argp_options, parse_option, SCENE_ARGUMENT, doc, children, NULL, NULL};
     *options = (struct render_options){.kind = IMAGE_KINDS};
     parse_command(&argp, 0, argc, argv, options);
 }

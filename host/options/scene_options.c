@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
+#include <string.h>
 
 #include "base/argp.h"
 #include "base/parse.h"
@@ -9,13 +10,14 @@
 /* Beyond those of the commands, whose keys begin at 256. */
 enum key { KEY_SCENE = 512 };
 
-static const struct argp_option argp_options[] = {{NULL, 0, NULL, 0, "The surface:", 1},
-                                                  {"scene", KEY_SCENE, "NAME", 0,
-                                                   "A built-in scene: sphere, watchface, coin, dial (the watch without "
-                                                   "numerals), knob (metal with spun grain) or sunray "
-                                                   "(a dial with sunray grain), or the mesh teapot",
-                                                   1},
-                                                  {NULL, 0, NULL, 0, NULL, 0}};
+static const struct argp_option argp_options[] = {
+    {NULL, 0, NULL, 0, "The surface:", 1},
+    {"scene", KEY_SCENE, "NAME", 0,
+     "A built-in scene, also without --scene: sphere, watchface, coin, dial (the watch without "
+     "numerals), knob (metal with spun grain) or sunray "
+     "(a dial with sunray grain), or the mesh teapot",
+     1},
+    {NULL, 0, NULL, 0, NULL, 0}};
 
 void scene_options_choose(const struct argp_state *state, const char *option, const char *text,
                           struct scene_options *options)
@@ -34,6 +36,15 @@ void scene_options_choose(const struct argp_state *state, const char *option, co
         options->mesh.name = names[chosen];
         options->mesh.built_in = true;
     }
+}
+
+void scene_options_argument(const struct argp_state *state, const char *text, struct scene_options *options)
+{
+    if (options->scene)
+        refuse(state, "unexpected argument '%s'; one scene is enough", text);
+    if (strpbrk(text, "./"))
+        refuse(state, "unexpected argument '%s'; name files by --height, --normals, --mesh and -o", text);
+    scene_options_choose(state, NULL, text, options);
 }
 
 static error_t parse_option(int key, char *text, struct argp_state *state)

@@ -56,11 +56,8 @@ static size_t put_sign(FILE *stream, const char *at, const char *end, bool raise
     static const struct sign {
         const char *from, *to;
         bool word;
-    } signs[] = {{"<=", "&le;", false},
-                 {">=", "&ge;", false},
-                 {" - ", " &minus; ", false},
-                 {"sqrt(", "&radic;(", true},
-                 {"pi/2", "&pi;/2", true}};
+    } signs[] = {{"<=", "&le;", false},       {">=", "&ge;", false},    {" - ", " &minus; ", false},
+                 {"sqrt(", "&radic;(", true}, {"pi/2", "&pi;/2", true}, {"alpha^2", "&alpha;<sup>2</sup>", true}};
     for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
         if (begins(at, end, signs[i].from) && !(signs[i].word && word_before)) {
             fputs(signs[i].to, stream);
@@ -73,7 +70,23 @@ static size_t put_sign(FILE *stream, const char *at, const char *end, bool raise
     return 0;
 }
 
-/* A name with an index, or a variable; returns how many characters it has, or 0. */
+/* The power of ten of a number, e-07; returns how many characters it has, or 0. */
+static size_t put_power_of_ten(FILE *stream, const char *at, const char *end, char before)
+{
+    if (*at != 'e' || !isdigit((unsigned char)before) || end - at < 3 || !strchr("+-", at[1]) ||
+        !isdigit((unsigned char)at[2]))
+        return 0;
+    const char *digits = at + 2, *to;
+    while (*digits == '0' && digits + 1 < end && isdigit((unsigned char)digits[1]))
+        digits++;
+    for (to = digits; to < end && isdigit((unsigned char)*to); to++)
+        continue;
+    fprintf(stream, "&nbsp;&times;&nbsp;10<sup>%s%.*s</sup>", at[1] == '-' ? "&minus;" : "", (int)(to - digits),
+            digits);
+    return (size_t)(to - at);
+}
+
+/* A name with an index, a product of vectors, or a variable; returns how many characters it has, or 0. */
 static size_t put_name(FILE *stream, const char *at, const char *end, char before)
 {
     const char after = (char)(at + 1 < end ? at[1] : ' ');
@@ -85,6 +98,11 @@ static size_t put_name(FILE *stream, const char *at, const char *end, char befor
             to++;
         fprintf(stream, "<i>F</i><sub>%.*s</sub>", (int)(to - index), index);
         return (size_t)(to - at);
+    }
+    if (strchr("NLHTB", *at) && after == '.' && at + 2 < end && strchr("NLHTB", at[2]) &&
+        !(at + 3 < end && is_word(at[3]))) {
+        fprintf(stream, "%c&middot;%c", *at, at[2]);
+        return 3;
     }
     if (begins(at, end, "n_across")) {
         fputs("<i>n</i><sub>across</sub>", stream);
@@ -98,6 +116,8 @@ static size_t put_name(FILE *stream, const char *at, const char *end, char befor
         fprintf(stream, "<i>%c</i><sub>%c</sub>", *at, after);
         return 2;
     }
+    if (*at == 'F' && begins(at, end, "F. ") && isupper((unsigned char)at[3])) /* an initial */
+        return 0;
     if (strchr("nqcmktF", *at) && !is_word(after) && after != '\'') {
         fprintf(stream, "<i>%c</i>", *at);
         return 1;
@@ -123,7 +143,8 @@ static void put_range(FILE *stream, const char *at, const char *end, bool raised
             put_range(stream, at + 1 + bracket, to - bracket, true);
             fputs("</sup>", stream);
             taken = (size_t)(to - at);
-        } else if (!(taken = put_sign(stream, at, end, raised, is_word(before)))) {
+        } else if (!(taken = put_sign(stream, at, end, raised, is_word(before))) &&
+                   !(taken = put_power_of_ten(stream, at, end, before))) {
             taken = put_name(stream, at, end, before);
         }
         if (!taken) {

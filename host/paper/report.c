@@ -17,7 +17,7 @@ static const char style[] =
     ".wide{overflow-x:auto}table{border-collapse:collapse;font-size:.9rem;margin:1rem 0}\n"
     "th,td{border:1px solid #ccc;padding:.35rem .6rem;text-align:left;vertical-align:top}th{background:#f3f3f3}\n"
     "caption{text-align:left;font-weight:600;padding:.3rem 0}\n"
-    "img{max-width:100%;height:auto}figure{margin:2rem 0}figcaption{font-size:.9rem;color:#444}\n"
+    "img{max-width:100%;height:auto}figure{margin:2rem 0}figcaption{font-size:.9rem;color:#444;margin-top:.4rem}\n"
     ".new{background:#f4f7fb;border-left:4px solid #2f6fb0;padding:.2rem 1.2rem}.new li{margin:.5rem 0}\n"
     "nav ol{columns:2;font-size:.95rem}nav li{break-inside:avoid}\n"
     ".v{white-space:nowrap;font-weight:600}.confirmed{color:#006b3c}.limits{color:#8a5a00}.not{color:#b00020}\n"

@@ -13,6 +13,7 @@
 #include "scene/bevel.h"
 #include "scene/curl.h"
 #include "scene/filter.h"
+#include "scene/logo.h"
 #include "scene/normals.h"
 #include "scene/scenes.h"
 
@@ -28,6 +29,17 @@ static struct image *read_map(const struct scene_options *options, const char *p
     return path ? image_read_sized(path, times * options->width, times * options->height) : NULL;
 }
 
+static struct image *read_surface(const struct scene_options *options)
+{
+    struct image *image = read_map(options, options->heights ? options->heights : options->normals);
+    if (!image || !(options->fit > 0))
+        return image;
+    const unsigned times = times_of(options);
+    struct image *fitted = logo_fitted(image, times * options->width, times * options->height, options->fit);
+    image_free(image);
+    return fitted;
+}
+
 /* The picture that holds the surface, and its other maps; NULL where there is none. */
 struct scene_maps {
     struct scene_options options;
@@ -38,7 +50,7 @@ struct scene_maps *scene_maps_read(const struct scene_options *options)
 {
     struct scene_maps *maps = allocate(1, sizeof *maps);
     *maps = (struct scene_maps){*options,
-                                read_map(options, options->heights ? options->heights : options->normals),
+                                read_surface(options),
                                 read_map(options, options->albedo),
                                 read_map(options, options->gloss),
                                 read_map(options, options->mask),

@@ -15,6 +15,7 @@ struct scene_options {
     const char *heights, *normals, *scene;
     struct mesh_source mesh; /* its name is NULL where there is none */
     double scale, bevel;     /* bevel > 0: the heights are those of a shape's rounded edge */
+    double fit;              /* of a bevelled shape: percent of the picture that it takes; 0: it stays as it is */
     bool wraps, flip_y;
     const char *mask;
     uint32_t width, height;     /* 0: the map's own */
@@ -27,6 +28,7 @@ struct scene_options {
     bool has_backdrop;
     unsigned filter; /* so many pixels of the maps each way become one; 0: as 1 */
     bool cut_out;    /* the thing alone: a built-in scene's without its wall, a logo's shape */
+    bool none;       /* no surface is wanted */
     bool has_body;
     uint8_t body[3]; /* what a built-in scene is made of; else its own colour */
 };

@@ -37,6 +37,7 @@ struct sink_wish {
     int format;                             /* enum glint_format, or -1 */
     uint16_t default_width, default_height; /* the scene's own, for sinks that take any size */
     double fps;                             /* frames a second; 0: as fast as the sink takes them */
+    bool demo;                              /* of a device that shades: what it shows by itself */
     const char *output;                     /* -o; NULL only where the sink's output has none */
 };
 
@@ -103,6 +104,7 @@ struct sink_shader {
     struct sink *(*open)(const struct sink_wish *wish); /* as above */
     /* Normals as GLINT_NORMALS_INT8. */
     enum sink_result (*send_scene)(struct sink *sink, const struct light_material *material, const uint32_t *normals);
+    /* Where it shows its own, that one's light. */
     enum sink_result (*send_light)(struct sink *sink, const int32_t to_light[3], size_t *bytes);
     /* The mesh that lies in the device; false: there is none. Then its material, and poses instead of lights. */
     bool (*find_mesh)(struct sink *sink, struct light_mesh *mesh);

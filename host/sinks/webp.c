@@ -55,6 +55,8 @@ static struct sink *open_webp(const struct sink_wish *wish)
     webp->config.quality = webp->config.lossless ? 75 : (float)quality; /* without loss: how hard it tries */
     webp->config.use_sharp_yuv = true;
     options.anim_params.loop_count = 0; /* without end */
+    if (!webp->config.lossless)
+        options.kmax = 1; /* each frame whole: what the encoder leaves of the one before are blocks that are seen */
     webp->encoder = WebPAnimEncoderNew(webp->sink.width, webp->sink.height, &options);
     if (!webp->encoder)
         fail("%s: no WebP of %ux%u pixels can be written", wish->output, webp->sink.width, webp->sink.height);

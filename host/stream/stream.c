@@ -63,6 +63,7 @@ static void choose_size(struct stream *stream, const struct scene_maps *maps)
                            .default_width = (uint16_t)(width ? width : USUAL_WIDTH),
                            .default_height = (uint16_t)(height ? height : USUAL_HEIGHT),
                            .fps = stream->options->fps,
+                           .demo = stream->options->shade_demo,
                            .output = stream->options->output};
 }
 
@@ -86,17 +87,17 @@ static bool start(struct stream *stream)
     if (!open_sink)
         return false;
     const struct sink *sink = open_sink;
-    if (!stream->mesh)
+    if (!stream->mesh && !options->shade_demo)
         stream->scene = scene_of_shading_options(&options->look, maps, sink->width, sink->height);
     scene_maps_free(maps);
     stream->shading =
-        shading_of_options(&options->look, sink->format, stream->mesh ? &plain_finish : &stream->scene->finish);
+        shading_of_options(&options->look, sink->format, stream->scene ? &stream->scene->finish : &plain_finish);
     shading_options_check(NULL, &options->look, &stream->shading);
     if (stream->mesh && sink->shades)
         mesh_device_find(stream->mesh, open_sink);
     if (stream->mesh)
         mesh_stream_start(stream->mesh, &stream->shading, sink->width, sink->height);
-    else
+    else if (stream->scene)
         stream->canvas = canvas_new(stream->scene, &stream->shading);
     light_path_start(stream->path, options, &stream->shading, sink->width, sink->height);
     stream->stats = stats_new(sink);
@@ -140,13 +141,13 @@ static bool find_again(struct stream *stream)
     return true;
 }
 
-/* To a device that shades: the scene if it does not have it yet, and the light, or the mesh's pose. */
+/* To a device that shades: the scene if it does not have it yet and shows not its own, and the light, or the mesh's pose. */
 static bool send_light(struct stream *stream, double seconds)
 {
     struct plan_result result;
     for (;;) {
         enum sink_result sent = SINK_SENT;
-        if (!stream->known)
+        if (!stream->known && !stream->options->shade_demo)
             sent = stream->mesh ? mesh_device_send(stream->mesh, open_sink)
                                 : device_send_scene(open_sink, stream->scene, &stream->shading);
         if (sent == SINK_SENT && stream->options->board_lights)

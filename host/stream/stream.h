@@ -21,6 +21,7 @@ struct stream_options {
     bool board_lights;    /* the device that shades tells where the light is; lights is NULL */
     bool stats, json;
     bool shade_device; /* the device shades, and gets lights */
+    bool shade_demo;   /* what is its own; there is no scene */
 };
 
 /* Returns the exit status. */

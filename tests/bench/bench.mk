@@ -17,6 +17,10 @@ BENCH_MESH_SOURCES = tests/bench/mesh/mesh.c tests/bench/mesh/gouraud.c
 # The widget of LVGL beside glint's own calls, with the stand-ins of tier packages.
 BENCH_LVGL = lib/examples/lvgl
 BENCH_LVGL_SOURCES = tests/bench/mesh/lvgl.c $(BENCH_LVGL)/glint_lvgl.c $(BENCH_LVGL)/glint_lvgl_mesh.c
+# What is called by its name (mesh.mjs, calibrate.mjs, twins.mjs): sections that nothing of it needs are left out, or the RAM is too small.
+BENCH_MESH_ROOTS = $(addprefix mesh_,begin clothe frame strip memory_bytes normals rect) glint_mesh_sort glint_mesh_albedo_pixels \
+	$(addprefix calibrate_,alu call conditions empty high indexed jump loop memory muls multiple pointer sp stack)
+BENCH_MESH_LINK = -Wl,--gc-sections $(foreach name,$(BENCH_MESH_ROOTS),-Wl,-u,$(name))
 BENCH_MESH_INPUTS = $(wildcard tests/bench/mesh/*.h) $(BENCH_MESH)/teapot.h $(BENCH_MESH)/teapot_split.h
 BENCH_BUNNY = $(if $(WITH_MESH),$(wildcard $(BENCH_NPM)/node_modules/bunny/index.js))
 BENCH_MESH_ELFS = $(foreach program,mesh lvgl,$(patsubst %,$(BENCH)/$(program)-%.elf,O2 asm))
@@ -86,7 +90,7 @@ $(BENCH)/m0plus-%.elf: $(BENCH)/lib-%/done $(BENCH_INPUTS) tests/bench/calibrate
 
 $(BENCH)/mesh-%.elf: $(BENCH)/lib-%/done $(BENCH_MESH_SOURCES) $(BENCH_MESH_INPUTS) $(if $(BENCH_BUNNY),$(BENCH_MESH)/bunny.h) $(BENCH_INPUTS) tests/bench/calibrate.S
 	@$(BENCH_COMPILE) -Ilib -I$(BENCH_MESH) -DMESH_BUNNY=$(if $(BENCH_BUNNY),1,0) \
-		-nostartfiles -T tests/bench/m0plus.ld -Wl,--wrap=glint_mesh_rows $(BENCH_MESH_SOURCES) tests/bench/calibrate.S $(BENCH_LIB) -o $@
+		-nostartfiles -T tests/bench/m0plus.ld -Wl,--wrap=glint_mesh_rows $(BENCH_MESH_LINK) $(BENCH_MESH_SOURCES) tests/bench/calibrate.S $(BENCH_LIB) -o $@
 
 $(BENCH)/lvgl-%.elf: $(BENCH)/lib-%/done $(BENCH_LVGL_SOURCES) $(wildcard tests/bench/mesh/*.h $(BENCH_LVGL)/*.h tests/packages/standins/lvgl*.h) $(BENCH_MESH)/teapot.h $(BENCH_INPUTS) tests/bench/calibrate.S
 	@$(BENCH_COMPILE) -Ilib -I$(BENCH_MESH) -I$(BENCH_LVGL) -Itests/packages/standins \

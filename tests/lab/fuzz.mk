@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# Fuzzers of what devices parse: tests/lab/test_fuzz runs them, `make fuzz` longer.
+# Fuzzers of what devices parse, and of OBJ: tests/lab/test_fuzz runs them, `make fuzz` longer.
 LAB_FUZZ_PACKAGES = clang-14 libclang-rt-14-dev liblz4-dev xz-utils
 LAB_FUZZERS = $(patsubst tests/lab/fuzz_%.c,$(BUILD)/tests/lab/fuzz_%,$(wildcard tests/lab/fuzz_*.c))
 
 $(LAB_FUZZERS): $(BUILD)/tests/lab/fuzz_%: tests/lab/fuzz_%.c tests/lab/fuzz.h tests/lab/fuzzer $(wildcard firmware/core/*.[ch] lib/*.[ch]) \
-		host/sinks/panel/virtual_panel.c host/sinks/panel/virtual_panel.h
+		host/sinks/panel/virtual_panel.c host/sinks/panel/virtual_panel.h $(wildcard host/mesh/*.[ch] host/base/*.[ch])
 	tests/lab/fuzzer $* $@
 
 # What the fuzzers start from, an archive each, unpacked.
@@ -15,7 +15,7 @@ $(LAB_SEEDS): $(BUILD)/tests/lab/seeds/%: tests/lab/seeds/%.tar.xz
 setup-fuzz:
 	@.ci/need "fuzzing" $(LAB_FUZZ_PACKAGES)
 
-fuzz: setup-fuzz ## check: what devices parse, fuzzed for SECONDS (600) each; what is new goes to build/fuzz
+fuzz: setup-fuzz ## check: what devices parse, and OBJ, fuzzed for SECONDS (600) each; what is new goes to build/fuzz
 	@+$(SUBMAKE) run-fuzz
 run-fuzz: $(LAB_FUZZERS) $(LAB_SEEDS)
 	@for fuzzer in $(LAB_FUZZERS); do name=$${fuzzer##*_} && mkdir -p build/fuzz/$$name && \

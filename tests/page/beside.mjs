@@ -19,6 +19,15 @@ export const start = 'scene=coin&size=64x48&format=rgb565&light=-1,1,1.2'
 
 export const press = text => page.evaluate(text => [...document.querySelectorAll('button')].find(button => button.textContent === text).click(), text)
 
+/** So many frames: what moves by itself has moved by then. */
+export const frames = count => page.evaluate(async count => {
+    for (let i = 0; i < count; i++)
+        await new Promise(requestAnimationFrame)
+}, count)
+
+/** Once it is known what would be refused. */
+export const asked = () => browser.until(() => document.body.dataset.asked === document.body.dataset.state)
+
 /** The state that the page has now is what its canvas shows. */
 export async function shownIsDrawn() {
     const now = await browser.now()

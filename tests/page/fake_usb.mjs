@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // navigator.usb with one board in it, for pages in a browser that has no device: fakeUsb runs in the page, and keeps what it is sent in
-// globalThis.board; with board.room it knows its light, with board.mesh it holds a mesh, whose poses are kept as lights are. A real board, or the firmware, is in tests/pico.
+// globalThis.board; with board.room it knows its light, with board.takesLight = false it takes none for its own picture (board.given), with board.mesh it holds a mesh, whose poses are kept as lights are. A real board, or the firmware, is in tests/pico.
 export function fakeUsb(width, height) {
     const gone = () => { throw new DOMException('A transfer error has occurred.', 'NetworkError') }
-    const board = globalThis.board = { isPlugged: true, isHeld: false, isBusy: false, stalls: false, isChosen: true, mesh: null, room: null, takesMaps: true, inMesh: false, enabled: 0, material: [], map: [], lights: [], reports: 0 }
+    const board = globalThis.board = { isPlugged: true, isHeld: false, isBusy: false, stalls: false, isChosen: true, mesh: null, room: null, takesMaps: true, takesLight: true, given: [], unsupported: false, inMesh: false, enabled: 0, material: [], map: [], lights: [], reports: 0 }
     const listeners = { connect: [], disconnect: [] }
     const answer = status => ({ status })
     const device = {
@@ -23,6 +23,10 @@ export function fakeUsb(width, height) {
                 return board.mesh ? { status: 'ok', data: new DataView(Uint8Array.from(board.mesh).buffer) } : answer('stall')
             if (request === 0xa6)
                 return board.room ? { status: 'ok', data: new DataView(Int32Array.from(board.room).buffer) } : answer('stall')
+            if (board.unsupported) {
+                board.unsupported = false
+                return { status: 'ok', data: new DataView(Uint8Array.of(2).buffer) }
+            }
             return { status: 'ok', data: new DataView(Uint8Array.of(board.isBusy || board.reports++ % 2 ? 1 : 0).buffer) }
         },
         async controlTransferOut({ request }, data) {
@@ -35,6 +39,12 @@ export function fakeUsb(width, height) {
                 board.material = [...data]
             if (request === 0xa3 && !board.takesMaps || request === 0xa5 && !board.mesh)
                 return answer('stall')
+            if (request === 0xa7 && (!board.takesLight || board.enabled)) {
+                board.unsupported = true
+                return answer('stall')
+            }
+            if (request === 0xa7)
+                board.given.push([...data])
             if (request === 0xa3)
                 board.map = []
             if (request === 0xa3 || request === 0xa5)

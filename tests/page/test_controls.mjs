@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: MIT
-// test_controls.mjs PACKAGES PAGE GLINT BROWSER: what a user does with the page in a browser, by mouse, finger and keyboard, and what is
-// told there.
+// test_controls.mjs PACKAGES PAGE GLINT BROWSER: what a user does with the page's controls and lights, by mouse, finger and
+// keyboard, and what is told there.
 import { readFileSync } from 'node:fs'
 import { check, equal, run } from '../pico/tap.mjs'
-import { browser, command, folder, fragment, isFirefox, name, packages, page, press, shownIsDrawn, start, stateOfFragment, stateOfWords, wordsOf } from './beside.mjs'
-import { difference } from './glint.mjs'
-import { extras, png, surfaces } from './maps.mjs'
-import { ball, gltf, meshes } from './meshes.mjs'
+import { asked, browser, command, fragment, frames, isFirefox, page, press, shownIsDrawn, start, stateOfFragment, stateOfWords, wordsOf } from './beside.mjs'
 import { randomly, randomWords } from './states.mjs'
 
 const measured = readFileSync(new URL('../bench/costs.tsv', import.meta.url), 'utf8').split('\n')
-
-/** So many frames: what moves by itself has moved by then. */
-const frames = count => page.evaluate(async count => {
-    for (let i = 0; i < count; i++)
-        await new Promise(requestAnimationFrame)
-}, count)
-
-/** Once it is known what would be refused. */
-const asked = () => browser.until(() => document.body.dataset.asked === document.body.dataset.state)
 
 /** Sets a control and finds its word in the command line. */
 async function sets(id, value, word) {
@@ -31,47 +19,7 @@ async function sets(id, value, word) {
     check(!rgba.equals(before.rgba), `${id} = ${value} does not change the picture`)
 }
 
-const groups = ['scene', 'material', 'light', 'output', 'expert']
-const sizes = [[320, 568, true], [360, 740, false], [740, 360, true], [768, 1024, false], [1366, 768, true], [2560, 1440, false]]
-
 run([
-    ['a logo rises by Bevel, a height map is seamless, green is flipped, and a map is taken away, by their controls; warnings are listed', async () => {
-        const changes = async (id, value, word) => {
-            const { rgba } = await browser.now()
-            await browser.set(id, value)
-            const words = await shownIsDrawn()
-            check(words.includes(word), `${id} gives ${words.join(' ')}`)
-            check(!(await browser.now()).rgba.equals(rgba), `${id} changes nothing`)
-        }
-        const drop = async file => {
-            const bytes = surfaces[file.replace(/^normals /, '')].bytes
-            command.put(file, bytes)
-            await browser.drop({ [file]: bytes })
-            await browser.until(file => document.body.dataset.drawn?.includes(encodeURIComponent(file)), file)
-        }
-        const shown = () => page.evaluate(() => ['scale', 'bevel', 'wrap', 'flip-y'].filter(option => document.getElementById(`control-${option}`).closest('.row').checkVisibility()).join())
-        await browser.go(start)
-        await drop('a-logo.png')
-        equal(await shown(), 'scale,bevel,wrap', 'controls of a height map')
-        await changes('control-bevel', '9', '--bevel=9')
-        await asked()
-        const why = await page.evaluate(() => [document.getElementById('control-wrap').disabled, document.getElementById('control-wrap').closest('.row').querySelector('.why').textContent].join(': '))
-        equal(why, 'true: Not now: Seamless cannot be used with Bevel: a logo has no seams', 'Seamless beside a bevel')
-        await drop('grey16.png')
-        check(!(await shownIsDrawn()).some(word => word.startsWith('--bevel')), 'another map keeps the bevel')
-        await changes('control-wrap', true, '--wrap')
-        await drop('normals rgba8.png')
-        equal(await shown(), 'flip-y', 'controls of a normal map')
-        check(/its alpha is the mask/.test(await browser.text('warnings')), `the warnings are ${await browser.text('warnings')}`)
-        await changes('control-flip-y', true, '--flip-y')
-        await browser.drop({ 'albedo.png': extras['albedo.png'] })
-        await browser.until(() => document.body.dataset.drawn?.includes('albedo.png'))
-        await shownIsDrawn()
-        await page.evaluate(() => document.querySelector('[aria-label="Colours: remove"]').click())
-        check(!(await shownIsDrawn()).some(word => word.startsWith('--albedo')), 'the albedo stays')
-        await press('Coin')
-        equal(await shown(), '', 'controls of a map for a scene')
-    }],
     ['every control sets its option, changes the picture and the command line', async () => {
         await browser.go(start)
         await browser.tab('material') // what is not seen waits for its values until the state rests
@@ -145,129 +93,6 @@ run([
         check(await isSeen(), 'no code is shown')
         await page.click('#code')
     }],
-    ['pixels are zoomed by whole numbers of the screen\'s, and by halves where they are blended', async () => {
-        await browser.resize(800, 600)
-        await browser.go(start)
-        const zoom = async () => [Number((await browser.text('zoom')).replace('×', '')), ...await page.evaluate(() => {
-            const canvas = document.getElementById('canvas'), { width } = canvas.getBoundingClientRect()
-            return [width * devicePixelRatio / canvas.width, canvas.classList.contains('smooth')]
-        })]
-        const [fit] = await zoom()
-        for (const [id, expected] of [['zoom-in', fit + 1], ['zoom-out', fit], ['zoom-out', fit - 1], ...[3, 2.5, 2, 1.75, 1.5].filter(scale => scale < fit - 1).map(scale => ['zoom-out', scale]), ['zoom-fit', fit]]) {
-            for (let said; (said = (await zoom())[0]) !== expected;) {
-                await page.click(`#${id}`)
-                check((await zoom())[0] !== said, `${id} changes nothing`)
-            }
-            const [, real, isBlended] = await zoom()
-            check(Math.abs(real - expected) < 1e-3, `${id}: it draws ${real}, not ${expected}`)
-            equal(isBlended, expected % 1 !== 0, `${expected}: blended`)
-        }
-    }],
-    ['the explanation has N, L, H and t in a picture, and MSH, Cayley and Blinn at the picture\'s n with their formulas', async () => {
-        await browser.go(start + '&n=77')
-        await page.click('#show-how')
-        await browser.until(() => [...document.querySelectorAll('#beside figcaption')].every(caption => caption.textContent.endsWith('n = 77')))
-        const [names, formulas] = await page.evaluate(() => ['.diagram .names text', '#beside .of-model'].map(of => [...document.querySelectorAll(of)].map(element => element.textContent)))
-        check(['N', 'L', 'H', 't'].every(name => names.includes(name)), names.join())
-        equal(new Set(formulas.filter(formula => formula)).size, 3, 'formulas')
-        for (const [i, model] of ['msh', 'cayley', 'blinn'].entries()) {
-            const drawn = await page.evaluate(i => {
-                const canvas = document.querySelectorAll('#beside canvas')[i]
-                return [...canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data]
-            }, i)
-            const wrong = difference(drawn, 200, 200, command.render(['--scene=sphere', '--size=200x200', `--model=${model}`, '-n77', '--light=-1,1,1.5']))
-            check(!wrong, `${model}: ${wrong}`)
-        }
-    }],
-    ...[[360, 740], [800, 600], [1366, 768]].map(([width, height]) => [`by the keyboard alone every control is reached, in the order in which it stands, and its focus is seen, at ${width}x${height}`, async () => {
-        await browser.resize(width, height)
-        await browser.go(start)
-        for (const group of groups) {
-            await browser.tab(group)
-            if (group === 'expert')
-                await browser.expert()
-            await asked()
-            const all = await page.evaluate(() => {
-                document.activeElement.blur()
-                const list = [...document.querySelectorAll('body > :not(dialog) :is(button, input, select, a[href], summary), body > a')].filter(control => !control.disabled && control.tabIndex >= 0 && control.checkVisibility())
-                list.forEach((control, i) => { control.dataset.place = i })
-                return list.length
-            })
-            const reached = []
-            await page.focus('#skip')
-            for (let first = true; reached.length < all; first = false) {
-                if (!first)
-                    await page.keyboard.press('Tab')
-                if (await page.evaluate(() => document.activeElement.matches('div'))) // browsers stop at what scrolls
-                    continue
-                const [place, ring, name] = await page.evaluate(() => {
-                    const control = document.activeElement, seen = control.classList.contains('hidden') ? control.nextElementSibling : control
-                    const { outlineStyle, outlineWidth } = getComputedStyle(seen), box = seen.getBoundingClientRect(), scroller = document.getElementById('scroller'), fold = scroller.contains(seen) ? scroller.getBoundingClientRect().bottom : innerHeight
-                    return [Number(control.dataset.place), outlineStyle === 'solid' && parseFloat(outlineWidth) >= 2 && box.width > 8 && box.height > 8 && box.top >= 0 && box.bottom <= fold, `${control.outerHTML.slice(0, 90)}: ${outlineStyle} ${outlineWidth}, ${box.top} to ${box.bottom} of ${fold}`]
-                })
-                check(ring || first, `the focus is not seen on ${name}`)
-                reached.push(place)
-            }
-            equal(reached.join(), Array.from({ length: all }, (_, i) => i).join(), `${group}: places in the order of Tab`)
-        }
-    }]),
-    ['what has the focus comes into view from far above, each time', async () => { // Firefox went back one time in ten
-        await browser.resize(360, 740)
-        await browser.go('scene=teapot')
-        await browser.expert()
-        const isAt = () => page.evaluate(() => document.activeElement.matches('.legend summary'))
-        for (let i = 0; i < 20; i++) {
-            await page.evaluate(() => {
-                document.getElementById('scroller').scrollTop = 0
-                document.getElementById('tab-expert').focus()
-            })
-            for (let tabs = 0; tabs < 20 && !await isAt(); tabs++)
-                await page.keyboard.press('Tab')
-            await frames(5)
-            const { top, bottom } = await page.evaluate(() => document.activeElement.getBoundingClientRect().toJSON())
-            check(await isAt() && top > 0 && bottom <= 740, `round ${i}: it is at ${top} to ${bottom} of 740`)
-        }
-    }],
-    ...sizes.map(([width, height, dark]) => [`at ${width}x${height} nothing covers anything, and what is touched is large enough`, async () => {
-        await browser.resize(width, height)
-        await browser.go(start.replace('coin', 'teapot') + '&background=9,9,9')
-        await browser.until(() => !document.getElementById('turn').hidden)
-        const isTouched = width < 600
-        for (const group of groups) {
-            await browser.tab(group)
-            await asked()
-            const wrong = await page.evaluate(async isTouched => {
-                const scroller = document.getElementById('scroller'), wrong = new Set()
-                const shown = [...document.querySelectorAll('header :is(button, a), .bar button, .tabs button, .stage, #scroller :is(button, select, input:not(.hidden), label.file, summary, a)')].filter(control => control.checkVisibility())
-                for (const control of shown) {
-                    const { width, height } = control.getBoundingClientRect()
-                    if (isTouched && !control.matches('.stage, a') && (width < 43.5 || height < 43.5))
-                        wrong.add(`${control.outerHTML.slice(0, 80)} has ${width} x ${height}`)
-                }
-                for (let at = 0; ; at += 16) {
-                    scroller.scrollTop = at
-                    const place = scroller.getBoundingClientRect()
-                    for (const control of shown) {
-                        const box = control.getBoundingClientRect(), x = box.x + box.width / 2, y = box.y + box.height / 2
-                        if (scroller.contains(control) && (y < place.top || y > place.bottom - 1))
-                            continue
-                        const top = document.elementFromPoint(x, y)
-                        if (!control.contains(top))
-                            wrong.add(`at ${at}: ${control.outerHTML.slice(0, 80)} is below ${top?.outerHTML.slice(0, 80)}`)
-                    }
-                    if (at > scroller.scrollHeight - scroller.clientHeight)
-                        break
-                }
-                const whole = document.documentElement
-                if (whole.scrollWidth > whole.clientWidth || whole.scrollHeight > whole.clientHeight || scroller.scrollWidth > scroller.clientWidth)
-                    wrong.add(`it is ${whole.scrollWidth - whole.clientWidth} too wide, ${whole.scrollHeight - whole.clientHeight} too high, its controls ${scroller.scrollWidth - scroller.clientWidth} too wide`)
-                return [...wrong].join('\n')
-            }, isTouched)
-            equal(wrong, '', group)
-        }
-        const share = await page.evaluate(() => document.getElementById('stage').clientHeight / innerHeight)
-        check(share >= .4, `the stage has ${share} of the height`)
-    }]),
     ['nothing moves by itself, and with reduced motion no control fades', async () => {
         await browser.go(start)
         const { rgba } = await browser.now()
@@ -351,55 +176,6 @@ run([
         check(Object.keys(expected).every(file => saved[file]?.equals(expected[file])), 'the saved mesh is not the command\'s')
         check(await page.evaluate(() => document.getElementById('file-int8').hidden && !document.getElementById('file-material').hidden), 'files of a map are offered')
     }],
-    ['a dropped STL is drawn, turned, set and baked as the command does', async () => {
-        const name = 'ring.stl', bytes = meshes[name]
-        command.put(name, bytes)
-        await browser.go(start)
-        await browser.drop({ [name]: bytes })
-        await browser.until(name => document.body.dataset.drawn?.includes(name), name)
-        equal((await shownIsDrawn()).join(' '), '--mesh=ring.stl --size=64x48 --format=rgb565 --light=-1,1,1.2', 'the state')
-        await page.click('#turn')
-        await page.focus('#handle-1')
-        await page.keyboard.press('ArrowDown')
-        for (const [id, value, word] of [['control-split', '7', '--split=7'], ['control-axes', 'y-up', '--axes=y-up'], ['control-crease', '10', '--crease=10']]) {
-            const { rgba } = await browser.now()
-            await browser.set(id, value)
-            const words = await shownIsDrawn()
-            check(words.includes(word) && words.includes('--turn=5,0,0'), words.join(' '))
-            check(!(await browser.now()).rgba.equals(rgba), `${word} changes nothing`)
-        }
-        const saved = await browser.save('file-mesh', 2), expected = command.files(['bake', '--mesh=ring.stl', '--crease=10', '--axes=y-up', '--split=7', '-o', 'mesh.c'])
-        check(Object.keys(expected).every(file => saved[file]?.equals(expected[file])), 'the saved mesh is not the command\'s')
-        check(/such a picture takes a Cortex-M0\+ [\d.]+ million cycles/.test(await browser.text('file-status')), await browser.text('file-status'))
-        await press('Coin')
-        equal((await shownIsDrawn()).join(' '), '--scene=coin --size=64x48 --format=rgb565 --light=-1,1,1.2', 'the coin after it')
-        await press('Undo')
-        check((await shownIsDrawn()).includes('--mesh=ring.stl'), 'undone')
-    }],
-    ['a mesh wears a dropped PNG as the command draws it; other pictures are refused with a word', async () => {
-        await browser.go(start.replace('coin', 'teapot'))
-        for (const [i, [file, { bytes }]] of Object.entries(surfaces).filter(([file]) => !/16|gamma/.test(file)).entries()) {
-            const name = `texture ${i}.png`
-            command.put(name, bytes)
-            await browser.drop({ [name]: bytes })
-            await browser.until(name => document.body.dataset.kept === name, name)
-            check((await shownIsDrawn()).includes(`--texture=${name}`), file)
-        }
-        await browser.set('control-nearest', true)
-        const words = await shownIsDrawn()
-        check(words.includes('--nearest'), words.join(' '))
-        const saved = await browser.save('file-mesh', 2), expected = command.files(['bake', ...words.filter(word => /^--(scene|texture|nearest)/.test(word)), '-o', 'mesh.c'])
-        check(Object.keys(expected).every(file => saved[file]?.equals(expected[file])), 'the saved mesh is not the command\'s')
-        for (const [name, bytes, sentence] of [['texture.jpg.png', Buffer.from('\xff\xd8\xff\xe0', 'latin1'), /a JPEG, not a PNG; convert it/], ['texture16.png', surfaces['grey16.png'].bytes, /16 bits a sample/],
-            ['texture of gamma 1.png', png({ width: 4, height: 4, type: 0, depth: 8, sample: () => 99, extra: [['gAMA', [0, 1, 0x86, 0xa0]]] }), /a gamma or colour profile of its own/]]) {
-            await browser.drop({ [name]: bytes })
-            await browser.until(name => document.getElementById('refusal').textContent.startsWith(name), name)
-            check(sentence.test(await browser.text('refusal')), await browser.text('refusal'))
-            equal((await shownIsDrawn()).join(' '), words.join(' '), `the state after ${name}`)
-        }
-        await press('Coin')
-        check(!(await shownIsDrawn()).some(word => /texture|nearest/.test(word)), 'the texture stays')
-    }],
     ['the address restores the state, with controls that show it', async () => {
         const words = ['--scene=watchface', '--size=50x40', '--model=cayley', '-n77', '-q9', '--ambient=.3', '--format=rgb565', '--dither', '--light=.5,.5,1', '--point=10,20,30,90,1,.5,.25']
         await browser.go(fragment(words))
@@ -417,83 +193,6 @@ run([
         }
         await browser.go('scene=coins&n=5000')
         check((await browser.text('refusal')).startsWith('--scene: unknown scene \'coins\''), await browser.text('refusal'))
-    }],
-    ['an address that names a map which is not here says so over a working scene, and draws it as the address says when it comes; so does a newer file of that name', async () => {
-        const words = ['--height=not-here.png', '--bevel=5', '--color=90,140,200', '--size=40x30', '-n50']
-        await browser.go(fragment(words))
-        const standIn = await browser.now()
-        equal(standIn.refusal, 'not-here.png: this map is not here; drop or choose the file', 'what it says')
-        const wrong = difference(standIn.rgba, standIn.width, standIn.height, command.render(['--scene=coin', '--size=40x30', '-n50']))
-        check(!wrong, `in its place: ${wrong}`)
-        check((await browser.text('command')).includes('--height=not-here.png'), 'the command line is of another picture')
-        await browser.expert()
-        check(!/\b0\.000°/.test(await browser.text('extent')), 'false values')
-        const drawnAgain = async (bytes, { rgba } = { rgba: Buffer.alloc(0) }) => {
-            command.put('not-here.png', bytes)
-            await browser.drop({ 'not-here.png': bytes })
-            await browser.until(() => document.getElementById('refusal').hidden)
-            for (let tries = 0; (await browser.now()).rgba.equals(rgba); tries++) {
-                check(tries < 600, 'it is not drawn')
-                await frames(1)
-            }
-            equal((await shownIsDrawn()).join(' '), wordsOf(stateOfWords(words)).join(' '), 'the state')
-        }
-        await drawnAgain(surfaces['a-logo.png'].bytes)
-        await drawnAgain(surfaces['grey1.png'].bytes, await browser.now())
-        await browser.go('normals=rgb8.png&flip-y') // whose name does not tell what it is
-        await browser.drop({ 'rgb8.png': surfaces['rgb8.png'].bytes })
-        await browser.until(() => document.getElementById('refusal').hidden)
-        equal((await shownIsDrawn()).join(' '), '--normals=rgb8.png --flip-y', 'the state')
-    }],
-    ['dropped maps and meshes are here after a reload', async () => {
-        for (const [name, bytes, word] of [['kept.png', surfaces['grey16.png'].bytes, '--height=kept.png'], ['kept.stl', meshes['ring.stl'], '--mesh=kept.stl'], ['kept.glb', gltf([{ ...ball(), material: 0 }], { materials: [{}] }), '--mesh=kept.glb']]) {
-            command.put(name, bytes)
-            await browser.go(start)
-            await browser.drop({ [name]: bytes })
-            await browser.until(name => document.body.dataset.drawn?.includes(name), name)
-            const now = await shownIsDrawn()
-            check(now.includes(word), now.join(' '))
-            await browser.until(name => document.body.dataset.kept === name && location.hash.includes(name), name)
-            await page.reload()
-            await browser.until(() => document.body.dataset.drawn !== undefined)
-            equal(await browser.text('refusal'), '', 'what it says')
-            equal((await shownIsDrawn()).join(' '), now.join(' '), 'the state')
-        }
-    }],
-    ['a logo becomes a bevelled shape at once, and brushed metal runs round the middle of a round panel', async () => {
-        const disc = (x, y) => (x - 20) ** 2 + (y - 20) ** 2 < 150, side = { width: 40, height: 40, depth: 8 }
-        const logos = { 'cut.png': png({ ...side, type: 6, sample: (x, y, k) => k === 3 && disc(x, y) ? 255 : 0 }), 'black.png': png({ ...side, type: 0, sample: (x, y) => disc(x, y) ? 0 : 255 }), 'hills.png': png({ ...side, type: 0, sample: (x, y) => 6 * x }) }
-        for (const [name, bytes] of Object.entries(logos)) {
-            command.put(name, bytes)
-            await browser.go('scene=knob&size=64x48&panel=round&light=-1,1,1.2')
-            await browser.drop({ [name]: bytes })
-            await browser.until(name => document.body.dataset.drawn?.includes(name), name)
-            equal((await shownIsDrawn()).includes('--bevel=6'), name !== 'hills.png', `a bevel of ${name}`)
-            equal(await page.evaluate(() => document.querySelectorAll('#warnings li').length), 0, `warnings of ${name}`)
-        }
-        await browser.tab('material')
-        await press('Brushed steel')
-        check((await shownIsDrawn()).join(' ').includes('--grain=spun --material=brushed-steel'), await browser.text('command'))
-    }],
-    ['a file that is refused leaves the address, the rows and the picture as they were', async () => {
-        const logo = surfaces['a-logo.png'].bytes
-        command.put('good.png', logo)
-        await browser.go(start)
-        await browser.drop({ 'good.png': logo })
-        await browser.until(() => document.body.dataset.drawn?.includes('good.png'))
-        const before = await shownIsDrawn()
-        const rows = () => page.evaluate(() => [...document.querySelectorAll('.file-name')].map(({ textContent }) => textContent).join())
-        const had = await rows(), big = png({ width: 9, height: 9, type: 0, depth: 8, sample: () => 9 })
-        for (const [name, bytes, sentence] of [['gloss-of-9.png', big, /9x9 pixels, but/], ['good.png', Buffer.from('no'), /not a PNG/], ['my normals.png', surfaces['grey8.png'].bytes, /has one channel/], ['bad.stl', Buffer.alloc(90), /not a whole binary STL/]]) {
-            await browser.drop({ [name]: bytes })
-            await browser.until(name => document.getElementById('refusal').textContent.startsWith(name), name)
-            check(sentence.test(await browser.text('refusal')), await browser.text('refusal'))
-            equal((await shownIsDrawn()).join(' '), before.join(' '), `the state after ${name}`)
-            equal(await rows(), had, `the rows after ${name}`)
-        }
-        check(await page.evaluate(() => !document.getElementById('undo').disabled), 'nothing can be undone')
-        await page.click('#undo')
-        equal((await shownIsDrawn()).join(' '), wordsOf(stateOfFragment(start)).join(' '), 'undone')
     }],
     ['what the command would refuse cannot be chosen, and says why', async () => {
         const random = randomly(77)
@@ -584,14 +283,6 @@ run([
         await browser.set('control-n', '9')
         check((await shownIsDrawn()).includes('-n9'), 'nothing is drawn after that')
     }],
-    ['an address with ?embed shows the stage alone', async () => {
-        await page.goto('about:blank')
-        await page.goto(`${browser.url}?embed#${start}`)
-        await browser.until(() => document.body.dataset.drawn !== undefined)
-        await shownIsDrawn()
-        const seen = await page.evaluate(() => ['header', '.tools', '.bar', '.stage'].map(of => document.querySelector(of).checkVisibility()).join())
-        equal(seen, 'false,false,false,true', 'what is seen')
-    }],
     ['the Connect button says why a page from a file reaches no device, and where one does', async () => {
         await browser.go(start)
         await browser.tab('output')
@@ -599,29 +290,6 @@ run([
         equal(await browser.text('device-status'), isFirefox ? 'This browser does not reach USB devices. Open the page in Chrome, Edge or Opera on a computer.'
             : 'Chrome loses a device that is chosen in a page from a file. Run "glint page", open http://localhost:8016/ and connect there.', 'the sentence')
         await shownIsDrawn()
-    }],
-    ['on phones, laptops and large screens, light and dark, axe finds nothing in any group', async () => {
-        const axe = readFileSync(`${packages}/node_modules/axe-core/axe.min.js`, 'utf8')
-        for (const [width, height, dark] of sizes) {
-            await browser.resize(width, height)
-            if (!isFirefox)
-                await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }])
-            await browser.go()
-            await page.addScriptTag({ content: axe }) // no eval, which the page's policy refuses
-            for (const group of groups) {
-                await browser.tab(group)
-                if (group === 'expert')
-                    await browser.expert()
-                await asked()
-                await page.screenshot({ path: `${folder}/${name}-${width}x${height}-${group}.png` })
-                const found = await page.evaluate(async () => (await axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`))
-                equal(found.join('\n'), '', `${width}x${height}, ${group}: axe`)
-            }
-            await page.click('#show-how')
-            await browser.until(() => [...document.querySelectorAll('#beside figcaption')].every(caption => caption.textContent))
-            const found = await page.evaluate(async () => (await axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`))
-            equal(found.join('\n'), '', `${width}x${height}, how it works: axe`)
-        }
     }],
     ['nothing was written to the console as an error', () => equal(browser.wrong.join('\n'), '', 'errors')],
 ], () => browser.close())

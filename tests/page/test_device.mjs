@@ -228,6 +228,47 @@ run([
         await says('16 bytes a frame')
         await follows()
     }],
+    ['the board shows its own picture under the page\'s light, which the device\'s tilt moves, and follows again', async () => {
+        const last = async () => {
+            const bytes = Buffer.from((await board()).given.at(-1)), words = [0, 4, 8, 12].map(at => bytes.readInt32LE(at))
+            equal(words.shift(), 0, 'the first number')
+            return words.map(word => word / 32768)
+        }
+        await page.click('#board-own')
+        await says('shows its own picture')
+        equal((await board()).enabled, 0, 'whether the page has the panel')
+        const { lights, map } = await board({ given: [] })
+        await page.click('#tilt')
+        await browser.until(() => document.getElementById('tilt').getAttribute('aria-pressed') === 'true')
+        const turn = (beta, gamma) => page.evaluate(([beta, gamma]) => dispatchEvent(new DeviceOrientationEvent('deviceorientation', { alpha: 0, beta, gamma })), [beta, gamma])
+        await turn(0, 0)
+        await browser.until(() => globalThis.board.given.length > 3)
+        const [x, , z] = await last()
+        await turn(0, 20)
+        const angle = Math.atan2(x, z) - 20 * Math.PI / 180, length = Math.hypot(x, z)
+        await browser.until(([sine]) => {
+            const view = new DataView(Uint8Array.from(globalThis.board.given.at(-1)).buffer)
+            return Math.abs(view.getInt32(4, true) / 32768 - sine) < .02
+        }, [length * Math.sin(angle)]).catch(async () => { throw new Error(`the light is ${await last()}, not ${length * Math.sin(angle)}`) })
+        await page.click('#tilt')
+        const now = await board()
+        equal(now.lights.length, lights.length, 'lights that are sent for the page\'s picture')
+        equal(now.map.length, map.length, 'bytes of a map')
+        await board({ takesLight: false })
+        await says(sentences.noLight)
+        await isFree()
+        check(await page.evaluate(() => document.getElementById('board-own').hidden), 'its own picture is offered without a board')
+        await board({ takesLight: true, lights: [], map: [], material: [] })
+        await connect()
+        await says('16 bytes a frame')
+        await page.click('#board-own')
+        await says('shows its own picture')
+        await board({ lights: [], map: [], material: [] })
+        await page.click('#board-own')
+        await says('16 bytes a frame')
+        equal((await board()).enabled, 1, 'whether the page has the panel again')
+        await follows()
+    }],
     ['a stalled transfer is said, and connecting again goes on', async () => {
         await board({ stalls: true })
         await page.focus('#handle-1')

@@ -148,6 +148,8 @@ run([
             same(engine, ['--height=grey16.png', '--wrap', '--filter=3', ...more])
         same(engine, ['--scene=coin', '--size=45x33', '--filter=2'])
         same(engine, ['--height=a-logo.png', '--bevel=6', '--cut-out', '--format=rgb565'])
+        for (const [fit, size] of [[100, '45x33'], [70, '90x90'], [33.3, '31x200'], [9, '20x20']])
+            same(engine, ['--height=a-logo.png', '--bevel=6', `--fit=${fit}`, `--size=${size}`, '--cut-out'])
         same(engine, ['--height=a-logo.png', '--bevel=6', '--background=9,200,90', '--format=mono', '--dither'])
         same(engine, ['--scene=teapot', '--size=45x33', '--background=9,200,90'])
         await sameAnswer(engine, ['--scene=teapot', '--size=45x33', '-n90', '--across=8', '--grain=brushed:90'])

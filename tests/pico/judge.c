@@ -6,6 +6,7 @@
  *   judge exact WIDTH HEIGHT FRAME        the same by the exact rectangle (PATH=exact)
  *   judge teapot WIDTH HEIGHT FRAME       the demo of DEMO=teapot, in one strip
  *   judge scene NAME WIDTH HEIGHT X Y Z    a scene, as boards with an accelerometer show it, under a light towards X, Y, Z
+ *   judge palette NAME WIDTH HEIGHT X Y Z    the same by a palette, each of its normals exactly
  *   judge fault WIDTH HEIGHT NUMBER       what is shown where something is wrong
  *   judge lz4                             standard input as one LZ4 block (no picture)
  *   judge map WIDTH HEIGHT                a map, as it goes over the wire to a device that shades
@@ -133,6 +134,29 @@ static void draw_map(const char *name, unsigned width, unsigned height, const in
     scene_free(scene);
 }
 
+static void draw_palette(const char *name, unsigned width, unsigned height, const int32_t to_light[3])
+{
+    struct scene *scene = scene_draw(name, width, height);
+    struct baked *baked = bake(scene, BAKE_PALETTE, PALETTE_DEFAULT);
+    uint16_t *pixels = allocate((size_t)width * height, sizeof *pixels);
+    uint16_t *colours = allocate(baked->entries, sizeof *colours);
+    const struct glint_surface surface = {pixels, 2 * (ptrdiff_t)width, 0, 0}, entries = {colours, 0, 0, 0};
+    const struct glint_maps maps = {.normals = baked->normals};
+    struct glint_paint paint;
+    make_paint(&paint, true, to_light);
+    if (glint_draw_rect(&paint, &maps, (uint16_t)baked->entries, 1, &entries, NULL) != GLINT_OK)
+        fail("judge: the library refused the palette");
+    colours[0] = 0;
+    if (glint_draw_palette(colours, baked->offsets, 2 * (ptrdiff_t)width, (uint16_t)width, (uint16_t)height,
+                           &surface) != GLINT_OK)
+        fail("judge: the library refused the demo");
+    write_shown(pixels, (size_t)width * height);
+    free(pixels);
+    free(colours);
+    baked_free(baked);
+    scene_free(scene);
+}
+
 static void draw_coin(unsigned width, unsigned height, unsigned frame, bool cut, bool exact)
 {
     int32_t to_light[3];
@@ -226,9 +250,12 @@ int main(int argc, char **argv)
         draw_coin(number(argv[2]), number(argv[3]), number(argv[4]), false, false);
     else if (argc == 5 && strcmp(argv[1], "teapot") == 0)
         draw_teapot(number(argv[2]), number(argv[3]), number(argv[4]));
-    else if (argc == 8 && strcmp(argv[1], "scene") == 0) {
+    else if (argc == 8 && (strcmp(argv[1], "scene") == 0 || strcmp(argv[1], "palette") == 0)) {
         const int32_t to_light[3] = {atoi(argv[5]), atoi(argv[6]), atoi(argv[7])};
-        draw_map(argv[2], number(argv[3]), number(argv[4]), to_light, strcmp(argv[2], "coin") == 0, false);
+        if (strcmp(argv[1], "palette") == 0)
+            draw_palette(argv[2], number(argv[3]), number(argv[4]), to_light);
+        else
+            draw_map(argv[2], number(argv[3]), number(argv[4]), to_light, strcmp(argv[2], "coin") == 0, false);
     } else if (argc == 5 && strcmp(argv[1], "fault") == 0)
         draw_fault(number(argv[2]), number(argv[3]), number(argv[4]));
     else if (argc == 2 && strcmp(argv[1], "lz4") == 0)

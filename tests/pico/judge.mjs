@@ -20,9 +20,9 @@ export class Judge {
   look(transcript) { return this.call(['look', this.controller, this.width, this.height, this.rotation], transcript) }
   // All of the glass, of which the picture is the middle.
   look_around(transcript, width, height) { return this.call(['look', this.controller, width, height, 0], transcript) }
+  picture(args) { return this.seen(this.call(args, '')) }
   // What is seen of a picture: of a round glass the pixels that its circle touches.
-  picture(args) {
-    const rgb = this.call(args, '')
+  seen(rgb) {
     if (!this.is_round) return rgb
     const { width } = this, edge = (at) => Math.abs(2 * at + 1 - width) - 1
     for (let i = 0; i < rgb.length / 3; i++) {
@@ -35,6 +35,7 @@ export class Judge {
   exact(frame) { return this.picture(['exact', this.width, this.height, frame]) }
   teapot(frame) { return this.picture(['teapot', this.width, this.height, frame]) }
   scene(name, to_light) { return this.picture(['scene', name, this.width, this.height, ...to_light]) }
+  palette(name, to_light) { return this.picture(['palette', name, this.width, this.height, ...to_light]) }
   fault(number) { return this.picture(['fault', this.width, this.height, number]) }
   lz4(bytes) { return this.call(['lz4'], bytes) }
   map() { return this.call(['map', this.width, this.height], '') }

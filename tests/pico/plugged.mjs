@@ -12,9 +12,10 @@ import { UsbIp } from './usbip.mjs'
 const VHCI = '/sys/devices/platform/vhci_hcd.0', PORT = 0, DEVICE_ID = 1, SPEED_FULL = 2
 
 export class Plugged {
-  // done(endpoint) is called after each bulk transfer.
-  constructor(packages, folder, judge, done) {
-    Object.assign(this, { judge, done, pico: new Pico(packages).load(`${folder}/glint.uf2`) })
+  // done(endpoint) is called after each bulk transfer; fit(pico) puts on the board, before it runs, what is on it beside the panel.
+  constructor(packages, folder, judge, done, fit = () => {}) {
+    Object.assign(this, { judge, done, pico: new Pico(packages, { pins: judge.board.pins }).load(`${folder}/glint.uf2`) })
+    fit(this.pico)
     this.host = new UsbHost(this.pico)
     this.start()
   }

@@ -50,7 +50,12 @@ function settle(board_now, ms = 600) {
 const said = (pico, text) => pico.uart.split(text).length - 1
 
 // As firmware/core/light_protocol.h has them.
-const GET_LIGHT = 0xa6, SILENT = 1, SENSED = 2
+const SET_ENABLE = 0xa1, GET_LIGHT = 0xa6, SET_LIGHT = 0xa7, HELD_MS = 1000, SILENT = 1, SENSED = 2
+function message(first, ...to_light) {
+  const bytes = Buffer.alloc(16);
+  [first, ...to_light].forEach((value, i) => bytes.writeInt32LE(value, 4 * i))
+  return bytes
+}
 function computer_of({ host }) {
   host.enumerate()
   return new Gud(host, { interface_number: 1, endpoint: 2 })
@@ -119,6 +124,34 @@ const hand = [
     equal(asks.get(GET_LIGHT, 16).readInt32LE(4), on.light[0], 'what it learns of the next')
     on.imu.gravity = tilted(30)
     settle(on, 900)
+  }],
+  ['a computer sets the light of the demo, which stands still under it, and a second after the last it is the hand\'s again', () => {
+    const hands = on.light.join(), PARAMETER = 4
+    for (const wrong of [message(1, 0, 0, 9), message(0, 0, 0, 0)]) {
+      check(!asks.set(SET_LIGHT, wrong), `it takes ${wrong.toString('hex')}`)
+      equal(asks.status(), PARAMETER, 'why not')
+    }
+    check(!asks.set(SET_LIGHT, message(0, 0, 0, 9), 1) && !asks.set(SET_LIGHT, Buffer.alloc(15)), 'it takes a value, or 15 bytes')
+    settle(on, 100)
+    equal(on.light.join(), hands, 'the light after what was refused')
+    for (const light of [[-9000, 12000, 20000], [2 ** 30, -(2 ** 30), 2 ** 31 - 1]]) {
+      check(asks.set(SET_LIGHT, message(0, ...light)), 'it is refused')
+      settle(on, 100)
+      equal(on.light.join(), light.join(), 'the light')
+      judge.same(judge.look(on.wires.transcript()), judge.scene('watchface', light), 'the picture')
+    }
+    const { length } = on.frames
+    settle(on, HELD_MS - 250)
+    equal(on.frames.length, length, 'frames under a light that stands still')
+    check(asks.set(SET_LIGHT, message(0, 0, 0, -5)), 'a light from behind is refused')
+    settle(on, 100)
+    judge.same(judge.look(on.wires.transcript()), judge.scene('watchface', [2 ** 30, -(2 ** 30), 2 ** 31 - 1]), 'the picture from behind')
+    settle(on, HELD_MS + 100)
+    equal(on.light.join(), hands, 'the light after a second')
+    judge.same(judge.look(on.wires.transcript()), judge.scene('watchface', on.light), 'the picture after a second')
+    check(asks.set(SET_ENABLE, Buffer.of(1)) && !asks.set(SET_LIGHT, message(0, 0, 0, 9)) && asks.set(SET_ENABLE, Buffer.of(0)), 'it is set while the panel is the host\'s')
+    settle(on, 900)
+    equal(on.light.join(), hands, 'the light after that')
   }],
   ['face down the panel is lit from the rim', () => {
     const turn = (from, to) => { // as a hand does: a jump would be a knock

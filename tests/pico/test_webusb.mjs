@@ -63,6 +63,16 @@ await run([
   ['asked for its light, a board without an accelerometer says so', async () => {
     equal(await board.during(pico.room(), LONG, 'the light'), sentences.noSensor, 'the sentence')
   }],
+  ['the board shows its own coin under the page\'s light, and then follows again', async () => {
+    await board.during(pico.showOwn(true), LONG, 'its own picture')
+    await board.during(pico.giveLight([-0.5, 0.25, 0.75]), LONG, 'the light')
+    await board.serve(() => board.pico.uart.endsWith('a computer gives the light\r\n'), LONG, 'the hand-over')
+    board.pico.run(() => false, 300)
+    judge.same(board.look(), judge.scene('coin', [-16384, 8192, 24576]), 'its own picture')
+    await board.during(pico.showOwn(false), LONG, 'the page\'s picture')
+    has = { map: '', material: '' }
+    await follow(words('-.2,.3,1'))
+  }],
   ['another material, model and space, then another surface, are followed', async () => {
     const other = await follow(words('.2,.4,1', ['--scene=coin', '--model=cayley', '-n9', '--space=linear', '--specular=.4,.9,1', '--clamp-peak']))
     check(!other.map && other.material, 'the map, or no material')

@@ -11,11 +11,11 @@ PICO_LANDING_TESTED = https://example.org/glint
 # A round panel, turned; and the boards that have a panel.
 PICO_ROUND_TESTED = gc9a01-240x240
 PICO_READY_TESTED = $(filter-out pico $(PICO_AMOLED_TESTED),$(pico_EMULATED))
-# The board that stands for those with an AMOLED panel; and a mesh on the whole of it.
+# The board that stands for those with an AMOLED panel; and a dial and a mesh on the whole of it.
 PICO_AMOLED_TESTED = pico-amoled
 PICO_AMOLED_WHOLE = co5300-466x466
 PICO_MESH_TESTED = $(BUILD)/tests/pico/bunny.obj
-PICO_BUILT = $(PICO_NOT_RUN:%=BOARD=%) $(PICO_READY_TESTED:%=BOARD=%) $(PICO_READY_TESTED:%=BOARD=%+DEMO=teapot+SECOND_CORE=1) BOARD=$(PICO_AMOLED_TESTED) BOARD=$(PICO_AMOLED_TESTED)+PANEL=$(PICO_AMOLED_WHOLE)+DEMO=teapot PANEL=$(PICO_ROUND_TESTED)+ROTATE=90 $(PICO_PANELS_TESTED:%=PANEL=%) TE=$(PICO_TE_TESTED)+LANDING_PAGE=$(PICO_LANDING_TESTED) SECOND_CORE=1 PATH=exact DEMO=teapot DEMO=teapot+SECOND_CORE=1 MESH=$(PICO_MESH_TESTED)+SPLIT=180
+PICO_BUILT = $(PICO_NOT_RUN:%=BOARD=%) $(PICO_READY_TESTED:%=BOARD=%) $(PICO_READY_TESTED:%=BOARD=%+DEMO=teapot+SECOND_CORE=1) BOARD=$(PICO_AMOLED_TESTED) BOARD=$(PICO_AMOLED_TESTED)+PANEL=$(PICO_AMOLED_WHOLE) BOARD=$(PICO_AMOLED_TESTED)+PANEL=$(PICO_AMOLED_WHOLE)+DEMO=teapot PANEL=$(PICO_ROUND_TESTED)+ROTATE=90 $(PICO_PANELS_TESTED:%=PANEL=%) TE=$(PICO_TE_TESTED)+LANDING_PAGE=$(PICO_LANDING_TESTED) SECOND_CORE=1 PATH=exact DEMO=teapot DEMO=teapot+SECOND_CORE=1 MESH=$(PICO_MESH_TESTED)+SPLIT=180
 PICO_TEST = node tests/pico/test_$(1).mjs $(BENCH_NPM) build/firmware/pico-$(panel)$(2) $(panel) $(BUILD)/tests/pico/judge
 PICO_CORES = $(patsubst %,firmware/core/%.c,relight turntable pieces panel demo orbit) $(wildcard lib/*.c)
 
@@ -36,6 +36,7 @@ run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $
 	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) TALLY_JOBS=$$(nproc) && \
 		export LAB_KERNEL LAB_BUILD TALLY_JOBS && tests/tally \
 		$(foreach board,$(PICO_READY_TESTED),$(foreach part,hand faults,"node tests/pico/test_hand.mjs $(BENCH_NPM) build/firmware/$(board)-$(call pico_panel_of,$(board)) $(call pico_panel_of,$(board)) $(BUILD)/tests/pico/judge $(part)")) \
+		$(foreach board,$(PICO_READY_TESTED),"tests/lab/guest --memory 1024 $(BUILD)/tests/pico/attach node tests/pico/test_end_hand.mjs $(BENCH_NPM) build/firmware/$(board)-$(call pico_panel_of,$(board)) $(call pico_panel_of,$(board)) $(BUILD)/tests/pico/judge $(BUILD)/glint") \
 		$(foreach panel,st7789-240x240,"$(call PICO_TEST,faults)" \
 		"tests/lab/guest --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,end_to_end) $(BUILD)/glint" \
 		"tests/lab/guest --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,pose,-teapot) $(BUILD)/glint" \
@@ -47,7 +48,7 @@ run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $
 		"$(call PICO_TEST,teapot,-two-cores-teapot) both" "$(call PICO_TEST,teapot,-teapot)") \
 		"node tests/pico/test_round.mjs $(BENCH_NPM) build/firmware/pico-$(PICO_ROUND_TESTED)-turned-90 $(PICO_ROUND_TESTED) $(BUILD)/tests/pico/judge" \
 		$(foreach board,$(PICO_READY_TESTED),"node tests/pico/test_teapot.mjs $(BENCH_NPM) build/firmware/$(board)-$(call pico_panel_of,$(board))-two-cores-teapot $(call pico_panel_of,$(board)) $(BUILD)/tests/pico/judge both") \
-		"node tests/pico/test_amoled.mjs $(BENCH_NPM) build/firmware/$(PICO_AMOLED_TESTED)-$(call pico_panel_of,$(PICO_AMOLED_TESTED)) $(call pico_panel_of,$(PICO_AMOLED_TESTED)) $(BUILD)/tests/pico/judge" \
+		$(foreach panel,$(call pico_panel_of,$(PICO_AMOLED_TESTED)) $(PICO_AMOLED_WHOLE),"node tests/pico/test_amoled.mjs $(BENCH_NPM) build/firmware/$(PICO_AMOLED_TESTED)-$(panel) $(panel) $(BUILD)/tests/pico/judge") \
 		"node tests/pico/test_teapot.mjs $(BENCH_NPM) build/firmware/$(PICO_AMOLED_TESTED)-$(PICO_AMOLED_WHOLE)-teapot $(PICO_AMOLED_WHOLE) $(BUILD)/tests/pico/judge" \
 		"node tests/pico/test_conformance.mjs $(BENCH_NPM) build/firmware/pico-st7789-240x240 $(CONFORMANCE_EXPECTED)" \
 		$(foreach panel,$(PICO_PANELS_TESTED),"$(call PICO_TEST,demo)" "$(call PICO_TEST,usb)") \

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * What is finite is run whole: every mantissa of the reciprocal, of MSH's quotient and of the root's inverse, every fraction of Gauss's power;
- * every sum of a blended pixel, every place between four texels.
+ * every sum of a blended pixel, every place between four texels, every slope of an outline.
  * The bounds are those of contracts.py, from which the proofs show the rest; finite.h is printed by cut.py, library.h by library.py. */
 #include <math.h>
 #include <setjmp.h>
@@ -161,6 +161,37 @@ static void four_texels_are_weighed_field_by_field(void **state)
     assert_int_equal(places, 32 * 32);
 }
 
+/* 65536 length of the side's rise, and what the walk's step is off over all of it: with what offsets cut off it is at most 1/16 pixel.
+ * Of a side with this length along its longer axis, from 0, 0. */
+static bool is_near_its_side(int32_t along, int32_t across)
+{
+    static const uint16_t face[3] = {0, 1, 2};
+    static const struct glint_mesh mesh = {.faces = face, .vertex_count = 3, .face_count = 1};
+    static const struct glint_mesh_window all = {-4096, -4096, 4096, 4096};
+    const bool is_flat = (across < 0 ? -across : across) < along;
+    struct glint_mesh_vertex vertices[3] = {{0}};
+    struct glint_mesh_rim rim;
+    vertices[1].x = (int16_t)(is_flat ? along : across);
+    vertices[1].y = (int16_t)(is_flat ? across : along);
+    const struct glint_mesh_drawn drawn = {.mesh = &mesh, .vertices = vertices};
+    if (!glint_mesh_rim_set(&rim, &drawn, 0, 0, &all))
+        return along < 9; /* no middle of a pixel lies along it */
+    const int64_t off = (int64_t)rim.step * along - (int64_t)65536 * across;
+    return rim.at == 0 && rim.end == (along + 7) >> 4 && rim.e == (rim.step >> 4) * 8 && rim.step <= 65537 &&
+           rim.step >= -65537 && off <= 65536 - 16 * 15 && off >= -(65536 - 16 * 15);
+}
+
+static void outlines_of_every_slope_stay_within_a_sixteenth_of_a_pixel(void **state)
+{
+    (void)state;
+    long wrong = 0;
+#pragma omp parallel for schedule(dynamic, 64) reduction(+ : wrong)
+    for (int32_t along = 1; along < 32767; along++)
+        for (int32_t across = -along; across <= along; across++)
+            wrong += !is_near_its_side(along, across);
+    assert_int_equal(wrong, 0);
+}
+
 /* With an argument, the tests of that name: wildcards may be in it. */
 int main(int argc, char **argv)
 {
@@ -172,6 +203,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(factors_of_mshs_quotient_are_within_their_bounds_for_every_mantissa),
         cmocka_unit_test(quotients_of_blended_sums_are_rounded_down),
         cmocka_unit_test(four_texels_are_weighed_field_by_field),
+        cmocka_unit_test(outlines_of_every_slope_stay_within_a_sixteenth_of_a_pixel),
     };
     if (argc > 1)
         cmocka_set_test_filter(argv[1]);

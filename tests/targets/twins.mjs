@@ -243,7 +243,7 @@ const PALETTE = COLOURS_END, TEXELS = PALETTE + 512, TEXELS_END = TEXELS + 2048,
 function pixels() {
   const bytes = Buffer.alloc(TEXELS_END), word = (at, ...values) => values.forEach((value, k) => bytes.writeInt32LE(value | 0, at + 4 * k))
   const shift = below(20), tMax = 2 ** (shift + 11) - 1 - below(2 ** (shift + 9)), count = 1 + below(16), size = one(16, 22, 26, 30)
-  const loop = below(20), square = loop >> 2 === 2 && 1 + below(5) // of 2^square by 2^square: assembly takes 32 less that for h
+  const loop = 4 + below(16), square = loop >> 2 === 2 && 1 + below(5) // of 2^square by 2^square: assembly takes 32 less that for h
   const h = square ? 32 - square : 1 + below(100), w = square ? 2 ** square : 1 + below(Math.min(100, Math.floor(1024 / h)))
   bytes.set(tables, COLUMNS)
   for (let k = COLUMNS; k < COLUMNS + 400; k++) bytes[k] = below(33)
@@ -274,13 +274,14 @@ for (const [name, make, calls, label = name] of TWINS) {
 }
 
 // Frames of a mesh with a texture or colours by ALBEDO tables, in both orders of bytes, strip by strip: mesh.h's ways.
-function albedo(machine, way, swapped, fault) {
+function albedo(machine, way, swapped, fault, colours) {
   const call = (name, ...args) => { if (run(machine, name, args)) throw new Error(`${name} returned an error`) }
   const at = (name) => machine.address(name) - RAM, strips = []
   call('mesh_begin', way)
   call('mesh_clothe', 0)
   machine.memory[at('paint') + FIELD.TABLES_SHIFT - 1] = swapped
   // struct cloth of tests/bench/mesh/mesh.c: u, v and colours of 600 vertices, at the end of mesh_memory
+  if (colours) colours.copy(machine.memory, at('mesh_memory') + machine.size('mesh_memory') - 1800)
   for (const part of [0, 2400]) machine.memory[at('mesh_memory') + machine.size('mesh_memory') - 4200 + part + 400] ^= fault
   call('mesh_frame', 0)
   for (let y = 0; y < 240; y += 16) {
@@ -292,8 +293,10 @@ function albedo(machine, way, swapped, fault) {
 }
 const WAYS = readFileSync(new URL('../bench/mesh/mesh.h', import.meta.url), 'latin1').match(/enum mesh_way {([^}]*)}/)[1].match(/\w+/g)
 const ALBEDO = ['MESH_TEXTURED', 'MESH_SMOOTH', 'MESH_TEXTURED_FAR', 'MESH_COLOURED'].flatMap((way) => [0, 1].map((swapped) => [WAYS.indexOf(way), swapped])), unlike = [0, 0]
-for (const [way, swapped] of ALBEDO) {
-  const wanted = albedo(c, way, swapped, 0)
-  for (const fault of [0, 0x41]) albedo(assembly, way, swapped, fault).forEach((strip, k) => { unlike[fault && 1] += strip !== wanted[k] })
+// Colours of any kind, too: most at an end of their range, which lines leave.
+for (let i = 0; i < 8; i++) ALBEDO.push([WAYS.indexOf('MESH_COLOURED'), i & 1, Buffer.from(Array.from({ length: 1800 }, () => one(0, 255, below(256))))])
+for (const [way, swapped, colours] of ALBEDO) {
+  const wanted = albedo(c, way, swapped, 0, colours)
+  for (const fault of [0, 0x41]) albedo(assembly, way, swapped, fault, colours).forEach((strip, k) => { unlike[fault && 1] += strip !== wanted[k] })
 }
 console.log('glint_mesh_albedo_lines', 15 * ALBEDO.length, ...unlike)

@@ -3,9 +3,11 @@
 #ifndef GLINT_RUN_H
 #define GLINT_RUN_H
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,14 +18,19 @@ struct run {
     char out[65536], err[8192];
 };
 
-/* Group set-up and tear-down: the scratch folder becomes the current one. */
+/* Group set-up and tear-down: the scratch folder becomes the current one. In it .bin/glint is the command under test, so that
+ * the shell's $GLINT is one word wherever the repository is. */
 static inline int scratch_make(void **state)
 {
-    char name[] = "/tmp/glint-test.XXXXXX";
-    if (!getenv("GLINT") || !mkdtemp(name) || chdir(name) != 0)
+    char name[] = "/tmp/glint-test.XXXXXX", way[sizeof name + sizeof "/.bin/glint"];
+    char *command = getenv("GLINT") ? realpath(getenv("GLINT"), NULL) : NULL;
+    if (!command || !mkdtemp(name) || chdir(name) != 0)
         return -1;
+    snprintf(way, sizeof way, "%s/.bin/glint", name);
+    const bool made = mkdir(".bin", 0700) == 0 && symlink(command, way) == 0 && setenv("GLINT", way, 1) == 0;
+    free(command);
     *state = strdup(name);
-    return *state ? 0 : -1;
+    return made && *state ? 0 : -1;
 }
 
 static inline int scratch_remove(void **state)

@@ -32,13 +32,18 @@ static struct gud_device_config gud_config = {.width = PANEL_WIDTH,
 /* ---- who draws ---- */
 
 /* The later, the stronger: a program that sends lights has been started on purpose. */
-enum owner { NOBODY, FAULT, DEMO, GUD_HOST, LIGHT_HOST };
+enum owner { NOBODY, FAULT, DEMO, GUD_HOST, LIT_DEMO, LIGHT_HOST }; /* LIT_DEMO: under a computer's light */
 static enum owner owner;
+
+static bool is_demo(enum owner it)
+{
+    return it == DEMO || it == LIT_DEMO;
+}
 
 /* While a host sends lights the panel is no other host's, and nor is the memory; until it has been handed over. */
 static bool has_lights(void)
 {
-    return light.enabled || owner == LIGHT_HOST;
+    return light.enabled || light.is_given || owner == LIGHT_HOST || owner == LIT_DEMO;
 }
 
 static bool gud_is_busy(void *context)
@@ -50,9 +55,12 @@ static bool gud_is_busy(void *context)
 /* Panel or memory are not as their owner left them, and nor is the display. Of a host that came and went within one usb_poll nothing
  * else tells. */
 static bool is_disturbed;
+/* GUD's display has changed while the panel was another's. */
+static bool is_missed;
 
 static void gud_display(void *context, bool on, uint8_t brightness)
 {
+    is_missed |= has_lights();
     if (has_lights())
         return;
     is_disturbed = true;
@@ -158,6 +166,8 @@ static enum owner wanted(void)
 {
     if (light.enabled)
         return LIGHT_HOST;
+    if (light.is_given && !has_fault_to_show())
+        return LIT_DEMO;
     if (gud.controller)
         return GUD_HOST;
     if (usb_is_suspended())
@@ -179,27 +189,32 @@ static struct {
 /* The panel changes hands, and is dark until the next one has a picture. */
 static void hand_over(enum owner to)
 {
-    const char *const names[] = {"dark", "showing the error", shown_words, "a computer draws",
+    const char *const names[] = {"dark",
+                                 "showing the error",
+                                 shown_words,
+                                 "a computer draws",
+                                 "a computer gives the light",
                                  "a computer sends lights"};
     shown_abandon();
     drawn.in_frame = drawn.is_shown = false;
     if (to != GUD_HOST)
         show(PANEL_OFF);
-    else if (owner == LIGHT_HOST || light.was_enabled) /* gud_display did nothing; a rectangle may be open already */
+    else if (owner == LIGHT_HOST || owner == LIT_DEMO || light.was_enabled || is_missed)
+        /* gud_display did nothing; a rectangle may be open already */
         gud_panel_ops.display(&gud_panel, gud.shown, gud.brightness);
     else if (!gud.shown &&
              board_hal.bus.backlight) /* no command, which would end a rectangle that may be open already */
         board_hal.bus.backlight(board_hal.bus.context, PANEL_OFF);
     else if (!gud.shown)
         gud_panel_ops.display(&gud_panel, false, gud.brightness);
-    if (to == DEMO)
+    if (is_demo(to))
         begin_drawing(shown_begin_demo);
     if (to == FAULT) {
         if (!fault_draw(&board_hal, &panel, shown_line(), wrong.fault))
             fail(FAULT_BUS);
         show(PANEL_BRIGHTEST);
     }
-    is_disturbed = light.was_enabled = false;
+    is_disturbed = is_missed = light.was_enabled = false;
     owner = to;
     board_say(names[to]);
     board_say("\r\n");
@@ -208,13 +223,15 @@ static void hand_over(enum owner to)
 /* Has a host come and gone that is not the owner? */
 static bool must_restart(void)
 {
-    return (is_disturbed && owner != GUD_HOST) || (light.was_enabled && owner != LIGHT_HOST);
+    if (owner == GUD_HOST)
+        return is_missed || light.was_enabled;
+    return is_disturbed || (light.was_enabled && owner != LIGHT_HOST);
 }
 
 /* Begins it; false: there is none yet. */
 static bool next_frame(void)
 {
-    if (owner == DEMO)
+    if (is_demo(owner))
         return shown_next_demo();
     if (light.is_new && light.has_material && light_device_has_scene(&light)) {
         begin_drawing(shown_begin_light);
@@ -266,12 +283,15 @@ int main(void)
         const bool is_knocked = hand_poll();
         if (gud_panel.has_failed)
             fail(FAULT_BUS);
+        if (light.is_given)
+            light_device_time(&light, board_us());
         const enum owner next = wanted();
-        if (next != owner || must_restart())
+        if (must_restart() || (next != owner && !(is_demo(next) && is_demo(owner))))
             hand_over(next);
-        else if (is_knocked && owner == DEMO)
+        owner = next;
+        if (is_knocked && is_demo(owner))
             change_scene();
-        if (owner == DEMO || owner == LIGHT_HOST)
+        if (is_demo(owner) || owner == LIGHT_HOST)
             draw();
     }
 }

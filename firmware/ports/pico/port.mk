@@ -49,6 +49,9 @@ PICO_HAS_IMU = $(filter-out NONE,$(call pico_fact,13))
 PICO_SCENE_coin = --scene coin $(if $(TE),,--cut-out)
 PICO_SCENE_dial = --scene watchface
 PICO_SCENES = $(if $(PICO_HAS_IMU),$(if $(PICO_MESH)$(HEIGHT)$(filter-out 240x240,$(PICO_SIZE)),,$(DEMO) $(filter-out $(DEMO),dial coin)))
+# The whole of an AMOLED panel: its map is larger than RAM and flash; a palette is not.
+PICO_PALETTE = $(if $(PICO_MESH),,$(if $(PICO_QSPI),$(filter 466x466,$(PICO_SIZE))))
+PICO_PALETTE_SOURCE = $(if $(HEIGHT),--height '$(HEIGHT)',$(filter-out --cut-out,$(PICO_SCENE_$(filter coin dial,$(DEMO))))) --size $(PICO_SIZE)
 # With a tearing line a frame must fit in one scan of the panel: soft edges would take .2 ms too long, so the coin keeps its wall.
 # Instead of the coin a height map of your own, at the panel's size; with BEVEL=N a logo, as glint bake has --bevel, with soft edges.
 HEIGHT ?=
@@ -92,13 +95,14 @@ have-pico-choices:
 	@$(if $(word 2,$(HEIGHT)),echo "make: HEIGHT=$(HEIGHT): make takes no file whose name has a blank; rename it" >&2; exit 1)
 	@$(if $(and $(BEVEL),$(if $(HEIGHT),,1)),echo "make: BEVEL=$(BEVEL): is for a logo; give HEIGHT=FILE with it" >&2; exit 1)
 	@$(if $(and $(HEIGHT),$(PICO_MESH)),echo "make: HEIGHT=$(HEIGHT): the board shows a map or a mesh; leave $(if $(MESH),MESH=$(MESH),DEMO=teapot) out" >&2; exit 1)
+	@$(if $(PICO_PALETTE),$(if $(filter 0.0.glint.,$(SECOND_CORE).$(PICO_EXACT).$(IMAGE).$(BEVEL)),,echo "make: PANEL=$(PANEL): a palette is drawn on the whole of it$(COMMA) exactly$(COMMA) by one core and without soft edges; leave SECOND_CORE$(COMMA) PATH$(COMMA) IMAGE and BEVEL out" >&2; exit 1))
 	@$(if $(filter-out $(shell seq 180),$(SPLIT))$(word 2,$(SPLIT)),echo "make: SPLIT=$(SPLIT): say whole degrees from 1 to 180" >&2; exit 1)
 
 # CMake knows what depends on what within.
-firmware-pico: have-pico-choices $(PICO)/map/$(if $(PICO_MESH),demo_mesh.h,demo_map.h) $(if $(PICO_SCENES),$(PICO)/map/demo_scenes.h) $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
+firmware-pico: have-pico-choices $(PICO)/map/$(if $(PICO_MESH),demo_mesh.h,$(if $(PICO_PALETTE),demo_palette.h,demo_map.h)) $(if $(PICO_SCENES),$(PICO)/map/demo_scenes.h) $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
 	@sdk=$$(firmware/ports/pico/fetch-sdk) && export PICO_SDK_PATH="$$sdk/pico-sdk" && \
 	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DPICO_BOARD=$(subst -,_,$(PICO_BOARD)) $(PICO_PLATFORM) -DPICO_NO_PICOTOOL=1 -DPICO_BOARD_HEADER_DIRS="$(CURDIR)/firmware/ports/pico/boards" \
-		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_BOARD=$(PICO_BOARD) -DGLINT_PANEL=$(PANEL) -DGLINT_ROTATE=$(ROTATE) -DGLINT_TE=$(or $(TE),-1) -DGLINT_SECOND_CORE=$(SECOND_CORE) -DGLINT_EXACT=$(PICO_EXACT) -DGLINT_TURNS_MESH=$(if $(PICO_MESH),1,0) -DGLINT_SCENES=$(if $(PICO_SCENES),1,0) -DGLINT_MESH_IN_RAM=$$(find $(PICO)/map/demo_mesh.bin -size -$(PICO_MESH_RAM)c 2>/dev/null | wc -l) '-DGLINT_LANDING_PAGE=$(LANDING_PAGE)' \
+		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_BOARD=$(PICO_BOARD) -DGLINT_PANEL=$(PANEL) -DGLINT_ROTATE=$(ROTATE) -DGLINT_TE=$(or $(TE),-1) -DGLINT_SECOND_CORE=$(SECOND_CORE) -DGLINT_EXACT=$(PICO_EXACT) -DGLINT_TURNS_MESH=$(if $(PICO_MESH),1,0) -DGLINT_SCENES=$(if $(PICO_SCENES),1,0) -DGLINT_SHOWS_PALETTE=$(if $(PICO_PALETTE),1,0) -DGLINT_MESH_IN_RAM=$$(find $(PICO)/map/demo_mesh.bin -size -$(PICO_MESH_RAM)c 2>/dev/null | wc -l) '-DGLINT_LANDING_PAGE=$(LANDING_PAGE)' \
 		-DGLINT_MAP="$(CURDIR)/$(PICO)/map" -DGLINT_EXPECTED="$(abspath $(CONFORMANCE))" >$(PICO)/log 2>&1 && \
 	MAKEFLAGS= cmake --build $(PICO)/cmake --target $(IMAGE) $(PARALLEL) >>$(PICO)/log 2>&1 || { grep -o 'glint: over.*' $(PICO)/log >&2 && $(if $(MESH),echo "make: MESH=$(MESH): a mesh takes 16 bytes of RAM a vertex and 2 a triangle$(if $(filter 1,$(SECOND_CORE)),$(COMMA) for each core): simplify it$(COMMA) or leave its edges whole by SPLIT=180",:) >&2 || grep rror $(PICO)/log >&2; \
 		echo "make: the Pico's firmware was not built; the whole log is $(PICO)/log" >&2; exit 1; }
@@ -124,6 +128,15 @@ $(PICO)/map/demo_scenes.h: $(BUILD)/glint $(BUILD)/pack_scenes | have-pico-choic
 	@mkdir -p $(@D)
 	@$(foreach scene,$(PICO_SCENES),$< bake $(PICO_SCENE_$(scene)) --size $(PICO_SIZE) --to int8 -o $(@D)/scene-$(scene).bin >/dev/null &&) \
 		$(BUILD)/pack_scenes $(PICO_SIZE) $(PICO_SCENES:%=$(@D)/scene-%.bin) >$@.tmp && mv $@.tmp $@
+
+$(BUILD)/pack_palette: firmware/ports/pico/tools/pack_palette.c $(BUILD)/firmware/core/cksum.o $(BUILD)/firmware/core/panel.o
+	@$(CC) $(filter-out -MMD -MP,$(HOST_CFLAGS)) $^ -o $@
+
+$(PICO)/map/demo_palette.h: $(BUILD)/glint $(BUILD)/pack_palette $(if $(HEIGHT),always) | have-pico-choices
+	@mkdir -p $(@D)
+	@$< bake $(PICO_PALETTE_SOURCE) --to palette -o $(@D)/demo_palette.bin >/dev/null
+	@$(BUILD)/pack_palette $(PANEL) $(@D)/demo_palette.bin >$@.tmp
+	@cmp -s $@.tmp $@ || mv $@.tmp $@
 
 # The teapot as it is, unsplit: what turns hides where its highlights break. A file's each time, since MESH, SPLIT and AXES may be others
 # by now. The head of 8 bytes has the counts; the checksum is without it and what follows the triangles: 6 bytes of each part and 3 of each vertex that

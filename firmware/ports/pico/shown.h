@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * What the board draws by itself: a map under a light (shown_map), or a mesh that turns (shown_mesh, DEMO=teapot). */
+ * What the board draws by itself: a map under a light (shown_map), where it is too large a palette (shown_palette), or a
+ * mesh that turns (shown_mesh, DEMO=teapot). */
 #ifndef SHOWN_H
 #define SHOWN_H
 

@@ -2,7 +2,7 @@
  * A baked normal map, relit. */
 #include "shown.h"
 
-#if !TURNS_MESH
+#if !TURNS_MESH && !SHOWS_PALETTE
 #include "cksum.h"
 #include "demo.h"
 #if SCENES
@@ -158,16 +158,32 @@ enum glint_err shown_begin_light(void)
 
 static int32_t shown_to_light[3]; /* of the demo's last frame */
 
+/* A computer's, the hand's or one that circles; false: it has not moved. */
+static bool next_light(uint32_t *frame)
+{
+    static bool was_given;
+    bool has_moved = was_given != lights->is_given;
+    was_given = lights->is_given;
+    for (unsigned k = 0; k < 3 && was_given; k++) {
+        has_moved |= shown_to_light[k] != lights->given[k];
+        shown_to_light[k] = lights->given[k];
+    }
+    if (was_given)
+        return has_moved;
+    if (hand_is_there())
+        return hand_light(shown_to_light) || has_moved;
+    orbit_light(shown_to_light, (*frame)++, ORBIT_FRAMES);
+    return true;
+}
+
 /* A still hand has a still picture, which is not sent again. */
 bool shown_next_demo(void)
 {
     static uint32_t frame;
-    if (!hand_is_there())
-        orbit_light(shown_to_light, frame++, ORBIT_FRAMES);
-    else if (!hand_light(shown_to_light) && !is_first)
+    if (!next_light(&frame) && !is_first)
         return false;
-    is_first = false;
-    return relight_frame(&relight, shown_to_light) == GLINT_OK;
+    is_first = relight_frame(&relight, shown_to_light) != GLINT_OK;
+    return !is_first;
 }
 
 bool shown_next_light(void)

@@ -97,11 +97,16 @@ bool shown_next_demo(void)
     static uint32_t frame;
     struct glint_pose pose;
     int32_t to_light[3];
+    const int32_t *light = demo_mesh_light;
     demo_pose(&pose, frame, PANEL_WIDTH);
     frame += !stands;
-    if (hand_is_there())
+    if (lights->is_given) {
+        light = lights->given;
+    } else if (hand_is_there()) {
         (void)hand_light(to_light);
-    return turntable_frame(&turntable, &pose, hand_is_there() ? to_light : demo_mesh_light) == GLINT_OK;
+        light = to_light;
+    }
+    return turntable_frame(&turntable, &pose, light) == GLINT_OK;
 }
 
 bool shown_next_light(void)

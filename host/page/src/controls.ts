@@ -28,7 +28,9 @@ interface Row {
 
 /** What says the same, or cannot be beside it: the last counts. */
 const other: { [name in Option]?: Partial<State> } = { n: { roughness: undefined }, roughness: { n: undefined }, color: { albedo: undefined }, bevel: { wrap: undefined } }
-const patchOf = (option: Option, text: string | undefined): Partial<State> => ({ ...other[option], [option]: text })
+/** What cannot be without it. */
+const needing: { [name in Option]?: Partial<State> } = { bevel: { fit: undefined }, size: { fit: undefined } }
+const patchOf = (option: Option, text: string | undefined): Partial<State> => ({ ...other[option], ...text === undefined ? needing[option] : {}, [option]: text })
 const set = (option: Option, text: string | undefined, kind = '') => change(patchOf(option, text), kind)
 
 // ---- what would be refused is disabled, with the command's reason ----
@@ -136,6 +138,22 @@ const roughness: Row['build'] = (id, line) => {
     return (state, facts) => {
         input.value = state.roughness ?? String(roughnessOf(facts?.n[0] ?? 60))
         value.value = Number(input.value).toFixed(2)
+    }
+}
+
+/** How much of the picture a logo takes; where nothing says so it is as it is. */
+const fit: Row['build'] = (id, line) => {
+    const input = make('input', { type: 'range', id, min: '5', max: '100', step: '1' })
+    const own = make('button', { type: 'button', textContent: 'Own', title: 'The picture\'s own size, from its upper left corner' })
+    const value = make('output')
+    input.oninput = () => change({ fit: input.value, size: current().size ?? '240x240' }, 'fit')
+    own.onclick = () => set('fit', undefined)
+    line.append(input, own, value)
+    return state => {
+        if (document.activeElement !== input)
+            input.value = state.fit ?? '100'
+        value.value = state.fit === undefined ? '' : `${state.fit} %`
+        own.setAttribute('aria-pressed', String(state.fit === undefined))
     }
 }
 
@@ -269,14 +287,14 @@ const log = (option: Option) => slider(option, 1, 1000, 300, step => Math.round(
 const ofMesh = (_: State, facts?: Facts) => facts?.turn !== undefined
 const ofMap = (state: State) => !isMesh(state)
 const table: Row[] = [
-    { option: 'size', group: 'scene', title: 'Panel size', build: size, number: s => s.size ?? 'the map\'s', meaning: s => s.height || s.normals ? 'A map is cut or repeated to this size, never scaled' : 'Width × height in pixels' },
+    { option: 'size', group: 'scene', title: 'Panel size', build: size, number: s => s.size ?? 'the map\'s', meaning: s => s.height || s.normals ? 'A map is cut or repeated to this size; a logo is scaled by Logo size' : 'Width × height in pixels' },
     { option: 'panel', group: 'scene', title: 'Panel shape', build: choice('panel', shapes.map(name => ({ name, title: { square: 'Square', round: 'Round', none: 'No bezel' }[name] })), 'square'), number: () => 'the page\'s alone', meaning: () => 'How the panel is cut; pixels outside a round one are drawn, and not seen' },
     { option: 'background', group: 'scene', title: 'Background', build: background, number: s => s.background === undefined ? 'none' : `{${s.background.replaceAll(',', ', ')}}`, meaning: s => s.background === undefined ? 'What soft edges are drawn over; with one a scene is cut out of its wall' : 'What the buffer holds before: soft edges are mixed with it' },
     { option: 'turn', group: 'scene', title: 'Turn', only: ofMesh, build: text('turn', f => f.turn?.join() ?? ''), number: (_, f) => `--turn ${f.turn}`, meaning: () => 'Degrees about x, y and z; the button below the picture lets you drag it' },
     { option: 'zoom', group: 'scene', title: 'Zoom', only: ofMesh, build: text('zoom', f => String(f.zoom ?? '')), number: (_, f) => `--zoom ${f.zoom}`, meaning: () => '1: whatever its turn, the mesh fills the picture' },
-    { option: 'perspective', group: 'scene', title: 'Perspective', only: ofMesh, build: text('perspective', () => ''), number: s => s.perspective === undefined ? 'parallel' : `--perspective=${s.perspective || 4}`, meaning: () => 'The camera\'s distance in radii of the mesh, 1.5 to 100; empty: from infinitely far' },
+    { option: 'perspective', group: 'scene', title: 'Perspective', only: ofMesh, build: text('perspective', () => '', 'none; try 4'), number: s => s.perspective === undefined ? 'parallel' : `--perspective=${s.perspective || 4}`, meaning: () => 'The camera\'s distance in radii of the mesh, 1.5 to 100; empty: from infinitely far' },
     { option: 'axes', group: 'scene', title: 'Up', only: s => s.mesh !== undefined, build: choice('axes', [{ name: '', title: 'As usual' }, { name: 'z-up', title: 'z' }, { name: 'y-up', title: 'y' }], ''), number: s => s.axes ? `--axes ${s.axes}` : 'the usual one', meaning: () => 'Which axis of the file points up: z in most STL files, y in a glTF' },
-    { option: 'crease', group: 'scene', title: 'Sharp edges', only: ofMesh, build: text('crease', () => ''), number: s => s.crease === undefined ? 'the usual ones' : `--crease ${s.crease}`, meaning: s => `Edges that turn by more degrees stay sharp; empty: ${!s.mesh ? 'none' : /\.stl$/i.test(s.mesh) ? '60' : 'as the file says, or 60'}` },
+    { option: 'crease', group: 'scene', title: 'Sharp edges', only: ofMesh, build: text('crease', () => '', 'as usual'), number: s => s.crease === undefined ? 'the usual ones' : `--crease ${s.crease}`, meaning: s => `Edges that turn by more degrees stay sharp; empty: ${!s.mesh ? 'none' : /\.stl$/i.test(s.mesh) ? '60' : 'as the file says, or 60'}` },
     { option: 'nearest', group: 'scene', title: 'Hard texels', only: s => s.texture !== undefined, build: flag('nearest'), number: s => `is_smooth = ${s.nearest === undefined}`, meaning: () => 'The nearest pixel of the texture, faster; else the four around are blended' },
     { option: 'no-outlines', group: 'scene', title: 'Smooth outline', only: ofMesh, build: flag('no-outlines', true), number: s => `outlines = ${s['no-outlines'] === undefined ? '&glint_outlines' : 'NULL'}`, meaning: () => 'Pixels at the outline are mixed with what lies behind; else it is stepped' },
 
@@ -315,6 +333,7 @@ const table: Row[] = [
     { option: 'view', group: 'expert', title: 'Viewer', build: view, number: s => `to_viewer = ${s.view ?? '0,0,1'}`, meaning: () => 'The direction to you: x right, y up, z out of the panel' },
     { option: 'split', group: 'expert', title: 'Split', only: ofMesh, build: text('split', f => String(f.split?.[0] ?? '')), number: (_, f) => `--split ${f.split}, ${f.faces} triangles`, meaning: () => 'Edges over which the normal turns by more degrees are cut in half: highlights lie better on more triangles' },
     { option: 'filter', group: 'expert', title: 'Filter', only: ofMap, build: text('filter', () => '', 'none'), number: s => s.filter ? `--filter ${s.filter}` : 'none', meaning: () => 'At 1/N of the size, 2 to 64: what is lost of the normals makes the highlight wider and weaker, so that nothing glitters' },
+    { option: 'fit', group: 'scene', title: 'Logo size', only: s => s.bevel !== undefined, build: fit, number: s => s.fit === undefined ? 'its own' : `--fit ${s.fit}`, meaning: s => s.fit === undefined ? 'As it is in its picture; move the slider to have it in the middle' : 'In the middle, as large a part of the width or of the height' },
     { option: 'scale', group: 'scene', title: 'Relief', only: s => s.height !== undefined, build: text('scale', () => '', '8, or as the bevel'), number: s => `--scale ${s.scale ?? s.bevel ?? 8}`, meaning: () => 'The height of white above black, in pixels; negative turns hills into hollows' },
     { option: 'bevel', group: 'scene', title: 'Bevel', only: s => s.height !== undefined, build: text('bevel', () => '', 'none; for a logo try 6'), number: s => s.bevel ? `--bevel ${s.bevel}` : 'none', meaning: () => 'The height map is a logo: a rounded edge rises over so many pixels' },
     { option: 'wrap', group: 'scene', title: 'Seamless', only: s => s.height !== undefined, build: flag('wrap'), number: s => s.wrap === undefined ? 'no' : '--wrap', meaning: () => 'Slopes are taken across the edges' },

@@ -50,7 +50,7 @@ export type Facts = Record<string, number[]>
 
 const keepNothing = 0, keepScene = 1, keepCanvas = 2
 /** Options that make the surface; a built-in scene is made of --material, --color takes its own colours away. */
-const ofSurface = /^--(height|normals|scene|mask|scale|bevel|wrap|flip-y|size|albedo|gloss|mesh|crease|axes|split|texture|nearest|material|grain|cut-out|filter|background|no-outlines)\b/
+const ofSurface = /^--(height|normals|scene|mask|scale|bevel|fit|wrap|flip-y|size|albedo|gloss|mesh|crease|axes|split|texture|nearest|material|grain|cut-out|filter|background|no-outlines)\b/
 /** Where a mesh stands, for which no canvas is made. */
 const standsBy = /^--(turn|zoom|perspective)\b/
 

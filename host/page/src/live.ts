@@ -8,7 +8,7 @@ import { filesVersion, isHere } from './kept'
 import { onDrawn, redraw, setView } from './picture'
 import type { Viewed } from './picture'
 import { filters, Pico, sentences, Trouble } from './pico'
-import { beginMotion, pointTo } from './sun'
+import { beginMotion, pointTo, towards } from './sun'
 import type { Usb, UsbDevice } from './webusb'
 import { isMesh, meshOnDevice, onDevice, whiteName, wordsOf } from './words'
 import type { State } from './words'
@@ -54,29 +54,33 @@ async function connect(device: UsbDevice): Promise<void> {
     try {
         pico = await Pico.connect(usb!, device, bytes => ask('deviceSize', bytes))
         isLost = false
-        has = { map: '', material: '' }
-        frames = []
-        const { width, height, mesh, takesMaps } = pico
-        setView(async state => {
-            if (isMesh(state)) {
-                if (!mesh)
-                    throw new Error(sentences.noMesh)
-                const split = await splitOf(mesh, state)
-                if (!split)
-                    throw new Error(sentences.otherMesh)
-                return { state: meshOnDevice(state, width, height, split), isBoards: true }
-            }
-            if (!takesMaps)
-                throw new Error(sentences.onlyMesh)
-            return mapOnDevice(state, width, height)
-        })
+        follows(pico)
         button.textContent = 'Disconnect'
-        fromBoard.hidden = false
-        void redraw()
+        fromBoard.hidden = own.hidden = false
     } catch (error) {
         lose(error as Error)
     }
     button.disabled = false
+}
+
+/** It draws the page's picture, from now on. */
+function follows({ width, height, mesh, takesMaps }: Pico): void {
+    has = { map: '', material: '' }
+    frames = []
+    setView(async state => {
+        if (isMesh(state)) {
+            if (!mesh)
+                throw new Error(sentences.noMesh)
+            const split = await splitOf(mesh, state)
+            if (!split)
+                throw new Error(sentences.otherMesh)
+            return { state: meshOnDevice(state, width, height, split), isBoards: true }
+        }
+        if (!takesMaps)
+            throw new Error(sentences.onlyMesh)
+        return mapOnDevice(state, width, height)
+    })
+    void redraw()
 }
 
 let held = { of: '', split: 0 }
@@ -111,7 +115,8 @@ async function colourOf({ scene, height, normals, albedo, mask, color }: State):
 function forget(): void {
     pico = undefined
     endLight()
-    fromBoard.hidden = true
+    fromBoard.hidden = own.hidden = true
+    own.setAttribute('aria-pressed', 'false')
     button.textContent = 'Connect a Pico'
     setView()
     void redraw()
@@ -183,6 +188,48 @@ fromBoard.onclick = () => {
         void takeLight(pico)
 }
 
+// ---- the board's own picture under the page's light ----
+
+const own = byId<HTMLButtonElement>('board-own')
+const isOwn = () => own.getAttribute('aria-pressed') === 'true'
+
+/** Of a point or spot, as far beside the middle as it is in the picture. */
+async function giveLights(to: Pico): Promise<void> {
+    while (pico === to && isOwn()) {
+        await to.giveLight(towards())
+        await new Promise(resolve => setTimeout(resolve, 33))
+    }
+}
+
+own.onclick = async () => {
+    const to = pico
+    if (!to)
+        return
+    own.disabled = true
+    const begins = !isOwn()
+    try {
+        if (begins) {
+            setView()
+            own.setAttribute('aria-pressed', 'true')
+            while (isBusy) // the picture that is on its way
+                await new Promise(resolve => setTimeout(resolve, 10))
+        }
+        await to.showOwn(begins)
+        if (begins) {
+            say(`${to.name} shows its own picture under the light of this page: drag, Orbit or Tilt.`)
+            void giveLights(to).catch(lose)
+            void redraw()
+        } else {
+            own.setAttribute('aria-pressed', 'false')
+            follows(to)
+        }
+    } catch (error) {
+        if (pico === to)
+            lose(error as Error)
+    }
+    own.disabled = false
+}
+
 // ---- following ----
 
 let isBusy = false, again = false
@@ -192,7 +239,7 @@ async function follow(): Promise<void> {
     if (isBusy)
         return
     isBusy = true
-    while (again && pico) {
+    while (again && pico && !isOwn()) {
         again = false
         await send(pico).catch(error => {
             if (!pico)

@@ -5,6 +5,7 @@ import { byId, make } from './dom'
 import { checkTexture, isGltf } from './gltf'
 import { bytesOf, forgetFile, keepFile, putFile } from './kept'
 import { redraw, say, settled } from './picture'
+import { lookOfLogo } from './presets'
 import { change, current, onChange, takeBack } from './store'
 import { showGroup } from './tabs'
 import { fileOf, isMesh, isSurface, kinds, noSurface } from './words'
@@ -25,8 +26,11 @@ async function take(file: File, kind: Kind): Promise<void> {
         if (before[kind] === name) { // an address asked for it, or it is a newer one: what is set stays
             await redraw()
         } else {
+            const size = before.size ?? '240x240'
             const surface: Partial<State> = !isSurface(kind) ? kind === 'albedo' ? { color: undefined } : {}
-                : { ...noSurface, size: kind === 'mesh' ? before.size ?? '240x240' : undefined, bevel: kind === 'height' && isLogo ? '6' : undefined }
+                : kind === 'mesh' ? { ...noSurface, size, turn: '25,-35,0' } // not flat from the side
+                    : kind === 'height' && isLogo ? { ...noSurface, size, bevel: '6', fit: '70', ...lookOfLogo(before) }
+                        : { ...noSurface, size: undefined }
             change({ ...surface, [kind]: name })
         }
         refusal = await settled()

@@ -14,7 +14,7 @@ import { commandLine, wordsOf } from './words'
 import type { Option, State } from './words'
 
 const status = byId('file-status')
-const scene: Option[] = ['height', 'normals', 'scene', 'bevel', 'scale', 'wrap', 'flip-y', 'mask', 'cut-out', 'filter', 'grain', 'size']
+const scene: Option[] = ['height', 'normals', 'scene', 'bevel', 'fit', 'scale', 'wrap', 'flip-y', 'mask', 'cut-out', 'filter', 'grain', 'size']
 
 function only(options: Option[], state: State): string[] {
     return wordsOf({ ...Object.fromEntries(options.filter(name => state[name] !== undefined).map(name => [name, state[name]])), lights: [] })
@@ -28,7 +28,7 @@ function save(name: string, content: Uint8Array<ArrayBuffer> | Blob): void {
 
 /** Without maps and what else a material has not; of a scene its finish counts. */
 const look = (state: State) => wordsOf({ ...state, height: undefined, normals: undefined, albedo: undefined, gloss: undefined, mask: undefined, 'cut-out': undefined, grain: undefined, background: undefined,
-    bevel: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined, mesh: undefined, crease: undefined, axes: undefined, split: undefined, texture: undefined, nearest: undefined, turn: undefined, zoom: undefined, perspective: undefined, 'no-outlines': undefined, filter: undefined })
+    bevel: undefined, fit: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined, mesh: undefined, crease: undefined, axes: undefined, split: undefined, texture: undefined, nearest: undefined, turn: undefined, zoom: undefined, perspective: undefined, 'no-outlines': undefined, filter: undefined })
 const tables = (state: State, kind: string) => ['glint table', `--kind=${kind}`, ...look({ ...state, lights: [] }), '-o', `${kind}_tables.c`]
 /** RGB565 colours go beside normals, not beside a palette's offsets. */
 const baked = (state: State, to: string, name: string) => ['glint bake', ...only(to.startsWith('palette') || name.endsWith('.uf2') ? scene : [...scene, 'albedo'], cutOut(state)), `--to=${to}`, '-o', name]

@@ -19,6 +19,7 @@ export const sentences = {
     otherMesh: 'The board holds another mesh, and keeps its picture. Disconnect to see this one here.',
     onlyMesh: 'The board draws the mesh that it holds, and no maps: it keeps its picture. Choose that mesh, such as Teapot, to turn it.',
     oldFirmware: 'The board\'s firmware is too old to tell where the light is. Copy this version\'s glint.uf2 to the board, then connect again.',
+    noLight: 'The board\'s firmware is too old to take a light for its own picture. Copy this version\'s glint.uf2 to the board, then connect again.',
     noSensor: 'The board has no accelerometer to take the light from.',
     silentSensor: 'The board\'s accelerometer does not answer. Unplug the board, plug it in, then connect again.',
     busy: 'The device is busy with a picture that another program sends. Connect again.',
@@ -117,6 +118,31 @@ export class Pico {
                 return sentences.oldFirmware
             const [sense, x, y, z] = [0, 4, 8, 12].map(at => data.getInt32(at, true))
             return sense === wire.LIGHT_SENSED && (x || y || z) ? [x, y, z] : sense === wire.LIGHT_NO_SENSOR ? sentences.noSensor : sentences.silentSensor
+        })
+    }
+
+    /** The board shows what is its own: giveLight sets that one's light. Or what is sent again, from the map on. */
+    showOwn(isOwn: boolean): Promise<void> {
+        return this.guard(async () => {
+            if (!isOwn)
+                await this.enable()
+            else if (!await this.set(wire.LIGHT_SET_ENABLE, Uint8Array.of(0)))
+                throw refused('to show its own picture', await this.status())
+        })
+    }
+
+    /** For LIGHT_HELD_MS, and not where the system is drawing on the board just now. */
+    giveLight(towards: [number, number, number]): Promise<void> {
+        return this.guard(async () => {
+            const message = new DataView(new ArrayBuffer(wire.LIGHT_MESSAGE_BYTES))
+            towards.forEach((v, i) => message.setInt32(4 * i + 4, Math.round(v * 32768), true))
+            if (await this.set(wire.LIGHT_SET_LIGHT, new Uint8Array(message.buffer)))
+                return
+            const status = await this.status()
+            if (status === wire.GUD_UNSUPPORTED)
+                throw new Trouble(sentences.noLight)
+            if (status !== wire.GUD_BUSY)
+                throw refused('the light', status)
         })
     }
 

@@ -67,7 +67,7 @@ async function draw(now: State): Promise<void> {
         show(canvas, picture.width, picture.height, picture.rgba)
         say(missing.length ? `${now[missing[0]]}: this ${missing[0] === 'mesh' ? 'mesh' : 'map'} is not here; drop or choose the file` : '', picture.warnings)
         const { format, dither } = seen.state
-        byId('status').textContent = `${picture.width} × ${picture.height}, ${format ?? 'rgb888'}${dither !== undefined ? ', dithered' : ''}; ${picture.kept ? 'drawn' : 'prepared and drawn'} in ${picture.milliseconds.toFixed(1)} ms`
+        byId('status').textContent = `${picture.width} × ${picture.height}, ${format ?? 'rgb888'}${dither !== undefined ? ', dithered' : ''}; ${picture.milliseconds.toFixed(1)} ms`
         listeners.forEach(listener => listener(drawn!))
     } catch (error) {
         if (error instanceof Stopped)

@@ -22,11 +22,18 @@ const scenes: Preset[] = lists.scenes.map(({ name }) => ({
 }))
 /** A map on a round panel: scratches run round its middle, unless the user says otherwise. */
 const isKnob = ({ panel, scene, mesh, grain }: State) => panel === 'round' && scene === undefined && mesh === undefined && grain === undefined
+const spins = (material?: string) => material?.startsWith('brushed') ? { grain: 'spun' } : {}
+/** A logo is made of what was there. */
+const scenesOf: Record<string, string> = { coin: 'gold', knob: 'brushed-steel', sunray: 'brushed-steel' }
+export function lookOfLogo(before: State): Partial<State> {
+    const material = before.material ?? scenesOf[before.scene ?? '']
+    return { material, ...before.panel === 'round' || before.material === undefined ? spins(material) : {} }
+}
 /** It takes the place of what was set by hand; what is set afterwards overrides it. */
 const materials: Preset[] = [{ name: '', title: 'As it comes', meaning: 'The surface\'s own material', words: () => [`--scene=${current().scene ?? 'sphere'}`, ...sized], press: () => change({ ...ofMaterial, material: undefined }) },
     ...lists.materials.map(({ name, meaning }) => ({
         name, title: capital(name.replaceAll('-', ' ')), meaning: capital(typeset(meaning)), words: () => [`--scene=${name.startsWith('brushed') ? 'knob' : 'sphere'}`, `--material=${name}`, ...sized],
-        press: () => change({ ...ofMaterial, material: name, ...name.startsWith('brushed') && isKnob(current()) ? { grain: 'spun' } : {} }),
+        press: () => change({ ...ofMaterial, material: name, ...isKnob(current()) ? spins(name) : {} }),
     }))]
 
 function build(group: Group, into: string, presets: Preset[], chosen: (state: State) => string | undefined): void {

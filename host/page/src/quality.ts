@@ -47,6 +47,7 @@ async function curve({ facts, state }: Drawn): Promise<void> {
 // ---- errors ----
 
 function histogram(bins: number[]): void {
+    const wide = 190, tall = 110 // half as wide as the curve, in letters of the same size
     const last = Math.max(8, bins.findLastIndex(v => v > 0)), most = Math.log1p(Math.max(...bins))
     const width = (wide - 4) / (last + 1)
     const bars = bins.slice(0, last + 1).map((v, i) => {

@@ -223,6 +223,13 @@ export function pointTo([x, y, z]: Vector): void {
         put({ kind, text: [...next.map(v => short(v)), ...text.split(',').slice(3)].join(',') })
 }
 
+/** Where the selected light is, of length 1; of a place, as far beside the middle as it is. */
+export function towards(): Vector {
+    const light = lights()[selectedLight()], [x, y] = placeOf(light), at: Vector = light.kind === 'light' ? numbers(light.text).slice(0, 3) as Vector : [2 * x - 1, 1 - 2 * y, 1]
+    const length = Math.hypot(...at) || 1
+    return at.map(v => v / length) as Vector
+}
+
 function endTilt(why: string): void {
     removeEventListener('deviceorientation', byTilt)
     clearTimeout(silence)

@@ -4,7 +4,7 @@
 
 /** In the order in which the command line has them. true: the option takes no value; null: the page's own, which the command has not. */
 const options = {
-    height: false, normals: false, scene: false, mesh: false, bevel: false, scale: false, wrap: true, 'flip-y': true, mask: false, 'cut-out': true, filter: false, grain: false,
+    height: false, normals: false, scene: false, mesh: false, bevel: false, fit: false, scale: false, wrap: true, 'flip-y': true, mask: false, 'cut-out': true, filter: false, grain: false,
     albedo: false, color: false, gloss: false, size: false, background: false, crease: false, axes: false, split: false, texture: false, nearest: true, turn: false, zoom: false, perspective: false, 'no-outlines': true, material: false, model: false, n: false, roughness: false, across: false, q: false, view: false, ambient: false,
     diffuse: false, specular: false, 'clamp-peak': true, format: false, space: false, dither: true, path: false, panel: null,
 } as const
@@ -17,7 +17,7 @@ export interface Light {
     text: string
 }
 export type State = { lights: Light[] } & { [name in Option]?: string }
-export const noSurface: Partial<State> = { height: undefined, normals: undefined, scene: undefined, mesh: undefined, crease: undefined, axes: undefined, mask: undefined, 'cut-out': undefined, filter: undefined, grain: undefined, albedo: undefined, gloss: undefined, scale: undefined, bevel: undefined, wrap: undefined, 'flip-y': undefined, color: undefined, split: undefined, texture: undefined, nearest: undefined, turn: undefined, zoom: undefined, perspective: undefined, 'no-outlines': undefined }
+export const noSurface: Partial<State> = { height: undefined, normals: undefined, scene: undefined, mesh: undefined, crease: undefined, axes: undefined, mask: undefined, 'cut-out': undefined, filter: undefined, grain: undefined, albedo: undefined, gloss: undefined, scale: undefined, bevel: undefined, fit: undefined, wrap: undefined, 'flip-y': undefined, color: undefined, split: undefined, texture: undefined, nearest: undefined, turn: undefined, zoom: undefined, perspective: undefined, 'no-outlines': undefined }
 
 const names = Object.keys(options) as Option[]
 const dashes = (name: string) => name.length === 1 ? `-${name}` : `--${name}`

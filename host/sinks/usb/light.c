@@ -17,6 +17,7 @@ struct light_sink {
     struct usb_port port;
     struct gud_link link;
     bool gone;
+    bool is_demo; /* the device shows its own; it is not enabled */
     uint32_t frames;
     uint8_t messages[2][LIGHT_POSE_BYTES]; /* one may be under way */
     char name[48];
@@ -113,7 +114,8 @@ static struct light_sink *try_open(const struct sink_wish *wish, char *line, siz
     *may_pass = !device && attempt == USB_TRY_AGAIN;
     bool good = device && find_interface(light, device, wish, line, size);
     usb_found_free(&found);
-    if (good && (usb_bulk_prepare(&light->port) || !enable(light, 1))) {
+    light->is_demo = wish->demo;
+    if (good && (usb_bulk_prepare(&light->port) || (!wish->demo && !enable(light, 1)))) {
         snprintf(line, size, "%s: it is busy with a picture; try again", light->name);
         good = false;
     }
@@ -195,12 +197,33 @@ static enum sink_result send_message(struct light_sink *light, const uint8_t *me
     return result_of(light, fault, what);
 }
 
+/* The display's own host may be drawing; that is soon done. */
+static enum sink_result give_light(struct light_sink *light, const int32_t to_light[3])
+{
+    uint8_t message[LIGHT_MESSAGE_BYTES], status = GUD_OK;
+    light_message_pack(message, 0, to_light);
+    for (unsigned ms = 0;; ms += ASK_MS) {
+        const int sent = light->link.control(&light->port, false, LIGHT_SET_LIGHT, 0, message, sizeof message);
+        if (sent != GUD_LINK_STALL)
+            return result_of(light, sent < 0 ? sent : 0, "the light");
+        const int got = light->link.control(&light->port, true, LIGHT_GET_STATUS, 0, &status, 1);
+        if (got < 0 || stream_stopped())
+            return got < 0 ? result_of(light, got, "the light") : SINK_INTERRUPTED;
+        const char *refusal = usb_demo_refusal(status);
+        if (refusal || ms >= LAST_FRAMES_MS)
+            fail("%s: %s", light->name, refusal ? refusal : "it is busy with a picture; try again");
+        usb_pause_ms(ASK_MS);
+    }
+}
+
 static enum sink_result send_light(struct sink *sink, const int32_t to_light[3], size_t *bytes)
 {
     struct light_sink *light = of(sink);
     uint8_t *message = light->messages[light->frames % 2];
-    light_message_pack(message, light->frames++, to_light);
     *bytes = LIGHT_MESSAGE_BYTES;
+    if (light->is_demo)
+        return give_light(light, to_light);
+    light_message_pack(message, light->frames++, to_light);
     return send_message(light, message, LIGHT_MESSAGE_BYTES, "a light");
 }
 
@@ -230,6 +253,17 @@ static enum sink_result send_pose(struct sink *sink, const struct light_pose *po
     light_pose_pack(message, light->frames++, pose);
     *bytes = LIGHT_POSE_BYTES;
     return send_message(light, message, LIGHT_POSE_BYTES, "a pose");
+}
+
+const char *usb_demo_refusal(uint8_t status)
+{
+    if (status == GUD_BUSY)
+        return NULL;
+    if (status == GUD_UNSUPPORTED)
+        return "its firmware is too old to take a light for its own picture; load this version's";
+    if (status == GUD_PROTOCOL)
+        return "it shows what another program sends; end that";
+    return "it refuses the light";
 }
 
 const char *usb_light_refusal(int32_t to_light[3], int got, const uint8_t bytes[LIGHT_MESSAGE_BYTES])
@@ -277,10 +311,11 @@ static void wait_for_frames(struct light_sink *light)
 static void light_close(struct sink *sink)
 {
     struct light_sink *light = of(sink);
-    if (!light->gone)
+    const bool is_enabled = !light->gone && !light->is_demo;
+    if (is_enabled)
         wait_for_frames(light);
     light->port.stoppable = false;
-    if (!light->gone && !enable(light, 0))
+    if (is_enabled && !enable(light, 0))
         warn("%s: it did not give the panel back", light->name);
     leave(light);
 }

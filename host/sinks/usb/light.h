@@ -15,4 +15,7 @@ bool usb_light_fits(const struct light_descriptor *device, const struct sink_wis
 /* Why a device's answer to LIGHT_GET_LIGHT, `got` bytes or an enum gud_link_fault, gives no light; NULL: it does. */
 const char *usb_light_refusal(int32_t to_light[3], int got, const uint8_t bytes[LIGHT_MESSAGE_BYTES]);
 
+/* Why a device refused LIGHT_SET_LIGHT, by its status; NULL: it is busy for a moment. */
+const char *usb_demo_refusal(uint8_t status);
+
 #endif

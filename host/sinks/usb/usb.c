@@ -294,6 +294,7 @@ const struct sink_kind sink_usb = {
     .options = usb_argps,
     .examples = "  glint stream dial --to usb --stats\n"
                 "  glint stream --height wall.png --size 240x240 --to usb --shade device\n"
+                "  glint stream --to usb --shade demo --light-from iio\n"
                 "  glint stream coin --to usb --usb-path 1-3.1 --wait\n",
     .pixels = {.open = usb_open, .box_bytes = usb_box_bytes, .pack = usb_pack, .send = usb_send, .close = usb_close},
     .shader = &usb_shader,

@@ -11,16 +11,17 @@
 
 enum { SIZE = 240, MOVES = 300 /* of 16384, 1 g: +-2 g */ };
 
-/* The sensors: where it answers, who it says it is in a register, what is written to it, and from where on x, y and z are read. */
+/* The sensors: where it answers, who it says it is in a register, what is written to it, where its lowest bit says that a sample is new
+ * (0: nowhere), and from where on x, y and z are read. */
 struct sensor {
-    uint8_t address, who, is, settings[3][2], first;
+    uint8_t address, who, is, settings[3][2], status, first;
     bool low_first;
 };
 enum { MPU6050, QMI8658, QMI8658_OTHER, SENSORS };
 static const struct sensor sensors[SENSORS] = {
-    {0x68, 0x75, 0x68, {{0x6b, 0x00}, {0x1c, 0x00}, {0x1b, 0x00}}, 0x3b, false}, /* it sleeps at first; +-2 g */
-    {0x6b, 0x00, 0x05, {{0x02, 0x60}, {0x03, 0x05}, {0x08, 0x01}}, 0x35, true},  /* addresses count up; 250 Hz; on */
-    {0x6a, 0x00, 0x05, {{0x02, 0x60}, {0x03, 0x05}, {0x08, 0x01}}, 0x35, true}};
+    {0x68, 0x75, 0x68, {{0x6b, 0x00}, {0x1c, 0x00}, {0x1b, 0x00}}, 0, 0x3b, false}, /* it sleeps at first; +-2 g */
+    {0x6b, 0x00, 0x05, {{0x02, 0x60}, {0x03, 0x05}, {0x08, 0x01}}, 0x2e, 0x35, true},  /* addresses count up; 250 Hz; on */
+    {0x6a, 0x00, 0x05, {{0x02, 0x60}, {0x03, 0x05}, {0x08, 0x01}}, 0x2e, 0x35, true}};
 static const struct sensor *sensor;
 
 static TFT_eSPI tft;
@@ -52,10 +53,22 @@ static void find_sensor()
     }
 }
 
+/* Of a read that meets the next sample a QMI8658's bytes may be of both, so it waits for a new one: 4 ms. One that never says so is
+ * read all the same. An MPU-6050 keeps its bytes together. */
+static void wait_for_sample()
+{
+    for (int looks = 0; sensor->status && looks < 8; looks++) {
+        if (begin_read(sensor->address, sensor->status, 1) && (Wire.read() & 1))
+            return;
+        delayMicroseconds(500);
+    }
+}
+
 /* What a sensor at rest gives is 1 g upwards. False: it does not answer, or has no sample yet. */
 static bool read_sensor(int16_t sample[3])
 {
     int16_t read[3];
+    wait_for_sample();
     if (!begin_read(sensor->address, sensor->first, 6))
         return false;
     for (int i = 0; i < 3; i++) {

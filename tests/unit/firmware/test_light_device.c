@@ -364,6 +364,58 @@ static void a_host_that_asks_for_the_rooms_light_changes_nothing(void **state)
     assert_false(light_device_set(&device, &wrong, reply));
 }
 
+/* ---- the light of what the board shows by itself ---- */
+
+static bool give(uint32_t first, int32_t x, int32_t y, int32_t z)
+{
+    uint8_t bytes[LIGHT_MESSAGE_BYTES];
+    const int32_t to_light[3] = {x, y, z};
+    light_message_pack(bytes, first, to_light);
+    return set(LIGHT_SET_LIGHT, bytes, sizeof bytes);
+}
+
+static void a_light_that_is_given_holds_for_its_time_after_the_last_and_the_clock_may_wrap(void **state)
+{
+    (void)state;
+    enum { HELD_US = 1000 * LIGHT_HELD_MS };
+    uint32_t now_us = (uint32_t)-HELD_US / 2 + HELD_US - 7; /* wraps on the way */
+    light_device_time(&device, now_us);
+    assert_false(device.is_given);
+    assert_true(give(0, INT32_MIN, -2, INT32_MAX) && status() == GUD_OK);
+    assert_true(device.is_given && device.given[0] == INT32_MIN && device.given[2] == INT32_MAX);
+    assert_true(!device.enabled && !device.was_enabled && !device.is_new);
+    light_device_time(&device, now_us += 5);
+    light_device_time(&device, now_us += HELD_US - 1);
+    assert_true(device.is_given);
+    assert_true(give(0, 1, 2, 3));
+    light_device_time(&device, now_us);
+    light_device_time(&device, now_us += HELD_US - 1);
+    assert_true(device.is_given && device.given[2] == 3);
+    light_device_time(&device, now_us += 1);
+    assert_false(device.is_given);
+}
+
+static void no_light_is_given_to_a_panel_that_is_a_hosts_nor_one_without_a_direction(void **state)
+{
+    (void)state;
+    assert_true(!give(1, 1, 2, 3) && status() == GUD_PARAMETER);
+    assert_true(!give(0, 0, 0, 0) && status() == GUD_PARAMETER);
+    assert_true(enable(1));
+    assert_true(!give(0, 1, 2, 3) && status() == GUD_PROTOCOL);
+    assert_true(enable(0));
+    gud.open = true;
+    assert_true(!give(0, 1, 2, 3) && status() == GUD_BUSY && !device.is_given);
+    gud.open = false;
+    assert_true(give(0, 1, 2, 3));
+    struct gud_setup wrong = request(GUD_TYPE_OUT, LIGHT_SET_LIGHT, LIGHT_MESSAGE_BYTES - 1);
+    assert_int_equal(light_device_setup(&device, &wrong, reply), GUD_STALL);
+    wrong = request(GUD_TYPE_IN, LIGHT_SET_LIGHT, LIGHT_MESSAGE_BYTES);
+    assert_int_equal(light_device_setup(&device, &wrong, reply), GUD_STALL);
+    assert_true(device.is_given && device.given[2] == 3);
+    light_device_reset(&device);
+    assert_false(device.is_given);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -385,6 +437,10 @@ int main(void)
         cmocka_unit_test_setup_teardown(that_it_was_enabled_outlives_a_reset, begin, end),
         cmocka_unit_test_setup_teardown(whatever_arrives_only_the_map_is_written, begin, end),
         cmocka_unit_test_setup_teardown(a_host_that_asks_for_the_rooms_light_changes_nothing, begin, end),
+        cmocka_unit_test_setup_teardown(a_light_that_is_given_holds_for_its_time_after_the_last_and_the_clock_may_wrap,
+                                        begin, end),
+        cmocka_unit_test_setup_teardown(no_light_is_given_to_a_panel_that_is_a_hosts_nor_one_without_a_direction, begin,
+                                        end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,7 +12,10 @@ static void poses_of_28_bytes_turn_the_mesh_that_it_holds(void **state)
     const struct light_pose pose = {{{1, -2, 32767, -32768}, {5, -6, 32767}, 65535}, {-32768, 8, 9}};
     struct light_mesh told;
     struct light_pose taken;
-    uint8_t message[LIGHT_POSE_BYTES];
+    struct {
+        uint8_t message[LIGHT_POSE_BYTES], behind[4];
+    } packed = {.behind = "123"};
+    uint8_t *const message = packed.message;
     int32_t to_light[3];
     device.mesh = &mesh;
     const struct gud_setup ask = request(GUD_TYPE_IN, LIGHT_GET_MESH, LIGHT_MESH_BYTES);
@@ -24,7 +27,8 @@ static void poses_of_28_bytes_turn_the_mesh_that_it_holds(void **state)
     assert_true(set_material(&material));
     assert_true(set(LIGHT_SET_MESH, "", 0));
     light_pose_pack(message, 77, &pose);
-    for (unsigned i = 0; i < sizeof message; i++) /* byte by byte */
+    assert_memory_equal(packed.behind, "123", 4);
+    for (unsigned i = 0; i < LIGHT_POSE_BYTES; i++) /* byte by byte */
         light_device_bulk(&device, &message[i], 1);
     assert_false(light_device_next(&device, to_light));
     assert_true(light_device_next_pose(&device, &taken));
@@ -34,7 +38,7 @@ static void poses_of_28_bytes_turn_the_mesh_that_it_holds(void **state)
     assert_int_equal(taken.pose.scale, 65535);
     assert_false(light_device_next_pose(&device, &taken));
     message[LIGHT_POSE_BYTES - 1] = 1;
-    light_device_bulk(&device, message, sizeof message);
+    light_device_bulk(&device, message, LIGHT_POSE_BYTES);
     assert_int_equal(status(), GUD_PARAMETER);
     assert_false(light_device_next_pose(&device, &taken));
 }

@@ -350,6 +350,69 @@ static void a_round_glass_that_is_no_square_is_refused(void **state)
     assert_false(panel_fits(&panel));
 }
 
+/* Each: a command and its bytes, then -1. */
+static void assert_gets(enum panel_controller controller, uint16_t height, const int16_t (*values)[17], size_t count)
+{
+    const struct panel panel = made(&bus, controller, 0, 240, height);
+    assert_true(panel_start(&panel));
+    for (size_t i = 0; i < count; i++) {
+        size_t at = place_of(COMMAND, (unsigned)values[i][0]);
+        for (const int16_t *byte = values[i] + 1; *byte >= 0; byte++) {
+            assert_int_equal(record[++at].kind, DATA);
+            assert_int_equal(record[at].value, *byte);
+        }
+        assert_int_not_equal(record[at + 1].kind, DATA);
+    }
+}
+
+/* Those of Adafruit_GC9A01A, and 0x70 of Waveshare's driver. */
+static void the_gc9a01_gets_the_values_of_its_makers_glass(void **state)
+{
+    (void)state;
+    static const int16_t values[][17] = {
+        {0xeb, 0x14, -1},
+        {0x84, 0x40, -1},
+        {0x85, 0xff, -1},
+        {0x86, 0xff, -1},
+        {0x87, 0xff, -1},
+        {0x88, 0x0a, -1},
+        {0x89, 0x21, -1},
+        {0x8a, 0, -1},
+        {0x8b, 0x80, -1},
+        {0x8c, 1, -1},
+        {0x8d, 1, -1},
+        {0x8e, 0xff, -1},
+        {0x8f, 0xff, -1},
+        {0xb6, 0, 0, -1},
+        {0x90, 8, 8, 8, 8, -1},
+        {0xbd, 6, -1},
+        {0xbc, 0, -1},
+        {0xff, 0x60, 1, 4, -1},
+        {0xc3, 0x13, -1},
+        {0xc4, 0x13, -1},
+        {0xc9, 0x22, -1},
+        {0xbe, 0x11, -1},
+        {0xe1, 0x10, 0x0e, -1},
+        {0xdf, 0x21, 0x0c, 2, -1},
+        {0xf0, 0x45, 9, 8, 8, 0x26, 0x2a, -1},
+        {0xf1, 0x43, 0x70, 0x72, 0x36, 0x37, 0x6f, -1},
+        {0xf2, 0x45, 9, 8, 8, 0x26, 0x2a, -1},
+        {0xf3, 0x43, 0x70, 0x72, 0x36, 0x37, 0x6f, -1},
+        {0xed, 0x1b, 0x0b, -1},
+        {0xae, 0x77, -1},
+        {0xcd, 0x63, -1},
+        {0x70, 7, 7, 4, 0x0e, 0x0f, 9, 7, 8, 3, -1},
+        {0xe8, 0x34, -1},
+        {0x62, 0x18, 0x0d, 0x71, 0xed, 0x70, 0x70, 0x18, 0x0f, 0x71, 0xef, 0x70, 0x70, -1},
+        {0x63, 0x18, 0x11, 0x71, 0xf1, 0x70, 0x70, 0x18, 0x13, 0x71, 0xf3, 0x70, 0x70, -1},
+        {0x64, 0x28, 0x29, 0xf1, 1, 0xf1, 0, 7, -1},
+        {0x66, 0x3c, 0, 0xcd, 0x67, 0x45, 0x45, 0x10, 0, 0, 0, -1},
+        {0x67, 0, 0x3c, 0, 0, 0, 1, 0x54, 0x10, 0x32, 0x98, -1},
+        {0x74, 0x10, 0x85, 0x80, 0, 0, 0x4e, 0, -1},
+        {0x98, 0x3e, 7, -1}};
+    assert_gets(PANEL_GC9A01, 240, values, sizeof values / sizeof *values);
+}
+
 static void the_ili9341_gets_its_voltages_and_gamma_curves(void **state)
 {
     (void)state;
@@ -368,16 +431,7 @@ static void the_ili9341_gets_its_voltages_and_gamma_curves(void **state)
                                          {0xf2, 0, -1},
                                          {0xe0, 15, 49, 43, 12, 14, 8, 78, 241, 55, 7, 16, 3, 14, 9, 0, -1},
                                          {0xe1, 0, 14, 20, 3, 17, 7, 49, 193, 72, 8, 15, 12, 49, 54, 15, -1}};
-    const struct panel panel = made(&bus, PANEL_ILI9341, 0, 240, 320);
-    assert_true(panel_start(&panel));
-    for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
-        size_t at = place_of(COMMAND, (unsigned)values[i][0]);
-        for (const int16_t *byte = values[i] + 1; *byte >= 0; byte++) {
-            assert_int_equal(record[++at].kind, DATA);
-            assert_int_equal(record[at].value, *byte);
-        }
-        assert_int_not_equal(record[at + 1].kind, DATA);
-    }
+    assert_gets(PANEL_ILI9341, 320, values, sizeof values / sizeof *values);
 }
 
 static void without_a_reset_line_the_command_resets(void **state)
@@ -540,6 +594,7 @@ int main(void)
         cmocka_unit_test(a_start_gives_the_controller_its_time_and_shows_nothing),
         cmocka_unit_test(the_backlight_is_on_only_while_the_display_is),
         cmocka_unit_test(the_tearing_line_is_driven_where_it_is_wired),
+        cmocka_unit_test(the_gc9a01_gets_the_values_of_its_makers_glass),
         cmocka_unit_test(the_gc9a01_turns_as_widely_used_drivers_turn_it),
         cmocka_unit_test(the_columns_of_a_round_glass_are_those_that_its_circle_touches),
         cmocka_unit_test(on_qspi_each_command_is_ended_but_one_that_takes_pixels),

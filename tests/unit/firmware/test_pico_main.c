@@ -83,9 +83,10 @@ void board_alive(void)
 {
 }
 
+static uint32_t now_us;
 uint32_t board_us(void)
 {
-    return 0;
+    return now_us;
 }
 
 void second_core_start(void)
@@ -211,6 +212,15 @@ static void request(bool of_light, uint8_t number, uint8_t value)
         (void)(of_light ? light_device_set(&light, &setup, &value) : gud_device_set(&gud, &setup, &value));
 }
 
+static void give_light(void)
+{
+    uint8_t message[LIGHT_MESSAGE_BYTES], reply[GUD_REPLY_BYTES];
+    const struct gud_setup setup = {GUD_TYPE_OUT, LIGHT_SET_LIGHT, 0, USB_LIGHT, sizeof message};
+    light_message_pack(message, 0, (int32_t[]){1, 2, 3});
+    assert_int_equal(light_device_setup(&light, &setup, reply), sizeof message);
+    (void)light_device_set(&light, &setup, message);
+}
+
 /* As usb.c does. */
 static void reset(void)
 {
@@ -260,12 +270,15 @@ static void happen(unsigned event)
         is_suspended = true;
         gud_device_suspend(&gud);
         return;
+    case 9:
+        give_light();
+        return;
     default:
         is_suspended = false;
         gud_device_resume(&gud);
     }
 }
-enum { EVENTS = 10, QUIET = 16 /* polls: the longest frame takes fewer */ };
+enum { EVENTS = 11, QUIET = 16 /* polls: the longest frame takes fewer */, POLL_US = 40000 };
 
 /* After polls in which nothing happens. */
 static void check_owner(void)
@@ -273,6 +286,10 @@ static void check_owner(void)
     if (light.enabled) {
         assert_int_equal(owner, LIGHT_HOST);
         assert_int_equal(percent, 0); /* it has sent nothing to draw */
+    } else if (light.is_given) {
+        assert_true(is_demo(owner));
+        assert_int_equal(percent, PANEL_BRIGHTEST);
+        assert_int_equal(picture, WHOLE_DEMO);
     } else if (gud.controller) {
         assert_int_equal(owner, GUD_HOST);
         assert_int_equal(percent, gud_panel_percent(gud.shown, gud.brightness));
@@ -302,6 +319,7 @@ bool usb_is_suspended(void)
 
 void usb_poll(void)
 {
+    now_us += POLL_US;
     if (polls-- == 0)
         longjmp(end, 1);
     if (polls % QUIET != QUIET - 1)
@@ -335,6 +353,18 @@ static void a_host_that_comes_and_goes_within_one_poll_leaves_the_demo_shown(voi
     assert_int_equal(owner, DEMO);
 }
 
+static void a_light_that_is_given_shows_the_demo_until_it_expires_and_gives_the_panel_back(void **unused)
+{
+    (void)unused;
+    static const unsigned events[] = {0, 1, 7, EVENTS, 9, EVENTS, EVENTS + 1};
+    script = events;
+    run_main(2 * QUIET);
+    assert_int_equal(owner, LIT_DEMO); /* in the place of what the GUD host drew */
+    script = events + 6;
+    run_main(3 * QUIET);
+    assert_int_equal(owner, DEMO);
+}
+
 static void whatever_hosts_do_the_panel_is_its_owners(void **unused)
 {
     (void)unused;
@@ -346,6 +376,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_host_that_comes_and_goes_within_one_poll_leaves_the_demo_shown),
+        cmocka_unit_test(a_light_that_is_given_shows_the_demo_until_it_expires_and_gives_the_panel_back),
         cmocka_unit_test(whatever_hosts_do_the_panel_is_its_owners),
     };
     return cmocka_run_group_tests_name("pico main", tests, NULL, NULL);

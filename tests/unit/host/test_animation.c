@@ -121,6 +121,20 @@ static void a_lower_quality_takes_fewer_bytes(void **state)
     assert_refused(COIN "--to png --frames 1 --quality 60 -o out/a.png", "--quality: is for --to webp");
     assert_int_equal(files_in("out"), 0);
 }
+
+static void a_frame_of_a_lower_quality_shows_nothing_of_the_frames_before(void **state)
+{
+    (void)state;
+    static struct shown all, alone;
+    assert_quiet("for i in 0 1 2 3 4 5 6 7; do echo 0.$i 0.4 1; done >lights && tail -n 1 lights >last && "
+                 "for of in lights last; do "
+                 "$GLINT stream sunray --size 60x40 --to webp --quality 70 --lights $of -o $of.webp; done");
+    show_webp("lights.webp", &all);
+    show_webp("last.webp", &alone);
+    assert_int_equal(all.frames, 8);
+    assert_int_equal(alone.frames, 1);
+    assert_memory_equal(all.rgb[7], alone.rgb[0], sizeof alone.rgb[0]);
+}
 #endif
 
 #if GLINT_WITH_GIF
@@ -231,6 +245,7 @@ int main(void)
         cmocka_unit_test(a_webp_shows_the_pixels_of_the_png_sink_each_frame_in_its_time),
         cmocka_unit_test(a_webp_of_argb8888_has_its_alpha),
         cmocka_unit_test(a_lower_quality_takes_fewer_bytes),
+        cmocka_unit_test(a_frame_of_a_lower_quality_shows_nothing_of_the_frames_before),
 #endif
 #if GLINT_WITH_GIF
         cmocka_unit_test(a_gif_shows_the_pixels_of_the_png_sink_in_256_colours_of_rgb565_each_frame_in_its_time),

@@ -43,6 +43,33 @@ static void help_and_a_command_give_what_its_option_gives(void **state)
     assert_int_equal(run("$GLINT help render stream")->status, 2);
 }
 
+static void every_command_that_draws_a_scene_takes_its_name_with_and_without_the_option(void **state)
+{
+    (void)state;
+    static const char *const lines[] = {"render %s --size 20x20 -o -", "bake %s --size 20x20 -o -",
+                                        "stream %s --size 20x20 --frames 1 --to raw"};
+    static const char *const scenes[] = {"coin", "teapot"};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        for (size_t k = 0; k < sizeof scenes / sizeof *scenes; k++) {
+            char with[32], a[96], b[96], command[256];
+            snprintf(with, sizeof with, "--scene %s", scenes[k]);
+            const bool sized = k == 0 || i != 1; /* baked, a mesh has no size */
+            const char *line = sized ? lines[i] : "bake %s -o -";
+            snprintf(a, sizeof a, line, scenes[k]);
+            snprintf(b, sizeof b, line, with);
+            snprintf(command, sizeof command, "$GLINT %s >a && $GLINT %s >b && test -s a && cmp a b", a, b);
+            assert_int_equal(run(command)->status, 0);
+        }
+        char line[128], command[192];
+        snprintf(line, sizeof line, lines[i], "coin dial");
+        snprintf(command, sizeof command, "$GLINT %s >a", line);
+        assert_refused(command, "unexpected argument 'dial'; one scene is enough");
+        snprintf(line, sizeof line, lines[i], "wall.png");
+        snprintf(command, sizeof command, "$GLINT %s >a", line);
+        assert_refused(command, "unexpected argument 'wall.png'; name files by --height");
+    }
+}
+
 /* argp breaks what is longer than a line, and what it breaks cannot be copied into a shell. */
 static void no_example_and_no_list_in_help_is_broken(void **state)
 {
@@ -310,6 +337,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(help_and_a_command_give_what_its_option_gives),
         cmocka_unit_test(help_of_every_command_has_an_example_and_exits_0),
+        cmocka_unit_test(every_command_that_draws_a_scene_takes_its_name_with_and_without_the_option),
         cmocka_unit_test(no_example_and_no_list_in_help_is_broken),
         cmocka_unit_test(no_heading_in_help_comes_twice),
         cmocka_unit_test(an_option_that_argp_refuses_is_told_in_one_line_by_every_command),

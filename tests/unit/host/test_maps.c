@@ -7,6 +7,7 @@
 #include "image/read.h"
 #include "scene/bevel.h"
 #include "scene/curl.h"
+#include "scene/logo.h"
 #include "scene/normals.h"
 
 /* ---- distances and bevels ---- */
@@ -131,6 +132,98 @@ static void a_bevel_without_a_shape_is_one_line(void **state)
     assert_refused("$GLINT render --scene coin --bevel 4 -o no.png", "--bevel needs --height");
     assert_refused("$GLINT render --height grey.png --wrap --bevel 4 -o no.png", "--wrap cannot be used with --bevel");
     assert_refused("$GLINT render --height grey.png --bevel 0 -o no.png", "--bevel");
+}
+
+/* ---- logos of any size ---- */
+
+static double coverage_at(const struct image *fitted, uint32_t x, uint32_t y)
+{
+    return fitted->samples[(size_t)y * fitted->width + x] / 65535.;
+}
+
+/* The columns, or lines, of the picture in which the shape covers half of a pixel. */
+static void find_extent(const struct image *fitted, bool down, uint32_t *first, uint32_t *last)
+{
+    *first = UINT32_MAX;
+    for (uint32_t y = 0; y < fitted->height; y++)
+        for (uint32_t x = 0; x < fitted->width; x++) {
+            const uint32_t at = down ? y : x;
+            if (coverage_at(fitted, x, y) < .5)
+                continue;
+            *first = at < *first ? at : *first;
+            *last = at > *last || *first == at ? at : *last;
+        }
+}
+
+static void a_fitted_logo_is_in_the_middle_and_takes_the_percent_of_the_side_that_is_full_first(void **state)
+{
+    (void)state;
+    make_logos(); /* its shape: 42x60 */
+    static const struct {
+        uint32_t width, height;
+        double percent;
+    } fits[] = {{62, 62, 100}, {240, 240, 70}, {240, 240, 100}, {320, 90, 50},
+                {40, 300, 80}, {33, 20, 60},   {8, 8, 100}};
+    struct image *logo = image_read("white.png");
+    for (size_t i = 0; i < sizeof fits / sizeof *fits; i++) {
+        const uint32_t width = fits[i].width, height = fits[i].height;
+        struct image *fitted = logo_fitted(logo, width, height, fits[i].percent);
+        const double scale = fmin((width - 2) / 42., (height - 2) / 60.) * fits[i].percent / 100;
+        uint32_t left, right, top, bottom;
+        find_extent(fitted, false, &left, &right);
+        find_extent(fitted, true, &top, &bottom);
+        assert_near(right - left + 1, 42 * scale, 1.01);
+        assert_near(bottom - top + 1, 60 * scale, 1.01);
+        assert_near((left + right) / 2., (width - 1) / 2., .51);
+        assert_near((top + bottom) / 2., (height - 1) / 2., .51);
+        double area = 0;
+        for (uint32_t y = 0; y < height; y++)
+            for (uint32_t x = 0; x < width; x++)
+                area += coverage_at(fitted, x, y);
+        assert_near(area / (42 * 60 * scale * scale), 1, 1.1 / fmin(width, height));
+        image_free(fitted);
+    }
+    image_free(logo);
+}
+
+static void a_logo_that_fits_as_it_is_keeps_every_pixel_and_alpha_and_brightness_fit_alike(void **state)
+{
+    (void)state;
+    make_logos();
+    struct image *logo = image_read("white.png"), *fitted = logo_fitted(logo, 62, 62, 100);
+    for (uint32_t y = 0; y < 62; y++)
+        for (uint32_t x = 0; x < 52; x++)
+            assert_int_equal(fitted->samples[62 * y + x], logo->samples[SIDE * (y + 1) + x + 10]);
+    image_free(logo);
+    image_free(fitted);
+    assert_quiet("$GLINT render --height logo.png --bevel 5 --fit 70 --size 50x40 -o alpha.ppm && "
+                 "$GLINT render --height black.png --bevel 5 --fit 70 --size 50x40 -o black.ppm && "
+                 "$GLINT render --height black.png --bevel 5 --size 50x40 -o cut.ppm");
+    assert_same_file("alpha.ppm", "black.ppm");
+    assert_false(same_file("alpha.ppm", "cut.ppm"));
+}
+
+static void what_cannot_be_fitted_is_refused(void **state)
+{
+    (void)state;
+    make_logos();
+    static const char *const wrong[][2] = {
+        {"--height logo.png --fit 70 --size 50x40", "--fit needs a logo, with --bevel"},
+        {"--scene coin --fit 70 --size 50x40", "--fit needs a logo, with --bevel"},
+        {"--height logo.png --bevel 4 --fit 70", "--fit needs --size, of at least 8x8"},
+        {"--height logo.png --bevel 4 --fit 70 --size 50x7", "--fit needs --size, of at least 8x8"},
+        {"--height logo.png --bevel 4 --fit 70 --size 50x40 --wrap", "--wrap cannot be used with --bevel"},
+        {"--height logo.png --bevel 4 --fit 0 --size 50x40", "--fit: '0' is not a number from 1 to 100"},
+        {"--height logo.png --bevel 4 --fit 101 --size 50x40", "--fit: '101' is not a number from 1 to 100"},
+        {"--height logo.png --bevel 4 --fit 70 --size 500x400 --filter 32", "--fit: with --filter 32"},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        char line[160];
+        snprintf(line, sizeof line, "$GLINT render %s -o no.png", wrong[i][0]);
+        assert_refused(line, wrong[i][1]);
+    }
+    assert_fails("$GLINT render --height logo.png --bevel 4 --fit 70 --size 50x40 --albedo black.png -o no.png",
+                 "black.png: 64x64 pixels, but the height map has 50x40");
 }
 
 static void a_height_map_without_heights_says_so_and_names_bevel(void **state)
@@ -273,6 +366,9 @@ int main(void)
         cmocka_unit_test(a_bevel_rises_as_a_quarter_of_a_circle_to_a_plateau),
         cmocka_unit_test(a_logo_in_alpha_in_white_and_in_black_has_the_same_bevel),
         cmocka_unit_test(a_bevel_without_a_shape_is_one_line),
+        cmocka_unit_test(a_fitted_logo_is_in_the_middle_and_takes_the_percent_of_the_side_that_is_full_first),
+        cmocka_unit_test(a_logo_that_fits_as_it_is_keeps_every_pixel_and_alpha_and_brightness_fit_alike),
+        cmocka_unit_test(what_cannot_be_fitted_is_refused),
         cmocka_unit_test(a_height_map_without_heights_says_so_and_names_bevel),
         cmocka_unit_test(the_alpha_of_a_mask_is_the_mask_and_that_is_said_once),
         cmocka_unit_test(a_mask_whose_alpha_leaves_nothing_out_counts_by_brightness),

@@ -6,6 +6,7 @@
 #include "draw/shading_device.h"
 #include "scene/scene.h"
 #if GLINT_WITH_USB
+#include "gud_protocol.h"
 #include "sinks/usb/find.h"
 #include "sinks/usb/light.h"
 #endif
@@ -252,13 +253,28 @@ static void a_board_that_knows_no_light_is_refused_with_a_reason(void **state)
                         sense ? "does not answer" : "no accelerometer");
     }
 }
+
+static void a_board_that_takes_no_light_for_its_own_picture_is_refused_with_a_reason(void **state)
+{
+    (void)state;
+    assert_null(usb_demo_refusal(GUD_BUSY));
+    assert_contains(usb_demo_refusal(GUD_UNSUPPORTED), "too old");
+    assert_contains(usb_demo_refusal(GUD_PROTOCOL), "another program");
+    assert_contains(usb_demo_refusal(GUD_PARAMETER), "refuses");
+}
 #endif
 
 static void the_command_line_tells_what_can_shade(void **state)
 {
     (void)state;
     assert_one_line(assert_ends("$GLINT stream coin --to none --shade device", 2, "--to usb")->err);
-    assert_one_line(assert_ends("$GLINT stream coin --to none --shade gpu", 2, "host, device")->err);
+    assert_one_line(assert_ends("$GLINT stream coin --to none --shade gpu", 2, "host, device, demo")->err);
+    assert_one_line(assert_ends("$GLINT stream coin --to usb --shade demo", 2, "leave the scene out")->err);
+    assert_one_line(assert_ends("$GLINT stream --to usb --shade demo --lights board", 2, "--shade device")->err);
+    assert_one_line(
+        assert_ends("$GLINT stream --to usb --shade demo --light=1,2,3 --light=-1,2,3", 2, "one --light")->err);
+    assert_one_line(assert_ends("$GLINT stream --to none --frames 1 --shade demo", 2, "--to usb")->err);
+    assert_one_line(assert_ends("$GLINT stream --to none --frames 1", 2, "no surface")->err);
     assert_one_line(assert_ends("$GLINT stream coin --to none --frames 1 --lights board", 2, "--shade device")->err);
     assert_one_line(
         assert_ends("$GLINT stream coin --to usb --shade device --lights board --orbit 9", 2, "--orbit")->err);
@@ -278,6 +294,7 @@ int main(void)
         cmocka_unit_test(the_name_of_a_device_keeps_within_its_room),
         cmocka_unit_test(a_device_of_more_pixels_than_glint_shades_is_refused),
         cmocka_unit_test(a_board_that_knows_no_light_is_refused_with_a_reason),
+        cmocka_unit_test(a_board_that_takes_no_light_for_its_own_picture_is_refused_with_a_reason),
 #endif
         cmocka_unit_test(the_command_line_tells_what_can_shade),
     };

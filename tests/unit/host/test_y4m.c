@@ -199,10 +199,11 @@ static void a_signal_ends_the_video_after_a_whole_frame(void **state)
     (void)state;
     static const int signals[] = {SIGTERM, SIGHUP};
     for (size_t i = 0; i < 2; i++) {
-        assert_int_equal(interrupted(signals[i],
-                                     COIN "--frames 1000000 --period 1000 -o out/v.y4m & "
-                                          "until [ $(cat out/.glint-* | wc -c) -gt 20000 ]; do sleep .02; done"),
-                         128 + signals[i]);
+        assert_int_equal(
+            interrupted(signals[i],
+                        COIN "--frames 1000000 --period 1000 -o out/v.y4m & "
+                             "until [ $(cat out/.glint-* | wc -c) -gt 20000 ] || ! kill -0 $!; do sleep .02; done"),
+            128 + signals[i]);
         assert_int_equal(files_in("out"), 1);
         /* A frame has 7206 bytes. */
         assert_quiet("test $((($(wc -c <out/v.y4m) - $(head -1 out/v.y4m | wc -c)) % 7206)) = 0");

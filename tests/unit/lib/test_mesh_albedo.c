@@ -191,6 +191,41 @@ static void colours_of_vertices_are_linear_between_them(void **state)
     assert_true(most[0] < .6 && most[1] < 1.5);
 }
 
+/* In noise there are slivers so thin that colours would leave their range along a line, below and above. */
+static void the_fused_lines_of_albedo_tables_have_the_pixels_of_the_general_way(void **state)
+{
+    (void)state;
+    static uint16_t out[MESH_H * MESH_W], expected[MESH_H * MESH_W + 1];
+    uint8_t *const at_an_odd_address = (uint8_t *)expected + 1; /* where nothing is fused */
+    const struct look look = bare(GLINT_RGB565);
+    struct glint_paint paint;
+    paint_of_tables(&paint, GLINT_TABLES_ALBEDO, &look, memory);
+    for (int i = 0; i < 1000; i++) {
+        struct made_texture texture = texture_at_random();
+        mesh_any(&mesh, i);
+        if (i % 8 > 2) {
+            mesh_noise(&mesh, 200, 250);
+            memset(mesh.pose.position, 0, sizeof mesh.pose.position);
+            mesh.pose.scale = 3200;
+            mesh.distance = 2000;
+        }
+        for (unsigned v = 0; v < MESH_VERTICES; v++)
+            for (int k = 0; k < 3; k++)
+                mesh.colours[v][k] = (uint8_t)(255 * below(2));
+        uv_at_random(&mesh);
+        if (i % 8 > 1)
+            mesh.mesh.of_vertices = &mesh.colours[0][0];
+        else
+            mesh.mesh.textures = &texture.texture;
+        memset(out, GUARD, sizeof out);
+        memset(expected, GUARD, sizeof expected);
+        mesh_picture(&mesh, &paint, (uint8_t *)out, 2, odd, 5, false);
+        mesh_picture(&mesh, &paint, at_an_odd_address, 2, whole, 1, false);
+        assert_memory_equal(out, at_an_odd_address, sizeof out);
+        texture_free(&texture);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -199,6 +234,7 @@ int main(void)
         cmocka_unit_test(vertices_of_one_colour_have_the_pixels_of_that_albedo),
         cmocka_unit_test(a_face_by_albedo_tables_has_its_colour_within_a_level),
         cmocka_unit_test(a_face_of_full_levels_has_them_in_light_that_is_ambient_alone),
+        cmocka_unit_test(the_fused_lines_of_albedo_tables_have_the_pixels_of_the_general_way),
         cmocka_unit_test(colours_of_vertices_are_linear_between_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

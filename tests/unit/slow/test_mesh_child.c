@@ -2,7 +2,10 @@
  * glint bake --mesh with a compiler: what it writes, and what becomes of the child that reads where libassimp fails. */
 #include "files.h"
 
+#include <math.h>
+
 #include "mesh/import.h"
+#include "mesh/obj.h"
 
 static void a_baked_mesh_compiles_and_is_what_raw_holds(void **state)
 {
@@ -116,6 +119,28 @@ static void raw_textures_are_those_of_the_source(void **state)
     assert_string_equal(result->out, "  1537\n  1537\n");
 }
 
+/* A spiral that crosses itself; not in a child, which has a limit of time, too. */
+static void a_face_that_would_take_long_to_cut_is_refused_with_its_line(void **state)
+{
+    (void)state;
+    enum { CORNERS = 20000 };
+    char *text = NULL, wrong[120];
+    size_t len = 0;
+    FILE *obj = open_memstream(&text, &len);
+    for (int i = 0; i < CORNERS; i++) {
+        const int k = i < CORNERS / 2 ? i : CORNERS - 1 - i;
+        const double radius = (1 + k * 20. / CORNERS) * (i < CORNERS / 2 ? 1 : 1.02), angle = k / 20.;
+        fprintf(obj, "v %g %g 0\n", radius * cos(angle), radius * sin(angle));
+    }
+    fputs("f", obj);
+    for (int i = 1; i <= CORNERS; i++)
+        fprintf(obj, " %d", i);
+    fclose(obj);
+    assert_null(obj_soup(&(struct obj_source){text, len, false, NULL}, wrong));
+    assert_string_equal(wrong, "line 20001: a face has too many corners and dents; cut it into triangles");
+    free(text);
+}
+
 /* A library that does what the file's name says, in place of libassimp. */
 static void the_childs_death_is_one_line_and_it_runs_with_limits(void **state)
 {
@@ -166,6 +191,7 @@ int main(void)
         cmocka_unit_test(baked_colours_draw_the_pixels_of_render),
         cmocka_unit_test(baked_textures_draw_the_pixels_of_render),
         cmocka_unit_test(raw_textures_are_those_of_the_source),
+        cmocka_unit_test(a_face_that_would_take_long_to_cut_is_refused_with_its_line),
         cmocka_unit_test(the_childs_death_is_one_line_and_it_runs_with_limits),
 #endif
     };

@@ -40,6 +40,10 @@ class Stub_Serial
 };
 extern Stub_Serial Serial;
 
+inline void delayMicroseconds(unsigned)
+{
+}
+
 void setup();
 void loop();
 

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// test_files.mjs PACKAGES PAGE GLINT BROWSER: maps, logos and meshes of the user's own in the page: dropped, set, kept,
+// missing, refused.
+import { readFile } from 'node:fs/promises'
+import { check, equal, run } from '../pico/tap.mjs'
+import { asked, browser, command, fragment, frames, page, press, shownIsDrawn, start, stateOfFragment, stateOfWords, wordsOf } from './beside.mjs'
+import { difference } from './glint.mjs'
+import { extras, png, surfaces } from './maps.mjs'
+import { ball, gltf, meshes } from './meshes.mjs'
+
+run([
+    ['a logo rises by Bevel, a height map is seamless, green is flipped, and a map is taken away, by their controls; warnings are listed', async () => {
+        const changes = async (id, value, word) => {
+            const { rgba } = await browser.now()
+            await browser.set(id, value)
+            const words = await shownIsDrawn()
+            check(words.includes(word), `${id} gives ${words.join(' ')}`)
+            check(!(await browser.now()).rgba.equals(rgba), `${id} changes nothing`)
+        }
+        const drop = async file => {
+            const bytes = surfaces[file.replace(/^normals /, '')].bytes
+            command.put(file, bytes)
+            await browser.drop({ [file]: bytes })
+            await browser.until(file => document.body.dataset.drawn?.includes(encodeURIComponent(file)), file)
+        }
+        const shown = () => page.evaluate(() => ['scale', 'bevel', 'wrap', 'flip-y'].filter(option => document.getElementById(`control-${option}`).closest('.row').checkVisibility()).join())
+        await browser.go(start)
+        await drop('a-logo.png')
+        equal(await shown(), 'scale,bevel,wrap', 'controls of a height map')
+        check(await page.evaluate(() => document.getElementById('control-fit').checkVisibility()), 'a logo has no size')
+        await changes('control-bevel', '9', '--bevel=9')
+        await asked()
+        const why = await page.evaluate(() => [document.getElementById('control-wrap').disabled, document.getElementById('control-wrap').closest('.row').querySelector('.why').textContent].join(': '))
+        equal(why, 'true: Not now: Seamless cannot be used with Bevel: a logo has no seams', 'Seamless beside a bevel')
+        await drop('grey16.png')
+        check(!(await shownIsDrawn()).some(word => word.startsWith('--bevel')), 'another map keeps the bevel')
+        await changes('control-wrap', true, '--wrap')
+        await drop('normals rgba8.png')
+        equal(await shown(), 'flip-y', 'controls of a normal map')
+        check(/its alpha is the mask/.test(await browser.text('warnings')), `the warnings are ${await browser.text('warnings')}`)
+        await changes('control-flip-y', true, '--flip-y')
+        await browser.drop({ 'albedo.png': extras['albedo.png'] })
+        await browser.until(() => document.body.dataset.drawn?.includes('albedo.png'))
+        await shownIsDrawn()
+        await page.evaluate(() => document.querySelector('[aria-label="Colours: remove"]').click())
+        check(!(await shownIsDrawn()).some(word => word.startsWith('--albedo')), 'the albedo stays')
+        await press('Coin')
+        equal(await shown(), '', 'controls of a map for a scene')
+    }],
+    ['a dropped STL is drawn, turned, set and baked as the command does', async () => {
+        const name = 'ring.stl', bytes = meshes[name]
+        command.put(name, bytes)
+        await browser.go(start)
+        await browser.drop({ [name]: bytes })
+        await browser.until(name => document.body.dataset.drawn?.includes(name), name)
+        equal((await shownIsDrawn()).join(' '), '--mesh=ring.stl --size=64x48 --turn=25,-35,0 --format=rgb565 --light=-1,1,1.2', 'the state')
+        await page.click('#turn')
+        await page.focus('#handle-1')
+        await page.keyboard.press('ArrowDown')
+        for (const [id, value, word] of [['control-split', '7', '--split=7'], ['control-axes', 'y-up', '--axes=y-up'], ['control-crease', '10', '--crease=10']]) {
+            const { rgba } = await browser.now()
+            await browser.set(id, value)
+            const words = await shownIsDrawn()
+            check(words.includes(word) && words.includes('--turn=30,-35,0'), words.join(' '))
+            check(!(await browser.now()).rgba.equals(rgba), `${word} changes nothing`)
+        }
+        const saved = await browser.save('file-mesh', 2), expected = command.files(['bake', '--mesh=ring.stl', '--crease=10', '--axes=y-up', '--split=7', '-o', 'mesh.c'])
+        check(Object.keys(expected).every(file => saved[file]?.equals(expected[file])), 'the saved mesh is not the command\'s')
+        check(/such a picture takes a Cortex-M0\+ [\d.]+ million cycles/.test(await browser.text('file-status')), await browser.text('file-status'))
+        await press('Coin')
+        equal((await shownIsDrawn()).join(' '), '--scene=coin --size=64x48 --format=rgb565 --light=-1,1,1.2', 'the coin after it')
+        await press('Undo')
+        check((await shownIsDrawn()).includes('--mesh=ring.stl'), 'undone')
+    }],
+    ['a mesh wears a dropped PNG as the command draws it; other pictures are refused with a word', async () => {
+        await browser.go(start.replace('coin', 'teapot'))
+        for (const [i, [file, { bytes }]] of Object.entries(surfaces).filter(([file]) => !/16|gamma/.test(file)).entries()) {
+            const name = `texture ${i}.png`
+            command.put(name, bytes)
+            await browser.drop({ [name]: bytes })
+            await browser.until(name => document.body.dataset.kept === name, name)
+            check((await shownIsDrawn()).includes(`--texture=${name}`), file)
+        }
+        await browser.set('control-nearest', true)
+        const words = await shownIsDrawn()
+        check(words.includes('--nearest'), words.join(' '))
+        const saved = await browser.save('file-mesh', 2), expected = command.files(['bake', ...words.filter(word => /^--(scene|texture|nearest)/.test(word)), '-o', 'mesh.c'])
+        check(Object.keys(expected).every(file => saved[file]?.equals(expected[file])), 'the saved mesh is not the command\'s')
+        for (const [name, bytes, sentence] of [['texture.jpg.png', Buffer.from('\xff\xd8\xff\xe0', 'latin1'), /a JPEG, not a PNG; convert it/], ['texture16.png', surfaces['grey16.png'].bytes, /16 bits a sample/],
+            ['texture of gamma 1.png', png({ width: 4, height: 4, type: 0, depth: 8, sample: () => 99, extra: [['gAMA', [0, 1, 0x86, 0xa0]]] }), /a gamma or colour profile of its own/]]) {
+            await browser.drop({ [name]: bytes })
+            await browser.until(name => document.getElementById('refusal').textContent.startsWith(name), name)
+            check(sentence.test(await browser.text('refusal')), await browser.text('refusal'))
+            equal((await shownIsDrawn()).join(' '), words.join(' '), `the state after ${name}`)
+        }
+        await press('Coin')
+        check(!(await shownIsDrawn()).some(word => /texture|nearest/.test(word)), 'the texture stays')
+    }],
+    ['an address that names a map which is not here says so over a working scene, and draws it as the address says when it comes; so does a newer file of that name', async () => {
+        const words = ['--height=not-here.png', '--bevel=5', '--color=90,140,200', '--size=40x30', '-n50']
+        await browser.go(fragment(words))
+        const standIn = await browser.now()
+        equal(standIn.refusal, 'not-here.png: this map is not here; drop or choose the file', 'what it says')
+        const wrong = difference(standIn.rgba, standIn.width, standIn.height, command.render(['--scene=coin', '--size=40x30', '-n50']))
+        check(!wrong, `in its place: ${wrong}`)
+        check((await browser.text('command')).includes('--height=not-here.png'), 'the command line is of another picture')
+        await browser.expert()
+        check(!/\b0\.000°/.test(await browser.text('extent')), 'false values')
+        const drawnAgain = async (bytes, { rgba } = { rgba: Buffer.alloc(0) }) => {
+            command.put('not-here.png', bytes)
+            await browser.drop({ 'not-here.png': bytes })
+            await browser.until(() => document.getElementById('refusal').hidden)
+            for (let tries = 0; (await browser.now()).rgba.equals(rgba); tries++) {
+                check(tries < 600, 'it is not drawn')
+                await frames(1)
+            }
+            equal((await shownIsDrawn()).join(' '), wordsOf(stateOfWords(words)).join(' '), 'the state')
+        }
+        await drawnAgain(surfaces['a-logo.png'].bytes)
+        await drawnAgain(surfaces['grey1.png'].bytes, await browser.now())
+        await browser.go('normals=rgb8.png&flip-y') // whose name does not tell what it is
+        await browser.drop({ 'rgb8.png': surfaces['rgb8.png'].bytes })
+        await browser.until(() => document.getElementById('refusal').hidden)
+        equal((await shownIsDrawn()).join(' '), '--normals=rgb8.png --flip-y', 'the state')
+    }],
+    ['dropped maps and meshes are here after a reload', async () => {
+        for (const [name, bytes, word] of [['kept.png', surfaces['grey16.png'].bytes, '--height=kept.png'], ['kept.stl', meshes['ring.stl'], '--mesh=kept.stl'], ['kept.glb', gltf([{ ...ball(), material: 0 }], { materials: [{}] }), '--mesh=kept.glb']]) {
+            command.put(name, bytes)
+            await browser.go(start)
+            await browser.drop({ [name]: bytes })
+            await browser.until(name => document.body.dataset.drawn?.includes(name), name)
+            const now = await shownIsDrawn()
+            check(now.includes(word), now.join(' '))
+            await browser.until(name => document.body.dataset.kept === name && location.hash.includes(name), name)
+            await page.reload()
+            await browser.until(() => document.body.dataset.drawn !== undefined)
+            equal(await browser.text('refusal'), '', 'what it says')
+            equal((await shownIsDrawn()).join(' '), now.join(' '), 'the state')
+        }
+    }],
+    ['a logo of any size becomes a bevelled shape in the middle of the panel at once, made of what was there', async () => {
+        const start = scene => `scene=${scene}&size=64x64&panel=round&light=-1,1,1.2`
+        for (const [i, side] of [40, 9, 300].entries()) {
+            const disc = (x, y) => (x / side - .45) ** 2 + (y / side - .6) ** 2 < .1, of = { width: side, height: side, depth: 8 }
+            for (const [name, bytes] of [[`cut ${i}.png`, png({ ...of, type: 6, sample: (x, y, k) => k === 3 && disc(x, y) ? 255 : 0 })], [`black ${i}.png`, png({ ...of, type: 0, sample: (x, y) => disc(x, y) ? 0 : 255 })]]) {
+                command.put(name, bytes)
+                await browser.go(start('knob'))
+                await browser.drop({ [name]: bytes })
+                await browser.until(name => document.body.dataset.kept === name, name)
+                equal((await shownIsDrawn()).join(' '), `--height=${name} --bevel=6 --fit=70 --grain=spun --size=64x64 --material=brushed-steel --light=-1,1,1.2`, name)
+                equal(await page.evaluate(() => document.querySelectorAll('#warnings li').length), 0, `warnings of ${name}`)
+            }
+        }
+        const { rgba } = await browser.now()
+        await browser.set('control-fit', '30')
+        const words = await shownIsDrawn()
+        check(words.includes('--fit=30') && !(await browser.now()).rgba.equals(rgba), words.join(' '))
+        const saved = await browser.save('file-int8', 2), expected = command.files(['bake', ...words.filter(word => /^--(height|bevel|fit|grain|size)/.test(word)), '--to=int8', '-o', 'normals.c'])
+        check(Object.keys(expected).every(file => saved[file]?.equals(expected[file])), 'the saved normals are not the command\'s')
+        await browser.set('control-bevel', '') // without which the command refuses to fit
+        check(!(await shownIsDrawn()).some(word => word.startsWith('--fit')), 'no longer a logo, and fitted')
+        await browser.drop({ 'cut 0.png': (await readFile(`${command.folder}/cut 0.png`)) })
+        await browser.until(() => document.body.dataset.kept === 'cut 0.png')
+        await browser.set('control-size', '')
+        check(!(await shownIsDrawn()).some(word => word.startsWith('--fit')), 'fitted to no size')
+    }],
+    ['a height map is no logo, and a logo keeps the material that was chosen', async () => {
+        const hills = png({ width: 40, height: 40, depth: 8, type: 0, sample: x => 6 * x }), disc = png({ width: 40, height: 40, depth: 8, type: 0, sample: (x, y) => Math.hypot(x - 20, y - 20) < 12 ? 255 : 0 })
+        command.put('hills.png', hills)
+        command.put('disc.png', disc)
+        await browser.go('scene=coin&size=64x64&material=jade&light=-1,1,1.2')
+        await browser.drop({ 'disc.png': disc })
+        await browser.until(() => document.body.dataset.kept === 'disc.png')
+        equal((await shownIsDrawn()).join(' '), '--height=disc.png --bevel=6 --fit=70 --size=64x64 --material=jade --light=-1,1,1.2', 'a logo')
+        await browser.drop({ 'hills.png': hills })
+        await browser.until(() => document.body.dataset.kept === 'hills.png')
+        equal((await shownIsDrawn()).join(' '), '--height=hills.png --material=jade --light=-1,1,1.2', 'a height map')
+        await browser.set('control-panel', 'round')
+        await browser.tab('material')
+        await press('Brushed steel')
+        check((await shownIsDrawn()).join(' ').includes('--grain=spun --material=brushed-steel'), await browser.text('command'))
+    }],
+    ['a file that is refused leaves the address, the rows and the picture as they were', async () => {
+        const logo = surfaces['a-logo.png'].bytes
+        command.put('good.png', logo)
+        await browser.go(start)
+        await browser.drop({ 'good.png': logo })
+        await browser.until(() => document.body.dataset.drawn?.includes('good.png'))
+        const before = await shownIsDrawn()
+        const rows = () => page.evaluate(() => [...document.querySelectorAll('.file-name')].map(({ textContent }) => textContent).join())
+        const had = await rows(), big = png({ width: 9, height: 9, type: 0, depth: 8, sample: () => 9 })
+        for (const [name, bytes, sentence] of [['gloss-of-9.png', big, /9x9 pixels, but/], ['good.png', Buffer.from('no'), /not a PNG/], ['my normals.png', surfaces['grey8.png'].bytes, /has one channel/], ['bad.stl', Buffer.alloc(90), /not a whole binary STL/]]) {
+            await browser.drop({ [name]: bytes })
+            await browser.until(name => document.getElementById('refusal').textContent.startsWith(name), name)
+            check(sentence.test(await browser.text('refusal')), await browser.text('refusal'))
+            equal((await shownIsDrawn()).join(' '), before.join(' '), `the state after ${name}`)
+            equal(await rows(), had, `the rows after ${name}`)
+        }
+        check(await page.evaluate(() => !document.getElementById('undo').disabled), 'nothing can be undone')
+        await page.click('#undo')
+        equal((await shownIsDrawn()).join(' '), wordsOf(stateOfFragment(start)).join(' '), 'undone')
+    }],
+    ['nothing was written to the console as an error', () => equal(browser.wrong.join('\n'), '', 'errors')],
+], () => browser.close())
