@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Triangles by ALBEDO tables with a texture or colours of vertices, as fused_mesh.c has them: loops over pixels side by side, one for each
+ * Triangles by ALBEDO tables with a texture or colours of vertices, as fused_albedo.c has them: loops over pixels side by side, one for each
  * place that albedo comes from, matt or glossy, bytes swapped or not; and a triangle's lines, which a strip calls by itself. */
 #include "glint_port.h"
 #if GLINT_CORTEX_M0PLUS_ASM

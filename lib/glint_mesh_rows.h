@@ -67,6 +67,8 @@ void glint_mesh_colour(const struct glint_tables *tables, struct glint_mesh_tria
 /* In assembly alone: its routine, and what that needs of a strip; the latter by itself, in C. */
 void glint_mesh_colour_begin(const struct glint_tables *tables, const struct glint_mesh_target *target,
                              struct glint_mesh_lines *lines);
+/* What lines by any tables need, and by COLOUR tables. */
+void glint_mesh_lines_set(const struct glint_mesh_target *target, struct glint_mesh_lines *lines);
 void glint_mesh_colour_set(const struct glint_tables *tables, const struct glint_mesh_target *target,
                            struct glint_mesh_lines *lines);
 

@@ -97,7 +97,7 @@ struct glint_mesh_pixels {
 /* Dark ones are matt with nl below 0. Has a twin in assembly. */
 void glint_mesh_albedo_pixels(const struct glint_mesh_pixels *pixels);
 
-/* fused_mesh.c */
+/* fused_albedo.c */
 void glint_mesh_albedo_lines(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
                              const struct glint_mesh_target *target, const struct glint_texture *texture);
 
