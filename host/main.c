@@ -33,7 +33,7 @@ static const struct command {
     {"material", command_material, "Print a material and a light as C source or JSON"},
     {"stream", command_stream, "Shade frame after frame, send what changed to a display or files"},
     {"list", command_list, "List the displays, chips and ports that frames can be sent to"},
-    {"search", command_search, "Search for highlight functions as the paper does"},
+    {"search", command_search, "Search for highlight functions as the modified Schlick paper does"},
     {"paper", command_paper, "Reproduce the paper: table, figures, claims, report"},
     {"page", command_page, "Serve the page on which the library shades in a browser"},
 };

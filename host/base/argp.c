@@ -83,10 +83,13 @@ static void check_long(const struct argp_state *state, const struct option_list 
         refuse_long_name(state, list, word);
     if (count > 1)
         refuse(state, "option '%.*s' is ambiguous; choose from %s", (int)length + 2, word, all);
-    if (word[2 + length] && !found->arg)
+    const struct argp_option *meant = found;
+    while (meant->flags & OPTION_ALIAS)
+        meant--;
+    if (word[2 + length] && !meant->arg)
         refuse(state, "option '--%s' takes no value", found->name);
-    if (!word[2 + length] && needs_value(found) && last)
-        refuse(state, "option '--%s' needs a value: %s", found->name, found->arg);
+    if (!word[2 + length] && needs_value(meant) && last)
+        refuse(state, "option '--%s' needs a value: %s", found->name, meant->arg);
 }
 
 /* "-abcVALUE". */

@@ -48,8 +48,8 @@ static const struct argp_option options[] = {
     {"albedo", KEY_ALBEDO, "FILE", 0,
      "The surface's colour, for ALBEDO tables: an array of RGB565 beside the normals; alpha is ignored", 2},
     {"unit", KEY_UNIT, "N", 0,
-     "Make 1 in a mesh's file N of the 32767, about its own origin, so that several meshes keep their sizes (default: "
-     "as large as fits, about its middle)",
+     "Scale a mesh so that a length of 1 in its file becomes N (at most 32767), about its own origin; several meshes "
+     "then keep their sizes (default: as large as fits, about its middle)",
      7},
     {NULL, 'n', "N", 0, "For --filter: the material's shininess, 1..1000 (default 60, or the scene's own)", 2},
     {NULL, 0, NULL, 0, "The output:", 3},
@@ -93,22 +93,19 @@ static const char doc[] =
     "parts (q = 0: what the output needs), where its vertices have colours of_vertices, neighbours for smooth outlines "
     "(but for --no-outlines), and where it has textures "
     "these, with each vertex's u and v; FILE.h has "
-    "the macros NAME_VERTICES, NAME_FACES and NAME_PARTS. Raw has four numbers of 16 bits (vertices, "
-    "triangles, parts, bytes of a normal's number, 256 more with colours of vertices, 512 with neighbours, 1024 with "
-    "textures), then x, "
-    "y, z of each vertex "
-    "in 16 bits, its normal, a 0 where "
-    "these are an odd number of bytes, three vertices of each triangle, the three triangles beside each, and the "
-    "triangle each part ends before in 16 "
-    "bits, and of each part red, green, blue and 1 where it is unlit, and the vertices' red, green, blue. Textures "
-    "follow, all in 16 bits but for what is said, "
-    "after a 0 where that many bytes are odd: uv_bits and the number of pictures; u and v of each vertex; of each part "
-    "its picture's number "
-    "from 1 on, or 0, and 1 where it is smooth; of each picture its width, height, levels and the number of its "
-    "palette's colours, these, and the "
-    "pixels of all levels, in 8 bits where there is a palette, and then a 0 where they are an odd number. A mesh's "
-    "quality "
-    "is that of whole pictures of 240x240 "
+    "the macros NAME_VERTICES, NAME_FACES and NAME_PARTS. Raw has, 16 bits a number unless bytes are named, and a 0 "
+    "after an odd number of bytes:\n"
+    "  vertices, triangles, parts, layout (1 or 2 bytes a number of a normal, + 256 colours of vertices, + 512 "
+    "neighbours, + 1024 textures)\n"
+    "  x, y, z of each vertex; its normal (1 or 2 bytes a number)\n"
+    "  three vertices of each triangle; the three triangles beside each\n"
+    "  the triangle before which each part ends\n"
+    "  bytes: red, green, blue of each part, and 1 where it is unlit; red, green, blue of each vertex\n"
+    "  with textures: uv_bits, the number of pictures; u and v of each vertex; of each part its picture's number from "
+    "1 on, or 0, and 1 where it is smooth\n"
+    "  of each picture: width, height, levels, the number of its palette's colours; these; the pixels of all levels, "
+    "bytes where there is a palette\n"
+    "A mesh's quality is that of whole pictures of 240x240 "
     "from three sides, exact and without textures, against double precision with normals normalised at each pixel.\n"
     "The quality of the others compares the highlight alone, at full strength on white (msh, q = 8, grey8, exact "
     "path), with that of "

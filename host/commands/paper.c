@@ -60,7 +60,8 @@ static const struct argp_option option_list[] = {
     {0}};
 
 static const char documentation[] =
-    "Computes the results of the modified Schlick paper again: table 1, figures 3 4 5 6 7A 7B 9, every claim with a "
+    "Computes the results of the modified Schlick paper (Zavalniuk et al. 2022, DOI 10.31649/1999-9941-2022-55-3-4-12) "
+    "again: table 1, figures 3 4 5 6 7A 7B 9, every claim with a "
     "verdict, our choices where the paper is silent, wider searches, a comparison of the models, and what grain adds."
     "\v"
     "DIR receives report.html (everything in one file, with plots), claims.json (claims, verdicts and every quoted "

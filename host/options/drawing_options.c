@@ -26,7 +26,7 @@ static const struct argp_option argp_options[] = {
      4},
     {"path", KEY_PATH, "NAME", 0,
      "The way through the library: exact (default), from normals of 8 bits exact-int8, from spans span; by tables of "
-     "20 KB (rgb565 only; with --dither gamma space, too) from normals of 16 or 8 bits or from spans: colour-int16, "
+     "20 KB (rgb565 only; --dither needs --space gamma) from normals of 16 or 8 bits or from spans: colour-int16, "
      "colour-int8, colour-span; by tables of 9 KB (rgb565) over an albedo map in RGB565: albedo-int16, albedo-int8, "
      "albedo-span; or by a palette of 4096 normals (rgb565): palette",
      4},

@@ -38,9 +38,8 @@ static const struct argp_option argp_options[] = {
 
     {NULL, 0, NULL, 0, "The maps, PNG or SVG files of one size (- is standard input):", 2},
     {"mask", KEY_MASK, "FILE", 0,
-     "What is drawn: black pixels have no surface, show the background and are not compared; greys are soft edges. Of "
-     "a "
-     "mask with transparent pixels these count instead",
+     "What is drawn: black pixels have no surface, show the background and are not compared; greys are soft edges. If "
+     "a mask has transparent pixels, its alpha counts instead",
      2},
     {"scale", KEY_SCALE, "S", 0,
      "The height of white above black in pixels; negative turns hills into hollows (default 8, or --bevel's WIDTH)", 2},
@@ -60,17 +59,16 @@ static const struct argp_option argp_options[] = {
     {"filter", KEY_FILTER, "N", 0,
      "Draw at 1/N of the size, 2..64: N x N pixels of the maps become one. What their normals scatter becomes a wider, "
      "weaker "
-     "highlight (a map of shininess and one of gloss), so that fine details do not glitter. A built-in scene is drawn "
-     "N times "
-     "as large before",
+     "highlight (a map of shininess and one of gloss), so that fine details do not glitter. A built-in scene is first "
+     "drawn N times as large",
      2},
     {"grain", KEY_GRAIN, "KIND", 0,
      "Which way the scratches of brushed metal run, for a material with --across: brushed:ANGLE, degrees "
      "counterclockwise "
      "from the right (default brushed:0); spun, round the picture's middle, or spun:X,Y, round a pixel; sunray, away "
      "from "
-     "it, or sunray:X,Y; or a grey FILE: 256 a half turn. Of a mesh along one of its axes: brushed:ANGLE in its x and "
-     "y, or axis:X,Y,Z",
+     "it, or sunray:X,Y; or a grey FILE, in which 256 levels are a half turn. On a mesh it runs along an axis: "
+     "brushed:ANGLE in its x and y, or axis:X,Y,Z",
      2},
     {"size", KEY_SIZE, "WxH", 0,
      "Draw a scene at this size (default 320x320; glint stream: see SCENE). A map is cut or repeated to this size, "

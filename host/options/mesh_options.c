@@ -37,9 +37,9 @@ static const struct argp_option argp_options[] = {
      "own normals; 60 where it has none, and for an STL)",
      7},
     {"split", KEY_SPLIT, "DEGREES", 0,
-     "Split a mesh's edges over which the normal turns by more than this, 1..180 (default 45 where the normals are the "
-     "file's own, which most such meshes keep below, else 30): highlights lie better on more triangles, which take "
-     "bytes and time: glint bake says how many. 180 splits none",
+     "Split a mesh's edges over which the normal turns by more than this, 1..180 (default 30, or 45 where the file has "
+     "its own normals). More triangles place highlights better but take bytes and time; glint bake prints how many. "
+     "180 splits none",
      7},
     {"axes", KEY_AXES, "NAME", 0,
      "Which way is up in the mesh's file: y-up or z-up (default: z-up for an STL, else y-up)", 7},
@@ -48,9 +48,7 @@ static const struct argp_option argp_options[] = {
      "they point inwards then",
      7},
     {"no-outlines", KEY_NO_OUTLINES, NULL, 0,
-     "Leave a mesh's outlines stepped, and out of what is baked the triangles beside each triangle (6 bytes each), by "
-     "which outlines become smooth",
-     7},
+     "Do not smooth a mesh's outlines; glint bake then leaves out each triangle's neighbours (6 bytes a triangle)", 7},
     {"texture", KEY_TEXTURE, "FILE", 0,
      "A picture (PNG or JPEG) for all parts of a mesh that has texture coordinates, in the place of its own textures; "
      "the built-in mesh has them, too",

@@ -71,7 +71,7 @@ static const struct argp_option argp_options[] = {
      3},
     {"light", KEY_LIGHT, "X,Y,Z[,R,G,B]", 0,
      "The direction to the light, of any length: x right, y up, z to you (default -1,1,1 if no light is given), and "
-     "its colour, 0..16 each (default 1,1,1). Give up to four lights of these three kinds",
+     "its colour, 0..16 each (default 1,1,1). Up to four of --light, --point and --spot together",
      3},
     {"point", KEY_POINT, "X,Y,Z,RANGE[,R,G,B]", 0,
      "A light at a place, in pixels to a sixteenth: x right and y down from the upper left corner, z to you. Its light "
@@ -101,7 +101,7 @@ static const struct argp_option argp_options[] = {
      4},
     {"space", KEY_SPACE, "NAME", 0,
      "The space in which light is summed: gamma (default: as encoded) or linear (sRGB decoded and encoded)", 4},
-    {"dither", KEY_DITHER, NULL, 0, "4x4 ordered dither; not with the albedo paths and palette of --path", 4},
+    {"dither", KEY_DITHER, NULL, 0, "4x4 ordered dither; not with --path albedo-* or palette", 4},
     {NULL, 0, NULL, 0, NULL, 0}};
 
 static void parse_coefficients(const struct argp_state *state, const char *option, const char *text, double out[3])

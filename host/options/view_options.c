@@ -17,8 +17,8 @@ static const struct argp_option argp_options[] = {
      7},
     {"zoom", KEY_ZOOM, "Z", 0, "How large the mesh is drawn (default 1: whatever its turn, it fills the picture)", 7},
     {"perspective", KEY_PERSPECTIVE, "DISTANCE", OPTION_ARG_OPTIONAL,
-     "From a camera so far from the mesh's middle, in radii of a ball around the mesh, 1.5..100 (default 4; without "
-     "--perspective: parallel)",
+     "Draw in perspective. DISTANCE is from the camera to the mesh's middle, in radii of a ball around the mesh, "
+     "1.5..100 (default 4; without --perspective: parallel)",
      7},
     {NULL, 0, NULL, 0, NULL, 0}};
 

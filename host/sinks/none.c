@@ -12,10 +12,10 @@ static struct sink_cost link_cost;
 static bool raw;
 
 static const struct argp_option argp_options[] = {
-    {NULL, 0, NULL, 0, "The link that --to none models:", 7},
-    {"link-rate", KEY_RATE, "KB/S", 0, "Its speed (default 1000, USB at full speed)", 7},
-    {"link-rectangle", KEY_RECTANGLE, "MS", 0, "The time to announce a rectangle (default 0.4)", 7},
-    {"link-raw", KEY_RAW, NULL, 0, "It takes no LZ4 data", 7},
+    {NULL, 0, NULL, 0, "The link that --to none models:", 10},
+    {"link-rate", KEY_RATE, "KB/S", 0, "Its speed (default 1000, USB at full speed)", 10},
+    {"link-rectangle", KEY_RECTANGLE, "MS", 0, "The time to announce a rectangle (default 0.4)", 10},
+    {"link-raw", KEY_RAW, NULL, 0, "It takes no LZ4 data", 10},
     {NULL, 0, NULL, 0, NULL, 0}};
 
 static error_t parse_option(int key, char *text, struct argp_state *state)

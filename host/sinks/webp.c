@@ -20,9 +20,9 @@ enum key { KEY_QUALITY = 0x700 };
 static long quality = 100;
 
 static const struct argp_option argp_options[] = {
-    {NULL, 0, NULL, 0, "Animations (--to webp):", 7},
+    {NULL, 0, NULL, 0, "Animations (--to webp):", 9},
     {"quality", KEY_QUALITY, "Q", 0,
-     "How near the pixels are, 0..100, for the fewer bytes the lower (default 100: every pixel as it is drawn)", 7},
+     "Quality, 0..100: lower takes fewer bytes (default 100: every pixel as it is drawn)", 9},
     {NULL, 0, NULL, 0, NULL, 0}};
 
 static error_t parse_option(int key, char *text, struct argp_state *state)

@@ -40,6 +40,10 @@ static const char *const controller_names[] = {
 #define CONTROLLER(id, name, columns, rows, bgr, inverted, mirrored, clk_hz, values, bus, ...) NAME_ON_##bus(name),
 #include "panels.def"
     NULL}; /* by enum panel_controller */
+static const uint16_t controller_rows[] = {
+#define CONTROLLER(id, name, columns, rows, ...) rows,
+#include "panels.def"
+};
 
 /* ---- values ---- */
 
@@ -146,8 +150,9 @@ static void choose_size(const struct sink_wish *wish, bool any_size, uint16_t *w
 {
     struct panel whole;
     const bool turned = or_usual(KEY_ROTATION, 0) % 2, paged = controller() == PANEL_SSD1306;
-    *width = paged ? PANEL_PAGED_COLUMNS : turned ? PANEL_ROWS : PANEL_COLUMNS;
-    *height = paged ? PANEL_PAGED_ROWS : turned ? PANEL_COLUMNS : PANEL_ROWS;
+    const uint16_t rows = controller_rows[controller()];
+    *width = paged ? PANEL_PAGED_COLUMNS : turned ? rows : PANEL_COLUMNS;
+    *height = !paged && turned ? PANEL_COLUMNS : rows;
     if (wish->width) {
         *width = wish->width;
         *height = wish->height;
@@ -196,10 +201,11 @@ void panel_of_options(struct panel *panel, const struct sink_wish *wish, bool an
         fail("--size: %ux%u%s does not fit an ssd1306: at most %dx%d, lines a multiple of %d, offset X,0", width,
              height, offset->given ? " at --offset" : "", PANEL_PAGED_COLUMNS, PANEL_PAGED_ROWS, PANEL_PAGE);
     if (!panel_fits(panel))
-        fail("--size: %ux%u%s is more than the %dx%d pixels of an %s; choose a smaller --size%s%s", width, height,
-             offset->given ? " at --offset" : "", panel->rotation % 2 ? PANEL_ROWS : PANEL_COLUMNS,
-             panel->rotation % 2 ? PANEL_COLUMNS : PANEL_ROWS, name, offset->given ? " or --offset" : "",
-             any_size ? ", or --to png" : "");
+        fail("--size: %ux%u%s is more than the %dx%d pixels of %s; choose a smaller --size%s%s", width, height,
+             offset->given ? " at --offset" : "",
+             panel->rotation % 2 ? controller_rows[panel->controller] : PANEL_COLUMNS,
+             panel->rotation % 2 ? PANEL_COLUMNS : controller_rows[panel->controller], name,
+             offset->given ? " or --offset" : "", any_size ? ", or --to png" : "");
     if (!known && !offset->given && !any_size)
         fail("--size: no %s glass of %ux%u is known; give the place where it begins in the controller's memory: "
              "--offset 0,0, "

@@ -11,7 +11,7 @@ struct usb_options usb_options;
 enum key { KEY_VID_PID = 0x600, KEY_SERIAL, KEY_USB_PATH, KEY_DETACH, KEY_WAIT };
 
 static const struct argp_option argp_options[] = {
-    {NULL, 0, NULL, 0, "USB displays (--to usb); needed where there are several:", 8},
+    {NULL, 0, NULL, 0, "USB displays (--to usb); where there are several, name one:", 8},
     {"usb-path", KEY_USB_PATH, "PORT", 0, "Where it is plugged in, as `glint list` shows it: 1-3.1", 8},
     {"serial", KEY_SERIAL, "TEXT", 0, "Its serial number", 8},
     {"vid-pid", KEY_VID_PID, "VVVV:PPPP", 0, "Its vendor and product IDs, hexadecimal", 8},

@@ -41,7 +41,7 @@ static const char help[] =
 
 const struct sink_kind sink_gpio = {
     .name = "gpio",
-    .summary = "a panel (ST7789, ILI9341) on GPIO lines, SPI or 8080",
+    .summary = "a panel (see --panel) on GPIO lines, SPI or 8080",
     .paced = true,
     .options = options,
     .help = help,

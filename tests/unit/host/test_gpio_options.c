@@ -77,7 +77,7 @@ static void glass_that_is_not_is_told_with_what_to_do(void **state)
                  "--size: an st7789 glass of 240x320 shows 240x320 at --rotation 0; "
                  "give that --size, or --rotation 90 or 270");
     assert_fails(TO_GPIO "--size 300x300",
-                 "--size: 300x300 is more than the 320x240 pixels of an st7789; choose a smaller");
+                 "--size: 300x300 is more than the 320x240 pixels of st7789; choose a smaller");
     assert_fails(TO_GPIO "--size 128x128", "no st7789 glass of 128x128 is known; give the place");
     assert_fails(TO_GPIO "--size 128x128 --offset 200,0", "choose a smaller --size or --offset");
     assert_fails(TO_GPIO "--panel ili9341 --size 240x240", "no ili9341 glass of 240x240");
@@ -88,8 +88,11 @@ static void the_virtual_panel_has_any_size_that_has_room(void **state)
     (void)state;
     assert_quiet("$GLINT stream coin --to panel --frames 1 --size 60x40 -o p.png");
     assert_quiet("$GLINT stream --height heights.png --to panel --frames 1 -o p.png");
+    assert_quiet("$GLINT stream watchface --to panel --panel gc9a01 --frames 1 -o p.png");
+    assert_fails("$GLINT stream coin --to panel --panel gc9a01 --frames 1 --size 240x320 -o p.png",
+                 "--size: 240x320 is more than the 240x240 pixels of gc9a01; choose a smaller --size, or --to png");
     assert_fails("$GLINT stream coin --to panel --frames 1 --size 300x300 -o p.png",
-                 "--size: 300x300 is more than the 320x240 pixels of an st7789; choose a smaller --size, or --to png");
+                 "--size: 300x300 is more than the 320x240 pixels of st7789; choose a smaller --size, or --to png");
 }
 
 static void a_file_s_wrong_line_is_told_with_its_number(void **state)
