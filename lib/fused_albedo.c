@@ -234,16 +234,16 @@ static __attribute__((noinline)) void albedo_part(struct glint_mesh_pixels *p, s
                              (uintptr_t)depth);
         if (!glint_mesh_columns(part->left, part->right, target->w, &from, &to)) {
         } else if (laid) {
-            for (unsigned i = 0; i < 2; i++)
-                p->now[i] = laid->at[i] + (uint32_t)(from - v->x) * p->step[i];
+            p->now[0] = laid->at[0] + (uint32_t)(from - v->x) * p->step[0];
+            p->now[1] = laid->at[1] + (uint32_t)(from - v->x) * p->step[1];
             albedo_row(p, v, depth, from, to);
         } else {
             GLINT_FLASH_POINTER(use->line)(over, triangle->y, from, to, v->z + (uint32_t)(from - v->x) * v->zx, v->zx);
             for (;;) {
-                for (unsigned i = 0; i < 2; i++) {
-                    p->now[i] = over->now[i];
-                    p->step[i] = over->step[i];
-                }
+                p->now[0] = over->now[0];
+                p->step[0] = over->step[0];
+                p->now[1] = over->now[1];
+                p->step[1] = over->step[1];
                 albedo_row(p, v, depth, over->from, over->to);
                 if (over->to == to)
                     break;
@@ -384,10 +384,10 @@ albedo_line(const struct glint_mesh_pixels *p, const struct glint_mesh_triangle 
     run->z = v->z + n * run->dz;
     run->dnl = v->nlx;
     run->nl = v->nl + n * run->dnl;
-    for (unsigned i = 0; i < 2; i++) {
-        run->step[i] = laid->right[i];
-        run->now[i] = laid->at[i] + n * run->step[i];
-    }
+    run->step[0] = laid->right[0];
+    run->now[0] = laid->at[0] + n * run->step[0];
+    run->step[1] = laid->right[1];
+    run->now[1] = laid->at[1] + n * run->step[1];
     if (is_glossy) {
         run->ddt = v->txx;
         run->dt = v->tx + n * run->ddt;

@@ -197,10 +197,14 @@ bool glint_mesh_hide(struct glint_mesh_triangle *triangle, const struct glint_me
     if (hide_all(triangle, strip))
         return true;
     const struct glint_paint *const paint = cells_paint(strip->drawn, glint_mesh_face_of(triangle), 0);
-    if (glint_mesh_is_colour(paint, strip))
+    if (glint_mesh_is_colour(paint, strip)) {
         rows_in_pieces(paint, triangle, strip, true);
-    else
-        rows_of_many(paint, triangle, strip);
+    } else { /* the assembly's struct glint_mesh_pixels stays in the strip's samples; of a mesh that it draws nothing is clipped */
+        union glint_mesh_list *const list = ((struct glint_mesh_bench *)strip->frame->memory)->polygon.list;
+        struct glint_mesh_target apart = *strip;
+        apart.samples = list[strip->samples == list[0].samples].samples;
+        rows_of_many(paint, triangle, &apart);
+    }
     return false;
 }
 #endif

@@ -121,13 +121,25 @@ static enum gud_status use_mesh(struct light_device *d)
     return GUD_OK;
 }
 
+static uint32_t size_of(int32_t v)
+{
+    return v < 0 ? 0 - (uint32_t)v : (uint32_t)v;
+}
+
+/* Straight from behind there is no half vector, nor where that is as good as so. */
+static bool is_behind(const int32_t to_light[3])
+{
+    const uint32_t least = size_of(to_light[2]) >> 24;
+    return to_light[2] <= 0 && size_of(to_light[0]) <= least && size_of(to_light[1]) <= least;
+}
+
 static enum gud_status give_light(struct light_device *d, const uint8_t *data)
 {
     int32_t to_light[3];
     const uint32_t first = light_message_unpack(to_light, data);
     if (d->enabled)
         return GUD_PROTOCOL;
-    if (first || !(to_light[0] || to_light[1] || to_light[2]))
+    if (first || is_behind(to_light)) /* 0, 0, 0, too */
         return GUD_PARAMETER;
     if (!d->is_given && d->gud->open)
         return GUD_BUSY;

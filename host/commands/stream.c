@@ -128,6 +128,8 @@ static void check(const struct argp_state *state, struct stream_options *o)
         refuse(state, "--shade demo: the device shows what is its own; leave the scene out");
     if (o->shade_demo && (!directional || shading->lamp_count > 1))
         refuse(state, "--shade demo: the device takes one --light");
+    if (o->shade_demo && o->fps > 0 && o->fps < 2)
+        refuse(state, "--shade demo: the device's own light is back a second after the last; give --fps 2 or more");
     if (o->board_lights && (!o->shade_device || o->shade_demo))
         refuse(state, "--lights board: is the light of a board that shades; add --to usb --shade device");
     if (!isnan(o->orbit) && !directional)

@@ -61,7 +61,7 @@ static bool stands_in(const struct ring *ring, long at)
     return turn(ring->flat[corner->before], ring->flat[at], ring->flat[corner->behind]) < 0;
 }
 
-/* Does the corner stand out, and is none of the others in its triangle? Dents that are none any more leave their list. */
+/* Does the corner stand out, and is none of the others in its triangle, nor on its sides? Dents that are none any more leave their list. */
 static bool is_ear(struct ring *ring, long at)
 {
     struct corner *const corners = ring->corners;
@@ -75,7 +75,7 @@ static bool is_ear(struct ring *ring, long at)
             *next = corners[*next].dent;
             continue;
         }
-        if (turn(a, b, p) > 0 && turn(b, c, p) > 0 && turn(c, a, p) > 0 && !is_same(p, a) && !is_same(p, b) &&
+        if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0 && !is_same(p, a) && !is_same(p, b) &&
             !is_same(p, c))
             return false;
         next = &corners[*next].dent;

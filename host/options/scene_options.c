@@ -29,6 +29,10 @@ void scene_options_choose(const struct argp_state *state, const char *option, co
     for (all = scenes; mesh_names[all - scenes]; all++)
         names[all] = mesh_names[all - scenes];
     const unsigned chosen = parse_choice(state, option, "scene", text, names);
+    if (options->mesh.built_in) { /* chosen before */
+        options->mesh.name = NULL;
+        options->mesh.built_in = false;
+    }
     options->scene = names[chosen];
     if (options->mesh.name && !options->mesh.built_in)
         refuse(state, "give only one of --height, --normals, --scene and --mesh");

@@ -35,21 +35,41 @@ struct line {
     uint32_t count;
 };
 
-/* Sample i of `to` is what lies around place `first` + i * `step` of `from`, weighted by a triangle: the two samples beside it, or, where
- * the line becomes shorter, all that it stands for. Beyond its ends a line is 0. */
-static void scale_line(const struct line *from, const struct line *to, double first, double step)
+/* Sample i of a scaled line is what lies around place `first` + i * `step`, weighted by a triangle: the two samples beside it, or, where the
+ * line becomes shorter, all that it stands for. */
+struct scaling {
+    double first, step, reach;
+    double *weights; /* of each sample, together */
+};
+
+static double weight_of(const struct scaling *scaling, double place, int64_t at)
 {
-    const double reach = fmax(1, step);
-    for (uint32_t i = 0; i < to->count; i++) {
+    return 1 - fabs((double)at - place) / scaling->reach;
+}
+
+static struct scaling scaling_of(double first, double step, uint32_t count)
+{
+    struct scaling scaling = {first, step, fmax(1, step), allocate(count, sizeof *scaling.weights)};
+    for (uint32_t i = 0; i < count; i++) {
         const double place = first + i * step;
-        double sum = 0, weights = 0;
-        for (double at = ceil(place - reach); at <= place + reach; at++) {
-            const double weight = 1 - fabs(at - place) / reach;
-            weights += weight;
-            if (at >= 0 && at < from->count)
-                sum += weight * from->samples[(size_t)at * from->apart];
-        }
-        to->samples[i * to->apart] = sum / weights;
+        const int64_t end = (int64_t)floor(place + scaling.reach);
+        for (int64_t at = (int64_t)ceil(place - scaling.reach); at <= end; at++)
+            scaling.weights[i] += weight_of(&scaling, place, at);
+    }
+    return scaling;
+}
+
+/* Beyond its ends a line is 0. */
+static void scale_line(const struct line *from, const struct line *to, const struct scaling *scaling)
+{
+    for (uint32_t i = 0; i < to->count; i++) {
+        const double place = scaling->first + i * scaling->step;
+        const int64_t begin = (int64_t)ceil(place - scaling->reach), end = (int64_t)floor(place + scaling->reach);
+        const int64_t last = end < from->count ? end : (int64_t)from->count - 1;
+        double sum = 0;
+        for (int64_t at = begin > 0 ? begin : 0; at <= last; at++)
+            sum += weight_of(scaling, place, at) * from->samples[(size_t)at * from->apart];
+        to->samples[i * to->apart] = sum / scaling->weights[i];
     }
 }
 
@@ -59,29 +79,47 @@ static double first_place(const struct box *box, unsigned k, uint32_t side, doub
     return (box->first[k] + box->last[k]) / 2. - (side - 1) / 2. * step;
 }
 
+/* Samples of a picture, line by line. */
+struct plane {
+    double *samples;
+    uint32_t width, height;
+};
+
+/* All lines of one direction: 0 across, 1 down. It frees what it is given. */
+static struct plane scaled(struct plane from, unsigned down, uint32_t count, double first, double step)
+{
+    struct plane to = {NULL, down ? from.width : count, down ? count : from.height};
+    const struct scaling scaling = scaling_of(first, step, count);
+    to.samples = allocate((size_t)to.width * to.height, sizeof *to.samples);
+    for (size_t i = 0; i < (down ? from.width : from.height); i++)
+        scale_line(&(struct line){from.samples + (down ? i : i * from.width), down ? from.width : 1,
+                                  down ? from.height : from.width},
+                   &(struct line){to.samples + (down ? i : i * to.width), down ? to.width : 1, count}, &scaling);
+    free(scaling.weights);
+    free(from.samples);
+    return to;
+}
+
 struct image *logo_fitted(const struct image *picture, uint32_t width, uint32_t height, double percent)
 {
-    double *coverage = bevel_coverage(picture);
-    const struct box box = box_of(coverage, picture->width, picture->height);
+    struct plane plane = {bevel_coverage(picture), picture->width, picture->height};
+    const struct box box = box_of(plane.samples, picture->width, picture->height);
     const double wide = box.last[0] - box.first[0] + 1., tall = box.last[1] - box.first[1] + 1.;
     const double step = fmax(wide / (width - 2), tall / (height - 2)) * 100 / percent;
-    double *narrow = allocate((size_t)width * picture->height, sizeof *narrow);
-    double *fitted = allocate((size_t)width * height, sizeof *fitted);
-    for (uint32_t y = 0; y < picture->height; y++)
-        scale_line(&(struct line){&coverage[(size_t)y * picture->width], 1, picture->width},
-                   &(struct line){&narrow[(size_t)y * width], 1, width}, first_place(&box, 0, width, step), step);
-    for (uint32_t x = 0; x < width; x++)
-        scale_line(&(struct line){&narrow[x], width, picture->height}, &(struct line){&fitted[x], width, height},
-                   first_place(&box, 1, height, step), step);
+    const uint32_t counts[2] = {width, height};
+    /* First the way after which there is less. */
+    const unsigned first = (uint64_t)width * picture->height > (uint64_t)picture->width * height;
+    for (unsigned k = 0; k < 2; k++) {
+        const unsigned down = k ^ first;
+        plane = scaled(plane, down, counts[down], first_place(&box, down, counts[down], step), step);
+    }
     struct image *image = allocate(1, sizeof *image);
     *image = (struct image){.name = strdup(picture->name), .width = width, .height = height, .channels = 1, .bits = 16};
     image->samples = allocate((size_t)width * height, sizeof *image->samples);
     if (!image->name)
         fail("out of memory");
     for (size_t i = 0; i < (size_t)width * height; i++)
-        image->samples[i] = (uint16_t)lround(65535 * fmin(1, fitted[i]));
-    free(coverage);
-    free(narrow);
-    free(fitted);
+        image->samples[i] = (uint16_t)lround(65535 * fmin(1, plane.samples[i]));
+    free(plane.samples);
     return image;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // navigator.usb with one board in it, for pages in a browser that has no device: fakeUsb runs in the page, and keeps what it is sent in
-// globalThis.board; with board.room it knows its light, with board.takesLight = false it takes none for its own picture (board.given), with board.mesh it holds a mesh, whose poses are kept as lights are. A real board, or the firmware, is in tests/pico.
+// globalThis.board; with board.room it knows its light, with board.takesLight = false it takes none for its own picture (board.given), with board.mesh it holds a mesh, whose poses are kept as lights are; what it is sent takes board.delay ms. A real board, or the firmware, is in tests/pico.
 export function fakeUsb(width, height) {
     const gone = () => { throw new DOMException('A transfer error has occurred.', 'NetworkError') }
-    const board = globalThis.board = { isPlugged: true, isHeld: false, isBusy: false, stalls: false, isChosen: true, mesh: null, room: null, takesMaps: true, takesLight: true, given: [], unsupported: false, inMesh: false, enabled: 0, material: [], map: [], lights: [], reports: 0 }
+    const board = globalThis.board = { isPlugged: true, isHeld: false, isBusy: false, stalls: false, isChosen: true, mesh: null, room: null, takesMaps: true, takesLight: true, given: [], delay: 0, unsupported: false, inMesh: false, enabled: 0, material: [], map: [], lights: [], reports: 0 }
     const listeners = { connect: [], disconnect: [] }
     const answer = status => ({ status })
     const device = {
@@ -30,6 +30,8 @@ export function fakeUsb(width, height) {
             return { status: 'ok', data: new DataView(Uint8Array.of(board.isBusy || board.reports++ % 2 ? 1 : 0).buffer) }
         },
         async controlTransferOut({ request }, data) {
+            if (board.delay)
+                await new Promise(resolve => setTimeout(resolve, board.delay))
             board.isPlugged || gone()
             if (request === 0xa1 && data[0] && board.isBusy)
                 return answer('stall')

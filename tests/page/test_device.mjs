@@ -269,6 +269,26 @@ run([
         equal((await board()).enabled, 1, 'whether the page has the panel again')
         await follows()
     }],
+    ['a board that is slow keeps its connection as it shows its own picture and follows, whatever the light is', async () => {
+        await board({ delay: 20 })
+        for (let i = 0; i < 8; i++) {
+            await page.click('#board-own')
+            await says('shows its own picture')
+            if (i === 0)
+                for (const text of ['0,0,0', '0,0,-1', '-1,1,1.2']) {
+                    await page.evaluate(text => {
+                        const field = document.querySelector('#lights input[type=text], #lights input:not([type])')
+                        field.value = text
+                        field.dispatchEvent(new Event('change', { bubbles: true }))
+                    }, text)
+                    await new Promise(resolve => setTimeout(resolve, 120))
+                }
+            await page.click('#board-own')
+            await says('16 bytes a frame')
+        }
+        await board({ delay: 0 })
+        await follows()
+    }],
     ['a stalled transfer is said, and connecting again goes on', async () => {
         await board({ stalls: true })
         await page.focus('#handle-1')

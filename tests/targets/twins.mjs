@@ -273,8 +273,9 @@ for (const [name, make, calls, label = name] of TWINS) {
   console.log(label, calls, ...unlike)
 }
 
-// Frames of a mesh with a texture or colours by ALBEDO tables, in both orders of bytes, strip by strip: mesh.h's ways.
-function albedo(machine, way, swapped, fault, colours) {
+// Frames of a mesh with a texture or colours by ALBEDO tables, in both orders of bytes, strip by strip: mesh.h's ways. alone: with outlines of every
+// face, which are more than a face hides at once.
+function albedo(machine, way, swapped, fault, colours, alone) {
   const call = (name, ...args) => { if (run(machine, name, args)) throw new Error(`${name} returned an error`) }
   const at = (name) => machine.address(name) - RAM, strips = []
   call('mesh_begin', way)
@@ -283,7 +284,11 @@ function albedo(machine, way, swapped, fault, colours) {
   // struct cloth of tests/bench/mesh/mesh.c: u, v and colours of 600 vertices, at the end of mesh_memory
   if (colours) colours.copy(machine.memory, at('mesh_memory') + machine.size('mesh_memory') - 1800)
   for (const part of [0, 2400]) machine.memory[at('mesh_memory') + machine.size('mesh_memory') - 4200 + part + 400] ^= fault
-  call('mesh_frame', 0)
+  if (alone) {
+    machine.memory.fill(255, at('mesh_out'), at('mesh_out') + machine.size('mesh_out'))
+    machine.memory.writeUInt32LE(machine.address('mesh_out'), at('clothed') + FIELD.MESH_NEIGHBOURS)
+  }
+  call('mesh_frame', alone ? 4 : 0)
   for (let y = 0; y < 240; y += 16) {
     machine.memory.fill(0, at('mesh_out'), at('mesh_out') + machine.size('mesh_out'))
     call('mesh_strip', y)
@@ -295,8 +300,9 @@ const WAYS = readFileSync(new URL('../bench/mesh/mesh.h', import.meta.url), 'lat
 const ALBEDO = ['MESH_TEXTURED', 'MESH_SMOOTH', 'MESH_TEXTURED_FAR', 'MESH_COLOURED'].flatMap((way) => [0, 1].map((swapped) => [WAYS.indexOf(way), swapped])), unlike = [0, 0]
 // Colours of any kind, too: most at an end of their range, which lines leave.
 for (let i = 0; i < 8; i++) ALBEDO.push([WAYS.indexOf('MESH_COLOURED'), i & 1, Buffer.from(Array.from({ length: 1800 }, () => one(0, 255, below(256))))])
-for (const [way, swapped, colours] of ALBEDO) {
-  const wanted = albedo(c, way, swapped, 0, colours)
-  for (const fault of [0, 0x41]) albedo(assembly, way, swapped, fault, colours).forEach((strip, k) => { unlike[fault && 1] += strip !== wanted[k] })
+for (const way of ['MESH_TEXTURED', 'MESH_SMOOTH', 'MESH_COLOURED']) ALBEDO.push([WAYS.indexOf(way), 0, undefined, true])
+for (const [way, swapped, colours, alone] of ALBEDO) {
+  const wanted = albedo(c, way, swapped, 0, colours, alone)
+  for (const fault of [0, 0x41]) albedo(assembly, way, swapped, fault, colours, alone).forEach((strip, k) => { unlike[fault && 1] += strip !== wanted[k] })
 }
 console.log('glint_mesh_albedo_lines', 15 * ALBEDO.length, ...unlike)

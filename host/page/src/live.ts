@@ -193,10 +193,13 @@ fromBoard.onclick = () => {
 const own = byId<HTMLButtonElement>('board-own')
 const isOwn = () => own.getAttribute('aria-pressed') === 'true'
 
-/** Of a point or spot, as far beside the middle as it is in the picture. */
+let gives = false, given = Promise.resolve()
+/** Of a point or spot, as far beside the middle as it is in the picture; what a board would refuse is not sent. */
 async function giveLights(to: Pico): Promise<void> {
-    while (pico === to && isOwn()) {
-        await to.giveLight(towards())
+    while (pico === to && gives) {
+        const at = towards()
+        if (at.every(isFinite) && (at[0] || at[1] || at[2] > 0))
+            await to.giveLight(at)
         await new Promise(resolve => setTimeout(resolve, 33))
     }
 }
@@ -214,10 +217,17 @@ own.onclick = async () => {
             while (isBusy) // the picture that is on its way
                 await new Promise(resolve => setTimeout(resolve, 10))
         }
+        gives = begins
+        await given // a light behind what comes now would be refused
         await to.showOwn(begins)
+        if (pico !== to)
+            return
         if (begins) {
             say(`${to.name} shows its own picture under the light of this page: drag, Orbit or Tilt.`)
-            void giveLights(to).catch(lose)
+            given = giveLights(to).catch(error => {
+                if (pico === to)
+                    lose(error)
+            })
             void redraw()
         } else {
             own.setAttribute('aria-pressed', 'false')
@@ -226,8 +236,9 @@ own.onclick = async () => {
     } catch (error) {
         if (pico === to)
             lose(error as Error)
+    } finally {
+        own.disabled = false
     }
-    own.disabled = false
 }
 
 // ---- following ----

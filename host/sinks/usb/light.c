@@ -78,7 +78,7 @@ static bool find_interface(struct light_sink *light, const struct usb_device *de
             return !*line;
         usb_port_close(&light->port, false);
     }
-    snprintf(line, size, "%s: it does not shade by itself; leave out --shade device", light->name);
+    snprintf(line, size, "%s: it does not shade by itself; leave out --shade", light->name);
     return false;
 }
 

@@ -68,6 +68,9 @@ static void every_command_that_draws_a_scene_takes_its_name_with_and_without_the
         snprintf(command, sizeof command, "$GLINT %s >a", line);
         assert_refused(command, "unexpected argument 'wall.png'; name files by --height");
     }
+    assert_int_equal(
+        run("$GLINT render --scene teapot --scene coin -o - >a && $GLINT render coin -o - >b && cmp a b")->status,
+        0); /* the last counts */
 }
 
 /* argp breaks what is longer than a line, and what it breaks cannot be copied into a shell. */

@@ -101,6 +101,24 @@ static void polygons_with_dents_are_cut_into_triangles_that_cover_them(void **st
     }
 }
 
+static void no_triangle_is_cut_through_a_dent_that_lies_on_its_side(void **state)
+{
+    (void)state;
+    static const double places[5][3] = {{2, 0, 0}, {0, 1, 0}, {-2, 2, 0}, {0, 0, 0}, {0, -1, 0}};
+    size_t triangles[3][3];
+    double area = 0;
+    assert_true(polygon_cut(places, 5, triangles));
+    for (size_t i = 0; i < 3; i++) {
+        double part[3];
+        mesh_face_normal(places[triangles[i][0]], places[triangles[i][1]], places[triangles[i][2]], part);
+        area += fabs(part[2]);
+    }
+    double sum = 0;
+    for (size_t i = 0; i < 5; i++)
+        sum += places[i][0] * places[(i + 1) % 5][1] - places[(i + 1) % 5][0] * places[i][1];
+    assert_near(area, fabs(sum), 1e-9);
+}
+
 #if GLINT_WITH_MESH
 #define GLTF(attributes, material, accessors)                                                                          \
     "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"              \
@@ -276,6 +294,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(corners_of_different_colours_stay_apart),
         cmocka_unit_test(polygons_with_dents_are_cut_into_triangles_that_cover_them),
+        cmocka_unit_test(no_triangle_is_cut_through_a_dent_that_lies_on_its_side),
         cmocka_unit_test(a_split_edges_middle_has_the_mean_of_its_ends_and_ordering_keeps_colours),
 #if GLINT_WITH_MESH
         cmocka_unit_test(colours_of_a_ply_an_obj_and_a_gltf_are_drawn_and_streamed_alike),

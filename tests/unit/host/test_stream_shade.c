@@ -274,6 +274,7 @@ static void the_command_line_tells_what_can_shade(void **state)
     assert_one_line(
         assert_ends("$GLINT stream --to usb --shade demo --light=1,2,3 --light=-1,2,3", 2, "one --light")->err);
     assert_one_line(assert_ends("$GLINT stream --to none --frames 1 --shade demo", 2, "--to usb")->err);
+    assert_one_line(assert_ends("$GLINT stream --to usb --shade demo --fps 1", 2, "give --fps 2 or more")->err);
     assert_one_line(assert_ends("$GLINT stream --to none --frames 1", 2, "no surface")->err);
     assert_one_line(assert_ends("$GLINT stream coin --to none --frames 1 --lights board", 2, "--shade device")->err);
     assert_one_line(

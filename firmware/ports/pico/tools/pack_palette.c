@@ -55,10 +55,11 @@ static void print(const uint8_t *normals, size_t entries, size_t bytes)
 
 int main(int argc, char **argv)
 {
-    unsigned width, height;
     struct panel panel;
-    const char *size = argc == 3 ? strchr(argv[1], '-') : NULL;
-    if (!size || sscanf(size, "-%ux%u", &width, &height) != 2 ||
+    char *size = argc == 3 ? strchr(argv[1], '-') : NULL, *end = size;
+    const unsigned long width = size ? strtoul(size + 1, &end, 10) : 0,
+                        height = size && *end == 'x' ? strtoul(end + 1, &end, 10) : 0;
+    if (!size || *end || width > UINT16_MAX || height > UINT16_MAX ||
         !panel_defaults(&panel, controller_of(argv[1], (size_t)(size - argv[1])), 0, (uint16_t)width,
                         (uint16_t)height)) {
         fprintf(stderr, "pack_palette: give a panel and the baked palette\n");
@@ -67,7 +68,7 @@ int main(int argc, char **argv)
     FILE *in = fopen(argv[2], "rb");
     const size_t length = in ? fread(baked, 1, sizeof baked, in) : 0, of_offsets = 2 * (size_t)width * height;
     if (!in || fclose(in) != 0 || length <= of_offsets || length == sizeof baked || (length - of_offsets) % 6) {
-        fprintf(stderr, "pack_palette: %s is not a palette of %ux%u\n", argv[2], width, height);
+        fprintf(stderr, "pack_palette: %s is not a palette of %lux%lu\n", argv[2], width, height);
         return EXIT_FAILURE;
     }
     const size_t bytes = pick(&panel, baked + length - of_offsets), of_normals = length - of_offsets;
