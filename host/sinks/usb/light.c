@@ -263,6 +263,8 @@ const char *usb_demo_refusal(uint8_t status)
         return "its firmware is too old to take a light for its own picture; load this version's";
     if (status == GUD_PROTOCOL)
         return "it shows what another program sends; end that";
+    if (status == GUD_PARAMETER)
+        return "it takes no light straight from behind; give another direction";
     return "it refuses the light";
 }
 

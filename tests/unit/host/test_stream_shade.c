@@ -260,7 +260,8 @@ static void a_board_that_takes_no_light_for_its_own_picture_is_refused_with_a_re
     assert_null(usb_demo_refusal(GUD_BUSY));
     assert_contains(usb_demo_refusal(GUD_UNSUPPORTED), "too old");
     assert_contains(usb_demo_refusal(GUD_PROTOCOL), "another program");
-    assert_contains(usb_demo_refusal(GUD_PARAMETER), "refuses");
+    assert_contains(usb_demo_refusal(GUD_PARAMETER), "straight from behind");
+    assert_contains(usb_demo_refusal(99), "refuses");
 }
 #endif
 
