@@ -34,8 +34,8 @@ enum light_request {
     /* Older devices refuse it, too. A light message whose first number is an enum light_sense. It changes nothing. */
     LIGHT_GET_LIGHT = 0xa6,
     /* Older devices refuse this, too. A light message whose first number is 0. The board shows its own scene, or mesh, under this light,
-     * also where a GUD host draws, until none has come for LIGHT_HELD_MS. GUD_PARAMETER: a direction of zeros, or straight from behind; GUD_PROTOCOL: the panel
-     * is the host's; GUD_BUSY: a GUD host draws a rectangle just now. */
+     * also where a GUD host draws, until none has come for LIGHT_HELD_MS. GUD_PARAMETER: a direction of zeros, or straight from behind;
+     * GUD_PROTOCOL: the panel is the host's; GUD_BUSY: a GUD host draws a rectangle just now. */
     LIGHT_SET_LIGHT = 0xa7
 };
 /* What a board knows of the room's light; the direction is 0, 0, 0 unless it is SENSED. */

@@ -18,6 +18,7 @@
 
 enum key { KEY_TO = 384, KEY_FPS, KEY_FRAMES, KEY_ORBIT, KEY_PERIOD, KEY_LIGHTS, KEY_STATS, KEY_JSON, KEY_SHADE };
 static const double usual_period = 4, usual_turn_period = 8;
+enum { SHADE_HOST, SHADE_DEVICE, SHADE_DEMO };
 static const char *const shade_names[] = {"host", "device", "demo", NULL};
 
 static const struct argp_option argp_options[] = {
@@ -62,6 +63,14 @@ static const struct argp_option argp_options[] = {
 static const char doc[] = "Shades a scene frame after frame as its light moves or the mesh turns, and sends what "
                           "changed to a display, to files or to a pipe."
                           "\v"; /* and then what describe() writes */
+
+static void parse_shader(const struct argp_state *state, const char *text, struct stream_options *o)
+{
+    const unsigned shader = parse_choice(state, "--shade", "shader", text, shade_names);
+    o->shade_device = shader != SHADE_HOST;
+    o->shade_demo = shader == SHADE_DEMO;
+    o->look.scene.on_device = o->shade_demo;
+}
 
 static void parse_sink(const struct argp_state *state, const char *text, struct stream_options *o)
 {
@@ -190,8 +199,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->lights = o->board_lights ? NULL : parse_output(state, "--lights", text);
         return 0;
     case KEY_SHADE:
-        o->shade_device = strcmp(shade_names[parse_choice(state, "--shade", "shader", text, shade_names)], "host") != 0;
-        o->shade_demo = o->look.scene.none = strcmp(text, "demo") == 0;
+        parse_shader(state, text, o);
         return 0;
     case KEY_STATS:
         o->stats = true;

@@ -163,7 +163,7 @@ static void check(const struct argp_state *state, struct scene_options *o)
     const int sources = !!o->heights + !!o->normals + !!o->scene + (o->mesh.name && !o->mesh.built_in);
     if (sources > 1)
         refuse(state, "give only one of --height, --normals, --scene and --mesh");
-    if (sources == 0 && !o->none)
+    if (sources == 0 && !o->on_device)
         refuse(state, "no surface; give --height FILE, --normals FILE, --scene NAME or --mesh FILE");
     if (map_options_standard_input(o) > 1)
         refuse(state, "only one map can come from standard input; name files for the others");

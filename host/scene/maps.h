@@ -28,7 +28,7 @@ struct scene_options {
     bool has_backdrop;
     unsigned filter; /* so many pixels of the maps each way become one; 0: as 1 */
     bool cut_out;    /* the thing alone: a built-in scene's without its wall, a logo's shape */
-    bool none;       /* no surface is wanted */
+    bool on_device;  /* a device shows a surface of its own: none is named here */
     bool has_body;
     uint8_t body[3]; /* what a built-in scene is made of; else its own colour */
 };

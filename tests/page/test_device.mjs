@@ -276,12 +276,17 @@ run([
             await says('shows its own picture')
             if (i === 0)
                 for (const text of ['0,0,0', '0,0,-1', '-1,1,1.2']) {
-                    await page.evaluate(text => {
-                        const field = document.querySelector('#lights input[type=text], #lights input:not([type])')
+                    equal(await page.evaluate(async text => {
+                        // Timers of the page run in order: behind those of what gives lights.
+                        const wait = ms => new Promise(resolve => setTimeout(resolve, ms))
+                        const field = document.querySelector('#lights input[type=text]')
                         field.value = text
                         field.dispatchEvent(new Event('change', { bubbles: true }))
-                    }, text)
-                    await new Promise(resolve => setTimeout(resolve, 120))
+                        await wait(100)
+                        globalThis.board.given = []
+                        await wait(200)
+                        return globalThis.board.given.length > 0
+                    }, text), text === '-1,1,1.2', `whether the light ${text} is sent`)
                 }
             await page.click('#board-own')
             await says('16 bytes a frame')
