@@ -82,8 +82,8 @@ bool shown_next_demo(void)
         orbit_light(shown_to_light, frame++, ORBIT_FRAMES);
     else if (!hand_light(shown_to_light) && !is_first)
         return false;
-    is_first = false;
-    return recolour_frame(&recolour, shown_to_light) == GLINT_OK;
+    is_first = recolour_frame(&recolour, shown_to_light) != GLINT_OK;
+    return !is_first;
 }
 
 bool shown_next_light(void)
