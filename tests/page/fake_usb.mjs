@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
 // navigator.usb with one board in it, for pages in a browser that has no device: fakeUsb runs in the page, and keeps what it is sent in
-// globalThis.board; with board.room it knows its light, with board.takesLight = false it takes none for its own picture (board.given), with board.mesh it holds a mesh, whose poses are kept as lights are; what it is sent takes board.delay ms. A real board, or the firmware, is in tests/pico.
+// globalThis.board; with board.room it knows its light, with board.takesLight = false it takes none for its own picture (board.given), with board.mesh it holds a mesh, whose poses are kept as lights are; what it is sent takes board.delay ms, and board.rounds
+// counts what the page gives lights by: its pauses of 33 ms. A real board, or the firmware, is in tests/pico.
 export function fakeUsb(width, height) {
     const gone = () => { throw new DOMException('A transfer error has occurred.', 'NetworkError') }
-    const board = globalThis.board = { isPlugged: true, isHeld: false, isBusy: false, stalls: false, isChosen: true, mesh: null, room: null, takesMaps: true, takesLight: true, given: [], delay: 0, unsupported: false, inMesh: false, enabled: 0, material: [], map: [], lights: [], reports: 0 }
+    const board = globalThis.board = { isPlugged: true, isHeld: false, isBusy: false, stalls: false, isChosen: true, mesh: null, room: null, takesMaps: true, takesLight: true, given: [], delay: 0, unsupported: false, inMesh: false, enabled: 0, material: [], map: [], lights: [], reports: 0, rounds: 0 }
+    const { setTimeout: plain } = globalThis
+    globalThis.setTimeout = (then, ms, ...rest) => {
+        board.rounds += ms === 33
+        return plain(then, ms, ...rest)
+    }
     const listeners = { connect: [], disconnect: [] }
     const answer = status => ({ status })
     const device = {
