@@ -3,6 +3,7 @@
  * command, by either libgpiod. */
 #include "unit.h"
 
+#include "hour.h"
 #include "lab.h"
 
 #include <signal.h>
@@ -153,6 +154,24 @@ static void the_list_tells_the_lines_and_who_uses_them(void **state)
     chip_remove(&chip);
 }
 
+static void an_hours_stream_keeps_its_memory_and_its_descriptors(void **state)
+{
+    (void)state;
+    struct chip chip;
+    struct process process;
+    chip_create(&chip, "panel", SPI, SPI_COUNT);
+    process_start(&process, "$GLINT stream coin --size 12x8 --offset 0,0 --fps 1 --period 7.3 --json %s", OPTIONS);
+    keeps_what_it_has_for_an_hour(process.pid);
+    assert_int_equal(process_end(&process, SIGINT), 130);
+    size_t size;
+    char *text = run_for_output(&size, "cat %s", process.output);
+    const char *frames = strstr(text, "\"frames\":");
+    assert_non_null(frames);
+    assert_true(atoi(frames + strlen("\"frames\":")) > 3590);
+    free(text);
+    chip_remove(&chip);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -161,6 +180,7 @@ int main(void)
         cmocka_unit_test_teardown(a_chip_that_is_removed_ends_the_stream_with_one_line, lab_clean),
         cmocka_unit_test_teardown(whenever_it_is_interrupted_the_panel_is_left_dark_and_asleep, lab_clean),
         cmocka_unit_test_teardown(the_list_tells_the_lines_and_who_uses_them, lab_clean),
+        cmocka_unit_test_teardown(an_hours_stream_keeps_its_memory_and_its_descriptors, lab_clean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

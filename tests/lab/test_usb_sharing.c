@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Who else has a display, which of several it is, and signals. */
+#include "hour.h"
 #include "usb_run.h"
 
 #include <fcntl.h>
@@ -151,6 +152,20 @@ static void the_list_answers_in_time_whatever_a_device_does(void **state)
     usb_displays_unplug(NULL);
 }
 
+static void an_hours_stream_keeps_its_memory_and_its_descriptors(void **state)
+{
+    (void)state;
+    usb_displays_unplug(NULL);
+    honest();
+    usb_display_be(&display, &config);
+    const pid_t stream = start("exec " STREAM OURS "--fps 1 --period 7.3");
+    keeps_what_it_has_for_an_hour(stream);
+    assert_true(display.seen->rectangles > 3590);
+    kill(stream, SIGINT);
+    assert_exits(stream, 130);
+    usb_display_unplug(&display);
+}
+
 /* ---- signals ---- */
 
 static void an_interrupt_ends_waiting(void **state)
@@ -221,6 +236,7 @@ int main(void)
         cmocka_unit_test(a_device_whose_interface_is_not_guds_is_asked_only_by_name),
         cmocka_unit_test(what_a_device_says_of_itself_reaches_the_terminal_without_control_characters),
         cmocka_unit_test(the_list_answers_in_time_whatever_a_device_does),
+        cmocka_unit_test(an_hours_stream_keeps_its_memory_and_its_descriptors),
         cmocka_unit_test(an_interrupt_ends_waiting),
         cmocka_unit_test(every_signal_that_ends_a_stream_switches_the_display_off),
         cmocka_unit_test(an_interrupt_ends_requests_and_data_that_are_not_taken),

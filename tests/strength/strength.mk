@@ -63,7 +63,7 @@ mutants: setup-strength build/ends.o ## check: how many small faults in lib/ and
 		tests/strength/mutants build/mutants build/coverage $(STRENGTH_MUTANTS) $(STRENGTH_SEED) $(MINUTES)
 
 # SECONDS of each sink; memory and descriptors, then and now.
-soak: all ## check: do long streams grow? each sink without a device for SECONDS (60): memory and descriptors
+soak: all ## check: do long streams grow? all sinks without a device at once for SECONDS (60): memory and descriptors
 	@tests/strength/soak $(BUILD)/glint $(or $(SECONDS),60)
 
 .PHONY: soak setup-strength coverage coverage-lib coverage-whole strength-programs mutants
