@@ -48,8 +48,8 @@ enum {
     LIGHT_MESSAGE_BYTES = 16, /* u32 of the host's own, then towards the light: 3 x i32 of any length */
     LIGHT_MESH_BYTES = 12,
     LIGHT_POSE_BYTES = 28, /* u32 of the host's own, then struct light_pose, and i16 0 */
-    LIGHT_HELD_MS = 1000,
-    LIGHT_CLAMP_PEAK = 1 /* in the material's flags */
+    LIGHT_HELD_MS = 2500,  /* a page that is not seen sends once a second */
+    LIGHT_CLAMP_PEAK = 1   /* in the material's flags */
 };
 
 struct light_descriptor {

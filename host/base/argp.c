@@ -60,25 +60,44 @@ static void refuse_long_name(const struct argp_state *state, const struct option
     refuse(state, "unknown option '--%s'", name);
 }
 
-/* "--NAME" or "--NAME=VALUE", of which getopt takes any beginning that only one name has. Returns where it is right. */
-static void check_long(const struct argp_state *state, const struct option_list *list, const char *word, bool last)
+/* "--NAME" or "--NAME=VALUE", of which getopt takes any beginning that only one name has; `all` that have it. */
+static const struct argp_option *find_long(const struct option_list *list, const char *word, unsigned *count,
+                                           char all[256])
 {
     const size_t length = strcspn(word + 2, "=");
     const struct argp_option *found = NULL;
-    unsigned count = 0;
-    char all[256] = "";
+    *count = 0;
+    *all = '\0';
     for (unsigned i = 0; i < list->count; i++) {
         const struct argp_option *option = list->options[i];
         if (!option->name || strncmp(option->name, word + 2, length) != 0)
             continue;
         found = option;
         if (!option->name[length]) {
-            count = 1;
+            *count = 1;
             break;
         }
         const size_t at = strlen(all);
-        snprintf(all + at, sizeof all - at, "%s--%s", count++ ? ", " : "", option->name);
+        snprintf(all + at, 256 - at, "%s--%s", (*count)++ ? ", " : "", option->name);
     }
+    return found;
+}
+
+static const struct argp_option *find_letter(const struct option_list *list, char letter)
+{
+    for (unsigned i = 0; i < list->count; i++)
+        if (list->options[i]->key == letter)
+            return list->options[i];
+    return NULL;
+}
+
+/* Returns where it is right. */
+static void check_long(const struct argp_state *state, const struct option_list *list, const char *word, bool last)
+{
+    const size_t length = strcspn(word + 2, "=");
+    unsigned count;
+    char all[256];
+    const struct argp_option *found = find_long(list, word, &count, all);
     if (count == 0)
         refuse_long_name(state, list, word);
     if (count > 1)
@@ -96,10 +115,7 @@ static void check_long(const struct argp_state *state, const struct option_list 
 static void check_letters(const struct argp_state *state, const struct option_list *list, const char *word, bool last)
 {
     for (const char *at = word + 1; *at; at++) {
-        const struct argp_option *found = NULL;
-        for (unsigned i = 0; i < list->count && !found; i++)
-            if (list->options[i]->key == *at)
-                found = list->options[i];
+        const struct argp_option *found = find_letter(list, *at);
         if (!found)
             refuse(state, "unknown option '-%c'", *at);
         if (needs_value(found) && !at[1] && last)
@@ -123,6 +139,30 @@ static void refuse_option(const struct argp_state *state)
             check_letters(state, &list, word, last);
     }
     refuse(state, "wrong usage");
+}
+
+bool option_given(const struct argp_state *state, const struct argp *of, const char *but, char name[OPTION_NAME_MAX])
+{
+    struct option_list all = {.count = 0}, its = {.count = 0};
+    collect(state->root_argp, &all);
+    collect(of, &its);
+    for (int i = 1; i < state->argc && strcmp(state->argv[i], "--") != 0; i++) {
+        const char *word = state->argv[i];
+        unsigned count;
+        char names[256];
+        const struct argp_option *found = strncmp(word, "--", 2) == 0 ? find_long(&all, word, &count, names)
+                                          : *word == '-'              ? find_letter(&all, word[1])
+                                                                      : NULL;
+        for (unsigned k = 0; found && k < its.count; k++)
+            if (its.options[k] == found && !(found->name && strcmp(found->name, but) == 0)) {
+                if (found->name)
+                    snprintf(name, OPTION_NAME_MAX, "--%s", found->name);
+                else
+                    snprintf(name, OPTION_NAME_MAX, "-%c", found->key);
+                return true;
+            }
+    }
+    return false;
 }
 
 /* ---- what argp would have given ---- */

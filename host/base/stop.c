@@ -149,6 +149,15 @@ void signals_hold(sigset_t *before)
     pthread_sigmask(SIG_BLOCK, &all, before);
 }
 
+void signals_hold_but_faults(sigset_t *before)
+{
+    sigset_t held;
+    sigfillset(&held);
+    for (int i = 0; i < FAULTS; i++)
+        sigdelset(&held, faults[i]);
+    pthread_sigmask(SIG_BLOCK, &held, before);
+}
+
 void signals_release(const sigset_t *before)
 {
     pthread_sigmask(SIG_SETMASK, before, NULL);

@@ -27,8 +27,10 @@ void stop_last_words(const char *words);
 /* How often the program went on after it was stopped: what it showed on the terminal may be gone. */
 unsigned stop_resumed(void);
 
-/* Holds all signals back until they are released: in this thread, and in threads it starts in between. */
+/* Holds signals back until they are released: in this thread, and in threads it starts in between. All of them: short work on what
+ * stop_undo's functions read. For threads that draw, all but faults: a fault that is held ends the program without stop_undo's. */
 void signals_hold(sigset_t *before);
+void signals_hold_but_faults(sigset_t *before);
 void signals_release(const sigset_t *before);
 
 #endif

@@ -9,6 +9,7 @@
 #include "base/parse.h"
 #include "commands/commands.h"
 #include "draw/shading.h"
+#include "light_protocol.h"
 #include "options/drawing_options.h"
 #include "options/map_options.h"
 #include "sinks/options.h"
@@ -52,7 +53,7 @@ static const struct argp_option argp_options[] = {
      "Who shades: host (default), or device: it gets the normals and the material once, then 16 bytes a frame. It "
      "draws as --path colour-int8 does, in one colour, under one white --light, a mesh with --no-outlines, over black "
      "and without soft edges. Or demo: the device shows what it shows by itself (a dial, a coin, its mesh), and gets "
-     "the light alone, without SCENE; its own is back a second after the last. For --to",
+     "the light's direction alone, without SCENE, maps and materials; its own is back 2.5 s after the last. For --to",
      6},
     {"stats", KEY_STATS, NULL, 0,
      "Print at the end what was sent, and what it would take over USB; on a terminal also while it runs", 6},
@@ -118,10 +119,29 @@ static void check_output(const struct argp_state *state, struct stream_options *
         to->check(state, kind, o->output, o->frames);
 }
 
+/* Nothing but the light's direction reaches the device. */
+static void check_demo(const struct argp_state *state, const struct stream_options *o, bool directional)
+{
+    const struct scene_options *scene = &o->look.scene;
+    const struct shading *shading = &o->look.shading;
+    char option[OPTION_NAME_MAX];
+    if (scene->heights || scene->normals || scene->scene || scene->mesh.name)
+        refuse(state, "--shade demo: the device shows what is its own; leave the scene out");
+    if (!directional || shading->lamp_count > 1)
+        refuse(state, "--shade demo: the device takes one --light");
+    for (int k = 0; k < 3; k++)
+        if (shading->lamps[0].color[k] != 1)
+            refuse(state, "--shade demo: the light is white; leave the colour of --light out");
+    if (option_given(state, &drawing_options_argp, "light", option))
+        refuse(state, "--shade demo: the device shows what is its own; leave %s out", option);
+    if (o->fps > 0 && o->fps < 1)
+        refuse(state, "--shade demo: the device's own light is back %g s after the last; give --fps 1 or more",
+               LIGHT_HELD_MS / 1000.);
+}
+
 static void check(const struct argp_state *state, struct stream_options *o)
 {
     const struct shading *shading = &o->look.shading;
-    const struct scene_options *scene = &o->look.scene;
     bool directional = false;
     for (unsigned i = 0; i < shading->lamp_count; i++)
         directional |= shading->lamps[i].kind == LAMP_DIRECTIONAL;
@@ -133,12 +153,8 @@ static void check(const struct argp_state *state, struct stream_options *o)
         refuse(state, "--lights: moves a --light, and there are only --point and --spot; add a --light");
     if (o->lights && iio_is_named(o->lights) && !o->frames && !o->kind->paced)
         refuse(state, "--lights %s: goes on for ever; give --frames N for --to %s", o->lights, o->kind->name);
-    if (o->shade_demo && (scene->heights || scene->normals || scene->scene || scene->mesh.name))
-        refuse(state, "--shade demo: the device shows what is its own; leave the scene out");
-    if (o->shade_demo && (!directional || shading->lamp_count > 1))
-        refuse(state, "--shade demo: the device takes one --light");
-    if (o->shade_demo && o->fps > 0 && o->fps < 2)
-        refuse(state, "--shade demo: the device's own light is back a second after the last; give --fps 2 or more");
+    if (o->shade_demo)
+        check_demo(state, o, directional);
     if (o->board_lights && (!o->shade_device || o->shade_demo))
         refuse(state, "--lights board: is the light of a board that shades; add --to usb --shade device");
     if (!isnan(o->orbit) && !directional)

@@ -118,7 +118,7 @@ void canvas_draw(struct canvas *canvas, const struct shading *shading, uint8_t *
         way_light(canvas->below, shading);
     if (canvas->behind)
         memcpy(pixels, canvas->behind, height * format_line_bytes(shading->format, canvas->scene->width));
-    signals_hold(&before); /* so that only the first thread takes them: they end its waiting */
+    signals_hold_but_faults(&before); /* so that only the first thread takes them: they end its waiting */
 #pragma omp parallel for schedule(dynamic) reduction(min : worst)
     for (uint32_t y = 0; y < height; y += BAND) {
         const enum glint_err error = draw_lines(canvas, shading, y, height - y < BAND ? height - y : BAND, pixels);

@@ -14,6 +14,7 @@ struct image {
     unsigned bits;     /* of a sample in the file: 1, 2, 4, 8 or 16 */
     bool palette;
     uint16_t *samples;
+    bool is_coverage; /* of a shape, as it is: black is outside it */
 };
 void image_free(struct image *image);
 

@@ -90,6 +90,9 @@ static struct mesh_material material_of(const struct aiMaterial *from, bool line
         for (int k = 0; k < 3; k++)
             material.color[k] = level((double)parts[k], linear);
     }
+    /* of an STL or a PLY that tells none; full white would be overexposed */
+    if (!linear && (material.color[0] & material.color[1] & material.color[2]) == 255)
+        material.has_color = false;
     if (linear)
         set_roughness(from, &material);
     if (lib.aiGetMaterialIntegerArray(from, AI_MATKEY_SHADING_MODEL, &shading, &one) == aiReturn_SUCCESS)

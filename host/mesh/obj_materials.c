@@ -30,16 +30,20 @@ void obj_materials_free(struct obj_materials *materials)
 
 unsigned obj_materials_find(struct obj_materials *materials, const char *name)
 {
-    if (!materials->of)
-        materials->of = allocate(OBJ_MATERIALS_MAX, sizeof *materials->of);
     for (unsigned i = 0; i < materials->count; i++)
         if (strcmp(materials->of[i].name, name) == 0)
             return i;
-    if (materials->count < OBJ_MATERIALS_MAX)
-        materials->of[materials->count++] = (struct obj_material){.name = copy_of(name), .look = plain};
-    else
+    if (materials->count == OBJ_MATERIALS_MAX)
         return OBJ_MATERIALS_MAX;
-    return materials->count - 1;
+    if (materials->count == materials->room) {
+        materials->room = materials->room ? 2 * materials->room : 4;
+        struct obj_material *grown = realloc(materials->of, materials->room * sizeof *grown);
+        if (!grown)
+            fail("out of memory");
+        materials->of = grown;
+    }
+    materials->of[materials->count] = (struct obj_material){.name = copy_of(name), .look = plain};
+    return materials->count++;
 }
 
 /* ---- what an MTL says ---- */

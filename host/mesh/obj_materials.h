@@ -13,11 +13,11 @@ struct obj_material {
     unsigned part; /* from 1, in the order in which they are told; 0: no MTL tells of it */
 };
 struct obj_materials {
-    unsigned count, part_count;
+    unsigned count, room, part_count;
     struct obj_material *of;
 };
 void obj_materials_free(struct obj_materials *materials);
-/* The number of the one of this name, which is there from now on; OBJ_MATERIALS_MAX where there are too many. */
+/* The number of the one of this name, which is there from now on; OBJ_MATERIALS_MAX where there are too many. `of` may move. */
 unsigned obj_materials_find(struct obj_materials *materials, const char *name);
 /* Ks, Ns, Kd, illum 0 and map_Kd; what it does not understand it leaves. */
 void obj_materials_read(struct obj_materials *materials, const char *text, size_t len);

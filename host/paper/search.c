@@ -64,7 +64,7 @@ static void compare(const struct search_options *options, const struct grid *gri
     const uint64_t step = scattered_step(total);
     uint64_t done = 0;
     sigset_t before;
-    signals_hold(&before); /* the first thread alone takes them, and so can hold them */
+    signals_hold_but_faults(&before); /* the first thread alone takes them, and so can hold them */
 #pragma omp parallel
     {
 #pragma omp master

@@ -92,7 +92,7 @@ static void compare_sets(struct joint *joint, uint64_t from, uint64_t to)
 {
     uint64_t passed = 0;
     sigset_t before;
-    signals_hold(&before); /* the first thread alone takes them, and so can hold them */
+    signals_hold_but_faults(&before); /* the first thread alone takes them, and so can hold them */
 #pragma omp parallel
     {
 #pragma omp master

@@ -177,7 +177,7 @@ static void smooth(double *heights, uint32_t width, uint32_t height)
 
 double *bevel_coverage(const struct image *picture)
 {
-    double *alpha = alpha_of(picture);
+    double *alpha = picture->is_coverage ? image_grey(picture) : alpha_of(picture);
     return alpha ? alpha : brightness_of(picture);
 }
 

@@ -114,7 +114,12 @@ struct image *logo_fitted(const struct image *picture, uint32_t width, uint32_t 
         plane = scaled(plane, down, counts[down], first_place(&box, down, counts[down], step), step);
     }
     struct image *image = allocate(1, sizeof *image);
-    *image = (struct image){.name = strdup(picture->name), .width = width, .height = height, .channels = 1, .bits = 16};
+    *image = (struct image){.name = strdup(picture->name),
+                            .width = width,
+                            .height = height,
+                            .channels = 1,
+                            .bits = 16,
+                            .is_coverage = true};
     image->samples = allocate((size_t)width * height, sizeof *image->samples);
     if (!image->name)
         fail("out of memory");

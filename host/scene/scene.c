@@ -105,7 +105,7 @@ struct glint_vec *scene_normals_q15(const struct scene *scene)
     const size_t pixels = (size_t)scene->width * scene->height;
     struct glint_vec *out = allocate(pixels, sizeof *out);
     sigset_t before;
-    signals_hold(&before); /* the first thread alone takes them */
+    signals_hold_but_faults(&before); /* the first thread alone takes them */
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < pixels; i++) {
         const double *n = scene->normals[i];

@@ -121,7 +121,7 @@ static void draw_relief(const struct drawing *drawing)
     enum { BAND = 32 }; /* lines; each band finds the heights above it again */
     const size_t height = drawing->scene->height;
     sigset_t before;
-    signals_hold(&before); /* the first thread alone takes them */
+    signals_hold_but_faults(&before); /* the first thread alone takes them */
 #pragma omp parallel for schedule(dynamic)
     for (size_t y = 0; y < height; y += BAND)
         draw_relief_lines(drawing, y, height - y < BAND ? height : y + BAND);
@@ -158,7 +158,7 @@ static void draw_sphere(const struct drawing *drawing)
     const struct scene *scene = drawing->scene;
     const struct frame f = drawing->frame;
     sigset_t before;
-    signals_hold(&before);
+    signals_hold_but_faults(&before);
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < (size_t)scene->width * scene->height; i++) {
         const double x = f.left + f.pixel * ((double)(i % scene->width) + .5);

@@ -50,7 +50,7 @@ function settle(board_now, ms = 600) {
 const said = (pico, text) => pico.uart.split(text).length - 1
 
 // As firmware/core/light_protocol.h has them.
-const SET_ENABLE = 0xa1, GET_LIGHT = 0xa6, SET_LIGHT = 0xa7, HELD_MS = 1000, SILENT = 1, SENSED = 2
+const SET_ENABLE = 0xa1, GET_LIGHT = 0xa6, SET_LIGHT = 0xa7, HELD_MS = 2500, SILENT = 1, SENSED = 2
 function message(first, ...to_light) {
   const bytes = Buffer.alloc(16);
   [first, ...to_light].forEach((value, i) => bytes.writeInt32LE(value, 4 * i))
@@ -125,7 +125,7 @@ const hand = [
     on.imu.gravity = tilted(30)
     settle(on, 900)
   }],
-  ['a computer sets the light of the demo, which stands still under it, and a second after the last it is the hand\'s again', () => {
+  ['a computer sets the light of the demo, which stands still under it, and 2.5 seconds after the last it is the hand\'s again', () => {
     const hands = on.light.join(), PARAMETER = 4
     for (const wrong of [message(1, 0, 0, 9), message(0, 0, 0, 0), message(0, 0, 0, -5)]) {
       check(!asks.set(SET_LIGHT, wrong), `it takes ${wrong.toString('hex')}`)
@@ -147,8 +147,8 @@ const hand = [
     settle(on, 100)
     judge.same(judge.look(on.wires.transcript()), judge.scene('watchface', [2 ** 30, -(2 ** 30), 2 ** 31 - 1]), 'the picture after that')
     settle(on, HELD_MS + 100)
-    equal(on.light.join(), hands, 'the light after a second')
-    judge.same(judge.look(on.wires.transcript()), judge.scene('watchface', on.light), 'the picture after a second')
+    equal(on.light.join(), hands, 'the light after that time')
+    judge.same(judge.look(on.wires.transcript()), judge.scene('watchface', on.light), 'the picture after that time')
     check(asks.set(SET_ENABLE, Buffer.of(1)) && !asks.set(SET_LIGHT, message(0, 0, 0, 9)) && asks.set(SET_ENABLE, Buffer.of(0)), 'it is set while the panel is the host\'s')
     settle(on, 900)
     equal(on.light.join(), hands, 'the light after that')

@@ -40,10 +40,24 @@ static bool is_demo(enum owner it)
     return it == DEMO || it == LIT_DEMO;
 }
 
+/* What is shown instead of the demo, and until when. */
+static struct {
+    enum fault fault;
+    bool stays;
+    uint32_t since_us;
+} wrong;
+enum { FAULT_SHOWN_US = 2000000 };
+
+/* A fault that stays hides the demo, whatever its light. */
+static bool is_lit(void)
+{
+    return light.is_given && !wrong.stays;
+}
+
 /* While a host sends lights the panel is no other host's, and nor is the memory; until it has been handed over. */
 static bool has_lights(void)
 {
-    return light.enabled || light.is_given || owner == LIGHT_HOST || owner == LIT_DEMO;
+    return light.enabled || is_lit() || owner == LIGHT_HOST || owner == LIT_DEMO;
 }
 
 static bool gud_is_busy(void *context)
@@ -74,14 +88,6 @@ static void gud_window(void *context, uint16_t x, uint16_t y, uint16_t width, ui
 }
 
 /* ---- faults ---- */
-
-/* What is shown instead of the demo, and until when. */
-static struct {
-    enum fault fault;
-    bool stays;
-    uint32_t since_us;
-} wrong;
-enum { FAULT_SHOWN_US = 2000000 };
 
 static void say_fault(enum fault fault)
 {
@@ -166,7 +172,7 @@ static enum owner wanted(void)
 {
     if (light.enabled)
         return LIGHT_HOST;
-    if (light.is_given && !has_fault_to_show())
+    if (is_lit() && !has_fault_to_show())
         return LIT_DEMO;
     if (gud.controller)
         return GUD_HOST;

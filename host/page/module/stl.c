@@ -34,15 +34,16 @@ static double number(const uint8_t *at)
     return (double)value;
 }
 
-/* White, or what the comment says: COLOR= and four bytes; colours of facets are in its place. */
+/* What the comment says: COLOR= and four bytes; colours of facets are in its place. Else white, which tells no colour. */
 static struct mesh_material material_of(const uint8_t *stl, bool has_colors)
 {
     static const char word[] = "COLOR=";
     enum { WORD = sizeof word - 1 };
-    struct mesh_material material = {.has_color = true, .color = {255, 255, 255}};
+    struct mesh_material material = {.color = {255, 255, 255}};
     for (unsigned i = 0; !has_colors && i + WORD + 4 <= COMMENT; i++)
         if (memcmp(stl + i, word, WORD) == 0) {
             memcpy(material.color, stl + i + WORD, sizeof material.color);
+            material.has_color = (material.color[0] & material.color[1] & material.color[2]) != 255;
             break;
         }
     return material;

@@ -395,6 +395,19 @@ static void a_light_that_is_given_holds_for_its_time_after_the_last_and_the_cloc
     assert_false(device.is_given);
 }
 
+/* So often do the timers of a page come that is not seen. */
+static void a_light_that_comes_once_a_second_is_held_even_where_one_is_missing(void **state)
+{
+    (void)state;
+    uint32_t now_us = 7;
+    assert_true(give(0, 1, 2, 3));
+    light_device_time(&device, now_us);
+    light_device_time(&device, now_us += 2400000);
+    assert_true(device.is_given);
+    light_device_time(&device, now_us += 100000);
+    assert_false(device.is_given);
+}
+
 static void no_light_is_given_to_a_panel_that_is_a_hosts_nor_one_without_a_direction(void **state)
 {
     (void)state;
@@ -443,6 +456,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(a_host_that_asks_for_the_rooms_light_changes_nothing, begin, end),
         cmocka_unit_test_setup_teardown(a_light_that_is_given_holds_for_its_time_after_the_last_and_the_clock_may_wrap,
                                         begin, end),
+        cmocka_unit_test_setup_teardown(a_light_that_comes_once_a_second_is_held_even_where_one_is_missing, begin, end),
         cmocka_unit_test_setup_teardown(no_light_is_given_to_a_panel_that_is_a_hosts_nor_one_without_a_direction, begin,
                                         end),
     };

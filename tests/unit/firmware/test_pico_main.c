@@ -127,9 +127,10 @@ struct shown_gud_memory *shown_gud_memory(void)
     return &memory;
 }
 
+static bool is_intact = true;
 bool shown_is_intact(void)
 {
-    return true;
+    return is_intact;
 }
 
 void shown_prepare(struct panel *of_panel, struct light_device *of_light)
@@ -286,20 +287,21 @@ static void check_owner(void)
     if (light.enabled) {
         assert_int_equal(owner, LIGHT_HOST);
         assert_int_equal(percent, 0); /* it has sent nothing to draw */
-    } else if (light.is_given) {
+    } else if (light.is_given && is_intact) {
         assert_true(is_demo(owner));
         assert_int_equal(percent, PANEL_BRIGHTEST);
         assert_int_equal(picture, WHOLE_DEMO);
     } else if (gud.controller) {
         assert_int_equal(owner, GUD_HOST);
         assert_int_equal(percent, gud_panel_percent(gud.shown, gud.brightness));
+        assert_false(gud_ops.busy(&gud_panel));
     } else if (is_suspended) {
         assert_int_equal(owner, NOBODY);
         assert_int_equal(percent, 0);
     } else {
-        assert_int_equal(owner, DEMO);
+        assert_int_equal(owner, is_intact ? DEMO : FAULT);
         assert_int_equal(percent, PANEL_BRIGHTEST);
-        assert_int_equal(picture, WHOLE_DEMO);
+        assert_true(picture == WHOLE_DEMO || !is_intact);
     }
 }
 
@@ -361,7 +363,7 @@ static void a_light_that_is_given_shows_the_demo_until_it_expires_and_gives_the_
     run_main(2 * QUIET);
     assert_int_equal(owner, LIT_DEMO); /* in the place of what the GUD host drew */
     script = events + 6;
-    run_main(3 * QUIET);
+    run_main((1000 * LIGHT_HELD_MS / POLL_US / QUIET + 2) * QUIET);
     assert_int_equal(owner, DEMO);
 }
 
@@ -372,12 +374,26 @@ static void whatever_hosts_do_the_panel_is_its_owners(void **unused)
     run_main(100000 * QUIET);
 }
 
+static void a_light_that_a_wrong_map_cannot_show_keeps_no_host_away(void **unused)
+{
+    (void)unused;
+    static const unsigned events[] = {0, 1, 9, EVENTS, EVENTS + 1};
+    script = events;
+    is_intact = false;
+    run_main(2 * QUIET);
+    assert_true(light.is_given && owner == GUD_HOST);
+    script = NULL;
+    run_main(10000 * QUIET);
+    is_intact = true;
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_host_that_comes_and_goes_within_one_poll_leaves_the_demo_shown),
         cmocka_unit_test(a_light_that_is_given_shows_the_demo_until_it_expires_and_gives_the_panel_back),
         cmocka_unit_test(whatever_hosts_do_the_panel_is_its_owners),
+        cmocka_unit_test(a_light_that_a_wrong_map_cannot_show_keeps_no_host_away),
     };
     return cmocka_run_group_tests_name("pico main", tests, NULL, NULL);
 }

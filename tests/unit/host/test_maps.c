@@ -203,6 +203,32 @@ static void a_logo_that_fits_as_it_is_keeps_every_pixel_and_alpha_and_brightness
     assert_false(same_file("alpha.ppm", "cut.ppm"));
 }
 
+/* A line of 2x60 pixels. */
+static void a_fitted_logo_thinner_than_a_pixel_covers_what_it_covers(void **state)
+{
+    (void)state;
+    enum { SMALL = 16 };
+    static uint16_t line[PIXELS];
+    for (int i = 0; i < PIXELS; i++)
+        line[i] = i % SIDE / 2 == 15 && i / SIDE >= 2 && i / SIDE < 62 ? 255 : 0;
+    make_png("line.png", &(struct made_png){SIDE, SIDE, 8, .samples = line});
+    const double scale = (SMALL - 2) / 60.;
+    struct image *logo = image_read("line.png"), *fitted = logo_fitted(logo, SMALL, SMALL, 100);
+    double *coverage = bevel_coverage(fitted), area = 0;
+    for (size_t i = 0; i < SMALL * SMALL; i++)
+        area += coverage[i];
+    assert_near(area / (2 * 60 * scale * scale), 1, .05);
+    free(coverage);
+    image_free(logo);
+    image_free(fitted);
+    const char *const command =
+        "$GLINT render --height line.png --bevel 2 --fit 100 --size 16x16 --ambient 1 --diffuse 0 "
+        "--specular 0 --color 255,255,255 --background 0,0,0 --image raw -o - | od -An -tu1 -v | tr -s ' ' '\\n' | "
+        "sort -n | tail -1";
+    const int most = atoi(run(command)->out);
+    assert_in_range(most, 255 * scale - 1, 255 * 2 * scale + 1); /* it may lie between two pixels */
+}
+
 static void what_cannot_be_fitted_is_refused(void **state)
 {
     (void)state;
@@ -367,6 +393,7 @@ int main(void)
         cmocka_unit_test(a_logo_in_alpha_in_white_and_in_black_has_the_same_bevel),
         cmocka_unit_test(a_bevel_without_a_shape_is_one_line),
         cmocka_unit_test(a_fitted_logo_is_in_the_middle_and_takes_the_percent_of_the_side_that_is_full_first),
+        cmocka_unit_test(a_fitted_logo_thinner_than_a_pixel_covers_what_it_covers),
         cmocka_unit_test(a_logo_that_fits_as_it_is_keeps_every_pixel_and_alpha_and_brightness_fit_alike),
         cmocka_unit_test(what_cannot_be_fitted_is_refused),
         cmocka_unit_test(a_height_map_without_heights_says_so_and_names_bevel),

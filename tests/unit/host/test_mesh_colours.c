@@ -239,6 +239,21 @@ static void raw_has_the_colours_behind_the_materials(void **state)
 }
 
 /* libassimp gives 5 bits of a colour as others. */
+/* libassimp calls it white, which is overexposed. */
+static void a_mesh_whose_file_tells_no_colour_has_the_usual_one(void **state)
+{
+    (void)state;
+    write_text("plain.stl", "solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 0 1\n"
+                            "endloop\nendfacet\nendsolid a\n");
+    write_text("plain.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                            "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                            "0 0 0\n2 0 0\n0 1 0\n3 0 1 2\n");
+    assert_quiet("for f in stl ply; do $GLINT render --mesh plain.$f --size 40x30 -o own.ppm && "
+                 "$GLINT render --mesh plain.$f --size 40x30 --color 200,200,200 -o usual.ppm && "
+                 "cmp own.ppm usual.ppm && $GLINT bake --mesh plain.$f --as c -o - 2>/dev/null | "
+                 "grep -q '{200, 200, 200}' || exit 1; done");
+}
+
 static void an_stls_colours_are_ignored_with_a_word(void **state)
 {
     (void)state;
@@ -302,6 +317,7 @@ int main(void)
         cmocka_unit_test(colours_are_near_double_precision_by_every_path_that_takes_them),
         cmocka_unit_test(paths_of_one_colour_refuse_them_unless_one_is_given),
         cmocka_unit_test(raw_has_the_colours_behind_the_materials),
+        cmocka_unit_test(a_mesh_whose_file_tells_no_colour_has_the_usual_one),
         cmocka_unit_test(an_stls_colours_are_ignored_with_a_word),
         cmocka_unit_test(colours_that_are_no_numbers_are_black_and_others_are_held),
         cmocka_unit_test(an_objs_highlight_has_its_hue),

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT
  * glint with meshes from files: what is read and what is refused. */
+#include <malloc.h>
 #include <math.h>
 
 #include "files.h"
 
 #include "mesh/import.h"
+#include "mesh/obj_materials.h"
 
 static void the_teapot_is_drawn_baked_and_streamed_without_a_file(void **state)
 {
@@ -234,6 +236,20 @@ static void an_output_that_is_a_file_of_the_mesh_is_refused_and_kept(void **stat
     assert_int_equal(run("$GLINT bake --mesh m.gltf -o other.bin")->status, 0);
     /* A pipe in the place of the materials is not waited for: the mesh has none. */
     assert_quiet("rm m.mtl && mkfifo m.mtl && $GLINT render --mesh m.obj --size 9x9 -o pipe.ppm");
+}
+
+static void materials_take_the_memory_of_those_that_are_there(void **state)
+{
+    (void)state;
+    struct obj_materials materials = {0};
+    for (unsigned i = 0; i <= OBJ_MATERIALS_MAX; i++) {
+        char name[8];
+        snprintf(name, sizeof name, "m%u", i);
+        assert_int_equal(obj_materials_find(&materials, name), i);
+        assert_true(malloc_usable_size(materials.of) < (2 * i + 50) * sizeof *materials.of);
+    }
+    assert_int_equal(obj_materials_find(&materials, "m0"), 0);
+    obj_materials_free(&materials);
 }
 
 static void a_mesh_that_faces_inwards_is_drawn_with_a_warning(void **state)
@@ -488,6 +504,7 @@ int main(void)
         cmocka_unit_test(standard_input_is_known_by_its_bytes_and_read_as_a_file_is),
         cmocka_unit_test(what_standard_input_holds_wrong_is_one_line),
         cmocka_unit_test(an_output_that_is_a_file_of_the_mesh_is_refused_and_kept),
+        cmocka_unit_test(materials_take_the_memory_of_those_that_are_there),
         cmocka_unit_test(a_mesh_that_faces_inwards_is_drawn_with_a_warning),
         cmocka_unit_test(hostile_files_are_one_line),
         cmocka_unit_test(an_obj_is_read_in_any_spelling),

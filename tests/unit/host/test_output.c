@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <glob.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 
 #include "files.h"
@@ -10,6 +11,7 @@
 #include "base/folder.h"
 #include "base/output.h"
 #include "base/stop.h"
+#include "scene/scene.h"
 
 /* ---- in a process of its own, linked in ---- */
 
@@ -59,6 +61,30 @@ static void a_signal_while_a_file_is_opened_leaves_nothing(void **state)
     (void)state;
     const int status = status_of(open_while_a_signal_comes);
     assert_int_equal(WEXITSTATUS(status), SIGTERM);
+    assert_int_equal(files_in("out"), 0);
+}
+
+/* In each thread: no normal can be read. */
+static void fault_in_drawing_threads(void)
+{
+    enum { SIDE = 64 };
+    const size_t bytes = SIDE * SIDE * sizeof(double[3]);
+    const struct rlimit no_core = {0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);
+    signal(SIGSEGV, SIG_DFL); /* not a sanitizer's */
+    stop_at_signals();
+    output_open("out/faulty");
+    struct scene scene = {.width = SIDE, .height = SIDE};
+    scene.normals = mmap(NULL, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    scene_normals_q15(&scene);
+}
+
+static void a_fault_in_a_drawing_thread_leaves_nothing(void **state)
+{
+    (void)state;
+    const int status = status_of(fault_in_drawing_threads);
+    assert_true(WIFSIGNALED(status));
+    assert_int_equal(WTERMSIG(status), SIGSEGV);
     assert_int_equal(files_in("out"), 0);
 }
 
@@ -244,6 +270,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(a_signal_while_a_file_is_opened_leaves_nothing),
+        TEST(a_fault_in_a_drawing_thread_leaves_nothing),
         TEST(an_error_in_the_middle_is_not_forgotten_when_the_end_is_written),
         TEST(a_signal_that_ends_the_command_leaves_nothing),
         TEST(a_signal_that_is_ignored_stays_so),

@@ -265,6 +265,27 @@ static void a_board_that_takes_no_light_for_its_own_picture_is_refused_with_a_re
 }
 #endif
 
+static void what_does_not_reach_the_boards_own_picture_is_refused_by_its_name(void **state)
+{
+    (void)state;
+    static const char *const options[][2] = {{"--material gold", "leave --material out"},
+                                             {"--mat=gold", "leave --material out"},
+                                             {"-n 9", "leave -n out"},
+                                             {"-q8", "leave -q out"},
+                                             {"--color 1,2,3", "leave --color out"},
+                                             {"--view 0,1,1", "leave --view out"},
+                                             {"--size 20x20", "leave --size out"},
+                                             {"--background red.png", "leave --background out"},
+                                             {"--albedo no.png", "leave --albedo out"},
+                                             {"--light=1,2,3,1,.5,1", "leave the colour of --light out"}};
+    for (size_t i = 0; i < sizeof options / sizeof *options; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "$GLINT stream --to usb --shade demo --orbit 9 --frames 2 %s", options[i][0]);
+        assert_one_line(assert_ends(line, 2, options[i][1])->err);
+    }
+    assert_ends("$GLINT stream --to none --shade demo --light 0,1,1 --lights - --stats --fps 9", 2, "no device of");
+}
+
 static void the_command_line_tells_what_can_shade(void **state)
 {
     (void)state;
@@ -275,7 +296,7 @@ static void the_command_line_tells_what_can_shade(void **state)
     assert_one_line(
         assert_ends("$GLINT stream --to usb --shade demo --light=1,2,3 --light=-1,2,3", 2, "one --light")->err);
     assert_one_line(assert_ends("$GLINT stream --to none --frames 1 --shade demo", 2, "--to usb")->err);
-    assert_one_line(assert_ends("$GLINT stream --to usb --shade demo --fps 1", 2, "give --fps 2 or more")->err);
+    assert_one_line(assert_ends("$GLINT stream --to usb --shade demo --fps .5", 2, "give --fps 1 or more")->err);
     assert_one_line(assert_ends("$GLINT stream --to none --frames 1", 2, "no surface")->err);
     assert_one_line(assert_ends("$GLINT stream coin --to none --frames 1 --lights board", 2, "--shade device")->err);
     assert_one_line(
@@ -298,6 +319,7 @@ int main(void)
         cmocka_unit_test(a_board_that_knows_no_light_is_refused_with_a_reason),
         cmocka_unit_test(a_board_that_takes_no_light_for_its_own_picture_is_refused_with_a_reason),
 #endif
+        cmocka_unit_test(what_does_not_reach_the_boards_own_picture_is_refused_by_its_name),
         cmocka_unit_test(the_command_line_tells_what_can_shade),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
