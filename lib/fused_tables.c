@@ -213,7 +213,7 @@ static inline void fused_dither(const struct glint_paint *paint, const uint32_t 
         const uint32_t e = (uint32_t)d + ((uint32_t)z << 14) - cut;
         *out = (int32_t)e < 0 ? glint_dither_past(&look, row, phase)
                               : glint_dither_within(&look, (uint32_t)row, phase,
-                                                    ((e >> a) * r) >> (32 - GLINT_DITHER_COLUMNS_LOG), swapped);
+                                                    ((e >> a) * r) >> (32 - GLINT_DITHER_COLUMNS_LOG), NULL, swapped);
     }
 }
 
@@ -293,7 +293,7 @@ void glint_colour_line(const struct glint_paint *paint, const struct glint_lines
     for (const uint16_t *stop = out + (end - x); out != stop; n++, out++) {
         const struct glint_raw raw = glint_raw_of(n, &l, &h, look.t_max);
         if (raw.nl_q30 != GLINT_RAW_NOTHING)
-            *out = glint_look_pixel(&look, &raw);
+            *out = glint_look_pixel(&look, &raw, NULL);
     }
 }
 
@@ -313,7 +313,7 @@ void glint_dither_line(const struct glint_paint *paint, const struct glint_lines
     for (const uint16_t *stop = out + (end - x); out != stop; n++, out++, phase = glint_dither_next(phase)) {
         const struct glint_raw raw = glint_raw_of(n, &l, &h, tables->t_max_q30);
         if (raw.nl_q30 != GLINT_RAW_NOTHING)
-            *out = glint_dither_pixel(&look, &raw, phase, swapped);
+            *out = glint_dither_pixel(&look, &raw, phase, NULL, swapped);
     }
 }
 
@@ -332,7 +332,7 @@ void glint_albedo_line(const struct glint_paint *paint, const struct glint_lines
     for (const uint16_t *stop = out + (end - x); out != stop; n++, out++, albedo++) {
         const struct glint_raw raw = glint_raw_of(n, &l, &h, tables->t_max_q30);
         if (raw.nl_q30 != GLINT_RAW_NOTHING)
-            *out = glint_albedo_pixel(tables, &raw, *albedo, swapped);
+            *out = glint_albedo_pixel(tables, &raw, *albedo, NULL, swapped);
     }
 }
 
@@ -354,7 +354,7 @@ void glint_dither_fused(const struct glint_paint *paint, const struct glint_span
     uint16_t *out = (uint16_t *)target->pixels;
     for (const uint16_t *stop = out + span->w; out != stop; out++, phase = glint_dither_next(phase)) {
         const struct glint_raw raw = glint_raw_at(t, (int32_t)nl, tables->t_max_q30);
-        *out = glint_dither_pixel(&look, &raw, phase, swapped);
+        *out = glint_dither_pixel(&look, &raw, phase, NULL, swapped);
         t += dt;
         dt += span->ddt_q30;
         nl += (uint32_t)span->dnl_q30;

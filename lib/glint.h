@@ -239,7 +239,8 @@ extern const struct glint_use_format glint_use_rgb565, /* gamma, both orders */
     glint_use_grey,                                    /* gamma: GREY8, GREY4, GREY2, MONO */
     glint_use_linear,                                  /* every format in linear space */
     glint_use_rgb565_steps, glint_use_linear_steps;    /* RGB565 undithered: glint_paint_steps_for */
-extern const struct glint_use_tables glint_use_colour, glint_use_colour_dithered, glint_use_albedo;
+extern const struct glint_use_tables glint_use_colour, glint_use_colour_dithered, glint_use_albedo,
+    glint_use_colour_maps, glint_use_colour_dithered_maps, glint_use_albedo_maps; /* with maps of gloss and shininess */
 extern const struct glint_use_lights glint_use_lights;
 extern const struct glint_use_coverage glint_use_coverage;
 
@@ -269,6 +270,7 @@ struct glint_tables {
     uint16_t dark; /* where nl < 0: the pixel, in memory order (COLOUR); its level (ALBEDO) */
     uint8_t kind, format, shift;
     bool dither;
+    uint16_t n; /* the material's */
     const struct glint_use_tables *use;
 };
 

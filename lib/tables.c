@@ -32,6 +32,7 @@ enum glint_err glint_paint_tables_for(struct glint_paint *paint, const struct gl
     tables.format = output->format;
     tables.dither = output->dither;
     tables.dark = 0;
+    tables.n = (uint16_t)paint->of.exact.n;
     tables.use = kind;
     GLINT_FLASH_POINTER(kind->fill)(&tables, paint, memory);
     return glint_paint_tables_filled(paint, &tables, output);
@@ -89,7 +90,8 @@ enum glint_err glint_tables_check(const struct glint_paint *paint, const struct 
 {
     const bool takes_albedo = GLINT_FLASH_U8(paint->of.tables.filled.use->takes_albedo);
     const uint8_t *albedo = maps ? maps->albedo : NULL;
-    if (!albedo != !takes_albedo || (maps && (maps->gloss || maps->grain || maps->shininess)))
+    const bool takes_maps = GLINT_FLASH_U8(paint->of.tables.filled.use->takes_maps);
+    if (!albedo != !takes_albedo || (maps && (maps->grain || (!takes_maps && (maps->gloss || maps->shininess)))))
         return GLINT_ERR_ARG;
     if (albedo && maps->albedo_format != GLINT_RGB565)
         return GLINT_ERR_FORMAT;
@@ -110,9 +112,15 @@ static __attribute__((noinline)) void tables_raws_int16(const struct glint_vec *
         *raw = glint_raw_of(n, &l, &h, t_max);
 }
 
-/* The raws of a run. */
-static void tables_raws(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
-                        struct glint_raw *raws)
+static void tables_unlit(const struct glint_paint *paint, struct glint_raw *raws, unsigned count)
+{
+    for (unsigned i = 0; paint->light_count == 0 && i < count; i++)
+        if (raws[i].nl_q30 != GLINT_RAW_NOTHING)
+            raws[i].nl_q30 = -1;
+}
+
+void glint_tables_raws(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
+                       struct glint_raw *raws)
 {
     const uint32_t t_max = paint->of.tables.filled.t_max_q30;
     const unsigned count = lines->count;
@@ -125,9 +133,47 @@ static void tables_raws(const struct glint_paint *paint, const struct glint_line
         const struct glint_vec *n = (const struct glint_vec *)(const void *)lines->normals + lines->run.x;
         tables_raws_int16(n, &paint->l, &paint->h, t_max, raws, count);
     }
-    for (unsigned i = 0; paint->light_count == 0 && i < count; i++)
-        if (raws[i].nl_q30 != GLINT_RAW_NOTHING)
-            raws[i].nl_q30 = -1;
+    tables_unlit(paint, raws, count);
+}
+
+/* A pixel's own n: F is nearly that of the tables at t times it over theirs; where a model knows n and t by their product alone, it is. All t
+ * are counted back from beyond the last, as which of them shine is known when they are scaled. */
+#define TABLES_BEYOND ((uint32_t)INT32_MAX)
+static __attribute__((noinline)) void tables_raws_shiny(const struct glint_paint *paint,
+                                                        const struct glint_lines *lines, struct glint_span *at,
+                                                        struct glint_raw *raw)
+{
+    const struct glint_run *const run = &lines->run;
+    const uint32_t n = paint->of.tables.filled.n, t_max = paint->of.tables.filled.t_max_q30;
+    const uint32_t inverse = (((uint32_t)1 << 22) + n / 2) / n;
+    const uint8_t *code =
+        lines->maps->shininess + lines->maps->shininess_stride * (ptrdiff_t)(run->y - lines->target->y) + run->x;
+    struct glint_vec unpacked[GLINT_RUN];
+    if (at)
+        glint_raws_walk(at, TABLES_BEYOND, raw, lines->count);
+    else
+        tables_raws_int16(glint_lines_normals(lines, unpacked), &paint->l, &paint->h, TABLES_BEYOND, raw, lines->count);
+    for (const struct glint_raw *end = raw + lines->count; raw != end; raw++, code++)
+        if ((int32_t)raw->back >= 0) {
+            const uint32_t t = TABLES_BEYOND - raw->back, ratio = glint_shininess_n(*code) * inverse; /* Q22 */
+            const uint32_t t_q21 = glint_mulhi_near(t << 1, ratio);
+            raw->back = t_q21 <= t_max >> 9 ? t_max - (t_q21 << 9) : GLINT_RAW_OUTSIDE;
+        }
+}
+
+void glint_tables_raws_maps(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
+                            struct glint_raw *raws)
+{
+    const uint8_t *const gloss = lines->run.gloss;
+    if (lines->maps && lines->maps->shininess) {
+        tables_raws_shiny(paint, lines, at, raws);
+        tables_unlit(paint, raws, lines->count);
+    } else {
+        glint_tables_raws(paint, lines, at, raws);
+    }
+    for (unsigned i = 0; gloss && i < lines->count; i++)
+        if (!gloss[i])
+            raws[i].back = GLINT_RAW_OUTSIDE;
 }
 
 static void tables_note(struct glint_bounds *bounds, const struct glint_run *run, const struct glint_raw *raws,
@@ -156,7 +202,7 @@ static __attribute__((noinline)) void tables_runs(const struct glint_paint *pain
                 continue;
             if (at && run->x != walked)
                 glint_span_skip(at, run->x - walked);
-            tables_raws(paint, lines, at, raws);
+            GLINT_FLASH_POINTER(paint->of.tables.filled.use->source)(paint, lines, at, raws);
             walked = run->x + lines->count;
             if (highlight)
                 tables_note(&bounds, run, raws, lines->count, y);
@@ -194,4 +240,14 @@ void glint_tables_draw(const struct glint_paint *paint, struct glint_lines *line
         tables_runs(paint, lines, at, h, highlight, !is_fused);
     for (uint32_t y = 0; is_fused && y < h; y++)
         tables_fused(paint, lines, y);
+}
+
+/* Nothing is fused. Gaps of INT8 are stepped over, as unpacked they would be normals. */
+void glint_tables_draw_maps(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
+                            uint32_t h, struct glint_box *highlight)
+{
+    if (lines->maps && (lines->maps->gloss || lines->maps->shininess))
+        tables_runs(paint, lines, at, h, highlight, true);
+    else
+        glint_tables_draw(paint, lines, at, h, highlight);
 }
