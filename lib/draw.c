@@ -198,6 +198,7 @@ static enum glint_err draw_check(const struct glint_paint *paint, const struct g
         !(draw_fits(target, target->stride, glint_line_bytes(paint->output.format, w)) &&
           draw_fits(maps, maps->normals_stride, (is_int8 ? 4 : (uint32_t)sizeof(struct glint_vec)) * w) &&
           draw_fits(maps->gloss, maps->gloss_stride, w) && draw_fits(maps->coverage, maps->coverage_stride, w) &&
+          draw_fits(maps->shininess, maps->shininess_stride, w) &&
           draw_fits(maps->albedo, maps->albedo_stride, (maps->albedo_format == GLINT_RGB888 ? 3u : 2u) * w)))
         return GLINT_ERR_ARG;
     return GLINT_OK;

@@ -20,8 +20,12 @@ struct glint_use_tables {
     void (*light)(struct glint_paint *paint);
     /* May these maps be drawn? */
     enum glint_err (*check)(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t h, bool normals);
+    bool takes_maps; /* of gloss and shininess */
     /* Draws a source: *at, unless NULL, is a span that walks along. */
     glint_draw_lines *draw;
+    /* The raws of a run. */
+    void (*source)(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
+                   struct glint_raw *raws);
     /* The general way: count raws of INT8 words; count pixels of a run from raws, at any address. */
     void (*raws)(const struct glint_paint *paint, const uint32_t *words, struct glint_raw *raws, unsigned count);
     void (*pixels)(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raws,
@@ -35,6 +39,15 @@ enum glint_err glint_tables_check(const struct glint_paint *paint, const struct 
                                   bool normals);
 void glint_tables_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
                        struct glint_box *highlight);
+void glint_tables_raws(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
+                       struct glint_raw *raws);
+/* The same of kinds that take maps of gloss and shininess. */
+void glint_tables_draw_maps(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
+                            uint32_t h, struct glint_box *highlight);
+void glint_tables_raws_maps(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
+                            struct glint_raw *raws);
+#define GLINT_TABLES_PLAIN false, glint_tables_draw, glint_tables_raws
+#define GLINT_TABLES_MAPS true, glint_tables_draw_maps, glint_tables_raws_maps
 
 /* The general way, blended where the run is. */
 static inline void glint_tables_pixels(const struct glint_paint *paint, const struct glint_run *run,
@@ -77,6 +90,13 @@ static inline uint16_t glint_over(uint32_t p, uint32_t q, uint32_t m)
     both = (both + (both >> 8 & fields)) >> 8 & fields;
     green = (green + (green >> 8)) >> 8;
     return (uint16_t)(both | both >> 5 | green << 5);
+}
+
+/* How much of a highlight a pixel has, of 256; all of it where there is no map of gloss. */
+#define GLINT_NO_GLOSS (-1)
+static inline int32_t glint_gloss_part(uint8_t gloss)
+{
+    return gloss + (gloss >> 7);
 }
 
 /* ---- The axes: t, F and nl, and what value each interval stands for ---- */
@@ -132,14 +152,16 @@ static inline uint32_t glint_look_row(uint32_t nl)
     return nl >> GLINT_COLOUR_ROW_SHIFT << GLINT_COLOUR_ROW_BYTES_LOG;
 }
 
-/* The pixel of a raw that has a surface. */
-static inline uint16_t glint_look_pixel(const struct glint_look *look, const struct glint_raw *raw)
+/* The pixel of a raw that has a surface. part: of the highlight, or GLINT_NO_GLOSS. */
+static inline uint16_t glint_look_pixel(const struct glint_look *look, const struct glint_raw *raw, int32_t part)
 {
     if (raw->nl_q30 < 0)
         return look->dark;
     uint32_t at = glint_look_row((uint32_t)raw->nl_q30);
-    if ((int32_t)raw->back >= 0)
-        at += look->columns[raw->back >> look->shift];
+    if ((int32_t)raw->back >= 0) {
+        const uint32_t column = look->columns[raw->back >> look->shift];
+        at += part < 0 ? column : (column * (uint32_t)part + 256) >> 9 << 1;
+    }
     return glint_look_colour(look, at);
 }
 
@@ -219,9 +241,14 @@ static inline uint32_t glint_dither_full(uint32_t sum, bool carry)
 
 /* Within the highlight a pixel is the sum of a word for its row and place on the screen and one for t. */
 static inline uint16_t glint_dither_within(const struct glint_dither_look *look, uint32_t row, uint32_t phase,
-                                           uint32_t column, bool swapped)
+                                           uint32_t column, int32_t part, bool swapped)
 {
-    const uint32_t shine = look->shines[column];
+    uint32_t shine = look->shines[column];
+    if (part >= 0) {
+        const uint32_t of = (uint32_t)part;
+        shine = ((shine >> 23) * of + 128) >> 8 << 23 | ((shine >> 12 & 511) * of + 128) >> 8 << 12 |
+                ((shine >> 1 & 1023) * of + 128) >> 8 << 1;
+    }
     uint32_t sum = *(const uint32_t *)(const void *)(look->sums + (row << GLINT_DITHER_SUMS_LOG) + 2 * phase);
     sum += shine;
     if (sum < shine || sum & GLINT_DITHER_GUARDS)
@@ -231,13 +258,13 @@ static inline uint16_t glint_dither_within(const struct glint_dither_look *look,
 
 /* The pixel of a raw that has a surface. */
 static inline uint16_t glint_dither_pixel(const struct glint_dither_look *look, const struct glint_raw *raw,
-                                          uint32_t phase, bool swapped)
+                                          uint32_t phase, int32_t part, bool swapped)
 {
     if (raw->nl_q30 < 0) /* dark: the row before the first */
         return glint_dither_past(look, -1, phase);
     const uint32_t row = ((uint32_t)raw->nl_q30 + look->nudge) >> GLINT_DITHER_ROW_SHIFT;
     return (int32_t)raw->back < 0 ? glint_dither_past(look, (int32_t)row, phase)
-                                  : glint_dither_within(look, row, phase, raw->back >> look->shift, swapped);
+                                  : glint_dither_within(look, row, phase, raw->back >> look->shift, part, swapped);
 }
 
 /* The phase of the next pixel. */
@@ -261,10 +288,13 @@ static inline const uint8_t *glint_albedo_level(const struct glint_tables *table
     return tables->columns - 1 - number;
 }
 
+static inline uint32_t glint_albedo_part(uint32_t word, uint32_t level)
+{
+    return (word * level + GLINT_ALBEDO_HALF) >> 5 & GLINT_ALBEDO_FIELDS;
+}
 static inline uint32_t glint_albedo_lit(uint16_t albedo, uint32_t level)
 {
-    return (((albedo | (uint32_t)albedo << 16) & GLINT_ALBEDO_FIELDS) * level + GLINT_ALBEDO_HALF) >> 5 &
-           GLINT_ALBEDO_FIELDS;
+    return glint_albedo_part((albedo | (uint32_t)albedo << 16) & GLINT_ALBEDO_FIELDS, level);
 }
 
 static inline uint32_t
@@ -276,13 +306,15 @@ glint_albedo_full(uint32_t sum) /* a field whose guard is set is full; green has
 
 /* The pixel of a raw that has a surface. */
 static inline uint16_t glint_albedo_pixel(const struct glint_tables *tables, const struct glint_raw *raw,
-                                          uint16_t albedo, bool swapped)
+                                          uint16_t albedo, int32_t part, bool swapped)
 {
     const int32_t nl = raw->nl_q30;
     uint32_t word =
         glint_albedo_lit(albedo, nl < 0 ? tables->dark : *glint_albedo_level(tables, nl >> GLINT_ALBEDO_LEVEL_SHIFT));
-    if (glint_raw_shines(raw))
-        word = glint_albedo_full(word + tables->colour.sums[raw->back >> tables->shift]);
+    if (glint_raw_shines(raw)) {
+        const uint32_t shine = tables->colour.sums[raw->back >> tables->shift];
+        word = glint_albedo_full(word + (part < 0 ? shine : glint_albedo_part(shine, ((uint32_t)part + 4) >> 3)));
+    }
     return glint_packed(word, swapped);
 }
 

@@ -432,9 +432,8 @@ static __attribute__((noinline)) enum glint_err grain_check_maps(const struct gl
     for (unsigned k = 0; k < 2; k++)
         if (turns && !maps->grain && (maps->grain_at[k] > GLINT_LIGHT_FAR || maps->grain_at[k] < -GLINT_LIGHT_FAR))
             return GLINT_ERR_ARG;
-    if ((h > 1 && ((maps->grain && !glint_stride_fits(maps->grain_stride, w)) ||
-                   (maps->shininess && !glint_stride_fits(maps->shininess_stride, w)))) ||
-        maps->grain_kind > GLINT_GRAIN_SUNRAY || (turns && !normals) || (maps->shininess && (maps->grain || across)))
+    if ((h > 1 && maps->grain && !glint_stride_fits(maps->grain_stride, w)) || maps->grain_kind > GLINT_GRAIN_SUNRAY ||
+        (turns && !normals) || (maps->shininess && (maps->grain || across)))
         return GLINT_ERR_ARG;
     return GLINT_OK;
 }

@@ -45,10 +45,10 @@ enum glint_err glint_paint_tables(struct glint_paint *paint, enum glint_tables_k
     const enum glint_err err = glint_paint_check(material, output, true);
     if (err)
         return err;
-    const struct glint_use_tables *use = kind == GLINT_TABLES_ALBEDO   ? &glint_use_albedo
+    const struct glint_use_tables *use = kind == GLINT_TABLES_ALBEDO   ? &glint_use_albedo_maps
                                          : kind != GLINT_TABLES_COLOUR ? NULL
-                                         : output->dither              ? &glint_use_colour_dithered
-                                                                       : &glint_use_colour;
+                                         : output->dither              ? &glint_use_colour_dithered_maps
+                                                                       : &glint_use_colour_maps;
     return glint_paint_tables_for(paint, use, material, output, memory, bytes, any_model(material->model),
                                   any_format(output));
 }

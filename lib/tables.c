@@ -32,6 +32,7 @@ enum glint_err glint_paint_tables_for(struct glint_paint *paint, const struct gl
     tables.format = output->format;
     tables.dither = output->dither;
     tables.dark = 0;
+    tables.n = (uint16_t)paint->of.exact.n;
     tables.use = kind;
     GLINT_FLASH_POINTER(kind->fill)(&tables, paint, memory);
     return glint_paint_tables_filled(paint, &tables, output);
@@ -89,7 +90,8 @@ enum glint_err glint_tables_check(const struct glint_paint *paint, const struct 
 {
     const bool takes_albedo = GLINT_FLASH_U8(paint->of.tables.filled.use->takes_albedo);
     const uint8_t *albedo = maps ? maps->albedo : NULL;
-    if (!albedo != !takes_albedo || (maps && (maps->gloss || maps->grain || maps->shininess)))
+    const bool takes_maps = GLINT_FLASH_U8(paint->of.tables.filled.use->takes_maps);
+    if (!albedo != !takes_albedo || (maps && (maps->grain || (!takes_maps && (maps->gloss || maps->shininess)))))
         return GLINT_ERR_ARG;
     if (albedo && maps->albedo_format != GLINT_RGB565)
         return GLINT_ERR_FORMAT;
@@ -110,9 +112,15 @@ static __attribute__((noinline)) void tables_raws_int16(const struct glint_vec *
         *raw = glint_raw_of(n, &l, &h, t_max);
 }
 
-/* The raws of a run. */
-static void tables_raws(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
-                        struct glint_raw *raws)
+static void tables_unlit(const struct glint_paint *paint, struct glint_raw *raws, unsigned count)
+{
+    for (unsigned i = 0; paint->light_count == 0 && i < count; i++)
+        if (raws[i].nl_q30 != GLINT_RAW_NOTHING)
+            raws[i].nl_q30 = -1;
+}
+
+void glint_tables_raws(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
+                       struct glint_raw *raws)
 {
     const uint32_t t_max = paint->of.tables.filled.t_max_q30;
     const unsigned count = lines->count;
@@ -125,9 +133,59 @@ static void tables_raws(const struct glint_paint *paint, const struct glint_line
         const struct glint_vec *n = (const struct glint_vec *)(const void *)lines->normals + lines->run.x;
         tables_raws_int16(n, &paint->l, &paint->h, t_max, raws, count);
     }
-    for (unsigned i = 0; paint->light_count == 0 && i < count; i++)
-        if (raws[i].nl_q30 != GLINT_RAW_NOTHING)
-            raws[i].nl_q30 = -1;
+    tables_unlit(paint, raws, count);
+}
+
+/* Of a pixel's own n: F is nearly that of the tables where m = n t is theirs; in models that know n and t by m alone, it is. So t is scaled: m
+ * is counted back from what it is at t_max, Q22. */
+static inline __attribute__((always_inline)) struct glint_raw
+tables_scaled(const struct glint_lines *lines, struct glint_raw raw, uint32_t t_q30, uint8_t code)
+{
+    const uint32_t m = (t_q30 >> 8) * glint_shininess_n(code);
+    raw.back = t_q30 > GLINT_T_ONE || m > lines->m_max ? GLINT_RAW_OUTSIDE
+                                                       : glint_mulhi_near(lines->m_max - m, lines->inverse) << 9;
+    return raw;
+}
+
+static inline const uint8_t *tables_codes(const struct glint_lines *lines)
+{
+    return lines->maps->shininess + lines->maps->shininess_stride * (ptrdiff_t)(lines->run.y - lines->target->y) +
+           lines->run.x;
+}
+
+/* Alone, for the registers. */
+static __attribute__((noinline)) void tables_raws_shiny(const struct glint_paint *paint,
+                                                        const struct glint_lines *lines, struct glint_raw *raw)
+{
+    const struct glint_vec l = {paint->l.x, paint->l.y, paint->l.z}, h = {paint->h.x, paint->h.y, paint->h.z};
+    const bool is_int8 = lines->maps->normals_format == GLINT_NORMALS_INT8;
+    const uint32_t *word = (const uint32_t *)(const void *)lines->normals + lines->run.x;
+    const struct glint_vec *vec = (const struct glint_vec *)(const void *)lines->normals + lines->run.x;
+    const uint8_t *code = tables_codes(lines);
+    for (const struct glint_raw *end = raw + lines->count; raw != end; raw++, vec++, word++) {
+        const struct glint_vec n = is_int8 ? glint_int8_normal(*word) : *vec;
+        const struct glint_raw at = glint_raw_of(&n, &l, &h, 0);
+        *raw = at.nl_q30 < 0 ? at : tables_scaled(lines, at, 0 - at.back, *code);
+        code++;
+    }
+}
+
+void glint_tables_raws_maps(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
+                            struct glint_raw *raws)
+{
+    if (!lines->maps || !lines->maps->shininess) {
+        glint_tables_raws(paint, lines, at, raws);
+        return;
+    }
+    if (at) {
+        const uint8_t *const codes = tables_codes(lines);
+        glint_raws_walk(at, INT32_MAX, raws, lines->count);
+        for (unsigned i = 0; i < lines->count; i++)
+            raws[i] = tables_scaled(lines, raws[i], INT32_MAX - raws[i].back, codes[i]);
+    } else {
+        tables_raws_shiny(paint, lines, raws);
+    }
+    tables_unlit(paint, raws, lines->count);
 }
 
 static void tables_note(struct glint_bounds *bounds, const struct glint_run *run, const struct glint_raw *raws,
@@ -156,7 +214,7 @@ static __attribute__((noinline)) void tables_runs(const struct glint_paint *pain
                 continue;
             if (at && run->x != walked)
                 glint_span_skip(at, run->x - walked);
-            tables_raws(paint, lines, at, raws);
+            GLINT_FLASH_POINTER(paint->of.tables.filled.use->source)(paint, lines, at, raws);
             walked = run->x + lines->count;
             if (highlight)
                 tables_note(&bounds, run, raws, lines->count, y);
@@ -194,4 +252,17 @@ void glint_tables_draw(const struct glint_paint *paint, struct glint_lines *line
         tables_runs(paint, lines, at, h, highlight, !is_fused);
     for (uint32_t y = 0; is_fused && y < h; y++)
         tables_fused(paint, lines, y);
+}
+
+void glint_tables_draw_maps(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
+                            uint32_t h, struct glint_box *highlight)
+{
+    const uint32_t n = paint->of.tables.filled.n;
+    if (!lines->maps || !(lines->maps->gloss || lines->maps->shininess)) {
+        glint_tables_draw(paint, lines, at, h, highlight);
+        return;
+    }
+    lines->m_max = (paint->of.tables.filled.t_max_q30 >> 8) * n;
+    lines->inverse = (((uint32_t)1 << 31) + n / 2) / n;
+    tables_runs(paint, lines, at, h, highlight, true);
 }

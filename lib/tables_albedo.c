@@ -92,28 +92,42 @@ static void albedo_raws(const struct glint_paint *paint, const uint32_t *words, 
     }
 }
 
-static void albedo_pixels(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
-                          unsigned count)
+/* glossy: with a map of gloss. */
+static inline __attribute__((always_inline)) void albedo_each(const struct glint_paint *paint,
+                                                              const struct glint_run *run, const struct glint_raw *raw,
+                                                              unsigned count, bool glossy)
 {
+    unsigned at = 0;
     const struct glint_tables *tables = &paint->of.tables.filled;
     const uint16_t *albedo = (const uint16_t *)(const void *)run->albedo;
     const bool swapped = glint_is_swapped(tables);
     uint8_t *out = run->line + 2 * run->x;
-    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2, albedo++)
+    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2, albedo++, at++)
         if (raw->nl_q30 != GLINT_RAW_NOTHING)
-            glint_put_pixel(out, glint_albedo_pixel(tables, raw, *albedo, swapped));
+            glint_put_pixel(out,
+                            glint_albedo_pixel(tables, raw, *albedo,
+                                               glossy ? glint_gloss_part(run->gloss[at]) : GLINT_NO_GLOSS, swapped));
 }
 
-const struct glint_use_tables glint_use_albedo GLINT_FLASH = {GLINT_TABLES_ALBEDO,
-                                                              false,
-                                                              true,
-                                                              GLINT_TABLES_ALBEDO_BYTES,
-                                                              albedo_can,
-                                                              albedo_fill,
-                                                              albedo_light,
-                                                              glint_tables_check,
-                                                              glint_tables_draw,
-                                                              albedo_raws,
-                                                              albedo_pixels,
-                                                              GLINT_TABLES_FUSED(glint_albedo_line),
-                                                              NULL};
+static void albedo_pixels(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
+                          unsigned count)
+{
+    albedo_each(paint, run, raw, count, false);
+}
+
+static void albedo_pixels_maps(const struct glint_paint *paint, const struct glint_run *run,
+                               const struct glint_raw *raw, unsigned count)
+{
+    if (run->gloss)
+        albedo_each(paint, run, raw, count, true);
+    else
+        albedo_pixels(paint, run, raw, count);
+}
+
+#define ALBEDO_USE(ways, pixels)                                                                                       \
+    {                                                                                                                  \
+        GLINT_TABLES_ALBEDO, false, true, GLINT_TABLES_ALBEDO_BYTES, albedo_can, albedo_fill, albedo_light,            \
+            glint_tables_check, ways, albedo_raws, pixels, GLINT_TABLES_FUSED(glint_albedo_line), NULL                 \
+    }
+const struct glint_use_tables glint_use_albedo GLINT_FLASH = ALBEDO_USE(GLINT_TABLES_PLAIN, albedo_pixels);
+const struct glint_use_tables glint_use_albedo_maps GLINT_FLASH = ALBEDO_USE(GLINT_TABLES_MAPS, albedo_pixels_maps);

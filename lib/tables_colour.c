@@ -138,29 +138,43 @@ static void colour_raws(const struct glint_paint *paint, const uint32_t *words, 
         raws[i] = glint_colour_raw(paint, words[i], GLINT_COLOUR_COLUMNS_LOG);
 }
 
+/* glossy: with a map of gloss. */
+static inline __attribute__((always_inline)) void colour_each(const struct glint_paint *paint,
+                                                              const struct glint_run *run, const struct glint_raw *raw,
+                                                              unsigned count, bool glossy)
+{
+    unsigned at = 0;
+    const struct glint_look look = glint_look_up(&paint->of.tables.filled);
+    uint8_t *out = run->line + 2 * run->x;
+    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2, at++)
+        if (raw->nl_q30 != GLINT_RAW_NOTHING)
+            glint_put_pixel(out,
+                            glint_look_pixel(&look, raw, glossy ? glint_gloss_part(run->gloss[at]) : GLINT_NO_GLOSS));
+}
+
 static void colour_pixels(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
                           unsigned count)
 {
-    const struct glint_look look = glint_look_up(&paint->of.tables.filled);
-    uint8_t *out = run->line + 2 * run->x;
-    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2)
-        if (raw->nl_q30 != GLINT_RAW_NOTHING)
-            glint_put_pixel(out, glint_look_pixel(&look, raw));
+    colour_each(paint, run, raw, count, false);
 }
 
-const struct glint_use_tables glint_use_colour GLINT_FLASH = {GLINT_TABLES_COLOUR,
-                                                              false,
-                                                              false,
-                                                              GLINT_TABLES_COLOUR_BYTES,
-                                                              colour_can,
-                                                              colour_fill,
-                                                              glint_colour_light,
-                                                              glint_tables_check,
-                                                              glint_tables_draw,
-                                                              colour_raws,
-                                                              colour_pixels,
-                                                              GLINT_TABLES_FUSED(glint_colour_line),
-                                                              GLINT_TABLES_FUSED(glint_colour_fused)};
+static void colour_pixels_maps(const struct glint_paint *paint, const struct glint_run *run,
+                               const struct glint_raw *raw, unsigned count)
+{
+    if (run->gloss)
+        colour_each(paint, run, raw, count, true);
+    else
+        colour_pixels(paint, run, raw, count);
+}
+
+#define COLOUR_USE(ways, pixels)                                                                                       \
+    {                                                                                                                  \
+        GLINT_TABLES_COLOUR, false, false, GLINT_TABLES_COLOUR_BYTES, colour_can, colour_fill, glint_colour_light,     \
+            glint_tables_check, ways, colour_raws, pixels, GLINT_TABLES_FUSED(glint_colour_line),                      \
+            GLINT_TABLES_FUSED(glint_colour_fused)                                                                     \
+    }
+const struct glint_use_tables glint_use_colour GLINT_FLASH = COLOUR_USE(GLINT_TABLES_PLAIN, colour_pixels);
+const struct glint_use_tables glint_use_colour_maps GLINT_FLASH = COLOUR_USE(GLINT_TABLES_MAPS, colour_pixels_maps);
 
 /* ---- Dithered ---- */
 
@@ -239,29 +253,46 @@ static void dither_raws(const struct glint_paint *paint, const uint32_t *words, 
 }
 
 /* A row and a phase find a finished pixel, or, where there is a highlight, a sum to which its shine is added. */
-static void dither_pixels(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
-                          unsigned count)
+static inline __attribute__((always_inline)) void dither_each(const struct glint_paint *paint,
+                                                              const struct glint_run *run, const struct glint_raw *raw,
+                                                              unsigned count, bool glossy)
 {
+    unsigned at = 0;
     const struct glint_tables *tables = &paint->of.tables.filled;
     const struct glint_dither_look look = glint_dither_look_up(tables, run->y);
     const bool swapped = glint_is_swapped(tables);
     uint32_t phase = 2 * ((run->left + run->x) & 3);
     uint8_t *out = run->line + 2 * run->x;
-    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2, phase = glint_dither_next(phase))
+    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2, at++) {
         if (raw->nl_q30 != GLINT_RAW_NOTHING)
-            glint_put_pixel(out, glint_dither_pixel(&look, raw, phase, swapped));
+            glint_put_pixel(out,
+                            glint_dither_pixel(&look, raw, phase,
+                                               glossy ? glint_gloss_part(run->gloss[at]) : GLINT_NO_GLOSS, swapped));
+        phase = glint_dither_next(phase);
+    }
 }
 
-const struct glint_use_tables glint_use_colour_dithered GLINT_FLASH = {GLINT_TABLES_COLOUR,
-                                                                       true,
-                                                                       false,
-                                                                       GLINT_TABLES_DITHER_BYTES,
-                                                                       dither_can,
-                                                                       dither_fill,
-                                                                       glint_colour_light,
-                                                                       glint_tables_check,
-                                                                       glint_tables_draw,
-                                                                       dither_raws,
-                                                                       dither_pixels,
-                                                                       GLINT_TABLES_FUSED(glint_dither_line),
-                                                                       GLINT_TABLES_FUSED(glint_dither_fused)};
+static void dither_pixels(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
+                          unsigned count)
+{
+    dither_each(paint, run, raw, count, false);
+}
+
+static void dither_pixels_maps(const struct glint_paint *paint, const struct glint_run *run,
+                               const struct glint_raw *raw, unsigned count)
+{
+    if (run->gloss)
+        dither_each(paint, run, raw, count, true);
+    else
+        dither_pixels(paint, run, raw, count);
+}
+
+#define DITHER_USE(ways, pixels)                                                                                       \
+    {                                                                                                                  \
+        GLINT_TABLES_COLOUR, true, false, GLINT_TABLES_DITHER_BYTES, dither_can, dither_fill, glint_colour_light,      \
+            glint_tables_check, ways, dither_raws, pixels, GLINT_TABLES_FUSED(glint_dither_line),                      \
+            GLINT_TABLES_FUSED(glint_dither_fused)                                                                     \
+    }
+const struct glint_use_tables glint_use_colour_dithered GLINT_FLASH = DITHER_USE(GLINT_TABLES_PLAIN, dither_pixels);
+const struct glint_use_tables glint_use_colour_dithered_maps GLINT_FLASH =
+    DITHER_USE(GLINT_TABLES_MAPS, dither_pixels_maps);

@@ -66,10 +66,10 @@ static void write_tables(const struct flash_tables *flash, const char *name, con
             "    (const uint8_t *)%s_memory + %zu,    /* columns */\n"
             "    {(const uint16_t *)(const void *)((const uint8_t *)%s_memory + %zu)},\n"
             "    %" PRIu32 "u, /* t_max_q30 */\n    %u, /* dark */\n    %u, /* kind */\n    %u, /* format */\n"
-            "    %u, /* shift */\n    %s, /* dither */\n    &%s /* use */\n};\n",
+            "    %u, /* shift */\n    %s, /* dither */\n    %u, /* n */\n    &%s /* use */\n};\n",
             storage, name, name, offset(flash, tables->columns), name, offset(flash, tables->colour.colours),
             tables->t_max_q30, tables->dark, tables->kind, tables->format, tables->shift,
-            tables->dither ? "true" : "false", use_name(tables));
+            tables->dither ? "true" : "false", tables->n, use_name(tables));
 }
 
 void flash_tables_write_c(const struct flash_tables *flash, const char *name, FILE *out)

@@ -65,6 +65,12 @@ static bool draws_all(const struct path *path)
     return path->paint == EXACT && (path->source == INT16 || path->source == INT8);
 }
 
+/* Of gloss, shininess and coverage. */
+static bool takes_maps(const struct path *path)
+{
+    return path->source == INT16 || path->source == INT8;
+}
+
 bool path_draws_all(unsigned path)
 {
     return draws_all(&paths[path]);
@@ -186,21 +192,27 @@ static void pack(struct way *way)
             way->packed[i] = glint_normals_pack(GLINT_NORMALS_INT8, &way->normals[i]);
 }
 
-/* Most paths are drawn here with full gloss, full coverage and one colour, which becomes that of the first pixel with full gloss.
- * `by_path` marks the pixels that the path draws. Returns how many are marked. */
-static size_t choose(const struct scene *scene, bool any_color, bool takes_coverage, struct glint_material *material,
+/* Spans and a palette are drawn here with full gloss and coverage, most paths in one colour, which becomes that of the first pixel with full
+ * gloss, or else of the first one. `by_path` marks the pixels that the path draws. Returns how many are marked. */
+static size_t choose(const struct scene *scene, const struct path *path, struct glint_material *material,
                      uint8_t *by_path)
 {
     const size_t pixels = (size_t)scene->width * scene->height;
-    const uint8_t *color = NULL;
+    const bool any_color = path->paint == ALBEDO, has_maps = takes_maps(path);
+    const uint8_t *color = NULL, *glossy = NULL;
     size_t count = 0;
     for (size_t i = 0; i < pixels; i++) {
         const uint8_t *here = scene->albedo ? &scene->albedo[3 * i] : material->albedo;
-        const bool solid = takes_coverage || !scene->mask || scene->mask[i] == 255;
-        const bool full = drawn(scene, i) && solid && (!scene->gloss || scene->gloss[i] == 255);
-        if (full && !color)
-            color = here;
-        by_path[i] = full && (any_color || memcmp(color, here, 3) == 0) ? (scene->mask ? scene->mask[i] : 255) : 0;
+        const bool solid = has_maps || !scene->mask || scene->mask[i] == 255;
+        const bool full = !scene->gloss || scene->gloss[i] == 255;
+        by_path[i] = drawn(scene, i) && solid && (has_maps || full) ? (scene->mask ? scene->mask[i] : 255) : 0;
+        color = by_path[i] && !color ? here : color;
+        glossy = by_path[i] && full && !glossy ? here : glossy;
+    }
+    color = glossy ? glossy : color;
+    for (size_t i = 0; i < pixels; i++) {
+        if (!any_color && scene->albedo && by_path[i] && memcmp(color, &scene->albedo[3 * i], 3) != 0)
+            by_path[i] = 0;
         count += by_path[i] != 0;
     }
     if (color)
@@ -213,22 +225,23 @@ static char *narrow(struct way *way, struct glint_material *material)
 {
     char *warning = NULL;
     const struct scene scene = way->scene;
-    if (scene.shininess)
-        fail("--path %s: takes no map of shininess, as --filter makes it; choose exact or exact-int8",
+    if (scene.shininess && !takes_maps(way->path))
+        fail("--path %s: takes no map of shininess, as --filter makes it; choose a path of 16 or 8 bits",
              path_names[way->shading.path]);
     const size_t pixels = (size_t)scene.width * scene.height;
-    const bool any_color = way->path->paint == ALBEDO;
-    const bool takes_coverage = way->path->source == INT16 || way->path->source == INT8;
     size_t wanted = 0;
     for (size_t i = 0; i < pixels; i++)
         wanted += drawn(&scene, i);
     way->scene.mask = way->chosen = allocate(pixels, 1);
-    const size_t chosen = choose(&scene, any_color, takes_coverage, material, way->chosen);
+    const size_t chosen = choose(&scene, way->path, material, way->chosen);
     way->whole = chosen == wanted;
     if (chosen == pixels && !scene.mask)
         way->scene.mask = NULL;
-    if (!way->whole && asprintf(&warning, "draws %s full gloss, %zu of %zu pixels; the exact path drew the rest",
-                                any_color ? "pixels of" : "one colour at", chosen, wanted) < 0)
+    const char *const what = way->path->paint == ALBEDO ? "pixels of full gloss"
+                             : takes_maps(way->path)    ? "one colour"
+                                                        : "one colour at full gloss";
+    if (!way->whole &&
+        asprintf(&warning, "draws %s, %zu of %zu pixels; the exact path drew the rest", what, chosen, wanted) < 0)
         fail("out of memory");
     return warning;
 }
@@ -398,7 +411,6 @@ static struct glint_maps maps_of(const struct way *way, size_t first)
 {
     const struct scene *scene = &way->scene;
     const ptrdiff_t width = (ptrdiff_t)scene->width;
-    const bool is_exact = way->path->paint == EXACT;
     struct glint_maps maps = {.normals_format = GLINT_NORMALS_INT16};
     if (way->packed) {
         maps.normals = &way->packed[first];
@@ -408,12 +420,12 @@ static struct glint_maps maps_of(const struct way *way, size_t first)
         maps.normals = &way->normals[first];
         maps.normals_stride = width * (ptrdiff_t)sizeof *way->normals;
     }
-    if (is_exact && scene->albedo) {
+    if (way->path->paint == EXACT && scene->albedo) {
         maps.albedo = &scene->albedo[3 * first];
         maps.albedo_stride = 3 * width;
         maps.albedo_format = GLINT_RGB888;
     }
-    if (is_exact && scene->gloss) {
+    if (scene->gloss) {
         maps.gloss = &scene->gloss[first];
         maps.gloss_stride = width;
     }

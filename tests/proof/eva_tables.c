@@ -33,7 +33,7 @@ static void light(const struct glint_use_tables *kind, unsigned columns_log)
         const uint32_t t_max = any, columns = (uint32_t)1 << columns_log,
                        most = shift < 30 - columns_log ? columns << shift : GLINT_T_ONE;
         const struct glint_tables tables = {
-            NULL, {NULL}, t_max > most ? most : t_max, 0, kind->kind, GLINT_RGB565, shift, kind->dither, kind};
+            NULL, {NULL}, t_max > most ? most : t_max, 0, kind->kind, GLINT_RGB565, shift, kind->dither, 60, kind};
         struct glint_paint paint;
         paint.of.tables.filled = tables;
         paint.l = any_vector();
