@@ -70,6 +70,88 @@
 1:
 .endm
 
+/* Pixel second of two whose normals are three aligned words, from r0 on, by the table of steps, which is at constants: what is in the lobe, or
+ * not in the table, is drawn alone. A word may have a half that lies beside the map. A pixel's step is of N.L before this is rounded. */
+.macro pair_pixel name, second
+.L\name\()_pair\second:
+.if \second
+    ldr x, [r0, #4]
+    ldr z, [r0, #8]
+    adds r0, #12
+    asrs x, x, #16
+    sxth y, z
+    asrs z, z, #16
+.else
+    ldr x, [r0]
+    ldr z, [r0, #4]
+    asrs y, x, #16
+    sxth x, x
+    sxth z, z
+.endif
+    ldr nl, [sp, #GLINT_AT_LINE_L]
+    muls nl, x
+    ldr v, [sp, #GLINT_AT_LINE_L + 4]
+    muls v, y
+    adds nl, nl, v
+    ldr v, [sp, #GLINT_AT_LINE_L + 8]
+    muls v, z
+    adds nl, nl, v
+    lsrs v, nl, #30
+    bne .L\name\()_beyond\second
+.L\name\()_within\second:
+    distance .L\name\()_step\second
+    cmp x, t_most
+    blo .L\name\()_lobe\second
+.L\name\()_step\second:
+    lsrs v, nl, #14 + GLINT_STEPS_LOG
+    lsls v, v, #1
+    ldrh y, [constants, v]
+    cmp y, #0
+    beq .L\name\()_miss\second
+.L\name\()_put\second:
+    strh y, [r1]
+    adds r1, #2
+    cmp r1, run_end
+.if \second
+    bne .L\name\()_pair0
+    b .L\name\()_run
+.else
+    beq .L\name\()_half
+.endif
+.endm
+
+/* What leaves it. */
+.macro pair_rest name
+.irp second, 0, 1
+.L\name\()_beyond\second: /* N.L < 0, or 1 or more */
+    cmp nl, #0
+    bmi .L\name\()_unlit\second
+    movs nl, #1
+    lsls nl, nl, #30
+    b .L\name\()_within\second
+.L\name\()_unlit\second:
+    ldr y, [sp, #GLINT_AT_LINE_DARK]
+    b .L\name\()_put\second
+.endr
+.L\name\()_half:
+    adds r0, #6
+    b .L\name\()_run
+.L\name\()_miss0:
+    adds r0, #6
+.L\name\()_miss1:
+    nl_rounded
+    mov constants, sp
+    adds constants, #GLINT_AT_LINE_BASE
+    b .L\name\()_base
+.L\name\()_lobe0:
+    adds r0, #6
+.L\name\()_lobe1:
+    nl_rounded
+    beq 1f
+    b .L\name\()_inside
+1:  b .L\name\()_dark
+.endm
+
 /* soft: from a pixel on that is covered in part, up to one that is not. steps: pixels without highlight from a table, where it has them. */
 .macro line_rgb565 name, swapped, mapped, soft, steps=0
     function \name
@@ -78,6 +160,21 @@
 .if \steps
     ldmia r2!, {r4}
     str r4, [sp, #OUR_STEPS]
+    mov r4, first
+    str r4, [sp, #OUR_FIRST]
+    ldr r4, [sp, #GLINT_AT_LINE_T_END]
+    mov t_most, r4
+    b .L\name\()_run
+    pair_pixel \name, 0
+    pair_pixel \name, 1
+    pair_rest \name
+.L\name\()_pixel: /* by two, from the first or the second on */
+    ldr constants, [sp, #OUR_STEPS]
+    lsls y, r0, #30
+    bne 1f
+    b .L\name\()_pair0
+1:  subs r0, #6
+    b .L\name\()_pair1
 .endif
 .if \soft
     ldr r7, .L\name\()_more
@@ -90,7 +187,7 @@
     bne .L\name\()_pixel
     line_done \name, OURS
 .else
-    line_runs \name, OURS+8*\steps
+    line_runs \name, OURS+8*\steps, \steps
 .endif
 
 .L\name\()_dark:
@@ -99,14 +196,30 @@
     b .L\name\()_far
 .else
     ldr y, [sp, #GLINT_AT_LINE_DARK]
+.if \steps
+    b .L\name\()_stored
+.else
     b .L\name\()_store
+.endif
 .endif
 
 .L\name\()_far: /* t exceeds 32 bits */
+.if !\steps
     ldmia constants!, {y}
+.endif
     b .L\name\()_plain
 
+.if \steps
+.L\name\()_stored: /* as the last of _pair0 and _pair1 */
+    strh y, [r1]
+    adds r1, #2
+    cmp r1, run_end
+    bne .L\name\()_pixel
+    b .L\name\()_run
+.L\name\()_alone:
+.else
 .L\name\()_pixel:
+.endif
 .if \soft
     ldr v, [sp, #OUR_MASK_AT]
     lsrs x, r1, #1
@@ -121,17 +234,23 @@
     bne .L\name\()_bright
 .L\name\()_lit:
     distance .L\name\()_far
+.if \steps
+    cmp x, t_most
+.else
     ldmia constants!, {y}
     cmp x, y
+.endif
     blo .L\name\()_inside
 .L\name\()_plain:
 .if \steps
+    adds constants, #4
     lsrs x, nl, #GLINT_STEPS_LOG
     lsls x, x, #1
     ldr z, [sp, #OUR_STEPS]
     ldrh y, [z, x]
     cmp y, #0
-    bne .L\name\()_store
+    bne .L\name\()_stored
+.L\name\()_base:
 .endif
     ldmia constants!, {x, z}
 .if \mapped
@@ -160,7 +279,11 @@
 .else
     cmp r1, run_end
 .endif
+.if \steps
+    bne .L\name\()_alone
+.else
     bne .L\name\()_pixel
+.endif
     b .L\name\()_run
 
 .L\name\()_bright:
@@ -188,9 +311,16 @@
     b .L\name\()_sum
 
 .L\name\()_first:
+.if \steps
+    str r1, [sp, #OUR_FIRST]
+.L\name\()_inside:
+    ldr v, [sp, #OUR_FIRST]
+    cmp v, r1
+.else
     mov first, r1
 .L\name\()_inside:
     cmp first, r1
+.endif
     bhi .L\name\()_first
     str r1, [sp, #OUR_LAST]
     lsrs x, x, #1
