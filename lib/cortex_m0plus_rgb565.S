@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * glint_line_rgb565(loop, x), _swapped, _albedo, _albedo_swapped: the exact line of RGB565 under MSH, from pixel x on; _soft, _soft_swapped:
- * pixels of it that are covered in part, blended as coverage.c does, side by side; _steps, _steps_swapped: with paint.c's steps.
+ * pixels of it that are covered in part, blended as coverage.c does, side by side; _steps, _steps_swapped: with paint.c's steps; _span: of a
+ * span, in either order, with steps or without.
  *
  * The stages of an exact run in one loop: t and N.L from the normal (sample.c), where t is within the lobe F (lobe_msh.c),
  * then V and its levels (pixel_rgb.c), in the same steps. Pixels without light, and pixels without highlight, leave the
@@ -152,6 +153,101 @@
 1:  b .L\name\()_dark
 .endm
 
+/* F of t in x, and V in z, x, v; and what lies beside it. */
+.macro lobe name, mapped
+    ldr y, [sp, #GLINT_AT_LINE_K + 4 * GLINT_MSH_FACTOR]
+    lsrs z, x, #14
+    muls z, y
+    lsls v, x, #18
+    lsrs v, v, #18
+    muls v, y
+    asrs v, v, #14
+    adds z, z, v
+    ldr v, [sp, #GLINT_AT_LINE_K + 4 * GLINT_MSH_ADDEND]
+    adds z, z, v /* m, as msh_near has it */
+    ldr y, [sp, #GLINT_AT_LINE_K + 4 * GLINT_MSH_SHIFT]
+    lsrs v, z, #27
+    beq .L\name\()_small
+.L\name\()_scaled:
+    msh_reciprocal constants
+    movs constants, #1
+    lsls constants, constants, #30
+    subs constants, constants, x
+    msh_quotient .L\name\()_high, .L\name\()_peak
+.L\name\()_sum: /* F in constants */
+.if \mapped
+    albedo_at y, z
+.endif
+    channel z, x, 0, \mapped, y
+    channel x, v, 1, \mapped, y
+    ldr v, [sp, #BASE_NL(2)]
+    muls v, nl
+    ldr nl, [sp, #BASE_ONE(2)]
+    adds v, v, nl
+.if \mapped
+    lsrs v, v, #7
+    ldrb nl, [y, #2]
+    muls v, nl
+.endif
+    ldr nl, [sp, #GLINT_AT_LINE_R + 8]
+    muls nl, constants
+    adds v, v, nl
+.if \mapped
+    add_half y
+.endif
+.endm
+.macro lobe_rest name
+.L\name\()_small: /* m, until it is 2^27 */
+    lsls z, z, #1
+    subs y, #2
+    lsrs v, z, #27
+    beq .L\name\()_small
+    b .L\name\()_scaled
+.L\name\()_peak:
+    ldr v, [sp, #GLINT_AT_LINE_F_MAX]
+    cmp constants, v
+    bls .L\name\()_sum
+    movs constants, v
+    b .L\name\()_sum
+.endm
+
+/* Where most pixels come from: with steps, behind the lobe. */
+.macro put_value name, swapped, soft, steps
+.L\name\()_value: /* V in z, x, v */
+.if \soft
+    b .L\name\()_blend
+.else
+    levels_held .L\name\()_held
+.endif
+.L\name\()_levels:
+.if \steps
+    levels .L\name\()_open
+.else
+    levels .L\name\()_done
+.endif
+.if \swapped
+    rev16 y, y
+.endif
+.L\name\()_store:
+    strh y, [r1]
+    adds r1, #2
+.if \soft
+    mov r0, run_end
+    ldr y, [sp, #OUR_LINE_END]
+    cmp r1, y
+.else
+    cmp r1, run_end
+.endif
+.if \steps
+    beq 1f
+    b .L\name\()_alone
+1:
+.else
+    bne .L\name\()_pixel
+.endif
+    b .L\name\()_run
+.endm
+
 /* soft: from a pixel on that is covered in part, up to one that is not. steps: pixels without highlight from a table, where it has them. */
 .macro line_rgb565 name, swapped, mapped, soft, steps=0
     function \name
@@ -258,33 +354,11 @@
 .else
     base_plain
 .endif
-.L\name\()_value: /* V in z, x, v */
-.if \soft
-    b .L\name\()_blend
-.else
-    levels_held .L\name\()_held
-.endif
-.L\name\()_levels:
-    levels .L\name\()_done
-.if \swapped
-    rev16 y, y
-.endif
-.L\name\()_store:
-    strh y, [r1]
-    adds r1, #2
-.if \soft
-    mov r0, run_end
-    ldr y, [sp, #OUR_LINE_END]
-    cmp r1, y
-.else
-    cmp r1, run_end
-.endif
 .if \steps
-    bne .L\name\()_alone
+    b .L\name\()_value
 .else
-    bne .L\name\()_pixel
+    put_value \name, \swapped, \soft, \steps
 .endif
-    b .L\name\()_run
 
 .L\name\()_bright:
     movs nl, #1
@@ -297,18 +371,7 @@
     b .L\name\()_levels
 .endif
 
-.L\name\()_small: /* m, until it is 2^27 */
-    lsls z, z, #1
-    subs y, #2
-    lsrs v, z, #27
-    beq .L\name\()_small
-    b .L\name\()_scaled
-.L\name\()_peak:
-    ldr v, [sp, #GLINT_AT_LINE_F_MAX]
-    cmp constants, v
-    bls .L\name\()_sum
-    movs constants, v
-    b .L\name\()_sum
+    lobe_rest \name
 
 .L\name\()_first:
 .if \steps
@@ -324,47 +387,14 @@
     bhi .L\name\()_first
     str r1, [sp, #OUR_LAST]
     lsrs x, x, #1
-    ldr y, [sp, #GLINT_AT_LINE_K + 4 * GLINT_MSH_FACTOR]
-    lsrs z, x, #14
-    muls z, y
-    lsls v, x, #18
-    lsrs v, v, #18
-    muls v, y
-    asrs v, v, #14
-    adds z, z, v
-    ldr v, [sp, #GLINT_AT_LINE_K + 4 * GLINT_MSH_ADDEND]
-    adds z, z, v /* m, as msh_near has it */
-    ldr y, [sp, #GLINT_AT_LINE_K + 4 * GLINT_MSH_SHIFT]
-    lsrs v, z, #27
-    beq .L\name\()_small
-.L\name\()_scaled:
-    msh_reciprocal constants
-    movs constants, #1
-    lsls constants, constants, #30
-    subs constants, constants, x
-    msh_quotient .L\name\()_high, .L\name\()_peak
-.L\name\()_sum: /* F in constants */
-.if \mapped
-    albedo_at y, z
-.endif
-    channel z, x, 0, \mapped, y
-    channel x, v, 1, \mapped, y
-    ldr v, [sp, #BASE_NL(2)]
-    muls v, nl
-    ldr nl, [sp, #BASE_ONE(2)]
-    adds v, v, nl
-.if \mapped
-    lsrs v, v, #7
-    ldrb nl, [y, #2]
-    muls v, nl
-.endif
-    ldr nl, [sp, #GLINT_AT_LINE_R + 8]
-    muls nl, constants
-    adds v, v, nl
-.if \mapped
-    add_half y
-.endif
+    lobe \name, \mapped
+.if \steps
+    put_value \name, \swapped, \soft, \steps
+.L\name\()_open:
+    b .L\name\()_done
+.else
     b .L\name\()_value
+.endif
 .if \soft
 .L\name\()_blend: /* over what is there. r0 is kept where the run's end is not needed */
     movs y, #1
@@ -421,4 +451,117 @@
     line_rgb565 glint_line_rgb565_soft_swapped, 1, 0, 1
     line_rgb565 glint_line_rgb565_steps, 0, 0, 0, 1
     line_rgb565 glint_line_rgb565_steps_swapped, 1, 0, 0, 1
+
+/* ---- Of a span, from its pixel x on: as sample.c walks it ---- */
+
+#define t r0 /* and 2^GLINT_NEGATIVE_T_LOG: what is a little below 0 comes before all else */
+#define nl_q30 minus_hx
+#define dt minus_hy
+#define ddt minus_hz
+#define dnl first
+#define OUR_TURN OUR_MASK
+
+    function glint_line_rgb565_span
+    enter OURS+8
+    line_begin 0
+    ldmia r2!, {r3-r5} /* steps, span, turn */
+    str r3, [sp, #OUR_STEPS]
+    str r5, [sp, #OUR_TURN]
+    mov r3, first
+    str r3, [sp, #OUR_FIRST]
+    ldmia r4!, {r0, r2, r3, r5, r6}
+    mov dt, r2
+    mov ddt, r3
+    mov nl_q30, r5
+    mov dnl, r6
+    movs r3, #1
+    lsls r3, r3, #GLINT_NEGATIVE_T_LOG
+    adds t, t, r3
+    ldr r2, [sp, #GLINT_AT_LINE_T_END]
+    lsrs r2, r2, #1
+    adds r2, r2, r3
+    str r2, [sp, #GLINT_AT_LINE_T_END]
+    ldr r3, [sp, #OUR_LINE_END]
+    mov run_end, r3
+    cmp r1, r3
+    bne .Lspan_pixel
+    line_done span, OURS+8, 1
+
+.Lspan_dark:
+    movs nl, #0
+    b .Lspan_plain
+.Lspan_bright:
+    movs nl, #1
+    lsls nl, nl, #16
+    b .Lspan_lit
+.Lspan_pixel:
+    mov nl, nl_q30
+    add nl_q30, dnl
+    movs x, t
+    add t, dt
+    add dt, ddt
+    nl_rounded
+    ble .Lspan_dark
+    lsrs v, nl, #16
+    bne .Lspan_bright
+.Lspan_lit:
+    ldr y, [sp, #GLINT_AT_LINE_T_END]
+    cmp x, y
+    blo .Lspan_inside
+.Lspan_plain:
+    ldr z, [sp, #OUR_STEPS]
+    cmp z, #0
+    beq 1f
+    lsrs y, nl, #GLINT_STEPS_LOG
+    lsls y, y, #1
+    ldrh y, [z, y]
+    cmp y, #0
+    bne .Lspan_store
+1:  mov constants, sp
+    adds constants, #GLINT_AT_LINE_BASE
+    ldmia constants!, {x, z}
+    base_plain
+.Lspan_value:
+    levels_held .Lspan_held
+.Lspan_levels:
+    levels .Lspan_done
+    ldr v, [sp, #OUR_TURN]
+    lsls x, y, #16
+    orrs y, x
+    rors y, v
+.Lspan_store:
+    strh y, [r1]
+    adds r1, #2
+    cmp r1, run_end
+    bne .Lspan_pixel
+    b .Lspan_done
+
+.Lspan_held:
+    held_all
+    b .Lspan_levels
+
+    lobe_rest span
+
+.Lspan_below:
+    movs x, #0
+    b .Lspan_above
+.Lspan_inside:
+    movs v, #1
+    lsls v, v, #GLINT_NEGATIVE_T_LOG
+    subs x, x, v
+    blo .Lspan_below
+.Lspan_above:
+    ldr v, [sp, #OUR_FIRST]
+    cmp v, r1
+    bhi .Lspan_first_lit
+.Lspan_last:
+    str r1, [sp, #OUR_LAST]
+    lobe span, 0
+    b .Lspan_value
+.Lspan_first_lit:
+    str r1, [sp, #OUR_FIRST]
+    b .Lspan_last
+    .balign 4
+.Lspan_high:
+    .word GLINT_MSH_HIGH
 #endif
