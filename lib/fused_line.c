@@ -45,6 +45,7 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *p,
     loop->limit = 0 - ((albedo ? p->of.exact.w_maps : p->of.exact.w) << (32 - GLINT_LINE_SHIFT));
     const bool swapped = p->output.format == GLINT_RGB565_SWAPPED;
     loop->steps = NULL;
+    loop->dark = 0;
     loop->turn = swapped ? 8 : 0;
     loop->draw = albedo    ? swapped ? glint_line_rgb565_albedo_swapped : glint_line_rgb565_albedo
                  : swapped ? glint_line_rgb565_swapped
@@ -101,7 +102,11 @@ static void fused_edges(const struct glint_paint *paint, struct glint_lines *lin
 #define LINE_BYTES(loop) ((loop)->bytes)
 #else
 #define LINE_DRAW loop->draw
+#if GLINT_RISCV
 #define LINE_LACKS_DARK(loop) true
+#else
+#define LINE_LACKS_DARK(loop) (!(loop)->dark)
+#endif
 #define LINE_BYTES(loop) 2
 #endif
 
@@ -127,7 +132,6 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
 #endif
     loop->first = (const uint8_t *)UINTPTR_MAX;
     loop->last = NULL;
-    lines->count = 1; /* of a span, where it is walked */
     for (uint32_t x = 0; (x = LINE_DRAW(loop, x)) < lines->w; x++) {
         run->x = x;
 #if !GLINT_DSP
@@ -137,6 +141,7 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
         }
 #endif
         run->albedo = lines->albedo ? lines->albedo + 3 * x : NULL;
+        lines->count = 1;
         if (at)
             glint_lines_walk(paint, lines, at, &loop->sample);
         else

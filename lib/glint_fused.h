@@ -20,7 +20,7 @@ struct glint_line_loop {
     int32_t k[3]; /* MSH's; the shift less 1 */
     const uint8_t *reciprocals;
     uint32_t f_max;
-    uint32_t dark;      /* without a map: the pixel where N.L <= 0, in memory order; the caller's to set */
+    uint32_t dark;      /* without a map: the pixel where N.L <= 0, in memory order; 0: the caller's to set */
     int32_t minus_h[3]; /* added to a normal */
     uint32_t limit;     /* 2^32 - 2^7 W: from here on a fraction of a level, times 2^32, leaves it open */
     /* of the line: the caller */
