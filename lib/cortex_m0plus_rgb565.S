@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * glint_line_rgb565(loop, x), _swapped, _albedo, _albedo_swapped: the exact line of RGB565 under MSH, from pixel x on; _soft, _soft_swapped:
- * pixels of it that are covered in part, blended as coverage.c does, side by side; _steps, _steps_swapped: with paint.c's steps.
+ * pixels of it that are covered in part, blended as coverage.c does, side by side; _steps, _steps_swapped: with paint.c's steps; _span: of a
+ * span, in either order, with steps or without.
  *
  * The stages of an exact run in one loop: t and N.L from the normal (sample.c), where t is within the lobe F (lobe_msh.c),
  * then V and its levels (pixel_rgb.c), in the same steps. Pixels without light, and pixels without highlight, leave the
@@ -70,130 +71,90 @@
 1:
 .endm
 
-/* soft: from a pixel on that is covered in part, up to one that is not. steps: pixels without highlight from a table, where it has them. */
-.macro line_rgb565 name, swapped, mapped, soft, steps=0
-    function \name
-    enter OURS+8*\steps
-    line_begin \mapped
-.if \steps
-    ldmia r2!, {r4}
-    str r4, [sp, #OUR_STEPS]
-.endif
-.if \soft
-    ldr r7, .L\name\()_more
-    mov r6, limit
-    subs r6, r6, r7
-    mov limit, r6
-.L\name\()_run:
-    ldr y, [sp, #OUR_LINE_END]
-    cmp r1, y
-    bne .L\name\()_pixel
-    line_done \name, OURS
+/* Pixel second of two whose normals are three aligned words, from r0 on, by the table of steps, which is at constants: what is in the lobe, or
+ * not in the table, is drawn alone. A word may have a half that lies beside the map. A pixel's step is of N.L before this is rounded. */
+.macro pair_pixel name, second
+.L\name\()_pair\second:
+.if \second
+    ldr x, [r0, #4]
+    ldr z, [r0, #8]
+    adds r0, #12
+    asrs x, x, #16
+    sxth y, z
+    asrs z, z, #16
 .else
-    line_runs \name, OURS+8*\steps
+    ldr x, [r0]
+    ldr z, [r0, #4]
+    asrs y, x, #16
+    sxth x, x
+    sxth z, z
 .endif
-
-.L\name\()_dark:
-.if \mapped || \soft
-    movs nl, #0
-    b .L\name\()_far
-.else
-    ldr y, [sp, #GLINT_AT_LINE_DARK]
-    b .L\name\()_store
-.endif
-
-.L\name\()_far: /* t exceeds 32 bits */
-    ldmia constants!, {y}
-    b .L\name\()_plain
-
-.L\name\()_pixel:
-.if \soft
-    ldr v, [sp, #OUR_MASK_AT]
-    lsrs x, r1, #1
-    ldrb x, [x, v]
-    subs x, #1
-    cmp x, #254
-    bhs .L\name\()_done
-.endif
-    normal
-    ble .L\name\()_dark
-    lsrs v, nl, #16
-    bne .L\name\()_bright
-.L\name\()_lit:
-    distance .L\name\()_far
-    ldmia constants!, {y}
-    cmp x, y
-    blo .L\name\()_inside
-.L\name\()_plain:
-.if \steps
-    lsrs x, nl, #GLINT_STEPS_LOG
-    lsls x, x, #1
-    ldr z, [sp, #OUR_STEPS]
-    ldrh y, [z, x]
+    ldr nl, [sp, #GLINT_AT_LINE_L]
+    muls nl, x
+    ldr v, [sp, #GLINT_AT_LINE_L + 4]
+    muls v, y
+    adds nl, nl, v
+    ldr v, [sp, #GLINT_AT_LINE_L + 8]
+    muls v, z
+    adds nl, nl, v
+    lsrs v, nl, #30
+    bne .L\name\()_beyond\second
+.L\name\()_within\second:
+    distance .L\name\()_step\second
+    cmp x, t_most
+    blo .L\name\()_lobe\second
+.L\name\()_step\second:
+    lsrs v, nl, #14 + GLINT_STEPS_LOG
+    lsls v, v, #1
+    ldrh y, [constants, v]
     cmp y, #0
-    bne .L\name\()_store
-.endif
-    ldmia constants!, {x, z}
-.if \mapped
-    base_mapped
-.else
-    base_plain
-.endif
-.L\name\()_value: /* V in z, x, v */
-.if \soft
-    b .L\name\()_blend
-.else
-    levels_held .L\name\()_held
-.endif
-.L\name\()_levels:
-    levels .L\name\()_done
-.if \swapped
-    rev16 y, y
-.endif
-.L\name\()_store:
+    beq .L\name\()_miss\second
+.L\name\()_put\second:
     strh y, [r1]
     adds r1, #2
-.if \soft
-    mov r0, run_end
-    ldr y, [sp, #OUR_LINE_END]
-    cmp r1, y
-.else
     cmp r1, run_end
-.endif
-    bne .L\name\()_pixel
+.if \second
+    bne .L\name\()_pair0
     b .L\name\()_run
-
-.L\name\()_bright:
-    movs nl, #1
-    lsls nl, nl, #16
-    b .L\name\()_lit
-
-.if !\soft
-.L\name\()_held:
-    held_all
-    b .L\name\()_levels
+.else
+    beq .L\name\()_half
 .endif
+.endm
 
-.L\name\()_small: /* m, until it is 2^27 */
-    lsls z, z, #1
-    subs y, #2
-    lsrs v, z, #27
-    beq .L\name\()_small
-    b .L\name\()_scaled
-.L\name\()_peak:
-    ldr v, [sp, #GLINT_AT_LINE_F_MAX]
-    cmp constants, v
-    bls .L\name\()_sum
-    movs constants, v
-    b .L\name\()_sum
+/* What leaves it. */
+.macro pair_rest name
+.irp second, 0, 1
+.L\name\()_beyond\second: /* N.L < 0, or 1 or more */
+    cmp nl, #0
+    bmi .L\name\()_unlit\second
+    movs nl, #1
+    lsls nl, nl, #30
+    b .L\name\()_within\second
+.L\name\()_unlit\second:
+    ldr y, [sp, #GLINT_AT_LINE_DARK]
+    b .L\name\()_put\second
+.endr
+.L\name\()_half:
+    adds r0, #6
+    b .L\name\()_run
+.L\name\()_miss0:
+    adds r0, #6
+.L\name\()_miss1:
+    nl_rounded
+    mov constants, sp
+    adds constants, #GLINT_AT_LINE_BASE
+    b .L\name\()_base
+.L\name\()_lobe0:
+    adds r0, #6
+.L\name\()_lobe1:
+    nl_rounded
+    beq 1f
+    b .L\name\()_inside
+1:  b .L\name\()_dark
+.endm
 
-.L\name\()_first:
-    mov first, r1
-.L\name\()_inside:
-    cmp first, r1
-    bhi .L\name\()_first
-    str r1, [sp, #OUR_LAST]
-    lsrs x, x, #1
+/* F of t in x, and V in z, x, v; and what lies beside it. */
+.macro lobe name, mapped
     ldr y, [sp, #GLINT_AT_LINE_K + 4 * GLINT_MSH_FACTOR]
     lsrs z, x, #14
     muls z, y
@@ -234,7 +195,206 @@
 .if \mapped
     add_half y
 .endif
+.endm
+.macro lobe_rest name
+.L\name\()_small: /* m, until it is 2^27 */
+    lsls z, z, #1
+    subs y, #2
+    lsrs v, z, #27
+    beq .L\name\()_small
+    b .L\name\()_scaled
+.L\name\()_peak:
+    ldr v, [sp, #GLINT_AT_LINE_F_MAX]
+    cmp constants, v
+    bls .L\name\()_sum
+    movs constants, v
+    b .L\name\()_sum
+.endm
+
+/* Where most pixels come from: with steps, behind the lobe. */
+.macro put_value name, swapped, soft, steps
+.L\name\()_value: /* V in z, x, v */
+.if \soft
+    b .L\name\()_blend
+.else
+    levels_held .L\name\()_held
+.endif
+.L\name\()_levels:
+.if \steps
+    levels .L\name\()_open
+.else
+    levels .L\name\()_done
+.endif
+.if \swapped
+    rev16 y, y
+.endif
+.L\name\()_store:
+    strh y, [r1]
+    adds r1, #2
+.if \soft
+    mov r0, run_end
+    ldr y, [sp, #OUR_LINE_END]
+    cmp r1, y
+.else
+    cmp r1, run_end
+.endif
+.if \steps
+    beq 1f
+    b .L\name\()_alone
+1:
+.else
+    bne .L\name\()_pixel
+.endif
+    b .L\name\()_run
+.endm
+
+/* soft: from a pixel on that is covered in part, up to one that is not. steps: pixels without highlight from a table, where it has them. */
+.macro line_rgb565 name, swapped, mapped, soft, steps=0
+    function \name
+    enter OURS+8*\steps
+    line_begin \mapped
+.if \steps
+    ldmia r2!, {r4}
+    str r4, [sp, #OUR_STEPS]
+    mov r4, first
+    str r4, [sp, #OUR_FIRST]
+    ldr r4, [sp, #GLINT_AT_LINE_T_END]
+    mov t_most, r4
+    b .L\name\()_run
+    pair_pixel \name, 0
+    pair_pixel \name, 1
+    pair_rest \name
+.L\name\()_pixel: /* by two, from the first or the second on */
+    ldr constants, [sp, #OUR_STEPS]
+    lsls y, r0, #30
+    bne 1f
+    b .L\name\()_pair0
+1:  subs r0, #6
+    b .L\name\()_pair1
+.endif
+.if \soft
+    ldr r7, .L\name\()_more
+    mov r6, limit
+    subs r6, r6, r7
+    mov limit, r6
+.L\name\()_run:
+    ldr y, [sp, #OUR_LINE_END]
+    cmp r1, y
+    bne .L\name\()_pixel
+    line_done \name, OURS
+.else
+    line_runs \name, OURS+8*\steps, \steps
+.endif
+
+.L\name\()_dark:
+.if \mapped || \soft
+    movs nl, #0
+    b .L\name\()_far
+.else
+    ldr y, [sp, #GLINT_AT_LINE_DARK]
+.if \steps
+    b .L\name\()_stored
+.else
+    b .L\name\()_store
+.endif
+.endif
+
+.L\name\()_far: /* t exceeds 32 bits */
+.if !\steps
+    ldmia constants!, {y}
+.endif
+    b .L\name\()_plain
+
+.if \steps
+.L\name\()_stored: /* as the last of _pair0 and _pair1 */
+    strh y, [r1]
+    adds r1, #2
+    cmp r1, run_end
+    bne .L\name\()_pixel
+    b .L\name\()_run
+.L\name\()_alone:
+.else
+.L\name\()_pixel:
+.endif
+.if \soft
+    ldr v, [sp, #OUR_MASK_AT]
+    lsrs x, r1, #1
+    ldrb x, [x, v]
+    subs x, #1
+    cmp x, #254
+    bhs .L\name\()_done
+.endif
+    normal
+    ble .L\name\()_dark
+    lsrs v, nl, #16
+    bne .L\name\()_bright
+.L\name\()_lit:
+    distance .L\name\()_far
+.if \steps
+    cmp x, t_most
+.else
+    ldmia constants!, {y}
+    cmp x, y
+.endif
+    blo .L\name\()_inside
+.L\name\()_plain:
+.if \steps
+    adds constants, #4
+    lsrs x, nl, #GLINT_STEPS_LOG
+    lsls x, x, #1
+    ldr z, [sp, #OUR_STEPS]
+    ldrh y, [z, x]
+    cmp y, #0
+    bne .L\name\()_stored
+.L\name\()_base:
+.endif
+    ldmia constants!, {x, z}
+.if \mapped
+    base_mapped
+.else
+    base_plain
+.endif
+.if \steps
     b .L\name\()_value
+.else
+    put_value \name, \swapped, \soft, \steps
+.endif
+
+.L\name\()_bright:
+    movs nl, #1
+    lsls nl, nl, #16
+    b .L\name\()_lit
+
+.if !\soft
+.L\name\()_held:
+    held_all
+    b .L\name\()_levels
+.endif
+
+    lobe_rest \name
+
+.L\name\()_first:
+.if \steps
+    str r1, [sp, #OUR_FIRST]
+.L\name\()_inside:
+    ldr v, [sp, #OUR_FIRST]
+    cmp v, r1
+.else
+    mov first, r1
+.L\name\()_inside:
+    cmp first, r1
+.endif
+    bhi .L\name\()_first
+    str r1, [sp, #OUR_LAST]
+    lsrs x, x, #1
+    lobe \name, \mapped
+.if \steps
+    put_value \name, \swapped, \soft, \steps
+.L\name\()_open:
+    b .L\name\()_done
+.else
+    b .L\name\()_value
+.endif
 .if \soft
 .L\name\()_blend: /* over what is there. r0 is kept where the run's end is not needed */
     movs y, #1
@@ -291,4 +451,117 @@
     line_rgb565 glint_line_rgb565_soft_swapped, 1, 0, 1
     line_rgb565 glint_line_rgb565_steps, 0, 0, 0, 1
     line_rgb565 glint_line_rgb565_steps_swapped, 1, 0, 0, 1
+
+/* ---- Of a span, from its pixel x on: as sample.c walks it ---- */
+
+#define t r0 /* and 2^GLINT_NEGATIVE_T_LOG: what is a little below 0 comes before all else */
+#define nl_q30 minus_hx
+#define dt minus_hy
+#define ddt minus_hz
+#define dnl first
+#define OUR_TURN OUR_MASK
+
+    function glint_line_rgb565_span
+    enter OURS+8
+    line_begin 0
+    ldmia r2!, {r3-r5} /* steps, span, turn */
+    str r3, [sp, #OUR_STEPS]
+    str r5, [sp, #OUR_TURN]
+    mov r3, first
+    str r3, [sp, #OUR_FIRST]
+    ldmia r4!, {r0, r2, r3, r5, r6}
+    mov dt, r2
+    mov ddt, r3
+    mov nl_q30, r5
+    mov dnl, r6
+    movs r3, #1
+    lsls r3, r3, #GLINT_NEGATIVE_T_LOG
+    adds t, t, r3
+    ldr r2, [sp, #GLINT_AT_LINE_T_END]
+    lsrs r2, r2, #1
+    adds r2, r2, r3
+    str r2, [sp, #GLINT_AT_LINE_T_END]
+    ldr r3, [sp, #OUR_LINE_END]
+    mov run_end, r3
+    cmp r1, r3
+    bne .Lspan_pixel
+    line_done span, OURS+8, 1
+
+.Lspan_dark:
+    movs nl, #0
+    b .Lspan_plain
+.Lspan_bright:
+    movs nl, #1
+    lsls nl, nl, #16
+    b .Lspan_lit
+.Lspan_pixel:
+    mov nl, nl_q30
+    add nl_q30, dnl
+    movs x, t
+    add t, dt
+    add dt, ddt
+    nl_rounded
+    ble .Lspan_dark
+    lsrs v, nl, #16
+    bne .Lspan_bright
+.Lspan_lit:
+    ldr y, [sp, #GLINT_AT_LINE_T_END]
+    cmp x, y
+    blo .Lspan_inside
+.Lspan_plain:
+    ldr z, [sp, #OUR_STEPS]
+    cmp z, #0
+    beq 1f
+    lsrs y, nl, #GLINT_STEPS_LOG
+    lsls y, y, #1
+    ldrh y, [z, y]
+    cmp y, #0
+    bne .Lspan_store
+1:  mov constants, sp
+    adds constants, #GLINT_AT_LINE_BASE
+    ldmia constants!, {x, z}
+    base_plain
+.Lspan_value:
+    levels_held .Lspan_held
+.Lspan_levels:
+    levels .Lspan_done
+    ldr v, [sp, #OUR_TURN]
+    lsls x, y, #16
+    orrs y, x
+    rors y, v
+.Lspan_store:
+    strh y, [r1]
+    adds r1, #2
+    cmp r1, run_end
+    bne .Lspan_pixel
+    b .Lspan_done
+
+.Lspan_held:
+    held_all
+    b .Lspan_levels
+
+    lobe_rest span
+
+.Lspan_below:
+    movs x, #0
+    b .Lspan_above
+.Lspan_inside:
+    movs v, #1
+    lsls v, v, #GLINT_NEGATIVE_T_LOG
+    subs x, x, v
+    blo .Lspan_below
+.Lspan_above:
+    ldr v, [sp, #OUR_FIRST]
+    cmp v, r1
+    bhi .Lspan_first_lit
+.Lspan_last:
+    str r1, [sp, #OUR_LAST]
+    lobe span, 0
+    b .Lspan_value
+.Lspan_first_lit:
+    str r1, [sp, #OUR_FIRST]
+    b .Lspan_last
+    .balign 4
+.Lspan_high:
+    .word GLINT_MSH_HIGH
 #endif

@@ -223,7 +223,7 @@ enum glint_err glint_draw_rect_by(const struct glint_paint *paint, const struct 
     enum glint_err err = draw_begin(&lines, paint, h, true);
     if (!err)
         err = draw_check(paint, maps, w, h, target);
-    if (!err && (lines.draw != draw_exactly || !glint_fused_lines(paint, &lines, h, highlight)))
+    if (!err && (lines.draw != draw_exactly || !glint_fused_lines(paint, &lines, NULL, h, highlight)))
         lines.draw(paint, &lines, NULL, h, highlight);
     return err;
 }
@@ -250,7 +250,8 @@ draw_span(const struct glint_paint *paint, const struct glint_span *span, const 
         at.nl_q30 = -1;
         at.dnl_q30 = 0;
     }
-    lines.draw(paint, &lines, &at, 1, highlight);
+    if (lines.draw != draw_exactly || !glint_fused_lines(paint, &lines, &at, 1, highlight))
+        lines.draw(paint, &lines, &at, 1, highlight);
     return GLINT_OK;
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * The exact line of RGB565 under MSH in one loop: in assembly for ARMv6-M (cortex_m0plus_rgb565.S), what a rectangle folds to for it, and
- * rectangles by it or by the DSP extension's (fused_dsp.c). */
+ * rectangles and spans by it or by the DSP extension's (fused_dsp.c). */
 #include "glint_fused.h"
 
 #if GLINT_CORTEX_M0PLUS_ASM && GLINT_FUSED
@@ -19,6 +19,7 @@ typedef char glint_line_layout[LINE_AT(l, GLINT_AT_LINE_L) && LINE_AT(t_end, GLI
                                        LINE_AT(normals, GLINT_AT_LINE_OUT + 12) &&
                                        LINE_AT(albedo, GLINT_AT_LINE_OUT + 16) && LINE_AT(first, GLINT_AT_LINE_LIT) &&
                                        LINE_AT(last, GLINT_AT_LINE_LIT + 4) && LINE_AT(steps, GLINT_AT_LINE_LIT + 8) &&
+                                       LINE_AT(at, GLINT_AT_LINE_LIT + 12) && LINE_AT(turn, GLINT_AT_LINE_LIT + 16) &&
                                        sizeof(struct glint_vec) == 6
                                    ? 1
                                    : -1];
@@ -43,6 +44,9 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *p,
     loop->reciprocals = glint_reciprocals;
     loop->limit = 0 - ((albedo ? p->of.exact.w_maps : p->of.exact.w) << (32 - GLINT_LINE_SHIFT));
     const bool swapped = p->output.format == GLINT_RGB565_SWAPPED;
+    loop->steps = NULL;
+    loop->dark = 0;
+    loop->turn = swapped ? 8 : 0;
     loop->draw = albedo    ? swapped ? glint_line_rgb565_albedo_swapped : glint_line_rgb565_albedo
                  : swapped ? glint_line_rgb565_swapped
                            : glint_line_rgb565;
@@ -98,13 +102,19 @@ static void fused_edges(const struct glint_paint *paint, struct glint_lines *lin
 #define LINE_BYTES(loop) ((loop)->bytes)
 #else
 #define LINE_DRAW loop->draw
+#if GLINT_RISCV
 #define LINE_LACKS_DARK(loop) true
+#else
+#define LINE_LACKS_DARK(loop) (!(loop)->dark)
+#endif
 #define LINE_BYTES(loop) 2
 #endif
 
+#define LINE_LACKS_SPANS !GLINT_CORTEX_M0PLUS_ASM
+
 /* A line by the loop; pixels that this leaves open by the 64-bit sequence. */
 static void fused_line(struct glint_line_loop *loop, const struct glint_paint *paint, struct glint_lines *lines,
-                       struct glint_bounds *bounds, uint32_t y)
+                       struct glint_span *at, struct glint_bounds *bounds, uint32_t y)
 {
     struct glint_run *const run = &lines->run;
     const struct glint_vec *normals = (const struct glint_vec *)(const void *)lines->normals;
@@ -131,7 +141,11 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
         }
 #endif
         run->albedo = lines->albedo ? lines->albedo + 3 * x : NULL;
-        glint_samples_half(&paint->l, &paint->v, &paint->h, normals + x, &loop->sample, 1);
+        lines->count = 1;
+        if (at)
+            glint_lines_walk(paint, lines, at, &loop->sample);
+        else
+            glint_samples_half(&paint->l, &paint->v, &paint->h, normals + x, &loop->sample, 1);
         glint_paint_exactly(paint, run, 0, &loop->sample);
     }
 #if GLINT_DSP
@@ -144,28 +158,36 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
     }
 }
 
-bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
+bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
                        struct glint_box *highlight)
 {
     const struct glint_use_format *format = paint->format;
     const struct glint_surface *target = lines->target;
     struct glint_line_loop loop;
-    if (!format->begin || lines->maps->gloss || lines->maps->normals_format != GLINT_NORMALS_INT16 ||
-        (paint->of.exact.high && lines->maps->albedo) ||
+    const struct glint_maps *const maps = lines->maps;
+    const bool albedo = maps && maps->albedo;
+    if (!format->begin ||
+        (at ? LINE_LACKS_SPANS || maps : maps->gloss || maps->normals_format != GLINT_NORMALS_INT16) ||
+        (paint->of.exact.high && albedo) ||
         (glint_format_is_565(paint->output.format) &&
          (GLINT_MISALIGNED(target->pixels, 16) || (h > 1 && GLINT_MISALIGNED(target->stride, 16)))) ||
-        !format->begin(&loop, paint, lines->maps->albedo != NULL))
+        !format->begin(&loop, paint, albedo))
         return false;
     struct glint_bounds bounds;
     glint_bounds_begin(&bounds);
-    if (LINE_LACKS_DARK(&loop))
+    if (LINE_LACKS_DARK(&loop) && !at)
         glint_line_dark(&loop, paint);
+#if !LINE_LACKS_SPANS
+    if (at)
+        loop.draw = glint_line_rgb565_span;
+    loop.at = at;
+#endif
 #if GLINT_DSP
     loop.seeks = highlight != NULL;
 #endif
     for (uint32_t y = 0; y < h; y++) {
         glint_lines_set(lines, y);
-        fused_line(&loop, paint, lines, &bounds, y);
+        fused_line(&loop, paint, lines, at, &bounds, y);
     }
     glint_bounds_box(&bounds, highlight);
     return true;
@@ -201,14 +223,14 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
     }
 }
 
-bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
+bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
                        struct glint_box *highlight)
 {
     const struct glint_use_format *format = paint->format;
     const struct glint_surface *target = lines->target;
     struct glint_line_loop loop;
     struct glint_bounds bounds;
-    if (!format->begin || lines->maps->gloss || (lines->maps->coverage && !lines->soft) ||
+    if (at || !format->begin || lines->maps->gloss || (lines->maps->coverage && !lines->soft) ||
         lines->maps->normals_format != GLINT_NORMALS_INT16 || GLINT_MISALIGNED(target->pixels, 16) ||
         (h > 1 && GLINT_MISALIGNED(target->stride, 16)) || !format->begin(&loop, paint, lines->maps->albedo != NULL))
         return false;

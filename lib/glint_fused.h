@@ -20,7 +20,7 @@ struct glint_line_loop {
     int32_t k[3]; /* MSH's; the shift less 1 */
     const uint8_t *reciprocals;
     uint32_t f_max;
-    uint32_t dark;      /* without a map: the pixel where N.L <= 0, in memory order; the caller's to set */
+    uint32_t dark;      /* without a map: the pixel where N.L <= 0, in memory order; 0: the caller's to set */
     int32_t minus_h[3]; /* added to a normal */
     uint32_t limit;     /* 2^32 - 2^7 W: from here on a fraction of a level, times 2^32, leaves it open */
     /* of the line: the caller */
@@ -30,9 +30,11 @@ struct glint_line_loop {
     const struct glint_vec *normals;
     const uint8_t *albedo;
     const uint8_t *first,
-        *last;                  /* where in out pixels are lit: the caller sets first to the end of memory, last to 0 */
-    const uint16_t *steps;      /* of the rectangle: paint.c's */
-    struct glint_sample sample; /* of one that is left open: the caller's */
+        *last;             /* where in out pixels are lit: the caller sets first to the end of memory, last to 0 */
+    const uint16_t *steps; /* of the rectangle: paint.c's, or NULL */
+    const struct glint_span *at; /* of a span: from pixel x on */
+    uint32_t turn;               /* of a span: 8 where bytes are swapped, or 0 */
+    struct glint_sample sample;  /* of one that is left open: the caller's */
     /* Draws from pixel x on, up to one that the bound leaves open: its number, or w. */
     uint32_t (*draw)(struct glint_line_loop *loop, uint32_t x);
 };
@@ -67,6 +69,7 @@ uint32_t glint_line_rgb565_soft(struct glint_line_loop *loop, uint32_t x);
 uint32_t glint_line_rgb565_soft_swapped(struct glint_line_loop *loop, uint32_t x);
 uint32_t glint_line_rgb565_steps(struct glint_line_loop *loop, uint32_t x);
 uint32_t glint_line_rgb565_steps_swapped(struct glint_line_loop *loop, uint32_t x);
+uint32_t glint_line_rgb565_span(struct glint_line_loop *loop, uint32_t x);
 #define GLINT_LINE 1
 #elif GLINT_HELIUM
 /* Eight pixels at a time. V of a channel: 2^30 is 1.0. helium.c has the numbers' meaning and bounds. */
@@ -189,16 +192,16 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *pa
 /* Sets dark, the pixel where N.L <= 0; not for Helium. */
 void glint_line_dark(struct glint_line_loop *loop, const struct glint_paint *paint);
 
-/* Draws a rectangle by it; false where it cannot, and nothing is drawn. */
-bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
+/* Draws a rectangle by it, or a span; false where it cannot, and nothing is drawn. */
+bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
                        struct glint_box *highlight);
 #define GLINT_LINE_BEGIN glint_line_begin
 #else
 #define GLINT_LINE_BEGIN NULL
-static inline bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, uint32_t h,
-                                     struct glint_box *highlight)
+static inline bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
+                                     uint32_t h, struct glint_box *highlight)
 {
-    (void)paint, (void)lines, (void)h, (void)highlight;
+    (void)paint, (void)lines, (void)at, (void)h, (void)highlight;
     return false;
 }
 #endif

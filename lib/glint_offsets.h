@@ -156,11 +156,11 @@
 #define GLINT_AT_LINE_COPIED 76
 #define GLINT_AT_LINE_MINUS_H 76 /* with limit behind it: one load of four words */
 #define GLINT_AT_LINE_OUT 92     /* with w, mask, normals and albedo behind it: one load of five words */
-#define GLINT_AT_LINE_LIT 112    /* with steps behind it */
+#define GLINT_AT_LINE_LIT 112    /* with steps, span and turn behind it */
 #define GLINT_STEPS_LOG 6        /* values of nl to a step of a table, as a power of two */
 
 /* Of glint_grain_loop: 14 words that are copied, too. */
-#define GLINT_AT_GRAIN 140
+#define GLINT_AT_GRAIN 148
 
 /* What of.exact.k's copy in the line's loop is where there is grain: GLINT_GRAIN_SHIFT less 1. */
 #define GLINT_GRAIN_UP 0

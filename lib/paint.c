@@ -260,7 +260,7 @@ bool glint_light_half(struct glint_vec *h, const int32_t l_q30[3], const int32_t
 /* ---- Steps ---- */
 
 /* What a paint draws without highlight is of N.L alone. Where the ends of a step of N.L, and so all of it, are one pixel the table has
- * this, elsewhere, at one step in eight, 0. */
+ * this, elsewhere, at one step in eight, 0. The next step's first value is one of the ends: that is what N.L just below it is rounded to. */
 enum glint_err glint_paint_steps_for(struct glint_paint *paint, const struct glint_use_format *format, void *memory,
                                      size_t bytes)
 {
@@ -277,7 +277,7 @@ enum glint_err glint_paint_steps_for(struct glint_paint *paint, const struct gli
     for (uint32_t i = 0; i <= 65536 >> GLINT_STEPS_LOG; i++) {
         uint8_t ends[2][2];
         struct glint_sample samples[2] = {{UINT32_MAX, i << GLINT_STEPS_LOG, 0}, {UINT32_MAX, 0, 0}};
-        samples[1].nl_q16 = samples[0].nl_q16 | (i << GLINT_STEPS_LOG < 65536 ? (1u << GLINT_STEPS_LOG) - 1 : 0);
+        samples[1].nl_q16 = samples[0].nl_q16 + (i << GLINT_STEPS_LOG < 65536 ? 1u << GLINT_STEPS_LOG : 0);
         run.line = ends[0];
         steps[i] = 0; /* not the pixel of a table before */
         const uint32_t open = glint_run_levels(paint, &run, samples, 2);

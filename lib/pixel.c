@@ -10,17 +10,28 @@ const uint16_t glint_bayer_rows[4] GLINT_FLASH = {0xa280, 0x6e4c, 0x91b3, 0x5d7f
 const struct glint_format_traits glint_formats[GLINT_FORMAT_COUNT] GLINT_FLASH = {GLINT_FORMATS(PIXEL_TRAITS)};
 #undef PIXEL_TRAITS
 
+/* a x for a <= 2^16, x < 2^48: by products of 32 bits where one of 64 is a function. */
+static inline uint64_t pixel_product(uint32_t a, uint64_t x)
+{
+#if GLINT_THUMB1
+    const uint32_t low = (uint32_t)x, high = (uint32_t)(x >> 32);
+    return a * (low & 0xffff) + ((uint64_t)(a * (low >> 16)) << 16) + ((uint64_t)(a * high) << 32);
+#else
+    return a * x;
+#endif
+}
+
 uint64_t glint_exact_value(const struct glint_material *m, unsigned k, uint32_t albedo, uint32_t nl_q16, uint64_t shine)
 {
     const uint64_t lit = ((uint64_t)glint_coefficient(m->ambient_q16[k]) << 16) +
-                         (uint64_t)glint_coefficient(m->diffuse_q16[k]) * nl_q16;
-    const uint64_t x = albedo * lit + glint_coefficient(m->specular_q16[k]) * shine;
+                         pixel_product(glint_coefficient(m->diffuse_q16[k]), nl_q16);
+    const uint64_t x = pixel_product(albedo, lit) + pixel_product(glint_coefficient(m->specular_q16[k]), shine);
     return x < PIXEL_ONE ? x : PIXEL_ONE;
 }
 
 uint32_t glint_exact_level(uint64_t x, uint32_t max, uint32_t weight)
 {
-    const uint32_t z = (uint32_t)((x * max + ((uint64_t)65535 << 27) * weight) >> 32);
+    const uint32_t z = (uint32_t)((pixel_product(max, x) + ((uint64_t)(65535 * weight) << 27)) >> 32);
     /* z / 65535 for z = 65535 q + r = 65536 q + r - q, q <= 256: z >> 16 is q, or q - 1 where r < q */
     return (z + (z >> 16) + 1) >> 16;
 }
@@ -31,7 +42,7 @@ uint64_t glint_exact_channel(const struct glint_paint *paint, const struct glint
 {
     const uint8_t *albedo = run->albedo ? run->albedo + 3 * i : paint->material.albedo;
     const uint32_t gloss = (run->gloss ? run->gloss[i] : 255) * 257u;
-    return glint_exact_value(&paint->material, k, albedo[k] * 257u, sum->nl_q16, (uint64_t)gloss * sum->f_q16);
+    return glint_exact_value(&paint->material, k, albedo[k] * 257u, sum->nl_q16, pixel_product(gloss, sum->f_q16));
 }
 
 void glint_exact_levels(uint8_t levels[4], const struct glint_paint *paint, const struct glint_run *run, unsigned i,

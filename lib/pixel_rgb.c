@@ -68,6 +68,7 @@ static bool rgb565_steps_begin(struct glint_line_loop *loop, const struct glint_
     if (!glint_line_begin(loop, paint, albedo))
         return false;
     loop->steps = paint->of.exact.steps;
+    loop->dark = loop->steps[0];
     if (!albedo)
         loop->draw = paint->output.format == GLINT_RGB565 ? glint_line_rgb565_steps : glint_line_rgb565_steps_swapped;
     return true;

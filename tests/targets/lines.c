@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * For cores with an exact line of their own: rectangles that it draws, beside the same ones by the stages in C, byte for byte. An output at an
+ * For cores with an exact line of their own: rectangles, and on the Cortex-M0+ spans, that it draws, beside the same ones by the stages in C, byte for byte. An output at an
  * odd address, for the DSP extension's loops a map of gloss, is what leads to those in the same program. The linker's --wrap=glint_line_begin
  * leads here, where calls are counted.
  * LINES_FAULT: the loop takes W for 1 / LINES_FAULT of what it is, which must show. */
@@ -187,8 +187,27 @@ static void make_maps(uint32_t mask_kind)
         before[i] = mask_kind == 2 ? GUARD : (uint8_t)below(256);
 }
 
+/* Any span, or false. */
+static bool make_span(struct glint_span *span, const struct glint_paint *paint, uint16_t w)
+{
+    const int32_t spread = 1 << below(15);
+    struct glint_vec last = normals[0];
+    last.x = (int16_t)(last.x + (int32_t)below((uint32_t)spread) - spread / 2);
+    last.z = (int16_t)(last.z + (int32_t)below((uint32_t)spread) - spread / 2);
+    if (glint_span_init(span, paint, &normals[0], below(3) ? &last : &normals[1], w))
+        return false;
+    if (below(8) == 0) { /* whatever was written there */
+        span->t_q30 = below(65536) << below(17);
+        span->dt_q30 = (uint32_t)(int32_t)any() << below(17);
+        span->ddt_q30 = below(65536) << below(17);
+        span->nl_q30 = (int32_t)((uint32_t)any() << below(17));
+    }
+    return true;
+}
+
 /* As the case says, into out[c]. */
-static struct glint_box draw(const struct glint_paint *paint, const struct glint_maps *maps, uint16_t w, uint8_t c)
+static struct glint_box draw(const struct glint_paint *paint, const struct glint_maps *maps,
+                             const struct glint_span *span, uint16_t w, uint8_t c)
 {
     struct glint_box box = {0, 0, 0, 0};
     uint8_t *bytes = (uint8_t *)out[c];
@@ -200,7 +219,7 @@ static struct glint_box draw(const struct glint_paint *paint, const struct glint
         in_c.gloss = gloss;
         in_c.gloss_stride = W + 1;
     }
-    if (glint_draw_rect(paint, &in_c, w, H, &surface, &box))
+    if (span ? glint_draw_span(paint, span, 0, &surface, &box) : glint_draw_rect(paint, &in_c, w, H, &surface, &box))
         say("# refused\n");
     return box;
 }
@@ -245,9 +264,13 @@ static bool case_is_same(uint32_t number)
         .coverage_stride = W + 1};
     const uint16_t w = GLINT_DSP && number / 16 % 2 ? W : widths[number / 2 % 8];
     struct glint_paint fast = paint;
-    if (GLINT_CORTEX_M0PLUS_ASM && !grain && number % 32 >= 30 && glint_paint_steps(&fast, tables, sizeof tables))
+    struct glint_span span, *of = NULL;
+    if (GLINT_CORTEX_M0PLUS_ASM && !grain && number % 8 == 4 && make_span(&span, &paint, w))
+        of = &span;
+    if (GLINT_CORTEX_M0PLUS_ASM && !grain && (number % 8 >= 6 || number % 16 == 12) &&
+        glint_paint_steps(&fast, tables, sizeof tables))
         return false;
-    const struct glint_box box = draw(&fast, &maps, w, 0), expected = draw(&paint, &maps, w, 1);
+    const struct glint_box box = draw(&fast, &maps, of, w, 0), expected = draw(&paint, &maps, of, w, 1);
     if (same(&box, &expected))
         return true;
     say("# case ");
@@ -306,18 +329,8 @@ static bool table_case_is_same(struct glint_paint *paint, uint32_t number)
     struct glint_span span, *of = NULL;
     make_words(paint);
     if (number & 1) {
-        const int32_t spread = 1 << below(15);
-        struct glint_vec last = normals[0];
-        last.x = (int16_t)(last.x + (int32_t)below((uint32_t)spread) - spread / 2);
-        last.z = (int16_t)(last.z + (int32_t)below((uint32_t)spread) - spread / 2);
-        if (glint_span_init(&span, paint, &normals[0], below(3) ? &last : &normals[1], w))
+        if (!make_span(&span, paint, w))
             return true;
-        if (below(8) == 0) { /* whatever was written there */
-            span.t_q30 = below(65536) << below(17);
-            span.dt_q30 = (uint32_t)(int32_t)any() << below(17);
-            span.ddt_q30 = below(65536) << below(17);
-            span.nl_q30 = (int32_t)((uint32_t)any() << below(17));
-        }
         of = &span;
     }
     draw_table_case(paint, of, w, 0);

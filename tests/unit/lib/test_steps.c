@@ -55,6 +55,29 @@ static void every_pixel_of_a_paint_with_steps_is_that_without(void **state)
     }
 }
 
+/* N.L just below a step's end is rounded to the next one's first value: assembly looks it up before. */
+static void a_step_is_one_pixel_up_to_the_first_value_of_the_next(void **state)
+{
+    (void)state;
+    static uint16_t wanted[65536 + PART];
+    for (int i = 0; i < 100; i++) {
+        const struct look look = undithered(i % 2 ? GLINT_RGB565 : GLINT_RGB565_SWAPPED, GLINT_GAMMA);
+        struct glint_paint paint;
+        paint_of(&paint, &look);
+        for (uint32_t first = 0; first <= 65536; first += PART)
+            draw_part(&paint, first, first < 65536 ? PART : 1, false, wanted + first);
+        assert_int_equal(glint_paint_steps(&paint, steps, sizeof steps), GLINT_OK);
+        for (uint32_t nl = 0; nl <= 65536; nl++) {
+            const uint8_t *bytes = (const uint8_t *)&wanted[nl];
+            const uint16_t pixel = (uint16_t)(bytes[0] | bytes[1] << 8), step = steps[nl / 64];
+            if (step)
+                assert_int_equal(step, pixel);
+            if (nl && nl % 64 == 0 && steps[nl / 64 - 1])
+                assert_int_equal(steps[nl / 64 - 1], pixel);
+        }
+    }
+}
+
 static void lights_of_another_colour_and_several_draw_as_without_steps(void **state)
 {
     (void)state;
@@ -155,6 +178,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_pixel_of_a_paint_with_steps_is_that_without),
+        cmocka_unit_test(a_step_is_one_pixel_up_to_the_first_value_of_the_next),
         cmocka_unit_test(lights_of_another_colour_and_several_draw_as_without_steps),
         cmocka_unit_test(what_maps_change_is_drawn_as_without_steps),
         cmocka_unit_test(steps_of_what_has_none_are_refused),
