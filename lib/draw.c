@@ -249,7 +249,8 @@ draw_span(const struct glint_paint *paint, const struct glint_span *span, const 
         at.nl_q30 = -1;
         at.dnl_q30 = 0;
     }
-    lines.draw(paint, &lines, &at, 1, highlight);
+    if (lines.draw != draw_exactly || !glint_fused_walk(paint, &lines, &at, highlight))
+        lines.draw(paint, &lines, &at, 1, highlight);
     return GLINT_OK;
 }
 

@@ -203,6 +203,19 @@ static inline bool glint_fused_lines(const struct glint_paint *paint, struct gli
 }
 #endif
 
+/* The same of a span, *at; false where there are maps, too. */
+#if GLINT_HELIUM
+bool glint_fused_walk(const struct glint_paint *paint, struct glint_lines *lines, const struct glint_span *at,
+                      struct glint_box *highlight);
+#else
+static inline bool glint_fused_walk(const struct glint_paint *paint, struct glint_lines *lines,
+                                    const struct glint_span *at, struct glint_box *highlight)
+{
+    (void)paint, (void)lines, (void)at, (void)highlight;
+    return false;
+}
+#endif
+
 /* Draws a span without maps by tables; false where it cannot, and nothing is drawn. This comes before all checks, as a short span costs
  * little more than they do. */
 static inline bool glint_fused_span(const struct glint_paint *paint, const struct glint_span *span,
