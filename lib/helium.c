@@ -13,7 +13,7 @@
 
 enum {
     HELIUM_EIGHT = 8,
-    HELIUM_FEW = 4 /* shorter spans go the general way, which prepares less */,
+    HELIUM_FEW = 6 /* shorter spans go the general way, which prepares less */,
     HELIUM_NORMAL = sizeof(struct glint_vec)
 };
 typedef char glint_helium_normal[HELIUM_NORMAL == 6 ? 1 : -1];
@@ -206,15 +206,17 @@ static void helium_line(struct glint_line_loop *loop, const struct glint_paint *
     }
 }
 
-/* a 2^bits / 255, rounded down: a < 2^31, bits <= 10. */
-static uint32_t helium_by_255(uint32_t a, unsigned bits)
+/* 256 a / 255, rounded down: a < 2^31. */
+static uint32_t helium_by_255(uint32_t a)
 {
-    return (a / 255 << bits) + (a % 255 << bits) / 255;
+    return a + a / 255;
 }
 
 /* A coefficient by its light's colour. */
 static uint32_t helium_tinted(uint32_t coefficient, uint32_t color_q16)
 {
+    if (color_q16 == 65536)
+        return coefficient;
     const uint64_t tinted = (uint64_t)coefficient * color_q16 >> 16;
     return tinted > INT32_MAX ? (uint32_t)1 << 31 : (uint32_t)tinted;
 }
@@ -226,13 +228,13 @@ static bool helium_fold(struct glint_line_loop *loop, const struct glint_paint *
     const uint32_t green = k == 1, max = green ? 63 : 31, color = paint->color_q16[k];
     const uint32_t a = m->albedo[k] * max; /* V of 1.0 is max 2^25, green 2^24 */
     const uint32_t p =
-        helium_by_255(a * glint_coefficient(m->ambient_q16[k]), 9 - green) + ((uint32_t)1 << (24 - green));
-    const uint32_t q = helium_by_255(a * glint_coefficient(m->diffuse_q16[k]), 10 - green);
+        helium_by_255(a * glint_coefficient(m->ambient_q16[k]) << (1 - green)) + ((uint32_t)1 << (24 - green));
+    const uint32_t q = helium_by_255(a * glint_coefficient(m->diffuse_q16[k]) << (2 - green));
     const uint32_t r = max * glint_coefficient(m->specular_q16[k]) << (10 - green);
     const uint32_t tinted_q = helium_tinted(q, color), tinted_r = helium_tinted(r, color);
     /* of F: its rounding, 1/2, and what helium_shine is off by, less than 5/16; a unit is 2^-17 r. Of a colour: two roundings */
     const uint32_t rounds = paint->of.exact.high ? (r >> 18) + (q >> 18) + 2 : 0;
-    const uint32_t off = (uint32_t)((uint64_t)tinted_r * 13 >> 21) + 1 + rounds;
+    const uint32_t off = (uint32_t)((uint64_t)tinted_r * (13 << 11) >> 32) + 1 + rounds;
     loop->q[k] = (int32_t)tinted_q;
     loop->r[k] = (int32_t)(0 - tinted_r);
     loop->p[0][k] = p - rounds - (1u << 13);
@@ -249,9 +251,7 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *pa
     const struct glint_vec l = paint->l, h = paint->h;
     const uint32_t t_end = 2 * paint->of.exact.t_end;                                             /* <= 2^31 */
     const int64_t slope = (int64_t)HELIUM_D_256_BY_5 * (4 * (int32_t)paint->of.exact.n - 5) >> 8; /* D's, a t of 1 */
-    unsigned up = 0;
-    while (t_end << up < (uint32_t)1 << 30)
-        up++;
+    const unsigned up = t_end >> 30 ? 0 : (unsigned)__builtin_clz(t_end) - 1;
     const int64_t k = up ? (slope + ((int64_t)1 << (up - 1))) >> up : slope;
     if (k > INT32_MAX - HELIUM_D) /* D beyond 2^31, at large n with q = 13 or more */
         return false;

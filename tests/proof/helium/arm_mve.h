@@ -120,7 +120,8 @@ MVE_LANES(uint32x4_t, 4, vrshrq_n_u32, (uint32x4_t a, unsigned n), (uint32_t)((a
 MVE_LANES(uint32x4_t, 4, vqshluq_n_s32, (int32x4_t a, unsigned n),
           a[i]<0 ? 0 : (uint64_t)a[i] << n> UINT32_MAX ? UINT32_MAX : (uint32_t)a[i] << n)
 MVE_LANES(int32x4_t, 4, vqshlq_n_s32, (int32x4_t a, unsigned n), mve_hold((int64_t)a[i] * (1 << n)))
-MVE_LANES(int32x4_t, 4, vqshlq_r_s32, (int32x4_t a, int32_t b), mve_hold((int64_t)a[i] * ((int64_t)1 << b))) /* b >= 0 */
+MVE_LANES(int32x4_t, 4, vqshlq_r_s32, (int32x4_t a, int32_t b),
+          mve_hold((int64_t)a[i] * ((int64_t)1 << b))) /* b >= 0 */
 MVE_LANES(int32x4_t, 4, vshlq_s32, (int32x4_t a, int32x4_t b), mve_shift_signed(a[i], b[i]))
 MVE_LANES(uint32x4_t, 4, vshlq_u32, (uint32x4_t a, int32x4_t b), mve_shift(a[i], b[i]))
 MVE_LANES(int32x4_t, 4, vshlq_r_s32, (int32x4_t a, int32_t b), mve_shift_signed(a[i], b))
