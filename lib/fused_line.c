@@ -230,7 +230,9 @@ bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *line
     const struct glint_surface *target = lines->target;
     struct glint_line_loop loop;
     struct glint_bounds bounds;
-    if (at || !format->begin || lines->maps->gloss || (lines->maps->coverage && !lines->soft) ||
+    if (at)
+        return glint_helium_span(paint, lines, at, highlight);
+    if (!format->begin || lines->maps->gloss || (lines->maps->coverage && !lines->soft) ||
         lines->maps->normals_format != GLINT_NORMALS_INT16 || GLINT_MISALIGNED(target->pixels, 16) ||
         (h > 1 && GLINT_MISALIGNED(target->stride, 16)) || !format->begin(&loop, paint, lines->maps->albedo != NULL))
         return false;

@@ -367,7 +367,7 @@ void glint_dither_fused(const struct glint_paint *paint, const struct glint_span
  * as t is convex and nl linear: three loops for three kinds take only the additions that their kind needs, and a fourth
  * takes any run. */
 
-#if GLINT_FUSED && !GLINT_CORTEX_M0PLUS_ASM
+#if GLINT_FUSED && !GLINT_CORTEX_M0PLUS_ASM && !GLINT_HELIUM
 /* nl < 0 throughout; lit, and past t_max throughout; lit, and t = 0..t_max throughout; any. */
 enum span_kind { SPAN_DARK, SPAN_OUTSIDE, SPAN_INSIDE, SPAN_MIXED };
 

@@ -88,6 +88,9 @@ struct glint_line_loop {
 };
 /* The first pixel from x on that is covered in full, or is not; or end. */
 uint32_t glint_helium_find(const uint8_t *coverage, uint32_t x, uint32_t end, bool full);
+/* glint_fused_lines of a span. */
+bool glint_helium_span(const struct glint_paint *paint, struct glint_lines *lines, const struct glint_span *at,
+                       struct glint_box *highlight);
 #define GLINT_LINE 1
 #elif GLINT_DSP
 /* Draws the pixels of normals from N up to end, at least one, and returns where in out it stopped: at the first one that W leaves open, which

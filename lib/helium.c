@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Cortex-M55 and M85: the exact line of RGB565 under MSH, and INT8 normals over COLOUR tables, by vectors of 128 bits
+ * Cortex-M55 and M85: the exact line and span of RGB565 under MSH, and INT8 normals and spans over COLOUR tables, by vectors of 128 bits
  * (Helium, integers only). The same pixels as the general way.
  *
  * Pixels come in eights. Those of even number lie in one vector of four words, the others in a second one; halves of both, bottom
@@ -11,7 +11,11 @@
 #include "glint_math.h"
 #include <arm_mve.h>
 
-enum { HELIUM_EIGHT = 8, HELIUM_NORMAL = sizeof(struct glint_vec) };
+enum {
+    HELIUM_EIGHT = 8,
+    HELIUM_FEW = 6 /* shorter spans go the general way, which prepares less */,
+    HELIUM_NORMAL = sizeof(struct glint_vec)
+};
 typedef char glint_helium_normal[HELIUM_NORMAL == 6 ? 1 : -1];
 
 /* A bit pair a pixel in their order, from a predicate of the even ones and one of the odd ones, which have four bits each. */
@@ -42,6 +46,17 @@ struct helium_four {
     mve_pred16_t lit; /* F > 0 */
 };
 
+/* Step 2, of N.L in Q30; held to 0..1. */
+GLINT_INLINE int32x4_t helium_held(int32x4_t nl)
+{
+    return vreinterpretq_s32_u32(vshlq_n_u32(vrshrq_n_u32(vqshluq_n_s32(nl, 2), 16), 14));
+}
+
+GLINT_INLINE mve_pred16_t helium_lit(const struct glint_line_loop *loop, const struct helium_four *four)
+{
+    return vcmpltq_m_n_s32(four->u, loop->t_end, vcmpgtq_n_s32(four->nl, 0));
+}
+
 /* Every other one of eight normals: t and N.L as sample.c has them. */
 GLINT_INLINE struct helium_four helium_sample(const struct glint_line_loop *loop, const struct glint_vec *normals)
 {
@@ -55,9 +70,9 @@ GLINT_INLINE struct helium_four helium_sample(const struct glint_line_loop *loop
     const uint32x4_t xx = vreinterpretq_u32_s32(vmulq_s32(dx, dx)), yy = vreinterpretq_u32_s32(vmulq_s32(dy, dy)),
                      zz = vreinterpretq_u32_s32(vmulq_s32(dz, dz));
     struct helium_four four;
-    four.nl = vreinterpretq_s32_u32(vshlq_n_u32(vrshrq_n_u32(vqshluq_n_s32(dot, 2), 16), 14)); /* held to 0..1 */
+    four.nl = helium_held(dot);
     four.u = vreinterpretq_s32_u32(vsubq_n_u32(vqaddq_u32(vqaddq_u32(xx, yy), zz), (uint32_t)1 << 31));
-    four.lit = vcmpltq_m_n_s32(four.u, loop->t_end, vcmpgtq_n_s32(four.nl, 0));
+    four.lit = helium_lit(loop, &four);
     return four;
 }
 
@@ -97,10 +112,10 @@ GLINT_INLINE uint16x8_t helium_pixel(uint16x8_t red, uint16x8_t green, uint16x8_
     return vsriq_n_u16(vsriq_n_u16(red, green, 5), blue, 11);
 }
 
-/* Draws eight; the predicate of those that stay open. */
+/* Eight pixels; the predicate of those that stay open. */
 GLINT_INLINE mve_pred16_t helium_levels(const struct glint_line_loop *loop, bool shines, const struct helium_four *even,
                                         const struct helium_four *odd, int32x4_t even_shine, int32x4_t odd_shine,
-                                        uint16_t *out)
+                                        uint16x8_t *pixels)
 {
     const uint16x8_t red = helium_value(loop, 0, shines, even, odd, even_shine, odd_shine),
                      green = helium_value(loop, 1, shines, even, odd, even_shine, odd_shine),
@@ -111,32 +126,51 @@ GLINT_INLINE mve_pred16_t helium_levels(const struct glint_line_loop *loop, bool
         pixel, helium_pixel(vqaddq_n_u16(red, width[0]), vqaddq_n_u16(green, width[1]), vqaddq_n_u16(blue, width[2])));
     if (loop->swapped)
         pixel = vreinterpretq_u16_u8(vrev16q_u8(vreinterpretq_u8_u16(pixel)));
-    vstrhq_u16(out, pixel);
+    *pixels = pixel;
     return open;
 }
 
-/* Eight pixels from x on, of which those of `drawn` count, bit pairs; the pairs of those that are open. */
+/* The same of eight from x on, of which those of `lit` are in the highlight, bit pairs. */
+GLINT_INLINE mve_pred16_t helium_glossy(struct glint_line_loop *loop, const struct helium_four *even,
+                                        const struct helium_four *odd, uint32_t x, uint32_t lit, uint16x8_t *pixels)
+{
+    if (lit) {
+        const uint32_t first = x + ((uint32_t)__builtin_ctz(lit) >> 1),
+                       last = x + (31u - (uint32_t)__builtin_clz(lit)) / 2;
+        loop->first = (uint16_t)(first < loop->first ? first : loop->first);
+        loop->last = (uint16_t)(last > loop->last ? last : loop->last);
+    }
+    return helium_levels(loop, true, even, odd, helium_shine(loop, even), helium_shine(loop, odd), pixels);
+}
+
+/* Draws eight from x on, of which those of `drawn` count, bit pairs; the pairs of those that are open. */
 GLINT_INLINE uint32_t helium_eight(struct glint_line_loop *loop, const struct glint_vec *normals, uint16_t *out,
                                    uint32_t x, uint32_t drawn)
 {
     const struct helium_four even = helium_sample(loop, normals), odd = helium_sample(loop, normals + 1);
     const uint32_t lit = helium_pairs(even.lit, odd.lit) & drawn;
-    if (!lit)
-        return helium_levels(loop, false, &even, &odd, even.nl, odd.nl, out) & drawn;
-    const uint32_t first = x + ((uint32_t)__builtin_ctz(lit) >> 1), last = x + (31u - (uint32_t)__builtin_clz(lit)) / 2;
-    loop->first = (uint16_t)(first < loop->first ? first : loop->first);
-    loop->last = (uint16_t)(last > loop->last ? last : loop->last);
-    return helium_levels(loop, true, &even, &odd, helium_shine(loop, &even), helium_shine(loop, &odd), out) & drawn;
+    uint16x8_t pixels;
+    const uint32_t open = lit ? helium_glossy(loop, &even, &odd, x, lit, &pixels)
+                              : helium_levels(loop, false, &even, &odd, even.nl, odd.nl, &pixels);
+    vstrhq_u16(out, pixels);
+    return open & drawn;
 }
 
-/* The pixels that the bound leaves open, from bit pairs. */
+/* The pixels that the bound leaves open, from bit pairs: of normals, or of a span's from pixel i on. */
 static __attribute__((noinline)) void helium_open(const struct glint_paint *paint, const struct glint_run *run,
-                                                  const struct glint_vec *normals, uint32_t i, uint32_t open)
+                                                  const struct glint_vec *normals, const struct glint_span *span,
+                                                  uint32_t i, uint32_t open)
 {
     for (; open; i++, open >>= 2)
         if (open & 1) {
             struct glint_sample sample;
-            glint_samples_half(&paint->l, &paint->v, &paint->h, normals + i, &sample, 1);
+            if (span) {
+                struct glint_span at = *span;
+                glint_span_skip(&at, i);
+                glint_samples_walk(&at, &sample, 1);
+            } else {
+                glint_samples_half(&paint->l, &paint->v, &paint->h, normals + i, &sample, 1);
+            }
             glint_paint_exactly(paint, run, i, &sample);
         }
 }
@@ -153,7 +187,7 @@ static __attribute__((noinline)) void helium_few(struct glint_line_loop *loop, c
     const uint32_t open = helium_eight(loop, eight, pixels, run->x, (1u << 2 * count) - 1);
     for (uint32_t i = 0; i < count; i++)
         out[i] = pixels[i];
-    helium_open(paint, run, normals, 0, open);
+    helium_open(paint, run, normals, NULL, 0, open);
 }
 
 static void helium_line(struct glint_line_loop *loop, const struct glint_paint *paint, const struct glint_run *run,
@@ -168,18 +202,21 @@ static void helium_line(struct glint_line_loop *loop, const struct glint_paint *
         i = i < count - HELIUM_EIGHT ? i : count - HELIUM_EIGHT; /* the last eight: some of them twice */
         const uint32_t open = helium_eight(loop, normals + i, out + i, run->x + i, 0xffff);
         if (open)
-            helium_open(paint, run, normals, i, open);
+            helium_open(paint, run, normals, NULL, i, open);
     }
 }
-/* a 2^bits / 255, rounded down: a < 2^31, bits <= 10. */
-static uint32_t helium_by_255(uint32_t a, unsigned bits)
+
+/* 256 a / 255, rounded down: a < 2^31. */
+static uint32_t helium_by_255(uint32_t a)
 {
-    return (a / 255 << bits) + (a % 255 << bits) / 255;
+    return a + a / 255;
 }
 
 /* A coefficient by its light's colour. */
 static uint32_t helium_tinted(uint32_t coefficient, uint32_t color_q16)
 {
+    if (color_q16 == 65536)
+        return coefficient;
     const uint64_t tinted = (uint64_t)coefficient * color_q16 >> 16;
     return tinted > INT32_MAX ? (uint32_t)1 << 31 : (uint32_t)tinted;
 }
@@ -191,15 +228,15 @@ static bool helium_fold(struct glint_line_loop *loop, const struct glint_paint *
     const uint32_t green = k == 1, max = green ? 63 : 31, color = paint->color_q16[k];
     const uint32_t a = m->albedo[k] * max; /* V of 1.0 is max 2^25, green 2^24 */
     const uint32_t p =
-        helium_by_255(a * glint_coefficient(m->ambient_q16[k]), 9 - green) + ((uint32_t)1 << (24 - green));
-    const uint32_t q = helium_by_255(a * glint_coefficient(m->diffuse_q16[k]), 10 - green);
+        helium_by_255(a * glint_coefficient(m->ambient_q16[k]) << (1 - green)) + ((uint32_t)1 << (24 - green));
+    const uint32_t q = helium_by_255(a * glint_coefficient(m->diffuse_q16[k]) << (2 - green));
     const uint32_t r = max * glint_coefficient(m->specular_q16[k]) << (10 - green);
     const uint32_t tinted_q = helium_tinted(q, color), tinted_r = helium_tinted(r, color);
     /* of F: its rounding, 1/2, and what helium_shine is off by, less than 5/16; a unit is 2^-17 r. Of a colour: two roundings */
     const uint32_t rounds = paint->of.exact.high ? (r >> 18) + (q >> 18) + 2 : 0;
-    const uint32_t off = (uint32_t)((uint64_t)tinted_r * 13 >> 21) + 1 + rounds;
+    const uint32_t off = (uint32_t)((uint64_t)tinted_r * (13 << 11) >> 32) + 1 + rounds;
     loop->q[k] = (int32_t)tinted_q;
-    loop->r[k] = -(int32_t)tinted_r;
+    loop->r[k] = (int32_t)(0 - tinted_r);
     loop->p[0][k] = p - rounds - (1u << 13);
     loop->p[1][k] = p - off - (1u << 13);
     loop->width[0][k] = (uint16_t)((2 * rounds + HELIUM_FLOORS + (1u << 14) - 1) >> 14);
@@ -214,9 +251,7 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *pa
     const struct glint_vec l = paint->l, h = paint->h;
     const uint32_t t_end = 2 * paint->of.exact.t_end;                                             /* <= 2^31 */
     const int64_t slope = (int64_t)HELIUM_D_256_BY_5 * (4 * (int32_t)paint->of.exact.n - 5) >> 8; /* D's, a t of 1 */
-    unsigned up = 0;
-    while (t_end << up < (uint32_t)1 << 30)
-        up++;
+    const unsigned up = t_end >> 30 ? 0 : (unsigned)__builtin_clz(t_end) - 1;
     const int64_t k = up ? (slope + ((int64_t)1 << (up - 1))) >> up : slope;
     if (k > INT32_MAX - HELIUM_D) /* D beyond 2^31, at large n with q = 13 or more */
         return false;
@@ -230,6 +265,128 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *pa
     loop->swapped = paint->output.format == GLINT_RGB565_SWAPPED;
     loop->draw = helium_line;
     return helium_fold(loop, paint, 0) && helium_fold(loop, paint, 1) && helium_fold(loop, paint, 2);
+}
+
+/* ---- Spans ---- */
+
+#define HELIUM_T                                                                                                       \
+    ((uint32_t)1 << 31 ^ (0 - GLINT_NEGATIVE_T)) /* t = 0, where the least t, -2^27, is the least int32_t */
+
+/* Every other one of a span's eight. */
+struct helium_walk {
+    uint32x4_t t, dt, nl;
+};
+
+GLINT_INLINE struct helium_walk helium_begin(uint32_t t, uint32_t dt, uint32_t nl, const struct glint_span *span)
+{
+    const uint32x4_t two = vidupq_n_u32(0, 2), pairs = vshrq_n_u32(vmulq_u32(two, vsubq_n_u32(two, 1)), 1);
+    const struct helium_walk walk = {vmlaq_n_u32(vmlaq_n_u32(vdupq_n_u32(HELIUM_T + t), two, dt), pairs, span->ddt_q30),
+                                     vmlaq_n_u32(vdupq_n_u32(dt), two, span->ddt_q30),
+                                     vmlaq_n_u32(vdupq_n_u32(nl), two, (uint32_t)span->dnl_q30)};
+    return walk;
+}
+
+/* 2 (t - 2^30), held. */
+GLINT_INLINE int32x4_t helium_u(uint32x4_t t)
+{
+    return vqshlq_n_s32(vqsubq_n_s32(vreinterpretq_s32_u32(t), (int32_t)(HELIUM_T + ((uint32_t)1 << 30))), 1);
+}
+
+GLINT_INLINE void helium_next(struct glint_span *at)
+{
+    at->t_q30 += HELIUM_EIGHT * at->dt_q30 + 28 * at->ddt_q30;
+    at->dt_q30 += HELIUM_EIGHT * at->ddt_q30;
+    at->nl_q30 = (int32_t)((uint32_t)at->nl_q30 + HELIUM_EIGHT * (uint32_t)at->dnl_q30);
+}
+
+/* A pixel where N.L <= 0, in memory order. */
+static __attribute__((noinline)) uint16_t helium_dark(const struct glint_paint *paint, const struct glint_run *of)
+{
+    const struct glint_sample sample = {UINT32_MAX, 0, 0};
+    struct glint_run run = *of;
+    uint16_t pixel;
+    run.line = (uint8_t *)&pixel;
+    glint_paint_exactly(paint, &run, 0, &sample);
+    return pixel;
+}
+
+/* Are steps so large that in eight pixels t may not be convex, or nl not linear, as a sum wraps? Below 2^25 they are not. */
+static bool helium_is_steep(const struct glint_span *span)
+{
+    const uint32_t most = (uint32_t)1 << 25;
+    const uint64_t rise = (uint64_t)span->w * span->ddt_q30;
+    return (((uint32_t)span->dnl_q30 + most) | (span->dt_q30 + most) | (span->dt_q30 + (uint32_t)rise + most)) >> 26 ||
+           rise >> 26;
+}
+
+struct helium_span {
+    struct glint_line_loop loop;
+    struct glint_span at;     /* from the next eight on */
+    struct helium_walk steps; /* what lanes have beyond the first one */
+    uint32_t dark;            /* the pixel, once it is known; else UINT32_MAX */
+    bool is_steep;
+};
+
+/* Up to eight pixels from x on, of which the last one counts; the pairs of those that are open. Those that are dark at both ends are dark, and
+ * where t is past the lobe on the tangent at the first one, it is throughout. */
+GLINT_INLINE uint32_t helium_walked(struct helium_span *span, const struct glint_paint *paint,
+                                    const struct glint_run *run, uint32_t x, uint32_t last, uint16x8_t *pixels)
+{
+    struct helium_four even, odd;
+    const struct helium_walk *const steps = &span->steps;
+    const uint32_t drawn = (4u << 2 * last) - 1, t = span->at.t_q30, dt = span->at.dt_q30,
+                   nl = (uint32_t)span->at.nl_q30, dnl = (uint32_t)span->at.dnl_q30;
+    if (!span->is_steep && (int32_t)(nl & (nl + last * dnl)) < 0) {
+        if (span->dark == UINT32_MAX)
+            span->dark = helium_dark(paint, run);
+        *pixels = vdupq_n_u16((uint16_t)span->dark);
+        return 0;
+    }
+    even.nl = helium_held(vreinterpretq_s32_u32(vaddq_n_u32(steps->nl, nl)));
+    odd.nl = helium_held(vreinterpretq_s32_u32(vaddq_n_u32(steps->nl, nl + dnl)));
+    const int32_t past = (int32_t)(t - paint->of.exact.t_end), rise = (int32_t)(last * dt);
+    if (!span->is_steep && past >= 0 && past + (rise < 0 ? rise : 0) >= 0)
+        return helium_levels(&span->loop, false, &even, &odd, even.nl, odd.nl, pixels) & drawn;
+    const uint32x4_t even_t = vaddq_n_u32(vmlaq_n_u32(steps->t, vidupq_n_u32(0, 2), dt), t);
+    even.u = helium_u(even_t);
+    odd.u = helium_u(vaddq_u32(even_t, vaddq_n_u32(steps->dt, dt)));
+    even.lit = helium_lit(&span->loop, &even);
+    odd.lit = helium_lit(&span->loop, &odd);
+    return helium_glossy(&span->loop, &even, &odd, x, helium_pairs(even.lit, odd.lit) & drawn, pixels) & drawn;
+}
+
+bool glint_helium_span(const struct glint_paint *paint, struct glint_lines *lines, const struct glint_span *at,
+                       struct glint_box *highlight)
+{
+    struct helium_span span;
+    struct glint_bounds bounds;
+    const uint32_t w = lines->w;
+    if (!paint->format->begin || lines->maps || w < HELIUM_FEW || GLINT_MISALIGNED(lines->target->pixels, 16) ||
+        !paint->format->begin(&span.loop, paint, false))
+        return false;
+    glint_lines_set(lines, 0);
+    span.loop.first = UINT16_MAX;
+    span.loop.last = 0;
+    span.at = *at;
+    span.steps = helium_begin(0, 0, 0, at);
+    span.dark = UINT32_MAX;
+    span.is_steep = helium_is_steep(at);
+    uint16_t *const out = (uint16_t *)(void *)lines->run.line;
+    for (uint32_t x = 0; x < w; x += HELIUM_EIGHT, helium_next(&span.at)) {
+        uint16x8_t pixels;
+        const uint32_t last = w - x < HELIUM_EIGHT ? w - x - 1 : HELIUM_EIGHT - 1,
+                       open = helium_walked(&span, paint, &lines->run, x, last, &pixels);
+        vstrhq_p_u16(out + x, pixels, vctp16q(w - x));
+        if (open)
+            helium_open(paint, &lines->run, NULL, at, x, open);
+    }
+    glint_bounds_begin(&bounds);
+    if (span.loop.first <= span.loop.last) {
+        glint_bounds_add(&bounds, span.loop.first, 0);
+        glint_bounds_add(&bounds, span.loop.last, 0);
+    }
+    glint_bounds_box(&bounds, highlight);
+    return true;
 }
 
 /* ---- INT8 normals over COLOUR tables (glint_colour_int8 in fused_tables.c) ---- */
@@ -326,5 +483,37 @@ void glint_colour_int8(const struct glint_paint *paint, const uint32_t *words, u
     }
     for (const uint32_t at = w - HELIUM_EIGHT; i < w; i = helium_past_gaps(words, i, w))
         i = at + helium_int8(paint, &look, y_z, one, words + at, out + at, i - at);
+}
+
+/* Spans over COLOUR tables (glint_colour_span there). `beyond` is t - t_max - 1, below 0 within the columns; shifted up so that its upper 16
+ * bits have the column above them, and held: less than all columns is t = 0. */
+void glint_colour_span(const struct glint_tables *tables, const struct glint_span *span, uint16_t *out)
+{
+    enum { UP = 31 - GLINT_COLOUR_COLUMNS_LOG };
+    const struct glint_look look = glint_look_up(tables);
+    const uint16_t *const colours = (const uint16_t *)(const void *)look.colours;
+    const uint16x8_t most = vdupq_n_u16((uint16_t)(look.t_max >> look.shift));
+    const int32_t first = (int32_t)(look.t_max + 1 + HELIUM_T), up = UP - (int32_t)look.shift;
+    const uint32_t w = span->w, ddt = span->ddt_q30, dnl = (uint32_t)span->dnl_q30;
+    struct helium_walk at = helium_begin(span->t_q30, span->dt_q30, (uint32_t)span->nl_q30, span);
+    for (uint32_t x = 0; x < w; x += HELIUM_EIGHT) {
+        const uint16x8_t nl = helium_upper(at.nl, vaddq_n_u32(at.nl, dnl));
+        const int32x4_t even = vqshlq_r_s32(vqsubq_n_s32(vreinterpretq_s32_u32(at.t), first), up),
+                        odd = vqshlq_r_s32(vqsubq_n_s32(vreinterpretq_s32_u32(vaddq_u32(at.t, at.dt)), first), up);
+        const uint16x8_t beyond = helium_upper(vreinterpretq_u32_s32(even), vreinterpretq_u32_s32(odd));
+        const mve_pred16_t within = vcmpltq_n_s16(vreinterpretq_s16_u16(beyond), 0);
+        uint16x8_t place = vbicq_n_u16(vshrq_n_u16(nl, 1), (1 << GLINT_COLOUR_ROW_BYTES_LOG) - 1); /* nl >> 24 << 7 */
+        if (within) {
+            const uint16x8_t column = vminq_u16(vshrq_n_u16(vmvnq_u16(beyond), UP - 16), most);
+            place = vaddq_u16(place, vldrbq_gather_offset_z_u16(look.columns, column, within));
+        }
+        const mve_pred16_t lit = vcmpgeq_n_s16(vreinterpretq_s16_u16(nl), 0);
+        const uint16x8_t pixels =
+            vpselq_u16(vldrhq_gather_offset_z_u16(colours, place, lit), vdupq_n_u16(look.dark), lit);
+        vstrhq_p_u16(out + x, pixels, vctp16q(w - x));
+        at.t = vmlaq_n_u32(vaddq_n_u32(at.t, 28 * ddt), at.dt, HELIUM_EIGHT);
+        at.dt = vaddq_n_u32(at.dt, HELIUM_EIGHT * ddt);
+        at.nl = vaddq_n_u32(at.nl, HELIUM_EIGHT * dnl);
+    }
 }
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
- * For cores with an exact line of their own: rectangles, and on the Cortex-M0+ spans, that it draws, beside the same ones by the stages in C, byte for byte. An output at an
- * odd address, for the DSP extension's loops a map of gloss, is what leads to those in the same program. The linker's --wrap=glint_line_begin
- * leads here, where calls are counted.
+ * For cores with an exact line of their own: rectangles, and where it takes them spans, that it draws, beside the same ones by the stages
+ * in C, byte for byte. An output at an odd address, for the DSP extension's loops a map of gloss, is what leads to those in the same
+ * program. The linker's --wrap=glint_line_begin leads here, where calls are counted.
  * LINES_FAULT: the loop takes W for 1 / LINES_FAULT of what it is, which must show. */
 #include "glint_fused.h"
 #include "glint_mesh.h"
@@ -11,11 +11,12 @@
 #define LINES_FAULT 1
 #endif
 enum { GRAIN_NONE, GRAIN_BRUSHED, GRAIN_SPUN, GRAIN_SUNRAY, GRAIN_MAP, GRAIN_SHININESS, GRAINS };
-#define LINES_ALBEDO GLINT_CORTEX_M0PLUS_ASM /* does it take maps of albedo? */
-#define LINES_GRAIN GLINT_CORTEX_M0PLUS_ASM  /* and grain? */
+#define LINES_ALBEDO GLINT_CORTEX_M0PLUS_ASM                  /* does it take maps of albedo? */
+#define LINES_GRAIN GLINT_CORTEX_M0PLUS_ASM                   /* and grain? */
+#define LINES_SPANS (GLINT_CORTEX_M0PLUS_ASM || GLINT_HELIUM) /* and exact spans? */
 /* By the DSP extension without an albedo map and a clamped peak alone: fewer cases have one. More cases, as QEMU is quick. */
 #ifndef LINES_CASES
-#define LINES_CASES (GLINT_DSP || GLINT_RISCV ? 40000 : 3000)
+#define LINES_CASES (GLINT_DSP || GLINT_HELIUM || GLINT_RISCV ? 40000 : 3000)
 #endif
 enum {
     CASES = LINES_CASES,
@@ -187,27 +188,8 @@ static void make_maps(uint32_t mask_kind)
         before[i] = mask_kind == 2 ? GUARD : (uint8_t)below(256);
 }
 
-/* Any span, or false. */
-static bool make_span(struct glint_span *span, const struct glint_paint *paint, uint16_t w)
-{
-    const int32_t spread = 1 << below(15);
-    struct glint_vec last = normals[0];
-    last.x = (int16_t)(last.x + (int32_t)below((uint32_t)spread) - spread / 2);
-    last.z = (int16_t)(last.z + (int32_t)below((uint32_t)spread) - spread / 2);
-    if (glint_span_init(span, paint, &normals[0], below(3) ? &last : &normals[1], w))
-        return false;
-    if (below(8) == 0) { /* whatever was written there */
-        span->t_q30 = below(65536) << below(17);
-        span->dt_q30 = (uint32_t)(int32_t)any() << below(17);
-        span->ddt_q30 = below(65536) << below(17);
-        span->nl_q30 = (int32_t)((uint32_t)any() << below(17));
-    }
-    return true;
-}
-
 /* As the case says, into out[c]. */
-static struct glint_box draw(const struct glint_paint *paint, const struct glint_maps *maps,
-                             const struct glint_span *span, uint16_t w, uint8_t c)
+static struct glint_box draw(const struct glint_paint *paint, const struct glint_maps *maps, uint16_t w, uint8_t c)
 {
     struct glint_box box = {0, 0, 0, 0};
     uint8_t *bytes = (uint8_t *)out[c];
@@ -219,7 +201,7 @@ static struct glint_box draw(const struct glint_paint *paint, const struct glint
         in_c.gloss = gloss;
         in_c.gloss_stride = W + 1;
     }
-    if (span ? glint_draw_span(paint, span, 0, &surface, &box) : glint_draw_rect(paint, &in_c, w, H, &surface, &box))
+    if (glint_draw_rect(paint, &in_c, w, H, &surface, &box))
         say("# refused\n");
     return box;
 }
@@ -264,13 +246,9 @@ static bool case_is_same(uint32_t number)
         .coverage_stride = W + 1};
     const uint16_t w = GLINT_DSP && number / 16 % 2 ? W : widths[number / 2 % 8];
     struct glint_paint fast = paint;
-    struct glint_span span, *of = NULL;
-    if (GLINT_CORTEX_M0PLUS_ASM && !grain && number % 8 == 4 && make_span(&span, &paint, w))
-        of = &span;
-    if (GLINT_CORTEX_M0PLUS_ASM && !grain && (number % 8 >= 6 || number % 16 == 12) &&
-        glint_paint_steps(&fast, tables, sizeof tables))
+    if (GLINT_CORTEX_M0PLUS_ASM && !grain && number % 8 >= 6 && glint_paint_steps(&fast, tables, sizeof tables))
         return false;
-    const struct glint_box box = draw(&fast, &maps, of, w, 0), expected = draw(&paint, &maps, of, w, 1);
+    const struct glint_box box = draw(&fast, &maps, w, 0), expected = draw(&paint, &maps, w, 1);
     if (same(&box, &expected))
         return true;
     say("# case ");
@@ -301,15 +279,68 @@ static void make_words(const struct glint_paint *paint)
     }
 }
 
-static void draw_table_case(const struct glint_paint *paint, const struct glint_span *span, uint16_t w, uint8_t c)
+static uint32_t spanned; /* pixels of spans that were compared */
+
+/* A span, or lines of words. */
+static struct glint_box draw_words(const struct glint_paint *paint, const struct glint_span *span, uint16_t w,
+                                   uint8_t c, bool seeks)
 {
     const struct glint_maps maps = {.normals = words, .normals_format = GLINT_NORMALS_INT8, .normals_stride = 4 * W};
+    struct glint_box box = {0, 0, 0, 0};
     uint8_t *bytes = (uint8_t *)out[c];
     for (uint16_t i = 0; i < sizeof out[c]; i++)
         bytes[i] = GUARD;
     const struct glint_surface surface = {bytes + 2 + c, STRIDE, 3, 5};
-    if (span ? glint_draw_span(paint, span, NULL, &surface, NULL) : glint_draw_rect(paint, &maps, w, H, &surface, NULL))
+    if (span ? glint_draw_span(paint, span, NULL, &surface, seeks ? &box : NULL)
+             : glint_draw_rect(paint, &maps, w, H, &surface, seeks ? &box : NULL))
         say("# refused\n");
+    return box;
+}
+
+static bool words_are_same(const struct glint_paint *fast, const struct glint_paint *paint,
+                           const struct glint_span *span, uint16_t w, bool seeks, uint32_t number)
+{
+    const struct glint_box box = draw_words(fast, span, w, 0, seeks), expected = draw_words(paint, span, w, 1, seeks);
+    spanned += span ? w : 0;
+    if (same(&box, &expected))
+        return true;
+    say(span ? "# span " : "# INT8 ");
+    say_number(number);
+    say(" differs, width ");
+    say_number(w);
+    say("\n");
+    return false;
+}
+
+/* Between the first two normals; or one whose steps and sums are anything, or lead to where the highlight and the light end. */
+static bool make_span(struct glint_span *span, const struct glint_paint *paint, uint16_t w)
+{
+    const int32_t spread = 1 << below(15);
+    struct glint_vec last = normals[0];
+    last.x = (int16_t)(last.x + (int32_t)below((uint32_t)spread) - spread / 2);
+    last.z = (int16_t)(last.z + (int32_t)below((uint32_t)spread) - spread / 2);
+    if (glint_span_init(span, paint, &normals[0], below(3) ? &last : &normals[1], w))
+        return false;
+    const uint32_t kind = below(8);
+    if (kind == 0) {
+        span->t_q30 = below(65536) << below(17);
+        span->dt_q30 = (uint32_t)(int32_t)any() << below(17);
+        span->ddt_q30 = below(65536) << below(17);
+        span->nl_q30 = (int32_t)((uint32_t)any() << below(17));
+    } else if (kind == 1 || kind == 2) {
+        const bool is_exact = glint_paint_is_exact(paint);
+        const uint32_t up =
+            is_exact || below(2) ? below(10) : paint->of.tables.filled.shift; /* steps of whole columns */
+        const uint32_t dt = (uint32_t)(int32_t)any() << (up < 16 ? up : 16), on = below(w);
+        const uint32_t dnl = (uint32_t)(int32_t)any() << below(10);
+        const uint32_t end = is_exact ? paint->of.exact.t_end : paint->of.tables.filled.t_max_q30;
+        span->t_q30 = (below(2) ? 0 : end) - on * dt + below(3) - 1;
+        span->dt_q30 = dt;
+        span->ddt_q30 = below(2) ? 0 : below(65536) >> below(16);
+        span->nl_q30 = (int32_t)((below(2) ? below(65536) << 15 : below(3) << 13) - on * dnl);
+        span->dnl_q30 = (int32_t)dnl;
+    }
+    return true;
 }
 
 /* A light of the paint's, or none. */
@@ -324,25 +355,28 @@ static bool light_tables(struct glint_paint *paint)
 static bool table_case_is_same(struct glint_paint *paint, uint32_t number)
 {
     static const uint8_t widths[] = {1, 2, 3, 7, 8, 9, 17, 33, W};
-    static const struct glint_box none = {0, 0, 0, 0};
     const uint16_t w = widths[number / 2 % 9];
-    struct glint_span span, *of = NULL;
+    struct glint_span span;
     make_words(paint);
-    if (number & 1) {
-        if (!make_span(&span, paint, w))
-            return true;
-        of = &span;
-    }
-    draw_table_case(paint, of, w, 0);
-    draw_table_case(paint, of, w, 1);
-    if (same(&none, &none))
+    return (number & 1 && !make_span(&span, paint, w)) ||
+           words_are_same(paint, paint, number & 1 ? &span : NULL, w, false, number);
+}
+
+/* Exactly, with the highlight's box. */
+static bool exact_span_is_same(uint32_t number)
+{
+    struct glint_paint paint;
+    struct glint_span span;
+    const uint16_t w = (uint16_t)(1 + below(below(8) < 3 ? 24 : W));
+    if (!make_paint(&paint, number, 0))
         return true;
-    say(of ? "# span " : "# INT8 ");
-    say_number(number);
-    say(" differs, width ");
-    say_number(w);
-    say("\n");
-    return false;
+    make_normals(&paint);
+    if (!make_span(&span, &paint, w))
+        return true;
+    struct glint_paint fast = paint;
+    if (GLINT_CORTEX_M0PLUS_ASM && number % 4 == 3 && glint_paint_steps(&fast, tables, sizeof tables))
+        return false;
+    return words_are_same(&fast, &paint, &span, w, true, number);
 }
 
 /* ---- Meshes by COLOUR tables, by the fused routine; an odd address leads to the general way ---- */
@@ -440,12 +474,22 @@ bool machine_run(volatile uint8_t *floor)
     uint32_t differ = 0;
     for (uint32_t number = 0; number < CASES; number++)
         differ += !case_is_same(number);
+    const uint32_t rectangles = taken;
+    for (uint32_t number = 0; LINES_SPANS && number < CASES; number++)
+        differ += !exact_span_is_same(number);
     differ += tables_differ();
-    say_number(taken);
+    say_number(rectangles);
     say(" of ");
     say_number(CASES);
     say(" rectangles by the line, ");
+    if (LINES_SPANS) {
+        say_number(taken - rectangles);
+        say(" exact spans by it, ");
+        say_number(spanned);
+        say(" pixels of spans, ");
+    }
     say_number(differ);
     say(" unlike C\n");
-    return differ == 0 && (!GLINT_DSP || meshes_shown > CASES / 16) && taken > (GLINT_DSP ? CASES / 3 : CASES / 4 * 3);
+    return differ == 0 && (!GLINT_DSP || meshes_shown > CASES / 16) &&
+           rectangles > (GLINT_DSP ? CASES / 3 : CASES / 4 * 3) && (!LINES_SPANS || taken - rectangles > CASES / 2);
 }

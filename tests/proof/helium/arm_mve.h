@@ -87,9 +87,12 @@ MVE_LANES(uint32x4_t, 4, vsubq_u32, (uint32x4_t a, uint32x4_t b), a[i] - b[i])
 MVE_LANES(int32x4_t, 4, vsubq_n_s32, (int32x4_t a, int32_t b), (int32_t)((uint32_t)a[i] - (uint32_t)b))
 MVE_LANES(uint32x4_t, 4, vsubq_n_u32, (uint32x4_t a, uint32_t b), a[i] - b)
 MVE_LANES(uint32x4_t, 4, vqaddq_u32, (uint32x4_t a, uint32x4_t b), a[i] > UINT32_MAX - b[i] ? UINT32_MAX : a[i] + b[i])
+MVE_LANES(int32x4_t, 4, vqsubq_n_s32, (int32x4_t a, int32_t b), mve_hold((int64_t)a[i] - b))
 MVE_LANES(uint16x8_t, 8, vqaddq_n_u16, (uint16x8_t a, uint16_t b),
           (uint16_t)(a[i] + b > UINT16_MAX ? UINT16_MAX : a[i] + b))
 MVE_LANES(int32x4_t, 4, vmaxq_s32, (int32x4_t a, int32x4_t b), a[i] > b[i] ? a[i] : b[i])
+MVE_LANES(uint16x8_t, 8, vminq_u16, (uint16x8_t a, uint16x8_t b), a[i] < b[i] ? a[i] : b[i])
+MVE_LANES(uint16x8_t, 8, vmvnq_u16, (uint16x8_t a), (uint16_t)~a[i])
 MVE_LANES(uint16x8_t, 8, vbicq_n_u16, (uint16x8_t a, uint16_t b), (uint16_t)(a[i] & ~b))
 
 MVE_LANES(int32x4_t, 4, vmulq_s32, (int32x4_t a, int32x4_t b), (int32_t)((uint32_t)a[i] * (uint32_t)b[i]))
@@ -98,6 +101,7 @@ MVE_LANES(int32x4_t, 4, vmulq_n_s32, (int32x4_t a, int32_t b), (int32_t)((uint32
 MVE_LANES(uint32x4_t, 4, vmulq_n_u32, (uint32x4_t a, uint32_t b), a[i] * b)
 MVE_LANES(int32x4_t, 4, vmlaq_n_s32, (int32x4_t a, int32x4_t b, int32_t c),
           (int32_t)((uint32_t)a[i] + (uint32_t)b[i] * (uint32_t)c))
+MVE_LANES(uint32x4_t, 4, vmlaq_n_u32, (uint32x4_t a, uint32x4_t b, uint32_t c), a[i] + b[i] * c)
 MVE_LANES(int32x4_t, 4, vmullbq_int_s16, (int16x8_t a, int16x8_t b), a[2 * i] * b[2 * i])
 MVE_LANES(int32x4_t, 4, vmulltq_int_s16, (int16x8_t a, int16x8_t b), a[2 * i + 1] * b[2 * i + 1])
 /* Doubled, the upper half; all at once with what is added, then held: 2 a b + 2^32 c, below 2^64 as halves of it. */
@@ -115,6 +119,9 @@ MVE_LANES(uint16x8_t, 8, vshrq_n_u16, (uint16x8_t a, unsigned n), (uint16_t)(a[i
 MVE_LANES(uint32x4_t, 4, vrshrq_n_u32, (uint32x4_t a, unsigned n), (uint32_t)((a[i] + ((uint64_t)1 << (n - 1))) >> n))
 MVE_LANES(uint32x4_t, 4, vqshluq_n_s32, (int32x4_t a, unsigned n),
           a[i]<0 ? 0 : (uint64_t)a[i] << n> UINT32_MAX ? UINT32_MAX : (uint32_t)a[i] << n)
+MVE_LANES(int32x4_t, 4, vqshlq_n_s32, (int32x4_t a, unsigned n), mve_hold((int64_t)a[i] * (1 << n)))
+MVE_LANES(int32x4_t, 4, vqshlq_r_s32, (int32x4_t a, int32_t b),
+          mve_hold((int64_t)a[i] * ((int64_t)1 << b))) /* b >= 0 */
 MVE_LANES(int32x4_t, 4, vshlq_s32, (int32x4_t a, int32x4_t b), mve_shift_signed(a[i], b[i]))
 MVE_LANES(uint32x4_t, 4, vshlq_u32, (uint32x4_t a, int32x4_t b), mve_shift(a[i], b[i]))
 MVE_LANES(int32x4_t, 4, vshlq_r_s32, (int32x4_t a, int32_t b), mve_shift_signed(a[i], b))
@@ -133,11 +140,16 @@ MVE mve_pred16_t vctp8q(uint32_t count)
 {
     return (mve_pred16_t)(count < 16 ? (1u << count) - 1 : 0xffff);
 }
+MVE mve_pred16_t vctp16q(uint32_t count)
+{
+    return vctp8q(count < 8 ? 2 * count : 16);
+}
 MVE_ASKS(16, vcmpeqq_m_n_u8, (uint8x16_t a, uint8_t b, mve_pred16_t p), p >> i & 1 && a[i] == b)
 MVE_ASKS(16, vcmpneq_m_n_u8, (uint8x16_t a, uint8_t b, mve_pred16_t p), p >> i & 1 && a[i] != b)
 MVE_ASKS(4, vcmpgtq_n_s32, (int32x4_t a, int32_t b), a[i] > b)
 MVE_ASKS(4, vcmpltq_m_n_s32, (int32x4_t a, int32_t b, mve_pred16_t p), p >> 4 * i & 1 && a[i] < b)
 MVE_ASKS(8, vcmpgeq_n_s16, (int16x8_t a, int16_t b), a[i] >= b)
+MVE_ASKS(8, vcmpltq_n_s16, (int16x8_t a, int16_t b), a[i] < b)
 MVE_ASKS(8, vcmpneq_u16, (uint16x8_t a, uint16x8_t b), a[i] != b[i])
 MVE_ASKS(8, vcmpeqq_n_u16, (uint16x8_t a, uint16_t b), a[i] == b)
 MVE_LANES(uint16x8_t, 8, vpselq_u16, (uint16x8_t a, uint16x8_t b, mve_pred16_t p), p >> 2 * i & 1 ? a[i] : b[i])
