@@ -35,7 +35,8 @@ enum {
     GLINT_RIM_FLAT = 1,
     GLINT_RIM_GROWS = 2,  /* the inside is right of it or below */
     GLINT_RIM_TURNED = 4, /* it ascends from its second corner */
-    GLINT_RIM_MORE = 8    /* the next one is of the same face */
+    GLINT_RIM_MORE = 8,   /* the next one is of the same face */
+    GLINT_RIM_ENDS = 16   /* no cell of it lies below the strip; of a face's first one: of none */
 };
 
 typedef char glint_mesh_edges_ask[(GLINT_EDGES | GLINT_EDGES_BESIDE | GLINT_EDGES_THIN) == GLINT_EDGES_ASK ? 1 : -1];
@@ -142,7 +143,7 @@ static inline const struct glint_mesh_rim *glint_mesh_rim_after(const struct gli
 {
     return rim->is & GLINT_RIM_MORE ? rim + 1 : NULL;
 }
-/* All but its depth; its lines are the picture's, too. false: it has no cell in the window. Has a twin in assembly. */
+/* All but its depth; its lines are the picture's, too. false: it has no cell in the window, and only what it is is set. Has a twin in assembly. */
 bool glint_mesh_rim_set(struct glint_mesh_rim *rim, const struct glint_mesh_drawn *drawn, unsigned face,
                         unsigned corner, const struct glint_mesh_window *window);
 
