@@ -256,7 +256,7 @@ static unsigned rims_set(struct glint_mesh_rim *to, const struct glint_mesh_targ
     return (unsigned)(rim - to);
 }
 
-const struct glint_mesh_rim *glint_mesh_rims_of(const struct glint_mesh_target *strip, unsigned face)
+struct glint_mesh_rim *glint_mesh_rims_of(const struct glint_mesh_target *strip, unsigned face)
 {
     const struct glint_mesh_drawn *const drawn = strip->drawn;
     struct glint_mesh_outlines *const outlines = drawn->outlines;
