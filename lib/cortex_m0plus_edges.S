@@ -9,6 +9,7 @@
 #define RIM_FLAT 1 /* as in glint_mesh_edges.h */
 #define RIM_GROWS 2
 #define RIM_TURNED 4
+#define RIM_ENDS_LOG 4
 
 /* ---- Cells that a face leaves out ---- */
 
@@ -298,6 +299,19 @@
     lsls r7, r7, #4
     ldr r6, [r4, r6]
     ldr r7, [r4, r7]
+    asrs r1, r6, #16 /* does it end above the window's bottom? */
+    asrs r2, r7, #16
+    cmp r1, r2
+    bge 1f
+    movs r1, r2
+1:  ldr r5, [sp, #20]
+    ldr r2, [r5, #12]
+    lsls r2, r2, #4
+    adds r1, #1
+    subs r1, r1, r2
+    lsrs r1, r1, #31
+    lsls r1, r1, #RIM_ENDS_LOG
+    mov r12, r1
     sxth r1, r7
     sxth r2, r6
     subs r1, r1, r2 /* dx */
@@ -334,7 +348,9 @@
     movs r7, r1
     movs r1, #RIM_TURNED + RIM_GROWS
     eors r3, r1
-3:  strb r3, [r0, #GLINT_AT_RIM_IS]
+3:  mov r1, r12
+    orrs r3, r1
+    strb r3, [r0, #GLINT_AT_RIM_IS]
     sxth r1, r6
     adds r1, #7
     asrs r1, r1, #4 /* first */

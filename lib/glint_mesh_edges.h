@@ -35,7 +35,8 @@ enum {
     GLINT_RIM_FLAT = 1,
     GLINT_RIM_GROWS = 2,  /* the inside is right of it or below */
     GLINT_RIM_TURNED = 4, /* it ascends from its second corner */
-    GLINT_RIM_MORE = 8    /* the next one is of the same face */
+    GLINT_RIM_MORE = 8,   /* the next one is of the same face */
+    GLINT_RIM_ENDS = 16   /* no cell of it lies below the strip; of a face's first one: of none */
 };
 
 typedef char glint_mesh_edges_ask[(GLINT_EDGES | GLINT_EDGES_BESIDE | GLINT_EDGES_THIN) == GLINT_EDGES_ASK ? 1 : -1];
@@ -43,9 +44,13 @@ typedef char glint_mesh_edges_ask[(GLINT_EDGES | GLINT_EDGES_BESIDE | GLINT_EDGE
 /* Where an outline's cell is, and what changes from cell to cell; and its face's other outlines. */
 struct glint_mesh_cells {
     const struct glint_mesh_target *strip;
-    struct glint_mesh_rim rim, other[2];
+    const struct glint_paint *paint; /* of faces before `end` */
+    uint32_t t_end, end;
+    uint16_t part;
+    bool is_colour;
+    uint8_t others;
+    struct glint_mesh_rim *rim, other[2];
     struct glint_mesh_cell cell;
-    unsigned others;
     struct glint_mesh_blending blending; /* of glint_mesh_blend_cells */
 };
 
@@ -136,13 +141,13 @@ void glint_mesh_edges_sort(const struct glint_mesh_frame *frame, const struct gl
 void glint_mesh_rims_take(const struct glint_mesh_target *strip);
 void glint_mesh_rims_give(const struct glint_mesh_target *strip);
 /* A face's first outline in the strip; NULL: it has none. */
-const struct glint_mesh_rim *glint_mesh_rims_of(const struct glint_mesh_target *strip, unsigned face);
+struct glint_mesh_rim *glint_mesh_rims_of(const struct glint_mesh_target *strip, unsigned face);
 /* The next one. */
-static inline const struct glint_mesh_rim *glint_mesh_rim_after(const struct glint_mesh_rim *rim)
+static inline struct glint_mesh_rim *glint_mesh_rim_after(struct glint_mesh_rim *rim)
 {
     return rim->is & GLINT_RIM_MORE ? rim + 1 : NULL;
 }
-/* All but its depth; its lines are the picture's, too. false: it has no cell in the window. Has a twin in assembly. */
+/* All but its depth; its lines are the picture's, too. false: it has no cell in the window, and only what it is is set. Has a twin in assembly. */
 bool glint_mesh_rim_set(struct glint_mesh_rim *rim, const struct glint_mesh_drawn *drawn, unsigned face,
                         unsigned corner, const struct glint_mesh_window *window);
 

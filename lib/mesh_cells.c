@@ -69,8 +69,7 @@ static bool hide_rim(const struct glint_mesh_target *strip, const struct glint_m
 }
 
 /* Of a face, from its first one on. */
-static bool hide_rims(const struct glint_mesh_target *strip, const struct glint_mesh_rim *rim,
-                      const struct hide_range *range)
+static bool hide_rims(const struct glint_mesh_target *strip, struct glint_mesh_rim *rim, const struct hide_range *range)
 {
     for (; rim; rim = glint_mesh_rim_after(rim))
         if (!hide_rim(strip, rim, range))
@@ -104,7 +103,7 @@ static bool hide(const struct glint_mesh_target *strip, unsigned face, const str
     for (unsigned k = 0; fits && edges & GLINT_EDGES_BESIDE && k < 3; k++) {
         if (beside[k] >= drawn->mesh->face_count || !(drawn->edges[beside[k]] & GLINT_EDGES))
             continue;
-        const struct glint_mesh_rim *const rims = glint_mesh_rims_of(strip, beside[k]);
+        struct glint_mesh_rim *const rims = glint_mesh_rims_of(strip, beside[k]);
         if (!rims)
             continue;
         if (!(edges & GLINT_EDGES_CLIPPED)) {
@@ -116,14 +115,6 @@ static bool hide(const struct glint_mesh_target *strip, unsigned face, const str
     if (!fits)
         cells_show(strip);
     return fits;
-}
-
-/* What paints a face; part: up to its own, to begin with. */
-static const struct glint_paint *cells_paint(const struct glint_mesh_drawn *drawn, unsigned face, unsigned part)
-{
-    while (part + 1u < drawn->mesh->part_count && face >= drawn->mesh->ends[part])
-        part++;
-    return &drawn->paints[part];
 }
 
 /* A face of more cells than there is room for: a piece of a line after the other. */
@@ -192,11 +183,20 @@ static void cells_rows(const struct glint_paint *paint, struct glint_mesh_triang
 }
 
 #if GLINT_CORTEX_M0PLUS_ASM
+/* What paints a face. */
+static const struct glint_paint *cells_paint(const struct glint_mesh_drawn *drawn, unsigned face)
+{
+    unsigned part = 0;
+    while (part + 1u < drawn->mesh->part_count && face >= drawn->mesh->ends[part])
+        part++;
+    return &drawn->paints[part];
+}
+
 bool glint_mesh_hide(struct glint_mesh_triangle *triangle, const struct glint_mesh_target *strip)
 {
     if (hide_all(triangle, strip))
         return true;
-    const struct glint_paint *const paint = cells_paint(strip->drawn, glint_mesh_face_of(triangle), 0);
+    const struct glint_paint *const paint = cells_paint(strip->drawn, glint_mesh_face_of(triangle));
     if (glint_mesh_is_colour(paint, strip)) {
         rows_in_pieces(paint, triangle, strip, true);
     } else { /* the assembly's struct glint_mesh_pixels stays in the strip's samples; of a mesh that it draws nothing is clipped */
@@ -269,9 +269,9 @@ static __attribute__((noinline)) void cells_t(struct glint_mesh_cells *cells, co
                                               uint32_t beyond)
 {
     struct glint_mesh_cell *const cell = &cells->cell;
-    const unsigned up = cells_up(&cells->rim);
-    const uint32_t one = (uint32_t)1 << 30, side = cells_side(cells->strip->drawn, &cells->rim);
-    const uint32_t u = up > 27 ? one : cells_inverse(&cells->rim) << (up - 13), s = (u >> 4) * offset;
+    const unsigned up = cells_up(cells->rim);
+    const uint32_t one = (uint32_t)1 << 30, side = cells_side(cells->strip->drawn, cells->rim);
+    const uint32_t u = up > 27 ? one : cells_inverse(cells->rim) << (up - 13), s = (u >> 4) * offset;
     const int64_t d = 2 * (int64_t)side, rise = (int64_t)b->t_q30 - a->t_q30;
     const int64_t bend = (u * d) >> 30; /* u <= 2^30, d < 2^33 */
     if (beyond > side)
@@ -284,10 +284,10 @@ static __attribute__((noinline)) void cells_t(struct glint_mesh_cells *cells, co
     cell->dt += n * cell->ddt;
 }
 
-/* The values at the rim's first cell in the strip and their steps. t_end: as for glint_mesh_shine. */
-static void cells_set(struct glint_mesh_cells *cells, uint32_t t_end)
+/* The values at the rim's first cell in the strip and their steps. */
+static void cells_set(struct glint_mesh_cells *cells)
 {
-    const struct glint_mesh_rim *const rim = &cells->rim;
+    const struct glint_mesh_rim *const rim = cells->rim;
     struct glint_mesh_cell *const cell = &cells->cell;
     const struct glint_mesh_vertex *a = glint_mesh_corner_at(cells->strip->drawn, rim->face, rim->corner),
                                    *b = glint_mesh_corner_at(cells->strip->drawn, rim->face,
@@ -309,7 +309,8 @@ static void cells_set(struct glint_mesh_cells *cells, uint32_t t_end)
         return;
     cell->dnl = cells_step(rim, ((b->nl_q30 >> 2) - (a->nl_q30 >> 2)) >> 15);
     cell->nl = (uint32_t)a->nl_q30 + cells_first(cell->dnl, offset) + n * cell->dnl;
-    const uint32_t least = a->t_q30 < b->t_q30 ? a->t_q30 : b->t_q30, beyond = least > t_end ? least - t_end : 0;
+    const uint32_t least = a->t_q30 < b->t_q30 ? a->t_q30 : b->t_q30, t_end = cells->t_end,
+                   beyond = least > t_end ? least - t_end : 0;
     if (!(beyond >> 29))
         cells_t(cells, a, b, offset, n, beyond);
 }
@@ -321,10 +322,10 @@ static void others_set(struct glint_mesh_cells *cells)
 {
     static const struct glint_mesh_window all = {-4096, -4096, 4096, 4096};
     const struct glint_mesh_drawn *const drawn = cells->strip->drawn;
-    const unsigned face = cells->rim.face, edges = drawn->edges[face] & GLINT_EDGES;
+    const unsigned face = cells->rim->face, edges = drawn->edges[face] & GLINT_EDGES;
     cells->others = 0;
     for (unsigned k = 0; k < 3 && edges & (edges - 1); k++)
-        if (k != cells->rim.corner && edges >> k & 1 &&
+        if (k != cells->rim->corner && edges >> k & 1 &&
             glint_mesh_rim_set(&cells->other[cells->others], drawn, face, k, &all))
             cells->others++;
 }
@@ -338,7 +339,7 @@ static unsigned others_share(const struct glint_mesh_cells *cells, int32_t x, in
         const int32_t along = is_flat ? x : y, across = is_flat ? y : x;
         const int32_t e = other->e + other->step * (along - other->at), cell = e >> 16;
         const unsigned of = cell == across ? glint_mesh_rim_part(other, e) : (cell < across) == grows ? 255 : 0;
-        if (cell == across && along >= other->at && along < other->end && other->corner < cells->rim.corner)
+        if (cell == across && along >= other->at && along < other->end && other->corner < cells->rim->corner)
             return 0;
         part = part + of > 255 ? part + of - 255 : 0;
     }
@@ -348,8 +349,8 @@ static unsigned others_share(const struct glint_mesh_cells *cells, int32_t x, in
 static inline void cells_next(struct glint_mesh_cells *cells)
 {
     struct glint_mesh_cell *const cell = &cells->cell;
-    cells->rim.at++;
-    cells->rim.e += cells->rim.step;
+    cells->rim->at++;
+    cells->rim->e += cells->rim->step;
     cell->z += cell->dz;
     cell->nl += cell->dnl;
     cell->t += cell->dt;
@@ -360,7 +361,7 @@ static inline void cells_next(struct glint_mesh_cells *cells)
 static bool cells_found(struct glint_mesh_cells *cells, struct glint_mesh_cell *found)
 {
     const struct glint_mesh_target *const strip = cells->strip;
-    const struct glint_mesh_rim *const rim = &cells->rim;
+    const struct glint_mesh_rim *const rim = cells->rim;
     for (; rim->at < rim->end; cells_next(cells)) {
         const bool is_flat = rim->is & GLINT_RIM_FLAT;
         const int32_t across = rim->e >> 16, x = is_flat ? rim->at : across,
@@ -397,13 +398,12 @@ static void colour_blend(uint16_t *out, uint32_t p, uint32_t part, bool swapped)
 }
 
 /* By COLOUR tables: what cells_found finds, in one loop. */
-static inline __attribute__((always_inline)) void colour_cells_by(const struct glint_mesh_cells *cells,
-                                                                  const struct glint_paint *paint, bool is_glossy)
+static inline __attribute__((always_inline)) void colour_cells_by(const struct glint_mesh_cells *cells, bool is_glossy)
 {
-    const struct glint_look look = glint_look_up(&paint->of.tables.filled);
+    const struct glint_look look = glint_look_up(&cells->paint->of.tables.filled);
     const struct glint_mesh_target *const strip = cells->strip;
-    const struct glint_mesh_rim *const rim = &cells->rim;
-    const bool swapped = paint->output.format == GLINT_RGB565_SWAPPED, is_flat = rim->is & GLINT_RIM_FLAT;
+    const struct glint_mesh_rim *const rim = cells->rim;
+    const bool swapped = cells->paint->output.format == GLINT_RGB565_SWAPPED, is_flat = rim->is & GLINT_RIM_FLAT;
     uint32_t z = cells->cell.z, nl = cells->cell.nl, back = look.t_max - cells->cell.t, dt = cells->cell.dt;
     const ptrdiff_t stride = strip->surface->stride;
     const int32_t along = is_flat ? 1 : strip->w, across = is_flat ? 2 * strip->w : 2;
@@ -438,25 +438,23 @@ static inline __attribute__((always_inline)) void colour_cells_by(const struct g
     }
 }
 
-static __attribute__((noinline)) void colour_cells(const struct glint_mesh_cells *cells,
-                                                   const struct glint_paint *paint)
+static __attribute__((noinline)) void colour_cells(const struct glint_mesh_cells *cells)
 {
-    colour_cells_by(cells, paint, true);
+    colour_cells_by(cells, true);
 }
 
 #if GLINT_CORTEX_M0PLUS_ASM
 /* The same in assembly, if it can. */
-static __attribute__((noinline)) bool cells_blended(const struct glint_mesh_cells *cells,
-                                                    const struct glint_paint *paint)
+static __attribute__((noinline)) bool cells_blended(const struct glint_mesh_cells *cells)
 {
     const struct glint_mesh_target *const strip = cells->strip;
-    const struct glint_mesh_rim *const rim = &cells->rim;
+    const struct glint_mesh_rim *const rim = cells->rim;
     const uint32_t w = 2 * (uint32_t)strip->w;
     const bool is_flat = rim->is & GLINT_RIM_FLAT;
     if (cells->others || cells->cell.t != GLINT_MESH_FAR_T || strip->surface->stride != (ptrdiff_t)w)
         return false;
-    const struct glint_look look = glint_look_up(&paint->of.tables.filled);
-    const struct glint_mesh_blend blend = {paint->output.format == GLINT_RGB565_SWAPPED,
+    const struct glint_look look = glint_look_up(&cells->paint->of.tables.filled);
+    const struct glint_mesh_blend blend = {cells->paint->output.format == GLINT_RGB565_SWAPPED,
                                            cells->cell.nl,
                                            is_flat ? w : 2,
                                            (uint32_t)rim->step,
@@ -476,50 +474,56 @@ static __attribute__((noinline)) bool cells_blended(const struct glint_mesh_cell
 }
 #else
 /* The same, if nothing shines. */
-static __attribute__((noinline)) bool cells_blended(const struct glint_mesh_cells *cells,
-                                                    const struct glint_paint *paint)
+static __attribute__((noinline)) bool cells_blended(const struct glint_mesh_cells *cells)
 {
     if (cells->cell.t != GLINT_MESH_FAR_T)
         return false;
-    colour_cells_by(cells, paint, false);
+    colour_cells_by(cells, false);
     return true;
 }
 #endif
 
-static __attribute__((noinline)) void cells_draw(const struct glint_mesh_target *strip,
-                                                 const struct glint_mesh_rim *rim, const struct glint_paint *paint)
+static void cells_part(struct glint_mesh_cells *cells, unsigned part)
 {
-    struct glint_mesh_cells *const cells = &strip->drawn->outlines->of.cells;
-    cells->strip = strip;
-    cells->rim = *rim;
+    const struct glint_mesh_drawn *const drawn = cells->strip->drawn;
+    cells->part = (uint16_t)part;
+    cells->paint = &drawn->paints[part];
+    cells->t_end = glint_mesh_t_end(cells->paint);
+    cells->is_colour = glint_mesh_is_colour(cells->paint, cells->strip);
+    cells->end = part + 1 < drawn->mesh->part_count ? drawn->mesh->ends[part] : GLINT_MESH_NONE;
+}
+
+static __attribute__((noinline)) void cells_draw(struct glint_mesh_cells *cells, struct glint_mesh_rim *rim)
+{
+    const struct glint_mesh_target *const strip = cells->strip;
+    while (rim->face >= cells->end)
+        cells_part(cells, cells->part + 1u);
+    cells->rim = rim;
     others_set(cells);
-    cells_set(cells, glint_mesh_t_end(paint));
-    if (glint_mesh_is_colour(paint, strip)) {
-        if (!cells_blended(cells, paint))
-            colour_cells(cells, paint);
+    cells_set(cells);
+    if (cells->is_colour) {
+        if (!cells_blended(cells))
+            colour_cells(cells);
         return;
     }
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)strip->frame->memory;
     bench->face.face = rim->face;
     if (strip->drawn->edges[rim->face] & GLINT_EDGES_CLIPPED)
         (void)glint_mesh_fan_beside(strip->frame, strip->drawn, rim->face);
-    glint_mesh_blend_cells(paint, cells, cells_found, &cells->blending, &bench->face.triangle, strip);
+    glint_mesh_blend_cells(cells->paint, cells, cells_found, &cells->blending, &bench->face.triangle, strip);
 }
 
 static void cells_end(const struct glint_mesh_target *strip)
 {
-    const struct glint_mesh_drawn *const drawn = strip->drawn;
-    struct glint_mesh_outlines *const outlines = drawn->outlines;
-    const struct glint_paint *paint = drawn->paints;
-    for (unsigned i = 0; i < outlines->count; i++) {
-        paint = cells_paint(drawn, outlines->rims[i].face, (unsigned)(paint - drawn->paints));
-        cells_draw(strip, &outlines->rims[i], paint);
-    }
-    for (uint16_t face = outlines->rest; face != GLINT_MESH_NONE; face = drawn->rims[face]) {
-        paint = cells_paint(drawn, face, (unsigned)(paint - drawn->paints));
-        for (const struct glint_mesh_rim *rim = glint_mesh_rims_of(strip, face); rim; rim = glint_mesh_rim_after(rim))
-            cells_draw(strip, rim, paint);
-    }
+    struct glint_mesh_outlines *const outlines = strip->drawn->outlines;
+    struct glint_mesh_cells *const cells = &outlines->of.cells;
+    cells->strip = strip;
+    cells_part(cells, 0);
+    for (unsigned i = 0; i < outlines->count; i++)
+        cells_draw(cells, &outlines->rims[i]);
+    for (uint16_t face = outlines->rest; face != GLINT_MESH_NONE; face = strip->drawn->rims[face])
+        for (struct glint_mesh_rim *rim = glint_mesh_rims_of(strip, face); rim; rim = glint_mesh_rim_after(rim))
+            cells_draw(cells, rim);
     glint_mesh_rims_give(strip);
 }
 

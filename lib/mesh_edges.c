@@ -140,22 +140,15 @@ static void edges_mark(const struct glint_mesh_drawn *drawn)
             edges_round(drawn, i);
 }
 
-/* The lines of a face's outlines: their cells lie between its first and last corner that is in, but for what the walk rounds. */
-struct edges_lines {
-    int32_t first, last;
-};
-static struct edges_lines edges_reach(const struct glint_mesh_drawn *drawn, unsigned face)
+/* The first line that a cell of its outlines may lie in: the walk rounds by 1/16. */
+static int32_t edges_first(const struct glint_mesh_drawn *drawn, unsigned face, int32_t y)
 {
-    int32_t low = INT16_MAX, high = INT16_MIN;
-    for (unsigned k = 0; k < 3; k++) {
-        const struct glint_mesh_vertex *const v = glint_mesh_corner_at(drawn, face, k);
-        if (v->out)
-            continue;
-        low = v->y < low ? v->y : low;
-        high = v->y > high ? v->y : high;
-    }
-    const struct edges_lines reach = {(low - 1) >> 4, (high + 1) >> 4};
-    return reach;
+    if (drawn->edges[face] & GLINT_EDGES_CLIPPED)
+        return y;
+    const int32_t a = glint_mesh_corner_at(drawn, face, 0)->y, b = glint_mesh_corner_at(drawn, face, 1)->y,
+                  c = glint_mesh_corner_at(drawn, face, 2)->y, low = a < b ? a : b;
+    const int32_t first = ((c < low ? c : low) - 1) >> 4;
+    return first > y ? first : y;
 }
 
 void glint_mesh_edges_sort(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y)
@@ -170,9 +163,8 @@ void glint_mesh_edges_sort(const struct glint_mesh_frame *frame, const struct gl
         for (unsigned k = 0; k < 3; k++)
             if (beside[k] < count)
                 drawn->edges[beside[k]] |= GLINT_EDGES_BESIDE;
-        const struct edges_lines reach = edges_reach(drawn, i);
-        const int32_t first = reach.first > y ? reach.first : y;
-        if (first > reach.last || first >= frame->h)
+        const int32_t first = edges_first(drawn, i, y);
+        if (first >= frame->h)
             continue;
         uint16_t *band = &drawn->rim_bands[(uint32_t)first / GLINT_MESH_BAND];
         drawn->rims[i] = *band;
@@ -214,6 +206,9 @@ bool glint_mesh_rim_set(struct glint_mesh_rim *rim, const struct glint_mesh_draw
                   room = (is_flat ? window->bottom : window->right) - least;
     const int32_t first = glint_mesh_first(low), last = glint_mesh_first(high);
     int32_t at = first > top ? first : top, end = last < bottom ? last : bottom;
+    rim->is = (uint8_t)((is_flat ? GLINT_RIM_FLAT : 0) | (is_flat == turned ? GLINT_RIM_GROWS : 0) |
+                        (turned ? GLINT_RIM_TURNED : 0) |
+                        ((a->y > b->y ? a->y : b->y) + 1 < 16 * window->bottom ? GLINT_RIM_ENDS : 0));
     if (at >= end || (from < to ? from : to) - 1 >= 16 * (least + room) || (from < to ? to : from) + 1 < 16 * least)
         return false;
     const uint32_t length = (uint32_t)(high - low); /* 1..2^15 - 2 */
@@ -230,8 +225,6 @@ bool glint_mesh_rim_set(struct glint_mesh_rim *rim, const struct glint_mesh_draw
     rim->step = step;
     rim->at = (int16_t)at;
     rim->end = (int16_t)end;
-    rim->is = (uint8_t)((is_flat ? GLINT_RIM_FLAT : 0) | (is_flat == turned ? GLINT_RIM_GROWS : 0) |
-                        (turned ? GLINT_RIM_TURNED : 0));
     rim->corner = (uint8_t)corner;
     rim->inverse = inverse | (uint32_t)up << 24;
     rim->face = (uint16_t)face;
@@ -239,14 +232,18 @@ bool glint_mesh_rim_set(struct glint_mesh_rim *rim, const struct glint_mesh_draw
 }
 #endif
 
-/* A face's outlines, from `to` on; returns how many have a cell in the strip. */
+/* A face's outlines, from `to` on; returns how many have a cell in the strip. to->is: none goes on below it, also where there are none. */
 static unsigned rims_set(struct glint_mesh_rim *to, const struct glint_mesh_target *strip, unsigned face)
 {
     const struct glint_mesh_window window = {0, strip->y, strip->w, strip->end};
     struct glint_mesh_rim *rim = to;
-    unsigned edges = strip->drawn->edges[face] & GLINT_EDGES;
+    unsigned edges = strip->drawn->edges[face] & GLINT_EDGES, ends = GLINT_RIM_ENDS;
     for (unsigned k = 0; edges; k++, edges >>= 1) {
-        if (!(edges & 1) || !glint_mesh_rim_set(rim, strip->drawn, face, k, &window))
+        if (!(edges & 1))
+            continue;
+        const bool is_there = glint_mesh_rim_set(rim, strip->drawn, face, k, &window);
+        ends &= rim->is;
+        if (!is_there)
             continue;
         if (rim->is & GLINT_RIM_FLAT)
             rim->e -= strip->y * 65536;
@@ -255,10 +252,11 @@ static unsigned rims_set(struct glint_mesh_rim *to, const struct glint_mesh_targ
             rim[-1].is |= GLINT_RIM_MORE;
         rim++;
     }
+    to->is = (uint8_t)((to->is & ~(unsigned)GLINT_RIM_ENDS) | ends);
     return (unsigned)(rim - to);
 }
 
-const struct glint_mesh_rim *glint_mesh_rims_of(const struct glint_mesh_target *strip, unsigned face)
+struct glint_mesh_rim *glint_mesh_rims_of(const struct glint_mesh_target *strip, unsigned face)
 {
     const struct glint_mesh_drawn *const drawn = strip->drawn;
     struct glint_mesh_outlines *const outlines = drawn->outlines;
@@ -289,7 +287,8 @@ void glint_mesh_rims_take(const struct glint_mesh_target *strip)
     outlines->count = 0;
     while (i != GLINT_MESH_NONE) {
         uint16_t *const link = &drawn->rims[i];
-        const unsigned count = rims_set(outlines->rims + outlines->count, strip, i);
+        struct glint_mesh_rim *const rim = outlines->rims + outlines->count;
+        const unsigned count = rims_set(rim, strip, i);
         if (outlines->count + count > GLINT_MESH_RIMS)
             break;
         const uint16_t next = *link;
@@ -297,7 +296,7 @@ void glint_mesh_rims_take(const struct glint_mesh_target *strip)
             *link = outlines->count;
             drawn->edges[i] |= GLINT_EDGES_LISTED;
             outlines->count = (uint16_t)(outlines->count + count);
-        } else {
+        } else if (!(rim->is & GLINT_RIM_ENDS)) {
             *later = i;
             later = link;
         }
@@ -307,35 +306,23 @@ void glint_mesh_rims_take(const struct glint_mesh_target *strip)
     outlines->rest = i;
 }
 
-/* A list's end; the face is added where it goes on after the strip. Returns what followed it. */
-static uint16_t rims_keep(const struct glint_mesh_target *strip, uint16_t face, uint16_t **last)
-{
-    const struct glint_mesh_drawn *const drawn = strip->drawn;
-    const uint16_t next = drawn->rims[face];
-    if (edges_reach(drawn, face).last >= strip->end) {
-        **last = face;
-        *last = &drawn->rims[face];
-    }
-    return next;
-}
-
 void glint_mesh_rims_give(const struct glint_mesh_target *strip)
 {
     struct glint_mesh_drawn *const drawn = strip->drawn;
     struct glint_mesh_outlines *const outlines = drawn->outlines;
-    uint16_t kept = GLINT_MESH_NONE, later = GLINT_MESH_NONE, *last = &kept, *later_last = &later;
-    for (unsigned i = 0; i < outlines->count; i++) {
-        const uint16_t face = outlines->rims[i].face;
-        if (i && outlines->rims[i - 1].face == face)
-            continue;
+    uint16_t kept = GLINT_MESH_NONE, *last = &kept;
+    const uint16_t later = outlines->later;
+    for (const struct glint_mesh_rim *rim = outlines->rims, *const end = rim + outlines->count; rim < end; rim++) {
+        const uint16_t face = rim->face;
         drawn->edges[face] &= (uint8_t)~GLINT_EDGES_LISTED;
-        (void)rims_keep(strip, face, &last);
+        if (!(rim->is & GLINT_RIM_ENDS)) {
+            *last = face;
+            last = &drawn->rims[face];
+        }
+        while (rim->is & GLINT_RIM_MORE)
+            rim++;
     }
-    for (uint16_t i = outlines->rest; i != GLINT_MESH_NONE;)
-        i = rims_keep(strip, i, &last);
-    for (uint16_t i = outlines->later; i != GLINT_MESH_NONE;)
-        i = rims_keep(strip, i, &later_last);
-    *last = *later_last = GLINT_MESH_NONE;
+    *last = outlines->rest;
     outlines->count = 0;
     outlines->later = outlines->rest = GLINT_MESH_NONE;
     if (strip->end >= strip->frame->h)
