@@ -86,8 +86,8 @@ run-lab: $(BUILD)/tests/lab/spi.dtb $(BUILD)/glint glint-gpiod2 lab-programs
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang1 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang2 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
 		$(filter-out %.c tests/lab/test_fuzz,$(wildcard tests/lab/test_*)) \
-		$(patsubst %,"$(LAB_USB_GUEST) --time inf %",$(filter $(BUILD)/tests/lab/test_%,$(LAB_USB_TESTS))) \
-		$(foreach build,$(LAB_BOTH_BUILDS),"env GLINT=$(CURDIR)/$(build)/glint tests/lab/guest --time basic $(BUILD)/tests/lab/test_gpio_faults") \
+		$(patsubst %,"$(LAB_USB_GUEST) --time inf --seconds 5000 %",$(filter $(BUILD)/tests/lab/test_%,$(LAB_USB_TESTS))) \
+		$(foreach build,$(LAB_BOTH_BUILDS),"env GLINT=$(CURDIR)/$(build)/glint tests/lab/guest --time basic --seconds 5000 $(BUILD)/tests/lab/test_gpio_faults") \
 		"env GLINT=$(CURDIR)/$(BUILD)/glint tests/lab/guest --spi $(BUILD)/tests/lab/test_spidev" \
 		$(patsubst %,"$(LAB_GADGET_GUEST) $(BUILD)/tests/lab/test_gud_%",kernel ends host)
 
