@@ -209,7 +209,8 @@ struct image *svg_read(FILE *stream, const char *name, const uint8_t *head, size
     if (!as_asked)
         fail("%s: librsvg drew it in another size; convert it to PNG", name);
     struct image *image = allocate(1, sizeof *image);
-    *image = (struct image){strdup(name), drawn.width, drawn.height, CHANNELS, 8, false, NULL};
+    *image = (struct image){
+        .name = strdup(name), .width = drawn.width, .height = drawn.height, .channels = CHANNELS, .bits = 8};
     if (!image->name)
         fail("out of memory");
     const size_t samples = (size_t)drawn.width * drawn.height * CHANNELS;
