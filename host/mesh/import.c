@@ -70,6 +70,23 @@ static void receive_pictures(struct reader *reader, struct soup *soup)
     }
 }
 
+/* What is sent for a bool may be neither. */
+static bool truth(const bool *sent)
+{
+    uint8_t byte;
+    memcpy(&byte, sent, sizeof byte);
+    return byte != 0;
+}
+
+static void receive_material(struct reader *reader, struct mesh_material *material)
+{
+    bool *const flags[] = {&material->has_color, &material->unlit,      &material->has_highlight,
+                           &material->has_roughness, &material->is_nearest, &material->clamps};
+    receive(reader, material, sizeof *material);
+    for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
+        *flags[i] = truth(flags[i]);
+}
+
 static struct soup *receive_soup(struct reader *reader)
 {
     struct import_head head;
@@ -89,10 +106,10 @@ static struct soup *receive_soup(struct reader *reader)
     struct soup *soup = allocate(1, sizeof *soup);
     *soup = (struct soup){.name = strdup(reader->source->name),
                           .face_count = head.face_count,
-                          .has_normals = head.has_normals,
-                          .has_uv = head.has_uv,
-                          .has_colors = head.has_colors,
-                          .has_facet_colors = head.has_facet_colors,
+                          .has_normals = truth(&head.has_normals),
+                          .has_uv = truth(&head.has_uv),
+                          .has_colors = truth(&head.has_colors),
+                          .has_facet_colors = truth(&head.has_facet_colors),
                           .is_stl = strcmp(reader->source->ending, ".stl") == 0,
                           .part_count = (unsigned)head.part_count};
     if (!soup->name)
@@ -103,7 +120,8 @@ static struct soup *receive_soup(struct reader *reader)
     soup->materials = allocate(soup->part_count, sizeof *soup->materials);
     soup->pictures = allocate(soup->picture_count + 1, sizeof *soup->pictures);
     soup->faces = allocate(soup->face_count, sizeof *soup->faces);
-    receive(reader, soup->materials, soup->part_count * sizeof *soup->materials);
+    for (unsigned i = 0; i < soup->part_count; i++)
+        receive_material(reader, &soup->materials[i]);
     receive_pictures(reader, soup);
     receive(reader, soup->faces, soup->face_count * sizeof *soup->faces);
     soup_check_faces(soup);

@@ -14,7 +14,7 @@
 #define check(condition)                                                                                               \
     do {                                                                                                               \
         if (!(condition)) {                                                                                            \
-            fprintf(stderr, "%s:%d: not so: %s\n", __FILE__, __LINE__, #condition);                                    \
+            dprintf(2, "%s:%d: not so: %s\n", __FILE__, __LINE__, #condition); /* stderr may be hidden */              \
             abort();                                                                                                   \
         }                                                                                                              \
     } while (0)

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: MIT
-# Fuzzers of what devices parse, and of OBJ: tests/lab/test_fuzz runs them, `make fuzz` longer.
+# Fuzzers of what devices parse, and of what the command and the page read: tests/lab/test_fuzz runs them, `make fuzz` longer.
 LAB_FUZZ_PACKAGES = clang-14 libclang-rt-14-dev liblz4-dev xz-utils
 LAB_FUZZERS = $(patsubst tests/lab/fuzz_%.c,$(BUILD)/tests/lab/fuzz_%,$(wildcard tests/lab/fuzz_*.c))
 
 $(LAB_FUZZERS): $(BUILD)/tests/lab/fuzz_%: tests/lab/fuzz_%.c tests/lab/fuzz.h tests/lab/fuzzer $(wildcard firmware/core/*.[ch] lib/*.[ch]) \
 		host/sinks/panel/virtual_panel.c host/sinks/panel/virtual_panel.h $(wildcard host/mesh/*.[ch] host/base/*.[ch])
-	tests/lab/fuzzer $* $@
+	LAB_BUILD=$(BUILD) tests/lab/fuzzer $* $@
+
+# These are linked with the rest of the host.
+LAB_HOST_FUZZERS = $(addprefix $(BUILD)/tests/lab/fuzz_,png svg import stl lights words checkpoint)
+$(LAB_HOST_FUZZERS): tests/lab/unwind.h tests/lab/fuzz_child.h host/page/module/stl.c $(HOST_ARCHIVES)
 
 # What the fuzzers start from, an archive each, unpacked.
 LAB_SEEDS = $(LAB_FUZZERS:$(BUILD)/tests/lab/fuzz_%=$(BUILD)/tests/lab/seeds/%)
@@ -15,7 +19,7 @@ $(LAB_SEEDS): $(BUILD)/tests/lab/seeds/%: tests/lab/seeds/%.tar.xz
 setup-fuzz:
 	@.ci/need "fuzzing" $(LAB_FUZZ_PACKAGES)
 
-fuzz: setup-fuzz ## check: what devices parse, and OBJ, fuzzed for SECONDS (600) each; what is new goes to build/fuzz
+fuzz: setup-build setup-fuzz ## check: what devices, the command and the page read, fuzzed for SECONDS (600) each; what is new goes to build/fuzz
 	@+$(SUBMAKE) run-fuzz
 run-fuzz: $(LAB_FUZZERS) $(LAB_SEEDS)
 	@for fuzzer in $(LAB_FUZZERS); do name=$${fuzzer##*_} && mkdir -p build/fuzz/$$name && \

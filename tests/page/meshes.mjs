@@ -53,6 +53,13 @@ export const objs = {
     'gear.obj': lines('v', gear) + lines('v', gear.map(([x, y]) => [x, y, -.3])) + `f ${gear.map((_, i) => i + 1).join(' ')}\nf ${gear.map((_, i) => 80 - i).join(' ')}\n` + gear.map((_, i) => `f ${i + 1} ${i + 41} ${(i + 1) % 40 + 41} ${(i + 1) % 40 + 1}\n`).join(''),
 }
 
+/** What lies together: an OBJ in two materials, of which one wears a picture, its MTL and the picture. */
+export const clothed = picture => ({
+    'clothed.obj': 'mtllib things/clothed.mtl\nusemtl cloth\n' + objs['whole.obj'] + 'usemtl red\n' + faces(i => `${i}/${i}/${i}`).split('\n').slice(0, 40).join('\n') + '\n',
+    'clothed.mtl': 'newmtl cloth\nKd 1 1 1\nKs 1 .9 .6\nNs 80\nmap_Kd cloth.png\nnewmtl red\nKd .8 .1 .1\nNs 12\n',
+    'cloth.png': picture,
+})
+
 // ---- glTF: a ball of so many quadrilaterals, with all that a primitive may have ----
 
 const kinds = { 5121: [1, 'writeUInt8'], 5123: [2, 'writeUInt16LE'], 5125: [4, 'writeUInt32LE'], 5126: [4, 'writeFloatLE'] }

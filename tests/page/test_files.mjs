@@ -6,7 +6,7 @@ import { check, equal, run } from '../pico/tap.mjs'
 import { asked, browser, command, fragment, frames, page, press, shownIsDrawn, start, stateOfFragment, stateOfWords, wordsOf } from './beside.mjs'
 import { difference } from './glint.mjs'
 import { extras, png, surfaces } from './maps.mjs'
-import { ball, gltf, meshes } from './meshes.mjs'
+import { ball, clothed, gltf, meshes } from './meshes.mjs'
 
 run([
     ['a logo rises by Bevel, a height map is seamless, green is flipped, and a map is taken away, by their controls; warnings are listed', async () => {
@@ -71,6 +71,21 @@ run([
         equal((await shownIsDrawn()).join(' '), '--scene=coin --size=64x48 --format=rgb565 --light=-1,1,1.2', 'the coin after it')
         await press('Undo')
         check((await shownIsDrawn()).includes('--mesh=ring.stl'), 'undone')
+    }],
+    ['an OBJ wears the materials and the picture that are dropped with it; materials alone are refused with a word', async () => {
+        const texts = clothed(png({ width: 8, height: 8, type: 2, depth: 8, sample: (x, y, k) => 20 * (x ^ y) + 30 * k }))
+        const files = Object.fromEntries(Object.entries(texts).map(([name, bytes]) => [name, Buffer.from(bytes)]))
+        for (const name in files)
+            command.put(name, name === 'clothed.obj' ? Buffer.from(texts[name].replace('things/', '')) : files[name])
+        await browser.go(start)
+        await browser.drop(files)
+        await browser.until(() => document.body.dataset.drawn?.includes('clothed.obj'))
+        check((await shownIsDrawn()).includes('--mesh=clothed.obj'), 'the state')
+        equal(await browser.text('warnings'), '', 'warnings')
+        const state = (await shownIsDrawn()).join(' ')
+        await browser.drop({ 'clothed.mtl': files['clothed.mtl'] })
+        await browser.until(() => document.getElementById('refusal').textContent.startsWith('clothed.mtl: these are materials'))
+        equal((await shownIsDrawn()).join(' '), state, 'the state after it')
     }],
     ['a mesh wears a dropped PNG as the command draws it; other pictures are refused with a word', async () => {
         await browser.go(start.replace('coin', 'teapot'))

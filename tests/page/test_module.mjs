@@ -7,11 +7,11 @@ import { inflateRawSync } from 'node:zlib'
 import { check, equal, run } from '../pico/tap.mjs'
 import { Command, difference } from './glint.mjs'
 import { extras, png, surfaces } from './maps.mjs'
-import { ball, gltf, meshes, objs, ring, stl } from './meshes.mjs'
+import { ball, clothed, gltf, meshes, objs, ring, stl } from './meshes.mjs'
 import { randomly, randomWords } from './states.mjs'
 
 const [folder, glint] = process.argv.slice(2)
-const { Engine, lists, readPng, commandLine, stateOfWords, whiteName, wordsOf } = await import(`${process.cwd()}/${folder}/engine.mjs`)
+const { Engine, lists, readPng, commandLine, stateOfWords, together, whiteName, wordsOf } = await import(`${process.cwd()}/${folder}/engine.mjs`)
 const program = new WebAssembly.Module(readFileSync(`${folder}/module.wasm`))
 const command = new Command(glint)
 const [models, formats, paths, materials, scenes] = ['--model', '--format', '--path', '--material', '--scene'].map(option => command.choices(option))
@@ -227,9 +227,22 @@ run([
         const library = 'mtllib a b.mtl\nusemtl red\n' + objs['plain.obj']
         engine.addMesh('named.obj', new Uint8Array(Buffer.from(library)))
         const { rgba, warnings } = engine.draw(['--mesh=named.obj', '--size=40x40'])
-        check(warnings.join() === 'named.obj: names a b.mtl, which the page cannot open: its parts have one plain colour', warnings.join())
+        check(warnings.join() === 'named.obj: names a b.mtl, which is not here: drop or choose it together with the mesh', warnings.join())
         check(Buffer.from(rgba).equals(Buffer.from(engine.draw(['--mesh=plain.obj', '--size=40x40']).rgba)), 'it is not drawn without')
-        for (const text of ['', 'v 0 0\n', 'v 0 0 0\nf 1 2 3\n', 'v 0 0 0\nv nan 1 0\nv 1 1 0\nf 1 2 3\n', `v 0 0 0\nv 1 0 0\nv 0 1 0\n${'f 1 2 3\n'.repeat(65535)}`]) {
+        const files = clothed(png({ width: 24, height: 17, type: 2, depth: 8, sample: (x, y, k) => ((x ^ y) & 4 ? 200 : 40 + 7 * x) + 13 * k & 255 }))
+        for (const name in files)
+            command.put(name, name === 'clothed.obj' ? files[name].replace('things/', '') : files[name])
+        const given = without => together(Object.entries(files).filter(([name]) => name !== without).map(([name, bytes]) => ({ name, bytes: new Uint8Array(Buffer.from(bytes)) })))
+        engine.addMesh('clothed.obj', given())
+        for (const more of [['--format=rgb565'], ['--turn=20,-50,10', '--nearest'], ['--no-textures']])
+            same(engine, ['--mesh=clothed.obj', '--size=80x70', ...more])
+        const said = without => {
+            engine.addMesh('clothed.obj', given(without))
+            return engine.draw(['--mesh=clothed.obj', '--size=40x40']).warnings.join()
+        }
+        for (const [without, named] of [['cloth.png', 'cloth.png'], ['clothed.mtl', 'things/clothed.mtl']])
+            equal(said(without), `clothed.obj: names ${named}, which is not here: drop or choose it together with the mesh`, `without ${without}`)
+        for (const text of ['', '#glint [["a.obj",3]]\nv 0 0\n', 'v 0 0\n', 'v 0 0 0\nf 1 2 3\n', 'v 0 0 0\nv nan 1 0\nv 1 1 0\nf 1 2 3\n', `v 0 0 0\nv 1 0 0\nv 0 1 0\n${'f 1 2 3\n'.repeat(65535)}`]) {
             command.put('wrong.obj', text || '#')
             engine.addMesh('wrong.obj', new Uint8Array(Buffer.from(text || '#')))
             equal(refusal(() => engine.draw(['--mesh=wrong.obj', '--size=20x20'])), command.refusal(['render', '--mesh=wrong.obj', '--size=20x20', '-o', 'no.png']), text.slice(0, 40))

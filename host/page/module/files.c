@@ -40,6 +40,11 @@ void files_add_image(const char *name, const struct image *image)
         fail("out of memory");
 }
 
+bool files_has_image(const char *name)
+{
+    return find(name) != NULL;
+}
+
 struct image *image_read_sized(const char *path, uint32_t width, uint32_t height)
 {
     (void)width; /* for SVG, which the page does not read */

@@ -10,6 +10,7 @@
 
 /* A picture to be read under its name; takes the samples. One of the same name is replaced. */
 void files_add_image(const char *name, const struct image *image);
+bool files_has_image(const char *name);
 
 /* A mesh's file; takes the bytes. One of the same name is replaced. */
 void files_add_mesh(const char *name, uint8_t *bytes, size_t len);

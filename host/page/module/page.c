@@ -36,7 +36,12 @@ void *page_allocate(size_t bytes)
 void page_image(char *name, uint32_t width, uint32_t height, uint32_t channels, uint32_t bits, uint32_t palette,
                 uint16_t *samples)
 {
-    const struct image image = {NULL, width, height, channels, bits, palette != 0, samples};
+    const struct image image = {.width = width,
+                                .height = height,
+                                .channels = channels,
+                                .bits = bits,
+                                .palette = palette != 0,
+                                .samples = samples};
     files_add_image(name, &image);
     free(name);
 }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
- * Meshes of the page: binary STL files, read as libassimp reads them for the command, OBJ by the command's own reader but without files beside
- * it, and glTF files that hold all they need. */
+ * Meshes of the page: binary STL files, read as libassimp reads them for the command, OBJ by the command's own reader with what was given
+ * together with it, and glTF files that hold all they need. */
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -15,6 +16,7 @@
 #include "mesh/import.h"
 #include "mesh/import_picture.h"
 #include "mesh/obj.h"
+#include "mesh/obj_materials.h"
 
 enum { COMMENT = 80, HEAD = 84, FACET = 50, HAS_COLOR = 0x8000 };
 
@@ -78,10 +80,48 @@ struct mesh_picture import_picture(const char *path)
 
 static const char *obj_name;
 
-static void no_library(struct obj_materials *materials, const char *name)
+/* What came with the OBJ has its name before its own, without folders. */
+static char *key_of(const char *name)
 {
-    (void)materials;
-    warn("%s: names %s, which the page cannot open: its parts have one plain colour", obj_name, name);
+    char *key;
+    for (const char *at = name; *at; at++)
+        if (*at == '/' || *at == '\\')
+            name = at + 1;
+    if (asprintf(&key, "%s/%s", obj_name, name) < 0)
+        fail("out of memory");
+    return key;
+}
+
+static const char not_here[] = "is not here: drop or choose it together with the mesh";
+
+static void read_library(struct obj_materials *materials, const char *name)
+{
+    size_t len;
+    char *key = key_of(name);
+    const uint8_t *text = files_mesh(key, &len);
+    if (text)
+        obj_materials_read(materials, (const char *)text, len);
+    else
+        warn("%s: names %s, which %s", obj_name, name, not_here);
+    free(key);
+}
+
+/* Parts whose picture is not here have their colour. */
+static void take_pictures(struct soup *soup)
+{
+    for (unsigned i = 0; i < soup->picture_count; i++) {
+        struct mesh_picture *to = &soup->pictures[i];
+        char *key = key_of(to->name);
+        if (files_has_image(key)) {
+            struct mesh_picture picture = import_picture(key);
+            free(picture.name);
+            picture.name = to->name;
+            *to = picture;
+        } else {
+            warn("%s: names %s, which %s", obj_name, to->name, not_here);
+        }
+        free(key);
+    }
 }
 
 static bool is_obj(const char *path)
@@ -90,9 +130,9 @@ static bool is_obj(const char *path)
     return dot && strcasecmp(dot, ".obj") == 0;
 }
 
-static struct soup *obj_of(const char *path, const uint8_t *bytes, size_t len)
+static struct soup *obj_of(const char *path, const uint8_t *bytes, size_t len, bool textures)
 {
-    const struct obj_source source = {(const char *)bytes, len, false, no_library};
+    const struct obj_source source = {(const char *)bytes, len, textures, read_library};
     char wrong[120];
     obj_name = path;
     struct soup *soup = obj_soup(&source, wrong);
@@ -103,12 +143,13 @@ static struct soup *obj_of(const char *path, const uint8_t *bytes, size_t len)
         fail("out of memory");
     soup_check_count(soup->name, soup->face_count);
     soup_check_faces(soup);
+    take_pictures(soup);
     return soup;
 }
 
 struct soup *import_soup(const char *path, bool textures, const char *allowed)
 {
-    (void)allowed; /* these files name none */
+    (void)allowed;
     size_t len;
     const uint8_t *stl = files_mesh(path, &len);
     if (!stl)
@@ -116,7 +157,7 @@ struct soup *import_soup(const char *path, bool textures, const char *allowed)
     if (gltf_is(stl, len))
         return gltf_soup(path, (const void *)stl, textures);
     if (is_obj(path))
-        return obj_of(path, stl, len);
+        return obj_of(path, stl, len, textures);
     struct soup *soup = allocate(1, sizeof *soup);
     *soup =
         (struct soup){.name = strdup(path), .face_count = count_of(path, stl, len), .is_stl = true, .part_count = 1};

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Pictures, numbers and files by command lines: what the worker does, without being one.
 import { LIGHT_DESCRIPTOR_BYTES, LIGHT_MATERIAL_BYTES, LIGHT_MESH_BYTES, LIGHT_MESSAGE_BYTES, LIGHT_POSE_BYTES, PAGE_BINS } from './exports'
-import { isGltf, readGltf } from './gltf'
+import { checkTexture, isGltf, readGltf } from './gltf'
+import { apart, isObj } from './obj'
 import { Module } from './module'
+import { readPng } from './png'
 import type { Map16 } from './png'
 
 export interface Picture {
@@ -51,6 +53,7 @@ export type Facts = Record<string, number[]>
 const keepNothing = 0, keepScene = 1, keepCanvas = 2
 /** Options that make the surface; a built-in scene is made of --material, --color takes its own colours away. */
 const ofSurface = /^--(height|normals|scene|mask|scale|bevel|fit|wrap|flip-y|size|albedo|gloss|mesh|crease|axes|split|texture|nearest|material|grain|cut-out|filter|background|no-outlines)\b/
+const isPng = (name: string) => /\.png$/i.test(name)
 /** Where a mesh stands, for which no canvas is made. */
 const standsBy = /^--(turn|zoom|perspective)\b/
 
@@ -77,11 +80,24 @@ export class Engine {
 
     /** A file of a mesh. */
     addMesh(name: string, bytes: Uint8Array<ArrayBuffer>): void {
-        if (isGltf(name))
-            bytes = readGltf(name, bytes)
-        this.meshes.set(name, bytes)
+        const [mesh, ...named] = isObj(name) ? apart(name, bytes) : [{ name, bytes }]
+        const maps = named.filter(({ name }) => isPng(name)).map(({ name: of, bytes }): [string, Map16] => (checkTexture(of, bytes), [`${name}/${of}`, readPng(of, bytes)]))
+        const held = isGltf(name) ? readGltf(name, bytes) : mesh.bytes
+        this.forgetNamedBy(name)
+        this.meshes.set(name, held)
+        for (const { name: of, bytes } of named.filter(({ name }) => !isPng(name)))
+            this.meshes.set(`${name}/${of}`, bytes)
+        maps.forEach(([of, map]) => this.maps.set(of, map))
         this.surface = this.material = ''
-        this.guard(() => this.handMesh(name, bytes))
+        this.guard(() => named.length ? this.begin() : this.handMesh(name, held))
+    }
+
+    /** What came with the last mesh of this name. */
+    private forgetNamedBy(name: string): void {
+        const gone = [...this.meshes.keys(), ...this.maps.keys()].filter(key => key.startsWith(`${name}/`))
+        gone.forEach(key => this.meshes.delete(key) || this.maps.delete(key))
+        if (gone.length)
+            this.begin()
     }
 
     /** A map without anything on it. */

@@ -3,6 +3,7 @@
 import { disable } from './controls'
 import { byId, make } from './dom'
 import { checkTexture, isGltf } from './gltf'
+import { isObj, namedBy, together } from './obj'
 import { bytesOf, forgetFile, keepFile, putFile } from './kept'
 import { redraw, say, settled } from './picture'
 import { lookOfLogo } from './presets'
@@ -12,14 +13,18 @@ import { fileOf, isMesh, isSurface, kinds, noSurface } from './words'
 import type { Kind, State } from './words'
 
 /** A file that is refused leaves all as it was: address, rows and picture, and what had its name. */
-async function take(file: File, kind: Kind): Promise<void> {
+async function take(file: File, kind: Kind, named: File[] = []): Promise<void> {
     const name = file.name.replace(/[/\\]/g, '_') // in the command line it must not look like a path
     const before = current(), had = bytesOf(name)
     let refusal = ''
     try {
+        if (/\.mtl$/i.test(name))
+            throw new Error(`${name}: these are materials; drop or choose them together with their OBJ`)
         if (kind === 'mesh' && !/\.(stl|obj)$/i.test(name) && !isGltf(name))
             throw new Error(`${name}: the page reads meshes from OBJ, binary STL and glTF files; glint render --mesh reads others, too`)
-        const bytes = new Uint8Array(await file.arrayBuffer())
+        let bytes = new Uint8Array(await file.arrayBuffer())
+        if (named.length)
+            bytes = together(await Promise.all([file, ...named].map(async file => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) }))))
         if (kind === 'texture')
             checkTexture(name, bytes)
         const isLogo = await putFile(name, kind, bytes)
@@ -62,13 +67,21 @@ function kindOf(name: string): Kind {
     return kinds.find(kind => current()[kind] === name) ?? words.find(([pattern]) => pattern.test(name))?.[1] ?? 'height'
 }
 
+/** An OBJ with what it names; of the others each for itself, or the first one, for a row. */
+async function takeAll(all: File[], row?: Kind): Promise<void> {
+    const obj = all.find(({ name }) => isObj(name)), named = obj ? await namedBy(all) : []
+    const files = all.filter(file => !named.includes(file)).map(file => ({ file, kind: row ?? kindOf(file.name) }))
+    files.sort((a, b) => kinds.indexOf(a.kind) - kinds.indexOf(b.kind)) // the surface first, which clears the others
+    for (const { file, kind } of row ? obj ? [{ file: obj, kind: row }] : files.slice(0, 1) : files)
+        await take(file, kind, file === obj ? named : [])
+}
+
 const updates: (() => void)[] = []
 const titles: Record<Kind, string> = { height: 'Height or logo', normals: 'Normals', mesh: 'Mesh', texture: 'Texture', albedo: 'Colours', gloss: 'Gloss', mask: 'Mask', grain: 'Scratches' }
 for (const kind of kinds) {
-    const input = make('input', { type: 'file', accept: kind === 'mesh' ? '.obj,.stl,.glb,.gltf' : 'image/png,.png', className: 'hidden', id: `map-${kind}` })
+    const input = make('input', { type: 'file', accept: kind === 'mesh' ? '.obj,.mtl,.png,.stl,.glb,.gltf' : 'image/png,.png', multiple: kind === 'mesh', className: 'hidden', id: `map-${kind}` })
     input.onchange = () => {
-        if (input.files?.[0])
-            void take(input.files[0], kind)
+        void takeAll([...input.files ?? []], kind)
         input.value = ''
     }
     const label = make('label', { htmlFor: input.id, className: 'file', textContent: 'Choose', aria: { label: `Choose: ${titles[kind]}` } })
@@ -100,12 +113,10 @@ addEventListener('dragleave', event => {
 addEventListener('drop', async event => {
     event.preventDefault()
     drop.hidden = true
-    const files = [...event.dataTransfer?.files ?? []].map(file => ({ file, kind: kindOf(file.name) }))
-    files.sort((a, b) => kinds.indexOf(a.kind) - kinds.indexOf(b.kind)) // the surface first, which clears the others
+    const files = [...event.dataTransfer?.files ?? []]
     if (files.length)
         showGroup('scene')
-    for (const { file, kind } of files)
-        await take(file, kind)
+    await takeAll(files)
 })
 
 function update(): void {
