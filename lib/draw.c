@@ -138,6 +138,14 @@ static void draw_exactly(const struct glint_paint *paint, struct glint_lines *li
     glint_bounds_box(&bounds, highlight);
 }
 
+/* In one loop, where there is one. */
+static void draw_one_light(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
+                           uint32_t h, struct glint_box *highlight)
+{
+    if (!glint_fused_lines(paint, lines, at, h, highlight))
+        draw_exactly(paint, lines, at, h, highlight);
+}
+
 static void draw_normals(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
                          struct glint_sample *samples)
 {
@@ -216,14 +224,14 @@ enum glint_err glint_draw_rect_by(const struct glint_paint *paint, const struct 
     lines.maps = maps;
     lines.target = target;
     lines.soft = soft;
-    lines.draw = draw_exactly;
+    lines.draw = draw_one_light;
     lines.source = draw_normals;
     lines.w = w;
     lines.has_gaps = maps->normals_format == GLINT_NORMALS_INT8;
     enum glint_err err = draw_begin(&lines, paint, h, true);
     if (!err)
         err = draw_check(paint, maps, w, h, target);
-    if (!err && (lines.draw != draw_exactly || !glint_fused_lines(paint, &lines, NULL, h, highlight)))
+    if (!err)
         lines.draw(paint, &lines, NULL, h, highlight);
     return err;
 }
@@ -238,7 +246,7 @@ draw_span(const struct glint_paint *paint, const struct glint_span *span, const 
     lines.maps = maps;
     lines.target = target;
     lines.soft = soft;
-    lines.draw = draw_exactly;
+    lines.draw = draw_one_light;
     lines.source = glint_lines_walk;
     lines.w = span->w;
     lines.has_gaps = false;
@@ -250,8 +258,7 @@ draw_span(const struct glint_paint *paint, const struct glint_span *span, const 
         at.nl_q30 = -1;
         at.dnl_q30 = 0;
     }
-    if (lines.draw != draw_exactly || !glint_fused_lines(paint, &lines, &at, 1, highlight))
-        lines.draw(paint, &lines, &at, 1, highlight);
+    lines.draw(paint, &lines, &at, 1, highlight);
     return GLINT_OK;
 }
 

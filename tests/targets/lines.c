@@ -164,6 +164,8 @@ static void make_normals(const struct glint_paint *light)
         } else if (kind == 9) {
             n = light->l;
             n.z = (int16_t)(n.z ^ -(int32_t)below(2));
+        } else if (kind == 12) { /* N.L = 0, and in a wide lobe */
+            n.x = n.y = n.z = 0;
         }
         normals[i] = n;
     }
@@ -324,7 +326,7 @@ static bool make_span(struct glint_span *span, const struct glint_paint *paint, 
         return false;
     const uint32_t kind = below(8);
     if (kind == 0) {
-        span->t_q30 = below(65536) << below(17);
+        span->t_q30 = below(2) ? below(65536) << below(17) : 0 - (below(65536) << below(12)); /* or a little below 0 */
         span->dt_q30 = (uint32_t)(int32_t)any() << below(17);
         span->ddt_q30 = below(65536) << below(17);
         span->nl_q30 = (int32_t)((uint32_t)any() << below(17));
