@@ -20,11 +20,11 @@ $(PROOF_BUILD)/test_helium: tests/proof/test_helium.c tests/proof/helium/arm_mve
 	$(CC) -std=c11 -D_GNU_SOURCE -O2 -D__ARM_FEATURE_MVE=1 $(WARNINGS) -Ilib -Itests/proof/helium -I$(PROOF_BUILD) $(OPENMP) $(CFLAGS) $< -o $@ -lcmocka -lm
 
 # tests/targets/lines.c by the same stand-in; what is undefined in helium.c traps.
-HELIUM_LINES = $(CC) -std=c11 -D__ARM_FEATURE_MVE=1 -DLINES_CASES=6000 -Ilib -Itests/proof/helium -Ifirmware/ports/bare
+PROOF_HELIUM_LINES = $(CC) -std=c11 -D__ARM_FEATURE_MVE=1 -DLINES_CASES=6000 -Ilib -Itests/proof/helium -Ifirmware/ports/bare
 $(PROOF_BUILD)/helium_lines: tests/proof/helium/lines.c tests/proof/helium/arm_mve.h tests/targets/lines.c $(wildcard lib/*.[ch])
 	@mkdir -p $(@D)
-	$(HELIUM_LINES) -O1 -fsanitize=undefined -fsanitize-undefined-trap-on-error -c lib/helium.c -o $@.o
-	$(HELIUM_LINES) $(filter %.c,$(filter-out lib/helium.c,$^)) $@.o -Wl,--wrap=glint_line_begin -o $@
+	$(PROOF_HELIUM_LINES) -O1 -fsanitize=undefined -fsanitize-undefined-trap-on-error -c lib/helium.c -o $@.o
+	$(PROOF_HELIUM_LINES) $(filter %.c,$(filter-out lib/helium.c,$^)) $@.o -Wl,--wrap=glint_line_begin -o $@
 
 setup-proof: setup-build
 	@.ci/need "tier proof" $(PROOF_PACKAGES)
