@@ -39,12 +39,12 @@ GLINT_INLINE uint32_t riscv_least(uint32_t a, uint32_t b)
 /* What is needed in the highlight alone is read there, and not before: else compilers keep it on the stack. */
 #define RISCV_READ(field) (((const volatile struct glint_line_loop *)loop)->field)
 #define RISCV_RARELY(condition) __builtin_expect(condition, 0)
-/* words goes on by two, as the first instruction of a loop: one of 16 bits, as Hazard3 takes a cycle more for a jump to one of 32 bits that is not
+/* words goes on by four, as the first instruction of a loop: one of 16 bits, as Hazard3 takes a cycle more for a jump to one of 32 bits that is not
  * aligned. */
 #ifdef __riscv
-#define RISCV_TWO(words) __asm__ volatile("addi %0, %0, 8" : "+r"(words))
+#define RISCV_FOUR(words) __asm__ volatile("addi %0, %0, 16" : "+r"(words))
 #else
-#define RISCV_TWO(words) ((words) += 2)
+#define RISCV_FOUR(words) ((words) += 4)
 #endif
 #define RISCV_STEP() __asm__ volatile("" ::: "memory")
 
@@ -190,10 +190,15 @@ GLINT_INLINE struct riscv_normal riscv_normal_at(const struct riscv_int8 *look, 
     return at;
 }
 
-/* |e| < 2^31 */
+/* |e| < 2^31 where d >= 0 */
 GLINT_INLINE int32_t riscv_e(const struct riscv_int8 *look, struct riscv_normal at)
 {
-    return (int32_t)at.d + at.z * (1 << 14) - look->cut;
+    return (int32_t)(at.d + ((uint32_t)at.z << 14) - (uint32_t)look->cut);
+}
+
+GLINT_INLINE uint32_t riscv_column(const struct riscv_int8 *look, int32_t e)
+{
+    return look->columns[(((uint32_t)e >> look->a) * look->r) >> (32 - GLINT_COLOUR_COLUMNS_LOG)];
 }
 
 /* Draws a pixel of this kind; false where it is of another. */
@@ -208,37 +213,35 @@ GLINT_INLINE bool riscv_pixel(const struct riscv_int8 *look, struct riscv_normal
                                                               RISCV_RARELY((e < 0) != (kind == RISCV_MATT))))
         return false;
     if (kind == RISCV_GLOSSY) {
-        column = look->columns[riscv_high((uint32_t)e >> look->a, look->r)];
+        column = riscv_column(look, e);
         __asm__ volatile("" : "+r"(row) : : "memory"); /* its place while the column is being loaded */
     }
     *out = kind == RISCV_DARK ? look->dark : riscv_colour(look, row, column);
     return true;
 }
 
-/* On from a pixel of this kind, two at a time. */
+/* On from a pixel of this kind, four at a time. */
+#define RISCV_PIXEL(kind, k)                                                                                           \
+    at = riscv_normal_at(&look, words - 4 + (k));                                                                      \
+    if (!riscv_pixel(&look, at, out + (k), kind)) {                                                                    \
+        words -= 4 - (k);                                                                                              \
+        out += (k);                                                                                                    \
+        goto another;                                                                                                  \
+    }
 #define RISCV_LOOP(kind)                                                                                               \
-    if (out < last)                                                                                                    \
-        do {                                                                                                           \
-            RISCV_TWO(words);                                                                                          \
-            at = riscv_normal_at(&look, words - 2);                                                                    \
-            if (!riscv_pixel(&look, at, out, kind)) {                                                                  \
-                words -= 2;                                                                                            \
-                goto another;                                                                                          \
-            }                                                                                                          \
-            at = riscv_normal_at(&look, words - 1);                                                                    \
-            if (!riscv_pixel(&look, at, out + 1, kind)) {                                                              \
-                words--;                                                                                               \
-                out++;                                                                                                 \
-                goto another;                                                                                          \
-            }                                                                                                          \
-            out += 2;                                                                                                  \
-    } while (out < last)
+    while (out < last) {                                                                                               \
+        RISCV_FOUR(words);                                                                                             \
+        RISCV_PIXEL(kind, 0)                                                                                           \
+        RISCV_PIXEL(kind, 1)                                                                                           \
+        RISCV_PIXEL(kind, 2)                                                                                           \
+        RISCV_PIXEL(kind, 3)                                                                                           \
+        out += 4;                                                                                                      \
+    }
 
 void glint_colour_int8(const struct glint_paint *paint, const uint32_t *words, uint32_t w, uint16_t *out)
 {
     const struct glint_tables *const tables = &paint->of.tables.filled;
     const int32_t cut = paint->of.tables.cut;
-    const uint32_t r = paint->of.tables.r;
     const struct riscv_int8 look = {tables->columns,
                                     (const uint8_t *)tables->colour.colours,
                                     paint->of.tables.x,
@@ -246,11 +249,10 @@ void glint_colour_int8(const struct glint_paint *paint, const uint32_t *words, u
                                     paint->of.tables.z,
                                     cut,
                                     cut < (1 << 29) ? 0 : (uint32_t)cut - (1 << 29),
-                                    r << GLINT_COLOUR_COLUMNS_LOG,
+                                    paint->of.tables.r,
                                     paint->of.tables.a,
                                     tables->dark};
-    const bool r_fits = r >> (32 - GLINT_COLOUR_COLUMNS_LOG) == 0;
-    const uint16_t *const end = out + w, *const last = end - 1;
+    const uint16_t *const end = out + w, *const last = w > 3 ? end - 3 : out; /* from here on there are no four */
     while (out != end) {
         struct riscv_normal at = riscv_normal_at(&look, words);
     another:
@@ -264,20 +266,18 @@ void glint_colour_int8(const struct glint_paint *paint, const uint32_t *words, u
         out++;
         if ((int32_t)at.d < 0) {
             out[-1] = look.dark;
-            RISCV_LOOP(RISCV_DARK);
+            RISCV_LOOP(RISCV_DARK)
         } else if (at.d < look.far) {
             out[-1] = riscv_colour(&look, riscv_row(at.d), 0);
-            RISCV_LOOP(RISCV_FAR);
+            RISCV_LOOP(RISCV_FAR)
         } else {
             const int32_t e = riscv_e(&look, at);
             if (e < 0) {
                 out[-1] = riscv_colour(&look, riscv_row(at.d), 0);
-                RISCV_LOOP(RISCV_MATT);
+                RISCV_LOOP(RISCV_MATT)
             } else {
-                out[-1] = riscv_colour(&look, riscv_row(at.d),
-                                       look.columns[((uint32_t)e >> look.a) * r >> (32 - GLINT_COLOUR_COLUMNS_LOG)]);
-                if (r_fits)
-                    RISCV_LOOP(RISCV_GLOSSY);
+                out[-1] = riscv_colour(&look, riscv_row(at.d), riscv_column(&look, e));
+                RISCV_LOOP(RISCV_GLOSSY)
             }
         }
     }
