@@ -317,17 +317,28 @@ static void cells_set(struct glint_mesh_cells *cells)
 
 /* ---- Cells that outlines blend ---- */
 
-/* Its face's other outlines, also beyond the strip. */
+/* Its face's other outlines that have lines, or columns, where this one has cells in the strip. */
 static void others_set(struct glint_mesh_cells *cells)
 {
     static const struct glint_mesh_window all = {-4096, -4096, 4096, 4096};
     const struct glint_mesh_drawn *const drawn = cells->strip->drawn;
-    const unsigned face = cells->rim->face, edges = drawn->edges[face] & GLINT_EDGES;
+    const struct glint_mesh_rim *const rim = cells->rim;
+    const unsigned face = rim->face, edges = drawn->edges[face] & GLINT_EDGES;
     cells->others = 0;
-    for (unsigned k = 0; k < 3 && edges & (edges - 1); k++)
-        if (k != cells->rim->corner && edges >> k & 1 &&
-            glint_mesh_rim_set(&cells->other[cells->others], drawn, face, k, &all))
+    for (unsigned k = 0; k < 3 && edges & (edges - 1); k++) {
+        struct glint_mesh_rim *const other = &cells->other[cells->others];
+        if (k == rim->corner || !(edges >> k & 1) || !glint_mesh_rim_set(other, drawn, face, k, &all))
+            continue;
+        int32_t low = rim->at, high = rim->end - 1;
+        if ((other->is ^ rim->is) & GLINT_RIM_FLAT) {
+            const int32_t top = rim->is & GLINT_RIM_FLAT ? cells->strip->y : 0, first = rim->e >> 16,
+                          last = (rim->e + rim->step * (high - low)) >> 16;
+            low = top + cells_min(first, last);
+            high = top + cells_max(first, last);
+        }
+        if (other->at <= high && other->end > low)
             cells->others++;
+    }
 }
 
 /* What these leave of a cell's part; 0 where one before this outline blends the cell. */
@@ -337,9 +348,11 @@ static unsigned others_share(const struct glint_mesh_cells *cells, int32_t x, in
         const struct glint_mesh_rim *const other = &cells->other[i];
         const bool is_flat = other->is & GLINT_RIM_FLAT, grows = other->is & GLINT_RIM_GROWS;
         const int32_t along = is_flat ? x : y, across = is_flat ? y : x;
+        if (along < other->at || along >= other->end)
+            continue;
         const int32_t e = other->e + other->step * (along - other->at), cell = e >> 16;
         const unsigned of = cell == across ? glint_mesh_rim_part(other, e) : (cell < across) == grows ? 255 : 0;
-        if (cell == across && along >= other->at && along < other->end && other->corner < cells->rim->corner)
+        if (cell == across && other->corner < cells->rim->corner)
             return 0;
         part = part + of > 255 ? part + of - 255 : 0;
     }
