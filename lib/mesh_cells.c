@@ -68,13 +68,23 @@ static bool hide_rim(const struct glint_mesh_target *strip, const struct glint_m
     return true;
 }
 
-/* Of a face, from its first one on. */
-static bool hide_rims(const struct glint_mesh_target *strip, struct glint_mesh_rim *rim, const struct hide_range *range)
+/* Of a face. */
+static bool hide_rims(const struct glint_mesh_target *strip, unsigned face, const struct hide_range *range)
 {
+    const struct glint_mesh_drawn *const drawn = strip->drawn;
+    struct glint_mesh_rim *rim = drawn->edges[face] & GLINT_EDGES_LISTED ? drawn->outlines->rims + drawn->rims[face]
+                                                                         : glint_mesh_rims_of(strip, face);
     for (; rim; rim = glint_mesh_rim_after(rim))
         if (!hide_rim(strip, rim, range))
             return false;
     return true;
+}
+
+/* Has it outlines here, as far as one can tell? */
+static inline bool hide_asks(const struct glint_mesh_drawn *drawn, unsigned face)
+{
+    const unsigned edges = drawn->edges[face];
+    return edges & GLINT_EDGES_LISTED || (edges & GLINT_EDGES && drawn->outlines->rest != GLINT_MESH_NONE);
 }
 
 static void cells_show(const struct glint_mesh_target *strip)
@@ -98,19 +108,16 @@ static bool hide(const struct glint_mesh_target *strip, unsigned face, const str
     const unsigned edges = drawn->edges[face];
     bool fits = true;
     drawn->outlines->hidden = 0;
-    if (edges & GLINT_EDGES)
-        fits = hide_rims(strip, glint_mesh_rims_of(strip, face), &range);
+    if (hide_asks(drawn, face))
+        fits = hide_rims(strip, face, &range);
     for (unsigned k = 0; fits && edges & GLINT_EDGES_BESIDE && k < 3; k++) {
-        if (beside[k] >= drawn->mesh->face_count || !(drawn->edges[beside[k]] & GLINT_EDGES))
-            continue;
-        struct glint_mesh_rim *const rims = glint_mesh_rims_of(strip, beside[k]);
-        if (!rims)
+        if (beside[k] >= drawn->mesh->face_count || !hide_asks(drawn, beside[k]))
             continue;
         if (!(edges & GLINT_EDGES_CLIPPED)) {
             range.a = glint_mesh_corner_at(drawn, face, k);
             range.b = glint_mesh_corner_at(drawn, face, glint_mesh_corner_after(k));
         }
-        fits = hide_rims(strip, rims, &range);
+        fits = hide_rims(strip, beside[k], &range);
     }
     if (!fits)
         cells_show(strip);
@@ -174,7 +181,10 @@ static void cells_rows(const struct glint_paint *paint, struct glint_mesh_triang
         glint_mesh_rows(paint, triangle, strip);
     } else if (!(edges & GLINT_EDGES_THIN)) {
         if (hide_all(triangle, strip)) {
-            glint_mesh_rows(paint, triangle, strip);
+            if (triangle->y >= strip->y && glint_mesh_is_colour(paint, strip))
+                glint_mesh_colour(&paint->of.tables.filled, triangle, strip);
+            else
+                glint_mesh_rows(paint, triangle, strip);
             cells_show(strip);
         } else {
             rows_of_many(paint, triangle, strip);

@@ -115,7 +115,7 @@ static void edges_mark(const struct glint_mesh_drawn *drawn)
 {
     const unsigned count = drawn->mesh->face_count;
     uint8_t *const edges = drawn->edges;
-    bool any_thin = false;
+    uint16_t thin = GLINT_MESH_NONE; /* a list in rims */
     const uint16_t *beside = drawn->mesh->neighbours;
     for (unsigned i = 0; i < count; i++, beside += 3) {
         if (!(edges[i] & GLINT_EDGES_FRONT))
@@ -133,11 +133,13 @@ static void edges_mark(const struct glint_mesh_drawn *drawn)
         const bool is_thin =
             has_back && !(edges[i] & GLINT_EDGES_CLIPPED) && edges_is_thin(drawn, drawn->mesh->faces + 3 * (size_t)i);
         edges[i] = (uint8_t)(edges[i] | (is_thin ? (unsigned)GLINT_EDGES_THIN : found & edges_in(drawn, i)));
-        any_thin |= is_thin;
+        if (is_thin) {
+            drawn->rims[i] = thin;
+            thin = (uint16_t)i;
+        }
     }
-    for (unsigned i = 0; any_thin && i < count; i++)
-        if (edges[i] & GLINT_EDGES_THIN)
-            edges_round(drawn, i);
+    for (; thin != GLINT_MESH_NONE; thin = drawn->rims[thin])
+        edges_round(drawn, thin);
 }
 
 /* The first line that a cell of its outlines may lie in: the walk rounds by 1/16. */
