@@ -235,27 +235,27 @@ bool glint_mesh_rim_set(struct glint_mesh_rim *rim, const struct glint_mesh_draw
 #endif
 
 /* A face's outlines, from `to` on; returns how many have a cell in the strip. to->is: none goes on below it, also where there are none. */
-static unsigned rims_set(struct glint_mesh_rim *to, const struct glint_mesh_target *strip, unsigned face)
+static unsigned rims_set(struct glint_mesh_rim *to, const struct glint_mesh_target *strip,
+                         const struct glint_mesh_window *window, unsigned face)
 {
-    const struct glint_mesh_window window = {0, strip->y, strip->w, strip->end};
     struct glint_mesh_rim *rim = to;
-    unsigned edges = strip->drawn->edges[face] & GLINT_EDGES, ends = GLINT_RIM_ENDS;
+    unsigned edges = strip->drawn->edges[face] & GLINT_EDGES, ends = GLINT_RIM_ENDS, count = 0;
     for (unsigned k = 0; edges; k++, edges >>= 1) {
         if (!(edges & 1))
             continue;
-        const bool is_there = glint_mesh_rim_set(rim, strip->drawn, face, k, &window);
+        const bool is_there = glint_mesh_rim_set(rim, strip->drawn, face, k, window);
         ends &= rim->is;
         if (!is_there)
             continue;
         if (rim->is & GLINT_RIM_FLAT)
             rim->e -= strip->y * 65536;
         rim->depth = strip->depth + (rim->is & GLINT_RIM_FLAT ? rim->at : strip->w * (rim->at - strip->y));
-        if (rim != to)
+        if (count++)
             rim[-1].is |= GLINT_RIM_MORE;
         rim++;
     }
     to->is = (uint8_t)((to->is & ~(unsigned)GLINT_RIM_ENDS) | ends);
-    return (unsigned)(rim - to);
+    return count;
 }
 
 struct glint_mesh_rim *glint_mesh_rims_of(const struct glint_mesh_target *strip, unsigned face)
@@ -265,7 +265,8 @@ struct glint_mesh_rim *glint_mesh_rims_of(const struct glint_mesh_target *strip,
     if (drawn->edges[face] & GLINT_EDGES_LISTED)
         return outlines->rims + drawn->rims[face];
     struct glint_mesh_rim *const rim = outlines->rims + GLINT_MESH_RIMS;
-    return outlines->rest != GLINT_MESH_NONE && rims_set(rim, strip, face) ? rim : NULL;
+    const struct glint_mesh_window window = {0, strip->y, strip->w, strip->end};
+    return outlines->rest != GLINT_MESH_NONE && rims_set(rim, strip, &window, face) ? rim : NULL;
 }
 
 /* The lists of faces with outlines for those of all faces, and back. */
@@ -283,6 +284,7 @@ void glint_mesh_rims_take(const struct glint_mesh_target *strip)
     struct glint_mesh_drawn *const drawn = strip->drawn;
     struct glint_mesh_outlines *const outlines = drawn->outlines;
     uint16_t *later = &outlines->later;
+    const struct glint_mesh_window window = {0, strip->y, strip->w, strip->end};
     rims_swap(drawn);
     uint16_t i = glint_mesh_take(drawn, strip->y, strip->end);
     rims_swap(drawn);
@@ -290,7 +292,7 @@ void glint_mesh_rims_take(const struct glint_mesh_target *strip)
     while (i != GLINT_MESH_NONE) {
         uint16_t *const link = &drawn->rims[i];
         struct glint_mesh_rim *const rim = outlines->rims + outlines->count;
-        const unsigned count = rims_set(rim, strip, i);
+        const unsigned count = rims_set(rim, strip, &window, i);
         if (outlines->count + count > GLINT_MESH_RIMS)
             break;
         const uint16_t next = *link;
