@@ -142,34 +142,36 @@ static void edges_mark(const struct glint_mesh_drawn *drawn)
         edges_round(drawn, thin);
 }
 
-/* The first line that a cell of its outlines may lie in: the walk rounds by 1/16. */
-static int32_t edges_first(const struct glint_mesh_drawn *drawn, unsigned face, int32_t y)
+/* The first line that a cell of a face's outlines may lie in: the walk rounds by 1/16. */
+static int32_t edges_first(const struct glint_mesh_vertex *vertices, const uint16_t face[3])
 {
-    if (drawn->edges[face] & GLINT_EDGES_CLIPPED)
-        return y;
-    const int32_t a = glint_mesh_corner_at(drawn, face, 0)->y, b = glint_mesh_corner_at(drawn, face, 1)->y,
-                  c = glint_mesh_corner_at(drawn, face, 2)->y, low = a < b ? a : b;
-    const int32_t first = ((c < low ? c : low) - 1) >> 4;
-    return first > y ? first : y;
+    const int32_t a = vertices[face[0]].y, b = vertices[face[1]].y, c = vertices[face[2]].y, low = a < b ? a : b;
+    return ((c < low ? c : low) - 1) >> 4;
 }
 
 void glint_mesh_edges_sort(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y)
 {
+    /* At hand, since what is written in edges may be anything. */
+    const struct glint_mesh_vertex *const vertices = drawn->vertices;
+    const uint16_t *const neighbours = drawn->mesh->neighbours, *const faces = drawn->mesh->faces;
     const unsigned count = drawn->mesh->face_count;
+    uint8_t *const edges = drawn->edges;
+    uint16_t *const bands = drawn->rim_bands, *const rims = drawn->rims;
     for (uint32_t i = 0; i < glint_mesh_bands(frame->h); i++)
-        drawn->rim_bands[i] = GLINT_MESH_NONE;
+        bands[i] = GLINT_MESH_NONE;
     for (unsigned i = count; i--;) {
-        if (!(drawn->edges[i] & GLINT_EDGES))
+        if (!(edges[i] & GLINT_EDGES))
             continue;
-        const uint16_t *const beside = drawn->mesh->neighbours + 3 * (size_t)i;
+        const uint16_t *const beside = neighbours + 3 * (size_t)i;
         for (unsigned k = 0; k < 3; k++)
             if (beside[k] < count)
-                drawn->edges[beside[k]] |= GLINT_EDGES_BESIDE;
-        const int32_t first = edges_first(drawn, i, y);
+                edges[beside[k]] |= GLINT_EDGES_BESIDE;
+        const int32_t low = edges[i] & GLINT_EDGES_CLIPPED ? y : edges_first(vertices, faces + 3 * (size_t)i),
+                      first = low > y ? low : y;
         if (first >= frame->h)
             continue;
-        uint16_t *band = &drawn->rim_bands[(uint32_t)first / GLINT_MESH_BAND];
-        drawn->rims[i] = *band;
+        uint16_t *band = &bands[(uint32_t)first / GLINT_MESH_BAND];
+        rims[i] = *band;
         *band = (uint16_t)i;
     }
 }
