@@ -68,13 +68,23 @@ static bool hide_rim(const struct glint_mesh_target *strip, const struct glint_m
     return true;
 }
 
-/* Of a face, from its first one on. */
-static bool hide_rims(const struct glint_mesh_target *strip, struct glint_mesh_rim *rim, const struct hide_range *range)
+/* Of a face. */
+static bool hide_rims(const struct glint_mesh_target *strip, unsigned face, const struct hide_range *range)
 {
+    const struct glint_mesh_drawn *const drawn = strip->drawn;
+    struct glint_mesh_rim *rim = drawn->edges[face] & GLINT_EDGES_LISTED ? drawn->outlines->rims + drawn->rims[face]
+                                                                         : glint_mesh_rims_of(strip, face);
     for (; rim; rim = glint_mesh_rim_after(rim))
         if (!hide_rim(strip, rim, range))
             return false;
     return true;
+}
+
+/* Has it outlines here, as far as one can tell? */
+static inline bool hide_asks(const struct glint_mesh_drawn *drawn, unsigned face)
+{
+    const unsigned edges = drawn->edges[face];
+    return edges & GLINT_EDGES_LISTED || (edges & GLINT_EDGES && drawn->outlines->rest != GLINT_MESH_NONE);
 }
 
 static void cells_show(const struct glint_mesh_target *strip)
@@ -98,19 +108,16 @@ static bool hide(const struct glint_mesh_target *strip, unsigned face, const str
     const unsigned edges = drawn->edges[face];
     bool fits = true;
     drawn->outlines->hidden = 0;
-    if (edges & GLINT_EDGES)
-        fits = hide_rims(strip, glint_mesh_rims_of(strip, face), &range);
+    if (hide_asks(drawn, face))
+        fits = hide_rims(strip, face, &range);
     for (unsigned k = 0; fits && edges & GLINT_EDGES_BESIDE && k < 3; k++) {
-        if (beside[k] >= drawn->mesh->face_count || !(drawn->edges[beside[k]] & GLINT_EDGES))
-            continue;
-        struct glint_mesh_rim *const rims = glint_mesh_rims_of(strip, beside[k]);
-        if (!rims)
+        if (beside[k] >= drawn->mesh->face_count || !hide_asks(drawn, beside[k]))
             continue;
         if (!(edges & GLINT_EDGES_CLIPPED)) {
             range.a = glint_mesh_corner_at(drawn, face, k);
             range.b = glint_mesh_corner_at(drawn, face, glint_mesh_corner_after(k));
         }
-        fits = hide_rims(strip, rims, &range);
+        fits = hide_rims(strip, beside[k], &range);
     }
     if (!fits)
         cells_show(strip);
@@ -174,7 +181,10 @@ static void cells_rows(const struct glint_paint *paint, struct glint_mesh_triang
         glint_mesh_rows(paint, triangle, strip);
     } else if (!(edges & GLINT_EDGES_THIN)) {
         if (hide_all(triangle, strip)) {
-            glint_mesh_rows(paint, triangle, strip);
+            if (triangle->y >= strip->y && glint_mesh_is_colour(paint, strip))
+                glint_mesh_colour(&paint->of.tables.filled, triangle, strip);
+            else
+                glint_mesh_rows(paint, triangle, strip);
             cells_show(strip);
         } else {
             rows_of_many(paint, triangle, strip);
@@ -317,17 +327,28 @@ static void cells_set(struct glint_mesh_cells *cells)
 
 /* ---- Cells that outlines blend ---- */
 
-/* Its face's other outlines, also beyond the strip. */
+/* Its face's other outlines that have lines, or columns, where this one has cells in the strip. */
 static void others_set(struct glint_mesh_cells *cells)
 {
     static const struct glint_mesh_window all = {-4096, -4096, 4096, 4096};
     const struct glint_mesh_drawn *const drawn = cells->strip->drawn;
-    const unsigned face = cells->rim->face, edges = drawn->edges[face] & GLINT_EDGES;
+    const struct glint_mesh_rim *const rim = cells->rim;
+    const unsigned face = rim->face, edges = drawn->edges[face] & GLINT_EDGES;
     cells->others = 0;
-    for (unsigned k = 0; k < 3 && edges & (edges - 1); k++)
-        if (k != cells->rim->corner && edges >> k & 1 &&
-            glint_mesh_rim_set(&cells->other[cells->others], drawn, face, k, &all))
+    for (unsigned k = 0; k < 3 && edges & (edges - 1); k++) {
+        struct glint_mesh_rim *const other = &cells->other[cells->others];
+        if (k == rim->corner || !(edges >> k & 1) || !glint_mesh_rim_set(other, drawn, face, k, &all))
+            continue;
+        int32_t low = rim->at, high = rim->end - 1;
+        if ((other->is ^ rim->is) & GLINT_RIM_FLAT) {
+            const int32_t top = rim->is & GLINT_RIM_FLAT ? cells->strip->y : 0, first = rim->e >> 16,
+                          last = (rim->e + rim->step * (high - low)) >> 16;
+            low = top + cells_min(first, last);
+            high = top + cells_max(first, last);
+        }
+        if (other->at <= high && other->end > low)
             cells->others++;
+    }
 }
 
 /* What these leave of a cell's part; 0 where one before this outline blends the cell. */
@@ -337,9 +358,11 @@ static unsigned others_share(const struct glint_mesh_cells *cells, int32_t x, in
         const struct glint_mesh_rim *const other = &cells->other[i];
         const bool is_flat = other->is & GLINT_RIM_FLAT, grows = other->is & GLINT_RIM_GROWS;
         const int32_t along = is_flat ? x : y, across = is_flat ? y : x;
+        if (along < other->at || along >= other->end)
+            continue;
         const int32_t e = other->e + other->step * (along - other->at), cell = e >> 16;
         const unsigned of = cell == across ? glint_mesh_rim_part(other, e) : (cell < across) == grows ? 255 : 0;
-        if (cell == across && along >= other->at && along < other->end && other->corner < cells->rim->corner)
+        if (cell == across && other->corner < cells->rim->corner)
             return 0;
         part = part + of > 255 ? part + of - 255 : 0;
     }

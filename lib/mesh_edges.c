@@ -115,7 +115,7 @@ static void edges_mark(const struct glint_mesh_drawn *drawn)
 {
     const unsigned count = drawn->mesh->face_count;
     uint8_t *const edges = drawn->edges;
-    bool any_thin = false;
+    uint16_t thin = GLINT_MESH_NONE; /* a list in rims */
     const uint16_t *beside = drawn->mesh->neighbours;
     for (unsigned i = 0; i < count; i++, beside += 3) {
         if (!(edges[i] & GLINT_EDGES_FRONT))
@@ -133,41 +133,45 @@ static void edges_mark(const struct glint_mesh_drawn *drawn)
         const bool is_thin =
             has_back && !(edges[i] & GLINT_EDGES_CLIPPED) && edges_is_thin(drawn, drawn->mesh->faces + 3 * (size_t)i);
         edges[i] = (uint8_t)(edges[i] | (is_thin ? (unsigned)GLINT_EDGES_THIN : found & edges_in(drawn, i)));
-        any_thin |= is_thin;
+        if (is_thin) {
+            drawn->rims[i] = thin;
+            thin = (uint16_t)i;
+        }
     }
-    for (unsigned i = 0; any_thin && i < count; i++)
-        if (edges[i] & GLINT_EDGES_THIN)
-            edges_round(drawn, i);
+    for (; thin != GLINT_MESH_NONE; thin = drawn->rims[thin])
+        edges_round(drawn, thin);
 }
 
-/* The first line that a cell of its outlines may lie in: the walk rounds by 1/16. */
-static int32_t edges_first(const struct glint_mesh_drawn *drawn, unsigned face, int32_t y)
+/* The first line that a cell of a face's outlines may lie in: the walk rounds by 1/16. */
+static int32_t edges_first(const struct glint_mesh_vertex *vertices, const uint16_t face[3])
 {
-    if (drawn->edges[face] & GLINT_EDGES_CLIPPED)
-        return y;
-    const int32_t a = glint_mesh_corner_at(drawn, face, 0)->y, b = glint_mesh_corner_at(drawn, face, 1)->y,
-                  c = glint_mesh_corner_at(drawn, face, 2)->y, low = a < b ? a : b;
-    const int32_t first = ((c < low ? c : low) - 1) >> 4;
-    return first > y ? first : y;
+    const int32_t a = vertices[face[0]].y, b = vertices[face[1]].y, c = vertices[face[2]].y, low = a < b ? a : b;
+    return ((c < low ? c : low) - 1) >> 4;
 }
 
 void glint_mesh_edges_sort(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y)
 {
+    /* At hand, since what is written in edges may be anything. */
+    const struct glint_mesh_vertex *const vertices = drawn->vertices;
+    const uint16_t *const neighbours = drawn->mesh->neighbours, *const faces = drawn->mesh->faces;
     const unsigned count = drawn->mesh->face_count;
+    uint8_t *const edges = drawn->edges;
+    uint16_t *const bands = drawn->rim_bands, *const rims = drawn->rims;
     for (uint32_t i = 0; i < glint_mesh_bands(frame->h); i++)
-        drawn->rim_bands[i] = GLINT_MESH_NONE;
+        bands[i] = GLINT_MESH_NONE;
     for (unsigned i = count; i--;) {
-        if (!(drawn->edges[i] & GLINT_EDGES))
+        if (!(edges[i] & GLINT_EDGES))
             continue;
-        const uint16_t *const beside = drawn->mesh->neighbours + 3 * (size_t)i;
+        const uint16_t *const beside = neighbours + 3 * (size_t)i;
         for (unsigned k = 0; k < 3; k++)
             if (beside[k] < count)
-                drawn->edges[beside[k]] |= GLINT_EDGES_BESIDE;
-        const int32_t first = edges_first(drawn, i, y);
+                edges[beside[k]] |= GLINT_EDGES_BESIDE;
+        const int32_t low = edges[i] & GLINT_EDGES_CLIPPED ? y : edges_first(vertices, faces + 3 * (size_t)i),
+                      first = low > y ? low : y;
         if (first >= frame->h)
             continue;
-        uint16_t *band = &drawn->rim_bands[(uint32_t)first / GLINT_MESH_BAND];
-        drawn->rims[i] = *band;
+        uint16_t *band = &bands[(uint32_t)first / GLINT_MESH_BAND];
+        rims[i] = *band;
         *band = (uint16_t)i;
     }
 }
@@ -233,27 +237,27 @@ bool glint_mesh_rim_set(struct glint_mesh_rim *rim, const struct glint_mesh_draw
 #endif
 
 /* A face's outlines, from `to` on; returns how many have a cell in the strip. to->is: none goes on below it, also where there are none. */
-static unsigned rims_set(struct glint_mesh_rim *to, const struct glint_mesh_target *strip, unsigned face)
+static unsigned rims_set(struct glint_mesh_rim *to, const struct glint_mesh_target *strip,
+                         const struct glint_mesh_window *window, unsigned face)
 {
-    const struct glint_mesh_window window = {0, strip->y, strip->w, strip->end};
     struct glint_mesh_rim *rim = to;
-    unsigned edges = strip->drawn->edges[face] & GLINT_EDGES, ends = GLINT_RIM_ENDS;
+    unsigned edges = strip->drawn->edges[face] & GLINT_EDGES, ends = GLINT_RIM_ENDS, count = 0;
     for (unsigned k = 0; edges; k++, edges >>= 1) {
         if (!(edges & 1))
             continue;
-        const bool is_there = glint_mesh_rim_set(rim, strip->drawn, face, k, &window);
+        const bool is_there = glint_mesh_rim_set(rim, strip->drawn, face, k, window);
         ends &= rim->is;
         if (!is_there)
             continue;
         if (rim->is & GLINT_RIM_FLAT)
             rim->e -= strip->y * 65536;
         rim->depth = strip->depth + (rim->is & GLINT_RIM_FLAT ? rim->at : strip->w * (rim->at - strip->y));
-        if (rim != to)
+        if (count++)
             rim[-1].is |= GLINT_RIM_MORE;
         rim++;
     }
     to->is = (uint8_t)((to->is & ~(unsigned)GLINT_RIM_ENDS) | ends);
-    return (unsigned)(rim - to);
+    return count;
 }
 
 struct glint_mesh_rim *glint_mesh_rims_of(const struct glint_mesh_target *strip, unsigned face)
@@ -263,7 +267,8 @@ struct glint_mesh_rim *glint_mesh_rims_of(const struct glint_mesh_target *strip,
     if (drawn->edges[face] & GLINT_EDGES_LISTED)
         return outlines->rims + drawn->rims[face];
     struct glint_mesh_rim *const rim = outlines->rims + GLINT_MESH_RIMS;
-    return outlines->rest != GLINT_MESH_NONE && rims_set(rim, strip, face) ? rim : NULL;
+    const struct glint_mesh_window window = {0, strip->y, strip->w, strip->end};
+    return outlines->rest != GLINT_MESH_NONE && rims_set(rim, strip, &window, face) ? rim : NULL;
 }
 
 /* The lists of faces with outlines for those of all faces, and back. */
@@ -281,6 +286,7 @@ void glint_mesh_rims_take(const struct glint_mesh_target *strip)
     struct glint_mesh_drawn *const drawn = strip->drawn;
     struct glint_mesh_outlines *const outlines = drawn->outlines;
     uint16_t *later = &outlines->later;
+    const struct glint_mesh_window window = {0, strip->y, strip->w, strip->end};
     rims_swap(drawn);
     uint16_t i = glint_mesh_take(drawn, strip->y, strip->end);
     rims_swap(drawn);
@@ -288,7 +294,7 @@ void glint_mesh_rims_take(const struct glint_mesh_target *strip)
     while (i != GLINT_MESH_NONE) {
         uint16_t *const link = &drawn->rims[i];
         struct glint_mesh_rim *const rim = outlines->rims + outlines->count;
-        const unsigned count = rims_set(rim, strip, i);
+        const unsigned count = rims_set(rim, strip, &window, i);
         if (outlines->count + count > GLINT_MESH_RIMS)
             break;
         const uint16_t next = *link;

@@ -202,7 +202,8 @@ static inline int model_blended(const struct model_mesh *m, unsigned face, unsig
     if (!is_cell)
         return 0;
     for (unsigned j = 0; j < 3; j++) {
-        if (j == k || !edges[j].is_outline)
+        const int along = edges[j].is_flat ? x : y;
+        if (j == k || !edges[j].is_outline || along < edges[j].first || along >= edges[j].end)
             continue;
         part += model_part(&edges[j], x, y, &is_cell) - 255;
         part = part < 0 ? 0 : part;

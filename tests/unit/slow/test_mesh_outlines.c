@@ -412,8 +412,8 @@ static void measure(const struct fitted *fitted, const char *name, double least_
     assert_true(decibels(&errors[1][1]) >= least_dark);
 }
 
-/* Over the light ground 57 % of the squares are in the 6 % of pixels where three faces or more and the ground meet, slivers and corners of the rim: there
- * each face's share of a pixel is found by its own edges alone. 63 % are in the .8 % of levels that are off by 32 or more. */
+/* Most of what is left over the light ground is where three faces or more and the ground meet, slivers and corners of the rim: there each face's share of a
+ * pixel is found by its own edges alone. */
 static void the_teapots_outlines_are_near_to_the_mean_of_many_samples(void **state)
 {
     (void)state;
@@ -421,7 +421,7 @@ static void the_teapots_outlines_are_near_to_the_mean_of_many_samples(void **sta
         .name = "teapot", .built_in = true, .crease = -1, .split = 180, .axes = AXES_USUAL};
     struct mesh *mesh = mesh_load(&source);
     struct fitted *fitted = mesh_fit(mesh, 0);
-    measure(fitted, "teapot", 31.8, 36.3);
+    measure(fitted, "teapot", 32.9, 36.4);
     fitted_free(fitted);
     mesh_free(mesh);
 }
@@ -431,7 +431,7 @@ static void a_knots_outlines_are_near_to_the_mean_of_many_samples(void **state)
     (void)state;
     struct mesh *mesh = knot();
     struct fitted *fitted = mesh_fit(mesh, 0);
-    measure(fitted, "knot", 34.2, 41.6);
+    measure(fitted, "knot", 35.8, 42.4);
     fitted_free(fitted);
     mesh_free(mesh);
 }
@@ -441,7 +441,7 @@ static void outlines_of_boxes_are_near_to_the_mean_of_many_samples(void **state)
     (void)state;
     struct mesh *mesh = boxes();
     struct fitted *fitted = mesh_fit(mesh, 0);
-    measure(fitted, "boxes", 33, 34.2);
+    measure(fitted, "boxes", 33.2, 34.2);
     fitted_free(fitted);
     mesh_free(mesh);
 }
