@@ -80,7 +80,7 @@ static bool truth(const bool *sent)
 
 static void receive_material(struct reader *reader, struct mesh_material *material)
 {
-    bool *const flags[] = {&material->has_color, &material->unlit,      &material->has_highlight,
+    bool *const flags[] = {&material->has_color,     &material->unlit,      &material->has_highlight,
                            &material->has_roughness, &material->is_nearest, &material->clamps};
     receive(reader, material, sizeof *material);
     for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
