@@ -204,7 +204,7 @@ static __attribute__((noinline)) void over_lay_any(struct glint_mesh_laid *laid,
     for (unsigned k = 0; k < over->count; k++) {
         const struct glint_mesh_linear of = over->of[k];
         const uint32_t at = of.at + n * of.x + lines * of.y;
-        uint32_t *const to = &laid->of[k < 2 ? k : (unsigned)GLINT_MESH_LAID_BLUE];
+        uint32_t *const to = &laid->of[k < 2 ? k : GLINT_MESH_LAID_BLUE];
         const unsigned stride = k < 2 ? 2 : 1;
         to[0] = at;
         to[stride] = of.y;
@@ -258,7 +258,7 @@ static void laying_colours(const struct over_laying *laying, struct glint_mesh_l
         of[i] = is_of_faces ? colours : colours + 3 * (size_t)laying->of[i];
     for (unsigned k = 0; k < 3; k++) {
         const int32_t one = k == 1 ? OVER_GREEN : OVER_RED, first = of[0][k];
-        laying_number(laying, &laid->of[k < 2 ? k : (unsigned)GLINT_MESH_LAID_BLUE], k < 2 ? 2 : 1,
+        laying_number(laying, &laid->of[k < 2 ? k : GLINT_MESH_LAID_BLUE], k < 2 ? 2 : 1,
                       glint_mesh_pair_of((of[1][k] - first) * one, (of[2][k] - first) * one), 0,
                       (uint32_t)(first * one + OVER_HALF));
     }
