@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: MIT
- * The exact line of RGB565 under MSH in one loop of C, for RISC-V with multiplication: samples, F and levels of a pixel stay in registers, and
+ * Loops of C for RISC-V with multiplication. Lines of INT8 normals over COLOUR tables; and the exact line of RGB565 under MSH in one loop: samples, F and levels of a pixel stay in registers, and
  * products' upper halves take the place of shifts. The same integers as sample.c, lobe_msh.c and glint_levels_rgb have, but for 2/5 of the
  * quotient, which is nearer. */
 #include "glint_fused.h"
 
 #if GLINT_RISCV
+#if defined(__riscv) && defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize(                                                                                                  \
+    "align-loops=4") /* Hazard3 takes a cycle more for a jump to an instruction of 32 bits that is not aligned */
+#endif
 #include "glint_math.h"
 #include "glint_offsets.h"
 #include "glint_pixel.h"
@@ -34,6 +38,14 @@ GLINT_INLINE uint32_t riscv_least(uint32_t a, uint32_t b)
 
 /* What is needed in the highlight alone is read there, and not before: else compilers keep it on the stack. */
 #define RISCV_READ(field) (((const volatile struct glint_line_loop *)loop)->field)
+#define RISCV_RARELY(condition) __builtin_expect(condition, 0)
+/* words goes on by four, as the first instruction of a loop: one of 16 bits, as Hazard3 takes a cycle more for a jump to one of 32 bits that is not
+ * aligned. */
+#ifdef __riscv
+#define RISCV_FOUR(words) __asm__ volatile("addi %0, %0, 16" : "+r"(words))
+#else
+#define RISCV_FOUR(words) ((words) += 4)
+#endif
 #define RISCV_STEP() __asm__ volatile("" ::: "memory")
 
 /* msh_near: F 2^16, never high, for t < t_end. m = floor(k t / 2^14) + 5 2^(16 + up), as floor(k 2^(18 - b) t 2^b / 2^32). */
@@ -138,5 +150,136 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *p,
     loop->swapped = p->output.format == GLINT_RGB565_SWAPPED;
     loop->draw = riscv_draw;
     return true;
+}
+
+/* ---- INT8 over COLOUR ---- */
+
+/* What lies side by side is mostly of one kind, so that each has a loop without branches that are taken. From far on, d alone says that no
+ * highlight is there: z 2^14 < 2^29. A loop leaves at a pixel of another kind. */
+enum riscv_kind { RISCV_DARK, RISCV_FAR, RISCV_MATT, RISCV_GLOSSY };
+struct riscv_int8 {
+    const uint8_t *columns, *colours;
+    int32_t x, y, z, cut; /* as glint_colour_d and glint_colour_raw have them */
+    uint32_t far, r;
+    unsigned a;
+    uint16_t dark;
+};
+typedef int16_t __attribute__((may_alias)) riscv_half; /* a load each takes less than a load and two shifts */
+typedef int8_t __attribute__((may_alias)) riscv_byte;
+
+GLINT_INLINE uint32_t riscv_row(uint32_t d)
+{
+    return d >> (GLINT_COLOUR_ROW_SHIFT - 1) << GLINT_COLOUR_ROW_BYTES_LOG;
+}
+
+GLINT_INLINE uint16_t riscv_colour(const struct riscv_int8 *look, uint32_t row, uint32_t column)
+{
+    return *(const uint16_t *)(const void *)(look->colours + row + column);
+}
+
+struct riscv_normal {
+    int32_t z;
+    uint32_t d;
+};
+
+GLINT_INLINE struct riscv_normal riscv_normal_at(const struct riscv_int8 *look, const uint32_t *word)
+{
+    const riscv_half *half = (const riscv_half *)word;
+    const int32_t y = half[0], z = half[1], x = *(const riscv_byte *)word;
+    const struct riscv_normal at = {z, (uint32_t)(y * look->y) + (uint32_t)(x * look->x) + (uint32_t)(z * look->z)};
+    return at;
+}
+
+/* |e| < 2^31 where d >= 0 */
+GLINT_INLINE int32_t riscv_e(const struct riscv_int8 *look, struct riscv_normal at)
+{
+    return (int32_t)(at.d + ((uint32_t)at.z << 14) - (uint32_t)look->cut);
+}
+
+GLINT_INLINE uint32_t riscv_column(const struct riscv_int8 *look, int32_t e)
+{
+    return look->columns[(((uint32_t)e >> look->a) * look->r) >> (32 - GLINT_COLOUR_COLUMNS_LOG)];
+}
+
+/* Draws a pixel of this kind; false where it is of another. */
+GLINT_INLINE bool riscv_pixel(const struct riscv_int8 *look, struct riscv_normal at, uint16_t *out,
+                              enum riscv_kind kind)
+{
+    const int32_t e = riscv_e(look, at);
+    uint32_t row = riscv_row(at.d), column = 0;
+    if (RISCV_RARELY(at.z == 0) || (kind == RISCV_DARK  ? RISCV_RARELY((int32_t)at.d >= 0)
+                                    : kind == RISCV_FAR ? RISCV_RARELY(at.d >= look->far)
+                                                        : RISCV_RARELY((int32_t)at.d < (int32_t)look->far) ||
+                                                              RISCV_RARELY((e < 0) != (kind == RISCV_MATT))))
+        return false;
+    if (kind == RISCV_GLOSSY) {
+        column = riscv_column(look, e);
+        __asm__ volatile("" : "+r"(row) : : "memory"); /* its place while the column is being loaded */
+    }
+    *out = kind == RISCV_DARK ? look->dark : riscv_colour(look, row, column);
+    return true;
+}
+
+/* On from a pixel of this kind, four at a time. */
+#define RISCV_PIXEL(kind, k)                                                                                           \
+    at = riscv_normal_at(&look, words - 4 + (k));                                                                      \
+    if (!riscv_pixel(&look, at, out + (k), kind)) {                                                                    \
+        words -= 4 - (k);                                                                                              \
+        out += (k);                                                                                                    \
+        goto another;                                                                                                  \
+    }
+#define RISCV_LOOP(kind)                                                                                               \
+    while (out < last) {                                                                                               \
+        RISCV_FOUR(words);                                                                                             \
+        RISCV_PIXEL(kind, 0)                                                                                           \
+        RISCV_PIXEL(kind, 1)                                                                                           \
+        RISCV_PIXEL(kind, 2)                                                                                           \
+        RISCV_PIXEL(kind, 3)                                                                                           \
+        out += 4;                                                                                                      \
+    }
+
+void glint_colour_int8(const struct glint_paint *paint, const uint32_t *words, uint32_t w, uint16_t *out)
+{
+    const struct glint_tables *const tables = &paint->of.tables.filled;
+    const int32_t cut = paint->of.tables.cut;
+    const struct riscv_int8 look = {tables->columns,
+                                    (const uint8_t *)tables->colour.colours,
+                                    paint->of.tables.x,
+                                    paint->of.tables.y,
+                                    paint->of.tables.z,
+                                    cut,
+                                    cut < (1 << 29) ? 0 : (uint32_t)cut - (1 << 29),
+                                    paint->of.tables.r,
+                                    paint->of.tables.a,
+                                    tables->dark};
+    const uint16_t *const end = out + w, *const last = w > 3 ? end - 3 : out; /* from here on there are no four */
+    while (out != end) {
+        struct riscv_normal at = riscv_normal_at(&look, words);
+    another:
+        if (at.z == 0) {
+            const uint32_t gap = glint_gap(*words, (uint32_t)(end - out));
+            words += gap;
+            out += gap;
+            continue;
+        }
+        words++;
+        out++;
+        if ((int32_t)at.d < 0) {
+            out[-1] = look.dark;
+            RISCV_LOOP(RISCV_DARK)
+        } else if (at.d < look.far) {
+            out[-1] = riscv_colour(&look, riscv_row(at.d), 0);
+            RISCV_LOOP(RISCV_FAR)
+        } else {
+            const int32_t e = riscv_e(&look, at);
+            if (e < 0) {
+                out[-1] = riscv_colour(&look, riscv_row(at.d), 0);
+                RISCV_LOOP(RISCV_MATT)
+            } else {
+                out[-1] = riscv_colour(&look, riscv_row(at.d), riscv_column(&look, e));
+                RISCV_LOOP(RISCV_GLOSSY)
+            }
+        }
+    }
 }
 #endif

@@ -148,7 +148,7 @@ __attribute__((naked, noinline)) void glint_colour_int8(__attribute__((unused)) 
             "b 2b\n");
 }
 #undef INT8_COLUMNS
-#elif GLINT_FUSED && !GLINT_CORTEX_M0PLUS_ASM && !GLINT_HELIUM
+#elif GLINT_FUSED && !GLINT_CORTEX_M0PLUS_ASM && !GLINT_HELIUM && !GLINT_RISCV
 /* 8 bits, the viewer at (0, 0, 1). H lies between L and the viewer, so N.H |L + V| = N.L + z: one product d (Q29) gives the
  * row, and with z the place e (Q29) from the last column on, to which r brings a column's number. Three multiplications
  * for the vectors, and one inside the highlight. */
