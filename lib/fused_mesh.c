@@ -240,49 +240,92 @@ __attribute__((naked, noinline)) void glint_mesh_colour(__attribute__((unused)) 
 #undef COLOUR_DEPTH
 #undef COLOUR_COLUMNS
 #elif !GLINT_CORTEX_M0PLUS_ASM
-/* Pixels with their depths; end: of these. */
-static void colour_dark(const struct glint_look *look, uint32_t z, uint32_t dz, uint16_t *depth, const uint16_t *end,
-                        uint16_t *out)
+/* Pixels with their depths, one at least; end: of these. */
+static void colour_dark(const struct glint_tables *tables, uint32_t z, uint32_t dz, uint16_t *depth,
+                        const uint16_t *end, uint16_t *out)
 {
-    const uint16_t dark = look->dark;
-    for (; depth != end; depth++, out++, z += dz)
+    const uint16_t dark = tables->dark;
+    do {
         if (z >> 16 < *depth) {
             *depth = (uint16_t)(z >> 16);
             *out = dark;
         }
+        z += dz;
+        out++;
+    } while (++depth != end);
 }
 
-static void colour_matt(const struct glint_look *look, uint32_t z, uint32_t dz, uint32_t nl, uint32_t dnl,
+static void colour_matt(const struct glint_tables *tables, uint32_t z, uint32_t dz, uint32_t nl, uint32_t dnl,
                         uint16_t *depth, const uint16_t *end, uint16_t *out)
 {
-    for (; depth != end; depth++, out++, z += dz, nl += dnl)
+    const struct glint_look look = glint_look_up(tables);
+    do {
         if (z >> 16 < *depth) {
             *depth = (uint16_t)(z >> 16);
-            *out = (int32_t)nl < 0 ? look->dark : glint_look_colour(look, glint_look_row(nl));
-        }
-}
-
-static void colour_glossy(const struct glint_look *look, const struct glint_mesh_values *v, uint32_t n, uint32_t pairs,
-                          uint16_t *depth, const uint16_t *end, uint16_t *out)
-{
-    const uint32_t dz = v->zx, dnl = v->nlx, ddt = v->txx;
-    uint32_t z = v->z + n * dz, nl = v->nl + n * dnl, dt = v->tx + n * ddt;
-    uint32_t back = look->t_max - v->t - n * v->tx - pairs * ddt;
-    for (; depth != end; depth++, out++) {
-        if (z >> 16 < *depth) {
-            *depth = (uint16_t)(z >> 16);
-            glint_look_store(look, back, nl, out);
+            *out = (int32_t)nl < 0 ? look.dark : glint_look_colour(&look, glint_look_row(nl));
         }
         z += dz;
         nl += dnl;
-        back -= dt;
-        dt += ddt;
-    }
+        out++;
+    } while (++depth != end);
 }
 
-/* Lines of a part, with the edges and steps at hand. */
-static void colour_part(const struct glint_look *look, struct glint_mesh_triangle *triangle,
-                        const struct glint_mesh_part *part, const struct glint_mesh_target *target)
+#define COLOUR_NEXT (z += dz, nl += dnl, back -= dt, dt += ddt, out++, ++depth != end)
+#if __GNUC__ >= 9
+#define COLOUR_RARELY(condition) __builtin_expect_with_probability(condition, 0, .999) /* else gcc puts it between */
+#else
+#define COLOUR_RARELY(condition) __builtin_expect(condition, 0)
+#endif
+/* Alone, so that what a pixel needs is in registers. Most lines are all past the highlight or all in it: each kind has a loop, which leaves at a
+ * pixel that is not so. k: the pixel, from the values' column on; |k| < 2^12. */
+static __attribute__((noinline)) void colour_glossy(const struct glint_tables *tables,
+                                                    const struct glint_mesh_values *v, int32_t k, uint16_t *depth,
+                                                    const uint16_t *end, uint16_t *out)
+{
+    const struct glint_look look = glint_look_up(tables);
+    const uint32_t n = (uint32_t)k, dz = v->zx, dnl = v->nlx, ddt = v->txx;
+    uint32_t z = v->z + n * dz, nl = v->nl + n * dnl, dt = v->tx + n * ddt;
+    uint32_t back = look.t_max - v->t - n * v->tx - (uint32_t)(k * (k - 1) >> 1) * ddt; /* as glint_look_store has it */
+    if (back > look.limit)
+        do
+            if (z >> 16 < *depth) {
+                if (COLOUR_RARELY(back <= look.limit))
+                    goto any;
+                if (COLOUR_RARELY((int32_t)nl < 0))
+                    goto any;
+                *depth = (uint16_t)(z >> 16);
+                *out = glint_look_colour(&look, glint_look_row(nl));
+            }
+        while (COLOUR_NEXT);
+    else
+        do
+            if (z >> 16 < *depth) {
+                if (COLOUR_RARELY(back > look.t_max))
+                    goto any;
+                if (COLOUR_RARELY((int32_t)nl < 0))
+                    goto any;
+                const uint32_t column = look.columns[back >> look.shift]; /* being loaded while the depth is stored */
+                *depth = (uint16_t)(z >> 16);
+                *out = glint_look_colour(&look, glint_look_row(nl) + column);
+            }
+        while (COLOUR_NEXT);
+    return;
+any:;
+    const struct glint_look again = glint_look_up(tables);
+    do
+        if (z >> 16 < *depth) {
+            *depth = (uint16_t)(z >> 16);
+            glint_look_store(&again, back, nl, out);
+        }
+    while (COLOUR_NEXT);
+}
+#undef COLOUR_RARELY
+#undef COLOUR_NEXT
+
+/* Lines of a part, with the edges and steps at hand. In place for each shine. */
+static inline __attribute__((always_inline)) void
+colour_part(const struct glint_tables *tables, struct glint_mesh_triangle *triangle, const struct glint_mesh_part *part,
+            const struct glint_mesh_target *target, enum glint_mesh_shine shine)
 {
     const struct glint_surface *surface = target->surface;
     const int32_t line = triangle->y - target->y;
@@ -290,31 +333,33 @@ static void colour_part(const struct glint_look *look, struct glint_mesh_triangl
     struct glint_mesh_edge left = *part->left, right = *part->right;
     uint16_t *depth_line = target->depth + target->w * line;
     uint8_t *out_line = (uint8_t *)surface->pixels + surface->stride * line;
-    for (int32_t lines = part->end - triangle->y; lines; lines--) {
+    int32_t lines = part->end - triangle->y; /* one at least */
+    do {
         int32_t from, to;
         if (glint_mesh_columns(&left, &right, target->w, &from, &to)) {
             uint16_t *depth = depth_line + from, *out = (uint16_t *)(void *)out_line + from;
             const uint16_t *const end = depth_line + to;
             const int32_t k = from - v->x; /* |k| < 2^12 */
             const uint32_t n = (uint32_t)k;
-            if (triangle->shine == GLINT_MESH_GLOSSY)
-                colour_glossy(look, v, n, (uint32_t)(k * (k - 1) / 2), depth, end, out);
-            else if (triangle->shine == GLINT_MESH_MATT)
-                colour_matt(look, v->z + n * v->zx, v->zx, v->nl + n * v->nlx, v->nlx, depth, end, out);
+            if (shine == GLINT_MESH_GLOSSY)
+                colour_glossy(tables, v, k, depth, end, out);
+            else if (shine == GLINT_MESH_MATT)
+                colour_matt(tables, v->z + n * v->zx, v->zx, v->nl + n * v->nlx, v->nlx, depth, end, out);
             else
-                colour_dark(look, v->z + n * v->zx, v->zx, depth, end, out);
+                colour_dark(tables, v->z + n * v->zx, v->zx, depth, end, out);
         }
         glint_mesh_edge_next(&left);
         glint_mesh_edge_next(&right);
+        __asm__("" : "+r"(left.x), "+r"(right.x)); /* else what they come to is found by multiplying, too */
         depth_line += target->w;
         out_line += surface->stride;
-        if (triangle->shine == GLINT_MESH_GLOSSY) {
+        if (shine == GLINT_MESH_GLOSSY) {
             glint_mesh_values_next(v);
         } else {
             v->nl += v->nly;
             v->z += v->zy;
         }
-    }
+    } while (--lines);
     *part->left = left;
     *part->right = right;
     triangle->y = (int16_t)part->end;
@@ -324,10 +369,14 @@ void glint_mesh_colour(const struct glint_tables *tables, struct glint_mesh_tria
                        const struct glint_mesh_target *target)
 {
     const int32_t end = triangle->y_end < target->end ? triangle->y_end : target->end;
-    const struct glint_look look = glint_look_up(tables);
     while (triangle->y < end) {
         const struct glint_mesh_part part = glint_mesh_triangle_part(triangle, end);
-        colour_part(&look, triangle, &part, target);
+        if (triangle->shine == GLINT_MESH_GLOSSY)
+            colour_part(tables, triangle, &part, target, GLINT_MESH_GLOSSY);
+        else if (triangle->shine == GLINT_MESH_MATT)
+            colour_part(tables, triangle, &part, target, GLINT_MESH_MATT);
+        else
+            colour_part(tables, triangle, &part, target, GLINT_MESH_DARK);
     }
 }
 #else
