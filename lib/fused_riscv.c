@@ -1,14 +1,10 @@
 /* SPDX-License-Identifier: MIT
- * Loops of C for RISC-V with multiplication. Lines of INT8 normals over COLOUR tables; and the exact line of RGB565 under MSH in one loop: samples, F and levels of a pixel stay in registers, and
- * products' upper halves take the place of shifts. The same integers as sample.c, lobe_msh.c and glint_levels_rgb have, but for 2/5 of the
- * quotient, which is nearer. */
+ * Loops of C for RISC-V with multiplication: INT8 normals over COLOUR tables, and the exact line of RGB565 under MSH in one loop. There samples, F and
+ * levels of a pixel stay in registers, and products' upper halves take the place of shifts. The same integers as sample.c, lobe_msh.c and
+ * glint_levels_rgb have, but for 2/5 of the quotient, which is nearer. */
 #include "glint_fused.h"
 
 #if GLINT_RISCV
-#if defined(__riscv) && defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize(                                                                                                  \
-    "align-loops=4") /* Hazard3 takes a cycle more for a jump to an instruction of 32 bits that is not aligned */
-#endif
 #include "glint_math.h"
 #include "glint_offsets.h"
 #include "glint_pixel.h"
