@@ -322,8 +322,12 @@ any:;
 #undef COLOUR_RARELY
 #undef COLOUR_NEXT
 
-/* Lines of a part, with the edges and steps at hand. In place for each shine. */
+/* Lines of a part, with the edges and steps at hand. In place for each shine, unless code is to be small. */
+#ifdef __OPTIMIZE_SIZE__
+static __attribute__((noinline)) void
+#else
 static inline __attribute__((always_inline)) void
+#endif
 colour_part(const struct glint_tables *tables, struct glint_mesh_triangle *triangle, const struct glint_mesh_part *part,
             const struct glint_mesh_target *target, enum glint_mesh_shine shine)
 {

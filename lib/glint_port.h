@@ -69,7 +69,8 @@
 #define GLINT_DSP 0
 #endif
 
-/* 1: the exact line of RGB565 under MSH in one loop, fused_riscv.c: where RISC-V has multiplication. 0: in passes. */
+/* 1: the exact line of RGB565 under MSH, and INT8 normals over COLOUR tables, by loops of fused_riscv.c: where RISC-V has multiplication. 0: by those
+ * of any machine. */
 #ifndef GLINT_RISCV
 #if defined(__riscv_mul) && __riscv_xlen == 32
 #define GLINT_RISCV 1
