@@ -211,9 +211,10 @@ static inline void fused_dither(const struct glint_paint *paint, const uint32_t 
         }
         const int32_t row = (int32_t)(((uint32_t)d + nudge) >> (GLINT_DITHER_ROW_SHIFT - 1));
         const uint32_t e = (uint32_t)d + ((uint32_t)z << 14) - cut;
-        *out = (int32_t)e < 0 ? glint_dither_past(&look, row, phase)
-                              : glint_dither_within(&look, (uint32_t)row, phase,
-                                                    ((e >> a) * r) >> (32 - GLINT_DITHER_COLUMNS_LOG), NULL, swapped);
+        *out = (int32_t)e < 0
+                   ? glint_dither_past(&look, row, phase)
+                   : glint_dither_within(&look, (uint32_t)row, phase, ((e >> a) * r) >> (32 - GLINT_DITHER_COLUMNS_LOG),
+                                         GLINT_NO_GLOSS, swapped);
     }
 }
 
@@ -293,7 +294,7 @@ void glint_colour_line(const struct glint_paint *paint, const struct glint_lines
     for (const uint16_t *stop = out + (end - x); out != stop; n++, out++) {
         const struct glint_raw raw = glint_raw_of(n, &l, &h, look.t_max);
         if (raw.nl_q30 != GLINT_RAW_NOTHING)
-            *out = glint_look_pixel(&look, &raw, NULL);
+            *out = glint_look_pixel(&look, &raw, GLINT_NO_GLOSS);
     }
 }
 
@@ -313,7 +314,7 @@ void glint_dither_line(const struct glint_paint *paint, const struct glint_lines
     for (const uint16_t *stop = out + (end - x); out != stop; n++, out++, phase = glint_dither_next(phase)) {
         const struct glint_raw raw = glint_raw_of(n, &l, &h, tables->t_max_q30);
         if (raw.nl_q30 != GLINT_RAW_NOTHING)
-            *out = glint_dither_pixel(&look, &raw, phase, NULL, swapped);
+            *out = glint_dither_pixel(&look, &raw, phase, GLINT_NO_GLOSS, swapped);
     }
 }
 
@@ -332,7 +333,7 @@ void glint_albedo_line(const struct glint_paint *paint, const struct glint_lines
     for (const uint16_t *stop = out + (end - x); out != stop; n++, out++, albedo++) {
         const struct glint_raw raw = glint_raw_of(n, &l, &h, tables->t_max_q30);
         if (raw.nl_q30 != GLINT_RAW_NOTHING)
-            *out = glint_albedo_pixel(tables, &raw, *albedo, NULL, swapped);
+            *out = glint_albedo_pixel(tables, &raw, *albedo, GLINT_NO_GLOSS, swapped);
     }
 }
 
@@ -354,7 +355,7 @@ void glint_dither_fused(const struct glint_paint *paint, const struct glint_span
     uint16_t *out = (uint16_t *)target->pixels;
     for (const uint16_t *stop = out + span->w; out != stop; out++, phase = glint_dither_next(phase)) {
         const struct glint_raw raw = glint_raw_at(t, (int32_t)nl, tables->t_max_q30);
-        *out = glint_dither_pixel(&look, &raw, phase, NULL, swapped);
+        *out = glint_dither_pixel(&look, &raw, phase, GLINT_NO_GLOSS, swapped);
         t += dt;
         dt += span->ddt_q30;
         nl += (uint32_t)span->dnl_q30;

@@ -92,10 +92,11 @@ static inline uint16_t glint_over(uint32_t p, uint32_t q, uint32_t m)
     return (uint16_t)(both | both >> 5 | green << 5);
 }
 
-/* A pixel's gloss, of 256. */
-static inline uint32_t glint_gloss_part(uint8_t gloss)
+/* How much of a highlight a pixel has, of 256; all of it where there is no map of gloss. */
+#define GLINT_NO_GLOSS (-1)
+static inline int32_t glint_gloss_part(uint8_t gloss)
 {
-    return gloss + ((uint32_t)gloss >> 7);
+    return gloss + (gloss >> 7);
 }
 
 /* ---- The axes: t, F and nl, and what value each interval stands for ---- */
@@ -151,16 +152,15 @@ static inline uint32_t glint_look_row(uint32_t nl)
     return nl >> GLINT_COLOUR_ROW_SHIFT << GLINT_COLOUR_ROW_BYTES_LOG;
 }
 
-/* The pixel of a raw that has a surface. gloss: the pixel's, or NULL. */
-static inline uint16_t glint_look_pixel(const struct glint_look *look, const struct glint_raw *raw,
-                                        const uint8_t *gloss)
+/* The pixel of a raw that has a surface. part: of the highlight, or GLINT_NO_GLOSS. */
+static inline uint16_t glint_look_pixel(const struct glint_look *look, const struct glint_raw *raw, int32_t part)
 {
     if (raw->nl_q30 < 0)
         return look->dark;
     uint32_t at = glint_look_row((uint32_t)raw->nl_q30);
     if ((int32_t)raw->back >= 0) {
         const uint32_t column = look->columns[raw->back >> look->shift];
-        at += gloss ? (column * glint_gloss_part(*gloss) + 256) >> 9 << 1 : column;
+        at += part < 0 ? column : (column * (uint32_t)part + 256) >> 9 << 1;
     }
     return glint_look_colour(look, at);
 }
@@ -241,13 +241,13 @@ static inline uint32_t glint_dither_full(uint32_t sum, bool carry)
 
 /* Within the highlight a pixel is the sum of a word for its row and place on the screen and one for t. */
 static inline uint16_t glint_dither_within(const struct glint_dither_look *look, uint32_t row, uint32_t phase,
-                                           uint32_t column, const uint8_t *gloss, bool swapped)
+                                           uint32_t column, int32_t part, bool swapped)
 {
     uint32_t shine = look->shines[column];
-    if (gloss) {
-        const uint32_t part = glint_gloss_part(*gloss);
-        shine = ((shine >> 23) * part + 128) >> 8 << 23 | ((shine >> 12 & 511) * part + 128) >> 8 << 12 |
-                ((shine >> 1 & 1023) * part + 128) >> 8 << 1;
+    if (part >= 0) {
+        const uint32_t of = (uint32_t)part;
+        shine = ((shine >> 23) * of + 128) >> 8 << 23 | ((shine >> 12 & 511) * of + 128) >> 8 << 12 |
+                ((shine >> 1 & 1023) * of + 128) >> 8 << 1;
     }
     uint32_t sum = *(const uint32_t *)(const void *)(look->sums + (row << GLINT_DITHER_SUMS_LOG) + 2 * phase);
     sum += shine;
@@ -258,13 +258,13 @@ static inline uint16_t glint_dither_within(const struct glint_dither_look *look,
 
 /* The pixel of a raw that has a surface. */
 static inline uint16_t glint_dither_pixel(const struct glint_dither_look *look, const struct glint_raw *raw,
-                                          uint32_t phase, const uint8_t *gloss, bool swapped)
+                                          uint32_t phase, int32_t part, bool swapped)
 {
     if (raw->nl_q30 < 0) /* dark: the row before the first */
         return glint_dither_past(look, -1, phase);
     const uint32_t row = ((uint32_t)raw->nl_q30 + look->nudge) >> GLINT_DITHER_ROW_SHIFT;
     return (int32_t)raw->back < 0 ? glint_dither_past(look, (int32_t)row, phase)
-                                  : glint_dither_within(look, row, phase, raw->back >> look->shift, gloss, swapped);
+                                  : glint_dither_within(look, row, phase, raw->back >> look->shift, part, swapped);
 }
 
 /* The phase of the next pixel. */
@@ -306,15 +306,14 @@ glint_albedo_full(uint32_t sum) /* a field whose guard is set is full; green has
 
 /* The pixel of a raw that has a surface. */
 static inline uint16_t glint_albedo_pixel(const struct glint_tables *tables, const struct glint_raw *raw,
-                                          uint16_t albedo, const uint8_t *gloss, bool swapped)
+                                          uint16_t albedo, int32_t part, bool swapped)
 {
     const int32_t nl = raw->nl_q30;
     uint32_t word =
         glint_albedo_lit(albedo, nl < 0 ? tables->dark : *glint_albedo_level(tables, nl >> GLINT_ALBEDO_LEVEL_SHIFT));
     if (glint_raw_shines(raw)) {
         const uint32_t shine = tables->colour.sums[raw->back >> tables->shift];
-        word =
-            glint_albedo_full(word + (gloss ? glint_albedo_part(shine, (glint_gloss_part(*gloss) + 4) >> 3) : shine));
+        word = glint_albedo_full(word + (part < 0 ? shine : glint_albedo_part(shine, ((uint32_t)part + 4) >> 3)));
     }
     return glint_packed(word, swapped);
 }

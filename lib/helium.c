@@ -313,7 +313,7 @@ void glint_colour_int8(const struct glint_paint *paint, const uint32_t *words, u
             if (raw.nl_q30 == GLINT_RAW_NOTHING)
                 i += glint_gap(words[i], w - i) - 1;
             else
-                out[i] = glint_look_pixel(&look, &raw, NULL);
+                out[i] = glint_look_pixel(&look, &raw, GLINT_NO_GLOSS);
         }
         return;
     }

@@ -136,44 +136,56 @@ void glint_tables_raws(const struct glint_paint *paint, const struct glint_lines
     tables_unlit(paint, raws, count);
 }
 
-/* A pixel's own n: F is nearly that of the tables at t times it over theirs; where a model knows n and t by their product alone, it is. All t
- * are counted back from beyond the last, as which of them shine is known when they are scaled. */
-#define TABLES_BEYOND ((uint32_t)INT32_MAX)
-static __attribute__((noinline)) void tables_raws_shiny(const struct glint_paint *paint,
-                                                        const struct glint_lines *lines, struct glint_span *at,
-                                                        struct glint_raw *raw)
+/* Of a pixel's own n: F is nearly that of the tables where m = n t is theirs; in models that know n and t by m alone, it is. So t is scaled: m
+ * is counted back from what it is at t_max, Q22. */
+static inline __attribute__((always_inline)) struct glint_raw
+tables_scaled(const struct glint_lines *lines, struct glint_raw raw, uint32_t t_q30, uint8_t code)
 {
-    const struct glint_run *const run = &lines->run;
-    const uint32_t n = paint->of.tables.filled.n, t_max = paint->of.tables.filled.t_max_q30;
-    const uint32_t inverse = (((uint32_t)1 << 22) + n / 2) / n;
-    const uint8_t *code =
-        lines->maps->shininess + lines->maps->shininess_stride * (ptrdiff_t)(run->y - lines->target->y) + run->x;
-    struct glint_vec unpacked[GLINT_RUN];
-    if (at)
-        glint_raws_walk(at, TABLES_BEYOND, raw, lines->count);
-    else
-        tables_raws_int16(glint_lines_normals(lines, unpacked), &paint->l, &paint->h, TABLES_BEYOND, raw, lines->count);
-    for (const struct glint_raw *end = raw + lines->count; raw != end; raw++, code++)
-        if ((int32_t)raw->back >= 0) {
-            const uint32_t t = TABLES_BEYOND - raw->back, ratio = glint_shininess_n(*code) * inverse; /* Q22 */
-            const uint32_t t_q21 = glint_mulhi_near(t << 1, ratio);
-            raw->back = t_q21 <= t_max >> 9 ? t_max - (t_q21 << 9) : GLINT_RAW_OUTSIDE;
-        }
+    const uint32_t m = (t_q30 >> 8) * glint_shininess_n(code);
+    raw.back = t_q30 > GLINT_T_ONE || m > lines->m_max ? GLINT_RAW_OUTSIDE
+                                                       : glint_mulhi_near(lines->m_max - m, lines->inverse) << 9;
+    return raw;
+}
+
+static inline const uint8_t *tables_codes(const struct glint_lines *lines)
+{
+    return lines->maps->shininess + lines->maps->shininess_stride * (ptrdiff_t)(lines->run.y - lines->target->y) +
+           lines->run.x;
+}
+
+/* Alone, for the registers. */
+static __attribute__((noinline)) void tables_raws_shiny(const struct glint_paint *paint,
+                                                        const struct glint_lines *lines, struct glint_raw *raw)
+{
+    const struct glint_vec l = {paint->l.x, paint->l.y, paint->l.z}, h = {paint->h.x, paint->h.y, paint->h.z};
+    const bool is_int8 = lines->maps->normals_format == GLINT_NORMALS_INT8;
+    const uint32_t *word = (const uint32_t *)(const void *)lines->normals + lines->run.x;
+    const struct glint_vec *vec = (const struct glint_vec *)(const void *)lines->normals + lines->run.x;
+    const uint8_t *code = tables_codes(lines);
+    for (const struct glint_raw *end = raw + lines->count; raw != end; raw++, vec++, word++) {
+        const struct glint_vec n = is_int8 ? glint_int8_normal(*word) : *vec;
+        const struct glint_raw at = glint_raw_of(&n, &l, &h, 0);
+        *raw = at.nl_q30 < 0 ? at : tables_scaled(lines, at, 0 - at.back, *code);
+        code++;
+    }
 }
 
 void glint_tables_raws_maps(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
                             struct glint_raw *raws)
 {
-    const uint8_t *const gloss = lines->run.gloss;
-    if (lines->maps && lines->maps->shininess) {
-        tables_raws_shiny(paint, lines, at, raws);
-        tables_unlit(paint, raws, lines->count);
-    } else {
+    if (!lines->maps || !lines->maps->shininess) {
         glint_tables_raws(paint, lines, at, raws);
+        return;
     }
-    for (unsigned i = 0; gloss && i < lines->count; i++)
-        if (!gloss[i])
-            raws[i].back = GLINT_RAW_OUTSIDE;
+    if (at) {
+        const uint8_t *const codes = tables_codes(lines);
+        glint_raws_walk(at, INT32_MAX, raws, lines->count);
+        for (unsigned i = 0; i < lines->count; i++)
+            raws[i] = tables_scaled(lines, raws[i], INT32_MAX - raws[i].back, codes[i]);
+    } else {
+        tables_raws_shiny(paint, lines, raws);
+    }
+    tables_unlit(paint, raws, lines->count);
 }
 
 static void tables_note(struct glint_bounds *bounds, const struct glint_run *run, const struct glint_raw *raws,
@@ -242,12 +254,15 @@ void glint_tables_draw(const struct glint_paint *paint, struct glint_lines *line
         tables_fused(paint, lines, y);
 }
 
-/* Nothing is fused. Gaps of INT8 are stepped over, as unpacked they would be normals. */
 void glint_tables_draw_maps(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
                             uint32_t h, struct glint_box *highlight)
 {
-    if (lines->maps && (lines->maps->gloss || lines->maps->shininess))
-        tables_runs(paint, lines, at, h, highlight, true);
-    else
+    const uint32_t n = paint->of.tables.filled.n;
+    if (!lines->maps || !(lines->maps->gloss || lines->maps->shininess)) {
         glint_tables_draw(paint, lines, at, h, highlight);
+        return;
+    }
+    lines->m_max = (paint->of.tables.filled.t_max_q30 >> 8) * n;
+    lines->inverse = (((uint32_t)1 << 31) + n / 2) / n;
+    tables_runs(paint, lines, at, h, highlight, true);
 }

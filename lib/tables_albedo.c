@@ -92,30 +92,33 @@ static void albedo_raws(const struct glint_paint *paint, const uint32_t *words, 
     }
 }
 
-/* gloss: the run's, or NULL. */
+/* glossy: with a map of gloss, where there is one. */
 static inline __attribute__((always_inline)) void albedo_each(const struct glint_paint *paint,
                                                               const struct glint_run *run, const struct glint_raw *raw,
-                                                              unsigned count, const uint8_t *gloss)
+                                                              unsigned count, bool glossy)
 {
+    const uint8_t full = 255, *gloss = run->gloss ? run->gloss : &full;
+    const unsigned step = run->gloss ? 1 : 0;
     const struct glint_tables *tables = &paint->of.tables.filled;
     const uint16_t *albedo = (const uint16_t *)(const void *)run->albedo;
     const bool swapped = glint_is_swapped(tables);
     uint8_t *out = run->line + 2 * run->x;
-    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2, albedo++, gloss += gloss ? 1 : 0)
+    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2, albedo++, gloss += step)
         if (raw->nl_q30 != GLINT_RAW_NOTHING)
-            glint_put_pixel(out, glint_albedo_pixel(tables, raw, *albedo, gloss, swapped));
+            glint_put_pixel(out, glint_albedo_pixel(tables, raw, *albedo,
+                                                    glossy ? glint_gloss_part(*gloss) : GLINT_NO_GLOSS, swapped));
 }
 
 static void albedo_pixels(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
                           unsigned count)
 {
-    albedo_each(paint, run, raw, count, NULL);
+    albedo_each(paint, run, raw, count, false);
 }
 
 static void albedo_pixels_maps(const struct glint_paint *paint, const struct glint_run *run,
                                const struct glint_raw *raw, unsigned count)
 {
-    albedo_each(paint, run, raw, count, run->gloss);
+    albedo_each(paint, run, raw, count, true);
 }
 
 #define ALBEDO_USE(ways, pixels)                                                                                       \

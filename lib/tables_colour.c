@@ -138,28 +138,30 @@ static void colour_raws(const struct glint_paint *paint, const uint32_t *words, 
         raws[i] = glint_colour_raw(paint, words[i], GLINT_COLOUR_COLUMNS_LOG);
 }
 
-/* gloss: the run's, or NULL. */
+/* glossy: with a map of gloss, where there is one. */
 static inline __attribute__((always_inline)) void colour_each(const struct glint_paint *paint,
                                                               const struct glint_run *run, const struct glint_raw *raw,
-                                                              unsigned count, const uint8_t *gloss)
+                                                              unsigned count, bool glossy)
 {
+    const uint8_t full = 255, *gloss = run->gloss ? run->gloss : &full;
+    const unsigned step = run->gloss ? 1 : 0;
     const struct glint_look look = glint_look_up(&paint->of.tables.filled);
     uint8_t *out = run->line + 2 * run->x;
-    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2, gloss += gloss ? 1 : 0)
+    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2, gloss += step)
         if (raw->nl_q30 != GLINT_RAW_NOTHING)
-            glint_put_pixel(out, glint_look_pixel(&look, raw, gloss));
+            glint_put_pixel(out, glint_look_pixel(&look, raw, glossy ? glint_gloss_part(*gloss) : GLINT_NO_GLOSS));
 }
 
 static void colour_pixels(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
                           unsigned count)
 {
-    colour_each(paint, run, raw, count, NULL);
+    colour_each(paint, run, raw, count, false);
 }
 
 static void colour_pixels_maps(const struct glint_paint *paint, const struct glint_run *run,
                                const struct glint_raw *raw, unsigned count)
 {
-    colour_each(paint, run, raw, count, run->gloss);
+    colour_each(paint, run, raw, count, true);
 }
 
 #define COLOUR_USE(ways, pixels)                                                                                       \
@@ -250,16 +252,19 @@ static void dither_raws(const struct glint_paint *paint, const uint32_t *words, 
 /* A row and a phase find a finished pixel, or, where there is a highlight, a sum to which its shine is added. */
 static inline __attribute__((always_inline)) void dither_each(const struct glint_paint *paint,
                                                               const struct glint_run *run, const struct glint_raw *raw,
-                                                              unsigned count, const uint8_t *gloss)
+                                                              unsigned count, bool glossy)
 {
+    const uint8_t full = 255, *gloss = run->gloss ? run->gloss : &full;
+    const unsigned step = run->gloss ? 1 : 0;
     const struct glint_tables *tables = &paint->of.tables.filled;
     const struct glint_dither_look look = glint_dither_look_up(tables, run->y);
     const bool swapped = glint_is_swapped(tables);
     uint32_t phase = 2 * ((run->left + run->x) & 3);
     uint8_t *out = run->line + 2 * run->x;
-    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2, gloss += gloss ? 1 : 0) {
+    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2, gloss += step) {
         if (raw->nl_q30 != GLINT_RAW_NOTHING)
-            glint_put_pixel(out, glint_dither_pixel(&look, raw, phase, gloss, swapped));
+            glint_put_pixel(out, glint_dither_pixel(&look, raw, phase,
+                                                    glossy ? glint_gloss_part(*gloss) : GLINT_NO_GLOSS, swapped));
         phase = glint_dither_next(phase);
     }
 }
@@ -267,13 +272,13 @@ static inline __attribute__((always_inline)) void dither_each(const struct glint
 static void dither_pixels(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
                           unsigned count)
 {
-    dither_each(paint, run, raw, count, NULL);
+    dither_each(paint, run, raw, count, false);
 }
 
 static void dither_pixels_maps(const struct glint_paint *paint, const struct glint_run *run,
                                const struct glint_raw *raw, unsigned count)
 {
-    dither_each(paint, run, raw, count, run->gloss);
+    dither_each(paint, run, raw, count, true);
 }
 
 #define DITHER_USE(ways, pixels)                                                                                       \

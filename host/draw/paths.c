@@ -186,18 +186,20 @@ static void pack(struct way *way)
             way->packed[i] = glint_normals_pack(GLINT_NORMALS_INT8, &way->normals[i]);
 }
 
-/* Most paths are drawn here with full gloss, full coverage and one colour, which becomes that of the first pixel with full gloss.
+/* A palette is drawn here with full gloss, it and spans with full coverage, most paths in one colour, which becomes that of the first pixel.
  * `by_path` marks the pixels that the path draws. Returns how many are marked. */
-static size_t choose(const struct scene *scene, bool any_color, bool takes_coverage, struct glint_material *material,
+static size_t choose(const struct scene *scene, const struct path *path, struct glint_material *material,
                      uint8_t *by_path)
 {
+    const bool any_color = path->paint == ALBEDO, takes_gloss = path->source != PALETTE;
+    const bool takes_coverage = path->source == INT16 || path->source == INT8;
     const size_t pixels = (size_t)scene->width * scene->height;
     const uint8_t *color = NULL;
     size_t count = 0;
     for (size_t i = 0; i < pixels; i++) {
         const uint8_t *here = scene->albedo ? &scene->albedo[3 * i] : material->albedo;
         const bool solid = takes_coverage || !scene->mask || scene->mask[i] == 255;
-        const bool full = drawn(scene, i) && solid && (!scene->gloss || scene->gloss[i] == 255);
+        const bool full = drawn(scene, i) && solid && (takes_gloss || !scene->gloss || scene->gloss[i] == 255);
         if (full && !color)
             color = here;
         by_path[i] = full && (any_color || memcmp(color, here, 3) == 0) ? (scene->mask ? scene->mask[i] : 255) : 0;
@@ -213,22 +215,23 @@ static char *narrow(struct way *way, struct glint_material *material)
 {
     char *warning = NULL;
     const struct scene scene = way->scene;
-    if (scene.shininess)
-        fail("--path %s: takes no map of shininess, as --filter makes it; choose exact or exact-int8",
+    if (scene.shininess && way->path->source == PALETTE)
+        fail("--path %s: takes no map of shininess, as --filter makes it; choose another",
              path_names[way->shading.path]);
     const size_t pixels = (size_t)scene.width * scene.height;
-    const bool any_color = way->path->paint == ALBEDO;
-    const bool takes_coverage = way->path->source == INT16 || way->path->source == INT8;
     size_t wanted = 0;
     for (size_t i = 0; i < pixels; i++)
         wanted += drawn(&scene, i);
     way->scene.mask = way->chosen = allocate(pixels, 1);
-    const size_t chosen = choose(&scene, any_color, takes_coverage, material, way->chosen);
+    const size_t chosen = choose(&scene, way->path, material, way->chosen);
     way->whole = chosen == wanted;
     if (chosen == pixels && !scene.mask)
         way->scene.mask = NULL;
-    if (!way->whole && asprintf(&warning, "draws %s full gloss, %zu of %zu pixels; the exact path drew the rest",
-                                any_color ? "pixels of" : "one colour at", chosen, wanted) < 0)
+    const char *const what = way->path->source == PALETTE ? "one colour at full gloss"
+                             : way->path->paint == ALBEDO ? "pixels of full coverage"
+                                                          : "one colour";
+    if (!way->whole &&
+        asprintf(&warning, "draws %s, %zu of %zu pixels; the exact path drew the rest", what, chosen, wanted) < 0)
         fail("out of memory");
     return warning;
 }
@@ -336,11 +339,14 @@ static enum glint_err draw_spans(const struct way *way, uint32_t y, const struct
         at.pixels = (uint8_t *)line->pixels + pixel_bytes * (ptrdiff_t)x;
         at.x = (uint16_t)(at.x + x);
         const struct glint_maps maps = {.albedo = way->albedo ? (const uint8_t *)(way->albedo + start + x) : NULL,
-                                        .albedo_format = GLINT_RGB565};
+                                        .albedo_format = GLINT_RGB565,
+                                        .gloss = scene->gloss ? scene->gloss + start + x : NULL,
+                                        .shininess = scene->shininess ? scene->shininess + start + x : NULL};
+        const bool plain = !maps.albedo && !maps.gloss && !maps.shininess; /* which is quicker */
         enum glint_err error = glint_span_init(&span, &way->paint, &way->normals[start + x],
                                                &way->normals[start + end - 1], (uint16_t)(end - x));
         if (error == GLINT_OK)
-            error = glint_draw_span(&way->paint, &span, way->albedo ? &maps : NULL, &at, NULL);
+            error = glint_draw_span(&way->paint, &span, plain ? NULL : &maps, &at, NULL);
         if (error != GLINT_OK)
             return error;
     }
@@ -398,7 +404,6 @@ static struct glint_maps maps_of(const struct way *way, size_t first)
 {
     const struct scene *scene = &way->scene;
     const ptrdiff_t width = (ptrdiff_t)scene->width;
-    const bool is_exact = way->path->paint == EXACT;
     struct glint_maps maps = {.normals_format = GLINT_NORMALS_INT16};
     if (way->packed) {
         maps.normals = &way->packed[first];
@@ -408,12 +413,12 @@ static struct glint_maps maps_of(const struct way *way, size_t first)
         maps.normals = &way->normals[first];
         maps.normals_stride = width * (ptrdiff_t)sizeof *way->normals;
     }
-    if (is_exact && scene->albedo) {
+    if (way->path->paint == EXACT && scene->albedo) {
         maps.albedo = &scene->albedo[3 * first];
         maps.albedo_stride = 3 * width;
         maps.albedo_format = GLINT_RGB888;
     }
-    if (is_exact && scene->gloss) {
+    if (scene->gloss) {
         maps.gloss = &scene->gloss[first];
         maps.gloss_stride = width;
     }

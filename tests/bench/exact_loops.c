@@ -47,7 +47,7 @@ static struct glint_maps maps_of(const struct glint_paint *paint, enum bench_map
 #else
     (void)map;
 #endif
-    sphere_grain(&maps, &bench_loop->look, bench_gloss, 0);
+    sphere_grain(&maps, &bench_loop->look, bench_grain, 0);
     return maps;
 }
 

@@ -17,7 +17,7 @@ const struct bench_loop *bench_loop;
 #ifndef __AVR__
 uint32_t bench_map[SPHERE_W];
 struct glint_vec bench_palette[SPHERE_PALETTE];
-uint8_t bench_albedo[SPHERE_W][3], bench_gloss[SPHERE_W];
+uint8_t bench_albedo[SPHERE_W][3], bench_gloss[SPHERE_W], bench_grain[SPHERE_W];
 uint16_t bench_albedo_565[SPHERE_W];
 #endif
 
@@ -53,7 +53,7 @@ void bench_line_begin(uint16_t y)
         if (bench_loop->look.gloss)
             bench_gloss[x] = sphere_gloss(x, y);
         if (bench_loop->look.grain >= GRAIN_MAP)
-            bench_gloss[x] = sphere_grain_byte(&bench_loop->look, x, y);
+            bench_grain[x] = sphere_grain_byte(&bench_loop->look, x, y);
 #ifndef __AVR__
         bench_albedo_565[x] = sphere_albedo(x, y);
 #endif
@@ -183,6 +183,7 @@ const struct bench_loop bench_loops[] = {
     {"exact spun", WHAT("the same, spun"), EXACT, INT16, .look = {.grain = GRAIN_SPUN}, .once = true},
     {"exact grain map", WHAT("the same, a map of grain"), EXACT, .look = {.grain = GRAIN_MAP}, .map_bytes = 7, .once = true},
     {"exact shininess", WHAT("exact rect, a map of shininess"), EXACT, .look = {.grain = GRAIN_SHININESS}, .map_bytes = 7, .once = true},
+    {"exact filtered", WHAT("exact rect, maps of albedo, gloss and shininess"), EXACT, .look = {.albedo = true, .gloss = true, .grain = GRAIN_SHININESS}, .map_bytes = 11, .once = true},
     {"exact int8", WHAT("exact rect, int8 normals"), EXACT, INT8},
     {"colour span 16", WHAT("glint_draw_span by COLOUR tables, spans of 16"), colour_fill, .prepare = bench_spans_16, .shade = bench_span},
     {"colour span 64", WHAT("the same, spans of 64"), colour_fill, .prepare = bench_spans_64, .shade = bench_span},
@@ -202,6 +203,11 @@ const struct bench_loop bench_loops[] = {
     {"colour int8 coverage all", WHAT("colour int8, every pixel covered in part"), colour_fill, bench_light, .shade = bench_rect, INT8, .pack = bench_soft_all, .once = true},
     {"albedo int8 coverage all", WHAT("albedo int8, every pixel covered in part"),
      albedo_fill, bench_light, .shade = bench_rect, .look = {.albedo = true}, .map = MAP_INT8, .map_bytes = 6, .pack = bench_soft_all, .once = true},
+    {"colour int16 filtered", WHAT("colour int16, maps of gloss and shininess"), colour_fill, bench_light, .shade = bench_rect, .map_bytes = 8, .look = {.gloss = true, .grain = GRAIN_SHININESS}, .once = true},
+    {"albedo int8 gloss", WHAT("albedo int8, a map of gloss"),
+     albedo_fill, bench_light, .shade = bench_rect, .look = {.albedo = true, .gloss = true}, .map = MAP_INT8, .map_bytes = 7, .once = true},
+    {"albedo int8 filtered", WHAT("the same, and one of shininess"),
+     albedo_fill, bench_light, .shade = bench_rect, .look = {.albedo = true, .gloss = true, .grain = GRAIN_SHININESS}, .map = MAP_INT8, .map_bytes = 8, .once = true},
     {"palette", WHAT("glint_draw_palette, 4096 entries by colour int16"), colour_fill, palette_frame, .shade = palette, PALETTE},
 #endif
     {"integer power", WHAT("int16 normals, Q15, powers by squaring"),

@@ -44,8 +44,9 @@ extern uint32_t bench_memory[BENCH_MEMORY / 4];
 #ifdef __AVR__
 #define bench_albedo ((uint8_t(*)[3])BENCH_AFTER_TABLES)
 #define bench_gloss ((uint8_t *)BENCH_AFTER_TABLES)
+#define bench_grain bench_gloss
 #else
-extern uint8_t bench_albedo[SPHERE_W][3], bench_gloss[SPHERE_W];
+extern uint8_t bench_albedo[SPHERE_W][3], bench_gloss[SPHERE_W], bench_grain[SPHERE_W];
 #endif
 
 /* The first error of the loop at hand, else 0: then the harness takes no figure for one. */

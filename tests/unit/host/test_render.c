@@ -259,8 +259,8 @@ static void help_explains_every_option_and_fits_a_terminal(void **state)
 static void a_path_leaves_what_is_not_of_full_gloss_to_the_exact_one(void **state)
 {
     (void)state;
-    const struct run *result = run(
-        "$GLINT render --height heights.png --gloss heights.png --format rgb565 --path colour-int16 -o out/path.ppm");
+    const struct run *result =
+        run("$GLINT render --height heights.png --gloss heights.png --format rgb565 --path palette -o out/path.ppm");
     assert_int_equal(result->status, 0);
     assert_contains(result->err,
                     "full gloss, 1 of 96 pixels; the exact path drew the rest"); /* of 96 greys one is white */

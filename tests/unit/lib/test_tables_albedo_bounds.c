@@ -197,6 +197,7 @@ static void what_the_tables_cannot_draw_is_refused_and_nothing_is_written(void *
     const struct glint_span span = {0, 0, 0, 1 << 30, 0, 2, {{0, 0}, {0, 0}}};
     const struct glint_maps good = maps_over(GLINT_NORMALS_INT8, words, map, 2);
     paint_of_tables(&paint, GLINT_TABLES_ALBEDO, &look, memory);
+    paint.of.tables.filled.use = &glint_use_albedo;
     for (int i = 0; i < 8; i++) {
         static const enum glint_err wanted[8] = {GLINT_ERR_ARG, GLINT_ERR_ARG,    GLINT_ERR_ARG, GLINT_ERR_ARG,
                                                  GLINT_ERR_ARG, GLINT_ERR_FORMAT, GLINT_ERR_ARG, GLINT_ERR_ARG};

@@ -19,12 +19,14 @@ static enum glint_tables_kind of_kind(enum kind kind)
 /* ---- The sequence ---- */
 
 /* t as the columns have it. */
-static int64_t scaled(const struct look *s, int64_t t, unsigned code)
+static int64_t scaled(const struct look *s, const struct glint_tables *t, int64_t t_q30, unsigned code)
 {
-    const uint64_t n = s->material.n, inverse = ((1u << 22) + n / 2) / n;
-    const uint64_t a = 2 * (uint64_t)t, b = glint_shininess_n((uint8_t)code) * inverse;
-    const uint64_t a1 = a >> 16, a0 = a & 0xffff, b1 = b >> 16, b0 = b & 0xffff;
-    return (int64_t)((a1 * b1 + (a1 * b0 >> 16) + (a0 * b1 >> 16)) << 9);
+    const uint64_t n = s->material.n, inverse = ((UINT64_C(1) << 31) + n / 2) / n, largest = (t->t_max_q30 >> 8) * n;
+    const uint64_t m = (uint64_t)(t_q30 >> 8) * glint_shininess_n((uint8_t)code);
+    if (t_q30 > 1 << 30 || m > largest)
+        return INT64_MAX;
+    const uint64_t a1 = (largest - m) >> 16, a0 = (largest - m) & 0xffff, b1 = inverse >> 16, b0 = inverse & 0xffff;
+    return t->t_max_q30 - (int64_t)((a1 * b1 + (a1 * b0 >> 16) + (a0 * b1 >> 16)) << 9);
 }
 
 static unsigned part_of(unsigned full, unsigned g)
@@ -129,7 +131,7 @@ static void rectangles_by_maps_of_gloss_and_shininess_have_the_pixels_of_their_s
         for (int p = 0; p < WIDE * LINES; p++) {
             const struct glint_vec n = scene_normals.vec[p];
             const int x = p % WIDE, y = p / WIDE;
-            const int64_t t_q30 = t_of(n, s.h), at = shiny ? scaled(&s, t_q30, codes[p]) : t_q30, nl = dot(n, s.l);
+            const int64_t t_q30 = t_of(n, s.h), at = shiny ? scaled(&s, t, t_q30, codes[p]) : t_q30, nl = dot(n, s.l);
             const unsigned g = glossy ? gloss[p] : 255;
             if (!is_surface(n)) {
                 assert_int_equal(out[p], GUARD << 8 | GUARD);
@@ -138,7 +140,7 @@ static void rectangles_by_maps_of_gloss_and_shininess_have_the_pixels_of_their_s
             if (in_rows(n, &s))
                 assert_int_equal(out[p],
                                  expected(kind, &s, t, at, nl, p, g, surface.x + (unsigned)x, surface.y + (unsigned)y));
-            if (nl < 0 || at > t->t_max_q30 || !g)
+            if (nl < 0 || at > t->t_max_q30)
                 continue;
             wide += t_q30 > t->t_max_q30;
             wanted_box.x = (uint16_t)(x < wanted_box.x ? x : wanted_box.x);
@@ -180,7 +182,7 @@ static void spans_by_maps_of_gloss_and_shininess_have_the_pixels_of_their_sequen
         uint32_t t = span.t_q30, dt = span.dt_q30, nl = (uint32_t)span.nl_q30;
         for (unsigned x = 0; x < WIDE; x++) {
             const uint32_t at = t >= UINT32_C(0xf8000000) ? 0 : t;
-            const int64_t column = at > INT32_MAX ? INT64_MAX : maps.shininess ? scaled(&s, at, codes[x]) : at;
+            const int64_t column = maps.shininess ? scaled(&s, &paint.of.tables.filled, at, codes[x]) : at;
             assert_int_equal(out[x], expected(kind, &s, &paint.of.tables.filled, column, (int32_t)nl, (int)x,
                                               maps.gloss ? gloss[x] : 255, surface.x + x, surface.y));
             t += dt;

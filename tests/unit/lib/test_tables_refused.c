@@ -409,10 +409,16 @@ static void rectangles_by_tables_refuse_what_cannot_be(void **state)
         assert_int_equal(glint_draw_rect(&paint, &maps, 2, 2, &to_out, NULL), GLINT_ERR_ARG);
     }
     maps.albedo = NULL;
-    maps.gloss = (const uint8_t *)words;
-    maps.gloss_stride = 2;
-    assert_int_equal(glint_draw_rect(&paint, &maps, 2, 2, &to_out, NULL), GLINT_ERR_ARG);
-    maps.gloss = NULL;
+    for (int i = 0; i < 4; i++) { /* kinds without maps; with them a stride that is too small */
+        const struct glint_use_tables *const with = paint.of.tables.filled.use;
+        paint.of.tables.filled.use = i < 2 ? &glint_use_colour : with;
+        maps.gloss = i & 1 ? (const uint8_t *)words : NULL;
+        maps.shininess = i & 1 ? NULL : (const uint8_t *)words;
+        maps.gloss_stride = maps.shininess_stride = i < 2 ? 2 : 1;
+        assert_int_equal(glint_draw_rect(&paint, &maps, 2, 2, &to_out, NULL), GLINT_ERR_ARG);
+        paint.of.tables.filled.use = with;
+    }
+    maps.gloss = maps.shininess = NULL;
     maps.grain = (const uint8_t *)words;
     maps.grain_stride = 2;
     assert_int_equal(glint_draw_rect(&paint, &maps, 2, 2, &to_out, NULL), GLINT_ERR_ARG);
@@ -444,7 +450,10 @@ static void spans_and_palettes_refuse_what_cannot_be(void **state)
     static const uint8_t map[8] = {255, 255, 255, 255, 255, 255, 255, 255};
     struct glint_maps maps = {.albedo = map, .albedo_format = GLINT_RGB565};
     assert_int_equal(glint_draw_span(&paint, &span, &maps, to, NULL), GLINT_ERR_ARG);
+    paint.of.tables.filled.use = &glint_use_colour;
     maps = (struct glint_maps){.gloss = map};
+    assert_int_equal(glint_draw_span(&paint, &span, &maps, to, NULL), GLINT_ERR_ARG);
+    maps = (struct glint_maps){.shininess = map};
     assert_int_equal(glint_draw_span(&paint, &span, &maps, to, NULL), GLINT_ERR_ARG);
     maps = (struct glint_maps){.grain = map};
     assert_int_equal(glint_draw_span(&paint, &span, &maps, to, NULL), GLINT_ERR_ARG);
