@@ -92,21 +92,21 @@ static void albedo_raws(const struct glint_paint *paint, const uint32_t *words, 
     }
 }
 
-/* glossy: with a map of gloss, where there is one. */
+/* glossy: with a map of gloss. */
 static inline __attribute__((always_inline)) void albedo_each(const struct glint_paint *paint,
                                                               const struct glint_run *run, const struct glint_raw *raw,
                                                               unsigned count, bool glossy)
 {
-    const uint8_t full = 255, *gloss = run->gloss ? run->gloss : &full;
-    const unsigned step = run->gloss ? 1 : 0;
+    unsigned at = 0;
     const struct glint_tables *tables = &paint->of.tables.filled;
     const uint16_t *albedo = (const uint16_t *)(const void *)run->albedo;
     const bool swapped = glint_is_swapped(tables);
     uint8_t *out = run->line + 2 * run->x;
-    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2, albedo++, gloss += step)
+    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2, albedo++, at++)
         if (raw->nl_q30 != GLINT_RAW_NOTHING)
-            glint_put_pixel(out, glint_albedo_pixel(tables, raw, *albedo,
-                                                    glossy ? glint_gloss_part(*gloss) : GLINT_NO_GLOSS, swapped));
+            glint_put_pixel(out,
+                            glint_albedo_pixel(tables, raw, *albedo,
+                                               glossy ? glint_gloss_part(run->gloss[at]) : GLINT_NO_GLOSS, swapped));
 }
 
 static void albedo_pixels(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
@@ -118,7 +118,10 @@ static void albedo_pixels(const struct glint_paint *paint, const struct glint_ru
 static void albedo_pixels_maps(const struct glint_paint *paint, const struct glint_run *run,
                                const struct glint_raw *raw, unsigned count)
 {
-    albedo_each(paint, run, raw, count, true);
+    if (run->gloss)
+        albedo_each(paint, run, raw, count, true);
+    else
+        albedo_pixels(paint, run, raw, count);
 }
 
 #define ALBEDO_USE(ways, pixels)                                                                                       \

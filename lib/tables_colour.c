@@ -138,18 +138,18 @@ static void colour_raws(const struct glint_paint *paint, const uint32_t *words, 
         raws[i] = glint_colour_raw(paint, words[i], GLINT_COLOUR_COLUMNS_LOG);
 }
 
-/* glossy: with a map of gloss, where there is one. */
+/* glossy: with a map of gloss. */
 static inline __attribute__((always_inline)) void colour_each(const struct glint_paint *paint,
                                                               const struct glint_run *run, const struct glint_raw *raw,
                                                               unsigned count, bool glossy)
 {
-    const uint8_t full = 255, *gloss = run->gloss ? run->gloss : &full;
-    const unsigned step = run->gloss ? 1 : 0;
+    unsigned at = 0;
     const struct glint_look look = glint_look_up(&paint->of.tables.filled);
     uint8_t *out = run->line + 2 * run->x;
-    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2, gloss += step)
+    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2, at++)
         if (raw->nl_q30 != GLINT_RAW_NOTHING)
-            glint_put_pixel(out, glint_look_pixel(&look, raw, glossy ? glint_gloss_part(*gloss) : GLINT_NO_GLOSS));
+            glint_put_pixel(out,
+                            glint_look_pixel(&look, raw, glossy ? glint_gloss_part(run->gloss[at]) : GLINT_NO_GLOSS));
 }
 
 static void colour_pixels(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
@@ -161,7 +161,10 @@ static void colour_pixels(const struct glint_paint *paint, const struct glint_ru
 static void colour_pixels_maps(const struct glint_paint *paint, const struct glint_run *run,
                                const struct glint_raw *raw, unsigned count)
 {
-    colour_each(paint, run, raw, count, true);
+    if (run->gloss)
+        colour_each(paint, run, raw, count, true);
+    else
+        colour_pixels(paint, run, raw, count);
 }
 
 #define COLOUR_USE(ways, pixels)                                                                                       \
@@ -254,17 +257,17 @@ static inline __attribute__((always_inline)) void dither_each(const struct glint
                                                               const struct glint_run *run, const struct glint_raw *raw,
                                                               unsigned count, bool glossy)
 {
-    const uint8_t full = 255, *gloss = run->gloss ? run->gloss : &full;
-    const unsigned step = run->gloss ? 1 : 0;
+    unsigned at = 0;
     const struct glint_tables *tables = &paint->of.tables.filled;
     const struct glint_dither_look look = glint_dither_look_up(tables, run->y);
     const bool swapped = glint_is_swapped(tables);
     uint32_t phase = 2 * ((run->left + run->x) & 3);
     uint8_t *out = run->line + 2 * run->x;
-    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2, gloss += step) {
+    for (const struct glint_raw *end = raw + count; raw != end; raw++, out += 2, at++) {
         if (raw->nl_q30 != GLINT_RAW_NOTHING)
-            glint_put_pixel(out, glint_dither_pixel(&look, raw, phase,
-                                                    glossy ? glint_gloss_part(*gloss) : GLINT_NO_GLOSS, swapped));
+            glint_put_pixel(out,
+                            glint_dither_pixel(&look, raw, phase,
+                                               glossy ? glint_gloss_part(run->gloss[at]) : GLINT_NO_GLOSS, swapped));
         phase = glint_dither_next(phase);
     }
 }
@@ -278,7 +281,10 @@ static void dither_pixels(const struct glint_paint *paint, const struct glint_ru
 static void dither_pixels_maps(const struct glint_paint *paint, const struct glint_run *run,
                                const struct glint_raw *raw, unsigned count)
 {
-    dither_each(paint, run, raw, count, true);
+    if (run->gloss)
+        dither_each(paint, run, raw, count, true);
+    else
+        dither_pixels(paint, run, raw, count);
 }
 
 #define DITHER_USE(ways, pixels)                                                                                       \

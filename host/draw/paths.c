@@ -65,6 +65,12 @@ static bool draws_all(const struct path *path)
     return path->paint == EXACT && (path->source == INT16 || path->source == INT8);
 }
 
+/* Of gloss, shininess and coverage. */
+static bool takes_maps(const struct path *path)
+{
+    return path->source == INT16 || path->source == INT8;
+}
+
 bool path_draws_all(unsigned path)
 {
     return draws_all(&paths[path]);
@@ -186,23 +192,27 @@ static void pack(struct way *way)
             way->packed[i] = glint_normals_pack(GLINT_NORMALS_INT8, &way->normals[i]);
 }
 
-/* A palette is drawn here with full gloss, it and spans with full coverage, most paths in one colour, which becomes that of the first pixel.
- * `by_path` marks the pixels that the path draws. Returns how many are marked. */
+/* Spans and a palette are drawn here with full gloss and coverage, most paths in one colour, which becomes that of the first pixel with full
+ * gloss, or else of the first one. `by_path` marks the pixels that the path draws. Returns how many are marked. */
 static size_t choose(const struct scene *scene, const struct path *path, struct glint_material *material,
                      uint8_t *by_path)
 {
-    const bool any_color = path->paint == ALBEDO, takes_gloss = path->source != PALETTE;
-    const bool takes_coverage = path->source == INT16 || path->source == INT8;
     const size_t pixels = (size_t)scene->width * scene->height;
-    const uint8_t *color = NULL;
+    const bool any_color = path->paint == ALBEDO, has_maps = takes_maps(path);
+    const uint8_t *color = NULL, *glossy = NULL;
     size_t count = 0;
     for (size_t i = 0; i < pixels; i++) {
         const uint8_t *here = scene->albedo ? &scene->albedo[3 * i] : material->albedo;
-        const bool solid = takes_coverage || !scene->mask || scene->mask[i] == 255;
-        const bool full = drawn(scene, i) && solid && (takes_gloss || !scene->gloss || scene->gloss[i] == 255);
-        if (full && !color)
-            color = here;
-        by_path[i] = full && (any_color || memcmp(color, here, 3) == 0) ? (scene->mask ? scene->mask[i] : 255) : 0;
+        const bool solid = has_maps || !scene->mask || scene->mask[i] == 255;
+        const bool full = !scene->gloss || scene->gloss[i] == 255;
+        by_path[i] = drawn(scene, i) && solid && (has_maps || full) ? (scene->mask ? scene->mask[i] : 255) : 0;
+        color = by_path[i] && !color ? here : color;
+        glossy = by_path[i] && full && !glossy ? here : glossy;
+    }
+    color = glossy ? glossy : color;
+    for (size_t i = 0; i < pixels; i++) {
+        if (!any_color && scene->albedo && by_path[i] && memcmp(color, &scene->albedo[3 * i], 3) != 0)
+            by_path[i] = 0;
         count += by_path[i] != 0;
     }
     if (color)
@@ -215,8 +225,8 @@ static char *narrow(struct way *way, struct glint_material *material)
 {
     char *warning = NULL;
     const struct scene scene = way->scene;
-    if (scene.shininess && way->path->source == PALETTE)
-        fail("--path %s: takes no map of shininess, as --filter makes it; choose another",
+    if (scene.shininess && !takes_maps(way->path))
+        fail("--path %s: takes no map of shininess, as --filter makes it; choose a path of 16 or 8 bits",
              path_names[way->shading.path]);
     const size_t pixels = (size_t)scene.width * scene.height;
     size_t wanted = 0;
@@ -227,9 +237,9 @@ static char *narrow(struct way *way, struct glint_material *material)
     way->whole = chosen == wanted;
     if (chosen == pixels && !scene.mask)
         way->scene.mask = NULL;
-    const char *const what = way->path->source == PALETTE ? "one colour at full gloss"
-                             : way->path->paint == ALBEDO ? "pixels of full coverage"
-                                                          : "one colour";
+    const char *const what = way->path->paint == ALBEDO ? "pixels of full gloss"
+                             : takes_maps(way->path)    ? "one colour"
+                                                        : "one colour at full gloss";
     if (!way->whole &&
         asprintf(&warning, "draws %s, %zu of %zu pixels; the exact path drew the rest", what, chosen, wanted) < 0)
         fail("out of memory");
@@ -339,14 +349,11 @@ static enum glint_err draw_spans(const struct way *way, uint32_t y, const struct
         at.pixels = (uint8_t *)line->pixels + pixel_bytes * (ptrdiff_t)x;
         at.x = (uint16_t)(at.x + x);
         const struct glint_maps maps = {.albedo = way->albedo ? (const uint8_t *)(way->albedo + start + x) : NULL,
-                                        .albedo_format = GLINT_RGB565,
-                                        .gloss = scene->gloss ? scene->gloss + start + x : NULL,
-                                        .shininess = scene->shininess ? scene->shininess + start + x : NULL};
-        const bool plain = !maps.albedo && !maps.gloss && !maps.shininess; /* which is quicker */
+                                        .albedo_format = GLINT_RGB565};
         enum glint_err error = glint_span_init(&span, &way->paint, &way->normals[start + x],
                                                &way->normals[start + end - 1], (uint16_t)(end - x));
         if (error == GLINT_OK)
-            error = glint_draw_span(&way->paint, &span, plain ? NULL : &maps, &at, NULL);
+            error = glint_draw_span(&way->paint, &span, way->albedo ? &maps : NULL, &at, NULL);
         if (error != GLINT_OK)
             return error;
     }

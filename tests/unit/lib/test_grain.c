@@ -561,9 +561,6 @@ static void spans_take_one_direction_and_tables_no_grain(void **state)
     maps.normals = normals;
     maps.normals_stride = 6 * SIDE;
     assert_int_equal(glint_draw_rect(&paint, &maps, 4, 1, &surface, NULL), GLINT_ERR_ARG);
-    maps.grain = NULL;
-    maps.shininess = bytes;
-    assert_int_equal(glint_draw_rect(&paint, &maps, 4, 1, &surface, NULL), GLINT_ERR_ARG);
 }
 
 int main(void)
