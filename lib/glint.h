@@ -245,7 +245,8 @@ extern const struct glint_use_lights glint_use_lights;
 extern const struct glint_use_coverage glint_use_coverage;
 
 /* Tables: what the exact paint draws, at a fraction of its cycles. They are filled from exact values, on the device or before; only their
- * arguments are quantised (sequence.md). They take one white directional light or none, every model but Phong, and no gloss map.
+ * arguments are quantised (sequence.md). They take one white directional light or none, and every model but Phong. Maps of gloss and shininess need
+ * a kind named _maps; F of a pixel's n is that of the tables at the same n t then, for every model.
  *
  * COLOUR  RGB565 in either order, gamma or linear, of one albedo. 20,480 bytes: 4096 columns over t, which hold F in 64 steps, and
  *         128 rows over nl of 64 finished pixels. Dithered: gamma only, 20,608 bytes, and no rings around the highlight: means over 4x4
@@ -415,8 +416,8 @@ enum glint_grain {
  *
  *            normals                                       albedo                      gloss   coverage   grain   shininess
  *   exact    INT16, INT8                                   RGB888                      yes     yes        yes     without n_across
- *   COLOUR   INT16, INT8 with the viewer at (0, 0, 1)      no                          no      yes        no      no
- *   ALBEDO   the same                                      RGB565, machine's order     no      yes        no      no
+ *   COLOUR   INT16, INT8 with the viewer at (0, 0, 1)      no                          _maps   yes        no      _maps
+ *   ALBEDO   the same                                      RGB565, machine's order     _maps   yes        no      _maps
  *
  * Normals have about unit length; others give some colour. INT16 is aligned to 2 bytes, INT8 to 4, RGB565 to 2, and so are strides.
  * A pixel without a surface (INT8: z = 0; by tables also INT16: 0, 0, 0) is left as it is. */
@@ -450,7 +451,7 @@ enum glint_err glint_draw_rect_by(const struct glint_paint *paint, const struct 
                                   const struct glint_use_coverage *soft);
 /* Draws w x h pixels; w or h = 0 draws nothing. Of pixels below a byte the bits past w in a line's last byte are kept. *highlight, unless it is NULL,
  * becomes the smallest box, relative to the rectangle, of the drawn pixels with a highlight (F > 0 and gloss > 0; by tables: t within their
- * columns). Outside of it the picture is the same without the highlight. Paints of tables look at the normals outside of it twice then.
+ * columns, whatever the gloss). Outside of it the picture is the same without the highlight. Paints of tables look at the normals outside of it twice then.
  * GLINT_ERR_ARG: NULL, a paint of zeros or never lit, a map that the paint does not take, or one that it needs (ALBEDO without albedo), a
  * stride smaller than its line, misaligned. GLINT_ERR_FORMAT: no such format of normals, or of albedo for this paint. GLINT_ERR_VECTOR: a paint
  * of tables, INT8, and a viewer not at (0, 0, 1). Nothing is drawn then. */
