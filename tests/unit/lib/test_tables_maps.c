@@ -245,7 +245,8 @@ static void filtered(double n, uint8_t *code, uint8_t *shine)
     *shine = (uint8_t)lround(255 * (1 + wider) / (1 + n));
 }
 
-static void filtered_maps_by_tables_are_within_3_steps_of_green_of_the_exact_paint(void **state)
+static void
+filtered_maps_by_tables_are_within_2_steps_of_green_of_the_exact_paint_or_3_by_schlick_and_cayley(void **state)
 {
     (void)state;
     static struct glint_vec normals[SIDE * SIDE];
@@ -300,10 +301,8 @@ static void filtered_maps_by_tables_are_within_3_steps_of_green_of_the_exact_pai
             largest = off > largest ? off : largest;
             sum += off;
         }
-        if (getenv("SHOW"))
-            print_message("%d n %d %s: %d %.3f\n", look.material.model, look.material.n, kind ? "albedo" : "colour",
-                          largest, sum / (SIDE * SIDE));
-        else if (largest > 3)
+        const bool far = look.material.model == GLINT_SCHLICK || look.material.model == GLINT_CAYLEY;
+        if (largest > 2 + far || sum / (SIDE * SIDE) > (far ? 1.1 : .6))
             fail_msg("model %d, n = %d, %s tables: largest %d steps of 63, mean %.3f", look.material.model,
                      look.material.n, kind == ALBEDO ? "albedo" : "colour", largest, sum / (SIDE * SIDE));
     }
@@ -315,7 +314,8 @@ int main(void)
         cmocka_unit_test(rectangles_by_maps_of_gloss_and_shininess_have_the_pixels_of_their_sequence),
         cmocka_unit_test(spans_by_maps_of_gloss_and_shininess_have_the_pixels_of_their_sequence),
         cmocka_unit_test(full_gloss_draws_what_no_map_does_and_coverage_blends_what_the_maps_draw),
-        cmocka_unit_test(filtered_maps_by_tables_are_within_3_steps_of_green_of_the_exact_paint),
+        cmocka_unit_test(
+            filtered_maps_by_tables_are_within_2_steps_of_green_of_the_exact_paint_or_3_by_schlick_and_cayley),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
