@@ -187,9 +187,9 @@ static inline void albedo_set(struct glint_mesh_pixels *p, const struct glint_ta
 /* What a triangle has of the texture. */
 static inline void albedo_picture(struct glint_mesh_pixels *p, const struct glint_mesh_laid *laid)
 {
-    p->picture.pixels += laid->blue[0];
-    p->picture.w = laid->blue[1] & 0xffff;
-    p->picture.h = laid->blue[1] >> 16;
+    p->picture.pixels += laid->of[GLINT_MESH_LAID_BLUE];
+    p->picture.w = laid->of[GLINT_MESH_LAID_BLUE + 1] & 0xffff;
+    p->picture.h = laid->of[GLINT_MESH_LAID_BLUE + 1] >> 16;
 }
 
 /* And of its lines. */
@@ -234,8 +234,8 @@ static __attribute__((noinline)) void albedo_part(struct glint_mesh_pixels *p, s
                              (uintptr_t)depth);
         if (!glint_mesh_columns(part->left, part->right, target->w, &from, &to)) {
         } else if (laid) {
-            p->now[0] = laid->at[0] + (uint32_t)(from - v->x) * p->step[0];
-            p->now[1] = laid->at[1] + (uint32_t)(from - v->x) * p->step[1];
+            p->now[0] = laid->of[0] + (uint32_t)(from - v->x) * p->step[0];
+            p->now[1] = laid->of[1] + (uint32_t)(from - v->x) * p->step[1];
             albedo_row(p, v, depth, from, to);
         } else {
             GLINT_FLASH_POINTER(use->line)(over, triangle->y, from, to, v->z + (uint32_t)(from - v->x) * v->zx, v->zx);
@@ -251,7 +251,7 @@ static __attribute__((noinline)) void albedo_part(struct glint_mesh_pixels *p, s
             }
         }
         for (unsigned i = 0; i < 2 && laid; i++)
-            laid->at[i] += laid->down[i];
+            laid->of[i] += laid->of[GLINT_MESH_LAID_DOWN + i];
         glint_mesh_edge_next(part->left);
         glint_mesh_edge_next(part->right);
         glint_mesh_values_next(v);
@@ -284,8 +284,8 @@ static __attribute__((noinline)) void albedo_lines_of(const struct glint_tables 
     albedo_triangle(&p, triangle);
     if (laid) {
         albedo_picture(&p, laid);
-        p.step[0] = laid->right[0];
-        p.step[1] = laid->right[1];
+        p.step[0] = laid->of[GLINT_MESH_LAID_RIGHT];
+        p.step[1] = laid->of[GLINT_MESH_LAID_RIGHT + 1];
     } else {
         GLINT_FLASH_POINTER(target->drawn->mesh->use->set)(over, target, glint_mesh_face_of(triangle), texture);
         p.picture = over->picture;
@@ -360,8 +360,8 @@ static inline __attribute__((always_inline)) void albedo_colours_begin(struct al
                                                                        const struct glint_mesh_laid *laid, uint32_t n)
 {
     const uint32_t last = (uint32_t)(run->end - run->depth - 1);
-    run->step[2] = laid->blue[2];
-    run->now[2] = laid->blue[0] + n * run->step[2];
+    run->step[2] = laid->of[GLINT_MESH_LAID_BLUE + 2];
+    run->now[2] = laid->of[GLINT_MESH_LAID_BLUE] + n * run->step[2];
     if (albedo_is_held(run, last))
         return;
     uint32_t now[3] = {run->now[0], run->now[1], run->now[2]}, step[3] = {run->step[0], run->step[1], run->step[2]};
@@ -384,10 +384,10 @@ albedo_line(const struct glint_mesh_pixels *p, const struct glint_mesh_triangle 
     run->z = v->z + n * run->dz;
     run->dnl = v->nlx;
     run->nl = v->nl + n * run->dnl;
-    run->step[0] = laid->right[0];
-    run->now[0] = laid->at[0] + n * run->step[0];
-    run->step[1] = laid->right[1];
-    run->now[1] = laid->at[1] + n * run->step[1];
+    run->step[0] = laid->of[GLINT_MESH_LAID_RIGHT];
+    run->now[0] = laid->of[0] + n * run->step[0];
+    run->step[1] = laid->of[GLINT_MESH_LAID_RIGHT + 1];
+    run->now[1] = laid->of[1] + n * run->step[1];
     if (is_glossy) {
         run->ddt = v->txx;
         run->dt = v->tx + n * run->ddt;
@@ -405,10 +405,10 @@ albedo_line(const struct glint_mesh_pixels *p, const struct glint_mesh_triangle 
 static inline void albedo_next(struct glint_mesh_values *v, struct glint_mesh_laid *laid, bool is_glossy,
                                unsigned source)
 {
-    laid->at[0] += laid->down[0];
-    laid->at[1] += laid->down[1];
+    laid->of[0] += laid->of[GLINT_MESH_LAID_DOWN];
+    laid->of[1] += laid->of[GLINT_MESH_LAID_DOWN + 1];
     if (source == GLINT_MESH_COLOURS)
-        laid->blue[0] += laid->blue[1];
+        laid->of[GLINT_MESH_LAID_BLUE] += laid->of[GLINT_MESH_LAID_BLUE + 1];
     if (is_glossy) {
         glint_mesh_values_next(v);
     } else {

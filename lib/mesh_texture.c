@@ -204,19 +204,15 @@ static __attribute__((noinline)) void over_lay_any(struct glint_mesh_laid *laid,
     for (unsigned k = 0; k < over->count; k++) {
         const struct glint_mesh_linear of = over->of[k];
         const uint32_t at = of.at + n * of.x + lines * of.y;
-        if (k < 2) {
-            laid->at[k] = at;
-            laid->down[k] = of.y;
-            laid->right[k] = of.x;
-        } else {
-            laid->blue[0] = at;
-            laid->blue[1] = of.y;
-            laid->blue[2] = of.x;
-        }
+        uint32_t *const to = &laid->of[k < 2 ? k : GLINT_MESH_LAID_BLUE];
+        const unsigned stride = k < 2 ? 2 : 1;
+        to[0] = at;
+        to[stride] = of.y;
+        to[2 * stride] = of.x;
     }
     if (texture) {
-        laid->blue[0] = (uint32_t)((uintptr_t)over->picture.pixels - (uintptr_t)texture->pixels);
-        laid->blue[1] = over->picture.w | glint_mesh_height_of(texture, &over->picture) << 16;
+        laid->of[GLINT_MESH_LAID_BLUE] = (uint32_t)((uintptr_t)over->picture.pixels - (uintptr_t)texture->pixels);
+        laid->of[GLINT_MESH_LAID_BLUE + 1] = over->picture.w | glint_mesh_height_of(texture, &over->picture) << 16;
     }
 }
 
@@ -262,7 +258,7 @@ static void laying_colours(const struct over_laying *laying, struct glint_mesh_l
         of[i] = is_of_faces ? colours : colours + 3 * (size_t)laying->of[i];
     for (unsigned k = 0; k < 3; k++) {
         const int32_t one = k == 1 ? OVER_GREEN : OVER_RED, first = of[0][k];
-        laying_number(laying, k < 2 ? &laid->at[k] : laid->blue, k < 2 ? 2 : 1,
+        laying_number(laying, &laid->of[k < 2 ? k : GLINT_MESH_LAID_BLUE], k < 2 ? 2 : 1,
                       glint_mesh_pair_of((of[1][k] - first) * one, (of[2][k] - first) * one), 0,
                       (uint32_t)(first * one + OVER_HALF));
     }
@@ -278,10 +274,10 @@ static void laying_texture(const struct over_laying *laying, struct glint_mesh_l
                                             glint_mesh_pair_of(b[1] - a[1], c[1] - a[1])};
     struct glint_mesh_picture picture;
     over_picture(&picture, texture, over_level(texture, pair, bits, laying->at));
-    laid->blue[0] = (uint32_t)((uintptr_t)picture.pixels - (uintptr_t)texture->pixels);
-    laid->blue[1] = picture.w | glint_mesh_height_of(texture, &picture) << 16;
+    laid->of[GLINT_MESH_LAID_BLUE] = (uint32_t)((uintptr_t)picture.pixels - (uintptr_t)texture->pixels);
+    laid->of[GLINT_MESH_LAID_BLUE + 1] = picture.w | glint_mesh_height_of(texture, &picture) << 16;
     for (unsigned k = 0; k < 2; k++)
-        laying_number(laying, &laid->at[k], 2, pair[k], (int)(32 - bits),
+        laying_number(laying, &laid->of[k], 2, pair[k], (int)(32 - bits),
                       over_first(texture, &picture, (uint32_t)a[k] << (32 - bits), k));
 }
 

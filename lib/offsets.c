@@ -138,8 +138,7 @@ typedef char glint_pixels_layout
              AT(loop, GLINT_AT_PIXELS_DDT + 56) && 1 << GLINT_MESH_LAID_LOG == GLINT_MESH_LAID &&
              GLINT_MESH_COLOURS == 0 && GLINT_MESH_NEAREST == 1 && GLINT_MESH_SQUARE == 2 && GLINT_MESH_PALETTE == 3 &&
              GLINT_MESH_SMOOTH == 4 && sizeof(struct glint_mesh_laid) == 40 && AT(now, GLINT_AT_PIXELS_NOW) &&
-             offsetof(struct glint_mesh_laid, down) == 8 && offsetof(struct glint_mesh_laid, right) == 16 &&
-             offsetof(struct glint_mesh_laid, blue) == 24 &&
+             GLINT_MESH_LAID_DOWN == 2 && GLINT_MESH_LAID_RIGHT == 4 && GLINT_MESH_LAID_BLUE == 6 &&
              offsetof(struct glint_mesh_bench, copied) ==
                  offsetof(struct glint_mesh_bench, copy) + sizeof(struct glint_mesh_kept) &&
              offsetof(struct glint_mesh_bench, laid) ==
