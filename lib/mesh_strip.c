@@ -3,8 +3,9 @@
  * depth the first stays, however the picture is cut. A triangle that goes on is kept, so that it is set up once; where there is no
  * place left its face goes into the next band's list and is set up again. */
 #include "glint_mesh_strip.h"
-#include "glint_port.h"
+#include "glint_mesh_texture.h"
 #include "glint_mesh_triangle.h"
+#include "glint_port.h"
 
 /* A list to which entries are added at its end. */
 struct tail {
@@ -15,8 +16,12 @@ struct tail {
 struct part {
     const struct glint_paint *paint;
     uint32_t t_end;
-    const struct glint_tables *colours; /* NULL, or what its triangles are drawn by at once */
-    uint16_t end, number;               /* end: GLINT_MESH_NONE, which is above all faces, of the last one */
+    /* NULL, or what its triangles are drawn by at once; of ALBEDO tables by lines, with a texture. */
+    const struct glint_tables *tables;
+    void (*lines)(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                  const struct glint_mesh_target *target, const struct glint_texture *texture);
+    const struct glint_texture *texture;
+    uint16_t end, number; /* end: GLINT_MESH_NONE, which is above all faces, of the last one */
 };
 
 /* Alone, since the loop over a strip's faces has no register left for what this needs. */
@@ -27,7 +32,13 @@ static __attribute__((noinline)) void part_set(struct part *part, const struct g
     part->number = (uint16_t)number;
     part->paint = &drawn->paints[number];
     part->t_end = glint_mesh_t_end(part->paint);
-    part->colours = glint_mesh_is_colour(part->paint, strip) ? &part->paint->of.tables.filled : NULL;
+    part->lines = NULL;
+    part->tables = glint_mesh_is_colour(part->paint, strip) ? &part->paint->of.tables.filled : NULL;
+    if (glint_mesh_is_albedo(part->paint, strip)) {
+        part->lines = GLINT_FLASH_POINTER(drawn->mesh->use->lines);
+        part->tables = &part->paint->of.tables.filled;
+        part->texture = glint_mesh_texture_of(drawn, part->paint);
+    }
     part->end = number + 1 < drawn->mesh->part_count ? drawn->mesh->ends[number] : GLINT_MESH_NONE;
 }
 
@@ -101,8 +112,12 @@ static inline bool is_whole(const struct glint_mesh_target *strip, const struct 
 static bool draw_on(const struct glint_mesh_target *strip, struct glint_mesh_triangle *triangle,
                     const struct part *part)
 {
-    if (part->colours && triangle->y >= strip->y && triangle->y < strip->end && is_whole(strip, triangle))
-        glint_mesh_colour(part->colours, triangle, strip);
+    const bool is_direct =
+        part->tables && triangle->y >= strip->y && triangle->y < strip->end && is_whole(strip, triangle);
+    if (is_direct && part->lines)
+        part->lines(part->tables, triangle, strip, part->texture);
+    else if (is_direct)
+        glint_mesh_colour(part->tables, triangle, strip);
     else if (triangle->y < strip->end)
         strip->rows(part->paint, triangle, strip);
     return triangle->y_end > strip->end;
