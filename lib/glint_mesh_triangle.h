@@ -158,7 +158,9 @@ struct glint_mesh_triangle {
 /* What a triangle, kept from strip to strip, has of its texture or of colours of vertices: u and v, or red and green, at its line, in the column
  * of its values, and their steps. */
 #define GLINT_MESH_LAID 4 /* of shine: it has it */
-enum { GLINT_MESH_LAID_DOWN = 2, GLINT_MESH_LAID_RIGHT = 4, GLINT_MESH_LAID_BLUE = 6 };
+#define GLINT_MESH_LAID_DOWN 2u
+#define GLINT_MESH_LAID_RIGHT 4u
+#define GLINT_MESH_LAID_BLUE 6u
 struct glint_mesh_laid {
     /* Two there, two down, two right; blue's three, or of a texture in bytes how much of the chain is passed, and the picture's w + 2^16 h. */
     uint32_t of[9];
