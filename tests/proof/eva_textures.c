@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * For Eva: colours of faces and of vertices, as ALBEDO tables take them, set and laid over a triangle of any corners, clipped or not; and the check
- * of a mesh's textures.
+ * For Eva: textures and colours set over a triangle of any corners, clipped or not, by textures of any size and up to four levels; the check of a
+ * texture. Texels and lines are not here.
  * eva: -eva-precision 1 -eva-min-loop-unroll 12 -eva-slevel 40 */
 #define glint_mesh_pair_of header_pair_of
 #define glint_mesh_area header_area
@@ -37,7 +37,10 @@ static void of_slopes(struct glint_mesh_slopes *slopes, const struct glint_mesh_
 }
 #include "mesh_texture.c" /* in its place */
 
+enum { LEVELS = 4 };
 static uint16_t texels[8];
+static uint8_t numbers[8];
+static struct glint_texture texture;
 static struct glint_mesh_bench bench;
 static struct glint_mesh_frame frame;
 static struct glint_mesh_vertex vertices[3];
@@ -73,7 +76,7 @@ static void corners_set(void)
     mesh.uv = uv;
 }
 
-/* A triangle's colours, and the same laid behind it. */
+/* A triangle's texture, or its colours, and the same laid behind it. */
 static void set(const struct glint_texture *of)
 {
     static struct glint_mesh_kept kept;
@@ -90,6 +93,27 @@ static void set(const struct glint_texture *of)
     frame.distance = 0;
     over_lay(&laid, &target, &kept.triangle, of);
     over_lay_any(&laid, &target, &kept.triangle, of);
+}
+static void set_texture(uint16_t w, uint16_t h, bool has_palette, uint16_t distance)
+{
+    for (mesh.uv_bits = 8; mesh.uv_bits <= 15; mesh.uv_bits++)
+        for (texture.levels = 1; texture.levels <= LEVELS; texture.levels += LEVELS - 1) {
+            texture.pixels = has_palette ? (const void *)numbers : (const void *)texels;
+            texture.palette = has_palette ? texels : NULL;
+            texture.w = w;
+            texture.h = h;
+            texture.is_smooth = mesh.uv_bits & 1;
+            frame.distance = distance;
+            set(&texture);
+        }
+}
+void eva_texture_set(void)
+{
+    set_texture((uint16_t)(1 + any % 2048), (uint16_t)(1 + any % 2048), false, 0);
+}
+void eva_texture_set_far(void)
+{
+    set_texture(3, 2, true, (uint16_t)(1 + any % 65535));
 }
 void eva_texture_colours(void)
 {
