@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * What is finite is run whole: every mantissa of the reciprocal, of MSH's quotient and of the root's inverse, every fraction of Gauss's power;
- * every sum of a blended pixel, every place between four texels, every slope of an outline.
+ * every sum of a blended pixel, every place between four texels, every slope of an outline; every line of a few pixels that coverage cuts into runs.
  * The bounds are those of contracts.py, from which the proofs show the rest; finite.h is printed by cut.py, library.h by library.py. */
 #include <math.h>
 #include <setjmp.h>
@@ -10,6 +10,8 @@
 #include <stdio.h>
 
 #include <stdlib.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -192,6 +194,94 @@ static void outlines_of_every_slope_stay_within_a_sixteenth_of_a_pixel(void **st
     assert_int_equal(wrong, 0);
 }
 
+/* ---- The walk over coverage and gaps ---- */
+
+enum { WALK_MOST = 9 };
+
+/* Of a pixel: 0 is nothing, 1 in part, 2 in full; where words have gaps, 3 and more have no surface. */
+static bool walk_draws(unsigned kind)
+{
+    return kind == 1 || kind == 2;
+}
+
+/* A line of w pixels of these kinds, as drawn from its first one on: are its runs what a pixel at a time finds? Behind its coverage and its words
+ * no memory can be read. */
+static bool walk_is_right(const uint8_t *kinds, unsigned w, unsigned most, uint8_t *coverage, uint32_t *words)
+{
+    const struct glint_maps maps = {.coverage = coverage, .normals = words, .normals_format = GLINT_NORMALS_INT8};
+    const struct glint_surface surface = {words, 0, 0, 0};
+    static const struct glint_paint paint;
+    struct glint_lines lines = {.maps = &maps,
+                                .target = &surface,
+                                .soft = &glint_use_coverage,
+                                .paint = &paint,
+                                .w = w,
+                                .most = (uint16_t)most,
+                                .has_gaps = words};
+    unsigned x = 0;
+    for (unsigned i = 0; i < w; i++) {
+        coverage[i] = (uint8_t)(kinds[i] % 3 == 1 ? 1 + 253 * (i & 1) : kinds[i] % 3 == 2 ? 255 : 0);
+        if (words)
+            words[i] = (uint32_t)(kinds[i] < 3) << 16;
+    }
+    for (glint_lines_set(&lines, 0); glint_lines_next(&lines); lines.run.x += lines.count) {
+        unsigned count = 0;
+        while (x < w && !walk_draws(kinds[x]))
+            x++;
+        while (x + count < w && count < most && walk_draws(kinds[x + count]) && kinds[x + count] == kinds[x])
+            count++;
+        if (lines.run.x != x || lines.count != count || !count || (lines.run.soft == NULL) != (kinds[x] == 2))
+            return false;
+        x += count;
+    }
+    while (x < w && !walk_draws(kinds[x]))
+        x++;
+    return x == w;
+}
+
+/* Two pages, of which only the first one can be read: its end. */
+static uint8_t *walk_memory(void)
+{
+    const size_t page = (size_t)sysconf(_SC_PAGESIZE);
+    uint8_t *const at = mmap(NULL, 2 * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    assert_true(at != MAP_FAILED && !mprotect(at + page, page, PROT_NONE));
+    return at + page;
+}
+
+/* Every line of up to `longest` pixels of so many kinds, at each of `places` places from memory's end. */
+static long walks_wrong(unsigned kind_count, unsigned longest, unsigned places, bool has_words)
+{
+    uint8_t *const coverage = walk_memory(), *const words = walk_memory(), kinds[WALK_MOST] = {0};
+    long wrong = 0;
+    for (unsigned w = 1; w <= longest; w++) {
+        unsigned long count = 1;
+        for (unsigned i = 0; i < w; i++)
+            count *= kind_count;
+        for (unsigned long line = 0; line < count; line++) {
+            unsigned long rest = line;
+            for (unsigned i = 0; i < w; i++, rest /= kind_count)
+                kinds[i] = (uint8_t)(rest % kind_count);
+            for (unsigned place = 0; place < places; place++)
+                for (unsigned most = 2; most <= GLINT_RUN; most += GLINT_RUN - 2)
+                    wrong += !walk_is_right(kinds, w, most, coverage - w - place,
+                                            has_words ? (uint32_t *)(void *)words - w : NULL);
+        }
+    }
+    return wrong;
+}
+
+static void runs_of_every_line_of_nine_pixels_or_less_are_those_that_its_coverage_asks_for(void **state)
+{
+    (void)state;
+    assert_int_equal(walks_wrong(3, WALK_MOST, 4, false), 0);
+}
+
+static void runs_of_every_line_of_six_pixels_or_less_end_where_there_is_no_surface(void **state)
+{
+    (void)state;
+    assert_int_equal(walks_wrong(6, 6, 4, true), 0);
+}
+
 /* With an argument, the tests of that name: wildcards may be in it. */
 int main(int argc, char **argv)
 {
@@ -204,6 +294,8 @@ int main(int argc, char **argv)
         cmocka_unit_test(quotients_of_blended_sums_are_rounded_down),
         cmocka_unit_test(four_texels_are_weighed_field_by_field),
         cmocka_unit_test(outlines_of_every_slope_stay_within_a_sixteenth_of_a_pixel),
+        cmocka_unit_test(runs_of_every_line_of_nine_pixels_or_less_are_those_that_its_coverage_asks_for),
+        cmocka_unit_test(runs_of_every_line_of_six_pixels_or_less_end_where_there_is_no_surface),
     };
     if (argc > 1)
         cmocka_set_test_filter(argv[1]);

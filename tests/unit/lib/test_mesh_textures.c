@@ -147,6 +147,18 @@ static void face_at_random(double repeats)
     }
 }
 
+/* Straight in front, and so far behind that its depth is some 50 of 65536 from the farthest. */
+static void face_to_back(int16_t behind)
+{
+    mesh.pose.scale = 65535;
+    mesh.pose.position[2] = (int16_t)-behind;
+    for (unsigned i = 0; i < 3; i++) {
+        mesh.places[i][0] = (int16_t)(2 * mesh.places[i][0]);
+        mesh.places[i][1] = (int16_t)(2 * mesh.places[i][1]);
+        mesh.places[i][2] = 0;
+    }
+}
+
 /* By how much u or v, linear between two pixels of a line that are `apart` apart at most, may be off between them, in texels: those ends are
  * anywhere beside the pixel. */
 static double between(const struct seen *s, int x, int y, const double at[2], int k, int apart)
@@ -177,7 +189,7 @@ static bool is_wide(const struct seen *s)
 }
 
 /* How far a texel is from the place that it is drawn at, in texels, beyond what perspective leaves between two pixels of a line. */
-static double worst_place(uint16_t distance, unsigned *pixels, unsigned *other)
+static double worst_place(uint16_t distance, int16_t behind, unsigned *pixels, unsigned *other)
 {
     static uint8_t out[MESH_H][MESH_W][3];
     const struct look look = bare(GLINT_RGB888);
@@ -188,6 +200,8 @@ static double worst_place(uint16_t distance, unsigned *pixels, unsigned *other)
     for (int round = 0; round < 400; round++) {
         face_at_random(1);
         mesh.distance = distance;
+        if (behind)
+            face_to_back(behind);
         mesh.mesh.textures = &texture;
         const struct seen s = see(0);
         if (!is_wide(&s))
@@ -220,7 +234,7 @@ static void texels_are_those_of_double_precision(void **state)
 {
     (void)state;
     unsigned pixels = 0, other = 0;
-    const double worst = worst_place(0, &pixels, &other);
+    const double worst = worst_place(0, 0, &pixels, &other);
     print_message("%u pixels, %u of them with the texel beside; %.3f texels off\n", pixels, other, worst);
     assert_true(pixels > 50000 && other * 100 < pixels);
     assert_true(worst < .05);
@@ -231,9 +245,18 @@ static void texels_in_perspective_are_those_of_double_precision_at_every_eighth_
 {
     (void)state;
     unsigned pixels = 0, other = 0;
-    const double worst = worst_place(2400, &pixels, &other);
+    const double worst = worst_place(2400, 0, &pixels, &other);
     print_message("%u pixels, %u of them with other texels; %.3f texels off\n", pixels, other, worst);
     assert_true(pixels > 50000 && worst < .5);
+}
+
+static void texels_of_a_face_far_behind_are_those_of_double_precision_at_every_eighth_pixel(void **state)
+{
+    (void)state;
+    unsigned pixels = 0, other = 0;
+    const double worst = worst_place(100, 30000, &pixels, &other);
+    print_message("%u pixels, %u of them with other texels; %.3f texels off\n", pixels, other, worst);
+    assert_true(pixels > 5000 && worst < .05);
 }
 
 static double level_of(uint16_t texel, int k)
@@ -503,6 +526,7 @@ int main(void)
         cmocka_unit_test(a_texture_of_one_colour_has_the_pixels_of_that_albedo),
         cmocka_unit_test(texels_are_those_of_double_precision),
         cmocka_unit_test(texels_in_perspective_are_those_of_double_precision_at_every_eighth_pixel),
+        cmocka_unit_test(texels_of_a_face_far_behind_are_those_of_double_precision_at_every_eighth_pixel),
         cmocka_unit_test(bilinear_texels_are_near_those_of_double_precision),
         cmocka_unit_test(a_lit_ball_is_within_42_decibels_of_double_precision),
         cmocka_unit_test(a_texture_that_is_drawn_smaller_takes_a_smaller_picture),
