@@ -225,7 +225,7 @@ static void coverage_pixels(const struct glint_run *run, const struct glint_pain
 {
     uint8_t old[2 * GLINT_RUN];
     coverage_keep(old, run->line + 2 * run->x, count);
-    GLINT_FLASH_POINTER(paint->of.tables.filled.use->pixels)(paint, run, raws, count);
+    glint_tables_plainly(paint, run, raws, count);
     coverage_over(paint, run, run->x, old, count);
 }
 

@@ -142,7 +142,7 @@ static void draw_exactly(const struct glint_paint *paint, struct glint_lines *li
 static void draw_one_light(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
                            uint32_t h, struct glint_box *highlight)
 {
-    if (!glint_fused_lines(paint, lines, at, h, highlight))
+    if ((at && !GLINT_LINE_SPANS) || !glint_fused_lines(paint, lines, at, h, highlight))
         draw_exactly(paint, lines, at, h, highlight);
 }
 

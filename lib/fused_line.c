@@ -110,8 +110,6 @@ static void fused_edges(const struct glint_paint *paint, struct glint_lines *lin
 #define LINE_BYTES(loop) 2
 #endif
 
-#define LINE_LACKS_SPANS !GLINT_CORTEX_M0PLUS_ASM
-
 /* A line by the loop; pixels that this leaves open by the 64-bit sequence. */
 static void fused_line(struct glint_line_loop *loop, const struct glint_paint *paint, struct glint_lines *lines,
                        struct glint_span *at, struct glint_bounds *bounds, uint32_t y)
@@ -166,8 +164,7 @@ bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *line
     struct glint_line_loop loop;
     const struct glint_maps *const maps = lines->maps;
     const bool albedo = maps && maps->albedo;
-    if (!format->begin ||
-        (at ? LINE_LACKS_SPANS || maps : maps->gloss || maps->normals_format != GLINT_NORMALS_INT16) ||
+    if (!format->begin || (at ? maps != NULL : maps->gloss || maps->normals_format != GLINT_NORMALS_INT16) ||
         (paint->of.exact.high && albedo) ||
         (glint_format_is_565(paint->output.format) &&
          (GLINT_MISALIGNED(target->pixels, 16) || (h > 1 && GLINT_MISALIGNED(target->stride, 16)))) ||
@@ -177,7 +174,7 @@ bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *line
     glint_bounds_begin(&bounds);
     if (LINE_LACKS_DARK(&loop) && !at)
         glint_line_dark(&loop, paint);
-#if !LINE_LACKS_SPANS
+#if GLINT_LINE_SPANS
     if (at)
         loop.draw = glint_line_rgb565_span;
     loop.at = at;

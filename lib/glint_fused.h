@@ -199,8 +199,10 @@ void glint_line_dark(struct glint_line_loop *loop, const struct glint_paint *pai
 bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
                        struct glint_box *highlight);
 #define GLINT_LINE_BEGIN glint_line_begin
+#define GLINT_LINE_SPANS (GLINT_CORTEX_M0PLUS_ASM || GLINT_HELIUM) /* does glint_fused_lines take spans? */
 #else
 #define GLINT_LINE_BEGIN NULL
+#define GLINT_LINE_SPANS 0
 static inline bool glint_fused_lines(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
                                      uint32_t h, struct glint_box *highlight)
 {

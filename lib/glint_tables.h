@@ -20,12 +20,13 @@ struct glint_use_tables {
     void (*light)(struct glint_paint *paint);
     /* May these maps be drawn? */
     enum glint_err (*check)(const struct glint_paint *paint, const struct glint_maps *maps, uint32_t h, bool normals);
-    bool takes_maps; /* of gloss and shininess */
     /* Draws a source: *at, unless NULL, is a span that walks along. */
     glint_draw_lines *draw;
-    /* The raws of a run. */
-    void (*source)(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
-                   struct glint_raw *raws);
+    /* The raws of a run with a map of shininess, and pixels as below with one of gloss; or NULL: it takes no such maps. */
+    void (*shiny)(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
+                  struct glint_raw *raws);
+    void (*glossy)(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raws,
+                   unsigned count);
     /* The general way: count raws of INT8 words; count pixels of a run from raws, at any address. */
     void (*raws)(const struct glint_paint *paint, const uint32_t *words, struct glint_raw *raws, unsigned count);
     void (*pixels)(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raws,
@@ -39,15 +40,20 @@ enum glint_err glint_tables_check(const struct glint_paint *paint, const struct 
                                   bool normals);
 void glint_tables_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
                        struct glint_box *highlight);
-void glint_tables_raws(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
-                       struct glint_raw *raws);
-/* The same of kinds that take maps of gloss and shininess. */
-void glint_tables_draw_maps(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
-                            uint32_t h, struct glint_box *highlight);
-void glint_tables_raws_maps(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
-                            struct glint_raw *raws);
-#define GLINT_TABLES_PLAIN false, glint_tables_draw, glint_tables_raws
-#define GLINT_TABLES_MAPS true, glint_tables_draw_maps, glint_tables_raws_maps
+/* Of kinds that take maps of gloss and shininess: raws with one of shininess. */
+void glint_tables_shiny(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
+                        struct glint_raw *raws);
+
+/* The general way, not blended. */
+static inline void glint_tables_plainly(const struct glint_paint *paint, const struct glint_run *run,
+                                        const struct glint_raw *raws, unsigned count)
+{
+    const struct glint_use_tables *const use = paint->of.tables.filled.use;
+    if (run->gloss)
+        GLINT_FLASH_POINTER(use->glossy)(paint, run, raws, count);
+    else
+        GLINT_FLASH_POINTER(use->pixels)(paint, run, raws, count);
+}
 
 /* The general way, blended where the run is. */
 static inline void glint_tables_pixels(const struct glint_paint *paint, const struct glint_run *run,
@@ -56,7 +62,7 @@ static inline void glint_tables_pixels(const struct glint_paint *paint, const st
     if (run->soft)
         GLINT_FLASH_POINTER(run->soft->blend_pixels)(run, paint, raws, count);
     else
-        GLINT_FLASH_POINTER(paint->of.tables.filled.use->pixels)(paint, run, raws, count);
+        glint_tables_plainly(paint, run, raws, count);
 }
 
 /* Does a pixel in the format's order differ from this machine's? */

@@ -90,7 +90,7 @@ enum glint_err glint_tables_check(const struct glint_paint *paint, const struct 
 {
     const bool takes_albedo = GLINT_FLASH_U8(paint->of.tables.filled.use->takes_albedo);
     const uint8_t *albedo = maps ? maps->albedo : NULL;
-    const bool takes_maps = GLINT_FLASH_U8(paint->of.tables.filled.use->takes_maps);
+    const bool takes_maps = GLINT_FLASH_POINTER(paint->of.tables.filled.use->shiny) != NULL;
     if (!albedo != !takes_albedo || (maps && (maps->grain || (!takes_maps && (maps->gloss || maps->shininess)))))
         return GLINT_ERR_ARG;
     if (albedo && maps->albedo_format != GLINT_RGB565)
@@ -119,8 +119,9 @@ static void tables_unlit(const struct glint_paint *paint, struct glint_raw *raws
             raws[i].nl_q30 = -1;
 }
 
-void glint_tables_raws(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
-                       struct glint_raw *raws)
+/* The raws of a run. */
+static void tables_raws(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
+                        struct glint_raw *raws)
 {
     const uint32_t t_max = paint->of.tables.filled.t_max_q30;
     const unsigned count = lines->count;
@@ -154,7 +155,7 @@ static inline const uint8_t *tables_codes(const struct glint_lines *lines)
 }
 
 /* Alone, for the registers. */
-static __attribute__((noinline)) void tables_raws_shiny(const struct glint_paint *paint,
+static __attribute__((noinline)) void tables_shiny_rect(const struct glint_paint *paint,
                                                         const struct glint_lines *lines, struct glint_raw *raw)
 {
     const struct glint_vec l = {paint->l.x, paint->l.y, paint->l.z}, h = {paint->h.x, paint->h.y, paint->h.z};
@@ -170,20 +171,16 @@ static __attribute__((noinline)) void tables_raws_shiny(const struct glint_paint
     }
 }
 
-void glint_tables_raws_maps(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
-                            struct glint_raw *raws)
+void glint_tables_shiny(const struct glint_paint *paint, const struct glint_lines *lines, struct glint_span *at,
+                        struct glint_raw *raws)
 {
-    if (!lines->maps || !lines->maps->shininess) {
-        glint_tables_raws(paint, lines, at, raws);
-        return;
-    }
     if (at) {
         const uint8_t *const codes = tables_codes(lines);
         glint_raws_walk(at, INT32_MAX, raws, lines->count);
         for (unsigned i = 0; i < lines->count; i++)
             raws[i] = tables_scaled(lines, raws[i], INT32_MAX - raws[i].back, codes[i]);
     } else {
-        tables_raws_shiny(paint, lines, raws);
+        tables_shiny_rect(paint, lines, raws);
     }
     tables_unlit(paint, raws, lines->count);
 }
@@ -204,17 +201,26 @@ static __attribute__((noinline)) void tables_runs(const struct glint_paint *pain
 {
     struct glint_raw raws[GLINT_RUN];
     struct glint_run *const run = &lines->run;
+    const bool shines_its_way = lines->maps && lines->maps->shininess;
     struct glint_bounds bounds;
     uint32_t walked = 0;
     glint_bounds_begin(&bounds);
     lines->most = GLINT_RUN;
+    if (shines_its_way) {
+        const uint32_t n = paint->of.tables.filled.n;
+        lines->m_max = (paint->of.tables.filled.t_max_q30 >> 8) * n;
+        lines->inverse = (((uint32_t)1 << 31) + n / 2) / n;
+    }
     for (uint32_t y = 0; y < h; y++)
         for (glint_lines_set(lines, y); glint_lines_next(lines); run->x += lines->count) {
             if (!draws && bounds.bottom == y && run->x >= bounds.left && run->x + lines->count <= bounds.right + 1u)
                 continue;
             if (at && run->x != walked)
                 glint_span_skip(at, run->x - walked);
-            GLINT_FLASH_POINTER(paint->of.tables.filled.use->source)(paint, lines, at, raws);
+            if (shines_its_way)
+                GLINT_FLASH_POINTER(paint->of.tables.filled.use->shiny)(paint, lines, at, raws);
+            else
+                tables_raws(paint, lines, at, raws);
             walked = run->x + lines->count;
             if (highlight)
                 tables_note(&bounds, run, raws, lines->count, y);
@@ -245,24 +251,14 @@ void glint_tables_draw(const struct glint_paint *paint, struct glint_lines *line
                        struct glint_box *highlight)
 {
     const struct glint_surface *target = lines->target;
-    const bool is_fused = GLINT_FUSED && !at && paint->light_count > 0 && !GLINT_MISALIGNED(target->pixels, 16) &&
-                          (h < 2 || !GLINT_MISALIGNED(target->stride, 16));
-    lines->has_gaps = false;
+    const struct glint_maps *maps = lines->maps;
+    const bool apart = maps && (maps->gloss || maps->shininess);
+    const bool is_fused = GLINT_FUSED && !at && !apart && paint->light_count > 0 &&
+                          !GLINT_MISALIGNED(target->pixels, 16) && (h < 2 || !GLINT_MISALIGNED(target->stride, 16));
+    if (!apart) /* where a gap may be taken for a normal */
+        lines->has_gaps = false;
     if (!is_fused || highlight)
         tables_runs(paint, lines, at, h, highlight, !is_fused);
     for (uint32_t y = 0; is_fused && y < h; y++)
         tables_fused(paint, lines, y);
-}
-
-void glint_tables_draw_maps(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
-                            uint32_t h, struct glint_box *highlight)
-{
-    const uint32_t n = paint->of.tables.filled.n;
-    if (!lines->maps || !(lines->maps->gloss || lines->maps->shininess)) {
-        glint_tables_draw(paint, lines, at, h, highlight);
-        return;
-    }
-    lines->m_max = (paint->of.tables.filled.t_max_q30 >> 8) * n;
-    lines->inverse = (((uint32_t)1 << 31) + n / 2) / n;
-    tables_runs(paint, lines, at, h, highlight, true);
 }

@@ -115,19 +115,17 @@ static void albedo_pixels(const struct glint_paint *paint, const struct glint_ru
     albedo_each(paint, run, raw, count, false);
 }
 
-static void albedo_pixels_maps(const struct glint_paint *paint, const struct glint_run *run,
-                               const struct glint_raw *raw, unsigned count)
+static void albedo_glossy(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
+                          unsigned count)
 {
-    if (run->gloss)
-        albedo_each(paint, run, raw, count, true);
-    else
-        albedo_pixels(paint, run, raw, count);
+    albedo_each(paint, run, raw, count, true);
 }
 
-#define ALBEDO_USE(ways, pixels)                                                                                       \
+#define ALBEDO_USE(shiny, glossy)                                                                                      \
     {                                                                                                                  \
         GLINT_TABLES_ALBEDO, false, true, GLINT_TABLES_ALBEDO_BYTES, albedo_can, albedo_fill, albedo_light,            \
-            glint_tables_check, ways, albedo_raws, pixels, GLINT_TABLES_FUSED(glint_albedo_line), NULL                 \
+            glint_tables_check, glint_tables_draw, shiny, glossy, albedo_raws, albedo_pixels,                          \
+            GLINT_TABLES_FUSED(glint_albedo_line), NULL                                                                \
     }
-const struct glint_use_tables glint_use_albedo GLINT_FLASH = ALBEDO_USE(GLINT_TABLES_PLAIN, albedo_pixels);
-const struct glint_use_tables glint_use_albedo_maps GLINT_FLASH = ALBEDO_USE(GLINT_TABLES_MAPS, albedo_pixels_maps);
+const struct glint_use_tables glint_use_albedo GLINT_FLASH = ALBEDO_USE(NULL, NULL);
+const struct glint_use_tables glint_use_albedo_maps GLINT_FLASH = ALBEDO_USE(glint_tables_shiny, albedo_glossy);

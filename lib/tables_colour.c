@@ -158,23 +158,20 @@ static void colour_pixels(const struct glint_paint *paint, const struct glint_ru
     colour_each(paint, run, raw, count, false);
 }
 
-static void colour_pixels_maps(const struct glint_paint *paint, const struct glint_run *run,
-                               const struct glint_raw *raw, unsigned count)
+static void colour_glossy(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
+                          unsigned count)
 {
-    if (run->gloss)
-        colour_each(paint, run, raw, count, true);
-    else
-        colour_pixels(paint, run, raw, count);
+    colour_each(paint, run, raw, count, true);
 }
 
-#define COLOUR_USE(ways, pixels)                                                                                       \
+#define COLOUR_USE(shiny, glossy)                                                                                      \
     {                                                                                                                  \
         GLINT_TABLES_COLOUR, false, false, GLINT_TABLES_COLOUR_BYTES, colour_can, colour_fill, glint_colour_light,     \
-            glint_tables_check, ways, colour_raws, pixels, GLINT_TABLES_FUSED(glint_colour_line),                      \
-            GLINT_TABLES_FUSED(glint_colour_fused)                                                                     \
+            glint_tables_check, glint_tables_draw, shiny, glossy, colour_raws, colour_pixels,                          \
+            GLINT_TABLES_FUSED(glint_colour_line), GLINT_TABLES_FUSED(glint_colour_fused)                              \
     }
-const struct glint_use_tables glint_use_colour GLINT_FLASH = COLOUR_USE(GLINT_TABLES_PLAIN, colour_pixels);
-const struct glint_use_tables glint_use_colour_maps GLINT_FLASH = COLOUR_USE(GLINT_TABLES_MAPS, colour_pixels_maps);
+const struct glint_use_tables glint_use_colour GLINT_FLASH = COLOUR_USE(NULL, NULL);
+const struct glint_use_tables glint_use_colour_maps GLINT_FLASH = COLOUR_USE(glint_tables_shiny, colour_glossy);
 
 /* ---- Dithered ---- */
 
@@ -278,21 +275,18 @@ static void dither_pixels(const struct glint_paint *paint, const struct glint_ru
     dither_each(paint, run, raw, count, false);
 }
 
-static void dither_pixels_maps(const struct glint_paint *paint, const struct glint_run *run,
-                               const struct glint_raw *raw, unsigned count)
+static void dither_glossy(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
+                          unsigned count)
 {
-    if (run->gloss)
-        dither_each(paint, run, raw, count, true);
-    else
-        dither_pixels(paint, run, raw, count);
+    dither_each(paint, run, raw, count, true);
 }
 
-#define DITHER_USE(ways, pixels)                                                                                       \
+#define DITHER_USE(shiny, glossy)                                                                                      \
     {                                                                                                                  \
         GLINT_TABLES_COLOUR, true, false, GLINT_TABLES_DITHER_BYTES, dither_can, dither_fill, glint_colour_light,      \
-            glint_tables_check, ways, dither_raws, pixels, GLINT_TABLES_FUSED(glint_dither_line),                      \
-            GLINT_TABLES_FUSED(glint_dither_fused)                                                                     \
+            glint_tables_check, glint_tables_draw, shiny, glossy, dither_raws, dither_pixels,                          \
+            GLINT_TABLES_FUSED(glint_dither_line), GLINT_TABLES_FUSED(glint_dither_fused)                              \
     }
-const struct glint_use_tables glint_use_colour_dithered GLINT_FLASH = DITHER_USE(GLINT_TABLES_PLAIN, dither_pixels);
+const struct glint_use_tables glint_use_colour_dithered GLINT_FLASH = DITHER_USE(NULL, NULL);
 const struct glint_use_tables glint_use_colour_dithered_maps GLINT_FLASH =
-    DITHER_USE(GLINT_TABLES_MAPS, dither_pixels_maps);
+    DITHER_USE(glint_tables_shiny, dither_glossy);
