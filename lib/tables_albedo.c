@@ -115,8 +115,8 @@ static void albedo_pixels(const struct glint_paint *paint, const struct glint_ru
     albedo_each(paint, run, raw, count, false);
 }
 
-static void albedo_glossy(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
-                          unsigned count)
+static void albedo_with_gloss(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
+                              unsigned count)
 {
     albedo_each(paint, run, raw, count, true);
 }
@@ -128,4 +128,4 @@ static void albedo_glossy(const struct glint_paint *paint, const struct glint_ru
             GLINT_TABLES_FUSED(glint_albedo_line), NULL                                                                \
     }
 const struct glint_use_tables glint_use_albedo GLINT_FLASH = ALBEDO_USE(NULL, NULL);
-const struct glint_use_tables glint_use_albedo_maps GLINT_FLASH = ALBEDO_USE(glint_tables_shiny, albedo_glossy);
+const struct glint_use_tables glint_use_albedo_maps GLINT_FLASH = ALBEDO_USE(glint_tables_shiny, albedo_with_gloss);

@@ -158,8 +158,8 @@ static void colour_pixels(const struct glint_paint *paint, const struct glint_ru
     colour_each(paint, run, raw, count, false);
 }
 
-static void colour_glossy(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
-                          unsigned count)
+static void colour_with_gloss(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
+                              unsigned count)
 {
     colour_each(paint, run, raw, count, true);
 }
@@ -171,7 +171,7 @@ static void colour_glossy(const struct glint_paint *paint, const struct glint_ru
             GLINT_TABLES_FUSED(glint_colour_line), GLINT_TABLES_FUSED(glint_colour_fused)                              \
     }
 const struct glint_use_tables glint_use_colour GLINT_FLASH = COLOUR_USE(NULL, NULL);
-const struct glint_use_tables glint_use_colour_maps GLINT_FLASH = COLOUR_USE(glint_tables_shiny, colour_glossy);
+const struct glint_use_tables glint_use_colour_maps GLINT_FLASH = COLOUR_USE(glint_tables_shiny, colour_with_gloss);
 
 /* ---- Dithered ---- */
 
@@ -275,8 +275,8 @@ static void dither_pixels(const struct glint_paint *paint, const struct glint_ru
     dither_each(paint, run, raw, count, false);
 }
 
-static void dither_glossy(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
-                          unsigned count)
+static void dither_with_gloss(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raw,
+                              unsigned count)
 {
     dither_each(paint, run, raw, count, true);
 }
@@ -289,4 +289,4 @@ static void dither_glossy(const struct glint_paint *paint, const struct glint_ru
     }
 const struct glint_use_tables glint_use_colour_dithered GLINT_FLASH = DITHER_USE(NULL, NULL);
 const struct glint_use_tables glint_use_colour_dithered_maps GLINT_FLASH =
-    DITHER_USE(glint_tables_shiny, dither_glossy);
+    DITHER_USE(glint_tables_shiny, dither_with_gloss);
