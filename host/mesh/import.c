@@ -5,8 +5,11 @@
 #include "base/message.h"
 
 #if GLINT_WITH_MESH
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "glint.h"
 
 #include "base/memory.h"
 #include "base/output.h"
@@ -78,6 +81,12 @@ static bool truth(const bool *sent)
     return byte != 0;
 }
 
+/* Of NaN 0. */
+static double in_unit(double sent)
+{
+    return fmin(1, fmax(0, sent));
+}
+
 static void receive_material(struct reader *reader, struct mesh_material *material)
 {
     bool *const flags[] = {&material->has_color,     &material->unlit,      &material->has_highlight,
@@ -85,6 +94,12 @@ static void receive_material(struct reader *reader, struct mesh_material *materi
     receive(reader, material, sizeof *material);
     for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
         *flags[i] = truth(flags[i]);
+    if (material->n > GLINT_N_MAX)
+        material->n = GLINT_N_MAX;
+    material->roughness = in_unit(material->roughness);
+    material->metallic = in_unit(material->metallic);
+    for (int k = 0; k < 3; k++)
+        material->highlight[k] = in_unit(material->highlight[k]);
 }
 
 static struct soup *receive_soup(struct reader *reader)

@@ -149,8 +149,13 @@ static void load(void *of)
         check(mesh->at[i] < mesh->place_count);
         check(fabs(mesh_dot(mesh->normals[i], mesh->normals[i]) - 1) < 1e-6);
     }
-    for (unsigned i = 0; i < mesh->part_count; i++)
-        check(mesh->materials[i].picture <= mesh->picture_count);
+    for (unsigned i = 0; i < mesh->part_count; i++) {
+        double look[3][3] = {{0}};
+        check(mesh->materials[i].picture <= mesh->picture_count && mesh->materials[i].n <= GLINT_N_MAX);
+        mesh_material_look(&mesh->materials[i], look[0], look[1], look[2]);
+        for (unsigned k = 0; k < 9; k++)
+            check(look[k / 3][k % 3] >= 0 && look[k / 3][k % 3] <= 1);
+    }
     mesh_free(mesh);
 }
 

@@ -22,6 +22,10 @@ static void check_shading(const struct shading_options *options)
         struct glint_light light;
         check(shading_light(&shading, i, &light) == GLINT_OK);
     }
+    const struct glint_material material = shading_material(&shading);
+    const struct glint_output output = shading_output(&shading);
+    struct glint_paint paint;
+    check(glint_paint_exact(&paint, &material, &output) == GLINT_OK);
     for (int k = 0; k < 3; k++)
         check(shading.ambient[k] >= 0 && shading.ambient[k] <= 1 && shading.diffuse[k] >= 0 &&
               shading.diffuse[k] <= 1 && shading.specular[k] >= 0 && shading.specular[k] <= 1);
