@@ -6,12 +6,17 @@
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#if defined(_OPENMP)
+#include <omp.h>
+#endif
 
 #include "files.h"
 
+#include "bake/palette.h"
 #include "base/folder.h"
 #include "base/output.h"
 #include "base/stop.h"
+#include "compare/quality.h"
 #include "scene/scene.h"
 
 /* ---- in a process of its own, linked in ---- */
@@ -94,7 +99,8 @@ static pthread_t start_thread(void *(*run_it)(void *))
         signal(faults[i], SIG_DFL);
     stop_at_signals();
     signals_hold_but_faults(&before);
-    assert_int_equal(pthread_create(&thread, NULL, run_it, NULL), 0);
+    if (pthread_create(&thread, NULL, run_it, NULL) != 0)
+        _exit(98);
     signals_release(&before);
     return thread;
 }
@@ -158,6 +164,73 @@ static void a_fault_in_a_drawing_thread_leaves_nothing(void **state)
     assert_true(WIFSIGNALED(status));
     assert_int_equal(WTERMSIG(status), SIGSEGV);
     assert_int_equal(files_in("out"), 0);
+}
+
+/* Does each thread but the first hold what ends a program? */
+static bool threads_hold_signals(void)
+{
+    const unsigned long long wanted = 1ULL << (SIGINT - 1) | 1ULL << (SIGTERM - 1);
+    bool all = true;
+    glob_t found;
+    if (glob("/proc/self/task/*/status", 0, NULL, &found) != 0)
+        return false;
+    for (size_t i = 0; i < found.gl_pathc; i++) {
+        unsigned long long held = 0;
+        char text[4000];
+        read_text(found.gl_pathv[i], text, sizeof text);
+        const char *at = strstr(text, "SigBlk:");
+        const bool is_first = atoi(found.gl_pathv[i] + strlen("/proc/self/task/")) == getpid();
+        all &= is_first || (at && sscanf(at, "SigBlk: %llx", &held) == 1 && (held & wanted) == wanted);
+    }
+    globfree(&found);
+    return all;
+}
+
+enum { NORMALS = 1000, ENTRIES = 50 };
+
+static void choose_a_palette(void)
+{
+    struct glint_vec normals[NORMALS], palette[ENTRIES];
+    uint16_t places[NORMALS];
+    for (int i = 0; i < NORMALS; i++)
+        normals[i] = (struct glint_vec){(int16_t)(i * 20), (int16_t)(i * 37 % 9000), 20000};
+    palette_choose(normals, NORMALS, ENTRIES, palette, places);
+}
+
+static void judge_what_is_baked(void)
+{
+    enum { SIDE = 16 };
+    static double normals[SIDE * SIDE][3];
+    static struct glint_vec vectors[SIDE * SIDE];
+    struct quality rows[QUALITY_ROWS];
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        normals[i][2] = 1;
+        vectors[i].z = 32767;
+    }
+    const struct scene scene = {.width = SIDE, .height = SIDE, .normals = normals};
+    const struct baked baked = {.format = BAKE_INT16, .width = SIDE, .height = SIDE, .normals = vectors};
+    bake_quality(&scene, &baked, rows);
+}
+
+static void (*work)(void);
+
+static void work_in_threads(void)
+{
+#if defined(_OPENMP)
+    omp_set_num_threads(3);
+#endif
+    work();
+    _exit(threads_hold_signals() ? 0 : 98);
+}
+
+static void threads_leave_signals_to_the_first(void **state)
+{
+    (void)state;
+    static void (*const works[])(void) = {choose_a_palette, judge_what_is_baked};
+    for (size_t i = 0; i < sizeof works / sizeof *works; i++) {
+        work = works[i];
+        assert_int_equal(status_of(work_in_threads), 0);
+    }
 }
 
 static void fail_in_the_middle(void)
@@ -345,6 +418,7 @@ int main(void)
         TEST(a_fault_in_a_drawing_thread_leaves_nothing),
         TEST(a_fault_that_is_sent_while_a_file_is_opened_beside_a_drawing_thread_leaves_nothing),
         TEST(a_drawing_thread_that_gives_up_leaves_nothing),
+        TEST(threads_leave_signals_to_the_first),
         TEST(an_error_in_the_middle_is_not_forgotten_when_the_end_is_written),
         TEST(a_signal_that_ends_the_command_leaves_nothing),
         TEST(a_signal_that_is_ignored_stays_so),
