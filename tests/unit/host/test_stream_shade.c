@@ -272,6 +272,8 @@ static void what_does_not_reach_the_boards_own_picture_is_refused_by_its_name(vo
                                              {"--mat=gold", "leave --material out"},
                                              {"-n 9", "leave -n out"},
                                              {"-q8", "leave -q out"},
+                                             {"--serial -q8 -n 9", "leave -n out"}, /* a value is no option */
+                                             {"-o --albedo -n 9", "leave -n out"},
                                              {"--color 1,2,3", "leave --color out"},
                                              {"--view 0,1,1", "leave --view out"},
                                              {"--size 20x20", "leave --size out"},
